@@ -2,8 +2,7 @@
 
 use glam::Vec2;
 
-use crate::approx::compared;
-use crate::math;
+use asperity_core::math;
 
 /// The farthest Gaussian coordinate that the maps distinguish, in standard deviations.
 ///
@@ -39,7 +38,8 @@ pub struct GaussianSplit {
     pub(crate) rest: f32,
 }
 
-compared!(GaussianSplit, |split| [split.z_b.x, split.z_b.y, split.share()]);
+#[cfg(feature = "approx")]
+asperity_core::impl_approx! { f32; GaussianSplit: split => split.z_b.x, split.z_b.y, split.share(); }
 
 impl GaussianSplit {
     /// The resolved coordinates `z_b` with their share `s` of the variance; total, see [`conditional_density`](crate::conditional_density).

@@ -2,8 +2,7 @@
 
 use glam::Vec3;
 
-use crate::approx::compared;
-use crate::math;
+use asperity_core::math;
 
 /// An orthonormal, right-handed frame: `tangent × bitangent = normal`.
 ///
@@ -29,7 +28,8 @@ pub struct Frame {
     pub normal: Vec3,
 }
 
-compared!(Frame, |frame| [frame.tangent, frame.bitangent, frame.normal]);
+#[cfg(feature = "approx")]
+asperity_core::impl_approx! { f32; Frame: frame => frame.tangent, frame.bitangent, frame.normal; }
 
 impl Frame {
     /// The frame of the axes x, y, z.

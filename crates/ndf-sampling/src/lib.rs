@@ -77,17 +77,9 @@ extern crate std;
 #[cfg(feature = "alloc")]
 extern crate alloc;
 
-#[cfg(not(any(feature = "std", feature = "libm")))]
-compile_error!("asperity-ndf-sampling needs a float backend: enable the feature `std` or `libm`");
-
-#[cfg(test)]
-#[macro_use]
-mod assertions;
-
-mod approx;
-mod batch_error;
 #[cfg(feature = "check")]
 pub mod check;
+mod closed_form;
 mod coordinates;
 mod density;
 mod frame;
@@ -95,7 +87,6 @@ pub mod level_of_detail;
 mod map;
 #[cfg(feature = "alloc")]
 mod masked;
-mod math;
 mod microfacet;
 mod ndf;
 mod noise_distribution;
@@ -107,13 +98,13 @@ mod radial;
 mod rand;
 mod range_error;
 mod serde;
-mod simd;
 #[cfg(feature = "proptest")]
 pub mod strategies;
 
 pub use glam;
 
-pub use batch_error::BatchError;
+pub use asperity_core::BatchError;
+pub use closed_form::ClosedForm;
 pub use density::ashikhmin_shirley::AshikhminShirley;
 pub use density::beckmann::Beckmann;
 pub use density::blend::Blend;
@@ -160,4 +151,3 @@ pub use normal_table::{NormalTableError, NormalTableRef};
 pub use numeric::normal_distribution::{inverse_phi, phi};
 pub use radial::Radial;
 pub use range_error::RangeError;
-pub use simd::closed_form::ClosedForm;

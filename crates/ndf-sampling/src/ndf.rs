@@ -3,8 +3,8 @@
 use glam::{Vec2, Vec3};
 
 use crate::coordinates::GaussianSplit;
-use crate::math;
 use crate::numeric::normal_distribution::inverse_phi;
+use asperity_core::math;
 
 /// A normal density function together with a bijection from Gaussian coordinates to its normals.
 ///
@@ -221,7 +221,11 @@ mod tests {
             let expected = split.weigh(ggx.density(h), ggx.to_gaussian(h));
             assert!(expected > 0.0);
             assert_eq!(plain.conditional_density(h, split), expected);
-            assert_abs_diff_eq!(ggx.conditional_density(h, split), expected, epsilon = 2e-5 * expected);
+            asperity_core::assert_abs_diff_eq!(
+                ggx.conditional_density(h, split),
+                expected,
+                epsilon = 2e-5 * expected
+            );
         }
     }
 
@@ -241,7 +245,7 @@ pub(crate) mod totality {
 
     /// Asserts that `m` is a unit vector above the horizon.
     pub(crate) fn facet(m: Vec3, from: impl core::fmt::Debug) {
-        assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-6, "{from:?}: {m}");
+        asperity_core::assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-6, "{from:?}: {m}");
         assert!(m.z > 0.0, "{from:?}: {m}");
     }
 

@@ -54,30 +54,3 @@ impl fmt::Display for Short {
         }
     }
 }
-
-/// An enum of refusals, each with its sentence.
-macro_rules! refusals {
-    ($(#[$attribute:meta])* pub enum $error:ident {$(
-        $(#[$about:meta])*
-        $case:ident $({ $($(#[$of:meta])* $field:ident: $type:ty,)+ })? => $sentence:literal,
-    )+}) => {
-        $(#[$attribute])*
-        #[derive(Clone, Copy, Debug, PartialEq)]
-        #[non_exhaustive]
-        pub enum $error {$(
-            $(#[$about])*
-            $case $({ $($(#[$of])* $field: $type),+ })?,
-        )+}
-
-        impl core::fmt::Display for $error {
-            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-                match self {
-                    $(Self::$case $({ $($field),+ })? => write!(f, $sentence),)+
-                }
-            }
-        }
-
-        impl core::error::Error for $error {}
-    };
-}
-pub(crate) use refusals;

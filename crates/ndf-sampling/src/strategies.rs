@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3};
 use proptest::prelude::*;
 
 use crate::density::roughness::{MAX_ALPHA, MIN_ALPHA};
-use crate::math;
+use asperity_core::math;
 
 /// Unit vectors of the upper half of the sphere: uniform ones, grazing ones down to 1e-6 above the horizon, ones as near to the zenith,
 /// and the zenith itself.

@@ -178,7 +178,7 @@ mod tests {
     #[test]
     fn the_page_counts_the_packages_beneath_a_crate() {
         let page = fs::read_to_string(root().join("docs/dependencies.md")).unwrap();
-        for short in ["noise", "ndf-sampling", "fif", "shading", "shaders"] {
+        for short in ["core", "noise", "ndf-sampling", "fif", "shading", "shaders"] {
             let name = format!("asperity-{short}");
             let named = |features| {
                 let names = beneath(&name, features);

@@ -7,10 +7,10 @@ use alloc::vec::Vec;
 use glam::{Vec2, Vec3};
 
 use crate::check::ndf::{Broken, Density, INTEGRAL, ODD, Worst, is_facet, shared};
-use crate::check::report::{Limit, Report};
-use crate::check::settings::Settings;
-use crate::math;
 use crate::microfacet::Microfacet;
+use asperity_core::check::Settings;
+use asperity_core::check::{Limit, Report};
+use asperity_core::math;
 
 /// Views: towards four quarters, from the zenith to next to the horizon.
 const VIEWS: [Vec3; 5] = [

@@ -25,15 +25,10 @@
 //! The feature `check` is off by default and adds no dependency: enable it for `dev-dependencies`.
 
 mod cells;
-pub(crate) mod chi_square;
 mod microfacet;
 mod ndf;
-mod report;
-mod settings;
 
+pub use asperity_core::check::{Check, Limit, Report, Settings, p_value};
 pub use cells::Cells;
-pub use chi_square::p_value;
 pub use microfacet::microfacet;
 pub use ndf::ndf;
-pub use report::{Check, Limit, Report};
-pub use settings::Settings;

@@ -7,12 +7,12 @@ use alloc::vec::Vec;
 use glam::{Vec2, Vec3};
 
 use crate::check::cells::Cells;
-use crate::check::chi_square::p_value;
-use crate::check::report::{Limit, Report};
-use crate::check::settings::Settings;
-use crate::math;
 use crate::ndf::Ndf;
 use crate::numeric::normal_distribution::inverse_phi;
+use asperity_core::check::Settings;
+use asperity_core::check::p_value;
+use asperity_core::check::{Limit, Report};
+use asperity_core::math;
 
 /// The largest error of an integral that passes: five times the most that the quadrature's own comes to.
 pub(super) const INTEGRAL: f64 = 1e-3;

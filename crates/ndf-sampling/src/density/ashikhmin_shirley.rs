@@ -4,22 +4,21 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use glam::{Vec2, Vec3};
 
-use crate::approx::compared;
 use crate::coordinates::bounded;
 use crate::density::blinn_phong::{BlinnPhong, roughness};
 use crate::density::ggx::Ggx;
 use crate::density::roughness::Roughness;
 use crate::density::student_distribution::StudentDistribution;
-use crate::math;
 use crate::microfacet::{Microfacet, above};
 use crate::ndf::{Ndf, unit_square};
 use crate::numeric::gauss_kronrod::integrate;
-use crate::numeric::hashed::Hashed;
 use crate::radial::Radial;
 use crate::range_error::RangeError;
 use crate::serde::written;
-use crate::simd::elementary::cos_sin_turns;
-use crate::simd::lanes::Scalar;
+use asperity_core::SplitMix64;
+use asperity_core::lanes::Scalar;
+use asperity_core::lanes::elementary::cos_sin_turns;
+use asperity_core::math;
 
 /// The Ashikhmin–Shirley normal density with the exponents `n_u` along x and `n_v` along y.
 ///
@@ -61,7 +60,8 @@ pub struct AshikhminShirley {
     alpha: Roughness,
 }
 
-compared!(AshikhminShirley, |density| [density.n_u, density.n_v]);
+#[cfg(feature = "approx")]
+asperity_core::impl_approx! { f32; AshikhminShirley: density => density.n_u, density.n_v; }
 written!(AshikhminShirley, |density| { n_u: density.n_u, n_v: density.n_v });
 
 impl AshikhminShirley {
@@ -189,7 +189,7 @@ impl Microfacet for AshikhminShirley {
 
     fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3 {
         let (proposal, mut u) = (Ggx { alpha: self.alpha }, unit_square(u));
-        let mut random = Hashed { state: (u64::from(u.x.to_bits()) << 32) | u64::from(u.y.to_bits()) };
+        let mut random = SplitMix64 { state: (u64::from(u.x.to_bits()) << 32) | u64::from(u.y.to_bits()) };
         let mut m = proposal.sample_visible(v, u);
         for _ in 0..MOST_TRIES {
             let (x, y, z) = (f64::from(m.x), f64::from(m.y), f64::from(m.z));
@@ -243,11 +243,11 @@ mod tests {
                     worst = worst.max((got / expected - 1.0).abs());
                 }
                 let (got, expected) = (equal.projected_area(v), phong.projected_area(v));
-                assert_abs_diff_eq!(got / expected, 1.0, epsilon = 1e-6, "{n} {k}");
+                asperity_core::assert_abs_diff_eq!(got / expected, 1.0, epsilon = 1e-6, "{n} {k}");
                 let z = Vec2::new(k as f32 / 15.0, 1.0 - k as f32 / 20.0);
                 let m = phong.from_gaussian(z);
-                assert_abs_diff_eq!(equal.from_gaussian(z), m, epsilon = 1e-6);
-                assert_abs_diff_eq!(equal.to_gaussian(m), z, epsilon = 5e-6);
+                asperity_core::assert_abs_diff_eq!(equal.from_gaussian(z), m, epsilon = 1e-6);
+                asperity_core::assert_abs_diff_eq!(equal.to_gaussian(m), z, epsilon = 5e-6);
             }
         }
         assert!(worst < 1e-5, "{worst:e}");

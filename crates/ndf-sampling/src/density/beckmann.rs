@@ -4,19 +4,19 @@ use core::f32::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
 
 use glam::{Vec2, Vec3};
 
+use crate::closed_form::ClosedForm;
 use crate::coordinates::{FARTHEST, GaussianSplit};
 use crate::density::closed_form::{closed_form, probabilities, stretched, unit};
 use crate::density::gaussian_lanes;
 use crate::density::roughness::{Roughness, roughness_parameters};
 use crate::density::visible_slopes::{LEAST_U, excess, visible_slope};
-use crate::math;
 use crate::microfacet::{Microfacet, above};
 use crate::ndf::unit_square;
 use crate::numeric::normal_distribution::inverse_phi;
 use crate::radial::Radial;
-use crate::simd::closed_form::ClosedForm;
-use crate::simd::elementary::{cos_sin_turns, exp, ln_1p};
-use crate::simd::lanes::Lanes;
+use asperity_core::lanes::Arithmetic;
+use asperity_core::lanes::elementary::{cos_sin_turns, exp, ln_1p};
+use asperity_core::math;
 
 /// The Beckmann normal density with the roughnesses `alpha_x`, `alpha_y`.
 ///
@@ -58,14 +58,14 @@ closed_form!(Beckmann);
 
 impl ClosedForm for Beckmann {
     #[inline(always)]
-    fn normal<S: Lanes>(&self, s: S, [z1, z2]: [S::F; 2]) -> [S::F; 3] {
+    fn normal<S: Arithmetic>(&self, s: S, [z1, z2]: [S::F; 2]) -> [S::F; 3] {
         let x = s.bounded(z1, FARTHEST) * s.float(self.alpha.x * FRAC_1_SQRT_2);
         let y = s.bounded(z2, FARTHEST) * s.float(self.alpha.y * FRAC_1_SQRT_2);
         unit(s, [x, y, s.float(1.0)])
     }
 
     #[inline(always)]
-    fn gaussian<S: Lanes>(&self, s: S, [x, y, z]: [S::F; 3]) -> [S::F; 2] {
+    fn gaussian<S: Arithmetic>(&self, s: S, [x, y, z]: [S::F; 3]) -> [S::F; 2] {
         let up = s.float(SQRT_2) / s.at_least(z, f32::MIN_POSITIVE);
         let z1 = (x / s.float(self.alpha.x)) * up;
         let z2 = (y / s.float(self.alpha.y)) * up;
@@ -73,7 +73,7 @@ impl ClosedForm for Beckmann {
     }
 
     #[inline(always)]
-    fn density_in_lanes<S: Lanes>(&self, s: S, [x, y, z]: [S::F; 3]) -> [S::F; 1] {
+    fn density_in_lanes<S: Arithmetic>(&self, s: S, [x, y, z]: [S::F; 3]) -> [S::F; 1] {
         self.lobe(s, Vec2::ZERO, 1.0, [x, y, z])
     }
 
@@ -83,12 +83,12 @@ impl ClosedForm for Beckmann {
     /// exp(−((x/αx − μx)² + (y/αy − μy)²)/(1 − s)) / (π αx αy (1 − s) h_z⁴),   (x, y) = (h_x, h_y)/h_z,   μ = √s z_b/√2
     /// ```
     #[inline(always)]
-    fn conditional<S: Lanes>(&self, s: S, split: GaussianSplit, h: [S::F; 3]) -> [S::F; 1] {
+    fn conditional<S: Arithmetic>(&self, s: S, split: GaussianSplit, h: [S::F; 3]) -> [S::F; 1] {
         self.lobe(s, split.z_b * (split.root * FRAC_1_SQRT_2), split.rest, h)
     }
 
     #[inline(always)]
-    fn polar<S: Lanes>(&self, s: S, u: [S::F; 2]) -> [S::F; 3] {
+    fn polar<S: Arithmetic>(&self, s: S, u: [S::F; 2]) -> [S::F; 3] {
         let [u1, u2] = probabilities(s, u);
         let slope = s.sqrt(-ln_1p(s, -u1));
         let [cos, sin] = cos_sin_turns(s, u2);
@@ -97,7 +97,7 @@ impl ClosedForm for Beckmann {
     }
 
     #[inline(always)]
-    fn visible<S: Lanes>(&self, s: S, [x, y, z, u1, u2]: [S::F; 5]) -> [S::F; 3] {
+    fn visible<S: Arithmetic>(&self, s: S, [x, y, z, u1, u2]: [S::F; 5]) -> [S::F; 3] {
         let [u1, u2] = probabilities(s, [u1, u2]);
         let [x, y, z] = stretched(s, self.alpha, [x, y, z]);
         let lateral = s.sqrt(x * x + y * y);
@@ -116,7 +116,7 @@ impl ClosedForm for Beckmann {
 impl Beckmann {
     /// The density about the slope `mean`, in units of the roughnesses, whose square is `rest` times that of this.
     #[inline(always)]
-    fn lobe<S: Lanes>(&self, s: S, mean: Vec2, rest: f32, [x, y, z]: [S::F; 3]) -> [S::F; 1] {
+    fn lobe<S: Arithmetic>(&self, s: S, mean: Vec2, rest: f32, [x, y, z]: [S::F; 3]) -> [S::F; 1] {
         let (x, y) = (x / s.float(self.alpha.x) / z, y / s.float(self.alpha.y) / z);
         let (x, y) = (x - s.float(mean.x), y - s.float(mean.y));
         let (zero, one) = (s.float(0.0), s.float(1.0));
@@ -176,7 +176,7 @@ mod tests {
     fn density_is_relative_down_to_the_least_normal_number() {
         let m = Vec3::new(0.920_338_1, -0.332_970_1, 0.205_204);
         let got = Beckmann::isotropic(0.5).unwrap().density(m);
-        assert_abs_diff_eq!(got / 2.181_27e-37, 1.0, epsilon = 5e-5, "{got:e}");
+        asperity_core::assert_abs_diff_eq!(got / 2.181_27e-37, 1.0, epsilon = 5e-5, "{got:e}");
         let mut farthest = 0.0_f64;
         for alpha in [[0.5; 2], [1e-6; 2], [1e-3; 2], [1.0; 2], [1e6; 2], [1e6, 1e-6], [0.02, 3.0]] {
             let beckmann = Beckmann::new(alpha[0], alpha[1]).unwrap();
@@ -187,7 +187,7 @@ mod tests {
                 let (a, exact) = exact(alpha, m);
                 let got = f64::from(beckmann.density(m));
                 if exact >= f64::from(f32::MIN_POSITIVE) {
-                    assert_abs_diff_eq!(
+                    asperity_core::assert_abs_diff_eq!(
                         got / exact,
                         1.0,
                         epsilon = 1e-6 + 5e-7 * a,

@@ -1,12 +1,11 @@
 //! The Blinn–Phong normal density: powers of the cosine.
 
-use crate::approx::compared;
 use crate::density::delegate::delegate_ndf;
 use crate::density::roughness::MIN_ALPHA;
 use crate::density::student_t::StudentT;
-use crate::math;
 use crate::range_error::RangeError;
 use crate::serde::written;
+use asperity_core::math;
 
 /// The Blinn–Phong normal density with the exponent `n`.
 ///
@@ -44,7 +43,8 @@ pub struct BlinnPhong {
 }
 
 delegate_ndf!(BlinnPhong, facets, Microfacet, Radial);
-compared!(BlinnPhong, |density| [density.exponent]);
+#[cfg(feature = "approx")]
+asperity_core::impl_approx! { f32; BlinnPhong: density => density.exponent; }
 written!(BlinnPhong, |density| { exponent: density.exponent });
 
 impl BlinnPhong {
@@ -113,7 +113,7 @@ mod tests {
     fn exponents_and_roughnesses_convert() {
         for alpha in [1.0_f32, 0.5, 0.01, 1e-3, 2e-6] {
             let back = BlinnPhong::from_roughness(alpha).unwrap().roughness();
-            assert_abs_diff_eq!(back / alpha, 1.0, epsilon = 1e-6, "{alpha}");
+            asperity_core::assert_abs_diff_eq!(back / alpha, 1.0, epsilon = 1e-6, "{alpha}");
         }
     }
 
@@ -122,8 +122,12 @@ mod tests {
         let (diffuse, ggx) = (BlinnPhong::new(0.0).unwrap(), Ggx::isotropic(1.0).unwrap());
         for z in [Vec2::new(0.7, -1.2), Vec2::ZERO, Vec2::new(-3.0, 0.1)] {
             let m = diffuse.from_gaussian(z);
-            assert_abs_diff_eq!(m, ggx.from_gaussian(z), epsilon = 1e-6, "{m}");
-            assert_abs_diff_eq!(diffuse.density(m) * core::f32::consts::PI, 1.0, epsilon = 1e-6);
+            asperity_core::assert_abs_diff_eq!(m, ggx.from_gaussian(z), epsilon = 1e-6, "{m}");
+            asperity_core::assert_abs_diff_eq!(
+                diffuse.density(m) * core::f32::consts::PI,
+                1.0,
+                epsilon = 1e-6
+            );
         }
         assert_eq!(diffuse.density(Vec3::NEG_Z), 0.0);
     }

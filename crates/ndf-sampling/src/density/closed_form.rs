@@ -1,11 +1,11 @@
 //! Closed forms of densities in lanes: in one for a single call, in many for arrays.
 
 use crate::density::roughness::Roughness;
-use crate::simd::lanes::Lanes;
+use asperity_core::lanes::Arithmetic;
 
 /// `v` in the space where the roughnesses are 1, z at least 0, NaN read as 0.
 #[inline(always)]
-pub(crate) fn stretched<S: Lanes>(s: S, alpha: Roughness, [x, y, z]: [S::F; 3]) -> [S::F; 3] {
+pub(crate) fn stretched<S: Arithmetic>(s: S, alpha: Roughness, [x, y, z]: [S::F; 3]) -> [S::F; 3] {
     /// Far above the length of a unit vector; its square times that of a roughness is finite.
     const LONGEST: f32 = 1e12;
     let x = s.bounded(x, LONGEST) * s.float(alpha.x);
@@ -15,14 +15,14 @@ pub(crate) fn stretched<S: Lanes>(s: S, alpha: Roughness, [x, y, z]: [S::F; 3]) 
 
 /// `(x, y, z)/|(x, y, z)|`.
 #[inline(always)]
-pub(crate) fn unit<S: Lanes>(s: S, [x, y, z]: [S::F; 3]) -> [S::F; 3] {
+pub(crate) fn unit<S: Arithmetic>(s: S, [x, y, z]: [S::F; 3]) -> [S::F; 3] {
     let scale = s.float(1.0) / s.sqrt((x * x + y * y) + z * z);
     [x * scale, y * scale, z * scale]
 }
 
 /// Uniform numbers in [0, 1 − 2⁻²⁴]; NaN is 0.
 #[inline(always)]
-pub(crate) fn probabilities<S: Lanes>(s: S, [u1, u2]: [S::F; 2]) -> [S::F; 2] {
+pub(crate) fn probabilities<S: Arithmetic>(s: S, [u1, u2]: [S::F; 2]) -> [S::F; 2] {
     const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
     [s.at_most(s.at_least(u1, 0.0), BELOW_ONE), s.at_most(s.at_least(u2, 0.0), BELOW_ONE)]
 }
@@ -33,28 +33,28 @@ macro_rules! closed_form {
         impl crate::ndf::Ndf for $density {
             #[inline]
             fn density(&self, m: glam::Vec3) -> f32 {
-                let [density] = self.density_in_lanes(crate::simd::lanes::Scalar, m.to_array());
+                let [density] = self.density_in_lanes(asperity_core::lanes::Scalar, m.to_array());
                 density
             }
 
             #[inline]
             fn from_gaussian(&self, z: glam::Vec2) -> glam::Vec3 {
-                self.normal(crate::simd::lanes::Scalar, z.to_array()).into()
+                self.normal(asperity_core::lanes::Scalar, z.to_array()).into()
             }
 
             #[inline]
             fn to_gaussian(&self, m: glam::Vec3) -> glam::Vec2 {
-                self.gaussian(crate::simd::lanes::Scalar, m.to_array()).into()
+                self.gaussian(asperity_core::lanes::Scalar, m.to_array()).into()
             }
 
             #[inline]
             fn sample(&self, u: glam::Vec2) -> glam::Vec3 {
-                self.polar(crate::simd::lanes::Scalar, u.to_array()).into()
+                self.polar(asperity_core::lanes::Scalar, u.to_array()).into()
             }
 
             #[inline]
             fn conditional_density(&self, h: glam::Vec3, split: crate::coordinates::GaussianSplit) -> f32 {
-                let [density] = self.conditional(crate::simd::lanes::Scalar, split, h.to_array());
+                let [density] = self.conditional(asperity_core::lanes::Scalar, split, h.to_array());
                 density
             }
 
@@ -64,7 +64,7 @@ macro_rules! closed_form {
                 split: crate::coordinates::GaussianSplit,
                 densities: &mut [f32],
             ) {
-                crate::simd::closed_form::conditional_densities(self, h, split, densities);
+                crate::closed_form::conditional_densities(self, h, split, densities);
             }
         }
     };

@@ -1,7 +1,7 @@
 //! The Gaussian distribution in lanes: its tail, its quantile, and the slope along a view of Gaussian slopes.
 
-use crate::simd::elementary::{exp, ln};
-use crate::simd::lanes::Lanes;
+use asperity_core::lanes::Arithmetic;
+use asperity_core::lanes::elementary::{exp, ln};
 
 /// The least uniform number that a quantile distinguishes from 0.
 pub(crate) const LEAST_U: f32 = 1.0 / 4_294_967_296.0;
@@ -14,7 +14,7 @@ const ZENITH: f32 = 1e6;
 
 /// Mills' ratio `Φ(−x)/φ(x)` for `x ≥ 0`: `t P(t)`, `t = 1/(1 + 0.33 x)`, fitted to 7e-8 relative over all x.
 #[inline(always)]
-fn mills_ratio<S: Lanes>(s: S, x: S::F) -> S::F {
+fn mills_ratio<S: Arithmetic>(s: S, x: S::F) -> S::F {
     const P: [f32; 10] = [
         0.329_999_98,
         0.330_003_74,
@@ -38,7 +38,7 @@ fn mills_ratio<S: Lanes>(s: S, x: S::F) -> S::F {
 
 /// [`mills_ratio`] to 1e-4 relative, for a step on the way.
 #[inline(always)]
-fn rough_mills_ratio<S: Lanes>(s: S, x: S::F) -> S::F {
+fn rough_mills_ratio<S: Arithmetic>(s: S, x: S::F) -> S::F {
     let t = s.float(1.0) / (s.float(1.0) + x * s.float(0.4));
     let t2 = t * t;
     let low = s.float(0.399_989_74) + t * s.float(0.402_338_87);
@@ -48,19 +48,19 @@ fn rough_mills_ratio<S: Lanes>(s: S, x: S::F) -> S::F {
 
 /// `φ(x)`.
 #[inline(always)]
-fn density<S: Lanes>(s: S, x: S::F) -> S::F {
+fn density<S: Arithmetic>(s: S, x: S::F) -> S::F {
     exp(s, x * x * s.float(-0.5)) * s.float(FRAC_1_SQRT_2PI)
 }
 
 /// `Φ(−x)` for the `tail` beyond |x|.
 #[inline(always)]
-fn above<S: Lanes>(s: S, x: S::F, tail: S::F) -> S::F {
+fn above<S: Arithmetic>(s: S, x: S::F, tail: S::F) -> S::F {
     s.select(s.less(x, s.float(0.0)), s.float(1.0) - tail, tail)
 }
 
 /// |x|.
 #[inline(always)]
-fn magnitude<S: Lanes>(s: S, x: S::F) -> S::F {
+fn magnitude<S: Arithmetic>(s: S, x: S::F) -> S::F {
     s.float_of_bits(s.bits(x) & s.word(0x7FFF_FFFF))
 }
 
@@ -69,7 +69,7 @@ fn magnitude<S: Lanes>(s: S, x: S::F) -> S::F {
 /// `√2 erf⁻¹(x)/x` with `x = 2u − 1` by two polynomials, in `w = −ln(1 − x²)` below 5.4 and in `√w` above, after Giles 2010,
 /// "Approximating the erfinv function", fitted anew to 2e-7 relative as far as `w = 22.3`. Accuracy: 1e-6 relative to 1 + |Φ⁻¹|.
 #[inline(always)]
-pub(crate) fn inverse_phi<S: Lanes>(s: S, u: S::F) -> S::F {
+pub(crate) fn inverse_phi<S: Arithmetic>(s: S, u: S::F) -> S::F {
     const NEAR: [f32; 9] = [
         1.501_409_3,
         0.246_641_08,
@@ -106,7 +106,7 @@ pub(crate) fn inverse_phi<S: Lanes>(s: S, u: S::F) -> S::F {
 
 /// `Φ⁻¹(u)` to 2e-3 relative, as a place to start from: one polynomial in `√(w + 2)`.
 #[inline(always)]
-fn rough_inverse_phi<S: Lanes>(s: S, u: S::F) -> S::F {
+fn rough_inverse_phi<S: Arithmetic>(s: S, u: S::F) -> S::F {
     let one = s.float(1.0);
     let t = s.sqrt(s.float(2.0) - ln(s, u * (one - u) * s.float(4.0)));
     let low = s.float(1.745_07) - t * s.float(2.147_86);
@@ -118,7 +118,7 @@ fn rough_inverse_phi<S: Lanes>(s: S, u: S::F) -> S::F {
 ///
 /// Two steps of the same iteration, in `f32`: the share of the slopes below the result is `u` within 8e-7, and 2e-6 below u = 10⁻⁵.
 #[inline(always)]
-pub(crate) fn visible_slope<S: Lanes>(s: S, b: S::F, u: S::F) -> S::F {
+pub(crate) fn visible_slope<S: Arithmetic>(s: S, b: S::F, u: S::F) -> S::F {
     let (zero, one, half) = (s.float(0.0), s.float(1.0), s.float(0.5));
     let b = s.at_most(b, ZENITH);
     let u = s.at_least(u, LEAST_U);
@@ -138,7 +138,7 @@ pub(crate) fn visible_slope<S: Lanes>(s: S, b: S::F, u: S::F) -> S::F {
 
 /// One step towards the `u`-quantile from `x`, where the Gaussian density and the tail beyond |x| are given.
 #[inline(always)]
-fn closer<S: Lanes>(s: S, [b, u, per_total]: [S::F; 3], x: S::F, [density, tail]: [S::F; 2]) -> S::F {
+fn closer<S: Arithmetic>(s: S, [b, u, per_total]: [S::F; 3], x: S::F, [density, tail]: [S::F; 2]) -> S::F {
     let (one, half) = (s.float(1.0), s.float(0.5));
     let height = s.at_least(b + x, 1e-20);
     let q = density * per_total;
@@ -159,7 +159,7 @@ fn closer<S: Lanes>(s: S, [b, u, per_total]: [S::F; 3], x: S::F, [density, tail]
 mod tests {
     use super::*;
     use crate::numeric::normal_distribution;
-    use crate::simd::lanes::Scalar;
+    use asperity_core::lanes::Scalar;
 
     #[test]
     fn tail_is_relative() {
@@ -170,7 +170,7 @@ mod tests {
             let exact = normal_distribution::phi(-f64::from(x));
             // The exponential magnifies the rounding of x²/2.
             let bound = 5e-7 + 6e-8 * f64::from(x * x);
-            assert_abs_diff_eq!(f64::from(tail) / exact, 1.0, epsilon = bound, "{x}");
+            asperity_core::assert_abs_diff_eq!(f64::from(tail) / exact, 1.0, epsilon = bound, "{x}");
         }
     }
 

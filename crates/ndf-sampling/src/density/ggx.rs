@@ -4,15 +4,15 @@ use core::f32::consts::{PI, SQRT_2};
 
 use glam::{Vec2, Vec3};
 
+use crate::closed_form::ClosedForm;
 use crate::coordinates::{FARTHEST, GaussianSplit};
 use crate::density::closed_form::{closed_form, probabilities, stretched, unit};
 use crate::density::roughness::{Roughness, roughness_parameters};
-use crate::math;
 use crate::microfacet::{Microfacet, above};
 use crate::radial::Radial;
-use crate::simd::closed_form::ClosedForm;
-use crate::simd::elementary::{cos_sin_turns, exp, ln_1p, one_minus_exp_ratio};
-use crate::simd::lanes::{Lanes, Scalar};
+use asperity_core::lanes::elementary::{cos_sin_turns, exp, ln_1p, one_minus_exp_ratio};
+use asperity_core::lanes::{Arithmetic, Scalar};
+use asperity_core::math;
 
 /// The GGX normal density with the roughnesses `alpha_x`, `alpha_y`.
 ///
@@ -54,7 +54,7 @@ closed_form!(Ggx);
 
 impl ClosedForm for Ggx {
     #[inline(always)]
-    fn normal<S: Lanes>(&self, s: S, [z1, z2]: [S::F; 2]) -> [S::F; 3] {
+    fn normal<S: Arithmetic>(&self, s: S, [z1, z2]: [S::F; 2]) -> [S::F; 3] {
         let (z1, z2) = (s.bounded(z1, FARTHEST), s.bounded(z2, FARTHEST));
         let half = (z1 * z1 + z2 * z2) * s.float(0.5);
         let up = exp(s, half * s.float(-0.5));
@@ -65,7 +65,7 @@ impl ClosedForm for Ggx {
     }
 
     #[inline(always)]
-    fn gaussian<S: Lanes>(&self, s: S, [x, y, z]: [S::F; 3]) -> [S::F; 2] {
+    fn gaussian<S: Arithmetic>(&self, s: S, [x, y, z]: [S::F; 3]) -> [S::F; 2] {
         let up = s.at_least(z, f32::MIN_POSITIVE);
         let (x, y) = (x / s.float(self.alpha.x), y / s.float(self.alpha.y));
         let length = s.sqrt(x * x + y * y);
@@ -79,7 +79,7 @@ impl ClosedForm for Ggx {
     }
 
     #[inline(always)]
-    fn density_in_lanes<S: Lanes>(&self, s: S, [x, y, z]: [S::F; 3]) -> [S::F; 1] {
+    fn density_in_lanes<S: Arithmetic>(&self, s: S, [x, y, z]: [S::F; 3]) -> [S::F; 1] {
         let (x, y) = (x / s.float(self.alpha.x), y / s.float(self.alpha.y));
         let t = (x * x + y * y) + z * z;
         let peak = s.float(PI * self.alpha.x * self.alpha.y);
@@ -91,7 +91,7 @@ impl ClosedForm for Ggx {
 
     /// With one logarithm and one exponential: [`GaussianSplit::weigh`] of density and coordinates.
     #[inline(always)]
-    fn conditional<S: Lanes>(&self, s: S, split: GaussianSplit, h: [S::F; 3]) -> [S::F; 1] {
+    fn conditional<S: Arithmetic>(&self, s: S, split: GaussianSplit, h: [S::F; 3]) -> [S::F; 1] {
         let [density] = self.density_in_lanes(s, h);
         let [x, y] = self.gaussian(s, h);
         let GaussianSplit { z_b, root, rest } = split;
@@ -103,7 +103,7 @@ impl ClosedForm for Ggx {
     }
 
     #[inline(always)]
-    fn polar<S: Lanes>(&self, s: S, u: [S::F; 2]) -> [S::F; 3] {
+    fn polar<S: Arithmetic>(&self, s: S, u: [S::F; 2]) -> [S::F; 3] {
         let [u1, u2] = probabilities(s, u);
         let slope = s.sqrt(u1);
         let [cos, sin] = cos_sin_turns(s, u2);
@@ -112,7 +112,7 @@ impl ClosedForm for Ggx {
     }
 
     #[inline(always)]
-    fn visible<S: Lanes>(&self, s: S, [x, y, z, u1, u2]: [S::F; 5]) -> [S::F; 3] {
+    fn visible<S: Arithmetic>(&self, s: S, [x, y, z, u1, u2]: [S::F; 5]) -> [S::F; 3] {
         let [u1, u2] = probabilities(s, [u1, u2]);
         let [x, y, z] = stretched(s, self.alpha, [x, y, z]);
         let length2 = (x * x + y * y) + z * z;
@@ -169,8 +169,8 @@ mod tests {
     #[test]
     fn small_roughness_keeps_its_slopes() {
         let m = Ggx::isotropic(1e-4).unwrap().from_gaussian(Vec2::new(0.01, -0.02));
-        assert_abs_diff_eq!(m.x / 7.071e-7, 1.0, epsilon = 1e-3);
-        assert_abs_diff_eq!(m.y / -1.4142e-6, 1.0, epsilon = 1e-3);
+        asperity_core::assert_abs_diff_eq!(m.x / 7.071e-7, 1.0, epsilon = 1e-3);
+        asperity_core::assert_abs_diff_eq!(m.y / -1.4142e-6, 1.0, epsilon = 1e-3);
     }
 
     #[test]
@@ -178,7 +178,7 @@ mod tests {
         let ggx = Ggx::new(0.3, 1.0).unwrap();
         for k in 1..=48 {
             let z = Vec2::new(0.6, -0.8) * (k as f32 * 0.25);
-            assert_abs_diff_eq!(ggx.to_gaussian(ggx.from_gaussian(z)), z, epsilon = 4e-6);
+            asperity_core::assert_abs_diff_eq!(ggx.to_gaussian(ggx.from_gaussian(z)), z, epsilon = 4e-6);
         }
     }
 
@@ -201,7 +201,7 @@ mod tests {
         let v = Vec3::new(0.038_226_18, 0.032_197_46, 0.998_750_4);
         let m = Ggx::new(0.05, 0.6).unwrap().sample_visible(v, Vec2::new(0.95, 0.999));
         // The digits of the view are rounded.
-        assert_abs_diff_eq!(m.y, -0.169_988, epsilon = 2e-6);
+        asperity_core::assert_abs_diff_eq!(m.y, -0.169_988, epsilon = 2e-6);
         let mut worst = (0.0_f64, Vec3::Z, Vec2::ZERO);
         for (alpha, tilt) in [[0.05, 0.6], [0.6, 0.05], [1e-4, 1e-4], [1e-3, 1.0], [1.0, 1.0]]
             .into_iter()

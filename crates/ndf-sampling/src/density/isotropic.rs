@@ -11,10 +11,10 @@ use crate::coordinates::bounded;
 use crate::density::delegate::delegate_ndf;
 use crate::density::isotropic_cell::{Cell, invert};
 use crate::density::mixture::{tilted, untilted};
-use crate::math;
 use crate::ndf::Ndf;
 use crate::radial::Radial;
-use crate::range_error::refusals;
+use asperity_core::error_enum;
+use asperity_core::math;
 
 /// The most nodes of a table.
 const MAX_NODES: usize = 1 << 20;
@@ -268,7 +268,7 @@ impl Radial for IsotropicRef<'_> {
     }
 }
 
-refusals! {
+error_enum! {
     /// Refusal of a table over the cosine.
     pub enum IsotropicError {
         /// The table has fewer than 2 or more than 2²⁰ nodes.
@@ -346,12 +346,17 @@ mod tests {
         for k in 0..=240 {
             let z = Vec2::new(0.6, -0.8) * (k as f32 * 0.05);
             let m = diffuse.from_gaussian(z);
-            assert_abs_diff_eq!(table.from_gaussian(z), m, epsilon = 1e-6, "T({z})");
-            assert_abs_diff_eq!(table.to_gaussian(m), z, epsilon = 2e-5, "T⁻¹({m})");
-            assert_abs_diff_eq!(table.density(m) * core::f32::consts::PI, 1.0, epsilon = 1e-6, "{z}");
+            asperity_core::assert_abs_diff_eq!(table.from_gaussian(z), m, epsilon = 1e-6, "T({z})");
+            asperity_core::assert_abs_diff_eq!(table.to_gaussian(m), z, epsilon = 2e-5, "T⁻¹({m})");
+            asperity_core::assert_abs_diff_eq!(
+                table.density(m) * core::f32::consts::PI,
+                1.0,
+                epsilon = 1e-6,
+                "{z}"
+            );
         }
         let m = table.from_gaussian(Vec2::new(1e-5, 0.0));
-        assert_abs_diff_eq!(m.x / (1e-5 * 0.5_f32.sqrt()), 1.0, epsilon = 1e-5);
+        asperity_core::assert_abs_diff_eq!(m.x / (1e-5 * 0.5_f32.sqrt()), 1.0, epsilon = 1e-5);
     }
 
     #[test]
@@ -364,9 +369,9 @@ mod tests {
             for k in 0..=150 {
                 let z = Vec2::new(0.6, -0.8) * (k as f32 * 0.03 + 1e-3);
                 let m = table.from_gaussian(z);
-                assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-6, "{z}");
+                asperity_core::assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-6, "{z}");
                 assert!(m.z <= last, "{z}: {m}");
-                assert_abs_diff_eq!(table.to_gaussian(m), z, epsilon = 2e-4, "T⁻¹({m})");
+                asperity_core::assert_abs_diff_eq!(table.to_gaussian(m), z, epsilon = 2e-4, "T⁻¹({m})");
                 last = m.z;
             }
         }

@@ -71,9 +71,19 @@ mod tests {
             for k in 0..=32 {
                 let x = f64::from(k) / 32.0;
                 let (below, above) = (cell.below(x), cell.above(1.0 - x));
-                assert_abs_diff_eq!(below + above, whole, epsilon = 1e-14 * whole, "{low} {high} {x}");
+                asperity_core::assert_abs_diff_eq!(
+                    below + above,
+                    whole,
+                    epsilon = 1e-14 * whole,
+                    "{low} {high} {x}"
+                );
                 let back = invert(below, |x| (cell.below(x), cell.weight(x)));
-                assert_abs_diff_eq!(cell.below(back), below, epsilon = 1e-13 * whole, "{low} {high} {x}");
+                asperity_core::assert_abs_diff_eq!(
+                    cell.below(back),
+                    below,
+                    epsilon = 1e-13 * whole,
+                    "{low} {high} {x}"
+                );
             }
         }
     }

@@ -4,11 +4,13 @@ use glam::{Vec2, Vec3};
 
 use crate::coordinates::bounded;
 use crate::density::blend::Blend;
-use crate::math;
 use crate::microfacet::Microfacet;
 use crate::ndf::{Ndf, forward};
 use crate::radial::Radial;
-use crate::range_error::{RangeError, refusals};
+use asperity_core::error_enum;
+use asperity_core::math;
+
+use crate::range_error::RangeError;
 
 /// The density `w D_a + (1 − w) D_b` of two densities that depend on the tilt alone.
 ///
@@ -179,7 +181,7 @@ impl<A: Radial, B: Radial> Radial for Mixture<A, B> {
     }
 }
 
-refusals! {
+error_enum! {
     /// Refusal of a sum of densities that is to have a map.
     pub enum MixtureError {
         /// The weight is not between 0 and 1.
@@ -207,8 +209,13 @@ mod tests {
             let mixture = Mixture::new(ggx, ggx, weight).unwrap();
             for z in [Vec2::new(0.7, -1.2), Vec2::ZERO, Vec2::new(-9.0, 9.0), Vec2::new(1e-6, 1e-7)] {
                 let m = ggx.from_gaussian(z);
-                assert_abs_diff_eq!(mixture.from_gaussian(z), m, epsilon = 1e-6, "{weight} {z}");
-                assert_abs_diff_eq!(mixture.to_gaussian(m), z, epsilon = 4e-6, "{weight} {z}");
+                asperity_core::assert_abs_diff_eq!(
+                    mixture.from_gaussian(z),
+                    m,
+                    epsilon = 1e-6,
+                    "{weight} {z}"
+                );
+                asperity_core::assert_abs_diff_eq!(mixture.to_gaussian(m), z, epsilon = 4e-6, "{weight} {z}");
             }
         }
     }
@@ -222,7 +229,7 @@ mod tests {
             let z = Vec2::new(0.6, -0.8) * (k as f32 * 0.05);
             for ndf in [&mixture as &dyn Ndf, &nested] {
                 let back = ndf.to_gaussian(ndf.from_gaussian(z));
-                assert_abs_diff_eq!(back, z, epsilon = 2e-5, "{z}");
+                asperity_core::assert_abs_diff_eq!(back, z, epsilon = 2e-5, "{z}");
             }
             let (m, z1) = (mixture.from_gaussian(z).z, narrow.from_gaussian(z).z);
             assert!(m <= z1 + 1e-6 && m >= wide.from_gaussian(z).z - 1e-6, "{z}");

@@ -2,11 +2,11 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::math;
 use crate::microfacet::Microfacet;
 use crate::ndf::Ndf;
 use crate::radial::Radial;
 use crate::range_error::RangeError;
+use asperity_core::math;
 
 /// The density `N`, turned about the z axis by an angle.
 ///

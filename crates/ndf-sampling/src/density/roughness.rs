@@ -2,9 +2,9 @@
 
 use glam::Vec3;
 
-use crate::math;
 use crate::microfacet::above;
 use crate::range_error::RangeError;
+use asperity_core::math;
 
 /// The smallest roughness: below it `1/(π α²)` and its products leave the range of `f32`.
 pub const MIN_ALPHA: f32 = 1e-6;
@@ -99,7 +99,8 @@ macro_rules! roughness_parameters {
         }
 
         $crate::density::roughness::roughness_accessors!($density);
-        $crate::approx::compared!($density, |density| [density.alpha.x, density.alpha.y]);
+        #[cfg(feature = "approx")]
+        asperity_core::impl_approx! { f32; $density: density => density.alpha.x, density.alpha.y; }
         $crate::serde::written!($density, |density| { alpha_x: density.alpha.x, alpha_y: density.alpha.y });
     };
 }

@@ -4,18 +4,17 @@ use core::f64::consts::SQRT_2;
 
 use glam::{Vec2, Vec3};
 
-use crate::approx::compared;
 use crate::coordinates::bounded;
 use crate::density::roughness::{Roughness, roughness_accessors};
 use crate::density::student_distribution::StudentDistribution;
-use crate::math;
 use crate::microfacet::{Microfacet, above};
 use crate::ndf::{Ndf, unit_square};
 use crate::radial::Radial;
 use crate::range_error::RangeError;
 use crate::serde::written;
-use crate::simd::elementary::cos_sin_turns;
-use crate::simd::lanes::Scalar;
+use asperity_core::lanes::Scalar;
+use asperity_core::lanes::elementary::cos_sin_turns;
+use asperity_core::math;
 
 /// The Student-t normal density with the roughnesses `alpha_x`, `alpha_y` and the exponent `gamma`.
 ///
@@ -64,7 +63,8 @@ written!(StudentT, |density| {
     alpha_y: density.alpha.y,
     gamma: density.gamma
 });
-compared!(StudentT, |density| [density.alpha.x, density.alpha.y, density.gamma]);
+#[cfg(feature = "approx")]
+asperity_core::impl_approx! { f32; StudentT: density => density.alpha.x, density.alpha.y, density.gamma; }
 
 impl StudentT {
     /// The smallest exponent; at 3/2 the facets' projected area diverges.
@@ -209,7 +209,12 @@ mod tests {
             for v in [Vec3::NEG_X, Vec3::Y, Vec3::new(0.6, 0.0, 0.8), Vec3::Z] {
                 for u in ends.iter().flat_map(|&x| ends.map(|y| Vec2::new(x, y))) {
                     let m = facets.sample_visible(v, u);
-                    assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-5, "{facets:?} {v} {u}: {m}");
+                    asperity_core::assert_abs_diff_eq!(
+                        m.length(),
+                        1.0,
+                        epsilon = 1e-5,
+                        "{facets:?} {v} {u}: {m}"
+                    );
                 }
             }
         }
@@ -223,26 +228,36 @@ mod tests {
             let student = StudentT::new(0.2, 0.4, gamma).unwrap();
             for z in [Vec2::new(0.7, -1.2), Vec2::ZERO, Vec2::new(-3.0, 0.1)] {
                 let (m, v) = (other.from_gaussian(z), Vec3::new(z.y, z.x, 0.8).normalize());
-                assert_abs_diff_eq!(student.from_gaussian(z), m, epsilon = 1e-6);
-                assert_abs_diff_eq!(student.to_gaussian(m), z, epsilon = 4e-6);
-                assert_abs_diff_eq!(
+                asperity_core::assert_abs_diff_eq!(student.from_gaussian(z), m, epsilon = 1e-6);
+                asperity_core::assert_abs_diff_eq!(student.to_gaussian(m), z, epsilon = 4e-6);
+                asperity_core::assert_abs_diff_eq!(
                     student.density(m) / other.density(m),
                     1.0,
                     epsilon = 5e-6,
                     "{gamma} {z}"
                 );
                 let lambda = other.lambda(v);
-                assert_abs_diff_eq!(student.lambda(v), lambda, epsilon = 2e-6 * lambda, "{gamma} {z}");
+                asperity_core::assert_abs_diff_eq!(
+                    student.lambda(v),
+                    lambda,
+                    epsilon = 2e-6 * lambda,
+                    "{gamma} {z}"
+                );
                 let [area, expected] = [student.projected_area(v), other.projected_area(v)];
-                assert_abs_diff_eq!(area / expected, 1.0, epsilon = 1e-6, "{gamma} {z}");
+                asperity_core::assert_abs_diff_eq!(area / expected, 1.0, epsilon = 1e-6, "{gamma} {z}");
                 let u = Vec2::new(0.3, 0.8);
-                assert_abs_diff_eq!(student.sample(u), other.sample(u), epsilon = 1e-6, "{gamma}");
+                asperity_core::assert_abs_diff_eq!(
+                    student.sample(u),
+                    other.sample(u),
+                    epsilon = 1e-6,
+                    "{gamma}"
+                );
             }
         }
         let v = Vec3::new(-0.8, 0.3, 0.2);
         let student = StudentT::new(0.2, 0.4, 1e10).unwrap();
         let [a, b] =
             [&student as &dyn Microfacet, &beckmann].map(|ndf| ndf.sample_visible(v, Vec2::new(0.3, 0.8)));
-        assert_abs_diff_eq!(a, b, epsilon = 1e-6);
+        asperity_core::assert_abs_diff_eq!(a, b, epsilon = 1e-6);
     }
 }

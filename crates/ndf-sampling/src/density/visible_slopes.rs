@@ -1,9 +1,9 @@
 //! Gaussian slopes seen from a direction: their mean excess, and the inverse of their distribution along the view.
 
-use crate::math;
 use crate::numeric::normal_distribution::{inverse_phi, phi_and_density};
-use crate::simd::elementary::exp;
-use crate::simd::lanes::Scalar;
+use asperity_core::lanes::Scalar;
+use asperity_core::lanes::elementary::exp;
+use asperity_core::math;
 
 /// The least `u` that [`visible_slope`] distinguishes from 0.
 pub(crate) const LEAST_U: f64 = 1.0 / 4_294_967_296.0;
@@ -123,13 +123,18 @@ mod tests {
                 .map(|k| z + 2.0 * h * f64::from(k))
                 .map(|t| h / 3.0 * (phi(-t) + 4.0 * phi(-t - h) + phi(-t - 2.0 * h)))
                 .sum();
-            assert_abs_diff_eq!(exact_excess(z) / simpson, 1.0, epsilon = 1e-9, "{z}");
+            asperity_core::assert_abs_diff_eq!(exact_excess(z) / simpson, 1.0, epsilon = 1e-9, "{z}");
         }
         // φ(z)/z² (1 − 3/z² + 15/z⁴ − 105/z⁶), the last term bounds the error.
         for z in [10.0, 13.0, 20.0, 37.0] {
             let t = 1.0 / (z * z);
             let series = density(z) * t * (1.0 - 3.0 * t + 15.0 * t * t);
-            assert_abs_diff_eq!(exact_excess(z) / series, 1.0, epsilon = 110.0 * t * t * t, "{z}");
+            asperity_core::assert_abs_diff_eq!(
+                exact_excess(z) / series,
+                1.0,
+                epsilon = 110.0 * t * t * t,
+                "{z}"
+            );
         }
         assert_eq!([f64::INFINITY, 39.0, f64::NAN].map(exact_excess), [0.0; 3]);
     }
@@ -138,7 +143,7 @@ mod tests {
     fn excess_is_a_rational_function_of_the_density() {
         for k in 0..=13_000 {
             let z = 1e-3 * f64::from(k);
-            assert_abs_diff_eq!(excess(z) / exact_excess(z), 1.0, epsilon = 3e-7, "{z}");
+            asperity_core::assert_abs_diff_eq!(excess(z) / exact_excess(z), 1.0, epsilon = 3e-7, "{z}");
         }
         assert!(excess(13.18) < 5e-41);
         assert_eq!([13.2, 1e200, f64::INFINITY, f64::NAN].map(excess), [0.0; 4]);
@@ -154,12 +159,12 @@ mod tests {
                 let x = visible_slope(b, u);
                 let above = if b < ZENITH { (b * phi(-x) + density(x)) / total } else { phi(-x) };
                 // Measured 5e-12, by the cube of the last step.
-                assert_abs_diff_eq!(1.0 - above, u, epsilon = 1e-10, "b = {b}: {x}");
+                asperity_core::assert_abs_diff_eq!(1.0 - above, u, epsilon = 1e-10, "b = {b}: {x}");
                 assert!(x >= -b && (x > last || k <= 26), "b = {b}, u = {u}: {x}");
                 last = x;
             }
         }
         assert!(visible_slope(1.0, 1.0 - 0.5f64.powi(25)) < 6.0);
-        assert_abs_diff_eq!(visible_slope(f64::NAN, 0.5), 0.0, epsilon = 1e-15);
+        asperity_core::assert_abs_diff_eq!(visible_slope(f64::NAN, 0.5), 0.0, epsilon = 1e-15);
     }
 }

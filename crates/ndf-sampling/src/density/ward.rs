@@ -7,7 +7,7 @@ use glam::Vec3;
 use crate::density::beckmann::Beckmann;
 use crate::density::delegate::delegate_ndf;
 use crate::density::roughness::{Roughness, roughness_parameters};
-use crate::math;
+use asperity_core::math;
 
 /// Ward's half vectors as a density of normals, with the roughnesses `alpha_x`, `alpha_y`.
 ///
@@ -66,6 +66,6 @@ mod tests {
         {
             assert_eq!(ward.lobe(h), 0.0, "{h}");
         }
-        assert_abs_diff_eq!(ward.lobe(Vec3::Z) * 0.04 * PI, 1.0, epsilon = 1e-6);
+        asperity_core::assert_abs_diff_eq!(ward.lobe(Vec3::Z) * 0.04 * PI, 1.0, epsilon = 1e-6);
     }
 }

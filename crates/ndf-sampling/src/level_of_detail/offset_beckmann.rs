@@ -4,12 +4,11 @@ use core::f32::consts::{FRAC_1_SQRT_2, TAU};
 
 use glam::{Vec2, Vec3};
 
-use crate::approx::compared;
 use crate::coordinates::{MAX_SHARE, bounded};
 use crate::density::beckmann::Beckmann;
-use crate::math;
 use crate::ndf::Ndf;
-use crate::range_error::refusals;
+use asperity_core::error_enum;
+use asperity_core::math;
 
 /// A Beckmann density around another slope than 0, along any axes: the slopes `s = (m_x, m_y)/m_z` are `N(μ, Σ)`.
 ///
@@ -55,10 +54,8 @@ pub struct OffsetBeckmann {
 /// The least and the largest standard deviation of slopes; the largest also bounds the mean.
 const DEVIATIONS: [f32; 2] = [1e-12, 1e9];
 
-compared!(OffsetBeckmann, |density| {
-    let [xx, xy, yy] = density.covariance();
-    [density.mean.x, density.mean.y, xx, xy, yy]
-});
+#[cfg(feature = "approx")]
+asperity_core::impl_approx! { f32; OffsetBeckmann: density => density.mean, Vec3::from(density.covariance()); }
 
 impl OffsetBeckmann {
     /// The density of slopes with this mean and the covariance `[xx, xy, yy]`.
@@ -151,7 +148,7 @@ impl Ndf for OffsetBeckmann {
     }
 }
 
-refusals! {
+error_enum! {
     /// Refusal of numbers that are no mean and covariance of slopes.
     pub enum OffsetBeckmannError {
         /// The mean is not finite or beyond 10⁹.
@@ -179,8 +176,13 @@ mod tests {
         for k in 0..60 {
             let z = Vec2::new(0.2 * k as f32 - 6.0, 3.0 - 0.1 * k as f32);
             let m = beckmann.from_gaussian(z);
-            assert_abs_diff_eq!(same.from_gaussian(z), m, epsilon = 1e-6);
-            assert_abs_diff_eq!(same.density(m) / beckmann.density(m), 1.0, epsilon = 5e-5, "{z}");
+            asperity_core::assert_abs_diff_eq!(same.from_gaussian(z), m, epsilon = 1e-6);
+            asperity_core::assert_abs_diff_eq!(
+                same.density(m) / beckmann.density(m),
+                1.0,
+                epsilon = 5e-5,
+                "{z}"
+            );
         }
     }
 
@@ -190,15 +192,15 @@ mod tests {
         let ndf = OffsetBeckmann::new(Vec2::new(0.3, -0.8), covariance).unwrap();
         let got = ndf.covariance();
         for (got, expected) in got.into_iter().zip(covariance) {
-            assert_abs_diff_eq!(got, expected, epsilon = 1e-7);
+            asperity_core::assert_abs_diff_eq!(got, expected, epsilon = 1e-7);
         }
         for k in 0..40 {
             let z = Vec2::new(0.2 * k as f32 - 4.0, 0.1 * k as f32 - 1.0);
-            assert_abs_diff_eq!(ndf.to_gaussian(ndf.from_gaussian(z)), z, epsilon = 3e-5);
+            asperity_core::assert_abs_diff_eq!(ndf.to_gaussian(ndf.from_gaussian(z)), z, epsilon = 3e-5);
         }
         // The peak over slopes is 1/(2π √|Σ|).
         let peak = ndf.slope_density(ndf.mean()) * TAU * (0.09_f32 * 0.04 - 0.0025).sqrt();
-        assert_abs_diff_eq!(peak, 1.0, epsilon = 1e-5, "{peak}");
+        asperity_core::assert_abs_diff_eq!(peak, 1.0, epsilon = 1e-5, "{peak}");
     }
 
     #[test]

@@ -4,14 +4,13 @@ use alloc::vec::Vec;
 
 use glam::Vec2;
 
-use crate::approx::compared;
 use crate::coordinates::GaussianSplit;
 use crate::level_of_detail::table_ref::{ConditionalTableRef, entry_half_vector};
-use crate::math;
 use crate::ndf::Ndf;
 use crate::normal_table::chart::Chart;
 use crate::normal_table::error::NormalTableError;
 use crate::numeric::normal_distribution::inverse_phi;
+use asperity_core::math;
 
 /// The coordinates `T⁻¹(h)` and the density `D(h)` of half vectors as a texture: all that `p_s(h | z_b)` needs.
 ///
@@ -70,7 +69,8 @@ pub struct ConditionalAccuracy {
     pub coordinates: f32,
 }
 
-compared!(ConditionalAccuracy, |accuracy| [accuracy.variation, accuracy.coordinates]);
+#[cfg(feature = "approx")]
+asperity_core::impl_approx! { f32; ConditionalAccuracy: accuracy => accuracy.variation, accuracy.coordinates; }
 
 /// Quantiles per side at which the accuracy is measured.
 const QUANTILES: usize = 64;
@@ -158,11 +158,11 @@ mod tests {
     #[test]
     fn stretch_is_the_roughness_of_ggx() {
         let stretch = ConditionalTable::new(&Ggx::new(0.003, 0.5).unwrap(), 2).unwrap().stretch;
-        assert_abs_diff_eq!(stretch.x / 0.003, 1.0, epsilon = 1e-5);
-        assert_abs_diff_eq!(stretch.y / 0.5, 1.0, epsilon = 1e-5);
+        asperity_core::assert_abs_diff_eq!(stretch.x / 0.003, 1.0, epsilon = 1e-5);
+        asperity_core::assert_abs_diff_eq!(stretch.y / 0.5, 1.0, epsilon = 1e-5);
         // Beckmann's slopes are closer together: √ln 2 of the roughness.
         let stretch = ConditionalTable::new(&Beckmann::isotropic(0.3).unwrap(), 2).unwrap().stretch;
-        assert_abs_diff_eq!(stretch.x / 0.249_77, 1.0, epsilon = 1e-4);
+        asperity_core::assert_abs_diff_eq!(stretch.x / 0.249_77, 1.0, epsilon = 1e-4);
     }
 
     #[test]
@@ -183,7 +183,7 @@ mod tests {
             [64, 128].map(|size| ConditionalTable::new(&beckmann, size).unwrap().accuracy(&beckmann));
         assert!(coarse.variation < 3e-3 && coarse.coordinates < 4e-3, "{coarse:?}");
         for ratio in [coarse.variation / fine.variation, coarse.coordinates / fine.coordinates] {
-            assert_abs_diff_eq!(ratio / 4.0, 1.0, epsilon = 0.1, "{coarse:?} {fine:?}");
+            asperity_core::assert_abs_diff_eq!(ratio / 4.0, 1.0, epsilon = 0.1, "{coarse:?} {fine:?}");
         }
     }
 }

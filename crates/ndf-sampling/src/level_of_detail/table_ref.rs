@@ -3,8 +3,8 @@
 use glam::{Vec2, Vec3, Vec3A};
 
 use crate::coordinates::GaussianSplit;
-use crate::math;
 use crate::normal_table::error::NormalTableError;
+use asperity_core::math;
 
 /// A `ConditionalTable` in borrowed storage, such as flash: `(z₁, z₂, D^¼)` of `size · size` half vectors.
 ///

@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use crate::map::disk::meets;
-use crate::math;
+use asperity_core::math;
 
 /// The lower edge of texel `k` in units of n_x.
 pub(crate) fn edge(k: usize, size: usize) -> f64 {
@@ -79,8 +79,8 @@ mod tests {
             variance += (after - before) * (t - 5e-4) * (t - 5e-4);
             before = after;
         }
-        assert_abs_diff_eq!(mass, 1.0, epsilon = 1e-12, "{mass} {variance}");
-        assert_abs_diff_eq!(variance, 0.25, epsilon = 1e-6, "{mass}");
+        asperity_core::assert_abs_diff_eq!(mass, 1.0, epsilon = 1e-12, "{mass} {variance}");
+        asperity_core::assert_abs_diff_eq!(variance, 0.25, epsilon = 1e-6, "{mass}");
     }
 
     #[test]
@@ -89,7 +89,7 @@ mod tests {
         for (c, width) in [(0.0, 0.1), (0.31, 0.02), (-0.7, 0.19), (0.999, 0.0), (1.0, 0.0), (-1.0, 0.0)] {
             averaged_kernel(c, width, first_texel(c, width, 64), 64, &mut kernel);
             let sum = kernel.iter().sum::<f64>() * 2.0 / 64.0;
-            assert_abs_diff_eq!(sum, 1.0, epsilon = 1e-12, "{c} {width}");
+            asperity_core::assert_abs_diff_eq!(sum, 1.0, epsilon = 1e-12, "{c} {width}");
         }
     }
 }

@@ -120,7 +120,12 @@ mod tests {
                     assert!(dx > 0.0 && distance < 1.4306e-6, "{width} × {height}: {x:?} {distance:e}");
                 }
                 for (&x, &c) in places.iter().zip(&half_chords) {
-                    assert_abs_diff_eq!(half_chord(x), c, epsilon = 1e-13, "{width} × {height}");
+                    asperity_core::assert_abs_diff_eq!(
+                        half_chord(x),
+                        c,
+                        epsilon = 1e-13,
+                        "{width} × {height}"
+                    );
                 }
             }
         }

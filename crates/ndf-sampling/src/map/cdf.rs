@@ -10,10 +10,10 @@ use crate::map::pieces::pieces;
 use crate::map::prefix_sums::WINDOW;
 use crate::map::reconstruction::Reconstruction;
 use crate::map::row_guide::{RowGuide, row_of};
-use crate::math;
 use crate::numeric::bernstein::cubic;
 use crate::numeric::compensated_sum::CompensatedSums;
 use crate::numeric::guide_table::GuideTable;
+use asperity_core::math;
 
 /// The largest `f64` below 1: `u = 1` counts as this, so that inversion ends inside the density.
 pub(crate) const BELOW_ONE: f64 = 1.0 - f64::EPSILON / 2.0;
@@ -323,18 +323,22 @@ mod tests {
     fn one_texel_is_the_uniform_disk() {
         let bilinear = cdf(1, 1, &[7.0], Reconstruction::Bilinear);
         for cdf in [constant(1, 1, &[7.0]).unwrap(), bilinear.unwrap()] {
-            assert_abs_diff_eq!(cdf.density([0.3, 0.6]), 4.0 / core::f64::consts::PI, epsilon = 1e-13);
-            assert_abs_diff_eq!(cdf.marginal_cdf(0.5), 0.5, epsilon = 1e-15);
-            assert_abs_diff_eq!(cdf.marginal_inverse(0.5), 0.5, epsilon = 1e-15);
+            asperity_core::assert_abs_diff_eq!(
+                cdf.density([0.3, 0.6]),
+                4.0 / core::f64::consts::PI,
+                epsilon = 1e-13
+            );
+            asperity_core::assert_abs_diff_eq!(cdf.marginal_cdf(0.5), 0.5, epsilon = 1e-15);
+            asperity_core::assert_abs_diff_eq!(cdf.marginal_inverse(0.5), 0.5, epsilon = 1e-15);
             // At a breakpoint M is that of the circle, (θ − sin θ cos θ)/π; between two it differs by less than their segment.
             let breakpoint = cdf.places[100];
             let theta = (1.0 - 2.0 * breakpoint).acos();
             let circle = (theta - theta.sin() * theta.cos()) / core::f64::consts::PI;
-            assert_abs_diff_eq!(cdf.marginal_cdf(breakpoint), circle, epsilon = 1e-14);
+            asperity_core::assert_abs_diff_eq!(cdf.marginal_cdf(breakpoint), circle, epsilon = 1e-14);
             for (u, ends) in [(0.0, 0.0..1e-6), (1.0, 0.999..1.0)] {
                 let [x, y] = cdf.inverse([u, u]);
                 assert!(x > 0.0 && ends.contains(&x), "{x} {y}");
-                assert_abs_diff_eq!(y, 0.5, epsilon = 1e-3, "{x}");
+                asperity_core::assert_abs_diff_eq!(y, 0.5, epsilon = 1e-3, "{x}");
             }
         }
     }
@@ -346,8 +350,12 @@ mod tests {
         let cdf = constant(4, 4, &texels).unwrap();
         let c = cdf.pieces[cdf.piece(0.8)].half_chord(cdf.pieces[cdf.piece(0.8)].place(0.8));
         assert_eq!(cdf.marginal(0.8), 0.0);
-        assert_abs_diff_eq!(cdf.conditional_inverse(0.8, 0.25), (0.5 - 0.5 * c), epsilon = 1e-15);
-        assert_abs_diff_eq!(cdf.conditional_cdf(0.8, 0.5 - 0.5 * c), 0.25, epsilon = 1e-15);
+        asperity_core::assert_abs_diff_eq!(
+            cdf.conditional_inverse(0.8, 0.25),
+            (0.5 - 0.5 * c),
+            epsilon = 1e-15
+        );
+        asperity_core::assert_abs_diff_eq!(cdf.conditional_cdf(0.8, 0.5 - 0.5 * c), 0.25, epsilon = 1e-15);
     }
 
     #[test]
@@ -377,7 +385,7 @@ mod tests {
                 assert!((0.25..0.375).contains(&x) && (0.625..0.75).contains(&y), "{u1} {u2}: {x} {y}");
             }
         }
-        assert_abs_diff_eq!(cdf.density([0.3, 0.7]), 64.0, epsilon = 1e-10);
+        asperity_core::assert_abs_diff_eq!(cdf.density([0.3, 0.7]), 64.0, epsilon = 1e-10);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The disk of normals in the unit square: chords, their area, and the solid angle of a texel.
 
-use crate::math;
+use asperity_core::math;
 
 /// The normal coordinate −1…1 of the map coordinate 0…1.
 #[inline]
@@ -96,7 +96,12 @@ mod tests {
             let sum: f64 =
                 (0..n).map(|k| segment([x(k), x(k + 1)], [half_chord(x(k)), half_chord(x(k + 1))])).sum();
             let polygon = 0.25 * f64::from(n) * angle(1).sin();
-            assert_abs_diff_eq!(2.0 * sum + polygon, core::f64::consts::FRAC_PI_4, epsilon = 1e-14, "{n}");
+            asperity_core::assert_abs_diff_eq!(
+                2.0 * sum + polygon,
+                core::f64::consts::FRAC_PI_4,
+                epsilon = 1e-14,
+                "{n}"
+            );
         }
     }
 
@@ -123,6 +128,6 @@ mod tests {
             total += area * width * mean_secant(x, y);
         }
         let error = total / (2.0 * core::f64::consts::PI) - 1.0;
-        assert_abs_diff_eq!(error, 0.0, epsilon = 2e-5, "{error:e}");
+        asperity_core::assert_abs_diff_eq!(error, 0.0, epsilon = 2e-5, "{error:e}");
     }
 }

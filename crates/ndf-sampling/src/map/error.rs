@@ -1,11 +1,11 @@
 //! Refusals of images and functions that are no densities of normals.
 
-use crate::range_error::refusals;
+use asperity_core::error_enum;
 
 /// The most texels a map may have; it then takes 220 MB.
 pub const MAX_TEXELS: usize = 1 << 24;
 
-refusals! {
+error_enum! {
     /// Refusal of an image or a function that is no density of normals.
     pub enum NdfMapError {
         /// The map has no texels, or more than [`MAX_TEXELS`].

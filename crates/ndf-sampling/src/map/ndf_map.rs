@@ -171,13 +171,13 @@ fn on_map(m: Vec3) -> [f64; 2] {
 #[inline]
 fn upward(nx: f64, ny: f64) -> Vec3 {
     let nz2 = (1.0 - nx * nx) - ny * ny;
-    Vec3::new(nx as f32, ny as f32, crate::math::sqrt_f64(nz2.max(1e-15)) as f32)
+    Vec3::new(nx as f32, ny as f32, asperity_core::math::sqrt_f64(nz2.max(1e-15)) as f32)
 }
 
 /// `f` at the texel's centre, or at the rim's point in its direction.
 fn at_centre([x0, x1]: [f64; 2], [y0, y1]: [f64; 2], f: &mut impl FnMut(Vec3) -> f32) -> f32 {
     let (x, y) = (0.5 * (x0 + x1), 0.5 * (y0 + y1));
-    let inward = 1.0 / crate::math::sqrt_f64((x * x + y * y).max(1.0));
+    let inward = 1.0 / asperity_core::math::sqrt_f64((x * x + y * y).max(1.0));
     f(upward(x * inward, y * inward))
 }
 
@@ -220,7 +220,11 @@ mod tests {
             texels[corner] = f32::NAN;
         }
         let map = NdfMap::from_texels(8, 8, &texels, Measure::Normals, Reconstruction::Constant).unwrap();
-        assert_abs_diff_eq!(map.density(Vec3::Z), core::f32::consts::FRAC_1_PI, epsilon = 1e-6);
+        asperity_core::assert_abs_diff_eq!(
+            map.density(Vec3::Z),
+            core::f32::consts::FRAC_1_PI,
+            epsilon = 1e-6
+        );
     }
 
     #[test]
@@ -249,7 +253,7 @@ mod tests {
             for k in -900..=900 {
                 for far in [-9.0, 9.0] {
                     let m = map.from_gaussian(Vec2::new(k as f32 * 0.01, far));
-                    assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-6, "{size} {k}");
+                    asperity_core::assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-6, "{size} {k}");
                     assert!(m.z > 0.0, "{size} {k}: {m}");
                     assert!(map.density(m) > 0.3 && map.to_gaussian(m).is_finite(), "{size} {k}: {m}");
                 }

@@ -7,17 +7,28 @@ use crate::map::columns::{Columns, mix};
 use crate::map::disk::segment;
 use crate::map::piece::Piece;
 use crate::numeric::bernstein::Cubic;
-use crate::simd::transpose::Transpose;
+use asperity_core::lanes::{self, Lanes, Task, Transpose};
 
 /// Pieces that are worked out together.
 const BLOCK: usize = 32;
 
 /// The pieces between the breakpoints, and the integral of the density inside the circle on each.
 pub(crate) fn pieces(columns: &Columns, breakpoints: &Breakpoints) -> (Vec<Piece>, Vec<f64>) {
-    #[cfg(feature = "simd")]
-    return fearless_simd::dispatch!(crate::simd::dispatch::best_level(), simd => all(simd, columns, breakpoints));
-    #[cfg(not(feature = "simd"))]
-    all((), columns, breakpoints)
+    lanes::run(usize::MAX, Pieces { columns, breakpoints })
+}
+
+struct Pieces<'a> {
+    columns: &'a Columns,
+    breakpoints: &'a Breakpoints,
+}
+
+impl Task for Pieces<'_> {
+    type Output = (Vec<Piece>, Vec<f64>);
+
+    #[inline(always)]
+    fn run<S: Lanes + Transpose>(self, s: S) -> Self::Output {
+        all(s, self.columns, self.breakpoints)
+    }
 }
 
 #[inline(always)]
@@ -302,7 +313,7 @@ mod tests {
                         // Next to a line of the grid the chord may end in the row beside, by rounding.
                         let parts = [piece.below, piece.marginal].map(|part| cubic(part, s));
                         for (part, expected) in parts.into_iter().zip([below, below + above]) {
-                            assert_abs_diff_eq!(
+                            asperity_core::assert_abs_diff_eq!(
                                 part,
                                 expected,
                                 epsilon = 1e-11,

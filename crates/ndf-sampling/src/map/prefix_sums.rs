@@ -6,7 +6,7 @@ use core::ops::Range;
 
 use crate::map::reconstruction::Reconstruction;
 use crate::numeric::compensated_sum::CompensatedSums;
-use crate::simd::transpose::{Transpose, TransposeSquare};
+use asperity_core::lanes::{self, Lanes, Task, Transpose, TransposeSquare};
 
 /// Columns that go through the image together.
 const LANES: usize = 8;
@@ -41,12 +41,21 @@ impl PrefixSums {
     /// The columns of an image, whose texels without a part inside the disk do not count; nothing if one that has is negative or
     /// not finite.
     pub(crate) fn new(image: Image<'_>, kind: Reconstruction) -> Option<Self> {
-        #[cfg(feature = "simd")]
-        return fearless_simd::dispatch!(crate::simd::dispatch::best_level(), simd => {
-            columns_of(simd, image, kind)
-        });
-        #[cfg(not(feature = "simd"))]
-        columns_of((), image, kind)
+        lanes::run(usize::MAX, ColumnsOf { image, kind })
+    }
+}
+
+struct ColumnsOf<'a> {
+    image: Image<'a>,
+    kind: Reconstruction,
+}
+
+impl Task for ColumnsOf<'_> {
+    type Output = Option<PrefixSums>;
+
+    #[inline(always)]
+    fn run<S: Lanes + Transpose>(self, s: S) -> Self::Output {
+        columns_of(s, self.image, self.kind)
     }
 }
 
@@ -339,7 +348,7 @@ mod tests {
                 for k in 0..cells {
                     let cell = 0.5 * (f64::from(found[k]) + f64::from(found[k + step]));
                     let found = found_sums[k + 1] - found_sums[k];
-                    assert_abs_diff_eq!(
+                    asperity_core::assert_abs_diff_eq!(
                         found,
                         cell,
                         epsilon = 1e-14 * height as f64,
@@ -349,7 +358,7 @@ mod tests {
                 let cell = cells / 2;
                 let ends = [found[cell.min(stride - 1)], found[(cell + step).min(stride - 1)]].map(f64::from);
                 let below = if cells.is_multiple_of(2) { 0.0 } else { 0.375 * ends[0] + 0.125 * ends[1] };
-                assert_abs_diff_eq!(
+                asperity_core::assert_abs_diff_eq!(
                     found_sums[cell],
                     -below,
                     epsilon = 1e-15,

@@ -9,7 +9,7 @@ use crate::masked::projected_area::ProjectedArea;
 use crate::masked::wedge::{Wedge, direction};
 use crate::microfacet::{Microfacet, above};
 use crate::ndf::{Ndf, forward_ndf, unit_square};
-use crate::numeric::hashed::Hashed;
+use asperity_core::SplitMix64;
 
 /// Wedges from which visible normals are drawn.
 const WEDGES: usize = 512;
@@ -161,7 +161,7 @@ impl<N: Ndf> Microfacet for Masked<N> {
 
     fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3 {
         let (v, mut u) = (above(v), unit_square(u));
-        let mut random = Hashed { state: (u64::from(u.x.to_bits()) << 32) | u64::from(u.y.to_bits()) };
+        let mut random = SplitMix64 { state: (u64::from(u.x.to_bits()) << 32) | u64::from(u.y.to_bits()) };
         // The sum before each block of wedges; further ones are looked for in the last.
         let (mut sums, mut total, mut blocks) = ([0.0_f32; 1 + FINEST / BLOCK], 0.0, 0);
         for (block, sum) in self.cells.chunks(BLOCK).zip(&mut sums[1..]) {

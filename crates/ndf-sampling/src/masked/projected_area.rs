@@ -7,8 +7,8 @@ use core::f64::consts::{FRAC_PI_2, TAU};
 use glam::{Vec2, Vec3};
 
 use crate::masked::wedge::direction;
-use crate::math;
 use crate::ndf::Ndf;
+use asperity_core::math;
 
 /// Azimuths of the table; even, for each is the other side of another.
 const AZIMUTHS: usize = 256;

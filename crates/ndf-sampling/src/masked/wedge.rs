@@ -2,9 +2,9 @@
 
 use glam::Vec3;
 
-use crate::math;
-use crate::simd::elementary::cos_sin_turns;
-use crate::simd::lanes::Scalar;
+use asperity_core::lanes::Scalar;
+use asperity_core::lanes::elementary::cos_sin_turns;
+use asperity_core::math;
 
 /// A part of the hemisphere of normals between two tilts and two azimuths; uniform in `1 − cos θ` and `φ`, as solid angle is.
 ///
@@ -105,7 +105,7 @@ mod tests {
         let mut wedges = alloc::vec![Wedge::HEMISPHERE];
         for k in 0..60 {
             let [low, high] = wedges[k].halves();
-            assert_abs_diff_eq!(
+            asperity_core::assert_abs_diff_eq!(
                 low.solid_angle() + high.solid_angle(),
                 wedges[k].solid_angle(),
                 epsilon = 1e-12

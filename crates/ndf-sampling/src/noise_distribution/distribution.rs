@@ -1,6 +1,5 @@
 //! The trait of the distribution of a noise: from its values to Gaussian and uniform numbers and back.
 
-use crate::approx::compared;
 use crate::coordinates::bounded_coordinate;
 use crate::ndf::forward;
 use crate::numeric::normal_distribution::{inverse_phi, phi};
@@ -73,7 +72,8 @@ pub struct GaussianNoise {
     deviation: f32,
 }
 
-compared!(GaussianNoise, |noise| [noise.deviation]);
+#[cfg(feature = "approx")]
+asperity_core::impl_approx! { f32; GaussianNoise: noise => noise.deviation; }
 
 impl GaussianNoise {
     /// The distribution with the standard deviation `σ`.
@@ -112,7 +112,11 @@ mod tests {
         let (gaussian, kurtotic) = (GaussianNoise::new(0.7).unwrap(), KurtoticNoise::new(0.7, 0.0).unwrap());
         for r in [-3.0, -0.1, 0.0, 0.5, 2.0] {
             assert_eq!(gaussian.gaussian(r), kurtotic.gaussian(r));
-            assert_abs_diff_eq!(gaussian.uniform(r), phi(f64::from(r) / 0.7) as f32, epsilon = 1e-7);
+            asperity_core::assert_abs_diff_eq!(
+                gaussian.uniform(r),
+                phi(f64::from(r) / 0.7) as f32,
+                epsilon = 1e-7
+            );
         }
     }
 }

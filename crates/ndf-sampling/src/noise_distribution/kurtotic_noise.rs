@@ -1,10 +1,9 @@
 //! The distribution of a noise by its excess kurtosis.
 
-use crate::approx::compared;
 use crate::coordinates::bounded_coordinate;
-use crate::math::sqrt_f64;
 use crate::noise_distribution::distribution::{NoiseDistribution, check};
 use crate::range_error::RangeError;
+use asperity_core::math::sqrt_f64;
 
 /// A noise that is nearly Gaussian, known by its standard deviation and its excess kurtosis `κ` alone.
 ///
@@ -62,7 +61,8 @@ pub struct KurtoticNoise {
     scale: f32,
 }
 
-compared!(KurtoticNoise, |noise| [noise.deviation, noise.kurtosis]);
+#[cfg(feature = "approx")]
+asperity_core::impl_approx! { f32; KurtoticNoise: noise => noise.deviation, noise.kurtosis; }
 
 impl KurtoticNoise {
     /// The least excess kurtosis.
@@ -180,10 +180,15 @@ mod tests {
                 before = z;
                 if z.abs() < 13.0 {
                     let back = g.from_gaussian(z);
-                    assert_abs_diff_eq!(back, r, epsilon = 1e-6 * (1.0 + r.abs()), "κ = {kurtosis}, r =");
+                    asperity_core::assert_abs_diff_eq!(
+                        back,
+                        r,
+                        epsilon = 1e-6 * (1.0 + r.abs()),
+                        "κ = {kurtosis}, r ="
+                    );
                 }
             }
-            assert_abs_diff_eq!(g.inverse(g.uniform(0.2)), 0.2, epsilon = 1e-6);
+            asperity_core::assert_abs_diff_eq!(g.inverse(g.uniform(0.2)), 0.2, epsilon = 1e-6);
         }
     }
 
@@ -195,14 +200,15 @@ mod tests {
             let (mut second, mut fourth) = (0.0, 0.0);
             for k in -3000..=3000 {
                 let z = f64::from(k) * 0.003;
-                let weight = crate::math::exp_f64(-0.5 * z * z) * 0.003 / sqrt_f64(core::f64::consts::TAU);
+                let weight =
+                    asperity_core::math::exp_f64(-0.5 * z * z) * 0.003 / sqrt_f64(core::f64::consts::TAU);
                 let x = f64::from(g.from_gaussian(z as f32)) / 1.7;
                 second += weight * x * x;
                 fourth += weight * (x * x) * (x * x);
             }
-            assert_abs_diff_eq!(second, 1.0, epsilon = 6e-6, "{kurtosis}: {second}");
+            asperity_core::assert_abs_diff_eq!(second, 1.0, epsilon = 6e-6, "{kurtosis}: {second}");
             let excess = fourth / (second * second) - 3.0;
-            assert_abs_diff_eq!(excess, f64::from(kurtosis), epsilon = 3e-5, "{kurtosis}");
+            asperity_core::assert_abs_diff_eq!(excess, f64::from(kurtosis), epsilon = 3e-5, "{kurtosis}");
         }
     }
 

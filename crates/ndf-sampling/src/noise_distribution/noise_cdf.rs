@@ -2,7 +2,7 @@
 
 use crate::noise_distribution::distribution::NoiseDistribution;
 use crate::numeric::normal_distribution::{inverse_phi, phi};
-use crate::range_error::refusals;
+use asperity_core::error_enum;
 
 /// The distribution function `G` of a noise, linear between the entries of a borrowed table.
 ///
@@ -144,7 +144,7 @@ impl NoiseDistribution for NoiseCdfRef<'_> {
     }
 }
 
-refusals! {
+error_enum! {
     /// Refusal of a table that is no distribution of a noise.
     pub enum NoiseCdfError {
         /// The range is not positive and finite.
@@ -190,7 +190,7 @@ mod tests {
         assert_eq!((g.inverse(0.5), g.inverse(1.0), g.inverse(0.0)), (1.0, 2.5, 0.5));
         for k in 1..80 {
             let r = 0.5 + 0.025 * k as f32;
-            assert_abs_diff_eq!(g.from_gaussian(g.gaussian(r)), r, epsilon = 2e-6);
+            asperity_core::assert_abs_diff_eq!(g.from_gaussian(g.gaussian(r)), r, epsilon = 2e-6);
         }
     }
 

@@ -10,8 +10,8 @@ use crate::map::error::MAX_TEXELS;
 use crate::map::ndf_map::NdfMap;
 use crate::map::reconstruction::Reconstruction;
 use crate::map::texels::Measure;
-use crate::math;
-use crate::range_error::refusals;
+use asperity_core::error_enum;
+use asperity_core::math;
 
 /// Counts the normals of a bump map over (n_x, n_y), each spread by a smooth kernel, into the texels of an [`NdfMap`].
 ///
@@ -221,7 +221,7 @@ fn counts(n: Vec3) -> bool {
     n.x * n.x + n.y * n.y <= 1.0 + 1e-5
 }
 
-refusals! {
+error_enum! {
     /// Refusal of normals that have no density.
     pub enum EstimateError {
         /// The map would have no texels, or more than [`MAX_TEXELS`].
@@ -265,12 +265,17 @@ mod tests {
             let [mass, x, y, xx, yy] = moments(&estimator.texels(), 128);
             // A texel's own width adds its rounding: the average over it is another convolution.
             let texel = 2.0 / 128.0;
-            assert_abs_diff_eq!(mass, 1.0, epsilon = 1e-5, "{width}");
-            assert_abs_diff_eq!(x, 0.123, epsilon = 0.5 * texel, "{width}: {x} {y}");
-            assert_abs_diff_eq!(y, -0.234, epsilon = 0.5 * texel, "{width}: {x} {y}");
+            asperity_core::assert_abs_diff_eq!(mass, 1.0, epsilon = 1e-5, "{width}");
+            asperity_core::assert_abs_diff_eq!(x, 0.123, epsilon = 0.5 * texel, "{width}: {x} {y}");
+            asperity_core::assert_abs_diff_eq!(y, -0.234, epsilon = 0.5 * texel, "{width}: {x} {y}");
             let expected = f64::from(width * width) / 4.0;
             for variance in [xx - x * x, yy - y * y] {
-                assert_abs_diff_eq!(variance, expected, epsilon = 0.26 * texel * texel, "{width}");
+                asperity_core::assert_abs_diff_eq!(
+                    variance,
+                    expected,
+                    epsilon = 0.26 * texel * texel,
+                    "{width}"
+                );
             }
         }
     }
@@ -283,7 +288,7 @@ mod tests {
                 estimator.add(n);
                 let mass: f64 =
                     estimator.texels().iter().zip(&estimator.areas).map(|(&d, &a)| f64::from(d * a)).sum();
-                assert_abs_diff_eq!(mass, 1.0, epsilon = 1e-5, "{width} {n}");
+                asperity_core::assert_abs_diff_eq!(mass, 1.0, epsilon = 1e-5, "{width} {n}");
                 assert!(estimator.finish().is_ok());
             }
         }
@@ -293,7 +298,7 @@ mod tests {
     fn areas_fill_the_disk() {
         let estimator = NdfEstimator::new(20, 0.0).unwrap();
         let area: f32 = estimator.areas.iter().sum();
-        assert_abs_diff_eq!(area, core::f32::consts::PI, epsilon = 1e-2, "{area}");
+        asperity_core::assert_abs_diff_eq!(area, core::f32::consts::PI, epsilon = 1e-2, "{area}");
     }
 
     #[test]

@@ -4,13 +4,12 @@ use alloc::vec::Vec;
 
 use glam::{Vec2, Vec3};
 
-use crate::approx::compared;
 use crate::frame::Frame;
-use crate::math;
 use crate::ndf::Ndf;
 use crate::normal_table::table::{NormalTable, entry_coordinate};
 use crate::normal_table::table_ref::NormalTableRef;
 use crate::numeric::normal_distribution::phi;
+use asperity_core::math;
 
 /// The angle between looked-up and exact normals, in rad.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -21,7 +20,8 @@ pub struct Deviation {
     pub rms: f32,
 }
 
-compared!(Deviation, |deviation| [deviation.largest, deviation.rms]);
+#[cfg(feature = "approx")]
+asperity_core::impl_approx! { f32; Deviation: deviation => deviation.largest, deviation.rms; }
 
 /// Accuracy of a [`NormalTable`], measured where it is least: in the middle between each four neighbouring entries.
 ///
@@ -154,7 +154,7 @@ mod tests {
         let accuracy = NormalTable::with_layout(&beckmann, 32, layout).unwrap().accuracy(&beckmann);
         assert!(accuracy.bilinear.largest < 5e-7, "{accuracy:?}");
         // The nearest entry is half a texel off along both axes: 0.14 α/√2 each.
-        assert_abs_diff_eq!(accuracy.nearest.rms / 0.041, 1.0, epsilon = 0.1);
+        asperity_core::assert_abs_diff_eq!(accuracy.nearest.rms / 0.041, 1.0, epsilon = 0.1);
     }
 
     #[test]

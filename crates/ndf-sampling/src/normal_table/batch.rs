@@ -2,11 +2,11 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::batch_error::BatchError;
 use crate::normal_table::chart::Chart;
 use crate::normal_table::layout::TableEntry;
 use crate::normal_table::spacing::Spacing;
 use crate::normal_table::table_ref::NormalTableRef;
+use asperity_core::BatchError;
 
 /// Normals per pass: their numbers fit the first cache beside the table.
 const BLOCK: usize = 64;
@@ -17,7 +17,7 @@ impl<E: TableEntry> NormalTableRef<'_, E> {
     /// # Errors
     /// Arrays of different lengths; nothing is written then.
     pub fn nearest_normals(self, z: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
-        BatchError::check(&[("z", &z)], ("m", &m))?;
+        BatchError::check_all(&[("z", &z)], ("m", &m))?;
         self.in_blocks(z, m, |place| self.position(place), |x, y| self.nearest_point(x, y));
         Ok(())
     }
@@ -39,7 +39,7 @@ impl<E: TableEntry> NormalTableRef<'_, E> {
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     pub fn bilinear_normals(self, z: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
-        BatchError::check(&[("z", &z)], ("m", &m))?;
+        BatchError::check_all(&[("z", &z)], ("m", &m))?;
         self.in_blocks(z, m, |place| self.cell(self.position(place)), |x, y| self.bilinear_point(x, y));
         Ok(())
     }
@@ -160,7 +160,7 @@ mod tests {
         let table = NormalTableRef::new(1, TableLayout::default(), &[[0.5_f32, 0.0]]).unwrap();
         let [mut x, mut y, mut z] = [[7.0; 9]; 3];
         let refused = table.bilinear_normals([&[0.0; 9]; 2], [&mut x, &mut y[..8], &mut z]).unwrap_err();
-        assert_eq!(refused, BatchError { parameter: "m", expected: 9, got: 8 });
+        assert_eq!(Err(refused), BatchError::check("m", 9, 8));
         assert!(table.nearest_normals([&[0.0; 9], &[0.0; 8]], [&mut x, &mut y, &mut z]).is_err());
         assert_eq!([x, y, z], [[7.0; 9]; 3]);
         assert_eq!(table.nearest_normals([&[0.0; 9]; 2], [&mut x, &mut y, &mut z]), Ok(()));

@@ -1,11 +1,11 @@
 //! Refusals of square tables.
 
-use crate::range_error::refusals;
+use asperity_core::error_enum;
 
 /// The longest side of a square table.
 const MAX_SIZE: usize = 4096;
 
-refusals! {
+error_enum! {
     /// Refusal of a square table.
     #[derive(Eq)]
     pub enum NormalTableError {

@@ -1,7 +1,7 @@
 //! Spacing of the entries of a table of normals along a Gaussian coordinate.
 
-use crate::math;
 use crate::numeric::normal_distribution::{inverse_phi, phi};
+use asperity_core::math;
 
 /// The coordinate `w` in [0, 1] along which the entries of a table are equally far apart, as a function of `z`.
 ///
@@ -92,12 +92,12 @@ mod tests {
     #[test]
     fn warp_ends_at_the_range() {
         let (r, c) = (f64::from(Spacing::RANGE), f64::from(Spacing::WARP));
-        assert_abs_diff_eq!(f64::from(STRETCH), (r * r + c * c).sqrt() / r, epsilon = 1e-7);
+        asperity_core::assert_abs_diff_eq!(f64::from(STRETCH), (r * r + c * c).sqrt() / r, epsilon = 1e-7);
         for spacing in [Spacing::Coordinates, Spacing::Warped] {
-            assert_abs_diff_eq!(spacing.place(4.5), 1.0, epsilon = 1e-6);
-            assert_abs_diff_eq!(spacing.place(-4.5), 0.0, epsilon = 1e-6);
-            assert_abs_diff_eq!(spacing.coordinate(1.0), 4.5, epsilon = 1e-5);
-            assert_abs_diff_eq!(spacing.coordinate(0.0), -4.5, epsilon = 1e-5);
+            asperity_core::assert_abs_diff_eq!(spacing.place(4.5), 1.0, epsilon = 1e-6);
+            asperity_core::assert_abs_diff_eq!(spacing.place(-4.5), 0.0, epsilon = 1e-6);
+            asperity_core::assert_abs_diff_eq!(spacing.coordinate(1.0), 4.5, epsilon = 1e-5);
+            asperity_core::assert_abs_diff_eq!(spacing.coordinate(0.0), -4.5, epsilon = 1e-5);
         }
     }
 
@@ -112,7 +112,12 @@ mod tests {
                 before = w;
                 // An f32 next to 1 resolves 6e-8, which the quantiles' slope magnifies.
                 let rounding = if spacing == Spacing::Quantiles { 2e-7 * (0.5 * z * z).exp() } else { 5e-6 };
-                assert_abs_diff_eq!(spacing.coordinate(w), z, epsilon = 5e-6 + rounding, "{spacing:?} at");
+                asperity_core::assert_abs_diff_eq!(
+                    spacing.coordinate(w),
+                    z,
+                    epsilon = 5e-6 + rounding,
+                    "{spacing:?} at"
+                );
             }
         }
     }

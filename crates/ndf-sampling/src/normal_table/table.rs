@@ -206,7 +206,7 @@ mod tests {
                 // √(1 − r²) of the projected chart magnifies the rounding of r, and the flat chord of coarse slopes that of z.
                 let tolerance = if layout.chart == Chart::Projected { 2e-5 } else { 2e-6 };
                 let found = table.bilinear(z).normal;
-                assert_abs_diff_eq!(found, frame.normal, epsilon = tolerance, "{layout:?}");
+                asperity_core::assert_abs_diff_eq!(found, frame.normal, epsilon = tolerance, "{layout:?}");
             }
         }
     }
@@ -215,10 +215,10 @@ mod tests {
     fn even_table_tilts_the_nearest_flat_normal_by_half_a_texel() {
         let ggx = Ggx::isotropic(0.3).unwrap();
         let table = NormalTable::standard(&ggx);
-        assert_abs_diff_eq!(table.bilinear(Vec2::ZERO).normal, Vec3::Z, epsilon = 1e-7);
+        asperity_core::assert_abs_diff_eq!(table.bilinear(Vec2::ZERO).normal, Vec3::Z, epsilon = 1e-7);
         let half = Spacing::RANGE / 256.0;
         let expected = ggx.from_gaussian(Vec2::splat(half));
-        assert_abs_diff_eq!(table.nearest(Vec2::ZERO).normal, expected, epsilon = 1e-6);
+        asperity_core::assert_abs_diff_eq!(table.nearest(Vec2::ZERO).normal, expected, epsilon = 1e-6);
     }
 
     #[test]
@@ -227,7 +227,7 @@ mod tests {
         let halves = table.halves();
         for (half, frame) in halves.iter().zip(table.frames()) {
             let rounded = table.layout.chart.to_normal(half.point());
-            assert_abs_diff_eq!((rounded - frame.normal).length(), 0.0, epsilon = 4.9e-4);
+            asperity_core::assert_abs_diff_eq!((rounded - frame.normal).length(), 0.0, epsilon = 4.9e-4);
         }
     }
 }

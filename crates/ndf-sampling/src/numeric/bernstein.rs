@@ -1,6 +1,6 @@
 //! Polynomials of degree 3 by Bernstein coefficients that are not negative, and their integrals: no step of theirs cancels.
 
-use crate::math;
+use asperity_core::math;
 
 /// Coefficients.
 pub(crate) type Cubic = [f64; 4];
@@ -92,7 +92,12 @@ mod tests {
             for k in 0..=1000 {
                 let u = f64::from(k) / 1000.0;
                 let error = share(marginal, inverse_share(marginal, u)) - u;
-                assert_abs_diff_eq!(error, 0.0, epsilon = 4e-15, "{marginal:?} {u}: {error:e}");
+                asperity_core::assert_abs_diff_eq!(
+                    error,
+                    0.0,
+                    epsilon = 4e-15,
+                    "{marginal:?} {u}: {error:e}"
+                );
             }
         }
     }

@@ -7,5 +7,4 @@ pub(crate) mod compensated_sum;
 pub(crate) mod gauss_kronrod;
 #[cfg(feature = "alloc")]
 pub(crate) mod guide_table;
-pub(crate) mod hashed;
 pub(crate) mod normal_distribution;

@@ -1,6 +1,6 @@
 //! The Gaussian distribution function Φ and its inverse, in `f64`.
 
-use crate::math;
+use asperity_core::math;
 
 /// `Φ(z)`: the probability that a standard Gaussian is at most `z`.
 ///

@@ -2,17 +2,35 @@
 
 /// Every edge that the house rules allow out of a published crate and the interpreter of shaders, in tests and benches the latter too; nothing else may
 /// be there.
-const EDGES: [(&str, &[&str], &[&str]); 7] = [
-    ("asperity-noise", &["approx", "fearless_simd", "glam", "libm", "serde"], &["criterion", "png"]),
+const EDGES: [(&str, &[&str], &[&str]); 8] = [
+    ("asperity-core", &["fearless_simd", "glam", "libm"], &["approx", "libm"]),
+    (
+        "asperity-noise",
+        &["approx", "asperity-core", "fearless_simd", "glam", "libm", "serde"],
+        &["criterion", "png"],
+    ),
     (
         "asperity-ndf-sampling",
-        &["approx", "fearless_simd", "glam", "libm", "proptest", "rand", "serde"],
+        &["approx", "asperity-core", "glam", "proptest", "rand", "serde"],
         &["criterion", "libm", "png"],
     ),
-    ("asperity-fif", &["approx", "fearless_simd", "glam", "libm", "serde"], &["criterion", "png"]),
+    (
+        "asperity-fif",
+        &["approx", "asperity-core", "fearless_simd", "glam", "libm", "serde"],
+        &["criterion", "png"],
+    ),
     (
         "asperity-shading",
-        &["approx", "asperity-ndf-sampling", "asperity-noise", "glam", "libm", "proptest", "serde"],
+        &[
+            "approx",
+            "asperity-core",
+            "asperity-ndf-sampling",
+            "asperity-noise",
+            "glam",
+            "libm",
+            "proptest",
+            "serde",
+        ],
         &["criterion", "png"],
     ),
     (

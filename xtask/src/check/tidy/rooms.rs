@@ -14,6 +14,12 @@ pub(super) struct House {
 /// Every crate whose rooms are ordered.
 pub(super) const HOUSES: &[House] = &[
     House {
+        name: "core",
+        sources: "crates/core/src",
+        rooms: "math macros → batch_error interval split_mix → lanes → check",
+        face: Some(5),
+    },
+    House {
         name: "noise",
         sources: "crates/noise/src",
         rooms: "math → point sample → lanes → lattice → row → statistics → contract → kinds/cell kinds/simplex → \
@@ -23,7 +29,7 @@ pub(super) const HOUSES: &[House] = &[
     House {
         name: "ndf-sampling",
         sources: "crates/ndf-sampling/src",
-        rooms: "math → numeric → range_error batch_error coordinates ndf microfacet radial frame approx serde → simd → density → \
+        rooms: "numeric → range_error coordinates ndf microfacet radial frame serde → closed_form → density → \
                 map → map/packed → masked → noise_distribution → normal_table → normal_map → level_of_detail → \
                 check → rand strategies",
         face: Some(65),

@@ -5,7 +5,7 @@
 
 use crate::map::packed::leaf::Leaf;
 use crate::map::packed::packed_map::PackedMapRef;
-use crate::simd::records::Records;
+use asperity_core::lanes::Lanes;
 
 /// A function of a map and pairs of numbers; `SIDES` tells how many columns of values a cell lies between.
 pub(crate) trait Staged<const OUT: usize> {
@@ -13,7 +13,7 @@ pub(crate) trait Staged<const OUT: usize> {
     /// So many pairs are faster one by one.
     const FEW: usize;
 
-    fn apply<P: Records, const L: usize, const SIDES: usize>(
+    fn apply<P: Lanes, const L: usize, const SIDES: usize>(
         map: &PackedMapRef<'_>,
         p: P,
         groups: &mut [Self::Group<L>],
@@ -78,13 +78,13 @@ impl<const L: usize> Work<L> for Group<L> {
 
 /// The entries of a register's lanes from `from` on.
 #[inline(always)]
-pub(crate) fn of<P: Records, T>(_: P, entries: &[T], from: usize) -> &[T] {
+pub(crate) fn of<P: Lanes, T>(_: P, entries: &[T], from: usize) -> &[T] {
     entries.get(from..from + P::LEN).unwrap_or_default()
 }
 
 /// The entries of a register's lanes from `from` on.
 #[inline(always)]
-pub(crate) fn of_mut<P: Records, T>(_: P, entries: &mut [T], from: usize) -> &mut [T] {
+pub(crate) fn of_mut<P: Lanes, T>(_: P, entries: &mut [T], from: usize) -> &mut [T] {
     entries.get_mut(from..from + P::LEN).unwrap_or_default()
 }
 
@@ -103,7 +103,7 @@ pub(crate) fn copy_guide<const L: usize>(guide: &[[f32; 4]], groups: &mut [Group
 ///
 /// Keys are the numbers of the leaves' first halves with this index, and the guide's entries have the next three.
 #[inline(always)]
-pub(crate) fn find_leaves<P: Records, const L: usize, const KEY: usize>(
+pub(crate) fn find_leaves<P: Lanes, const L: usize, const KEY: usize>(
     p: P,
     leaves: &[Leaf],
     group: &mut Group<L>,

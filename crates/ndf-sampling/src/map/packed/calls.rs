@@ -2,18 +2,19 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::batch_error::BatchError;
 use crate::map::packed::block::{Staged, Work};
 use crate::map::packed::cdf::Forward;
 use crate::map::packed::density::Density;
 use crate::map::packed::inverse_cdf::Inverse;
 use crate::map::packed::packed_map::PackedMapRef;
 use crate::map::reconstruction::Reconstruction;
-use crate::math;
 use crate::ndf::Ndf;
 use crate::numeric::normal_distribution::{inverse_phi, phi};
-use crate::simd::lanes::Scalar;
-use crate::simd::records::Records;
+use asperity_core::BatchError;
+use asperity_core::math;
+use core::marker::PhantomData;
+
+use asperity_core::lanes::{self, Lanes, Scalar, Task, Transpose};
 
 /// Lanes of a group: those of the longest register.
 const LANES: usize = 16;
@@ -40,7 +41,7 @@ impl PackedMapRef<'_> {
     /// # Errors
     /// Arrays of different lengths; nothing is written then.
     pub fn inverses(&self, u: [&[f32]; 2], n: [&mut [f32]; 2]) -> Result<(), BatchError> {
-        BatchError::check(&[("u", &u)], ("n", &n)).map(|()| self.many::<Inverse, 2>(u, n))
+        BatchError::check_all(&[("u", &u)], ("n", &n)).map(|()| self.many::<Inverse, 2>(u, n))
     }
 
     /// Uniform numbers `u = (M, C)(n)` of normals by their first two coordinates: [`forward`](Self::forward) of many.
@@ -48,7 +49,7 @@ impl PackedMapRef<'_> {
     /// # Errors
     /// Arrays of different lengths; nothing is written then.
     pub fn forwards(&self, n: [&[f32]; 2], u: [&mut [f32]; 2]) -> Result<(), BatchError> {
-        BatchError::check(&[("n", &n)], ("u", &u)).map(|()| self.many::<Forward, 2>(n, u))
+        BatchError::check_all(&[("n", &n)], ("u", &u)).map(|()| self.many::<Forward, 2>(n, u))
     }
 
     /// Densities `D` of normals by their first two coordinates, in sr⁻¹.
@@ -57,7 +58,8 @@ impl PackedMapRef<'_> {
     /// Arrays of different lengths; nothing is written then.
     pub fn densities(&self, n: [&[f32]; 2], density: &mut [f32]) -> Result<(), BatchError> {
         let density = [density];
-        BatchError::check(&[("n", &n)], ("density", &density)).map(|()| self.many::<Density, 1>(n, density))
+        BatchError::check_all(&[("n", &n)], ("density", &density))
+            .map(|()| self.many::<Density, 1>(n, density))
     }
 
     /// A function of one pair.
@@ -89,22 +91,24 @@ impl PackedMapRef<'_> {
             }
             return;
         }
-        #[cfg(feature = "simd")]
-        self.at_level::<K, OUT>(crate::simd::dispatch::level_for(inputs[0].len()), inputs, outputs);
-        #[cfg(not(feature = "simd"))]
-        fill::<_, K, OUT>(Scalar, self, inputs, outputs);
+        lanes::run(inputs[0].len(), Fill::<K, OUT> { map: self, inputs, outputs, staged: PhantomData });
     }
+}
 
-    #[cfg(feature = "simd")]
-    fn at_level<K: Staged<OUT>, const OUT: usize>(
-        &self,
-        level: fearless_simd::Level,
-        inputs: [&[f32]; 2],
-        outputs: [&mut [f32]; OUT],
-    ) {
-        fearless_simd::dispatch!(level, simd => {
-            fill::<_, K, OUT>(crate::simd::registers::Registers(simd), self, inputs, outputs);
-        });
+/// A function of arrays of one length.
+struct Fill<'a, K, const OUT: usize> {
+    map: &'a PackedMapRef<'a>,
+    inputs: [&'a [f32]; 2],
+    outputs: [&'a mut [f32]; OUT],
+    staged: PhantomData<K>,
+}
+
+impl<K: Staged<OUT>, const OUT: usize> Task for Fill<'_, K, OUT> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Lanes + Transpose>(self, s: S) {
+        fill::<S, K, OUT>(s, self.map, self.inputs, self.outputs);
     }
 }
 
@@ -138,7 +142,7 @@ impl Ndf for PackedMapRef<'_> {
 
 /// A function of arrays of one length, block by block.
 #[inline(always)]
-fn fill<P: Records, K: Staged<OUT>, const OUT: usize>(
+fn fill<P: Lanes, K: Staged<OUT>, const OUT: usize>(
     p: P,
     map: &PackedMapRef<'_>,
     [x, y]: [&[f32]; 2],
@@ -196,8 +200,17 @@ fn copy(to: &mut [f32], from: &[f32]) {
 mod tests {
     use super::*;
     use crate::NdfMap;
-    use crate::simd::dispatch::each_level;
     use alloc::vec::Vec;
+    use asperity_core::lanes::{Level, each_level, run_at};
+
+    fn at_level<K: Staged<OUT>, const OUT: usize>(
+        level: Level,
+        map: &PackedMapRef<'_>,
+        inputs: [&[f32]; 2],
+        outputs: [&mut [f32]; OUT],
+    ) {
+        run_at(level, Fill::<K, OUT> { map, inputs, outputs, staged: PhantomData });
+    }
 
     /// Numbers all over the square and some that are none, in no order.
     fn pairs() -> [Vec<f32>; 2] {
@@ -231,9 +244,9 @@ mod tests {
                     let pairs = [&x[from..from + len], &y[from..from + len]];
                     let mut got = [(); 5].map(|()| alloc::vec![0.0; len]);
                     let [a, b, c, d, e] = &mut got;
-                    map.at_level::<Inverse, 2>(level, pairs, [a, b]);
-                    map.at_level::<Forward, 2>(level, pairs, [c, d]);
-                    map.at_level::<Density, 1>(level, pairs, [e]);
+                    at_level::<Inverse, 2>(level, &map, pairs, [a, b]);
+                    at_level::<Forward, 2>(level, &map, pairs, [c, d]);
+                    at_level::<Density, 1>(level, &map, pairs, [e]);
                     for k in 0..len {
                         let got = got.each_ref().map(|results| results[k].to_bits());
                         assert_eq!(got, expected[from + k], "{level:?} {kind:?} {k} of {len}");

@@ -5,7 +5,7 @@ use crate::map::packed::grid::Grid;
 use crate::map::packed::inverse_cdf::{integrals, marginals};
 use crate::map::packed::leaf::BEGIN;
 use crate::map::packed::packed_map::PackedMapRef;
-use crate::simd::records::Records;
+use asperity_core::lanes::Lanes;
 
 /// `(M, C)`.
 pub(crate) struct Forward;
@@ -15,7 +15,7 @@ impl Staged<2> for Forward {
     const FEW: usize = 6;
 
     #[inline(always)]
-    fn apply<P: Records, const L: usize, const SIDES: usize>(
+    fn apply<P: Lanes, const L: usize, const SIDES: usize>(
         map: &PackedMapRef<'_>,
         p: P,
         groups: &mut [Group<L>],
@@ -59,7 +59,7 @@ impl Staged<2> for Forward {
 impl PackedMapRef<'_> {
     /// The part of the guide, the column, the row and the places in these.
     #[inline(always)]
-    fn place<P: Records, const L: usize, const SIDES: usize>(&self, p: P, group: &mut Group<L>) {
+    fn place<P: Lanes, const L: usize, const SIDES: usize>(&self, p: P, group: &mut Group<L>) {
         let Grid { density, origin, last, guide, stride, .. } = self.grid;
         for from in (0..L).step_by(P::LEN) {
             let x = coordinate(p, p.load(of(p, &group.input[0], from)));
@@ -81,14 +81,14 @@ impl PackedMapRef<'_> {
 
 /// The nearest number from −1 to 1; 0 for NaN.
 #[inline(always)]
-fn coordinate<P: Records>(p: P, n: P::F) -> P::F {
+fn coordinate<P: Lanes>(p: P, n: P::F) -> P::F {
     let n = p.select(p.at_or_below(n, n), n, p.float(0.0));
     p.min(p.max(n, p.float(-1.0)), p.float(1.0))
 }
 
 /// `M` and `C`.
 #[inline(always)]
-fn uniforms<P: Records, const L: usize, const SIDES: usize>(p: P, group: &mut Group<L>) {
+fn uniforms<P: Lanes, const L: usize, const SIDES: usize>(p: P, group: &mut Group<L>) {
     let (zero, half, tiny) = (p.float(0.0), p.float(0.5), p.float(f32::MIN_POSITIVE));
     for from in (0..L).step_by(P::LEN) {
         let (at, q) = (p.load(of(p, &group.target, from)), p.load(of(p, &group.output[1], from)));

@@ -3,7 +3,7 @@
 use crate::map::packed::block::{Staged, Work, entries, of, of_mut, sides};
 use crate::map::packed::grid::Grid;
 use crate::map::packed::packed_map::PackedMapRef;
-use crate::simd::records::Records;
+use asperity_core::lanes::Lanes;
 
 /// `D`.
 pub(crate) struct Density;
@@ -45,7 +45,7 @@ impl Staged<1> for Density {
     const FEW: usize = 12;
 
     #[inline(always)]
-    fn apply<P: Records, const L: usize, const SIDES: usize>(
+    fn apply<P: Lanes, const L: usize, const SIDES: usize>(
         map: &PackedMapRef<'_>,
         p: P,
         groups: &mut [Corners<L>],
@@ -76,7 +76,7 @@ impl Staged<1> for Density {
 impl PackedMapRef<'_> {
     /// The texel and the place between it and the next.
     #[inline(always)]
-    fn texel<P: Records, const L: usize>(&self, p: P, group: &mut Corners<L>) {
+    fn texel<P: Lanes, const L: usize>(&self, p: P, group: &mut Corners<L>) {
         let Grid { density, origin, last, texel_stride, .. } = self.grid;
         for from in (0..L).step_by(P::LEN) {
             let mut places = [p.float(0.0); 2];
@@ -88,15 +88,15 @@ impl PackedMapRef<'_> {
             let [x, y] = places;
             let (column, row) = (p.truncated(x), p.truncated(y));
             p.store_words(column * p.word(texel_stride) + row, of_mut(p, &mut group.at, from));
-            p.store(x - p.float_of_word(column), of_mut(p, &mut group.between[0], from));
-            p.store(y - p.float_of_word(row), of_mut(p, &mut group.between[1], from));
+            p.store(x - p.real(column), of_mut(p, &mut group.between[0], from));
+            p.store(y - p.real(row), of_mut(p, &mut group.between[1], from));
         }
     }
 }
 
 /// The values there.
 #[inline(always)]
-fn values<P: Records, const L: usize, const SIDES: usize>(p: P, group: &mut Corners<L>) {
+fn values<P: Lanes, const L: usize, const SIDES: usize>(p: P, group: &mut Corners<L>) {
     for from in (0..L).step_by(P::LEN) {
         let value = if SIDES == 1 {
             p.load(of(p, &group.output[1], from))

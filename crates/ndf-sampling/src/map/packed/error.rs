@@ -1,8 +1,8 @@
 //! Refusals of arrays that are no packed maps.
 
-use crate::range_error::refusals;
+use asperity_core::error_enum;
 
-refusals! {
+error_enum! {
     /// Refusal of an array that is no packed map.
     pub enum PackedMapError {
         /// The first number is not that of this format.

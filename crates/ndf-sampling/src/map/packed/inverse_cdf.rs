@@ -5,7 +5,7 @@ use crate::map::packed::grid::Grid;
 use crate::map::packed::layout::LINES;
 use crate::map::packed::leaf::{C0, MANY_STEPS, WEIGHT, many_steps};
 use crate::map::packed::packed_map::PackedMapRef;
-use crate::simd::records::Records;
+use asperity_core::lanes::Lanes;
 
 /// The largest `f32` below 1.
 const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
@@ -18,7 +18,7 @@ impl Staged<2> for Inverse {
     const FEW: usize = 4;
 
     #[inline(always)]
-    fn apply<P: Records, const L: usize, const SIDES: usize>(
+    fn apply<P: Lanes, const L: usize, const SIDES: usize>(
         map: &PackedMapRef<'_>,
         p: P,
         groups: &mut [Group<L>],
@@ -67,7 +67,7 @@ impl Staged<2> for Inverse {
 impl PackedMapRef<'_> {
     /// The parts of the guide.
     #[inline(always)]
-    fn guide_by_weight<P: Records, const L: usize>(&self, p: P, group: &mut Group<L>) {
+    fn guide_by_weight<P: Lanes, const L: usize>(&self, p: P, group: &mut Group<L>) {
         for from in (0..L).step_by(P::LEN) {
             for axis in 0..2 {
                 let u = p.min(p.at_least(p.load(of(p, &group.input[axis], from)), 0.0), p.float(BELOW_ONE));
@@ -82,7 +82,7 @@ impl PackedMapRef<'_> {
 
     /// `x` by the leaves, and the integral to look for in its column.
     #[inline(always)]
-    fn x<P: Records, const L: usize, const SIDES: usize>(&self, p: P, group: &mut Group<L>) {
+    fn x<P: Lanes, const L: usize, const SIDES: usize>(&self, p: P, group: &mut Group<L>) {
         let Grid { density, size, origin, last, .. } = self.grid;
         let (zero, one) = (p.float(0.0), p.float(1.0));
         for from in (0..L).step_by(P::LEN) {
@@ -115,7 +115,7 @@ impl PackedMapRef<'_> {
             let column = p.truncated(p.min(begin + p.float(0.5) * wide + origin, p.float(last[0])));
             // The conditional is that of the rounded place, which is what the way back finds.
             let at = x * p.float(density[0]);
-            let t = p.unit(at - (p.float_of_word(column) - origin));
+            let t = p.unit(at - (p.real(column) - origin));
             if is_any_flagged {
                 s = p.select(flagged, place(p, at, begin, wide), s);
             }
@@ -131,11 +131,11 @@ impl PackedMapRef<'_> {
 
     /// The line before the row that the quantiles say.
     #[inline(always)]
-    fn first_line<P: Records, const L: usize, const SIDES: usize>(&self, p: P, group: &mut Group<L>) {
+    fn first_line<P: Lanes, const L: usize, const SIDES: usize>(&self, p: P, group: &mut Group<L>) {
         for from in (0..L).step_by(P::LEN) {
             let place = p.load(of(p, &group.input[1], from)) * p.float(self.grid.quantiles);
             let [before, after] = p.fields2(of(p, &group.twos, from));
-            let part = p.float_of_word(p.truncated(place));
+            let part = p.real(p.truncated(place));
             let guess = before + (after - before) * (place - part) - p.float(1.0);
             let row = p.truncated(p.min(p.max(guess, p.float(0.0)), p.float(self.grid.last_row as f32)));
             let column = p.load_words(of(p, &group.column, from));
@@ -147,7 +147,7 @@ impl PackedMapRef<'_> {
 
     /// `y` by the three rows between these lines, or, where it is in none of them, by a search.
     #[inline(always)]
-    fn y<P: Records, const L: usize, const SIDES: usize>(&self, p: P, group: &mut Group<L>) {
+    fn y<P: Lanes, const L: usize, const SIDES: usize>(&self, p: P, group: &mut Group<L>) {
         let Grid { size, origin, margin, .. } = self.grid;
         let (zero, one) = (p.float(0.0), p.float(1.0));
         for from in (0..L).step_by(P::LEN) {
@@ -189,7 +189,7 @@ impl PackedMapRef<'_> {
                 twice / p.max(a + root, p.float(f32::MIN_POSITIVE))
             };
             let q = p.min(p.max(q, p.float(margin)), p.float(1.0 - margin));
-            let row = p.float_of_word(p.load_words(of(p, &group.row, from)));
+            let row = p.real(p.load_words(of(p, &group.row, from)));
             let row = row + chosen(p, passed, [zero, one, p.float(2.0)]);
             let x = p.load(of(p, &group.output[0], from));
             let y = ((row - p.float(origin[1])) + q) * p.float(size[1]);
@@ -205,17 +205,17 @@ impl PackedMapRef<'_> {
 
     /// The column of a place in columns from the middle, and the place in it.
     #[inline(always)]
-    pub(crate) fn column<P: Records>(&self, p: P, at: P::F, [origin, last]: [f32; 2]) -> (P::U, P::F) {
+    pub(crate) fn column<P: Lanes>(&self, p: P, at: P::F, [origin, last]: [f32; 2]) -> (P::U, P::F) {
         let origin = p.float(origin);
         let cell = p.truncated(p.min(at + origin, p.float(last)));
         // Rounding of the sum may tell the cell beside.
-        (cell, p.unit(at - (p.float_of_word(cell) - origin)))
+        (cell, p.unit(at - (p.real(cell) - origin)))
     }
 }
 
 /// Copies the lines at which a lane looks, `t` of the way from the left to the right side.
 #[inline(always)]
-fn fill_window<P: Records, const L: usize, const SIDES: usize>(
+fn fill_window<P: Lanes, const L: usize, const SIDES: usize>(
     p: P,
     [left, right]: [&[f32]; 2],
     group: &mut Group<L>,
@@ -233,7 +233,7 @@ fn fill_window<P: Records, const L: usize, const SIDES: usize>(
 
 /// The integral, and the value if there are two sides, on each line of a window.
 #[inline(always)]
-fn window<P: Records, const L: usize, const SIDES: usize>(
+fn window<P: Lanes, const L: usize, const SIDES: usize>(
     p: P,
     group: &Group<L>,
     from: usize,
@@ -249,23 +249,19 @@ fn window<P: Records, const L: usize, const SIDES: usize>(
 
 /// The place in a leaf of a place in columns from the middle.
 #[inline(always)]
-fn place<P: Records>(p: P, at: P::F, begin: P::F, wide: P::F) -> P::F {
+fn place<P: Lanes>(p: P, at: P::F, begin: P::F, wide: P::F) -> P::F {
     p.unit((at - begin) / p.max(p.max(wide, -wide), p.float(f32::MIN_POSITIVE)))
 }
 
 /// The first number, or the second or third if so many lines are passed.
 #[inline(always)]
-fn chosen<P: Records>(p: P, passed: [P::M; 2], [a, b, c]: [P::F; 3]) -> P::F {
+fn chosen<P: Lanes>(p: P, passed: [P::M; 2], [a, b, c]: [P::F; 3]) -> P::F {
     p.select(passed[1], c, p.select(passed[0], b, a))
 }
 
 /// The marginal and its part below the middle, by a leaf's second half, at the place `s`.
 #[inline(always)]
-pub(crate) fn marginals<P: Records>(
-    p: P,
-    &[m0, m1, m2, m3, b0, b1, b2, b3]: &[P::F; 8],
-    s: P::F,
-) -> [P::F; 2] {
+pub(crate) fn marginals<P: Lanes>(p: P, &[m0, m1, m2, m3, b0, b1, b2, b3]: &[P::F; 8], s: P::F) -> [P::F; 2] {
     let o = p.float(1.0) - s;
     let (o2, s2) = (o * o, s * s);
     let (a, b, c, d) = (o2 * o, o2 * s, o * s2, s2 * s);
@@ -274,7 +270,7 @@ pub(crate) fn marginals<P: Records>(
 
 /// Four times the marginal's integral up to the place `s`, and over the whole leaf.
 #[inline(always)]
-pub(crate) fn integrals<P: Records>(p: P, &[m0, m1, m2, m3, ..]: &[P::F; 8], s: P::F) -> [P::F; 2] {
+pub(crate) fn integrals<P: Lanes>(p: P, &[m0, m1, m2, m3, ..]: &[P::F; 8], s: P::F) -> [P::F; 2] {
     let (four, six, third) = (p.float(4.0), p.float(6.0), p.float(1.0 / 3.0));
     let o = p.float(1.0) - s;
     let (o2, s2) = (o * o, s * s);
@@ -287,7 +283,7 @@ pub(crate) fn integrals<P: Records>(p: P, &[m0, m1, m2, m3, ..]: &[P::F; 8], s: 
 
 /// One of Newton's steps towards the share `r`.
 #[inline(always)]
-fn newton<P: Records>(p: P, cubics: &[P::F; 8], r: P::F, s: P::F) -> P::F {
+fn newton<P: Lanes>(p: P, cubics: &[P::F; 8], r: P::F, s: P::F) -> P::F {
     let ([integral, sum], [marginal, _]) = (integrals(p, cubics, s), marginals(p, cubics, s));
     let slope = p.max(p.float(4.0) * marginal, p.float(f32::MIN_POSITIVE));
     p.unit(s - (integral - r * sum) / slope)

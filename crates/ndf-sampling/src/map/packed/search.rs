@@ -2,7 +2,7 @@
 
 use crate::map::packed::grid::Grid;
 use crate::map::packed::packed_map::PackedMapRef;
-use crate::math;
+use asperity_core::math;
 
 impl PackedMapRef<'_> {
     /// The last row that begins at or below `target` and has weight, looked for from a row on, and the target moved into it.

@@ -2,12 +2,12 @@
 
 use glam::Vec2;
 
-use crate::numeric::hashed::Hashed;
+use crate::split_mix::SplitMix64;
 
 /// The seed and the effort of a [`Report`](super::Report).
 ///
 /// ```
-/// use asperity_ndf_sampling::check::Settings;
+/// use asperity_core::check::Settings;
 ///
 /// let quick = Settings { samples: 10_000, ..Settings::default() };
 /// assert_eq!(quick.seed, 0);
@@ -26,13 +26,13 @@ impl Settings {
     /// Uniform points of the unit square without end; each stream has its own.
     ///
     /// ```
-    /// use asperity_ndf_sampling::check::Settings;
+    /// use asperity_core::check::Settings;
     ///
     /// let mean = Settings::default().points(0).take(10_000).map(|u| u.x - u.y).sum::<f32>() / 10_000.0;
     /// assert!(mean.abs() < 0.02);
     /// ```
     pub fn points(&self, stream: u8) -> impl Iterator<Item = Vec2> + use<> {
-        let mut random = Hashed { state: (u64::from(self.seed) << 8 | u64::from(stream)) << 32 };
+        let mut random = SplitMix64 { state: (u64::from(self.seed) << 8 | u64::from(stream)) << 32 };
         core::iter::repeat_with(move || Vec2::new(random.uniform(), random.uniform()))
     }
 }

@@ -1,16 +1,16 @@
-//! Pairs of registers in step: while one waits for a result, the other is at work.
+//! Pairs of registers whose instructions are interleaved, which hides latency.
 
 use core::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Sub};
 
-use crate::simd::lanes::Lanes;
+use crate::lanes::lanes::Arithmetic;
 
 /// The lanes of two registers of `S`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct RegisterPair<S>(pub(crate) S);
+pub struct RegisterPair<S>(pub S);
 
 /// One value for each of the two registers.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Pair<T>(T, T);
+pub struct Pair<T>(T, T);
 
 macro_rules! in_step {
     ($($operator:ident $function:ident),*) => {$(
@@ -33,7 +33,7 @@ impl<T: Neg<Output = T>> Neg for Pair<T> {
     }
 }
 
-impl<S: Lanes> Lanes for RegisterPair<S> {
+impl<S: Arithmetic> Arithmetic for RegisterPair<S> {
     const LEN: usize = 2 * S::LEN;
     type F = Pair<S::F>;
     type U = Pair<S::U>;

@@ -3,7 +3,7 @@
 //! Only correctly rounded operations are used, so the results have the same bits on every machine. Series are summed by pairs,
 //! which shortens the chain that a single lane waits for.
 
-use crate::simd::lanes::Lanes;
+use crate::lanes::lanes::Arithmetic;
 
 /// 1.5·2²³: a sum with it is rounded to an integer, which its lowest bits hold.
 const ROUND: f32 = 12_582_912.0;
@@ -12,7 +12,7 @@ const ROUND: f32 = 12_582_912.0;
 ///
 /// `x = k ln 2 + r` with |r| ≤ ½ ln 2; the series ends at r⁷/7!, 6e-9 relative. Accuracy: 2e-7 relative.
 #[inline(always)]
-pub(crate) fn exp<S: Lanes>(s: S, x: S::F) -> S::F {
+pub fn exp<S: Arithmetic>(s: S, x: S::F) -> S::F {
     let shifted = x * s.float(core::f32::consts::LOG2_E) + s.float(ROUND);
     let k = shifted - s.float(ROUND);
     // ln 2 in two parts, of which the first has 15 bits: its product with k is exact.
@@ -30,7 +30,7 @@ pub(crate) fn exp<S: Lanes>(s: S, x: S::F) -> S::F {
 ///
 /// Up to t = 1 as `exp(−t/2) sinh(t/2)/(t/2)`, whose series ends at (t/2)⁸/9!. Accuracy: 3e-7 relative.
 #[inline(always)]
-pub(crate) fn one_minus_exp_ratio<S: Lanes>(s: S, t: S::F, root: S::F) -> S::F {
+pub fn one_minus_exp_ratio<S: Arithmetic>(s: S, t: S::F, root: S::F) -> S::F {
     let x2 = t * t * s.float(0.25);
     let x4 = x2 * x2;
     let series = (s.float(1.0) + x2 * s.float(1.0 / 6.0))
@@ -44,7 +44,7 @@ pub(crate) fn one_minus_exp_ratio<S: Lanes>(s: S, t: S::F, root: S::F) -> S::F {
 /// `1 + x = 2ᵏ m` with m in √½ … √2, and `ln m = 2 artanh(f/(2 + f))`, `f = m − 1`, by its series to the ninth power, 5e-9 relative.
 /// For k = 0 f is x itself: nothing rests on what the sum `1 + x` has lost. Accuracy: 3e-7 relative.
 #[inline(always)]
-pub(crate) fn ln_1p<S: Lanes>(s: S, x: S::F) -> S::F {
+pub fn ln_1p<S: Arithmetic>(s: S, x: S::F) -> S::F {
     let one = s.float(1.0);
     let [k, m] = parts(s, one + x);
     ln_of_parts(s, k, s.select(s.less(k * k, one), x, m - one))
@@ -52,14 +52,14 @@ pub(crate) fn ln_1p<S: Lanes>(s: S, x: S::F) -> S::F {
 
 /// `ln x` for normal, positive, finite `x`. Accuracy: 3e-7 relative, away from 1 as near it.
 #[inline(always)]
-pub(crate) fn ln<S: Lanes>(s: S, x: S::F) -> S::F {
+pub fn ln<S: Arithmetic>(s: S, x: S::F) -> S::F {
     let [k, m] = parts(s, x);
     ln_of_parts(s, k, m - s.float(1.0))
 }
 
 /// `k` and `m` of `x = 2ᵏ m` with m in √½ … √2.
 #[inline(always)]
-fn parts<S: Lanes>(s: S, x: S::F) -> [S::F; 2] {
+fn parts<S: Arithmetic>(s: S, x: S::F) -> [S::F; 2] {
     const SQRT_HALF: u32 = core::f32::consts::FRAC_1_SQRT_2.to_bits();
     let shifted = s.bits(x) + s.word(1.0_f32.to_bits() - SQRT_HALF);
     // The biased exponent as a float: in the lowest bits of 2²³.
@@ -70,7 +70,7 @@ fn parts<S: Lanes>(s: S, x: S::F) -> [S::F; 2] {
 
 /// `k ln 2 + ln(1 + f)` for `1 + f` in √½ … √2.
 #[inline(always)]
-fn ln_of_parts<S: Lanes>(s: S, k: S::F, f: S::F) -> S::F {
+fn ln_of_parts<S: Arithmetic>(s: S, k: S::F, f: S::F) -> S::F {
     let q = f / (s.float(2.0) + f);
     let q2 = q * q;
     let q4 = q2 * q2;
@@ -84,7 +84,7 @@ fn ln_of_parts<S: Lanes>(s: S, k: S::F, f: S::F) -> S::F {
 ///
 /// The nearest quarter turn is taken off exactly; the series end at x¹⁰/10! and x⁹/9!. Accuracy: 1.2e-7 absolute.
 #[inline(always)]
-pub(crate) fn cos_sin_turns<S: Lanes>(s: S, u: S::F) -> [S::F; 2] {
+pub fn cos_sin_turns<S: Arithmetic>(s: S, u: S::F) -> [S::F; 2] {
     let shifted = u * s.float(4.0) + s.float(ROUND);
     let quarters = shifted - s.float(ROUND);
     let x = (u - quarters * s.float(0.25)) * s.float(core::f32::consts::TAU);
@@ -109,7 +109,7 @@ pub(crate) fn cos_sin_turns<S: Lanes>(s: S, u: S::F) -> [S::F; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simd::lanes::Scalar;
+    use crate::lanes::lanes::Scalar;
 
     /// The largest error of `got` relative to `exact` over `points` arguments.
     fn worst(points: impl Iterator<Item = f32>, got: impl Fn(f32) -> f32, exact: impl Fn(f64) -> f64) -> f64 {
@@ -117,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn exponential_is_accurate() {
+    fn exp_accuracy() {
         let points = (0..200_000).map(|k| k as f32 * -4.3e-4);
         let error = worst(points, |x| exp(Scalar, x), libm::exp);
         assert!(error < 2e-7, "{error:e}");
@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn ratio_is_accurate_on_both_sides_of_its_seam() {
+    fn one_minus_exp_ratio_accuracy() {
         let points = (1..100_000).map(|k| k as f32 * 1e-4).chain([1e-30, 1e-10, 1e-6, 40.0, 160.0]);
         let got = |t: f32| one_minus_exp_ratio(Scalar, t, exp(Scalar, -0.5 * t));
         let error = worst(points, got, |t| -libm::expm1(-t) / t);
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn logarithm_is_accurate_near_zero_and_far_away() {
+    fn ln_1p_accuracy() {
         let near = (1..100_000).map(|k| k as f32 * 1e-5);
         let points = near
             .clone()
@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn circle_is_accurate_in_every_quarter() {
+    fn cos_sin_turns_accuracy() {
         let mut worst = 0.0_f64;
         for k in -100_000..=100_000 {
             let u = k as f32 * 1e-5;

@@ -8,7 +8,7 @@ use core::fmt;
 /// The checks of something, in order; prints one line for each.
 ///
 /// ```
-/// use asperity_ndf_sampling::check::{Check, Limit, Report};
+/// use asperity_core::check::{Check, Limit, Report};
 ///
 /// let mut report = Report::default();
 /// report.add("energy", "albedo", 1.25, Limit::AtMost(1.0), "at 60°");

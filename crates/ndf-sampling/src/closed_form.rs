@@ -2,11 +2,10 @@
 
 use glam::Vec3;
 
-use crate::batch_error::BatchError;
 use crate::coordinates::GaussianSplit;
 use crate::ndf::Ndf;
-use crate::simd::dispatch::{Kernel, run};
-use crate::simd::lanes::Lanes;
+use asperity_core::BatchError;
+use asperity_core::lanes::{Arithmetic, Kernel, map};
 
 /// A density whose calls fill arrays in SIMD lanes: every array holds one component of many points; sealed.
 ///
@@ -28,19 +27,19 @@ use crate::simd::lanes::Lanes;
 )]
 pub trait ClosedForm: Ndf + Sized {
     #[doc(hidden)]
-    fn normal<S: Lanes>(&self, s: S, z: [S::F; 2]) -> [S::F; 3];
+    fn normal<S: Arithmetic>(&self, s: S, z: [S::F; 2]) -> [S::F; 3];
     #[doc(hidden)]
-    fn gaussian<S: Lanes>(&self, s: S, m: [S::F; 3]) -> [S::F; 2];
+    fn gaussian<S: Arithmetic>(&self, s: S, m: [S::F; 3]) -> [S::F; 2];
     #[doc(hidden)]
-    fn density_in_lanes<S: Lanes>(&self, s: S, m: [S::F; 3]) -> [S::F; 1];
+    fn density_in_lanes<S: Arithmetic>(&self, s: S, m: [S::F; 3]) -> [S::F; 1];
     /// `p_s(h | z_b)`.
     #[doc(hidden)]
-    fn conditional<S: Lanes>(&self, s: S, split: GaussianSplit, h: [S::F; 3]) -> [S::F; 1];
+    fn conditional<S: Arithmetic>(&self, s: S, split: GaussianSplit, h: [S::F; 3]) -> [S::F; 1];
     #[doc(hidden)]
-    fn polar<S: Lanes>(&self, s: S, u: [S::F; 2]) -> [S::F; 3];
+    fn polar<S: Arithmetic>(&self, s: S, u: [S::F; 2]) -> [S::F; 3];
     /// For `[v_x, v_y, v_z, u₁, u₂]`.
     #[doc(hidden)]
-    fn visible<S: Lanes>(&self, s: S, view: [S::F; 5]) -> [S::F; 3];
+    fn visible<S: Arithmetic>(&self, s: S, view: [S::F; 5]) -> [S::F; 3];
 
     /// Normals `T(z)` of Gaussian coordinates: [`from_gaussian`](Ndf::from_gaussian) of many.
     ///
@@ -48,7 +47,7 @@ pub trait ClosedForm: Ndf + Sized {
     /// Arrays of different lengths; nothing is written then.
     #[inline]
     fn normals(&self, z: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
-        BatchError::check(&[("z", &z)], ("m", &m)).map(|()| run(&Normal(self), z, m))
+        BatchError::check_all(&[("z", &z)], ("m", &m)).map(|()| map(&Normal(self), z, m))
     }
 
     /// Gaussian coordinates `T⁻¹(m)` of normals: [`to_gaussian`](Ndf::to_gaussian) of many.
@@ -57,7 +56,7 @@ pub trait ClosedForm: Ndf + Sized {
     /// Arrays of different lengths; nothing is written then.
     #[inline]
     fn coordinates(&self, m: [&[f32]; 3], z: [&mut [f32]; 2]) -> Result<(), BatchError> {
-        BatchError::check(&[("m", &m)], ("z", &z)).map(|()| run(&Coordinates(self), m, z))
+        BatchError::check_all(&[("m", &m)], ("z", &z)).map(|()| map(&Coordinates(self), m, z))
     }
 
     /// Densities `D(m)` of normals, in sr⁻¹.
@@ -67,7 +66,7 @@ pub trait ClosedForm: Ndf + Sized {
     #[inline]
     fn densities(&self, m: [&[f32]; 3], density: &mut [f32]) -> Result<(), BatchError> {
         let density = [density];
-        BatchError::check(&[("m", &m)], ("density", &density)).map(|()| run(&Density(self), m, density))
+        BatchError::check_all(&[("m", &m)], ("density", &density)).map(|()| map(&Density(self), m, density))
     }
 
     /// Normals of uniform numbers `u` in [0, 1)², with the density `D cos θ` over solid angle.
@@ -76,7 +75,7 @@ pub trait ClosedForm: Ndf + Sized {
     /// Arrays of different lengths; nothing is written then.
     #[inline]
     fn samples(&self, u: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
-        BatchError::check(&[("u", &u)], ("m", &m)).map(|()| run(&Sample(self), u, m))
+        BatchError::check_all(&[("u", &u)], ("m", &m)).map(|()| map(&Sample(self), u, m))
     }
 
     /// Visible normals for the views `v` and the uniform numbers `u`, one view for each.
@@ -89,7 +88,7 @@ pub trait ClosedForm: Ndf + Sized {
     #[inline]
     fn visible_samples(&self, v: [&[f32]; 3], u: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
         let view = [v[0], v[1], v[2], u[0], u[1]];
-        BatchError::check(&[("v", &v), ("u", &u)], ("m", &m)).map(|()| run(&Visible(self), view, m))
+        BatchError::check_all(&[("v", &v), ("u", &u)], ("m", &m)).map(|()| map(&Visible(self), view, m))
     }
 }
 
@@ -100,11 +99,10 @@ macro_rules! kernels {
         struct $kernel<'a, N>(&'a N);
 
         impl<N: ClosedForm> Kernel<$inputs, $outputs> for $kernel<'_, N> {
-            #[cfg(feature = "simd")]
             const LONG: bool = $long && !cfg!(debug_assertions);
 
             #[inline(always)]
-            fn apply<S: Lanes>(&self, s: S, x: [S::F; $inputs]) -> [S::F; $outputs] {
+            fn apply<S: Arithmetic>(&self, s: S, x: [S::F; $inputs]) -> [S::F; $outputs] {
                 self.0.$formula(s, x)
             }
         }
@@ -122,11 +120,8 @@ kernels! {
 struct Conditional<'a, N>(&'a N, GaussianSplit);
 
 impl<N: ClosedForm> Kernel<3, 1> for Conditional<'_, N> {
-    #[cfg(feature = "simd")]
-    const LONG: bool = false;
-
     #[inline(always)]
-    fn apply<S: Lanes>(&self, s: S, h: [S::F; 3]) -> [S::F; 1] {
+    fn apply<S: Arithmetic>(&self, s: S, h: [S::F; 3]) -> [S::F; 1] {
         self.0.conditional(s, self.1, h)
     }
 }
@@ -151,14 +146,14 @@ pub(crate) fn conditional_densities<N: ClosedForm>(
         for (((x, y), z), h) in x.iter_mut().zip(&mut y).zip(&mut z).zip(h) {
             (*x, *y, *z) = (h.x, h.y, h.z);
         }
-        run(&Conditional(ndf, split), [&x[..len], &y[..len], &z[..len]], [&mut densities[..len]]);
+        map(&Conditional(ndf, split), [&x[..len], &y[..len], &z[..len]], [&mut densities[..len]]);
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::simd::lanes::Scalar;
     use crate::{BatchError, Beckmann, ClosedForm, Ggx};
+    use asperity_core::lanes::Scalar;
 
     #[test]
     fn visible_normals_in_registers_have_the_bits_of_one_lane() {
@@ -181,10 +176,10 @@ mod tests {
         let ggx = Ggx::isotropic(0.5).unwrap();
         let [mut x, mut y, mut z] = [[7.0; 4], [7.0; 4], [7.0; 4]];
         let error = ggx.normals([&[0.0; 4]; 2], [&mut x, &mut y[..3], &mut z]).unwrap_err();
-        assert_eq!(error, BatchError { parameter: "m", expected: 4, got: 3 });
+        assert_eq!(Err(error), BatchError::check("m", 4, 3));
         assert_eq!((x, y, z), ([7.0; 4], [7.0; 4], [7.0; 4]));
         let error = ggx.visible_samples([&x; 3], [&x, &x[1..]], [&mut y, &mut z, &mut []]).unwrap_err();
-        assert_eq!(error, BatchError { parameter: "u", expected: 4, got: 3 });
+        assert_eq!(Err(error), BatchError::check("u", 4, 3));
         assert_eq!(ggx.densities([&[], &[], &[]], &mut []), Ok(()));
     }
 }

@@ -24,7 +24,7 @@ const STRAY: f64 = 5e-6;
 /// - **Accuracy:** 1e-10 relative to the larger of the result and its complement.
 ///
 /// ```
-/// use asperity_ndf_sampling::check::p_value;
+/// use asperity_core::check::p_value;
 ///
 /// assert!(p_value(&[5050, 4950], &[0.5, 0.5], 10_000) > 0.3);
 /// assert!(p_value(&[5250, 4750], &[0.5, 0.5], 10_000) < 1e-6);
@@ -123,22 +123,27 @@ fn ln_gamma(s: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numeric::hashed::Hashed;
+    use crate::split_mix::SplitMix64;
 
     #[test]
     fn tails_of_chi_square_are_those_of_tables() {
         // Of one, two and a hundred degrees of freedom; two are exp(−x/2), one erfc(√(x/2)).
-        assert_abs_diff_eq!(upper_gamma(1.0, 7.0) / (-7.0_f64).exp(), 1.0, epsilon = 1e-12);
-        assert_abs_diff_eq!(upper_gamma(1.0, 0.3), (-0.3_f64).exp(), epsilon = 1e-14);
+        crate::assert_abs_diff_eq!(upper_gamma(1.0, 7.0) / (-7.0_f64).exp(), 1.0, epsilon = 1e-12);
+        crate::assert_abs_diff_eq!(upper_gamma(1.0, 0.3), (-0.3_f64).exp(), epsilon = 1e-14);
         for x in [0.1, 0.9, 2.0, 8.0, 30.0] {
-            assert_abs_diff_eq!(upper_gamma(0.5, x) / libm::erfc(x.sqrt()), 1.0, epsilon = 1e-11, "{x}");
+            crate::assert_abs_diff_eq!(
+                upper_gamma(0.5, x) / libm::erfc(x.sqrt()),
+                1.0,
+                epsilon = 1e-11,
+                "{x}"
+            );
         }
-        assert_abs_diff_eq!(upper_gamma(50.0, 0.5 * 135.806_723), 0.01, epsilon = 1e-9);
+        crate::assert_abs_diff_eq!(upper_gamma(50.0, 0.5 * 135.806_723), 0.01, epsilon = 1e-9);
         assert_eq!((upper_gamma(3.0, 0.0), upper_gamma(3.0, f64::NAN).is_nan()), (1.0, true));
     }
 
     fn counts(weights: [f64; 8]) -> [u64; 8] {
-        let (mut random, mut counts) = (Hashed { state: 7 }, [0; 8]);
+        let (mut random, mut counts) = (SplitMix64 { state: 7 }, [0; 8]);
         for _ in 0..100_000 {
             let u = f64::from(random.uniform());
             let mut sum = 0.0;

@@ -1,0 +1,97 @@
+//! Macros of the Asperity crates.
+
+/// Defines an error enum, its messages and its traits.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! error_enum {
+    ($(#[$attribute:meta])* pub enum $error:ident {$(
+        $(#[$about:meta])*
+        $case:ident $({ $($(#[$of:meta])* $field:ident: $type:ty,)+ })? => $sentence:literal,
+    )+}) => {
+        $(#[$attribute])*
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[non_exhaustive]
+        pub enum $error {$(
+            $(#[$about])*
+            $case $({ $($(#[$of])* $field: $type),+ })?,
+        )+}
+
+        impl core::fmt::Display for $error {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                match self {
+                    $(Self::$case $({ $($field),+ })? => write!(f, $sentence),)+
+                }
+            }
+        }
+
+        impl core::error::Error for $error {}
+    };
+}
+
+/// Implements the traits of `approx` for types, part by part, with one tolerance.
+///
+/// The calling crate depends on `approx` and its float type has the traits: `impl_approx! { f32; Size: s => s.width, s.height; }`.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! impl_approx {
+    ($float:ty; $($type:ty: $value:ident => $($part:expr),*;)*) => {$(
+        impl ::approx::AbsDiffEq for $type {
+            type Epsilon = $float;
+
+            fn default_epsilon() -> $float {
+                <$float>::EPSILON
+            }
+
+            fn abs_diff_eq(&self, other: &Self, epsilon: $float) -> bool {
+                true $(&& {
+                    let part = |$value: &Self| $part;
+                    ::approx::AbsDiffEq::abs_diff_eq(&part(self), &part(other), epsilon)
+                })*
+            }
+        }
+
+        impl ::approx::RelativeEq for $type {
+            fn default_max_relative() -> $float {
+                <$float>::EPSILON
+            }
+
+            fn relative_eq(&self, other: &Self, epsilon: $float, max_relative: $float) -> bool {
+                true $(&& {
+                    let part = |$value: &Self| $part;
+                    ::approx::RelativeEq::relative_eq(&part(self), &part(other), epsilon, max_relative)
+                })*
+            }
+        }
+
+        impl ::approx::UlpsEq for $type {
+            fn default_max_ulps() -> u32 {
+                4
+            }
+
+            fn ulps_eq(&self, other: &Self, epsilon: $float, max_ulps: u32) -> bool {
+                true $(&& {
+                    let part = |$value: &Self| $part;
+                    ::approx::UlpsEq::ulps_eq(&part(self), &part(other), epsilon, max_ulps)
+                })*
+            }
+        }
+    )*};
+}
+
+/// `approx::assert_abs_diff_eq!` with a message, for tests of crates that depend on `approx`.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! assert_abs_diff_eq {
+    ($given:expr, $expected:expr, epsilon = $epsilon:expr $(,)?) => {
+        ::approx::assert_abs_diff_eq!($given, $expected, epsilon = $epsilon)
+    };
+    ($given:expr, $expected:expr, epsilon = $epsilon:expr, $($message:tt)+) => {
+        match (&$given, &$expected, $epsilon) {
+            (given, expected, epsilon) => assert!(
+                ::approx::AbsDiffEq::abs_diff_eq(given, expected, epsilon),
+                "{}: {given:?} is not {expected:?} within {epsilon:?}",
+                format_args!($($message)+),
+            ),
+        }
+    };
+}
