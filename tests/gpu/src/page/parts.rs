@@ -233,7 +233,9 @@ mod tests {
         }
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../crates/shaders/src/wgsl");
         let files = walk(folder.as_ref());
-        assert_eq!(files, listed.len(), "files of WGSL and parts that are listed");
+        // Octaves are filled into templates.
+        let from_files = listed.iter().filter(|name| !name.starts_with("noise/sums/octaves_")).count();
+        assert_eq!(files, from_files, "files of WGSL and parts that are listed");
         for binding in PARTS.iter().flat_map(|(_, part)| part.bindings()) {
             assert!(fill(binding.name()).is_some(), "nothing fills `{}`", binding.name());
         }
@@ -242,6 +244,10 @@ mod tests {
     fn walk(folder: &std::path::Path) -> usize {
         let entries =
             std::fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
-        entries.map(|path| if path.is_dir() { walk(&path) } else { 1 }).sum()
+        let count = |path: std::path::PathBuf| match path.extension() {
+            None => walk(&path),
+            Some(extension) => usize::from(extension == "wgsl"),
+        };
+        entries.map(count).sum()
     }
 }

@@ -1,10 +1,10 @@
 //! Sums of octaves in the plane, of every kind of noise; and what sums of a kind of one's own are made of.
 
 use super::UNIFORM_2D;
-use super::octaves::octaves;
+use super::octaves::{octave_part, octaves};
 
 octaves!(
-    "2d",
+    ["2", "in the plane", "layer.cell", "layer.key"],
     UNIFORM_2D,
     [
         VALUE,

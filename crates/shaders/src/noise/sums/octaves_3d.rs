@@ -1,10 +1,10 @@
 //! Sums of octaves in space, of every kind of noise; and what sums of a kind of one's own are made of.
 
 use super::UNIFORM_3D;
-use super::octaves::octaves;
+use super::octaves::{octave_part, octaves};
 
 octaves!(
-    "3d",
+    ["3", "in space", "layer.cell_and_key.xyz", "bitcast<u32>(layer.cell_and_key.w)"],
     UNIFORM_3D,
     [
         VALUE,

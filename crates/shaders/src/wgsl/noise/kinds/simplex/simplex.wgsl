@@ -83,10 +83,16 @@ fn simplex_added(v: vec4<f32>) -> f32 {
     return ((v.x + v.y) + v.z) + v.w;
 }
 
-fn simplex_sum_3d(cell: vec3<i32>, p: vec3<f32>, radius_squared: f32, scale: f32, key: u32) -> Sample3d {
-    if !simplex_is_within(vec4<f32>(p, 0.0)) {
-        return Sample3d(0.0, vec3<f32>(0.0));
-    }
+// The corners of the simplex around a point: the ways from them, and their terms of the hash along x and along the other axes.
+struct SimplexCorners3d {
+    dx: vec4<f32>,
+    dy: vec4<f32>,
+    dz: vec4<f32>,
+    x_terms: vec4<u32>,
+    terms: vec4<u32>,
+}
+
+fn simplex_corners_3d(cell: vec3<i32>, p: vec3<f32>) -> SimplexCorners3d {
     let first = floor(p + ((p.z + p.y) + p.x) * SIMPLEX_SKEW.y);
     let low = p - first;
     // Which axis the point is farther along.
@@ -98,32 +104,43 @@ fn simplex_sum_3d(cell: vec3<i32>, p: vec3<f32>, radius_squared: f32, scale: f32
     let ahead_z = vec4<bool>(false, !xz && !yz, !xz || !yz, true);
 
     let ends = integer_hash_ends_3d(cell + vec3<i32>(first));
-    let words = integer_hash_upper_words(
-        (simplex_terms(ends.low.x, ends.high.x, ahead_x) + key)
-            ^ simplex_terms(ends.low.y, ends.high.y, ahead_y)
-            ^ simplex_terms(ends.low.z, ends.high.z, ahead_z),
+    let back = (((first.x + first.y) + first.z) + vec4<f32>(0.0, 1.0, 2.0, 3.0)) * SIMPLEX_UNSKEW.y;
+    return SimplexCorners3d(
+        p.x - (simplex_corners(first.x, ahead_x) - back),
+        p.y - (simplex_corners(first.y, ahead_y) - back),
+        p.z - (simplex_corners(first.z, ahead_z) - back),
+        simplex_terms(ends.low.x, ends.high.x, ahead_x),
+        simplex_terms(ends.low.y, ends.high.y, ahead_y) ^ simplex_terms(ends.low.z, ends.high.z, ahead_z),
     );
-    let g = edge_directions_3d(words);
+}
+
+// The sum over the corners with gradients g times a scale each, not clamped.
+fn simplex_corner_sum_3d(at: SimplexCorners3d, g: EdgeDirections3d, scale: vec4<f32>, radius_squared: f32) -> Sample3d {
     let gx = g.x * scale;
     let gy = g.y * scale;
     let gz = g.z * scale;
-
-    let back = (((first.x + first.y) + first.z) + vec4<f32>(0.0, 1.0, 2.0, 3.0)) * SIMPLEX_UNSKEW.y;
-    let dx = p.x - (simplex_corners(first.x, ahead_x) - back);
-    let dy = p.y - (simplex_corners(first.y, ahead_y) - back);
-    let dz = p.z - (simplex_corners(first.z, ahead_z) - back);
-    let t = simplex_beyond_gap(((radius_squared - dy * dy) - dz * dz) - dx * dx);
-    let s = (gy * dy + gz * dz) + gx * dx;
+    let t = simplex_beyond_gap(((radius_squared - at.dy * at.dy) - at.dz * at.dz) - at.dx * at.dx);
+    let s = (gy * at.dy + gz * at.dz) + gx * at.dx;
     let kernel = simplex_kernel(t);
     let pull = simplex_pull(t, s);
     return Sample3d(
-        clamp(simplex_added(kernel * s), -1.0, 1.0),
+        simplex_added(kernel * s),
         vec3<f32>(
-            simplex_added(gx * kernel - dx * pull),
-            simplex_added(gy * kernel - dy * pull),
-            simplex_added(gz * kernel - dz * pull),
+            simplex_added(gx * kernel - at.dx * pull),
+            simplex_added(gy * kernel - at.dy * pull),
+            simplex_added(gz * kernel - at.dz * pull),
         ),
     );
+}
+
+fn simplex_sum_3d(cell: vec3<i32>, p: vec3<f32>, radius_squared: f32, scale: f32, key: u32) -> Sample3d {
+    if !simplex_is_within(vec4<f32>(p, 0.0)) {
+        return Sample3d(0.0, vec3<f32>(0.0));
+    }
+    let at = simplex_corners_3d(cell, p);
+    let g = edge_directions_3d(integer_hash_upper_words((at.x_terms + key) ^ at.terms));
+    let sum = simplex_corner_sum_3d(at, g, vec4<f32>(scale), radius_squared);
+    return Sample3d(clamp(sum.value, -1.0, 1.0), sum.gradient);
 }
 
 // The terms of four corners, values and gradients.
