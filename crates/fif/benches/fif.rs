@@ -1,7 +1,9 @@
 //! Evaluations and primary rays per second of the source's functions.
 
 use asperity_fif::glam::DVec3;
-use asperity_fif::{Fif, FixedFif, HeightField, Intersect, Jet, Ray, System, paper, system::Piece};
+use asperity_fif::{
+    Fif, FixedFif, HeightField, Intersect, Interval, Jet, Ray, System, Torus, paper, system::Piece,
+};
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
 
@@ -141,6 +143,31 @@ fn rays(c: &mut Criterion) {
     group.bench_function("f, cached", |b| b.iter(|| trace(&continuous, &rays)));
     let rough = HeightField::new(g, g).tabulated();
     group.bench_function("g, cached", |b| b.iter(|| trace(&rough, &rays)));
+    group.finish();
+    let mut group = c.benchmark_group("rays in a batch");
+    group.throughput(Throughput::Elements(rays.len() as u64)).sample_size(20);
+    let all = Interval::new(0.0, f64::INFINITY);
+    let z: [f64; 16] = core::array::from_fn(|k| ((7 * k) % 16) as f64 / 16.0);
+    let d: [[f64; 2]; 16] = core::array::from_fn(|k| [((5 * k) % 16) as f64 / 8.0 - 1.0, 0.25 * z[15 - k]]);
+    let torus = Torus::new(4, [[2, -1], [1, 2]], 0.375, &z, &d).expect("valid").tabulated();
+    let halved = |ray: &Ray| Ray { origin: 0.5 * ray.origin, direction: 0.5 * ray.direction };
+    let onto_torus: Vec<Ray> = rays.iter().step_by(16).map(halved).collect();
+    let mut hits = vec![None; rays.len()];
+    for tolerance in [1e-4, 1e-12] {
+        for (name, surface) in [("f integral", &smooth), ("g integral", &rough_slope)] {
+            group.bench_function(format!("{name} to {tolerance:e}"), |b| {
+                b.iter(|| surface.first_hits(black_box(&rays), all, tolerance, &mut hits));
+            });
+        }
+        group.bench_function(format!("torus to {tolerance:e}, one of 16"), |b| {
+            b.iter(|| {
+                torus.first_hits(black_box(&onto_torus), all, tolerance, &mut hits[..onto_torus.len()])
+            });
+        });
+    }
+    group.bench_function("f, any hit", |b| {
+        b.iter(|| black_box(&rays).iter().filter(|ray| continuous.hits_any(ray, all)).count());
+    });
     group.finish();
 }
 

@@ -224,9 +224,9 @@ pub fn folded_nodes(surface: &Folded) -> impl Iterator<Item = f32> {
 /// use asperity_shaders::fif::{RangesUniform, ranges};
 ///
 /// let surface = HeightField::new(paper::f_hat()?, paper::f_hat()?).tabulated_with(64);
-/// let f = surface.x.function().table(1e-7)?.to_f32();
-/// let uniform = RangesUniform::new(&surface.x, &f, 0).unwrap();
-/// assert_eq!((uniform.words()[1], ranges(&surface.x).count()), (64, 4 * 7 * 64));
+/// let f = surface.x().function().table(1e-7)?.to_f32();
+/// let uniform = RangesUniform::new(surface.x(), &f, 0).unwrap();
+/// assert_eq!((uniform.words()[1], ranges(surface.x()).count()), (64, 4 * 7 * 64));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[cfg(feature = "alloc")]

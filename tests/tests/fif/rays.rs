@@ -94,7 +94,7 @@ fn heights_and_normals_equal_the_exact_ones() {
                 assert_eq!(surface.normal(px, py), None);
                 continue;
             };
-            let [f_slope, g_slope] = [surface.x.derivative(), surface.y.derivative()].map(Option::unwrap);
+            let [f_slope, g_slope] = [surface.x().derivative(), surface.y().derivative()].map(Option::unwrap);
             let slack = slack + spread(f_slope, px) * sizes[0] + spread(g_slope, py) * sizes[1];
             let gradient = surface.gradient(px, py).unwrap();
             close(gradient.x, decimal(&point["hx_dec"]), slack, "h_x");

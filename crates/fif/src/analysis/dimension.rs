@@ -38,7 +38,6 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// ```
     #[doc(alias = "hurst")]
     #[doc(alias = "minkowski")]
-    #[must_use]
     pub fn dimension(&self) -> Interval {
         let slack = (self.pieces().len() as f64 + 16.0) * f64::EPSILON;
         let sum = |exponent: f64| -> f64 {

@@ -18,6 +18,7 @@ use crate::system::map::Piece;
 /// # Ok::<(), asperity_fif::SystemError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use]
 pub struct Extrema {
     /// The least value lies in here.
     pub minimum: Interval,
@@ -37,7 +38,6 @@ pub struct Extrema {
 impl Extrema {
     /// `[minimum.lo, maximum.hi]`: every value lies in here.
     #[inline]
-    #[must_use]
     pub fn enclosure(&self) -> Interval {
         Interval::new(self.minimum.lo, self.maximum.hi)
     }
@@ -61,7 +61,6 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// assert!(extrema.minimum.contains(0.0));
     /// # Ok::<(), asperity_fif::SystemError>(())
     /// ```
-    #[must_use]
     pub fn extrema(&self, width: f64) -> Extrema {
         self.search(self.domain(), width)
     }

@@ -16,6 +16,7 @@ use crate::system::map::Piece;
 /// # Ok::<(), asperity_fif::SystemError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use]
 pub enum Modulus {
     /// `constant · d`.
     Lipschitz {
@@ -96,7 +97,6 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// assert!(moved <= g.modulus().at(y - x));
     /// # Ok::<(), asperity_fif::SystemError>(())
     /// ```
-    #[must_use]
     pub fn modulus(&self) -> Modulus {
         let width = self.domain().width();
         let (mut exponent, mut lipschitz, mut gentle, mut even) = (1.0_f64, 0.0_f64, true, true);

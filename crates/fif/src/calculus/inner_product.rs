@@ -86,7 +86,6 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// assert!(norm.contains(4.0 / 3.0) && norm.width() <= 1e-9);
     /// # Ok::<(), asperity_fif::SystemError>(())
     /// ```
-    #[must_use]
     pub fn supremum_norm(&self, width: f64) -> Interval {
         let extrema = self.extrema(width);
         let below = Interval::new(-extrema.minimum.hi, -extrema.minimum.lo);

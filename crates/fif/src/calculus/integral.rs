@@ -45,7 +45,6 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// assert_eq!(f.integral_over(1.0, 0.5).value, -part.value);
     /// # Ok::<(), asperity_fif::SystemError>(())
     /// ```
-    #[must_use]
     pub fn integral_over(&self, l: f64, r: f64) -> Estimate {
         let Some((l, r, sign)) = directed(l, r, self.domain()) else { return Estimate::NAN };
         if l >= r {
@@ -73,7 +72,6 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// assert!(values.inflated(mean.bound).contains(mean.value));
     /// # Ok::<(), asperity_fif::SystemError>(())
     /// ```
-    #[must_use]
     pub fn mean(&self, l: f64, r: f64) -> Estimate {
         let Some((l, r, _)) = directed(l, r, self.domain()) else { return Estimate::NAN };
         if l >= r {

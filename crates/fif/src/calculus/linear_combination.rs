@@ -1,77 +1,25 @@
 //! Systems made of maps and of other systems: sums, multiples, and a count of derivatives.
 
-use core::fmt;
-
+use crate::calculus::moment_basis::MAX_MOMENT_DEGREE;
+use crate::numeric::refusal::refusals;
 use crate::system::error::{SystemError, check_cells};
 use crate::system::fif::System;
 use crate::system::map::{JOIN_TOLERANCE, Map, Piece};
 use crate::system::storage::Storage;
 
-/// Why two systems cannot be combined.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum CombineError {
-    /// They have different numbers of maps.
-    Maps {
-        /// The number of the one.
-        left: usize,
-        /// The number of the other.
-        right: usize,
-    },
-    /// A knot differs.
-    Knot {
-        /// Which knot, from 0.
-        knot: usize,
-        /// That of the one.
-        left: f64,
-        /// That of the other.
-        right: f64,
-    },
-    /// A vertical factor differs; the sum is no function of this class then.
-    Factor {
-        /// Which map, from 1.
-        map: usize,
-        /// That of the one.
-        left: f64,
-        /// That of the other.
-        right: f64,
-    },
-    /// The polynomials are of too high a degree for an inner product.
-    Degree {
-        /// The sum of both degrees.
-        degree: usize,
-    },
-    /// The result is no valid system, for instance because its numbers overflow.
-    System {
-        /// Its refusal.
-        error: SystemError,
-    },
-}
-
-impl fmt::Display for CombineError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::Maps { left, right } => write!(f, "`other` must have {left} maps, got {right}"),
-            Self::Knot { knot, left, right } => {
-                write!(f, "`other` must have knot {knot} at {left}, got {right}")
-            }
-            Self::Factor { map, left, right } => {
-                write!(f, "`other` must have a factor of {left} in map {map}, got {right}")
-            }
-            Self::Degree { degree } => {
-                let most = crate::calculus::moment_basis::MAX_MOMENT_DEGREE;
-                write!(f, "`other` must leave a product of degree {most} at most, got {degree}")
-            }
-            Self::System { error } => error.fmt(f),
-        }
-    }
-}
-
-impl core::error::Error for CombineError {}
-
-impl From<SystemError> for CombineError {
-    fn from(error: SystemError) -> Self {
-        Self::System { error }
+refusals! {
+    /// Why two systems cannot be combined. Knots are counted from 0, maps from 1.
+    CombineError from SystemError {
+        /// They have different numbers of maps.
+        Maps { left: usize, right: usize } => "`other` must have {left} maps, got {right}";
+        /// A knot differs.
+        Knot { knot: usize, left: f64, right: f64 } => "`other` must have knot {knot} at {left}, got {right}";
+        /// A vertical factor differs; then the sum is not a function of this class.
+        Factor { map: usize, left: f64, right: f64 } =>
+            "`other` must have a factor of {left} in map {map}, got {right}";
+        /// The sum of both degrees is too high for an inner product.
+        Degree { degree: usize } =>
+            "`other` must leave a product of degree {MAX_MOMENT_DEGREE} at most, got {degree}";
     }
 }
 

@@ -1,10 +1,9 @@
 //! The moments of a function over its domain that integrals of `wᵏ fᵖ` over its cells are made of.
 
-use core::fmt;
-
 use crate::numeric::bernstein::{Form, SIZE, binomials, power, rounding};
 use crate::numeric::elimination::solve;
 use crate::numeric::polynomial::{LEAST, UNIT, hull};
+use crate::numeric::refusal::refusals;
 use crate::system::fif::System;
 use crate::system::map::Piece;
 
@@ -14,34 +13,16 @@ pub const MAX_POWER: usize = 8;
 /// The largest `k + p (C − 1)` of an integral of `xᵏ fᵖ`.
 pub const MAX_MOMENT_DEGREE: usize = SIZE - 1;
 
-/// Why an integral of `xᵏ fᵖ` was refused.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum MomentError {
-    /// `p` is above [`MAX_POWER`].
-    Power {
-        /// Its value.
-        power: usize,
-    },
-    /// `k + p (C − 1)`, with the number of coefficients `C`, is above [`MAX_MOMENT_DEGREE`].
-    Degree {
-        /// Its value.
-        degree: usize,
-    },
-}
-
-impl fmt::Display for MomentError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::Power { power } => write!(f, "`p` must be at most {MAX_POWER}, got {power}"),
-            Self::Degree { degree } => {
-                write!(f, "`k + p (C - 1)` must be at most {MAX_MOMENT_DEGREE}, got {degree}")
-            }
-        }
+refusals! {
+    /// Why an integral of `xᵏ fᵖ` was refused.
+    #[derive(Eq)]
+    MomentError {
+        /// `p` is above [`MAX_POWER`].
+        Power { power: usize } => "`p` must be at most {MAX_POWER}, got {power}";
+        /// `k + p (C − 1)`, with the number of coefficients `C`, is above [`MAX_MOMENT_DEGREE`].
+        Degree { degree: usize } => "`k + p (C - 1)` must be at most {MAX_MOMENT_DEGREE}, got {degree}";
     }
 }
-
-impl core::error::Error for MomentError {}
 
 /// `∫ u^l (1 − u)^(n−l) f^m` over the domain scaled to `[0, 1]`, for every `m ≤ p` with `n = k + D (p − m)`.
 ///

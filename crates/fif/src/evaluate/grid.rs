@@ -1,8 +1,7 @@
 //! Values at all nodes of an even grid, by the functional equation: one polynomial a node, no address.
 
-use core::fmt;
-
 use crate::numeric::polynomial::{UNIT, horner};
+use crate::numeric::refusal::refusals;
 use crate::system::fif::{Spacing, System};
 use crate::system::map::Piece;
 
@@ -104,33 +103,17 @@ fn raise<const C: usize>(piece: &Piece<C>, per: f64, nodes: &mut [f64]) {
     }
 }
 
-/// Why there is no grid.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum GridError {
-    /// The knots are not equally spaced.
-    Nonuniform,
-    /// The number of cells is no power of the number of maps.
-    Length {
-        /// The number of maps.
-        maps: usize,
-        /// The number of nodes, one more than cells.
-        found: usize,
-    },
-}
-
-impl fmt::Display for GridError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Nonuniform => write!(f, "`x` must be equally spaced, got unequal knots"),
-            Self::Length { maps, found } => {
-                write!(f, "`out` must have one element more than a power of {maps}, got {found}")
-            }
-        }
+refusals! {
+    /// Why there is no grid.
+    #[derive(Eq)]
+    GridError {
+        /// The knots are not equally spaced.
+        Nonuniform => "`x` must be equally spaced, got unequal knots";
+        /// The number of cells, one less than the nodes `found`, is not a power of the number of maps.
+        Length { maps: usize, found: usize } =>
+            "`out` must have one element more than a power of {maps}, got {found}";
     }
 }
-
-impl core::error::Error for GridError {}
 
 #[cfg(all(test, feature = "alloc"))]
 mod tests {

@@ -40,7 +40,6 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// assert!(g.evaluate(f64::NAN, 1e-6).value.is_nan());
     /// # Ok::<(), asperity_fif::SystemError>(())
     /// ```
-    #[must_use]
     pub fn evaluate(&self, x: f64, tolerance: f64) -> Bounded {
         match self.locate(x) {
             Location::Nowhere => Bounded::NAN,

@@ -1,59 +1,17 @@
 //! Why data could not be fitted.
 
-use core::fmt;
-
+use crate::numeric::refusal::refusals;
 use crate::system::error::{self as system, SystemError, check_finite, check_length};
 
-/// Why a fit was refused. Points are counted from 0.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum FitError {
-    /// The knots are not the indices of three points or more, rising from the first point to the last.
-    Knots {
-        /// The position in the list of knots.
-        at: usize,
-        /// The index that stands there, or the number of points when one is missing.
-        index: usize,
-    },
-    /// A tolerance is NaN or negative.
-    Tolerance {
-        /// Its value.
-        value: f64,
-    },
-    /// A rule of every system of maps is broken, by the data or by the fit.
-    System {
-        /// Its refusal.
-        error: SystemError,
-    },
-}
-
-impl fmt::Display for FitError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::Knots { at, index } => {
-                write!(
-                    f,
-                    "`knots[{at}]` must rise from the first point to the last, three at least, got {index}"
-                )
-            }
-            Self::Tolerance { value } => write!(f, "`tolerance` must be a number from 0, got {value}"),
-            Self::System { error } => error.fmt(f),
-        }
-    }
-}
-
-impl core::error::Error for FitError {
-    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
-        match self {
-            Self::System { error } => Some(error),
-            _ => None,
-        }
-    }
-}
-
-impl From<SystemError> for FitError {
-    fn from(error: SystemError) -> Self {
-        Self::System { error }
+refusals! {
+    /// Why a fit was refused. Points are counted from 0.
+    FitError from SystemError {
+        /// The knots are not the indices of three points or more, rising from the first point to the last: entry `at` is
+        /// `index`, or the number of points if it is missing.
+        Knots { at: usize, index: usize } =>
+            "`knots[{at}]` must rise from the first point to the last, three at least, got {index}";
+        /// A tolerance is NaN or negative.
+        Tolerance { value: f64 } => "`tolerance` must be a number from 0, got {value}";
     }
 }
 

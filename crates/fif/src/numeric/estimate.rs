@@ -15,6 +15,7 @@ use crate::numeric::polynomial::{LEAST, UNIT};
 /// # Ok::<(), asperity_fif::SystemError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use]
 pub struct Estimate {
     /// The approximation; NaN when an argument was NaN.
     pub value: f64,
@@ -43,7 +44,6 @@ impl Estimate {
 
     /// `[value − bound, value + bound]`, rounded outward.
     #[inline]
-    #[must_use]
     pub fn interval(self) -> Interval {
         Interval { lo: self.value, hi: self.value }.inflated(self.bound)
     }

@@ -12,3 +12,4 @@ pub(crate) mod level;
 #[cfg(feature = "alloc")]
 pub(crate) mod matrix2;
 pub(crate) mod polynomial;
+pub(crate) mod refusal;

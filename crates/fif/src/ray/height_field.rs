@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 use {
     crate::numeric::level::best_level,
     crate::ray::packet::Packet,
-    crate::ray::range_descent::{Division, keeps_sign},
+    crate::ray::tables::{Division, keeps_sign},
     fearless_simd::{Simd, dispatch},
 };
 
@@ -19,8 +19,8 @@ use crate::ray::intersect::Intersect;
 use crate::ray::ray::Root;
 use crate::ray::ray::{Aim, Hit, Ray};
 #[cfg(feature = "alloc")]
-use crate::ray::tracer::{Path, Tracer};
-use crate::ray::way::Way;
+use crate::ray::tables::{Path, Tracer};
+use crate::ray::traversal::Context;
 use crate::surface::height_field::function::Function;
 use crate::surface::height_field::height_field::HeightField;
 #[cfg(feature = "alloc")]
@@ -85,7 +85,7 @@ impl<F: Function, G: Function> Intersect for HeightField<F, G> {
         }
         // Without tables every value is as good as it can be.
         let _ = tolerance;
-        self.hit_by_boxes(ray, t, Aim::First)
+        hit_by_boxes(&Context::new(self), ray, t, Aim::First)
     }
 
     fn hits_any(&self, ray: &Ray, t: Interval) -> bool {
@@ -95,7 +95,7 @@ impl<F: Function, G: Function> Intersect for HeightField<F, G> {
         {
             return path.search(Aim::Any).is_some();
         }
-        self.hit_by_boxes(ray, t, Aim::Any).is_some()
+        hit_by_boxes(&Context::new(self), ray, t, Aim::Any).is_some()
     }
 
     /// With tables and the feature `simd` rays are searched in packets of eight, each with the bits of
@@ -116,9 +116,9 @@ impl<F: Function, G: Function> Intersect for HeightField<F, G> {
             rays.iter().zip(hits).for_each(|(ray, hit)| *hit = self.first(&tracer, ray, t));
             return Ok(());
         }
-        let _ = tolerance;
+        let (_, context) = (tolerance, Context::new(self));
         for (ray, hit) in rays.iter().zip(hits) {
-            *hit = self.hit_by_boxes(ray, t, Aim::First);
+            *hit = hit_by_boxes(&context, ray, t, Aim::First);
         }
         Ok(())
     }
@@ -141,7 +141,7 @@ impl<F: Function, G: Function> HeightField<F, G> {
         for (number, ray) in rays.iter().enumerate() {
             let Some(place) = hits.get_mut(number) else { break };
             let Some(path) = tracer.path(ray, t) else {
-                *place = self.hit_by_boxes(ray, t, Aim::First);
+                *place = hit_by_boxes(&Context::new(self), ray, t, Aim::First);
                 continue;
             };
             let (span, rate) = path.approach();
@@ -169,15 +169,8 @@ impl<F: Function, G: Function> HeightField<F, G> {
     fn first(&self, tracer: &Tracer<'_, F, G>, ray: &Ray, t: Interval) -> Option<Hit> {
         match tracer.path(ray, t) {
             Some(path) => path.search(Aim::First).map(|root| Self::met(&path, root)),
-            None => self.hit_by_boxes(ray, t, Aim::First),
+            None => hit_by_boxes(&Context::new(self), ray, t, Aim::First),
         }
-    }
-
-    /// The first hit by boxes, or any.
-    fn hit_by_boxes(&self, ray: &Ray, t: Interval, aim: Aim) -> Option<Hit> {
-        let (mut way, span) = Way::new(self, ray, t, 0.0)?;
-        let root = if way.is_vertical() { way.vertical(span) } else { way.boxes(span, aim) }?;
-        way.hit(root, 0.0)
     }
 
     /// The hit at a root, by tables.
@@ -197,6 +190,18 @@ impl<F: Function, G: Function> HeightField<F, G> {
         };
         Hit { t, x, y, height: f[0] * g[0], gradient: Some(gradient), normal: Some(normal), certain }
     }
+}
+
+/// The first hit by boxes, or any.
+fn hit_by_boxes<F: Function, G: Function>(
+    context: &Context<'_, HeightField<F, G>>,
+    ray: &Ray,
+    t: Interval,
+    aim: Aim,
+) -> Option<Hit> {
+    let (mut traversal, span) = context.ray(ray, t, 0.0)?;
+    let root = if traversal.is_vertical() { traversal.vertical(span) } else { traversal.boxes(span, aim) }?;
+    traversal.hit(root, 0.0)
 }
 
 #[cfg(test)]

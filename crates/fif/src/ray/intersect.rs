@@ -2,8 +2,8 @@
 
 use crate::evaluate::batch_error::BatchError;
 use crate::numeric::interval::Interval;
-use crate::ray::quadtree::{Unbounded, any, first};
 use crate::ray::ray::{Hit, Ray};
+use crate::ray::traversal::{Context, Unbounded};
 use crate::surface::bounds::Surface;
 
 /// Rays against a [`Surface`]; an `impl Intersect for X {}` gives them to one of your own.
@@ -57,14 +57,14 @@ pub trait Intersect: Surface {
     /// A negative or NaN lower end of `t` stands for 0; `None` when the upper end is NaN or less.
     #[must_use]
     fn first_hit_within(&self, ray: &Ray, t: Interval, tolerance: f64) -> Option<Hit> {
-        first(self, &Unbounded(self), ray, t, tolerance)
+        Context::new(self).first(&Unbounded(self), ray, t, tolerance)
     }
 
     /// Whether the ray meets the surface at any `t` in the interval; for shadows, and quicker than the first hit. `false` is a
     /// proof; `true` may stand for a hit that is not certain.
     #[must_use]
     fn hits_any(&self, ray: &Ray, t: Interval) -> bool {
-        any(self, &Unbounded(self), ray, t)
+        Context::new(self).any(&Unbounded(self), ray, t)
     }
 
     /// The first hit of every ray, as [`Intersect::first_hit_within`].

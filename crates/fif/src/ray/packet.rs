@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::UNIT;
 use crate::ray::ray::{Hit, Ray};
-use crate::ray::tracer::{Path, Tracer};
+use crate::ray::tables::{Path, Tracer};
 use crate::surface::height_field::function::Function;
 use crate::surface::height_field::jet_table::LANES;
 
@@ -172,7 +172,7 @@ impl<F: Function, G: Function> Tracer<'_, F, G> {
         ([f, g], z - f[0] * g[0], dz - dx * f[1] * g[0] - dy * f[0] * g[1])
     }
 
-    /// [`Search::finish`](crate::ray::newton::Search::finish) of all rays; those that are not served are searched one by one.
+    /// [`Search::finish`](crate::ray::tables::Search::finish) of all rays; those that are not served are searched one by one.
     #[inline(always)]
     fn search<I: Simd>(&self, simd: I, packet: &Packet) -> Search<I> {
         let row = |k: usize| f64x8::from_slice(simd, &packet.rows[k]);

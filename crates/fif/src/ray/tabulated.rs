@@ -6,8 +6,8 @@ use glam::DVec2;
 
 use crate::numeric::interval::{Bounded, Interval};
 use crate::ray::intersect::Intersect;
-use crate::ray::quadtree::{self, Square, Squares};
 use crate::ray::ray::{Hit, Ray};
+use crate::ray::traversal::{Context, Square, Squares};
 use crate::surface::bounds::{Surface, SurfaceBounds};
 use crate::surface::self_affine::rough_folded::RoughFolded;
 use crate::surface::self_affine::self_affine::{Fold, SelfAffine};
@@ -143,11 +143,11 @@ impl<S: Surface> Surface for Tabulated<S> {
 
 impl<S: Surface> Intersect for Tabulated<S> {
     fn first_hit_within(&self, ray: &Ray, t: Interval, tolerance: f64) -> Option<Hit> {
-        quadtree::first(&self.surface, self, ray, t, tolerance)
+        Context::new(&self.surface).first(self, ray, t, tolerance)
     }
 
     fn hits_any(&self, ray: &Ray, t: Interval) -> bool {
-        quadtree::any(&self.surface, self, ray, t)
+        Context::new(&self.surface).any(self, ray, t)
     }
 }
 

@@ -135,7 +135,6 @@ impl<const C: usize> Recurrent<C> {
     }
 
     /// `[x_0, x_N]`.
-    #[must_use]
     pub fn domain(&self) -> Interval {
         let ends = (self.links.first(), self.links.last());
         let (Some(first), Some(last)) = ends else { return Interval::new(0.0, 0.0) };
@@ -146,7 +145,6 @@ impl<const C: usize> Recurrent<C> {
     ///
     /// The ranges over the images, `B_j ← hull of α_j B_i + q_j(X_i)` for the images `i` in the source of `j`, from a box that
     /// holds all, with outward rounding.
-    #[must_use]
     pub fn range(&self) -> Interval {
         self.range
     }

@@ -20,7 +20,6 @@ impl<const C: usize> Recurrent<C> {
     ///   NaN or under the rounding error stands for the rounding error.
     /// - **Accuracy:** knots are exact, with bound 0. Else `value ± bound` holds `f(x′)` for an `x′` within four units in the
     ///   last place of the domain's larger end and `2⁻⁵⁰/(1 − max a_j)` of its width.
-    #[must_use]
     pub fn evaluate(&self, x: f64, tolerance: f64) -> Bounded {
         if x.is_nan() {
             return Bounded::NAN;
@@ -82,7 +81,6 @@ impl<const C: usize> Recurrent<C> {
     ///
     /// The integrals up to the knots solve one linear system, which the constructor has done by repeated substitution.
     /// Points outside the domain are clamped to it; NaN gives NaN.
-    #[must_use]
     pub fn integral(&self, x: f64) -> Bounded {
         let domain = self.domain();
         if x.is_nan() {

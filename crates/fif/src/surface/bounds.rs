@@ -6,6 +6,7 @@ use crate::numeric::interval::{Bounded, Interval};
 
 /// Enclosures of the heights and slopes of a surface over a rectangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use]
 pub struct SurfaceBounds {
     /// Of the heights.
     pub height: Interval,
@@ -31,16 +32,13 @@ pub trait Surface {
     fn domain(&self) -> [Interval; 2];
 
     /// A rigorous enclosure of the heights.
-    #[must_use]
     fn range(&self) -> Interval;
 
     /// The height with a bound of its error, to `tolerance` or the rounding error. A point that rounding has put outside the
     /// domain stands for the nearest of it.
-    #[must_use]
     fn evaluate(&self, x: f64, y: f64, tolerance: f64) -> Bounded;
 
     /// Rigorous enclosures of heights and slopes over a rectangle, [`Interval::ENTIRE`] for unknown slopes.
-    #[must_use]
     fn bounds(&self, x: Interval, y: Interval) -> SurfaceBounds;
 
     /// The gradient at a point that is known to `distance`, or `None` where there is none: what changes over less may be left out.

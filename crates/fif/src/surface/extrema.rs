@@ -7,6 +7,7 @@ use crate::surface::bounds::Surface;
 
 /// Brackets of the two extrema of a surface over a rectangle, and where it is that low and that high.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use]
 pub struct SurfaceExtrema {
     /// The least height lies in here.
     pub minimum: Interval,

@@ -1,6 +1,6 @@
 //! Why a system of maps is refused, and the checks that refuse it.
 
-use core::fmt;
+use crate::numeric::refusal::refusals;
 
 /// An end of a map's interval.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,170 +11,51 @@ pub enum End {
     Right,
 }
 
-/// The refusal of a system of maps. Maps are counted from 1, as in the literature, knots and powers from 0.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum SystemError {
-    /// A system needs two maps, three knots, at least.
-    TooFew {
-        /// The list.
-        parameter: &'static str,
-        /// The least length.
-        least: usize,
-        /// Its length.
-        got: usize,
-    },
-    /// A list's length does not fit the number of knots, or `storage` holds another number of maps.
-    Length {
-        /// The list.
-        parameter: &'static str,
-        /// The length that fits.
-        expected: usize,
-        /// Its length.
-        got: usize,
-    },
-    /// A knot, an ordinate or a slope is NaN or infinite.
-    NotFinite {
-        /// The list: `x`, `y` or `slope`.
-        parameter: &'static str,
-        /// Which knot, from 0.
-        knot: usize,
-        /// Its value.
-        value: f64,
-    },
-    /// A knot does not lie to the right of the one before.
-    KnotOrder {
-        /// Which knot, from 0.
-        knot: usize,
-        /// The knot before.
-        left: f64,
-        /// The knot.
-        right: f64,
-    },
-    /// A cell is narrower than [`NARROWEST`] of the domain.
-    NarrowCell {
-        /// Which map, from 1.
-        map: usize,
-        /// Width of its cell.
-        width: f64,
-        /// Width of the domain.
-        domain: f64,
-    },
-    /// A vertical factor is not in `(−1, 1)`.
-    VerticalFactor {
-        /// Which map, from 1.
-        map: usize,
-        /// Its value.
-        alpha: f64,
-    },
-    /// A vertical factor is too steep for a continuous derivative, `|α_j| ≥ a_j`.
-    SteepFactor {
-        /// Which map, from 1.
-        map: usize,
-        /// Its vertical factor.
-        alpha: f64,
-        /// Its horizontal factor.
-        a: f64,
-    },
-    /// A coefficient of a polynomial is NaN or infinite.
-    CoefficientNotFinite {
-        /// Which map, from 1.
-        map: usize,
-        /// The power of x.
-        power: usize,
-        /// Its value.
-        value: f64,
-    },
-    /// A map does not send an end of the graph to a knot.
-    JoinUp {
-        /// Which map, from 1.
-        map: usize,
-        /// Which end.
-        end: End,
-        /// The ordinate there.
-        expected: f64,
-        /// The image of the end of the graph.
-        found: f64,
-    },
-    /// The image of a map does not begin where that of the map before ends, or the last not at the end of the domain.
-    Tiling {
-        /// Which map, from 1.
-        map: usize,
-        /// The end that its image should have.
-        expected: f64,
-        /// The end that it has.
-        found: f64,
-    },
-    /// No finite bound of the function could be proved: the numbers or the width of their range overflow, or a factor is a rounding
-    /// error from 1.
-    Unbounded {
-        /// The largest `|α_j|`.
-        alpha: f64,
-    },
-    /// The polynomials need more coefficients than their type holds.
-    Degree {
-        /// The coefficients that are needed.
-        expected: usize,
-        /// The coefficients that the type holds.
-        found: usize,
-    },
-}
-
-impl fmt::Display for SystemError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::TooFew { parameter, least, got } => {
-                write!(f, "`{parameter}` must have at least {least} elements, got {got}")
-            }
-            Self::Length { parameter, expected, got } => {
-                write!(f, "`{parameter}` must have {expected} elements, got {got}")
-            }
-            Self::NotFinite { parameter, knot, value } => {
-                write!(f, "`{parameter}[{knot}]` must be finite, got {value}")
-            }
-            Self::KnotOrder { knot, left, right } => {
-                write!(f, "`x[{knot}]` must be right of {left}, got {right}")
-            }
-            Self::NarrowCell { map, width, domain } => {
-                let left = map.saturating_sub(1);
-                write!(
-                    f,
-                    "cell is too narrow: `x[{map}]` - `x[{left}]` = {width:e} (at least {:e})",
-                    domain * NARROWEST
-                )
-            }
-            Self::VerticalFactor { map, alpha } => {
-                write!(f, "`alpha` of map {map} must be in (-1, 1), got {alpha}")
-            }
-            Self::SteepFactor { map, alpha, a } => {
-                write!(f, "`alpha` of map {map} must be under {a} in magnitude, got {alpha}")
-            }
-            Self::CoefficientNotFinite { map, power, value } => {
-                write!(f, "`q` of map {map} must have a finite coefficient of x^{power}, got {value}")
-            }
-            Self::JoinUp { map, end, expected, found } => {
-                let end = if end == End::Left { "left" } else { "right" };
-                write!(f, "`q` of map {map} must send the {end} end to {expected}, got {found}")
-            }
-            Self::Tiling { map, expected, found } => {
-                write!(f, "`maps` must tile the domain, map {map} at {expected}, got {found}")
-            }
-            Self::Unbounded { alpha } => {
-                write!(f, "`alpha` and `q` must leave room for a finite bound, got a factor of {alpha}")
-            }
-            Self::Degree { expected, found } => {
-                write!(f, "`C` must be at least {expected}, got {found}")
-            }
-        }
+refusals! {
+    /// The refusal of a system of maps. Maps are counted from 1, as in the literature, knots and powers from 0.
+    SystemError {
+        /// A system needs two maps, three knots, at least.
+        TooFew { parameter: &'static str, least: usize, got: usize } =>
+            "`{parameter}` must have at least {least} elements, got {got}";
+        /// A list's length does not fit the number of knots, or `storage` holds another number of maps.
+        Length { parameter: &'static str, expected: usize, got: usize } =>
+            "`{parameter}` must have {expected} elements, got {got}";
+        /// A knot, an ordinate or a slope is NaN or infinite.
+        NotFinite { parameter: &'static str, knot: usize, value: f64 } =>
+            "`{parameter}[{knot}]` must be finite, got {value}";
+        /// A knot does not lie to the right of the one before.
+        KnotOrder { knot: usize, left: f64, right: f64 } => "`x[{knot}]` must be right of {left}, got {right}";
+        /// A cell is narrower than [`NARROWEST`] of the domain.
+        NarrowCell { map: usize, width: f64, domain: f64 } =>
+            "cell is too narrow: `x[{map}]` - `x[{}]` = {width:e} (at least {:e})",
+            map.saturating_sub(1), domain * NARROWEST;
+        /// A vertical factor is not in `(−1, 1)`.
+        VerticalFactor { map: usize, alpha: f64 } => "`alpha` of map {map} must be in (-1, 1), got {alpha}";
+        /// A vertical factor is too steep for a continuous derivative, `|α_j| ≥ a_j`.
+        SteepFactor { map: usize, alpha: f64, a: f64 } =>
+            "`alpha` of map {map} must be under {a} in magnitude, got {alpha}";
+        /// A coefficient of a polynomial is NaN or infinite.
+        CoefficientNotFinite { map: usize, power: usize, value: f64 } =>
+            "`q` of map {map} must have a finite coefficient of x^{power}, got {value}";
+        /// A map does not send an end of the graph to a knot: to the ordinate `found` instead of `expected`.
+        JoinUp { map: usize, end: End, expected: f64, found: f64 } =>
+            "`q` of map {map} must send the {} end to {expected}, got {found}",
+            if end == End::Left { "left" } else { "right" };
+        /// The image of a map does not begin where that of the map before ends, or the last not at the end of the domain.
+        Tiling { map: usize, expected: f64, found: f64 } =>
+            "`maps` must tile the domain, map {map} at {expected}, got {found}";
+        /// No finite bound of the function could be proved: the numbers or the width of their range overflow, or the largest
+        /// `|α_j|` is a rounding error from 1.
+        Unbounded { alpha: f64 } => "`alpha` and `q` must leave room for a finite bound, got a factor of {alpha}";
+        /// The polynomials need more coefficients than their type holds.
+        Degree { expected: usize, found: usize } => "`C` must be at least {expected}, got {found}";
     }
 }
 
-impl core::error::Error for SystemError {}
-
-/// The number of maps.
 /// Width of the narrowest cell that constructors accept, in units of the domain: 2⁻¹⁰⁰⁰, so that the reciprocal is finite.
 pub const NARROWEST: f64 = f64::from_bits((1023 - 1000) << 52);
 
+/// The number of maps.
 pub(crate) fn check_knots(x: &[f64]) -> Result<usize, SystemError> {
     if x.len() < 3 {
         return Err(SystemError::TooFew { parameter: "x", least: 3, got: x.len() });

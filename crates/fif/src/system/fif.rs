@@ -205,7 +205,6 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
 
     /// `[x_0, x_N]`.
     #[inline]
-    #[must_use]
     pub fn domain(&self) -> Interval {
         let pieces = self.pieces();
         Interval::new(pieces.first().map_or(0.0, |p| p.x()[0]), pieces.last().map_or(0.0, |p| p.x()[1]))
@@ -250,7 +249,6 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// with outward rounding, then intersected with the hull of its images under composites of a few maps. The source's
     /// eq. 47 and 48 take the minimum from one and the maximum from the other polynomial; for `α < 0` they swap.
     #[inline]
-    #[must_use]
     pub fn range(&self) -> Interval {
         self.range
     }

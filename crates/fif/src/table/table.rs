@@ -130,7 +130,6 @@ impl<const C: usize> Table<C> {
 
     /// `f(x)` with the bound of its error: 0 at knots, NaN for NaN, else at most [`Table::bound`].
     #[inline]
-    #[must_use]
     pub fn evaluate(&self, x: f64) -> Bounded {
         match self.rows.sum(x) {
             (Some(value), bound) => Bounded { value, bound },

@@ -202,12 +202,12 @@ fills! {
     "normal_mapped_uniform": shading::material::NormalMappedUniform::words => "NormalMappedUniform::new(&material).words()",
     "slope_pyramid_number": shading::normal_map::slope_pyramid_numbers::<2> => "slope_pyramid_numbers(&map)",
     "fif_rows": fif::table_rows::<2> => "fif::table_rows(&table)",
-    "fif_ranges": fif::RangesUniform::words => "fif::ranges(&surface.x), then those of y",
+    "fif_ranges": fif::RangesUniform::words => "fif::ranges(surface.x()), then those of y",
     "fif_nodes": fif::folded_nodes => "fif::folded_nodes(&surface)",
     "fif_surfaces": fif::FoldedUniform::words => "FoldedUniform::new(&surface, first).words() of each surface",
     "fif_functions": fif::TableUniform::words => "TableUniform::new(&table, first)?.words() of each function",
     "field": fif::TableUniform::words => "TableUniform::new(&table, first)?.words() of x, then of y",
-    "field_ranges": fif::RangesUniform::words => "RangesUniform::new(&surface.x, &table, first)?.words() of x, then of y",
+    "field_ranges": fif::RangesUniform::words => "RangesUniform::new(surface.x(), &table, first)?.words() of x, then of y",
 }
 
 #[cfg(test)]

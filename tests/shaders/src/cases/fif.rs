@@ -176,15 +176,15 @@ fn field() -> (Field, Vec<(&'static str, Vec<u32>)>) {
         smooth(&[1.0, 0.0, 2.0, -1.0, 0.5], &[0.1, -0.2, 0.15, 0.05]),
     );
     let surface = HeightField::new(f, g).tabulated();
-    let [f, g] = [&surface.x, &surface.y].map(|axis| axis.function().table(1e-9).expect("smooth").to_f32());
+    let [f, g] = [surface.x(), surface.y()].map(|axis| axis.function().table(1e-9).expect("smooth").to_f32());
     let mut tables = Tables::new();
     tables.add(&f);
     tables.add(&g);
-    let along_x: Vec<u32> = ranges(&surface.x).map(f32::to_bits).collect();
-    let along_y = ranges(&surface.y).map(f32::to_bits);
+    let along_x: Vec<u32> = ranges(surface.x()).map(f32::to_bits).collect();
+    let along_y = ranges(surface.y()).map(f32::to_bits);
     let uniforms = [
-        RangesUniform::new(&surface.x, &f, 0).expect("smooth").words(),
-        RangesUniform::new(&surface.y, &g, along_x.len() as u32).expect("smooth").words(),
+        RangesUniform::new(surface.x(), &f, 0).expect("smooth").words(),
+        RangesUniform::new(surface.y(), &g, along_x.len() as u32).expect("smooth").words(),
     ];
     let resources = vec![
         ("fif_rows", tables.rows),

@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let surface = plain.clone().tabulated();
         let build = |_| drop(black_box(black_box(plain.clone()).tabulated()));
         let took = timed(|| (0..BUILDS).for_each(build)).1 * 1e3 / f64::from(BUILDS);
-        let memory = (surface.x.bytes() + surface.y.bytes()) as f64 * 1e-6;
+        let memory = (surface.x().bytes() + surface.y().bytes()) as f64 * 1e-6;
         costs += &format!("| {name}, Asperity | {took:.2} ms | {memory:.3} MB |\n");
         let sets = [("primary", primary()), ("random", random())];
         let exact: Vec<Vec<Option<Hit>>> =

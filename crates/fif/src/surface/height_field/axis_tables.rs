@@ -20,6 +20,34 @@ pub(crate) struct AxisTables<R> {
     pub(crate) steepest: f64,
 }
 
+/// Constants of a product of two axes with tables.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BothAxes {
+    /// The greatest `|∂h/∂x|` and `|∂h/∂y|`.
+    pub(crate) falls: [f64; 2],
+    /// `16 ε` of the greatest height.
+    pub(crate) pad: f64,
+    /// Errors of a height after 0, 1 and 2 steps, and after the finest.
+    pub(crate) errors: [f64; 3],
+    pub(crate) best: f64,
+    /// Steps for values to the rounding error.
+    pub(crate) finest: usize,
+}
+
+impl BothAxes {
+    pub(crate) fn new<P: Rows, Q: Rows>(x: &AxisTables<P>, y: &AxisTables<Q>) -> Self {
+        let finest = x.jets.finest().0.max(y.jets.finest().0);
+        let product = |f: f64, g: f64| 1.0001 * (x.magnitude * g + y.magnitude * f + f * g);
+        Self {
+            falls: [x.steepest * y.magnitude, x.magnitude * y.steepest],
+            pad: 16.0 * f64::EPSILON * (x.magnitude * y.magnitude),
+            errors: [0, 1, 2].map(|steps| product(x.jets.error(steps), y.jets.error(steps))),
+            best: product(x.jets.error(finest), y.jets.error(finest)),
+            finest,
+        }
+    }
+}
+
 impl<R: Rows> AxisTables<R> {
     /// From ranges of values and slopes over the finest cells.
     pub(crate) fn new(cells: &[[Interval; 2]], jets: JetTable<R>, domain: Interval) -> Self {

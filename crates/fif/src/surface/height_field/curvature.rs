@@ -11,6 +11,7 @@ use crate::system::map::Piece;
 /// The curvature of a surface at a point, per unit length; positive where the surface bends towards its upward normal, in a
 /// valley.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use]
 pub struct Curvature {
     /// The mean curvature `H = (κ₁ + κ₂)/2`.
     pub mean: f64,
@@ -30,7 +31,6 @@ impl Curvature {
     /// let cap = Curvature::of_graph(DVec2::ZERO, [-0.5, 0.0, -0.5]); // the top of a sphere of radius 2
     /// assert_eq!((cap.mean, cap.gauss), (-0.5, 0.25));
     /// ```
-    #[must_use]
     pub fn of_graph(gradient: DVec2, [xx, xy, yy]: [f64; 3]) -> Self {
         let DVec2 { x, y } = gradient;
         let square = 1.0 + x * x + y * y;

@@ -6,7 +6,7 @@ use crate::numeric::estimate::Estimate;
 use crate::numeric::interval::{Bounded, Interval};
 #[cfg(feature = "alloc")]
 use crate::surface::height_field::axis_tables::AxisTables;
-use crate::surface::height_field::function::Function;
+use crate::surface::height_field::function::{Axis, Function};
 #[cfg(feature = "alloc")]
 use crate::surface::height_field::range_table::RangeTable;
 use crate::system::support::Support;
@@ -42,7 +42,7 @@ pub(crate) struct Both<V, D> {
 }
 
 /// A cell below the tables, by what its bounds are computed from.
-pub(crate) type Below<F> = Both<<F as Function>::Cell, <<F as Function>::Derivative as Function>::Cell>;
+pub(crate) type Below<F> = Both<<F as Axis>::Cell, <<F as Axis>::Derivative as Axis>::Cell>;
 
 /// A cell of a curve.
 #[derive(Clone, Copy, Debug)]
@@ -84,13 +84,11 @@ impl<F: Function> Curve<F> {
     }
 
     /// `[x_0, x_N]`.
-    #[must_use]
     pub fn domain(&self) -> Interval {
         self.function.domain()
     }
 
     /// A rigorous enclosure of the values.
-    #[must_use]
     pub fn range(&self) -> Interval {
         #[cfg(feature = "alloc")]
         if let Some(levels) = &self.levels {
@@ -100,7 +98,6 @@ impl<F: Function> Curve<F> {
     }
 
     /// The value at `x`, as [`System::evaluate`](crate::System::evaluate).
-    #[must_use]
     pub fn evaluate(&self, x: f64, tolerance: f64) -> Bounded {
         self.function.evaluate(x, tolerance)
     }
@@ -262,7 +259,7 @@ impl<F: Function> Levels<F> {
         // From the last level up, then turned round.
         let mut levels: alloc::vec::Vec<alloc::vec::Vec<[Interval; 2]>> =
             alloc::vec![leaves.iter().map(|cell| finer(curve, cell, below)).collect()];
-        let slopes = curve.derivative().filter(|_| cells > 1).map(Function::range);
+        let slopes = curve.derivative().filter(|_| cells > 1).map(Axis::range);
         let jets = slopes.and_then(|slopes| curve.function().jets(slopes));
         let tables = jets.zip(levels.first()).map(|(jets, last)| AxisTables::new(last, jets, curve.domain()));
         while let Some(last) = levels.last()

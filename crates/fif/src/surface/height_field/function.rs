@@ -20,63 +20,48 @@ use crate::table::composite::Composite;
     message = "`{Self}` is no function along an axis of a height field",
     note = "an axis takes a `Fif`, a `FixedFif` or, with the feature `alloc`, a `FifRef` of one to eight coefficients"
 )]
-pub trait Function: Clone + Debug {
+pub trait Function: Axis {}
+
+impl<F: Axis> Function for F {}
+
+/// The operations of a [`Function`].
+pub trait Axis: Clone + Debug {
     /// A cell of the domain, as far as its children and bounds need it.
-    #[doc(hidden)]
     type Cell: Copy + Debug;
     /// The derivative: one coefficient fewer in storage of the like.
     type Derivative: Function;
     #[cfg(feature = "alloc")]
-    #[doc(hidden)]
     type Rows: Rows;
 
-    #[doc(hidden)]
     fn domain(&self) -> Interval;
-    #[doc(hidden)]
     fn range(&self) -> Interval;
-    #[doc(hidden)]
     fn evaluate(&self, x: f64, tolerance: f64) -> Bounded;
     /// The value between doubles, and what it changes over a distance to which such a place is known.
-    #[doc(hidden)]
     fn evaluate_between(&self, x: Double, tolerance: f64) -> Bounded;
-    #[doc(hidden)]
     fn blur(&self, distance: f64) -> f64;
-    #[doc(hidden)]
     fn mean(&self, l: f64, r: f64) -> Estimate;
-    #[doc(hidden)]
     fn mean_square(&self, l: f64, r: f64) -> Result<Estimate, MomentError>;
     /// The derivative, if it is continuous.
-    #[doc(hidden)]
     fn differentiated(&self) -> Option<Self::Derivative>;
-    #[doc(hidden)]
     fn root() -> Self::Cell;
     /// The number of children of a cell.
-    #[doc(hidden)]
     fn count(&self) -> usize;
     /// Knots of child `j` in units of the cell's width.
-    #[doc(hidden)]
     fn part(&self, j: usize) -> [f64; 2];
     /// Knot `j` in units of the domain, as exactly as [`System::evaluate`] takes it.
-    #[doc(hidden)]
     fn knot(&self, j: usize) -> Double;
     /// Whether all children of a cell have the same width.
-    #[doc(hidden)]
     fn is_even(&self) -> bool;
     /// Child `j`; the cell itself when there is none.
-    #[doc(hidden)]
     fn child(&self, cell: &Self::Cell, j: usize) -> Self::Cell;
     /// An enclosure of the values over a cell.
-    #[doc(hidden)]
     fn cell_range(&self, cell: &Self::Cell) -> Interval;
     /// Ranges of `f` with lines added, where they pay.
-    #[doc(hidden)]
     fn support(&self) -> Option<Support>;
     /// An enclosure of the values over a cell that is tighter for them.
-    #[doc(hidden)]
     fn supported_range(&self, cell: &Self::Cell, support: &Support) -> Interval;
     /// Values and slopes by a table, if there can be one; `slopes` encloses the derivative.
     #[cfg(feature = "alloc")]
-    #[doc(hidden)]
     fn jets(&self, slopes: Interval) -> Option<JetTable<Self::Rows>>;
 }
 
@@ -112,7 +97,7 @@ macro_rules! lower {
 
 lower!(1 to 1, 2 to 1, 3 to 2, 4 to 3, 5 to 4, 6 to 5, 7 to 6, 8 to 7);
 
-impl<S: Lower<C>, const C: usize> Function for System<S, C> {
+impl<S: Lower<C>, const C: usize> Axis for System<S, C> {
     type Cell = Cell<C>;
     type Derivative = S::Derivative;
     #[cfg(feature = "alloc")]

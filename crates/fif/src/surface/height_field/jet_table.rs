@@ -174,6 +174,9 @@ impl<R: Rows> JetTable<R> {
     #[inline]
     pub(crate) fn cells_within(&self, part: f64) -> usize {
         let (mut steps, mut finer) = (0, part);
+        if part == 0.0 {
+            return self.enough[1];
+        }
         while finer < 1.0 && steps < self.enough[1] {
             finer *= self.radix;
             steps += 1;

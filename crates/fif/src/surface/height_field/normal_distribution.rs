@@ -1,54 +1,31 @@
 //! The distribution of the normals of a height field over a rectangle, as an image.
 
 use alloc::vec::Vec;
-use core::fmt;
 
 use glam::DVec2;
 
 use crate::numeric::interval::Interval;
+use crate::numeric::refusal::refusals;
 use crate::surface::height_field::curve::Curve;
 use crate::surface::height_field::function::Function;
 use crate::surface::height_field::height_field::HeightField;
 use crate::surface::normal::upward_normal;
 
-/// Why a distribution of normals was refused.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum NormalDistributionError {
-    /// An axis is not differentiable, so there are no normals.
-    Rough,
-    /// The image has no texel, or the slice has another length.
-    Size {
-        /// Columns.
-        width: usize,
-        /// Rows.
-        height: usize,
-        /// The length of the slice.
-        len: usize,
-    },
-    /// No sample along an axis, or more than 4096.
-    Samples {
-        /// Their number.
-        samples: usize,
-    },
-    /// The rectangle does not meet the domain, or has NaN for a bound.
-    Empty,
-}
-
-impl fmt::Display for NormalDistributionError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::Rough => write!(f, "`self` must have slopes along both axes, got one without"),
-            Self::Size { width, height, len } => {
-                write!(f, "`texels` must have {width} times {height} elements, got {len}")
-            }
-            Self::Samples { samples } => write!(f, "`samples` must be 1 to {MOST}, got {samples}"),
-            Self::Empty => write!(f, "`x` and `y` must meet the domain, got a rectangle beside it"),
-        }
+refusals! {
+    /// Why a distribution of normals was refused.
+    #[derive(Eq)]
+    NormalDistributionError {
+        /// An axis is not differentiable, so there are no normals.
+        Rough => "`self` must have slopes along both axes, got one without";
+        /// The image has no texel, or the slice has another length than columns times rows.
+        Size { width: usize, height: usize, len: usize } =>
+            "`texels` must have {width} times {height} elements, got {len}";
+        /// The number of samples along an axis is 0 or more than 4096.
+        Samples { samples: usize } => "`samples` must be 1 to {MOST}, got {samples}";
+        /// The rectangle does not meet the domain, or has NaN for a bound.
+        Empty => "`x` and `y` must meet the domain, got a rectangle beside it";
     }
 }
-
-impl core::error::Error for NormalDistributionError {}
 
 /// A texel that counts every normal is still exact in `f32`: 2²⁴.
 const MOST: usize = 4096;

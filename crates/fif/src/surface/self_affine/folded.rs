@@ -7,7 +7,7 @@ use crate::surface::hermite_patch::Patch;
 use crate::surface::self_affine::error::SelfAffineError;
 use crate::surface::self_affine::folded_limits::{limits, slope_rounding, value_rounding};
 use crate::surface::self_affine::limits::Limits;
-use crate::surface::self_affine::self_affine::{Cell, Fold, Part, SelfAffine};
+use crate::surface::self_affine::self_affine::{Cell, FoldParts, Part, SelfAffine};
 use crate::surface::self_affine::zig_zag::{Grid, Strip, ZigZag, part_of};
 
 /// A fractal surface through given heights with given gradients on a grid of unequal cells, once continuously
@@ -104,7 +104,7 @@ impl SelfAffine<ZigZag> {
     }
 }
 
-impl Fold for ZigZag {
+impl FoldParts for ZigZag {
     type Place = [f64; 2];
 
     #[inline]

@@ -5,7 +5,7 @@ use crate::numeric::polynomial::UNIT;
 use crate::surface::bounds::SurfaceBounds;
 use crate::surface::extrema::ceiling;
 use crate::surface::self_affine::folded_limits::{slope_rounding, steepest, value_rounding};
-use crate::surface::self_affine::self_affine::{Fold, Part, SelfAffine};
+use crate::surface::self_affine::self_affine::{FoldParts, Part, SelfAffine};
 use crate::surface::self_affine::zig_zag::{Strip, ZigZag};
 
 /// Steps that bounds follow a rectangle at most.

@@ -12,7 +12,7 @@ use crate::surface::self_affine::error::SelfAffineError;
 use crate::surface::self_affine::folded_limits::{patches, shift};
 use crate::surface::self_affine::folded_ranges::{STEP, image, pieces};
 use crate::surface::self_affine::limits::Limits;
-use crate::surface::self_affine::self_affine::{Fold, MOST_STEPS, Part};
+use crate::surface::self_affine::self_affine::{FoldParts, MOST_STEPS, Part};
 use crate::surface::self_affine::zig_zag::{Grid, Strip, ZigZag, bilinear};
 
 /// Steps that bounds follow a rectangle at most.
@@ -129,7 +129,6 @@ impl RoughFolded {
 
     /// A rigorous enclosure of all heights.
     #[inline]
-    #[must_use]
     pub const fn range(&self) -> Interval {
         self.range
     }
@@ -142,7 +141,6 @@ impl RoughFolded {
     ///
     /// The last term is replaced by A_K times the middle of w's range, or at a node by its exact value. The bound adds up what
     /// rounding did on the way, that of the place but for its effect on f itself: see the type.
-    #[must_use]
     pub fn evaluate(&self, x: f64, y: f64, tolerance: f64) -> Bounded {
         let Some((mut at, _)) = self.fold.locate(x, y) else { return Bounded::NAN };
         let radius = 0.5 * self.own.width();
@@ -207,7 +205,6 @@ impl RoughFolded {
     /// assert!(bounds.contains(surface.height(0.30004, 0.70001)) && bounds.width() < 0.5);
     /// # Ok::<(), asperity_fif::SelfAffineError>(())
     /// ```
-    #[must_use]
     pub fn bounds(&self, x: Interval, y: Interval) -> Interval {
         let (Some((low, _)), Some((high, _))) = (self.fold.locate(x.lo, y.lo), self.fold.locate(x.hi, y.hi))
         else {
@@ -255,7 +252,6 @@ impl RoughFolded {
     /// assert!(extrema.maximum.width() <= 0.1 && extrema.maximum.hi >= 2.0);
     /// # Ok::<(), asperity_fif::SelfAffineError>(())
     /// ```
-    #[must_use]
     pub fn extrema_over(&self, x: Interval, y: Interval, width: f64) -> SurfaceExtrema {
         extrema(self, self.fold.searched(x, y), width)
     }

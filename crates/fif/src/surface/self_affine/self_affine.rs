@@ -54,58 +54,48 @@ pub struct Cell {
 }
 
 /// A fold of the plane with its nodes: [`TorusFold`](crate::surface::TorusFold) or [`ZigZag`](crate::surface::ZigZag); sealed.
-pub trait Fold: Sized + Clone + Debug {
+pub trait Fold: FoldParts {}
+
+impl<F: FoldParts> Fold for F {}
+
+/// The operations of a [`Fold`].
+pub trait FoldParts: Sized + Clone + Debug {
     /// A point, as exactly as its orbit needs.
-    #[doc(hidden)]
     type Place: Copy;
 
-    #[doc(hidden)]
     fn domain(&self) -> [Interval; 2];
 
     /// The point, and what is cut off of a coordinate; `None` for what is no point.
-    #[doc(hidden)]
     fn locate(&self, x: f64, y: f64) -> Option<(Self::Place, f64)>;
 
-    #[doc(hidden)]
     fn cell(&self, at: Self::Place, part: Part) -> Cell;
 
     /// The point's image.
-    #[doc(hidden)]
     fn next(&self, at: Self::Place, cell: &Cell) -> Self::Place;
 
     /// The Jacobian of one repetition more.
-    #[doc(hidden)]
     fn turned(&self, jacobian: &[[f64; 2]; 2], cell: &Cell, factor: f64) -> [[f64; 2]; 2];
 
     /// Truncation that is enough for values, and bounds of their rounding.
-    #[doc(hidden)]
     fn value_enough(limits: &Limits, tolerance: f64) -> f64;
 
-    #[doc(hidden)]
     fn value_rounding(limits: &Limits, steps: u32) -> f64;
 
     /// Truncation that is enough for slopes, and bounds of their rounding with partial sums up to `largest`.
-    #[doc(hidden)]
     fn slope_enough(limits: &Limits, tolerance: f64) -> f64;
 
-    #[doc(hidden)]
     fn slope_rounding(limits: &Limits, steps: u32, largest: f64) -> f64;
 
     /// The narrowest cell of the grid.
-    #[doc(hidden)]
     fn narrowest(&self, limits: &Limits) -> f64;
 
-    #[doc(hidden)]
     fn bounds(surface: &SelfAffine<Self>, x: Interval, y: Interval) -> SurfaceBounds;
 
-    #[doc(hidden)]
     fn narrow(surface: &mut SelfAffine<Self>);
 
-    #[doc(hidden)]
     fn mean(surface: &SelfAffine<Self>) -> Bounded;
 
     /// The rectangle that a search takes for `x × y`.
-    #[doc(hidden)]
     fn searched(&self, x: Interval, y: Interval) -> [Interval; 2];
 }
 
@@ -126,7 +116,6 @@ impl<F: Fold> SelfAffine<F> {
 
     /// A rigorous enclosure of all heights.
     #[inline]
-    #[must_use]
     pub const fn range(&self) -> Interval {
         self.limits.range
     }
@@ -158,7 +147,6 @@ impl<F: Fold> SelfAffine<F> {
     /// assert!((mean.value - 1.0 / 3.0).abs() <= mean.bound && mean.bound < 1e-13); // H = H − G is a bump of mean 1/4
     /// # Ok::<(), asperity_fif::SelfAffineError>(())
     /// ```
-    #[must_use]
     pub fn mean(&self) -> Bounded {
         F::mean(self)
     }
@@ -171,7 +159,6 @@ impl<F: Fold> SelfAffine<F> {
     ///
     /// The last term is replaced by `sᴷ` times the middle of w's range, or at a node by its exact value.
     #[inline]
-    #[must_use]
     pub fn evaluate(&self, x: f64, y: f64, tolerance: f64) -> Bounded {
         let Some((at, cut)) = self.fold.locate(x, y) else { return Bounded::NAN };
         let Bounded { value, bound } = self.value_from(at, tolerance);
@@ -252,7 +239,6 @@ impl<F: Fold> SelfAffine<F> {
     /// assert!(bounds.slopes[1].contains(surface.gradient(0.3004, 0.7001).y));
     /// # Ok::<(), asperity_fif::SelfAffineError>(())
     /// ```
-    #[must_use]
     pub fn bounds(&self, x: Interval, y: Interval) -> SurfaceBounds {
         F::bounds(self, x, y)
     }
@@ -297,7 +283,6 @@ impl<F: Fold> SelfAffine<F> {
     /// assert!(extrema.maximum.contains(top));
     /// # Ok::<(), asperity_fif::SelfAffineError>(())
     /// ```
-    #[must_use]
     pub fn extrema_over(&self, x: Interval, y: Interval, width: f64) -> SurfaceExtrema {
         extrema(self, self.fold.searched(x, y), width)
     }

@@ -9,7 +9,7 @@ use crate::surface::bounds::SurfaceBounds;
 use crate::surface::self_affine::address::Address;
 use crate::surface::self_affine::error::{SelfAffineError, magnitudes};
 use crate::surface::self_affine::limits::Limits;
-use crate::surface::self_affine::self_affine::{Cell, Fold, Part, SelfAffine};
+use crate::surface::self_affine::self_affine::{Cell, FoldParts, Part, SelfAffine};
 use crate::surface::self_affine::torus_fold::{Node, TorusFold};
 use crate::surface::self_affine::torus_limits::{limits, slope_rounding, spectral_norm, value_rounding};
 
@@ -122,7 +122,6 @@ impl SelfAffine<TorusFold> {
     /// assert!(surface.evaluate_ratio([1, 2], 3, 1e-12).bound <= 1e-12);
     /// # Ok::<(), asperity_fif::SelfAffineError>(())
     /// ```
-    #[must_use]
     pub fn evaluate_ratio(&self, numerators: [i64; 2], denominator: u32, tolerance: f64) -> Bounded {
         Address::ratio(numerators, denominator).map_or(Bounded::NAN, |at| self.value_from(at, tolerance))
     }
@@ -143,7 +142,7 @@ impl SelfAffine<TorusFold> {
     }
 }
 
-impl Fold for TorusFold {
+impl FoldParts for TorusFold {
     type Place = Address;
 
     fn domain(&self) -> [Interval; 2] {

@@ -151,7 +151,6 @@ impl SelfAffine<TorusFold> {
     /// The bound falls like `cells^(−ln |s|/ln ‖M‖)`: four times as many gain a factor of four to
     /// five where |s| = 3/8 and ‖M‖ = √5. Over
     /// whole periods [`SelfAffine::mean`] is exact. NaN for a rectangle that is empty or not finite.
-    #[must_use]
     pub fn mean_over(&self, x: Interval, y: Interval, cells: u32) -> Bounded {
         let cells = cells.max(1);
         let step = [x, y].map(|range| range.width() / f64::from(cells));

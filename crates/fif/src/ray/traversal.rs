@@ -1,0 +1,540 @@
+//! The first hit of a ray on any surface `z = f(x, y)`, with proof that nothing lies before it.
+//!
+//! A [`Context`] holds the constants of a surface, a [`Traversal`] one ray on its way:
+//!
+//! 1. [`Context::ray`] clips the ray to the slab over the domain.
+//! 2. [`Traversal::descend`] visits the squares of the quartered domain front to back. The range of the heights over a square
+//!    clips the ray: outside this stretch it is above or below the surface.
+//! 3. [`Traversal::search`] decides a stretch over a smallest square. Bounds of the slopes bound the rate `d/dt (z − f)`, so the
+//!    height above the surface at an end of the stretch excludes a root for some way from there. If the rate keeps its sign, the
+//!    heights at both ends decide; otherwise the rest of the stretch is halved and bounded again.
+//! 4. [`Traversal::root`] encloses a root between a change of sign, by secants and the bounds of the rate.
+//! 5. [`Traversal::hit`] evaluates height and gradient there.
+//!
+//! Height fields `f(x) g(y)` have their own steps 2 and 3: by products of cells ([`boxes`](crate::ray::boxes)) or of tables
+//! ([`tables`](crate::ray::tables)).
+
+use glam::DVec3;
+
+use crate::numeric::interval::{Bounded, Interval};
+use crate::numeric::polynomial::UNIT;
+use crate::ray::ray::{Aim, Hit, Ray, Root};
+use crate::surface::bounds::{Surface, SurfaceBounds};
+use crate::surface::normal::upward_normal;
+
+/// Evaluations, or boxes, that one ray takes at most; beyond, a hit is not certain.
+const BUDGET: u32 = 1 << 16;
+
+/// Length of a stretch, relative to the domain, at whose ends a change of sign is a root.
+const CLOSE: f64 = 1e-12;
+
+/// Stretches that wait at most: every split halves one.
+const WAITING: usize = 64;
+
+/// Splits after which the slopes are bounded again.
+const SPLITS: u32 = 8;
+
+/// Length of the shortest stretch over a rough surface, relative to the shortest over a smooth one.
+const ROUGH_PART: f64 = 1.0 / 64.0;
+
+/// Evaluations that one search for a single root makes at most.
+const EVALUATIONS: u32 = 100;
+
+/// Evaluations that bounds count as.
+const BOUNDS: u32 = 2;
+
+/// The constants of a surface that all rays share.
+pub(crate) struct Context<'a, S: ?Sized> {
+    pub(crate) surface: &'a S,
+    domain: [Interval; 2],
+    range: Interval,
+}
+
+/// One ray on its way.
+pub(crate) struct Traversal<'a, S: ?Sized> {
+    pub(crate) surface: &'a S,
+    domain: [Interval; 2],
+    range: Interval,
+    pub(crate) ray: Ray,
+    /// More than the rounding of a coordinate on the ray within the domain.
+    pub(crate) pad: DVec3,
+    /// Length of a stretch at whose ends a change of sign is a root, and of one that is not split any more.
+    pub(crate) close: f64,
+    pub(crate) finest: f64,
+    /// Whether a root is wanted to the rounding error.
+    exact: bool,
+    /// Evaluations or boxes left.
+    pub(crate) budget: u32,
+    /// Distance at which a limit first left undecided whether the ray meets the surface.
+    lost: Option<f64>,
+}
+
+impl<'a, S: Surface + ?Sized> Context<'a, S> {
+    pub(crate) fn new(surface: &'a S) -> Self {
+        Self { surface, domain: surface.domain(), range: surface.range() }
+    }
+
+    /// The ray with the stretch of it over the domain, which may be empty; `None` for an invalid ray.
+    pub(crate) fn ray(&self, ray: &Ray, t: Interval, tolerance: f64) -> Option<(Traversal<'a, S>, Interval)> {
+        let (o, d) = (ray.origin, ray.direction);
+        if !o.is_finite() || !d.is_finite() || d == DVec3::ZERO {
+            return None;
+        }
+        let [x, y] = self.domain;
+        let pad = |origin: f64, extent: f64| 16.0 * f64::EPSILON * (origin.abs() + extent);
+        let pad =
+            DVec3::new(pad(o.x, x.magnitude()), pad(o.y, y.magnitude()), pad(o.z, self.range.magnitude()));
+        let longest = d.x.abs().max(d.y.abs()).max(d.z.abs());
+        let finest = CLOSE * x.width().max(y.width());
+        let exact = tolerance <= finest || tolerance.is_nan();
+        // The length of the direction is less than √3 times its longest component.
+        let finest = finest / longest;
+        let close = if exact { finest } else { 0.5 * tolerance / longest };
+        let span = Interval::new(if t.lo > 0.0 { t.lo } else { 0.0 }, t.hi);
+        let span = span.intersection(slab(o.x, d.x, padded(x, pad.x)));
+        let span = span.intersection(slab(o.y, d.y, padded(y, pad.y)));
+        let Self { surface, domain, range } = *self;
+        let (ray, budget) = (*ray, BUDGET);
+        Some((Traversal { surface, domain, range, ray, pad, close, finest, exact, budget, lost: None }, span))
+    }
+
+    /// The first hit with `t` in the interval.
+    pub(crate) fn first(
+        &self,
+        squares: &impl Squares,
+        ray: &Ray,
+        t: Interval,
+        tolerance: f64,
+    ) -> Option<Hit> {
+        let (mut traversal, span) = self.ray(ray, t, tolerance)?;
+        let root = traversal.meets(squares, span, Aim::First)?;
+        traversal.hit(root, tolerance)
+    }
+
+    /// Whether the ray meets the surface with `t` in the interval.
+    pub(crate) fn any(&self, squares: &impl Squares, ray: &Ray, t: Interval) -> bool {
+        let Some((mut traversal, span)) = self.ray(ray, t, 0.0) else { return false };
+        let root = traversal.meets(squares, span, Aim::Any);
+        root.is_some_and(|Root { t, .. }| t.is_finite() && ray.at(t).is_finite())
+    }
+}
+
+/// A square of the quartered domain.
+#[derive(Clone, Copy)]
+pub(crate) struct Square {
+    pub(crate) level: u32,
+    pub(crate) at: [u32; 2],
+}
+
+impl Square {
+    const WHOLE: Self = Self { level: 0, at: [0; 2] };
+
+    /// Its side along an axis.
+    #[inline]
+    pub(crate) fn side(self, axis: usize, domain: Interval) -> Interval {
+        let step = domain.width() / f64::from(1_u32 << self.level);
+        let index = f64::from(if axis == 0 { self.at[0] } else { self.at[1] });
+        Interval::new(domain.lo + step * index, domain.lo + step * (index + 1.0))
+    }
+
+    #[inline]
+    fn quarter(self, right: u32, far: u32) -> Self {
+        Self { level: self.level + 1, at: [2 * self.at[0] + right, 2 * self.at[1] + far] }
+    }
+}
+
+/// Bounds over the squares of the quartered domain.
+pub(crate) trait Squares {
+    /// The level of the smallest squares.
+    fn finest(&self) -> u32;
+
+    /// Bounds over a square, whose sides are `x` and `y`.
+    fn heights(&self, square: Square, x: Interval, y: Interval) -> Interval;
+
+    /// Bounds of heights and slopes over a smallest square.
+    fn leaf(&self, square: Square, x: Interval, y: Interval) -> SurfaceBounds;
+}
+
+/// A surface without a table: bounds are computed on request.
+pub(crate) struct Unbounded<'a, S: ?Sized>(pub(crate) &'a S);
+
+impl<S: Surface + ?Sized> Squares for Unbounded<'_, S> {
+    fn finest(&self) -> u32 {
+        5
+    }
+
+    fn heights(&self, square: Square, x: Interval, y: Interval) -> Interval {
+        if square.level < 2 { self.0.range() } else { self.0.bounds(x, y).height }
+    }
+
+    fn leaf(&self, _: Square, x: Interval, y: Interval) -> SurfaceBounds {
+        self.0.bounds(x, y)
+    }
+}
+
+impl<S: Surface + ?Sized> Traversal<'_, S> {
+    fn meets(&mut self, squares: &impl Squares, span: Interval, aim: Aim) -> Option<Root> {
+        if self.is_vertical() {
+            return self.vertical(span);
+        }
+        let found = self.descend(squares, span, aim);
+        // What is left undecided just before a root is as near to it as rounding may put another.
+        let near = |t: f64| self.lost.is_none_or(|lost| t - lost <= self.finest);
+        let found = found.map(|root| Root { certain: root.certain && near(root.t), ..root });
+        found.or(self.lost.map(|t| Root { t, certain: false }))
+    }
+
+    /// The least root in the squares along the ray, or any.
+    fn descend(&mut self, squares: &impl Squares, span: Interval, aim: Aim) -> Option<Root> {
+        const PLACES: usize = 64;
+        let [x, y] = self.domain;
+        let finest = squares.finest().min(12);
+        let (o, d) = (self.ray.origin, self.ray.direction);
+        let inverse = [1.0 / d.x, 1.0 / d.y];
+        let late = [self.pad.x * inverse[0].abs(), self.pad.y * inverse[1].abs()];
+        let mut stack = [(Square::WHOLE, span); PLACES];
+        let mut filled = 1_usize;
+        let mut stretches = Stretches::new();
+        while filled > 0 {
+            filled -= 1;
+            let Some(&(square, span)) = stack.get(filled) else { break };
+            let sides = [square.side(0, x), square.side(1, y)];
+            let around = [padded(sides[0], self.pad.x), padded(sides[1], self.pad.y)];
+            if square.level >= finest {
+                let SurfaceBounds { height, slopes } = squares.leaf(square, around[0], around[1]);
+                let span = self.within(span, height);
+                if span.lo <= span.hi
+                    && let Some(root) = self.search(&mut stretches, span, self.rate(slopes), aim)
+                {
+                    return Some(root);
+                }
+                continue;
+            }
+            let span = self.within(span, squares.heights(square, around[0], around[1]));
+            if span.lo.is_nan() || span.hi.is_nan() || span.lo > span.hi {
+                continue;
+            }
+            // The stretch before and behind the middle of either side, whichever way the ray goes.
+            let halves = |axis: usize| {
+                let (origin, step) = if axis == 0 { (o.x, d.x) } else { (o.y, d.y) };
+                let (side, pad, inverse, late) = if axis == 0 {
+                    (sides[0], self.pad.x, inverse[0], late[0])
+                } else {
+                    (sides[1], self.pad.y, inverse[1], late[1])
+                };
+                let middle = side.middle();
+                let backward = u32::from(step < 0.0);
+                if step == 0.0 {
+                    let at = |near: bool| if near { span } else { Interval::EMPTY };
+                    return [(0, at(origin <= middle + pad)), (1, at(origin >= middle - pad))];
+                }
+                let t = (middle - origin) * inverse;
+                let slack = late + 4.0 * f64::EPSILON * t.abs();
+                [
+                    (backward, span.intersection(Interval::new(span.lo, t + slack))),
+                    (1 - backward, span.intersection(Interval::new(t - slack, span.hi))),
+                ]
+            };
+            let (across, along) = (halves(0), halves(1));
+            let quarter = |i: usize, j: usize| {
+                let ((right, s), (far, t)) = (across[i & 1], along[j & 1]);
+                (square.quarter(right, far), s.intersection(t))
+            };
+            let (mut second, mut third) = (quarter(0, 1), quarter(1, 0));
+            if third.1.lo < second.1.lo {
+                (second, third) = (third, second);
+            }
+            for part in [quarter(1, 1), third, second, quarter(0, 0)] {
+                if part.1.lo <= part.1.hi
+                    && let Some(place) = stack.get_mut(filled)
+                {
+                    *place = part;
+                    filled += 1;
+                }
+            }
+        }
+        None
+    }
+
+    /// The first root in a stretch over which the height above the surface changes at these rates, or any.
+    fn search(&mut self, left: &mut Stretches, span: Interval, rate: Interval, aim: Aim) -> Option<Root> {
+        left.filled = 0;
+        // More than the rounding of t.
+        let slack = 4.0 * UNIT * (span.lo.abs() + span.hi.abs());
+        left.push(Stretch { span, rate, clear: [0.0; 2], splits: 0 });
+        while let Some(stretch) = left.pop() {
+            let Stretch { span: Interval { lo, hi }, rate, clear, .. } = stretch;
+            let (width, speed) = (hi - lo, rate.magnitude());
+            let rough = !speed.is_finite();
+            if rough && aim == Aim::First && width > self.close && self.budget > 0 {
+                // Heights at the ends exclude nothing in between; bounds of the parts do.
+                self.split(left, stretch);
+                continue;
+            }
+            let coarse = if rough { self.range.width() } else { 0.0625 * speed * width };
+            let low = if clear[0] == 0.0 { self.distance(lo, coarse) } else { clear[0] };
+            if low == 0.0 {
+                return Some(self.proven(lo));
+            }
+            let high = if clear[1] == 0.0 { self.distance(hi, coarse) } else { clear[1] };
+            let crosses = (low < 0.0) != (high < 0.0) && high != 0.0;
+            if crosses && aim == Aim::Any {
+                return Some(Root { t: lo, certain: true });
+            }
+            if rate.lo > 0.0 || rate.hi < 0.0 {
+                if crosses {
+                    return Some(Root { t: self.root(stretch.span, rate, low, slack), certain: true });
+                }
+                if high == 0.0 {
+                    return Some(self.proven(hi));
+                }
+                continue;
+            }
+            if crosses && (width <= self.close || self.budget == 0) {
+                let certain = width <= self.close;
+                return Some(Root { t: self.root(stretch.span, Interval::ENTIRE, low, slack), certain });
+            }
+            // From either end the surface comes nearer at these rates at most.
+            let (fall, rise) = if low > 0.0 { (-rate.lo, rate.hi) } else { (rate.hi, -rate.lo) };
+            let from = lo + low.abs() / fall - slack;
+            let from = if from > lo { from } else { lo };
+            let to = if crosses || high == 0.0 { hi } else { hi - high.abs() / rise + slack };
+            let to = if to < hi { to } else { hi };
+            if from > to {
+                continue;
+            }
+            let finest = if rough { ROUGH_PART * self.finest } else { self.finest };
+            if width <= finest || self.budget == 0 {
+                // Nothing may tell whether the ray dips in and out again.
+                if self.lost.is_none() && self.bounded(stretch).is_some() {
+                    self.lost = Some(lo);
+                }
+                continue;
+            }
+            let rest = stretch.cut(Interval::new(from, to), [low, high]);
+            if to - from <= 0.5 * width {
+                left.push(rest);
+            } else {
+                self.split(left, rest);
+            }
+        }
+        None
+    }
+
+    /// Both halves, with new bounds once they are much smaller than what the old ones are for.
+    fn split(&mut self, left: &mut Stretches, stretch: Stretch) {
+        let Stretch { span, rate, clear, splits } = stretch;
+        let (middle, splits) = (span.middle(), splits + 1);
+        let again = !rate.magnitude().is_finite() || splits.is_multiple_of(SPLITS);
+        for (span, clear) in [
+            (Interval::new(middle, span.hi), [0.0, clear[1]]),
+            (Interval::new(span.lo, middle), [clear[0], 0.0]),
+        ] {
+            let part = Stretch { span, rate, clear, splits };
+            if let Some(part) = if again { self.bounded(part) } else { Some(part) } {
+                left.push(part);
+            }
+        }
+    }
+
+    /// The stretch with bounds over its own rectangle; `None` where the ray is over or under all of that.
+    fn bounded(&mut self, stretch: Stretch) -> Option<Stretch> {
+        self.budget = self.budget.saturating_sub(BOUNDS);
+        let (a, b) = (self.ray.at(stretch.span.lo), self.ray.at(stretch.span.hi));
+        let side = |a: f64, b: f64, pad: f64| {
+            if a < b { Interval::new(a - pad, b + pad) } else { Interval::new(b - pad, a + pad) }
+        };
+        let SurfaceBounds { height, slopes } =
+            self.surface.bounds(side(a.x, b.x, self.pad.x), side(a.y, b.y, self.pad.y));
+        let span = self.within(stretch.span, height);
+        let rate = self.rate(slopes).intersection(stretch.rate);
+        (span.lo <= span.hi).then_some(Stretch { rate, ..stretch.cut(span, stretch.clear) })
+    }
+
+    /// The ray's height above the surface, moved towards 0 by its bound: 0 only where the sign cannot be told.
+    fn distance(&mut self, t: f64, mut tolerance: f64) -> f64 {
+        const FINER: f64 = 1.0 / 4096.0;
+        loop {
+            let Bounded { value, bound } = self.above(t, tolerance);
+            self.budget = self.budget.saturating_sub(1);
+            if value.abs() > bound {
+                return if value < 0.0 { value + bound } else { value - bound };
+            }
+            if tolerance <= 0.0 || tolerance.is_nan() || value.is_nan() {
+                return 0.0;
+            }
+            tolerance = if bound < 0.5 * tolerance { 0.0 } else { tolerance * FINER };
+        }
+    }
+
+    /// The root in a stretch at whose ends the signs differ; the only one, if the rate excludes 0.
+    fn root(&mut self, span: Interval, rate: Interval, low: f64, slack: f64) -> f64 {
+        let sign = if low < 0.0 { 1.0 } else { -1.0 };
+        // The height times the sign grows over the stretch.
+        let rate = rate.scaled(sign);
+        let (pace, most) = (rate.lo.max(0.0), rate.hi);
+        let (mut lo, mut hi) = (span.lo, span.hi);
+        let mut t = span.middle();
+        let mut last: Option<(f64, f64)> = None;
+        for step in 0..EVALUATIONS {
+            let width = hi - lo;
+            let enough = if self.exact { slack } else { self.close };
+            if width <= enough || t <= lo || t >= hi {
+                break;
+            }
+            let wanted = 0.03125 * pace * width;
+            let Bounded { value, bound } = self.above(t, wanted);
+            self.budget = self.budget.saturating_sub(1);
+            let (value, at) = (sign * value, t);
+            if value.abs() <= bound && wanted <= 2.0 * bound {
+                return t;
+            }
+            // The root lies between these: at the least rate it is far, at the greatest near.
+            let (below, over) = (value - bound, value + bound);
+            let quick = |v: f64| if most.is_finite() { v / most } else { 0.0 };
+            let slow = |v: f64| if pace > 0.0 { v / pace } else { v * f64::INFINITY };
+            let before = at - if over > 0.0 { slow(over) } else { quick(over) } - slack;
+            let after = at - if below < 0.0 { slow(below) } else { quick(below) } + slack;
+            lo = if before > lo { before } else { lo };
+            hi = if after < hi { after } else { hi };
+            // A secant through the last two points, or the middle.
+            let secant = match last {
+                Some((s, v)) if v != value => at - value * ((at - s) / (value - v)),
+                _ => f64::NAN,
+            };
+            last = Some((at, value));
+            let inside = lo < secant && secant < hi && step % 4 != 3;
+            t = if inside { secant } else { 0.5 * lo + 0.5 * hi };
+        }
+        let t = if lo < t && t < hi { t } else { 0.5 * lo + 0.5 * hi };
+        span.nearest(t)
+    }
+
+    /// The height of the ray above the surface at `t`.
+    #[inline]
+    fn above(&self, t: f64, tolerance: f64) -> Bounded {
+        self.over(t, |x, y| self.surface.evaluate(x, y, tolerance))
+    }
+
+    /// The height of the ray at `t` above heights.
+    #[inline]
+    pub(crate) fn over(&self, t: f64, height: impl Fn(f64, f64) -> Bounded) -> Bounded {
+        let at = self.ray.at(t);
+        let h = height(at.x, at.y);
+        let rounding = f64::EPSILON * (self.ray.origin.z.abs() + at.z.abs());
+        Bounded { value: at.z - h.value, bound: h.bound + rounding }
+    }
+
+    /// The stretch in which the ray is as high as the surface may be.
+    #[inline]
+    pub(crate) fn within(&self, span: Interval, height: Interval) -> Interval {
+        span.intersection(slab(self.ray.origin.z, self.ray.direction.z, padded(height, self.pad.z)))
+    }
+
+    /// Rate at which the height above the surface changes where its slopes are in ranges.
+    pub(crate) fn rate(&self, [x, y]: [Interval; 2]) -> Interval {
+        let d = self.ray.direction;
+        Interval::new(d.z, d.z).sum(x.scaled(-d.x)).sum(y.scaled(-d.y))
+    }
+
+    /// Whether the ray runs along z, and so meets the surface at one height.
+    pub(crate) fn is_vertical(&self) -> bool {
+        self.ray.direction.x == 0.0 && self.ray.direction.y == 0.0
+    }
+
+    /// The distance at which a ray along z meets the surface.
+    pub(crate) fn vertical(&self, span: Interval) -> Option<Root> {
+        if span.lo > span.hi {
+            return None;
+        }
+        let above = self.above(0.0, 0.0);
+        let t = -above.value / self.ray.direction.z;
+        let slack = above.bound / self.ray.direction.z.abs();
+        let near = span.lo - slack <= t && t <= span.hi + slack;
+        let certain = span.lo + slack <= t && t <= span.hi - slack;
+        near.then(|| Root { t: span.nearest(t), certain })
+    }
+
+    /// The root, certain if the signs nearby tell so.
+    pub(crate) fn proven(&self, t: f64) -> Root {
+        // Where rounding hides the sign for longer than the shortest stretch, farther.
+        const NEARBY: [f64; 6] = [1e-3, 1e-2, 1e-1, 1.0, 4.0, 16.0];
+        let apart = |near: f64| {
+            let [a, b] = [t - near, t + near].map(|t| self.above(t, 0.0));
+            a.value.abs() > a.bound && b.value.abs() > b.bound && (a.value < 0.0) != (b.value < 0.0)
+        };
+        Root { t, certain: NEARBY.iter().any(|part| apart(part * self.finest)) }
+    }
+
+    /// The hit at `t`, to the tolerance; `None` for a direction so short that t or the way to the surface overflows.
+    pub(crate) fn hit(&self, Root { t, certain }: Root, tolerance: f64) -> Option<Hit> {
+        let at = self.ray.at(t);
+        if !t.is_finite() || !at.is_finite() {
+            return None;
+        }
+        let [x, y] = self.domain;
+        let certain = certain && x.contains(at.x) && y.contains(at.y);
+        let (x, y) = (x.nearest(at.x), y.nearest(at.y));
+        let (near, height) = if self.exact { (0.0, 0.0) } else { (tolerance, 0.125 * tolerance) };
+        let gradient = self.surface.gradient_near(x, y, near);
+        let height = self.surface.evaluate(x, y, height).value;
+        Some(Hit { t, x, y, height, gradient, normal: gradient.map(upward_normal), certain })
+    }
+}
+
+/// A stretch of the ray, a bound of the rate over it, and what is known of the height at its ends.
+#[derive(Clone, Copy)]
+struct Stretch {
+    span: Interval,
+    rate: Interval,
+    /// Signed lower bounds of the distance at the ends; 0 where nothing is known.
+    clear: [f64; 2],
+    splits: u32,
+}
+
+impl Stretch {
+    /// A part of the stretch, with the distances of the ends that it keeps.
+    fn cut(self, span: Interval, [low, high]: [f64; 2]) -> Self {
+        let kept = |end: f64, old: f64, clear: f64| if end == old { clear } else { 0.0 };
+        Self { span, clear: [kept(span.lo, self.span.lo, low), kept(span.hi, self.span.hi, high)], ..self }
+    }
+}
+
+/// Stretches left to search, the nearest last.
+struct Stretches {
+    waiting: [Stretch; WAITING],
+    filled: usize,
+}
+
+impl Stretches {
+    fn new() -> Self {
+        let none = Stretch { span: Interval::EMPTY, rate: Interval::ENTIRE, clear: [0.0; 2], splits: 0 };
+        Self { waiting: [none; WAITING], filled: 0 }
+    }
+
+    fn push(&mut self, stretch: Stretch) {
+        if let Some(place) = self.waiting.get_mut(self.filled) {
+            *place = stretch;
+            self.filled += 1;
+        }
+    }
+
+    fn pop(&mut self) -> Option<Stretch> {
+        self.filled = self.filled.checked_sub(1)?;
+        self.waiting.get(self.filled).copied()
+    }
+}
+
+fn padded(side: Interval, pad: f64) -> Interval {
+    Interval::new(side.lo - pad, side.hi + pad)
+}
+
+/// The stretch of `t` with `origin + t direction` in `side`; everything or nothing for a ray parallel to it.
+#[inline]
+fn slab(origin: f64, direction: f64, side: Interval) -> Interval {
+    if direction == 0.0 {
+        return if side.contains(origin) { Interval::ENTIRE } else { Interval::EMPTY };
+    }
+    let (a, b) = ((side.lo - origin) / direction, (side.hi - origin) / direction);
+    if a < b { Interval::new(a, b) } else { Interval::new(b, a) }
+}
