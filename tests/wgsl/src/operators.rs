@@ -7,14 +7,10 @@ pub(super) enum Unary {
     // Of floats.
     Negate,
     Abs,
-    Ceil,
     Floor,
     Round,
-    Trunc,
-    Fract,
     Sign,
     Sqrt,
-    InverseSqrt,
     Exp,
     Exp2,
     Log,
@@ -22,17 +18,6 @@ pub(super) enum Unary {
     Sin,
     Cos,
     Tan,
-    Sinh,
-    Cosh,
-    Tanh,
-    Asin,
-    Acos,
-    Atan,
-    Asinh,
-    Acosh,
-    Atanh,
-    Radians,
-    Degrees,
     Flush,
     // Of integers.
     NegateInteger,
@@ -40,13 +25,6 @@ pub(super) enum Unary {
     SignInteger,
     Not,
     LogicalNot,
-    CountOneBits,
-    CountLeadingZeros,
-    CountTrailingZeros,
-    ReverseBits,
-    FirstLeadingBitSigned,
-    FirstLeadingBitUnsigned,
-    FirstTrailingBit,
     // Conversions.
     FloatFromSigned,
     FloatFromUnsigned,
@@ -67,10 +45,7 @@ pub(super) enum Binary {
     Remainder,
     Min,
     Max,
-    Pow,
     Atan2,
-    Step,
-    Ldexp,
     Equal,
     NotEqual,
     Less,
@@ -112,45 +87,13 @@ pub(super) enum Ternary {
     NegatedMultiplyAdd,
     /// `b` where `a` is true, else `c`.
     Select,
-    ExtractBitsSigned,
-    ExtractBitsUnsigned,
 }
 
 impl Unary {
     /// It rounds a float.
     pub(super) const fn is_float(self) -> bool {
         use Unary::*;
-        matches!(
-            self,
-            Negate
-                | Abs
-                | Ceil
-                | Floor
-                | Round
-                | Trunc
-                | Fract
-                | Sign
-                | Sqrt
-                | InverseSqrt
-                | Exp
-                | Exp2
-                | Log
-                | Log2
-                | Sin
-                | Cos
-                | Tan
-                | Sinh
-                | Cosh
-                | Tanh
-                | Asin
-                | Acos
-                | Atan
-                | Asinh
-                | Acosh
-                | Atanh
-                | Radians
-                | Degrees
-        )
+        matches!(self, Negate | Abs | Floor | Round | Sign | Sqrt | Exp | Exp2 | Log | Log2 | Sin | Cos | Tan)
     }
 }
 
@@ -166,7 +109,7 @@ impl Binary {
     pub(super) const fn is_float(self) -> bool {
         use Binary::*;
         self.is_comparison()
-            || matches!(self, Add | Subtract | Multiply | Divide | Remainder | Min | Max | Pow | Atan2 | Step)
+            || matches!(self, Add | Subtract | Multiply | Divide | Remainder | Min | Max | Atan2)
     }
 
     /// Its operands are floats and its result is none.
@@ -229,11 +172,6 @@ fn flushed(a: u32) -> u32 {
     if f32::from_bits(a).is_subnormal() { a & 0x8000_0000 } else { a }
 }
 
-/// `x · 2^exponent`, rounded once: a double holds every such product of a float.
-fn ldexp(x: f32, exponent: i32) -> f32 {
-    (f64::from(x) * 2.0_f64.powi(exponent.clamp(-400, 400))) as f32
-}
-
 /// A float by so many units in the last place farther from zero; zero, infinities and NaN stay.
 pub(super) fn nudged(a: u32, ulps: i32) -> u32 {
     let x = f32::from_bits(a);
@@ -250,26 +188,6 @@ fn sign(x: f32) -> f32 {
     }
 }
 
-/// Offset and count of a field of bits, within the word.
-fn bit_field(offset: u32, count: u32) -> (u32, u32) {
-    let offset = offset.min(32);
-    (offset, count.min(32 - offset))
-}
-
-fn extract_unsigned(word: u32, offset: u32, count: u32) -> u32 {
-    let (offset, count) = bit_field(offset, count);
-    if count == 0 { 0 } else { (word << (32 - offset - count)) >> (32 - count) }
-}
-
-fn extract_signed(word: u32, offset: u32, count: u32) -> u32 {
-    let (offset, count) = bit_field(offset, count);
-    if count == 0 {
-        0
-    } else {
-        ((word << (32 - offset - count)).cast_signed() >> (32 - count)).cast_unsigned()
-    }
-}
-
 impl Unary {
     /// The operation on all lanes, into `to`.
     #[inline]
@@ -278,14 +196,10 @@ impl Unary {
             Self::Copy => *to = *a[0],
             Self::Negate => map1(a, to, float1(|x| -x)),
             Self::Abs => map1(a, to, float1(f32::abs)),
-            Self::Ceil => map1(a, to, float1(f32::ceil)),
             Self::Floor => map1(a, to, float1(f32::floor)),
             Self::Round => map1(a, to, float1(f32::round_ties_even)),
-            Self::Trunc => map1(a, to, float1(f32::trunc)),
-            Self::Fract => map1(a, to, float1(|x| x - x.floor())),
             Self::Sign => map1(a, to, float1(sign)),
             Self::Sqrt => map1(a, to, float1(f32::sqrt)),
-            Self::InverseSqrt => map1(a, to, float1(|x| 1.0 / x.sqrt())),
             Self::Exp => map1(a, to, float1(f32::exp)),
             Self::Exp2 => map1(a, to, float1(f32::exp2)),
             Self::Log => map1(a, to, float1(f32::ln)),
@@ -293,32 +207,12 @@ impl Unary {
             Self::Sin => map1(a, to, float1(f32::sin)),
             Self::Cos => map1(a, to, float1(f32::cos)),
             Self::Tan => map1(a, to, float1(f32::tan)),
-            Self::Sinh => map1(a, to, float1(f32::sinh)),
-            Self::Cosh => map1(a, to, float1(f32::cosh)),
-            Self::Tanh => map1(a, to, float1(f32::tanh)),
-            Self::Asin => map1(a, to, float1(f32::asin)),
-            Self::Acos => map1(a, to, float1(f32::acos)),
-            Self::Atan => map1(a, to, float1(f32::atan)),
-            Self::Asinh => map1(a, to, float1(f32::asinh)),
-            Self::Acosh => map1(a, to, float1(f32::acosh)),
-            Self::Atanh => map1(a, to, float1(f32::atanh)),
-            Self::Radians => map1(a, to, float1(f32::to_radians)),
-            Self::Degrees => map1(a, to, float1(f32::to_degrees)),
             Self::Flush => map1(a, to, flushed),
             Self::NegateInteger => map1(a, to, u32::wrapping_neg),
             Self::AbsInteger => map1(a, to, |x| x.cast_signed().wrapping_abs().cast_unsigned()),
             Self::SignInteger => map1(a, to, |x| x.cast_signed().signum().cast_unsigned()),
             Self::Not => map1(a, to, |x| !x),
             Self::LogicalNot => map1(a, to, |x| x ^ 1),
-            Self::CountOneBits => map1(a, to, u32::count_ones),
-            Self::CountLeadingZeros => map1(a, to, u32::leading_zeros),
-            Self::CountTrailingZeros => map1(a, to, u32::trailing_zeros),
-            Self::ReverseBits => map1(a, to, u32::reverse_bits),
-            Self::FirstLeadingBitSigned => map1(a, to, |x| {
-                31_u32.wrapping_sub((x ^ (x.cast_signed() >> 31).cast_unsigned()).leading_zeros())
-            }),
-            Self::FirstLeadingBitUnsigned => map1(a, to, |x| 31_u32.wrapping_sub(x.leading_zeros())),
-            Self::FirstTrailingBit => map1(a, to, |x| if x == 0 { u32::MAX } else { x.trailing_zeros() }),
             Self::FloatFromSigned => map1(a, to, |x| (x.cast_signed() as f32).to_bits()),
             Self::FloatFromUnsigned => map1(a, to, |x| (x as f32).to_bits()),
             Self::SignedFromFloat => map1(a, to, |x| (f32::from_bits(x) as i32).cast_unsigned()),
@@ -341,10 +235,7 @@ impl Binary {
             Self::Remainder => map2(ab, to, float2(|a, b| a % b)),
             Self::Min => map2(ab, to, float2(f32::min)),
             Self::Max => map2(ab, to, float2(f32::max)),
-            Self::Pow => map2(ab, to, float2(f32::powf)),
             Self::Atan2 => map2(ab, to, float2(f32::atan2)),
-            Self::Step => map2(ab, to, float2(|edge, x| f32::from(u8::from(edge <= x)))),
-            Self::Ldexp => map2(ab, to, |a, b| ldexp(f32::from_bits(a), b.cast_signed()).to_bits()),
             Self::Equal => map2(ab, to, compare(|a, b| a == b)),
             Self::NotEqual => map2(ab, to, compare(|a, b| a != b)),
             Self::Less => map2(ab, to, compare(|a, b| a < b)),
@@ -386,8 +277,6 @@ impl Ternary {
             Self::MultiplySubtract => map3(abc, to, float3(|a, b, c| a.mul_add(b, -c))),
             Self::NegatedMultiplyAdd => map3(abc, to, float3(|a, b, c| (-a).mul_add(b, c))),
             Self::Select => map3(abc, to, |a, b, c| if a != 0 { b } else { c }),
-            Self::ExtractBitsSigned => map3(abc, to, extract_signed),
-            Self::ExtractBitsUnsigned => map3(abc, to, extract_unsigned),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Builtin functions, by their formulas in the specification of WGSL; those of analysis are the standard library's.
 
-use naga::{Expression, Handle, MathFunction, TypeInner};
+use naga::{Expression, Handle, MathFunction};
 
 use super::super::layout::Kind;
 use super::super::operators::{Binary, Ternary, Unary};
@@ -38,31 +38,12 @@ impl Body<'_> {
                 let above = self.pairs(greatest, a, b);
                 self.pairs(least, &above, c)
             }
-            Fn::Saturate => self.saturate(a),
-            Fn::Modf => {
-                let whole = self.each(Unary::Trunc, a);
-                let mut parts = self.pairs(Binary::Subtract, a, &whole);
-                parts.extend(whole);
-                parts
-            }
             Fn::Dot => vec![self.dot(a, b, is_float)],
             Fn::Cross => self.cross(a, b),
-            Fn::Distance => {
-                let apart = self.pairs(Binary::Subtract, a, b);
-                vec![self.length(&apart)]
-            }
             Fn::Length => vec![self.length(a)],
             Fn::Normalize => {
                 let length = self.length(a);
                 self.pairs(Binary::Divide, a, &[length])
-            }
-            // e1 where dot(e2, e3) is negative, else −e1.
-            Fn::FaceForward => {
-                let zero = self.float(0.0);
-                let dot = self.dot(b, c, true);
-                let towards = self.binary(Binary::Less, dot, zero);
-                let negated = self.each(Unary::Negate, a);
-                a.iter().zip(negated).map(|(a, b)| self.ternary(Ternary::Select, towards, *a, b)).collect()
             }
             // e1 − 2 dot(e2, e1) e2.
             Fn::Reflect => {
@@ -72,16 +53,7 @@ impl Body<'_> {
                 let normal = self.pairs(Binary::Multiply, &[twice], b);
                 self.pairs(Binary::Subtract, a, &normal)
             }
-            Fn::Refract => self.refract(a, b, c),
             Fn::Fma => self.triples(Ternary::MultiplyAdd, a, b, c),
-            // e1 (1 − e3) + e2 e3.
-            Fn::Mix => {
-                let one = self.float(1.0);
-                let rest = self.pairs(Binary::Subtract, &[one], c);
-                let [low, high] =
-                    [self.pairs(Binary::Multiply, a, &rest), self.pairs(Binary::Multiply, b, c)];
-                self.pairs(Binary::Add, &low, &high)
-            }
             // t² (3 − 2 t) with t = clamp((x − low) / (high − low), 0, 1).
             Fn::SmoothStep => {
                 let [two, three] = [self.float(2.0), self.float(3.0)];
@@ -94,13 +66,6 @@ impl Body<'_> {
                 let squared = self.pairs(Binary::Multiply, &t, &t);
                 self.pairs(Binary::Multiply, &squared, &rest)
             }
-            Fn::Transpose => match self.inner(argument) {
-                TypeInner::Matrix { rows, .. } => Self::transpose(a, *rows as usize),
-                other => return Err(format!("{other:?} has no transpose")),
-            },
-            Fn::Determinant => vec![self.determinant(a)?],
-            Fn::ExtractBits if kind == Kind::Signed => self.triples(Ternary::ExtractBitsSigned, a, b, c),
-            Fn::ExtractBits => self.triples(Ternary::ExtractBitsUnsigned, a, b, c),
             other => return Err(format!("the builtin {other:?} of {kind:?} numbers is not known")),
         })
     }
@@ -114,26 +79,6 @@ impl Body<'_> {
     fn triples(&mut self, ternary: Ternary, a: &[Slot], b: &[Slot], c: &[Slot]) -> Vec<Slot> {
         let word = |words: &[Slot], at| spread(words, at);
         (0..a.len()).map(|at| self.ternary(ternary, a[at], word(b, at), word(c, at))).collect()
-    }
-
-    /// `k = 1 − e3² (1 − dot(e2, e1)²)`; zero where it is negative, else `e3 e1 − (e3 dot(e2, e1) + √k) e2`.
-    fn refract(&mut self, incident: &[Slot], normal: &[Slot], eta: &[Slot]) -> Vec<Slot> {
-        let [zero, one] = [self.float(0.0), self.float(1.0)];
-        let eta = eta[0];
-        let dot = self.dot(normal, incident, true);
-        let squared = self.binary(Binary::Multiply, dot, dot);
-        let sine = self.binary(Binary::Subtract, one, squared);
-        let ratio = self.binary(Binary::Multiply, eta, eta);
-        let hidden = self.binary(Binary::Multiply, ratio, sine);
-        let k = self.binary(Binary::Subtract, one, hidden);
-        let root = self.unary(Unary::Sqrt, k);
-        let bent = self.binary(Binary::Multiply, eta, dot);
-        let along = self.binary(Binary::Add, bent, root);
-        let straight = self.pairs(Binary::Multiply, &[eta], incident);
-        let turned = self.pairs(Binary::Multiply, &[along], normal);
-        let refracted = self.pairs(Binary::Subtract, &straight, &turned);
-        let is_total = self.binary(Binary::Less, k, zero);
-        refracted.into_iter().map(|word| self.ternary(Ternary::Select, is_total, zero, word)).collect()
     }
 }
 
@@ -152,41 +97,19 @@ fn unary(function: MathFunction, kind: Kind) -> Option<Unary> {
         (Fn::Abs, Kind::Signed) => Unary::AbsInteger,
         (Fn::Abs, Kind::Unsigned) => Unary::Copy,
         (Fn::Sign, Kind::Signed) => Unary::SignInteger,
-        (Fn::FirstLeadingBit, Kind::Signed) => Unary::FirstLeadingBitSigned,
-        (Fn::FirstLeadingBit, _) => Unary::FirstLeadingBitUnsigned,
-        (Fn::FirstTrailingBit, _) => Unary::FirstTrailingBit,
-        (Fn::CountOneBits, _) => Unary::CountOneBits,
-        (Fn::CountLeadingZeros, _) => Unary::CountLeadingZeros,
-        (Fn::CountTrailingZeros, _) => Unary::CountTrailingZeros,
-        (Fn::ReverseBits, _) => Unary::ReverseBits,
         (_, Kind::Signed | Kind::Unsigned | Kind::Bool) => return None,
         (Fn::Abs, _) => Unary::Abs,
         (Fn::Sign, _) => Unary::Sign,
         (Fn::Cos, _) => Unary::Cos,
-        (Fn::Cosh, _) => Unary::Cosh,
         (Fn::Sin, _) => Unary::Sin,
-        (Fn::Sinh, _) => Unary::Sinh,
         (Fn::Tan, _) => Unary::Tan,
-        (Fn::Tanh, _) => Unary::Tanh,
-        (Fn::Acos, _) => Unary::Acos,
-        (Fn::Asin, _) => Unary::Asin,
-        (Fn::Atan, _) => Unary::Atan,
-        (Fn::Asinh, _) => Unary::Asinh,
-        (Fn::Acosh, _) => Unary::Acosh,
-        (Fn::Atanh, _) => Unary::Atanh,
-        (Fn::Radians, _) => Unary::Radians,
-        (Fn::Degrees, _) => Unary::Degrees,
-        (Fn::Ceil, _) => Unary::Ceil,
         (Fn::Floor, _) => Unary::Floor,
         (Fn::Round, _) => Unary::Round,
-        (Fn::Fract, _) => Unary::Fract,
-        (Fn::Trunc, _) => Unary::Trunc,
         (Fn::Exp, _) => Unary::Exp,
         (Fn::Exp2, _) => Unary::Exp2,
         (Fn::Log, _) => Unary::Log,
         (Fn::Log2, _) => Unary::Log2,
         (Fn::Sqrt, _) => Unary::Sqrt,
-        (Fn::InverseSqrt, _) => Unary::InverseSqrt,
         _ => return None,
     })
 }
@@ -198,9 +121,6 @@ fn binary(function: MathFunction, kind: Kind) -> Option<Binary> {
         (Fn::Min, _) => min_max(kind).0,
         (Fn::Max, _) => min_max(kind).1,
         (Fn::Atan2, Kind::Float) => Binary::Atan2,
-        (Fn::Pow, Kind::Float) => Binary::Pow,
-        (Fn::Step, Kind::Float) => Binary::Step,
-        (Fn::Ldexp, Kind::Float) => Binary::Ldexp,
         _ => return None,
     })
 }

@@ -77,20 +77,4 @@ impl Body<'_> {
         let squared = self.dot(a, a, true);
         self.unary(Unary::Sqrt, squared)
     }
-
-    pub(super) fn transpose(matrix: &[Slot], rows: usize) -> Vec<Slot> {
-        (0..rows).flat_map(|row| matrix.iter().skip(row).step_by(rows).copied()).collect()
-    }
-
-    /// Of two or three columns; the first column times the cross product of the others.
-    pub(super) fn determinant(&mut self, matrix: &[Slot]) -> Result<Slot, String> {
-        match matrix.len() {
-            4 => Ok(self.minor(&matrix[..2], &matrix[2..], 0, 1)),
-            9 => {
-                let cross = self.cross(&matrix[3..6], &matrix[6..]);
-                Ok(self.dot(&matrix[..3], &cross, true))
-            }
-            _ => Err("determinants of four columns are not known".into()),
-        }
-    }
 }

@@ -20,10 +20,9 @@ pub(super) fn round(steps: &mut [Step], rounding: Rounding, memory: &mut Memory)
                 operations.push(operation);
             }
             let divided = match operations.last() {
-                Some(
-                    Operation::Binary(Binary::Divide, to, _)
-                    | Operation::Unary(Unary::Sqrt | Unary::InverseSqrt, to, _),
-                ) => Some(*to),
+                Some(Operation::Binary(Binary::Divide, to, _) | Operation::Unary(Unary::Sqrt, to, _)) => {
+                    Some(*to)
+                }
                 _ => None,
             };
             if let Some(to) = divided.filter(|_| rounding.division_ulps != 0) {

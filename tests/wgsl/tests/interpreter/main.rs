@@ -4,7 +4,6 @@ mod access;
 mod binding;
 mod builtins;
 mod control_flow;
-mod noise;
 mod operators;
 mod refused;
 mod rounding;
