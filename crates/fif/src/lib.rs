@@ -17,47 +17,6 @@
 //! # Ok::<(), asperity_fif::SystemError>(())
 //! ```
 //!
-//! ## What is here
-//!
-//! | item | is |
-//! |---|---|
-//! | [`Fif`], [`FixedFif`], [`FifRef`] | a validated [`System`] of maps, in a vector, in an array, or borrowed |
-//! | [`Fif::affine`], [`Fif::hermite`], [`Fif::new`], [`Fif::with_ordinates`] | its constructors, which refuse with a [`SystemError`] |
-//! | [`Fif::from_maps`], [`Fif::sum`], [`Fif::scaled`] | the same from maps, and from other systems |
-//! | [`Fif::evaluate`], [`Fif::value_at_address`] | `value ± bound` at a point and at an address |
-//! | [`Fif::table`], [`Table`] | values, slopes, integrals and derivatives in a few nanoseconds, from a table |
-//! | [`Table::to_f32`], [`Table32`] | values in `f32`, in SIMD lanes for many points |
-//! | [`Fif::grid`] | values at all nodes of an even grid |
-//! | [`Fif::algorithm_two`], [`Fif::chaos_game`] | the source's algorithms as printed, with their errors |
-//! | [`Fif::address`] | the maps that close in on a point |
-//! | [`Map::compose`] | the composite of two maps |
-//! | [`Fif::integral`], [`Fif::derivative`], [`Fif::total_integral`] | calculus, within the same class of functions |
-//! | [`Fif::integral_over`], [`Fif::mean`], [`Fif::nth_integral`] | over any interval, an [`Estimate`] with its error and conditioning |
-//! | [`Fif::moment`], [`Fif::moment_over`], [`Fif::norm_squared`] | `∫ xᵏ fᵖ`, over the domain or any interval |
-//! | [`Fif::inner_product`], [`Fif::supremum_norm`], [`Fif::differentiability`] | `∫ f g` on the same knots, `max ∣f∣`, the number of derivatives |
-//! | [`Fif::range`], [`Fif::enclosure`] | rigorous bounds |
-//! | [`Fif::extrema`], [`Fif::extrema_over`] | the least and the greatest value, and where they lie |
-//! | [`Fif::modulus`], [`Fif::conditioning`] | how much `f` moves when `x` does |
-//! | [`Fif::dimension`] | the box dimension of the graph |
-//! | [`box_dimension`], [`oscillation_exponent`] | box dimension and multifractal spectrum of a series or an image |
-//! | [`HeightField`] | `f(x) g(y)`: height, gradient, unit normal |
-//! | [`HeightField::curvature`] | mean and Gaussian [`Curvature`] |
-//! | [`HeightField::area_means`] | means of heights and slopes over a rectangle, in closed form |
-//! | [`HeightField::normal_distribution`] | the density of the normals over a rectangle, as an image |
-//! | [`Surface`] | any surface over a rectangle, and its bounds |
-//! | [`Intersect::first_hit`], [`Intersect::first_hit_within`] | the first point of a [`Ray`] on a surface, to a tolerance or the rounding error, which is 10⁻¹² of the domain on rough surfaces |
-//! | [`Intersect::hits_any`], [`Intersect::first_hits`] | any hit, and many rays |
-//! | [`HeightField::tabulated`], [`SelfAffine::tabulated`] | tables of bounds: faster hits |
-//! | [`Torus`] | a periodic surface without grain, through heights with gradients |
-//! | [`Folded`] | the like on a grid of unequal cells, not periodic |
-//! | [`RoughFolded`] | a continuous surface with a vertical factor at every node |
-//! | [`SelfAffine::bounds`], [`SelfAffine::extrema_over`], [`SelfAffine::mean`] | rigorous bounds and means of either |
-//! | [`SelfAffine::narrowed`] | narrower global ranges, before searches |
-//! | [`Recurrent`] | systems whose maps copy parts of the graph, each its own |
-//! | [`Interval`], [`Bounded`] | enclosures |
-//! | [`fit`] | factors and knots for given data, with what they miss by |
-//! | [`paper`] | the functions of the source |
-//!
 //! ## Contract
 //!
 //! - A system is checked once, by its constructor. After that nothing fails and nothing panics: points outside the domain
@@ -127,7 +86,7 @@ pub use ray::ray::{Hit, Ray};
 #[cfg(feature = "alloc")]
 pub use ray::tabulated::Tabulated;
 #[cfg(feature = "alloc")]
-pub use recurrent::{error::RecurrentError, recurrent::Recurrent};
+pub use recurrent::recurrent::{Recurrent, RecurrentError};
 pub use surface::bounds::{Surface, SurfaceBounds};
 pub use surface::height_field::area::{AreaMeans, SlopeMeans};
 pub use surface::height_field::{curvature::Curvature, height_field::HeightField};
@@ -145,4 +104,4 @@ pub use system::fif::Fif;
 pub use system::fif::{FifRef, FixedFif, System};
 pub use system::{error::SystemError, map::Map};
 #[cfg(feature = "alloc")]
-pub use table::{error::TableError, jet::jet::Jet, table::Table, uniform_f32::Table32};
+pub use table::{composite::TableError, jet::jet::Jet, table::Table, uniform_f32::Table32};

@@ -67,7 +67,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
             Spacing::Uniform => {
                 let cut = |x: f64| {
                     let t = LongPosition::new(x, domain).place();
-                    (LongFraction::new_double(t), t.hi)
+                    (LongFraction::of(t), t.hi)
                 };
                 // Nothing rounds when the domain begins at 0 and its width is a power of two.
                 let exact =

@@ -23,93 +23,51 @@ pub(crate) trait Distance: Sized {
     fn between(from: Option<&Self>, to: Option<&Self>) -> f64;
 }
 
-/// A point on equally spaced knots, 2⁻⁷⁵ of the domain or more from its left end: a 128-bit fraction of the domain,
-/// exact at every depth.
-pub(crate) struct Fraction {
-    high: u64,
-    low: u64,
+/// A point on equally spaced knots: a fraction of the domain in words of 64 bits, the least significant first.
+///
+/// Its address is exact at every depth if the words hold all bits of the point.
+#[derive(Clone, Copy)]
+pub(crate) struct Words<const N: usize> {
+    words: [u64; N],
 }
+
+/// 128 bits: every double from [`Fraction::LEAST`] on.
+pub(crate) type Fraction = Words<2>;
+
+/// 1088 bits: every double; the last bit of the least one is 2⁻¹⁰⁷⁴.
+pub(crate) type LongFraction = Words<17>;
 
 impl Fraction {
     /// The least `t` whose 53 bits all lie within the fraction, 2⁻⁷⁵.
     pub(crate) const LEAST: f64 = f64::EPSILON / 8_388_608.0;
-
-    /// `t` in `[0, 1)`, exact from [`Fraction::LEAST`] on; one and beyond become the largest fraction.
-    pub(crate) fn new(t: f64) -> Self {
-        const SCALE: f64 = 18_446_744_073_709_551_616.0;
-        let scaled = t * SCALE;
-        // The casts saturate; the difference is exact because `high` holds the leading bits of `scaled`.
-        let high = scaled as u64;
-        let rest = scaled - high as f64;
-        if scaled >= SCALE {
-            return Self { high: u64::MAX, low: u64::MAX };
-        }
-        Self { high, low: (rest.max(0.0) * SCALE) as u64 }
-    }
-
-    /// `t` in `(0, 1)`, cut to 128 bits.
-    pub(crate) fn between(t: Double) -> Self {
-        const SCALE: f64 = 18_446_744_073_709_551_616.0;
-        let Self { high, low } = Self::new(t.hi);
-        let rest = (t.lo * SCALE * SCALE) as i128;
-        let all = (u128::from(high) << 64 | u128::from(low)).saturating_add_signed(rest);
-        Self { high: (all >> 64) as u64, low: all as u64 }
-    }
 }
 
-impl Orbit for Fraction {
+impl<const N: usize> Words<N> {
+    /// `t` in `[0, 1)`, cut to the words' bits; one and beyond become the largest fraction.
     #[inline]
-    fn step<const C: usize>(&mut self, pieces: &[Piece<C>]) -> Step {
-        const ULP: f64 = 1.0 / 18_446_744_073_709_551_616.0;
-        let maps = pieces.len() as u128;
-        let low = u128::from(self.low) * maps;
-        let high = u128::from(self.high) * maps + (low >> 64);
-        self.low = low as u64;
-        self.high = high as u64;
-        Step {
-            index: (high >> 64) as usize,
-            s: self.high as f64 * ULP,
-            at_knot: self.high == 0 && self.low == 0,
-        }
-    }
-}
-
-/// A point on equally spaced knots, however near the left end: a fraction of the domain with every bit that an `f64`
-/// under one can have, the least significant word first.
-#[derive(Clone, Copy)]
-pub(crate) struct LongFraction {
-    words: [u64; Self::WORDS],
-}
-
-impl LongFraction {
-    /// 1088 bits; the last bit of the least `f64` is 2⁻¹⁰⁷⁴.
-    const WORDS: usize = 17;
-
-    /// `t` in `[0, 1)`, exact; one and beyond become the largest fraction.
     pub(crate) fn new(t: f64) -> Self {
         const MANTISSA: u32 = 52;
         if t >= 1.0 {
-            return Self { words: [u64::MAX; Self::WORDS] };
+            return Self { words: [u64::MAX; N] };
         }
         let bits = t.to_bits();
         let exponent = (bits >> MANTISSA) as usize & 0x7FF;
         let fraction = bits & ((1 << MANTISSA) - 1);
         let mantissa = if exponent == 0 { fraction } else { fraction | 1 << MANTISSA };
-        // The last bit of the mantissa weighs 2^(exponent − 1075); that of the words 2⁻¹⁰⁸⁸.
-        let shift = exponent.max(1) + 13;
-        let mut rest = u128::from(mantissa) << (shift % 64);
-        let mut words = [0; Self::WORDS];
+        // The last bit of the mantissa weighs 2^(exponent − 1075); that of the words 2^(−64 N).
+        let last = exponent.max(1) + 64 * N;
+        let (shift, cut) = (last.saturating_sub(1075), 1075_usize.saturating_sub(last));
+        let mut rest = if cut < 64 { u128::from(mantissa >> cut) << (shift % 64) } else { 0 };
+        let mut words = [0; N];
         for word in words.iter_mut().skip(shift / 64) {
             *word = rest as u64;
             rest >>= 64;
         }
         Self { words }
     }
-}
 
-impl LongFraction {
-    /// `t` in `(0, 1)`, exact: both parts have all their bits.
-    pub(crate) fn new_double(t: Double) -> Self {
+    /// `t` in `(0, 1)`, both parts cut to the words' bits.
+    pub(crate) fn of(t: Double) -> Self {
         let (mut all, part) = (Self::new(t.hi), Self::new(t.lo.abs()));
         let mut carry = false;
         for (word, part) in all.words.iter_mut().zip(part.words) {
@@ -122,10 +80,27 @@ impl LongFraction {
     }
 }
 
+impl<const N: usize> Orbit for Words<N> {
+    #[inline]
+    fn step<const C: usize>(&mut self, pieces: &[Piece<C>]) -> Step {
+        const ULP: f64 = 1.0 / 18_446_744_073_709_551_616.0;
+        let maps = pieces.len() as u128;
+        let (mut carry, mut any) = (0, 0);
+        for word in &mut self.words {
+            carry += u128::from(*word) * maps;
+            *word = carry as u64;
+            any |= *word;
+            carry >>= 64;
+        }
+        let high = self.words.last().copied().unwrap_or(0);
+        Step { index: carry as usize, s: high as f64 * ULP, at_knot: any == 0 }
+    }
+}
+
 impl Distance for LongFraction {
     fn between(from: Option<&Self>, to: Option<&Self>) -> f64 {
         const BASE: f64 = 18_446_744_073_709_551_616.0;
-        let words = |point: Option<&Self>| point.map_or([0; Self::WORDS], |point| point.words);
+        let words = |point: Option<&Self>| point.map_or([0; 17], |point| point.words);
         let (mut rest, mut borrow) = (words(to), false);
         for (word, less) in rest.iter_mut().zip(words(from)) {
             let (part, first) = word.overflowing_sub(less);
@@ -142,22 +117,6 @@ impl Distance for LongFraction {
         }
         // From the least word up, each part is rounded once relative to the sum.
         rest.iter().fold(0.0, |sum, word| sum / BASE + *word as f64 / BASE)
-    }
-}
-
-impl Orbit for LongFraction {
-    fn step<const C: usize>(&mut self, pieces: &[Piece<C>]) -> Step {
-        const ULP: f64 = 1.0 / 18_446_744_073_709_551_616.0;
-        let maps = pieces.len() as u128;
-        let (mut carry, mut any) = (0, 0);
-        for word in &mut self.words {
-            carry += u128::from(*word) * maps;
-            *word = carry as u64;
-            any |= *word;
-            carry >>= 64;
-        }
-        let [.., high] = self.words;
-        Step { index: carry as usize, s: high as f64 * ULP, at_knot: any == 0 }
     }
 }
 
@@ -246,33 +205,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn fractions_are_exact() {
-        let f = Fraction::new(0.75);
-        assert_eq!((f.high, f.low), (3 << 62, 0));
-        let f = Fraction::new(f64::EPSILON * f64::EPSILON);
-        assert_eq!((f.high, f.low), (0, 1 << 24));
-        // 53 bits below one: everything sits in the high word.
-        let f = Fraction::new(1.0 - f64::EPSILON / 2.0);
-        assert_eq!((f.high, f.low), (u64::MAX << 11, 0));
-        let f = Fraction::new(1e-5);
-        let back = f.high as f64 / 2f64.powi(64) + f.low as f64 / 2f64.powi(128);
-        assert_eq!(back, 1e-5);
-        assert_eq!(Fraction::new(1.0).high, u64::MAX);
-        assert_eq!(Fraction::new(f64::NAN).high, 0);
-        let least = Fraction::new(Fraction::LEAST * (1.0 + f64::EPSILON));
-        assert_eq!((least.high, least.low), (0, (1 << 53) + 2));
-    }
-
-    #[test]
     fn long_fractions_hold_both_parts_of_a_double() {
         for (hi, lo) in
             [(0.5, 2f64.powi(-80)), (0.5, -(2f64.powi(-80))), (2f64.powi(-500), -(2f64.powi(-600)))]
         {
-            let (all, whole, part) = (
-                LongFraction::new_double(Double { hi, lo }),
-                LongFraction::new(hi),
-                LongFraction::new(lo.abs()),
-            );
+            let (all, whole, part) =
+                (LongFraction::of(Double { hi, lo }), LongFraction::new(hi), LongFraction::new(lo.abs()));
             let [less, more] = if lo < 0.0 { [all, whole] } else { [whole, all] };
             let mut carry = 0_u128;
             for ((a, b), c) in less.words.iter().zip(part.words).zip(more.words) {
@@ -311,5 +249,8 @@ mod tests {
         let normal = f64::MIN_POSITIVE * (2.0 - f64::EPSILON);
         let want = [((1_u64 << 53) - 1) << 14, (1 << 3) - 1];
         assert_eq!(words(normal), core::array::from_fn(|k| if k < 2 { want[k] } else { 0 }));
+        assert_eq!((Fraction::new(0.75).words, Fraction::new(1.0).words), ([0, 3 << 62], [u64::MAX; 2]));
+        assert_eq!(Fraction::new(Fraction::LEAST * (1.0 + f64::EPSILON)).words, [(1 << 53) + 2, 0]);
+        assert_eq!((Fraction::new(f64::NAN).words, Fraction::new(1e-300).words), ([0; 2], [0; 2]));
     }
 }

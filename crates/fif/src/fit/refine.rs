@@ -6,8 +6,7 @@ use crate::evaluate::address::{Fraction, Orbit, Position, Step};
 use crate::fit::collage::{Data, Fit, STEEPEST};
 use crate::fit::error::{FitError, check_knots, check_points};
 use crate::numeric::elimination::solve;
-use crate::system::fif::Fif;
-use crate::system::fif::Spacing;
+use crate::system::fif::{Fif, Spacing};
 
 /// Maps that a derivative follows an orbit through at most.
 const DEPTH: usize = 256;

@@ -179,25 +179,10 @@ fn rounded(range: Interval) -> [f32; 2] {
 mod tests {
     use super::*;
     use crate::Torus;
-    use glam::DVec3;
-
-    const KNOTS: [f64; 4] = [0.0, 1.0, 2.0, 3.5];
 
     fn torus() -> Torus {
         let z = [0.0, 1.0, -0.5, 0.25];
         Torus::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4]).unwrap()
-    }
-
-    #[test]
-    fn a_table_changes_nothing_of_its_surface() {
-        let (plain, table) = (torus(), Tabulated::with_levels(torus(), 3));
-        assert_eq!((table.domain(), Surface::range(&table)), (plain.domain(), Surface::range(&plain)));
-        for (x, y) in [(0.1, 0.7), (0.0, 1.0), (0.33, 0.5)] {
-            assert_eq!(Surface::evaluate(&table, x, y, 1e-9), plain.evaluate(x, y, 1e-9));
-            assert_eq!(table.gradient_near(x, y, 1e-6), plain.gradient_near(x, y, 1e-6));
-            let [over_x, over_y] = [x, y].map(|lo| Interval::new(lo, lo + 0.1));
-            assert_eq!(Surface::bounds(&table, over_x, over_y), plain.bounds(over_x, over_y));
-        }
     }
 
     #[test]
@@ -218,19 +203,5 @@ mod tests {
         }
         // Beyond the last level nothing is known.
         assert_eq!(table.square(Square { level: 4, at: [0, 0] }), [[f32::NEG_INFINITY, f32::INFINITY]; 3]);
-    }
-
-    #[test]
-    fn a_rough_surface_is_hit_at_its_own_height_with_a_table_too() {
-        let z: [f64; 16] = core::array::from_fn(|k| ((k * 7) % 5) as f64 * 0.25);
-        let surface = RoughFolded::new(&KNOTS, &KNOTS, &[0.25; 16], &z, &[[0.5, -0.5]; 16]).unwrap();
-        let table = surface.clone().tabulated();
-        for (x, y) in [(0.3, 2.9), (1.7, 0.2), (3.1, 3.3)] {
-            let ray = Ray { origin: DVec3::new(x, y, 3.0), direction: DVec3::new(0.1, -0.05, -1.0) };
-            let hit = table.first_hit(&ray).unwrap();
-            let Bounded { value, bound } = surface.evaluate(hit.x, hit.y, 0.0);
-            assert!((hit.height - value).abs() <= bound + 1e-9, "{ray:?}: {hit:?}, {value}");
-            assert!((ray.at(hit.t).z - value).abs() < 1e-9 && hit.gradient.is_none(), "{ray:?}: {hit:?}");
-        }
     }
 }

@@ -19,8 +19,7 @@ use glam::DVec3;
 use crate::numeric::interval::{Bounded, Interval};
 use crate::numeric::polynomial::UNIT;
 use crate::ray::ray::{Aim, Hit, Ray, Root};
-use crate::surface::bounds::{Surface, SurfaceBounds};
-use crate::surface::normal::upward_normal;
+use crate::surface::bounds::{Surface, SurfaceBounds, upward_normal};
 
 /// Evaluations, or boxes, that one ray takes at most; beyond, a hit is not certain.
 const BUDGET: u32 = 1 << 16;

@@ -3,9 +3,7 @@
 use crate::evaluate::value::MAX_DEPTH;
 use crate::numeric::interval::Bounded;
 use crate::numeric::polynomial::{UNIT, horner};
-use crate::recurrent::link::Link;
-use crate::recurrent::mean::{Means, primitive};
-use crate::recurrent::recurrent::Recurrent;
+use crate::recurrent::recurrent::{Link, Means, Recurrent, primitive};
 
 /// Maps that one integral composes at most.
 const DEPTH: usize = 1024;

@@ -1,7 +1,8 @@
 //! Any surface over a rectangle: values, enclosures and gradients.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
+use crate::math::sqrt;
 use crate::numeric::interval::{Bounded, Interval};
 
 /// Enclosures of the heights and slopes of a surface over a rectangle.
@@ -28,7 +29,6 @@ pub struct SurfaceBounds {
 /// ```
 pub trait Surface {
     /// The rectangle.
-    #[must_use]
     fn domain(&self) -> [Interval; 2];
 
     /// A rigorous enclosure of the heights.
@@ -66,4 +66,12 @@ impl<S: Surface + ?Sized> Surface for &S {
     fn gradient_near(&self, x: f64, y: f64, distance: f64) -> Option<DVec2> {
         S::gradient_near(self, x, y, distance)
     }
+}
+
+/// Upward normal: `(−h_x, −h_y, 1)` scaled to length one; steep slopes do not overflow.
+pub(crate) fn upward_normal(gradient: DVec2) -> DVec3 {
+    let largest = gradient.x.abs().max(gradient.y.abs()).max(1.0);
+    let (x, y, z) = (-gradient.x / largest, -gradient.y / largest, 1.0 / largest);
+    let length = sqrt(x * x + y * y + z * z);
+    DVec3::new(x / length, y / length, z / length)
 }

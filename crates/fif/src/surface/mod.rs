@@ -6,7 +6,6 @@ pub(crate) mod extrema;
 pub(crate) mod height_field;
 #[cfg(feature = "alloc")]
 pub(crate) mod hermite_patch;
-pub(crate) mod normal;
 #[cfg(feature = "alloc")]
 pub(crate) mod self_affine;
 

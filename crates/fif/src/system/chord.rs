@@ -62,15 +62,3 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         Deviation { alpha, s, a, p, slack: 2.0 * piece.slack + 16.0 * UNIT * scale }
     }
 }
-
-#[cfg(all(test, feature = "alloc"))]
-mod tests {
-    use crate::{Fif, paper};
-
-    #[test]
-    fn constants_keep_their_number_of_coefficients() {
-        let steps = Fif::<1>::new(&[0.0, 1.0, 2.0], &[0.5, 0.5], &[[0.0], [0.5]]).unwrap();
-        assert_eq!((steps.chord().start, steps.chord().rise), (0.0, 0.0));
-        assert_eq!(paper::g_hat().unwrap().chord().rise, paper::g_hat().unwrap().end_values()[1]);
-    }
-}

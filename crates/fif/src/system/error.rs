@@ -118,6 +118,7 @@ pub(crate) fn check_coefficients<const C: usize>(map: usize, q: &[f64; C]) -> Re
 mod tests {
     use super::*;
     use crate::FixedFif;
+    use crate::system::Piece;
     use alloc::string::ToString;
 
     const X: [f64; 3] = [0.0, 1.0, 2.0];
@@ -129,26 +130,50 @@ mod tests {
         FixedFif::<2, 2>::affine(x, y, alpha).unwrap_err()
     }
 
-    fn polynomials(alpha: &[f64], q: &[[f64; 2]]) -> SystemError {
-        FixedFif::<2, 2>::new(&X, alpha, q).unwrap_err()
-    }
-
-    fn says(error: SystemError, message: &str) {
-        assert_eq!(error.to_string(), message);
-    }
-
     #[test]
-    fn fewer_than_two_maps_are_refused() {
-        says(affine(&[0.0, 1.0], &[0.0, 1.0], &[0.5]), "`x` must have at least 3 elements, got 2");
-        says(affine(&[], &[], &[]), "`x` must have at least 3 elements, got 0");
-    }
-
-    #[test]
-    fn knots_must_be_finite_and_rise() {
-        says(affine(&[0.0, f64::NAN, 2.0], &Y, &ALPHA), "`x[1]` must be finite, got NaN");
-        says(affine(&[0.0, 1.0, f64::INFINITY], &Y, &ALPHA), "`x[2]` must be finite, got inf");
-        says(affine(&[0.0, 1.0, 1.0], &Y, &ALPHA), "`x[2]` must be right of 1, got 1");
-        says(affine(&[0.0, 3.0, 2.0], &Y, &ALPHA), "`x[2]` must be right of 3, got 2");
+    fn constructors_refuse_by_name() {
+        let new = |alpha: &[f64], q: &[[f64; 2]]| FixedFif::<2, 2>::new(&X, alpha, q).unwrap_err();
+        let with =
+            |y: &[f64], q: &[[f64; 2]]| FixedFif::<2, 2>::with_ordinates(&X, y, &ALPHA, q).unwrap_err();
+        let hermite =
+            |slope: &[f64], alpha: [f64; 2]| FixedFif::<2, 4>::hermite(&X, &Y, slope, &alpha).unwrap_err();
+        let f = crate::paper::f().unwrap();
+        for (error, message) in [
+            (affine(&[0.0, 1.0], &[0.0, 1.0], &[0.5]), "`x` must have at least 3 elements, got 2"),
+            (affine(&[], &[], &[]), "`x` must have at least 3 elements, got 0"),
+            (affine(&[0.0, f64::NAN, 2.0], &Y, &ALPHA), "`x[1]` must be finite, got NaN"),
+            (affine(&[0.0, 1.0, f64::INFINITY], &Y, &ALPHA), "`x[2]` must be finite, got inf"),
+            (affine(&[0.0, 1.0, 1.0], &Y, &ALPHA), "`x[2]` must be right of 1, got 1"),
+            (affine(&[0.0, 3.0, 2.0], &Y, &ALPHA), "`x[2]` must be right of 3, got 2"),
+            (affine(&X, &[0.0, f64::NAN, 0.0], &ALPHA), "`y[1]` must be finite, got NaN"),
+            (
+                new(&ALPHA, &[[0.0, 0.5], [1.0, f64::INFINITY]]),
+                "`q` of map 2 must have a finite coefficient of x^1, got inf",
+            ),
+            (hermite(&[0.0, f64::NAN, 1.0], [0.1; 2]), "`slope[1]` must be finite, got NaN"),
+            (affine(&X, &[0.0, 1.0], &ALPHA), "`y` must have 3 elements, got 2"),
+            (affine(&X, &Y, &[0.5; 3]), "`alpha` must have 2 elements, got 3"),
+            (new(&ALPHA, &Q[..1]), "`q` must have 2 elements, got 1"),
+            (affine(&[0.0, 1.0, 2.0, 3.0], &[0.0; 4], &[0.5; 3]), "`storage` must have 3 elements, got 2"),
+            (hermite(&[0.0, 1.0], [0.1; 2]), "`slope` must have 3 elements, got 2"),
+            (new(&ALPHA, &[[0.0, 1.0], [1.0, -0.5]]), "`q` of map 2 must send the left end to 2, got 1"),
+            (with(&[0.0, 1.5, 0.0], &Q), "`q` of map 1 must send the right end to 1.5, got 1"),
+            (with(&[0.25, 1.0, 0.0], &Q), "`q` of map 1 must send the left end to 0.25, got 0.125"),
+            (hermite(&[0.0; 3], [0.1, -0.5]), "`alpha` of map 2 must be under 0.5 in magnitude, got -0.5"),
+            (f.integral::<[Piece<2>; 2], 2>(0.0).unwrap_err(), "`C` must be at least 3, got 2"),
+            (f.integral::<[Piece<3>; 3], 3>(0.0).unwrap_err(), "`storage` must have 2 elements, got 3"),
+            (f.integral::<[Piece<3>; 2], 3>(f64::NAN).unwrap_err(), "`y[0]` must be finite, got NaN"),
+        ] {
+            assert_eq!(error.to_string(), message);
+        }
+        for alpha in [1.0, -1.0, 1.5, f64::NAN, f64::NEG_INFINITY] {
+            let message = alloc::format!("`alpha` of map 2 must be in (-1, 1), got {alpha}");
+            assert_eq!(affine(&X, &Y, &[0.5, alpha]).to_string(), message);
+            assert_eq!(new(&[0.5, alpha], &Q).to_string(), message);
+        }
+        // Within the tolerance: the rounding of decimal data does not matter.
+        let nearly = [[0.0, 0.5], [1.0 + 1e-13, -0.5]];
+        assert!(FixedFif::<2, 2>::with_ordinates(&X, &Y, &ALPHA, &nearly).is_ok());
     }
 
     #[test]
@@ -163,59 +188,6 @@ mod tests {
             assert!(matches!(affine(&x, &Y, &ALPHA), SystemError::NarrowCell { .. }), "{x:?}");
         }
         assert!(FixedFif::<2, 2>::affine(&[0.0, 1e-301, 1.0], &Y, &ALPHA).is_ok());
-    }
-
-    #[test]
-    fn vertical_factors_must_contract() {
-        for (alpha, text) in
-            [(1.0, "1"), (-1.0, "-1"), (1.5, "1.5"), (f64::NAN, "NaN"), (f64::NEG_INFINITY, "-inf")]
-        {
-            let message = alloc::format!("`alpha` of map 2 must be in (-1, 1), got {text}");
-            says(affine(&X, &Y, &[0.5, alpha]), &message);
-            says(polynomials(&[0.5, alpha], &Q), &message);
-        }
-    }
-
-    #[test]
-    fn data_must_be_finite() {
-        says(affine(&X, &[0.0, f64::NAN, 0.0], &ALPHA), "`y[1]` must be finite, got NaN");
-        says(
-            polynomials(&ALPHA, &[[0.0, 0.5], [1.0, f64::INFINITY]]),
-            "`q` of map 2 must have a finite coefficient of x^1, got inf",
-        );
-        let error = FixedFif::<2, 4>::hermite(&X, &Y, &[0.0, f64::NAN, 1.0], &[0.1, 0.1]).unwrap_err();
-        says(error, "`slope[1]` must be finite, got NaN");
-    }
-
-    #[test]
-    fn lengths_must_fit() {
-        says(affine(&X, &[0.0, 1.0], &ALPHA), "`y` must have 3 elements, got 2");
-        says(affine(&X, &[0.0; 4], &ALPHA), "`y` must have 3 elements, got 4");
-        says(affine(&X, &Y, &[0.5; 3]), "`alpha` must have 2 elements, got 3");
-        says(affine(&X, &Y, &[0.5]), "`alpha` must have 2 elements, got 1");
-        says(polynomials(&ALPHA, &Q[..1]), "`q` must have 2 elements, got 1");
-        says(affine(&[0.0, 1.0, 2.0, 3.0], &[0.0; 4], &[0.5; 3]), "`storage` must have 3 elements, got 2");
-        let error = FixedFif::<2, 4>::hermite(&X, &Y, &[0.0, 1.0], &[0.1, 0.1]).unwrap_err();
-        says(error, "`slope` must have 3 elements, got 2");
-    }
-
-    #[test]
-    fn maps_must_join_up() {
-        let error = polynomials(&ALPHA, &[[0.0, 1.0], [1.0, -0.5]]);
-        says(error, "`q` of map 2 must send the left end to 2, got 1");
-        let error = FixedFif::<2, 2>::with_ordinates(&X, &[0.0, 1.5, 0.0], &ALPHA, &Q).unwrap_err();
-        says(error, "`q` of map 1 must send the right end to 1.5, got 1");
-        let error = FixedFif::<2, 2>::with_ordinates(&X, &[0.25, 1.0, 0.0], &ALPHA, &Q).unwrap_err();
-        says(error, "`q` of map 1 must send the left end to 0.25, got 0.125");
-        // Within the tolerance: the rounding of decimal data does not matter.
-        let nearly = [[0.0, 0.5], [1.0 + 1e-13, -0.5]];
-        assert!(FixedFif::<2, 2>::with_ordinates(&X, &Y, &ALPHA, &nearly).is_ok());
-    }
-
-    #[test]
-    fn hermite_needs_gentle_factors() {
-        let error = FixedFif::<2, 4>::hermite(&X, &Y, &[0.0; 3], &[0.1, -0.5]).unwrap_err();
-        says(error, "`alpha` of map 2 must be under 0.5 in magnitude, got -0.5");
     }
 
     #[test]
@@ -234,19 +206,5 @@ mod tests {
         let nearest = 1.0_f64.next_down();
         let error = affine(&X, &Y, &[nearest, nearest]);
         assert!(matches!(error, SystemError::Unbounded { .. }), "{error}");
-    }
-
-    #[test]
-    fn integrals_need_room() {
-        let f = crate::paper::f().unwrap();
-        let error = f.integral::<[crate::system::Piece<2>; 2], 2>(0.0).unwrap_err();
-        says(error, "`C` must be at least 3, got 2");
-        let error = f.integral::<[crate::system::Piece<3>; 3], 3>(0.0).unwrap_err();
-        says(error, "`storage` must have 2 elements, got 3");
-        let error = f.integral::<[crate::system::Piece<3>; 2], 3>(f64::NAN).unwrap_err();
-        says(error, "`y[0]` must be finite, got NaN");
-        let error =
-            crate::paper::f_hat().unwrap().derivative::<[crate::system::Piece<1>; 2], 1>().unwrap_err();
-        says(error, "`C` must be at least 2, got 1");
     }
 }

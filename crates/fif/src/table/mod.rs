@@ -1,12 +1,10 @@
 //! Tables for fast values: uniform and nonuniform knots, `f32` lanes, jets.
 
 pub(crate) mod composite;
-pub(crate) mod error;
 pub(crate) mod jet;
 #[cfg(feature = "simd")]
 pub(crate) mod lanes_f32;
 pub(crate) mod nonuniform;
 pub(crate) mod table;
-pub(crate) mod truncation;
 pub(crate) mod uniform;
 pub(crate) mod uniform_f32;

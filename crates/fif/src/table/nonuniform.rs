@@ -7,9 +7,7 @@ use crate::numeric::polynomial::{UNIT, horner, magnitude, substitute};
 use crate::system::chord::Chord;
 use crate::system::fif::System;
 use crate::system::map::Piece;
-use crate::table::composite::enclose;
-use crate::table::error::TableError;
-use crate::table::truncation::Series;
+use crate::table::composite::{Series, TableError, enclose};
 
 /// Cells of a partition.
 const CELLS: usize = 4096;

@@ -4,9 +4,8 @@ use alloc::vec::Vec;
 
 use crate::evaluate::batch_error::BatchError;
 use crate::system::fif::Fif;
-use crate::table::composite::{Composite, Composites};
+use crate::table::composite::{Composite, Composites, Series};
 use crate::table::table::Table;
-use crate::table::truncation::Series;
 use crate::table::uniform::digit;
 
 /// The least place in the domain whose 24 bits all lie within 64: 2⁻⁴⁰.

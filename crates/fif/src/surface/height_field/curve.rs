@@ -355,15 +355,6 @@ mod tests {
     }
 
     #[test]
-    fn smooth_axes_on_even_knots_have_values_in_their_tables() {
-        for smooth in [paper::f_hat(), paper::g_hat()] {
-            let cached = tabulated(smooth.unwrap(), 1024);
-            assert!(cached.top().is_some() && cached.bytes() < 500_000);
-        }
-        assert!(tabulated(paper::f().unwrap(), 1024).top().is_none());
-    }
-
-    #[test]
     fn a_table_of_one_cell_works() {
         let cached = tabulated(paper::f().unwrap(), 0);
         assert_eq!(sizes(&cached), Some([1, 1]));

@@ -3,13 +3,12 @@
 use glam::{DVec2, DVec3};
 
 use crate::numeric::interval::{Bounded, Interval};
-use crate::surface::bounds::{Surface, SurfaceBounds};
+use crate::surface::bounds::{Surface, SurfaceBounds, upward_normal};
 #[cfg(feature = "alloc")]
 use crate::surface::height_field::axis_tables::BothAxes;
 use crate::surface::height_field::cover::covered;
 use crate::surface::height_field::curve::Curve;
 use crate::surface::height_field::function::Function;
-use crate::surface::normal::upward_normal;
 
 /// The surface `z = f(x) g(y)`; `f` and `g` may be different systems on different knots.
 ///

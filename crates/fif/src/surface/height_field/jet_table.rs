@@ -415,11 +415,4 @@ mod tests {
             }
         }
     }
-
-    #[test]
-    fn uneven_knots_have_no_table() {
-        let hermite =
-            Fif::hermite(&[0.0, 0.4, 1.0], &[0.0, 1.0, 0.5], &[1.0, 0.0, -1.0], &[0.3, -0.4]).unwrap();
-        assert!(JetTable::new(&hermite, Interval::new(-9.0, 9.0)).is_none());
-    }
 }

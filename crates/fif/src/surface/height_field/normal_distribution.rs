@@ -6,10 +6,10 @@ use glam::DVec2;
 
 use crate::numeric::interval::Interval;
 use crate::numeric::refusal::refusals;
+use crate::surface::bounds::upward_normal;
 use crate::surface::height_field::curve::Curve;
 use crate::surface::height_field::function::Function;
 use crate::surface::height_field::height_field::HeightField;
-use crate::surface::normal::upward_normal;
 
 refusals! {
     /// Why a distribution of normals was refused.

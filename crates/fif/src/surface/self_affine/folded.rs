@@ -5,54 +5,13 @@ use crate::numeric::polynomial::UNIT;
 use crate::surface::bounds::SurfaceBounds;
 use crate::surface::hermite_patch::Patch;
 use crate::surface::self_affine::error::SelfAffineError;
-use crate::surface::self_affine::folded_limits::{limits, slope_rounding, value_rounding};
 use crate::surface::self_affine::limits::Limits;
 use crate::surface::self_affine::self_affine::{Cell, FoldParts, Part, SelfAffine};
-use crate::surface::self_affine::zig_zag::{Grid, Strip, ZigZag, part_of};
+use crate::surface::self_affine::zig_zag::{
+    Grid, Strip, ZigZag, limits, part_of, slope_rounding, value_rounding,
+};
 
-/// A fractal surface through given heights with given gradients on a grid of unequal cells, once continuously
-/// differentiable, that is no product of curves.
-///
-/// ```text
-/// f = H + s (f − G)∘Φ,   so f = G + w,   w = (H − G) + s w∘Φ = Σ_k sᵏ (H − G)∘Φᵏ
-/// Φ(x, y) = (φ(x), ψ(y)): zig-zags, affine from every cell onto the domain, rising and falling in turn
-/// H: bicubic Hermite patches without twist through all heights with all gradients
-/// G: such patches on the same grid, through the heights and slopes of the bilinear surface of the four corners;
-///    at nodes on the border slopes across it are those given
-/// ```
-///
-/// Why that works: H − G is 0 at the corners of the domain, and its slope across the border is 0 along all of it. Φ sends
-/// nodes to corners and the lines of the grid to the border.
-///
-/// - **Interpolation:** `w` is 0 with its gradient at the corners, so `f = H` and `∇f = ∇H` at all nodes.
-/// - **C¹:** let `w_K` be C¹ with slope 0 across the border. Over a line of the grid `w_K∘Φ` is continuous as Φ is; its slope
-///   across is `±1/a` times that of `w_K` across the border, 0 on both sides, and its slope along is the same on both. So
-///   `w_{K+1} = (H − G) + s w_K∘Φ` is such a function too.
-/// - **Convergence:** gradients contract by `|s|/a` for the smallest share `a` of a cell in the domain, values by `|s|`. With
-///   `|s| < a` the limit is C¹; its gradient is Hölder continuous ([`SelfAffine::gradient_modulus`]).
-///
-/// s is one number, since a factor that varies would have to be constant across every line of the grid, and since the mean
-/// is known then: [`SelfAffine::mean`]. [`RoughFolded`](crate::RoughFolded) has a factor at every node, up to 1, and no slopes.
-///
-/// - **Domain:** `[x_0, x_m] × [y_0, y_n]`; points outside, infinite ones too, are clamped to it. NaN gives NaN.
-/// - **Accuracy:** at the given nodes exact. Else within the reported bounds: values 2·10⁻¹⁵ of the range where `|s|/a` is
-///   0.09, 4·10⁻¹⁴ where it is 0.75. A gradient is that of a point within some 10⁻¹⁴ of the domain's size, and its bound is
-///   what the gradient may change over that distance: 2·10⁻¹³ and 6·10⁻⁹ were measured in these two cases.
-///
-/// Some grain is left, as the maps keep the axes: the slopes' energy within 5° of them is 1.1 to 1.6 times that of a
-/// surface without direction on 8 × 8 unequal cells, 4 times on equal ones. [`Torus`](crate::Torus) has 0.19,
-/// the product of two integrals of the source's f 6.6.
-///
-/// ```
-/// use asperity_fif::Folded;
-/// let z = [0.0, 1.0, 0.0, 0.5, 2.0, 0.5, 0.0, 1.0, 0.0];
-/// let mut d = [[0.0; 2]; 9];
-/// d[4] = [0.5, -0.25];
-/// let surface = Folded::new(&[0.0, 1.0, 2.0], &[0.0, 0.8, 2.0], 0.375, &z, &d)?;
-/// assert_eq!(surface.height(1.0, 0.8), 2.0);
-/// assert_eq!(surface.gradient(1.0, 0.8).y, -0.25);
-/// # Ok::<(), asperity_fif::SelfAffineError>(())
-/// ```
+#[doc = include_str!("../../../docs/folded.md")]
 pub type Folded = SelfAffine<ZigZag>;
 
 impl SelfAffine<ZigZag> {
@@ -212,75 +171,5 @@ impl FoldParts for ZigZag {
             if part.width() >= 0.0 { part } else { side }
         };
         [cut(x, self.domain[0]), cut(y, self.domain[1])]
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use approx::assert_abs_diff_eq;
-
-    const X: [f64; 4] = [-1.0, 0.0, 1.5, 3.0];
-    const Y: [f64; 3] = [2.0, 3.0, 4.5];
-    const FACTOR: f64 = 0.2;
-
-    /// Heights, raised, and gradients of both signs.
-    fn surface(sign: f64, rise: f64) -> Folded {
-        let z: [f64; 12] = core::array::from_fn(|k| sign * ((5 * k + 2) % 7) as f64 + rise);
-        let d: [[f64; 2]; 12] =
-            core::array::from_fn(|k| [(k % 5) as f64 - 2.0, 1.5 - (k % 4) as f64].map(|slope| sign * slope));
-        Folded::new(&X, &Y, FACTOR, &z, &d).unwrap()
-    }
-
-    #[test]
-    fn nodes_hold_both_parts_per_width_of_the_domain() {
-        let surface = surface(1.0, 0.5);
-        assert_eq!(surface.cells(), [3, 2]);
-        let height = |i: usize, j: usize| surface.height(X[i], Y[j]);
-        let (wide, deep) = (X[3] - X[0], Y[2] - Y[0]);
-        let mut nodes = surface.nodes();
-        for (i, j) in (0..4).flat_map(|i| (0..3).map(move |j| (i, j))) {
-            let [x, y, z, z_x, z_y, own, own_x, own_y] = nodes.next().unwrap();
-            let at = [(X[i] - X[0]) / wide, (Y[j] - Y[0]) / deep];
-            let gradient = surface.gradient(X[i], Y[j]);
-            // The bilinear surface of the corners and its slopes, which G has at all nodes but across the border.
-            let mix = |t: f64, a: f64, b: f64| (1.0 - t) * a + t * b;
-            let (low, high) =
-                (mix(at[0], height(0, 0), height(3, 0)), mix(at[0], height(0, 2), height(3, 2)));
-            let base_x = mix(at[1], height(3, 0) - height(0, 0), height(3, 2) - height(0, 2));
-            let slope_x = if i == 0 || i == 3 { 0.0 } else { gradient.x * wide - base_x };
-            let slope_y = if j == 0 || j == 2 { 0.0 } else { gradient.y * deep - (high - low) };
-            let expected = [
-                at[0],
-                at[1],
-                height(i, j),
-                gradient.x * wide,
-                gradient.y * deep,
-                height(i, j) - mix(at[1], low, high),
-                slope_x,
-                slope_y,
-            ];
-            for (got, expected) in [x, y, z, z_x, z_y, own, own_x, own_y].into_iter().zip(expected) {
-                // A few roundings of numbers below 16.
-                assert_abs_diff_eq!(got, expected, epsilon = 1e-14);
-            }
-        }
-        assert!(nodes.next().is_none());
-    }
-
-    #[test]
-    fn the_remainder_knows_nothing_of_a_rise_and_is_mirrored_with_the_data() {
-        let of = |sign, rise| surface(sign, rise).remainder();
-        let (contraction, middles) = of(1.0, 0.0);
-        // The narrowest cell is a quarter of the domain.
-        assert_abs_diff_eq!(contraction, FACTOR / 0.25, epsilon = 1e-14);
-        // Of slopes the greatest magnitude is known, so that their middles are 0.
-        let [height, ..] = middles;
-        assert_eq!(middles, [height, 0.0, 0.0]);
-        assert!(height.abs() > 1e-3, "{height}");
-        let (raised, mirrored) = (of(1.0, 40.0).1, of(-1.0, 0.0).1);
-        // Roundings of the rise.
-        assert_abs_diff_eq!(raised[0], height, epsilon = 1e-11);
-        assert_abs_diff_eq!(mirrored[0], -height, epsilon = 1e-14);
     }
 }

@@ -4,9 +4,8 @@ use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::UNIT;
 use crate::surface::bounds::SurfaceBounds;
 use crate::surface::extrema::ceiling;
-use crate::surface::self_affine::folded_limits::{slope_rounding, steepest, value_rounding};
 use crate::surface::self_affine::self_affine::{FoldParts, Part, SelfAffine};
-use crate::surface::self_affine::zig_zag::{Strip, ZigZag};
+use crate::surface::self_affine::zig_zag::{Strip, ZigZag, slope_rounding, steepest, value_rounding};
 
 /// Steps that bounds follow a rectangle at most.
 const MOST_STEPS: u32 = 64;

@@ -1,7 +1,6 @@
 //! The folded surface whose vertical factor varies from node to node: continuous, and as rough as wanted.
 
 use alloc::vec::Vec;
-
 use glam::DVec2;
 
 use crate::numeric::interval::{Bounded, Interval};
@@ -9,52 +8,15 @@ use crate::numeric::polynomial::UNIT;
 use crate::surface::bounds::{Surface, SurfaceBounds};
 use crate::surface::extrema::{SurfaceExtrema, extrema};
 use crate::surface::self_affine::error::SelfAffineError;
-use crate::surface::self_affine::folded_limits::{patches, shift};
 use crate::surface::self_affine::folded_ranges::{STEP, image, pieces};
 use crate::surface::self_affine::limits::Limits;
 use crate::surface::self_affine::self_affine::{FoldParts, MOST_STEPS, Part};
-use crate::surface::self_affine::zig_zag::{Grid, Strip, ZigZag, bilinear};
+use crate::surface::self_affine::zig_zag::{Grid, Strip, ZigZag, bilinear, patches, shift};
 
 /// Steps that bounds follow a rectangle at most.
 const FOLLOWED: u32 = 128;
 
-/// A fractal surface through given heights on a grid of unequal cells, with a vertical factor given at every node: rough
-/// here and smooth there.
-///
-/// ```text
-/// f = H + S (f − G)∘Φ,   so f = G + w,   w = (H − G) + S w∘Φ = Σ_k (Π_{i<k} S∘Φⁱ) (H − G)∘Φᵏ
-/// S: the bilinear function of the factors at the four corners of each cell
-/// Φ, H, G: zig-zags and Hermite patches, as for Folded
-/// ```
-///
-/// - **Continuity:** H, S and G are continuous, and so is Φ, as neighbouring zig-zags mirror one another. The right side maps
-///   continuous functions to such, and contracts by the greatest |S|, which is that of a node.
-/// - **Interpolation:** Φ sends nodes to corners of the domain, where `f − G` is 0. So f = H there.
-/// - **Slopes:** none are given, and there are none in general: on equal cells of the share a, f oscillates over a distance r
-///   by some `r^(ln |s|/ln a)` where the factors are s, more than in proportion once `|s| > a`. Gradients `d` only shape H.
-///   Hits of rays have no normals.
-/// - **One factor:** f is then [`Folded`](crate::Folded) with that factor, where that has one.
-/// - **Domain:** `[x_0, x_m] × [y_0, y_n]`; points outside, infinite ones too, are clamped to it. NaN gives NaN.
-/// - **Accuracy:** at the given nodes exact. Else values with their bound hold f at a point within some 10⁻¹⁴ of the domain's
-///   size, as on unequal knots of a curve: a rough surface changes by more than that over such a distance.
-///
-/// Feng, Feng, Yuan, *Fractal interpolation surfaces with function vertical scaling factors*, Applied Mathematics Letters 25,
-/// 2012: the idea that the factor is a function. Yun, Choi, O, arXiv 1404.1300, let it vanish on boundaries; folded cells need
-/// no such condition.
-///
-/// ```
-/// use asperity_fif::{Intersect, Ray, RoughFolded, glam::DVec3};
-/// let knots = [0.0, 1.0, 2.0];
-/// let z = [0.0, 1.0, 0.0, 0.5, 2.0, 0.5, 0.0, 1.0, 0.0];
-/// // Smooth in the west, rough in the east.
-/// let factors = [0.0, 0.0, 0.0, 0.3, 0.3, 0.3, 0.8, 0.7, 0.8];
-/// let surface = RoughFolded::new(&knots, &knots, &factors, &z, &[[0.0; 2]; 9])?;
-/// assert_eq!(surface.height(1.0, 1.0), 2.0);
-/// let ray = Ray { origin: DVec3::new(0.3, 0.4, 9.0), direction: DVec3::new(0.1, 0.1, -1.0) };
-/// let hit = surface.first_hit(&ray).unwrap();
-/// assert!((ray.at(hit.t).z - hit.height).abs() < 1e-9 && hit.normal.is_none());
-/// # Ok::<(), asperity_fif::SelfAffineError>(())
-/// ```
+#[doc = include_str!("../../../docs/rough-folded.md")]
 #[derive(Clone, Debug)]
 pub struct RoughFolded {
     fold: ZigZag,
@@ -122,7 +84,6 @@ impl RoughFolded {
 
     /// The rectangle under the surface.
     #[inline]
-    #[must_use]
     pub const fn domain(&self) -> [Interval; 2] {
         self.fold.domain
     }

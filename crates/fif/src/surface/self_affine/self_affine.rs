@@ -1,15 +1,13 @@
 //! Self-affine surfaces: patches and smaller copies of the whole, over any fold of the plane.
 
 use core::fmt::Debug;
-
 use glam::{DVec2, DVec3};
 
 use crate::numeric::interval::{Bounded, Interval};
 use crate::numeric::matrix2::{IDENTITY, transposed};
-use crate::surface::bounds::{Surface, SurfaceBounds};
+use crate::surface::bounds::{Surface, SurfaceBounds, upward_normal};
 use crate::surface::extrema::{SurfaceExtrema, extrema};
 use crate::surface::hermite_patch::{Corner, Patch};
-use crate::surface::normal::upward_normal;
 use crate::surface::self_affine::limits::Limits;
 
 /// Steps that one evaluation takes at most.
@@ -102,7 +100,6 @@ pub trait FoldParts: Sized + Clone + Debug {
 impl<F: Fold> SelfAffine<F> {
     /// The rectangle under the surface: one period, or the grid.
     #[inline]
-    #[must_use]
     pub fn domain(&self) -> [Interval; 2] {
         self.fold.domain()
     }
@@ -121,7 +118,6 @@ impl<F: Fold> SelfAffine<F> {
     }
 
     /// Rigorous enclosures of `∂f/∂x` and `∂f/∂y`.
-    #[must_use]
     pub fn slope_range(&self) -> [Interval; 2] {
         self.per_domain(self.limits.slopes)
     }
@@ -174,7 +170,6 @@ impl<F: Fold> SelfAffine<F> {
     /// The bound includes what the gradient may change over the rounding of the point, which on zig-zags is more than any
     /// other rounding: [`SelfAffine::gradient_modulus`].
     #[inline]
-    #[must_use]
     pub fn evaluate_gradient(&self, x: f64, y: f64, tolerance: f64) -> [Bounded; 2] {
         let Some((at, cut)) = self.fold.locate(x, y) else { return [Bounded::NAN; 2] };
         self.gradient_from(at, cut, tolerance)

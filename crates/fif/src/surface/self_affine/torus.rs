@@ -10,39 +10,11 @@ use crate::surface::self_affine::address::Address;
 use crate::surface::self_affine::error::{SelfAffineError, magnitudes};
 use crate::surface::self_affine::limits::Limits;
 use crate::surface::self_affine::self_affine::{Cell, FoldParts, Part, SelfAffine};
-use crate::surface::self_affine::torus_fold::{Node, TorusFold};
-use crate::surface::self_affine::torus_limits::{limits, slope_rounding, spectral_norm, value_rounding};
+use crate::surface::self_affine::torus_fold::{
+    Node, TorusFold, limits, slope_rounding, spectral_norm, value_rounding,
+};
 
-/// A periodic fractal surface through given heights with given gradients, once continuously differentiable, that is no
-/// product of curves and has no grain along the axes.
-///
-/// ```text
-/// f(x) = p(x) + s f(M x mod 1),   x in the unit torus
-/// ∇f(x) = ∇p(x) + s Mᵀ ∇f(M x mod 1)
-/// p: bicubic Hermite patches without twist between nodes v with p(v) = z_v − s z_{Mv}, ∇p(v) = d_v − s Mᵀ d_{Mv}
-/// ```
-///
-/// M is an integer matrix, so it maps nodes to nodes, and `f(v) = z_v`, `∇f(v) = d_v` at all of them. Values converge for
-/// `|s| < 1` and gradients for `|s| ‖M‖₂ < 1`; the latter is Hölder continuous ([`SelfAffine::gradient_modulus`]).
-/// M = ((2, −1), (1, 2)) repeats the surface five times per step, turned by 26.57°, an irrational part of a turn.
-///
-/// - **Domain:** the plane with period 1; a coordinate is reduced exactly. Where bits lie under 2⁻¹²⁸ they are cut off, and
-///   the bounds contain that. NaN and infinities give NaN.
-/// - **Accuracy:** at the given nodes exact. Else within the reported bound, 10⁻¹⁵ of the data's magnitude for values where
-///   |s| = 3/8 and 10⁻¹³ for gradients where |s| ‖M‖₂ = 0.84: addresses are integers, so depth loses nothing.
-///
-/// The sources stop at products of curves, whose grain shows (Cochran, Lewis, Hart 2000, §6.1 asks for others).
-///
-/// ```
-/// use asperity_fif::Torus;
-/// let z = [0.0, 1.0, -0.5, 0.25];
-/// let d = [[0.0, 1.0], [-2.0, 0.0], [0.5, 0.5], [0.0, 0.0]];
-/// let surface = Torus::new(2, [[2, -1], [1, 2]], 0.375, &z, &d)?;
-/// assert_eq!(surface.height(0.0, 0.5), 1.0);
-/// assert_eq!(surface.gradient(0.0, 0.5).x, -2.0);
-/// assert_eq!(surface.height(0.375, 0.8125), surface.height(-3.625, 1.8125));
-/// # Ok::<(), asperity_fif::SelfAffineError>(())
-/// ```
+#[doc = include_str!("../../../docs/torus.md")]
 #[doc(alias = "seamless")]
 #[doc(alias = "tileable")]
 pub type Torus = SelfAffine<TorusFold>;
@@ -130,7 +102,6 @@ impl SelfAffine<TorusFold> {
     ///
     /// The gradient is only Hölder continuous, so that of the nearest double may differ by far more than its rounding:
     /// [`SelfAffine::gradient_modulus`]. NaN for the denominator 0.
-    #[must_use]
     pub fn evaluate_gradient_ratio(
         &self,
         numerators: [i64; 2],

@@ -8,8 +8,7 @@ use crate::surface::bounds::SurfaceBounds;
 use crate::surface::extrema::ceiling;
 use crate::surface::self_affine::address::Address;
 use crate::surface::self_affine::self_affine::{MOST_STEPS, SelfAffine};
-use crate::surface::self_affine::torus_fold::TorusFold;
-use crate::surface::self_affine::torus_limits::{slope_rounding, value_rounding};
+use crate::surface::self_affine::torus_fold::{TorusFold, slope_rounding, value_rounding};
 
 /// Enclosures over a rectangle, and one of the mean height over it.
 pub(crate) struct BoundsAndMean {

@@ -4,9 +4,8 @@ use fearless_simd::{Bytes, Simd, dispatch, f64x4, prelude::*, u32x8};
 
 use crate::numeric::level::best_level;
 use crate::table::composite::Composite;
-use crate::table::jet::jet::Jet;
+use crate::table::jet::jet::{Jet, Scales, Sums};
 use crate::table::jet::rows::Jets;
-use crate::table::jet::sums::{Scales, Sums};
 use crate::table::uniform::LEAST;
 
 const LANES: usize = 4;

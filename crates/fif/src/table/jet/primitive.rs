@@ -2,11 +2,11 @@
 
 use alloc::vec::Vec;
 
+use crate::numeric::double::Double;
 use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::{UNIT, magnitude};
 use crate::system::chord::Chord;
-use crate::table::composite::{Composite, Composites};
-use crate::table::truncation::Series;
+use crate::table::composite::{Composite, Composites, Series};
 
 /// Over the domain scaled to `[0, 1]`.
 #[derive(Clone, Debug)]
@@ -124,10 +124,8 @@ struct Exact {
 
 impl Exact {
     fn add(&mut self, x: f64) {
-        let sum = self.high + x;
-        let part = sum - self.high;
-        self.low += (self.high - (sum - part)) + (x - part);
-        self.high = sum;
+        let sum = Double::two_sum(self.high, x);
+        (self.high, self.low) = (sum.hi, self.low + sum.lo);
     }
 
     fn sum(&self) -> f64 {
