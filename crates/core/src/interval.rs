@@ -13,6 +13,7 @@ use core::fmt;
 /// assert!(third.lo < 1.0 / 3.0 && 1.0 / 3.0 < third.hi);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use]
 pub struct Interval {
     /// Lower end.
     pub lo: f64,
@@ -28,14 +29,12 @@ impl Interval {
 
     /// The interval from `lo` to `hi`; empty when `lo > hi`.
     #[inline]
-    #[must_use]
     pub const fn new(lo: f64, hi: f64) -> Self {
         Self { lo, hi }
     }
 
     /// The smallest interval that contains both.
     #[inline]
-    #[must_use]
     pub fn hull(self, other: Self) -> Self {
         Self {
             lo: if other.lo < self.lo { other.lo } else { self.lo },
@@ -45,7 +44,6 @@ impl Interval {
 
     /// The common part of both; empty (`lo > hi`) when there is none.
     #[inline]
-    #[must_use]
     pub fn intersection(self, other: Self) -> Self {
         Self {
             lo: if other.lo > self.lo { other.lo } else { self.lo },
@@ -99,21 +97,18 @@ impl Interval {
 
     /// Both ends moved outward by `margin` and one unit in the last place.
     #[inline]
-    #[must_use]
     pub fn inflated(self, margin: f64) -> Self {
         Self { lo: (self.lo - margin).next_down(), hi: (self.hi + margin).next_up() }
     }
 
     /// An enclosure of `{u + v}`.
     #[inline]
-    #[must_use]
     pub fn sum(self, other: Self) -> Self {
         Self { lo: (self.lo + other.lo).next_down(), hi: (self.hi + other.hi).next_up() }
     }
 
     /// An enclosure of `{s u}` for a number `s`.
     #[inline]
-    #[must_use]
     pub fn scaled(self, s: f64) -> Self {
         let (a, b) = (times(s, self.lo), times(s, self.hi));
         let (lo, hi) = if s < 0.0 { (b, a) } else { (a, b) };
@@ -122,7 +117,6 @@ impl Interval {
 
     /// An enclosure of `{u v}`.
     #[inline]
-    #[must_use]
     pub fn product(self, other: Self) -> Self {
         let p = [
             times(self.lo, other.lo),
@@ -155,6 +149,9 @@ impl fmt::Display for Interval {
         f.write_str("]")
     }
 }
+
+#[cfg(feature = "approx")]
+crate::impl_approx! { f64; Interval: i => i.lo, i.hi; }
 
 #[cfg(test)]
 mod tests {

@@ -1,69 +1,24 @@
-//! The traits of `approx` for intervals, values with bounds, jets, rays and hits.
+//! The traits of `approx` for values with bounds, jets, rays and hits; `asperity-core` has those of intervals.
 
-use approx::{AbsDiffEq, RelativeEq, UlpsEq};
-
-use crate::numeric::estimate::Estimate;
-use crate::numeric::interval::{Bounded, Interval};
+use crate::numeric::estimate::{Bounded, Estimate};
 use crate::ray::ray::{Hit, Ray};
 #[cfg(feature = "alloc")]
 use crate::table::jet::jet::Jet;
 
-/// Both there and equal, or both absent.
-fn alike<T>(a: &Option<T>, b: &Option<T>, equal: impl Fn(&T, &T) -> bool) -> bool {
-    match (a, b) {
-        (Some(a), Some(b)) => equal(a, b),
-        (None, None) => true,
-        _ => false,
-    }
+/// Differs by infinity between absent and present.
+fn presence<T: Copy>(part: Option<T>) -> f64 {
+    if part.is_some() { 0.0 } else { f64::INFINITY }
 }
 
-/// Field by field, with one tolerance; optional fields must be there in both.
-macro_rules! approximate {
-    ($type:ty: $($field:ident)* $(, $option:ident)*) => {
-        impl AbsDiffEq for $type {
-            type Epsilon = f64;
-
-            fn default_epsilon() -> f64 {
-                f64::EPSILON
-            }
-
-            fn abs_diff_eq(&self, other: &Self, epsilon: f64) -> bool {
-                $(AbsDiffEq::abs_diff_eq(&self.$field, &other.$field, epsilon))&&*
-                    $(&& alike(&self.$option, &other.$option, |a, b| AbsDiffEq::abs_diff_eq(a, b, epsilon)))*
-            }
-        }
-
-        impl RelativeEq for $type {
-            fn default_max_relative() -> f64 {
-                f64::EPSILON
-            }
-
-            fn relative_eq(&self, other: &Self, epsilon: f64, most: f64) -> bool {
-                $(RelativeEq::relative_eq(&self.$field, &other.$field, epsilon, most))&&*
-                    $(&& alike(&self.$option, &other.$option, |a, b| RelativeEq::relative_eq(a, b, epsilon, most)))*
-            }
-        }
-
-        impl UlpsEq for $type {
-            fn default_max_ulps() -> u32 {
-                4
-            }
-
-            fn ulps_eq(&self, other: &Self, epsilon: f64, most: u32) -> bool {
-                $(UlpsEq::ulps_eq(&self.$field, &other.$field, epsilon, most))&&*
-                    $(&& alike(&self.$option, &other.$option, |a, b| UlpsEq::ulps_eq(a, b, epsilon, most)))*
-            }
-        }
-    };
+asperity_core::impl_approx! { f64;
+    Bounded: v => v.value, v.bound;
+    Estimate: v => v.value, v.bound, v.condition;
+    Ray: r => r.origin, r.direction;
+    Hit: h => h.t, h.x, h.y, h.height, presence(h.gradient), h.gradient.unwrap_or_default(), presence(h.normal),
+        h.normal.unwrap_or_default();
 }
-
-approximate!(Interval: lo hi);
-approximate!(Bounded: value bound);
-approximate!(Estimate: value bound condition);
 #[cfg(feature = "alloc")]
-approximate!(Jet: value slope integral);
-approximate!(Ray: origin direction);
-approximate!(Hit: t x y height, gradient, normal);
+asperity_core::impl_approx! { f64; Jet: j => j.value, j.slope, j.integral; }
 
 #[cfg(test)]
 mod tests {

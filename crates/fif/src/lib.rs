@@ -63,7 +63,6 @@ pub mod calculus;
 mod evaluate;
 #[cfg(feature = "alloc")]
 pub mod fit;
-mod math;
 mod numeric;
 pub mod paper;
 mod ray;
@@ -76,11 +75,11 @@ mod table;
 
 pub use analysis::oscillation::{Scaling, box_dimension, oscillation_exponent};
 pub use analysis::{extrema::Extrema, modulus::Modulus};
+pub use asperity_core::{BatchError, Interval};
 pub use calculus::{linear_combination::CombineError, moment_basis::MomentError};
-pub use evaluate::{batch_error::BatchError, grid::GridError, value::MAX_DEPTH};
+pub use evaluate::{grid::GridError, value::MAX_DEPTH};
 pub use glam;
-pub use numeric::estimate::Estimate;
-pub use numeric::interval::{Bounded, Interval};
+pub use numeric::estimate::{Bounded, Estimate};
 pub use ray::intersect::Intersect;
 pub use ray::ray::{Hit, Ray};
 #[cfg(feature = "alloc")]

@@ -4,8 +4,9 @@
 //! that above the value. Over the whole domain its result bounds `f` inside every cell of the next pass, so that each
 //! pass goes only as deep as a product of factors takes to reach the part asked for, however small the gap has become.
 
-use crate::math::sqrt;
-use crate::numeric::interval::Interval;
+use asperity_core::Interval;
+use asperity_core::math::sqrt_f64;
+
 use crate::numeric::polynomial::UNIT;
 use crate::system::cell::Cell;
 use crate::system::fif::System;
@@ -172,7 +173,7 @@ impl<'a, const C: usize> Search<'a, C> {
         let gained = self.top < self.bound;
         self.bound = if gained { self.top } else { self.bound };
         if !done {
-            self.part = sqrt(self.part);
+            self.part = sqrt_f64(self.part);
         }
         // Without an attained value every pass is the same, and so is one that ended in cells that cannot be split.
         let stuck = done && !gained && self.top > self.best + self.width;

@@ -1,7 +1,8 @@
 //! The box dimension of a graph.
 
-use crate::math::pow;
-use crate::numeric::interval::Interval;
+use asperity_core::Interval;
+use asperity_core::math::pow_f64;
+
 use crate::numeric::polynomial::horner;
 use crate::system::fif::System;
 use crate::system::map::Piece;
@@ -43,7 +44,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         let sum = |exponent: f64| -> f64 {
             let terms = self.pieces().iter().map(|piece| {
                 let a = piece.s[1] - piece.s[0];
-                piece.map().alpha.abs() * if exponent == 0.0 { 1.0 } else { pow(a, exponent) }
+                piece.map().alpha.abs() * if exponent == 0.0 { 1.0 } else { pow_f64(a, exponent) }
             });
             terms.sum()
         };

@@ -1,7 +1,8 @@
 //! Rigorous extrema over the domain and over any interval, with the places where they lie.
 
+use asperity_core::Interval;
+
 use crate::analysis::branch_and_bound::{Goal, Search};
-use crate::numeric::interval::Interval;
 use crate::system::fif::System;
 use crate::system::map::Piece;
 

@@ -1,7 +1,8 @@
 //! Moduli of continuity: Lipschitz and Hölder bounds, and the conditioning at a point.
 
-use crate::math::{ln, pow};
-use crate::numeric::interval::Interval;
+use asperity_core::Interval;
+use asperity_core::math::{ln_f64, pow_f64};
+
 use crate::system::fif::{Spacing, System};
 use crate::system::map::Piece;
 
@@ -23,7 +24,7 @@ pub enum Modulus {
         /// The largest slope.
         constant: f64,
     },
-    /// `constant · d · (1 + ln(width/d))`, for `d` up to the width of the domain.
+    /// `constant · d · (1 + ln_f64(width/d))`, for `d` up to the width of the domain.
     LogLipschitz {
         /// The factor.
         constant: f64,
@@ -50,8 +51,8 @@ impl Modulus {
         match *self {
             Self::Lipschitz { constant } => constant * d,
             Self::LogLipschitz { constant, width } if d >= width => constant * width,
-            Self::LogLipschitz { constant, width } => constant * d * (1.0 + ln(width / d)),
-            Self::Holder { exponent, constant } => constant * pow(d, exponent),
+            Self::LogLipschitz { constant, width } => constant * d * (1.0 + ln_f64(width / d)),
+            Self::Holder { exponent, constant } => constant * pow_f64(d, exponent),
         }
     }
 
@@ -78,7 +79,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     ///
     /// ```text
     /// |α_j| < a_j for all j:   Lipschitz, max Λ_j/(a_j − |α_j|)
-    /// |α_j| ≤ a_j:             d (1 + ln(1/d))
+    /// |α_j| ≤ a_j:             d (1 + ln_f64(1/d))
     /// else:                    Hölder, h = min ln|α_j| / ln a_j
     /// ```
     ///
@@ -107,7 +108,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
             lipschitz = lipschitz.max(slope / (a - alpha));
             // Others have an exponent of 1 or more. A map of all the domain, but for what rounds away, has ln a = 0.
             if alpha > a {
-                exponent = exponent.min(ln(alpha) / ln(a));
+                exponent = exponent.min(ln_f64(alpha) / ln_f64(a));
             }
         }
         if gentle {
@@ -119,7 +120,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         }
         let exponent = exponent * (1.0 - 1.0 / 1_099_511_627_776.0);
         let (ends, inner) = self.parting(exponent);
-        Modulus::Holder { exponent, constant: UP * (ends + inner) / pow(width, exponent) }
+        Modulus::Holder { exponent, constant: UP * (ends + inner) / pow_f64(width, exponent) }
     }
 
     /// Conditioning at `x`: the distance of `f(x)` and the value that [`System::evaluate`] is about.
@@ -177,7 +178,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// Constants of the bound `|f(x) − f(y)| ≤ (first + second) d^h`, in units of the domain, for `|α_j| ≤ a_j^h`.
     ///
     /// The first is for two points in different cells, `δ^h` for their distance `δ`; the second for the polynomials of
-    /// the levels that they share, a geometric sum, or for `h = 1` one term a level and the factor `1 + ln(1/d)` in all.
+    /// the levels that they share, a geometric sum, or for `h = 1` one term a level and the factor `1 + ln_f64(1/d)` in all.
     fn parting(&self, h: f64) -> (f64, f64) {
         let last = self.pieces().len().saturating_sub(1);
         let [y0, y_end] = self.end_values();
@@ -189,7 +190,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         for (j, piece) in self.pieces().iter().enumerate() {
             let (a, _, slope) = measures(piece);
             let share = Share { part: a, rest: piece.s[0] + (1.0 - piece.s[1]) };
-            steep = steep.max(slope / pow(a, h));
+            steep = steep.max(slope / pow_f64(a, h));
             if share.rest < widest.rest {
                 widest = share;
             }
@@ -197,13 +198,14 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
             rise = rise.max((piece.y()[1] - piece.y()[0]).abs() / a);
             let range = crate::system::cell::Cell::root().child(piece).range(self.range());
             if j > 0 {
-                away[0] = away[0].max(range.sum(Interval::new(-y0, -y0)).magnitude() / pow(piece.s[0], h));
+                away[0] =
+                    away[0].max(range.sum(Interval::new(-y0, -y0)).magnitude() / pow_f64(piece.s[0], h));
             } else {
                 first[0] = (share, slope);
             }
             if j < last {
                 away[1] = away[1]
-                    .max(range.sum(Interval::new(-y_end, -y_end)).magnitude() / pow(1.0 - piece.s[1], h));
+                    .max(range.sum(Interval::new(-y_end, -y_end)).magnitude() / pow_f64(1.0 - piece.s[1], h));
             } else {
                 first[1] = (share, slope);
             }
@@ -212,12 +214,15 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
             .map(|side| {
                 let (share, slope) = first[side];
                 // No slope on no width is none.
-                let over = if slope == 0.0 { 0.0 } else { slope / pow(share.part, h) };
+                let over = if slope == 0.0 { 0.0 } else { slope / pow_f64(share.part, h) };
                 away[side] + share.levels(h, over) + steep
             })
             .sum();
-        let between =
-            (ends + rise).min(if h < 1.0 { self.range().width() / pow(narrowest, h) } else { f64::INFINITY });
+        let between = (ends + rise).min(if h < 1.0 {
+            self.range().width() / pow_f64(narrowest, h)
+        } else {
+            f64::INFINITY
+        });
         (ends.max(between), widest.levels(h, steep))
     }
 }
@@ -230,16 +235,16 @@ struct Share {
 }
 
 impl Share {
-    /// A term for every level that two points share: `term Σ (a^{1−h})^i`, or for `h = 1` their number over `ln(1/d)`.
+    /// A term for every level that two points share: `term Σ (a^{1−h})^i`, or for `h = 1` their number over `ln_f64(1/d)`.
     ///
-    /// By Bernoulli's inequality `1 − (1 − r)^{1−h} ≥ (1 − h) r`, and `−ln(1 − r) ≥ r`: for small `r` the bounds, which do not
+    /// By Bernoulli's inequality `1 − (1 − r)^{1−h} ≥ (1 − h) r`, and `−ln_f64(1 − r) ≥ r`: for small `r` the bounds, which do not
     /// cancel.
     fn levels(self, h: f64, term: f64) -> f64 {
         let Self { part, rest } = self;
         let left = match (h < 1.0, rest > 1.0 / 1_048_576.0) {
-            (true, true) => 1.0 - pow(part, 1.0 - h),
+            (true, true) => 1.0 - pow_f64(part, 1.0 - h),
             (true, false) => (1.0 - h) * rest,
-            (false, true) => -ln(part),
+            (false, true) => -ln_f64(part),
             (false, false) => rest,
         };
         if term == 0.0 { 0.0 } else { term * (1.0 / left) }

@@ -1,6 +1,6 @@
 //! Scaling of the oscillations of data: the box dimension and the multifractal spectrum of a series or an image.
 
-use crate::math::{ln, pow, sqrt};
+use asperity_core::math::{ln_f64, pow_f64, sqrt_f64};
 
 /// A power law fitted to data: an exponent and how well it fits.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,7 +98,7 @@ pub fn oscillation_exponent(values: &[f64], columns: usize, q: f64) -> Option<Sc
     // What samples miss drops out of the differences, a s^H (2^H − 1).
     let rises = || means.iter().zip(means.iter().skip(1)).take(count - 1).map(|(a, b)| b - a);
     let [hurst, _] = slope(scales().zip(rises()))?;
-    let growth = pow(2.0, hurst) - 1.0;
+    let growth = pow_f64(2.0, hurst) - 1.0;
     let missed =
         means.iter().zip(rises()).take(4).map(|(mean, rise)| 0.25 * (rise / growth - mean)).sum::<f64>();
     let missed = if missed > 0.0 && missed.is_finite() { missed } else { 0.0 };
@@ -112,7 +112,7 @@ pub fn oscillation_exponent(values: &[f64], columns: usize, q: f64) -> Option<Sc
 fn slope(points: impl Iterator<Item = (usize, f64)>) -> Option<[f64; 2]> {
     let (mut count, mut sums) = (0.0, [0.0_f64; 5]);
     for (x, y) in points {
-        let (x, y) = (ln(x as f64), if y > 0.0 { ln(y) } else { return None });
+        let (x, y) = (ln_f64(x as f64), if y > 0.0 { ln_f64(y) } else { return None });
         for (sum, term) in sums.iter_mut().zip([x, y, x * x, x * y, y * y]) {
             *sum += term;
         }
@@ -121,7 +121,7 @@ fn slope(points: impl Iterator<Item = (usize, f64)>) -> Option<[f64; 2]> {
     let [x, y, xx, xy, yy] = sums.map(|sum| sum / count);
     let (spread, slope) = (xx - x * x, (xy - x * y) / (xx - x * x));
     let left = (yy - y * y - slope * slope * spread).max(0.0);
-    (slope.is_finite() && left.is_finite()).then(|| [slope, sqrt(left / ((count - 2.0) * spread))])
+    (slope.is_finite() && left.is_finite()).then(|| [slope, sqrt_f64(left / ((count - 2.0) * spread))])
 }
 
 /// The mean over whole blocks of the q-th powers of the oscillations, raised by what samples miss.
@@ -140,7 +140,7 @@ fn moment(values: &[f64], [rows, columns]: [usize; 2], scale: usize, [missed, q]
         }
         let oscillation = most - least + missed;
         if oscillation > 0.0 {
-            sum += if q == 1.0 { oscillation } else { pow(oscillation, q) };
+            sum += if q == 1.0 { oscillation } else { pow_f64(oscillation, q) };
         }
     }
     sum / (along * across) as f64

@@ -1,8 +1,9 @@
 //! An interval as a union of cells, each of which is a small copy of the whole.
 
+use asperity_core::Interval;
+
 use crate::evaluate::address::{Distance, LongFraction, LongPosition, Orbit, Step};
 use crate::evaluate::value::MAX_DEPTH;
-use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::{LEAST, UNIT};
 use crate::system::cell::Cell;
 use crate::system::fif::{Spacing, System};

@@ -1,10 +1,11 @@
 //! Inner products of functions on the same knots, and norms.
 
+use asperity_core::Interval;
+
 use crate::calculus::linear_combination::{CombineError, check_knots_equal};
 use crate::calculus::moment_basis::{MAX_MOMENT_DEGREE, MomentBasis};
 use crate::numeric::bernstein::{Form, rounding};
 use crate::numeric::estimate::Estimate;
-use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::{LEAST, UNIT, hull};
 use crate::system::fif::System;
 use crate::system::map::Piece;

@@ -1,11 +1,11 @@
 //! The integral of a fractal interpolation function, and its derivative where there is one.
 
+use asperity_core::Interval;
+use asperity_core::math::sqrt_f64;
 use core::cell::Cell as CoreCell;
 
 use crate::calculus::cells::{Tile, directed};
-use crate::math::sqrt;
-use crate::numeric::estimate::Estimate;
-use crate::numeric::interval::{Bounded, Interval};
+use crate::numeric::estimate::{Bounded, Estimate};
 use crate::numeric::polynomial::{LEAST, UNIT, horner, magnitude};
 use crate::system::error::SystemError;
 use crate::system::fif::System;
@@ -296,7 +296,7 @@ fn end_ordinates<const K: usize>(
     let mut rows = [[0.0_f64; 3]; 2];
     let mut add = |mut row: [f64; 3]| {
         for (k, kept) in rows.iter_mut().enumerate() {
-            let length = sqrt(kept[k] * kept[k] + row[k] * row[k]);
+            let length = sqrt_f64(kept[k] * kept[k] + row[k] * row[k]);
             if length > 0.0 {
                 let (c, s) = (kept[k] / length, row[k] / length);
                 let both = [0, 1, 2].map(|i| [c * kept[i] + s * row[i], c * row[i] - s * kept[i]]);

@@ -1,10 +1,11 @@
 //! Integrals of powers of a function times powers of `x`, over the domain and over any interval.
 
+use asperity_core::Interval;
+
 use crate::calculus::cells::{Tile, directed};
 use crate::calculus::moment_basis::{MomentBasis, MomentError};
 use crate::numeric::bernstein::{Form, power, rounding};
-use crate::numeric::estimate::Estimate;
-use crate::numeric::interval::{Bounded, Interval};
+use crate::numeric::estimate::{Bounded, Estimate};
 use crate::numeric::polynomial::{LEAST, UNIT};
 use crate::system::cell::Cell;
 use crate::system::fif::System;

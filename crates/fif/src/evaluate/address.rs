@@ -1,7 +1,8 @@
 //! The orbit of a point under the inverse maps: its address, one index per step.
 
+use asperity_core::Interval;
+
 use crate::numeric::double::Double;
-use crate::numeric::interval::Interval;
 use crate::system::map::Piece;
 
 /// One inverse step: the map, and where in the domain its inverse sends the point.

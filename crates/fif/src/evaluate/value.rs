@@ -2,7 +2,7 @@
 
 use crate::evaluate::address::{Fraction, LongFraction, Orbit, Position, Step};
 use crate::numeric::double::Double;
-use crate::numeric::interval::Bounded;
+use crate::numeric::estimate::Bounded;
 use crate::numeric::polynomial::{LEAST, UNIT, horner};
 use crate::system::cell::Cell;
 use crate::system::fif::{Spacing, System};

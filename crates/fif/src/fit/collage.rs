@@ -1,9 +1,9 @@
 //! Vertical factors by least squares on the collage error.
 
 use alloc::vec::Vec;
+use asperity_core::math::sqrt_f64;
 
 use crate::fit::error::{FitError, check_knots, check_points};
-use crate::math::sqrt;
 use crate::system::fif::Fif;
 
 /// The largest vertical factor that a fit gives, `1 − 2⁻¹⁰`: steeper ones are cut to it.
@@ -126,7 +126,7 @@ impl Data<'_> {
             }
         }
         let steepest = alpha.iter().fold(0.0_f64, |m, alpha| m.max(alpha.abs()));
-        let rms = sqrt(squares / self.x.len().max(1) as f64);
+        let rms = sqrt_f64(squares / self.x.len().max(1) as f64);
         Ok(Fit { system, error, rms, collage, bound: collage / (1.0 - steepest) })
     }
 }

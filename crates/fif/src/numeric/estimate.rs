@@ -1,7 +1,65 @@
-//! A number of the calculus with a bound of its error and its conditioning.
+//! Values with bounds of their errors, and estimates with their conditioning.
 
-use crate::numeric::interval::{Bounded, Interval};
+use asperity_core::Interval;
+
 use crate::numeric::polynomial::{LEAST, UNIT};
+
+/// A value with a bound of its error: the exact one lies in `value ± bound`.
+///
+/// ```
+/// let value = asperity_fif::Bounded { value: 1.25, bound: 1e-9 };
+/// assert_eq!(format!("{value} and {value:.3}"), "1.25 ± 1e-9 and 1.250 ± 1e-9");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use]
+pub struct Bounded {
+    /// The approximation.
+    pub value: f64,
+    /// Bound of the absolute error, truncation and rounding together; NaN when `value` is NaN.
+    pub bound: f64,
+}
+
+/// Written `value ± bound`, the value with the precision of the format, the bound in full as a power of ten.
+impl core::fmt::Display for Bounded {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        core::fmt::Display::fmt(&self.value, f)?;
+        write!(f, " ± {:e}", self.bound)
+    }
+}
+
+impl Bounded {
+    pub(crate) const NAN: Self = Self { value: f64::NAN, bound: f64::NAN };
+
+    /// The middle of an enclosure.
+    pub(crate) fn around(range: Interval) -> Self {
+        let value = range.middle();
+        Self { value, bound: (0.5 * range.width() + f64::EPSILON * value.abs()).next_up() }
+    }
+
+    /// `[value − bound, value + bound]`, rounded outward.
+    #[inline]
+    pub fn interval(self) -> Interval {
+        Interval { lo: self.value, hi: self.value }.inflated(self.bound)
+    }
+
+    /// The value that is known to lie in `range` as well: itself, unless the range says more.
+    pub(crate) fn within(self, range: Interval) -> Self {
+        let value = range.nearest(self.value);
+        let farthest = (range.hi - value).max(value - range.lo).next_up();
+        // NaN stays.
+        let bound = if self.bound > farthest { farthest } else { self.bound };
+        if self.value.is_nan() { Self::NAN } else { Self { value, bound } }
+    }
+
+    /// The product of two values, `|f g| ≤ |f| δ_g + |g| δ_f + δ_f δ_g`.
+    #[inline]
+    pub(crate) fn product(self, other: Self) -> Self {
+        let value = self.value * other.value;
+        let bound =
+            self.value.abs() * other.bound + other.value.abs() * self.bound + self.bound * other.bound;
+        Self { value, bound: 1.0001 * bound + 0.5 * f64::EPSILON * value.abs() + 4.0 * f64::from_bits(1) }
+    }
+}
 
 /// An integral, a moment or a mean, with what is known about its error.
 ///

@@ -1,6 +1,6 @@
 //! Products of two-by-two matrices: Jacobians of iterated maps.
 
-use crate::numeric::interval::Interval;
+use asperity_core::Interval;
 
 /// The identity, the first Jacobian.
 pub(crate) const IDENTITY: [[f64; 2]; 2] = [[1.0, 0.0], [0.0, 1.0]];

@@ -6,9 +6,6 @@ pub(crate) mod elimination;
 pub(crate) mod estimate;
 #[cfg(feature = "alloc")]
 pub(crate) mod floor;
-pub(crate) mod interval;
-#[cfg(all(feature = "alloc", feature = "simd"))]
-pub(crate) mod level;
 #[cfg(feature = "alloc")]
 pub(crate) mod matrix2;
 pub(crate) mod polynomial;

@@ -4,7 +4,7 @@
 //! Bernstein form the restriction is de Casteljau's, only convex combinations, so it is stable at every depth, and the
 //! coefficients enclose the values.
 
-use crate::numeric::interval::Interval;
+use asperity_core::Interval;
 
 /// Unit roundoff, `2⁻⁵³`.
 pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;

@@ -1,7 +1,9 @@
 //! Ordered descent of a ray through the boxes of a height field: products of cells of both axes.
 
+use asperity_core::Interval;
+
 use crate::numeric::double::Double;
-use crate::numeric::interval::{Bounded, Interval};
+use crate::numeric::estimate::Bounded;
 use crate::ray::ray::{Aim, Root};
 use crate::ray::traversal::Traversal;
 use crate::surface::height_field::curve::{Below, Cell, Curve};

@@ -4,16 +4,12 @@
 use glam::{DVec2, DVec3};
 #[cfg(all(feature = "alloc", feature = "simd"))]
 use {
-    crate::numeric::level::best_level,
     crate::ray::packet::Packet,
     crate::ray::tables::{Division, keeps_sign},
+    asperity_core::lanes::best_level,
     fearless_simd::{Simd, dispatch},
 };
 
-use crate::evaluate::batch_error::BatchError;
-#[cfg(feature = "alloc")]
-use crate::math::sqrt;
-use crate::numeric::interval::Interval;
 use crate::ray::intersect::Intersect;
 #[cfg(feature = "alloc")]
 use crate::ray::ray::Root;
@@ -25,6 +21,10 @@ use crate::ray::traversal::Context;
 use crate::surface::bounds::upward_normal;
 use crate::surface::height_field::function::Function;
 use crate::surface::height_field::height_field::HeightField;
+use asperity_core::BatchError;
+use asperity_core::Interval;
+#[cfg(feature = "alloc")]
+use asperity_core::math::sqrt_f64;
 
 #[doc = include_str!("../../docs/rays-of-height-fields.md")]
 impl<F: Function, G: Function> Intersect for HeightField<F, G> {
@@ -133,7 +133,7 @@ impl<F: Function, G: Function> HeightField<F, G> {
         // One division and one root do, unless squares overflow.
         let square = gradient.x * gradient.x + gradient.y * gradient.y + 1.0;
         let normal = if square < f64::MAX {
-            let scale = 1.0 / sqrt(square);
+            let scale = 1.0 / sqrt_f64(square);
             DVec3::new(-gradient.x * scale, -gradient.y * scale, scale)
         } else {
             upward_normal(gradient)

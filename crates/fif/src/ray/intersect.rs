@@ -1,7 +1,7 @@
 //! The first hit of a ray with any surface.
 
-use crate::evaluate::batch_error::BatchError;
-use crate::numeric::interval::Interval;
+use asperity_core::{BatchError, Interval};
+
 use crate::ray::ray::{Hit, Ray};
 use crate::ray::traversal::{Context, Unbounded};
 use crate::surface::bounds::Surface;

@@ -1,10 +1,10 @@
 //! Packets of rays against a smooth height field that has tables: their searches for one root, and their hits, in the lanes of
 //! SIMD registers, with the operations of one ray in their order.
 
+use asperity_core::Interval;
 use fearless_simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f64x8, mask64x8};
 use glam::{DVec2, DVec3};
 
-use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::UNIT;
 use crate::ray::ray::{Hit, Ray};
 use crate::ray::tables::{Path, Tracer};

@@ -1,9 +1,9 @@
 //! A ray against a smooth height field that has tables: ranges over ever shorter stretches, then Newton's steps.
 
+use asperity_core::Interval;
+use asperity_core::math::sqrt_f64;
 use glam::DVec3;
 
-use crate::math::sqrt;
-use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::UNIT;
 use crate::ray::ray::{Aim, Ray, Root};
 use crate::ray::traversal::Context;
@@ -95,7 +95,7 @@ impl<'a, F: Function, G: Function> Tracer<'a, F, G> {
             rate_pad: 16.0 * f64::EPSILON * rate,
             blur: pads[2] + blur,
             reach: if self.tolerance > 0.0 {
-                self.tolerance / sqrt(d.x * d.x + d.y * d.y + d.z * d.z)
+                self.tolerance / sqrt_f64(d.x * d.x + d.y * d.y + d.z * d.z)
             } else {
                 0.0
             },

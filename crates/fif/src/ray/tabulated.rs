@@ -1,10 +1,10 @@
 //! A surface with a pyramid of bounds over its quartered domain.
 
 use alloc::vec::Vec;
-
+use asperity_core::Interval;
 use glam::DVec2;
 
-use crate::numeric::interval::{Bounded, Interval};
+use crate::numeric::estimate::Bounded;
 use crate::ray::intersect::Intersect;
 use crate::ray::ray::{Hit, Ray};
 use crate::ray::traversal::{Context, Square, Squares};

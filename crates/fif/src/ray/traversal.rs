@@ -14,9 +14,10 @@
 //! Height fields `f(x) g(y)` have their own steps 2 and 3: by products of cells ([`boxes`](crate::ray::boxes)) or of tables
 //! ([`tables`](crate::ray::tables)).
 
+use asperity_core::Interval;
 use glam::DVec3;
 
-use crate::numeric::interval::{Bounded, Interval};
+use crate::numeric::estimate::Bounded;
 use crate::numeric::polynomial::UNIT;
 use crate::ray::ray::{Aim, Hit, Ray, Root};
 use crate::surface::bounds::{Surface, SurfaceBounds, upward_normal};

@@ -1,8 +1,8 @@
 //! Recurrent systems: each map copies a part of the graph of its own.
 
 use alloc::vec::Vec;
+use asperity_core::Interval;
 
-use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::{UNIT, bernstein, hull, larger, magnitude, restrict, restriction_error};
 use crate::numeric::refusal::refusals;
 use crate::system::error::{SystemError, check_coefficients, check_data, check_knots, check_length};

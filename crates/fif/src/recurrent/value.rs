@@ -1,7 +1,7 @@
 //! Values and integrals of a recurrent system.
 
 use crate::evaluate::value::MAX_DEPTH;
-use crate::numeric::interval::Bounded;
+use crate::numeric::estimate::Bounded;
 use crate::numeric::polynomial::{UNIT, horner};
 use crate::recurrent::recurrent::{Link, Means, Recurrent, primitive};
 

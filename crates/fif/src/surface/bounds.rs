@@ -1,9 +1,10 @@
 //! Any surface over a rectangle: values, enclosures and gradients.
 
+use asperity_core::Interval;
+use asperity_core::math::sqrt_f64;
 use glam::{DVec2, DVec3};
 
-use crate::math::sqrt;
-use crate::numeric::interval::{Bounded, Interval};
+use crate::numeric::estimate::Bounded;
 
 /// Enclosures of the heights and slopes of a surface over a rectangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,6 +73,6 @@ impl<S: Surface + ?Sized> Surface for &S {
 pub(crate) fn upward_normal(gradient: DVec2) -> DVec3 {
     let largest = gradient.x.abs().max(gradient.y.abs()).max(1.0);
     let (x, y, z) = (-gradient.x / largest, -gradient.y / largest, 1.0 / largest);
-    let length = sqrt(x * x + y * y + z * z);
+    let length = sqrt_f64(x * x + y * y + z * z);
     DVec3::new(x / length, y / length, z / length)
 }

@@ -1,8 +1,8 @@
 //! Brackets of the extrema of a surface, by branch and bound.
 
+use asperity_core::Interval;
 use glam::DVec2;
 
-use crate::numeric::interval::Interval;
 use crate::surface::bounds::Surface;
 
 /// Brackets of the two extrema of a surface over a rectangle, and where it is that low and that high.

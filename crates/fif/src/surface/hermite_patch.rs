@@ -1,6 +1,7 @@
 //! The bicubic Hermite patch without twist: values, slopes, and their ranges over parts of it.
 
-use crate::numeric::interval::Interval;
+use asperity_core::Interval;
+
 use crate::numeric::polynomial::UNIT;
 
 /// Value and the two slopes at a corner, slopes per width of the patch.

@@ -1,6 +1,7 @@
 //! A cell of the domain, the image of a composite of maps, with what bounds `f` over it.
 
-use crate::numeric::interval::Interval;
+use asperity_core::Interval;
+
 use crate::numeric::polynomial::{UNIT, hull, restrict, restriction_error};
 use crate::system::map::Piece;
 

@@ -1,7 +1,8 @@
 //! The validated system of maps and its constructors.
 
+use asperity_core::Interval;
+
 use crate::numeric::double::Double;
-use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::{UNIT, horner, larger, magnitude, substitute};
 use crate::system::cell::Cell;
 use crate::system::error::{

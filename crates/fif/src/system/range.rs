@@ -1,6 +1,7 @@
 //! A box that holds the graph, proved by an inclusion.
 
-use crate::numeric::interval::Interval;
+use asperity_core::Interval;
+
 use crate::system::cell::Cell;
 use crate::system::map::Piece;
 

@@ -1,6 +1,7 @@
 //! Ranges of a rough function with a line added, which bound cells more tightly than those of either.
 
-use crate::numeric::interval::Interval;
+use asperity_core::Interval;
+
 use crate::numeric::polynomial::UNIT;
 use crate::system::cell::Cell;
 use crate::system::map::Piece;

@@ -1,9 +1,9 @@
 //! All composites of a few maps of a system on equally spaced knots, in a table: one digit of a larger radix each.
 
 use alloc::vec::Vec;
+use asperity_core::Interval;
 use core::fmt;
 
-use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::{UNIT, bernstein, falling, hull, magnitudes, substitute};
 use crate::system::fif::{Spacing, System};
 use crate::system::map::Piece;

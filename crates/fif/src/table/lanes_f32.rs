@@ -1,8 +1,8 @@
 //! Values in the lanes of SIMD registers: rows are copied side by side and turned, so no gather is needed.
 
+use asperity_core::lanes::best_level;
 use fearless_simd::{Bytes, Select, Simd, SimdBase, SimdMask, dispatch, f32x16, i32x16, u32x16};
 
-use crate::numeric::level::best_level;
 use crate::table::uniform_f32::{Rows32, Table32};
 
 const LANES: usize = 16;

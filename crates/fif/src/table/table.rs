@@ -1,9 +1,9 @@
 //! Fast values of a function by a table that fits its knots.
 
 use alloc::vec::Vec;
+use asperity_core::{BatchError, Interval};
 
-use crate::evaluate::batch_error::BatchError;
-use crate::numeric::interval::{Bounded, Interval};
+use crate::numeric::estimate::Bounded;
 use crate::system::fif::{Fif, System};
 use crate::system::map::Piece;
 use crate::table::composite::{Composites, TableError};

@@ -1,8 +1,8 @@
 //! Values in `f32`: half the table, twice the speed, and lanes.
 
 use alloc::vec::Vec;
+use asperity_core::BatchError;
 
-use crate::evaluate::batch_error::BatchError;
 use crate::system::fif::Fif;
 use crate::table::composite::{Composite, Composites, Series};
 use crate::table::table::Table;

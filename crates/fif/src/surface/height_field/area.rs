@@ -1,8 +1,9 @@
 //! Means of heights and slopes of a height field over a rectangle, in closed form.
 
+use asperity_core::Interval;
+
 use crate::calculus::moment_basis::MomentError;
 use crate::numeric::estimate::Estimate;
-use crate::numeric::interval::Interval;
 use crate::surface::height_field::function::Function;
 use crate::surface::height_field::height_field::HeightField;
 

@@ -1,7 +1,8 @@
 //! Tables of one axis, with the constants that every ray needs.
 
+use asperity_core::Interval;
+
 use crate::numeric::floor::floor;
-use crate::numeric::interval::Interval;
 use crate::surface::height_field::jet_table::{JetTable, Rows};
 use crate::surface::height_field::range_table::RangeTable;
 

@@ -1,6 +1,7 @@
 //! Bounds of the function along an axis over any interval, from those of its cells.
 
-use crate::numeric::interval::Interval;
+use asperity_core::Interval;
+
 use crate::surface::height_field::curve::{Below, Cell, Curve};
 use crate::surface::height_field::function::Function;
 

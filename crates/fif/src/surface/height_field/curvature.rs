@@ -1,8 +1,8 @@
 //! The curvature of a height field whose axes are twice differentiable.
 
+use asperity_core::math::sqrt_f64;
 use glam::DVec2;
 
-use crate::math::sqrt;
 use crate::surface::height_field::function::Function;
 use crate::surface::height_field::height_field::HeightField;
 use crate::system::fif::System;
@@ -35,14 +35,17 @@ impl Curvature {
         let DVec2 { x, y } = gradient;
         let square = 1.0 + x * x + y * y;
         let mean = (1.0 + y * y) * xx - 2.0 * x * y * xy + (1.0 + x * x) * yy;
-        Self { mean: 0.5 * mean / (square * sqrt(square)), gauss: (xx * yy - xy * xy) / (square * square) }
+        Self {
+            mean: 0.5 * mean / (square * sqrt_f64(square)),
+            gauss: (xx * yy - xy * xy) / (square * square),
+        }
     }
 
     /// The principal curvatures `κ₁ ≥ κ₂ = H ± √(H² − K)`.
     #[must_use]
     pub fn principal(&self) -> [f64; 2] {
         // The difference is not negative, but its rounding may be.
-        let root = sqrt((self.mean * self.mean - self.gauss).max(0.0));
+        let root = sqrt_f64((self.mean * self.mean - self.gauss).max(0.0));
         [self.mean + root, self.mean - root]
     }
 }

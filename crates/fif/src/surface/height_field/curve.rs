@@ -1,9 +1,10 @@
 //! The function along one axis of a height field, with its derivative and the bounds of its top levels of cells.
 
+use asperity_core::Interval;
+
 use crate::calculus::moment_basis::MomentError;
 use crate::numeric::double::Double;
-use crate::numeric::estimate::Estimate;
-use crate::numeric::interval::{Bounded, Interval};
+use crate::numeric::estimate::{Bounded, Estimate};
 #[cfg(feature = "alloc")]
 use crate::surface::height_field::axis_tables::AxisTables;
 use crate::surface::height_field::function::{Axis, Function};

@@ -1,11 +1,11 @@
 //! Functions that a height field can have along an axis.
 
+use asperity_core::Interval;
 use core::fmt::Debug;
 
 use crate::calculus::moment_basis::MomentError;
 use crate::numeric::double::Double;
-use crate::numeric::estimate::Estimate;
-use crate::numeric::interval::{Bounded, Interval};
+use crate::numeric::estimate::{Bounded, Estimate};
 #[cfg(feature = "alloc")]
 use crate::surface::height_field::jet_table::{JetTable, Rows};
 use crate::system::cell::Cell;

@@ -1,8 +1,9 @@
 //! The height field of a tensor product, its gradient and its normal.
 
+use asperity_core::Interval;
 use glam::{DVec2, DVec3};
 
-use crate::numeric::interval::{Bounded, Interval};
+use crate::numeric::estimate::Bounded;
 use crate::surface::bounds::{Surface, SurfaceBounds, upward_normal};
 #[cfg(feature = "alloc")]
 use crate::surface::height_field::axis_tables::BothAxes;

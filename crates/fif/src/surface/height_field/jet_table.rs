@@ -1,15 +1,14 @@
 //! Values and slopes of a smooth function by composed maps, several levels at a step.
 
 use alloc::vec::Vec;
+use asperity_core::Interval;
 use core::fmt::Debug;
-
 #[cfg(feature = "simd")]
 use fearless_simd::{Bytes, Select, Simd, SimdBase, f64x8, u32x16};
 
 #[cfg(feature = "simd")]
 use crate::numeric::floor::WHOLE;
 use crate::numeric::floor::floor;
-use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::{UNIT, substitute};
 use crate::surface::height_field::range_table::RangeTable;
 use crate::system::fif::System;

@@ -1,10 +1,9 @@
 //! The distribution of the normals of a height field over a rectangle, as an image.
 
 use alloc::vec::Vec;
-
+use asperity_core::Interval;
 use glam::DVec2;
 
-use crate::numeric::interval::Interval;
 use crate::numeric::refusal::refusals;
 use crate::surface::bounds::upward_normal;
 use crate::surface::height_field::curve::Curve;

@@ -1,9 +1,9 @@
 //! Ranges over any run of the finest cells of a table, from two overlapping runs of a power of two of them.
 
 use alloc::vec::Vec;
+use asperity_core::Interval;
 
 use crate::numeric::floor::floor;
-use crate::numeric::interval::Interval;
 
 /// Ranges of values and slopes over runs of 1, 2, 4, … cells that begin at every cell: a sparse table.
 ///

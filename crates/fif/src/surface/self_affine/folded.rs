@@ -1,6 +1,8 @@
 //! The folded Hermite surface: non-separable, continuously differentiable, on any grid.
 
-use crate::numeric::interval::{Bounded, Interval};
+use asperity_core::Interval;
+
+use crate::numeric::estimate::Bounded;
 use crate::numeric::polynomial::UNIT;
 use crate::surface::bounds::SurfaceBounds;
 use crate::surface::hermite_patch::Patch;

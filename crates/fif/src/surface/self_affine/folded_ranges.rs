@@ -1,6 +1,7 @@
 //! Rigorous bounds of a folded surface over rectangles.
 
-use crate::numeric::interval::Interval;
+use asperity_core::Interval;
+
 use crate::numeric::polynomial::UNIT;
 use crate::surface::bounds::SurfaceBounds;
 use crate::surface::extrema::ceiling;

@@ -1,6 +1,7 @@
 //! Global bounds of a self-affine surface and of the errors of its evaluation; lengths are in units of the domain.
 
-use crate::numeric::interval::Interval;
+use asperity_core::Interval;
+
 use crate::numeric::polynomial::UNIT;
 use crate::surface::self_affine::error::SelfAffineError;
 

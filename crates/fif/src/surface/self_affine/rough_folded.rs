@@ -1,9 +1,10 @@
 //! The folded surface whose vertical factor varies from node to node: continuous, and as rough as wanted.
 
 use alloc::vec::Vec;
+use asperity_core::Interval;
 use glam::DVec2;
 
-use crate::numeric::interval::{Bounded, Interval};
+use crate::numeric::estimate::Bounded;
 use crate::numeric::polynomial::UNIT;
 use crate::surface::bounds::{Surface, SurfaceBounds};
 use crate::surface::extrema::{SurfaceExtrema, extrema};

@@ -1,9 +1,10 @@
 //! Self-affine surfaces: patches and smaller copies of the whole, over any fold of the plane.
 
+use asperity_core::Interval;
 use core::fmt::Debug;
 use glam::{DVec2, DVec3};
 
-use crate::numeric::interval::{Bounded, Interval};
+use crate::numeric::estimate::Bounded;
 use crate::numeric::matrix2::{IDENTITY, transposed};
 use crate::surface::bounds::{Surface, SurfaceBounds, upward_normal};
 use crate::surface::extrema::{SurfaceExtrema, extrema};

@@ -1,8 +1,9 @@
 //! The torus Hermite surface: periodic, non-separable, continuously differentiable.
 
 use alloc::vec::Vec;
+use asperity_core::Interval;
 
-use crate::numeric::interval::{Bounded, Interval};
+use crate::numeric::estimate::Bounded;
 use crate::numeric::matrix2::product;
 use crate::numeric::polynomial::UNIT;
 use crate::surface::bounds::SurfaceBounds;

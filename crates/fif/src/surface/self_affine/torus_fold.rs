@@ -1,9 +1,9 @@
 //! The torus folded by an integer matrix, with its nodes.
 
 use alloc::vec::Vec;
+use asperity_core::Interval;
+use asperity_core::math::sqrt_f64;
 
-use crate::math::sqrt;
-use crate::numeric::interval::Interval;
 use crate::numeric::matrix2::{IDENTITY, added, product};
 use crate::numeric::polynomial::UNIT;
 use crate::surface::hermite_patch::{Corner, Magnitudes, Patch};
@@ -86,7 +86,7 @@ pub(crate) fn limits(
     let gain = [1.0 / (1.0 - factor.abs()) * up, 1.0 / (1.0 - contraction) * up];
     let length = |a: f64, b: f64| {
         let most = a.max(b).max(f64::MIN_POSITIVE);
-        most * sqrt((a / most) * (a / most) + (b / most) * (b / most)) * up
+        most * sqrt_f64((a / most) * (a / most) + (b / most) * (b / most)) * up
     };
     let patch = [value.magnitude(), length(along[0].magnitude(), along[1].magnitude())];
     let steepest = patch[1] * gain[1] * up + f64::MIN_POSITIVE;
@@ -152,6 +152,6 @@ pub(crate) fn spectral_norm(matrix: &[[i32; 2]; 2]) -> f64 {
     let [[a, b], [c, d]] = matrix.map(|row| row.map(i128::from));
     let (total, determinant) = (a * a + b * b + c * c + d * d, (a * d - b * c).abs());
     // Both factors are exact integers under 2⁶⁵, so nothing cancels.
-    let root = sqrt((total - 2 * determinant) as f64 * (total + 2 * determinant) as f64);
-    sqrt(0.5 * (total as f64 + root)) * (1.0 + 8.0 * UNIT)
+    let root = sqrt_f64((total - 2 * determinant) as f64 * (total + 2 * determinant) as f64);
+    sqrt_f64(0.5 * (total as f64 + root)) * (1.0 + 8.0 * UNIT)
 }

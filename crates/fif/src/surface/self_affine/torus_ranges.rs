@@ -1,7 +1,9 @@
 //! Rigorous bounds of a torus surface over rectangles, and its means.
 
-use crate::math::sqrt;
-use crate::numeric::interval::{Bounded, Interval};
+use asperity_core::Interval;
+use asperity_core::math::sqrt_f64;
+
+use crate::numeric::estimate::Bounded;
 use crate::numeric::matrix2::{IDENTITY, added, product, transposed};
 use crate::numeric::polynomial::UNIT;
 use crate::surface::bounds::SurfaceBounds;
@@ -37,7 +39,7 @@ impl SelfAffine<TorusFold> {
         let cells = self.side() as f64;
         let by = self.fold.scaled;
         let mut extent = half.map(|half| (half + cut) * cells);
-        let mut radius = sqrt(extent[0] * extent[0] + extent[1] * extent[1]) * (1.0 + 4.0 * UNIT);
+        let mut radius = sqrt_f64(extent[0] * extent[0] + extent[1] * extent[1]) * (1.0 + 4.0 * UNIT);
         let (mut sum, mut slopes) = (Interval::new(0.0, 0.0), [Interval::new(0.0, 0.0); 2]);
         let (mut weight, mut jacobian, mut steps) = (1.0_f64, IDENTITY, 0);
         // The first K terms at the centre, their gradient, and what is left of them over the rectangle.
@@ -100,7 +102,7 @@ impl SelfAffine<TorusFold> {
                 let (u, v) = (u.magnitude(), v.magnitude());
                 let margin = slope_rounding(&self.limits, steps, 2.0 * self.limits.steepest);
                 let rest = self.limits.contraction_of(steps) * self.limits.steepest;
-                (sqrt(u * u + v * v) + rest + 2.0 * margin) * (1.0 + 8.0 * UNIT)
+                (sqrt_f64(u * u + v * v) + rest + 2.0 * margin) * (1.0 + 8.0 * UNIT)
             });
             if steepest < self.limits.steepest {
                 self.limits.steepest = steepest;
@@ -127,7 +129,7 @@ impl SelfAffine<TorusFold> {
         };
         let (cells, by) = (self.side() as f64, self.fold.scaled);
         let mut extent = [x, y].map(|range| (half_width(range) + cut) * cells);
-        let mut radius = sqrt(extent[0] * extent[0] + extent[1] * extent[1]) * (1.0 + 4.0 * UNIT);
+        let mut radius = sqrt_f64(extent[0] * extent[0] + extent[1] * extent[1]) * (1.0 + 4.0 * UNIT);
         let (mut jacobian, mut steps) = (IDENTITY, 0);
         while extent[0].max(extent[1]) <= 0.5 && steps < MOST_STEPS {
             let [_, along_x, along_y] = self.patch_ranges(at, extent);

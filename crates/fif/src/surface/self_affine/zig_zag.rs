@@ -1,8 +1,8 @@
 //! The rectangle folded by zig-zags along both axes, with its nodes.
 
 use alloc::vec::Vec;
+use asperity_core::Interval;
 
-use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::UNIT;
 use crate::surface::hermite_patch::{Corner, Magnitudes, Patch};
 use crate::surface::self_affine::error::{SelfAffineError, magnitudes};

@@ -1,8 +1,8 @@
 //! Jets in the lanes of a SIMD register. Where the radix is a power of two, digits come out of a float exactly.
 
+use asperity_core::lanes::best_level;
 use fearless_simd::{Bytes, Simd, dispatch, f64x4, prelude::*, u32x8};
 
-use crate::numeric::level::best_level;
 use crate::table::composite::Composite;
 use crate::table::jet::jet::{Jet, Scales, Sums};
 use crate::table::jet::rows::Jets;

@@ -1,9 +1,9 @@
 //! The integral of the deviation from the chord, at the middles of all cells of a table.
 
 use alloc::vec::Vec;
+use asperity_core::Interval;
 
 use crate::numeric::double::Double;
-use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::{UNIT, magnitude};
 use crate::system::chord::Chord;
 use crate::table::composite::{Composite, Composites, Series};

@@ -1,8 +1,9 @@
 //! Value, slope, integral and higher derivatives at one address, by a table of composites.
 
 use alloc::vec::Vec;
+use asperity_core::Interval;
 
-use crate::numeric::interval::{Bounded, Interval};
+use crate::numeric::estimate::Bounded;
 use crate::numeric::polynomial::{UNIT, falling, magnitudes, substitute};
 use crate::system::chord::Chord;
 use crate::system::fif::{Fif, System};
