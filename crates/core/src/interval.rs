@@ -151,7 +151,7 @@ impl fmt::Display for Interval {
 }
 
 #[cfg(feature = "approx")]
-crate::impl_approx! { f64; Interval: i => i.lo, i.hi; }
+crate::macros::impl_approx! { f64; Interval: i => i.lo, i.hi; }
 
 #[cfg(test)]
 mod tests {

@@ -95,3 +95,6 @@ macro_rules! assert_abs_diff_eq {
         }
     };
 }
+
+#[cfg(feature = "approx")]
+pub(crate) use impl_approx;

@@ -48,38 +48,7 @@ pub fn box_dimension(values: &[f64], columns: usize) -> Option<Scaling> {
     Some(Scaling { value: 1.0 - scaling.value, ..scaling })
 }
 
-/// The scaling exponent τ(q) of the q-th moment of oscillations: the multifractal spectrum of a series or an image.
-///
-/// ```text
-/// Σ_blocks (max − min + c)^q ~ s^{τ(q)}   over blocks of s samples along a side
-/// mean (max − min) = a s^H − c            c: what samples miss of the extremes between them, the same at every s
-/// ```
-///
-/// `τ(q) = q H − 1` for a series, `q H − 2` for an image with one Hurst exponent H; a curved τ tells that roughness differs from
-/// place to place. An affine fractal interpolation function has `Σ_j |α_j|^q a_j^{−τ(q)} = 1`. The Legendre transform of τ is
-/// the spectrum of singularities. (A power spectrum would give H alone, and no more where there is a trend.)
-///
-/// `columns` is the number of samples in a row; a series is one row. Blocks share their border samples, their sides are powers of
-/// two, and 8 or more lie along the data. `None` for fewer than
-/// 65 samples along a side, rows that are not whole, values or a `q` that are not finite, and data whose oscillations do not
-/// grow with the blocks, such as constants.
-///
-/// **Accuracy:** measured on 4097 samples: means over fractional Brownian series of H = 0.3, 0.5 and 0.7 within 0.03 of H for
-/// q = 1, single ones within 0.1; the source's g and affine systems of seven maps within 0.05. Large `q` depend on few blocks.
-///
-/// Jaffard, *Multifractal formalism for functions*, SIAM Journal on Mathematical Analysis 28, 1997.
-///
-/// ```
-/// use asperity_fif::{FixedFif, oscillation_exponent};
-/// let f = FixedFif::<2, 2>::affine(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0], &[0.9, -0.4])?;
-/// let mut samples = [0.0; 4097];
-/// f.grid(&mut samples).unwrap();
-/// for q in [0.5_f64, 1.0, 2.0] {
-///     let tau = -(0.9_f64.powf(q) + 0.4_f64.powf(q)).log2();
-///     assert!((oscillation_exponent(&samples, 4097, q).unwrap().value - tau).abs() < 0.05);
-/// }
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
+#[doc = include_str!("../../docs/oscillation.md")]
 #[doc(alias = "multifractal")]
 #[must_use]
 pub fn oscillation_exponent(values: &[f64], columns: usize, q: f64) -> Option<Scaling> {

@@ -3,7 +3,8 @@
 use alloc::vec::Vec;
 use asperity_core::math::sqrt_f64;
 
-use crate::fit::error::{FitError, check_knots, check_points};
+use crate::numeric::refusal::refusals;
+use crate::system::error::{self as system, SystemError, check_finite, check_length};
 use crate::system::fif::Fif;
 
 /// The largest vertical factor that a fit gives, `1 − 2⁻¹⁰`: steeper ones are cut to it.
@@ -135,6 +136,39 @@ impl Data<'_> {
 fn line(x: f64, left: (f64, f64), right: (f64, f64)) -> f64 {
     let t = (x - left.0) / (right.0 - left.0);
     left.1 * (1.0 - t) + right.1 * t
+}
+
+refusals! {
+    /// Why a fit was refused. Points are counted from 0.
+    FitError from SystemError {
+        /// The knots are not the indices of three points or more, rising from the first point to the last: entry `at` is
+        /// `index`, or the number of points if it is missing.
+        Knots { at: usize, index: usize } =>
+            "`knots[{at}]` must rise from the first point to the last, three at least, got {index}";
+        /// A tolerance is NaN or negative.
+        Tolerance { value: f64 } => "`tolerance` must be a number from 0, got {value}";
+    }
+}
+
+pub(crate) fn check_points(x: &[f64], y: &[f64]) -> Result<(), FitError> {
+    check_length("y", x.len(), y.len())?;
+    system::check_knots(x)?;
+    Ok(check_finite("y", y)?)
+}
+
+pub(crate) fn check_knots(points: usize, knots: &[usize]) -> Result<(), FitError> {
+    let wrong = |at: usize| FitError::Knots { at, index: knots.get(at).copied().unwrap_or(points) };
+    if knots.first() != Some(&0) {
+        return Err(wrong(0));
+    }
+    if knots.len() < 3 {
+        return Err(wrong(knots.len()));
+    }
+    if let Some(at) = (1..knots.len()).find(|&at| knots.get(at) <= knots.get(at - 1)) {
+        return Err(wrong(at));
+    }
+    let last = knots.len() - 1;
+    if knots.get(last).copied() != Some(points - 1) { Err(wrong(last)) } else { Ok(()) }
 }
 
 #[cfg(test)]

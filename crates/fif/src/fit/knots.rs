@@ -2,8 +2,7 @@
 
 use alloc::vec::Vec;
 
-use crate::fit::collage::Data;
-use crate::fit::error::{FitError, check_points};
+use crate::fit::collage::{Data, FitError, check_points};
 
 /// Chooses knots among the data, as few as a greedy search finds, so that the collage error at the data is at most
 /// `tolerance`.

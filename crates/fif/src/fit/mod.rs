@@ -13,11 +13,9 @@
 //! ```
 
 pub(crate) mod collage;
-pub(crate) mod error;
 mod knots;
 mod refine;
 
-pub use collage::{Fit, STEEPEST, affine};
-pub use error::FitError;
+pub use collage::{Fit, FitError, STEEPEST, affine};
 pub use knots::knots;
 pub use refine::refined;

@@ -3,8 +3,7 @@
 use alloc::vec::Vec;
 
 use crate::evaluate::address::{Fraction, Orbit, Position, Step};
-use crate::fit::collage::{Data, Fit, STEEPEST};
-use crate::fit::error::{FitError, check_knots, check_points};
+use crate::fit::collage::{Data, Fit, FitError, STEEPEST, check_knots, check_points};
 use crate::numeric::elimination::solve;
 use crate::system::fif::{Fif, Spacing};
 

@@ -12,29 +12,7 @@ use crate::system::map::Piece;
 /// Sweeps that tighten the ranges.
 const SWEEPS: usize = 64;
 
-/// A recurrent fractal interpolation function: every map has a source of its own, from knot to knot.
-///
-/// ```text
-/// f(a_j x + b_j) = α_j f(x) + q_j(x)   for x in [x_from, x_to], which a_j x + b_j sends onto [x_{j−1}, x_j]
-/// ```
-///
-/// With `|α_j| < 1` there is one bounded `f` like that; it is continuous, because both ends of every map meet the
-/// ordinates. With the whole domain as every source it is a [`System`](crate::System), which has much more to offer.
-///
-/// M. F. Barnsley, J. H. Elton, D. P. Hardin, *Recurrent iterated function systems*, Constructive Approximation 5, 1989.
-///
-/// ```
-/// use asperity_fif::Recurrent;
-/// // A smooth left half and a rough right one: each is made of copies of itself.
-/// let (x, y) = ([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.0, 0.0, 1.0, 0.0]);
-/// let f = Recurrent::affine(&x, &y, &[0.1, 0.1, 0.8, -0.8], &[[0, 2], [0, 2], [2, 4], [2, 4]])?;
-/// let (left, right) = (f.evaluate(0.7, 1e-12), f.evaluate(2.7, 1e-12));
-/// assert!((left.value - (0.1 * f.evaluate(1.4, 1e-12).value + 0.7)).abs() < 1e-12);
-/// assert!(right.bound <= 1e-12 && f.range().contains(right.value));
-/// // ∫ over the left half: I = (0.1 I + 1/2 · 2)/2 · 2.
-/// assert!((f.integral(2.0).value - 1.0 / 0.9).abs() <= f.integral(2.0).bound);
-/// # Ok::<(), asperity_fif::RecurrentError>(())
-/// ```
+#[doc = include_str!("../../docs/recurrent-systems.md")]
 #[derive(Clone, Debug)]
 pub struct Recurrent<const C: usize> {
     pub(crate) links: Vec<Link<C>>,

@@ -43,7 +43,6 @@ impl<const C: usize> Cell<C> {
     }
 
     /// An enclosure of `f` over the cell, from one over the domain.
-    #[inline]
     pub(crate) fn range(&self, domain: Interval) -> Interval {
         let p = self.polynomial_range();
         let f = domain.scaled(self.product);
@@ -62,25 +61,21 @@ impl<const C: usize> Cell<C> {
     }
 
     /// Bernstein coefficients of the polynomial.
-    #[inline]
     pub(crate) fn bernstein(&self) -> &[f64; C] {
         &self.polynomial
     }
 
     /// Bound of the relative error of `product`.
-    #[inline]
     pub(crate) fn product_error(&self) -> f64 {
         self.steps * UNIT
     }
 
     /// The polynomial's part of the range, without its error.
-    #[inline]
     pub(crate) fn polynomial_range(&self) -> Interval {
         hull(&self.polynomial)
     }
 
     /// Values of `f` at the two ends of the cell, from those at the ends of the domain.
-    #[inline]
     pub(crate) fn ends(&self, domain: [f64; 2]) -> [Interval; 2] {
         let first = self.polynomial.first().copied().unwrap_or(0.0);
         let last = self.polynomial.last().copied().unwrap_or(0.0);
@@ -93,7 +88,6 @@ impl<const C: usize> Cell<C> {
     }
 
     /// Bound of the rounding errors in the polynomial.
-    #[inline]
     pub(crate) fn error(&self) -> f64 {
         self.error
     }

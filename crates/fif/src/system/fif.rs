@@ -12,29 +12,7 @@ use crate::system::map::Piece;
 use crate::system::range::box_of_range;
 use crate::system::storage::Storage;
 
-/// A fractal interpolation function: the only bounded `f` with `f(a_j x + b_j) = α_j f(x) + q_j(x)` for every map `j`.
-///
-/// ```text
-/// knots x_0 < … < x_N, N ≥ 2        L_j(x) = a_j x + b_j,   a_j = (x_j − x_{j−1})/(x_N − x_0),   b_j = x_{j−1} − a_j x_0
-/// |α_j| < 1                         F_j(x, y) = α_j y + q_j(x),   F_j(x_0, y_0) = y_{j−1},   F_j(x_N, y_N) = y_j
-/// ```
-///
-/// `S` holds the pieces: `[Piece<C>; N]` ([`FixedFif`]), `Vec<Piece<C>>`
-/// ([`Fif`], feature `alloc`) or `&[Piece<C>]` ([`System::view`]). `C` is the number of coefficients of
-/// each `q_j`, its degree plus one.
-///
-/// Knots that lie within two units in the last place of equal spacing are taken as exactly equally spaced.
-///
-/// Cochran, Lewis, Hart 2000, eq. 3–17; the lower limit of eq. 2 is `x_0`, and `a_j > 0` strictly.
-///
-/// ```
-/// use asperity_fif::FixedFif;
-/// // Figure 1, left, of the source: through (0, 0), (1, 1), (2, 0) with vertical factors 1/2.
-/// let f = FixedFif::<2, 2>::affine(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0], &[0.5, 0.5])?;
-/// let top = f.evaluate(2.0 / 3.0, 1e-12);
-/// assert!((top.value - 4.0 / 3.0).abs() <= 1e-12);
-/// # Ok::<(), asperity_fif::SystemError>(())
-/// ```
+#[doc = include_str!("../../docs/systems.md")]
 #[derive(Clone, Copy, Debug)]
 #[doc(alias = "ifs")]
 #[doc(alias = "fractal interpolation")]
@@ -191,28 +169,24 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
 
 impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// The maps with their intervals, from left to right.
-    #[inline]
     #[must_use]
     pub fn pieces(&self) -> &[Piece<C>] {
         self.pieces.as_ref()
     }
 
     /// A copyable handle on the function, over borrowed pieces.
-    #[inline]
     #[must_use]
     pub fn view(&self) -> System<&[Piece<C>], C> {
         self.over(self.pieces())
     }
 
     /// `[x_0, x_N]`.
-    #[inline]
     pub fn domain(&self) -> Interval {
         let pieces = self.pieces();
         Interval::new(pieces.first().map_or(0.0, |p| p.x()[0]), pieces.last().map_or(0.0, |p| p.x()[1]))
     }
 
     /// The ordinates `y_0` and `y_N` at the ends of the domain.
-    #[inline]
     #[must_use]
     pub fn end_values(&self) -> [f64; 2] {
         let pieces = self.pieces();
@@ -249,18 +223,15 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// The least box `B` with `α_j B + q_j(X) ⊂ B` for all maps, by policy iteration, inflated until the inclusion holds
     /// with outward rounding, then intersected with the hull of its images under composites of a few maps. The source's
     /// eq. 47 and 48 take the minimum from one and the maximum from the other polynomial; for `α < 0` they swap.
-    #[inline]
     pub fn range(&self) -> Interval {
         self.range
     }
 
     /// The system over a copy of its pieces.
-    #[inline]
     pub(crate) fn over<T>(&self, pieces: T) -> System<T, C> {
         System { pieces, spacing: self.spacing, range: self.range, noise: self.noise, gain: self.gain }
     }
 
-    #[inline]
     pub(crate) fn spacing(&self) -> Spacing {
         self.spacing
     }

@@ -40,7 +40,6 @@ impl<const C: usize> Map<C> {
     pub const IDENTITY: Self = Self { a: 1.0, b: 0.0, alpha: 1.0, q: [0.0; C] };
 
     /// `(a x + b, α y + q(x))`.
-    #[inline]
     #[must_use]
     pub fn apply(&self, x: f64, y: f64) -> (f64, f64) {
         (self.a * x + self.b, self.alpha * y + horner(&self.q, x))
@@ -145,21 +144,18 @@ impl<const C: usize> Piece<C> {
     }
 
     /// The map `w_j`.
-    #[inline]
     #[must_use]
     pub const fn map(&self) -> &Map<C> {
         &self.map
     }
 
     /// The knots `x_{j−1}` and `x_j` at its ends.
-    #[inline]
     #[must_use]
     pub const fn x(&self) -> [f64; 2] {
         self.x
     }
 
     /// The ordinates `y_{j−1}` and `y_j` at its ends.
-    #[inline]
     #[must_use]
     pub const fn y(&self) -> [f64; 2] {
         self.y

@@ -12,33 +12,7 @@ use crate::table::jet::rows::{Jets, derivatives};
 use crate::table::nonuniform::Nonuniform;
 use crate::table::uniform::Uniform;
 
-/// A function with a table, for values, slopes and integrals at any points in a few nanoseconds; from [`System::table`].
-///
-/// ```text
-/// f(t) = chord(t) + Σ_{k < K} W_k P_{e_{k+1}}(u_{k+1}) + W_K τ        W_k = A_{e_1} … A_{e_k}
-/// ```
-///
-/// On equally spaced knots `e_1, e_2, …` are the digits of `t`, the place in the domain, to the radix `N^r`, and `u_k` is
-/// left after `k` of them; `A_e` and `P_e` make the composite of `r` maps in row `e` of the table, and `τ` is the middle of
-/// `f − chord`, or 0 where nothing is left. On others `e_k` are cells of a partition into 4096 images of composites, found by
-/// a guide, and `u_{k+1} = (u_k − left_e)/width_e`. `K` is fixed by the tolerance when the table is made.
-///
-/// - **Size:** up to 1024 rows in 32 KB on equally spaced knots, as much again for jets of a smooth function, made in 0.01 to
-///   1 ms; 230 KB for affine systems on others, made in 1 to 2 ms.
-///
-/// Cochran, Lewis, Hart 2000, eq. 26–28, composed in advance, where Algorithm 2 composes for every point.
-///
-/// ```
-/// use asperity_fif::{Fif, paper};
-/// let f = paper::f()?.table(1e-12)?;
-/// let top = f.value(2.0 / 3.0);
-/// assert!((top - 4.0 / 3.0).abs() <= f.bound() + 1e-15 && f.bound() <= 1e-12);
-/// assert_eq!(f.value(1.0), 1.0); // a knot
-/// // On unequal knots too.
-/// let f = Fif::affine(&[0.0, 0.4, 1.4, 2.0], &[0.3, 1.0, -0.5, 0.25], &[0.4, -0.6, 0.5])?;
-/// assert!((f.table(1e-6)?.value(0.9) - f.evaluate(0.9, 1e-12).value).abs() <= 1e-6);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
+#[doc = include_str!("../../docs/tables.md")]
 #[derive(Clone, Debug)]
 #[doc(alias = "lookup")]
 pub struct Table<const C: usize> {

@@ -147,14 +147,12 @@ impl<const C: usize> Table32<C> {
     }
 
     /// Bound of the error of every value: truncation and rounding, the table's included.
-    #[inline]
     #[must_use]
     pub fn bound(&self) -> f32 {
         self.bound
     }
 
     /// The table in `f64` that it was made of.
-    #[inline]
     #[must_use]
     pub fn table(&self) -> &Table<C> {
         &self.table

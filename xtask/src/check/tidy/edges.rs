@@ -14,11 +14,7 @@ const EDGES: [(&str, &[&str], &[&str]); 8] = [
         &["approx", "asperity-core", "glam", "proptest", "rand", "serde"],
         &["criterion", "libm", "png"],
     ),
-    (
-        "asperity-fif",
-        &["approx", "asperity-core", "fearless_simd", "glam", "serde"],
-        &["criterion", "png"],
-    ),
+    ("asperity-fif", &["approx", "asperity-core", "fearless_simd", "glam", "serde"], &["criterion", "png"]),
     (
         "asperity-shading",
         &[

@@ -103,27 +103,23 @@ impl<F: Function, G: Function> HeightField<F, G> {
     /// ```text
     /// |h − f g| ≤ |f| δ_g + |g| δ_f + δ_f δ_g
     /// ```
-    #[inline]
     pub fn evaluate(&self, x: f64, y: f64, tolerance: f64) -> Bounded {
         let share = |other: Interval| 0.5 * tolerance / other.magnitude().max(f64::MIN_POSITIVE);
         self.x.evaluate(x, share(self.y.range())).product(self.y.evaluate(y, share(self.x.range())))
     }
 
     /// `h` to the rounding error of the point.
-    #[inline]
     pub(crate) fn near(&self, x: f64, y: f64) -> Bounded {
         self.x.near(x).product(self.y.near(y))
     }
 
     /// `h` to the rounding error; the value of [`HeightField::evaluate`] at tolerance 0.
-    #[inline]
     #[must_use]
     pub fn height(&self, x: f64, y: f64) -> f64 {
         self.evaluate(x, y, 0.0).value
     }
 
     /// `(∂h/∂x, ∂h/∂y)`, or `None` unless both axes are differentiable.
-    #[inline]
     #[must_use]
     pub fn gradient(&self, x: f64, y: f64) -> Option<DVec2> {
         let (f_slope, g_slope) = (self.x.slope(x)?, self.y.slope(y)?);
@@ -132,7 +128,6 @@ impl<F: Function, G: Function> HeightField<F, G> {
     }
 
     /// The unit normal, upward, or `None` unless both axes are differentiable.
-    #[inline]
     #[must_use]
     pub fn normal(&self, x: f64, y: f64) -> Option<DVec3> {
         self.gradient(x, y).map(upward_normal)

@@ -100,20 +100,17 @@ pub trait FoldParts: Sized + Clone + Debug {
 
 impl<F: Fold> SelfAffine<F> {
     /// The rectangle under the surface: one period, or the grid.
-    #[inline]
     pub fn domain(&self) -> [Interval; 2] {
         self.fold.domain()
     }
 
     /// The vertical factor s.
-    #[inline]
     #[must_use]
     pub const fn factor(&self) -> f64 {
         self.factor
     }
 
     /// A rigorous enclosure of all heights.
-    #[inline]
     pub const fn range(&self) -> Interval {
         self.limits.range
     }
@@ -155,7 +152,6 @@ impl<F: Fold> SelfAffine<F> {
     /// ```
     ///
     /// The last term is replaced by `sᴷ` times the middle of w's range, or at a node by its exact value.
-    #[inline]
     pub fn evaluate(&self, x: f64, y: f64, tolerance: f64) -> Bounded {
         let Some((at, cut)) = self.fold.locate(x, y) else { return Bounded::NAN };
         let Bounded { value, bound } = self.value_from(at, tolerance);
@@ -170,21 +166,18 @@ impl<F: Fold> SelfAffine<F> {
     ///
     /// The bound includes what the gradient may change over the rounding of the point, which on zig-zags is more than any
     /// other rounding: [`SelfAffine::gradient_modulus`].
-    #[inline]
     pub fn evaluate_gradient(&self, x: f64, y: f64, tolerance: f64) -> [Bounded; 2] {
         let Some((at, cut)) = self.fold.locate(x, y) else { return [Bounded::NAN; 2] };
         self.gradient_from(at, cut, tolerance)
     }
 
     /// `f(x, y)` to the rounding error; the value of [`SelfAffine::evaluate`] at tolerance 0.
-    #[inline]
     #[must_use]
     pub fn height(&self, x: f64, y: f64) -> f64 {
         self.evaluate(x, y, 0.0).value
     }
 
     /// `(∂f/∂x, ∂f/∂y)` to the rounding error.
-    #[inline]
     #[must_use]
     pub fn gradient(&self, x: f64, y: f64) -> DVec2 {
         let [x, y] = self.evaluate_gradient(x, y, 0.0);
@@ -192,7 +185,6 @@ impl<F: Fold> SelfAffine<F> {
     }
 
     /// The unit normal, upward: `(−∂f/∂x, −∂f/∂y, 1) / |…|`.
-    #[inline]
     #[must_use]
     pub fn normal(&self, x: f64, y: f64) -> DVec3 {
         upward_normal(self.gradient(x, y))
@@ -284,7 +276,6 @@ impl<F: Fold> SelfAffine<F> {
     }
 
     /// Reciprocals of the domain's widths.
-    #[inline]
     fn per(&self) -> [f64; 2] {
         self.fold.domain().map(|side| 1.0 / side.width())
     }
@@ -382,7 +373,6 @@ impl<F: Fold> Surface for SelfAffine<F> {
         self.range()
     }
 
-    #[inline]
     fn evaluate(&self, x: f64, y: f64, tolerance: f64) -> Bounded {
         self.evaluate(x, y, tolerance)
     }
