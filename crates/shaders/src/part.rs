@@ -150,4 +150,24 @@ macro_rules! part {
     };
 }
 
-pub(crate) use part;
+/// A uniform as its words, in the layout of a WGSL structure.
+macro_rules! uniform {
+    ($(#[$doc:meta])* $name:ident: $words:expr, $of:literal;) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub struct $name([u32; Self::WORDS]);
+
+        impl $name {
+            /// Words of the structure.
+            pub const WORDS: usize = $words;
+
+            #[doc = concat!("The words, in the layout of `", $of, "`.")]
+            #[must_use]
+            pub const fn words(&self) -> [u32; Self::WORDS] {
+                self.0
+            }
+        }
+    };
+}
+
+pub(crate) use {part, uniform};

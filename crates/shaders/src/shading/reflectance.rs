@@ -4,7 +4,7 @@ use asperity_shading::glam::Vec4;
 use asperity_shading::reflectance::Coat;
 
 use crate::ndf::{BECKMANN, ELEMENTARY, FRAME, GGX};
-use crate::part::{Part, part};
+use crate::part::{Part, part, uniform};
 use crate::shading::bump::{SLOPE_FACETS, SURFACE_GRADIENT};
 use crate::shading::{DIRECTION, MATH};
 
@@ -71,31 +71,29 @@ pub static COAT: Part = part!(
     ELEMENTARY,
 );
 
-/// A coat as the words of the structure `Coat`.
-///
-/// | words | |
-/// |---|---|
-/// | 0–3 | unit normal in the frame of the surface; variance of the slopes that the pixel does not resolve |
-/// | 4–7 | steepest slope of a sine that it does not resolve, or 0; Beckmann's α, 0 for a smooth coat |
-/// | 8–11 | tint of a pane, reflectance of a metal, transmittance of a veil, else 1; relative index |
-/// | 12–15 | kind: varnish, pane, body, metal, veil; 0, 0, 0 |
-///
-/// ```
-/// use asperity_shaders::shading::reflectance::CoatUniform;
-/// use asperity_shading::{Dielectric, reflectance::Coat};
-///
-/// let varnish = Coat::varnish(Dielectric::new(1.5)?).rough(0.1);
-/// let words = CoatUniform::new(&varnish).words();
-/// assert_eq!([words[2], words[7], words[11]].map(f32::from_bits), [1.0, 0.1, 1.5]);
-/// # Ok::<(), asperity_shading::ParameterError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct CoatUniform([u32; Self::WORDS]);
+uniform! {
+    /// A coat as the words of the structure `Coat`.
+    ///
+    /// | words | |
+    /// |---|---|
+    /// | 0–3 | unit normal in the frame of the surface; variance of the slopes that the pixel does not resolve |
+    /// | 4–7 | steepest slope of a sine that it does not resolve, or 0; Beckmann's α, 0 for a smooth coat |
+    /// | 8–11 | tint of a pane, reflectance of a metal, transmittance of a veil, else 1; relative index |
+    /// | 12–15 | kind: varnish, pane, body, metal, veil; 0, 0, 0 |
+    ///
+    /// ```
+    /// use asperity_shaders::shading::reflectance::CoatUniform;
+    /// use asperity_shading::{Dielectric, reflectance::Coat};
+    ///
+    /// let varnish = Coat::varnish(Dielectric::new(1.5)?).rough(0.1);
+    /// let words = CoatUniform::new(&varnish).words();
+    /// assert_eq!([words[2], words[7], words[11]].map(f32::from_bits), [1.0, 0.1, 1.5]);
+    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// ```
+    CoatUniform: 16, "Coat";
+}
 
 impl CoatUniform {
-    /// Words of the structure.
-    pub const WORDS: usize = 16;
-
     /// The words of a coat.
     #[must_use]
     pub fn new(coat: &Coat) -> Self {
@@ -106,11 +104,5 @@ impl CoatUniform {
         }
         words[12] = kind;
         Self(words)
-    }
-
-    /// The words, in the layout of `Coat`.
-    #[must_use]
-    pub const fn words(&self) -> [u32; Self::WORDS] {
-        self.0
     }
 }

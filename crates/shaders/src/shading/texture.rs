@@ -8,7 +8,7 @@ use asperity_shading::{Brick, Marble};
 use crate::ndf::ELEMENTARY;
 use crate::noise::sums::{FREQUENCY_CLAMP, OctavesUniform, octaves_3d};
 use crate::noise::{PERLIN_2002, WHITE, key};
-use crate::part::{Part, part};
+use crate::part::{Part, part, uniform};
 use crate::shading::pixel::FOOTPRINT;
 use crate::shading::{DIRECTION, MATH};
 
@@ -104,28 +104,26 @@ impl BevelUniform {
     }
 }
 
-/// Wallpaper as the words of the structure `StarWallpaper`.
-///
-/// | words | |
-/// |---|---|
-/// | 0–3 | points of a star; radii of its notches and points in texture coordinates; cells per unit |
-/// | 4–8 | chance of a star; share of stars from afar; cosine and sine of half the angle between points; that angle in radians |
-/// | 9–11 | keys of the lattices that say whether there is a star, and where |
-///
-/// ```
-/// use asperity_shaders::shading::texture::StarWallpaperUniform;
-/// use asperity_shading::texture::StarWallpaper;
-///
-/// let words = StarWallpaperUniform::new(&StarWallpaper::default()).words();
-/// assert_eq!([words[0], words[3]].map(f32::from_bits), [5.0, 10.0]);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct StarWallpaperUniform([u32; Self::WORDS]);
+uniform! {
+    /// Wallpaper as the words of the structure `StarWallpaper`.
+    ///
+    /// | words | |
+    /// |---|---|
+    /// | 0–3 | points of a star; radii of its notches and points in texture coordinates; cells per unit |
+    /// | 4–8 | chance of a star; share of stars from afar; cosine and sine of half the angle between points; that angle in radians |
+    /// | 9–11 | keys of the lattices that say whether there is a star, and where |
+    ///
+    /// ```
+    /// use asperity_shaders::shading::texture::StarWallpaperUniform;
+    /// use asperity_shading::texture::StarWallpaper;
+    ///
+    /// let words = StarWallpaperUniform::new(&StarWallpaper::default()).words();
+    /// assert_eq!([words[0], words[3]].map(f32::from_bits), [5.0, 10.0]);
+    /// ```
+    StarWallpaperUniform: 12, "StarWallpaper";
+}
 
 impl StarWallpaperUniform {
-    /// Words of the structure.
-    pub const WORDS: usize = 12;
-
     /// The words of wallpaper.
     #[must_use]
     pub fn new(wallpaper: &StarWallpaper) -> Self {
@@ -135,36 +133,28 @@ impl StarWallpaperUniform {
         words[9..].copy_from_slice(&seeds.map(key));
         Self(words)
     }
-
-    /// The words, in the layout of `StarWallpaper`.
-    #[must_use]
-    pub const fn words(&self) -> [u32; Self::WORDS] {
-        self.0
-    }
 }
 
-/// Marble as the words of the structure `Marble`.
-///
-/// | words | |
-/// |---|---|
-/// | 0–3 | cells of the first octave per unit of length; deviation of one octave; 0, 0 |
-/// | 4–7 | keys of its octaves |
-/// | 8–23 | distribution function of an octave at −3.5, −3, … 4 deviations |
-///
-/// ```
-/// use asperity_shaders::shading::texture::MarbleUniform;
-/// use asperity_shading::Marble;
-///
-/// let words = MarbleUniform::new(&Marble::default()).words();
-/// assert_eq!([words[0], words[15], words[23]].map(f32::from_bits), [2.5, 0.5, 1.0]);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct MarbleUniform([u32; Self::WORDS]);
+uniform! {
+    /// Marble as the words of the structure `Marble`.
+    ///
+    /// | words | |
+    /// |---|---|
+    /// | 0–3 | cells of the first octave per unit of length; deviation of one octave; 0, 0 |
+    /// | 4–7 | keys of its octaves |
+    /// | 8–23 | distribution function of an octave at −3.5, −3, … 4 deviations |
+    ///
+    /// ```
+    /// use asperity_shaders::shading::texture::MarbleUniform;
+    /// use asperity_shading::Marble;
+    ///
+    /// let words = MarbleUniform::new(&Marble::default()).words();
+    /// assert_eq!([words[0], words[15], words[23]].map(f32::from_bits), [2.5, 0.5, 1.0]);
+    /// ```
+    MarbleUniform: 24, "Marble";
+}
 
 impl MarbleUniform {
-    /// Words of the structure.
-    pub const WORDS: usize = 24;
-
     /// The words of marble.
     #[must_use]
     pub fn new(marble: &Marble) -> Self {
@@ -178,12 +168,6 @@ impl MarbleUniform {
             *word = at.copied().unwrap_or(1.0).to_bits();
         }
         Self(words)
-    }
-
-    /// The words, in the layout of `Marble`.
-    #[must_use]
-    pub const fn words(&self) -> [u32; Self::WORDS] {
-        self.0
     }
 }
 
@@ -232,24 +216,22 @@ impl GasUniform {
     }
 }
 
-/// Coordinates that noise moves as the words of the structure `PerturbedTexture`.
-///
-/// Strengths in texture coordinates, cells of noise per unit of length, its standard deviation; two keys, 0, 0.
-///
-/// ```
-/// use asperity_shaders::shading::texture::PerturbedUniform;
-/// use asperity_shading::texture::PerturbedTexture;
-///
-/// let words = PerturbedUniform::new(&PerturbedTexture::default()).words();
-/// assert_eq!([words[0], words[1], words[2]].map(f32::from_bits), [0.1, 0.05, 0.2]);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct PerturbedUniform([u32; Self::WORDS]);
+uniform! {
+    /// Coordinates that noise moves as the words of the structure `PerturbedTexture`.
+    ///
+    /// Strengths in texture coordinates, cells of noise per unit of length, its standard deviation; two keys, 0, 0.
+    ///
+    /// ```
+    /// use asperity_shaders::shading::texture::PerturbedUniform;
+    /// use asperity_shading::texture::PerturbedTexture;
+    ///
+    /// let words = PerturbedUniform::new(&PerturbedTexture::default()).words();
+    /// assert_eq!([words[0], words[1], words[2]].map(f32::from_bits), [0.1, 0.05, 0.2]);
+    /// ```
+    PerturbedUniform: 8, "PerturbedTexture";
+}
 
 impl PerturbedUniform {
-    /// Words of the structure.
-    pub const WORDS: usize = 8;
-
     /// The words of a texture.
     #[must_use]
     pub fn new(texture: &PerturbedTexture) -> Self {
@@ -257,11 +239,5 @@ impl PerturbedUniform {
         let floats = [texture.strength.x, texture.strength.y, texture.scale, deviation];
         let [a, b, c, d] = floats.map(f32::to_bits);
         Self([a, b, c, d, key(texture.seed), key(texture.seed.wrapping_add(1)), 0, 0])
-    }
-
-    /// The words, in the layout of `PerturbedTexture`.
-    #[must_use]
-    pub const fn words(&self) -> [u32; Self::WORDS] {
-        self.0
     }
 }

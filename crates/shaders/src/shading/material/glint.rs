@@ -7,7 +7,7 @@ use super::paint::{COATED_FLAKES, MetallicPaintUniform};
 use super::surface::LATTICE_KEY;
 use crate::ndf::{ELEMENTARY, NORMAL_DISTRIBUTION};
 use crate::noise::{INTEGER_HASH, key};
-use crate::part::{Binding, Part, part};
+use crate::part::{Binding, Part, part, uniform};
 use crate::shading::{DIRECTION, MATH};
 
 /// Flakes counted within pixels, with any density of normals for their mean, [`GlintField`].
@@ -25,26 +25,24 @@ pub static GLINT_FIELD: Part = part!(
 pub static COUNTED_FLAKES: Part = part!("shading/material/paint/counted_flakes", COATED_FLAKES, GLINT_FIELD)
     .with_bindings(&[Binding::Uniform { name: "counted_flakes_uniform", of: "CountedFlakes" }]);
 
-/// Flakes that are counted as the words of the structure `GlintField`.
-///
-/// Distance between flakes in units of positions, deviations of their tilt over which a lamp is mirrored; key of the lattice, 0; two keys
-/// of tilts, 0, 0.
-///
-/// ```
-/// use asperity_shaders::shading::material::GlintFieldUniform;
-/// use asperity_shading::{Beckmann, material::GlintField};
-///
-/// let flakes = GlintField::new(Beckmann::new(0.3, 0.3)?, 1e-4, 0.1, 7)?;
-/// assert_eq!(GlintFieldUniform::new(&flakes).words()[..2], [1e-4_f32, 0.1].map(f32::to_bits));
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct GlintFieldUniform([u32; Self::WORDS]);
+uniform! {
+    /// Flakes that are counted as the words of the structure `GlintField`.
+    ///
+    /// Distance between flakes in units of positions, deviations of their tilt over which a lamp is mirrored; key of the lattice, 0; two keys
+    /// of tilts, 0, 0.
+    ///
+    /// ```
+    /// use asperity_shaders::shading::material::GlintFieldUniform;
+    /// use asperity_shading::{Beckmann, material::GlintField};
+    ///
+    /// let flakes = GlintField::new(Beckmann::new(0.3, 0.3)?, 1e-4, 0.1, 7)?;
+    /// assert_eq!(GlintFieldUniform::new(&flakes).words()[..2], [1e-4_f32, 0.1].map(f32::to_bits));
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    GlintFieldUniform: 8, "GlintField";
+}
 
 impl GlintFieldUniform {
-    /// Words of the structure.
-    pub const WORDS: usize = 8;
-
     /// The words of flakes.
     #[must_use]
     pub fn new<N: Ndf>(field: &GlintField<N>) -> Self {
@@ -52,35 +50,27 @@ impl GlintFieldUniform {
         let [x, y] = GlintField::<N>::TILTS.map(|tilt| key(seed ^ tilt));
         Self([spacing.to_bits(), bin.to_bits(), key(seed), 0, x, y, 0, 0])
     }
-
-    /// The words, in the layout of `GlintField`.
-    #[must_use]
-    pub const fn words(&self) -> [u32; Self::WORDS] {
-        self.0
-    }
 }
 
-/// Paint whose flakes are counted as the words of the structure `CountedFlakes`.
-///
-/// The 36 words of [`MetallicPaintUniform`], which has its sums of octaves too, and the eight of [`GlintFieldUniform`].
-///
-/// ```
-/// use asperity_shaders::shading::material::CountedFlakesUniform;
-/// use asperity_shading::{MetallicPaint, MetallicPaintParameters, material::PaintFlakes};
-///
-/// let flakes = PaintFlakes::Counted { spacing: 2e-4, bin: 0.1 };
-/// let paint = MetallicPaint::new(MetallicPaintParameters { flakes, ..Default::default() })?;
-/// let words = CountedFlakesUniform::new(&paint, 0).map(|counted| counted.words()[36]);
-/// assert_eq!(words, Some(2e-4_f32.to_bits()));
-/// # Ok::<(), asperity_shading::ParameterError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct CountedFlakesUniform([u32; Self::WORDS]);
+uniform! {
+    /// Paint whose flakes are counted as the words of the structure `CountedFlakes`.
+    ///
+    /// The 36 words of [`MetallicPaintUniform`], which has its sums of octaves too, and the eight of [`GlintFieldUniform`].
+    ///
+    /// ```
+    /// use asperity_shaders::shading::material::CountedFlakesUniform;
+    /// use asperity_shading::{MetallicPaint, MetallicPaintParameters, material::PaintFlakes};
+    ///
+    /// let flakes = PaintFlakes::Counted { spacing: 2e-4, bin: 0.1 };
+    /// let paint = MetallicPaint::new(MetallicPaintParameters { flakes, ..Default::default() })?;
+    /// let words = CountedFlakesUniform::new(&paint, 0).map(|counted| counted.words()[36]);
+    /// assert_eq!(words, Some(2e-4_f32.to_bits()));
+    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// ```
+    CountedFlakesUniform: MetallicPaintUniform::WORDS + GlintFieldUniform::WORDS, "CountedFlakes";
+}
 
 impl CountedFlakesUniform {
-    /// Words of the structure.
-    pub const WORDS: usize = MetallicPaintUniform::WORDS + GlintFieldUniform::WORDS;
-
     /// The words of paint whose sums of octaves are numbered from `first` in the uniform of sums; none of paint whose flakes sparkle.
     #[must_use]
     pub fn new(paint: &MetallicPaint, first: u32) -> Option<Self> {
@@ -90,11 +80,5 @@ impl CountedFlakesUniform {
             .copy_from_slice(&MetallicPaintUniform::new(paint, first).words());
         words[MetallicPaintUniform::WORDS..].copy_from_slice(&field);
         Some(Self(words))
-    }
-
-    /// The words, in the layout of `CountedFlakes`.
-    #[must_use]
-    pub const fn words(&self) -> [u32; Self::WORDS] {
-        self.0
     }
 }

@@ -5,7 +5,7 @@ use asperity_shading::material::{BevelledTiles, BrickWall, PolishedMarble, Wallp
 
 use super::surface::SURFACE_POINT;
 use crate::noise::{INTEGER_HASH, key};
-use crate::part::{Binding, Part, part};
+use crate::part::{Binding, Part, part, uniform};
 use crate::shading::DIRECTION;
 use crate::shading::pixel::FOOTPRINT;
 use crate::shading::reflectance::{BRDF, COAT, ENERGY_PRESERVING, FACET};
@@ -49,29 +49,27 @@ pub static POLISHED_MARBLE: Part =
 pub static PERTURBED_POINT: Part =
     part!("shading/material/textured/perturbed_point", PERTURBED, SURFACE_POINT);
 
-/// A wall as the words of the structure `BrickWall`.
-///
-/// | words | |
-/// |---|---|
-/// | 0–3 | sides of a brick with its mortar in texture coordinates, half the mortar as a share of either |
-/// | 4–7 | colour of bricks; its variation from brick to brick |
-/// | 8–11 | colour of the mortar; its depth in texture coordinates |
-/// | 12–15 | roughness of the facets; key of the lattice of bricks; 0, 0 |
-///
-/// ```
-/// use asperity_shaders::shading::material::BrickWallUniform;
-/// use asperity_shading::material::BrickWall;
-///
-/// let words = BrickWallUniform::new(&BrickWall::default()).words();
-/// assert_eq!([words[0], words[11], words[12]].map(f32::from_bits), [0.26, 0.006, 0.7]);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct BrickWallUniform([u32; Self::WORDS]);
+uniform! {
+    /// A wall as the words of the structure `BrickWall`.
+    ///
+    /// | words | |
+    /// |---|---|
+    /// | 0–3 | sides of a brick with its mortar in texture coordinates, half the mortar as a share of either |
+    /// | 4–7 | colour of bricks; its variation from brick to brick |
+    /// | 8–11 | colour of the mortar; its depth in texture coordinates |
+    /// | 12–15 | roughness of the facets; key of the lattice of bricks; 0, 0 |
+    ///
+    /// ```
+    /// use asperity_shaders::shading::material::BrickWallUniform;
+    /// use asperity_shading::material::BrickWall;
+    ///
+    /// let words = BrickWallUniform::new(&BrickWall::default()).words();
+    /// assert_eq!([words[0], words[11], words[12]].map(f32::from_bits), [0.26, 0.006, 0.7]);
+    /// ```
+    BrickWallUniform: 16, "BrickWall";
+}
 
 impl BrickWallUniform {
-    /// Words of the structure.
-    pub const WORDS: usize = 16;
-
     /// The words of a wall.
     #[must_use]
     pub fn new(wall: &BrickWall) -> Self {
@@ -82,12 +80,6 @@ impl BrickWallUniform {
         words[12..14].copy_from_slice(&[wall.roughness.to_bits(), key(1)]);
         Self(words)
     }
-
-    /// The words, in the layout of `BrickWall`.
-    #[must_use]
-    pub const fn words(&self) -> [u32; Self::WORDS] {
-        self.0
-    }
 }
 
 /// A vector and a number behind it.
@@ -95,32 +87,30 @@ fn with(vector: Vec3, number: f32) -> [u32; 4] {
     vector.extend(number).to_array().map(f32::to_bits)
 }
 
-/// Tiles as the words of the structure `BevelledTiles`.
-///
-/// | words | |
-/// |---|---|
-/// | 0–3 | widths of plateau and flank as shares of the side, the flank's slopes at its top and its bottom |
-/// | 4–7 | colour; roughness of the facets |
-/// | 8–11 | side of a tile in texture coordinates; 0, 0, 0 |
-///
-/// A side that is not positive is one tile, as large as there are numbers.
-///
-/// ```
-/// use asperity_shaders::shading::material::BevelledTilesUniform;
-/// use asperity_shading::{glam::Vec3, material::BevelledTiles, texture::Bevel};
-///
-/// let bevel = Bevel::new(0.0, 0.125, 0.0, 1.0)?;
-/// let tiles = BevelledTiles { bevel, side: 0.3, colour: Vec3::splat(0.5), roughness: 0.2 };
-/// assert_eq!(BevelledTilesUniform::new(&tiles).words()[8], 0.3_f32.to_bits());
-/// # Ok::<(), asperity_shading::ParameterError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct BevelledTilesUniform([u32; Self::WORDS]);
+uniform! {
+    /// Tiles as the words of the structure `BevelledTiles`.
+    ///
+    /// | words | |
+    /// |---|---|
+    /// | 0–3 | widths of plateau and flank as shares of the side, the flank's slopes at its top and its bottom |
+    /// | 4–7 | colour; roughness of the facets |
+    /// | 8–11 | side of a tile in texture coordinates; 0, 0, 0 |
+    ///
+    /// A side that is not positive is one tile, as large as there are numbers.
+    ///
+    /// ```
+    /// use asperity_shaders::shading::material::BevelledTilesUniform;
+    /// use asperity_shading::{glam::Vec3, material::BevelledTiles, texture::Bevel};
+    ///
+    /// let bevel = Bevel::new(0.0, 0.125, 0.0, 1.0)?;
+    /// let tiles = BevelledTiles { bevel, side: 0.3, colour: Vec3::splat(0.5), roughness: 0.2 };
+    /// assert_eq!(BevelledTilesUniform::new(&tiles).words()[8], 0.3_f32.to_bits());
+    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// ```
+    BevelledTilesUniform: 12, "BevelledTiles";
+}
 
 impl BevelledTilesUniform {
-    /// Words of the structure.
-    pub const WORDS: usize = 12;
-
     /// The words of tiles.
     #[must_use]
     pub fn new(tiles: &BevelledTiles) -> Self {
@@ -130,38 +120,30 @@ impl BevelledTilesUniform {
         words[8] = if tiles.side > 0.0 { tiles.side.min(f32::MAX) } else { f32::MAX }.to_bits();
         Self(words)
     }
-
-    /// The words, in the layout of `BevelledTiles`.
-    #[must_use]
-    pub const fn words(&self) -> [u32; Self::WORDS] {
-        self.0
-    }
 }
 
-/// Wallpaper as the words of the structure `Wallpaper`.
-///
-/// | words | |
-/// |---|---|
-/// | 0–11 | stars, [`StarWallpaperUniform`] |
-/// | 12–15 | colour of the paper; roughness of the facets |
-/// | 16–19 | colour of stars; 0 |
-///
-/// ```
-/// use asperity_shaders::shading::material::WallpaperUniform;
-/// use asperity_shading::{glam::Vec3, material::Wallpaper, texture::StarWallpaper};
-///
-/// let stars = StarWallpaper::default();
-/// let wallpaper = Wallpaper { stars, paper: Vec3::splat(0.6), star: Vec3::X, roughness: 0.3 };
-/// let words = WallpaperUniform::new(&wallpaper).words();
-/// assert_eq!([words[3], words[12], words[15], words[16]].map(f32::from_bits), [10.0, 0.6, 0.3, 1.0]);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct WallpaperUniform([u32; Self::WORDS]);
+uniform! {
+    /// Wallpaper as the words of the structure `Wallpaper`.
+    ///
+    /// | words | |
+    /// |---|---|
+    /// | 0–11 | stars, [`StarWallpaperUniform`] |
+    /// | 12–15 | colour of the paper; roughness of the facets |
+    /// | 16–19 | colour of stars; 0 |
+    ///
+    /// ```
+    /// use asperity_shaders::shading::material::WallpaperUniform;
+    /// use asperity_shading::{glam::Vec3, material::Wallpaper, texture::StarWallpaper};
+    ///
+    /// let stars = StarWallpaper::default();
+    /// let wallpaper = Wallpaper { stars, paper: Vec3::splat(0.6), star: Vec3::X, roughness: 0.3 };
+    /// let words = WallpaperUniform::new(&wallpaper).words();
+    /// assert_eq!([words[3], words[12], words[15], words[16]].map(f32::from_bits), [10.0, 0.6, 0.3, 1.0]);
+    /// ```
+    WallpaperUniform: 20, "Wallpaper";
+}
 
 impl WallpaperUniform {
-    /// Words of the structure.
-    pub const WORDS: usize = 20;
-
     /// The words of wallpaper.
     #[must_use]
     pub fn new(wallpaper: &Wallpaper) -> Self {
@@ -171,36 +153,28 @@ impl WallpaperUniform {
         words[16..].copy_from_slice(&with(wallpaper.star, 0.0));
         Self(words)
     }
-
-    /// The words, in the layout of `Wallpaper`.
-    #[must_use]
-    pub const fn words(&self) -> [u32; Self::WORDS] {
-        self.0
-    }
 }
 
-/// Polished marble as the words of the structure `PolishedMarble`.
-///
-/// | words | |
-/// |---|---|
-/// | 0–23 | veins, [`MarbleUniform`] |
-/// | 24–27 | factor of the colours; Beckmann's α of the polish, 0 for none |
-///
-/// ```
-/// use asperity_shaders::shading::material::PolishedMarbleUniform;
-/// use asperity_shading::{Marble, glam::Vec3, material::PolishedMarble};
-///
-/// let stone = PolishedMarble { marble: Marble::default(), tint: Vec3::ONE, polish: 0.05 };
-/// let words = PolishedMarbleUniform::new(&stone).words();
-/// assert_eq!([words[0], words[27]].map(f32::from_bits), [2.5, 0.05]);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct PolishedMarbleUniform([u32; Self::WORDS]);
+uniform! {
+    /// Polished marble as the words of the structure `PolishedMarble`.
+    ///
+    /// | words | |
+    /// |---|---|
+    /// | 0–23 | veins, [`MarbleUniform`] |
+    /// | 24–27 | factor of the colours; Beckmann's α of the polish, 0 for none |
+    ///
+    /// ```
+    /// use asperity_shaders::shading::material::PolishedMarbleUniform;
+    /// use asperity_shading::{Marble, glam::Vec3, material::PolishedMarble};
+    ///
+    /// let stone = PolishedMarble { marble: Marble::default(), tint: Vec3::ONE, polish: 0.05 };
+    /// let words = PolishedMarbleUniform::new(&stone).words();
+    /// assert_eq!([words[0], words[27]].map(f32::from_bits), [2.5, 0.05]);
+    /// ```
+    PolishedMarbleUniform: 28, "PolishedMarble";
+}
 
 impl PolishedMarbleUniform {
-    /// Words of the structure.
-    pub const WORDS: usize = 28;
-
     /// The words of stone.
     #[must_use]
     pub fn new(stone: &PolishedMarble) -> Self {
@@ -208,11 +182,5 @@ impl PolishedMarbleUniform {
         words[..24].copy_from_slice(&MarbleUniform::new(&stone.marble).words());
         words[24..].copy_from_slice(&with(stone.tint, stone.polish));
         Self(words)
-    }
-
-    /// The words, in the layout of `PolishedMarble`.
-    #[must_use]
-    pub const fn words(&self) -> [u32; Self::WORDS] {
-        self.0
     }
 }

@@ -6,7 +6,7 @@ use asperity_shading::{Scratches, Variations};
 use super::surface::{FBM, GLOSSY, LATTICE_KEY, SEGMENTS, SURFACE_POINT, fbm_words, octaves_of};
 use crate::noise::sums::{FREQUENCY_CLAMP, OctavesUniform, octaves_3d};
 use crate::noise::{SIMPLEX, key};
-use crate::part::{Binding, Part, part};
+use crate::part::{Binding, Part, part, uniform};
 use crate::shading::bump::SLOPE_FACETS;
 use crate::shading::reflectance::{COOK_TORRANCE_BECKMANN, FACET};
 
@@ -36,33 +36,31 @@ pub(super) fn segment_words(segments: &Segments) -> [u32; 8] {
     [x, y, cell, length, cover, spread, key(segments.seed), 0]
 }
 
-/// Scratches as the words of the structure `Scratches`.
-///
-/// | words | |
-/// |---|---|
-/// | 0–7 | direction, cell, length of a scratch, number in a cell, spread, key of the lattice, 0 |
-/// | 8–11 | specular colour; half the width |
-/// | 12–15 | mean squares of slopes from afar; the share that is covered there |
-/// | 16–19 | depth over half the width; Beckmann's α; 0, 0 |
-///
-/// Lengths are in texture coordinates.
-///
-/// ```
-/// use asperity_shaders::shading::material::ScratchesUniform;
-/// use asperity_shading::{Scratches, ScratchesParameters};
-///
-/// let words = ScratchesUniform::new(&Scratches::new(ScratchesParameters::default())?).words();
-/// assert_eq!(f32::from_bits(words[2]), 0.05);
-/// assert_eq!(f32::from_bits(words[16]), 0.5);
-/// # Ok::<(), asperity_shading::ParameterError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ScratchesUniform([u32; Self::WORDS]);
+uniform! {
+    /// Scratches as the words of the structure `Scratches`.
+    ///
+    /// | words | |
+    /// |---|---|
+    /// | 0–7 | direction, cell, length of a scratch, number in a cell, spread, key of the lattice, 0 |
+    /// | 8–11 | specular colour; half the width |
+    /// | 12–15 | mean squares of slopes from afar; the share that is covered there |
+    /// | 16–19 | depth over half the width; Beckmann's α; 0, 0 |
+    ///
+    /// Lengths are in texture coordinates.
+    ///
+    /// ```
+    /// use asperity_shaders::shading::material::ScratchesUniform;
+    /// use asperity_shading::{Scratches, ScratchesParameters};
+    ///
+    /// let words = ScratchesUniform::new(&Scratches::new(ScratchesParameters::default())?).words();
+    /// assert_eq!(f32::from_bits(words[2]), 0.05);
+    /// assert_eq!(f32::from_bits(words[16]), 0.5);
+    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// ```
+    ScratchesUniform: 20, "Scratches";
+}
 
 impl ScratchesUniform {
-    /// Words of the structure.
-    pub const WORDS: usize = 20;
-
     /// The words of scratches.
     #[must_use]
     pub fn new(scratches: &Scratches) -> Self {
@@ -84,12 +82,6 @@ impl ScratchesUniform {
         words[..8].copy_from_slice(&segment_words(scratches.segments()));
         words[8..18].copy_from_slice(&floats.map(f32::to_bits));
         Self(words)
-    }
-
-    /// The words, in the layout of `Scratches`.
-    #[must_use]
-    pub const fn words(&self) -> [u32; Self::WORDS] {
-        self.0
     }
 }
 
