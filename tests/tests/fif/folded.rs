@@ -53,21 +53,6 @@ fn folded_values_and_gradients_equal_the_exact_ones() {
     assert!(smooth[0] <= 1e-12 && smooth[1] <= 1e-12 && rough[0] <= 1e-12, "{worst:?}");
 }
 
-#[test]
-fn folded_data_are_interpolated_exactly() {
-    for (surface, json) in references() {
-        let (x, y) = (ratios(&json["x"]), ratios(&json["y"]));
-        let entry = |key: &str, i: usize, j: usize| ratio(json[key][i][j].as_str().unwrap());
-        for (i, &px) in x.iter().enumerate() {
-            for (j, &py) in y.iter().enumerate() {
-                assert_eq!(surface.height(px, py), entry("z", i, j), "node ({i}, {j})");
-                let gradient = surface.gradient(px, py).to_array();
-                assert_eq!(gradient, [entry("zx", i, j), entry("zy", i, j)], "node ({i}, {j})");
-            }
-        }
-    }
-}
-
 /// Knots of both axes, a share of the greatest factor, heights and gradients.
 type Given = (Vec<f64>, Vec<f64>, f64, Vec<f64>, Vec<[f64; 2]>);
 

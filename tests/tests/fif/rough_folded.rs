@@ -5,12 +5,11 @@ use std::cell::Cell;
 
 use asperity_fif::glam::DVec2;
 use asperity_fif::{
-    Bounded, Folded, Intersect, Interval, Ray, RoughFolded, SelfAffineError, Surface, SurfaceBounds,
+    Bounded, Folded, Intersect, Interval, RoughFolded, SelfAffineError, Surface, SurfaceBounds,
 };
-use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
 
-use crate::surface_rays::{random_rays, rough_folded};
+use crate::surface_rays::random_rays;
 
 /// Knots of both axes, factors up to a magnitude, heights, gradients.
 struct Given {
@@ -186,41 +185,6 @@ fn it_is_rough_where_its_factors_are() {
     assert!(east > 20.0 * west, "{east} {west}");
 }
 
-/// The first change of sides by steps along the ray, against both forms.
-#[test]
-fn hits_of_a_rough_surface_are_those_of_a_march() {
-    const STEPS: u32 = 20_000;
-    let surface = rough_folded();
-    let table = surface.clone().tabulated();
-    let [x, y] = surface.domain();
-    let (mut hits, mut certain) = (0, 0);
-    for ray in random_rays(&surface, 40) {
-        let end = 3.0;
-        let over = |t: f64| {
-            let at = ray.at(t);
-            (x.contains(at.x) && y.contains(at.y)).then(|| at.z - surface.height(at.x, at.y))
-        };
-        let marched = (0..STEPS).find_map(|k| {
-            let [a, b] = [k, k + 1].map(|k| end * f64::from(k) / f64::from(STEPS));
-            let (before, after) = (over(a)?, over(b)?);
-            ((before < 0.0) != (after < 0.0)).then_some((a, b, before))
-        });
-        for form in [&surface as &dyn Intersect, &table] {
-            let hit = form.first_hit(&ray);
-            assert_eq!(form.hits_any(&ray, Interval::new(0.0, f64::INFINITY)), hit.is_some());
-            let Some((_, b, _)) = marched else { continue };
-            let hit = hit.unwrap_or_else(|| panic!("{ray:?} is missed"));
-            assert!(hit.t <= b + 1e-11, "{ray:?}: {hit:?} behind {b}");
-            assert!(hit.normal.is_none() && hit.gradient.is_none());
-            // 10⁻¹² of the way is 10⁻¹²^0.16 of the height where factors are 0.8 on cells of a quarter.
-            assert_abs_diff_eq!(ray.at(hit.t).z, hit.height, epsilon = 0.02);
-            (hits, certain) = (hits + 1, certain + u32::from(hit.certain));
-        }
-    }
-    // Of 60 rays and both forms 52 and 32: near others the budget of evaluations ends.
-    assert!(hits >= 30 && certain >= 15, "{certain} of {hits}");
-}
-
 /// Counts what a ray asks of a surface.
 struct Counted<'a> {
     surface: &'a RoughFolded,
@@ -294,16 +258,4 @@ fn rough_data_that_break_a_rule_are_refused_by_name() {
     let mut high = [1e308; 9];
     high[4] = -1e308;
     assert!(matches!(new(&[0.5; 9], &high), Some(SelfAffineError::TooLarge { .. })));
-}
-
-#[test]
-fn rays_that_are_none_hit_no_rough_surface() {
-    let surface = rough_folded();
-    let down = Ray { origin: [0.1, 0.2, 9.0].into(), direction: [0.0, 0.0, -1.0].into() };
-    assert!(surface.first_hit(&down).unwrap().certain);
-    for bad in [f64::NAN, f64::INFINITY] {
-        assert_eq!(surface.first_hit(&Ray { origin: [0.1, bad, 9.0].into(), ..down }), None);
-        assert_eq!(surface.first_hit(&Ray { direction: [bad, 0.0, -1.0].into(), ..down }), None);
-    }
-    assert_eq!(surface.first_hit(&Ray { direction: [0.0; 3].into(), ..down }), None);
 }

@@ -29,7 +29,7 @@ fn folded() -> Folded {
 }
 
 /// Smooth on one side, of factors to 0.8 on the other.
-pub(super) fn rough_folded() -> RoughFolded {
+fn rough_folded() -> RoughFolded {
     let (x, y) = ([-0.5, 0.0, 0.25, 1.0], [0.0, 0.3, 1.0]);
     let mut random = Random(4);
     let mut uniform = |scale: f64| scale * (random.uniform() - 0.5);
@@ -292,6 +292,7 @@ fn check_extreme_rays(surface: &dyn Intersect, [x, y]: [f64; 2], from: [f64; 3],
 fn rays_that_are_none_hit_no_surface_and_extreme_ones_end() {
     let fast = Tabulated::with_levels(folded(), 4);
     check_extreme_rays(&fast, [0.25; 2], [-1.0, -1.0, 2.0], [1.0, 1.0, -1.5]);
+    check_extreme_rays(&rough_folded(), [0.25; 2], [-1.0, -1.0, 2.0], [1.0, 1.0, -1.5]);
     for product in [mirror(), mirror().tabulated()] {
         check_extreme_rays(&product, [0.5; 2], [-1.0, -1.0, 3.0], [1.0, 1.0, -1.0]);
     }
