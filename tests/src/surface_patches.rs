@@ -3,7 +3,7 @@
 use glam::Vec3;
 use rayon::prelude::*;
 
-use asperity_render::sampling::low_discrepancy::r2;
+use crate::low_discrepancy::r2;
 
 /// Points on each side of a patch.
 const SIDE: u32 = 128;

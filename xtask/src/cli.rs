@@ -47,13 +47,6 @@ three.js, Godot, Unity and Metal.
 Drivers in software are Debian's mesa-vulkan-drivers, and SwiftShader, which comes with Chromium; validators are those of
 spirv-tools and glslang-tools, and g++. What is missing is said. The program is built in tests/gpu, which takes minutes the first time.")]
     Shaders(Shaders),
-    /// Write the live page: bumps, noise, fractal functions and materials under one's hands, in one file.
-    #[command(after_help = "Examples:
-  cargo xtask web
-  cargo xtask web --serve 8000
-
-index.html opens from the disk; the folder `hosted` is for a web server. Nothing is asked of any network.")]
-    Web(Web),
     /// Check dependency edges, the order of rooms, circles of files, and the heads of all files.
     Tidy,
     /// Run every gate that stands before `main`.
@@ -66,27 +59,18 @@ index.html opens from the disk; the folder `hosted` is for a web server. Nothing
 
 The attacks are in tests/fuzz; libFuzzer is C++ and is built with them. What breaks a promise is kept in tests/fuzz/target/findings.")]
     Fuzz(Fuzz),
+    /// Build the interactive web page: `cargo xtask web --help`.
+    #[command(disable_help_flag = true)]
+    Web(Forwarded),
     /// Link the crates without std and without an allocator, and call them.
-    NoStd,
-    /// Compute every crate's values on every platform at hand, emulated ones too, and compare their bits with the golden ones.
-    #[command(after_help = "Examples:
-  cargo xtask bits
-  cargo xtask bits --ship
-
-x86-64 at every SIMD level and, built without std, AArch64, big-endian PowerPC, WebAssembly with and without SIMD128, and a Cortex-M4
-on bare metal. Emulators are Debian's qemu-user and qemu-system-arm; linkers are gcc-aarch64-linux-gnu, gcc-powerpc64-linux-gnu and lld;
-WebAssembly runs in node. The table says what is missing.")]
-    Bits(Bits),
-    /// Count the lines of every crate that tests run, and name what they do not.
-    #[command(after_help = "Examples:
-  cargo xtask coverage
-  cargo xtask coverage --tests-of asperity-fif
-
-It builds the tests anew in target/coverage and needs llvm-profdata and llvm-cov of the LLVM that rustc has: the component llvm-tools of
-rustup, or Debian's llvm-22.")]
-    Coverage(Coverage),
-    /// Draw a picture from tables in flash on an emulated Cortex-M4 and compare it with this machine's, or say what is missing for that.
-    Firmware(Firmware),
+    #[command(disable_help_flag = true)]
+    NoStd(Forwarded),
+    /// Compare every crate's values on every platform at hand, emulated ones included, with the golden bits: `cargo xtask bits --help`.
+    #[command(disable_help_flag = true)]
+    Bits(Forwarded),
+    /// Draw a picture from tables in flash on an emulated Cortex-M4 and compare it: `cargo xtask firmware --help`.
+    #[command(disable_help_flag = true)]
+    Firmware(Forwarded),
 }
 
 /// Options of another program, handed on as they are.
@@ -94,30 +78,6 @@ rustup, or Debian's llvm-22.")]
 pub(crate) struct Forwarded {
     #[arg(trailing_var_arg = true, allow_hyphen_values = true, hide = true)]
     pub(crate) words: Vec<OsString>,
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct Bits {
-    /// Make this machine's values golden, and write the table into `docs/trust`, if every platform has them.
-    #[arg(long)]
-    pub(crate) ship: bool,
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct Coverage {
-    /// Packages whose tests run; the published crates and the workspace's own tests if none is named. Repeat it.
-    #[arg(long, value_name = "PACKAGE")]
-    pub(crate) tests_of: Vec<String>,
-    /// Write the table also into `docs/trust`, where it is checked in.
-    #[arg(long, conflicts_with = "tests_of")]
-    pub(crate) ship: bool,
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct Firmware {
-    /// Write the table, and the page with what functions cost into `docs/trust`.
-    #[arg(long)]
-    pub(crate) ship: bool,
 }
 
 #[derive(Debug, Args)]
@@ -177,15 +137,5 @@ pub(crate) struct Shaders {
     pub(crate) adapter: Option<String>,
     /// Folder of the shaders.
     #[arg(long, value_name = "DIR", default_value = "target/asperity/shaders")]
-    pub(crate) out: PathBuf,
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct Web {
-    /// Serve the page on this port of 127.0.0.1, any that is free if none is named, until Ctrl-C.
-    #[arg(long, value_name = "PORT", num_args = 0..=1, default_missing_value = "0")]
-    pub(crate) serve: Option<u16>,
-    /// Folder of the page.
-    #[arg(long, value_name = "DIR", default_value = "target/asperity/web")]
     pub(crate) out: PathBuf,
 }

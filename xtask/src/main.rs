@@ -5,10 +5,9 @@ mod check;
 mod cli;
 mod drivers;
 mod failure;
+mod metadata;
 mod report;
 mod shaders;
-mod toolchain;
-mod web;
 
 use std::ffi::OsString;
 use std::io::Write;
@@ -17,15 +16,12 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use check::{bits, ci, coverage, firmware, fuzz, no_std, tidy};
+use check::{ci, fuzz, tidy};
 use cli::{Cli, Command};
 use failure::Result;
 use report::say;
 
 fn main() -> ExitCode {
-    if let Some(ended) = coverage::compiled() {
-        return ended;
-    }
     match perform(Cli::parse().command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
@@ -57,7 +53,6 @@ fn perform(command: Command) -> Result<()> {
             cargo::run(&mut bench)
         }
         Command::Shaders(wanted) => shaders::run(&wanted, root),
-        Command::Web(wanted) => web::run(&wanted, root),
         Command::Tidy => {
             let report = tidy::report()?;
             report.lines.iter().for_each(|line| say(line));
@@ -65,17 +60,17 @@ fn perform(command: Command) -> Result<()> {
         }
         Command::Ci(wanted) => ci::gates(&wanted, root),
         Command::Fuzz(wanted) => fuzz::fuzz(&wanted, root),
-        Command::NoStd => no_std::probe(root).map(|line| say(&line)),
-        Command::Firmware(wanted) => {
-            let drawn = if wanted.ship { firmware::ship } else { firmware::check };
-            drawn(root).map(|line| say(&line))
-        }
-        Command::Bits(wanted) => {
-            let table = if wanted.ship { bits::ship } else { bits::table };
-            table(root).map(|table| say(&table))
-        }
-        Command::Coverage(wanted) => coverage::report(&wanted, root),
+        Command::NoStd(given) => platforms("no-std", &given.words),
+        Command::Firmware(given) => platforms("firmware", &given.words),
+        Command::Bits(given) => platforms("bits", &given.words),
+        Command::Web(given) => platforms("web", &given.words),
     }
+}
+
+/// A command of the program that builds for other machines.
+fn platforms(name: &str, words: &[OsString]) -> Result<()> {
+    let folder = std::env::current_dir()?;
+    cargo::run(cargo::cargo(&folder, "run --quiet --package asperity-platforms --").arg(name).args(words))
 }
 
 /// Builds and runs a program of this workspace in the folder of the call.

@@ -4,8 +4,8 @@ use asperity_ndf_sampling::{
     Beckmann, ConditionalNdf, ConditionalTable, GaussianSplit, Ggx, Measure, Ndf, NdfMap, Reconstruction,
     StudentT, inverse_phi,
 };
-use asperity_render::sampling::low_discrepancy::r2;
 use asperity_tests::assert_abs_diff_eq;
+use asperity_tests::low_discrepancy::r2;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 

@@ -7,9 +7,9 @@ use asperity_ndf_sampling::{
     normal_table::TableLayout,
 };
 use asperity_noise::{Gaussian, Noise, Perlin2002, Simplex};
-use asperity_render::sampling::low_discrepancy::r2;
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::disk_bins::DiskBins;
+use asperity_tests::low_discrepancy::r2;
 use asperity_tests::random::Random;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;

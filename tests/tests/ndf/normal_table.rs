@@ -4,8 +4,8 @@ use asperity_ndf_sampling::{
     Beckmann, Frame, Ggx, Ndf, NormalTable, NormalTableRef, inverse_phi,
     normal_table::{Chart, Spacing, TableLayout},
 };
-use asperity_render::sampling::low_discrepancy::r2;
 use asperity_tests::assert_abs_diff_eq;
+use asperity_tests::low_discrepancy::r2;
 use glam::{Vec2, Vec3};
 
 const SPACINGS: [Spacing; 3] = [Spacing::Coordinates, Spacing::Quantiles, Spacing::Warped];

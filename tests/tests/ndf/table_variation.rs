@@ -8,7 +8,7 @@ use asperity_ndf_sampling::{
     Beckmann, Ggx, Ndf, NormalTable, NormalTableRef, inverse_phi,
     normal_table::{Chart, Spacing, TableEntry, TableLayout},
 };
-use asperity_render::sampling::low_discrepancy::r2;
+use asperity_tests::low_discrepancy::r2;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 

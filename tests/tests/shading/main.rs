@@ -1,6 +1,5 @@
 //! Shading: level of detail, Fresnel terms and means over the surface.
 
-mod aliasing;
 mod bad_input;
 mod bsdf;
 mod checked;
@@ -21,5 +20,3 @@ mod rough_glass;
 mod tangents;
 mod textures;
 mod zoom;
-mod zoom_focus;
-mod zoom_means;

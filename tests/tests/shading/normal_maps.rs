@@ -64,7 +64,7 @@ fn half_vectors() -> Vec<Vec3> {
 
 /// Points spread evenly over the map, in step with nothing on it.
 fn places(count: u32) -> impl Iterator<Item = Vec2> {
-    (0..count).map(|k| asperity_render::sampling::low_discrepancy::r2(k).map(|x| x as f32).into())
+    (0..count).map(|k| asperity_tests::low_discrepancy::r2(k).map(|x| x as f32).into())
 }
 
 /// The mean over the map of what pixels of this width see of each half vector.

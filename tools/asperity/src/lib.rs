@@ -1,4 +1,4 @@
-//! What the programs share: specifications of densities and fractal functions, exported tables, progress, pages.
+//! The modules that the programs share: input, exported tables, progress, pages, command line.
 #![expect(
     missing_docs,
     clippy::missing_errors_doc,

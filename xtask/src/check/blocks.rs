@@ -4,10 +4,9 @@
 
 use std::{collections::BTreeMap, fmt::Write, fs, path::Path};
 
-use cargo_metadata::{MetadataCommand, Package};
-
 use crate::cargo::{cargo, run};
 use crate::failure::Failure;
+use crate::metadata::{self, Package};
 use crate::report::say;
 
 /// The generated workspace.
@@ -19,8 +18,7 @@ const NEEDS: &str = "// feature `";
 /// Runs the examples of every crate with its default features, and every Rust block of the README, the guide and the
 /// crates' pages on the crates that it names.
 pub(crate) fn examples(root: &Path) -> Result<(), Failure> {
-    let metadata = MetadataCommand::new().no_deps().other_options(vec!["--locked".into()]).exec()?;
-    let crates: Vec<&Package> = metadata.packages.iter().filter(|p| p.publish.is_none()).collect();
+    let crates = metadata::published(root)?;
     let folder = root.join(FOLDER);
     // Crates that have not changed are not compiled again.
     let pages_folder = folder.join("pages");
@@ -63,7 +61,7 @@ pub(crate) fn examples(root: &Path) -> Result<(), Failure> {
 }
 
 /// The pages whose blocks are run, relative to the root.
-fn pages(root: &Path, crates: &[&Package]) -> Result<Vec<String>, Failure> {
+fn pages(root: &Path, crates: &[Package]) -> Result<Vec<String>, Failure> {
     let mut pages = vec![String::from("README.md")];
     for entry in fs::read_dir(root.join("docs/guide"))? {
         pages.push(format!("docs/guide/{}", entry?.file_name().to_string_lossy()));
@@ -154,7 +152,7 @@ fn write_crate(folder: &Path, member: &Package) -> Result<(), Failure> {
     for part in ["src", "docs"] {
         let source = member.manifest_path.with_file_name(part);
         if source.is_dir() {
-            copy(source.as_std_path(), &place.join(part))?;
+            copy(&source, &place.join(part))?;
         }
     }
     let manifest = fs::read_to_string(&member.manifest_path)?;

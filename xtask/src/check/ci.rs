@@ -2,21 +2,17 @@
 
 use std::{path::Path, time::Instant};
 
-use cargo_metadata::{MetadataCommand, Package};
-
-use super::{bits, blocks, dependencies, firmware, no_std, packages, tidy};
+use super::{blocks, dependencies, packages, tidy};
 use crate::cargo::{cargo, run};
 use crate::cli::Ci;
 use crate::failure::Failure;
+use crate::metadata;
 use crate::report::say;
-use crate::{shaders, web};
+use crate::shaders;
 
 /// The crates that compute.
 pub(crate) const CRATES: [&str; 4] =
     ["asperity-noise", "asperity-ndf-sampling", "asperity-fif", "asperity-shading"];
-
-/// The crate of shaders, whose examples run too.
-const SHADERS: &str = "asperity-shaders";
 
 /// The feature sets that `cargo test --workspace` does not have: there every feature of a crate is on, and `libm` wins.
 const SETS: [(&str, &[&str]); 5] = [
@@ -48,7 +44,7 @@ const GATES: [Gate; 12] = [
     }),
     ("documentation examples", blocks::examples),
     ("examples and benches", examples_and_benches),
-    ("no_std probe", |root| no_std::probe(root).map(|line| say(&format!("  {line}")))),
+    ("no_std probe", |root| platforms(root, "no-std")),
     ("oldest packages", packages::oldest_packages),
     ("packages", packages::packages),
 ];
@@ -57,10 +53,10 @@ const GATES: [Gate; 12] = [
 const WEEKLY: [Gate; 9] = [
     ("tests under each feature set", tests),
     ("shaders on drivers", shaders::on_drivers),
-    ("live page", web::in_browsers),
-    ("the same bits", bits::gate),
-    ("firmware", |root| firmware::check(root).map(|line| say(&format!("  {line}")))),
-    ("bits of every platform", |root| bits::table(root).map(|table| say(&table))),
+    ("live page", |root| platforms(root, "live")),
+    ("the same bits", |root| platforms(root, "same-bits")),
+    ("firmware", |root| platforms(root, "firmware")),
+    ("bits of every platform", |root| platforms(root, "bits")),
     ("pairs of features", pairs_of_features),
     ("packages of a stranger", packages::of_a_stranger),
     ("attacks", |root| {
@@ -95,6 +91,11 @@ pub(crate) fn gates(wanted: &Ci, root: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
+/// A command of the program that builds for other machines.
+fn platforms(root: &Path, command: &str) -> Result<(), Failure> {
+    run(&mut cargo(root, &format!("run --quiet --package asperity-platforms -- {command}")))
+}
+
 fn clippy(root: &Path) -> Result<(), Failure> {
     let lint = |of: &str| run(&mut cargo(root, &format!("clippy {of} --quiet -- -D warnings")));
     lint("--workspace --all-targets")?;
@@ -106,10 +107,9 @@ fn clippy(root: &Path) -> Result<(), Failure> {
 
 /// The features of a crate one by one on either backend, and two by two on one: none needs another that it does not bring.
 fn pairs_of_features(root: &Path) -> Result<(), Failure> {
-    let metadata = MetadataCommand::new().no_deps().other_options(vec!["--locked".into()]).exec()?;
     let mut sets = 0;
-    for package in metadata.packages.iter().filter(|package| package.publish.is_none()) {
-        for set in feature_sets(package.features.keys().map(String::as_str)) {
+    for package in metadata::published(root)? {
+        for set in feature_sets(package.features.iter().map(String::as_str)) {
             let of = format!("--package {} --no-default-features --features {set}", package.name);
             run(&mut cargo(root, &format!("clippy {of} --lib --quiet -- -D warnings")))?;
             sets += 1;
@@ -164,15 +164,12 @@ fn tests(root: &Path) -> Result<(), Failure> {
 
 /// Every example runs, and every bench measures once.
 fn examples_and_benches(root: &Path) -> Result<(), Failure> {
-    let metadata = MetadataCommand::new().no_deps().other_options(vec!["--locked".into()]).exec()?;
-    let runs =
-        |package: &&Package| CRATES.contains(&package.name.as_str()) || package.name.as_str() == SHADERS;
-    for package in metadata.packages.iter().filter(runs) {
+    for package in metadata::published(root)? {
         let name = &package.name;
-        if package.targets.iter().any(cargo_metadata::Target::is_bench) {
+        if package.targets.iter().any(|target| target.kind == "bench") {
             test(root, name, "--benches")?;
         }
-        for example in package.targets.iter().filter(|target| target.is_example()) {
+        for example in package.targets.iter().filter(|target| target.kind == "example") {
             let example = &example.name;
             run(&mut cargo(
                 root,

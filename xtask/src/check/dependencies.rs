@@ -1,4 +1,4 @@
-//! Dependencies: from where they come, under what licences, and that the page about them has each.
+//! Dependencies: their registry, their licenses, and the page that justifies each.
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -6,13 +6,11 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use cargo_metadata::{Metadata, MetadataCommand};
-use spdx::{Expression, ParseMode};
-
 use crate::failure::Failure;
-use crate::report::say;
+use crate::metadata::{self, Package};
+use crate::report::{note, say};
 
-/// The one place that packages come from.
+/// The only registry.
 const REGISTRY: &str = "registry+https://github.com/rust-lang/crates.io-index";
 
 /// Checks the packages of every lockfile of the repository.
@@ -23,18 +21,17 @@ pub(crate) fn dependencies(root: &Path) -> Result<(), Failure> {
     let (mut seen, mut direct, mut offences) = (BTreeSet::new(), BTreeMap::new(), Vec::new());
     let locks = lockfiles(root)?;
     for lock in &locks {
-        let metadata = resolved(lock)?;
-        offences.extend(foreign(&metadata, &allowed));
-        seen.extend(metadata.packages.iter().filter(|p| p.source.is_some()).map(|p| p.id.repr.clone()));
-        direct.extend(chosen(&metadata));
+        let packages = metadata::all(lock.parent().unwrap_or(root))?;
+        offences.extend(packages.iter().filter_map(|package| foreign(package, &allowed)));
+        let registry = packages.iter().filter(|package| package.source.is_some());
+        seen.extend(registry.map(|package| (package.name.clone(), package.version.clone())));
+        direct.extend(chosen(&packages));
     }
     offences.extend(missing(&page, &direct));
     let rows =
         page.lines().filter_map(|line| line.strip_prefix("| `")?.split_once("` | ")).map(|(name, _)| name);
     let gone = rows.filter(|name| !direct.contains_key(*name) && !name.starts_with("asperity-"));
-    gone.for_each(|name| {
-        crate::report::note(&format!("docs/dependencies.md has `{name}`, on which nothing depends"));
-    });
+    gone.for_each(|name| note(&format!("docs/dependencies.md has `{name}`, which nothing depends on")));
     if !offences.is_empty() {
         return Err(offences.join("\n       ").into());
     }
@@ -42,7 +39,7 @@ pub(crate) fn dependencies(root: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The lockfiles of a folder and of what is in it.
+/// The lockfiles below a folder.
 fn lockfiles(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder)? {
@@ -55,74 +52,54 @@ fn lockfiles(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
             found.push(entry.path());
         }
     }
-    found.sort();
     Ok(found)
 }
 
-/// All that cargo knows of the packages of a lockfile, those of optional dependencies and of all platforms too.
-fn resolved(lock: &Path) -> Result<Metadata, Failure> {
-    let manifest = lock.with_file_name("Cargo.toml");
-    let all = ["--locked", "--all-features"].map(String::from).to_vec();
-    MetadataCommand::new()
-        .manifest_path(&manifest)
-        .other_options(all)
-        .exec()
-        .map_err(|error| format!("{}: {error}", manifest.display()).into())
-}
-
-/// The licences that `deny.toml` allows.
+/// The licenses that `deny.toml` allows.
 fn allowed(deny: &str) -> BTreeSet<&str> {
     let list = deny.split("\nallow = [").nth(1).and_then(|rest| rest.split(']').next()).unwrap_or_default();
     list.split('"').skip(1).step_by(2).collect()
 }
 
-/// Packages from elsewhere than the registry, or whose licence the allowed ones do not meet.
-fn foreign(metadata: &Metadata, allowed: &BTreeSet<&str>) -> Vec<String> {
-    let mut offences = Vec::new();
-    for package in &metadata.packages {
-        let Some(source) = &package.source else { continue };
-        let (name, version) = (&package.name, &package.version);
-        if source.repr != REGISTRY {
-            offences.push(format!("{name} {version} comes from {}", source.repr));
-        }
-        let licence = package.license.as_deref().unwrap_or_default();
-        if !meets(licence, allowed) {
-            offences.push(format!(
-                "{name} {version} has the licence `{licence}`, which deny.toml does not allow"
-            ));
-        }
+/// The rule that a package from elsewhere breaks.
+fn foreign(package: &Package, allowed: &BTreeSet<&str>) -> Option<String> {
+    let Package { name, version, license, .. } = package;
+    let source = package.source.as_deref()?;
+    if source != REGISTRY {
+        Some(format!("{name} {version} comes from {source}"))
+    } else if !meets(license, allowed) {
+        Some(format!("{name} {version} has the license `{license}`, which deny.toml does not allow"))
+    } else {
+        None
     }
-    offences
 }
 
-/// Whether a licence leaves a choice of which every part is allowed; `/` is the old way to write `OR`.
-fn meets(licence: &str, allowed: &BTreeSet<&str>) -> bool {
-    let expression = Expression::parse_mode(licence, ParseMode::LAX);
-    expression.is_ok_and(|expression| {
-        expression.evaluate(|requirement| allowed.contains(requirement.to_string().as_str()))
-    })
+/// Whether a license leaves an allowed choice. `AND` binds weakest here, which refuses more than SPDX; cargo-deny reads it in full.
+fn meets(license: &str, allowed: &BTreeSet<&str>) -> bool {
+    let license = license.replace('/', " OR ");
+    license
+        .split(" AND ")
+        .all(|part| part.split(" OR ").any(|one| allowed.contains(one.trim_matches(['(', ')', ' ']))))
 }
 
-/// The packages that the members and their neighbours depend on by name, with their licences.
-fn chosen(metadata: &Metadata) -> BTreeMap<String, String> {
-    let ours = metadata.packages.iter().filter(|package| package.source.is_none());
-    let members: BTreeSet<_> = metadata.workspace_members.iter().collect();
+/// Direct dependencies of the packages of this repository, with their licenses.
+fn chosen(packages: &[Package]) -> BTreeMap<String, String> {
+    let ours = packages.iter().filter(|package| package.source.is_none());
+    // Development dependencies of other workspaces' packages are in their own lockfiles.
     let names = ours.flat_map(|package| {
-        // What a neighbour has for its own tests is in the lockfile of its workspace.
-        let member = members.contains(&package.id);
-        package.dependencies.iter().filter(move |dependency| {
-            dependency.path.is_none()
-                && (member || dependency.kind != cargo_metadata::DependencyKind::Development)
-        })
+        package
+            .dependencies
+            .iter()
+            .filter(move |other| !other.is_local && (package.is_member || other.kind != "dev"))
     });
     let names: BTreeSet<&str> = names.map(|dependency| dependency.name.as_str()).collect();
-    let found = metadata.packages.iter().filter(|p| p.source.is_some() && names.contains(p.name.as_str()));
-    found.map(|p| (p.name.to_string(), p.license.clone().unwrap_or_default())).collect()
+    let found = packages.iter().filter(|p| p.source.is_some() && names.contains(p.name.as_str()));
+    found.map(|package| (package.name.clone(), package.license.clone())).collect()
 }
 
-/// Direct dependencies of which the page does not say why they are trusted.
+/// Rows that the page lacks.
 fn missing(page: &str, direct: &BTreeMap<String, String>) -> Vec<String> {
-    let rows = direct.iter().map(|(name, licence)| format!("| `{name}` | {licence} | "));
+    let rows = direct.iter().map(|(name, license)| format!("| `{name}` | {license} | "));
     rows.filter(|row| !page.contains(row.as_str()))
         .map(|row| format!("docs/dependencies.md lacks a row that begins with {row}"))
         .collect()
@@ -133,42 +110,23 @@ mod tests {
     use super::*;
     use crate::cargo::cargo;
 
-    fn root() -> &'static Path {
-        Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap()
-    }
-
     #[test]
-    fn licences_are_met_by_a_choice() {
+    fn license_choices() {
         let allowed = allowed("[licenses]\nallow = [\n  \"MIT\",\n  \"Zlib\",\n]\n");
-        for licence in ["MIT", "MIT OR GPL-3.0-only", "Apache-2.0/MIT", "(GPL-3.0-only OR Zlib) AND MIT"] {
-            assert!(meets(licence, &allowed), "{licence}");
+        for license in ["MIT", "MIT OR GPL-3.0-only", "Apache-2.0/MIT", "(GPL-3.0-only OR Zlib) AND MIT"] {
+            assert!(meets(license, &allowed), "{license}");
         }
-        for licence in ["", "GPL-3.0-only", "MIT AND Apache-2.0", "Apache-2.0 WITH LLVM-exception"] {
-            assert!(!meets(licence, &allowed), "{licence}");
+        for license in ["", "GPL-3.0-only", "MIT AND Apache-2.0", "Apache-2.0 WITH LLVM-exception"] {
+            assert!(!meets(license, &allowed), "{license}");
         }
-    }
-
-    #[test]
-    fn the_workspace_depends_on_what_the_page_tells() {
-        let metadata = resolved(&root().join("Cargo.lock")).unwrap();
-        let deny = fs::read_to_string(root().join("deny.toml")).unwrap();
-        let page = fs::read_to_string(root().join("docs/dependencies.md")).unwrap();
-        assert_eq!(foreign(&metadata, &allowed(&deny)), Vec::<String>::new());
-        let direct = chosen(&metadata);
-        assert!(direct.len() > 30);
-        assert_eq!(missing(&page, &direct), Vec::<String>::new());
-        assert_eq!(
-            foreign(&metadata, &BTreeSet::new()).len(),
-            metadata.packages.iter().filter(|p| p.source.is_some()).count()
-        );
     }
 
     /// Names of the packages that are compiled for a crate, without itself.
-    fn beneath(name: &str, features: &str) -> BTreeSet<String> {
+    fn beneath(root: &Path, name: &str, features: &str) -> BTreeSet<String> {
         let words = format!(
             "tree --package {name} --edges normal,build --prefix none --no-dedupe --locked{features}"
         );
-        let output = cargo(root(), &words).output().unwrap();
+        let output = cargo(root, &words).output().unwrap();
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         let listed = String::from_utf8(output.stdout).unwrap();
         let packages = listed.lines().filter_map(|line| line.split(' ').next());
@@ -176,17 +134,20 @@ mod tests {
     }
 
     #[test]
-    fn the_page_counts_the_packages_beneath_a_crate() {
-        let page = fs::read_to_string(root().join("docs/dependencies.md")).unwrap();
+    fn page_counts_packages() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+        let page = fs::read_to_string(root.join("docs/dependencies.md")).unwrap();
         for short in ["core", "noise", "ndf-sampling", "fif", "shading", "shaders"] {
             let name = format!("asperity-{short}");
             let named = |features| {
-                let names = beneath(&name, features);
+                let names = beneath(root, &name, features);
                 format!("{}: {}", names.len(), names.into_iter().collect::<Vec<_>>().join(", "))
             };
             let (usual, least) = (named(""), named(" --no-default-features --features libm"));
-            let row =
-                format!("| `{name}` | {usual} | {least} | {} |", beneath(&name, " --all-features").len());
+            let row = format!(
+                "| `{name}` | {usual} | {least} | {} |",
+                beneath(root, &name, " --all-features").len()
+            );
             assert!(page.contains(&row), "docs/dependencies.md must have\n{row}");
         }
     }

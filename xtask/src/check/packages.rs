@@ -2,11 +2,10 @@
 
 use std::{collections::BTreeSet, fs, path::Path};
 
-use cargo_metadata::{Metadata, MetadataCommand, Package};
-
 use super::stranger;
 use crate::cargo::{cargo, run};
 use crate::failure::Failure;
+use crate::metadata::{self, Package};
 use crate::report::say;
 
 /// Files that every package holds.
@@ -38,9 +37,9 @@ const BUILDS: &str = "target/packages";
 
 /// Builds every package as it is uploaded, after a look at what is in it.
 pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
-    let metadata = MetadataCommand::new().no_deps().other_options(vec!["--locked".into()]).exec()?;
+    let members = metadata::published(root)?;
     let mut words = String::from("package --quiet --allow-dirty --locked");
-    for package in published(&metadata) {
+    for package in &members {
         let (name, faults) = (&package.name, faults(root, package));
         if !faults.is_empty() {
             return Err(format!("{name} {}", faults.join("; ")).into());
@@ -58,14 +57,13 @@ pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
         }
         words += &format!(" --package {name}");
     }
-    forget_unpacked(&metadata)?;
+    forget_unpacked(root, &members)?;
     // What was compiled of an earlier package of the same version would be taken for this one's.
     let builds = root.join(BUILDS);
     if builds.is_dir() {
         fs::remove_dir_all(&builds)?;
     }
     run(cargo(root, &words).arg("--target-dir").arg(&builds))?;
-    let members: Vec<&Package> = published(&metadata).collect();
     for package in &members {
         let file = builds.join(format!("package/{}-{}.crate", package.name, package.version));
         let bytes = fs::metadata(&file)?.len();
@@ -81,8 +79,7 @@ pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
 
 /// Builds documentation and an example of every package from its file alone, in an empty workspace.
 pub(crate) fn of_a_stranger(root: &Path) -> Result<(), Failure> {
-    let metadata = MetadataCommand::new().no_deps().other_options(vec!["--locked".into()]).exec()?;
-    let members: Vec<&Package> = published(&metadata).collect();
+    let members = metadata::published(root)?;
     let mut package = cargo(root, "package --quiet --allow-dirty --locked --no-verify");
     package.args(members.iter().flat_map(|member| ["--package", member.name.as_str()]));
     run(package.arg("--target-dir").arg(root.join(BUILDS)))?;
@@ -99,15 +96,15 @@ fn belongs(file: &str) -> bool {
 ///
 /// Cargo hands the packages to one another by a registry in the build folder, and takes the sources that it once
 /// unpacked from there for good: while the version stays, a package would be built against older ones.
-fn forget_unpacked(metadata: &Metadata) -> Result<(), Failure> {
-    let whole = MetadataCommand::new().other_options(vec!["--locked".into()]).exec()?;
-    let foreign = whole.packages.iter().find(|package| package.source.is_some());
+fn forget_unpacked(root: &Path, members: &[Package]) -> Result<(), Failure> {
+    let whole = metadata::all(root)?;
+    let foreign = whole.iter().find(|package| package.source.is_some());
     let Some(sources) = foreign.and_then(|package| package.manifest_path.ancestors().nth(3)) else {
         return Ok(());
     };
     for registry in fs::read_dir(sources)? {
         let registry = registry?.path();
-        for package in published(metadata) {
+        for package in members {
             let unpacked = registry.join(format!("{}-{}", package.name, package.version));
             if unpacked.is_dir() {
                 fs::remove_dir_all(unpacked)?;
@@ -123,11 +120,6 @@ pub(crate) fn oldest_packages(root: &Path) -> Result<(), Failure> {
     run(cargo(&folder, "run --quiet --locked --features all").env_remove("CARGO_TARGET_DIR"))
 }
 
-/// The packages of the workspace that the registry takes.
-fn published(metadata: &Metadata) -> impl Iterator<Item = &Package> {
-    metadata.packages.iter().filter(|package| package.publish.is_none())
-}
-
 /// Rules that a package breaks.
 fn faults(root: &Path, package: &Package) -> Vec<String> {
     let mut faults = Vec::new();
@@ -136,13 +128,14 @@ fn faults(root: &Path, package: &Package) -> Vec<String> {
             faults.push(fault.to_owned());
         }
     };
-    must(package.description.is_some(), "has no description");
+    let entry = &package.entry;
+    must(entry["description"].is_string(), "has no description");
     // Elsewhere crates.io does not resolve the links of a page.
-    let hosted = |address: &String| address.starts_with("https://github.com/");
-    must(package.repository.as_ref().is_some_and(hosted), "has no repository on GitHub");
-    must(package.documentation.is_some(), "has no documentation");
-    must(package.metadata["docs"]["rs"]["all-features"] == true, "hides features on docs.rs");
-    let folder = package.manifest_path.as_std_path().parent().unwrap_or(root);
+    let hosted = |address: &str| address.starts_with("https://github.com/");
+    must(entry["repository"].as_str().is_some_and(hosted), "has no repository on GitHub");
+    must(entry["documentation"].is_string(), "has no documentation");
+    must(entry["metadata"]["docs"]["rs"]["all-features"] == true, "hides features on docs.rs");
+    let folder = package.manifest_path.parent().unwrap_or(root);
     for file in ["LICENSE-APACHE", "LICENSE-MIT"] {
         let same = matches!((fs::read(folder.join(file)), fs::read(root.join(file))), (Ok(own), Ok(all)) if own == all);
         must(same, &format!("has another {file} than the project"));
@@ -185,18 +178,16 @@ mod tests {
     #[test]
     fn the_oldest_packages_are_the_least_that_the_crates_ask_for() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("a workspace");
-        let metadata = MetadataCommand::new().no_deps().exec().expect("metadata");
+        let members = metadata::published(root).expect("metadata");
         let lock = fs::read_to_string(root.join("tests/oldest-glam/Cargo.lock")).expect("a lockfile");
         let mut asked = 0;
-        for package in published(&metadata) {
-            for other in package.dependencies.iter().filter(|other| other.path.is_none()) {
-                if other.kind != cargo_metadata::DependencyKind::Normal {
-                    continue;
-                }
-                let least = other.req.comparators.first().expect("a version");
-                let [minor, patch] = [least.minor, least.patch].map(Option::unwrap_or_default);
-                let entry =
-                    format!("name = \"{}\"\nversion = \"{}.{minor}.{patch}\"", other.name, least.major);
+        for package in &members {
+            for other in package.dependencies.iter().filter(|other| !other.is_local && other.kind.is_empty())
+            {
+                let least =
+                    other.req.trim_start_matches(['^', '>', '=']).split(',').next().expect("a version");
+                let missing = ".0".repeat(2 - least.matches('.').count());
+                let entry = format!("name = \"{}\"\nversion = \"{least}{missing}\"", other.name);
                 assert!(lock.contains(&entry), "{}: {entry}", package.name);
                 asked += 1;
             }
@@ -207,9 +198,9 @@ mod tests {
     #[test]
     fn packages_have_what_a_stranger_needs() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("a workspace");
-        let metadata = MetadataCommand::new().no_deps().exec().expect("metadata");
-        assert_eq!(published(&metadata).count(), 6);
-        for package in published(&metadata) {
+        let members = metadata::published(root).expect("metadata");
+        assert_eq!(members.len(), 6);
+        for package in &members {
             assert_eq!(faults(root, package), Vec::<String>::new(), "{}", package.name);
         }
         let page = fs::read_to_string(root.join("README.md")).expect("a page");

@@ -7,30 +7,36 @@ use std::{
     process::Command,
 };
 
-use cargo_metadata::{DependencyKind, Package};
-
 use crate::cargo::{cargo, run};
 use crate::failure::Failure;
+use crate::metadata::Package;
 use crate::report::say;
 
 /// Builds a program on every package, out of the sight of this workspace, and runs it.
 ///
 /// The packages find one another where they were unpacked, as the registry does not have them yet; all others are those of this
 /// workspace's lockfile.
-pub(super) fn builds(root: &Path, packed: &Path, members: &[&Package]) -> Result<(), Failure> {
-    let away = tempfile::tempdir()?;
+pub(super) fn builds(root: &Path, packed: &Path, members: &[Package]) -> Result<(), Failure> {
+    let away = std::env::temp_dir().join(format!("asperity-stranger-{}", std::process::id()));
+    fs::create_dir_all(&away)?;
+    let built = each(root, packed, members, &away);
+    fs::remove_dir_all(&away)?;
+    built
+}
+
+fn each(root: &Path, packed: &Path, members: &[Package], away: &Path) -> Result<(), Failure> {
     let target = packed.join("stranger");
     for package in members {
         let file = packed.join(format!("package/{}.crate", unpacked(package)));
-        run(Command::new("tar").arg("-xzf").arg(file).arg("-C").arg(away.path()))?;
+        run(Command::new("tar").arg("-xzf").arg(file).arg("-C").arg(away))?;
     }
     for package in members {
-        let patches = Patches { folder: away.path(), needed: beneath(package, members) };
-        let source = away.path().join(unpacked(package));
+        let patches = Patches { folder: away, needed: beneath(package, members) };
+        let source = away.join(unpacked(package));
         let mut docs = cargo(&source, "doc --quiet --no-deps --all-features");
         run(patches.given(&mut docs).arg("--target-dir").arg(&target).env("RUSTDOCFLAGS", "-D warnings"))?;
-        let example = program(root, away.path(), &source, package, &patches)?;
-        let mut start = cargo(&away.path().join(format!("on-{}", package.name)), "run --quiet");
+        let example = program(root, away, &source, package, &patches)?;
+        let mut start = cargo(&away.join(format!("on-{}", package.name)), "run --quiet");
         run(start.arg("--target-dir").arg(&target).stdout(std::process::Stdio::null()))?;
         say(&format!("  {} in an empty workspace: documentation, and `{example}` runs", package.name));
     }
@@ -43,13 +49,13 @@ fn unpacked(package: &Package) -> String {
 }
 
 /// A package and those of this workspace that it needs, directly or not.
-fn beneath<'a>(package: &'a Package, members: &[&'a Package]) -> Vec<&'a Package> {
+fn beneath<'a>(package: &'a Package, members: &'a [Package]) -> Vec<&'a Package> {
     let mut found = vec![package];
     let mut at = 0;
     while let Some(next) = found.get(at).copied() {
-        for dependency in next.dependencies.iter().filter(|d| d.kind == DependencyKind::Normal) {
-            let own = members.iter().find(|member| member.name.as_str() == dependency.name);
-            found.extend(own.filter(|own| !found.iter().any(|known| known.name == own.name)).copied());
+        for dependency in next.dependencies.iter().filter(|d| d.kind.is_empty()) {
+            let own = members.iter().find(|member| member.name == dependency.name);
+            found.extend(own.filter(|own| !found.iter().any(|known| known.name == own.name)));
         }
         at += 1;
     }
@@ -85,7 +91,7 @@ fn program(
     patches: &Patches<'_>,
 ) -> Result<String, Failure> {
     let mut examples: Vec<&str> =
-        package.targets.iter().filter(|t| t.is_example()).map(|t| t.name.as_str()).collect();
+        package.targets.iter().filter(|t| t.kind == "example").map(|t| t.name.as_str()).collect();
     examples.sort_unstable();
     let name = *examples.first().ok_or_else(|| format!("{} has no example", package.name))?;
     let text = fs::read_to_string(source.join(format!("examples/{name}.rs")))?;
@@ -96,7 +102,7 @@ fn program(
     {
         writeln!(manifest, "{own} = \"={}\"", package.version)?;
     }
-    let others = package.dependencies.iter().filter(|d| d.kind == DependencyKind::Development);
+    let others = package.dependencies.iter().filter(|d| d.kind == "dev");
     for other in others.filter(|other| text.contains(&format!("{}::", other.name.replace('-', "_")))) {
         writeln!(manifest, "{} = \"{}\"", other.name, other.req)?;
     }

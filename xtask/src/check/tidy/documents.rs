@@ -65,7 +65,9 @@ fn modules_and_tests_of_the_coverage_page_are_there() {
     assert!(lost.is_empty(), "{lost:#?}");
     for test in rows.iter().flat_map(|[_, tests]| quoted(tests)) {
         let folders = ["fif", "ndf", "noise", "shading"].map(|name| format!("tests/tests/{name}/{test}.rs"));
-        assert!(folders.iter().any(|file| root().join(file).is_file()), "no test `{test}`");
+        let renderer = format!("tools/render/tests/zoom/{test}.rs");
+        let found = folders.iter().chain([&renderer]).any(|file| root().join(file).is_file());
+        assert!(found, "no test `{test}`");
     }
 }
 

@@ -39,7 +39,8 @@ const EDGES: [(&str, &[&str], &[&str]); 8] = [
 ];
 
 /// The members that may use everything and that nothing may use.
-const TOPS: [&str; 4] = ["asperity-gallery", "asperity-tables", "asperity-tests", "asperity-shader-tests"];
+const TOPS: [&str; 5] =
+    ["asperity-gallery", "asperity-platforms", "asperity-tables", "asperity-tests", "asperity-shader-tests"];
 
 /// The members that may use everything and that only the tops and one another may use.
 const TOOLS: [&str; 2] = ["asperity-render", "asperity"];
@@ -56,6 +57,9 @@ pub(super) fn forbidden(from: &str, to: &str, development: bool) -> Option<Strin
         return to
             .starts_with("asperity")
             .then(|| format!("{from} -> {to}: it builds without this workspace's crates"));
+    }
+    if from == "asperity-tests" && TOOLS.contains(&to) {
+        return Some(format!("{from} -> {to}: property tests use the five crates"));
     }
     if TOPS.contains(&from) || TOOLS.contains(&from) {
         return None;
@@ -98,6 +102,7 @@ mod tests {
             ("xtask", "asperity-output", false, false),
             ("asperity-gallery", "asperity", false, true),
             ("asperity-fif", "asperity", true, false),
+            ("asperity-tests", "asperity-render", false, false),
         ] {
             assert_eq!(forbidden(from, to, development).is_none(), allowed, "{from} -> {to}");
         }

@@ -11,9 +11,8 @@ mod words;
 
 use std::{collections::BTreeMap, fs, io, path::Path};
 
-use cargo_metadata::{DependencyKind, MetadataCommand, Target};
-
 use crate::failure::Failure;
+use crate::metadata;
 use graph::Survey;
 use rooms::HOUSES;
 
@@ -26,24 +25,26 @@ pub(crate) struct Report {
 
 /// Looks at the whole workspace.
 pub(crate) fn report() -> Result<Report, Failure> {
-    let metadata = MetadataCommand::new().no_deps().other_options(vec!["--locked".into()]).exec()?;
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().ok_or("no workspace")?;
     let mut report = Report::default();
-    for package in &metadata.packages {
+    for package in metadata::members(root)? {
         let name = &package.name;
-        report.offences.extend(package.dependencies.iter().filter_map(|dependency| {
-            edges::forbidden(name, &dependency.name, dependency.kind == DependencyKind::Development)
-        }));
-        if package.edition.as_str() != "2024" || package.rust_version.is_none() {
+        report.offences.extend(
+            package
+                .dependencies
+                .iter()
+                .filter_map(|dependency| edges::forbidden(name, &dependency.name, dependency.kind == "dev")),
+        );
+        if package.entry["edition"] != "2024" || package.entry["rust_version"].is_null() {
             report.offences.push(format!("{name}: edition and rust-version come from the workspace"));
         }
-        if package.targets.iter().any(Target::is_custom_build) {
+        if package.targets.iter().any(|target| target.kind == "custom-build") {
             report.offences.push(format!("{name}: no package runs a program while it is built"));
         }
         if !fs::read_to_string(&package.manifest_path)?.contains("[lints]\nworkspace = true") {
             report.offences.push(format!("{name}: the lints come from the workspace"));
         }
     }
-    let root = metadata.workspace_root.as_std_path();
     report.rooms(root)?;
     report.words(root)?;
     Ok(report)
@@ -75,7 +76,7 @@ impl Report {
     /// Heads of files, words that do not belong, first words of doc lines, floats compared by hand.
     fn words(&mut self, root: &Path) -> Result<(), Failure> {
         let mut counts = BTreeMap::<String, [usize; 2]>::new();
-        for folder in ["crates", "xtask", "tests"] {
+        for folder in ["crates", "tools", "xtask", "tests"] {
             sources(root, &root.join(folder), &mut |path, text| {
                 self.offences.extend(words::offences(&path, &text));
                 let place = path.splitn(3, '/').take(2).collect::<Vec<_>>().join("/");

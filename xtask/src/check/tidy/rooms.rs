@@ -86,9 +86,15 @@ pub(super) const HOUSES: &[House] = &[
         face: None,
     },
     House {
+        name: "platforms",
+        sources: "tools/platforms/src",
+        rooms: "failure report cli → cargo drivers → toolchain → bits firmware no_std web",
+        face: None,
+    },
+    House {
         name: "xtask",
         sources: "xtask/src",
-        rooms: "failure report cli → cargo drivers → toolchain → shaders web → check",
+        rooms: "failure report cli → cargo metadata drivers → shaders → check",
         face: None,
     },
 ];

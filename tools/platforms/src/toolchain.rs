@@ -84,11 +84,6 @@ pub(crate) fn rustc() -> OsString {
     own().1
 }
 
-/// The machine that this program's compiler builds for by itself.
-pub(crate) fn host() -> Option<String> {
-    print(&own().1, &["host-tuple"])
-}
-
 /// Whether a program is installed.
 pub(crate) fn is_there(program: &str) -> bool {
     output(Command::new(program).arg("--version")).is_some()
