@@ -93,7 +93,7 @@ mod tests {
         let help = Cli::command().render_help().to_string();
         for command in [
             "gallery", "tables", "peers", "bench", "shaders", "web", "tidy", "ci", "fuzz", "no-std",
-            "firmware", "bits", "coverage",
+            "firmware", "bits",
         ] {
             assert!(help.contains(&format!("\n  {command} ")), "{command} is missing in:\n{help}");
         }
