@@ -76,7 +76,10 @@ fn platforms(name: &str, words: &[OsString]) -> Result<()> {
 /// Builds and runs a program of this workspace in the folder of the call.
 fn program(package: &str, words: &[OsString]) -> Result<()> {
     cargo::run(
-        cargo::cargo(&std::env::current_dir()?, "run --release --package").arg(package).arg("--").args(words),
+        cargo::cargo(&std::env::current_dir()?, "run --profile tools --package")
+            .arg(package)
+            .arg("--")
+            .args(words),
     )
 }
 

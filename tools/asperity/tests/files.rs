@@ -166,6 +166,7 @@ fn assert_one_line(case: &Case, output: &Output, what: &str) {
 }
 
 #[test]
+#[ignore = "slow: weekly"]
 fn a_killed_run_leaves_old_or_new_files_and_the_next_one_clears_up() {
     let kills: usize = std::env::var("ASPERITY_KILLS").map_or(10, |text| text.parse().unwrap());
     let (cases, scratch, mut random) = (Case::all(), tempfile::tempdir().unwrap(), Random(4));
@@ -206,6 +207,7 @@ fn a_killed_run_leaves_old_or_new_files_and_the_next_one_clears_up() {
 }
 
 #[test]
+#[ignore = "slow: weekly"]
 fn two_runs_at_once_leave_whole_files_and_both_succeed() {
     let times: usize = std::env::var("ASPERITY_KILLS").map_or(1, |_| 10);
     let scratch = tempfile::tempdir().unwrap();

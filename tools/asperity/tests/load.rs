@@ -76,6 +76,7 @@ fn grown(words: &str, folder: &Path, tenth: impl Fn() -> bool) -> [[usize; 2]; 2
 }
 
 #[test]
+#[ignore = "slow: weekly"]
 fn frames_in_one_process_keep_no_memory_and_no_thread() {
     let (scratch, frames) = (tempfile::tempdir().unwrap(), repeats(20));
     let words =
@@ -101,6 +102,7 @@ fn frames_in_one_process_keep_no_memory_and_no_thread() {
 }
 
 #[test]
+#[ignore = "slow: weekly"]
 fn a_picture_needs_the_memory_of_its_pixels() {
     let scratch = tempfile::tempdir().unwrap();
     let run = |side: usize, ending: &str| {
@@ -120,6 +122,7 @@ fn a_picture_needs_the_memory_of_its_pixels() {
 }
 
 #[test]
+#[ignore = "slow: weekly"]
 fn tiles_in_one_process_keep_no_memory_and_no_thread() {
     let scratch = tempfile::tempdir().unwrap();
     let words = "--jobs 2 bake --noise perlin --size 1024 --tile 64 --samples 1 --octaves 1 --out {}";
@@ -143,6 +146,7 @@ fn tiles_in_one_process_keep_no_memory_and_no_thread() {
 }
 
 #[test]
+#[ignore = "slow: weekly"]
 fn a_run_after_many_needs_what_the_first_did_and_leaves_the_same_files() {
     let scratch = tempfile::tempdir().unwrap();
     for (name, words) in [

@@ -35,9 +35,31 @@ pub(crate) fn list(all: &[&Figure], only: &[String]) -> Result<()> {
     Ok(())
 }
 
-/// Draws the chosen figures into `output` and writes the pages over all that are there, of which it names the first.
+/// Figures that are drawn first: quick, and from every source.
+const FIRST: [&str; 10] = [
+    "kautz-2-ndf",
+    "cochran-1-functions",
+    "noise-kind-perlin-2002",
+    "noise-kind-gaussian",
+    "cohen-marble-colours",
+    "ndf-density-ggx",
+    "cochran-4-bounds",
+    "noise-cellular",
+    "kautz-1-sphere",
+    "kautz-4-teapot",
+];
+
+/// Splits the chosen figures into those that are drawn first and the rest.
+pub(crate) fn first_ten(figures: Vec<&Figure>) -> [Vec<&Figure>; 2] {
+    let (mut first, rest): (Vec<&Figure>, Vec<&Figure>) =
+        figures.into_iter().partition(|figure| FIRST.contains(&figure.name));
+    first.sort_by_key(|figure| FIRST.iter().position(|name| *name == figure.name));
+    [first, rest]
+}
+
+/// Draws figures into `output`.
 pub(crate) fn draw(
-    all: &[&Figure],
+    figures: &[&Figure],
     wanted: &Gallery,
     output: &Output,
     interrupted: &AtomicBool,
@@ -50,7 +72,6 @@ pub(crate) fn draw(
     // A picture is up to date only if this very program drew it.
     let program = sha256(&std::fs::read(std::env::current_exe()?)?);
     let key = format!("{program} size {size} spp {samples_per_pixel} error {} seed {seed}", goal.error);
-    let figures = chosen(all, &wanted.only)?;
     for (index, figure) in figures.iter().enumerate() {
         let place = format!("{:>2}/{} {:<26}", index + 1, figures.len(), figure.name);
         if !wanted.afresh && recorded(figure, output).is_some_and(|r| r.key == key) {
@@ -58,7 +79,15 @@ pub(crate) fn draw(
             continue;
         }
         let bar = progress::bar(&place);
-        let context = Context { size, samples_per_pixel, goal, seed, progress: &bar, interrupted };
+        let context = Context {
+            size,
+            samples_per_pixel,
+            goal,
+            seed,
+            drivers: !wanted.only.is_empty(),
+            progress: &bar,
+            interrupted,
+        };
         let start = Instant::now();
         let drawn = (figure.draw)(&context);
         bar.finish_and_clear();
@@ -69,6 +98,11 @@ pub(crate) fn draw(
         output.write(&format!("{}.json", figure.name), &serde_json::to_vec_pretty(&record)?)?;
         progress::say(&format!("{place} {seconds:6.1} s"));
     }
+    Ok(())
+}
+
+/// Writes the pages over all figures that were drawn, and prints the path of the first page.
+pub(crate) fn write_pages(all: &[&Figure], output: &Output) -> Result<()> {
     let records: Vec<_> = all.iter().filter_map(|figure| recorded(figure, output)).collect();
     let drawing = |file: &str| String::from_utf8(output.read(file).unwrap_or_default()).unwrap_or_default();
     let beside = [TABLES, LIVE].map(|file| output.read(file).map(|_| file));
@@ -77,7 +111,10 @@ pub(crate) fn draw(
         output.write(page.file, page.gallery(&records, beside, drawing).as_bytes())?;
         first = first.or(Some(page.file));
     }
-    first.into_iter().for_each(|file| progress::say(&format!("the gallery: {}", output.place(file))));
+    if let Some(file) = first {
+        let count = format!("{} of {}", records.len(), all.len());
+        progress::say(&format!("the gallery, {count} figures: {}", output.place(file)));
+    }
     Ok(())
 }
 
@@ -112,4 +149,17 @@ fn store(figure: &Figure, drawn: Drawn, output: &Output) -> Result<Drawn<Stored>
     let Drawn { columns, panels, parameters, table } = drawn;
     let panels = panels.into_par_iter().map(stored).collect::<Result<_>>()?;
     Ok(Drawn { columns, panels, parameters, table })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figures::figures;
+
+    #[test]
+    fn first_ten_are_figures() {
+        let [first, rest] = first_ten(figures());
+        assert_eq!((first.len(), first.len() + rest.len()), (FIRST.len(), figures().len()));
+        assert_eq!(first[0].name, FIRST[0]);
+    }
 }

@@ -39,6 +39,8 @@ pub(crate) struct Context<'a> {
     pub(crate) goal: Goal,
     /// Seed of every random choice.
     pub(crate) seed: u32,
+    /// Whether shaders may be drawn by a driver, which builds a program for minutes.
+    pub(crate) drivers: bool,
     /// The figure's progress; hidden when no terminal looks on.
     pub(crate) progress: &'a ProgressBar,
     /// Set when the user interrupts: long loops call [`Context::checkpoint`] once a row.

@@ -1,4 +1,4 @@
-//! The program behind `cargo xtask gallery`: the tables, then every figure, then the pages.
+//! The program behind `cargo xtask gallery`: ten figures and a page, then the tables, the other figures and the whole pages.
 
 mod captions;
 mod cli;
@@ -48,12 +48,18 @@ fn perform(wanted: &Gallery, interrupted: &AtomicBool) -> Result<(), Failure> {
     if wanted.list {
         return draw::list(&figures(), &wanted.only);
     }
-    draw::chosen(&figures(), &wanted.only)?;
+    let [first, rest] = draw::first_ten(draw::chosen(&figures(), &wanted.only)?);
     let output = Output::new(&wanted.out)?;
+    let gallery = output.inside("gallery")?;
+    if !first.is_empty() {
+        draw::draw(&first, wanted, &gallery, interrupted)?;
+        draw::write_pages(&figures(), &gallery)?;
+    }
     if wanted.only.is_empty() {
         tables::build(&tables::default_sets()?, &output.inside("tables")?, interrupted)?;
     }
-    draw::draw(&figures(), wanted, &output.inside("gallery")?, interrupted)
+    draw::draw(&rest, wanted, &gallery, interrupted)?;
+    draw::write_pages(&figures(), &gallery)
 }
 
 #[cfg(test)]

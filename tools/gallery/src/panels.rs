@@ -57,7 +57,8 @@ mod tests {
     fn the_disk_shows_n_y_upwards() {
         let (progress, interrupted) = (&ProgressBar::hidden(), &AtomicBool::new(false));
         let goal = Quality::Draft.fineness().goal();
-        let context = Context { size: 64, samples_per_pixel: 1, goal, seed: 1, progress, interrupted };
+        let context =
+            Context { size: 64, samples_per_pixel: 1, goal, seed: 1, drivers: false, progress, interrupted };
         let image = disk(&context, 1.0, |m| m.y.max(0.0)).unwrap();
         let row = |y: usize| image.pixels[64 * y + 32].x;
         assert!(row(8) > 4.0 * row(56));

@@ -71,7 +71,7 @@ pub(crate) fn in_browsers(root: &Path) -> Result<(), Failure> {
     told(program(root, "page").arg(&screens))?.lines().for_each(tell);
     let gallery = root.join("target/asperity/drawings");
     // As small as may be, drawings are as large as ever. Means over zooms take as long as all others together; the rest have none.
-    let mut draw = cargo(root, "run --quiet --release --package asperity-gallery --");
+    let mut draw = cargo(root, "run --quiet --profile tools --package asperity-gallery --");
     draw.args(["--quality", "draft", "--size", "32", "--spp", "1", "--out"]).arg(&gallery);
     for figures in ["asperity-mean-radiance", "cochran", "ndf", "noise"] {
         draw.args(["--only", figures]);
