@@ -1,7 +1,7 @@
 //! Files after whole runs that are killed, find no room, may not write, or meet another run: each the old one or the new one, never a
 //! half.
 //!
-//! `ASPERITY_KILLS=200 cargo test --release -p asperity --test files -- --nocapture` is the long form and prints what it found.
+//! `ASPERITY_KILLS=200 cargo test --release -p asperity --test files -- --include-ignored --nocapture` is the long form and prints what it found.
 //! `ASPERITY_GALLERY`, `ASPERITY_SHADERS` and `ASPERITY_WEB` name the programs of `tools/gallery`, `tests/gpu` and `web/builder` where they are built, and `ASPERITY_MODULE`
 //! the page's module; without them they are left out. `ASPERITY_CASES=web,shaders` runs these alone.
 #![cfg(target_os = "linux")]

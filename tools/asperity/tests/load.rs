@@ -1,6 +1,6 @@
 //! Memory, threads and files of runs that do the same again and again: flat, and none left.
 //!
-//! `ASPERITY_REPEATS=100 cargo test --release -p asperity --test load -- --nocapture` is the long form and prints what it measured.
+//! `ASPERITY_REPEATS=100 cargo test --release -p asperity --test load -- --ignored --nocapture` is the long form and prints what it measured.
 #![cfg(target_os = "linux")]
 #![expect(clippy::unwrap_used, reason = "a test that cannot run a command has failed")]
 

@@ -50,6 +50,7 @@ fn worst(subject: &Subject, pixels: [u32; 3]) -> [f64; 2] {
 }
 
 #[test]
+#[ignore = "slow: weekly"]
 fn materials_keep_their_mean_radiance_from_afar_to_very_near() {
     for subject in materials() {
         let (bound, pixels) = demand(subject.name);
@@ -71,6 +72,7 @@ fn pop(subject: &Subject) -> f64 {
 }
 
 #[test]
+#[ignore = "slow: weekly"]
 fn no_pixel_pops_in_a_slow_zoom() {
     // A frame exchanges 2 % of the pixel's area, and moves the fade of an octave by 1 % of 0.6/0.4 · 1.5 = 2.3: of the range of
     // all samples this much, if everything goes one way. Measured: 3.1 % of paint, 2.5 % of flakes, 1.9 % of fibres, whose edges are hard, 0.8 % and less of others.
