@@ -100,7 +100,7 @@ struct Descent<'a, 'b, F: Function, G: Function> {
 impl<F: Function, G: Function> Traversal<'_, HeightField<F, G>> {
     /// The least root along a stretch of the ray, or any.
     pub(crate) fn boxes(&mut self, span: Interval, aim: Aim) -> Option<Root> {
-        let (surface, o, d) = (self.surface, self.ray.origin, self.ray.direction);
+        let (surface, o, d) = (self.context.surface, self.ray.origin, self.ray.direction);
         let across = Axis::new(&surface.x, [o.x, d.x], d.y);
         let along = Axis::new(&surface.y, [o.y, d.y], d.x);
         let (x, y) = (across.root(), along.root());
@@ -155,7 +155,7 @@ impl<F: Function, G: Function> Traversal<'_, HeightField<F, G>> {
 
     /// The height of the ray above the surface at `t`.
     fn height(&self, t: f64) -> Bounded {
-        self.over(t, |x, y| self.surface.near(x, y))
+        self.over(t, |x, y| self.context.surface.near(x, y))
     }
 }
 
@@ -300,7 +300,7 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
         if t == self.seen || t > self.end {
             return false;
         }
-        let (ray, surface, blur) = (self.way.ray, self.way.surface, self.blur);
+        let (ray, surface, blur) = (self.way.ray, self.way.context.surface, self.blur);
         let at = |o: f64, d: f64| Double::from(o).plus(t.times(Double::from(d)));
         let f = surface.x.at(at(ray.origin.x, ray.direction.x), x);
         let height = f.product(surface.y.at(at(ray.origin.y, ray.direction.y), y));

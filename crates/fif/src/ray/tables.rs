@@ -317,7 +317,8 @@ impl<F: Function, G: Function> Path<'_, F, G> {
     /// By boxes, as without tables.
     #[cold]
     pub(crate) fn descend(&self, span: Interval) -> Option<Root> {
-        let (mut traversal, _) = Context::new(self.tracer.surface).ray(&self.ray, span, 0.0)?;
+        let context = Context::new(self.tracer.surface);
+        let (mut traversal, _) = context.ray(&self.ray, span, 0.0)?;
         traversal.boxes(span, Aim::First)
     }
 
@@ -463,7 +464,8 @@ impl Search {
             if !known {
                 let (_, value, _) = path.above(end, path.tracer.finest());
                 if value.abs() <= path.error(path.tracer.finest()) {
-                    let traversal = Context::new(path.tracer.surface).ray(&path.ray, self.span, 0.0);
+                    let context = Context::new(path.tracer.surface);
+                    let traversal = context.ray(&path.ray, self.span, 0.0);
                     return Some(traversal.map_or(Root { t: end, certain: false }, |(t, _)| t.proven(end)));
                 }
                 if way * value > 0.0 {

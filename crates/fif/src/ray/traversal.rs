@@ -1,13 +1,14 @@
 //! The first hit of a ray on any surface `z = f(x, y)`, with proof that nothing lies before it.
 //!
-//! A [`Context`] holds the constants of a surface, a [`Traversal`] one ray on its way:
+//! A [`Context`] holds the constants of a surface, a [`Traversal`] one ray on its way. Of `r(t)`, the height of the ray above the
+//! surface at the distance t, roots are sought:
 //!
-//! 1. [`Context::ray`] clips the ray to the slab over the domain.
-//! 2. [`Traversal::descend`] visits the squares of the quartered domain front to back. The range of the heights over a square
-//!    clips the ray: outside this stretch it is above or below the surface.
-//! 3. [`Traversal::search`] decides a stretch over a smallest square. Bounds of the slopes bound the rate `d/dt (z − f)`, so the
-//!    height above the surface at an end of the stretch excludes a root for some way from there. If the rate keeps its sign, the
-//!    heights at both ends decide; otherwise the rest of the stretch is halved and bounded again.
+//! 1. [`Context::ray`] clips the ray to the domain.
+//! 2. [`Traversal::descend`] visits the squares of a quadtree over the domain front to back. The range of the heights over a
+//!    square clips the ray: outside this stretch it is above or below the surface.
+//! 3. [`Traversal::search`] decides a stretch over a smallest square. Bounds of the slopes bound the rate `r′`, so r at an end of
+//!    the stretch excludes roots for some way from there. If the rate keeps its sign, r at both ends decides; otherwise the rest
+//!    of the stretch is halved and bounded again.
 //! 4. [`Traversal::root`] encloses a root between a change of sign, by secants and the bounds of the rate.
 //! 5. [`Traversal::hit`] evaluates height and gradient there.
 //!
@@ -52,9 +53,7 @@ pub(crate) struct Context<'a, S: ?Sized> {
 
 /// One ray on its way.
 pub(crate) struct Traversal<'a, S: ?Sized> {
-    pub(crate) surface: &'a S,
-    domain: [Interval; 2],
-    range: Interval,
+    pub(crate) context: &'a Context<'a, S>,
     pub(crate) ray: Ray,
     /// More than the rounding of a coordinate on the ray within the domain.
     pub(crate) pad: DVec3,
@@ -75,7 +74,7 @@ impl<'a, S: Surface + ?Sized> Context<'a, S> {
     }
 
     /// The ray with the stretch of it over the domain, which may be empty; `None` for an invalid ray.
-    pub(crate) fn ray(&self, ray: &Ray, t: Interval, tolerance: f64) -> Option<(Traversal<'a, S>, Interval)> {
+    pub(crate) fn ray(&self, ray: &Ray, t: Interval, tolerance: f64) -> Option<(Traversal<'_, S>, Interval)> {
         let (o, d) = (ray.origin, ray.direction);
         if !o.is_finite() || !d.is_finite() || d == DVec3::ZERO {
             return None;
@@ -93,9 +92,8 @@ impl<'a, S: Surface + ?Sized> Context<'a, S> {
         let span = Interval::new(if t.lo > 0.0 { t.lo } else { 0.0 }, t.hi);
         let span = span.intersection(slab(o.x, d.x, padded(x, pad.x)));
         let span = span.intersection(slab(o.y, d.y, padded(y, pad.y)));
-        let Self { surface, domain, range } = *self;
-        let (ray, budget) = (*ray, BUDGET);
-        Some((Traversal { surface, domain, range, ray, pad, close, finest, exact, budget, lost: None }, span))
+        let ray = *ray;
+        Some((Traversal { context: self, ray, pad, close, finest, exact, budget: BUDGET, lost: None }, span))
     }
 
     /// The first hit with `t` in the interval.
@@ -119,7 +117,7 @@ impl<'a, S: Surface + ?Sized> Context<'a, S> {
     }
 }
 
-/// A square of the quartered domain.
+/// A square of the quadtree: the domain halved `level` times along both axes.
 #[derive(Clone, Copy)]
 pub(crate) struct Square {
     pub(crate) level: u32,
@@ -143,7 +141,7 @@ impl Square {
     }
 }
 
-/// Bounds over the squares of the quartered domain.
+/// Bounds over the squares of the quadtree.
 pub(crate) trait Squares {
     /// The level of the smallest squares.
     fn finest(&self) -> u32;
@@ -184,14 +182,15 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
         found.or(self.lost.map(|t| Root { t, certain: false }))
     }
 
-    /// The least root in the squares along the ray, or any.
+    /// The least root in the squares along the ray, or any; the nearest square lies on top of the stack.
     fn descend(&mut self, squares: &impl Squares, span: Interval, aim: Aim) -> Option<Root> {
         const PLACES: usize = 64;
-        let [x, y] = self.domain;
+        let [x, y] = self.context.domain;
         let finest = squares.finest().min(12);
         let (o, d) = (self.ray.origin, self.ray.direction);
         let inverse = [1.0 / d.x, 1.0 / d.y];
-        let late = [self.pad.x * inverse[0].abs(), self.pad.y * inverse[1].abs()];
+        // More than the rounding of a coordinate, as a distance.
+        let pad_t = [self.pad.x * inverse[0].abs(), self.pad.y * inverse[1].abs()];
         let mut stack = [(Square::WHOLE, span); PLACES];
         let mut filled = 1_usize;
         let mut stretches = Stretches::new();
@@ -217,10 +216,10 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
             // The stretch before and behind the middle of either side, whichever way the ray goes.
             let halves = |axis: usize| {
                 let (origin, step) = if axis == 0 { (o.x, d.x) } else { (o.y, d.y) };
-                let (side, pad, inverse, late) = if axis == 0 {
-                    (sides[0], self.pad.x, inverse[0], late[0])
+                let (side, pad, inverse, pad_t) = if axis == 0 {
+                    (sides[0], self.pad.x, inverse[0], pad_t[0])
                 } else {
-                    (sides[1], self.pad.y, inverse[1], late[1])
+                    (sides[1], self.pad.y, inverse[1], pad_t[1])
                 };
                 let middle = side.middle();
                 let backward = u32::from(step < 0.0);
@@ -229,7 +228,7 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
                     return [(0, at(origin <= middle + pad)), (1, at(origin >= middle - pad))];
                 }
                 let t = (middle - origin) * inverse;
-                let slack = late + 4.0 * f64::EPSILON * t.abs();
+                let slack = pad_t + 4.0 * f64::EPSILON * t.abs();
                 [
                     (backward, span.intersection(Interval::new(span.lo, t + slack))),
                     (1 - backward, span.intersection(Interval::new(t - slack, span.hi))),
@@ -256,31 +255,33 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
         None
     }
 
-    /// The first root in a stretch over which the height above the surface changes at these rates, or any.
-    fn search(&mut self, left: &mut Stretches, span: Interval, rate: Interval, aim: Aim) -> Option<Root> {
-        left.filled = 0;
+    /// The first root in a stretch over which the rate is in `rate`, or any.
+    fn search(&mut self, waiting: &mut Stretches, span: Interval, rate: Interval, aim: Aim) -> Option<Root> {
+        waiting.filled = 0;
         // More than the rounding of t.
         let slack = 4.0 * UNIT * (span.lo.abs() + span.hi.abs());
-        left.push(Stretch { span, rate, clear: [0.0; 2], splits: 0 });
-        while let Some(stretch) = left.pop() {
-            let Stretch { span: Interval { lo, hi }, rate, clear, .. } = stretch;
+        waiting.push(Stretch { span, rate, clearance: [0.0; 2], splits: 0 });
+        while let Some(stretch) = waiting.pop() {
+            let Stretch { span: Interval { lo, hi }, rate, clearance, .. } = stretch;
             let (width, speed) = (hi - lo, rate.magnitude());
             let rough = !speed.is_finite();
             if rough && aim == Aim::First && width > self.close && self.budget > 0 {
                 // Heights at the ends exclude nothing in between; bounds of the parts do.
-                self.split(left, stretch);
+                self.split(waiting, stretch);
                 continue;
             }
-            let coarse = if rough { self.range.width() } else { 0.0625 * speed * width };
-            let low = if clear[0] == 0.0 { self.distance(lo, coarse) } else { clear[0] };
+            let coarse = if rough { self.context.range.width() } else { 0.0625 * speed * width };
+            // Where the sign at an end cannot be told, that end is the root, up to rounding.
+            let low = if clearance[0] == 0.0 { self.clearance(lo, coarse) } else { clearance[0] };
             if low == 0.0 {
                 return Some(self.proven(lo));
             }
-            let high = if clear[1] == 0.0 { self.distance(hi, coarse) } else { clear[1] };
+            let high = if clearance[1] == 0.0 { self.clearance(hi, coarse) } else { clearance[1] };
             let crosses = (low < 0.0) != (high < 0.0) && high != 0.0;
             if crosses && aim == Aim::Any {
                 return Some(Root { t: lo, certain: true });
             }
+            // r is monotonic: one root or none.
             if rate.lo > 0.0 || rate.hi < 0.0 {
                 if crosses {
                     return Some(Root { t: self.root(stretch.span, rate, low, slack), certain: true });
@@ -294,7 +295,7 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
                 let certain = width <= self.close;
                 return Some(Root { t: self.root(stretch.span, Interval::ENTIRE, low, slack), certain });
             }
-            // From either end the surface comes nearer at these rates at most.
+            // A Lipschitz bound from either end leaves [from, to]: |r| decreases at these rates at most.
             let (fall, rise) = if low > 0.0 { (-rate.lo, rate.hi) } else { (rate.hi, -rate.lo) };
             let from = lo + low.abs() / fall - slack;
             let from = if from > lo { from } else { lo };
@@ -313,26 +314,26 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
             }
             let rest = stretch.cut(Interval::new(from, to), [low, high]);
             if to - from <= 0.5 * width {
-                left.push(rest);
+                waiting.push(rest);
             } else {
-                self.split(left, rest);
+                self.split(waiting, rest);
             }
         }
         None
     }
 
     /// Both halves, with new bounds once they are much smaller than what the old ones are for.
-    fn split(&mut self, left: &mut Stretches, stretch: Stretch) {
-        let Stretch { span, rate, clear, splits } = stretch;
+    fn split(&mut self, waiting: &mut Stretches, stretch: Stretch) {
+        let Stretch { span, rate, clearance, splits } = stretch;
         let (middle, splits) = (span.middle(), splits + 1);
         let again = !rate.magnitude().is_finite() || splits.is_multiple_of(SPLITS);
-        for (span, clear) in [
-            (Interval::new(middle, span.hi), [0.0, clear[1]]),
-            (Interval::new(span.lo, middle), [clear[0], 0.0]),
+        for (span, clearance) in [
+            (Interval::new(middle, span.hi), [0.0, clearance[1]]),
+            (Interval::new(span.lo, middle), [clearance[0], 0.0]),
         ] {
-            let part = Stretch { span, rate, clear, splits };
+            let part = Stretch { span, rate, clearance, splits };
             if let Some(part) = if again { self.bounded(part) } else { Some(part) } {
-                left.push(part);
+                waiting.push(part);
             }
         }
     }
@@ -345,14 +346,14 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
             if a < b { Interval::new(a - pad, b + pad) } else { Interval::new(b - pad, a + pad) }
         };
         let SurfaceBounds { height, slopes } =
-            self.surface.bounds(side(a.x, b.x, self.pad.x), side(a.y, b.y, self.pad.y));
+            self.context.surface.bounds(side(a.x, b.x, self.pad.x), side(a.y, b.y, self.pad.y));
         let span = self.within(stretch.span, height);
         let rate = self.rate(slopes).intersection(stretch.rate);
-        (span.lo <= span.hi).then_some(Stretch { rate, ..stretch.cut(span, stretch.clear) })
+        (span.lo <= span.hi).then_some(Stretch { rate, ..stretch.cut(span, stretch.clearance) })
     }
 
-    /// The ray's height above the surface, moved towards 0 by its bound: 0 only where the sign cannot be told.
-    fn distance(&mut self, t: f64, mut tolerance: f64) -> f64 {
+    /// A lower bound of |r|, with the sign of r: 0 only where the sign cannot be told.
+    fn clearance(&mut self, t: f64, mut tolerance: f64) -> f64 {
         const FINER: f64 = 1.0 / 4096.0;
         loop {
             let Bounded { value, bound } = self.above(t, tolerance);
@@ -367,10 +368,10 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
         }
     }
 
-    /// The root in a stretch at whose ends the signs differ; the only one, if the rate excludes 0.
+    /// A root in a stretch at whose ends the signs of r differ; the only one, if the rate excludes 0.
     fn root(&mut self, span: Interval, rate: Interval, low: f64, slack: f64) -> f64 {
         let sign = if low < 0.0 { 1.0 } else { -1.0 };
-        // The height times the sign grows over the stretch.
+        // r times the sign increases over the stretch.
         let rate = rate.scaled(sign);
         let (pace, most) = (rate.lo.max(0.0), rate.hi);
         let (mut lo, mut hi) = (span.lo, span.hi);
@@ -389,7 +390,7 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
             if value.abs() <= bound && wanted <= 2.0 * bound {
                 return t;
             }
-            // The root lies between these: at the least rate it is far, at the greatest near.
+            // Interval Newton: the root lies between `before` and `after`, far at the least rate, near at the greatest.
             let (below, over) = (value - bound, value + bound);
             let quick = |v: f64| if most.is_finite() { v / most } else { 0.0 };
             let slow = |v: f64| if pace > 0.0 { v / pace } else { v * f64::INFINITY };
@@ -410,10 +411,10 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
         span.nearest(t)
     }
 
-    /// The height of the ray above the surface at `t`.
+    /// `r(t)`: the height of the ray above the surface.
     #[inline]
     fn above(&self, t: f64, tolerance: f64) -> Bounded {
-        self.over(t, |x, y| self.surface.evaluate(x, y, tolerance))
+        self.over(t, |x, y| self.context.surface.evaluate(x, y, tolerance))
     }
 
     /// The height of the ray at `t` above heights.
@@ -431,7 +432,7 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
         span.intersection(slab(self.ray.origin.z, self.ray.direction.z, padded(height, self.pad.z)))
     }
 
-    /// Rate at which the height above the surface changes where its slopes are in ranges.
+    /// Range of `r′ = d_z − f_x d_x − f_y d_y` for these ranges of the slopes.
     pub(crate) fn rate(&self, [x, y]: [Interval; 2]) -> Interval {
         let d = self.ray.direction;
         Interval::new(d.z, d.z).sum(x.scaled(-d.x)).sum(y.scaled(-d.y))
@@ -472,31 +473,35 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
         if !t.is_finite() || !at.is_finite() {
             return None;
         }
-        let [x, y] = self.domain;
+        let [x, y] = self.context.domain;
         let certain = certain && x.contains(at.x) && y.contains(at.y);
         let (x, y) = (x.nearest(at.x), y.nearest(at.y));
         let (near, height) = if self.exact { (0.0, 0.0) } else { (tolerance, 0.125 * tolerance) };
-        let gradient = self.surface.gradient_near(x, y, near);
-        let height = self.surface.evaluate(x, y, height).value;
+        let gradient = self.context.surface.gradient_near(x, y, near);
+        let height = self.context.surface.evaluate(x, y, height).value;
         Some(Hit { t, x, y, height, gradient, normal: gradient.map(upward_normal), certain })
     }
 }
 
-/// A stretch of the ray, a bound of the rate over it, and what is known of the height at its ends.
+/// A stretch of the ray, bounds of the rate over it, and of r at its ends.
 #[derive(Clone, Copy)]
 struct Stretch {
     span: Interval,
     rate: Interval,
-    /// Signed lower bounds of the distance at the ends; 0 where nothing is known.
-    clear: [f64; 2],
+    /// Lower bounds of |r| at the ends, with its sign; 0 where nothing is known.
+    clearance: [f64; 2],
     splits: u32,
 }
 
 impl Stretch {
-    /// A part of the stretch, with the distances of the ends that it keeps.
+    /// A part of the stretch, with the bounds at the ends that it keeps.
     fn cut(self, span: Interval, [low, high]: [f64; 2]) -> Self {
-        let kept = |end: f64, old: f64, clear: f64| if end == old { clear } else { 0.0 };
-        Self { span, clear: [kept(span.lo, self.span.lo, low), kept(span.hi, self.span.hi, high)], ..self }
+        let kept = |end: f64, old: f64, clearance: f64| if end == old { clearance } else { 0.0 };
+        Self {
+            span,
+            clearance: [kept(span.lo, self.span.lo, low), kept(span.hi, self.span.hi, high)],
+            ..self
+        }
     }
 }
 
@@ -508,7 +513,7 @@ struct Stretches {
 
 impl Stretches {
     fn new() -> Self {
-        let none = Stretch { span: Interval::EMPTY, rate: Interval::ENTIRE, clear: [0.0; 2], splits: 0 };
+        let none = Stretch { span: Interval::EMPTY, rate: Interval::ENTIRE, clearance: [0.0; 2], splits: 0 };
         Self { waiting: [none; WAITING], filled: 0 }
     }
 
