@@ -4,7 +4,7 @@ use core::array;
 
 use crate::{
     lanes::lanes::{LANES, LaneSample, Lanes, Scalar},
-    lanes::level::{Instructions, Task},
+    lanes::level::{Instructions, Task, run_at_point},
     lattice::lattice::{REACH, is_within, wrapped},
     point::Point,
     row::points::{Points, Source, Target, buffers, by_axes},
@@ -105,6 +105,42 @@ pub trait Kernel<const N: usize>: Measured<N> {
         self.evaluate::<Scalar, GRADIENTS>(Scalar, p, seed)
     }
 
+    /// The value at any point.
+    #[inline]
+    fn value_at(&self, p: [f32; N], seed: u32) -> f32 {
+        lone::<Self, N, false>(self, p, seed).0
+    }
+
+    /// Value and gradient at any point.
+    #[inline]
+    fn sample_at(&self, p: [f32; N], seed: u32) -> LaneSample<Scalar, N> {
+        lone::<Self, N, true>(self, p, seed)
+    }
+
+    /// A row at a SIMD level.
+    fn fill_row(call: FillRow<'_, Self, N>, instructions: Instructions)
+    where
+        Self: Sized,
+    {
+        call.at(instructions);
+    }
+
+    /// A list at a SIMD level.
+    fn fill_list(call: FillList<'_, Self, N>, instructions: Instructions)
+    where
+        Self: Sized,
+    {
+        instructions.run(call);
+    }
+
+    /// Octaves at a point, as many at once as there are lanes; nothing where there is one lane only.
+    fn octaves_at(&self, octaves: OctavesAt<'_, N>, samples: &mut OctaveSamples<N>) -> Option<()>
+    where
+        Self: Sized,
+    {
+        octaves.evaluate(self, samples)
+    }
+
     /// The values along a row, and the gradients if `GRADIENTS`. What does not change along it may be computed once.
     #[inline(always)]
     fn rows<S: Lanes, const GRADIENTS: bool>(
@@ -114,6 +150,88 @@ pub trait Kernel<const N: usize>: Measured<N> {
         strip: Strip<'_, N, GRADIENTS>,
     ) {
         by_lanes(s, self, strip);
+    }
+}
+
+/// The most octaves of a point.
+const OCTAVES: usize = 16;
+
+/// A point in the coordinates of octaves, each of which draws its words with a key of its own.
+#[derive(Clone, Copy, Debug)]
+pub struct OctavesAt<'a, const N: usize> {
+    pub(crate) points: &'a [[f32; OCTAVES]; N],
+    pub(crate) seeds: &'a [u32; OCTAVES],
+    pub(crate) keys: &'a [u32; OCTAVES],
+    pub(crate) count: usize,
+    /// Whether gradients are wanted.
+    pub(crate) gradients: bool,
+}
+
+/// The values of octaves, and their gradients if they are wanted; beyond the number of octaves they are of no meaning.
+#[derive(Clone, Copy, Debug)]
+pub struct OctaveSamples<const N: usize> {
+    pub(crate) values: [f32; OCTAVES],
+    pub(crate) gradients: [[f32; OCTAVES]; N],
+}
+
+impl<const N: usize> OctaveSamples<N> {
+    pub(crate) const ZERO: Self = Self { values: [0.0; OCTAVES], gradients: [[0.0; OCTAVES]; N] };
+
+    /// Sets the sample of an octave.
+    #[inline(always)]
+    pub(crate) fn set(&mut self, octave: usize, (value, gradient): LaneSample<Scalar, N>) {
+        self.values[octave % OCTAVES] = value;
+        for axis in 0..N {
+            self.gradients[axis][octave % OCTAVES] = gradient[axis];
+        }
+    }
+}
+
+impl<const N: usize> OctavesAt<'_, N> {
+    /// The octaves of a kind in lanes.
+    pub(crate) fn evaluate<K: Kernel<N>>(self, kernel: &K, samples: &mut OctaveSamples<N>) -> Option<()> {
+        run_at_point(EvaluateOctaves { kernel, octaves: self, samples })
+    }
+
+    /// The octaves in lanes from one on.
+    #[inline(always)]
+    fn put<S: Lanes, K: Kernel<N>, const GRADIENTS: bool>(
+        self,
+        s: S,
+        kernel: &K,
+        samples: &mut OctaveSamples<N>,
+        first: usize,
+    ) {
+        let mut p = [s.float(0.0); N];
+        for axis in 0..N {
+            p[axis] = s.load(self.points[axis].get(first..).unwrap_or_default());
+        }
+        let keys = s.load_words(self.keys.get(first..).unwrap_or_default());
+        let (value, gradient) = evaluate::<K, S::Keyed, N, GRADIENTS>(kernel, s.keyed(keys), p, 0);
+        s.store(value, samples.values.get_mut(first..).unwrap_or_default());
+        for axis in 0..if GRADIENTS { N } else { 0 } {
+            s.store(gradient[axis], samples.gradients[axis].get_mut(first..).unwrap_or_default());
+        }
+    }
+}
+
+struct EvaluateOctaves<'a, K, const N: usize> {
+    kernel: &'a K,
+    octaves: OctavesAt<'a, N>,
+    samples: &'a mut OctaveSamples<N>,
+}
+
+impl<K: Kernel<N>, const N: usize> Task for EvaluateOctaves<'_, K, N> {
+    #[inline(always)]
+    fn run<S: Lanes>(self, s: S) {
+        let Self { kernel, octaves, samples } = self;
+        for first in (0..octaves.count).step_by(S::LEN) {
+            if octaves.gradients {
+                octaves.put::<S, K, true>(s, kernel, samples, first);
+            } else {
+                octaves.put::<S, K, false>(s, kernel, samples, first);
+            }
+        }
     }
 }
 
@@ -129,6 +247,8 @@ pub trait Anchor<const N: usize>: Kernel<N> {
 /// The methods of a [`Kernel`] for octaves, by its lattice.
 macro_rules! on_lattice {
     () => {
+        $crate::contract::compiled::on_standard_lattice!();
+
         const TILED: bool = <<Self as $crate::lattice::lattice::OnLattice>::Lattice as $crate::lattice::lattice::Lattice>::TILED;
 
         fn period(&self, axis: usize) -> u32 {
@@ -165,7 +285,7 @@ fn is_small<const N: usize>(p: &[f32; N]) -> bool {
 ///
 /// A point beyond reach is moved to where it has the same cells before the kind is evaluated, so that it is compiled once.
 #[inline(always)]
-fn lone<K: Kernel<N>, const N: usize, const GRADIENTS: bool>(
+pub(crate) fn lone<K: Kernel<N> + ?Sized, const N: usize, const GRADIENTS: bool>(
     kernel: &K,
     mut p: [f32; N],
     seed: u32,
@@ -176,22 +296,6 @@ fn lone<K: Kernel<N>, const N: usize, const GRADIENTS: bool>(
     }
     let sample = kernel.lone::<GRADIENTS>(p, seed);
     if known { sample } else { (0.0, [0.0; N]) }
-}
-
-/// The value at any point.
-#[inline(always)]
-pub(crate) fn value<K: Kernel<N>, const N: usize>(kernel: &K, p: [f32; N], seed: u32) -> f32 {
-    lone::<K, N, false>(kernel, p, seed).0
-}
-
-/// Value and gradient at any point.
-#[inline(always)]
-pub(crate) fn sample<K: Kernel<N>, const N: usize>(
-    kernel: &K,
-    p: [f32; N],
-    seed: u32,
-) -> LaneSample<Scalar, N> {
-    lone::<K, N, true>(kernel, p, seed)
 }
 
 /// The values at any points, one in each lane, and the gradients if `GRADIENTS`.
@@ -272,7 +376,8 @@ fn in_lanes<K: Kernel<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
 }
 
 /// A row of a kind, or of one of its octaves.
-pub(crate) struct FillRow<'a, K: Kernel<N>, const N: usize> {
+#[derive(Debug)]
+pub struct FillRow<'a, K: Kernel<N>, const N: usize> {
     pub(crate) kernel: &'a K,
     pub(crate) seed: u32,
     pub(crate) row: Row<N>,
@@ -311,8 +416,8 @@ impl<K: Kernel<N>, const N: usize> FillRow<'_, K, N> {
             let gradients =
                 gradients.map(|g| g.each_mut().map(|g| g.get_mut(part.clone()).unwrap_or_default()));
             let (kernel, seed) = (self.kernel, self.seed);
-            FillList { kernel, seed, points, values: &mut self.values[part.clone()], gradients }
-                .at(instructions);
+            let values = &mut self.values[part.clone()];
+            instructions.run(FillList { kernel, seed, points, values, gradients });
         }
     }
 }
@@ -332,20 +437,14 @@ impl<K: Kernel<N>, const N: usize> Task for FillRow<'_, K, N> {
 }
 
 /// Points of a kind, or of one of its octaves, from lists of their coordinates.
-pub(crate) struct FillList<'a, K: Kernel<N>, const N: usize> {
+#[derive(Debug)]
+pub struct FillList<'a, K: Kernel<N>, const N: usize> {
     pub(crate) kernel: &'a K,
     pub(crate) seed: u32,
     pub(crate) points: [&'a [f32]; N],
     pub(crate) values: &'a mut [f32],
     /// One slice per axis, as long as `values`.
     pub(crate) gradients: Option<[&'a mut [f32]; N]>,
-}
-
-impl<K: Kernel<N>, const N: usize> FillList<'_, K, N> {
-    /// The list at a SIMD level: all that is compiled for lists of a kind.
-    pub(crate) fn at(self, instructions: Instructions) {
-        instructions.run(self);
-    }
 }
 
 impl<K: Kernel<N>, const N: usize> Task for FillList<'_, K, N> {
@@ -558,7 +657,7 @@ pub(crate) fn fill<K: Kernel<N>, V: Point<Coordinates = [f32; N]>, const N: usiz
         let (values, gradients) = target.row(0, points.width());
         let points = array::from_fn(|axis| lists.as_ref()[axis]);
         let gradients = gradients.map(by_axes::<V, N>);
-        FillList { kernel, seed, points, values, gradients }.at(instructions);
+        K::fill_list(FillList { kernel, seed, points, values, gradients }, instructions);
     } else if points.len() < FEW_POINTS {
         let mut lists = buffers::<V, FEW_POINTS>();
         points.write(lists.as_mut());
@@ -568,7 +667,7 @@ pub(crate) fn fill<K: Kernel<N>, V: Point<Coordinates = [f32; N]>, const N: usiz
             let points = array::from_fn(|axis| &lists.as_ref()[axis][part.clone()]);
             let (values, gradients) = target.row(row, width);
             let gradients = gradients.map(by_axes::<V, N>);
-            FillList { kernel, seed, points, values, gradients }.at(instructions);
+            K::fill_list(FillList { kernel, seed, points, values, gradients }, instructions);
         }
     } else {
         let mut scratch = K::RowScratch::default();
@@ -579,7 +678,8 @@ pub(crate) fn fill<K: Kernel<N>, V: Point<Coordinates = [f32; N]>, const N: usiz
             for (r, row) in window.rows(0..block.rows.len()) {
                 let (values, gradients) = target.row(r, block.width());
                 let gradients = gradients.map(by_axes::<V, N>);
-                FillRow { kernel, seed, row, scratch: &mut scratch, values, gradients }.at(instructions);
+                let call = FillRow { kernel, seed, row, scratch: &mut scratch, values, gradients };
+                K::fill_row(call, instructions);
             }
         }
     }

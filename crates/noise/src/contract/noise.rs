@@ -67,6 +67,13 @@ macro_rules! kind {
                 $kind { seed: self.seed, $($($parameter: self.$parameter,)+)? lattice }
             }
 
+            /// The noise on the standard lattice.
+            #[inline(always)]
+            pub(crate) fn standard(&self) -> $kind {
+                let lattice = $crate::lattice::integer_hash::IntegerHash;
+                $kind { seed: self.seed, $($($parameter: self.$parameter,)+)? lattice }
+            }
+
             /// Another seed.
             #[must_use]
             pub fn with_seed(self, seed: u32) -> Self {
@@ -128,6 +135,7 @@ pub(crate) use measured;
 macro_rules! noise {
     ($kind:ident) => {
         noise!($kind, [, const N: usize], N);
+        $crate::contract::compiled::compiled!($kind);
     };
     ($kind:ident, curved) => {
         noise!($kind);
@@ -152,14 +160,15 @@ macro_rules! noise {
             #[inline]
             fn sample(&self, p: V) -> $crate::sample::Sample<V> {
                 let seed = $crate::contract::kernel::Measured::<$n>::seed(self);
-                let (value, gradient) = $crate::contract::kernel::sample(self, p.coordinates(), seed);
+                let (value, gradient) =
+                    $crate::contract::kernel::Kernel::<$n>::sample_at(self, p.coordinates(), seed);
                 $crate::sample::Sample { value, gradient: V::from_coordinates(gradient) }
             }
 
             #[inline]
             fn value(&self, p: V) -> f32 {
                 let seed = $crate::contract::kernel::Measured::<$n>::seed(self);
-                $crate::contract::kernel::value(self, p.coordinates(), seed)
+                $crate::contract::kernel::Kernel::<$n>::value_at(self, p.coordinates(), seed)
             }
 
             fn range(&self) -> [f32; 2] {

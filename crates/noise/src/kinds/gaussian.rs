@@ -1,7 +1,9 @@
 //! Value-gradient noise, normalised so that it is exactly Gaussian at every point.
 
+use core::any::Any;
+
 use crate::{
-    contract::kernel::Measured,
+    contract::kernel::{self, Measured, OctaveSamples, OctavesAt},
     contract::noise::{kind, measured, noise},
     kinds::cell::at_ends::by_corners,
     kinds::cell::corner::{CellNoise, Corner, normalised},
@@ -62,10 +64,8 @@ impl<L: Lattice> Gaussian<L> {
     #[must_use]
     #[inline]
     pub fn pair<V: Point<Coordinates = [f32; N]>, const N: usize>(&self, p: V) -> [Sample<V>; 2] {
-        let (p, mut pair) = (p.coordinates(), [(0.0, [0.0; N]); 2]);
-        if run_at_point(Lone { noise: self, p, pair: &mut pair }).is_none() {
-            pair = self.channels(p, self.seed);
-        }
+        let p = p.coordinates();
+        let pair = if L::STANDARD { (forms().pair)(&self.standard(), p) } else { self.pair_at(p) };
         pair.map(|(value, gradient)| Sample { value, gradient: V::from_coordinates(gradient) })
     }
 
@@ -136,7 +136,61 @@ impl<L: Lattice> Gaussian<L> {
     }
 }
 
+impl<L: Lattice> Gaussian<L> {
+    /// Both channels of octaves at a point; nothing where there is one lane only.
+    pub(crate) fn pairs_at<const N: usize>(
+        &self,
+        octaves: OctavesAt<'_, N>,
+        samples: &mut [OctaveSamples<N>; 2],
+    ) -> Option<()> {
+        if L::STANDARD {
+            return (forms::<N>().octaves)(&self.standard(), octaves, samples);
+        }
+        run_at_point(Pairs { noise: self, octaves, samples })
+    }
+
+    #[inline(always)]
+    fn pair_at<const N: usize>(&self, p: [f32; N]) -> [LaneSample<Scalar, N>; 2] {
+        let mut pair = [(0.0, [0.0; N]); 2];
+        if run_at_point(Lone { noise: self, p, pair: &mut pair }).is_none() {
+            pair = self.channels(p, self.seed);
+        }
+        pair
+    }
+}
+
+/// The evaluations of both channels, compiled once as those of one are.
+struct PairForms<const N: usize> {
+    pair: fn(&Gaussian, [f32; N]) -> [LaneSample<Scalar, N>; 2],
+    octaves: fn(&Gaussian, OctavesAt<'_, N>, &mut [OctaveSamples<N>; 2]) -> Option<()>,
+}
+
+impl<const N: usize> PairForms<N> {
+    const ALL: Self = Self {
+        pair: |noise, p| noise.pair_at(p),
+        octaves: |noise, octaves, samples| run_at_point(Pairs { noise, octaves, samples }),
+    };
+    const NONE: Self = Self { pair: |_, _| [(0.0, [0.0; N]); 2], octaves: |_, _, _| None };
+}
+
+#[inline(always)]
+fn forms<const N: usize>() -> &'static PairForms<N> {
+    static LINE: PairForms<1> = PairForms::ALL;
+    static PLANE: PairForms<2> = PairForms::ALL;
+    static SPACE: PairForms<3> = PairForms::ALL;
+    static FOUR: PairForms<4> = PairForms::ALL;
+    let forms: [&'static dyn Any; 4] = [&LINE, &PLANE, &SPACE, &FOUR];
+    forms.get(N - 1).and_then(|forms| forms.downcast_ref()).unwrap_or(const { &PairForms::NONE })
+}
+
 impl<L: Lattice, const N: usize> CellNoise<N> for Gaussian<L> {
+    type Standard = Gaussian;
+
+    #[inline(always)]
+    fn standard(&self) -> Gaussian {
+        Self::standard(self)
+    }
+
     const NORMALISED: bool = true;
 
     #[inline(always)]
@@ -149,6 +203,57 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Gaussian<L> {
 pub(crate) const BOTH: usize = 8;
 
 /// Both channels of one point.
+/// Both channels of octaves of a point: lanes of the lower half have the first channel, the others the second.
+struct Pairs<'a, L, const N: usize> {
+    noise: &'a Gaussian<L>,
+    octaves: OctavesAt<'a, N>,
+    samples: &'a mut [OctaveSamples<N>; 2],
+}
+
+impl<L: Lattice, const N: usize> Task for Pairs<'_, L, N> {
+    #[inline(always)]
+    fn run<S: Lanes>(self, s: S) {
+        let Self { noise, octaves: OctavesAt { points, seeds, keys, count, .. }, samples } = self;
+        let half = S::LEN / 2;
+        if half == 0 {
+            return;
+        }
+        // A few octaves are faster one by one, where their corners fill the lanes.
+        let few = if S::LEN == BOTH && N > 2 { 2 } else { 1 };
+        let mut first = 0;
+        while first < count {
+            if count - first <= few {
+                let mut p = [0.0; N];
+                for axis in 0..N {
+                    p[axis] = points[axis][first % points[axis].len()];
+                }
+                let pair = noise.channels_in_lanes(s, p, seeds[first % seeds.len()]);
+                for (samples, sample) in samples.iter_mut().zip(pair) {
+                    samples.set(first, sample);
+                }
+                first += 1;
+                continue;
+            }
+            let part = first..first + half;
+            let mut p = [s.float(0.0); N];
+            for axis in 0..N {
+                let numbers = points[axis].get(part.clone()).unwrap_or_default();
+                p[axis] = s.floats(|lane| numbers.get(lane % half).copied().unwrap_or(0.0));
+            }
+            let words = keys.get(part.clone()).unwrap_or_default();
+            let keys = s.words(|lane| words.get(lane % half).copied().unwrap_or(0));
+            let (value, gradient) =
+                kernel::evaluate::<_, S::Keyed, N, true>(&Channels(noise), s.keyed(keys), p, 0);
+            for lane in 0..half.min(count - first) {
+                for (samples, lane) in samples.iter_mut().zip([lane, half + lane]) {
+                    samples.set(first + lane % half, of_lane::<S, N, true>(s, (value, gradient), lane));
+                }
+            }
+            first += half;
+        }
+    }
+}
+
 struct Lone<'a, L, const N: usize> {
     noise: &'a Gaussian<L>,
     p: [f32; N],
@@ -185,6 +290,12 @@ impl<L: Lattice, const N: usize> Measured<N> for Channels<'_, L> {
 }
 
 impl<L: Lattice, const N: usize> CellNoise<N> for Channels<'_, L> {
+    type Standard = Gaussian;
+
+    fn standard(&self) -> Gaussian {
+        self.0.standard()
+    }
+
     const NORMALISED: bool = true;
 
     #[inline(always)]

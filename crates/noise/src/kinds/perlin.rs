@@ -86,6 +86,13 @@ static LENGTHS_2002: [Lengths; 4] = [
 ];
 
 impl<L: Lattice, const N: usize> CellNoise<N> for Perlin1985<L> {
+    type Standard = Perlin1985;
+
+    #[inline(always)]
+    fn standard(&self) -> Perlin1985 {
+        Self::standard(self)
+    }
+
     const HAS_VALUE: bool = false;
     const FADE: Fade = Fade::Cubic;
 
@@ -96,6 +103,13 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Perlin1985<L> {
 }
 
 impl<L: Lattice, const N: usize> CellNoise<N> for Perlin2002<L> {
+    type Standard = Perlin2002;
+
+    #[inline(always)]
+    fn standard(&self) -> Perlin2002 {
+        Self::standard(self)
+    }
+
     const UPPER_BITS: bool = true;
     const HAS_VALUE: bool = false;
 

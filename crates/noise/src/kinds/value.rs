@@ -83,6 +83,13 @@ noise!(ValueCatmullRom);
 const SCALE_CATMULL_ROM: [f32; 4] = [MARGIN * 0.8, MARGIN * 0.64, MARGIN * 0.512, MARGIN * 0.4096];
 
 impl<L: Lattice, const N: usize> CellNoise<N> for Value<L> {
+    type Standard = Value;
+
+    #[inline(always)]
+    fn standard(&self) -> Value {
+        Self::standard(self)
+    }
+
     const UPPER_BITS: bool = true;
     const CLAMPED: bool = true;
     const HAS_GRADIENT: bool = false;

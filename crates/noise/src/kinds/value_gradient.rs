@@ -75,6 +75,13 @@ impl<L> ValueGradient<L> {
 }
 
 impl<L: Lattice, const N: usize> CellNoise<N> for ValueGradient<L> {
+    type Standard = ValueGradient;
+
+    #[inline(always)]
+    fn standard(&self) -> ValueGradient {
+        Self::standard(self)
+    }
+
     const CLAMPED: bool = true;
 
     #[inline(always)]

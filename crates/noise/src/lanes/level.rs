@@ -115,7 +115,7 @@ impl fmt::Display for Level {
 
 /// The proof that the machine has a level, found once for all rows of a batch.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Instructions {
+pub struct Instructions {
     #[cfg(feature = "simd")]
     token: Option<fearless_simd::Level>,
 }
@@ -170,7 +170,32 @@ fn machine() -> fearless_simd::Level {
 }
 
 impl Instructions {
+    /// Runs a task, at the level or at one below it that tasks are compiled for: on x86 at the baseline, AVX2 or AVX-512.
+    #[cfg(all(feature = "simd", any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
+    #[inline(always)]
+    pub(crate) fn run(self, task: impl Task) {
+        use fearless_simd::Simd;
+        let level = self.token.unwrap_or(fearless_simd::Level::baseline());
+        if let Some(simd) = level.as_avx512() {
+            simd.vectorize(
+                #[inline(always)]
+                || task.run(Wide(simd, Common)),
+            );
+        } else if let Some(simd) = level.as_avx2() {
+            simd.vectorize(
+                #[inline(always)]
+                || task.run(Wide(simd, Common)),
+            );
+        } else if let Some(simd) = level.as_sse2() {
+            simd.vectorize(
+                #[inline(always)]
+                || task.run(Wide(simd, Common)),
+            );
+        }
+    }
+
     /// Runs a task.
+    #[cfg(not(all(feature = "simd", any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2")))]
     #[inline(always)]
     pub(crate) fn run(self, task: impl Task) {
         #[cfg(feature = "simd")]

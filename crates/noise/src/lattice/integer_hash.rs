@@ -58,6 +58,8 @@ const M2: u32 = 0x846c_a68b;
 const GOLDEN: u32 = 0x9e37_79b9;
 
 impl Lattice for IntegerHash {
+    const STANDARD: bool = cfg!(not(debug_assertions));
+
     #[inline(always)]
     fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
         word_by_terms(self, cell, seed)

@@ -37,6 +37,10 @@ pub trait Lattice {
         self.word(cell, seed)
     }
 
+    /// Whether it is [`IntegerHash`](crate::IntegerHash), for which this crate has every kind compiled.
+    #[doc(hidden)]
+    const STANDARD: bool = false;
+
     /// Whether the lattice repeats.
     #[doc(hidden)]
     const TILED: bool = false;

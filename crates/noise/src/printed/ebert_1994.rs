@@ -1,6 +1,7 @@
 //! The noises of Ebert (ed.) 1994 with their tables, for reproduction: `vnoise`, `gnoise` and `vgnoise`.
 
 use crate::{
+    kinds::perlin::Perlin1985,
     contract::field::Field,
     contract::kernel::{self, Kernel, Measured},
     kinds::catmull_rom::{SplineNoise, spline, spline_rows},
@@ -212,12 +213,12 @@ macro_rules! field_of_kernel {
         /// Value and gradient are both 0 where a point is not finite.
         impl<V: Point<Coordinates = [f32; 3]>> Field<V> for $noise {
             fn sample(&self, p: V) -> Sample<V> {
-                let (value, gradient) = kernel::sample(&$kernel(self.0), p.coordinates(), 0);
+                let (value, gradient) = kernel::Kernel::<3>::sample_at(&$kernel(self.0), p.coordinates(), 0);
                 Sample { value, gradient: V::from_coordinates(gradient) }
             }
 
             fn value(&self, p: V) -> f32 {
-                kernel::value(&$kernel(self.0), p.coordinates(), 0)
+                kernel::Kernel::<3>::value_at(&$kernel(self.0), p.coordinates(), 0)
             }
 
             fn range(&self) -> [f32; 2] {
@@ -278,6 +279,12 @@ impl Kernel<3> for Splines<'_> {
 struct Gradients<'a>(&'a LectureTables);
 
 impl CellNoise<3> for Gradients<'_> {
+    type Standard = Perlin1985;
+
+    fn standard(&self) -> Perlin1985 {
+        Perlin1985::default()
+    }
+
     const HAS_VALUE: bool = false;
     const FADE: Fade = Fade::Cubic;
 

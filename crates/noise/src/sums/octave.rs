@@ -3,7 +3,7 @@
 use core::array;
 
 use crate::{
-    contract::kernel::Kernel,
+    contract::kernel::{Kernel, OctavesAt},
     lanes::lanes::{LaneSample, Lanes, Scalar},
     lattice::integer_hash::mix,
     lattice::variates::{gaussian_quaternion, unit_direction},
@@ -267,23 +267,49 @@ impl<const N: usize> Layers<N> {
         (0..OCTAVES).map(|i| self.layer(i))
     }
 
-    /// The maps of octaves and their keys, by what puts the numbers of octaves into lanes.
-    #[inline(always)]
-    pub(crate) fn in_lanes<S: Lanes>(
-        &self,
-        s: S,
-        floats: impl Fn(&[f32; OCTAVES]) -> S::F,
-        words: impl Fn(&[u32; OCTAVES]) -> S::U,
-    ) -> (Map<S, N>, S::U) {
-        let mut map =
-            Map { rotation: self.rotation, matrix: [[s.float(0.0); N]; N], offset: [s.float(0.0); N] };
-        for row in 0..N {
-            map.offset[row] = floats(&self.offset[row]);
-            for k in 0..N {
-                map.matrix[row][k] = floats(&self.matrix[row][k]);
+    /// The first octaves at a point that is given in the coordinates of every octave.
+    pub(crate) const fn octaves_at<'a>(
+        &'a self,
+        points: &'a [[f32; OCTAVES]; N],
+        count: usize,
+        gradients: bool,
+    ) -> OctavesAt<'a, N> {
+        OctavesAt { points, seeds: &self.seeds, keys: &self.keys, count, gradients }
+    }
+
+    /// A point in the coordinates of every octave.
+    #[inline]
+    pub(crate) fn points(&self, p: [f32; N]) -> [[f32; OCTAVES]; N] {
+        let mut points = self.products::<false>(&p.map(|x| [x; OCTAVES]));
+        for axis in 0..N {
+            for i in 0..OCTAVES {
+                points[axis][i] += self.offset[axis][i];
             }
         }
-        (map, words(&self.keys))
+        points
+    }
+
+    /// Mᵀ g of every octave.
+    #[inline]
+    pub(crate) fn pulled_back(&self, gradients: &[[f32; OCTAVES]; N]) -> [[f32; OCTAVES]; N] {
+        self.products::<true>(gradients)
+    }
+
+    /// M v of every octave, or Mᵀ v if `TRANSPOSED`; in an aligned layer all off the diagonal is 0 and left out.
+    #[inline(always)]
+    fn products<const TRANSPOSED: bool>(&self, v: &[[f32; OCTAVES]; N]) -> [[f32; OCTAVES]; N] {
+        let mut products = [[0.0; OCTAVES]; N];
+        for row in 0..N {
+            let aligned = self.rotation == Rotation::Aligned;
+            for k in if aligned { row..row + 1 } else { 0..N } {
+                let entries = if TRANSPOSED { &self.matrix[k][row] } else { &self.matrix[row][k] };
+                for i in 0..OCTAVES {
+                    let part = entries[i] * v[k][i];
+                    products[row][i] = if k == 0 || aligned { part } else { products[row][i] + part };
+                }
+            }
+        }
+        products
     }
 }
 

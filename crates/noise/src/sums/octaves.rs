@@ -5,10 +5,9 @@ use core::array;
 use crate::{
     contract::field::{Curved, Field},
     contract::hessian::{self, CurvedKernel, Jet, mirror},
-    contract::kernel::{self, Anchor, Kernel},
+    contract::kernel::{Anchor, Kernel},
     kinds::gaussian::Gaussian,
     lanes::lanes::{LaneSample, Scalar},
-    lanes::level::run_at_point,
     lattice::lattice::Lattice,
     lattice::tiled::{TiledError, in_first_tile},
     math,
@@ -19,7 +18,7 @@ use crate::{
     sums::frequency_clamp::removed_share,
     sums::octave::{Layer, Layers, Octave, Rotation},
     sums::pass::Passes,
-    sums::point::{AtPoint, Pair},
+    sums::point::AtPoint,
     sums::shape::{Shape, Signed},
     sums::spectrum::{MAX_OCTAVES, Spectrum},
 };
@@ -214,29 +213,23 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
 
     /// The octaves of a point that is evaluated in lanes.
     #[inline(always)]
-    fn at_point<'a>(&'a self, active: &'a Active, p: [f32; N]) -> AtPoint<'a, K, N, T> {
-        AtPoint {
-            noise: &self.noise,
-            shape: self.shape,
-            layers: &self.layers,
-            amplitudes: &active.amplitudes,
-            count: active.count,
-            p,
-        }
+    fn at_point<'a>(&'a self, active: &'a Active, p: [f32; N]) -> AtPoint<'a, N> {
+        AtPoint { layers: &self.layers, amplitudes: &active.amplitudes, count: active.count, p }
     }
 
     #[inline(always)]
     fn value(&self, active: &Active, p: [f32; N]) -> f32 {
         if K::OCTAVES_IN_LANES < usize::MAX && active.count >= K::OCTAVES_IN_LANES {
             let mut sum = (active.constant, [0.0; N]);
-            if run_at_point(self.at_point(active, p).sum::<false>(&mut sum)).is_some() {
+            let point = self.at_point(active, p);
+            if point.add::<_, _, false>(&self.noise, self.shape, &mut sum).is_some() {
                 return sum.0 * active.factor;
             }
         }
         let (p, mut own, mut sum) = (self.in_first_tile(p), None, active.constant);
         for (amplitude, layer) in self.octaves(active) {
             let (p, noise) = (layer.points(Scalar, p), layer.noise(&self.noise, &mut own));
-            let n = kernel::value(noise, p, layer.seed);
+            let n = noise.value_at(p, layer.seed);
             sum += amplitude * self.shape.value(n);
         }
         sum * active.factor
@@ -246,14 +239,15 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
     fn sample(&self, active: &Active, p: [f32; N]) -> LaneSample<Scalar, N> {
         if K::OCTAVES_IN_LANES < usize::MAX && active.count >= K::OCTAVES_IN_LANES {
             let mut sum = (active.constant, [0.0; N]);
-            if run_at_point(self.at_point(active, p).sum::<true>(&mut sum)).is_some() {
+            let point = self.at_point(active, p);
+            if point.add::<_, _, true>(&self.noise, self.shape, &mut sum).is_some() {
                 return (sum.0 * active.factor, sum.1.map(|g| g * active.factor));
             }
         }
         let (p, mut own, mut sum) = (self.in_first_tile(p), None, (active.constant, [0.0; N]));
         for (amplitude, layer) in self.octaves(active) {
             let (p, noise) = (layer.points(Scalar, p), layer.noise(&self.noise, &mut own));
-            let (n, gradient) = kernel::sample(noise, p, layer.seed);
+            let (n, gradient) = noise.sample_at(p, layer.seed);
             let slope = self.shape.slope(n);
             let sample = (self.shape.value(n), gradient.map(|g| slope * g));
             layer.accumulate(Scalar, &mut sum, amplitude, sample);
@@ -335,7 +329,7 @@ impl<L: Lattice, const N: usize> Terms<Gaussian<L>, N, Signed> {
     fn pair<V: Point<Coordinates = [f32; N]>>(&self, active: &Active, p: V) -> [Sample<V>; 2] {
         let mut sums = [(0.0, [0.0; N]); 2];
         let at_point = self.at_point(active, p.coordinates());
-        if !(L::SHARED && run_at_point(Pair { at_point, sums: &mut sums }).is_some()) {
+        if !(L::SHARED && at_point.add_pair(&self.noise, &mut sums).is_some()) {
             let (p, mut own) = (self.in_first_tile(p.coordinates()), None);
             for (amplitude, layer) in self.octaves(active) {
                 let (p, noise) = (layer.points(Scalar, p), layer.noise(&self.noise, &mut own));

@@ -97,7 +97,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Passes<'_, K, N, T> {
                     values: &mut octave[..width],
                     gradients: room,
                 };
-                fill.at(instructions);
+                K::fill_row(fill, instructions);
                 let gradients = gradients.map(by_axes::<V, N>);
                 self.add(instructions, (i, amplitude, &layer), octave, &slopes, values, gradients);
             }
@@ -140,7 +140,8 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Passes<'_, K, N, T> {
             let gradients = wanted.then(|| slopes.each_mut().map(|slope| &mut slope[..count]));
             let kernel = layer.noise(self.noise, &mut own);
             let (seed, points) = (layer.seed, to.each_ref().map(|x| &x[..count]));
-            FillList { kernel, seed, points, values: &mut octave[..count], gradients }.at(instructions);
+            let values = &mut octave[..count];
+            K::fill_list(FillList { kernel, seed, points, values, gradients }, instructions);
             add((i, amplitude, &layer), &mut octave, &slopes);
         }
     }

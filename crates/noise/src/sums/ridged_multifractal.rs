@@ -4,7 +4,7 @@ use core::{error::Error, fmt};
 
 use crate::{
     contract::field::Field,
-    contract::kernel::{self, Kernel},
+    contract::kernel::Kernel,
     lanes::lanes::{Lanes, Scalar},
     lanes::level::Task,
     lattice::tiled::in_first_tile,
@@ -92,7 +92,7 @@ impl<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize> Field<V> fo
         let (mut sum, mut weight) = ((0.0, [0.0; N]), (1.0, [0.0; N]));
         for (amplitude, layer) in passes.amplitudes.iter().zip(passes.layers.iter()) {
             let noise = layer.noise(passes.noise, &mut own);
-            let (n, slopes) = kernel::sample(noise, layer.points(Scalar, p), layer.seed);
+            let (n, slopes) = noise.sample_at(layer.points(Scalar, p), layer.seed);
             let (value, slope) = (Ridged.value(n), Ridged.slope(n));
             let slopes = layer.pull_back(Scalar, slopes.map(|g| slope * g));
             let ridge = weight.0 * value;
@@ -115,7 +115,7 @@ impl<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize> Field<V> fo
         let (mut sum, mut weight) = (0.0, 1.0);
         for (amplitude, layer) in passes.amplitudes.iter().zip(passes.layers.iter()) {
             let noise = layer.noise(passes.noise, &mut own);
-            let n = kernel::value(noise, layer.points(Scalar, p), layer.seed);
+            let n = noise.value_at(layer.points(Scalar, p), layer.seed);
             let ridge = weight * Ridged.value(n);
             sum += amplitude * ridge;
             let next = self.feedback * ridge;

@@ -10,6 +10,7 @@
 //! ```
 
 use crate::{
+    contract::compiled::Compiled,
     contract::kernel::Measured,
     kinds::cell::column::Column,
     lanes::lanes::{LaneSample, Lanes},
@@ -33,6 +34,12 @@ impl<S: Lanes, const N: usize> Corner<S, N> {
 
 /// A noise by its values and gradients at the corners of cells, and by their blend.
 pub(crate) trait CellNoise<const N: usize>: OnLattice + Measured<N> {
+    /// The noise on the standard lattice.
+    type Standard: CellNoise<N> + Compiled<N>;
+
+    /// The noise with the same seed and parameters on the standard lattice.
+    fn standard(&self) -> Self::Standard;
+
     /// Whether the upper bits of a corner's word are all that is read of it.
     const UPPER_BITS: bool = false;
     /// Unit of the values of corners, where they have no gradients.

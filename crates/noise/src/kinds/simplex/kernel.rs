@@ -1,6 +1,7 @@
 //! Simplex noise as a kind: at points, along rows, with its Hessian.
 
 use crate::{
+    contract::compiled::on_standard_lattice,
     contract::hessian::{CurvedKernel, Jet, mirror},
     contract::kernel::Kernel,
     kinds::simplex::geometry::{Term, kernel, pull},
@@ -63,6 +64,8 @@ impl<L: Lattice, const N: usize> Kernel<N> for Simplex<L> {
     const SIMPLICIAL: bool = true;
 
     type RowScratch = Sums<N>;
+
+    on_standard_lattice!();
 
     const TILED: bool = L::TILED;
 

@@ -1,0 +1,142 @@
+//! What this crate compiles of a kind of noise, so that a program does not: the kind on [`IntegerHash`](crate::IntegerHash).
+//!
+//! The kinds are generic over their lattice, and kernels over the lanes; left at that, every program would compile each of its kinds
+//! for each SIMD level anew. In a build with debug assertions it does, because what is not optimized takes less time than all kinds.
+
+use core::any::Any;
+
+use crate::{
+    contract::kernel::{FillList, FillRow, Kernel, OctaveSamples, OctavesAt, lone},
+    lanes::lanes::{LaneSample, Scalar},
+    lanes::level::Instructions,
+};
+
+/// The evaluations of a kind in N dimensions.
+#[doc(hidden)]
+#[expect(missing_debug_implementations, reason = "functions")]
+pub struct Forms<K: Kernel<N>, const N: usize> {
+    pub(crate) value: fn(&K, [f32; N], u32) -> f32,
+    pub(crate) sample: fn(&K, [f32; N], u32) -> LaneSample<Scalar, N>,
+    pub(crate) row: fn(FillRow<'_, K, N>, Instructions),
+    pub(crate) list: fn(FillList<'_, K, N>, Instructions),
+    pub(crate) octaves: fn(&K, OctavesAt<'_, N>, &mut OctaveSamples<N>) -> Option<()>,
+}
+
+impl<K: Kernel<N>, const N: usize> Forms<K, N> {
+    /// Those of the kind.
+    pub(crate) const ALL: Self = Self {
+        value: |noise, p, seed| lone::<K, N, false>(noise, p, seed).0,
+        sample: |noise, p, seed| lone::<K, N, true>(noise, p, seed),
+        row: |call, instructions| call.at(instructions),
+        list: |call, instructions| instructions.run(call),
+        octaves: |noise, octaves, samples| octaves.evaluate(noise, samples),
+    };
+
+    /// For a dimension that there is not.
+    const NONE: Self = Self {
+        value: |_, _, _| 0.0,
+        sample: |_, _, _| (0.0, [0.0; N]),
+        row: |_, _| (),
+        list: |_, _| (),
+        octaves: |_, _, _| None,
+    };
+}
+
+/// A kind of noise that this crate compiles.
+#[doc(hidden)]
+pub trait Compiled<const N: usize>: Sized + 'static {
+    /// Its evaluations.
+    fn forms() -> &'static Forms<Self, N>
+    where
+        Self: Kernel<N>;
+}
+
+/// The forms among those of all dimensions.
+#[inline(always)]
+pub(crate) fn in_dimension<K: Kernel<N> + 'static, const N: usize>(
+    forms: [&'static dyn Any; 4],
+) -> &'static Forms<K, N> {
+    forms.get(N - 1).and_then(|forms| forms.downcast_ref()).unwrap_or(const { &Forms::NONE })
+}
+
+/// Implements `Compiled` for a kind: statics, which no program that uses the crate compiles again.
+macro_rules! compiled {
+    ($kind:ident) => {
+        impl<const N: usize> $crate::contract::compiled::Compiled<N> for $kind {
+            #[inline(always)]
+            fn forms() -> &'static $crate::contract::compiled::Forms<Self, N> {
+                use $crate::contract::compiled::Forms;
+                static LINE: Forms<$kind, 1> = Forms::ALL;
+                static PLANE: Forms<$kind, 2> = Forms::ALL;
+                static SPACE: Forms<$kind, 3> = Forms::ALL;
+                static FOUR: Forms<$kind, 4> = Forms::ALL;
+                $crate::contract::compiled::in_dimension([&LINE, &PLANE, &SPACE, &FOUR])
+            }
+        }
+    };
+}
+
+pub(crate) use compiled;
+
+/// The methods of a [`Kernel`] that the crate has compiled where the lattice is the standard one.
+macro_rules! on_standard_lattice {
+    () => {
+        #[inline]
+        fn value_at(&self, p: [f32; N], seed: u32) -> f32 {
+            use $crate::{contract::compiled::Compiled, lattice::lattice::{Lattice, OnLattice}};
+            if <<Self as OnLattice>::Lattice as Lattice>::STANDARD {
+                return (Compiled::<N>::forms().value)(&self.standard(), p, seed);
+            }
+            $crate::contract::kernel::lone::<Self, N, false>(self, p, seed).0
+        }
+
+        #[inline]
+        fn sample_at(&self, p: [f32; N], seed: u32) -> $crate::lanes::lanes::LaneSample<$crate::lanes::lanes::Scalar, N> {
+            use $crate::{contract::compiled::Compiled, lattice::lattice::{Lattice, OnLattice}};
+            if <<Self as OnLattice>::Lattice as Lattice>::STANDARD {
+                return (Compiled::<N>::forms().sample)(&self.standard(), p, seed);
+            }
+            $crate::contract::kernel::lone::<Self, N, true>(self, p, seed)
+        }
+
+        fn fill_row(
+            call: $crate::contract::kernel::FillRow<'_, Self, N>,
+            instructions: $crate::lanes::level::Instructions,
+        ) {
+            use $crate::{contract::{compiled::Compiled, kernel::FillRow}, lattice::lattice::{Lattice, OnLattice}};
+            if <<Self as OnLattice>::Lattice as Lattice>::STANDARD {
+                let FillRow { kernel, seed, row, scratch, values, gradients } = call;
+                let call = FillRow { kernel: &kernel.standard(), seed, row, scratch, values, gradients };
+                return (Compiled::<N>::forms().row)(call, instructions);
+            }
+            call.at(instructions);
+        }
+
+        fn fill_list(
+            call: $crate::contract::kernel::FillList<'_, Self, N>,
+            instructions: $crate::lanes::level::Instructions,
+        ) {
+            use $crate::{contract::{compiled::Compiled, kernel::FillList}, lattice::lattice::{Lattice, OnLattice}};
+            if <<Self as OnLattice>::Lattice as Lattice>::STANDARD {
+                let FillList { kernel, seed, points, values, gradients } = call;
+                let call = FillList { kernel: &kernel.standard(), seed, points, values, gradients };
+                return (Compiled::<N>::forms().list)(call, instructions);
+            }
+            instructions.run(call);
+        }
+
+        fn octaves_at(
+            &self,
+            octaves: $crate::contract::kernel::OctavesAt<'_, N>,
+            samples: &mut $crate::contract::kernel::OctaveSamples<N>,
+        ) -> Option<()> {
+            use $crate::{contract::compiled::Compiled, lattice::lattice::{Lattice, OnLattice}};
+            if <<Self as OnLattice>::Lattice as Lattice>::STANDARD {
+                return (Compiled::<N>::forms().octaves)(&self.standard(), octaves, samples);
+            }
+            octaves.evaluate(self, samples)
+        }
+    };
+}
+
+pub(crate) use on_standard_lattice;
