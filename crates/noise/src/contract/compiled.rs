@@ -9,12 +9,20 @@ use crate::{
     contract::kernel::{FillList, FillRow, Kernel, OctaveSamples, OctavesAt, lone},
     lanes::lanes::{LaneSample, Scalar},
     lanes::level::Instructions,
+    lattice::lattice::Lattice,
 };
 
+/// The dimensions that kinds are compiled in; in four a kind takes as long to compile as in all others together, and few use it.
+const DIMENSIONS: usize = 3;
+
+/// Whether kinds on a lattice are compiled here.
+#[must_use]
+pub(crate) const fn is_compiled<L: Lattice>(dimensions: usize) -> bool {
+    L::STANDARD && dimensions <= DIMENSIONS
+}
+
 /// The evaluations of a kind in N dimensions.
-#[doc(hidden)]
-#[expect(missing_debug_implementations, reason = "functions")]
-pub struct Forms<K: Kernel<N>, const N: usize> {
+pub(crate) struct Forms<K: Kernel<N>, const N: usize> {
     pub(crate) value: fn(&K, [f32; N], u32) -> f32,
     pub(crate) sample: fn(&K, [f32; N], u32) -> LaneSample<Scalar, N>,
     pub(crate) row: fn(FillRow<'_, K, N>, Instructions),
@@ -28,7 +36,7 @@ impl<K: Kernel<N>, const N: usize> Forms<K, N> {
         value: |noise, p, seed| lone::<K, N, false>(noise, p, seed).0,
         sample: |noise, p, seed| lone::<K, N, true>(noise, p, seed),
         row: |call, instructions| call.at(instructions),
-        list: |call, instructions| instructions.run(call),
+        list: |call, instructions| call.at(instructions),
         octaves: |noise, octaves, samples| octaves.evaluate(noise, samples),
     };
 
@@ -43,8 +51,7 @@ impl<K: Kernel<N>, const N: usize> Forms<K, N> {
 }
 
 /// A kind of noise that this crate compiles.
-#[doc(hidden)]
-pub trait Compiled<const N: usize>: Sized + 'static {
+pub(crate) trait Compiled<const N: usize>: Sized + 'static {
     /// Its evaluations.
     fn forms() -> &'static Forms<Self, N>
     where
@@ -54,7 +61,7 @@ pub trait Compiled<const N: usize>: Sized + 'static {
 /// The forms among those of all dimensions.
 #[inline(always)]
 pub(crate) fn in_dimension<K: Kernel<N> + 'static, const N: usize>(
-    forms: [&'static dyn Any; 4],
+    forms: [&'static dyn Any; DIMENSIONS],
 ) -> &'static Forms<K, N> {
     forms.get(N - 1).and_then(|forms| forms.downcast_ref()).unwrap_or(const { &Forms::NONE })
 }
@@ -69,8 +76,7 @@ macro_rules! compiled {
                 static LINE: Forms<$kind, 1> = Forms::ALL;
                 static PLANE: Forms<$kind, 2> = Forms::ALL;
                 static SPACE: Forms<$kind, 3> = Forms::ALL;
-                static FOUR: Forms<$kind, 4> = Forms::ALL;
-                $crate::contract::compiled::in_dimension([&LINE, &PLANE, &SPACE, &FOUR])
+                $crate::contract::compiled::in_dimension([&LINE, &PLANE, &SPACE])
             }
         }
     };
@@ -83,17 +89,29 @@ macro_rules! on_standard_lattice {
     () => {
         #[inline]
         fn value_at(&self, p: [f32; N], seed: u32) -> f32 {
-            use $crate::{contract::compiled::Compiled, lattice::lattice::{Lattice, OnLattice}};
-            if <<Self as OnLattice>::Lattice as Lattice>::STANDARD {
+            use $crate::contract::compiled::Compiled;
+            if const {
+                $crate::contract::compiled::is_compiled::<
+                    <Self as $crate::lattice::lattice::OnLattice>::Lattice,
+                >(N)
+            } {
                 return (Compiled::<N>::forms().value)(&self.standard(), p, seed);
             }
             $crate::contract::kernel::lone::<Self, N, false>(self, p, seed).0
         }
 
         #[inline]
-        fn sample_at(&self, p: [f32; N], seed: u32) -> $crate::lanes::lanes::LaneSample<$crate::lanes::lanes::Scalar, N> {
-            use $crate::{contract::compiled::Compiled, lattice::lattice::{Lattice, OnLattice}};
-            if <<Self as OnLattice>::Lattice as Lattice>::STANDARD {
+        fn sample_at(
+            &self,
+            p: [f32; N],
+            seed: u32,
+        ) -> $crate::lanes::lanes::LaneSample<$crate::lanes::lanes::Scalar, N> {
+            use $crate::contract::compiled::Compiled;
+            if const {
+                $crate::contract::compiled::is_compiled::<
+                    <Self as $crate::lattice::lattice::OnLattice>::Lattice,
+                >(N)
+            } {
                 return (Compiled::<N>::forms().sample)(&self.standard(), p, seed);
             }
             $crate::contract::kernel::lone::<Self, N, true>(self, p, seed)
@@ -103,8 +121,12 @@ macro_rules! on_standard_lattice {
             call: $crate::contract::kernel::FillRow<'_, Self, N>,
             instructions: $crate::lanes::level::Instructions,
         ) {
-            use $crate::{contract::{compiled::Compiled, kernel::FillRow}, lattice::lattice::{Lattice, OnLattice}};
-            if <<Self as OnLattice>::Lattice as Lattice>::STANDARD {
+            use $crate::contract::{compiled::Compiled, kernel::FillRow};
+            if const {
+                $crate::contract::compiled::is_compiled::<
+                    <Self as $crate::lattice::lattice::OnLattice>::Lattice,
+                >(N)
+            } {
                 let FillRow { kernel, seed, row, scratch, values, gradients } = call;
                 let call = FillRow { kernel: &kernel.standard(), seed, row, scratch, values, gradients };
                 return (Compiled::<N>::forms().row)(call, instructions);
@@ -116,13 +138,17 @@ macro_rules! on_standard_lattice {
             call: $crate::contract::kernel::FillList<'_, Self, N>,
             instructions: $crate::lanes::level::Instructions,
         ) {
-            use $crate::{contract::{compiled::Compiled, kernel::FillList}, lattice::lattice::{Lattice, OnLattice}};
-            if <<Self as OnLattice>::Lattice as Lattice>::STANDARD {
+            use $crate::contract::{compiled::Compiled, kernel::FillList};
+            if const {
+                $crate::contract::compiled::is_compiled::<
+                    <Self as $crate::lattice::lattice::OnLattice>::Lattice,
+                >(N)
+            } {
                 let FillList { kernel, seed, points, values, gradients } = call;
                 let call = FillList { kernel: &kernel.standard(), seed, points, values, gradients };
                 return (Compiled::<N>::forms().list)(call, instructions);
             }
-            instructions.run(call);
+            call.at(instructions);
         }
 
         fn octaves_at(
@@ -130,8 +156,12 @@ macro_rules! on_standard_lattice {
             octaves: $crate::contract::kernel::OctavesAt<'_, N>,
             samples: &mut $crate::contract::kernel::OctaveSamples<N>,
         ) -> Option<()> {
-            use $crate::{contract::compiled::Compiled, lattice::lattice::{Lattice, OnLattice}};
-            if <<Self as OnLattice>::Lattice as Lattice>::STANDARD {
+            use $crate::contract::compiled::Compiled;
+            if const {
+                $crate::contract::compiled::is_compiled::<
+                    <Self as $crate::lattice::lattice::OnLattice>::Lattice,
+                >(N)
+            } {
                 return (Compiled::<N>::forms().octaves)(&self.standard(), octaves, samples);
             }
             octaves.evaluate(self, samples)

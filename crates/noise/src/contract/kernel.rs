@@ -8,7 +8,7 @@ use crate::{
     lattice::lattice::{REACH, is_within, wrapped},
     point::Point,
     row::points::{Points, Source, Target, buffers, by_axes},
-    row::row::{Row, Strip},
+    row::row::{Row, Strip, no_slices},
     statistics::statistics::Statistics,
 };
 
@@ -130,7 +130,7 @@ pub trait Kernel<const N: usize>: Measured<N> {
     where
         Self: Sized,
     {
-        instructions.run(call);
+        call.at(instructions);
     }
 
     /// Octaves at a point, as many at once as there are lanes; nothing where there is one lane only.
@@ -411,13 +411,20 @@ impl<K: Kernel<N>, const N: usize> FillRow<'_, K, N> {
                     points[axis][i - start] = p[axis];
                 }
             }
-            let points = points.each_ref().map(|x| &x[..part.len()]);
-            let gradients = self.gradients.as_mut();
-            let gradients =
-                gradients.map(|g| g.each_mut().map(|g| g.get_mut(part.clone()).unwrap_or_default()));
+            let mut lists = [const { &[] as &[f32] }; N];
+            for (list, points) in lists.iter_mut().zip(&points) {
+                *list = &points[..part.len()];
+            }
+            let gradients = self.gradients.as_mut().map(|gradients| {
+                let mut parts = no_slices();
+                for (to, g) in parts.iter_mut().zip(gradients) {
+                    *to = g.get_mut(part.clone()).unwrap_or_default();
+                }
+                parts
+            });
             let (kernel, seed) = (self.kernel, self.seed);
             let values = &mut self.values[part.clone()];
-            instructions.run(FillList { kernel, seed, points, values, gradients });
+            FillList { kernel, seed, points: lists, values, gradients }.at(instructions);
         }
     }
 }
@@ -429,7 +436,7 @@ impl<K: Kernel<N>, const N: usize> Task for FillRow<'_, K, N> {
         match gradients {
             Some(gradients) => kernel.rows(s, scratch, Strip::<N, true> { row, seed, values, gradients }),
             None => {
-                let gradients = array::from_fn(|_| <&mut [f32]>::default());
+                let gradients = no_slices();
                 kernel.rows(s, scratch, Strip::<N, false> { row, seed, values, gradients });
             }
         }
@@ -447,86 +454,111 @@ pub struct FillList<'a, K: Kernel<N>, const N: usize> {
     pub(crate) gradients: Option<[&'a mut [f32]; N]>,
 }
 
-impl<K: Kernel<N>, const N: usize> Task for FillList<'_, K, N> {
-    #[inline(always)]
-    fn run<S: Lanes>(self, s: S) {
+impl<K: Kernel<N>, const N: usize> FillList<'_, K, N> {
+    /// The list at a SIMD level.
+    pub(crate) fn at(self, instructions: Instructions) {
         let Self { kernel, seed, points, values, gradients } = self;
-        match gradients {
-            Some(gradients) => Blocks::<N, true> { points, values, gradients }.fill(s, kernel, seed),
-            None => {
-                let gradients = array::from_fn(|_| <&mut [f32]>::default());
-                Blocks::<N, false> { points, values, gradients }.fill(s, kernel, seed);
-            }
-        }
+        fill_blocks(points, values, gradients, K::REACH, &mut |block| {
+            instructions.run(EvaluateBlock { kernel, seed, block });
+        });
     }
 }
 
 /// Points of a list that are evaluated without a question in between.
 const BLOCK: usize = 128;
 
-static NOTHING: [f32; BLOCK] = [0.0; BLOCK];
-
-/// A list of points by blocks, and room for their values, and for gradients if `GRADIENTS`.
-struct Blocks<'a, const N: usize, const GRADIENTS: bool> {
-    points: [&'a [f32]; N],
-    values: &'a mut [f32],
-    /// One slice per axis, as long as `values`; empty unless `GRADIENTS`.
-    gradients: [&'a mut [f32]; N],
+/// A block of points, and room for their values, and for gradients if they are wanted.
+struct Block<'a, const N: usize> {
+    points: [&'a [f32; BLOCK]; N],
+    values: &'a mut [f32; BLOCK],
+    gradients: Option<[&'a mut [f32; BLOCK]; N]>,
+    /// The number of points that are wanted, the first ones.
+    len: usize,
+    /// Whether all points were within reach; they may be and seem not where they are far from the origin.
+    is_near: bool,
 }
 
-impl<const N: usize, const GRADIENTS: bool> Blocks<'_, N, GRADIENTS> {
-    /// Whole blocks of points near the origin as they lie, and others by way of copies.
-    #[inline(always)]
-    fn fill<K: Kernel<N>, S: Lanes>(mut self, s: S, kernel: &K, seed: u32) {
-        let count = self.values.len();
-        let copy = if GRADIENTS { None } else { kernel.copied() };
-        let kernel = copy.as_ref().unwrap_or(kernel);
-        let mut copies = None;
-        for start in (0..count).step_by(BLOCK) {
-            let mut block = self.part(start, count.min(start + BLOCK));
-            let len = block.values.len();
-            // A whole block first as it lies. Its points are asked whether they are near while they are in registers; few are not.
-            let mut direct = len == BLOCK;
-            loop {
-                let mut known = u128::MAX;
-                if !direct {
-                    let copies = copies.get_or_insert_with(Copies::empty);
-                    copies.copy(&block.points);
-                    if !is_near(s, &copies.points.each_ref().map(|x| &x[..]), len, K::REACH) {
-                        known = copies.read(&block.points, K::REACH);
-                    }
-                }
-                let part = match &mut copies {
-                    Some(copies) if !direct => copies.block(),
-                    _ => block.reborrow(),
-                };
-                let near = part.evaluate(s, kernel, seed, len);
-                if near || !direct {
-                    if let Some(copies) = copies.as_ref().filter(|_| !direct) {
-                        copies.write(&mut block, known);
-                    }
-                    break;
-                }
-                direct = false;
+/// Evaluates a list by blocks: whole blocks of points near the origin as they lie, and others by way of copies.
+#[inline(never)]
+fn fill_blocks<const N: usize>(
+    points: [&[f32]; N],
+    values: &mut [f32],
+    mut gradients: Option<[&mut [f32]; N]>,
+    reach: f32,
+    evaluate: &mut dyn FnMut(&mut Block<'_, N>),
+) {
+    let mut slopes = gradients.as_ref().map(|_| [[0.0; BLOCK]; N]);
+    for start in (0..values.len()).step_by(BLOCK) {
+        let len = (values.len() - start).min(BLOCK);
+        if let Some(mut block) = whole_block(&points, values, &mut gradients, &mut slopes, start) {
+            evaluate(&mut block);
+            if block.is_near {
+                continue;
             }
         }
-    }
-
-    /// The first points of a block, at least `len`, and whether all of them are within reach; they may be and seem not where they are far
-    /// from the origin.
-    #[inline(always)]
-    fn evaluate<K: Kernel<N>, S: Lanes>(self, s: S, kernel: &K, seed: u32, len: usize) -> bool {
-        // Arrays, and an index that is told to leave room for a vector, or every list would be asked every time.
-        let points = self.points.map(|x| x.first_chunk::<BLOCK>().unwrap_or(&NOTHING));
-        let mut gradients = self.gradients.map(|g| g.first_chunk_mut::<BLOCK>());
-        let Some(values) = self.values.first_chunk_mut::<BLOCK>() else { return true };
-        // One question in place of one for each store. Simplices keep more in registers than there are, and lose by it.
-        if GRADIENTS && !K::SIMPLICIAL && gradients.iter().any(Option::is_none) {
-            return true;
+        let (mut copies, mut found) = (Copies { points: [[0.0; BLOCK]; N], known: u128::MAX }, [0.0; BLOCK]);
+        copies.read(&points, start, len, reach);
+        let (points, gradients_found) = (copies.points.each_ref(), slopes.as_mut().map(|g| g.each_mut()));
+        evaluate(&mut Block { points, values: &mut found, gradients: gradients_found, len, is_near: true });
+        copies.write(&found, &mut values[start..start + len]);
+        for (to, from) in gradients.iter_mut().flatten().zip(slopes.iter().flatten()) {
+            copies.write(from, to.get_mut(start..start + len).unwrap_or_default());
         }
+    }
+}
+
+/// A block of a list as it lies there, if it is whole.
+#[inline]
+fn whole_block<'a, const N: usize>(
+    points: &[&'a [f32]; N],
+    values: &'a mut [f32],
+    gradients: &'a mut Option<[&mut [f32]; N]>,
+    slopes: &'a mut Option<[[f32; BLOCK]; N]>,
+    start: usize,
+) -> Option<Block<'a, N>> {
+    let mut block = Block {
+        points: [&[0.0; BLOCK]; N],
+        values: values.get_mut(start..)?.first_chunk_mut()?,
+        gradients: slopes.as_mut().map(|slopes| slopes.each_mut()),
+        len: BLOCK,
+        is_near: true,
+    };
+    for (to, from) in block.points.iter_mut().zip(points) {
+        *to = from.get(start..)?.first_chunk()?;
+    }
+    for (to, from) in block.gradients.iter_mut().flatten().zip(gradients.iter_mut().flatten()) {
+        *to = from.get_mut(start..)?.first_chunk_mut()?;
+    }
+    Some(block)
+}
+
+struct EvaluateBlock<'a, 'b, K, const N: usize> {
+    kernel: &'a K,
+    seed: u32,
+    block: &'a mut Block<'b, N>,
+}
+
+impl<K: Kernel<N>, const N: usize> Task for EvaluateBlock<'_, '_, K, N> {
+    #[inline(always)]
+    fn run<S: Lanes>(self, s: S) {
+        let Self { kernel, seed, block } = self;
+        if block.gradients.is_some() {
+            block.evaluate::<K, S, true>(s, kernel, seed);
+        } else {
+            let copy = kernel.copied();
+            block.evaluate::<K, S, false>(s, copy.as_ref().unwrap_or(kernel), seed);
+        }
+    }
+}
+
+impl<const N: usize> Block<'_, N> {
+    #[inline(always)]
+    fn evaluate<K: Kernel<N>, S: Lanes, const GRADIENTS: bool>(&mut self, s: S, kernel: &K, seed: u32) {
+        let points = self.points;
         let mut sum = s.float(0.0);
         let mut i = 0;
-        while i < len {
+        while i < self.len {
+            // Told to leave room for a vector.
             let at = i & (BLOCK - S::LEN);
             let mut p = [s.float(0.0); N];
             for axis in 0..N {
@@ -534,110 +566,67 @@ impl<const N: usize, const GRADIENTS: bool> Blocks<'_, N, GRADIENTS> {
                 sum = sum + s.abs(p[axis]);
             }
             let (value, gradient) = in_lanes::<K, S, N, GRADIENTS>(s, kernel, p, seed);
-            s.store(value, &mut values[at..]);
-            for axis in 0..if GRADIENTS { N } else { 0 } {
-                if let Some(g) = &mut gradients[axis] {
-                    s.store(gradient[axis], &mut g[at..]);
+            s.store(value, &mut self.values[at..]);
+            if let Some(gradients) = &mut self.gradients
+                && GRADIENTS
+            {
+                for axis in 0..N {
+                    s.store(gradient[axis], &mut gradients[axis][at..]);
                 }
             }
             i += S::LEN;
         }
-        s.all(s.less(sum, s.float(K::REACH)))
-    }
-
-    #[inline(always)]
-    fn part(&mut self, start: usize, end: usize) -> Blocks<'_, N, GRADIENTS> {
-        let mut points = self.points;
-        for axis in 0..N {
-            points[axis] = self.points[axis].get(start..end).unwrap_or_default();
-        }
-        Blocks {
-            points,
-            values: self.values.get_mut(start..end).unwrap_or_default(),
-            gradients: self.gradients.each_mut().map(|g| {
-                if GRADIENTS { g.get_mut(start..end).unwrap_or_default() } else { Default::default() }
-            }),
-        }
-    }
-
-    #[inline(always)]
-    fn reborrow(&mut self) -> Blocks<'_, N, GRADIENTS> {
-        self.part(0, BLOCK)
+        self.is_near = s.all(s.less(sum, s.float(K::REACH)));
     }
 }
 
-/// Whether the first points of a block, at least `len`, are within reach; they may be and seem not where they are far from the origin.
-#[inline(always)]
-fn is_near<S: Lanes, const N: usize>(s: S, points: &[&[f32]; N], len: usize, reach: f32) -> bool {
-    let mut sum = s.float(0.0);
-    for axis in 0..N {
-        let Some(x) = points[axis].first_chunk::<BLOCK>() else { return false };
-        for i in (0..len).step_by(S::LEN) {
-            sum = sum + s.abs(s.load(&x[i & (BLOCK - S::LEN)..]));
-        }
-    }
-    s.all(s.less(sum, s.float(reach)))
-}
-
-/// A block's points, those beyond reach moved to where they have the same cells, and room for what is found there.
+/// A block's points, those beyond reach moved to where they have the same cells.
 struct Copies<const N: usize> {
     points: [[f32; BLOCK]; N],
-    values: [f32; BLOCK],
-    gradients: [[f32; BLOCK]; N],
+    /// A bit for each point, 0 where the noise is 0 whatever it is evaluated to.
+    known: u128,
 }
 
 impl<const N: usize> Copies<N> {
-    #[inline(always)]
-    fn empty() -> Self {
-        Self { points: [[0.0; BLOCK]; N], values: [0.0; BLOCK], gradients: [[0.0; BLOCK]; N] }
-    }
-
-    #[inline(always)]
-    fn copy(&mut self, points: &[&[f32]; N]) {
+    /// Copies a block.
+    fn read(&mut self, points: &[&[f32]; N], start: usize, len: usize, reach: f32) {
+        let mut sums = [0.0; BLOCK];
         for (to, from) in self.points.iter_mut().zip(points) {
-            for (to, from) in to.iter_mut().zip(*from) {
+            let from = from.get(start..start + len).unwrap_or_default();
+            for ((to, sum), from) in to.iter_mut().zip(&mut sums).zip(from) {
                 *to = *from;
+                *sum += from.abs();
             }
+        }
+        // NaN is not below it either.
+        if !sums.iter().all(|&sum| sum < reach) {
+            self.move_far(reach);
         }
     }
 
-    /// Copies a block, points beyond reach moved, and tells by bits at which the noise is other than 0.
+    /// Moves points beyond reach, and tells at which the noise is other than 0.
     #[cold]
     #[inline(never)]
-    fn read(&mut self, points: &[&[f32]; N], reach: f32) -> u128 {
-        let mut known = 0;
-        for i in 0..points.first().map_or(0, |x| x.len().min(BLOCK)) {
-            let p = points.map(|x| x.get(i).copied().unwrap_or(0.0));
+    fn move_far(&mut self, reach: f32) {
+        for i in 0..BLOCK {
+            let mut p = [0.0; N];
+            for axis in 0..N {
+                p[axis] = self.points[axis][i];
+            }
             let found = evaluated(p, reach);
-            known |= u128::from(found.is_some()) << i;
+            if found.is_none() {
+                self.known &= !(1 << i);
+            }
             for (axis, x) in found.unwrap_or([0.0; N]).into_iter().enumerate() {
                 self.points[axis][i] = x;
             }
         }
-        known
     }
 
-    #[inline(always)]
-    fn block<const GRADIENTS: bool>(&mut self) -> Blocks<'_, N, GRADIENTS> {
-        Blocks {
-            points: self.points.each_ref().map(|x| &x[..]),
-            values: &mut self.values,
-            gradients: self.gradients.each_mut().map(|g| &mut g[..]),
-        }
-    }
-
-    /// Copies values, and gradients if `GRADIENTS`, to a block.
-    #[cold]
-    #[inline(never)]
-    fn write<const GRADIENTS: bool>(&self, block: &mut Blocks<'_, N, GRADIENTS>, known: u128) {
-        let kept = |i: usize, x: f32| if known >> i & 1 == 1 { x } else { 0.0 };
-        for (i, (to, from)) in block.values.iter_mut().zip(self.values).enumerate() {
-            *to = kept(i, from);
-        }
-        for (to, from) in block.gradients.iter_mut().zip(&self.gradients) {
-            for (i, (to, from)) in to.iter_mut().zip(from).enumerate() {
-                *to = kept(i, *from);
-            }
+    /// Copies numbers to where they belong.
+    fn write(&self, from: &[f32; BLOCK], to: &mut [f32]) {
+        for (i, (to, from)) in to.iter_mut().zip(from).enumerate() {
+            *to = if self.known >> i & 1 == 1 { *from } else { 0.0 };
         }
     }
 }

@@ -3,6 +3,7 @@
 use core::any::Any;
 
 use crate::{
+    contract::compiled::is_compiled,
     contract::kernel::{self, Measured, OctaveSamples, OctavesAt},
     contract::noise::{kind, measured, noise},
     kinds::cell::at_ends::by_corners,
@@ -65,7 +66,8 @@ impl<L: Lattice> Gaussian<L> {
     #[inline]
     pub fn pair<V: Point<Coordinates = [f32; N]>, const N: usize>(&self, p: V) -> [Sample<V>; 2] {
         let p = p.coordinates();
-        let pair = if L::STANDARD { (forms().pair)(&self.standard(), p) } else { self.pair_at(p) };
+        let pair =
+            if const { is_compiled::<L>(N) } { (forms().pair)(&self.standard(), p) } else { self.pair_at(p) };
         pair.map(|(value, gradient)| Sample { value, gradient: V::from_coordinates(gradient) })
     }
 
@@ -143,7 +145,7 @@ impl<L: Lattice> Gaussian<L> {
         octaves: OctavesAt<'_, N>,
         samples: &mut [OctaveSamples<N>; 2],
     ) -> Option<()> {
-        if L::STANDARD {
+        if const { is_compiled::<L>(N) } {
             return (forms::<N>().octaves)(&self.standard(), octaves, samples);
         }
         run_at_point(Pairs { noise: self, octaves, samples })
@@ -178,8 +180,7 @@ fn forms<const N: usize>() -> &'static PairForms<N> {
     static LINE: PairForms<1> = PairForms::ALL;
     static PLANE: PairForms<2> = PairForms::ALL;
     static SPACE: PairForms<3> = PairForms::ALL;
-    static FOUR: PairForms<4> = PairForms::ALL;
-    let forms: [&'static dyn Any; 4] = [&LINE, &PLANE, &SPACE, &FOUR];
+    let forms: [&'static dyn Any; 3] = [&LINE, &PLANE, &SPACE];
     forms.get(N - 1).and_then(|forms| forms.downcast_ref()).unwrap_or(const { &PairForms::NONE })
 }
 

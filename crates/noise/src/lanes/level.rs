@@ -2,7 +2,13 @@
 
 use core::fmt;
 
-use crate::lanes::lanes::{Lanes, Scalar};
+use crate::lanes::lanes::Lanes;
+#[cfg(not(all(
+    feature = "simd",
+    any(target_arch = "x86", target_arch = "x86_64"),
+    target_feature = "sse2"
+)))]
+use crate::lanes::lanes::Scalar;
 #[cfg(feature = "simd")]
 use crate::lanes::registers::{Common, Wide};
 
@@ -195,7 +201,11 @@ impl Instructions {
     }
 
     /// Runs a task.
-    #[cfg(not(all(feature = "simd", any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2")))]
+    #[cfg(not(all(
+        feature = "simd",
+        any(target_arch = "x86", target_arch = "x86_64"),
+        target_feature = "sse2"
+    )))]
     #[inline(always)]
     pub(crate) fn run(self, task: impl Task) {
         #[cfg(feature = "simd")]

@@ -1,11 +1,11 @@
 //! The noises of Ebert (ed.) 1994 with their tables, for reproduction: `vnoise`, `gnoise` and `vgnoise`.
 
 use crate::{
-    kinds::perlin::Perlin1985,
     contract::field::Field,
     contract::kernel::{self, Kernel, Measured},
     kinds::catmull_rom::{SplineNoise, spline, spline_rows},
     kinds::cell::corner::{CellNoise, Corner},
+    kinds::perlin::Perlin1985,
     kinds::value_gradient::ValueGradientError,
     lanes::lanes::{LaneSample, Lanes},
     lattice::fade::Fade,

@@ -126,6 +126,12 @@ pub(crate) fn put<S: Lanes>(s: S, x: S::F, out: &mut [f32], i: usize, count: usi
     }
 }
 
+/// Empty slices, to be replaced. Not inlined: arrays of references are much to compile wherever they are made.
+#[inline(never)]
+pub(crate) fn no_slices<'a, T, const N: usize>() -> [&'a mut [T]; N] {
+    core::array::from_fn(|_| <&mut [T]>::default())
+}
+
 /// A row of points in the coordinates of a noise with a seed, and room for values there, and for gradients if `GRADIENTS`.
 #[derive(Debug)]
 pub struct Strip<'a, const N: usize, const GRADIENTS: bool> {
@@ -140,15 +146,14 @@ impl<const N: usize, const GRADIENTS: bool> Strip<'_, N, GRADIENTS> {
     /// The points of a range.
     #[inline(always)]
     pub(crate) fn part(&mut self, range: Range<usize>) -> Strip<'_, N, GRADIENTS> {
-        Strip {
-            row: self.row.after(range.start),
-            seed: self.seed,
-            gradients: self.gradients.each_mut().map(|g| match g.get_mut(range.clone()) {
-                Some(part) if GRADIENTS => part,
-                _ => Default::default(),
-            }),
-            values: self.values.get_mut(range).unwrap_or_default(),
+        let mut gradients = no_slices();
+        if GRADIENTS {
+            for (part, g) in gradients.iter_mut().zip(&mut self.gradients) {
+                *part = g.get_mut(range.clone()).unwrap_or_default();
+            }
         }
+        let (row, seed) = (self.row.after(range.start), self.seed);
+        Strip { row, seed, values: self.values.get_mut(range).unwrap_or_default(), gradients }
     }
 
     /// Writes values and gradients in lanes for the points from `i` on.

@@ -69,7 +69,8 @@ impl<const N: usize> AtPoint<'_, N> {
     /// Adds amplitude times value of the octaves, and the gradients, turned back, if `GRADIENTS`.
     #[inline(always)]
     fn add_up<const GRADIENTS: bool>(&self, samples: &OctaveSamples<N>, sum: &mut Sum<N>) {
-        let gradients = if GRADIENTS { self.layers.pulled_back(&samples.gradients) } else { samples.gradients };
+        let gradients =
+            if GRADIENTS { self.layers.pulled_back(&samples.gradients) } else { samples.gradients };
         for i in 0..self.count.min(OCTAVES) {
             sum.0 += self.amplitudes[i] * samples.values[i];
             for axis in 0..if GRADIENTS { N } else { 0 } {

@@ -14,7 +14,7 @@ use crate::{
     lattice::fade::Along,
     lattice::lattice::{Lattice, cell},
     row::cells::{POINTS, Plan, Run},
-    row::row::{Row, Strip},
+    row::row::{Row, Strip, no_slices},
 };
 
 /// Whether rows of a grid of such steps share edges.
@@ -203,11 +203,19 @@ impl<const N: usize> Stretch<N> {
         // The points after the last whole block are written by way of another block.
         let (mut tail, mut slopes) = ([[0.0; LANES]; 1], [[[0.0; LANES]; 1]; N]);
         for part in 0..if values.len().is_multiple_of(LANES) { 1 } else { 2 } {
-            let (first, values, gradients) = if part == 0 {
-                (0, values.as_chunks_mut().0, gradients.each_mut().map(|g| g.as_chunks_mut().0))
+            let mut blocks: [&mut [[f32; LANES]]; N] = no_slices();
+            let (first, values) = if part == 0 {
+                for (blocks, g) in blocks.iter_mut().zip(&mut gradients) {
+                    *blocks = g.as_chunks_mut().0;
+                }
+                (0, values.as_chunks_mut().0)
             } else {
-                (whole, &mut tail[..], slopes.each_mut().map(|g| &mut g[..]))
+                for (blocks, g) in blocks.iter_mut().zip(&mut slopes) {
+                    *blocks = g;
+                }
+                (whole, &mut tail[..])
             };
+            let gradients = blocks;
             for (b, block) in (first..=POINTS / LANES).zip(values) {
                 for k in (0..LANES).step_by(S::LEN) {
                     let edges =
