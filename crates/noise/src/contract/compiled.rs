@@ -1,4 +1,4 @@
-//! What this crate compiles of a kind of noise, so that a program does not: the kind on [`IntegerHash`](crate::IntegerHash).
+//! Kinds of noise on [`IntegerHash`](crate::IntegerHash) in one to three dimensions, compiled in this crate and not in every program.
 //!
 //! The kinds are generic over their lattice, and kernels over the lanes; left at that, every program would compile each of its kinds
 //! for each SIMD level anew. In a build with debug assertions it does, because what is not optimized takes less time than all kinds.
@@ -31,7 +31,7 @@ pub(crate) struct Forms<K: Kernel<N>, const N: usize> {
 }
 
 impl<K: Kernel<N>, const N: usize> Forms<K, N> {
-    /// Those of the kind.
+    /// The evaluations themselves.
     pub(crate) const ALL: Self = Self {
         value: |noise, p, seed| lone::<K, N, false>(noise, p, seed).0,
         sample: |noise, p, seed| lone::<K, N, true>(noise, p, seed),
@@ -170,3 +170,27 @@ macro_rules! on_standard_lattice {
 }
 
 pub(crate) use on_standard_lattice;
+
+/// The methods of a [`Kernel`] for octaves, by its lattice.
+macro_rules! on_lattice {
+    () => {
+        $crate::contract::compiled::on_standard_lattice!();
+
+        const TILED: bool = <<Self as $crate::lattice::lattice::OnLattice>::Lattice as $crate::lattice::lattice::Lattice>::TILED;
+
+        fn period(&self, axis: usize) -> u32 {
+            $crate::lattice::lattice::Lattice::period($crate::lattice::lattice::OnLattice::lattice(self), axis)
+        }
+
+        fn key(&self, seed: u32) -> u32 {
+            $crate::lattice::lattice::Lattice::key($crate::lattice::lattice::OnLattice::lattice(self), seed)
+        }
+
+        #[inline(always)]
+        fn of_octave(&self, frequency: f32, cell: &[i32]) -> Option<Self> {
+            $crate::lattice::lattice::OnLattice::of_octave(self, frequency, cell)
+        }
+    };
+}
+
+pub(crate) use on_lattice;

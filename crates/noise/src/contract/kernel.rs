@@ -244,30 +244,6 @@ pub trait Anchor<const N: usize>: Kernel<N> {
     fn shifted(self) -> Self::Shifted;
 }
 
-/// The methods of a [`Kernel`] for octaves, by its lattice.
-macro_rules! on_lattice {
-    () => {
-        $crate::contract::compiled::on_standard_lattice!();
-
-        const TILED: bool = <<Self as $crate::lattice::lattice::OnLattice>::Lattice as $crate::lattice::lattice::Lattice>::TILED;
-
-        fn period(&self, axis: usize) -> u32 {
-            $crate::lattice::lattice::Lattice::period($crate::lattice::lattice::OnLattice::lattice(self), axis)
-        }
-
-        fn key(&self, seed: u32) -> u32 {
-            $crate::lattice::lattice::Lattice::key($crate::lattice::lattice::OnLattice::lattice(self), seed)
-        }
-
-        #[inline(always)]
-        fn of_octave(&self, frequency: f32, cell: &[i32]) -> Option<Self> {
-            $crate::lattice::lattice::OnLattice::of_octave(self, frequency, cell)
-        }
-    };
-}
-
-pub(crate) use on_lattice;
-
 /// Whether |xᵢ| < 2³⁰ for every axis, by bits: arithmetic of words leaves that of vectors to the noise.
 #[inline(always)]
 fn is_small<const N: usize>(p: &[f32; N]) -> bool {
@@ -498,7 +474,7 @@ fn fill_blocks<const N: usize>(
         }
         let (mut copies, mut found) = (Copies { points: [[0.0; BLOCK]; N], known: u128::MAX }, [0.0; BLOCK]);
         copies.read(&points, start, len, reach);
-        let (points, gradients_found) = (copies.points.each_ref(), slopes.as_mut().map(|g| g.each_mut()));
+        let (points, gradients_found) = (copies.points.each_ref(), slopes.as_mut().map(<[_; N]>::each_mut));
         evaluate(&mut Block { points, values: &mut found, gradients: gradients_found, len, is_near: true });
         copies.write(&found, &mut values[start..start + len]);
         for (to, from) in gradients.iter_mut().flatten().zip(slopes.iter().flatten()) {
@@ -519,7 +495,7 @@ fn whole_block<'a, const N: usize>(
     let mut block = Block {
         points: [&[0.0; BLOCK]; N],
         values: values.get_mut(start..)?.first_chunk_mut()?,
-        gradients: slopes.as_mut().map(|slopes| slopes.each_mut()),
+        gradients: slopes.as_mut().map(<[_; N]>::each_mut),
         len: BLOCK,
         is_near: true,
     };

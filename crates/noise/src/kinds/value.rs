@@ -1,7 +1,8 @@
 //! Value noise: random numbers at lattice points, interpolated in two ways.
 
 use crate::{
-    contract::kernel::{Kernel, on_lattice},
+    contract::compiled::on_lattice,
+    contract::kernel::Kernel,
     contract::noise::{kind, measured, noise},
     kinds::catmull_rom::{SplineNoise, spline, spline_rows},
     kinds::cell::corner::{CellNoise, Corner},

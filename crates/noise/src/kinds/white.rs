@@ -1,7 +1,8 @@
 //! White noise: one random number per cell.
 
 use crate::{
-    contract::kernel::{Kernel, on_lattice},
+    contract::compiled::on_lattice,
+    contract::kernel::Kernel,
     contract::noise::{kind, measured, noise},
     lanes::lanes::{LaneSample, Lanes},
     lattice::integer_hash::IntegerHash,

@@ -45,7 +45,7 @@ impl<const N: usize> AtPoint<'_, N> {
                 samples.values[i] = shape.value(n);
                 let slope = shape.slope(n);
                 for axis in 0..if GRADIENTS { N } else { 0 } {
-                    samples.gradients[axis][i] = slope * samples.gradients[axis][i];
+                    samples.gradients[axis][i] *= slope;
                 }
             }
         }

@@ -18,7 +18,7 @@ pub(super) struct Column {
 /// Lanes of x86-64 from the least on, as people and as the crates call them, and a processor of them that can be emulated.
 const LANES: [(&str, &str, Option<&str>); 4] = [
     ("x86-64, SSE2", "sse2", Some("qemu64")),
-    ("x86-64, SSE4.2", "sse4.2", Some("Nehalem")),
+    ("x86-64, SSE4.2", "sse2", Some("Nehalem")),
     ("x86-64, AVX2", "avx2", Some("Haswell")),
     ("x86-64, AVX-512", "avx512", None),
 ];

@@ -1,7 +1,8 @@
 //! Noises on cells as kinds: at points and along rows.
 
 use crate::{
-    contract::kernel::{Kernel, on_lattice},
+    contract::compiled::on_lattice,
+    contract::kernel::Kernel,
     kinds::cell::corner::{CellNoise, normalised},
     kinds::cell::corners::Place,
     kinds::cell::rows::Stretch,

@@ -3,7 +3,8 @@
 use core::{error::Error, fmt};
 
 use crate::{
-    contract::kernel::{Kernel, Measured, by_lanes, on_lattice},
+    contract::compiled::on_lattice,
+    contract::kernel::{Kernel, Measured, by_lanes},
     contract::noise::{kind, noise},
     kinds::cell::blend::splat,
     kinds::cellular::metric::Metric,
