@@ -5,7 +5,7 @@ mod each;
 use std::hint::black_box;
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
-use asperity_ndf_sampling::{Ggx, Measure, Ndf, NdfMap, PackedMapRef, Reconstruction};
+use asperity_ndf_sampling::{Ggx, Measure, Ndf, NdfMap, Reconstruction};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
 use each::each;
@@ -35,8 +35,7 @@ fn calls(c: &mut Criterion) {
     let u: Vec<Vec2> = u1.iter().zip(&u2).map(|(&x, &y)| Vec2::new(x, y)).collect();
     for (name, kind) in KINDS {
         let map = map(kind);
-        let array = map.pack();
-        let packed = PackedMapRef::new(&array).expect("packed");
+        let packed = map.view();
         let normals: Vec<Vec3> = u.iter().map(|&u| map.sample(u)).collect();
         let maps: [(&str, &dyn Ndf); 2] = [("map", &map), ("packed", &packed)];
         for (form, ndf) in maps {
@@ -52,8 +51,8 @@ fn batches(c: &mut Criterion) {
     let mut group = c.benchmark_group("batch");
     group.throughput(Throughput::Elements(SAMPLES as u64));
     for (name, kind) in KINDS {
-        let array = map(kind).pack();
-        let packed = PackedMapRef::new(&array).expect("packed");
+        let map = map(kind);
+        let packed = map.view();
         let [mut x, mut y, mut to, mut density] = [(); 4].map(|()| vec![0.0; SAMPLES]);
         group.bench_function(format!("sample/{name}"), |b| {
             b.iter(|| packed.inverses([&u1, &u2], [&mut x, &mut y]));
@@ -81,8 +80,6 @@ fn construction(c: &mut Criterion) {
     for (name, kind) in KINDS {
         let build = || NdfMap::from_texels(SIZE, SIZE, black_box(&texels), Measure::Normals, kind);
         group.bench_function(format!("texels/{name}"), |b| b.iter(build));
-        let map = build().expect("a density");
-        group.bench_function(format!("pack/{name}"), |b| b.iter(|| map.pack()));
     }
     group.finish();
 }

@@ -29,7 +29,7 @@
 //! | [`Mixture`], [`Blend`], [`Rotated`], [`Radial`] | sums of densities, with and without a map; turned densities |
 //! | [`NdfMap`], [`PackedMapRef`] | a density painted or computed on the hemispherical map; as one array, for flash or a GPU |
 //! | [`Masked`], [`Bounded`] | masking and visible normals of maps and tables, for reflectances |
-//! | [`Measure`], [`Reconstruction`], [`Cdf`] | how its texels count; its marginal and conditional distributions and their inverses |
+//! | [`Measure`], [`Reconstruction`] | the meaning of texel values; interpolation between them |
 //! | [`NoiseDistribution`], [`NoiseCdfRef`], [`GaussianNoise`], [`KurtoticNoise`] | G: from values of a noise to Gaussian numbers and back; measured, Gaussian, by its kurtosis |
 //! | [`NormalTable`], [`NormalTableRef`], [`normal_table`] | table L: tangent frames by look-up; its layouts, accuracy and half floats |
 //! | [`estimate_ndf`], [`NdfEstimator`], [`detailed`], [`detailed_normal`], [`normal_map`] | existing bump maps: their density, their texels, noise added to them |
@@ -67,7 +67,7 @@
 //! | `serde` | the parameters of [`Ggx`], [`Beckmann`], [`StudentT`], [`Ward`], [`BlinnPhong`] and [`AshikhminShirley`] in files, read through `new`; formats and layouts |
 //! | `rand` | densities as [`Distribution`](https://docs.rs/rand/latest/rand/distr/trait.Distribution.html)s of normals: `rng.sample(&ggx)` |
 //! | `proptest` | strategies of `proptest` for directions, roughness and unit squares, with `std`: module [`strategies`] |
-//! | `alloc` (default) | [`NdfMap`], [`Cdf`], [`Masked`], [`NdfEstimator`] and [`NormalTable`], which own their tables; [`NormalTableRef`] does without |
+//! | `alloc` (default) | [`NdfMap`], [`Masked`], [`NdfEstimator`] and [`NormalTable`], which own their tables; [`NormalTableRef`] does without |
 
 #![no_std]
 
@@ -130,9 +130,8 @@ pub use map::packed::packed_map::PackedMapRef;
 pub use map::reconstruction::Reconstruction;
 #[cfg(feature = "alloc")]
 pub use map::{
-    cdf::Cdf,
     error::{MAX_TEXELS, NdfMapError},
-    ndf_map::NdfMap,
+    packed::ndf_map::NdfMap,
     texels::Measure,
 };
 #[cfg(feature = "alloc")]

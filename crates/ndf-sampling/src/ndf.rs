@@ -14,7 +14,7 @@ use asperity_core::math;
 ///
 /// - **Directions:** unit vectors in a frame whose z axis is the macro normal.
 /// - **Coordinates:** `z` counts standard deviations. Every implementation of this crate is total: a NaN coordinate is read
-///   as 0 and coordinates beyond ±13 (the table's ±8.125 for [`NdfMap`](crate::NdfMap)) as that bound; a direction with
+///   as 0 and coordinates beyond ±13 (about ±5.4 for [`NdfMap`](crate::NdfMap)) as that bound; a direction with
 ///   `m.z ≤ 0` or a NaN has the density 0, and its Gaussian coordinates are finite.
 /// - The trait is dyn-compatible, and a reference to an implementation is one.
 ///

@@ -14,7 +14,7 @@ use crate::density::rotated::Rotated;
 use crate::density::student_t::StudentT;
 use crate::density::ward::Ward;
 #[cfg(feature = "alloc")]
-use crate::map::ndf_map::NdfMap;
+use crate::map::packed::ndf_map::NdfMap;
 use crate::ndf::Ndf;
 use crate::radial::Radial;
 

@@ -5,7 +5,7 @@ use alloc::{format, vec::Vec};
 use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, Blend, BlinnPhong, ClosedForm, ConditionalNdf, ConditionalTable, Frame,
     GaussianSplit, Ggx, Isotropic, KurtoticNoise, Measure, Microfacet, Mixture, Ndf, NdfMap, NoiseCdfRef,
-    NoiseDistribution, NormalTable, OffsetBeckmann, PackedMapRef, Reconstruction, Rotated, StudentT, Ward,
+    NoiseDistribution, NormalTable, OffsetBeckmann, Reconstruction, Rotated, StudentT, Ward,
     estimate_ndf, inverse_phi, phi,
 };
 use asperity_shading::glam::{Vec2, Vec3};
@@ -69,12 +69,11 @@ fn tables(report: &mut Report) -> Option<()> {
     for kind in [Reconstruction::Constant, Reconstruction::Bilinear] {
         let map = NdfMap::from_fn(24, 16, Measure::SolidAngle, kind, painted).ok()?;
         report.row(&format!("NdfMap, {kind:?}"), |bits| maps(bits, &map));
-        let array = map.pack();
-        let packed = PackedMapRef::new(&array).ok()?;
+        let packed = map.view();
         let (u, n) = (lists(|i| square(i).to_array()), lists(|i| direction(i).truncate().to_array()));
         let mut out = [[0.0; POINTS as usize]; 3];
         report.row(&format!("PackedMapRef, {kind:?}"), |bits| {
-            bits.push(&array[..]);
+            bits.push(map.array());
             let [x, y, density] = &mut out;
             let done = packed.densities([&n[0], &n[1]], density).is_ok();
             bits.push(if done && packed.inverses([&u[0], &u[1]], [x, y]).is_ok() { 1.0_f32 } else { 0.0 });

@@ -18,33 +18,16 @@ fn texel(numbers: &mut Numbers<'_>) -> f32 {
     }
 }
 
-/// A promise of every map: as a density, of its CDF, or packed.
+/// A promise of every map: as a density or as an array.
 fn check(map: &NdfMap, numbers: &mut Numbers<'_>) {
     match numbers.byte() % 4 {
         0 | 1 => ndf(map, numbers),
-        2 => shares(map, numbers),
         _ => packed(map, numbers),
     }
 }
 
-fn shares(map: &NdfMap, numbers: &mut Numbers<'_>) {
-    let cdf = map.cdf();
-    for [x, y] in
-        [[numbers.double(), numbers.double()], [f64::from(numbers.share()), f64::from(numbers.share())]]
-    {
-        assert!(cdf.density([x, y]) >= 0.0 && cdf.marginal(x) >= 0.0, "{x} {y}");
-        for share in cdf.forward([x, y]).into_iter().chain(cdf.inverse([x, y])) {
-            assert!((0.0..=1.0).contains(&share), "{share} of {x} {y}");
-        }
-        for share in [cdf.marginal_cdf(x), cdf.marginal_inverse(x), cdf.conditional_cdf(x, y)] {
-            assert!((0.0..=1.0).contains(&share), "{share} of {x} {y}");
-        }
-        assert!((0.0..=1.0).contains(&cdf.conditional_inverse(x, y)));
-    }
-}
-
 fn packed(map: &NdfMap, numbers: &mut Numbers<'_>) {
-    let array = map.pack();
+    let array = map.array().to_vec();
     let packed = PackedMapRef::new(&array).expect("what was packed is a packed map");
     ndf(&packed, numbers);
     let (u, n) = (numbers.pair(), numbers.pair());

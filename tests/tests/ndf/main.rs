@@ -7,6 +7,7 @@ mod compared;
 mod conditional;
 mod conditional_table;
 mod detail;
+mod exact_map;
 mod facet_chi_square;
 mod facet_maps;
 mod facet_reference;

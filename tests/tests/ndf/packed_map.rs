@@ -1,22 +1,36 @@
 //! Packed maps: the same density as the map's, the same samples, and every edge.
 
-use asperity_ndf_sampling::{Ggx, Measure, Ndf, NdfMap, PackedMapRef, Reconstruction};
+use asperity_ndf_sampling::{Ggx, Ndf, NdfMap, PackedMapRef, Reconstruction};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
 use glam::{Vec2, Vec3};
+use rayon::prelude::*;
+
+use super::exact_map::ExactMap;
 
 const KINDS: [Reconstruction; 2] = [Reconstruction::Constant, Reconstruction::Bilinear];
 
-fn image(width: usize, height: usize, kind: Reconstruction, value: impl Fn(usize, usize) -> f32) -> NdfMap {
+fn image(
+    width: usize,
+    height: usize,
+    kind: Reconstruction,
+    value: impl Fn(usize, usize) -> f32,
+) -> (ExactMap, NdfMap) {
     let texels: Vec<f32> = (0..width * height).map(|k| value(k % width, k / width)).collect();
-    NdfMap::from_texels(width, height, &texels, Measure::Normals, kind).expect("valid")
+    ExactMap::both(width, height, &texels, kind)
 }
 
-fn maps() -> Vec<(String, NdfMap)> {
+/// The normal at the middle of a texel of 256².
+fn middle(i: usize, j: usize) -> Vec3 {
+    let [x, y] = [i, j].map(|k| (k as f32 + 0.5) / 128.0 - 1.0);
+    Vec3::new(x, y, (1.0 - x * x - y * y).max(1e-6).sqrt())
+}
+
+fn maps() -> Vec<(String, (ExactMap, NdfMap))> {
     let ggx = Ggx::new(0.2, 0.4).expect("valid");
     let of = |kind: Reconstruction| {
         vec![
-            ("GGX", NdfMap::from_ndf(256, 256, kind, &ggx).expect("a density")),
+            ("GGX", image(256, 256, kind, |i, j| ggx.density(middle(i, j)))),
             ("1×1", image(1, 1, kind, |_, _| 3.0)),
             ("2×2, one texel", image(2, 2, kind, |i, j| f32::from(i == 1 && j == 0))),
             ("one hot texel", image(64, 64, kind, |i, j| if (i, j) == (40, 20) { 1e-30 } else { 0.0 })),
@@ -45,58 +59,58 @@ fn uniforms(count: usize) -> Vec<Vec2> {
     all
 }
 
+/// Checks that a sample is inside the disk and has its uniform numbers, exactly and in `f32`; the errors over the allowed ones.
+pub(crate) fn check_sample(name: &str, exact: &ExactMap, map: PackedMapRef<'_>, u: Vec2) -> [f64; 2] {
+    let n = map.inverse(u);
+    assert!(n.length_squared() <= 1.0, "{name} {u}: {n} is not inside");
+    let [x, y] = n.to_array().map(f64::from);
+    let (expected, back) = (exact.forward(x, y), map.forward(n).to_array());
+    // The last bit of a coordinate, 6e-8, times the slope of the distribution function.
+    let (marginal, peak) = (2.0 * exact.marginal(x).max(1e-300), 2.0 * exact.peak(x));
+    // Along x the ends of the chord move, the faster the shorter it is.
+    let steep = peak.max(1.0) / (0.25 * (1.0 - x * x)).sqrt().max(1e-9);
+    let slack = [marginal, peak + steep].map(|slope| 1e-6 + 2.4e-7 * slope);
+    // The rim of the map is a polygon, 1.43e-6 of the radius inside the circle at most.
+    let rim = [1.91e-6 * marginal, 7.2e-7 * steep];
+    let mut worst = [0.0_f64; 2];
+    for k in 0..2 {
+        let u = f64::from(u.to_array()[k]);
+        // At the very ends of u₁ the support of the conditional may be a point.
+        let at_end = k == 1 && !(1e-5..1.0 - 1e-5).contains(&expected[0]);
+        for (found, slack) in [(f64::from(back[k]), slack[k]), (expected[k], slack[k] + rim[k])] {
+            let error = (found - u).abs();
+            worst[k] = worst[k].max(error / slack);
+            assert!(
+                error < slack || at_end,
+                "{name} {u}: u{} is off by {error:e}, {slack:e} allowed, {n} {expected:?} {back:?}",
+                k + 1
+            );
+        }
+    }
+    let m = map.sample(u);
+    assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-6, "{name} {u}: {m}");
+    assert!(m.z > 0.0, "{name} {u}: {m}");
+    worst
+}
+
 #[test]
-fn samples_are_those_of_the_map_to_rounding() {
-    for (name, map) in maps() {
-        let array = map.pack();
-        let packed = PackedMapRef::new(&array).expect("packed");
-        assert_eq!((packed.width(), packed.height()), (map.cdf().width(), map.cdf().height()));
-        assert_eq!(packed.reconstruction(), map.cdf().reconstruction());
+fn samples_match_exact_distribution() {
+    maps().par_iter().for_each(|(name, (exact, map))| {
         let mut worst = [0.0_f64; 2];
         for u in uniforms(4000) {
-            let n = packed.inverse(u);
-            assert!(n.length_squared() <= 1.0, "{name} {u}: {n} is not inside");
-            let at = [n.x, n.y].map(|n| 0.5 + 0.5 * f64::from(n));
-            // Where the exact map sends it back to, and the packed one.
-            let (exact, back) = (map.cdf().forward(at), packed.forward(n).to_array());
-            // The last bit of a coordinate, 6e-8, times what the distribution function grows with it.
-            let marginal = map.cdf().marginal(at[0]).max(1e-300);
-            let quantiles = (0..=64).map(|k| map.cdf().conditional_inverse(at[0], f64::from(k) / 64.0));
-            let peak = quantiles.map(|y| map.cdf().density([at[0], y])).fold(0.0, f64::max) / marginal;
-            // Along x the chord's ends move, the faster the shorter it is.
-            let steep = peak.max(1.0) / (at[0] * (1.0 - at[0])).sqrt().max(1e-9);
-            let slack = [marginal, peak + steep].map(|slope| 1e-6 + 2.4e-7 * slope);
-            // The exact map's rim is a chain of chords, 1.43e-6 of the radius inside the circle at most.
-            let rim = [0.0, 7.2e-7 * steep];
-            for k in 0..2 {
-                let u = f64::from(u.to_array()[k]);
-                // At the very ends of u₁ the conditional's support may be a point.
-                let at_end = k == 1 && !(1e-5..1.0 - 1e-5).contains(&exact[0]);
-                for (found, slack) in [(f64::from(back[k]), slack[k]), (exact[k], slack[k] + rim[k])] {
-                    let error = (found - u).abs();
-                    worst[k] = worst[k].max(error / slack);
-                    assert!(
-                        error < slack || at_end,
-                        "{name} {u}: u{} is off by {error:e}, {slack:e} allowed, {n} {exact:?} {back:?}",
-                        k + 1
-                    );
-                }
-            }
-            let m = packed.sample(u);
-            assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-6, "{name} {u}: {m}");
-            assert!(m.z > 0.0, "{name} {u}: {m}");
+            let errors = check_sample(name, exact, map.view(), u);
+            worst = [worst[0].max(errors[0]), worst[1].max(errors[1])];
             // Touching zeros the density may vanish at a sample; a constant one does not.
-            assert!(packed.density(m) > 0.0 || name.contains("Bilinear"), "{name} {u}: no density at {n}");
+            assert!(map.density(map.sample(u)) > 0.0 || name.contains("Bilinear"), "{name} {u}: no density");
         }
         println!("{name}: worst errors of u over what is allowed {worst:?}");
-    }
+    });
 }
 
 #[test]
 fn samples_follow_their_uniform_numbers_in_order() {
-    for (name, map) in maps() {
-        let array = map.pack();
-        let packed = PackedMapRef::new(&array).expect("packed");
+    for (name, (_, map)) in maps() {
+        let packed = map.view();
         let steps: Vec<f32> = (0..1 << 14).map(|k| (k as f32 + 0.5) / 16384.0).collect();
         for (axis, other) in [0, 1].into_iter().flat_map(|axis| [0.03, 0.4, 0.77].map(|other| (axis, other)))
         {
@@ -114,15 +128,19 @@ fn samples_follow_their_uniform_numbers_in_order() {
 }
 
 #[test]
-fn densities_are_those_of_the_map() {
-    for (name, map) in maps() {
-        let array = map.pack();
-        let packed = PackedMapRef::new(&array).expect("packed");
+fn densities_match_exact_map() {
+    for (name, (exact, map)) in maps() {
+        let packed = map.view();
         for u in uniforms(3000) {
             let n = (u * 2.0 - 1.0) * 0.999;
             // A texel's border may be crossed by the rounding of the place.
-            let near = [-2e-6, 0.0, 2e-6]
-                .map(|d| 0.25 * map.cdf().density([n.x, n.y].map(|n| 0.5 + 0.5 * f64::from(n) + d)));
+            let near = [-2e-6, 0.0, 2e-6].map(|d| {
+                if n.length() < 1.0 {
+                    exact.density(f64::from(n.x) + 2.0 * d, f64::from(n.y) + 2.0 * d)
+                } else {
+                    0.0
+                }
+            });
             let density =
                 f64::from(packed.density(n.extend((1.0 - n.length_squared()).max(0.0).sqrt().max(1e-3))));
             let (low, high) =
@@ -137,9 +155,8 @@ fn densities_are_those_of_the_map() {
 
 #[test]
 fn arrays_are_filled_with_single_results() {
-    for (name, map) in maps() {
-        let array = map.pack();
-        let packed = PackedMapRef::new(&array).expect("packed");
+    for (name, (_, map)) in maps() {
+        let packed = map.view();
         // Not a multiple of a block.
         let u = uniforms(1001);
         let [u1, u2]: [Vec<f32>; 2] = [u.iter().map(|u| u.x).collect(), u.iter().map(|u| u.y).collect()];
@@ -161,9 +178,8 @@ fn arrays_are_filled_with_single_results() {
 #[test]
 fn total_on_every_input() {
     let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -1.0, 2.0, 1e38, 1e-40];
-    for (name, map) in maps() {
-        let array = map.pack();
-        let packed = PackedMapRef::new(&array).expect("packed");
+    for (name, (_, map)) in maps() {
+        let packed = map.view();
         for (x, y) in bad.into_iter().flat_map(|x| bad.map(|y| (x, y))) {
             let m = packed.sample(Vec2::new(x, y));
             assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-6, "{name} {x} {y}: {m}");
@@ -181,8 +197,8 @@ fn total_on_every_input() {
 
 #[test]
 fn other_arrays_are_refused() {
-    let map = image(8, 4, Reconstruction::Bilinear, |i, j| (i + j) as f32);
-    let array = map.pack();
+    let (_, map) = image(8, 4, Reconstruction::Bilinear, |i, j| (i + j) as f32);
+    let array = map.into_array();
     let refused = |array: &[f32]| PackedMapRef::new(array).unwrap_err().to_string();
     assert_eq!(refused(&[]), "array must have 16 numbers, got 0");
     assert_eq!(refused(&[1.0; 100]), "number 0 must be the format of packed maps, got 1");

@@ -2,7 +2,7 @@
 
 use alloc::{format, string::String, string::ToString, vec::Vec};
 
-use asperity_ndf_sampling::{Measure, NdfMap, PackedMapRef, Reconstruction};
+use asperity_ndf_sampling::{Measure, NdfMap, Reconstruction};
 use asperity_noise::{Gaussian, GaussianOctaves, Spectrum};
 use asperity_shaders::ndf::PackedMapUniform;
 use asperity_shaders::noise::{self, sums::OctavesUniform};
@@ -34,10 +34,8 @@ pub(crate) fn painted_map(numbers: &[f64], bulk: &[u32]) -> Result<Vec<u32>, Str
     let texels: Vec<f32> = bulk.iter().map(|&word| f32::from_bits(word)).collect();
     let map = NdfMap::from_texels(side, side, &texels, Measure::Normals, Reconstruction::Bilinear)
         .map_err(|error| format!("The painting is no density: {error}."))?;
-    let array = map.pack();
-    let packed = PackedMapRef::new(&array).map_err(|error| error.to_string())?;
-    let mut words = PackedMapUniform::new(&packed).words().to_vec();
-    words.extend(array.iter().map(|x| x.to_bits()));
+    let mut words = PackedMapUniform::new(&map.view()).words().to_vec();
+    words.extend(map.array().iter().map(|x| x.to_bits()));
     Ok(words)
 }
 

@@ -3,11 +3,7 @@
 #[cfg(feature = "alloc")]
 pub(crate) mod b_spline;
 #[cfg(feature = "alloc")]
-pub(crate) mod bound;
-#[cfg(feature = "alloc")]
 pub(crate) mod breakpoints;
-#[cfg(feature = "alloc")]
-pub(crate) mod cdf;
 #[cfg(feature = "alloc")]
 pub(crate) mod columns;
 #[cfg(feature = "alloc")]
@@ -15,7 +11,7 @@ pub(crate) mod disk;
 #[cfg(feature = "alloc")]
 pub(crate) mod error;
 #[cfg(feature = "alloc")]
-pub(crate) mod ndf_map;
+pub(crate) mod marginal;
 pub(crate) mod packed;
 #[cfg(feature = "alloc")]
 pub(crate) mod piece;
@@ -24,7 +20,5 @@ pub(crate) mod pieces;
 #[cfg(feature = "alloc")]
 pub(crate) mod prefix_sums;
 pub(crate) mod reconstruction;
-#[cfg(feature = "alloc")]
-pub(crate) mod row_guide;
 #[cfg(feature = "alloc")]
 pub(crate) mod texels;

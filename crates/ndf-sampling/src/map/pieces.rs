@@ -282,12 +282,21 @@ mod tests {
     use crate::map::texels::{Measure, columns_of_texels};
     use crate::numeric::bernstein::cubic;
 
+    fn value(columns: &Columns, x: f64, y: f64) -> f64 {
+        let (kind, width, height) = (columns.kind, columns.width, columns.height);
+        let (column, row) = (kind.cell(x, width), kind.cell(y, height));
+        let along =
+            |x: f64, n: usize, cell: usize| (x * n as f64 + kind.offset() - cell as f64).clamp(0.0, 1.0);
+        let ([left, right], q) = (columns.at(column, row, 0).0, along(y, height, row));
+        mix(mix(left[0], left[1], q), mix(right[0], right[1], q), along(x, width, column))
+    }
+
     /// `∫ f dy` in cells from one place to another, row by row: the density is linear in each.
     fn integral(columns: &Columns, x: f64, [from, to]: [f64; 2]) -> f64 {
         let (kind, height) = (columns.kind, columns.height);
         let rows = (0..kind.cells(height)).map(|row| {
             let [begin, end] = [row, row + 1].map(|line| kind.line(line, height).clamp(from, to));
-            columns.value([x, 0.5 * (begin + end)]) * (end - begin)
+            value(columns, x, 0.5 * (begin + end)) * (end - begin)
         });
         rows.sum::<f64>() * height as f64
     }
@@ -307,7 +316,7 @@ mod tests {
                 for (piece, mass) in pieces.iter().zip(masses) {
                     for s in [0.25, 0.75] {
                         let x = piece.x[0] + s * (piece.x[1] - piece.x[0]);
-                        let c = piece.half_chord(s);
+                        let c = mix(piece.half_chord[0], piece.half_chord[1], s);
                         let below = integral(&columns, x, [0.5 - c, 0.5]);
                         let above = integral(&columns, x, [0.5, 0.5 + c]);
                         // Next to a line of the grid the chord may end in the row beside, by rounding.

@@ -11,9 +11,6 @@ use asperity_core::lanes::{self, Lanes, Task, Transpose, TransposeSquare};
 /// Columns that go through the image together.
 const LANES: usize = 8;
 
-/// Lines of the grid that are looked through at once.
-pub(crate) const WINDOW: usize = 16;
-
 /// An image of texels, row by row, and for each of its columns the rows, first and beyond the last, that have a part inside the
 /// disk.
 #[derive(Clone, Copy, Debug)]
@@ -33,8 +30,6 @@ pub(crate) struct PrefixSums {
     /// Column by column; bilinear columns repeat their first and their last value.
     pub(crate) values: Vec<f32>,
     pub(crate) sums: Vec<f64>,
-    /// Every [`WINDOW`]th of a column's sums.
-    pub(crate) landmarks: Vec<f64>,
 }
 
 impl PrefixSums {
@@ -99,7 +94,6 @@ impl<'a, const N: usize, const BILINEAR: bool> Block<'a, N, BILINEAR> {
         let width = self.image.width;
         let mut values = Vec::with_capacity(width * self.values.len());
         let mut sums = Vec::with_capacity(width * self.sums.len());
-        let mut landmarks = Vec::with_capacity(width * self.sums.len().div_ceil(WINDOW));
         while self.from < width {
             // The last block begins within the one before it.
             let done = self.from;
@@ -110,12 +104,9 @@ impl<'a, const N: usize, const BILINEAR: bool> Block<'a, N, BILINEAR> {
             }
             append(s, &mut values, &self.values, done - self.from);
             append(s, &mut sums, &self.sums, done - self.from);
-            for lane in done - self.from..N {
-                landmarks.extend(self.sums.chunks(WINDOW).map(|rows| rows[0][lane]));
-            }
             self.from += N;
         }
-        Some(PrefixSums { values, sums, landmarks })
+        Some(PrefixSums { values, sums })
     }
 
     /// Finds the rows inside the disk.
@@ -320,7 +311,7 @@ mod tests {
     fn integrals_are_those_of_the_columns_one_by_one() {
         for ([width, height], kind) in SIZES.into_iter().flat_map(|size| KINDS.map(|kind| (size, kind))) {
             let texels = texels(width, height);
-            let PrefixSums { values, sums, landmarks } = integrals(width, height, &texels, kind).unwrap();
+            let PrefixSums { values, sums } = integrals(width, height, &texels, kind).unwrap();
             let (step, cells) = (usize::from(kind == Reconstruction::Bilinear), kind.cells(height));
             let (stride, lines) = (height + 2 * step, cells + 1);
             assert_eq!((values.len(), sums.len()), (width * stride, width * lines));
@@ -336,14 +327,6 @@ mod tests {
                     assert_eq!(value, if outside { 0.0 } else { column[row] }, "{i} {k} {width} × {height}");
                 }
                 let found_sums = &sums[i * lines..(i + 1) * lines];
-                assert!(
-                    landmarks
-                        .chunks(lines.div_ceil(WINDOW))
-                        .nth(i)
-                        .unwrap()
-                        .iter()
-                        .eq(found_sums.iter().step_by(WINDOW))
-                );
                 // A cell's integral is the mean of its ends; the middle of the map is at 0.
                 for k in 0..cells {
                     let cell = 0.5 * (f64::from(found[k]) + f64::from(found[k + step]));

@@ -1,7 +1,7 @@
 //! Densities with a bound over any part of the hemisphere.
 
 use crate::density::isotropic::{Isotropic, IsotropicRef};
-use crate::map::ndf_map::NdfMap;
+use crate::map::packed::ndf_map::NdfMap;
 use crate::masked::wedge::Wedge;
 use crate::ndf::Ndf;
 
@@ -36,7 +36,7 @@ impl<N: Bounded + ?Sized> Bounded for &N {
 
 impl Bounded for NdfMap {
     fn most(&self, wedge: Wedge) -> f32 {
-        self.cdf().most(wedge.sides())
+        self.view().most(wedge.sides())
     }
 }
 

@@ -7,7 +7,7 @@ use glam::Vec3;
 
 use crate::map::b_spline::{area_inside, averaged_kernel, edge, first_texel};
 use crate::map::error::MAX_TEXELS;
-use crate::map::ndf_map::NdfMap;
+use crate::map::packed::ndf_map::NdfMap;
 use crate::map::reconstruction::Reconstruction;
 use crate::map::texels::Measure;
 use asperity_core::error_enum;

@@ -32,23 +32,6 @@ impl GuideTable {
         }
         Self { starts }
     }
-
-    /// The last key that is at most `value`.
-    #[inline]
-    pub(crate) fn find(&self, keys: &[f64], value: f64) -> usize {
-        let part = ((value * self.starts.len() as f64) as usize).min(self.starts.len().saturating_sub(1));
-        let mut at = self.starts.get(part).map_or(0, |&start| start as usize);
-        // Four at once: whether one of them is passed is never clear before.
-        while let Some(next) = keys.get(at + 1..).and_then(|keys| keys.first_chunk::<4>()) {
-            let passed = next.iter().map(|&key| usize::from(key <= value)).sum::<usize>();
-            at += passed;
-            if passed < next.len() {
-                return at;
-            }
-        }
-        let rest = keys.get(at + 1..).unwrap_or_default();
-        at + rest.iter().take_while(|&&key| key <= value).count()
-    }
 }
 
 #[cfg(test)]
@@ -56,13 +39,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_interval_is_found() {
+    fn guide_table_starts() {
         let keys = [0.0, 0.0, 1e-9, 0.3, 0.3, 0.31, 0.999, 1.0];
         let guide = GuideTable::new(&keys);
-        for k in 0..=10_000 {
-            let value = f64::from(k) / 10_000.0;
-            let expected = keys.iter().filter(|&&key| key <= value).count() - 1;
-            assert_eq!(guide.find(&keys, value), expected, "{value}");
+        for (part, &start) in guide.starts.iter().enumerate() {
+            let begin = part as f64 / guide.starts.len() as f64;
+            let expected = keys[1..].iter().filter(|&&key| key < begin).count();
+            assert_eq!(start as usize, expected, "{begin}");
         }
     }
 }

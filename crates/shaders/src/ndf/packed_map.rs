@@ -20,15 +20,14 @@ pub static PACKED_MAP: Part = part!("ndf/map/packed_map", ELEMENTARY, NORMAL_DIS
 /// ```
 /// use asperity_shaders::ndf::PackedMapUniform;
 /// # #[cfg(feature = "alloc")] {
-/// use asperity_ndf_sampling::{Ggx, NdfMap, PackedMapRef, Reconstruction};
+/// use asperity_ndf_sampling::{Ggx, NdfMap, Reconstruction};
 ///
 /// let map = NdfMap::from_ndf(64, 32, Reconstruction::Bilinear, &Ggx::new(0.3, 0.5)?)?;
-/// let array = map.pack();
-/// let words = PackedMapUniform::new(&PackedMapRef::new(&array)?).words();
+/// let words = PackedMapUniform::new(&map.view()).words();
 /// // 64 columns over the disk's diameter of 2, 32 rows.
 /// assert_eq!([words[0], words[1]].map(f32::from_bits), [32.0, 16.0]);
-/// // The table is the array's bits, filled up to whole rows of texels.
-/// let table: Vec<u32> = array.iter().map(|x| x.to_bits()).collect();
+/// // The table is the bits of the array, filled up to whole rows of texels.
+/// let table: Vec<u32> = map.array().iter().map(|x| x.to_bits()).collect();
 /// let rows = table.len().div_ceil(PackedMapUniform::WIDTH as usize);
 /// assert!(rows < 2048);
 /// # }

@@ -24,6 +24,6 @@ fn main() -> io::Result<()> {
 
 fn tables() -> Vec<u8> {
     let map = NdfMap::from_fn(16, 12, Measure::SolidAngle, Reconstruction::Bilinear, density);
-    let array = map.expect("a density that is positive").pack();
+    let array = map.expect("a density that is positive").into_array();
     array.into_iter().flat_map(f32::to_le_bytes).collect()
 }

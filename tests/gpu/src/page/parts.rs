@@ -181,7 +181,7 @@ fills! {
     "mip_mapped_noise": noise::sums::MipMapped::texel => "MipMapped::texel of every level, rg16float",
     "mip_mapped_sampler": noise::sums::MIP_MAPPED => "linear between texels and levels, repeating",
     "packed_map_grid": ndf::PackedMapUniform::words => "PackedMapUniform::new(&map).words()",
-    "packed_map_word": ndf::PackedMapUniform::WIDTH => "bits of NdfMap::pack()",
+    "packed_map_word": ndf::PackedMapUniform::WIDTH => "bits of NdfMap::array()",
     "conditional_table_grid": ndf::ConditionalTableUniform::words => "ConditionalTableUniform::new(&table).words()",
     "conditional_table_number": ndf::ConditionalTableUniform::WIDTH => "numbers of ConditionalTableRef, as its part says",
     "normal_table_grid": ndf::NormalTableUniform::words => "NormalTableUniform::new(&table).words()",

@@ -79,7 +79,7 @@ impl Density {
 
     /// Whether it is constant on each texel of its map.
     pub fn is_in_steps(&self) -> bool {
-        self.map.as_ref().is_some_and(|map| map.cdf().reconstruction() == Reconstruction::Constant)
+        self.map.as_ref().is_some_and(|map| map.view().reconstruction() == Reconstruction::Constant)
     }
 
     /// For people: `GGX 0.2, 0.4`.

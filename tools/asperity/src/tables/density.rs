@@ -1,6 +1,6 @@
 //! The tables of a density: the map, its distribution functions, and the normal table L with its frames.
 
-use asperity_ndf_sampling::glam::{Mat3, Vec3};
+use asperity_ndf_sampling::glam::{Mat3, Vec2, Vec3};
 use asperity_ndf_sampling::normal_table::{Chart, Deviation, Spacing, TableAccuracy, TableLayout};
 use asperity_ndf_sampling::{ConditionalTable, Ndf, NormalTable};
 use asperity_render::image::formats::{F32, F64, exr, npy};
@@ -16,7 +16,8 @@ const L_SIZE: usize = 256;
 pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
     let ndf = density.ndf.as_ref();
     let map = density.map()?;
-    let (width, height) = (map.cdf().width(), map.cdf().height());
+    let view = map.view();
+    let (width, height) = (view.width(), view.height());
     // Textures have their first row at the top, where n_y is near +1; arrays follow the map, from n_y = −1 up.
     let texture: Vec<f32> = (0..height)
         .rev()
@@ -24,10 +25,12 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
         .map(|t| at_centre(&map, t, [width, height]))
         .collect();
     let edges = |n: usize| (0..=n).map(move |i| i as f64 / n as f64);
-    let marginal: Vec<f64> = edges(width).map(|x| map.cdf().marginal_cdf(x)).collect();
+    let forward =
+        |[x, y]: [f64; 2]| view.forward(Vec2::new(2.0 * x as f32 - 1.0, 2.0 * y as f32 - 1.0)).as_dvec2();
+    let marginal: Vec<f64> = edges(width).map(|x| forward([x, 0.5]).x).collect();
     let conditional: Vec<f64> = (0..width)
         .flat_map(|i| edges(height).map(move |y| [(i as f64 + 0.5) / width as f64, y]))
-        .map(|[x, y]| map.cdf().conditional_cdf(x, y))
+        .map(|at| forward(at).y)
         .collect();
     let table = NormalTable::new(ndf, L_SIZE)?;
     let accuracy = table.accuracy(ndf);
@@ -38,14 +41,14 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
     let names = ["n.X", "n.Y", "n.Z", "t.X", "t.Y", "t.Z", "b.X", "b.Y", "b.Z"];
     let half_vectors =
         seen.view().entries().iter().map(|&[z1, z2, root]| [z1, z2, (root * root) * (root * root)]);
-    let packed = map.pack();
+    let packed = map.array();
     let files = vec![
         ("density.exr".into(), exr(width, height, [("Y", texture.clone())])?),
         ("marginal_cdf.npy".into(), npy(F64, &[width + 1], &marginal)),
         ("conditional_cdf.npy".into(), npy(F64, &[width, height + 1], &conditional)),
         ("normal_table.exr".into(), channels(L_SIZE, names, frames)?),
         ("half_vectors.exr".into(), channels(L_SIZE, ["z1", "z2", "D"], half_vectors)?),
-        ("packed_map.npy".into(), npy(F32, &[packed.len()], &packed)),
+        ("packed_map.npy".into(), npy(F32, &[packed.len()], packed)),
     ];
     let peak = texture.iter().fold(0.0_f32, |peak, &d| peak.max(d));
     let picture = Image::from_fn(256, 256, |x, y| {

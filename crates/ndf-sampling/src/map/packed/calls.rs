@@ -230,7 +230,7 @@ mod tests {
             [|n| n.z, |n| f32::from(n.x > 0.3 && n.y.abs() > 0.5), |n| (1e4 * n.x * n.y).sin().max(0.0)];
         let kinds = [Reconstruction::Constant, Reconstruction::Bilinear];
         for (image, kind) in images.into_iter().flat_map(|image| kinds.map(|kind| (image, kind))) {
-            let array = NdfMap::from_fn(40, 33, crate::Measure::Normals, kind, image).unwrap().pack();
+            let array = NdfMap::from_fn(40, 33, crate::Measure::Normals, kind, image).unwrap().into_array();
             let map = PackedMapRef::new(&array).unwrap();
             let single = |k: usize| {
                 let pair = Vec2::new(x[k], y[k]);

@@ -3,7 +3,7 @@
 use crate::numeric::bernstein::{inverse_share, kept_away};
 #[cfg(feature = "alloc")]
 use crate::{
-    map::{cdf::Cdf, piece::Piece},
+    map::{marginal::Marginal, piece::Piece},
     numeric::bernstein::{Cubic, cubic, share},
 };
 
@@ -54,11 +54,11 @@ pub(crate) fn head(&[[from, per, begin, wide, ..], [m0, m1, m2, m3, ..]]: &Leaf)
 
 /// The leaf of a piece that begins and ends at these weights; at least `margin` columns from the lines of the grid.
 #[cfg(feature = "alloc")]
-pub(crate) fn leaf(cdf: &Cdf, piece: &Piece, weights: [f64; 2], margin: f64) -> Leaf {
+pub(crate) fn leaf(of: &Marginal, piece: &Piece, weights: [f64; 2], margin: f64) -> Leaf {
     let [from, to] = [weights[0] as f32, weights[1] as f32];
     let per = (1.0 / (f64::from(to) - f64::from(from))).min(f64::from(f32::MAX)) as f32;
-    let width = cdf.width() as f64;
-    let middle = 0.5 * width + cdf.reconstruction().offset();
+    let width = of.columns.width as f64;
+    let middle = 0.5 * width + of.columns.kind.offset();
     let (mut begin, mut end) = ((piece.x[0] - 0.5) * width, (piece.x[1] - 0.5) * width);
     if margin > 0.0 {
         let line = f64::from(piece.column) - middle;
@@ -69,7 +69,7 @@ pub(crate) fn leaf(cdf: &Cdf, piece: &Piece, weights: [f64; 2], margin: f64) -> 
     let wide = (end - begin) as f32;
     let [m0, m1, m2, m3] = piece.marginal;
     let [b0, b1, b2, b3] = piece.below;
-    let scaled = |b: f64| (b * cdf.scale) as f32;
+    let scaled = |b: f64| (b * of.scale) as f32;
     [
         [from, per, begin as f32, if needs_steps { -wide } else { wide }, c[0], c[1], c[2], c[3]],
         [

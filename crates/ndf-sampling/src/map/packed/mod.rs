@@ -10,6 +10,10 @@ pub(crate) mod inverse_cdf;
 pub(crate) mod layout;
 pub(crate) mod leaf;
 #[cfg(feature = "alloc")]
+pub(crate) mod most;
+#[cfg(feature = "alloc")]
+pub(crate) mod ndf_map;
+#[cfg(feature = "alloc")]
 pub(crate) mod pack;
 pub(crate) mod packed_map;
 #[cfg(feature = "alloc")]

@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use crate::map::columns::Columns;
-use crate::map::ndf_map::NdfMap;
+use crate::map::marginal::Marginal;
 use crate::map::packed::grid::margin;
 use crate::map::packed::layout::{LINES, Layout};
 use crate::map::packed::leaf::{BEGIN, Leaf, WEIGHT, head, leaf};
@@ -14,53 +14,45 @@ use crate::numeric::guide_table::GuideTable;
 /// Parts of the exact map's guides that share an entry.
 const STARTS: usize = 2;
 
-impl NdfMap {
-    /// The map in one array of `f32`, for [`PackedMapRef`](crate::PackedMapRef).
-    ///
-    /// It takes about 14 bytes a texel, 10 if it is constant on texels, and 110 to 150 for each piece of the distribution of `n_x`, of
-    /// which there are 930 and some for every row and column. It is the same on every machine that rounds alike, and may be
-    /// written to a file or to a program's constants.
-    #[must_use]
-    pub fn pack(&self) -> Vec<f32> {
-        let cdf = self.cdf();
-        let columns = &cdf.columns;
-        let kind = columns.kind;
-        let layout = Layout {
-            width: columns.width,
-            height: columns.height,
-            kind,
-            leaves: cdf.pieces.len(),
-            guide: cdf.by_weight.starts.len().div_ceil(STARTS),
-            quantiles: columns.height.div_ceil(ROWS),
-        };
-        let mut packed = Vec::with_capacity(layout.len().map_or(0, |len| len as usize));
-        packed.extend(layout.header());
-        let margin = f64::from(margin(kind, columns.width));
-        let leaves = cdf.pieces.iter().zip(cdf.cumulative.array_windows());
-        let leaves: Vec<_> = leaves.map(|(piece, weights)| leaf(cdf, piece, *weights, margin)).collect();
-        extend_guide::<WEIGHT>(&mut packed, &cdf.by_weight, &leaves);
-        extend_guide::<BEGIN>(&mut packed, &cdf.by_place, &leaves);
-        packed.extend(leaves.as_flattened().as_flattened());
-        packed.extend(leaves.iter().flat_map(head));
-        let border = kind.cells(layout.width) - layout.width;
-        let last = layout.width - 1;
-        let all = (0..layout.columns()).map(|column| column.saturating_sub(border).min(last));
-        let nodes = packed.len();
-        for column in all.clone() {
-            extend_nodes(&mut packed, columns, column, cdf.scale);
-        }
-        let per = 0.25 * cdf.scale;
-        for column in all {
-            packed.extend(columns.values(column).iter().map(|&v| (f64::from(v) * per) as f32));
-        }
-        let quantiles = packed.len();
-        packed.resize(quantiles + kind.cells(layout.width) * (layout.quantiles + 1), 0.0);
-        let (before, quantiles) = packed.split_at_mut(quantiles);
-        if let Some(nodes) = before.get(nodes..) {
-            quantiles::fill(&layout, nodes, quantiles);
-        }
-        packed
+/// The layout and the array of a map.
+pub(crate) fn pack(marginal: &Marginal) -> (Layout, Vec<f32>) {
+    let columns = &marginal.columns;
+    let kind = columns.kind;
+    let layout = Layout {
+        width: columns.width,
+        height: columns.height,
+        kind,
+        leaves: marginal.pieces.len(),
+        guide: marginal.by_weight.starts.len().div_ceil(STARTS),
+        quantiles: columns.height.div_ceil(ROWS),
+    };
+    let mut packed = Vec::with_capacity(layout.len().map_or(0, |len| len as usize));
+    packed.extend(layout.header());
+    let margin = f64::from(margin(kind, columns.width));
+    let leaves = marginal.pieces.iter().zip(marginal.cumulative.array_windows());
+    let leaves: Vec<_> = leaves.map(|(piece, weights)| leaf(marginal, piece, *weights, margin)).collect();
+    extend_guide::<WEIGHT>(&mut packed, &marginal.by_weight, &leaves);
+    extend_guide::<BEGIN>(&mut packed, &marginal.by_place, &leaves);
+    packed.extend(leaves.as_flattened().as_flattened());
+    packed.extend(leaves.iter().flat_map(head));
+    let border = kind.cells(layout.width) - layout.width;
+    let last = layout.width - 1;
+    let all = (0..layout.columns()).map(|column| column.saturating_sub(border).min(last));
+    let nodes = packed.len();
+    for column in all.clone() {
+        extend_nodes(&mut packed, columns, column, marginal.scale);
     }
+    let per = 0.25 * marginal.scale;
+    for column in all {
+        packed.extend(columns.values(column).iter().map(|&v| (f64::from(v) * per) as f32));
+    }
+    let quantiles = packed.len();
+    packed.resize(quantiles + kind.cells(layout.width) * (layout.quantiles + 1), 0.0);
+    let (before, quantiles) = packed.split_at_mut(quantiles);
+    if let Some(nodes) = before.get(nodes..) {
+        quantiles::fill(&layout, nodes, quantiles);
+    }
+    (layout, packed)
 }
 
 /// A column's integrals, and in bilinear maps its values, on the lines of the grid.

@@ -8,7 +8,7 @@ use crate::map::reconstruction::Reconstruction;
 
 /// A normal density on the map, sampled and inverted in `f32` from one array that it borrows: from flash, a file or a `Vec`.
 ///
-/// The array is made by `NdfMap::pack` (feature `alloc`). Everything that it says of the density holds here too; the
+/// `NdfMap::array` (feature `alloc`) returns the array. Everything that it says of the density holds here too; the
 /// distribution functions are rounded to `f32`, so what is not within 10⁻⁷ of the whole is lost.
 ///
 /// - **Accuracy:** `forward(sample(u)) = u` within 1e-6, and what the rounding of the normal's coordinates makes of it: 6e-8
@@ -23,8 +23,7 @@ use crate::map::reconstruction::Reconstruction;
 /// use asperity_ndf_sampling::{Ggx, Ndf, NdfMap, PackedMapRef, Reconstruction, glam::Vec2};
 ///
 /// let map = NdfMap::from_ndf(64, 64, Reconstruction::Bilinear, &Ggx::new(0.3, 0.5)?)?;
-/// let array = map.pack();
-/// let packed = PackedMapRef::new(&array)?;
+/// let packed = PackedMapRef::new(map.array())?;
 /// let u = Vec2::new(0.2, 0.7);
 /// let m = packed.sample(u);
 /// assert!(packed.forward(m.truncate()).abs_diff_eq(u, 1e-6));
@@ -50,27 +49,28 @@ pub struct PackedMapRef<'a> {
 }
 
 impl<'a> PackedMapRef<'a> {
-    /// The map that `NdfMap::pack` wrote into `array`.
+    /// The map in an array that `NdfMap::array` returned.
     ///
     /// # Errors
     /// An array without the header of a packed map, with a size in the header that is none, or of another length than these
     /// sizes need.
     pub fn new(array: &'a [f32]) -> Result<Self, PackedMapError> {
-        let layout = Layout::read(array)?;
+        Ok(Self::of(Layout::read(array)?, array))
+    }
+
+    /// The map in an array of the layout's length.
+    #[inline]
+    pub(crate) fn of(layout: Layout, array: &'a [f32]) -> Self {
         let mut rest = array.get(HEADER..).unwrap_or_default();
         let mut parts = [&array[..0]; 7];
         for (part, length) in parts.iter_mut().zip(layout.parts()) {
-            let length = length.and_then(|length| usize::try_from(length).ok());
-            let Some((first, others)) = length.and_then(|length| rest.split_at_checked(length)) else {
-                return Err(PackedMapError::Length { expected: u64::MAX, got: array.len() });
-            };
-            (*part, rest) = (first, others);
+            (*part, rest) = rest.split_at_checked(length.unwrap_or(0) as usize).unwrap_or((rest, &[]));
         }
         let [by_weight, by_place, leaves, heads, nodes, texels, quantiles] = parts;
         let [by_weight, by_place, heads] = [by_weight, by_place, heads].map(|part| part.as_chunks().0);
         let leaves = leaves.as_chunks().0.as_chunks().0;
         let grid = Grid::new(&layout);
-        Ok(Self { layout, grid, by_weight, by_place, leaves, heads, nodes, texels, quantiles })
+        Self { layout, grid, by_weight, by_place, leaves, heads, nodes, texels, quantiles }
     }
 
     /// The number of texels along x.
@@ -125,7 +125,8 @@ mod tests {
         use crate::{Measure, NdfMap};
 
         for kind in [Reconstruction::Constant, Reconstruction::Bilinear] {
-            let array = NdfMap::from_fn(24, 5, Measure::Normals, kind, |n| 1.0 + 0.5 * n.x).unwrap().pack();
+            let array =
+                NdfMap::from_fn(24, 5, Measure::Normals, kind, |n| 1.0 + 0.5 * n.x).unwrap().into_array();
             let map = PackedMapRef::new(&array).unwrap();
             assert_eq!((map.width(), map.height(), map.reconstruction()), (24, 5, kind));
             let (floats, words) = map.grid_and_parts();
@@ -157,7 +158,7 @@ mod tests {
         use crate::{Measure, NdfMap};
 
         let array =
-            NdfMap::from_fn(4, 4, Measure::Normals, Reconstruction::Constant, |n| n.z).unwrap().pack();
+            NdfMap::from_fn(4, 4, Measure::Normals, Reconstruction::Constant, |n| n.z).unwrap().into_array();
         let expected = array.len() as u64;
         for got in [HEADER, array.len() - 1] {
             assert_eq!(PackedMapRef::new(&array[..got]), Err(PackedMapError::Length { expected, got }));

@@ -2,23 +2,22 @@
 
 use alloc::vec::Vec;
 
-use glam::{Vec2, Vec3};
+use glam::Vec3;
 
-use crate::map::cdf::Cdf;
-use crate::map::disk::to_normal;
+use crate::density::delegate::delegate_ndf;
 use crate::map::error::{MAX_TEXELS, NdfMapError};
+use crate::map::marginal::Marginal;
+use crate::map::packed::layout::Layout;
+use crate::map::packed::pack::pack;
+use crate::map::packed::packed_map::PackedMapRef;
 use crate::map::reconstruction::Reconstruction;
 use crate::map::texels::{Measure, columns_of_texels, texel_edges, texel_meets};
 use crate::ndf::Ndf;
-use crate::numeric::normal_distribution::{inverse_phi, phi};
-
-/// The farthest Gaussian coordinate of a map: `1 − Φ` of it is the resolution of `f64` below 1.
-const FARTHEST: f64 = 8.125;
 
 /// Points per side at which a function is averaged over a texel.
 const POINTS: usize = 4;
 
-/// A normal density, constant on each texel of the (x, y) map and clipped to the disk, with its exact sampling.
+/// A normal density that is tabulated on the (x, y) map and clipped to the disk, with exact inversion sampling.
 ///
 /// ```text
 /// x = (n_x + 1)/2,  y = (n_y + 1)/2;      T(z) = (M, C)⁻¹(Φ(z₁), Φ(z₂)),   T⁻¹(m) = Φ⁻¹(M(x), C(y|x))
@@ -34,8 +33,11 @@ const POINTS: usize = 4;
 /// - **Resolution:** a roughness under about 6 texels (`α · size/2 < 6`) is not resolved: use [`Ggx`](crate::Ggx) or
 ///   [`Beckmann`](crate::Beckmann) there.
 /// - **Masking and visible normals:** by [`Masked`](crate::Masked).
-/// - **Accuracy:** a bilinear map of a function errs by the square of a texel: `m` by less than ½ over the square of the roughness in texels,
-///   `M` by less than a tenth of that. `T⁻¹(T(z)) = z` to the rounding of `m` to `f32`: 1.2e-7 times the slope of `z` over the normal.
+/// - **Accuracy:** a bilinear map of a function errs by the square of a texel: `M` by less than a twentieth over the square of the
+///   roughness in texels. Marginal and conditional are summed in `f64` and stored in `f32`, see [`PackedMapRef`].
+/// - **Storage:** one array of about 14 bytes per texel (10 for constant texels) and 110 to 150 bytes for each piece of the
+///   distribution of `n_x`, 930 pieces and a few for each row and column. [`array`](Self::array) returns it for files, flash
+///   and shaders.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Measure, Ndf, NdfMap, Reconstruction, glam::{Vec2, Vec3}};
@@ -54,7 +56,8 @@ const POINTS: usize = 4;
 #[doc(alias = "distribution 2d")]
 #[doc(alias = "tabulated")]
 pub struct NdfMap {
-    cdf: Cdf,
+    array: Vec<f32>,
+    layout: Layout,
 }
 
 impl NdfMap {
@@ -75,7 +78,9 @@ impl NdfMap {
             return Err(NdfMapError::Texels { expected, got: texels.len() });
         }
         let columns = columns_of_texels(width, height, texels, measure, reconstruction)?;
-        Cdf::new(columns).map(|cdf| Self { cdf }).ok_or(NdfMapError::Black { width, height })
+        let marginal = Marginal::new(columns).ok_or(NdfMapError::Black { width, height })?;
+        let (layout, array) = pack(&marginal);
+        Ok(Self { array, layout })
     }
 
     /// The map of a function: averaged over 4×4 points of each texel (those that are inside the disk) for
@@ -118,54 +123,29 @@ impl NdfMap {
         Self::from_fn(width, height, Measure::Normals, reconstruction, |m| ndf.density(m))
     }
 
-    /// The marginal and conditional distribution functions, their inverses, and the density over the map.
+    /// The map as a view, which has the plural calls.
     #[inline]
     #[must_use]
-    pub const fn cdf(&self) -> &Cdf {
-        &self.cdf
+    pub fn view(&self) -> PackedMapRef<'_> {
+        PackedMapRef::of(self.layout, &self.array)
+    }
+
+    /// The map as one array of `f32`, for [`PackedMapRef::new`]. It has the same bits on every machine that rounds alike.
+    #[inline]
+    #[must_use]
+    pub fn array(&self) -> &[f32] {
+        &self.array
+    }
+
+    /// The array of the map.
+    #[inline]
+    #[must_use]
+    pub fn into_array(self) -> Vec<f32> {
+        self.array
     }
 }
 
-impl Ndf for NdfMap {
-    #[inline]
-    fn density(&self, m: Vec3) -> f32 {
-        let [x, y] = on_map(m);
-        let (nx, ny) = (to_normal(x), to_normal(y));
-        // A unit normal at the rim may be outside the disk by the rounding of its coordinates.
-        if m.z > 0.0 && nx * nx + ny * ny <= 1.0 + 1e-6 {
-            (0.25 * self.cdf.value([x, y])) as f32
-        } else {
-            0.0
-        }
-    }
-
-    /// `(M, C)⁻¹(u)`, without the detour over Gaussian numbers.
-    #[inline]
-    fn sample(&self, u: Vec2) -> Vec3 {
-        let [x, y] = self.cdf.inverse([u.x, u.y].map(f64::from));
-        upward(to_normal(x), to_normal(y))
-    }
-
-    #[inline]
-    fn from_gaussian(&self, z: Vec2) -> Vec3 {
-        let u =
-            [z.x, z.y].map(|z| if z.is_nan() { 0.5 } else { phi(f64::from(z).clamp(-FARTHEST, FARTHEST)) });
-        let [x, y] = self.cdf.inverse(u);
-        upward(to_normal(x), to_normal(y))
-    }
-
-    #[inline]
-    fn to_gaussian(&self, m: Vec3) -> Vec2 {
-        let [z1, z2] = self.cdf.forward(on_map(m)).map(|u| inverse_phi(u).clamp(-FARTHEST, FARTHEST) as f32);
-        Vec2::new(z1, z2)
-    }
-}
-
-/// The map coordinates of a normal.
-#[inline]
-fn on_map(m: Vec3) -> [f64; 2] {
-    [m.x, m.y].map(|n| (f64::from(n) + 1.0) * 0.5)
-}
+delegate_ndf!(NdfMap, view);
 
 /// The unit normal over a point of the disk; just above the horizon at its rim.
 #[inline]
@@ -211,6 +191,7 @@ mod tests {
     extern crate std;
     use super::*;
     use crate::ndf::totality;
+    use glam::Vec2;
     use std::vec;
 
     #[test]
