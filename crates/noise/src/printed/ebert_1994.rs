@@ -154,7 +154,7 @@ pub struct Vnoise<'a>(
 
 /// `gnoise`: gradient noise in space with the table's gradients and the weights 3t² − 2t³; C¹, 0 at lattice points.
 ///
-/// [`Perlin1985`](crate::Perlin1985) before its division by √3/2, on the table.
+/// [`Perlin1985`] before its division by √3/2, on the table.
 ///
 /// - **Range:** ±√3/2.
 /// - **Period:** 256 along each axis.
