@@ -1,6 +1,8 @@
 //! `cargo xtask ci`: every gate that stands between a change and `main`.
 
-use std::{path::Path, time::Instant};
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::Instant;
 
 use super::{blocks, dependencies, packages, tidy};
 use crate::cargo::{cargo, run};
@@ -163,19 +165,24 @@ fn tests(root: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Every example runs, and every bench measures once.
+/// Every example runs, and every bench measures once, as `cargo test --workspace` builds them.
 fn examples_and_benches(root: &Path) -> Result<(), Failure> {
-    for package in metadata::published(root)? {
-        let name = &package.name;
-        if package.targets.iter().any(|target| target.kind == "bench") {
-            test(root, name, "--benches")?;
-        }
-        for example in package.targets.iter().filter(|target| target.kind == "example") {
-            let example = &example.name;
-            run(&mut cargo(
-                root,
-                &format!("run --quiet --profile test --package {name} --example {example}"),
-            ))?;
+    let packages = metadata::published(root)?;
+    let benches =
+        packages.iter().flat_map(|package| &package.targets).filter(|target| target.kind == "bench");
+    let mut test = cargo(root, "test --quiet --workspace");
+    run(test.args(benches.flat_map(|bench| ["--bench", &bench.name])))?;
+    let mut build = cargo(root, "test --workspace --no-run --message-format json-render-diagnostics");
+    let output = build.stderr(Stdio::inherit()).output()?;
+    if !output.status.success() {
+        return Err("the examples cannot be built".into());
+    }
+    for line in output.stdout.split(|&byte| byte == b'\n').filter(|line| line.starts_with(b"{")) {
+        let artifact: serde_json::Value = serde_json::from_slice(line)?;
+        if artifact["target"]["kind"][0] == "example"
+            && let Some(program) = artifact["executable"].as_str()
+        {
+            run(Command::new(program).current_dir(root).stdin(Stdio::null()))?;
         }
     }
     Ok(())
