@@ -1,6 +1,15 @@
 //! Foundations of the Asperity crates: SIMD lanes, float back ends, intervals, errors of batches and reports of checks.
 //!
-#![doc = include_str!("../README.md")]
+//! [`lanes`] is arithmetic written once, for one number or for SIMD registers, with the same bits; [`math`] the float functions of
+//! `std` or of `libm`; [`Interval`] rounds outward. The crates that are built on it re-export their users' part of it.
+//!
+//! ```
+//! use asperity_core::{Interval, math};
+//!
+//! let root = math::sqrt_f64(2.0);
+//! let square = Interval::new(root, root).product(Interval::new(root, root));
+//! assert!(square.inflated(1e-15).contains(2.0));
+//! ```
 #![no_std]
 
 #[cfg(any(feature = "check", test))]
