@@ -27,7 +27,7 @@ const PLACES: [&str; 11] = [
 ];
 
 /// Pages of a crate that its documentation includes.
-const PAGES: &str = "docs/pictures/";
+const PAGES: &str = "docs/";
 
 /// The most bytes of a packed package: twice the largest of today, a twentieth of what the registry takes.
 const LARGEST: u64 = 500_000;
