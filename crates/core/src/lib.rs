@@ -12,7 +12,7 @@
 //! ```
 #![no_std]
 
-#[cfg(any(feature = "check", test))]
+#[cfg(feature = "check")]
 extern crate alloc;
 #[cfg(any(feature = "std", test))]
 extern crate std;
