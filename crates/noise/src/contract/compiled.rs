@@ -9,7 +9,7 @@ use crate::{
     contract::kernel::{FillList, FillRow, Kernel, OctaveSamples, OctavesAt, lone},
     lanes::lanes::{LaneSample, Scalar},
     lanes::level::Instructions,
-    lattice::lattice::Lattice,
+    lattice::lattice::{Lattice, OnLattice},
 };
 
 /// The dimensions that kinds are compiled in; in four a kind takes as long to compile as in all others together, and few use it.
@@ -19,6 +19,11 @@ const DIMENSIONS: usize = 3;
 #[must_use]
 pub(crate) const fn is_compiled<L: Lattice>(dimensions: usize) -> bool {
     L::STANDARD && dimensions <= DIMENSIONS
+}
+
+/// Whether a kind, on its own lattice, is compiled here.
+pub(crate) const fn has_forms<K: OnLattice>(dimensions: usize) -> bool {
+    is_compiled::<K::Lattice>(dimensions)
 }
 
 /// The evaluations of a kind in N dimensions.
@@ -41,7 +46,7 @@ impl<K: Kernel<N>, const N: usize> Forms<K, N> {
     };
 
     /// For a dimension that there is not.
-    const NONE: Self = Self {
+    pub(crate) const NONE: Self = Self {
         value: |_, _, _| 0.0,
         sample: |_, _, _| (0.0, [0.0; N]),
         row: |_, _| (),
@@ -58,12 +63,12 @@ pub(crate) trait Compiled<const N: usize>: Sized + 'static {
         Self: Kernel<N>;
 }
 
-/// The forms among those of all dimensions.
+/// The forms in N dimensions, of those of all dimensions.
 #[inline(always)]
-pub(crate) fn in_dimension<K: Kernel<N> + 'static, const N: usize>(
+pub(crate) fn in_dimension<T: 'static, const N: usize>(
     forms: [&'static dyn Any; DIMENSIONS],
-) -> &'static Forms<K, N> {
-    forms.get(N - 1).and_then(|forms| forms.downcast_ref()).unwrap_or(const { &Forms::NONE })
+) -> Option<&'static T> {
+    forms.get(N - 1)?.downcast_ref()
 }
 
 /// Implements `Compiled` for a kind: statics, which no program that uses the crate compiles again.
@@ -76,7 +81,8 @@ macro_rules! compiled {
                 static LINE: Forms<$kind, 1> = Forms::ALL;
                 static PLANE: Forms<$kind, 2> = Forms::ALL;
                 static SPACE: Forms<$kind, 3> = Forms::ALL;
-                $crate::contract::compiled::in_dimension([&LINE, &PLANE, &SPACE])
+                let forms = $crate::contract::compiled::in_dimension::<_, N>([&LINE, &PLANE, &SPACE]);
+                forms.unwrap_or(const { &Forms::NONE })
             }
         }
     };
@@ -90,11 +96,7 @@ macro_rules! on_standard_lattice {
         #[inline]
         fn value_at(&self, p: [f32; N], seed: u32) -> f32 {
             use $crate::contract::compiled::Compiled;
-            if const {
-                $crate::contract::compiled::is_compiled::<
-                    <Self as $crate::lattice::lattice::OnLattice>::Lattice,
-                >(N)
-            } {
+            if const { $crate::contract::compiled::has_forms::<Self>(N) } {
                 return (Compiled::<N>::forms().value)(&self.standard(), p, seed);
             }
             $crate::contract::kernel::lone::<Self, N, false>(self, p, seed).0
@@ -107,11 +109,7 @@ macro_rules! on_standard_lattice {
             seed: u32,
         ) -> $crate::lanes::lanes::LaneSample<$crate::lanes::lanes::Scalar, N> {
             use $crate::contract::compiled::Compiled;
-            if const {
-                $crate::contract::compiled::is_compiled::<
-                    <Self as $crate::lattice::lattice::OnLattice>::Lattice,
-                >(N)
-            } {
+            if const { $crate::contract::compiled::has_forms::<Self>(N) } {
                 return (Compiled::<N>::forms().sample)(&self.standard(), p, seed);
             }
             $crate::contract::kernel::lone::<Self, N, true>(self, p, seed)
@@ -122,11 +120,7 @@ macro_rules! on_standard_lattice {
             instructions: $crate::lanes::level::Instructions,
         ) {
             use $crate::contract::{compiled::Compiled, kernel::FillRow};
-            if const {
-                $crate::contract::compiled::is_compiled::<
-                    <Self as $crate::lattice::lattice::OnLattice>::Lattice,
-                >(N)
-            } {
+            if const { $crate::contract::compiled::has_forms::<Self>(N) } {
                 let FillRow { kernel, seed, row, scratch, values, gradients } = call;
                 let call = FillRow { kernel: &kernel.standard(), seed, row, scratch, values, gradients };
                 return (Compiled::<N>::forms().row)(call, instructions);
@@ -139,11 +133,7 @@ macro_rules! on_standard_lattice {
             instructions: $crate::lanes::level::Instructions,
         ) {
             use $crate::contract::{compiled::Compiled, kernel::FillList};
-            if const {
-                $crate::contract::compiled::is_compiled::<
-                    <Self as $crate::lattice::lattice::OnLattice>::Lattice,
-                >(N)
-            } {
+            if const { $crate::contract::compiled::has_forms::<Self>(N) } {
                 let FillList { kernel, seed, points, values, gradients } = call;
                 let call = FillList { kernel: &kernel.standard(), seed, points, values, gradients };
                 return (Compiled::<N>::forms().list)(call, instructions);
@@ -157,11 +147,7 @@ macro_rules! on_standard_lattice {
             samples: &mut $crate::contract::kernel::OctaveSamples<N>,
         ) -> Option<()> {
             use $crate::contract::compiled::Compiled;
-            if const {
-                $crate::contract::compiled::is_compiled::<
-                    <Self as $crate::lattice::lattice::OnLattice>::Lattice,
-                >(N)
-            } {
+            if const { $crate::contract::compiled::has_forms::<Self>(N) } {
                 return (Compiled::<N>::forms().octaves)(&self.standard(), octaves, samples);
             }
             octaves.evaluate(self, samples)

@@ -1,9 +1,7 @@
 //! Value-gradient noise, normalised so that it is exactly Gaussian at every point.
 
-use core::any::Any;
-
 use crate::{
-    contract::compiled::is_compiled,
+    contract::compiled::{in_dimension, is_compiled},
     contract::kernel::{self, Measured, OctaveSamples, OctavesAt},
     contract::noise::{kind, measured, noise},
     kinds::cell::at_ends::by_corners,
@@ -180,8 +178,7 @@ fn forms<const N: usize>() -> &'static PairForms<N> {
     static LINE: PairForms<1> = PairForms::ALL;
     static PLANE: PairForms<2> = PairForms::ALL;
     static SPACE: PairForms<3> = PairForms::ALL;
-    let forms: [&'static dyn Any; 3] = [&LINE, &PLANE, &SPACE];
-    forms.get(N - 1).and_then(|forms| forms.downcast_ref()).unwrap_or(const { &PairForms::NONE })
+    in_dimension::<_, N>([&LINE, &PLANE, &SPACE]).unwrap_or(const { &PairForms::NONE })
 }
 
 impl<L: Lattice, const N: usize> CellNoise<N> for Gaussian<L> {
