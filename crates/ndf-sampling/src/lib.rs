@@ -66,7 +66,6 @@
 //! | `check` | property tests for any density, your own included: module [`check`] |
 //! | `serde` | the parameters of [`Ggx`], [`Beckmann`], [`StudentT`], [`Ward`], [`BlinnPhong`] and [`AshikhminShirley`] in files, read through `new`; formats and layouts |
 //! | `rand` | densities as [`Distribution`](https://docs.rs/rand/latest/rand/distr/trait.Distribution.html)s of normals: `rng.sample(&ggx)` |
-//! | `proptest` | strategies of `proptest` for directions, roughness and unit squares, with `std`: module [`strategies`] |
 //! | `alloc` (default) | [`NdfMap`], [`Masked`], [`NdfEstimator`] and [`NormalTable`], which own their tables; [`NormalTableRef`] does without |
 
 #![no_std]
@@ -98,8 +97,6 @@ mod radial;
 mod rand;
 mod range_error;
 mod serde;
-#[cfg(feature = "proptest")]
-pub mod strategies;
 
 pub use glam;
 

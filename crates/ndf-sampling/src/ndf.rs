@@ -169,6 +169,7 @@ pub(crate) fn unit_square(u: Vec2) -> Vec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn infinite_vectors_have_the_density_zero_for_samples() {
@@ -221,11 +222,7 @@ mod tests {
             let expected = split.weigh(ggx.density(h), ggx.to_gaussian(h));
             assert!(expected > 0.0);
             assert_eq!(plain.conditional_density(h, split), expected);
-            asperity_core::assert_abs_diff_eq!(
-                ggx.conditional_density(h, split),
-                expected,
-                epsilon = 2e-5 * expected
-            );
+            assert_abs_diff_eq!(ggx.conditional_density(h, split), expected, epsilon = 2e-5 * expected);
         }
     }
 

@@ -1,6 +1,5 @@
 //! The traits of `approx` for the values that surfaces, pixels and light are made of.
 
-use approx::{AbsDiffEq, RelativeEq, UlpsEq};
 use glam::Vec3;
 
 use crate::bump::{Displaced, Facet};
@@ -12,55 +11,7 @@ use crate::pixel::{Footprint, PixelEllipse, Tap};
 use crate::reflectance::Delta;
 use crate::texture::{BrickSample, Edge, PerturbedLookUp, Seen};
 
-/// Part by part, with one tolerance.
-macro_rules! approximate {
-    ($($type:ty: $value:ident => $($part:expr),*;)*) => {
-        $(
-            impl AbsDiffEq for $type {
-                type Epsilon = f32;
-
-                fn default_epsilon() -> f32 {
-                    f32::EPSILON
-                }
-
-                fn abs_diff_eq(&self, other: &Self, epsilon: f32) -> bool {
-                    true $(&& {
-                        let part = |$value: &Self| $part;
-                        AbsDiffEq::abs_diff_eq(&part(self), &part(other), epsilon)
-                    })*
-                }
-            }
-
-            impl RelativeEq for $type {
-                fn default_max_relative() -> f32 {
-                    f32::EPSILON
-                }
-
-                fn relative_eq(&self, other: &Self, epsilon: f32, most: f32) -> bool {
-                    true $(&& {
-                        let part = |$value: &Self| $part;
-                        RelativeEq::relative_eq(&part(self), &part(other), epsilon, most)
-                    })*
-                }
-            }
-
-            impl UlpsEq for $type {
-                fn default_max_ulps() -> u32 {
-                    4
-                }
-
-                fn ulps_eq(&self, other: &Self, epsilon: f32, most: u32) -> bool {
-                    true $(&& {
-                        let part = |$value: &Self| $part;
-                        UlpsEq::ulps_eq(&part(self), &part(other), epsilon, most)
-                    })*
-                }
-            }
-        )*
-    };
-}
-
-approximate! {
+asperity_core::impl_approx! { f32;
     // Infinite widths have no difference.
     Footprint: v => v.width().min(f32::MAX);
     Tap: v => v.offset, v.footprint;

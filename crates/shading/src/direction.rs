@@ -69,6 +69,7 @@ pub(crate) fn along(v: Vec3) -> Option<Vec3> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn vectors_of_any_length_have_a_unit_vector() {

@@ -82,7 +82,6 @@
 //! | `alloc` (default) | the owned tables of `asperity-ndf-sampling`, environment maps, normal maps, boxed materials |
 //! | `simd` (default) | many lights, and the noise of a point, in SIMD lanes, the best that the machine has; the same bits without it |
 //! | `check` | property tests for any reflectance, your own included: module [`check`] |
-//! | `proptest` | strategies of `proptest` for footprints, directions, roughness and unit squares, with `std`: module [`strategies`] |
 //! | `serde` | parameters of materials written to files, and forms of reflectances; a file names the parameters that differ from the defaults |
 //! | `approx` | the traits of `approx` for points, pixels, facets, samples of light and textures, glam's values, and those of `asperity-noise` and `asperity-ndf-sampling` |
 #![no_std]
@@ -95,10 +94,6 @@ extern crate alloc;
 
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("asperity-shading needs a float backend: enable the feature `std` or `libm`");
-
-#[cfg(test)]
-#[macro_use]
-mod assertions;
 
 #[cfg(feature = "approx")]
 mod approx;
@@ -115,8 +110,6 @@ pub mod normal_map;
 mod parameter;
 pub mod pixel;
 pub mod reflectance;
-#[cfg(feature = "proptest")]
-pub mod strategies;
 pub mod texture;
 
 pub use asperity_ndf_sampling as ndf_sampling;

@@ -193,6 +193,7 @@ pub(crate) fn direction_in_plane(parameter: &'static str, value: Vec2) -> Result
 mod tests {
     extern crate std;
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
     use std::string::ToString;
 
     #[test]

@@ -282,6 +282,7 @@ fn plus<const N: usize>(mut a: [f64; N], b: [f64; N]) -> [f64; N] {
 mod tests {
     use super::*;
     use crate::{Ggx, Ndf};
+    use asperity_core::assert_abs_diff_eq;
 
     fn ggx(count: u32) -> impl Iterator<Item = Vec3> {
         let ggx = Ggx::new(0.05, 0.4).unwrap();
@@ -294,7 +295,7 @@ mod tests {
     fn cells_cover_the_hemisphere_once() {
         let cells = Cells::of_hemisphere(ggx(4096));
         let areas = cells.integrate(|_| 1.0);
-        asperity_core::assert_abs_diff_eq!(areas.iter().sum::<f64>(), 2.0 * PI, epsilon = 2e-4);
+        assert_abs_diff_eq!(areas.iter().sum::<f64>(), 2.0 * PI, epsilon = 2e-4);
         // Each holds its share of the samples, but for those that share a coordinate with a cut.
         let counts = cells.count(ggx(4096));
         assert!(counts.iter().sum::<u64>() == 4096 && counts.iter().all(|count| (12..=20).contains(count)));
@@ -307,8 +308,8 @@ mod tests {
             .integrate_all(|m| [1.0, if m.z > 0.0 { 1.0 } else { 0.0 }])
             .into_iter()
             .fold([0.0; 2], plus);
-        asperity_core::assert_abs_diff_eq!(whole, 4.0 * PI, epsilon = 4e-4);
-        asperity_core::assert_abs_diff_eq!(upper, 2.0 * PI, epsilon = 2e-4);
+        assert_abs_diff_eq!(whole, 4.0 * PI, epsilon = 4e-4);
+        assert_abs_diff_eq!(upper, 2.0 * PI, epsilon = 2e-4);
         assert_eq!(
             Cells::of_sphere([Vec3::NAN]).count([Vec3::NAN, Vec3::Z, -Vec3::X]).iter().sum::<u64>(),
             3
@@ -327,19 +328,15 @@ mod tests {
         let cells = Cells::of_hemisphere(ggx(4032).chain(near));
         let at = |m: Vec3| math::exp_f64(-f64::from((m - lobe).length_squared()) / 1e-8) / (PI * 1e-8);
         // One part of 64 lies beyond the outermost of 64 samples.
-        asperity_core::assert_abs_diff_eq!(
-            cells.integrate(at).iter().sum::<f64>(),
-            1.0,
-            epsilon = 1.0 / 64.0
-        );
+        assert_abs_diff_eq!(cells.integrate(at).iter().sum::<f64>(), 1.0, epsilon = 1.0 / 64.0);
     }
 
     #[test]
     fn directions_keep_their_coordinates() {
         for place in [[-20.0, 0.3], [-3.0, -3.1], [-0.1, 2.0], [0.1, 2.0], [3.0, 1.0], [20.0, -0.3]] {
             let back = coordinates(direction(place).0);
-            asperity_core::assert_abs_diff_eq!(back[0], place[0], epsilon = 1e-6, "{place:?}");
-            asperity_core::assert_abs_diff_eq!(back[1], place[1], epsilon = 1e-6, "{place:?}");
+            assert_abs_diff_eq!(back[0], place[0], epsilon = 1e-6, "{place:?}");
+            assert_abs_diff_eq!(back[1], place[1], epsilon = 1e-6, "{place:?}");
         }
         assert_eq!(coordinates(Vec3::Z)[0], ZENITH);
     }

@@ -229,6 +229,7 @@ impl Radial for AshikhminShirley {
 mod tests {
     use super::*;
     use crate::Microfacet;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn equal_exponents_are_blinn_phong() {
@@ -243,11 +244,11 @@ mod tests {
                     worst = worst.max((got / expected - 1.0).abs());
                 }
                 let (got, expected) = (equal.projected_area(v), phong.projected_area(v));
-                asperity_core::assert_abs_diff_eq!(got / expected, 1.0, epsilon = 1e-6, "{n} {k}");
+                assert_abs_diff_eq!(got / expected, 1.0, epsilon = 1e-6, "{n} {k}");
                 let z = Vec2::new(k as f32 / 15.0, 1.0 - k as f32 / 20.0);
                 let m = phong.from_gaussian(z);
-                asperity_core::assert_abs_diff_eq!(equal.from_gaussian(z), m, epsilon = 1e-6);
-                asperity_core::assert_abs_diff_eq!(equal.to_gaussian(m), z, epsilon = 5e-6);
+                assert_abs_diff_eq!(equal.from_gaussian(z), m, epsilon = 1e-6);
+                assert_abs_diff_eq!(equal.to_gaussian(m), z, epsilon = 5e-6);
             }
         }
         assert!(worst < 1e-5, "{worst:e}");

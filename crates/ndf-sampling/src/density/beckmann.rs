@@ -165,6 +165,7 @@ impl Radial for Beckmann {
 mod tests {
     use super::*;
     use crate::ndf::Ndf;
+    use asperity_core::assert_abs_diff_eq;
 
     fn exact(alpha: [f32; 2], m: Vec3) -> (f64, f64) {
         let ([ax, ay], [x, y, z]) = (alpha.map(f64::from), m.to_array().map(f64::from));
@@ -176,7 +177,7 @@ mod tests {
     fn density_is_relative_down_to_the_least_normal_number() {
         let m = Vec3::new(0.920_338_1, -0.332_970_1, 0.205_204);
         let got = Beckmann::isotropic(0.5).unwrap().density(m);
-        asperity_core::assert_abs_diff_eq!(got / 2.181_27e-37, 1.0, epsilon = 5e-5, "{got:e}");
+        assert_abs_diff_eq!(got / 2.181_27e-37, 1.0, epsilon = 5e-5, "{got:e}");
         let mut farthest = 0.0_f64;
         for alpha in [[0.5; 2], [1e-6; 2], [1e-3; 2], [1.0; 2], [1e6; 2], [1e6, 1e-6], [0.02, 3.0]] {
             let beckmann = Beckmann::new(alpha[0], alpha[1]).unwrap();
@@ -187,7 +188,7 @@ mod tests {
                 let (a, exact) = exact(alpha, m);
                 let got = f64::from(beckmann.density(m));
                 if exact >= f64::from(f32::MIN_POSITIVE) {
-                    asperity_core::assert_abs_diff_eq!(
+                    assert_abs_diff_eq!(
                         got / exact,
                         1.0,
                         epsilon = 1e-6 + 5e-7 * a,

@@ -107,13 +107,14 @@ pub(crate) fn roughness(exponent: f32) -> f32 {
 mod tests {
     use super::*;
     use crate::{Ggx, Ndf};
+    use asperity_core::assert_abs_diff_eq;
     use glam::{Vec2, Vec3};
 
     #[test]
     fn exponents_and_roughnesses_convert() {
         for alpha in [1.0_f32, 0.5, 0.01, 1e-3, 2e-6] {
             let back = BlinnPhong::from_roughness(alpha).unwrap().roughness();
-            asperity_core::assert_abs_diff_eq!(back / alpha, 1.0, epsilon = 1e-6, "{alpha}");
+            assert_abs_diff_eq!(back / alpha, 1.0, epsilon = 1e-6, "{alpha}");
         }
     }
 
@@ -122,12 +123,8 @@ mod tests {
         let (diffuse, ggx) = (BlinnPhong::new(0.0).unwrap(), Ggx::isotropic(1.0).unwrap());
         for z in [Vec2::new(0.7, -1.2), Vec2::ZERO, Vec2::new(-3.0, 0.1)] {
             let m = diffuse.from_gaussian(z);
-            asperity_core::assert_abs_diff_eq!(m, ggx.from_gaussian(z), epsilon = 1e-6, "{m}");
-            asperity_core::assert_abs_diff_eq!(
-                diffuse.density(m) * core::f32::consts::PI,
-                1.0,
-                epsilon = 1e-6
-            );
+            assert_abs_diff_eq!(m, ggx.from_gaussian(z), epsilon = 1e-6, "{m}");
+            assert_abs_diff_eq!(diffuse.density(m) * core::f32::consts::PI, 1.0, epsilon = 1e-6);
         }
         assert_eq!(diffuse.density(Vec3::NEG_Z), 0.0);
     }

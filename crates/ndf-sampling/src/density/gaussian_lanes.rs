@@ -159,6 +159,7 @@ fn closer<S: Arithmetic>(s: S, [b, u, per_total]: [S::F; 3], x: S::F, [density, 
 mod tests {
     use super::*;
     use crate::numeric::normal_distribution;
+    use asperity_core::assert_abs_diff_eq;
     use asperity_core::lanes::Scalar;
 
     #[test]
@@ -170,7 +171,7 @@ mod tests {
             let exact = normal_distribution::phi(-f64::from(x));
             // The exponential magnifies the rounding of x²/2.
             let bound = 5e-7 + 6e-8 * f64::from(x * x);
-            asperity_core::assert_abs_diff_eq!(f64::from(tail) / exact, 1.0, epsilon = bound, "{x}");
+            assert_abs_diff_eq!(f64::from(tail) / exact, 1.0, epsilon = bound, "{x}");
         }
     }
 

@@ -165,12 +165,13 @@ impl Radial for Ggx {
 mod tests {
     use super::*;
     use crate::ndf::Ndf;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn small_roughness_keeps_its_slopes() {
         let m = Ggx::isotropic(1e-4).unwrap().from_gaussian(Vec2::new(0.01, -0.02));
-        asperity_core::assert_abs_diff_eq!(m.x / 7.071e-7, 1.0, epsilon = 1e-3);
-        asperity_core::assert_abs_diff_eq!(m.y / -1.4142e-6, 1.0, epsilon = 1e-3);
+        assert_abs_diff_eq!(m.x / 7.071e-7, 1.0, epsilon = 1e-3);
+        assert_abs_diff_eq!(m.y / -1.4142e-6, 1.0, epsilon = 1e-3);
     }
 
     #[test]
@@ -178,7 +179,7 @@ mod tests {
         let ggx = Ggx::new(0.3, 1.0).unwrap();
         for k in 1..=48 {
             let z = Vec2::new(0.6, -0.8) * (k as f32 * 0.25);
-            asperity_core::assert_abs_diff_eq!(ggx.to_gaussian(ggx.from_gaussian(z)), z, epsilon = 4e-6);
+            assert_abs_diff_eq!(ggx.to_gaussian(ggx.from_gaussian(z)), z, epsilon = 4e-6);
         }
     }
 
@@ -201,7 +202,7 @@ mod tests {
         let v = Vec3::new(0.038_226_18, 0.032_197_46, 0.998_750_4);
         let m = Ggx::new(0.05, 0.6).unwrap().sample_visible(v, Vec2::new(0.95, 0.999));
         // The digits of the view are rounded.
-        asperity_core::assert_abs_diff_eq!(m.y, -0.169_988, epsilon = 2e-6);
+        assert_abs_diff_eq!(m.y, -0.169_988, epsilon = 2e-6);
         let mut worst = (0.0_f64, Vec3::Z, Vec2::ZERO);
         for (alpha, tilt) in [[0.05, 0.6], [0.6, 0.05], [1e-4, 1e-4], [1e-3, 1.0], [1.0, 1.0]]
             .into_iter()

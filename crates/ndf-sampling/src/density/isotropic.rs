@@ -339,6 +339,7 @@ fn check(values: &[f32]) -> Result<(), IsotropicError> {
 #[cfg(all(test, feature = "alloc"))]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn constant_table_is_the_diffuse_lobe() {
@@ -346,17 +347,12 @@ mod tests {
         for k in 0..=240 {
             let z = Vec2::new(0.6, -0.8) * (k as f32 * 0.05);
             let m = diffuse.from_gaussian(z);
-            asperity_core::assert_abs_diff_eq!(table.from_gaussian(z), m, epsilon = 1e-6, "T({z})");
-            asperity_core::assert_abs_diff_eq!(table.to_gaussian(m), z, epsilon = 2e-5, "T⁻¹({m})");
-            asperity_core::assert_abs_diff_eq!(
-                table.density(m) * core::f32::consts::PI,
-                1.0,
-                epsilon = 1e-6,
-                "{z}"
-            );
+            assert_abs_diff_eq!(table.from_gaussian(z), m, epsilon = 1e-6, "T({z})");
+            assert_abs_diff_eq!(table.to_gaussian(m), z, epsilon = 2e-5, "T⁻¹({m})");
+            assert_abs_diff_eq!(table.density(m) * core::f32::consts::PI, 1.0, epsilon = 1e-6, "{z}");
         }
         let m = table.from_gaussian(Vec2::new(1e-5, 0.0));
-        asperity_core::assert_abs_diff_eq!(m.x / (1e-5 * 0.5_f32.sqrt()), 1.0, epsilon = 1e-5);
+        assert_abs_diff_eq!(m.x / (1e-5 * 0.5_f32.sqrt()), 1.0, epsilon = 1e-5);
     }
 
     #[test]
@@ -369,9 +365,9 @@ mod tests {
             for k in 0..=150 {
                 let z = Vec2::new(0.6, -0.8) * (k as f32 * 0.03 + 1e-3);
                 let m = table.from_gaussian(z);
-                asperity_core::assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-6, "{z}");
+                assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-6, "{z}");
                 assert!(m.z <= last, "{z}: {m}");
-                asperity_core::assert_abs_diff_eq!(table.to_gaussian(m), z, epsilon = 2e-4, "T⁻¹({m})");
+                assert_abs_diff_eq!(table.to_gaussian(m), z, epsilon = 2e-4, "T⁻¹({m})");
                 last = m.z;
             }
         }

@@ -62,6 +62,7 @@ pub(crate) fn invert(value: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn parts_of_a_cell_add_up_and_are_inverted() {
@@ -71,19 +72,9 @@ mod tests {
             for k in 0..=32 {
                 let x = f64::from(k) / 32.0;
                 let (below, above) = (cell.below(x), cell.above(1.0 - x));
-                asperity_core::assert_abs_diff_eq!(
-                    below + above,
-                    whole,
-                    epsilon = 1e-14 * whole,
-                    "{low} {high} {x}"
-                );
+                assert_abs_diff_eq!(below + above, whole, epsilon = 1e-14 * whole, "{low} {high} {x}");
                 let back = invert(below, |x| (cell.below(x), cell.weight(x)));
-                asperity_core::assert_abs_diff_eq!(
-                    cell.below(back),
-                    below,
-                    epsilon = 1e-13 * whole,
-                    "{low} {high} {x}"
-                );
+                assert_abs_diff_eq!(cell.below(back), below, epsilon = 1e-13 * whole, "{low} {high} {x}");
             }
         }
     }

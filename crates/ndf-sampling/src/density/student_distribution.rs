@@ -234,6 +234,7 @@ mod tests {
     use super::*;
     use crate::density::visible_slopes;
     use crate::numeric::normal_distribution::phi;
+    use asperity_core::assert_abs_diff_eq;
 
     /// Tails in closed form for ν = 1, 2, 3, 4.
     fn closed(nu: u32, z: f64) -> f64 {
@@ -260,24 +261,14 @@ mod tests {
             for nu in 1..=4 {
                 let (got, expected) = (StudentDistribution::new(f64::from(nu)).tail(z), closed(nu, z));
                 // The closed forms are differences.
-                asperity_core::assert_abs_diff_eq!(
-                    got,
-                    expected,
-                    epsilon = 1e-13 * expected + 1e-15,
-                    "{nu} {z}"
-                );
+                assert_abs_diff_eq!(got, expected, epsilon = 1e-13 * expected + 1e-15, "{nu} {z}");
             }
             let (got, expected) = (StudentDistribution::new(1e13).tail(z), phi(-z));
-            asperity_core::assert_abs_diff_eq!(
-                got / expected,
-                1.0,
-                epsilon = 1e-12 + z.powi(4) / 3e13,
-                "{z}"
-            );
+            assert_abs_diff_eq!(got / expected, 1.0, epsilon = 1e-12 + z.powi(4) / 3e13, "{z}");
         }
         let student = StudentDistribution::new(5.0);
         assert_eq!([0.0, -f64::INFINITY, f64::INFINITY].map(|z| student.tail(z)), [0.5, 1.0, 0.0]);
-        asperity_core::assert_abs_diff_eq!(student.tail(-0.7) + student.tail(0.7), 1.0, epsilon = 1e-15);
+        assert_abs_diff_eq!(student.tail(-0.7) + student.tail(0.7), 1.0, epsilon = 1e-15);
     }
 
     #[test]
@@ -287,7 +278,7 @@ mod tests {
             let seam = student.seam();
             let (left, right) = (seam * (1.0 - 1e-6), seam);
             let slope = (student.tail(left) - student.tail(right)) / (right - left) / student.density(seam);
-            asperity_core::assert_abs_diff_eq!(slope, 1.0, epsilon = 1e-4, "{nu}");
+            assert_abs_diff_eq!(slope, 1.0, epsilon = 1e-4, "{nu}");
             let fall = (student.excess(left) - student.excess(right)) / (right - left) / student.tail(seam);
             assert!((fall - 1.0).abs() < 1e-4 || nu == 1.0, "{nu}: {fall}");
         }
@@ -299,14 +290,9 @@ mod tests {
             let root = (2.0 + z * z).sqrt();
             // √(2 + z²)/2 − z/2
             let (got, expected) = (StudentDistribution::new(2.0).excess(z), 1.0 / (root + z));
-            asperity_core::assert_abs_diff_eq!(got / expected, 1.0, epsilon = 1e-13, "{z}");
+            assert_abs_diff_eq!(got / expected, 1.0, epsilon = 1e-13, "{z}");
             let (got, expected) = (StudentDistribution::new(1e13).excess(z), visible_slopes::exact_excess(z));
-            asperity_core::assert_abs_diff_eq!(
-                got / expected,
-                1.0,
-                epsilon = 1e-11 + z.powi(4) / 3e13,
-                "{z}"
-            );
+            assert_abs_diff_eq!(got / expected, 1.0, epsilon = 1e-11 + z.powi(4) / 3e13, "{z}");
         }
         assert_eq!([f64::INFINITY, f64::NAN].map(|z| StudentDistribution::new(3.0).excess(z)), [0.0, 0.0]);
     }
@@ -318,7 +304,7 @@ mod tests {
             for k in 0..=200 {
                 let u = if k < 24 { 0.5_f64.powi(26 - k) } else { f64::from(k - 23) / 178.0 };
                 let x = student.quantile(u);
-                asperity_core::assert_abs_diff_eq!(student.tail(-x), u, epsilon = 1e-12, "{nu}: {x}");
+                assert_abs_diff_eq!(student.tail(-x), u, epsilon = 1e-12, "{nu}: {x}");
             }
         }
     }
@@ -337,7 +323,7 @@ mod tests {
                     } else {
                         student.tail(x)
                     };
-                    asperity_core::assert_abs_diff_eq!(1.0 - right, u, epsilon = 1e-12, "{nu} {b}: {x}");
+                    assert_abs_diff_eq!(1.0 - right, u, epsilon = 1e-12, "{nu} {b}: {x}");
                 }
             }
         }

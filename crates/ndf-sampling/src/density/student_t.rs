@@ -200,6 +200,7 @@ const STEEPEST: f64 = 1e100;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn visible_normals_of_the_heaviest_tail_are_unit() {
@@ -209,12 +210,7 @@ mod tests {
             for v in [Vec3::NEG_X, Vec3::Y, Vec3::new(0.6, 0.0, 0.8), Vec3::Z] {
                 for u in ends.iter().flat_map(|&x| ends.map(|y| Vec2::new(x, y))) {
                     let m = facets.sample_visible(v, u);
-                    asperity_core::assert_abs_diff_eq!(
-                        m.length(),
-                        1.0,
-                        epsilon = 1e-5,
-                        "{facets:?} {v} {u}: {m}"
-                    );
+                    assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-5, "{facets:?} {v} {u}: {m}");
                 }
             }
         }
@@ -228,36 +224,26 @@ mod tests {
             let student = StudentT::new(0.2, 0.4, gamma).unwrap();
             for z in [Vec2::new(0.7, -1.2), Vec2::ZERO, Vec2::new(-3.0, 0.1)] {
                 let (m, v) = (other.from_gaussian(z), Vec3::new(z.y, z.x, 0.8).normalize());
-                asperity_core::assert_abs_diff_eq!(student.from_gaussian(z), m, epsilon = 1e-6);
-                asperity_core::assert_abs_diff_eq!(student.to_gaussian(m), z, epsilon = 4e-6);
-                asperity_core::assert_abs_diff_eq!(
+                assert_abs_diff_eq!(student.from_gaussian(z), m, epsilon = 1e-6);
+                assert_abs_diff_eq!(student.to_gaussian(m), z, epsilon = 4e-6);
+                assert_abs_diff_eq!(
                     student.density(m) / other.density(m),
                     1.0,
                     epsilon = 5e-6,
                     "{gamma} {z}"
                 );
                 let lambda = other.lambda(v);
-                asperity_core::assert_abs_diff_eq!(
-                    student.lambda(v),
-                    lambda,
-                    epsilon = 2e-6 * lambda,
-                    "{gamma} {z}"
-                );
+                assert_abs_diff_eq!(student.lambda(v), lambda, epsilon = 2e-6 * lambda, "{gamma} {z}");
                 let [area, expected] = [student.projected_area(v), other.projected_area(v)];
-                asperity_core::assert_abs_diff_eq!(area / expected, 1.0, epsilon = 1e-6, "{gamma} {z}");
+                assert_abs_diff_eq!(area / expected, 1.0, epsilon = 1e-6, "{gamma} {z}");
                 let u = Vec2::new(0.3, 0.8);
-                asperity_core::assert_abs_diff_eq!(
-                    student.sample(u),
-                    other.sample(u),
-                    epsilon = 1e-6,
-                    "{gamma}"
-                );
+                assert_abs_diff_eq!(student.sample(u), other.sample(u), epsilon = 1e-6, "{gamma}");
             }
         }
         let v = Vec3::new(-0.8, 0.3, 0.2);
         let student = StudentT::new(0.2, 0.4, 1e10).unwrap();
         let [a, b] =
             [&student as &dyn Microfacet, &beckmann].map(|ndf| ndf.sample_visible(v, Vec2::new(0.3, 0.8)));
-        asperity_core::assert_abs_diff_eq!(a, b, epsilon = 1e-6);
+        assert_abs_diff_eq!(a, b, epsilon = 1e-6);
     }
 }

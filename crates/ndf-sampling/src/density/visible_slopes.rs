@@ -109,6 +109,7 @@ const MOST_STEPS: usize = 8;
 mod tests {
     use super::*;
     use crate::numeric::normal_distribution::phi;
+    use asperity_core::assert_abs_diff_eq;
 
     fn density(x: f64) -> f64 {
         (-0.5 * x * x).exp() / core::f64::consts::TAU.sqrt()
@@ -123,18 +124,13 @@ mod tests {
                 .map(|k| z + 2.0 * h * f64::from(k))
                 .map(|t| h / 3.0 * (phi(-t) + 4.0 * phi(-t - h) + phi(-t - 2.0 * h)))
                 .sum();
-            asperity_core::assert_abs_diff_eq!(exact_excess(z) / simpson, 1.0, epsilon = 1e-9, "{z}");
+            assert_abs_diff_eq!(exact_excess(z) / simpson, 1.0, epsilon = 1e-9, "{z}");
         }
         // φ(z)/z² (1 − 3/z² + 15/z⁴ − 105/z⁶), the last term bounds the error.
         for z in [10.0, 13.0, 20.0, 37.0] {
             let t = 1.0 / (z * z);
             let series = density(z) * t * (1.0 - 3.0 * t + 15.0 * t * t);
-            asperity_core::assert_abs_diff_eq!(
-                exact_excess(z) / series,
-                1.0,
-                epsilon = 110.0 * t * t * t,
-                "{z}"
-            );
+            assert_abs_diff_eq!(exact_excess(z) / series, 1.0, epsilon = 110.0 * t * t * t, "{z}");
         }
         assert_eq!([f64::INFINITY, 39.0, f64::NAN].map(exact_excess), [0.0; 3]);
     }
@@ -143,7 +139,7 @@ mod tests {
     fn excess_is_a_rational_function_of_the_density() {
         for k in 0..=13_000 {
             let z = 1e-3 * f64::from(k);
-            asperity_core::assert_abs_diff_eq!(excess(z) / exact_excess(z), 1.0, epsilon = 3e-7, "{z}");
+            assert_abs_diff_eq!(excess(z) / exact_excess(z), 1.0, epsilon = 3e-7, "{z}");
         }
         assert!(excess(13.18) < 5e-41);
         assert_eq!([13.2, 1e200, f64::INFINITY, f64::NAN].map(excess), [0.0; 4]);
@@ -159,12 +155,12 @@ mod tests {
                 let x = visible_slope(b, u);
                 let above = if b < ZENITH { (b * phi(-x) + density(x)) / total } else { phi(-x) };
                 // Measured 5e-12, by the cube of the last step.
-                asperity_core::assert_abs_diff_eq!(1.0 - above, u, epsilon = 1e-10, "b = {b}: {x}");
+                assert_abs_diff_eq!(1.0 - above, u, epsilon = 1e-10, "b = {b}: {x}");
                 assert!(x >= -b && (x > last || k <= 26), "b = {b}, u = {u}: {x}");
                 last = x;
             }
         }
         assert!(visible_slope(1.0, 1.0 - 0.5f64.powi(25)) < 6.0);
-        asperity_core::assert_abs_diff_eq!(visible_slope(f64::NAN, 0.5), 0.0, epsilon = 1e-15);
+        assert_abs_diff_eq!(visible_slope(f64::NAN, 0.5), 0.0, epsilon = 1e-15);
     }
 }

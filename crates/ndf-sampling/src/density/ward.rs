@@ -57,6 +57,7 @@ impl Ward {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn lobe_is_total() {
@@ -66,6 +67,6 @@ mod tests {
         {
             assert_eq!(ward.lobe(h), 0.0, "{h}");
         }
-        asperity_core::assert_abs_diff_eq!(ward.lobe(Vec3::Z) * 0.04 * PI, 1.0, epsilon = 1e-6);
+        assert_abs_diff_eq!(ward.lobe(Vec3::Z) * 0.04 * PI, 1.0, epsilon = 1e-6);
     }
 }

@@ -168,6 +168,7 @@ error_enum! {
 mod tests {
     use super::*;
     use crate::ndf::totality;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn without_offset_it_is_beckmann() {
@@ -176,13 +177,8 @@ mod tests {
         for k in 0..60 {
             let z = Vec2::new(0.2 * k as f32 - 6.0, 3.0 - 0.1 * k as f32);
             let m = beckmann.from_gaussian(z);
-            asperity_core::assert_abs_diff_eq!(same.from_gaussian(z), m, epsilon = 1e-6);
-            asperity_core::assert_abs_diff_eq!(
-                same.density(m) / beckmann.density(m),
-                1.0,
-                epsilon = 5e-5,
-                "{z}"
-            );
+            assert_abs_diff_eq!(same.from_gaussian(z), m, epsilon = 1e-6);
+            assert_abs_diff_eq!(same.density(m) / beckmann.density(m), 1.0, epsilon = 5e-5, "{z}");
         }
     }
 
@@ -192,15 +188,15 @@ mod tests {
         let ndf = OffsetBeckmann::new(Vec2::new(0.3, -0.8), covariance).unwrap();
         let got = ndf.covariance();
         for (got, expected) in got.into_iter().zip(covariance) {
-            asperity_core::assert_abs_diff_eq!(got, expected, epsilon = 1e-7);
+            assert_abs_diff_eq!(got, expected, epsilon = 1e-7);
         }
         for k in 0..40 {
             let z = Vec2::new(0.2 * k as f32 - 4.0, 0.1 * k as f32 - 1.0);
-            asperity_core::assert_abs_diff_eq!(ndf.to_gaussian(ndf.from_gaussian(z)), z, epsilon = 3e-5);
+            assert_abs_diff_eq!(ndf.to_gaussian(ndf.from_gaussian(z)), z, epsilon = 3e-5);
         }
         // The peak over slopes is 1/(2π √|Σ|).
         let peak = ndf.slope_density(ndf.mean()) * TAU * (0.09_f32 * 0.04 - 0.0025).sqrt();
-        asperity_core::assert_abs_diff_eq!(peak, 1.0, epsilon = 1e-5, "{peak}");
+        assert_abs_diff_eq!(peak, 1.0, epsilon = 1e-5, "{peak}");
     }
 
     #[test]

@@ -153,16 +153,17 @@ fn deviation<N: Ndf + ?Sized>(ndf: &N) -> Vec2 {
 mod tests {
     use super::*;
     use crate::{Beckmann, Ggx};
+    use asperity_core::assert_abs_diff_eq;
     use glam::Vec3;
 
     #[test]
     fn stretch_is_the_roughness_of_ggx() {
         let stretch = ConditionalTable::new(&Ggx::new(0.003, 0.5).unwrap(), 2).unwrap().stretch;
-        asperity_core::assert_abs_diff_eq!(stretch.x / 0.003, 1.0, epsilon = 1e-5);
-        asperity_core::assert_abs_diff_eq!(stretch.y / 0.5, 1.0, epsilon = 1e-5);
+        assert_abs_diff_eq!(stretch.x / 0.003, 1.0, epsilon = 1e-5);
+        assert_abs_diff_eq!(stretch.y / 0.5, 1.0, epsilon = 1e-5);
         // Beckmann's slopes are closer together: √ln 2 of the roughness.
         let stretch = ConditionalTable::new(&Beckmann::isotropic(0.3).unwrap(), 2).unwrap().stretch;
-        asperity_core::assert_abs_diff_eq!(stretch.x / 0.249_77, 1.0, epsilon = 1e-4);
+        assert_abs_diff_eq!(stretch.x / 0.249_77, 1.0, epsilon = 1e-4);
     }
 
     #[test]
@@ -183,7 +184,7 @@ mod tests {
             [64, 128].map(|size| ConditionalTable::new(&beckmann, size).unwrap().accuracy(&beckmann));
         assert!(coarse.variation < 3e-3 && coarse.coordinates < 4e-3, "{coarse:?}");
         for ratio in [coarse.variation / fine.variation, coarse.coordinates / fine.coordinates] {
-            asperity_core::assert_abs_diff_eq!(ratio / 4.0, 1.0, epsilon = 0.1, "{coarse:?} {fine:?}");
+            assert_abs_diff_eq!(ratio / 4.0, 1.0, epsilon = 0.1, "{coarse:?} {fine:?}");
         }
     }
 }

@@ -67,6 +67,7 @@ pub(crate) fn area_inside([x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn spline_is_a_density_with_the_variance_of_a_quarter() {
@@ -79,8 +80,8 @@ mod tests {
             variance += (after - before) * (t - 5e-4) * (t - 5e-4);
             before = after;
         }
-        asperity_core::assert_abs_diff_eq!(mass, 1.0, epsilon = 1e-12, "{mass} {variance}");
-        asperity_core::assert_abs_diff_eq!(variance, 0.25, epsilon = 1e-6, "{mass}");
+        assert_abs_diff_eq!(mass, 1.0, epsilon = 1e-12, "{mass} {variance}");
+        assert_abs_diff_eq!(variance, 0.25, epsilon = 1e-6, "{mass}");
     }
 
     #[test]
@@ -89,7 +90,7 @@ mod tests {
         for (c, width) in [(0.0, 0.1), (0.31, 0.02), (-0.7, 0.19), (0.999, 0.0), (1.0, 0.0), (-1.0, 0.0)] {
             averaged_kernel(c, width, first_texel(c, width, 64), 64, &mut kernel);
             let sum = kernel.iter().sum::<f64>() * 2.0 / 64.0;
-            asperity_core::assert_abs_diff_eq!(sum, 1.0, epsilon = 1e-12, "{c} {width}");
+            assert_abs_diff_eq!(sum, 1.0, epsilon = 1e-12, "{c} {width}");
         }
     }
 }

@@ -104,6 +104,7 @@ impl Breakpoints {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     const KINDS: [Reconstruction; 2] = [Reconstruction::Constant, Reconstruction::Bilinear];
 
@@ -120,12 +121,7 @@ mod tests {
                     assert!(dx > 0.0 && distance < 1.4306e-6, "{width} × {height}: {x:?} {distance:e}");
                 }
                 for (&x, &c) in places.iter().zip(&half_chords) {
-                    asperity_core::assert_abs_diff_eq!(
-                        half_chord(x),
-                        c,
-                        epsilon = 1e-13,
-                        "{width} × {height}"
-                    );
+                    assert_abs_diff_eq!(half_chord(x), c, epsilon = 1e-13, "{width} × {height}");
                 }
             }
         }

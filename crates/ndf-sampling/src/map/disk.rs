@@ -86,6 +86,7 @@ const GAUSS_8: [(f64, f64); 8] = [
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn segments_complete_the_polygon() {
@@ -96,12 +97,7 @@ mod tests {
             let sum: f64 =
                 (0..n).map(|k| segment([x(k), x(k + 1)], [half_chord(x(k)), half_chord(x(k + 1))])).sum();
             let polygon = 0.25 * f64::from(n) * angle(1).sin();
-            asperity_core::assert_abs_diff_eq!(
-                2.0 * sum + polygon,
-                core::f64::consts::FRAC_PI_4,
-                epsilon = 1e-14,
-                "{n}"
-            );
+            assert_abs_diff_eq!(2.0 * sum + polygon, core::f64::consts::FRAC_PI_4, epsilon = 1e-14, "{n}");
         }
     }
 
@@ -128,6 +124,6 @@ mod tests {
             total += area * width * mean_secant(x, y);
         }
         let error = total / (2.0 * core::f64::consts::PI) - 1.0;
-        asperity_core::assert_abs_diff_eq!(error, 0.0, epsilon = 2e-5, "{error:e}");
+        assert_abs_diff_eq!(error, 0.0, epsilon = 2e-5, "{error:e}");
     }
 }

@@ -74,6 +74,7 @@ mod tests {
     use crate::map::reconstruction::Reconstruction;
     use crate::map::texels::{Measure, columns_of_texels, texel_meets};
     use alloc::vec;
+    use asperity_core::assert_abs_diff_eq;
 
     fn marginal(width: usize, height: usize, texels: &[f32], kind: Reconstruction) -> Option<Marginal> {
         Marginal::new(columns_of_texels(width, height, texels, Measure::Normals, kind).unwrap())
@@ -83,11 +84,11 @@ mod tests {
     fn marginal_of_uniform_disk() {
         for kind in [Reconstruction::Constant, Reconstruction::Bilinear] {
             let Marginal { pieces, cumulative, scale, .. } = marginal(1, 1, &[7.0], kind).unwrap();
-            asperity_core::assert_abs_diff_eq!(7.0 * scale, 4.0 / core::f64::consts::PI, epsilon = 1e-13);
+            assert_abs_diff_eq!(7.0 * scale, 4.0 / core::f64::consts::PI, epsilon = 1e-13);
             for (piece, sum) in pieces.iter().zip(cumulative) {
                 let theta = (1.0 - 2.0 * piece.x[0]).acos();
                 let circle = (theta - theta.sin() * theta.cos()) / core::f64::consts::PI;
-                asperity_core::assert_abs_diff_eq!(sum, circle, epsilon = 1e-14, "{piece:?}");
+                assert_abs_diff_eq!(sum, circle, epsilon = 1e-14, "{piece:?}");
             }
         }
     }

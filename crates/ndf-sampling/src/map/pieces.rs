@@ -281,6 +281,7 @@ mod tests {
     use crate::map::reconstruction::Reconstruction;
     use crate::map::texels::{Measure, columns_of_texels};
     use crate::numeric::bernstein::cubic;
+    use asperity_core::assert_abs_diff_eq;
 
     fn value(columns: &Columns, x: f64, y: f64) -> f64 {
         let (kind, width, height) = (columns.kind, columns.width, columns.height);
@@ -322,7 +323,7 @@ mod tests {
                         // Next to a line of the grid the chord may end in the row beside, by rounding.
                         let parts = [piece.below, piece.marginal].map(|part| cubic(part, s));
                         for (part, expected) in parts.into_iter().zip([below, below + above]) {
-                            asperity_core::assert_abs_diff_eq!(
+                            assert_abs_diff_eq!(
                                 part,
                                 expected,
                                 epsilon = 1e-11,

@@ -288,6 +288,7 @@ fn append<S: TransposeSquare<T>, T: Copy + Default, const N: usize>(
 mod tests {
     use super::*;
     use crate::map::texels::{rows_inside, texel_meets};
+    use asperity_core::assert_abs_diff_eq;
 
     const KINDS: [Reconstruction; 2] = [Reconstruction::Constant, Reconstruction::Bilinear];
     const SIZES: [[usize; 2]; 10] =
@@ -331,7 +332,7 @@ mod tests {
                 for k in 0..cells {
                     let cell = 0.5 * (f64::from(found[k]) + f64::from(found[k + step]));
                     let found = found_sums[k + 1] - found_sums[k];
-                    asperity_core::assert_abs_diff_eq!(
+                    assert_abs_diff_eq!(
                         found,
                         cell,
                         epsilon = 1e-14 * height as f64,
@@ -341,7 +342,7 @@ mod tests {
                 let cell = cells / 2;
                 let ends = [found[cell.min(stride - 1)], found[(cell + step).min(stride - 1)]].map(f64::from);
                 let below = if cells.is_multiple_of(2) { 0.0 } else { 0.375 * ends[0] + 0.125 * ends[1] };
-                asperity_core::assert_abs_diff_eq!(
+                assert_abs_diff_eq!(
                     found_sums[cell],
                     -below,
                     epsilon = 1e-15,

@@ -99,13 +99,14 @@ pub(crate) fn direction(d: f32, turn: f32) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn wedges_lie_within_their_reach_and_their_sides() {
         let mut wedges = alloc::vec![Wedge::HEMISPHERE];
         for k in 0..60 {
             let [low, high] = wedges[k].halves();
-            asperity_core::assert_abs_diff_eq!(
+            assert_abs_diff_eq!(
                 low.solid_angle() + high.solid_angle(),
                 wedges[k].solid_angle(),
                 epsilon = 1e-12

@@ -106,17 +106,14 @@ pub(crate) fn check(deviation: f32) -> Result<f32, RangeError> {
 mod tests {
     use super::*;
     use crate::KurtoticNoise;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn without_kurtosis_it_is_gaussian() {
         let (gaussian, kurtotic) = (GaussianNoise::new(0.7).unwrap(), KurtoticNoise::new(0.7, 0.0).unwrap());
         for r in [-3.0, -0.1, 0.0, 0.5, 2.0] {
             assert_eq!(gaussian.gaussian(r), kurtotic.gaussian(r));
-            asperity_core::assert_abs_diff_eq!(
-                gaussian.uniform(r),
-                phi(f64::from(r) / 0.7) as f32,
-                epsilon = 1e-7
-            );
+            assert_abs_diff_eq!(gaussian.uniform(r), phi(f64::from(r) / 0.7) as f32, epsilon = 1e-7);
         }
     }
 }

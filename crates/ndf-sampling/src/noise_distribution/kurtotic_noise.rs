@@ -165,6 +165,7 @@ const STEPS: usize = 10;
 mod tests {
     extern crate std;
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn both_forms_increase_and_are_inverted() {
@@ -180,15 +181,10 @@ mod tests {
                 before = z;
                 if z.abs() < 13.0 {
                     let back = g.from_gaussian(z);
-                    asperity_core::assert_abs_diff_eq!(
-                        back,
-                        r,
-                        epsilon = 1e-6 * (1.0 + r.abs()),
-                        "κ = {kurtosis}, r ="
-                    );
+                    assert_abs_diff_eq!(back, r, epsilon = 1e-6 * (1.0 + r.abs()), "κ = {kurtosis}, r =");
                 }
             }
-            asperity_core::assert_abs_diff_eq!(g.inverse(g.uniform(0.2)), 0.2, epsilon = 1e-6);
+            assert_abs_diff_eq!(g.inverse(g.uniform(0.2)), 0.2, epsilon = 1e-6);
         }
     }
 
@@ -206,9 +202,9 @@ mod tests {
                 second += weight * x * x;
                 fourth += weight * (x * x) * (x * x);
             }
-            asperity_core::assert_abs_diff_eq!(second, 1.0, epsilon = 6e-6, "{kurtosis}: {second}");
+            assert_abs_diff_eq!(second, 1.0, epsilon = 6e-6, "{kurtosis}: {second}");
             let excess = fourth / (second * second) - 3.0;
-            asperity_core::assert_abs_diff_eq!(excess, f64::from(kurtosis), epsilon = 3e-5, "{kurtosis}");
+            assert_abs_diff_eq!(excess, f64::from(kurtosis), epsilon = 3e-5, "{kurtosis}");
         }
     }
 

@@ -182,6 +182,7 @@ error_enum! {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn table_of_positive_values_is_inverted() {
@@ -190,7 +191,7 @@ mod tests {
         assert_eq!((g.inverse(0.5), g.inverse(1.0), g.inverse(0.0)), (1.0, 2.5, 0.5));
         for k in 1..80 {
             let r = 0.5 + 0.025 * k as f32;
-            asperity_core::assert_abs_diff_eq!(g.from_gaussian(g.gaussian(r)), r, epsilon = 2e-6);
+            assert_abs_diff_eq!(g.from_gaussian(g.gaussian(r)), r, epsilon = 2e-6);
         }
     }
 

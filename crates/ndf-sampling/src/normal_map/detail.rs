@@ -115,6 +115,7 @@ impl<N: Ndf, G: NoiseDistribution> NoiseChain<N, G> {
 mod tests {
     use super::*;
     use crate::{Beckmann, Ggx, NoiseCdfRef};
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn total_on_every_input() {
@@ -124,7 +125,7 @@ mod tests {
             for amount in bad {
                 assert!(detailed(Vec2::new(a, b), Vec2::new(b, a), amount).is_finite(), "{a} {b} {amount}");
                 let n = detailed_normal(&ggx, Vec3::new(a, b, amount), Vec2::splat(a), b);
-                asperity_core::assert_abs_diff_eq!(n.length(), 1.0, epsilon = 1e-6, "{a} {b} {amount}");
+                assert_abs_diff_eq!(n.length(), 1.0, epsilon = 1e-6, "{a} {b} {amount}");
             }
         }
     }
@@ -132,16 +133,8 @@ mod tests {
     #[test]
     fn nothing_but_noise_is_left_of_much_of_it() {
         let z_n = Vec2::new(0.3, -1.2);
-        asperity_core::assert_abs_diff_eq!(
-            detailed(Vec2::new(5.0, -9.0), z_n, f32::INFINITY),
-            z_n,
-            epsilon = 1e-6
-        );
-        asperity_core::assert_abs_diff_eq!(
-            detailed(Vec2::ZERO, z_n, -1.0),
-            z_n * 0.5_f32.sqrt(),
-            epsilon = 1e-7
-        );
+        assert_abs_diff_eq!(detailed(Vec2::new(5.0, -9.0), z_n, f32::INFINITY), z_n, epsilon = 1e-6);
+        assert_abs_diff_eq!(detailed(Vec2::ZERO, z_n, -1.0), z_n * 0.5_f32.sqrt(), epsilon = 1e-7);
     }
 
     #[test]
@@ -152,10 +145,10 @@ mod tests {
         for k in 1..40 {
             let r = [k as f32 * 0.1 - 2.0, 1.95 - k as f32 * 0.07];
             let back = chain.noise_values(chain.normal(r));
-            asperity_core::assert_abs_diff_eq!(back[0], r[0], epsilon = 1e-5, "{r:?}");
-            asperity_core::assert_abs_diff_eq!(back[1], r[1], epsilon = 1e-5, "{r:?}");
+            assert_abs_diff_eq!(back[0], r[0], epsilon = 1e-5, "{r:?}");
+            assert_abs_diff_eq!(back[1], r[1], epsilon = 1e-5, "{r:?}");
             let u = chain.uniform(chain.normal(r));
-            asperity_core::assert_abs_diff_eq!(u[0], f64::from(noise.uniform(r[0])), epsilon = 1e-6, "{r:?}");
+            assert_abs_diff_eq!(u[0], f64::from(noise.uniform(r[0])), epsilon = 1e-6, "{r:?}");
         }
     }
 }

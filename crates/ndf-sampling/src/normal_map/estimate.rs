@@ -242,6 +242,7 @@ error_enum! {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     /// Mass, mean and variance of the texels of an estimate.
     fn moments(texels: &[f32], size: usize) -> [f64; 5] {
@@ -265,17 +266,12 @@ mod tests {
             let [mass, x, y, xx, yy] = moments(&estimator.texels(), 128);
             // A texel's own width adds its rounding: the average over it is another convolution.
             let texel = 2.0 / 128.0;
-            asperity_core::assert_abs_diff_eq!(mass, 1.0, epsilon = 1e-5, "{width}");
-            asperity_core::assert_abs_diff_eq!(x, 0.123, epsilon = 0.5 * texel, "{width}: {x} {y}");
-            asperity_core::assert_abs_diff_eq!(y, -0.234, epsilon = 0.5 * texel, "{width}: {x} {y}");
+            assert_abs_diff_eq!(mass, 1.0, epsilon = 1e-5, "{width}");
+            assert_abs_diff_eq!(x, 0.123, epsilon = 0.5 * texel, "{width}: {x} {y}");
+            assert_abs_diff_eq!(y, -0.234, epsilon = 0.5 * texel, "{width}: {x} {y}");
             let expected = f64::from(width * width) / 4.0;
             for variance in [xx - x * x, yy - y * y] {
-                asperity_core::assert_abs_diff_eq!(
-                    variance,
-                    expected,
-                    epsilon = 0.26 * texel * texel,
-                    "{width}"
-                );
+                assert_abs_diff_eq!(variance, expected, epsilon = 0.26 * texel * texel, "{width}");
             }
         }
     }
@@ -288,7 +284,7 @@ mod tests {
                 estimator.add(n);
                 let mass: f64 =
                     estimator.texels().iter().zip(&estimator.areas).map(|(&d, &a)| f64::from(d * a)).sum();
-                asperity_core::assert_abs_diff_eq!(mass, 1.0, epsilon = 1e-5, "{width} {n}");
+                assert_abs_diff_eq!(mass, 1.0, epsilon = 1e-5, "{width} {n}");
                 assert!(estimator.finish().is_ok());
             }
         }
@@ -298,7 +294,7 @@ mod tests {
     fn areas_fill_the_disk() {
         let estimator = NdfEstimator::new(20, 0.0).unwrap();
         let area: f32 = estimator.areas.iter().sum();
-        asperity_core::assert_abs_diff_eq!(area, core::f32::consts::PI, epsilon = 1e-2, "{area}");
+        assert_abs_diff_eq!(area, core::f32::consts::PI, epsilon = 1e-2, "{area}");
     }
 
     #[test]

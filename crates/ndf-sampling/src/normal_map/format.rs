@@ -153,6 +153,7 @@ impl NormalMapFormat {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     fn formats() -> impl Iterator<Item = NormalMapFormat> {
         let spaces = [TangentSpace::OpenGl, TangentSpace::DirectX];
@@ -171,12 +172,7 @@ mod tests {
         for size in [f32::from_bits(1), 1e-40, 1e-22, 1e-15, 1e-3] {
             for texel in [[1.0, 0.0, 0.0], [1.0, -1.0, 1.0], [0.0, 0.0, 1.0]] {
                 let n = read.decode_signed(texel.map(|c: f32| c * size));
-                asperity_core::assert_abs_diff_eq!(
-                    n,
-                    Vec3::from_array(texel).normalize(),
-                    epsilon = 2e-7,
-                    "{size}"
-                );
+                assert_abs_diff_eq!(n, Vec3::from_array(texel).normalize(), epsilon = 2e-7, "{size}");
             }
         }
         assert_eq!(read.decode_signed([0.0; 3]), Vec3::Z);
@@ -192,13 +188,8 @@ mod tests {
                     [format.decode_u8(format.encode_u8(n)), format.decode_u16(format.encode_u16(n))];
                 // Half a step of each channel; near the horizon the reconstructed root magnifies it.
                 let magnified = if format.blue == Blue::Reconstructed { 1.0 / n.z.max(0.1) } else { 1.0 };
-                asperity_core::assert_abs_diff_eq!(small, n, epsilon = 0.006 * magnified, "{format:?}");
-                asperity_core::assert_abs_diff_eq!(
-                    large,
-                    n,
-                    epsilon = 0.006 / 256.0 * magnified,
-                    "{format:?}"
-                );
+                assert_abs_diff_eq!(small, n, epsilon = 0.006 * magnified, "{format:?}");
+                assert_abs_diff_eq!(large, n, epsilon = 0.006 / 256.0 * magnified, "{format:?}");
             }
         }
     }
@@ -206,8 +197,8 @@ mod tests {
     #[test]
     fn flat_texel_of_unsigned_normalised_textures_is_tilted() {
         let n = NormalMapFormat::default().decode_u8([128, 128, 255]);
-        asperity_core::assert_abs_diff_eq!(n.x, 0.003_921_5, epsilon = 1e-6);
-        asperity_core::assert_abs_diff_eq!(n.y, 0.003_921_5, epsilon = 1e-6);
+        assert_abs_diff_eq!(n.x, 0.003_921_5, epsilon = 1e-6);
+        assert_abs_diff_eq!(n.y, 0.003_921_5, epsilon = 1e-6);
     }
 
     #[test]
@@ -217,18 +208,13 @@ mod tests {
             for (r, g) in values.into_iter().flat_map(|r| values.map(|g| (r, g))) {
                 for b in values {
                     let n = format.decode_u8([r, g, b]);
-                    asperity_core::assert_abs_diff_eq!(
-                        n.length(),
-                        1.0,
-                        epsilon = 1e-6,
-                        "{format:?} {r} {g} {b}"
-                    );
+                    assert_abs_diff_eq!(n.length(), 1.0, epsilon = 1e-6, "{format:?} {r} {g} {b}");
                     assert!(n.z >= 0.0, "{format:?} {r} {g} {b}: {n}");
                 }
             }
             for bad in [f32::NAN, f32::INFINITY, 1e38, -1e38, 0.0] {
                 let n = format.decode_signed([bad, 0.5, bad]);
-                asperity_core::assert_abs_diff_eq!(n.length(), 1.0, epsilon = 1e-6, "{format:?} {bad}");
+                assert_abs_diff_eq!(n.length(), 1.0, epsilon = 1e-6, "{format:?} {bad}");
                 assert!(n.z >= 0.0, "{format:?} {bad}: {n}");
                 assert!(format.encode_u8(Vec3::splat(bad)).len() == 3);
             }

@@ -146,6 +146,7 @@ mod tests {
         Beckmann, Ggx, Ndf,
         normal_table::{Chart, Spacing, TableLayout},
     };
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn slopes_of_beckmann_are_interpolated_exactly() {
@@ -154,7 +155,7 @@ mod tests {
         let accuracy = NormalTable::with_layout(&beckmann, 32, layout).unwrap().accuracy(&beckmann);
         assert!(accuracy.bilinear.largest < 5e-7, "{accuracy:?}");
         // The nearest entry is half a texel off along both axes: 0.14 α/√2 each.
-        asperity_core::assert_abs_diff_eq!(accuracy.nearest.rms / 0.041, 1.0, epsilon = 0.1);
+        assert_abs_diff_eq!(accuracy.nearest.rms / 0.041, 1.0, epsilon = 0.1);
     }
 
     #[test]

@@ -116,6 +116,7 @@ impl Chart {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     const CHARTS: [Chart; 3] = [Chart::Projected, Chart::Slopes, Chart::Stereographic];
 
@@ -124,11 +125,7 @@ mod tests {
         for chart in CHARTS {
             assert_eq!(chart.to_point(Vec3::Z), Vec2::ZERO);
             assert_eq!(chart.to_normal(Vec2::ZERO), Vec3::Z);
-            asperity_core::assert_abs_diff_eq!(
-                chart.to_normal(chart.to_point(Vec3::NEG_X)),
-                Vec3::NEG_X,
-                epsilon = 2e-9
-            );
+            assert_abs_diff_eq!(chart.to_normal(chart.to_point(Vec3::NEG_X)), Vec3::NEG_X, epsilon = 2e-9);
         }
     }
 
@@ -137,8 +134,8 @@ mod tests {
         let n = Vec3::new(3e-6, -1.7e-5, 1.0);
         for chart in CHARTS {
             let back = chart.to_normal(chart.to_point(n));
-            asperity_core::assert_abs_diff_eq!(back.x / n.x, 1.0, epsilon = 3e-7, "{chart:?}");
-            asperity_core::assert_abs_diff_eq!(back.y / n.y, 1.0, epsilon = 3e-7, "{chart:?}");
+            assert_abs_diff_eq!(back.x / n.x, 1.0, epsilon = 3e-7, "{chart:?}");
+            assert_abs_diff_eq!(back.y / n.y, 1.0, epsilon = 3e-7, "{chart:?}");
         }
     }
 
@@ -148,7 +145,7 @@ mod tests {
         for (chart, x) in CHARTS.into_iter().flat_map(|chart| bad.map(|x| (chart, x))) {
             for y in bad {
                 let n = chart.to_normal(Vec2::new(x, y));
-                asperity_core::assert_abs_diff_eq!(n.length(), 1.0, epsilon = 3e-7, "{chart:?} {x} {y}");
+                assert_abs_diff_eq!(n.length(), 1.0, epsilon = 3e-7, "{chart:?} {x} {y}");
                 assert!(n.z >= 0.0, "{chart:?} {x} {y}: {n}");
                 assert!(bad.iter().all(|&z| chart.to_point(Vec3::new(x, y, z)).is_finite()));
             }

@@ -86,18 +86,19 @@ const STRETCH: f32 = 1.201_850_4;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     const SPACINGS: [Spacing; 3] = [Spacing::Coordinates, Spacing::Quantiles, Spacing::Warped];
 
     #[test]
     fn warp_ends_at_the_range() {
         let (r, c) = (f64::from(Spacing::RANGE), f64::from(Spacing::WARP));
-        asperity_core::assert_abs_diff_eq!(f64::from(STRETCH), (r * r + c * c).sqrt() / r, epsilon = 1e-7);
+        assert_abs_diff_eq!(f64::from(STRETCH), (r * r + c * c).sqrt() / r, epsilon = 1e-7);
         for spacing in [Spacing::Coordinates, Spacing::Warped] {
-            asperity_core::assert_abs_diff_eq!(spacing.place(4.5), 1.0, epsilon = 1e-6);
-            asperity_core::assert_abs_diff_eq!(spacing.place(-4.5), 0.0, epsilon = 1e-6);
-            asperity_core::assert_abs_diff_eq!(spacing.coordinate(1.0), 4.5, epsilon = 1e-5);
-            asperity_core::assert_abs_diff_eq!(spacing.coordinate(0.0), -4.5, epsilon = 1e-5);
+            assert_abs_diff_eq!(spacing.place(4.5), 1.0, epsilon = 1e-6);
+            assert_abs_diff_eq!(spacing.place(-4.5), 0.0, epsilon = 1e-6);
+            assert_abs_diff_eq!(spacing.coordinate(1.0), 4.5, epsilon = 1e-5);
+            assert_abs_diff_eq!(spacing.coordinate(0.0), -4.5, epsilon = 1e-5);
         }
     }
 
@@ -112,12 +113,7 @@ mod tests {
                 before = w;
                 // An f32 next to 1 resolves 6e-8, which the quantiles' slope magnifies.
                 let rounding = if spacing == Spacing::Quantiles { 2e-7 * (0.5 * z * z).exp() } else { 5e-6 };
-                asperity_core::assert_abs_diff_eq!(
-                    spacing.coordinate(w),
-                    z,
-                    epsilon = 5e-6 + rounding,
-                    "{spacing:?} at"
-                );
+                assert_abs_diff_eq!(spacing.coordinate(w), z, epsilon = 5e-6 + rounding, "{spacing:?} at");
             }
         }
     }

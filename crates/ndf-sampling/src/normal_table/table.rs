@@ -186,6 +186,7 @@ mod tests {
     extern crate std;
     use super::*;
     use crate::{Ggx, normal_table::Chart};
+    use asperity_core::assert_abs_diff_eq;
 
     const LAYOUTS: [TableLayout; 5] = [
         TableLayout { spacing: Spacing::Coordinates, chart: Chart::Projected },
@@ -206,7 +207,7 @@ mod tests {
                 // √(1 − r²) of the projected chart magnifies the rounding of r, and the flat chord of coarse slopes that of z.
                 let tolerance = if layout.chart == Chart::Projected { 2e-5 } else { 2e-6 };
                 let found = table.bilinear(z).normal;
-                asperity_core::assert_abs_diff_eq!(found, frame.normal, epsilon = tolerance, "{layout:?}");
+                assert_abs_diff_eq!(found, frame.normal, epsilon = tolerance, "{layout:?}");
             }
         }
     }
@@ -215,10 +216,10 @@ mod tests {
     fn even_table_tilts_the_nearest_flat_normal_by_half_a_texel() {
         let ggx = Ggx::isotropic(0.3).unwrap();
         let table = NormalTable::standard(&ggx);
-        asperity_core::assert_abs_diff_eq!(table.bilinear(Vec2::ZERO).normal, Vec3::Z, epsilon = 1e-7);
+        assert_abs_diff_eq!(table.bilinear(Vec2::ZERO).normal, Vec3::Z, epsilon = 1e-7);
         let half = Spacing::RANGE / 256.0;
         let expected = ggx.from_gaussian(Vec2::splat(half));
-        asperity_core::assert_abs_diff_eq!(table.nearest(Vec2::ZERO).normal, expected, epsilon = 1e-6);
+        assert_abs_diff_eq!(table.nearest(Vec2::ZERO).normal, expected, epsilon = 1e-6);
     }
 
     #[test]
@@ -227,7 +228,7 @@ mod tests {
         let halves = table.halves();
         for (half, frame) in halves.iter().zip(table.frames()) {
             let rounded = table.layout.chart.to_normal(half.point());
-            asperity_core::assert_abs_diff_eq!((rounded - frame.normal).length(), 0.0, epsilon = 4.9e-4);
+            assert_abs_diff_eq!((rounded - frame.normal).length(), 0.0, epsilon = 4.9e-4);
         }
     }
 }

@@ -158,6 +158,7 @@ impl<E: TableEntry> NormalTableRef<'_, E> {
 mod tests {
     use super::*;
     use crate::normal_table::{Chart, Spacing};
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn can_be_a_constant() {
@@ -171,7 +172,7 @@ mod tests {
             Err(_) => panic!("one entry"),
         };
         let n = TABLE.bilinear(Vec2::new(3.0, f32::NAN)).normal;
-        asperity_core::assert_abs_diff_eq!(n, Vec3::new(0.5, 0.0, 0.75_f32.sqrt()), epsilon = 1e-7);
+        assert_abs_diff_eq!(n, Vec3::new(0.5, 0.0, 0.75_f32.sqrt()), epsilon = 1e-7);
     }
 
     #[test]
@@ -188,12 +189,7 @@ mod tests {
                 let table = NormalTableRef::new(size, TableLayout { spacing, chart }, entries).unwrap();
                 for (x, y) in bad.into_iter().flat_map(|x| bad.map(|y| (x, y))) {
                     for n in [table.nearest_normal(Vec2::new(x, y)), table.bilinear_normal(Vec2::new(x, y))] {
-                        asperity_core::assert_abs_diff_eq!(
-                            n.length(),
-                            1.0,
-                            epsilon = 1e-6,
-                            "{chart:?} {size} {x} {y}"
-                        );
+                        assert_abs_diff_eq!(n.length(), 1.0, epsilon = 1e-6, "{chart:?} {size} {x} {y}");
                         assert!(n.z >= 0.0, "{chart:?} {size} {x} {y}");
                     }
                 }

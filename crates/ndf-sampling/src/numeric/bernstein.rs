@@ -78,6 +78,7 @@ fn quartic([g1, g2, g3, g4]: [f64; 4], s: f64) -> f64 {
 #[cfg(all(test, feature = "alloc"))]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn inverse_undoes_the_share() {
@@ -92,12 +93,7 @@ mod tests {
             for k in 0..=1000 {
                 let u = f64::from(k) / 1000.0;
                 let error = share(marginal, inverse_share(marginal, u)) - u;
-                asperity_core::assert_abs_diff_eq!(
-                    error,
-                    0.0,
-                    epsilon = 4e-15,
-                    "{marginal:?} {u}: {error:e}"
-                );
+                assert_abs_diff_eq!(error, 0.0, epsilon = 4e-15, "{marginal:?} {u}: {error:e}");
             }
         }
     }

@@ -64,13 +64,14 @@ const NODES: [(f64, f64, f64); 7] = [
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn polynomials_are_exact() {
         for power in 0..=22 {
             let [long, short] = rule(-1.0, 2.0, &|x: f64| x.powi(power));
             let exact = (2.0_f64.powi(power + 1) - (-1.0_f64).powi(power + 1)) / f64::from(power + 1);
-            asperity_core::assert_abs_diff_eq!(long / exact, 1.0, epsilon = 1e-14, "{power}");
+            assert_abs_diff_eq!(long / exact, 1.0, epsilon = 1e-14, "{power}");
             assert!(power > 13 || (short / exact - 1.0).abs() < 1e-14, "{power}: {short} != {exact}");
         }
     }
@@ -79,8 +80,8 @@ mod tests {
     fn narrow_peaks_and_kinks_are_found() {
         let peak = integrate([0.0, 0.3, 1.0], 1e-8, |x| 1.0 / ((x - 0.3) * (x - 0.3) + 1e-6));
         let exact = 1e3 * ((0.7e3_f64).atan() + (0.3e3_f64).atan());
-        asperity_core::assert_abs_diff_eq!(peak / exact, 1.0, epsilon = 1e-9, "{peak}");
+        assert_abs_diff_eq!(peak / exact, 1.0, epsilon = 1e-9, "{peak}");
         let kink = integrate([-1.0, 2.0], 1e-6, |x| if x > 0.1 { x - 0.1 } else { 0.0 });
-        asperity_core::assert_abs_diff_eq!(kink, 0.5 * 1.9 * 1.9, epsilon = 1e-6, "{kink}");
+        assert_abs_diff_eq!(kink, 0.5 * 1.9 * 1.9, epsilon = 1e-6, "{kink}");
     }
 }

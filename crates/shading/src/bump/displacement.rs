@@ -46,6 +46,7 @@ pub fn displace(position: Vec3, n: Vec3, p: [Vec3; 2], dn: [Vec3; 2], height: f3
 
 #[cfg(test)]
 mod tests {
+    use asperity_core::assert_abs_diff_eq;
     use glam::Vec2Swizzles;
 
     use super::*;

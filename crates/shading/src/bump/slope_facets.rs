@@ -114,6 +114,7 @@ const HEXAGON: [[f32; 2]; 6] =
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn facets_have_the_moments_of_gaussian_slopes() {

@@ -208,6 +208,7 @@ pub fn facing(n: Vec3, bumped: Vec3, wo: Vec3) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn surface_gradient_has_the_given_slopes() {

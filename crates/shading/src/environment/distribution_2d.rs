@@ -151,6 +151,7 @@ fn linear_quantile(a: f32, b: f32, u: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn linear_densities_are_inverted() {

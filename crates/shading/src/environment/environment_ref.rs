@@ -121,6 +121,7 @@ impl Environment for EnvironmentRef<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
     use core::f32::consts::FRAC_1_PI;
 
     #[test]

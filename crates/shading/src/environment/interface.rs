@@ -89,6 +89,7 @@ pub(crate) fn uniform_sphere(u: Vec2) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn provided_samples_are_unit() {

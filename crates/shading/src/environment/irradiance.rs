@@ -99,6 +99,7 @@ fn harmonics(Vec3 { x, y, z }: Vec3) -> [f32; 9] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     /// Light that is linear or quadratic in the direction.
     struct Tinted;

@@ -198,6 +198,7 @@ impl Environment for LatitudeLongitude<'_> {
 mod tests {
     extern crate std;
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
     use std::string::ToString;
 
     const SIZE: [usize; 2] = [8, 4];

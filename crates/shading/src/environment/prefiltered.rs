@@ -206,6 +206,7 @@ pub(super) fn check_alphas(mut alphas: impl Iterator<Item = f32>) -> Result<(), 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn even_light_stays_even() {

@@ -96,6 +96,7 @@ mod tests {
     use super::*;
     use crate::environment::environment_map::EnvironmentMap;
     use crate::environment::prefiltered::PrefilteredRef;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn it_is_what_it_borrows() {

@@ -112,6 +112,7 @@ pub fn split_sum(alpha: f32, cos_theta: f32, points: u32) -> [f32; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn table_and_rule_are_within_their_errors() {

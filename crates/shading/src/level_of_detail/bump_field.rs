@@ -57,6 +57,7 @@ impl<F: GaussianField> BumpField<F> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
     use asperity_noise::{Gaussian, GaussianOctaves, Spectrum};
 
     #[test]

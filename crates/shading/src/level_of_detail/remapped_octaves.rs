@@ -113,6 +113,7 @@ impl<K: Kernel<3> + Clone> GaussianField for RemappedOctaves<K> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
     use asperity_noise::{Gaussian, GaussianOctaves, Perlin2002, Simplex};
 
     #[test]

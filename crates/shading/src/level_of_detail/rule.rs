@@ -182,6 +182,7 @@ impl LevelOfDetail {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
     use asperity_ndf_sampling::{Beckmann, Ggx};
 
     fn near(x: f32, y: f32, share: f32, fade: f32) -> Coordinates {

@@ -203,6 +203,7 @@ impl Material for TemperedGlass {
 mod tests {
     use super::*;
     use crate::pixel::Footprint;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn the_gradient_is_that_of_the_height() {

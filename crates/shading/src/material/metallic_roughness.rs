@@ -206,6 +206,7 @@ mod tests {
     use super::*;
     use crate::bump::{Facet, bumped_normal};
     use crate::reflectance::{Coat, CookTorrance, Dielectric, EnergyPreservingOrenNayar, Lobe};
+    use asperity_core::assert_abs_diff_eq;
     use asperity_ndf_sampling::Beckmann;
 
     fn facets() -> [Facet; 2] {

@@ -118,6 +118,7 @@ impl TextureGradients {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn taps_lie_along_the_pixel_with_the_coordinates_there() {

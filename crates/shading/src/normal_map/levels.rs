@@ -88,6 +88,7 @@ fn over_texel<const K: usize>(
 mod tests {
     use super::*;
     use crate::normal_map::slope_moments::SlopeMoments;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn texels_have_the_moments_of_the_field_in_them() {

@@ -167,6 +167,7 @@ fn evenly_spread(k: u32) -> Vec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn groups_are_found() {

@@ -132,6 +132,7 @@ impl SlopeMoments {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
     use asperity_ndf_sampling::Ndf as _;
 
     #[test]

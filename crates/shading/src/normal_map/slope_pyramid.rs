@@ -86,6 +86,7 @@ impl<const K: usize> SlopePyramid<K> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn slopes_are_those_of_the_normals() {

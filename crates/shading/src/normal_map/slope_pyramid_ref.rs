@@ -201,6 +201,7 @@ pub(super) fn check_slopes(width: usize, height: usize, slopes: &[Vec2]) -> Resu
 mod tests {
     use super::*;
     use crate::normal_map::slope_moments::SlopeMoments;
+    use asperity_core::assert_abs_diff_eq;
 
     const SIZE: usize = 16;
 

@@ -197,6 +197,7 @@ impl From<Footprint> for PixelEllipse {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn axes_are_the_singular_values() {

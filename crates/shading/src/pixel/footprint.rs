@@ -93,6 +93,7 @@ impl Footprint {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn derivatives_give_the_longest_axis() {

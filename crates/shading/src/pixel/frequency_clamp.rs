@@ -102,6 +102,7 @@ impl FrequencyClamp {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     fn clamp() -> FrequencyClamp {
         FrequencyClamp::new(16.0, 2.17, 6.0).unwrap()

@@ -90,6 +90,7 @@ pub(super) fn through_wall(tint: Vec3, cosine: f32, relative_index: f32) -> Vec3
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn ways_one_after_the_other_multiply() {

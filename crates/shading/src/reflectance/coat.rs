@@ -293,6 +293,7 @@ impl Coat {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn views_of_any_length_have_unit_deltas() {

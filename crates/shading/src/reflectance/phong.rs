@@ -168,6 +168,7 @@ impl Brdf for BlinnPhongLobe {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn phong_is_brightest_in_the_mirror() {

@@ -230,6 +230,7 @@ impl Edge {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn profile_is_continuous_and_the_slopes_integral() {

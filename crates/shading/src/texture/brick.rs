@@ -297,6 +297,7 @@ impl Rows {
 mod tests {
     use super::*;
     use crate::bump::differences;
+    use asperity_core::assert_abs_diff_eq;
 
     const WALLS: [(f32, f32, f32); 4] =
         [(0.25, 0.08, 0.01), (1.0, 1.0, 0.5), (0.3, 0.2, 0.0), (2.0, 0.5, 0.3)];

@@ -141,6 +141,7 @@ fn whole_flank(share: f32, mean: f32, visit: &mut impl FnMut(Part)) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn facets_add_up_to_the_filtered_wall() {

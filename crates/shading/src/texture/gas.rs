@@ -304,6 +304,7 @@ const MOST_STEPS: f32 = 65536.0;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn gas_from_afar_is_as_dense_as_gas_from_nearby_is_on_average() {

@@ -229,6 +229,7 @@ const PARTS: usize = 16;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     type Blue = Marble<Perlin2002>;
 

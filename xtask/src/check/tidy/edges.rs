@@ -11,22 +11,13 @@ const EDGES: [(&str, &[&str], &[&str]); 8] = [
     ),
     (
         "asperity-ndf-sampling",
-        &["approx", "asperity-core", "glam", "proptest", "rand", "serde"],
+        &["approx", "asperity-core", "glam", "rand", "serde"],
         &["criterion", "libm", "png"],
     ),
     ("asperity-fif", &["approx", "asperity-core", "fearless_simd", "glam", "serde"], &["criterion", "png"]),
     (
         "asperity-shading",
-        &[
-            "approx",
-            "asperity-core",
-            "asperity-ndf-sampling",
-            "asperity-noise",
-            "glam",
-            "libm",
-            "proptest",
-            "serde",
-        ],
+        &["approx", "asperity-core", "asperity-ndf-sampling", "asperity-noise", "glam", "serde"],
         &["criterion", "png"],
     ),
     (

@@ -31,7 +31,7 @@ pub(super) const HOUSES: &[House] = &[
         sources: "crates/ndf-sampling/src",
         rooms: "numeric → range_error coordinates ndf microfacet radial frame serde → closed_form → density → \
                 map → map/packed → masked → noise_distribution → normal_table → normal_map → level_of_detail → \
-                check → rand strategies",
+                check → rand",
         face: Some(65),
     },
     House {
@@ -45,7 +45,7 @@ pub(super) const HOUSES: &[House] = &[
         name: "shading",
         sources: "crates/shading/src",
         rooms: "math direction image parameter → pixel → bump → level_of_detail → reflectance → environment → \
-                normal_map → texture → material → approx → check strategies",
+                normal_map → texture → material → approx → check",
         face: Some(60),
     },
     House {

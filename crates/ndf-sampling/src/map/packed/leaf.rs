@@ -126,6 +126,7 @@ fn inverse(marginal: Cubic, mass: f64) -> ([f32; 4], bool) {
 #[cfg(all(test, feature = "alloc"))]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn inverses_say_which_steps_they_need() {
@@ -135,7 +136,7 @@ mod tests {
             let r = f64::from(k) / 20.0;
             let [c0, c1, c2, c3] = c.map(f64::from);
             let s = r + r * (1.0 - r) * (c0 + r * (c1 + r * (c2 + r * c3)));
-            asperity_core::assert_abs_diff_eq!(share([1.0, 1.03, 1.05, 1.06], s), r, epsilon = 3e-6);
+            assert_abs_diff_eq!(share([1.0, 1.03, 1.05, 1.06], s), r, epsilon = 3e-6);
         }
         let (c, needs_steps) = inverse([1.0, 1.1, 1.3, 1.2], 0.1);
         assert!(needs_steps && c[0] != MANY_STEPS);

@@ -245,6 +245,7 @@ impl Material for Carpet {
 mod tests {
     use super::*;
     use crate::pixel::Footprint;
+    use asperity_core::assert_abs_diff_eq;
 
     fn point(x: f32, y: f32, width: f32) -> SurfacePoint {
         SurfacePoint::new(Vec3::new(x, y, 0.3), Vec3::Z, Footprint::from_width(width))

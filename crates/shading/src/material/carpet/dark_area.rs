@@ -68,6 +68,7 @@ impl DarkAreas {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn half_of_the_surface_keeps_its_colour() {

@@ -218,6 +218,7 @@ impl Fibres {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn the_mean_factor_is_one_at_every_width() {

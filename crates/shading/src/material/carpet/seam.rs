@@ -378,6 +378,7 @@ fn mean_of_smaller(x: &Stretch, y: &Stretch) -> Crease {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     const PATTERNS: [SeamPattern; 3] = [SeamPattern::None, SeamPattern::Lines, SeamPattern::Grid];
 

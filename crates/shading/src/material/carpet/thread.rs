@@ -188,6 +188,7 @@ fn coefficients() -> [[f32; 8]; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn nearby_it_is_the_seventh_power() {

@@ -163,6 +163,7 @@ pub fn flake_tilt_printed(table: &ChainedTable, value: f32, strength: f32) -> Ve
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
     use asperity_noise::lattice::PermutationTable;
 
     #[test]

@@ -351,6 +351,7 @@ fn binomial(n: f32, q: f32, uniform: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
     use asperity_ndf_sampling::{Beckmann, Ggx};
 
     #[test]

@@ -73,6 +73,7 @@ impl OrangePeel {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn slopes_have_the_stated_variance_near_and_far() {

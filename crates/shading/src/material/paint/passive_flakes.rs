@@ -63,6 +63,7 @@ impl PassiveFlakes {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn the_last_octave_has_most_of_the_variance() {

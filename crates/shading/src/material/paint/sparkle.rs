@@ -265,6 +265,7 @@ pub fn boosted(specular: Vec3, target: Vec3, boost: f32) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     /// The share of a plane that flakes cover.
     fn cover(sparkles: &Sparkles, width: f32) -> f32 {

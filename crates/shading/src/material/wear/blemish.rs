@@ -104,6 +104,7 @@ impl Blemishes {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn colours_stay_colours() {

@@ -296,6 +296,7 @@ mod tests {
     use super::*;
     use crate::pixel::Footprint;
     use approx::assert_relative_eq;
+    use asperity_core::assert_abs_diff_eq;
 
     fn wide() -> Scratches {
         Scratches::new(ScratchesParameters { scratch_width: 0.1, scratch_cover: 1.5, ..Default::default() })

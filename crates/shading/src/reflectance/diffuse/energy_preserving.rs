@@ -113,6 +113,7 @@ impl Brdf for EnergyPreservingOrenNayar {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
 
     #[test]
     fn single_scattering_lacks_nothing_negative() {
