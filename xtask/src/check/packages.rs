@@ -35,10 +35,10 @@ const LARGEST: u64 = 500_000;
 /// The folder of packages as they are uploaded, and of what is built of them.
 const BUILDS: &str = "target/packages";
 
-/// Builds every package as it is uploaded, after a look at what is in it.
+/// Packs every package as it is uploaded, after a look at what is in it; [`of_a_stranger`] builds them.
 pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
     let members = metadata::published(root)?;
-    let mut words = String::from("package --quiet --allow-dirty --locked");
+    let mut words = String::from("package --quiet --allow-dirty --locked --no-verify");
     for package in &members {
         let (name, faults) = (&package.name, faults(root, package));
         if !faults.is_empty() {
@@ -57,12 +57,7 @@ pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
         }
         words += &format!(" --package {name}");
     }
-    forget_unpacked(root, &members)?;
-    // What was compiled of an earlier package of the same version would be taken for this one's.
     let builds = root.join(BUILDS);
-    if builds.is_dir() {
-        fs::remove_dir_all(&builds)?;
-    }
     run(cargo(root, &words).arg("--target-dir").arg(&builds))?;
     for package in &members {
         let file = builds.join(format!("package/{}-{}.crate", package.name, package.version));
@@ -79,10 +74,8 @@ pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
 
 /// Builds documentation and an example of every package from its file alone, in an empty workspace.
 pub(crate) fn of_a_stranger(root: &Path) -> Result<(), Failure> {
+    packages(root)?;
     let members = metadata::published(root)?;
-    let mut package = cargo(root, "package --quiet --allow-dirty --locked --no-verify");
-    package.args(members.iter().flat_map(|member| ["--package", member.name.as_str()]));
-    run(package.arg("--target-dir").arg(root.join(BUILDS)))?;
     stranger::builds(root, &root.join(BUILDS), &members)
 }
 
@@ -90,28 +83,6 @@ pub(crate) fn of_a_stranger(root: &Path) -> Result<(), Failure> {
 fn belongs(file: &str) -> bool {
     let place = file.split(['/', '\\']).next().unwrap_or(file);
     PLACES.contains(&place) || file.replace('\\', "/").starts_with(PAGES) && file.ends_with(".md")
-}
-
-/// Removes what an earlier run unpacked of the packages.
-///
-/// Cargo hands the packages to one another by a registry in the build folder, and takes the sources that it once
-/// unpacked from there for good: while the version stays, a package would be built against older ones.
-fn forget_unpacked(root: &Path, members: &[Package]) -> Result<(), Failure> {
-    let whole = metadata::all(root)?;
-    let foreign = whole.iter().find(|package| package.source.is_some());
-    let Some(sources) = foreign.and_then(|package| package.manifest_path.ancestors().nth(3)) else {
-        return Ok(());
-    };
-    for registry in fs::read_dir(sources)? {
-        let registry = registry?.path();
-        for package in members {
-            let unpacked = registry.join(format!("{}-{}", package.name, package.version));
-            if unpacked.is_dir() {
-                fs::remove_dir_all(unpacked)?;
-            }
-        }
-    }
-    Ok(())
 }
 
 /// Runs a program that names the oldest `glam` that the crates allow as its own, with the oldest of every other package.
