@@ -34,18 +34,18 @@ example builds one kind alone, in two minutes.")]
     /// Time our noises next to other libraries and write the table: `cargo xtask peers --help`.
     #[command(disable_help_flag = true)]
     Peers(Forwarded),
-    /// Write the functions of the shaders in every shading language with a page of all, or compare them with the crates on adapters.
+    /// Write the functions of the shaders in every shading language, or compare them with the crates on adapters.
     #[command(after_help = "Examples:
   cargo xtask shaders
   cargo xtask shaders --part noise/kinds/gaussian --dialect glsl-es-300 --out my-shaders
   cargo xtask shaders --check
   cargo xtask shaders --adapter llvmpipe --part ndf/density
 
-index.html in the folder, target/asperity/shaders if none is named, has every part with its bindings and a use in wgpu, Bevy,
-three.js, Godot, Unity and Metal.
+Every function has a folder with its shader in every language and the words of its bindings. The folder `parts` has modules for Bevy.
+docs/guide/shaders.md shows the use in wgpu, Bevy, three.js, Godot, Unity and Metal.
 
 Drivers in software are Debian's mesa-vulkan-drivers, and SwiftShader, which comes with Chromium; validators are those of
-spirv-tools and glslang-tools, and g++. What is missing is said. The program is built in tests/gpu, which takes minutes the first time.")]
+spirv-tools and glslang-tools. Missing tools are reported. The program is built in tests/gpu, which takes minutes the first time.")]
     Shaders(Shaders),
     /// Check dependency edges, the order of rooms, circles of files, and the heads of all files.
     Tidy,
@@ -115,8 +115,7 @@ pub(crate) struct Bench {
 }
 
 /// Languages that shaders are written in.
-const DIALECTS: [&str; 8] =
-    ["wgsl", "glsl-450", "glsl-es-300", "glsl-es-310", "hlsl", "msl", "spirv", "spirv-no-contraction"];
+const DIALECTS: [&str; 7] = ["wgsl", "glsl-450", "glsl-es-300", "glsl-es-310", "hlsl", "msl", "spirv"];
 
 #[derive(Debug, Args)]
 pub(crate) struct Shaders {

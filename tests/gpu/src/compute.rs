@@ -6,17 +6,7 @@ use wgpu::{BufferUsages, ShaderSource, ShaderStages};
 use crate::{
     device::Gpu,
     resources::{bound, buffer, bytes, group, layout, stored},
-    unfused,
 };
-
-/// Rounding of sums of products on a driver.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Sums {
-    /// Fused or not, the way the driver likes.
-    Free,
-    /// Rounded one by one, the way they are written.
-    Unfused,
-}
 
 /// An entry of a module of parts: their resources in group 0; in group 1 its input, and its output.
 pub(crate) struct Kernel {
@@ -33,16 +23,11 @@ impl Kernel {
         parts: &[&'static Part],
         wgsl: &str,
         entry: &'static str,
-        sums: Sums,
     ) -> Result<Self, String> {
         let scope = gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
-        let module = match sums {
-            Sums::Free => {
-                let source = ShaderSource::Wgsl(wgsl.into());
-                gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(name), source })
-            }
-            Sums::Unfused => unfused::module(gpu, name, wgsl, entry)?,
-        };
+        let source = ShaderSource::Wgsl(wgsl.into());
+        let module =
+            gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(name), source });
         let own = |binding, read_only| wgpu::BindGroupLayoutEntry {
             binding,
             visibility: ShaderStages::COMPUTE,

@@ -6,7 +6,6 @@ use wgpu::{Adapter, Backends, Instance, InstanceDescriptor};
 #[derive(Clone)]
 pub(crate) struct Gpu {
     pub(crate) name: String,
-    software: bool,
     /// Less for those that are likely faster.
     pub(crate) rank: (usize, bool),
     pub(crate) device: wgpu::Device,
@@ -42,38 +41,16 @@ pub(crate) fn find(named: Option<&str>, backends: Backends) -> Vec<Gpu> {
             continue;
         }
         match pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
-            required_features: adapter.features() & unfused(adapter),
             required_limits: wgpu::Limits::downlevel_defaults().using_resolution(adapter.limits()),
             ..Default::default()
         })) {
             Ok((device, queue)) => {
-                let software = adapter.get_info().device_type == wgpu::DeviceType::Cpu;
-                gpus.push(Gpu { name: name(adapter), software, rank: rank(adapter), device, queue });
+                gpus.push(Gpu { name: name(adapter), rank: rank(adapter), device, queue });
             }
             Err(error) => println!("{} is left out: {error}", name(adapter)),
         }
     }
     gpus
-}
-
-/// Features of a device that takes SPIR-V as it is.
-fn unfused(adapter: &Adapter) -> wgpu::Features {
-    match adapter.get_info().backend {
-        wgpu::Backend::Vulkan => wgpu::Features::PASSTHROUGH_SHADERS,
-        _ => wgpu::Features::empty(),
-    }
-}
-
-impl Gpu {
-    /// It is a processor.
-    pub(crate) const fn is_software(&self) -> bool {
-        self.software
-    }
-
-    /// It takes SPIR-V as it is.
-    pub(crate) fn takes_spirv(&self) -> bool {
-        self.device.features().contains(wgpu::Features::PASSTHROUGH_SHADERS)
-    }
 }
 
 fn rank(adapter: &Adapter) -> (usize, bool) {

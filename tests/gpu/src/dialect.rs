@@ -6,8 +6,6 @@ use naga::proc::BoundsCheckPolicies;
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{Module, ShaderStage};
 
-use crate::no_contraction::without_contraction;
-
 /// A language that entries are written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Dialect {
@@ -28,8 +26,6 @@ pub(crate) enum Dialect {
     Msl,
     /// SPIR-V
     Spirv,
-    /// SPIR-V whose sums and products must not be fused: equal bits
-    SpirvNoContraction,
 }
 
 /// A module that was accepted.
@@ -61,27 +57,11 @@ impl Dialect {
             Self::Hlsl => "shader.hlsl",
             Self::Msl => "shader.metal",
             Self::Spirv => "shader.spv",
-            Self::SpirvNoContraction => "shader-no-contraction.spv",
-        }
-    }
-
-    /// Name and version.
-    pub(crate) const fn label(self) -> &'static str {
-        match self {
-            Self::Wgsl => "WGSL",
-            Self::Glsl450 => "GLSL 4.50",
-            Self::GlslEs300 => "GLSL ES 3.00",
-            Self::GlslEs310 => "GLSL ES 3.10",
-            Self::Hlsl => "HLSL",
-            Self::Msl => "MSL",
-            Self::Spirv => "SPIR-V",
-            Self::SpirvNoContraction => "SPIR-V, unfused",
         }
     }
 
     /// The module in this language.
     pub(crate) fn write(self, checked: &Checked<'_>) -> Result<Vec<u8>, String> {
-        let words = |words: Vec<u32>| words.iter().flat_map(|word| word.to_le_bytes()).collect();
         match self {
             Self::Wgsl => Ok(checked.wgsl.into()),
             Self::Glsl450 => glsl(checked, glsl::Version::Desktop(450)),
@@ -89,8 +69,7 @@ impl Dialect {
             Self::GlslEs310 => glsl(checked, glsl::Version::Embedded { version: 310, is_webgl: false }),
             Self::Hlsl => hlsl(checked),
             Self::Msl => msl(checked),
-            Self::Spirv => spirv(checked).map(words),
-            Self::SpirvNoContraction => unfused(checked).map(words),
+            Self::Spirv => spirv(checked),
         }
     }
 }
@@ -169,15 +148,12 @@ fn slots(Checked { module, .. }: &Checked<'_>) -> back::msl::EntryPointResourceM
     module.entry_points.iter().map(|entry| (entry.name.clone(), of_entry.clone())).collect()
 }
 
-fn spirv(checked: &Checked<'_>) -> Result<Vec<u32>, String> {
+fn spirv(checked: &Checked<'_>) -> Result<Vec<u8>, String> {
     let mut options = back::spv::Options { lang_version: (1, 3), ..Default::default() };
     options.flags |= back::spv::WriterFlags::DEBUG;
-    back::spv::write_vec(&checked.module, &checked.info, &options, None).map_err(|error| error.to_string())
-}
-
-/// SPIR-V whose sums, products and quotients must not be fused.
-pub(crate) fn unfused(checked: &Checked<'_>) -> Result<Vec<u32>, String> {
-    spirv(checked).map(|module| without_contraction(&module))
+    let words = back::spv::write_vec(&checked.module, &checked.info, &options, None);
+    let words = words.map_err(|error| error.to_string())?;
+    Ok(words.iter().flat_map(|word| word.to_le_bytes()).collect())
 }
 
 /// SPIR-V of all functions with their names, without the counters by which naga bounds loops: every operation is one that is written.

@@ -1,16 +1,18 @@
-//! Files of every case and every part in every language, and the page of all.
+//! Files of every case in every language, and of every part.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 use std::sync::{Mutex, PoisonError};
 
-use asperity_shader_tests::{case::Case, cases};
+use asperity_shader_tests::case::Case;
+use asperity_shaders::{Bindings, Part, compose, ordered};
 use clap::ValueEnum;
 use rayon::prelude::*;
 
 use crate::dialect::{Checked, Dialect};
-use crate::{entry, page};
+use crate::entry;
 
 /// A validator and the files that it reads.
 struct Tool {
@@ -20,14 +22,11 @@ struct Tool {
     reads: &'static [(Dialect, &'static [&'static str])],
 }
 
-const TOOLS: [Tool; 3] = [
+const TOOLS: [Tool; 2] = [
     Tool {
         program: "spirv-val",
         package: "spirv-tools",
-        reads: &[
-            (Dialect::Spirv, &["--target-env", "vulkan1.1"]),
-            (Dialect::SpirvNoContraction, &["--target-env", "vulkan1.1"]),
-        ],
+        reads: &[(Dialect::Spirv, &["--target-env", "vulkan1.1"])],
     },
     Tool {
         program: "glslangValidator",
@@ -39,18 +38,7 @@ const TOOLS: [Tool; 3] = [
             (Dialect::Hlsl, &["-D", "-V", "-S", "frag", "--auto-map-bindings", "-o", "/dev/null", "-e"]),
         ],
     },
-    // MSL is C++ with a library: of that the folder has the declarations, where a number without a suffix is a float.
-    Tool {
-        program: "g++",
-        package: "g++",
-        reads: &[(
-            Dialect::Msl,
-            &["-std=c++14", "-fsyntax-only", "-fsingle-precision-constant", "-w", METAL, "-x", "c++"],
-        )],
-    },
 ];
-
-const METAL: &str = concat!("-I", env!("CARGO_MANIFEST_DIR"), "/src/metal");
 
 /// The place where files go, or are compared with.
 struct Folder<'a> {
@@ -106,40 +94,36 @@ impl Folder<'_> {
     }
 }
 
-/// Writes the cases and the parts in the languages with a page of all, and has what is written read by the validators that are
-/// installed; or says what is missing or stale of it.
-pub(crate) fn run(
-    cases: &[Case],
-    only: Option<&str>,
-    dialects: &[Dialect],
-    out: &Path,
-    check: bool,
-) -> Result<(), String> {
-    let all = Dialect::value_variants();
-    let dialects = if dialects.is_empty() { all } else { dialects };
+/// Writes the cases in the languages with the words of their bindings, and the parts as modules for Bevy, and has what is written read by
+/// the validators that are installed; or says what is missing or stale of it.
+pub(crate) fn run(cases: &[Case], dialects: &[Dialect], out: &Path, check: bool) -> Result<(), String> {
+    let dialects = if dialects.is_empty() { Dialect::value_variants() } else { dialects };
     let folder = Folder { out, check, refusals: Mutex::default() };
-    let of_case = |case: &Case| (folder_of(&case.name), case.wgsl() + entry::FRAGMENT, "show_case");
-    let mut shaders: Vec<Shader> = cases.iter().map(of_case).collect();
-    let parts = page::parts(&cases::all(), only)?;
-    let count = parts.len();
-    for part in &parts {
-        folder.put(&format!("{}/bevy.wgsl", part.folder), part.bevy.as_bytes())?;
-        for (name, words) in &part.words {
-            folder.put(&format!("{}/{name}.bin", part.folder), bytemuck::cast_slice(words))?;
+    cases.par_iter().try_for_each(|case| {
+        let (place, wgsl) = (folder_of(&case.name), case.wgsl());
+        for (name, words) in &case.resources {
+            folder.put(&format!("{place}/{name}.bin"), bytemuck::cast_slice(words))?;
         }
-        let Some([fragment, compute]) = &part.shaders else { continue };
-        shaders.push((part.folder.clone(), fragment.clone(), page::ENTRY));
-        let checked = Checked::new(compute, "main").map_err(|error| format!("{}: {error}", part.folder))?;
-        let compute = Dialect::Spirv.write(&checked)?;
-        folder.put(&format!("{}/compute.spv", part.folder), &compute)?;
+        // Engines that take a compute shader's SPIR-V expect this name.
+        let compute = wgsl.clone() + &entry::COMPUTE.replace("run_case", "main");
+        let compute = Checked::new(&compute, "main").and_then(|checked| Dialect::Spirv.write(&checked));
+        match compute {
+            Ok(compute) => folder.put(&format!("{place}/compute.spv"), &compute)?,
+            Err(error) => folder.refuse(format!("{place}: {error}")),
+        }
+        folder.shader(&(place, wgsl + entry::FRAGMENT, "show_case"), dialects)
+    })?;
+    let parts: BTreeMap<&str, &'static Part> = cases
+        .iter()
+        .flat_map(|case| ordered(&case.parts))
+        .map(|part| (part.name(), part))
+        // Cases have parts of their own.
+        .filter(|(name, part)| !part.source().is_empty() && !name.starts_with("case/"))
+        .collect();
+    for (name, part) in &parts {
+        folder.put(&format!("parts/{name}/bevy.wgsl"), bevy(part).as_bytes())?;
     }
-    shaders.par_iter().try_for_each(|shader| folder.shader(shader, dialects))?;
-    let page = out.join("index.html");
-    // Of some functions alone there is no page: it would take the place of that of all.
-    if only.is_none() {
-        let entries: Vec<_> = cases.iter().map(|case| (folder_of(&case.name), case)).collect();
-        folder.put("index.html", page::html(parts, &entries, dialects).as_bytes())?;
-    }
+    let count = parts.len();
     let mut refusals = folder.refusals.into_inner().unwrap_or_else(PoisonError::into_inner);
     refusals.sort_unstable();
     if check {
@@ -166,12 +150,14 @@ pub(crate) fn run(
     );
     say_who_read(dialects);
     refusals.iter().for_each(|line| println!("{line}"));
-    if only.is_none() {
-        println!("the page of all parts, with a use in every engine: {}", page.display());
-    } else {
-        println!("the page with a use in every engine is written with all parts: `cargo xtask shaders`");
-    }
     if refusals.is_empty() { Ok(()) } else { Err(format!("{} shaders are refused", refusals.len())) }
+}
+
+/// A part with all that it needs as a module for `naga_oil`, which Bevy imports.
+fn bevy(part: &'static Part) -> String {
+    let import = format!("#define_import_path asperity::{}\n", part.name().replace('/', "::"));
+    let module = compose(&[part], Bindings::Textures { group: 0 });
+    import + &module.replace("@group(0)", "@group(#{MATERIAL_BIND_GROUP})")
 }
 
 /// A line for each validator, and for what has none.
@@ -194,10 +180,7 @@ fn say_who_read(dialects: &[Dialect]) {
         }
     }
     if dialects.contains(&Dialect::Msl) {
-        println!(
-            "of {} names and types alone are read, as C++: no compiler but Apple's reads MSL",
-            Dialect::Msl.file()
-        );
+        println!("untested: only Apple's compiler reads {}", Dialect::Msl.file());
     }
 }
 

@@ -16,13 +16,9 @@ mod dialect;
 mod entry;
 mod export;
 mod means;
-mod mutants;
-mod no_contraction;
-mod page;
 mod parity;
 mod picture;
 mod resources;
-mod unfused;
 
 use dialect::Dialect;
 use picture::Subject;
@@ -49,8 +45,8 @@ enum Command {
         #[arg(long)]
         out: Option<PathBuf>,
     },
-    /// Every function with an entry point and every part in every shading language, read by the validators that are installed, with a
-    /// page of all.
+    /// Every function with an entry point in every shading language, read by the validators that are installed, with the words of its
+    /// bindings, and every part as a module for Bevy.
     Export {
         /// Functions whose names, or those of the parts they need, contain this; all without it.
         #[arg(long, visible_alias = "part")]
@@ -64,12 +60,6 @@ enum Command {
         /// Say what is missing or stale in the folder, and write nothing.
         #[arg(long)]
         check: bool,
-    },
-    /// Every bound seen to fail, by a fault in the source of its function.
-    Mutants {
-        /// Functions whose names, or those of the parts they need, contain this; all without it.
-        #[arg(long, visible_alias = "part")]
-        only: Option<String>,
     },
     /// The mean radiance over a surface by the exact rule, at five zooms and half vectors, over the density.
     Means {
@@ -120,10 +110,9 @@ fn main() -> ExitCode {
             chosen(only).and_then(|cases| parity::run(&cases, adapter.as_deref(), out.as_deref()))
         }
         Command::Export { only, dialect, out, check } => {
-            chosen(only.clone()).and_then(|cases| export::run(&cases, only.as_deref(), &dialect, &out, check))
+            chosen(only).and_then(|cases| export::run(&cases, &dialect, &out, check))
         }
         Command::Costs { adapter, size, out } => costs::run(adapter.as_deref(), size, out.as_deref()),
-        Command::Mutants { only } => chosen(only).and_then(|cases| mutants::run(&cases)),
         Command::Means { adapter } => means::run(adapter.as_deref()),
         Command::Page { folder } => picture::page::run(&folder),
         Command::Pictures { adapter, fastest, only, size, out } => {

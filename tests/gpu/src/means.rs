@@ -6,7 +6,7 @@ use asperity_shading::ndf_sampling::{Ggx, Ndf};
 use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
 use glam::Vec3;
 
-use crate::compute::{Kernel, Sums};
+use crate::compute::Kernel;
 use crate::device::{self, Gpu};
 
 static MEANS: Part = Part::new(
@@ -61,7 +61,7 @@ fn radiances(gpu: &Gpu, halves: &[Vec3], octaves: f32) -> Result<Vec<f32>, Strin
         ("means_job", job.map(f32::to_bits).collect()),
     ];
     let wgsl = compose(&[&MEANS], Bindings::Textures { group: 0 });
-    let kernel = Kernel::new(gpu, "means", &[&MEANS], &wgsl, "means_point", Sums::Free)?;
+    let kernel = Kernel::new(gpu, "means", &[&MEANS], &wgsl, "means_point")?;
     let count = POINTS as usize * halves.len();
     let words = kernel.run(gpu, &words, &[POINTS], count, [65536 / 64, POINTS / 65536])?;
     Ok(words.into_iter().map(f32::from_bits).collect())

@@ -7,7 +7,7 @@ use asperity_shader_tests::interpreter::Arithmetic;
 use wgpu::Backends;
 
 use crate::{
-    compute::{Kernel, Sums},
+    compute::Kernel,
     device::{self, Gpu},
     entry,
 };
@@ -15,7 +15,7 @@ use crate::{
 /// Source of a column's outcomes: the interpreter with one arithmetic or the other, or an adapter.
 enum Column {
     Interpreter(Arithmetic),
-    Adapter(Gpu, Sums),
+    Adapter(Gpu),
 }
 
 impl Column {
@@ -23,8 +23,7 @@ impl Column {
         match self {
             Self::Interpreter(Arithmetic::Fused) => "no driver, fused".into(),
             Self::Interpreter(_) => "no driver".into(),
-            Self::Adapter(gpu, Sums::Free) => gpu.name.clone(),
-            Self::Adapter(gpu, Sums::Unfused) => format!("{}, unfused", gpu.name),
+            Self::Adapter(gpu) => gpu.name.clone(),
         }
     }
 
@@ -35,20 +34,6 @@ impl Column {
         }
     }
 
-    /// The bound for inputs that are numbers, which drivers may take all for: unfused in software, quotients and roots are a
-    /// processor's, and what has the crate's bits as written has them there.
-    fn bound_of_numbers(&self, case: &Case, output: &Output) -> Bound {
-        match (self, output.written, output.adapter) {
-            // 0 may stand for a denormal result.
-            (Self::Adapter(gpu, Sums::Unfused), Bound::Equal, Bound::Absolute(_) | Bound::Relative(_))
-                if gpu.is_software() && !has_logarithm(case) =>
-            {
-                Bound::Absolute(0.0)
-            }
-            _ => self.bound(output),
-        }
-    }
-
     fn outcomes(&self, case: &Case, inputs: &[[u32; INPUTS]]) -> Result<Vec<[u32; OUTPUTS]>, String> {
         match self {
             Self::Interpreter(arithmetic) => {
@@ -56,14 +41,9 @@ impl Column {
                 let outcomes = shader.call_many("evaluate", inputs)?;
                 Ok(outcomes.iter().map(|outcome| std::array::from_fn(|k| outcome.words()[k])).collect())
             }
-            Self::Adapter(gpu, sums) => outcomes(gpu, case, inputs, *sums),
+            Self::Adapter(gpu) => outcomes(gpu, case, inputs),
         }
     }
-}
-
-/// Whether a case calls WGSL's own logarithm, the one function besides quotients and roots that drivers have their way of.
-fn has_logarithm(case: &Case) -> bool {
-    asperity_shaders::ordered(&case.parts).iter().any(|part| part.source().contains("log2("))
 }
 
 /// Prints the table of functions and adapters, writes it where that is asked for, and fails where a bound is broken.
@@ -78,11 +58,7 @@ pub(crate) fn run(cases: &[Case], adapter: Option<&str>, out: Option<&Path>) -> 
             None => println!("no driver is tried: {}", device::none(None)),
         }
     }
-    for gpu in gpus {
-        let unfused = gpu.takes_spirv().then(|| Column::Adapter(gpu.clone(), Sums::Unfused));
-        columns.push(Column::Adapter(gpu, Sums::Free));
-        columns.extend(unfused);
-    }
+    columns.extend(gpus.into_iter().map(Column::Adapter));
     let names: Vec<_> = columns.iter().map(Column::name).collect();
     let mut table = format!("| function | quantity | bound | {} |\n|---|---|---|", names.join(" | "));
     table += &"---|".repeat(columns.len());
@@ -97,7 +73,7 @@ pub(crate) fn run(cases: &[Case], adapter: Option<&str>, out: Option<&Path>) -> 
         for output in &case.outputs {
             let mut row = format!("| {} | {} | {} |", case.name, output.name, bound(output.adapter));
             for (column, got) in columns.iter().zip(&outcomes) {
-                let found = Found::new(column, case, output, got, &expected);
+                let found = Found::new(column, output, got, &expected);
                 row += &format!(" {} |", found.cell());
                 if let Some((worst, error)) = found.broken {
                     let input = inputs[worst].map(f32::from_bits);
@@ -129,9 +105,7 @@ const HEAD: &str = "\
 
 Every function on ten thousand inputs, bad ones among them: \"=\" where all bits are equal; else the share of equal ones and the largest
 error, absolute or relative as the bound. Without a driver an interpreter computes each operation as it is written, or every product that
-is added fused with the sum. An adapter *unfused* has been handed SPIR-V whose sums, products and quotients are decorated with
-`NoContraction`: a driver in software must then have the crate's numbers wherever the interpreter has its bits, but where a function calls
-WGSL's own logarithm.
+is added fused with the sum.
 `cargo run -- parity --out ../../docs/shaders/parity.md` in `tests/gpu` makes this page.
 
 ";
@@ -150,8 +124,6 @@ struct Expected {
     written: [u32; OUTPUTS],
     /// For the input with 0 in place of its denormal numbers, where it has any: WGSL allows a card to take them for 0.
     flushed: Option<[u32; OUTPUTS]>,
-    /// Neither NaN nor infinite.
-    of_numbers: bool,
 }
 
 impl Expected {
@@ -159,11 +131,7 @@ impl Expected {
         let mut flushed = *input;
         flushed.iter_mut().filter(|word| **word == DENORMAL.to_bits()).for_each(|word| *word = 0);
         let has_denormal = flushed != *input;
-        Self {
-            written: (case.reference)(*input),
-            flushed: has_denormal.then(|| (case.reference)(flushed)),
-            of_numbers: input.iter().all(|word| f32::from_bits(*word).is_finite()),
-        }
+        Self { written: (case.reference)(*input), flushed: has_denormal.then(|| (case.reference)(flushed)) }
     }
 
     /// The error of an output's words; on an adapter that of the nearer one.
@@ -185,22 +153,14 @@ struct Found {
 }
 
 impl Found {
-    fn new(
-        column: &Column,
-        case: &Case,
-        output: &Output,
-        got: &[[u32; OUTPUTS]],
-        expected: &[Expected],
-    ) -> Self {
+    fn new(column: &Column, output: &Output, got: &[[u32; OUTPUTS]], expected: &[Expected]) -> Self {
         let on_adapter = matches!(column, Column::Adapter(..));
-        let (shown, of_numbers) = (column.bound(output), column.bound_of_numbers(case, output));
+        let bound = column.bound(output);
         let mut found = Self { equal: 0.0, largest: 0.0, broken: None };
         for (i, (got, expected)) in got.iter().zip(expected).enumerate() {
-            let error = expected.error(output, got, shown, on_adapter);
+            let error = expected.error(output, got, bound, on_adapter);
             found.equal += f64::from(u8::from(error == 0.0));
             found.largest = found.largest.max(error);
-            let bound = if expected.of_numbers { of_numbers } else { shown };
-            let error = expected.error(output, got, bound, on_adapter);
             if error > found.broken.map_or(bound.limit(), |(_, worst)| worst) {
                 found.broken = Some((i, error));
             }
@@ -222,10 +182,8 @@ pub(crate) fn outcomes(
     gpu: &Gpu,
     case: &Case,
     inputs: &[[u32; INPUTS]],
-    sums: Sums,
 ) -> Result<Vec<[u32; OUTPUTS]>, String> {
-    let kernel =
-        Kernel::new(gpu, &case.name, &case.parts, &(case.wgsl() + entry::COMPUTE), "run_case", sums)?;
+    let kernel = Kernel::new(gpu, &case.name, &case.parts, &(case.wgsl() + entry::COMPUTE), "run_case")?;
     let groups = [(inputs.len() as u32).div_ceil(64), 1];
     let words = kernel.run(gpu, &case.resources, inputs.as_flattened(), inputs.len() * OUTPUTS, groups)?;
     Ok(words.chunks_exact(OUTPUTS).map(|words| std::array::from_fn(|k| words[k])).collect())

@@ -6,7 +6,6 @@ use asperity_shader_tests::case::{INPUTS, OUTPUTS};
 use asperity_shader_tests::cases;
 use glam::{Vec2, Vec3};
 
-use crate::compute::Sums;
 use crate::device::Gpu;
 use crate::parity;
 use crate::picture::reference::encoded;
@@ -48,7 +47,7 @@ pub(crate) fn run(gpu: &Gpu, size: u32, out: &Path) -> Result<(), String> {
         let case =
             cases.iter().find(|case| case.name == full).ok_or_else(|| format!("no case is called {full}"))?;
         let inputs = floor(distance, size);
-        let ours = light(&parity::outcomes(gpu, case, &inputs, Sums::Free)?);
+        let ours = light(&parity::outcomes(gpu, case, &inputs)?);
         let theirs: Vec<_> = inputs.iter().map(|input| (case.reference)(*input)).collect();
         let theirs = light(&theirs);
         let sum = |of: &dyn Fn(usize) -> Vec3| {

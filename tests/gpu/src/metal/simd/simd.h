@@ -1,1 +1,0 @@
-// What naga's modules include of Metal beside its standard library: they use nothing of it.
