@@ -103,22 +103,22 @@ impl Bindings {
     }
 
     /// The words of a buffer without padding.
-    pub(super) fn buffer_words(&self, index: u32) -> Result<&[u32], String> {
-        self.buffers[index as usize].as_deref().ok_or_else(|| self.unbound(index))
+    pub(super) fn buffer_words(&self, index: usize) -> Result<&[u32], String> {
+        self.buffers[index].as_deref().ok_or_else(|| self.unbound(index))
     }
 
     /// A texture.
-    pub(super) fn texture_at(&self, index: u32) -> Result<&Texture, String> {
-        let texture = self.textures.get(index as usize).ok_or("no such texture")?;
+    pub(super) fn texture_at(&self, index: usize) -> Result<&Texture, String> {
+        let texture = self.textures.get(index).ok_or("no such texture")?;
         texture.as_ref().ok_or_else(|| self.unbound(index))
     }
 
     /// The name of a global variable.
-    pub(super) fn name(&self, index: u32) -> &str {
-        self.names.get(index as usize).map_or("", String::as_str)
+    pub(super) fn name(&self, index: usize) -> &str {
+        self.names.get(index).map_or("", String::as_str)
     }
 
-    fn unbound(&self, index: u32) -> String {
+    fn unbound(&self, index: usize) -> String {
         format!("nothing is bound to `{}`", self.name(index))
     }
 }

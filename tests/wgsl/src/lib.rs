@@ -2,21 +2,23 @@
 
 mod arithmetic;
 mod binding;
-mod compile;
+mod expression;
 mod layout;
+mod machine;
 mod operators;
-mod program;
-mod run;
+mod shader;
 mod value;
 
-use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
+use naga::valid::{Capabilities, ValidationFlags, Validator};
+use naga::{Function, Handle};
 use rayon::prelude::*;
 
 pub use self::arithmetic::Arithmetic;
 use self::arithmetic::Rounding;
 use self::binding::Bindings;
-use self::program::{Function, Program};
-use self::run::{LANES, Machine};
+use self::machine::Machine;
+use self::operators::LANES;
+use self::shader::Shader;
 pub use self::value::Value;
 
 /// A validated module of WGSL, what its names are bound to, and how its sums and quotients are rounded.
@@ -29,16 +31,10 @@ pub use self::value::Value;
 /// # Ok::<(), String>(())
 /// ```
 #[derive(Debug)]
-pub struct Interpreter {
-    module: naga::Module,
-    info: ModuleInfo,
-    bindings: Bindings,
-    rounding: Rounding,
-    program: Program,
-}
+pub struct Interpreter(Shader);
 
 impl Interpreter {
-    /// Parses, validates and compiles.
+    /// Parses and validates.
     ///
     /// # Errors
     /// Error as naga prints it, with the line of the source.
@@ -48,34 +44,27 @@ impl Interpreter {
             .validate(&module)
             .map_err(|error| error.emit_to_string(wgsl))?;
         let bindings = Bindings::new(&module);
-        let rounding = Rounding::default();
-        let program = compile::program(&module, &info, rounding);
-        Ok(Self { module, info, bindings, rounding, program })
+        Ok(Self(Shader { module, info, bindings, rounding: Rounding::default() }))
     }
 
     /// Rounds sums of products as `arithmetic` says.
     #[must_use]
     pub fn arithmetic(mut self, arithmetic: Arithmetic) -> Self {
-        self.rounding.arithmetic = arithmetic;
-        self.recompiled()
+        self.0.rounding.arithmetic = arithmetic;
+        self
     }
 
     /// Moves every quotient and every square root by so many units in the last place: WGSL allows 2.5 of them.
     #[must_use]
     pub fn division_ulps(mut self, ulps: i32) -> Self {
-        self.rounding.division_ulps = ulps;
-        self.recompiled()
+        self.0.rounding.division_ulps = ulps;
+        self
     }
 
     /// Takes denormals for zero, as operands and as results of `f32` operations, which WGSL allows.
     #[must_use]
     pub fn flush_denormals(mut self, flush: bool) -> Self {
-        self.rounding.flush_denormals = flush;
-        self.recompiled()
-    }
-
-    fn recompiled(mut self) -> Self {
-        self.program = compile::program(&self.module, &self.info, self.rounding);
+        self.0.rounding.flush_denormals = flush;
         self
     }
 
@@ -84,7 +73,7 @@ impl Interpreter {
     /// # Errors
     /// No such texture, or rows that are not full.
     pub fn texture(&mut self, name: &str, width: u32, words: Vec<u32>) -> Result<(), String> {
-        self.bindings.texture(&self.module, name, width, words)
+        self.0.bindings.texture(&self.0.module, name, width, words)
     }
 
     /// Binds a uniform by its words as they lie in memory, padding included.
@@ -92,7 +81,7 @@ impl Interpreter {
     /// # Errors
     /// No such uniform, or not as many words as naga lays out.
     pub fn uniform(&mut self, name: &str, words: &[u32]) -> Result<(), String> {
-        self.bindings.buffer(&self.module, name, words, "uniform")
+        self.0.bindings.buffer(&self.0.module, name, words, "uniform")
     }
 
     /// Binds a buffer that is read only, by its words as they lie in memory, padding included.
@@ -101,7 +90,7 @@ impl Interpreter {
     /// No such buffer, or words that do not make up its type.
     #[expect(clippy::needless_pass_by_value, reason = "a large table is handed over, as to `texture`")]
     pub fn storage(&mut self, name: &str, words: Vec<u32>) -> Result<(), String> {
-        self.bindings.buffer(&self.module, name, &words, "storage buffer")
+        self.0.bindings.buffer(&self.0.module, name, &words, "storage buffer")
     }
 
     /// Calls a function at one point.
@@ -110,16 +99,13 @@ impl Interpreter {
     /// No such function, other arguments, nothing bound, an index outside, an expression that is not known, or a loop
     /// without an end.
     pub fn call(&self, function: &str, arguments: &[Value]) -> Result<Value, String> {
-        let called = self.function(function)?;
+        let (called, wanted) = self.function(function)?;
         let given: Vec<usize> = arguments.iter().map(|value| value.words().len()).collect();
-        if given != called.arguments {
-            return Err(format!(
-                "function `{function}` has arguments of {:?} words, got {given:?}",
-                called.arguments
-            ));
+        if given != wanted {
+            return Err(format!("function `{function}` has arguments of {wanted:?} words, got {given:?}"));
         }
         let words: Vec<u32> = arguments.iter().flat_map(Value::words).copied().collect();
-        let mut values = Machine::new(&self.program, &self.bindings).call(called, &[&words[..]])?;
+        let mut values = Machine::new(&self.0).call(called, &[&words[..]])?;
         values.pop().ok_or_else(|| format!("function `{function}` was not called"))
     }
 
@@ -132,8 +118,8 @@ impl Interpreter {
         function: &str,
         inputs: &[W],
     ) -> Result<Vec<Value>, String> {
-        let called = self.function(function)?;
-        let wanted: usize = called.arguments.iter().sum();
+        let (called, wanted) = self.function(function)?;
+        let wanted: usize = wanted.into_iter().sum();
         if let Some(other) = inputs.iter().find(|input| input.as_ref().len() != wanted) {
             let given = other.as_ref().len();
             return Err(format!("function `{function}` has arguments of {wanted} words, got {given}"));
@@ -142,7 +128,7 @@ impl Interpreter {
         let chunks: Vec<Vec<Value>> = inputs
             .par_chunks(16 * LANES)
             .map_init(
-                || Machine::new(&self.program, &self.bindings),
+                || Machine::new(&self.0),
                 |machine, chunk| {
                     let mut values = Vec::with_capacity(chunk.len());
                     for points in chunk.chunks(LANES) {
@@ -156,10 +142,13 @@ impl Interpreter {
         Ok(chunks.into_iter().flatten().collect())
     }
 
-    fn function(&self, name: &str) -> Result<&Function, String> {
-        let handle =
-            self.module.functions.iter().find(|(_, function)| function.name.as_deref() == Some(name));
-        let (handle, _) = handle.ok_or_else(|| format!("no function is called `{name}`"))?;
-        self.program.functions[handle.index()].as_ref().map_err(Clone::clone)
+    /// A function and the numbers of words of its arguments.
+    fn function(&self, name: &str) -> Result<(Handle<Function>, Vec<usize>), String> {
+        let mut functions = self.0.module.functions.iter();
+        let found = functions.find(|(_, function)| function.name.as_deref() == Some(name));
+        let (handle, function) = found.ok_or_else(|| format!("no function is called `{name}`"))?;
+        let words = |of| layout::words_of(&self.0.module, of).map(|words| words as usize);
+        let words = function.arguments.iter().map(|argument| words(argument.ty)).collect::<Result<_, _>>()?;
+        Ok((handle, words))
     }
 }

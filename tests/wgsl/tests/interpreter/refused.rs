@@ -51,12 +51,21 @@ fn only_functions_with_something_unknown_fail() {
         fn common_sum() -> f32 { return shared_sum; }";
     let shader = interpreter(wgsl);
     assert_eq!(shader.call("good", &[]), Ok(1.0.into()));
-    let refused = |name: &str| shader.call(name, &[]).unwrap_err();
-    assert_eq!(refused("slope"), "expressions of kind `Derivative` are not known, in `slope`");
-    assert_eq!(refused("calls"), "expressions of kind `Derivative` are not known, in `slope`, in `calls`");
-    assert_eq!(refused("sampled"), "expressions of kind `ImageSample` are not known, in `sampled`");
-    assert!(refused("written").contains("`sums` lies in the space"));
-    assert!(refused("common_sum").contains("`shared_sum` lies in the space WorkGroup"));
+    let refused = |name: &str, words: &[f32]| {
+        let words = words.iter().map(|word| word.to_bits()).collect::<Vec<u32>>();
+        shader.call_many(name, &[words]).unwrap_err()
+    };
+    assert_eq!(refused("slope", &[1.0]), "expressions of kind `Derivative` are not known, in `slope`");
+    assert_eq!(
+        refused("calls", &[1.0]),
+        "expressions of kind `Derivative` are not known, in `slope`, in `calls`"
+    );
+    assert_eq!(
+        refused("sampled", &[0.5, 0.5]),
+        "expressions of kind `ImageSample` are not known, in `sampled`"
+    );
+    assert!(refused("written", &[1.0]).contains("`sums` lies in the space"));
+    assert!(refused("common_sum", &[]).contains("`shared_sum` lies in the space WorkGroup"));
 }
 
 #[test]

@@ -64,7 +64,7 @@ pub(super) const HOUSES: &[House] = &[
     House {
         name: "wgsl",
         sources: "tests/wgsl/src",
-        rooms: "value arithmetic operators → program → layout → binding → compile → run",
+        rooms: "value arithmetic layout → operators binding → shader → machine → expression",
         face: None,
     },
     House {
@@ -76,7 +76,7 @@ pub(super) const HOUSES: &[House] = &[
     House {
         name: "gallery",
         sources: "tools/gallery/src",
-        rooms: "cli captions drivers power_spectrum → figure page → panels plot → figures → draw",
+        rooms: "cli captions power_spectrum → figure page → panels plot → figures → draw",
         face: None,
     },
     House {
@@ -88,7 +88,7 @@ pub(super) const HOUSES: &[House] = &[
     House {
         name: "platforms",
         sources: "tools/platforms/src",
-        rooms: "failure report cli → cargo drivers → toolchain → bits firmware no_std web",
+        rooms: "failure report cli → toolchain → bits firmware no_std web",
         face: None,
     },
     House {
