@@ -3,7 +3,6 @@
 mod captions;
 mod cli;
 mod draw;
-mod drivers;
 mod figure;
 mod figures;
 mod page;

@@ -3,6 +3,8 @@
 //! Every writer of the tools, of the live page and of the shaders goes through [`Output`]. A temporary file is locked while it is
 //! written, so that the next run that opens the folder knows what a killed one has left, and removes it.
 
+pub mod cargo;
+
 use std::fs::{self, File, TryLockError};
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};

@@ -1,9 +1,7 @@
 //! The program behind `cargo xtask web`, `no-std`, `bits` and `firmware`.
 
 mod bits;
-mod cargo;
 mod cli;
-mod drivers;
 mod failure;
 mod firmware;
 mod no_std;

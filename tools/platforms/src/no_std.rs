@@ -2,9 +2,9 @@
 
 use std::{path::Path, process::Command};
 
-use crate::cargo::{cargo, run};
 use crate::failure::Failure;
 use crate::toolchain::Toolchain;
+use asperity_output::cargo::{cargo, run};
 
 /// A Cortex-M0, which has no atomic pointers: `alloc::sync` does not exist there.
 const WITHOUT_ATOMIC_POINTERS: &str = "thumbv6m-none-eabi";

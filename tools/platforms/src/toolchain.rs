@@ -2,7 +2,7 @@
 
 use std::{ffi::OsString, path::Path, path::PathBuf, process::Command};
 
-use crate::cargo::cargo_program;
+use asperity_output::cargo::cargo_program;
 
 /// A machine that is emulated.
 pub(crate) struct Emulated {

@@ -4,12 +4,11 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use crate::cargo::{self, cargo};
 use crate::cli::Web;
-use crate::drivers::program;
 use crate::failure::Failure;
 use crate::report::say;
 use crate::toolchain::{Toolchain, output, rust_lld};
+use asperity_output::cargo::{self, cargo, shaders};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 const LINKER: &str = "CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER";
@@ -26,7 +25,8 @@ pub(crate) fn run(wanted: &Web, root: &Path) -> Result<(), Failure> {
     cargo::run(build.arg("--wasm").arg(module).arg("--out").arg(&out))?;
     let Some(port) = wanted.serve else { return Ok(()) };
     let mut serve = builder(root, "serve");
-    cargo::run(serve.arg(out.join("hosted")).arg("--port").arg(port.to_string()))
+    cargo::run(serve.arg(out.join("hosted")).arg("--port").arg(port.to_string()))?;
+    Ok(())
 }
 
 /// The gate: the page is built and no larger than it may be; in headless Chromium it draws, by both ways to the graphics card alike, as
@@ -68,7 +68,7 @@ pub(crate) fn in_browsers(root: &Path) -> Result<(), Failure> {
     let run = "run --quiet --locked --package asperity-web-snippets --message-format short";
     told(cargo(&root.join(FOLDER), run).env("ASPERITY_SNIPPETS", &snippets))?;
     told(node("others.mjs").arg(&out).arg(&screens))?.lines().for_each(tell);
-    told(program(root, "page").arg(&screens))?.lines().for_each(tell);
+    told(shaders(root, "page").arg(&screens))?.lines().for_each(tell);
     let gallery = root.join("target/asperity/drawings");
     // As small as may be, drawings are as large as ever. Means over zooms take as long as all others together; the rest have none.
     let mut draw = cargo(root, "run --quiet --profile tools --package asperity-gallery --");
@@ -79,7 +79,7 @@ pub(crate) fn in_browsers(root: &Path) -> Result<(), Failure> {
     told(&mut draw)?;
     told(node("drawings.mjs").arg(gallery.join("gallery")))?.lines().for_each(tell);
     let wgsl = root.join("target/asperity/wgsl");
-    told(program(root, "export").args(["--dialect", "wgsl", "--out"]).arg(&wgsl))?;
+    told(shaders(root, "export").args(["--dialect", "wgsl", "--out"]).arg(&wgsl))?;
     told(node("tint.mjs").arg(&wgsl))?.lines().for_each(tell);
     Ok(())
 }

@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use super::report::Report;
-use crate::cargo::{cargo, run};
 use crate::failure::Result;
 use crate::toolchain::{CORTEX_M4, Toolchain, is_there, rust_lld};
+use asperity_output::cargo::{cargo, run};
 
 /// A platform, and its digests or why there are none.
 pub(super) struct Column {

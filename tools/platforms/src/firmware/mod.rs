@@ -6,9 +6,9 @@ mod program;
 use std::path::Path;
 use std::process::Command;
 
-use crate::cargo::{cargo, run};
 use crate::failure::Result;
 use crate::report::write;
+use asperity_output::cargo::{cargo, run};
 use program::{Device, Drawn, Program};
 
 const FOLDER: &str = "tests/firmware";

@@ -5,9 +5,9 @@ use std::process::Command;
 
 use object::{Object, ObjectSection, ObjectSymbol};
 
-use crate::cargo::run;
 use crate::failure::Result;
 use crate::toolchain::{CORTEX_M4, Toolchain, is_there};
+use asperity_output::cargo::run;
 
 /// The toolchain and the emulator of a Cortex-M4.
 pub(super) struct Device<'a> {

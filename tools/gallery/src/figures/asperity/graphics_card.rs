@@ -7,10 +7,10 @@ use asperity_render::image::read::ImageFile;
 use asperity_render::image::{Image, tone::linear};
 use glam::Vec3;
 
-use crate::drivers::{PROGRAM, cargo, program};
 use crate::figure::{Context, Drawn, Panel};
 use asperity::failure::{Failure, Result};
 use asperity::progress;
+use asperity_output::cargo::{SHADERS, cargo, shaders};
 
 pub(crate) fn draw_teapot(context: &Context<'_>) -> Result<Drawn> {
     let alt = "A copper teapot, from the whole of it to single bumps, twice the same.";
@@ -70,11 +70,11 @@ fn on_adapter(
     subject: &str,
     folder: &Path,
 ) -> Result<Result<String, String>> {
-    let built = cargo(&root.join(PROGRAM), "build --quiet --release --locked").output()?;
+    let built = cargo(&root.join(SHADERS), "build --quiet --release --locked").output()?;
     if !built.status.success() {
-        return Ok(Err(format!("`cargo build` in {PROGRAM} failed")));
+        return Ok(Err(format!("`cargo build` in {SHADERS} failed")));
     }
-    let mut pictures = program(root, "pictures");
+    let mut pictures = shaders(root, "pictures");
     pictures.args(["--fastest", "--only", subject, "--size", &context.size.to_string(), "--out"]).arg(folder);
     let output = pictures.output()?;
     let error = String::from_utf8_lossy(&output.stderr);
