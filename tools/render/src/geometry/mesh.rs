@@ -78,20 +78,18 @@ impl TracedMesh {
         let corners = |t: &[u32; 3]| t.map(|i| mesh.vertices[i as usize].position);
         let triangles: Vec<_> = mesh.triangles.iter().map(corners).collect();
         let boxes = Boxes::new(&triangles);
-        let places = boxes.order.iter().map(|&id| by_axis(triangles[id as usize])).collect();
+        let places = boxes.order().iter().map(|&id| by_axis(triangles[id as usize])).collect();
         Self { mesh, boxes, places }
     }
 
     /// Whether a triangle is in front of the probe's origin.
     pub fn hides(&self, probe: &Probe) -> bool {
-        self.boxes
-            .search(&probe.line, f32::INFINITY, true, |k| probe.shear.distance(&self.places[k]))
-            .is_some()
+        self.boxes.meets_any(&probe.line, |k| probe.shear.distance(&self.places[k]))
     }
 
     /// Distance and name of the nearest triangle that a probe meets, nearer than `farthest`.
     pub fn meets(&self, probe: &Probe, farthest: f32) -> Option<(f32, u32)> {
-        self.boxes.search(&probe.line, farthest, false, |k| probe.shear.distance(&self.places[k]))
+        self.boxes.nearest(&probe.line, farthest, |k| probe.shear.distance(&self.places[k]))
     }
 
     /// The nearest triangle in front of `origin`.
@@ -106,7 +104,7 @@ impl TracedMesh {
 
     /// The meeting of a probe with a triangle that it [`meets`](Self::meets): position on the triangle and interpolated frame.
     pub fn hit(&self, probe: &Probe, triangle: u32) -> Option<Hit> {
-        let corners = self.corners(self.boxes.order[triangle as usize] as usize);
+        let corners = self.corners(self.boxes.order()[triangle as usize] as usize);
         let (t, exact) = probe.shear.intersect(&by_axis(corners.map(|v| v.position)))?;
         let weights = exact.map(|w| w as f32);
         let blend = |f: fn(&Vertex) -> Vec3| -> Vec3 {
@@ -215,8 +213,8 @@ impl Probe {
     }
 
     /// Its unit direction.
-    pub const fn direction(&self) -> Vec3 {
-        self.line.direction
+    pub fn direction(&self) -> Vec3 {
+        self.line.direction()
     }
 
     /// Its origin in the world.

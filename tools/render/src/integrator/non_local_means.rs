@@ -1,6 +1,6 @@
 //! Grain taken from a picture that is known twice: means over neighbours that look alike but for their noise.
 
-use std::{ops::Range, sync::atomic::AtomicBool};
+use std::sync::atomic::AtomicBool;
 
 use glam::Vec3;
 use indicatif::ProgressBar;
@@ -15,12 +15,6 @@ const PATCH: usize = 2;
 
 /// Squares of distances of patches, over the variance of their difference, at which a neighbour counts for 1/e.
 const STRENGTH: f32 = 0.2;
-
-/// Rows that are made at once.
-const BAND: usize = 32;
-
-/// Pixels beyond the border that the picture is continued by.
-const MARGIN: usize = WINDOW + PATCH;
 
 /// Two independent estimates of one picture.
 pub(super) struct Halves<'a> {
@@ -48,151 +42,64 @@ impl Halves<'_> {
         interrupted: &AtomicBool,
     ) -> Result<Vec<[Vec3; 2]>, Failure> {
         let count = self.halves.len().checked_div(self.columns).unwrap_or(0);
-        if count == 0 {
-            return Ok(Vec::new());
-        }
-        let padded = Padded::new(self, count);
-        rows(count.div_ceil(BAND), progress, interrupted, |band| {
-            padded.band(band * BAND, BAND.min(count - band * BAND))
-        })
-    }
-}
-
-/// The picture by channels, continued beyond its border as it ends.
-struct Padded {
-    columns: usize,
-    stride: usize,
-    halves: [[Vec<f32>; 3]; 2],
-    variances: Vec<f32>,
-}
-
-impl Padded {
-    fn new(of: &Halves<'_>, count: usize) -> Self {
-        let within = |place: usize, end: usize| place.saturating_sub(MARGIN).min(end - 1);
-        let index = |x: usize, y: usize| within(y, count) * of.columns + within(x, of.columns);
-        let stride = of.columns + 2 * MARGIN;
-        let places: Vec<usize> = (0..count + 2 * MARGIN)
-            .flat_map(|y| (0..stride).map(move |x| (x, y)))
-            .map(|(x, y)| index(x, y))
-            .collect();
-        let channel = |half: usize, k: usize| places.iter().map(|&place| of.halves[place][half][k]).collect();
-        Self {
-            columns: of.columns,
-            stride,
-            halves: [0, 1].map(|half| [0, 1, 2].map(|k| channel(half, k))),
-            variances: places.iter().map(|&place| of.variances[place]).collect(),
-        }
+        rows(count, progress, interrupted, |y| self.row(y))
     }
 
-    /// So many rows from one on.
-    fn band(&self, first: usize, count: usize) -> Vec<[Vec3; 2]> {
-        let Self { columns, stride, .. } = *self;
-        let wide = columns + 2 * PATCH;
-        let mut distances = vec![0.0; (count + 2 * PATCH) * wide];
-        let mut sums = [0, 1].map(|_| Sums::new(count * columns));
-        let mut weights = Weights { columns: vec![0.0; wide], row: vec![0.0; columns] };
+    /// One row without most of its noise.
+    fn row(&self, y: usize) -> Vec<[Vec3; 2]> {
+        const SIDE: usize = 2 * PATCH + 1;
+        // Columns of pixels that patches cover, from the left end of the first one on.
+        let columns = 0..self.columns + SIDE - 1;
+        let mut sums = vec![[(Vec3::ZERO, 0.0); 2]; self.columns];
         for (down, right) in
             (0..=2 * WINDOW).flat_map(|down| (0..=2 * WINDOW).map(move |right| (down, right)))
         {
-            for (half, sums) in [1, 0].into_iter().zip(&mut sums) {
-                for (y, row) in distances.chunks_exact_mut(wide).enumerate() {
-                    let at = (first + y + WINDOW) * stride + WINDOW;
-                    self.distances(half, [at, (first + y + down) * stride + right], row);
+            for half in [1, 0] {
+                let distance = |x: usize, row: usize| {
+                    let pixel = self.place(x + WINDOW, y + row + WINDOW);
+                    let distance = self.distance(half, pixel, self.place(x + right, y + row + down));
+                    // Beyond any that has a weight: a sum of them must stay finite.
+                    if (down, right) == (WINDOW, WINDOW) { 0.0 } else { distance.min(1e6) }
+                };
+                let patches: Vec<f32> =
+                    columns.clone().map(|x| (0..SIDE).map(|row| distance(x, row)).sum()).collect();
+                for (x, (patch, sums)) in patches.windows(SIDE).zip(&mut sums).enumerate() {
+                    let weight = weight(patch.iter().sum::<f32>() / (SIDE * SIDE) as f32);
+                    let other = self.place(x + PATCH + right, y + PATCH + down);
+                    let (sum, weights) = &mut sums[1 - half];
+                    *sum += weight * self.halves[other][1 - half];
+                    *weights += weight;
                 }
-                for y in 0..count {
-                    let other = (first + y + PATCH + down) * stride + PATCH + right;
-                    let patches = &distances[y * wide..(y + 2 * PATCH + 1) * wide];
-                    let channels =
-                        self.halves[1 - half].each_ref().map(|channel| &channel[other..other + columns]);
-                    sums.add(y * columns, weights.of(patches), channels);
-                }
             }
         }
-        let [first, second] = sums.map(Sums::means);
-        first.into_iter().zip(second).map(|(first, second)| [first, second]).collect()
+        sums.into_iter().map(|sums| sums.map(|(sum, weights)| sum / weights)).collect()
     }
 
-    /// Distances of one half's colours along two rows, above that of their noise and over it.
-    fn distances(&self, half: usize, [at, other]: [usize; 2], row: &mut [f32]) {
-        if at == other {
-            return row.fill(0.0);
-        }
-        let both = [at, other].map(|start| start..start + row.len());
-        let [r, g, b] = self.halves[half].each_ref().map(|channel| pair(channel, &both));
-        let v = pair(&self.variances, &both);
-        for (k, distance) in row.iter_mut().enumerate() {
-            let [r, g, b] = [r, g, b].map(|channel| channel[0][k] - channel[1][k]);
-            let least = if v[0][k] < v[1][k] { v[0][k] } else { v[1][k] };
-            let square = r * r + g * g + b * b - 6.0 * least;
-            let variance = v[0][k] + v[1][k];
-            // Where there is no noise to take out nothing is alike.
-            *distance = if variance > 0.0 { square / (3.0 * STRENGTH * variance) } else { f32::INFINITY };
+    /// The pixel at a place that is counted from beyond the border, where the picture goes on as it ends.
+    fn place(&self, x: usize, y: usize) -> usize {
+        let within = |place: usize, end: usize| place.saturating_sub(WINDOW + PATCH).min(end - 1);
+        within(y, self.halves.len() / self.columns) * self.columns + within(x, self.columns)
+    }
+
+    /// Distance of one half's colors at two pixels, above the distance of their noise and over it.
+    fn distance(&self, half: usize, pixel: usize, other: usize) -> f32 {
+        let [v, other_v] = [pixel, other].map(|at| self.variances[at]);
+        let (square, variance) =
+            ((self.halves[pixel][half] - self.halves[other][half]).length_squared(), v + other_v);
+        // Where there is no noise to take out nothing is alike.
+        if variance > 0.0 {
+            (square - 6.0 * v.min(other_v)) / (3.0 * STRENGTH * variance)
+        } else {
+            f32::INFINITY
         }
     }
 }
 
-fn pair<'a>(values: &'a [f32], [first, second]: &[Range<usize>; 2]) -> [&'a [f32]; 2] {
-    [&values[first.clone()], &values[second.clone()]]
-}
-
-/// Weights of one row of neighbours, and what they are made of.
-struct Weights {
-    /// Sums of distances down a patch.
-    columns: Vec<f32>,
-    row: Vec<f32>,
-}
-
-impl Weights {
-    /// By the distances in all rows of the patches.
-    fn of(&mut self, patches: &[f32]) -> &[f32] {
-        const AREA: f32 = ((2 * PATCH + 1) * (2 * PATCH + 1)) as f32;
-        let wide = self.columns.len();
-        self.columns.fill(0.0);
-        for row in patches.chunks_exact(wide) {
-            for (sum, distance) in self.columns.iter_mut().zip(row) {
-                // Beyond any that has a weight: a sum of them must stay finite.
-                *sum += distance.min(1e6);
-            }
-        }
-        for (weight, patch) in self.row.iter_mut().zip(self.columns.windows(2 * PATCH + 1)) {
-            let distance = patch.iter().sum::<f32>() / AREA;
-            // Close to e^(−d²), and none beyond eight.
-            let root = (1.0 - 0.125 * distance.max(0.0)).max(0.0);
-            let square = root * root;
-            *weight = square * square * (square * square);
-        }
-        &self.row
-    }
-}
-
-/// Weighted sums of the channels and of the weights.
-struct Sums {
-    channels: [Vec<f32>; 3],
-    weights: Vec<f32>,
-}
-
-impl Sums {
-    fn new(count: usize) -> Self {
-        Self { channels: [0, 1, 2].map(|_| vec![0.0; count]), weights: vec![0.0; count] }
-    }
-
-    fn add(&mut self, at: usize, weights: &[f32], channels: [&[f32]; 3]) {
-        let range = at..at + weights.len();
-        for (sums, values) in self.channels.iter_mut().zip(channels) {
-            for ((sum, weight), value) in sums[range.clone()].iter_mut().zip(weights).zip(values) {
-                *sum += weight * value;
-            }
-        }
-        for (sum, weight) in self.weights[range].iter_mut().zip(weights) {
-            *sum += weight;
-        }
-    }
-
-    fn means(self) -> Vec<Vec3> {
-        let [r, g, b] = self.channels;
-        let sums = r.into_iter().zip(g).zip(b).map(|((r, g), b)| Vec3::new(r, g, b));
-        sums.zip(self.weights).map(|(sum, weight)| sum / weight).collect()
-    }
+/// Close to e^(−d²), and none beyond eight.
+fn weight(distance: f32) -> f32 {
+    let root = (1.0 - 0.125 * distance.max(0.0)).max(0.0);
+    let square = root * root;
+    square * square * (square * square)
 }
 
 #[cfg(test)]
