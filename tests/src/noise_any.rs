@@ -176,7 +176,7 @@ struct Named<const N: usize>(String, Box<dyn AnyNoise<N>>);
 
 /// Kinds of all dimensions.
 #[derive(Default)]
-struct Collection(Vec<Box<dyn Any>>);
+pub struct Collection(Vec<Box<dyn Any>>);
 
 impl Visit for Collection {
     fn visit<V: Point<Coordinates = [f32; N]>, K: Testable<V, N>, const N: usize>(
@@ -190,52 +190,50 @@ impl Visit for Collection {
 }
 
 impl Collection {
-    fn tell<const N: usize>(&self, visitor: &mut impl VisitAny) {
-        for Named(name, noise) in self.0.iter().filter_map(|kind| kind.downcast_ref::<Named<N>>()) {
-            visitor.visit::<N>(name, noise.as_ref());
-        }
-    }
-
-    fn tell_all(&self, visitor: &mut impl VisitAny) {
-        self.tell::<1>(visitor);
-        self.tell::<2>(visitor);
-        self.tell::<3>(visitor);
-        self.tell::<4>(visitor);
+    /// Names and kinds in N dimensions.
+    ///
+    /// # Panics
+    /// If there is none: a test of it would test nothing.
+    pub fn of<const N: usize>(&self) -> impl Iterator<Item = (&str, &dyn AnyNoise<N>)> {
+        let mut named = self.0.iter().filter_map(|kind| kind.downcast_ref::<Named<N>>()).peekable();
+        assert!(named.peek().is_some(), "no kind has {N} dimensions");
+        named.map(|Named(name, noise)| (name.as_str(), noise.as_ref()))
     }
 }
 
-/// A test of each kind in each dimension.
-pub trait VisitAny {
-    /// One kind in one dimension.
-    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>);
+/// Calls a function of a name, a noise and further arguments, which is generic over the dimension, for every kind of a [`Collection`].
+#[macro_export]
+macro_rules! in_every_dimension {
+    ($collection:expr, $test:ident $(, $more:expr)?) => {{
+        let collection = $collection;
+        collection.of::<1>().for_each(|(name, noise)| $test(name, noise $(, $more)?));
+        collection.of::<2>().for_each(|(name, noise)| $test(name, noise $(, $more)?));
+        collection.of::<3>().for_each(|(name, noise)| $test(name, noise $(, $more)?));
+        collection.of::<4>().for_each(|(name, noise)| $test(name, noise $(, $more)?));
+    }};
 }
 
-/// Visits every kind on the integer hash in 1 to 4 dimensions.
-pub fn any_kind(visitor: &mut impl VisitAny) {
-    kinds().tell_all(visitor);
-}
-
-/// Visits the kinds that have parameters with other parameters than the default ones.
-pub fn any_variant(visitor: &mut impl VisitAny) {
-    variants().tell_all(visitor);
-}
-
-/// Visits one kind of the test's own.
-pub fn any_dimension<K: AnyKind>(visitor: &mut impl VisitAny, name: &str, noise: K) {
+/// One kind of the test's own.
+#[must_use]
+pub fn dimensions<K: AnyKind>(name: &str, noise: K) -> Collection {
     let mut collection = Collection::default();
     every_dimension(&mut collection, name, noise);
-    collection.tell_all(visitor);
+    collection
 }
 
 // Not generic, so that the kinds are compiled with this crate and not with every test.
 
-fn kinds() -> Collection {
+/// Every kind on the integer hash in 1 to 4 dimensions.
+#[must_use]
+pub fn kinds() -> Collection {
     let mut collection = Collection::default();
     every_kind(&mut collection);
     collection
 }
 
-fn variants() -> Collection {
+/// The kinds that have parameters with other parameters than the default ones.
+#[must_use]
+pub fn variants() -> Collection {
     let mut collection = Collection::default();
     every_variant(&mut collection);
     collection

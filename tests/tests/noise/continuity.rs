@@ -5,7 +5,8 @@ use asperity_noise::{
     glam::{Vec2, Vec3},
 };
 use asperity_tests::{
-    noise_any::{AnyNoise, VisitAny, any_kind, any_variant},
+    in_every_dimension,
+    noise_any::{AnyNoise, kinds, variants},
     noise_reference::Kind,
     random::Random,
 };
@@ -21,41 +22,37 @@ fn leaps<const N: usize>(name: &str) -> bool {
     name.starts_with("white") || name.starts_with("wide") && N > 1
 }
 
-struct Walk;
-
-impl VisitAny for Walk {
-    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
-        if leaps::<N>(name) {
-            return;
-        }
-        let mut worst = 0.0_f32;
-        for seed in 0..4 {
-            let at = |i: i16| -> [f32; N] {
-                let t = f32::from(i) * STEP;
-                let line = [t, t * 0.5 + 0.3, 0.1 - t * 0.75, 0.7 + t * 0.25];
-                std::array::from_fn(|axis| line[axis])
-            };
-            let sample = |i: i16| {
-                let sample = noise.sample(at(i), seed);
-                (sample.value, sample.gradient)
-            };
-            let mut before = sample(-6000);
-            for i in -6000..6000_i16 {
-                let after = sample(i + 1);
-                let (p, q) = (at(i), at(i + 1));
-                let slopes = (0..N).map(|k| 0.5 * (before.1[k] + after.1[k]) * (q[k] - p[k]));
-                worst = worst.max((after.0 - before.0 - slopes.sum::<f32>()).abs());
-                before = after;
-            }
-        }
-        assert!(worst < LEAP, "{name}: {worst}");
+fn walk<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
+    if leaps::<N>(name) {
+        return;
     }
+    let mut worst = 0.0_f32;
+    for seed in 0..4 {
+        let at = |i: i16| -> [f32; N] {
+            let t = f32::from(i) * STEP;
+            let line = [t, t * 0.5 + 0.3, 0.1 - t * 0.75, 0.7 + t * 0.25];
+            std::array::from_fn(|axis| line[axis])
+        };
+        let sample = |i: i16| {
+            let sample = noise.sample(at(i), seed);
+            (sample.value, sample.gradient)
+        };
+        let mut before = sample(-6000);
+        for i in -6000..6000_i16 {
+            let after = sample(i + 1);
+            let (p, q) = (at(i), at(i + 1));
+            let slopes = (0..N).map(|k| 0.5 * (before.1[k] + after.1[k]) * (q[k] - p[k]));
+            worst = worst.max((after.0 - before.0 - slopes.sum::<f32>()).abs());
+            before = after;
+        }
+    }
+    assert!(worst < LEAP, "{name}: {worst}");
 }
 
 #[test]
 fn fields_follow_their_gradients_across_cells_on_both_sides_of_the_origin() {
-    any_kind(&mut Walk);
-    any_variant(&mut Walk);
+    in_every_dimension!(kinds(), walk);
+    in_every_dimension!(variants(), walk);
 }
 
 /// Half the way across a border; floats are 2⁻²² apart or less there.
@@ -88,75 +85,67 @@ fn border<const N: usize>(simplicial: bool, random: &mut Random) -> ([f64; N], [
 
 /// A step of 2⁻¹⁷ changes a gradient by at most 90 times that, 7e-4, and a value only as the gradients say, up to rounding.
 /// Worst seen: 3.3e-4 and 1.3e-6, for sparse noise.
-struct Borders;
-
-impl VisitAny for Borders {
-    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
-        let simplicial = name.contains("simplex");
-        if leaps::<N>(name) {
-            return;
-        }
-        let kind = if simplicial { Kind::Simplex(0.5) } else { Kind::Perlin2002 };
-        let mut random = Random(N as u64);
-        let (mut leap, mut kink, mut crossed, mut negative) = (0.0_f64, 0.0_f64, 0, 0);
-        for seed in 0..3000 {
-            let (p, across) = border::<N>(simplicial, &mut random);
-            let side = |sign: f64| -> [f32; N] {
-                std::array::from_fn(|axis| (p[axis] + sign * HALF * across[axis]) as f32)
-            };
-            let ends = [side(-1.0), side(1.0)];
-            let [here, there] = ends.map(|end| kind.lattice_points(end.map(f64::from)));
-            if here == there {
-                continue;
-            }
-            crossed += 1;
-            negative += u32::from(p.iter().any(|&x| x < 0.0));
-            let [a, b] = ends.map(|end| noise.sample(end, seed));
-            let (low, high) = (a.gradient, b.gradient);
-            let mut expected = 0.0;
-            for axis in 0..N {
-                let [low, high] = [low[axis], high[axis]].map(f64::from);
-                kink = kink.max((high - low).abs());
-                expected += 0.5 * (low + high) * (f64::from(ends[1][axis]) - f64::from(ends[0][axis]));
-            }
-            leap = leap.max((f64::from(b.value) - f64::from(a.value) - expected).abs());
-        }
-        assert!(crossed > 2900 && negative > 1000, "{name}: {crossed} borders, {negative} of them negative");
-        assert!(leap < 3e-6 && kink < 7e-4, "{name}: leap {leap:e}, kink {kink:e}");
+fn borders<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
+    let simplicial = name.contains("simplex");
+    if leaps::<N>(name) {
+        return;
     }
+    let kind = if simplicial { Kind::Simplex(0.5) } else { Kind::Perlin2002 };
+    let mut random = Random(N as u64);
+    let (mut leap, mut kink, mut crossed, mut negative) = (0.0_f64, 0.0_f64, 0, 0);
+    for seed in 0..3000 {
+        let (p, across) = border::<N>(simplicial, &mut random);
+        let side = |sign: f64| -> [f32; N] {
+            std::array::from_fn(|axis| (p[axis] + sign * HALF * across[axis]) as f32)
+        };
+        let ends = [side(-1.0), side(1.0)];
+        let [here, there] = ends.map(|end| kind.lattice_points(end.map(f64::from)));
+        if here == there {
+            continue;
+        }
+        crossed += 1;
+        negative += u32::from(p.iter().any(|&x| x < 0.0));
+        let [a, b] = ends.map(|end| noise.sample(end, seed));
+        let (low, high) = (a.gradient, b.gradient);
+        let mut expected = 0.0;
+        for axis in 0..N {
+            let [low, high] = [low[axis], high[axis]].map(f64::from);
+            kink = kink.max((high - low).abs());
+            expected += 0.5 * (low + high) * (f64::from(ends[1][axis]) - f64::from(ends[0][axis]));
+        }
+        leap = leap.max((f64::from(b.value) - f64::from(a.value) - expected).abs());
+    }
+    assert!(crossed > 2900 && negative > 1000, "{name}: {crossed} borders, {negative} of them negative");
+    assert!(leap < 3e-6 && kink < 7e-4, "{name}: leap {leap:e}, kink {kink:e}");
 }
 
 #[test]
 fn values_and_gradients_meet_at_every_border() {
-    any_kind(&mut Borders);
-    any_variant(&mut Borders);
+    in_every_dimension!(kinds(), borders);
+    in_every_dimension!(variants(), borders);
 }
 
 /// White noise has one value and no gradient in a cell, and leaps at every border.
-struct Cells;
-
-impl VisitAny for Cells {
-    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
-        if !name.starts_with("white") {
-            return;
-        }
-        let mut random = Random(N as u64);
-        for seed in 0..1000 {
-            let (p, across) = border::<N>(false, &mut random);
-            let inside = p.map(|x| x.floor() + 0.5);
-            let side = |sign: f64| std::array::from_fn(|axis| (inside[axis] + sign * across[axis]) as f32);
-            let near = std::array::from_fn(|axis| (p[axis] - HALF * across[axis]) as f32);
-            let [below, above, near] = [side(-1.0), side(0.0), near].map(|p| noise.sample(p, seed));
-            assert_eq!(below, near, "{name} at {p:?}");
-            assert!((above.value - below.value).abs() > 1e-7, "{name} at {p:?}");
-            assert_eq!(above.gradient, [0.0; N], "{name} at {p:?}");
-        }
+fn cells<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
+    if !name.starts_with("white") {
+        return;
+    }
+    let mut random = Random(N as u64);
+    for seed in 0..1000 {
+        let (p, across) = border::<N>(false, &mut random);
+        let inside = p.map(|x| x.floor() + 0.5);
+        let side = |sign: f64| std::array::from_fn(|axis| (inside[axis] + sign * across[axis]) as f32);
+        let near = std::array::from_fn(|axis| (p[axis] - HALF * across[axis]) as f32);
+        let [below, above, near] = [side(-1.0), side(0.0), near].map(|p| noise.sample(p, seed));
+        assert_eq!(below, near, "{name} at {p:?}");
+        assert!((above.value - below.value).abs() > 1e-7, "{name} at {p:?}");
+        assert_eq!(above.gradient, [0.0; N], "{name} at {p:?}");
     }
 }
 
 #[test]
 fn white_noise_is_constant_in_cells_and_leaps_at_every_border() {
-    any_kind(&mut Cells);
+    in_every_dimension!(kinds(), cells);
 }
 
 /// The greatest leap of the wide simplex noise beyond its gradient, over walks of many seeds.

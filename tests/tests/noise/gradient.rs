@@ -6,8 +6,8 @@ use asperity_noise::{
     glam::{Vec2, Vec3, Vec4},
 };
 use asperity_tests::{
-    assert_abs_diff_eq,
-    noise_any::{AnyNoise, VisitAny, any_dimension},
+    assert_abs_diff_eq, in_every_dimension,
+    noise_any::{AnyNoise, dimensions},
     noise_errors::{errors, errors_on},
     noise_kinds::AnyKind,
     noise_reference::Kind,
@@ -18,29 +18,19 @@ const NEAR: f32 = 64.0;
 const NEAREST: f32 = 1024.0;
 const FAR: f32 = 1.0;
 
-/// The errors of a kind in the dimensions that it is visited in, asserted.
-struct Errors {
-    kind: Kind,
-    divisor: f32,
-    tolerances: [[f64; 2]; 4],
-    visited: usize,
-}
-
-impl VisitAny for Errors {
-    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
-        let words = |cell: [i32; N], seed| self.kind.word(&IntegerHash, cell, seed);
-        let [v, g] = errors_on(&words, self.kind, self.divisor, &|p, seed| noise.sample(p, seed));
-        let [value, gradient] = self.tolerances[N - 1];
-        assert!(v < value && g < gradient, "{name}: {v:e}, {g:e}");
-        self.visited += N;
-    }
-}
-
-/// The errors of a kind that is given in every dimension, asserted.
+/// Asserts the errors of a kind in every dimension.
 fn close<K: AnyKind>(name: &str, noise: K, kind: Kind, divisor: f32, tolerances: [[f64; 2]; 4]) {
-    let mut errors = Errors { kind, divisor, tolerances, visited: 0 };
-    any_dimension(&mut errors, name, noise);
-    assert_eq!(errors.visited, 1 + 2 + 3 + 4);
+    fn close<const N: usize>(
+        name: &str,
+        noise: &dyn AnyNoise<N>,
+        (kind, divisor, tolerances): (Kind, f32, [[f64; 2]; 4]),
+    ) {
+        let words = |cell: [i32; N], seed| kind.word(&IntegerHash, cell, seed);
+        let [v, g] = errors_on(&words, kind, divisor, &|p, seed| noise.sample(p, seed));
+        let [value, gradient] = tolerances[N - 1];
+        assert!(v < value && g < gradient, "{name}: {v:e}, {g:e}");
+    }
+    in_every_dimension!(dimensions(name, noise), close, (kind, divisor, tolerances));
 }
 
 /// [`close`] for a kind that is scaled to its range.

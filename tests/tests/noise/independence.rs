@@ -2,8 +2,8 @@
 
 use asperity_noise::{Normalisation, Rotation, Spectrum};
 use asperity_tests::{
-    assert_abs_diff_eq,
-    noise_any::{AnyNoise, VisitAny, any_kind, thinning},
+    assert_abs_diff_eq, in_every_dimension,
+    noise_any::{AnyNoise, kinds, thinning},
     random::Random,
 };
 
@@ -38,100 +38,92 @@ fn assert_uncorrelated(correlation: f64, case: &str) {
     assert_abs_diff_eq!(correlation, 0.0, epsilon = 4.9, "{case}, in standard errors");
 }
 
-struct Others;
-
-impl VisitAny for Others {
-    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
-        type Other<const N: usize> = (&'static str, fn([f32; N]) -> [f32; N], u32);
-        let others: [Other<N>; 6] = [
-            ("the next seed", |p| p, 6),
-            ("seed and high bit", |p| p, 5 | 1 << 31),
-            ("the complement of the seed", |p| p, !5),
-            ("the mirror image", |p| p.map(|x| -x), 5),
-            (
-                "swapped axes",
-                |mut p| {
-                    p.swap(0, N.min(2) - 1);
-                    p
-                },
-                5,
-            ),
-            (
-                "rotated axes",
-                |mut p| {
-                    p.rotate_left(1);
-                    p
-                },
-                5,
-            ),
-        ];
-        let points = points::<N>(name);
-        let first = values(&points, &|p| noise.value(p, 5));
-        let with = |map: &dyn Fn([f32; N]) -> [f32; N], seed| {
-            correlations(&first, &values(&points, &|p| noise.value(map(p), seed)))
-        };
-        for (how, map, seed) in others {
-            // A line has one axis.
-            if N == 1 && how.ends_with("axes") {
-                continue;
-            }
-            let [plain, squares] = with(&map, seed);
-            assert_uncorrelated(plain, &format!("{name} and {how}"));
-            // Other kinds have a variance that depends on the place in the cell.
-            if ["white", "sparse", "Gaussian"].iter().any(|kind| name.starts_with(kind)) {
-                assert_uncorrelated(squares, &format!("squares of {name} and {how}"));
-            }
+fn others<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
+    type Other<const N: usize> = (&'static str, fn([f32; N]) -> [f32; N], u32);
+    let others: [Other<N>; 6] = [
+        ("the next seed", |p| p, 6),
+        ("seed and high bit", |p| p, 5 | 1 << 31),
+        ("the complement of the seed", |p| p, !5),
+        ("the mirror image", |p| p.map(|x| -x), 5),
+        (
+            "swapped axes",
+            |mut p| {
+                p.swap(0, N.min(2) - 1);
+                p
+            },
+            5,
+        ),
+        (
+            "rotated axes",
+            |mut p| {
+                p.rotate_left(1);
+                p
+            },
+            5,
+        ),
+    ];
+    let points = points::<N>(name);
+    let first = values(&points, &|p| noise.value(p, 5));
+    let with = |map: &dyn Fn([f32; N]) -> [f32; N], seed| {
+        correlations(&first, &values(&points, &|p| noise.value(map(p), seed)))
+    };
+    for (how, map, seed) in others {
+        // A line has one axis.
+        if N == 1 && how.ends_with("axes") {
+            continue;
         }
-        // Two reflected axes and no others; and so many cells apart that no lattice point is shared, of which splines take
-        // four along an axis.
-        if N > 2 {
-            let reflected = |mut p: [f32; N]| {
-                (p[0], p[N - 1]) = (-p[0], -p[N - 1]);
+        let [plain, squares] = with(&map, seed);
+        assert_uncorrelated(plain, &format!("{name} and {how}"));
+        // Other kinds have a variance that depends on the place in the cell.
+        if ["white", "sparse", "Gaussian"].iter().any(|kind| name.starts_with(kind)) {
+            assert_uncorrelated(squares, &format!("squares of {name} and {how}"));
+        }
+    }
+    // Two reflected axes and no others; and so many cells apart that no lattice point is shared, of which splines take
+    // four along an axis.
+    if N > 2 {
+        let reflected = |mut p: [f32; N]| {
+            (p[0], p[N - 1]) = (-p[0], -p[N - 1]);
+            p
+        };
+        let [plain, _] = with(&reflected, 5);
+        assert_uncorrelated(plain, &format!("{name} and two reflected axes"));
+    }
+    for axis in [0, N - 1] {
+        for distance in if name.contains("Catmull-Rom") { [4.0, -5.0] } else { [2.0, -3.0] } {
+            let moved = |mut p: [f32; N]| {
+                p[axis] += distance;
                 p
             };
-            let [plain, _] = with(&reflected, 5);
-            assert_uncorrelated(plain, &format!("{name} and two reflected axes"));
-        }
-        for axis in [0, N - 1] {
-            for distance in if name.contains("Catmull-Rom") { [4.0, -5.0] } else { [2.0, -3.0] } {
-                let moved = |mut p: [f32; N]| {
-                    p[axis] += distance;
-                    p
-                };
-                let [plain, _] = with(&moved, 5);
-                assert_uncorrelated(plain, &format!("{name}, {distance} cells along axis {axis}"));
-            }
+            let [plain, _] = with(&moved, 5);
+            assert_uncorrelated(plain, &format!("{name}, {distance} cells along axis {axis}"));
         }
     }
 }
 
 #[test]
 fn seeds_axes_and_mirror_images_are_decorrelated() {
-    any_kind(&mut Others);
+    in_every_dimension!(kinds(), others);
 }
 
-struct OctavesApart;
-
-impl VisitAny for OctavesApart {
-    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
-        let spectrum = Spectrum::default();
-        let points = points::<N>(name);
-        for rotation in [Rotation::Random, Rotation::Aligned] {
-            let sum = noise.octaves(Normalisation::Range, rotation, 9);
-            let wholes = [0.0, 1.0, 2.0, 3.0]
-                .map(|k| values(&points, &|p| sum.value(p, k) * spectrum.sum_of_amplitudes(k)));
-            // Octave k is what it adds to the sum of those before it.
-            let octave = |k: usize| -> Vec<f32> {
-                wholes[k].iter().zip(&wholes[k - 1]).map(|(whole, before)| whole - before).collect()
-            };
-            for (first, second) in [(1, 2), (2, 3), (1, 3)] {
-                let [plain, squares] = correlations(&octave(first), &octave(second));
-                let case = format!("{name} {rotation:?}, octaves {first} and {second}");
-                assert_uncorrelated(plain, &case);
-                // Lattices apart, even the variances that depend on the place do.
-                if rotation == Rotation::Random && N > 1 {
-                    assert_uncorrelated(squares, &format!("squares of {case}"));
-                }
+fn octaves_apart<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
+    let spectrum = Spectrum::default();
+    let points = points::<N>(name);
+    for rotation in [Rotation::Random, Rotation::Aligned] {
+        let sum = noise.octaves(Normalisation::Range, rotation, 9);
+        let wholes = [0.0, 1.0, 2.0, 3.0]
+            .map(|k| values(&points, &|p| sum.value(p, k) * spectrum.sum_of_amplitudes(k)));
+        // Octave k is what it adds to the sum of those before it.
+        let octave = |k: usize| -> Vec<f32> {
+            wholes[k].iter().zip(&wholes[k - 1]).map(|(whole, before)| whole - before).collect()
+        };
+        for (first, second) in [(1, 2), (2, 3), (1, 3)] {
+            let [plain, squares] = correlations(&octave(first), &octave(second));
+            let case = format!("{name} {rotation:?}, octaves {first} and {second}");
+            assert_uncorrelated(plain, &case);
+            // Lattices apart, even the variances that depend on the place do.
+            if rotation == Rotation::Random && N > 1 {
+                assert_uncorrelated(squares, &format!("squares of {case}"));
             }
         }
     }
@@ -139,25 +131,21 @@ impl VisitAny for OctavesApart {
 
 #[test]
 fn octaves_are_decorrelated() {
-    any_kind(&mut OctavesApart);
+    in_every_dimension!(kinds(), octaves_apart);
 }
 
-struct SumsApart;
-
-impl VisitAny for SumsApart {
-    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
-        let sums = [1, 2].map(|seed| noise.octaves(Normalisation::Variance, Rotation::Random, seed));
-        let points = points::<N>(name);
-        let [a, b] = sums.each_ref().map(|sum| values(&points, &|p| sum.value(p, 2.5)));
-        let [plain, squares] = correlations(&a, &b);
-        assert_uncorrelated(plain, name);
-        if name.starts_with("Gaussian") {
-            assert_uncorrelated(squares, &format!("squares of {name}"));
-        }
+fn sums_apart<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
+    let sums = [1, 2].map(|seed| noise.octaves(Normalisation::Variance, Rotation::Random, seed));
+    let points = points::<N>(name);
+    let [a, b] = sums.each_ref().map(|sum| values(&points, &|p| sum.value(p, 2.5)));
+    let [plain, squares] = correlations(&a, &b);
+    assert_uncorrelated(plain, name);
+    if name.starts_with("Gaussian") {
+        assert_uncorrelated(squares, &format!("squares of {name}"));
     }
 }
 
 #[test]
 fn sums_of_other_seeds_are_decorrelated() {
-    any_kind(&mut SumsApart);
+    in_every_dimension!(kinds(), sums_apart);
 }

@@ -4,7 +4,8 @@ use asperity_noise::{
     Gaussian, IntegerHash, Perlin1985, Perlin2002, Simplex, Sparse, Value, ValueCatmullRom, ValueGradient,
 };
 use asperity_tests::{
-    noise_any::{AnyNoise, VisitAny, any_dimension},
+    in_every_dimension,
+    noise_any::{AnyNoise, dimensions},
     noise_kinds::AnyKind,
     noise_reference::Kind,
     random::Random,
@@ -15,29 +16,25 @@ const PAGE: &str = include_str!("../../../crates/noise/src/lib.rs");
 /// Points in each dimension.
 const POINTS: u32 = 100_000;
 
-/// The largest errors of a kind over all dimensions.
-struct Worst {
-    kind: Kind,
-    reach: f64,
-    errors: [f64; 2],
-}
-
-impl VisitAny for Worst {
-    fn visit<const N: usize>(&mut self, _: &str, noise: &dyn AnyNoise<N>) {
-        let (scale, mut random) = (self.kind.scales()[N - 1], Random(7));
-        let words = |cell: [i32; N], seed| self.kind.word(&IntegerHash, cell, seed);
-        // The reference takes 3ⁿ or 4ⁿ lattice points a dozen times for a gradient.
-        let many = matches!(self.kind, Kind::CatmullRom | Kind::Sparse(_));
-        let points = if many && N > 2 { POINTS / [3, 30][N - 3] } else { POINTS };
-        for seed in 0..points {
-            let p = [(); N].map(|()| ((2.0 * random.uniform() - 1.0) * self.reach) as f32);
-            let (wide, sample) = (p.map(f64::from), noise.sample(p, seed));
-            let value = scale * self.kind.value_on(&words, wide, seed);
-            self.errors[0] = self.errors[0].max((f64::from(sample.value) - value).abs());
-            let Some(gradient) = self.kind.gradient_on(&words, wide, seed) else { continue };
-            for (got, expected) in sample.gradient.into_iter().zip(gradient) {
-                self.errors[1] = self.errors[1].max((f64::from(got) - scale * expected).abs());
-            }
+/// Raises the errors to the largest ones of a kind in N dimensions.
+fn largest<const N: usize>(
+    _: &str,
+    noise: &dyn AnyNoise<N>,
+    (kind, reach, errors): (Kind, f64, &mut [f64; 2]),
+) {
+    let (scale, mut random) = (kind.scales()[N - 1], Random(7));
+    let words = |cell: [i32; N], seed| kind.word(&IntegerHash, cell, seed);
+    // The reference takes 3ⁿ or 4ⁿ lattice points a dozen times for a gradient.
+    let many = matches!(kind, Kind::CatmullRom | Kind::Sparse(_));
+    let points = if many && N > 2 { POINTS / [3, 30][N - 3] } else { POINTS };
+    for seed in 0..points {
+        let p = [(); N].map(|()| ((2.0 * random.uniform() - 1.0) * reach) as f32);
+        let (wide, sample) = (p.map(f64::from), noise.sample(p, seed));
+        let value = scale * kind.value_on(&words, wide, seed);
+        errors[0] = errors[0].max((f64::from(sample.value) - value).abs());
+        let Some(gradient) = kind.gradient_on(&words, wide, seed) else { continue };
+        for (got, expected) in sample.gradient.into_iter().zip(gradient) {
+            errors[1] = errors[1].max((f64::from(got) - scale * expected).abs());
         }
     }
 }
@@ -53,9 +50,9 @@ fn stated(name: &str) -> Option<[f64; 2]> {
 #[test]
 fn precision_table_of_the_page_bounds_the_errors_of_every_kind() {
     fn measured<K: AnyKind>(noise: K, kind: Kind, reach: f64) -> [f64; 2] {
-        let mut worst = Worst { kind, reach, errors: [0.0; 2] };
-        any_dimension(&mut worst, "", noise);
-        worst.errors
+        let mut errors = [0.0; 2];
+        in_every_dimension!(dimensions("", noise), largest, (kind, reach, &mut errors));
+        errors
     }
     let rows = [
         ("Perlin 1985", measured(Perlin1985::new(0), Kind::Perlin1985, 64.0)),

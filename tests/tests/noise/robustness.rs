@@ -7,8 +7,8 @@ use asperity_noise::{
     lattice::PermutationTable,
 };
 use asperity_tests::{
-    assert_abs_diff_eq,
-    noise_any::{AnyNoise, VisitAny, any_dimension, any_kind, any_variant},
+    assert_abs_diff_eq, in_every_dimension,
+    noise_any::{AnyNoise, dimensions, kinds, variants},
     random::Random,
 };
 
@@ -21,29 +21,22 @@ fn not_finite<const N: usize>() -> impl Iterator<Item = [f32; N]> {
     })
 }
 
-struct NotFinite;
-
-impl VisitAny for NotFinite {
-    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
-        let sum = noise.octaves(Normalisation::Variance, Rotation::Random, 1);
-        let zero = Sample { value: 0.0, gradient: [0.0; N] };
-        for p in not_finite() {
-            assert_eq!(noise.sample(p, 1), zero, "{name} at {p:?}");
-            assert_eq!(noise.value(p, 1), 0.0, "{name} at {p:?}");
-            assert_eq!(sum.sample(p, 3.5), zero, "octaves of {name} at {p:?}");
-        }
+fn zero_where_not_finite<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
+    let sum = noise.octaves(Normalisation::Variance, Rotation::Random, 1);
+    let zero = Sample { value: 0.0, gradient: [0.0; N] };
+    for p in not_finite() {
+        assert_eq!(noise.sample(p, 1), zero, "{name} at {p:?}");
+        assert_eq!(noise.value(p, 1), 0.0, "{name} at {p:?}");
+        assert_eq!(sum.sample(p, 3.5), zero, "octaves of {name} at {p:?}");
     }
 }
 
 #[test]
 fn points_that_are_not_finite_give_zero() {
-    any_kind(&mut NotFinite);
-    any_variant(&mut NotFinite);
-    any_dimension(
-        &mut NotFinite,
-        "Perlin 2002 by permutation",
-        Perlin2002::default().with_lattice(PermutationTable::new(1)),
-    );
+    in_every_dimension!(kinds(), zero_where_not_finite);
+    in_every_dimension!(variants(), zero_where_not_finite);
+    let permuted = Perlin2002::default().with_lattice(PermutationTable::new(1));
+    in_every_dimension!(dimensions("Perlin 2002 by permutation", permuted), zero_where_not_finite);
 }
 
 const HUGE: [f32; 16] = [
@@ -72,35 +65,28 @@ fn huge_point<const N: usize>(random: &mut Random) -> [f32; N] {
     })
 }
 
-struct Huge;
-
-impl VisitAny for Huge {
-    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
-        let range = noise.statistics().range;
-        let sum = noise.octaves(Normalisation::Range, Rotation::Random, 1);
-        let mut random = Random(3);
-        for seed in 0..200 {
-            let p = huge_point(&mut random);
-            let sample = noise.sample(p, seed);
-            assert_abs_diff_eq!(sample.value, 0.0, epsilon = range, "{name} at {p:?}: {sample:?}");
-            // The steepest is Gaussian noise with all variates at their greatest: 6 times its range.
-            let steep = |x: f32| x.is_finite() && x.abs() < 8.0 * range;
-            assert!(sample.gradient.into_iter().all(steep), "{name} at {p:?}: {sample:?}");
-            let sample = sum.sample(p, 10.0);
-            assert_abs_diff_eq!(sample.value, 0.0, epsilon = range, "octaves of {name} at {p:?}: {sample:?}");
-        }
+fn huge<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
+    let range = noise.statistics().range;
+    let sum = noise.octaves(Normalisation::Range, Rotation::Random, 1);
+    let mut random = Random(3);
+    for seed in 0..200 {
+        let p = huge_point(&mut random);
+        let sample = noise.sample(p, seed);
+        assert_abs_diff_eq!(sample.value, 0.0, epsilon = range, "{name} at {p:?}: {sample:?}");
+        // The steepest is Gaussian noise with all variates at their greatest: 6 times its range.
+        let steep = |x: f32| x.is_finite() && x.abs() < 8.0 * range;
+        assert!(sample.gradient.into_iter().all(steep), "{name} at {p:?}: {sample:?}");
+        let sample = sum.sample(p, 10.0);
+        assert_abs_diff_eq!(sample.value, 0.0, epsilon = range, "octaves of {name} at {p:?}: {sample:?}");
     }
 }
 
 #[test]
 fn huge_points_give_finite_samples_in_range() {
-    any_kind(&mut Huge);
-    any_variant(&mut Huge);
-    any_dimension(
-        &mut Huge,
-        "Perlin 2002 by permutation",
-        Perlin2002::default().with_lattice(PermutationTable::new(1)),
-    );
+    in_every_dimension!(kinds(), huge);
+    in_every_dimension!(variants(), huge);
+    let permuted = Perlin2002::default().with_lattice(PermutationTable::new(1));
+    in_every_dimension!(dimensions("Perlin 2002 by permutation", permuted), huge);
 }
 
 #[test]
@@ -127,69 +113,60 @@ fn both_channels_are_defined_everywhere() {
     defined::<Vec4, 4>();
 }
 
-struct Wraps;
-
-impl VisitAny for Wraps {
-    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
-        if name.contains("simplex") {
-            return;
+fn wraps<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
+    if name.contains("simplex") {
+        return;
+    }
+    for axis in 0..N {
+        let at = |x: f32, seed| {
+            let mut p = [0.25; N];
+            p[axis] = x;
+            noise.sample(p, seed)
+        };
+        let mut other = 0;
+        for seed in 0..64 {
+            // 2³² + 1024 is the cell 1024 again, and 2³¹ the cell −2³¹.
+            assert_eq!(at(1024.0, seed), at(4_294_968_320.0, seed), "{name}, axis {axis}");
+            assert_eq!(at(2_147_483_648.0, seed), at(-2_147_483_648.0, seed), "{name}, axis {axis}");
+            assert_eq!(at(2_147_483_904.0, seed), at(-2_147_483_392.0, seed), "{name}, axis {axis}");
+            other += u32::from(at(2_147_483_648.0, seed) != at(2_147_483_904.0, seed));
         }
-        for axis in 0..N {
-            let at = |x: f32, seed| {
-                let mut p = [0.25; N];
-                p[axis] = x;
-                noise.sample(p, seed)
-            };
-            let mut other = 0;
-            for seed in 0..64 {
-                // 2³² + 1024 is the cell 1024 again, and 2³¹ the cell −2³¹.
-                assert_eq!(at(1024.0, seed), at(4_294_968_320.0, seed), "{name}, axis {axis}");
-                assert_eq!(at(2_147_483_648.0, seed), at(-2_147_483_648.0, seed), "{name}, axis {axis}");
-                assert_eq!(at(2_147_483_904.0, seed), at(-2_147_483_392.0, seed), "{name}, axis {axis}");
-                other += u32::from(at(2_147_483_648.0, seed) != at(2_147_483_904.0, seed));
-            }
-            // The cells beside one another there have words of their own.
-            assert!(other > 20, "{name}, axis {axis}: {other} of 64 differ");
-        }
+        // The cells beside one another there have words of their own.
+        assert!(other > 20, "{name}, axis {axis}: {other} of 64 differ");
     }
 }
 
 #[test]
 fn cells_wrap_around_at_two_to_the_thirty_first() {
-    any_kind(&mut Wraps);
+    in_every_dimension!(kinds(), wraps);
 }
 
 /// Simplex noise is in range up to Σ |xᵢ| = 2²² but for the rounding of its corners, and 0 from there on.
-struct FadesOut;
-
-impl VisitAny for FadesOut {
-    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
-        if !name.contains("simplex") {
-            return;
-        }
-        let mut random = Random(7);
-        let mut not_zero = 0;
-        for seed in 0..20_000 {
-            // Up to 2²² in all, at every order of magnitude from 2¹⁶ on.
-            let reach = 2.0_f64.powf(16.0 + 6.0 * random.uniform()) / N as f64;
-            let near: [f32; N] =
-                std::array::from_fn(|_| ((random.uniform() * 2.0 - 1.0) * reach * 0.999) as f32);
-            let sample = noise.sample(near, seed);
-            let range = 1.0 + near.iter().map(|x| x.abs()).sum::<f32>() / 4_194_304.0;
-            assert_abs_diff_eq!(sample.value, 0.0, epsilon = range, "{name} at {near:?}: {sample:?}");
-            not_zero += u32::from(sample.value != 0.0);
-            let mut far = near;
-            far[seed as usize % N] = 4_194_304.0;
-            assert_eq!(noise.sample(far, seed).value, 0.0, "{name} at {far:?}");
-            assert_eq!(noise.value(far, seed), 0.0, "{name} at {far:?}");
-        }
-        assert!(not_zero > 15_000, "{name}: {not_zero}");
+fn fades_out<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
+    if !name.contains("simplex") {
+        return;
     }
+    let mut random = Random(7);
+    let mut not_zero = 0;
+    for seed in 0..20_000 {
+        // Up to 2²² in all, at every order of magnitude from 2¹⁶ on.
+        let reach = 2.0_f64.powf(16.0 + 6.0 * random.uniform()) / N as f64;
+        let near: [f32; N] = std::array::from_fn(|_| ((random.uniform() * 2.0 - 1.0) * reach * 0.999) as f32);
+        let sample = noise.sample(near, seed);
+        let range = 1.0 + near.iter().map(|x| x.abs()).sum::<f32>() / 4_194_304.0;
+        assert_abs_diff_eq!(sample.value, 0.0, epsilon = range, "{name} at {near:?}: {sample:?}");
+        not_zero += u32::from(sample.value != 0.0);
+        let mut far = near;
+        far[seed as usize % N] = 4_194_304.0;
+        assert_eq!(noise.sample(far, seed).value, 0.0, "{name} at {far:?}");
+        assert_eq!(noise.value(far, seed), 0.0, "{name} at {far:?}");
+    }
+    assert!(not_zero > 15_000, "{name}: {not_zero}");
 }
 
 #[test]
 fn simplex_noise_is_in_range_until_it_ends() {
-    any_kind(&mut FadesOut);
+    in_every_dimension!(kinds(), fades_out);
 }
 
 /// Value and gradient as one vector.
@@ -220,30 +197,26 @@ fn around<const N: usize>(noise: &dyn AnyNoise<N>, place: f32, step: f32) -> [f6
     [square, (spread / f64::from(COUNT)).sqrt(), next / (products / f64::from(COUNT)).sqrt()]
 }
 
-struct Seams;
-
-impl VisitAny for Seams {
-    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
-        // At lattice points, 256 apart, as floats are at 2³¹; elsewhere is 2²⁶. Integers are not the lattice points of simplices,
-        // and far out it is 0: there neighbours 3.3 apart share no corner.
-        let (step, far, places) = match name.contains("simplex") {
-            true => (3.3125, 131_072.0, &[0.0][..]),
-            false => (256.0, 67_108_864.0, &[0.0, 2_147_483_648.0, -2_147_483_648.0][..]),
-        };
-        let [elsewhere, error, _] = around(noise, far, step);
-        for &place in places {
-            let [here, there, correlation] = around(noise, place, step);
-            // 4.6 standard errors: significance 0.001 over some 200 cases.
-            let error = 4.6 * error.hypot(there);
-            assert_abs_diff_eq!(here, elsewhere, epsilon = error, "{name} around {place}");
-            assert_abs_diff_eq!(correlation, 0.0, epsilon = 4.6, "neighbours of {name} around {place}");
-        }
+fn seams<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
+    // At lattice points, 256 apart, as floats are at 2³¹; elsewhere is 2²⁶. Integers are not the lattice points of simplices,
+    // and far out it is 0: there neighbours 3.3 apart share no corner.
+    let (step, far, places) = match name.contains("simplex") {
+        true => (3.3125, 131_072.0, &[0.0][..]),
+        false => (256.0, 67_108_864.0, &[0.0, 2_147_483_648.0, -2_147_483_648.0][..]),
+    };
+    let [elsewhere, error, _] = around(noise, far, step);
+    for &place in places {
+        let [here, there, correlation] = around(noise, place, step);
+        // 4.6 standard errors: significance 0.001 over some 200 cases.
+        let error = 4.6 * error.hypot(there);
+        assert_abs_diff_eq!(here, elsewhere, epsilon = error, "{name} around {place}");
+        assert_abs_diff_eq!(correlation, 0.0, epsilon = 4.6, "neighbours of {name} around {place}");
     }
 }
 
 #[test]
 fn nothing_shows_at_the_origin_or_where_cells_wrap() {
-    any_kind(&mut Seams);
+    in_every_dimension!(kinds(), seams);
 }
 
 #[test]

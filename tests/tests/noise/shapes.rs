@@ -7,8 +7,8 @@ use asperity_noise::{
     simd::Kernel,
 };
 use asperity_tests::{
-    assert_abs_diff_eq,
-    noise_any::{AnyKernel, AnyNoise, Coordinates, VisitAny, any_kind, thinning},
+    assert_abs_diff_eq, in_every_dimension,
+    noise_any::{AnyKernel, AnyNoise, Coordinates, kinds, thinning},
     random::Random,
 };
 
@@ -91,21 +91,17 @@ fn follows_phi<const N: usize>(
     }
 }
 
-struct Follows;
-
-impl VisitAny for Follows {
-    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
-        follows(name, noise, Signed, |n| [n, 1.0]);
-        follows(name, noise, Turbulence, |n| [n.abs(), n.signum()]);
-        follows(name, noise, Plasma, |n| [1.0 - n.abs(), -n.signum()]);
-        follows(name, noise, Billow, |n| [2.0 * n.abs() - 1.0, 2.0 * n.signum()]);
-        follows(name, noise, Ridged, |n| [(1.0 - n.abs()).powi(2), -2.0 * (1.0 - n.abs()) * n.signum()]);
-    }
+fn every_shape_follows<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
+    follows(name, noise, Signed, |n| [n, 1.0]);
+    follows(name, noise, Turbulence, |n| [n.abs(), n.signum()]);
+    follows(name, noise, Plasma, |n| [1.0 - n.abs(), -n.signum()]);
+    follows(name, noise, Billow, |n| [2.0 * n.abs() - 1.0, 2.0 * n.signum()]);
+    follows(name, noise, Ridged, |n| [(1.0 - n.abs()).powi(2), -2.0 * (1.0 - n.abs()) * n.signum()]);
 }
 
 #[test]
 fn shaped_sums_are_sums_of_shaped_octaves() {
-    any_kind(&mut Follows);
+    in_every_dimension!(kinds(), every_shape_follows);
 }
 
 /// The greatest difference of a field's gradient and central differences, over points where no crease is near.
@@ -210,27 +206,23 @@ fn has_stated_moments<'a, const N: usize>(name: &str, sum: &dyn Fn(Normalisation
     }
 }
 
-struct Moments;
-
-impl VisitAny for Moments {
-    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
-        let some = ["Perlin 1985 2-D", "wide simplex 3-D", "Perlin 2002 3-D", "Gaussian 1-D"];
-        if some.contains(&name) {
-            has_moments(name, noise, Signed);
-            has_moments(name, noise, Turbulence);
-            has_moments(name, noise, Plasma);
-            has_moments(name, noise, Billow);
-            has_moments(name, noise, Ridged);
-        } else if N == 2 {
-            has_moments(name, noise, Turbulence);
-            has_moments(name, noise, Ridged);
-        }
+fn moments<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
+    let some = ["Perlin 1985 2-D", "wide simplex 3-D", "Perlin 2002 3-D", "Gaussian 1-D"];
+    if some.contains(&name) {
+        has_moments(name, noise, Signed);
+        has_moments(name, noise, Turbulence);
+        has_moments(name, noise, Plasma);
+        has_moments(name, noise, Billow);
+        has_moments(name, noise, Ridged);
+    } else if N == 2 {
+        has_moments(name, noise, Turbulence);
+        has_moments(name, noise, Ridged);
     }
 }
 
 #[test]
 fn sums_have_their_means_and_deviations() {
-    any_kind(&mut Moments);
+    in_every_dimension!(kinds(), moments);
 }
 
 #[test]

@@ -6,8 +6,8 @@ use asperity_noise::{
     glam::{Vec2, Vec3, Vec4},
 };
 use asperity_tests::{
-    assert_abs_diff_eq,
-    noise_any::{AnyLattice, AnyNoise, VisitAny, any_kind, any_variant, thinning},
+    assert_abs_diff_eq, in_every_dimension,
+    noise_any::{AnyLattice, AnyNoise, kinds, thinning, variants},
     noise_reference::Kind,
     random::Random,
 };
@@ -77,81 +77,69 @@ fn assert_moments(name: &str, values: &[Vec<f64>], sigma: f32, excess: f32) {
     assert_mean(&format!("{name}: fourth moment"), values, &|x| x.powi(4), (excess + 3.0) * sigma.powi(4));
 }
 
-struct Shipped;
+fn shipped<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
+    let seeds = SEEDS / thinning::<N>(name);
+    let statistics = noise.statistics();
+    let single = assert_stated(name, noise, seeds);
+    let (sigma, excess) = (statistics.standard_deviation, statistics.excess_kurtosis);
+    assert_moments(name, &single, sigma, excess);
+    assert_abs_diff_eq!(sigma, noise.standard_deviation(), epsilon = 1e-7, "{name}");
 
-impl VisitAny for Shipped {
-    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
-        let seeds = SEEDS / thinning::<N>(name);
-        let statistics = noise.statistics();
-        let single = assert_stated(name, noise, seeds);
-        let (sigma, excess) = (statistics.standard_deviation, statistics.excess_kurtosis);
-        assert_moments(name, &single, sigma, excess);
-        assert_abs_diff_eq!(sigma, noise.standard_deviation(), epsilon = 1e-7, "{name}");
-
-        let cdf = statistics.cdf;
-        assert!(cdf.len() % 2 == 1 && cdf[cdf.len() / 2] == 0.5, "{name}");
-        assert!(cdf.windows(2).all(|knots| knots[0] <= knots[1]), "{name}");
-        for (low, high) in cdf.iter().zip(cdf.iter().rev()) {
-            assert_abs_diff_eq!(low + high, 1.0, epsilon = 1e-7, "{name}");
-        }
-        let mut sums: Vec<f64> = values(seeds, &|seed| {
-            let sum = noise.octaves(Normalisation::Variance, Rotation::Random, seed);
-            Box::new(move |p| sum.value(p, 8.0))
-        })
-        .concat();
-        sums.sort_by(f64::total_cmp);
-        let worst = cdf
-            .iter()
-            .enumerate()
-            .map(|(k, &g)| {
-                let knot = 8.0 * k as f64 / (cdf.len() - 1) as f64 - 4.0;
-                let below = sums.partition_point(|&r| r < knot) as f64 / sums.len() as f64;
-                (below - f64::from(g)).abs()
-            })
-            .fold(0.0, f64::max);
-        // KS at significance 0.001/40 is 2.4/√n, 0.0077 for most, if points are independent; the table's own error is 0.0004.
-        let floor = 2.4 / (sums.len() as f64).sqrt() + 4e-4;
-        assert!(worst < floor, "{name}: KS {worst}");
+    let cdf = statistics.cdf;
+    assert!(cdf.len() % 2 == 1 && cdf[cdf.len() / 2] == 0.5, "{name}");
+    assert!(cdf.windows(2).all(|knots| knots[0] <= knots[1]), "{name}");
+    for (low, high) in cdf.iter().zip(cdf.iter().rev()) {
+        assert_abs_diff_eq!(low + high, 1.0, epsilon = 1e-7, "{name}");
     }
+    let mut sums: Vec<f64> = values(seeds, &|seed| {
+        let sum = noise.octaves(Normalisation::Variance, Rotation::Random, seed);
+        Box::new(move |p| sum.value(p, 8.0))
+    })
+    .concat();
+    sums.sort_by(f64::total_cmp);
+    let worst = cdf
+        .iter()
+        .enumerate()
+        .map(|(k, &g)| {
+            let knot = 8.0 * k as f64 / (cdf.len() - 1) as f64 - 4.0;
+            let below = sums.partition_point(|&r| r < knot) as f64 / sums.len() as f64;
+            (below - f64::from(g)).abs()
+        })
+        .fold(0.0, f64::max);
+    // KS at significance 0.001/40 is 2.4/√n, 0.0077 for most, if points are independent; the table's own error is 0.0004.
+    let floor = 2.4 / (sums.len() as f64).sqrt() + 4e-4;
+    assert!(worst < floor, "{name}: KS {worst}");
 }
 
 #[test]
 fn shipped_statistics_are_those_of_the_noise() {
-    any_kind(&mut Shipped);
+    in_every_dimension!(kinds(), shipped);
 }
 
-struct Variants;
-
-impl VisitAny for Variants {
-    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
-        assert_stated(name, noise, SEEDS / 4 / thinning::<N>(name));
-    }
+fn follows_parameters<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
+    assert_stated(name, noise, SEEDS / 4 / thinning::<N>(name));
 }
 
 #[test]
 fn deviations_and_ranges_follow_the_parameters() {
-    any_variant(&mut Variants);
+    in_every_dimension!(variants(), follows_parameters);
 }
 
-struct GaussianTable;
-
-impl VisitAny for GaussianTable {
-    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
-        if !name.starts_with("Gaussian") {
-            return;
-        }
-        let cdf = noise.statistics().cdf;
-        for (k, &g) in cdf.iter().enumerate() {
-            let x = 8.0 * k as f64 / (cdf.len() - 1) as f64 - 4.0;
-            let phi = 0.5 + 0.5 * erf(x * std::f64::consts::FRAC_1_SQRT_2);
-            assert_abs_diff_eq!(f64::from(g), phi, epsilon = 1e-7, "{name}, knot {k}");
-        }
+fn gaussian_table<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
+    if !name.starts_with("Gaussian") {
+        return;
+    }
+    let cdf = noise.statistics().cdf;
+    for (k, &g) in cdf.iter().enumerate() {
+        let x = 8.0 * k as f64 / (cdf.len() - 1) as f64 - 4.0;
+        let phi = 0.5 + 0.5 * erf(x * std::f64::consts::FRAC_1_SQRT_2);
+        assert_abs_diff_eq!(f64::from(g), phi, epsilon = 1e-7, "{name}, knot {k}");
     }
 }
 
 #[test]
 fn the_gaussian_table_is_phi() {
-    any_kind(&mut GaussianTable);
+    in_every_dimension!(kinds(), gaussian_table);
 }
 
 #[test]

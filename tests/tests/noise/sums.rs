@@ -9,7 +9,8 @@ use asperity_noise::{
     simd::{Kernel, LaneSample, Lanes, Measured},
 };
 use asperity_tests::{
-    noise_any::{AnyNoise, At, Coordinates, VisitAny, any_kind, at},
+    in_every_dimension,
+    noise_any::{AnyNoise, At, Coordinates, at, kinds},
     noise_reference::{Kind, difference},
     random::Random,
 };
@@ -153,36 +154,34 @@ fn assert_close(name: &str, [value, gradient]: [f64; 2]) {
     );
 }
 
-/// Sums of the kinds of some names, and how many were compared.
-struct Sums(&'static [(&'static str, Kind)], usize);
-
-impl VisitAny for Sums {
-    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
-        let Some(&(_, kind)) = self.0.iter().find(|(kind, _)| name == format!("{kind} {N}-D")) else {
-            return;
-        };
-        let spectrum = Spectrum::default();
-        let sigma = f64::from(noise.statistics().standard_deviation);
-        for rotation in [Rotation::Random, Rotation::Aligned] {
-            for normalisation in [Normalisation::Range, Normalisation::Variance] {
-                for (seed, count) in [(3, 4.5), (4, 1.0)] {
-                    let sum = noise.octaves(normalisation, rotation, seed);
-                    let octaves = octaves::<N>(spectrum, rotation, seed, f32::ceil(count) as usize);
-                    let amplitudes = amplitudes(&spectrum, count, normalisation, sigma);
-                    let worst = errors(&octaves, &amplitudes, kind, &|p| sum.sample(p, count));
-                    assert_close(&format!("{name} {rotation:?} {normalisation:?}"), worst);
-                    self.1 += 1;
-                }
+/// Checks the sums of a kind of one of these names, and counts them.
+fn sums<const N: usize>(
+    name: &str,
+    noise: &dyn AnyNoise<N>,
+    (named, compared): (&[(&str, Kind)], &mut usize),
+) {
+    let Some(&(_, kind)) = named.iter().find(|(kind, _)| name == format!("{kind} {N}-D")) else { return };
+    let spectrum = Spectrum::default();
+    let sigma = f64::from(noise.statistics().standard_deviation);
+    for rotation in [Rotation::Random, Rotation::Aligned] {
+        for normalisation in [Normalisation::Range, Normalisation::Variance] {
+            for (seed, count) in [(3, 4.5), (4, 1.0)] {
+                let sum = noise.octaves(normalisation, rotation, seed);
+                let octaves = octaves::<N>(spectrum, rotation, seed, f32::ceil(count) as usize);
+                let amplitudes = amplitudes(&spectrum, count, normalisation, sigma);
+                let worst = errors(&octaves, &amplitudes, kind, &|p| sum.sample(p, count));
+                assert_close(&format!("{name} {rotation:?} {normalisation:?}"), worst);
+                *compared += 1;
             }
         }
     }
 }
 
 /// Checks the sums of kinds in 1 to 4 dimensions, of two rotations, normalisations and seeds each.
-fn assert_sums(kinds: &'static [(&'static str, Kind)]) {
-    let mut sums = Sums(kinds, 0);
-    any_kind(&mut sums);
-    assert_eq!(sums.1, kinds.len() * 4 * 8);
+fn assert_sums(named: &[(&str, Kind)]) {
+    let mut compared = 0;
+    in_every_dimension!(kinds(), sums, (named, &mut compared));
+    assert_eq!(compared, named.len() * 4 * 8);
 }
 
 #[test]

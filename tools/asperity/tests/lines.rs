@@ -18,102 +18,23 @@ const COMMANDS: [&str; 4] = ["render", "bake", "tables", "check-ndf"];
 /// Options that write into the source tree, or compare what it ships.
 const NEVER: [&str; 2] = ["--ship", "--check"];
 
-const NUMBERS: [&str; 34] = [
-    "0",
-    "-0",
-    "1",
-    "-1",
-    "2",
-    "16",
-    "64",
-    "100",
-    "0.5",
-    "0.25",
-    "1.5",
-    "1e-45",
-    "1e-39",
-    "1e-7",
-    "3e38",
-    "1e39",
-    "-1e39",
-    "1e400",
-    "nan",
-    "-nan",
-    "inf",
-    "-inf",
-    "16777217",
-    "2147483648",
-    "4294967295",
-    "4294967296",
-    "18446744073709551616",
-    "1_000",
-    "0x10",
-    "+1",
-    ".5",
-    "1.",
-    "٣",
-    "1e",
-];
-const WORDS: [&str; 22] = [
-    "",
-    " ",
-    "-",
-    "--",
-    "=",
-    "a",
-    "ggx",
-    "ggx:",
-    "ggx:,",
-    "ggx:0.2",
-    "ggx:0.2,0.4",
-    "ggx:nan",
-    "ggx:1e-30",
-    "ward:0.1,1e30",
-    "student-t:0.1,0.2,1e9",
-    "blinn-phong:1e30",
-    "ashikhmin-shirley:0,inf",
-    "painted",
-    "🫖",
-    "a\nb",
-    "\u{1b}[31m",
-    "\u{202e}x",
-];
-const COLOURS: [&str; 7] = ["b02a1e", "#d9a066", "ffffff", "12345", "+12345", "gggggg", "#####000000"];
-const SETS: [&str; 10] = [
-    "depth=0.01",
-    "coat_roughness=0.1",
-    "colour=#b02a1e",
-    "colour=1,2",
-    "depth=nan",
-    "depth=-1",
-    "=",
-    "x=",
-    "orange_peel_strength=1e30",
-    "no equals",
-];
-const RANGES: [&str; 8] = ["1", "2-3", "1-1", "3-2", "0", "1-", "-", "1-4294967295"];
-const PATHS: [&str; 20] = [
-    "grey.png",
-    "cut.png",
-    "empty.png",
-    "triangle.obj",
-    "broken.obj",
-    "no.stl",
-    "system.json",
-    "wild.json",
-    "folder",
-    "folder/",
-    "nowhere/a.png",
-    "a.png",
-    "b.exr",
-    "c.jpg",
-    "d.webp",
-    "e.gif",
-    "frame-##.png",
-    "/proc/version/x.png",
-    "job.yaml",
-    "x/../y.png",
-];
+// Words of options, with bars between them.
+const NUMBERS: &str = "\
+    0|-0|1|-1|2|16|64|100|0.5|0.25|1.5|1e-45|1e-39|1e-7|3e38|1e39|-1e39|1e400|nan|-nan|inf|-inf|\
+    16777217|2147483648|4294967295|4294967296|18446744073709551616|1_000|0x10|+1|.5|1.|٣|1e";
+const WORDS: &str = "\
+    | |-|--|=|a|ggx|ggx:|ggx:,|ggx:0.2|ggx:0.2,0.4|ggx:nan|ggx:1e-30|ward:0.1,1e30|\
+    student-t:0.1,0.2,1e9|blinn-phong:1e30|ashikhmin-shirley:0,inf|painted|🫖|a\nb|\u{1b}[31m|\
+    \u{202e}x";
+const COLOURS: &str = "b02a1e|#d9a066|ffffff|12345|+12345|gggggg|#####000000";
+const SETS: &str = "\
+    depth=0.01|coat_roughness=0.1|colour=#b02a1e|colour=1,2|depth=nan|depth=-1|=|x=|\
+    orange_peel_strength=1e30|no equals";
+const RANGES: &str = "1|2-3|1-1|3-2|0|1-|-|1-4294967295";
+const PATHS: &str = "\
+    grey.png|cut.png|empty.png|triangle.obj|broken.obj|no.stl|system.json|wild.json|folder|folder/|\
+    nowhere/a.png|a.png|b.exr|c.jpg|d.webp|e.gif|frame-##.png|/proc/version/x.png|job.yaml|\
+    x/../y.png";
 
 /// An option as `--help` tells it.
 struct OptionOf {
@@ -178,31 +99,33 @@ fn options(folder: &Path, command: &str) -> Vec<OptionOf> {
     options
 }
 
-fn any<'a>(random: &mut Random, of: &[&'a str]) -> &'a str {
-    of[(random.bits() % of.len() as u64) as usize]
+/// One of the words between bars.
+fn any<'a>(random: &mut Random, of: &'a str) -> &'a str {
+    let words: Vec<&str> = of.split('|').collect();
+    words[(random.bits() % words.len() as u64) as usize]
 }
 
 /// A value, mostly of the kind that the option takes.
 fn value(random: &mut Random, option: &OptionOf) -> String {
     let kind = option.value.as_deref().unwrap_or_default();
     match random.bits() % 20 {
-        0 => any(random, &NUMBERS).into(),
-        1 => any(random, &WORDS).into(),
-        2 => any(random, &PATHS).into(),
+        0 => any(random, NUMBERS).into(),
+        1 => any(random, WORDS).into(),
+        2 => any(random, PATHS).into(),
         3 => "#".repeat(1 << (random.bits() % 17)) + ".png",
         4 => "9".repeat(1 + (random.bits() % 300) as usize),
         _ if !option.words.is_empty() => {
             option.words[(random.bits() % option.words.len() as u64) as usize].clone()
         }
         _ => match kind {
-            "FILE" | "DIR" | "LIGHT" => any(random, &PATHS).into(),
-            "RRGGBB" | "light|RRGGBB" => any(random, &COLOURS).into(),
-            "NAME=VALUE" => any(random, &SETS).into(),
-            "N|N-N" => any(random, &RANGES).into(),
-            "NDF" | "NAME" => any(random, &WORDS).into(),
+            "FILE" | "DIR" | "LIGHT" => any(random, PATHS).into(),
+            "RRGGBB" | "light|RRGGBB" => any(random, COLOURS).into(),
+            "NAME=VALUE" => any(random, SETS).into(),
+            "N|N-N" => any(random, RANGES).into(),
+            "NDF" | "NAME" => any(random, WORDS).into(),
             "SIZE" | "TILE" => format!("{}", 16 << (random.bits() % 4)),
             _ if random.bits().is_multiple_of(2) => format!("{}", 1 + random.bits() % 16),
-            _ => any(random, &NUMBERS).into(),
+            _ => any(random, NUMBERS).into(),
         },
     }
 }
@@ -232,7 +155,7 @@ fn line(random: &mut Random, all: &[(&str, Vec<OptionOf>)]) -> Vec<String> {
     }
     if random.bits().is_multiple_of(40) {
         let at = (random.bits() % (words.len() as u64 + 1)) as usize;
-        words.insert(at, any(random, &WORDS).into());
+        words.insert(at, any(random, WORDS).into());
     }
     words
 }
