@@ -7,7 +7,7 @@ use std::process::Command;
 use std::sync::{Mutex, PoisonError};
 
 use asperity_shader_tests::case::Case;
-use asperity_shaders::{Bindings, Part, compose, ordered};
+use asperity_shaders::{Bindings, Part, compose, ndf, noise, ordered};
 use clap::ValueEnum;
 use rayon::prelude::*;
 
@@ -116,6 +116,8 @@ pub(crate) fn run(cases: &[Case], dialects: &[Dialect], out: &Path, check: bool)
     let parts: BTreeMap<&str, &'static Part> = cases
         .iter()
         .flat_map(|case| ordered(&case.parts))
+        // Their samplers are beyond the interpreter of cases.
+        .chain([&noise::sums::MIP_MAPPED, &ndf::NORMAL_TABLE_FILTERED])
         .map(|part| (part.name(), part))
         // Cases have parts of their own.
         .filter(|(name, part)| !part.source().is_empty() && !name.starts_with("case/"))
