@@ -2,7 +2,7 @@
 
 use std::{sync::atomic::AtomicBool, time::Instant};
 
-use asperity_render::image::Format;
+use asperity_render::{image::Format, integrator::pixels::Watch};
 use rayon::prelude::*;
 
 use crate::captions::CAPTIONS;
@@ -85,8 +85,7 @@ pub(crate) fn draw(
             goal,
             seed,
             drivers: !wanted.only.is_empty(),
-            progress: &bar,
-            interrupted,
+            watch: Watch { progress: &bar, interrupted },
         };
         let start = Instant::now();
         let drawn = (figure.draw)(&context);

@@ -1,13 +1,10 @@
 //! A figure of the gallery: its name, the function that draws it, and what that hands back.
 
-use std::sync::atomic::AtomicBool;
-
 use asperity_render::integrator::adaptive::{Goal, Grain, render_until};
-use asperity_render::integrator::pixels::{Sampling, render, rows};
+use asperity_render::integrator::pixels::{Sampling, Watch, render, rows};
 use asperity_render::sampling::sampler::Sampler;
 use asperity_render::{geometry::camera::Camera, image::Image, scene::Scene};
 use glam::Vec3;
-use indicatif::ProgressBar;
 use serde::{Deserialize, Serialize};
 
 use asperity::failure::{Interrupted, Result};
@@ -41,16 +38,14 @@ pub(crate) struct Context<'a> {
     pub(crate) seed: u32,
     /// Whether shaders may be drawn by a driver, which builds a program for minutes.
     pub(crate) drivers: bool,
-    /// The figure's progress; hidden when no terminal looks on.
-    pub(crate) progress: &'a ProgressBar,
-    /// Set when the user interrupts: long loops call [`Context::checkpoint`] once a row.
-    pub(crate) interrupted: &'a AtomicBool,
+    /// The figure's progress, hidden when no terminal looks on, and the user's interruption: long loops call [`Context::checkpoint`] once a row.
+    pub(crate) watch: Watch<'a>,
 }
 
 impl Context<'_> {
     /// Returns [`Interrupted`] once the user has pressed Ctrl-C.
     pub(crate) fn checkpoint(&self) -> Result<(), Interrupted> {
-        Interrupted::check(self.interrupted)
+        Interrupted::check(self.watch.interrupted)
     }
 
     /// A square panel of the figure's size.
@@ -74,12 +69,12 @@ impl Context<'_> {
         sampling: Sampling,
         radiance: impl Fn(f32, f32) -> Vec3 + Sync,
     ) -> Result<Image> {
-        render(sampling, self.progress, self.interrupted, radiance)
+        render(sampling, self.watch, radiance)
     }
 
     /// A picture of a scene, in linear radiance.
     pub(crate) fn draw(&self, scene: &Scene<'_, '_>, sampling: Sampling, camera: &Camera) -> Result<Image> {
-        scene.draw(sampling, camera, self.progress, self.interrupted)
+        scene.draw(sampling, camera, self.watch)
     }
 
     /// A picture of a scene without grain, in linear radiance.
@@ -89,7 +84,7 @@ impl Context<'_> {
         sampling: Sampling,
         camera: &Camera,
     ) -> Result<(Image, Grain)> {
-        scene.draw_until(sampling, &self.goal, camera, self.progress, self.interrupted)
+        scene.draw_until(sampling, &self.goal, camera, self.watch)
     }
 
     /// The mean of a radiance over each pixel without grain, at points in pixels from the top left.
@@ -98,7 +93,7 @@ impl Context<'_> {
         sampling: Sampling,
         radiance: impl Fn(f32, f32, &mut Sampler) -> Vec3 + Sync,
     ) -> Result<(Image, Grain)> {
-        render_until(sampling, &self.goal, self.progress, self.interrupted, radiance)
+        render_until(sampling, &self.goal, self.watch, radiance)
     }
 
     /// A picture of a scene from an eye towards a target, over this angle in radians.
@@ -118,7 +113,7 @@ impl Context<'_> {
         count: usize,
         row: impl Fn(usize) -> R + Sync,
     ) -> Result<Vec<T>> {
-        rows(count, self.progress, self.interrupted, row)
+        rows(count, self.watch, row)
     }
 }
 

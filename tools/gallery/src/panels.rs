@@ -46,19 +46,15 @@ pub(crate) fn side_by_side(pictures: &[Image], gap: u32, between: Vec3) -> Image
 
 #[cfg(test)]
 mod tests {
-    use std::sync::atomic::AtomicBool;
-
-    use indicatif::ProgressBar;
-
     use super::*;
     use asperity::quality::Quality;
+    use asperity_render::integrator::pixels::Watch;
 
     #[test]
     fn the_disk_shows_n_y_upwards() {
-        let (progress, interrupted) = (&ProgressBar::hidden(), &AtomicBool::new(false));
         let goal = Quality::Draft.fineness().goal();
         let context =
-            Context { size: 64, samples_per_pixel: 1, goal, seed: 1, drivers: false, progress, interrupted };
+            Context { size: 64, samples_per_pixel: 1, goal, seed: 1, drivers: false, watch: Watch::unseen() };
         let image = disk(&context, 1.0, |m| m.y.max(0.0)).unwrap();
         let row = |y: usize| image.pixels[64 * y + 32].x;
         assert!(row(8) > 4.0 * row(56));

@@ -8,6 +8,7 @@ use asperity::cli::Render;
 use asperity::failure::{Interrupted, Result};
 use asperity::output::Output;
 use asperity::progress;
+use asperity_render::integrator::pixels::Watch;
 
 /// The way of a sequence.
 pub(crate) struct Frames {
@@ -88,7 +89,7 @@ pub(super) fn draw(wanted: &Render, frames: &Frames, interrupted: &AtomicBool) -
         picture.from(degrees, zoom);
         let bar = progress::bar(&format!("frame {frame} of {first}–{last}"));
         let mut image = None;
-        let result = picture.refined(&bar, interrupted, &mut |drawn, _, _| {
+        let result = picture.refined(Watch { progress: &bar, interrupted }, &mut |drawn, _, _| {
             image = Some(drawn);
             bar.set_length(0);
             bar.set_position(0);

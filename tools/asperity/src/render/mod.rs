@@ -15,6 +15,7 @@ use asperity::cli::{Material, Render};
 use asperity::failure::{Interrupted, Result};
 use asperity::output::Output;
 use asperity::progress;
+use asperity_render::integrator::pixels::Watch;
 
 /// Draws what was asked for, over and over as it grows finer, and tells where it lies.
 pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<()> {
@@ -28,7 +29,7 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<()> {
     let output = Output::new(picture.folder.clone())?;
     let bar = progress::bar("render");
     let mut drawn = None;
-    let result = picture.refined(&bar, interrupted, &mut |image, samples, noise| {
+    let result = picture.refined(Watch { progress: &bar, interrupted }, &mut |image, samples, noise| {
         let image = picture.developed(image);
         output.stream(&picture.name, |file| image.write(picture.format, file))?;
         let grain = if noise.is_finite() { format!(", grain {noise:.4}") } else { String::new() };

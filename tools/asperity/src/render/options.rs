@@ -51,10 +51,9 @@ pub(super) fn refuse_idle(wanted: &Render, material: Material, lamps: bool, form
 
 #[cfg(test)]
 mod tests {
-    use std::sync::atomic::AtomicBool;
 
+    use asperity_render::integrator::pixels::Watch;
     use clap::Parser;
-    use indicatif::ProgressBar;
 
     use super::*;
     use crate::render::picture::Picture;
@@ -65,7 +64,7 @@ mod tests {
         let cli = Cli::try_parse_from(["asperity", "render"].into_iter().chain(line.split_whitespace()))?;
         let Command::Render(wanted) = cli.command else { return Err("another command".into()) };
         let (picture, mut bytes) = (Picture::new(&wanted)?, Vec::new());
-        picture.refined(&ProgressBar::hidden(), &AtomicBool::new(false), &mut |image, _, _| {
+        picture.refined(Watch::unseen(), &mut |image, _, _| {
             bytes = picture.developed(image).encode(picture.format)?;
             Ok(())
         })?;

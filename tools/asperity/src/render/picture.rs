@@ -2,12 +2,11 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
 use asperity_render::geometry::{camera::Camera, shape::Shape};
 use asperity_render::image::tone::{filmic, hex, srgb};
 use asperity_render::image::{Format, Image};
-use asperity_render::integrator::pixels::Sampling;
+use asperity_render::integrator::pixels::{Sampling, Watch};
 use asperity_render::light::environments::{Studio, Surroundings};
 use asperity_render::materials::Facets;
 use asperity_render::materials::field::{Bumps, NoiseKind};
@@ -15,7 +14,6 @@ use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::scenes::{RenderRequest, Set, View, backdrop, ground};
 use asperity_shading::{LevelOfDetail, material::BumpMapped};
 use glam::{DVec3, Vec3};
-use indicatif::ProgressBar;
 
 use crate::render::files::{opened, surroundings};
 use crate::render::materials::{Made, Parameters};
@@ -134,8 +132,7 @@ impl<'a> Picture<'a> {
     /// Draws it in passes, each handed over with its samples of a pixel and its grain.
     pub(super) fn refined(
         &self,
-        bar: &ProgressBar,
-        interrupted: &AtomicBool,
+        watch: Watch<'_>,
         pass: &mut dyn FnMut(Image, u32, f32) -> Result<()>,
     ) -> Result<()> {
         let &Render { quality, size, spp, noise, seed, .. } = self.wanted;
@@ -145,7 +142,7 @@ impl<'a> Picture<'a> {
         let goal = noise.unwrap_or(if spp.is_some() { 0.0 } else { grain });
         let mut draw = |scene: &Scene<'_, '_>, camera: Camera| {
             let goal = (goal, |x| self.shown(x));
-            scene.refine(sampling, &camera, goal, bar, interrupted, &mut *pass)
+            scene.refine(sampling, &camera, goal, watch, &mut *pass)
         };
         match &self.light {
             Lit::Lamps => self.by_lamps(sampling, &mut draw),

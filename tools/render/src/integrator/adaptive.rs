@@ -1,9 +1,6 @@
 //! Samples where they are needed: every pixel until the standard error of its mean is small beside it.
 
-use std::sync::atomic::AtomicBool;
-
 use glam::Vec3;
-use indicatif::ProgressBar;
 
 use crate::{
     failure::Failure,
@@ -11,7 +8,7 @@ use crate::{
     image::Image,
     integrator::{
         non_local_means,
-        pixels::{Sampling, each_row, pixel_hash},
+        pixels::{Sampling, Watch, each_row, pixel_hash},
     },
     sampling::sampler::Sampler,
     scene::Scene,
@@ -124,14 +121,13 @@ fn luminance(colour: Vec3) -> f32 {
 pub fn render_until(
     sampling: Sampling,
     goal: &Goal,
-    progress: &ProgressBar,
-    interrupted: &AtomicBool,
+    watch: Watch<'_>,
     radiance: impl Fn(f32, f32, &mut Sampler) -> Vec3 + Sync,
 ) -> Result<(Image, Grain), Failure> {
     let Sampling { width, height, .. } = sampling;
-    let pixels = sampled(sampling, goal, progress, interrupted, radiance)?;
+    let pixels = sampled(sampling, goal, watch, radiance)?;
     let samples = pixels.iter().map(|pixel| 2.0 * f64::from(pixel.count)).sum::<f64>();
-    let halves = pictures(&pixels, [width, height], goal, progress, interrupted)?;
+    let halves = pictures(&pixels, [width, height], goal, watch)?;
     let median = median(errors(&halves, goal.shown).into_iter());
     let grain = Grain { median, samples: (samples / pixels.len().max(1) as f64) as f32 };
     Ok((mean(&halves), grain))
@@ -142,10 +138,9 @@ fn pictures(
     pixels: &[Halves],
     [width, height]: [u32; 2],
     goal: &Goal,
-    progress: &ProgressBar,
-    interrupted: &AtomicBool,
+    watch: Watch<'_>,
 ) -> Result<[Image; 2], Failure> {
-    let halves = smoothed(pixels, width as usize, goal, progress, interrupted)?;
+    let halves = smoothed(pixels, width as usize, goal, watch)?;
     Ok([0, 1].map(|half| {
         let pixels = halves.iter().map(|halves| halves[half]).collect();
         reconstructed(&Image { width, height, pixels })
@@ -163,8 +158,7 @@ fn smoothed(
     pixels: &[Halves],
     columns: usize,
     goal: &Goal,
-    progress: &ProgressBar,
-    interrupted: &AtomicBool,
+    watch: Watch<'_>,
 ) -> Result<Vec<[Vec3; 2]>, Failure> {
     let halves: Vec<_> =
         pixels.iter().map(|pixel| pixel.sums.map(|sum| sum / pixel.count.max(1) as f32)).collect();
@@ -184,16 +178,14 @@ fn smoothed(
     let about = shown_of(pixels, columns, goal.shown);
     let variances: Vec<_> =
         pixels.iter().zip(about).zip(averaged(&own, columns, REACH)).map(variance).collect();
-    non_local_means::Halves { columns, halves: &halves, variances: &variances }
-        .smoothed(progress, interrupted)
+    non_local_means::Halves { columns, halves: &halves, variances: &variances }.smoothed(watch)
 }
 
 /// The samples of every pixel.
 fn sampled(
     Sampling { width, height, seed, .. }: Sampling,
     goal: &Goal,
-    progress: &ProgressBar,
-    interrupted: &AtomicBool,
+    watch: Watch<'_>,
     radiance: impl Fn(f32, f32, &mut Sampler) -> Vec3 + Sync,
 ) -> Result<Vec<Halves>, Failure> {
     let [least, most] = goal.samples.map(|count| count.div_ceil(2).max(1));
@@ -201,7 +193,7 @@ fn sampled(
     let mut pixels = vec![Halves::default(); columns * height as usize];
     let mut wanted = vec![least; pixels.len()];
     while pixels.iter().zip(&wanted).any(|(pixel, &wanted)| pixel.count < wanted) {
-        each_row(&mut pixels, columns, progress, interrupted, |y, row| {
+        each_row(&mut pixels, columns, watch, |y, row| {
             for (x, (pixel, &wanted)) in row.iter_mut().zip(&wanted[y * columns..]).enumerate() {
                 let (x, y) = (x as u32, y as u32);
                 let hashed = [0, 1].map(|half| pixel_hash(x, y, pixel_hash(seed, half, 0)));
@@ -328,11 +320,10 @@ impl Scene<'_, '_> {
         sampling: Sampling,
         goal: &Goal,
         camera: &Camera,
-        progress: &ProgressBar,
-        interrupted: &AtomicBool,
+        watch: Watch<'_>,
     ) -> Result<(Image, Grain), Failure> {
         let camera = camera.about(self.focus);
-        render_until(sampling, goal, progress, interrupted, |x, y, sampler| {
+        render_until(sampling, goal, watch, |x, y, sampler| {
             let place = [x / sampling.width as f32, y / sampling.height as f32];
             self.seen(&camera.ray(x, y), place, sampler).radiance
         })
@@ -370,8 +361,7 @@ mod tests {
         radiance: impl Fn(f32, f32, &mut Sampler) -> Vec3 + Sync + Send,
     ) -> Vec<Halves> {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| sampled(SAMPLING, goal, &ProgressBar::hidden(), &AtomicBool::new(false), radiance))
-            .unwrap()
+        pool.install(|| sampled(SAMPLING, goal, Watch::unseen(), radiance)).unwrap()
     }
 
     #[test]
@@ -381,7 +371,7 @@ mod tests {
         let objects = Set::Sphere.objects(Box::new(chalk), PLAIN).unwrap();
         let scene = Scene::new(objects, Light::Around(&studio), Backdrop::Colour(backdrop()));
         let camera = Set::Sphere.view().camera(1.0, SAMPLING);
-        let limit = scene.draw(SAMPLING, &camera, &ProgressBar::hidden(), &AtomicBool::new(false)).unwrap();
+        let limit = scene.draw(SAMPLING, &camera, Watch::unseen()).unwrap();
         let limit = reconstructed(&limit).pixels;
         let mut told_medians = Vec::new();
         for detail in [Detail::Fine, Detail::Coarse] {
@@ -389,8 +379,7 @@ mod tests {
             let radiance =
                 |x, y, sampler: &mut Sampler| scene.seen(&camera.ray(x, y), [0.0; 2], sampler).radiance;
             let pixels = sampled_by(&goal, 2, radiance);
-            let stop = (&ProgressBar::hidden(), &AtomicBool::new(false));
-            let halves = pictures(&pixels, [SIDE; 2], &goal, stop.0, stop.1).unwrap();
+            let halves = pictures(&pixels, [SIDE; 2], &goal, Watch::unseen()).unwrap();
             let (told, pixels) = (errors(&halves, goal.shown), mean(&halves).pixels);
             told_medians.push(median(told.iter().copied()));
             let pairs = pixels.iter().zip(&limit).zip(told).filter(|(_, told)| *told > 0.0);
@@ -456,9 +445,8 @@ mod tests {
     fn points_of_light_stand_where_noise_is_taken_out_beside_them() {
         let goal = Goal { error: 0.05, shown: |x| x, dark: 0.0, samples: [8, 8], detail: Detail::Coarse };
         let pixels = sampled_by(&goal, 2, speckled);
-        let stop = (&ProgressBar::hidden(), &AtomicBool::new(false));
         let [own, shared] = [Detail::Fine, Detail::Coarse].map(|detail| {
-            smoothed(&pixels, SIDE as usize, &Goal { detail, ..goal }, stop.0, stop.1).unwrap()
+            smoothed(&pixels, SIDE as usize, &Goal { detail, ..goal }, Watch::unseen()).unwrap()
         });
         let columns = |range: std::ops::Range<u32>| {
             let own = own.iter().zip(&shared).zip(0..).filter(move |(_, k)| range.contains(&(k % SIDE)));

@@ -6,14 +6,13 @@ mod non_local_means;
 pub mod path_tracer;
 pub mod pixels;
 
-use std::{ops::Range, sync::atomic::AtomicBool};
+use std::ops::Range;
 
 use asperity_shading::{
     Frame, PixelEllipse, SurfacePoint,
     reflectance::{Bsdf, Delta},
 };
 use glam::{Vec2, Vec3};
-use indicatif::ProgressBar;
 
 use crate::{
     failure::Failure,
@@ -22,7 +21,7 @@ use crate::{
         ray::{Hit, Ray},
     },
     image::Image,
-    integrator::pixels::{Sampling, Sums, jitter, pixel_hash, sample},
+    integrator::pixels::{Sampling, Sums, Watch, jitter, pixel_hash, sample},
     sampling::{
         low_discrepancy::r2_from,
         sampler::{Sampler, hash},
@@ -39,15 +38,9 @@ const BLUR: u32 = 16;
 
 impl Scene<'_, '_> {
     /// Draws it, in linear radiance.
-    pub fn draw(
-        &self,
-        sampling: Sampling,
-        camera: &Camera,
-        progress: &ProgressBar,
-        interrupted: &AtomicBool,
-    ) -> Result<Image, Failure> {
+    pub fn draw(&self, sampling: Sampling, camera: &Camera, watch: Watch<'_>) -> Result<Image, Failure> {
         let samples = 0..sampling.samples_per_pixel.max(1);
-        Ok(self.and(&Sums::default(), samples, sampling, camera, progress, interrupted)?.mean())
+        Ok(self.and(&Sums::default(), samples, sampling, camera, watch)?.mean())
     }
 
     /// Draws it in passes of ever more samples, and hands over each with its number of samples and its noise, until the noise of
@@ -57,14 +50,13 @@ impl Scene<'_, '_> {
         sampling: Sampling,
         camera: &Camera,
         (goal, shown): (f32, impl Fn(f32) -> f32),
-        progress: &ProgressBar,
-        interrupted: &AtomicBool,
+        watch: Watch<'_>,
         mut pass: impl FnMut(Image, u32, f32) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
         let (mut sums, mut samples, most) = (Sums::default(), 0, sampling.samples_per_pixel.max(1));
         loop {
             let more = (2 * samples).clamp(1, most);
-            let next = self.and(&sums, samples..more, sampling, camera, progress, interrupted)?;
+            let next = self.and(&sums, samples..more, sampling, camera, watch)?;
             let noise = next.noise(&sums, &shown);
             (sums, samples) = (next, more);
             let done = noise <= goal || samples == most;
@@ -83,13 +75,12 @@ impl Scene<'_, '_> {
         samples: Range<u32>,
         sampling: Sampling,
         camera: &Camera,
-        progress: &ProgressBar,
-        interrupted: &AtomicBool,
+        watch: Watch<'_>,
     ) -> Result<Sums, Failure> {
         let Sampling { width, height, seed, .. } = sampling;
         let paths = matches!(self.light, Light::Around(_));
         let camera = camera.about(self.focus);
-        sums.and(sampling, samples, progress, interrupted, |x, y| {
+        sums.and(sampling, samples, watch, |x, y| {
             let (hashed, shift) = (pixel_hash(x, y, seed), jitter(x, y, seed));
             move |k| {
                 let mut sampler = Sampler::new(k, hashed);
@@ -291,7 +282,7 @@ mod tests {
     /// The mean over a picture with 4096 samples.
     fn mean(scene: &Scene<'_, '_>, camera: &Camera) -> Vec3 {
         let sampling = Sampling { width: 16, height: 16, samples_per_pixel: 16, seed: 1 };
-        let image = scene.draw(sampling, camera, &ProgressBar::hidden(), &AtomicBool::new(false)).unwrap();
+        let image = scene.draw(sampling, camera, Watch::unseen()).unwrap();
         image.pixels.iter().sum::<Vec3>() / 256.0
     }
 
@@ -367,8 +358,7 @@ mod tests {
             let sampling = Sampling { width: 32, height: 32, samples_per_pixel, seed: 1 };
             let camera = Set::Room.view().camera(1.0, sampling);
             let scene = Scene::new(objects, Light::Around(light), Backdrop::Light);
-            let image =
-                scene.draw(sampling, &camera, &ProgressBar::hidden(), &AtomicBool::new(false)).unwrap();
+            let image = scene.draw(sampling, &camera, Watch::unseen()).unwrap();
             image.pixels.iter().sum::<Vec3>() / 1024.0
         };
         let (known, unknown) = (mean(&studio(), 16), mean(&Unknown(studio()), 64));

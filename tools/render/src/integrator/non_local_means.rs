@@ -1,11 +1,11 @@
 //! Grain taken from a picture that is known twice: means over neighbours that look alike but for their noise.
 
-use std::sync::atomic::AtomicBool;
-
 use glam::Vec3;
-use indicatif::ProgressBar;
 
-use crate::{failure::Failure, integrator::pixels::rows};
+use crate::{
+    failure::Failure,
+    integrator::pixels::{Watch, rows},
+};
 
 /// Half the side of the square that neighbours are taken from.
 const WINDOW: usize = 3;
@@ -36,13 +36,9 @@ impl Halves<'_> {
     ///
     /// Buades, Coll and Morel 2005, "A Non-Local Algorithm for Image Denoising"; Rousselle, Knaus and Zwicker 2012, "Adaptive Rendering
     /// with Non-Local Means Filtering", eq. 2 to 5, here with one variance for all channels.
-    pub(super) fn smoothed(
-        &self,
-        progress: &ProgressBar,
-        interrupted: &AtomicBool,
-    ) -> Result<Vec<[Vec3; 2]>, Failure> {
+    pub(super) fn smoothed(&self, watch: Watch<'_>) -> Result<Vec<[Vec3; 2]>, Failure> {
         let count = self.halves.len().checked_div(self.columns).unwrap_or(0);
-        rows(count, progress, interrupted, |y| self.row(y))
+        rows(count, watch, |y| self.row(y))
     }
 
     /// One row without most of its noise.
@@ -126,7 +122,7 @@ mod tests {
         let variances = vec![deviation * deviation; halves.len()];
         let of = Halves { columns: SIDE as usize, halves: &halves, variances: &variances };
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| of.smoothed(&ProgressBar::hidden(), &AtomicBool::new(false)).unwrap())
+        pool.install(|| of.smoothed(Watch::unseen()).unwrap())
     }
 
     #[test]
@@ -166,7 +162,7 @@ mod tests {
         halves[middle][0] = Vec3::splat(50.0);
         let variances = vec![1e-4; halves.len()];
         let of = Halves { columns: SIDE as usize, halves: &halves, variances: &variances };
-        let smoothed = of.smoothed(&ProgressBar::hidden(), &AtomicBool::new(false)).unwrap();
+        let smoothed = of.smoothed(Watch::unseen()).unwrap();
         // The second sees nothing there: the point is shared by 49. To the first 25 are unlike the rest, whose level is the same.
         assert!(
             (smoothed[middle][0] - Vec3::splat(2.0)).abs().max_element() < 1e-5,
@@ -183,7 +179,7 @@ mod tests {
             assert_eq!(half, [ramp(k as u32 % SIDE, k as u32 / SIDE); 2]);
         }
         let empty = Halves { columns: 0, halves: &[], variances: &[] };
-        assert!(empty.smoothed(&ProgressBar::hidden(), &AtomicBool::new(false)).unwrap().is_empty());
+        assert!(empty.smoothed(Watch::unseen()).unwrap().is_empty());
     }
 
     #[test]

@@ -1,6 +1,9 @@
 //! Pixels in parallel rows, with samples that depend on the pixel alone.
 
-use std::{ops::Range, sync::atomic::AtomicBool};
+use std::{
+    ops::Range,
+    sync::{LazyLock, atomic::AtomicBool},
+};
 
 use glam::{Vec2, Vec3};
 use indicatif::ProgressBar;
@@ -11,6 +14,22 @@ use crate::{
     image::Image,
     sampling::{low_discrepancy::r2_from, sampler::hash},
 };
+
+/// The progress of a picture, and the flag that stops it.
+#[derive(Clone, Copy)]
+pub struct Watch<'a> {
+    pub progress: &'a ProgressBar,
+    pub interrupted: &'a AtomicBool,
+}
+
+impl Watch<'_> {
+    /// Shows nothing and never stops.
+    pub fn unseen() -> Self {
+        static PROGRESS: LazyLock<ProgressBar> = LazyLock::new(ProgressBar::hidden);
+        static GO_ON: AtomicBool = AtomicBool::new(false);
+        Self { progress: &PROGRESS, interrupted: &GO_ON }
+    }
+}
 
 /// Size and samples of a picture.
 #[derive(Clone, Copy, Debug)]
@@ -27,11 +46,10 @@ pub struct Sampling {
 /// order.
 pub fn render(
     sampling: Sampling,
-    progress: &ProgressBar,
-    interrupted: &AtomicBool,
+    watch: Watch<'_>,
     radiance: impl Fn(f32, f32) -> Vec3 + Sync,
 ) -> Result<Image, Failure> {
-    pixels(sampling, progress, interrupted, |x, y| {
+    pixels(sampling, watch, |x, y| {
         let (shift, radiance) = (jitter(x, y, sampling.seed), &radiance);
         move |k| {
             let place = sample(k, shift);
@@ -43,12 +61,11 @@ pub fn render(
 /// The mean of the samples that each pixel gives.
 fn pixels<S: Fn(u32) -> Vec3>(
     sampling: Sampling,
-    progress: &ProgressBar,
-    interrupted: &AtomicBool,
+    watch: Watch<'_>,
     pixel: impl Fn(u32, u32) -> S + Sync,
 ) -> Result<Image, Failure> {
     let samples = 0..sampling.samples_per_pixel.max(1);
-    Ok(Sums::default().and(sampling, samples, progress, interrupted, pixel)?.mean())
+    Ok(Sums::default().and(sampling, samples, watch, pixel)?.mean())
 }
 
 /// Sums of the samples of pixels, to which more can be added: the same in one go and in several.
@@ -64,13 +81,12 @@ impl Sums {
         &self,
         Sampling { width, height, .. }: Sampling,
         samples: Range<u32>,
-        progress: &ProgressBar,
-        interrupted: &AtomicBool,
+        watch: Watch<'_>,
         pixel: impl Fn(u32, u32) -> S + Sync,
     ) -> Result<Self, Failure> {
         let black = || Image { width, height, pixels: vec![Vec3::ZERO; width as usize * height as usize] };
         let mut sums = self.sums.clone().unwrap_or_else(black);
-        each_row(&mut sums.pixels, width as usize, progress, interrupted, |y, row| {
+        each_row(&mut sums.pixels, width as usize, watch, |y, row| {
             for (x, sum) in row.iter_mut().enumerate() {
                 let sample = pixel(x as u32, y as u32);
                 *sum = samples.clone().fold(*sum, |sum, k| sum + sample(k));
@@ -103,16 +119,15 @@ impl Sums {
 pub(super) fn each_row<T: Send>(
     pixels: &mut [T],
     columns: usize,
-    progress: &ProgressBar,
-    interrupted: &AtomicBool,
+    watch: Watch<'_>,
     work: impl Fn(usize, &mut [T]) + Sync,
 ) -> Result<(), Interrupted> {
     let rows = pixels.par_chunks_mut(columns.max(1)).enumerate();
-    progress.inc_length(rows.len() as u64);
+    watch.progress.inc_length(rows.len() as u64);
     rows.try_for_each(|(y, row)| {
-        Interrupted::check(interrupted)?;
+        Interrupted::check(watch.interrupted)?;
         work(y, row);
-        progress.inc(1);
+        watch.progress.inc(1);
         Ok(())
     })
 }
@@ -120,12 +135,11 @@ pub(super) fn each_row<T: Send>(
 /// Rows one below the other, made on all threads, in their order whatever the number of threads.
 pub fn rows<T: Send, R: IntoIterator<Item = T>>(
     count: usize,
-    progress: &ProgressBar,
-    interrupted: &AtomicBool,
+    watch: Watch<'_>,
     row: impl Fn(usize) -> R + Sync,
 ) -> Result<Vec<T>, Failure> {
     let mut rows: Vec<Vec<T>> = (0..count).map(|_| Vec::new()).collect();
-    each_row(&mut rows, 1, progress, interrupted, |k, made| {
+    each_row(&mut rows, 1, watch, |k, made| {
         made.iter_mut().for_each(|made| made.extend(row(k)));
     })?;
     Ok(rows.into_iter().flatten().collect())
@@ -159,7 +173,7 @@ mod tests {
         let sampling = Sampling { width: 40, height: 30, samples_per_pixel: 5, seed: 7 };
         pool.install(|| {
             let radiance = |x: f32, y: f32| Vec3::new((x * y).sin(), x, y);
-            render(sampling, &ProgressBar::hidden(), &AtomicBool::new(false), radiance).unwrap().pixels
+            render(sampling, Watch::unseen(), radiance).unwrap().pixels
         })
     }
 
@@ -171,11 +185,9 @@ mod tests {
     #[test]
     fn sums_in_passes_are_the_mean_and_tell_its_standard_error() {
         let sampling = Sampling { width: 64, height: 64, samples_per_pixel: 12, seed: 7 };
-        let bar = ProgressBar::hidden();
         // Even over [0, 1]: a standard deviation of 1/√12.
         let pixel = |x, y| move |k| Vec3::splat(jitter(hash(x ^ k << 8), y, k).x);
-        let add =
-            |sums: &Sums, samples| sums.and(sampling, samples, &bar, &AtomicBool::new(false), pixel).unwrap();
+        let add = |sums: &Sums, samples| sums.and(sampling, samples, Watch::unseen(), pixel).unwrap();
         let first = add(&Sums::default(), 0..4);
         let all = add(&first, 4..12);
         assert_eq!(all.clone().mean().pixels, add(&Sums::default(), 0..12).mean().pixels);
@@ -198,7 +210,8 @@ mod tests {
     #[test]
     fn an_interruption_stops_it() {
         let sampling = Sampling { width: 4, height: 4, samples_per_pixel: 1, seed: 0 };
-        let stopped = render(sampling, &ProgressBar::hidden(), &AtomicBool::new(true), |_, _| Vec3::ZERO);
+        let stop = Watch { interrupted: &AtomicBool::new(true), ..Watch::unseen() };
+        let stopped = render(sampling, stop, |_, _| Vec3::ZERO);
         assert!(stopped.is_err_and(|e| e.is::<Interrupted>()));
     }
 }

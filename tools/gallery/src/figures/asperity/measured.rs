@@ -25,7 +25,7 @@ type Means = [[Mean; 5]; 2];
 pub(crate) fn draw_means(context: &Context<'_>) -> Result<Drawn> {
     let sky = Sky::about(Vec3::new(-0.34, 0.42, 0.84));
     let subjects: Vec<Subject> = materials().into_iter().chain([fractal_bumps()]).collect();
-    context.progress.inc_length(10 * subjects.len() as u64);
+    context.watch.progress.inc_length(10 * subjects.len() as u64);
     let (mut panels, mut rows) = (Vec::new(), Vec::new());
     for subject in &subjects {
         let means = measure(context, subject, &sky)?;
@@ -71,7 +71,7 @@ fn measure(context: &Context<'_>, subject: &Subject, sky: &Sky) -> Result<Means>
                 _ => (24, SAMPLES),
             };
             [*mean] = Patch { pixels, samples, view }.means(subject, &[*sky], zoom);
-            context.progress.inc(1);
+            context.watch.progress.inc(1);
         }
     }
     Ok(means)

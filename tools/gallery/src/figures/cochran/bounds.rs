@@ -22,7 +22,7 @@ fn subjects() -> Result<[Subject; 2]> {
 }
 
 pub(crate) fn draw_bounds(context: &Context<'_>) -> Result<Drawn> {
-    context.progress.inc_length(6);
+    context.watch.progress.inc_length(6);
     let mut panels = Vec::new();
     let mut rows = LEVELS.map(|level| vec![level.to_string(), (1_u32 << level).to_string()]);
     for (name, fif, range) in &subjects()? {
@@ -48,7 +48,7 @@ pub(crate) fn draw_bounds(context: &Context<'_>) -> Result<Drawn> {
                 format!("The graph of {name} in {count} boxes"),
             )?);
             row.extend([highest, opened, outlined].map(|value| format!("{value:.4}")));
-            context.progress.inc(1);
+            context.watch.progress.inc(1);
             context.checkpoint()?;
         }
     }

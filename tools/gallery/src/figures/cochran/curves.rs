@@ -146,11 +146,11 @@ const DRAWN: [f64; 3] = [0.3, 0.7, 0.95];
 const LEVELS: [u32; 2] = [6, 9];
 
 pub(crate) fn draw_dimension(context: &Context<'_>) -> Result<Drawn> {
-    context.progress.inc_length(COUNTED.len() as u64);
+    context.watch.progress.inc_length(COUNTED.len() as u64);
     let mut dots = Vec::new();
     for alpha in COUNTED {
         dots.push([alpha, counted(&symmetric(1.0, alpha)?).ok_or("a cell without bounds")?]);
-        context.progress.inc(1);
+        context.watch.progress.inc(1);
         context.checkpoint()?;
     }
     let panels = [by_factor(dots)].into_iter().chain(DRAWN.map(graph)).collect::<Result<_, _>>()?;

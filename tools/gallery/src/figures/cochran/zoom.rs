@@ -75,8 +75,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         let mut scene = Scene::new(vec![Object::shaded(shape, rock)], light, Backdrop::Light);
         scene.start = 1.125 * pixel;
         let camera = Camera::new(AWAY, Vec3::ZERO, FIELD, side, side);
-        let stop = (context.progress, context.interrupted);
-        let (image, grain) = scene.draw_until(sampling, &goal, &camera, stop.0, stop.1)?;
+        let (image, grain) = scene.draw_until(sampling, &goal, &camera, context.watch)?;
         grains.push(grain);
         Ok(image.exposed(EXPOSURE))
     })?;
