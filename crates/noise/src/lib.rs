@@ -139,16 +139,12 @@ extern crate alloc;
 #[cfg(feature = "std")]
 extern crate std;
 
-#[cfg(not(any(feature = "std", feature = "libm")))]
-compile_error!("asperity-noise needs a float backend: enable the feature `std` or `libm`");
-
 #[cfg(feature = "check")]
 pub mod check;
 mod contract;
 mod kinds;
 mod lanes;
 pub mod lattice;
-mod math;
 mod point;
 pub mod printed;
 mod row;
@@ -157,10 +153,10 @@ mod statistics;
 mod sums;
 mod transforms;
 
+pub use asperity_core::BatchError;
 pub use glam;
 
 pub use contract::field::{Curved, Field};
-pub use contract::many::BatchError;
 pub use contract::noise::Noise;
 pub use kinds::cellular::cellular::{Basis, Cellular, CellularError};
 pub use kinds::cellular::metric::Metric;
@@ -206,8 +202,8 @@ pub mod simd {
     #[doc(hidden)]
     pub use crate::contract::kernel::Measured;
     pub use crate::contract::kernel::{Anchor, Kernel};
-    pub use crate::lanes::lanes::{Floats, LaneSample, Lanes, Scalar, Words};
     pub use crate::lanes::level::Level;
+    pub use crate::lanes::{Arithmetic, Floats, LaneSample, Lanes, Scalar, Words};
     pub use crate::row::points::{Points, Target};
     pub use crate::row::row::{Row, Strip};
 }

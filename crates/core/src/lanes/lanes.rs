@@ -95,6 +95,16 @@ pub trait Arithmetic: Copy {
 
 /// All operations of one register: integers, masks, gathers and records.
 pub trait Lanes: Arithmetic {
+    /// Whether a table is looked up faster than its entries are computed.
+    const TABLES: bool = false;
+    /// The same lanes, each of which carries a word: the key that it hashes with, for instance.
+    type Keyed: Lanes<F = Self::F, U = Self::U, M = Self::M>;
+
+    /// These lanes, with a word each. [`Scalar`] carries none.
+    fn keyed(self, keys: Self::U) -> Self::Keyed;
+    /// The words that the lanes carry; `common` in every lane if they carry none.
+    fn keys(self, common: impl FnOnce() -> u32) -> Self::U;
+
     /// One float per lane, by its number.
     fn floats(self, f: impl FnMut(usize) -> f32) -> Self::F;
     /// Two floats per lane, which are adjacent where they are loaded from.
@@ -176,6 +186,12 @@ pub trait Lanes: Arithmetic {
     #[inline(always)]
     fn even_products(self, a: Self::U, b: Self::U) -> Self::U {
         a * b
+    }
+
+    /// The entries of a table of eight, stored twice, at indices below 8; `None` at a level without an instruction that looks them up.
+    #[inline(always)]
+    fn looked_up(self, _table: &[f32; MAX_LANES], _index: Self::U) -> Option<Self::F> {
+        None
     }
 
     /// x clamped to [−1, 1].
@@ -277,6 +293,17 @@ impl Arithmetic for Scalar {
 }
 
 impl Lanes for Scalar {
+    const TABLES: bool = true;
+    type Keyed = Self;
+
+    #[inline(always)]
+    fn keyed(self, _: Wrapping<u32>) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn keys(self, common: impl FnOnce() -> u32) -> Wrapping<u32> {
+        Wrapping(common())
+    }
     #[inline(always)]
     fn floats(self, mut f: impl FnMut(usize) -> f32) -> f32 {
         f(0)

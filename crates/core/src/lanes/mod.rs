@@ -4,6 +4,8 @@ pub(crate) mod dispatch;
 pub mod elementary;
 pub(crate) mod lanes;
 #[cfg(feature = "simd")]
+mod look_up;
+#[cfg(feature = "simd")]
 pub(crate) mod register_pair;
 #[cfg(feature = "simd")]
 pub(crate) mod registers;
@@ -19,5 +21,5 @@ pub use lanes::{Arithmetic, Floats, Lanes, MAX_LANES, Scalar, Words};
 #[cfg(feature = "simd")]
 pub use register_pair::{Pair, RegisterPair};
 #[cfg(feature = "simd")]
-pub use registers::Registers;
+pub use registers::{Keys, OwnKeys, Registers};
 pub use transpose::{Transpose, TransposeSquare};

@@ -3,27 +3,49 @@
 use fearless_simd::{Bytes, Select, Simd, SimdBase, SimdFloat, SimdInt, SimdMask, f32x4, f32x8};
 
 use crate::lanes::lanes::{Arithmetic, Lanes, MAX_LANES};
+use crate::lanes::look_up::looked_up;
 
-/// The lanes of one register of a SIMD level.
-///
-/// A caller can attach data `T` to the token, a key per lane for instance, and read it in methods of its own.
+/// The lanes of one register of a SIMD level, and the words `K` that they carry, by default none.
 #[derive(Clone, Copy, Debug)]
-pub struct Registers<S, T = ()> {
+pub struct Registers<S, K = ()> {
     /// Token of the level.
-    pub simd: S,
-    /// Data of the caller.
-    pub data: T,
+    pub(crate) simd: S,
+    keys: K,
 }
 
 impl<S> Registers<S> {
     /// Registers of the level.
     #[inline(always)]
     pub const fn new(simd: S) -> Self {
-        Self { simd, data: () }
+        Self { simd, keys: () }
     }
 }
 
-impl<S: Simd, T: Copy> Arithmetic for Registers<S, T> {
+/// The words that lanes carry.
+pub trait Keys<U>: Copy {
+    /// The words, or none.
+    fn keys(self) -> Option<U>;
+}
+
+impl<U> Keys<U> for () {
+    #[inline(always)]
+    fn keys(self) -> Option<U> {
+        None
+    }
+}
+
+/// A word per lane.
+#[derive(Clone, Copy, Debug)]
+pub struct OwnKeys<U>(U);
+
+impl<U: Copy> Keys<U> for OwnKeys<U> {
+    #[inline(always)]
+    fn keys(self) -> Option<U> {
+        Some(self.0)
+    }
+}
+
+impl<S: Simd, K: Copy> Arithmetic for Registers<S, K> {
     const LEN: usize = S::f32s::LEN;
     type F = S::f32s;
     type U = S::u32s;
@@ -91,7 +113,20 @@ impl<S: Simd, T: Copy> Arithmetic for Registers<S, T> {
     }
 }
 
-impl<S: Simd, T: Copy> Lanes for Registers<S, T> {
+impl<S: Simd, K: Keys<S::u32s>> Lanes for Registers<S, K> {
+    type Keyed = Registers<S, OwnKeys<S::u32s>>;
+
+    #[inline(always)]
+    fn keyed(self, keys: Self::U) -> Self::Keyed {
+        Registers { simd: self.simd, keys: OwnKeys(keys) }
+    }
+    #[inline(always)]
+    fn keys(self, common: impl FnOnce() -> u32) -> Self::U {
+        match self.keys.keys() {
+            Some(keys) => keys,
+            None => self.word(common()),
+        }
+    }
     #[inline(always)]
     fn floats(self, f: impl FnMut(usize) -> f32) -> Self::F {
         S::f32s::from_fn(self.simd, f)
@@ -219,8 +254,8 @@ impl<S: Simd, T: Copy> Lanes for Registers<S, T> {
         mask.to_bitmask() as u32
     }
     #[inline(always)]
-    fn turned<const K: usize>(self, x: Self::F) -> Self::F {
-        x.slide_within_blocks::<K>(x)
+    fn turned<const BY: usize>(self, x: Self::F) -> Self::F {
+        x.slide_within_blocks::<BY>(x)
     }
     #[inline(always)]
     fn fields2(self, records: &[[f32; 2]]) -> [Self::F; 2] {
@@ -270,6 +305,10 @@ impl<S: Simd, T: Copy> Lanes for Registers<S, T> {
         (low(a) * low(b)).bitcast()
     }
     #[inline(always)]
+    fn looked_up(self, table: &[f32; MAX_LANES], index: Self::U) -> Option<Self::F> {
+        looked_up(self.simd, table, index)
+    }
+    #[inline(always)]
     fn exchanged(self, mask: Self::M, a: Self::F, b: Self::F) -> [Self::F; 2] {
         if self.rounds() {
             return [self.select(mask, b, a), self.select(mask, a, b)];
@@ -281,7 +320,7 @@ impl<S: Simd, T: Copy> Lanes for Registers<S, T> {
     }
 }
 
-impl<S: Simd, T: Copy> Registers<S, T> {
+impl<S: Simd, K: Keys<S::u32s>> Registers<S, K> {
     /// Whether the level has an instruction that rounds; without one a library would be called for every lane.
     #[inline(always)]
     fn rounds(self) -> bool {
@@ -305,7 +344,7 @@ impl<S: Simd, T: Copy> Registers<S, T> {
 
 /// Registers one after another.
 #[inline(always)]
-fn loaded<S: Simd, T: Copy, const N: usize>(lanes: Registers<S, T>, floats: &[f32]) -> [S::f32s; N] {
+fn loaded<S: Simd, K: Copy, const N: usize>(lanes: Registers<S, K>, floats: &[f32]) -> [S::f32s; N] {
     let mut registers = [lanes.float(0.0); N];
     for (register, floats) in registers.iter_mut().zip(floats.chunks_exact(S::f32s::LEN)) {
         *register = S::f32s::from_slice(lanes.simd, floats);

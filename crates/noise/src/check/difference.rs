@@ -1,6 +1,8 @@
 //! Slopes by differences, with what they can be off.
 
-use crate::{math::sqrt_f64, point::Point};
+use asperity_core::math::sqrt_f64;
+
+use crate::point::Point;
 
 /// The most of a point's coordinates: so near to the origin they cost few digits.
 pub(super) const REACH: f32 = 4.0;

@@ -2,11 +2,12 @@
 
 use alloc::{format, string::String, vec, vec::Vec};
 
+use asperity_core::check::{Limit, Report, Settings};
+
 use crate::{
     check::{
         difference::{REACH, root_mean_square, slope},
-        report::{Limit, Report},
-        settings::Settings,
+        settings::points,
     },
     contract::field::{Curved, Field},
     point::Point,
@@ -81,7 +82,7 @@ where
     V::Matrix: AsRef<[V::Coordinates]>,
 {
     let mut report = field(of, settings);
-    let (mut point, mut broken) = (settings.points(2, REACH), Broken::default());
+    let (mut point, mut broken) = (points(settings, 2, REACH), Broken::default());
     for p in (0..POINTS).map(|_| point()) {
         let (there, sample) = (of.second_order(p), of.sample(p));
         let entry = |i: usize, j: usize| there.hessian.as_ref()[i].as_ref()[j];
@@ -115,7 +116,7 @@ struct Slopes<'a, V> {
 impl<V: Point> Slopes<'_, V> {
     /// Adds how far slopes are from differences.
     fn add(&self, report: &mut Report, name: &'static str, quantity: &'static str, settings: Settings) {
-        let mut point = settings.points(0, REACH);
+        let mut point = points(settings, 0, REACH);
         let cases: Vec<(V, usize)> = (0..POINTS).map(|k| (point(), k % self.functions)).collect();
         let size = cases.iter().fold(0.0, |most: f64, &(p, i)| most.max(f64::from((self.f)(i, p)).abs()));
         let slopes: Vec<V::Coordinates> =
@@ -151,7 +152,7 @@ impl<V: Point> Slopes<'_, V> {
 /// Adds how far values are beyond the range.
 fn add_range<V: Point, F: Field<V> + ?Sized>(report: &mut Report, field: &F, settings: Settings) {
     let [low, high] = field.range().map(f64::from);
-    let mut point = settings.points(1, REACH);
+    let mut point = points(settings, 1, REACH);
     let (mut worst, mut place) = (0.0_f64, String::new());
     for p in (0..4 * POINTS).map(|_| point()) {
         let value = f64::from(field.value(p));
@@ -181,7 +182,7 @@ pub(super) fn same_sample<V: Point>(a: Sample<V>, b: Sample<V>) -> bool {
 /// Adds that values, lists and grids have the bits of samples.
 fn add_batches<V: Point, F: Field<V> + ?Sized>(report: &mut Report, field: &F, settings: Settings) {
     let mut broken = Broken::default();
-    let mut point = settings.points(3, 64.0);
+    let mut point = points(settings, 3, 64.0);
     let points: Vec<V> = (0..999).map(|_| point()).chain(odd_points()).collect();
     let expected: Vec<Sample<V>> = points.iter().map(|&p| field.sample(p)).collect();
     let (mut values, mut samples) = (vec![0.0; points.len()], vec![Sample::default(); points.len()]);

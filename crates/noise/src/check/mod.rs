@@ -22,12 +22,10 @@
 mod difference;
 mod field;
 mod noise;
-mod report;
 mod settings;
 mod tiled;
 
+pub use asperity_core::check::{Check, Limit, Report, Settings};
 pub use field::{curved, field};
 pub use noise::noise;
-pub use report::{Check, Limit, Report};
-pub use settings::Settings;
 pub use tiled::tiled;

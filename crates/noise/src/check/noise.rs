@@ -2,14 +2,12 @@
 
 use alloc::{vec, vec::Vec};
 
+use asperity_core::check::{Limit, Report, Settings};
+use asperity_core::math::{ln_f64, sqrt_f64};
+
 use crate::{
-    check::{
-        field::field,
-        report::{Limit, Report},
-        settings::Settings,
-    },
+    check::{field::field, settings::stream},
     contract::noise::Noise,
-    math::{ln_f64, sqrt_f64},
     point::Point,
 };
 
@@ -46,11 +44,11 @@ const TABLE: f64 = 3e-3;
 pub fn noise<V: Point, N: Noise<V> + Clone>(noise: &N, settings: Settings) -> Report {
     let mut report = field(noise, settings);
     let n = settings.samples.max(4096) as usize;
-    let (mut word, mut place) = (settings.words(4), settings.words(5));
+    let (mut word, mut place) = (stream(settings, 4), stream(settings, 5));
     let (mu, sigma) = (f64::from(noise.mean()), f64::from(noise.standard_deviation()));
     let mut draw = || {
-        let seeded = noise.clone().with_seed((word() >> 32) as u32);
-        let p = V::from_axes(|_| ((place() >> 40) as f32 / 8_388_608.0 - 1.0) * BOX);
+        let seeded = noise.clone().with_seed((word.word() >> 32) as u32);
+        let p = V::from_axes(|_| ((place.word() >> 40) as f32 / 8_388_608.0 - 1.0) * BOX);
         (f64::from(seeded.value(p)) - mu) / sigma
     };
     let singles: Vec<f64> = (0..n).map(|_| draw()).collect();

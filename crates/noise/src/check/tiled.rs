@@ -2,12 +2,13 @@
 
 use alloc::format;
 
+use asperity_core::check::{Report, Settings};
+
 use crate::{
     check::{
         difference::REACH,
         field::{Broken, axes, same_sample},
-        report::Report,
-        settings::Settings,
+        settings::points,
     },
     contract::field::Field,
     point::Point,
@@ -29,7 +30,7 @@ use crate::{
 #[must_use]
 pub fn tiled<V: Point, F: Field<V> + ?Sized>(field: &F, period: V, settings: Settings) -> Report {
     let (mut report, mut broken) = (Report::default(), Broken::default());
-    let (mut point, period) = (settings.points::<V>(0, REACH), period.coordinates());
+    let (mut point, period) = (points::<V>(settings, 0, REACH), period.coordinates());
     for k in 0..4096 {
         let (p, along) = (point().coordinates(), k % axes::<V>());
         let moved =

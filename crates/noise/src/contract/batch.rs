@@ -1,11 +1,9 @@
 //! Batches at a SIMD level of choice.
 
+use asperity_core::BatchError;
+
 use crate::{
-    contract::field::Field,
-    contract::many::{self, BatchError},
-    lanes::level::Level,
-    point::Point,
-    row::grid::Grid,
+    contract::field::Field, contract::many, lanes::level::Level, point::Point, row::grid::Grid,
     sample::Sample,
 };
 

@@ -7,8 +7,8 @@ use core::any::Any;
 
 use crate::{
     contract::kernel::{FillList, FillRow, Kernel, OctaveSamples, OctavesAt, lone},
-    lanes::lanes::{LaneSample, Scalar},
     lanes::level::Instructions,
+    lanes::{LaneSample, Scalar},
     lattice::lattice::{Lattice, OnLattice},
 };
 
@@ -103,11 +103,7 @@ macro_rules! on_standard_lattice {
         }
 
         #[inline]
-        fn sample_at(
-            &self,
-            p: [f32; N],
-            seed: u32,
-        ) -> $crate::lanes::lanes::LaneSample<$crate::lanes::lanes::Scalar, N> {
+        fn sample_at(&self, p: [f32; N], seed: u32) -> $crate::lanes::LaneSample<$crate::lanes::Scalar, N> {
             use $crate::contract::compiled::Compiled;
             if const { $crate::contract::compiled::has_forms::<Self>(N) } {
                 return (Compiled::<N>::forms().sample)(&self.standard(), p, seed);

@@ -1,7 +1,9 @@
 //! Fields: values and gradients at points, one by one, in lists and on grids.
 
+use asperity_core::BatchError;
+
 use crate::{
-    contract::many::{self, BatchError},
+    contract::many,
     lanes::level::Level,
     point::Point,
     row::grid::Grid,

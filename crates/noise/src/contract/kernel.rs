@@ -2,9 +2,11 @@
 
 use core::array;
 
+use asperity_core::lanes::Task;
+
 use crate::{
-    lanes::lanes::{LANES, LaneSample, Lanes, Scalar},
-    lanes::level::{Instructions, Task, run_at_point},
+    lanes::level::{Instructions, run_at_point},
+    lanes::{LANES, LaneSample, Lanes, Scalar},
     lattice::lattice::{REACH, is_within, wrapped},
     point::Point,
     row::points::{Points, Source, Target, buffers, by_axes},
@@ -222,6 +224,8 @@ struct EvaluateOctaves<'a, K, const N: usize> {
 }
 
 impl<K: Kernel<N>, const N: usize> Task for EvaluateOctaves<'_, K, N> {
+    type Output = ();
+
     #[inline(always)]
     fn run<S: Lanes>(self, s: S) {
         let Self { kernel, octaves, samples } = self;
@@ -406,6 +410,8 @@ impl<K: Kernel<N>, const N: usize> FillRow<'_, K, N> {
 }
 
 impl<K: Kernel<N>, const N: usize> Task for FillRow<'_, K, N> {
+    type Output = ();
+
     #[inline(always)]
     fn run<S: Lanes>(self, s: S) {
         let Self { kernel, seed, row, scratch, values, gradients } = self;
@@ -515,6 +521,8 @@ struct EvaluateBlock<'a, 'b, K, const N: usize> {
 }
 
 impl<K: Kernel<N>, const N: usize> Task for EvaluateBlock<'_, '_, K, N> {
+    type Output = ();
+
     #[inline(always)]
     fn run<S: Lanes>(self, s: S) {
         let Self { kernel, seed, block } = self;

@@ -1,6 +1,6 @@
 //! Many points at once: lists and grids, checked and handed on at one SIMD level.
 
-use core::{error::Error, fmt};
+use asperity_core::BatchError;
 
 use crate::{
     lanes::level::Level,
@@ -23,7 +23,7 @@ pub(crate) fn values<V: Point>(
     points: &[V],
     values: &mut [f32],
 ) -> Result<(), BatchError> {
-    check("values", points.len(), values.len())?;
+    BatchError::check("values", points.len(), values.len())?;
     let instructions = level.instructions();
     let mut lists = buffers::<V, LIST>();
     for (points, values) in points.chunks(LIST).zip(values.chunks_mut(LIST)) {
@@ -41,7 +41,7 @@ pub(crate) fn samples<V: Point>(
     points: &[V],
     samples: &mut [Sample<V>],
 ) -> Result<(), BatchError> {
-    check("samples", points.len(), samples.len())?;
+    BatchError::check("samples", points.len(), samples.len())?;
     let instructions = level.instructions();
     let (mut lists, mut buffer) = (buffers::<V, LIST>(), Buffer::<V, LIST>::empty());
     for (points, samples) in points.chunks(LIST).zip(samples.chunks_mut(LIST)) {
@@ -77,7 +77,7 @@ pub(crate) fn lists<'a, V: Point>(
     values: &'a mut [f32],
     gradients: Option<V::Array<&'a mut [f32]>>,
 ) -> Result<(), BatchError> {
-    points.as_ref().iter().try_for_each(|list| check("values", list.len(), values.len()))?;
+    points.as_ref().iter().try_for_each(|list| BatchError::check("values", list.len(), values.len()))?;
     check_all::<V>(values.len(), values, gradients.as_ref())?;
     let (instructions, stride) = (level.instructions(), values.len());
     fill(&Points::lists(points), Target { instructions, values, gradients, stride });
@@ -99,32 +99,7 @@ fn check_all<V: Point>(
     values: &[f32],
     gradients: Option<&V::Array<&mut [f32]>>,
 ) -> Result<(), BatchError> {
-    check("values", points, values.len())?;
+    BatchError::check("values", points, values.len())?;
     let gradients = gradients.map(AsRef::as_ref).unwrap_or_default();
-    gradients.iter().try_for_each(|component| check("gradients", points, component.len()))
+    gradients.iter().try_for_each(|component| BatchError::check("gradients", points, component.len()))
 }
-
-fn check(parameter: &'static str, expected: usize, got: usize) -> Result<(), BatchError> {
-    if got == expected { Ok(()) } else { Err(BatchError { parameter, expected, got }) }
-}
-
-/// A slice that does not hold one element for each point; nothing was written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct BatchError {
-    /// The name of the slice.
-    pub parameter: &'static str,
-    /// The number of points.
-    pub expected: usize,
-    /// The slice's length.
-    pub got: usize,
-}
-
-impl fmt::Display for BatchError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { parameter, expected, got } = self;
-        write!(f, "`{parameter}` must have {expected} elements, got {got}")
-    }
-}
-
-impl Error for BatchError {}

@@ -1,11 +1,10 @@
 //! Rows of a kind in the plane against their points one by one.
 
+use asperity_core::lanes::Task;
+
 use crate::{
     contract::kernel::Kernel,
-    lanes::{
-        lanes::Lanes,
-        level::{Level, Task},
-    },
+    lanes::{Lanes, level::Level},
     row::row::{Row, Strip},
 };
 
@@ -18,6 +17,8 @@ const ROWS: [(f32, f32); 8] =
 struct Rows<'a, K>(&'a K);
 
 impl<K: Kernel<2>> Task for Rows<'_, K> {
+    type Output = ();
+
     fn run<S: Lanes>(self, s: S) {
         for (x, step) in ROWS {
             let row = Row::new([x, 0.7], step, 0);

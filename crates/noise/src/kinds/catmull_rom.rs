@@ -5,7 +5,7 @@
 
 use crate::{
     contract::kernel::{Kernel, by_lanes},
-    lanes::lanes::{LaneSample, Lanes, Scalar},
+    lanes::{LaneSample, Lanes, Scalar},
     lattice::lattice::{Lattice, OnLattice, cell},
     row::cells::{end_of_cell, has_columns},
     row::row::Strip,
@@ -272,10 +272,10 @@ fn fill<K: SplineNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
         let mut i = 0;
         while i < cells {
             let ends = [
-                s.load_part(&columns[i..]),
-                s.load_part(&columns[i + 1..]),
-                s.load_part(&columns[i + 2..]),
-                s.load_part(&columns[i + 3..]),
+                s.load(&columns[i..]),
+                s.load(&columns[i + 1..]),
+                s.load(&columns[i + 2..]),
+                s.load(&columns[i + 3..]),
             ];
             let Cubic(coefficients) = Cubic::new(s, ends);
             for c in 0..4 {

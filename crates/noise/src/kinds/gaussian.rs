@@ -1,5 +1,7 @@
 //! Value-gradient noise, normalised so that it is exactly Gaussian at every point.
 
+use asperity_core::lanes::Task;
+
 use crate::{
     contract::compiled::{in_dimension, is_compiled},
     contract::kernel::{self, Measured, OctaveSamples, OctavesAt},
@@ -8,8 +10,8 @@ use crate::{
     kinds::cell::corner::{CellNoise, Corner, normalised},
     kinds::cell::corners::Place,
     kinds::cell::kernel::{of_lane, parts},
-    lanes::lanes::{LaneSample, Lanes, Scalar},
-    lanes::level::{Task, run_at_point},
+    lanes::level::run_at_point,
+    lanes::{LaneSample, Lanes, Scalar},
     lattice::integer_hash::IntegerHash,
     lattice::lattice::{Lattice, OnLattice, REACH, is_within, wrapped},
     lattice::variates::{gaussian_variates, gaussian_variates_of_both},
@@ -209,6 +211,8 @@ struct Pairs<'a, L, const N: usize> {
 }
 
 impl<L: Lattice, const N: usize> Task for Pairs<'_, L, N> {
+    type Output = ();
+
     #[inline(always)]
     fn run<S: Lanes>(self, s: S) {
         let Self { noise, octaves: OctavesAt { points, seeds, keys, count, .. }, samples } = self;
@@ -259,6 +263,8 @@ struct Lone<'a, L, const N: usize> {
 }
 
 impl<L: Lattice, const N: usize> Task for Lone<'_, L, N> {
+    type Output = ();
+
     #[inline(always)]
     fn run<S: Lanes>(self, s: S) {
         *self.pair = self.noise.channels_in_lanes(s, self.p, self.noise.seed);

@@ -5,7 +5,7 @@ use crate::{
     kinds::cell::column::Column,
     kinds::cell::corner::{CellNoise, Corner},
     kinds::cell::edge_columns::edge_column,
-    lanes::lanes::Lanes,
+    lanes::Lanes,
     lattice::edges::{EDGE_MAXIMUM, Lengths, edge_direction},
     lattice::fade::{Along, Fade},
     lattice::integer_hash::IntegerHash,

@@ -1,13 +1,13 @@
 //! Sparse convolution noise: randomly placed impulses, each spread by a radial kernel.
 
-use core::{error::Error, fmt};
+use asperity_core::error_enum;
 
 use crate::{
     contract::compiled::on_lattice,
     contract::kernel::{Kernel, Measured, by_lanes},
     contract::noise::{kind, noise},
     kinds::cell::blend::splat,
-    lanes::lanes::{LaneSample, Lanes},
+    lanes::{LaneSample, Lanes},
     lattice::integer_hash::{IntegerHash, further},
     lattice::lattice::{Lattice, cell},
     lattice::variates::uniform,
@@ -359,33 +359,22 @@ impl<L, const N: usize> Measured<N> for Sparse<L> {
     }
 }
 
-/// Why a sparse convolution noise was refused.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum SparseError {
-    /// The number of impulses per cell is not from 1 to [`Sparse::MAX_IMPULSES`].
-    ImpulsesOutOfRange {
-        /// The number.
-        impulses: u32,
-    },
-}
-
-impl fmt::Display for SparseError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::ImpulsesOutOfRange { impulses } => {
-                write!(f, "`impulses` must be from 1 to {}, got {impulses}", Sparse::MAX_IMPULSES)
-            }
-        }
+error_enum! {
+    /// Why a sparse convolution noise was refused.
+    pub enum SparseError {
+        /// The number of impulses per cell is not from 1 to [`Sparse::MAX_IMPULSES`].
+        ImpulsesOutOfRange {
+            /// The number.
+            impulses: u32,
+        } => "`impulses` must be from 1 to 4, got {impulses}",
     }
 }
-
-impl Error for SparseError {}
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::contract::{field::Field, rows_alone};
+    use crate::lanes::{Arithmetic, Scalar};
     use approx::assert_abs_diff_eq;
     use glam::{Vec2, Vec3, Vec4};
 
@@ -438,9 +427,8 @@ mod tests {
         let noise = Sparse { seed: 0, impulses: 1, lattice: Heap };
         let (here, there) = (noise.value(0.0), noise.value(1.0));
         let weight = |word: u32| {
-            let word = crate::lanes::lanes::Scalar.word(word);
-            uniform(crate::lanes::lanes::Scalar, further::<_, 1>(crate::lanes::lanes::Scalar, word))
-                * AMPLITUDE[0][0]
+            let word = Scalar.word(word);
+            uniform(Scalar, further::<_, 1>(Scalar, word)) * AMPLITUDE[0][0]
         };
         assert_abs_diff_eq!(here, (weight(0xffff_0000) + weight(0)), epsilon = 1e-4);
         assert_abs_diff_eq!(there, weight(0), epsilon = 1e-4);

@@ -6,7 +6,7 @@ use crate::{
     contract::noise::{kind, measured, noise},
     kinds::catmull_rom::{SplineNoise, spline, spline_rows},
     kinds::cell::corner::{CellNoise, Corner},
-    lanes::lanes::{LaneSample, Lanes},
+    lanes::{LaneSample, Lanes},
     lattice::integer_hash::IntegerHash,
     lattice::lattice::Lattice,
     lattice::variates::{MARGIN, uniform},

@@ -1,16 +1,15 @@
 //! Value-gradient noise: value noise and gradient noise on one lattice, in a chosen proportion.
 
-use core::{error::Error, fmt};
+use asperity_core::{error_enum, math};
 
 use crate::{
     contract::kernel::Measured,
     contract::noise::{kind, noise},
     kinds::cell::corner::{CellNoise, Corner},
-    lanes::lanes::Lanes,
+    lanes::Lanes,
     lattice::integer_hash::{IntegerHash, further},
     lattice::lattice::Lattice,
     lattice::variates::{MARGIN, UNIT_SCALE, uniform, unit_direction},
-    math,
     statistics::absolute_moments,
     statistics::statistics::Statistics,
     statistics::tables,
@@ -131,26 +130,16 @@ impl<L, const N: usize> Measured<N> for ValueGradient<L> {
     }
 }
 
-/// Why a value-gradient noise was refused.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum ValueGradientError {
-    /// The weight is not in [0, 1].
-    WeightOutOfRange {
-        /// The weight.
-        weight: f32,
-    },
-}
-
-impl fmt::Display for ValueGradientError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::WeightOutOfRange { weight } => write!(f, "`weight` must be in [0, 1], got {weight}"),
-        }
+error_enum! {
+    /// Why a value-gradient noise was refused.
+    pub enum ValueGradientError {
+        /// The weight is not in [0, 1].
+        WeightOutOfRange {
+            /// The weight.
+            weight: f32,
+        } => "`weight` must be in [0, 1], got {weight}",
     }
 }
-
-impl Error for ValueGradientError {}
 
 #[cfg(test)]
 mod tests {

@@ -4,7 +4,7 @@ use crate::{
     contract::compiled::on_lattice,
     contract::kernel::Kernel,
     contract::noise::{kind, measured, noise},
-    lanes::lanes::{LaneSample, Lanes},
+    lanes::{LaneSample, Lanes},
     lattice::integer_hash::IntegerHash,
     lattice::lattice::{Lattice, cell},
     lattice::variates::uniform,

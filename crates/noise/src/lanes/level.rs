@@ -2,15 +2,15 @@
 
 use core::fmt;
 
-use crate::lanes::lanes::Lanes;
 #[cfg(not(all(
     feature = "simd",
     any(target_arch = "x86", target_arch = "x86_64"),
     target_feature = "sse2"
 )))]
-use crate::lanes::lanes::Scalar;
+use asperity_core::lanes::Scalar;
+use asperity_core::lanes::Task;
 #[cfg(feature = "simd")]
-use crate::lanes::registers::{Common, Wide};
+use asperity_core::lanes::{Registers, best_level};
 
 /// A set of SIMD instructions.
 ///
@@ -77,7 +77,7 @@ impl Level {
     #[cfg(feature = "simd")]
     #[inline]
     fn token(self) -> Option<fearless_simd::Level> {
-        let best = machine();
+        let best = best_level();
         match self {
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
             Self::Sse2 => best.as_sse2().map(fearless_simd::Level::Sse2),
@@ -120,77 +120,46 @@ pub struct Instructions {
     token: Option<fearless_simd::Level>,
 }
 
-/// Work that is run at a level.
-pub(crate) trait Task {
-    fn run<S: Lanes>(self, s: S);
-}
-
 /// Runs the work of a single point, for which four or eight lanes are as many as it fills. Nothing where there is one lane only.
 ///
 /// On x86 with AVX2 alone, since each level takes its time to compile for every noise, and processors without it are few. Never
 /// inlined: a program has calls of each sum in many places, and what they run once.
 #[inline(never)]
-pub(crate) fn run_at_point(task: impl Task) -> Option<()> {
+pub(crate) fn run_at_point(task: impl Task<Output = ()>) -> Option<()> {
     #[cfg(not(feature = "simd"))]
-    {
-        drop(task);
-        None
+    drop(task);
+    #[cfg(all(feature = "simd", any(target_arch = "x86", target_arch = "x86_64")))]
+    return best_level().as_avx2().map(|simd| at(simd, task));
+    #[cfg(all(feature = "simd", not(any(target_arch = "x86", target_arch = "x86_64"))))]
+    if !best_level().is_fallback() {
+        return Some(asperity_core::lanes::run_at(best_level(), task));
     }
-    #[cfg(feature = "simd")]
-    {
-        let level = machine();
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        {
-            use fearless_simd::Simd;
-            let simd = level.as_avx2()?;
-            simd.vectorize(
-                #[inline(always)]
-                || task.run(Wide(simd, Common)),
-            );
-        }
-        #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
-        {
-            if level.is_fallback() {
-                return None;
-            }
-            fearless_simd::dispatch!(level, simd => task.run(Wide(simd, Common)));
-        }
-        Some(())
-    }
+    #[cfg(not(all(feature = "simd", any(target_arch = "x86", target_arch = "x86_64"))))]
+    None
 }
 
-/// The best level of the machine; without `std`, of the program.
-#[cfg(feature = "simd")]
-#[inline]
-fn machine() -> fearless_simd::Level {
-    #[cfg(feature = "std")]
-    return fearless_simd::Level::new();
-    #[cfg(not(feature = "std"))]
-    return fearless_simd::Level::baseline();
+/// Runs a task with the instructions of a level.
+#[cfg(all(feature = "simd", any(target_arch = "x86", target_arch = "x86_64")))]
+#[inline(always)]
+fn at(simd: impl fearless_simd::Simd, task: impl Task<Output = ()>) {
+    simd.vectorize(
+        #[inline(always)]
+        || task.run(Registers::new(simd)),
+    );
 }
 
 impl Instructions {
     /// Runs a task, at the level or at one below it that tasks are compiled for: on x86 at the baseline, AVX2 or AVX-512.
     #[cfg(all(feature = "simd", any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
     #[inline(always)]
-    pub(crate) fn run(self, task: impl Task) {
-        use fearless_simd::Simd;
+    pub(crate) fn run(self, task: impl Task<Output = ()>) {
         let level = self.token.unwrap_or(fearless_simd::Level::baseline());
         if let Some(simd) = level.as_avx512() {
-            simd.vectorize(
-                #[inline(always)]
-                || task.run(Wide(simd, Common)),
-            );
+            at(simd, task);
         } else if let Some(simd) = level.as_avx2() {
-            simd.vectorize(
-                #[inline(always)]
-                || task.run(Wide(simd, Common)),
-            );
+            at(simd, task);
         } else if let Some(simd) = level.as_sse2() {
-            simd.vectorize(
-                #[inline(always)]
-                || task.run(Wide(simd, Common)),
-            );
+            at(simd, task);
         }
     }
 
@@ -201,14 +170,47 @@ impl Instructions {
         target_feature = "sse2"
     )))]
     #[inline(always)]
-    pub(crate) fn run(self, task: impl Task) {
+    pub(crate) fn run(self, task: impl Task<Output = ()>) {
         #[cfg(feature = "simd")]
         if let Some(level) = self.token {
-            fearless_simd::dispatch!(level, simd => task.run(Wide(simd, Common)));
+            asperity_core::lanes::run_at(level, task);
             return;
         }
         task.run(Scalar);
     }
+}
+
+/// Four lanes of the level that the program is built for, which a single call may use.
+#[cfg(feature = "simd")]
+macro_rules! four {
+    ($level:ty, $token:ident) => {
+        #[inline(always)]
+        pub(crate) fn four() -> Option<Registers<$level>> {
+            fearless_simd::Level::baseline().$token().map(Registers::new)
+        }
+    };
+}
+
+#[cfg(all(feature = "simd", any(target_arch = "x86", target_arch = "x86_64")))]
+four!(fearless_simd::x86::Sse2, as_sse2);
+#[cfg(all(feature = "simd", target_arch = "aarch64"))]
+four!(fearless_simd::aarch64::Neon, as_neon);
+#[cfg(all(feature = "simd", target_arch = "wasm32", target_feature = "simd128"))]
+four!(fearless_simd::wasm32::WasmSimd128, as_wasm_simd128);
+
+/// Four lanes of the level that the program is built for; there are none.
+#[cfg(all(
+    feature = "simd",
+    not(any(
+        target_arch = "x86",
+        target_arch = "x86_64",
+        target_arch = "aarch64",
+        all(target_arch = "wasm32", target_feature = "simd128")
+    ))
+))]
+#[inline(always)]
+pub(crate) fn four() -> Option<Scalar> {
+    None
 }
 
 #[cfg(test)]

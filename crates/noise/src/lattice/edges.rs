@@ -1,6 +1,6 @@
 //! Directions to the edges of a cube, by the upper bits of a lattice word.
 
-use crate::lanes::lanes::{LANES, Lanes, Scalar};
+use crate::lanes::{Arithmetic, LANES, Lanes, Scalar};
 
 /// The searched max Σ W_c max_g g·(p − c) of edge directions g and quintic weights W.
 pub(crate) const EDGE_MAXIMUM: [f32; 4] = [0.5, 0.934_535_6, 1.036_353_8, 1.536_582_3];
@@ -208,10 +208,9 @@ pub fn edge_gradient<const N: usize>(word: u32) -> [f32; N] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{
-        lanes::level::{Level, Task},
-        lattice::integer_hash::mix,
-    };
+    use asperity_core::lanes::Task;
+
+    use crate::{lanes::level::Level, lattice::integer_hash::mix};
     use approx::assert_abs_diff_eq;
 
     /// The tables again, which the compiler has made.
@@ -296,6 +295,8 @@ mod tests {
     struct InLanes;
 
     impl Task for InLanes {
+        type Output = ();
+
         fn run<S: Lanes>(self, s: S) {
             static LENGTHS: Lengths = Lengths::new(0.7);
             let last = |x| s.lane(x, S::LEN - 1);

@@ -1,6 +1,6 @@
 //! The weights that a noise blends the ends of a cell with, and their derivatives.
 
-use crate::lanes::lanes::{Lanes, Scalar};
+use crate::lanes::{Lanes, Scalar};
 
 /// A weight w(t) that rises from 0 to 1 over a cell, with w′ and w″.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

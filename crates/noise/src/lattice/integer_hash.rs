@@ -1,7 +1,7 @@
 //! An integer hash of cell and seed without visible period: the default lattice.
 
 use crate::{
-    lanes::lanes::Lanes,
+    lanes::Lanes,
     lattice::lattice::{Lattice, upper_word_by_terms, word_by_terms},
 };
 
@@ -224,7 +224,7 @@ pub(crate) fn multiplied<S: Lanes>(s: S, word: S::U, multiplier: S::U) -> S::U {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lanes::lanes::Scalar;
+    use crate::lanes::{Arithmetic, Scalar};
     use approx::abs_diff_eq;
 
     /// The shares of flips of each bit of the word over `COUNT` points when one bit of an input is flipped.

@@ -1,6 +1,6 @@
 //! The source of a lattice's random words, and the cell that a point lies in.
 
-use crate::lanes::lanes::{Lanes, Scalar};
+use crate::lanes::{Arithmetic, Lanes, Scalar};
 
 /// A hash of lattice points, the only randomness of every noise of this crate.
 ///
@@ -210,7 +210,10 @@ pub(crate) fn wrapped<const N: usize>(p: [f32; N]) -> Option<[f32; N]> {
 
 /// The terms of one lattice point.
 #[inline(always)]
-fn terms_of<L: Lattice + ?Sized, const N: usize>(lattice: &L, cell: [i32; N]) -> [<Scalar as Lanes>::U; N] {
+fn terms_of<L: Lattice + ?Sized, const N: usize>(
+    lattice: &L,
+    cell: [i32; N],
+) -> [<Scalar as Arithmetic>::U; N] {
     let mut terms = [Scalar.word(0); N];
     for axis in 0..N {
         terms[axis] = lattice.term(Scalar, axis, Scalar.word(cell[axis] as u32));

@@ -1,6 +1,6 @@
 //! The permutation table of 256 entries of Ebert (ed.) 1994: the classic lattice, with its period.
 
-use core::{error::Error, fmt};
+use asperity_core::error_enum;
 
 use crate::{lattice::integer_hash::mix, lattice::lattice::Lattice};
 
@@ -97,30 +97,18 @@ impl Lattice for PermutationTable {
     }
 }
 
-/// Why 256 numbers are no permutation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum PermutationTableError {
-    /// A number occurs a second time.
-    Repeated {
-        /// The number.
-        entry: u8,
-        /// The index at which it stands again.
-        position: usize,
-    },
-}
-
-impl fmt::Display for PermutationTableError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Repeated { entry, position } => {
-                write!(f, "the entry {entry} at position {position} is there a second time")
-            }
-        }
+error_enum! {
+    /// Why 256 numbers are no permutation.
+    pub enum PermutationTableError {
+        /// A number occurs a second time.
+        Repeated {
+            /// The number.
+            entry: u8,
+            /// The index at which it stands again.
+            position: usize,
+        } => "the entry {entry} at position {position} is there a second time",
     }
 }
-
-impl Error for PermutationTableError {}
 
 #[cfg(test)]
 mod tests {

@@ -1,7 +1,7 @@
 //! Lattices seen from a cell far from the origin.
 
 use crate::{
-    lanes::lanes::Lanes,
+    lanes::Lanes,
     lattice::lattice::{Lattice, upper_word_by_terms, word_by_terms},
 };
 

@@ -1,9 +1,9 @@
 //! Lattices that repeat with a period along each axis, so that noises tile.
 
-use core::{error::Error, fmt};
+use asperity_core::error_enum;
 
 use crate::{
-    lanes::lanes::Lanes,
+    lanes::Lanes,
     lattice::lattice::{Lattice, upper_word_by_terms, word_by_terms},
 };
 
@@ -147,72 +147,49 @@ impl<L: Lattice + Clone, const M: usize> Lattice for Tiled<L, M> {
     }
 }
 
-/// Why a lattice was not repeated.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum TiledError {
-    /// A period is 0 or too long.
-    PeriodOutOfRange {
-        /// The axis, from 0.
-        axis: usize,
-        /// The period.
-        period: u32,
-    },
-    /// The lattice repeats only with multiples of a number.
-    NoMultiple {
-        /// The axis, from 0.
-        axis: usize,
-        /// The period.
-        period: u32,
-        /// The number.
-        factor: u32,
-    },
-    /// A noise that does not repeat along an axis was to be summed as one that does.
-    NoPeriod,
-    /// A sum's lacunarity leaves an octave without a period of its own.
-    NoOctavePeriod {
-        /// The axis, from 0.
-        axis: usize,
-        /// The period of the first octave.
-        period: u32,
-        /// The lacunarity.
-        lacunarity: f32,
-        /// The octave, from 0.
-        octave: u32,
-    },
-}
-
-impl fmt::Display for TiledError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::PeriodOutOfRange { axis, period } => {
-                write!(f, "`periods[{axis}]` must be from 1 to {}, got {period}", 1 << 21)
-            }
-            Self::NoMultiple { axis, period, factor } => {
-                write!(f, "`periods[{axis}]` must be a multiple of {factor}, got {period}")
-            }
-            Self::NoPeriod => {
-                write!(f, "`noise` must repeat: put it on a `Tiled` lattice, or take `TiledSimplex`")
-            }
-            Self::NoOctavePeriod { axis, period, lacunarity, octave } => write!(
-                f,
-                "`periods[{axis}]` times `lacunarity` to the power {octave} must be a whole number up to {}, got {period} · \
-                 {lacunarity}^{octave}",
-                1 << 21
-            ),
-        }
+error_enum! {
+    /// Why a lattice was not repeated.
+    pub enum TiledError {
+        /// A period is 0 or too long.
+        PeriodOutOfRange {
+            /// The axis, from 0.
+            axis: usize,
+            /// The period.
+            period: u32,
+        } => "`periods[{axis}]` must be from 1 to 2097152, got {period}",
+        /// The lattice repeats only with multiples of a number.
+        NoMultiple {
+            /// The axis, from 0.
+            axis: usize,
+            /// The period.
+            period: u32,
+            /// The number.
+            factor: u32,
+        } => "`periods[{axis}]` must be a multiple of {factor}, got {period}",
+        /// A noise that does not repeat along an axis was to be summed as one that does.
+        NoPeriod => "`noise` must repeat: put it on a `Tiled` lattice, or take `TiledSimplex`",
+        /// A sum's lacunarity leaves an octave without a period of its own.
+        NoOctavePeriod {
+            /// The axis, from 0.
+            axis: usize,
+            /// The period of the first octave.
+            period: u32,
+            /// The lacunarity.
+            lacunarity: f32,
+            /// The octave, from 0.
+            octave: u32,
+        } => "`periods[{axis}]` times `lacunarity` to the power {octave} must be a whole number up to 2097152, got {period} \
+             · {lacunarity}^{octave}",
     }
 }
-
-impl Error for TiledError {}
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lanes::{Arithmetic, Scalar};
     use crate::{
         Basis, Cellular, Field, Gaussian, IntegerHash, Perlin1985, Perlin2002, Point, Simplex, Sparse, Value,
         ValueCatmullRom, ValueGradient, White,
-        lanes::lanes::Scalar,
         lattice::{ChainedTable, PermutationTable},
     };
     use glam::{Vec2, Vec3, Vec4};

@@ -1,7 +1,7 @@
 //! Directions and Gaussian variates from the bits of a lattice word, without logarithm or trigonometry of a library.
 
 use crate::{
-    lanes::lanes::{LANES, Lanes, Scalar},
+    lanes::{Arithmetic, LANES, Lanes, Scalar},
     lattice::gaussian_levels::{POSITIVE_LEVELS, TAIL_LINES},
     lattice::integer_hash::{MULTIPLIERS, further, multiplied},
 };

@@ -1,5 +1,7 @@
 //! The noises of Ebert (ed.) 1994 with their tables, for reproduction: `vnoise`, `gnoise` and `vgnoise`.
 
+use asperity_core::math;
+
 use crate::{
     contract::field::Field,
     contract::kernel::{self, Kernel, Measured},
@@ -7,11 +9,10 @@ use crate::{
     kinds::cell::corner::{CellNoise, Corner},
     kinds::perlin::Perlin1985,
     kinds::value_gradient::ValueGradientError,
-    lanes::lanes::{LaneSample, Lanes},
+    lanes::{LaneSample, Lanes},
     lattice::fade::Fade,
     lattice::lattice::{Lattice, OnLattice},
     lattice::permutation_table::PermutationTable,
-    math,
     point::Point,
     row::points::{Points, Target},
     row::row::Strip,

@@ -1,7 +1,7 @@
 //! The cells that a row's points lie in, and the points' places and weights there: the same in all rows of a grid.
 
 use crate::{
-    lanes::lanes::{LANES, Lanes, Scalar},
+    lanes::{LANES, Lanes, Scalar},
     lattice::fade::{Along, Fade},
     row::row::{Row, RowKey},
 };

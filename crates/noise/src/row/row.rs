@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use crate::{
-    lanes::lanes::{LaneSample, Lanes, Scalar},
+    lanes::{LaneSample, Lanes, Scalar},
     lattice::lattice::is_within,
 };
 

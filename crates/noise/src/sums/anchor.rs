@@ -121,7 +121,7 @@ mod tests {
     fn parts_of_the_unskewing_factors_add_up() {
         for (n, parts) in (1..).zip(UNSKEW).skip(1) {
             let n = f64::from(n);
-            let factor = (1.0 - 1.0 / f64::from(crate::math::sqrt((n + 1.0) as f32))) / n;
+            let factor = (1.0 - 1.0 / f64::from(asperity_core::math::sqrt((n + 1.0) as f32))) / n;
             approx::assert_abs_diff_eq!(parts.iter().sum::<f64>(), factor, epsilon = 1e-7);
             for part in parts {
                 assert_eq!(part.to_bits() & 0x1fff_ffff, 0, "24 bits: {part}");

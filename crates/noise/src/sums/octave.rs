@@ -4,7 +4,7 @@ use core::array;
 
 use crate::{
     contract::kernel::{Kernel, OctavesAt},
-    lanes::lanes::{LaneSample, Lanes, Scalar},
+    lanes::{Arithmetic, LaneSample, Lanes, Scalar},
     lattice::integer_hash::mix,
     lattice::variates::{gaussian_quaternion, unit_direction},
     sums::spectrum::{MAX_OCTAVES, Spectrum},

@@ -2,15 +2,16 @@
 
 use core::array;
 
+use asperity_core::math;
+
 use crate::{
     contract::field::{Curved, Field},
     contract::hessian::{self, CurvedKernel, Jet, mirror},
     contract::kernel::{Anchor, Kernel},
     kinds::gaussian::Gaussian,
-    lanes::lanes::{LaneSample, Scalar},
+    lanes::{LaneSample, Scalar},
     lattice::lattice::Lattice,
     lattice::tiled::{TiledError, in_first_tile},
-    math,
     point::Point,
     row::points::{Points, Target},
     sample::{Sample, SecondOrder},

@@ -1,9 +1,11 @@
 //! Octaves of a sum at many points: one octave after the other, over blocks of points.
 
+use asperity_core::lanes::Task;
+
 use crate::{
     contract::kernel::{FEW_POINTS, FillList, FillRow, Kernel},
-    lanes::lanes::Lanes,
-    lanes::level::{Instructions, Task},
+    lanes::Lanes,
+    lanes::level::Instructions,
     lattice::tiled::in_first_tile,
     point::Point,
     row::cells::POINTS,
@@ -199,6 +201,8 @@ struct Wrap<'a, const N: usize> {
 }
 
 impl<const N: usize> Task for Wrap<'_, N> {
+    type Output = ();
+
     #[inline(always)]
     fn run<S: Lanes>(self, s: S) {
         let Self { periods, points, count } = self;
@@ -224,6 +228,8 @@ struct Move<'a, const N: usize> {
 }
 
 impl<const N: usize> Task for Move<'_, N> {
+    type Output = ();
+
     #[inline(always)]
     fn run<S: Lanes>(self, s: S) {
         let Self { layer, from, to, count } = self;
@@ -255,6 +261,8 @@ struct Add<'a, const N: usize, const M: usize, T> {
 }
 
 impl<const N: usize, const M: usize, T: Shape> Task for Add<'_, N, M, T> {
+    type Output = ();
+
     #[inline(always)]
     fn run<S: Lanes>(self, s: S) {
         let Self { shape, layer, amplitude, before, factor, octave, slopes, values, gradients } = self;
@@ -270,7 +278,7 @@ impl<const N: usize, const M: usize, T: Shape> Task for Add<'_, N, M, T> {
                 let mut sum = (zero, [zero; N]);
                 for axis in 0..N {
                     if before.is_none() {
-                        sum.1[axis] = s.load_part(gradients[axis].get(i..).unwrap_or_default());
+                        sum.1[axis] = s.load(gradients[axis].get(i..).unwrap_or_default());
                     }
                 }
                 let mut slope = [zero; N];
@@ -306,8 +314,8 @@ impl<const N: usize, const M: usize, T: Shape> Task for Add<'_, N, M, T> {
             }
         }
         if !rest.is_empty() {
-            let sum = before.map_or_else(|| s.load_part(rest), |constant| s.float(constant));
-            let n = s.load_part(octave.get(whole..).unwrap_or_default());
+            let sum = before.map_or_else(|| s.load(rest), |constant| s.float(constant));
+            let n = s.load(octave.get(whole..).unwrap_or_default());
             s.store((sum + amplitude * n) * factor, rest);
         }
     }

@@ -6,7 +6,7 @@
 use crate::{
     contract::kernel::{Kernel, OctaveSamples},
     kinds::gaussian::Gaussian,
-    lanes::lanes::{LaneSample, Scalar},
+    lanes::{LaneSample, Scalar},
     lattice::lattice::Lattice,
     sums::octave::Layers,
     sums::shape::Shape,

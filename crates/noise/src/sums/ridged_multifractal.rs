@@ -2,11 +2,12 @@
 
 use core::{error::Error, fmt};
 
+use asperity_core::lanes::Task;
+
 use crate::{
     contract::field::Field,
     contract::kernel::Kernel,
-    lanes::lanes::{Lanes, Scalar},
-    lanes::level::Task,
+    lanes::{Lanes, Scalar},
     lattice::tiled::in_first_tile,
     point::Point,
     row::points::{Points, Target},
@@ -180,6 +181,8 @@ struct Add<'a, const N: usize> {
 }
 
 impl<const N: usize> Task for Add<'_, N> {
+    type Output = ();
+
     #[inline(always)]
     fn run<S: Lanes>(self, s: S) {
         let Self { layer, octave, slopes, sums, count, .. } = self;

@@ -1,6 +1,6 @@
 //! Spectra: frequency and amplitude from octave to octave, and how a fractional octave fades in.
 
-use core::{error::Error, fmt};
+use asperity_core::error_enum;
 
 /// [`Spectrum::MAX_OCTAVES`].
 pub(crate) const MAX_OCTAVES: u32 = Spectrum::MAX_OCTAVES;
@@ -151,7 +151,7 @@ impl Spectrum {
     /// √Σ (wᵢ aᵢ)², the standard deviation of the sum of independent noises of standard deviation 1.
     #[must_use]
     pub fn root_sum_of_squares(&self, octaves: f32) -> f32 {
-        crate::math::sqrt(self.sum_of_squares(octaves))
+        asperity_core::math::sqrt(self.sum_of_squares(octaves))
     }
 
     #[inline]
@@ -224,58 +224,36 @@ fn power(base: f32, i: u32) -> f32 {
     (0..i).fold(1.0, |product, _| product * base)
 }
 
-/// Why a [`Spectrum`] was refused.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum SpectrumError {
-    /// The lacunarity is not a finite number above 1.
-    LacunarityNotAboveOne {
-        /// The value.
-        lacunarity: f32,
-    },
-    /// The gain is not a finite number above 0.
-    GainNotPositive {
-        /// The value.
-        gain: f32,
-    },
-    /// The number of octaves is 0 or above [`Spectrum::MAX_OCTAVES`].
-    OctavesOutOfRange {
-        /// The value.
-        max_octaves: u32,
-    },
-    /// The lacunarity is so large that the highest octave's frequency is infinite.
-    FrequencyOverflow {
-        /// The value.
-        lacunarity: f32,
-    },
-    /// The gain is so large that the fourth powers of the amplitudes have an infinite sum.
-    AmplitudeOverflow {
-        /// The value.
-        gain: f32,
-    },
-}
-
-impl fmt::Display for SpectrumError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::LacunarityNotAboveOne { lacunarity } => {
-                write!(f, "`lacunarity` must be a finite number above 1, got {lacunarity}")
-            }
-            Self::GainNotPositive { gain } => write!(f, "`gain` must be a finite number above 0, got {gain}"),
-            Self::OctavesOutOfRange { max_octaves } => {
-                write!(f, "`max_octaves` must be from 1 to {MAX_OCTAVES}, got {max_octaves}")
-            }
-            Self::FrequencyOverflow { lacunarity } => {
-                write!(f, "`lacunarity` must leave the last frequency finite, got {lacunarity}")
-            }
-            Self::AmplitudeOverflow { gain } => {
-                write!(f, "`gain` must leave the fourth powers of amplitudes finite, got {gain}")
-            }
-        }
+error_enum! {
+    /// Why a [`Spectrum`] was refused.
+    pub enum SpectrumError {
+        /// The lacunarity is not a finite number above 1.
+        LacunarityNotAboveOne {
+            /// The value.
+            lacunarity: f32,
+        } => "`lacunarity` must be a finite number above 1, got {lacunarity}",
+        /// The gain is not a finite number above 0.
+        GainNotPositive {
+            /// The value.
+            gain: f32,
+        } => "`gain` must be a finite number above 0, got {gain}",
+        /// The number of octaves is 0 or above [`Spectrum::MAX_OCTAVES`].
+        OctavesOutOfRange {
+            /// The value.
+            max_octaves: u32,
+        } => "`max_octaves` must be from 1 to 16, got {max_octaves}",
+        /// The lacunarity is so large that the highest octave's frequency is infinite.
+        FrequencyOverflow {
+            /// The value.
+            lacunarity: f32,
+        } => "`lacunarity` must leave the last frequency finite, got {lacunarity}",
+        /// The gain is so large that the fourth powers of the amplitudes have an infinite sum.
+        AmplitudeOverflow {
+            /// The value.
+            gain: f32,
+        } => "`gain` must leave the fourth powers of amplitudes finite, got {gain}",
     }
 }
-
-impl Error for SpectrumError {}
 
 #[cfg(test)]
 mod tests {

@@ -3,7 +3,9 @@
 //! All are functions of |n|, whose gradient is sign(n) ∇n: the sum has a crease where an octave passes through 0. On the
 //! crease itself sign(0) = 0, the mean of the slopes of both sides.
 
-use crate::{math, sums::shape::Shape};
+use asperity_core::math;
+
+use crate::sums::shape::Shape;
 
 /// φ(n) = |n|: turbulence, with dark veins where an octave is 0.
 ///

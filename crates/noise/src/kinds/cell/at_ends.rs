@@ -6,7 +6,7 @@ use crate::{
     kinds::cell::corner::{CellNoise, normalised},
     kinds::cell::corners::{CORNERS, Place},
     kinds::cell::variance::axis_variance,
-    lanes::lanes::{LANES, LaneSample, Lanes},
+    lanes::{LANES, LaneSample, Lanes},
     lattice::fade::Along,
     lattice::lattice::{Lattice, at_ends, cell},
 };

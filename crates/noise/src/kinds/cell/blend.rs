@@ -3,7 +3,7 @@
 use crate::{
     kinds::cell::column::{Column, Plane},
     kinds::cell::corner::CellNoise,
-    lanes::lanes::{LaneSample, Lanes},
+    lanes::{LaneSample, Lanes},
     lattice::fade::Along,
 };
 

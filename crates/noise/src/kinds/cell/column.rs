@@ -1,6 +1,6 @@
 //! Columns of a cell: its corners at one end of the first two axes, blended along the others.
 
-use crate::lanes::lanes::Lanes;
+use crate::lanes::Lanes;
 
 /// c + a x + b y.
 #[derive(Clone, Copy)]

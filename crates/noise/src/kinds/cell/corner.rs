@@ -13,7 +13,7 @@ use crate::{
     contract::compiled::Compiled,
     contract::kernel::Measured,
     kinds::cell::column::Column,
-    lanes::lanes::{LaneSample, Lanes},
+    lanes::{LaneSample, Lanes},
     lattice::fade::{Along, Fade},
     lattice::lattice::OnLattice,
 };

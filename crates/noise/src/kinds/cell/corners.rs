@@ -7,7 +7,7 @@ use crate::{
     kinds::cell::column::Column,
     kinds::cell::corner::{CellNoise, Corner},
     kinds::cell::variance::{Variance, axis_variance},
-    lanes::lanes::{LaneSample, Lanes, Scalar},
+    lanes::{LaneSample, Lanes, Scalar},
     lattice::fade::Along,
     lattice::lattice::{Lattice, cell},
 };

@@ -1,7 +1,7 @@
 //! Columns of corners whose gradients are edge directions: no component is multiplied with, each is a sign or nothing.
 
 use crate::{
-    kinds::cell::column::Column, kinds::cell::corners::CORNERS, lanes::lanes::Lanes, lattice::edges::Edge,
+    kinds::cell::column::Column, kinds::cell::corners::CORNERS, lanes::Lanes, lattice::edges::Edge,
     lattice::fade::Along,
 };
 

@@ -6,7 +6,7 @@ use crate::{
     kinds::cell::corner::{CellNoise, Corner, normalised},
     kinds::cell::corners::Place,
     kinds::cell::variance::axis_variance,
-    lanes::lanes::{LaneSample, Lanes, Scalar},
+    lanes::{LaneSample, Lanes, Scalar},
     lattice::fade::{Along, Fade},
 };
 
@@ -15,7 +15,7 @@ use crate::{
     kinds::cell::at_ends::{Ends, at_ends_of},
     kinds::cell::corners::CORNERS,
     kinds::cell::kernel::of_lane,
-    lanes::registers::four,
+    lanes::level::four,
 };
 
 impl<K: CellNoise<N>, const N: usize> CurvedKernel<N> for K {
@@ -218,7 +218,7 @@ fn normalised_hessian<const N: usize>(
     ddv: [[f32; N]; N],
 ) -> [[f32; N]; N] {
     let inverse = 1.0 / v;
-    let root = crate::math::sqrt(inverse);
+    let root = asperity_core::math::sqrt(inverse);
     let mut hessian = ddn;
     for i in 0..N {
         for j in i..N {

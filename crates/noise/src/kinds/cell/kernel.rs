@@ -6,13 +6,13 @@ use crate::{
     kinds::cell::corner::{CellNoise, normalised},
     kinds::cell::corners::Place,
     kinds::cell::rows::Stretch,
-    lanes::lanes::{LaneSample, Lanes, Scalar},
+    lanes::{LaneSample, Lanes, Scalar},
     lattice::lattice::Lattice,
     row::row::Strip,
 };
 
 #[cfg(feature = "simd")]
-use crate::{kinds::cell::at_ends::by_corners, lanes::registers::four};
+use crate::{kinds::cell::at_ends::by_corners, lanes::level::four};
 
 /// n, and v where the noise is normalised, with their gradients if `GRADIENTS`.
 #[inline(always)]

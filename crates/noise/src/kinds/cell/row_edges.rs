@@ -4,7 +4,7 @@ use crate::{
     kinds::cell::blend::{Edge, Line},
     kinds::cell::column::{Column, Plane},
     kinds::cell::corner::CellNoise,
-    lanes::lanes::Lanes,
+    lanes::Lanes,
     row::cells::{COLUMNS, Numbers, ZEROS},
 };
 

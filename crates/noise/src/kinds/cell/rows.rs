@@ -10,7 +10,7 @@ use crate::{
     kinds::cell::corners::Place,
     kinds::cell::row_edges::{Columns, Edges},
     kinds::cell::variance::axis_variance,
-    lanes::lanes::{LANES, Lanes, Scalar},
+    lanes::{LANES, Lanes, Scalar},
     lattice::fade::Along,
     lattice::lattice::{Lattice, cell},
     row::cells::{POINTS, Plan, Run},

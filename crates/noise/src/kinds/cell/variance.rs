@@ -2,7 +2,7 @@
 
 use crate::{
     kinds::cell::blend::splat,
-    lanes::lanes::{LaneSample, Lanes, Scalar},
+    lanes::{LaneSample, Lanes, Scalar},
     lattice::fade::Along,
 };
 

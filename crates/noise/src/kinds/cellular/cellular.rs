@@ -1,6 +1,6 @@
 //! Cellular noise: distances to the nearest feature points, one at a random place of each cell.
 
-use core::{error::Error, fmt};
+use asperity_core::{error_enum, math};
 
 use crate::{
     contract::compiled::on_lattice,
@@ -10,10 +10,9 @@ use crate::{
     kinds::cellular::metric::Metric,
     kinds::cellular::rows::Columns,
     kinds::cellular::search::{Features, Place, number},
-    lanes::lanes::{LaneSample, Lanes},
+    lanes::{LaneSample, Lanes},
     lattice::integer_hash::IntegerHash,
     lattice::lattice::Lattice,
-    math,
     row::cells::POINTS,
     row::row::Strip,
     statistics::cellular,
@@ -332,26 +331,16 @@ impl<L, const N: usize> Measured<N> for Cellular<L> {
     }
 }
 
-/// Why a cellular noise was refused.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum CellularError {
-    /// The jitter is not in [0, 1].
-    JitterOutOfRange {
-        /// The jitter.
-        jitter: f32,
-    },
-}
-
-impl fmt::Display for CellularError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::JitterOutOfRange { jitter } => write!(f, "`jitter` must be in [0, 1], got {jitter}"),
-        }
+error_enum! {
+    /// Why a cellular noise was refused.
+    pub enum CellularError {
+        /// The jitter is not in [0, 1].
+        JitterOutOfRange {
+            /// The jitter.
+            jitter: f32,
+        } => "`jitter` must be in [0, 1], got {jitter}",
     }
 }
-
-impl Error for CellularError {}
 
 #[cfg(test)]
 mod tests {

@@ -1,6 +1,6 @@
 //! Metrics of cellular noise.
 
-use crate::lanes::lanes::Lanes;
+use crate::lanes::Lanes;
 
 /// The metric that cellular noise measures distances in.
 ///

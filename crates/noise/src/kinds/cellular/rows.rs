@@ -6,7 +6,7 @@
 use crate::{
     kinds::cellular::metric::Metric,
     kinds::cellular::search::{Features, number},
-    lanes::lanes::{Lanes, Scalar},
+    lanes::{Lanes, Scalar},
     lattice::fade::Fade,
     lattice::lattice::{Lattice, cell},
     row::cells::Plan,
@@ -190,7 +190,7 @@ impl<const N: usize> Columns<N> {
             for i in (0..cells + 2 * self.reach).step_by(S::LEN) {
                 let mut gaps = [s.float(0.0); 2];
                 for axis in 1..N {
-                    let place = s.load_part(&self.places[axis][j][i..]);
+                    let place = s.load(&self.places[axis][j][i..]);
                     let (below, above) = (place - s.float(low[axis]), place - s.float(high[axis]));
                     let gap = s.max(s.max(above, -below), s.float(0.0));
                     let ways = [gap, s.max(s.abs(below), s.abs(above))];
@@ -211,9 +211,9 @@ impl<const N: usize> Columns<N> {
                 }
                 for near in [-1.0, 0.0, 1.0] {
                     let column = (i as f32 + self.reach as f32 + near) as usize;
-                    let x = s.float(near) + s.load_part(&self.places[0][j][column..]);
+                    let x = s.float(near) + s.load(&self.places[0][j][column..]);
                     let farthest = s.max(s.abs(x), s.abs(s.float(1.0) - x));
-                    let measure = metric.joined(s, s.load_part(&self.gaps[1][j][column..]), farthest);
+                    let measure = metric.joined(s, s.load(&self.gaps[1][j][column..]), farthest);
                     bounds = [s.min(bounds[0], measure), s.min(bounds[1], s.max(bounds[0], measure))];
                 }
             }
@@ -243,10 +243,10 @@ impl<const N: usize> Columns<N> {
                     continue;
                 }
                 for i in (0..cells).step_by(S::LEN) {
-                    let x = s.float(step) + s.load_part(&self.places[0][j][i + c..]);
+                    let x = s.float(step) + s.load(&self.places[0][j][i + c..]);
                     let way = s.max(s.max(x - s.float(1.0), -x), s.float(0.0));
-                    let measure = metric.joined(s, s.load_part(&self.gaps[0][j][i + c..]), way);
-                    let beyond = s.lanes(s.less(s.load_part(&self.bounds[i..]), measure));
+                    let measure = metric.joined(s, s.load(&self.gaps[0][j][i + c..]), way);
+                    let beyond = s.bitmask(s.less(s.load(&self.bounds[i..]), measure));
                     let mut seeing = !beyond & ((1 << S::LEN.min(cells - i)) - 1);
                     while seeing != 0 {
                         let k = i + seeing.trailing_zeros() as usize;

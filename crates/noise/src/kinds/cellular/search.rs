@@ -2,7 +2,7 @@
 
 use crate::{
     kinds::cellular::metric::Metric,
-    lanes::lanes::Lanes,
+    lanes::Lanes,
     lattice::integer_hash::further,
     lattice::lattice::{Lattice, cell},
     lattice::variates::uniform,
@@ -271,7 +271,7 @@ mod tests {
     use crate::{
         Basis, Cellular, Field, Point,
         contract::kernel::{Kernel, Measured},
-        lanes::lanes::Scalar,
+        lanes::{Arithmetic, Scalar},
         lattice::integer_hash::{IntegerHash, mix},
         lattice::lattice::OnLattice,
         row::row::{Row, Strip},

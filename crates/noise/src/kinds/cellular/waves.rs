@@ -6,7 +6,7 @@ use crate::{
     kinds::cellular::cellular::{Basis, Cellular},
     kinds::cellular::metric::Metric,
     kinds::cellular::rows::Seen,
-    lanes::lanes::Lanes,
+    lanes::Lanes,
     row::cells::Plan,
     row::row::Strip,
 };

@@ -5,7 +5,7 @@ use crate::{
     kinds::cell::blend::splat,
     kinds::simplex::geometry::{SKEW, Term, UNSKEW, beyond_gap, kernel, pull},
     kinds::simplex::simplex::Simplex,
-    lanes::lanes::{Floats, LANES, LaneSample, Lanes, Scalar},
+    lanes::{Arithmetic, Floats, LANES, LaneSample, Lanes, Scalar},
     lattice::lattice::{Lattice, OnLattice},
 };
 

@@ -1,6 +1,6 @@
 //! The simplicial lattice and the radial kernel around its corners.
 
-use crate::lanes::lanes::{Floats, Lanes};
+use crate::lanes::{Arithmetic, Floats, Lanes};
 
 /// (√(n + 1) − 1)/n, which shears the simplices into halves, sixths, … of cubes; nothing is sheared in 1-D.
 pub(crate) const SKEW: [f32; 4] = [0.0, 0.366_025_4, 1.0 / 3.0, 0.309_017];
@@ -32,7 +32,7 @@ pub(crate) fn first_corner<S: Lanes, const N: usize>(s: S, p: &[S::F; N]) -> Cor
 }
 
 /// The axes that have been stepped along from the first corner to those between it and the last, by the corner's number less one.
-pub(crate) type Steps<S, const N: usize> = [[<S as Lanes>::M; N]; N];
+pub(crate) type Steps<S, const N: usize> = [[<S as Arithmetic>::M; N]; N];
 
 impl<S: Lanes, const N: usize> Corner<S, N> {
     /// Than how many axes the point is farther along each axis in the skewed cell.

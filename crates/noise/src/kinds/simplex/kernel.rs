@@ -7,13 +7,13 @@ use crate::{
     kinds::simplex::geometry::{Term, kernel, pull},
     kinds::simplex::rows::Sums,
     kinds::simplex::simplex::Simplex,
-    lanes::lanes::{LaneSample, Lanes, Scalar},
+    lanes::{LaneSample, Lanes, Scalar},
     lattice::lattice::{Lattice, OnLattice},
     row::row::Strip,
 };
 
 #[cfg(feature = "simd")]
-use crate::{kinds::simplex::at_corners::around, lanes::registers::four};
+use crate::{kinds::simplex::at_corners::around, lanes::level::four};
 
 impl<L: Lattice, const N: usize> CurvedKernel<N> for Simplex<L> {
     /// ∂ᵢⱼ(t⁴ s) = 48 dᵢ dⱼ t² s − 8 t³ (δᵢⱼ s + dᵢ gⱼ + dⱼ gᵢ).

@@ -4,13 +4,14 @@
 //! Corners are taken by the sum of their skewed coordinates. The corners of a simplex have sums that follow one another, in the
 //! order in which a single point adds them up, so that a row's sums have the bits of the points'.
 
+use asperity_core::math;
+
 use crate::{
     contract::kernel::{Kernel, by_lanes},
     kinds::simplex::geometry::{GAP, UNSKEW, along, beside, kernel, pull},
     kinds::simplex::simplex::Simplex,
-    lanes::lanes::{LANES, Lanes},
+    lanes::{LANES, Lanes},
     lattice::lattice::{Lattice, OnLattice},
-    math,
     row::cells::{Numbers, POINTS, ZEROS, has_columns},
     row::row::{Row, RowKey, Strip},
 };

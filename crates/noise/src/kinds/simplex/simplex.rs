@@ -3,7 +3,7 @@
 use crate::{
     contract::noise::{kind, measured, noise},
     kinds::simplex::geometry::{Corner, Term, UNSKEW, along, beside, first_corner, within},
-    lanes::lanes::Lanes,
+    lanes::Lanes,
     lattice::edges::{Lengths, edge_direction, edge_product},
     lattice::integer_hash::IntegerHash,
     lattice::lattice::Lattice,

@@ -4,7 +4,7 @@ use crate::{
     contract::kernel::{Kernel, Measured},
     contract::noise::noise,
     kinds::simplex::simplex::Simplex,
-    lanes::lanes::{LaneSample, Lanes},
+    lanes::{LaneSample, Lanes},
     lattice::integer_hash::IntegerHash,
     lattice::lattice::{Lattice, OnLattice, upper_word_by_terms, word_by_terms},
     lattice::tiled::{Tiled, TiledError, octave_period, remainder},

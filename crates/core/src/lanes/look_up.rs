@@ -2,16 +2,16 @@
 
 use fearless_simd::Simd;
 
-use crate::lanes::lanes::LANES;
+use crate::lanes::lanes::MAX_LANES;
 
 #[cfg(target_arch = "x86")]
 use core::arch::x86 as arch;
 #[cfg(target_arch = "x86_64")]
 use core::arch::x86_64 as arch;
 
-/// The entries of a table of eight, written twice, at indices below 8; nothing where no instruction finds them.
+/// The entries of a table of eight, stored twice, at indices below 8; `None` where the level has no instruction for it.
 #[inline(always)]
-pub(crate) fn looked_up<S: Simd>(simd: S, table: &[f32; LANES], index: S::u32s) -> Option<S::f32s> {
+pub(super) fn looked_up<S: Simd>(simd: S, table: &[f32; MAX_LANES], index: S::u32s) -> Option<S::f32s> {
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     {
         use fearless_simd::{Level, SimdBase, f32x8, f32x16, u32x8, u32x16};

@@ -1,0 +1,9 @@
+//! The lanes that kinds of noise are written over, those of `asperity-core`, and the SIMD levels that a machine has.
+
+pub(crate) use asperity_core::lanes::MAX_LANES as LANES;
+pub use asperity_core::lanes::{Arithmetic, Floats, Lanes, Scalar, Words};
+
+pub(crate) mod level;
+
+/// A value in lanes, and its gradient.
+pub type LaneSample<S, const N: usize> = (<S as Arithmetic>::F, [<S as Arithmetic>::F; N]);
