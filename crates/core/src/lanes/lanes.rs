@@ -97,7 +97,7 @@ pub trait Arithmetic: Copy {
 pub trait Lanes: Arithmetic {
     /// Whether a table is looked up faster than its entries are computed.
     const TABLES: bool = false;
-    /// The same lanes, each of which carries a word: the key that it hashes with, for instance.
+    /// These lanes when each carries a word: the key that it hashes with, for instance.
     type Keyed: Lanes<F = Self::F, U = Self::U, M = Self::M>;
 
     /// These lanes, with a word each. [`Scalar`] carries none.

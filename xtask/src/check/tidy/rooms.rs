@@ -22,7 +22,7 @@ pub(super) const HOUSES: &[House] = &[
     House {
         name: "noise",
         sources: "crates/noise/src",
-        rooms: "math → point sample → lanes → lattice → row → statistics → contract → kinds/cell kinds/simplex → \
+        rooms: "point sample → lanes → lattice → row → statistics → contract → kinds/cell kinds/simplex → \
                 kinds/cellular → kinds → sums → transforms → printed → check",
         face: Some(60),
     },
