@@ -301,19 +301,23 @@ mod tests {
         decode(bytes, content).unwrap_err().to_string()
     }
 
-    /// A file with channels of these values.
-    fn file(channels: &[(&str, f32)]) -> Vec<u8> {
-        exr(2, 1, channels.iter().map(|&(name, value)| (name, vec![value; 2]))).unwrap()
+    /// The channels of a text such as `R=1, G=2`, two pixels each.
+    fn channels(text: &str) -> impl Iterator<Item = (&str, Vec<f32>)> {
+        let channels = text.split(", ").filter_map(|channel| channel.split_once('='));
+        channels.map(|(name, value)| (name, vec![value.parse().unwrap(); 2]))
+    }
+
+    fn file(text: &str) -> Vec<u8> {
+        exr(2, 1, channels(text)).unwrap()
     }
 
     /// A file of several parts.
-    fn parts(parts: &[(&str, &[(&str, f32)])]) -> Vec<u8> {
+    fn parts(parts: &[(&str, &str)]) -> Vec<u8> {
         let size = Vec2(2, 1);
-        let layer = |&(name, channels): &(&str, &[(&str, f32)])| {
-            let channel =
-                |&(name, value): &(&str, f32)| AnyChannel::new(name, FlatSamples::F32(vec![value; 2]));
+        let layer = |&(name, text): &(&str, &str)| {
             let attributes = LayerAttributes::named(Text::new_or_panic(name));
-            let channels = AnyChannels::sort(channels.iter().map(channel).collect());
+            let channel = |(name, samples)| AnyChannel::new(name, FlatSamples::F32(samples));
+            let channels = AnyChannels::sort(channels(text).map(channel).collect());
             Layer::new(size, attributes, Encoding::UNCOMPRESSED, channels)
         };
         let attributes = ImageAttributes::new(IntegerBounds::from_dimensions(size));
@@ -352,67 +356,25 @@ mod tests {
         let layer = colors(&file!("prefix.exr"));
         assert_eq!((combined.planes.len(), layer.planes.len()), (3, 3));
         for (channels, expected) in [
+            ("R=1, G=2, B=3, diffuse.R=9, diffuse.G=9, diffuse.B=9", [1.0, 2.0, 3.0]),
+            ("red=1, green=2, blue=3, Z=9", [1.0, 2.0, 3.0]),
+            ("r=1, g=2, b=3, a=9", [1.0, 2.0, 3.0]),
+            ("Y=4, Z=9, A=9", [4.0; 3]),
             (
-                &[
-                    ("R", 1.0),
-                    ("G", 2.0),
-                    ("B", 3.0),
-                    ("diffuse.R", 9.0),
-                    ("diffuse.G", 9.0),
-                    ("diffuse.B", 9.0),
-                ][..],
+                "RenderLayer.Combined.R=1, RenderLayer.Combined.G=2, RenderLayer.Combined.B=3, \
+                 RenderLayer.Diffuse.R=9, RenderLayer.Diffuse.G=9, RenderLayer.Diffuse.B=9",
                 [1.0, 2.0, 3.0],
             ),
-            (&[("red", 1.0), ("green", 2.0), ("blue", 3.0), ("Z", 9.0)], [1.0, 2.0, 3.0]),
-            (&[("r", 1.0), ("g", 2.0), ("b", 3.0), ("a", 9.0)], [1.0, 2.0, 3.0]),
-            (&[("Y", 4.0), ("Z", 9.0), ("A", 9.0)], [4.0; 3]),
+            ("density=5, A=9, Z=9", [5.0; 3]),
+            ("Y=4, normal.R=9, normal.G=9, normal.B=9", [4.0; 3]),
+            ("Y=4, Crypto00.R=9, Crypto00.G=9, Crypto00.B=9", [4.0; 3]),
+            ("diffuse.R=1, diffuse.G=2, diffuse.B=3, N.R=9, N.G=9, N.B=9", [1.0, 2.0, 3.0]),
             (
-                &[
-                    ("RenderLayer.Combined.R", 1.0),
-                    ("RenderLayer.Combined.G", 2.0),
-                    ("RenderLayer.Combined.B", 3.0),
-                    ("RenderLayer.Diffuse.R", 9.0),
-                    ("RenderLayer.Diffuse.G", 9.0),
-                    ("RenderLayer.Diffuse.B", 9.0),
-                ],
+                "Composite.Combined.R=1, Composite.Combined.G=2, Composite.Combined.B=3, \
+                 Back.Combined.R=9, Back.Combined.G=9, Back.Combined.B=9",
                 [1.0, 2.0, 3.0],
             ),
-            (&[("density", 5.0), ("A", 9.0), ("Z", 9.0)], [5.0; 3]),
-            (&[("Y", 4.0), ("normal.R", 9.0), ("normal.G", 9.0), ("normal.B", 9.0)], [4.0; 3]),
-            (&[("Y", 4.0), ("Crypto00.R", 9.0), ("Crypto00.G", 9.0), ("Crypto00.B", 9.0)], [4.0; 3]),
-            (
-                &[
-                    ("diffuse.R", 1.0),
-                    ("diffuse.G", 2.0),
-                    ("diffuse.B", 3.0),
-                    ("N.R", 9.0),
-                    ("N.G", 9.0),
-                    ("N.B", 9.0),
-                ],
-                [1.0, 2.0, 3.0],
-            ),
-            (
-                &[
-                    ("Composite.Combined.R", 1.0),
-                    ("Composite.Combined.G", 2.0),
-                    ("Composite.Combined.B", 3.0),
-                    ("Back.Combined.R", 9.0),
-                    ("Back.Combined.G", 9.0),
-                    ("Back.Combined.B", 9.0),
-                ],
-                [1.0, 2.0, 3.0],
-            ),
-            (
-                &[
-                    ("left.R", 1.0),
-                    ("left.G", 2.0),
-                    ("left.B", 3.0),
-                    ("right.R", 9.0),
-                    ("right.G", 9.0),
-                    ("right.B", 9.0),
-                ],
-                [1.0, 2.0, 3.0],
-            ),
+            ("left.R=1, left.G=2, left.B=3, right.R=9, right.G=9, right.B=9", [1.0, 2.0, 3.0]),
         ] {
             let image = colors(&file(channels));
             assert_eq!(image.colors().map(|plane| plane[0]), expected, "{channels:?}");
@@ -421,10 +383,10 @@ mod tests {
 
     #[test]
     fn exr_colors_may_be_in_any_part() {
-        let rgb: &[(&str, f32)] = &[("R", 1.0), ("G", 2.0), ("B", 3.0)];
-        let other: &[(&str, f32)] = &[("R", 9.0), ("G", 9.0), ("B", 9.0)];
-        let prefixed: &[(&str, f32)] = &[("beauty.R", 1.0), ("beauty.G", 2.0), ("beauty.B", 3.0)];
-        let depth: &[(&str, f32)] = &[("Z", 9.0)];
+        let rgb = "R=1, G=2, B=3";
+        let other = "R=9, G=9, B=9";
+        let prefixed = "beauty.R=1, beauty.G=2, beauty.B=3";
+        let depth = "Z=9";
         for of in [
             parts(&[("depth", depth), ("rgba", rgb)]),
             parts(&[("depth", depth), ("picture", rgb)]),
@@ -441,27 +403,20 @@ mod tests {
     #[test]
     fn exr_without_colors_is_refused() {
         for (channels, message) in [
-            (&[("Z", 1.0)][..], "the image has no colors: its channels are Z"),
-            (&[("R", 1.0), ("G", 1.0)], "the image has no colors: its channels are G, R"),
-            (&[("A", 1.0)], "the image has no channel but alpha"),
-            (&[("Depth.V", 1.0)], "the image has no colors"),
-            (&[("Depth.R", 1.0), ("Depth.G", 1.0), ("Depth.B", 1.0)], "the image has no colors"),
-            (&[("X", 1.0), ("Y", 1.0), ("Z", 1.0)], "the image has no colors"),
-            (&[("P.X", 1.0), ("P.Y", 1.0), ("P.Z", 1.0)], "the image has no colors"),
-            (&[("UV.U", 1.0), ("UV.V", 1.0)], "the image has no colors"),
-            (&[("H", 1.0), ("S", 1.0), ("V", 1.0)], "the image has no colors"),
+            ("Z=1", "the image has no colors: its channels are Z"),
+            ("R=1, G=1", "the image has no colors: its channels are G, R"),
+            ("A=1", "the image has no channel but alpha"),
+            ("Depth.V=1", "the image has no colors"),
+            ("Depth.R=1, Depth.G=1, Depth.B=1", "the image has no colors"),
+            ("X=1, Y=1, Z=1", "the image has no colors"),
+            ("P.X=1, P.Y=1, P.Z=1", "the image has no colors"),
+            ("UV.U=1, UV.V=1", "the image has no colors"),
+            ("H=1, S=1, V=1", "the image has no colors"),
             (
-                &[
-                    ("A.Combined.R", 1.0),
-                    ("A.Combined.G", 1.0),
-                    ("A.Combined.B", 1.0),
-                    ("B.Combined.R", 1.0),
-                    ("B.Combined.G", 1.0),
-                    ("B.Combined.B", 1.0),
-                ],
+                "A.Combined.R=1, A.Combined.G=1, A.Combined.B=1, B.Combined.R=1, B.Combined.G=1, B.Combined.B=1",
                 "none is named as the picture: A.Combined, B.Combined",
             ),
-            (&[("Y", 1.0), ("RY", 0.0), ("BY", 0.0)], "its colors are luminance and chroma"),
+            ("Y=1, RY=0, BY=0", "its colors are luminance and chroma"),
         ] {
             let got = refused(&file(channels), Content::Colors);
             assert!(got.contains(message), "{got}");
@@ -472,25 +427,24 @@ mod tests {
 
     #[test]
     fn exr_normals_are_taken_from_their_layer() {
-        let picture = [("R", 9.0), ("G", 9.0), ("B", 9.0), ("Z", 9.0)];
+        let picture = "R=9, G=9, B=9, Z=9";
         for normals in [
-            &[("N.X", 1.0), ("N.Y", 2.0), ("N.Z", 3.0), ("P.X", 9.0), ("P.Y", 9.0), ("P.Z", 9.0)][..],
-            &[("View Layer.Normal.X", 1.0), ("View Layer.Normal.Y", 2.0), ("View Layer.Normal.Z", 3.0)],
-            &[("normal.r", 1.0), ("normal.g", 2.0), ("normal.b", 3.0)],
+            "N.X=1, N.Y=2, N.Z=3, P.X=9, P.Y=9, P.Z=9",
+            "View Layer.Normal.X=1, View Layer.Normal.Y=2, View Layer.Normal.Z=3",
+            "normal.r=1, normal.g=2, normal.b=3",
         ] {
-            let image =
-                ImageFile::decode(&file(&[&picture[..], normals].concat()), Content::Normals).unwrap();
+            let image = ImageFile::decode(&file(&format!("{picture}, {normals}")), Content::Normals).unwrap();
             assert_eq!(image.colors().map(|plane| plane[0]), [1.0, 2.0, 3.0], "{normals:?}");
         }
-        let two = ImageFile::decode(&file(&[("R", 1.0), ("G", 2.0)]), Content::Normals).unwrap();
+        let two = ImageFile::decode(&file("R=1, G=2"), Content::Normals).unwrap();
         assert_eq!(two.planes, [[1.0; 2], [2.0; 2]]);
-        let gray = refused(&file(&[("Y", 1.0)]), Content::Normals);
+        let gray = refused(&file("Y=1"), Content::Normals);
         assert_eq!(gray, "a normal map needs the channels R, G, B or X, Y, Z, got Y");
     }
 
     #[test]
     fn exr_small_file_cannot_claim_a_large_display_window() {
-        let mut bytes = file(&[("Y", 1.0)]);
+        let mut bytes = file("Y=1");
         let name = b"displayWindow\0box2i\0";
         let at = bytes.windows(name.len()).position(|window| window == name).unwrap() + name.len() + 12;
         bytes[at..at + 4].copy_from_slice(&((1 << 25) - 1_i32).to_le_bytes());
