@@ -1,9 +1,9 @@
-//! The program with `--check`, as the gate `generated tables` runs it.
+//! The program with `--check`, which the gate `generated tables` runs on every change.
 
 use std::process::Command;
 
 #[test]
-#[ignore = "slow: the gate `generated tables`"]
+#[ignore = "slow: weekly"]
 fn generated_tables_are_up_to_date() {
     let check =
         Command::new(env!("CARGO_BIN_EXE_asperity-tables")).arg("--check").output().expect("a program");
