@@ -109,7 +109,7 @@ pub use density::blinn_phong::BlinnPhong;
 pub use density::ggx::Ggx;
 #[cfg(feature = "alloc")]
 pub use density::isotropic::Isotropic;
-pub use density::isotropic::{IsotropicError, IsotropicRef};
+pub use density::isotropic::{IsotropicError, IsotropicIn, IsotropicRef};
 pub use density::mixture::{Mixture, MixtureError};
 pub use density::rotated::Rotated;
 pub use density::roughness::{MAX_ALPHA, MIN_ALPHA};
@@ -119,8 +119,8 @@ pub use frame::Frame;
 #[cfg(feature = "alloc")]
 pub use level_of_detail::ConditionalTable;
 pub use level_of_detail::{
-    ConditionalNdf, ConditionalTableRef, GaussianSplit, OffsetBeckmann, OffsetBeckmannError,
-    conditional_density,
+    ConditionalNdf, ConditionalTableIn, ConditionalTableRef, GaussianSplit, OffsetBeckmann,
+    OffsetBeckmannError, conditional_density,
 };
 pub use map::packed::error::PackedMapError;
 pub use map::packed::packed_map::PackedMapRef;
@@ -143,7 +143,7 @@ pub use normal_map::{NdfEstimator, estimate_ndf};
 pub use normal_map::{detailed, detailed_normal};
 #[cfg(feature = "alloc")]
 pub use normal_table::NormalTable;
-pub use normal_table::{NormalTableError, NormalTableRef};
+pub use normal_table::{NormalTableError, NormalTableIn, NormalTableRef};
 pub use numeric::normal_distribution::{inverse_phi, phi};
 pub use radial::Radial;
 pub use range_error::RangeError;

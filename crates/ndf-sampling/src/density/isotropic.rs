@@ -3,12 +3,11 @@
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
 use core::f64::consts::PI;
+use core::ops::Deref;
 
 use glam::{Vec2, Vec3};
 
 use crate::coordinates::bounded;
-#[cfg(feature = "alloc")]
-use crate::density::delegate::delegate_ndf;
 use crate::density::isotropic_cell::{Cell, invert};
 use crate::density::mixture::{tilted, untilted};
 use crate::ndf::Ndf;
@@ -22,7 +21,8 @@ const MAX_NODES: usize = 1 << 20;
 /// The numbers that a node takes: its density, and the distribution at it in two parts.
 const PER_NODE: usize = 3;
 
-type Node = [f32; PER_NODE];
+/// The density at a node, and the distribution there in two parts.
+pub(crate) type Node = [f32; PER_NODE];
 
 /// A density of normals that is linear between the nodes of a table over `cos θ`.
 ///
@@ -35,10 +35,18 @@ type Node = [f32; PER_NODE];
 /// cell, so that a sample costs O(log n). The nodes are equally far apart in `cos θ`: near the zenith that is a tilt of
 /// `√(2/n)`, so lobes narrower than a few such tilts need another density or [`NdfMap`](crate::NdfMap).
 ///
-/// - **Storage:** three numbers for each node; [`IsotropicRef`] borrows them.
+/// - **Storage:** three numbers for each node, which [`Isotropic`] owns and [`IsotropicRef`] borrows.
 /// - **Masking and visible normals:** by [`Masked`](crate::Masked).
 /// - **Domain:** unit `m`, of which only the slope counts; `D = 0` for `m.z ≤ 0` and NaN.
 /// - **Accuracy:** `C` 1e-14; `T⁻¹(T(z)) = z` within 1e-5 where the density is not 0.
+///
+/// The radial case of Kautz, Heidrich, Seidel 2001, section 4, by one table instead of two.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct IsotropicIn<S> {
+    nodes: S,
+}
+
+/// A [density over the cosine](IsotropicIn) that owns its table.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Isotropic, Ndf, glam::Vec2};
@@ -48,16 +56,11 @@ type Node = [f32; PER_NODE];
 /// assert!(table.to_gaussian(table.from_gaussian(z)).abs_diff_eq(z, 1e-5));
 /// # Ok::<(), asperity_ndf_sampling::IsotropicError>(())
 /// ```
-///
-/// The radial case of Kautz, Heidrich, Seidel 2001, section 4, by one table instead of two.
 #[cfg(feature = "alloc")]
-#[derive(Clone, Debug, PartialEq)]
-pub struct Isotropic {
-    nodes: Vec<Node>,
-}
+pub type Isotropic = IsotropicIn<Vec<Node>>;
 
 #[cfg(feature = "alloc")]
-impl Isotropic {
+impl IsotropicIn<Vec<Node>> {
     /// The density that is proportional to `values` at equally spaced cosines, the first at the horizon, the last at the
     /// zenith.
     ///
@@ -81,25 +84,9 @@ impl Isotropic {
         let values: Vec<f32> = (0..nodes).map(|k| density(k as f32 / (nodes - 1) as f32)).collect();
         Self::new(&values)
     }
-
-    /// The table in its borrowed form, which has every call.
-    #[inline]
-    #[must_use]
-    pub fn view(&self) -> IsotropicRef<'_> {
-        IsotropicRef { nodes: &self.nodes }
-    }
-
-    /// The packed table: for each node its density and the distribution `C` in two parts.
-    #[must_use]
-    pub fn packed(&self) -> &[f32] {
-        self.nodes.as_flattened()
-    }
 }
 
-#[cfg(feature = "alloc")]
-delegate_ndf!(Isotropic, view, Radial);
-
-/// A table over the cosine, as of `Isotropic`, in borrowed storage: three numbers for each node, lying anywhere, as in flash.
+/// A [density over the cosine](IsotropicIn) in borrowed storage: three numbers for each node, lying anywhere, as in flash.
 ///
 /// ```
 /// use asperity_ndf_sampling::{IsotropicRef, Ndf, glam::Vec2};
@@ -110,12 +97,9 @@ delegate_ndf!(Isotropic, view, Radial);
 /// assert!(table.to_gaussian(table.from_gaussian(z)).abs_diff_eq(z, 1e-5));
 /// # Ok::<(), asperity_ndf_sampling::IsotropicError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct IsotropicRef<'a> {
-    nodes: &'a [Node],
-}
+pub type IsotropicRef<'a> = IsotropicIn<&'a [Node]>;
 
-impl<'a> IsotropicRef<'a> {
+impl<'a> IsotropicIn<&'a [Node]> {
     /// The density that is proportional to `values` at equally spaced cosines, the first at the horizon, the last at the
     /// zenith, in a `storage` of three numbers for each.
     ///
@@ -156,10 +140,12 @@ impl<'a> IsotropicRef<'a> {
         }
         Ok(Self { nodes: packed.as_chunks().0 })
     }
+}
 
+impl<S: Deref<Target = [Node]>> IsotropicIn<S> {
     /// The packed table: for each node its density and the distribution `C` in two parts.
     #[must_use]
-    pub const fn packed(self) -> &'a [f32] {
+    pub fn packed(&self) -> &[f32] {
         self.nodes.as_flattened()
     }
 
@@ -213,7 +199,7 @@ impl<'a> IsotropicRef<'a> {
     }
 }
 
-impl Ndf for IsotropicRef<'_> {
+impl<S: Deref<Target = [Node]>> Ndf for IsotropicIn<S> {
     #[inline]
     fn density(&self, m: Vec3) -> f32 {
         let (x, y, z) = (f64::from(m.x), f64::from(m.y), f64::from(m.z));
@@ -258,7 +244,7 @@ impl Ndf for IsotropicRef<'_> {
     }
 }
 
-impl Radial for IsotropicRef<'_> {
+impl<S: Deref<Target = [Node]>> Radial for IsotropicIn<S> {
     #[inline]
     fn exponent(&self, slope: f64) -> Option<f64> {
         let cos = 1.0 / math::sqrt_f64(1.0 + slope * slope);

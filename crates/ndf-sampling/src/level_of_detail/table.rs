@@ -1,15 +1,13 @@
 //! A texture of half vectors by which the exact level of detail of any density costs one look-up.
 
+#[cfg(feature = "alloc")]
 use alloc::vec::Vec;
+use core::ops::Deref;
 
-use glam::Vec2;
+use glam::{Vec2, Vec3, Vec3A};
 
 use crate::coordinates::GaussianSplit;
-use crate::level_of_detail::table_ref::{ConditionalTableRef, entry_half_vector};
-use crate::ndf::Ndf;
-use crate::normal_table::chart::Chart;
 use crate::normal_table::error::NormalTableError;
-use crate::numeric::normal_distribution::inverse_phi;
 use asperity_core::math;
 
 /// The coordinates `T⁻¹(h)` and the density `D(h)` of half vectors as a texture: all that `p_s(h | z_b)` needs.
@@ -20,6 +18,11 @@ use asperity_core::math;
 /// p_s(h | z_b) = weigh((D^¼)⁴, (z₁, z₂)),       see GaussianSplit::weigh
 /// ```
 ///
+/// Entries are at the centres of the texels, row by row from `p_y = −1`, and interpolated bilinearly; those beyond the rim of the
+/// disk |p| ≤ 1 hold the half vector on it.
+///
+/// - **Total:** half vectors below the horizon and NaN have the density 0; entries that are no numbers give some number that is
+///   at least 0.
 /// - **Any zoom, any place:** the table depends neither on `z_b` nor on `s`. It is 768 KB at 256², where a table over `h`, `z_b`
 ///   and `s` would have five dimensions.
 /// - **Its mean over the surface is its `D`, exactly:** the ratio of Gaussians has the mean 1 for whatever `z`, so an error of the
@@ -40,6 +43,14 @@ use asperity_core::math;
 /// | Student-t 0.3, γ = 1.6 | 0.0004 | 0.0002 | 0.0001 |
 /// | two painted lobes, 256² | 0.0070 | 0.0075 | 0.0105 |
 /// | a binary mask of 64² | 0.032 | 0.032 | 0.032 |
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ConditionalTableIn<S> {
+    pub(super) size: usize,
+    pub(super) stretch: Vec2,
+    pub(super) entries: S,
+}
+
+/// A [texture of half vectors](ConditionalTableIn) that owns its entries.
 ///
 /// ```
 /// use asperity_ndf_sampling::{ConditionalTable, GaussianSplit, Ggx, Ndf, conditional_density, glam::Vec2};
@@ -51,140 +62,126 @@ use asperity_core::math;
 /// assert!((table.view().density(h, GaussianSplit::new(z_b, 0.75)) / exact - 1.0).abs() < 0.01);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
-pub struct ConditionalTable {
-    size: usize,
-    stretch: Vec2,
-    entries: Vec<[f32; 3]>,
-}
+#[cfg(feature = "alloc")]
+pub type ConditionalTable = ConditionalTableIn<Vec<[f32; 3]>>;
 
-/// Accuracy of a [`ConditionalTable`], over 64 × 64 quantiles of the density.
+/// A [texture of half vectors](ConditionalTableIn) in borrowed storage, such as flash: `(z₁, z₂, D^¼)` of `size · size` half vectors.
 ///
-/// At the share `s` the coordinates' error shifts the lobe by `√s` of itself; its width is `√(1 − s)`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ConditionalAccuracy {
-    /// `½ ∫ |D′ − D| cos θ dω`, where the density has weight.
-    pub variation: f32,
-    /// The root of the mean square of `|T⁻¹′(h) − T⁻¹(h)|`, in standard deviations.
-    pub coordinates: f32,
-}
+/// ```
+/// use asperity_ndf_sampling::{ConditionalTableRef, GaussianSplit, glam::{Vec2, Vec3}};
+///
+/// // A density of 16 everywhere, whose coordinates are 0.
+/// static FLASH: [[f32; 3]; 1] = [[0.0, 0.0, 2.0]];
+/// let table = ConditionalTableRef::new(1, Vec2::ONE, &FLASH)?;
+/// assert_eq!(table.density(Vec3::Z, GaussianSplit::new(Vec2::ONE, 0.0)), 16.0);
+/// # Ok::<(), asperity_ndf_sampling::NormalTableError>(())
+/// ```
+pub type ConditionalTableRef<'a> = ConditionalTableIn<&'a [[f32; 3]]>;
 
-#[cfg(feature = "approx")]
-asperity_core::impl_approx! { f32; ConditionalAccuracy: accuracy => accuracy.variation, accuracy.coordinates; }
-
-/// Quantiles per side at which the accuracy is measured.
-const QUANTILES: usize = 64;
-
-/// Points per side at which `D` is averaged over a texel.
-const POINTS: usize = 4;
-
-/// `√(2 ln 2)`: half of the normals of any radial density are within this Gaussian coordinate.
-const MEDIAN: f32 = 1.177_41;
-
-/// The least stretch; below it the deviation of the narrowest densities ends.
-const LEAST_STRETCH: f32 = 1e-6;
-
-impl ConditionalTable {
-    /// The table of `ndf` with `size · size` entries.
+impl<'a> ConditionalTableIn<&'a [[f32; 3]]> {
+    /// The table of `size · size` entries with the stretch `c`; a stretch that is not positive counts as 1.
     ///
     /// # Errors
-    /// A `size` of 0 or above 4096.
-    pub fn new<N: Ndf + ?Sized>(ndf: &N, size: usize) -> Result<Self, NormalTableError> {
-        NormalTableError::check(size, None)?;
-        let stretch = deviation(ndf);
-        let entry = |column: usize, row: usize| {
-            let at = |x: f64, y: f64| entry_half_vector([column as f64 + x, row as f64 + y], size, stretch);
-            let z = ndf.to_gaussian(at(0.5, 0.5));
-            let mut sum = 0.0;
-            for (k, l) in (0..POINTS).flat_map(|k| (0..POINTS).map(move |l| (k, l))) {
-                let place = |k: usize| (k as f64 + 0.5) / POINTS as f64;
-                sum += f64::from(ndf.density(at(place(k), place(l))));
-            }
-            let mean = sum / (POINTS * POINTS) as f64;
-            [z.x, z.y, math::sqrt_f64(math::sqrt_f64(mean)) as f32]
-        };
-        let entries =
-            (0..size).flat_map(|row| (0..size).map(move |column| (column, row))).map(|(c, r)| entry(c, r));
-        Ok(Self { size, stretch, entries: entries.collect() })
+    /// A `size` of 0 or above 4096; another number of entries.
+    pub fn new(size: usize, stretch: Vec2, entries: &'a [[f32; 3]]) -> Result<Self, NormalTableError> {
+        let positive = |c: f32| if c > 0.0 && c.is_finite() { c } else { 1.0 };
+        NormalTableError::check(size, Some(entries.len()))?;
+        Ok(Self { size, stretch: Vec2::new(positive(stretch.x), positive(stretch.y)), entries })
     }
 
-    /// The table as its borrowed form, which has every look-up.
+    /// The entries, row by row.
+    #[inline]
+    #[must_use]
+    pub const fn entries(self) -> &'a [[f32; 3]] {
+        self.entries
+    }
+}
+
+impl<S> ConditionalTableIn<S> {
+    /// The number of entries along a side.
+    #[inline]
+    #[must_use]
+    pub const fn size(&self) -> usize {
+        self.size
+    }
+
+    /// The stretch `c` along x and y.
+    #[inline]
+    #[must_use]
+    pub const fn stretch(&self) -> Vec2 {
+        self.stretch
+    }
+}
+
+impl<S: Deref<Target = [[f32; 3]]>> ConditionalTableIn<S> {
+    /// The table as its borrowed form.
     #[inline]
     #[must_use]
     pub fn view(&self) -> ConditionalTableRef<'_> {
-        ConditionalTableRef { size: self.size, stretch: self.stretch, entries: &self.entries }
+        ConditionalTableIn { size: self.size, stretch: self.stretch, entries: &self.entries }
     }
 
-    /// Accuracy of the look-up against `ndf`, of which the table is; see [`ConditionalAccuracy`].
+    /// `p_s(h | z_b)` for what the pixel resolves, in sr⁻¹; its mean over the surface is that of `s = 0`, to rounding.
+    #[inline]
     #[must_use]
-    pub fn accuracy<N: Ndf + ?Sized>(&self, ndf: &N) -> ConditionalAccuracy {
-        let quantile = |k: usize| inverse_phi((k as f64 + 0.5) / QUANTILES as f64) as f32;
-        let (mut ratios, mut squares, mut weight) = (0.0, 0.0, 0.0);
-        for (k, l) in (0..QUANTILES).flat_map(|k| (0..QUANTILES).map(move |l| (k, l))) {
-            let h = ndf.from_gaussian(Vec2::new(quantile(k), quantile(l)));
-            let exact = f64::from(ndf.density(h));
-            // The rounding of a normal at a border may leave what the density holds.
-            if exact > 0.0 {
-                let got = f64::from(self.view().density(h, GaussianSplit::new(Vec2::ZERO, 0.0)));
-                let z = self.view().to_gaussian(h) - ndf.to_gaussian(h);
-                ratios += 0.5 * (got / exact - 1.0).abs();
-                squares += f64::from(z.x * z.x + z.y * z.y);
-                weight += 1.0;
-            }
-        }
-        let mean = |sum: f64| if weight > 0.0 { sum / weight } else { 0.0 };
-        ConditionalAccuracy {
-            variation: mean(ratios) as f32,
-            coordinates: math::sqrt_f64(mean(squares)) as f32,
-        }
+    pub fn density(&self, h: Vec3, split: GaussianSplit) -> f32 {
+        let [z1, z2, root] = self.interpolated(h);
+        let density = (root * root) * (root * root);
+        if h.z > 0.0 && density > 0.0 { split.weigh(density.min(f32::MAX), Vec2::new(z1, z2)) } else { 0.0 }
     }
-}
 
-/// The slopes along x and y that half of the normals do not exceed; at most 1, where the map needs no stretching.
-fn deviation<N: Ndf + ?Sized>(ndf: &N) -> Vec2 {
-    let slope = |z: Vec2| Chart::Slopes.to_point(ndf.from_gaussian(z));
-    let x = slope(Vec2::new(MEDIAN, 0.0)).x - slope(Vec2::new(-MEDIAN, 0.0)).x;
-    let y = slope(Vec2::new(0.0, MEDIAN)).y - slope(Vec2::new(0.0, -MEDIAN)).y;
-    let bounded = |c: f32| (0.5 * c.abs()).clamp(LEAST_STRETCH, 1.0);
-    Vec2::new(bounded(x), bounded(y))
+    /// `T⁻¹(h)`, interpolated.
+    #[inline]
+    #[must_use]
+    pub fn to_gaussian(&self, h: Vec3) -> Vec2 {
+        let [z1, z2, _] = self.interpolated(h);
+        Vec2::new(z1, z2)
+    }
+
+    #[inline]
+    fn interpolated(&self, h: Vec3) -> [f32; 3] {
+        let (x, y) = (h.x / self.stretch.x, h.y / self.stretch.y);
+        let length = math::sqrt(x * x + y * y + h.z * h.z);
+        let last = (self.size - 1) as f32;
+        // Zero, NaN and what overflows is NaN here, which `max` takes to the first entry.
+        let position = |c: f32| {
+            let p = c / (length + h.z.max(0.0));
+            ((0.5 * p + 0.5) * self.size as f32 - 0.5).max(0.0).min(last)
+        };
+        let (x, y) = (position(x), position(y));
+        let before_last = self.size.saturating_sub(2);
+        let (column, row) = ((x as usize).min(before_last), (y as usize).min(before_last));
+        let (right, up) = (x - column as f32, y - row as f32);
+        let below = row * self.size + column;
+        let (Some(&[a, b, ..]), Some(&[c, d, ..])) =
+            (self.entries.get(below..), self.entries.get(below + self.size..))
+        else {
+            // A table of one entry.
+            return self.entries.first().copied().unwrap_or_default();
+        };
+        let [a, b, c, d] = [a, b, c, d].map(Vec3A::from_array);
+        let (low, high) = (a + (b - a) * right, c + (d - c) * right);
+        (low + (high - low) * up).to_array()
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Beckmann, Ggx};
-    use asperity_core::assert_abs_diff_eq;
-    use glam::Vec3;
 
     #[test]
-    fn stretch_is_the_roughness_of_ggx() {
-        let stretch = ConditionalTable::new(&Ggx::new(0.003, 0.5).unwrap(), 2).unwrap().stretch;
-        assert_abs_diff_eq!(stretch.x / 0.003, 1.0, epsilon = 1e-5);
-        assert_abs_diff_eq!(stretch.y / 0.5, 1.0, epsilon = 1e-5);
-        // Beckmann's slopes are closer together: √ln 2 of the roughness.
-        let stretch = ConditionalTable::new(&Beckmann::isotropic(0.3).unwrap(), 2).unwrap().stretch;
-        assert_abs_diff_eq!(stretch.x / 0.249_77, 1.0, epsilon = 1e-4);
-    }
-
-    #[test]
-    fn one_entry_is_a_constant() {
-        let ggx = Ggx::isotropic(0.5).unwrap();
-        let table = ConditionalTable::new(&ggx, 1).unwrap();
-        let split = GaussianSplit::new(Vec2::new(0.3, -0.4), 0.0);
-        assert_eq!(
-            table.view().density(Vec3::Z, split),
-            table.view().density(Vec3::new(0.6, 0.0, 0.8), split)
-        );
-    }
-
-    #[test]
-    fn accuracy_grows_with_the_square_of_the_size() {
-        let beckmann = Beckmann::new(0.01, 0.4).unwrap();
-        let [coarse, fine] =
-            [64, 128].map(|size| ConditionalTable::new(&beckmann, size).unwrap().accuracy(&beckmann));
-        assert!(coarse.variation < 3e-3 && coarse.coordinates < 4e-3, "{coarse:?}");
-        for ratio in [coarse.variation / fine.variation, coarse.coordinates / fine.coordinates] {
-            assert_abs_diff_eq!(ratio / 4.0, 1.0, epsilon = 0.1, "{coarse:?} {fine:?}");
+    fn total_on_every_input() {
+        let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, 1e-40, 1e38, -1.0];
+        let entries =
+            [[f32::NAN, 1.0, 2.0], [1.0, f32::INFINITY, 1e30], [0.0, 0.0, f32::NAN], [1e38, -1e38, -1.0]];
+        for stretch in [Vec2::ONE, Vec2::new(1e-6, f32::NAN), Vec2::new(-1.0, 0.0)] {
+            let table = ConditionalTableRef::new(2, stretch, &entries).unwrap();
+            for (x, y) in bad.into_iter().flat_map(|x| bad.map(|y| (x, y))) {
+                for z in bad {
+                    let p = table.density(Vec3::new(x, y, z), GaussianSplit::new(Vec2::ONE, 0.5));
+                    assert!(p.is_finite() && p >= 0.0, "{x} {y} {z}: {p}");
+                }
+            }
         }
     }
 }

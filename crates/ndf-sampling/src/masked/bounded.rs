@@ -1,6 +1,8 @@
 //! Densities with a bound over any part of the hemisphere.
 
-use crate::density::isotropic::{Isotropic, IsotropicRef};
+use core::ops::Deref;
+
+use crate::density::isotropic::{IsotropicIn, Node};
 use crate::map::packed::ndf_map::NdfMap;
 use crate::masked::wedge::Wedge;
 use crate::ndf::Ndf;
@@ -40,13 +42,7 @@ impl Bounded for NdfMap {
     }
 }
 
-impl Bounded for Isotropic {
-    fn most(&self, wedge: Wedge) -> f32 {
-        self.view().most(wedge)
-    }
-}
-
-impl Bounded for IsotropicRef<'_> {
+impl<S: Deref<Target = [Node]>> Bounded for IsotropicIn<S> {
     fn most(&self, wedge: Wedge) -> f32 {
         self.most_between(1.0 - wedge.tilts[1], 1.0 - wedge.tilts[0])
     }

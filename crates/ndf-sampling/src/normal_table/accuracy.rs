@@ -6,8 +6,7 @@ use glam::{Vec2, Vec3};
 
 use crate::frame::Frame;
 use crate::ndf::Ndf;
-use crate::normal_table::table::{NormalTable, entry_coordinate};
-use crate::normal_table::table_ref::NormalTableRef;
+use crate::normal_table::table::{NormalTable, NormalTableRef, entry_coordinate};
 use crate::numeric::normal_distribution::phi;
 use asperity_core::math;
 
@@ -73,8 +72,7 @@ impl NormalTable {
             for &(x, along) in &cells {
                 let (z, weight) = (Vec2::new(x, y), along * across);
                 let n = ndf.from_gaussian(z);
-                let view = self.view();
-                let found = [view.nearest_normal(z), view.bilinear_normal(z), halves.bilinear_normal(z)];
+                let found = [self.nearest_normal(z), self.bilinear_normal(z), halves.bilinear_normal(z)];
                 sums.iter_mut().zip(found).for_each(|(sum, found)| sum.add(angle(found, n), weight));
             }
         }

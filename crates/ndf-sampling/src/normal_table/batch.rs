@@ -1,28 +1,31 @@
 //! Look-ups of many normals at once: the work in passes over short blocks, which the compiler turns into vector code.
 
+use core::ops::Deref;
+
 use glam::{Vec2, Vec3};
 
 use crate::normal_table::chart::Chart;
 use crate::normal_table::layout::TableEntry;
 use crate::normal_table::spacing::Spacing;
-use crate::normal_table::table_ref::NormalTableRef;
+use crate::normal_table::table::{NormalTableIn, NormalTableRef};
 use asperity_core::BatchError;
 
 /// Normals per pass: their numbers fit the first cache beside the table.
 const BLOCK: usize = 64;
 
-impl<E: TableEntry> NormalTableRef<'_, E> {
-    /// [`NormalTableRef::nearest_normal`] of many coordinates at once, with the same results.
+impl<E: TableEntry, S: Deref<Target = [E]>> NormalTableIn<S> {
+    /// [`NormalTableIn::nearest_normal`] of many coordinates at once, with the same results.
     ///
     /// # Errors
     /// Arrays of different lengths; nothing is written then.
-    pub fn nearest_normals(self, z: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
+    pub fn nearest_normals(&self, z: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
         BatchError::check_all(&[("z", &z)], ("m", &m))?;
-        self.in_blocks(z, m, |place| self.position(place), |x, y| self.nearest_point(x, y));
+        let table = self.view();
+        table.in_blocks(z, m, |place| table.position(place), |x, y| table.nearest_point(x, y));
         Ok(())
     }
 
-    /// [`NormalTableRef::bilinear_normal`] of many coordinates at once, with the same results.
+    /// [`NormalTableIn::bilinear_normal`] of many coordinates at once, with the same results.
     ///
     /// # Errors
     /// Arrays of different lengths; nothing is written then.
@@ -38,12 +41,15 @@ impl<E: TableEntry> NormalTableRef<'_, E> {
     /// assert_eq!(Vec3::new(x[1], y[1], z[1]), table.bilinear_normal(Vec2::new(-1.0, 0.7)));
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
-    pub fn bilinear_normals(self, z: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
+    pub fn bilinear_normals(&self, z: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
         BatchError::check_all(&[("z", &z)], ("m", &m))?;
-        self.in_blocks(z, m, |place| self.cell(self.position(place)), |x, y| self.bilinear_point(x, y));
+        let table = self.view();
+        table.in_blocks(z, m, |place| table.cell(table.position(place)), |x, y| table.bilinear_point(x, y));
         Ok(())
     }
+}
 
+impl<E: TableEntry> NormalTableRef<'_, E> {
     /// Places among the entries, points and normals in turn, each for a whole block.
     #[inline]
     fn in_blocks<P: Copy + Default>(

@@ -19,7 +19,7 @@ pub struct TableLayout {
 }
 
 /// An entry of a table of normals: a point of its [`Chart`], as two floats or as the bits of two half floats.
-pub trait TableEntry: Copy + sealed::Sealed {
+pub trait TableEntry: Copy + sealed::Sealed + 'static {
     /// The point of the chart.
     #[must_use]
     fn point(self) -> Vec2;

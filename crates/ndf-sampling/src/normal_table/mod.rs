@@ -7,9 +7,7 @@ pub(crate) mod chart;
 pub(crate) mod error;
 pub(crate) mod layout;
 pub(crate) mod spacing;
-#[cfg(feature = "alloc")]
 pub(crate) mod table;
-pub(crate) mod table_ref;
 
 #[cfg(feature = "alloc")]
 pub use accuracy::{Deviation, TableAccuracy};
@@ -19,6 +17,6 @@ pub use layout::{TableEntry, TableLayout};
 pub use spacing::Spacing;
 #[cfg(feature = "alloc")]
 pub use table::NormalTable;
-pub use table_ref::NormalTableRef;
+pub use table::{NormalTableIn, NormalTableRef};
 
 pub use crate::numeric::binary16::{MAX_HALF, from_half, to_half};

@@ -1,25 +1,37 @@
 //! Table L: tangent frames over a square of Gaussian coordinates, for normals by one look-up.
 
+#[cfg(feature = "alloc")]
 use alloc::vec::Vec;
+use core::ops::Deref;
 
-use glam::{Vec2, Vec3};
+use glam::{Vec2, Vec3, Vec4, Vec4Swizzles};
 
 use crate::frame::Frame;
+#[cfg(feature = "alloc")]
 use crate::ndf::Ndf;
 use crate::normal_table::error::NormalTableError;
 use crate::normal_table::layout::{TableEntry, TableLayout};
+#[cfg(feature = "alloc")]
 use crate::normal_table::spacing::Spacing;
-use crate::normal_table::table_ref::NormalTableRef;
-use crate::numeric::binary16::to_half;
+#[cfg(feature = "alloc")]
+use crate::numeric::binary16::{MAX_HALF, to_half};
 
 /// The table `L` of a normal density: the normals `T(z)` on a square grid of Gaussian coordinates, looked up as frames.
 ///
 /// ```text
-/// entry (k₁, k₂) = p(T(z_k₁, z_k₂)),   place(z_k) = (k + ½)/size,   k = 0 … size − 1
+/// entries[k₂ size + k₁] = p(T(z_k₁, z_k₂)),   place(z_k) = (k + ½)/size,   k = 0 … size − 1
 /// ```
 ///
-/// See [`Spacing`] for the places, [`Chart`](crate::normal_table::Chart) for the two numbers `p` of a normal that an entry holds, and [`NormalTableRef`],
-/// which has the look-ups, for half texels, frames and behaviour at the ends.
+/// with the place of a coordinate from the [`Spacing`] and the two numbers `p` of a normal from the
+/// [`Chart`](crate::normal_table::Chart) of the layout. [`NormalTable`] owns its entries; [`NormalTableRef`] borrows floats or half floats, in flash
+/// or in a file's bytes.
+///
+/// - **Total:** coordinates beyond the outermost entries give those, NaN counts as 0; entries that are no points of the chart
+///   count as the nearest that is one. Results are unit vectors with `n.z ≥ 0`.
+/// - **Half a texel:** entries are at the centres of `size²` equal texels, as in a texture with the coordinate `place(z)`. A
+///   table of even size has no entry at `z = 0`: the nearest to the flat bump map is tilted by half a texel.
+/// - **Frames** are minimal rotations from (0, 0, 1), see [`Frame::from_normal`]: without a seam, and between two normals they
+///   turn at most √2 times as far as the normal does.
 ///
 /// Total variation between the normals of a table of 256² and GGX (0.2, 0.4) over 32 × 32 bins of radius and azimuth
 /// (6.3·10⁶ points, whose own is 0.00040), and the share of the target's steepest 0.1 % that the table keeps:
@@ -39,6 +51,18 @@ use crate::numeric::binary16::to_half;
 /// Look-ups of many, one thread: 4 ns nearest, 8 ns bilinear, 10 ns warped, 15 ns from half floats; alone, 16 and 29 ns.
 /// The points' own tail is 0.994. In half floats the default's 0.00042 become 0.0006.
 ///
+/// Kautz, Heidrich, Seidel 2001, section 4. The paper indexes by the noise value with G inside, and leaves open what is
+/// between entries; this table is indexed by `z`, so that one table serves every noise, and interpolated. [`NormalTable::from_fn`]
+/// makes the paper's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NormalTableIn<S> {
+    pub(crate) size: usize,
+    pub(crate) layout: TableLayout,
+    pub(crate) entries: S,
+}
+
+/// A [table `L`](NormalTableIn) that owns its entries.
+///
 /// ```
 /// use asperity_ndf_sampling::{Ggx, Ndf, NormalTable, glam::Vec2};
 ///
@@ -51,20 +75,157 @@ use crate::numeric::binary16::to_half;
 /// assert!(table.accuracy(&ggx).bilinear.largest < 0.0014);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-///
-/// Kautz, Heidrich, Seidel 2001, section 4. The paper indexes by the noise value with G inside, and leaves open what is
-/// between entries; this table is indexed by `z`, so that one table serves every noise, and interpolated. [`NormalTable::from_fn`]
-/// makes the paper's.
-#[derive(Clone, Debug, PartialEq)]
+#[cfg(feature = "alloc")]
 #[doc(alias = "lut")]
 #[doc(alias = "texture")]
-pub struct NormalTable {
-    size: usize,
-    layout: TableLayout,
-    entries: Vec<[f32; 2]>,
+pub type NormalTable = NormalTableIn<Vec<[f32; 2]>>;
+
+/// A [table `L`](NormalTableIn) in borrowed storage, of floats or half floats.
+///
+/// ```
+/// use asperity_ndf_sampling::{NormalTableRef, glam::{Vec2, Vec3}, normal_table::{TableLayout, to_half}};
+///
+/// // Four entries in read-only memory: the x-coordinate of the normal is 0.6, 0.0 and below −0.6.
+/// static FLASH: [[f32; 2]; 4] = [[-0.5, 0.0], [0.5, 0.0], [-0.5, 0.0], [0.5, 0.0]];
+/// let table = NormalTableRef::new(2, TableLayout::default(), &FLASH)?;
+/// assert_eq!(table.bilinear(Vec2::ZERO).normal, Vec3::Z);
+/// assert_eq!(table.nearest(Vec2::ONE).normal, Vec3::new(0.8, 0.0, 0.6));
+///
+/// let halves = FLASH.map(|p| p.map(to_half));
+/// let table = NormalTableRef::new(2, TableLayout::default(), &halves)?;
+/// assert_eq!(table.nearest(Vec2::ONE).normal, Vec3::new(0.8, 0.0, 0.6));
+/// # Ok::<(), asperity_ndf_sampling::NormalTableError>(())
+/// ```
+///
+/// A flat slice `&[f32]` or `&[u16]` is such a slice of pairs by `as_chunks`.
+pub type NormalTableRef<'a, E = [f32; 2]> = NormalTableIn<&'a [E]>;
+
+impl<'a, E> NormalTableIn<&'a [E]> {
+    /// The table of `size · size` entries.
+    ///
+    /// # Errors
+    /// A `size` of 0 or above 4096; another number of entries.
+    pub const fn new(size: usize, layout: TableLayout, entries: &'a [E]) -> Result<Self, NormalTableError> {
+        match NormalTableError::check(size, Some(entries.len())) {
+            Ok(()) => Ok(Self { size, layout, entries }),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The entries, row by row: `z₁` runs along a row, and the first row has the least `z₂`.
+    #[inline]
+    #[must_use]
+    pub const fn entries(self) -> &'a [E] {
+        self.entries
+    }
 }
 
-impl NormalTable {
+impl<S> NormalTableIn<S> {
+    /// The number of entries along a side.
+    #[inline]
+    #[must_use]
+    pub const fn size(&self) -> usize {
+        self.size
+    }
+
+    /// Index and entries of the table.
+    #[inline]
+    #[must_use]
+    pub const fn layout(&self) -> TableLayout {
+        self.layout
+    }
+}
+
+impl<E: TableEntry, S: Deref<Target = [E]>> NormalTableIn<S> {
+    /// The table as its borrowed form.
+    #[inline]
+    #[must_use]
+    pub fn view(&self) -> NormalTableRef<'_, E> {
+        NormalTableIn { size: self.size, layout: self.layout, entries: &self.entries }
+    }
+
+    /// The frames of the entries, row by row: `z₁` runs along a row, and the first row has the least `z₂`.
+    #[must_use]
+    pub fn frames(&self) -> impl ExactSizeIterator<Item = Frame> + Clone {
+        let chart = self.layout.chart;
+        self.entries.iter().map(move |entry| Frame::from_normal(chart.to_normal(entry.point())))
+    }
+
+    /// The frame of the entry nearest to `z`.
+    #[inline]
+    #[must_use]
+    pub fn nearest(&self, z: Vec2) -> Frame {
+        Frame::from_normal(self.nearest_normal(z))
+    }
+
+    /// The frame of the normal that is interpolated between the four entries around `z`.
+    #[inline]
+    #[must_use]
+    pub fn bilinear(&self, z: Vec2) -> Frame {
+        Frame::from_normal(self.bilinear_normal(z))
+    }
+
+    /// The normal of the entry nearest to `z`.
+    #[inline]
+    #[must_use]
+    pub fn nearest_normal(&self, z: Vec2) -> Vec3 {
+        let [x, y] = [z.x, z.y].map(|z| self.position(self.layout.spacing.place(z)));
+        self.layout.chart.to_normal(self.nearest_point(x, y))
+    }
+
+    /// The normal whose point of the chart is interpolated bilinearly between the four entries around `z`.
+    #[inline]
+    #[must_use]
+    pub fn bilinear_normal(&self, z: Vec2) -> Vec3 {
+        let [x, y] = [z.x, z.y].map(|z| self.cell(self.position(self.layout.spacing.place(z))));
+        self.layout.chart.to_normal(self.bilinear_point(x, y))
+    }
+
+    /// The position among the entries, in `0..=size − 1`, of what has this place in [0, 1].
+    #[inline]
+    pub(crate) fn position(&self, place: f32) -> f32 {
+        // min and max rather than clamp: no case of NaN, and vector code has them.
+        (place * self.size as f32 - 0.5).max(0.0).min((self.size - 1) as f32)
+    }
+
+    /// The entry nearest to the position.
+    #[inline]
+    pub(crate) fn nearest_point(&self, x: f32, y: f32) -> Vec2 {
+        let index = (y + 0.5) as i32 as usize * self.size + (x + 0.5) as i32 as usize;
+        self.entries.get(index).map_or(Vec2::ZERO, |entry| entry.point())
+    }
+
+    /// The cell between two entries in which a position lies, and how far: the last entry is the end of the last cell.
+    #[inline]
+    pub(crate) fn cell(&self, position: f32) -> (i32, f32) {
+        let cell = (position as i32).min(self.size.saturating_sub(2) as i32);
+        (cell, position - cell as f32)
+    }
+
+    /// The point between the four entries around a cell.
+    #[inline]
+    pub(crate) fn bilinear_point(&self, (column, right): (i32, f32), (row, up): (i32, f32)) -> Vec2 {
+        let (below, size) = (row as usize * self.size + column as usize, self.size);
+        let (Some(&[a, b, ..]), Some(&[c, d, ..])) =
+            (self.entries.get(below..), self.entries.get(below + size..))
+        else {
+            // A table of one entry.
+            return self.entries.first().map_or(Vec2::ZERO, |entry| entry.point());
+        };
+        // Along the columns first: two entries of a row are four numbers, one vector.
+        let pair = |a: E, b: E| {
+            let (a, b) = (a.point(), b.point());
+            Vec4::new(a.x, a.y, b.x, b.y)
+        };
+        let (low, high) = (pair(a, b), pair(c, d));
+        let between = low + (high - low) * up;
+        let (a, b) = (between.xy(), between.zw());
+        a + (b - a) * right
+    }
+}
+
+#[cfg(feature = "alloc")]
+impl NormalTableIn<Vec<[f32; 2]>> {
     /// The usual size of a side.
     pub const SIZE: usize = 256;
 
@@ -119,49 +280,6 @@ impl NormalTable {
         Self { size, layout, entries }
     }
 
-    /// The number of entries along a side.
-    #[inline]
-    #[must_use]
-    pub const fn size(&self) -> usize {
-        self.size
-    }
-
-    /// Index and entries of the table.
-    #[inline]
-    #[must_use]
-    pub const fn layout(&self) -> TableLayout {
-        self.layout
-    }
-
-    /// The table as its borrowed form, which has every look-up.
-    #[inline]
-    #[must_use]
-    pub fn view(&self) -> NormalTableRef<'_> {
-        // The entries are size² by construction.
-        NormalTableRef { size: self.size, layout: self.layout, entries: &self.entries }
-    }
-
-    /// The frames of the entries, row by row: `z₁` runs along a row, and the first row has the least `z₂`.
-    #[must_use]
-    pub fn frames(&self) -> impl ExactSizeIterator<Item = Frame> + Clone + '_ {
-        let chart = self.layout.chart;
-        self.entries.iter().map(move |entry| Frame::from_normal(chart.to_normal(entry.point())))
-    }
-
-    /// The frame of the entry nearest to `z`.
-    #[inline]
-    #[must_use]
-    pub fn nearest(&self, z: Vec2) -> Frame {
-        self.view().nearest(z)
-    }
-
-    /// The frame of the normal that is interpolated between the four entries around `z`.
-    #[inline]
-    #[must_use]
-    pub fn bilinear(&self, z: Vec2) -> Frame {
-        self.view().bilinear(z)
-    }
-
     /// The entries as half floats, two each: a texture of the format RG16F, which hardware interpolates.
     ///
     /// Look-ups on the CPU: [`NormalTableRef::new`] of the result. Rounding turns the normals by at most 4.9e-4 rad in the
@@ -169,19 +287,18 @@ impl NormalTable {
     /// slopes beyond [`MAX_HALF`](crate::normal_table::MAX_HALF) become that.
     #[must_use]
     pub fn halves(&self) -> Vec<[u16; 2]> {
-        let half = |c: f32| {
-            to_half(c.clamp(-crate::numeric::binary16::MAX_HALF, crate::numeric::binary16::MAX_HALF))
-        };
+        let half = |c: f32| to_half(c.clamp(-MAX_HALF, MAX_HALF));
         self.entries.iter().map(|entry| entry.map(half)).collect()
     }
 }
 
 /// The coordinate of entry `k`.
+#[cfg(feature = "alloc")]
 pub(crate) fn entry_coordinate(spacing: Spacing, k: usize, size: usize) -> f32 {
     spacing.coordinate(((2 * k + 1) as f64 / (2 * size) as f64) as f32)
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "alloc"))]
 mod tests {
     extern crate std;
     use super::*;
@@ -229,6 +346,43 @@ mod tests {
         for (half, frame) in halves.iter().zip(table.frames()) {
             let rounded = table.layout.chart.to_normal(half.point());
             assert_abs_diff_eq!((rounded - frame.normal).length(), 0.0, epsilon = 4.9e-4);
+        }
+    }
+
+    #[test]
+    fn can_be_a_constant() {
+        static FLASH: [[u16; 2]; 1] = [[0x3800, 0]];
+        const TABLE: NormalTableRef<'static, [u16; 2]> = match NormalTableRef::new(
+            1,
+            TableLayout { spacing: Spacing::Warped, chart: Chart::Projected },
+            &FLASH,
+        ) {
+            Ok(table) => table,
+            Err(_) => panic!("one entry"),
+        };
+        let n = TABLE.bilinear(Vec2::new(3.0, f32::NAN)).normal;
+        assert_abs_diff_eq!(n, Vec3::new(0.5, 0.0, 0.75_f32.sqrt()), epsilon = 1e-7);
+    }
+
+    #[test]
+    fn total_on_every_input() {
+        let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e38, -1e38, 1e-40, 0.0];
+        let points = bad.map(|x| [x, 2.0]);
+        for (chart, spacing) in [
+            (Chart::Stereographic, Spacing::Coordinates),
+            (Chart::Slopes, Spacing::Quantiles),
+            (Chart::Projected, Spacing::Warped),
+        ] {
+            for size in [1, 2] {
+                let entries = points.get(..size * size).unwrap();
+                let table = NormalTableRef::new(size, TableLayout { spacing, chart }, entries).unwrap();
+                for (x, y) in bad.into_iter().flat_map(|x| bad.map(|y| (x, y))) {
+                    for n in [table.nearest_normal(Vec2::new(x, y)), table.bilinear_normal(Vec2::new(x, y))] {
+                        assert_abs_diff_eq!(n.length(), 1.0, epsilon = 1e-6, "{chart:?} {size} {x} {y}");
+                        assert!(n.z >= 0.0, "{chart:?} {size} {x} {y}");
+                    }
+                }
+            }
         }
     }
 }

@@ -1,17 +1,47 @@
-//! An environment that owns its image and the table of its samples.
+//! An environment with samples in proportion to its brightness.
 
-use alloc::vec;
-use alloc::vec::Vec;
+#[cfg(feature = "alloc")]
+use alloc::{vec, vec::Vec};
+use core::ops::Deref;
 
 use glam::{Vec2, Vec3};
 
-use crate::environment::distribution_2d::{fill, table_len};
-use crate::environment::environment_ref::EnvironmentRef;
-use crate::environment::interface::Environment;
-use crate::environment::latitude_longitude::{LatitudeLongitude, MAX_TEXELS};
-use crate::image::{ImageError, texel_count};
+use crate::environment::distribution_2d::{Tables, fill, table_len};
+use crate::environment::interface::{Environment, uniform_sphere};
+#[cfg(feature = "alloc")]
+use crate::environment::latitude_longitude::MAX_TEXELS;
+use crate::environment::latitude_longitude::{LatitudeLongitude, LatitudeLongitudeIn};
+use crate::image::ImageError;
+#[cfg(feature = "alloc")]
+use crate::image::texel_count;
 
-/// An [`EnvironmentRef`] that owns its texels and its table.
+/// An image by latitude and longitude with the table from which its samples are drawn.
+///
+/// [`EnvironmentMap`] owns both, [`EnvironmentRef`] borrows them.
+///
+/// ```text
+/// p(ω) = l(φ, z)/∫ l dω,   l bilinear in longitude and in height z between the centres of the texels
+/// ```
+///
+/// - **Look-up:** see [`LatitudeLongitude`].
+/// - **Density:** `l` is the mean of the three channels. Along a row it is proportional to the brightness; between rows it goes with
+///   z where the look-up goes with the angle, so that all is in closed form: the marginal distribution over z and the
+///   conditional one over longitude are quadratic between centres, and inverted exactly. Wherever the image is bright the
+///   density is positive. Its integral is 1. A black image is sampled uniformly.
+/// - **Accuracy:** sums are made in `f64` and kept in `f32`: a texel with less than 10⁻⁷ of its row's light may get too few samples.
+///
+/// The marginal and conditional functions are those of Pharr, Jakob, Humphreys 2023, *Physically Based Rendering*, 4th edition,
+/// §12.5; bilinear where theirs are constant.
+#[doc(alias = "hdri")]
+#[doc(alias = "ibl")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EnvironmentIn<S, T> {
+    image: LatitudeLongitudeIn<S>,
+    table: T,
+    total: f32,
+}
+
+/// An [environment](EnvironmentIn) that owns its texels and its table.
 ///
 /// ```
 /// use asperity_shading::{Environment, EnvironmentMap, glam::{Vec2, Vec3}};
@@ -25,27 +55,70 @@ use crate::image::{ImageError, texel_count};
 #[doc(alias = "ibl")]
 #[doc(alias = "skybox")]
 #[doc(alias = "equirectangular")]
-#[derive(Clone, Debug, PartialEq)]
-pub struct EnvironmentMap {
-    width: usize,
-    height: usize,
-    texels: Vec<Vec3>,
-    poles: [Vec3; 2],
-    table: Vec<f32>,
-    total: f32,
+#[cfg(feature = "alloc")]
+pub type EnvironmentMap = EnvironmentIn<Vec<Vec3>, Vec<f32>>;
+
+/// An [environment](EnvironmentIn) in borrowed storage.
+///
+/// ```
+/// use asperity_shading::{Environment, EnvironmentRef, glam::{Vec2, Vec3}};
+///
+/// // A sky with a sun.
+/// let mut texels = [Vec3::new(0.2, 0.4, 0.9); 16 * 8];
+/// texels[2 * 16 + 8] = Vec3::splat(5000.0);
+/// let mut table = [0.0; EnvironmentRef::table_len(16, 8)];
+/// let sky = EnvironmentRef::new(16, 8, &texels, &mut table)?;
+///
+/// let towards_sun = sky.sample(Vec2::new(0.5, 0.5));
+/// assert!(sky.radiance(towards_sun).x > 100.0);
+/// // All directions would have 0.08 sr⁻¹.
+/// assert!(sky.density(towards_sun) > 1.0 && sky.density(Vec3::NEG_Z) < 0.001);
+/// # Ok::<(), asperity_shading::ImageError>(())
+/// ```
+pub type EnvironmentRef<'a> = EnvironmentIn<&'a [Vec3], &'a [f32]>;
+
+impl<'a> EnvironmentRef<'a> {
+    /// The numbers that the table of an image of this size holds; 0 where there is no such image.
+    #[must_use]
+    pub const fn table_len(width: usize, height: usize) -> usize {
+        match table_len(width, height) {
+            Ok(len) => len,
+            Err(_) => 0,
+        }
+    }
+
+    /// The environment of these texels; `table` is filled.
+    ///
+    /// # Errors
+    /// The errors of [`LatitudeLongitude::new`], and for a table whose length is not
+    /// [`EnvironmentRef::table_len`].
+    pub fn new(
+        width: usize,
+        height: usize,
+        texels: &'a [Vec3],
+        table: &'a mut [f32],
+    ) -> Result<Self, ImageError> {
+        let image = LatitudeLongitude::new(width, height, texels)?;
+        let needed = table_len(width, height)?;
+        if table.len() != needed {
+            return Err(ImageError::TableMismatch { needed, len: table.len() });
+        }
+        let total = fill(image, table);
+        Ok(Self { image, table, total })
+    }
 }
 
+#[cfg(feature = "alloc")]
 impl EnvironmentMap {
     /// The environment of these texels, laid out as in [`LatitudeLongitude`].
     ///
     /// # Errors
     /// The errors of [`LatitudeLongitude::new`].
     pub fn new(width: usize, height: usize, texels: Vec<Vec3>) -> Result<Self, ImageError> {
-        let image = LatitudeLongitude::new(width, height, &texels)?;
+        let image = LatitudeLongitudeIn::new(width, height, texels)?;
         let mut table = vec![0.0; table_len(width, height)?];
-        let total = fill(&image, &mut table);
-        let poles = image.poles();
-        Ok(Self { width, height, texels, poles, table, total })
+        let total = fill(image.view(), &mut table);
+        Ok(Self { image, table, total })
     }
 
     /// The environment of a function of unit directions, taken at the centres of the texels.
@@ -59,47 +132,104 @@ impl EnvironmentMap {
         }
         Self::new(width, height, texels)
     }
+}
 
+impl<S: Deref<Target = [Vec3]>, T: Deref<Target = [f32]>> EnvironmentIn<S, T> {
     /// Borrowed view of the environment.
     #[must_use]
     pub fn as_ref(&self) -> EnvironmentRef<'_> {
-        let image = LatitudeLongitude::from_parts(self.width, self.height, &self.texels, self.poles);
-        EnvironmentRef::from_parts(image, &self.table, self.total)
+        EnvironmentIn { image: self.image.view(), table: &self.table, total: self.total }
+    }
+
+    /// The integral of the mean of the channels over the sphere.
+    #[must_use]
+    pub const fn total(&self) -> f32 {
+        self.total
+    }
+
+    /// Whether there is light enough to draw samples from.
+    #[inline]
+    const fn is_lit(&self) -> bool {
+        self.total > f32::MIN_POSITIVE
+    }
+
+    fn tables(&self) -> Tables<'_> {
+        let (rows, strips) = self.table.split_at_checked(self.image.texels().len()).unwrap_or((&[], &[]));
+        Tables { image: self.image.view(), rows, strips, total: self.total }
     }
 }
 
-impl Environment for EnvironmentMap {
+impl<S: Deref<Target = [Vec3]>, T: Deref<Target = [f32]>> Environment for EnvironmentIn<S, T> {
     #[inline]
     fn radiance(&self, direction: Vec3) -> Vec3 {
-        self.as_ref().radiance(direction)
+        self.image.radiance(direction)
     }
 
-    #[inline]
     fn sample(&self, u: Vec2) -> Vec3 {
-        self.as_ref().sample(u)
+        if self.is_lit() { self.tables().sample(u) } else { uniform_sphere(u) }
     }
 
-    #[inline]
     fn density(&self, direction: Vec3) -> f32 {
-        self.as_ref().density(direction)
+        match self.image.place(direction) {
+            Some(place) if self.is_lit() => self.tables().density(place),
+            _ => self.image.density(direction),
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::assert_abs_diff_eq;
+    use core::f32::consts::FRAC_1_PI;
 
     #[test]
-    fn it_is_what_it_borrows() {
-        let map = EnvironmentMap::from_fn(8, 4, |w| (w + 1.0) * 0.5).unwrap();
-        let mut table = [0.0; EnvironmentRef::table_len(8, 4)];
-        let borrowed = EnvironmentRef::new(8, 4, &map.texels, &mut table).unwrap();
-        assert_eq!(map.as_ref(), borrowed);
-        for w in [Vec3::X, Vec3::new(-0.3, -0.2, 0.9), Vec3::NEG_Z, Vec3::NAN] {
-            assert_eq!(map.radiance(w), borrowed.radiance(w));
-            assert_eq!(map.density(w), borrowed.density(w));
+    fn black_is_sampled_uniformly() {
+        let (texels, mut table) = ([Vec3::ZERO; 8], [0.0; EnvironmentRef::table_len(4, 2)]);
+        let night = EnvironmentRef::new(4, 2, &texels, &mut table).unwrap();
+        assert_eq!(night.density(night.sample(Vec2::new(0.3, 0.6))), 0.25 * FRAC_1_PI);
+        assert_eq!(night.density(Vec3::NAN), 0.0);
+    }
+
+    #[test]
+    fn samples_are_unit_and_have_density() {
+        let mut texels = [Vec3::ZERO; 32];
+        texels[0] = Vec3::X;
+        texels[21] = Vec3::new(0.0, 3.0, 1e20);
+        let odd = [f32::NAN, f32::NEG_INFINITY, -1.0, 0.0, 1e-30, 0.2, 0.5, 0.999_999_9, 1.0, f32::INFINITY];
+        for (width, height) in [(8, 4), (4, 8), (1, 32), (32, 1)] {
+            let mut table = [0.0; 96];
+            let table = &mut table[..EnvironmentRef::table_len(width, height)];
+            let map = EnvironmentRef::new(width, height, &texels, table).unwrap();
+            for (x, y) in odd.into_iter().flat_map(|x| odd.map(|y| (x, y))) {
+                let w = map.sample(Vec2::new(x, y));
+                assert_abs_diff_eq!(w.length(), 1.0, epsilon = 1e-6, "{width} × {height}, {x}, {y}");
+                let density = map.density(w);
+                assert!(density >= 0.0 && density.is_finite(), "{width} × {height}, {x}, {y}: {density}");
+                // At u = 0 it is on the border of the light.
+                if x > 1e-3 && y > 1e-3 && x < 0.9 && y < 0.9 {
+                    assert!(density > 0.0, "{width} × {height}, {x}, {y}: {w}");
+                }
+            }
         }
-        assert_eq!(map.sample(Vec2::splat(0.4)), borrowed.sample(Vec2::splat(0.4)));
-        assert!(EnvironmentMap::from_fn(2, 2, |w| w).is_err());
+    }
+
+    #[test]
+    fn even_light_has_an_even_density() {
+        let (texels, mut table) = ([Vec3::splat(3.0); 72], [0.0; EnvironmentRef::table_len(12, 6)]);
+        let map = EnvironmentRef::new(12, 6, &texels, &mut table).unwrap();
+        assert_abs_diff_eq!(map.total(), 3.0 * 4.0 / FRAC_1_PI, epsilon = 1e-4);
+        for k in 0..100 {
+            let w = uniform_sphere(Vec2::new(0.37 * k as f32 % 1.0, k as f32 / 99.0));
+            assert_abs_diff_eq!(map.density(w), 0.25 * FRAC_1_PI, epsilon = 1e-7);
+        }
+    }
+
+    #[test]
+    fn refuses_a_table_of_another_length() {
+        let texels = [Vec3::ONE; 8];
+        let refused = EnvironmentRef::new(4, 2, &texels, &mut [0.0; 12]).unwrap_err();
+        assert_eq!(refused, ImageError::TableMismatch { needed: 11, len: 12 });
+        assert_eq!(EnvironmentRef::table_len(0, 7), 0);
     }
 }

@@ -1,6 +1,9 @@
 //! An image of all directions by latitude and longitude, looked up bilinearly across its seam and its poles.
 
+#[cfg(feature = "alloc")]
+use alloc::vec::Vec;
 use core::f32::consts::{PI, TAU};
+use core::ops::Deref;
 
 use glam::Vec3;
 
@@ -14,7 +17,7 @@ pub(super) const MAX_TEXELS: usize = 1 << 28;
 /// The brightest channel: sums over the greatest image stay far within `f32`.
 const BRIGHTEST: f32 = 1e30;
 
-/// A borrowed image of linear radiance by latitude and longitude.
+/// An image of linear radiance by latitude and longitude, in any storage.
 ///
 /// ```text
 /// x = ½ − atan2(ω_y, ω_x)/2π,   y = θ/π = atan2(√(ω_x² + ω_y²), ω_z)/π          from the upper left, in sides of the image
@@ -26,6 +29,16 @@ const BRIGHTEST: f32 = 1e30;
 ///   that row at the pole, so that the radiance is continuous on the whole sphere.
 /// - **Samples:** those of [`Environment`], uniform on the sphere; for samples by brightness take an
 ///   [`EnvironmentRef`](super::EnvironmentRef).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LatitudeLongitudeIn<S> {
+    width: usize,
+    height: usize,
+    texels: S,
+    /// The radiance at the zenith and at the nadir.
+    poles: [Vec3; 2],
+}
+
+/// A borrowed [image by latitude and longitude](LatitudeLongitudeIn).
 ///
 /// ```
 /// use asperity_shading::environment::LatitudeLongitude;
@@ -38,14 +51,7 @@ const BRIGHTEST: f32 = 1e30;
 /// assert!((image.radiance(Vec3::Y) - Vec3::splat(2.0)).length() < 1e-5);
 /// # Ok::<(), asperity_shading::ImageError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LatitudeLongitude<'a> {
-    width: usize,
-    height: usize,
-    texels: &'a [Vec3],
-    /// The radiance at the zenith and at the nadir.
-    poles: [Vec3; 2],
-}
+pub type LatitudeLongitude<'a> = LatitudeLongitudeIn<&'a [Vec3]>;
 
 /// A point of the image: between which rows and columns of centres it lies. Row 0 and row `height + 1` are the poles.
 #[derive(Clone, Copy, Debug)]
@@ -62,13 +68,28 @@ pub(super) struct Place {
     pub(super) theta: f32,
 }
 
-impl<'a> LatitudeLongitude<'a> {
+impl LatitudeLongitude<'_> {
+    /// The unit direction of a texel's centre in an image of this size.
+    ///
+    /// Columns and rows beyond the image go on around the sphere; a size of 0 gives (1, 0, 0).
+    #[must_use]
+    pub fn direction(width: usize, height: usize, column: usize, row: usize) -> Vec3 {
+        if width == 0 || height == 0 {
+            return Vec3::X;
+        }
+        let theta = PI * ((row as f32 + 0.5) / height as f32);
+        let phi = PI - TAU * ((column as f32 + 0.5) / width as f32);
+        Vec3::new(sin(theta) * cos(phi), sin(theta) * sin(phi), cos(theta))
+    }
+}
+
+impl<S: Deref<Target = [Vec3]>> LatitudeLongitudeIn<S> {
     /// The image of these texels.
     ///
     /// # Errors
     /// [`ImageError`] for an image without texels or with more than 2²⁸, a slice of another length, and the first texel with a
     /// channel that is negative, NaN or above 10³⁰.
-    pub fn new(width: usize, height: usize, texels: &'a [Vec3]) -> Result<Self, ImageError> {
+    pub fn new(width: usize, height: usize, texels: S) -> Result<Self, ImageError> {
         let needed = texel_count(width, height, MAX_TEXELS)?;
         check_texels([width, height], needed, texels.iter().copied(), BRIGHTEST)?;
         let negative = |texel: &(usize, &Vec3)| texel.1.cmplt(Vec3::ZERO).any();
@@ -84,49 +105,31 @@ impl<'a> LatitudeLongitude<'a> {
 
     /// The number of columns.
     #[must_use]
-    pub const fn width(&self) -> usize {
+    pub fn width(&self) -> usize {
         self.width
     }
 
     /// The number of rows.
     #[must_use]
-    pub const fn height(&self) -> usize {
+    pub fn height(&self) -> usize {
         self.height
     }
 
     /// The texels, row by row.
     #[must_use]
-    pub const fn texels(&self) -> &'a [Vec3] {
-        self.texels
+    pub fn texels(&self) -> &[Vec3] {
+        &self.texels
     }
 
-    /// The unit direction of a texel's centre in an image of this size.
-    ///
-    /// Columns and rows beyond the image go on around the sphere; a size of 0 gives (1, 0, 0).
-    #[must_use]
-    pub fn direction(width: usize, height: usize, column: usize, row: usize) -> Vec3 {
-        if width == 0 || height == 0 {
-            return Vec3::X;
+    /// The image, borrowed.
+    #[inline]
+    pub(super) fn view(&self) -> LatitudeLongitude<'_> {
+        LatitudeLongitudeIn {
+            width: self.width,
+            height: self.height,
+            texels: &self.texels,
+            poles: self.poles,
         }
-        let theta = PI * ((row as f32 + 0.5) / height as f32);
-        let phi = PI - TAU * ((column as f32 + 0.5) / width as f32);
-        Vec3::new(sin(theta) * cos(phi), sin(theta) * sin(phi), cos(theta))
-    }
-
-    /// The image of already checked parts.
-    #[cfg(feature = "alloc")]
-    pub(super) const fn from_parts(
-        width: usize,
-        height: usize,
-        texels: &'a [Vec3],
-        poles: [Vec3; 2],
-    ) -> Self {
-        Self { width, height, texels, poles }
-    }
-
-    #[cfg(feature = "alloc")]
-    pub(super) const fn poles(&self) -> [Vec3; 2] {
-        self.poles
     }
 
     /// The value at a centre, or at a pole.
@@ -179,12 +182,20 @@ impl<'a> LatitudeLongitude<'a> {
 
     /// The column after this one.
     #[inline]
-    pub(super) const fn next(&self, column: usize) -> usize {
+    pub(super) fn next(&self, column: usize) -> usize {
         if column + 1 < self.width { column + 1 } else { 0 }
     }
 }
 
-impl Environment for LatitudeLongitude<'_> {
+#[cfg(feature = "alloc")]
+impl LatitudeLongitudeIn<Vec<Vec3>> {
+    /// An image of `width · height` checked texels with these radiances at the zenith and the nadir.
+    pub(super) const fn with_poles(width: usize, height: usize, texels: Vec<Vec3>, poles: [Vec3; 2]) -> Self {
+        Self { width, height, texels, poles }
+    }
+}
+
+impl<S: Deref<Target = [Vec3]>> Environment for LatitudeLongitudeIn<S> {
     #[inline]
     fn radiance(&self, direction: Vec3) -> Vec3 {
         let Some(place) = self.place(direction) else { return Vec3::ZERO };

@@ -1,11 +1,17 @@
 //! Environments that were filtered by rough mirrors beforehand: a stack of images, one for each roughness.
 
+#[cfg(feature = "alloc")]
+use alloc::vec::Vec;
 use asperity_ndf_sampling::{Frame, Ggx, Ndf};
+use core::ops::Deref;
+
 use glam::{Vec2, Vec3};
 
 use crate::direction::{half_vector, reflect};
 use crate::environment::interface::{Environment, is_direction};
+#[cfg(any(feature = "alloc", test))]
 use crate::environment::latitude_longitude::LatitudeLongitude;
+use crate::environment::latitude_longitude::LatitudeLongitudeIn;
 use crate::environment::low_discrepancy::low_discrepancy_points;
 use crate::environment::multiple_importance::light_samples;
 use crate::environment::split_sum::SplitSum;
@@ -13,6 +19,10 @@ use crate::math::clamp_to;
 use crate::parameter::{ParameterError, within};
 use crate::reflectance::Brdf;
 use crate::reflectance::brdf::mirrored_density;
+
+/// The most rows of a level.
+#[cfg(feature = "alloc")]
+const MAX_ROWS: f32 = 8192.0;
 
 /// The roughness below which a mirror is smooth: its lobe is a tenth of a degree wide.
 const SMOOTH: f32 = 1e-3;
@@ -87,20 +97,23 @@ impl<E: Environment> Environment for Drawn<E> {
     }
 }
 
-/// An image of the environment as a mirror of this roughness spreads it.
+/// An image of the environment as a mirror of this roughness spreads it, in storage `S`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PrefilteredLevel<'a> {
+pub struct PrefilteredLevelIn<S> {
     /// The roughness.
     pub alpha: f32,
     /// Image of such a mirror by direction, of [`prefiltered_radiance`].
-    pub image: LatitudeLongitude<'a>,
+    pub image: LatitudeLongitudeIn<S>,
 }
 
-/// A stack of borrowed images, from smooth to rough: what a mirror of any roughness shows by one look-up.
+/// A level in borrowed storage.
+pub type PrefilteredLevel<'a> = PrefilteredLevelIn<&'a [Vec3]>;
+
+/// A stack of images, from smooth to rough: what a mirror of any roughness shows by one look-up.
 ///
 /// Between two levels it is interpolated linearly in the roughness, beyond the last one it is that.
 ///
-/// - **Error:** [`reflected`](PrefilteredRef::reflected) takes the lobe for that of a mirror seen straight on, round, and does not cut it
+/// - **Error:** [`reflected`](Self::reflected) takes the lobe for that of a mirror seen straight on, round, and does not cut it
 ///   off at the surface. Measured beside [`reflected_radiance`](super::reflected_radiance), as the deviation over all normals by the mean:
 ///
 /// | roughness | soft sky, seen from above | at 60° | at 80° |
@@ -111,6 +124,14 @@ pub struct PrefilteredLevel<'a> {
 ///
 /// Under a sun that brings most of the light it is 0.04 to 0.3 from above, and 0.6 to 2.6 at an angle:
 /// highlights should be long there.
+#[doc(alias = "split sum")]
+#[doc(alias = "ibl")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PrefilteredIn<L> {
+    levels: L,
+}
+
+/// A [stack](PrefilteredIn) of borrowed images.
 ///
 /// ```
 /// use asperity_shading::environment::{LatitudeLongitude, PrefilteredLevel, PrefilteredRef};
@@ -125,12 +146,24 @@ pub struct PrefilteredLevel<'a> {
 /// assert!((stack.radiance(Vec3::Z, 0.4) - Vec3::splat(1.5)).length() < 1e-6);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[doc(alias = "split sum")]
-#[doc(alias = "ibl")]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PrefilteredRef<'a> {
-    levels: &'a [PrefilteredLevel<'a>],
-}
+pub type PrefilteredRef<'a> = PrefilteredIn<&'a [PrefilteredLevel<'a>]>;
+
+/// A [stack](PrefilteredIn) that is made from an environment and owns its images.
+///
+/// ```
+/// use asperity_shading::environment::{PrefilteredMap, SplitSum};
+/// use asperity_shading::{EnvironmentMap, glam::Vec3};
+///
+/// let sky = EnvironmentMap::from_fn(64, 32, |w| Vec3::splat(if w.z > 0.0 { 1.0 } else { 0.0 }))?;
+/// // Roughness and rows of each level.
+/// let stack = PrefilteredMap::new(&sky, &[(0.0, 32), (0.2, 16), (0.6, 8)], 32)?;
+/// assert!(stack.radiance(Vec3::X, 0.0).x < 0.6 && stack.radiance(Vec3::new(0.8, 0.0, -0.6), 0.6).x > 0.01);
+/// let gold = stack.reflected(&SplitSum::new(), Vec3::new(1.0, 0.8, 0.3), 0.1, Vec3::Z, Vec3::new(0.6, 0.0, 0.8));
+/// assert!(gold.x > gold.z);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[cfg(feature = "alloc")]
+pub type PrefilteredMap = PrefilteredIn<Vec<PrefilteredLevelIn<Vec<Vec3>>>>;
 
 impl<'a> PrefilteredRef<'a> {
     /// The stack of these levels.
@@ -141,13 +174,69 @@ impl<'a> PrefilteredRef<'a> {
         check_alphas(levels.iter().map(|level| level.alpha))?;
         Ok(Self { levels })
     }
+}
 
+#[cfg(feature = "alloc")]
+impl PrefilteredMap {
+    /// The stack of an environment: for each level its roughness and its rows, half as many as columns.
+    ///
+    /// Each texel is a sum over `points` pairs of samples. A level should have at least `2/α` rows, or those of the environment.
+    ///
+    /// # Errors
+    /// [`ParameterError`] unless there are levels of 1 to 8192 `rows` whose roughness `alpha` is within [0, 1] and increases.
+    pub fn new<E: Environment + ?Sized>(
+        environment: &E,
+        levels: &[(f32, usize)],
+        points: u32,
+    ) -> Result<Self, ParameterError> {
+        check_alphas(levels.iter().map(|level| level.0))?;
+        for &(_, rows) in levels {
+            within("rows", rows as f32, [1.0, MAX_ROWS])?;
+        }
+        let level = |&(alpha, rows): &(f32, usize)| {
+            let texel = |k: usize| {
+                let direction = LatitudeLongitude::direction(2 * rows, rows, k % (2 * rows), k / (2 * rows));
+                prefiltered_radiance(environment, alpha, direction, points)
+            };
+            let texels = (0..2 * rows * rows).map(texel).collect();
+            let poles =
+                [Vec3::Z, Vec3::NEG_Z].map(|pole| prefiltered_radiance(environment, alpha, pole, points));
+            PrefilteredLevelIn {
+                alpha,
+                image: LatitudeLongitudeIn::with_poles(2 * rows, rows, texels, poles),
+            }
+        };
+        Ok(Self { levels: levels.iter().map(level).collect() })
+    }
+
+    /// The levels, borrowed, from smooth to rough.
+    pub fn levels(&self) -> impl Iterator<Item = PrefilteredLevel<'_>> {
+        self.levels.iter().map(|level| PrefilteredLevelIn { alpha: level.alpha, image: level.image.view() })
+    }
+}
+
+impl<S: Deref<Target = [Vec3]>, L: Deref<Target = [PrefilteredLevelIn<S>]>> PrefilteredIn<L> {
     /// The radiance that a mirror of the roughness `alpha`, seen straight on, gathers around a direction.
     ///
     /// 0 for what is no direction; roughness that is NaN counts as 0.
     #[must_use]
     pub fn radiance(&self, direction: Vec3, alpha: f32) -> Vec3 {
-        blend(self.levels.iter().copied(), direction, alpha)
+        let alpha = clamp_to(alpha, 1.0);
+        let mut smoother: Option<&PrefilteredLevelIn<S>> = None;
+        for level in &*self.levels {
+            if level.alpha >= alpha {
+                let rough = level.image.radiance(direction);
+                return match smoother {
+                    Some(smooth) if level.alpha > alpha => {
+                        let share = (alpha - smooth.alpha) / (level.alpha - smooth.alpha);
+                        smooth.image.radiance(direction).lerp(rough, share)
+                    }
+                    _ => rough,
+                };
+            }
+            smoother = Some(level);
+        }
+        smoother.map_or(Vec3::ZERO, |level| level.image.radiance(direction))
     }
 
     /// Radiance of a GGX mirror with Schlick's reflectance `f0` into the direction `view`.
@@ -159,46 +248,18 @@ impl<'a> PrefilteredRef<'a> {
     /// Karis 2013. `normal` and `view` are unit; from below it is dark.
     #[must_use]
     pub fn reflected(&self, table: &SplitSum, f0: Vec3, alpha: f32, normal: Vec3, view: Vec3) -> Vec3 {
-        self.radiance(reflect(view, normal), alpha) * split(table, f0, alpha, normal.dot(view))
-    }
-}
-
-/// The factor of the reflectance; 0 from below.
-pub(super) fn split(table: &SplitSum, f0: Vec3, alpha: f32, cosine: f32) -> Vec3 {
-    if cosine > 0.0 {
-        let [scale, bias] = table.at(alpha, cosine);
-        f0 * scale + bias
-    } else {
-        Vec3::ZERO
-    }
-}
-
-/// A look-up between the two levels around a roughness.
-pub(super) fn blend<'a>(
-    levels: impl Iterator<Item = PrefilteredLevel<'a>>,
-    direction: Vec3,
-    alpha: f32,
-) -> Vec3 {
-    let alpha = clamp_to(alpha, 1.0);
-    let mut smoother: Option<PrefilteredLevel<'_>> = None;
-    for level in levels {
-        if level.alpha >= alpha {
-            let rough = level.image.radiance(direction);
-            return match smoother {
-                Some(smooth) if level.alpha > alpha => {
-                    let share = (alpha - smooth.alpha) / (level.alpha - smooth.alpha);
-                    smooth.image.radiance(direction).lerp(rough, share)
-                }
-                _ => rough,
-            };
+        let cosine = normal.dot(view);
+        if cosine > 0.0 {
+            let [scale, bias] = table.at(alpha, cosine);
+            self.radiance(reflect(view, normal), alpha) * (f0 * scale + bias)
+        } else {
+            Vec3::ZERO
         }
-        smoother = Some(level);
     }
-    smoother.map_or(Vec3::ZERO, |level| level.image.radiance(direction))
 }
 
 /// Refuses what is no increasing roughness.
-pub(super) fn check_alphas(mut alphas: impl Iterator<Item = f32>) -> Result<(), ParameterError> {
+fn check_alphas(mut alphas: impl Iterator<Item = f32>) -> Result<(), ParameterError> {
     let first = within("alpha", alphas.next().unwrap_or(f32::NAN), [0.0, 1.0])?;
     alphas.try_fold(first, |last, alpha| within("alpha", alpha, [last.next_up(), 1.0])).map(|_| ())
 }
@@ -252,5 +313,18 @@ mod tests {
             assert_eq!(check_alphas(alphas.iter().copied()).unwrap_err().parameter(), "alpha", "{alphas:?}");
         }
         assert_eq!(check_alphas([0.0, 0.2, 1.0].into_iter()), Ok(()));
+    }
+
+    #[cfg(feature = "alloc")]
+    #[test]
+    fn smooth_level_is_the_environment_and_rows_are_bounded() {
+        let sky = crate::environment::EnvironmentMap::from_fn(16, 8, |w| (w + 1.0) * 0.5).unwrap();
+        let map = PrefilteredMap::new(&sky, &[(0.0, 8), (0.3, 4), (1.0, 2)], 16).unwrap();
+        assert!(map.levels().map(|level| level.image.height()).eq([8, 4, 2]));
+        assert_abs_diff_eq!(map.radiance(Vec3::Z, 0.0), sky.radiance(Vec3::Z), epsilon = 1e-6);
+        for rows in [0, 8193] {
+            let refused = PrefilteredMap::new(&sky, &[(0.0, 8), (0.3, rows)], 16).unwrap_err();
+            assert_eq!(refused.parameter(), "rows", "{rows}");
+        }
     }
 }

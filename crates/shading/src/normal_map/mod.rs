@@ -4,12 +4,10 @@ mod bilinear;
 mod levels;
 mod slope_lobes;
 mod slope_moments;
-#[cfg(feature = "alloc")]
 mod slope_pyramid;
-mod slope_pyramid_ref;
 
 pub use slope_lobes::{SlopeLobe, SlopeLobes};
 pub use slope_moments::SlopeMoments;
 #[cfg(feature = "alloc")]
 pub use slope_pyramid::SlopePyramid;
-pub use slope_pyramid_ref::SlopePyramidRef;
+pub use slope_pyramid::{SlopePyramidIn, SlopePyramidRef};
