@@ -1,10 +1,10 @@
-//! Materials: the thesis's values, printed and corrected, and means that do not depend on the distance.
+//! Materials: the thesis's values, corrected, and means that do not depend on the distance.
 
 use asperity_shading::bump::bumped_normal;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::material::{
-    Dents, Form, GlintField, PassiveFlakes, SeamPattern, Seams, SpecularThreads, flake_patch, rim_light,
-    varied, wave_gradient,
+    Dents, GlintField, PassiveFlakes, SeamPattern, Seams, SpecularThreads, flake_patch, rim_light, varied,
+    wave_gradient,
 };
 use asperity_shading::noise::removed_share;
 use asperity_shading::{Beckmann, Carpet, CarpetParameters, Footprint, Ggx, Material, Ndf, SurfacePoint};
@@ -38,21 +38,17 @@ fn fading_and_rim_meet_the_references() {
 #[test]
 fn seams_meet_the_references() {
     let seams = &file()["seams"];
-    let expected = [(Form::Printed, "thesis_amount_dx_dy"), (Form::Corrected, "corrected_amount_dx_dy")];
-    for (form, name) in expected {
-        for (input, out) in rows(&seams["inputs"]).iter().zip(rows(&seams[name])) {
-            let pattern = [SeamPattern::None, SeamPattern::Lines, SeamPattern::Grid][input[2] as usize];
-            let align = Vec2::new(input[0] as f32, input[1] as f32);
-            let distance = std::f64::consts::PI / input[6];
-            let seams = Seams::new(align, pattern, distance as f32, input[5] as f32).unwrap();
-            let got = seams.sample(Vec2::new(input[3] as f32, input[4] as f32), form);
-            // Phases go up to 30: rounding of position, distance and product each 2⁻²⁴ of it, 6e-6 in all, and the slope is f times
-            // as steep.
-            close(got.amount, out[0], 1e-5, &(form, input));
-            let slope = 1e-5 * if form == Form::Corrected { input[6] } else { 1.0 };
-            close(got.slope.x, out[1], slope, &(form, input));
-            close(got.slope.y, out[2], slope, &(form, input));
-        }
+    for (input, out) in rows(&seams["inputs"]).iter().zip(rows(&seams["corrected_amount_dx_dy"])) {
+        let pattern = [SeamPattern::None, SeamPattern::Lines, SeamPattern::Grid][input[2] as usize];
+        let align = Vec2::new(input[0] as f32, input[1] as f32);
+        let distance = std::f64::consts::PI / input[6];
+        let seams = Seams::new(align, pattern, distance as f32, input[5] as f32).unwrap();
+        let got = seams.sample(Vec2::new(input[3] as f32, input[4] as f32));
+        // Phases go up to 30: rounding of position, distance and product each 2⁻²⁴ of it, 6e-6 in all, and the slope is f times
+        // as steep.
+        close(got.amount, out[0], 1e-5, input);
+        close(got.slope.x, out[1], 1e-5 * input[6], input);
+        close(got.slope.y, out[2], 1e-5 * input[6], input);
     }
 }
 
@@ -156,11 +152,8 @@ fn ridges_of_seams_keep_their_mean_radiance_from_aside() {
 #[test]
 fn colours_and_waves_meet_the_references() {
     for row in rows(&file()["colour_variation"]["rows"]) {
-        let [colour, variation, noise, low, high, fixed] = row[..] else { panic!("six columns") };
-        let varied = |noise: f64, form| varied(colour as f32, noise as f32, variation as f32, form);
-        close(varied(noise, Form::Corrected), fixed, 1e-6, &row);
-        close(varied(-1.0, Form::Printed), low, 1e-5, &row);
-        close(varied(1.0, Form::Printed), high, 1e-5, &row);
+        let [colour, variation, noise, _, _, fixed] = row[..] else { panic!("six columns") };
+        close(varied(colour as f32, noise as f32, variation as f32), fixed, 1e-6, &row);
     }
     for item in file()["tempered_glass"].as_array().expect("an array") {
         let vector = |name: &str| {
@@ -171,10 +164,8 @@ fn colours_and_waves_meet_the_references() {
         let [frequency, amplitude] =
             ["frequency", "amplitude"].map(|name| item[name].as_f64().unwrap() as f32);
         let [n, d, p] = ["normal", "direction", "position"].map(vector);
-        let gradient = |form| wave_gradient(p, n, d, frequency, amplitude, form);
+        let corrected = wave_gradient(p, n, d, frequency, amplitude);
         // Phases of up to 40 are rounded by 4e-6, times a slope of up to 1.1.
-        assert_abs_diff_eq!(gradient(Form::Printed), vector("thesis_gradient"), epsilon = 1e-5, "{item}");
-        let corrected = gradient(Form::Corrected);
         assert_abs_diff_eq!(corrected, vector("corrected_tangent_gradient"), epsilon = 1e-5, "{item}");
         assert_abs_diff_eq!(
             bumped_normal(n, corrected),

@@ -9,5 +9,5 @@ pub use displacement::{Displaced, displace};
 pub use slope_facets::facets_along;
 pub use slope_facets::{Facet, slope_facets};
 pub use surface_gradient::{
-    bumped_normal, differences, facing, gradient_of_normal, lecture_normal, surface_gradient, tangential,
+    bumped_normal, differences, facing, gradient_of_normal, surface_gradient, tangential,
 };

@@ -20,8 +20,7 @@ use crate::math::sqrt;
 /// Gradients of several heights on one surface are added before [`bumped_normal`] turns the normal once.
 ///
 /// Cohen's lecture (after Blinn 1978, *Simulation of Wrinkled Surfaces*) adds `U + V = F_u (n × P_v) − F_v (n × P_u)` to a unit
-/// normal, which is `−∇F` where `P_u` and `P_v` are of unit length, at right angles and right-handed; [`lecture_normal`] is
-/// that form. Mikkelsen 2020, *Surface Gradient-Based Bump Mapping Framework*, eq. 1–3, has this one.
+/// normal, which is `−∇F` where `P_u` and `P_v` are of unit length, at right angles and right-handed. Mikkelsen 2020, *Surface Gradient-Based Bump Mapping Framework*, eq. 1–3, has this one.
 ///
 /// ```
 /// use asperity_shading::bump::{bumped_normal, surface_gradient};
@@ -121,28 +120,6 @@ pub fn bumped_normal(n: Vec3, gradient: Vec3) -> Vec3 {
 
 const MAX_SLOPE: f32 = 1e4;
 
-/// Blinn's perturbed normal as the lecture has it, without regard to the length of `P_u` and `P_v`.
-///
-/// ```text
-/// N′ = (N + D)/|N + D|,   D = F_u (N × P_v) − F_v (N × P_u)
-/// ```
-///
-/// Cohen, *Procedural Bump Mapping and Noise*. Where the parameters stretch the surface its bumps get steeper with it, and in a
-/// left-handed parametrisation bumps are dents: [`surface_gradient`] has neither. `N` is returned where the sum is zero or not finite.
-///
-/// ```
-/// use asperity_shading::bump::lecture_normal;
-/// use asperity_shading::glam::{Vec2, Vec3};
-///
-/// let normal = lecture_normal(Vec3::Z, [Vec3::X, Vec3::Y], Vec2::new(0.75, 0.0));
-/// assert!((normal - Vec3::new(-0.6, 0.0, 0.8)).length() < 1e-6);
-/// ```
-#[must_use]
-pub fn lecture_normal(n: Vec3, p: [Vec3; 2], slope: Vec2) -> Vec3 {
-    let [p_u, p_v] = p;
-    along(n + slope.x * n.cross(p_v) - slope.y * n.cross(p_u)).unwrap_or(n)
-}
-
 /// The derivatives of a height by its neighbours, where they are not known otherwise.
 ///
 /// ```text
@@ -225,15 +202,6 @@ mod tests {
     }
 
     #[test]
-    fn orthonormal_parameters_give_the_lectures_normal() {
-        let frame = Frame::from_normal(Vec3::new(-0.36, 0.48, 0.8));
-        let p = [frame.tangent, frame.bitangent];
-        let slope = Vec2::new(0.4, -0.9);
-        let ours = bumped_normal(frame.normal, surface_gradient(frame.normal, p, slope));
-        assert_abs_diff_eq!(ours, lecture_normal(frame.normal, p, slope), epsilon = 1e-6);
-    }
-
-    #[test]
     fn what_has_no_gradient_is_flat() {
         let bad = Vec3::new(f32::NAN, 0.0, 1.0);
         assert_eq!(surface_gradient(Vec3::Z, [Vec3::X, 2.0 * Vec3::X], Vec2::ONE), Vec3::ZERO);
@@ -243,21 +211,7 @@ mod tests {
         assert_eq!(gradient_of_normal(&Frame::from_normal(Vec3::Z), Vec3::NAN), Vec3::ZERO);
         assert_eq!(differences(|_| f32::NAN, Vec2::ZERO, 0.1), Vec2::ZERO);
         assert_eq!(differences(|uv| uv.x, Vec2::ZERO, 0.0), Vec2::ZERO);
-        assert_eq!(lecture_normal(Vec3::Z, [bad, Vec3::Y], Vec2::ONE), Vec3::Z);
         assert_eq!(facing(Vec3::Z, bad, Vec3::Z), Vec3::Z);
-    }
-
-    #[test]
-    fn the_lectures_normal_is_right_for_tangents_of_any_length() {
-        let n = Vec3::new(0.48, 0.6, 0.64);
-        let (p, slope) = ([Vec3::new(0.3, 0.4, -0.9), Vec3::new(0.7, -0.2, 0.5)], Vec2::new(1.0, -0.7));
-        let d = slope.x * n.cross(p[1]) - slope.y * n.cross(p[0]);
-        for (length, steep) in [(1e-30, 1e-10), (1.0, 1.0), (1e22, 1.0), (1e30, 1e-3), (1e18, 1e18)] {
-            let by = length * steep;
-            let sum = if by > 1.0 { n / by + d } else { n + by * d };
-            let normal = lecture_normal(n, p.map(|p| length * p), steep * slope);
-            assert_abs_diff_eq!(normal, sum.normalize(), epsilon = 1e-6, "{length}");
-        }
     }
 
     #[test]

@@ -4,7 +4,6 @@ use glam::Vec3;
 
 use crate::bump::{bumped_normal, tangential};
 use crate::material::fbm::{Fbm, SLOPE_VARIANCE};
-use crate::material::form::Form;
 use crate::material::interface::Material;
 use crate::material::surface_point::SurfacePoint;
 use crate::math::{cos, sin, sqrt};
@@ -97,37 +96,27 @@ pub fn wave_height(position: Vec3, direction: Vec3, frequency: f32, amplitude: f
 
 /// The gradient of [`wave_height`] along a surface.
 ///
-/// - **Printed:** `n d f A cos(f p·d)`, component by component, which is zero for n = (0, 0, 1) and d = (1, 0, 0): no waves at all.
-/// - **Corrected:** `(d − n (n·d)) f A cos(f p·d)`.
+/// ```text
+/// ∇h = (d − n (n·d)) f A cos(f p·d)
+/// ```
 ///
-/// Zero where the phase is not finite. Nilsson 2008, §4.4.2, `wave_gradient`.
+/// Zero where the phase is not finite. Nilsson 2008, §4.4.2, `wave_gradient`, which prints `n d f A cos(f p·d)`, component by component:
+/// no waves at all for n = (0, 0, 1) and d = (1, 0, 0).
 ///
 /// ```
-/// use asperity_shading::material::{Form, wave_gradient};
+/// use asperity_shading::material::wave_gradient;
 /// use asperity_shading::glam::Vec3;
 ///
-/// let gradient = |form| wave_gradient(Vec3::ZERO, Vec3::Z, Vec3::X, 20.0, 0.01, form);
-/// assert_eq!(gradient(Form::Printed), Vec3::ZERO);
-/// assert!((gradient(Form::Corrected) - Vec3::new(0.2, 0.0, 0.0)).length() < 1e-6);
+/// let gradient = wave_gradient(Vec3::ZERO, Vec3::Z, Vec3::X, 20.0, 0.01);
+/// assert!((gradient - Vec3::new(0.2, 0.0, 0.0)).length() < 1e-6);
 /// ```
 #[must_use]
-pub fn wave_gradient(
-    position: Vec3,
-    n: Vec3,
-    direction: Vec3,
-    frequency: f32,
-    amplitude: f32,
-    form: Form,
-) -> Vec3 {
+pub fn wave_gradient(position: Vec3, n: Vec3, direction: Vec3, frequency: f32, amplitude: f32) -> Vec3 {
     let phase = position.dot(direction) * frequency;
     if !phase.is_finite() {
         return Vec3::ZERO;
     }
-    let slope = frequency * amplitude * cos(phase);
-    match form {
-        Form::Printed => n * direction * slope,
-        Form::Corrected => tangential(n, direction) * slope,
-    }
+    tangential(n, direction) * (frequency * amplitude * cos(phase))
 }
 
 impl TemperedGlass {
@@ -161,14 +150,7 @@ impl TemperedGlass {
                 let cycles = point.change(across) * p.wave_frequency / core::f32::consts::TAU;
                 let kept =
                     if across == Vec3::ZERO { 1.0 } else { 1.0 - asperity_noise::removed_share(cycles, 1.0) };
-                let g = wave_gradient(
-                    point.position,
-                    n,
-                    self.direction,
-                    p.wave_frequency,
-                    p.wave_amplitude,
-                    Form::Corrected,
-                );
+                let g = wave_gradient(point.position, n, self.direction, p.wave_frequency, p.wave_amplitude);
                 (g * kept, Slopes::Sine(across * (steepest * sqrt(1.0 - kept * kept))))
             }
             GlassWaves::Noise => {
@@ -212,7 +194,7 @@ mod tests {
         let h = 1.0 / 1024.0;
         for i in 0..50_u8 {
             let p = Vec3::new(f32::from(i) * 0.1, 0.2, -0.3);
-            let g = wave_gradient(p, n, d, 7.0, 0.1, Form::Corrected);
+            let g = wave_gradient(p, n, d, 7.0, 0.1);
             for t in [tangential(n, Vec3::X), tangential(n, Vec3::Y)] {
                 let difference =
                     (wave_height(p + t * h, d, 7.0, 0.1) - wave_height(p - t * h, d, 7.0, 0.1)) / (2.0 * h);

@@ -3,7 +3,6 @@
 mod bump_mapped;
 mod carpet;
 mod fbm;
-mod form;
 mod glass;
 mod glossy;
 mod interface;
@@ -23,7 +22,6 @@ pub use carpet::{
 };
 #[doc(hidden)]
 pub use fbm::{Fbm, half_mean};
-pub use form::Form;
 pub use glass::{GlassBody, GlassWaves, TemperedGlass, TemperedGlassParameters, wave_gradient, wave_height};
 pub use interface::Material;
 pub use metallic_roughness::MetallicRoughness;
@@ -31,7 +29,7 @@ pub use normal_mapped::NormalMapped;
 pub use paint::{
     Elimination, FlakePatch, GlintField, GlintFlake, MetallicPaint, MetallicPaintParameters, OrangePeel,
     PaintFlakes, PassiveFlakes, Sparkle, Sparkles, boosted, brighter_normal, brighter_reflection,
-    flake_patch, flake_patch_printed, flake_tilt_printed, sparkle_width,
+    flake_patch, sparkle_width,
 };
 #[doc(hidden)]
 pub use segment::Segments;

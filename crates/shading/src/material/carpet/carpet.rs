@@ -9,7 +9,6 @@ use crate::material::carpet::rim_light::rim_light;
 use crate::material::carpet::seam::{Crease, SeamPattern, Seams};
 use crate::material::carpet::thread::{DiffuseThreads, SpecularThreads};
 use crate::material::fbm::Fbm;
-use crate::material::form::Form;
 use crate::material::glossy::GlossySurface;
 use crate::material::interface::Material;
 use crate::material::surface_point::{SurfacePoint, TextureGradients};
@@ -183,7 +182,7 @@ impl Carpet {
 
         let (fibre, fibre_gradient, fibre_slope) = self.fibres.surface(point.uv, &texture, &point.pixel);
         let fibre = 1.0 + p.fibre_strength * (fibre.factor - 1.0);
-        let dark = self.dark_areas.factor(point.position, point.footprint(), Form::Corrected);
+        let dark = self.dark_areas.factor(point.position, point.footprint());
         let lit = |c: Vec3, by: f32| {
             let threads = (c + Vec3::splat(by)).clamp(Vec3::ZERO, Vec3::ONE);
             (threads * (amount * dark * fibre)).min(Vec3::ONE)

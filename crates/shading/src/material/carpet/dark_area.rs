@@ -3,7 +3,6 @@
 use glam::Vec3;
 
 use crate::material::fbm::{Fbm, half_mean};
-use crate::material::form::Form;
 use crate::parameter::{ParameterError, as_share, as_size};
 use crate::pixel::Footprint;
 
@@ -16,16 +15,15 @@ use crate::pixel::Footprint;
 /// Half of the surface keeps its colour. A pixel that is too wide for the areas gets the mean, `max(N, 0)` = E|N|/2.
 ///
 /// - **Range:** [1 − strength, 1].
-/// - **Printed:** the colour times `max(N, 0)`, which leaves half of the surface black; it has no strength.
 ///
-/// Nilsson 2008, §4.2.4.
+/// Nilsson 2008, §4.2.4, which prints the colour times `max(N, 0)`: half of the surface would be black.
 ///
 /// ```
-/// use asperity_shading::material::{DarkAreas, Form};
+/// use asperity_shading::material::DarkAreas;
 /// use asperity_shading::{Footprint, glam::Vec3};
 ///
 /// let areas = DarkAreas::new(0.3, 0.5, 1)?;
-/// let factor = areas.factor(Vec3::new(0.1, 0.7, 0.2), Footprint::from_width(1e-3), Form::Corrected);
+/// let factor = areas.factor(Vec3::new(0.1, 0.7, 0.2), Footprint::from_width(1e-3));
 /// assert!((0.5..=1.0).contains(&factor));
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
@@ -54,14 +52,10 @@ impl DarkAreas {
 
     /// Factor of colours at a point; that of N = 0 where a coordinate is not finite.
     #[must_use]
-    pub fn factor(&self, position: Vec3, footprint: Footprint, form: Form) -> f32 {
+    pub fn factor(&self, position: Vec3, footprint: Footprint) -> f32 {
         let removed = self.noise.removed(footprint);
         let near = if removed < 1.0 { self.noise.value(position).max(0.0) } else { 0.0 };
-        let positive = near + removed * (half_mean() - near);
-        match form {
-            Form::Printed => positive,
-            Form::Corrected => 1.0 - self.strength * positive,
-        }
+        1.0 - self.strength * (near + removed * (half_mean() - near))
     }
 }
 
@@ -78,15 +72,14 @@ mod tests {
         for i in 0..4000_u16 {
             let p =
                 Vec3::new(f32::from(i % 20) * 3.71, f32::from(i / 20 % 20) * 3.13, f32::from(i / 400) * 2.93);
-            let factor = areas.factor(p, near, Form::Corrected);
+            let factor = areas.factor(p, near);
             assert!((0.0..=1.0).contains(&factor));
-            assert_abs_diff_eq!(factor + areas.factor(p, near, Form::Printed), 1.0, epsilon = 1e-6);
             same += u16::from(factor == 1.0);
             sum += factor;
         }
         // Four standard errors of ½ and of max(N, 0), of deviation 0.24, over 4000 points.
         assert!(same.abs_diff(2000) < 127, "{same}");
-        let far = areas.factor(Vec3::ZERO, Footprint::from_width(9.0), Form::Corrected);
+        let far = areas.factor(Vec3::ZERO, Footprint::from_width(9.0));
         assert_abs_diff_eq!(sum / 4000.0, far, epsilon = 0.015);
     }
 }

@@ -4,7 +4,6 @@ use core::f32::consts::{FRAC_PI_2, PI};
 
 use glam::Vec2;
 
-use crate::material::form::Form;
 use crate::math::{cos, floor, sin, sqrt};
 use crate::parameter::{ParameterError, as_share, as_size, direction_in_plane};
 use crate::pixel::PixelEllipse;
@@ -35,12 +34,12 @@ pub enum SeamPattern {
 /// Nilsson 2008, §4.2.3.
 ///
 /// ```
-/// use asperity_shading::material::{Form, SeamPattern, Seams};
+/// use asperity_shading::material::{SeamPattern, Seams};
 /// use asperity_shading::glam::Vec2;
 ///
 /// let seams = Seams::new(Vec2::X, SeamPattern::Lines, 0.5, 0.2)?;
-/// assert_eq!(seams.sample(Vec2::ZERO, Form::Corrected).amount, 0.8);
-/// assert!((seams.sample(Vec2::new(0.25, 3.0), Form::Corrected).amount - 1.0).abs() < 1e-6);
+/// assert_eq!(seams.sample(Vec2::ZERO).amount, 0.8);
+/// assert!((seams.sample(Vec2::new(0.25, 3.0)).amount - 1.0).abs() < 1e-6);
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -106,13 +105,10 @@ impl Seams {
 
     /// The amount of threads at a point, without any filter.
     ///
-    /// - **Printed:** the derivatives lack the factor f; in the grid those of the second set of seams point along the first; and
-    ///   without seams they are those of a seam at phase 0, so that a plain carpet has bumps.
-    /// - **Corrected:** none of these.
-    ///
-    /// There is no seam where a coordinate is not finite.
+    /// There is no seam where a coordinate is not finite. In the thesis the derivatives lack the factor f, those of the grid's second set
+    /// of seams point along the first, and a carpet without seams has bumps.
     #[must_use]
-    pub fn sample(&self, uv: Vec2, form: Form) -> Seam {
+    pub fn sample(&self, uv: Vec2) -> Seam {
         let phases = self.phases(uv);
         let waves = phases.to_array().map(sin);
         let along = usize::from(self.pattern == SeamPattern::Grid && waves[0].abs() > waves[1].abs());
@@ -121,12 +117,10 @@ impl Seams {
             SeamPattern::None => 1.0,
             _ => 1.0 - self.amplitude * (1.0 - wave.abs()),
         };
-        let slope = match (form, self.pattern, along) {
-            (Form::Printed, SeamPattern::None, _) => self.direction,
-            (Form::Corrected, SeamPattern::None, _) => Vec2::ZERO,
-            (Form::Printed, ..) => self.direction * folded_cosine(phase),
-            (Form::Corrected, _, 0) => self.direction * (self.frequency * folded_cosine(phase)),
-            (Form::Corrected, ..) => self.direction.perp() * (self.frequency * folded_cosine(phase)),
+        let slope = match (self.pattern, along) {
+            (SeamPattern::None, _) => Vec2::ZERO,
+            (_, 0) => self.direction * (self.frequency * folded_cosine(phase)),
+            _ => self.direction.perp() * (self.frequency * folded_cosine(phase)),
         };
         Seam { amount, slope: slope * self.amplitude }
     }
@@ -250,28 +244,22 @@ impl Seams {
 /// The thesis's first seams, with straight sides: good enough where they are close together and there is no bump mapping.
 ///
 /// ```text
-/// printed     |frac(2p)|, a saw that leaps from 1 to 0 at every half
-/// corrected   1 − |2 frac(2p) − 1|, from 0 at every half to 1 between: four times the distance to the nearest
+/// 1 − |2 frac(2p) − 1|, from 0 at every half to 1 between: four times the distance to the nearest
 /// ```
 ///
-/// The text speaks of twice the distance, and of values up to 1; the distance is at most ¼. Coordinates that are not finite have 1.
+/// Coordinates that are not finite have 1.
 ///
-/// Nilsson 2008, §4.2.3.
+/// Nilsson 2008, §4.2.3, which prints |frac(2p)|, a saw that leaps from 1 to 0 at every half.
 ///
 /// ```
-/// use asperity_shading::material::{Form, linear_seam};
+/// use asperity_shading::material::linear_seam;
 ///
-/// assert_eq!([0.0, 0.125, 0.25, 0.375].map(|p| linear_seam(p, Form::Corrected)), [0.0, 0.5, 1.0, 0.5]);
-/// assert_eq!([0.0, 0.125, 0.25, 0.375].map(|p| linear_seam(p, Form::Printed)), [0.0, 0.25, 0.5, 0.75]);
+/// assert_eq!([0.0, 0.125, 0.25, 0.375].map(linear_seam), [0.0, 0.5, 1.0, 0.5]);
 /// ```
 #[must_use]
-pub fn linear_seam(p: f32, form: Form) -> f32 {
+pub fn linear_seam(p: f32) -> f32 {
     let fraction = 2.0 * p - floor(2.0 * p);
-    match form {
-        _ if !fraction.is_finite() => 1.0,
-        Form::Printed => fraction,
-        Form::Corrected => 1.0 - (2.0 * fraction - 1.0).abs(),
-    }
+    if fraction.is_finite() { 1.0 - (2.0 * fraction - 1.0).abs() } else { 1.0 }
 }
 
 /// d|sin p|/dp from the right: the cosine of the phase folded into [0, π).
@@ -393,7 +381,7 @@ mod tests {
         for pattern in PATTERNS {
             let seams = seams(pattern);
             let forms: [&dyn Fn(Vec2) -> Seam; 3] =
-                [&|uv| seams.sample(uv, Form::Corrected), &|uv| seams.rounded(uv, 0.3), &|uv| {
+                [&|uv| seams.sample(uv), &|uv| seams.rounded(uv, 0.3), &|uv| {
                     seams.filtered(uv, PixelEllipse::aligned(Vec2::splat(0.05)))
                 }];
             for (k, form) in forms.into_iter().enumerate() {
@@ -443,7 +431,7 @@ mod tests {
             let mut sum = 0.0_f64;
             for i in 0..10_000_u16 {
                 let place = Vec2::new(f32::from(i % 100), f32::from(i / 100)) / 100.0 - 0.495;
-                sum += f64::from(seams.sample(uv + place * wide, Form::Corrected).amount) / 1e4;
+                sum += f64::from(seams.sample(uv + place * wide).amount) / 1e4;
             }
             let got = seams.filtered(uv, PixelEllipse::aligned(widths)).amount;
             // The rule of 100² points errs by 1e-4.
@@ -458,11 +446,7 @@ mod tests {
         assert!((at(0.0).amount - 0.1 / 1.01_f32.sqrt()).abs() < 1e-6 && at(0.0).slope == Vec2::ZERO);
         assert_abs_diff_eq!(at(FRAC_PI_2).amount, 1.0, epsilon = 1e-6);
         let sharp = seams.rounded(Vec2::new(1.0, 0.0), f32::NAN);
-        assert_abs_diff_eq!(
-            sharp.amount,
-            seams.sample(Vec2::new(1.0, 0.0), Form::Corrected).amount,
-            epsilon = 1e-6
-        );
+        assert_abs_diff_eq!(sharp.amount, seams.sample(Vec2::new(1.0, 0.0)).amount, epsilon = 1e-6);
     }
 
     #[test]
@@ -473,8 +457,7 @@ mod tests {
                 for y in odd {
                     let (uv, seams) = (Vec2::new(x, y), seams(pattern));
                     for seam in [
-                        seams.sample(uv, Form::Printed),
-                        seams.sample(uv, Form::Corrected),
+                        seams.sample(uv),
                         seams.rounded(uv, y),
                         seams.filtered(uv, PixelEllipse::aligned(Vec2::new(y, x))),
                     ] {
@@ -526,11 +509,10 @@ mod tests {
     }
 
     #[test]
-    fn linear_seams_are_continuous_as_corrected_only() {
-        let leap = |form| (linear_seam(0.499_999, form) - linear_seam(0.500_001, form)).abs();
-        assert!(leap(Form::Corrected) < 1e-5 && leap(Form::Printed) > 0.99);
+    fn linear_seam_continuous_and_total() {
+        assert!((linear_seam(0.499_999) - linear_seam(0.500_001)).abs() < 1e-5);
         for p in [f32::NAN, f32::INFINITY, f32::MAX] {
-            assert_eq!(linear_seam(p, Form::Corrected), 1.0, "{p}");
+            assert_eq!(linear_seam(p), 1.0, "{p}");
         }
     }
 }

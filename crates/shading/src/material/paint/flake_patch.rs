@@ -1,6 +1,6 @@
 //! Patches of space, one to a flake: which one a point is in, and how flakes are tilted.
 
-use asperity_noise::{IntegerHash, Lattice, lattice::ChainedTable};
+use asperity_noise::{IntegerHash, Lattice};
 use glam::Vec3;
 
 use crate::material::segment::unit;
@@ -17,34 +17,6 @@ pub struct FlakePatch {
     pub tilt: Vec3,
 }
 
-/// Whether a flake is at the point, as printed: with a size that is 1/256 of what the test compares with.
-///
-/// ```text
-/// dᵢ = frac(vᵢ + pᵢ/(256 size)) · 256 size ≤ size on every axis,   vᵢ the value after the axes before
-/// ```
-///
-/// The fraction goes once around the *texture*, not the texel: the test passes in one of 256 texels along each axis, so in
-/// 2⁻²⁴ of space. [`flake_patch`] is what is meant. The value is that of [`ChainedTable::prng`].
-///
-/// Nilsson 2008, §4.3.4, `PRNG_square`. A point that is not finite has no flake.
-#[must_use]
-pub fn flake_patch_printed(table: &ChainedTable, position: Vec3, size: f32) -> Option<f32> {
-    let scale = size * 256.0;
-    let mut value = 0.0;
-    let mut inside = true;
-    for (axis, x) in position.to_array().into_iter().enumerate() {
-        let u = value + x / scale;
-        inside &= (u - floor(u)) * scale <= size;
-        let before = position.to_array();
-        value = match axis {
-            0 => table.prng([before[0]], size),
-            1 => table.prng([before[0], before[1]], size),
-            _ => table.prng(before, size),
-        };
-    }
-    inside.then_some(value)
-}
-
 /// The flake at a point: of a cell of side `cell`, a box of sides `width`.
 ///
 /// ```text
@@ -54,15 +26,16 @@ pub fn flake_patch_printed(table: &ChainedTable, position: Vec3, size: f32) -> O
 /// with three random numbers r of the cell in [−½, ½). Without scatter flakes are in the middle of their cells, as in the thesis,
 /// where they show as a grid; with a scatter of 1 they may be anywhere in them. As a flake gets wider it keeps all of its points.
 ///
-/// Two sizes, where the printed test has one: cells stay where they are while flakes change their width with the distance. A
-/// width of a whole cell or more fills space with flakes.
+/// Cells stay where they are while flakes change their width with the distance. A width of a whole cell or more fills space
+/// with flakes.
 ///
 /// - **Domain:** `cell` > 0. `None` outside flakes, for a point with |pᵢ| ≥ 2²³ cells, where cells cannot be told apart, and where
 ///   anything is NaN.
 /// - **Random numbers** are hashes of the cell and the seed; the thesis has 256 different flakes, tilted towards the corners of a
 ///   cube: at a strength of 0.2 the steepest tenth is 38 times denser along its diagonals than along its axes.
 ///
-/// Nilsson 2008, §4.3.4, *Width of a PRNG-patch*.
+/// Nilsson 2008, §4.3.4, *Width of a PRNG-patch*; `PRNG_square` in print finds a flake in 2⁻²⁴ of space only, as its fraction goes once
+/// around the texture instead of the texel.
 ///
 /// ```
 /// use asperity_shading::material::flake_patch;
@@ -143,28 +116,10 @@ fn ball([u, v, w]: [f32; 3]) -> Vec3 {
     Vec3::new(across * cos(turn), across * sin(turn), z) * pow(w, 1.0 / 3.0)
 }
 
-/// Tilt of the normal by a flake of this value, as printed: one of 256 vectors of a cube.
-///
-/// ```text
-/// x = T(v),  y = T(x),  z = T(y),   tilt = strength (2 (x, y, z) − 1)
-/// ```
-///
-/// Nilsson 2008, §4.3.4, `flake_perturb`, where T is the look-up of [`ChainedTable::prng`] on one axis and size 1/256; the listing's
-/// `flake_valyes` and its look-up with a vector are misprints.
-#[must_use]
-pub fn flake_tilt_printed(table: &ChainedTable, value: f32, strength: f32) -> Vec3 {
-    let look_up = |u: f32| table.prng([u], 1.0 / 256.0);
-    let x = look_up(value);
-    let y = look_up(x);
-    let z = look_up(y);
-    (2.0 * Vec3::new(x, y, z) - 1.0) * strength
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use asperity_core::assert_abs_diff_eq;
-    use asperity_noise::lattice::PermutationTable;
 
     #[test]
     fn all_points_of_a_flake_agree() {
@@ -212,23 +167,6 @@ mod tests {
         // E r² = 3/5 and a third of it along each axis; deviations 0.26 and 0.21, four standard errors of 4096.
         assert_abs_diff_eq!(radii / 4096.0, 0.6, epsilon = 0.017);
         assert_abs_diff_eq!(squares / 4096.0, Vec3::splat(0.2), epsilon = 0.013);
-    }
-
-    #[test]
-    fn the_printed_test_passes_where_the_texture_begins() {
-        let table = ChainedTable(PermutationTable::new(1));
-        // Every axis within one size of where its look-up wraps around.
-        let mut p = Vec3::new(0.5, 0.0, 0.0);
-        p.y = 0.5 - table.prng([p.x], 1.0) * 256.0;
-        p.z = 0.5 - table.prng([p.x, p.y], 1.0) * 256.0;
-        assert_eq!(flake_patch_printed(&table, p, 1.0), Some(table.prng(p.to_array(), 1.0)));
-        for i in 0..3 {
-            let mut q = p.to_array();
-            q[i] += 1.0;
-            assert_eq!(flake_patch_printed(&table, q.into(), 1.0), None);
-        }
-        assert_eq!(flake_patch_printed(&table, Vec3::NAN, 1.0), None);
-        assert!(flake_tilt_printed(&table, 0.3, 0.2).abs().max_element() <= 0.2);
     }
 
     #[test]

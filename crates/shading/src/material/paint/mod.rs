@@ -7,7 +7,7 @@ mod paint;
 mod passive_flakes;
 mod sparkle;
 
-pub use flake_patch::{FlakePatch, flake_patch, flake_patch_printed, flake_tilt_printed};
+pub use flake_patch::{FlakePatch, flake_patch};
 pub use glint::{GlintField, GlintFlake};
 pub use orange_peel::OrangePeel;
 pub use paint::{MetallicPaint, MetallicPaintParameters, PaintFlakes};

@@ -4,36 +4,26 @@ use glam::Vec3;
 
 use crate::bump::tangential;
 use crate::material::fbm::{Fbm, SLOPE_VARIANCE, half_mean};
-use crate::material::form::Form;
 use crate::parameter::{ParameterError, as_size};
 use crate::pixel::Footprint;
 
 /// A colour that noise varies without leaving [0, 1].
 ///
 /// ```text
-/// corrected   c + N v (c where N < 0, else 1 − c)
-/// printed     c + N/v (c where N < 0, else 1 − c)
+/// c + N v (c where N < 0, else 1 − c)
 /// ```
 ///
-/// The printed range [c − c/v, c + (1 − c)/v] leaves [0, 1] for every v below 1: [−2.4, 2.6] for c = 0.6 and v = 0.2.
+/// - **Domain:** `colour` and `variation` in [0, 1], noise in [−1, 1].
 ///
-/// - **Domain:** `colour` and `variation` in [0, 1], noise in [−1, 1]. A printed variation of 0 divides by it.
-///
-/// Nilsson 2008, §4.5.2.
+/// Nilsson 2008, §4.5.2, which prints N/v for N v: that leaves [0, 1] for every v below 1.
 ///
 /// ```
-/// use asperity_shading::material::{Form, varied};
-///
-/// assert!((varied(0.6, 1.0, 0.2, Form::Corrected) - 0.68).abs() < 1e-6);
-/// assert!((varied(0.6, 1.0, 0.2, Form::Printed) - 2.6).abs() < 1e-6);
+/// assert!((asperity_shading::material::varied(0.6, 1.0, 0.2) - 0.68).abs() < 1e-6);
 /// ```
 #[must_use]
-pub fn varied(colour: f32, noise: f32, variation: f32, form: Form) -> f32 {
+pub fn varied(colour: f32, noise: f32, variation: f32) -> f32 {
     let room = if noise < 0.0 { colour } else { 1.0 - colour };
-    match form {
-        Form::Printed => colour + noise / variation * room,
-        Form::Corrected => colour + noise * variation * room,
-    }
+    colour + noise * variation * room
 }
 
 /// Blemishes: small spots that are brighter or darker and stand out, all from one octave of noise.
@@ -76,7 +66,7 @@ impl Blemishes {
         let noise = if removed < 1.0 { -self.noise.value(position) } else { 0.0 };
         let mean = half_mean() * strength;
         let each = |c: f32| {
-            let near = varied(c, noise, strength, Form::Corrected);
+            let near = varied(c, noise, strength);
             near + removed * (c + mean * (1.0 - 2.0 * c) - near)
         };
         Vec3::from(colour.to_array().map(each))
@@ -112,7 +102,7 @@ mod tests {
             for j in 0..=10_u8 {
                 let (noise, colour) = (f32::from(i) / 10.0 - 1.0, f32::from(j) / 10.0);
                 for variation in [0.0, 0.3, 1.0] {
-                    let c = varied(colour, noise, variation, Form::Corrected);
+                    let c = varied(colour, noise, variation);
                     assert!((-1e-6..=1.000_001).contains(&c), "{colour}, {noise}, {variation}: {c}");
                 }
             }
