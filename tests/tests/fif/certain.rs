@@ -4,16 +4,12 @@
 use asperity_fif::{Folded, HeightField, Intersect, Interval, RoughFolded, Surface, Torus, paper};
 use asperity_tests::random::Random;
 
-use super::surface_rays::random_rays;
-
-const X: [f64; 4] = [-0.5, 0.0, 0.25, 1.0];
-const Y: [f64; 3] = [0.0, 0.3, 1.0];
+use super::surface_rays::{X, Y, nodes, numbers, random_rays};
 
 fn rough_folded(seed: u64, steepest: f64) -> RoughFolded {
     let mut random = Random(seed);
-    let mut uniform = |scale: f64| scale * (random.uniform() - 0.5);
-    let z: Vec<f64> = (0..12).map(|_| uniform(0.6)).collect();
-    let factors: Vec<f64> = (0..12).map(|_| uniform(2.0 * steepest)).collect();
+    let z = numbers(&mut random, 12, 0.6);
+    let factors = numbers(&mut random, 12, 2.0 * steepest);
     RoughFolded::new(&X, &Y, &factors, &z, &[[0.0; 2]; 12]).unwrap()
 }
 
@@ -47,10 +43,7 @@ fn first_hit_certain_rough_folded() {
 
 #[test]
 fn first_hit_certain_smooth_surfaces() {
-    let mut random = Random(4);
-    let mut uniform = |scale: f64| scale * (random.uniform() - 0.5);
-    let z: Vec<f64> = (0..12).map(|_| uniform(0.6)).collect();
-    let d: Vec<[f64; 2]> = (0..12).map(|_| [uniform(2.0), uniform(2.0)]).collect();
+    let (z, d) = nodes(4, 12, 0.6);
     let folded = Folded::new(&X, &Y, -0.1, &z, &d).unwrap().tabulated();
     let torus = Torus::new(2, [[2, -1], [1, 2]], 0.375, &[0.0, 1.0, -0.5, 0.25], &[[3.0, -1.0]; 4]);
     let f = HeightField::new(paper::f().unwrap(), paper::f().unwrap()).tabulated();

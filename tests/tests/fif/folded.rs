@@ -11,6 +11,7 @@ use proptest::prelude::*;
 use serde_json::Value;
 
 use crate::properties::config;
+use crate::surface_rays::numbers;
 use crate::surfaces::{bounds_hold, exact_at, extrema_hold_a_grid, grain, tolerances_hold};
 
 /// Both reference surfaces and what is known of them.
@@ -244,9 +245,8 @@ fn the_grain_of_a_folded_surface_is_less_than_that_of_a_product() {
         .map(|k| f64::from(k) / 8.0 + if k % 8 == 0 { 0.0 } else { 0.019 * (f64::from(k % 2) - 0.5) })
         .collect();
     let mut random = Random(5);
-    let mut uniform = |scale: f64| scale * (random.uniform() - 0.5);
-    let z: Vec<f64> = (0..81).map(|_| uniform(2.0)).collect();
-    let d: Vec<[f64; 2]> = (0..81).map(|_| [uniform(12.0), uniform(12.0)]).collect();
+    let z = numbers(&mut random, 81, 2.0);
+    let d = numbers(&mut random, 162, 12.0).as_chunks().0.to_vec();
     let surface = Folded::new(&knots, &knots, 0.9 * narrowest([&knots; 2]), &z, &d).unwrap();
     let slopes = |x: f64, y: f64| surface.evaluate_gradient(x, y, 1e-3).map(|slope| slope.value);
     let folded = grain(slopes, |t| (PI * t).sin().powi(2));

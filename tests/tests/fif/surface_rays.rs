@@ -11,31 +11,39 @@ use asperity_tests::random::Random;
 
 const ALL: Interval = Interval::new(0.0, f64::INFINITY);
 
+/// Knots of the folded surfaces.
+pub(crate) const X: [f64; 4] = [-0.5, 0.0, 0.25, 1.0];
+pub(crate) const Y: [f64; 3] = [0.0, 0.3, 1.0];
+
+/// A number of numbers around 0, over a width.
+pub(crate) fn numbers(random: &mut Random, count: usize, width: f64) -> Vec<f64> {
+    (0..count).map(|_| width * (random.uniform() - 0.5)).collect()
+}
+
+/// Heights over a width, and gradients, at as many nodes.
+pub(crate) fn nodes(seed: u64, count: usize, width: f64) -> (Vec<f64>, Vec<[f64; 2]>) {
+    let mut random = Random(seed);
+    let z = numbers(&mut random, count, width);
+    (z, numbers(&mut random, 2 * count, 2.0).as_chunks().0.to_vec())
+}
+
 fn torus() -> Torus {
-    let mut random = Random(3);
-    let mut uniform = |scale: f64| scale * (random.uniform() - 0.5);
-    let z: Vec<f64> = (0..16).map(|_| uniform(0.5)).collect();
-    let d: Vec<[f64; 2]> = (0..16).map(|_| [uniform(2.0), uniform(2.0)]).collect();
+    let (z, d) = nodes(3, 16, 0.5);
     Torus::new(4, [[2, -1], [1, 2]], 0.3, &z, &d).unwrap().narrowed()
 }
 
 fn folded() -> Folded {
-    let (x, y) = ([-0.5, 0.0, 0.25, 1.0], [0.0, 0.3, 1.0]);
-    let mut random = Random(4);
-    let mut uniform = |scale: f64| scale * (random.uniform() - 0.5);
-    let z: Vec<f64> = (0..12).map(|_| uniform(0.6)).collect();
-    let d: Vec<[f64; 2]> = (0..12).map(|_| [uniform(2.0), uniform(2.0)]).collect();
-    Folded::new(&x, &y, -0.1, &z, &d).unwrap().narrowed()
+    let (z, d) = nodes(4, 12, 0.6);
+    Folded::new(&X, &Y, -0.1, &z, &d).unwrap().narrowed()
 }
 
 /// Smooth on one side, of factors to 0.8 on the other.
 fn rough_folded() -> RoughFolded {
-    let (x, y) = ([-0.5, 0.0, 0.25, 1.0], [0.0, 0.3, 1.0]);
     let mut random = Random(4);
-    let mut uniform = |scale: f64| scale * (random.uniform() - 0.5);
-    let z: Vec<f64> = (0..12).map(|_| uniform(0.6)).collect();
-    let factors: Vec<f64> = (0..12).map(|k| f64::from(k / 3) * uniform(0.53)).collect();
-    RoughFolded::new(&x, &y, &factors, &z, &[[0.0; 2]; 12]).unwrap()
+    let z = numbers(&mut random, 12, 0.6);
+    let factors: Vec<f64> =
+        numbers(&mut random, 12, 0.53).iter().zip(0_u8..).map(|(f, k)| f64::from(k / 3) * f).collect();
+    RoughFolded::new(&X, &Y, &factors, &z, &[[0.0; 2]; 12]).unwrap()
 }
 
 fn mirror() -> HeightField<FixedFif<2, 3>, FixedFif<2, 3>> {
