@@ -123,7 +123,7 @@
 //!
 //! # Compile time
 //!
-//! All kinds in one to three dimensions are compiled once, in this crate, for SSE2, AVX2 and AVX-512: optimized it takes 91 seconds of
+//! All kinds in one to three dimensions are compiled once, in this crate, for SSE2, AVX2 and AVX-512: optimized it takes 45 seconds of
 //! processor time on one machine, on all cores at once, the first time. A program that boxes seven kinds then takes 1.6 at each
 //! build. In four dimensions, and on lattices other than [`IntegerHash`], what a program uses is compiled with the program: 4 seconds
 //! for each kind and 4 for its octaves. So is everything with debug assertions, at the level of optimization of the program.

@@ -182,12 +182,6 @@ pub trait Lanes: Arithmetic {
         (self.integer(floor), x - floor)
     }
 
-    /// The products of lanes 0, 2, …; the others are unspecified.
-    #[inline(always)]
-    fn even_products(self, a: Self::U, b: Self::U) -> Self::U {
-        a * b
-    }
-
     /// The entries of a table of eight, stored twice, at indices below 8; `None` at a level without an instruction that looks them up.
     #[inline(always)]
     fn looked_up(self, _table: &[f32; MAX_LANES], _index: Self::U) -> Option<Self::F> {

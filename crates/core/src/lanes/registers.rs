@@ -296,15 +296,6 @@ impl<S: Simd, K: Keys<S::u32s>> Lanes for Registers<S, K> {
         (cell, (x - nearest) + self.select(above, self.float(1.0), self.float(0.0)))
     }
     #[inline(always)]
-    fn even_products(self, a: Self::U, b: Self::U) -> Self::U {
-        if self.rounds() {
-            return a * b;
-        }
-        // What has no instruction that multiplies words has one that multiplies the lower half of numbers of 64 bits.
-        let low = |x: Self::U| x.bitcast::<S::u64s>() & S::u64s::splat(self.simd, 0xffff_ffff);
-        (low(a) * low(b)).bitcast()
-    }
-    #[inline(always)]
     fn looked_up(self, table: &[f32; MAX_LANES], index: Self::U) -> Option<Self::F> {
         looked_up(self.simd, table, index)
     }

@@ -4,10 +4,10 @@
 //! change along a row of a grid; between them runs a cubic.
 
 use crate::{
-    contract::kernel::{Kernel, by_lanes},
+    contract::kernel::Kernel,
     lanes::{LaneSample, Lanes, Scalar},
     lattice::lattice::{Lattice, OnLattice, cell},
-    row::cells::{end_of_cell, has_columns},
+    row::cells::end_of_cell,
     row::row::Strip,
 };
 
@@ -187,7 +187,7 @@ fn at<S: Lanes, const N: usize, const GRADIENTS: bool>(
 }
 
 /// Steps from here on leave too few points in a cell for columns to pay.
-const LONG_STEP: f32 = 0.95;
+pub(crate) const LONG_STEP: f32 = 0.95;
 /// Columns that are computed at once along a row.
 const COLUMNS: usize = 64;
 /// Room behind the columns for a vector that begins at one of them.
@@ -201,40 +201,37 @@ pub(crate) fn spline_rows<K: SplineNoise<N> + Kernel<N>, S: Lanes, const N: usiz
     s: S,
     noise: &K,
     mut strip: Strip<'_, N, GRADIENTS>,
-) {
+) -> usize {
     let (row, seed, count) = (strip.row, strip.seed, strip.values.len());
     let mut i = 0;
-    if has_columns(&row, count, LONG_STEP) {
-        let section = Section::<Scalar, N>::new(Scalar, noise, &row.origin());
-        let (inverse, descending) = (1.0 / row.stride(), row.stride() < 0.0);
-        let mut cubics = [[[0.0; COLUMNS + SPARE]; 4]; N];
-        while i < count {
-            let first = Scalar.floor(row.x(i)) as i32;
-            let crossed = (row.stride() * (count - i) as f32).abs() as usize + 2;
-            let cells = crossed.min(COLUMNS - 3);
-            let leftmost = if descending { first.wrapping_sub(cells as i32 - 1) } else { first };
-            fill::<K, S, N, GRADIENTS>(s, noise, &section, leftmost, cells, seed, &mut cubics);
-            for j in 0..cells {
-                let k = if descending { cells - 1 - j } else { j };
-                let floor = leftmost.wrapping_add(k as i32) as f32;
-                let end = end_of_cell(&row, floor, inverse, i, count);
-                let mut here = [Cubic([s.float(0.0); 4]); N];
-                for axis in 0..if GRADIENTS { N } else { 1 } {
-                    for c in 0..4 {
-                        here[axis].0[c] = s.float(cubics[axis][c][k]);
-                    }
+    let section = Section::<Scalar, N>::new(Scalar, noise, &row.origin());
+    let (inverse, descending) = (1.0 / row.stride(), row.stride() < 0.0);
+    let mut cubics = [[[0.0; COLUMNS + SPARE]; 4]; N];
+    while i < count {
+        let first = Scalar.floor(row.x(i)) as i32;
+        let crossed = (row.stride() * (count - i) as f32).abs() as usize + 2;
+        let cells = crossed.min(COLUMNS - 3);
+        let leftmost = if descending { first.wrapping_sub(cells as i32 - 1) } else { first };
+        fill::<K, S, N, GRADIENTS>(s, noise, &section, leftmost, cells, seed, &mut cubics);
+        for j in 0..cells {
+            let k = if descending { cells - 1 - j } else { j };
+            let floor = leftmost.wrapping_add(k as i32) as f32;
+            let end = end_of_cell(&row, floor, inverse, i, count);
+            let mut here = [Cubic([s.float(0.0); 4]); N];
+            for axis in 0..if GRADIENTS { N } else { 1 } {
+                for c in 0..4 {
+                    here[axis].0[c] = s.float(cubics[axis][c][k]);
                 }
-                while i < end {
-                    let t = row.xs(s, i) - s.float(floor);
-                    strip.put(s, at::<S, N, GRADIENTS>(s, &here, t), i);
-                    i += S::LEN;
-                }
-                i = end;
             }
+            while i < end {
+                let t = row.xs(s, i) - s.float(floor);
+                strip.put(s, at::<S, N, GRADIENTS>(s, &here, t), i);
+                i += S::LEN;
+            }
+            i = end;
         }
-        return;
     }
-    by_lanes(s, noise, strip);
+    count
 }
 
 /// The cubics of as many cells of a row, from `leftmost` on.

@@ -4,7 +4,7 @@ use asperity_core::error_enum;
 
 use crate::{
     contract::compiled::on_lattice,
-    contract::kernel::{Kernel, Measured, by_lanes},
+    contract::kernel::{Kernel, Measured},
     contract::noise::{kind, noise},
     kinds::cell::blend::splat,
     lanes::{LaneSample, Lanes},
@@ -12,7 +12,7 @@ use crate::{
     lattice::lattice::{Lattice, cell},
     lattice::variates::uniform,
     row::cells::{end_of_cell, has_columns},
-    row::row::Strip,
+    row::row::{Row, Strip},
     statistics::statistics::Statistics,
     statistics::tables,
 };
@@ -300,51 +300,58 @@ impl<L: Lattice, const N: usize> Kernel<N> for Sparse<L> {
         sum
     }
 
+    /// In eight lanes rows are 1.6 times as fast as lists, in sixteen slower.
     #[inline(always)]
-    fn rows<S: Lanes, const GRADIENTS: bool>(&self, s: S, _: &mut (), mut strip: Strip<'_, N, GRADIENTS>) {
+    fn shares(&self, row: &Row<N>, count: usize, wide: bool) -> bool {
+        !wide && SECTION[N] * usize::from(self.impulses) <= KEPT && has_columns(row, count, LONG_STEP)
+    }
+
+    #[inline(always)]
+    fn rows<S: Lanes, const GRADIENTS: bool>(
+        &self,
+        s: S,
+        _: &mut (),
+        mut strip: Strip<'_, N, GRADIENTS>,
+    ) -> usize {
         let (row, seed, count) = (strip.row, strip.seed, strip.values.len());
         let kept = SECTION[N] * usize::from(self.impulses);
         let mut i = 0;
-        if kept <= KEPT && has_columns(&row, count, LONG_STEP) {
-            let section = Section::<S, N>::new(s, &self.lattice, &splat(s, row.origin()));
-            let (inverse, descending) = (1.0 / row.stride(), row.stride() < 0.0);
-            let mut columns = Columns::<N>::EMPTY;
-            let mut seen = [[0.0; 6]; 3 * KEPT];
-            while i < count {
-                let first = s.lane_word(s.integer(s.floor(row.xs(s, i))), 0) as i32;
-                let crossed = (row.stride() * (count - i) as f32).abs() as usize + 2;
-                let cells = crossed.min(COLUMNS - 2);
-                let leftmost = if descending { first.wrapping_sub(cells as i32 - 1) } else { first };
-                columns.fill(s, self, &section, leftmost.wrapping_sub(1), cells + 2, seed);
-                for j in 0..cells {
-                    let k = if descending { cells - 1 - j } else { j };
-                    let floor = leftmost.wrapping_add(k as i32) as f32;
-                    let end = end_of_cell(&row, floor, inverse, i, count);
-                    if i == end {
-                        continue;
-                    }
-                    let n = columns.seen(kept, k, &mut seen);
-                    while i < end {
-                        let t = row.xs(s, i) - s.float(floor);
-                        let mut sum = (s.float(0.0), [s.float(0.0); N]);
-                        for seen in &seen[..n] {
-                            let mut d = [t; N];
-                            for axis in 1..N {
-                                d[axis] = s.float(seen[2 + axis]);
-                            }
-                            let impulse =
-                                Impulse { x: t, d, rest: s.float(seen[1]), weight: s.float(seen[2]) };
-                            add::<S, N, GRADIENTS>(s, &mut sum, &impulse, t - s.float(seen[0]));
-                        }
-                        strip.put(s, sum, i);
-                        i += S::LEN;
-                    }
-                    i = end;
+        let section = Section::<S, N>::new(s, &self.lattice, &splat(s, row.origin()));
+        let (inverse, descending) = (1.0 / row.stride(), row.stride() < 0.0);
+        let mut columns = Columns::<N>::EMPTY;
+        let mut seen = [[0.0; 6]; 3 * KEPT];
+        while i < count {
+            let first = s.lane_word(s.integer(s.floor(row.xs(s, i))), 0) as i32;
+            let crossed = (row.stride() * (count - i) as f32).abs() as usize + 2;
+            let cells = crossed.min(COLUMNS - 2);
+            let leftmost = if descending { first.wrapping_sub(cells as i32 - 1) } else { first };
+            columns.fill(s, self, &section, leftmost.wrapping_sub(1), cells + 2, seed);
+            for j in 0..cells {
+                let k = if descending { cells - 1 - j } else { j };
+                let floor = leftmost.wrapping_add(k as i32) as f32;
+                let end = end_of_cell(&row, floor, inverse, i, count);
+                if i == end {
+                    continue;
                 }
+                let n = columns.seen(kept, k, &mut seen);
+                while i < end {
+                    let t = row.xs(s, i) - s.float(floor);
+                    let mut sum = (s.float(0.0), [s.float(0.0); N]);
+                    for seen in &seen[..n] {
+                        let mut d = [t; N];
+                        for axis in 1..N {
+                            d[axis] = s.float(seen[2 + axis]);
+                        }
+                        let impulse = Impulse { x: t, d, rest: s.float(seen[1]), weight: s.float(seen[2]) };
+                        add::<S, N, GRADIENTS>(s, &mut sum, &impulse, t - s.float(seen[0]));
+                    }
+                    strip.put(s, sum, i);
+                    i += S::LEN;
+                }
+                i = end;
             }
-            return;
         }
-        by_lanes(s, self, strip);
+        count
     }
 }
 

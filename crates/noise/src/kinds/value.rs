@@ -4,13 +4,14 @@ use crate::{
     contract::compiled::on_lattice,
     contract::kernel::Kernel,
     contract::noise::{kind, measured, noise},
-    kinds::catmull_rom::{SplineNoise, spline, spline_rows},
+    kinds::catmull_rom::{LONG_STEP, SplineNoise, spline, spline_rows},
     kinds::cell::corner::{CellNoise, Corner},
     lanes::{LaneSample, Lanes},
     lattice::integer_hash::IntegerHash,
     lattice::lattice::Lattice,
     lattice::variates::{MARGIN, uniform},
-    row::row::Strip,
+    row::cells::has_columns,
+    row::row::{Row, Strip},
     statistics::tables,
 };
 
@@ -120,7 +121,17 @@ impl<L: Lattice, const N: usize> Kernel<N> for ValueCatmullRom<L> {
     }
 
     #[inline(always)]
-    fn rows<S: Lanes, const GRADIENTS: bool>(&self, s: S, _: &mut (), strip: Strip<'_, N, GRADIENTS>) {
-        spline_rows(s, self, strip);
+    fn shares(&self, row: &Row<N>, count: usize, _: bool) -> bool {
+        has_columns(row, count, LONG_STEP)
+    }
+
+    #[inline(always)]
+    fn rows<S: Lanes, const GRADIENTS: bool>(
+        &self,
+        s: S,
+        _: &mut (),
+        strip: Strip<'_, N, GRADIENTS>,
+    ) -> usize {
+        spline_rows(s, self, strip)
     }
 }

@@ -141,25 +141,44 @@ pub(crate) fn run_at_point(task: impl Task<Output = ()>) -> Option<()> {
 /// Runs a task with the instructions of a level.
 #[cfg(all(feature = "simd", any(target_arch = "x86", target_arch = "x86_64")))]
 #[inline(always)]
-fn at(simd: impl fearless_simd::Simd, task: impl Task<Output = ()>) {
+fn at<T: Task>(simd: impl fearless_simd::Simd, task: T) -> T::Output {
     simd.vectorize(
         #[inline(always)]
         || task.run(Registers::new(simd)),
-    );
+    )
 }
 
 impl Instructions {
+    /// Whether a register holds sixteen numbers.
+    pub(crate) fn are_wide(self) -> bool {
+        #[cfg(all(feature = "simd", any(target_arch = "x86", target_arch = "x86_64")))]
+        return self.token.is_some_and(|level| level.as_avx512().is_some());
+        #[cfg(not(all(feature = "simd", any(target_arch = "x86", target_arch = "x86_64"))))]
+        false
+    }
+
     /// Runs a task, at the level or at one below it that tasks are compiled for: on x86 at the baseline, AVX2 or AVX-512.
-    #[cfg(all(feature = "simd", any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
     #[inline(always)]
     pub(crate) fn run(self, task: impl Task<Output = ()>) {
+        #[cfg(all(feature = "simd", any(target_arch = "x86", target_arch = "x86_64")))]
+        if let Some(simd) = self.token.and_then(fearless_simd::Level::as_avx512) {
+            return at(simd, task);
+        }
+        self.run_in_eight(task);
+    }
+
+    /// Runs a task at the level or below it, in eight lanes at most.
+    #[cfg(all(feature = "simd", any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
+    #[inline(always)]
+    pub(crate) fn run_in_eight<T: Task>(self, task: T) -> T::Output
+    where
+        T::Output: Default,
+    {
         let level = self.token.unwrap_or(fearless_simd::Level::baseline());
-        if let Some(simd) = level.as_avx512() {
-            at(simd, task);
-        } else if let Some(simd) = level.as_avx2() {
-            at(simd, task);
-        } else if let Some(simd) = level.as_sse2() {
-            at(simd, task);
+        match (level.as_avx2(), level.as_sse2()) {
+            (Some(simd), _) => at(simd, task),
+            (None, Some(simd)) => at(simd, task),
+            (None, None) => T::Output::default(),
         }
     }
 
@@ -170,13 +189,12 @@ impl Instructions {
         target_feature = "sse2"
     )))]
     #[inline(always)]
-    pub(crate) fn run(self, task: impl Task<Output = ()>) {
+    pub(crate) fn run_in_eight<T: Task>(self, task: T) -> T::Output {
         #[cfg(feature = "simd")]
         if let Some(level) = self.token {
-            asperity_core::lanes::run_at(level, task);
-            return;
+            return asperity_core::lanes::run_at(level, task);
         }
-        task.run(Scalar);
+        task.run(Scalar)
     }
 }
 

@@ -189,13 +189,6 @@ fn edge_entry<S: Lanes, const N: usize>(s: S, word: S::U, length: f32) -> [S::F;
     g
 }
 
-/// [`edge_direction`] of a word in four dimensions, one axis in each lane.
-#[cfg(feature = "simd")]
-#[inline(always)]
-pub(crate) fn edge_by_axes<S: Lanes>(s: S, word: u32, length: f32) -> S::F {
-    s.load(&EDGES_4[(word >> 26) as usize]) * s.float(length)
-}
-
 /// The gradient that [`Perlin2002`](crate::Perlin2002) and [`Simplex`](crate::Simplex) draw from an
 /// [upper word](crate::Lattice::upper_word), before scaling.
 ///

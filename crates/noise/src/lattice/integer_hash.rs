@@ -2,7 +2,7 @@
 
 use crate::{
     lanes::Lanes,
-    lattice::lattice::{Lattice, upper_word_by_terms, word_by_terms},
+    lattice::lattice::{Lattice, words_by_terms},
 };
 
 /// A 32-bit hash of cell and seed.
@@ -60,15 +60,7 @@ const GOLDEN: u32 = 0x9e37_79b9;
 impl Lattice for IntegerHash {
     const STANDARD: bool = cfg!(not(debug_assertions));
 
-    #[inline(always)]
-    fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
-        word_by_terms(self, cell, seed)
-    }
-
-    #[inline(always)]
-    fn upper_word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
-        upper_word_by_terms(self, cell, seed)
-    }
+    words_by_terms!();
 
     #[inline(always)]
     fn copied(&self) -> Option<Self> {
@@ -93,16 +85,6 @@ impl Lattice for IntegerHash {
     }
 
     #[inline(always)]
-    fn terms_of_axes<S: Lanes, const N: usize>(&self, s: S, cells: S::U) -> [[u32; 2]; N] {
-        let (mut terms, ends) = ([[0; 2]; N], ends_of_axes::<S, N>(s, cells));
-        for axis in 0..N {
-            let (ends, lane) = if N == 2 { (ends[0], 2 * axis) } else { (ends[axis & 1], axis & 2) };
-            terms[axis] = [0, 1].map(|k| s.lane_word(ends, lane + k));
-        }
-        terms
-    }
-
-    #[inline(always)]
     fn words<S: Lanes, const N: usize>(&self, s: S, terms: [S::U; N], seed: u32) -> S::U {
         let mut h = terms[0];
         for axis in 1..N {
@@ -124,54 +106,6 @@ impl Lattice for IntegerHash {
         }
         h * (h | s.word(1))
     }
-
-    #[inline(always)]
-    fn upper_words_of_cell<S: Lanes, const N: usize>(&self, s: S, cells: S::U, seed: u32) -> [S::U; 4] {
-        let ends = ends_of_axes::<S, N>(s, cells);
-        let at = |axis: usize, ends_of: [usize; 4]| {
-            let register = if N == 2 { 0 } else { axis & 1 };
-            let first = if N == 2 { 2 * axis } else { axis & 2 };
-            s.words(|lane| s.lane_word(ends[register], first + ends_of[lane & 3]))
-        };
-        // In the order that two products of even lanes turn into that of the corners.
-        let keys = s.keys(|| self.key(seed));
-        let plane = (at(0, [0, 1, 0, 1]) + keys) ^ at(1 % N, [0, 0, 1, 1]);
-        let mut words = [plane; 4];
-        for k in 0..CORNERS[N] {
-            let mut h = plane;
-            for axis in 2..N {
-                h = h ^ at(axis, [k >> (axis - 2) & 1; 4]);
-            }
-            let odd = h | s.word(1);
-            let next = |x| s.words(|lane| s.lane_word(x, lane | 1));
-            let (even, rest) = (s.even_products(h, odd), s.even_products(next(h), next(odd)));
-            words[k] = s.words(|lane| {
-                s.lane_word(if lane & 2 == 0 { even } else { rest }, lane & !3 | (lane & 1) << 1)
-            });
-        }
-        words
-    }
-}
-
-/// The corners at one end of the first two axes, by the number of dimensions.
-const CORNERS: [usize; 5] = [0, 1, 1, 2, 4];
-
-/// The terms of the cells of all axes and of the next ones, side by side: of two axes in the first register, of four the odd ones in
-/// the second.
-#[inline(always)]
-fn ends_of_axes<S: Lanes, const N: usize>(s: S, cells: S::U) -> [S::U; 2] {
-    // Products of even lanes, each followed by that of the next cell.
-    let ends = |axis: fn(usize) -> usize| {
-        let cells = s.words(|lane| s.lane_word(cells, axis(lane)));
-        let low = s.even_products(cells, s.words(|lane| P[axis(lane)]));
-        let steps =
-            s.words(|lane| SHIFT[axis(lane)].wrapping_add(if lane & 1 == 0 { 0 } else { P[axis(lane)] }));
-        folded(s, s.words(|lane| s.lane_word(low, lane & !1)) + steps)
-    };
-    if N == 2 {
-        return [ends(|lane| lane >> 1 & 1); 2];
-    }
-    [ends(|lane| lane & 2), ends(|lane| lane & 2 | 1)]
 }
 
 /// t ^ t ≫ 16 of a product, once for all the points that share it: exclusive or and the shift may change places.

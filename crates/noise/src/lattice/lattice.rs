@@ -97,17 +97,6 @@ pub trait Lattice {
         [self.term(s, axis, cell), self.term(s, axis, cell + s.word(1))]
     }
 
-    /// The terms of the cells of all axes, one axis in each lane, and of the next ones.
-    #[inline(always)]
-    fn terms_of_axes<S: Lanes, const N: usize>(&self, s: S, cells: S::U) -> [[u32; 2]; N] {
-        let mut terms = [[0; 2]; N];
-        for axis in 0..N {
-            let cell = Scalar.word(s.lane_word(cells, axis));
-            terms[axis] = [0, 1].map(|step| self.term(Scalar, axis, cell + Scalar.word(step)).0);
-        }
-        terms
-    }
-
     /// The words of the points that terms were made of.
     #[inline(always)]
     fn words<S: Lanes, const N: usize>(&self, s: S, terms: [S::U; N], seed: u32) -> S::U {
@@ -122,17 +111,6 @@ pub trait Lattice {
         s.words(|lane| {
             self.upper_word(terms.map(|term| s.lane_word(term, lane) as i32), s.lane_word(seeds, lane))
         })
-    }
-
-    /// The upper words of the corners of a cell, of which each axis has a lane; one key for all lanes.
-    #[inline(always)]
-    fn upper_words_of_cell<S: Lanes, const N: usize>(&self, s: S, cells: S::U, seed: u32) -> [S::U; 4] {
-        let ends = self.terms_of_axes::<S, N>(s, cells);
-        let mut words = [s.word(0); 4];
-        for k in 0..if N < 3 { 1 } else { 1 << (N - 2) } {
-            words[k] = self.upper_words(s, at_ends(s, &ends, k), seed);
-        }
-        words
     }
 }
 
@@ -210,7 +188,7 @@ pub(crate) fn wrapped<const N: usize>(p: [f32; N]) -> Option<[f32; N]> {
 
 /// The terms of one lattice point.
 #[inline(always)]
-fn terms_of<L: Lattice + ?Sized, const N: usize>(
+pub(crate) fn terms_of<L: Lattice + ?Sized, const N: usize>(
     lattice: &L,
     cell: [i32; N],
 ) -> [<Scalar as Arithmetic>::U; N] {
@@ -221,17 +199,48 @@ fn terms_of<L: Lattice + ?Sized, const N: usize>(
     terms
 }
 
-/// The upper word of one lattice point from its terms.
-#[inline(always)]
-pub(crate) fn upper_word_by_terms<L: Lattice, const N: usize>(lattice: &L, cell: [i32; N], seed: u32) -> u32 {
-    lattice.upper_words(Scalar, terms_of(lattice, cell), seed).0
+/// The words of one point of a [`Lattice`], from its terms.
+macro_rules! words_by_terms {
+    () => {
+        #[inline(always)]
+        fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
+            let terms = $crate::lattice::lattice::terms_of(self, cell);
+            self.words($crate::lanes::Scalar, terms, seed).0
+        }
+
+        #[inline(always)]
+        fn upper_word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
+            let terms = $crate::lattice::lattice::terms_of(self, cell);
+            self.upper_words($crate::lanes::Scalar, terms, seed).0
+        }
+    };
 }
 
-/// The word of one lattice point from its terms.
-#[inline(always)]
-pub(crate) fn word_by_terms<L: Lattice, const N: usize>(lattice: &L, cell: [i32; N], seed: u32) -> u32 {
-    lattice.words(Scalar, terms_of(lattice, cell), seed).0
+pub(crate) use words_by_terms;
+
+/// The words of a [`Lattice`] that has terms of its own and makes of them what another lattice does, the one in a field.
+macro_rules! words_of_terms_in {
+    ($lattice:ident) => {
+        $crate::lattice::lattice::words_by_terms!();
+
+        #[inline(always)]
+        fn key(&self, seed: u32) -> u32 {
+            self.$lattice.key(seed)
+        }
+
+        #[inline(always)]
+        fn words<S: Lanes, const N: usize>(&self, s: S, terms: [S::U; N], seed: u32) -> S::U {
+            self.$lattice.words(s, terms, seed)
+        }
+
+        #[inline(always)]
+        fn upper_words<S: Lanes, const N: usize>(&self, s: S, terms: [S::U; N], seed: u32) -> S::U {
+            self.$lattice.upper_words(s, terms, seed)
+        }
+    };
 }
+
+pub(crate) use words_of_terms_in;
 
 #[cfg(test)]
 mod tests {

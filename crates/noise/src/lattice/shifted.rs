@@ -2,7 +2,7 @@
 
 use crate::{
     lanes::Lanes,
-    lattice::lattice::{Lattice, upper_word_by_terms, word_by_terms},
+    lattice::lattice::{Lattice, words_of_terms_in},
 };
 
 /// A lattice whose cells are counted from another cell: what an anchored sum of octaves draws its words from.
@@ -36,34 +36,11 @@ impl<L: Lattice + Clone, const M: usize> Lattice for Shifted<L, M> {
         Some(shifted)
     }
 
-    #[inline]
-    fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
-        word_by_terms(self, cell, seed)
-    }
-
-    #[inline]
-    fn upper_word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
-        upper_word_by_terms(self, cell, seed)
-    }
+    words_of_terms_in!(lattice);
 
     #[inline(always)]
     fn term<S: Lanes>(&self, s: S, axis: usize, cell: S::U) -> S::U {
         let shift = self.cell.get(axis).copied().unwrap_or(0);
         self.lattice.term(s, axis, cell + s.word(shift as u32))
-    }
-
-    #[inline(always)]
-    fn key(&self, seed: u32) -> u32 {
-        self.lattice.key(seed)
-    }
-
-    #[inline(always)]
-    fn words<S: Lanes, const N: usize>(&self, s: S, terms: [S::U; N], seed: u32) -> S::U {
-        self.lattice.words(s, terms, seed)
-    }
-
-    #[inline(always)]
-    fn upper_words<S: Lanes, const N: usize>(&self, s: S, terms: [S::U; N], seed: u32) -> S::U {
-        self.lattice.upper_words(s, terms, seed)
     }
 }

@@ -4,7 +4,7 @@ use asperity_core::error_enum;
 
 use crate::{
     lanes::Lanes,
-    lattice::lattice::{Lattice, upper_word_by_terms, word_by_terms},
+    lattice::lattice::{Lattice, words_of_terms_in},
 };
 
 /// A lattice that repeats along the first N axes with a period of its own along each.
@@ -112,15 +112,7 @@ impl<L: Lattice + Clone, const M: usize> Lattice for Tiled<L, M> {
         Some(Self { lattice: self.lattice.clone(), periods })
     }
 
-    #[inline]
-    fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
-        word_by_terms(self, cell, seed)
-    }
-
-    #[inline]
-    fn upper_word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
-        upper_word_by_terms(self, cell, seed)
-    }
+    words_of_terms_in!(lattice);
 
     #[inline(always)]
     fn term<S: Lanes>(&self, s: S, axis: usize, cell: S::U) -> S::U {
@@ -129,21 +121,6 @@ impl<L: Lattice + Clone, const M: usize> Lattice for Tiled<L, M> {
             None => cell,
         };
         self.lattice.term(s, axis, cell)
-    }
-
-    #[inline(always)]
-    fn key(&self, seed: u32) -> u32 {
-        self.lattice.key(seed)
-    }
-
-    #[inline(always)]
-    fn words<S: Lanes, const N: usize>(&self, s: S, terms: [S::U; N], seed: u32) -> S::U {
-        self.lattice.words(s, terms, seed)
-    }
-
-    #[inline(always)]
-    fn upper_words<S: Lanes, const N: usize>(&self, s: S, terms: [S::U; N], seed: u32) -> S::U {
-        self.lattice.upper_words(s, terms, seed)
     }
 }
 

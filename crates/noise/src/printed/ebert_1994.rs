@@ -5,7 +5,7 @@ use asperity_core::math;
 use crate::{
     contract::field::Field,
     contract::kernel::{self, Kernel, Measured},
-    kinds::catmull_rom::{SplineNoise, spline, spline_rows},
+    kinds::catmull_rom::{LONG_STEP, SplineNoise, spline, spline_rows},
     kinds::cell::corner::{CellNoise, Corner},
     kinds::perlin::Perlin1985,
     kinds::value_gradient::ValueGradientError,
@@ -14,8 +14,9 @@ use crate::{
     lattice::lattice::{Lattice, OnLattice},
     lattice::permutation_table::PermutationTable,
     point::Point,
+    row::cells::has_columns,
     row::points::{Points, Target},
-    row::row::Strip,
+    row::row::{Row, Strip},
     sample::Sample,
     statistics::statistics::Statistics,
     statistics::tables,
@@ -271,8 +272,18 @@ impl Kernel<3> for Splines<'_> {
     }
 
     #[inline(always)]
-    fn rows<S: Lanes, const GRADIENTS: bool>(&self, s: S, _: &mut (), strip: Strip<'_, 3, GRADIENTS>) {
-        spline_rows(s, self, strip);
+    fn shares(&self, row: &Row<3>, count: usize, _: bool) -> bool {
+        has_columns(row, count, LONG_STEP)
+    }
+
+    #[inline(always)]
+    fn rows<S: Lanes, const GRADIENTS: bool>(
+        &self,
+        s: S,
+        _: &mut (),
+        strip: Strip<'_, 3, GRADIENTS>,
+    ) -> usize {
+        spline_rows(s, self, strip)
     }
 }
 

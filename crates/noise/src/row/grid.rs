@@ -56,6 +56,13 @@ impl<V: Point> Grid<V> {
         })
     }
 
+    /// The first coordinate of a column's points.
+    #[inline(always)]
+    pub(crate) fn x(&self, column: usize) -> f32 {
+        let (origin, step) = (self.origin.coordinates(), self.step.coordinates());
+        (origin.as_ref()[0] + 0.0) + step.as_ref()[0] * (column as i32 as f32)
+    }
+
     /// The points of a row.
     #[inline(always)]
     pub(crate) fn width(&self) -> usize {

@@ -137,10 +137,19 @@ impl<'a, V: Point> Points<'a, V> {
     /// Writes the coordinates of up to M points, row after row.
     pub(crate) fn write<const M: usize>(&self, lists: &mut [[f32; M]]) {
         let width = self.width().max(1);
-        for i in 0..self.len().min(M) {
-            let p = self.point(i / width, i % width).coordinates();
-            for (list, x) in lists.iter_mut().zip(p.as_ref()) {
-                list[i] = *x;
+        for row in 0..self.rows().min(M / width) {
+            let p = self.point(row, 0).coordinates();
+            for (axis, list) in lists.iter_mut().enumerate() {
+                let list = &mut list[row * width..(row + 1) * width];
+                match &self.0 {
+                    Source::Lists(lists) => list.copy_from_slice(&lists.as_ref()[axis][..width]),
+                    Source::Window(window) if axis == 0 => {
+                        for (x, column) in list.iter_mut().zip(window.columns.clone()) {
+                            *x = window.grid.x(column);
+                        }
+                    }
+                    Source::Window(_) => list.fill(p.as_ref()[axis]),
+                }
             }
         }
     }

@@ -51,12 +51,6 @@ impl<const N: usize> Row<N> {
         RowKey { x: x.map(f32::to_bits), start: self.start }
     }
 
-    /// The index of point i in the whole row.
-    #[inline(always)]
-    pub(crate) fn index(&self, i: usize) -> usize {
-        self.start + i
-    }
-
     /// The coordinates of point i.
     #[inline(always)]
     pub(crate) fn point(&self, i: usize) -> [f32; N] {
@@ -78,16 +72,6 @@ impl<const N: usize> Row<N> {
         let index = s.word((self.start + i) as u32) + s.iota();
         let x = s.float(self.origin[0]) + s.float(self.step) * s.real(index);
         s.float(self.frequency) * x + s.float(self.offset)
-    }
-
-    /// Points from point i on, one in each lane.
-    #[inline(always)]
-    pub(crate) fn points<S: Lanes>(&self, s: S, i: usize) -> [S::F; N] {
-        let mut p = [self.xs(s, i); N];
-        for axis in 1..N {
-            p[axis] = s.float(self.origin[axis]);
-        }
-        p
     }
 
     /// The coordinates of the first point; the first one is of no meaning in a scaled row.

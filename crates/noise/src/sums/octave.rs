@@ -272,9 +272,8 @@ impl<const N: usize> Layers<N> {
         &'a self,
         points: &'a [[f32; OCTAVES]; N],
         count: usize,
-        gradients: bool,
     ) -> OctavesAt<'a, N> {
-        OctavesAt { points, seeds: &self.seeds, keys: &self.keys, count, gradients }
+        OctavesAt { points, seeds: &self.seeds, keys: &self.keys, count }
     }
 
     /// A point in the coordinates of every octave.

@@ -218,14 +218,21 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
         AtPoint { layers: &self.layers, amplitudes: &active.amplitudes, count: active.count, p }
     }
 
+    /// The sum from as many octaves at once as there are lanes, where that is faster.
+    #[inline(always)]
+    fn in_lanes(&self, active: &Active, p: [f32; N]) -> Option<LaneSample<Scalar, N>> {
+        if K::OCTAVES_IN_LANES == usize::MAX || active.count < K::OCTAVES_IN_LANES {
+            return None;
+        }
+        let mut sum = (active.constant, [0.0; N]);
+        self.at_point(active, p).add(&self.noise, self.shape, &mut sum)?;
+        Some((sum.0 * active.factor, sum.1.map(|g| g * active.factor)))
+    }
+
     #[inline(always)]
     fn value(&self, active: &Active, p: [f32; N]) -> f32 {
-        if K::OCTAVES_IN_LANES < usize::MAX && active.count >= K::OCTAVES_IN_LANES {
-            let mut sum = (active.constant, [0.0; N]);
-            let point = self.at_point(active, p);
-            if point.add::<_, _, false>(&self.noise, self.shape, &mut sum).is_some() {
-                return sum.0 * active.factor;
-            }
+        if let Some((value, _)) = self.in_lanes(active, p) {
+            return value;
         }
         let (p, mut own, mut sum) = (self.in_first_tile(p), None, active.constant);
         for (amplitude, layer) in self.octaves(active) {
@@ -238,12 +245,8 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
 
     #[inline(always)]
     fn sample(&self, active: &Active, p: [f32; N]) -> LaneSample<Scalar, N> {
-        if K::OCTAVES_IN_LANES < usize::MAX && active.count >= K::OCTAVES_IN_LANES {
-            let mut sum = (active.constant, [0.0; N]);
-            let point = self.at_point(active, p);
-            if point.add::<_, _, true>(&self.noise, self.shape, &mut sum).is_some() {
-                return (sum.0 * active.factor, sum.1.map(|g| g * active.factor));
-            }
+        if let Some(sample) = self.in_lanes(active, p) {
+            return sample;
         }
         let (p, mut own, mut sum) = (self.in_first_tile(p), None, (active.constant, [0.0; N]));
         for (amplitude, layer) in self.octaves(active) {

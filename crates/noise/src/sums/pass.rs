@@ -3,22 +3,20 @@
 use asperity_core::lanes::Task;
 
 use crate::{
-    contract::kernel::{FEW_POINTS, FillList, FillRow, Kernel},
+    contract::kernel::{FillList, FillRow, Kernel, LIST, shares},
     lanes::Lanes,
     lanes::level::Instructions,
     lattice::tiled::in_first_tile,
     point::Point,
     row::cells::POINTS,
     row::points::{Block, Points, Source, Target, by_axes},
-    row::row::put,
+    row::row::{Row, put},
     sums::octave::{Layer, Layers, Rotation},
     sums::shape::Shape,
 };
 
 /// Points that an octave is evaluated at before the next: as many as a near cache holds.
 const BLOCK: usize = 8192;
-/// Points of lists that an octave is evaluated at before the next.
-pub(crate) const LIST: usize = 256;
 
 /// One number for each point of a list, for each axis.
 pub(crate) type Lists<const N: usize> = [[f32; LIST]; N];
@@ -53,8 +51,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Passes<'_, K, N, T> {
             }
         } else if !K::TILED
             && self.layers.rotation == Rotation::Aligned
-            && points.len() >= FEW_POINTS
-            && matches!(points.0, Source::Window(_))
+            && shares(self.noise, points, target.instructions, |row| self.first_octave(row))
         {
             let mut scratch = K::RowScratch::default();
             for block in points.blocks(BLOCK) {
@@ -65,6 +62,12 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Passes<'_, K, N, T> {
                 self.fill_list(&points.part(&block), &block, target.part(&block));
             }
         }
+    }
+
+    /// A row in the coordinates of the first octave of parallel lattices.
+    fn first_octave(&self, row: Row<N>) -> Row<N> {
+        let layer = self.layers.layer(0);
+        row.scaled(layer.frequencies(), layer.offset)
     }
 
     fn octaves(&self) -> impl Iterator<Item = (usize, f32, Layer<N>)> {

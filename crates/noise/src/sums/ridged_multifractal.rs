@@ -7,6 +7,7 @@ use asperity_core::lanes::Task;
 use crate::{
     contract::field::Field,
     contract::kernel::Kernel,
+    contract::kernel::LIST,
     lanes::{Lanes, Scalar},
     lattice::tiled::in_first_tile,
     point::Point,
@@ -14,7 +15,7 @@ use crate::{
     sample::Sample,
     sums::octave::Layer,
     sums::octaves::{Normalisation, Octaves},
-    sums::pass::{LIST, Lists, copy_out},
+    sums::pass::{Lists, copy_out},
     sums::shape::Shape,
     sums::spectrum::Spectrum,
     sums::turbulence::Ridged,

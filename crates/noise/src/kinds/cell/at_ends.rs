@@ -6,7 +6,7 @@ use crate::{
     kinds::cell::corner::{CellNoise, normalised},
     kinds::cell::corners::{CORNERS, Place},
     kinds::cell::variance::axis_variance,
-    lanes::{LANES, LaneSample, Lanes},
+    lanes::{Arithmetic, LANES, LaneSample, Lanes, Scalar},
     lattice::fade::Along,
     lattice::lattice::{Lattice, at_ends, cell},
 };
@@ -88,16 +88,19 @@ pub(crate) fn at_ends_of<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIE
             slope: s.float(s.lane(all.slope, axis)),
         };
     }
-    let words = if K::UPPER_BITS {
-        noise.lattice().upper_words_of_cell::<S, N>(s, cells, seed)
-    } else {
-        let ends = noise.lattice().terms_of_axes::<S, N>(s, cells);
-        let mut words = [s.word(0); 4];
-        for k in 0..CORNERS[N] {
-            words[k] = noise.lattice().words(s, at_ends(s, &ends, k), seed);
-        }
-        words
-    };
+    let (mut ends, mut words) = ([[0; 2]; N], [s.word(0); 4]);
+    for axis in 0..N {
+        let cell = Scalar.word(s.lane_word(cells, axis));
+        ends[axis] = noise.lattice().terms(Scalar, axis, cell).map(|term| term.0);
+    }
+    for k in 0..CORNERS[N] {
+        let terms = at_ends(s, &ends, k);
+        words[k] = if K::UPPER_BITS {
+            noise.lattice().upper_words(s, terms, seed)
+        } else {
+            noise.lattice().words(s, terms, seed)
+        };
+    }
     let column = place.column(s, noise, &words);
 
     let [first, second] = [&place.along[0], &place.along[1 % N]];

@@ -8,7 +8,7 @@ use crate::{
     kinds::cell::rows::Stretch,
     lanes::{LaneSample, Lanes, Scalar},
     lattice::lattice::Lattice,
-    row::row::Strip,
+    row::row::{Row, Strip},
 };
 
 #[cfg(feature = "simd")]
@@ -40,6 +40,9 @@ pub(crate) fn of_lane<S: Lanes, const N: usize, const GRADIENTS: bool>(
     (s.lane(value, lane), slopes)
 }
 
+/// From so long a step on sixteen lanes are faster than what rows share of words that are cheap.
+const LONG_STEP_OF_WIDE_LANES: f32 = 0.6;
+
 impl<K: CellNoise<N>, const N: usize> Kernel<N> for K {
     const OCTAVES_IN_LANES: usize = match (<K::Lattice as Lattice>::SHARED, K::NORMALISED) {
         (false, _) => usize::MAX,
@@ -47,6 +50,9 @@ impl<K: CellNoise<N>, const N: usize> Kernel<N> for K {
         // Its variates are looked up lane by lane, which unused lanes pay for too.
         (true, true) => 4,
     };
+
+    // Variates are looked up lane by lane.
+    const WIDE: bool = !K::NORMALISED;
 
     type RowScratch = Stretch<N>;
 
@@ -69,13 +75,20 @@ impl<K: CellNoise<N>, const N: usize> Kernel<N> for K {
         self.evaluate::<Scalar, GRADIENTS>(Scalar, p, seed)
     }
 
+    /// Rows of cells that are crossed by more than one row of points share edges.
+    #[inline(always)]
+    fn shares(&self, row: &Row<N>, _: usize, wide: bool) -> bool {
+        let longest = if wide && K::UPPER_BITS { LONG_STEP_OF_WIDE_LANES } else { 1.0 };
+        row.stride().abs() < longest
+    }
+
     #[inline(always)]
     fn rows<S: Lanes, const GRADIENTS: bool>(
         &self,
         s: S,
         stretch: &mut Stretch<N>,
         strip: Strip<'_, N, GRADIENTS>,
-    ) {
-        stretch.rows(s, self, strip);
+    ) -> usize {
+        stretch.rows(s, self, strip)
     }
 }

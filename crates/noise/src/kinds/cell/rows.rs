@@ -4,7 +4,6 @@
 //! that cross the same cells. Two edges are kept, so that the next row of cells finds one of its own there.
 
 use crate::{
-    contract::kernel::by_lanes,
     kinds::cell::blend::{blend, edge, ends},
     kinds::cell::corner::{CellNoise, normalised},
     kinds::cell::corners::Place,
@@ -16,12 +15,6 @@ use crate::{
     row::cells::{POINTS, Plan, Run},
     row::row::{Row, Strip, no_slices},
 };
-
-/// Whether rows of a grid of such steps share edges.
-#[inline(always)]
-fn pays<const N: usize>(row: &Row<N>) -> bool {
-    row.stride().abs() < 1.0
-}
 
 /// The slot that keeps the edge at a place along the second axis.
 #[inline(always)]
@@ -73,11 +66,7 @@ impl<const N: usize> Stretch<N> {
         s: S,
         noise: &K,
         mut strip: Strip<'_, N, GRADIENTS>,
-    ) {
-        if !pays(&strip.row) {
-            by_lanes(s, noise, strip);
-            return;
-        }
+    ) -> usize {
         let count = strip.values.len();
         for start in (0..count).step_by(POINTS) {
             let part = strip.part(start..count.min(start + POINTS));
@@ -85,6 +74,7 @@ impl<const N: usize> Stretch<N> {
             self.fill_edges::<K, S, GRADIENTS>(s, noise, part.seed);
             self.blend::<K, S, GRADIENTS>(s, part);
         }
+        count
     }
 
     /// Plans the first `points` points of a row and forgets the edges of others.

@@ -4,17 +4,18 @@ use asperity_core::{error_enum, math};
 
 use crate::{
     contract::compiled::on_lattice,
-    contract::kernel::{Kernel, Measured, by_lanes},
+    contract::kernel::{Kernel, Measured},
     contract::noise::{kind, noise},
     kinds::cell::blend::splat,
     kinds::cellular::metric::Metric,
-    kinds::cellular::rows::Columns,
+    kinds::cellular::rows::{Columns, LONG_STEP},
     kinds::cellular::search::{Features, Place, number},
     lanes::{LaneSample, Lanes},
     lattice::integer_hash::IntegerHash,
     lattice::lattice::Lattice,
     row::cells::POINTS,
-    row::row::Strip,
+    row::cells::has_columns,
+    row::row::{Row, Strip},
     statistics::cellular,
     statistics::statistics::Statistics,
     statistics::tables,
@@ -166,12 +167,17 @@ impl<L: Lattice, const N: usize> Kernel<N> for Cellular<L> {
     }
 
     #[inline(always)]
+    fn shares(&self, row: &Row<N>, count: usize, _: bool) -> bool {
+        has_columns(row, count, LONG_STEP)
+    }
+
+    #[inline(always)]
     fn rows<S: Lanes, const GRADIENTS: bool>(
         &self,
         s: S,
         columns: &mut Columns<N>,
         mut strip: Strip<'_, N, GRADIENTS>,
-    ) {
+    ) -> usize {
         let features = self.features(strip.seed);
         let count = strip.values.len();
         for start in (0..count).step_by(POINTS) {
@@ -193,8 +199,11 @@ impl<L: Lattice, const N: usize> Kernel<N> for Cellular<L> {
                     i = end;
                 }
             }
-            by_lanes(s, self, part.part(i..points));
+            if i < points {
+                return start + i;
+            }
         }
+        count
     }
 }
 

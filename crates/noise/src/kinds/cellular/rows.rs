@@ -14,7 +14,7 @@ use crate::{
 };
 
 /// Steps from here on leave too few points in a cell for columns to pay.
-const LONG_STEP: f32 = 0.15;
+pub(super) const LONG_STEP: f32 = 0.15;
 /// Columns of cells that are computed at once along a row.
 const COLUMNS: usize = 64;
 /// The most cells of a column: 5² in space in the Euclidean metric, 3³ in that of Chebyshev in 4-D.
@@ -102,17 +102,16 @@ impl<const N: usize> Default for Columns<N> {
 }
 
 impl<const N: usize> Columns<N> {
-    /// Plans the first `points` points of a row; false if too few of them lie in a cell
-    /// for columns to pay, in too many cells, or columns do not hold all cells within reach.
+    /// Plans the first `points` points of a row; false if they lie in too many cells, or columns do not hold all cells within reach.
     #[inline(always)]
     pub(super) fn plan<S: Lanes>(&mut self, s: S, metric: Metric, row: &Row<N>, points: usize) -> bool {
         let reach = metric.reach(N);
-        if (2 * reach + 1).pow(N as u32 - 1) > SECTIONS || row.stride().abs() >= LONG_STEP {
+        if (2 * reach + 1).pow(N as u32 - 1) > SECTIONS {
             return false;
         }
         // Weights are not asked for.
         self.plan.make(s, Fade::Cubic, row, points);
-        !self.plan.sparse && self.plan.crossed() + 2 * reach <= COLUMNS
+        self.plan.crossed() + 2 * reach <= COLUMNS
     }
 
     /// Finds the feature points that the cells of the planned row see; its place in them along all axes but the first.

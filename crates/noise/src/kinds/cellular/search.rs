@@ -270,11 +270,11 @@ mod tests {
     use super::*;
     use crate::{
         Basis, Cellular, Field, Point,
-        contract::kernel::{Kernel, Measured},
-        lanes::{Arithmetic, Scalar},
+        contract::kernel::{FillRow, Measured},
+        lanes::{Arithmetic, Scalar, level::Level},
         lattice::integer_hash::{IntegerHash, mix},
         lattice::lattice::OnLattice,
-        row::row::{Row, Strip},
+        row::row::Row,
     };
     use approx::assert_abs_diff_eq;
     use core::array::from_fn;
@@ -414,10 +414,11 @@ mod tests {
                 let (mut columns, mut values) = (Default::default(), alloc::vec![0.0; points]);
                 for i in 0..rows {
                     let origin = from_fn(|axis| 0.31 + 0.07 * f32::from(i) - 1.4 * axis as f32);
-                    let row = Row::new(origin, step, 0);
-                    let gradients = from_fn(|_| Default::default());
-                    let strip = Strip::<N, false> { row, seed: 7, values: &mut values, gradients };
-                    noise.rows(Scalar, &mut columns, strip);
+                    let row = Row::<N>::new(origin, step, 0);
+                    let (scratch, values) = (&mut columns, &mut values[..]);
+                    let call =
+                        FillRow::<_, N> { kernel: &noise, seed: 7, row, scratch, values, gradients: None };
+                    call.at(Level::Scalar.instructions());
                     for (k, &value) in values.iter().enumerate() {
                         let nearest = wide_search(&noise, row.point(k), window);
                         let expected = nearest[usize::from(basis == Basis::F2)].distance;

@@ -61,11 +61,11 @@ impl<S: Lanes, const N: usize> Corner<S, N> {
             |axis: usize, before: usize| s.less(p[axis] - self.skewed[axis], p[before] - self.skewed[before]);
         match N {
             1 => {}
-            2 => {
+            // One lane alone has no masks, and comparisons would become branches.
+            2 if S::LEN > 1 => {
                 let x = ahead(1, 0);
                 (steps[0][0], steps[0][1]) = (x, s.not(x));
             }
-            // One lane alone has no masks, and comparisons would become branches.
             3 if S::LEN > 1 => {
                 let (xy, xz, yz) = (ahead(1 % N, 0), ahead(2 % N, 0), ahead(2 % N, 1 % N));
                 let (yx, zx, zy) = (s.not(xy), s.not(xz), s.not(yz));
@@ -100,48 +100,29 @@ pub(crate) struct Term<S: Lanes, const N: usize> {
     pub(crate) slope: S::F,
 }
 
-/// r² − Σ dᵢ² over all axes but the first.
-#[inline(always)]
-fn rest<S: Lanes, const N: usize>(s: S, radius_squared: f32, d: &[S::F; N]) -> S::F {
-    let mut rest = s.float(radius_squared);
-    for axis in 1..N {
-        rest = rest - d[axis] * d[axis];
-    }
-    rest
-}
-
-/// t, the square of the kernel's radius less that of the way to its corner.
+/// t = r² − |d|², the first axis last; 0 below the gap.
 #[inline(always)]
 pub(crate) fn within<S: Lanes, const N: usize>(s: S, radius_squared: f32, d: &[S::F; N]) -> S::F {
-    beyond_gap(s, rest(s, radius_squared, d) - d[0] * d[0])
-}
-
-/// r² − Σ dᵢ² and Σ gᵢ dᵢ over all axes but the first: what does not change along a row.
-#[inline(always)]
-pub(crate) fn beside<S: Lanes, const N: usize>(
-    s: S,
-    radius_squared: f32,
-    d: &[S::F; N],
-    g: &[S::F; N],
-) -> [S::F; 2] {
-    let mut side = s.float(0.0);
+    let mut t = s.float(radius_squared);
     for axis in 1..N {
-        side = if axis == 1 { g[axis] * d[axis] } else { side + g[axis] * d[axis] };
+        t = t - d[axis] * d[axis];
     }
-    [rest(s, radius_squared, d), side]
+    beyond_gap(s, t - d[0] * d[0])
 }
 
-/// t and g·d of a term from what is beside the first axis.
+/// g·d, the first axis last.
 #[inline(always)]
-pub(crate) fn along<S: Lanes, const N: usize>(s: S, [rest, side]: [S::F; 2], d: S::F, g: S::F) -> [S::F; 2] {
-    let (t, slope) = (rest - d * d, g * d);
-    let t = beyond_gap(s, t);
-    [t, if N == 1 { slope } else { side + slope }]
+pub(crate) fn product<S: Lanes, const N: usize>(g: &[S::F; N], d: &[S::F; N]) -> S::F {
+    let mut sum = g[1 % N] * d[1 % N];
+    for axis in 2..N {
+        sum = sum + g[axis] * d[axis];
+    }
+    if N == 1 { sum } else { sum + g[0] * d[0] }
 }
 
 /// t where it is above the gap, else 0.
 #[inline(always)]
-pub(crate) fn beyond_gap<S: Lanes>(s: S, t: S::F) -> S::F {
+fn beyond_gap<S: Lanes>(s: S, t: S::F) -> S::F {
     // Numbers that are not negative are in the order of their bits, and negative ones below, which takes one operation less.
     let above = s.signed_less(s.word(GAP.to_bits()), s.bits(t));
     s.select(above, t, s.float(0.0))

@@ -2,7 +2,7 @@
 
 use crate::{
     contract::noise::{kind, measured, noise},
-    kinds::simplex::geometry::{Corner, Term, UNSKEW, along, beside, first_corner, within},
+    kinds::simplex::geometry::{Corner, Term, UNSKEW, first_corner, product, within},
     lanes::Lanes,
     lattice::edges::{Lengths, edge_direction, edge_product},
     lattice::integer_hash::IntegerHash,
@@ -10,9 +10,6 @@ use crate::{
     lattice::variates::MARGIN,
     statistics::tables,
 };
-
-#[cfg(feature = "simd")]
-use crate::lattice::edges::edge_by_axes;
 
 /// Gradient noise on the simplicial lattice: n + 1 corners in n dimensions.
 ///
@@ -135,13 +132,13 @@ impl<L: Lattice> Simplex<L> {
         for axis in 0..N {
             d[axis] = if N == 1 { p[axis] - skewed[axis] } else { p[axis] - (skewed[axis] - back) };
         }
+        let t = within(s, self.radius_squared(), &d);
         if N == 3 && !GRADIENTS && S::LEN > 4 {
             let slope = edge_product(s, word, self.lengths::<N>(), &d);
-            return Term { t: within(s, self.radius_squared(), &d), d, g: d, slope };
+            return Term { t, d, g: d, slope };
         }
-        let g = self.direction(s, word);
-        let [t, slope] = along::<S, N>(s, beside(s, self.radius_squared(), &d, &g), d[0], g[0]);
-        Term { t, d, g, slope }
+        let g = edge_direction(s, word, self.lengths::<N>());
+        Term { t, d, g, slope: product::<S, N>(&g, &d) }
     }
 
     /// The terms of the corners of a point's simplex, from the first to the last, handed to what adds them up.
@@ -187,26 +184,6 @@ impl<L: Lattice> Simplex<L> {
     #[inline(always)]
     fn lengths<const N: usize>(&self) -> &'static Lengths {
         &LENGTHS[N - 1][usize::from(self.kernel == Radius::Wide)]
-    }
-
-    /// The direction that a word draws, scaled.
-    #[inline(always)]
-    pub(crate) fn direction<S: Lanes, const N: usize>(&self, s: S, word: S::U) -> [S::F; N] {
-        edge_direction(s, word, self.lengths::<N>())
-    }
-
-    /// The direction that a word draws in four dimensions, scaled; one axis in each lane.
-    #[cfg(feature = "simd")]
-    #[inline(always)]
-    pub(crate) fn direction_by_axes<S: Lanes>(&self, s: S, word: u32) -> S::F {
-        let maximum = MAXIMA[3][usize::from(self.kernel == Radius::Wide)];
-        edge_by_axes(s, word, MARGIN / maximum)
-    }
-
-    /// Whether no corner but those of a point's own simplex comes within the kernel's radius.
-    #[inline(always)]
-    pub(crate) fn is_continuous(&self) -> bool {
-        self.kernel == Radius::Continuous
     }
 }
 

@@ -6,7 +6,7 @@ use crate::{
     kinds::simplex::simplex::Simplex,
     lanes::{LaneSample, Lanes},
     lattice::integer_hash::IntegerHash,
-    lattice::lattice::{Lattice, OnLattice, upper_word_by_terms, word_by_terms},
+    lattice::lattice::{Lattice, OnLattice, words_by_terms},
     lattice::tiled::{Tiled, TiledError, octave_period, remainder},
     statistics::statistics::Statistics,
 };
@@ -93,15 +93,7 @@ impl<L: Lattice + Clone> Lattice for Corners<L> {
         Some(Self { lattice: self.lattice.clone(), periods })
     }
 
-    #[inline]
-    fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
-        word_by_terms(self, cell, seed)
-    }
-
-    #[inline]
-    fn upper_word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
-        upper_word_by_terms(self, cell, seed)
-    }
+    words_by_terms!();
 
     #[inline(always)]
     fn words<S: Lanes, const N: usize>(&self, s: S, cell: [S::U; N], seed: u32) -> S::U {
