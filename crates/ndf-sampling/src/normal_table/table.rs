@@ -284,7 +284,7 @@ impl NormalTableIn<Vec<[f32; 2]>> {
     ///
     /// Look-ups on the CPU: [`NormalTableRef::new`] of the result. Rounding turns the normals by at most 4.9e-4 rad in the
     /// default chart, and 2⁻¹¹ of their tilt where that is small; in the projected chart by 0.03 rad next to the horizon;
-    /// slopes beyond [`MAX_HALF`](crate::normal_table::MAX_HALF) become that.
+    /// slopes beyond [`MAX_HALF`] become that.
     #[must_use]
     pub fn halves(&self) -> Vec<[u16; 2]> {
         let half = |c: f32| to_half(c.clamp(-MAX_HALF, MAX_HALF));
