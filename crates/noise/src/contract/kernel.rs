@@ -9,7 +9,7 @@ use crate::{
     lanes::{LANES, LaneSample, Lanes, Scalar},
     lattice::lattice::{REACH, is_within, wrapped},
     point::Point,
-    row::cells::POINTS,
+    row::cells::{POINTS, has_columns},
     row::points::{Points, Source, Target, buffers, by_axes},
     row::row::{Row, Strip, no_slices},
     statistics::statistics::Statistics,
@@ -67,6 +67,9 @@ pub trait Kernel<const N: usize>: Measured<N> {
 
     /// Whether lists are faster in sixteen lanes than in eight.
     const WIDE: bool = true;
+
+    /// Steps along a row from which on its points share too little; 0 where they never share enough.
+    const LONG_STEP: f32 = 0.0;
 
     /// From so many octaves on those of a point are evaluated in lanes, each with a key of its own.
     const OCTAVES_IN_LANES: usize = usize::MAX;
@@ -152,8 +155,8 @@ pub trait Kernel<const N: usize>: Measured<N> {
     /// `wide` is set where lists have sixteen lanes. Rows have eight at most: sixteen make `Perlin2002` faster by a fifth, `Perlin1985` by
     /// two fifths where few points share a cell.
     #[inline(always)]
-    fn shares(&self, _row: &Row<N>, _count: usize, _wide: bool) -> bool {
-        false
+    fn shares(&self, row: &Row<N>, count: usize, _wide: bool) -> bool {
+        has_columns(row, count, Self::LONG_STEP)
     }
 
     /// The values along a row that [shares](Self::shares) work, and the gradients if `GRADIENTS`; the number of points from the
@@ -181,7 +184,7 @@ pub struct OctavesAt<'a, const N: usize> {
     pub(crate) count: usize,
 }
 
-/// The values and gradients of octaves; beyond the number of octaves they are of no meaning.
+/// The values and gradients of octaves; entries beyond the number of octaves are unspecified.
 #[derive(Clone, Copy, Debug)]
 pub struct OctaveSamples<const N: usize> {
     pub(crate) values: [f32; OCTAVES],

@@ -10,8 +10,7 @@ use crate::{
     lattice::integer_hash::IntegerHash,
     lattice::lattice::Lattice,
     lattice::variates::{MARGIN, uniform},
-    row::cells::has_columns,
-    row::row::{Row, Strip},
+    row::row::Strip,
     statistics::tables,
 };
 
@@ -111,6 +110,8 @@ impl<L: Lattice, const N: usize> SplineNoise<N> for ValueCatmullRom<L> {
 }
 
 impl<L: Lattice, const N: usize> Kernel<N> for ValueCatmullRom<L> {
+    const LONG_STEP: f32 = LONG_STEP;
+
     type RowScratch = ();
 
     on_lattice!();
@@ -118,11 +119,6 @@ impl<L: Lattice, const N: usize> Kernel<N> for ValueCatmullRom<L> {
     #[inline(always)]
     fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
         spline::<Self, S, N, GRADIENTS>(s, self, p, seed)
-    }
-
-    #[inline(always)]
-    fn shares(&self, row: &Row<N>, count: usize, _: bool) -> bool {
-        has_columns(row, count, LONG_STEP)
     }
 
     #[inline(always)]

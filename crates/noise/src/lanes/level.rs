@@ -216,7 +216,7 @@ four!(fearless_simd::aarch64::Neon, as_neon);
 #[cfg(all(feature = "simd", target_arch = "wasm32", target_feature = "simd128"))]
 four!(fearless_simd::wasm32::WasmSimd128, as_wasm_simd128);
 
-/// Four lanes of the level that the program is built for; there are none.
+/// Four lanes of the level that the program is built for: `None` where the architecture has no SIMD level.
 #[cfg(all(
     feature = "simd",
     not(any(

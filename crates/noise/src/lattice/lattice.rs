@@ -218,7 +218,7 @@ macro_rules! words_by_terms {
 
 pub(crate) use words_by_terms;
 
-/// The words of a [`Lattice`] that has terms of its own and makes of them what another lattice does, the one in a field.
+/// The words of a [`Lattice`] that has its own terms and hashes them as the lattice in the given field does.
 macro_rules! words_of_terms_in {
     ($lattice:ident) => {
         $crate::lattice::lattice::words_by_terms!();

@@ -145,7 +145,7 @@ error_enum! {
         } => "`periods[{axis}]` must be a multiple of {factor}, got {period}",
         /// A noise that does not repeat along an axis was to be summed as one that does.
         NoPeriod => "`noise` must repeat: put it on a `Tiled` lattice, or take `TiledSimplex`",
-        /// A sum's lacunarity leaves an octave without a period of its own.
+        /// The lacunarity makes an octave's period fractional or too long.
         NoOctavePeriod {
             /// The axis, from 0.
             axis: usize,

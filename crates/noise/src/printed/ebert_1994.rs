@@ -14,9 +14,8 @@ use crate::{
     lattice::lattice::{Lattice, OnLattice},
     lattice::permutation_table::PermutationTable,
     point::Point,
-    row::cells::has_columns,
     row::points::{Points, Target},
-    row::row::{Row, Strip},
+    row::row::Strip,
     sample::Sample,
     statistics::statistics::Statistics,
     statistics::tables,
@@ -264,16 +263,13 @@ impl SplineNoise<3> for Splines<'_> {
 }
 
 impl Kernel<3> for Splines<'_> {
+    const LONG_STEP: f32 = LONG_STEP;
+
     type RowScratch = ();
 
     #[inline(always)]
     fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; 3], seed: u32) -> LaneSample<S, 3> {
         spline::<Self, S, 3, GRADIENTS>(s, self, p, seed)
-    }
-
-    #[inline(always)]
-    fn shares(&self, row: &Row<3>, count: usize, _: bool) -> bool {
-        has_columns(row, count, LONG_STEP)
     }
 
     #[inline(always)]

@@ -14,8 +14,7 @@ use crate::{
     lattice::integer_hash::IntegerHash,
     lattice::lattice::Lattice,
     row::cells::POINTS,
-    row::cells::has_columns,
-    row::row::{Row, Strip},
+    row::row::Strip,
     statistics::cellular,
     statistics::statistics::Statistics,
     statistics::tables,
@@ -143,6 +142,8 @@ impl<L> Cellular<L> {
 }
 
 impl<L: Lattice, const N: usize> Kernel<N> for Cellular<L> {
+    const LONG_STEP: f32 = LONG_STEP;
+
     type RowScratch = Columns<N>;
 
     on_lattice!();
@@ -164,11 +165,6 @@ impl<L: Lattice, const N: usize> Kernel<N> for Cellular<L> {
             both[1] = features.of_rank::<S, N>(s, &place, nearest.ranks[1]).1;
         }
         self.of_ways(s, nearest.measures, both)
-    }
-
-    #[inline(always)]
-    fn shares(&self, row: &Row<N>, count: usize, _: bool) -> bool {
-        has_columns(row, count, LONG_STEP)
     }
 
     #[inline(always)]
