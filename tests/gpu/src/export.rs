@@ -94,8 +94,8 @@ impl Folder<'_> {
     }
 }
 
-/// Writes the cases in the languages with the words of their bindings, and the parts as modules for Bevy, and has what is written read by
-/// the validators that are installed; or says what is missing or stale of it.
+/// Writes the cases in the languages with the words of their bindings, and the parts as modules for Bevy, and runs the installed
+/// validators on them; with a check, compares the files with those on the disk.
 pub(crate) fn run(cases: &[Case], dialects: &[Dialect], out: &Path, check: bool) -> Result<(), String> {
     let dialects = if dialects.is_empty() { Dialect::value_variants() } else { dialects };
     let folder = Folder { out, check, refusals: Mutex::default() };
@@ -119,7 +119,7 @@ pub(crate) fn run(cases: &[Case], dialects: &[Dialect], out: &Path, check: bool)
         // Their samplers are beyond the interpreter of cases.
         .chain([&noise::sums::MIP_MAPPED, &ndf::NORMAL_TABLE_FILTERED])
         .map(|part| (part.name(), part))
-        // Cases have parts of their own.
+        // Parts that only a case uses are not exported.
         .filter(|(name, part)| !part.source().is_empty() && !name.starts_with("case/"))
         .collect();
     for (name, part) in &parts {

@@ -21,7 +21,7 @@ use asperity_core::math;
 /// Entries are at the centres of the texels, row by row from `p_y = −1`, and interpolated bilinearly; those beyond the rim of the
 /// disk |p| ≤ 1 hold the half vector on it.
 ///
-/// - **Total:** half vectors below the horizon and NaN have the density 0; entries that are no numbers give some number that is
+/// - **Total:** half vectors below the horizon and NaN have the density 0. NaN entries yield an unspecified number of
 ///   at least 0.
 /// - **Any zoom, any place:** the table depends neither on `z_b` nor on `s`. It is 768 KB at 256², where a table over `h`, `z_b`
 ///   and `s` would have five dimensions.
@@ -59,7 +59,7 @@ pub struct ConditionalTableIn<S> {
 /// let table = ConditionalTable::new(&ggx, 256)?;
 /// let (h, z_b) = (ggx.from_gaussian(Vec2::new(0.3, -1.0)), Vec2::new(0.5, -0.8));
 /// let exact = conditional_density(&ggx, h, z_b, 0.75);
-/// assert!((table.view().density(h, GaussianSplit::new(z_b, 0.75)) / exact - 1.0).abs() < 0.01);
+/// assert!((table.density(h, GaussianSplit::new(z_b, 0.75)) / exact - 1.0).abs() < 0.01);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[cfg(feature = "alloc")]

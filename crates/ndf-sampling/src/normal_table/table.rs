@@ -26,8 +26,8 @@ use crate::numeric::binary16::{MAX_HALF, to_half};
 /// [`Chart`](crate::normal_table::Chart) of the layout. [`NormalTable`] owns its entries; [`NormalTableRef`] borrows floats or half floats, in flash
 /// or in a file's bytes.
 ///
-/// - **Total:** coordinates beyond the outermost entries give those, NaN counts as 0; entries that are no points of the chart
-///   count as the nearest that is one. Results are unit vectors with `n.z ≥ 0`.
+/// - **Total:** coordinates are clamped to the outermost entries, and NaN counts as 0. Entries outside the chart are clamped
+///   to it. Results are unit vectors with `n.z ≥ 0`.
 /// - **Half a texel:** entries are at the centres of `size²` equal texels, as in a texture with the coordinate `place(z)`. A
 ///   table of even size has no entry at `z = 0`: the nearest to the flat bump map is tilted by half a texel.
 /// - **Frames** are minimal rotations from (0, 0, 1), see [`Frame::from_normal`]: without a seam, and between two normals they

@@ -78,7 +78,7 @@ pub type EnvironmentMap = EnvironmentIn<Vec<Vec3>, Vec<f32>>;
 pub type EnvironmentRef<'a> = EnvironmentIn<&'a [Vec3], &'a [f32]>;
 
 impl<'a> EnvironmentRef<'a> {
-    /// The numbers that the table of an image of this size holds; 0 where there is no such image.
+    /// The length of the table of an image of this size; 0 for an invalid size.
     #[must_use]
     pub const fn table_len(width: usize, height: usize) -> usize {
         match table_len(width, height) {

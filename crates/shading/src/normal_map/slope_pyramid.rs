@@ -107,7 +107,7 @@ pub type SlopePyramid<const K: usize> = SlopePyramidIn<Vec<Vec2>, Vec<SlopeLobes
 pub type SlopePyramidRef<'a, const K: usize> = SlopePyramidIn<&'a [Vec2], &'a [SlopeLobes<K>], K>;
 
 impl<'a, const K: usize> SlopePyramidRef<'a, K> {
-    /// The number of lobes in all levels of a map of this size; 0 where there is no such map.
+    /// The number of lobes in all levels of a map of this size; 0 for an invalid size.
     #[must_use]
     pub const fn lobes_len(width: usize, height: usize) -> usize {
         match texel_count(width, height, MAX_TEXELS) {
@@ -198,7 +198,7 @@ impl<S: Deref<Target = [Vec2]>, L: Deref<Target = [SlopeLobes<K>]>, const K: usi
         self.lobes.last().copied().unwrap_or_default()
     }
 
-    /// The slope at a point, bilinear between the centres of the texels. A coordinate that is no number counts as 0.
+    /// The slope at a point, bilinear between the centres of the texels. A NaN coordinate counts as 0.
     #[must_use]
     pub fn slope(&self, uv: Vec2) -> Vec2 {
         bilinear(uv, self.size, &self.slopes)
@@ -262,7 +262,7 @@ const MAX_TEXELS: usize = 1 << 26;
 /// The largest coordinate of a slope: squares of it, and sums over a map, stay far within `f32`.
 const FARTHEST: f32 = 1e6;
 
-/// Refuses another number of slopes than there should be, and the first one that is none.
+/// Returns an error for a wrong number of slopes, or for the first invalid slope.
 fn check_slopes(width: usize, height: usize, slopes: &[Vec2]) -> Result<(), ImageError> {
     let needed = texel_count(width, height, MAX_TEXELS)?;
     check_texels([width, height], needed, slopes.iter().map(|slope| slope.extend(0.0)), FARTHEST)
