@@ -1,8 +1,7 @@
 //! Reflectances of any parameters: light that leaves is finite and not negative, samples have a direction and a density.
 
 use asperity_shading::bump::{
-    bumped_normal, displace, facing, gradient_of_normal, slope_facets, surface_gradient,
-    tangential,
+    bumped_normal, displace, facing, gradient_of_normal, slope_facets, surface_gradient, tangential,
 };
 use asperity_shading::glam::Vec3;
 use asperity_shading::pixel::FrequencyClamp;

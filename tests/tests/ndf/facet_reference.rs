@@ -223,9 +223,12 @@ fn lobes_of_older_models() {
         .collect();
     let mut worst = [0.0_f64; 2];
     // The rounding grows with the exponent, which is that of the fall from the peak.
-    let mut compare = |k: usize, got: f64, peak: f64, expected: f64| {
+    let mut compare = |k: usize, [wi, wo]: [DVec3; 2], got: f64, peak: f64, expected: f64| {
         let (fall, error) = ((peak / expected.max(1e-300)).ln(), (got - expected).abs());
-        assert!(error <= (1e-6 + 8.0 * ROUNDING * fall) * expected + 1e-37, "{got:e} != {expected:e}");
+        assert!(
+            error <= (1e-6 + 8.0 * ROUNDING * fall) * expected + 1e-37,
+            "{wi} {wo}: {got:e} != {expected:e}"
+        );
         if fall < 10.0 {
             worst[k] = worst[k].max(error / expected);
         }
@@ -234,14 +237,14 @@ fn lobes_of_older_models() {
         let ward = Ward::new(alpha(item)[0], alpha(item)[1]).unwrap();
         for ([wi, wo], expected) in pairs.iter().zip(numbers(&item["ward92"])) {
             let lobe = |h: Vec3| f64::from(ward.lobe(h)) / (wi.z * wo.z).sqrt();
-            compare(0, lobe((*wi + *wo).normalize().as_vec3()), lobe(Vec3::Z), expected);
+            compare(0, [*wi, *wo], lobe((*wi + *wo).normalize().as_vec3()), lobe(Vec3::Z), expected);
         }
     }
     for item in file["blinn_phong"].as_array().unwrap() {
         let phong = BlinnPhong::new(number(item, "n") as f32).unwrap();
         for ([wi, wo], row) in pairs.iter().zip(rows(&item["rows"])) {
             let lobe = |h: Vec3| f64::from(phong.density(h));
-            compare(1, lobe((*wi + *wo).normalize().as_vec3()), lobe(Vec3::Z), row[0]);
+            compare(1, [*wi, *wo], lobe((*wi + *wo).normalize().as_vec3()), lobe(Vec3::Z), row[0]);
         }
     }
     println!("ward_blinn_phong: worst relative error of Ward {:.1e}, Blinn–Phong {:.1e}", worst[0], worst[1]);

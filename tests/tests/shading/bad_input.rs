@@ -128,8 +128,9 @@ macro_rules! any_parameters {
     };
 }
 
+/// The roughness of a lobe.
 fn lobe() -> impl Strategy<Value = f32> {
-    prop_oneof![6 => 0.01..=1.0_f32, 1 => Just(0.01)]
+    share().prop_map(|roughness| roughness.max(0.01))
 }
 
 any_parameters!(fibres -> FibresParameters {
@@ -157,9 +158,9 @@ any_parameters!(paint -> MetallicPaintParameters {
     flake_roughness: lobe(),
     flakes: prop_oneof![
         Just(PaintFlakes::Sparkling),
-        (size(), 0.001..=1.0_f32).prop_map(|(spacing, bin)| PaintFlakes::Counted { spacing, bin }),
+        (size(), share()).prop_map(|(spacing, bin)| PaintFlakes::Counted { spacing, bin: bin.max(0.001) }),
     ],
-    pigment: colour(), coat_index: 1.0..=2.0_f32, coat_roughness: share(), seed: any::<u32>(),
+    pigment: colour(), coat_index: share().prop_map(|share| 1.0 + share), coat_roughness: share(), seed: any::<u32>(),
 });
 
 any_parameters!(glass -> TemperedGlassParameters {
