@@ -9,7 +9,7 @@ use crate::{
     contract::kernel::{FillList, FillRow, Kernel, OctaveSamples, OctavesAt, lone},
     lanes::level::Instructions,
     lanes::{LaneSample, Scalar},
-    lattice::lattice::{Lattice, OnLattice},
+    lattice::lattice::{IS_FULL, Lattice, OnLattice},
 };
 
 /// The dimensions that kinds are compiled in; in four a kind takes as long to compile as in all others together, and few use it.
@@ -36,16 +36,20 @@ pub(crate) struct Forms<K: Kernel<N>, const N: usize> {
 }
 
 impl<K: Kernel<N>, const N: usize> Forms<K, N> {
-    /// The evaluations themselves.
-    pub(crate) const ALL: Self = Self {
-        value: |noise, p, seed| lone::<K, N, false>(noise, p, seed).0,
-        sample: |noise, p, seed| lone::<K, N, true>(noise, p, seed),
-        row: |call, instructions| call.at(instructions),
-        list: |call, instructions| call.at(instructions),
-        octaves: |noise, octaves, samples| octaves.evaluate(noise, samples),
+    /// The evaluations themselves, in a [full](IS_FULL) build: a static's functions are compiled whether it is used or not.
+    pub(crate) const ALL: Self = if IS_FULL {
+        Self {
+            value: |noise, p, seed| lone::<K, N, false>(noise, p, seed).0,
+            sample: |noise, p, seed| lone::<K, N, true>(noise, p, seed),
+            row: |call, instructions| call.at(instructions),
+            list: |call, instructions| call.at(instructions),
+            octaves: |noise, octaves, samples| octaves.evaluate(noise, samples),
+        }
+    } else {
+        Self::NONE
     };
 
-    /// For a dimension that there is not.
+    /// For a dimension that there is not, and builds that are not full.
     pub(crate) const NONE: Self = Self {
         value: |_, _, _| 0.0,
         sample: |_, _, _| (0.0, [0.0; N]),

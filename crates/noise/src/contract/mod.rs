@@ -7,5 +7,3 @@ pub(crate) mod hessian;
 pub(crate) mod kernel;
 pub(crate) mod many;
 pub(crate) mod noise;
-#[cfg(test)]
-pub(crate) mod rows_alone;

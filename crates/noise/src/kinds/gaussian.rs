@@ -13,7 +13,7 @@ use crate::{
     lanes::level::run_at_point,
     lanes::{LaneSample, Lanes, Scalar},
     lattice::integer_hash::IntegerHash,
-    lattice::lattice::{Lattice, OnLattice, REACH, is_within, wrapped},
+    lattice::lattice::{IS_FULL, Lattice, OnLattice, REACH, is_within, wrapped},
     lattice::variates::{gaussian_variates, gaussian_variates_of_both},
     point::Point,
     sample::Sample,
@@ -168,9 +168,13 @@ struct PairForms<const N: usize> {
 }
 
 impl<const N: usize> PairForms<N> {
-    const ALL: Self = Self {
-        pair: |noise, p| noise.pair_at(p),
-        octaves: |noise, octaves, samples| run_at_point(Pairs { noise, octaves, samples }),
+    const ALL: Self = if IS_FULL {
+        Self {
+            pair: |noise, p| noise.pair_at(p),
+            octaves: |noise, octaves, samples| run_at_point(Pairs { noise, octaves, samples }),
+        }
+    } else {
+        Self::NONE
     };
     const NONE: Self = Self { pair: |_, _| [(0.0, [0.0; N]); 2], octaves: |_, _, _| None };
 }
@@ -313,44 +317,4 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Channels<'_, L> {
 fn corner<S: Lanes, const N: usize, const CHANNEL: u32>(s: S, word: S::U) -> Corner<S, N> {
     let (value, gradient) = gaussian_variates::<S, N, CHANNEL>(s, word);
     Corner { value, gradient }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::contract::field::Field;
-    use approx::assert_abs_diff_eq;
-    use glam::{Vec2, Vec3};
-
-    #[test]
-    fn the_first_channel_is_the_sample() {
-        let noise = Gaussian::default();
-        for i in 0..100_u8 {
-            let p = Vec3::new(0.37 * f32::from(i), -0.21 * f32::from(i), 3.1);
-            let [first, second] = noise.with_seed(5).pair(p);
-            assert_eq!(first, noise.with_seed(5).sample(p));
-            assert_eq!(first.value, noise.with_seed(5).value(p));
-            assert_ne!(first.value, second.value);
-        }
-    }
-
-    #[test]
-    fn the_normalised_noise_is_the_quotient() {
-        let p = Vec2::new(1.3, -2.6);
-        let (n, v) = (Gaussian::new(3).unnormalised(p), Gaussian::new(3).variance(p));
-        let z = Gaussian::new(3).sample(p).value;
-        assert_abs_diff_eq!(n.value / v.value.sqrt(), z, epsilon = 1e-6);
-        let corner = Gaussian::new(3).variance(Vec2::new(4.0, 7.0));
-        assert_eq!(corner.value, 1.0);
-    }
-
-    #[test]
-    fn far_points_and_points_that_are_none_are_defined() {
-        let noise = Gaussian::default();
-        assert_eq!(noise.with_seed(1).pair(Vec2::new(f32::NAN, 1.0)), [Sample::default(); 2]);
-        let nowhere = Vec2::new(f32::INFINITY, 1.0);
-        assert_eq!([noise.unnormalised(nowhere), noise.variance(nowhere)], [Sample::default(); 2]);
-        let far = noise.with_seed(1).pair(Vec3::new(2e9, -2e9, 1e30));
-        assert!(far.iter().all(|sample| sample.value.is_finite() && sample.value != 0.0));
-    }
 }

@@ -140,34 +140,3 @@ error_enum! {
         } => "`weight` must be in [0, 1], got {weight}",
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::contract::field::Field;
-    use glam::Vec2;
-
-    #[test]
-    fn only_weights_are_accepted() {
-        for weight in [-0.0, 0.0, 0.3, 1.0] {
-            assert_eq!(ValueGradient::default().with_weight(weight).unwrap().weight(), weight);
-        }
-        for weight in [-1e-9, 1.000_001, f32::INFINITY] {
-            assert_eq!(
-                ValueGradient::default().with_weight(weight),
-                Err(ValueGradientError::WeightOutOfRange { weight })
-            );
-        }
-        assert!(ValueGradient::default().with_weight(f32::NAN).is_err());
-    }
-
-    #[test]
-    fn parts_alone_are_0_or_flat_at_lattice_points() {
-        let p = Vec2::new(3.0, -2.0);
-        assert_eq!(ValueGradient::default().with_weight(1.0).unwrap().with_seed(1).value(p), 0.0);
-        assert_eq!(
-            ValueGradient::default().with_weight(0.0).unwrap().with_seed(1).sample(p).gradient,
-            Vec2::ZERO
-        );
-    }
-}

@@ -2,7 +2,7 @@
 
 use crate::{
     lanes::Lanes,
-    lattice::lattice::{Lattice, words_by_terms},
+    lattice::lattice::{IS_FULL, Lattice, words_by_terms},
 };
 
 /// A 32-bit hash of cell and seed.
@@ -58,7 +58,7 @@ const M2: u32 = 0x846c_a68b;
 const GOLDEN: u32 = 0x9e37_79b9;
 
 impl Lattice for IntegerHash {
-    const STANDARD: bool = cfg!(not(debug_assertions));
+    const STANDARD: bool = IS_FULL;
 
     words_by_terms!();
 

@@ -2,6 +2,9 @@
 
 use crate::lanes::{Arithmetic, Lanes, Scalar};
 
+/// Whether this build of the crate has the kinds compiled. Its unit tests call none of them.
+pub(crate) const IS_FULL: bool = cfg!(not(any(debug_assertions, test)));
+
 /// A hash of lattice points, the only randomness of every noise of this crate.
 ///
 /// All 32 bits of a word must look independent of one another, of the words of other points and of other seeds.

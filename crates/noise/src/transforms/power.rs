@@ -57,21 +57,3 @@ combined!([F] Power<F>, |self| self.0, [], {
     let through_zero = self.1 > 0 && self.1.is_multiple_of(2) && low < 0.0 && high > 0.0;
     [if through_zero { 0.0 } else { a.min(b) }, a.max(b)]
 });
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::kinds::perlin::Perlin2002;
-    use glam::Vec2;
-
-    #[test]
-    fn powers_are_powers() {
-        let (field, p) = (Perlin2002::new(3), Vec2::new(0.3, 1.8));
-        let n = field.sample(p);
-        let [one, itself, cube] = [0, 1, 3].map(|k| Power(field, k).sample(p));
-        assert_eq!((one.value, one.gradient), (1.0, Vec2::ZERO));
-        assert_eq!(itself, n);
-        assert_eq!(cube.value, n.value * n.value * n.value);
-        assert_eq!(cube.gradient, 3.0 * (n.value * n.value) * n.gradient);
-    }
-}

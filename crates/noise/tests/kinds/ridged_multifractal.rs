@@ -1,0 +1,35 @@
+//! The ridged multifractal: settings, and sums that are known.
+
+use approx::assert_abs_diff_eq;
+use asperity_noise::{
+    Field, Normalisation, Octaves, Perlin2002, Ridged, RidgedMultifractal, Spectrum, glam::Vec3,
+};
+
+#[test]
+fn only_finite_feedback_from_zero_on_is_taken() {
+    let new = |feedback| RidgedMultifractal::<_, 2>::new(Perlin2002::new(1), Spectrum::default(), feedback);
+    for feedback in [-1.0, f32::INFINITY] {
+        assert_eq!(new(feedback).map_err(|error| error.feedback), Err(feedback));
+    }
+    assert!(new(f32::NAN).is_err() && new(0.0).is_ok());
+}
+
+#[test]
+fn one_octave_is_one_ridged_octave() {
+    let ridges = RidgedMultifractal::new(Perlin2002::new(1), Spectrum::default(), 1.0).unwrap();
+    let octaves =
+        Octaves::new(Perlin2002::new(1), Spectrum::default()).with_normalisation(Normalisation::Range);
+    let octaves = octaves.with_shape(Ridged);
+    let p = Vec3::new(0.2, 7.1, -3.4);
+    assert_eq!(ridges.first(1.0).sample(p), octaves.first(1.0).sample(p));
+    assert_ne!(ridges.first(2.0).sample(p), octaves.first(2.0).sample(p));
+    assert_eq!(ridges.first(5.0).value(p), ridges.first(5.0).sample(p).value);
+}
+
+#[test]
+fn without_feedback_only_the_first_octave_counts() {
+    let ridges = RidgedMultifractal::new(Perlin2002::new(1), Spectrum::default(), 0.0).unwrap();
+    let p = Vec3::new(0.2, 7.1, -3.4);
+    let [one, three] = [1.0, 3.0].map(|octaves| ridges.first(octaves).value(p));
+    assert_abs_diff_eq!(three * 1.75, one, epsilon = 1e-6);
+}

@@ -1,0 +1,64 @@
+//! Kinds on a lattice that repeats.
+
+use asperity_noise::{
+    Basis, Cellular, Field, Gaussian, IntegerHash, Perlin1985, Perlin2002, Point, Simplex, Sparse, Tiled,
+    Value, ValueCatmullRom, ValueGradient, White,
+    glam::{Vec2, Vec3, Vec4},
+    lattice::{ChainedTable, PermutationTable},
+};
+
+fn tiles<V: Point<Coordinates = [f32; N]>, const N: usize>(noise: &impl Field<V>, periods: [u32; N]) {
+    for i in 0..60_u8 {
+        let mut axis = 0;
+        let p = periods.map(|period| {
+            axis += 1;
+            // Eighths, so that sums are exact; across the border of a period and on it.
+            (f32::from(i) * [0.625, -0.375, 1.125, -0.875][axis - 1]) % (2.0 * period as f32)
+        });
+        let here = noise.sample(V::from_coordinates(p));
+        for axis in 0..N {
+            for turns in [1.0, -2.0, 1000.0] {
+                let mut q = p;
+                q[axis] += turns * periods[axis] as f32;
+                let there = noise.sample(V::from_coordinates(q));
+                let bits = |x: V| x.coordinates().map(f32::to_bits);
+                assert_eq!(here.value.to_bits(), there.value.to_bits(), "{p:?} and {q:?}");
+                assert_eq!(bits(here.gradient), bits(there.gradient), "{p:?} and {q:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_kind_on_the_integer_lattice_tiles_bit_for_bit() {
+    fn kind<K>(noise: &K)
+    where
+        K: Field<f32> + Field<Vec2> + Field<Vec3> + Field<Vec4>,
+    {
+        tiles::<f32, 1>(noise, [7]);
+        tiles::<Vec2, 2>(noise, [7, 1]);
+        tiles::<Vec3, 3>(noise, [7, 1, 12]);
+        tiles::<Vec4, 4>(noise, [7, 1, 12, 2]);
+    }
+    let lattice = Tiled::new(IntegerHash, [7, 1, 12, 2]).unwrap();
+    kind(&White::new(4).with_lattice(lattice));
+    kind(&Value::new(4).with_lattice(lattice));
+    kind(&ValueCatmullRom::new(4).with_lattice(lattice));
+    kind(&ValueGradient::new(4).with_lattice(lattice));
+    kind(&Perlin1985::new(4).with_lattice(lattice));
+    kind(&Perlin2002::new(4).with_lattice(lattice));
+    kind(&Gaussian::new(4).with_lattice(lattice));
+    kind(&Sparse::new(4).with_lattice(lattice));
+    kind(&Cellular::new(4).with_lattice(lattice));
+    kind(&Cellular::new(4).with_basis(Basis::Cell).with_lattice(lattice));
+    let table = PermutationTable::new(1);
+    kind(&Perlin2002::new(4).with_lattice(Tiled::new(table, [7, 1, 12, 2]).unwrap()));
+    kind(&Perlin2002::new(4).with_lattice(Tiled::new(ChainedTable(table), [7, 1, 12, 2]).unwrap()));
+}
+
+#[test]
+fn simplex_noise_tiles_on_the_line() {
+    let lattice = Tiled::new(IntegerHash, [7]).unwrap();
+    tiles::<f32, 1>(&Simplex::new(4).with_lattice(lattice), [7]);
+    tiles::<f32, 1>(&Simplex::wide(4).with_lattice(lattice), [7]);
+}

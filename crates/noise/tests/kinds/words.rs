@@ -1,0 +1,21 @@
+//! Words of lattice points and numbers of them, as their documentation states them, and random numbers.
+
+/// SplitMix64's output for the state `counter`·γ.
+pub(crate) fn mix(counter: u64) -> u64 {
+    let z = counter.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}
+
+/// Further word k of a lattice point.
+pub(crate) fn further(word: u32, k: u32) -> u32 {
+    let h = word.wrapping_add(0x9e37_79b9_u32.wrapping_mul(k));
+    let h = (h ^ (h >> 15)).wrapping_mul(0x846c_a68b);
+    h ^ (h >> 16)
+}
+
+/// A number uniform in (−1, 1).
+pub(crate) fn uniform(word: u32) -> f32 {
+    (word >> 8) as f32 / 8_388_608.0 + (0.5 / 8_388_608.0 - 1.0)
+}
