@@ -88,18 +88,13 @@ impl<'m> Machine<'m> {
     ) -> Result<Operand, String> {
         let (module, rounding) = (self.module(), self.shader.rounding);
         let words: Words = match frame.function.expressions[handle] {
-            Expression::Literal(_) | Expression::ZeroValue(_) => {
-                let words = constant_words(module, &frame.function.expressions, handle)?;
-                words.into_iter().map(|word| [word; LANES]).collect()
-            }
-            Expression::Constant(constant) => {
-                if let Some(words) = &self.constants[constant.index()] {
+            Expression::Literal(_) | Expression::ZeroValue(_) | Expression::Constant(_) => {
+                let known = &mut self.constants[frame.handle.index()][handle.index()];
+                if let Some(words) = known {
                     return Ok(Operand::Words(Rc::clone(words)));
                 }
                 let words = constant_words(module, &frame.function.expressions, handle)?;
-                let words: Words = words.into_iter().map(|word| [word; LANES]).collect();
-                self.constants[constant.index()] = Some(Rc::clone(&words));
-                words
+                Rc::clone(known.insert(words.into_iter().map(|word| [word; LANES]).collect()))
             }
             Expression::Compose { ref components, .. } => {
                 let mut words = vec![];

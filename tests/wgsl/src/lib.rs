@@ -126,7 +126,7 @@ impl Interpreter {
         }
         // Of many points at once, so that a machine is made once for all of them.
         let chunks: Vec<Vec<Value>> = inputs
-            .par_chunks(16 * LANES)
+            .par_chunks(32 * LANES)
             .map_init(
                 || Machine::new(&self.0),
                 |machine, chunk| {

@@ -15,14 +15,28 @@ use super::shader::Shader;
 use super::value::Value;
 
 /// A bit for each lane that goes on.
-pub(super) type Mask = u128;
+pub(super) type Mask = u64;
 
 /// Rounds of loops that one call may take.
 const MOST_ROUNDS: u64 = 1_000_000;
 
+/// The lanes of a mask, from the lowest bit on.
+#[derive(Clone)]
+pub(super) struct LanesOf(Mask);
+
+impl Iterator for LanesOf {
+    type Item = usize;
+
+    fn next(&mut self) -> Option<usize> {
+        let lane = self.0.trailing_zeros() as usize;
+        self.0 &= self.0.wrapping_sub(1);
+        (lane < LANES).then_some(lane)
+    }
+}
+
 /// The lanes of a mask.
-pub(super) fn lanes(mask: Mask) -> impl Iterator<Item = usize> + Clone {
-    (0..LANES).filter(move |lane| mask >> lane & 1 == 1)
+pub(super) const fn lanes(mask: Mask) -> LanesOf {
+    LanesOf(mask)
 }
 
 /// The lanes where a truth is 1.
@@ -65,6 +79,7 @@ impl Place {
 
 /// A function while it runs.
 pub(super) struct Frame<'m> {
+    pub(super) handle: Handle<Function>,
     pub(super) function: &'m Function,
     pub(super) info: &'m FunctionInfo,
     pub(super) mask: Mask,
@@ -86,14 +101,15 @@ pub(super) struct Machine<'m> {
     pub(super) memory: Vec<Lanes>,
     /// Addresses of private variables, by the index of naga.
     pub(super) privates: Vec<u32>,
-    /// Constants that were read, by the index of naga.
-    pub(super) constants: Vec<Option<Words>>,
+    /// Constant expressions that were read, by the indices of naga of the function and the expression.
+    pub(super) constants: Vec<Vec<Option<Words>>>,
     rounds: u64,
 }
 
 impl<'m> Machine<'m> {
     pub(super) fn new(shader: &'m Shader) -> Self {
-        let constants = vec![None; shader.module.constants.len()];
+        let functions = shader.module.functions.iter();
+        let constants = functions.map(|(_, function)| vec![None; function.expressions.len()]).collect();
         Self { shader, memory: vec![], privates: vec![], constants, rounds: 0 }
     }
 
@@ -157,18 +173,18 @@ impl<'m> Machine<'m> {
     ) -> Result<Vec<Lanes>, String> {
         let function = &self.module().functions[handle];
         let bottom = self.memory.len();
-        let result = self.run_function(function, &self.shader.info[handle], arguments, mask);
+        let result = self.run_function(handle, arguments, mask);
         self.memory.truncate(bottom);
         result.map_err(|error| format!("{error}, in `{}`", function.name.as_deref().unwrap_or_default()))
     }
 
     fn run_function(
         &mut self,
-        function: &'m Function,
-        info: &'m FunctionInfo,
+        handle: Handle<Function>,
         arguments: Vec<Operand>,
         mask: Mask,
     ) -> Result<Vec<Lanes>, String> {
+        let (function, info) = (&self.module().functions[handle], &self.shader.info[handle]);
         let mut locals = vec![];
         for (_, local) in function.local_variables.iter() {
             locals.push(self.memory.len() as u32);
@@ -178,7 +194,8 @@ impl<'m> Machine<'m> {
         let result = vec![[0; LANES]; words.transpose()?.unwrap_or(0) as usize];
         let values = vec![None; function.expressions.len()];
         let (broken, continued) = (0, 0);
-        let mut frame = Frame { function, info, mask, arguments, locals, values, result, broken, continued };
+        let mut frame =
+            Frame { handle, function, info, mask, arguments, locals, values, result, broken, continued };
         self.block(&mut frame, &function.body, mask)?;
         Ok(frame.result)
     }
@@ -357,14 +374,16 @@ impl<'m> Machine<'m> {
 
     /// Whether an expression is a product that one sum alone uses, of an arithmetic that fuses them.
     pub(super) fn is_fused_product(&self, frame: &Frame<'m>, handle: Handle<Expression>) -> bool {
+        if self.shader.rounding.arithmetic == Arithmetic::Written {
+            return false;
+        }
         let Expression::Binary { op: BinaryOperator::Multiply, left, right } =
             frame.function.expressions[handle]
         else {
             return false;
         };
         let is_matrix = |operand| matches!(self.inner(frame, operand), TypeInner::Matrix { .. });
-        self.shader.rounding.arithmetic == Arithmetic::Fused
-            && frame.info[handle].ref_count == 1
+        frame.info[handle].ref_count == 1
             && self.kind(frame, left) == Ok(Kind::Float)
             && !is_matrix(left)
             && !is_matrix(right)

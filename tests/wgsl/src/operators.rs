@@ -7,8 +7,8 @@ use naga::{BinaryOperator, MathFunction, TypeInner, UnaryOperator};
 use super::arithmetic::{Arithmetic, Rounding};
 use super::layout::Kind;
 
-/// Number of points that run together.
-pub(super) const LANES: usize = 128;
+/// Number of points that run together: values of a function that is not small fit the first cache.
+pub(super) const LANES: usize = 64;
 
 /// A word at all points.
 pub(super) type Lanes = [u32; LANES];
@@ -28,9 +28,10 @@ pub(super) enum Term<'a> {
 #[inline(always)]
 fn zip<const K: usize>(operands: [&[Lanes]; K], f: impl Fn([u32; K]) -> u32) -> Words {
     let count = operands.iter().map(|operand| operand.len()).max().unwrap_or(0);
-    let word = |at: usize| {
+    let mut result: Words = std::iter::repeat_n([0; LANES], count).collect();
+    // In place: nothing else has it yet.
+    for (at, to) in Rc::get_mut(&mut result).into_iter().flatten().enumerate() {
         let from = operands.map(|operand| &operand[if operand.len() == 1 { 0 } else { at }]);
-        let mut to = [0; LANES];
         // Loops in place of `map`: closures over arrays are not inlined here.
         for (lane, to) in to.iter_mut().enumerate() {
             let mut words = [0; K];
@@ -39,9 +40,8 @@ fn zip<const K: usize>(operands: [&[Lanes]; K], f: impl Fn([u32; K]) -> u32) -> 
             }
             *to = f(words);
         }
-        to
-    };
-    (0..count).map(word).collect()
+    }
+    result
 }
 
 /// A function of two signed numbers, word by word.
