@@ -35,6 +35,34 @@ pub type Words<'a, const D: usize> = &'a dyn Fn([i32; D], u32) -> u32;
 /// A lattice point that a value comes from: its cell, its weight, the way from it.
 type Part<const D: usize> = ([i32; D], f64, [f64; D]);
 
+/// The draw of a lattice point.
+enum Drawn<const D: usize> {
+    /// A number, and a slope.
+    Line(f64, [f64; D]),
+    /// Impulses at places of the cell, and their weights.
+    Impulses(Vec<([f64; D], f64)>),
+}
+
+impl<const D: usize> Drawn<D> {
+    /// The value at a way `d` from the lattice point.
+    fn at(&self, d: &[f64; D]) -> f64 {
+        match self {
+            Self::Line(value, slope) => value + dot(slope, d),
+            Self::Impulses(impulses) => {
+                let mut sum = 0.0;
+                for (place, weight) in impulses {
+                    let mut from_it = *d;
+                    for k in 0..D {
+                        from_it[k] -= place[k];
+                    }
+                    sum += kernel(from_it) * weight;
+                }
+                sum
+            }
+        }
+    }
+}
+
 impl Kind {
     /// The unscaled value at `p`.
     #[must_use]
@@ -54,40 +82,54 @@ impl Kind {
     /// The unscaled value at `p` on a lattice.
     #[must_use]
     pub fn value_on<const D: usize>(self, words: Words<'_, D>, p: [f64; D], seed: u32) -> f64 {
-        let parts = self.parts(p).into_iter().map(|part| (words(part.0, seed), part));
-        let Self::Gaussian(_) = self else {
-            return parts.map(|(word, (_, w, d))| self.part(word, w, d)).sum();
-        };
+        let parts = self.parts(p);
+        self.sum(&self.drawn(words, &parts, seed), &parts)
+    }
+
+    /// The draws of the lattice points of parts.
+    fn drawn<const D: usize>(self, words: Words<'_, D>, parts: &[Part<D>], seed: u32) -> Vec<Drawn<D>> {
+        parts.iter().map(|part| self.draw(words(part.0, seed))).collect()
+    }
+
+    /// The unscaled value from parts, of which every lattice point has drawn something.
+    fn sum<const D: usize>(self, drawn: &[Drawn<D>], parts: &[Part<D>]) -> f64 {
         let (mut n, mut v) = (0.0, 0.0);
-        for (word, (_, w, d)) in parts {
-            n += self.part(word, w, d);
+        for k in 0..drawn.len() {
+            let (_, w, d) = &parts[k];
+            n += w * drawn[k].at(d);
             v += w * w * (1.0 + 4.0 * dot(d, d));
         }
-        n / v.sqrt()
+        if matches!(self, Self::Gaussian(_)) { n / v.sqrt() } else { n }
     }
 
     /// The part that a lattice point with a word adds at a way `d` from it, where it has the weight `w`.
     #[must_use]
     pub fn part<const D: usize>(self, word: u32, w: f64, d: [f64; D]) -> f64 {
-        match self {
-            Self::Value => w * f64::from(word as i32) / 2_147_483_648.0,
-            Self::White | Self::CatmullRom => w * uniform(word),
-            Self::Perlin1985 => w * dot(unit_gradient(word).map(f64::from), d),
-            Self::Perlin2002 | Self::Simplex(_) => w * dot(edge_gradient(word).map(f64::from), d),
+        w * self.draw(word).at(&d)
+    }
+
+    /// The draw of a lattice point by its word.
+    fn draw<const D: usize>(self, word: u32) -> Drawn<D> {
+        let (value, slope) = match self {
+            Self::Value => (f64::from(word as i32) / 2_147_483_648.0, [0.0; D]),
+            Self::White | Self::CatmullRom => (uniform(word), [0.0; D]),
+            Self::Perlin1985 => (0.0, unit_gradient(word).map(f64::from)),
+            Self::Perlin2002 | Self::Simplex(_) => (0.0, edge_gradient(word).map(f64::from)),
             Self::ValueGradient(weight) => {
-                let rise = 2.0 / (D as f64).sqrt() * dot(unit_gradient(word).map(f64::from), d);
-                w * ((1.0 - weight) * uniform(further(word, 6)) + weight * rise)
+                let rise = weight * 2.0 / (D as f64).sqrt();
+                let slope = unit_gradient(word).map(|slope| rise * f64::from(slope));
+                ((1.0 - weight) * uniform(further(word, 6)), slope)
             }
             Self::Sparse(impulses) => {
                 let first = std::iter::successors(Some(word), |&word| Some(further(word, 3)));
-                let sum: f64 = first.take(impulses as usize).map(|word| impulse(word, d)).sum();
-                w * sum
+                return Drawn::Impulses(first.take(impulses as usize).map(impulse).collect());
             }
             Self::Gaussian(channel) => {
                 let (value, gradient) = gaussian_corner::<D>(word)[channel];
-                w * (f64::from(value) + 2.0 * dot(gradient.map(f64::from), d))
+                (f64::from(value), gradient.map(|slope| 2.0 * f64::from(slope)))
             }
-        }
+        };
+        Drawn::Line(value, slope)
     }
 
     /// The lattice points that the value at `p` comes from.
@@ -125,6 +167,8 @@ impl Kind {
     ) -> Option<[f64; D]> {
         const H: f64 = 1e-4;
         let here = self.lattice_points(p);
+        // The same lattice points all along the differences.
+        let drawn = self.drawn(words, &self.parts(p), seed);
         let mut gradient = [0.0; D];
         for (k, slope) in gradient.iter_mut().enumerate() {
             let at = |step: f64| {
@@ -135,7 +179,7 @@ impl Kind {
             if [2.0 * H, -2.0 * H].into_iter().any(|step| self.lattice_points(at(step)) != here) {
                 return None;
             }
-            *slope = difference(H, |step| self.value_on(words, at(step), seed));
+            *slope = difference(H, |step| self.sum(&drawn, &self.parts(at(step))));
         }
         Some(gradient)
     }
@@ -169,10 +213,10 @@ impl Kind {
     pub fn greatest<const D: usize>(self, p: [f64; D]) -> f64 {
         let best = |(_, w, d): Part<D>| match self {
             Self::White | Self::Value | Self::CatmullRom => w.abs(),
-            Self::Perlin1985 => w * dot(d, d).sqrt(),
+            Self::Perlin1985 => w * dot(&d, &d).sqrt(),
             Self::Perlin2002 | Self::Simplex(_) => w * best_edge(d),
             Self::ValueGradient(weight) => {
-                w * (1.0 - weight + weight * 2.0 / (D as f64).sqrt() * dot(d, d).sqrt())
+                w * (1.0 - weight + weight * 2.0 / (D as f64).sqrt() * dot(&d, &d).sqrt())
             }
             // The nearest place of the lattice point's cell.
             Self::Sparse(impulses) => w * f64::from(impulses) * kernel(d.map(|d| d - d.clamp(0.0, 1.0))),
@@ -200,17 +244,17 @@ fn further(word: u32, k: u32) -> u32 {
     h ^ h >> 16
 }
 
-/// The kernel around the impulse of a word, at a way `d` from the low corner of its cell, times the impulse's weight.
-fn impulse<const D: usize>(word: u32, d: [f64; D]) -> f64 {
+/// The impulse of a word: its place in the cell and its weight.
+fn impulse<const D: usize>(word: u32) -> ([f64; D], f64) {
     let second = further(word, 1);
     let fields = [word >> 16, word & 0xffff, second >> 16, second & 0xffff];
-    let from_it = std::array::from_fn::<f64, D, _>(|k| d[k] - (f64::from(fields[k]) + 0.5) / 65_536.0);
-    kernel(from_it) * uniform(if D < 3 { second } else { further(word, 2) })
+    let place = std::array::from_fn(|k| (f64::from(fields[k]) + 0.5) / 65_536.0);
+    (place, uniform(if D < 3 { second } else { further(word, 2) }))
 }
 
 /// (1 − r²)³ inside the unit ball.
 fn kernel<const D: usize>(d: [f64; D]) -> f64 {
-    (1.0 - dot(d, d)).max(0.0).powi(3)
+    (1.0 - dot(&d, &d)).max(0.0).powi(3)
 }
 
 fn cubic(t: f64) -> f64 {
@@ -231,8 +275,12 @@ fn catmull_rom(d: f64) -> f64 {
     }
 }
 
-fn dot<const D: usize>(a: [f64; D], b: [f64; D]) -> f64 {
-    a.iter().zip(&b).map(|(a, b)| a * b).sum()
+fn dot<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
+    let mut sum = 0.0;
+    for k in 0..D {
+        sum += a[k] * b[k];
+    }
+    sum
 }
 
 /// max g·d over the edge directions: ±1 and less on the line, eight of length √2 in the plane, then all but one axis.
@@ -251,22 +299,32 @@ fn best_edge<const D: usize>(d: [f64; D]) -> f64 {
     }
 }
 
-/// The lattice points in a range around the cell of `p` along every axis, with the product of the axes' weights.
+/// The lattice points in a range of at most four around the cell of `p` along every axis, with the product of the axes' weights.
 fn around<const D: usize>(
     p: [f64; D],
     range: std::ops::RangeInclusive<i32>,
     weight: impl Fn(f64) -> f64,
 ) -> Vec<Part<D>> {
     let (first, count) = (*range.start(), (range.end() - range.start() + 1) as usize);
-    (0..count.pow(D as u32))
-        .map(|index| {
-            let steps: [i32; D] =
-                std::array::from_fn(|k| first + (index / count.pow(k as u32) % count) as i32);
-            let point: [f64; D] = std::array::from_fn(|k| p[k].floor() + f64::from(steps[k]));
-            let d: [f64; D] = std::array::from_fn(|k| p[k] - point[k]);
-            (point.map(|c| c as i32), d.into_iter().map(&weight).product(), d)
-        })
-        .collect()
+    // Coordinate, weight and way along every axis.
+    let mut axes = [[(0, 0.0, 0.0); 4]; D];
+    for (k, axis) in axes.iter_mut().enumerate() {
+        for (step, along) in (first..).zip(axis.iter_mut()).take(count) {
+            let point = p[k].floor() + f64::from(step);
+            *along = (point as i32, weight(p[k] - point), p[k] - point);
+        }
+    }
+    let mut parts = vec![([0; D], 1.0, [0.0; D]); count.pow(D as u32)];
+    for (index, (cell, w, d)) in parts.iter_mut().enumerate() {
+        let mut digits = index;
+        for k in 0..D {
+            let (coordinate, weight, way) = axes[k][digits % count];
+            (cell[k], d[k]) = (coordinate, way);
+            *w *= weight;
+            digits /= count;
+        }
+    }
+    parts
 }
 
 /// The corners of the simplex around `p`, with the kernel of a radius as the weight.
@@ -289,7 +347,7 @@ fn simplex<const D: usize>(p: [f64; D], radius_squared: f64) -> Vec<Part<D>> {
             }
             let back = cell.iter().sum::<f64>() * unskew;
             let d: [f64; D] = std::array::from_fn(|k| p[k] - (cell[k] - back));
-            (cell.map(|c| c as i32), (radius_squared - dot(d, d)).max(0.0).powi(4), d)
+            (cell.map(|c| c as i32), (radius_squared - dot(&d, &d)).max(0.0).powi(4), d)
         })
         .collect()
 }
