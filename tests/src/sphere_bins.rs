@@ -87,11 +87,13 @@ fn adaptive(part: Part, coarse: f64, deepest: u32, f: &impl Fn(Vec3) -> f64) -> 
 }
 
 fn gauss([theta, phi]: Part, f: &impl Fn(Vec3) -> f64) -> f64 {
-    let at = |[from, to]: [f64; 2], t: f64| from + (to - from) * t;
+    let nodes = |[from, to]: [f64; 2]| GAUSS.map(|(t, weight)| ((from + (to - from) * t).sin_cos(), weight));
+    let around = nodes(phi);
     let mut sum = 0.0;
-    for ((s, weight), (t, other)) in GAUSS.into_iter().flat_map(|a| GAUSS.map(|b| (a, b))) {
-        let ((sin, cos), (y, x)) = (at(theta, s).sin_cos(), at(phi, t).sin_cos());
-        sum += weight * other * sin * f(DVec3::new(sin * x, sin * y, cos).as_vec3());
+    for ((sin, cos), weight) in nodes(theta) {
+        for ((y, x), other) in around {
+            sum += weight * other * sin * f(DVec3::new(sin * x, sin * y, cos).as_vec3());
+        }
     }
     sum * (theta[1] - theta[0]) * (phi[1] - phi[0])
 }
