@@ -1,46 +1,28 @@
 //! Parameters that are refused, and the checks that refuse them.
 
-use core::fmt;
-
+use asperity_core::error_enum;
 use glam::{Vec2, Vec3};
 
-/// A parameter that a constructor refused, by its name and value.
-///
-/// ```
-/// use asperity_shading::{ParameterError, material::{Seams, SeamPattern}, glam::Vec2};
-///
-/// let error = Seams::new(Vec2::X, SeamPattern::Lines, 0.1, 1.5).unwrap_err();
-/// assert_eq!(error, ParameterError::Outside { parameter: "seams_amplitude", value: 1.5, least: 0.0, most: 1.0 });
-/// assert_eq!(error.to_string(), "`seams_amplitude` must be within [0, 1], got 1.5");
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum ParameterError {
-    /// A number is outside its closed range, or is NaN.
-    Outside {
-        /// The parameter's name.
-        parameter: &'static str,
-        /// Its value.
-        value: f32,
-        /// The least value that it can have.
-        least: f32,
-        /// The greatest.
-        most: f32,
-    },
-    /// A number is not finite and positive.
-    NotPositive {
-        /// The parameter's name.
-        parameter: &'static str,
-        /// Its value.
-        value: f32,
-    },
-    /// A direction is zero or not finite.
-    Direction {
-        /// The parameter's name.
-        parameter: &'static str,
-        /// Its value; the third component of a direction in the plane is 0.
-        value: Vec3,
-    },
+error_enum! {
+    /// A parameter that a constructor refused, by its name and value.
+    ///
+    /// ```
+    /// use asperity_shading::{ParameterError, material::{Seams, SeamPattern}, glam::Vec2};
+    ///
+    /// let error = Seams::new(Vec2::X, SeamPattern::Lines, 0.1, 1.5).unwrap_err();
+    /// assert_eq!(error, ParameterError::Outside { parameter: "seams_amplitude", value: 1.5, least: 0.0, most: 1.0 });
+    /// assert_eq!(error.to_string(), "`seams_amplitude` must be within [0, 1], got 1.5");
+    /// ```
+    pub enum ParameterError {
+        /// A number is outside its closed range, or is NaN.
+        Outside { parameter: &'static str, value: f32, least: f32, most: f32 } =>
+            "`{parameter}` must be within [{least}, {most}], got {value}";
+        /// A number is not finite and positive.
+        NotPositive { parameter: &'static str, value: f32 } =>
+            "`{parameter}` must be finite and positive, got {value}";
+        /// A direction is zero or not finite; the third component of a direction in the plane is 0.
+        Direction { parameter: &'static str, value: Vec3 } => "`{parameter}` must have a direction, got {value}";
+    }
 }
 
 impl ParameterError {
@@ -54,24 +36,6 @@ impl ParameterError {
         }
     }
 }
-
-impl fmt::Display for ParameterError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Outside { parameter, value, least, most } => {
-                write!(f, "`{parameter}` must be within [{least}, {most}], got {value}")
-            }
-            Self::NotPositive { parameter, value } => {
-                write!(f, "`{parameter}` must be finite and positive, got {value}")
-            }
-            Self::Direction { parameter, value } => {
-                write!(f, "`{parameter}` must have a direction, got {value}")
-            }
-        }
-    }
-}
-
-impl core::error::Error for ParameterError {}
 
 /// Parameters with their defaults, each behind the check that its part of the material does not make itself. With the feature
 /// `serde` a file names those that differ from the defaults, and a name that is none is refused.

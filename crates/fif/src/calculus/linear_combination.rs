@@ -1,15 +1,15 @@
 //! Systems made of maps and of other systems: sums, multiples, and a count of derivatives.
 
 use crate::calculus::moment_basis::MAX_MOMENT_DEGREE;
-use crate::numeric::refusal::refusals;
 use crate::system::error::{SystemError, check_cells};
 use crate::system::fif::System;
 use crate::system::map::{JOIN_TOLERANCE, Map, Piece};
 use crate::system::storage::Storage;
+use asperity_core::error_enum;
 
-refusals! {
+error_enum! {
     /// Why two systems cannot be combined. Knots are counted from 0, maps from 1.
-    CombineError from SystemError {
+    pub enum CombineError from SystemError {
         /// They have different numbers of maps.
         Maps { left: usize, right: usize } => "`other` must have {left} maps, got {right}";
         /// A knot differs.

@@ -3,9 +3,9 @@
 use crate::numeric::bernstein::{Form, SIZE, binomials, power, rounding};
 use crate::numeric::elimination::solve;
 use crate::numeric::polynomial::{LEAST, UNIT, hull};
-use crate::numeric::refusal::refusals;
 use crate::system::fif::System;
 use crate::system::map::Piece;
+use asperity_core::error_enum;
 
 /// The largest power of `f` under an integral.
 pub const MAX_POWER: usize = 8;
@@ -13,10 +13,10 @@ pub const MAX_POWER: usize = 8;
 /// The largest `k + p (C − 1)` of an integral of `xᵏ fᵖ`.
 pub const MAX_MOMENT_DEGREE: usize = SIZE - 1;
 
-refusals! {
+error_enum! {
     /// Why an integral of `xᵏ fᵖ` was refused.
     #[derive(Eq)]
-    MomentError {
+    pub enum MomentError {
         /// `p` is above [`MAX_POWER`].
         Power { power: usize } => "`p` must be at most {MAX_POWER}, got {power}";
         /// `k + p (C − 1)`, with the number of coefficients `C`, is above [`MAX_MOMENT_DEGREE`].

@@ -1,9 +1,9 @@
 //! Values at all nodes of an even grid, by the functional equation: one polynomial a node, no address.
 
 use crate::numeric::polynomial::{UNIT, horner};
-use crate::numeric::refusal::refusals;
 use crate::system::fif::{Spacing, System};
 use crate::system::map::Piece;
+use asperity_core::error_enum;
 
 impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// `f(x_0 + (x_N − x_0) i/n)` for `i = 0, …, n`, where `n + 1` is the length of `out` and `n` a power of the number of
@@ -103,10 +103,10 @@ fn raise<const C: usize>(piece: &Piece<C>, per: f64, nodes: &mut [f64]) {
     }
 }
 
-refusals! {
+error_enum! {
     /// Why there is no grid.
     #[derive(Eq)]
-    GridError {
+    pub enum GridError {
         /// The knots are not equally spaced.
         Nonuniform => "`x` must be equally spaced, got unequal knots";
         /// The number of cells, one less than the nodes `found`, is not a power of the number of maps.

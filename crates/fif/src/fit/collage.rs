@@ -3,9 +3,9 @@
 use alloc::vec::Vec;
 use asperity_core::math::sqrt_f64;
 
-use crate::numeric::refusal::refusals;
 use crate::system::error::{self as system, SystemError, check_finite, check_length};
 use crate::system::fif::Fif;
+use asperity_core::error_enum;
 
 /// The largest vertical factor that a fit gives, `1 − 2⁻¹⁰`: steeper ones are cut to it.
 pub const STEEPEST: f64 = 1.0 - 1.0 / 1024.0;
@@ -138,9 +138,9 @@ fn line(x: f64, left: (f64, f64), right: (f64, f64)) -> f64 {
     left.1 * (1.0 - t) + right.1 * t
 }
 
-refusals! {
+error_enum! {
     /// Why a fit was refused. Points are counted from 0.
-    FitError from SystemError {
+    pub enum FitError from SystemError {
         /// The knots are not the indices of three points or more, rising from the first point to the last: entry `at` is
         /// `index`, or the number of points if it is missing.
         Knots { at: usize, index: usize } =>

@@ -9,4 +9,3 @@ pub(crate) mod floor;
 #[cfg(feature = "alloc")]
 pub(crate) mod matrix2;
 pub(crate) mod polynomial;
-pub(crate) mod refusal;

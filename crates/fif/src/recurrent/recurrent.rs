@@ -4,10 +4,10 @@ use alloc::vec::Vec;
 use asperity_core::Interval;
 
 use crate::numeric::polynomial::{UNIT, bernstein, hull, larger, magnitude, restrict, restriction_error};
-use crate::numeric::refusal::refusals;
 use crate::system::error::{SystemError, check_coefficients, check_data, check_knots, check_length};
 use crate::system::fif::value;
 use crate::system::map::Piece;
+use asperity_core::error_enum;
 
 /// Sweeps that tighten the ranges.
 const SWEEPS: usize = 64;
@@ -285,9 +285,9 @@ pub(crate) fn primitive<const C: usize>(c: &[f64; C], s: f64) -> f64 {
     sum * s
 }
 
-refusals! {
+error_enum! {
     /// Why a recurrent system was refused. Maps are counted from 1, as in the literature, knots from 0.
-    RecurrentError from SystemError {
+    pub enum RecurrentError from SystemError {
         /// A source does not go from a knot to a later one; `last` is the last knot of all.
         Source { map: usize, from: usize, to: usize, last: usize } =>
             "`sources` of map {map} must rise within 0 to {last}, got {from} to {to}";

@@ -1,6 +1,6 @@
 //! Why a system of maps is refused, and the checks that refuse it.
 
-use crate::numeric::refusal::refusals;
+use asperity_core::error_enum;
 
 /// An end of a map's interval.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,9 +11,9 @@ pub enum End {
     Right,
 }
 
-refusals! {
+error_enum! {
     /// The refusal of a system of maps. Maps are counted from 1, as in the literature, knots and powers from 0.
-    SystemError {
+    pub enum SystemError {
         /// A system needs two maps, three knots, at least.
         TooFew { parameter: &'static str, least: usize, got: usize } =>
             "`{parameter}` must have at least {least} elements, got {got}";

@@ -258,34 +258,16 @@ error_enum! {
     /// Refusal of a table over the cosine.
     pub enum IsotropicError {
         /// The table has fewer than 2 or more than 2²⁰ nodes.
-        Nodes {
-            /// Number of nodes.
-            got: usize,
-        } => "nodes must be 2 to {MAX_NODES}, got {got}",
+        Nodes { got: usize } => "nodes must be 2 to {MAX_NODES}, got {got}";
         /// The storage has another length than three numbers for each node.
-        Storage {
-            /// The length it needs.
-            expected: usize,
-            /// Its length.
-            got: usize,
-        } => "storage must have {expected} numbers, got {got}",
+        Storage { expected: usize, got: usize } => "storage must have {expected} numbers, got {got}";
         /// A density is NaN, infinite or negative.
-        Density {
-            /// Which node.
-            index: usize,
-            /// Its density.
-            value: f32,
-        } => "density {index} must be finite and not negative, got {value}",
+        Density { index: usize, value: f32 } =>
+            "density {index} must be finite and not negative, got {value}";
         /// The density is 0 at every tilt below the horizon's.
-        Black {
-            /// The number of nodes.
-            got: usize,
-        } => "density must not be 0 everywhere, got {got} such nodes",
+        Black { got: usize } => "density must not be 0 everywhere, got {got} such nodes";
         /// The packed distribution does not rise from 0 to 1.
-        Distribution {
-            /// At which node.
-            index: usize,
-        } => "distribution must rise from 0 to 1, got another at node {index}",
+        Distribution { index: usize } => "distribution must rise from 0 to 1, got another at node {index}";
     }
 }
 

@@ -185,15 +185,10 @@ error_enum! {
     /// Refusal of a sum of densities that is to have a map.
     pub enum MixtureError {
         /// The weight is not between 0 and 1.
-        Weight {
-            /// Its value.
-            value: f32,
-        } => "weight must be between 0 and 1, got {value}",
-        /// A density depends on the azimuth, so that the sum has no radial map.
-        NotRadial {
-            /// Which density: `"a"` or `"b"`.
-            density: &'static str,
-        } => "density {density} must depend on the tilt alone, got one that depends on the azimuth",
+        Weight { value: f32 } => "weight must be between 0 and 1, got {value}";
+        /// A density, `"a"` or `"b"`, depends on the azimuth, so that the sum has no radial map.
+        NotRadial { density: &'static str } =>
+            "density {density} must depend on the tilt alone, got one that depends on the azimuth";
     }
 }
 

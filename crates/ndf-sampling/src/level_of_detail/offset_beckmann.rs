@@ -152,15 +152,10 @@ error_enum! {
     /// Refusal of numbers that are no mean and covariance of slopes.
     pub enum OffsetBeckmannError {
         /// The mean is not finite or beyond 10⁹.
-        Mean {
-            /// Its value.
-            value: Vec2,
-        } => "mean must be between -1e9 and 1e9 along each axis, got {value}",
-        /// The covariance is not finite, not positive definite or out of range.
-        Covariance {
-            /// Its entries `[xx, xy, yy]`.
-            value: [f32; 3],
-        } => "covariance must be positive definite and at most 1e18, got {value:?}",
+        Mean { value: Vec2 } => "mean must be between -1e9 and 1e9 along each axis, got {value}";
+        /// The covariance `[xx, xy, yy]` is not finite, not positive definite or out of range.
+        Covariance { value: [f32; 3] } =>
+            "covariance must be positive definite and at most 1e18, got {value:?}";
     }
 }
 

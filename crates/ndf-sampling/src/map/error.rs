@@ -9,32 +9,14 @@ error_enum! {
     /// Refusal of an image or a function that is no density of normals.
     pub enum NdfMapError {
         /// The map has no texels, or more than [`MAX_TEXELS`].
-        Size {
-            /// The width.
-            width: usize,
-            /// The height.
-            height: usize,
-        } => "size must be 1 to {MAX_TEXELS} texels, got {width} × {height}",
+        Size { width: usize, height: usize } =>
+            "size must be 1 to {MAX_TEXELS} texels, got {width} × {height}";
         /// The slice has not `width · height` texels.
-        Texels {
-            /// Number that it needs.
-            expected: usize,
-            /// Number that it has.
-            got: usize,
-        } => "texels must be {expected}, got {got}",
-        /// A texel is NaN, infinite or negative.
-        Texel {
-            /// Which texel, `row · width + column`.
-            index: usize,
-            /// Its value.
-            value: f32,
-        } => "texel {index} must be finite and not negative, got {value}",
+        Texels { expected: usize, got: usize } => "texels must be {expected}, got {got}";
+        /// A texel, at `index = row · width + column`, is NaN, infinite or negative.
+        Texel { index: usize, value: f32 } => "texel {index} must be finite and not negative, got {value}";
         /// No texel inside the disk has weight.
-        Black {
-            /// The width.
-            width: usize,
-            /// The height.
-            height: usize,
-        } => "texels inside the disk must have weight, got {width} × {height} black ones",
+        Black { width: usize, height: usize } =>
+            "texels inside the disk must have weight, got {width} × {height} black ones";
     }
 }

@@ -148,34 +148,16 @@ error_enum! {
     /// Refusal of a table that is no distribution of a noise.
     pub enum NoiseCdfError {
         /// The range is not positive and finite.
-        Range {
-            /// Its value.
-            value: f32,
-        } => "range must be positive and finite, got {value}",
+        Range { value: f32 } => "range must be positive and finite, got {value}";
         /// The ends are not finite or not in order.
-        Ends {
-            /// The lower end.
-            low: f32,
-            /// The upper end.
-            high: f32,
-        } => "ends must be finite and in order, got {low} and {high}",
+        Ends { low: f32, high: f32 } => "ends must be finite and in order, got {low} and {high}";
         /// The table has fewer than two entries.
-        Entries {
-            /// Number that it has.
-            got: usize,
-        } => "table must have at least two entries, got {got}",
+        Entries { got: usize } => "table must have at least two entries, got {got}";
         /// An entry is NaN, outside [0, 1] or smaller than the one before.
-        Entry {
-            /// Which entry.
-            index: usize,
-            /// Its value.
-            value: f32,
-        } => "entry {index} must be in [0, 1] and not below the one before, got {value}",
+        Entry { index: usize, value: f32 } =>
+            "entry {index} must be in [0, 1] and not below the one before, got {value}";
         /// Every entry is the same.
-        Constant {
-            /// Its value.
-            value: f32,
-        } => "table must increase, got {value} everywhere",
+        Constant { value: f32 } => "table must increase, got {value} everywhere";
     }
 }
 

@@ -225,17 +225,11 @@ error_enum! {
     /// Refusal of normals that have no density.
     pub enum EstimateError {
         /// The map would have no texels, or more than [`MAX_TEXELS`].
-        Size {
-            /// Its side.
-            value: usize,
-        } => "size² must be between 1 and {MAX_TEXELS}, got size {value}",
+        Size { value: usize } => "size² must be between 1 and {MAX_TEXELS}, got size {value}";
         /// The width of the kernel is not in [0, 1].
-        Width {
-            /// Its value.
-            value: f32,
-        } => "width must be between 0 and 1, got {value}",
+        Width { value: f32 } => "width must be between 0 and 1, got {value}";
         /// There is no normal among them.
-        NoNormals => "normals must be inside the unit disk, got none",
+        NoNormals => "normals must be inside the unit disk, got none";
     }
 }
 

@@ -10,17 +10,9 @@ error_enum! {
     #[derive(Eq)]
     pub enum NormalTableError {
         /// The size is 0 or above 4096.
-        Size {
-            /// Its value.
-            value: usize,
-        } => "size must be between 1 and {MAX_SIZE}, got {value}",
+        Size { value: usize } => "size must be between 1 and {MAX_SIZE}, got {value}";
         /// The slice has not `size · size` entries.
-        Entries {
-            /// Number that it needs.
-            expected: usize,
-            /// Number that it has.
-            got: usize,
-        } => "entries must be {expected}, got {got}",
+        Entries { expected: usize, got: usize } => "entries must be {expected}, got {got}";
     }
 }
 

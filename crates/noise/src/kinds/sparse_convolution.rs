@@ -370,9 +370,6 @@ error_enum! {
     /// Why a sparse convolution noise was refused.
     pub enum SparseError {
         /// The number of impulses per cell is not from 1 to [`Sparse::MAX_IMPULSES`].
-        ImpulsesOutOfRange {
-            /// The number.
-            impulses: u32,
-        } => "`impulses` must be from 1 to 4, got {impulses}",
+        ImpulsesOutOfRange { impulses: u32 } => "`impulses` must be from 1 to 4, got {impulses}";
     }
 }

@@ -134,9 +134,6 @@ error_enum! {
     /// Why a value-gradient noise was refused.
     pub enum ValueGradientError {
         /// The weight is not in [0, 1].
-        WeightOutOfRange {
-            /// The weight.
-            weight: f32,
-        } => "`weight` must be in [0, 1], got {weight}",
+        WeightOutOfRange { weight: f32 } => "`weight` must be in [0, 1], got {weight}";
     }
 }

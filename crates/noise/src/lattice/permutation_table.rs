@@ -100,13 +100,9 @@ impl Lattice for PermutationTable {
 error_enum! {
     /// Why 256 numbers are no permutation.
     pub enum PermutationTableError {
-        /// A number occurs a second time.
-        Repeated {
-            /// The number.
-            entry: u8,
-            /// The index at which it stands again.
-            position: usize,
-        } => "the entry {entry} at position {position} is there a second time",
+        /// A number occurs a second time, at the index `position`.
+        Repeated { entry: u8, position: usize } =>
+            "the entry {entry} at position {position} is there a second time";
     }
 }
 

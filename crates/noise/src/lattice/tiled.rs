@@ -127,36 +127,18 @@ impl<L: Lattice + Clone, const M: usize> Lattice for Tiled<L, M> {
 error_enum! {
     /// Why a lattice was not repeated.
     pub enum TiledError {
-        /// A period is 0 or too long.
-        PeriodOutOfRange {
-            /// The axis, from 0.
-            axis: usize,
-            /// The period.
-            period: u32,
-        } => "`periods[{axis}]` must be from 1 to 2097152, got {period}",
-        /// The lattice repeats only with multiples of a number.
-        NoMultiple {
-            /// The axis, from 0.
-            axis: usize,
-            /// The period.
-            period: u32,
-            /// The number.
-            factor: u32,
-        } => "`periods[{axis}]` must be a multiple of {factor}, got {period}",
+        /// The period of an axis, counted from 0, is 0 or too long.
+        PeriodOutOfRange { axis: usize, period: u32 } =>
+            "`periods[{axis}]` must be from 1 to 2097152, got {period}";
+        /// The lattice repeats only with multiples of `factor`.
+        NoMultiple { axis: usize, period: u32, factor: u32 } =>
+            "`periods[{axis}]` must be a multiple of {factor}, got {period}";
         /// A noise that does not repeat along an axis was to be summed as one that does.
-        NoPeriod => "`noise` must repeat: put it on a `Tiled` lattice, or take `TiledSimplex`",
-        /// The lacunarity makes an octave's period fractional or too long.
-        NoOctavePeriod {
-            /// The axis, from 0.
-            axis: usize,
-            /// The period of the first octave.
-            period: u32,
-            /// The lacunarity.
-            lacunarity: f32,
-            /// The octave, from 0.
-            octave: u32,
-        } => "`periods[{axis}]` times `lacunarity` to the power {octave} must be a whole number up to 2097152, got {period} \
-             · {lacunarity}^{octave}",
+        NoPeriod => "`noise` must repeat: put it on a `Tiled` lattice, or take `TiledSimplex`";
+        /// The lacunarity makes the period of an octave, counted from 0, fractional or too long; `period` is that of the first.
+        NoOctavePeriod { axis: usize, period: u32, lacunarity: f32, octave: u32 } =>
+            "`periods[{axis}]` times `lacunarity` to the power {octave} must be a whole number up to 2097152, got {period} \
+             · {lacunarity}^{octave}";
     }
 }
 

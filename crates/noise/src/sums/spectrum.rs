@@ -228,30 +228,18 @@ error_enum! {
     /// Why a [`Spectrum`] was refused.
     pub enum SpectrumError {
         /// The lacunarity is not a finite number above 1.
-        LacunarityNotAboveOne {
-            /// The value.
-            lacunarity: f32,
-        } => "`lacunarity` must be a finite number above 1, got {lacunarity}",
+        LacunarityNotAboveOne { lacunarity: f32 } =>
+            "`lacunarity` must be a finite number above 1, got {lacunarity}";
         /// The gain is not a finite number above 0.
-        GainNotPositive {
-            /// The value.
-            gain: f32,
-        } => "`gain` must be a finite number above 0, got {gain}",
+        GainNotPositive { gain: f32 } => "`gain` must be a finite number above 0, got {gain}";
         /// The number of octaves is 0 or above [`Spectrum::MAX_OCTAVES`].
-        OctavesOutOfRange {
-            /// The value.
-            max_octaves: u32,
-        } => "`max_octaves` must be from 1 to 16, got {max_octaves}",
+        OctavesOutOfRange { max_octaves: u32 } => "`max_octaves` must be from 1 to 16, got {max_octaves}";
         /// The lacunarity is so large that the highest octave's frequency is infinite.
-        FrequencyOverflow {
-            /// The value.
-            lacunarity: f32,
-        } => "`lacunarity` must leave the last frequency finite, got {lacunarity}",
+        FrequencyOverflow { lacunarity: f32 } =>
+            "`lacunarity` must leave the last frequency finite, got {lacunarity}";
         /// The gain is so large that the fourth powers of the amplitudes have an infinite sum.
-        AmplitudeOverflow {
-            /// The value.
-            gain: f32,
-        } => "`gain` must leave the fourth powers of amplitudes finite, got {gain}",
+        AmplitudeOverflow { gain: f32 } =>
+            "`gain` must leave the fourth powers of amplitudes finite, got {gain}";
     }
 }
 

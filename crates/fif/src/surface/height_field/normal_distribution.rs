@@ -4,16 +4,16 @@ use alloc::vec::Vec;
 use asperity_core::Interval;
 use glam::DVec2;
 
-use crate::numeric::refusal::refusals;
 use crate::surface::bounds::upward_normal;
 use crate::surface::height_field::curve::Curve;
 use crate::surface::height_field::function::Function;
 use crate::surface::height_field::height_field::HeightField;
+use asperity_core::error_enum;
 
-refusals! {
+error_enum! {
     /// Why a distribution of normals was refused.
     #[derive(Eq)]
-    NormalDistributionError {
+    pub enum NormalDistributionError {
         /// An axis is not differentiable, so there are no normals.
         Rough => "`self` must have slopes along both axes, got one without";
         /// The image has no texel, or the slice has another length than columns times rows.

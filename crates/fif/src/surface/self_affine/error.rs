@@ -1,11 +1,11 @@
 //! Why data of a self-affine surface are refused.
 
-use crate::numeric::refusal::refusals;
+use asperity_core::error_enum;
 
-refusals! {
+error_enum! {
     /// The refusal of a [`Torus`](crate::Torus), a [`Folded`](crate::Folded) or a [`RoughFolded`](crate::RoughFolded) surface.
     /// Axes, knots, cells and nodes are counted from 0.
-    SelfAffineError {
+    pub enum SelfAffineError {
         /// The number of nodes along a side of a torus is not a power of two between 2 and 2¹⁵.
         Side { side: usize } => "`side` must be a power of two from 2 to 32768, got {side}";
         /// The matrix of a torus makes fewer than two replicas, `|det M| < 2`.

@@ -340,9 +340,6 @@ error_enum! {
     /// Why a cellular noise was refused.
     pub enum CellularError {
         /// The jitter is not in [0, 1].
-        JitterOutOfRange {
-            /// The jitter.
-            jitter: f32,
-        } => "`jitter` must be in [0, 1], got {jitter}",
+        JitterOutOfRange { jitter: f32 } => "`jitter` must be in [0, 1], got {jitter}";
     }
 }
