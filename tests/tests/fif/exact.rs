@@ -281,6 +281,11 @@ impl Exact {
 
     /// `∫ x^k f^p` from `l` to `r`.
     pub(super) fn moment(&self, k: usize, p: usize, l: f64, r: f64) -> Big {
+        self.moments(k, p).over(l, r)
+    }
+
+    /// `∫ x^k f^p` over any interval.
+    pub(super) fn moments(&self, k: usize, p: usize) -> Moments<'_> {
         let rows = self.rows(k, p);
         let maps: Vec<Vec<Vec<Big>>> = (0..self.alpha.len())
             .map(|j| rows.iter().map(|&row| self.expand(&rows, row, j)).collect())
@@ -304,31 +309,54 @@ impl Exact {
             }
             whole[i] = sum.over(rest);
         }
-        let dot = |a: &[Big], b: &[Big]| a.iter().zip(b).fold(Big::ZERO, |all, (&a, &b)| all + a * b);
-        let upto = |t: Big, weights: &[Big]| {
-            let (mut t, mut weights, mut sum) = (t, weights.to_vec(), Big::ZERO);
-            while weights.iter().any(|w| w.approx().abs() > 2f64.powi(-250)) && t != Big::ZERO {
-                let (j, u) = self.step(t);
-                for map in &maps[..j] {
-                    for (&weight, row) in weights.iter().zip(map) {
-                        sum = sum + weight * dot(row, &whole);
-                    }
-                }
-                weights = (0..rows.len())
-                    .map(|at| {
-                        weights.iter().zip(&maps[j]).fold(Big::ZERO, |all, (&w, row)| all + w * row[at])
-                    })
-                    .collect();
-                t = u;
-            }
-            sum
-        };
+        let mut before = vec![vec![Big::ZERO; rows.len()]];
+        for (map, j) in maps.iter().zip(0..) {
+            let next = map.iter().zip(&before[j]).map(|(row, &sum)| sum + dot(row, &whole)).collect();
+            before.push(next);
+        }
         // x^k = (x_0 + W v)^k
         let mut weights = vec![Big::ZERO; rows.len()];
         for (m, c) in power(&[Big::from(self.x[0]), self.width()], k).into_iter().enumerate() {
             weights[rows.iter().position(|&row| row == (m, p)).unwrap()] = c * self.width();
         }
-        upto(self.place(r), &weights) - upto(self.place(l), &weights)
+        Moments { exact: self, maps, before, weights }
+    }
+}
+
+/// `Σ_i a_i b_i`; zeros among the first cost nothing.
+fn dot(a: &[Big], b: &[Big]) -> Big {
+    a.iter().zip(b).fold(Big::ZERO, |all, (&a, &b)| all + a * b)
+}
+
+/// Integrals of `x^k f^p`.
+pub(super) struct Moments<'a> {
+    exact: &'a Exact,
+    /// For each map its rows, and the integrals of all over the maps before it.
+    maps: Vec<Vec<Vec<Big>>>,
+    before: Vec<Vec<Big>>,
+    weights: Vec<Big>,
+}
+
+impl Moments<'_> {
+    /// From `l` to `r`.
+    pub(super) fn over(&self, l: f64, r: f64) -> Big {
+        self.to(self.exact.place(r)) - self.to(self.exact.place(l))
+    }
+
+    fn to(&self, mut t: Big) -> Big {
+        let (mut weights, mut sum) = (self.weights.clone(), Big::ZERO);
+        while weights.iter().any(|w| w.approx().abs() > 2f64.powi(-250)) && t != Big::ZERO {
+            let (j, u) = self.exact.step(t);
+            sum = sum + dot(&weights, &self.before[j]);
+            let mut next = vec![Big::ZERO; weights.len()];
+            for (&weight, row) in weights.iter().zip(&self.maps[j]).filter(|(w, _)| **w != Big::ZERO) {
+                for (next, &c) in next.iter_mut().zip(row).filter(|(_, c)| **c != Big::ZERO) {
+                    *next = *next + weight * c;
+                }
+            }
+            (t, weights) = (u, next);
+        }
+        sum
     }
 }
 
