@@ -8,6 +8,8 @@ use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::fif_systems::{Reference, ratio, ratios, read};
 use serde_json::Value;
 
+use crate::properties::{f, f_hat};
+
 /// Compares the means over all rectangles; returns the worst error relative to the value and its conditioning.
 fn rectangles<F: Function, G: Function>(surface: &HeightField<F, G>, json: &Value) -> f64 {
     let mut worst = 0.0_f64;
@@ -59,8 +61,7 @@ fn means_over_rectangles_equal_the_exact_rationals() {
 
 #[test]
 fn rectangles_without_area_give_values() {
-    let axis = paper::f_hat().unwrap();
-    let surface = HeightField::new(axis, axis);
+    let surface = HeightField::new(f_hat(), f_hat());
     let point = surface.area_means(Interval::new(0.7, 0.7), Interval::new(1.2, 1.2)).unwrap();
     let (height, slope) = (surface.height(0.7, 1.2), surface.gradient(0.7, 1.2).unwrap());
     assert!((point.height.value - height).abs() <= point.height.bound);
@@ -75,9 +76,10 @@ fn rectangles_without_area_give_values() {
 /// A surface's normals become a density that can be sampled: their mean and the moments of the slopes agree.
 #[test]
 fn the_distribution_of_normals_feeds_a_map_of_normals() {
-    let f_hat: Fif<3> = Reference::<2>::load("paper_f").system.integral(0.0).unwrap();
+    let f_hat = f_hat();
+    let low: Fif<3> = paper::f().unwrap().scaled(0.5).unwrap().integral(0.0).unwrap();
     // A low relief of different axes, so that rows and columns cannot be mixed up.
-    let surface = HeightField::new(f_hat.scaled(0.5).unwrap(), f_hat);
+    let surface = HeightField::new(low.view(), f_hat);
     let (x, y) = (Interval::new(0.25, 1.75), Interval::new(0.5, 2.0));
     let (width, height) = (128, 96);
     let mut texels = vec![0.0; width * height];
@@ -118,9 +120,7 @@ fn the_distribution_of_normals_feeds_a_map_of_normals() {
 
 #[test]
 fn distributions_that_cannot_be_are_refused() {
-    let f = paper::f().unwrap();
-    let axis = paper::f_hat().unwrap();
-    let (smooth, rough) = (HeightField::new(axis, axis), HeightField::new(axis, f));
+    let (smooth, rough) = (HeightField::new(f_hat(), f_hat()), HeightField::new(f_hat(), f()));
     let whole = Interval::new(0.0, 2.0);
     let mut texels = [0.0; 12];
     let mut error = |over, samples, size| {

@@ -1,8 +1,10 @@
 //! Fractions of hits that are certain, and how far hits are from the height of their ray.
 #![expect(clippy::unwrap_used, reason = "a test that cannot build its surface has failed")]
 
-use asperity_fif::{Folded, HeightField, Intersect, Interval, RoughFolded, Surface, Torus, paper};
+use asperity_fif::{Folded, HeightField, Intersect, Interval, RoughFolded, Surface, Torus};
 use asperity_tests::random::Random;
+
+use crate::properties::{f, g};
 
 use super::surface_rays::{X, Y, nodes, numbers, random_rays};
 
@@ -46,7 +48,7 @@ fn first_hit_certain_smooth_surfaces() {
     let (z, d) = nodes(4, 12, 0.6);
     let folded = Folded::new(&X, &Y, -0.1, &z, &d).unwrap().tabulated();
     let torus = Torus::new(2, [[2, -1], [1, 2]], 0.375, &[0.0, 1.0, -0.5, 0.25], &[[3.0, -1.0]; 4]);
-    let f = HeightField::new(paper::f().unwrap(), paper::f().unwrap()).tabulated();
+    let f = HeightField::new(f(), f()).tabulated();
     for (name, (hits, farthest)) in [
         ("folded", seen(&folded, 900)),
         ("torus", seen(&torus.unwrap().tabulated(), 900)),
@@ -60,7 +62,7 @@ fn first_hit_certain_smooth_surfaces() {
 
 #[test]
 fn hit_height_rough_product_within_modulus() {
-    let g = paper::g().unwrap();
+    let g = g();
     let surface = HeightField::new(g, g).tabulated();
     let (hits, farthest) = seen(&surface, 600);
     // Along the ray and across the stretch, both ends of which are rounded.
@@ -74,7 +76,7 @@ fn hit_height_rough_product_within_modulus() {
 
 #[test]
 fn first_hit_certain_rough_product() {
-    let g = paper::g().unwrap();
+    let g = g();
     let surface = HeightField::new(g, g);
     for (form, (hits, _)) in
         [("plain", seen(&surface, 1000)), ("tabulated", seen(&surface.clone().tabulated(), 1000))]

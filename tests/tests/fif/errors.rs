@@ -7,6 +7,8 @@ use asperity_fif::{
 };
 use std::error::Error;
 
+use crate::properties::f;
+
 #[test]
 fn errors_name_the_parameter_and_its_value() {
     let torus = |side, matrix, z: &[f64]| Torus::new(side, matrix, 0.3, z, &[[0.0; 2]; 4]).unwrap_err();
@@ -18,7 +20,7 @@ fn errors_name_the_parameter_and_its_value() {
     let mut high = [1e308; 9];
     high[4] = -1e308;
     let ray = Ray { origin: DVec3::Z, direction: DVec3::NEG_Z };
-    let surface = HeightField::new(paper::f().unwrap(), paper::f().unwrap());
+    let surface = HeightField::new(f(), f());
     let batch = surface.first_hits(&[ray; 2], Interval::new(0.0, 1.0), 0.0, &mut [None]);
     let steep = FixedFif::<2, 20>::new(&knots, &[0.0; 2], &[[0.0; 20]; 2]).unwrap();
     let cases = [

@@ -7,9 +7,11 @@
 use std::mem::swap;
 
 use asperity_fif::glam::DVec3;
-use asperity_fif::{FixedFif, HeightField, Hit, Intersect, Interval, Ray, Tabulated, paper};
+use asperity_fif::{FixedFif, HeightField, Hit, Intersect, Interval, Ray, Tabulated};
 use asperity_tests::random::Random;
 use rayon::prelude::*;
+
+use crate::properties::g;
 
 const ALL: Interval = Interval::new(0.0, f64::INFINITY);
 
@@ -328,7 +330,8 @@ fn hard_rays_are_neither_missed_nor_invented() {
     let count = std::env::var("HARD_RAYS").ok().and_then(|count| count.parse().ok()).unwrap_or(2000_usize);
     let boxes = if count > 10_000 { 200_000 } else { 20_000 };
     for (halves, share) in systems() {
-        let surface = HeightField::new(halves.axis(), halves.axis());
+        let axis = halves.axis();
+        let surface = HeightField::new(axis.view(), axis.view());
         let mut random = Random(7);
         let rays: Vec<Ray> = (0..count * share / 100).map(|_| hard_ray(&mut random, &surface)).collect();
         for form in [&surface, &surface.clone().tabulated()] {
@@ -346,7 +349,7 @@ fn hard_rays_are_neither_missed_nor_invented() {
 
 #[test]
 fn spikes_narrower_than_a_billionth_are_hit() {
-    let surface = HeightField::new(paper::g().unwrap(), paper::g().unwrap());
+    let surface = HeightField::new(g(), g());
     let table = surface.clone().tabulated();
     let squares = Tabulated::with_levels(&surface, 7);
     for (origin, direction, [lo, hi]) in [

@@ -4,6 +4,8 @@ use asperity_fif::{Fif, HeightField, box_dimension, fit, oscillation_exponent, p
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
 
+use crate::properties::g;
+
 /// Fractional Brownian motion of Hurst exponent `hurst`, by the recursion of Hosking (1984) for its increments.
 fn brownian(hurst: f64, count: usize, seed: u64) -> Vec<f64> {
     let mut random = Random(seed);
@@ -87,7 +89,7 @@ fn the_spectrum_is_that_of_the_factors_and_straight_for_one_exponent() {
 
 #[test]
 fn the_dimension_of_an_image_is_that_of_the_surface() {
-    let surface = HeightField::new(paper::g().unwrap(), paper::g().unwrap());
+    let surface = HeightField::new(g(), g());
     let at = |i: usize| i as f64 / 128.0;
     let image: Vec<f64> = (0..257 * 257).map(|k| surface.height(at(k / 257), at(k % 257))).collect();
     let measured = box_dimension(&image, 257).unwrap();

@@ -1,10 +1,22 @@
 //! Properties of random fractal interpolation functions and of surfaces made of them.
 
 use std::ops::{Range, RangeInclusive};
+use std::sync::LazyLock;
 
 use asperity_fif::glam::DVec3;
-use asperity_fif::{Fif, HeightField, Intersect, Ray};
+use asperity_fif::{Fif, FifRef, FixedFif, HeightField, Intersect, Ray, paper};
 use proptest::prelude::*;
+
+/// The functions of the source, as axes of one type: rays are compiled once for every number of coefficients.
+macro_rules! axes {
+    ($($name:ident: $coefficients:literal;)+) => {$(
+        pub(super) fn $name() -> FifRef<'static, $coefficients> {
+            static AXIS: LazyLock<FixedFif<2, $coefficients>> = LazyLock::new(|| paper::$name().unwrap());
+            AXIS.view()
+        }
+    )+};
+}
+axes! { f: 2; g: 2; f_hat: 3; g_hat: 3; }
 
 /// Affine systems of so many maps from `start`, their cells and factors drawn one by one.
 pub(super) fn affine_over(

@@ -3,11 +3,13 @@
 
 use asperity_fif::glam::DVec3;
 use asperity_fif::{
-    FixedFif, Folded, HeightField, Hit, Intersect, Interval, Ray, RoughFolded, Surface, Tabulated, Torus,
-    paper,
+    FifRef, FixedFif, Folded, HeightField, Hit, Intersect, Interval, Ray, RoughFolded, Surface, Tabulated,
+    Torus,
 };
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
+
+use crate::properties::{f_hat, g_hat};
 
 const ALL: Interval = Interval::new(0.0, f64::INFINITY);
 
@@ -46,8 +48,8 @@ fn rough_folded() -> RoughFolded {
     RoughFolded::new(&X, &Y, &factors, &z, &[[0.0; 2]; 12]).unwrap()
 }
 
-fn mirror() -> HeightField<FixedFif<2, 3>, FixedFif<2, 3>> {
-    HeightField::new(paper::f_hat().unwrap(), paper::f_hat().unwrap())
+fn mirror() -> HeightField<FifRef<'static, 3>, FifRef<'static, 3>> {
+    HeightField::new(f_hat(), f_hat())
 }
 
 fn ray(o: [f64; 3], d: [f64; 3]) -> Ray {
@@ -166,15 +168,14 @@ fn no_hit_of_a_surface_is_missed_and_none_invented() {
         let (fast, rays) = (Tabulated::with_levels(surface, 5), random_rays(surface, count));
         compare_with_brackets(surface, &[surface as &dyn Intersect, &fast], rays, 1e-6)
     }
-    fn product(axis: FixedFif<2, 3>) -> [usize; 2] {
+    fn product(axis: FifRef<'_, 3>) -> [usize; 2] {
         let plain = HeightField::new(axis, axis);
         let rays = random_rays(&plain, 450);
         compare_with_brackets(&plain, &[&plain, &plain.clone().tabulated()], rays, 1e-9)
     }
-    let [f_hat, g_hat] = [paper::f_hat(), paper::g_hat()].map(Result::unwrap);
     let [hits, misses] = any(&rough_folded(), 45);
     assert!(hits >= 15 && misses >= 10, "{hits} hits, {misses} misses");
-    for [hits, misses] in [any(&torus(), 450), any(&folded(), 450), product(f_hat), product(g_hat)] {
+    for [hits, misses] in [any(&torus(), 450), any(&folded(), 450), product(f_hat()), product(g_hat())] {
         assert!(hits >= 150 && misses >= 100, "{hits} hits, {misses} misses");
     }
 }

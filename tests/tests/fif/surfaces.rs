@@ -2,7 +2,7 @@
 
 use asperity_fif::glam::DVec2;
 use asperity_fif::surface::Fold;
-use asperity_fif::{Bounded, HeightField, Interval, SelfAffine, SelfAffineError, Torus, paper};
+use asperity_fif::{Bounded, HeightField, Interval, SelfAffine, SelfAffineError, Torus};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::fif_systems::{decimal, integers, ratio};
 use asperity_tests::random::Random;
@@ -10,7 +10,7 @@ use asperity_tests::reference;
 use proptest::prelude::*;
 use serde_json::Value;
 
-use crate::properties::config;
+use crate::properties::{config, f_hat};
 
 const ROTATING: [[i32; 2]; 2] = [[2, -1], [1, 2]];
 
@@ -384,8 +384,7 @@ fn the_torus_has_no_grain_and_a_product_of_curves_has() {
     let (torus, _) = reference_torus();
     let slopes = |x: f64, y: f64| torus.evaluate_gradient(x, y, 1e-3).map(|slope| slope.value);
     let torus = grain(slopes, |_| 1.0);
-    let curve = paper::f_hat().unwrap();
-    let product = HeightField::new(curve, curve);
+    let product = HeightField::new(f_hat(), f_hat());
     let slopes = |x: f64, y: f64| product.gradient(2.0 * x, 2.0 * y).unwrap().to_array();
     let product = grain(slopes, |t| (std::f64::consts::PI * t).sin().powi(2));
     // A random number for every point: white.
