@@ -127,7 +127,7 @@ impl<'a> Bsdf<'a> {
 
     /// [`with_emitted`](Self::with_emitted) in place.
     pub(crate) fn add_emitted(&mut self, radiance: Vec3) {
-        self.emitted += Vec3::from_array(radiance.to_array().map(finite));
+        self.emitted += radiance.map(finite);
     }
 
     /// [`with`](Self::with) in place: the whole is too large to be handed on from call to call.
@@ -235,7 +235,7 @@ impl<'a> Bsdf<'a> {
             }
             sum += if layer.in_coat { light } else { light * through };
         }
-        Vec3::from_array(sum.to_array().map(finite))
+        sum.map(finite)
     }
 
     /// The facets of each layer with their shares and each of their lobes; of a lobe without colours none. A smooth coat is one of them.
@@ -307,7 +307,7 @@ fn add(facets: &mut [(f32, Frame)], count: usize, share: f32, normal: Vec3) -> u
 impl Brdf for Bsdf<'_> {
     fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
         let cosine = wi.z.abs().max(f32::MIN_POSITIVE);
-        Vec3::from_array(self.scattered(wi, wo).to_array().map(|f| finite(f / cosine)))
+        self.scattered(wi, wo).map(|f| finite(f / cosine))
     }
 
     /// One of the lobes, by about how much light it sends, and a sample of that.
@@ -347,7 +347,7 @@ impl Brdf for Bsdf<'_> {
         let (mut sum, mut total) = (0.0, 0.0);
         for (chance, frame, lobe) in self.chances(wo) {
             total += chance;
-            let local = [wi, wo].map(|w| frame.to_local(w));
+            let local = [frame.to_local(wi), frame.to_local(wo)];
             if lobe.counts(local, [wi, wo]) {
                 sum += chance * lobe.density(local[0], local[1]);
             }

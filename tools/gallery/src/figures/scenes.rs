@@ -63,7 +63,7 @@ pub(crate) fn draw_car(context: &Context<'_>) -> Result<Drawn> {
     let pictures = [
         (
             ["whole", "The car", "A blue car from the front and the side"],
-            (whole, [36, 17], paint, Detail::Coarse),
+            (whole, [32, 15], paint, Detail::Coarse),
         ),
         (
             ["sparkles", "Its door: sparkles of two pixels", from_nearby],
@@ -108,14 +108,14 @@ pub(crate) fn draw_room(context: &Context<'_>) -> Result<Drawn> {
     let (room, ball) = ((Set::Room, Set::Room.view()), (Set::Sphere, Set::Sphere.view()));
     let corner = "The corner of a room with a red ball";
     let pictures = [
-        (["corner", "A floor of carpet", corner], (room, lines, 24, Detail::Coarse)),
+        (["corner", "A floor of carpet", corner], (room, lines, 16, Detail::Coarse)),
         (
             ["grid", "Seams in a grid, from 20 cm", "Threads and crossing seams"],
-            ((Set::Room, near), grid, 16, Detail::Fine),
+            ((Set::Room, near), grid, 12, Detail::Fine),
         ),
         (
             ["rim", "Rim light on a ball", "A ball of carpet, lighter along its rim"],
-            (ball, rim, 16, Detail::Fine),
+            (ball, rim, 12, Detail::Fine),
         ),
     ];
     let mut stills = Stills::new(context);
@@ -142,7 +142,7 @@ pub(crate) fn draw_walls(context: &Context<'_>) -> Result<Drawn> {
     ];
     let mut stills = Stills::new(context);
     let drawn = Drawn::pictures(2, pictures, |subject| {
-        stills.picture(Set::Wall.objects(subject, PLAIN)?, Set::Wall.view(), [24, 18], Detail::Coarse)
+        stills.picture(Set::Wall.objects(subject, PLAIN)?, Set::Wall.view(), [20, 15], Detail::Coarse)
     })?;
     Ok(drawn.grain(&stills.grains))
 }
@@ -194,7 +194,7 @@ pub(crate) fn draw_teapots(context: &Context<'_>) -> Result<Drawn> {
             (objects[0].body, objects[0].passes) = (Some(inside), 1.0);
         }
         let detail = if stem == "bumps" { Detail::Fine } else { Detail::Coarse };
-        let image = stills.picture(objects, Set::Teapot.view(), [24, 24], detail)?;
+        let image = stills.picture(objects, Set::Teapot.view(), [16, 16], detail)?;
         panels.push(Panel::new(stem, label, format!("The Utah teapot: {}", label.to_lowercase()), image));
     }
     Ok(Drawn::new(3, panels).fact("a unit of the teapot", format!("{metres} m")).grain(&stills.grains))

@@ -25,8 +25,13 @@ impl Line {
         // Finite, so that what lies on the side of a box is no 0 · ∞; of −0 positive, as the search takes it.
         let finite = |d: f32| if d < 0.0 { -1e30 } else { 1e30 };
         let inverse = direction.map(|d| if d.abs() < 1e-30 { finite(d) } else { 1.0 / d });
-        let [origin, direction, inv_direction] = [origin, direction, inverse].map(Vec3A::from);
-        Self(Ray { origin, direction, inv_direction, tmin: 0.0, tmax: f32::INFINITY })
+        Self(Ray {
+            origin: origin.into(),
+            direction: direction.into(),
+            inv_direction: inverse.into(),
+            tmin: 0.0,
+            tmax: f32::INFINITY,
+        })
     }
 
     pub(super) fn direction(&self) -> Vec3 {

@@ -19,10 +19,9 @@ impl Ray {
     /// The derivatives of the point at a hit: what a pixel covers of the tangent plane there.
     pub fn spread(&self, hit: &Hit) -> [Vec3; 2] {
         let along = self.direction / self.direction.dot(hit.normal);
-        [0, 1].map(|k| {
-            let moved = self.origin_by[k] + hit.t * self.direction_by[k];
-            moved - along * moved.dot(hit.normal)
-        })
+        let moved = |k: usize| self.origin_by[k] + hit.t * self.direction_by[k];
+        let spread = |moved: Vec3| moved - along * moved.dot(hit.normal);
+        [spread(moved(0)), spread(moved(1))]
     }
 
     /// The round footprint of a pixel at a hit: as wide as the ray's cone, drawn out by the slant.
@@ -67,15 +66,15 @@ impl Ray {
     /// The ray in the direction η D − μ m, with μ and its derivative by D·m.
     fn turned(&self, hit: &Hit, m: Vec3, eta: f32, [mu, by_cosine]: [f32; 2], origin: Vec3) -> Self {
         let spread = self.spread(hit);
-        let direction_by = [0, 1].map(|k| {
+        let by = |k: usize| {
             // Change of the unit normal over the step along the surface.
             let turn = hit.bend * spread[k];
             let turn = turn - hit.normal * turn.dot(hit.normal);
             let by = self.direction_by[k].dot(m) + self.direction.dot(turn);
             eta * self.direction_by[k] - (mu * turn + by_cosine * by * m)
-        });
+        };
         let direction = (eta * self.direction - mu * m).normalize();
-        Self { origin, direction, origin_by: spread, direction_by }
+        Self { origin, direction, origin_by: spread, direction_by: [by(0), by(1)] }
     }
 
     /// A ray from a hit into any direction whose neighbours spread by an angle as wide as its cone.

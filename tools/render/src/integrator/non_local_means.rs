@@ -79,7 +79,7 @@ impl Halves<'_> {
 
     /// Distance of one half's colors at two pixels, above the distance of their noise and over it.
     fn distance(&self, half: usize, pixel: usize, other: usize) -> f32 {
-        let [v, other_v] = [pixel, other].map(|at| self.variances[at]);
+        let (v, other_v) = (self.variances[pixel], self.variances[other]);
         let (square, variance) =
             ((self.halves[pixel][half] - self.halves[other][half]).length_squared(), v + other_v);
         // Where there is no noise to take out nothing is alike.

@@ -103,11 +103,11 @@ impl SoftPanel {
 
     /// A direction to the panel with the density [`density`](Self::density), from a uniform point of the unit square.
     pub fn sample(&self, u: Vec2) -> Vec3 {
-        let [x, y] = [0, 1].map(|k| {
+        let aside = |k: usize| {
             let sin = self.half[k] * within_border(u[k]);
             self.sides[k] * (sin / (1.0 - sin * sin).sqrt())
-        });
-        (self.centre + x + y).normalize()
+        };
+        (self.centre + aside(0) + aside(1)).normalize()
     }
 
     /// Density of samples by solid angle.

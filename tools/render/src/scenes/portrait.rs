@@ -7,7 +7,7 @@ use glam::Vec3;
 
 use crate::{
     failure::Failure,
-    geometry::{camera::Camera, mesh::TracedMesh, shape::Shape, teapot::teapot},
+    geometry::{camera::Camera, shape::Shape},
     image::tone::hex,
     integrator::pixels::Sampling,
     light::lamps::studio,
@@ -17,7 +17,7 @@ use crate::{
         share_beyond,
     },
     scene::{Backdrop, Light, Object, Scene},
-    scenes::sets::{Set, View},
+    scenes::sets::{Set, TEAPOT, View},
 };
 
 /// The share of the tint that is diffuse.
@@ -69,11 +69,11 @@ impl<'a> RenderRequest<'a> {
 
     /// The sphere, the teapot, or else the plane, to be shared between pictures.
     pub fn shape(set: Set) -> Arc<Shape> {
-        Arc::new(match set {
-            Set::Sphere => Shape::Sphere,
-            Set::Teapot => Shape::Mesh(TracedMesh::new(teapot())),
-            _ => Shape::Plane,
-        })
+        match set {
+            Set::Sphere => Arc::new(Shape::Sphere),
+            Set::Teapot => Arc::clone(&TEAPOT),
+            _ => Arc::new(Shape::Plane),
+        }
     }
 
     /// The camera of the picture.

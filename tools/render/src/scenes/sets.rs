@@ -1,5 +1,7 @@
 //! The builder's scenes: what stands where, and from where it is seen.
 
+use std::sync::{Arc, LazyLock};
+
 use asperity_shading::{
     Brdf, EnergyPreservingOrenNayar, Lambert, ParameterError, SurfacePoint, TemperedGlass,
     TemperedGlassParameters,
@@ -115,6 +117,13 @@ const VASE_PROFILE: [[f32; 2]; 12] = [
     [0.34, 2.12],
 ];
 
+/// Shapes that many pictures share, made for the first of them.
+static BALL: LazyLock<Arc<Shape>> = LazyLock::new(|| ball(Vec3::Z, 1.0).into());
+pub(super) static TEAPOT: LazyLock<Arc<Shape>> = LazyLock::new(|| teapot().into());
+static VASE: LazyLock<Arc<Shape>> = LazyLock::new(|| revolved(&VASE_PROFILE).into());
+/// At the height 0.
+static DISC: LazyLock<Arc<Shape>> = LazyLock::new(|| disc(0.0).into());
+
 /// Colour behind everything.
 pub fn backdrop() -> Vec3 {
     hex(0x2a_2d33)
@@ -168,9 +177,9 @@ impl Set {
         behind: Behind<'a>,
     ) -> Result<Vec<Object<'a>>, Failure> {
         Ok(match self {
-            Self::Sphere => vec![Object::new(ball(Vec3::Z, 1.0), subject), ground(0.0, behind)?],
-            Self::Teapot => vec![Object::new(teapot(), subject), ground(0.0, behind)?],
-            Self::Vase => vec![Object::new(revolved(&VASE_PROFILE), subject), ground(0.0, behind)?],
+            Self::Sphere => vec![Object::new(Arc::clone(&BALL), subject), ground(0.0, behind)?],
+            Self::Teapot => vec![Object::new(Arc::clone(&TEAPOT), subject), ground(0.0, behind)?],
+            Self::Vase => vec![Object::new(Arc::clone(&VASE), subject), ground(0.0, behind)?],
             Self::Plane => vec![Object::new(Shape::Plane, subject)],
             Self::Car => car(subject, behind)?,
             Self::Room => {
@@ -203,6 +212,10 @@ fn cloth(colour: Vec3) -> Result<EnergyPreservingOrenNayar, ParameterError> {
     EnergyPreservingOrenNayar::new(colour, 0.8)
 }
 
+fn disc(height: f32) -> Mesh {
+    revolved(&[[60.0, height], [9.0, height], [0.0, height]])
+}
+
 /// A disc of cloth that fades into what is behind from one radius on, over another.
 fn faded_disc(
     height: f32,
@@ -211,8 +224,8 @@ fn faded_disc(
     behind: Behind<'_>,
 ) -> Result<Object<'_>, Failure> {
     let cloth = cloth(colour)?;
-    let disc = revolved(&[[60.0, height], [9.0, height], [0.0, height]]);
-    Ok(Object::shaded(disc, move |point, wo| {
+    let shape = if height == 0.0 { Arc::clone(&DISC) } else { disc(height).into() };
+    Ok(Object::shaded(shape, move |point, wo| {
         let distance = point.position.truncate().length();
         let kept = (-((distance - from).max(0.0) / over).powi(2)).exp();
         let sent = Bsdf::new(wo).with_emitted((1.0 - kept) * behind(-point.frame().to_world(wo)));

@@ -73,7 +73,7 @@ impl EnergyPreservingOrenNayar {
     /// The surface of the nearest albedo and roughness that are valid; NaN counts as 0.
     #[must_use]
     pub fn clamped(albedo: Vec3, roughness: f32) -> Self {
-        let albedo = Vec3::from_array(albedo.to_array().map(|c| clamp_to(c, 1.0)));
+        let albedo = albedo.map(|c| clamp_to(c, 1.0));
         Self::of(albedo, clamp_to(roughness, 1.0))
     }
 

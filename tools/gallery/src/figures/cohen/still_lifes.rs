@@ -37,7 +37,7 @@ const TEA: f32 = 0.84;
 const STEP: f32 = 0.06;
 
 pub(crate) fn draw_vase(context: &Context<'_>) -> Result<Drawn> {
-    let sampling = context.sampling([24, 24], 1);
+    let sampling = context.sampling([18, 18], 1);
     let studio = Studio::new(1.0);
     let marble = PolishedMarble { marble: Marble::default(), tint: Vec3::splat(2.6), polish: 0.12 };
     let objects = Set::Vase.objects(Box::new(marble), PLAIN)?;
@@ -58,7 +58,7 @@ pub(crate) fn draw_vase(context: &Context<'_>) -> Result<Drawn> {
 }
 
 pub(crate) fn draw_cup(context: &Context<'_>) -> Result<Drawn> {
-    let sampling = context.sampling([24, 24], 1);
+    let sampling = context.sampling([16, 16], 1);
     let (eye, target) = (Vec3::new(1.2, -6.6, 3.0), Vec3::new(0.1, 0.0, 1.15));
     let camera = Camera::new(eye, target, 0.56, sampling.width, sampling.height);
     let studio = Studio::new(1.0);
