@@ -9,7 +9,7 @@ use asperity_core::math::sqrt_f64;
 
 use crate::numeric::polynomial::UNIT;
 use crate::system::cell::Cell;
-use crate::system::fif::System;
+use crate::system::fif::FifRef;
 use crate::system::map::Piece;
 
 /// Cells that one search visits at most, or [`PER_MAP`] for each map where that is more.
@@ -133,8 +133,8 @@ pub(crate) struct Search<'a, const C: usize> {
 
 impl<'a, const C: usize> Search<'a, C> {
     /// For the maximum of `sign · f`.
-    pub(crate) fn new<S: AsRef<[Piece<C>]>>(fif: &'a System<S, C>, goal: &'a Goal, sign: f64) -> Self {
-        let pieces = fif.pieces();
+    pub(crate) fn new(fif: FifRef<'a, C>, goal: &'a Goal, sign: f64) -> Self {
+        let pieces = fif.maps();
         let mut search = Self {
             pieces,
             range: fif.range(),

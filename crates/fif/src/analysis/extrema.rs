@@ -3,7 +3,7 @@
 use asperity_core::Interval;
 
 use crate::analysis::branch_and_bound::{Goal, Search};
-use crate::system::fif::System;
+use crate::system::fif::{FifRef, System};
 use crate::system::map::Piece;
 
 /// Brackets of the two extrema of a function over an interval, and where they lie.
@@ -63,7 +63,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// # Ok::<(), asperity_fif::SystemError>(())
     /// ```
     pub fn extrema(&self, width: f64) -> Extrema {
-        self.search(self.domain(), width)
+        self.view().search(self.domain(), width)
     }
 
     /// Brackets of the extrema over `[l, r]`, clipped to the domain, as [`System::extrema`].
@@ -83,7 +83,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     pub fn extrema_over(&self, l: f64, r: f64, width: f64) -> Option<Extrema> {
         let over = Interval::new(l, r).intersection(self.domain());
         let whole = l <= r && over.lo <= over.hi;
-        whole.then(|| self.search(over, width))
+        whole.then(|| self.view().search(over, width))
     }
 
     /// An enclosure of `f` over `[l, r]`, clipped to the domain, each end at most `width` from the best one.
@@ -101,20 +101,22 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         let over = Interval::new(l, r).intersection(self.domain());
         let whole = l <= r && over.lo <= over.hi;
         whole.then(|| {
-            let goal = self.goal(over, width);
-            let (top, bottom, _) = self.searches(&goal, over);
+            let goal = self.view().goal(over, width);
+            let (top, bottom, _) = self.view().searches(&goal, over);
             Interval::new(-bottom.bound, top.bound)
         })
     }
+}
 
-    fn goal(&self, over: Interval, width: f64) -> Goal {
+impl<'a, const C: usize> FifRef<'a, C> {
+    fn goal(self, over: Interval, width: f64) -> Goal {
         // A bracket under the rounding errors of the two bounds cannot be had.
         let least = 64.0 * (self.noise * self.gain).max(f64::EPSILON * self.range().magnitude());
         Goal::new(over, self.domain(), if width > least { width } else { least })
     }
 
     /// The finished searches for the maxima of `f` and `−f`, and a range of `f` over the domain.
-    fn searches<'a>(&'a self, goal: &'a Goal, over: Interval) -> (Search<'a, C>, Search<'a, C>, Interval) {
+    fn searches(self, goal: &'a Goal, over: Interval) -> (Search<'a, C>, Search<'a, C>, Interval) {
         let (mut top, mut bottom) = (Search::new(self, goal, 1.0), Search::new(self, goal, -1.0));
         let mut range = self.range();
         if over == self.domain() {
@@ -128,7 +130,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         (top, bottom, range)
     }
 
-    fn search(&self, over: Interval, width: f64) -> Extrema {
+    fn search(self, over: Interval, width: f64) -> Extrema {
         let goal = self.goal(over, width);
         let (mut top, mut bottom, range) = self.searches(&goal, over);
         top.assume(range);

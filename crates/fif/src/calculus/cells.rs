@@ -6,7 +6,7 @@ use crate::evaluate::address::{Distance, LongFraction, LongPosition, Orbit, Step
 use crate::evaluate::value::MAX_DEPTH;
 use crate::numeric::polynomial::{LEAST, UNIT};
 use crate::system::cell::Cell;
-use crate::system::fif::{Spacing, System};
+use crate::system::fif::{FifRef, Spacing};
 use crate::system::map::Piece;
 
 /// A cell of the tiling; lengths are in units of the domain.
@@ -56,13 +56,13 @@ pub(crate) struct Tiling {
     pub(crate) steps: f64,
 }
 
-impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
+impl<const C: usize> FifRef<'_, C> {
     /// Hands the cells that make up `[l, r]` to `visit`, where `x_0 ≤ l < r ≤ x_N`.
     ///
     /// The descent follows both ends together as long as one cell holds them, so that a short interval is as good as a
     /// long one. Each end then splits off the cells between it and the middle. What is left where the function varies by
     /// less than the rounding error becomes a cell of its own, over which the fractal part is a constant.
-    pub(crate) fn tile(&self, l: f64, r: f64, visit: &mut impl FnMut(&Tile<C>)) -> Tiling {
+    pub(crate) fn tile(self, l: f64, r: f64, visit: &mut dyn FnMut(&Tile<C>)) -> Tiling {
         let domain = self.domain();
         match self.spacing() {
             Spacing::Uniform => {
@@ -87,12 +87,12 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
 
     /// The rounding of the ends is relative to their distances from the left end, that of a step to the cell.
     fn tile_with<O: Orbit + Distance + Copy>(
-        &self,
+        self,
         ends: [f64; 2],
         cut: impl Fn(f64) -> (O, f64),
         of_ends: f64,
         of_step: f64,
-        visit: &mut impl FnMut(&Tile<C>),
+        visit: &mut dyn FnMut(&Tile<C>),
     ) -> Tiling {
         let domain = self.domain();
         let mut drift = 0.0;
@@ -112,9 +112,9 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     }
 }
 
-struct Walk<'a, S, V, const C: usize> {
-    fif: &'a System<S, C>,
-    visit: &'a mut V,
+struct Walk<'a, const C: usize> {
+    fif: FifRef<'a, C>,
+    visit: &'a mut dyn FnMut(&Tile<C>),
     tiling: Tiling,
     /// Rounding of a step in units of the cell.
     of_step: f64,
@@ -122,7 +122,7 @@ struct Walk<'a, S, V, const C: usize> {
     least: f64,
 }
 
-impl<S: AsRef<[Piece<C>]>, V: FnMut(&Tile<C>), const C: usize> Walk<'_, S, V, C> {
+impl<const C: usize> Walk<'_, C> {
     /// Recurs once, where the ends part.
     fn run<O: Orbit + Distance + Copy>(
         &mut self,
@@ -131,7 +131,7 @@ impl<S: AsRef<[Piece<C>]>, V: FnMut(&Tile<C>), const C: usize> Walk<'_, S, V, C>
         mut upper: Cut<O>,
         mut steps: f64,
     ) {
-        let pieces = self.fif.pieces();
+        let pieces = self.fif.maps();
         let radius = 0.5 * self.fif.range().width();
         while steps < MAX_DEPTH as f64 {
             let length = O::between(lower.orbit(), upper.orbit());

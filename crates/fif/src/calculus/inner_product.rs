@@ -41,8 +41,8 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         }
         let too_high = |_| CombineError::Degree { degree };
         // ∫ f against polynomials of the other's degree, and the reverse.
-        let of_f = MomentBasis::new(self, degrees[1], 1).map_err(too_high)?;
-        let of_g = MomentBasis::new(other, degrees[0], 1).map_err(too_high)?;
+        let of_f = MomentBasis::new(self.view(), degrees[1], 1).map_err(too_high)?;
+        let of_g = MomentBasis::new(other.view(), degrees[0], 1).map_err(too_high)?;
         let ((f, f_error), (g, g_error)) = (of_f.power(1), of_g.power(1));
         let (one, one_error) = of_f.power(0);
         let [f_range, g_range] = [self.range().magnitude(), other.range().magnitude()];

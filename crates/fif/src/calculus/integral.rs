@@ -8,7 +8,7 @@ use crate::calculus::cells::{Tile, directed};
 use crate::numeric::estimate::{Bounded, Estimate};
 use crate::numeric::polynomial::{LEAST, UNIT, horner, magnitude};
 use crate::system::error::SystemError;
-use crate::system::fif::System;
+use crate::system::fif::{FifRef, System};
 use crate::system::map::Piece;
 use crate::system::storage::Storage;
 
@@ -24,7 +24,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// Cochran, Lewis, Hart 2000, eq. 30.
     #[must_use]
     pub fn total_integral(&self) -> f64 {
-        self.domain().width() * self.mean_value().0
+        self.domain().width() * self.view().mean_value().0
     }
 
     /// `∫ f` from `l` to `r`, negative when `l > r`; ends outside the domain are clamped to it.
@@ -50,7 +50,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         if l >= r {
             return Estimate::new(0.0, 0.0, 0.0);
         }
-        let over = self.sums_over(l, r);
+        let over = self.view().sums_over(l, r);
         let width = self.domain().width();
         let bound = width * over.bound + 4.0 * UNIT * width * over.sum.abs() + 2.0 * LEAST;
         Estimate::new(width * over.sum, width * over.magnitude, bound).scaled(sign)
@@ -77,7 +77,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         if l >= r {
             return Estimate::of(self.evaluate(l, 0.0));
         }
-        let over = self.sums_over(l, r);
+        let over = self.view().sums_over(l, r);
         if over.length > 0.0 {
             let mean = over.sum / over.length;
             // Both ends move and the widths round in the denominator, too.
@@ -88,53 +88,6 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         }
         let values = self.enclosure(l, r, 0.0).unwrap_or(self.range());
         Estimate::of(Bounded::around(values))
-    }
-
-    /// In units of the domain.
-    fn sums_over(&self, l: f64, r: f64) -> Sums {
-        let (whole, whole_error) = self.mean_value();
-        let range = self.range().magnitude();
-        let mut sums = Sums::default();
-        let mut tiles = 0.0;
-        let tiling = self.tile(l, r, &mut |tile: &Tile<C>| {
-            let bernstein = tile.cell.bernstein();
-            let polynomial = bernstein.iter().sum::<f64>() / C.max(1) as f64;
-            let size = tile.cell.polynomial_range().magnitude();
-            let fractal = tile.cell.product * whole;
-            sums.sum += tile.width * (polynomial + fractal);
-            sums.magnitude += tile.width * (polynomial.abs() + fractal.abs());
-            sums.length += tile.width;
-            let rounding = (C as f64 + 2.0) * UNIT * size + tile.cell.product_error() * fractal.abs();
-            sums.bound += tile.width * (tile.cell.error() + tile.cell.product.abs() * whole_error + rounding);
-            tiles += 1.0;
-        });
-        // A width is a product of one factor per map, each with three roundings, and its own.
-        let widths = (tiles + 4.0 * tiling.steps + 4.0) * UNIT;
-        let least = 2.0 * (tiles + 1.0) * (tiling.steps + 2.0) * LEAST;
-        sums.bound += widths * sums.magnitude + 2.0 * tiling.drift * range + least * (1.0 + range);
-        sums.bound *= 1.01;
-        sums.length_bound = widths * sums.length + 2.0 * tiling.drift + least;
-        sums
-    }
-
-    /// The mean of `f` over the domain with a bound of its error, by eq. 30.
-    fn mean_value(&self) -> (f64, f64) {
-        let (mut sum, mut rest, mut size, mut slack) = (0.0, 0.0, 0.0, 0.0);
-        for piece in self.pieces() {
-            let a = piece.map().a;
-            sum += a * mean(&piece.local);
-            // Σ a_n = 1, so the denominator is a sum of positive terms.
-            rest += a * (1.0 - piece.map().alpha);
-            size += a * magnitude(&piece.local, 1.0);
-            slack += a * piece.slack;
-        }
-        let mean = sum / rest;
-        // Knots in units of the domain have two roundings each.
-        let maps = self.pieces().len();
-        let largest = self.range().magnitude();
-        let rounding =
-            (maps + C + 6) as f64 * UNIT * size + 8.0 * maps as f64 * UNIT * (size + 2.0 * largest);
-        (mean, 1.01 * (rounding + slack) / rest + 4.0 * UNIT * mean.abs())
     }
 
     /// The integral `f̂(x) = y0 + ∫ f` from `x_0` to `x`, again a fractal interpolation function, one degree higher.
@@ -200,7 +153,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
             }
             Some(q)
         };
-        System::assemble(maps, |j| self.knot(j), ordinate, factor, polynomial)
+        System::assemble(maps, &|j| self.knot(j), &ordinate, &factor, &polynomial)
     }
 
     /// The derivative system, when `f` is continuously differentiable.
@@ -243,11 +196,11 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
             Some((piece.map().alpha / a, q))
         };
         let maps = self.pieces().len();
-        match System::from_lists(maps, |j| self.knot(j), map) {
+        match System::from_lists(maps, &|j| self.knot(j), &map) {
             // Near-critical factors: ordinates from one equation each would not join up within rounding.
             Err(first @ SystemError::JoinUp { .. }) => {
                 let domain = self.domain();
-                let [y0, y_end] = end_ordinates(maps, domain, map);
+                let [y0, y_end] = end_ordinates(maps, domain, &map);
                 let ordinate = |j: usize| match j.checked_sub(1) {
                     None => y0,
                     Some(last) if last + 1 == maps => y_end,
@@ -256,7 +209,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
                     }
                 };
                 let alpha = |j: usize| map(j).map_or(0.0, |(alpha, _)| alpha);
-                System::assemble(maps, |j| self.knot(j), ordinate, alpha, |j| map(j).map(|(_, q)| q))
+                System::assemble(maps, &|j| self.knot(j), &ordinate, &alpha, &|j| map(j).map(|(_, q)| q))
                     .map_err(|_| first)
             }
             other => other,
@@ -267,6 +220,55 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     #[cfg(feature = "alloc")]
     pub(crate) fn ordinate_error(&self) -> f64 {
         1.01 * self.gain * (self.noise + 8.0 * UNIT * self.range().magnitude())
+    }
+}
+
+impl<const C: usize> FifRef<'_, C> {
+    /// In units of the domain.
+    fn sums_over(self, l: f64, r: f64) -> Sums {
+        let (whole, whole_error) = self.mean_value();
+        let range = self.range().magnitude();
+        let mut sums = Sums::default();
+        let mut tiles = 0.0;
+        let tiling = self.tile(l, r, &mut |tile: &Tile<C>| {
+            let bernstein = tile.cell.bernstein();
+            let polynomial = bernstein.iter().sum::<f64>() / C.max(1) as f64;
+            let size = tile.cell.polynomial_range().magnitude();
+            let fractal = tile.cell.product * whole;
+            sums.sum += tile.width * (polynomial + fractal);
+            sums.magnitude += tile.width * (polynomial.abs() + fractal.abs());
+            sums.length += tile.width;
+            let rounding = (C as f64 + 2.0) * UNIT * size + tile.cell.product_error() * fractal.abs();
+            sums.bound += tile.width * (tile.cell.error() + tile.cell.product.abs() * whole_error + rounding);
+            tiles += 1.0;
+        });
+        // A width is a product of one factor per map, each with three roundings, and its own.
+        let widths = (tiles + 4.0 * tiling.steps + 4.0) * UNIT;
+        let least = 2.0 * (tiles + 1.0) * (tiling.steps + 2.0) * LEAST;
+        sums.bound += widths * sums.magnitude + 2.0 * tiling.drift * range + least * (1.0 + range);
+        sums.bound *= 1.01;
+        sums.length_bound = widths * sums.length + 2.0 * tiling.drift + least;
+        sums
+    }
+
+    /// The mean of `f` over the domain with a bound of its error, by eq. 30.
+    fn mean_value(self) -> (f64, f64) {
+        let (mut sum, mut rest, mut size, mut slack) = (0.0, 0.0, 0.0, 0.0);
+        for piece in self.pieces() {
+            let a = piece.map().a;
+            sum += a * mean(&piece.local);
+            // Σ a_n = 1, so the denominator is a sum of positive terms.
+            rest += a * (1.0 - piece.map().alpha);
+            size += a * magnitude(&piece.local, 1.0);
+            slack += a * piece.slack;
+        }
+        let mean = sum / rest;
+        // Knots in units of the domain have two roundings each.
+        let maps = self.pieces().len();
+        let largest = self.range().magnitude();
+        let rounding =
+            (maps + C + 6) as f64 * UNIT * size + 8.0 * maps as f64 * UNIT * (size + 2.0 * largest);
+        (mean, 1.01 * (rounding + slack) / rest + 4.0 * UNIT * mean.abs())
     }
 }
 
@@ -290,7 +292,7 @@ struct Sums {
 fn end_ordinates<const K: usize>(
     maps: usize,
     domain: Interval,
-    map: impl Fn(usize) -> Option<(f64, [f64; K])>,
+    map: &dyn Fn(usize) -> Option<(f64, [f64; K])>,
 ) -> [f64; 2] {
     // The upper triangle of the rotated equations, with their right sides.
     let mut rows = [[0.0_f64; 3]; 2];

@@ -93,8 +93,8 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
             (_, Some(map)) if j < count => map.a * x_end + map.b,
             _ => x_end,
         };
-        check_cells(count, knot)?;
-        Self::from_lists(count, knot, |j| maps.get(j).map(|map| (map.alpha, map.q)))
+        check_cells(count, &knot)?;
+        Self::from_lists(count, &knot, &|j| maps.get(j).map(|map| (map.alpha, map.q)))
     }
 
     /// The function times `factor`.
@@ -109,7 +109,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
     /// [`SystemError::NotFinite`], [`SystemError::Unbounded`] when the numbers overflow or `factor` is not finite.
     pub fn scaled(&self, factor: f64) -> Result<Self, SystemError> {
         let q = |j: usize| self.pieces().get(j).map(|p| p.map().q.map(|c| factor * c));
-        self.combined(|j| factor * self.ordinate(j), q)
+        self.combined(&|j| factor * self.ordinate(j), &q)
     }
 
     /// `self + other` for systems with the same knots and vertical factors, again of the same class.
@@ -139,7 +139,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
             }
             Some(q)
         };
-        Ok(self.combined(|j| self.ordinate(j) + other.ordinate(j), q)?)
+        Ok(self.combined(&|j| self.ordinate(j) + other.ordinate(j), &q)?)
     }
 
     /// Number of continuous derivatives of the system: `m` when `m` derivative systems exist one after another, `C`
@@ -169,8 +169,8 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
     /// A system on these knots, with these factors, and other ordinates and polynomials.
     fn combined(
         &self,
-        y: impl Fn(usize) -> f64,
-        q: impl Fn(usize) -> Option<[f64; C]>,
+        y: &dyn Fn(usize) -> f64,
+        q: &dyn Fn(usize) -> Option<[f64; C]>,
     ) -> Result<Self, SystemError> {
         let maps = self.pieces().len();
         for knot in 0..=maps {
@@ -180,7 +180,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
             }
         }
         let alpha = |j: usize| self.pieces().get(j).map_or(0.0, |p| p.map().alpha);
-        Self::assemble(maps, |j| self.knot(j), y, alpha, q)
+        Self::assemble(maps, &|j| self.knot(j), y, &alpha, q)
     }
 }
 

@@ -8,7 +8,7 @@ use crate::numeric::bernstein::{Form, power, rounding};
 use crate::numeric::estimate::{Bounded, Estimate};
 use crate::numeric::polynomial::{LEAST, UNIT};
 use crate::system::cell::Cell;
-use crate::system::fif::System;
+use crate::system::fif::{FifRef, System};
 use crate::system::map::Piece;
 
 impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
@@ -56,7 +56,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         let domain = self.domain();
         let weight = |s: f64| if s >= 1.0 { domain.hi } else { domain.lo + domain.width() * s };
         Ok(match directed(l, r, domain) {
-            Some((l, r, sign)) => self.weighted(k, p, l, r, weight)?.0.scaled(sign),
+            Some((l, r, sign)) => self.view().weighted(k, p, l, r, &weight)?.0.scaled(sign),
             None => Estimate::NAN,
         })
     }
@@ -86,7 +86,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         let end = (r - domain.lo) / domain.width();
         let weight = |s: f64| if end > s { domain.width() * (end - s) } else { 0.0 };
         let factorial = (1..=k).fold(1.0, |product, i| product * i as f64);
-        Ok(self.weighted(k, 1, l, r, weight)?.0.scaled(1.0 / factorial))
+        Ok(self.view().weighted(k, 1, l, r, &weight)?.0.scaled(1.0 / factorial))
     }
 
     /// `∫ f²` over the whole domain, the square of the L² norm.
@@ -105,7 +105,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// [`MomentError`], when the polynomials' degree is too large.
     pub fn mean_square(&self, l: f64, r: f64) -> Result<Estimate, MomentError> {
         let Some((l, r, _)) = directed(l, r, self.domain()) else { return Ok(Estimate::NAN) };
-        let (sum, length) = self.weighted(0, 2, l, r, |_| 1.0)?;
+        let (sum, length) = self.view().weighted(0, 2, l, r, &|_| 1.0)?;
         let range = self.range();
         let squares = Interval::new(0.0, power(range.magnitude(), 2).next_up());
         if length.value > 0.0 {
@@ -124,16 +124,18 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         let value = Estimate::of(value);
         Ok(value.product(value))
     }
+}
 
+impl<const C: usize> FifRef<'_, C> {
     /// `∫ wᵏ fᵖ` over `[l, r]` for a linear `w`, given by its values at fractions of the domain, and the length of the cells that
     /// it was added over, in units of the domain, with its error.
     fn weighted(
-        &self,
+        self,
         k: usize,
         p: usize,
         l: f64,
         r: f64,
-        weight: impl Fn(f64) -> f64,
+        weight: &dyn Fn(f64) -> f64,
     ) -> Result<(Estimate, Bounded), MomentError> {
         let basis = MomentBasis::new(self, k, p)?;
         if l >= r {

@@ -3,8 +3,7 @@
 use crate::numeric::bernstein::{Form, SIZE, binomials, power, rounding};
 use crate::numeric::elimination::solve;
 use crate::numeric::polynomial::{LEAST, UNIT, hull};
-use crate::system::fif::System;
-use crate::system::map::Piece;
+use crate::system::fif::FifRef;
 use asperity_core::error_enum;
 
 /// The largest power of `f` under an integral.
@@ -39,11 +38,7 @@ pub(crate) struct MomentBasis {
 }
 
 impl MomentBasis {
-    pub(crate) fn new<S: AsRef<[Piece<C>]>, const C: usize>(
-        fif: &System<S, C>,
-        k: usize,
-        p: usize,
-    ) -> Result<Self, MomentError> {
+    pub(crate) fn new<const C: usize>(fif: FifRef<'_, C>, k: usize, p: usize) -> Result<Self, MomentError> {
         if p > MAX_POWER {
             return Err(MomentError::Power { power: p });
         }
@@ -70,7 +65,7 @@ impl MomentBasis {
         (values, self.errors.get(m).copied().unwrap_or(f64::NAN))
     }
 
-    fn solve<S: AsRef<[Piece<C>]>, const C: usize>(&mut self, fif: &System<S, C>, p: usize) {
+    fn solve<const C: usize>(&mut self, fif: FifRef<'_, C>, p: usize) {
         let n = self.top - self.degree * p;
         let range = fif.range().magnitude();
         let mut matrix = [[0.0; SIZE]; SIZE];

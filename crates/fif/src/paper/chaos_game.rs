@@ -1,5 +1,7 @@
 //! The source's Algorithm 1: random points of a graph.
 
+use asperity_core::SplitMix64;
+
 use crate::system::fif::System;
 use crate::system::map::Piece;
 
@@ -22,11 +24,9 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// ```
     pub fn chaos_game(&self, seed: u64) -> impl Iterator<Item = (f64, f64)> + Clone + '_ {
         let (pieces, start) = (self.pieces(), (self.domain().lo, self.end_values()[0]));
-        let places = (0_u64..).scan(start, move |place, count| {
-            let state = seed.wrapping_add(0x9E37_79B9_7F4A_7C15_u64.wrapping_mul(count.wrapping_add(1)));
-            let word = (state ^ (state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-            let word = (word ^ (word >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-            let index = (u128::from(word ^ (word >> 31)) * pieces.len() as u128) >> 64;
+        let start = (SplitMix64 { state: seed }, start);
+        let places = core::iter::repeat(()).scan(start, |(random, place), ()| {
+            let index = (u128::from(random.word()) * pieces.len() as u128) >> 64;
             *place = pieces.get(index as usize)?.map().apply(place.0, place.1);
             Some(*place)
         });

@@ -67,12 +67,12 @@ pub(crate) fn check_knots(x: &[f64]) -> Result<usize, SystemError> {
         }
     }
     let maps = x.len() - 1;
-    check_cells(maps, |j| x.get(j).copied().unwrap_or(0.0))?;
+    check_cells(maps, &|j| x.get(j).copied().unwrap_or(0.0))?;
     Ok(maps)
 }
 
 /// Knots are in order.
-pub(crate) fn check_cells(maps: usize, x: impl Fn(usize) -> f64) -> Result<(), SystemError> {
+pub(crate) fn check_cells(maps: usize, x: &dyn Fn(usize) -> f64) -> Result<(), SystemError> {
     // Half of it, which does not overflow.
     let half = 0.5 * x(maps) - 0.5 * x(0);
     for map in 1..=maps {

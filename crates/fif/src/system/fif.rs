@@ -46,14 +46,14 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
         let maps = check_knots(x)?;
         check_length("alpha", maps, alpha.len())?;
         check_length("q", maps, q.len())?;
-        Self::from_lists(maps, |j| value(x, j), |j| Some((value(alpha, j), *q.get(j)?)))
+        Self::from_lists(maps, &|j| value(x, j), &|j| Some((value(alpha, j), *q.get(j)?)))
     }
 
     /// [`System::new`] from checked knots, and from factors and polynomials map by map.
     pub(crate) fn from_lists(
         maps: usize,
-        x: impl Fn(usize) -> f64,
-        map: impl Fn(usize) -> Option<(f64, [f64; C])>,
+        x: &dyn Fn(usize) -> f64,
+        map: &dyn Fn(usize) -> Option<(f64, [f64; C])>,
     ) -> Result<Self, SystemError> {
         for j in 0..maps {
             let (alpha, q) = map(j).ok_or(SystemError::Length { parameter: "q", expected: maps, got: j })?;
@@ -70,7 +70,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
             j if j > last => y_end,
             j => alpha(j - 1) * y_end + at(j - 1, x(maps)),
         };
-        Self::assemble(maps, &x, ordinate, alpha, |j| map(j).map(|(_, q)| q))
+        Self::assemble(maps, x, &ordinate, &alpha, &|j| map(j).map(|(_, q)| q))
     }
 
     /// From knots, their ordinates, vertical factors and polynomials.
@@ -82,16 +82,16 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
         check_length("q", maps, q.len())?;
         check_data(maps, y, alpha)?;
         (1..).zip(q).try_for_each(|(map, q)| check_coefficients(map, q))?;
-        Self::assemble(maps, |j| value(x, j), |j| value(y, j), |j| value(alpha, j), |j| q.get(j).copied())
+        Self::assemble(maps, &|j| value(x, j), &|j| value(y, j), &|j| value(alpha, j), &|j| q.get(j).copied())
     }
 
     /// Everything but the join-up and the range has been checked.
     pub(crate) fn assemble(
         maps: usize,
-        x: impl Fn(usize) -> f64,
-        y: impl Fn(usize) -> f64,
-        alpha: impl Fn(usize) -> f64,
-        q: impl Fn(usize) -> Option<[f64; C]>,
+        x: &dyn Fn(usize) -> f64,
+        y: &dyn Fn(usize) -> f64,
+        alpha: &dyn Fn(usize) -> f64,
+        q: &dyn Fn(usize) -> Option<[f64; C]>,
     ) -> Result<Self, SystemError> {
         let mut pieces = S::with_len(maps).map_err(|got| SystemError::Length {
             parameter: "storage",
@@ -100,7 +100,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
         })?;
         let domain = [x(0), x(maps)];
         let width = domain[1] - domain[0];
-        let spacing = spacing(maps, &x);
+        let spacing = spacing(maps, x);
         let position = |j: usize| match spacing {
             _ if j == maps => 1.0,
             Spacing::Uniform => j as f64 / maps as f64,
@@ -265,7 +265,7 @@ impl<S: Storage<2>> System<S, 2> {
             let slope = (value(y, j + 1) - value(y, j) - alpha * rise) / width;
             Some([value(y, j) - alpha * y0 - slope * x0, slope])
         };
-        Self::assemble(maps, |j| value(x, j), |j| value(y, j), |j| value(alpha, j), line)
+        Self::assemble(maps, &|j| value(x, j), &|j| value(y, j), &|j| value(alpha, j), &line)
     }
 }
 
@@ -305,7 +305,7 @@ impl<S: Storage<4>> System<S, 4> {
             let local = [p0, m0, 3.0 * (p1 - p0) - 2.0 * m0 - m1, 2.0 * (p0 - p1) + m0 + m1];
             Some(substitute(&local, 1.0 / width, -x0 / width))
         };
-        Self::assemble(maps, |j| value(x, j), |j| value(y, j), |j| value(alpha, j), cubic)
+        Self::assemble(maps, &|j| value(x, j), &|j| value(y, j), &|j| value(alpha, j), &cubic)
     }
 }
 
@@ -325,11 +325,18 @@ pub type Fif<const C: usize> = System<alloc::vec::Vec<Piece<C>>, C>;
 /// A system over borrowed pieces, from [`System::view`]; copyable.
 pub type FifRef<'a, const C: usize> = System<&'a [Piece<C>], C>;
 
+impl<'a, const C: usize> FifRef<'a, C> {
+    /// [`System::pieces`], for as long as they are borrowed.
+    pub(crate) const fn maps(self) -> &'a [Piece<C>] {
+        self.pieces
+    }
+}
+
 /// A system of `N` maps in an array; needs no allocator.
 pub type FixedFif<const N: usize, const C: usize> = System<[Piece<C>; N], C>;
 
 /// Whether every knot is within two units in the last place (of the larger end) of equal spacing.
-fn spacing(maps: usize, x: impl Fn(usize) -> f64) -> Spacing {
+fn spacing(maps: usize, x: &dyn Fn(usize) -> f64) -> Spacing {
     let (x0, x_end) = (x(0), x(maps));
     let tolerance = 2.0 * f64::EPSILON * x0.abs().max(x_end.abs());
     let equal = (0..=maps).all(|j| {

@@ -5,8 +5,7 @@ use asperity_core::Interval;
 use core::fmt;
 
 use crate::numeric::polynomial::{UNIT, bernstein, falling, hull, magnitudes, substitute};
-use crate::system::fif::{Spacing, System};
-use crate::system::map::Piece;
+use crate::system::fif::{FifRef, Spacing};
 
 /// A composite of maps: over its cell, scaled to `[0, 1]`, the function less its chord is `a v(u) + Σ c_k uᵏ`.
 /// The powers may be scaled to the unit that the holder of the table counts in.
@@ -38,7 +37,7 @@ pub(crate) struct Composites<const C: usize> {
 
 impl<const C: usize> Composites<C> {
     /// The largest table with at most 1024 composites and 32 KB; `None` unless the knots are equally spaced.
-    pub(crate) fn new<S: AsRef<[Piece<C>]>>(system: &System<S, C>) -> Option<Self> {
+    pub(crate) fn new(system: FifRef<'_, C>) -> Option<Self> {
         if system.spacing() == Spacing::Nonuniform {
             return None;
         }
@@ -109,8 +108,8 @@ fn first<const C: usize>(values: &[f64; C]) -> f64 {
 /// An enclosure of the deviation from the chord: the range of `f` less that of the chord, then the hull of its images
 /// under all rows `(a, c)` of a table that covers the domain, while that pays. `slack` bounds the error of their
 /// polynomials, `roundings` those of `a`.
-pub(crate) fn enclose<S: AsRef<[Piece<C>]>, const C: usize>(
-    system: &System<S, C>,
+pub(crate) fn enclose<const C: usize>(
+    system: FifRef<'_, C>,
     rows: impl Iterator<Item = (f64, [f64; C])>,
     slack: f64,
     roundings: f64,
@@ -264,7 +263,7 @@ impl Series {
     }
 }
 
-impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
+impl<const C: usize> FifRef<'_, C> {
     /// The refusal of a table that would leave this bound.
     pub(crate) fn too_deep(&self, bound: f64) -> TableError {
         TableError { alpha: self.steepest(), steps: MOST, bound }
@@ -279,7 +278,7 @@ mod tests {
     #[test]
     fn the_deviation_is_enclosed_tightly() {
         // f of the source vanishes at both ends and reaches 4/3.
-        let t = Composites::new(&paper::f().unwrap()).unwrap();
+        let t = Composites::new(paper::f().unwrap().view()).unwrap();
         assert_eq!((t.radix, t.digits, t.steepest), (1024, 10, 1.0 / 1024.0 * (1.0 + 6.0 * f64::EPSILON)));
         assert!(t.deviation.contains(0.0) && t.deviation.contains(4.0 / 3.0) && t.deviation.width() < 1.34);
     }
@@ -291,6 +290,6 @@ mod tests {
             [(10, 1024), (8, 256), (6, 729), (1, 4096)]
         );
         let uneven = Fif::affine(&[0.0, 0.4, 1.4, 2.0], &[0.0; 4], &[0.4, -0.6, 0.5]).unwrap();
-        assert!(Composites::new(&uneven).is_none());
+        assert!(Composites::new(uneven.view()).is_none());
     }
 }

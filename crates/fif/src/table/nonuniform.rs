@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use crate::numeric::polynomial::{UNIT, horner, magnitude, substitute};
 use crate::system::chord::Chord;
-use crate::system::fif::System;
+use crate::system::fif::FifRef;
 use crate::system::map::Piece;
 use crate::table::composite::{Series, TableError, enclose};
 
@@ -44,10 +44,7 @@ struct Row<const C: usize> {
 }
 
 impl<const C: usize> Nonuniform<C> {
-    pub(crate) fn new<S: AsRef<[Piece<C>]>>(
-        system: &System<S, C>,
-        tolerance: f64,
-    ) -> Result<Self, TableError> {
+    pub(crate) fn new(system: FifRef<'_, C>, tolerance: f64) -> Result<Self, TableError> {
         let parts = partition(system);
         let most = |of: fn(&Cell<C>) -> f64| parts.iter().map(of).fold(0.0_f64, f64::max);
         let (largest, roundings) = (most(|part| magnitude(&part.c, 1.0)), most(|part| part.depth) + 2.0);
@@ -146,7 +143,7 @@ struct Cell<const C: usize> {
 }
 
 /// The cells from left to right.
-fn partition<S: AsRef<[Piece<C>]>, const C: usize>(system: &System<S, C>) -> Vec<Cell<C>> {
+fn partition<const C: usize>(system: FifRef<'_, C>) -> Vec<Cell<C>> {
     let root = Cell { left: 0.0, low: 0.0, width: 1.0, a: 1.0, c: [0.0; C], error: 0.0, depth: 0.0 };
     let mut parts = alloc::vec![root];
     // The bits of a number that is not negative are in its order.
@@ -174,7 +171,7 @@ fn partition<S: AsRef<[Piece<C>]>, const C: usize>(system: &System<S, C>) -> Vec
 }
 
 impl<const C: usize> Cell<C> {
-    fn child<S: AsRef<[Piece<C>]>>(&self, system: &System<S, C>, piece: &Piece<C>) -> Self {
+    fn child(&self, system: FifRef<'_, C>, piece: &Piece<C>) -> Self {
         let map = system.deviation(piece);
         let mut c = substitute(&self.c, map.a, map.s);
         for (sum, p) in c.iter_mut().zip(map.p) {
@@ -209,7 +206,7 @@ mod tests {
     fn cells_tile_the_domain() {
         let gaps = [0.0, 1e-9, 0.3, 0.300_001, 1.0];
         let f = Fif::affine(&gaps, &[0.0, 1.0, 0.5, -0.5, 0.0], &[0.9, -0.7, 0.9, 0.8]).unwrap();
-        let parts = partition(&f);
+        let parts = partition(f.view());
         assert!(parts.len() > 4000 && parts.len() <= CELLS, "{}", parts.len());
         for pair in parts.windows(2) {
             let end = pair[0].left + pair[0].width;

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 use asperity_core::{BatchError, Interval};
 
 use crate::numeric::estimate::Bounded;
-use crate::system::fif::{Fif, System};
+use crate::system::fif::{Fif, FifRef, System};
 use crate::system::map::Piece;
 use crate::table::composite::{Composites, TableError};
 use crate::table::jet::jet::Jet;
@@ -60,6 +60,13 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// [`TableError`] when 64 steps leave more than `tolerance`: near-critical factors whose number is no power of two, or
     /// unequal knots with such factors or thousands of maps.
     pub fn table(&self, tolerance: f64) -> Result<Table<C>, TableError> {
+        self.view().tabulate(tolerance)
+    }
+}
+
+impl<const C: usize> FifRef<'_, C> {
+    /// [`System::table`], compiled once for every storage.
+    fn tabulate(self, tolerance: f64) -> Result<Table<C>, TableError> {
         let derivatives = derivatives(self);
         let (rows, jets, away) = match Composites::new(self) {
             Some(made) => {

@@ -4,8 +4,7 @@ use alloc::vec::Vec;
 
 use crate::numeric::polynomial::{UNIT, horner};
 use crate::system::chord::Chord;
-use crate::system::fif::System;
-use crate::system::map::Piece;
+use crate::system::fif::FifRef;
 use crate::table::composite::{Composite, Composites, Series, TableError};
 
 /// The least distance from the left end, in units of the domain, whose 53 bits all lie within 64: 2⁻¹¹.
@@ -34,8 +33,8 @@ pub(crate) struct Uniform<const C: usize> {
 impl<const C: usize> Uniform<C> {
     /// The least number of steps whose bound is at most `tolerance`, else the least within 5/4 of the least bound. When the
     /// number of maps is a power of two, 64 bits are used up after `⌈64/log₂ M⌉` steps, however near to one the factors are.
-    pub(crate) fn new<S: AsRef<[Piece<C>]>>(
-        system: &System<S, C>,
+    pub(crate) fn new(
+        system: FifRef<'_, C>,
         made: &Composites<C>,
         tolerance: f64,
     ) -> Result<Self, TableError> {
@@ -134,7 +133,7 @@ mod tests {
     #[test]
     fn powers_of_two_end_however_steep() {
         let f = Fif::affine(&[0.0, 0.5, 1.0], &[0.0, 1.0, 0.0], &[0.999, -0.999]).unwrap();
-        let table = Uniform::new(&f, &Composites::new(&f).unwrap(), 1e-9).unwrap();
+        let table = Uniform::new(f.view(), &Composites::new(f.view()).unwrap(), 1e-9).unwrap();
         assert_eq!(table.more, 6);
         assert!(table.away < 1e-9, "{:e}", table.away);
         for k in 1..50 {

@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 use asperity_core::BatchError;
 
-use crate::system::fif::Fif;
+use crate::system::fif::FifRef;
 use crate::table::composite::{Composite, Composites, Series};
 use crate::table::table::Table;
 use crate::table::uniform::digit;
@@ -61,7 +61,7 @@ impl<const C: usize> Table<C> {
     #[must_use]
     pub fn to_f32(&self) -> Table32<C> {
         let rounding = UNIT * self.system().range().magnitude();
-        let made = rows(self.system(), f64::from(self.tolerance() as f32));
+        let made = rows(self.system().view(), f64::from(self.tolerance() as f32));
         let (error, elsewhere) = match &made {
             Some((_, bound)) => (*bound, self.system().least_bound() + rounding),
             None => (self.bound(), self.bound() + rounding),
@@ -73,7 +73,7 @@ impl<const C: usize> Table<C> {
 
 /// Rows and the bound of their error away from knots; `None` on unequal knots, for more than three coefficients, for factors too
 /// near to one and for values near the largest number of `f32`.
-fn rows<const C: usize>(system: &Fif<C>, tolerance: f64) -> Option<(Rows32, f64)> {
+fn rows<const C: usize>(system: FifRef<'_, C>, tolerance: f64) -> Option<(Rows32, f64)> {
     let made = if C > 3 { None } else { Composites::new(system) }?;
     let chord = system.chord();
     let series = Series {
@@ -218,7 +218,7 @@ fn polynomial<const C: usize>(row: &[f32; 4], s: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{System, paper, system::map::Piece};
+    use crate::{Fif, System, paper, system::map::Piece};
 
     #[test]
     fn values_near_the_largest_number_are_numbers() {

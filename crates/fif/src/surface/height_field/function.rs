@@ -187,6 +187,6 @@ impl<S: Lower<C>, const C: usize> Axis for System<S, C> {
 
     #[cfg(feature = "alloc")]
     fn jets(&self, slopes: Interval) -> Option<JetTable<Self::Rows>> {
-        JetTable::new(self, slopes)
+        JetTable::new(self.view(), slopes)
     }
 }

@@ -11,8 +11,7 @@ use crate::numeric::floor::WHOLE;
 use crate::numeric::floor::floor;
 use crate::numeric::polynomial::{UNIT, substitute};
 use crate::surface::height_field::range_table::RangeTable;
-use crate::system::fif::System;
-use crate::system::map::Piece;
+use crate::system::fif::FifRef;
 use crate::table::composite::{Composite, Composites};
 
 /// Lanes of a packet: two registers of AVX2, of which one works while the other waits.
@@ -74,7 +73,7 @@ pub struct JetTable<R> {
 
 impl<const C: usize> JetTable<Vec<Composite<C>>> {
     /// `None` unless the knots are equally spaced and the sums of values and slopes converge.
-    pub(crate) fn new<S: AsRef<[Piece<C>]>>(value: &System<S, C>, slopes: Interval) -> Option<Self> {
+    pub(crate) fn new(value: FifRef<'_, C>, slopes: Interval) -> Option<Self> {
         let Composites { table, radix, steepest, largest, error, deviation, .. } = Composites::new(value)?;
         let wide = radix as f64;
         let width = value.domain().width();
@@ -322,10 +321,7 @@ mod tests {
     use crate::surface::height_field::curve::Curve;
     use crate::{Fif, paper};
 
-    fn check<S: AsRef<[Piece<C>]>, const C: usize, const D: usize>(
-        value: &System<S, C>,
-        slope: &Fif<D>,
-    ) -> [f64; 2] {
+    fn check<const C: usize, const D: usize>(value: FifRef<'_, C>, slope: &Fif<D>) -> [f64; 2] {
         let table = JetTable::new(value, slope.range()).unwrap();
         let (domain, mut finest) = (value.domain(), [0.0_f64; 2]);
         for i in 0..=2000 {
@@ -365,9 +361,9 @@ mod tests {
         )
         .unwrap();
         let worst = [
-            check(&paper::f_hat().unwrap(), &paper::f().unwrap().owned()),
-            check(&paper::g_hat().unwrap(), &paper::g().unwrap().owned()),
-            check::<_, 4, 3>(&hermite, &hermite.derivative().unwrap()),
+            check(paper::f_hat().unwrap().view(), &paper::f().unwrap().owned()),
+            check(paper::g_hat().unwrap().view(), &paper::g().unwrap().owned()),
+            check::<4, 3>(hermite.view(), &hermite.derivative().unwrap()),
         ];
         for [off, bound] in worst {
             // Measured: 1.5e-14, 9.6e-15 and 2.2e-13, bounds 6.6e-14 to 7.4e-13.

@@ -6,8 +6,7 @@ use asperity_core::Interval;
 use crate::numeric::estimate::Bounded;
 use crate::numeric::polynomial::{UNIT, falling, magnitudes, substitute};
 use crate::system::chord::Chord;
-use crate::system::fif::{Fif, System};
-use crate::system::map::Piece;
+use crate::system::fif::{Fif, FifRef};
 use crate::table::composite::{Composite, Composites, MOST, Series, greater, narrow};
 use crate::table::jet::jet::{Jet, Scales, Sums};
 use crate::table::jet::primitive::Primitive;
@@ -53,8 +52,8 @@ pub(crate) struct Jets<const C: usize> {
 impl<const C: usize> Jets<C> {
     /// `None` when 64 steps leave more than `tolerance`, or the rounding error where that is more, of a component; `count`
     /// derivatives are continuous.
-    pub(crate) fn new<S: AsRef<[Piece<C>]>>(
-        system: &System<S, C>,
+    pub(crate) fn new(
+        system: FifRef<'_, C>,
         made: &Composites<C>,
         count: usize,
         tolerance: f64,
@@ -225,7 +224,7 @@ pub(crate) struct Order {
 }
 
 /// All derivatives that are continuous.
-pub(crate) fn derivatives<S: AsRef<[Piece<C>]>, const C: usize>(system: &System<S, C>) -> Vec<Fif<C>> {
+pub(crate) fn derivatives<const C: usize>(system: FifRef<'_, C>) -> Vec<Fif<C>> {
     let mut all: Vec<Fif<C>> = Vec::new();
     while all.len() < C.max(1) {
         let next = match all.last() {
