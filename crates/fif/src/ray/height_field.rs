@@ -7,7 +7,6 @@ use {
     crate::ray::packet::Packet,
     crate::ray::tables::{Division, keeps_sign},
     asperity_core::lanes::best_level,
-    fearless_simd::{Simd, dispatch},
 };
 
 use crate::ray::intersect::Intersect;
@@ -61,7 +60,7 @@ impl<F: Function, G: Function> Intersect for HeightField<F, G> {
         #[cfg(feature = "alloc")]
         if let Some(tracer) = Tracer::new(self, tolerance) {
             #[cfg(feature = "simd")]
-            dispatch!(best_level(), simd => self.trace(simd, &tracer, rays, t, hits));
+            self.trace(&tracer, rays, t, hits);
             #[cfg(not(feature = "simd"))]
             rays.iter().zip(hits).for_each(|(ray, hit)| *hit = self.first(&tracer, ray, t));
             return Ok(());
@@ -77,16 +76,8 @@ impl<F: Function, G: Function> Intersect for HeightField<F, G> {
 impl<F: Function, G: Function> HeightField<F, G> {
     /// Rays that come nearer to the surface all along are searched together, the others one by one.
     #[cfg(all(feature = "alloc", feature = "simd"))]
-    #[inline(always)]
-    fn trace<I: Simd>(
-        &self,
-        simd: I,
-        tracer: &Tracer<'_, F, G>,
-        rays: &[Ray],
-        t: Interval,
-        hits: &mut [Option<Hit>],
-    ) {
-        let one_by_one = |ray: &Ray| self.first(tracer, ray, t);
+    fn trace(&self, tracer: &Tracer<'_, F, G>, rays: &[Ray], t: Interval, hits: &mut [Option<Hit>]) {
+        let (level, one_by_one) = (best_level(), |ray: &Ray| self.first(tracer, ray, t));
         let mut packet = Packet::EMPTY;
         for (number, ray) in rays.iter().enumerate() {
             let Some(place) = hits.get_mut(number) else { break };
@@ -100,7 +91,7 @@ impl<F: Function, G: Function> HeightField<F, G> {
                 Some((span, rate)) if keeps_sign(rate) => {
                     packet.push(number, &path, span, rate, parts.is_done());
                     if packet.is_full() {
-                        tracer.finish(simd, &mut packet, rays, hits, &one_by_one);
+                        tracer.finish(level, &mut packet, rays, hits, &one_by_one);
                     }
                     continue;
                 }
@@ -111,7 +102,7 @@ impl<F: Function, G: Function> HeightField<F, G> {
                 None => None,
             };
         }
-        tracer.finish(simd, &mut packet, rays, hits, &one_by_one);
+        tracer.finish(level, &mut packet, rays, hits, &one_by_one);
     }
 
     /// The first hit of one ray with tables.

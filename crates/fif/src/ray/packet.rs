@@ -2,7 +2,7 @@
 //! SIMD registers, with the operations of one ray in their order.
 
 use asperity_core::Interval;
-use fearless_simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f64x8, mask64x8};
+use fearless_simd::{Level, Select, Simd, SimdBase, SimdFloat, SimdMask, dispatch, f64x8, mask64x8};
 use glam::{DVec2, DVec3};
 
 use crate::numeric::polynomial::UNIT;
@@ -94,24 +94,26 @@ impl Packet {
 impl<F: Function, G: Function> Tracer<'_, F, G> {
     /// Empties a packet: gives each ray its hit, or else to `one_by_one`, where lanes do not serve it.
     ///
-    /// In frames of its own: all of them in the caller's are more than two megabytes where nothing is optimised.
-    pub(crate) fn finish<I: Simd>(
+    /// In two frames: both in one are more than a megabyte where nothing is optimised.
+    pub(crate) fn finish(
         &self,
-        simd: I,
+        level: Level,
         packet: &mut Packet,
         rays: &[Ray],
         hits: &mut [Option<Hit>],
-        one_by_one: &impl Fn(&Ray) -> Option<Hit>,
+        one_by_one: &dyn Fn(&Ray) -> Option<Hit>,
     ) {
         if packet.count > 0 {
-            let search = simd.vectorize(
-                #[inline(always)]
-                || self.search(simd, packet),
-            );
-            simd.vectorize(
-                #[inline(always)]
-                || self.hits(simd, packet, &search, rays, hits, one_by_one),
-            );
+            dispatch!(level, simd => {
+                let search = simd.vectorize(
+                    #[inline(always)]
+                    || self.search(simd, packet),
+                );
+                simd.vectorize(
+                    #[inline(always)]
+                    || self.hits(simd, packet, &search, rays, hits, one_by_one),
+                );
+            });
             packet.count = 0;
         }
     }
@@ -125,7 +127,7 @@ impl<F: Function, G: Function> Tracer<'_, F, G> {
         search: &Search<I>,
         rays: &[Ray],
         hits: &mut [Option<Hit>],
-        one_by_one: &impl Fn(&Ray) -> Option<Hit>,
+        one_by_one: &dyn Fn(&Ray) -> Option<Hit>,
     ) {
         let steps = self.slope_steps;
         let ([f, g], _, _) =
