@@ -2,9 +2,7 @@
 
 use std::fmt::Write;
 
-#[cfg(not(test))]
-use asperity_noise::simd::Batch;
-use asperity_noise::{Field, Noise, Point, ValueGradient};
+use asperity_noise::{Field, Noise, Point, ValueGradient, simd::Batch};
 use asperity_render::sampling::random::Random;
 use glam::{Vec2, Vec3, Vec4};
 use rayon::prelude::*;
@@ -44,26 +42,21 @@ pub(crate) fn absolute_moments_source() -> String {
 }
 
 /// A field's values at points, a list for each axis.
-#[cfg(not(test))]
+///
+/// In 4-D one by one: the crate has no kind compiled there, and the lanes of all kinds took most of this program's build.
 pub(crate) fn list_values<V: Point>(
     field: &impl Field<V>,
     points: &V::Array<[f32; POINTS]>,
     values: &mut [f32],
 ) {
+    if const { size_of::<V::Coordinates>() > size_of::<[f32; 3]>() } {
+        for (i, value) in values.iter_mut().enumerate() {
+            *value = field.value(V::from_axes(|axis| points.as_ref()[axis][i]));
+        }
+        return;
+    }
     // The lists are all `POINTS` long.
     let _ = Batch::new().list_values(field, V::array(|axis| &points.as_ref()[axis][..]), values);
-}
-
-/// Values at a list of points, one by one: no test measures, and the lanes of every kind were three quarters of the tests' code.
-#[cfg(test)]
-pub(crate) fn list_values<V: Point>(
-    field: &impl Field<V>,
-    points: &V::Array<[f32; POINTS]>,
-    values: &mut [f32],
-) {
-    for (i, value) in values.iter_mut().enumerate() {
-        *value = field.value(V::from_axes(|axis| points.as_ref()[axis][i]));
-    }
 }
 
 /// E|n|ᵏ, k = 1 … 4, over so many seeds, and the largest of their relative standard errors.
