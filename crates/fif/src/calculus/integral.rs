@@ -296,16 +296,10 @@ fn end_ordinates<const K: usize>(
 ) -> [f64; 2] {
     // The upper triangle of the rotated equations, with their right sides.
     let mut rows = [[0.0_f64; 3]; 2];
-    let mut add = |mut row: [f64; 3]| {
-        for (k, kept) in rows.iter_mut().enumerate() {
-            let length = sqrt_f64(kept[k] * kept[k] + row[k] * row[k]);
-            if length > 0.0 {
-                let (c, s) = (kept[k] / length, row[k] / length);
-                let both = [0, 1, 2].map(|i| [c * kept[i] + s * row[i], c * row[i] - s * kept[i]]);
-                *kept = both.map(|[kept, _]| kept);
-                row = both.map(|[_, row]| row);
-            }
-        }
+    let mut add = |row: [f64; 3]| {
+        let [first, second] = &mut rows;
+        let row = rotate(first, row, [first[0], row[0]]);
+        rotate(second, row, [second[1], row[1]]);
     };
     let at = |j: usize, x: f64| map(j).map_or(0.0, |(_, q)| horner(&q, x));
     let alpha = |j: usize| map(j).map_or(0.0, |(alpha, _)| alpha);
@@ -318,6 +312,18 @@ fn end_ordinates<const K: usize>(
     let [[a, b, d], [_, c, e]] = rows;
     let y_end = e / c;
     [(d - b * y_end) / a, y_end]
+}
+
+/// Rotates two equations so that the second of these coefficients becomes 0, and returns the second equation.
+fn rotate(kept: &mut [f64; 3], mut row: [f64; 3], [a, b]: [f64; 2]) -> [f64; 3] {
+    let length = sqrt_f64(a * a + b * b);
+    if length > 0.0 {
+        let (c, s) = (a / length, b / length);
+        for (kept, row) in kept.iter_mut().zip(&mut row) {
+            (*kept, *row) = (c * *kept + s * *row, c * *row - s * *kept);
+        }
+    }
+    row
 }
 
 /// `∫ Σ c_i sⁱ` over `[0, 1]`.
