@@ -87,7 +87,7 @@ fn place(path: &str) -> Option<(usize, usize)> {
 #[test]
 fn the_ways_of_data_run_in_the_order_of_the_rooms() {
     let page = fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
-    let (_, section) = page.split_once("## The five ways of data through the code").unwrap();
+    let (_, section) = page.split_once("## Data flow").unwrap();
     let section = section.split("\n## ").next().unwrap();
     let ways: Vec<_> = section.split("\n- ").skip(1).collect();
     assert_eq!(ways.len(), 5);

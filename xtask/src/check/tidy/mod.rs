@@ -1,10 +1,11 @@
-//! `cargo xtask tidy`: who may know whom, the order of rooms, the files' heads, and the words that do not belong.
+//! `cargo xtask tidy`: dependencies between packages, the order of modules, first lines of files, idioms of the pages.
 
 mod comparisons;
 #[cfg(test)]
 mod documents;
 mod edges;
 mod graph;
+mod idioms;
 mod imports;
 mod rooms;
 mod words;
@@ -47,6 +48,7 @@ pub(crate) fn report() -> Result<Report, Failure> {
     }
     report.rooms(root)?;
     report.words(root)?;
+    files(root, root, "md", &mut |path, text| report.offences.extend(idioms::offences(&path, &text)))?;
     Ok(report)
 }
 
@@ -63,7 +65,7 @@ impl Report {
         for house in HOUSES {
             let folder = root.join(house.sources);
             let mut files = BTreeMap::new();
-            sources(&folder, &folder, &mut |path, text| drop(files.insert(path, text)))?;
+            self::files(&folder, &folder, "rs", &mut |path, text| drop(files.insert(path, text)))?;
             let survey = Survey::new(house, &files)?;
             self.lines.push(survey.row);
             orders.push(format!("{}: {}", house.name, survey.order));
@@ -77,7 +79,7 @@ impl Report {
     fn words(&mut self, root: &Path) -> Result<(), Failure> {
         let mut counts = BTreeMap::<String, [usize; 2]>::new();
         for folder in ["crates", "tools", "xtask", "tests"] {
-            sources(root, &root.join(folder), &mut |path, text| {
+            files(root, &root.join(folder), "rs", &mut |path, text| {
                 self.offences.extend(words::offences(&path, &text));
                 let place = path.splitn(3, '/').take(2).collect::<Vec<_>>().join("/");
                 let [lines, by_hand] = counts.entry(place).or_default();
@@ -93,14 +95,20 @@ impl Report {
     }
 }
 
-/// Hands over every Rust source below a folder: its path from the root, slashes between, and its text.
-fn sources(root: &Path, folder: &Path, look: &mut impl FnMut(String, String)) -> Result<(), Failure> {
+/// Visits every file with an extension below a folder: its path from the root, with slashes, and its text.
+fn files(
+    root: &Path,
+    folder: &Path,
+    extension: &str,
+    look: &mut impl FnMut(String, String),
+) -> Result<(), Failure> {
     let mut paths = fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<io::Result<Vec<_>>>()?;
     paths.sort();
     for path in paths {
-        if path.is_dir() && !path.ends_with("target") {
-            sources(root, &path, look)?;
-        } else if path.extension().is_some_and(|ending| ending == "rs") {
+        let skipped = path.ends_with("target") || path.ends_with("node_modules") || path.ends_with(".git");
+        if path.is_dir() && !skipped {
+            files(root, &path, extension, look)?;
+        } else if path.extension().is_some_and(|ending| ending == extension) {
             let below = path.strip_prefix(root)?.display().to_string().replace('\\', "/");
             look(below, fs::read_to_string(&path)?);
         }

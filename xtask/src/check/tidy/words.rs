@@ -1,13 +1,10 @@
-//! Heads and words of one source file: its first line, its name, what does not stay, and doc lines that say nothing alone.
+//! Rules for one source file: its first line, its name, leftovers, and ignored tests.
 
 /// Words that do not stay in the tree; split so that the rule does not find itself.
 const FLEETING: [&str; 2] = [concat!("TO", "DO"), concat!("FIX", "ME")];
 
 /// Tests left out of `cargo test`, and the one reason for it: `cargo xtask ci --weekly` runs them.
 const LEFT_OUT: [&str; 2] = [concat!("#[ig", "nore"), concat!("#[ig", "nore = \"slow: weekly\"]")];
-
-/// Words that begin a doc line which cannot be read alone, or which hides its noun.
-const VAGUE: [&str; 6] = ["The same", "What", "Where", "How", "As", "Those of"];
 
 /// Rules that one source file breaks.
 pub(super) fn offences(path: &str, text: &str) -> Vec<String> {
@@ -27,20 +24,8 @@ pub(super) fn offences(path: &str, text: &str) -> Vec<String> {
         if line.contains(LEFT_OUT[0]) && !line.contains(LEFT_OUT[1]) {
             found.push(format!("{place}: only slow tests are left out, by `{}`", LEFT_OUT[1]));
         }
-        if let Some(word) = vague(line.trim_start()) {
-            found.push(format!("{place}: a doc line begins with \"{word}\""));
-        }
     }
     found
-}
-
-/// The word at the beginning of a doc line that leans on what stands before.
-fn vague(line: &str) -> Option<&'static str> {
-    let said = line.strip_prefix("/// ").or_else(|| line.strip_prefix("//! "))?;
-    let begins = |word: &&str| {
-        said.strip_prefix(*word).is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphanumeric()))
-    };
-    VAGUE.into_iter().find(begins)
 }
 
 #[cfg(test)]
@@ -51,12 +36,5 @@ mod tests {
     fn a_file_says_what_it_holds() {
         assert_eq!(offences("crates/x/src/ggx.rs", "//! The GGX density.\n"), Vec::<String>::new());
         assert_eq!(offences("crates/x/src/utils.rs", "fn f() {}\n").len(), 2);
-    }
-
-    #[test]
-    fn a_doc_line_stands_alone() {
-        let text = "//! How it goes.\n    /// The same in 3-D.\n/// Aspect ratio.\n// What a comment may say.\nfn f() {}\n";
-        let said = ["x.rs:1: a doc line begins with \"How\"", "x.rs:2: a doc line begins with \"The same\""];
-        assert_eq!(offences("x.rs", text), said);
     }
 }
