@@ -102,7 +102,7 @@ pub(crate) struct Fuzz {
     /// The most executions of every attack.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) runs: Option<u32>,
-    /// Write the table into `docs/trust`, where it is checked in.
+    /// Write the table to target/asperity/fuzz.md.
     #[arg(long, conflicts_with = "only")]
     pub(crate) ship: bool,
 }
@@ -128,7 +128,7 @@ pub(crate) struct Shaders {
     /// Say which files are missing or stale, and compare every function with the crate's, interpreted and on each adapter.
     #[arg(long)]
     pub(crate) check: bool,
-    /// Count the operations of every function, octave and pixel, and time frames on each adapter, into docs/shaders/costs.md.
+    /// Count the operations of every function, octave and pixel, and time frames on each adapter, into target/asperity/shaders/costs.md.
     #[arg(long, conflicts_with_all = ["part", "dialect", "check"])]
     pub(crate) costs: bool,
     /// Compare, or time, on adapters whose name contains NAME.

@@ -9,13 +9,15 @@ use crate::drivers::{PROGRAM, program, with_drivers};
 use crate::failure::Failure;
 use crate::report::say;
 
+/// Folder of the exported files and of the reports.
+const REPORTS: &str = "target/asperity/shaders";
+
 /// Runs what was asked for.
 pub(crate) fn run(wanted: &Shaders, root: &Path) -> Result<(), Failure> {
     if wanted.costs {
         let mut costs = program(root, "costs");
         costs.args(wanted.adapter.iter().flat_map(|name| ["--adapter", name]));
-        let ran = cargo::run(costs.arg("--out").arg(root.join("docs/shaders/costs.md")));
-        return ran;
+        return cargo::run(costs.arg("--out").arg(folder(&root.join(REPORTS))?.join("costs.md")));
     }
     let only: Vec<&str> = wanted.part.iter().flat_map(|part| ["--only", part]).collect();
     if wanted.check || wanted.adapter.is_some() {
@@ -24,11 +26,12 @@ pub(crate) fn run(wanted: &Shaders, root: &Path) -> Result<(), Failure> {
         if wanted.check {
             let mut export = program(root, "export");
             export.args(&only).arg("--check").arg("--out").arg(std::path::absolute(&wanted.out)?);
-            let written = cargo::run(&mut export);
-            written?;
+            cargo::run(&mut export)?;
         }
-        let ran = cargo::run(&mut parity);
-        return ran;
+        if wanted.part.is_none() {
+            parity.arg("--out").arg(folder(&root.join(REPORTS))?.join("parity.md"));
+        }
+        return cargo::run(&mut parity);
     }
     let mut export = program(root, "export");
     // The program runs in a folder of its own.
@@ -41,7 +44,7 @@ pub(crate) fn run(wanted: &Shaders, root: &Path) -> Result<(), Failure> {
 /// lacks.
 pub(crate) fn on_drivers(root: &Path) -> Result<(), Failure> {
     let mut export = program(root, "export");
-    export.arg("--out").arg(folder(&root.join("target/asperity/shaders"))?);
+    export.arg("--out").arg(folder(&root.join(REPORTS))?);
     let pictures = folder(&root.join("target/asperity/examples"))?;
     let example = |name: &str| {
         let mut example = cargo::cargo(&root.join(PROGRAM), "run --quiet --release --locked --example");

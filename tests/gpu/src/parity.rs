@@ -106,7 +106,7 @@ const HEAD: &str = "\
 Every function on ten thousand inputs, bad ones among them: \"=\" where all bits are equal; else the share of equal ones and the largest
 error, absolute or relative as the bound. Without a driver an interpreter computes each operation as it is written, or every product that
 is added fused with the sum.
-`cargo run -- parity --out ../../docs/shaders/parity.md` in `tests/gpu` makes this page.
+`cargo xtask shaders --check` writes this page.
 
 ";
 

@@ -2,7 +2,7 @@
 
     pip install -r requirements.txt
     python compare.py                     # the table on standard output
-    python compare.py --ship ../../../docs/bench/ndf.md
+    python compare.py --ship ndf.md
 
 Mitsuba runs its LLVM variant, which needs a libLLVM that it finds; everything happens on one core.
 """

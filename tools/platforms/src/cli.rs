@@ -45,14 +45,14 @@ WebAssembly runs in node. The table says what is missing.")]
 
 #[derive(Debug, Args)]
 pub(crate) struct Bits {
-    /// Make this machine's values golden, and write the table into `docs/trust`, if every platform has them.
+    /// Make this machine's values golden if every platform has them.
     #[arg(long)]
     pub(crate) ship: bool,
 }
 
 #[derive(Debug, Args)]
 pub(crate) struct Firmware {
-    /// Write the table, and the page with what functions cost into `docs/trust`.
+    /// Write the firmware's table and picture, and print code size, constants and stack of each function.
     #[arg(long)]
     pub(crate) ship: bool,
 }

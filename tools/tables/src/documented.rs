@@ -29,7 +29,7 @@ fn page(path: &str) -> String {
 fn statistics_tables_of_the_docs_match_the_code() {
     let [crate_page, guide, kurtotic] = [
         "crates/noise/src/lib.rs",
-        "docs/guide/which-noise.md",
+        "docs/guide/noise.md",
         "crates/ndf-sampling/src/noise_distribution/kurtotic_noise.rs",
     ]
     .map(page);

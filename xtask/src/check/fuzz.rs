@@ -22,7 +22,7 @@ const READERS: [&str; 7] = ["png", "exr", "picture", "mesh", "gltf", "json", "wo
 /// Seconds from which on an input is a finding, on a machine that does other things beside.
 const TIMEOUT: u32 = 10;
 const MIB: u32 = 2048;
-const TABLE: &str = "docs/trust/fuzz-runs.md";
+const TABLE: &str = "target/asperity/fuzz.md";
 
 /// The figures of an attack.
 struct Run {
@@ -141,7 +141,7 @@ impl Run {
 
 fn table(runs: &[Run]) -> String {
     let mut page = String::from(
-        "# Runs of the fuzzer\n\nWritten by `cargo xtask fuzz --ship`. The attacks, and their findings before, are in [fuzz.md](fuzz.md).\n\n\
+        "# Fuzzing\n\n\
          | attack | executions | a second | seconds | slowest, whole seconds | memory, MiB | found |\n|---|---|---|---|---|---|---|\n",
     );
     for run in runs {

@@ -1,6 +1,6 @@
 //! Rays per second against fractal height fields: Asperity's and Embree's on meshes of comparable error, in turn.
 //!
-//! `cargo run --release -- [--rounds N] [--largest SIDE] [--ship FILE]` prints a table in Markdown; README.md says what is what.
+//! `cargo run --release -- [--rounds N] [--largest SIDE] [--ship FILE]` prints a table in Markdown; ../README.md describes it.
 
 mod embree;
 

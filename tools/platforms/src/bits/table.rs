@@ -43,8 +43,7 @@ pub(super) fn markdown(columns: &[Column], golden: &Report) -> String {
     }
     let mut text = format!(
         "# The same bits\n\nDigests of {} functions of all four crates under `libm`, each of its values at some hundred points, NaN taken as \
-         one value. Golden are\nthose in `tests/bits/golden.tsv`; **same** says that a platform has every one of them. `cargo xtask bits` \
-         computes this table,\n`--ship` writes it.\n\n",
+         one value. **same**: all of them are those of `tests/bits/golden.tsv`.\n\n",
         golden.rows.len()
     );
     aligned(&rows, &mut text);

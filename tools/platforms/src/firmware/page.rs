@@ -1,4 +1,4 @@
-//! The page of the firmware: its picture, its hash, and a table of costs.
+//! Code size, constants and stack of each function of the firmware, as a table, and its picture as a PNG.
 
 use std::fmt::Write;
 
@@ -54,19 +54,12 @@ pub(super) const FUNCTIONS: [Function; 13] = [
     },
 ];
 
-/// The page; `floor` is what the program takes without any function, `costs` in the order of [`FUNCTIONS`].
+/// The table; `floor` is the program without any function, `costs` are in the order of [`FUNCTIONS`].
 pub(super) fn markdown(drawn: &Drawn, floor: &Cost, costs: &[Cost]) -> String {
     let Drawn { hash, stack, program, .. } = drawn;
     let mut text = format!(
-        "# On a microcontroller\n\n![A bump-mapped patch above a fractal curve](firmware.png)\n\nDrawn by `tests/firmware` on an emulated \
-         Cortex-M4, without std, allocator or operating system: a patch whose bumps have a density from\na table in flash, and a fractal \
-         curve from knots and factors in flash. Its hash is `{hash}` there and on the machine that wrote\nthis page; `cargo xtask firmware` \
-         draws both again and compares.\n\n| the whole program | bytes |\n|---|---|\n| code (`.text`) | {} |\n| constants (`.rodata`), tables \
-         in flash among them | {} |\n| static variables (`.data`, `.bss`) | {} |\n| stack | {stack} |\n\nSymbols of panics \
-         (`core::panicking`, failed `unwrap`, failed slices): none, here and in each function below. The\ncheck fails on the first.\n\n## What functions cost\n\nEach linked \
-         alone, with `opt-level = \"s\"` and `lto = true` for `thumbv7em-none-eabihf`, less the same program without it. Stack is\nmeasured: \
-         painted before the call, looked at after it. Constructors are part of it; so is the arithmetic of `f64` in software where a\n\
-         function needs it.\n\n| crate | function | code | constants | stack |\n|---|---|---|---|---|\n",
+        "picture {hash}; .text {}, .rodata {}, .data and .bss {}, stack {stack} bytes\n\n\
+         | crate | function | code | constants | stack |\n|---|---|--:|--:|--:|\n",
         program.code, program.constants, program.statics
     );
     for (Function { crate_name, what, .. }, cost) in FUNCTIONS.iter().zip(costs) {
