@@ -1,11 +1,11 @@
-//! The command line: what can be asked, in the words of `--help`.
+//! The command line of `cargo xtask`.
 
 use std::{ffi::OsString, path::PathBuf};
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 
-/// Development tasks: the gallery, the generated tables, benches and every check.
+/// Development tasks: gallery, generated tables, benchmarks, checks.
 #[derive(Debug, Parser)]
 #[command(name = "cargo xtask", bin_name = "cargo xtask", version, disable_help_subcommand = true)]
 pub(crate) struct Cli {
@@ -19,61 +19,60 @@ pub(crate) enum Command {
     /// Draw the figures and write their page: `cargo xtask gallery --help`.
     #[command(disable_help_flag = true)]
     Gallery(Forwarded),
-    /// Write the tables that the crates ship into the source tree, or compare them: `cargo xtask tables --help`.
+    /// Write the generated tables of the crates, or compare them: `cargo xtask tables --help`.
     #[command(disable_help_flag = true)]
     Tables(Forwarded),
-    /// Run the crates' benches.
+    /// Run the benchmarks of the crates.
     #[command(after_help = "Examples:
   cargo xtask bench
   cargo xtask bench --only perlin
   cargo bench --package asperity-noise -- 3-d/perlin
 
-The benches of noise have every kind at every SIMD level and take a quarter of an hour to build; the last
-example builds one kind alone, in two minutes.")]
+The noise benchmarks cover every kind at every SIMD level.")]
     Bench(Bench),
-    /// Time our noises next to other libraries and write the table: `cargo xtask peers --help`.
+    /// Benchmark noise against other libraries: `cargo xtask peers --help`.
     #[command(disable_help_flag = true)]
     Peers(Forwarded),
-    /// Write the functions of the shaders in every shading language, or compare them with the crates on adapters.
+    /// Export the shaders in every shading language, or compare them with the Rust crates on each adapter.
     #[command(after_help = "Examples:
   cargo xtask shaders
   cargo xtask shaders --part noise/kinds/gaussian --dialect glsl-es-300 --out my-shaders
   cargo xtask shaders --check
   cargo xtask shaders --adapter llvmpipe --part ndf/density
 
-Every function has a folder with its shader in every language and the words of its bindings. The folder `parts` has modules for Bevy.
-docs/guide/shaders.md shows the use in wgpu, Bevy, three.js, Godot, Unity and Metal.
+Each function has a directory with its shader in every language and the words of its bindings; `parts` has modules for Bevy. See
+docs/guide/shaders.md for wgpu, Bevy, three.js, Godot, Unity and Metal.
 
-Drivers in software are Debian's mesa-vulkan-drivers, and SwiftShader, which comes with Chromium; validators are those of
-spirv-tools and glslang-tools. Missing tools are reported. The program is built in tests/gpu, which takes minutes the first time.")]
+Software drivers: Debian's mesa-vulkan-drivers, SwiftShader (part of Chromium). Validators: spirv-tools, glslang-tools. Missing tools are
+reported. The first build of tests/gpu takes minutes.")]
     Shaders(Shaders),
-    /// Check dependency edges, the order of rooms, circles of files, and the heads of all files.
+    /// Check dependencies between packages, the order of modules, import cycles, and the wording of pages.
     Tidy,
-    /// Run every gate that stands before `main`.
+    /// Run all CI checks.
     Ci(Ci),
-    /// Attack every constructor, evaluation and reader with what a fuzzer makes up.
+    /// Run the fuzz targets.
     #[command(after_help = "Examples:
   cargo xtask fuzz
   cargo xtask fuzz --only gltf --seconds 600
   cargo xtask fuzz --runs 10000000 --seconds 3600 --ship
 
-The attacks are in tests/fuzz; libFuzzer is C++ and is built with them. What breaks a promise is kept in tests/fuzz/target/findings.")]
+The targets are in tests/fuzz; libFuzzer needs a C++ compiler. Findings are written to tests/fuzz/target/findings.")]
     Fuzz(Fuzz),
     /// Build the interactive web page: `cargo xtask web --help`.
     #[command(disable_help_flag = true)]
     Web(Forwarded),
-    /// Link the crates without std and without an allocator, and call them.
+    /// Link and run the crates without std and without an allocator.
     #[command(disable_help_flag = true)]
     NoStd(Forwarded),
-    /// Compare every crate's values on every platform at hand, emulated ones included, with the golden bits: `cargo xtask bits --help`.
+    /// Compare the values of all crates on every available platform with the golden bits: `cargo xtask bits --help`.
     #[command(disable_help_flag = true)]
     Bits(Forwarded),
-    /// Draw a picture from tables in flash on an emulated Cortex-M4 and compare it: `cargo xtask firmware --help`.
+    /// Render on an emulated Cortex-M4 and compare with the host: `cargo xtask firmware --help`.
     #[command(disable_help_flag = true)]
     Firmware(Forwarded),
 }
 
-/// Options of another program, handed on as they are.
+/// Arguments passed to another program.
 #[derive(Debug, Args)]
 pub(crate) struct Forwarded {
     #[arg(trailing_var_arg = true, allow_hyphen_values = true, hide = true)]
@@ -82,10 +81,10 @@ pub(crate) struct Forwarded {
 
 #[derive(Debug, Args)]
 pub(crate) struct Ci {
-    /// Run only the gates whose name contains NAME; may be given again.
+    /// Run only checks whose name contains NAME; may be repeated.
     #[arg(long, value_name = "NAME")]
     pub(crate) only: Vec<String>,
-    /// Run the weekly gates too, which take minutes: feature sets, shaders on drivers, the live page, firmware,
+    /// Also run the weekly checks, which take minutes: slow tests, feature sets, shaders on drivers, the live page, firmware,
     /// bits of every platform, packages in an empty workspace, fuzz targets.
     #[arg(long, conflicts_with = "only")]
     pub(crate) weekly: bool,
@@ -93,13 +92,13 @@ pub(crate) struct Ci {
 
 #[derive(Debug, Args)]
 pub(crate) struct Fuzz {
-    /// Run only the attacks whose name contains NAME; may be given again.
+    /// Run only targets whose name contains NAME; may be repeated.
     #[arg(long, value_name = "NAME")]
     pub(crate) only: Vec<String>,
-    /// Seconds of every attack.
+    /// Seconds per target.
     #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub(crate) seconds: u32,
-    /// The most executions of every attack.
+    /// Maximum executions per target.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) runs: Option<u32>,
     /// Write the table to target/asperity/fuzz.md.
@@ -109,32 +108,32 @@ pub(crate) struct Fuzz {
 
 #[derive(Debug, Args)]
 pub(crate) struct Bench {
-    /// Run only the benches whose name contains NAME; may be given again.
+    /// Run only benchmarks whose name contains NAME; may be repeated.
     #[arg(long, value_name = "NAME")]
     pub(crate) only: Vec<String>,
 }
 
-/// Languages that shaders are written in.
+/// Shading languages.
 const DIALECTS: [&str; 7] = ["wgsl", "glsl-450", "glsl-es-300", "glsl-es-310", "hlsl", "msl", "spirv"];
 
 #[derive(Debug, Args)]
 pub(crate) struct Shaders {
-    /// Only functions whose names, or those of the parts they need, contain NAME.
+    /// Only functions whose name, or the name of a part they need, contains NAME.
     #[arg(long, value_name = "NAME")]
     pub(crate) part: Option<String>,
-    /// Write this language only; may be given again.
+    /// Export this language only; may be repeated.
     #[arg(long, value_parser = PossibleValuesParser::new(DIALECTS), conflicts_with_all = ["check", "adapter"])]
     pub(crate) dialect: Vec<String>,
-    /// Say which files are missing or stale, and compare every function with the crate's, interpreted and on each adapter.
+    /// List missing and stale files, and compare every function with the Rust crates, interpreted and on each adapter.
     #[arg(long)]
     pub(crate) check: bool,
-    /// Count the operations of every function, octave and pixel, and time frames on each adapter, into target/asperity/shaders/costs.md.
+    /// Count operations of every function and time frames on each adapter; writes target/asperity/shaders/costs.md.
     #[arg(long, conflicts_with_all = ["part", "dialect", "check"])]
     pub(crate) costs: bool,
-    /// Compare, or time, on adapters whose name contains NAME.
+    /// Only adapters whose name contains NAME.
     #[arg(long, value_name = "NAME")]
     pub(crate) adapter: Option<String>,
-    /// Folder of the shaders.
+    /// Output directory.
     #[arg(long, value_name = "DIR", default_value = "target/asperity/shaders")]
     pub(crate) out: PathBuf,
 }

@@ -1,4 +1,4 @@
-//! The command line: what can be asked, in the words of `--help`.
+//! The command line of `asperity`.
 
 use std::path::PathBuf;
 
@@ -9,14 +9,14 @@ use asperity_render::{geometry::mesh_file::Up, materials::field::NoiseKind, scen
 use asperity_shading::LevelOfDetail;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-/// Renders meshes, bakes textures and exports tables of Asperity's noises, densities, fractal functions and materials.
+/// Render meshes, bake textures, and export tables of noise, normal distributions and fractal functions.
 #[derive(Debug, Parser)]
 #[command(name = "asperity", version, disable_help_subcommand = true)]
 pub struct Cli {
     /// The command.
     #[command(subcommand)]
     pub command: Command,
-    /// Worker threads; all cores if not given.
+    /// Number of threads [default: all cores].
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub jobs: Option<u16>,
 }
@@ -24,7 +24,7 @@ pub struct Cli {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Export tables: lattices, noise CDFs, densities, normal tables, fractal interpolation functions.
+    /// Export tables: lattices, noise CDFs, NDFs, normal tables, fractal interpolation functions.
     #[command(after_help = "Examples:
   asperity tables
   asperity tables --ndf ggx:0.1,0.5 --ndf painted.png --measure solid-angle
@@ -32,7 +32,7 @@ pub enum Command {
   asperity tables --fif system.json --out my-tables
   asperity tables --check")]
     Tables(Tables),
-    /// Render a scene or a mesh with a chosen material and light to a PNG, JPEG, WebP or OpenEXR file.
+    /// Render a scene or mesh to a PNG, JPEG, WebP or OpenEXR file.
     #[command(after_help = "Examples:
   asperity render --scene teapot --ndf ggx:0.1,0.4 --zoom 4
   asperity render --scene car --material paint --quality draft
@@ -46,10 +46,10 @@ pub enum Command {
   asperity render --frames 4000 --zoom-to 10000 --out frames/####.exr --job job.yaml
   asperity render --help-material paint
 
-The picture appears at once, coarse, and is written anew as it grows finer: watch the file, stop with Ctrl-C at will.
---ndf, --normal-map, --rule, --octaves, --frequency, --gain and --bump-noise are of bumps; what another material would pass over is refused.")]
+The image is written immediately and refined progressively; Ctrl-C keeps the last version. --ndf, --normal-map, --rule, --octaves,
+--frequency, --gain and --bump-noise belong to the material `bumps`. An option without effect is an error.")]
     Render(Render),
-    /// Bake a noise, a density, a fractal surface or a material to the textures of a material, for engines.
+    /// Bake noise, an NDF, a fractal surface or a material to textures for engines.
     #[command(after_help = "Examples:
   asperity bake --noise perlin --tileable --size 4096
   asperity bake --noise cellular --cells 16 --octaves 1 --height 0.01 --tint d9a066 --low-tint 3a2f28
@@ -60,11 +60,10 @@ The picture appears at once, coarse, and is written anew as it grows finer: watc
   asperity bake --noise perlin --tileable --size 16384 --out /shared/rock --job rock.yaml
   asperity bake --noise perlin --cells 512 --size 4096 --parts 16 --part 1-3 --out land
 
-Base colour, normals for OpenGL and DirectX, height, roughness, metallic and ambient occlusion are written, with a glTF and a
-MaterialX material and a record of all parameters. Tiles are kept until the set is whole: a run that was stopped goes on when it is called again, and memory is
-that of one tile. A map that is the same everywhere has 4 × 4 texels.")]
+Writes base color, normals for OpenGL and DirectX, height, roughness, metallic and ambient occlusion, a glTF and a MaterialX material, and
+a record of all parameters. Interrupted runs resume. Peak memory is one tile. A constant map has 4 × 4 texels.")]
     Bake(Bake),
-    /// Check a density's normalisation, samples, map and inverse map, and print a report.
+    /// Check normalization, sampling and inverse of an NDF, and print a report.
     #[command(after_help = "Examples:
   asperity check-ndf --ndf ggx:0.1,0.5
   asperity check-ndf --ndf painted.png --measure solid-angle --seed 7")]
@@ -74,13 +73,13 @@ that of one tile. A map that is the same everywhere has 4 × 4 texels.")]
 /// Options of `check-ndf`.
 #[derive(Debug, Args)]
 pub struct CheckNdf {
-    /// The density, in the words of `tables`; may be given again.
+    /// The NDF, as in `tables`; may be repeated.
     #[arg(long, value_name = "NDF", required = true)]
     pub ndf: Vec<String>,
     /// Options for images.
     #[command(flatten)]
     pub images: Images,
-    /// Seed of the samples.
+    /// Random seed.
     #[arg(long, default_value_t = 0)]
     pub seed: u32,
 }
@@ -88,11 +87,11 @@ pub struct CheckNdf {
 /// Options of `tables`.
 #[derive(Debug, Args)]
 pub struct Tables {
-    /// Tables of one density instead of the default set: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, `ward:AX[,AY]`,
+    /// Tables of one NDF instead of the default set: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, `ward:AX[,AY]`,
     /// `student-t:AX,AY,GAMMA`, `blinn-phong:N`, `ashikhmin-shirley:NU,NV`, `painted`, or an image file.
     #[arg(long, value_name = "NDF")]
     pub ndf: Vec<String>,
-    /// Tables of the density that a normal map's normals have.
+    /// Tables of the NDF estimated from a normal map.
     #[arg(long, value_name = "FILE")]
     pub normal_map: Vec<PathBuf>,
     /// Options for images.
@@ -101,10 +100,10 @@ pub struct Tables {
     /// Tables of a fractal interpolation function instead of the default set: a JSON file with `knots`, `alpha`, `q`.
     #[arg(long, value_name = "FILE")]
     pub fif: Vec<PathBuf>,
-    /// Write nothing: compare every file in the folder with the one that the same command writes.
+    /// Write nothing; compare every file in the directory with the output of this command.
     #[arg(long)]
     pub check: bool,
-    /// Folder of the tables.
+    /// Output directory.
     #[arg(long, value_name = "DIR", default_value = "target/asperity/tables")]
     pub out: PathBuf,
 }
@@ -115,48 +114,48 @@ pub struct Render {
     /// The scene.
     #[arg(long, value_parser = one_of(SCENES), default_value = "teapot")]
     pub scene: Set,
-    /// See the mesh of this file instead, centred and scaled to fill the picture: .obj, .ply, .stl, .glb or .gltf.
+    /// Render this mesh instead, centered and scaled to fill the image: .obj, .ply, .stl, .glb or .gltf.
     #[arg(long, value_name = "FILE", conflicts_with = "scene")]
     pub mesh: Option<PathBuf>,
-    /// Which way is up in the mesh's file [default: z of .stl, else y].
+    /// Up axis of the mesh [default: z for .stl, else y].
     #[arg(long, value_parser = one_of(UPS), requires = "mesh")]
     pub up: Option<Up>,
-    /// Angle between triangles from which on there is an edge, in degrees, where a file has no normals [default: 40].
+    /// Crease angle in degrees for meshes without normals [default: 40].
     #[arg(long, value_name = "DEGREES", requires = "mesh", value_parser = degrees)]
     pub crease: Option<f32>,
-    /// The material of the subject [default: what suits the scene].
+    /// Material of the subject [default: depends on the scene].
     #[arg(long, value_enum)]
     pub material: Option<Material>,
-    /// Colour of the material, sRGB in hexadecimal.
+    /// Color of the material, sRGB in hexadecimal.
     #[arg(long, value_name = "RRGGBB", value_parser = colour)]
     pub tint: Option<u32>,
-    /// Roughness of the material, between 0 and 1; of bumps that of a GGX density.
+    /// Roughness of the material, between 0 and 1; for bumps, GGX.
     #[arg(long, value_parser = share, conflicts_with_all = ["ndf", "normal_map"])]
     pub roughness: Option<f32>,
-    /// Size of the material's pattern over the usual one.
+    /// Scale of the material's pattern [default: 1].
     #[arg(long, value_parser = positive)]
     pub scale: Option<f32>,
-    /// Set a parameter of the material; may be given again. `--help-material` lists them.
+    /// Set a parameter of the material; may be repeated. `--help-material` lists them.
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
     pub set: Vec<(String, String)>,
-    /// List the parameters of a material and stop.
+    /// List the parameters of a material and exit.
     #[arg(long, value_enum, value_name = "MATERIAL", exclusive = true)]
     pub help_material: Option<Material>,
-    /// The light: `lamps` (from single directions, without shadows; for bumps alone), `studio`, `day`, or an image of the
-    /// surroundings by longitude and latitude: Radiance HDR, OpenEXR, PNG, JPEG, WebP [default: `lamps` for bumps, else `studio`].
+    /// Light: `lamps` (directional, without shadows; for bumps only), `studio`, `day`, or a latitude–longitude image:
+    /// Radiance HDR, OpenEXR, PNG, JPEG, WebP [default: `lamps` for bumps, else `studio`].
     #[arg(long, value_name = "LIGHT")]
     pub light: Option<String>,
-    /// Background of the subject: `light`, or a colour [default: a light that is given, else dark grey].
+    /// Background: `light`, or a color [default: the light if --light is given, else dark gray].
     #[arg(long, value_name = "light|RRGGBB", value_parser = behind)]
     pub background: Option<Background>,
-    /// Tone curve [default: filmic]; OpenEXR files have the radiance itself.
+    /// Tone curve [default: filmic]; OpenEXR files store radiance.
     #[arg(long, value_enum)]
     pub tone: Option<Tone>,
-    /// The density of normals of bumps: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, `ward:AX[,AY]`, `student-t:AX,AY,GAMMA`,
+    /// The NDF of bumps: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, `ward:AX[,AY]`, `student-t:AX,AY,GAMMA`,
     /// `blinn-phong:N`, `ashikhmin-shirley:NU,NV`, `painted`, or an image file [default: ggx:0.2,0.4].
     #[arg(long)]
     pub ndf: Option<String>,
-    /// Take the density of this normal map's normals.
+    /// Use the NDF estimated from this normal map.
     #[arg(long, value_name = "FILE", conflicts_with = "ndf")]
     pub normal_map: Option<PathBuf>,
     /// Options for images.
@@ -168,53 +167,53 @@ pub struct Render {
     /// Magnification: 1 shows the whole object.
     #[arg(long, default_value_t = 1.0, value_parser = positive)]
     pub zoom: f32,
-    /// The most octaves of bumps, up to 16 [default: 16].
+    /// Maximum number of octaves of bumps, up to 16 [default: 16].
     #[arg(long, value_parser = whole(0, 16))]
     pub octaves: Option<u32>,
-    /// Lattice cells of the bumps' first octave per unit of length [default: what suits the scene].
+    /// Lattice cells of the first octave per unit of length [default: depends on the scene].
     #[arg(long, value_parser = positive)]
     pub frequency: Option<f32>,
-    /// Amplitude of each octave of bumps over the one before, above 0, at most 1 [default: 0.8].
+    /// Ratio of the amplitudes of consecutive octaves of bumps, in (0, 1] [default: 0.8].
     #[arg(long, value_parser = share)]
     pub gain: Option<f32>,
-    /// The noise that bumps are made of [default: gaussian].
+    /// Noise of the bumps [default: gaussian].
     #[arg(long, value_parser = one_of(NOISES))]
     pub bump_noise: Option<NoiseKind>,
-    /// Exposure [default: 1.45, of an image of the surroundings what suits its brightness].
+    /// Exposure [default: 1.45; for an image, chosen from its brightness].
     #[arg(long, value_parser = positive)]
     pub exposure: Option<f32>,
-    /// Fineness of the picture; --size, --spp and --noise set it one by one.
+    /// Quality preset; --size, --spp and --noise override it.
     #[arg(long, value_enum, default_value_t)]
     pub quality: Quality,
-    /// Side of the picture in pixels, from 16 to 8192 [default: 512; of a draft 256, for a book 2048].
+    /// Width and height in pixels, 16 to 8192 [default: 512; draft 256, book 2048].
     #[arg(long, value_parser = whole(16, 8192))]
     pub size: Option<u32>,
-    /// The most samples per pixel, up to 65536; alone, exactly so many [default: 1024; of a draft 128, for a book 8192].
+    /// Maximum samples per pixel, up to 65536; without --noise, the exact number [default: 1024; draft 128, book 8192].
     #[arg(long, value_parser = whole(1, 65_536))]
     pub spp: Option<u32>,
-    /// Grain at which the picture is done: its standard deviation, where white is 1 [default: 0.008; of a draft 0.03, for a book 0.004].
+    /// Stop at this standard deviation, where white is 1 [default: 0.008; draft 0.03, book 0.004].
     #[arg(long, value_parser = share)]
     pub noise: Option<f32>,
-    /// Seed of every random choice.
+    /// Random seed.
     #[arg(long, default_value_t = 1)]
     pub seed: u32,
-    /// The picture's file, in the format of its ending: .png, .jpg, .webp or .exr; written anew as it grows finer. Of frames its name
-    /// has a row of `#` for their numbers.
+    /// Output file; its extension selects the format: .png, .jpg, .webp or .exr. With --frames, `#` characters in the name are replaced
+    /// by the frame number.
     #[arg(long, value_name = "FILE", default_value = "target/asperity/render.png")]
     pub out: PathBuf,
-    /// Draw so many frames: once round the subject, or nearer.
+    /// Number of frames: an orbit around the subject, or a zoom with --zoom-to.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub frames: Option<u32>,
-    /// Draw these frames alone, counted from 1.
+    /// Render only these frames, counted from 1.
     #[arg(long, value_name = "N|N-N", requires = "frames", value_parser = numbers)]
     pub frame: Option<[u32; 2]>,
-    /// Degrees that the camera goes round while the frames pass [default: 360, with --zoom-to 0].
+    /// Degrees of the orbit over all frames [default: 360; 0 with --zoom-to].
     #[arg(long, value_name = "DEGREES", requires = "frames", conflicts_with = "zoom_to", allow_negative_numbers = true, value_parser = turned)]
     pub turn: Option<f32>,
     /// Magnification of the last frame.
     #[arg(long, value_name = "ZOOM", requires = "frames", value_parser = positive)]
     pub zoom_to: Option<f32>,
-    /// Write the frames as a job for many machines in place of drawing them: a template of Open Job Description, .yaml or .json.
+    /// Write an Open Job Description template (.yaml or .json) with one task per frame, and render nothing.
     #[arg(long, value_name = "FILE", requires = "frames")]
     pub job: Option<PathBuf>,
 }
@@ -222,22 +221,22 @@ pub struct Render {
 /// Options of `bake`.
 #[derive(Debug, Args)]
 pub struct Bake {
-    /// A height field of octaves of this noise [default: gaussian].
+    /// fBm of this noise as a height field [default: gaussian].
     #[arg(long, group = "surface", value_parser = one_of(BAKED_NOISES))]
     pub noise: Option<BakedNoise>,
-    /// Bumps whose normals have this density, in the words of `tables`: they have normals, but no heights.
+    /// Bumps whose normals have this NDF, as in `tables`; there is no height map.
     #[arg(long, group = "surface")]
     pub ndf: Option<String>,
     /// A fractal surface.
     #[arg(long, group = "surface", value_enum)]
     pub fractal: Option<BakedFractal>,
-    /// A material of `render`, on a flat square.
+    /// A material of `render` on a flat square.
     #[arg(long, group = "surface", value_enum)]
     pub material: Option<Material>,
-    /// Set a parameter of the material; may be given again. `render --help-material` lists them.
+    /// Set a parameter of the material; may be repeated. `render --help-material` lists them.
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment, requires = "material")]
     pub set: Vec<(String, String)>,
-    /// Side of the square that a material is seen on, in metres.
+    /// Side of the square in meters, for --material.
     #[arg(long, default_value_t = 0.25, value_parser = positive, requires = "material")]
     pub side: f32,
     /// Options for images.
@@ -246,13 +245,13 @@ pub struct Bake {
     /// Texels along a side, a power of two.
     #[arg(long, default_value_t = 1024, value_parser = whole(64, 65_536))]
     pub size: u32,
-    /// Texels along the side of a tile, a power of two: what is in memory at once.
+    /// Texels along the side of a tile, a power of two; determines peak memory.
     #[arg(long, default_value_t = 1024, value_parser = whole(64, 4096))]
     pub tile: u32,
     /// Samples along the side of a texel, 1 or an even number.
     #[arg(long, default_value_t = 2, value_parser = whole(1, 16))]
     pub samples: u32,
-    /// Let opposite edges meet without a seam, or say why they cannot.
+    /// Make the texture tileable, or report why it cannot be.
     #[arg(long)]
     pub tileable: bool,
     /// Lattice cells, or nodes of a fractal surface, along a side [default: 8].
@@ -261,54 +260,53 @@ pub struct Bake {
     /// Octaves of noise, up to 16 [default: 6].
     #[arg(long, value_parser = whole(1, 16))]
     pub octaves: Option<u32>,
-    /// Frequency of each octave over that of the one before [default: 2 if tileable, else 2.17].
+    /// Ratio of the frequencies of consecutive octaves [default: 2 if tileable, else 2.17].
     #[arg(long, value_parser = positive)]
     pub lacunarity: Option<f32>,
-    /// Amplitude of each octave over that of the one before, above 0, at most 1 [default: 0.5].
+    /// Ratio of the amplitudes of consecutive octaves, in (0, 1] [default: 0.5].
     #[arg(long, value_parser = share)]
     pub gain: Option<f32>,
-    /// Vertical factor of a fractal surface, its roughness: below 0.447 [default: 0.375].
+    /// Vertical scaling of a fractal surface, below 0.447; larger is rougher [default: 0.375].
     #[arg(long, value_parser = share)]
     pub factor: Option<f32>,
     /// Standard deviation of the heights, in sides of the texture [default: 0.01].
     #[arg(long, value_parser = positive)]
     pub height: Option<f32>,
-    /// Distance up to which the surroundings take light away, in sides of the texture, or of each of its --parts [default: 0.015625].
+    /// Maximum distance of occluders, in sides of the texture or of each of its --parts [default: 0.015625].
     #[arg(long, value_parser = share)]
     pub occlusion: Option<f32>,
-    /// Colour, sRGB in hexadecimal [default: b4b0a8].
+    /// Color, sRGB in hexadecimal [default: b4b0a8].
     #[arg(long, value_name = "RRGGBB", value_parser = colour)]
     pub tint: Option<u32>,
-    /// Colour of low parts, where it is another.
+    /// Color of low parts [default: --tint].
     #[arg(long, value_name = "RRGGBB", value_parser = colour)]
     pub low_tint: Option<u32>,
-    /// Roughness √α of the surface between its bumps [default: 0.6; of a density 0].
+    /// Roughness √α of the surface between its bumps [default: 0.6; 0 with --ndf].
     #[arg(long, value_parser = share)]
     pub roughness: Option<f32>,
-    /// Metal: 0 or 1, or between [default: 0].
+    /// Metallic, 0 to 1 [default: 0].
     #[arg(long, value_parser = fraction)]
     pub metallic: Option<f32>,
-    /// Seed of every random choice.
+    /// Random seed.
     #[arg(long, default_value_t = 1)]
     pub seed: u32,
-    /// Formats of the maps, with commas between them.
+    /// Formats, separated by commas.
     #[arg(long, value_delimiter = ',', value_parser = one_of(BAKED_FORMATS), default_value = "png")]
     pub format: Vec<BakedFormat>,
-    /// Bake these tiles alone, counted from 1 row by row; a run without it writes the set when all are there.
+    /// Bake only these tiles, counted from 1 row by row; a run without it writes the textures once all tiles exist.
     #[arg(long, value_name = "N|N-N", value_parser = numbers)]
     pub tiles: Option<[u32; 2]>,
-    /// Cut the texture into so many parts along a side, each of --size texels and a set of its own in a folder of its own, `u1_v1`
-    /// the lower left; cells, heights and metres are those of the whole.
+    /// Split the texture into N × N parts of --size texels, each a set in its own directory, `u1_v1` at the lower left. --cells, --height
+    /// and --side refer to the whole.
     #[arg(long, value_name = "N", value_parser = whole(2, 16_384), conflicts_with = "tiles")]
     pub parts: Option<u32>,
-    /// Bake these parts alone, counted from 1 row by row.
+    /// Bake only these parts, counted from 1 row by row.
     #[arg(long, value_name = "N|N-N", requires = "parts", value_parser = numbers)]
     pub part: Option<[u32; 2]>,
-    /// Write the tiles, or the parts, as a job for many machines in place of baking them: a template of Open Job Description, .yaml or
-    /// .json.
+    /// Write an Open Job Description template (.yaml or .json) with one task per tile or part, and bake nothing.
     #[arg(long, value_name = "FILE")]
     pub job: Option<PathBuf>,
-    /// Folder of the set.
+    /// Output directory.
     #[arg(long, value_name = "DIR", default_value = "target/asperity/bake")]
     pub out: PathBuf,
 }
@@ -316,46 +314,44 @@ pub struct Bake {
 const SCENES: &Words<Set> = &[
     ("teapot", "The Utah teapot", Set::Teapot),
     ("sphere", "A sphere", Set::Sphere),
-    ("plane", "A plane, seen at an angle; of other materials than bumps, to the horizon", Set::Plane),
-    ("car", "A smooth car-like body", Set::Car),
+    ("plane", "A plane at an angle; to the horizon with materials other than bumps", Set::Plane),
+    ("car", "A smooth car body", Set::Car),
     ("room", "The corner of a room", Set::Room),
-    ("wall", "A wall, seen along it", Set::Wall),
+    ("wall", "A wall at a low angle", Set::Wall),
     ("vase", "A turned vase on a table", Set::Vase),
 ];
 
-const UPS: &Words<Up> = &[
-    ("y", "The convention of glTF and of most other formats", Up::Y),
-    ("z", "The convention of files of buildings and maps", Up::Z),
-];
+const UPS: &Words<Up> =
+    &[("y", "As in glTF and most other formats", Up::Y), ("z", "As in CAD and maps", Up::Z)];
 
 const RULES: &Words<LevelOfDetail> = &[
     ("exact", "Keeps the mean at every zoom", LevelOfDetail::Exact),
-    ("fractal", "The paper's: every facet is shaded with the whole density", LevelOfDetail::Fractal),
+    (
+        "fractal",
+        "Kautz et al. 2001: every facet is shaded with the whole distribution",
+        LevelOfDetail::Fractal,
+    ),
 ];
 
 const NOISES: &Words<NoiseKind> = &[
     ("gaussian", "Exactly Gaussian value-gradient noise", NoiseKind::Gaussian),
-    ("perlin", "Perlin's noise of 2002 through its measured distribution", NoiseKind::Perlin2002),
-    ("simplex", "Simplex noise through its measured distribution", NoiseKind::Simplex),
+    ("perlin", "Perlin noise (2002) through its measured CDF", NoiseKind::Perlin2002),
+    ("simplex", "Simplex noise through its measured CDF", NoiseKind::Simplex),
 ];
 
 const BAKED_NOISES: &Words<BakedNoise> = &[
     ("gaussian", "Exactly Gaussian value-gradient noise", BakedNoise::Gaussian),
-    ("perlin", "Perlin's noise of 2002", BakedNoise::Perlin),
-    (
-        "simplex",
-        "Simplex noise; tileable by a slice of space, with a multiple of 3 cells",
-        BakedNoise::Simplex,
-    ),
+    ("perlin", "Perlin noise (2002)", BakedNoise::Perlin),
+    ("simplex", "Simplex noise; tileable with a multiple of 3 cells, as a slice of 3-D", BakedNoise::Simplex),
     ("value", "Value noise", BakedNoise::Value),
     ("sparse", "Sparse convolution noise", BakedNoise::Sparse),
-    ("cellular", "Worley's cellular noise", BakedNoise::Cellular),
+    ("cellular", "Cellular (Worley) noise", BakedNoise::Cellular),
 ];
 
 const BAKED_FORMATS: &Words<BakedFormat> = &[
-    ("png", "16 bits a channel, with a glTF material", BakedFormat::Png),
-    ("exr", "OpenEXR in tiles, half floats, with all levels", BakedFormat::Exr),
-    ("ktx2", "Blocks of graphics cards, with all levels: BC7, BC5, BC4", BakedFormat::Ktx2),
+    ("png", "16 bits per channel, with a glTF material", BakedFormat::Png),
+    ("exr", "Tiled OpenEXR, half floats, all mip levels", BakedFormat::Exr),
+    ("ktx2", "Block-compressed (BC7, BC5, BC4), all mip levels", BakedFormat::Ktx2),
 ];
 
 /// The noises of `bake`.
@@ -380,30 +376,30 @@ pub enum BakedFormat {
 /// The fractal surfaces of `bake`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum BakedFractal {
-    /// The torus surface: periodic, and no product of curves.
+    /// The torus surface, periodic and without grain.
     Torus,
 }
 
 /// The materials of `render`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Material {
-    /// Bumps of the density `--ndf`.
+    /// Bumps with the distribution --ndf.
     Bumps,
-    /// The carpet of a car.
+    /// Car carpet.
     Carpet,
     /// Metallic paint with sparkles.
     Paint,
-    /// Metallic paint whose flakes are counted.
+    /// Metallic paint with counted flakes.
     Flakes,
-    /// Tempered glass: a body that refracts.
+    /// Tempered glass, a refracting solid.
     Glass,
-    /// Rough glass: a body that refracts to all sides.
+    /// Rough glass, a refracting solid.
     Frosted,
     /// Plastic with blemishes and dents.
     Plastic,
     /// Scratched metal.
     Scratched,
-    /// A polished metal.
+    /// Polished metal.
     Chrome,
     /// Bricks and mortar.
     Brick,
@@ -416,9 +412,9 @@ pub enum Material {
 /// Tone curves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Tone {
-    /// A curve with a toe and a shoulder, as film has.
+    /// A filmic curve with toe and shoulder.
     Filmic,
-    /// None: cut off at white.
+    /// Clipped at white.
     Plain,
 }
 
@@ -427,7 +423,7 @@ pub enum Tone {
 pub enum Background {
     /// The light.
     Light,
-    /// A colour.
+    /// A color.
     Colour(u32),
 }
 
@@ -441,7 +437,7 @@ fn behind(text: &str) -> Result<Background, &'static str> {
 }
 
 fn assignment(text: &str) -> Result<(String, String), &'static str> {
-    let parts = text.split_once('=').ok_or("must be NAME=VALUE, as in coat_roughness=0.1")?;
+    let parts = text.split_once('=').ok_or("must be NAME=VALUE, such as coat_roughness=0.1")?;
     Ok((parts.0.trim().into(), parts.1.trim().into()))
 }
 
@@ -449,18 +445,18 @@ fn assignment(text: &str) -> Result<(String, String), &'static str> {
 fn whole(least: u32, most: u32) -> impl Fn(&str) -> Result<u32, String> + Clone + Send + Sync {
     move |text| {
         let number = text.parse().ok().filter(|n| (least..=most).contains(n));
-        number.ok_or_else(|| format!("must be a whole number from {least} to {most}, written in digits"))
+        number.ok_or_else(|| format!("must be an integer from {least} to {most}"))
     }
 }
 
 fn degrees(text: &str) -> Result<f32, &'static str> {
     let number = text.parse().ok().filter(|x: &f32| (0.0..=180.0).contains(x));
-    number.ok_or("must be a number of degrees from 0 to 180")
+    number.ok_or("must be an angle from 0 to 180 degrees")
 }
 
 fn turned(text: &str) -> Result<f32, &'static str> {
     let number = text.parse().ok().filter(|x: &f32| x.abs() <= 36_000.0);
-    number.ok_or("must be a number of degrees, at most a hundred turns")
+    number.ok_or("must be an angle of at most 36000 degrees")
 }
 
 /// A number from 1, or a range of them, first and last.
@@ -468,7 +464,7 @@ fn numbers(text: &str) -> Result<[u32; 2], &'static str> {
     let (first, last) = text.split_once('-').unwrap_or((text, text));
     match [first, last].map(str::parse) {
         [Ok(first), Ok(last)] if 1 <= first && first <= last => Ok([first, last]),
-        _ => Err("must be a number from 1, or two, as in 13-24"),
+        _ => Err("must be a number from 1, or a range such as 13-24"),
     }
 }
 
@@ -483,14 +479,14 @@ fn fraction(text: &str) -> Result<f32, &'static str> {
 }
 
 fn share(text: &str) -> Result<f32, &'static str> {
-    positive(text).ok().filter(|x| *x <= 1.0).ok_or("must be a number above 0, at most 1")
+    positive(text).ok().filter(|x| *x <= 1.0).ok_or("must be a number above 0 and at most 1")
 }
 
 fn colour(text: &str) -> Result<u32, &'static str> {
     let digits = text.trim_start_matches('#');
     match u32::from_str_radix(digits, 16) {
         Ok(rgb) if digits.len() == 6 => Ok(rgb),
-        _ => Err("must be six hexadecimal digits, as in d9a066"),
+        _ => Err("must be six hexadecimal digits, such as d9a066"),
     }
 }
 
@@ -524,6 +520,6 @@ mod tests {
             assert_eq!(error.exit_code(), 2, "{line}");
         }
         let error = Cli::try_parse_from(["asperity", "render", "--size", "1e3"]).unwrap_err().to_string();
-        assert!(error.contains("must be a whole number from 16 to 8192, written in digits"), "{error}");
+        assert!(error.contains("must be an integer from 16 to 8192"), "{error}");
     }
 }

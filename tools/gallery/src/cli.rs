@@ -18,31 +18,31 @@ use clap::Parser;
   cargo xtask gallery --list"
 )]
 pub(crate) struct Gallery {
-    /// Draw only the figures whose name contains NAME; may be given again.
+    /// Draw only figures whose name contains NAME; may be repeated.
     #[arg(long, value_name = "NAME")]
     pub(crate) only: Vec<String>,
-    /// List the figures and stop.
+    /// List the figures and exit.
     #[arg(long)]
     pub(crate) list: bool,
-    /// Fineness of the pictures; --size and --spp set it one by one.
+    /// Quality preset; --size and --spp override it.
     #[arg(long, value_enum, default_value_t)]
     pub(crate) quality: Quality,
-    /// Side of a square panel in pixels [default: 384; of a draft 192, for a book 1024].
+    /// Side of a square panel in pixels [default: 384; draft 192, book 1024].
     #[arg(long, value_parser = clap::value_parser!(u32).range(16..=4096))]
     pub(crate) size: Option<u32>,
-    /// Samples per pixel; some figures take a multiple, still lifes as many as they need [default: 4; of a draft 1, for a book 32].
+    /// Samples per pixel; some figures use a multiple, path-traced scenes as many as they need [default: 4; draft 1, book 32].
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=4096))]
     pub(crate) spp: Option<u32>,
-    /// Seed of every random choice.
+    /// Random seed.
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u32,
-    /// Draw also what is already there.
+    /// Redraw existing figures.
     #[arg(long)]
-    pub(crate) afresh: bool,
-    /// Folder of the gallery and its tables.
+    pub(crate) force: bool,
+    /// Output directory.
     #[arg(long, value_name = "DIR", default_value = "target/asperity")]
     pub(crate) out: PathBuf,
-    /// Worker threads; all cores if not given.
+    /// Number of threads [default: all cores].
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) jobs: Option<u16>,
 }

@@ -74,7 +74,7 @@ pub(crate) fn draw(
     let key = format!("{program} size {size} spp {samples_per_pixel} error {} seed {seed}", goal.error);
     for (index, figure) in figures.iter().enumerate() {
         let place = format!("{:>2}/{} {:<26}", index + 1, figures.len(), figure.name);
-        if !wanted.afresh && recorded(figure, output).is_some_and(|r| r.key == key) {
+        if !wanted.force && recorded(figure, output).is_some_and(|r| r.key == key) {
             progress::say(&format!("{place} already drawn"));
             continue;
         }

@@ -1,10 +1,10 @@
-//! The command line, in the words of `--help`.
+//! The command line of `cargo xtask web`, `no-std`, `bits` and `firmware`.
 
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
-/// Builds the crates for other machines: without std, emulated, embedded, in browsers.
+/// Builds the crates for other platforms: without std, emulated, embedded, browsers.
 #[derive(Debug, Parser)]
 #[command(name = "cargo xtask", bin_name = "cargo xtask", version, disable_help_subcommand = true)]
 pub(crate) struct Cli {
@@ -15,37 +15,36 @@ pub(crate) struct Cli {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Write the live page: bumps, noise, fractal functions and materials under one's hands, in one file.
+    /// Build the interactive web demo (single HTML file).
     #[command(after_help = "Examples:
   cargo xtask web
   cargo xtask web --serve 8000
 
-index.html opens from the disk; the folder `hosted` is for a web server. Nothing is asked of any network.")]
+index.html works from the file system; the directory `hosted` is for a web server. No network access.")]
     Web(Web),
-    /// Link the crates without std and without an allocator, and call them.
+    /// Link and run the crates without std and without an allocator.
     NoStd,
-    /// Compute every crate's values on every platform at hand, emulated ones too, and compare their bits with the golden ones.
+    /// Compare the values of all crates on every available platform with the golden bits.
     #[command(after_help = "Examples:
   cargo xtask bits
   cargo xtask bits --ship
 
-x86-64 at every SIMD level and, built without std, AArch64, big-endian PowerPC, WebAssembly with and without SIMD128, and a Cortex-M4
-on bare metal. Emulators are Debian's qemu-user and qemu-system-arm; linkers are gcc-aarch64-linux-gnu, gcc-powerpc64-linux-gnu and lld;
-WebAssembly runs in node. The table says what is missing.")]
+Platforms: x86-64 at every SIMD level; without std AArch64, big-endian PowerPC, WebAssembly with and without SIMD128, Cortex-M4.
+Tools: Debian's qemu-user, qemu-system-arm, gcc-aarch64-linux-gnu, gcc-powerpc64-linux-gnu, lld, nodejs. Missing tools are reported.")]
     Bits(Bits),
-    /// Draw a picture from tables in flash on an emulated Cortex-M4 and compare it with this machine's, or say what is missing for that.
+    /// Render a picture from tables in flash on an emulated Cortex-M4 and compare it with the host.
     Firmware(Firmware),
-    /// Check the pages in browsers.
+    /// Test the live page in browsers.
     #[command(hide = true)]
     Live,
-    /// Compare the bits of the platforms that take little time.
+    /// Compare the bits of the platforms that are quick to build.
     #[command(hide = true)]
     SameBits,
 }
 
 #[derive(Debug, Args)]
 pub(crate) struct Bits {
-    /// Make this machine's values golden if every platform has them.
+    /// Make the host's values golden if all platforms agree.
     #[arg(long)]
     pub(crate) ship: bool,
 }
@@ -59,10 +58,10 @@ pub(crate) struct Firmware {
 
 #[derive(Debug, Args)]
 pub(crate) struct Web {
-    /// Serve the page on this port of 127.0.0.1, any that is free if none is named, until Ctrl-C.
+    /// Serve the page on this port of 127.0.0.1 until Ctrl-C; without a number, on a free port.
     #[arg(long, value_name = "PORT", num_args = 0..=1, default_missing_value = "0")]
     pub(crate) serve: Option<u16>,
-    /// Folder of the page.
+    /// Output directory.
     #[arg(long, value_name = "DIR", default_value = "target/asperity/web")]
     pub(crate) out: PathBuf,
 }
