@@ -295,7 +295,11 @@ pub(crate) fn evaluate<K: Kernel<N>, S: Lanes, const N: usize, const GRADIENTS: 
     if !is_within(s, &p, K::REACH) {
         let mut lanes = [None; LANES];
         for lane in 0..S::LEN {
-            lanes[lane % LANES] = evaluated_far(p.map(|x| s.lane(x, lane)), K::REACH);
+            let mut point = [0.0; N];
+            for axis in 0..N {
+                point[axis] = s.lane(p[axis], lane);
+            }
+            lanes[lane % LANES] = evaluated_far(point, K::REACH);
         }
         for axis in 0..N {
             p[axis] = s.floats(|lane| lanes[lane % LANES].map_or(0.0, |p| p[axis]));
@@ -305,8 +309,8 @@ pub(crate) fn evaluate<K: Kernel<N>, S: Lanes, const N: usize, const GRADIENTS: 
     let (mut value, mut gradient) = kernel.evaluate::<S, GRADIENTS>(s, p, seed);
     if let Some(lanes) = beyond {
         let kept = |x| s.floats(|lane| lanes[lane % LANES].map_or(0.0, |_| s.lane(x, lane)));
-        if GRADIENTS {
-            gradient = gradient.map(kept);
+        for axis in 0..if GRADIENTS { N } else { 0 } {
+            gradient[axis] = kept(gradient[axis]);
         }
         value = kept(value);
     }
@@ -343,8 +347,16 @@ fn in_lanes<K: Kernel<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     if S::LEN > 1 {
         return kernel.evaluate::<S, GRADIENTS>(s, p, seed);
     }
-    let (value, gradient) = kernel.lone::<GRADIENTS>(p.map(|x| s.lane(x, 0)), seed);
-    (s.float(value), gradient.map(|x| s.float(x)))
+    let mut point = [0.0; N];
+    for axis in 0..N {
+        point[axis] = s.lane(p[axis], 0);
+    }
+    let (value, gradient) = kernel.lone::<GRADIENTS>(point, seed);
+    let mut slopes = [s.float(0.0); N];
+    for axis in 0..N {
+        slopes[axis] = s.float(gradient[axis]);
+    }
+    (s.float(value), slopes)
 }
 
 /// A row of a kind, or of one of its octaves.

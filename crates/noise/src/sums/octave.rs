@@ -1,7 +1,5 @@
 //! The place of one octave: its own seed and offset, and its rotation, times its frequency.
 
-use core::array;
-
 use crate::{
     contract::kernel::{Kernel, OctavesAt},
     lanes::{Arithmetic, LaneSample, Lanes, Scalar},
@@ -225,14 +223,32 @@ const OCTAVES: usize = MAX_OCTAVES as usize;
 impl<const N: usize> Layers<N> {
     /// The layers of octaves of a noise.
     pub(crate) fn of<K: Kernel<N>>(noise: &K, layers: &[Layer<N>; OCTAVES]) -> Self {
-        Self {
-            rotation: layers[0].rotation,
-            seeds: layers.map(|layer| layer.seed),
-            keys: layers.map(|layer| noise.key(layer.seed)),
-            matrix: array::from_fn(|row| array::from_fn(|k| layers.map(|layer| layer.matrix[row][k]))),
-            offset: array::from_fn(|axis| layers.map(|layer| layer.offset[axis])),
-            cell: layers.map(|layer| layer.cell),
+        let mut keys = [0; OCTAVES];
+        for i in 0..OCTAVES {
+            keys[i] = noise.key(layers[i].seed);
         }
+        Self::with_keys(layers, keys)
+    }
+
+    fn with_keys(layers: &[Layer<N>; OCTAVES], keys: [u32; OCTAVES]) -> Self {
+        let mut all = Self {
+            rotation: layers[0].rotation,
+            seeds: [0; OCTAVES],
+            keys,
+            matrix: [[[0.0; OCTAVES]; N]; N],
+            offset: [[0.0; OCTAVES]; N],
+            cell: [[0; N]; OCTAVES],
+        };
+        for (i, layer) in layers.iter().enumerate() {
+            (all.seeds[i], all.cell[i]) = (layer.seed, layer.cell);
+            for row in 0..N {
+                all.offset[row][i] = layer.offset[row];
+                for k in 0..N {
+                    all.matrix[row][k][i] = layer.matrix[row][k];
+                }
+            }
+        }
+        all
     }
 
     /// One layer; the last where there is none of the number.
@@ -279,7 +295,11 @@ impl<const N: usize> Layers<N> {
     /// A point in the coordinates of every octave.
     #[inline]
     pub(crate) fn points(&self, p: [f32; N]) -> [[f32; OCTAVES]; N] {
-        let mut points = self.products::<false>(&p.map(|x| [x; OCTAVES]));
+        let mut points = [[0.0; OCTAVES]; N];
+        for axis in 0..N {
+            points[axis] = [p[axis]; OCTAVES];
+        }
+        points = self.products::<false>(&points);
         for axis in 0..N {
             for i in 0..OCTAVES {
                 points[axis][i] += self.offset[axis][i];

@@ -137,40 +137,70 @@ fn lone_whole(octaves: f32) -> f32 {
     if octaves > 0.0 { octaves.max(1.0) } else { 0.0 }
 }
 
-impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
-    #[inline]
-    fn active(&self, octaves: f32) -> Active {
-        let counted = octaves;
-        let octaves = lone_whole(octaves);
-        let mut active = Active {
-            octaves: if counted > 0.0 { counted } else { 0.0 },
+impl Active {
+    /// So many octaves of a spectrum, of variance 1 if there are `moments`, the mean and deviation of one octave; `bounds` are those of one.
+    fn new(spectrum: &Spectrum, octaves: f32, bounds: [f32; 2], moments: Option<[f32; 2]>) -> Self {
+        let mut active = Self {
+            octaves: if octaves > 0.0 { octaves } else { 0.0 },
             amplitudes: [0.0; MAX_OCTAVES as usize],
             count: 0,
             constant: 0.0,
             factor: 0.0,
-            range: self.bounds(),
+            range: bounds,
         };
-        let (mut sum, mut squares) = (0.0, 0.0);
-        for (amplitude, (_, weighted)) in active.amplitudes.iter_mut().zip(self.spectrum.active(octaves)) {
+        let (mut norm, mut squares) = (0.0, 0.0);
+        for (amplitude, (_, weighted)) in
+            active.amplitudes.iter_mut().zip(spectrum.active(lone_whole(octaves)))
+        {
             *amplitude = weighted;
             active.count += 1;
-            sum += weighted;
+            norm += weighted;
             squares += weighted * weighted;
         }
-        let norm = match self.normalisation {
-            Normalisation::Range => sum,
-            Normalisation::Variance => {
-                let [mean, deviation] = self.moments();
-                // From 0, so that shapes of mean 0 start from 0 and not from −0.
-                let amplitudes = active.amplitudes.iter().take(active.count);
-                let constant = amplitudes.fold(0.0, |sum, amplitude| sum - mean * amplitude);
-                active.constant = constant + 0.0;
-                deviation * math::sqrt(squares)
-            }
-        };
+        if let Some([mean, deviation]) = moments {
+            // From 0, so that shapes of mean 0 start from 0 and not from −0.
+            let amplitudes = active.amplitudes.iter().take(active.count);
+            let constant = amplitudes.fold(0.0, |sum, amplitude| sum - mean * amplitude);
+            active.constant = constant + 0.0;
+            norm = deviation * math::sqrt(squares);
+        }
         active.factor = if norm > 0.0 { 1.0 / norm } else { 0.0 };
         active.range = active.range.map(|bound| active.of_bound(bound));
         active
+    }
+
+    /// Less what a footprint removes, which gives way to the mean of one octave; `bounds` are those of one.
+    fn clamped(mut self, footprint: f32, lacunarity: f32, mean: f32, bounds: [f32; 2]) -> Self {
+        let mut frequency = 1.0;
+        for amplitude in self.amplitudes.iter_mut().take(self.count) {
+            let removed = removed_share(footprint, frequency);
+            self.constant += *amplitude * removed * mean;
+            *amplitude *= 1.0 - removed;
+            frequency *= lacunarity;
+        }
+        self.count = self.amplitudes.iter().take_while(|&&amplitude| amplitude > 0.0).count();
+        // The range of the whole sum, so that it does not depend on the footprint; rounding may add to it.
+        let [low, high] = self.range;
+        let [lower, upper] = bounds.map(|bound| self.of_bound(bound));
+        self.range = [low.min(lower), high.max(upper)];
+        self
+    }
+}
+
+/// g times a factor.
+#[inline(always)]
+fn scaled<const N: usize>(mut g: [f32; N], factor: f32) -> [f32; N] {
+    for axis in 0..N {
+        g[axis] *= factor;
+    }
+    g
+}
+
+impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
+    #[inline]
+    fn active(&self, octaves: f32) -> Active {
+        let moments = (self.normalisation == Normalisation::Variance).then(|| self.moments());
+        Active::new(&self.spectrum, octaves, self.bounds(), moments)
     }
 
     /// Lower and upper bound of one octave of amplitude 1.
@@ -189,21 +219,8 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
         self.shape.mean_and_deviation(self.noise.standard_deviation(), self.noise.absolute_moments())
     }
 
-    fn clamped(&self, mut active: Active, footprint: f32) -> Active {
-        let [mean, _] = self.moments();
-        let mut frequency = 1.0;
-        for amplitude in active.amplitudes.iter_mut().take(active.count) {
-            let removed = removed_share(footprint, frequency);
-            active.constant += *amplitude * removed * mean;
-            *amplitude *= 1.0 - removed;
-            frequency *= self.spectrum.lacunarity();
-        }
-        active.count = active.amplitudes.iter().take_while(|&&amplitude| amplitude > 0.0).count();
-        // The range of the whole sum, so that it does not depend on the footprint; rounding may add to it.
-        let ([low, high], bounds) = (active.range, self.bounds());
-        let [lower, upper] = bounds.map(|bound| active.of_bound(bound));
-        active.range = [low.min(lower), high.max(upper)];
-        active
+    fn clamped(&self, active: Active, footprint: f32) -> Active {
+        active.clamped(footprint, self.spectrum.lacunarity(), self.moments()[0], self.bounds())
     }
 
     /// The octaves that take part, each with its amplitude.
@@ -226,7 +243,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
         }
         let mut sum = (active.constant, [0.0; N]);
         self.at_point(active, p).add(&self.noise, self.shape, &mut sum)?;
-        Some((sum.0 * active.factor, sum.1.map(|g| g * active.factor)))
+        Some((sum.0 * active.factor, scaled(sum.1, active.factor)))
     }
 
     #[inline(always)]
@@ -253,10 +270,10 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
             let (p, noise) = (layer.points(Scalar, p), layer.noise(&self.noise, &mut own));
             let (n, gradient) = noise.sample_at(p, layer.seed);
             let slope = self.shape.slope(n);
-            let sample = (self.shape.value(n), gradient.map(|g| slope * g));
+            let sample = (self.shape.value(n), scaled(gradient, slope));
             layer.accumulate(Scalar, &mut sum, amplitude, sample);
         }
-        (sum.0 * active.factor, sum.1.map(|g| g * active.factor))
+        (sum.0 * active.factor, scaled(sum.1, active.factor))
     }
 
     /// The point itself, or where the noise repeats its image in the first tile.
@@ -310,7 +327,10 @@ impl<K: CurvedKernel<N>, const N: usize, T> Terms<K, N, T> {
             let octave = hessian::at(noise, p, layer.seed);
             layer.accumulate(Scalar, &mut sum, amplitude, (octave.value, octave.gradient));
             // M as the rows of what it makes of the axes: H M, then Mᵀ (H M).
-            let turned = octave.hessian.map(|row| layer.pull_back(Scalar, row));
+            let mut turned = octave.hessian;
+            for row in &mut turned {
+                *row = layer.pull_back(Scalar, *row);
+            }
             for i in 0..N {
                 for j in i..N {
                     let entry = (0..N).fold(0.0, |entry, k| entry + layer.matrix[k][i] * turned[k][j]);
@@ -320,11 +340,10 @@ impl<K: CurvedKernel<N>, const N: usize, T> Terms<K, N, T> {
         }
         mirror(&mut hessian);
         let factor = active.factor;
-        Jet {
-            value: sum.0 * factor,
-            gradient: sum.1.map(|g| g * factor),
-            hessian: hessian.map(|row| row.map(|x| x * factor)),
+        for row in &mut hessian {
+            *row = scaled(*row, factor);
         }
+        Jet { value: sum.0 * factor, gradient: scaled(sum.1, factor), hessian }
     }
 }
 
@@ -344,7 +363,7 @@ impl<L: Lattice, const N: usize> Terms<Gaussian<L>, N, Signed> {
         }
         sums.map(|(value, gradient)| Sample {
             value: value * active.factor,
-            gradient: V::from_coordinates(gradient.map(|g| g * active.factor)),
+            gradient: V::from_coordinates(scaled(gradient, active.factor)),
         })
     }
 }

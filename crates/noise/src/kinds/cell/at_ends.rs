@@ -68,6 +68,12 @@ pub(crate) fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIE
     if K::NORMALISED { normalised::<S, N, GRADIENTS>(s, sample, variance) } else { sample }
 }
 
+/// The end of the first axis that a lane is at, and of the second.
+static FIRST_ENDS: [f32; LANES] =
+    [0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0];
+static SECOND_ENDS: [f32; LANES] =
+    [0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0];
+
 /// A point's corners and parts, with gradients if `GRADIENTS`. Axes share one register.
 #[inline(always)]
 pub(crate) fn at_ends_of<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
@@ -91,7 +97,8 @@ pub(crate) fn at_ends_of<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIE
     let (mut ends, mut words) = ([[0; 2]; N], [s.word(0); 4]);
     for axis in 0..N {
         let cell = Scalar.word(s.lane_word(cells, axis));
-        ends[axis] = noise.lattice().terms(Scalar, axis, cell).map(|term| term.0);
+        let [low, high] = noise.lattice().terms(Scalar, axis, cell);
+        ends[axis] = [low.0, high.0];
     }
     for k in 0..CORNERS[N] {
         let terms = at_ends(s, &ends, k);
@@ -104,10 +111,7 @@ pub(crate) fn at_ends_of<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIE
     let column = place.column(s, noise, &words);
 
     let [first, second] = [&place.along[0], &place.along[1 % N]];
-    let ways = [
-        first.place - s.floats(|lane| (lane >> 1 & 1) as f32),
-        second.place - s.floats(|lane| (lane & 1) as f32),
-    ];
+    let ways = [first.place - s.load(&FIRST_ENDS), second.place - s.load(&SECOND_ENDS)];
     let unit = |x| if K::HAS_GRADIENT { x } else { x * s.float(K::UNIT) };
     let slope = |plane: &Plane<S>| {
         if K::HAS_GRADIENT { along_first(s, plane.slopes[1], first) } else { s.float(0.0) }

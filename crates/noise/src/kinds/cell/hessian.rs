@@ -57,7 +57,7 @@ fn one_by_one<K: CellNoise<N>, const N: usize>(noise: &K, p: [f32; N], seed: u32
 #[inline(always)]
 fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize>(s: S, noise: &K, p: [f32; N], seed: u32) -> Jet<N> {
     let Ends { place, words, parts: (sample, variance) } = at_ends_of::<K, S, N, true>(s, noise, p, seed);
-    let mut ends = place.along.map(|along| End::new(s, K::FADE, &along, |lane| lane >> 1 & 1 == 1));
+    let mut ends = [End::new(s, K::FADE, &place.along[0], |lane| lane >> 1 & 1 == 1); N];
     ends[1 % N] = End::new(s, K::FADE, &place.along[1 % N], |lane| lane & 1 == 1);
     // Four entries of the upper half side by side, row after row.
     let mut sums = [s.float(0.0); 3];
@@ -84,14 +84,17 @@ fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize>(s: S, noise: &K, p: [f3
             e += 1;
         }
     }
-    let first = |along: Along<S>| Along {
-        place: s.lane(along.place, 0),
-        weight: s.lane(along.weight, 0),
-        slope: s.lane(along.slope, 0),
-    };
-    let place = Place { along: place.along.map(first), ..Place::NOWHERE };
-    let [sample, variance] = [sample, variance].map(|sample| of_lane::<S, N, true>(s, sample, 0));
-    jet::<K, N>(&place, sample, variance, hessian)
+    let mut first = Place::<Scalar, N>::NOWHERE;
+    for axis in 0..N {
+        let along = &place.along[axis];
+        first.along[axis] = Along {
+            place: s.lane(along.place, 0),
+            weight: s.lane(along.weight, 0),
+            slope: s.lane(along.slope, 0),
+        };
+    }
+    let (sample, variance) = (of_lane::<S, N, true>(s, sample, 0), of_lane::<S, N, true>(s, variance, 0));
+    jet::<K, N>(&first, sample, variance, hessian)
 }
 
 /// The jet of n, or of n/√v where the noise is normalised.
@@ -103,7 +106,9 @@ fn jet<K: CellNoise<N>, const N: usize>(
     mut hessian: [[f32; N]; N],
 ) -> Jet<N> {
     if !K::HAS_GRADIENT {
-        hessian = hessian.map(|row| row.map(|h| h * K::UNIT));
+        for entry in hessian.as_flattened_mut() {
+            *entry *= K::UNIT;
+        }
     }
     if K::NORMALISED {
         hessian = normalised_hessian(sample, hessian, variance, variance_hessian(K::FADE, place));
@@ -151,20 +156,22 @@ fn add_bends<K: CellNoise<N>, S: Lanes, const N: usize>(
     for axis in 0..if K::HAS_GRADIENT { N } else { 0 } {
         f = f + corner.gradient[axis] * ends[axis].way;
     }
-    // The product of the weights, derived as often along each axis as it is named.
-    let product = |axes: &[usize]| {
-        (0..N).fold(s.float(1.0), |product, axis| {
-            product * ends[axis].weights[axes.iter().filter(|&&derived| derived == axis).count().min(2)]
-        })
+    // The product of the weights, derived as often along each axis as it is named; N names none.
+    let product = |i: usize, j: usize| {
+        let mut product = s.float(1.0);
+        for axis in 0..N {
+            product = product * ends[axis].weights[usize::from(axis == i) + usize::from(axis == j)];
+        }
+        product
     };
     for i in 0..N {
         for j in i..N {
-            let bend = product(&[i, j]) * f;
+            let bend = product(i, j) * f;
             add(
                 i,
                 j,
                 if K::HAS_GRADIENT {
-                    bend + (product(&[i]) * corner.gradient[j] + product(&[j]) * corner.gradient[i])
+                    bend + (product(i, N) * corner.gradient[j] + product(j, N) * corner.gradient[i])
                 } else {
                     bend
                 },
