@@ -5,7 +5,7 @@ use core::{array, ops::Range};
 use asperity_core::lanes::Task;
 
 use crate::{
-    lanes::level::{Instructions, run_at_point},
+    lanes::level::{Instructions, has_values_alone, run_at_point},
     lanes::{LANES, LaneSample, Lanes, Scalar},
     lattice::lattice::{REACH, is_within, wrapped},
     point::Point,
@@ -419,10 +419,11 @@ impl<K: Kernel<N>, const N: usize> Task for Shared<'_, '_, K, N> {
     fn run<S: Lanes>(self, s: S) -> usize {
         let FillRow { kernel, seed, row, scratch, values, gradients } = self.0;
         let (row, seed, mut slopes) = (*row, *seed, no_slices());
-        let Some(gradients) = gradients else {
+        if const { has_values_alone::<S>() } && gradients.is_none() {
             return kernel.rows(s, scratch, Strip::<N, false> { row, seed, values, gradients: slopes });
-        };
-        for (to, g) in slopes.iter_mut().zip(gradients) {
+        }
+        // Without gradients they are written to empty slices.
+        for (to, g) in slopes.iter_mut().zip(gradients.iter_mut().flatten()) {
             *to = &mut **g;
         }
         kernel.rows(s, scratch, Strip::<N, true> { row, seed, values, gradients: slopes })
@@ -531,11 +532,11 @@ impl<K: Kernel<N>, const N: usize> Task for EvaluateBlock<'_, '_, K, N> {
     #[inline(always)]
     fn run<S: Lanes>(self, s: S) {
         let Self { kernel, seed, block } = self;
-        if block.gradients.is_some() {
-            block.evaluate::<K, S, true>(s, kernel, seed);
-        } else {
+        if const { has_values_alone::<S>() } && block.gradients.is_none() {
             let copy = kernel.copied();
             block.evaluate::<K, S, false>(s, copy.as_ref().unwrap_or(kernel), seed);
+        } else {
+            block.evaluate::<K, S, true>(s, kernel, seed);
         }
     }
 }
