@@ -1,4 +1,4 @@
-//! Closed forms of densities over arrays, in SIMD lanes.
+//! NDFs in closed form over arrays, with SIMD.
 
 use glam::Vec3;
 
@@ -7,10 +7,13 @@ use crate::ndf::Ndf;
 use asperity_core::BatchError;
 use asperity_core::lanes::{Arithmetic, Kernel, map};
 
-/// A density whose calls fill arrays in SIMD lanes: every array holds one component of many points; sealed.
+/// An NDF with methods that fill arrays with SIMD.
 ///
-/// Results agree with the single calls within 1e-6 and have the same bits on every machine, in every number of lanes and under
-/// every feature; but for visible normals of [`Beckmann`](crate::Beckmann) they are those of the single calls, bit for bit.
+/// Every array holds one component of many points. The trait is sealed.
+///
+/// Results agree with single calls within 1e-6. They have the same bits on every machine, for every
+/// SIMD width and every feature. They are bit-identical to single calls except for visible normals
+/// of [`Beckmann`](crate::Beckmann).
 ///
 /// ```
 /// use asperity_ndf_sampling::{ClosedForm, Ggx, Ndf, glam::{Vec2, Vec3}};
@@ -41,50 +44,51 @@ pub trait ClosedForm: Ndf + Sized {
     #[doc(hidden)]
     fn visible<S: Arithmetic>(&self, s: S, view: [S::F; 5]) -> [S::F; 3];
 
-    /// Normals `T(z)` of Gaussian coordinates: [`from_gaussian`](Ndf::from_gaussian) of many.
+    /// Computes normals `T(z)` of Gaussian coordinates, like [`from_gaussian`](Ndf::from_gaussian).
     ///
     /// # Errors
-    /// Arrays of different lengths; nothing is written then.
+    /// Arrays of different lengths. Nothing is written in this case.
     #[inline]
     fn normals(&self, z: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
         BatchError::check_all(&[("z", &z)], ("m", &m)).map(|()| map(&Normal(self), z, m))
     }
 
-    /// Gaussian coordinates `T⁻¹(m)` of normals: [`to_gaussian`](Ndf::to_gaussian) of many.
+    /// Computes Gaussian coordinates `T⁻¹(m)` of normals, like [`to_gaussian`](Ndf::to_gaussian).
     ///
     /// # Errors
-    /// Arrays of different lengths; nothing is written then.
+    /// Arrays of different lengths. Nothing is written in this case.
     #[inline]
     fn coordinates(&self, m: [&[f32]; 3], z: [&mut [f32]; 2]) -> Result<(), BatchError> {
         BatchError::check_all(&[("m", &m)], ("z", &z)).map(|()| map(&Coordinates(self), m, z))
     }
 
-    /// Densities `D(m)` of normals, in sr⁻¹.
+    /// Computes densities `D(m)` of normals, in sr⁻¹.
     ///
     /// # Errors
-    /// Arrays of different lengths; nothing is written then.
+    /// Arrays of different lengths. Nothing is written in this case.
     #[inline]
     fn densities(&self, m: [&[f32]; 3], density: &mut [f32]) -> Result<(), BatchError> {
         let density = [density];
         BatchError::check_all(&[("m", &m)], ("density", &density)).map(|()| map(&Density(self), m, density))
     }
 
-    /// Normals of uniform numbers `u` in [0, 1)², with the density `D cos θ` over solid angle.
+    /// Samples normals with density `D cos θ` over solid angle, for uniform `u` in [0, 1)².
     ///
     /// # Errors
-    /// Arrays of different lengths; nothing is written then.
+    /// Arrays of different lengths. Nothing is written in this case.
     #[inline]
     fn samples(&self, u: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
         BatchError::check_all(&[("u", &u)], ("m", &m)).map(|()| map(&Sample(self), u, m))
     }
 
-    /// Visible normals for the views `v` and the uniform numbers `u`, one view for each.
+    /// Samples visible normals for the views `v` and uniform numbers `u`, one view each.
     ///
-    /// Views as in [`Microfacet::sample_visible`](crate::Microfacet::sample_visible), of any length up to 10¹². For
-    /// [`Beckmann`](crate::Beckmann) the share of slopes below the sample is `u` within 2e-6.
+    /// Views as in [`Microfacet::sample_visible`](crate::Microfacet::sample_visible), of any length
+    /// up to 10¹². For [`Beckmann`](crate::Beckmann) the fraction of slopes below the sample is `u`
+    /// within 2e-6.
     ///
     /// # Errors
-    /// Arrays of different lengths; nothing is written then.
+    /// Arrays of different lengths. Nothing is written in this case.
     #[inline]
     fn visible_samples(&self, v: [&[f32]; 3], u: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
         let view = [v[0], v[1], v[2], u[0], u[1]];
@@ -92,8 +96,8 @@ pub trait ClosedForm: Ndf + Sized {
     }
 }
 
-/// Kernels of a density's formulas; a long one takes four registers in step, but for builds that are not optimised: every number has
-/// a place of its own on the stack there, which a thread's 2 MiB do not hold.
+/// Kernels of the formulas. A long one interleaves four registers, except in unoptimized builds:
+/// there every temporary has its own stack slot, which overflows the 2 MiB stack of a thread.
 macro_rules! kernels {
     ($($kernel:ident<$inputs:literal, $outputs:literal>: $formula:ident, long: $long:literal;)+) => {$(
         struct $kernel<'a, N>(&'a N);
@@ -126,16 +130,16 @@ impl<N: ClosedForm> Kernel<3, 1> for Conditional<'_, N> {
     }
 }
 
-/// [`Ndf::conditional_densities`] in lanes, as many as both slices have.
+/// [`Ndf::conditional_densities`] with SIMD, up to the shorter slice.
 pub(crate) fn conditional_densities<N: ClosedForm>(
     ndf: &N,
     h: &[Vec3],
     split: GaussianSplit,
     densities: &mut [f32],
 ) {
-    /// Half vectors whose components are sorted at a time.
+    /// Half vectors whose components are transposed at a time.
     const BLOCK: usize = 32;
-    // One alone is not worth the registers.
+    // SIMD does not pay off for a single half vector.
     if let ([h], [density, ..]) | ([h, ..], [density]) = (h, &mut *densities) {
         *density = ndf.conditional_density(*h, split);
         return;
@@ -156,8 +160,8 @@ mod tests {
     use asperity_core::lanes::Scalar;
 
     #[test]
-    fn visible_normals_in_registers_have_the_bits_of_one_lane() {
-        // One more than a whole number of registers. Single calls of Beckmann do not take this form.
+    fn visible_normals_are_bit_identical_in_registers_and_single_lanes() {
+        // One more than a whole number of registers. Single calls of Beckmann use a different form.
         let numbers = [f32::NAN, f32::INFINITY, -1.0, 0.0, 1e-40, 1e-3, 0.2, 0.7, 1.0];
         let arrays: [[f32; 4097]; 5] =
             core::array::from_fn(|axis| core::array::from_fn(|k| numbers[k / [1, 9, 81, 729, 2][axis] % 9]));
@@ -172,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn arrays_of_different_lengths_are_refused() {
+    fn arrays_of_different_lengths_are_an_error() {
         let ggx = Ggx::isotropic(0.5).unwrap();
         let [mut x, mut y, mut z] = [[7.0; 4], [7.0; 4], [7.0; 4]];
         let error = ggx.normals([&[0.0; 4]; 2], [&mut x, &mut y[..3], &mut z]).unwrap_err();

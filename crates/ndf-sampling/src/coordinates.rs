@@ -1,34 +1,38 @@
-//! Gaussian coordinates: how far they reach, and their split into what a pixel resolves and the rest.
+//! Gaussian coordinates: their range, and their split into a resolved part and the rest.
 
 use glam::Vec2;
 
 use asperity_core::math;
 
-/// The farthest Gaussian coordinate that the maps distinguish, in standard deviations.
+/// The largest Gaussian coordinate that the maps distinguish, in standard deviations.
 ///
 /// A Gaussian exceeds it with probability 10⁻³⁸, and `exp(−ρ²/4)` of the farthest corner is still a normal `f32`.
 pub(crate) const FARTHEST: f32 = 13.0;
 
-/// `z` with NaN read as 0 and both coordinates in ±[`FARTHEST`].
+/// `z` with NaN read as 0 and both coordinates clamped to ±[`FARTHEST`].
 #[inline]
 pub(crate) fn bounded(z: Vec2) -> Vec2 {
     Vec2::new(bounded_coordinate(z.x), bounded_coordinate(z.y))
 }
 
-/// `z` in ±[`FARTHEST`], NaN read as 0.
+/// `z` clamped to ±[`FARTHEST`]; NaN is read as 0.
 #[inline]
 pub(crate) fn bounded_coordinate(z: f32) -> f32 {
     if z.is_nan() { 0.0 } else { z.clamp(-FARTHEST, FARTHEST) }
 }
 
-/// The largest share of the variance that counts as resolved: the rest of the lobe is 10⁻³ standard deviations wide.
+/// The largest resolved fraction of the variance.
 ///
-/// Nearer to 1 the lobe would be as narrow as the rounding of `T⁻¹(h)` in `f32`.
+/// The rest of the lobe is then 10⁻³ standard deviations wide.
+///
+/// Closer to 1 the lobe would be as narrow as the rounding of `T⁻¹(h)` in `f32`.
 pub const MAX_SHARE: f32 = 1.0 - 1.0 / (1u32 << 20) as f32;
 
-/// The split of a Gaussian coordinate into its resolved part and the rest, prepared for many half-vectors at one point.
+/// A split of a Gaussian coordinate into its resolved part and the rest.
 ///
-/// [`conditional_density`](crate::conditional_density) is this, made anew for each call.
+/// It is prepared once for many half vectors at one point.
+///
+/// [`conditional_density`](crate::conditional_density) builds one for each call.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GaussianSplit {
     pub(crate) z_b: Vec2,
@@ -42,7 +46,9 @@ pub struct GaussianSplit {
 asperity_core::impl_approx! { f32; GaussianSplit: split => split.z_b.x, split.z_b.y, split.share(); }
 
 impl GaussianSplit {
-    /// The resolved coordinates `z_b` with their share `s` of the variance; total, see [`conditional_density`](crate::conditional_density).
+    /// Creates the split for the resolved coordinates `z_b` with the fraction `s` of the variance.
+    ///
+    /// Accepts every input, see [`conditional_density`](crate::conditional_density).
     #[inline]
     #[must_use]
     pub fn new(z_b: Vec2, s: f32) -> Self {
@@ -50,28 +56,34 @@ impl GaussianSplit {
         Self { z_b: bounded(z_b), root: math::sqrt(s), rest: 1.0 - s }
     }
 
-    /// The share of the variance that is resolved, after clamping.
+    /// The resolved fraction of the variance, after clamping.
     #[inline]
     #[must_use]
     pub fn share(self) -> f32 {
         1.0 - self.rest
     }
 
-    /// `√s z_b + √(1 − s) ξ`: the coordinates of the whole, with `ξ` for what is not resolved; total.
+    /// `√s z_b + √(1 − s) ξ`: the full coordinates, where `ξ` is the unresolved part.
+    ///
+    /// Accepts every input.
     #[inline]
     #[must_use]
     pub fn join(self, xi: Vec2) -> Vec2 {
         self.z_b * self.root + bounded(xi) * math::sqrt(self.rest)
     }
 
-    /// `(z − √s z_b)/√(1 − s)`: what of the coordinates `z` of the whole is not resolved; total, bounded by ±13 at each axis.
+    /// `(z − √s z_b)/√(1 − s)`: the unresolved part of the coordinates `z`.
+    ///
+    /// Accepts every input. The result is clamped to ±13 on each axis.
     #[inline]
     #[must_use]
     pub fn rest(self, z: Vec2) -> Vec2 {
         bounded((bounded(z) - self.z_b * self.root) / math::sqrt(self.rest))
     }
 
-    /// `p_s(h | z_b)` for the density `D(h)` and the coordinates `z = T⁻¹(h)`, in the unit of `density`.
+    /// `p_s(h | z_b)` from the density `D(h)` and the coordinates `z = T⁻¹(h)`.
+    ///
+    /// The result has the unit of `density`.
     ///
     /// ```text
     /// density · exp(|z_b|²/2 − |√s z − z_b|² / (2(1 − s))) / (1 − s)
@@ -83,7 +95,8 @@ impl GaussianSplit {
         let (x, y) = (self.root * z.x - self.z_b.x, self.root * z.y - self.z_b.y);
         let near = (x * x + y * y) / self.rest;
         let b = self.z_b.x * self.z_b.x + self.z_b.y * self.z_b.y;
-        // Half of the exponent twice: the whole would overflow where the density is small and the product is not.
+        // Half of the exponent twice: the whole could overflow where the density is small and the
+        // product is not.
         let half = math::exp(0.25 * (b - near));
         (density * half * half / self.rest).min(f32::MAX)
     }

@@ -35,21 +35,24 @@ impl Frame {
     /// The frame of the axes x, y, z.
     pub const IDENTITY: Self = Self { tangent: Vec3::X, bitangent: Vec3::Y, normal: Vec3::Z };
 
-    /// The frame that the smallest rotation which takes (0, 0, 1) to `n` makes of the axes.
+    /// The frame with normal `n`, by the minimal rotation of the axes that takes (0, 0, 1) to `n`.
     ///
     /// ```text
     /// t = (1 − nx²/(1 + nz), −nx ny/(1 + nz), −nx)
     /// b = (−nx ny/(1 + nz), 1 − ny²/(1 + nz), −ny)
     /// ```
     ///
-    /// - **Domain:** any vector; it is normalised, and one shorter than 10⁻¹⁹ or longer than 10¹⁹, zero or
-    ///   NaN gives [`Frame::IDENTITY`].
-    /// - **At (0, 0, −1)** the smallest rotation is not unique: the half turn about x is taken, `t = x`, `b = −y`. Around it
-    ///   the frame turns twice per turn of `n`, as every rotation field must have a singularity somewhere.
-    /// - **Accuracy:** orthonormal to 1e-6 everywhere, also next to (0, 0, −1), where `1 + nz` would cancel.
+    /// - **Domain:** any vector; it is normalized. Vectors that are zero, NaN, shorter than 10⁻¹⁹
+    ///   or longer than 10¹⁹ return [`Frame::IDENTITY`].
+    /// - **At (0, 0, −1)** the minimal rotation is not unique. The half turn about x is used, `t =
+    ///   x`, `b = −y`. Around it the frame turns twice per turn of `n`, because every such field of
+    ///   rotations has a singularity.
+    /// - **Accuracy:** orthonormal to 1e-6 everywhere, also next to (0, 0, −1), where `1 + nz`
+    ///   would cancel.
     ///
-    /// Kautz, Heidrich, Seidel 2001 leave the choice of the tangents of table L open; anisotropic shading depends on it. This
-    /// one is continuous over the upper hemisphere and the identity for a flat bump map.
+    /// Kautz, Heidrich, Seidel 2001 do not specify the tangents of table L, but anisotropic shading
+    /// depends on them. This choice is continuous over the upper hemisphere and the identity for a
+    /// flat bump map.
     #[inline]
     #[must_use]
     pub fn from_normal(n: Vec3) -> Self {
@@ -73,10 +76,10 @@ impl Frame {
         }
     }
 
-    /// The frame of `n` whose tangent is the part of `t` that is perpendicular to `n`.
+    /// The frame of `n` whose tangent is the component of `t` perpendicular to `n`.
     ///
-    /// `n` is normalised as in [`Frame::from_normal`]; that frame is also the answer where `t` is zero, NaN or parallel to
-    /// `n` within 10⁻³ rad, so the function is total.
+    /// `n` is normalized as in [`Frame::from_normal`]. The function returns [`Frame::from_normal`]
+    /// if `t` is zero, NaN or parallel to `n` within 10⁻³ rad, so it accepts every input.
     #[inline]
     #[must_use]
     pub fn from_normal_tangent(n: Vec3, t: Vec3) -> Self {
@@ -84,7 +87,8 @@ impl Frame {
         let n = normalised(n).unwrap_or(Vec3::Z);
         let across = |t: Vec3| t - n * n.dot(t);
         let steep = normalised(t).map(across).filter(|across| across.length_squared() >= 1e-6);
-        // Once more: the first projection leaves a part along n that 1e-3 rad magnifies to 1e-4.
+        // Project again: the first projection leaves a component along n that 1e-3 rad magnifies to
+        // 1e-4.
         let tangent = steep.and_then(normalised).map(across).and_then(normalised);
         match tangent {
             Some(tangent) => Self { tangent, bitangent: n.cross(tangent), normal: n },
@@ -107,11 +111,11 @@ impl Frame {
     }
 }
 
-/// `v/|v|`, or nothing where that is not a unit vector.
+/// `v/|v|`, or `None` if that is not a unit vector.
 #[inline]
 fn normalised(v: Vec3) -> Option<Vec3> {
     let length2 = v.length_squared();
-    // A vector that is unit to rounding stays as it is, bit for bit.
+    // A vector that is unit to rounding is returned bit for bit.
     if (length2 - 1.0).abs() < 2.0 * f32::EPSILON {
         return Some(v);
     }
@@ -123,20 +127,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn opposite_pole_is_the_half_turn_about_x() {
+    fn from_normal_at_the_south_pole_is_the_half_turn_about_x() {
         let frame = Frame::from_normal(Vec3::NEG_Z);
         assert_eq!(frame, Frame { tangent: Vec3::X, bitangent: Vec3::NEG_Y, normal: Vec3::NEG_Z });
     }
 
     #[test]
-    fn no_direction_gives_the_identity() {
+    fn from_normal_without_direction_is_identity() {
         for n in [Vec3::ZERO, Vec3::NAN, Vec3::INFINITY, Vec3::splat(1e-30)] {
             assert_eq!(Frame::from_normal(n), Frame::IDENTITY, "{n}");
         }
     }
 
     #[test]
-    fn tangent_is_kept_where_it_can_be() {
+    fn from_normal_tangent_keeps_the_tangent() {
         let frame = Frame::from_normal_tangent(Vec3::Y, Vec3::new(0.0, 5.0, 2.0));
         assert_eq!(frame.tangent, Vec3::Z);
         assert_eq!(frame.bitangent, Vec3::X);

@@ -1,72 +1,76 @@
-//! Normal density functions: densities, exact sampling by noise, its inverse, and exact level of detail.
+//! Microfacet normal distribution functions (NDFs): evaluation, sampling and exact level of detail.
 //!
-//! A normal density `D` says how the facets of a rough surface are tilted. With the bijection `T` from Gaussian coordinates
-//! to normals that every [`Ndf`] brings along, two channels of Gaussian noise become a bump map with exactly that density
-//! (Kautz, Heidrich, Seidel 2001, "Real-Time Bump Map Synthesis"), and with its inverse the density that a pixel still sees
-//! when it resolves a part of the bump map is known in closed form.
+//! A normal distribution function `D` describes how the facets of a rough surface are tilted. Every
+//! [`Ndf`] also has a bijection `T` from Gaussian coordinates to normals. Two channels of Gaussian
+//! noise through `T` are a bump map with exactly this distribution (Kautz, Heidrich, Seidel 2001,
+//! "Real-Time Bump Map Synthesis"). The inverse of `T` gives, in closed form, the distribution that
+//! a pixel still sees when it resolves a part of the bump map.
 //!
 //! ```
 //! use asperity_ndf_sampling::{Ggx, Ndf, conditional_density, glam::{Vec2, Vec3}};
 //!
 //! let ggx = Ggx::new(0.2, 0.4)?;
-//! // Two independent, standard Gaussian numbers at a point of the surface, from any noise.
+//! // Two independent standard Gaussian numbers at a point of the surface, from any noise.
 //! let z = Vec2::new(0.7, -1.2);
 //! let facet = ggx.from_gaussian(z);
 //! assert!(ggx.to_gaussian(facet).abs_diff_eq(z, 1e-5));
 //!
-//! // A pixel that resolves three quarters of the noise's variance, here with the same numbers, sees this of a half vector.
+//! // The density of the half vector for a pixel that resolves 3/4 of the variance of the noise.
 //! let h = Vec3::new(0.1, -0.2, 0.97).normalize();
 //! assert!(conditional_density(&ggx, h, z, 0.75) > ggx.density(h));
 //! # Ok::<(), asperity_ndf_sampling::RangeError>(())
 //! ```
 //!
-//! | item | is |
+//! | item | purpose |
 //! |---|---|
-//! | [`Ndf`], [`Microfacet`] | the traits: `D(m)`, `T(z)`, `T⁻¹(m)`, sampling; Smith's Λ, G₁, G₂ and visible normals |
-//! | [`Ggx`], [`Beckmann`], [`StudentT`] | isotropic and anisotropic, in closed form for every roughness |
-//! | [`Ward`], [`BlinnPhong`], [`AshikhminShirley`] | densities of facets of older models, as exact |
-//! | [`Isotropic`], [`IsotropicRef`] | a density of the tilt, from a table over the cosine |
-//! | [`Mixture`], [`Blend`], [`Rotated`], [`Radial`] | sums of densities, with and without a map; turned densities |
-//! | [`NdfMap`], [`PackedMapRef`] | a density painted or computed on the hemispherical map; as one array, for flash or a GPU |
-//! | [`Masked`], [`Bounded`] | masking and visible normals of maps and tables, for reflectances |
-//! | [`Measure`], [`Reconstruction`] | the meaning of texel values; interpolation between them |
-//! | [`NoiseDistribution`], [`NoiseCdfRef`], [`GaussianNoise`], [`KurtoticNoise`] | G: from values of a noise to Gaussian numbers and back; measured, Gaussian, by its kurtosis |
-//! | [`NormalTable`], [`NormalTableRef`], [`normal_table`] | table L: tangent frames by look-up; its layouts, accuracy and half floats |
-//! | [`estimate_ndf`], [`NdfEstimator`], [`detailed`], [`detailed_normal`], [`normal_map`] | existing bump maps: their density, their texels, noise added to them |
+//! | [`Ndf`], [`Microfacet`] | traits: `D(m)`, `T(z)`, `T⁻¹(m)`, sampling; Smith's Λ, G₁, G₂ and visible normals |
+//! | [`Ggx`], [`Beckmann`], [`StudentT`] | isotropic and anisotropic NDFs in closed form for every roughness |
+//! | [`Ward`], [`BlinnPhong`], [`AshikhminShirley`] | NDFs of older models, equally exact |
+//! | [`Isotropic`], [`IsotropicRef`] | isotropic NDF from a table over the cosine |
+//! | [`Mixture`], [`Blend`], [`Rotated`], [`Radial`] | sums of NDFs, with and without a bijection; rotated NDFs |
+//! | [`NdfMap`], [`PackedMapRef`] | NDF painted or computed on the hemispherical map; the same as a single array for flash or a GPU |
+//! | [`Masked`], [`Bounded`] | masking and visible normals of maps and tables, for BRDFs |
+//! | [`Measure`], [`Reconstruction`] | interpretation of texel values; interpolation between them |
+//! | [`NoiseDistribution`], [`NoiseCdfRef`], [`GaussianNoise`], [`KurtoticNoise`] | G: from noise values to Gaussian numbers and back; measured, Gaussian, or from the kurtosis |
+//! | [`NormalTable`], [`NormalTableRef`], [`normal_table`] | table L: tangent frames by lookup; its layouts, accuracy and half floats |
+//! | [`estimate_ndf`], [`NdfEstimator`], [`detailed`], [`detailed_normal`], [`normal_map`] | existing normal maps: estimate their NDF, decode their texels, add noise to them |
 //! | [`ConditionalNdf`], [`conditional_density`], [`GaussianSplit`], [`level_of_detail`] | exact level of detail |
-//! | [`ConditionalTable`], [`ConditionalTableRef`] | exact level of detail by one look-up, for any density |
-//! | [`check`] (feature `check`) | property tests for any [`Ndf`] or [`Microfacet`], with a report that prints |
-//! | [`Frame`], [`phi`], [`inverse_phi`] | tangent frames; the Gaussian distribution function and its inverse |
+//! | [`ConditionalTable`], [`ConditionalTableRef`] | exact level of detail by one lookup, for any NDF |
+//! | [`check`] (feature `check`) | property tests for any [`Ndf`] or [`Microfacet`], with a printable report |
+//! | [`Frame`], [`phi`], [`inverse_phi`] | tangent frames; the Gaussian CDF and its inverse |
 //!
-//! Plural calls fill arrays, in SIMD lanes: those of [`ClosedForm`] for [`Ggx`] and [`Beckmann`],
-//! [`NormalTableRef::bilinear_normals`], [`PackedMapRef::inverses`].
+//! Methods with plural names fill arrays with SIMD: the methods of [`ClosedForm`] for [`Ggx`] and
+//! [`Beckmann`], [`NormalTableRef::bilinear_normals`], [`PackedMapRef::inverses`].
 //!
 //! # Conventions
 //!
-//! - Normals are unit vectors in a frame whose z axis is the macro normal. Densities are in sr⁻¹ with `∫ D cos θ dω = 1`: over
-//!   the map of projected normals (n_x, n_y) the density is `D` itself.
+//! - Normals are unit vectors in a frame whose z axis is the macro normal. Densities are in sr⁻¹
+//!   with `∫ D cos θ dω = 1`. Over the map of projected normals (n_x, n_y) the density is `D`
+//!   itself.
 //! - The slope of a normal is `(n_x, n_y)/n_z`, minus the gradient of the height.
-//! - Constructors refuse what is no parameter; evaluation is total and never panics, see each item for NaN and infinities.
-//! - `f32` outside; `f64` where distribution functions are summed, subtracted and inverted.
-//! - Reproducibility: the same bits on every machine under the feature `libm`. Between `libm` and `std` results differ by
-//!   rounding, but for `D`, `T` and `T⁻¹` of [`Ggx`] and [`Beckmann`], whose bits depend on nothing.
+//! - Constructors return an error for invalid parameters. Evaluation accepts every input and never
+//!   panics. Each item documents its result for NaN and infinities.
+//! - The API uses `f32`. Distribution functions are summed, subtracted and inverted in `f64`.
+//! - Reproducibility: the same bits on every machine with the feature `libm`. Results with `libm`
+//!   and with `std` differ by rounding. The exceptions are `D`, `T` and `T⁻¹` of [`Ggx`] and
+//!   [`Beckmann`], whose bits are always the same.
 //!
-//! # What it does not do
+//! # Limitations
 //!
-//! No noise, no images, no reflection. Numbers come in as arguments.
+//! The crate has no noise, images or reflection models. Noise values and texels are arguments.
 //!
 //! # Features
 //!
-//! | feature | does |
+//! | feature | effect |
 //! |---|---|
 //! | `std` (default) | float functions of the standard library |
-//! | `libm` | those of the crate `libm`, also without `std`; wins when both are on |
-//! | `simd` (default) | plural calls in SIMD lanes by `fearless_simd`; without `std` those that the program is compiled for |
-//! | `approx` | comparisons of frames, densities and other small records by `approx`, and those of `glam` |
-//! | `check` | property tests for any density, your own included: module [`check`] |
-//! | `serde` | the parameters of [`Ggx`], [`Beckmann`], [`StudentT`], [`Ward`], [`BlinnPhong`] and [`AshikhminShirley`] in files, read through `new`; formats and layouts |
-//! | `rand` | densities as [`Distribution`](https://docs.rs/rand/latest/rand/distr/trait.Distribution.html)s of normals: `rng.sample(&ggx)` |
-//! | `alloc` (default) | [`NdfMap`], [`Masked`], [`NdfEstimator`] and [`NormalTable`], which own their tables; [`NormalTableRef`] does without |
+//! | `libm` | float functions of the crate `libm`, also without `std`; takes precedence when both are enabled |
+//! | `simd` (default) | SIMD in methods with plural names by `fearless_simd`; without `std` at the level that the program is compiled for |
+//! | `approx` | comparisons of frames, NDFs and other small structs by `approx`, and the `approx` feature of `glam` |
+//! | `check` | property tests for any NDF, including your own: module [`check`] |
+//! | `serde` | serialization of the parameters of [`Ggx`], [`Beckmann`], [`StudentT`], [`Ward`], [`BlinnPhong`] and [`AshikhminShirley`], validated by `new`; formats and layouts |
+//! | `rand` | NDFs as [`Distribution`](https://docs.rs/rand/latest/rand/distr/trait.Distribution.html)s of normals: `rng.sample(&ggx)` |
+//! | `alloc` (default) | [`NdfMap`], [`Masked`], [`NdfEstimator`] and [`NormalTable`], which own their tables; [`NormalTableRef`] does not need it |
 
 #![no_std]
 

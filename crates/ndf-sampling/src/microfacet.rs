@@ -1,10 +1,10 @@
-//! The trait of densities whose masking by Smith and visible normals are known.
+//! The `Microfacet` trait.
 
 use glam::{Vec2, Vec3};
 
 use crate::ndf::{Ndf, forward};
 
-/// A density of normals with Smith's masking function and its visible normals.
+/// An NDF with Smith masking and sampling of visible normals.
 ///
 /// ```text
 /// σ(v) = ∫ D(m) max(0, v·m) dω = v_z (1 + Λ(v))          the projected area of the facets, per macro area
@@ -13,11 +13,13 @@ use crate::ndf::{Ndf, forward};
 /// ```
 ///
 /// - **Directions:** unit vectors `v`, `w` away from the surface, in the frame of the normals.
-/// - **Views from below:** where `v.z ≤ 0`, and for NaN, `Λ` is ∞, so that `G₁` and `G₂` are 0. The projected area, the density of
-///   visible normals and their samples read such a view as the view from the horizon below which it lies, where they stay
-///   finite; a NaN coordinate is read as 0, and what has no direction is read as the zenith.
-/// - **Backfaces:** `G₁` and `G₂` do not know the normal `m`; a facet with `v·m ≤ 0` is for the caller to leave out.
-/// - The trait is dyn-compatible, and a reference to an implementation is one.
+/// - **Views from below:** where `v.z ≤ 0`, and for NaN, `Λ` is ∞, so that `G₁` and `G₂` are 0. The
+///   projected area and the visible normals use the view at the horizon with the same azimuth, for
+///   which they are finite. A NaN coordinate is read as 0. A vector without a direction is read as
+///   the zenith.
+/// - **Backfaces:** `G₁` and `G₂` do not depend on the normal `m`. The caller discards facets with
+///   `v·m ≤ 0`.
+/// - The trait is dyn-compatible. References to implementations implement it.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Ggx, Microfacet, Ndf, glam::{Vec2, Vec3}};
@@ -33,7 +35,7 @@ use crate::ndf::{Ndf, forward};
 /// Smith 1967; Heitz 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", eq. 43 (G₁), 83 (D_v) and
 /// 99 (G₂); <https://jcgt.org/published/0003/02/03/>.
 #[diagnostic::on_unimplemented(
-    message = "masking and visible normals of `{Self}` are not known",
+    message = "`{Self}` does not implement `Microfacet`",
     label = "`Microfacet` is not implemented for this",
     note = "analytic densities such as `Ggx` implement it; `Masked::new` gives them to maps and tables"
 )]
@@ -41,20 +43,22 @@ use crate::ndf::{Ndf, forward};
 #[doc(alias = "masking")]
 #[doc(alias = "shadowing")]
 pub trait Microfacet: Ndf {
-    /// Smith's `Λ(v)`: the hidden per visible projected area of the facets, in `[0, ∞]`.
+    /// Smith's `Λ(v)`: the ratio of hidden to visible projected area of the facets, in `[0, ∞]`.
     #[must_use]
     fn lambda(&self, v: Vec3) -> f32;
 
-    /// `σ(v)`: the area of the facets seen from `v`, projected, per area of the macro surface.
+    /// `σ(v)`: the projected area of the facets seen from `v`, per area of the macro surface.
     #[must_use]
     fn projected_area(&self, v: Vec3) -> f32;
 
-    /// A normal with the density [`visible_density`](Self::visible_density) over solid angle, for a uniform `u` in `[0, 1)²`.
+    /// Samples a visible normal, for a uniform `u` in `[0, 1)²`.
+    ///
+    /// The density over solid angle is [`visible_density`](Self::visible_density).
     #[must_use]
     #[doc(alias = "vndf")]
     fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3;
 
-    /// `D_v(m) = D(m) max(0, v·m)/σ(v)`: the density of visible normals, in sr⁻¹.
+    /// The density of visible normals, `D_v(m) = D(m) max(0, v·m)/σ(v)`, in sr⁻¹.
     #[inline]
     #[must_use]
     #[doc(alias = "vndf")]
@@ -64,21 +68,21 @@ pub trait Microfacet: Ndf {
         if density >= 0.0 { density.min(f32::MAX) } else { 0.0 }
     }
 
-    /// `G₁(v)`: the visible share of the facets that face `v`, in `[0, 1]`.
+    /// `G₁(v)`: the visible fraction of the facets that face `v`, in `[0, 1]`.
     #[inline]
     #[must_use]
     fn g1(&self, v: Vec3) -> f32 {
         1.0 / (1.0 + self.lambda(v))
     }
 
-    /// `G₂(v, w)`: the share of the facets visible from both, by their heights, in `[0, 1]`.
+    /// `G₂(v, w)`: the fraction of the facets visible from both, height-correlated, in `[0, 1]`.
     #[inline]
     #[must_use]
     fn g2(&self, v: Vec3, w: Vec3) -> f32 {
         1.0 / (1.0 + self.lambda(v) + self.lambda(w))
     }
 
-    /// `G₁(v) G₁(w)`: the share of the facets visible from both, were they independent; never more than [`g2`](Self::g2).
+    /// `G₁(v) G₁(w)`: the same with independent masking; at most [`g2`](Self::g2).
     #[inline]
     #[must_use]
     fn g2_separable(&self, v: Vec3, w: Vec3) -> f32 {
@@ -95,8 +99,10 @@ impl<N: Microfacet + ?Sized> Microfacet for &N {
     }
 }
 
-/// `v` if it is a direction above the horizon; of length 1 if it was far from that; otherwise the direction of the horizon
-/// below which it lies, or the zenith if it has none.
+/// Returns `v` above the horizon, normalized if its length was far from 1.
+///
+/// Below the horizon it returns the direction of the horizon with the same azimuth. Without a
+/// direction it returns the zenith.
 #[inline]
 pub(crate) fn above(v: Vec3) -> Vec3 {
     if v.z > 0.0 && (0.25..=4.0).contains(&v.length_squared()) {
@@ -112,7 +118,7 @@ mod tests {
     use crate::{Beckmann, Ggx};
 
     #[test]
-    fn views_are_moved_above_the_horizon() {
+    fn views_are_clamped_to_the_horizon() {
         assert_eq!(above(Vec3::new(0.6, 0.0, 0.8)), Vec3::new(0.6, 0.0, 0.8));
         assert_eq!(above(Vec3::new(0.0, -0.6, -0.8)), Vec3::NEG_Y);
         for v in [Vec3::NAN, Vec3::NEG_Z, Vec3::ZERO, Vec3::splat(f32::INFINITY)] {
@@ -121,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn shadowing_vanishes_from_below_and_not_from_above() {
+    fn g_is_zero_only_for_views_from_below() {
         let (ggx, beckmann) = (Ggx::new(0.2, 0.4).unwrap(), Beckmann::new(0.2, 0.4).unwrap());
         for ndf in [&ggx as &dyn Microfacet, &beckmann] {
             let (v, w) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(-0.9, 0.3, 0.3).normalize());
@@ -135,13 +141,13 @@ mod tests {
     }
 }
 
-/// Totality of densities with masking, for their tests.
+/// Tests that NDFs with masking accept every input.
 #[cfg(test)]
 pub(crate) mod totality {
     use super::*;
     use crate::ndf::totality::{self, BAD, facet};
 
-    /// Asserts that every call gives a number on every input, or an infinite Λ.
+    /// Asserts that every method returns a valid number, or an infinite Λ, for every input.
     pub(crate) fn check(ndf: &impl Microfacet) {
         totality::check(ndf);
         for (x, y) in BAD.into_iter().flat_map(|x| BAD.map(|y| (x, y))) {

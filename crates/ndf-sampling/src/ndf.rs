@@ -1,4 +1,4 @@
-//! The trait that every normal density function fulfils.
+//! The `Ndf` trait.
 
 use glam::{Vec2, Vec3};
 
@@ -6,17 +6,18 @@ use crate::coordinates::GaussianSplit;
 use crate::numeric::normal_distribution::inverse_phi;
 use asperity_core::math;
 
-/// A normal density function together with a bijection from Gaussian coordinates to its normals.
+/// A normal distribution function with a bijection from Gaussian coordinates to normals.
 ///
 /// ```text
 /// ∫ D(m) cos θ dω = 1,        m = T(z),  z ~ N(0, I)   ⇒   m has the density D over dn_x dn_y = cos θ dω
 /// ```
 ///
 /// - **Directions:** unit vectors in a frame whose z axis is the macro normal.
-/// - **Coordinates:** `z` counts standard deviations. Every implementation of this crate is total: a NaN coordinate is read
-///   as 0 and coordinates beyond ±13 (about ±5.4 for [`NdfMap`](crate::NdfMap)) as that bound; a direction with
-///   `m.z ≤ 0` or a NaN has the density 0, and its Gaussian coordinates are finite.
-/// - The trait is dyn-compatible, and a reference to an implementation is one.
+/// - **Coordinates:** `z` is in standard deviations. Every implementation of this crate accepts
+///   every input. A NaN coordinate is read as 0. Coordinates beyond ±13 (about ±5.4 for
+///   [`NdfMap`](crate::NdfMap)) are clamped to that bound. A direction with `m.z ≤ 0` or NaN has
+///   density 0 and finite Gaussian coordinates.
+/// - The trait is dyn-compatible. References to implementations implement it.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Beckmann, Ggx, Ndf, glam::Vec2};
@@ -32,15 +33,15 @@ use asperity_core::math;
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
-/// Kautz, Heidrich, Seidel 2001, "Real-Time Bump Map Synthesis", section 4. The paper draws normals through tables; that the
-/// density over the map of normals is D itself, not `D/cos θ` or `D cos θ`, follows from sampling a bump map uniformly over
-/// the macro surface.
+/// Kautz, Heidrich, Seidel 2001, "Real-Time Bump Map Synthesis", section 4. The paper draws normals
+/// through tables. The density over the map of normals is D itself, not `D/cos θ` or `D cos θ`,
+/// because a bump map is sampled uniformly over the macro surface.
 #[expect(clippy::wrong_self_convention, reason = "from_gaussian is T of this NDF, not a constructor")]
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no normal density",
-    label = "`Ndf` is not implemented for this",
+    message = "`{Self}` does not implement `Ndf`",
+    label = "not a normal distribution function",
     note = "pass `Ggx`, `Beckmann`, `NdfMap` or a reference to one, or implement `density`, `from_gaussian` and `to_gaussian`",
-    note = "directions and coordinates are those of `asperity_ndf_sampling::glam`"
+    note = "directions and coordinates use the vector types of `asperity_ndf_sampling::glam`"
 )]
 #[doc(alias = "normal distribution function")]
 #[doc(alias = "importance sampling")]
@@ -50,7 +51,7 @@ pub trait Ndf {
     #[must_use]
     fn density(&self, m: Vec3) -> f32;
 
-    /// `T(z)`: if `z` is standard Gaussian in the plane, `T(z)` has the density `D` over the macro surface.
+    /// `T(z)`: a normal with the density `D` over the macro surface, for standard Gaussian `z`.
     #[must_use]
     fn from_gaussian(&self, z: Vec2) -> Vec3;
 
@@ -60,7 +61,7 @@ pub trait Ndf {
 
     /// The density of slopes `(m_x, m_y)/m_z`: `P(s) = D(m) m_z⁴` with `m = (s, 1)/√(1 + |s|²)`, `∫ P ds = 1`.
     ///
-    /// 0 for a slope whose normal is at the horizon in `f32`, and for NaN.
+    /// Returns 0 for NaN and for a slope whose normal is at the horizon in `f32`.
     #[inline]
     #[must_use]
     fn slope_density(&self, slope: Vec2) -> f32 {
@@ -70,11 +71,13 @@ pub trait Ndf {
         if density >= 0.0 { density } else { 0.0 }
     }
 
-    /// A normal with the density `D` over the macro surface, [`sample_density`](Self::sample_density) over solid angle, for a
-    /// uniform `u` in `[0, 1)²`.
+    /// Samples a normal with the density `D` over the macro surface, for a uniform `u` in `[0,
+    /// 1)²`.
     ///
-    /// `T(Φ⁻¹(u))` unless the density has a cheaper map, which it then documents. Numbers outside the square are moved to
-    /// it, and a NaN is read as 0.
+    /// The density over solid angle is [`sample_density`](Self::sample_density).
+    ///
+    /// The default is `T(Φ⁻¹(u))`. NDFs with a cheaper map document it. Numbers outside the square
+    /// are clamped to it. NaN is read as 0.
     #[inline]
     #[must_use]
     #[doc(alias = "importance sampling")]
@@ -83,20 +86,22 @@ pub trait Ndf {
         self.from_gaussian(Vec2::from(z))
     }
 
-    /// `D(m) m_z`: the density of [`sample`](Self::sample) over solid angle, in sr⁻¹.
+    /// The density `D(m) m_z` of [`sample`](Self::sample) over solid angle, in sr⁻¹.
     #[inline]
     #[must_use]
     #[doc(alias = "pdf")]
     fn sample_density(&self, m: Vec3) -> f32 {
-        // Below the horizon and for NaN the density is 0, and `max` takes the number; 0 times infinity is read as 0.
+        // The density is 0 below the horizon and for NaN. `max` drops NaN, and 0 · ∞ is read as 0.
         let density = self.density(m) * m.z.max(0.0);
         if density >= 0.0 { density.min(f32::MAX) } else { 0.0 }
     }
 
-    /// `p_s(h | z_b)`: what is left of the density where a part of it is resolved, in sr⁻¹; see
-    /// [`conditional_density`](crate::conditional_density).
+    /// The density `p_s(h | z_b)` of the unresolved facets, in sr⁻¹.
     ///
-    /// [`GaussianSplit::weigh`] of `D(h)` and `T⁻¹(h)`, unless the density has a form of its own, which it then documents.
+    /// See [`conditional_density`](crate::conditional_density).
+    ///
+    /// The default is [`GaussianSplit::weigh`] of `D(h)` and `T⁻¹(h)`. NDFs with their own form
+    /// document it.
     #[inline]
     #[must_use]
     fn conditional_density(&self, h: Vec3, split: GaussianSplit) -> f32 {
@@ -104,10 +109,12 @@ pub trait Ndf {
         if density > 0.0 { split.weigh(density, self.to_gaussian(h)) } else { 0.0 }
     }
 
-    /// [`conditional_density`](Self::conditional_density) at one point for many half vectors, as under many lights: of as many as
-    /// both slices have, bit for bit.
+    /// Evaluates [`conditional_density`](Self::conditional_density) at one point for many half
+    /// vectors.
     ///
-    /// [`Ggx`](crate::Ggx) and [`Beckmann`](crate::Beckmann) take them in SIMD lanes.
+    /// Processes as many as the shorter slice has. Results are bit-identical to single calls.
+    ///
+    /// [`Ggx`](crate::Ggx) and [`Beckmann`](crate::Beckmann) use SIMD.
     #[inline]
     fn conditional_densities(&self, h: &[Vec3], split: GaussianSplit, densities: &mut [f32]) {
         for (density, &h) in densities.iter_mut().zip(h) {
@@ -116,7 +123,7 @@ pub trait Ndf {
     }
 }
 
-/// Methods of a trait by those of another value.
+/// Implements methods of a trait by calling the same methods of another value.
 macro_rules! forward {
     (|$this:ident| $to:expr; $($name:ident($($argument:ident: $type:ty),+) -> $result:ty;)+) => {$(
         #[inline]
@@ -128,7 +135,7 @@ macro_rules! forward {
 }
 pub(crate) use forward;
 
-/// All methods of [`Ndf`] by those of another density.
+/// Implements all methods of [`Ndf`] by calling those of another NDF.
 macro_rules! forward_ndf {
     (|$this:ident| $to:expr) => {
         $crate::ndf::forward! { |$this| $to;
@@ -159,7 +166,7 @@ impl<N: Ndf + ?Sized> Ndf for &N {
     forward_ndf!(|ndf| **ndf);
 }
 
-/// `u` with both numbers in `[0, 1 − 2⁻²⁴]`; a NaN is read as 0.
+/// `u` with both numbers clamped to `[0, 1 − 2⁻²⁴]`; NaN is read as 0.
 #[inline]
 pub(crate) fn unit_square(u: Vec2) -> Vec2 {
     let bound = |c: f32| if c > 0.0 { c.min(1.0 - 0.5 * f32::EPSILON) } else { 0.0 };
@@ -172,7 +179,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn infinite_vectors_have_the_density_zero_for_samples() {
+    fn sample_density_of_infinite_vectors_is_zero() {
         let (ggx, beckmann) = (crate::Ggx::new(0.2, 0.4).unwrap(), crate::Beckmann::new(0.2, 0.4).unwrap());
         for ndf in [&ggx as &dyn Ndf, &beckmann] {
             for m in [Vec3::new(0.0, 0.0, f32::INFINITY), Vec3::INFINITY, Vec3::new(1.0, f32::NAN, 1.0)] {
@@ -181,7 +188,7 @@ mod tests {
         }
     }
 
-    /// A density with nothing but what the trait asks for.
+    /// An NDF with only the required methods of the trait.
     struct Plain(crate::Ggx);
 
     impl Ndf for Plain {
@@ -199,7 +206,7 @@ mod tests {
     }
 
     #[test]
-    fn many_conditional_densities_are_those_of_single_calls_as_many_as_both_slices_have() {
+    fn conditional_densities_equal_single_calls_up_to_the_shorter_slice() {
         let ggx = crate::Ggx::new(0.2, 0.4).unwrap();
         let (plain, split) = (Plain(ggx), GaussianSplit::new(Vec2::new(0.4, -0.9), 0.6));
         let halves: [Vec3; 40] = core::array::from_fn(|k| {
@@ -217,7 +224,7 @@ mod tests {
                 }
             }
         }
-        // p_s(h | z_b) = D(h) weighed at T⁻¹(h).
+        // p_s(h | z_b) = D(h) weighted at T⁻¹(h).
         for h in halves {
             let expected = split.weigh(ggx.density(h), ggx.to_gaussian(h));
             assert!(expected > 0.0);
@@ -227,12 +234,12 @@ mod tests {
     }
 
     #[test]
-    fn numbers_are_moved_to_the_square() {
+    fn unit_square_clamps() {
         assert_eq!(unit_square(Vec2::new(f32::NAN, 1.0)), Vec2::new(0.0, 0.999_999_94));
     }
 }
 
-/// Totality of densities, for their tests.
+/// Tests that NDFs accept every input.
 #[cfg(test)]
 pub(crate) mod totality {
     use super::*;
@@ -246,7 +253,7 @@ pub(crate) mod totality {
         assert!(m.z > 0.0, "{from:?}: {m}");
     }
 
-    /// Asserts that every call gives a number on every input.
+    /// Asserts that every method returns a valid number for every input.
     pub(crate) fn check(ndf: &impl Ndf) {
         for (x, y) in BAD.into_iter().flat_map(|x| BAD.map(|y| (x, y))) {
             let z = Vec2::new(x, y);

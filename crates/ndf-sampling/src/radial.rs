@@ -1,15 +1,15 @@
-//! The trait of densities that depend on the tilt alone.
+//! The `Radial` trait.
 
 use crate::ndf::{Ndf, forward};
 
-/// A density that may depend on the tilt alone, with the distribution of the tilt.
+/// An NDF that can report the distribution of its tilt.
 ///
 /// ```text
 /// E(t) = −ln P(tan θ > t) = |T⁻¹(m)|²/2   for m tilted by tan θ = t
 /// ```
 ///
-/// With an exponent `T` keeps directions: `T(z)` is tilted towards `z`. Mixtures of such densities have a
-/// bijection of their own, see [`Mixture`](crate::Mixture).
+/// If the exponent exists, `T` keeps azimuths: `T(z)` is tilted towards `z`. Mixtures of such NDFs
+/// have a bijection, see [`Mixture`](crate::Mixture).
 ///
 /// ```
 /// use asperity_ndf_sampling::{Ggx, Radial};
@@ -24,7 +24,7 @@ use crate::ndf::{Ndf, forward};
     note = "for a sum of any densities, without a map from Gaussian coordinates, take `Blend`"
 )]
 pub trait Radial: Ndf {
-    /// `E(t)` for the slope `t ≥ 0`, increasing from 0; `None` if the density depends on the azimuth.
+    /// `E(t)` for the slope `t ≥ 0`, increasing from 0; `None` if the NDF depends on the azimuth.
     #[must_use]
     fn exponent(&self, slope: f64) -> Option<f64>;
 }

@@ -1,4 +1,4 @@
-//! Densities as distributions of normals, for the generators of the crate `rand`.
+//! NDFs as distributions of normals for the random number generators of the crate `rand`.
 
 use glam::{Vec2, Vec3};
 use rand::{Rng, RngExt, distr::Distribution};
@@ -20,7 +20,8 @@ use crate::radial::Radial;
 
 macro_rules! distribution {
     ($density:ty $(, $parameter:ident: $bound:ident)*) => {
-        /// Normals with the density `D` over the macro surface, [`Ndf::sample`] of two uniform numbers.
+        /// A normal with the density `D` over the macro surface: [`Ndf::sample`] of two uniform
+        /// numbers.
         impl<$($parameter: $bound),*> Distribution<Vec3> for $density {
             fn sample<R: Rng + ?Sized>(&self, rng: &mut R) -> Vec3 {
                 let u = Vec2::new(rng.random(), rng.random());
@@ -50,7 +51,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_normal_is_the_sample_of_the_next_two_numbers() {
+    fn rng_sample_uses_two_uniform_numbers() {
         let ggx = Ggx::new(0.2, 0.4).unwrap();
         let mut rng = SmallRng::seed_from_u64(7);
         let mut same = rng.clone();

@@ -1,8 +1,8 @@
-//! Refusals of parameters outside their range.
+//! Error for parameters outside their range.
 
 use core::fmt;
 
-/// A parameter outside its range, NaN included.
+/// Error for a parameter outside its range or NaN.
 ///
 /// ```
 /// use asperity_ndf_sampling::Ggx;
@@ -16,16 +16,16 @@ use core::fmt;
 pub struct RangeError {
     /// Name of the parameter.
     pub parameter: &'static str,
-    /// Least value that it may have.
+    /// Smallest allowed value.
     pub least: f32,
-    /// Largest value that it may have.
+    /// Largest allowed value.
     pub most: f32,
-    /// Value that was refused.
+    /// The invalid value.
     pub value: f32,
 }
 
 impl RangeError {
-    /// `value` if it is in the range; the error names `parameter`.
+    /// Returns `value` if it is in the range; the error contains `parameter`.
     pub(crate) fn check(parameter: &'static str, value: f32, [least, most]: [f32; 2]) -> Result<f32, Self> {
         if (least..=most).contains(&value) { Ok(value) } else { Err(Self { parameter, least, most, value }) }
     }
@@ -41,7 +41,7 @@ impl fmt::Display for RangeError {
 
 impl core::error::Error for RangeError {}
 
-/// A number without many zeros.
+/// Formats a float in scientific notation when it is very small or large.
 struct Short(f32);
 
 impl fmt::Display for Short {

@@ -1,6 +1,8 @@
-//! Densities in files, by the crate `serde`.
+//! Serialization of NDFs by the crate `serde`.
 
-/// A record of the constructor's arguments, which reads through the constructor; nothing without the feature `serde`.
+/// Implements serialization of the constructor's arguments, read through the constructor.
+///
+/// Expands to nothing without the feature `serde`.
 macro_rules! written {
     ($type:ty, |$value:ident| { $($field:ident: $get:expr),+ }) => {
         #[cfg(feature = "serde")]
