@@ -1,4 +1,4 @@
-//! Cells of the sphere or of its upper half that hold equally many samples, and integrals over them.
+//! Cells of the sphere or its upper half with equal sample counts, and integrals over them.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -11,16 +11,20 @@ use asperity_core::math;
 /// Halvings of the domain: 2⁸ cells.
 const HALVINGS: usize = 8;
 
-/// The lowest coordinate of a tilt: 8e-11 rad, inside the narrowest lobe there is.
+/// The lowest coordinate of a tilt: 8e-11 rad, inside the narrowest possible lobe.
 const ZENITH: f64 = -24.0;
 
-/// A rectangle in Mercator's coordinates: `ln tan(θ/2)`, from the zenith to 0 at the horizon and on to the nadir, and the azimuth.
+/// A rectangle in Mercator coordinates.
+///
+/// They are `ln tan(θ/2)` from the zenith to 0 at the horizon and on to the nadir, and the azimuth.
 type Rectangle = [[f64; 2]; 2];
 
 const HEMISPHERE: Rectangle = [[ZENITH, 0.0], [-PI, PI]];
 const SPHERE: Rectangle = [[ZENITH, -ZENITH], [-PI, PI]];
 
-/// Mercator's coordinates of a direction. Lobes about the zenith are about 1 wide in them, whatever their roughness.
+/// Mercator coordinates of a direction.
+///
+/// Lobes around the zenith are about 1 wide in them for every roughness.
 fn coordinates(m: Vec3) -> [f64; 2] {
     let [x, y, z] = m.to_array().map(f64::from);
     let across = math::sqrt_f64(x * x + y * y);
@@ -28,7 +32,7 @@ fn coordinates(m: Vec3) -> [f64; 2] {
     [if z < 0.0 { -tilt } else { tilt }, math::atan2_f64(y, x)]
 }
 
-/// The direction at a place, and `dω = sin² θ` per area of the coordinates.
+/// The direction at a point, and `dω = sin² θ` per area of the coordinates.
 fn direction([tilt, azimuth]: [f64; 2]) -> (Vec3, f64) {
     let t = math::exp_f64(tilt);
     let (sin, cos) = (2.0 * t / (1.0 + t * t), (1.0 - t * t) / (1.0 + t * t));
@@ -36,16 +40,19 @@ fn direction([tilt, azimuth]: [f64; 2]) -> (Vec3, f64) {
     (Vec3::new(x as f32, y as f32, cos as f32), sin * sin)
 }
 
-/// A rectangle on both sides of a cut.
+/// The parts of a rectangle on both sides of a cut.
 fn split(rectangle: Rectangle, axis: usize, cut: f64) -> [Rectangle; 2] {
     let mut halves = [rectangle; 2];
     (halves[0][axis][1], halves[1][axis][0]) = (cut, cut);
     halves
 }
 
-/// Cells of directions for χ² tests: halvings at the medians of pilot samples, along the coordinate in which they are spread the farther.
+/// Cells of directions for χ² tests.
 ///
-/// Within cells of the sphere, quadrature stops at the horizon, where reflectances leap.
+/// The domain is halved at the median of pilot samples, along the coordinate with the larger
+/// spread.
+///
+/// In cells of the sphere, quadrature stops at the horizon, where BRDFs are discontinuous.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Ggx, Ndf, check::{Cells, p_value}, glam::Vec2};
@@ -61,20 +68,20 @@ fn split(rectangle: Rectangle, axis: usize, cut: f64) -> [Rectangle; 2] {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cells {
     domain: Rectangle,
-    /// The coordinate and the place of each cut; the cuts of cut `k` are `2k + 1` and `2k + 2`.
+    /// The coordinate and position of each cut; the children of cut `k` are `2k + 1` and `2k + 2`.
     cuts: Vec<(usize, f64)>,
-    /// The parts of each cell, and what its pilot samples span in each.
+    /// The parts of each cell, and the bounding rectangle of the pilot samples in each.
     parts: Vec<Vec<[Rectangle; 2]>>,
 }
 
 impl Cells {
-    /// 256 cells of the upper half of the sphere, by samples of it.
+    /// 256 cells of the upper hemisphere, from samples of it.
     #[must_use]
     pub fn of_hemisphere(pilot: impl IntoIterator<Item = Vec3>) -> Self {
         Self::of(HEMISPHERE, pilot)
     }
 
-    /// 256 cells of the sphere, by samples of it.
+    /// 256 cells of the sphere, from samples of it.
     #[must_use]
     pub fn of_sphere(pilot: impl IntoIterator<Item = Vec3>) -> Self {
         Self::of(SPHERE, pilot)
@@ -116,7 +123,7 @@ impl Cells {
         self.halve(2 * node + 2, above, high);
     }
 
-    /// The cell that holds a direction.
+    /// The index of the cell that contains a direction.
     fn index(&self, m: Vec3) -> usize {
         let (place, mut node) = (coordinates(m), 0);
         while let Some(&(axis, cut)) = self.cuts.get(node) {
@@ -125,7 +132,7 @@ impl Cells {
         node - self.cuts.len()
     }
 
-    /// Counts of directions by their cells.
+    /// Counts directions per cell.
     #[must_use]
     pub fn count(&self, directions: impl IntoIterator<Item = Vec3>) -> Vec<u64> {
         let mut counts = vec![0; self.parts.len()];
@@ -135,13 +142,13 @@ impl Cells {
         counts
     }
 
-    /// The integral of `f` over each cell's solid angle, by adaptive quadrature.
+    /// The integral of `f` over the solid angle of each cell, by adaptive quadrature.
     #[must_use]
     pub fn integrate(&self, f: impl Fn(Vec3) -> f64) -> Vec<f64> {
         self.integrate_all(|m| [f(m)]).into_iter().map(|[integral]| integral).collect()
     }
 
-    /// The integrals of several functions over each cell's solid angle, from the same directions.
+    /// Integrals of several functions over the solid angle of each cell, from the same directions.
     #[must_use]
     pub fn integrate_all<const N: usize>(&self, f: impl Fn(Vec3) -> [f64; N]) -> Vec<[f64; N]> {
         let of = |parts: &Vec<[Rectangle; 2]>| {
@@ -155,7 +162,7 @@ fn sort(places: &mut [[f64; 2]], axis: usize) {
     places.sort_unstable_by(|a, b| a[axis].total_cmp(&b[axis]));
 }
 
-/// The least rectangle about places; from ∞ to −∞ where there are none.
+/// The bounding rectangle of points; from ∞ to −∞ if there are none.
 fn spanned(places: &[[f64; 2]]) -> Rectangle {
     [0, 1].map(|axis| {
         let of = places.iter().map(|place| place[axis]);
@@ -163,7 +170,7 @@ fn spanned(places: &[[f64; 2]]) -> Rectangle {
     })
 }
 
-/// Parts of a rectangle on one side of the horizon, without a gap in their places that is wider than half of what they span.
+/// Splits a rectangle on one side of the horizon at gaps wider than half of its points' extent.
 fn part_at_gaps(rectangle: Rectangle, places: &mut [[f64; 2]], to: &mut Vec<[Rectangle; 2]>) {
     if rectangle[0][0] < 0.0 && rectangle[0][1] > 0.0 {
         sort(places, 0);
@@ -175,7 +182,7 @@ fn part_at_gaps(rectangle: Rectangle, places: &mut [[f64; 2]], to: &mut Vec<[Rec
     let span = spanned(places);
     for axis in [0, 1] {
         sort(places, axis);
-        // Of few places a wide gap says little: two have nothing but a gap.
+        // A wide gap among few points is not significant: two points are nothing but a gap.
         let wide = (0.5 + 1.0 / places.len() as f64) * (span[axis][1] - span[axis][0]);
         let gap = places.windows(2).position(|pair| pair[1][axis] - pair[0][axis] > wide);
         if let Some(gap) = gap {
@@ -185,7 +192,7 @@ fn part_at_gaps(rectangle: Rectangle, places: &mut [[f64; 2]], to: &mut Vec<[Rec
     to.push([rectangle, span]);
 }
 
-/// Parts on both sides of a cut, of places in the order of its axis.
+/// Splits a rectangle at a cut of its points, which are sorted along the axis.
 fn part_at(
     rectangle: Rectangle,
     axis: usize,
@@ -199,8 +206,10 @@ fn part_at(
     part_at_gaps(high, above, to);
 }
 
-/// The integral over a rectangle by frames about what samples span in it, each three times as wide as the one inside: a lobe that is
-/// narrow in a wide cell is in the inner ones.
+/// The integral over a rectangle by nested frames around the bounding rectangle of its samples.
+///
+/// Each frame is three times as wide as the next inner one, so a narrow lobe in a wide cell lies in
+/// the inner frames.
 fn graded<const N: usize>(rectangle: Rectangle, span: Rectangle, f: &impl Fn(Vec3) -> [f64; N]) -> [f64; N] {
     let mut sum = [0.0; N];
     let mut add = |part: Rectangle| {
@@ -211,7 +220,7 @@ fn graded<const N: usize>(rectangle: Rectangle, span: Rectangle, f: &impl Fn(Vec
     let within = |by: f64, span: Rectangle| {
         [0, 1].map(|axis| {
             let ([low, high], [from, to]) = (rectangle[axis], span[axis]);
-            // What a single sample spans has no width.
+            // The bounding rectangle of a single sample has no width.
             let wider = by * (to - from).max(1e-7);
             [(from - wider).clamp(low, high), (to + wider).clamp(low, high)]
         })
@@ -229,13 +238,14 @@ fn graded<const N: usize>(rectangle: Rectangle, span: Rectangle, f: &impl Fn(Vec
     sum
 }
 
-/// By how much the quadrature of a part may change when it is halved: a thousandth of a cell's share, divided among its parts.
+/// The largest change of the quadrature of a part when it is halved: a thousandth of the fraction
+/// of a cell, divided among its parts.
 const TOLERANCE: f64 = 4e-6;
 
-/// Halvings of a part in search of more digits, before its kinks are taken as they are.
+/// Halvings of a part for more digits, before its kinks are accepted.
 const DEEPEST: u32 = 16;
 
-/// Halves a rectangle along its side of the larger change until that no longer counts.
+/// Halves a rectangle along the side with the larger change until the change is negligible.
 fn adaptive<const N: usize>(
     rectangle: Rectangle,
     coarse: [f64; N],
@@ -257,9 +267,9 @@ fn adaptive<const N: usize>(
     plus(adaptive(low.0, low.1, deepest - 1, f), adaptive(high.0, high.1, deepest - 1, f))
 }
 
-/// Three nodes of Gauss and Legendre along each side.
+/// Three Gauss–Legendre nodes along each side.
 fn gauss<const N: usize>([tilts, azimuths]: Rectangle, f: &impl Fn(Vec3) -> [f64; N]) -> [f64; N] {
-    // √(3/5)/2 about the middle, with the weights 5/18 and 4/9.
+    // √(3/5)/2 around the middle, with the weights 5/18 and 4/9.
     const NODES: [(f64, f64); 3] =
         [(0.112_701_665_379_258_31, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)];
     let at = |[from, to]: [f64; 2], t: f64| from + (to - from) * t;
@@ -272,7 +282,7 @@ fn gauss<const N: usize>([tilts, azimuths]: Rectangle, f: &impl Fn(Vec3) -> [f64
     sum
 }
 
-/// The sums of two lists.
+/// The element-wise sum of two lists.
 fn plus<const N: usize>(mut a: [f64; N], b: [f64; N]) -> [f64; N] {
     a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
     a
@@ -296,7 +306,8 @@ mod tests {
         let cells = Cells::of_hemisphere(ggx(4096));
         let areas = cells.integrate(|_| 1.0);
         assert_abs_diff_eq!(areas.iter().sum::<f64>(), 2.0 * PI, epsilon = 2e-4);
-        // Each holds its share of the samples, but for those that share a coordinate with a cut.
+        // Each contains its fraction of the samples, except for samples that share a coordinate
+        // with a cut.
         let counts = cells.count(ggx(4096));
         assert!(counts.iter().sum::<u64>() == 4096 && counts.iter().all(|count| (12..=20).contains(count)));
     }
@@ -317,8 +328,8 @@ mod tests {
     }
 
     #[test]
-    fn a_narrow_lobe_in_wide_cells_is_found() {
-        // Of 1e-4 rad about 60°, on a floor that has most of the samples.
+    fn integrate_finds_narrow_lobe_in_wide_cells() {
+        // A lobe of 1e-4 rad at 60°, on a floor with most of the samples.
         let lobe = Vec3::new(0.866_025_4, 0.0, 0.5);
         let round = crate::Beckmann::new(1e-4, 1e-4).unwrap();
         let near = (0..64).map(|k| {
@@ -332,7 +343,7 @@ mod tests {
     }
 
     #[test]
-    fn directions_keep_their_coordinates() {
+    fn direction_round_trips() {
         for place in [[-20.0, 0.3], [-3.0, -3.1], [-0.1, 2.0], [0.1, 2.0], [3.0, 1.0], [20.0, -0.3]] {
             let back = coordinates(direction(place).0);
             assert_abs_diff_eq!(back[0], place[0], epsilon = 1e-6, "{place:?}");

@@ -1,4 +1,4 @@
-//! Checks of a density with Smith's masking and visible normals.
+//! Checks of an NDF with Smith masking and visible normals.
 
 use alloc::format;
 use alloc::string::String;
@@ -12,7 +12,7 @@ use asperity_core::check::Settings;
 use asperity_core::check::{Limit, Report};
 use asperity_core::math;
 
-/// Views: towards four quarters, from the zenith to next to the horizon.
+/// Views in four quarters, from the zenith to near the horizon.
 const VIEWS: [Vec3; 5] = [
     Vec3::Z,
     Vec3::new(0.36, 0.48, 0.8),
@@ -21,22 +21,24 @@ const VIEWS: [Vec3; 5] = [
     Vec3::new(-0.8, -0.6, 1e-3),
 ];
 
-/// Tilts at which masking is asked to fall, and azimuths.
+/// Tilts at which masking must decrease, and azimuths.
 const TILTS: u16 = 64;
 const AZIMUTHS: u16 = 5;
 
-/// Checks of a [`Microfacet`]: those of [`ndf`](crate::check::ndf()), projected areas, masking and visible normals.
+/// Checks a [`Microfacet`]: everything of [`ndf`](crate::check::ndf()), projected areas, masking
+/// and visible normals.
 ///
 /// ```text
 /// σ(v) = ∫ D max(0, v·m) dω,      ∫ G₁ D max(0, v·m) dω = cos θ_v,      ∫ D_v dω = 1
 /// ```
 ///
-/// - the three integrals hold within 1e-3 relative from five views, from the zenith to next to the horizon. The second is not more than
-///   `cos θ_v`, and not less where `∫ D max(0, v·m) dω ≥ cos θ_v`, as it is for every density whose mean normal is the macro normal;
-/// - `sample_visible` draws from `D_v`, by χ² from each view at a seventh of the significance of the settings, as do both tests of
-///   [`ndf`](crate::check::ndf()) here;
-/// - `G₁` is in [0, 1] and does not grow towards the horizon;
-/// - odd input gives unit normals above the horizon and numbers in their ranges.
+/// - The three integrals hold within 1e-3 relative from five views, from the zenith to near the
+///   horizon. The second is at most `cos θ_v`. It is at least `cos θ_v` where `∫ D max(0, v·m) dω ≥
+///   cos θ_v`, as for every NDF whose mean normal is the macro normal.
+/// - `sample_visible` draws from `D_v`, by χ² from each view at a seventh of the significance of
+///   the settings. Both χ² tests of [`ndf`](crate::check::ndf()) use the same significance here.
+/// - `G₁` is in [0, 1] and does not increase towards the horizon.
+/// - Invalid input produces unit normals above the horizon and numbers in their ranges.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Beckmann, check};
@@ -46,7 +48,7 @@ const AZIMUTHS: u16 = 5;
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
-/// Heitz 2014, eq. 43 and 83, whose integrals over masking and visible normals these are.
+/// The integrals over masking and visible normals are eq. 43 and 83 of Heitz 2014.
 #[must_use]
 pub fn microfacet<N: Microfacet + ?Sized>(density: &N, settings: Settings) -> Report {
     let significance = settings.significance / (VIEWS.len() + 2) as f64;
@@ -82,7 +84,7 @@ pub fn microfacet<N: Microfacet + ?Sized>(density: &N, settings: Settings) -> Re
     report
 }
 
-/// Adds `0 ≤ G₁ ≤ 1`, falling towards the horizon.
+/// Adds the check that `0 ≤ G₁ ≤ 1` and that `G₁` decreases towards the horizon.
 fn add_monotony<N: Microfacet + ?Sized>(report: &mut Report, density: &N) {
     let mut worst = Worst::default();
     for azimuth in 0..AZIMUTHS {
@@ -105,7 +107,7 @@ fn add_monotony<N: Microfacet + ?Sized>(report: &mut Report, density: &N) {
     report.add("monotony of masking", "growth of G₁ towards the horizon", worst.error, limit, worst.place);
 }
 
-/// Adds totality of the calls with a view.
+/// Adds the check that methods with a view accept every input.
 fn add_totality<N: Microfacet + ?Sized>(report: &mut Report, density: &N) {
     let mut broken = Broken::default();
     for (u, v) in ODD.into_iter().flat_map(|x| ODD.map(|y| (Vec2::new(x, y), Vec3::new(x, 0.3, y)))) {

@@ -1,7 +1,9 @@
-//! Property tests for any density, your own included: normalisation, χ² with pooled bins, the map's derivative and inverse, masking,
-//! visible normals, and totality on odd input.
+//! Property tests for any NDF, including your own.
 //!
-//! Five lines do to any density what the tests of this crate do to its own:
+//! They cover normalization, χ² with pooled bins, the derivative of the map and its inverse,
+//! masking, visible normals, and invalid input.
+//!
+//! A custom NDF gets the tests of this crate in five lines:
 //!
 //! ```
 //! use asperity_ndf_sampling::{Ggx, check::{self, Settings}};
@@ -12,17 +14,19 @@
 //! # Ok::<(), asperity_ndf_sampling::RangeError>(())
 //! ```
 //!
-//! Integrals are taken over cells of the hemisphere that hold equally many samples of a pilot run, by adaptive quadrature, finest where
-//! the samples of a cell lie, so that lobes of any width are resolved where the sampler goes; a place to which it never goes lies in
-//! some cell too, and what the density has there shows in the integral and in χ². A lobe which no pilot sample has met and which is
-//! narrower than a sixth of its cell may be overlooked.
+//! Integrals are taken over cells of the hemisphere that hold equally many samples of a pilot run.
+//! Adaptive quadrature is finest where the samples of a cell lie, so lobes of any width are
+//! resolved where the sampler goes. Regions without samples also belong to a cell, so the density
+//! there contributes to the integral and to χ². A lobe that no pilot sample hits and that is
+//! narrower than a sixth of its cell may be missed.
 //!
 //! # False alarms
 //!
-//! [`Settings::significance`] is the probability with which a right density may fail a report by chance. It is divided evenly among
-//! the report's χ² tests, two of [`ndf()`] and seven of [`microfacet()`]; the other checks have limits that no chance is in.
+//! [`Settings::significance`] is the probability that a report on a correct NDF fails by chance. It
+//! is divided evenly among the χ² tests of the report, two of [`ndf()`] and seven of
+//! [`microfacet()`]. The other checks have fixed limits.
 //!
-//! The feature `check` is off by default and adds no dependency: enable it for `dev-dependencies`.
+//! The feature `check` is off by default and adds no dependency. Enable it in `dev-dependencies`.
 
 mod cells;
 mod microfacet;

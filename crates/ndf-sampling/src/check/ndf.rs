@@ -1,4 +1,4 @@
-//! Checks of a density with its map from Gaussian coordinates.
+//! Checks of an NDF and its map from Gaussian coordinates.
 
 use alloc::format;
 use alloc::string::String;
@@ -14,33 +14,37 @@ use asperity_core::check::p_value;
 use asperity_core::check::{Limit, Report};
 use asperity_core::math;
 
-/// The largest error of an integral that passes: five times the most that the quadrature's own comes to.
+/// The largest accepted error of an integral: five times the largest error of the quadrature
+/// itself.
 pub(super) const INTEGRAL: f64 = 1e-3;
 
 /// Samples from which the cells are made, 64 for each.
 const PILOT: usize = 1 << 14;
 
-/// Places at which the map and its inverse are compared, and the fewest samples of a χ² test.
+/// Points at which the map and its inverse are compared, and the minimum sample count of a χ² test.
 const PLACES: usize = 4096;
 
-/// Checks of an [`Ndf`]: normalisation, χ² of `sample` and of `T`, the derivative of `T`, its inverse both ways, totality.
+/// Checks an [`Ndf`]: normalization, χ² of `sample` and `T`, derivative and inverse of `T`, invalid
+/// input.
 ///
 /// ```text
 /// ∫ D cos θ dω = 1,      D(T(z)) |∂(n_x, n_y)/∂z| = φ(z) = exp(−|z|²/2)/(2π),      T⁻¹(T(z)) = z,      T(T⁻¹(m)) = m
 /// ```
 ///
-/// - the integral is 1 within 1e-3;
-/// - `sample` and `from_gaussian` draw from `D`, by χ² over 256 cells, each at half of the significance of the settings;
-/// - `D` is what the derivative of `T` makes of a Gaussian, by differences: within 0.2 % at nine of ten normals, so that kinks are free;
-/// - `T⁻¹` leads back for |z| ≤ 4, and `T` for normals by `sample`, within 1e-3 deviations and four times what rounding of the normal
-///   to `f32` is worth;
-/// - odd input, NaN, infinities, huge and tiny numbers, gives unit normals above the horizon, finite coordinates, and finite
-///   densities that are 0 from the horizon down.
+/// - The integral is 1 within 1e-3.
+/// - `sample` and `from_gaussian` draw from `D`, by χ² over 256 cells, each at half of the
+///   significance of the settings.
+/// - `D` is consistent with the derivative of `T`, by finite differences: within 0.2 % at nine of
+///   ten normals, which permits kinks.
+/// - `T⁻¹(T(z)) = z` for |z| ≤ 4, and `T(T⁻¹(m)) = m` for samples, within 1e-3 standard deviations
+///   and four times the effect of rounding the normal to `f32`.
+/// - Invalid input (NaN, infinities, huge and tiny numbers) produces unit normals above the
+///   horizon, finite coordinates, and finite densities that are 0 at and below the horizon.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Ndf, check, glam::{Vec2, Vec3}};
 ///
-/// /// A density of one's own, one per cent too bright.
+/// /// A custom NDF, one per cent too bright.
 /// struct Bright(asperity_ndf_sampling::Beckmann);
 /// impl Ndf for Bright {
 ///     fn density(&self, m: Vec3) -> f32 { (1.01 * self.0.density(m)).min(f32::MAX) }
@@ -58,7 +62,7 @@ pub fn ndf<N: Ndf + ?Sized>(ndf: &N, settings: Settings) -> Report {
     shared(ndf, settings, settings.significance / 2.0)
 }
 
-/// The checks of an [`Ndf`] whose χ² tests have this significance each.
+/// The checks of an [`Ndf`] at the given significance for each χ² test.
 pub(super) fn shared<N: Ndf + ?Sized>(ndf: &N, settings: Settings, significance: f64) -> Report {
     let mut report = Report::default();
     let density = Density::new(settings, 0, |u| ndf.sample(u));
@@ -83,12 +87,12 @@ pub(super) struct Density {
 }
 
 impl Density {
-    /// A partition by a sampler.
+    /// Creates a partition from the samples of a sampler.
     pub(super) fn new(settings: Settings, stream: u8, sample: impl Fn(Vec2) -> Vec3) -> Self {
         Self { cells: Cells::of_hemisphere(settings.points(stream).take(PILOT).map(sample)), settings }
     }
 
-    /// The probability that the samples follow the masses of the cells.
+    /// The p-value of the hypothesis that the samples follow the masses of the cells.
     pub(super) fn p_value(&self, masses: &[f64], stream: u8, sample: impl Fn(Vec2) -> Vec3) -> f64 {
         let (total, count) = (masses.iter().sum::<f64>(), (self.settings.samples as usize).max(PLACES));
         let shares: Vec<f64> = masses.iter().map(|mass| mass / total).collect();
@@ -99,13 +103,13 @@ impl Density {
 
 /// Gaussian coordinates of uniform numbers.
 fn gaussian(u: Vec2) -> Vec2 {
-    // In the middle of its cell of 2⁻²⁴: neither end is infinite.
+    // The middle of its cell of 2⁻²⁴, so neither end is infinite.
     Vec2::from(u.to_array().map(|u| inverse_phi(f64::from(u) + 0.5 / 16_777_216.0) as f32))
 }
 
 /// Adds `D(T(z)) |∂(n_x, n_y)/∂z| = φ(z)`.
 fn add_jacobian<N: Ndf + ?Sized>(report: &mut Report, ndf: &N, points: impl Iterator<Item = Vec2>) {
-    // A power of two, which moves coordinates of 2⁻¹⁶ without rounding.
+    // A power of two, which shifts coordinates of 2⁻¹⁶ without rounding.
     const H: f32 = 1.0 / 256.0;
     let mut errors: Vec<(f64, Vec2)> = points
         .take(PLACES)
@@ -128,18 +132,18 @@ fn add_jacobian<N: Ndf + ?Sized>(report: &mut Report, ndf: &N, points: impl Iter
     report.add("Jacobian of the map", quantity, error, Limit::AtMost(JACOBIAN), format!("at z = {z}"));
 }
 
-/// The largest relative error of a density by differences of its map that passes.
+/// The largest accepted relative error of a density by finite differences of its map.
 const JACOBIAN: f64 = 2e-3;
 
 /// Adds `T⁻¹(T(z)) = z` and `T(T⁻¹(m)) = m`.
 fn add_inverses<N: Ndf + ?Sized>(report: &mut Report, ndf: &N, points: impl Iterator<Item = Vec2>) {
     let (mut there, mut back) = (Worst::default(), Worst::default());
     for u in points.take(PLACES) {
-        // Uniform over the square, so that the tails count.
+        // Uniform over the square, which includes the tails.
         let z = (u - 0.5) * (8.0 * core::f32::consts::FRAC_1_SQRT_2);
         let m = ndf.from_gaussian(z);
         let again = ndf.to_gaussian(m);
-        // What a unit in the last place of each component is worth.
+        // The effect of a unit in the last place of each component.
         let nudged = |k: usize| {
             let mut near = m.to_array();
             near[k] *= 1.0 + f32::EPSILON;
@@ -151,7 +155,7 @@ fn add_inverses<N: Ndf + ?Sized>(report: &mut Report, ndf: &N, points: impl Iter
         let m = ndf.sample(u);
         let z = ndf.to_gaussian(m);
         let again = ndf.from_gaussian(z);
-        // What a thousandth of a deviation is worth, to either side.
+        // The effect of a thousandth of a standard deviation, to either side.
         let from_there = |n: Vec3| (n - again).truncate().length();
         let moved = |step: Vec2| from_there(ndf.from_gaussian(z + step));
         let width: f32 = [Vec2::X, Vec2::Y, -Vec2::X, -Vec2::Y].map(|axis| moved(1e-3 * axis)).iter().sum();
@@ -163,7 +167,7 @@ fn add_inverses<N: Ndf + ?Sized>(report: &mut Report, ndf: &N, points: impl Iter
     report.add("map of the inverse", "|T(T⁻¹(m)) − m| in deviations", back.error, limit, back.place);
 }
 
-/// The largest error and its place; NaN is larger than any.
+/// The largest error and where it occurs; NaN is larger than any number.
 #[derive(Default)]
 pub(super) struct Worst {
     pub(super) error: f64,
@@ -178,7 +182,7 @@ impl Worst {
     }
 }
 
-/// Numbers that evaluation must survive.
+/// Inputs that evaluation must accept.
 pub(super) const ODD: [f32; 10] =
     [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, 1e-40, 1e38, -1e38, -1.0, 0.5];
 
@@ -187,7 +191,7 @@ pub(super) fn is_facet(m: Vec3) -> bool {
     (m.length() - 1.0).abs() < 1e-5 && m.z > 0.0
 }
 
-/// Counts of what breaks a promise, with the first case.
+/// Counts violations of an invariant and keeps the first case.
 #[derive(Default)]
 pub(super) struct Broken {
     count: u32,
@@ -210,7 +214,7 @@ impl Broken {
     }
 }
 
-/// Adds totality of every call.
+/// Adds the check that every method accepts every input.
 fn add_totality<N: Ndf + ?Sized>(report: &mut Report, ndf: &N) {
     let mut broken = Broken::default();
     for z in ODD.into_iter().flat_map(|x| ODD.map(|y| Vec2::new(x, y))) {

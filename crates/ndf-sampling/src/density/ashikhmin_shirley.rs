@@ -1,4 +1,4 @@
-//! The Ashikhmin–Shirley normal density: powers of the cosine that differ by azimuth.
+//! The Ashikhmin–Shirley NDF: powers of the cosine that depend on the azimuth.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -20,7 +20,7 @@ use asperity_core::lanes::Scalar;
 use asperity_core::lanes::elementary::cos_sin_turns;
 use asperity_core::math;
 
-/// The Ashikhmin–Shirley normal density with the exponents `n_u` along x and `n_v` along y.
+/// The Ashikhmin–Shirley NDF with the exponents `n_u` along x and `n_v` along y.
 ///
 /// ```text
 /// D(m) = √((nu+2)(nv+2))/(2π) cos^e θ,   e = nu cos² φ + nv sin² φ                            in sr⁻¹
@@ -28,16 +28,19 @@ use asperity_core::math;
 /// Λ(v) = ∫ max(0, k) ∫_{v_z/k}^∞ (1 + r²)^(−e/2−1) dr dψ/(2π v_z),   k = −(vx cos φ + vy sin φ),  φ the direction of T at ψ
 /// ```
 ///
-/// `D` is the original model's, divided by `4(h·k) max(…)/F` and normalised to `∫ D cos θ dω = 1`, for which `+ 1` becomes
-/// `+ 2`. Where the exponents are equal it is [`BlinnPhong`]'s.
+/// `D` is the original model divided by `4(h·k) max(…)/F` and normalized to `∫ D cos θ dω = 1`,
+/// which changes `+ 1` to `+ 2`. With equal exponents it equals [`BlinnPhong`].
 ///
-/// - **Domain:** `nu, nv` in `[0, `[`MAX_EXPONENT`](crate::BlinnPhong::MAX_EXPONENT)`]`; unit `m`, of which only the slope counts; `D = 0` for `m.z ≤ 0` and NaN.
-/// - **Λ:** the inner integral exactly, by Student's t; the outer by adaptive quadrature of the three parts between the
-///   axes and the horizon of `k`, to 1e-6 relative: some 100 nodes, 20 to 40 µs.
-/// - **Visible normals:** exact, by rejection. GGX with `α² = 2/(n + 2)` is nowhere less than e/4 of this density, so its
-///   visible normals are drawn until one is accepted: 1.5 tries are expected at the zenith, at most 2.6 at the horizon, and
-///   after 64, of probability 10⁻¹³, the last is taken. The first try is drawn by `u`, so that well distributed numbers keep
-///   a part of their distribution; further numbers are hashed from the bits of `u`.
+/// - **Domain:** `nu, nv` in `[0, `[`MAX_EXPONENT`](crate::BlinnPhong::MAX_EXPONENT)`]`; unit `m`,
+///   only its slope matters; `D = 0` for `m.z ≤ 0` and NaN.
+/// - **Λ:** the inner integral exactly, by Student's t. The outer integral by adaptive quadrature
+///   of the three parts between the axes and the horizon of `k`, to 1e-6 relative, with about 100
+///   nodes in 20 to 40 µs.
+/// - **Visible normals:** exact, by rejection. GGX with `α² = 2/(n + 2)` is everywhere at least e/4
+///   of this NDF, so its visible normals are drawn until one is accepted. The expected number of
+///   tries is 1.5 at the zenith and at most 2.6 at the horizon. After 64 tries, of probability
+///   10⁻¹³, the last is accepted. The first try uses `u`, so low-discrepancy points keep a part of
+///   their distribution. Later tries hash the bits of `u`.
 /// - **Accuracy:** `D` 1e-6 + 5e-7 a relative, with the exponent `a = −e ln cos θ`.
 ///
 /// ```
@@ -49,8 +52,9 @@ use asperity_core::math;
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
-/// Ashikhmin and Shirley 2000, "An Anisotropic Phong BRDF Model", eq. 4. The map is ours: the azimuth of `d` has the density
-/// `∝ 1/((nu+2) cos² φ + (nv+2) sin² φ)`, as theirs in eq. 9 with 2 for 1, and given it `cos^(e+2) θ` is uniform.
+/// Ashikhmin and Shirley 2000, "An Anisotropic Phong BRDF Model", eq. 4. The map is ours. The
+/// azimuth of `d` has the density `∝ 1/((nu+2) cos² φ + (nv+2) sin² φ)`, as in their eq. 9 with 2
+/// in place of 1. Given the azimuth, `cos^(e+2) θ` is uniform.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[doc(alias = "phong")]
 pub struct AshikhminShirley {
@@ -65,16 +69,16 @@ asperity_core::impl_approx! { f32; AshikhminShirley: density => density.n_u, den
 written!(AshikhminShirley, |density| { n_u: density.n_u, n_v: density.n_v });
 
 impl AshikhminShirley {
-    /// The density with the exponents `n_u` and `n_v`.
+    /// Creates the NDF with the exponents `n_u` and `n_v`.
     ///
     /// # Errors
-    /// An exponent that is NaN or out of range; the error names it and its value.
+    /// An exponent that is NaN or out of range. The error contains its name and value.
     pub fn new(n_u: f32, n_v: f32) -> Result<Self, RangeError> {
         let check = |parameter, n| RangeError::check(parameter, n, [0.0, BlinnPhong::MAX_EXPONENT]);
         Ok(Self::with(check("n_u", n_u)?, check("n_v", n_v)?))
     }
 
-    /// The density with each exponent moved to the nearest valid one; NaN becomes 0.
+    /// Creates the NDF with exponents clamped to the valid range; NaN becomes 0.
     #[must_use]
     pub fn clamped(n_u: f32, n_v: f32) -> Self {
         let clamp = |n: f32| if n.is_nan() { 0.0 } else { n.clamp(0.0, BlinnPhong::MAX_EXPONENT) };
@@ -109,7 +113,7 @@ impl AshikhminShirley {
         Vec3::new(d.x * per_length, d.y * per_length, math::exp(-0.5 * d2).max(f32::MIN_POSITIVE))
     }
 
-    /// `v_z Λ(v)`: the projected area of the facets that face away.
+    /// `v_z Λ(v)`: the projected area of the back-facing facets.
     fn hidden(self, v: Vec3) -> f64 {
         let [nu, nv] = [self.n_u, self.n_v].map(|n| f64::from(n) + 2.0);
         let (a, b) = (f64::from(v.x) / math::sqrt_f64(nu), f64::from(v.y) / math::sqrt_f64(nv));
@@ -117,7 +121,8 @@ impl AshikhminShirley {
         if steepest <= 0.0 {
             return 0.0;
         }
-        // ψ = ψ₀ + t, where ψ₀ faces away from the view; t by tan t = tan θ/c, for the integrand falls like exp(−c² tan² t/2).
+        // ψ = ψ₀ + t, where ψ₀ faces away from the view. With tan t = tan θ/c, since the integrand
+        // decreases like exp(−c² tan² t/2).
         let (cos, sin) = (-a / steepest, -b / steepest);
         let (z, power) = (up / steepest, 1.0 / (cos * cos / nu + sin * sin / nv));
         let c = (z / math::sqrt_f64(1.0 + z / power * z)).max(1.0);
@@ -133,7 +138,7 @@ impl AshikhminShirley {
             let root = math::sqrt_f64(power - 1.0);
             k * student.tail(root * up / k) / (root * student.peak) * c / (length * length)
         };
-        // The axes, where e turns the fastest, in θ.
+        // The axes, where e changes fastest, in θ.
         let to_axis = math::atan2_f64(sin, cos) / FRAC_PI_2;
         let axis = (math::floor_f64(to_axis) - to_axis) * FRAC_PI_2;
         let bend = |t: f64| math::atan2_f64(c * math::sin_f64(t), math::cos_f64(t));
@@ -196,7 +201,7 @@ impl Microfacet for AshikhminShirley {
             let [ax, ay] = [self.alpha.x, self.alpha.y].map(f64::from);
             let (slope2, q2) =
                 ((x * x + y * y) / (z * z), ((x / ax) * (x / ax) + (y / ay) * (y / ay)) / (z * z));
-            // D over that of GGX is cos^(e+4) θ (1 + q²)², at most 4/e, with q² = (e + 2)/2 |s|².
+            // D over the D of GGX is cos^(e+4) θ (1 + q²)², at most 4/e, with q² = (e + 2)/2 |s|².
             let fall = (q2 / slope2 + 1.0) * math::ln_1p_f64(slope2) - 2.0 * math::ln_1p_f64(q2) + LN_MOST;
             // At the zenith 0/0 is the limit e + 2 times 0.
             let accepted = if slope2 > 0.0 { math::exp_f64(-fall) } else { math::exp_f64(-LN_MOST) };
@@ -213,10 +218,10 @@ impl Microfacet for AshikhminShirley {
 /// `ln(4/e)`.
 const LN_MOST: f64 = 2.0 * core::f64::consts::LN_2 - 1.0;
 
-/// By how much the shorter rule of the quadrature may differ from the longer.
+/// The largest accepted difference between the shorter and the longer quadrature rule.
 const TOLERANCE: f64 = 1e-4;
 
-/// After which the last try is taken.
+/// The maximum number of tries.
 const MOST_TRIES: u32 = 64;
 
 impl Radial for AshikhminShirley {

@@ -1,4 +1,4 @@
-//! The Beckmann normal density, isotropic and anisotropic, in closed form.
+//! The Beckmann NDF, isotropic and anisotropic, in closed form.
 
 use core::f32::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
 
@@ -18,7 +18,7 @@ use asperity_core::lanes::Arithmetic;
 use asperity_core::lanes::elementary::{cos_sin_turns, exp, ln_1p};
 use asperity_core::math;
 
-/// The Beckmann normal density with the roughnesses `alpha_x`, `alpha_y`.
+/// The Beckmann NDF with the roughnesses `alpha_x`, `alpha_y`.
 ///
 /// ```text
 /// D(m) = exp(−(mx²/αx² + my²/αy²)/mz²) / (π αx αy mz⁴)                              in sr⁻¹
@@ -29,7 +29,8 @@ use asperity_core::math;
 ///
 /// - **Domain:** `αx, αy` in [`MIN_ALPHA`](crate::MIN_ALPHA)`..=`[`MAX_ALPHA`](crate::MAX_ALPHA); unit `m`, used as given;
 ///   `D = 0` for `m.z ≤ 0` and NaN.
-/// - **Sign:** `s` is the slope of the normal, `s_x = m_x/m_z`; the height falls where it is positive.
+/// - **Sign:** `s` is the slope of the normal, `s_x = m_x/m_z`. The height decreases where it is
+///   positive.
 /// - **Accuracy:** `D` 1e-6 + 5e-7 a relative, with the exponent `a`, wherever `D` is a normal `f32`. `T⁻¹(T(z)) = z` within 4e-6
 ///   for `|z| ≤ 6` and roughness 1e-4 to 1.
 ///
@@ -49,7 +50,8 @@ pub struct Beckmann {
     pub(crate) alpha: Roughness,
 }
 
-/// Up to this exponent `exp(−a)` times the least peak, of [`MAX_ALPHA`](crate::MAX_ALPHA), is a normal `f32`.
+/// Up to this exponent `exp(−a)` times the smallest peak, of [`MAX_ALPHA`](crate::MAX_ALPHA), is a
+/// normal `f32`.
 const NEAR: f32 = 40.0;
 
 roughness_parameters!(Beckmann);
@@ -77,7 +79,7 @@ impl ClosedForm for Beckmann {
         self.lobe(s, Vec2::ZERO, 1.0, [x, y, z])
     }
 
-    /// A Beckmann density of the roughness `α√(1 − s)` about the slope that is resolved, with one exponential:
+    /// A Beckmann NDF of the roughness `α√(1 − s)` around the resolved slope, with one exponential:
     ///
     /// ```text
     /// exp(−((x/αx − μx)² + (y/αy − μy)²)/(1 − s)) / (π αx αy (1 − s) h_z⁴),   (x, y) = (h_x, h_y)/h_z,   μ = √s z_b/√2
@@ -114,14 +116,16 @@ impl ClosedForm for Beckmann {
 }
 
 impl Beckmann {
-    /// The density about the slope `mean`, in units of the roughnesses, whose square is `rest` times that of this.
+    /// The density around the slope `mean`, in units of the roughnesses, with `rest` times the
+    /// variance.
     #[inline(always)]
     fn lobe<S: Arithmetic>(&self, s: S, mean: Vec2, rest: f32, [x, y, z]: [S::F; 3]) -> [S::F; 1] {
         let (x, y) = (x / s.float(self.alpha.x) / z, y / s.float(self.alpha.y) / z);
         let (x, y) = (x - s.float(mean.x), y - s.float(mean.y));
         let (zero, one) = (s.float(0.0), s.float(1.0));
         let exponent = -(x * x + y * y) / s.float(rest);
-        // Far out the peak or z⁴ make up for an exponential that would underflow: D = (exp(−a/2)/z²)² peak.
+        // Far out the peak or z⁴ compensate for an exponential that would underflow: D =
+        // (exp(−a/2)/z²)² peak.
         let near = s.less(s.float(-NEAR), exponent);
         let falloff = exp(s, s.select(near, exponent, exponent * s.float(0.5)));
         let z2 = z * z;
@@ -174,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn density_is_relative_down_to_the_least_normal_number() {
+    fn density_is_relatively_accurate_down_to_the_smallest_normal_number() {
         let m = Vec3::new(0.920_338_1, -0.332_970_1, 0.205_204);
         let got = Beckmann::isotropic(0.5).unwrap().density(m);
         assert_abs_diff_eq!(got / 2.181_27e-37, 1.0, epsilon = 5e-5, "{got:e}");

@@ -1,4 +1,4 @@
-//! A weighted sum of two densities, sampled by a choice between them.
+//! A weighted sum of two NDFs, sampled by choosing one of them.
 
 use glam::{Vec2, Vec3};
 
@@ -6,15 +6,17 @@ use crate::microfacet::{Microfacet, above};
 use crate::ndf::{Ndf, unit_square};
 use crate::range_error::RangeError;
 
-/// The density `w D_a + (1 − w) D_b` of any two densities, without a map from Gaussian coordinates.
+/// The density `w D_a + (1 − w) D_b` of any two NDFs, without a map from Gaussian coordinates.
 ///
 /// ```text
 /// D = w D_a + (1 − w) D_b,   σ = w σ_a + (1 − w) σ_b,   Λ = w Λ_a + (1 − w) Λ_b
 /// ```
 ///
-/// In general the sum has no bijection in closed form. Where both densities depend on the tilt alone,
-/// [`Mixture`](crate::Mixture) has it; for others `NdfMap::from_fn(width, height, Measure::Normals, Reconstruction::Constant, |m| blend.density(m))`
-/// finds one. Samples choose a density by `u.x` and use what is left of that number again; the map from `u` jumps there.
+/// In general the sum has no bijection in closed form. If both NDFs are isotropic, use
+/// [`Mixture`](crate::Mixture), which has one. For others `NdfMap::from_fn(width, height,
+/// Measure::Normals, Reconstruction::Constant, |m| blend.density(m))` computes one. Samples choose
+/// an NDF by `u.x` and reuse the remainder of that number, so the map from `u` is discontinuous
+/// there.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Blend, BlinnPhong, Ggx, glam::{Vec2, Vec3}};
@@ -26,18 +28,18 @@ use crate::range_error::RangeError;
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 ///
-/// Kautz, Heidrich, Seidel 2001, section 6, add a diffuse lobe to a density. Projected areas are integrals of the density, so
-/// they and Λ add up as it does.
+/// Kautz, Heidrich, Seidel 2001, section 6, add a diffuse lobe to a distribution. Projected areas
+/// are integrals of the density, so they and Λ add up the same way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Blend<A, B> {
     pub(crate) a: A,
     pub(crate) b: B,
-    /// The share of the first.
+    /// The weight of the first NDF.
     pub(crate) weight: f32,
 }
 
 impl<A, B> Blend<A, B> {
-    /// `weight` of the density `a`, and the rest of `b`.
+    /// Creates the sum of `weight · a` and `(1 − weight) · b`.
     ///
     /// # Errors
     /// A weight that is not between 0 and 1.
@@ -45,7 +47,7 @@ impl<A, B> Blend<A, B> {
         RangeError::check("weight", weight, [0.0, 1.0]).map(|weight| Self { a, b, weight })
     }
 
-    /// `w f(a) + (1 − w) f(b)`, without the density whose weight is 0: it could be infinite.
+    /// `w f(a) + (1 − w) f(b)`, skipping an NDF of weight 0, whose value could be infinite.
     fn sum(&self, a: impl Fn(&A) -> f32, b: impl Fn(&B) -> f32) -> f32 {
         if self.weight >= 1.0 {
             a(&self.a)
@@ -56,7 +58,7 @@ impl<A, B> Blend<A, B> {
         }
     }
 
-    /// A sample of `a` with the probability `share`, otherwise of `b`, by what is left of `u`.
+    /// A sample of `a` with the probability `share`, otherwise of `b`, from the remainder of `u`.
     fn choose(
         &self,
         share: f32,
@@ -88,26 +90,26 @@ impl<A: Ndf, B: Ndf> Blend<A, B> {
 }
 
 impl<A: Microfacet, B: Microfacet> Blend<A, B> {
-    /// Smith's `Λ(v)`, as [`Microfacet::lambda`].
+    /// Smith's `Λ(v)`, see [`Microfacet::lambda`].
     #[must_use]
     pub fn lambda(&self, v: Vec3) -> f32 {
         self.sum(|a| a.lambda(v), |b| b.lambda(v))
     }
 
-    /// The projected area `σ(v)`, as [`Microfacet::projected_area`].
+    /// The projected area `σ(v)`, see [`Microfacet::projected_area`].
     #[must_use]
     pub fn projected_area(&self, v: Vec3) -> f32 {
         self.sum(|a| a.projected_area(v), |b| b.projected_area(v))
     }
 
-    /// A visible normal, as [`Microfacet::sample_visible`].
+    /// A visible normal, see [`Microfacet::sample_visible`].
     #[must_use]
     pub fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3 {
         let share = self.weight * self.a.projected_area(v) / self.projected_area(v);
         self.choose(share, u, |a, u| a.sample_visible(v, u), |b, u| b.sample_visible(v, u))
     }
 
-    /// The density of visible normals, as [`Microfacet::visible_density`].
+    /// The density of visible normals, see [`Microfacet::visible_density`].
     #[must_use]
     pub fn visible_density(&self, v: Vec3, m: Vec3) -> f32 {
         let v = above(v);

@@ -1,4 +1,4 @@
-//! The Blinn–Phong normal density: powers of the cosine.
+//! The Blinn–Phong NDF: powers of the cosine.
 
 use crate::density::delegate::delegate_ndf;
 use crate::density::roughness::MIN_ALPHA;
@@ -7,19 +7,21 @@ use crate::range_error::RangeError;
 use crate::serde::written;
 use asperity_core::math;
 
-/// The Blinn–Phong normal density with the exponent `n`.
+/// The Blinn–Phong NDF with the exponent `n`.
 ///
 /// ```text
 /// D(m) = (n + 2)/(2π) cosⁿ θ                                                       in sr⁻¹
 /// T(z): cos θ = exp(−ρ²/(2(n + 2))), direction of z, ρ² = z₁² + z₂²;      α² = 2/(n + 2)
 /// ```
 ///
-/// Its slopes have the density `(n + 2)/(2π) (1 + |s|²)^(−n/2−2)`: it is [`StudentT`]'s with `γ = n/2 + 2` and the roughness
-/// `α` above, by which everything is computed, masking and visible normals included. The exponent 0 is the diffuse lobe
-/// `D = 1/π`: projected normals are uniform in the disk, and normals have the density `cos θ/π` over solid angle.
+/// Its slopes have the density `(n + 2)/(2π) (1 + |s|²)^(−n/2−2)`. This is [`StudentT`] with `γ =
+/// n/2 + 2` and the roughness `α` above, which computes everything, including masking and visible
+/// normals. The exponent 0 is the diffuse lobe `D = 1/π`: projected normals are uniform in the
+/// disk, and normals have the density `cos θ/π` over solid angle.
 ///
-/// - **Domain:** `n` in `[0, `[`MAX_EXPONENT`](Self::MAX_EXPONENT)`]`; unit `m`, of which only the slope counts; `D = 0` for `m.z ≤ 0` and NaN.
-/// - **Accuracy:** as [`StudentT`].
+/// - **Domain:** `n` in `[0, `[`MAX_EXPONENT`](Self::MAX_EXPONENT)`]`; unit `m`, only its slope
+///   matters; `D = 0` for `m.z ≤ 0` and NaN.
+/// - **Accuracy:** see [`StudentT`].
 ///
 /// ```
 /// use asperity_ndf_sampling::{BlinnPhong, Ndf, glam::Vec3};
@@ -31,8 +33,8 @@ use asperity_core::math;
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
-/// Blinn 1977; Walter et al. 2007, eq. 30 (`D`) and section 5.3 (`α`). That the slopes are Student's follows from
-/// `cos² θ = 1/(1 + |s|²)`.
+/// Blinn 1977; Walter et al. 2007, eq. 30 (`D`) and section 5.3 (`α`). The distribution of the
+/// slopes follows from `cos² θ = 1/(1 + |s|²)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[doc(alias = "phong")]
 #[doc(alias = "cosine power")]
@@ -48,27 +50,28 @@ asperity_core::impl_approx! { f32; BlinnPhong: density => density.exponent; }
 written!(BlinnPhong, |density| { exponent: density.exponent });
 
 impl BlinnPhong {
-    /// The largest exponent, of the roughness 1e-6.
+    /// The largest exponent, which corresponds to the roughness 1e-6.
     pub const MAX_EXPONENT: f32 = 2e12;
 
-    /// The density with the exponent `exponent`.
+    /// Creates the NDF with the exponent `exponent`.
     ///
     /// # Errors
-    /// An exponent that is NaN or out of range; the error names it and its value.
+    /// An exponent that is NaN or out of range. The error contains its name and value.
     pub fn new(exponent: f32) -> Result<Self, RangeError> {
         RangeError::check("exponent", exponent, [0.0, Self::MAX_EXPONENT]).map(Self::with)
     }
 
-    /// The density as narrow as Beckmann's with the roughness `alpha`: `n = 2/α² − 2`.
+    /// Creates the NDF that is as narrow as Beckmann with the roughness `alpha`: `n = 2/α² − 2`.
     ///
     /// # Errors
-    /// A roughness that is NaN, below [`MIN_ALPHA`] or above 1, which would need a negative exponent.
+    /// A roughness that is NaN, below [`MIN_ALPHA`] or above 1, for which the exponent would be
+    /// negative.
     pub fn from_roughness(alpha: f32) -> Result<Self, RangeError> {
         RangeError::check("roughness", alpha, [MIN_ALPHA, 1.0])
             .map(|alpha| Self::with((2.0 / (alpha * alpha) - 2.0).clamp(0.0, Self::MAX_EXPONENT)))
     }
 
-    /// The density with the exponent moved to the nearest valid one; NaN becomes 0.
+    /// Creates the NDF with the exponent clamped to the valid range; NaN becomes 0.
     #[must_use]
     pub fn clamped(exponent: f32) -> Self {
         Self::with(if exponent.is_nan() { 0.0 } else { exponent.clamp(0.0, Self::MAX_EXPONENT) })
@@ -119,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn zero_is_the_diffuse_lobe_and_ggx_of_roughness_one() {
+    fn exponent_zero_is_diffuse_and_ggx_of_roughness_one() {
         let (diffuse, ggx) = (BlinnPhong::new(0.0).unwrap(), Ggx::isotropic(1.0).unwrap());
         for z in [Vec2::new(0.7, -1.2), Vec2::ZERO, Vec2::new(-3.0, 0.1)] {
             let m = diffuse.from_gaussian(z);

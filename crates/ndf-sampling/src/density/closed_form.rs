@@ -1,4 +1,4 @@
-//! Closed forms of densities in lanes: in one for a single call, in many for arrays.
+//! Closed forms of NDFs in SIMD lanes: one lane for a single call, many for arrays.
 
 use crate::density::roughness::Roughness;
 use asperity_core::lanes::Arithmetic;
@@ -6,7 +6,7 @@ use asperity_core::lanes::Arithmetic;
 /// `v` in the space where the roughnesses are 1, z at least 0, NaN read as 0.
 #[inline(always)]
 pub(crate) fn stretched<S: Arithmetic>(s: S, alpha: Roughness, [x, y, z]: [S::F; 3]) -> [S::F; 3] {
-    /// Far above the length of a unit vector; its square times that of a roughness is finite.
+    /// Far above the length of a unit vector. Its square times the square of a roughness is finite.
     const LONGEST: f32 = 1e12;
     let x = s.bounded(x, LONGEST) * s.float(alpha.x);
     let y = s.bounded(y, LONGEST) * s.float(alpha.y);
@@ -27,7 +27,7 @@ pub(crate) fn probabilities<S: Arithmetic>(s: S, [u1, u2]: [S::F; 2]) -> [S::F; 
     [s.at_most(s.at_least(u1, 0.0), BELOW_ONE), s.at_most(s.at_least(u2, 0.0), BELOW_ONE)]
 }
 
-/// The calls of `Ndf` for a density in closed form: its formulas in one lane.
+/// Implements the methods of `Ndf` for an NDF in closed form by its formulas in one lane.
 macro_rules! closed_form {
     ($density:ident) => {
         impl crate::ndf::Ndf for $density {

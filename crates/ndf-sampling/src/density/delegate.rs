@@ -1,6 +1,7 @@
-//! The traits of a density by those of another, which one of its methods returns.
+//! Implements the traits of an NDF by delegating to another NDF that a method returns.
 
-/// Implements [`Ndf`](crate::ndf::Ndf) by the density that a method returns, and the traits that are named behind it.
+/// Implements [`Ndf`](crate::ndf::Ndf) and the traits listed after it by the NDF that a method
+/// returns.
 macro_rules! delegate_ndf {
     ($density:ty, $to:ident $(, $and:ident)*) => {
         impl $crate::ndf::Ndf for $density {

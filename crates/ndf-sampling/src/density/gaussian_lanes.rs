@@ -1,15 +1,15 @@
-//! The Gaussian distribution in lanes: its tail, its quantile, and the slope along a view of Gaussian slopes.
+//! The Gaussian distribution in SIMD lanes: tail, quantile, and Gaussian slopes along a view.
 
 use asperity_core::lanes::Arithmetic;
 use asperity_core::lanes::elementary::{exp, ln};
 
-/// The least uniform number that a quantile distinguishes from 0.
+/// The smallest uniform number that a quantile distinguishes from 0.
 pub(crate) const LEAST_U: f32 = 1.0 / 4_294_967_296.0;
 
 /// `1/√(2π)`.
 const FRAC_1_SQRT_2PI: f32 = 0.398_942_3;
 
-/// Beyond it a view sees every slope alike, within 1e-6.
+/// Beyond it a view sees every slope equally, within 1e-6.
 const ZENITH: f32 = 1e6;
 
 /// Mills' ratio `Φ(−x)/φ(x)` for `x ≥ 0`: `t P(t)`, `t = 1/(1 + 0.33 x)`, fitted to 7e-8 relative over all x.
@@ -36,7 +36,7 @@ fn mills_ratio<S: Arithmetic>(s: S, x: S::F) -> S::F {
     t * (low + t4 * (middle + t4 * high))
 }
 
-/// [`mills_ratio`] to 1e-4 relative, for a step on the way.
+/// [`mills_ratio`] to 1e-4 relative, for an intermediate step.
 #[inline(always)]
 fn rough_mills_ratio<S: Arithmetic>(s: S, x: S::F) -> S::F {
     let t = s.float(1.0) / (s.float(1.0) + x * s.float(0.4));
@@ -66,8 +66,9 @@ fn magnitude<S: Arithmetic>(s: S, x: S::F) -> S::F {
 
 /// `Φ⁻¹(u)` for `u` in [2⁻³², 1 − 2⁻²⁴].
 ///
-/// `√2 erf⁻¹(x)/x` with `x = 2u − 1` by two polynomials, in `w = −ln(1 − x²)` below 5.4 and in `√w` above, after Giles 2010,
-/// "Approximating the erfinv function", fitted anew to 2e-7 relative as far as `w = 22.3`. Accuracy: 1e-6 relative to 1 + |Φ⁻¹|.
+/// `√2 erf⁻¹(x)/x` with `x = 2u − 1` by two polynomials, in `w = −ln(1 − x²)` below 5.4 and in `√w`
+/// above. The method is from Giles 2010, "Approximating the erfinv function", fitted again to 2e-7
+/// relative up to `w = 22.3`. Accuracy: 1e-6 relative to 1 + |Φ⁻¹|.
 #[inline(always)]
 pub(crate) fn inverse_phi<S: Arithmetic>(s: S, u: S::F) -> S::F {
     const NEAR: [f32; 9] = [
@@ -104,7 +105,7 @@ pub(crate) fn inverse_phi<S: Arithmetic>(s: S, u: S::F) -> S::F {
     sum * x * s.float(core::f32::consts::SQRT_2)
 }
 
-/// `Φ⁻¹(u)` to 2e-3 relative, as a place to start from: one polynomial in `√(w + 2)`.
+/// `Φ⁻¹(u)` to 2e-3 relative, as a starting point: one polynomial in `√(w + 2)`.
 #[inline(always)]
 fn rough_inverse_phi<S: Arithmetic>(s: S, u: S::F) -> S::F {
     let one = s.float(1.0);
@@ -116,7 +117,8 @@ fn rough_inverse_phi<S: Arithmetic>(s: S, u: S::F) -> S::F {
 
 /// The `u`-quantile of the slope along the view, in standard deviations; see `visible_gaussian`.
 ///
-/// Two steps of the same iteration, in `f32`: the share of the slopes below the result is `u` within 8e-7, and 2e-6 below u = 10⁻⁵.
+/// Two steps of the same iteration, in `f32`. The fraction of slopes below the result is `u` within
+/// 8e-7, and within 2e-6 below u = 10⁻⁵.
 #[inline(always)]
 pub(crate) fn visible_slope<S: Arithmetic>(s: S, b: S::F, u: S::F) -> S::F {
     let (zero, one, half) = (s.float(0.0), s.float(1.0), s.float(0.5));
@@ -136,7 +138,7 @@ pub(crate) fn visible_slope<S: Arithmetic>(s: S, b: S::F, u: S::F) -> S::F {
     closer(s, [b, u, per_total], x, [here, here * mills_ratio(s, magnitude(s, x))])
 }
 
-/// One step towards the `u`-quantile from `x`, where the Gaussian density and the tail beyond |x| are given.
+/// One step towards the `u`-quantile from `x`, given the Gaussian density and the tail beyond |x|.
 #[inline(always)]
 fn closer<S: Arithmetic>(s: S, [b, u, per_total]: [S::F; 3], x: S::F, [density, tail]: [S::F; 2]) -> S::F {
     let (one, half) = (s.float(1.0), s.float(0.5));

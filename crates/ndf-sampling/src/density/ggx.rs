@@ -1,4 +1,4 @@
-//! The GGX (Trowbridge–Reitz) normal density, isotropic and anisotropic, in closed form.
+//! The GGX (Trowbridge–Reitz) NDF, isotropic and anisotropic, in closed form.
 
 use core::f32::consts::{PI, SQRT_2};
 
@@ -14,7 +14,7 @@ use asperity_core::lanes::elementary::{cos_sin_turns, exp, ln_1p, one_minus_exp_
 use asperity_core::lanes::{Arithmetic, Scalar};
 use asperity_core::math;
 
-/// The GGX normal density with the roughnesses `alpha_x`, `alpha_y`.
+/// The GGX NDF with the roughnesses `alpha_x`, `alpha_y`.
 ///
 /// ```text
 /// D(m) = 1 / (π αx αy (mx²/αx² + my²/αy² + mz²)²)                                  in sr⁻¹
@@ -24,9 +24,12 @@ use asperity_core::math;
 ///
 /// - **Domain:** `αx, αy` in [`MIN_ALPHA`](crate::MIN_ALPHA)`..=`[`MAX_ALPHA`](crate::MAX_ALPHA); unit `m`, used as given;
 ///   `D = 0` for `m.z ≤ 0` and NaN.
-/// - **Sign:** `s` is the slope of the normal, `s_x = m_x/m_z`; the height falls where it is positive.
-/// - **Accuracy:** `D` 1e-6 relative to the exact value of the `f32` input. Visible normals 5e-7 of the terms that add
-///   up to them, `α (|c| + |v|)` across and `c_z + v_z`, which cancel where `u₂ → 1` and `c` faces away from the view. `T⁻¹(T(z)) = z` within 4e-6 for `|z| ≤ 6` and roughness 1e-4 to 1.
+/// - **Sign:** `s` is the slope of the normal, `s_x = m_x/m_z`. The height decreases where it is
+///   positive.
+/// - **Accuracy:** `D` 1e-6 relative to the exact value of the `f32` input. Visible normals 5e-7 of
+///   the terms of their sum, `α (|c| + |v|)` across and `c_z + v_z`, which cancel where `u₂ → 1`
+///   and `c` faces away from the view. `T⁻¹(T(z)) = z` within 4e-6 for `|z| ≤ 6` and roughness 1e-4
+///   to 1.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Ggx, Ndf, glam::Vec3};
@@ -37,8 +40,8 @@ use asperity_core::math;
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
-/// Walter et al. 2007, eq. 33; anisotropic form Burley 2012, eq. 13. The map is the radial Gaussian map of that slope density:
-/// `P(|s/α| ≤ t) = t²/(1 + t²) = 1 − exp(−ρ²/2)`.
+/// Walter et al. 2007, eq. 33; anisotropic form Burley 2012, eq. 13. The map is the radial Gaussian
+/// map of this slope density: `P(|s/α| ≤ t) = t²/(1 + t²) = 1 − exp(−ρ²/2)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[doc(alias = "trowbridge")]
 #[doc(alias = "reitz")]
@@ -69,7 +72,7 @@ impl ClosedForm for Ggx {
         let up = s.at_least(z, f32::MIN_POSITIVE);
         let (x, y) = (x / s.float(self.alpha.x), y / s.float(self.alpha.y));
         let length = s.sqrt(x * x + y * y);
-        // Beyond 10¹⁹ the square would overflow; the coordinate is at its bound long before.
+        // Beyond 10¹⁹ the square would overflow. The coordinate reaches its bound long before.
         let t = s.at_most(length / up, 1e19);
         let rho = s.sqrt(ln_1p(s, t * t) * s.float(2.0));
         // Below 10⁻⁵ ln(1 + t²) is t² to the last bit, and t² may underflow.
@@ -89,7 +92,7 @@ impl ClosedForm for Ggx {
         [s.select(s.less(zero, z), s.select(finite, density, zero), zero)]
     }
 
-    /// With one logarithm and one exponential: [`GaussianSplit::weigh`] of density and coordinates.
+    /// [`GaussianSplit::weigh`] of density and coordinates with one logarithm and one exponential.
     #[inline(always)]
     fn conditional<S: Arithmetic>(&self, s: S, split: GaussianSplit, h: [S::F; 3]) -> [S::F; 1] {
         let [density] = self.density_in_lanes(s, h);
@@ -97,7 +100,8 @@ impl ClosedForm for Ggx {
         let GaussianSplit { z_b, root, rest } = split;
         let (x, y) = (x * s.float(root) - s.float(z_b.x), y * s.float(root) - s.float(z_b.y));
         let near = (x * x + y * y) / s.float(rest);
-        // At most 84: half of the exponent, twice, for the whole would overflow where the density is small.
+        // At most 84. Half of the exponent is used twice, because the whole would overflow where
+        // the density is small.
         let half = exp(s, (s.float(z_b.x * z_b.x + z_b.y * z_b.y) - near) * s.float(0.25));
         [s.at_most(density * half * half / s.float(rest), f32::MAX)]
     }
@@ -116,14 +120,15 @@ impl ClosedForm for Ggx {
         let [u1, u2] = probabilities(s, [u1, u2]);
         let [x, y, z] = stretched(s, self.alpha, [x, y, z]);
         let length2 = (x * x + y * y) + z * z;
-        // What has no direction is read as the zenith.
+        // A vector without a direction is read as the zenith.
         let directed = s.less(s.float(1e-37), length2);
         let scale = s.select(directed, s.float(1.0) / s.sqrt(length2), s.float(0.0));
         let (x, y, z) = (x * scale, y * scale, s.select(directed, z * scale, s.float(1.0)));
         // The cap of directions c with c.z ≥ −z, uniform: c.z = (1 − u₂)(1 + z) − z, in forms that keep sin θ.
         let one = s.float(1.0);
         let (below, above) = (u2 * (one + z), (one - u2) * (one + z));
-        // 2 − below, as what is left of 1 + z and of 1 − z, does not cancel as u₂ → 1 near the zenith.
+        // 2 − below, as the remainders of 1 + z and 1 − z, does not cancel as u₂ → 1 near the
+        // zenith.
         let sin = s.sqrt(below * (above + (x * x + y * y) / (one + z)));
         let [cos_phi, sin_phi] = cos_sin_turns(s, u1);
         let x = (sin * cos_phi + x) * s.float(self.alpha.x);
@@ -168,14 +173,14 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn small_roughness_keeps_its_slopes() {
+    fn from_gaussian_of_small_roughness_keeps_relative_accuracy() {
         let m = Ggx::isotropic(1e-4).unwrap().from_gaussian(Vec2::new(0.01, -0.02));
         assert_abs_diff_eq!(m.x / 7.071e-7, 1.0, epsilon = 1e-3);
         assert_abs_diff_eq!(m.y / -1.4142e-6, 1.0, epsilon = 1e-3);
     }
 
     #[test]
-    fn far_tail_is_inverted_to_the_bound() {
+    fn round_trip_holds_up_to_the_coordinate_bound() {
         let ggx = Ggx::new(0.3, 1.0).unwrap();
         for k in 1..=48 {
             let z = Vec2::new(0.6, -0.8) * (k as f32 * 0.25);
@@ -183,7 +188,7 @@ mod tests {
         }
     }
 
-    /// Visible normal in `f64`, whose digits outlast the difference, with the size of its terms over the length of their sum.
+    /// Visible normal in `f64`, and the size of its terms over the length of their sum.
     fn visible(alpha: [f64; 2], v: [f64; 3], [u1, u2]: [f64; 2]) -> ([f64; 3], f64) {
         let (x, y) = (alpha[0] * v[0], alpha[1] * v[1]);
         let length = (x * x + y * y + v[2] * v[2]).sqrt();
@@ -198,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn visible_normals_keep_their_digits_at_the_end_of_the_square() {
+    fn sample_visible_is_accurate_near_u2_one() {
         let v = Vec3::new(0.038_226_18, 0.032_197_46, 0.998_750_4);
         let m = Ggx::new(0.05, 0.6).unwrap().sample_visible(v, Vec2::new(0.95, 0.999));
         // The digits of the view are rounded.

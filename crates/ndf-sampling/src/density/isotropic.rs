@@ -1,4 +1,4 @@
-//! A density that depends on the tilt alone, from a table over the cosine.
+//! An isotropic NDF from a table over the cosine.
 
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
@@ -15,38 +15,39 @@ use crate::radial::Radial;
 use asperity_core::error_enum;
 use asperity_core::math;
 
-/// The most nodes of a table.
+/// The maximum number of nodes of a table.
 const MAX_NODES: usize = 1 << 20;
 
-/// The numbers that a node takes: its density, and the distribution at it in two parts.
+/// The numbers of a node: its density, and the CDF at the node in two parts.
 const PER_NODE: usize = 3;
 
-/// The density at a node, and the distribution there in two parts.
+/// The density at a node, and the CDF there in two parts.
 pub(crate) type Node = [f32; PER_NODE];
 
-/// A density of normals that is linear between the nodes of a table over `cos θ`.
+/// An isotropic NDF that is linear between the nodes of a table over `cos θ`.
 ///
 /// ```text
 /// D(m) = d_i + (d_{i+1} − d_i) x   for  cos θ = (i + x)/n,  i in 0..n,  x in [0, 1]             in sr⁻¹
 /// C(c) = 2π ∫₀^c D t dt,   T(z): C(cos θ) = exp(−ρ²/2), direction of z,   ρ² = z₁² + z₂²
 /// ```
 ///
-/// `C` is a cubic between nodes; it is evaluated and inverted exactly, by bisection over the nodes and Newton's method in the
-/// cell, so that a sample costs O(log n). The nodes are equally far apart in `cos θ`: near the zenith that is a tilt of
-/// `√(2/n)`, so lobes narrower than a few such tilts need another density or [`NdfMap`](crate::NdfMap).
+/// `C` is a cubic between nodes. It is evaluated and inverted exactly, by bisection over the nodes
+/// and Newton's method in the cell, so a sample costs O(log n). The nodes are equally spaced in
+/// `cos θ`. Near the zenith this is a tilt of `√(2/n)`, so lobes narrower than a few such tilts
+/// need another NDF or [`NdfMap`](crate::NdfMap).
 ///
-/// - **Storage:** three numbers for each node, which [`Isotropic`] owns and [`IsotropicRef`] borrows.
+/// - **Storage:** three numbers per node, owned by [`Isotropic`] and borrowed by [`IsotropicRef`].
 /// - **Masking and visible normals:** by [`Masked`](crate::Masked).
-/// - **Domain:** unit `m`, of which only the slope counts; `D = 0` for `m.z ≤ 0` and NaN.
+/// - **Domain:** unit `m`, only its slope matters; `D = 0` for `m.z ≤ 0` and NaN.
 /// - **Accuracy:** `C` 1e-14; `T⁻¹(T(z)) = z` within 1e-5 where the density is not 0.
 ///
-/// The radial case of Kautz, Heidrich, Seidel 2001, section 4, by one table instead of two.
+/// Kautz, Heidrich, Seidel 2001, section 4, in the radial case, with one table instead of two.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IsotropicIn<S> {
     nodes: S,
 }
 
-/// A [density over the cosine](IsotropicIn) that owns its table.
+/// An [isotropic NDF](IsotropicIn) that owns its table.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Isotropic, Ndf, glam::Vec2};
@@ -61,22 +62,24 @@ pub type Isotropic = IsotropicIn<Vec<Node>>;
 
 #[cfg(feature = "alloc")]
 impl IsotropicIn<Vec<Node>> {
-    /// The density that is proportional to `values` at equally spaced cosines, the first at the horizon, the last at the
-    /// zenith.
+    /// Creates the NDF proportional to `values` at equally spaced cosines.
+    ///
+    /// The first value is at the horizon, the last at the zenith.
     ///
     /// # Errors
-    /// Fewer than 2 or more than 2²⁰ values, one that is negative or not finite, all of them 0; the error names the
-    /// culprit.
+    /// Fewer than 2 or more than 2²⁰ values; a negative or non-finite value; only zeros. The error
+    /// contains the invalid value.
     pub fn new(values: &[f32]) -> Result<Self, IsotropicError> {
         let mut nodes = alloc::vec![[0.0; PER_NODE]; values.len()];
         IsotropicRef::pack(values, nodes.as_flattened_mut())?;
         Ok(Self { nodes })
     }
 
-    /// The density that is proportional to `density(cos θ)` at `nodes` cosines from 0 to 1, and linear between.
+    /// Creates the NDF proportional to `density(cos θ)` at `nodes` cosines from 0 to 1, and linear
+    /// between.
     ///
     /// # Errors
-    /// The errors of [`new`](Self::new).
+    /// See [`new`](Self::new).
     pub fn from_fn(nodes: usize, density: impl Fn(f32) -> f32) -> Result<Self, IsotropicError> {
         if !(2..=MAX_NODES).contains(&nodes) {
             return Err(IsotropicError::Nodes { got: nodes });
@@ -86,7 +89,7 @@ impl IsotropicIn<Vec<Node>> {
     }
 }
 
-/// A [density over the cosine](IsotropicIn) in borrowed storage: three numbers for each node, lying anywhere, as in flash.
+/// An [isotropic NDF](IsotropicIn) in borrowed storage, e.g. in flash: three numbers per node.
 ///
 /// ```
 /// use asperity_ndf_sampling::{IsotropicRef, Ndf, glam::Vec2};
@@ -100,12 +103,14 @@ impl IsotropicIn<Vec<Node>> {
 pub type IsotropicRef<'a> = IsotropicIn<&'a [Node]>;
 
 impl<'a> IsotropicIn<&'a [Node]> {
-    /// The density that is proportional to `values` at equally spaced cosines, the first at the horizon, the last at the
-    /// zenith, in a `storage` of three numbers for each.
+    /// Creates the NDF proportional to `values` at equally spaced cosines in a given `storage`.
+    ///
+    /// The first value is at the horizon, the last at the zenith. The storage has three numbers per
+    /// value.
     ///
     /// # Errors
-    /// Fewer than 2 or more than 2²⁰ values, one that is negative or not finite, all of them 0, and a storage of
-    /// another length; the error names the culprit.
+    /// Fewer than 2 or more than 2²⁰ values; a negative or non-finite value; only zeros; a storage
+    /// of another length. The error contains the invalid value.
     pub fn pack(values: &[f32], storage: &'a mut [f32]) -> Result<Self, IsotropicError> {
         check(values)?;
         if storage.len() != PER_NODE * values.len() {
@@ -116,10 +121,10 @@ impl<'a> IsotropicIn<&'a [Node]> {
         Ok(Self { nodes })
     }
 
-    /// The density of a table that [`pack`](Self::pack) filled.
+    /// Creates the NDF from a table that [`pack`](Self::pack) filled.
     ///
     /// # Errors
-    /// A length that is no table's, a density that is negative or not finite, a distribution that does not rise from 0 to 1.
+    /// An invalid length; a negative or non-finite density; a CDF that does not increase from 0 to 1.
     pub fn new(packed: &'a [f32]) -> Result<Self, IsotropicError> {
         let nodes = packed.len() / PER_NODE;
         if !(2..=MAX_NODES).contains(&nodes) {
@@ -143,17 +148,17 @@ impl<'a> IsotropicIn<&'a [Node]> {
 }
 
 impl<S: Deref<Target = [Node]>> IsotropicIn<S> {
-    /// The packed table: for each node its density and the distribution `C` in two parts.
+    /// The packed table: for each node its density and the CDF `C` in two parts.
     #[must_use]
     pub fn packed(&self) -> &[f32] {
         self.nodes.as_flattened()
     }
 
-    /// At least the largest density between two cosines.
+    /// An upper bound of the density between two cosines.
     #[cfg(feature = "alloc")]
     pub(crate) fn most_between(&self, low: f64, high: f64) -> f32 {
         let cells = self.cells() as f64;
-        // With a node beyond, for cosines are rounded.
+        // One more node, because cosines are rounded.
         let at = |cos: f64| (cos.clamp(0.0, 1.0) * cells) as usize;
         let nodes = at(low - 1e-6)..=at(high + 1e-6) + 1;
         let most = nodes.fold(0.0_f32, |most, k| most.max(self.node(k.min(self.cells())).0));
@@ -180,7 +185,7 @@ impl<S: Deref<Target = [Node]>> IsotropicIn<S> {
         (Cell::new(index, low, high), from, to)
     }
 
-    /// The exponent at the cosine `1 − d`, for which both are given.
+    /// The exponent at the cosine `1 − d`, given both.
     #[inline]
     fn exponent_at(&self, cos: f64, d: f64) -> f64 {
         let cells = self.cells() as f64;
@@ -189,7 +194,7 @@ impl<S: Deref<Target = [Node]>> IsotropicIn<S> {
         let total = self.node(self.cells()).1;
         let scale = 2.0 * PI / (cells * cells);
         if 2.0 * from > total {
-            // From above, which keeps small tilts: what is missing to the upper end.
+            // From above, which keeps small tilts: the distance to the upper end.
             let y = (d * cells - (cells - 1.0 - index as f64)).clamp(0.0, 1.0);
             -math::ln_1p_f64(-((total - to) + scale * cell.above(y)) / total)
         } else {
@@ -218,7 +223,7 @@ impl<S: Deref<Target = [Node]>> Ndf for IsotropicIn<S> {
         let exponent = 0.5 * (x * x + y * y);
         let total = self.node(self.cells()).1;
         let (share, rest) = (total * math::exp_f64(-exponent), -total * math::exp_m1_f64(-exponent));
-        // The first cell at whose end the share is reached.
+        // The first cell at whose end the fraction is reached.
         let last = self.cells().saturating_sub(1);
         let reached = self.nodes.partition_point(|&[_, high, low]| f64::from(high) + f64::from(low) < share);
         let index = reached.saturating_sub(1).min(last);
@@ -255,18 +260,18 @@ impl<S: Deref<Target = [Node]>> Radial for IsotropicIn<S> {
 }
 
 error_enum! {
-    /// Refusal of a table over the cosine.
+    /// Error for tables over the cosine.
     pub enum IsotropicError {
         /// The table has fewer than 2 or more than 2²⁰ nodes.
         Nodes { got: usize } => "nodes must be 2 to {MAX_NODES}, got {got}";
-        /// The storage has another length than three numbers for each node.
+        /// The length of the storage is not three numbers per node.
         Storage { expected: usize, got: usize } => "storage must have {expected} numbers, got {got}";
         /// A density is NaN, infinite or negative.
         Density { index: usize, value: f32 } =>
             "density {index} must be finite and not negative, got {value}";
-        /// The density is 0 at every tilt below the horizon's.
+        /// The density is 0 at every tilt above the horizon.
         Black { got: usize } => "density must not be 0 everywhere, got {got} such nodes";
-        /// The packed distribution does not rise from 0 to 1.
+        /// The packed CDF does not increase from 0 to 1.
         Distribution { index: usize } => "distribution must rise from 0 to 1, got another at node {index}";
     }
 }
@@ -296,7 +301,7 @@ fn fill(values: &[f32], nodes: &mut [Node]) -> Result<(), IsotropicError> {
     Ok(())
 }
 
-/// Whether `values` can be the densities at the nodes of a table.
+/// Checks that `values` are valid densities at the nodes of a table.
 fn check(values: &[f32]) -> Result<(), IsotropicError> {
     if !(2..=MAX_NODES).contains(&values.len()) {
         return Err(IsotropicError::Nodes { got: values.len() });
@@ -324,7 +329,7 @@ mod tests {
     }
 
     #[test]
-    fn maps_are_inverse_with_gaps_and_peaks() {
+    fn round_trip_with_gaps_and_peaks() {
         let ring = Isotropic::new(&[0.0, 0.0, 2.0, 1.0, 0.0, 0.0, 0.0]).unwrap();
         let peak = Isotropic::from_fn(1000, |cos| cos.powi(200) + 0.01).unwrap();
         let spike = Isotropic::new(&[0.0, 0.0, 0.0, 1e-30]).unwrap();

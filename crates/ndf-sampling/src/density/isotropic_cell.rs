@@ -1,4 +1,4 @@
-//! Cells of a density that is linear over the cosine: masses and their inverse.
+//! Cells of an NDF that is linear over the cosine: masses and their inverse.
 
 /// A cell of the table, in units of cells along the cosine.
 #[derive(Clone, Copy)]
@@ -35,7 +35,7 @@ impl Cell {
     }
 }
 
-/// Inverse at `value` of an increasing function on [0, 1], given with its derivative; bracketed Newton.
+/// Inverts an increasing function on [0, 1], given with its derivative, by bracketed Newton steps.
 #[inline]
 pub(crate) fn invert(value: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
     let (mut low, mut high, mut x) = (0.0, 1.0, 0.5);
@@ -46,12 +46,12 @@ pub(crate) fn invert(value: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
         } else {
             high = x;
         }
-        // Rounding must not carry a root at an end beyond it.
+        // Rounding must not move a root at an end beyond it.
         let next = (x - (got - value) / slope).clamp(0.0, 1.0);
         let next = if next >= low && next <= high { next } else { 0.5 * (low + high) };
         let moved = (next - x).abs();
         x = next;
-        // Newton's step squares the error.
+        // A Newton step squares the error.
         if moved <= 1e-7 * x {
             break;
         }
@@ -65,7 +65,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn parts_of_a_cell_add_up_and_are_inverted() {
+    fn cell_masses_add_up_and_invert() {
         for (low, high) in [(1.0, 2.0), (0.0, 3.0), (3.0, 0.0), (1.0, 1.0)] {
             let cell = Cell::new(2, low, high);
             let whole = cell.below(1.0);

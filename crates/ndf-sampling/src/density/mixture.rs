@@ -1,4 +1,4 @@
-//! A weighted sum of two densities of the tilt alone, with its map from Gaussian coordinates.
+//! A weighted sum of two isotropic NDFs with a map from Gaussian coordinates.
 
 use glam::{Vec2, Vec3};
 
@@ -12,16 +12,16 @@ use asperity_core::math;
 
 use crate::range_error::RangeError;
 
-/// The density `w D_a + (1 − w) D_b` of two densities that depend on the tilt alone.
+/// The density `w D_a + (1 − w) D_b` of two isotropic NDFs.
 ///
 /// ```text
 /// D = w D_a + (1 − w) D_b
 /// T(z): the slope t where −ln(w exp(−E_a(t)) + (1 − w) exp(−E_b(t))) = ρ²/2, direction of z;    ρ² = z₁² + z₂²
 /// ```
 ///
-/// Between the two densities' own slopes at `ρ` there is one such slope; it is found by the rule of false position, to 1e-9
-/// relative, in 6 evaluations of both exponents on average. A diffuse lobe inside a density is
-/// [`BlinnPhong`](crate::BlinnPhong) with the exponent 0.
+/// There is one such slope between the slopes of the two NDFs at `ρ`. It is found by the rule of
+/// false position, to 1e-9 relative, in 6 evaluations of both exponents on average.
+/// [`BlinnPhong`](crate::BlinnPhong) with the exponent 0 is a diffuse lobe.
 ///
 /// ```
 /// use asperity_ndf_sampling::{BlinnPhong, Ggx, Mixture, Ndf, glam::Vec2};
@@ -33,17 +33,17 @@ use crate::range_error::RangeError;
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 ///
-/// Kautz, Heidrich, Seidel 2001, section 6. For densities that depend on the azimuth see [`Blend`].
+/// Kautz, Heidrich, Seidel 2001, section 6. For NDFs that depend on the azimuth see [`Blend`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mixture<A, B> {
     blend: Blend<A, B>,
 }
 
 impl<A: Radial, B: Radial> Mixture<A, B> {
-    /// `weight` of the density `a`, and the rest of `b`.
+    /// Creates the sum of `weight · a` and `(1 − weight) · b`.
     ///
     /// # Errors
-    /// A weight that is not between 0 and 1; a density that depends on the azimuth.
+    /// A weight that is not between 0 and 1; an NDF that depends on the azimuth.
     pub fn new(a: A, b: B, weight: f32) -> Result<Self, MixtureError> {
         for (density, exponent) in [("a", a.exponent(1.0)), ("b", b.exponent(1.0))] {
             if exponent.is_none() {
@@ -59,7 +59,7 @@ impl<A: Radial, B: Radial> Mixture<A, B> {
     /// `E(t)` of the sum.
     fn sum(&self, slope: f64) -> f64 {
         let w = f64::from(self.blend.weight);
-        // Radial, as the constructor saw.
+        // Radial, as checked by the constructor.
         let a = self.blend.a.exponent(slope).unwrap_or(0.0);
         let b = self.blend.b.exponent(slope).unwrap_or(0.0);
         if w >= 1.0 {
@@ -67,7 +67,7 @@ impl<A: Radial, B: Radial> Mixture<A, B> {
         } else if w <= 0.0 {
             b
         } else if a.min(b) < 0.5 {
-            // Where the shares are near 1.
+            // Where the weights are near 1.
             -math::ln_1p_f64(w * math::exp_m1_f64(-a) + (1.0 - w) * math::exp_m1_f64(-b))
         } else {
             let least = a.min(b);
@@ -75,9 +75,10 @@ impl<A: Radial, B: Radial> Mixture<A, B> {
         }
     }
 
-    /// The slope `t` where the exponent is `exponent`, between two that enclose it.
+    /// The slope `t` at which the exponent is `exponent`, between two slopes that enclose it.
     fn slope(&self, exponent: f64, low: f64, high: f64) -> f64 {
-        // Both in logarithms: near the zenith and in the tails of power laws the exponent is a power of the slope.
+        // Both in logarithms, because near the zenith and in the tails of power laws the exponent
+        // is a power of the slope.
         let at = |x: f64| math::ln_f64(self.sum(math::exp_f64(x)).max(f64::MIN_POSITIVE) / exponent);
         let (mut low, mut high) = (math::ln_f64(low), math::ln_f64(high));
         let (mut below, mut above) = (at(low), at(high));
@@ -88,13 +89,14 @@ impl<A: Radial, B: Radial> Mixture<A, B> {
                 break;
             }
             let x = (low * above - high * below) / (above - below);
-            // Near an end the rule is slow where the function bends; the middle is the safeguard.
+            // Near an end the rule is slow where the function bends. The middle is the safeguard.
             let x = if x > low && x < high { x } else { 0.5 * (low + high) };
             let value = at(x);
             if value.abs() < 1e-9 {
                 return math::exp_f64(x);
             }
-            // The Illinois rule: an end that stays for a second time counts half, so that it moves the next time.
+            // The Illinois rule: an end that stays twice counts half, so that it moves the next
+            // time.
             if value < 0.0 {
                 if moved_low == Some(true) {
                     above *= 0.5;
@@ -117,10 +119,10 @@ impl<A: Radial, B: Radial> Mixture<A, B> {
     }
 }
 
-/// More steps than the rule of false position needs: measured 13.
+/// More steps than the rule of false position needs (measured: 13).
 const MOST_STEPS: u32 = 100;
 
-/// The slope of the normal that `ndf` gives at `ρ`.
+/// The slope of the normal that `ndf` returns at `ρ`.
 fn own_slope(ndf: &impl Ndf, rho: f32) -> f64 {
     let m = ndf.from_gaussian(Vec2::new(rho, 0.0));
     f64::from(m.x.abs()) / f64::from(m.z.max(f32::MIN_POSITIVE))
@@ -135,7 +137,7 @@ pub(crate) fn tilted(z: Vec2, slope: f64) -> Vec3 {
     Vec3::new((x * across) as f32, (y * across) as f32, (up as f32).max(f32::MIN_POSITIVE))
 }
 
-/// The coordinates of `m` by its exponent as a function of the slope; NaN is read as 0.
+/// The coordinates of `m` from its exponent as a function of the slope; NaN is read as 0.
 #[inline]
 pub(crate) fn untilted(m: Vec3, exponent: impl Fn(f64) -> f64) -> Vec2 {
     let (x, y) = (f64::from(m.x), f64::from(m.y));
@@ -157,7 +159,7 @@ impl<A: Radial, B: Radial> Ndf for Mixture<A, B> {
         }
         let rho = math::sqrt_f64(2.0 * exponent) as f32;
         let (a, b) = (own_slope(&self.blend.a, rho), own_slope(&self.blend.b, rho));
-        // Enclosed, with the rounding of those slopes.
+        // Enclosed, including the rounding of these slopes.
         let slope = self.slope(exponent, a.min(b) * (1.0 - 1e-5), a.max(b) * (1.0 + 1e-5));
         tilted(z, slope)
     }
@@ -182,11 +184,11 @@ impl<A: Radial, B: Radial> Radial for Mixture<A, B> {
 }
 
 error_enum! {
-    /// Refusal of a sum of densities that is to have a map.
+    /// Error for sums of NDFs with a map.
     pub enum MixtureError {
         /// The weight is not between 0 and 1.
         Weight { value: f32 } => "weight must be between 0 and 1, got {value}";
-        /// A density, `"a"` or `"b"`, depends on the azimuth, so that the sum has no radial map.
+        /// An NDF, `"a"` or `"b"`, depends on the azimuth, so the sum has no radial map.
         NotRadial { density: &'static str } =>
             "density {density} must depend on the tilt alone, got one that depends on the azimuth";
     }
@@ -199,7 +201,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn equal_densities_mix_to_themselves() {
+    fn mixture_of_equal_ndfs_is_the_same_ndf() {
         let ggx = Ggx::isotropic(0.3).unwrap();
         for weight in [0.0, 0.3, 1.0] {
             let mixture = Mixture::new(ggx, ggx, weight).unwrap();
@@ -212,7 +214,7 @@ mod tests {
     }
 
     #[test]
-    fn maps_are_inverse_and_between_the_densities() {
+    fn round_trip_and_slopes_between_both_ndfs() {
         let (narrow, wide) = (Beckmann::isotropic(0.02).unwrap(), BlinnPhong::new(0.0).unwrap());
         let mixture = Mixture::new(narrow, wide, 0.7).unwrap();
         let nested = Mixture::new(mixture, Ggx::isotropic(0.4).unwrap(), 0.5).unwrap();

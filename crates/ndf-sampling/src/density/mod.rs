@@ -1,4 +1,4 @@
-//! Normal density functions: closed forms, tables over the cosine, and compositions of them.
+//! Normal distribution functions: closed forms, tables over the cosine, and compositions.
 
 pub(crate) mod ashikhmin_shirley;
 pub(crate) mod beckmann;
@@ -28,7 +28,7 @@ mod tests {
     use crate::{AshikhminShirley, Beckmann, BlinnPhong, Ggx, Mixture, Rotated, StudentT};
 
     #[test]
-    fn densities_are_total_on_every_input() {
+    fn ndfs_accept_every_input() {
         for alpha in [MIN_ALPHA, 1e-4, 1.0, MAX_ALPHA] {
             totality::check(&Ggx::isotropic(alpha).unwrap());
             totality::check(&Beckmann::isotropic(alpha).unwrap());
@@ -49,14 +49,14 @@ mod tests {
     }
 
     #[test]
-    fn flat_normal_is_the_origin() {
+    fn to_gaussian_of_the_zenith_is_zero() {
         for ndf in [&Ggx::new(0.2, 0.4).unwrap() as &dyn Ndf, &Beckmann::new(0.2, 0.4).unwrap()] {
             assert_eq!((ndf.from_gaussian(Vec2::ZERO), ndf.to_gaussian(Vec3::Z)), (Vec3::Z, Vec2::ZERO));
         }
     }
 
     #[test]
-    fn beckmann_ends_above_the_horizon() {
+    fn beckmann_density_vanishes_near_the_horizon() {
         // Where exp and mz⁴ both underflow.
         let beckmann = Beckmann::isotropic(0.5).unwrap();
         for z in [1e-3, 1e-9, 1e-20, 1e-40] {

@@ -1,4 +1,4 @@
-//! A density turned about the macro normal.
+//! An NDF rotated around the macro normal.
 
 use glam::{Vec2, Vec3};
 
@@ -8,14 +8,15 @@ use crate::radial::Radial;
 use crate::range_error::RangeError;
 use asperity_core::math;
 
-/// The density `N`, turned about the z axis by an angle.
+/// The NDF `N`, rotated around the z axis by an angle.
 ///
 /// ```text
 /// D(m) = D_N(R⁻¹ m),   T(z) = R T_N(R⁻¹ z),   Λ(v) = Λ_N(R⁻¹ v)          R: the rotation from x towards y by the angle
 /// ```
 ///
-/// The Gaussian coordinates are turned as well, so that a density which depends on the tilt alone stays as it is. Turning
-/// rounds the shorter slope like the longer: `T⁻¹(T(z)) = z` within 4e-7 times the ratio of the roughnesses.
+/// The Gaussian coordinates are rotated as well, so isotropic NDFs are unchanged. The rotation
+/// rounds the shorter slope as much as the longer one: `T⁻¹(T(z)) = z` within 4e-7 times the ratio
+/// of the roughnesses.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Ggx, Ndf, Rotated, glam::Vec3};
@@ -33,7 +34,7 @@ pub struct Rotated<N> {
 }
 
 impl<N> Rotated<N> {
-    /// `ndf`, turned by `angle` radians from x towards y.
+    /// Creates `ndf` rotated by `angle` radians from x towards y.
     ///
     /// # Errors
     /// An angle that is not finite.
@@ -67,7 +68,7 @@ impl<N: Ndf> Ndf for Rotated<N> {
 
     #[inline]
     fn from_gaussian(&self, z: Vec2) -> Vec3 {
-        // Bounded before, for ∞ − ∞ is NaN.
+        // Clamped before, because ∞ − ∞ is NaN.
         let z = crate::coordinates::bounded(z);
         self.turn3(self.ndf.from_gaussian(self.back(z.x, z.y)))
     }

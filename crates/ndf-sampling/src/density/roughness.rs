@@ -1,4 +1,4 @@
-//! Roughness: which values of `alpha_x` and `alpha_y` a microfacet density accepts.
+//! Roughness: the valid range of `alpha_x` and `alpha_y`.
 
 use glam::Vec3;
 
@@ -6,13 +6,13 @@ use crate::microfacet::above;
 use crate::range_error::RangeError;
 use asperity_core::math;
 
-/// The smallest roughness: below it `1/(π α²)` and its products leave the range of `f32`.
+/// The smallest roughness. Below it `1/(π α²)` and its products leave the range of `f32`.
 pub const MIN_ALPHA: f32 = 1e-6;
 
-/// The largest roughness: above it normals at the horizon leave the range of `f32`.
+/// The largest roughness. Above it normals at the horizon leave the range of `f32`.
 pub const MAX_ALPHA: f32 = 1e6;
 
-/// Both roughnesses of a density, checked.
+/// Both roughnesses of an NDF, checked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Roughness {
     /// Along x.
@@ -45,14 +45,15 @@ impl Roughness {
         math::sqrt_f64(0.5 * (x * x + y * y))
     }
 
-    /// Smith's `Λ(v) = E(z)/z` by the mean excess of the slopes over `z`, in units of their [`spread`](Self::spread).
+    /// Smith's `Λ(v) = E(z)/z` from the mean excess of the slopes over `z`, in units of their
+    /// [`spread`](Self::spread).
     pub(crate) fn lambda(self, v: Vec3, excess: impl Fn(f64) -> f64) -> f32 {
-        // In f64, for Λ may fall like exp(−z²/2). At the zenith z is infinite and the excess 0.
+        // In f64, since Λ may decrease like exp(−z²/2). At the zenith z is infinite and the excess 0.
         let z = f64::from(v.z) / self.spread(v);
         if z > 0.0 { (excess(z) / z) as f32 } else { f32::INFINITY }
     }
 
-    /// The projected area `σ(v)` by the same excess.
+    /// The projected area `σ(v)` from the same excess.
     pub(crate) fn projected_area(self, v: Vec3, excess: impl Fn(f64) -> f64) -> f32 {
         let v = above(v);
         let (spread, up) = (self.spread(v), f64::from(v.z));
@@ -68,29 +69,31 @@ impl Roughness {
     }
 }
 
-/// The constructors and accessors of a density whose only parameters are `alpha: Roughness`.
+/// The constructors and accessors of an NDF whose only parameters are `alpha: Roughness`.
 macro_rules! roughness_parameters {
     ($density:ident) => {
         impl $density {
-            /// The density with the roughnesses `alpha_x` and `alpha_y`.
+            /// Creates the NDF with the roughnesses `alpha_x` and `alpha_y`.
             ///
             /// # Errors
-            /// A roughness outside [`MIN_ALPHA`](crate::MIN_ALPHA)`..=`[`MAX_ALPHA`](crate::MAX_ALPHA); the error names it and its value.
+            /// A roughness outside
+            /// [`MIN_ALPHA`](crate::MIN_ALPHA)`..=`[`MAX_ALPHA`](crate::MAX_ALPHA). The error
+            /// contains its name and value.
             #[inline]
             pub fn new(alpha_x: f32, alpha_y: f32) -> Result<Self, $crate::range_error::RangeError> {
                 $crate::density::roughness::Roughness::new(alpha_x, alpha_y).map(|alpha| Self { alpha })
             }
 
-            /// The isotropic density with the roughness `alpha`.
+            /// Creates the isotropic NDF with the roughness `alpha`.
             ///
             /// # Errors
-            /// A roughness that [`Self::new`] refuses; the error names `alpha_x`.
+            /// See [`Self::new`]; the error contains the name `alpha_x`.
             #[inline]
             pub fn isotropic(alpha: f32) -> Result<Self, $crate::range_error::RangeError> {
                 Self::new(alpha, alpha)
             }
 
-            /// The density with each roughness moved to the nearest valid one; NaN becomes 1.
+            /// Creates the NDF with roughnesses clamped to the valid range; NaN becomes 1.
             #[inline]
             #[must_use]
             pub fn clamped(alpha_x: f32, alpha_y: f32) -> Self {
@@ -106,7 +109,7 @@ macro_rules! roughness_parameters {
 }
 pub(crate) use roughness_parameters;
 
-/// The accessors of a density with a field `alpha: Roughness`.
+/// The accessors of an NDF with a field `alpha: Roughness`.
 macro_rules! roughness_accessors {
     ($density:ident) => {
         impl $density {
@@ -133,7 +136,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn clamp_repairs_every_value() {
+    fn clamped_accepts_every_value() {
         for (dirty, clean) in
             [(f32::NAN, 1.0), (f32::INFINITY, MAX_ALPHA), (-1.0, MIN_ALPHA), (0.0, MIN_ALPHA), (0.3, 0.3)]
         {

@@ -1,4 +1,5 @@
-//! Student's t distribution in one dimension: density, tail, mean excess, and the slopes seen from a direction.
+//! Student's t distribution in one dimension: density, tail, mean excess, and slopes seen by a
+//! view.
 
 use core::f64::consts::PI;
 
@@ -22,7 +23,7 @@ pub(crate) struct StudentDistribution {
 }
 
 impl StudentDistribution {
-    /// The distribution with `freedom` degrees of freedom, which must be positive.
+    /// Creates the distribution with `freedom` degrees of freedom, which must be positive.
     pub(crate) fn new(freedom: f64) -> Self {
         Self { freedom, peak: gamma_ratio(0.5 * freedom) / math::sqrt_f64(PI * freedom) }
     }
@@ -51,7 +52,8 @@ impl StudentDistribution {
         if z < self.seam() {
             self.beyond(z) - z * (0.5 - self.centre(z))
         } else if z < FARTHEST {
-            // The same without the difference: the fraction is 1/(1 + k), and 1 − 1/(1 + k) is k/(1 + k).
+            // The same without the difference: the fraction is 1/(1 + k), and 1 − 1/(1 + k) is k/(1 +
+            // k).
             let k = self.fraction(z);
             self.beyond(z) * (1.0 + (nu - 1.0) * k / (1.0 + k)) / nu
         } else {
@@ -59,10 +61,11 @@ impl StudentDistribution {
         }
     }
 
-    /// The `u`-quantile of the slope that a view sees, whose density is proportional to `(b + x) f(x)` for `x ≥ −b`.
+    /// The `u`-quantile of the slope seen by a view, whose density is ∝ `(b + x) f(x)` for `x ≥
+    /// −b`.
     ///
-    /// Like [`visible_slope`](crate::density::visible_slopes::visible_slope), with `x` stretched by arsinh, where power laws are
-    /// straight. `ν > 1`; in `u` within 1e-12.
+    /// Works like [`visible_slope`](crate::density::visible_slopes::visible_slope), with `x`
+    /// transformed by arsinh, in which power laws are straight. `ν > 1`; within 1e-12 in `u`.
     pub(crate) fn visible_slope(self, b: f64, u: f64) -> f64 {
         let b = if b < ZENITH { b } else { ZENITH };
         let total = b * self.tail(-b) + self.beyond(b);
@@ -70,7 +73,7 @@ impl StudentDistribution {
         let start = self.guess(u.max(LEAST_U));
         let y = b + start;
         let start = if y > 0.0 {
-            // Right for b → ∞ to the second order in 1/b.
+            // Correct for b → ∞ to the second order in 1/b.
             start + 2.0 / (math::sqrt_f64(y * y + 4.0) + y)
         } else {
             // At the edge the distribution starts like a square.
@@ -87,20 +90,21 @@ impl StudentDistribution {
         })
     }
 
-    /// The `u`-quantile of the distribution itself; in `u` within 1e-12.
+    /// The `u`-quantile of the distribution itself, within 1e-12 in `u`.
     pub(crate) fn quantile(self, u: f64) -> f64 {
         let side = |x: f64| Side { share: self.tail(if u < 0.5 { -x } else { x }), density: self.density(x) };
         self.solve(self.guess(u.max(LEAST_U)), -FARTHEST, u, side)
     }
 
-    /// Quantile of `u`: the point with this share to its left, from `start` and not below `least`.
+    /// The quantile of `u`, found from `start` and not below `least`.
     fn solve(self, start: f64, least: f64, u: f64, side: impl Fn(f64) -> Side) -> f64 {
         let u = u.max(LEAST_U);
         let (mut low, mut high, mut x) = (least, FARTHEST, start.min(FARTHEST));
         for _ in 0..MOST_STEPS {
             let Side { share, density } = side(x);
             let stretch = math::sqrt_f64(self.freedom + x * x);
-            // Newton's step in arsinh(x/√ν), for √u at the left, where the edge is a square, for the logarithm at the right.
+            // Newton steps in arsinh(x/√ν), for √u at the left, where the edge is a square, and for
+            // the logarithm at the right.
             let (step, too_low) = if u < 0.5 {
                 let share = share.max(f64::MIN_POSITIVE);
                 (2.0 * (math::sqrt_f64(u * share) - share) / (density * stretch), share < u)
@@ -116,11 +120,11 @@ impl StudentDistribution {
             let grown = math::exp_m1_f64(step.clamp(-LONGEST, LONGEST));
             let (sinh, cosh1) = (0.5 * (grown + grown / (1.0 + grown)), 0.5 * grown * grown / (1.0 + grown));
             let next = x + x * cosh1 + stretch * sinh;
-            // Outside the bracket, or a NaN: its middle.
+            // Outside the bracket, or NaN: use its middle.
             let next = if next >= low && next <= high { next } else { middle(low, high) };
             let moved = (next - x).abs();
             x = next;
-            // Newton's step squares the error.
+            // A Newton step squares the error.
             if moved < 1e-7 * (1.0 + x.abs()) {
                 break;
             }
@@ -128,7 +132,7 @@ impl StudentDistribution {
         x
     }
 
-    /// The quantile roughly: Wallace's transform from the Gaussian's.
+    /// An approximate quantile: Wallace's transform of the Gaussian quantile.
     fn guess(self, u: f64) -> f64 {
         let nu = self.freedom;
         let z = inverse_phi(u) * (8.0 * nu + 3.0) / (8.0 * nu + 1.0);
@@ -136,7 +140,8 @@ impl StudentDistribution {
         if z < 0.0 { -t } else { t }
     }
 
-    /// Point at which the series at 0 gives way to the continued fraction: both take some 30 terms there.
+    /// The point at which the continued fraction replaces the series at 0. Both need about 30 terms
+    /// there.
     fn seam(self) -> f64 {
         math::sqrt_f64(9.0 * self.freedom / (self.freedom + 18.0))
     }
@@ -163,7 +168,8 @@ impl StudentDistribution {
 
     /// `k` of `1/(1 + k) = ₂F₁(½, 1; ν/2 + 1; −ν/z²) = P(T > z) · ν z/((ν + z²) f(z))`, by Gauss's continued fraction.
     ///
-    /// Its terms are positive for every `ν`, and for `ν → ∞` it becomes Laplace's for the Gaussian tail.
+    /// Its terms are positive for every `ν`. For `ν → ∞` it becomes Laplace's fraction for the
+    /// Gaussian tail.
     fn fraction(self, z: f64) -> f64 {
         let (c, ratio) = (0.5 * self.freedom, self.freedom / (z * z));
         // Steed's algorithm: each step adds the difference of two convergents.
@@ -188,22 +194,23 @@ impl StudentDistribution {
     }
 }
 
-/// Values by which a quantile is solved: the share on the smaller side of a point, and the density there.
+/// Values for solving a quantile: the fraction on the smaller side of a point, and the density
+/// there.
 struct Side {
     share: f64,
     density: f64,
 }
 
-/// Beyond it squares overflow, and slopes are those of normals at the horizon.
+/// Beyond it squares overflow, and slopes belong to normals at the horizon.
 const FARTHEST: f64 = 1e150;
-/// More steps than any quantile needs: measured 12.
+/// More steps than any quantile needs (measured: 12).
 const MOST_STEPS: u32 = 100;
-/// More terms than either expansion needs: measured 60.
+/// More terms than either expansion needs (measured: 60).
 const MOST_TERMS: u32 = 500;
 /// The longest step of arsinh(x/√ν).
 const LONGEST: f64 = 600.0;
 
-/// Between `low` and `high`, by their logarithms where they differ by orders of magnitude.
+/// A point between `low` and `high`, by their logarithms where they differ by orders of magnitude.
 fn middle(low: f64, high: f64) -> f64 {
     let bend = |x: f64| if x < 0.0 { -math::ln_1p_f64(-x) } else { math::ln_1p_f64(x) };
     let m = 0.5 * (bend(low) + bend(high));
@@ -212,8 +219,8 @@ fn middle(low: f64, high: f64) -> f64 {
 
 /// `Γ(x + ½)/Γ(x)` for `x > 0`.
 ///
-/// `√x (1 − 1/(8x) + 1/(128x²) + 5/(1024x³) − 21/(32768x⁴) − 399/(262144x⁵) + 869/(4194304x⁶))`, Tricomi and Erdélyi 1951,
-/// after the recurrence to `x ≥ 50`, where the rest is 2e-15.
+/// `√x (1 − 1/(8x) + 1/(128x²) + 5/(1024x³) − 21/(32768x⁴) − 399/(262144x⁵) + 869/(4194304x⁶))`,
+/// Tricomi and Erdélyi 1951, after the recurrence to `x ≥ 50`, where the remainder is 2e-15.
 fn gamma_ratio(x: f64) -> f64 {
     // Products rather than a product of quotients: 50! is 10⁶⁴.
     let (mut x, mut above, mut below) = (x, 1.0, 1.0);
@@ -272,7 +279,7 @@ mod tests {
     }
 
     #[test]
-    fn both_expansions_meet() {
+    fn tail_is_continuous_at_the_seam() {
         for nu in [1.0, 1.5, 2.0, 5.0, 20.0, 1e3, 1e6, 1e13] {
             let student = StudentDistribution::new(nu);
             let seam = student.seam();

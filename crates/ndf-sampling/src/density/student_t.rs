@@ -1,4 +1,4 @@
-//! The Student-t normal density, between GGX and Beckmann and with longer tails than either, isotropic and anisotropic.
+//! The Student-t NDF, between GGX and Beckmann and beyond, isotropic and anisotropic.
 
 use core::f64::consts::SQRT_2;
 
@@ -16,7 +16,7 @@ use asperity_core::lanes::Scalar;
 use asperity_core::lanes::elementary::cos_sin_turns;
 use asperity_core::math;
 
-/// The Student-t normal density with the roughnesses `alpha_x`, `alpha_y` and the exponent `gamma`.
+/// The Student-t NDF with the roughnesses `alpha_x`, `alpha_y` and the exponent `gamma`.
 ///
 /// ```text
 /// D(m) = (1 + q²/(γ − 1))^(−γ) / (π αx αy mz⁴),   q² = (mx²/αx² + my²/αy²)/mz²          in sr⁻¹
@@ -24,13 +24,16 @@ use asperity_core::math;
 /// Λ(v) = E(z)/z,   z = √2 v_z/√(αx²vx² + αy²vy²),   E(z) = E[max(0, t − z)] for Student's t with 2γ − 2 degrees of freedom
 /// ```
 ///
-/// `γ = 2` is GGX, `γ → ∞` Beckmann, and `γ = n/2 + 2` with `α² = 2/(n + 2)` Blinn–Phong's `cosⁿ θ`.
+/// `γ = 2` is GGX, `γ → ∞` is Beckmann, and `γ = n/2 + 2` with `α² = 2/(n + 2)` is Blinn–Phong's
+/// `cosⁿ θ`. Smaller `γ` has longer tails than GGX.
 ///
-/// - **Domain:** `αx, αy` in [`MIN_ALPHA`](crate::MIN_ALPHA)`..=`[`MAX_ALPHA`](crate::MAX_ALPHA), `γ` in [`MIN_GAMMA`](Self::MIN_GAMMA)`..=`
-///   [`MAX_GAMMA`](Self::MAX_GAMMA); unit `m`, of which only the slope counts; `D = 0` for `m.z ≤ 0` and NaN. For `γ < 2` the density grows
-///   without bound at the horizon, where it ends at `f32::MAX`; normals have `m.z ≥ 2⁻¹²⁶`.
-/// - **Visible normals:** the slope along the view by inversion of its distribution, to 1e-12 in `u`; the slope across it by
-///   the quantile of Student's t, to which it is distributed given the first. `u` below 2⁻³² is read as 2⁻³².
+/// - **Domain:** `αx, αy` in [`MIN_ALPHA`](crate::MIN_ALPHA)`..=`[`MAX_ALPHA`](crate::MAX_ALPHA),
+///   `γ` in [`MIN_GAMMA`](Self::MIN_GAMMA)`..=` [`MAX_GAMMA`](Self::MAX_GAMMA); unit `m`, only its
+///   slope matters; `D = 0` for `m.z ≤ 0` and NaN. For `γ < 2` the density is unbounded at the
+///   horizon, where it is clamped to `f32::MAX`. Normals have `m.z ≥ 2⁻¹²⁶`.
+/// - **Visible normals:** the slope along the view by inversion of its distribution, to 1e-12 in
+///   `u`. The slope across it by the quantile of Student's t, its conditional distribution. `u`
+///   below 2⁻³² is read as 2⁻³².
 /// - **Accuracy:** `D` 1e-6 + 5e-7 a relative, with the exponent `a = γ ln(1 + q²/(γ − 1))`; Λ 1e-6 relative.
 ///
 /// ```
@@ -43,8 +46,8 @@ use asperity_core::math;
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
-/// Ribardière et al. 2017, "STD: Student's t-Distribution of Slopes for Microfacet Based BSDFs", eq. 12 for `D`. Their Λ
-/// approximates the integral by a rational function; here it is exact.
+/// Ribardière et al. 2017, "STD: Student's t-Distribution of Slopes for Microfacet Based BSDFs",
+/// eq. 12 for `D`. Their Λ approximates the integral by a rational function; here it is exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[doc(alias = "std")]
 #[doc(alias = "gtr")]
@@ -53,7 +56,7 @@ pub struct StudentT {
     gamma: f32,
     /// The slopes along a direction, in units of α/√2.
     along: StudentDistribution,
-    /// The slopes across, given those along.
+    /// The slopes across a direction, given the slopes along it.
     across: StudentDistribution,
 }
 
@@ -67,24 +70,24 @@ written!(StudentT, |density| {
 asperity_core::impl_approx! { f32; StudentT: density => density.alpha.x, density.alpha.y, density.gamma; }
 
 impl StudentT {
-    /// The smallest exponent; at 3/2 the facets' projected area diverges.
+    /// The smallest exponent; at 3/2 the projected area of the facets diverges.
     pub const MIN_GAMMA: f32 = 1.51;
 
-    /// The largest exponent; above 10⁷ the density is Beckmann's within the rounding of `f32`.
+    /// The largest exponent; above 10⁷ the NDF is Beckmann within the rounding of `f32`.
     pub const MAX_GAMMA: f32 = 1e12;
 
-    /// The density with the roughnesses `alpha_x` and `alpha_y` and the exponent `gamma`.
+    /// Creates the NDF with the roughnesses `alpha_x` and `alpha_y` and the exponent `gamma`.
     ///
     /// # Errors
-    /// A roughness that [`Ggx::new`](crate::Ggx::new) refuses, an exponent that is not finite or out of range; the error names
-    /// the culprit and its value.
+    /// A roughness that is invalid in [`Ggx::new`](crate::Ggx::new); an exponent that is not finite
+    /// or out of range. The error contains the name and the value of the parameter.
     pub fn new(alpha_x: f32, alpha_y: f32, gamma: f32) -> Result<Self, RangeError> {
         let alpha = Roughness::new(alpha_x, alpha_y)?;
         RangeError::check("gamma", gamma, [Self::MIN_GAMMA, Self::MAX_GAMMA])
             .map(|gamma| Self::with(alpha, gamma))
     }
 
-    /// The density with each parameter moved to the nearest valid one; a roughness NaN becomes 1, an exponent NaN 2.
+    /// Creates the NDF with clamped parameters; a NaN roughness becomes 1, a NaN exponent 2.
     #[must_use]
     pub fn clamped(alpha_x: f32, alpha_y: f32, gamma: f32) -> Self {
         let gamma = if gamma.is_nan() { 2.0 } else { gamma.clamp(Self::MIN_GAMMA, Self::MAX_GAMMA) };
@@ -108,8 +111,9 @@ impl StudentT {
         self.gamma
     }
 
-    /// The normal with the direction of `z`, given in standard deviations, in the stretched space, beyond which the share
-    /// `exp(−|z|²/2)` of the normals is tilted.
+    /// The normal in the stretched space with the azimuth of `z`, which is in standard deviations.
+    ///
+    /// The fraction `exp(−|z|²/2)` of the normals is tilted more.
     fn tilted(self, z: Vec2) -> Vec3 {
         let scale = self.gamma - 1.0;
         let rho2 = z.x * z.x + z.y * z.y;
@@ -176,7 +180,7 @@ impl Microfacet for StudentT {
         let along = self.along.visible_slope(view, f64::from(u.x)).clamp(-STEEPEST, STEEPEST);
         let freedom = 2.0 * f64::from(self.gamma) - 2.0;
         let spread = math::sqrt_f64((freedom + along * along) / (freedom + 1.0));
-        // In proportion to the slope along, be that cut off or not.
+        // Proportional to the slope along the view, whether that is clamped or not.
         let across = (self.across.quantile(f64::from(u.y)) * spread).clamp(-1e40 * STEEPEST, 1e40 * STEEPEST);
         let (x, y) = (along * cos - across * sin, along * sin + across * cos);
         let (x, y) = (x * f64::from(self.alpha.x), y * f64::from(self.alpha.y));
@@ -193,8 +197,9 @@ impl Radial for StudentT {
     }
 }
 
-/// The steepest slope over the roughness, at the horizon in `f32`: with the least γ some are greater, and their squares leave the
-/// range of `f64`.
+/// The steepest slope over the roughness, at the horizon in `f32`.
+///
+/// With the smallest γ some are greater, and their squares leave the range of `f64`.
 const STEEPEST: f64 = 1e100;
 
 #[cfg(test)]
@@ -218,7 +223,7 @@ mod tests {
     use crate::{Beckmann, Ggx};
 
     #[test]
-    fn members_are_ggx_and_beckmann() {
+    fn special_cases_are_ggx_and_beckmann() {
         let (ggx, beckmann) = (Ggx::new(0.2, 0.4).unwrap(), Beckmann::new(0.2, 0.4).unwrap());
         for (gamma, other) in [(2.0, &ggx as &dyn Microfacet), (1e10, &beckmann)] {
             let student = StudentT::new(0.2, 0.4, gamma).unwrap();

@@ -1,24 +1,25 @@
-//! Gaussian slopes seen from a direction: their mean excess, and the inverse of their distribution along the view.
+//! Gaussian slopes seen by a view: mean excess, and inverse of their distribution along the view.
 
 use crate::numeric::normal_distribution::{inverse_phi, phi_and_density};
 use asperity_core::lanes::Scalar;
 use asperity_core::lanes::elementary::exp;
 use asperity_core::math;
 
-/// The least `u` that [`visible_slope`] distinguishes from 0.
+/// The smallest `u` that [`visible_slope`] distinguishes from 0.
 pub(crate) const LEAST_U: f64 = 1.0 / 4_294_967_296.0;
 
-/// Beyond it a view sees every slope alike, within the rounding of `f64`.
+/// Beyond it a view sees every slope equally, within the rounding of `f64`.
 pub(crate) const ZENITH: f64 = 1e17;
 
 /// `E[max(0, X − z)]` of a standard Gaussian `X`, for `z ≥ 0`: `φ(z) − z Φ(−z)`; 0 for infinite `z` and NaN.
 ///
 /// `√2 E/z` with `z = √2 a` is Heitz's Λ for Beckmann.
 ///
-/// - **Accuracy:** 3e-7 relative up to 13; from 13.19 on, where it is below 5e-41, 0. `E/φ` is a rational function within 5.1e-9, by
-///   least squares of relative errors, weighted until they were level; the exponential is that of the lanes, 2e-7.
+/// - **Accuracy:** 3e-7 relative up to 13; 0 from 13.19 on, where the value is below 5e-41. `E/φ`
+///   is a rational function within 5.1e-9, fitted by least squares of relative errors with weights
+///   that level them. The exponential is the SIMD one, accurate to 2e-7.
 pub(crate) fn excess(z: f64) -> f64 {
-    // 1/√(2π) is in the first of the two.
+    // 1/√(2π) is included in the first of the two.
     const A: [f64; 5] = [
         0.398_942_278_388_777_3,
         0.273_146_252_913_735_4,
@@ -34,20 +35,20 @@ pub(crate) fn excess(z: f64) -> f64 {
         0.045_980_309_134_483_456,
         0.004_247_772_245_385_646,
     ];
-    // There the exponential is 0. NaN comes to the end too.
+    // There the exponential is 0. NaN takes this branch too.
     let z = if z < 13.2 { z } else { 13.2 };
     let square = z * z;
     let exponent = -0.5 * square;
     let rounded = exponent as f32;
     let falloff = f64::from(exp(Scalar, rounded)) * (1.0 + (exponent - f64::from(rounded)));
-    // Even and odd powers apart are two chains of half the length.
+    // Separate even and odd powers are two chains of half the length.
     let above = (A[0] + square * (A[2] + square * A[4])) + z * (A[1] + square * A[3]);
     let below = (1.0 + square * (B[1] + square * (B[3] + square * B[5])))
         + z * (B[0] + square * (B[2] + square * B[4]));
     falloff * above / below
 }
 
-/// [`excess`] by its definition; the relative error is about `z² · 10⁻¹⁶`, by the difference.
+/// [`excess`] by its definition; the relative error is about `z² · 10⁻¹⁶`, from the difference.
 #[cfg(test)]
 pub(crate) fn exact_excess(z: f64) -> f64 {
     let (below, density) = phi_and_density(-z);
@@ -63,17 +64,18 @@ pub(crate) fn exact_excess(z: f64) -> f64 {
 /// - **Domain:** `b ≥ 0`, `u` in `[0, 1)`; `u` below 2⁻³² is read as 2⁻³², NaN in `b` as the zenith.
 /// - **Accuracy:** 1e-9, and 1e-6 where `u < 2⁻²⁴`.
 ///
-/// Heitz and d'Eon 2014, "Importance Sampling Microfacet-Based BSDFs using the Distribution of Visible Normals", section 5:
-/// the same distribution. They bisect and step by Newton in erf x; here Halley's step is taken in √u below the median, where
-/// the distribution starts like a square, and in u above it.
+/// Heitz and d'Eon 2014, "Importance Sampling Microfacet-Based BSDFs using the Distribution of
+/// Visible Normals", section 5, with the same distribution. They bisect and take Newton steps in
+/// erf x. Here Halley steps are taken in √u below the median, where the distribution starts like a
+/// square, and in u above it.
 pub(crate) fn visible_slope(b: f64, u: f64) -> f64 {
     let b = if b < ZENITH { b } else { ZENITH };
     let u = u.max(LEAST_U);
     let (seen, at_edge) = phi_and_density(b);
     let total = b * seen + at_edge;
-    // b Φ(−b) − φ(b), minus the part of the whole that the edge cuts off.
+    // b Φ(−b) − φ(b), minus the part that the edge cuts off.
     let edge = b * (1.0 - seen) - at_edge;
-    // Right for b → ∞ to the second order in 1/b, and never left of the edge at −b.
+    // Correct for b → ∞ to the second order in 1/b, and never left of the edge at −b.
     let gaussian = inverse_phi(u);
     let y = b + gaussian;
     let root = math::sqrt_f64(y * y + 4.0);
@@ -102,7 +104,7 @@ pub(crate) fn visible_slope(b: f64, u: f64) -> f64 {
     x
 }
 
-/// More steps than any `b` and `u` need: measured 3.
+/// More steps than any `b` and `u` need (measured: 3).
 const MOST_STEPS: usize = 8;
 
 #[cfg(test)]
@@ -154,7 +156,7 @@ mod tests {
                 let u = if k <= 24 { 0.5_f64.powi(32 - k) } else { f64::from(k - 24) / 377.0 };
                 let x = visible_slope(b, u);
                 let above = if b < ZENITH { (b * phi(-x) + density(x)) / total } else { phi(-x) };
-                // Measured 5e-12, by the cube of the last step.
+                // Measured: 5e-12, by the cube of the last step.
                 assert_abs_diff_eq!(1.0 - above, u, epsilon = 1e-10, "b = {b}: {x}");
                 assert!(x >= -b && (x > last || k <= 26), "b = {b}, u = {u}: {x}");
                 last = x;

@@ -1,4 +1,4 @@
-//! The density of normals that Ward's reflection model implies, isotropic and anisotropic.
+//! The NDF implied by Ward's reflection model, isotropic and anisotropic.
 
 use core::f32::consts::PI;
 
@@ -9,14 +9,14 @@ use crate::density::delegate::delegate_ndf;
 use crate::density::roughness::{Roughness, roughness_parameters};
 use asperity_core::math;
 
-/// Ward's half vectors as a density of normals, with the roughnesses `alpha_x`, `alpha_y`.
+/// The NDF of Ward's half vectors, with the roughnesses `alpha_x`, `alpha_y`.
 ///
 /// ```text
 /// lobe(h) = exp(−(hx²/αx² + hy²/αy²)/hz²) / (4π αx αy)          D(h) = 4 lobe(h)/hz⁴          in sr⁻¹
 /// ```
 ///
-/// Ward's model draws half vectors with Gaussian slopes: as a density of facet normals it is [`Beckmann`]'s, and all but
-/// [`lobe`](Self::lobe) is computed as for that density.
+/// Ward's model draws half vectors with Gaussian slopes. As an NDF this is [`Beckmann`], which
+/// computes everything except [`lobe`](Self::lobe).
 ///
 /// ```
 /// use asperity_ndf_sampling::{Beckmann, Ndf, Ward, glam::Vec3};
@@ -28,8 +28,8 @@ use asperity_core::math;
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
-/// Ward 1992, "Measuring and Modeling Anisotropic Reflection", eq. 5a; Walter 2005, "Notes on the Ward BRDF", section 3, for
-/// the density of half vectors that sampling gives.
+/// Ward 1992, "Measuring and Modeling Anisotropic Reflection", eq. 5a; Walter 2005, "Notes on the
+/// Ward BRDF", section 3, for the density of the sampled half vectors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ward {
     alpha: Roughness,
@@ -39,9 +39,9 @@ roughness_parameters!(Ward);
 delegate_ndf!(Ward, facets, Microfacet, Radial);
 
 impl Ward {
-    /// The exponential with its normalisation, in sr⁻¹: Ward's specular reflectance over `ρ_s/√(cos θ_i cos θ_o)`.
+    /// Ward's specular BRDF over `ρ_s/√(cos θ_i cos θ_o)`: the normalized exponential, in sr⁻¹.
     ///
-    /// `h` is the half vector, of which only the slope counts; 0 for `h.z ≤ 0` and NaN.
+    /// `h` is the half vector, of which only the slope matters; 0 for `h.z ≤ 0` and NaN.
     #[must_use]
     pub fn lobe(self, h: Vec3) -> f32 {
         let (x, y) = (h.x / (self.alpha.x * h.z), h.y / (self.alpha.y * h.z));
@@ -60,7 +60,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn lobe_is_total() {
+    fn lobe_accepts_every_input() {
         let ward = Ward::isotropic(0.1).unwrap();
         for h in
             [Vec3::NAN, Vec3::NEG_Z, Vec3::X, Vec3::new(f32::INFINITY, 0.0, 1.0), Vec3::new(1.0, 0.0, 1e-40)]
