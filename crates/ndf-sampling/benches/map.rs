@@ -1,4 +1,5 @@
-//! Time per call and per number of a batch of maps of normals, 256², GGX (0.2, 0.4), and of building them.
+//! Time per call and per element of a batch of `NdfMap`s, 256², GGX (0.2, 0.4), and of their
+//! construction.
 
 mod each;
 

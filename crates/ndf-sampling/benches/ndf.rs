@@ -1,4 +1,4 @@
-//! Time per call of the densities: maps, sampling, Λ and visible normals, look-ups; and of building a table.
+//! Time per call of NDFs: maps, sampling, Λ, visible normals, lookups, and construction of a table.
 
 mod each;
 
@@ -28,7 +28,7 @@ fn uniforms() -> Vec<Vec2> {
     (0..1024).map(|k| Vec2::new(uniform(2 * k), uniform(2 * k + 1))).collect()
 }
 
-/// Views all over the hemisphere.
+/// Views over the whole hemisphere.
 fn views() -> Vec<Vec3> {
     let diffuse = BlinnPhong::new(0.0).expect("an exponent");
     uniforms().into_iter().map(|u| diffuse.sample(u)).collect()
@@ -101,7 +101,7 @@ fn look_ups(c: &mut Criterion) {
 /// Fills arrays of normals from arrays of coordinates.
 type LookUp<'a> = dyn Fn([&[f32]; 2], [&mut [f32]; 3]) -> Result<(), BatchError> + 'a;
 
-/// The elements per second are normals per second; 10⁸ are asked for.
+/// Elements per second are normals per second. The target is 10⁸.
 fn look_ups_of_many(c: &mut Criterion) {
     let coordinates = coordinates();
     let (z1, z2): (Vec<f32>, Vec<f32>) = coordinates.iter().map(|z| (z.x, z.y)).unzip();

@@ -1,4 +1,5 @@
-//! Two sums of value noise as a normal map with the density of GGX: `cargo run --example bump_map [out.png]`.
+//! Two sums of value noise as a normal map with GGX normals: `cargo run --example bump_map
+//! [out.png]`.
 
 use std::{array, env, error::Error, fs::File};
 
@@ -27,7 +28,8 @@ fn noise(at: Vec2, seed: u32) -> f32 {
 fn main() -> Result<(), Box<dyn Error>> {
     let places = (0..SIZE * SIZE).map(|k| Vec2::new((k % SIZE) as f32, (k / SIZE) as f32) / 16.0);
     let values: Vec<[f32; 2]> = places.map(|at| array::from_fn(|i| noise(at, 4 * i as u32))).collect();
-    // The noise is not quite Gaussian: its kurtosis says how far, and its normals have the density all the same.
+    // The noise is not quite Gaussian. Its kurtosis corrects this, so the normals have the exact
+    // distribution.
     let [m2, m4] = [2, 4].map(|n| values.iter().map(|r| r[0].powi(n)).sum::<f32>() / values.len() as f32);
     let noise = KurtoticNoise::new(m2.sqrt(), m4 / (m2 * m2) - 3.0)?;
     let chain = NoiseChain { ndf: Ggx::new(0.3, 0.5)?, noise };

@@ -1,4 +1,5 @@
-//! Normals with the density of an image, and their histogram: `cargo run --example density_map [out.png [gray.png]]`.
+//! Normals with the distribution of an image, and their histogram: `cargo run --example density_map
+//! [out.png [gray.png]]`.
 
 use std::{env, error::Error, fs::File, io::BufReader};
 
@@ -23,7 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let blend = Blend::new(brushed, BlinnPhong::new(0.0)?, 2.0 / 3.0)?;
         NdfMap::from_fn(SIZE, SIZE, Measure::Normals, Reconstruction::Bilinear, |m| blend.density(m))?
     };
-    // Every texel gets as many normals as its density says.
+    // Each texel receives normals in proportion to its density.
     let mut counts = vec![0_u32; SIZE * SIZE];
     for k in 0..4_000_000_u32 {
         let u = Vec2::from([0.754_877_666, 0.569_840_291].map(|a| (a * f64::from(k)).fract() as f32));

@@ -1,4 +1,5 @@
-//! A sphere of brushed metal under a sky, by visible normals: `cargo run --release --example sphere [out.png]`.
+//! A sphere of brushed metal under a sky, rendered with visible normals: `cargo run --release --example
+//! sphere [out.png]`.
 
 use std::{env, error::Error, fs::File};
 

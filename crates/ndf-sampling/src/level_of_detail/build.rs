@@ -1,4 +1,4 @@
-//! Textures of half vectors made of densities, and their accuracy.
+//! Construction of textures of half vectors from NDFs, and their accuracy.
 
 use glam::{Vec2, Vec3};
 
@@ -10,14 +10,15 @@ use crate::normal_table::error::NormalTableError;
 use crate::numeric::normal_distribution::inverse_phi;
 use asperity_core::math;
 
-/// Accuracy of a [`ConditionalTable`], over 64 × 64 quantiles of the density.
+/// Accuracy of a [`ConditionalTable`], over 64 × 64 quantiles of the NDF.
 ///
-/// At the share `s` the coordinates' error shifts the lobe by `√s` of itself; its width is `√(1 − s)`.
+/// At the fraction `s` an error of the coordinates shifts the lobe by `√s` times the error. The
+/// width of the lobe is `√(1 − s)`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ConditionalAccuracy {
-    /// `½ ∫ |D′ − D| cos θ dω`, where the density has weight.
+    /// `½ ∫ |D′ − D| cos θ dω` where the NDF has weight.
     pub variation: f32,
-    /// The root of the mean square of `|T⁻¹′(h) − T⁻¹(h)|`, in standard deviations.
+    /// The root mean square of `|T⁻¹′(h) − T⁻¹(h)|`, in standard deviations.
     pub coordinates: f32,
 }
 
@@ -30,14 +31,14 @@ const QUANTILES: usize = 64;
 /// Points per side at which `D` is averaged over a texel.
 const POINTS: usize = 4;
 
-/// `√(2 ln 2)`: half of the normals of any radial density are within this Gaussian coordinate.
+/// `√(2 ln 2)`: half of the normals of an isotropic NDF are within this Gaussian coordinate.
 const MEDIAN: f32 = 1.177_41;
 
-/// The least stretch; below it the deviation of the narrowest densities ends.
+/// The smallest stretch, the lower bound of the deviation of the narrowest NDFs.
 const LEAST_STRETCH: f32 = 1e-6;
 
 impl ConditionalTable {
-    /// The table of `ndf` with `size · size` entries.
+    /// Creates the table of `ndf` with `size · size` entries.
     ///
     /// # Errors
     /// A `size` of 0 or above 4096.
@@ -60,7 +61,7 @@ impl ConditionalTable {
         Ok(Self { size, stretch, entries: entries.collect() })
     }
 
-    /// Accuracy of the look-up against `ndf`, of which the table is; see [`ConditionalAccuracy`].
+    /// Accuracy of the lookup compared with `ndf`; see [`ConditionalAccuracy`].
     #[must_use]
     pub fn accuracy<N: Ndf + ?Sized>(&self, ndf: &N) -> ConditionalAccuracy {
         let quantile = |k: usize| inverse_phi((k as f64 + 0.5) / QUANTILES as f64) as f32;
@@ -68,7 +69,7 @@ impl ConditionalTable {
         for (k, l) in (0..QUANTILES).flat_map(|k| (0..QUANTILES).map(move |l| (k, l))) {
             let h = ndf.from_gaussian(Vec2::new(quantile(k), quantile(l)));
             let exact = f64::from(ndf.density(h));
-            // The rounding of a normal at a border may leave what the density holds.
+            // Rounding of a normal at a border may leave the support of the NDF.
             if exact > 0.0 {
                 let got = f64::from(self.density(h, GaussianSplit::new(Vec2::ZERO, 0.0)));
                 let z = self.to_gaussian(h) - ndf.to_gaussian(h);
@@ -85,7 +86,9 @@ impl ConditionalTable {
     }
 }
 
-/// The slopes along x and y that half of the normals do not exceed; at most 1, where the map needs no stretching.
+/// The slopes along x and y that half of the normals do not exceed.
+///
+/// At most 1, where the map needs no stretching.
 fn deviation<N: Ndf + ?Sized>(ndf: &N) -> Vec2 {
     let slope = |z: Vec2| Chart::Slopes.to_point(ndf.from_gaussian(z));
     let x = slope(Vec2::new(MEDIAN, 0.0)).x - slope(Vec2::new(-MEDIAN, 0.0)).x;
@@ -94,11 +97,11 @@ fn deviation<N: Ndf + ?Sized>(ndf: &N) -> Vec2 {
     Vec2::new(bounded(x), bounded(y))
 }
 
-/// The half vector at a place among the texels, in units of them; beyond the rim that on it, above the horizon.
+/// The half vector at a position in texels; beyond the rim the one on it, above the horizon.
 fn entry_half_vector([column, row]: [f64; 2], size: usize, stretch: Vec2) -> Vec3 {
     let [x, y] = [column, row].map(|k| 2.0 * k / size as f64 - 1.0);
     let r = math::sqrt_f64(x * x + y * y);
-    // A quarter of a texel within the rim: at the horizon densities may be 0 or infinite.
+    // A quarter of a texel inside the rim, because at the horizon densities may be 0 or infinite.
     let rim = 1.0 - 0.5 / size as f64;
     let inside = if r > rim { rim / r } else { 1.0 };
     let (x, y) = (x * inside, y * inside);
@@ -120,13 +123,13 @@ mod tests {
         let stretch = ConditionalTable::new(&Ggx::new(0.003, 0.5).unwrap(), 2).unwrap().stretch;
         assert_abs_diff_eq!(stretch.x / 0.003, 1.0, epsilon = 1e-5);
         assert_abs_diff_eq!(stretch.y / 0.5, 1.0, epsilon = 1e-5);
-        // Beckmann's slopes are closer together: √ln 2 of the roughness.
+        // Slopes of Beckmann are closer together: √ln 2 of the roughness.
         let stretch = ConditionalTable::new(&Beckmann::isotropic(0.3).unwrap(), 2).unwrap().stretch;
         assert_abs_diff_eq!(stretch.x / 0.249_77, 1.0, epsilon = 1e-4);
     }
 
     #[test]
-    fn one_entry_is_a_constant() {
+    fn table_of_one_entry_is_constant() {
         let ggx = Ggx::isotropic(0.5).unwrap();
         let table = ConditionalTable::new(&ggx, 1).unwrap();
         let split = GaussianSplit::new(Vec2::new(0.3, -0.4), 0.0);

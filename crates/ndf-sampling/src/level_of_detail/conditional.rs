@@ -1,31 +1,36 @@
-//! Exact level of detail: the density of facet normals that remains when a part of the bump map is resolved.
+//! Exact level of detail: the distribution of facet normals when a part of the bump map is
+//! resolved.
 
 use glam::{Vec2, Vec3};
 
 use crate::coordinates::GaussianSplit;
 use crate::ndf::Ndf;
 
-/// The density of facet normals that a pixel sees, given what it resolves of the bump map, in sr⁻¹.
+/// The density of facet normals given the resolved part of the bump map, in sr⁻¹.
 ///
-/// The Gaussian coordinates of a normal split into `z = √s z_b + √(1 − s) ξ`: `z_b` is the noise of the octaves that the
-/// pixel resolves, `s` their share of the variance, `ξ` the rest. The density of `T(z)` given `z_b` is
+/// The Gaussian coordinates of a normal split into `z = √s z_b + √(1 − s) ξ`. Here `z_b` is the
+/// noise of the octaves that the pixel resolves, `s` is their fraction of the variance, and `ξ` is
+/// the rest. The density of `T(z)` given `z_b` is
 ///
 /// ```text
 /// p_s(h | z_b) = D(h) · Π_k N(z_k; √s z_b,k, 1 − s) / N(z_k; 0, 1),     z = T⁻¹(h),  k = 1, 2
 ///              = D(h) · exp(|z_b|²/2 − |√s z − z_b|² / (2(1 − s))) / (1 − s)
 /// ```
 ///
-/// The second line follows from `|z − √s z_b|²/(1 − s) − |z|² = |√s z − z_b|²/(1 − s) − |z_b|²`. It cannot lose a small
-/// difference of two large `|z|²`, and at `s = 0` the exponent is exactly 0.
+/// The second line follows from `|z − √s z_b|²/(1 − s) − |z|² = |√s z − z_b|²/(1 − s) − |z_b|²`. It
+/// does not subtract two large values of `|z|²`, and at `s = 0` the exponent is exactly 0.
 ///
-/// Because `∫ N(z; √s z_b, 1 − s) N(z_b; 0, 1) dz_b = N(z; 0, 1)`, **the mean over the surface is `D(h)`, for every NDF and
-/// every `s`**; and resolving more octaves keeps the mean of what was seen before (a martingale in `s`), so nothing pops.
+/// Because `∫ N(z; √s z_b, 1 − s) N(z_b; 0, 1) dz_b = N(z; 0, 1)`, **the mean over the surface is
+/// `D(h)`, for every NDF and every `s`**. Resolving more octaves keeps the mean of the previous
+/// view (a martingale in `s`), so there is no popping.
 ///
-/// - **Domain:** unit `h` in the frame of the macro surface; 0 for `h.z ≤ 0` and NaN. `s` is clamped to
-///   `0..=`[`MAX_SHARE`](crate::level_of_detail::MAX_SHARE), NaN counts as 0. `z_b` beyond ±13 counts as ±13, NaN as 0.
-/// - **Limits:** `s = 0` gives `D(h)` exactly; `s → 1` a lobe around `T(z_b)` of standard deviation `√(1 − s)` in `z`.
-/// - **Accuracy:** 2e-5 relative for `|z|, |z_b| ≤ 4` and `s ≤ 0.9`; the rounding of `h` itself enters as
-///   `|√s z − z_b|/(1 − s)` times the error of `T⁻¹(h)`.
+/// - **Domain:** unit `h` in the frame of the macro surface; 0 for `h.z ≤ 0` and NaN. `s` is
+///   clamped to `0..=`[`MAX_SHARE`](crate::level_of_detail::MAX_SHARE), NaN is read as 0. `z_b` is
+///   clamped to ±13, NaN is read as 0.
+/// - **Limits:** `s = 0` returns `D(h)` exactly; `s → 1` a lobe around `T(z_b)` of standard
+///   deviation `√(1 − s)` in `z`.
+/// - **Accuracy:** 2e-5 relative for `|z|, |z_b| ≤ 4` and `s ≤ 0.9`. The rounding of `h` itself
+///   contributes `|√s z − z_b|/(1 − s)` times the error of `T⁻¹(h)`.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Ggx, Ndf, conditional_density, glam::{Vec2, Vec3}};
@@ -38,8 +43,8 @@ use crate::ndf::Ndf;
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
-/// Kautz, Heidrich, Seidel 2001, section 5, evaluates `D` itself in the frame of the resolved facet instead. That convolves
-/// `D` with itself: the mean over a surface is not the far field.
+/// Kautz, Heidrich, Seidel 2001, section 5, evaluates `D` itself in the frame of the resolved facet
+/// instead. This convolves `D` with itself, so the mean over a surface is not the far field.
 #[inline]
 #[must_use]
 #[doc(alias = "toksvig")]
@@ -56,7 +61,7 @@ mod tests {
     use crate::{Beckmann, Ggx};
 
     #[test]
-    fn nothing_resolved_is_the_far_field_exactly() {
+    fn conditional_density_at_s_zero_is_the_far_field() {
         let ggx = Ggx::new(0.2, 0.4).unwrap();
         let h = Vec3::new(0.3, -0.2, 0.9).normalize();
         for z_b in [Vec2::ZERO, Vec2::new(1.3, -0.7), Vec2::new(1e9, f32::NAN)] {
@@ -65,12 +70,13 @@ mod tests {
         }
     }
 
-    /// `p_s(h | z_b)` in `f64`, with the bound of what `f32` may make of it, relative.
+    /// `p_s(h | z_b)` in `f64`, with the relative bound of the error in `f32`.
     fn reference([alpha_x, alpha_y]: [f64; 2], ggx: bool, h: Vec3, z_b: Vec2, s: f32) -> [f64; 2] {
         let [x, y, z] = h.to_array().map(f64::from);
         let (sx, sy, s) = (x / (alpha_x * z), y / (alpha_y * z), f64::from(s));
         let a = sx * sx + sy * sy;
-        // T⁻¹: P(a' > a) is 1/(1 + a) for GGX and exp(−a) for Beckmann, and exp(−|z|²/2) for the coordinates.
+        // T⁻¹: P(a' > a) is 1/(1 + a) for GGX, exp(−a) for Beckmann, and exp(−|z|²/2) for the
+        // coordinates.
         let (square, shape) = if ggx { (2.0 * a.ln_1p(), (1.0 + a).powi(-2)) } else { (2.0 * a, (-a).exp()) };
         let density = shape / (core::f64::consts::PI * alpha_x * alpha_y * z.powi(4));
         let scale = (square / a).sqrt();
@@ -79,13 +85,14 @@ mod tests {
         let off: f64 = (sx * scale * s.sqrt() - bx).hypot(sy * scale * s.sqrt() - by);
         let near = off * off / (1.0 - s);
         let value = density * (0.5 * (b - near)).exp() / (1.0 - s);
-        // Coordinates err by some eight roundings of 6e-8, which the exponent takes times its slope; then it is rounded itself.
+        // The coordinates err by about eight roundings of 6e-8, which the exponent multiplies by
+        // its slope. Then it is rounded itself.
         let coordinates = 5e-7 * (1.0 + square.sqrt()) * off / (1.0 - s);
         [value, 2e-6 + 2e-7 * (b + near + square) + coordinates]
     }
 
     #[test]
-    fn closed_forms_are_the_general_formula_within_rounding() {
+    fn conditional_density_closed_forms_match_the_general_formula() {
         let ggx = Ggx::new(0.2, 0.4).unwrap();
         let beckmann = Beckmann::new(0.2, 0.4).unwrap();
         let ndfs: [(&dyn Ndf, bool); 2] = [(&ggx, true), (&beckmann, false)];
@@ -99,7 +106,7 @@ mod tests {
                 let h = ndf.from_gaussian(z);
                 let [expected, bound] = reference([0.2_f32, 0.4].map(f64::from), ggx, h, z_b, s);
                 let got = f64::from(conditional_density(ndf, h, z_b, s));
-                // Beneath it are densities that no sum of lights feels, and numbers that are not normal.
+                // Smaller densities are irrelevant to any sum of lights, and are subnormal.
                 if expected > 1e-20 && bound < 0.01 {
                     assert!(
                         (got / expected - 1.0).abs() <= bound,

@@ -1,24 +1,28 @@
-//! The density of facet normals that a pixel sees as a density of its own: evaluated, sampled, and resolved further.
+//! The NDF of the unresolved facets: evaluated, sampled, and resolved further.
 
 use glam::{Vec2, Vec3};
 
 use crate::coordinates::GaussianSplit;
 use crate::ndf::Ndf;
 
-/// The density `p_s(h | z_b)` of what a pixel does not resolve, with its own bijection from Gaussian numbers.
+/// The NDF `p_s(h | z_b)` of the facets that a pixel does not resolve.
+///
+/// It has its own bijection from Gaussian numbers:
 ///
 /// ```text
 /// D(h) = p_s(h | z_b),      T_s(ξ) = T(√s z_b + √(1 − s) ξ),      T_s⁻¹(m) = (T⁻¹(m) − √s z_b)/√(1 − s)
 /// ```
 ///
-/// With `T` and `D` of any [`Ndf`]; see [`conditional_density`](crate::conditional_density) for the formula and its limits. As it
-/// is an [`Ndf`] itself, [`Ndf::sample`] draws the facets that are left, with the density [`Ndf::sample_density`]; and a
-/// `ConditionalNdf` of a `ConditionalNdf` resolves more of what was left.
+/// Here `T` and `D` are those of any [`Ndf`]. See
+/// [`conditional_density`](crate::conditional_density) for the formula and its limits.
+/// [`Ndf::sample`] draws the remaining facets, with the density [`Ndf::sample_density`]. A
+/// `ConditionalNdf` of a `ConditionalNdf` resolves more of the remainder.
 ///
-/// - **Mean over the surface:** for `z_b` standard Gaussian the mean of `D` is the density of the whole, for every `s`.
-/// - **Domain:** as [`conditional_density`](crate::conditional_density) and [`Ndf`]; `T_s` at `s → 1` is `T(z_b)` but for
-///   10⁻³ ξ.
-/// - **Accuracy:** `T_s⁻¹(T_s(ξ)) = ξ` within that of `T⁻¹ ∘ T` over `√(1 − s)`.
+/// - **Mean over the surface:** for standard Gaussian `z_b` the mean of `D` is the original
+///   density, for every `s`.
+/// - **Domain:** as for [`conditional_density`](crate::conditional_density) and [`Ndf`]. `T_s` at
+///   `s → 1` is `T(z_b)` except for 10⁻³ ξ.
+/// - **Accuracy:** `T_s⁻¹(T_s(ξ)) = ξ` within the accuracy of `T⁻¹ ∘ T` over `√(1 − s)`.
 ///
 /// ```
 /// use asperity_ndf_sampling::{ConditionalNdf, Ggx, Ndf, glam::{Vec2, Vec3}};
@@ -27,7 +31,7 @@ use crate::ndf::Ndf;
 /// let seen = ConditionalNdf::new(ggx, Vec2::new(0.5, 1.5), 0.75);
 /// let facet = seen.sample(Vec2::new(0.3, 0.8));
 /// assert!(seen.density(facet) > 1.2 * ggx.density(facet) && seen.sample_density(facet) > 0.0);
-/// // Nothing resolved is the far field, exactly.
+/// // With nothing resolved it is the far field, exactly.
 /// let far = ConditionalNdf::new(ggx, Vec2::new(0.5, 1.5), 0.0);
 /// assert_eq!(far.density(facet), ggx.density(facet));
 /// assert_eq!(far.from_gaussian(Vec2::ONE), ggx.from_gaussian(Vec2::ONE));
@@ -42,7 +46,9 @@ pub struct ConditionalNdf<N> {
 }
 
 impl<N: Ndf> ConditionalNdf<N> {
-    /// The rest of `ndf` where the coordinates `z_b` are resolved with their share `s` of the variance; total.
+    /// Creates the rest of `ndf` where `z_b` is resolved with the fraction `s` of the variance.
+    ///
+    /// Accepts every input.
     #[inline]
     #[must_use]
     pub fn new(ndf: N, z_b: Vec2, s: f32) -> Self {
@@ -82,7 +88,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn coordinates_come_back() {
+    fn round_trip() {
         let ggx = Ggx::new(0.2, 0.4).unwrap();
         for s in [0.0, 0.1, 0.5, 0.9, 0.99] {
             let seen = ConditionalNdf::new(ggx, Vec2::new(0.7, -1.4), s);
@@ -95,14 +101,14 @@ mod tests {
     }
 
     #[test]
-    fn everything_resolved_is_one_facet() {
+    fn fully_resolved_is_a_single_facet() {
         let beckmann = Beckmann::isotropic(0.3).unwrap();
         let z_b = Vec2::new(1.0, -0.5);
         for s in [1.0, 7.0, f32::INFINITY] {
             let seen = ConditionalNdf::new(beckmann, z_b, s);
             assert_eq!(seen.split().share(), MAX_SHARE);
             for xi in [Vec2::ZERO, Vec2::ONE, Vec2::new(-3.0, 2.0)] {
-                // 4 · 10⁻³ standard deviations of slope at most.
+                // At most 4 · 10⁻³ standard deviations of slope.
                 let facet = seen.from_gaussian(xi);
                 assert_abs_diff_eq!(facet, beckmann.from_gaussian(z_b), epsilon = 1.5e-3, "{s} {xi}");
                 assert!(seen.density(facet).is_finite());
@@ -111,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_resolved_twice_is_resolved_by_both_shares() {
+    fn nested_conditional_resolves_both_fractions() {
         // √s₁ z₁ + √(1 − s₁)(√s₂ z₂ + √(1 − s₂) ξ) has resolved 1 − (1 − s₁)(1 − s₂).
         let ggx = Ggx::new(0.3, 0.6).unwrap();
         let (z1, s1, z2, s2) = (Vec2::new(0.4, 1.0), 0.5_f32, Vec2::new(-1.1, 0.3), 0.6_f32);
@@ -126,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn total_on_every_input() {
+    fn accepts_every_input() {
         for (s, z) in totality::BAD.into_iter().flat_map(|s| totality::BAD.map(|z| (s, z))) {
             totality::check(&ConditionalNdf::new(Ggx::isotropic(0.2).unwrap(), Vec2::new(z, 0.5), s));
         }

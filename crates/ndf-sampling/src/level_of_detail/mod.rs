@@ -1,4 +1,4 @@
-//! Conditional densities of normals, given the part of a bump map that a pixel resolves.
+//! Conditional NDFs, given the part of a bump map that a pixel resolves.
 
 #[cfg(feature = "alloc")]
 pub(crate) mod build;

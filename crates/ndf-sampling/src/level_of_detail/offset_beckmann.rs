@@ -1,4 +1,4 @@
-//! Gaussian slopes of any mean and covariance: what is left of a Beckmann density when a part of it is resolved.
+//! Gaussian slopes with any mean and covariance, e.g. a partially resolved Beckmann NDF.
 
 use core::f32::consts::{FRAC_1_SQRT_2, TAU};
 
@@ -10,24 +10,27 @@ use crate::ndf::Ndf;
 use asperity_core::error_enum;
 use asperity_core::math;
 
-/// A Beckmann density around another slope than 0, along any axes: the slopes `s = (m_x, m_y)/m_z` are `N(μ, Σ)`.
+/// A Beckmann NDF around any slope and along any axes: slopes `s = (m_x, m_y)/m_z` are `N(μ, Σ)`.
 ///
 /// ```text
 /// D(m) = exp(−½ (s − μ)ᵀ Σ⁻¹ (s − μ)) / (2π √|Σ| m_z⁴)                              in sr⁻¹
 /// T(z): s = μ + L z,  Σ = L Lᵀ,  L lower triangular;      T⁻¹: z = L⁻¹ (s − μ)
 /// ```
 ///
-/// [`OffsetBeckmann::conditional`] is the density that a pixel sees of a [`Beckmann`] surface, `p_s(h | z_b)`, in its own form:
+/// [`OffsetBeckmann::conditional`] is the density `p_s(h | z_b)` that a pixel sees of a
+/// [`Beckmann`] surface, in a special form:
 ///
 /// ```text
 /// μ = √s (αx z_b,1, αy z_b,2)/√2,      Σ = (1 − s)/2 · diag(αx², αy²)
 /// ```
 ///
-/// a Beckmann density of the roughness `α√(1 − s)` around the slope that is resolved. As `s → 1` nothing cancels: the
-/// exponent is a difference of slopes, where [`conditional_density`](crate::conditional_density) weighs `D(h)` by a ratio.
+/// a Beckmann NDF of the roughness `α√(1 − s)` around the resolved slope. As `s → 1` nothing
+/// cancels, because the exponent is a difference of slopes.
+/// [`conditional_density`](crate::conditional_density) weights `D(h)` by a ratio instead.
 ///
 /// - **Domain:** unit `m`, used as given; `D = 0` for `m.z ≤ 0` and NaN. Coordinates as in [`Ndf`].
-/// - **Accuracy:** `D` 2e-6 relative plus the exponent's slope times the rounding of `m`: 1.2e-7 |s| |s − μ|/σ².
+/// - **Accuracy:** `D` 2e-6 relative plus the slope of the exponent times the rounding of `m`:
+///   1.2e-7 |s| |s − μ|/σ².
 ///
 /// ```
 /// use asperity_ndf_sampling::{Beckmann, Ndf, conditional_density, glam::Vec2, level_of_detail::OffsetBeckmann};
@@ -40,7 +43,7 @@ use asperity_core::math;
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
-/// Olano, Baker 2010, "LEAN Mapping", eq. 5, in the normalisation `∫ D cos θ dω = 1`.
+/// Olano, Baker 2010, "LEAN Mapping", eq. 5, with the normalization `∫ D cos θ dω = 1`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[doc(alias = "lean")]
 #[doc(alias = "leadr")]
@@ -51,18 +54,18 @@ pub struct OffsetBeckmann {
     lower: [f32; 3],
 }
 
-/// The least and the largest standard deviation of slopes; the largest also bounds the mean.
+/// The smallest and the largest standard deviation of slopes; the largest also bounds the mean.
 const DEVIATIONS: [f32; 2] = [1e-12, 1e9];
 
 #[cfg(feature = "approx")]
 asperity_core::impl_approx! { f32; OffsetBeckmann: density => density.mean, Vec3::from(density.covariance()); }
 
 impl OffsetBeckmann {
-    /// The density of slopes with this mean and the covariance `[xx, xy, yy]`.
+    /// Creates the NDF of slopes with this mean and the covariance `[xx, xy, yy]`.
     ///
     /// # Errors
-    /// A number that is not finite or beyond 10⁹ (variances: 10¹⁸); a covariance that is not positive definite, or with a
-    /// standard deviation below 10⁻¹² along y given x.
+    /// A number that is not finite or beyond 10⁹ (variances: 10¹⁸); a covariance that is not
+    /// positive definite, or whose standard deviation along y given x is below 10⁻¹².
     pub fn new(mean: Vec2, covariance: [f32; 3]) -> Result<Self, OffsetBeckmannError> {
         let [least, largest] = DEVIATIONS;
         if !(mean.x.abs() <= largest && mean.y.abs() <= largest) {
@@ -70,7 +73,7 @@ impl OffsetBeckmann {
         }
         let refused = OffsetBeckmannError::Covariance { value: covariance };
         let in_range = covariance.iter().all(|c| c.abs() <= largest * largest);
-        // In f64: the difference of products would lose the smaller axis of a thin ellipse.
+        // In f64, because the difference of products would lose the smaller axis of a thin ellipse.
         let [xx, xy, yy] = covariance.map(f64::from);
         let rest = yy - xy * xy / xx;
         let least = f64::from(least * least);
@@ -82,8 +85,9 @@ impl OffsetBeckmann {
         }
     }
 
-    /// The conditional density of a Beckmann surface for a pixel that resolves the coordinates `z_b` with their share `s` of the variance; total,
-    /// as [`conditional_density`](crate::conditional_density), which it equals.
+    /// Creates the conditional NDF of a Beckmann surface for resolved `z_b` with the fraction `s`.
+    ///
+    /// Accepts every input and equals [`conditional_density`](crate::conditional_density).
     #[inline]
     #[must_use]
     pub fn conditional(beckmann: Beckmann, z_b: Vec2, s: f32) -> Self {
@@ -126,7 +130,7 @@ impl Ndf for OffsetBeckmann {
         if m.z > 0.0 && falloff > 0.0 {
             let [a, _, c] = self.lower;
             let z2 = m.z * m.z;
-            // In two steps: the product of both deviations may leave the range of f32.
+            // In two steps, because the product of both deviations may leave the range of f32.
             (falloff / (TAU * a * z2) / (c * z2)).min(f32::MAX)
         } else {
             0.0
@@ -149,7 +153,7 @@ impl Ndf for OffsetBeckmann {
 }
 
 error_enum! {
-    /// Refusal of numbers that are no mean and covariance of slopes.
+    /// Error for an invalid mean or covariance of slopes.
     pub enum OffsetBeckmannError {
         /// The mean is not finite or beyond 10⁹.
         Mean { value: Vec2 } => "mean must be between -1e9 and 1e9 along each axis, got {value}";
@@ -166,7 +170,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn without_offset_it_is_beckmann() {
+    fn zero_offset_is_beckmann() {
         let beckmann = Beckmann::new(0.2, 0.6).unwrap();
         let same = OffsetBeckmann::new(Vec2::ZERO, [0.02, 0.0, 0.18]).unwrap();
         for k in 0..60 {
@@ -178,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn oblique_covariance_is_the_one_asked_for() {
+    fn samples_have_the_oblique_covariance() {
         let covariance = [0.09, -0.05, 0.04];
         let ndf = OffsetBeckmann::new(Vec2::new(0.3, -0.8), covariance).unwrap();
         let got = ndf.covariance();
@@ -195,7 +199,7 @@ mod tests {
     }
 
     #[test]
-    fn total_on_every_input() {
+    fn accepts_every_input() {
         totality::check(&OffsetBeckmann::new(Vec2::splat(1e9), [1e18, 0.0, 1e18]).unwrap());
         totality::check(&OffsetBeckmann::conditional(Beckmann::isotropic(1e-6).unwrap(), Vec2::NAN, 1.0));
     }

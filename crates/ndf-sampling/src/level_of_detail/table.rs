@@ -1,4 +1,4 @@
-//! A texture of half vectors by which the exact level of detail of any density costs one look-up.
+//! A texture of half vectors for exact level of detail of any NDF by one lookup.
 
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
@@ -10,7 +10,7 @@ use crate::coordinates::GaussianSplit;
 use crate::normal_table::error::NormalTableError;
 use asperity_core::math;
 
-/// The coordinates `T⁻¹(h)` and the density `D(h)` of half vectors as a texture: all that `p_s(h | z_b)` needs.
+/// `T⁻¹(h)` and `D(h)` of half vectors as a texture, the data that `p_s(h | z_b)` needs.
 ///
 /// ```text
 /// entry = (z₁, z₂, D^¼) at the half vectors of a stretched stereographic map,   p = (h_x/c_x, h_y/c_y)/(h′ + h_z),
@@ -18,23 +18,28 @@ use asperity_core::math;
 /// p_s(h | z_b) = weigh((D^¼)⁴, (z₁, z₂)),       see GaussianSplit::weigh
 /// ```
 ///
-/// Entries are at the centres of the texels, row by row from `p_y = −1`, and interpolated bilinearly; those beyond the rim of the
-/// disk |p| ≤ 1 hold the half vector on it.
+/// Entries are at the centers of the texels, row by row from `p_y = −1`, and interpolated
+/// bilinearly. Entries beyond the rim of the disk |p| ≤ 1 hold the half vector on the rim.
 ///
-/// - **Total:** half vectors below the horizon and NaN have the density 0. NaN entries yield an unspecified number of
-///   at least 0.
-/// - **Any zoom, any place:** the table depends neither on `z_b` nor on `s`. It is 768 KB at 256², where a table over `h`, `z_b`
-///   and `s` would have five dimensions.
-/// - **Its mean over the surface is its `D`, exactly:** the ratio of Gaussians has the mean 1 for whatever `z`, so an error of the
-///   coordinates shifts light between places of the surface and between zooms, but never makes or loses any.
-/// - **Stretching** by the density's own deviation `c` gives every roughness the same resolution. `D` is averaged over the
-///   texel, so that no island of a map is missed; its fourth root bends little and is 0 where `D` is.
-/// - **Why not a lobe per place and zoom** (the mean and covariance of what is left, as LEAN mapping stores them): of GGX 0.4
-///   a Gaussian of the same moments differs from `p_s` by a total variation of 0.18, 0.14 and 0.10 at s = 0.25, 0.75 and 0.9
-///   in projected normals, and by 0.48, 0.21 and 0.13 in slopes, whose variance is infinite at s = 0. For
-///   [`Beckmann`](crate::Beckmann) it is exact: [`OffsetBeckmann`](crate::level_of_detail::OffsetBeckmann).
+/// - **Any input:** half vectors below the horizon and NaN have density 0. NaN entries yield an
+///   unspecified number of at least 0.
+/// - **Any zoom and position:** the table depends neither on `z_b` nor on `s`. It has 768 KB at
+///   256². A table over `h`, `z_b` and `s` would have five dimensions.
+/// - **Its mean over the surface is its `D`, exactly.** The ratio of Gaussians has mean 1 for any
+///   `z`. An error of the coordinates therefore moves light between points of the surface and
+///   between zooms, but never creates or loses energy.
+/// - **Stretching** by the deviation `c` of the NDF gives every roughness the same resolution. `D`
+///   is averaged over the texel, so that no isolated texel of a map is missed. Its fourth root
+///   bends little and is 0 where `D` is 0.
+/// - **Why not a lobe per position and zoom**, the mean and covariance of the unresolved part that
+///   LEAN mapping stores: for GGX 0.4 a Gaussian of the same moments differs from `p_s` by a total
+///   variation of 0.18, 0.14 and 0.10 at s = 0.25, 0.75 and 0.9 in projected normals. In slopes,
+///   whose variance is infinite at s = 0, it differs by 0.48, 0.21 and 0.13. For
+///   [`Beckmann`](crate::Beckmann) it is exact:
+///   [`OffsetBeckmann`](crate::level_of_detail::OffsetBeckmann).
 ///
-/// Total variation between the table's `p_s` and the exact one, mean of 12 places, 256² (measured):
+/// Total variation between the `p_s` of the table and the exact one, mean of 12 positions, 256²
+/// (measured):
 ///
 /// | density | s = 0 | 0.5 | 0.9 |
 /// |---|---|---|---|
@@ -65,12 +70,14 @@ pub struct ConditionalTableIn<S> {
 #[cfg(feature = "alloc")]
 pub type ConditionalTable = ConditionalTableIn<Vec<[f32; 3]>>;
 
-/// A [texture of half vectors](ConditionalTableIn) in borrowed storage, such as flash: `(z₁, z₂, D^¼)` of `size · size` half vectors.
+/// A [texture of half vectors](ConditionalTableIn) in borrowed storage, such as flash.
+///
+/// Entries are `(z₁, z₂, D^¼)` of `size · size` half vectors.
 ///
 /// ```
 /// use asperity_ndf_sampling::{ConditionalTableRef, GaussianSplit, glam::{Vec2, Vec3}};
 ///
-/// // A density of 16 everywhere, whose coordinates are 0.
+/// // A density of 16 everywhere, with coordinates 0.
 /// static FLASH: [[f32; 3]; 1] = [[0.0, 0.0, 2.0]];
 /// let table = ConditionalTableRef::new(1, Vec2::ONE, &FLASH)?;
 /// assert_eq!(table.density(Vec3::Z, GaussianSplit::new(Vec2::ONE, 0.0)), 16.0);
@@ -79,7 +86,9 @@ pub type ConditionalTable = ConditionalTableIn<Vec<[f32; 3]>>;
 pub type ConditionalTableRef<'a> = ConditionalTableIn<&'a [[f32; 3]]>;
 
 impl<'a> ConditionalTableIn<&'a [[f32; 3]]> {
-    /// The table of `size · size` entries with the stretch `c`; a stretch that is not positive counts as 1.
+    /// Creates the table of `size · size` entries with the stretch `c`.
+    ///
+    /// A stretch that is not positive is read as 1.
     ///
     /// # Errors
     /// A `size` of 0 or above 4096; another number of entries.
@@ -114,14 +123,16 @@ impl<S> ConditionalTableIn<S> {
 }
 
 impl<S: Deref<Target = [[f32; 3]]>> ConditionalTableIn<S> {
-    /// The table as its borrowed form.
+    /// The table in borrowed form.
     #[inline]
     #[must_use]
     pub fn view(&self) -> ConditionalTableRef<'_> {
         ConditionalTableIn { size: self.size, stretch: self.stretch, entries: &self.entries }
     }
 
-    /// `p_s(h | z_b)` for what the pixel resolves, in sr⁻¹; its mean over the surface is that of `s = 0`, to rounding.
+    /// `p_s(h | z_b)` for the resolved part, in sr⁻¹.
+    ///
+    /// Its mean over the surface equals its value at `s = 0`, to rounding.
     #[inline]
     #[must_use]
     pub fn density(&self, h: Vec3, split: GaussianSplit) -> f32 {
@@ -143,7 +154,7 @@ impl<S: Deref<Target = [[f32; 3]]>> ConditionalTableIn<S> {
         let (x, y) = (h.x / self.stretch.x, h.y / self.stretch.y);
         let length = math::sqrt(x * x + y * y + h.z * h.z);
         let last = (self.size - 1) as f32;
-        // Zero, NaN and what overflows is NaN here, which `max` takes to the first entry.
+        // Zero, NaN and overflow are NaN here, which `max` maps to the first entry.
         let position = |c: f32| {
             let p = c / (length + h.z.max(0.0));
             ((0.5 * p + 0.5) * self.size as f32 - 0.5).max(0.0).min(last)
@@ -170,7 +181,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn total_on_every_input() {
+    fn accepts_every_input() {
         let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, 1e-40, 1e38, -1.0];
         let entries =
             [[f32::NAN, 1.0, 2.0], [1.0, f32::INFINITY, 1e30], [0.0, 0.0, f32::NAN], [1e38, -1e38, -1.0]];

@@ -10,19 +10,19 @@ pub(crate) fn edge(k: usize, size: usize) -> f64 {
     2.0 * k as f64 / size as f64 - 1.0
 }
 
-/// The first texel that the kernel around `c` reaches.
+/// The first texel that overlaps the kernel around `c`.
 pub(crate) fn first_texel(c: f64, width: f64, size: usize) -> usize {
     // A cast from float to integer saturates at 0.
     (((c - 1.5 * width + 1.0) * 0.5 * size as f64) as usize).min(size - 1)
 }
 
-/// The kernel around `c`, averaged over each texel that it reaches, from the texel `first` on.
+/// The kernel around `c`, averaged over each overlapping texel, starting at texel `first`.
 pub(crate) fn averaged_kernel(c: f64, width: f64, first: usize, size: usize, kernel: &mut Vec<f64>) {
     kernel.clear();
     let below = |x: f64| {
         if width > 0.0 { spline_integral((x - c) / width) } else { f64::from(u8::from(x > c)) }
     };
-    // What is below the first texel is outside the disk, except for a point at its very end.
+    // The part below the first texel is outside the disk, except for a point at its very end.
     let mut before = if first == 0 && width == 0.0 { 0.0 } else { below(edge(first, size)) };
     for k in first..size {
         let after = if k + 1 == size && width == 0.0 { 1.0 } else { below(edge(k + 1, size)) };
@@ -48,7 +48,9 @@ fn spline_integral(t: f64) -> f64 {
     if t > 0.0 { 1.0 - beyond } else { beyond }
 }
 
-/// The area of a rectangle's part inside the unit disk, by the middles of 16 strips: 1 % of a texel at the rim.
+/// The area of the part of a rectangle inside the unit disk.
+///
+/// The midpoints of 16 strips are accurate to 1 % of a texel at the rim.
 pub(crate) fn area_inside([x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> f64 {
     const STRIPS: usize = 16;
     if !meets([x0, x1], [y0, y1]) {

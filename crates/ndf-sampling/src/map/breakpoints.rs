@@ -1,20 +1,22 @@
-//! Breakpoints of the marginal of a map: the places between its formulas.
+//! Breakpoints of the marginal of a map: the boundaries between its formulas.
 
 use alloc::vec::Vec;
 
 use crate::map::disk::half_chord;
 use crate::map::reconstruction::Reconstruction;
 
-/// Breakpoints nearer to one another than this are one.
+/// Breakpoints closer than this are merged.
 const MERGED: f64 = 1e-12;
 
-/// Cosine and sine of the longest piece of the rim, 2√3/1024, whose chord is 1.43e-6 of the radius away from its arc.
+/// Cosine and sine of the longest piece of the rim, 2√3/1024.
+///
+/// Its chord is 1.43e-6 of the radius away from its arc.
 const LONGEST: [f64; 2] = [0.999_994_277_959_558_5, 0.003_382_905_281_144_585_8];
 
 /// The square of that chord: 2 − 2 cos.
 const LONGEST_CHORD: f64 = 1.144_408_088_294_274_3e-5;
 
-/// The places, from 0 to 1, at which the rim of the disk is cut for a map of `width × height` texels.
+/// The positions, from 0 to 1, at which the rim of the disk is cut for a `width × height` map.
 ///
 /// ```text
 /// the grid's own lines;  ½ ± c(y) of its lines across;  ½;  and where these leave more, an angle of 2√3/1024 after another
@@ -26,14 +28,14 @@ pub(crate) struct Breakpoints {
     pub(crate) places: Vec<f64>,
     /// Half the disk's chord there.
     pub(crate) half_chords: Vec<f64>,
-    /// In which column of cells the piece lies that begins there; none begins at the last.
+    /// The column of cells that contains the piece beginning there; no piece begins at the last.
     pub(crate) cells: Vec<u32>,
 }
 
 impl Breakpoints {
     pub(crate) fn new(width: usize, height: usize, kind: Reconstruction) -> Self {
         let (columns, rows) = (kind.cells(width), kind.cells(height));
-        // An angle of π in pieces of the longest, and one more for each line.
+        // An angle of π in pieces of maximum length, and one more for each line.
         let expected = columns + rows + 932;
         let [places, half_chords] = [(); 2].map(|()| Vec::with_capacity(expected));
         let mut breakpoints = Self { places, half_chords, cells: Vec::with_capacity(expected) };
@@ -43,7 +45,7 @@ impl Breakpoints {
         let (mut y, mut passed) = (next_across(), 0);
         loop {
             let line = kind.line(passed + 1, width).min(0.5);
-            // What differs from another by rounding alone would leave pieces without a width.
+            // Breakpoints that differ by rounding alone would produce pieces without a width.
             while y < line - MERGED {
                 if y > breakpoints.places.last().map_or(0.0, |&last| last + MERGED) {
                     breakpoints.extend_to(y, passed as u32);
@@ -66,7 +68,7 @@ impl Breakpoints {
         self.cells.push(cell);
     }
 
-    /// Breakpoints at `place`, and before as often as the rim needs it.
+    /// Adds breakpoints up to `place`, with as many in between as the rim needs.
     fn extend_to(&mut self, place: f64, cell: u32) {
         let (half_chord_there, before) = (half_chord(place), self.cells.last().copied().unwrap_or(0));
         let from = self.places.last().zip(self.half_chords.last());
@@ -109,7 +111,7 @@ mod tests {
     const KINDS: [Reconstruction; 2] = [Reconstruction::Constant, Reconstruction::Bilinear];
 
     #[test]
-    fn cuts_increase_and_are_never_far_apart() {
+    fn breakpoints_increase_with_bounded_spacing() {
         for (width, height) in [(1, 1), (2, 2), (10, 7), (64, 256), (5, 5), (256, 256)] {
             for kind in KINDS {
                 let Breakpoints { places, half_chords, .. } = Breakpoints::new(width, height, kind);
@@ -128,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn pieces_lie_in_one_column_and_their_chords_end_in_one_row() {
+    fn pieces_lie_in_one_column_and_one_row_of_chord_ends() {
         for (width, height) in [(1, 1), (2, 3), (10, 7), (64, 256), (93, 49), (256, 256)] {
             for kind in KINDS {
                 let Breakpoints { places, half_chords, cells } = Breakpoints::new(width, height, kind);

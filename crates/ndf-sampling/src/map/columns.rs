@@ -1,9 +1,9 @@
-//! The columns of a map: their values along y and the integrals of these.
+//! The columns of a map: their values along y and the integrals of the values.
 
 use crate::map::prefix_sums::PrefixSums;
 use crate::map::reconstruction::Reconstruction;
 
-/// Values along y, and for every line of the grid their integral from the middle of the map, in cells.
+/// Values along y, and their integral from the middle of the map to each grid line, in cells.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Columns {
     pub(crate) width: usize,
@@ -12,7 +12,8 @@ pub(crate) struct Columns {
     pub(crate) integrals: PrefixSums,
 }
 
-/// The values at a cell's corners: on its left and on its right side, each at its beginning and its end along y.
+/// The values at the corners of a cell: on its left and its right side, each at its beginning and
+/// end along y.
 pub(crate) type Corners = [[f64; 2]; 2];
 
 impl Columns {
@@ -24,19 +25,20 @@ impl Columns {
         }
     }
 
-    /// A column's integrals, a line's after another's.
+    /// The integrals of a column, line by line.
     pub(crate) fn sums(&self, column: usize) -> &[f64] {
         let lines = self.kind.cells(self.height) + 1;
         self.integrals.sums.get(column * lines..(column + 1) * lines).unwrap_or_default()
     }
 
-    /// A column's values, one after another.
+    /// The values of a column in order.
     pub(crate) fn values(&self, column: usize) -> &[f32] {
         let stride = self.stride();
         self.integrals.values.get(column * stride..(column + 1) * stride).unwrap_or_default()
     }
 
-    /// The values at a cell's corners, and the integrals to a line on its column's sides.
+    /// The values at the corners of a cell, and the integrals to a line on both sides of its
+    /// column.
     #[inline(always)]
     pub(crate) fn at(&self, cell: usize, row: usize, line: usize) -> (Corners, [f64; 2]) {
         let PrefixSums { values, sums, .. } = &self.integrals;
@@ -58,7 +60,7 @@ impl Columns {
         }
     }
 
-    /// The columns to the left and to the right of a column of cells.
+    /// The columns of values to the left and to the right of a column of cells.
     const fn sides(&self, cell: usize) -> [usize; 2] {
         match self.kind {
             Reconstruction::Constant => [cell; 2],

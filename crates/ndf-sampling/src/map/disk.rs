@@ -8,7 +8,7 @@ pub(crate) fn to_normal(x: f64) -> f64 {
     2.0 * x - 1.0
 }
 
-/// Half the length of the disk's chord at `x`.
+/// Half the length of the chord of the disk at `x`.
 ///
 /// ```text
 /// c(x) = √(x (1 − x)),   the chord is ½ ± c(x)
@@ -18,7 +18,7 @@ pub(crate) fn half_chord(x: f64) -> f64 {
     math::sqrt_f64((x * (1.0 - x)).max(0.0))
 }
 
-/// The area between a chord of the circle and its arc, the chord over `x` between points of the upper half.
+/// The area between a chord of the circle and its arc, for a chord over `x` in the upper half.
 ///
 /// ```text
 /// (2a − sin 2a)/8,   sin a = ℓ the chord's length: ℓ³/6 + ℓ⁵/20 + O(ℓ⁷)
@@ -30,20 +30,21 @@ pub(crate) fn segment(x: [f64; 2], half_chord: [f64; 2]) -> f64 {
     length2 * math::sqrt_f64(length2) * (1.0 / 6.0 + length2 * (1.0 / 20.0))
 }
 
-/// Whether the rectangle of normal coordinates has a part inside the disk.
+/// Whether the rectangle of normal coordinates overlaps the disk.
 pub(crate) fn meets([x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> bool {
     let (x, y) = (0.0_f64.clamp(x0, x1), 0.0_f64.clamp(y0, y1));
     x * x + y * y < 1.0
 }
 
-/// The mean of `1/cos θ` over the part of a rectangle of normal coordinates that is inside the disk: solid angle per area.
+/// The mean of `1/cos θ` over the part of a rectangle inside the disk: solid angle per area.
 ///
 /// ```text
 /// ∫ (asin(y₁/w) − asin(y₀/w)) dx / ∫ (y₁ − y₀) dx,   w = √(1 − x²),  y₀ and y₁ clipped to ±w
 /// ```
 ///
-/// Eight Gauss–Legendre nodes on each piece between the kinks, with the variable bent by 3t² − 2t³, which smooths the
-/// square-root ends at the rim. Accuracy: 1e-5 relative at the rim, 1e-12 inside. Rectangles that do not meet the disk give 1.
+/// Eight Gauss–Legendre nodes on each piece between the kinks. The substitution 3t² − 2t³ smooths
+/// the square-root ends at the rim. Accuracy: 1e-5 relative at the rim, 1e-12 inside. Rectangles
+/// that do not overlap the disk return 1.
 pub(crate) fn mean_secant([x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> f64 {
     let mut breakpoints = [x0, x1, x0, x0, x0, x0];
     for (breakpoints, y) in breakpoints[2..].chunks_exact_mut(2).zip([y0, y1]) {
@@ -110,7 +111,8 @@ mod tests {
 
     #[test]
     fn solid_angles_of_the_texels_add_up_to_the_hemisphere() {
-        // A texel's area inside the disk, by slices; its solid angle is the mean secant times that.
+        // The area of a texel inside the disk, by slices; its solid angle is the mean secant times
+        // this area.
         let (n, mut total) = (16, 0.0);
         let edge = |k: i32| f64::from(k) / f64::from(n) * 2.0 - 1.0;
         for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {

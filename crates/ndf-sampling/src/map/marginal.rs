@@ -1,4 +1,4 @@
-//! The marginal distribution of a density on the disk, from which a map is packed.
+//! The marginal distribution of an NDF on the disk, from which a map is packed.
 
 use alloc::vec::Vec;
 
@@ -12,29 +12,31 @@ use crate::numeric::guide_table::GuideTable;
 /// The largest `f64` below 1.
 const BELOW_ONE: f64 = 1.0 - f64::EPSILON / 2.0;
 
-/// The marginal of a density on the (x, y) map of normals, in `f64` with compensated sums.
+/// The marginal of an NDF on the (x, y) map of normals, in `f64` with compensated sums.
 ///
 /// ```text
 /// x = (n_x + 1)/2, y = (n_y + 1)/2;   f(x, y) = 4 D inside the disk, 0 outside;   m(x) = ∫ f dy,   M(x) = ∫₀ˣ m
 /// ```
 ///
-/// The rim of the disk is cut where it crosses a line of the grid, and at every 2√3/1024 of angle. At these breakpoints `M` is
-/// the integral over the circle. Between two breakpoints the rim is a straight chord, and `m` is a polynomial of degree 3 (1
-/// for constant texels). The chords leave out less than 1.91e-6 of the area of the disk, whose weight is spread over the piece.
+/// The rim of the disk is cut where it crosses a grid line, and every 2√3/1024 of angle. At these
+/// breakpoints `M` is the integral over the circle. Between two breakpoints the rim is a straight
+/// chord, and `m` is a polynomial of degree 3 (1 for constant texels). The chords omit less than
+/// 1.91e-6 of the area of the disk. The weight of this area is spread over the piece.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Marginal {
     pub(crate) columns: Columns,
-    /// Factor of the values by which the integral over the disk is 1.
+    /// The scale factor by which the integral over the disk is 1.
     pub(crate) scale: f64,
     pub(crate) pieces: Vec<Piece>,
-    /// `M` at the beginnings of the pieces, and 1.
+    /// `M` at the beginning of each piece, and 1.
     pub(crate) cumulative: Vec<f64>,
     pub(crate) by_place: GuideTable,
     pub(crate) by_weight: GuideTable,
 }
 
 impl Marginal {
-    /// The marginal of columns of finite, non-negative values; `None` if the disk has no weight.
+    /// Creates the marginal of columns of finite, non-negative values; `None` if the disk has no
+    /// weight.
     pub(crate) fn new(columns: Columns) -> Option<Self> {
         let height = columns.height as f64;
         let breakpoints = Breakpoints::new(columns.width, columns.height, columns.kind);
@@ -94,7 +96,7 @@ mod tests {
     }
 
     #[test]
-    fn every_texel_with_a_part_in_the_disk_has_weight() {
+    fn every_texel_overlapping_the_disk_has_weight() {
         for (width, height) in [(1, 1), (3, 2), (8, 8), (10, 10), (13, 64)] {
             for texel in 0..width * height {
                 let mut texels = vec![0.0; width * height];

@@ -1,4 +1,4 @@
-//! Densities painted or computed on the hemispherical map of normals, and their distribution functions.
+//! NDFs painted or computed on the hemispherical map of normals, and their CDFs.
 
 #[cfg(feature = "alloc")]
 pub(crate) mod b_spline;

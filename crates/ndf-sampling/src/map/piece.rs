@@ -2,12 +2,12 @@
 
 use crate::numeric::bernstein::Cubic;
 
-/// A piece of x that lies in one column of cells and in which either end of the chord stays in one row.
+/// A piece of x in one column of cells, with each end of the chord in one row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Piece {
     /// Beginning and end.
     pub(crate) x: [f64; 2],
-    /// Half the chord there; it is linear between.
+    /// Half the chord there; linear between.
     pub(crate) half_chord: [f64; 2],
     /// `m`, in texels and cells.
     pub(crate) marginal: Cubic,

@@ -1,4 +1,4 @@
-//! All pieces of a marginal, many at a time.
+//! All pieces of a marginal, computed in blocks.
 
 use alloc::vec::Vec;
 
@@ -9,7 +9,7 @@ use crate::map::piece::Piece;
 use crate::numeric::bernstein::Cubic;
 use asperity_core::lanes::{self, Lanes, Task, Transpose};
 
-/// Pieces that are worked out together.
+/// Pieces that are computed together.
 const BLOCK: usize = 32;
 
 /// The pieces between the breakpoints, and the integral of the density inside the circle on each.
@@ -50,17 +50,17 @@ fn all<S: Transpose>(s: S, columns: &Columns, breakpoints: &Breakpoints) -> (Vec
     (pieces, masses)
 }
 
-/// Numbers that all pieces of a map have in common.
+/// Numbers common to all pieces of a map.
 struct Map {
     width: f64,
     height: f64,
-    /// The first line of the grid before the border, in cells.
+    /// The first grid line before the border, in cells.
     offset: f64,
     /// 1 if the density changes across a column of cells, else 0.
     slope: f64,
     /// The middle of the map, in cells.
     middle: f64,
-    /// The last row of cells that begins below the middle, and the last of all.
+    /// The last row of cells that begins below the middle, and the last row of all.
     last: [u32; 2],
 }
 
@@ -82,11 +82,11 @@ impl Map {
 /// One number of each piece of a block.
 type Numbers = [f64; BLOCK];
 
-/// A block of pieces, each number of all beside one another.
+/// A block of pieces in structure-of-arrays form.
 struct PieceBlock {
     x: [Numbers; 2],
     half_chord: [Numbers; 2],
-    /// The places of the ends in their column of cells.
+    /// The positions of the ends in their column of cells.
     t: [Numbers; 2],
     cells: [u32; BLOCK],
     rows: [[u32; BLOCK]; 2],
@@ -99,7 +99,8 @@ struct PieceBlock {
 /// Integrals on one side of the middle of the map.
 #[derive(Clone, Copy)]
 struct Sides {
-    /// The values at the corners of the cell in which the chord ends: left and right, each at its beginning and its end.
+    /// The values at the corners of the cell in which the chord ends: left and right, each at its
+    /// beginning and end.
     corners: [[Numbers; 2]; 2],
     /// The integral over the cells between it and the middle, on the left and on the right.
     whole: [Numbers; 2],
@@ -126,7 +127,8 @@ impl Default for PieceBlock {
 }
 
 impl PieceBlock {
-    /// The pieces from `from` on; beyond the last one they are what was there before.
+    /// Reads the pieces starting at `from`; entries beyond the last one keep their previous
+    /// contents.
     #[inline(always)]
     fn read(&mut self, breakpoints: &Breakpoints, from: usize) {
         for side in 0..2 {
@@ -136,13 +138,13 @@ impl PieceBlock {
         copy(&mut self.cells, &breakpoints.cells, from);
     }
 
-    /// Finds the rows in which their chords end.
+    /// Finds the rows in which the chords end.
     #[inline(always)]
     fn place(&mut self, map: &Map) {
         for k in 0..BLOCK {
             let cell = f64::from(self.cells[k]);
             let mean = 0.5 * (self.half_chord[0][k] + self.half_chord[1][k]) * map.height;
-            // A chord without length in the middle of the map begins below it nevertheless.
+            // A zero-length chord in the middle of the map still begins below it.
             let rows = [map.middle - mean, map.middle + mean];
             for (side, row) in rows.into_iter().enumerate() {
                 self.t[side][k] = map.slope * unit(self.x[side][k] * map.width + map.offset - cell);
@@ -152,7 +154,7 @@ impl PieceBlock {
         }
     }
 
-    /// Looks up the values and the integrals at these.
+    /// Looks up the values and integrals at these rows.
     #[inline(always)]
     fn look_up(&mut self, columns: &Columns) {
         let rows = columns.kind.cells(columns.height);
@@ -171,7 +173,7 @@ impl PieceBlock {
         }
     }
 
-    /// Works out the marginals and the integrals.
+    /// Computes the marginals and the integrals.
     #[inline(always)]
     fn integrate(&mut self, map: &Map) {
         let Map { height, middle, .. } = *map;
@@ -217,7 +219,7 @@ impl PieceBlock {
     }
 }
 
-/// Copies what there is from a place on.
+/// Copies the elements available from a position on.
 #[inline(always)]
 fn copy<T: Copy>(to: &mut [T; BLOCK], from: &[T], at: usize) {
     let from = from.get(at..).unwrap_or_default();
@@ -228,23 +230,28 @@ fn copy<T: Copy>(to: &mut [T; BLOCK], from: &[T], at: usize) {
 }
 
 impl Sides {
-    /// `∫ f dy` from the end of the chord to the middle of the map along piece `k`, in cells, and the density at the rim.
+    /// `∫ f dy` from the end of the chord to the middle of the map along piece `k`, and the density
+    /// at the rim.
     ///
-    /// `end` is where the chord ends at either end of the piece, in cells.
+    /// The integral is in cells.
+    ///
+    /// `end` is the end of the chord at either end of the piece, in cells.
     #[inline(always)]
     fn integral<const ABOVE: bool>(&self, k: usize, t: [f64; 2], end: [f64; 2], middle: f64) -> (Cubic, f64) {
         let begin = self.begin[k];
         let q = [unit(end[0] - begin), unit(end[1] - begin)];
-        // The line of the cell that is nearer to the middle, or the middle itself if it is in the cell.
+        // The line of the cell that is nearer to the middle, or the middle itself if it is in the
+        // cell.
         let inner = unit(middle - begin);
         let whole =
             [mix(self.whole[0][k], self.whole[1][k], t[0]), mix(self.whole[0][k], self.whole[1][k], t[1])];
-        // The density at the beginning and at the end of the cell, where the piece begins and where it ends.
+        // The density at the beginning and end of the cell, at the beginning and end of the piece.
         let [left, right] = [0, 1].map(|side| [self.corners[side][0][k], self.corners[side][1][k]]);
         let first = [mix(left[0], right[0], t[0]), mix(left[1], right[1], t[0])];
         let last = [mix(left[0], right[0], t[1]), mix(left[1], right[1], t[1])];
         let along = |ends: [f64; 2], q: f64| mix(ends[0], ends[1], q);
-        // A bilinear density is a quadratic along the straight rim, whose middle coefficient is the mean of the crossed values.
+        // A bilinear density is a quadratic along the straight rim. Its middle coefficient is the
+        // mean of the crossed values.
         let rim = [along(first, q[0]), 0.5 * (along(first, q[1]) + along(last, q[0])), along(last, q[1])];
         let inside = [along(first, inner), along(last, inner)];
         let mean = [
@@ -268,7 +275,7 @@ impl Sides {
     }
 }
 
-/// The nearest number from 0 to 1.
+/// Clamps to [0, 1].
 #[inline(always)]
 fn unit(x: f64) -> f64 {
     let x = if x > 0.0 { x } else { 0.0 };
@@ -292,7 +299,7 @@ mod tests {
         mix(mix(left[0], left[1], q), mix(right[0], right[1], q), along(x, width, column))
     }
 
-    /// `∫ f dy` in cells from one place to another, row by row: the density is linear in each.
+    /// `∫ f dy` in cells between two positions, row by row: the density is linear in each.
     fn integral(columns: &Columns, x: f64, [from, to]: [f64; 2]) -> f64 {
         let (kind, height) = (columns.kind, columns.height);
         let rows = (0..kind.cells(height)).map(|row| {
@@ -320,7 +327,8 @@ mod tests {
                         let c = mix(piece.half_chord[0], piece.half_chord[1], s);
                         let below = integral(&columns, x, [0.5 - c, 0.5]);
                         let above = integral(&columns, x, [0.5, 0.5 + c]);
-                        // Next to a line of the grid the chord may end in the row beside, by rounding.
+                        // Next to a grid line the chord may end in the neighboring row, by
+                        // rounding.
                         let parts = [piece.below, piece.marginal].map(|part| cubic(part, s));
                         for (part, expected) in parts.into_iter().zip([below, below + above]) {
                             assert_abs_diff_eq!(

@@ -1,4 +1,5 @@
-//! From the texels of an image to the columns of a map and their integrals, several columns at a time.
+//! From the texels of an image to the columns of a map and their integrals, several columns at a
+//! time.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -8,11 +9,10 @@ use crate::map::reconstruction::Reconstruction;
 use crate::numeric::compensated_sum::CompensatedSums;
 use asperity_core::lanes::{self, Lanes, Task, Transpose, TransposeSquare};
 
-/// Columns that go through the image together.
+/// Columns that are processed together.
 const LANES: usize = 8;
 
-/// An image of texels, row by row, and for each of its columns the rows, first and beyond the last, that have a part inside the
-/// disk.
+/// Texels of an image, row by row, and for each column the range of rows that overlap the disk.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Image<'a> {
     pub(crate) width: usize,
@@ -21,20 +21,24 @@ pub(crate) struct Image<'a> {
     pub(crate) inside: &'a [[u32; 2]],
 }
 
-/// A map's values along its columns, and for every line of the grid their integral from the middle of the map, in cells.
+/// Values of a map along its columns, and their integral from the middle of the map to each line.
 ///
-/// Prefix sums begin in the middle because every chord of the disk does: what lies beyond a chord's ends, be it a million times
-/// brighter, is never subtracted from what lies on it.
+/// The integrals are in cells.
+///
+/// Prefix sums begin in the middle because every chord of the disk contains it. Texels beyond the
+/// ends of a chord, even if a million times brighter, are therefore never subtracted from those on
+/// it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PrefixSums {
-    /// Column by column; bilinear columns repeat their first and their last value.
+    /// Column by column; bilinear columns repeat their first and last values.
     pub(crate) values: Vec<f32>,
     pub(crate) sums: Vec<f64>,
 }
 
 impl PrefixSums {
-    /// The columns of an image, whose texels without a part inside the disk do not count; nothing if one that has is negative or
-    /// not finite.
+    /// The columns of an image, ignoring texels that do not overlap the disk.
+    ///
+    /// `None` if an overlapping texel is negative or not finite.
     pub(crate) fn new(image: Image<'_>, kind: Reconstruction) -> Option<Self> {
         lanes::run(usize::MAX, ColumnsOf { image, kind })
     }
@@ -56,7 +60,8 @@ impl Task for ColumnsOf<'_> {
 
 #[inline(always)]
 fn columns_of<S: Transpose>(s: S, image: Image<'_>, kind: Reconstruction) -> Option<PrefixSums> {
-    // Columns are summed each for itself: one by one there are the same bits. WebAssembly without lanes is kept small.
+    // Each column is summed separately, so one at a time has the same bits. This keeps WebAssembly
+    // without SIMD small.
     let wide = image.width >= LANES && !cfg!(all(target_family = "wasm", not(feature = "simd")));
     match kind {
         Reconstruction::Constant if wide => Block::<LANES, false>::new(image).integrate(s),
@@ -66,12 +71,12 @@ fn columns_of<S: Transpose>(s: S, image: Image<'_>, kind: Reconstruction) -> Opt
     }
 }
 
-/// The columns at work, a row's lanes beside one another.
+/// The columns in progress, with the lanes of a row adjacent.
 struct Block<'a, const N: usize, const BILINEAR: bool> {
     image: Image<'a>,
     /// The first column.
     from: usize,
-    /// The rows inside the disk of each column, and of all.
+    /// The rows inside the disk of each column, and of all columns.
     first: [u32; N],
     end: [u32; N],
     whole: Range<usize>,
@@ -95,7 +100,7 @@ impl<'a, const N: usize, const BILINEAR: bool> Block<'a, N, BILINEAR> {
         let mut values = Vec::with_capacity(width * self.values.len());
         let mut sums = Vec::with_capacity(width * self.sums.len());
         while self.from < width {
-            // The last block begins within the one before it.
+            // The last block overlaps the one before it.
             let done = self.from;
             self.from = done.min(width - N.min(width));
             self.find_rows();
@@ -121,7 +126,7 @@ impl<'a, const N: usize, const BILINEAR: bool> Block<'a, N, BILINEAR> {
         self.whole = whole;
     }
 
-    /// Fills in the columns; whether their texels are sound.
+    /// Fills in the columns; returns whether their texels are valid.
     #[inline(always)]
     fn fill(&mut self) -> bool {
         let cells = self.image.height + usize::from(BILINEAR);
@@ -188,7 +193,7 @@ impl<'a, const N: usize, const BILINEAR: bool> Block<'a, N, BILINEAR> {
         self.image.texels.get(range.start * width..range.end * width).unwrap_or_default()
     }
 
-    /// A row's texels inside the disk; elsewhere the value `before`, or 0.
+    /// The texels of a row inside the disk; elsewhere the value `before`, or 0.
     #[inline(always)]
     fn row(&self, row: usize, before: [f32; N]) -> [f32; N] {
         let begin = row.saturating_mul(self.image.width).saturating_add(self.from);
@@ -230,7 +235,7 @@ impl<const N: usize, const BILINEAR: bool> State<N, BILINEAR> {
         Self { sums, before: row, least: row }
     }
 
-    /// Adds a row; the integral to its place.
+    /// Adds a row; returns the integral up to its position.
     #[inline(always)]
     fn step(&mut self, row: [f32; N]) -> [f64; N] {
         let mut terms = [0.0; N];
@@ -244,7 +249,7 @@ impl<const N: usize, const BILINEAR: bool> State<N, BILINEAR> {
         self.sums.values()
     }
 
-    /// Whether no texel was negative, NaN or infinite: sums of one that is not finite are not.
+    /// Whether no texel was negative, NaN or infinite; sums with a non-finite term are not finite.
     #[inline(always)]
     fn is_sound(&self) -> bool {
         let sums = self.sums.values();
@@ -309,7 +314,7 @@ mod tests {
     }
 
     #[test]
-    fn integrals_are_those_of_the_columns_one_by_one() {
+    fn integrals_equal_single_column_sums() {
         for ([width, height], kind) in SIZES.into_iter().flat_map(|size| KINDS.map(|kind| (size, kind))) {
             let texels = texels(width, height);
             let PrefixSums { values, sums } = integrals(width, height, &texels, kind).unwrap();
@@ -353,7 +358,7 @@ mod tests {
     }
 
     #[test]
-    fn texels_that_no_density_has_are_found_wherever_they_count() {
+    fn invalid_texels_inside_the_disk_are_found() {
         for ([width, height], kind) in SIZES.into_iter().flat_map(|size| KINDS.map(|kind| (size, kind))) {
             let sound = texels(width, height);
             for k in (0..width * height).step_by(1 + width * height / 97) {

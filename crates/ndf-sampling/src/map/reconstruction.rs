@@ -1,6 +1,6 @@
-//! Reconstruction of a density between the texels of a map.
+//! Reconstruction of an NDF between the texels of a map.
 
-/// Reconstruction of a density between the texels of a map.
+/// Reconstruction of an NDF between the texels of a map.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
@@ -8,12 +8,13 @@ pub enum Reconstruction {
     /// Constant on each texel.
     #[default]
     Constant,
-    /// Bilinear between the centres of texels; the outermost centres' values go on to the border.
+    /// Bilinear between the centers of texels; the outermost values extend to the border.
     Bilinear,
 }
 
 impl Reconstruction {
-    /// Distance, in cells, by which the first line of the reconstruction's grid lies before the map's border.
+    /// Distance, in cells, of the first line of the reconstruction grid before the border of the
+    /// map.
     pub(crate) const fn offset(self) -> f64 {
         match self {
             Self::Constant => 0.0,
@@ -21,7 +22,7 @@ impl Reconstruction {
         }
     }
 
-    /// Number of cells of the reconstruction's grid on a map of `n` texels.
+    /// Number of cells of the reconstruction grid on a map of `n` texels.
     pub(crate) const fn cells(self, n: usize) -> usize {
         match self {
             Self::Constant => n,
@@ -29,7 +30,7 @@ impl Reconstruction {
         }
     }
 
-    /// Columns of values between which a cell lies.
+    /// Number of columns of values at the sides of a cell.
     pub(crate) const fn sides(self) -> usize {
         match self {
             Self::Constant => 1,
@@ -38,13 +39,13 @@ impl Reconstruction {
     }
 
     #[cfg(feature = "alloc")]
-    /// Place of line `k` of the grid on a map of `n` texels.
+    /// Position of line `k` of the grid on a map of `n` texels.
     pub(crate) fn line(self, k: usize, n: usize) -> f64 {
         (k as f64 - self.offset()) / n as f64
     }
 
     #[cfg(feature = "alloc")]
-    /// Which cell holds `x`, by the very lines that [`Reconstruction::line`] gives.
+    /// The cell that contains `x`, consistent with the lines of [`Reconstruction::line`].
     pub(crate) fn cell(self, x: f64, n: usize) -> usize {
         let last = self.cells(n) - 1;
         let k = ((x * n as f64 + self.offset()) as usize).min(last);

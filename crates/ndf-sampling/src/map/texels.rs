@@ -1,4 +1,5 @@
-//! From the texels of an image to the columns of a map: checked, weighed and continued beyond the disk.
+//! From the texels of an image to the columns of a map: validated, weighted and extended beyond the
+//! disk.
 
 use alloc::borrow::Cow;
 use alloc::vec;
@@ -10,23 +11,25 @@ use crate::map::error::NdfMapError;
 use crate::map::prefix_sums::{Image, PrefixSums};
 use crate::map::reconstruction::Reconstruction;
 
-/// Measure over which the texels of a map are densities: projected normals or solid angle.
+/// The measure over which texel values are densities: projected normals or solid angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Measure {
-    /// Over the projected normal, per `dn_x dn_y`: the value is `D` itself, as it is found by counting the normals of a bump
-    /// map that is sampled uniformly over the macro surface.
+    /// Over the projected normal, per `dn_x dn_y`. The value is `D` itself, as obtained by counting
+    /// the normals of a bump map that is sampled uniformly over the macro surface.
     Normals,
-    /// Over solid angle, per `dω = dn_x dn_y/cos θ`: `D` is the value over `cos θ`, so that a constant image gives normals
-    /// uniform on the hemisphere. The weight of each texel is kept exactly; `D` is its mean over the texel.
+    /// Over solid angle, per `dω = dn_x dn_y/cos θ`. `D` is the value over `cos θ`, so a constant
+    /// image has normals uniform on the hemisphere. The weight of each texel is kept exactly; `D`
+    /// is its mean over the texel.
     SolidAngle,
 }
 
-/// The columns of an image's texels.
+/// The columns of the texels of an image.
 ///
-/// Texels without a part inside the disk do not count. Constant columns have 0 there; bilinear ones have the value of the
-/// column's nearest texel with a part inside, so that what is outside does not show within.
+/// Texels that do not overlap the disk are ignored. Constant columns have 0 there. Bilinear columns
+/// have the value of the nearest texel of the column that overlaps the disk, so that texels outside
+/// do not affect the inside.
 pub(crate) fn columns_of_texels(
     width: usize,
     height: usize,
@@ -46,7 +49,7 @@ pub(crate) fn columns_of_texels(
     }
 }
 
-/// Texels over solid angle as texels over projected normals; those that no density has are left as they are.
+/// Converts texels over solid angle to texels over projected normals; invalid ones are unchanged.
 fn weighed(width: usize, height: usize, texels: &[f32]) -> Vec<f32> {
     let secant = |k: usize| mean_secant(texel_edges(k % width, width), texel_edges(k / width, height));
     let weigh = |(k, &value): (usize, &f32)| {
@@ -73,7 +76,7 @@ fn culprit(width: usize, height: usize, texels: &[f32], inside: &[[u32; 2]]) -> 
     }
 }
 
-/// For each column the first row that has a part inside the disk, and the one after the last.
+/// For each column the first row that overlaps the disk, and the one after the last.
 pub(crate) fn rows_inside(width: usize, height: usize) -> Vec<[u32; 2]> {
     let mut inside = vec![[0, height as u32]; width];
     let (left, right) = inside.split_at_mut(width / 2);
@@ -83,11 +86,11 @@ pub(crate) fn rows_inside(width: usize, height: usize) -> Vec<[u32; 2]> {
     inside
 }
 
-/// Narrows the rows of columns from the middle outward: none has more than the one before it.
+/// Narrows the rows of columns from the middle outward: each has at most as many as the one before.
 fn narrow<'a>(columns: impl Iterator<Item = ([f64; 2], &'a mut [u32; 2])>, height: usize) {
     let mut end = height;
     for (column, rows) in columns {
-        // Half of them, the others mirror these.
+        // Half of them; the others mirror these.
         while end > height / 2 + 1 && !meets(column, texel_edges(end - 1, height)) {
             end -= 1;
         }
@@ -95,12 +98,12 @@ fn narrow<'a>(columns: impl Iterator<Item = ([f64; 2], &'a mut [u32; 2])>, heigh
     }
 }
 
-/// Whether the texel has a part inside the disk.
+/// Whether the texel overlaps the disk.
 pub(crate) fn texel_meets(column: usize, width: usize, row: usize, height: usize) -> bool {
     meets(texel_edges(column, width), texel_edges(row, height))
 }
 
-/// The normal coordinates of a texel's two edges along one axis.
+/// The normal coordinates of the two edges of a texel along one axis.
 pub(crate) fn texel_edges(index: usize, count: usize) -> [f64; 2] {
     [index, index + 1].map(|k| to_normal(k as f64 / count as f64))
 }
@@ -110,7 +113,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rows_of_a_column_are_those_that_meet() {
+    fn rows_inside_matches_texel_meets() {
         for (width, height) in [(1, 1), (2, 3), (10, 10), (7, 64), (33, 5), (20, 4), (5, 1)] {
             for (i, rows) in rows_inside(width, height).into_iter().enumerate() {
                 for j in 0..height {
@@ -123,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_outside_does_not_show_within() {
+    fn texels_outside_disk_are_ignored() {
         let mut texels = [1.0; 100];
         for corner in [0, 9, 90, 99] {
             texels[corner] = f32::NAN;
