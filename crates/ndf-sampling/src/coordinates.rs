@@ -6,7 +6,8 @@ use asperity_core::math;
 
 /// The largest Gaussian coordinate that the maps distinguish, in standard deviations.
 ///
-/// A Gaussian exceeds it with probability 10⁻³⁸, and `exp(−ρ²/4)` of the farthest corner is still a normal `f32`.
+/// A Gaussian exceeds it with probability 10⁻³⁸, and `exp(−ρ²/4)` of the farthest corner is still a
+/// normal `f32`.
 pub(crate) const FARTHEST: f32 = 13.0;
 
 /// `z` with NaN read as 0 and both coordinates clamped to ±[`FARTHEST`].

@@ -32,8 +32,8 @@ use crate::ndf::{Ndf, forward};
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
-/// Smith 1967; Heitz 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", eq. 43 (G₁), 83 (D_v) and
-/// 99 (G₂); <https://jcgt.org/published/0003/02/03/>.
+/// Smith 1967; Heitz 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based
+/// BRDFs", eq. 43 (G₁), 83 (D_v) and 99 (G₂); <https://jcgt.org/published/0003/02/03/>.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not implement `Microfacet`",
     label = "`Microfacet` is not implemented for this",

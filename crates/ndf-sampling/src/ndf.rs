@@ -59,7 +59,8 @@ pub trait Ndf {
     #[must_use]
     fn to_gaussian(&self, m: Vec3) -> Vec2;
 
-    /// The density of slopes `(m_x, m_y)/m_z`: `P(s) = D(m) m_z⁴` with `m = (s, 1)/√(1 + |s|²)`, `∫ P ds = 1`.
+    /// The density of slopes `(m_x, m_y)/m_z`: `P(s) = D(m) m_z⁴` with `m = (s, 1)/√(1 + |s|²)`, `∫
+    /// P ds = 1`.
     ///
     /// Returns 0 for NaN and for a slope whose normal is at the horizon in `f32`.
     #[inline]

@@ -27,12 +27,12 @@ use asperity_core::math;
 ///
 /// Its slopes are Gaussian with the variances `αx²/2`, `αy²/2`, so `T` is linear in the slopes.
 ///
-/// - **Domain:** `αx, αy` in [`MIN_ALPHA`](crate::MIN_ALPHA)`..=`[`MAX_ALPHA`](crate::MAX_ALPHA); unit `m`, used as given;
-///   `D = 0` for `m.z ≤ 0` and NaN.
+/// - **Domain:** `αx, αy` in [`MIN_ALPHA`](crate::MIN_ALPHA)`..=`[`MAX_ALPHA`](crate::MAX_ALPHA);
+///   unit `m`, used as given; `D = 0` for `m.z ≤ 0` and NaN.
 /// - **Sign:** `s` is the slope of the normal, `s_x = m_x/m_z`. The height decreases where it is
 ///   positive.
-/// - **Accuracy:** `D` 1e-6 + 5e-7 a relative, with the exponent `a`, wherever `D` is a normal `f32`. `T⁻¹(T(z)) = z` within 4e-6
-///   for `|z| ≤ 6` and roughness 1e-4 to 1.
+/// - **Accuracy:** `D` 1e-6 + 5e-7 a relative, with the exponent `a`, wherever `D` is a normal
+///   `f32`. `T⁻¹(T(z)) = z` within 4e-6 for `|z| ≤ 6` and roughness 1e-4 to 1.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Beckmann, Ndf, glam::Vec3};

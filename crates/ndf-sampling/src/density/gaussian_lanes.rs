@@ -12,7 +12,8 @@ const FRAC_1_SQRT_2PI: f32 = 0.398_942_3;
 /// Beyond it a view sees every slope equally, within 1e-6.
 const ZENITH: f32 = 1e6;
 
-/// Mills' ratio `Φ(−x)/φ(x)` for `x ≥ 0`: `t P(t)`, `t = 1/(1 + 0.33 x)`, fitted to 7e-8 relative over all x.
+/// Mills' ratio `Φ(−x)/φ(x)` for `x ≥ 0`: `t P(t)`, `t = 1/(1 + 0.33 x)`, fitted to 7e-8 relative
+/// over all x.
 #[inline(always)]
 fn mills_ratio<S: Arithmetic>(s: S, x: S::F) -> S::F {
     const P: [f32; 10] = [

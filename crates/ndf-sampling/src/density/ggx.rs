@@ -22,8 +22,8 @@ use asperity_core::math;
 /// T⁻¹:  ρ² = 2 ln(1 + (s_x/αx)² + (s_y/αy)²),  direction of (s_x/αx, s_y/αy)
 /// ```
 ///
-/// - **Domain:** `αx, αy` in [`MIN_ALPHA`](crate::MIN_ALPHA)`..=`[`MAX_ALPHA`](crate::MAX_ALPHA); unit `m`, used as given;
-///   `D = 0` for `m.z ≤ 0` and NaN.
+/// - **Domain:** `αx, αy` in [`MIN_ALPHA`](crate::MIN_ALPHA)`..=`[`MAX_ALPHA`](crate::MAX_ALPHA);
+///   unit `m`, used as given; `D = 0` for `m.z ≤ 0` and NaN.
 /// - **Sign:** `s` is the slope of the normal, `s_x = m_x/m_z`. The height decreases where it is
 ///   positive.
 /// - **Accuracy:** `D` 1e-6 relative to the exact value of the `f32` input. Visible normals 5e-7 of
@@ -124,7 +124,8 @@ impl ClosedForm for Ggx {
         let directed = s.less(s.float(1e-37), length2);
         let scale = s.select(directed, s.float(1.0) / s.sqrt(length2), s.float(0.0));
         let (x, y, z) = (x * scale, y * scale, s.select(directed, z * scale, s.float(1.0)));
-        // The cap of directions c with c.z ≥ −z, uniform: c.z = (1 − u₂)(1 + z) − z, in forms that keep sin θ.
+        // The cap of directions c with c.z ≥ −z, uniform: c.z = (1 − u₂)(1 + z) − z, in forms that
+        // keep sin θ.
         let one = s.float(1.0);
         let (below, above) = (u2 * (one + z), (one - u2) * (one + z));
         // 2 − below, as the remainders of 1 + z and 1 − z, does not cancel as u₂ → 1 near the

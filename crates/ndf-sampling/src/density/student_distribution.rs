@@ -166,7 +166,8 @@ impl StudentDistribution {
         z * self.density(z) * sum
     }
 
-    /// `k` of `1/(1 + k) = ₂F₁(½, 1; ν/2 + 1; −ν/z²) = P(T > z) · ν z/((ν + z²) f(z))`, by Gauss's continued fraction.
+    /// `k` of `1/(1 + k) = ₂F₁(½, 1; ν/2 + 1; −ν/z²) = P(T > z) · ν z/((ν + z²) f(z))`, by Gauss's
+    /// continued fraction.
     ///
     /// Its terms are positive for every `ν`. For `ν → ∞` it becomes Laplace's fraction for the
     /// Gaussian tail.

@@ -34,7 +34,8 @@ use asperity_core::math;
 /// - **Visible normals:** the slope along the view by inversion of its distribution, to 1e-12 in
 ///   `u`. The slope across it by the quantile of Student's t, its conditional distribution. `u`
 ///   below 2⁻³² is read as 2⁻³².
-/// - **Accuracy:** `D` 1e-6 + 5e-7 a relative, with the exponent `a = γ ln(1 + q²/(γ − 1))`; Λ 1e-6 relative.
+/// - **Accuracy:** `D` 1e-6 + 5e-7 a relative, with the exponent `a = γ ln(1 + q²/(γ − 1))`; Λ 1e-6
+///   relative.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Ggx, Ndf, StudentT, glam::Vec3};

@@ -11,7 +11,8 @@ pub(crate) const LEAST_U: f64 = 1.0 / 4_294_967_296.0;
 /// Beyond it a view sees every slope equally, within the rounding of `f64`.
 pub(crate) const ZENITH: f64 = 1e17;
 
-/// `E[max(0, X − z)]` of a standard Gaussian `X`, for `z ≥ 0`: `φ(z) − z Φ(−z)`; 0 for infinite `z` and NaN.
+/// `E[max(0, X − z)]` of a standard Gaussian `X`, for `z ≥ 0`: `φ(z) − z Φ(−z)`; 0 for infinite `z`
+/// and NaN.
 ///
 /// `√2 E/z` with `z = √2 a` is Heitz's Λ for Beckmann.
 ///
@@ -61,7 +62,8 @@ pub(crate) fn exact_excess(z: f64) -> f64 {
 /// p(x) = (b + x) φ(x)/(b Φ(b) + φ(b))   for x ≥ −b;       b: the cotangent of the view's angle in standard deviations
 /// ```
 ///
-/// - **Domain:** `b ≥ 0`, `u` in `[0, 1)`; `u` below 2⁻³² is read as 2⁻³², NaN in `b` as the zenith.
+/// - **Domain:** `b ≥ 0`, `u` in `[0, 1)`; `u` below 2⁻³² is read as 2⁻³², NaN in `b` as the
+///   zenith.
 /// - **Accuracy:** 1e-9, and 1e-6 where `u < 2⁻²⁴`.
 ///
 /// Heitz and d'Eon 2014, "Importance Sampling Microfacet-Based BSDFs using the Distribution of

@@ -1,4 +1,4 @@
-//! Densities with a bound over any part of the hemisphere.
+//! NDFs with an upper bound over any part of the hemisphere.
 
 use core::ops::Deref;
 
@@ -7,10 +7,10 @@ use crate::map::packed::ndf_map::NdfMap;
 use crate::masked::wedge::Wedge;
 use crate::ndf::Ndf;
 
-/// A density whose largest value over a part of the hemisphere is known, as rejection needs it.
+/// An NDF with an upper bound over any part of the hemisphere, for rejection sampling.
 ///
-/// Implemented by tables and maps, and open for densities of one's own: [`Masked`](crate::Masked) gives them masking and visible
-/// normals.
+/// Tables and maps implement it. Implement it for a custom NDF to use [`Masked`](crate::Masked),
+/// which adds masking and visible normals.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Bounded, Ggx, Measure, Ndf, NdfMap, Reconstruction, Wedge, glam::Vec3};
@@ -21,11 +21,13 @@ use crate::ndf::Ndf;
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "no bound of the density `{Self}` is known",
+    message = "`{Self}` does not implement `Bounded`",
     note = "`NdfMap` and `Isotropic` have one; for another density take `NdfMap::from_ndf`, or implement `most`"
 )]
 pub trait Bounded: Ndf {
-    /// At least the largest `D(m)` in the wedge; the nearer to it, the fewer tries. Infinity asks for narrower wedges first.
+    /// An upper bound of `D(m)` in the wedge.
+    ///
+    /// Tighter bounds need fewer tries. Infinity requests narrower wedges first.
     #[must_use]
     fn most(&self, wedge: Wedge) -> f32;
 }

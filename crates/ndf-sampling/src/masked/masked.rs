@@ -1,4 +1,4 @@
-//! Masking and visible normals of a density by tables.
+//! Masking and visible normals of an NDF by tables.
 
 use alloc::vec::Vec;
 
@@ -11,36 +11,40 @@ use crate::microfacet::{Microfacet, above};
 use crate::ndf::{Ndf, forward_ndf, unit_square};
 use asperity_core::SplitMix64;
 
-/// Wedges from which visible normals are drawn.
+/// Number of wedges from which visible normals are drawn.
 const WEDGES: usize = 512;
 
-/// Wedges at most, where a density asks for narrower ones.
+/// Maximum number of wedges, for NDFs that request narrower ones.
 const FINEST: usize = 16 * WEDGES;
 
-/// Wedges that are summed up together.
+/// Wedges that are summed together.
 const BLOCK: usize = 32;
 
-/// Tries after which the one that was nearest to being accepted is taken.
+/// Maximum number of tries; then the best one so far is accepted.
 const MOST_TRIES: u32 = 1024;
 
-/// A density that is a table, with Smith's masking and its visible normals: what a painted density needs for reflectances.
+/// Adds Smith masking and visible normals to a tabulated NDF, for use in BRDFs.
 ///
 /// ```text
 /// σ(v) = ∫ D(m) max(0, v·m) dω, from a table;      Λ(v) = max(0, σ(v)/v_z − 1)
 /// D_v(m) = D(m) max(0, v·m)/σ(v), by rejection from wedges of weight ω max D (v·c + r)
 /// ```
 ///
-/// - **Projected areas:** of 256 azimuths by 129 elevations, each the sum over 393,216 facets, interpolated by cubics. Relative to
-///   the exact ones 2e-5 for GGX of roughness 0.1 to 1, 5e-4 where the roughnesses differ tenfold, 2e-3 for maps in steps
-///   (and 1e-5 absolute, where a view sees hardly a facet). 264 KB.
-/// - **Surfaces that are not level on the whole:** a painted density need not have the macro normal as its mean, and `σ(v)` may
-///   then be less than `v_z`, at which masking ends: `Λ` is 0 and `G₁ D max(0, v·m)` integrates to `σ(v)`. No energy is made.
-///   Where a view sees no facet, the visible density is 0 everywhere and samples are any normals.
-/// - **Visible normals:** exact, whatever the table's error. The hemisphere is cut into 512 wedges, by largest `ω max D` times their radius;
-///   one is chosen by a bound of its share and a normal in it accepted by `D v·m`: the first by `u`, so that well distributed numbers keep a part of their
-///   distribution, further ones by numbers that are hashed from it. 1.2 to 3 tries are expected for smooth maps; after 1024,
-///   as where a view sees 2·10⁻⁴ of the area of a single texel, the one of them is taken that was nearest to being accepted, which
-///   has the density all the same.
+/// - **Projected areas:** a table of 256 azimuths by 129 elevations, each the sum over 393,216
+///   facets, interpolated by cubics. The relative error is 2e-5 for GGX of roughness 0.1 to 1, 5e-4
+///   where the roughnesses differ tenfold, and 2e-3 for maps in steps (plus 1e-5 absolute, where a
+///   view sees hardly any facet). 264 KB.
+/// - **Surfaces with a tilted mean:** the mean normal of a painted NDF can differ from the macro
+///   normal. Then `σ(v)` may be less than `v_z`, at which masking ends: `Λ` is 0 and `G₁ D max(0,
+///   v·m)` integrates to `σ(v)`. No energy is created. For a view that sees no facet, the visible
+///   density is 0 everywhere and samples are arbitrary normals.
+/// - **Visible normals:** exact, regardless of the error of the table. The hemisphere is divided
+///   into 512 wedges, by largest `ω max D` times their radius. A wedge is chosen by an upper bound
+///   of its fraction, and a normal in it is accepted by `D v·m`. The first try uses `u`, so
+///   low-discrepancy points keep a part of their distribution. Later tries hash `u`. The expected
+///   number of tries is 1.2 to 3 for smooth maps. After 1024 tries, e.g. where a view sees 2·10⁻⁴
+///   of the area of a single texel, the try that was closest to acceptance is used. It has the same
+///   distribution.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Masked, Measure, Microfacet, NdfMap, Reconstruction, glam::{Vec2, Vec3}};
@@ -54,8 +58,9 @@ const MOST_TRIES: u32 = 1024;
 /// # Ok::<(), asperity_ndf_sampling::NdfMapError>(())
 /// ```
 ///
-/// Smith 1967; Walter et al. 2007, section 5.1; Heitz 2014, eq. 43 and 83. Dupuy and Jakob 2018, "An Adaptive Parameterization for Efficient Material
-/// Acquisition and Rendering", section 4, tabulate `σ` of measured densities over views, and visible normals for each of them.
+/// Smith 1967; Walter et al. 2007, section 5.1; Heitz 2014, eq. 43 and 83. Dupuy and Jakob 2018,
+/// "An Adaptive Parameterization for Efficient Material Acquisition and Rendering", section 4,
+/// tabulate `σ` of measured distributions over views, and visible normals for each view.
 #[derive(Clone, Debug, PartialEq)]
 #[doc(alias = "smith")]
 #[doc(alias = "vndf")]
@@ -69,32 +74,33 @@ pub struct Masked<N> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Cell {
     centre: Vec3,
-    /// Greatest distance of a direction of it from its centre.
+    /// Largest distance of a direction in it from its center.
     reach: f32,
-    /// A bound of the density times the solid angle.
+    /// An upper bound of the density times the solid angle.
     weight: f32,
     most: f32,
-    /// `1 − cos θ` and the azimuth in turns where it begins, and their lengths.
+    /// `1 − cos θ` and the azimuth in turns where it begins, and their extents.
     tilt: [f32; 2],
     turn: [f32; 2],
 }
 
 impl Cell {
-    /// A bound of what is seen of it.
+    /// An upper bound of its visible fraction.
     fn share(&self, v: Vec3) -> f32 {
         self.weight * self.facing(v)
     }
 
-    /// At least `v·m` of its directions.
+    /// An upper bound of `v·m` over its directions.
     fn facing(&self, v: Vec3) -> f32 {
         (v.dot(self.centre) + self.reach).max(0.0)
     }
 }
 
 impl<N: Bounded> Masked<N> {
-    /// Density with tables of its projected areas and of bounds.
+    /// Creates the tables of projected areas and bounds.
     ///
-    /// 0.3 s on one core of an AMD EPYC for tables and for maps of up to 256² texels, 0.4 s for 1024², 2.2 s for 4096².
+    /// Takes 0.3 s on one core of an AMD EPYC for tables and for maps of up to 256² texels, 0.4 s
+    /// for 1024², 2.2 s for 4096².
     #[must_use]
     pub fn new(ndf: N) -> Self {
         let (area, cells) = (ProjectedArea::new(&ndf), cells(&ndf));
@@ -103,14 +109,14 @@ impl<N: Bounded> Masked<N> {
 }
 
 impl<N> Masked<N> {
-    /// The density.
+    /// The wrapped NDF.
     #[must_use]
     pub const fn density(&self) -> &N {
         &self.ndf
     }
 }
 
-/// Halves the wedge in which rejection would lose the most until there are enough.
+/// Halves the wedge in which rejection would be worst until there are enough wedges.
 fn cells<N: Bounded>(ndf: &N) -> Vec<Cell> {
     let bounded = |wedge: Wedge| {
         let (most, (_, reach)) = (f64::from(ndf.most(wedge)), wedge.centre());
@@ -133,7 +139,7 @@ fn cells<N: Bounded>(ndf: &N) -> Vec<Cell> {
         let begin_and_length = |[from, to]: [f64; 2]| [from as f32, (to - from) as f32];
         Cell {
             centre,
-            // With the rounding of the centre and of directions.
+            // Including the rounding of the center and of directions.
             reach: reach as f32 + 4.0 * f32::EPSILON,
             weight: ((most * wedge.solid_angle()) as f32).min(1e30),
             most: (most as f32).min(f32::MAX),
@@ -162,7 +168,7 @@ impl<N: Ndf> Microfacet for Masked<N> {
     fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3 {
         let (v, mut u) = (above(v), unit_square(u));
         let mut random = SplitMix64 { state: (u64::from(u.x.to_bits()) << 32) | u64::from(u.y.to_bits()) };
-        // The sum before each block of wedges; further ones are looked for in the last.
+        // The sum before each block of wedges; further ones are searched in the last.
         let (mut sums, mut total, mut blocks) = ([0.0_f32; 1 + FINEST / BLOCK], 0.0, 0);
         for (block, sum) in self.cells.chunks(BLOCK).zip(&mut sums[1..]) {
             total = block.iter().fold(total, |total, cell| total + cell.share(v));
@@ -184,7 +190,7 @@ impl<N: Ndf> Microfacet for Masked<N> {
                     break;
                 }
             }
-            // No facet's wedge faces the view.
+            // No facet in a wedge faces the view.
             let Some((cell, s)) = found else { return self.ndf.sample(u) };
             let m = direction(cell.tilt[0] + cell.tilt[1] * s, cell.turn[0] + cell.turn[1] * u.y);
             let share = self.ndf.density(m) * v.dot(m).max(0.0) / (cell.most * cell.facing(v));
@@ -192,7 +198,8 @@ impl<N: Ndf> Microfacet for Masked<N> {
             if chance < share {
                 return m;
             }
-            // The least of `chance/share` belongs to each try as likely as its share.
+            // The smallest `chance/share` selects each try with a probability proportional to its
+            // fraction.
             if chance < least * share || least == f32::INFINITY {
                 (nearest, least) = (m, chance.max(f32::MIN_POSITIVE) / share);
             }
@@ -209,8 +216,8 @@ mod tests {
     use crate::{Ggx, Isotropic, Measure, NdfMap, Reconstruction};
 
     #[test]
-    fn few_tries_are_needed() {
-        // The number of tries is 1 over the share that is accepted: σ over the sum of the bounds.
+    fn sample_visible_needs_few_tries() {
+        // The number of tries is 1 over the accepted fraction: σ over the sum of the bounds.
         for alpha in [0.05, 0.3, 1.0] {
             let ggx = Ggx::isotropic(alpha).unwrap();
             let cells = cells(&NdfMap::from_ndf(256, 256, Reconstruction::Bilinear, &ggx).unwrap());
@@ -224,12 +231,13 @@ mod tests {
     }
 
     #[test]
-    fn total_on_every_input() {
+    fn accepts_every_input() {
         let tilted = |n: Vec3| if n.x > 0.3 { 1.0 } else { 0.0 };
         let map = NdfMap::from_fn(16, 8, Measure::Normals, Reconstruction::Constant, tilted).unwrap();
         let masked = Masked::new(&map);
         totality::check(&masked);
-        // Not level on the whole: no view has more energy than arrives, and one that sees nothing is no view.
+        // With a tilted mean, no view reflects more energy than arrives. A view that sees nothing
+        // reflects nothing.
         for k in 0..64 {
             let (sin, cos) = (k as f32 * 0.1).sin_cos();
             let v = Vec3::new(0.9 * cos, 0.9 * sin, 0.19_f32.sqrt());

@@ -1,4 +1,4 @@
-//! Smith's masking and visible normals of densities that are tables.
+//! Smith masking and visible normals of tabulated NDFs.
 
 pub(crate) mod bounded;
 pub(crate) mod masked;

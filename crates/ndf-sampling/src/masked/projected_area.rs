@@ -1,4 +1,4 @@
-//! Projected areas of a density by a table over views.
+//! Projected areas of an NDF from a table over views.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -10,7 +10,7 @@ use crate::masked::wedge::direction;
 use crate::ndf::Ndf;
 use asperity_core::math;
 
-/// Azimuths of the table; even, for each is the other side of another.
+/// Azimuths of the table; even, so that each has an opposite one.
 const AZIMUTHS: usize = 256;
 
 /// Intervals of the elevation.
@@ -26,8 +26,9 @@ const SECTORS: usize = 512;
 /// v(q) = (1 − q) e_φ + q e_z,    F(q) = σ(v(q)) = Σ w max(0, (1 − q) m·e_φ + q m_z),    F′ = Σ_{facing} w (m_z − m·e_φ)
 /// ```
 ///
-/// `σ` grows with the length of `v`, so these lines hold all views. Between the nodes, `q = (j/n)²`, closer together next to the
-/// horizon where narrow lobes turn away, it is a cubic of the values and slopes at both ends; between azimuths one through four.
+/// `σ` is homogeneous in the length of `v`, so these lines represent all views. Between the nodes,
+/// `q = (j/n)²`, it is a cubic of the values and slopes at both ends. The nodes are denser near the
+/// horizon where narrow lobes turn away. Between azimuths it is a cubic through four of them.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ProjectedArea {
     /// `F` and `F′` at the nodes of each azimuth.
@@ -41,7 +42,8 @@ impl ProjectedArea {
         for k in 0..AZIMUTHS / 2 {
             let azimuth = TAU * k as f64 / AZIMUTHS as f64;
             let e = Vec2::new(math::cos_f64(azimuth) as f32, math::sin_f64(azimuth) as f32);
-            // Of both directions: what faces them at the horizon, and what comes to face them in each interval.
+            // For both directions: what faces them at the horizon, and what begins to face them in
+            // each interval.
             let mut turned = [[[0.0_f64; 2]; ELEVATIONS + 1]; 2];
             for &(m, weight) in &facets {
                 let along = m.truncate().dot(e);
@@ -76,7 +78,7 @@ impl ProjectedArea {
         let turn = math::atan2_f64(y, x) / TAU * AZIMUTHS as f64;
         let first = math::floor_f64(turn);
         let t = turn - first;
-        // Lagrange's cubic through four azimuths.
+        // Lagrange cubic through four azimuths.
         let weights = [
             -t * (t - 1.0) * (t - 2.0) / 6.0,
             (t * t - 1.0) * (t - 2.0) / 2.0,
@@ -106,13 +108,14 @@ fn place(j: usize) -> f64 {
     t * t
 }
 
-/// The cubic of values and slopes at both ends of an interval.
+/// The cubic from values and slopes at both ends of an interval.
 fn hermite([a, slope_a]: [f64; 2], [b, slope_b]: [f64; 2], width: f64, s: f64) -> f64 {
     let r = 1.0 - s;
     a * r * r * (1.0 + 2.0 * s) + b * s * s * (3.0 - 2.0 * s) + width * s * r * (slope_a * r - slope_b * s)
 }
 
-/// Normals in the middles of rings, closer together near the zenith, with their weights `D dω`, by which `Σ w m_z = 1`.
+/// Normals at the centers of rings, denser near the zenith, with weights `D dω` such that `Σ w m_z =
+/// 1`.
 fn facets<N: Ndf + ?Sized>(ndf: &N) -> Vec<(Vec3, f32)> {
     let mut facets = Vec::new();
     let mut total = 0.0;
@@ -120,10 +123,12 @@ fn facets<N: Ndf + ?Sized>(ndf: &N) -> Vec<(Vec3, f32)> {
         let t = (ring as f64 + 0.5) / RINGS as f64;
         let theta = FRAC_PI_2 * t * t;
         let (sin, half) = (math::sin_f64(theta), math::sin_f64(0.5 * theta));
-        // dω = sin θ dθ dφ, dθ = π t dt; the number of sectors does not count, for the sum is divided.
+        // dω = sin θ dθ dφ, dθ = π t dt. The number of sectors cancels, because the sum is divided
+        // by it.
         let solid_angle = sin * t;
         for sector in 0..SECTORS {
-            // Rings are turned against each other, so that no edge along a meridian is counted too often.
+            // Rings are rotated against each other, so that no edge along a meridian is counted too
+            // often.
             let turn = (sector as f64 + (ring as f64 * 0.618_033_988_75) % 1.0) / SECTORS as f64;
             let m = direction((2.0 * half * half) as f32, turn as f32);
             let weight = f64::from(ndf.density(m)) * solid_angle;
@@ -145,7 +150,7 @@ mod tests {
     use crate::{Ggx, Microfacet};
 
     #[test]
-    fn areas_are_those_of_ggx() {
+    fn projected_areas_match_ggx() {
         for (x, y, least) in [(0.3, 0.6, 2e-5), (0.5, 0.05, 5e-4)] {
             let ggx = Ggx::new(x, y).unwrap();
             let table = ProjectedArea::new(&ggx);

@@ -1,4 +1,4 @@
-//! A wedge of the hemisphere: an interval of tilts and one of azimuths.
+//! A wedge of the hemisphere: an interval of tilts and an interval of azimuths.
 
 use glam::Vec3;
 
@@ -6,7 +6,9 @@ use asperity_core::lanes::Scalar;
 use asperity_core::lanes::elementary::cos_sin_turns;
 use asperity_core::math;
 
-/// A part of the hemisphere of normals between two tilts and two azimuths; uniform in `1 − cos θ` and `φ`, as solid angle is.
+/// A part of the hemisphere of normals between two tilts and two azimuths.
+///
+/// It is uniform in `1 − cos θ` and `φ`, like solid angle.
 ///
 /// ```text
 /// 1 − cos θ in [tilts₀, tilts₁] of [0, 1],    φ/2π in [turns₀, turns₁] of [−½, ½]
@@ -16,16 +18,16 @@ use asperity_core::math;
 /// use asperity_ndf_sampling::{Bounded, Isotropic, Wedge};
 ///
 /// let table = Isotropic::new(&[0.0, 0.5, 2.0])?;
-/// // From the horizon up to 60°, the density is less than at 60°.
+/// // Between the horizon and 60°, the density is at most the value at 60°.
 /// let low = Wedge { tilts: [0.5, 1.0], turns: [-0.5, 0.5] };
 /// assert!(table.most(low) <= table.most(Wedge::HEMISPHERE));
 /// # Ok::<(), asperity_ndf_sampling::IsotropicError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wedge {
-    /// `1 − cos θ` where it begins and ends.
+    /// `1 − cos θ` at its beginning and end.
     pub tilts: [f64; 2],
-    /// The azimuth from x towards y where it begins and ends, in turns.
+    /// The azimuth from x towards y at its beginning and end, in turns.
     pub turns: [f64; 2],
 }
 
@@ -38,12 +40,12 @@ impl Wedge {
         core::f64::consts::TAU * (self.tilts[1] - self.tilts[0]) * (self.turns[1] - self.turns[0])
     }
 
-    /// The direction in its middle, and how far a direction in it may be from that.
+    /// The direction at its center, and the largest angle between it and a direction of the wedge.
     pub(crate) fn centre(self) -> (Vec3, f64) {
         let ([low, high], turns) = (self.tilts.map(tilt), self.turns);
         let (middle, half) = (0.5 * (low + high), core::f64::consts::PI * (turns[1] - turns[0]));
         let (sin, cos) = (math::sin_f64(middle), math::cos_f64(middle));
-        // From the middle the cosine to a direction of the wedge is least at its corners.
+        // The cosine between the center and a direction of the wedge is smallest at the corners.
         let cosine =
             |theta: f64| sin * math::sin_f64(theta) * math::cos_f64(half) + cos * math::cos_f64(theta);
         let reach = math::sqrt_f64((2.0 - 2.0 * cosine(low).min(cosine(high))).max(0.0));
@@ -52,7 +54,7 @@ impl Wedge {
         (Vec3::new(x as f32, y as f32, cos as f32), reach)
     }
 
-    /// Its halves, across its longer side.
+    /// Its halves, divided across the longer side.
     pub(crate) fn halves(self) -> [Self; 2] {
         let [low, high] = self.tilts.map(tilt);
         let [from, to] = self.turns;
@@ -71,7 +73,7 @@ impl Wedge {
         let sines = self.tilts.map(|d| math::sqrt_f64((d * (2.0 - d)).max(0.0)));
         let [from, to] = self.turns;
         let ranges = |quarter: f64| {
-            // Of the cosine of the angle from the axis that lies at `quarter` turns.
+            // The range of the cosine of the angle to the axis at `quarter` turns.
             let at = [from, to].map(|turn| math::cos_f64(core::f64::consts::TAU * (turn - quarter)));
             let holds = |turn: f64| (-1..=1).any(|k| (from..=to).contains(&(turn + f64::from(k))));
             let most = if holds(quarter) { 1.0 } else { at[0].max(at[1]) };
@@ -84,7 +86,7 @@ impl Wedge {
     }
 }
 
-/// The angle from the zenith of `1 − cos θ`.
+/// The angle to the zenith with `1 − cos θ = d`.
 fn tilt(d: f64) -> f64 {
     2.0 * math::asin_f64(math::sqrt_f64(0.5 * d.clamp(0.0, 1.0)))
 }
@@ -102,7 +104,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn wedges_lie_within_their_reach_and_their_sides() {
+    fn wedges_lie_within_their_radius_and_sides() {
         let mut wedges = alloc::vec![Wedge::HEMISPHERE];
         for k in 0..60 {
             let [low, high] = wedges[k].halves();

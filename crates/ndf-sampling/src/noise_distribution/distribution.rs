@@ -1,17 +1,18 @@
-//! The trait of the distribution of a noise: from its values to Gaussian and uniform numbers and back.
+//! The `NoiseDistribution` trait.
 
 use crate::coordinates::bounded_coordinate;
 use crate::ndf::forward;
 use crate::numeric::normal_distribution::{inverse_phi, phi};
 use crate::range_error::RangeError;
 
-/// The distribution `G` of a noise, by which its values become Gaussian coordinates and back.
+/// The distribution `G` of a noise, which maps its values to Gaussian coordinates and back.
 ///
 /// ```text
 /// gaussian(r) = Φ⁻¹(G(r)),   from_gaussian(z) = G⁻¹(Φ(z)),   uniform(r) = G(r),   inverse(u) = G⁻¹(u)
 /// ```
 ///
-/// Both are nondecreasing, total and finite; NaN counts as the middle of the distribution. The trait is dyn-compatible.
+/// Both maps are nondecreasing, finite and accept every input. NaN is read as the median. The trait
+/// is dyn-compatible.
 ///
 /// ```
 /// use asperity_ndf_sampling::{GaussianNoise, KurtoticNoise, NoiseCdfRef, NoiseDistribution};
@@ -29,7 +30,7 @@ use crate::range_error::RangeError;
     reason = "from_gaussian is a map of this distribution, not a constructor"
 )]
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no distribution of a noise",
+    message = "`{Self}` does not implement `NoiseDistribution`",
     note = "pass `GaussianNoise`, `KurtoticNoise` or a `NoiseCdfRef` of measured values"
 )]
 pub trait NoiseDistribution {
@@ -47,7 +48,7 @@ pub trait NoiseDistribution {
         phi(f64::from(self.gaussian(r))) as f32
     }
 
-    /// `G⁻¹(u)`; a `u` outside [0, 1] counts as the nearest end, NaN as ½.
+    /// `G⁻¹(u)`; `u` is clamped to [0, 1], NaN is read as ½.
     #[must_use]
     fn inverse(&self, u: f32) -> f32 {
         let u = if u.is_nan() { 0.5 } else { f64::from(u).clamp(0.0, 1.0) };
@@ -64,9 +65,9 @@ impl<G: NoiseDistribution + ?Sized> NoiseDistribution for &G {
     }
 }
 
-/// A noise that is Gaussian with the mean 0: `G(r) = Φ(r/σ)`, so that nothing is remapped but the scale.
+/// A Gaussian noise with mean 0: `G(r) = Φ(r/σ)` only changes the scale.
 ///
-/// Its `uniform` and `inverse` are [`phi`] and [`inverse_phi`]. Values beyond 13 σ count as that.
+/// Its `uniform` and `inverse` are [`phi`] and [`inverse_phi`]. Values are clamped to ±13 σ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GaussianNoise {
     deviation: f32,
@@ -76,10 +77,10 @@ pub struct GaussianNoise {
 asperity_core::impl_approx! { f32; GaussianNoise: noise => noise.deviation; }
 
 impl GaussianNoise {
-    /// The distribution with the standard deviation `σ`.
+    /// Creates the distribution with the standard deviation `σ`.
     ///
     /// # Errors
-    /// A deviation that is not positive, normal and finite.
+    /// A standard deviation that is not positive, normal and finite.
     pub fn new(deviation: f32) -> Result<Self, RangeError> {
         check(deviation).map(|deviation| Self { deviation })
     }
@@ -97,7 +98,7 @@ impl NoiseDistribution for GaussianNoise {
     }
 }
 
-/// `σ` if it is positive and finite.
+/// Returns `σ` if it is positive and finite.
 pub(crate) fn check(deviation: f32) -> Result<f32, RangeError> {
     RangeError::check("deviation", deviation, [f32::MIN_POSITIVE, f32::MAX])
 }
@@ -109,7 +110,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn without_kurtosis_it_is_gaussian() {
+    fn gaussian_noise_equals_zero_kurtosis() {
         let (gaussian, kurtotic) = (GaussianNoise::new(0.7).unwrap(), KurtoticNoise::new(0.7, 0.0).unwrap());
         for r in [-3.0, -0.1, 0.0, 0.5, 2.0] {
             assert_eq!(gaussian.gaussian(r), kurtotic.gaussian(r));

@@ -1,34 +1,37 @@
-//! The distribution of a noise by its excess kurtosis.
+//! The distribution of a noise from its excess kurtosis.
 
 use crate::coordinates::bounded_coordinate;
 use crate::noise_distribution::distribution::{NoiseDistribution, check};
 use crate::range_error::RangeError;
 use asperity_core::math::sqrt_f64;
 
-/// A noise that is nearly Gaussian, known by its standard deviation and its excess kurtosis `κ` alone.
+/// A nearly Gaussian noise, given only its standard deviation and its excess kurtosis `κ`.
 ///
 /// ```text
 /// κ ≤ 0:  z = x + a (x³ − 3x);        κ ≥ 0:  x = z + a (z³ − 3z);        x = d r/σ
 /// ```
 ///
-/// A sum of octaves of classic noise has `σ² = σ₁² Σ w²a²` and `κ = κ₁ Σ w⁴a⁴/(Σ w²a²)²`, which change as an octave fades in: one
-/// family serves every number of octaves and every blend, where a table measured at one of them errs by a Kolmogorov–Smirnov distance
-/// of up to 0.03 at the others.
+/// A sum of octaves of classic noise has `σ² = σ₁² Σ w²a²` and `κ = κ₁ Σ w⁴a⁴/(Σ w²a²)²`, which
+/// change as an octave fades in. One family of distributions serves every number of octaves and
+/// every blend. A table measured for one of them has a Kolmogorov–Smirnov distance of up to 0.03
+/// from the others.
 ///
-/// `a` is the one that gives the excess kurtosis `κ`, and `d` the standard deviation of `x` before it is scaled. For `κ ≥ 0` they solve
+/// The constant `a` is the one for which the excess kurtosis is `κ`, and `d` is the standard
+/// deviation of `x` before scaling. For `κ ≥ 0` they solve
 ///
 /// ```text
 /// κ + 3 = (3 + 24a + 252a² + 1296a³ + 3348a⁴)/d⁴,  d² = 1 + 6a²
 /// ```
 ///
-/// and for `κ < 0`, where no such polynomials are known, they are polynomials of `κ`, fitted. `a = |κ|/24` is their first order, which
-/// alone would make 1.17 of `κ = 0.85`.
+/// For `κ < 0` no such polynomials are known, and `a` and `d` are fitted polynomials of `κ`. Their
+/// first order is `a = |κ|/24`, which alone would turn `κ = 0.85` into 1.17.
 ///
-/// - **Domain:** `κ` in [−1.5, 2], where both forms increase everywhere; none of the first has one below −1.71. Values beyond 13 Gaussian
-///   standard deviations count as that.
-/// - **Moments:** standard deviation to 3e-6 of itself, excess kurtosis to 3e-5.
-/// - **Accuracy:** the inverse of each form to `f32` rounding. Kolmogorov–Smirnov distance to the measured distributions of
-///   classic noises in 3-D, eight octaves of gain ½, whose kurtosis is 0.6 of one octave's:
+/// - **Domain:** `κ` in [−1.5, 2], where both forms increase everywhere. The first form never has a
+///   kurtosis below −1.71. Values are clamped to ±13 Gaussian standard deviations.
+/// - **Moments:** standard deviation to 3e-6 relative, excess kurtosis to 3e-5.
+/// - **Accuracy:** each form is inverted to `f32` rounding. Kolmogorov–Smirnov distance to the
+///   measured distributions of classic noises in 3-D, eight octaves of gain ½, whose kurtosis is
+///   0.6 times the kurtosis of one octave:
 ///
 /// | noise | κ | a Gaussian | this |
 /// |---|---|---|---|
@@ -42,15 +45,16 @@ use asperity_core::math::sqrt_f64;
 /// ```
 /// use asperity_ndf_sampling::{KurtoticNoise, NoiseDistribution};
 ///
-/// // Perlin's noise of 2002 has thinner tails than a Gaussian: two deviations are rarer.
+/// // Perlin noise of 2002 has thinner tails than a Gaussian: two deviations are rarer.
 /// let g = KurtoticNoise::new(1.0, -0.46)?;
 /// assert!(g.gaussian(2.5) > 2.6);
 /// assert!(KurtoticNoise::new(1.0, 3.0).is_err());
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
-/// Cornish, Fisher 1938, "Moments and Cumulants in the Specification of Distributions", to the fourth cumulant; its normalising
-/// form for `κ ≤ 0` and the quantile form for `κ ≥ 0`, as each is monotone only there.
+/// Cornish, Fisher 1938, "Moments and Cumulants in the Specification of Distributions", to the
+/// fourth cumulant. The normalizing form is used for `κ ≤ 0` and the quantile form for `κ ≥ 0`,
+/// since each is monotone only there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KurtoticNoise {
     deviation: f32,
@@ -65,16 +69,16 @@ pub struct KurtoticNoise {
 asperity_core::impl_approx! { f32; KurtoticNoise: noise => noise.deviation, noise.kurtosis; }
 
 impl KurtoticNoise {
-    /// The least excess kurtosis.
+    /// The smallest excess kurtosis.
     pub const MIN_KURTOSIS: f32 = -1.5;
 
-    /// The greatest excess kurtosis.
+    /// The largest excess kurtosis.
     pub const MAX_KURTOSIS: f32 = 2.0;
 
-    /// The distribution with the standard deviation `σ` and the excess kurtosis `κ`.
+    /// Creates the distribution with the standard deviation `σ` and the excess kurtosis `κ`.
     ///
     /// # Errors
-    /// A deviation that is not positive, normal and finite; a kurtosis outside [−1.5, 2].
+    /// A standard deviation that is not positive, normal and finite; a kurtosis outside [−1.5, 2].
     pub fn new(deviation: f32, kurtosis: f32) -> Result<Self, RangeError> {
         RangeError::check("kurtosis", kurtosis, [Self::MIN_KURTOSIS, Self::MAX_KURTOSIS])?;
         let deviation = check(deviation)?;
@@ -98,26 +102,27 @@ impl NoiseDistribution for KurtoticNoise {
     }
 }
 
-/// `a` and `d` for `κ > 0`, of the moments of `z + a (z³ − 3z)`.
+/// `a` and `d` for `κ > 0`, from the moments of `z + a (z³ − 3z)`.
 fn spread(kurtosis: f64) -> (f64, f64) {
     let mut a = kurtosis / 24.0;
     for _ in 0..NEWTON {
         let variance = 1.0 + 6.0 * a * a;
         let fourth = 3.0 + a * (24.0 + a * (252.0 + a * (1296.0 + a * 3348.0)));
         let slope = 24.0 + a * (504.0 + a * (3888.0 + a * 13_392.0));
-        // Of fourth − (κ + 3) variance²; it is convex and the root is below the start.
+        // Newton's method on fourth − (κ + 3) variance²; it is convex and the root is below the
+        // start.
         let excess = fourth - (kurtosis + 3.0) * variance * variance;
         a -= excess / (slope - (kurtosis + 3.0) * 24.0 * a * variance);
     }
     (a, sqrt_f64(1.0 + 6.0 * a * a))
 }
 
-/// Steps from `κ/24`, which is at most 0.02 off: quadratic from there.
+/// Steps from `κ/24`, which is off by at most 0.02; convergence is quadratic from there.
 const NEWTON: usize = 5;
 
 /// `a` and `d` for `κ ≤ 0`, of the `x` with `x + a (x³ − 3x) = z`.
 ///
-/// Polynomials of least error at Chebyshev's points of [−1.5, 0]: 1.2e-5 in the kurtosis and 1.5e-6 in `d`.
+/// Polynomials fitted at Chebyshev points of [−1.5, 0]: 1.2e-5 in the kurtosis and 1.5e-6 in `d`.
 fn bounded(kurtosis: f64) -> (f64, f64) {
     const BEND: [f64; 7] = [
         0.041_653_971_4,
@@ -149,8 +154,8 @@ fn cubic(t: f32, a: f32) -> f32 {
 /// The `t` with `t + a (t³ − 3t) = y`.
 fn inverse_cubic(y: f32, a: f32) -> f32 {
     let (a, y) = (f64::from(a), f64::from(y));
-    // Newton from above: right of its root the cubic of |y| is convex and increasing, so that every step stays there. The
-    // start solves it without the cube.
+    // Newton's method from above: right of its root the cubic of |y| is convex and increasing, so
+    // that every step stays there. The start ignores the cube.
     let (mut t, size) = (y.abs() / (1.0 - 3.0 * a), y.abs());
     for _ in 0..STEPS {
         t -= (t + a * t * (t * t - 3.0) - size) / (1.0 + 3.0 * a * (t * t - 1.0));
@@ -158,7 +163,7 @@ fn inverse_cubic(y: f32, a: f32) -> f32 {
     if y < 0.0 { -t as f32 } else { t as f32 }
 }
 
-/// Newton's steps: each takes a third off where the cube dominates, and doubles the digits at the end.
+/// Newton steps: each removes a third where the cube dominates, and doubles the digits at the end.
 const STEPS: usize = 10;
 
 #[cfg(test)]
@@ -168,7 +173,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn both_forms_increase_and_are_inverted() {
+    fn both_forms_increase_and_round_trip() {
         for kurtosis in [-1.5, -0.65, 0.0, 0.4, 2.0] {
             let g = KurtoticNoise::new(0.3, kurtosis).unwrap();
             let mut before = f32::NEG_INFINITY;
@@ -176,7 +181,7 @@ mod tests {
             for k in -385..=385 {
                 let r = k as f32 * 0.01;
                 let z = g.gaussian(r);
-                // Farther out the bound of the Gaussian coordinates is met.
+                // Farther out the bound of the Gaussian coordinates is reached.
                 assert!(z > before || z.abs() == 13.0, "κ = {kurtosis}, r = {r}");
                 before = z;
                 if z.abs() < 13.0 {
@@ -189,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn moments_are_those_asked_for() {
+    fn moments_match_the_parameters() {
         // Means over the Gaussian, by a fine sum.
         for kurtosis in [-1.5_f32, -1.2, -0.46, -0.05, 0.0, 0.05, 0.3, 0.85, 1.4, 2.0] {
             let g = KurtoticNoise::new(1.7, kurtosis).unwrap();
@@ -209,7 +214,7 @@ mod tests {
     }
 
     #[test]
-    fn total_on_every_input() {
+    fn accepts_every_input() {
         for kurtosis in [-1.5, 0.5] {
             let g = KurtoticNoise::new(1e-30, kurtosis).unwrap();
             for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e38, -1e38, 1e-40] {

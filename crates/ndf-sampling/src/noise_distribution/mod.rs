@@ -1,4 +1,4 @@
-//! Distributions of the values of a noise: measured, Gaussian, or known by their kurtosis.
+//! Distributions of noise values: measured, Gaussian, or from the kurtosis.
 
 pub(crate) mod distribution;
 pub(crate) mod kurtotic_noise;

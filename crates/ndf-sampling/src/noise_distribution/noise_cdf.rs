@@ -1,24 +1,27 @@
-//! G: from the values of a noise, by its measured distribution, to uniform and Gaussian numbers.
+//! G: maps noise values to uniform and Gaussian numbers by their measured distribution.
 
 use crate::noise_distribution::distribution::NoiseDistribution;
 use crate::numeric::normal_distribution::{inverse_phi, phi};
 use asperity_core::error_enum;
 
-/// The distribution function `G` of a noise, linear between the entries of a borrowed table.
+/// The CDF `G` of a noise, linear between the entries of a borrowed table.
 ///
 /// ```text
 /// table[k] = G(r_k) = P(noise ≤ r_k),   r_k = low + (high − low) k/(len − 1),   k = 0 … len − 1
 /// ```
 ///
-/// The array comes from anywhere: those that `asperity-noise` has measured of its noises are over ±4 standard deviations. For
-/// sums that are not symmetric, such as turbulence, [`NoiseCdfRef::between`] takes both ends.
+/// Any array will do. The tables that `asperity-noise` has measured for its noises cover ±4
+/// standard deviations. For asymmetric sums, such as turbulence, [`NoiseCdfRef::between`] takes
+/// both ends.
 ///
-/// If the table is right, `G(noise)` is uniform on [0, 1] and `Φ⁻¹(G(noise))` standard Gaussian, which is what
-/// [`Ndf::from_gaussian`](crate::Ndf::from_gaussian) takes.
+/// If the table is correct, `G(noise)` is uniform on [0, 1] and `Φ⁻¹(G(noise))` is standard
+/// Gaussian, the argument of [`Ndf::from_gaussian`](crate::Ndf::from_gaussian).
 ///
-/// - **Domain:** all reals. Below `low` the first entry counts, above `high` the last; NaN counts as 0, or the end nearest to it.
-/// - **Accuracy:** that of the table. As an `f32` near 1 has an absolute resolution of 6e-8, [`gaussian`](NoiseDistribution::gaussian) of a
-///   table errs by up to 0.002 at `z = 4.5`; its values end at ±5.29, the quantile of 2⁻²⁴.
+/// - **Domain:** all reals. Below `low` the first entry is used, above `high` the last. NaN is read
+///   as 0, or as the end nearest to 0.
+/// - **Accuracy:** that of the table. An `f32` near 1 has an absolute resolution of 6e-8, so
+///   [`gaussian`](NoiseDistribution::gaussian) of a table errs by up to 0.002 at `z = 4.5`. Its
+///   values end at ±5.29, the quantile of 2⁻²⁴.
 ///
 /// ```
 /// use asperity_ndf_sampling::{NoiseCdfRef, NoiseDistribution};
@@ -31,8 +34,8 @@ use asperity_core::error_enum;
 /// # Ok::<(), asperity_ndf_sampling::NoiseCdfError>(())
 /// ```
 ///
-/// Kautz, Heidrich, Seidel 2001, section 4, assumes a Gaussian `G` for every noise; measured, the noises differ from it by
-/// up to 0.03 in the Kolmogorov–Smirnov distance.
+/// Kautz, Heidrich, Seidel 2001, section 4, assumes a Gaussian `G` for every noise. Measured noises
+/// differ from it by up to 0.03 in the Kolmogorov–Smirnov distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[doc(alias = "histogram")]
 #[doc(alias = "remap")]
@@ -43,11 +46,11 @@ pub struct NoiseCdfRef<'a> {
 }
 
 impl<'a> NoiseCdfRef<'a> {
-    /// The distribution whose values on a uniform grid over ±`range` are `table`.
+    /// Creates the distribution from a `table` of values on a uniform grid over ±`range`.
     ///
     /// # Errors
-    /// A `range` that is not positive and finite; a table of fewer than two entries, with an entry outside [0, 1] (or NaN),
-    /// with an entry below the one before, or whose first and last entries are equal.
+    /// A `range` that is not positive and finite; a table of fewer than two entries; an entry
+    /// outside [0, 1] or NaN; an entry below the previous one; equal first and last entries.
     pub fn new(range: f32, table: &'a [f32]) -> Result<Self, NoiseCdfError> {
         if range.is_finite() && range > 0.0 {
             Self::between(-range, range, table)
@@ -56,10 +59,11 @@ impl<'a> NoiseCdfRef<'a> {
         }
     }
 
-    /// The distribution whose values on a uniform grid from `low` to `high` are `table`.
+    /// Creates the distribution from a `table` of values on a uniform grid from `low` to `high`.
     ///
     /// # Errors
-    /// Ends that are not finite or not in order, with a difference beyond the range of `f32`; tables as in [`NoiseCdfRef::new`].
+    /// Ends that are not finite, not increasing, or whose difference overflows `f32`; tables as in
+    /// [`NoiseCdfRef::new`].
     ///
     /// ```
     /// use asperity_ndf_sampling::{NoiseCdfRef, NoiseDistribution};
@@ -129,7 +133,7 @@ impl NoiseDistribution for NoiseCdfRef<'_> {
 
     #[inline]
     fn from_gaussian(&self, z: f32) -> f32 {
-        // In f64: rounded to f32, Φ would end at z = 5.4 and be coarse long before.
+        // In f64, because Φ rounded to f32 would end at z = 5.4 and be coarse long before.
         self.quantile(phi(f64::from(z)))
     }
 
@@ -138,25 +142,25 @@ impl NoiseDistribution for NoiseCdfRef<'_> {
         self.exact(r) as f32
     }
 
-    /// The least noise value with `G(r) ≥ u`; the table's ends beyond its values.
+    /// The smallest noise value with `G(r) ≥ u`; the ends of the table beyond its values.
     fn inverse(&self, u: f32) -> f32 {
         self.quantile(f64::from(u))
     }
 }
 
 error_enum! {
-    /// Refusal of a table that is no distribution of a noise.
+    /// Error for a table that is not the CDF of a noise.
     pub enum NoiseCdfError {
         /// The range is not positive and finite.
         Range { value: f32 } => "range must be positive and finite, got {value}";
-        /// The ends are not finite or not in order.
+        /// The ends are not finite or not increasing.
         Ends { low: f32, high: f32 } => "ends must be finite and in order, got {low} and {high}";
         /// The table has fewer than two entries.
         Entries { got: usize } => "table must have at least two entries, got {got}";
-        /// An entry is NaN, outside [0, 1] or smaller than the one before.
+        /// An entry is NaN, outside [0, 1] or smaller than the previous one.
         Entry { index: usize, value: f32 } =>
             "entry {index} must be in [0, 1] and not below the one before, got {value}";
-        /// Every entry is the same.
+        /// All entries are equal.
         Constant { value: f32 } => "table must increase, got {value} everywhere";
     }
 }
@@ -167,7 +171,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn table_of_positive_values_is_inverted() {
+    fn round_trip_of_a_one_sided_table() {
         let g = NoiseCdfRef::between(0.5, 3.0, &[0.0, 0.5, 0.9, 0.95, 1.0, 1.0]).unwrap();
         assert_eq!((g.uniform(f32::NAN), g.uniform(1.25), g.uniform(3.0)), (0.0, 0.7, 1.0));
         assert_eq!((g.inverse(0.5), g.inverse(1.0), g.inverse(0.0)), (1.0, 2.5, 0.5));

@@ -1,4 +1,5 @@
-//! Detail on an existing bump map: its normals as indices, to which noise is added, and back.
+//! Detail on an existing bump map: convert normals to Gaussian coordinates, add noise, convert
+//! back.
 
 use glam::{Vec2, Vec3};
 
@@ -8,17 +9,18 @@ use crate::noise_distribution::distribution::NoiseDistribution;
 use crate::numeric::normal_distribution::phi;
 use asperity_core::math;
 
-/// The Gaussian coordinates of a bump map with noise added, of the same variance.
+/// Adds noise to the Gaussian coordinates of a bump map and keeps their variance.
 ///
 /// ```text
 /// z = (z_b + ε z_n)/√(1 + ε²)
 /// ```
 ///
-/// If `z_b` and `z_n` are independent standard Gaussians, `z` is one for every amount `ε`, so that `T(z)` has the density that
-/// the bump map had. Without the root the variance would grow.
+/// If `z_b` and `z_n` are independent standard Gaussians, so is `z` for every amount `ε`. Therefore
+/// `T(z)` has the NDF of the original bump map. Without the root the variance would grow.
 ///
-/// - **Domain:** coordinates beyond ±13 count as ±13, NaN as 0; `ε` as its absolute value up to 10¹⁸, NaN as 0.
-/// - **Limits:** `ε = 0` gives `z_b`, bit for bit.
+/// - **Domain:** coordinates are clamped to ±13, NaN is read as 0. `ε` is its absolute value
+///   clamped to 10¹⁸, NaN is read as 0.
+/// - **Limits:** `ε = 0` returns `z_b`, bit for bit.
 ///
 /// ```
 /// use asperity_ndf_sampling::{detailed, glam::Vec2};
@@ -36,11 +38,11 @@ pub fn detailed(z_b: Vec2, z_n: Vec2, amount: f32) -> Vec2 {
     bounded((bounded(z_b) + bounded(z_n) * amount) / root)
 }
 
-/// The normal of a bump map with noise added: `T(detailed(T⁻¹(n), z_n, ε))`.
+/// Adds noise to a normal of a bump map: `T(detailed(T⁻¹(n), z_n, ε))`.
 ///
-/// `ndf` is the density of the bump map, as by [`estimate_ndf`](crate::estimate_ndf). Without noise the normal comes
-/// back up to the accuracy of `T ∘ T⁻¹`; where a bump map is evaluated often, keep `T⁻¹(n)` as its texels and look up `T` in
-/// a [`NormalTable`](crate::NormalTable).
+/// `ndf` is the NDF of the bump map, e.g. from [`estimate_ndf`](crate::estimate_ndf). Without noise
+/// the normal is returned up to the accuracy of `T ∘ T⁻¹`. If a bump map is evaluated often, store
+/// `T⁻¹(n)` as its texels and look up `T` in a [`NormalTable`](crate::NormalTable).
 ///
 /// ```
 /// use asperity_ndf_sampling::{Ggx, detailed_normal, glam::{Vec2, Vec3}};
@@ -57,15 +59,15 @@ pub fn detailed_normal<N: Ndf + ?Sized>(ndf: &N, n: Vec3, z_n: Vec2, amount: f32
     ndf.from_gaussian(detailed(ndf.to_gaussian(n), z_n, amount))
 }
 
-/// The chain from noise values through uniform numbers to normals, and back.
+/// Conversion from noise values through uniform numbers to normals, and back.
 ///
 /// ```text
 /// r → u = G(r) → n = T(Φ⁻¹(u)),        n → u = Φ(T⁻¹(n)) → r = G⁻¹(u)
 /// ```
 ///
-/// The second is what turns an existing bump map into noise values, to which more noise is added before the first. A sum of two
-/// noises has not the distribution of one, unless they are Gaussian: add them as [`detailed`] does, in Gaussian coordinates,
-/// where the density is to be kept.
+/// The second converts an existing bump map to noise values. More noise can be added to these
+/// before the first is applied. A sum of two noises does not have the distribution of one noise,
+/// unless they are Gaussian. To keep the NDF, add them in Gaussian coordinates with [`detailed`].
 ///
 /// ```
 /// use asperity_ndf_sampling::{Beckmann, NoiseCdfRef, glam::Vec3, normal_map::NoiseChain};
@@ -82,21 +84,22 @@ pub fn detailed_normal<N: Ndf + ?Sized>(ndf: &N, n: Vec3, z_n: Vec2, amount: f32
 /// Kautz, Heidrich, Seidel 2001, sections 4 and 7.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoiseChain<N, G> {
-    /// The density of the normals.
+    /// The NDF of the normals.
     pub ndf: N,
     /// The distribution `G` of both noises.
     pub noise: G,
 }
 
 impl<N: Ndf, G: NoiseDistribution> NoiseChain<N, G> {
-    /// `r → n`; total.
+    /// `r → n`; accepts every input.
     #[inline]
     #[must_use]
     pub fn normal(&self, r: [f32; 2]) -> Vec3 {
         self.ndf.from_gaussian(Vec2::from(r.map(|r| self.noise.gaussian(r))))
     }
 
-    /// `n → u`, the uniform numbers of a normal, in `f64`: near 1 the upper tail needs its bits.
+    /// `n → u`, the uniform numbers of a normal, in `f64`, whose precision the upper tail near 1
+    /// needs.
     #[inline]
     #[must_use]
     pub fn uniform(&self, n: Vec3) -> [f64; 2] {
@@ -118,7 +121,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn total_on_every_input() {
+    fn accepts_every_input() {
         let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e38, -1e38, 0.0, 1e-40];
         let ggx = Ggx::isotropic(0.3).unwrap();
         for (a, b) in bad.into_iter().flat_map(|a| bad.map(|b| (a, b))) {
@@ -131,14 +134,14 @@ mod tests {
     }
 
     #[test]
-    fn nothing_but_noise_is_left_of_much_of_it() {
+    fn detailed_tends_to_pure_noise_for_large_amounts() {
         let z_n = Vec2::new(0.3, -1.2);
         assert_abs_diff_eq!(detailed(Vec2::new(5.0, -9.0), z_n, f32::INFINITY), z_n, epsilon = 1e-6);
         assert_abs_diff_eq!(detailed(Vec2::ZERO, z_n, -1.0), z_n * 0.5_f32.sqrt(), epsilon = 1e-7);
     }
 
     #[test]
-    fn chain_is_undone() {
+    fn noise_chain_round_trips() {
         let table: [f32; 9] = core::array::from_fn(|k| (k * k) as f32 / 64.0);
         let noise = NoiseCdfRef::new(2.0, &table).unwrap();
         let chain = NoiseChain { ndf: Beckmann::new(0.2, 0.6).unwrap(), noise };

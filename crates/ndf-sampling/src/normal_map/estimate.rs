@@ -1,4 +1,4 @@
-//! The density of the normals of an existing normal map.
+//! The NDF of an existing normal map.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -13,19 +13,24 @@ use crate::map::texels::Measure;
 use asperity_core::error_enum;
 use asperity_core::math;
 
-/// Counts the normals of a bump map over (n_x, n_y), each spread by a smooth kernel, into the texels of an [`NdfMap`].
+/// Estimates the NDF of a normal map by counting its normals with a smooth kernel.
+///
+/// The counts are over (n_x, n_y), in the texels of an [`NdfMap`].
 ///
 /// ```text
 /// K(x) = B(x/h)/h,   B = the quadratic B-spline:   ¾ − t² for |t| < ½,   (3/2 − |t|)²/2 for ½ ≤ |t| < 3/2
 /// D(texel) = (1/N) Σ_n K̄(n_x) K̄(n_y) / ∫_disk K̄ K̄,      K̄ = K averaged over the texel
 /// ```
 ///
-/// - **Kernel:** the product of two quadratic B-splines of the width `h`, that is with the support ±3h/2 and the standard
-///   deviation h/2, exactly integrated over each texel; so any `h` is possible, and `h = 0` is a plain histogram. The variance
-///   of the estimate is that of the normals and h²/4 along each axis.
-/// - **At the rim** the part of the kernel inside the disk is scaled to 1: each normal counts as one, and none is lost.
-/// - **Normals** are per texel of the bump map, that is per unit of macro area: what is estimated is `D` itself
-///   ([`Measure::Normals`]). Their `z` is not used; one outside the disk or that is no number is not counted.
+/// - **Kernel:** the product of two quadratic B-splines of width `h`, with support ±3h/2 and
+///   standard deviation h/2, integrated exactly over each texel. Any `h` is possible, and `h = 0`
+///   is a plain histogram. The variance of the estimate is the variance of the normals plus h²/4
+///   along each axis.
+/// - **At the rim** the part of the kernel inside the disk is scaled to 1, so each normal has
+///   weight 1 and none is lost.
+/// - **Normals** are per texel of the bump map, that is per unit of macro area, so the estimate is
+///   `D` itself ([`Measure::Normals`]). Their `z` is not used. Normals outside the disk and NaN are
+///   not counted.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Ndf, NdfEstimator, glam::Vec3};
@@ -36,19 +41,22 @@ use asperity_core::math;
 /// }
 /// assert_eq!(estimator.count(), 3);
 /// let ndf = estimator.finish()?;
-/// // The kernel's own peak is (¾/h)², of which each normal has a third.
+/// // The peak of the kernel is (¾/h)², of which each normal has a third.
 /// assert!(ndf.density(Vec3::new(0.6, 0.0, 0.8)) > 17.0);
 /// assert_eq!(ndf.density(Vec3::new(0.0, 0.6, 0.8)), 0.0);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 ///
-/// With the size and the width of [`NdfEstimator::suited`] three normal maps of 256² (rolling ground, cobbles, tiles that are flat
-/// nearly everywhere), in floats and in 8 bits, come back from their Gaussian coordinates within 10⁻⁵ degrees by `T`, and by a
-/// [`NormalTable`](crate::NormalTable) of 256² within 0.001°, 0.015° and 0.002° on average. (With the estimate constant on each
-/// texel the table errs ten times as much.)
+/// With the size and width of [`NdfEstimator::suited`] three normal maps of 256² (rolling ground,
+/// cobbles, tiles that are flat nearly everywhere), in floats and in 8 bits, were converted to
+/// Gaussian coordinates and back. `T` returns the normals within 10⁻⁵ degrees. A
+/// [`NormalTable`](crate::NormalTable) of 256² returns them within 0.001°, 0.015° and 0.002° on
+/// average. (With the estimate constant on each texel the error of the table is ten times as
+/// large.)
 ///
-/// Kautz, Heidrich, Seidel 2001, section 7, take the density of an existing bump map from its histogram; the kernel is the
-/// quadratic one of Parzen 1962, "On Estimation of a Probability Density Function and Mode", of the spline family.
+/// Kautz, Heidrich, Seidel 2001, section 7, estimate the distribution of an existing bump map by
+/// its histogram. The kernel is the quadratic one of Parzen 1962, "On Estimation of a Probability
+/// Density Function and Mode", of the spline family.
 #[derive(Clone, Debug)]
 pub struct NdfEstimator {
     size: usize,
@@ -57,12 +65,12 @@ pub struct NdfEstimator {
     areas: Vec<f32>,
     density: Vec<f64>,
     count: u64,
-    /// The averaged kernel along x and y at the last normal, kept for its memory.
+    /// The averaged kernel along x and y at the last normal, kept to reuse its memory.
     kernels: [Vec<f64>; 2],
 }
 
 impl NdfEstimator {
-    /// An estimator over `size · size` texels with kernels of the width `h`, in units of n_x.
+    /// Creates an estimator over `size · size` texels with kernels of width `h`, in units of n_x.
     ///
     /// # Errors
     /// A `size` of 0 or of more than [`MAX_TEXELS`] texels; a width that is negative, NaN or above 1.
@@ -86,15 +94,16 @@ impl NdfEstimator {
         Self { size, width, areas, density: vec![0.0; texels], count: 0, kernels: [Vec::new(), Vec::new()] }
     }
 
-    /// An estimator whose size and width suit these normals.
+    /// Creates an estimator with a size and width suited to these normals.
     ///
     /// ```text
     /// h = 2 σ N^{−1/6}, at least two steps of an 8-bit map (4/255);      size = 2ᵏ, 256 ≤ size ≤ 1024, texel ≤ h/3
     /// ```
     ///
-    /// with `σ` the lesser of the standard deviations of n_x and n_y: the rate at which Scott 1992, "Multivariate Density
-    /// Estimation", eq. 6.41, lets kernels in the plane narrow, with the deviation h/2 of this kernel. The standard deviation
-    /// of a density grows by N^{−1/3}/2 of itself, 1.2 % for a map of 256².
+    /// with `σ` the smaller of the standard deviations of n_x and n_y. This is the rate at which
+    /// kernels in the plane narrow in Scott 1992, "Multivariate Density Estimation", eq. 6.41, with
+    /// the standard deviation h/2 of this kernel. The standard deviation of an NDF increases by
+    /// N^{−1/3}/2 relative, 1.2 % for a map of 256².
     #[must_use]
     pub fn suited(normals: &[Vec3]) -> Self {
         let mut sums = [0.0_f64; 5];
@@ -127,14 +136,14 @@ impl NdfEstimator {
         self.width as f32
     }
 
-    /// The number of normals that were counted.
+    /// The number of counted normals.
     #[inline]
     #[must_use]
     pub const fn count(&self) -> u64 {
         self.count
     }
 
-    /// Counts a normal; one outside the disk by more than rounding, or that is no number, is left out.
+    /// Counts a normal; ignores NaN and normals outside the disk by more than rounding.
     pub fn add(&mut self, n: Vec3) {
         if !counts(n) {
             return;
@@ -150,7 +159,7 @@ impl NdfEstimator {
             let areas = self.areas.get(start + first..).unwrap_or_default();
             inside += ky * along_x.iter().zip(areas).map(|(kx, &area)| kx * f64::from(area)).sum::<f64>();
         }
-        // A point kernel in a texel that the disk only touches.
+        // A point kernel in a texel that only touches the disk.
         if inside <= 0.0 {
             return;
         }
@@ -163,7 +172,9 @@ impl NdfEstimator {
         self.count += 1;
     }
 
-    /// The density of the normals so far, for [`NdfMap::from_texels`] with [`Measure::Normals`]; texels outside the disk are 0.
+    /// The current NDF as texels, for [`NdfMap::from_texels`] with [`Measure::Normals`].
+    ///
+    /// Texels outside the disk are 0.
     #[must_use]
     pub fn texels(&self) -> Vec<f32> {
         let scale = 1.0 / (self.count.max(1) as f64);
@@ -171,10 +182,10 @@ impl NdfEstimator {
         self.density.iter().zip(&self.areas).map(scaled).collect()
     }
 
-    /// The density of the normals so far, bilinear between the texels, ready to be sampled.
+    /// Builds the NDF, bilinear between the texels and ready to be sampled.
     ///
     /// # Errors
-    /// [`EstimateError::NoNormals`] if none was counted.
+    /// [`EstimateError::NoNormals`] if no normal was counted.
     pub fn finish(self) -> Result<NdfMap, EstimateError> {
         NdfMap::from_texels(self.size, self.size, &self.texels(), Measure::Normals, Reconstruction::Bilinear)
             .map_err(|_| EstimateError::NoNormals)
@@ -189,15 +200,15 @@ impl Extend<Vec3> for NdfEstimator {
     }
 }
 
-/// The density of these normals, by [`NdfEstimator::suited`].
+/// Estimates the NDF of these normals, with [`NdfEstimator::suited`].
 ///
 /// # Errors
-/// [`EstimateError::NoNormals`] if none is a normal.
+/// [`EstimateError::NoNormals`] if none is a valid normal.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Beckmann, Ndf, estimate_ndf, glam::{Vec2, Vec3}};
 ///
-/// // Normals of a known density, here on a lattice of quantiles, and that density from them.
+/// // Normals of a known NDF, here on a lattice of quantiles, and the NDF estimated from them.
 /// let beckmann = Beckmann::isotropic(0.4)?;
 /// let at = |k: usize| (k as f32 + 0.5) / 100.0;
 /// let normals: Vec<Vec3> =
@@ -213,22 +224,22 @@ pub fn estimate_ndf(normals: &[Vec3]) -> Result<NdfMap, EstimateError> {
     estimator.finish()
 }
 
-/// The least width of a kernel that is chosen: two steps of a map of 8 bits, whose comb it then hides.
+/// The smallest automatic kernel width: two steps of an 8-bit map, whose comb it then hides.
 const STEPS: f64 = 4.0 / 255.0;
 
-/// Whether it is a normal of the disk, up to rounding.
+/// Whether it is a normal inside the disk, up to rounding.
 fn counts(n: Vec3) -> bool {
     n.x * n.x + n.y * n.y <= 1.0 + 1e-5
 }
 
 error_enum! {
-    /// Refusal of normals that have no density.
+    /// Error for normals without an NDF.
     pub enum EstimateError {
         /// The map would have no texels, or more than [`MAX_TEXELS`].
         Size { value: usize } => "size² must be between 1 and {MAX_TEXELS}, got size {value}";
         /// The width of the kernel is not in [0, 1].
         Width { value: f32 } => "width must be between 0 and 1, got {value}";
-        /// There is no normal among them.
+        /// There are no valid normals.
         NoNormals => "normals must be inside the unit disk, got none";
     }
 }
@@ -258,7 +269,8 @@ mod tests {
             let mut estimator = NdfEstimator::new(128, width).unwrap();
             estimator.add(Vec3::new(0.123, -0.234, 0.9));
             let [mass, x, y, xx, yy] = moments(&estimator.texels(), 128);
-            // A texel's own width adds its rounding: the average over it is another convolution.
+            // The width of a texel adds its rounding, because averaging over it is another
+            // convolution.
             let texel = 2.0 / 128.0;
             assert_abs_diff_eq!(mass, 1.0, epsilon = 1e-5, "{width}");
             assert_abs_diff_eq!(x, 0.123, epsilon = 0.5 * texel, "{width}: {x} {y}");
@@ -271,7 +283,7 @@ mod tests {
     }
 
     #[test]
-    fn every_normal_counts_as_one_at_the_rim_too() {
+    fn normals_at_the_rim_have_weight_one() {
         for width in [0.0, 0.02, 0.5] {
             for n in [Vec3::X, Vec3::NEG_Y, Vec3::new(0.6, 0.8, 0.0), Vec3::new(-0.71, 0.704, 0.0)] {
                 let mut estimator = NdfEstimator::new(33, width).unwrap();
@@ -292,7 +304,7 @@ mod tests {
     }
 
     #[test]
-    fn one_direction_is_a_density() {
+    fn estimate_of_a_single_direction_is_valid() {
         let flat = estimate_ndf(&[Vec3::Z; 10]).unwrap();
         assert!(crate::Ndf::density(&flat, Vec3::Z) > 1000.0);
     }

@@ -1,29 +1,29 @@
-//! Texels of normal maps: from three unsigned numbers to a unit normal and back.
+//! Texels of normal maps: conversion between unsigned integers and unit normals.
 
 use glam::Vec3;
 
 use asperity_core::math;
 
-/// Which way the second coordinate of a normal map points.
+/// Direction of the second coordinate of a normal map.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum TangentSpace {
-    /// Up the image, with the tangent and the normal a right-handed frame: the frame of this crate. A bump is bright at its
-    /// top in the green channel.
+    /// Up the image; tangent, bitangent and normal are a right-handed frame, the frame of this
+    /// crate. A bump is bright at its top in the green channel.
     #[default]
     OpenGl,
-    /// Down the image: the green channel is turned over.
+    /// Down the image: the green channel is inverted.
     DirectX,
 }
 
-/// Which number stands for 0.
+/// The integer that represents 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Zero {
-    /// `c = 2v/(2ᵇ − 1) − 1`, what a GPU makes of an unsigned normalised texture: 0 is between two numbers, and a flat texel of
-    /// 8 bits is tilted by 0.22° in each coordinate.
+    /// `c = 2v/(2ᵇ − 1) − 1`, as a GPU decodes an unsigned normalized texture. 0 is between two
+    /// integers, and a flat texel of 8 bits is tilted by 0.22° in each coordinate.
     #[default]
     Between,
     /// `c = max(−1, (v − 2ᵇ⁻¹)/(2ᵇ⁻¹ − 1))`: the number 128 (or 32768) is 0 exactly.
@@ -35,10 +35,10 @@ pub enum Zero {
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Blue {
-    /// `n_z`; the three are normalised together, so that only their ratios count.
+    /// `n_z`; the three are normalized together, so only their ratios matter.
     #[default]
     Read,
-    /// Nothing, as in textures of two channels: `n_z = √(1 − n_x² − n_y²)`.
+    /// Nothing, as in two-channel textures: `n_z = √(1 − n_x² − n_y²)`.
     Reconstructed,
 }
 
@@ -48,8 +48,8 @@ pub enum Blue {
 /// c = 2v/(2ᵇ − 1) − 1 or (v − 2ᵇ⁻¹)/(2ᵇ⁻¹ − 1);   n_y = ∓c_g;   n_z = c_b or √(1 − n_x² − n_y²);   n/|n|
 /// ```
 ///
-/// Total: a texel below the horizon counts as one on it, one that is no direction as the flat normal, and one outside the disk
-/// as the nearest on its rim.
+/// Every input is valid. A texel below the horizon is moved to the horizon. A texel without a
+/// direction is the flat normal. A texel outside the disk is the nearest point on its rim.
 ///
 /// ```
 /// use asperity_ndf_sampling::{glam::Vec3, normal_map::{NormalMapFormat, TangentSpace, Zero}};
@@ -68,44 +68,46 @@ pub enum Blue {
 #[doc(alias = "unpack")]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NormalMapFormat {
-    /// Which way the green channel points.
+    /// Direction of the green channel.
     pub tangent_space: TangentSpace,
-    /// Which number stands for 0.
+    /// The integer that represents 0.
     pub zero: Zero,
     /// Content of the blue channel.
     pub blue: Blue,
 }
 
 impl NormalMapFormat {
-    /// The unit normal of a texel of 8 bits a channel.
+    /// Decodes a texel of 8 bits per channel to a unit normal.
     #[must_use]
     pub fn decode_u8(self, texel: [u8; 3]) -> Vec3 {
         self.decode(texel.map(f32::from), 8)
     }
 
-    /// The unit normal of a texel of 16 bits a channel.
+    /// Decodes a texel of 16 bits per channel to a unit normal.
     #[must_use]
     pub fn decode_u16(self, texel: [u16; 3]) -> Vec3 {
         self.decode(texel.map(f32::from), 16)
     }
 
-    /// The texel of 8 bits a channel that is nearest to the unit normal in each channel.
+    /// Encodes a unit normal as the nearest texel of 8 bits per channel.
     #[must_use]
     pub fn encode_u8(self, n: Vec3) -> [u8; 3] {
-        // A cast from float to integer saturates, and NaN is 0.
+        // A cast from float to integer saturates, and NaN becomes 0.
         self.encode(n, 8).map(|v| v as u8)
     }
 
-    /// The texel of 16 bits a channel that is nearest to the unit normal in each channel.
+    /// Encodes a unit normal as the nearest texel of 16 bits per channel.
     #[must_use]
     pub fn encode_u16(self, n: Vec3) -> [u16; 3] {
         self.encode(n, 16).map(|v| v as u16)
     }
 
-    /// The unit normal of three numbers in [−1, 1], such as those of a float texture; numbers beyond count as the nearest.
+    /// Decodes three numbers in [−1, 1], e.g. of a float texture, to a unit normal.
+    ///
+    /// Numbers out of range are clamped.
     #[must_use]
     pub fn decode_signed(self, [x, y, z]: [f32; 3]) -> Vec3 {
-        // A square beyond this range would overflow; NaN stays and is found below.
+        // A square beyond this range would overflow. NaN passes through and is handled below.
         let [x, y, z] = [x, y, z].map(|c| c.clamp(-1.0, 1.0));
         let y = self.upright(y);
         let r2 = x * x + y * y;
@@ -114,7 +116,7 @@ impl NormalMapFormat {
             Blue::Reconstructed => math::sqrt((1.0 - r2).max(0.0)),
         };
         let squared = r2 + z * z;
-        // Squares of small numbers lose their digits; a power of two keeps those of the numbers.
+        // Squares of small numbers lose their digits. A power of two preserves them.
         let scale = if squared < 1e-30 { (1_u128 << 100) as f32 } else { 1.0 };
         let v = Vec3::new(x, y, z) * scale;
         let length = math::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
@@ -132,7 +134,7 @@ impl NormalMapFormat {
         [n.x, self.upright(n.y), n.z].map(|c| c * scale + zero + 0.5)
     }
 
-    /// The second coordinate as the tangent space counts it, and back.
+    /// Converts the second coordinate between the two tangent spaces.
     fn upright(self, y: f32) -> f32 {
         match self.tangent_space {
             TangentSpace::OpenGl => y,
@@ -140,7 +142,7 @@ impl NormalMapFormat {
         }
     }
 
-    /// The number that is added to 0 for 1, and the number that stands for 0.
+    /// The step between 0 and 1, and the integer that represents 0.
     fn scale(self, bits: i32) -> (f32, f32) {
         let half = (1_u32 << (bits - 1)) as f32;
         match self.zero {
@@ -167,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn small_numbers_have_a_unit_normal() {
+    fn decode_signed_of_tiny_numbers_is_unit() {
         let read = NormalMapFormat { blue: Blue::Read, ..Default::default() };
         for size in [f32::from_bits(1), 1e-40, 1e-22, 1e-15, 1e-3] {
             for texel in [[1.0, 0.0, 0.0], [1.0, -1.0, 1.0], [0.0, 0.0, 1.0]] {
@@ -179,14 +181,15 @@ mod tests {
     }
 
     #[test]
-    fn texels_come_back_through_their_normals() {
+    fn texels_round_trip() {
         for format in formats() {
             for (r, g) in (0..=20).flat_map(|r| (0..=20).map(move |g| (r, g))) {
                 let n = Vec3::new(r as f32 * 0.08 - 0.8, g as f32 * 0.05 - 0.5, 0.0);
                 let n = Vec3::new(n.x, n.y, (1.0 - n.length_squared()).max(0.0).sqrt()).normalize();
                 let [small, large] =
                     [format.decode_u8(format.encode_u8(n)), format.decode_u16(format.encode_u16(n))];
-                // Half a step of each channel; near the horizon the reconstructed root magnifies it.
+                // Half a step of each channel. Near the horizon the reconstructed root magnifies
+                // it.
                 let magnified = if format.blue == Blue::Reconstructed { 1.0 / n.z.max(0.1) } else { 1.0 };
                 assert_abs_diff_eq!(small, n, epsilon = 0.006 * magnified, "{format:?}");
                 assert_abs_diff_eq!(large, n, epsilon = 0.006 / 256.0 * magnified, "{format:?}");

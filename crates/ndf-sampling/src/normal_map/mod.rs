@@ -1,4 +1,4 @@
-//! Existing normal maps: their texels, their density, and detail added to them.
+//! Existing normal maps: decode texels, estimate the NDF, and add detail.
 
 pub(crate) mod detail;
 #[cfg(feature = "alloc")]

@@ -1,4 +1,4 @@
-//! Accuracy of a table of normals: the angles between its look-ups and the exact normals.
+//! Accuracy of a normal table: the angles between its lookups and the exact normals.
 
 use alloc::vec::Vec;
 
@@ -10,25 +10,26 @@ use crate::normal_table::table::{NormalTable, NormalTableRef, entry_coordinate};
 use crate::numeric::normal_distribution::phi;
 use asperity_core::math;
 
-/// The angle between looked-up and exact normals, in rad.
+/// Angle between looked-up and exact normals, in rad.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Deviation {
-    /// The largest.
+    /// The maximum.
     pub largest: f32,
-    /// The root of the mean square under the Gaussian.
+    /// The root mean square under the Gaussian.
     pub rms: f32,
 }
 
 #[cfg(feature = "approx")]
 asperity_core::impl_approx! { f32; Deviation: deviation => deviation.largest, deviation.rms; }
 
-/// Accuracy of a [`NormalTable`], measured where it is least: in the middle between each four neighbouring entries.
+/// Accuracy of a [`NormalTable`], measured at the midpoints of four entries, where it is worst.
 ///
 /// ```text
 /// largest = max ∠(looked up, T(z)),   rms² = Σ w ∠²/Σ w,   w = Gaussian weight of the cell between the entries
 /// ```
 ///
-/// Over all places of a cell the mean square is less: a third of that for a nearest entry, about a half for a bilinear one.
+/// Over all positions of a cell the mean square is smaller: a third for a nearest entry, about half
+/// for a bilinear one.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Beckmann, NormalTable};
@@ -47,20 +48,21 @@ pub struct TableAccuracy {
     pub bilinear: Deviation,
     /// Of bilinear interpolation between half floats.
     pub bilinear_half: Deviation,
-    /// The share of the normals whose coordinates are beyond the outermost entries, which stand for them.
+    /// The fraction of the normals whose coordinates are beyond the outermost entries, which
+    /// replace them.
     pub beyond: f64,
-    /// The largest angle by which the frames of two neighbouring entries are turned against each other, in rad.
+    /// The largest angle between the frames of two neighboring entries, in rad.
     pub largest_step: f32,
 }
 
 impl NormalTable {
-    /// Accuracy of the look-ups against `ndf`, of which the table is.
+    /// Accuracy of the lookups compared with `ndf`.
     #[must_use]
     pub fn accuracy<N: Ndf + ?Sized>(&self, ndf: &N) -> TableAccuracy {
         let (size, spacing, halves) = (self.size(), self.layout().spacing, self.halves());
         let halves = NormalTableRef { size, layout: self.layout(), entries: &halves };
         let entries: Vec<f32> = (0..size).map(|k| entry_coordinate(spacing, k, size)).collect();
-        // Between two neighbouring entries along one coordinate: the middle and the weight.
+        // Between two neighboring entries along one coordinate: the midpoint and the weight.
         let cells: Vec<(f32, f64)> = (1..size)
             .zip(entries.iter().zip(entries.iter().skip(1)))
             .map(|(k, (&from, &to))| {
@@ -88,7 +90,7 @@ impl NormalTable {
     }
 }
 
-/// Of weighted angles, the largest and the sum of squares.
+/// The maximum and the sum of squares of weighted angles.
 #[derive(Default)]
 struct AngleSum {
     largest: f64,
@@ -109,7 +111,7 @@ impl AngleSum {
     }
 }
 
-/// The angle between two unit vectors; their cosine would lose what is below 10⁻⁴.
+/// The angle between two unit vectors; their cosine would lose angles below 10⁻⁴.
 fn angle(a: Vec3, b: Vec3) -> f64 {
     2.0 * math::asin_f64(math::sqrt_f64(0.25 * squared_distance(a, b)).min(1.0))
 }
@@ -119,7 +121,7 @@ fn squared_distance(a: Vec3, b: Vec3) -> f64 {
     x * x + y * y + z * z
 }
 
-/// The largest angle of the rotation between frames that are neighbours in a row or a column.
+/// The largest angle of the rotation between neighboring frames in a row or a column.
 ///
 /// ```text
 /// |A − B|² = 8 sin²(angle/2),   the sum of the squares of all nine differences
@@ -168,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn one_entry_stands_for_everything() {
+    fn accuracy_of_a_single_entry() {
         let ggx = Ggx::isotropic(0.3).unwrap();
         let table = NormalTable::new(&ggx, 1).unwrap();
         let accuracy = table.accuracy(&ggx);

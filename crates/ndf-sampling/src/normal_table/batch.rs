@@ -1,4 +1,4 @@
-//! Look-ups of many normals at once: the work in passes over short blocks, which the compiler turns into vector code.
+//! Lookups of many normals at once, in passes over short blocks that the compiler vectorizes.
 
 use core::ops::Deref;
 
@@ -10,14 +10,14 @@ use crate::normal_table::spacing::Spacing;
 use crate::normal_table::table::{NormalTableIn, NormalTableRef};
 use asperity_core::BatchError;
 
-/// Normals per pass: their numbers fit the first cache beside the table.
+/// Normals per pass: their numbers fit the L1 cache next to the table.
 const BLOCK: usize = 64;
 
 impl<E: TableEntry, S: Deref<Target = [E]>> NormalTableIn<S> {
     /// [`NormalTableIn::nearest_normal`] of many coordinates at once, with the same results.
     ///
     /// # Errors
-    /// Arrays of different lengths; nothing is written then.
+    /// Arrays of different lengths. Nothing is written in this case.
     pub fn nearest_normals(&self, z: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
         BatchError::check_all(&[("z", &z)], ("m", &m))?;
         let table = self.view();
@@ -28,7 +28,7 @@ impl<E: TableEntry, S: Deref<Target = [E]>> NormalTableIn<S> {
     /// [`NormalTableIn::bilinear_normal`] of many coordinates at once, with the same results.
     ///
     /// # Errors
-    /// Arrays of different lengths; nothing is written then.
+    /// Arrays of different lengths. Nothing is written in this case.
     ///
     /// ```
     /// use asperity_ndf_sampling::{NormalTableRef, glam::{Vec2, Vec3}, normal_table::TableLayout};
@@ -50,7 +50,7 @@ impl<E: TableEntry, S: Deref<Target = [E]>> NormalTableIn<S> {
 }
 
 impl<E: TableEntry> NormalTableRef<'_, E> {
-    /// Places among the entries, points and normals in turn, each for a whole block.
+    /// Computes positions among the entries, points and normals in turn, each for a whole block.
     #[inline]
     fn in_blocks<P: Copy + Default>(
         self,
@@ -91,7 +91,7 @@ impl<E: TableEntry> NormalTableRef<'_, E> {
     #[inline]
     fn normals(self, p: &[f32; BLOCK], q: &[f32; BLOCK], normals: [&mut [f32]; 3]) {
         let chart = self.layout().chart;
-        // Points that are not of the chart are rare and need a branch: one test for all of them.
+        // Points outside the chart are rare and need a branch. One test covers the block.
         if p.iter().zip(q).fold(true, |all, (&p, &q)| all & chart.holds(Vec2::new(p, q))) {
             match chart {
                 Chart::Projected => normals_by(p, q, normals, |p| Chart::Projected.inside(p)),
@@ -126,7 +126,7 @@ mod tests {
     use crate::normal_table::TableLayout;
     use std::vec::Vec;
 
-    /// A table of 8 × 8 points within and without the disk, some of them no numbers.
+    /// A table of 8 × 8 points inside and outside the disk, some of them NaN.
     fn points() -> Vec<[f32; 2]> {
         let wild = |k: u32| (k.wrapping_mul(0x9E37_79B9) >> 20) as f32 / 2048.0 - 1.0;
         let mut points: Vec<[f32; 2]> = (0..64).map(|k| [wild(2 * k), wild(2 * k + 1)]).collect();
@@ -136,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn many_are_as_one_by_one() {
+    fn batches_equal_single_calls() {
         let entries = points();
         let z1: Vec<f32> = (0..333).map(|k| (k * 37 % 333) as f32 * 0.031 - 5.1).collect();
         let mut z2: Vec<f32> = z1.iter().rev().map(|z| 0.7 * z).collect();
@@ -162,7 +162,7 @@ mod tests {
     }
 
     #[test]
-    fn arrays_of_different_lengths_are_refused() {
+    fn arrays_of_different_lengths_are_an_error() {
         let table = NormalTableRef::new(1, TableLayout::default(), &[[0.5_f32, 0.0]]).unwrap();
         let [mut x, mut y, mut z] = [[7.0; 9]; 3];
         let refused = table.bilinear_normals([&[0.0; 9]; 2], [&mut x, &mut y[..8], &mut z]).unwrap_err();

@@ -1,10 +1,10 @@
-//! Charts of the hemisphere: the two numbers of a normal that a table holds and interpolates.
+//! Charts of the hemisphere: the two numbers of a normal that a table stores and interpolates.
 
 use glam::{Vec2, Vec3};
 
 use asperity_core::math;
 
-/// The two numbers that stand for a normal of the upper hemisphere.
+/// The two numbers that represent a normal of the upper hemisphere.
 ///
 /// ```text
 /// Projected      p = (n_x, n_y)                      n = (p, √(1 − |p|²))
@@ -12,17 +12,19 @@ use asperity_core::math;
 /// Stereographic  p = (n_x, n_y)/(1 + n_z)            n = (2p, 1 − |p|²)/(1 + |p|²)
 /// ```
 ///
-/// Between entries of a table `p` is interpolated, so the chart decides the error:
+/// Between the entries of a table `p` is interpolated, so the chart determines the error:
 ///
-/// - **Projected** bends at the horizon, where the root has an infinite slope, and loses tilt: a fifteenth of the far tail of
-///   GGX with roughness 1 at 128².
-/// - **Slopes** are exact for [`Beckmann`](crate::Beckmann), whose slopes are linear in `z`, but grow without bound: next to the
-///   horizon they leave the range of half floats, and the middle between a tilted normal and one at the horizon is at
-///   the horizon.
-/// - **Stereographic** coordinates are bounded, smooth up to the horizon, keep small roughness to full relative precision and
-///   need no root. They are level with the better of the other two at every roughness, and recommended.
+/// - **Projected** bends at the horizon, where the root has an infinite slope, and loses tilt: a
+///   fifteenth of the far tail of GGX with roughness 1 at 128².
+/// - **Slopes** are exact for [`Beckmann`](crate::Beckmann), whose slopes are linear in `z`, but
+///   unbounded. Near the horizon they overflow half floats, and the midpoint between a tilted
+///   normal and a normal at the horizon is at the horizon.
+/// - **Stereographic** coordinates are bounded, smooth up to the horizon, keep small roughness to
+///   full relative precision and need no root. They are as accurate as the better of the other two
+///   at every roughness, and recommended.
 ///
-/// The stereographic `p` is also the minimal rotation from (0, 0, 1) to `n`, as the quaternion `(−p_y, p_x, 0, 1)/√(1 + |p|²)`.
+/// The stereographic `p` is also the minimal rotation from (0, 0, 1) to `n`, as the quaternion
+/// `(−p_y, p_x, 0, 1)/√(1 + |p|²)`.
 ///
 /// ```
 /// use asperity_ndf_sampling::{glam::{Vec2, Vec3}, normal_table::Chart};
@@ -46,11 +48,13 @@ pub enum Chart {
     Stereographic,
 }
 
-/// The steepest slope that is kept, tan 89.9999999°; half floats hold 65504.
+/// The steepest representable slope, tan 89.9999999°; half floats hold 65504.
 const STEEPEST: f32 = 1e9;
 
 impl Chart {
-    /// The coordinates of the unit normal `n`; a normal below the horizon counts as the one on the horizon, NaN as (0, 0, 1).
+    /// The coordinates of the unit normal `n`.
+    ///
+    /// A normal below the horizon is moved to the horizon; NaN is read as (0, 0, 1).
     #[inline]
     #[must_use]
     pub fn to_point(self, n: Vec3) -> Vec2 {
@@ -68,21 +72,22 @@ impl Chart {
 
     /// The unit normal with the coordinates `p`, with `n.z ≥ 0`.
     ///
-    /// Points outside the disk count as the nearest on its rim, slopes beyond 10⁹ as that, NaN as 0. Unit to 2e-7.
+    /// Points outside the disk are moved to the nearest point on its rim, slopes are clamped to
+    /// 10⁹, NaN is read as 0. Unit to 2e-7.
     #[inline]
     #[must_use]
     pub fn to_normal(self, p: Vec2) -> Vec3 {
         if self.holds(p) { self.inside(p) } else { self.repaired(p) }
     }
 
-    /// Whether the point is one of the chart.
+    /// Whether the point is valid in the chart.
     #[inline]
     pub(crate) fn holds(self, p: Vec2) -> bool {
         let end = if matches!(self, Self::Slopes) { STEEPEST * STEEPEST } else { 1.0 };
         p.x * p.x + p.y * p.y <= end
     }
 
-    /// [`Chart::to_normal`] of a point that the chart holds; without branches.
+    /// [`Chart::to_normal`] of a valid point; without branches.
     #[inline]
     pub(crate) fn inside(self, p: Vec2) -> Vec3 {
         let r2 = p.x * p.x + p.y * p.y;
@@ -99,7 +104,7 @@ impl Chart {
         }
     }
 
-    /// [`Chart::to_normal`] of what is outside the chart or no number.
+    /// [`Chart::to_normal`] of an invalid point.
     #[cold]
     fn repaired(self, p: Vec2) -> Vec3 {
         let bounded = |c: f32| if c.is_nan() { 0.0 } else { c.clamp(-STEEPEST, STEEPEST) };
@@ -140,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn total_on_every_input() {
+    fn accepts_every_input() {
         let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -1.0, 1e38, 1e-40, 1.000_1, 1e10];
         for (chart, x) in CHARTS.into_iter().flat_map(|chart| bad.map(|x| (chart, x))) {
             for y in bad {

@@ -1,4 +1,4 @@
-//! The layout of a table of normals: where its entries lie, what they hold, and their forms in memory.
+//! The layout of a normal table: positions, contents and memory formats of its entries.
 
 use glam::Vec2;
 
@@ -8,17 +8,17 @@ use crate::numeric::binary16::from_half;
 
 /// Layout of a [`NormalTable`](crate::NormalTable): its index and its entries.
 ///
-/// The default, Gaussian coordinates and stereographic entries, is the recommended one.
+/// The default, Gaussian coordinates and stereographic entries, is recommended.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct TableLayout {
     /// Spacing of the entries along both coordinates.
     pub spacing: Spacing,
-    /// Which two numbers of the normals they hold.
+    /// The two numbers of a normal that they store.
     pub chart: Chart,
 }
 
-/// An entry of a table of normals: a point of its [`Chart`], as two floats or as the bits of two half floats.
+/// An entry of a normal table: a point of its [`Chart`], as two floats or two half floats.
 pub trait TableEntry: Copy + sealed::Sealed + 'static {
     /// The point of the chart.
     #[must_use]

@@ -1,4 +1,4 @@
-//! Table L: tangent frames by look-up of two Gaussian numbers.
+//! Table L: tangent frames by lookup of two Gaussian numbers.
 
 #[cfg(feature = "alloc")]
 pub(crate) mod accuracy;

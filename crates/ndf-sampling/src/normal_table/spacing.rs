@@ -1,9 +1,9 @@
-//! Spacing of the entries of a table of normals along a Gaussian coordinate.
+//! Spacing of the entries of a normal table along a Gaussian coordinate.
 
 use crate::numeric::normal_distribution::{inverse_phi, phi};
 use asperity_core::math;
 
-/// The coordinate `w` in [0, 1] along which the entries of a table are equally far apart, as a function of `z`.
+/// The coordinate `w(z)` in [0, 1] along which the entries of a table are equally spaced.
 ///
 /// ```text
 /// Coordinates  w = (z/R + 1)/2                                          R = RANGE
@@ -11,14 +11,16 @@ use asperity_core::math;
 /// Warped       w = (A z/√(z² + c²) + 1)/2,   A = √(R² + c²)/R,   c = WARP
 /// ```
 ///
-/// - **Coordinates** are one product and a sum, and the texture coordinate of a GPU: recommended.
-/// - **Quantiles** are the index by uniform numbers of Kautz, Heidrich, Seidel 2001, for reproduction. The farthest entry of 256
-///   is at `z = 2.9`: the tails are cut to a fifth.
-/// - **Warped** puts more entries where more normals are, by a density between the Gaussian of three times the variance, which
-///   is best for linear interpolation of even curvature, and a uniform one. One root and one division. At equal size the
-///   nearest entry errs by 0.75 (GGX 0.2, 0.4) to 0.62 (GGX 1) of what it does by coordinates, and by half of the total
-///   variation; interpolation by 0.5 (GGX 1), 0.3 (two painted lobes), 1 (GGX 0.2, 0.4), but 1.7 for Beckmann, whose
-///   curvature is all in the tail, and the largest error, there, doubles.
+/// - **Coordinates** need one multiply-add, and are the texture coordinate of a GPU: recommended.
+/// - **Quantiles** are the index by uniform numbers of Kautz, Heidrich, Seidel 2001, for
+///   reproduction. The farthest entry of 256 is at `z = 2.9`, which reduces the tails to a fifth.
+/// - **Warped** puts more entries where there are more normals. Its density is between a uniform
+///   one and the Gaussian of three times the variance, which is optimal for linear interpolation of
+///   constant curvature. It needs one root and one division. At equal size the error of the nearest
+///   entry is 0.75 (GGX 0.2, 0.4) to 0.62 (GGX 1) of the error with coordinates, and half in total
+///   variation. The error of interpolation is 0.5 (GGX 1), 0.3 (two painted lobes) and 1 (GGX 0.2,
+///   0.4) of it. It is 1.7 for Beckmann, whose curvature is all in the tail, where the largest
+///   error doubles.
 ///
 /// ```
 /// use asperity_ndf_sampling::normal_table::Spacing;
@@ -42,14 +44,17 @@ pub enum Spacing {
 }
 
 impl Spacing {
-    /// Tables end at this many standard deviations to each side, other than [`Spacing::Quantiles`]; 7·10⁻⁶ of a Gaussian is
-    /// beyond.
+    /// Tables end at this many standard deviations on each side, except for [`Spacing::Quantiles`].
+    ///
+    /// The fraction of a Gaussian beyond it is 7·10⁻⁶.
     pub const RANGE: f32 = 4.5;
 
     /// The scale `c` of [`Spacing::Warped`].
     pub const WARP: f32 = 3.0;
 
-    /// The place of `z` in [0, 1], nondecreasing; NaN counts as 0, and what is beyond the range as its end.
+    /// The position of `z` in [0, 1], nondecreasing.
+    ///
+    /// NaN is read as 0, and values out of range are clamped.
     #[inline]
     #[must_use]
     pub fn place(self, z: f32) -> f32 {
@@ -63,7 +68,9 @@ impl Spacing {
         }
     }
 
-    /// The `z` whose place is `w`: the inverse of [`Spacing::place`]. A `w` outside [0, 1] counts as the nearest end, NaN as ½.
+    /// The `z` at position `w`, the inverse of [`Spacing::place`].
+    ///
+    /// `w` is clamped to [0, 1], NaN is read as ½.
     #[must_use]
     pub fn coordinate(self, w: f32) -> f32 {
         let w = if w.is_nan() { 0.5 } else { f64::from(w.clamp(0.0, 1.0)) };
@@ -103,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn places_increase_and_are_inverted() {
+    fn places_increase_and_round_trip() {
         for spacing in SPACINGS {
             let mut before = -1.0;
             for k in -450..=450 {
@@ -111,7 +118,7 @@ mod tests {
                 let w = spacing.place(z);
                 assert!(w >= before, "{spacing:?} at {z}");
                 before = w;
-                // An f32 next to 1 resolves 6e-8, which the quantiles' slope magnifies.
+                // An f32 next to 1 resolves 6e-8, which the slope of the quantiles magnifies.
                 let rounding = if spacing == Spacing::Quantiles { 2e-7 * (0.5 * z * z).exp() } else { 5e-6 };
                 assert_abs_diff_eq!(spacing.coordinate(w), z, epsilon = 5e-6 + rounding, "{spacing:?} at");
             }
@@ -119,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn total_on_every_input() {
+    fn accepts_every_input() {
         for spacing in SPACINGS {
             assert_eq!((spacing.place(f32::NAN), spacing.coordinate(f32::NAN)), (0.5, 0.0));
             for bad in [f32::INFINITY, f32::NEG_INFINITY, 1e38, -1e38, 2.0, -1.0] {

@@ -1,4 +1,4 @@
-//! Table L: tangent frames over a square of Gaussian coordinates, for normals by one look-up.
+//! Table L: tangent frames over a square of Gaussian coordinates, for normals by one lookup.
 
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
@@ -16,25 +16,28 @@ use crate::normal_table::spacing::Spacing;
 #[cfg(feature = "alloc")]
 use crate::numeric::binary16::{MAX_HALF, to_half};
 
-/// The table `L` of a normal density: the normals `T(z)` on a square grid of Gaussian coordinates, looked up as frames.
+/// Lookup table `L` of an NDF: frames of the normals `T(z)` on a square grid of Gaussian
+/// coordinates.
 ///
 /// ```text
 /// entries[k₂ size + k₁] = p(T(z_k₁, z_k₂)),   place(z_k) = (k + ½)/size,   k = 0 … size − 1
 /// ```
 ///
-/// with the place of a coordinate from the [`Spacing`] and the two numbers `p` of a normal from the
-/// [`Chart`](crate::normal_table::Chart) of the layout. [`NormalTable`] owns its entries; [`NormalTableRef`] borrows floats or half floats, in flash
-/// or in a file's bytes.
+/// The position of a coordinate is defined by the [`Spacing`], and the two numbers `p` of a normal
+/// by the [`Chart`](crate::normal_table::Chart) of the layout. [`NormalTable`] owns its entries.
+/// [`NormalTableRef`] borrows floats or half floats, in flash or in the bytes of a file.
 ///
-/// - **Total:** coordinates are clamped to the outermost entries, and NaN counts as 0. Entries outside the chart are clamped
-///   to it. Results are unit vectors with `n.z ≥ 0`.
-/// - **Half a texel:** entries are at the centres of `size²` equal texels, as in a texture with the coordinate `place(z)`. A
-///   table of even size has no entry at `z = 0`: the nearest to the flat bump map is tilted by half a texel.
-/// - **Frames** are minimal rotations from (0, 0, 1), see [`Frame::from_normal`]: without a seam, and between two normals they
-///   turn at most √2 times as far as the normal does.
+/// - **Any input:** coordinates are clamped to the outermost entries, NaN is read as 0. Entries
+///   outside the chart are clamped to it. Results are unit vectors with `n.z ≥ 0`.
+/// - **Half a texel:** entries are at the centers of `size²` equal texels, as in a texture with the
+///   coordinate `place(z)`. A table of even size has no entry at `z = 0`. Its entry nearest to the
+///   flat bump map is tilted by half a texel.
+/// - **Frames** are minimal rotations from (0, 0, 1), see [`Frame::from_normal`]. They have no
+///   seam. Between two normals they turn at most √2 times as far as the normal.
 ///
-/// Total variation between the normals of a table of 256² and GGX (0.2, 0.4) over 32 × 32 bins of radius and azimuth
-/// (6.3·10⁶ points, whose own is 0.00040), and the share of the target's steepest 0.1 % that the table keeps:
+/// Total variation between the normals of a table of 256² and GGX (0.2, 0.4) over 32 × 32 bins of
+/// radius and azimuth (6.3·10⁶ points, with 0.00040 of their own), and the fraction of the steepest
+/// 0.1 % of the target that the table keeps:
 ///
 /// | spacing | chart | nearest | tail | bilinear | tail |
 /// |---|---|---|---|---|---|
@@ -48,12 +51,14 @@ use crate::numeric::binary16::{MAX_HALF, to_half};
 /// | warped | projected | 0.020 | 1.00 | 0.00041 | 0.990 |
 /// | warped | slopes | 0.020 | 1.00 | 0.00042 | 0.998 |
 ///
-/// Look-ups of many, one thread: 4 ns nearest, 8 ns bilinear, 10 ns warped, 15 ns from half floats; alone, 16 and 29 ns.
-/// The points' own tail is 0.994. In half floats the default's 0.00042 become 0.0006.
+/// Times per lookup in batches, one thread: 4 ns nearest, 8 ns bilinear, 10 ns warped, 15 ns from
+/// half floats. Single lookups take 16 and 29 ns. The tail of the points is 0.994. In half floats
+/// the 0.00042 of the default becomes 0.0006.
 ///
-/// Kautz, Heidrich, Seidel 2001, section 4. The paper indexes by the noise value with G inside, and leaves open what is
-/// between entries; this table is indexed by `z`, so that one table serves every noise, and interpolated. [`NormalTable::from_fn`]
-/// makes the paper's.
+/// Kautz, Heidrich, Seidel 2001, section 4. The paper indexes by the noise value with G inside the
+/// table, and does not specify values between entries. This table is indexed by `z`, so that one
+/// table serves every noise, and interpolated. [`NormalTable::from_fn`] creates the table of the
+/// paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NormalTableIn<S> {
     pub(crate) size: usize,
@@ -71,7 +76,7 @@ pub struct NormalTableIn<S> {
 /// assert!(table.nearest(Vec2::ZERO).normal.abs_diff_eq(ggx.from_gaussian(Vec2::ZERO), 1e-6));
 /// let z = Vec2::new(0.4, -1.1);
 /// assert!(table.bilinear(z).normal.abs_diff_eq(ggx.from_gaussian(z), 1e-3));
-/// // The error is known: 0.08° at worst.
+/// // The maximum error is 0.08°.
 /// assert!(table.accuracy(&ggx).bilinear.largest < 0.0014);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
@@ -85,7 +90,7 @@ pub type NormalTable = NormalTableIn<Vec<[f32; 2]>>;
 /// ```
 /// use asperity_ndf_sampling::{NormalTableRef, glam::{Vec2, Vec3}, normal_table::{TableLayout, to_half}};
 ///
-/// // Four entries in read-only memory: the x-coordinate of the normal is 0.6, 0.0 and below −0.6.
+/// // Four entries in read-only memory, with n_x of 0.6, 0.0 and below −0.6.
 /// static FLASH: [[f32; 2]; 4] = [[-0.5, 0.0], [0.5, 0.0], [-0.5, 0.0], [0.5, 0.0]];
 /// let table = NormalTableRef::new(2, TableLayout::default(), &FLASH)?;
 /// assert_eq!(table.bilinear(Vec2::ZERO).normal, Vec3::Z);
@@ -97,11 +102,11 @@ pub type NormalTable = NormalTableIn<Vec<[f32; 2]>>;
 /// # Ok::<(), asperity_ndf_sampling::NormalTableError>(())
 /// ```
 ///
-/// A flat slice `&[f32]` or `&[u16]` is such a slice of pairs by `as_chunks`.
+/// `as_chunks` converts a flat slice `&[f32]` or `&[u16]` to a slice of pairs.
 pub type NormalTableRef<'a, E = [f32; 2]> = NormalTableIn<&'a [E]>;
 
 impl<'a, E> NormalTableIn<&'a [E]> {
-    /// The table of `size · size` entries.
+    /// Creates the table from `size · size` entries.
     ///
     /// # Errors
     /// A `size` of 0 or above 4096; another number of entries.
@@ -112,7 +117,7 @@ impl<'a, E> NormalTableIn<&'a [E]> {
         }
     }
 
-    /// The entries, row by row: `z₁` runs along a row, and the first row has the least `z₂`.
+    /// The entries, row by row: `z₁` runs along a row, and the first row has the smallest `z₂`.
     #[inline]
     #[must_use]
     pub const fn entries(self) -> &'a [E] {
@@ -137,14 +142,16 @@ impl<S> NormalTableIn<S> {
 }
 
 impl<E: TableEntry, S: Deref<Target = [E]>> NormalTableIn<S> {
-    /// The table as its borrowed form.
+    /// The table in borrowed form.
     #[inline]
     #[must_use]
     pub fn view(&self) -> NormalTableRef<'_, E> {
         NormalTableIn { size: self.size, layout: self.layout, entries: &self.entries }
     }
 
-    /// The frames of the entries, row by row: `z₁` runs along a row, and the first row has the least `z₂`.
+    /// The frames of the entries, row by row.
+    ///
+    /// `z₁` runs along a row, and the first row has the smallest `z₂`.
     #[must_use]
     pub fn frames(&self) -> impl ExactSizeIterator<Item = Frame> + Clone {
         let chart = self.layout.chart;
@@ -158,7 +165,7 @@ impl<E: TableEntry, S: Deref<Target = [E]>> NormalTableIn<S> {
         Frame::from_normal(self.nearest_normal(z))
     }
 
-    /// The frame of the normal that is interpolated between the four entries around `z`.
+    /// The frame of the normal interpolated between the four entries around `z`.
     #[inline]
     #[must_use]
     pub fn bilinear(&self, z: Vec2) -> Frame {
@@ -173,7 +180,7 @@ impl<E: TableEntry, S: Deref<Target = [E]>> NormalTableIn<S> {
         self.layout.chart.to_normal(self.nearest_point(x, y))
     }
 
-    /// The normal whose point of the chart is interpolated bilinearly between the four entries around `z`.
+    /// The normal at the chart point interpolated bilinearly between the four entries around `z`.
     #[inline]
     #[must_use]
     pub fn bilinear_normal(&self, z: Vec2) -> Vec3 {
@@ -181,10 +188,10 @@ impl<E: TableEntry, S: Deref<Target = [E]>> NormalTableIn<S> {
         self.layout.chart.to_normal(self.bilinear_point(x, y))
     }
 
-    /// The position among the entries, in `0..=size − 1`, of what has this place in [0, 1].
+    /// The position among the entries, in `0..=size − 1`, for a position in [0, 1].
     #[inline]
     pub(crate) fn position(&self, place: f32) -> f32 {
-        // min and max rather than clamp: no case of NaN, and vector code has them.
+        // min and max rather than clamp: they need no case for NaN and vectorize.
         (place * self.size as f32 - 0.5).max(0.0).min((self.size - 1) as f32)
     }
 
@@ -195,14 +202,16 @@ impl<E: TableEntry, S: Deref<Target = [E]>> NormalTableIn<S> {
         self.entries.get(index).map_or(Vec2::ZERO, |entry| entry.point())
     }
 
-    /// The cell between two entries in which a position lies, and how far: the last entry is the end of the last cell.
+    /// The cell between two entries that contains a position, and the offset in it.
+    ///
+    /// The last entry is the end of the last cell.
     #[inline]
     pub(crate) fn cell(&self, position: f32) -> (i32, f32) {
         let cell = (position as i32).min(self.size.saturating_sub(2) as i32);
         (cell, position - cell as f32)
     }
 
-    /// The point between the four entries around a cell.
+    /// The interpolated point between the four entries of a cell.
     #[inline]
     pub(crate) fn bilinear_point(&self, (column, right): (i32, f32), (row, up): (i32, f32)) -> Vec2 {
         let (below, size) = (row as usize * self.size + column as usize, self.size);
@@ -229,18 +238,18 @@ impl NormalTableIn<Vec<[f32; 2]>> {
     /// The usual size of a side.
     pub const SIZE: usize = 256;
 
-    /// The table of `ndf` with `size · size` entries in the default layout.
+    /// Creates the table of `ndf` with `size · size` entries in the default layout.
     ///
     /// # Errors
-    /// A `size` of 0 or above 4096, with which the table takes 128 MB.
+    /// A `size` of 0 or above 4096. At 4096 the table takes 128 MB.
     pub fn new<N: Ndf + ?Sized>(ndf: &N, size: usize) -> Result<Self, NormalTableError> {
         Self::with_layout(ndf, size, TableLayout::default())
     }
 
-    /// The table of `ndf` with `size · size` entries in this layout.
+    /// Creates the table of `ndf` with `size · size` entries in this layout.
     ///
     /// # Errors
-    /// The errors of [`NormalTable::new`].
+    /// See [`NormalTable::new`].
     pub fn with_layout<N: Ndf + ?Sized>(
         ndf: &N,
         size: usize,
@@ -249,19 +258,20 @@ impl NormalTableIn<Vec<[f32; 2]>> {
         Self::from_fn(size, layout, |z| ndf.from_gaussian(z))
     }
 
-    /// The table of `ndf` of the usual size, 256 × 256, in the default layout.
+    /// Creates the table of `ndf` of the usual size, 256 × 256, in the default layout.
     #[must_use]
     pub fn standard<N: Ndf + ?Sized>(ndf: &N) -> Self {
         Self::build(Self::SIZE, TableLayout::default(), |z| ndf.from_gaussian(z))
     }
 
-    /// The table of any normals: `f` gets the coordinates of the entries, row by row.
+    /// Creates the table of any normals: `f` maps the coordinates of entries, row by row, to
+    /// normals.
     ///
-    /// With `f(r) = T(Φ⁻¹(G(σ r₁)), Φ⁻¹(G(σ r₂)))` it is the table of Kautz, Heidrich, Seidel 2001, which is indexed by the noise
-    /// values in units of their standard deviation `σ`.
+    /// With `f(r) = T(Φ⁻¹(G(σ r₁)), Φ⁻¹(G(σ r₂)))` it is the table of Kautz, Heidrich, Seidel 2001,
+    /// which is indexed by the noise values in units of their standard deviation `σ`.
     ///
     /// # Errors
-    /// The errors of [`NormalTable::new`].
+    /// See [`NormalTable::new`].
     pub fn from_fn(
         size: usize,
         layout: TableLayout,
@@ -280,11 +290,12 @@ impl NormalTableIn<Vec<[f32; 2]>> {
         Self { size, layout, entries }
     }
 
-    /// The entries as half floats, two each: a texture of the format RG16F, which hardware interpolates.
+    /// The entries as pairs of half floats, e.g. for an interpolated texture of format RG16F.
     ///
-    /// Look-ups on the CPU: [`NormalTableRef::new`] of the result. Rounding turns the normals by at most 4.9e-4 rad in the
-    /// default chart, and 2⁻¹¹ of their tilt where that is small; in the projected chart by 0.03 rad next to the horizon;
-    /// slopes beyond [`MAX_HALF`] become that.
+    /// For lookups on the CPU pass the result to [`NormalTableRef::new`]. Rounding rotates normals
+    /// by at most 4.9e-4 rad in the default chart, and by 2⁻¹¹ of their tilt where it is small. In
+    /// the projected chart it rotates them by 0.03 rad near the horizon. Slopes are clamped to
+    /// [`MAX_HALF`].
     #[must_use]
     pub fn halves(&self) -> Vec<[u16; 2]> {
         let half = |c: f32| to_half(c.clamp(-MAX_HALF, MAX_HALF));
@@ -314,14 +325,15 @@ mod tests {
     ];
 
     #[test]
-    fn both_look_ups_agree_on_the_entries() {
+    fn nearest_and_bilinear_agree_on_the_entries() {
         for layout in LAYOUTS {
             let table = NormalTable::with_layout(&Ggx::new(0.2, 0.6).unwrap(), 9, layout).unwrap();
             let at = |k| entry_coordinate(layout.spacing, k, 9);
             for (k, frame) in table.frames().enumerate() {
                 let z = Vec2::new(at(k % 9), at(k / 9));
                 assert_eq!(table.nearest(z), frame, "{layout:?} {z}");
-                // √(1 − r²) of the projected chart magnifies the rounding of r, and the flat chord of coarse slopes that of z.
+                // √(1 − r²) of the projected chart magnifies the rounding of r, and the flat chord
+                // of coarse slopes magnifies the rounding of z.
                 let tolerance = if layout.chart == Chart::Projected { 2e-5 } else { 2e-6 };
                 let found = table.bilinear(z).normal;
                 assert_abs_diff_eq!(found, frame.normal, epsilon = tolerance, "{layout:?}");
@@ -340,7 +352,7 @@ mod tests {
     }
 
     #[test]
-    fn half_floats_turn_normals_by_their_rounding() {
+    fn half_floats_rotate_normals_by_their_rounding() {
         let table = NormalTable::new(&Ggx::new(0.2, 1.0).unwrap(), 64).unwrap();
         let halves = table.halves();
         for (half, frame) in halves.iter().zip(table.frames()) {
@@ -365,7 +377,7 @@ mod tests {
     }
 
     #[test]
-    fn total_on_every_input() {
+    fn accepts_every_input() {
         let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e38, -1e38, 1e-40, 0.0];
         let points = bad.map(|x| [x, 2.0]);
         for (chart, spacing) in [

@@ -1,4 +1,5 @@
-//! Polynomials of degree 3 by Bernstein coefficients that are not negative, and their integrals: no step of theirs cancels.
+//! Cubic polynomials with non-negative Bernstein coefficients, and their integrals, without
+//! cancellation.
 
 use asperity_core::math;
 
@@ -12,7 +13,7 @@ pub(crate) fn cubic([b0, b1, b2, b3]: Cubic, s: f64) -> f64 {
     r * r * (r * b0 + 3.0 * s * b1) + s * s * (3.0 * r * b2 + s * b3)
 }
 
-/// Which share of the integral over [0, 1] is before `s`; 0 for no weight.
+/// The fraction of the integral over [0, 1] before `s`; 0 if the integral is 0.
 #[cfg(feature = "alloc")]
 #[inline]
 pub(crate) fn share(marginal: Cubic, s: f64) -> f64 {
@@ -20,7 +21,7 @@ pub(crate) fn share(marginal: Cubic, s: f64) -> f64 {
     if sums[3] > 0.0 { (quartic(sums, s) / sums[3]).min(1.0) } else { 0.0 }
 }
 
-/// The share, at least `least` away from an end at which the polynomial vanishes.
+/// The fraction, at least `least` away from an end at which the polynomial vanishes.
 #[inline]
 pub(crate) fn kept_away(marginal: Cubic, share: f64, least: f64) -> f64 {
     let [begin, .., end] = marginal;
@@ -29,7 +30,9 @@ pub(crate) fn kept_away(marginal: Cubic, share: f64, least: f64) -> f64 {
     share.max(if begin < faint { least } else { 0.0 }).min(if end < faint { 1.0 - least } else { 1.0 })
 }
 
-/// Inverse of [`share`]: the place at which it is reached, in closed form for a linear polynomial, else by bracketed Newton steps from there.
+/// The position at which a fraction is reached, the inverse of [`share`].
+///
+/// In closed form for a linear polynomial, otherwise by bracketed Newton steps from there.
 pub(crate) fn inverse_share(marginal: Cubic, share: f64) -> f64 {
     let [begin, .., end] = marginal;
     let sums = partial_sums(marginal);
@@ -40,7 +43,7 @@ pub(crate) fn inverse_share(marginal: Cubic, share: f64) -> f64 {
         s = share;
     }
     let (mut low, mut high) = (0.0, 1.0);
-    // Halving where a step leaves the bracket: the polynomial may vanish at an end.
+    // Bisection where a step leaves the bracket, since the polynomial may vanish at an end.
     for _ in 0..64 {
         let excess = quartic(sums, s) - target;
         if excess.abs() <= 8.0 * f64::EPSILON * target {
@@ -62,7 +65,7 @@ pub(crate) fn inverse_share(marginal: Cubic, share: f64) -> f64 {
     s
 }
 
-/// The sums of the first one, two, three and four coefficients: those of four times the integral.
+/// The sums of the first one to four coefficients: the coefficients of four times the integral.
 #[inline]
 fn partial_sums([b0, b1, b2, b3]: Cubic) -> [f64; 4] {
     [b0, b0 + b1, b0 + b1 + b2, b0 + b1 + b2 + b3]
@@ -81,7 +84,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn inverse_undoes_the_share() {
+    fn inverse_share_round_trips() {
         for marginal in [
             [1.0; 4],
             [0.0, 1.0, 2.0, 3.0],

@@ -1,12 +1,13 @@
-//! IEEE 754 binary16, the half floats of textures: conversion from `f32` and back.
+//! IEEE 754 binary16, the half floats of textures: conversion to and from `f32`.
 
 /// The largest finite half float.
 pub const MAX_HALF: f32 = 65504.0;
 
-/// The half float nearest to `x`, ties to even, as its bits.
+/// The bits of the half float nearest to `x`, ties to even.
 ///
-/// Values from 65520 on become infinite, those below 2⁻²⁵ zero, with their signs; NaN becomes a quiet NaN. Between 2⁻¹⁴ and
-/// [`MAX_HALF`] the relative error is at most 2⁻¹¹, below that the absolute error at most 2⁻²⁵.
+/// Magnitudes from 65520 on become infinite, magnitudes below 2⁻²⁵ zero, with their signs. NaN
+/// becomes a quiet NaN. Between 2⁻¹⁴ and [`MAX_HALF`] the relative error is at most 2⁻¹¹. Below,
+/// the absolute error is at most 2⁻²⁵.
 ///
 /// ```
 /// use asperity_ndf_sampling::normal_table::{from_half, to_half};
@@ -25,15 +26,15 @@ pub const fn to_half(x: f32) -> u16 {
     if magnitude > 0x7F80_0000 {
         return sign | 0x7E00;
     }
-    // 65520, half way between the largest half and what would be the next.
+    // 65520, halfway between the largest half float and the next value of the same spacing.
     if magnitude >= 0x477F_F000 {
         return sign | 0x7C00;
     }
-    // 2⁻¹⁴, the least normal half: the exponent's bias changes from 127 to 15.
+    // 2⁻¹⁴, the smallest normal half float: the exponent bias changes from 127 to 15.
     if magnitude >= 0x3880_0000 {
         return sign | nearest_even(magnitude - 0x3800_0000, 13) as u16;
     }
-    // 2⁻²⁵, half of the least subnormal.
+    // 2⁻²⁵, half of the smallest subnormal.
     if magnitude < 0x3300_0000 {
         return sign;
     }
@@ -41,7 +42,7 @@ pub const fn to_half(x: f32) -> u16 {
     sign | nearest_even(significand, 126 - (magnitude >> 23)) as u16
 }
 
-/// The value of the half float with these bits, exactly; a NaN stays one.
+/// The value of the half float with these bits, exactly; NaN remains NaN.
 #[inline]
 #[must_use]
 pub const fn from_half(half: u16) -> f32 {
@@ -51,11 +52,13 @@ pub const fn from_half(half: u16) -> f32 {
     if magnitude >= 0x0F80_0000 {
         return f32::from_bits(sign | magnitude | 0x7F80_0000);
     }
-    // The exponent's bias changes by a product, which also makes subnormal halves normal.
+    // A multiplication changes the exponent bias, and also makes subnormal half floats normal.
     f32::from_bits(sign | (f32::from_bits(magnitude) * TWO_TO_112).to_bits())
 }
 
-/// `value/2^places`, rounded to the nearest integer, ties to the even one; a carry into the exponent is right as it is.
+/// `value/2^places` rounded to the nearest integer, ties to even.
+///
+/// A carry into the exponent is correct as it is.
 const fn nearest_even(value: u32, places: u32) -> u32 {
     let (kept, rest, tie) = (value >> places, value & ((1 << places) - 1), 1 << (places - 1));
     if rest > tie || (rest == tie && kept & 1 == 1) { kept + 1 } else { kept }
@@ -66,7 +69,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_half_survives() {
+    fn every_half_round_trips() {
         for half in 0..=u16::MAX {
             let value = from_half(half);
             if value.is_nan() {
@@ -78,10 +81,10 @@ mod tests {
     }
 
     #[test]
-    fn midpoints_go_to_even_and_their_neighbours_to_the_nearest() {
+    fn midpoints_round_to_even_and_neighbors_to_nearest() {
         for half in 0..0x7BFF_u16 {
             let (low, high) = (from_half(half), from_half(half + 1));
-            // Exact: two neighbours have at most twelve bits between them.
+            // Exact, because two neighbors have at most twelve bits between them.
             let middle = 0.5 * (low + high);
             let even = half + (half & 1);
             assert_eq!((to_half(middle), to_half(-middle)), (even, even | 0x8000), "{middle}");

@@ -1,6 +1,8 @@
 //! Compensated summation.
 
-/// Neumaier's compensated sums in lanes, of terms that are not negative: their error does not grow with the terms' number.
+/// Neumaier's compensated sums of non-negative terms in lanes.
+///
+/// Their error does not grow with the number of terms.
 #[derive(Clone, Copy)]
 pub(crate) struct CompensatedSums<const N: usize> {
     sums: [f64; N],
@@ -19,7 +21,8 @@ impl<const N: usize> CompensatedSums<N> {
         for ((before, lost), term) in self.sums.iter_mut().zip(&mut self.lost).zip(terms) {
             let sum = *before + term;
             let (less, more) = if *before < term { (*before, term) } else { (term, *before) };
-            // What rounding takes from the lesser, Dekker's exact sum of two: the same number by fewer sums.
+            // The rounding error of the smaller term, from Dekker's exact sum: the same number with
+            // fewer additions.
             *lost += less - (sum - more);
             *before = sum;
         }

@@ -1,9 +1,10 @@
-//! Adaptive quadrature by the rules of Gauss and Kronrod.
+//! Adaptive Gauss–Kronrod quadrature.
 
-/// The integral of `f` over the interval between the first and the last of `cuts`, which ascend.
+/// The integral of `f` over the interval between the first and the last of the ascending `cuts`.
 ///
-/// Every part between two cuts is halved, at most [`DEPTH`] times, until the rules of 7 and 15 nodes agree within `tolerance`
-/// of the whole as first estimated. The result is that of the longer rule, whose error is far smaller than the difference.
+/// Every part between two cuts is halved, at most [`DEPTH`] times, until the rules of 7 and 15
+/// nodes agree within `tolerance` of the first estimate of the whole. The result is from the longer
+/// rule, whose error is far smaller than the difference.
 pub(crate) fn integrate<const N: usize>(cuts: [f64; N], tolerance: f64, f: impl Fn(f64) -> f64) -> f64 {
     let mut ends = cuts.iter().zip(cuts.iter().skip(1));
     // One part less than cuts; the last place stays empty.
@@ -15,10 +16,10 @@ pub(crate) fn integrate<const N: usize>(cuts: [f64; N], tolerance: f64, f: impl 
     parts.into_iter().flatten().map(|(ends, sums)| refined(ends, sums, allowed, DEPTH, &f)).sum()
 }
 
-/// The most times that a part is halved.
+/// The maximum number of halvings of a part.
 const DEPTH: u32 = 14;
 
-/// The integral over an interval, whose integrals by 15 nodes and by 7 of them are known.
+/// The integral over an interval, given its integrals by 15 nodes and by 7 of them.
 fn refined(
     [from, to]: [f64; 2],
     [long, short]: [f64; 2],
@@ -50,7 +51,8 @@ fn rule(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> [f64; 2] {
 /// Both weights of the node 0.
 const CENTRE: [f64; 2] = [0.209_482_141_084_727_83, 0.417_959_183_673_469_4];
 
-/// The positive nodes on [−1, 1] and their weights in the rules of 15 and of 7; Kronrod 1965, by Piessens et al. 1983.
+/// The positive nodes on [−1, 1] and their weights in the rules of 15 and of 7; Kronrod 1965, by
+/// Piessens et al. 1983.
 const NODES: [(f64, f64, f64); 7] = [
     (0.991_455_371_120_812_6, 0.022_935_322_010_529_224, 0.0),
     (0.949_107_912_342_758_5, 0.063_092_092_629_978_56, 0.129_484_966_168_869_7),

@@ -1,12 +1,13 @@
-//! A guide table: where to begin to look for a number among sorted ones.
+//! A guide table: starting positions of searches in a sorted list.
 
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// For each of equal parts of [0, 1], a power of two and at least twice as many as there are keys, the key in whose interval it
-/// begins.
+/// For each of equal parts of [0, 1], the key in whose interval the part begins.
 ///
-/// Evenly drawn numbers then find their interval in O(1) steps on average, however the keys are spread.
+/// The number of parts is a power of two and at least twice the number of keys.
+///
+/// Uniform numbers then find their interval in O(1) steps on average, for any spacing of the keys.
 ///
 /// Chen and Asau 1974, "On Generating Random Variates from an Empirical Distribution".
 #[derive(Clone, Debug, PartialEq)]
@@ -15,7 +16,7 @@ pub(crate) struct GuideTable {
 }
 
 impl GuideTable {
-    /// The guide to nondecreasing `keys`, the first of which is 0.
+    /// Creates the guide to nondecreasing `keys`, the first of which is 0.
     pub(crate) fn new(keys: &[f64]) -> Self {
         let mut starts = vec![0; (2 * keys.len()).next_power_of_two()];
         let parts = starts.len() as f64;

@@ -1,4 +1,5 @@
-//! Numbers of one variable: the Gaussian distribution, Bernstein polynomials, compensated sums, quadrature, guide tables, half floats.
+//! One-dimensional numerics: the Gaussian distribution, Bernstein polynomials, compensated sums,
+//! quadrature, guide tables, half floats.
 
 pub(crate) mod bernstein;
 pub(crate) mod binary16;

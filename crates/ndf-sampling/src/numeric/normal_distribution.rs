@@ -1,4 +1,4 @@
-//! The Gaussian distribution function Φ and its inverse, in `f64`.
+//! The Gaussian CDF Φ and its inverse, in `f64`.
 
 use asperity_core::math;
 
@@ -8,7 +8,8 @@ use asperity_core::math;
 /// Φ(z) = ∫_{−∞}^z exp(−t²/2) dt / √(2π) = erfc(−z/√2)/2
 /// ```
 ///
-/// - **Domain:** all reals; NaN gives NaN.   - **Range:** `[0, 1]`, exactly 0 below −38.5 and 1 above 8.3.
+/// - **Domain:** all reals; NaN gives NaN. - **Range:** `[0, 1]`, exactly 0 below −38.5 and 1 above
+///   8.3.
 /// - **Accuracy:** 2e-15 relative for `z ≥ −8`, against 25-digit values.
 ///
 /// ```
@@ -19,7 +20,8 @@ use asperity_core::math;
 /// assert!((inverse_phi(phi(-3.0)) + 3.0).abs() < 1e-14);
 /// ```
 ///
-/// Cody 1969, "Rational Chebyshev Approximations for the Error Function", in the arrangement of his ANORM 1993.
+/// Cody 1969, "Rational Chebyshev Approximations for the Error Function", in the arrangement of his
+/// ANORM 1993.
 #[must_use]
 #[doc(alias = "erf")]
 #[doc(alias = "normal cdf")]
@@ -27,7 +29,7 @@ pub fn phi(z: f64) -> f64 {
     phi_and_density(z).0
 }
 
-/// `Φ(z)` and the density `φ(z) = exp(−z²/2)/√(2π)`, which have their exponential in common.
+/// `Φ(z)` and the density `φ(z) = exp(−z²/2)/√(2π)`, which share an exponential.
 #[inline(always)]
 pub(crate) fn phi_and_density(z: f64) -> (f64, f64) {
     const FRAC_1_SQRT_2PI: f64 = 0.398_942_280_401_432_7;
@@ -45,7 +47,7 @@ pub(crate) fn phi_and_density(z: f64) -> (f64, f64) {
         let t = 1.0 / (z * z);
         (FRAC_1_SQRT_2PI - t * ratio(&TAIL, t)) / y
     };
-    // exp(−y²/2) in two factors: y² alone would lose y²/2 ulp in the far tail.
+    // exp(−y²/2) in two factors, because y² alone would lose y²/2 ulp in the far tail.
     let coarse = math::floor_f64(y * 16.0) / 16.0;
     let fine = (y - coarse) * (y + coarse);
     let falloff = math::exp_f64(-0.5 * coarse * coarse) * math::exp_f64(-0.5 * fine);
@@ -56,7 +58,7 @@ pub(crate) fn phi_and_density(z: f64) -> (f64, f64) {
 
 /// `Φ⁻¹(u)`: the quantile of the standard Gaussian.
 ///
-/// - **Domain:** `[0, 1]`; `u ≤ 0` gives −∞, `u ≥ 1` gives +∞, NaN gives NaN.
+/// - **Domain:** `[0, 1]`; `u ≤ 0` returns −∞, `u ≥ 1` returns +∞, NaN returns NaN.
 /// - **Accuracy:** 4e-15 relative to the exact value of the `f64` input.
 ///
 /// Wichura 1988, "Algorithm AS 241: The Percentage Points of the Normal Distribution", PPND16.
@@ -82,10 +84,10 @@ pub fn inverse_phi(u: f64) -> f64 {
     if q < 0.0 { -z } else { z }
 }
 
-/// Below it in |z| the series around 0 is used.
+/// Below this |z| the series around 0 is used.
 const SPLIT: f64 = 0.662_91;
 
-/// √32: beyond it in |z| the asymptotic series in 1/z² is used.
+/// √32: beyond this |z| the asymptotic series in 1/z² is used.
 const FAR: f64 = 4.0 * core::f64::consts::SQRT_2;
 
 /// A ratio of two polynomials: numerator and denominator from the highest power down.
@@ -235,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn inverse_undoes_phi() {
+    fn inverse_phi_round_trips() {
         for k in -800..=500 {
             let z = f64::from(k) / 100.0;
             // Above 0 the rounding of Φ near 1 dominates: half an ulp of 1 over the density.

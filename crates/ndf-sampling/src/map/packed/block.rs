@@ -1,16 +1,18 @@
-//! Work of packed maps in stages: each looks through a block of numbers before the next one begins.
+//! Staged evaluation of packed maps: each stage processes a block of numbers before the next one
+//! begins.
 //!
-//! Places are worked out in lanes, then the records there are copied one by one, then these are turned into lanes: nothing waits
-//! for what it has just written, and loads wait beside one another.
+//! Positions are computed in SIMD lanes. Then the records there are copied one by one and
+//! transposed into lanes. No load waits for a recent store, and loads overlap.
 
 use crate::map::packed::leaf::Leaf;
 use crate::map::packed::packed_map::PackedMapRef;
 use asperity_core::lanes::Lanes;
 
-/// A function of a map and pairs of numbers; `SIDES` tells how many columns of values a cell lies between.
+/// A function of a map and pairs of numbers; `SIDES` is the number of value columns at the sides of
+/// a cell.
 pub(crate) trait Staged<const OUT: usize> {
     type Group<const L: usize>: Work<L>;
-    /// So many pairs are faster one by one.
+    /// Up to this many pairs are faster one by one.
     const FEW: usize;
 
     fn apply<P: Lanes, const L: usize, const SIDES: usize>(
@@ -20,28 +22,30 @@ pub(crate) trait Staged<const OUT: usize> {
     );
 }
 
-/// Numbers of `L` lanes between stages, `L` whole registers; all zero at first, and the fewer, the sooner.
+/// Numbers of `L` lanes between stages, where `L` is a multiple of the register width.
+///
+/// They are zero at first; fewer numbers are cleared faster.
 pub(crate) trait Work<const L: usize>: Copy {
-    /// A constant, for all to be cleared at once.
+    /// A constant, so that all are cleared at once.
     const ZERO: Self;
 
     fn input(&mut self) -> &mut [[f32; L]; 2];
     fn output(&self) -> &[[f32; L]; 2];
 }
 
-/// Numbers between the stages of samples and of their way back; no register's load or store crosses a line of the cache.
+/// Numbers between the stages of samples and their inverse; no load or store crosses a cache line.
 #[derive(Clone, Copy)]
 #[repr(align(64))]
 pub(crate) struct Group<const L: usize> {
     pub(crate) input: [[f32; L]; 2],
     pub(crate) output: [[f32; L]; 2],
-    /// Index of what is read next.
+    /// Index of the next read.
     pub(crate) at: [u32; L],
     pub(crate) column: [u32; L],
     pub(crate) row: [u32; L],
-    /// The places in the columns.
+    /// The positions in the columns.
     pub(crate) t: [f32; L],
-    /// Integral or place that is looked for.
+    /// Integral or position to search for.
     pub(crate) target: [f32; L],
     pub(crate) eights: [[f32; 8]; L],
     pub(crate) other_eights: [[f32; 8]; L],
@@ -76,19 +80,19 @@ impl<const L: usize> Work<L> for Group<L> {
     }
 }
 
-/// The entries of a register's lanes from `from` on.
+/// The entries of the lanes of a register, starting at `from`.
 #[inline(always)]
 pub(crate) fn of<P: Lanes, T>(_: P, entries: &[T], from: usize) -> &[T] {
     entries.get(from..from + P::LEN).unwrap_or_default()
 }
 
-/// The entries of a register's lanes from `from` on.
+/// The entries of the lanes of a register, starting at `from`.
 #[inline(always)]
 pub(crate) fn of_mut<P: Lanes, T>(_: P, entries: &mut [T], from: usize) -> &mut [T] {
     entries.get_mut(from..from + P::LEN).unwrap_or_default()
 }
 
-/// Copies a guide's entries where the lanes look.
+/// Copies the entries of a guide at the indices of the lanes.
 #[inline(always)]
 pub(crate) fn copy_guide<const L: usize>(guide: &[[f32; 4]], groups: &mut [Group<L>]) {
     for group in groups {
@@ -99,9 +103,10 @@ pub(crate) fn copy_guide<const L: usize>(guide: &[[f32; 4]], groups: &mut [Group
     }
 }
 
-/// The last leaves whose keys are at most the values, from where the guide says.
+/// Finds the last leaves whose keys are at most the values, starting from the guide.
 ///
-/// Keys are the numbers of the leaves' first halves with this index, and the guide's entries have the next three.
+/// Keys are the numbers of the first halves of the leaves with this index. The entries of the guide
+/// contain the next three.
 #[inline(always)]
 pub(crate) fn find_leaves<P: Lanes, const L: usize, const KEY: usize>(
     p: P,
@@ -116,7 +121,7 @@ pub(crate) fn find_leaves<P: Lanes, const L: usize, const KEY: usize>(
         let passed = [p.at_or_below(a, value), p.at_or_below(b, value), p.at_or_below(c, value)];
         let count = p.select(passed[0], p.select(passed[1], p.float(2.0), one), zero);
         p.store_words(p.bits(start) + p.truncated(count), of_mut(p, &mut group.at, from));
-        // Seldom, and then it is not clear whether the next ones are passed too.
+        // Rare, and then it is unknown whether later ones are passed too.
         if p.any(passed[2]) {
             for (leaf, &value) in of_mut(p, &mut group.at, from).iter_mut().zip(of(p, values, from)) {
                 while leaves.get(*leaf as usize + 1).is_some_and(|next| next[0][KEY] <= value) {
@@ -127,16 +132,16 @@ pub(crate) fn find_leaves<P: Lanes, const L: usize, const KEY: usize>(
     }
 }
 
-/// An array from each of two sides of a cell on: the second begins `stride` further, if there are two.
+/// An array from each of two sides of a cell; the second begins `stride` later, if there are two.
 #[inline(always)]
 pub(crate) fn sides<const SIDES: usize>(array: &[f32], stride: u32) -> [&[f32]; 2] {
     let stride = if SIDES == 2 { stride as usize } else { 0 };
-    // Of one length, so that there is one comparison for both.
+    // Of equal length, so that one comparison covers both.
     let len = array.len().saturating_sub(stride);
     [array.get(..len).unwrap_or_default(), array.get(stride..stride + len).unwrap_or_default()]
 }
 
-/// `LEN` numbers from `at` on.
+/// `LEN` numbers starting at `at`.
 #[inline(always)]
 pub(crate) fn entries<const LEN: usize>(array: &[f32], at: u32) -> Option<&[f32; LEN]> {
     let at = at as usize;

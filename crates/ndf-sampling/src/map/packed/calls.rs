@@ -1,4 +1,5 @@
-//! Calls of a packed map: of one pair of numbers, and of arrays with the instructions that the machine has.
+//! Methods of a packed map for a single pair of numbers, and for arrays with the best available
+//! SIMD level.
 
 use glam::{Vec2, Vec3};
 
@@ -16,46 +17,51 @@ use core::marker::PhantomData;
 
 use asperity_core::lanes::{self, Lanes, Scalar, Task, Transpose};
 
-/// Lanes of a group: those of the longest register.
+/// Lanes of a group: the width of the longest register.
 const LANES: usize = 16;
-/// Groups of a block: what all stages write and read again fits the first cache beside the tables.
+/// Groups of a block: the data of all stages fits the L1 cache together with the tables.
 const GROUPS: usize = 4;
 
 impl PackedMapRef<'_> {
-    /// `(M, C)⁻¹(u)`: the first two coordinates of the normal.
+    /// The first two coordinates of the normal `(M, C)⁻¹(u)`.
     #[inline]
     #[must_use]
     pub fn inverse(&self, u: Vec2) -> Vec2 {
         self.one::<Inverse, 2>(u).into()
     }
 
-    /// `(M, C)`: the uniform numbers of a normal by its first two coordinates, each in [0, 1].
+    /// The uniform numbers `(M, C)` of a normal from its first two coordinates, each in [0, 1].
     #[inline]
     #[must_use]
     pub fn forward(&self, n: Vec2) -> Vec2 {
         self.one::<Forward, 2>(n).into()
     }
 
-    /// First two coordinates of the normals `n = (M, C)⁻¹(u)`: [`inverse`](Self::inverse) of many. The third is √(1 − n_x² − n_y²).
+    /// Computes the first two coordinates of normals `n = (M, C)⁻¹(u)`, like
+    /// [`inverse`](Self::inverse).
+    ///
+    /// The third coordinate is √(1 − n_x² − n_y²).
     ///
     /// # Errors
-    /// Arrays of different lengths; nothing is written then.
+    /// Arrays of different lengths. Nothing is written in this case.
     pub fn inverses(&self, u: [&[f32]; 2], n: [&mut [f32]; 2]) -> Result<(), BatchError> {
         BatchError::check_all(&[("u", &u)], ("n", &n)).map(|()| self.many::<Inverse, 2>(u, n))
     }
 
-    /// Uniform numbers `u = (M, C)(n)` of normals by their first two coordinates: [`forward`](Self::forward) of many.
+    /// Computes uniform numbers `u = (M, C)(n)` of normals, like [`forward`](Self::forward).
+    ///
+    /// Normals are given by their first two coordinates.
     ///
     /// # Errors
-    /// Arrays of different lengths; nothing is written then.
+    /// Arrays of different lengths. Nothing is written in this case.
     pub fn forwards(&self, n: [&[f32]; 2], u: [&mut [f32]; 2]) -> Result<(), BatchError> {
         BatchError::check_all(&[("n", &n)], ("u", &u)).map(|()| self.many::<Forward, 2>(n, u))
     }
 
-    /// Densities `D` of normals by their first two coordinates, in sr⁻¹.
+    /// Computes densities `D` of normals from their first two coordinates, in sr⁻¹.
     ///
     /// # Errors
-    /// Arrays of different lengths; nothing is written then.
+    /// Arrays of different lengths. Nothing is written in this case.
     pub fn densities(&self, n: [&[f32]; 2], density: &mut [f32]) -> Result<(), BatchError> {
         let density = [density];
         BatchError::check_all(&[("n", &n)], ("density", &density))
@@ -79,7 +85,7 @@ impl PackedMapRef<'_> {
         results
     }
 
-    /// A function of arrays of one length.
+    /// A function of arrays of equal length.
     fn many<K: Staged<OUT>, const OUT: usize>(&self, inputs: [&[f32]; 2], mut outputs: [&mut [f32]; OUT]) {
         if inputs[0].len() <= K::FEW {
             for (k, (&x, &y)) in inputs[0].iter().zip(inputs[1]).enumerate() {
@@ -95,7 +101,7 @@ impl PackedMapRef<'_> {
     }
 }
 
-/// A function of arrays of one length.
+/// A function of arrays of equal length.
 struct Fill<'a, K, const OUT: usize> {
     map: &'a PackedMapRef<'a>,
     inputs: [&'a [f32]; 2],
@@ -119,7 +125,7 @@ impl Ndf for PackedMapRef<'_> {
         if m.z > 0.0 { density } else { 0.0 }
     }
 
-    /// `(M, C)⁻¹(u)`, without the detour over Gaussian numbers.
+    /// `(M, C)⁻¹(u)`, without the detour through Gaussian numbers.
     #[inline]
     fn sample(&self, u: Vec2) -> Vec3 {
         let n = self.inverse(u);
@@ -140,7 +146,7 @@ impl Ndf for PackedMapRef<'_> {
     }
 }
 
-/// A function of arrays of one length, block by block.
+/// A function of arrays of equal length, block by block.
 #[inline(always)]
 fn fill<P: Lanes, K: Staged<OUT>, const OUT: usize>(
     p: P,
@@ -148,7 +154,7 @@ fn fill<P: Lanes, K: Staged<OUT>, const OUT: usize>(
     [x, y]: [&[f32]; 2],
     mut outputs: [&mut [f32]; OUT],
 ) {
-    // What is short does not wait for a whole block to be cleared.
+    // Short input does not wait for a whole block to be cleared.
     let (mut one, mut all);
     let groups: &mut [K::Group<LANES>] = if x.len() <= LANES {
         one = [K::Group::ZERO];
@@ -166,7 +172,7 @@ fn fill<P: Lanes, K: Staged<OUT>, const OUT: usize>(
                 group.input()[axis] = *input;
             }
             if let (Some(group), Some(first)) = (groups.last_mut(), rest.first()) {
-                // Lanes that are not asked for take the way of one that is.
+                // Unused lanes repeat a used one.
                 group.input()[axis] = [*first; LANES];
                 copy(&mut group.input()[axis], rest);
             }
@@ -188,7 +194,7 @@ fn fill<P: Lanes, K: Staged<OUT>, const OUT: usize>(
     }
 }
 
-/// Copies as many numbers as there are in both.
+/// Copies as many numbers as the shorter slice has.
 #[cold]
 fn copy(to: &mut [f32], from: &[f32]) {
     for (to, from) in to.iter_mut().zip(from) {
@@ -212,7 +218,7 @@ mod tests {
         run_at(level, Fill::<K, OUT> { map, inputs, outputs, staged: PhantomData });
     }
 
-    /// Numbers all over the square and some that are none, in no order.
+    /// Numbers over the whole square and some invalid ones, in random order.
     fn pairs() -> [Vec<f32>; 2] {
         let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -0.5, 2.0, 0.0, -0.0, 1.0];
         let number = |k: u32| match k % 17 {

@@ -1,4 +1,4 @@
-//! The uniform numbers of normals by a packed map, in stages.
+//! The uniform numbers of normals of a packed map, in stages.
 
 use crate::map::packed::block::{Group, Staged, copy_guide, entries, find_leaves, of, of_mut, sides};
 use crate::map::packed::grid::Grid;
@@ -57,7 +57,7 @@ impl Staged<2> for Forward {
 }
 
 impl PackedMapRef<'_> {
-    /// The part of the guide, the column, the row and the places in these.
+    /// The part of the guide, the column, the row and the positions in them.
     #[inline(always)]
     fn place<P: Lanes, const L: usize, const SIDES: usize>(&self, p: P, group: &mut Group<L>) {
         let Grid { density, origin, last, guide, stride, .. } = self.grid;
@@ -79,7 +79,7 @@ impl PackedMapRef<'_> {
     }
 }
 
-/// The nearest number from −1 to 1; 0 for NaN.
+/// Clamps to [−1, 1]; NaN becomes 0.
 #[inline(always)]
 fn coordinate<P: Lanes>(p: P, n: P::F) -> P::F {
     let n = p.select(p.at_or_below(n, n), n, p.float(0.0));

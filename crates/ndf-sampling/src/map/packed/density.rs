@@ -1,4 +1,4 @@
-//! Densities of normals by a packed map, in stages.
+//! Densities of normals of a packed map, in stages.
 
 use crate::map::packed::block::{Staged, Work, entries, of, of_mut, sides};
 use crate::map::packed::grid::Grid;
@@ -8,7 +8,7 @@ use asperity_core::lanes::Lanes;
 /// `D`.
 pub(crate) struct Density;
 
-/// Numbers between its stages, in whole lines of the cache.
+/// Numbers between its stages, in whole cache lines.
 #[derive(Clone, Copy)]
 #[repr(align(64))]
 pub(crate) struct Corners<const L: usize> {
@@ -16,7 +16,7 @@ pub(crate) struct Corners<const L: usize> {
     output: [[f32; L]; 2],
     /// Index of the first texel.
     at: [u32; L],
-    /// The places between the texels there and the next.
+    /// The positions between these texels and the next.
     between: [[f32; L]; 2],
     texels: [[f32; 4]; L],
 }
@@ -74,7 +74,7 @@ impl Staged<1> for Density {
 }
 
 impl PackedMapRef<'_> {
-    /// The texel and the place between it and the next.
+    /// The texel and the position between it and the next.
     #[inline(always)]
     fn texel<P: Lanes, const L: usize>(&self, p: P, group: &mut Corners<L>) {
         let Grid { density, origin, last, texel_stride, .. } = self.grid;

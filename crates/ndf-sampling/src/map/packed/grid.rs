@@ -3,22 +3,22 @@
 use crate::map::packed::layout::Layout;
 use crate::map::reconstruction::Reconstruction;
 
-/// Places that a layout states, as floats.
+/// Positions that a layout defines, as floats.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Grid {
-    /// Columns, and rows, per unit of a normal's coordinate, and the reverse.
+    /// Columns, and rows, per unit of a normal coordinate, and the inverse.
     pub(crate) density: [f32; 2],
     pub(crate) size: [f32; 2],
     /// The columns before `n_x = 0`, and the rows before `n_y = 0`.
     pub(crate) origin: [f32; 2],
-    /// The middles of the last column and of the last row.
+    /// The centers of the last column and of the last row.
     pub(crate) last: [f32; 2],
-    /// Margin of a sample from the lines between rows, from which it might round across.
+    /// Margin between a sample and the lines between rows, which rounding might cross.
     pub(crate) margin: f32,
-    /// Entries of a guide, and of a column's quantiles less one.
+    /// Entries of a guide, and of the quantiles of a column minus one.
     pub(crate) guide: f32,
     pub(crate) quantiles: f32,
-    /// Numbers of a column of the quantiles, of the nodes, and of the texels.
+    /// Numbers per column of the quantiles, of the nodes, and of the texels.
     pub(crate) ranks: u32,
     pub(crate) stride: u32,
     pub(crate) texel_stride: u32,
@@ -46,7 +46,7 @@ impl Grid {
     }
 }
 
-/// Cells of `n` that a sample keeps away from a line across which the density jumps.
+/// Margin, in cells of `n`, between a sample and a line across which the density is discontinuous.
 pub(crate) fn margin(kind: Reconstruction, n: usize) -> f32 {
     match kind {
         Reconstruction::Constant => (2.0 * f32::EPSILON * n as f32).min(0.25),

@@ -80,7 +80,7 @@ impl PackedMapRef<'_> {
         }
     }
 
-    /// `x` by the leaves, and the integral to look for in its column.
+    /// `x` from the leaves, and the integral to search for in its column.
     #[inline(always)]
     fn x<P: Lanes, const L: usize, const SIDES: usize>(&self, p: P, group: &mut Group<L>) {
         let Grid { density, size, origin, last, .. } = self.grid;
@@ -110,10 +110,11 @@ impl PackedMapRef<'_> {
             }
             let wide = p.max(wide, -wide);
             let x = p.min(p.max((begin + wide * s) * p.float(size[0]), p.float(-1.0)), one);
-            // A piece lies in one column: which one does not wait for the place in it.
+            // A piece lies in one column, so the column does not depend on the position in the
+            // piece.
             let origin = p.float(origin[0]);
             let column = p.truncated(p.min(begin + p.float(0.5) * wide + origin, p.float(last[0])));
-            // The conditional is that of the rounded place, which is what the way back finds.
+            // The conditional uses the rounded position, which the inverse finds again.
             let at = x * p.float(density[0]);
             let t = p.unit(at - (p.real(column) - origin));
             if is_any_flagged {
@@ -129,7 +130,7 @@ impl PackedMapRef<'_> {
         }
     }
 
-    /// The line before the row that the quantiles say.
+    /// The line before the row given by the quantiles.
     #[inline(always)]
     fn first_line<P: Lanes, const L: usize, const SIDES: usize>(&self, p: P, group: &mut Group<L>) {
         for from in (0..L).step_by(P::LEN) {
@@ -145,7 +146,7 @@ impl PackedMapRef<'_> {
         }
     }
 
-    /// `y` by the three rows between these lines, or, where it is in none of them, by a search.
+    /// `y` from the three rows between these lines, or by a search if it is in none of them.
     #[inline(always)]
     fn y<P: Lanes, const L: usize, const SIDES: usize>(&self, p: P, group: &mut Group<L>) {
         let Grid { size, origin, margin, .. } = self.grid;
@@ -203,17 +204,17 @@ impl PackedMapRef<'_> {
         }
     }
 
-    /// The column of a place in columns from the middle, and the place in it.
+    /// The column of a position in columns from the middle, and the position in it.
     #[inline(always)]
     pub(crate) fn column<P: Lanes>(&self, p: P, at: P::F, [origin, last]: [f32; 2]) -> (P::U, P::F) {
         let origin = p.float(origin);
         let cell = p.truncated(p.min(at + origin, p.float(last)));
-        // Rounding of the sum may tell the cell beside.
+        // Rounding of the sum may select the neighboring cell.
         (cell, p.unit(at - (p.real(cell) - origin)))
     }
 }
 
-/// Copies the lines at which a lane looks, `t` of the way from the left to the right side.
+/// Copies the lines of a lane, at `t` between the left and the right side.
 #[inline(always)]
 fn fill_window<P: Lanes, const L: usize, const SIDES: usize>(
     p: P,
@@ -247,19 +248,19 @@ fn window<P: Lanes, const L: usize, const SIDES: usize>(
     }
 }
 
-/// The place in a leaf of a place in columns from the middle.
+/// The position in a leaf of a position in columns from the middle.
 #[inline(always)]
 fn place<P: Lanes>(p: P, at: P::F, begin: P::F, wide: P::F) -> P::F {
     p.unit((at - begin) / p.max(p.max(wide, -wide), p.float(f32::MIN_POSITIVE)))
 }
 
-/// The first number, or the second or third if so many lines are passed.
+/// The first number, or the second or third if one or two lines are passed.
 #[inline(always)]
 fn chosen<P: Lanes>(p: P, passed: [P::M; 2], [a, b, c]: [P::F; 3]) -> P::F {
     p.select(passed[1], c, p.select(passed[0], b, a))
 }
 
-/// The marginal and its part below the middle, by a leaf's second half, at the place `s`.
+/// The marginal and its part below the middle, from the second half of a leaf, at the position `s`.
 #[inline(always)]
 pub(crate) fn marginals<P: Lanes>(p: P, &[m0, m1, m2, m3, b0, b1, b2, b3]: &[P::F; 8], s: P::F) -> [P::F; 2] {
     let o = p.float(1.0) - s;
@@ -268,7 +269,7 @@ pub(crate) fn marginals<P: Lanes>(p: P, &[m0, m1, m2, m3, b0, b1, b2, b3]: &[P::
     [(m0 * a + m1 * b) + (m2 * c + m3 * d), (b0 * a + b1 * b) + (b2 * c + b3 * d)]
 }
 
-/// Four times the marginal's integral up to the place `s`, and over the whole leaf.
+/// Four times the integral of the marginal up to the position `s`, and over the whole leaf.
 #[inline(always)]
 pub(crate) fn integrals<P: Lanes>(p: P, &[m0, m1, m2, m3, ..]: &[P::F; 8], s: P::F) -> [P::F; 2] {
     let (four, six, third) = (p.float(4.0), p.float(6.0), p.float(1.0 / 3.0));
@@ -281,7 +282,7 @@ pub(crate) fn integrals<P: Lanes>(p: P, &[m0, m1, m2, m3, ..]: &[P::F; 8], s: P:
     [s * (first + s2 * (four * three * o + sum * s)), sum]
 }
 
-/// One of Newton's steps towards the share `r`.
+/// One Newton step towards the fraction `r`.
 #[inline(always)]
 fn newton<P: Lanes>(p: P, cubics: &[P::F; 8], r: P::F, s: P::F) -> P::F {
     let ([integral, sum], [marginal, _]) = (integrals(p, cubics, s), marginals(p, cubics, s));

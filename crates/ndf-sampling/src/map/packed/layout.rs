@@ -1,15 +1,17 @@
-//! Layout of a packed map: its parts in their order.
+//! Layout of a packed map: its parts in order.
 
 use crate::map::packed::error::PackedMapError;
 use crate::map::reconstruction::Reconstruction;
 
 /// Numbers before the first part of a map.
 pub(crate) const HEADER: usize = 16;
-/// The first number of every packed map: its format. Integers are written as the floats that have their bits.
+/// The first number of every packed map, which identifies the format.
+///
+/// Integers are stored as the floats with their bits.
 const FORMAT: f32 = 2003.0;
-/// Lines of the grid that are looked at together, and one fewer follow the last.
+/// Grid lines that are read together; one fewer follow the last.
 pub(crate) const LINES: usize = 4;
-/// No part of a map has more entries.
+/// The maximum number of entries of a part.
 const LARGEST: u32 = 1 << 28;
 
 /// The sizes of the parts.
@@ -22,12 +24,12 @@ pub(crate) struct Layout {
     pub(crate) leaves: usize,
     /// Entries of each guide to them: a power of two.
     pub(crate) guide: usize,
-    /// Quantiles of a column, less one.
+    /// Quantiles of a column, minus one.
     pub(crate) quantiles: usize,
 }
 
 impl Layout {
-    /// The layout that a header states, of an array as long as it needs.
+    /// Reads the layout from the header of an array, which must have the length it requires.
     pub(crate) fn read(array: &[f32]) -> Result<Self, PackedMapError> {
         let len = array.len();
         let Some(&[format, kind, width, height, leaves, guide, quantiles, ..]) =
@@ -54,7 +56,7 @@ impl Layout {
         }
         let [width, height, leaves, guide, quantiles] = sizes;
         let layout = Self { width, height, kind, leaves, guide, quantiles };
-        // Where it does not fit in usize, no slice is as long.
+        // A length that overflows usize does not match any slice.
         match layout.len().and_then(|len| usize::try_from(len).ok()) {
             Some(expected) if expected == len => Ok(layout),
             _ => Err(PackedMapError::Length { expected: layout.len().unwrap_or(u64::MAX), got: len }),
@@ -77,7 +79,9 @@ impl Layout {
         header
     }
 
-    /// Lengths of the parts, in their order: the guides by weight and by place, leaves, their heads, nodes, texels,
+    /// Lengths of the parts in order.
+    ///
+    /// They are the guides by weight and by position, leaves, their heads, nodes, texels,
     /// quantiles.
     pub(crate) fn parts(&self) -> [Option<u64>; 7] {
         let [columns, cells, leaves, guide, quantiles] =
@@ -94,7 +98,9 @@ impl Layout {
         ]
     }
 
-    /// Columns of nodes and of texels: bilinear maps repeat their first and their last, so that every cell lies between two.
+    /// Columns of nodes and texels.
+    ///
+    /// Bilinear maps repeat the first and the last, so that every cell lies between two.
     pub(crate) const fn columns(&self) -> usize {
         2 * self.kind.cells(self.width) - self.width
     }

@@ -1,4 +1,4 @@
-//! The record of a piece of the marginal, as it lies in a packed map: one line of the cache.
+//! The record of a piece of the marginal in a packed map: one cache line.
 
 use crate::numeric::bernstein::{inverse_share, kept_away};
 #[cfg(feature = "alloc")]
@@ -7,35 +7,43 @@ use crate::{
     numeric::bernstein::{Cubic, cubic, share},
 };
 
-/// Two halves of eight numbers: where the piece is and how it is inverted; its marginal and the part of that below the middle.
+/// Two halves of eight numbers.
+///
+/// They are the position of the piece and its inversion, then its marginal and the part below the
+/// middle.
 ///
 /// ```text
 /// M₀, 1/(M₁ − M₀), begin, width, c₀, c₁, c₂, c₃;      m₀, 3m₁, 3m₂, m₃, b₀, 3b₁, 3b₂, b₃
 /// s = r + r (1 − r) (c₀ + c₁ r + c₂ r² + c₃ r³),   r = (u − M₀)/(M₁ − M₀),   x = begin + |width| s
 /// ```
 ///
-/// `x` is in columns from the middle of the map. The coefficients are Bernstein's and not negative: no sum of theirs cancels.
-/// A negative width says that `s` needs one of Newton's steps; and [`MANY_STEPS`] for `c₀` that it needs as many as it takes.
+/// `x` is in columns from the middle of the map. The coefficients are non-negative Bernstein
+/// coefficients, so their sums do not cancel. A negative width means that `s` needs one Newton
+/// step. [`MANY_STEPS`] for `c₀` means that it needs Newton steps until convergence.
 pub(crate) type Leaf = [[f32; 8]; 2];
 
-/// Which number of a leaf's first half is `M₀`, is where it begins, and is `c₀`.
+/// Indices in the first half of a leaf: `M₀`, its beginning, and `c₀`.
 pub(crate) const WEIGHT: usize = 0;
 pub(crate) const BEGIN: usize = 2;
 pub(crate) const C0: usize = 4;
-/// `c₀` of a leaf that takes many steps.
+/// `c₀` of a leaf that iterates until convergence.
 pub(crate) const MANY_STEPS: f32 = f32::MAX;
 
-/// Four numbers for the way back: `M₀`, the weight over the sum of the marginal's coefficients, begin, and one over the width.
+/// Four numbers for the inverse.
+///
+/// They are `M₀`, the weight over the sum of the coefficients of the marginal, the beginning, and
+/// one over the width.
 pub(crate) type Head = [f32; 4];
 
-/// Weight that a sample leaves on either side of it where the chord shrinks to a point, as the exact map does.
+/// Weight that a sample leaves on either side where the chord shrinks to a point, as the exact map
+/// does.
 const LEAST_MASS: f64 = 1e-7;
 
-/// Largest error, in u, of the inverse of a piece's weight.
+/// Largest error, in u, of the inverse of the weight of a piece.
 #[cfg(feature = "alloc")]
 const INVERSE: f64 = 3e-8;
 
-/// The place in a leaf at which the weight `u` is reached, by as many steps as it takes.
+/// The position in a leaf at which the weight `u` is reached, iterated until convergence.
 #[cold]
 pub(crate) fn many_steps([[from, per, ..], [m0, m1, m2, m3, ..]]: Leaf, u: f32) -> f32 {
     let third = 1.0 / 3.0;
@@ -52,7 +60,7 @@ pub(crate) fn head(&[[from, per, begin, wide, ..], [m0, m1, m2, m3, ..]]: &Leaf)
     [from, inverse(sum * f64::from(per)), begin, inverse(f64::from(wide.abs()))]
 }
 
-/// The leaf of a piece that begins and ends at these weights; at least `margin` columns from the lines of the grid.
+/// The leaf of a piece between two weights; at least `margin` columns from the grid lines.
 #[cfg(feature = "alloc")]
 pub(crate) fn leaf(of: &Marginal, piece: &Piece, weights: [f64; 2], margin: f64) -> Leaf {
     let [from, to] = [weights[0] as f32, weights[1] as f32];
@@ -85,16 +93,16 @@ pub(crate) fn leaf(of: &Marginal, piece: &Piece, weights: [f64; 2], margin: f64)
     ]
 }
 
-/// The numbers of a leaf's inverse, and whether it needs steps to be near enough for a weight of `mass`.
+/// The numbers of the inverse of a leaf, and whether a weight of `mass` needs Newton steps.
 ///
-/// The polynomial has the inverse's value, slope and curvature at both ends.
+/// The polynomial has the value, slope and curvature of the inverse at both ends.
 #[cfg(feature = "alloc")]
 fn inverse(marginal: Cubic, mass: f64) -> ([f32; 4], bool) {
     let sum = marginal.iter().sum::<f64>();
     if sum <= 0.0 {
         return ([0.0; 4], false);
     }
-    // Where the marginal vanishes samples are kept away from the end, whatever its weight.
+    // Where the marginal vanishes, samples are kept away from the end, whatever its weight.
     if [0.0, 1.0] != [0.0, 1.0].map(|share| kept_away(marginal, share, 0.5)) {
         return ([MANY_STEPS, 0.0, 0.0, 0.0], true);
     }
@@ -129,7 +137,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn inverses_say_which_steps_they_need() {
+    fn inverse_reports_newton_steps() {
         let (c, needs_steps) = inverse([1.0, 1.03, 1.05, 1.06], 0.01);
         assert!(!needs_steps);
         for k in 0..=20 {

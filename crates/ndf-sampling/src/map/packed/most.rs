@@ -1,4 +1,4 @@
-//! The largest density of a map over a rectangle.
+//! An upper bound of the density of a map over a rectangle.
 
 use crate::map::packed::packed_map::PackedMapRef;
 
@@ -6,7 +6,8 @@ use crate::map::packed::packed_map::PackedMapRef;
 const MOST_CELLS: usize = 4096;
 
 impl PackedMapRef<'_> {
-    /// At least the largest `D` over a rectangle of normals, by the values at the corners of its cells; infinite for a large one.
+    /// An upper bound of `D` over a rectangle of normals, from the corners of its cells; infinite
+    /// for a large one.
     pub(crate) fn most(&self, sides: [[f64; 2]; 2]) -> f32 {
         let (kind, width, height) = (self.layout.kind, self.width(), self.height());
         let cells = |[from, to]: [f64; 2], n: usize| {

@@ -1,4 +1,4 @@
-//! A normal density that is given as an image or as a function on the hemispherical map of normals.
+//! An NDF from an image or a function on the hemispherical map of normals.
 
 use alloc::vec::Vec;
 
@@ -14,30 +14,34 @@ use crate::map::reconstruction::Reconstruction;
 use crate::map::texels::{Measure, columns_of_texels, texel_edges, texel_meets};
 use crate::ndf::Ndf;
 
-/// Points per side at which a function is averaged over a texel.
+/// Points per side over which a function is averaged in a texel.
 const POINTS: usize = 4;
 
-/// A normal density that is tabulated on the (x, y) map and clipped to the disk, with exact inversion sampling.
+/// An NDF tabulated on the (x, y) map and clipped to the disk, with exact inversion sampling.
 ///
 /// ```text
 /// x = (n_x + 1)/2,  y = (n_y + 1)/2;      T(z) = (M, C)⁻¹(Φ(z₁), Φ(z₂)),   T⁻¹(m) = Φ⁻¹(M(x), C(y|x))
 /// ```
 ///
-/// - **Layout:** texel `j·width + i` covers `[i, i+1]/width × [j, j+1]/height`: the first row has `n_y = −1`. An image file
-///   whose first row is its top is turned over first.
-/// - **Outside the disk** texels count nothing and are not even read; a texel at the rim counts with its part inside.
-/// - **Scale:** any; the density is normalised to `∫ D cos θ dω = 1`.
-/// - **Total:** see [`Ndf`]; `T` always lands where the density has weight, up to the rounding of the normal to `f32`.
-///   `T⁻¹` of a direction where it has none is on the border of what has.
-/// - **The flat normal** is at `to_gaussian(Vec3::Z)`, not at `z = 0`, which is the median, unless the map is symmetric.
-/// - **Resolution:** a roughness under about 6 texels (`α · size/2 < 6`) is not resolved: use [`Ggx`](crate::Ggx) or
-///   [`Beckmann`](crate::Beckmann) there.
+/// - **Layout:** texel `j·width + i` covers `[i, i+1]/width × [j, j+1]/height`: the first row has
+///   `n_y = −1`. Flip an image file whose first row is its top.
+/// - **Outside the disk** texels are ignored and not even read. The part of a rim texel inside the
+///   disk is used.
+/// - **Scale:** arbitrary; the density is normalized to `∫ D cos θ dω = 1`.
+/// - **Any input:** see [`Ndf`]. `T` always returns normals where the density has weight, up to the
+///   rounding of the normal to `f32`. `T⁻¹` of a direction without weight is on the border of the
+///   support.
+/// - **The flat normal** is at `to_gaussian(Vec3::Z)`. It is not at `z = 0`, the median, unless the
+///   map is symmetric.
+/// - **Resolution:** a roughness below about 6 texels (`α · size/2 < 6`) is not resolved. Use
+///   [`Ggx`](crate::Ggx) or [`Beckmann`](crate::Beckmann) there.
 /// - **Masking and visible normals:** by [`Masked`](crate::Masked).
-/// - **Accuracy:** a bilinear map of a function errs by the square of a texel: `M` by less than a twentieth over the square of the
-///   roughness in texels. Marginal and conditional are summed in `f64` and stored in `f32`, see [`PackedMapRef`].
-/// - **Storage:** one array of about 14 bytes per texel (10 for constant texels) and 110 to 150 bytes for each piece of the
-///   distribution of `n_x`, 930 pieces and a few for each row and column. [`array`](Self::array) returns it for files, flash
-///   and shaders.
+/// - **Accuracy:** the error of a bilinear map of a function is quadratic in the texel size. The
+///   error of `M` is below a twentieth over the square of the roughness in texels. Marginal and
+///   conditional are summed in `f64` and stored in `f32`, see [`PackedMapRef`].
+/// - **Storage:** one array of about 14 bytes per texel (10 for constant texels) and 110 to 150
+///   bytes for each piece of the distribution of `n_x`. There are 930 pieces plus a few per row and
+///   column. [`array`](Self::array) returns the array for files, flash and shaders.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Measure, Ndf, NdfMap, Reconstruction, glam::{Vec2, Vec3}};
@@ -51,7 +55,8 @@ const POINTS: usize = 4;
 /// # Ok::<(), asperity_ndf_sampling::NdfMapError>(())
 /// ```
 ///
-/// Kautz, Heidrich, Seidel 2001, section 4. The paper draws a texel and uses its centre; here the density is sampled exactly.
+/// Kautz, Heidrich, Seidel 2001, section 4. The paper draws a texel and uses its center; here the
+/// density is sampled exactly.
 #[derive(Clone, Debug, PartialEq)]
 #[doc(alias = "distribution 2d")]
 #[doc(alias = "tabulated")]
@@ -61,11 +66,12 @@ pub struct NdfMap {
 }
 
 impl NdfMap {
-    /// The map of the `width · height` values `texels`.
+    /// Creates the map from the `width · height` values `texels`.
     ///
     /// # Errors
-    /// A map without texels or with more than [`MAX_TEXELS`]; a slice of another length; a texel, not outside the disk, that
-    /// is negative, NaN or infinite (the first one is named); no texel with weight.
+    /// A map without texels or with more than [`MAX_TEXELS`]; a slice of another length; a texel
+    /// inside the disk that is negative, NaN or infinite (the error contains the first); no texel
+    /// with weight.
     pub fn from_texels(
         width: usize,
         height: usize,
@@ -83,13 +89,16 @@ impl NdfMap {
         Ok(Self { array, layout })
     }
 
-    /// The map of a function: averaged over 4×4 points of each texel (those that are inside the disk) for
-    /// [`Reconstruction::Constant`], else at the centres (or where the rim is nearest to a centre outside the disk).
+    /// Creates the map of a function.
     ///
-    /// The function gets unit normals with `n.z > 0`.
+    /// For [`Reconstruction::Constant`] the function is averaged over those of 4×4 points of each
+    /// texel that are inside the disk. Otherwise it is evaluated at the centers, or at the nearest
+    /// point of the rim for a center outside the disk.
+    ///
+    /// The arguments of the function are unit normals with `n.z > 0`.
     ///
     /// # Errors
-    /// The errors of [`NdfMap::from_texels`], for these values.
+    /// See [`NdfMap::from_texels`], for these values.
     pub fn from_fn(
         width: usize,
         height: usize,
@@ -110,10 +119,10 @@ impl NdfMap {
         Self::from_texels(width, height, &texels, measure, reconstruction)
     }
 
-    /// The map of another normal density, by [`NdfMap::from_fn`].
+    /// Creates the map of another NDF, by [`NdfMap::from_fn`].
     ///
     /// # Errors
-    /// The errors of [`NdfMap::from_fn`].
+    /// See [`NdfMap::from_fn`].
     pub fn from_ndf<N: Ndf + ?Sized>(
         width: usize,
         height: usize,
@@ -123,21 +132,23 @@ impl NdfMap {
         Self::from_fn(width, height, Measure::Normals, reconstruction, |m| ndf.density(m))
     }
 
-    /// The map as a view, which has the plural calls.
+    /// The map as a borrowed view, which has the array methods.
     #[inline]
     #[must_use]
     pub fn view(&self) -> PackedMapRef<'_> {
         PackedMapRef::of(self.layout, &self.array)
     }
 
-    /// The map as one array of `f32`, for [`PackedMapRef::new`]. It has the same bits on every machine that rounds alike.
+    /// The map as one array of `f32`, for [`PackedMapRef::new`].
+    ///
+    /// It has the same bits on every machine with the same rounding.
     #[inline]
     #[must_use]
     pub fn array(&self) -> &[f32] {
         &self.array
     }
 
-    /// The array of the map.
+    /// Converts the map into its array.
     #[inline]
     #[must_use]
     pub fn into_array(self) -> Vec<f32> {
@@ -154,14 +165,14 @@ fn upward(nx: f64, ny: f64) -> Vec3 {
     Vec3::new(nx as f32, ny as f32, asperity_core::math::sqrt_f64(nz2.max(1e-15)) as f32)
 }
 
-/// `f` at the texel's centre, or at the rim's point in its direction.
+/// `f` at the center of the texel, or at the rim in its direction.
 fn at_centre([x0, x1]: [f64; 2], [y0, y1]: [f64; 2], f: &mut impl FnMut(Vec3) -> f32) -> f32 {
     let (x, y) = (0.5 * (x0 + x1), 0.5 * (y0 + y1));
     let inward = 1.0 / asperity_core::math::sqrt_f64((x * x + y * y).max(1.0));
     f(upward(x * inward, y * inward))
 }
 
-/// The mean of `f` over the points of a texel's grid that are inside the disk.
+/// The mean of `f` over the grid points of a texel that are inside the disk.
 fn average([x0, x1]: [f64; 2], [y0, y1]: [f64; 2], f: &mut impl FnMut(Vec3) -> f32) -> f32 {
     let (mut sum, mut count) = (0.0, 0u32);
     let at = |k: usize| (k as f64 + 0.5) / POINTS as f64;
@@ -213,7 +224,7 @@ mod tests {
     }
 
     #[test]
-    fn coordinate_that_is_not_a_number_is_the_median() {
+    fn from_gaussian_of_nan_is_the_median() {
         let map =
             NdfMap::from_fn(8, 8, Measure::Normals, Reconstruction::Constant, |n| 1.5 + n.x + 0.4 * n.y)
                 .unwrap();
@@ -240,7 +251,7 @@ mod tests {
     }
 
     #[test]
-    fn total_on_every_input() {
+    fn accepts_every_input() {
         let ggx = crate::Ggx::new(0.4, 0.7).unwrap();
         totality::check(&NdfMap::from_ndf(16, 8, Reconstruction::Constant, &ggx).unwrap());
     }

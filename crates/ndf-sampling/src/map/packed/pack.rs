@@ -11,7 +11,7 @@ use crate::map::packed::quantiles::{self, ROWS};
 use crate::map::reconstruction::Reconstruction;
 use crate::numeric::guide_table::GuideTable;
 
-/// Parts of the exact map's guides that share an entry.
+/// Parts of the guides of the exact map that share an entry.
 const STARTS: usize = 2;
 
 /// The layout and the array of a map.
@@ -55,7 +55,7 @@ pub(crate) fn pack(marginal: &Marginal) -> (Layout, Vec<f32>) {
     (layout, packed)
 }
 
-/// A column's integrals, and in bilinear maps its values, on the lines of the grid.
+/// The integrals of a column, and in bilinear maps its values, on the grid lines.
 fn extend_nodes(packed: &mut Vec<f32>, columns: &Columns, column: usize, scale: f64) {
     let (sums, values) = (columns.sums(column), columns.values(column));
     match columns.kind {
@@ -64,7 +64,7 @@ fn extend_nodes(packed: &mut Vec<f32>, columns: &Columns, column: usize, scale: 
             packed.extend([f32::MAX; LINES - 1]);
         }
         Reconstruction::Bilinear => {
-            // Block by block, for the compiler to take many at once.
+            // Block by block, so that the compiler vectorizes it.
             let mut nodes = [[0.0; 2]; 64];
             for (sums, values) in sums.chunks(64).zip(values.chunks(64)) {
                 for (node, (&sum, &value)) in nodes.iter_mut().zip(sums.iter().zip(values)) {
@@ -77,7 +77,7 @@ fn extend_nodes(packed: &mut Vec<f32>, columns: &Columns, column: usize, scale: 
     }
 }
 
-/// For every so many parts of the guide the leaf there, and the keys of the next three.
+/// For each group of parts of the guide the leaf there, and the keys of the next three.
 fn extend_guide<const KEY: usize>(packed: &mut Vec<f32>, guide: &GuideTable, leaves: &[Leaf]) {
     let key = |leaf: u32| leaves.get(leaf as usize).map_or(f32::MAX, |leaf| leaf[0][KEY]);
     let entries = guide.starts.iter().step_by(STARTS);

@@ -6,17 +6,21 @@ use crate::map::packed::layout::{HEADER, Layout};
 use crate::map::packed::leaf::{Head, Leaf};
 use crate::map::reconstruction::Reconstruction;
 
-/// A normal density on the map, sampled and inverted in `f32` from one array that it borrows: from flash, a file or a `Vec`.
+/// An NDF on the map, sampled and inverted in `f32` from one borrowed array.
 ///
-/// `NdfMap::array` (feature `alloc`) returns the array. Everything that it says of the density holds here too; the
-/// distribution functions are rounded to `f32`, so what is not within 10⁻⁷ of the whole is lost.
+/// The array can be in flash, a file or a `Vec`.
 ///
-/// - **Accuracy:** `forward(sample(u)) = u` within 1e-6, and what the rounding of the normal's coordinates makes of it: 6e-8
-///   times the marginal, or the conditional density, per `dn`. The pieces of the marginal are those of the exact map.
-/// - **Order:** `n_x` grows with `u₁` and `n_y` with `u₂`, to 1.2e-7.
-/// - **Resolution:** that of `f32`: columns and rows beyond 2²² are not told apart.
-/// - **Total:** uniform numbers are moved to `[0, 1 − 2⁻²⁴]`, NaN is read as 0; directions as for [`Ndf`](crate::ndf::Ndf).
-/// - An array whose header is sound but whose numbers were changed gives other normals, and never panics.
+/// `NdfMap::array` (feature `alloc`) returns the array. The documentation of `NdfMap` applies here
+/// too. The CDFs are rounded to `f32`, so details below 10⁻⁷ of the total weight are lost.
+///
+/// - **Accuracy:** `forward(sample(u)) = u` within 1e-6, plus the effect of rounding the
+///   coordinates of the normal: 6e-8 times the marginal, or the conditional density, per `dn`. The
+///   pieces of the marginal are those of the exact map.
+/// - **Order:** `n_x` increases with `u₁` and `n_y` with `u₂`, to 1.2e-7.
+/// - **Resolution:** that of `f32`; more than 2²² columns or rows are not distinguished.
+/// - **Any input:** uniform numbers are clamped to `[0, 1 − 2⁻²⁴]`, NaN is read as 0; directions as
+///   for [`Ndf`](crate::ndf::Ndf).
+/// - An array with a valid header and modified numbers returns different normals, and never panics.
 ///
 /// ```
 /// # #[cfg(feature = "alloc")] {
@@ -36,7 +40,7 @@ use crate::map::reconstruction::Reconstruction;
 pub struct PackedMapRef<'a> {
     pub(crate) layout: Layout,
     pub(crate) grid: Grid,
-    /// The guides to the leaves by `M` and by `n_x`: a leaf, and the keys of the three after it.
+    /// The guides to the leaves by `M` and by `n_x`: a leaf, and the keys of the next three.
     pub(crate) by_weight: &'a [[f32; 4]],
     pub(crate) by_place: &'a [[f32; 4]],
     pub(crate) leaves: &'a [Leaf],
@@ -49,16 +53,16 @@ pub struct PackedMapRef<'a> {
 }
 
 impl<'a> PackedMapRef<'a> {
-    /// The map in an array that `NdfMap::array` returned.
+    /// Creates the map from an array that `NdfMap::array` returned.
     ///
     /// # Errors
-    /// An array without the header of a packed map, with a size in the header that is none, or of another length than these
-    /// sizes need.
+    /// An array without the header of a packed map, with an invalid size in the header, or with a
+    /// length that does not match these sizes.
     pub fn new(array: &'a [f32]) -> Result<Self, PackedMapError> {
         Ok(Self::of(Layout::read(array)?, array))
     }
 
-    /// The map in an array of the layout's length.
+    /// Creates the map from an array of the length of the layout.
     #[inline]
     pub(crate) fn of(layout: Layout, array: &'a [f32]) -> Self {
         let mut rest = array.get(HEADER..).unwrap_or_default();
@@ -87,14 +91,14 @@ impl<'a> PackedMapRef<'a> {
         self.layout.height
     }
 
-    /// Reconstruction between the texels' centres.
+    /// Reconstruction between the centers of texels.
     #[inline]
     #[must_use]
     pub const fn reconstruction(&self) -> Reconstruction {
         self.layout.kind
     }
 
-    /// Numbers of the grid, and where the parts of the array begin, for shaders.
+    /// Grid parameters, and the offsets of the parts of the array, for shaders.
     #[doc(hidden)]
     #[must_use]
     pub fn grid_and_parts(&self) -> ([f32; 11], [u32; 13]) {
@@ -120,7 +124,7 @@ impl<'a> PackedMapRef<'a> {
 mod tests {
     #[cfg(feature = "alloc")]
     #[test]
-    fn parts_begin_where_the_array_holds_them() {
+    fn part_offsets_match_the_array() {
         use super::*;
         use crate::{Measure, NdfMap};
 
@@ -141,7 +145,8 @@ mod tests {
                 end += part.len();
             }
             assert_eq!((end, words[12] as usize), (array.len(), map.leaves.len()));
-            // Columns and rows per unit from −1 to 1; bilinear maps have one cell more, half a cell earlier.
+            // Columns and rows per unit from −1 to 1; bilinear maps have one cell more, half a cell
+            // earlier.
             let sides = if kind == Reconstruction::Bilinear { 2 } else { 1 };
             let more = if kind == Reconstruction::Bilinear { 1 } else { 0 };
             let half = 0.5 * more as f32;
@@ -153,7 +158,7 @@ mod tests {
 
     #[cfg(feature = "alloc")]
     #[test]
-    fn arrays_of_another_length_are_refused() {
+    fn new_rejects_arrays_of_wrong_length() {
         use super::*;
         use crate::{Measure, NdfMap};
 

@@ -1,4 +1,4 @@
-//! Rows of conditional quantiles, from which a search begins.
+//! Rows of conditional quantiles, the starting points of searches.
 
 use alloc::vec;
 
@@ -8,12 +8,14 @@ use crate::map::packed::layout::Layout;
 /// Rows of a column that share an entry.
 pub(crate) const ROWS: usize = 2;
 
-/// 2²³: a float from here on counts whole numbers, in its lowest bits.
+/// 2²³: from here on the lowest bits of a float are an integer.
 const SHIFT: f32 = 8_388_608.0;
 
-/// Fills in, for each column of cells, the rows of even quantiles of the conditional in the column's middle.
+/// Stores, for each column of cells, the rows of evenly spaced quantiles in the middle of the
+/// column.
 ///
-/// They are guesses: the column's other places have other quantiles, and what is found with them is checked.
+/// They are guesses, because other positions in the column have other quantiles. Each result is
+/// checked.
 pub(crate) fn fill(layout: &Layout, nodes: &[f32], quantiles: &mut [f32]) {
     let Layout { width, height, kind, quantiles: parts, .. } = *layout;
     let (rows, sides, stride) = (kind.cells(height), kind.sides(), layout.stride());
@@ -31,7 +33,7 @@ pub(crate) fn fill(layout: &Layout, nodes: &[f32], quantiles: &mut [f32]) {
                     .for_each(|(line, (left, right))| *line = 0.5 * (left[0] + right[0]));
             }
         }
-        // The chord's ends in rows, and the integrals to there.
+        // The ends of the chord in rows, and the integrals up to them.
         let chord = height as f64 * half_chord((kind.line(cell, width) + 0.5 / width as f64).clamp(0.0, 1.0));
         let ends = [-chord, chord].map(|c| (0.5 * height as f64 + kind.offset() + c) as f32);
         let [from, to] = ends.map(|end| {
@@ -47,7 +49,7 @@ pub(crate) fn fill(layout: &Layout, nodes: &[f32], quantiles: &mut [f32]) {
         let rows = firsts.array_windows().zip(places.iter().zip(&steps));
         for (&[first, next], (&place, &step)) in rows {
             let (first, next) = (first as usize, next as usize);
-            // Without a question how many there are: those of later rows are written over.
+            // Writes without checking the count, because later rows overwrite the entries.
             if let Some([a, b]) = quantiles.get_mut(first..first + 2).and_then(|two| two.as_mut_array()) {
                 (*a, *b) = (place, place + step);
             }
@@ -65,7 +67,7 @@ pub(crate) fn fill(layout: &Layout, nodes: &[f32], quantiles: &mut [f32]) {
     }
 }
 
-/// Turns integrals up to lines into quantiles, those beyond the first and the last into these.
+/// Converts integrals up to lines to quantiles, clamping those before the first and after the last.
 fn to_quantiles(lines: &mut [f32], from: f32, scale: f32, last: f32) {
     for line in lines {
         let quantile = (*line - from) * scale;
@@ -74,7 +76,7 @@ fn to_quantiles(lines: &mut [f32], from: f32, scale: f32, last: f32) {
     }
 }
 
-/// For each row the first quantile that is not before it, its place, and the step to the next, in rows.
+/// For each row the first quantile at or after it, its position, and the step to the next, in rows.
 fn find_firsts(lines: &[f32], firsts: &mut [u32], places: &mut [f32], steps: &mut [f32]) {
     let rows = lines.iter().zip(lines.get(1..).unwrap_or_default()).zip(0_i32..);
     let results = firsts.iter_mut().zip(places).zip(steps);

@@ -1,11 +1,12 @@
-//! Rare cases of samples of a packed map: rows that their quantiles do not lead to, and places beyond the rim.
+//! Rare cases of samples of a packed map: rows that the quantiles miss, and positions beyond the
+//! rim.
 
 use crate::map::packed::grid::Grid;
 use crate::map::packed::packed_map::PackedMapRef;
 use asperity_core::math;
 
 impl PackedMapRef<'_> {
-    /// The last row that begins at or below `target` and has weight, looked for from a row on, and the target moved into it.
+    /// The last row that begins at or below `target` and has weight, and the target clamped to it.
     #[cold]
     #[inline(never)]
     pub(crate) fn search<const SIDES: usize>(
@@ -20,9 +21,9 @@ impl PackedMapRef<'_> {
         let [bottom, top] = [sum(0), sum(rows)];
         let reaches =
             |line: u32| if target >= top { sum(line) >= top } else { sum(line) > target.max(bottom) };
-        // In growing steps, then by halving. Line 0 does not reach, the last does.
+        // With growing steps, then by bisection. Line 0 is not past the target, the last line is.
         let (mut low, mut high, mut step) = (0, rows, 2);
-        // Not `clamp`, which has the code of a panic where compilers do not see the order of its bounds.
+        // Not `clamp`, which contains a panic where compilers do not see the order of its bounds.
         let mut line = from.max(1).min(rows);
         if reaches(line) {
             while line > 0 && reaches(line) {
@@ -46,7 +47,7 @@ impl PackedMapRef<'_> {
         (low, target.min(sum(low + 1).next_down()).max(sum(low)))
     }
 
-    /// The coordinate `y`, moved to the end of the chord if it is beyond, or to where there is weight from there on.
+    /// Moves `y` to the end of the chord if it is beyond, or to the next position with weight.
     #[cold]
     #[inline(never)]
     pub(crate) fn inside<const SIDES: usize>(&self, column: u32, t: f32, [x, y]: [f32; 2]) -> f32 {
@@ -71,7 +72,7 @@ impl PackedMapRef<'_> {
         }
     }
 
-    /// The integral up to each line at the place `t` of a column.
+    /// The integral up to each line at the position `t` of a column.
     fn sums<const SIDES: usize>(&self, column: u32, t: f32) -> impl Fn(u32) -> f32 {
         let stride = self.grid.stride as usize;
         let side = |side: usize| self.nodes.get(side * stride..(side + 1) * stride).unwrap_or_default();
