@@ -1,4 +1,4 @@
-//! Time per pixel of the two rules of level of detail, of the far field, and of the Fresnel terms.
+//! Time per pixel of both level-of-detail rules, of the far field, and of the Fresnel terms.
 
 use std::hint::black_box;
 
@@ -27,7 +27,7 @@ fn rules(c: &mut Criterion) {
     }
 }
 
-/// A pixel of a bump map by either rule: noise of four octaves, and so many lights.
+/// A pixel of a bump map by either rule: noise of four octaves, and a number of lights.
 fn pixels(c: &mut Criterion) {
     let field = GaussianOctaves::<3>::new(Gaussian::new(1), Spectrum::default());
     let ndf: &dyn Ndf = &Ggx::new(0.2, 0.4).expect("roughness in range");

@@ -1,4 +1,4 @@
-//! Time per pixel of each material, near and far, of each texture, and per value of each reflectance.
+//! Time per pixel of each material, near and far, of each texture, and per value of each BRDF.
 
 use std::hint::black_box;
 
@@ -16,7 +16,7 @@ use asperity_shading::{
 };
 use criterion::{Criterion, criterion_group, criterion_main};
 
-/// Points of a plane, another one at each call.
+/// Points of a plane, a different one for each call.
 fn point(k: &mut f32, width: f32) -> SurfacePoint {
     *k = (*k + 1.0) % 1024.0;
     let uv = Vec2::new(0.0137, 0.0211) * *k;

@@ -1,4 +1,4 @@
-//! Writes a piece of a car's carpet under one lamp as a PNG: `cargo run --example carpet [path]`.
+//! Renders a piece of car carpet under one lamp to a PNG: `cargo run --example carpet [path]`.
 
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::{Carpet, CarpetParameters, Footprint, Material, SurfacePoint};

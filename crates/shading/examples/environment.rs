@@ -1,4 +1,5 @@
-//! Writes a sphere of brushed metal under a sky as a PNG: `cargo run --release --example environment [path]`.
+//! Renders a sphere of brushed metal under a sky to a PNG: `cargo run --release --example
+//! environment [path]`.
 
 use asperity_shading::environment::low_discrepancy_points;
 use asperity_shading::glam::Vec3;

@@ -1,4 +1,5 @@
-//! Writes a bump-mapped sphere, from afar, four and sixteen times nearer, as a PNG: `cargo run --example zoom [path]`.
+//! Renders a bump-mapped sphere at three distances (1, 1/4, 1/16) to a PNG: `cargo run --example
+//! zoom [path]`.
 
 use asperity_shading::environment::low_discrepancy_points;
 use asperity_shading::glam::{Vec2, Vec3};

@@ -1,4 +1,4 @@
-//! The traits of `approx` for the values that surfaces, pixels and light are made of.
+//! The traits of `approx` for surfaces, pixels and light.
 
 use glam::Vec3;
 
@@ -42,7 +42,7 @@ mod tests {
     use glam::Vec2;
 
     #[test]
-    fn every_part_is_compared() {
+    fn approx_compares_every_field() {
         let pixel = PixelEllipse::from_derivatives(Vec3::new(0.25, 0.0, 0.0), Vec3::new(0.0, 0.5, 0.0));
         let point = SurfacePoint::new(Vec3::ONE, Vec3::Z, pixel).with_uv(Vec2::ONE, [Vec3::X, Vec3::Y]);
         let others = [
@@ -61,7 +61,7 @@ mod tests {
         }
         let near = SurfacePoint { position: point.position + 1e-6, ..point.scaled(1.000_001) };
         assert!(abs_diff_eq!(point, near, epsilon = 1e-5) && relative_eq!(point, near, max_relative = 1e-5));
-        // What resolves nothing equals itself.
+        // A footprint that resolves nothing equals itself.
         assert!(abs_diff_eq!(Footprint::from_width(f32::NAN), Footprint::from_width(f32::INFINITY)));
     }
 }

@@ -9,8 +9,9 @@ use glam::Vec3;
 /// ```
 ///
 /// - **Domain:** unit `wi` and `wo`, both pointing away from the surface, in any one frame.
-/// - **Range:** a unit vector in that frame; [`Vec3::ZERO`] where there is none: opposite directions, zero
-///   vectors, a component that is NaN or infinite. Every density is 0 there, so such a pixel is dark.
+/// - **Range:** a unit vector in the same frame; [`Vec3::ZERO`] where it does not exist: opposite
+///   directions, zero vectors, NaN or infinite components. Every density is 0 there, so such a
+///   pixel is dark.
 ///
 /// Kautz, Heidrich, Seidel 2001, *Real-Time Bump Map Synthesis*, §3.1.
 ///
@@ -25,19 +26,19 @@ use glam::Vec3;
 #[must_use]
 pub fn half_vector(wi: Vec3, wo: Vec3) -> Vec3 {
     let sum = wi + wo;
-    // Opposite directions leave only rounding errors, whose direction means nothing.
+    // Opposite directions leave only rounding errors, whose direction is meaningless.
     if sum.length_squared() > 1e-12 { sum.normalize_or_zero() } else { Vec3::ZERO }
 }
 
-/// The direction into which a mirror with normal `m` sends light from `w`.
+/// Mirrors a direction `w` at a facet with normal `m`.
 ///
 /// ```text
 /// reflect(w, m) = 2 (w·m) m − w
 /// ```
 ///
 /// - **Domain:** `w` of any length, pointing away from the surface; unit `m`, whose sign does not matter.
-/// - **Range:** a vector as long as `w`, pointing away from the surface too. A zero `m` returns `−w`; NaN and
-///   infinity pass through.
+/// - **Range:** a vector as long as `w`, also pointing away from the surface. A zero `m` returns
+///   `−w`; NaN and infinity pass through.
 /// - **Symmetry:** `reflect(reflect(w, m), m) = w`.
 ///
 /// ```
@@ -52,15 +53,18 @@ pub fn reflect(w: Vec3, m: Vec3) -> Vec3 {
     2.0 * w.dot(m) * m - w
 }
 
-/// `v` times the power of two that brings its longest component near 1: the same digits, and products that stay in range.
+/// Scales `v` by a power of two so that its longest component is near 1.
+///
+/// The digits do not change, and products stay in range.
 pub(crate) fn near_one(v: Vec3) -> Vec3 {
     const EXPONENT: u32 = 0xff << 23;
     let longest = v.abs().max_element().to_bits() & EXPONENT;
-    // The exponents add up to that of 1, but for the largest, whose partner is subnormal.
+    // The exponents add up to the exponent of 1, except for the largest, whose partner is
+    // subnormal.
     v * f32::from_bits((254 << 23) - longest.min(253 << 23))
 }
 
-/// The unit vector along `v`, however long; `None` for zero, NaN and infinity.
+/// Normalizes `v` of any length; `None` for zero, NaN and infinity.
 pub(crate) fn along(v: Vec3) -> Option<Vec3> {
     let v = near_one(v);
     (v.is_finite() && v != Vec3::ZERO).then(|| v.normalize())
@@ -72,7 +76,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn vectors_of_any_length_have_a_unit_vector() {
+    fn along_normalizes_vectors_of_any_length() {
         for length in [f32::from_bits(1), 1e-40, 1e-23, 1e-15, 1.0, 1e15, 1e23, 0.5 * f32::MAX] {
             for v in [Vec3::new(0.6, 0.0, -0.8), Vec3::new(1.0, -1.0, 1.0), Vec3::X] {
                 let unit = along(length * v).unwrap();
@@ -90,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn half_vector_halves_the_angle() {
+    fn half_vector_bisects_the_angle() {
         for i in 1..100 {
             let (sin, cos) = (i as f32 / 100.0 * core::f32::consts::PI).sin_cos();
             let (wi, wo) = (Vec3::Z, Vec3::new(sin, 0.0, cos));
@@ -102,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn directions_without_a_half_vector_give_zero() {
+    fn half_vector_of_degenerate_directions_is_zero() {
         let w = Vec3::new(0.6, 0.0, 0.8);
         let nearly = Vec3::new(-0.6, 1e-7, -0.8);
         for (wi, wo) in [
@@ -119,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn reflection_is_its_own_inverse_and_keeps_the_length() {
+    fn reflect_is_an_involution_and_keeps_the_length() {
         let m = Vec3::new(0.48, -0.6, 0.64);
         for w in [Vec3::new(0.0, 0.6, 0.8), Vec3::new(3.0, -2.0, 5.0), Vec3::ZERO] {
             let r = reflect(w, m);

@@ -1,10 +1,11 @@
-//! Images that are refused, and the checks that refuse them.
+//! Validation of images and its error.
 
 use asperity_core::error_enum;
 use glam::Vec3;
 
 error_enum! {
-    /// Why numbers are no image: no environment, or no normal map with levels. Texels are counted `row · width + column`.
+    /// Error for an invalid image of an environment or a normal map. Texels are counted `row ·
+    /// width + column`.
     ///
     /// The example needs the feature `alloc`.
     ///
@@ -22,22 +23,23 @@ error_enum! {
         /// There are too many texels.
         TooLarge { width: usize, height: usize, most: usize } =>
             "image must have at most {most} texels, got {width} × {height}";
-        /// The slice has not `width · height` texels.
+        /// The length of the slice is not `width · height`.
         SizeMismatch { width: usize, height: usize, len: usize } =>
             "image of {width} × {height} needs as many texels, got {len}";
-        /// The slice for the table of an environment, or for the levels of a normal map, has another length than they need.
+        /// The length of the table of an environment, or of the levels of a normal map, is wrong.
         TableMismatch { needed: usize, len: usize } => "table needs {needed} entries, got {len}";
-        /// A channel or a coordinate of a texel is NaN or too far from 0; the third component of a slope is 0.
+        /// A channel or a coordinate of a texel is NaN or too far from 0, or the third component of
+        /// a slope is 0.
         TooFar { index: usize, value: Vec3, most: f32 } =>
             "texel {index} must be at most {most:e} in each component, got {value}";
         /// A channel of a texel is negative.
         Negative { index: usize, value: Vec3 } => "texel {index} must not be negative, got {value}";
-        /// A normal is below the horizon or no number.
+        /// A normal is below the horizon or NaN.
         Normal { index: usize, value: Vec3 } => "texel {index} must be a normal above the horizon, got {value}";
     }
 }
 
-/// The number of texels of an image of this size, if it is not 0 and at most this.
+/// The number of texels of an image of this size, if it is not 0 and at most `most`.
 pub(crate) const fn texel_count(width: usize, height: usize, most: usize) -> Result<usize, ImageError> {
     match width.checked_mul(height) {
         Some(0) => Err(ImageError::Empty { width, height }),
@@ -46,7 +48,7 @@ pub(crate) const fn texel_count(width: usize, height: usize, most: usize) -> Res
     }
 }
 
-/// Refuses another number of texels than there should be, and the first one that has a component farther from 0 than this.
+/// Checks the number of texels and that all components are within a bound of 0.
 pub(crate) fn check_texels(
     [width, height]: [usize; 2],
     needed: usize,

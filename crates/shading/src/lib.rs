@@ -1,10 +1,11 @@
-//! Shading by a density of normals, from afar and close by: the mean radiance of a surface is the same at every zoom. And
-//! the reflectances that go with it, diffuse and glossy, each with its samples.
+//! Materials, BRDFs and bump mapping with the same mean radiance at every zoom.
 //!
-//! A pixel resolves some octaves of a surface's bump map and not the rest. This crate decides how many from the pixel's
-//! [`Footprint`], takes the resolved ones from a noise, and shades what the pixel then sees, by one of two rules
-//! ([`LevelOfDetail`]): `Exact`, whose mean over the surface is the far field at every zoom, and `Fractal`, the rule of
-//! Kautz, Heidrich, Seidel 2001, "Real-Time Bump Map Synthesis".
+//! A pixel resolves some octaves of a bump map and not the rest. This crate computes the number of
+//! resolved octaves from the [`Footprint`] of the pixel. It evaluates them as noise, and shades the
+//! remaining normals by one of two rules ([`LevelOfDetail`]). The mean of `Exact` over the surface
+//! is the far field at every zoom. `Fractal` is the rule of Kautz, Heidrich, Seidel 2001,
+//! "Real-Time Bump Map Synthesis". The crate also has diffuse and glossy BRDFs with importance
+//! sampling.
 //!
 //! ```
 //! use asperity_shading::glam::Vec3;
@@ -28,7 +29,7 @@
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 //!
-//! A material in one call: [`Material::bsdf`] of a point gives what it does to light, bumps that the pixel does not resolve included.
+//! [`Material::bsdf`] returns the BSDF at a point, including unresolved bumps as roughness.
 //!
 //! ```
 //! use asperity_shading::glam::{Vec2, Vec3};
@@ -43,47 +44,49 @@
 //! # Ok::<(), asperity_shading::ParameterError>(())
 //! ```
 //!
-//! | module | holds | at this root |
+//! | module | contents | re-exported at the root |
 //! |---|---|---|
-//! | [`pixel`] | footprints of pixels, round and as ellipses; how many octaves they resolve | [`Footprint`], [`PixelEllipse`] |
+//! | [`pixel`] | round and elliptic pixel footprints; the number of octaves that they resolve | [`Footprint`], [`PixelEllipse`] |
 //! | [`mod@bump`] | surface gradients, bumped normals, displacement, facets of slopes | |
-//! | [`level_of_detail`] | bump maps from Gaussian noise: what a pixel resolves, and two rules to shade the rest | [`BumpField`], [`LevelOfDetail`], [`far_field`] |
-//! | [`reflectance`] | BRDFs with samples, Fresnel terms, [`Bsdf`]: layers of lobes on facets under a coat | [`Brdf`], [`Bsdf`], [`Lambert`], [`EnergyPreservingOrenNayar`], [`CookTorrance`], [`TorranceSparrow`], [`Phong`], [`Fresnel`], [`Dielectric`], [`Conductor`], [`Schlick`] |
+//! | [`level_of_detail`] | bump maps from Gaussian noise: the resolved part, and two rules to shade the rest | [`BumpField`], [`LevelOfDetail`], [`far_field`] |
+//! | [`reflectance`] | BRDFs with sampling, Fresnel terms, [`Bsdf`]: layers of lobes on facets under a coat | [`Brdf`], [`Bsdf`], [`Lambert`], [`EnergyPreservingOrenNayar`], [`CookTorrance`], [`TorranceSparrow`], [`Phong`], [`Fresnel`], [`Dielectric`], [`Conductor`], [`Schlick`] |
 //! | [`environment`] | environment maps (HDRI) with importance sampling; irradiance, prefiltered maps, split sum | [`Environment`], [`EnvironmentMap`], [`EnvironmentRef`], [`Irradiance`], [`reflected_radiance`] |
 //! | [`normal_map`] | normal maps at every zoom, by the moments of their slopes (LEAN mapping with several lobes) | [`SlopePyramid`] |
 //! | [`texture`] | bricks, bevels, stars, marble, perturbed images, gas | [`Brick`], [`Marble`] |
 //! | [`material`] | [`Material`] and all materials: carpet, metallic paint, glass, wear, bump maps, walls | [`Material`], [`SurfacePoint`], [`Carpet`], [`MetallicPaint`], [`TemperedGlass`], [`Variations`], [`Scratches`], [`BumpMapped`] |
-//! | [`check`] (feature `check`) | property tests for any [`Brdf`] or [`Material`], with a report that prints | |
+//! | [`check`] (feature `check`) | property tests for any [`Brdf`] or [`Material`], with a printable report | |
 //!
-//! [`half_vector`] and [`reflect`] are the geometry of mirrors, [`Frame`] that of tangents; [`ndf_sampling`] and [`noise`] are the crates
-//! below.
+//! [`half_vector`] and [`reflect`] compute directions of reflection, and [`Frame`] is a tangent
+//! frame. [`ndf_sampling`] and [`noise`] are the underlying crates.
 //!
 //! # Conventions
 //!
-//! - Directions are unit vectors that point away from the surface; `h` is in the frame of the macro surface, whose z axis
-//!   is the normal. Densities and radiances per unit of light are in sr⁻¹, frequencies in lattice cells per unit of
-//!   length, angles in radians.
-//! - Evaluation is total: half vectors that do not exist or are below the horizon are dark, footprints that cannot be
-//!   measured resolve nothing, a cosine that is NaN is the horizon's. Constructors refuse what is no parameter.
-//! - Reproducibility: the same bits on every machine under the feature `libm`.
+//! - Directions are unit vectors that point away from the surface. `h` is in the frame of the macro
+//!   surface, whose z axis is the normal. Densities and radiances per unit of light are in sr⁻¹,
+//!   frequencies in lattice cells per unit of length, angles in radians.
+//! - Evaluation accepts every input. Half vectors that do not exist or are below the horizon are
+//!   dark. Invalid footprints resolve nothing. A NaN cosine is read as the horizon. Constructors
+//!   return an error for invalid parameters.
+//! - Reproducibility: the same bits on every machine with the feature `libm`.
 //!
-//! # What it does not do
+//! # Limitations
 //!
-//! Both rules of level of detail show p(h) as it is, without masking and shadowing; a Fresnel term is
-//! multiplied on by the caller, at the angle between `h` and either direction. The full microfacet model is [`CookTorrance`].
-//! A [`Bsdf`] is evaluated; paths of light from surface to surface are the renderer's.
+//! Both rules of level of detail evaluate p(h) without masking and shadowing. The caller multiplies
+//! by a Fresnel term at the angle between `h` and either direction. [`CookTorrance`] is the full
+//! microfacet model. A [`Bsdf`] is evaluated at a single point; light transport between surfaces is
+//! the task of the renderer.
 //!
 //! # Features
 //!
-//! | feature | does |
+//! | feature | effect |
 //! |---|---|
 //! | `std` (default) | float functions of the standard library |
-//! | `libm` | float functions of `libm`, without `std`; wins when both are on |
+//! | `libm` | float functions of `libm`, without `std`; takes precedence when both are enabled |
 //! | `alloc` (default) | the owned tables of `asperity-ndf-sampling`, environment maps, normal maps, boxed materials |
-//! | `simd` (default) | many lights, and the noise of a point, in SIMD lanes, the best that the machine has; the same bits without it |
-//! | `check` | property tests for any reflectance, your own included: module [`check`] |
-//! | `serde` | parameters of materials written to files, and forms of reflectances; a file names the parameters that differ from the defaults |
-//! | `approx` | the traits of `approx` for points, pixels, facets, samples of light and textures, glam's values, and those of `asperity-noise` and `asperity-ndf-sampling` |
+//! | `simd` (default) | many lights, and the noise at a point, with the best available SIMD level; the same bits without it |
+//! | `check` | property tests for any BRDF, including your own: module [`check`] |
+//! | `serde` | serialization of material parameters and forms of BRDFs; files contain the parameters that differ from the defaults |
+//! | `approx` | the traits of `approx` for points, pixels, facets, light samples and textures; the same feature of glam, `asperity-noise` and `asperity-ndf-sampling` |
 #![no_std]
 
 #[cfg(feature = "std")]

@@ -9,11 +9,11 @@ use crate::direction::{along, near_one};
 pub struct Displaced {
     /// The displaced position.
     pub position: Vec3,
-    /// The unit normal there, on the side of the undisplaced one.
+    /// The unit normal there, on the side of the undisplaced normal.
     pub normal: Vec3,
 }
 
-/// Displacement along the normal, with the exact normal of the displaced surface.
+/// Displaces a point along its normal and computes the exact normal of the displaced surface.
 ///
 /// ```text
 /// P′ = P + F n,   P′_u = P_u + F_u n + F n_u,   P′_v = P_v + F_v n + F n_v,   n′ ∝ ±P′_u × P′_v
@@ -21,14 +21,14 @@ pub struct Displaced {
 ///
 /// - **Domain:** unit `n`; `p = [P_u, P_v]`, `dn = [n_u, n_v]` (zero for a plane, `P_u/R`, `P_v/R` on a sphere), height `F`
 ///   and its derivatives.
-/// - **Range:** the normal is `n` where the displaced surface has none: parallel derivatives, heights beyond a centre of
-///   curvature, NaN.
+/// - **Range:** the normal is `n` where the displaced surface has none: parallel derivatives,
+///   heights beyond a center of curvature, NaN.
 ///
 /// ```
 /// use asperity_shading::bump::displace;
 /// use asperity_shading::glam::{Vec2, Vec3};
 ///
-/// // A sphere of radius 2, raised by 1 everywhere: its normals stay.
+/// // A sphere of radius 2, raised by 1 everywhere: its normals do not change.
 /// let (n, p) = (Vec3::Z, [Vec3::X, Vec3::Y]);
 /// let raised = displace(2.0 * n, n, p, p.map(|p| p / 2.0), 1.0, Vec2::ZERO);
 /// assert_eq!((raised.position, raised.normal), (3.0 * n, n));
@@ -66,7 +66,7 @@ mod tests {
     #[test]
     fn surfaces_of_any_size_have_unit_normals() {
         let (p, slope) = ([Vec3::new(0.8, 0.1, 0.2), Vec3::new(-0.1, 0.7, 0.3)], Vec2::new(0.3, -0.4));
-        // Of either hand.
+        // With either handedness.
         for (p, slope) in [(p, slope), ([p[1], p[0]], slope.yx())] {
             let normal = |size: f32| {
                 displace(Vec3::ZERO, Vec3::Z, p.map(|p| size * p), [Vec3::ZERO; 2], size, size * slope).normal
@@ -79,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn displaced_sphere_has_the_normal_of_its_differences() {
+    fn displaced_sphere_normal_matches_finite_differences() {
         // r(θ, φ) = 1 + 0.1 sin 3θ cos 2φ.
         let height = |theta: f32, phi: f32| 0.1 * (3.0 * theta).sin() * (2.0 * phi).cos();
         let at =
@@ -103,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_normal_keeps_the_old_one() {
+    fn displace_without_normal_returns_the_original_normal() {
         assert_eq!(
             displace(Vec3::ZERO, Vec3::Z, [Vec3::X; 2], [Vec3::ZERO; 2], 0.0, Vec2::ONE).normal,
             Vec3::Z

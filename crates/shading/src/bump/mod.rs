@@ -1,4 +1,4 @@
-//! Bump mapping: surface gradients, displaced surfaces, and facets for slopes that a pixel does not resolve.
+//! Bump mapping: surface gradients, displaced surfaces, and facets for unresolved slopes.
 
 mod displacement;
 pub(crate) mod slope_facets;

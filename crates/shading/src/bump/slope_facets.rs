@@ -1,4 +1,4 @@
-//! Slopes that a pixel does not resolve, as a few facets.
+//! Unresolved slopes as a few facets.
 
 use asperity_ndf_sampling::Frame;
 use glam::Vec3;
@@ -6,54 +6,57 @@ use glam::Vec3;
 use crate::bump::surface_gradient::bumped_normal;
 use crate::math::sqrt;
 
-/// A facet of a surface: a normal with a share of a pixel.
+/// A facet of a surface: a normal with its fraction of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Facet {
-    /// The share of the pixel, in [0, 1].
+    /// The fraction of the pixel, in [0, 1].
     pub share: f32,
     /// The unit normal.
     pub normal: Vec3,
 }
 
 impl Facet {
-    /// The whole of a surface that is flat, in its own frame.
+    /// A flat surface in its own frame.
     pub const FLAT: Self = Self { share: 1.0, normal: Vec3::Z };
 
-    /// A facet of this share and normal.
+    /// Creates a facet with this fraction and normal.
     #[must_use]
     pub const fn new(share: f32, normal: Vec3) -> Self {
         Self { share, normal }
     }
 
-    /// A part of the facet: the normal with a share of its share.
+    /// A part of the facet: the normal with a fraction of its fraction.
     pub(crate) fn part(self, share: f32) -> Self {
         Self { share: self.share * share, ..self }
     }
 }
 
-/// Facets that stand for Gaussian slopes about a bumped normal, with their shares.
+/// Approximates Gaussian slopes around a bumped normal by facets with weights.
 ///
 /// ```text
 /// slopes g, g + √(6 − 2√3) σ (cos kπ/3, sin kπ/3) and g + √(6 + 2√3) σ (sin kπ/3, cos kπ/3),
 /// shares 1/3, six times (2 + √3)/36 and six times (2 − √3)/36,   σ² = variance,   g the slope of `bumped`
 /// ```
 ///
-/// `variance` is that along each axis: what fading took from the bumps of a material. The mean of any lighting model over the facets is what the pixel shows, exactly so for models that are
-/// polynomials of the slope up to the fifth degree, and for those of |slope − g|² up to the fourth: Gauss and Radau's formula for
-/// the weight of Laguerre, with hexagons in place of circles (Stroud 1971, *Approximate Calculation of Multiple Integrals*, §2.7).
-/// A lobe of Beckmann's α = √2 · σ or more sees no gaps between them: a mirror of that width with σ = 0.1 is 1.3 % of its peak off
-/// straight above, one of half the width 56 %. For a narrower one α² + 2 · variance is the better approximation.
+/// `variance` is the variance along each axis, which level of detail removed from the bumps of a
+/// material. The mean of a lighting model over the facets is the radiance of the pixel. It is exact
+/// for models that are polynomials of the slope up to the fifth degree, and polynomials of |slope −
+/// g|² up to the fourth. The rule is Gauss–Radau quadrature for the Laguerre weight, with hexagons
+/// in place of circles (Stroud 1971, *Approximate Calculation of Multiple Integrals*, §2.7). A
+/// Beckmann lobe of α = √2 · σ or more has no gaps between the facets. With σ = 0.1 a mirror of
+/// this width errs by 1.3 % of its peak directly above, and a mirror of half this width by 56 %.
+/// For narrower lobes α² + 2 · variance is the better approximation.
 ///
-/// Facets may be turned from the eye: see [`facing`](crate::bump::facing).
+/// Facets may face away from the eye: see [`facing`](crate::bump::facing).
 ///
-/// - **Domain:** unit `n` and `bumped`. One facet, `bumped`, for a variance that is not positive and finite, and for a normal that is
-///   not above the surface.
+/// - **Domain:** unit `n` and `bumped`. A variance that is not positive and finite, or a normal
+///   that is not above the surface, returns one facet, `bumped`.
 ///
 /// ```
 /// use asperity_shading::bump::slope_facets;
 /// use asperity_shading::glam::Vec3;
 ///
-/// // Bumps take from a lamp straight above what they give to their sides.
+/// // Bumps reduce the light from straight above and reflect it to the sides.
 /// let mean = |light: Vec3| -> f32 {
 ///     slope_facets(Vec3::Z, Vec3::Z, 0.01).map(|f| f.share * f.normal.dot(light).max(0.0)).sum()
 /// };
@@ -67,13 +70,15 @@ pub fn slope_facets(n: Vec3, bumped: Vec3, variance: f32) -> impl Iterator<Item 
     in_rings(n, bumped, [tangent * deviation, bitangent * deviation], rings)
 }
 
-/// Fewer facets for slopes with these deviations along two axes, with this share of the facet in the middle.
+/// Fewer facets for slopes with these deviations along two axes.
+///
+/// The facet in the middle has the given fraction.
 ///
 /// ```text
 /// √(2/(1 − middle)) (u cos kπ/3 + v sin kπ/3),   shares (1 − middle)/6
 /// ```
 ///
-/// Exact up to the fifth degree for a middle of one half (Stroud 1971, E₂^{r²} 5-1).
+/// Exact up to the fifth degree if the middle has one half (Stroud 1971, E₂^{r²} 5-1).
 #[doc(hidden)]
 pub fn facets_along(
     n: Vec3,
@@ -84,7 +89,9 @@ pub fn facets_along(
     in_rings(n, bumped, axes, [[1.0 - middle, sqrt(2.0 / (1.0 - middle))]])
 }
 
-/// A facet in the middle, and six in each ring of this share and radius, every other ring turned by a twelfth.
+/// A facet in the middle and six in each ring of this fraction and radius.
+///
+/// Every other ring is rotated by a twelfth of a turn.
 fn in_rings<const RINGS: usize>(
     n: Vec3,
     bumped: Vec3,
@@ -138,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_variance_is_one_facet() {
+    fn slope_facets_of_invalid_variance_is_one_facet() {
         let bumped = Vec3::new(0.6, 0.0, 0.8);
         for variance in [0.0, -1.0, f32::NAN, f32::INFINITY] {
             assert!(slope_facets(Vec3::Z, bumped, variance).eq([Facet::new(1.0, bumped)]), "{variance}");
@@ -147,7 +154,8 @@ mod tests {
             assert!(slope_facets(Vec3::Z, bumped, 0.1).eq([Facet::new(1.0, bumped)]), "{bumped}");
         }
         assert_eq!(slope_facets(Vec3::Z, Vec3::NAN, 0.1).count(), 1);
-        // A large variance is a flank in every direction, and stays a unit normal.
+        // A large variance has steep slopes in every direction, and the normals remain unit
+        // vectors.
         assert!(slope_facets(Vec3::Z, Vec3::Z, 1e30).all(|f| (f.normal.length() - 1.0).abs() < 1e-5));
     }
 }

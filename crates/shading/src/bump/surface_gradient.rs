@@ -1,4 +1,4 @@
-//! Bump mapping: the normals of a surface displaced along its normal, by surface gradients.
+//! Bump mapping: normals of a surface displaced along its normal, from surface gradients.
 
 use asperity_ndf_sampling::Frame;
 use glam::{Vec2, Vec3};
@@ -6,21 +6,25 @@ use glam::{Vec2, Vec3};
 use crate::direction::{along, near_one, reflect};
 use crate::math::sqrt;
 
-/// The gradient along a surface of a height that is given by its derivatives in two parameters.
+/// The surface gradient of a height, from its derivatives in two parameters.
 ///
 /// ```text
 /// ∇F = (F_u (P_v × n) + F_v (n × P_u)) / (n · (P_u × P_v)),   ∇F·P_u = F_u,   ∇F·P_v = F_v
 /// ```
 ///
-/// - **Domain:** unit normal `n`; `p = [P_u, P_v]`, the derivatives of the position, which span the tangent plane in any
-///   orientation, at any angle and length; `slope = (F_u, F_v)`. The parameters may be texture coordinates or the axes of the
-///   screen, with the differences between neighbouring pixels for derivatives.
-/// - **Range:** a vector across `n`; zero where `P_u` and `P_v` are parallel, and for NaN and infinity.
+/// - **Domain:** unit normal `n`; `p = [P_u, P_v]`, the derivatives of the position, which span the
+///   tangent plane in any orientation, at any angle and length; `slope = (F_u, F_v)`. The
+///   parameters may be texture coordinates, or screen coordinates with differences between
+///   neighboring pixels as derivatives.
+/// - **Range:** a vector perpendicular to `n`; zero where `P_u` and `P_v` are parallel, and for NaN
+///   and infinity.
 ///
-/// Gradients of several heights on one surface are added before [`bumped_normal`] turns the normal once.
+/// Add the gradients of several heights on one surface, then call [`bumped_normal`] once.
 ///
-/// Cohen's lecture (after Blinn 1978, *Simulation of Wrinkled Surfaces*) adds `U + V = F_u (n × P_v) − F_v (n × P_u)` to a unit
-/// normal, which is `−∇F` where `P_u` and `P_v` are of unit length, at right angles and right-handed. Mikkelsen 2020, *Surface Gradient-Based Bump Mapping Framework*, eq. 1–3, has this one.
+/// Cohen's lecture (after Blinn 1978, *Simulation of Wrinkled Surfaces*) adds `U + V = F_u (n ×
+/// P_v) − F_v (n × P_u)` to a unit normal. This is `−∇F` if `P_u` and `P_v` are orthonormal and
+/// right-handed. The general form is Mikkelsen 2020, *Surface Gradient-Based Bump Mapping
+/// Framework*, eq. 1–3.
 ///
 /// ```
 /// use asperity_shading::bump::{bumped_normal, surface_gradient};
@@ -39,14 +43,15 @@ pub fn surface_gradient(n: Vec3, p: [Vec3; 2], slope: Vec2) -> Vec3 {
     if gradient.is_finite() { gradient } else { Vec3::ZERO }
 }
 
-/// The part along a surface of a gradient in space: of a noise that the surface cuts.
+/// The surface part of a gradient in space, e.g. of a solid noise.
 ///
 /// ```text
 /// ∇F = g − n (n·g)
 /// ```
 ///
-/// - **Domain:** unit normal `n`, gradient `g` by position: of `noise(frequency · P)` it is `frequency` times the noise's own.
-/// - **Range:** a vector across `n`; zero for NaN and infinity.
+/// - **Domain:** unit normal `n`, gradient `g` by position. For `noise(frequency · P)` it is
+///   `frequency` times the gradient of the noise.
+/// - **Range:** a vector perpendicular to `n`; zero for NaN and infinity.
 ///
 /// ```
 /// use asperity_shading::bump::tangential;
@@ -60,15 +65,15 @@ pub fn tangential(n: Vec3, g: Vec3) -> Vec3 {
     if gradient.is_finite() { gradient } else { Vec3::ZERO }
 }
 
-/// The gradient of the height whose normal in a tangent frame is `m`: a normal map's texel, or a facet.
+/// The gradient of the height with normal `m` in a tangent frame, e.g. a texel of a normal map.
 ///
 /// ```text
 /// ∇F = −(m_x t + m_y b) / m_z
 /// ```
 ///
-/// - **Domain:** unit `m`, whose z component points away from the surface; below 2⁻¹⁰ it counts as that, so that texels at and
-///   below the horizon are steep and not upside down.
-/// - **Range:** a vector across the frame's normal; zero for NaN and infinity.
+/// - **Domain:** unit `m`, whose z component points away from the surface. Components below 2⁻¹⁰
+///   are clamped to 2⁻¹⁰, so texels at and below the horizon are steep and not upside down.
+/// - **Range:** a vector perpendicular to the normal of the frame; zero for NaN and infinity.
 ///
 /// ```
 /// use asperity_shading::bump::{bumped_normal, gradient_of_normal};
@@ -86,18 +91,18 @@ pub fn gradient_of_normal(frame: &Frame, m: Vec3) -> Vec3 {
     if gradient.is_finite() && !m.z.is_nan() { gradient } else { Vec3::ZERO }
 }
 
-/// The normal of a surface whose height above it has this gradient.
+/// The normal of a surface with this surface gradient of its height.
 ///
 /// ```text
 /// n′ = (n − ∇F) / |n − ∇F|
 /// ```
 ///
-/// - **Domain:** unit normal `n`, gradient across it; a part along `n` is taken out.
-/// - **Range:** a unit vector less than 90° from `n`: `n·n′ = 1/√(1 + |∇F|²)`, where slopes above 10⁴ count as that; `n` itself
-///   for NaN and infinity.
+/// - **Domain:** unit normal `n`, gradient perpendicular to it; a component along `n` is removed.
+/// - **Range:** a unit vector less than 90° from `n`: `n·n′ = 1/√(1 + |∇F|²)`. Slopes are clamped
+///   to 10⁴. NaN and infinity return `n`.
 ///
-/// Exact for a plane. On a curved surface it leaves out the height times the curvature, as Blinn 1978 does;
-/// [`displace`](crate::bump::displace) does not.
+/// Exact for a plane. On a curved surface it omits the height times the curvature, as Blinn 1978
+/// does. [`displace`](crate::bump::displace) includes it.
 ///
 /// ```
 /// use asperity_shading::bump::bumped_normal;
@@ -112,7 +117,7 @@ pub fn gradient_of_normal(frame: &Frame, m: Vec3) -> Vec3 {
 #[must_use]
 pub fn bumped_normal(n: Vec3, gradient: Vec3) -> Vec3 {
     let steepest = gradient.abs().max_element();
-    // Beyond this slope the rounding of the gradient's own part along n would outweigh n.
+    // Beyond this slope the rounding of the component of the gradient along n would outweigh n.
     let g = if steepest > MAX_SLOPE { gradient * (MAX_SLOPE / steepest) } else { gradient };
     let bumped = (n - (g - n * n.dot(g))).normalize_or_zero();
     if bumped.is_finite() && bumped != Vec3::ZERO { bumped } else { n }
@@ -120,14 +125,14 @@ pub fn bumped_normal(n: Vec3, gradient: Vec3) -> Vec3 {
 
 const MAX_SLOPE: f32 = 1e4;
 
-/// The derivatives of a height by its neighbours, where they are not known otherwise.
+/// The derivatives of a height by finite differences.
 ///
 /// ```text
 /// F_u ≈ (F(u + h, v) − F(u − h, v)) / 2h,   F_v likewise
 /// ```
 ///
-/// Four evaluations; the error is `h²/6` times the third derivative, and the rounding of `F` over `h`. A step of 0 or NaN
-/// gives zero.
+/// Takes four evaluations. The error is `h²/6` times the third derivative, plus the rounding of `F`
+/// over `h`. A step of 0 or NaN returns zero.
 ///
 /// ```
 /// use asperity_shading::bump::differences;
@@ -143,18 +148,19 @@ pub fn differences(height: impl Fn(Vec2) -> f32, uv: Vec2, step: f32) -> Vec2 {
     if slope.is_finite() { slope } else { Vec2::ZERO }
 }
 
-/// A shading normal that the viewer can see: the one given, or the nearest whose mirrored view leaves the surface.
+/// Bends a shading normal until the mirrored view leaves the surface.
 ///
-/// A bumped normal may face away from the viewer, or mirror the view into the surface, where there is nothing to see but
-/// black: it is turned towards the geometric normal `n`, in their plane, just as far that the mirrored view is parallel to the
-/// surface. Where the view itself comes from below, the bumped normal is returned as it is.
+/// A bumped normal may face away from the viewer, or mirror the view into the surface, which
+/// renders black. It is rotated towards the geometric normal `n`, in their plane, until the
+/// mirrored view is parallel to the surface. If the view itself comes from below, the bumped normal
+/// is returned unchanged.
 ///
 /// ```text
 /// n″ ∝ ωo + r,   r the mirrored view with its part along n taken out
 /// ```
 ///
 /// - **Domain:** unit `n`, `bumped` and view `wo`, away from the surface.
-/// - **Range:** a unit vector; a bumped normal that is not finite is `n`.
+/// - **Range:** a unit vector; `n` if the bumped normal is not finite.
 ///
 /// ```
 /// use asperity_shading::bump::facing;
@@ -171,11 +177,11 @@ pub fn facing(n: Vec3, bumped: Vec3, wo: Vec3) -> Vec3 {
     }
     let mirrored = reflect(wo, bumped);
     let cosine = wo.dot(n);
-    // Written so that NaN takes the normal as it is.
+    // Written so that NaN returns the normal unchanged.
     if !(cosine > 0.0 && mirrored.dot(n) < 0.0) {
         return bumped;
     }
-    // Squares of a view much shorter than 1 would leave the range.
+    // Squares of a view much shorter than 1 would underflow.
     let level = near_one(tangential(n, mirrored));
     let length = sqrt(level.dot(level));
     let level = if length > 0.0 { level / length } else { Vec3::ZERO };
@@ -190,7 +196,7 @@ mod tests {
     #[test]
     fn surface_gradient_has_the_given_slopes() {
         let n = Vec3::new(0.48, 0.6, 0.64);
-        // Oblique, of different lengths, in both orientations.
+        // Oblique, with different lengths, in both orientations.
         let frame = Frame::from_normal(n);
         let (t, b) = (frame.tangent, frame.bitangent);
         for p in [[2.0 * t, 0.3 * t + 0.5 * b], [b, t - 0.2 * b], [-3.0 * t, b]] {
@@ -202,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_gradient_is_flat() {
+    fn surface_gradient_of_degenerate_input_is_zero() {
         let bad = Vec3::new(f32::NAN, 0.0, 1.0);
         assert_eq!(surface_gradient(Vec3::Z, [Vec3::X, 2.0 * Vec3::X], Vec2::ONE), Vec3::ZERO);
         assert_eq!(surface_gradient(Vec3::Z, [Vec3::X, bad], Vec2::ONE), Vec3::ZERO);
@@ -215,7 +221,7 @@ mod tests {
     }
 
     #[test]
-    fn seen_normals_mirror_the_view_out_of_the_surface() {
+    fn facing_mirrors_the_view_out_of_the_surface() {
         let n = Vec3::Z;
         for i in 0..200 {
             let (a, b) = (0.031 * i as f32, 0.77 * i as f32);
@@ -224,7 +230,8 @@ mod tests {
             let bumped = Vec3::new((2.3 * a).sin(), (1.7 * b).cos(), 0.3).normalize();
             let seen = facing(n, bumped, wo);
             assert!((seen.length() - 1.0).abs() < 1e-5 && seen.dot(wo) >= -1e-6, "{wo}, {bumped}: {seen}");
-            // At worst the sum of view and mirrored view is as short as the view is low, 1e-3, and errs by 1e-7 of 1.
+            // In the worst case the sum of view and mirrored view is as short as the height of the
+            // view, 1e-3, and errs by 1e-7 of 1.
             assert!(reflect(wo, seen).z >= -1e-4, "{wo}, {bumped}: {seen}");
             if reflect(wo, bumped).z >= 0.0 {
                 assert_eq!(seen, bumped);
@@ -235,7 +242,7 @@ mod tests {
     }
 
     #[test]
-    fn views_of_any_length_see_a_unit_normal() {
+    fn facing_accepts_views_of_any_length() {
         let bumped = Vec3::new(-0.8, 0.0, 0.6);
         for length in [f32::from_bits(9), 1e-40, 1e-23, 1e-21, 1e-11, 1.0, 1e11, 1e18] {
             let wo = length * Vec3::new(0.8, 0.0, 0.6);

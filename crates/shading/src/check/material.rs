@@ -6,13 +6,15 @@ use glam::{Vec2, Vec3};
 use crate::check::scattering::{Scattering, VIEWS, add_totality, view};
 use crate::material::{Material, SurfacePoint};
 
-/// Places of the unit square along each side, over which delta lobes are averaged.
+/// Points of the unit square along each side, over which delta lobes are averaged.
 const SIDE: u8 = 16;
 
-/// Checks of a [`Material`] at a point: energy, density, samples, weights, sign and totality of its BSDFs, each for its own view.
+/// Checks a [`Material`] at a point: energy, density, samples, weights, sign and invalid input.
 ///
-/// They are those of [`brdf`](crate::check::brdf), and the light of smooth coats and panes, which no density has, counts in the energy.
-/// Bump mapping is not reciprocal, so that reciprocity is not asked for.
+/// Each BSDF is checked for its own view.
+///
+/// The checks are those of [`brdf`](crate::check::brdf). The energy includes the delta lobes of
+/// smooth coats and panes. Reciprocity is not checked, because bump mapping is not reciprocal.
 ///
 /// ```
 /// use asperity_shading::check::{self, Settings};

@@ -1,7 +1,8 @@
-//! Property tests for any reflectance or material, your own included: reciprocity, energy, samples against their density by χ²,
-//! totality on odd input.
+//! Property tests for any BRDF or material, including your own.
 //!
-//! Five lines do to another reflectance what the tests of this crate do to its own:
+//! They cover reciprocity, energy, χ² of samples against their density, and invalid input.
+//!
+//! A custom BRDF gets the tests of this crate in five lines:
 //!
 //! ```
 //! use asperity_shading::{Lambert, check::{self, Settings}, glam::Vec3};
@@ -12,12 +13,12 @@
 //! # Ok::<(), asperity_shading::ParameterError>(())
 //! ```
 //!
-//! The report, its settings and the cells that integrals are taken over are those of
-//! [`asperity_ndf_sampling::check`](crate::ndf_sampling::check), which does the same for densities of normals: the significance is
-//! divided evenly among the χ² tests, one for each view. What a reflectance has in lobes that its sampler never meets and that are
-//! narrower than a sixth of a cell may be overlooked.
+//! The report, its settings and the integration cells are those of
+//! [`asperity_ndf_sampling::check`](crate::ndf_sampling::check), which tests NDFs. The significance
+//! is divided evenly among the χ² tests, one for each view. A lobe that the sampler never hits and
+//! that is narrower than a sixth of a cell may be missed.
 //!
-//! The feature `check` is off by default and adds no dependency: enable it for `dev-dependencies`.
+//! The feature `check` is off by default and adds no dependency. Enable it in `dev-dependencies`.
 
 mod material;
 mod reflectance;

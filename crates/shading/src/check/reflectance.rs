@@ -1,4 +1,4 @@
-//! Checks of reflectances, opaque or transparent.
+//! Checks of BRDFs and BSDFs.
 
 use alloc::format;
 
@@ -8,28 +8,33 @@ use glam::{Vec2, Vec3};
 use crate::check::scattering::{Scattering, VIEWS, Worst, add_totality, towards};
 use crate::reflectance::Brdf;
 
-/// The largest relative difference of both ways that passes: in the tail of a narrow lobe the exponent carries the rounding of h.
+/// The largest accepted relative difference between both directions.
+///
+/// In the tail of a narrow lobe the exponent magnifies the rounding of h.
 const RECIPROCITY: f64 = 2e-3;
 
 /// Pairs of directions that are compared both ways.
 const PAIRS: usize = 4096;
 
-/// Checks of a [`Brdf`]: reciprocity, energy, density, samples, weights, sign, totality.
+/// Checks a [`Brdf`]: reciprocity, energy, density, samples, weights, sign, invalid input.
 ///
 /// - **reciprocity:** `f(ωi, ωo) = f(ωo, ωi)` to 0.2 %, for 4096 pairs, half of them by `sample`;
-/// - **energy:** `∫ f |cos θ_i| dω_i ≤ 1.002` in every channel, from four views, or eight where light comes through;
+/// - **energy:** `∫ f |cos θ_i| dω_i ≤ 1.002` in every channel, from four views, or eight if the
+///   BSDF transmits;
 /// - **density:** `∫ density dω_i ≤ 1.002`;
-/// - **samples:** `sample` draws from `density`, by χ² over 256 cells, each view at its share of the significance of the settings; samples
-///   below an opaque surface, and those that are zero, are what the density lacks to 1;
-/// - **weights:** `f |cos θ_i|` is a finite weight times the density: where there is none, the light comes to at most 0.001;
-/// - **sign:** no value and no density is negative;
-/// - **totality:** odd input, NaN, infinities, huge and tiny numbers, gives finite values and densities that are not negative, 0 below an
-///   opaque surface, and samples that are unit vectors or zero.
+/// - **samples:** `sample` draws from `density`, by χ² over 256 cells, each view at its fraction of
+///   the significance of the settings. Samples below an opaque surface and zero samples account for
+///   the difference of the density from 1;
+/// - **weights:** `f |cos θ_i|` is a finite weight times the density. Where the density is 0, the
+///   light is at most 0.001;
+/// - **sign:** values and densities are not negative;
+/// - **invalid input:** NaN, infinities, huge and tiny numbers return finite non-negative values
+///   and densities, which are 0 below an opaque surface, and samples that are unit vectors or zero.
 ///
 /// ```
 /// use asperity_shading::{Brdf, check::{self, Settings}, glam::Vec3};
 ///
-/// /// A lobe that depends on where the light comes from alone.
+/// /// A lobe that depends only on the direction of the light.
 /// struct Lopsided;
 /// impl Brdf for Lopsided {
 ///     fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
@@ -48,8 +53,9 @@ pub fn brdf(brdf: &dyn Brdf, settings: Settings) -> Report {
     dielectric(brdf, 1.0, settings)
 }
 
-/// Checks of a [`Brdf`] that lets light through into a medium of this relative index: those of [`brdf`](brdf()), where both ways differ
-/// by the squares of indices.
+/// Checks a [`Brdf`] that transmits light into a medium of this relative index.
+///
+/// The checks are those of [`brdf`](brdf()), where reciprocity includes the squares of the indices.
 ///
 /// ```text
 /// η_o² f(ωi, ωo) = η_i² f(ωo, ωi)
@@ -67,7 +73,8 @@ pub fn brdf(brdf: &dyn Brdf, settings: Settings) -> Report {
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 ///
-/// Veach 1997, eq. 5.14; radiance is that over η², as [`RoughDielectric`](crate::reflectance::RoughDielectric) has it.
+/// Veach 1997, eq. 5.14, where radiance is divided by η², as in
+/// [`RoughDielectric`](crate::reflectance::RoughDielectric).
 #[must_use]
 pub fn dielectric(brdf: &dyn Brdf, relative_index: f32, settings: Settings) -> Report {
     let mut report = Report::default();
@@ -88,7 +95,7 @@ fn add_reciprocity(report: &mut Report, brdf: &dyn Brdf, index: f32, settings: S
         let wo = direction(a);
         let wi = if k % 2 == 0 { direction(b) } else { brdf.sample(wo, b) };
         let (there, back) = (brdf.value(wi, wo) * squared(wo), brdf.value(wo, wi) * squared(wi));
-        // Values without weight in the albedo do not count.
+        // Values without weight in the albedo are ignored.
         let most = there.max(back).max_element().max(1e-4);
         worst.note(f64::from((there - back).abs().max_element() / most), || format!("at {wi} and {wo}"));
     }

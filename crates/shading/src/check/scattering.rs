@@ -1,4 +1,4 @@
-//! Reflectances seen from a few views, and given odd input.
+//! BRDFs evaluated from a few views and with invalid input.
 
 use alloc::format;
 use alloc::string::String;
@@ -11,16 +11,16 @@ use glam::{Vec2, Vec3};
 use crate::math::{cos, sin, sqrt};
 use crate::reflectance::Brdf;
 
-/// By how much an integral may exceed 1: what quadrature over cells may come to.
+/// The accepted excess of an integral over 1, the error of quadrature over cells.
 const INTEGRAL: f64 = 2e-3;
 
-/// The most light that may come from where there is no density.
+/// The largest accepted amount of light from directions without density.
 const BARE: f64 = 1e-3;
 
 /// Samples from which cells are made, 64 for each.
 const PILOT: usize = 1 << 14;
 
-/// Views: as many from above as from below, where they count if light comes through.
+/// Views: equally many from above and from below, where the latter are used if the BSDF transmits.
 pub(super) const VIEWS: u8 = 8;
 
 /// The direction of a view: even ones from above.
@@ -29,13 +29,13 @@ pub(super) fn view(k: u8) -> Vec3 {
     towards(if k.is_multiple_of(2) { up } else { -up }, 0.1 + 0.37 * f32::from(k))
 }
 
-/// The direction of this height, so many turns about the normal.
+/// The direction with this height and azimuth in turns.
 pub(super) fn towards(z: f32, turns: f32) -> Vec3 {
     let (across, phi) = (sqrt((1.0 - z * z).max(0.0)), core::f32::consts::TAU * turns);
     Vec3::new(across * cos(phi), across * sin(phi), z)
 }
 
-/// The greatest of some values, with its place; NaN is greater than any.
+/// The largest of some values and where it occurs; NaN is larger than any number.
 #[derive(Default)]
 pub(super) struct Worst {
     pub(super) value: f64,
@@ -70,7 +70,7 @@ impl Scattering {
         Self { settings, energy, density, bare, negative, p_values: Vec::new() }
     }
 
-    /// Looks at a reflectance from a view, from which so much light more comes from single directions.
+    /// Evaluates a BRDF from a view, given the additional light of delta lobes.
     pub(super) fn see(&mut self, brdf: &dyn Brdf, k: u8, smooth: Vec3) {
         let (wo, through) = (view(k), brdf.transmits());
         if wo.z < 0.0 && !through {
@@ -79,7 +79,8 @@ impl Scattering {
         let place = || format!("from {wo}");
         let samples = |stream: u8, count: usize| {
             let all = self.settings.points(2 + 2 * k + stream).take(count).map(|u| brdf.sample(wo, u));
-            // What lies below an opaque surface, and no direction at all, is a sample that brought nothing.
+            // Directions below an opaque surface, and zero directions, are samples without
+            // contribution.
             all.filter(move |wi| if through { *wi != Vec3::ZERO } else { wi.z > 0.0 })
         };
         let pilot = samples(0, PILOT);
@@ -114,7 +115,7 @@ impl Scattering {
         self.density.add(report, "density", "∫ density dω", 1.0 + INTEGRAL);
         let tests = self.p_values.len().max(1) as f64;
         let least = self.p_values.into_iter().min_by(|a, b| {
-            // NaN, of which nothing is known, is less than any.
+            // NaN, an unknown value, is less than any number.
             let key = |p: f64| if p.is_nan() { -1.0 } else { p };
             key(a.0).total_cmp(&key(b.0))
         });
@@ -125,10 +126,10 @@ impl Scattering {
     }
 }
 
-/// Numbers that evaluation must survive.
+/// Inputs that evaluation must accept.
 const ODD: [f32; 10] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, 1e-40, 1e38, -1e38, -1.0, 0.5];
 
-/// Adds totality of every call.
+/// Adds the check that every method accepts every input.
 pub(super) fn add_totality(report: &mut Report, brdf: &dyn Brdf) {
     let (mut count, mut first) = (0_u32, String::new());
     let mut unless = |kept: bool, case: &dyn Fn() -> String| {

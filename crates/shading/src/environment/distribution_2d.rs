@@ -1,4 +1,4 @@
-//! Directions in proportion to an image's brightness: distribution functions on the sphere, and their inverses.
+//! Sampling of directions in proportion to the brightness of an image.
 
 use core::f32::consts::TAU;
 
@@ -8,10 +8,13 @@ use crate::environment::latitude_longitude::{LatitudeLongitude, MAX_TEXELS, Plac
 use crate::image::{ImageError, texel_count};
 use crate::math::{cos, sin, sqrt};
 
-/// The largest `f32` below 1: `u = 1` counts as this, so that inversion ends inside the density.
+/// The largest `f32` below 1, to which `u = 1` is clamped, so that inversion ends inside the
+/// density.
 const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
 
-/// The numbers of the table of an image: sums along each row, then the distribution function over the strips between rows.
+/// The number of entries in the table of an image.
+///
+/// They are the sums along each row, then the CDF over the strips between rows.
 pub(super) const fn table_len(width: usize, height: usize) -> Result<usize, ImageError> {
     match texel_count(width, height, MAX_TEXELS) {
         Ok(texels) => Ok(texels + height + 1),
@@ -19,7 +22,7 @@ pub(super) const fn table_len(width: usize, height: usize) -> Result<usize, Imag
     }
 }
 
-/// Brightness by which samples are drawn: the mean of the channels, so that none is missed.
+/// The brightness for sampling: the mean of the channels, so that none is missed.
 #[inline]
 fn brightness(colour: Vec3) -> f32 {
     colour.dot(Vec3::splat(1.0 / 3.0))
@@ -46,7 +49,7 @@ pub(super) fn fill(image: LatitudeLongitude<'_>, table: &mut [f32]) -> f32 {
         total += 0.5 * (above + below) * area;
         *entry = total as f32;
     }
-    // Divided by its own last entry, which is then 1 to the bit.
+    // Divided by its own last entry, which is then exactly 1.
     let last = strips.last().copied().unwrap_or_default();
     for entry in strips.iter_mut() {
         *entry /= last;
@@ -59,14 +62,14 @@ pub(super) struct Tables<'a> {
     pub(super) image: LatitudeLongitude<'a>,
     /// Sums of brightness along each row.
     pub(super) rows: &'a [f32],
-    /// The distribution function over the strips.
+    /// The CDF over the strips.
     pub(super) strips: &'a [f32],
     /// The integral of the brightness over the sphere.
     pub(super) total: f32,
 }
 
 impl Tables<'_> {
-    /// The sum of a row of centres, or of a pole, up to and with the trapezoid at `column`.
+    /// The sum of a row of centers, or of a pole, up to and including the trapezoid at `column`.
     #[inline]
     fn sum(&self, row: usize, column: usize) -> f32 {
         if row == 0 || row > self.image.height() {
@@ -99,13 +102,13 @@ impl Tables<'_> {
     /// The direction of a uniform point.
     pub(super) fn sample(&self, u: Vec2) -> Vec3 {
         let [across, u] = u.to_array().map(|u| if u > 0.0 { u.min(BELOW_ONE) } else { 0.0 });
-        // Which strip, and where in it.
+        // The strip, and the position in it.
         let strip = self.strips.partition_point(|&sum| sum <= u).min(self.image.height());
         let below = |k: usize| self.strips.get(k).copied().unwrap_or_default();
         let before = if strip > 0 { below(strip - 1) } else { 0.0 };
         let share = (u - before) / (below(strip) - before);
         let down = linear_quantile(self.row_sum(strip), self.row_sum(strip + 1), share);
-        // Which column. The sums of both rows, as far between them, are those of the row in between.
+        // The column. The interpolated sums of both rows are the sums of the row in between.
         let between = |[above, below]: [f32; 2]| above + down * (below - above);
         let sum = |column: usize| between([self.sum(strip, column), self.sum(strip + 1, column)]);
         let last = self.image.width() - 1;
@@ -134,7 +137,7 @@ impl Tables<'_> {
     }
 }
 
-/// Inverse CDF at `u` of a linear density over [0, 1] that runs from `a` to `b`.
+/// Inverse CDF at `u` of a linear density over [0, 1] from `a` to `b`.
 ///
 /// ```text
 /// x = u (a + b)/(a + √(a² + u (b² − a²)))
@@ -144,7 +147,7 @@ fn linear_quantile(a: f32, b: f32, u: f32) -> f32 {
     let (a, b) = (a / most, b / most);
     let root = sqrt((a * a + u * (b * b - a * a)).max(0.0));
     let x = u * (a + b) / (a + root);
-    // Of weights that are both 0 it is NaN, for which there is no sample.
+    // NaN if both weights are 0; there is no sample then.
     if x > 0.0 { x.min(1.0) } else { 0.0 }
 }
 

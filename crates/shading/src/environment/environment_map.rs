@@ -1,4 +1,4 @@
-//! An environment with samples in proportion to its brightness.
+//! An environment map with importance sampling by brightness.
 
 #[cfg(feature = "alloc")]
 use alloc::{vec, vec::Vec};
@@ -15,7 +15,7 @@ use crate::image::ImageError;
 #[cfg(feature = "alloc")]
 use crate::image::texel_count;
 
-/// An image by latitude and longitude with the table from which its samples are drawn.
+/// A latitude–longitude image with a table for importance sampling.
 ///
 /// [`EnvironmentMap`] owns both, [`EnvironmentRef`] borrows them.
 ///
@@ -23,15 +23,17 @@ use crate::image::texel_count;
 /// p(ω) = l(φ, z)/∫ l dω,   l bilinear in longitude and in height z between the centres of the texels
 /// ```
 ///
-/// - **Look-up:** see [`LatitudeLongitude`].
-/// - **Density:** `l` is the mean of the three channels. Along a row it is proportional to the brightness; between rows it goes with
-///   z where the look-up goes with the angle, so that all is in closed form: the marginal distribution over z and the
-///   conditional one over longitude are quadratic between centres, and inverted exactly. Wherever the image is bright the
-///   density is positive. Its integral is 1. A black image is sampled uniformly.
-/// - **Accuracy:** sums are made in `f64` and kept in `f32`: a texel with less than 10⁻⁷ of its row's light may get too few samples.
+/// - **Lookup:** see [`LatitudeLongitude`].
+/// - **Density:** `l` is the mean of the three channels. Along a row the density is proportional to
+///   the brightness. Between rows it is linear in z where the lookup is linear in the angle, which
+///   keeps everything in closed form: the marginal CDF over z and the conditional CDF over
+///   longitude are quadratic between centers, and inverted exactly. The density is positive
+///   wherever the image is bright. Its integral is 1. A black image is sampled uniformly.
+/// - **Accuracy:** sums are computed in `f64` and stored in `f32`. A texel with less than 10⁻⁷ of
+///   the light of its row may get too few samples.
 ///
-/// The marginal and conditional functions are those of Pharr, Jakob, Humphreys 2023, *Physically Based Rendering*, 4th edition,
-/// §12.5; bilinear where theirs are constant.
+/// The marginal and conditional CDFs are those of Pharr, Jakob, Humphreys 2023, *Physically Based
+/// Rendering*, 4th edition, §12.5, with bilinear instead of constant texels.
 #[doc(alias = "hdri")]
 #[doc(alias = "ibl")]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,7 +73,7 @@ pub type EnvironmentMap = EnvironmentIn<Vec<Vec3>, Vec<f32>>;
 ///
 /// let towards_sun = sky.sample(Vec2::new(0.5, 0.5));
 /// assert!(sky.radiance(towards_sun).x > 100.0);
-/// // All directions would have 0.08 sr⁻¹.
+/// // The uniform density is 0.08 sr⁻¹.
 /// assert!(sky.density(towards_sun) > 1.0 && sky.density(Vec3::NEG_Z) < 0.001);
 /// # Ok::<(), asperity_shading::ImageError>(())
 /// ```
@@ -87,10 +89,10 @@ impl<'a> EnvironmentRef<'a> {
         }
     }
 
-    /// The environment of these texels; `table` is filled.
+    /// Creates the environment of these texels and fills `table`.
     ///
     /// # Errors
-    /// The errors of [`LatitudeLongitude::new`], and for a table whose length is not
+    /// See [`LatitudeLongitude::new`]; also a table whose length is not
     /// [`EnvironmentRef::table_len`].
     pub fn new(
         width: usize,
@@ -110,10 +112,10 @@ impl<'a> EnvironmentRef<'a> {
 
 #[cfg(feature = "alloc")]
 impl EnvironmentMap {
-    /// The environment of these texels, laid out as in [`LatitudeLongitude`].
+    /// Creates the environment of these texels, in the layout of [`LatitudeLongitude`].
     ///
     /// # Errors
-    /// The errors of [`LatitudeLongitude::new`].
+    /// See [`LatitudeLongitude::new`].
     pub fn new(width: usize, height: usize, texels: Vec<Vec3>) -> Result<Self, ImageError> {
         let image = LatitudeLongitudeIn::new(width, height, texels)?;
         let mut table = vec![0.0; table_len(width, height)?];
@@ -121,10 +123,11 @@ impl EnvironmentMap {
         Ok(Self { image, table, total })
     }
 
-    /// The environment of a function of unit directions, taken at the centres of the texels.
+    /// Creates the environment of a function of unit directions, evaluated at the centers of the
+    /// texels.
     ///
     /// # Errors
-    /// The errors of [`EnvironmentMap::new`].
+    /// See [`EnvironmentMap::new`].
     pub fn from_fn(width: usize, height: usize, mut f: impl FnMut(Vec3) -> Vec3) -> Result<Self, ImageError> {
         let mut texels = Vec::with_capacity(texel_count(width, height, MAX_TEXELS)?);
         for (row, column) in (0..height).flat_map(|row| (0..width).map(move |column| (row, column))) {
@@ -147,7 +150,7 @@ impl<S: Deref<Target = [Vec3]>, T: Deref<Target = [f32]>> EnvironmentIn<S, T> {
         self.total
     }
 
-    /// Whether there is light enough to draw samples from.
+    /// Whether there is enough light to draw samples from.
     #[inline]
     const fn is_lit(&self) -> bool {
         self.total > f32::MIN_POSITIVE
@@ -184,7 +187,7 @@ mod tests {
     use core::f32::consts::FRAC_1_PI;
 
     #[test]
-    fn black_is_sampled_uniformly() {
+    fn black_image_is_sampled_uniformly() {
         let (texels, mut table) = ([Vec3::ZERO; 8], [0.0; EnvironmentRef::table_len(4, 2)]);
         let night = EnvironmentRef::new(4, 2, &texels, &mut table).unwrap();
         assert_eq!(night.density(night.sample(Vec2::new(0.3, 0.6))), 0.25 * FRAC_1_PI);
@@ -215,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn even_light_has_an_even_density() {
+    fn uniform_light_has_uniform_density() {
         let (texels, mut table) = ([Vec3::splat(3.0); 72], [0.0; EnvironmentRef::table_len(12, 6)]);
         let map = EnvironmentRef::new(12, 6, &texels, &mut table).unwrap();
         assert_abs_diff_eq!(map.total(), 3.0 * 4.0 / FRAC_1_PI, epsilon = 1e-4);
@@ -226,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn refuses_a_table_of_another_length() {
+    fn new_rejects_a_table_of_wrong_length() {
         let texels = [Vec3::ONE; 8];
         let refused = EnvironmentRef::new(4, 2, &texels, &mut [0.0; 12]).unwrap_err();
         assert_eq!(refused, ImageError::TableMismatch { needed: 11, len: 12 });

@@ -1,4 +1,4 @@
-//! Environment lighting: the light that arrives from every direction, as a trait.
+//! The `Environment` trait: light from infinitely far away.
 
 use core::f32::consts::{FRAC_1_PI, TAU};
 
@@ -6,17 +6,17 @@ use glam::{Vec2, Vec3};
 
 use crate::math::{clamp_to, cos, sin, sqrt};
 
-/// Light from infinitely far away: its radiance by direction, and directions drawn where it is bright.
+/// Light from infinitely far away: radiance by direction, and importance sampling.
 ///
 /// ```text
 /// L_o(ωo) = ∫ f_r(ωi, ωo) L(ωi) cos θ_i dω_i
 /// ```
 ///
-/// Directions are in the world's frame, whose z axis is up, and point towards the light; their length does not count.
-/// Colours are linear RGB. The trait is dyn-compatible.
+/// Directions are in the world frame, whose z axis is up, and point towards the light. Their length
+/// is ignored. Colors are linear RGB. The trait is dyn-compatible.
 ///
-/// Every implementation in this crate is total: what is no direction (zero, NaN, infinite) is dark and has the density 0.
-/// A colour is an environment that is the same all around.
+/// Every implementation in this crate accepts every input. An invalid direction (zero, NaN,
+/// infinite) is dark and has density 0. A color is a uniform environment.
 ///
 /// ```
 /// use asperity_shading::{Environment, glam::{Vec2, Vec3}};
@@ -24,7 +24,7 @@ use crate::math::{clamp_to, cos, sin, sqrt};
 /// let fog = Vec3::splat(0.5);
 /// let wi = fog.sample(Vec2::new(0.3, 0.8));
 /// assert_eq!(fog.radiance(wi), fog);
-/// // The mean of radiance/density is the integral over the sphere, 4π L; here at every sample.
+/// // The mean of radiance/density is the integral over the sphere, 4π L, here for every sample.
 /// assert!((fog.radiance(wi) / fog.density(wi) / (4.0 * core::f32::consts::PI) - fog).length() < 1e-6);
 /// ```
 pub trait Environment {
@@ -32,9 +32,10 @@ pub trait Environment {
     #[must_use]
     fn radiance(&self, direction: Vec3) -> Vec3;
 
-    /// A unit direction with the density [`density`](Environment::density), from a uniform point of the unit square.
+    /// Samples a unit direction with [`density`](Environment::density), from a uniform point of the
+    /// unit square.
     ///
-    /// The provided one is uniform on the sphere. Numbers outside `[0, 1)` are moved to it, with NaN as 0.
+    /// The default is uniform on the sphere. Numbers are clamped to `[0, 1)`, NaN is read as 0.
     #[must_use]
     fn sample(&self, u: Vec2) -> Vec3 {
         uniform_sphere(u)
@@ -61,7 +62,8 @@ impl<E: Environment + ?Sized> Environment for &E {
     }
 }
 
-/// Constant radiance from everywhere; what is negative or NaN is 0, infinity the greatest number.
+/// Constant radiance from everywhere; negative numbers and NaN are read as 0, infinity as
+/// `f32::MAX`.
 impl Environment for Vec3 {
     fn radiance(&self, direction: Vec3) -> Vec3 {
         if is_direction(direction) {
@@ -78,7 +80,7 @@ pub(crate) fn is_direction(v: Vec3) -> bool {
     v.is_finite() && v != Vec3::ZERO
 }
 
-/// A direction with the density `1/4π`: by Archimedes, uniform in z and in longitude.
+/// A direction with density `1/4π`: by Archimedes, uniform in z and in longitude.
 #[inline]
 pub(crate) fn uniform_sphere(u: Vec2) -> Vec3 {
     let (down, turn) = (clamp_to(u.y, 1.0), clamp_to(u.x, 1.0));
@@ -92,7 +94,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn provided_samples_are_unit() {
+    fn default_samples_are_unit() {
         let fog: &dyn Environment = &Vec3::ONE;
         for x in [f32::NAN, f32::NEG_INFINITY, 0.0, 0.3, 1.0, 7.0] {
             for y in [f32::NAN, 0.0, 0.25, 1.0, f32::INFINITY] {
@@ -104,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_direction_is_dark() {
+    fn radiance_of_invalid_directions_is_zero() {
         for bad in [Vec3::ZERO, Vec3::NAN, Vec3::INFINITY, Vec3::new(0.0, f32::NAN, 1.0)] {
             assert_eq!((Vec3::ONE.radiance(bad), Vec3::ONE.density(bad)), (Vec3::ZERO, 0.0), "{bad}");
         }

@@ -1,4 +1,4 @@
-//! The irradiance of an environment by nine coefficients.
+//! The irradiance of an environment as nine coefficients.
 
 use core::f32::consts::{FRAC_1_PI, PI};
 
@@ -7,17 +7,18 @@ use glam::{Vec2, Vec3};
 use crate::environment::interface::{Environment, is_direction, uniform_sphere};
 use crate::math::sqrt;
 
-/// Irradiance of an environment by the surface's normal: spherical harmonics up to order 2.
+/// Irradiance of an environment by surface normal: spherical harmonics up to order 2.
 ///
 /// ```text
 /// E(n) = ∫ L(ω) max(0, n·ω) dω ≈ Σ A_l L_lm Y_lm(n),   L_lm = ∫ L Y_lm dω,   A₀ = π, A₁ = 2π/3, A₂ = π/4,   l ≤ 2
 /// ```
 ///
-/// [`Lambert`](crate::Lambert) of the albedo ρ sends on `ρ E(n)/π`.
+/// [`Lambert`](crate::Lambert) with albedo ρ reflects `ρ E(n)/π`.
 ///
-/// - **Error:** what is left out of the light's higher orders, a deviation of 0.5 % of the mean irradiance for a soft sky and of 5.5 % where
-///   a sun brings most of the light, at most 1 % and 13 %, measured beside sampled light over all normals. Values below 0 are 0.
-/// - **Domain:** the normal's length does not count; 0 for what is none.
+/// - **Error:** the higher orders of the light are omitted. The deviation is 0.5 % of the mean
+///   irradiance for a soft sky and 5.5 % where a sun brings most of the light, at most 1 % and 13
+///   %, measured against sampled light over all normals. Values below 0 are clamped to 0.
+/// - **Domain:** the length of the normal is ignored; 0 for an invalid normal.
 ///
 /// Ramamoorthi, Hanrahan 2001, *An Efficient Representation for Irradiance Environment Maps*, eq. 5 to 9.
 ///
@@ -31,21 +32,21 @@ use crate::math::sqrt;
 #[doc(alias = "ibl")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Irradiance {
-    /// `A_l L_lm` by the polynomials of [`harmonics`].
+    /// `A_l L_lm` for the polynomials of [`harmonics`].
     coefficients: [Vec3; 9],
 }
 
 impl Irradiance {
-    /// The irradiance of an environment, which is looked up in `2 rows²` directions of equal solid angles.
+    /// Computes the irradiance of an environment from `2 rows²` directions of equal solid angle.
     ///
-    /// Of an image take at least twice its rows. No rows count as one.
+    /// For an image use at least twice its rows. 0 rows are read as 1.
     #[must_use]
     pub fn new<E: Environment + ?Sized>(environment: &E, rows: u32) -> Self {
         let rows = rows.max(1);
         let mut coefficients = [Vec3::ZERO; 9];
         let weight = 2.0 * PI / (rows as f32 * rows as f32);
         for row in 0..rows {
-            // By rows, so that few terms are added to a sum that is much greater.
+            // By rows, so that few terms are added to a much larger sum.
             let mut sums = [Vec3::ZERO; 9];
             for column in 0..2 * rows {
                 let w = uniform_sphere(Vec2::new(
@@ -111,20 +112,20 @@ mod tests {
     }
 
     #[test]
-    fn light_of_the_same_order_is_exact() {
+    fn irradiance_of_low_order_light_is_exact() {
         let irradiance = Irradiance::new(&Tinted, 64);
         for k in 0..50 {
             let n = uniform_sphere(Vec2::new(0.37 * k as f32 % 1.0, k as f32 / 49.0));
             // ∫ x max(0, n·ω) = 2π/3 n_x; of yz π/4 n_y n_z; of z² − ⅓ the same.
             let z2 = 0.25 * PI * (n.z * n.z - 1.0 / 3.0) + PI / 3.0;
             let expected = Vec3::new(PI + 2.0 * PI / 3.0 * n.x, PI + 0.25 * PI * n.y * n.z, 2.0 * z2);
-            // Measured: 2.2e-3, of the midpoint rule in z.
+            // Measured: 2.2e-3, from the midpoint rule in z.
             assert_abs_diff_eq!(irradiance.at(3.0 * n), expected, epsilon = 3e-3, "{n}");
         }
     }
 
     #[test]
-    fn total_on_every_input() {
+    fn accepts_every_input() {
         let bright = Irradiance::new(&Tinted, 0);
         for bad in [Vec3::ZERO, Vec3::NAN, Vec3::INFINITY] {
             assert_eq!(bright.at(bad), Vec3::ZERO);

@@ -1,4 +1,4 @@
-//! An image of all directions by latitude and longitude, looked up bilinearly across its seam and its poles.
+//! A latitude–longitude image of all directions with bilinear lookup across its seam and poles.
 
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
@@ -11,24 +11,26 @@ use crate::environment::interface::{Environment, is_direction};
 use crate::image::{ImageError, check_texels, texel_count};
 use crate::math::{atan2, cos, floor, sin, sqrt};
 
-/// The most texels of an image.
+/// The maximum number of texels of an image.
 pub(super) const MAX_TEXELS: usize = 1 << 28;
 
-/// The brightest channel: sums over the greatest image stay far within `f32`.
+/// The largest channel value, so that sums over the largest image stay within `f32`.
 const BRIGHTEST: f32 = 1e30;
 
-/// An image of linear radiance by latitude and longitude, in any storage.
+/// A latitude–longitude image of linear radiance, in any storage.
 ///
 /// ```text
 /// x = ½ − atan2(ω_y, ω_x)/2π,   y = θ/π = atan2(√(ω_x² + ω_y²), ω_z)/π          from the upper left, in sides of the image
 /// ```
 ///
-/// - **Layout:** texel `row · width + column` has its centre at `x = (column + ½)/width`, `y = (row + ½)/height`. The first row is
-///   at the zenith, the middle of the image looks along +x, its right half towards −y: as seen from inside.
-/// - **Look-up:** bilinear in x and y between the centres. It wraps in x; beyond the first and the last row it goes to the mean of
-///   that row at the pole, so that the radiance is continuous on the whole sphere.
-/// - **Samples:** those of [`Environment`], uniform on the sphere; for samples by brightness take an
-///   [`EnvironmentRef`](super::EnvironmentRef).
+/// - **Layout:** texel `row · width + column` has its center at `x = (column + ½)/width`, `y = (row +
+///   ½)/height`. The first row is at the zenith. The middle of the image faces +x and its right
+///   half −y, as seen from inside.
+/// - **Lookup:** bilinear in x and y between the centers. It wraps in x. Beyond the first and the
+///   last row it blends to the mean of that row at the pole, so the radiance is continuous on the
+///   whole sphere.
+/// - **Samples:** the default of [`Environment`], uniform on the sphere. For samples by brightness
+///   use an [`EnvironmentRef`](super::EnvironmentRef).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LatitudeLongitudeIn<S> {
     width: usize,
@@ -38,7 +40,7 @@ pub struct LatitudeLongitudeIn<S> {
     poles: [Vec3; 2],
 }
 
-/// A borrowed [image by latitude and longitude](LatitudeLongitudeIn).
+/// A borrowed [latitude–longitude image](LatitudeLongitudeIn).
 ///
 /// ```
 /// use asperity_shading::environment::LatitudeLongitude;
@@ -53,25 +55,27 @@ pub struct LatitudeLongitudeIn<S> {
 /// ```
 pub type LatitudeLongitude<'a> = LatitudeLongitudeIn<&'a [Vec3]>;
 
-/// A point of the image: between which rows and columns of centres it lies. Row 0 and row `height + 1` are the poles.
+/// A point of the image between rows and columns of centers.
+///
+/// Row 0 and row `height + 1` are the poles.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
     /// The rows `strip` and `strip + 1`.
     pub(super) strip: usize,
-    /// Share of the row's height above the direction, by angle, in [0, 1].
+    /// Fraction of the height of the row above the direction, by angle, in [0, 1].
     pub(super) down: f32,
     /// The columns `column` and the next.
     pub(super) column: usize,
-    /// Share of the column's width before the direction, in [0, 1].
+    /// Fraction of the width of the column before the direction, in [0, 1].
     pub(super) along: f32,
     /// The angle to the zenith.
     pub(super) theta: f32,
 }
 
 impl LatitudeLongitude<'_> {
-    /// The unit direction of a texel's centre in an image of this size.
+    /// The unit direction of the center of a texel in an image of this size.
     ///
-    /// Columns and rows beyond the image go on around the sphere; a size of 0 gives (1, 0, 0).
+    /// Columns and rows beyond the image continue around the sphere; a size of 0 returns (1, 0, 0).
     #[must_use]
     pub fn direction(width: usize, height: usize, column: usize, row: usize) -> Vec3 {
         if width == 0 || height == 0 {
@@ -84,11 +88,11 @@ impl LatitudeLongitude<'_> {
 }
 
 impl<S: Deref<Target = [Vec3]>> LatitudeLongitudeIn<S> {
-    /// The image of these texels.
+    /// Creates the image from these texels.
     ///
     /// # Errors
-    /// [`ImageError`] for an image without texels or with more than 2²⁸, a slice of another length, and the first texel with a
-    /// channel that is negative, NaN or above 10³⁰.
+    /// [`ImageError`] for an image without texels or with more than 2²⁸, a slice of another length,
+    /// and the first texel with a channel that is negative, NaN or above 10³⁰.
     pub fn new(width: usize, height: usize, texels: S) -> Result<Self, ImageError> {
         let needed = texel_count(width, height, MAX_TEXELS)?;
         check_texels([width, height], needed, texels.iter().copied(), BRIGHTEST)?;
@@ -132,7 +136,7 @@ impl<S: Deref<Target = [Vec3]>> LatitudeLongitudeIn<S> {
         }
     }
 
-    /// The value at a centre, or at a pole.
+    /// The value at a center, or at a pole.
     #[inline]
     pub(super) fn node(&self, row: usize, column: usize) -> Vec3 {
         if row == 0 {
@@ -144,7 +148,7 @@ impl<S: Deref<Target = [Vec3]>> LatitudeLongitudeIn<S> {
         }
     }
 
-    /// The angle to the zenith of a row of centres, or of a pole.
+    /// The angle to the zenith of a row of centers, or of a pole.
     #[inline]
     pub(super) fn theta(&self, row: usize) -> f32 {
         if row == 0 {
@@ -156,7 +160,7 @@ impl<S: Deref<Target = [Vec3]>> LatitudeLongitudeIn<S> {
         }
     }
 
-    /// Place of a direction on the image; nothing for what is none.
+    /// The position of a direction on the image; `None` for an invalid direction.
     #[inline]
     pub(super) fn place(&self, direction: Vec3) -> Option<Place> {
         if !is_direction(direction) {
@@ -180,7 +184,7 @@ impl<S: Deref<Target = [Vec3]>> LatitudeLongitudeIn<S> {
         })
     }
 
-    /// The column after this one.
+    /// The next column.
     #[inline]
     pub(super) fn next(&self, column: usize) -> usize {
         if column + 1 < self.width { column + 1 } else { 0 }
@@ -189,7 +193,8 @@ impl<S: Deref<Target = [Vec3]>> LatitudeLongitudeIn<S> {
 
 #[cfg(feature = "alloc")]
 impl LatitudeLongitudeIn<Vec<Vec3>> {
-    /// An image of `width · height` checked texels with these radiances at the zenith and the nadir.
+    /// Creates an image of `width · height` checked texels with these radiances at zenith and
+    /// nadir.
     pub(super) const fn with_poles(width: usize, height: usize, texels: Vec<Vec3>, poles: [Vec3; 2]) -> Self {
         Self { width, height, texels, poles }
     }
@@ -219,18 +224,18 @@ mod tests {
     }
 
     #[test]
-    fn centres_have_their_texels() {
+    fn radiance_at_centers_is_the_texel() {
         let (texels, [width, height]) = (texels(), SIZE);
         let image = LatitudeLongitude::new(width, height, &texels).unwrap();
         for (k, texel) in texels.into_iter().enumerate() {
             let direction = LatitudeLongitude::direction(width, height, k % width, k / width);
             assert_abs_diff_eq!(image.radiance(direction), texel, epsilon = 2e-4, "{k}");
-            // Of any length.
+            // Directions of any length.
             for scale in [1e-38, 1e-3, 1e38] {
                 assert_abs_diff_eq!(image.radiance(direction * scale), texel, epsilon = 2e-4, "{k}, {scale}");
             }
         }
-        // As seen from inside: the middle of an upright image looks along +x, its right half towards −y.
+        // As seen from inside: the middle of an upright image faces +x, its right half −y.
         let front = LatitudeLongitude::direction(2, 1, 1, 0);
         assert!(front.y < -0.99 && LatitudeLongitude::direction(3, 1, 1, 0).x > 0.99, "{front}");
     }
@@ -271,7 +276,7 @@ mod tests {
     }
 
     #[test]
-    fn refuses_what_is_no_image() {
+    fn new_rejects_invalid_images() {
         let refused = |width, height, texels: &[Vec3]| {
             LatitudeLongitude::new(width, height, texels).unwrap_err().to_string()
         };

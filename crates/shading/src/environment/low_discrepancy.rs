@@ -1,16 +1,18 @@
-//! Pairs of points that fill the square evenly.
+//! Low-discrepancy pairs of points.
 
 use glam::Vec2;
 
-/// So many pairs of points of the unit square, for [`reflected_radiance`](crate::reflected_radiance): evenly spread in each square and in
-/// both together, the same at every call.
+/// Low-discrepancy pairs of points of the unit square, for
+/// [`reflected_radiance`](crate::reflected_radiance).
+///
+/// They are evenly distributed in each square and in both together, and the same for every call.
 ///
 /// ```text
 /// frac(½ + k g⁻ⁱ), i = 1 … 4,   g⁵ = g + 1
 /// ```
 ///
-/// Roberts 2018, *The Unreasonable Effectiveness of Quasirandom Sequences*, in four dimensions. Add a random shift on the torus where
-/// neighbouring pixels should differ.
+/// Roberts 2018, *The Unreasonable Effectiveness of Quasirandom Sequences*, in four dimensions. Add
+/// a random shift on the torus where neighboring pixels should differ.
 ///
 /// ```
 /// let [first, _] = asperity_shading::environment::low_discrepancy_points(1).next().unwrap();
@@ -22,7 +24,7 @@ pub fn low_discrepancy_points(count: u32) -> impl Iterator<Item = [Vec2; 2]> {
     (0..count).map(move |k| {
         let [a, b, c, d] = steps.map(|step| {
             let x = 0.5 + f64::from(k) * step;
-            // Positive, so that the cast is the floor; the rounding to `f32` may reach 1.
+            // Positive, so the cast is the floor; rounding to `f32` may reach 1.
             ((x - x as u64 as f64) as f32).min(1.0 - f32::EPSILON / 2.0)
         });
         [Vec2::new(a, b), Vec2::new(c, d)]
@@ -34,7 +36,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_square_is_filled_evenly() {
+    fn low_discrepancy_points_are_even_in_every_square() {
         const SIDE: usize = 8;
         let mut counts = [[0_i32; SIDE * SIDE]; 2];
         for pair in low_discrepancy_points(6400) {
@@ -44,7 +46,7 @@ mod tests {
                 counts[cell.y as usize * SIDE + cell.x as usize] += 1;
             }
         }
-        // Random ones would be off by 30.
+        // Random points would be off by 30.
         assert!(counts.as_flattened().iter().all(|count| (count - 100).abs() <= 12), "{counts:?}");
     }
 }

@@ -1,4 +1,4 @@
-//! Light from all around: images by latitude and longitude, their samples, and look-ups that are filtered beforehand.
+//! Environment light: latitude–longitude images, importance sampling, and prefiltered lookups.
 
 mod distribution_2d;
 mod environment_map;

@@ -1,4 +1,4 @@
-//! Light that a surface sends on from an environment, by samples of both.
+//! Light reflected from an environment, by multiple importance sampling.
 
 use asperity_ndf_sampling::Frame;
 use glam::{Vec2, Vec3};
@@ -6,26 +6,27 @@ use glam::{Vec2, Vec3};
 use crate::environment::interface::Environment;
 use crate::reflectance::Brdf;
 
-/// A direction of light with what it adds to the radiance towards the eye.
+/// A direction of light with its contribution to the radiance towards the eye.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LightSample {
-    /// Unit, in the world's frame, towards the light; zero where the sample brought nothing.
+    /// Unit, in the world frame, towards the light; zero for a sample without contribution.
     pub direction: Vec3,
     /// `w f_r L cos θ/p`, finite and at least 0.
     pub radiance: Vec3,
 }
 
-/// Two samples of the light that a surface sends from an environment into `wo`, whose sum estimates it without bias.
+/// Two samples whose sum is an unbiased estimate of the reflected radiance into `wo`.
 ///
 /// ```text
 /// L_o ≈ Σₖ wₖ(ωₖ) f_r(ωₖ, ωo) L(ωₖ) cos θₖ/pₖ(ωₖ),   wₖ = pₖ²/(p₁² + p₂²)
 /// ```
 ///
-/// The first direction is drawn by the surface, the second by the environment; the power heuristic weighs each by how well it was
-/// suited. A renderer multiplies each by whether the light is seen.
+/// The first direction is drawn by the BRDF, the second by the environment. The power heuristic
+/// weights both. A renderer multiplies each by the visibility of the light.
 ///
-/// - **Domain:** `frame` of the surface and unit `wo`, in the world's frame; two uniform points of the unit square.
-/// - **Total:** what the reflectance or the environment cannot tell is no light.
+/// - **Domain:** `frame` of the surface and unit `wo`, in the world frame; two uniform points of
+///   the unit square.
+/// - **Any input:** values that the BRDF or the environment cannot compute contribute no light.
 ///
 /// Veach 1997, *Robust Monte Carlo Methods for Light Transport Simulation*, §9.2.4, eq. 9.14, with β = 2.
 ///
@@ -75,12 +76,15 @@ pub fn light_samples<B: Brdf + ?Sized, E: Environment + ?Sized>(
     )
 }
 
-/// The light that a surface sends from an unhidden environment into `wo`: the mean of [`light_samples`] over the points.
+/// The radiance reflected from an unoccluded environment into `wo`, averaged over the points.
 ///
-/// Without points it is 0. The error falls with their number n as n^{−1/2}, and faster for points that fill the square evenly.
+/// Averages [`light_samples`].
 ///
-/// Surfaces made of a density of normals alone, as those of [`LevelOfDetail`](crate::LevelOfDetail), reflect by a
-/// [`TorranceSparrow`](crate::TorranceSparrow) of what a pixel sees of the density.
+/// Without points it is 0. The error decreases as n^{−1/2} with the number n of points, and faster
+/// for low-discrepancy points.
+///
+/// For surfaces defined by an NDF alone, as in [`LevelOfDetail`](crate::LevelOfDetail), use a
+/// [`TorranceSparrow`](crate::TorranceSparrow) of the NDF seen by a pixel.
 ///
 /// ```
 /// use asperity_shading::glam::{Vec2, Vec3};
@@ -88,7 +92,7 @@ pub fn light_samples<B: Brdf + ?Sized, E: Environment + ?Sized>(
 /// use asperity_shading::level_of_detail::Coordinates;
 /// use asperity_shading::{Frame, Ggx, TorranceSparrow, reflected_radiance};
 ///
-/// // Facets of which a pixel resolves a part, under the same light all around.
+/// // Partially resolved facets under uniform light.
 /// let seen = Coordinates { z: Vec2::new(0.3, -0.2), share: 0.5, fade: 1.0 };
 /// let rest = ConditionalNdf::new(Ggx::isotropic(0.2)?, seen.z, seen.share);
 /// let mirrors = TorranceSparrow::new(rest, Vec3::splat(0.9));
@@ -125,7 +129,7 @@ mod tests {
     use asperity_ndf_sampling::Ggx;
 
     #[test]
-    fn what_is_no_direction_brings_nothing() {
+    fn light_samples_of_invalid_directions_contribute_nothing() {
         let mirror = CookTorrance::new(Ggx::isotropic(1e-4).unwrap(), Vec3::ONE);
         let odd = [f32::NAN, f32::INFINITY, -1.0, 0.0, 0.4, 1.0];
         let views = [Vec3::NAN, Vec3::ZERO, Vec3::NEG_Z, Vec3::INFINITY, Vec3::Z, Vec3::new(1.0, 0.0, 1e-20)];

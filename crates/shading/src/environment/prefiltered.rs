@@ -1,4 +1,4 @@
-//! Environments that were filtered by rough mirrors beforehand: a stack of images, one for each roughness.
+//! Environments prefiltered by roughness: a stack of images, one for each roughness.
 
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
@@ -20,26 +20,28 @@ use crate::parameter::{ParameterError, within};
 use crate::reflectance::Brdf;
 use crate::reflectance::brdf::mirrored_density;
 
-/// The most rows of a level.
+/// The maximum number of rows of a level.
 #[cfg(feature = "alloc")]
 const MAX_ROWS: f32 = 8192.0;
 
-/// The roughness below which a mirror is smooth: its lobe is a tenth of a degree wide.
+/// The roughness below which a mirror is smooth; its lobe is a tenth of a degree wide.
 const SMOOTH: f32 = 1e-3;
 
-/// The light of an environment around `direction`, as far as a GGX mirror seen straight on spreads it.
+/// The light of an environment around `direction`, filtered by a GGX mirror at normal incidence.
 ///
 /// ```text
 /// L_α(r) = ∫ L(ω) D_α(h) max(0, r·ω) dω/∫ D_α(h) max(0, r·ω) dω,   h = (ω + r)/|ω + r|
 /// ```
 ///
-/// - **Domain:** roughness within [0, 1], NaN as 0, where below 10⁻³ it is the environment itself; 0 for what is no direction.
-/// - **Accuracy:** both integrals are sums over the same `points` pairs of samples of lobe and light. Measured over all directions, as the
-///   deviation by the mean: 64 of a soft sky 0.7 %, 256 0.4 %; where a sun of 6° brings most of the light, with a peak of a hundred times
-///   the mean, 3 % and 1 % from a roughness of 0.3 on, 22 % and 5 % at 0.05.
+/// - **Domain:** roughness within [0, 1], NaN as 0; below 10⁻³ the result is the environment
+///   itself. 0 for an invalid direction.
+/// - **Accuracy:** both integrals are sums over the same `points` pairs of samples of lobe and
+///   light. Measured over all directions, as the deviation divided by the mean. Soft sky: 64 points
+///   0.7 %, 256 points 0.4 %. A sun of 6° that brings most of the light, with a peak of a hundred
+///   times the mean: 3 % and 1 % from a roughness of 0.3 on, 22 % and 5 % at 0.05.
 ///
-/// The first factor of the split sum of Karis 2013, *Real Shading in Unreal Engine 4*, "Pre-Filtered Environment Map"; there from samples
-/// of the lobe alone, which miss the sun.
+/// The first factor of the split sum of Karis 2013, *Real Shading in Unreal Engine 4*,
+/// "Pre-Filtered Environment Map". Karis samples the lobe only, which misses the sun.
 #[must_use]
 pub fn prefiltered_radiance<E: Environment + ?Sized>(
     environment: &E,
@@ -63,7 +65,7 @@ pub fn prefiltered_radiance<E: Environment + ?Sized>(
     if weight > 0.0 { sum / weight } else { environment.radiance(direction) }
 }
 
-/// Mirrored facets, without the factors that depend on the view.
+/// Mirroring facets, without the factors that depend on the view.
 struct Lobe(Ggx);
 
 impl Brdf for Lobe {
@@ -80,7 +82,7 @@ impl Brdf for Lobe {
     }
 }
 
-/// Even light with the samples of another.
+/// Uniform light with the samples of another environment.
 struct Drawn<E>(E);
 
 impl<E: Environment> Environment for Drawn<E> {
@@ -97,24 +99,27 @@ impl<E: Environment> Environment for Drawn<E> {
     }
 }
 
-/// An image of the environment as a mirror of this roughness spreads it, in storage `S`.
+/// An image of the environment filtered by a mirror of this roughness, in storage `S`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PrefilteredLevelIn<S> {
     /// The roughness.
     pub alpha: f32,
-    /// Image of such a mirror by direction, of [`prefiltered_radiance`].
+    /// The filtered image by direction, see [`prefiltered_radiance`].
     pub image: LatitudeLongitudeIn<S>,
 }
 
 /// A level in borrowed storage.
 pub type PrefilteredLevel<'a> = PrefilteredLevelIn<&'a [Vec3]>;
 
-/// A stack of images, from smooth to rough: what a mirror of any roughness shows by one look-up.
+/// A stack of filtered images, from smooth to rough, for any roughness by one lookup.
 ///
-/// Between two levels it is interpolated linearly in the roughness, beyond the last one it is that.
+/// Between two levels it interpolates linearly in the roughness. Beyond the last level it returns
+/// that level.
 ///
-/// - **Error:** [`reflected`](Self::reflected) takes the lobe for that of a mirror seen straight on, round, and does not cut it
-///   off at the surface. Measured beside [`reflected_radiance`](super::reflected_radiance), as the deviation over all normals by the mean:
+/// - **Error:** [`reflected`](Self::reflected) uses the lobe of a mirror at normal incidence, which
+///   is round and not clipped at the surface. Measured against
+///   [`reflected_radiance`](super::reflected_radiance), as the deviation over all normals divided
+///   by the mean:
 ///
 /// | roughness | soft sky, seen from above | at 60° | at 80° |
 /// |---|---|---|---|
@@ -122,8 +127,8 @@ pub type PrefilteredLevel<'a> = PrefilteredLevelIn<&'a [Vec3]>;
 /// | 0.3 | 0.018 | 0.075 | 0.15 |
 /// | 0.6 | 0.018 | 0.14 | 0.20 |
 ///
-/// Under a sun that brings most of the light it is 0.04 to 0.3 from above, and 0.6 to 2.6 at an angle:
-/// highlights should be long there.
+/// Under a sun that brings most of the light the error is 0.04 to 0.3 from above, and 0.6 to 2.6 at
+/// an angle, where highlights should be elongated.
 #[doc(alias = "split sum")]
 #[doc(alias = "ibl")]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -148,7 +153,7 @@ pub struct PrefilteredIn<L> {
 /// ```
 pub type PrefilteredRef<'a> = PrefilteredIn<&'a [PrefilteredLevel<'a>]>;
 
-/// A [stack](PrefilteredIn) that is made from an environment and owns its images.
+/// A [stack](PrefilteredIn) computed from an environment, which owns its images.
 ///
 /// ```
 /// use asperity_shading::environment::{PrefilteredMap, SplitSum};
@@ -166,10 +171,11 @@ pub type PrefilteredRef<'a> = PrefilteredIn<&'a [PrefilteredLevel<'a>]>;
 pub type PrefilteredMap = PrefilteredIn<Vec<PrefilteredLevelIn<Vec<Vec3>>>>;
 
 impl<'a> PrefilteredRef<'a> {
-    /// The stack of these levels.
+    /// Creates the stack of these levels.
     ///
     /// # Errors
-    /// [`ParameterError`] unless there are levels whose roughness `alpha` is within [0, 1] and increases; none count as NaN.
+    /// [`ParameterError`] unless there is at least one level and the roughness `alpha` is within
+    /// [0, 1] and increases. An empty slice is reported as NaN.
     pub fn new(levels: &'a [PrefilteredLevel<'a>]) -> Result<Self, ParameterError> {
         check_alphas(levels.iter().map(|level| level.alpha))?;
         Ok(Self { levels })
@@ -178,9 +184,12 @@ impl<'a> PrefilteredRef<'a> {
 
 #[cfg(feature = "alloc")]
 impl PrefilteredMap {
-    /// The stack of an environment: for each level its roughness and its rows, half as many as columns.
+    /// Computes the stack of an environment from the roughness and the rows of each level.
     ///
-    /// Each texel is a sum over `points` pairs of samples. A level should have at least `2/α` rows, or those of the environment.
+    /// A level has half as many rows as columns.
+    ///
+    /// Each texel is a sum over `points` pairs of samples. A level should have at least `2/α` rows,
+    /// or those of the environment.
     ///
     /// # Errors
     /// [`ParameterError`] unless there are levels of 1 to 8192 `rows` whose roughness `alpha` is within [0, 1] and increases.
@@ -216,9 +225,9 @@ impl PrefilteredMap {
 }
 
 impl<S: Deref<Target = [Vec3]>, L: Deref<Target = [PrefilteredLevelIn<S>]>> PrefilteredIn<L> {
-    /// The radiance that a mirror of the roughness `alpha`, seen straight on, gathers around a direction.
+    /// The radiance filtered by a mirror of the roughness `alpha` at normal incidence.
     ///
-    /// 0 for what is no direction; roughness that is NaN counts as 0.
+    /// 0 for an invalid direction; NaN roughness is read as 0.
     #[must_use]
     pub fn radiance(&self, direction: Vec3, alpha: f32) -> Vec3 {
         let alpha = clamp_to(alpha, 1.0);
@@ -245,7 +254,7 @@ impl<S: Deref<Target = [Vec3]>, L: Deref<Target = [PrefilteredLevelIn<S>]>> Pref
     /// L_o ≈ L_α(reflect(view, normal)) (F₀ scale + bias)
     /// ```
     ///
-    /// Karis 2013. `normal` and `view` are unit; from below it is dark.
+    /// Karis 2013. `normal` and `view` are unit vectors; views from below are dark.
     #[must_use]
     pub fn reflected(&self, table: &SplitSum, f0: Vec3, alpha: f32, normal: Vec3, view: Vec3) -> Vec3 {
         let cosine = normal.dot(view);
@@ -258,7 +267,7 @@ impl<S: Deref<Target = [Vec3]>, L: Deref<Target = [PrefilteredLevelIn<S>]>> Pref
     }
 }
 
-/// Refuses what is no increasing roughness.
+/// Checks that the roughness increases.
 fn check_alphas(mut alphas: impl Iterator<Item = f32>) -> Result<(), ParameterError> {
     let first = within("alpha", alphas.next().unwrap_or(f32::NAN), [0.0, 1.0])?;
     alphas.try_fold(first, |last, alpha| within("alpha", alpha, [last.next_up(), 1.0])).map(|_| ())
@@ -270,7 +279,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn even_light_stays_even() {
+    fn uniform_light_stays_uniform() {
         for alpha in [f32::NAN, 0.0, 0.05, 0.3, 0.6, 1.0, 2.0] {
             for direction in [Vec3::Z, Vec3::new(-0.6, 0.0, -0.8), Vec3::new(1e30, 0.0, 1e20)] {
                 let got = prefiltered_radiance(&Vec3::splat(2.0), alpha, direction, 64);
@@ -307,7 +316,7 @@ mod tests {
     }
 
     #[test]
-    fn refuses_what_does_not_increase() {
+    fn new_rejects_roughness_that_does_not_increase() {
         for alphas in [&[][..], &[0.0, 1.5], &[0.0, f32::NAN], &[0.2, 0.2], &[0.3, 0.2], &[1.0, 1.0], &[-0.1]]
         {
             assert_eq!(check_alphas(alphas.iter().copied()).unwrap_err().parameter(), "alpha", "{alphas:?}");

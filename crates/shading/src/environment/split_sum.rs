@@ -1,4 +1,4 @@
-//! The second factor of the split sum: what rough mirrors send on of even light.
+//! The second factor of the split sum: the response of rough mirrors to uniform light.
 
 use asperity_ndf_sampling::{Ggx, Microfacet};
 use glam::{Vec2, Vec3};
@@ -6,7 +6,7 @@ use glam::{Vec2, Vec3};
 use crate::direction::{half_vector, reflect};
 use crate::math::{clamp_to, sqrt};
 
-/// The entries along each side of the table.
+/// Entries along each side of the table.
 const SIDE: usize = 32;
 
 /// Directional albedo of a GGX conductor with Schlick's Fresnel term: scale and bias of `F₀` (the split-sum table).
@@ -22,8 +22,8 @@ const SIDE: usize = 32;
 /// - **Accuracy:** the table of 32 × 32 entries over `√cos θ` and `√α` is within 0.002 of the integral for `cos θ ≥ 0.02`; its entries
 ///   are integrated over 32 × 32 visible normals, within 0.001.
 ///
-/// Karis 2013, *Real Shading in Unreal Engine 4*, "Environment BRDF", whose sum is over all normals and whose masking is separable
-/// with another roughness.
+/// Karis 2013, *Real Shading in Unreal Engine 4*, "Environment BRDF". There the sum is over all
+/// normals and the masking is separable with another roughness.
 ///
 /// ```
 /// use asperity_shading::environment::SplitSum;
@@ -39,7 +39,7 @@ pub struct SplitSum {
 }
 
 impl SplitSum {
-    /// The table, integrated anew: a million evaluations of the masking function.
+    /// Integrates the table: a million evaluations of the masking function.
     #[must_use]
     pub fn new() -> Self {
         let node = |k: usize| {
@@ -49,7 +49,7 @@ impl SplitSum {
         Self { entries: core::array::from_fn(|i| core::array::from_fn(|j| split_sum(node(i), node(j), 32))) }
     }
 
-    /// The scale and the bias at this roughness and this cosine between the view and the normal.
+    /// The scale and the bias at this roughness and this cosine between view and normal.
     #[must_use]
     pub fn at(&self, alpha: f32, cos_theta: f32) -> [f32; 2] {
         let place = |x: f32| {
@@ -72,9 +72,11 @@ impl Default for SplitSum {
     }
 }
 
-/// The scale and the bias of [`SplitSum`] at one place, by the midpoint rule over `points²` visible normals.
+/// The scale and the bias of [`SplitSum`] at one point, by the midpoint rule.
 ///
-/// - **Domain:** as [`SplitSum`]; no points count as one.
+/// It uses `points²` visible normals.
+///
+/// - **Domain:** as for [`SplitSum`]; 0 points are read as 1.
 /// - **Accuracy:** 16² points are within 0.004, 32² within 0.001, 128² within 1.5e-4, for every roughness and `cos θ ≥ 0.02`.
 #[must_use]
 pub fn split_sum(alpha: f32, cos_theta: f32, points: u32) -> [f32; 2] {
@@ -86,7 +88,7 @@ pub fn split_sum(alpha: f32, cos_theta: f32, points: u32) -> [f32; 2] {
     let points = points.max(1);
     let (mut scale, mut bias, mut all) = (0.0, 0.0, 0.0);
     for i in 0..points {
-        // The tail is towards u₂ = 1: u₂ = 1 − t³ of even t finds it for every roughness.
+        // The tail is towards u₂ = 1. u₂ = 1 − t³ with uniform t resolves it for every roughness.
         let t = (i as f32 + 0.5) / points as f32;
         let (u2, measure) = (1.0 - t * t * t, 3.0 * t * t);
         let (mut row_scale, mut row_bias) = (0.0, 0.0);
@@ -136,14 +138,14 @@ mod tests {
     }
 
     #[test]
-    fn mirrors_are_schlick_s() {
+    fn split_sum_of_mirrors_is_schlick() {
         let [scale, bias] = split_sum(0.0, 0.4, 8);
         let schlick = 0.6_f32.powi(5);
         assert_abs_diff_eq!(Vec2::new(scale, bias), Vec2::new(1.0 - schlick, schlick), epsilon = 1e-4);
     }
 
     #[test]
-    fn total_on_every_input() {
+    fn accepts_every_input() {
         let table = SplitSum::default();
         for alpha in [f32::NAN, f32::NEG_INFINITY, 0.0, 1.0, f32::INFINITY] {
             for cosine in [f32::NAN, -1.0, 0.0, 1.0, f32::INFINITY] {

@@ -1,4 +1,4 @@
-//! A bump map in space: a Gaussian field, its scale, and what a pixel resolves of it.
+//! A bump map in space: a Gaussian field, its scale, and the part that a pixel resolves.
 
 use glam::Vec3;
 
@@ -6,7 +6,7 @@ use crate::level_of_detail::gaussian_field::{Coordinates, GaussianField};
 use crate::parameter::ParameterError;
 use crate::pixel::{Footprint, FrequencyClamp};
 
-/// A Gaussian field laid into space with a given size of bumps.
+/// A Gaussian field in space with a given size of bumps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BumpField<F> {
     field: F,
@@ -14,13 +14,13 @@ pub struct BumpField<F> {
 }
 
 impl<F: GaussianField> BumpField<F> {
-    /// The field whose first octave has `frequency` lattice cells per unit of the surface's positions.
+    /// Creates the field whose first octave has `frequency` lattice cells per unit of length.
     ///
-    /// Lacunarity and greatest count of octaves are the field's own.
+    /// Lacunarity and maximum octave count are those of the field.
     ///
     /// # Errors
-    /// [`ParameterError`] unless `frequency` is finite and positive; the other two where the field
-    /// breaks its promise.
+    /// [`ParameterError`] unless `frequency` is finite and positive; also if the lacunarity or
+    /// octave count of the field is invalid.
     pub fn new(field: F, frequency: f32) -> Result<Self, ParameterError> {
         let clamp = FrequencyClamp::new(frequency, field.lacunarity(), field.max_octaves())?;
         Ok(Self { field, clamp })
@@ -32,22 +32,24 @@ impl<F: GaussianField> BumpField<F> {
         &self.field
     }
 
-    /// Frequency clamp of the field: how many octaves each footprint resolves.
+    /// Frequency clamp of the field: the number of octaves that a footprint resolves.
     #[must_use]
     pub const fn clamp(&self) -> &FrequencyClamp {
         &self.clamp
     }
 
-    /// The coordinates of the bump map at the surface point `p`, as far as the footprint resolves them.
+    /// The coordinates of the bump map at the surface point `p`, as far as the footprint resolves
+    /// them.
     ///
-    /// Continuous in `p` and in the footprint, and [`Coordinates::FAR`] as soon as the pixel is wider than half a
-    /// cell of the first octave.
+    /// Continuous in `p` and in the footprint. [`Coordinates::FAR`] as soon as the pixel is wider
+    /// than half a cell of the first octave.
     ///
-    /// Of an [anchored](asperity_noise::Octaves::anchored) field `p` is the difference from the anchor: near it the field is exact at any
-    /// zoom. The anchor is told in cells of the first octave, so it is the surface's point times the frequency.
+    /// For an [anchored](asperity_noise::Octaves::anchored) field `p` is the difference from the
+    /// anchor, near which the field is exact at any zoom. The anchor is in cells of the first
+    /// octave, i.e. the surface point times the frequency.
     ///
-    /// That is as many octaves as show no alias. The mean over a pixel still shows a bit of the next one: half of a pixel's
-    /// width for its footprint gives the least error against it.
+    /// These are as many octaves as do not alias. The mean over a pixel still contains a bit of the
+    /// next octave. Half of the pixel width as footprint minimizes the error.
     #[must_use]
     pub fn coordinates(&self, p: Vec3, footprint: Footprint) -> Coordinates {
         self.field.coordinates(p * self.clamp.frequency(), self.clamp.octaves(footprint))
@@ -61,7 +63,7 @@ mod tests {
     use asperity_noise::{Gaussian, GaussianOctaves, Spectrum};
 
     #[test]
-    fn field_is_seen_at_its_scale_with_its_own_octaves() {
+    fn bump_field_resolves_octaves_by_footprint() {
         let field = GaussianOctaves::new(Gaussian::new(4), Spectrum::new(3.0, 0.6, 5).unwrap());
         let bumps = BumpField::new(field, 8.0).unwrap();
         let p = Vec3::new(0.21, -1.3, 0.77);
@@ -73,7 +75,7 @@ mod tests {
     }
 
     #[test]
-    fn anchored_field_is_the_field_seen_from_its_anchor() {
+    fn anchored_field_equals_the_field_at_the_anchor() {
         let field = GaussianOctaves::new(Gaussian::new(4), Spectrum::default());
         let anchor = Vec3::new(0.625, -1.5, 0.25);
         let bumps = BumpField::new(field, 4.0).unwrap();

@@ -1,16 +1,16 @@
-//! Two Gaussian coordinates at every point of space: what a bump map is made of.
+//! Two Gaussian coordinates at every point of space, the basis of a bump map.
 
 use asperity_noise::{Gaussian, Lattice, Octaves};
 use glam::{Vec2, Vec3};
 
-/// The resolved part of a bump map at one point, as both rules of level of detail take it.
+/// The resolved part of a bump map at a point, the input of both level-of-detail rules.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Coordinates {
     /// The noise `z_b` of the resolved octaves, in standard deviations: two independent N(0, 1) over the surface.
     pub z: Vec2,
-    /// The share `s` of the variance that these octaves carry, in `[0, 1]`; 0 where nothing is resolved.
+    /// The fraction `s` of the variance in these octaves, in `[0, 1]`; 0 where nothing is resolved.
     pub share: f32,
-    /// The weight of the first octave in `[0, 1]`: how far the bump map has faded in.
+    /// The weight of the first octave in `[0, 1]`, with which the bump map fades in.
     pub fade: f32,
 }
 
@@ -19,34 +19,35 @@ impl Coordinates {
     pub const FAR: Self = Self { z: Vec2::ZERO, share: 0.0, fade: 0.0 };
 }
 
-/// A pair of independent Gaussian noises over space, made of octaves whose count is a real number.
+/// A pair of independent Gaussian noises over space, with a real number of octaves.
 ///
-/// For every real `octaves > 0`, `z` is standard Gaussian over the surface in both coordinates: a field normalises
-/// what it has resolved, and reports its share of the whole variance beside it.
+/// For every real `octaves > 0` both coordinates of `z` are standard Gaussian over the surface. A
+/// field normalizes the resolved octaves, and returns their fraction of the whole variance.
 ///
 /// ```text
 /// z = Σ wᵢ aᵢ zᵢ / √Σ wᵢ² aᵢ²,   share = Σ wᵢ² aᵢ² / Σ aᵢ²,   fade = w₀,   wᵢ = clamp(octaves − i, 0, 1)
 /// ```
 ///
-/// The last sum is over the endless spectrum: octaves that the field does not have are never resolved.
+/// The last sum is over the infinite spectrum: octaves that the field does not have are never
+/// resolved.
 ///
-/// At `octaves ≤ 0` or NaN a field returns [`Coordinates::FAR`]; counts above [`GaussianField::max_octaves`] are that
-/// count. A point that is no number gives some finite `z`.
+/// At `octaves ≤ 0` or NaN a field returns [`Coordinates::FAR`]. Counts are clamped to
+/// [`GaussianField::max_octaves`]. A NaN or infinite point returns some finite `z`.
 pub trait GaussianField {
-    /// The coordinates at `p`, in units of the first octave's lattice cells, of so many octaves.
+    /// The coordinates at `p`, in lattice cells of the first octave, of this number of octaves.
     #[must_use]
     fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates;
 
-    /// The ratio of each octave's frequency to the last one's, more than 1.
+    /// The frequency ratio of consecutive octaves, more than 1.
     #[must_use]
     fn lacunarity(&self) -> f32;
 
-    /// The most octaves that this field has.
+    /// The maximum number of octaves of this field.
     #[must_use]
     fn max_octaves(&self) -> f32;
 }
 
-/// Exactly Gaussian at every point, so that the `Exact` rule's mean is exact.
+/// Exactly Gaussian at every point, so the mean of the `Exact` rule is exact.
 ///
 /// ```
 /// use asperity_shading::level_of_detail::{Coordinates, GaussianField};
@@ -59,7 +60,8 @@ pub trait GaussianField {
 /// assert_eq!(field.coordinates(p, 1.0).share, 0.75);
 /// assert_eq!(field.coordinates(p, 0.5).fade, 0.5);
 /// ```
-/// On any lattice: an [anchored](Octaves::anchored) sum is one, of differences to its anchor.
+/// On any lattice, including an [anchored](Octaves::anchored) sum, with differences from its
+/// anchor.
 impl<L: Lattice> GaussianField for Octaves<Gaussian<L>, 3> {
     fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates {
         let [x, y] = self.detail(octaves).pair(p);
@@ -106,7 +108,7 @@ mod tests {
             assert_eq!((field.lacunarity(), field.max_octaves()), (2.5, 6.0));
             assert_eq!((same.lacunarity(), same.max_octaves()), (2.5, 6.0));
             assert_eq!(field.coordinates(p, 3.5), same.coordinates(p, 3.5));
-            // There is no seventh.
+            // There is no seventh octave.
             assert_eq!(field.coordinates(p, 7.0), field.coordinates(p, 6.0));
             assert_ne!(field.coordinates(p, 6.0), field.coordinates(p, 5.5));
         }

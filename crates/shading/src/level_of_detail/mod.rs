@@ -1,4 +1,4 @@
-//! Level of detail of bump maps from Gaussian noise: what a pixel resolves, and shading by what it does not.
+//! Level of detail of Gaussian bump maps: the resolved part, and shading of the rest.
 
 mod bump_field;
 mod gaussian_field;

@@ -1,4 +1,4 @@
-//! Classic lattice noise as Gaussian coordinates, through its measured distribution.
+//! Classic lattice noise as Gaussian coordinates, by its measured distribution.
 
 use asperity_ndf_sampling::{NoiseCdfError, NoiseCdfRef, NoiseDistribution};
 use asperity_noise::{
@@ -12,23 +12,24 @@ use crate::level_of_detail::gaussian_field::{Coordinates, GaussianField};
 /// The noise value, in standard deviations, at either end of the measured distributions.
 const RANGE: f32 = 4.0;
 
-/// Difference of the second channel's seed: 2³²/φ, which no one counts by.
+/// Difference of the seed of the second channel: 2³²/φ, an unlikely increment of user seeds.
 const SECOND: u32 = 0x9E37_79B9;
 
-/// Two sums of octaves of a classic noise, made Gaussian by the noise's measured distribution `G`.
+/// Two sums of octaves of a classic noise, made Gaussian by its measured distribution `G`.
 ///
 /// ```text
 /// z_k = Φ⁻¹(G(n_k / σ(octaves))),   k = 1, 2
 /// ```
 ///
-/// This is how Kautz, Heidrich, Seidel 2001, §4, use Perlin's turbulence, with the variance held while octaves are
-/// added. `G` is measured for eight octaves, so it is right on average over a surface and for several octaves, and
-/// only nearly so for one or two: the `Exact` rule's mean over a surface is off by up to 4 % with one octave of
-/// Perlin's noise, by about 1 % with two (measured, Beckmann 0.3, at the peak).
-/// [`GaussianOctaves`](asperity_noise::GaussianOctaves) has no such error and costs one walk of the lattice for both
-/// channels instead of two.
+/// This is the method of Kautz, Heidrich, Seidel 2001, §4, for Perlin's turbulence, with constant
+/// variance while octaves are added. `G` is measured for eight octaves. It is correct on average
+/// over a surface and for several octaves, and approximate for one or two. The mean of the `Exact`
+/// rule over a surface is off by up to 4 % with one octave of Perlin noise, and by about 1 % with
+/// two (measured, Beckmann 0.3, at the peak). [`GaussianOctaves`](asperity_noise::GaussianOctaves)
+/// has no such error and evaluates both channels in one lattice traversal instead of two.
 ///
-/// The channels have own seeds, offsets and rotations in every octave, so that they share no lattice.
+/// The channels have separate seeds, offsets and rotations in every octave, so their lattices are
+/// unrelated.
 ///
 /// ```
 /// use asperity_shading::level_of_detail::{GaussianField, RemappedOctaves};
@@ -47,10 +48,11 @@ pub struct RemappedOctaves<K> {
 }
 
 impl<K: Kernel<3> + Clone> RemappedOctaves<K> {
-    /// The pair of sums of octaves of `noise` that `seed` selects.
+    /// Creates the pair of sums of octaves of `noise` selected by `seed`.
     ///
     /// # Errors
-    /// [`NoiseCdfError`] where the noise's measured distribution is none; those of `asperity-noise` are.
+    /// [`NoiseCdfError`] if the measured distribution of the noise is invalid; those of
+    /// `asperity-noise` are valid.
     pub fn new(noise: K, spectrum: Spectrum, seed: u32) -> Result<Self, NoiseCdfError> {
         let cdf = NoiseCdfRef::new(RANGE, noise.statistics().cdf)?;
         let first = Octaves::new(noise.clone(), spectrum).with_seed(seed);
@@ -67,8 +69,9 @@ impl<K: Kernel<3> + Clone> RemappedOctaves<K> {
 }
 
 impl<K: Anchor<3>> RemappedOctaves<K> {
-    /// The pair as seen from an anchor: at p it is what it was at anchor + p, each octave in its own cell there, as of
-    /// [`Octaves::anchored`].
+    /// The pair as seen from an anchor: its value at p is that of the original at anchor + p.
+    ///
+    /// Each octave is in its own cell there, see [`Octaves::anchored`].
     ///
     /// ```
     /// use asperity_shading::glam::Vec3;
@@ -133,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn octaves_add_and_a_lone_one_stays() {
+    fn octaves_add_up_and_a_single_octave_is_unchanged() {
         let field = RemappedOctaves::new(Perlin2002::default(), Spectrum::default(), 1).unwrap();
         let at = |octaves| field.coordinates(Vec3::new(0.3, 1.7, -2.2), octaves);
         assert_eq!(at(0.25).z, at(1.0).z);
@@ -143,12 +146,12 @@ mod tests {
     }
 
     #[test]
-    fn an_anchored_pair_is_the_pair_there() {
+    fn anchored_pair_equals_the_pair_at_the_anchor() {
         let field = RemappedOctaves::new(Simplex::new(0), Spectrum::default(), 3).unwrap();
         let (at, p) = (Vec3::new(17.0, -4.5, 0.25), Vec3::new(0.3, 0.7, -0.2));
         let there = field.anchored(at.to_array().map(f64::from)).coordinates(p, 4.0);
         let expected = field.coordinates(at + p, 4.0);
-        // Places of the fourth octave are rounded at 2.17³ · 17.
+        // Positions of the fourth octave are rounded at 2.17³ · 17.
         assert_abs_diff_eq!(there.z, expected.z, epsilon = 1e-3);
         assert_eq!((there.share, there.fade), (expected.share, expected.fade));
     }

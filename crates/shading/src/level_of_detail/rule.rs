@@ -1,4 +1,4 @@
-//! The two rules by which a bump map takes over from a reflectance as the viewer comes closer.
+//! The two rules for the transition from bump map to BRDF with distance.
 
 use asperity_ndf_sampling::{Frame, GaussianSplit, Ndf, conditional_density};
 use glam::{Vec2, Vec3};
@@ -6,7 +6,7 @@ use glam::{Vec2, Vec3};
 use crate::level_of_detail::gaussian_field::Coordinates;
 use crate::math::{clamp_to, sqrt};
 
-/// Shading from afar: the density of facets that mirror the light into the eye, shown as it is.
+/// Shading from afar: the NDF at the half vector.
 ///
 /// ```text
 /// radiance / light = p(h)
@@ -22,30 +22,33 @@ pub fn far_field<N: Ndf + ?Sized>(ndf: &N, h: Vec3) -> f32 {
     if h.z > 0.0 && h.is_finite() { ndf.density(h) } else { 0.0 }
 }
 
-/// Shading of one facet with the whole density, in the facet's own frame.
+/// Shading of one facet with the whole NDF in the frame of the facet.
 ///
 /// ```text
 /// radiance / light = p(h_m),   h_m = (h·t_m, h·b_m, h·n_m)
 /// ```
 ///
-/// - **Domain:** unit `h` and the facet's frame, both in the frame of the macro surface; 0 for `h.z ≤ 0`, for a
-///   zero vector and for NaN, and where `h` is behind the facet.
+/// - **Domain:** unit `h` and the frame of the facet, both in the frame of the macro surface; 0 for
+///   `h.z ≤ 0`, for a zero vector and for NaN, and where `h` is behind the facet.
 /// - **Range:** at least 0, in sr⁻¹.
 ///
-/// The frame is [`Frame::from_normal`] of a facet's normal, or an entry of the normal table L at
-/// [`facet_coordinates`]. Kautz, Heidrich, Seidel 2001, §5.1.
+/// The frame is [`Frame::from_normal`] of the normal of a facet, or an entry of the normal table L
+/// at [`facet_coordinates`]. Kautz, Heidrich, Seidel 2001, §5.1.
 #[must_use]
 pub fn shade_facet<N: Ndf + ?Sized>(ndf: &N, facet: &Frame, h: Vec3) -> f32 {
     if h.z > 0.0 { far_field(ndf, facet.to_local(h)) } else { 0.0 }
 }
 
-/// Gaussian coordinates of the `Fractal` rule's facet: the noise, with its first octave faded in from the flat normal.
+/// Gaussian coordinates of the facet of the `Fractal` rule.
+///
+/// They are the noise, with its first octave faded in from the flat normal.
 ///
 /// ```text
 /// z_m = z_flat + fade (z − z_flat),   T(z_flat) = (0, 0, 1)
 /// ```
 ///
-/// `z_flat` is 0 for a density that is symmetric in x and y; of any other, 0 is the median, which is tilted.
+/// `z_flat` is 0 for an NDF that is symmetric in x and y. For other NDFs 0 is the median, which is
+/// tilted.
 #[must_use]
 pub fn facet_coordinates<N: Ndf + ?Sized>(ndf: &N, coordinates: Coordinates) -> Vec2 {
     let Coordinates { z, fade, .. } = coordinates;
@@ -56,9 +59,10 @@ pub fn facet_coordinates<N: Ndf + ?Sized>(ndf: &N, coordinates: Coordinates) -> 
     flat + clamp_to(fade, 1.0) * (z - flat)
 }
 
-/// Which facets a pixel sees while it resolves a part of the bump map.
+/// The facets that a pixel sees while it resolves a part of the bump map.
 ///
-/// Both rules are the far field `p(h)` where nothing is resolved, and both change continuously from there.
+/// Both rules equal the far field `p(h)` where nothing is resolved, and change continuously from
+/// there.
 ///
 /// ```
 /// use asperity_shading::level_of_detail::Coordinates;
@@ -76,35 +80,38 @@ pub fn facet_coordinates<N: Ndf + ?Sized>(ndf: &N, coordinates: Coordinates) -> 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum LevelOfDetail {
-    /// The density of normals given what is resolved. Its mean over the surface is `p(h)` at every zoom.
+    /// The conditional NDF of the unresolved part. Its mean over the surface is `p(h)` at every
+    /// zoom.
     ///
     /// ```text
     /// p_s(h | z) = p(h) Π_k N(z_k(h); √s z_k, 1 − s) / N(z_k(h); 0, 1),   z(h) = T⁻¹(h),   k = 1, 2
     /// ```
     ///
-    /// It is a martingale in zoom as well: its mean over an octave that has just been resolved is what was seen
-    /// before. See [`conditional_density`].
+    /// It is a martingale in zoom as well: its mean over a newly resolved octave is the previous
+    /// value. See [`conditional_density`].
     #[default]
     Exact,
-    /// Every facet is shaded with the whole density `p`, as if it consisted of facets again.
+    /// Every facet is shaded with the whole NDF `p`, as if it consisted of facets itself.
     ///
     /// ```text
     /// p(h_m),   h_m = h in the frame of the facet T(z)
     /// ```
     ///
-    /// This is the rule of Kautz, Heidrich, Seidel 2001, §3.2 and §5.1, for a surface that is fractal. It convolves
-    /// `p` with itself, so that the zoomed surface is rougher than the far one: the mean over a patch of GGX
-    /// (0.2, 0.4) is 0.37 of the far field at the peak and 1.4 of it in the tail.
+    /// This is the rule of Kautz, Heidrich, Seidel 2001, §3.2 and §5.1, for a fractal surface. It
+    /// convolves `p` with itself, so the zoomed surface is rougher than the far one. The mean over
+    /// a patch of GGX (0.2, 0.4) is 0.37 of the far field at the peak and 1.4 of it in the tail.
     Fractal,
 }
 
 impl LevelOfDetail {
     /// The radiance of a pixel per unit of light, without Fresnel term and shadowing.
     ///
-    /// - **Domain:** unit half vector `h` in the frame of the macro surface, of which 0 is returned for `h.z ≤ 0`,
-    ///   a zero vector and NaN. A share above [`MAX_SHARE`](asperity_ndf_sampling::level_of_detail::MAX_SHARE) counts as that, NaN
-    ///   as 0, a NaN in `z` as 0; `fade` is clamped to `[0, 1]`, NaN counts as 0.
-    /// - **Range:** at least 0, finite, in sr⁻¹. Where nothing is resolved it is [`far_field`], to the bit.
+    /// - **Domain:** unit half vector `h` in the frame of the macro surface; `h.z ≤ 0`, a zero
+    ///   vector and NaN return 0. The fraction is clamped to
+    ///   [`MAX_SHARE`](asperity_ndf_sampling::level_of_detail::MAX_SHARE), NaN is read as 0. A NaN
+    ///   in `z` is read as 0. `fade` is clamped to `[0, 1]`, NaN is read as 0.
+    /// - **Range:** at least 0, finite, in sr⁻¹. Where nothing is resolved it is [`far_field`], bit
+    ///   for bit.
     #[must_use]
     pub fn radiance<N: Ndf + ?Sized>(self, ndf: &N, h: Vec3, coordinates: Coordinates) -> f32 {
         match self {
@@ -116,11 +123,13 @@ impl LevelOfDetail {
         }
     }
 
-    /// The radiances of a pixel under many lights: [`radiance`](Self::radiance) of as many half vectors as both slices have, with the
-    /// same bits.
+    /// The radiances of a pixel under many lights, bit-identical to [`radiance`](Self::radiance).
     ///
-    /// The lights' common part is computed once: the split of the Gaussian coordinates, the frame of the facet. `Exact` takes
-    /// half vectors of [`Ggx`](crate::Ggx) and [`Beckmann`](crate::Beckmann) in SIMD lanes under the feature `simd`.
+    /// Processes as many half vectors as the shorter slice has.
+    ///
+    /// The common part of the lights is computed once: the split of the Gaussian coordinates, and
+    /// the frame of the facet. `Exact` processes half vectors of [`Ggx`](crate::Ggx) and
+    /// [`Beckmann`](crate::Beckmann) with SIMD under the feature `simd`.
     ///
     /// ```
     /// use asperity_shading::level_of_detail::Coordinates;
@@ -165,15 +174,16 @@ impl LevelOfDetail {
     /// Exact:   T(√s z)
     /// ```
     ///
-    /// A unit vector with `z > 0`. The `Fractal` rule's is (0, 0, 1) where nothing is resolved. The `Exact` rule's is
-    /// the centre, in Gaussian coordinates, of the normals below the pixel: where nothing is resolved `T(0)`, which is
-    /// (0, 0, 1) for a density that is symmetric in x and y; where everything is resolved `T(z)`.
+    /// A unit vector with `z > 0`. The normal of the `Fractal` rule is (0, 0, 1) where nothing is
+    /// resolved. The normal of the `Exact` rule is the center, in Gaussian coordinates, of the
+    /// normals below the pixel. Where nothing is resolved it is `T(0)`, which is (0, 0, 1) for an
+    /// NDF that is symmetric in x and y. Where everything is resolved it is `T(z)`.
     #[must_use]
     pub fn normal<N: Ndf + ?Sized>(self, ndf: &N, coordinates: Coordinates) -> Vec3 {
         match self {
             Self::Exact => ndf.from_gaussian(sqrt(clamp_to(coordinates.share, 1.0)) * coordinates.z),
             Self::Fractal if coordinates.fade > 0.0 => ndf.from_gaussian(facet_coordinates(ndf, coordinates)),
-            // To the bit: an inversion need not return to the flat normal exactly.
+            // Bit for bit, since an inversion need not return to the flat normal exactly.
             Self::Fractal => Vec3::Z,
         }
     }
@@ -190,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_resolved_is_the_far_field_to_the_bit() {
+    fn unresolved_radiance_is_bit_identical_to_the_far_field() {
         let ndfs: [&dyn Ndf; 2] = [&Ggx::new(0.2, 0.4).unwrap(), &Beckmann::isotropic(0.3).unwrap()];
         for ndf in ndfs {
             for h in [Vec3::Z, Vec3::new(0.3, -0.4, 0.9).normalize(), Vec3::new(-0.9, 0.3, 0.1).normalize()] {
@@ -205,12 +215,12 @@ mod tests {
     }
 
     #[test]
-    fn fractal_looks_at_the_facet_in_its_own_frame() {
+    fn fractal_shades_in_the_frame_of_the_facet() {
         let ndf = Ggx::new(0.2, 0.4).unwrap();
         let coordinates = near(0.8, -1.1, 0.75, 1.0);
         let m = LevelOfDetail::Fractal.normal(&ndf, coordinates);
         assert_eq!(m, ndf.from_gaussian(coordinates.z));
-        // Straight at the facet the whole density's peak is seen.
+        // Straight at the facet the peak of the whole NDF is visible.
         let peak = LevelOfDetail::Fractal.radiance(&ndf, m, coordinates);
         assert_abs_diff_eq!(peak / ndf.density(Vec3::Z), 1.0, epsilon = 1e-4);
     }
@@ -232,7 +242,7 @@ mod tests {
         }
     }
 
-    /// A density that is not 0 below the horizon, and whose inversion misses the flat normal.
+    /// An NDF that is not 0 below the horizon, and whose inversion misses the flat normal.
     struct Unruly;
 
     impl Ndf for Unruly {
@@ -250,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn rules_hold_for_densities_that_break_theirs() {
+    fn rules_accept_invalid_ndfs() {
         for rule in [LevelOfDetail::Exact, LevelOfDetail::Fractal] {
             for h in
                 [Vec3::NEG_Z, Vec3::X, Vec3::ZERO, Vec3::NAN, Vec3::new(0.0, f32::NAN, 1.0), Vec3::INFINITY]
@@ -270,7 +280,7 @@ mod tests {
     }
 
     #[test]
-    fn many_lights_have_the_bits_of_each() {
+    fn radiances_are_bit_identical_to_radiance() {
         let ndfs: [&dyn Ndf; 3] = [&Ggx::new(0.2, 0.4).unwrap(), &Beckmann::isotropic(0.3).unwrap(), &Unruly];
         let bad =
             [Vec3::NEG_Z, Vec3::X, Vec3::ZERO, Vec3::NAN, Vec3::new(0.0, f32::NAN, 1.0), Vec3::INFINITY];
@@ -297,7 +307,7 @@ mod tests {
     }
 
     #[test]
-    fn share_and_fade_beyond_one_are_one() {
+    fn fraction_and_fade_are_clamped_to_one() {
         let ndf = Ggx::new(0.2, 0.4).unwrap();
         for rule in [LevelOfDetail::Exact, LevelOfDetail::Fractal] {
             assert_eq!(
