@@ -1,4 +1,4 @@
-//! Bump maps of a density of normals as a material.
+//! A bump map of an NDF as a material.
 
 use asperity_ndf_sampling::Ndf;
 use glam::Vec3;
@@ -9,13 +9,13 @@ use crate::material::interface::Material;
 use crate::material::surface_point::SurfacePoint;
 use crate::reflectance::{Bsdf, Lobe};
 
-/// A bump map of a density of normals, shaded with it by a rule of level of detail.
+/// A bump map of an NDF, shaded with the NDF by a level-of-detail rule.
 ///
 /// ```text
 /// f_r = colour · p(h | what the pixel resolves) min(1, h_z/(ωo·h))/(4 max(cos θ_i, cos θ_o))
 /// ```
 ///
-/// Its mean over the surface is that of the far field at every zoom under [`LevelOfDetail::Exact`].
+/// Under [`LevelOfDetail::Exact`] its mean over the surface is the far field at every zoom.
 ///
 /// Kautz, Heidrich, Seidel 2001, *Real-Time Bump Map Synthesis*.
 ///
@@ -36,13 +36,13 @@ use crate::reflectance::{Bsdf, Lobe};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BumpMapped<N, F> {
-    /// The density of normals.
+    /// The NDF.
     pub ndf: N,
-    /// The noise that lays it into space.
+    /// The noise that defines the bumps in space.
     pub bumps: BumpField<F>,
-    /// The rule of level of detail.
+    /// The level-of-detail rule.
     pub rule: LevelOfDetail,
-    /// The reflectance of the facets; what is not positive counts as 0.
+    /// The reflectance of the facets; non-positive components are read as 0.
     pub colour: Vec3,
 }
 

@@ -1,4 +1,4 @@
-//! Octaves of simplex noise by position, as a pixel sees them.
+//! fBm of simplex noise by position, filtered by the footprint.
 
 use asperity_noise::{
     Detail, Field, Noise, Normalisation, Octaves, Sample, Simplex, Spectrum, SpectrumError, removed_share,
@@ -12,7 +12,7 @@ use crate::pixel::Footprint;
 /// The variance of each component of ∇N of one octave, per cell squared: measured over 1.6·10⁷ points.
 pub(crate) const SLOPE_VARIANCE: f32 = 3.08;
 
-/// The most octaves that flakes or dents have.
+/// The maximum number of octaves of flakes and dents.
 pub(crate) const DETAIL: [f32; 2] = [1.0, 8.0];
 
 /// A spectrum of `detail` octaves.
@@ -21,7 +21,7 @@ pub(crate) fn spectrum(
     [lacunarity, gain]: [f32; 2],
     detail: u32,
 ) -> Result<Spectrum, ParameterError> {
-    // Octaves are few: the cast is exact, and what is not few is refused all the same.
+    // Octaves are few, so the cast is exact; invalid counts are rejected anyway.
     let value = within(parameter, detail as f32, DETAIL)?;
     Spectrum::new(lacunarity, gain, detail).map_err(|_: SpectrumError| ParameterError::Outside {
         parameter,
@@ -38,17 +38,17 @@ pub struct Fbm<K = Simplex> {
     /// The whole sum.
     octaves: Octaves<K, 3>,
     frequency: f32,
-    /// The frequency of the last octave over that of the first.
+    /// The frequency of the last octave over the frequency of the first.
     highest: f32,
 }
 
 impl Fbm {
-    /// The octaves of a spectrum, all of them, the first of this size.
+    /// Creates the sum of all octaves of a spectrum, the first of this size.
     pub(crate) fn new(spectrum: Spectrum, size: f32, seed: u32) -> Self {
         Self::of(Simplex::new(0), spectrum, size, seed)
     }
 
-    /// A single octave.
+    /// Creates a single octave.
     pub(crate) fn single(size: f32, seed: u32) -> Self {
         let cloud = Self::new(Spectrum::CLOUD, size, seed);
         Self { octaves: cloud.octaves.first(1.0), highest: 1.0, ..cloud }
@@ -62,19 +62,20 @@ impl<K: Kernel<3>> Fbm<K> {
         &self.octaves
     }
 
-    /// Cells of the first octave per unit of length, and the frequency of the last octave over that of the first.
+    /// Cells of the first octave per unit of length, and the frequency ratio of the last and the
+    /// first octave.
     #[must_use]
     pub const fn frequencies(&self) -> [f32; 2] {
         [self.frequency, self.highest]
     }
 
-    /// The octaves of a spectrum of any kind of noise.
+    /// Creates the sum of octaves of a spectrum for any noise.
     pub(crate) fn of(noise: K, spectrum: Spectrum, size: f32, seed: u32) -> Self {
         let octaves = Octaves::new(noise, spectrum).with_seed(seed).with_normalisation(Normalisation::Range);
         Self { octaves, frequency: 1.0 / size, highest: spectrum.frequency(spectrum.max_octaves() - 1) }
     }
 
-    /// Value, and gradient by p/size, with the octaves that the pixel cannot resolve faded to 0, their mean.
+    /// Value and gradient by p/size, with unresolved octaves faded to 0, their mean.
     pub(crate) fn sample(&self, position: Vec3, footprint: Footprint) -> Sample<Vec3> {
         let p = position * self.frequency;
         match self.faded(footprint) {
@@ -99,17 +100,17 @@ impl<K: Kernel<3>> Fbm<K> {
             .then(|| self.octaves.detail(self.octaves.octaves()).clamped(width))
     }
 
-    /// The value without any fading.
+    /// The value without fading.
     pub(crate) fn value(&self, position: Vec3) -> f32 {
         self.octaves.value(position * self.frequency)
     }
 
-    /// The share of the first octave that the pixel cannot resolve.
+    /// The fraction of the first octave that the pixel cannot resolve.
     pub(crate) fn removed(&self, footprint: Footprint) -> f32 {
         removed_share(footprint.width(), self.frequency)
     }
 
-    /// The variance of each component of the gradient by p/size that fading takes away.
+    /// The variance of each component of the gradient by p/size that fading removes.
     ///
     /// ```text
     /// Σ (aᵢ fᵢ/Σ a)² (1 − (1 − kᵢ)²) · slope_variance
@@ -137,7 +138,9 @@ pub fn half_mean() -> f32 {
     0.5 * Noise::<Vec3>::absolute_moments(&Simplex::new(0))[0]
 }
 
-/// `t² (3 − 2t)`, `t = clamp((x − low)/(high − low), 0, 1)`; a step from `high` on where the interval is empty. NaN gives 0.
+/// `t² (3 − 2t)`, `t = clamp((x − low)/(high − low), 0, 1)`.
+///
+/// A step at `high` if the interval is empty. NaN returns 0.
 pub(crate) fn smoothstep(low: f32, high: f32, x: f32) -> f32 {
     if x >= high {
         1.0

@@ -1,4 +1,4 @@
-//! Tempered glass: the waves that rollers leave in it.
+//! Tempered glass with roller waves.
 
 use glam::Vec3;
 
@@ -15,56 +15,62 @@ use crate::reflectance::{Bsdf, Coat, Dielectric};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum GlassWaves {
-    /// A sine along one direction, as rollers leave it.
+    /// A sine along one direction, as left by rollers.
     #[default]
     Sine,
-    /// One octave of simplex noise, which looks bumpy: the thesis's other try.
+    /// One octave of simplex noise, which looks bumpy; the alternative of the thesis.
     Noise,
 }
 
-/// The thickness of [`TemperedGlass`].
+/// The geometry of [`TemperedGlass`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum GlassBody {
-    /// A thin pane, through which one looks straight.
+    /// A thin pane without refraction offset.
     #[default]
     Pane,
-    /// The surface of a body, which refracts; seen from inside where the eye is below the surface.
+    /// The refracting surface of a solid body, seen from inside if the eye is below the surface.
     Solid,
 }
 
 parameters! {
-    /// The parameters of [`TemperedGlass`], by the names of Nilsson 2008, Appendix B.
+    /// The parameters of [`TemperedGlass`], named as in Nilsson 2008, Appendix B.
     pub struct TemperedGlassParameters of TemperedGlass {
-        /// The frequency of the waves in radians per unit of length, of noise in cells; within `[10⁻⁶, 10⁶]`. Default 20: every 0.3.
+        /// The frequency of the waves, in radians (sine) or cells (noise) per unit of length;
+        /// within `[10⁻⁶, 10⁶]`. Default 20: every 0.3.
         wave_frequency: f32 = 20.0, as_size;
-        /// Their amplitude in units of length, within `[0, 10⁶]`. Default 10⁻⁴: a slope of 0.002, seen in what is far away.
+        /// Their amplitude in units of length, within `[0, 10⁶]`. Default 10⁻⁴: a slope of 0.002,
+        /// visible in distant reflections.
         wave_amplitude: f32 = 1e-4, range([0.0, 1e6]);
-        /// The direction in which they travel, in the space of positions; it is made unit. Default (0, 1, 0).
+        /// The direction in which they travel, in the space of positions; it is normalized. Default
+        /// (0, 1, 0).
         wave_propagation_vector: Vec3 = Vec3::Y;
         /// Sine or noise. Default sine.
         waves: GlassWaves = GlassWaves::Sine;
-        /// A thin pane, or the surface of a body; this and what follows is not in the thesis. Default pane.
+        /// A thin pane, or the surface of a body. This and the following parameters are not in the
+        /// thesis. Default pane.
         body: GlassBody = GlassBody::Pane;
         /// The relative index, within `[1, 4]`. Default 1.52.
         index: f32 = 1.52, range([1.0, 4.0]);
-        /// The share of light that a pane lets through beside what it mirrors, straight through, by colour. Default white.
+        /// The transmittance of a pane at normal incidence in addition to its reflection, by color.
+        /// Default white.
         tint: Vec3 = Vec3::ONE, colour;
-        /// The roughness of its surfaces, Beckmann's α, within `[0, 1]`: of what is mirrored and of what is transmitted, as of frosted
-        /// glass. 0 is smooth. Default 0.
+        /// The roughness of its surfaces, Beckmann's α, within `[0, 1]`, for reflection and
+        /// transmission, as of frosted glass. 0 is smooth. Default 0.
         roughness: f32 = 0.0, as_share;
-        /// Which noise: any number.
+        /// Random seed.
         seed: u32 = 1;
     }
 }
 
-/// Tempered glass: a wavy surface.
+/// Tempered glass with a wavy surface.
 ///
 /// ```text
 /// h = A sin(f p·d),   g = (d − n (n·d)) f A cos(f p·d),   n′ = normalize(n − g)
 /// ```
 ///
-/// or h = A N(f p). Waves that a pixel cannot resolve fade to none; their slopes are then facets of the [`Bsdf`].
+/// or h = A N(f p). Waves that a pixel cannot resolve fade out; their slopes become facets of the
+/// [`Bsdf`].
 ///
 /// Nilsson 2008, §4.4 and Appendix B.
 ///
@@ -94,14 +100,14 @@ pub fn wave_height(position: Vec3, direction: Vec3, frequency: f32, amplitude: f
     if phase.is_finite() { amplitude * sin(phase) } else { 0.0 }
 }
 
-/// The gradient of [`wave_height`] along a surface.
+/// The surface gradient of [`wave_height`].
 ///
 /// ```text
 /// ∇h = (d − n (n·d)) f A cos(f p·d)
 /// ```
 ///
-/// Zero where the phase is not finite. Nilsson 2008, §4.4.2, `wave_gradient`, which prints `n d f A cos(f p·d)`, component by component:
-/// no waves at all for n = (0, 0, 1) and d = (1, 0, 0).
+/// Zero where the phase is not finite. Nilsson 2008, §4.4.2, `wave_gradient`, prints `n d f A cos(f
+/// p·d)` component by component, which has no waves for n = (0, 0, 1) and d = (1, 0, 0).
 ///
 /// ```
 /// use asperity_shading::material::wave_gradient;
@@ -120,7 +126,7 @@ pub fn wave_gradient(position: Vec3, n: Vec3, direction: Vec3, frequency: f32, a
 }
 
 impl TemperedGlass {
-    /// The glass of these parameters.
+    /// Creates the glass of these parameters.
     ///
     /// # Errors
     /// [`ParameterError`] with the first parameter that is out of its range, or for a `wave_propagation_vector` that is zero or not
@@ -132,21 +138,23 @@ impl TemperedGlass {
         Ok(Self { parameters, direction, noise: Fbm::single(1.0 / p.wave_frequency, p.seed) })
     }
 
-    /// The unit direction in which waves travel, and the noise of those that are noise.
+    /// The unit direction in which waves travel, and the noise of noise waves.
     #[doc(hidden)]
     #[must_use]
     pub const fn parts(&self) -> (Vec3, &Fbm) {
         (self.direction, &self.noise)
     }
 
-    /// Unit normal of the glass at a pixel, and the slopes that the footprint took; total: flat where the position is not finite.
+    /// Unit normal of the glass at a pixel, and the unresolved slopes; flat if the position is not
+    /// finite.
     fn surface(&self, point: &SurfacePoint) -> (Vec3, Slopes) {
         let p = &self.parameters;
         let (n, steepest) = (point.normal, p.wave_frequency * p.wave_amplitude);
         let (gradient, lost) = match p.waves {
             GlassWaves::Sine => {
                 let across = tangential(n, self.direction);
-                // Its period is 2π/f, and along the surface the longer the more it leans away.
+                // The period is 2π/f. Along the surface it is longer the more the surface leans
+                // away.
                 let cycles = point.change(across) * p.wave_frequency / core::f32::consts::TAU;
                 let kept =
                     if across == Vec3::ZERO { 1.0 } else { 1.0 - asperity_noise::removed_share(cycles, 1.0) };
@@ -164,7 +172,7 @@ impl TemperedGlass {
 }
 
 impl Material for TemperedGlass {
-    /// A coat that mirrors and transmits, each with the waves in it, or rough glass; nothing else.
+    /// A coat that reflects and transmits, each with the waves in it, or rough glass.
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let (p, frame) = (&self.parameters, point.frame());
         let (normal, slopes) = self.surface(point);
@@ -188,7 +196,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn the_gradient_is_that_of_the_height() {
+    fn wave_gradient_matches_finite_differences() {
         let n = Vec3::new(0.36, 0.48, 0.8);
         let d = Vec3::new(0.6, 0.0, 0.8);
         let h = 1.0 / 1024.0;
@@ -212,7 +220,7 @@ mod tests {
             let at = |width| {
                 let point = SurfacePoint::new(Vec3::splat(0.3), Vec3::Z, Footprint::from_width(width));
                 let (normal, slopes) = glass.surface(&point);
-                // Half of cos² and half again for one of two axes.
+                // Half for cos² and half again for one of two axes.
                 let variance = match slopes {
                     Slopes::Gaussian(variance) => variance,
                     Slopes::Sine(swing) => 0.25 * swing.length_squared(),

@@ -1,4 +1,4 @@
-//! A rough diffuse surface with gloss: what carpets and plastic panels are to a pixel.
+//! A rough diffuse surface with gloss, for carpets and plastic panels.
 
 use asperity_ndf_sampling::{Beckmann, Frame};
 use glam::Vec3;
@@ -7,25 +7,28 @@ use crate::bump::slope_facets::facets_along;
 use crate::math::sqrt;
 use crate::reflectance::{Bsdf, CookTorrance, EnergyPreservingOrenNayar};
 
-/// A rough diffuse surface with gloss, as a pixel sees it.
+/// A rough diffuse surface with gloss, as seen by a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct GlossySurface {
-    /// The diffuse colour, in [0, 1]³.
+    /// The diffuse color, in [0, 1]³.
     pub diffuse: Vec3,
-    /// The specular colour, in [0, 1]³.
+    /// The specular color, in [0, 1]³.
     pub specular: Vec3,
     /// The unit normal with bumps.
     pub normal: Vec3,
-    /// The variance of the slope along each axis that the footprint took from the bumps.
+    /// The slope variance along each axis that the footprint removed from the bumps.
     pub slope_variance: f32,
-    /// The deviation of the slope that it took from ridges, in the one direction across them; zero without.
+    /// The standard deviation of the slope that it removed from ridges, across the ridges; zero
+    /// without ridges.
     pub ridges: Vec3,
 }
 
 impl GlossySurface {
-    /// Adds a layer of facets of this roughness under a gloss of the width α to a BSDF in the frame of the surface without bumps.
+    /// Adds a layer of facets of this roughness under a gloss of the width α to a BSDF.
+    ///
+    /// The BSDF is in the frame of the surface without bumps.
     pub(crate) fn add_to(&self, bsdf: &mut Bsdf<'_>, frame: &Frame, roughness: f32, alpha: f32) {
-        // What shines is at the cost of what is scattered.
+        // Specular light reduces the diffuse light.
         let diffuse = self.diffuse.min(Vec3::ONE - self.specular);
         let base = EnergyPreservingOrenNayar::clamped(diffuse, roughness);
         let gloss = CookTorrance::new(Beckmann::clamped(alpha, alpha), self.specular);

@@ -1,28 +1,34 @@
-//! Materials: BSDFs that differ from point to point.
+//! The `Material` trait: BSDFs that vary over a surface.
 
 use crate::material::surface_point::SurfacePoint;
 use crate::reflectance::Bsdf;
 use glam::Vec3;
 
-/// A material: the [`Bsdf`] of every point of a surface, as a pixel sees it.
+/// A material: returns the [`Bsdf`] of every surface point, filtered by the pixel.
 ///
-/// It needs of a point its position and texture coordinates with the derivatives of the position by these, the normal without bumps, and
-/// the width of the pixel on the surface. What the pixel does not resolve of the material is in the BSDF, as facets and roughness, so
-/// that the mean radiance of a surface is the same at every zoom. A pixel that is longer than wide is the mean of several points,
+/// The input is the position, the texture coordinates with the derivatives of the position, the
+/// normal without bumps, and the width of the pixel on the surface. Unresolved detail is part of
+/// the BSDF as facets and roughness, so the mean radiance of a surface is the same at every zoom.
+/// For an elongated pixel average several points, see
 /// [`PixelEllipse::taps`](crate::pixel::PixelEllipse::taps).
 ///
-/// `wo` is the unit direction to the eye in the frame of the surface, [`SurfacePoint::frame`], as are all directions of the BSDF.
+/// `wo` is the unit direction to the eye in the frame of the surface, [`SurfacePoint::frame`]. All
+/// directions of the BSDF are in this frame.
 ///
 /// # Light
 ///
-/// - A lamp of no extent in the direction `wi` adds `bsdf.scattered(wi, wo)` times its irradiance, which is `value · cos θ_i`.
-/// - Light from all around is `value cos θ_i radiance/density` at a direction by `sample`, or
-///   [`reflected_radiance`](crate::environment::reflected_radiance), which weighs samples of both.
-/// - Smooth coats, panes and metals send light from single directions, which neither `value` nor `sample` know: a path tracer adds
-///   `weight · radiance` of both [`deltas`](Bsdf::deltas), or of one by chance; below the surface they are transmitted.
-/// - [`emitted`](Bsdf::emitted) is added whatever the light.
+/// - A point or directional light in the direction `wi` adds `bsdf.scattered(wi, wo)` times its
+///   irradiance. `scattered` is `value · cos θ_i`.
+/// - Environment light adds `value cos θ_i radiance/density` for a direction from `sample`, or
+///   [`reflected_radiance`](crate::environment::reflected_radiance), which combines samples of
+///   both.
+/// - Smooth coats, panes and metals reflect light from single directions, which `value` and
+///   `sample` do not include. A path tracer adds `weight · radiance` of both
+///   [`deltas`](Bsdf::deltas), or chooses one at random. Directions below the surface are
+///   transmitted.
+/// - [`emitted`](Bsdf::emitted) is added regardless of the light.
 ///
-/// The trait is dyn-compatible. Reflectances are materials that are alike everywhere.
+/// The trait is dyn-compatible. Every `Brdf` of the crate is also a spatially constant `Material`.
 ///
 /// ```
 /// use asperity_shading::glam::{Vec2, Vec3};
@@ -40,20 +46,23 @@ use glam::Vec3;
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 pub trait Material {
-    /// BSDF of a point that is seen from the unit direction `wo`, in the frame of the surface; total.
+    /// The BSDF of a point seen from `wo`, a unit direction in the frame of the surface.
+    ///
+    /// Accepts every input.
     #[must_use]
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_>;
 
-    /// The height above the surface without bumps, as the pixel sees it; total.
+    /// The height above the surface without bumps, as seen by the pixel; accepts every input.
     ///
-    /// The facets of the BSDF have its slopes. It is in the unit of positions, where texture coordinates are in that unit too; 0 of a
-    /// material without [heights](Self::height_range).
+    /// The facets of the BSDF have its slopes. Its unit is that of the positions if texture
+    /// coordinates are in that unit too. 0 for a material without [heights](Self::height_range).
     #[must_use]
     fn height(&self, _point: &SurfacePoint) -> f32 {
         0.0
     }
 
-    /// Bounds of all heights; none of a material that is flat, or whose normals are those of no height.
+    /// Bounds of all heights; `None` for a flat material, or if its normals are not those of a
+    /// height.
     #[must_use]
     fn height_range(&self) -> Option<[f32; 2]> {
         None

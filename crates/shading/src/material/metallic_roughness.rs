@@ -1,4 +1,4 @@
-//! A BSDF in the metallic–roughness model, which textures of engines hold.
+//! Conversion of a BSDF to the metallic–roughness model of engine textures.
 
 use glam::{Vec2, Vec3};
 
@@ -13,21 +13,24 @@ use crate::reflectance::{Bsdf, LobePart};
 /// specular = F₀ = lerp(0.04, base, metallic)
 /// ```
 ///
-/// `diffuse` is the albedo of all diffuse lobes of a [`Bsdf`] and `specular` the reflectance of all glossy lobes at normal incidence,
-/// in each channel. [`of`](Self::of) inverts the model: a surface of these lobes has its base color and metallic again, and the lobes are
-/// those of the result to 3·10⁻⁷. Where all channels of the base color are at most 0.04, two pairs have the same lobes: the result is the
-/// less metallic one.
+/// `diffuse` is the albedo of all diffuse lobes of a [`Bsdf`] and `specular` the reflectance of all
+/// glossy lobes at normal incidence, in each channel. [`of`](Self::of) inverts the model. The
+/// result for a surface of these lobes has the original base color and metallic, and the same lobes
+/// to 3·10⁻⁷. If all channels of the base color are at most 0.04, two pairs have the same lobes,
+/// and the result is the less metallic one.
 ///
-/// A surface with other lobes, such as [`MetallicPaint`](crate::MetallicPaint), gets the base color and the metallic with the least
-/// squared difference of `diffuse/(1 − specular)` and of `specular` over the channels. A surface without glossy lobes has the metallic 0 and
-/// its albedo as the base color, also under a varnish. Its diffuse light is multiplied by 1 − F twice, and that of the model once, so the
-/// model is brighter by 4 % for an index of 1.5.
+/// For a surface with other lobes, such as [`MetallicPaint`](crate::MetallicPaint), the base color
+/// and the metallic minimize the squared difference of `diffuse/(1 − specular)` and of `specular`
+/// over the channels. A surface without glossy lobes has metallic 0 and its albedo as base color,
+/// also under a varnish. Its diffuse light is multiplied by 1 − F twice, but in the model once, so
+/// the model is brighter by 4 % for an index of 1.5.
 ///
-/// Slopes are means over all facets, weighted by the light of their lobes, and `alpha2` is the mean of Beckmann's α² about the facets,
-/// so `alpha2` plus the trace of the slopes' covariance is that of the whole surface. A varnish is the dielectric's own lobe over a
-/// diffuse surface, and a clear coat over a glossy surface. A diffuse surface has α = 1.
+/// Slopes are means over all facets, weighted by the light of their lobes. `alpha2` is the mean of
+/// Beckmann's α² around the facets, so `alpha2` plus the trace of the covariance of the slopes
+/// describes the whole surface. A varnish is the dielectric lobe of the model over a diffuse
+/// surface, and a clearcoat over a glossy surface. A diffuse surface has α = 1.
 ///
-/// Emitted light, sparkles, counted flakes and the roughness of diffuse lobes are left out.
+/// Emission, sparkles, counted flakes and the roughness of diffuse lobes are omitted.
 ///
 /// Khronos Group 2021, *glTF 2.0 Specification*, Appendix B.
 ///
@@ -47,15 +50,15 @@ use crate::reflectance::{Bsdf, LobePart};
 #[doc(alias = "gltf")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MetallicRoughness {
-    /// The linear base colour, in [0, 1]³.
+    /// The linear base color, in [0, 1]³.
     pub base_colour: Vec3,
     /// From 0, a dielectric, to 1, a metal.
     pub metallic: f32,
     /// Moments of the slopes `(n_x, n_y)/n_z` of the facets, in the frame of the surface.
     pub slopes: SlopeMoments,
-    /// The mean of α² about the facets, in [0, 1].
+    /// The mean of α² around the facets, in [0, 1].
     pub alpha2: f32,
-    /// α of a clear coat over a glossy surface, if there is one.
+    /// α of a clearcoat over a glossy surface, if present.
     pub coat: Option<f32>,
 }
 
@@ -63,7 +66,10 @@ pub struct MetallicRoughness {
 const DIELECTRIC: f64 = 0.04;
 
 impl MetallicRoughness {
-    /// The model's parameters of a BSDF; none of one without lobes, one that transmits, and one with a lobe that has no colours.
+    /// The parameters of the model for a BSDF.
+    ///
+    /// `None` for a BSDF without lobes, a BSDF that transmits, and a BSDF with a lobe without
+    /// colors.
     #[must_use]
     pub fn of(bsdf: &Bsdf<'_>) -> Option<Self> {
         let (mut diffuse, mut specular, mut facets) = (Vec3::ZERO, Vec3::ZERO, false);
@@ -105,7 +111,7 @@ impl MetallicRoughness {
     }
 }
 
-/// Slopes and α² by their share of light.
+/// Slopes and α² weighted by their fraction of light.
 #[derive(Clone, Copy, Default)]
 struct Mean {
     weight: f32,
@@ -124,21 +130,22 @@ impl Mean {
     }
 }
 
-/// Perceived brightness of a colour (Finley 2006, "HSP Color Model").
+/// Perceived brightness of a color (Finley 2006, "HSP Color Model").
 fn brightness(colour: Vec3) -> f32 {
     sqrt((colour * colour).dot(Vec3::new(0.299, 0.587, 0.114)).max(0.0))
 }
 
 /// Base color and metallic of the nearest surface of the glTF 2.0 model.
 ///
-/// With `c = diffuse/(1 − specular)`, the square of the difference is least for the base color
+/// With `c = diffuse/(1 − specular)`, the squared difference is smallest for the base color
 ///
 /// ```text
 /// b(t) = (t c + (1 − t) (s − 0.04 t))/(t² + (1 − t)²),   t = 1 − metallic
 /// ```
 ///
-/// in each channel, within [0, 1]. The difference of one channel is 0 at the roots of `0.04 t² − (c + s) t + c`. The search for the least
-/// sum over all channels starts at the best of these roots and of a few steps.
+/// in each channel, within [0, 1]. The difference of one channel is 0 at the roots of `0.04 t² − (c +
+/// s) t + c`. The search for the minimum of the sum over all channels starts at the best of these
+/// roots and a few steps.
 fn base_colour(diffuse: Vec3, specular: Vec3) -> (Vec3, f32) {
     let lobes: [[f64; 2]; 3] = core::array::from_fn(|i| {
         let specular = f64::from(clamp_to(specular[i], 1.0));
@@ -218,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn matt_glossy_and_varnished_surfaces_are_told_apart() {
+    fn of_distinguishes_matte_glossy_and_varnished_surfaces() {
         let clay = Vec3::new(0.4, 0.2, 0.1);
         let chalk = || Lobe::from(EnergyPreservingOrenNayar::clamped(clay, 0.5));
         let matt = MetallicRoughness::of(&Bsdf::new(Vec3::Z).with(facets(), [chalk()])).unwrap();
@@ -310,7 +317,7 @@ mod tests {
     }
 
     #[test]
-    fn glass_and_nothing_have_no_such_parameters() {
+    fn of_glass_and_empty_bsdfs_is_none() {
         let glass = Coat::body(Dielectric::clamped(1.5));
         assert_eq!(MetallicRoughness::of(&Bsdf::new(Vec3::Z).with_coat(glass.rough(0.2))), None);
         assert_eq!(MetallicRoughness::of(&Bsdf::new(Vec3::Z).with_coat(glass)), None);

@@ -1,4 +1,5 @@
-//! The materials of a car, after Nilsson 2008: carpet, metallic paint, tempered glass, and variations for any surface.
+//! Car materials after Nilsson 2008: carpet, metallic paint, tempered glass, and wear for any
+//! surface.
 
 mod bump_mapped;
 mod carpet;

@@ -1,4 +1,4 @@
-//! Normal maps made by hand as a material.
+//! Authored normal maps as a material.
 
 use asperity_ndf_sampling::Beckmann;
 use glam::Vec3;
@@ -10,13 +10,14 @@ use crate::material::surface_point::SurfacePoint;
 use crate::normal_map::SlopePyramidRef;
 use crate::reflectance::{Bsdf, Lobe};
 
-/// A glossy surface with a normal map made by hand, by the slopes within the pixel in up to 16 groups.
+/// A glossy surface with an authored normal map, with the slopes within a pixel in up to 16 groups.
 ///
 /// ```text
 /// f_r = colour · p(h) min(1, h_z/(ωo·h))/(4 max(cos θ_i, cos θ_o)),   p(h) of SlopeLobes::density
 /// ```
 ///
-/// The map lies along the tangents of the surface: texture coordinates of the points are those of the map.
+/// The map is aligned with the tangents of the surface: texture coordinates of the points are those
+/// of the map.
 ///
 /// The example needs the feature `alloc`.
 ///
@@ -44,9 +45,9 @@ use crate::reflectance::{Bsdf, Lobe};
 pub struct NormalMapped<'a, const K: usize> {
     /// The slopes of the map at every zoom.
     pub map: SlopePyramidRef<'a, K>,
-    /// The facets of the surface between the slopes of the map.
+    /// The NDF of the surface between the slopes of the map.
     pub roughness: Beckmann,
-    /// The reflectance of the facets; what is not positive counts as 0.
+    /// The reflectance of the facets; non-positive components are read as 0.
     pub colour: Vec3,
 }
 

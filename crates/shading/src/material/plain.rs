@@ -1,4 +1,4 @@
-//! Reflectances as materials that are alike everywhere.
+//! BRDFs as spatially constant materials.
 
 use asperity_ndf_sampling::{Microfacet, Ndf};
 use glam::Vec3;
@@ -28,7 +28,7 @@ alike_everywhere! {
     {D: Microfacet, F: Fresnel} CookTorrance<D, F>, {D: Ndf, F: Fresnel} TorranceSparrow<D, F>
 }
 
-/// A polished metal, a pane or a body without anything else.
+/// A polished metal, a pane or a body without other layers.
 impl Material for Coat {
     fn bsdf(&self, _: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         Bsdf::new(wo).with_coat(*self)

@@ -1,4 +1,5 @@
-//! Short oriented segments in the cells of a plane, drawn by hashes: what scratches and fibres lie along.
+//! Short oriented segments in the cells of a plane, drawn by hashes: the lines of scratches and
+//! fibers.
 
 use asperity_noise::{IntegerHash, Lattice};
 use glam::{Vec2, Vec3, Vec4};
@@ -10,27 +11,27 @@ pub(crate) fn unit(word: u32) -> f32 {
     (word >> 8) as f32 / 16_777_216.0
 }
 
-/// The most segments that begin in a cell.
+/// The maximum number of segments that begin in a cell.
 pub(crate) const MOST: u32 = 8;
 
 /// Segments of a cell that are hashed together.
 const QUARTET: usize = 4;
-/// Segments that are turned together.
+/// Segments that are rotated together.
 const BATCH: usize = 8;
 
-/// Segments whose midpoints are near, with room for a quartet more than a batch.
+/// Segments with nearby midpoints, with space for four more than a batch.
 #[derive(Default)]
 struct Batch {
     /// The point from the midpoint, in cells.
     x: [f32; BATCH + QUARTET],
     y: [f32; BATCH + QUARTET],
-    /// Its cell, and which one of that it is.
+    /// Its cell, and its index in the cell.
     name: [[i32; 3]; BATCH + QUARTET],
     count: usize,
 }
 
 impl Batch {
-    /// A segment more, if it is there: what is written otherwise is written over by the next one.
+    /// Adds a segment if it is present; otherwise the next one overwrites it.
     #[inline(always)]
     fn push(&mut self, [x, y]: [f32; 2], own: [i32; 3], there: bool) {
         if let (Some(to_x), Some(to_y), Some(name)) =
@@ -41,7 +42,7 @@ impl Batch {
         }
     }
 
-    /// Leaves out a whole batch.
+    /// Removes a whole batch.
     fn drop_first(&mut self) {
         self.x.copy_within(BATCH.., 0);
         self.y.copy_within(BATCH.., 0);
@@ -50,10 +51,10 @@ impl Batch {
     }
 }
 
-/// `(cos t, sin t)` for |t| ≤ π/2: their series to t¹² and t¹¹, to 1e-7.
+/// `(cos t, sin t)` for |t| ≤ π/2 by their series to t¹² and t¹¹, accurate to 1e-7.
 #[inline(always)]
 fn cos_sin(t: Vec4) -> [Vec4; 2] {
-    /// Ratio of each term to the one before.
+    /// Ratio of each term to the previous one.
     const COS: [f32; 6] = [1.0 / 2.0, 1.0 / 12.0, 1.0 / 30.0, 1.0 / 56.0, 1.0 / 90.0, 1.0 / 132.0];
     const SIN: [f32; 5] = [1.0 / 6.0, 1.0 / 20.0, 1.0 / 42.0, 1.0 / 72.0, 1.0 / 110.0];
     let t2 = t * t;
@@ -72,7 +73,7 @@ pub struct Segments {
     pub length: f32,
     /// The mean number of segments of a cell, at most [`MOST`].
     pub cover: f32,
-    /// The unit direction that they are spread about.
+    /// The unit mean direction.
     pub direction: Vec2,
     /// Spread of directions: 1 is a quarter of a turn to either side, all directions.
     pub spread: f32,
@@ -83,19 +84,21 @@ pub struct Segments {
 /// A segment near a point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Near {
-    /// Place of the point along it, −1 and 1 at its ends.
+    /// Position of the point along it, −1 and 1 at its ends.
     pub(crate) along: f32,
     /// The distance to its left.
     pub(crate) across: f32,
     /// Its unit direction.
     pub(crate) direction: Vec2,
-    /// Two random numbers in [0, 1) of its own.
+    /// Two random numbers in [0, 1), specific to it.
     pub(crate) random: [f32; 2],
 }
 
 impl Segments {
-    /// Visits the segments that may reach so far, those whose midpoint is nearer than half their length along and `aside` across, and
-    /// nearer than a cell's side; none where cells cannot be told apart.
+    /// Visits the segments that may reach the point.
+    ///
+    /// Their midpoint is nearer than half their length along, `aside` across, and the side of a
+    /// cell. None where cells cannot be distinguished.
     pub(crate) fn visit(&self, at: Vec2, aside: f32, mut f: impl FnMut(Near)) {
         const FARTHEST: f32 = 8_388_608.0;
         let place = at / self.cell;
@@ -104,11 +107,11 @@ impl Segments {
         }
         let base = Vec2::new(floor(place.x), floor(place.y));
         let [along, aside] = [0.5 * self.length, aside].map(|reach| reach / self.cell);
-        // A little more, for rounding.
+        // Slightly more, for rounding.
         let farthest = ((along * along + aside * aside) * 1.000_1).min(1.0);
         let within = place - base;
         let gaps = [within, Vec2::ZERO, Vec2::ONE - within];
-        // Where all are certain none is asked whether it is there.
+        // If all are certain, presence is not tested.
         let certain = self.cover == floor(self.cover);
         let mut batch = Batch::default();
         for i in 0..9_u8 {
@@ -121,7 +124,7 @@ impl Segments {
             let [x, y] = [corner.x as i32, corner.y as i32];
             let from = place - corner;
             for first in (0..MOST).step_by(QUARTET) {
-                // Segment k is there with probability clamp(cover − k, 0, 1).
+                // Segment k is present with probability clamp(cover − k, 0, 1).
                 let left = self.cover - first as f32;
                 if left <= 0.0 {
                     break;
@@ -152,13 +155,13 @@ impl Segments {
         self.finish(&batch, batch.count, &mut f);
     }
 
-    /// Hands over the first segments of a batch.
+    /// Passes on the first segments of a batch.
     #[inline(always)]
     fn finish(&self, batch: &Batch, count: usize, f: &mut impl FnMut(Near)) {
         let turns = 2.0 * self.spread * core::f32::consts::FRAC_PI_2;
         let (to_along, d) = (self.cell / (0.5 * self.length), self.direction);
         for first in (0..count.min(BATCH)).step_by(QUARTET) {
-            // Only of those that are near: the word of its own.
+            // Only for near segments: the hash of each.
             let own: [u32; QUARTET] = core::array::from_fn(|k| {
                 let [x, y, name] = batch.name[first + k];
                 IntegerHash.word([x, y, 3 * name + 2], self.seed)
@@ -183,9 +186,9 @@ impl Segments {
         }
     }
 
-    /// The mean squares of the unit direction across a segment: along x, along both, along y.
+    /// The mean squares of the unit direction across a segment: xx, xy, yy.
     pub(crate) fn mean_square_across(&self) -> Vec3 {
-        // Of an even spread over ±turn, E cos 2φ = sin(2 turn)/(2 turn).
+        // For a uniform spread over ±turn, E cos 2φ = sin(2 turn)/(2 turn).
         let turn = core::f32::consts::PI * self.spread;
         let lean = if turn > 1e-3 { sin(turn) / turn } else { 1.0 };
         let (d, across) = (self.direction, self.direction.perp());

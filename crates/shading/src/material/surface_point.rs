@@ -1,4 +1,4 @@
-//! The point of a surface that a material is evaluated at.
+//! The surface point at which a material is evaluated.
 
 use asperity_ndf_sampling::Frame;
 use glam::{Vec2, Vec3};
@@ -6,7 +6,7 @@ use glam::{Vec2, Vec3};
 use crate::bump::surface_gradient;
 use crate::pixel::{Footprint, PixelEllipse, Tap};
 
-/// A point of a surface with the pixel about it: what every material needs to know.
+/// A surface point with its pixel: the input of every material.
 ///
 /// ```
 /// use asperity_shading::{Footprint, SurfacePoint, glam::Vec3};
@@ -16,11 +16,11 @@ use crate::pixel::{Footprint, PixelEllipse, Tap};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfacePoint {
-    /// The position in the space of the model: noises are sampled here.
+    /// The position in model space, at which noises are sampled.
     pub position: Vec3,
     /// The unit normal of the surface without bumps.
     pub normal: Vec3,
-    /// The texture coordinates: seams, scratches, fibres and bricks lie along them.
+    /// The texture coordinates, the domain of seams, scratches, fibers and bricks.
     pub uv: Vec2,
     /// `∂P/∂u` and `∂P/∂v`.
     pub tangents: [Vec3; 2],
@@ -29,7 +29,9 @@ pub struct SurfacePoint {
 }
 
 impl SurfacePoint {
-    /// A point without texture coordinates of its own: `uv` is 0, tangents are those of [`Frame::from_normal`].
+    /// Creates a point without texture coordinates.
+    ///
+    /// `uv` is 0, and the tangents are those of [`Frame::from_normal`].
     ///
     /// The pixel is a [`Footprint`] or a [`PixelEllipse`].
     #[must_use]
@@ -39,14 +41,15 @@ impl SurfacePoint {
         Self { position, normal: frame.normal, uv: Vec2::ZERO, tangents, pixel: pixel.into() }
     }
 
-    /// A point with texture coordinates and the derivatives of the position in them.
+    /// Adds texture coordinates and the derivatives of the position by them.
     #[must_use]
     pub fn with_uv(self, uv: Vec2, tangents: [Vec3; 2]) -> Self {
         Self { uv, tangents, ..self }
     }
 
-    /// The point of a surface that is so many times as large, texture coordinates included: 0.01 for a scene of centimetres and a
-    /// material in metres.
+    /// Scales the surface, including texture coordinates.
+    ///
+    /// For example 0.01 for a scene in centimeters and a material in meters.
     #[must_use]
     pub fn scaled(self, by: f32) -> Self {
         Self { position: self.position * by, uv: self.uv * by, pixel: self.pixel.scaled(by), ..self }
@@ -58,7 +61,9 @@ impl SurfacePoint {
         self.pixel.long()
     }
 
-    /// Points with round footprints along the pixel's long axis, whose mean is what the pixel sees: [`PixelEllipse::taps`].
+    /// Points with round footprints along the long axis of the pixel, to be averaged.
+    ///
+    /// See [`PixelEllipse::taps`].
     pub fn taps(self, most: u32) -> impl Iterator<Item = Self> {
         let [u, v] = self.texture().0;
         self.pixel.taps(most).map(move |Tap { offset, footprint }| {
@@ -68,8 +73,10 @@ impl SurfacePoint {
         })
     }
 
-    /// The frame of the surface without bumps, in which the directions of a [`Bsdf`](crate::reflectance::Bsdf) are: z along the normal,
-    /// x as near to `∂P/∂u` as is orthogonal to it.
+    /// The frame of the surface without bumps, for the directions of a
+    /// [`Bsdf`](crate::reflectance::Bsdf).
+    ///
+    /// z is along the normal, and x as close to `∂P/∂u` as orthogonality permits.
     #[must_use]
     pub fn frame(&self) -> Frame {
         Frame::from_normal_tangent(self.normal, self.tangents[0])
@@ -80,7 +87,7 @@ impl SurfacePoint {
         TextureGradients([Vec2::X, Vec2::Y].map(|axis| surface_gradient(self.normal, self.tangents, axis)))
     }
 
-    /// By how much a function with this gradient changes across the pixel; ∞ where there is no gradient.
+    /// The change of a function with this gradient across the pixel; ∞ for an invalid gradient.
     pub(crate) fn change(&self, gradient: Vec3) -> f32 {
         self.pixel.change(gradient)
     }
@@ -96,7 +103,8 @@ impl SurfacePoint {
 pub(crate) struct TextureGradients([Vec3; 2]);
 
 impl TextureGradients {
-    /// The gradient along the surface of a function with this slope in texture coordinates; zero where that is not finite.
+    /// The surface gradient of a function with this slope in texture coordinates; zero if it is not
+    /// finite.
     pub(crate) fn of(&self, slope: Vec2) -> Vec3 {
         let [u, v] = self.0;
         let gradient = u * slope.x + v * slope.y;
@@ -122,7 +130,7 @@ mod tests {
 
     #[test]
     fn taps_lie_along_the_pixel_with_the_coordinates_there() {
-        // Half a unit of u and a quarter of v to a unit of length, on a slope.
+        // Half a unit of u and a quarter of v per unit of length, on a slope.
         let tangents = [Vec3::new(1.2, 0.0, 1.6), Vec3::new(0.0, 4.0, 0.0)];
         let normal = Vec3::new(-0.8, 0.0, 0.6);
         let pixel = PixelEllipse::from_derivatives(Vec3::new(0.24, 0.4, 0.32), Vec3::new(0.06, -0.1, 0.08));
@@ -139,7 +147,7 @@ mod tests {
         }
         assert!(count > 1.0 && count <= 8.0, "{count}");
         assert_abs_diff_eq!(middle / count, point.position, epsilon = 1e-6);
-        // Tangents that lead nowhere leave the coordinates as they are.
+        // Degenerate tangents leave the coordinates unchanged.
         let nowhere = point.with_uv(Vec2::X, [Vec3::X, Vec3::X]);
         assert!(nowhere.taps(8).all(|tap| tap.uv == Vec2::X));
     }

@@ -1,4 +1,4 @@
-//! The carpet of a car: threads, seams, dark areas, roughness and light along the rim.
+//! Car carpet: threads, seams, dark areas, roughness and rim light.
 
 use glam::{Vec2, Vec3};
 
@@ -17,65 +17,71 @@ use crate::parameter::{ParameterError, as_roughness, as_share, as_size, colour, 
 use crate::reflectance::Bsdf;
 
 parameters! {
-    /// The parameters of a [`Carpet`], by the names of Nilsson 2008, Appendix B.
+    /// The parameters of a [`Carpet`], named as in Nilsson 2008, Appendix B.
     ///
-    /// Sizes are in units of the surface's positions, within `[10⁻⁶, 10⁶]`; strengths and colours are within `[0, 1]`. The
-    /// defaults are those of a car's dark grey carpet in metres.
+    /// Sizes are in units of the surface positions, within `[10⁻⁶, 10⁶]`. Strengths and colors are
+    /// within `[0, 1]`. The defaults are a dark gray car carpet in meters.
     pub struct CarpetParameters of Carpet {
-        /// The diffuse colour. Default (0.12, 0.12, 0.13).
+        /// The diffuse color. Default (0.12, 0.12, 0.13).
         diffuse: Vec3 = Vec3::new(0.12, 0.12, 0.13), colour;
-        /// The specular colour between the threads that shine. Default 0.
+        /// The specular color between the shiny threads. Default 0.
         specular: Vec3 = Vec3::ZERO, colour;
-        /// The size of the threads that build up the diffuse map. Default 0.006.
+        /// The size of the threads in the diffuse map. Default 0.006.
         diffuse_thread_size: f32 = 0.006;
-        /// Variation of the diffuse colour by threads, up and down. Default 0.12.
+        /// Variation of the diffuse color by threads, in both directions. Default 0.12.
         diffuse_thread_strength: f32 = 0.12, as_share;
-        /// Tilt of the normal by diffuse threads: their height over their size. Default 0.12; above 0.3 it looks rocky.
+        /// Tilt of the normal by diffuse threads: their height over their size. Default 0.12; rocky
+        /// above 0.3.
         diffuse_thread_bump_strength: f32 = 0.12, as_share;
-        /// The size of the threads that build up the specular map. Default 0.008.
+        /// The size of the threads in the specular map. Default 0.008.
         specular_thread_size: f32 = 0.008;
-        /// Greatest rise of the specular colour by threads. Default 0.12.
+        /// Maximum increase of the specular color by threads. Default 0.12.
         specular_thread_strength: f32 = 0.12, as_share;
         /// The size of the dark areas. Default 0.15.
         dark_area_size: f32 = 0.15;
-        /// Share of both colours that dark areas take. Default 0.5.
+        /// Fraction of both colors removed in dark areas. Default 0.5.
         dark_area_strength: f32 = 0.5;
         /// The direction across the seams, in texture coordinates. Default (1, 0).
         seams_propagation: Vec2 = Vec2::X;
-        /// Lines, a grid, or no seams; the third component of the thesis's propagation vector. Default lines.
+        /// Lines, a grid, or no seams; the third component of the propagation vector of the thesis.
+        /// Default lines.
         seams_pattern: SeamPattern = SeamPattern::Lines;
         /// The distance between seams, in texture coordinates, within `[10⁻⁶, 10⁶]`. Default 0.02.
         seam_distance: f32 = 0.02;
-        /// Darkening of seams, without regard to the normal. Default 0.3.
+        /// Darkening of seams, independent of the normal. Default 0.3.
         seams_amplitude: f32 = 0.3;
         /// Tilt of the normal by seams: the slope at a seam. Default 0.4.
         seams_bump_strength: f32 = 0.4, as_share;
-        /// The size of the areas where threads lean over the seams. Default 0.05.
+        /// The size of the areas where threads cover the seams. Default 0.05.
         seam_crossover_size: f32 = 0.05, as_size;
-        /// Share of the seams that these threads fill, in colour and normal. Default 0.5.
+        /// Fraction of the seams that these threads fill, in color and normal. Default 0.5.
         seam_crossover_strength: f32 = 0.5, as_share;
-        /// Share of the colours that is of single fibres, seen from very near; not in the thesis. Default 0.8.
+        /// Fraction of the colors from single fibers, visible up close; not in the thesis. Default
+        /// 0.8.
         fibre_strength: f32 = 0.8, as_share;
-        /// Tilt of the normal by fibres. Default 0.3.
+        /// Tilt of the normal by fibers. Default 0.3.
         fibre_bump_strength: f32 = 0.3, as_share;
-        /// The fibres, in texture coordinates.
+        /// The fibers, in texture coordinates.
         fibres: FibresParameters = FibresParameters::default();
-        /// The roughness of the facets, that of [`EnergyPreservingOrenNayar`](crate::EnergyPreservingOrenNayar). Default 0.8.
+        /// The roughness of the facets, as in
+        /// [`EnergyPreservingOrenNayar`](crate::EnergyPreservingOrenNayar). Default 0.8.
         roughness: f32 = 0.8, as_share;
         /// Strength of the rim light. Default 0.15.
         fake_rim_light: f32 = 0.15, as_share;
         /// Width of the rim. Default 0.4.
         fake_rim_light_width: f32 = 0.4, as_share;
-        /// The colour of the rim light, which is added whatever the light; any that is not negative. Default white.
+        /// The color of the rim light, emitted regardless of the light; any non-negative color.
+        /// Default white.
         fake_rim_light_colour: Vec3 = Vec3::ONE;
-        /// The roughness of the threads that shine: Beckmann's α, within `[0.01, 1]`; not in the thesis. Default 0.45.
+        /// The roughness of the shiny threads: Beckmann's α, within `[0.01, 1]`; not in the thesis.
+        /// Default 0.45.
         specular_roughness: f32 = 0.45, as_roughness;
-        /// Which carpet: any number.
+        /// Random seed.
         seed: u32 = 1;
     }
 }
 
-/// The carpet of a car.
+/// Car carpet.
 ///
 /// ```text
 /// amount   = seams + (1 − seams) d,   d = strength (N + 1)/2,   of the crossing threads
@@ -84,16 +90,18 @@ parameters! {
 /// n′       = normalize(n − k ∇threads − k (1 − d) cos p ∇p/|∇p|)
 /// ```
 ///
-/// Each noise fades to its own mean with the footprint of the pixel. All factors are independent of one another, so the mean
-/// colour over a surface is the same from every distance, as long as the strength of the diffuse threads is at most the diffuse
-/// colour and no colour is cut off at 1: clamps change what is seen from nearby. Slopes that fade are facets of
-/// the [`Bsdf`]: by these, the mean radiance from afar differs from that of nearby by up to 0.4 % for light at 37°, 0.8 % at 53° and 3 %
-/// at 74°, measured with the defaults and each pattern of seams.
+/// Each noise fades to its mean with the footprint of the pixel. All factors are independent, so
+/// the mean color over a surface is the same at every distance. This requires that the strength of
+/// the diffuse threads is at most the diffuse color and that no color is clamped at 1; clamping
+/// changes the near view. Faded slopes become facets of the [`Bsdf`]. With the facets, the mean
+/// radiance from afar differs from the near one by up to 0.4 % for light at 37°, 0.8 % at 53° and 3
+/// % at 74°, measured with the defaults and each seam pattern.
 ///
-/// - **Deviations:** the slope of seams does not depend on the scale of the texture, nor that of threads on their size: a
-///   strength of 0.5 is a slope of about a half. The thesis gives no scale. Creases of seams are rounded, see [`Seams::filtered`].
-/// - **Heights** are those of threads, seams and fibres. Fibres end in steps, and how threads that lean over seams change along these
-///   is in no slope.
+/// - **Deviations:** the slope of seams does not depend on the scale of the texture, and the slope
+///   of threads does not depend on their size. A strength of 0.5 is a slope of about a half. The
+///   thesis has no scale. Creases of seams are rounded, see [`Seams::filtered`].
+/// - **Heights** are those of threads, seams and fibers. Fibers end in steps. The slopes omit how
+///   threads over seams change along the seams.
 ///
 /// Nilsson 2008, §4.2 and Appendix B.
 ///
@@ -124,7 +132,7 @@ pub struct Carpet {
 }
 
 impl Carpet {
-    /// The carpet of these parameters.
+    /// Creates the carpet of these parameters.
     ///
     /// # Errors
     /// [`ParameterError`] with the first parameter that is out of its range.
@@ -143,7 +151,7 @@ impl Carpet {
         })
     }
 
-    /// Threads, threads that shine, dark areas, seams, what leans over them, fibres.
+    /// Threads, shiny threads, dark areas, seams, threads over seams, fibers.
     #[doc(hidden)]
     #[must_use]
     pub const fn parts(&self) -> (&DiffuseThreads, &SpecularThreads, &DarkAreas, &Seams, &Fbm, &Fibres) {
@@ -151,13 +159,13 @@ impl Carpet {
         (diffuse_threads, specular_threads, dark_areas, seams, crossover, fibres)
     }
 
-    /// The share of a seam that threads which lean over it fill.
+    /// The fraction of a seam that is filled by threads.
     fn crossing(&self, point: &SurfacePoint) -> f32 {
         let crossing = self.crossover.seen(point.position, point.footprint());
         0.5 * (crossing + 1.0) * self.parameters.seam_crossover_strength
     }
 
-    /// The seam at a pixel, the gradients of its phases, and how much these change across the pixel.
+    /// The seam at a pixel, the gradients of its phases, and their change across the pixel.
     fn crease(&self, point: &SurfacePoint, texture: &TextureGradients) -> (Crease, [Vec3; 2], [f32; 2]) {
         let across = [self.seams.direction(), self.seams.direction().perp()];
         let gradients = across.map(|a| texture.of(a * self.seams.frequency()));
@@ -165,10 +173,11 @@ impl Carpet {
         (self.seams.crease(point.uv, Vec2::from(widths)), gradients, widths)
     }
 
-    /// Colours, normal and lost slopes at a pixel.
+    /// Colors, normal and unresolved slopes at a pixel.
     ///
-    /// Total: noises are 0 where a coordinate of the position is not finite, there are no seams where a texture coordinate is
-    /// not, and the normal is the surface's where its gradient is not finite.
+    /// Accepts every input. Noises are 0 where the position is not finite, seams are absent where a
+    /// texture coordinate is not finite, and the normal is that of the surface where its gradient
+    /// is not finite.
     fn surface(&self, point: &SurfacePoint) -> GlossySurface {
         let (p, n) = (&self.parameters, point.normal);
         let threads = self.diffuse_threads.sample(point.position, point.footprint());
@@ -225,7 +234,7 @@ impl Material for Carpet {
         let threads =
             p.diffuse_thread_size * self.diffuse_threads.sample(point.position, point.footprint()).value;
         let (crease, ..) = self.crease(point, &texture);
-        // Phases far out have no digits, and the height there may be no number.
+        // Phases far out have no digits, and the height there may be NaN.
         let deep = clamp_to(1.0 - crease.height, 1.0) * (1.0 - self.crossing(point)) / self.seams.frequency();
         let (fibre, ..) = self.fibres.surface(point.uv, &texture, &point.pixel);
         p.diffuse_thread_bump_strength * threads - p.seams_bump_strength * deep
@@ -252,7 +261,7 @@ mod tests {
     }
 
     #[test]
-    fn no_strength_is_a_plain_surface() {
+    fn zero_strength_is_flat() {
         let carpet = Carpet::new(CarpetParameters {
             diffuse_thread_strength: 0.0,
             diffuse_thread_bump_strength: 0.0,
@@ -273,7 +282,7 @@ mod tests {
     }
 
     #[test]
-    fn from_afar_it_is_even_and_rougher() {
+    fn far_carpet_is_uniform_and_rougher() {
         let carpet = Carpet::new(CarpetParameters::default()).unwrap();
         let [here, there] = [point(0.31, 0.17, 10.0), point(7.2, -3.1, 10.0)].map(|p| carpet.surface(&p));
         assert!((here.diffuse - there.diffuse).length() < 1e-4 && here.normal == Vec3::Z);
@@ -284,7 +293,7 @@ mod tests {
     }
 
     #[test]
-    fn the_texture_s_scale_does_not_matter_to_seams() {
+    fn seam_slopes_do_not_depend_on_the_texture_scale() {
         let carpet = Carpet::new(CarpetParameters {
             diffuse_thread_bump_strength: 0.0,
             fibre_bump_strength: 0.0,

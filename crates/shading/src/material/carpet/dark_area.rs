@@ -1,4 +1,4 @@
-//! Areas of a carpet that look darker, because their threads lean another way.
+//! Areas of a carpet that look darker because their threads lean another way.
 
 use glam::Vec3;
 
@@ -6,17 +6,19 @@ use crate::material::fbm::{Fbm, half_mean};
 use crate::parameter::{ParameterError, as_share, as_size};
 use crate::pixel::Footprint;
 
-/// Dark areas: a factor for the diffuse and the specular colour.
+/// Dark areas: a factor of the diffuse and the specular color.
 ///
 /// ```text
 /// factor = 1 − strength · max(N(p/size), 0)
 /// ```
 ///
-/// Half of the surface keeps its colour. A pixel that is too wide for the areas gets the mean, `max(N, 0)` = E|N|/2.
+/// Half of the surface keeps its color. Where the pixel is too wide for the areas, the factor uses
+/// the mean `max(N, 0)` = E|N|/2.
 ///
 /// - **Range:** [1 − strength, 1].
 ///
-/// Nilsson 2008, §4.2.4, which prints the colour times `max(N, 0)`: half of the surface would be black.
+/// Nilsson 2008, §4.2.4, which prints the color times `max(N, 0)`: half of the surface would be
+/// black.
 ///
 /// ```
 /// use asperity_shading::material::DarkAreas;
@@ -34,7 +36,7 @@ pub struct DarkAreas {
 }
 
 impl DarkAreas {
-    /// Areas of this size and strength.
+    /// Creates areas of this size and strength.
     ///
     /// # Errors
     /// [`ParameterError::Outside`] unless `dark_area_size` is within `[10⁻⁶, 10⁶]` and `dark_area_strength` within `[0, 1]`.
@@ -50,7 +52,7 @@ impl DarkAreas {
         &self.noise
     }
 
-    /// Factor of colours at a point; that of N = 0 where a coordinate is not finite.
+    /// Factor of the colors at a point; the factor for N = 0 if a coordinate is not finite.
     #[must_use]
     pub fn factor(&self, position: Vec3, footprint: Footprint) -> f32 {
         let removed = self.noise.removed(footprint);
@@ -65,7 +67,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn half_of_the_surface_keeps_its_colour() {
+    fn dark_areas_leave_half_of_the_surface_unchanged() {
         let areas = DarkAreas::new(1.0, 1.0, 2).unwrap();
         let near = Footprint::from_width(0.0);
         let (mut same, mut sum) = (0, 0.0);
@@ -77,7 +79,7 @@ mod tests {
             same += u16::from(factor == 1.0);
             sum += factor;
         }
-        // Four standard errors of ½ and of max(N, 0), of deviation 0.24, over 4000 points.
+        // Four standard errors of ½ and of max(N, 0), of standard deviation 0.24, over 4000 points.
         assert!(same.abs_diff(2000) < 127, "{same}");
         let far = areas.factor(Vec3::ZERO, Footprint::from_width(9.0));
         assert_abs_diff_eq!(sum / 4000.0, far, epsilon = 0.015);

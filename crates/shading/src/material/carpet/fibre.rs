@@ -1,4 +1,4 @@
-//! Fibres: threads that are still threads from very near.
+//! Fibers: threads for close-up views.
 
 use glam::{Vec2, Vec3};
 
@@ -11,38 +11,41 @@ use crate::pixel::{Footprint, PixelEllipse};
 parameters! {
     /// The parameters of [`Fibres`]. Lengths are in texture coordinates.
     pub struct FibresParameters of Fibres {
-        /// The length of a fibre, within `[10⁻⁶, 10⁶]`. Default 0.004.
+        /// The length of a fiber, within `[10⁻⁶, 10⁶]`. Default 0.004.
         fibre_length: f32 = 0.004, as_size;
         /// Its width over its length, within `[0.01, 0.3]`. Default 0.12.
         fibre_width: f32 = 0.12, range([0.01, 0.3]);
-        /// Bend of a fibre: how far aside it is at its ends, over its length, within `[0, 0.3]`. Default 0.15.
+        /// Bend of a fiber: displacement of its ends to the side over its length, within `[0,
+        /// 0.3]`. Default 0.15.
         fibre_bend: f32 = 0.15, range([0.0, 0.3]);
-        /// The direction that fibres lean towards. Default (1, 0).
+        /// The mean direction of the fibers. Default (1, 0).
         fibre_direction: Vec2 = Vec2::X;
-        /// Spread about that direction: 0 is combed, 1 all directions. Default 0.6.
+        /// Spread around the direction: 0 is combed, 1 all directions. Default 0.6.
         fibre_spread: f32 = 0.6, as_share;
         /// Contrast: variation in brightness, and darkening towards roots and sides, within `[0, 1]`. Default 0.6.
         fibre_contrast: f32 = 0.6, as_share;
-        /// Which fibres: any number.
+        /// Random seed.
         seed: u32 = 1;
     }
 }
 
-/// Short bent fibres that cover one another: what a carpet is made of, from very near.
+/// Short bent fibers that overlap, for close-up views of a carpet.
 ///
-/// A fibre is a ridge with round ends about a hashed segment of the texture, bent aside by a parabola. Where several cover a point
-/// the highest is seen. It has a brightness of its own, and is darker towards its root, its sides and in the gaps:
+/// A fiber is a ridge with round ends along a hashed segment of the texture, bent to the side by a
+/// parabola. Where several overlap, the highest is visible. Each has a random brightness. It is
+/// darker towards its root and its sides, and in the gaps:
 ///
 /// ```text
 /// factor = (1 + contrast (b − 1))/mean,   b = (½ + ½ own) (0.35 + 0.65 rise),   b = 0.1 in gaps
 /// rise   = (1 − t⁸ − s²) (t + 1)/2,   s across and t along, −1 … 1
 /// ```
 ///
-/// The mean of the factor over the surface is 1: `mean` is measured when the fibres are made, to 1 %. Where pixels get
-/// as wide as fibres the factor fades to 1 and the slope to 0, so that a carpet of [`DiffuseThreads`](crate::material::DiffuseThreads) times this factor
-/// keeps its colour from afar and has threads nearby.
+/// The mean of the factor over the surface is 1: `mean` is measured at construction, to 1 %. Where
+/// pixels become as wide as fibers the factor fades to 1 and the slope to 0. A carpet of
+/// [`DiffuseThreads`](crate::material::DiffuseThreads) times this factor therefore keeps its far
+/// color and shows threads up close.
 ///
-/// Nilsson 2008, §6.1 names the problem and leaves it open.
+/// Nilsson 2008, §6.1, describes the problem and leaves it open.
 ///
 /// ```
 /// use asperity_shading::Footprint;
@@ -65,13 +68,14 @@ pub struct Fibres {
     mean_square_slope: f32,
 }
 
-/// The fibre at a point.
+/// The fiber at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fibre {
-    /// Factor of colours; its mean is 1.
+    /// Factor of the colors; its mean is 1.
     pub factor: f32,
-    /// The unit direction of the fibre in texture coordinates, from its root to its tip: what it shines along. That in which all
-    /// lean where there is none, or where a pixel cannot tell them apart.
+    /// The unit direction of the fiber in texture coordinates, from root to tip, for its highlight.
+    ///
+    /// The mean direction of all fibers in gaps and where the pixel does not resolve fibers.
     pub direction: Vec2,
     /// Half its width times 1 − t⁸ − s², in texture coordinates; 0 in gaps.
     pub height: f32,
@@ -79,18 +83,19 @@ pub struct Fibre {
     pub slope: Vec2,
 }
 
-/// The brightness between fibres.
+/// The brightness between fibers.
 const GAP: f32 = 0.1;
 
 impl Fibres {
-    /// The fibres of these parameters; their mean is measured at 16384 points.
+    /// Creates fibers from these parameters; their mean is measured at 16384 points.
     ///
     /// # Errors
-    /// [`ParameterError`] with the first parameter that is out of its range, or for a `fibre_direction` that is zero or not finite.
+    /// [`ParameterError`] with the first parameter that is out of its range, or for a
+    /// `fibre_direction` that is zero or not finite.
     pub fn new(parameters: FibresParameters) -> Result<Self, ParameterError> {
         parameters.check()?;
         let (p, length) = (&parameters, parameters.fibre_length);
-        // As small as may be: fibres must not reach further than a cell from their midpoints.
+        // The smallest valid cell: fibers must not reach farther than a cell from their midpoints.
         let cell = length * (0.5 + p.fibre_bend + 0.5 * p.fibre_width);
         let segments = Segments {
             cell,
@@ -107,16 +112,17 @@ impl Fibres {
         Ok(fibres)
     }
 
-    /// The lines that fibres lie along, half the width of one, and the mean brightness and mean square of slopes of all.
+    /// The segments of the fibers, the half width of a fiber, and the mean brightness and mean
+    /// square slope.
     #[doc(hidden)]
     #[must_use]
     pub const fn parts(&self) -> (&Segments, [f32; 3]) {
         (&self.segments, [self.half, self.mean, self.mean_square_slope])
     }
 
-    /// The fibre at a point of the texture, over a pixel of the plane of texture coordinates.
+    /// The fiber at a point of the texture, over a pixel of the plane of texture coordinates.
     ///
-    /// The factor is 1 where a coordinate is not finite or 2²³ cells away.
+    /// The factor is 1 where a coordinate is not finite or beyond 2²³ cells.
     #[must_use]
     pub fn sample(&self, uv: Vec2, footprint: Footprint) -> Fibre {
         let kept = footprint.kept(0.25 / self.half);
@@ -134,10 +140,12 @@ impl Fibres {
         }
     }
 
-    /// The fibre at a point of a surface, its gradient along it, and the variance of the slope along each axis that the footprint
-    /// took.
+    /// The fiber at a surface point, its surface gradient, and the slope variance removed by the
+    /// footprint.
     ///
-    /// The gradient is that of the slope in the texture, whatever the scale of the texture.
+    /// The variance is along each axis.
+    ///
+    /// The gradient uses the slope in the texture, regardless of the scale of the texture.
     pub(crate) fn surface(
         &self,
         uv: Vec2,
@@ -150,14 +158,14 @@ impl Fibres {
         (fibre, gradient, 0.5 * self.mean_square_slope * (1.0 - kept * kept))
     }
 
-    /// The highest fibre, with its brightness for the factor.
+    /// The highest fiber, with its brightness for the factor.
     fn top(&self, uv: Vec2) -> Fibre {
         let p = &self.parameters;
         let brightness = |b: f32| 1.0 + p.fibre_contrast * (b - 1.0);
         let direction = self.segments.direction;
         let mut top = Fibre { factor: brightness(GAP), direction, height: 0.0, slope: Vec2::ZERO };
         let mut highest = f32::NEG_INFINITY;
-        // Where a bent fibre's side is, at most.
+        // The maximum displacement of the side of a bent fiber.
         let aside = p.fibre_bend * self.segments.length + self.half;
         self.segments.visit(uv, aside, |near| {
             let [own, bend] = near.random;
@@ -171,12 +179,13 @@ impl Fibres {
                 return;
             }
             let rise = crown * 0.5 * (t + 1.0);
-            // Whose root is hidden and whose tip is on top does not depend on its brightness.
+            // Which fiber is on top, and which root is hidden, does not depend on the brightness.
             let spread = own * 618.034;
             let height = rise + (spread - floor(spread));
             if height > highest {
                 highest = height;
-                // The height half · (1 − t⁸ − s²) by s, and s by the distance across and, for the bend, along; and by t.
+                // The height half · (1 − t⁸ − s²) by s and t, where s depends on the distance
+                // across and, through the bend, along.
                 let by_s = -2.0 * s;
                 let by_along = -2.0 * bend * t / (0.5 * self.segments.length);
                 let by_end = -8.0 * self.half * t4 * t2 * t / (0.5 * self.segments.length);
@@ -192,13 +201,15 @@ impl Fibres {
         top
     }
 
-    /// Mean brightness, height and square slope over 128² points, one to a square of a patch of cells.
+    /// Mean brightness, height and square slope over 128² points, one per square of a patch of
+    /// cells.
     fn measure(&mut self) {
         const ACROSS: u16 = 128;
         let (mut sum, mut heights, mut squares) = (0.0, 0.0, 0.0);
         for i in 0..ACROSS {
             for j in 0..ACROSS {
-                // A quarter of a cell and a bit apart: places in cells are evenly spread.
+                // Slightly more than a quarter of a cell apart, so positions in cells are evenly
+                // distributed.
                 let at = Vec2::new(f32::from(i) + 0.618 * f32::from(j % 7), f32::from(j))
                     * (0.2618 * self.segments.cell);
                 let fibre = self.top(at);
@@ -208,7 +219,7 @@ impl Fibres {
             }
         }
         let count = f32::from(ACROSS) * f32::from(ACROSS);
-        // A brightness is at least 1 − contrast and in gaps 0.1: the mean is not 0.
+        // A brightness is at least 1 − contrast and in gaps 0.1, so the mean is not 0.
         self.mean = (sum / count).max(1e-3);
         self.mean_height = heights / count;
         self.mean_square_slope = squares / count;
@@ -221,7 +232,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn the_mean_factor_is_one_at_every_width() {
+    fn fiber_mean_factor_is_one_at_every_footprint() {
         for spread in [0.0, 0.6, 1.0] {
             let fibres =
                 Fibres::new(FibresParameters { fibre_spread: spread, ..Default::default() }).unwrap();
@@ -240,15 +251,16 @@ mod tests {
                         )
                         .factor;
                 }
-                // Deviation 0.35: five standard errors are 1.2 %, and the measured mean has 1 %.
+                // Standard deviation 0.35: five standard errors are 1.2 %, and the measured mean
+                // has 1 %.
                 assert_abs_diff_eq!(sum / 20_000.0, 1.0, epsilon = 0.02, "{spread}, {width}");
             }
         }
     }
 
     #[test]
-    fn ends_are_round() {
-        // All along x, not bent and wide apart.
+    fn fiber_ends_are_round() {
+        // All along x, not bent and far apart.
         let parameters =
             FibresParameters { fibre_spread: 0.0, fibre_bend: 0.0, ..FibresParameters::default() };
         let mut fibres = Fibres::new(parameters).unwrap();
@@ -273,9 +285,9 @@ mod tests {
     }
 
     #[test]
-    fn slopes_are_those_of_the_height() {
+    fn fiber_slopes_match_finite_differences() {
         let mut fibres = Fibres::new(FibresParameters { fibre_width: 0.3, ..Default::default() }).unwrap();
-        // So few that hardly any cover one another.
+        // So few that hardly any overlap.
         fibres.segments.cover = 0.1;
         let (half, length) = (fibres.half, fibres.segments.length);
         let height = |uv: Vec2| {
@@ -295,7 +307,8 @@ mod tests {
             let around = [Vec2::X, -Vec2::X, Vec2::Y, -Vec2::Y].map(|d| height(uv + step * d));
             let [Some(right), Some(left), Some(up), Some(down)] = around else { continue };
             let slope = Vec2::new(right - left, up - down) / (2.0 * step);
-            // Second differences of t⁸ and of the bend, and the rounding of places 50 half widths away: 0.02 is the worst.
+            // Second differences of t⁸ and of the bend, and the rounding of positions 50 half
+            // widths away. The worst is 0.02.
             let error = fibres.top(uv).slope.distance(slope);
             assert!(error < 0.03, "{uv}: {error}");
             checked += 1;

@@ -1,4 +1,4 @@
-//! The carpet of a car, after Nilsson 2008, §4.2: threads, fibres, seams, dark areas and light along its rim.
+//! Car carpet, after Nilsson 2008, §4.2: threads, fibers, seams, dark areas and rim light.
 
 mod carpet;
 mod dark_area;

@@ -1,20 +1,21 @@
-//! Light along the rim of soft things, whether or not there is a lamp behind them.
+//! Rim light of soft surfaces, independent of the light.
 
 use glam::Vec3;
 
 use crate::material::fbm::smoothstep;
 
-/// The share of the rim light that a point gets.
+/// The fraction of the rim light at a point.
 ///
 /// ```text
 /// rim = smoothstep(1 − width, 1, 1 − |n·v|)
 /// ```
 ///
-/// - **Domain:** the unit normal `n` *without* bumps, which would be lit all over the surface; unit view vector `v`; `width` in
-///   `[0, 1]`. A width of 0 or less lights nothing but the silhouette itself, where the formula has 0/0; NaN lights nothing.
+/// - **Domain:** the unit normal `n` *without* bumps, which would be lit all over the surface; unit
+///   view vector `v`; `width` in `[0, 1]`. A width of 0 or less lights only the silhouette itself,
+///   where the formula is 0/0. NaN lights nothing.
 /// - **Range:** [0, 1]; 1 on the silhouette.
 ///
-/// Nilsson 2008, §4.2.6, after Kesson 2005. It is no reflectance: a renderer adds it times a colour.
+/// Nilsson 2008, §4.2.6, after Kesson 2005. It is not a BRDF: a renderer adds it times a color.
 ///
 /// ```
 /// use asperity_shading::material::rim_light;
@@ -33,7 +34,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_width_lights_the_silhouette_alone() {
+    fn rim_light_of_zero_width_lights_only_the_silhouette() {
         let nearly = Vec3::new(1.0, 0.0, 1e-3);
         assert_eq!([Vec3::X, nearly, Vec3::Z].map(|v| rim_light(Vec3::Z, v, 0.0)), [1.0, 0.0, 0.0]);
     }

@@ -1,4 +1,4 @@
-//! Seams of a carpet: lines or a grid where there are fewer threads.
+//! Seams of a carpet: lines or a grid with fewer threads.
 
 use core::f32::consts::{FRAC_PI_2, PI};
 
@@ -12,7 +12,7 @@ use crate::pixel::PixelEllipse;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum SeamPattern {
-    /// Nowhere: 0 in the thesis.
+    /// No seams: 0 in the thesis.
     None,
     /// Along parallel lines: 1.
     #[default]
@@ -21,15 +21,16 @@ pub enum SeamPattern {
     Grid,
 }
 
-/// The seams of a carpet: how many threads there are, and the height that goes with it.
+/// The seams of a carpet: the amount of threads, and the corresponding height.
 ///
 /// ```text
 /// amount = 1 − A (1 − |sin p|),   p = f a·uv,   |a| = 1
 /// grid:    the smaller of the amounts along a and along a⊥ = (−a_y, a_x)
 /// ```
 ///
-/// Seams are π/f apart in texture coordinates. |sin p| has a crease at each seam; [`rounded`](Self::rounded) takes
-/// √(sin² p + ε²) for it, and [`filtered`](Self::filtered) its mean over the width of a pixel.
+/// Seams are π/f apart in texture coordinates. |sin p| has a crease at each seam.
+/// [`rounded`](Self::rounded) replaces it by √(sin² p + ε²), and [`filtered`](Self::filtered) by
+/// its mean over the width of a pixel.
 ///
 /// Nilsson 2008, §4.2.3.
 ///
@@ -59,22 +60,24 @@ pub struct Seam {
     pub slope: Vec2,
 }
 
-/// |sin p| and its derivatives by the phases along a and along a⊥, as a pixel sees them.
+/// |sin p| as seen by a pixel, and its derivatives by the phases along a and along a⊥.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Crease {
     pub(crate) height: f32,
     pub(crate) slope: Vec2,
 }
 
-/// The width, in phase, over which creases are averaged at least: a twentieth of the way between two seams.
+/// The minimum width, in phase, over which creases are averaged: a twentieth of the distance of two
+/// seams.
 const LEAST: f32 = PI / 20.0;
 
 impl Seams {
-    /// Seams at right angles to `propagation`, `distance` apart in texture coordinates, of this amplitude.
+    /// Creates seams perpendicular to `propagation`, `distance` apart in texture coordinates.
     ///
     /// # Errors
-    /// [`ParameterError`] unless the direction `seams_propagation` is finite and not zero (of `SeamPattern::None` it does not
-    /// matter), `seam_distance` is within `[10⁻⁶, 10⁶]`, and `seams_amplitude` within `[0, 1]`.
+    /// [`ParameterError`] unless the direction `seams_propagation` is finite and not zero (ignored
+    /// for `SeamPattern::None`), `seam_distance` is within `[10⁻⁶, 10⁶]`, and `seams_amplitude`
+    /// within `[0, 1]`.
     pub fn new(
         propagation: Vec2,
         pattern: SeamPattern,
@@ -82,7 +85,8 @@ impl Seams {
         amplitude: f32,
     ) -> Result<Self, ParameterError> {
         let direction = match (direction_in_plane("seams_propagation", propagation), pattern) {
-            // The thesis normalises (0, 0) here, which is NaN on every point of a carpet without seams.
+            // The thesis normalizes (0, 0) here, which is NaN at every point of a carpet without
+            // seams.
             (Err(_), SeamPattern::None) => Vec2::X,
             (direction, _) => direction?,
         };
@@ -105,8 +109,9 @@ impl Seams {
 
     /// The amount of threads at a point, without any filter.
     ///
-    /// There is no seam where a coordinate is not finite. In the thesis the derivatives lack the factor f, those of the grid's second set
-    /// of seams point along the first, and a carpet without seams has bumps.
+    /// There is no seam where a coordinate is not finite. In the thesis the derivatives lack the
+    /// factor f, the derivatives of the second set of seams of the grid point along the first set,
+    /// and a carpet without seams has bumps.
     #[must_use]
     pub fn sample(&self, uv: Vec2) -> Seam {
         let phases = self.phases(uv);
@@ -131,7 +136,8 @@ impl Seams {
     /// |sin p| becomes √((sin² p + ε²)/(1 + ε²)),   ε = edge
     /// ```
     ///
-    /// The floor of a seam is raised by ε and its top stays at 1. An edge that is NaN or not positive is 0.
+    /// The bottom of a seam is raised by ε and its top stays at 1. An edge that is NaN or not
+    /// positive is read as 0.
     #[must_use]
     pub fn rounded(&self, uv: Vec2, edge: f32) -> Seam {
         let e2 = if edge > 0.0 { edge.min(1e6) * edge.min(1e6) } else { 0.0 };
@@ -150,18 +156,21 @@ impl Seams {
         }
     }
 
-    /// Mean amount over a pixel of the plane of texture coordinates, as wide across either set of seams as the box about it.
+    /// Mean amount over a pixel of the plane of texture coordinates.
+    ///
+    /// The pixel is as wide across either set of seams as its bounding box.
     ///
     /// ```text
     /// lines:  (S(p + W/2) − S(p − W/2))/W,   S = ∫|sin|,   W² = (f width)² + (π/20)²
     /// grid:   ∫₀^{π/2} m₁(θ) m₂(θ) cos θ dθ,   m(θ) the share of [p − W/2, p + W/2] that is farther than θ from every seam
     /// ```
     ///
-    /// A grid's amount goes with the smaller of two, which is above a level where both are: so its mean over a rectangle is an integral over
-    /// levels of products. Shares are linear in θ between four places, and Gauss's rule of four points there is within 2e-6.
+    /// The amount of a grid depends on the smaller of two values. It is above a level where both
+    /// are, so its mean over a rectangle is an integral over levels of products. Fractions are
+    /// linear in θ between four points, and the four-point Gauss rule there is accurate to 2e-6.
     ///
-    /// A mean over a width keeps the mean amount, at every width: 1 − A (1 − 2/π) of lines, 1 − A (1 − 8/π² (π/2 − 1)) of grids. The
-    /// least width rounds the creases.
+    /// A mean over a width keeps the mean amount at every width: 1 − A (1 − 2/π) for lines, 1 − A
+    /// (1 − 8/π² (π/2 − 1)) for grids. The minimum width rounds the creases.
     ///
     /// ```
     /// use asperity_shading::Footprint;
@@ -203,20 +212,22 @@ impl Seams {
         }
     }
 
-    /// The variances of the slopes of |sin p| along a and a⊥ that a pixel of these widths in phase does not resolve.
+    /// The variances of the slopes of |sin p| along a and a⊥ that a pixel does not resolve.
+    ///
+    /// The widths of the pixel are in phase.
     ///
     /// ```text
     /// lines:  ½ (k(π/20) − k(W)),   k = (1 − x)² (1 + 0.7 x − 0.65 x²),   x = min(W/π, 1),   W² = width² + (π/20)²
     /// grid:   (¼ + 1/π²) (k(π/20) l(π/20) − k(W) l(W⊥)),   k = (1 − x)² (1 − 0.6 x + 0.5 x²),   l = 1 − 0.24 (1 − (1 − x)²)
     /// ```
     ///
-    /// Slopes of |sin p| have the mean square ½ across lines. In a grid the nearer seam has the steeper slope, so the mean square along
-    /// each axis is ¼ + 1/π² instead of ¼. k and l are fits of the share that is left of a mean over W, within 0.02 below π and 0.03
-    /// above.
+    /// Slopes of |sin p| have the mean square ½ across lines. In a grid the nearer seam has the
+    /// steeper slope, so the mean square along each axis is ¼ + 1/π² instead of ¼. k and l are fits
+    /// of the fraction that remains of a mean over W, within 0.02 below π and 0.03 above.
     pub(crate) fn removed_slopes(&self, widths: Vec2) -> [f32; 2] {
         let [x, y] = widths.to_array().map(|w| 1.0 - (sqrt(w * w + LEAST * LEAST) / PI).min(1.0));
         let near = 1.0 - LEAST / PI;
-        // By 1 − x, the part of the way between seams that is left.
+        // By 1 − x, the remaining fraction of the distance between seams.
         let line = |x: f32| x * x * (1.05 + (0.6 - 0.65 * x) * x);
         let along = |x: f32| x * x * (0.9 + (0.5 * x - 0.4) * x);
         let other = |x: f32| 0.76 + 0.24 * x * x;
@@ -241,15 +252,17 @@ impl Seams {
     }
 }
 
-/// The thesis's first seams, with straight sides: good enough where they are close together and there is no bump mapping.
+/// The first seams of the thesis, with straight sides.
+///
+/// Sufficient for dense seams without bump mapping.
 ///
 /// ```text
 /// 1 − |2 frac(2p) − 1|, from 0 at every half to 1 between: four times the distance to the nearest
 /// ```
 ///
-/// Coordinates that are not finite have 1.
+/// Non-finite coordinates return 1.
 ///
-/// Nilsson 2008, §4.2.3, which prints |frac(2p)|, a saw that leaps from 1 to 0 at every half.
+/// Nilsson 2008, §4.2.3, which prints |frac(2p)|, a sawtooth that jumps from 1 to 0 at every half.
 ///
 /// ```
 /// use asperity_shading::material::linear_seam;
@@ -262,7 +275,7 @@ pub fn linear_seam(p: f32) -> f32 {
     if fraction.is_finite() { 1.0 - (2.0 * fraction - 1.0).abs() } else { 1.0 }
 }
 
-/// d|sin p|/dp from the right: the cosine of the phase folded into [0, π).
+/// d|sin p|/dp from the right: the cosine of the phase reduced to [0, π).
 fn folded_cosine(p: f32) -> f32 {
     cos(p - floor(p / PI) * PI)
 }
@@ -272,7 +285,7 @@ fn mean_crease(p: f32, w: f32) -> [f32; 2] {
     if w > 1e4 || w.is_nan() {
         return [2.0 / PI, 0.0];
     }
-    // |sin| has period π: only the place in it matters, and small phases keep their digits.
+    // |sin| has period π, so only the position in the period matters, and small phases keep their digits.
     let p = p - floor(p / PI) * PI;
     let [low, high] = [p - 0.5 * w, p + 0.5 * w];
     [(area(high) - area(low)) / w, (sin(high).abs() - sin(low).abs()) / w]
@@ -284,9 +297,9 @@ fn area(p: f32) -> f32 {
     2.0 * whole + 1.0 - cos(p - whole * PI)
 }
 
-/// The stretch of phases that a pixel covers.
+/// The interval of phases that a pixel covers.
 struct Stretch {
-    /// Its ends, where the first is in (−π, π); nothing if it is many seams long.
+    /// Its ends, the first in (−π, π); `None` if it is many seams long.
     ends: Option<[f32; 2]>,
 }
 
@@ -294,11 +307,12 @@ impl Stretch {
     fn new(p: f32, width: f32) -> Self {
         let w = sqrt(width * width + LEAST * LEAST);
         let p = p - floor(p / PI) * PI;
-        // Of a wider one the shares are those of all phases to 3e-4, and a comparison with NaN is false.
+        // Longer intervals have the fractions of all phases to 3e-4. A comparison with NaN is
+        // false.
         Self { ends: (w < 1e4).then_some([p - 0.5 * w, p + 0.5 * w]) }
     }
 
-    /// The distances of the ends to the nearest seam: where the share bends.
+    /// The distances of the ends to the nearest seam, where the fraction has kinks.
     fn bends(&self) -> [f32; 2] {
         self.ends.map_or([0.0; 2], |ends| {
             ends.map(|p| {
@@ -308,7 +322,7 @@ impl Stretch {
         })
     }
 
-    /// The share of the stretch that is farther than θ from every seam.
+    /// The fraction of the interval that is farther than θ from every seam.
     fn share(&self, theta: f32) -> f32 {
         let between = PI - 2.0 * theta;
         self.ends.map_or(between / PI, |[a, b]| {
@@ -320,7 +334,7 @@ impl Stretch {
         })
     }
 
-    /// Its derivative as the stretch moves.
+    /// Its derivative with respect to the position of the interval.
     fn moved(&self, theta: f32) -> f32 {
         self.ends.map_or(0.0, |[a, b]| {
             let [low, high] = self.bends().map(|bend| if theta < bend { 1.0 } else { 0.0 });
@@ -329,13 +343,13 @@ impl Stretch {
     }
 }
 
-/// The mean of the smaller of |sin| along both axes over a rectangle of phases, and its derivatives.
+/// The mean of the smaller |sin| of both axes over a rectangle of phases, and its derivatives.
 ///
 /// ```text
 /// min(s, t) = ∫₀¹ [s > l] [t > l] dl,   l = sin θ
 /// ```
 fn mean_of_smaller(x: &Stretch, y: &Stretch) -> Crease {
-    /// Gauss's points and weights on [0, 1].
+    /// Gauss points and weights on [0, 1].
     const RULE: [[f32; 2]; 4] = [
         [0.069_431_84, 0.173_927_42],
         [0.330_009_5, 0.326_072_58],
@@ -375,8 +389,9 @@ mod tests {
     }
 
     #[test]
-    fn slopes_are_differences() {
-        // Steps of 2⁻¹⁰: truncation f³ h²/6 ~ 1.5e-5, rounding 6e-8 f/h ~ 3e-4; creases are left out.
+    fn seam_slopes_match_finite_differences() {
+        // Steps of 2⁻¹⁰: truncation f³ h²/6 ~ 1.5e-5, rounding 6e-8 f/h ~ 3e-4; creases are
+        // excluded.
         let h = 1.0 / 1024.0;
         for pattern in PATTERNS {
             let seams = seams(pattern);
@@ -415,7 +430,7 @@ mod tests {
                         sum += seams.filtered(uv, PixelEllipse::aligned(Vec2::splat(width))).amount;
                     }
                 }
-                // Of the least width the rule's own error is 1e-4.
+                // At the minimum width the error of the rule itself is 1e-4.
                 assert_abs_diff_eq!(sum / 4096.0, mean, epsilon = 3e-4, "{pattern:?}, {width}");
             }
         }
@@ -440,7 +455,7 @@ mod tests {
     }
 
     #[test]
-    fn edges_are_rounded_from_the_crease_to_the_top() {
+    fn rounded_raises_the_crease_and_keeps_the_top() {
         let seams = Seams::new(Vec2::X, SeamPattern::Lines, PI, 1.0).unwrap();
         let at = |p: f32| seams.rounded(Vec2::new(p, 0.0), 0.1);
         assert!((at(0.0).amount - 0.1 / 1.01_f32.sqrt()).abs() < 1e-6 && at(0.0).slope == Vec2::ZERO);
@@ -450,7 +465,7 @@ mod tests {
     }
 
     #[test]
-    fn every_coordinate_has_an_amount() {
+    fn sample_accepts_every_input() {
         let odd = [f32::NAN, f32::NEG_INFINITY, -1e30, 0.0, 1e30, f32::INFINITY];
         for pattern in PATTERNS {
             for x in odd {
@@ -495,7 +510,7 @@ mod tests {
                 [7.0, 9.0],
             ] {
                 let got = Vec2::from(seams.removed_slopes(widths.into()));
-                // The fits' 0.02 of ½ below π, and 0.03 above.
+                // The fits err by 0.02 of ½ below π, and by 0.03 above.
                 assert_abs_diff_eq!(
                     got,
                     near - square(widths.into()),

@@ -1,4 +1,4 @@
-//! Threads of a carpet: many together, and single ones.
+//! Threads of a carpet: the texture of many, and single ones.
 
 use asperity_noise::{
     Field, Noise, Normalisation, Octaves, Sample, Simplex, Spectrum, Turbulence, removed_share,
@@ -9,15 +9,15 @@ use crate::material::fbm::{Fbm, SLOPE_VARIANCE};
 use crate::parameter::{ParameterError, as_size};
 use crate::pixel::Footprint;
 
-/// The threads of a carpet together: rough noise that is added to the diffuse colour.
+/// The threads of a carpet: rough noise that is added to the diffuse color.
 ///
 /// ```text
 /// value = Σ N(2ⁱ p/size)/3,   i = 0, 1, 2
 /// ```
 ///
-/// Every octave is as strong as the first, so that the surface is rough; more than three would average it smooth. Octaves that
-/// a pixel cannot resolve fade to 0, their mean. The height that goes with it is `size · value`, whose gradient does not depend
-/// on the size: `gradient` is that.
+/// Every octave is as strong as the first, so the surface is rough; more than three octaves would
+/// average it smooth. Octaves that a pixel cannot resolve fade to 0, their mean. The corresponding
+/// height is `size · value`. Its gradient, which does not depend on the size, is `gradient`.
 ///
 /// - **Range:** [−1, 1].
 ///
@@ -37,7 +37,7 @@ use crate::pixel::Footprint;
 pub struct DiffuseThreads(Fbm);
 
 impl DiffuseThreads {
-    /// Threads of this size, in units of the positions.
+    /// Creates threads of this size, in units of the positions.
     ///
     /// # Errors
     /// [`ParameterError::Outside`] unless `diffuse_thread_size` is within `[10⁻⁶, 10⁶]`.
@@ -65,7 +65,7 @@ impl DiffuseThreads {
     }
 }
 
-/// The single threads of a carpet, which are seen as highlights: plasma to the seventh power.
+/// The single threads of a carpet, visible as highlights: plasma to the seventh power.
 ///
 /// ```text
 /// t = (1 − Σ |N(2ⁱ p/size)|/3)⁷,   i = 0, 1, 2
@@ -75,16 +75,17 @@ impl DiffuseThreads {
 ///
 /// # Level of detail
 ///
-/// The mean of a power is not the power of a mean. Octaves that fade to their means *inside* of the power leave a carpet too dark
-/// from afar, by nearly half. Here each octave that a pixel cannot resolve is replaced by the expectation of the whole over it:
+/// The mean of a power is not the power of a mean. Octaves that fade to their means *inside* the
+/// power make a carpet too dark from afar, by nearly half. Here each unresolved octave is replaced
+/// by the expectation of the whole over it:
 ///
 /// ```text
 /// t_j = E[t | the first j octaves] = Σ_k C(7, k) c^(7−k) (−1)ᵏ E[Uᵏ],   c = 1 − Σ_{i<j} |Nᵢ|/3,   U = Σ_{i≥j} |Nᵢ|/3
 /// t   = t_0 + Σ_j (1 − k_j) (t_{j+1} − t_j),   k_j = smoothstep(0.2, 0.6, 2ʲ footprint/size)
 /// ```
 ///
-/// with the measured moments of |N|; so the mean is the same at every distance, and what is seen from afar is the mean of what
-/// is seen from nearby.
+/// with the measured moments of |N|. The mean is the same at every distance, and the far view is
+/// the mean of the near one.
 ///
 /// Nilsson 2008, §4.2.2, *Specular map*.
 ///
@@ -109,7 +110,7 @@ pub struct SpecularThreads {
 const HIGHER_MOMENTS: [f32; 3] = [0.046_27, 0.035_68, 0.028_55];
 
 impl SpecularThreads {
-    /// Threads of this size, in units of the positions.
+    /// Creates threads of this size, in units of the positions.
     ///
     /// # Errors
     /// [`ParameterError::Outside`] unless `specular_thread_size` is within `[10⁻⁶, 10⁶]`.
@@ -121,7 +122,10 @@ impl SpecularThreads {
         Ok(Self { veins, frequency: 1.0 / size, coefficients: coefficients() })
     }
 
-    /// The veins, cells of their first octave per unit of length, and the coefficients of the mean where 0 to 3 octaves are known.
+    /// The turbulence, cells of its first octave per unit of length, and the coefficients of the
+    /// mean.
+    ///
+    /// The coefficients are for 0 to 3 known octaves.
     #[doc(hidden)]
     #[must_use]
     pub const fn parts(&self) -> (&Octaves<Simplex, 3, Turbulence>, f32, &[[f32; 8]; 4]) {
@@ -134,13 +138,15 @@ impl SpecularThreads {
         self.expectation(0, Vec3::ZERO)
     }
 
-    /// The brightness at a point, in [0, 1] within 10⁻⁵; the value where all noises are 0 where a coordinate is not finite.
+    /// The brightness at a point, in [0, 1] within 10⁻⁵.
+    ///
+    /// If a coordinate is not finite, the value where all noises are 0.
     #[must_use]
     pub fn value(&self, position: Vec3, footprint: Footprint) -> f32 {
         let p = position * self.frequency;
         let mut value = 0.0;
         let mut weight_before = 1.0;
-        // Σ_j t_j (weight_j − weight_{j+1}): only those levels are evaluated that have a weight.
+        // Σ_j t_j (weight_j − weight_{j+1}): only levels with a weight are evaluated.
         for (j, frequency) in [1.0, 2.0, 4.0, f32::INFINITY].into_iter().enumerate() {
             let kept =
                 if j < 3 { 1.0 - removed_share(footprint.width() * self.frequency, frequency) } else { 0.0 };
@@ -153,7 +159,7 @@ impl SpecularThreads {
         value
     }
 
-    /// The expectation where the first `known` octaves at `p` are known.
+    /// The expectation given the first `known` octaves at `p`.
     fn expectation(&self, known: usize, p: Vec3) -> f32 {
         let count = known as f32;
         let veins = if known == 3 { self.veins.value(p) } else { self.veins.detail(count).value(p) };
@@ -171,7 +177,7 @@ fn coefficients() -> [[f32; 8]; 4] {
         *moment *= scale;
         scale /= 3.0;
     }
-    // Exact: every product of the first factors is a multiple of the next divisor.
+    // Exact, because every product of the first factors is a multiple of the next divisor.
     let choose = |n: usize, k: usize| (0..k).fold(1.0, |c, i| c * (n - i) as f32 / (i + 1) as f32);
     // The moments of no octave, and so on: E[(U + V)ⁿ] = Σ C(n, k) E[Uᵏ] E[Vⁿ⁻ᵏ].
     let mut moments = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
@@ -191,7 +197,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn nearby_it_is_the_seventh_power() {
+    fn specular_threads_up_close_are_the_seventh_power() {
         let threads = SpecularThreads::new(0.5, 3).unwrap();
         for i in 0..100_u8 {
             let p = Vec3::new(f32::from(i) * 0.21, -1.3, 0.4);

@@ -1,4 +1,4 @@
-//! Patches of space, one to a flake: which one a point is in, and how flakes are tilted.
+//! Patches of space, one per flake: the patch of a point, and the tilt of the flake.
 
 use asperity_noise::{IntegerHash, Lattice};
 use glam::Vec3;
@@ -6,36 +6,38 @@ use glam::Vec3;
 use crate::material::segment::unit;
 use crate::math::{clamp_to, cos, floor, pow, sin, sqrt};
 
-/// The flake that a point lies in.
+/// The flake that contains a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlakePatch {
-    /// A random number in [0, 1) that all points of the flake have in common.
+    /// A random number in [0, 1), the same for all points of the flake.
     pub value: f32,
-    /// The centre of the flake's cell, which tells it from all others.
+    /// The center of the cell of the flake, which identifies it.
     pub centre: Vec3,
     /// Tilt, to be added to a unit normal: a vector uniform in the unit ball.
     pub tilt: Vec3,
 }
 
-/// The flake at a point: of a cell of side `cell`, a box of sides `width`.
+/// The flake at a point: a box of sides `width` in a cell of side `cell`.
 ///
 /// ```text
 /// d = (frac(p/cell) − ½) cell − scatter r (cell − width),   inside where |dᵢ| ≤ widthᵢ/2,   centre = p − d
 /// ```
 ///
-/// with three random numbers r of the cell in [−½, ½). Without scatter flakes are in the middle of their cells, as in the thesis,
-/// where they show as a grid; with a scatter of 1 they may be anywhere in them. As a flake gets wider it keeps all of its points.
+/// with three random numbers r of the cell in [−½, ½). Without scatter, flakes are in the middle of
+/// their cells, as in the thesis, which shows as a grid. With a scatter of 1 they may be anywhere
+/// in them. A flake keeps all of its points as it becomes wider.
 ///
-/// Cells stay where they are while flakes change their width with the distance. A width of a whole cell or more fills space
-/// with flakes.
+/// Cells do not move while the width of flakes changes with the distance. A width of a whole cell
+/// or more fills space with flakes.
 ///
-/// - **Domain:** `cell` > 0. `None` outside flakes, for a point with |pᵢ| ≥ 2²³ cells, where cells cannot be told apart, and where
-///   anything is NaN.
-/// - **Random numbers** are hashes of the cell and the seed; the thesis has 256 different flakes, tilted towards the corners of a
-///   cube: at a strength of 0.2 the steepest tenth is 38 times denser along its diagonals than along its axes.
+/// - **Domain:** `cell` > 0. `None` outside flakes, for a point with |pᵢ| ≥ 2²³ cells, where cells
+///   cannot be distinguished, and where anything is NaN.
+/// - **Random numbers** are hashes of the cell and the seed. The thesis has 256 different flakes,
+///   tilted towards the corners of a cube: at a strength of 0.2 the steepest tenth is 38 times
+///   denser along the diagonals than along the axes.
 ///
-/// Nilsson 2008, §4.3.4, *Width of a PRNG-patch*; `PRNG_square` in print finds a flake in 2⁻²⁴ of space only, as its fraction goes once
-/// around the texture instead of the texel.
+/// Nilsson 2008, §4.3.4, *Width of a PRNG-patch*. The printed `PRNG_square` finds a flake in only
+/// 2⁻²⁴ of space, because its fraction wraps around the texture instead of the texel.
 ///
 /// ```
 /// use asperity_shading::material::flake_patch;
@@ -52,15 +54,16 @@ pub fn flake_patch(position: Vec3, cell: f32, width: Vec3, scatter: f32, seed: u
     off.cmple(0.5 * width).all().then_some(flake)
 }
 
-/// The flake of the cell of a point, and the share of a pixel on the point that it covers.
+/// The flake of the cell of a point, and the fraction of a pixel that it covers.
 ///
 /// ```text
 /// cover = Π_i clamp((widthᵢ/2 − |dᵢ|)/edgeᵢ + ½, 0, 1)
 /// ```
 ///
-/// with `d` of [`flake_patch`]: the box of the flake, filtered by a box of sides `edge`. The edges are at most the width, and at most
-/// what is left of the cell, so that the flake stays in the cell. The mean of the cover over a plane across axis i is then
-/// `Π_j widthⱼ/cell` of the other two axes, if the width along axis i is the cell.
+/// with `d` of [`flake_patch`]: the box of the flake, filtered by a box of sides `edge`. The edges
+/// are at most the width, and at most the rest of the cell, so that the flake stays in the cell.
+/// The mean cover over a plane across axis i is then `Π_j widthⱼ/cell` of the other two axes, if
+/// the width along axis i is the cell.
 ///
 /// - **Domain:** `cell` > 0, each width at most `cell`. `None` for a point with |pᵢ| ≥ 2²³ cells and where the position or the cell is not
 ///   finite.
@@ -91,7 +94,7 @@ fn nearest_flake(
 ) -> Option<(FlakePatch, Vec3)> {
     const FARTHEST: f32 = 8_388_608.0;
     let place = position / cell;
-    // Written so that NaN is none.
+    // Written so that NaN returns `None`.
     if !(place.abs().max_element() < FARTHEST && place.is_finite()) {
         return None;
     }
@@ -122,7 +125,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn all_points_of_a_flake_agree() {
+    fn points_of_a_flake_return_the_same_patch() {
         let width = Vec3::new(0.3, 0.2, 0.4);
         let centre = Vec3::new(2.5, -1.5, 0.5);
         let flake = flake_patch(centre, 1.0, width, 0.0, 9).unwrap();
@@ -164,13 +167,14 @@ mod tests {
             radii += tilt.length_squared();
             squares += tilt * tilt;
         }
-        // E r² = 3/5 and a third of it along each axis; deviations 0.26 and 0.21, four standard errors of 4096.
+        // E r² = 3/5 and a third of it along each axis; standard deviations 0.26 and 0.21, four
+        // standard errors of 4096.
         assert_abs_diff_eq!(radii / 4096.0, 0.6, epsilon = 0.017);
         assert_abs_diff_eq!(squares / 4096.0, Vec3::splat(0.2), epsilon = 0.013);
     }
 
     #[test]
-    fn points_that_are_none_have_no_flake() {
+    fn flake_patch_of_invalid_points_is_none() {
         for x in [f32::NAN, f32::INFINITY, 1e30] {
             assert_eq!(flake_patch(Vec3::new(x, 0.0, 0.0), 1.0, Vec3::ONE, x, 0), None, "{x}");
             assert_eq!(flake_patch(Vec3::ZERO, x, Vec3::ONE, 0.0, 0), None, "{x}");

@@ -1,4 +1,4 @@
-//! Flakes whose number grows as the viewer comes nearer: counted by hashes, with the density of normals for their mean.
+//! Glints counted by hashes, with the NDF as their mean.
 
 use asperity_ndf_sampling::{Ndf, inverse_phi, phi};
 use asperity_noise::{IntegerHash, Lattice};
@@ -9,34 +9,39 @@ use crate::parameter::{ParameterError, as_size, within};
 use crate::pixel::Footprint;
 use crate::reflectance::lobe::CountedFacets;
 
-/// Mirror-like flakes with normals of any density, one by one from nearby and by their number from afar.
+/// Mirror-like flakes with any NDF, single up close and counted from afar.
 ///
-/// A pixel of width w sees (w/spacing)² flakes. Those that mirror the light into it are those whose Gaussian coordinates T⁻¹(m)
-/// are in the same bin as those of the half vector. Their number in a cell of 4ˡ flakes is binomial, drawn by a hash of cell, bin
-/// and level:
+/// A pixel of width w sees (w/spacing)² flakes. A flake mirrors the light into the pixel if its
+/// Gaussian coordinates T⁻¹(m) are in the same bin as those of the half vector. The number of such
+/// flakes in a cell of 4ˡ flakes is binomial, drawn by a hash of cell, bin and level:
 ///
 /// ```text
 /// D̂(h) = D(h) Σ_bins w(h, bin) count(bin)/(N q(bin)),   count ~ B(N, q),   q(bin) = ∫_bin N(z; 0, I) dz,   Σ w = 1
 /// count in a cell, given the coarser one's:   count ~ B(count above, ¼)
 /// ```
 ///
-/// and two levels are blended by the logarithm of the width. Where a pixel sees at most one flake it is that flake, with the
-/// normal that [`flake`](Self::flake) returns.
+/// and two levels are blended by the logarithm of the width. A pixel that sees at most one flake
+/// sees that flake, with the normal that [`flake`](Self::flake) returns.
 ///
-/// The flakes of a cell are those of the coarser cell around it that are in it: a quarter of them on average, drawn by another hash. So
-/// what glints from afar still does where one comes nearer, in ever smaller cells, down to four flakes; only the last step, to single
-/// ones, is not of the same flakes.
+/// The flakes of a cell are those flakes of the coarser cell around it that it contains: a quarter
+/// of them on average, drawn by another hash. A distant glint therefore persists in ever smaller
+/// cells as the viewer comes closer, down to four flakes. Only the last step, to single flakes,
+/// uses different ones.
 ///
-/// - **Energy:** the mean of D̂(h) over the surface is D(h), at every width and for every density: E count = N q.
-/// - **From afar:** its variance falls as 1/N, and D̂ goes to D: the paint's smooth lobe is left, and nothing has to fade.
-/// - **From nearby:** ever more flakes are seen singly as a pixel sees fewer of them, up to the last; the gaps between
-///   sparkles close, which flakes of a fixed width on the screen cannot do.
-/// - **Domain:** half vectors in the frame of the surface. D where the position is 2²³ cells away or not finite, and for widths
-///   beyond 2¹⁴ spacings; 0 where D is.
+/// - **Energy:** the mean of D̂(h) over the surface is D(h), at every width and for every NDF: E
+///   count = N q.
+/// - **Far view:** the variance decreases as 1/N, and D̂ tends to D. The smooth lobe of the paint
+///   remains, and nothing has to fade.
+/// - **Near view:** more flakes become visible as single ones as a pixel sees fewer of them, up to
+///   the last. The gaps between sparkles close, which flakes of a fixed width on the screen cannot
+///   do.
+/// - **Domain:** half vectors in the frame of the surface. The result is D where the position is
+///   2²³ cells away or not finite, and for widths beyond 2¹⁴ spacings; 0 where D is 0.
 ///
-/// Nilsson 2008, §6.3 asks for it; bins and binomial counts after Deliot, Belcour 2023, *Real-Time Rendering of Glinty Appearances
-/// using Distributed Binomial Laws on Anisotropic Grids*, here in the Gaussian coordinates of the density instead of slopes, so
-/// that it takes any density and its mean is exact.
+/// Proposed in Nilsson 2008, §6.3. Bins and binomial counts after Deliot, Belcour 2023, *Real-Time
+/// Rendering of Glinty Appearances using Distributed Binomial Laws on Anisotropic Grids*. Here they
+/// are in the Gaussian coordinates of the NDF instead of slopes, so any NDF is supported and the
+/// mean is exact.
 ///
 /// ```
 /// use asperity_shading::material::GlintField;
@@ -63,30 +68,31 @@ pub struct GlintField<N> {
 /// One flake of a [`GlintField`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GlintFlake {
-    /// Its unit normal in the frame of the surface, with the density of the field.
+    /// Its unit normal in the frame of the surface, distributed by the NDF of the field.
     pub normal: Vec3,
-    /// A place in it, nearer than that of any other flake.
+    /// A point in it, nearer to it than to any other flake.
     pub centre: Vec3,
 }
 
 /// The coarsest level: cells of 2²⁸ flakes.
 const LEVELS: f32 = 14.0;
-/// The expected count from which cells are drawn by themselves: of 6 % of deviation.
+/// The expected count from which cells are drawn independently, with a deviation of 6 %.
 const CERTAIN: f32 = 256.0;
-/// Greatest coordinate at which cells can be told apart.
+/// Largest coordinate at which cells can be distinguished.
 const FARTHEST: f32 = 8_388_608.0;
 
 impl<N> GlintField<N> {
-    /// Differences of the seeds of the two coordinates of tilts from the field's.
+    /// Offsets of the seeds of the two tilt coordinates from the seed of the field.
     #[doc(hidden)]
     pub const TILTS: [u32; 2] = [0x51ab_0f31, 0xa3c7_59e5];
 }
 
 impl<N: Ndf> GlintField<N> {
-    /// Flakes `spacing` apart, that mirror a light over `bin` standard deviations of their tilt.
+    /// Creates flakes `spacing` apart that mirror a light over `bin` standard deviations of their
+    /// tilt.
     ///
-    /// The bin stands for the size of the light and the roughness of the flakes: the smaller, the fewer and the brighter are the
-    /// flakes that are lit.
+    /// The bin represents the size of the light and the roughness of the flakes. A smaller bin has
+    /// fewer and brighter lit flakes.
     ///
     /// # Errors
     /// [`ParameterError::Outside`] unless `flake_spacing` is within `[10⁻⁶, 10⁶]` and `flake_bin` within `[0.001, 1]`.
@@ -95,29 +101,32 @@ impl<N: Ndf> GlintField<N> {
         Ok(Self { ndf, spacing, bin: within("flake_bin", bin, [0.001, 1.0])?, seed })
     }
 
-    /// The density of normals of all flakes.
+    /// The NDF of all flakes.
     #[must_use]
     pub const fn ndf(&self) -> &N {
         &self.ndf
     }
 
-    /// The distance between flakes, the deviations that a lamp is mirrored over; the seed.
+    /// The distance between flakes and the bin in standard deviations; the seed.
     #[doc(hidden)]
     #[must_use]
     pub const fn parts(&self) -> ([f32; 2], u32) {
         ([self.spacing, self.bin], self.seed)
     }
 
-    /// The flake at a point: the one of the jittered centres, one to a cell, that is nearest.
+    /// The flake at a point: the nearest jittered center, one per cell.
     ///
-    /// `None` where cells cannot be told apart or a coordinate is not finite. Centres are within a quarter of a cell of the cell's.
+    /// `None` where cells cannot be distinguished or a coordinate is not finite. Centers are within
+    /// a quarter of a cell of the center of the cell.
     #[must_use]
     pub fn flake(&self, position: Vec3) -> Option<GlintFlake> {
         let (cell, centre) = nearest(self.place(position)?, self.seed);
         Some(GlintFlake { normal: self.ndf.from_gaussian(self.tilt(cell)), centre: centre * self.spacing })
     }
 
-    /// Density of the flakes within a pixel, D̂(h), in sr⁻¹: in the place of D(h); finite for an `h` of any length.
+    /// The density D̂(h) of the flakes within a pixel, in sr⁻¹, which replaces D(h).
+    ///
+    /// Finite for an `h` of any length.
     #[must_use]
     pub fn density(&self, h: Vec3, position: Vec3, footprint: Footprint) -> f32 {
         let density = self.ndf.density(h);
@@ -142,18 +151,19 @@ impl<N: Ndf> GlintField<N> {
             let fine = own.unwrap_or(fine);
             fine + upper_share * (coarse - fine)
         });
-        // Only where h is no unit vector do both factors get large.
+        // Both factors are large only where h is not a unit vector.
         (density * relative).min(f32::MAX)
     }
 
-    /// count/(N q) of a bin in the cells of this level and of the next around that of a single flake.
+    /// count/(N q) of a bin in the cells of this level and of the next, around the cell of a single
+    /// flake.
     ///
-    /// From a level where the number is nearly certain, down from cell to cell.
+    /// Starts at a level where the number is nearly certain, and descends from cell to cell.
     fn relative_counts(&self, base: [i32; 3], bin: [i32; 2], q: f32, level: i32) -> [f32; 2] {
         let size = |level: i32| (1_u32 << level) as f32;
         let flakes = |level: i32| size(level) * size(level);
         let seed = IntegerHash.word(bin, self.seed);
-        // The floor of a half is that of half the floor.
+        // The floor of a half is half of the floor.
         let word = |level: i32| IntegerHash.word(base.map(|x| x >> level), seed.wrapping_add(level as u32));
         let drawn = |level: i32| binomial(flakes(level), q, uniform(word(level)));
         // The logarithm of a positive number; its cast is in range.
@@ -171,21 +181,21 @@ impl<N: Ndf> GlintField<N> {
         [count / (flakes(level) * q), coarse]
     }
 
-    /// The Gaussian coordinates of the normal of a cell's flake.
+    /// The Gaussian coordinates of the normal of the flake of a cell.
     fn tilt(&self, cell: [i32; 3]) -> Vec2 {
         let uniform = |k: u32| (f64::from(IntegerHash.word(cell, self.seed ^ k)) + 0.5) / 4_294_967_296.0;
         Vec2::new(inverse_phi(uniform(Self::TILTS[0])) as f32, inverse_phi(uniform(Self::TILTS[1])) as f32)
     }
 
-    /// The position in cells of single flakes, where they can be told apart.
+    /// The position in cells of single flakes, where they can be distinguished.
     fn place(&self, position: Vec3) -> Option<Vec3> {
         let place = position / self.spacing;
-        // Written so that NaN is refused.
+        // Written so that NaN returns `None`.
         (place.abs().max_element() < FARTHEST && !place.is_nan()).then_some(place)
     }
 }
 
-/// The cell that a place is in, which is less than 2²³ cells away.
+/// The cell of a position that is less than 2²³ cells away.
 fn cell_of(place: Vec3) -> [i32; 3] {
     place.to_array().map(|x| {
         let whole = x as i32;
@@ -193,17 +203,18 @@ fn cell_of(place: Vec3) -> [i32; 3] {
     })
 }
 
-/// The jittered centre of a cell, in cells.
+/// The jittered center of a cell, in cells.
 fn centre(cell: [i32; 3], seed: u32) -> Vec3 {
     let word = IntegerHash.word(cell, seed);
     let jitter = [word, word >> 10, word >> 20].map(|w| (w & 1023) as f32 / 2048.0 + 0.25);
     Vec3::from(cell.map(|x| x as f32)) + Vec3::from(jitter)
 }
 
-/// The cell of the nearest of the jittered centres, and the centre, in cells.
+/// The cell of the nearest jittered center, and the center, in cells.
 fn nearest(place: Vec3, seed: u32) -> ([i32; 3], Vec3) {
     let base = cell_of(place);
-    // No other centre is nearer where all that its cell may have are farther than that of the point's own; far out centres are rounded.
+    // No other center is nearer if all possible centers of its cell are farther than the center of
+    // the cell of the point. Distant centers are rounded.
     let bound = place.distance_squared(centre(base, seed)) * 1.000_1;
     let slack = place.abs().max_element() * f32::EPSILON + 1e-6;
     let squares = core::array::from_fn(|axis| {
@@ -257,7 +268,7 @@ impl Bins {
         Self { low, upper, mass, width }
     }
 
-    /// Σ w f(bin, q); a bin that no flake will ever be in counts as 1, its mean.
+    /// Σ w f(bin, q); a bin that no flake will ever be in has the value 1, its mean.
     fn sum(&self, f: impl Fn([i32; 2], f32) -> f32) -> f32 {
         let mut sum = 0.0;
         for i in 0..2 {
@@ -278,13 +289,13 @@ impl Bins {
     }
 }
 
-/// The probability of a standard Gaussian number from `k` to `k + 1` widths.
+/// The probability that a standard Gaussian number is between `k` and `k + 1` widths.
 ///
 /// ```text
 /// w φ(m) Σ_j He_2j(m) (w/2)^2j / (2j + 1)!,   m = (k + ½) w,   He the polynomials of Hermite
 /// ```
 ///
-/// up to j = 3 where bins are narrow, to 2·10⁻⁸ and the rounding of m².
+/// up to j = 3 for narrow bins, accurate to 2·10⁻⁸ and the rounding of m².
 fn mass(k: f32, width: f32) -> f32 {
     let middle = (k + 0.5) * width;
     if width * (middle.abs() + 2.0) <= 1.0 {
@@ -294,7 +305,7 @@ fn mass(k: f32, width: f32) -> f32 {
         let series = 1.0 + w2 * (terms[0] / 6.0 + w2 * (terms[1] / 120.0 + w2 * (terms[2] / 5040.0)));
         return width * FRAC_1_SQRT_2PI * exp(-0.5 * m2) * series;
     }
-    // The tail on the far side, so that differences of numbers next to 1 do not lose it.
+    // The tail on the far side, so that differences of numbers near 1 do not lose it.
     let side = if k < 0.0 { 1.0 } else { -1.0 };
     let [a, b] = [0.0, 1.0].map(|i| phi(f64::from(side * (k + i) * width)));
     (b - a).abs() as f32
@@ -305,28 +316,34 @@ fn uniform(word: u32) -> f32 {
     (word as f32 + 0.5) / 4_294_967_296.0
 }
 
-/// Number of the flakes in a bin, `count` of `n`, that are in one of the four quarters, for 32 random bits; the mean is a quarter.
+/// The number of the flakes of a bin, `count` of `n`, in one of four quarters; the mean is a
+/// quarter.
 ///
-/// By inversion where few are, with a count that is no integer rounded up or down at random; else a number of the mean and the variance of
-/// drawing without putting back, from the sum of four bytes.
+/// Drawn with 32 random bits.
+///
+/// By inversion for few flakes, with a non-integer count rounded up or down at random. Otherwise a
+/// number with the mean and the variance of drawing without replacement, from the sum of four
+/// bytes.
 fn quarter(count: f32, n: f32, word: u32) -> f32 {
     let mean = 0.25 * count;
     if mean > 16.0 {
-        /// Of the sum of four bytes: `√(4 (256² − 1)/12)`.
+        /// Standard deviation of the sum of four bytes: `√(4 (256² − 1)/12)`.
         const DEVIATION: f32 = 147.801;
         let sum: i32 = word.to_le_bytes().into_iter().map(i32::from).sum();
-        // At most 3.5 deviations, which are at most 4 √mean.
+        // At most 3.5 standard deviations, which are at most 4 √mean.
         return mean + sqrt((0.75 * mean * (1.0 - count / n)).max(0.0)) / DEVIATION * (sum - 510) as f32;
     }
-    // Twelve bits for the one, twenty for the other.
+    // Twelve bits for one, twenty for the other.
     let whole = floor(count + ((word & 0xfff) as f32 + 0.5) / 4096.0);
     if whole > 0.0 { binomial(whole, 0.25, ((word >> 12) as f32 + 0.5) / 1_048_576.0) } else { 0.0 }
 }
 
-/// A number of successes of `n` trials of probability `q`, for a uniform number in (0, 1), with the mean `n q`.
+/// A number of successes of `n` trials of probability `q`, with the mean `n q`.
 ///
-/// By inversion up to 16 expected ones; beyond it the Gaussian of the same mean and variance, cut off at the same distance on both
-/// sides, which keeps the mean. That is not an integer.
+/// From a uniform number in (0, 1).
+///
+/// By inversion up to 16 expected successes. Beyond, a Gaussian of the same mean and variance,
+/// truncated at the same distance on both sides, which keeps the mean. It is not an integer.
 fn binomial(n: f32, q: f32, uniform: f32) -> f32 {
     let mean = n * q;
     if mean > 16.0 {
@@ -336,7 +353,7 @@ fn binomial(n: f32, q: f32, uniform: f32) -> f32 {
         return mean + deviation * z.clamp(-most, most);
     }
     let log = ln_1p(-q);
-    // P(count > k), from above: small chances keep their digits.
+    // P(count > k), from above: small probabilities keep their digits.
     let mut above = -exp_m1(n * log);
     let mut chance = mean * exp((n - 1.0) * log);
     let mut k = 0.0;
@@ -355,7 +372,7 @@ mod tests {
     use asperity_ndf_sampling::{Beckmann, Ggx};
 
     #[test]
-    fn counts_have_mean_and_variance_of_a_binomial() {
+    fn binomial_has_mean_and_variance() {
         for (n, q) in [(4.0, 0.3), (16.0, 1e-3), (1024.0, 4e-4), (4096.0, 0.01), (65_536.0, 0.1)] {
             let count = 20_000;
             let (mut sum, mut squares) = (0.0, 0.0);
@@ -367,14 +384,14 @@ mod tests {
             let mean = sum / f64::from(count);
             let variance = squares / f64::from(count) - mean * mean;
             let expected = f64::from(n * q);
-            // Equally spaced numbers: only the last steps are cut.
+            // Equally spaced numbers: only the last steps are truncated.
             assert_abs_diff_eq!(mean / expected, 1.0, epsilon = 2e-3, "{n}, {q}");
             assert_abs_diff_eq!(variance / (expected * f64::from(1.0 - q)), 1.0, epsilon = 0.01, "{n}, {q}");
         }
     }
 
     #[test]
-    fn vectors_of_any_length_have_a_finite_density() {
+    fn density_is_finite_for_vectors_of_any_length() {
         let field = GlintField::new(Beckmann::clamped(0.3, 0.3), 1_208.794_2, 0.756_862_7, 3_250_700_737);
         let (field, tiny) = (field.unwrap(), 3e-45);
         let at = Vec3::new(-16_777_213.0, tiny, tiny);
@@ -383,7 +400,7 @@ mod tests {
     }
 
     #[test]
-    fn quarters_have_a_quarter_for_their_mean() {
+    fn quarter_has_a_mean_of_one_quarter() {
         for (count, n) in [(1.0, 64.0), (3.4, 64.0), (40.0, 1e4), (64.0, 1e4), (65.0, 1e4), (900.5, 4e3)] {
             let (mut sum, mut squares) = (0.0, 0.0);
             for i in 0..10_000_u16 {
@@ -394,14 +411,14 @@ mod tests {
             let (mean, variance) = (f64::from(0.25 * count), f64::from(0.1875 * count));
             // Four standard errors.
             assert_abs_diff_eq!(sum, mean, epsilon = 0.04 * (variance + 0.03).sqrt(), "{count}");
-            // Within what is not put back, and what rounding adds.
+            // Within the effect of missing replacement and rounding.
             assert!((squares - sum * sum) < 1.2 * variance + 0.03, "{count}: {}", squares - sum * sum);
             assert!((squares - sum * sum) > 0.7 * variance, "{count}: {}", squares - sum * sum);
         }
     }
 
     #[test]
-    fn flakes_of_a_cell_are_those_of_the_coarser_one_around_it() {
+    fn flakes_of_a_cell_belong_to_the_coarser_cell() {
         let field = GlintField::new(Ggx::new(0.3, 0.3).unwrap(), 1.0, 0.1, 3).unwrap();
         let mut lit = [0, 0];
         for i in 0..4000_u16 {
@@ -410,7 +427,7 @@ mod tests {
             for level in 0..13 {
                 let [fine, coarse] = field.relative_counts(cell, [2, -1], 0.002, level);
                 let again = field.relative_counts(cell, [2, -1], 0.002, level + 1);
-                // Nothing leaps where a level ends.
+                // Nothing is discontinuous where a level ends.
                 assert_eq!(coarse, again[0], "{p}, {level}");
                 lit[0] += u32::from(fine > 0.0);
                 lit[1] += u32::from(fine > 0.0 && coarse > 0.0);
@@ -420,7 +437,7 @@ mod tests {
     }
 
     #[test]
-    fn a_flake_is_seen_where_its_normal_mirrors() {
+    fn density_is_nonzero_where_the_flake_mirrors() {
         let field = GlintField::new(Ggx::new(0.3, 0.3).unwrap(), 0.01, 0.05, 3).unwrap();
         let near = Footprint::from_width(0.001);
         for i in 0..40_u8 {
@@ -434,7 +451,7 @@ mod tests {
     }
 
     #[test]
-    fn the_mass_of_a_bin_is_the_difference_of_its_ends() {
+    fn mass_is_the_difference_of_phi_at_the_ends() {
         for (width, k) in
             [0.001, 0.03, 0.1, 0.3, 0.49, 1.0].into_iter().flat_map(|w| (-60..60).map(move |k| (w, k as f32)))
         {
@@ -442,7 +459,8 @@ mod tests {
             let exact = if k < 0.0 { ends[1] - ends[0] } else { ends[0] - ends[1] };
             if exact > 1e-25 {
                 let relative = f64::from(mass(k, width)) / exact.abs() - 1.0;
-                // A rounding of the middle m, by dφ/φ = m² of it, and a few of the result; the difference itself has 1e-15 of its ends.
+                // A rounding of the middle m, by dφ/φ = m² of it, and a few of the result; the
+                // difference itself has 1e-15 of its ends.
                 let m2 = f64::from((k + 0.5) * width).powi(2);
                 let bound = 6e-8 * (m2 + 4.0) + 3e-16 * ends[0] / exact.abs();
                 assert!(relative.abs() < bound, "{k}, {width}: {relative:e} of {bound:e}");
@@ -451,9 +469,9 @@ mod tests {
     }
 
     #[test]
-    fn no_centre_of_the_27_cells_is_nearer() {
+    fn nearest_finds_the_nearest_of_27_centers() {
         for i in 0..3000_u16 {
-            // The last are where a rounding of places is an eighth of a cell.
+            // The last ones are where the rounding of positions is an eighth of a cell.
             let far = if i < 2000 { 1.0 } else { 50_000.0 };
             let place =
                 Vec3::new(f32::from(i) * 0.173, f32::from(i % 97) * 0.291 - 70.0, f32::from(i % 31) * 0.37)
@@ -467,12 +485,13 @@ mod tests {
     }
 
     #[test]
-    fn nearest_centres_are_in_the_neighbouring_cells() {
+    fn nearest_centers_are_in_neighboring_cells() {
         let field = GlintField::new(Ggx::new(0.3, 0.3).unwrap(), 1.0, 0.05, 3).unwrap();
         for i in 0..500_u16 {
             let p = Vec3::new(f32::from(i) * 0.173, f32::from(i) * 0.291 - 70.0, f32::from(i) * 0.117);
             let own = field.flake(p).unwrap().centre;
-            // No centre outside of the 27 cells is nearer than 1.25, measured from the point's own cell.
+            // No center outside of the 27 cells is nearer than 1.25, measured from the cell of the
+            // point.
             assert!(p.distance(own) < 1.25, "{p}: {own}");
         }
     }

@@ -1,4 +1,5 @@
-//! Metallic paint, after Nilsson 2008, §4.3: orange peel, passive flakes, sparkles, and flakes that are counted.
+//! Metallic paint, after Nilsson 2008, §4.3: orange peel, passive flakes, sparkles, and counted
+//! flakes.
 
 mod flake_patch;
 mod glint;

@@ -1,4 +1,4 @@
-//! Orange peel: the bumps of paint that has dried.
+//! Orange peel: the bumps of dried paint.
 
 use glam::Vec3;
 
@@ -7,17 +7,19 @@ use crate::material::fbm::{Fbm, SLOPE_VARIANCE};
 use crate::parameter::{ParameterError, as_share, as_size};
 use crate::pixel::Footprint;
 
-/// Orange peel: one octave of noise that tilts the normal of a clear coat.
+/// Orange peel: one octave of noise that tilts the normal of a clearcoat.
 ///
 /// ```text
 /// n′ = normalize(n − k (∇N − n (n·∇N))),   ∇N = (∇N)(p/size)
 /// ```
 ///
-/// The height is `k · size · N(p/size)`, whose slope does not depend on the size: k = 0.1 tilts by about 10°. A single octave, so
-/// that mirrored images are distorted and not blurred. Tilts that a pixel cannot resolve fade to none, and
-/// [`removed_slope`](Self::removed_slope) says how much rougher the coat gets by it.
+/// The height is `k · size · N(p/size)`, whose slope does not depend on the size; k = 0.1 tilts by
+/// about 10°. It is a single octave, so reflections are distorted and not blurred. Tilts that a
+/// pixel cannot resolve fade out, and [`removed_slope`](Self::removed_slope) returns the
+/// corresponding roughness of the coat.
 ///
-/// Nilsson 2008, §4.3.2, whose formula is the first of these without the part along n taken out.
+/// Nilsson 2008, §4.3.2, whose formula is the first of these without the removal of the component
+/// along n.
 ///
 /// ```
 /// use asperity_shading::material::OrangePeel;
@@ -35,7 +37,7 @@ pub struct OrangePeel {
 }
 
 impl OrangePeel {
-    /// Bumps of this size, in units of the positions, and strength k.
+    /// Creates bumps of this size, in units of the positions, and strength k.
     ///
     /// # Errors
     /// [`ParameterError::Outside`] unless `orange_peel_size` is within `[10⁻⁶, 10⁶]` and `orange_peel_strength` within `[0, 1]`.
@@ -51,7 +53,7 @@ impl OrangePeel {
         &self.noise
     }
 
-    /// The gradient of the height along the surface of unit normal `n`.
+    /// The surface gradient of the height, for the unit normal `n`.
     #[must_use]
     pub fn gradient(&self, position: Vec3, n: Vec3, footprint: Footprint) -> Vec3 {
         tangential(n, self.noise.sample(position, footprint).gradient) * self.strength
@@ -63,7 +65,9 @@ impl OrangePeel {
         bumped_normal(n, self.gradient(position, n, footprint))
     }
 
-    /// The variance of the slope along each axis that a pixel does not resolve: Beckmann's α² grows by twice that.
+    /// The slope variance along each axis that a pixel does not resolve.
+    ///
+    /// Beckmann's α² increases by twice this value.
     #[must_use]
     pub fn removed_slope(&self, footprint: Footprint) -> f32 {
         self.strength * self.strength * self.noise.removed_slope(footprint, SLOPE_VARIANCE)
@@ -88,7 +92,7 @@ mod tests {
                 sum += peel.gradient(p, n, footprint).length_squared() / 2.0;
             }
             let variance = sum / 4000.0 + peel.removed_slope(footprint);
-            // Four standard errors; the squares have about their mean for deviation.
+            // Four standard errors; the squares have about their mean as standard deviation.
             assert_abs_diff_eq!(variance / total, 1.0, epsilon = 0.063, "{width}");
         }
         assert_eq!(peel.removed_slope(Footprint::from_width(0.0)), 0.0);

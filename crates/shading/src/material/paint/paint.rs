@@ -1,4 +1,4 @@
-//! Metallic paint: a bumpy clear coat over flakes that sparkle and flakes that vary the colour.
+//! Metallic paint: a bumpy clearcoat over sparkling flakes and flakes that vary the color.
 
 use asperity_ndf_sampling::Beckmann;
 use glam::Vec3;
@@ -14,48 +14,50 @@ use crate::parameter::{ParameterError, as_roughness, as_share, colour, parameter
 use crate::reflectance::{Bsdf, Coat, CookTorrance, Dielectric, EnergyPreservingOrenNayar, Lobe};
 
 parameters! {
-    /// The parameters of a [`MetallicPaint`], by the names of Nilsson 2008, Appendix B.
+    /// The parameters of a [`MetallicPaint`], named as in Nilsson 2008, Appendix B.
     ///
-    /// Sizes are in units of the surface's positions, within `[10⁻⁶, 10⁶]`; strengths and colours are within `[0, 1]`. The
-    /// defaults are those of a car's blue paint in metres.
+    /// Sizes are in units of the surface positions, within `[10⁻⁶, 10⁶]`. Strengths and colors are
+    /// within `[0, 1]`. The defaults are a blue car paint in meters.
     pub struct MetallicPaintParameters of MetallicPaint {
-        /// The specular colour of the flakes. Default (0.25, 0.35, 0.6).
+        /// The specular color of the flakes. Default (0.25, 0.35, 0.6).
         specular: Vec3 = Vec3::new(0.25, 0.35, 0.6), colour;
-        /// Tilt of the clear coat's normal by orange peel: its height over its size. Default 0.01; from 0.1 it is rocky.
+        /// Tilt of the normal of the clearcoat by orange peel: its height over its size. Default
+        /// 0.01; rocky from 0.1.
         orange_peel_strength: f32 = 0.01;
         /// The size of orange peel. Default 0.006.
         orange_peel_size: f32 = 0.006;
         /// The width of a sparkle in pixels, within `[0, 1000]`. Default 2.
         flake_sparkle_pixel_size: f32 = 2.0;
-        /// The greatest width of a sparkle, and the distance between them. Default 0.001.
+        /// The maximum width of a sparkle, and the distance between sparkles. Default 0.001.
         flake_sparkle_physical_size: f32 = 0.001;
         /// Tilt of the normal by a flake. Default 0.5.
         flake_sparkle_variation: f32 = 0.5;
-        /// Boost of a sparkle's colour towards the target. Default 0.3.
+        /// Boost of the color of a sparkle towards the target. Default 0.3.
         flake_sparkle_boost: f32 = 0.3, as_share;
         /// The target: the strongest signal of a sparkle. Default white.
         flake_sparkle_boost_target: Vec3 = Vec3::ONE, colour;
-        /// The share of flakes that is left out. Default 0.4.
+        /// The fraction of flakes that is omitted. Default 0.4.
         flake_sparkle_elimination: f32 = 0.4;
-        /// Whether fewer are left out from afar. Default adaptive, by 0.002.
+        /// Whether fewer are omitted from afar. Default adaptive, by 0.002.
         smart_flake_sparkle: Elimination = Elimination::Adaptive { unit: 0.002 };
         /// The size of the coarsest passive flakes. Default 0.004.
         passive_flake_size: f32 = 0.004;
-        /// Variation of the specular colour by passive flakes. Default 0.3.
+        /// Variation of the specular color by passive flakes. Default 0.3.
         passive_flake_strength: f32 = 0.3;
         /// The number of their octaves, from 1 to 8. Default 4.
         passive_flake_detail: u32 = 4;
-        /// The roughness of the layer of flakes: Beckmann's α, within `[0.01, 1]`; this and what follows is not in the thesis. Default 0.32.
+        /// The roughness of the layer of flakes: Beckmann's α, within `[0.01, 1]`. This and the
+        /// following parameters are not in the thesis. Default 0.32.
         flake_roughness: f32 = 0.32, as_roughness;
-        /// Flakes that sparkle, or flakes that are counted. Default sparkling.
+        /// Sparkling flakes, or counted flakes. Default sparkling.
         flakes: PaintFlakes = PaintFlakes::Sparkling;
-        /// The colour of the pigment beside the flakes. Default (0.02, 0.05, 0.14).
+        /// The color of the pigment between the flakes. Default (0.02, 0.05, 0.14).
         pigment: Vec3 = Vec3::new(0.02, 0.05, 0.14), colour;
-        /// The relative index of the clear coat, within `[1, 4]`; 1 is none. Default 1.5.
+        /// The relative index of the clearcoat, within `[1, 4]`; 1 means no coat. Default 1.5.
         coat_index: f32 = 1.5, range([1.0, 4.0]);
-        /// The roughness of the clear coat, within `[0, 1]`; 0 is a mirror. Default 0.
+        /// The roughness of the clearcoat, within `[0, 1]`; 0 is a mirror. Default 0.
         coat_roughness: f32 = 0.0, as_share;
-        /// Which paint: any number.
+        /// Random seed.
         seed: u32 = 1;
     }
 }
@@ -64,36 +66,40 @@ parameters! {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum PaintFlakes {
-    /// Of a fixed width in pixels, as in the thesis: [`Sparkles`].
+    /// Flakes of a fixed width in pixels, as in the thesis: [`Sparkles`].
     #[default]
     Sparkling,
-    /// Counted glints, as many as a pixel sees, with the same mean at every distance: [`GlintField`].
+    /// Counted glints, as many as a pixel sees, with the same mean at every distance:
+    /// [`GlintField`].
     Counted {
         /// The distance between flakes, within `[10⁻⁶, 10⁶]`.
         spacing: f32,
-        /// The deviations of their tilt over which a lamp is mirrored, within `[0.001, 1]`.
+        /// The standard deviations of their tilt over which a lamp is mirrored, within `[0.001,
+        /// 1]`.
         bin: f32,
     },
 }
 
 /// Metallic paint.
 ///
-/// Orange peel tilts the normal of the clear coat; sparkling flakes tilt that of the layer under it, where they make a highlight
-/// stronger; passive flakes vary the specular colour. The coat mirrors by its own normal: flakes would make it diffuse.
+/// Orange peel tilts the normal of the clearcoat. Sparkling flakes tilt the normal of the layer
+/// below it, where this makes a highlight stronger. Passive flakes vary the specular color. The
+/// coat reflects by its own normal, because flakes would make it diffuse.
 ///
 /// # Level of detail
 ///
-/// A sparkle takes the light that it adds from the cell around it:
+/// The additional light of a sparkle is taken from the cell around it:
 ///
 /// ```text
 /// light = base + (w − w̄) g,   g = min(max(flake − base, 0), base/(2 w̄)) in each channel
 /// ```
 ///
-/// with the weight w of [`Sparkles`] and its mean w̄ over the cell. The mean over every cell is `base`, whatever the light, and the light of a
-/// point is continuous in the footprint. Between sparkles at least half of the base is left, so where sparkles are dense they are dimmer than
-/// the thesis's.
+/// with the weight w of [`Sparkles`] and its mean w̄ over the cell. The mean over every cell is
+/// `base` for any light, and the light of a point is continuous in the footprint. At least half of
+/// the base remains between sparkles, so dense sparkles are dimmer than in the thesis.
 ///
-/// Nilsson 2008, §4.3 and Appendix B. For sparkles that are counted by their number within the pixel take a [`GlintField`].
+/// Nilsson 2008, §4.3 and Appendix B. For sparkles that are counted within the pixel use a
+/// [`GlintField`].
 ///
 /// ```
 /// use asperity_shading::glam::Vec3;
@@ -119,7 +125,7 @@ pub struct MetallicPaint {
 }
 
 impl MetallicPaint {
-    /// The paint of these parameters.
+    /// Creates the paint of these parameters.
     ///
     /// # Errors
     /// [`ParameterError`] with the first parameter that is out of its range.
@@ -162,14 +168,14 @@ impl MetallicPaint {
         (&self.orange_peel, &self.sparkles, &self.passive)
     }
 
-    /// The flakes that are counted.
+    /// The counted flakes.
     #[doc(hidden)]
     #[must_use]
     pub const fn glints(&self) -> Option<&GlintField<Beckmann>> {
         self.glints.as_ref()
     }
 
-    /// The specular colour of the base layer at a pixel, with passive flakes; in [0, 1]³.
+    /// The specular color of the base layer at a pixel, with passive flakes; in [0, 1]³.
     fn specular(&self, point: &SurfacePoint) -> Vec3 {
         let factor = self.passive.factor(point.position, point.footprint());
         (self.parameters.specular * factor).min(Vec3::ONE)
@@ -177,7 +183,8 @@ impl MetallicPaint {
 }
 
 impl Material for MetallicPaint {
-    /// Flakes over a pigment under a clear coat. The light of a sparkle is that of the brighter of both normals.
+    /// Flakes over a pigment under a clearcoat. The light of a sparkle uses the brighter of both
+    /// normals.
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let (p, frame, n) = (&self.parameters, point.frame(), point.normal);
         let (at, footprint) = (point.position, point.footprint());
@@ -219,7 +226,7 @@ mod tests {
     #[test]
     fn sparkles_are_boosted_and_seen_where_they_are_brighter() {
         let paint = MetallicPaint::new(flaky()).unwrap();
-        // A place in a cell of 0.001 that its flake covers.
+        // A point in a cell of 0.001 that its flake covers.
         let places = (0..400_u16)
             .map(|k| Vec3::new(0.04, 0.04, 0.0405) + 5e-5 * Vec3::new((k % 20).into(), (k / 20).into(), 0.0));
         let at = |p: Vec3| SurfacePoint::new(p, Vec3::Z, Footprint::from_width(1.2e-4));
@@ -237,7 +244,7 @@ mod tests {
     }
 
     #[test]
-    fn from_afar_it_is_even_and_the_coat_rougher() {
+    fn far_paint_is_uniform_and_the_coat_rougher() {
         let paint = MetallicPaint::new(flaky()).unwrap();
         let point = SurfacePoint::new(Vec3::splat(0.0405), Vec3::Z, Footprint::from_width(1.0));
         let (at, footprint) = (point.position, point.footprint());

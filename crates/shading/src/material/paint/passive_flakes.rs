@@ -1,4 +1,4 @@
-//! Flakes that do not sparkle but vary the colour.
+//! Flakes that do not sparkle but vary the color.
 
 use glam::Vec3;
 
@@ -6,14 +6,15 @@ use crate::material::fbm::{Fbm, spectrum};
 use crate::parameter::{ParameterError, as_share, as_size};
 use crate::pixel::Footprint;
 
-/// Flakes that do not sparkle: a factor for the specular colour.
+/// Flakes that do not sparkle: a factor of the specular color.
 ///
 /// ```text
 /// factor = max(0, 1 + strength · Σ aᵢ N(fᵢ p/size)/Σ aᵢ),   aᵢ = 2.7ⁱ,   fᵢ = 2.4ⁱ
 /// ```
 ///
-/// Finer octaves are stronger, so that flakes are seen from nearby rather than from afar; of four octaves the last has 86 % of
-/// the variance. Octaves that a pixel cannot resolve fade to 0, their mean, and the mean factor is 1 at every distance.
+/// Finer octaves are stronger, so flakes are visible up close rather than from afar; the last of
+/// four octaves has 86 % of the variance. Octaves that a pixel cannot resolve fade to 0, their
+/// mean, and the mean factor is 1 at every distance.
 ///
 /// Nilsson 2008, §4.3.5.
 ///
@@ -34,7 +35,7 @@ pub struct PassiveFlakes {
 }
 
 impl PassiveFlakes {
-    /// Flakes whose coarsest octave has this size, in units of the positions, with `detail` octaves.
+    /// Creates flakes with `detail` octaves, the coarsest of this size, in units of the positions.
     ///
     /// # Errors
     /// [`ParameterError::Outside`] unless `passive_flake_size` is within `[10⁻⁶, 10⁶]`, `passive_flake_strength` within
@@ -53,7 +54,7 @@ impl PassiveFlakes {
         &self.noise
     }
 
-    /// Factor of the specular colour, in [0, 2]; 1 where a coordinate is not finite.
+    /// Factor of the specular color, in [0, 2]; 1 where a coordinate is not finite.
     #[must_use]
     pub fn factor(&self, position: Vec3, footprint: Footprint) -> f32 {
         (1.0 + self.strength * self.noise.seen(position, footprint)).max(0.0)

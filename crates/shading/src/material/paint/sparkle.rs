@@ -1,4 +1,4 @@
-//! Sparkling flakes, as wide on the screen at every distance.
+//! Sparkling flakes of constant width on the screen.
 
 use asperity_noise::removed_share;
 use glam::Vec3;
@@ -9,14 +9,15 @@ use crate::math::clamp_to;
 use crate::parameter::{ParameterError, as_share, as_size, within};
 use crate::pixel::Footprint;
 
-/// Share of flakes that is left out, by distance.
+/// Fraction of omitted flakes, by distance.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Elimination {
-    /// One share at every distance.
+    /// The same fraction at every distance.
     #[default]
     Fixed,
-    /// Fewer from afar, where sparkles shall close up to a cover of flakes: *smart flake sparkle*.
+    /// A smaller fraction from afar, where sparkles become a dense cover of flakes: *smart flake
+    /// sparkle*.
     ///
     /// ```text
     /// share · (1 − smoothstep(0.2, 0.6, footprint · pixel size/unit))
@@ -24,7 +25,8 @@ pub enum Elimination {
     ///
     /// The thesis has a unit of 1, which depends on the scale of the model.
     Adaptive {
-        /// The width of a sparkle, in units of the positions, from which on none is left out; within `[10⁻⁶, 10⁶]`.
+        /// The width of a sparkle, in units of the positions, from which on none is omitted; within
+        /// `[10⁻⁶, 10⁶]`.
         unit: f32,
     },
 }
@@ -37,24 +39,26 @@ pub enum Elimination {
 /// weight = cover · fade,   cover the share of the pixel under the flake
 /// ```
 ///
-/// From nearby flakes are few pixels wide and far apart; as the viewer goes away they close up, and fade where they would
-/// overlap. A flake is left out if the random number of its *centre* is below the elimination: by its normal, whole
-/// directions would have no flakes. The light of a flake is that of the brighter of both normals, as of [`brighter_normal`] and
-/// [`brighter_reflection`].
+/// Up close, flakes are few pixels wide and far apart. From farther away they become dense, and
+/// fade where they would overlap. A flake is omitted if the random number of its *center* is below
+/// the elimination; by its normal, whole directions would have no flakes. The light of a flake uses
+/// the brighter of both normals, see [`brighter_normal`] and [`brighter_reflection`].
 ///
 /// # Level of detail
 ///
-/// The weight is continuous in the position and in the footprint. Its mean over the flake's cell is `fade · (width/physical size)²`, so a
-/// material can take from the cell what the flake adds: see [`MetallicPaint`](crate::MetallicPaint).
+/// The weight is continuous in the position and in the footprint. Its mean over the cell of the
+/// flake is `fade · (width/physical size)²`, so a material can remove from the cell the light that
+/// the flake adds: see [`MetallicPaint`](crate::MetallicPaint).
 ///
-/// - **Deviations:** flakes are scattered in their cells, see [`flake_patch`](fn@crate::material::flake_patch), and have soft edges, one
-///   footprint wide; those of the thesis pop where their edge meets a point. Flakes that
-///   [`Elimination::Adaptive`] returns fade in together; in the thesis they appear one by one. The footprint is one width; the thesis
-///   takes one along each axis of space. Along the axis next to the normal a flake is as wide as its cell: the thesis's cubes are missed
-///   by most surfaces between them, ever more as they get smaller, while here a surface has `(width/physical size)²` of its
-///   area under flakes wherever it lies.
+/// - **Deviations:** flakes are scattered in their cells, see
+///   [`flake_patch`](fn@crate::material::flake_patch), and have soft edges, one footprint wide; in
+///   the thesis they pop where their edge meets a point. Flakes that [`Elimination::Adaptive`]
+///   restores fade in together; in the thesis they appear one by one. The footprint has one width;
+///   the thesis uses one along each axis of space. Along the axis next to the normal a flake is as
+///   wide as its cell, so flakes cover `(width/physical size)²` of the area of any surface. In the
+///   thesis most surfaces pass between the cubes, increasingly so as the cubes become smaller.
 ///
-/// Nilsson 2008, §4.3.4. For flakes that are counted see [`GlintField`](crate::material::GlintField).
+/// Nilsson 2008, §4.3.4. For counted flakes see [`GlintField`](crate::material::GlintField).
 ///
 /// ```
 /// use asperity_shading::material::{Elimination, Sparkles};
@@ -80,18 +84,18 @@ pub struct Sparkles {
 /// A sparkling flake at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sparkle {
-    /// Vector that is added to the unit normal.
+    /// The vector that is added to the unit normal.
     pub tilt: Vec3,
-    /// Share of the tilt that is left at this distance, in (0, 1]; contained in `tilt`.
+    /// The fraction of the tilt that remains at this distance, in (0, 1]; included in `tilt`.
     pub fade: f32,
     /// The weight of the flake at the point, in [0, 1]: its cover of the pixel, times `fade`.
     pub weight: f32,
-    /// The mean of the weight over the flake's cell.
+    /// The mean of the weight over the cell of the flake.
     pub mean_weight: f32,
 }
 
 impl Sparkle {
-    /// The flake's normal on a surface of unit normal `n`.
+    /// The normal of the flake on a surface of unit normal `n`.
     #[must_use]
     pub fn normal(&self, n: Vec3) -> Vec3 {
         let normal = (n + self.tilt).normalize_or_zero();
@@ -100,7 +104,8 @@ impl Sparkle {
 }
 
 impl Sparkles {
-    /// Flakes of `pixel_size` pixels, in cells of `physical_size`, tilted by up to `variation`.
+    /// Creates flakes of `pixel_size` pixels, in cells of `physical_size`, tilted by up to
+    /// `variation`.
     ///
     /// # Errors
     /// [`ParameterError::Outside`] unless `flake_sparkle_pixel_size` is within `[0, 1000]`, `flake_sparkle_physical_size` and the
@@ -134,16 +139,16 @@ impl Sparkles {
         self.seed
     }
 
-    /// The share of flakes that are left out at this footprint.
+    /// The fraction of omitted flakes at this footprint.
     #[must_use]
     pub fn elimination(&self, footprint: Footprint) -> f32 {
         self.elimination * (1.0 - self.returned(footprint))
     }
 
-    /// The flake of the cell of a point of a surface of normal `n`, with its weight there.
+    /// The flake of the cell of a point on a surface of normal `n`, with its weight there.
     ///
-    /// `None` where the footprint leaves no flakes, where the cell's flake is left out, and where a coordinate is not finite. The weight is 0
-    /// between flakes.
+    /// `None` where the footprint has no flakes, where the flake of the cell is omitted, and where
+    /// a coordinate is not finite. The weight is 0 between flakes.
     #[must_use]
     pub fn flake(&self, position: Vec3, n: Vec3, footprint: Footprint) -> Option<Sparkle> {
         let pixel = footprint.width();
@@ -175,7 +180,7 @@ impl Sparkles {
         })
     }
 
-    /// The weight that a flake eliminated from nearby has at this footprint.
+    /// The weight at this footprint of a flake that is eliminated up close.
     fn returned(&self, footprint: Footprint) -> f32 {
         match self.rule {
             Elimination::Fixed => 0.0,
@@ -184,14 +189,15 @@ impl Sparkles {
     }
 }
 
-/// The width of a sparkle of `pixel_size` pixels along each axis of space, as the thesis has it.
+/// The width of a sparkle of `pixel_size` pixels along each axis of space, as in the thesis.
 ///
 /// ```text
 /// widthᵢ = pixel size · max(|∂pᵢ/∂x|, |∂pᵢ/∂y|)
 /// ```
 ///
-/// `ddx` and `ddy` are the changes of the position from one pixel to the next; parts that are NaN are left out. It is a width for
-/// [`flake_patch`](fn@crate::material::flake_patch). [`Sparkles`] takes the footprint for all of them.
+/// `ddx` and `ddy` are the changes of the position from one pixel to the next; NaN components are
+/// ignored. It is a width for [`flake_patch`](fn@crate::material::flake_patch). [`Sparkles`] uses
+/// the footprint for all axes.
 ///
 /// Nilsson 2008, §4.3.4, `new_sparkle_size`.
 ///
@@ -205,11 +211,11 @@ impl Sparkles {
 #[must_use]
 pub fn sparkle_width(pixel_size: f32, ddx: Vec3, ddy: Vec3) -> Vec3 {
     let (dx, dy) = (ddx.abs().to_array(), ddy.abs().to_array());
-    // `f32::max` leaves a NaN out on every platform.
+    // `f32::max` drops NaN on every platform.
     Vec3::from_array([0, 1, 2].map(|i| pixel_size * dx[i].max(dy[i]).max(0.0)))
 }
 
-/// The normal of the two that is nearer to the half vector, which gives the stronger highlight of Phong's or Blinn's lobe.
+/// The normal nearer to the half vector, with the stronger Phong or Blinn highlight.
 ///
 /// ```text
 /// flake·h > n·h ? flake : n
@@ -230,9 +236,10 @@ pub fn brighter_normal(n: Vec3, flake: Vec3, h: Vec3) -> Vec3 {
     if flake.dot(h) > n.dot(h) { flake } else { n }
 }
 
-/// The normal of the two that mirrors the view into more light: by the greatest channel of what a look-up gives.
+/// The normal that mirrors the view into more light, by the largest channel of the lookup.
 ///
-/// The greatest channel and not the sum, which would prefer grey to a bright colour. `n` where a channel is NaN.
+/// The largest channel and not the sum, which would prefer gray to a bright color. `n` where a
+/// channel is NaN.
 ///
 /// Nilsson 2008, §4.3.4, *Filter glitter flakes*.
 ///
@@ -250,13 +257,13 @@ pub fn brighter_reflection(n: Vec3, flake: Vec3, view: Vec3, light: impl Fn(Vec3
     if strongest(flake) > strongest(n) { flake } else { n }
 }
 
-/// The specular colour of a flake that is made brighter: the artist's *boost*.
+/// The boosted specular color of a flake, the *boost* of the artist.
 ///
 /// ```text
 /// specular + (target − specular) · boost
 /// ```
 ///
-/// Nilsson 2008, §4.3.4, *Glitter strength*; a boost outside [0, 1] counts as the nearer end, NaN as 0.
+/// Nilsson 2008, §4.3.4, *Glitter strength*. The boost is clamped to [0, 1], NaN is read as 0.
 #[must_use]
 pub fn boosted(specular: Vec3, target: Vec3, boost: f32) -> Vec3 {
     specular + (target - specular) * clamp_to(boost, 1.0)
@@ -267,7 +274,7 @@ mod tests {
     use super::*;
     use asperity_core::assert_abs_diff_eq;
 
-    /// The share of a plane that flakes cover.
+    /// The fraction of a plane covered by flakes.
     fn cover(sparkles: &Sparkles, width: f32) -> f32 {
         let mut flakes = 0.0;
         for i in 0..20_000_u16 {
@@ -295,28 +302,29 @@ mod tests {
                 assert_eq!((flake.tilt, flake.mean_weight), (any.tilt, any.mean_weight));
                 sum += flake.weight;
                 before = if k % 300 == 0 { [flake.weight; 2] } else { [before[1], flake.weight] };
-                // A 300th of the cell, over an edge as wide as the pixel or as what is left of the cell.
+                // A 300th of the cell, over an edge as wide as the pixel or the rest of the cell.
                 let edge = width.min(1.0 - 2.0 * width);
                 assert!((before[1] - before[0]).abs() < 1.001 / 300.0 / edge + 1e-5, "{width}: {before:?}");
             }
-            // The rule of midpoints over four creases along each axis.
+            // The midpoint rule over four creases along each axis.
             assert_abs_diff_eq!(sum / 90_000.0, any.mean_weight, epsilon = 1e-4, "{cell}, {width}");
         }
     }
 
     #[test]
-    fn flakes_are_as_wide_in_pixels_at_every_distance() {
+    fn flakes_have_constant_width_in_pixels() {
         let sparkles = Sparkles::new(2.0, 1.0, 0.3, 0.0, Elimination::Fixed, 1).unwrap();
         for width in [0.05_f32, 0.1, 0.2] {
             let expected = (2.0 * width) * (2.0 * width);
-            // Places in cells of 0.317 and 0.283 are evenly spread; over 141 columns the discrepancy is about a percent.
+            // Positions in cells of 0.317 and 0.283 are evenly distributed; over 141 columns the
+            // discrepancy is about a percent.
             let got = cover(&sparkles, width);
             assert_abs_diff_eq!(got, expected, epsilon = 0.02, "{width}");
         }
     }
 
     #[test]
-    fn elimination_is_a_probability_that_may_adapt() {
+    fn elimination_is_a_probability() {
         let fixed = Sparkles::new(2.0, 1.0, 0.3, 0.7, Elimination::Fixed, 1).unwrap();
         let all = Sparkles::new(2.0, 1.0, 0.3, 0.0, Elimination::Fixed, 1).unwrap();
         // Of 20000 points at least 700 different flakes: four standard errors of 0.3 are 0.07.
@@ -328,7 +336,7 @@ mod tests {
     }
 
     #[test]
-    fn choice_never_darkens() {
+    fn brighter_normal_never_darkens() {
         for i in 0..60_u8 {
             let turn = f32::from(i) * 0.1;
             let h = Vec3::new(0.6 * turn.cos(), 0.6 * turn.sin(), 0.8);
