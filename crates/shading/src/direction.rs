@@ -36,7 +36,8 @@ pub fn half_vector(wi: Vec3, wo: Vec3) -> Vec3 {
 /// reflect(w, m) = 2 (w·m) m − w
 /// ```
 ///
-/// - **Domain:** `w` of any length, pointing away from the surface; unit `m`, whose sign does not matter.
+/// - **Domain:** `w` of any length, pointing away from the surface; unit `m`, whose sign does not
+///   matter.
 /// - **Range:** a vector as long as `w`, also pointing away from the surface. A zero `m` returns
 ///   `−w`; NaN and infinity pass through.
 /// - **Symmetry:** `reflect(reflect(w, m), m) = w`.

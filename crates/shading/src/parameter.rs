@@ -1,10 +1,10 @@
-//! Parameters that are refused, and the checks that refuse them.
+//! Validation of parameters and its error.
 
 use asperity_core::error_enum;
 use glam::{Vec2, Vec3};
 
 error_enum! {
-    /// A parameter that a constructor refused, by its name and value.
+    /// Error for an invalid parameter, with its name and value.
     ///
     /// ```
     /// use asperity_shading::{ParameterError, material::{Seams, SeamPattern}, glam::Vec2};
@@ -26,7 +26,7 @@ error_enum! {
 }
 
 impl ParameterError {
-    /// The parameter's name.
+    /// The name of the parameter.
     #[must_use]
     pub const fn parameter(&self) -> &'static str {
         match self {
@@ -37,8 +37,11 @@ impl ParameterError {
     }
 }
 
-/// Parameters with their defaults, each behind the check that its part of the material does not make itself. With the feature
-/// `serde` a file names those that differ from the defaults, and a name that is none is refused.
+/// Parameters with their defaults, each with a check that the corresponding part of the material
+/// does not make itself.
+///
+/// With the feature `serde` a file contains the parameters that differ from the defaults; an
+/// unknown name is an error.
 macro_rules! parameters {
     (
         $(#[$about:meta])*
@@ -68,11 +71,11 @@ macro_rules! parameters {
         }
 
         impl $name {
-            /// Names of the parameters, each with what its documentation says: ranges and defaults.
+            /// Names of the parameters, each with its documentation: ranges and defaults.
             pub const FIELDS: &'static [(&'static str, &'static str)] =
                 &[$((stringify!($field), concat!($($doc),*))),*];
 
-            /// Refuses the first parameter that is out of its range.
+            /// Returns an error for the first parameter that is out of its range.
             fn check(&self) -> Result<(), ParameterError> {
                 $($($check(stringify!($field), self.$field)?;)?)*
                 Ok(())
@@ -83,7 +86,7 @@ macro_rules! parameters {
 
 pub(crate) use parameters;
 
-/// The value, if it is in the range.
+/// Returns the value if it is in the range.
 pub(crate) fn within(
     parameter: &'static str,
     value: f32,
@@ -101,12 +104,12 @@ pub(crate) fn range(range: [f32; 2]) -> impl Fn(&'static str, f32) -> Result<f32
     move |parameter, value| within(parameter, value, range)
 }
 
-/// A size of anything, in units of the surface's positions: within [10⁻⁶, 10⁶].
+/// A size in units of the surface positions: within [10⁻⁶, 10⁶].
 pub(crate) fn as_size(parameter: &'static str, value: f32) -> Result<f32, ParameterError> {
     within(parameter, value, [1e-6, 1e6])
 }
 
-/// A share or a strength: within [0, 1].
+/// A fraction or a strength: within [0, 1].
 pub(crate) fn as_share(parameter: &'static str, value: f32) -> Result<f32, ParameterError> {
     within(parameter, value, [0.0, 1.0])
 }
@@ -116,7 +119,7 @@ pub(crate) fn as_roughness(parameter: &'static str, value: f32) -> Result<f32, P
     within(parameter, value, [0.01, 1.0])
 }
 
-/// The value, if it is finite and positive.
+/// Returns the value if it is finite and positive.
 pub(crate) fn positive(parameter: &'static str, value: f32) -> Result<f32, ParameterError> {
     if value > 0.0 && value.is_finite() {
         Ok(value)
@@ -125,12 +128,12 @@ pub(crate) fn positive(parameter: &'static str, value: f32) -> Result<f32, Param
     }
 }
 
-/// The value, if it is finite and not negative.
+/// Returns the value if it is finite and not negative.
 pub(crate) fn not_negative(parameter: &'static str, value: f32) -> Result<f32, ParameterError> {
     within(parameter, value, [0.0, f32::MAX])
 }
 
-/// A colour, if every component is in `[0, 1]`.
+/// Returns a color if every component is in `[0, 1]`.
 pub(crate) fn colour(parameter: &'static str, value: Vec3) -> Result<Vec3, ParameterError> {
     value.to_array().into_iter().try_for_each(|c| as_share(parameter, c).map(|_| ()))?;
     Ok(value)
@@ -138,7 +141,7 @@ pub(crate) fn colour(parameter: &'static str, value: Vec3) -> Result<Vec3, Param
 
 /// The unit vector along a direction.
 pub(crate) fn direction(parameter: &'static str, value: Vec3) -> Result<Vec3, ParameterError> {
-    // Scaled first: squares of what is very long or short leave the range of `f32`.
+    // Scaled first, because squares of very large or small components leave the range of `f32`.
     let scale = value.abs().max_element();
     let unit = (value / scale).normalize_or_zero();
     if value.is_finite() && unit.is_finite() && unit != Vec3::ZERO {
@@ -161,7 +164,7 @@ mod tests {
     use std::string::ToString;
 
     #[test]
-    fn ranges_are_closed_and_hold_no_nan() {
+    fn ranges_are_closed_and_reject_nan() {
         assert_eq!((as_share("a", 0.0), as_share("a", 1.0)), (Ok(0.0), Ok(1.0)));
         for bad in [-1e-9, 1.001, f32::NAN, f32::INFINITY] {
             assert!(as_share("a", bad).is_err(), "{bad}");
@@ -170,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn refusals_name_the_parameter_and_its_value() {
+    fn errors_contain_the_parameter_and_its_value() {
         let refused = [
             (as_share("a", 1.5), "`a` must be within [0, 1], got 1.5"),
             (positive("b", f32::NAN), "`b` must be finite and positive, got NaN"),
@@ -188,7 +191,7 @@ mod tests {
     }
 
     #[test]
-    fn directions_are_made_unit() {
+    fn directions_are_normalized() {
         for length in [1e-30, 1.0, 1e30] {
             let unit = direction_in_plane("d", Vec2::new(3.0, -4.0) * length).unwrap();
             assert_abs_diff_eq!(unit, Vec2::new(0.6, -0.8), epsilon = 1e-6, "{length}");

@@ -19,8 +19,8 @@ pub struct Displaced {
 /// P′ = P + F n,   P′_u = P_u + F_u n + F n_u,   P′_v = P_v + F_v n + F n_v,   n′ ∝ ±P′_u × P′_v
 /// ```
 ///
-/// - **Domain:** unit `n`; `p = [P_u, P_v]`, `dn = [n_u, n_v]` (zero for a plane, `P_u/R`, `P_v/R` on a sphere), height `F`
-///   and its derivatives.
+/// - **Domain:** unit `n`; `p = [P_u, P_v]`, `dn = [n_u, n_v]` (zero for a plane, `P_u/R`, `P_v/R`
+///   on a sphere), height `F` and its derivatives.
 /// - **Range:** the normal is `n` where the displaced surface has none: parallel derivatives,
 ///   heights beyond a center of curvature, NaN.
 ///

@@ -47,7 +47,8 @@ const PAIRS: usize = 4096;
 /// assert!(report.failures().eq(["reciprocity"]), "{report}");
 /// ```
 ///
-/// Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", section 5.2, for reciprocity, and 3.7 for energy.
+/// Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", section 5.2, for
+/// reciprocity, and 3.7 for energy.
 #[must_use]
 pub fn brdf(brdf: &dyn Brdf, settings: Settings) -> Report {
     dielectric(brdf, 1.0, settings)

@@ -20,7 +20,8 @@ use crate::math::sqrt;
 ///   %, measured against sampled light over all normals. Values below 0 are clamped to 0.
 /// - **Domain:** the length of the normal is ignored; 0 for an invalid normal.
 ///
-/// Ramamoorthi, Hanrahan 2001, *An Efficient Representation for Irradiance Environment Maps*, eq. 5 to 9.
+/// Ramamoorthi, Hanrahan 2001, *An Efficient Representation for Irradiance Environment Maps*, eq. 5
+/// to 9.
 ///
 /// ```
 /// use asperity_shading::{Irradiance, glam::Vec3};

@@ -28,7 +28,8 @@ pub struct LightSample {
 ///   the unit square.
 /// - **Any input:** values that the BRDF or the environment cannot compute contribute no light.
 ///
-/// Veach 1997, *Robust Monte Carlo Methods for Light Transport Simulation*, §9.2.4, eq. 9.14, with β = 2.
+/// Veach 1997, *Robust Monte Carlo Methods for Light Transport Simulation*, §9.2.4, eq. 9.14, with
+/// β = 2.
 ///
 /// ```
 /// use asperity_shading::glam::{Vec2, Vec3};

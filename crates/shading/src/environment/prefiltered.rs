@@ -192,7 +192,8 @@ impl PrefilteredMap {
     /// or those of the environment.
     ///
     /// # Errors
-    /// [`ParameterError`] unless there are levels of 1 to 8192 `rows` whose roughness `alpha` is within [0, 1] and increases.
+    /// [`ParameterError`] unless there are levels of 1 to 8192 `rows` whose roughness `alpha` is
+    /// within [0, 1] and increases.
     pub fn new<E: Environment + ?Sized>(
         environment: &E,
         levels: &[(f32, usize)],

@@ -9,7 +9,8 @@ use crate::math::{clamp_to, sqrt};
 /// Entries along each side of the table.
 const SIDE: usize = 32;
 
-/// Directional albedo of a GGX conductor with Schlick's Fresnel term: scale and bias of `F₀` (the split-sum table).
+/// Directional albedo of a GGX conductor with Schlick's Fresnel term: scale and bias of `F₀` (the
+/// split-sum table).
 ///
 /// ```text
 /// ∫ f_r cos θ_i dω_i = F₀ scale + bias,   scale = E[(1 − s) G₂/G₁],   bias = E[s G₂/G₁],   s = (1 − ωo·h)⁵
@@ -17,10 +18,12 @@ const SIDE: usize = 32;
 ///
 /// the mean over visible normals `h`, with height-correlated masking.
 ///
-/// - **Domain:** roughness `α` clamped to [0, 1] with NaN as 0; cosine to the normal clamped to [0, 1] with NaN as 0.
+/// - **Domain:** roughness `α` clamped to [0, 1] with NaN as 0; cosine to the normal clamped to [0,
+///   1] with NaN as 0.
 /// - **Range:** both at least 0, their sum at most 1.
-/// - **Accuracy:** the table of 32 × 32 entries over `√cos θ` and `√α` is within 0.002 of the integral for `cos θ ≥ 0.02`; its entries
-///   are integrated over 32 × 32 visible normals, within 0.001.
+/// - **Accuracy:** the table of 32 × 32 entries over `√cos θ` and `√α` is within 0.002 of the
+///   integral for `cos θ ≥ 0.02`; its entries are integrated over 32 × 32 visible normals, within
+///   0.001.
 ///
 /// Karis 2013, *Real Shading in Unreal Engine 4*, "Environment BRDF". There the sum is over all
 /// normals and the masking is separable with another roughness.
@@ -77,7 +80,8 @@ impl Default for SplitSum {
 /// It uses `points²` visible normals.
 ///
 /// - **Domain:** as for [`SplitSum`]; 0 points are read as 1.
-/// - **Accuracy:** 16² points are within 0.004, 32² within 0.001, 128² within 1.5e-4, for every roughness and `cos θ ≥ 0.02`.
+/// - **Accuracy:** 16² points are within 0.004, 32² within 0.001, 128² within 1.5e-4, for every
+///   roughness and `cos θ ≥ 0.02`.
 #[must_use]
 pub fn split_sum(alpha: f32, cos_theta: f32, points: u32) -> [f32; 2] {
     let alpha = clamp_to(alpha, 1.0);

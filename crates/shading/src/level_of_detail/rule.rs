@@ -12,11 +12,12 @@ use crate::math::{clamp_to, sqrt};
 /// radiance / light = p(h)
 /// ```
 ///
-/// - **Domain:** unit half vector `h` in the frame of the macro surface; 0 for `h.z ≤ 0`, for a zero vector and
-///   for NaN.
+/// - **Domain:** unit half vector `h` in the frame of the macro surface; 0 for `h.z ≤ 0`, for a
+///   zero vector and for NaN.
 /// - **Range:** at least 0, in sr⁻¹.
 ///
-/// No Fresnel term and no shadowing: Kautz, Heidrich, Seidel 2001, *Real-Time Bump Map Synthesis*, §3.1.
+/// No Fresnel term and no shadowing: Kautz, Heidrich, Seidel 2001, *Real-Time Bump Map Synthesis*,
+/// §3.1.
 #[must_use]
 pub fn far_field<N: Ndf + ?Sized>(ndf: &N, h: Vec3) -> f32 {
     if h.z > 0.0 && h.is_finite() { ndf.density(h) } else { 0.0 }

@@ -9,7 +9,8 @@ use glam::Vec3;
 use crate::parameter::{ParameterError, within};
 use crate::pixel::Footprint;
 
-/// The variance of each component of ∇N of one octave, per cell squared: measured over 1.6·10⁷ points.
+/// The variance of each component of ∇N of one octave, per cell squared: measured over 1.6·10⁷
+/// points.
 pub(crate) const SLOPE_VARIANCE: f32 = 3.08;
 
 /// The maximum number of octaves of flakes and dents.

@@ -129,8 +129,8 @@ impl TemperedGlass {
     /// Creates the glass of these parameters.
     ///
     /// # Errors
-    /// [`ParameterError`] with the first parameter that is out of its range, or for a `wave_propagation_vector` that is zero or not
-    /// finite.
+    /// [`ParameterError`] with the first parameter that is out of its range, or for a
+    /// `wave_propagation_vector` that is zero or not finite.
     pub fn new(parameters: TemperedGlassParameters) -> Result<Self, ParameterError> {
         parameters.check()?;
         let p = &parameters;

@@ -117,7 +117,8 @@ impl TextureGradients {
         PixelEllipse::aligned(Vec2::new(u, v))
     }
 
-    /// The width of a pixel in texture coordinates: the larger of the changes of u and of v across it.
+    /// The width of a pixel in texture coordinates: the larger of the changes of u and of v across
+    /// it.
     pub(crate) fn width(&self, pixel: &PixelEllipse) -> f32 {
         self.pixel(pixel).long().width()
     }

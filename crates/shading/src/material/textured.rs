@@ -1,4 +1,5 @@
-//! The textures of Cohen's lecture as materials: bricks, tiles, wallpaper, marble, and any of them perturbed.
+//! The textures of Cohen's lecture as materials: bricks, tiles, wallpaper, marble, and
+//! perturbation.
 
 use asperity_noise::{IntegerHash, Lattice, removed_share};
 use glam::{Vec2, Vec3};
@@ -11,7 +12,9 @@ use crate::pixel::PixelEllipse;
 use crate::reflectance::{Bsdf, Coat, Dielectric, EnergyPreservingOrenNayar};
 use crate::texture::{Bevel, Brick, Edge, Marble, PerturbedTexture, StarWallpaper};
 
-/// A wall of bricks on texture coordinates, whose mortar lies deeper: the facets of its grooves are shaded one by one.
+/// A brick wall on texture coordinates with recessed mortar.
+///
+/// The facets of its grooves are shaded separately.
 ///
 /// ```
 /// use asperity_shading::glam::{Vec2, Vec3};
@@ -27,11 +30,11 @@ use crate::texture::{Bevel, Brick, Edge, Marble, PerturbedTexture, StarWallpaper
 pub struct BrickWall {
     /// The pattern.
     pub bricks: Brick,
-    /// The colour of bricks.
+    /// The color of the bricks.
     pub clay: Vec3,
-    /// The colour of the mortar.
+    /// The color of the mortar.
     pub mortar: Vec3,
-    /// Variation of brightness from brick to brick, as a share, as far as the pixel tells them apart.
+    /// Relative variation of brightness between bricks, as far as the pixel resolves them.
     pub variation: f32,
     /// Depth of the mortar, in texture coordinates.
     pub depth: f32,
@@ -39,7 +42,7 @@ pub struct BrickWall {
     pub roughness: f32,
 }
 
-/// The lecture's bricks in red, 6 mm deep in metres.
+/// The bricks of the lecture in red, 6 mm deep in meters.
 impl Default for BrickWall {
     fn default() -> Self {
         Self {
@@ -90,27 +93,29 @@ fn of_slopes(point: &SurfacePoint, depth: f32, add: &mut dyn FnMut(Facet)) -> im
 /// Square tiles with a ridge along their edges, on texture coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BevelledTiles {
-    /// The ridge, of tiles of the side 1.
+    /// The ridge, for tiles of side 1.
     pub bevel: Bevel,
-    /// The side of a tile in texture coordinates; what is not positive is one tile without an edge.
+    /// The side of a tile in texture coordinates; a non-positive side is one tile without an edge.
     pub side: f32,
-    /// The colour.
+    /// The color.
     pub colour: Vec3,
     /// The roughness of the facets, in [0, 1].
     pub roughness: f32,
 }
 
-/// The stretch across the nearest edge of a tile that a pixel covers, in sides.
+/// The interval across the nearest edge of a tile that a pixel covers, in sides.
 struct Stretch {
     low: f32,
     high: f32,
-    /// The share beyond the edge: that is the next tile's ridge.
+    /// The fraction beyond the edge, which is the ridge of the next tile.
     beyond: f32,
     away: Vec2,
 }
 
 impl BevelledTiles {
-    /// The stretch that a pixel covers, if it tells tiles apart, and the share of what it does not; none without edges.
+    /// The interval that a pixel covers, if it resolves tiles, and the unresolved fraction.
+    ///
+    /// `None` without edges.
     fn stretch(&self, point: &SurfacePoint) -> Option<(Option<Stretch>, f32)> {
         const TILE: [Vec2; 4] = [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
         let side = Some(self.side).filter(|side| *side > 0.0)?;
@@ -173,9 +178,9 @@ impl Material for BevelledTiles {
 pub struct Wallpaper {
     /// The pattern.
     pub stars: StarWallpaper,
-    /// The colour of the paper.
+    /// The color of the paper.
     pub paper: Vec3,
-    /// The colour of stars.
+    /// The color of the stars.
     pub star: Vec3,
     /// The roughness of the facets, in [0, 1].
     pub roughness: f32,
@@ -189,14 +194,14 @@ impl Material for Wallpaper {
     }
 }
 
-/// Blue marble, by position, under a polish that reflects 4 % straight up.
+/// Blue marble, by position, under a polish that reflects 4 % at normal incidence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PolishedMarble {
     /// The veins.
     pub marble: Marble,
-    /// Factor of the lecture's colours.
+    /// Factor of the colors of the lecture.
     pub tint: Vec3,
-    /// The roughness of the polish: Beckmann's α; what is not positive is stone without polish.
+    /// The roughness of the polish: Beckmann's α; non-positive means stone without polish.
     pub polish: f32,
 }
 
@@ -213,20 +218,20 @@ impl Material for PolishedMarble {
     }
 }
 
-/// A material whose texture coordinates run, by a [`PerturbedTexture`].
+/// A material with texture coordinates displaced by a [`PerturbedTexture`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Perturbed<M> {
-    /// By how much they run.
+    /// The displacement.
     pub by: PerturbedTexture,
     /// The material.
     pub material: M,
 }
 
 impl<M> Perturbed<M> {
-    /// The point of the material that is seen at a point.
+    /// The point of the material that is seen at a surface point.
     fn seen(&self, point: &SurfacePoint) -> SurfacePoint {
         let there = self.by.filtered(point.position, point.uv, point.footprint());
-        // What the pixel does not resolve of the running blurs it.
+        // Unresolved displacement blurs the texture.
         let [u, v] = point.tangents.map(Vec3::length);
         let spread = there.spread * Vec2::new(u, v);
         let width = point.footprint().width();
@@ -258,7 +263,7 @@ mod tests {
     use crate::pixel::Footprint;
 
     #[test]
-    fn tiles_whose_side_is_not_positive_have_no_edge() {
+    fn tiles_of_non_positive_side_have_no_edge() {
         let (wo, wi) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, -0.6, 0.8));
         let lobe = EnergyPreservingOrenNayar::clamped(Vec3::ONE, 0.5);
         let flat = Bsdf::new(wo).with([Facet::FLAT], [lobe.into()]).scattered(wi, wo);

@@ -7,7 +7,7 @@ use crate::math::floor;
 /// The four texels around a point and their weights.
 pub(super) fn corners(uv: Vec2, [width, height]: [usize; 2]) -> [(f32, usize); 4] {
     let axis = |u: f32, size: usize| {
-        // The fraction of what is no number, or infinite, is NaN.
+        // The fraction of NaN or infinity is NaN.
         let turn = u - floor(u);
         let place = if turn > 0.0 { turn * size as f32 } else { 0.0 } - 0.5;
         let first = floor(place);
@@ -24,7 +24,7 @@ pub(super) fn corners(uv: Vec2, [width, height]: [usize; 2]) -> [(f32, usize); 4
     ]
 }
 
-/// The slope at a point; texels that are missing count as 0.
+/// The slope at a point; missing texels are read as 0.
 pub(super) fn bilinear(uv: Vec2, size: [usize; 2], slopes: &[Vec2]) -> Vec2 {
     corners(uv, size)
         .into_iter()

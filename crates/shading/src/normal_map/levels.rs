@@ -1,10 +1,10 @@
-//! Levels of a map, each half as wide as the one before, with the lobes of every texel.
+//! Levels of a map, each half as wide as the previous one, with the lobes of every texel.
 
 use glam::Vec2;
 
 use crate::normal_map::slope_lobes::SlopeLobes;
 
-/// The size of a level; 1 × 1 at the last.
+/// The size of a level; the last is 1 × 1.
 pub(super) const fn level_size(width: usize, height: usize, level: u32) -> [usize; 2] {
     let [w, h] = [width >> level, height >> level];
     [if w > 1 { w } else { 1 }, if h > 1 { h } else { 1 }]
@@ -53,7 +53,9 @@ pub(super) fn fill<const K: usize>(
     }
 }
 
-/// Which of `finer` texels the texel `k` of `coarser` covers, and how much of each, in parts of `1/coarser`.
+/// The `finer` texels covered by the texel `k` of `coarser`, and the covered part of each.
+///
+/// The unit is `1/coarser`.
 fn overlaps(k: usize, coarser: usize, finer: usize) -> impl Iterator<Item = (usize, usize)> + Clone {
     let (start, end) = (k * finer, (k + 1) * finer);
     let overlap = move |i: usize| (end.min((i + 1) * coarser)) - start.max(i * coarser);
@@ -62,14 +64,15 @@ fn overlaps(k: usize, coarser: usize, finer: usize) -> impl Iterator<Item = (usi
 
 /// The lobes of the bilinear field over the square of a texel.
 ///
-/// By Gauss's rule of 2 × 2 points in each quarter, between four centres: exact for moments, which are quadratic there.
+/// By the 2 × 2 Gauss rule in each quarter, between four centers: exact for moments, which are
+/// quadratic there.
 fn over_texel<const K: usize>(
     [width, height]: [usize; 2],
     slopes: &[Vec2],
     centres: &[Vec2; K],
     [column, row]: [usize; 2],
 ) -> SlopeLobes<K> {
-    // ¼ ± 1/(4√3), to both sides of the centre.
+    // ¼ ± 1/(4√3), on both sides of the center.
     const PLACES: [f32; 4] = [-0.394_337_57, -0.105_662_43, 0.105_662_43, 0.394_337_57];
     let at = |i: usize, j: usize| {
         let [i, j] = [(column + width + i - 1) % width, (row + height + j - 1) % height];
@@ -91,7 +94,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn texels_have_the_moments_of_the_field_in_them() {
+    fn texels_have_the_moments_of_the_bilinear_field() {
         const SIZE: [usize; 2] = [5, 4];
         let values: [Vec2; 20] =
             core::array::from_fn(|k| Vec2::new((k * 7 % 20) as f32, (k * 13 % 9) as f32) * 0.1);

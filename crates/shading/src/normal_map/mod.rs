@@ -1,4 +1,5 @@
-//! Normal maps made by hand, filtered by their slopes: what a pixel resolves of them is a mean, and the rest is roughness.
+//! Authored normal maps, filtered by their slopes: the resolved part is a mean, the rest is
+//! roughness.
 
 mod bilinear;
 mod levels;

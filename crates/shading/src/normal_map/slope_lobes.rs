@@ -1,4 +1,4 @@
-//! Slope lobes: a mixture of Gaussians for normal maps whose slopes are far from Gaussian within a pixel.
+//! Slope lobes: a Gaussian mixture for normal maps with non-Gaussian slopes within a pixel.
 
 use asperity_ndf_sampling::{Beckmann, Ndf as _};
 use glam::{Vec2, Vec3};
@@ -11,16 +11,17 @@ use crate::normal_map::slope_moments::SlopeMoments;
 /// A part of the slopes within a pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SlopeLobe {
-    /// Its share of the pixel.
+    /// Its fraction of the pixel.
     pub weight: f32,
     /// Its moments.
     pub moments: SlopeMoments,
 }
 
-/// The slopes within a pixel in `K` groups, each with its share and its moments.
+/// The slopes within a pixel in `K` groups, each with its fraction and its moments.
 ///
-/// A wall of bricks is flat nearly everywhere, and steep along few edges: one Gaussian fits neither. The groups are those of a
-/// [`SlopePyramid`](crate::SlopePyramid), the same everywhere on the map; `K = 1` is one Gaussian for all.
+/// A brick wall is flat nearly everywhere, and steep along few edges. One Gaussian fits neither.
+/// The groups are those of a [`SlopePyramid`](crate::SlopePyramid), the same everywhere on the map;
+/// `K = 1` is one Gaussian for all slopes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlopeLobes<const K: usize> {
     lobes: [SlopeLobe; K],
@@ -33,7 +34,7 @@ impl<const K: usize> Default for SlopeLobes<K> {
 }
 
 impl<const K: usize> SlopeLobes<K> {
-    /// One slope, in the group of the nearest centre.
+    /// One slope, in the group of the nearest center.
     #[must_use]
     pub(super) fn point(slope: Vec2, centres: &[Vec2; K]) -> Self {
         let group = nearest(slope, centres);
@@ -44,7 +45,7 @@ impl<const K: usize> SlopeLobes<K> {
         lobes
     }
 
-    /// A mixture of parts with weights, group by group; weights that are not positive do not count.
+    /// A mixture of parts with weights, group by group; non-positive weights are ignored.
     #[must_use]
     pub(super) fn mixed(parts: impl IntoIterator<Item = (f32, Self)>) -> Self {
         let (mut mixed, mut all) = (Self::default(), 0.0);
@@ -78,16 +79,17 @@ impl<const K: usize> SlopeLobes<K> {
         SlopeMoments::mixed(self.lobes.iter().map(|lobe| (lobe.weight, lobe.moments)))
     }
 
-    /// The density of facets that the pixel sees, with finer bumps of the density `fine` on the map, in sr⁻¹.
+    /// The density of facets that the pixel sees, with finer bumps of the NDF `fine`, in sr⁻¹.
     ///
     /// ```text
     /// p(h) = Σ_k w_k N(s(h); μ_k + √t α z/√2, Σ_k + (1 − t) α²/2)/h_z⁴,   t the share that is resolved
     /// ```
     ///
-    /// If nothing finer is resolved, `noise` is [`Coordinates::FAR`], and `fine` the roughness of the
-    /// surface. See [`SlopeMoments::detailed`].
+    /// If no finer bump is resolved, `noise` is [`Coordinates::FAR`], and `fine` the roughness of
+    /// the surface. See [`SlopeMoments::detailed`].
     ///
-    /// - **Domain:** unit `h` in the frame of the surface without the map, 0 for `h.z ≤ 0`, a zero vector and NaN.
+    /// - **Domain:** unit `h` in the frame of the surface without the map, 0 for `h.z ≤ 0`, a zero
+    ///   vector and NaN.
     /// - **Range:** at least 0, finite.
     #[must_use]
     pub fn density(&self, fine: Beckmann, noise: Coordinates, h: Vec3) -> f32 {
@@ -100,7 +102,7 @@ impl<const K: usize> SlopeLobes<K> {
     }
 }
 
-/// The group of a slope: that of the nearest centre.
+/// The group of a slope: the group of the nearest center.
 fn nearest<const K: usize>(slope: Vec2, centres: &[Vec2; K]) -> usize {
     let mut best = (0, f32::INFINITY);
     for (k, centre) in centres.iter().enumerate() {
@@ -112,11 +114,15 @@ fn nearest<const K: usize>(slope: Vec2, centres: &[Vec2; K]) -> usize {
     best.0
 }
 
-/// Centers of `K` groups of slopes of the bilinear map: far apart at first, then moved to the medians of their groups.
+/// Centers of `K` groups of slopes of the bilinear map.
 ///
-/// Lloyd 1982, *Least Squares Quantization in PCM*, twenty times, from the points of Gonzalez 1985, *Clustering to Minimize the Maximum
-/// Intercluster Distance*, with a step of Weiszfeld 1937 to the median in place of the mean. It takes 4096 points spread evenly over the
-/// map. Points between texels count: next to an edge that is one texel wide most slopes are interpolated.
+/// They are far apart at first, then moved to the medians of their groups.
+///
+/// Twenty iterations of Lloyd 1982, *Least Squares Quantization in PCM*, from the points of
+/// Gonzalez 1985, *Clustering to Minimize the Maximum Intercluster Distance*, with a step of
+/// Weiszfeld 1937 to the median in place of the mean. It uses 4096 points evenly distributed over
+/// the map. Points between texels are included, because next to an edge one texel wide most slopes
+/// are interpolated.
 pub(super) fn centres<const K: usize>(size: [usize; 2], slopes: &[Vec2]) -> [Vec2; K] {
     let some = || (0..4096_u32).map(|k| bilinear(evenly_spread(k), size, slopes));
     let mean = some().fold(Vec2::ZERO, |sum, slope| sum + slope / 4096.0);
@@ -152,13 +158,13 @@ pub(super) fn centres<const K: usize>(size: [usize; 2], slopes: &[Vec2]) -> [Vec
     centres
 }
 
-/// Point k of a sequence that fills the unit square evenly.
+/// Point k of a low-discrepancy sequence in the unit square.
 ///
 /// Roberts 2018, *The Unreasonable Effectiveness of Quasirandom Sequences*, in two dimensions.
 fn evenly_spread(k: u32) -> Vec2 {
     let place = |step: f64| {
         let x = 0.5 + f64::from(k) * step;
-        // Positive, so that the cast is the floor.
+        // Positive, so the cast is the floor.
         (x - x as u64 as f64) as f32
     };
     Vec2::new(place(0.754_877_666_246_692_7), place(0.569_840_290_998_053_2))
@@ -195,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_half_vector_is_dark() {
+    fn density_of_invalid_half_vectors_is_zero() {
         let lobes = SlopeLobes::point(Vec2::new(0.3, 0.1), &[Vec2::ZERO]);
         let fine = Beckmann::isotropic(0.2).unwrap();
         for h in [Vec3::ZERO, Vec3::NEG_Z, Vec3::X, Vec3::NAN, Vec3::INFINITY] {

@@ -18,7 +18,7 @@ use crate::math::{clamp_to, sqrt};
 /// assert!((ridge.covariance[0] - 0.09).abs() < 1e-6);
 /// ```
 ///
-/// Olano, Baker 2010, *LEAN Mapping*, §3; here about the mean, so that nothing cancels.
+/// Olano, Baker 2010, *LEAN Mapping*, §3; here around the mean, which avoids cancellation.
 #[doc(alias = "lean")]
 #[doc(alias = "toksvig")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -30,20 +30,20 @@ pub struct SlopeMoments {
 }
 
 impl SlopeMoments {
-    /// One value, and nothing else.
+    /// A single value with zero covariance.
     #[inline]
     #[must_use]
     pub const fn point(value: Vec2) -> Self {
         Self { mean: value, covariance: [0.0; 3] }
     }
 
-    /// The moments of a mixture of parts with weights, which need not sum to 1; of none, those of 0.
+    /// The moments of a mixture of parts with weights, which need not sum to 1; 0 if empty.
     ///
     /// ```text
     /// μ = Σ w μᵢ/Σ w,   Σ = Σ w (Σᵢ + (μᵢ − μ)(μᵢ − μ)ᵀ)/Σ w
     /// ```
     ///
-    /// Weights that are not positive do not count.
+    /// Non-positive weights are ignored.
     #[must_use]
     pub fn mixed(parts: impl IntoIterator<Item = (f32, Self)>) -> Self {
         let (mut all, mut mixed) = (0.0, Self::default());
@@ -56,7 +56,7 @@ impl SlopeMoments {
         mixed
     }
 
-    /// The mixture with another part of this share.
+    /// The mixture with another part of this fraction.
     #[inline]
     pub(super) fn joined(self, other: Self, share: f32) -> Self {
         let apart = other.mean - self.mean;
@@ -77,13 +77,14 @@ impl SlopeMoments {
         if length2.is_finite() { normal / sqrt(length2) } else { Vec3::Z }
     }
 
-    /// About the mean of the unit normals of these slopes, which is what a diffuse surface sends on by.
+    /// The approximate mean of the unit normals of these slopes, used for diffuse surfaces.
     ///
     /// ```text
     /// E[(s, 1)/√(1 + |s|²)] ≈ (μ, 1)/√(1 + |μ|² + tr Σ)
     /// ```
     ///
-    /// Its length is at most 1. Of Gaussian slopes around 0 it is 1.4 % too short at a deviation of 0.2 along both axes, 6 % at 0.5.
+    /// Its length is at most 1. For Gaussian slopes around 0 it is 1.4 % too short at a standard
+    /// deviation of 0.2 along both axes, 6 % at 0.5.
     #[must_use]
     pub fn mean_normal(self) -> Vec3 {
         let [xx, _, yy] = self.covariance;
@@ -92,14 +93,14 @@ impl SlopeMoments {
         if length2.is_finite() { normal / sqrt(length2) } else { Vec3::Z }
     }
 
-    /// The density of facets of a Beckmann surface with this bump map on it: around the mean slope, and rougher.
+    /// The NDF of a Beckmann surface with this bump map: around the mean slope, and rougher.
     ///
     /// ```text
     /// s ~ N(μ, Σ + diag(αx², αy²)/2)
     /// ```
     ///
-    /// Exact where the slopes within the pixel are Gaussian, which they are not at edges. Roughness is clamped to the range of
-    /// [`Beckmann`]; moments out of range count as none.
+    /// Exact if the slopes within the pixel are Gaussian, which is not the case at edges. Roughness
+    /// is clamped to the range of [`Beckmann`]; moments out of range are ignored.
     #[must_use]
     pub fn beckmann(self, alpha_x: f32, alpha_y: f32) -> OffsetBeckmann {
         let base = Beckmann::clamped(alpha_x, alpha_y);
@@ -109,15 +110,16 @@ impl SlopeMoments {
             .unwrap_or_else(|_| OffsetBeckmann::conditional(base, Vec2::ZERO, 0.0))
     }
 
-    /// The density of facets of this map with finer bumps on it, of which the pixel resolves a part.
+    /// The NDF of this map with finer bumps that the pixel partially resolves.
     ///
     /// ```text
     /// s ~ N(μ + √t α z/√2, Σ + (1 − t) α²/2),   t the share that is resolved, for αx and αy alike
     /// ```
     ///
-    /// The map is the top level; below its texels a bump map with the density `fine` goes on, from a [`BumpField`](crate::BumpField). What is
-    /// resolved of that moves the slopes, and the rest is roughness: [`LevelOfDetail::Exact`](crate::LevelOfDetail) for Gaussian
-    /// slopes. Its mean over the noise is [`beckmann`](Self::beckmann) at every share.
+    /// The map is the top level. Below its texels it continues as a bump map with the NDF `fine`,
+    /// from a [`BumpField`](crate::BumpField). The resolved part of the bump map moves the slopes,
+    /// and the rest is roughness, as in [`LevelOfDetail::Exact`](crate::LevelOfDetail) for Gaussian
+    /// slopes. The mean over the noise is [`beckmann`](Self::beckmann) for every resolved fraction.
     ///
     /// Kautz, Heidrich, Seidel 2001, *Real-Time Bump Map Synthesis*, §5 and §7.
     #[must_use]
@@ -148,7 +150,7 @@ mod tests {
         assert_abs_diff_eq!(all.mean, mean, epsilon = 1e-3);
         assert_abs_diff_eq!(all.covariance[2], yy, epsilon = 1e-6);
         for k in 0..3 {
-            // Of values of 1000 the variance of 0.1 is left, to the rounding of the values.
+            // For values of 1000 the variance of 0.1 remains, to the rounding of the values.
             assert_abs_diff_eq!(all.covariance[k], again.covariance[k], epsilon = 1e-3);
         }
         assert_eq!(SlopeMoments::mixed([]), SlopeMoments::default());
@@ -184,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn total_on_every_input() {
+    fn accepts_every_input() {
         let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, 1e-40, 1e38, -1.0, 0.5];
         let fine = Beckmann::isotropic(0.3).unwrap();
         for (x, y) in bad.into_iter().flat_map(|x| bad.map(|y| (x, y))) {

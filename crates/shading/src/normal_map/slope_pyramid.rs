@@ -1,4 +1,4 @@
-//! A normal map with the slopes of its levels in groups.
+//! A normal map whose levels store slopes in groups.
 
 #[cfg(feature = "alloc")]
 use alloc::{vec, vec::Vec};
@@ -15,26 +15,32 @@ use crate::normal_map::levels::{fill, last_level, level_size, level_start};
 use crate::normal_map::slope_lobes::{SlopeLobes, centres};
 use crate::pixel::{Footprint, PixelEllipse, Tap};
 
-/// The steepest slope of a normal map: 88°. One texel on the horizon would leave no other a share of the variance.
+/// The steepest slope of a normal map: 88°.
+///
+/// Otherwise one texel at the horizon would dominate the variance.
 #[cfg(feature = "alloc")]
 const STEEPEST: f32 = 32.0;
 
-/// A periodic map of slopes with levels, each of whose texels has the moments of its slopes in `K` groups.
+/// A periodic map of slopes with levels, whose texels have the moments of slopes in `K` groups.
 ///
-/// - **Layout:** texel `row · width + column` has its centre at `u = (column + ½)/width`, `v = (row + ½)/height`; the map repeats.
-///   Slopes `(n_x, n_y)/n_z` are along u and v.
-/// - **Nearby** the map is bilinear between the centres, and a point is one slope.
-/// - **Levels:** the texels of the first have the exact moments of the bilinear field over their squares, those of every other the
-///   moments of what they cover. So **the mean over the map of the first and second moments is the same at every footprint.**
-/// - **Groups:** found in the bilinear field of the map's slopes. Each is shaded as a Gaussian; with `K = 1` this is LEAN mapping.
+/// - **Layout:** texel `row · width + column` has its center at `u = (column + ½)/width`, `v = (row +
+///   ½)/height`; the map repeats. Slopes `(n_x, n_y)/n_z` are along u and v.
+/// - **Close up** the map is bilinear between the centers, and a point is one slope.
+/// - **Levels:** the texels of the first level have the exact moments of the bilinear field over
+///   their squares. The texels of every other level have the moments of the area that they cover.
+///   Therefore **the mean over the map of the first and second moments is the same at every
+///   footprint.**
+/// - **Groups:** found in the bilinear field of slopes. Each group is shaded as a Gaussian; `K = 1`
+///   is LEAN mapping.
 ///
 /// [`SlopePyramid`] owns slopes and levels, [`SlopePyramidRef`] borrows them.
 ///
 /// # Accuracy
 ///
-/// The error of the mean radiance over the map against that of its points, at the worst distance: the root mean square over half vectors,
-/// divided by their mean. *Bricks* are rounded, with edges of several texels. *Seams* are two texels wide, with slopes of ±0.9 along every
-/// 16th column, and *crossed seams* along every 16th row too; between seams the map is flat.
+/// The error of the mean radiance over the map compared with the mean of its points, at the worst
+/// distance: the root mean square over half vectors, divided by their mean. *Bricks* are rounded,
+/// with edges of several texels. *Seams* are two texels wide, with slopes of ±0.9 along every 16th
+/// column. *Crossed seams* are also along every 16th row. Between seams the map is flat.
 ///
 /// | map | roughness | averaged normals | Toksvig | K = 1 | 4 | 8 | 16 |
 /// |---|---|---|---|---|---|---|---|
@@ -49,9 +55,9 @@ const STEEPEST: f32 = 32.0;
 ///
 /// - **Storage:** for each texel a slope and 1⅓ [`SlopeLobes`], of 24 K bytes.
 ///
-/// Olano, Baker 2010, *LEAN Mapping*, whose levels start from the texels as they are, so that nearby, between texels, there is a covariance
-/// that the surface does not have; groups in the manner of Han, Sun, Ramamoorthi, Grinspun 2007, *Frequency Domain Normal Map
-/// Filtering*, §5.
+/// Olano, Baker 2010, *LEAN Mapping*. Its levels start from the texels, so up close, between
+/// texels, there is a covariance that the surface does not have. The groups follow Han, Sun,
+/// Ramamoorthi, Grinspun 2007, *Frequency Domain Normal Map Filtering*, §5.
 #[doc(alias = "lean")]
 #[doc(alias = "toksvig")]
 #[doc(alias = "mipmap")]
@@ -78,7 +84,7 @@ pub struct SlopePyramidIn<S, L, const K: usize> {
 /// let stone = Beckmann::isotropic(0.2)?;
 /// let (h, uv) = (Vec3::new(0.6, 0.0, 0.8), Vec2::new(0.6, 0.3));
 /// let seen = |width| map.sample(uv, Footprint::from_width(width)).density(stone, Coordinates::FAR, h);
-/// // On the flat the side of a groove does not show; from afar all of them do.
+/// // Sides of grooves are invisible on the flat part, and all visible from afar.
 /// assert!(seen(0.0) < 0.01 && seen(1.0) > 0.5);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
@@ -100,7 +106,7 @@ pub type SlopePyramid<const K: usize> = SlopePyramidIn<Vec<Vec2>, Vec<SlopeLobes
 /// assert!((near.mean.x - 0.4).abs() < 1e-6 && near.covariance[0] < 1e-6);
 /// let far = ridges.sample(Vec2::new(0.25, 0.5), Footprint::from_width(1.0));
 /// assert!(far.moments().mean.x.abs() < 1e-6 && far.moments().covariance[0] > 0.1);
-/// // Both sides are still there, each by itself.
+/// // Both sides are preserved as separate lobes.
 /// assert!(far.lobes().iter().all(|side| side.weight == 0.5 && side.moments.mean.x.abs() > 0.25));
 /// # Ok::<(), asperity_shading::ImageError>(())
 /// ```
@@ -116,11 +122,11 @@ impl<'a, const K: usize> SlopePyramidRef<'a, K> {
         }
     }
 
-    /// The map of these slopes; `lobes` is filled.
+    /// Creates the map of these slopes and fills `lobes`.
     ///
     /// # Errors
-    /// [`ImageError`] for a map without texels or with more than 2²⁶, slices of another length, and the first slope with a
-    /// coordinate that is not finite or beyond 10⁶.
+    /// [`ImageError`] for a map without texels or with more than 2²⁶, slices of another length, and
+    /// the first slope with a coordinate that is not finite or beyond 10⁶.
     pub fn new(
         width: usize,
         height: usize,
@@ -140,10 +146,10 @@ impl<'a, const K: usize> SlopePyramidRef<'a, K> {
 
 #[cfg(feature = "alloc")]
 impl<const K: usize> SlopePyramid<K> {
-    /// The map of these slopes.
+    /// Creates the map of these slopes.
     ///
     /// # Errors
-    /// The errors of [`SlopePyramidRef::new`].
+    /// See [`SlopePyramidRef::new`].
     pub fn new(width: usize, height: usize, slopes: Vec<Vec2>) -> Result<Self, ImageError> {
         check_slopes(width, height, &slopes)?;
         let mut lobes = vec![SlopeLobes::default(); SlopePyramidRef::<K>::lobes_len(width, height)];
@@ -152,11 +158,10 @@ impl<const K: usize> SlopePyramid<K> {
         Ok(Self { size, slopes, centres, lobes })
     }
 
-    /// The slopes of a normal map whose first row is at v = 0; slopes above 32 count as 32.
+    /// Creates the map of normals whose first row is at v = 0; slopes are clamped to 32.
     ///
     /// # Errors
-    /// The errors of [`SlopePyramidRef::new`], and for the first normal with `n.z < 0`, with no direction, or
-    /// that is no number.
+    /// See [`SlopePyramidRef::new`]; also the first normal with `n.z < 0`, zero, or NaN.
     pub fn from_normals(width: usize, height: usize, normals: &[Vec3]) -> Result<Self, ImageError> {
         let mut slopes = Vec::with_capacity(normals.len());
         for (index, &n) in normals.iter().enumerate() {
@@ -164,7 +169,8 @@ impl<const K: usize> SlopePyramid<K> {
                 return Err(ImageError::Normal { index, value: n });
             }
             let slope = Vec2::new(n.x, n.y) / n.z.max(f32::MIN_POSITIVE);
-            // By the greater coordinate first: the square of a slope on the horizon leaves the range of `f32`.
+            // Divided by the larger coordinate first, because the square of a slope on the horizon
+            // overflows `f32`.
             let slope = slope * (1e9 / slope.abs().max_element()).min(1.0);
             slopes.push(slope * (STEEPEST / sqrt(slope.length_squared())).min(1.0));
         }
@@ -179,14 +185,14 @@ impl<S: Deref<Target = [Vec2]>, L: Deref<Target = [SlopeLobes<K>]>, const K: usi
         SlopePyramidIn { size: self.size, slopes: &self.slopes, centres: self.centres, lobes: &self.lobes }
     }
 
-    /// Width and height, slopes, centres of the groups, and the lobes of all levels: what shaders take.
+    /// Width and height, slopes, centers of the groups, and the lobes of all levels, for shaders.
     #[doc(hidden)]
     #[must_use]
     pub fn parts(&self) -> ([usize; 2], &[Vec2], &[Vec2; K], &[SlopeLobes<K>]) {
         (self.size, &self.slopes, &self.centres, &self.lobes)
     }
 
-    /// The last level, of one texel: that of the whole map.
+    /// The last level, which has one texel for the whole map.
     #[must_use]
     pub fn last_level(&self) -> u32 {
         last_level(self.size[0], self.size[1])
@@ -198,15 +204,15 @@ impl<S: Deref<Target = [Vec2]>, L: Deref<Target = [SlopeLobes<K>]>, const K: usi
         self.lobes.last().copied().unwrap_or_default()
     }
 
-    /// The slope at a point, bilinear between the centres of the texels. A NaN coordinate counts as 0.
+    /// The slope at a point, bilinear between texel centers; NaN coordinates are read as 0.
     #[must_use]
     pub fn slope(&self, uv: Vec2) -> Vec2 {
         bilinear(uv, self.size, &self.slopes)
     }
 
-    /// The slopes in one level, bilinear between the centres of its texels; a level beyond the last is the last one.
+    /// The slopes in one level, bilinear between texel centers; the level is clamped to the last.
     ///
-    /// The differences of the texels' means belong to the covariance.
+    /// The differences between the means of the texels contribute to the covariance.
     #[must_use]
     pub fn level(&self, uv: Vec2, level: u32) -> SlopeLobes<K> {
         let level = level.min(self.last_level());
@@ -223,8 +229,8 @@ impl<S: Deref<Target = [Vec2]>, L: Deref<Target = [SlopeLobes<K>]>, const K: usi
     /// p = width of the pixel · max(width, height):   p ≥ 1: levels ⌊log₂ p⌋ and the next;   p < 1: p² of level 0, the rest a point
     /// ```
     ///
-    /// `footprint` is in the unit of `uv`, in which the map has the side 1. Continuous in both; where nothing is resolved it is
-    /// [`whole`](Self::whole).
+    /// `footprint` is in the unit of `uv`, in which the map has side 1. Continuous in both; where
+    /// nothing is resolved it is [`whole`](Self::whole).
     #[must_use]
     pub fn sample(&self, uv: Vec2, footprint: Footprint) -> SlopeLobes<K> {
         let pixel = footprint.width() * self.size[0].max(self.size[1]) as f32;
@@ -244,9 +250,12 @@ impl<S: Deref<Target = [Vec2]>, L: Deref<Target = [SlopeLobes<K>]>, const K: usi
         ])
     }
 
-    /// Lobes within a long pixel around a point (anisotropic filtering), by up to `most` round footprints along its long axis.
+    /// Lobes within an elongated pixel (anisotropic filtering).
     ///
-    /// The ellipse is in the unit of `uv`: made of the derivatives of `(u, v, 0)` by one pixel to the right and one down.
+    /// Uses up to `most` round footprints along its long axis.
+    ///
+    /// The ellipse is in the unit of `uv`, from the derivatives of `(u, v, 0)` by one pixel to the
+    /// right and one down.
     #[must_use]
     pub fn sample_along(&self, uv: Vec2, pixel: &PixelEllipse, most: u32) -> SlopeLobes<K> {
         SlopeLobes::mixed(pixel.taps(most).map(|Tap { offset, footprint }| {
@@ -256,10 +265,10 @@ impl<S: Deref<Target = [Vec2]>, L: Deref<Target = [SlopeLobes<K>]>, const K: usi
     }
 }
 
-/// The most texels of a map.
+/// The maximum number of texels of a map.
 const MAX_TEXELS: usize = 1 << 26;
 
-/// The largest coordinate of a slope: squares of it, and sums over a map, stay far within `f32`.
+/// The largest coordinate of a slope, so that squares and sums over a map stay within `f32`.
 const FARTHEST: f32 = 1e6;
 
 /// Returns an error for a wrong number of slopes, or for the first invalid slope.
@@ -298,7 +307,7 @@ mod tests {
             let got = SlopeMoments::mixed(points);
             assert_abs_diff_eq!(got.mean, whole.mean, epsilon = 1e-4, "{width}");
             for (got, whole) in got.covariance.into_iter().zip(whole.covariance) {
-                // Measured 1.8e-3, of the mean over points in place of the integral.
+                // Measured: 1.8e-3, from the mean over points in place of the integral.
                 assert_abs_diff_eq!(got, whole, epsilon = 3e-3, "{width}");
             }
         }
@@ -342,7 +351,7 @@ mod tests {
     }
 
     #[test]
-    fn refuses_what_is_no_map() {
+    fn new_rejects_invalid_maps() {
         let refused = |width, height, slopes| SlopePyramidRef::<1>::new(width, height, slopes, &mut []);
         assert_eq!(refused(0, 4, &[]), Err(ImageError::Empty { width: 0, height: 4 }));
         let most = MAX_TEXELS;
@@ -359,7 +368,7 @@ mod tests {
 
     #[test]
     #[cfg(feature = "alloc")]
-    fn slopes_are_those_of_the_normals() {
+    fn from_normals_computes_slopes() {
         let normals =
             [Vec3::Z, Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, -1.0, 0.0), Vec3::new(3.0, 0.0, 4.0)];
         let map = SlopePyramid::<2>::from_normals(2, 2, &normals).unwrap();

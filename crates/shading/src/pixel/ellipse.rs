@@ -1,14 +1,15 @@
-//! The footprint of a pixel as an ellipse, and the round footprints that cover it.
+//! The elliptic footprint of a pixel, and the round footprints that cover it.
 
 use glam::{Vec2, Vec3};
 
 use crate::math::sqrt;
 use crate::pixel::footprint::Footprint;
 
-/// Elliptical footprint of a pixel on a surface that is seen at an angle: longer than wide.
+/// Elliptic footprint of a pixel on a surface seen at an angle.
 ///
-/// A texture that knows only round footprints is filtered far too much along the short axis where it takes the long one, and
-/// aliases where it takes the short one. A few of them along the long axis do justice to both, as anisotropic look-ups of images do.
+/// A texture with round footprints blurs too much along the short axis if it uses the long one, and
+/// aliases if it uses the short one. A few round footprints along the long axis solve both, as in
+/// anisotropic texture filtering.
 ///
 /// ```
 /// use asperity_shading::{PixelEllipse, glam::Vec3};
@@ -24,9 +25,9 @@ use crate::pixel::footprint::Footprint;
 #[doc(alias = "ewa")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PixelEllipse {
-    /// The long axis, as long as the pixel.
+    /// The long axis, with the length of the pixel.
     major: Vec3,
-    /// The short axis, as long as the pixel is wide.
+    /// The short axis, with the width of the pixel.
     minor: Vec3,
     /// Widths along the long and the short axis.
     widths: [Footprint; 2],
@@ -35,20 +36,22 @@ pub struct PixelEllipse {
 /// One of the round footprints that cover a [`PixelEllipse`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tap {
-    /// The place of its middle from that of the pixel.
+    /// The offset of its center from the center of the pixel.
     pub offset: Vec3,
     /// Its width.
     pub footprint: Footprint,
 }
 
 impl PixelEllipse {
-    /// The ellipse spanned by the derivatives of the surface position by one pixel to the right and one down.
+    /// The ellipse spanned by the screen-space derivatives of the surface position.
+    ///
+    /// They are for one pixel to the right and one down.
     ///
     /// ```text
     /// [dx dy] = U diag(σ₁, σ₂) Vᵀ,   major axis σ₁ u₁, minor width σ₂
     /// ```
     ///
-    /// Derivatives that are not finite give a pixel that resolves nothing.
+    /// Non-finite derivatives return a pixel that resolves nothing.
     #[must_use]
     pub fn from_derivatives(dx: Vec3, dy: Vec3) -> Self {
         let scale = dx.abs().max_element().max(dy.abs().max_element());
@@ -59,9 +62,10 @@ impl PixelEllipse {
         let (e, f, g) = (dx.dot(dx), dx.dot(dy), dy.dot(dy));
         let root = sqrt((e - g) * (e - g) + 4.0 * f * f);
         let long = 0.5 * (e + g + root);
-        // The eigenvector by its larger component; the smaller eigenvalue by the determinant, which keeps its digits.
+        // The eigenvector by its larger component. The smaller eigenvalue is from the determinant,
+        // which keeps its digits.
         let (x, y) = if e > g { (0.5 * (e - g + root), f) } else { (f, 0.5 * (g - e + root)) };
-        // All axes of a circle are the same.
+        // All axes of a circle are equal.
         let (x, y) = if x == 0.0 && y == 0.0 { (1.0, 0.0) } else { (x, y) };
         let major = (x * dx + y * dy).normalize_or_zero() * sqrt(long);
         let cross = dx.cross(dy);
@@ -74,9 +78,11 @@ impl PixelEllipse {
         }
     }
 
-    /// A pixel of the plane of texture coordinates, in the first two components, along their axes and as wide as this.
+    /// An axis-aligned pixel of these widths in the plane of texture coordinates.
     ///
-    /// A width that is not a number counts as infinite, a negative one by its magnitude.
+    /// The plane is the first two components.
+    ///
+    /// A NaN width is read as infinite, a negative width as its magnitude.
     #[must_use]
     pub fn aligned(widths: Vec2) -> Self {
         let [u, v] = widths.to_array().map(|width| Footprint::from_width(width).width());
@@ -85,20 +91,21 @@ impl PixelEllipse {
         Self { major, minor, widths: [u.max(v), u.min(v)].map(Footprint::from_width) }
     }
 
-    /// The semi-axes doubled: the long one, as long as the pixel, and the short one; zero vectors for a round footprint.
+    /// The doubled semi-axes, long and short; zero vectors for a round footprint.
     #[must_use]
     pub const fn axes(&self) -> [Vec3; 2] {
         [self.major, self.minor]
     }
 
-    /// The pixel of a surface that is so many times as large.
+    /// The pixel scaled with its surface by this factor.
     #[must_use]
     pub fn scaled(&self, by: f32) -> Self {
         let widths = self.widths.map(|width| Footprint::from_width(width.width() * by));
         Self { major: self.major * by, minor: self.minor * by, widths }
     }
 
-    /// By how much a function with this gradient changes across the pixel, at most; ∞ where there is no gradient.
+    /// The maximum change of a function with this gradient across the pixel; ∞ for an invalid
+    /// gradient.
     #[doc(hidden)]
     #[must_use]
     pub fn change(&self, gradient: Vec3) -> f32 {
@@ -111,7 +118,7 @@ impl PixelEllipse {
         if gradient != Vec3::ZERO && change >= 0.0 { change } else { f32::INFINITY }
     }
 
-    /// The sides of the box about a pixel in the plane of texture coordinates.
+    /// The sides of the bounding box of a pixel in the plane of texture coordinates.
     #[doc(hidden)]
     #[must_use]
     pub fn sides(&self) -> Vec2 {
@@ -134,11 +141,12 @@ impl PixelEllipse {
         self.widths[1]
     }
 
-    /// Equal round footprints along the long axis that cover the pixel: where each lies, from the middle, and its width.
+    /// Equal round footprints along the long axis that cover the pixel: offsets from its center,
+    /// and width.
     ///
-    /// Their number is the ratio of the axes, at least 1 and at most `most` (and 64), evenly spaced; each as
-    /// wide as the short axis, or as their distance where that is more. A texture's mean over them is what
-    /// the pixel sees of it.
+    /// Their number is the ratio of the axes, at least 1 and at most `most` (and 64). They are
+    /// evenly spaced, and as wide as the short axis or their spacing, whichever is larger. The
+    /// pixel sees the mean of a texture over them.
     pub fn taps(&self, most: u32) -> impl Iterator<Item = Tap> + use<> {
         let [long, short] = self.widths.map(|width| width.width());
         let ratio = long / short;
@@ -159,11 +167,13 @@ impl PixelEllipse {
             .map(move |k| Tap { offset: major * ((k as f32 + 0.5) / count as f32 - 0.5), footprint: width })
     }
 
-    /// Twice as many along either axis, half as wide, where there are enough of them: for textures whose mean over a pixel is
-    /// nearer to the mean of four of its quarters than to what one wide footprint sees.
+    /// Twice as many taps along either axis, half as wide, if there are enough.
     ///
-    /// Up to `most` (and 64) on one or two lines along the long axis. Two of them for pixels whose axes have at most a quarter of
-    /// `most` to one another; otherwise as [`taps`](Self::taps).
+    /// For textures whose mean over a pixel is closer to the mean of its four quarters than to a
+    /// single wide footprint.
+    ///
+    /// Up to `most` (and 64) on one or two lines along the long axis. Two lines for pixels with an
+    /// axis ratio of at most a quarter of `most`; otherwise as [`taps`](Self::taps).
     ///
     /// ```
     /// use asperity_shading::{PixelEllipse, glam::Vec3};
@@ -175,7 +185,7 @@ impl PixelEllipse {
     pub fn fine_taps(&self, most: u32) -> impl Iterator<Item = Tap> + use<> {
         let [long, short] = self.widths.map(|width| width.width());
         let most = most.clamp(1, 64);
-        // Written so that NaN, of a pixel without an axis, has one line.
+        // Written so that NaN, from a pixel without an axis, has one line.
         let two = 4.0 * long <= most as f32 * short && self.minor != Vec3::ZERO;
         let (lines, across) = if two { (2, Footprint::from_width(0.5 * short)) } else { (1, self.widths[1]) };
         let line = Self { widths: [self.widths[0], across], ..*self };
@@ -201,7 +211,7 @@ mod tests {
 
     #[test]
     fn axes_are_the_singular_values() {
-        // A circle turned and stretched: P = U diag(3, 0.5) Vᵀ.
+        // A rotated and stretched circle: P = U diag(3, 0.5) Vᵀ.
         for k in 0..40 {
             let (a, b) = (0.3 * k as f32, 0.71 * k as f32);
             let (u1, u2) = (Vec3::new(a.cos(), a.sin(), 0.0), Vec3::new(-a.sin(), a.cos(), 0.0));
@@ -227,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_pixel_resolves_nothing() {
+    fn invalid_pixels_resolve_nothing() {
         for bad in [Vec3::NAN, Vec3::INFINITY, Vec3::new(0.0, f32::NAN, 0.0)] {
             let pixel = PixelEllipse::from_derivatives(bad, Vec3::X);
             assert_eq!(pixel.long().width(), f32::INFINITY, "{bad}");

@@ -5,10 +5,10 @@ use glam::Vec3;
 
 use crate::math::sqrt;
 
-/// The width that a pixel covers on the surface: the longest axis of its footprint.
+/// The width of a pixel on the surface: the longest axis of its footprint.
 ///
-/// The width is in the unit of the surface's positions, at least 0, and never NaN: whatever cannot be measured
-/// counts as infinitely wide, so that nothing is resolved there and the surface is shaded from afar.
+/// The width is in the unit of the surface positions, at least 0, and never NaN. Invalid footprints
+/// are infinitely wide, so nothing is resolved and the surface is shaded from afar.
 ///
 /// ```
 /// use asperity_shading::{Footprint, glam::Vec3};
@@ -27,40 +27,44 @@ pub struct Footprint {
 }
 
 impl Footprint {
-    /// The footprint of a given width. A negative width counts by its magnitude, NaN as infinitely wide.
+    /// Creates a footprint of this width; negative widths are read as their magnitude, NaN as
+    /// infinite.
     #[must_use]
     pub const fn from_width(width: f32) -> Self {
         Self { width: if width.is_nan() { f32::INFINITY } else { width.abs() } }
     }
 
-    /// The footprint of a pixel of `pixel_angle` radians at `distance`, on a surface seen at `cos_theta`.
+    /// The footprint of a pixel of `pixel_angle` radians at `distance`, on a surface seen at
+    /// `cos_theta`.
     ///
     /// ```text
     /// width = distance · pixel_angle / |cos θ|
     /// ```
     ///
-    /// `cos_theta` is the cosine between the direction to the eye and the surface normal; at the horizon the
-    /// footprint is infinite. The width is the long axis of the pixel's ellipse: no direction on the surface has a
-    /// higher resolution than this admits, and foreshortened ones are not over-resolved.
+    /// `cos_theta` is the cosine between the direction to the eye and the surface normal; at the
+    /// horizon the footprint is infinite. The width is the long axis of the pixel ellipse, so no
+    /// direction on the surface is over-resolved.
     #[must_use]
     pub fn from_distance(distance: f32, pixel_angle: f32, cos_theta: f32) -> Self {
         Self::from_width(distance * pixel_angle / cos_theta)
     }
 
-    /// The footprint spanned by the derivatives of the surface position by one pixel to the right and one down.
+    /// The footprint spanned by the screen-space derivatives of the surface position.
+    ///
+    /// They are for one pixel to the right and one down.
     ///
     /// ```text
     /// width = σ₁ of [dx dy] = √(½ (E + G + √((E − G)² + 4 F²))),   E = dx·dx,  F = dx·dy,  G = dy·dy
     /// ```
     ///
-    /// The largest singular value, between `max(|dx|, |dy|)` and √2 times that, does not change when the image is
-    /// rotated; the maximum alone misses the long axis of a pixel sheared along its diagonal.
-    /// The derivatives come from ray differentials or from the positions seen by neighbouring pixels.
+    /// The largest singular value, between `max(|dx|, |dy|)` and √2 times it, is invariant to image
+    /// rotation. The maximum alone misses the long axis of a pixel sheared along its diagonal. The
+    /// derivatives come from ray differentials or from the positions seen by neighboring pixels.
     #[must_use]
     pub fn from_derivatives(dx: Vec3, dy: Vec3) -> Self {
         let scale = dx.abs().max_element().max(dy.abs().max_element());
         if scale == 0.0 {
-            // `max` drops a NaN, which must not pass for a point.
+            // `max` drops a NaN, which must not look like a point.
             return Self::from_width(if dx.is_nan() || dy.is_nan() { f32::NAN } else { 0.0 });
         }
         // Scaled, because squares of small or large derivatives leave the range of `f32`.
@@ -70,8 +74,10 @@ impl Footprint {
         Self::from_width(scale * sqrt(0.5 * (e + g + root)))
     }
 
-    /// The share of an octave of noise with this frequency, in cells per unit of length, that is kept: the smooth one of two filters by
-    /// the cells across the pixel, see [`FrequencyClamp`](crate::pixel::FrequencyClamp).
+    /// The kept fraction of an octave of noise with this frequency, in cells per unit of length.
+    ///
+    /// This is the smooth filter of two by the cells across the pixel, see
+    /// [`FrequencyClamp`](crate::pixel::FrequencyClamp).
     ///
     /// ```text
     /// 1 − smoothstep(0.2, 0.6, width · frequency)
@@ -83,7 +89,7 @@ impl Footprint {
         1.0 - removed_share(self.width, frequency)
     }
 
-    /// The width, in the unit of the surface's positions.
+    /// The width, in the unit of the surface positions.
     #[must_use]
     pub const fn width(&self) -> f32 {
         self.width
@@ -113,7 +119,7 @@ mod tests {
     }
 
     #[test]
-    fn width_does_not_turn_with_the_image() {
+    fn width_is_invariant_to_image_rotation() {
         let (dx, dy) = (Vec3::new(1.0, 0.2, -0.3), Vec3::new(0.4, -0.1, 2.0));
         let width = Footprint::from_derivatives(dx, dy).width();
         for i in 0..32 {
@@ -125,7 +131,8 @@ mod tests {
 
     #[test]
     fn both_ways_agree_on_a_slanted_plane() {
-        // A pixel of 1 mrad at distance 5; the plane is tilted by 60° about the pixel's horizontal axis.
+        // A pixel of 1 mrad at distance 5; the plane is tilted by 60° around the horizontal axis of
+        // the pixel.
         let by_distance = Footprint::from_distance(5.0, 1e-3, 0.5).width();
         let dy = 5e-3 / 0.5 * Vec3::new(0.0, 0.5, 0.75_f32.sqrt());
         let by_derivatives = Footprint::from_derivatives(5e-3 * Vec3::X, dy).width();
@@ -133,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_measured_is_infinitely_wide() {
+    fn invalid_footprints_are_infinitely_wide() {
         let unmeasured = [
             Footprint::from_width(f32::NAN),
             Footprint::from_width(f32::NEG_INFINITY),

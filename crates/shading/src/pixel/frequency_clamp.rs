@@ -1,23 +1,24 @@
-//! Frequency clamping: how many octaves a pixel resolves.
+//! Frequency clamping: the number of octaves that a pixel resolves.
 
 use crate::math::{clamp_to, exp2, log2};
 use crate::parameter::{ParameterError, not_negative, positive, within};
 use crate::pixel::footprint::Footprint;
 
-/// The real number of octaves that a pixel resolves, none of them above the pixel's Nyquist frequency.
+/// The real number of octaves that a pixel resolves, none above its Nyquist frequency.
 ///
-/// Octave `i` of a noise has the frequency `f λⁱ` (its lattice cells per unit of length), a pixel of width `d`
-/// resolves frequencies up to `1/(2d)`. An octave starts to fade in where its frequency **is** that limit, and is
-/// whole when the next octave reaches it:
+/// Octave `i` of a noise has the frequency `f λⁱ` (its lattice cells per unit of length). A pixel
+/// of width `d` resolves frequencies up to `1/(2d)`. An octave starts to fade in where its
+/// frequency **is** that limit, and is complete when the next octave reaches it:
 ///
 /// ```text
 /// octaves(d) = clamp(log_λ(1 / (2 d f)), 0, max),   weight of octave i = clamp(octaves − i, 0, 1)
 /// ```
 ///
-/// The law is that an octave counts by its cells across the pixel, `x = d f λⁱ`. This filter of it, `clamp(−log_λ 2x, 0, 1)`, is
-/// linear in the zoom: with `λ = 2.17` whole up to `x = 0.23` and gone from 0.5 on. The other one, [`Footprint::kept`], is smooth
-/// from 0.2 to 0.6; materials and textures fade by it. The count is continuous in `d`, falls as `d` grows, is linear in `log d`
-/// between its ends, 0 as soon as the first octave is below the pixel, and `max` for a pixel of no width.
+/// An octave is weighted by its cells across the pixel, `x = d f λⁱ`. This filter, `clamp(−log_λ
+/// 2x, 0, 1)`, is linear in the zoom. With `λ = 2.17` it is 1 up to `x = 0.23` and 0 from 0.5 on.
+/// The other filter, [`Footprint::kept`], is smooth from 0.2 to 0.6, and is used by materials and
+/// textures. The count is continuous in `d`, decreases with `d`, and is linear in `log d` between
+/// its ends. It is 0 if the first octave is below the pixel, and `max` for a pixel of width 0.
 ///
 /// ```
 /// use asperity_shading::pixel::FrequencyClamp;
@@ -38,33 +39,36 @@ pub struct FrequencyClamp {
 }
 
 impl FrequencyClamp {
-    /// Octaves from `frequency` upward, each `lacunarity` times the last, at most `max_octaves` of them.
+    /// Creates a clamp for octaves from `frequency` upward with ratio `lacunarity`.
     ///
-    /// `frequency` is in lattice cells per unit of the surface's positions.
+    /// There are at most `max_octaves` of them.
+    ///
+    /// `frequency` is in lattice cells per unit of the surface positions.
     ///
     /// # Errors
-    /// [`ParameterError`] unless all are finite, `frequency` positive, `lacunarity` more than 1, and `max_octaves` not negative.
+    /// [`ParameterError`] unless all are finite, `frequency` positive, `lacunarity` more than 1,
+    /// and `max_octaves` not negative.
     pub fn new(frequency: f32, lacunarity: f32, max_octaves: f32) -> Result<Self, ParameterError> {
         positive("frequency", frequency)?;
-        // 1 is none: its logarithm divides.
+        // 1 is invalid, because the logarithm is a divisor.
         within("lacunarity", lacunarity, [1.0_f32.next_up(), f32::MAX])?;
         not_negative("max_octaves", max_octaves)?;
         Ok(Self { frequency, lacunarity, max_octaves, log2_lacunarity: log2(lacunarity) })
     }
 
-    /// The first octave's frequency, in cells per unit of length.
+    /// The frequency of the first octave, in cells per unit of length.
     #[must_use]
     pub const fn frequency(&self) -> f32 {
         self.frequency
     }
 
-    /// The ratio of each octave's frequency to the last one's.
+    /// The frequency ratio of consecutive octaves.
     #[must_use]
     pub const fn lacunarity(&self) -> f32 {
         self.lacunarity
     }
 
-    /// The most octaves that any pixel gets.
+    /// The maximum number of octaves of any pixel.
     #[must_use]
     pub const fn max_octaves(&self) -> f32 {
         self.max_octaves
@@ -85,13 +89,14 @@ impl FrequencyClamp {
         clamp_to(octaves, self.max_octaves)
     }
 
-    /// The widest footprint that resolves so many octaves: the inverse of [`FrequencyClamp::octaves`].
+    /// The widest footprint that resolves this many octaves: the inverse of
+    /// [`FrequencyClamp::octaves`].
     ///
     /// ```text
     /// d = λ^(−octaves) / (2 f)
     /// ```
     ///
-    /// `octaves` is clamped to `[0, max_octaves]`, NaN counts as 0.
+    /// `octaves` is clamped to `[0, max_octaves]`, NaN is read as 0.
     #[must_use]
     pub fn footprint(&self, octaves: f32) -> Footprint {
         let octaves = clamp_to(octaves, self.max_octaves);
@@ -151,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn a_clamp_tells_what_it_was_made_of() {
+    fn accessors_return_the_constructor_arguments() {
         let clamp = FrequencyClamp::new(16.0, 4.0, 6.0).unwrap();
         assert_eq!([clamp.frequency(), clamp.lacunarity(), clamp.max_octaves()], [16.0, 4.0, 6.0]);
         assert_eq!(clamp.log2_lacunarity(), 2.0);

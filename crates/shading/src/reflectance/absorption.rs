@@ -1,11 +1,11 @@
-//! Absorption of light by the medium that it travels through.
+//! Absorption of light by a medium.
 
 use glam::Vec3;
 
 use crate::math::{clamp_to, exp, log2, pow, sqrt};
 use crate::parameter::{ParameterError, colour, not_negative, positive};
 
-/// Absorption coefficient `σ_a` of a medium: Beer and Lambert's law.
+/// Absorption coefficient `σ_a` of a medium, with the Beer–Lambert law.
 ///
 /// ```text
 /// T(d) = e^(−σ_a d)
@@ -17,7 +17,7 @@ use crate::parameter::{ParameterError, colour, not_negative, positive};
 /// ```
 /// use asperity_shading::{glam::Vec3, reflectance::Absorption};
 ///
-/// // Bottle glass that lets this much through after 2 units is twice as dark after 4.
+/// // Bottle glass with this transmittance over 2 units has its square over 4.
 /// let colour = Vec3::new(0.4, 0.8, 0.5);
 /// let glass = Absorption::of_colour(colour, 2.0)?;
 /// assert!((glass.transmittance(2.0) - colour).length() < 1e-6);
@@ -25,8 +25,8 @@ use crate::parameter::{ParameterError, colour, not_negative, positive};
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 ///
-/// Beer 1852, *Bestimmung der Absorption des rothen Lichts in farbigen Flüssigkeiten*; Pharr, Jakob, Humphreys 2023, *Physically
-/// Based Rendering*, §11.2.1.
+/// Beer 1852, *Bestimmung der Absorption des rothen Lichts in farbigen Flüssigkeiten*; Pharr,
+/// Jakob, Humphreys 2023, *Physically Based Rendering*, §11.2.1.
 #[doc(alias = "beer-lambert")]
 #[doc(alias = "extinction")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -34,14 +34,15 @@ pub struct Absorption {
     coefficient: Vec3,
 }
 
-/// The least share that [`Absorption::of_colour`] can tell from black: the logarithm of 0 is infinite.
+/// The smallest transmittance that [`Absorption::of_colour`] distinguishes from black, whose
+/// logarithm is infinite.
 const BLACK: f32 = 1e-6;
 
 impl Absorption {
     /// A medium that absorbs nothing.
     pub const NONE: Self = Self { coefficient: Vec3::ZERO };
 
-    /// The medium of this coefficient.
+    /// Creates the medium with this coefficient.
     ///
     /// # Errors
     /// [`ParameterError::Outside`] unless every component is finite and at least 0.
@@ -50,10 +51,11 @@ impl Absorption {
         Ok(Self { coefficient })
     }
 
-    /// The medium of which a way of this length lets through this share of the light; less than 10⁻⁶ counts as that.
+    /// Creates the medium with this transmittance over this distance; clamped to at least 10⁻⁶.
     ///
     /// # Errors
-    /// [`ParameterError`] unless every component is within `[0, 1]` and the distance finite and positive.
+    /// [`ParameterError`] unless every component is within `[0, 1]` and the distance finite and
+    /// positive.
     pub fn of_colour(transmittance: Vec3, distance: f32) -> Result<Self, ParameterError> {
         let (share, distance) = (colour("transmittance", transmittance)?, positive("distance", distance)?);
         let depth = share.max(Vec3::splat(BLACK)).map(log2) * -core::f32::consts::LN_2;
@@ -66,7 +68,7 @@ impl Absorption {
         self.coefficient
     }
 
-    /// The share of light that is left after a way of this length, in `[0, 1]³`; all of it where the length is not positive.
+    /// The transmittance over this distance, in `[0, 1]³`; 1 if the distance is not positive.
     #[must_use]
     pub fn transmittance(&self, distance: f32) -> Vec3 {
         let distance = clamp_to(distance, f32::MAX);
@@ -74,8 +76,9 @@ impl Absorption {
     }
 }
 
-/// The share that a wall lets through which lets through `tint` of light that goes straight through, for light that meets it at an
-/// angle of this cosine: the way through it is longer by the cosine of the refracted angle.
+/// The transmittance of a wall at an angle, given its transmittance `tint` at normal incidence.
+///
+/// The path is longer by the cosine of the refracted angle.
 ///
 /// ```text
 /// tint^(1/cos θ_t),   sin θ_t = sin θ/η
@@ -93,7 +96,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn ways_one_after_the_other_multiply() {
+    fn transmittances_of_consecutive_paths_multiply() {
         let medium = Absorption::new(Vec3::new(0.3, 0.0, 20.0)).unwrap();
         for (a, b) in [(0.1, 0.4), (1.5, 3.0), (0.0, 2.0)] {
             let both = medium.transmittance(a) * medium.transmittance(b);
@@ -102,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn every_length_has_a_share() {
+    fn transmittance_accepts_every_length() {
         let black = Absorption::of_colour(Vec3::ZERO, 1e-30).unwrap();
         let most = Absorption::new(Vec3::MAX).unwrap();
         for medium in [black, most, Absorption::NONE] {
@@ -121,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn walls_are_longest_at_the_horizon() {
+    fn wall_paths_are_longest_at_the_horizon() {
         let tint = Vec3::new(0.25, 0.5, 1.0);
         assert_eq!(through_wall(tint, 1.0, 1.5), tint);
         // sin θ_t = 2/3, cos θ_t = √5/3.

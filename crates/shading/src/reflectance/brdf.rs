@@ -1,4 +1,4 @@
-//! The bidirectional reflectance distribution function (BRDF) as a trait.
+//! The `Brdf` trait.
 
 use core::f32::consts::{FRAC_1_PI, TAU};
 
@@ -7,19 +7,21 @@ use glam::{Vec2, Vec3};
 use crate::direction::half_vector;
 use crate::math::{clamp_to, cos, sin, sqrt};
 
-/// A reflectance: how much of the light from one direction a surface sends into another.
+/// A BRDF or BSDF: value, importance sampling and density.
 ///
 /// ```text
 /// L_o(ωo) = ∫ f_r(ωi, ωo) L_i(ωi) cos θ_i dω_i
 /// ```
 ///
-/// Directions are unit vectors in the frame of the surface, whose z axis is the normal, and point away from it. Colours
-/// are linear RGB. The trait is dyn-compatible.
+/// Directions are unit vectors in the frame of the surface, whose z axis is the normal, and point
+/// away from it. Colors are linear RGB. The trait is dyn-compatible.
 ///
-/// Every implementation in this crate is total: 0 where either direction is not above the horizon or not finite, never
-/// negative, never NaN. Those that let light through, [`transmits`](Brdf::transmits), take directions below the surface as well:
-/// they are bidirectional scattering distribution functions, whose integrals run over both half spheres with |cos θ_i|. Each states whether it is reciprocal, `f_r(ωi, ωo) = f_r(ωo, ωi)`, and its albedo, the share
-/// of light that it sends anywhere:
+/// Every implementation in this crate accepts every input. It returns 0 where either direction is
+/// not above the horizon or not finite, and never a negative number or NaN. Implementations that
+/// transmit, see [`transmits`](Brdf::transmits), also accept directions below the surface. They are
+/// BSDFs, whose integrals run over both hemispheres with |cos θ_i|. Each documents its reciprocity,
+/// `f_r(ωi, ωo) = f_r(ωo, ωi)`, and its albedo, the fraction of the light that it scatters into all
+/// directions:
 ///
 /// ```text
 /// albedo(ωo) = ∫ f_r(ωi, ωo) cos θ_i dω_i
@@ -31,7 +33,7 @@ use crate::math::{clamp_to, cos, sin, sqrt};
 ///
 /// let chalk = Lambert::new(Vec3::splat(0.8))?;
 /// let wo = Vec3::new(0.6, 0.0, 0.8);
-/// // One sample of the light that arrives: f_r cos θ / density is the albedo at every one.
+/// // One sample of the incident light: f_r cos θ / density is the albedo for every sample.
 /// let wi = chalk.sample(wo, Vec2::new(0.3, 0.7));
 /// let weight = chalk.value(wi, wo) * wi.z / chalk.density(wi, wo);
 /// assert!((weight - Vec3::splat(0.8)).length() < 1e-6);
@@ -44,24 +46,27 @@ pub trait Brdf {
     #[must_use]
     fn value(&self, wi: Vec3, wo: Vec3) -> Vec3;
 
-    /// A direction `ωi` for light that leaves along `wo`, from a uniform point of the unit square.
+    /// Samples a direction `ωi` for light that leaves along `wo`, from a uniform point of the unit
+    /// square.
     ///
-    /// It may lie below the horizon, where `value` is 0: such a sample counts as one that brought nothing. The provided
-    /// one does not: its density is `cos θ / π` (Malley's method).
+    /// It may be below the horizon, where `value` is 0: such samples contribute zero. The default
+    /// implementation never produces them: its density is `cos θ / π` (Malley's method).
     #[must_use]
     fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {
         let _ = wo;
         cosine_hemisphere(u)
     }
 
-    /// The density of [`sample`](Brdf::sample) over solid angle, in sr⁻¹; 0 where either direction is not above the
-    /// horizon.
+    /// The density of [`sample`](Brdf::sample) over solid angle, in sr⁻¹.
+    ///
+    /// 0 where either direction is not above the horizon.
     #[must_use]
     fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
         if are_above(wi, wo) { wi.z * FRAC_1_PI } else { 0.0 }
     }
 
-    /// Whether light comes through: values and densities of directions below the surface count. The provided one says no.
+    /// Whether the BSDF transmits, so that directions below the surface are valid. Default:
+    /// `false`.
     #[must_use]
     fn transmits(&self) -> bool {
         false
@@ -92,7 +97,7 @@ pub(crate) fn are_above(wi: Vec3, wo: Vec3) -> bool {
     wi.z > 0.0 && wo.z > 0.0 && wi.is_finite() && wo.is_finite()
 }
 
-/// Whether both directions are finite and on a side of the surface, any.
+/// Whether both directions are finite and not along the surface.
 #[inline]
 pub(crate) fn have_sides(wi: Vec3, wo: Vec3) -> bool {
     wi.z != 0.0 && wo.z != 0.0 && wi.is_finite() && wo.is_finite()
@@ -108,7 +113,9 @@ pub(crate) fn cosine_hemisphere(u: Vec2) -> Vec3 {
     Vec3::new(r * cos(TAU * turn), r * sin(TAU * turn), z)
 }
 
-/// The density over `ωi` of mirroring `ωo` in facets that are drawn with a density over h; 0 unless both are above the horizon.
+/// The density over `ωi` of reflecting `ωo` at facets sampled with a density over h.
+///
+/// 0 unless both are above the horizon.
 ///
 /// ```text
 /// p(ωi) = p(h) / (4 ωo·h)
@@ -124,7 +131,7 @@ pub(crate) fn mirrored_density(wi: Vec3, wo: Vec3, density: impl FnOnce(Vec3) ->
     finite(density(h) / (4.0 * wo.dot(h)))
 }
 
-/// A finite number that is not negative: NaN is 0, and what overflows is the greatest one.
+/// A finite non-negative number: NaN becomes 0, and overflow becomes the largest finite number.
 #[inline]
 pub(crate) fn finite(x: f32) -> f32 {
     if x > 0.0 { x.min(f32::MAX) } else { 0.0 }
@@ -143,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn provided_samples_are_unit_and_above() {
+    fn default_samples_are_unit_and_above() {
         let brdf: &dyn Brdf = &Grey;
         for x in [f32::NAN, f32::NEG_INFINITY, 0.0, 0.3, 0.999_999_9, 1.0, 7.0] {
             for y in [f32::NAN, 0.0, 0.25, 1.0, f32::INFINITY] {

@@ -9,33 +9,37 @@ use crate::reflectance::brdf::{Brdf, are_above, finite, have_sides};
 use crate::reflectance::coat::{Coat, Delta};
 use crate::reflectance::lobe::{Lobe, LobePart};
 
-/// The greatest number of facets; further ones are merged with the nearest.
+/// The maximum number of facets; further ones are merged with the nearest.
 const FACETS: usize = 32;
-/// The greatest number of lobes; further ones are left out.
+/// The maximum number of lobes; further ones are ignored.
 const LOBES: usize = 16;
-/// The greatest number of layers.
+/// The maximum number of layers.
 const LAYERS: usize = 4;
 
-/// The BSDF of a point: what it does to light on its way to the eye.
+/// The BSDF at a surface point, with the light that it scatters and emits towards the eye.
 ///
-/// Layers are added, each a few [`Lobe`]s about the normals of a few [`Facet`]s, which stand for bumps that the pixel does not resolve;
-/// over them may lie a smooth [`Coat`].
+/// Layers are added up. Each has a few [`Lobe`]s around the normals of a few [`Facet`]s, which
+/// represent bumps that the pixel does not resolve. A smooth [`Coat`] may cover them.
 ///
 /// ```text
 /// f(ωi, ωo) cos θ_i = T(ωi) T(ωo) Σ_layers Σ_facets share Σ_lobes f_r(ωi′, ωo′) max(0, ωi·m)
 /// ```
 ///
-/// Lobes that transmit, such as rough glass, have |ωi·m| in place of the cosine, of directions on the same side of facet and surface.
+/// Lobes that transmit, such as rough glass, use |ωi·m| in place of the cosine, for directions on
+/// the same side of facet and surface.
 ///
-/// with ω′ in the frame of the facet m and T = 1 − F of the coat. Directions are unit vectors in the frame of the surface without
-/// bumps, [`SurfacePoint::frame`](crate::material::SurfacePoint::frame), and point away from it. It is a [`Brdf`]: value, samples and
-/// their density are those of the layers. What a smooth coat mirrors and transmits comes from single directions,
-/// [`deltas`](Self::deltas), and what the surface sends whatever the light, from [`emitted`](Self::emitted).
+/// Here ω′ is in the frame of the facet m, and T = 1 − F of the coat. Directions are unit vectors
+/// in the frame of the surface without bumps,
+/// [`SurfacePoint::frame`](crate::material::SurfacePoint::frame), and point away from it. It is a
+/// [`Brdf`]: value, samples and density are those of the layers. Reflection and transmission by a
+/// smooth coat are in [`deltas`](Self::deltas), and emission is in [`emitted`](Self::emitted).
 ///
-/// - **Energy:** at most 1 if every layer's lobes together have an albedo of at most 1 (layers stand on one another's place only in
-///   what materials make of them).
-/// - **Reciprocal** if every lobe is and no facet is tilted, as of bump mapping in general (Veach 1997, §5.3).
-/// - **For one view:** facets that cannot be seen from `wo` of [`new`](Self::new) are turned by [`facing`].
+/// - **Energy:** at most 1 if the lobes of every layer have a total albedo of at most 1 (materials
+///   add layers only in place of one another).
+/// - **Reciprocal** if every lobe is and no facet is tilted; bump mapping is not reciprocal in
+///   general (Veach 1997, §5.3).
+/// - **For one view:** facets that are not visible from `wo` of [`new`](Self::new) are rotated by
+///   [`facing`].
 /// - **Storage:** inline, without allocation; 32 facets, 16 lobes, 4 layers.
 ///
 /// ```
@@ -43,7 +47,7 @@ const LAYERS: usize = 4;
 /// use asperity_shading::reflectance::{Bsdf, Lobe};
 /// use asperity_shading::{Brdf, Lambert, glam::Vec3};
 ///
-/// // Chalk with fine bumps: a lamp straight above gives it less, one aside more.
+/// // Chalk with fine bumps is darker under a lamp straight above, and brighter under one at the side.
 /// let chalk = Lambert::new(Vec3::splat(0.8))?;
 /// let lobe = Lobe::from(&chalk as &dyn Brdf);
 /// let bumpy = Bsdf::new(Vec3::Z).with(slope_facets(Vec3::Z, Vec3::Z, 0.1), [lobe]);
@@ -64,29 +68,29 @@ pub struct Bsdf<'a> {
     layer_count: usize,
     coat: Option<Coat>,
     emitted: Vec3,
-    /// Whether any lobe does.
+    /// Whether any lobe transmits.
     transmits: bool,
 }
 
 /// All bits are 0.
 const NO_FRAME: Frame = Frame { tangent: Vec3::ZERO, bitangent: Vec3::ZERO, normal: Vec3::ZERO };
 
-/// Lobes about facets, by their places.
+/// Lobes around facets, by their indices.
 #[derive(Clone, Copy, Default)]
 struct Layer {
     facets: [usize; 2],
     lobes: [usize; 2],
-    /// Whether it is the coat's own, over which there is none.
+    /// Whether it is the layer of the coat itself, which is not covered.
     in_coat: bool,
 }
 
 impl<'a> Bsdf<'a> {
-    /// A point that is seen from the unit direction `wo` and sends no light yet.
+    /// Creates an empty BSDF seen from the unit direction `wo`.
     #[must_use]
     pub fn new(wo: Vec3) -> Self {
         Self {
             wo,
-            // What is cheap to write: most places stay empty.
+            // Values that are cheap to write, because most entries stay empty.
             facets: [(0.0, NO_FRAME); FACETS],
             lobes: [const { None }; LOBES],
             layers: [Layer::default(); LAYERS],
@@ -97,7 +101,7 @@ impl<'a> Bsdf<'a> {
         }
     }
 
-    /// With a layer more: these lobes about each of these facets.
+    /// Adds a layer: each lobe is evaluated in each facet's frame.
     #[inline]
     #[must_use]
     pub fn with(
@@ -109,7 +113,7 @@ impl<'a> Bsdf<'a> {
         self
     }
 
-    /// With a coat over all layers; a rough one takes a layer of its own.
+    /// Adds a coat over all layers; a rough coat uses a layer itself.
     #[inline]
     #[must_use]
     pub fn with_coat(mut self, coat: Coat) -> Self {
@@ -117,7 +121,7 @@ impl<'a> Bsdf<'a> {
         self
     }
 
-    /// With so much more radiance, whatever the light; what is not positive and finite does not count.
+    /// Adds emission. Non-positive and non-finite components are ignored.
     #[inline]
     #[must_use]
     pub fn with_emitted(mut self, radiance: Vec3) -> Self {
@@ -130,7 +134,7 @@ impl<'a> Bsdf<'a> {
         self.emitted += radiance.map(finite);
     }
 
-    /// [`with`](Self::with) in place: the whole is too large to be handed on from call to call.
+    /// [`with`](Self::with) in place, because the value is too large to be moved between calls.
     #[inline]
     pub(crate) fn add_layer(
         &mut self,
@@ -140,7 +144,7 @@ impl<'a> Bsdf<'a> {
         self.add_visited(lobes, false, |add| facets.into_iter().for_each(add));
     }
 
-    /// With a layer of facets that are visited one by one.
+    /// Adds a layer of facets that are visited one by one.
     #[inline]
     pub(crate) fn with_visited(
         mut self,
@@ -187,12 +191,15 @@ impl<'a> Bsdf<'a> {
         }
     }
 
-    /// Delta lobes of a smooth coat, of reflection and of transmission into `wo`; weights are 0 without a coat.
+    /// Delta lobes of a smooth coat, of reflection and transmission into `wo`; weights are 0
+    /// without a coat.
     ///
-    /// `u` is a uniform point of the unit square that chooses one of the coat's facets; the mean over it is the coat's part of the light.
-    /// A path tracer follows either direction, or one of them by its weight.
+    /// `u` is a uniform point of the unit square that selects one of the facets of the coat. The
+    /// mean over it is the contribution of the coat. A path tracer follows both directions, or one
+    /// of them by its weight.
     ///
-    /// `wo` may have any length; along the surface, zero, infinite and NaN it has no deltas: both have the weight 0.
+    /// `wo` may have any length. If it is along the surface, zero, infinite or NaN, both weights
+    /// are 0.
     ///
     /// ```
     /// use asperity_shading::reflectance::{Bsdf, Coat};
@@ -210,13 +217,16 @@ impl<'a> Bsdf<'a> {
         self.coat.map_or([Delta::default(); 2], |coat| coat.deltas(wo, u))
     }
 
-    /// The radiance that is sent into `wo` of [`new`](Self::new) whatever the light, such as light along a rim.
+    /// The radiance emitted into `wo` of [`new`](Self::new) regardless of the light, e.g. rim
+    /// light.
     #[must_use]
     pub const fn emitted(&self) -> Vec3 {
         self.emitted
     }
 
-    /// `f cos θ_i`: the radiance into `wo` of light from `wi` per unit of its irradiance on a surface that faces it.
+    /// `f cos θ_i`: the radiance into `wo` per unit of irradiance from `wi`.
+    ///
+    /// The irradiance is on a surface that faces the light.
     #[must_use]
     pub fn scattered(&self, wi: Vec3, wo: Vec3) -> Vec3 {
         if !(are_above(wi, wo) || self.transmits && have_sides(wi, wo)) {
@@ -238,7 +248,9 @@ impl<'a> Bsdf<'a> {
         sum.map(finite)
     }
 
-    /// The facets of each layer with their shares and each of their lobes; of a lobe without colours none. A smooth coat is one of them.
+    /// The facets of each layer with their fractions and each of their lobes.
+    ///
+    /// The lobe is `None` if it has no colors. A smooth coat is one of them.
     pub(crate) fn parts(&self) -> impl Iterator<Item = (f32, Vec3, Option<LobePart>)> {
         let layers = self.layers().iter().flat_map(move |layer| {
             self.lobes_of(layer).flat_map(move |lobe| {
@@ -265,7 +277,7 @@ impl<'a> Bsdf<'a> {
         self.lobes[layer.lobes[0]..layer.lobes[1]].iter().flatten()
     }
 
-    /// The chance of each lobe about each facet, up to a factor.
+    /// The relative probability of each lobe around each facet.
     fn chances(&self, wo: Vec3) -> impl Iterator<Item = (f32, &Frame, &Lobe<'a>)> {
         self.layers().iter().flat_map(move |layer| {
             self.lobes_of(layer).flat_map(move |lobe| {
@@ -276,19 +288,22 @@ impl<'a> Bsdf<'a> {
     }
 }
 
-/// Whether a facet sees both directions from the side that the surface does.
+/// Whether a facet sees both directions from the same side as the surface.
 fn on_the_sides_of(local: [Vec3; 2], [wi, wo]: [Vec3; 2]) -> bool {
     local[0].z * wi.z > 0.0 && local[1].z * wo.z > 0.0
 }
 
 impl Lobe<'_> {
-    /// Whether the lobe about a facet knows of these directions, in the frames of the facet and of the surface.
+    /// Whether the lobe around a facet is defined for these directions.
+    ///
+    /// They are in the frames of the facet and of the surface.
     fn counts(&self, local: [Vec3; 2], [wi, wo]: [Vec3; 2]) -> bool {
         if self.transmits() { on_the_sides_of(local, [wi, wo]) } else { are_above(wi, wo) }
     }
 }
 
-/// Puts a facet after the first so many, or merges it with the nearest where there is no place; returns how many it added.
+/// Adds a facet after the first `count`, or merges it with the nearest if full; returns the number
+/// added.
 fn add(facets: &mut [(f32, Frame)], count: usize, share: f32, normal: Vec3) -> usize {
     if let Some(place) = facets.get_mut(count) {
         let flat = normal == Vec3::Z;
@@ -310,7 +325,7 @@ impl Brdf for Bsdf<'_> {
         self.scattered(wi, wo).map(|f| finite(f / cosine))
     }
 
-    /// One of the lobes, by about how much light it sends, and a sample of that.
+    /// Samples one of the lobes, selected by its approximate contribution.
     fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {
         let total: f32 = self.chances(wo).map(|(chance, ..)| chance).sum();
         let mut place = clamp_to(u.x, 1.0) * total;
@@ -327,8 +342,8 @@ impl Brdf for Bsdf<'_> {
                 let o = frame.to_local(wo);
                 let i = lobe.sample(o, Vec2::new(x, u.y));
                 let wi = frame.to_world(i);
-                // What is behind the facet brings nothing, and must not count as a direction above the surface, nor as one below where
-                // another lobe transmits.
+                // Directions behind the facet contribute nothing. They must not become directions
+                // above the surface, or below it where another lobe transmits.
                 match self.transmits {
                     false if i.z > 0.0 && o.z > 0.0 => wi,
                     false => Vec3::new(wi.x, wi.y, -wi.z.abs()),

@@ -1,4 +1,4 @@
-//! Smooth coats: mirrors, and what is behind them.
+//! Smooth coats: mirrors, and the medium behind them.
 
 use core::f32::consts::TAU;
 
@@ -14,10 +14,12 @@ use crate::reflectance::fresnel::{Dielectric, Fresnel};
 use crate::reflectance::lobe::{Lobe, LobePart};
 use crate::reflectance::rough_dielectric::RoughDielectric;
 
-/// A smooth surface over the layers of a [`Bsdf`](crate::reflectance::Bsdf), or one without any: varnish, a pane, a body of glass, a polished metal.
+/// A smooth surface over the layers of a [`Bsdf`](crate::reflectance::Bsdf), or without layers.
 ///
-/// It sends light into single directions, [`Delta`] lobes. Slopes that the pixel does not resolve blur them: each is then that of a facet
-/// that random numbers choose.
+/// Varnish, a pane, a body of glass, or a polished metal.
+///
+/// It scatters light into single directions, [`Delta`] lobes. Unresolved slopes blur them: each
+/// lobe then belongs to a facet that is selected by random numbers.
 #[doc(alias = "clearcoat")]
 #[doc(alias = "varnish")]
 #[doc(alias = "mirror")]
@@ -25,17 +27,17 @@ use crate::reflectance::rough_dielectric::RoughDielectric;
 pub struct Coat {
     normal: Vec3,
     slopes: Slopes,
-    /// Beckmann's α of what is mirrored; 0 for a smooth coat.
+    /// Beckmann's α of the reflection; 0 for a smooth coat.
     roughness: f32,
     behind: Behind,
 }
 
-/// The slopes of a coat that a pixel does not resolve, in the frame of the surface.
+/// The unresolved slopes of a coat, in the frame of the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Slopes {
     /// Gaussian, with this variance along each axis.
     Gaussian(f32),
-    /// Slopes of a sine with this steepest one.
+    /// Slopes of a sine with this maximum slope.
     Sine(Vec3),
 }
 
@@ -48,19 +50,20 @@ enum Behind {
     Veil(Vec3),
 }
 
-/// A direction of which a smooth surface sends light into `wo`, with the share of its radiance.
+/// A direction of light that a smooth surface scatters into `wo`, with its weight.
 ///
-/// Below the surface where `wi.z` has the other sign than `wo.z`: light that is transmitted.
+/// Transmitted light has a `wi.z` of the opposite sign of `wo.z`.
 #[doc(alias = "specular delta")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Delta {
-    /// The unit direction to the light, in the frame of the surface; of any length, but finite, where the weight is 0.
+    /// The unit direction to the light, in the frame of the surface; finite and of any length where
+    /// the weight is 0.
     pub wi: Vec3,
-    /// The share of its radiance, in [0, 1]³.
+    /// The fraction of its radiance, in [0, 1]³.
     pub weight: Vec3,
 }
 
-/// `α²/v` of the narrowest lobe that sees no gaps between the facets of slopes of the variance v.
+/// `α²/v` of the narrowest lobe that has no gaps between the facets of slopes of the variance v.
 const GAPLESS: f32 = 1.4;
 
 impl Coat {
@@ -68,68 +71,79 @@ impl Coat {
         Self { normal: Vec3::Z, slopes: Slopes::Gaussian(0.0), roughness: 0.0, behind }
     }
 
-    /// A varnish over the layers, which get what it lets through: `(1 − F(ωi)) (1 − F(ωo))`.
+    /// A varnish over the layers, which receive the transmitted light: `(1 − F(ωi)) (1 − F(ωo))`.
     #[must_use]
     pub const fn varnish(fresnel: Dielectric) -> Self {
         Self::flat(Behind::Layers(fresnel))
     }
 
-    /// A thin pane, through which one looks straight, tinted: `R = 2F/(1 + F)` of both its surfaces, `T = (1 − R) tint^(1/cos θ_t)`.
+    /// A thin tinted dielectric slab (no refraction offset).
     ///
-    /// `tint` is the share of light that goes straight through; at an angle the way is longer, by Beer and Lambert's law.
+    /// `R = 2F/(1 + F)` of both its surfaces, `T = (1 − R) tint^(1/cos θ_t)`.
+    ///
+    /// `tint` is the transmittance at normal incidence. At an angle the path is longer, by the
+    /// Beer–Lambert law.
     #[must_use]
     pub const fn pane(fresnel: Dielectric, tint: Vec3) -> Self {
         Self::flat(Behind::Pane(fresnel, tint))
     }
 
-    /// The surface of a body, which refracts by Snell's law; seen from inside where `wo` is below the surface.
+    /// The refracting surface of a body (Snell's law), seen from inside if `wo` is below the
+    /// surface.
     ///
-    /// The weight of what is transmitted is `1 − F`: the change of radiance by η², undone where the light leaves, is left out.
+    /// The weight of transmission is `1 − F`. It omits the change of radiance by η², which is
+    /// undone where the light leaves.
     #[must_use]
     pub const fn body(fresnel: Dielectric) -> Self {
         Self::flat(Behind::Body(fresnel))
     }
 
-    /// A polished metal, which mirrors this share of the light.
+    /// A polished metal with this reflectance.
     #[must_use]
     pub const fn metal(colour: Vec3) -> Self {
         Self::flat(Behind::Metal(colour))
     }
 
-    /// No surface at all, but something through which this share of the light comes straight: gas that was marched through.
+    /// A transparent layer with the given transmittance, e.g. ray-marched gas.
     #[must_use]
     pub const fn veil(transmittance: Vec3) -> Self {
         Self::flat(Behind::Veil(transmittance))
     }
 
-    /// The coat with this normal, in the frame of the surface, and slopes of this variance about it.
+    /// Sets the normal, in the frame of the surface, and the slope variance around it.
     #[must_use]
     pub fn bumped(self, normal: Vec3, slope_variance: f32) -> Self {
         self.with_slopes(normal, Slopes::Gaussian(slope_variance))
     }
 
-    /// The coat with what it mirrors spread by Beckmann's density of this width: a lobe of the [`Bsdf`](crate::reflectance::Bsdf) in
-    /// place of a single direction. 0 is smooth.
+    /// Makes the reflection rough with a Beckmann NDF of this width; 0 is smooth.
     ///
-    /// A rough pane or body spreads what it transmits as well: it is a [`RoughDielectric`], and has no [`Delta`].
+    /// It becomes a lobe of the [`Bsdf`](crate::reflectance::Bsdf) in place of a single direction.
     ///
-    /// Slopes that the pixel does not resolve are [facets](slope_facets()) of a rough coat. Where the lobe is too narrow to fill the gaps
-    /// between them, α below 1.2 deviations, it is widened by a share of the slopes; but not that of a pane, which then shows them.
+    /// A rough pane or body also scatters the transmitted light: it is a [`RoughDielectric`], and
+    /// has no [`Delta`].
+    ///
+    /// Unresolved slopes are [facets](slope_facets()) of a rough coat. If the lobe is too narrow to
+    /// fill the gaps between them, with α below 1.2 standard deviations, it is widened by a
+    /// fraction of the slopes. The lobe of a pane is not widened, so its facets remain visible.
     #[must_use]
     pub fn rough(self, alpha: f32) -> Self {
         Self { roughness: clamp_to(alpha, 1.0), ..self }
     }
 
-    /// The width of the lobe of a rough coat, and the variance of the slopes of the facets about which it stands.
+    /// The width of the lobe of a rough coat, and the slope variance of its facets.
     ///
-    /// A lobe narrower than the gaps between facets takes a share β of the slopes' variance v, as much as makes it as wide:
+    /// A lobe narrower than the gaps between facets takes a fraction β of the slope variance v that
+    /// fills the gaps:
     ///
     /// ```text
     /// α′² = α² + 2βv,   v′ = (1 − β) v,   α′² ≥ 1.4 v′
     /// ```
     ///
-    /// Against the mean over slopes, α = √v = 0.1: a mirror seen from 0° and 60° is 5 % and 3 % of its peak off; with α as it is, 12 % and 6 %,
-    /// for α = 0.02 four times the peak. A pane keeps its width: slopes do not spread what comes straight through it.
+    /// Compared with the mean over slopes for α = √v = 0.1, a mirror seen from 0° and 60° errs by 5
+    /// % and 3 % of its peak. With unchanged α it errs by 12 % and 6 %, and for α = 0.02 by four
+    /// times the peak. A pane keeps its width, because slopes do not deflect the light transmitted
+    /// straight through it.
     fn widened(&self) -> (f32, f32) {
         let square = self.roughness * self.roughness;
         match self.slopes {
@@ -142,8 +156,11 @@ impl Coat {
         }
     }
 
-    /// Words of a shader's coat: normal and variance of its slopes; the steepest slope of a sine and Beckmann's α; colour and relative index;
-    /// number of its kind, in the order of the constructors.
+    /// The uniforms of the coat in a shader, and the index of its kind in the order of the
+    /// constructors.
+    ///
+    /// They are normal and slope variance; the maximum slope of a sine and Beckmann's α; color and
+    /// relative index.
     #[doc(hidden)]
     #[must_use]
     pub fn parts(&self) -> ([Vec4; 3], u32) {
@@ -165,7 +182,7 @@ impl Coat {
         matches!(self.behind, Behind::Pane(..))
     }
 
-    /// The part of a smooth coat that is no rough one's lobe; none where it transmits.
+    /// The part of a smooth coat without the lobe of a rough one; `None` if it transmits.
     pub(super) fn smooth_part(&self) -> Option<LobePart> {
         match self.behind {
             Behind::Layers(_) => Some(LobePart::Varnish(0.0)),
@@ -174,7 +191,7 @@ impl Coat {
         }
     }
 
-    /// Whether it is a rough one, whose lobe is a layer.
+    /// Whether it is rough, so that its lobe is a layer.
     pub(super) fn is_rough(&self) -> bool {
         self.roughness > 0.0
     }
@@ -192,9 +209,10 @@ impl Coat {
         })
     }
 
-    /// Facets that stand for its slopes.
+    /// Facets that represent its slopes.
     ///
-    /// Of a sine three, at −√3/2, 0 and √3/2 of its swing, by the formula of Gauss and Chebyshev.
+    /// Three facets for a sine, at −√3/2, 0 and √3/2 of its amplitude, by Gauss–Chebyshev
+    /// quadrature.
     pub(super) fn facets(&self) -> impl Iterator<Item = Facet> + use<> {
         let (_, variance) = self.widened();
         let (swing, share) = match self.slopes {
@@ -210,12 +228,12 @@ impl Coat {
         )
     }
 
-    /// The coat with this normal and these slopes.
+    /// Sets the normal and the slopes.
     pub(crate) fn with_slopes(self, normal: Vec3, slopes: Slopes) -> Self {
         Self { normal, slopes, ..self }
     }
 
-    /// The share of light that comes through to the layers, from one direction.
+    /// The fraction of light from one direction that reaches the layers.
     pub(super) fn through(&self, w: Vec3) -> f32 {
         match self.behind {
             Behind::Layers(fresnel) => 1.0 - fresnel.reflectance(w.dot(self.normal)),
@@ -223,7 +241,7 @@ impl Coat {
         }
     }
 
-    /// The facet for a random number, turned to be seen from `wo`.
+    /// The facet for a random number, rotated to be visible from `wo`.
     fn facet(&self, wo: Vec3, u: Vec2) -> Vec3 {
         let (x, y) = (clamp_to(u.x, 1.0), clamp_to(u.y, 1.0));
         let slope = match self.slopes {
@@ -243,16 +261,18 @@ impl Coat {
         facing(Vec3::Z, facet, wo)
     }
 
-    /// Delta lobes of reflection and of transmission into `wo` of any length, by the facet for a random point of the unit square.
+    /// Delta lobes of reflection and transmission into `wo` of any length.
+    ///
+    /// A random point of the unit square selects the facet.
     pub(super) fn deltas(&self, wo: Vec3, u: Vec2) -> [Delta; 2] {
         let dark = [Delta::default(); 2];
-        // What is unit but for its rounding keeps its bits.
+        // A vector that is unit to rounding is unchanged.
         let unit = (wo.length_squared() - 1.0).abs() < 1e-5;
         let Some(wo) = (if unit { Some(wo) } else { along(wo) }) else { return dark };
         if wo.z == 0.0 {
             return dark;
         }
-        // From below everything is the other way up.
+        // From below everything is mirrored.
         let (side, inside) = (if wo.z < 0.0 { Vec3::new(1.0, 1.0, -1.0) } else { Vec3::ONE }, wo.z < 0.0);
         let up = wo * side;
         let turned = Self {
@@ -322,7 +342,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_are_the_numbers_of_every_kind() {
+    fn parts_of_every_kind() {
         let (glass, red) = (Dielectric::new(1.5).unwrap(), Vec3::new(0.9, 0.2, 0.1));
         let normal = Vec3::new(0.28, 0.0, 0.96);
         let kinds = [

@@ -1,4 +1,4 @@
-//! The microfacet model of Cook and Torrance, with Smith's masking and shadowing.
+//! The Cook–Torrance microfacet model with Smith masking and shadowing.
 
 use asperity_ndf_sampling::Microfacet;
 use glam::{Vec2, Vec3};
@@ -7,20 +7,23 @@ use crate::direction::{half_vector, reflect};
 use crate::reflectance::brdf::{Brdf, are_above, finite, mirrored_density};
 use crate::reflectance::fresnel::Fresnel;
 
-/// The microfacet model of Cook and Torrance, with Smith's masking and shadowing.
+/// The Cook–Torrance microfacet model with Smith masking and shadowing.
 ///
 /// ```text
 /// f_r = D(h) F(ωo·h) G₂(ωi, ωo) / (4 cos θ_i cos θ_o)
 /// ```
 ///
-/// - **Domain:** any density with Smith's masking function, any [`Fresnel`] reflectance.
+/// - **Domain:** any NDF with Smith masking, any [`Fresnel`] reflectance.
 /// - **Range:** at least 0, finite; reciprocal.
-/// - **Energy:** the albedo is at most that of the facets. It falls short of it by what facets send down or into one another,
-///   which the model leaves out: straight down 0.50 of it is left for GGX of roughness 0.7, 0.75 for Beckmann.
-/// - **Sampling:** visible normals (Heitz 2014), mirrored; a sample's weight is `F G₂/G₁(ωo)`, at most 1.
+/// - **Energy:** the albedo is at most that of the facets. The missing part is multiple scattering
+///   between facets, which the model omits. Straight down 0.50 of the albedo remains for GGX of
+///   roughness 0.7, and 0.75 for Beckmann.
+/// - **Sampling:** visible normals (Heitz 2014), reflected; the weight of a sample is `F
+///   G₂/G₁(ωo)`, at most 1.
 ///
-/// Torrance, Sparrow 1967; Cook, Torrance 1982, *A Reflectance Model for Computer Graphics*; with the denominator of
-/// Walter, Marschner, Li, Torrance 2007, *Microfacet Models for Refraction through Rough Surfaces*, eq. 20.
+/// Torrance, Sparrow 1967; Cook, Torrance 1982, *A Reflectance Model for Computer Graphics*; with
+/// the denominator of Walter, Marschner, Li, Torrance 2007, *Microfacet Models for Refraction
+/// through Rough Surfaces*, eq. 20.
 ///
 /// ```
 /// use asperity_shading::glam::{Vec2, Vec3};
@@ -47,7 +50,7 @@ pub struct CookTorrance<D, F> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Masking {
-    /// By the facets' heights: `G₂ = 1/(1 + Λ(ωi) + Λ(ωo))` (Heitz 2014, eq. 99).
+    /// Height-correlated: `G₂ = 1/(1 + Λ(ωi) + Λ(ωo))` (Heitz 2014, eq. 99).
     #[default]
     Correlated,
     /// Separable, as if independent: `G₂ = G₁(ωi) G₁(ωo)`, which is darker.
@@ -55,19 +58,19 @@ pub enum Masking {
 }
 
 impl<D: Microfacet, F: Fresnel> CookTorrance<D, F> {
-    /// The surface whose facets have this density and reflect so much, with height-correlated masking.
+    /// Creates the surface with this NDF and facet reflectance, with height-correlated masking.
     #[must_use]
     pub const fn new(density: D, fresnel: F) -> Self {
         Self { density, fresnel, masking: Masking::Correlated }
     }
 
-    /// Surface with this masking.
+    /// Sets the masking.
     #[must_use]
     pub fn with_masking(self, masking: Masking) -> Self {
         Self { masking, ..self }
     }
 
-    /// The density of normals.
+    /// The NDF.
     #[must_use]
     pub const fn facets(&self) -> &D {
         &self.density

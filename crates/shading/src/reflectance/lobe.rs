@@ -1,4 +1,4 @@
-//! Lobes of a BSDF: the reflectances that its layers are made of.
+//! Lobes of a BSDF: the BRDFs in its layers.
 
 use asperity_ndf_sampling::{Beckmann, Frame, Ndf, OffsetBeckmann, inverse_phi};
 use glam::{Vec2, Vec3};
@@ -13,17 +13,17 @@ use crate::reflectance::diffuse::EnergyPreservingOrenNayar;
 use crate::reflectance::fresnel::{Dielectric, Fresnel};
 use crate::reflectance::rough_dielectric::RoughDielectric;
 
-/// A reflectance with a weight, one of those that a layer of a [`Bsdf`](crate::reflectance::Bsdf) adds up.
+/// A BRDF with a weight, one of the terms of a layer of a [`Bsdf`](crate::reflectance::Bsdf).
 ///
-/// Diffuse and glossy reflectances are copied into it; of any other kind it holds a reference. Densities of normals of which a
-/// pixel resolves a part reflect by
+/// Diffuse and glossy BRDFs are copied into it; other kinds are stored as a reference. Partially
+/// resolved NDFs reflect by
 ///
 /// ```text
 /// f_r = colour · p(h | what is resolved) min(1, h_z/(ωo·h))/(4 max(cos θ_i, cos θ_o))
 /// ```
 ///
-/// whose factors make a reciprocal reflectance that keeps its energy of the density that is shown as it is (Kautz, Heidrich, Seidel
-/// 2001, §3.1): the albedo is at most `∫ p(h) h_z dh = 1`.
+/// The factors turn the plain NDF (Kautz, Heidrich, Seidel 2001, §3.1) into a reciprocal BRDF that
+/// conserves energy: the albedo is at most `∫ p(h) h_z dh = 1`.
 ///
 /// ```
 /// use asperity_shading::reflectance::Lobe;
@@ -55,7 +55,7 @@ enum Kind<'a> {
         base: CookTorrance<Beckmann, Vec3>,
         flake: Vec3,
         colour: Vec3,
-        /// The weight of the flake, and the mean of it around.
+        /// The weight of the flake, and its mean around it.
         weights: [f32; 2],
     },
     Resolved {
@@ -68,7 +68,7 @@ enum Kind<'a> {
     Other(&'a dyn Brdf),
 }
 
-/// A lobe as layers of other models have it.
+/// A lobe in terms of other material models.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum LobePart {
     /// A diffuse lobe: its albedo.
@@ -79,7 +79,7 @@ pub(crate) enum LobePart {
     Varnish(f32),
 }
 
-/// Facets of which a pixel sees a number: how many of a normal, over their mean.
+/// Counted facets of a pixel: the number with a normal over its mean.
 pub(crate) trait CountedFacets {
     /// `D̂(h)/D(h)`.
     fn relative(&self, h: Vec3, position: Vec3, footprint: Footprint) -> f32;
@@ -113,12 +113,12 @@ lobes! {
     CookTorrance<Beckmann, Dielectric> => Varnish;
     RoughDielectric<Beckmann> => Frosted;
     &'a dyn Brdf => Other;
-    /// A density of normals about a mean slope, of hand-made normal maps.
+    /// An NDF around a mean slope, for authored normal maps.
     OffsetBeckmann => Slopes;
 }
 
 impl<'a> Lobe<'a> {
-    /// A density of normals of which a pixel resolves a part, by a rule of level of detail.
+    /// A partially resolved NDF, shaded by a level-of-detail rule.
     #[must_use]
     pub fn resolved(ndf: &'a dyn Ndf, rule: LevelOfDetail, coordinates: Coordinates) -> Self {
         Self { kind: Kind::Resolved { ndf, rule, coordinates }, weight: Vec3::ONE }
@@ -134,7 +134,9 @@ impl<'a> Lobe<'a> {
         Self { kind: Kind::Counted { all, flakes, position, footprint }, weight: Vec3::ONE }
     }
 
-    /// A glossy lobe, and what a flake of this normal and color adds to it, by its weight over the mean of the weight around.
+    /// A glossy lobe plus a flake of this normal and color.
+    ///
+    /// The flake is weighted by its weight over the mean weight around it.
     pub(crate) fn sparkling(
         base: CookTorrance<Beckmann, Vec3>,
         flake: Vec3,
@@ -144,13 +146,13 @@ impl<'a> Lobe<'a> {
         Self { kind: Kind::Sparkling { base, flake, colour, weights }, weight: Vec3::ONE }
     }
 
-    /// The lobe times a colour, component by component; what is not positive counts as 0.
+    /// Multiplies the lobe by a color, component by component; non-positive components are read as 0.
     #[must_use]
     pub fn weighted(self, by: Vec3) -> Self {
         Self { weight: self.weight * by.max(Vec3::ZERO), ..self }
     }
 
-    /// Its colour and α², where it has those.
+    /// Its color and α², if it has them.
     pub(super) fn part(&self) -> Option<LobePart> {
         let alpha2 = |facets: &Beckmann| {
             0.5 * (facets.alpha_x() * facets.alpha_x() + facets.alpha_y() * facets.alpha_y())
@@ -165,7 +167,7 @@ impl<'a> Lobe<'a> {
         }
     }
 
-    /// About how much light it sends anywhere, by which lobes are sampled.
+    /// Its approximate albedo, by which lobes are sampled.
     pub(super) fn strength(&self, wo: Vec3) -> f32 {
         let own = match self.kind {
             Kind::Diffuse(diffuse) => diffuse.albedo(),
@@ -189,7 +191,7 @@ impl Brdf for Lobe<'_> {
             };
         }
         let h = half_vector(wi, wo);
-        // p(h) h_z is what a surface has of facets; they send on no more.
+        // p(h) h_z is the projected facet area of the surface, which bounds the reflected light.
         let shown = (h.z / wo.dot(h)).min(1.0) / (4.0 * wi.z.max(wo.z));
         let facets = |density: f32| Vec3::splat(finite(density * shown));
         let value = match &self.kind {
@@ -206,7 +208,7 @@ impl Brdf for Lobe<'_> {
                 // The cosine with the flake instead of the surface.
                 let white = CookTorrance::new(*base.facets(), *colour);
                 let bright = white.value(i, o) * (i.z.max(0.0) / wi.z.max(1e-3)).min(4.0);
-                // The points around give at most half of their light.
+                // The surrounding points lose at most half of their light.
                 let most = even * (0.5 / mean.max(1e-6));
                 even + (bright - even).max(Vec3::ZERO).min(most) * (weight - mean)
             }
@@ -227,7 +229,7 @@ impl Brdf for Lobe<'_> {
             Kind::Varnish(varnish) => varnish.sample(wo, u),
             Kind::Resolved { ndf, rule, coordinates } => {
                 let m = resolved_normal(*ndf, *rule, *coordinates, u);
-                // A facet of a facet may lie below the surface, where nothing is seen of it.
+                // A facet of a facet may be below the surface, where it is invisible.
                 if m.z > 0.0 { reflect(wo, m) } else { Vec3::NEG_Z }
             }
             Kind::Slopes(slopes) => reflect(wo, slopes.sample(u)),
@@ -265,7 +267,7 @@ impl Brdf for Lobe<'_> {
     }
 }
 
-/// A normal with the density that a pixel sees of the facets.
+/// Samples a normal of the NDF seen by the pixel.
 fn resolved_normal(ndf: &dyn Ndf, rule: LevelOfDetail, coordinates: Coordinates, u: Vec2) -> Vec3 {
     match rule {
         LevelOfDetail::Exact => {

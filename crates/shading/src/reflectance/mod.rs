@@ -1,4 +1,4 @@
-//! Reflectances: the trait and its models, smooth and rough, diffuse and glossy, with their samples.
+//! BRDFs and BSDFs: the trait and models, smooth and rough, diffuse and glossy, with sampling.
 
 mod absorption;
 pub(crate) mod brdf;

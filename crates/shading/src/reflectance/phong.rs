@@ -1,4 +1,4 @@
-//! Lobes of powers of cosines: Phong's about the mirrored direction, Blinn's about the half vector.
+//! Cosine-power lobes: Phong around the mirrored direction, Blinn–Phong around the half vector.
 
 use asperity_ndf_sampling::{BlinnPhong, Frame, Ndf};
 use core::f32::consts::{FRAC_1_PI, TAU};
@@ -9,20 +9,20 @@ use crate::math::{clamp_to, cos, exp, exp2, ln_1p, pow, sin, sqrt};
 use crate::parameter::{ParameterError, colour, within};
 use crate::reflectance::brdf::{Brdf, are_above, finite, mirrored_density};
 
-/// Phong's lobe about the mirrored direction, normalised.
+/// The normalized Phong lobe around the mirrored direction.
 ///
 /// ```text
 /// f_r = k_s (n + 2)/(2π) max(0, cos α)ⁿ,   α the angle between ωi and ωo mirrored in the normal
 /// ```
 ///
-/// - **Domain:** exponent n within `[0, 10⁶]`, specular colour `k_s` within `[0, 1]³`.
+/// - **Domain:** exponent n within `[0, 10⁶]`, specular color `k_s` within `[0, 1]³`.
 /// - **Range:** at least 0; reciprocal, as cos α is the same from both sides.
-/// - **Energy:** the albedo is at most `k_s`: `k_s` straight down, falling towards the horizon, below which a part of the
-///   lobe is lost.
-/// - **Sampling:** `(n + 1)/(2π) cosⁿ α`; what falls below the horizon brings nothing.
+/// - **Energy:** the albedo is at most `k_s`. It is `k_s` straight down and decreases towards the
+///   horizon, below which a part of the lobe is lost.
+/// - **Sampling:** `(n + 1)/(2π) cosⁿ α`; samples below the horizon contribute zero.
 ///
-/// Phong 1975, *Illumination for Computer Generated Pictures*; the factor by Lafortune, Willems 1994, *Using the modified
-/// Phong reflectance model for physically based rendering*, eq. 8.
+/// Phong 1975, *Illumination for Computer Generated Pictures*; the factor by Lafortune, Willems
+/// 1994, *Using the modified Phong reflectance model for physically based rendering*, eq. 8.
 ///
 /// ```
 /// use asperity_shading::{Brdf, Phong, glam::Vec3};
@@ -38,14 +38,15 @@ pub struct Phong {
     exponent: f32,
 }
 
-/// The largest exponent: beyond it, `f32` directions are coarser than the lobe.
+/// The largest exponent; beyond it `f32` directions are coarser than the lobe.
 const MAX_EXPONENT: f32 = 1e6;
 
 impl Phong {
-    /// The lobe of this colour and exponent.
+    /// Creates the lobe of this color and exponent.
     ///
     /// # Errors
-    /// [`ParameterError`] unless every component is within `[0, 1]` and the exponent within `[0, 10⁶]`.
+    /// [`ParameterError`] unless every component is within `[0, 1]` and the exponent within `[0,
+    /// 10⁶]`.
     pub fn new(specular: Vec3, exponent: f32) -> Result<Self, ParameterError> {
         let specular = colour("specular", specular)?;
         Ok(Self { specular, exponent: within("exponent", exponent, [0.0, MAX_EXPONENT])? })
@@ -58,7 +59,7 @@ impl Phong {
     }
 
     fn lobe(&self, wi: Vec3, wo: Vec3) -> f32 {
-        // 1 − cos α by the chord: the power magnifies the rounding of a cosine near 1.
+        // 1 − cos α from the chord, because the power magnifies the rounding of a cosine near 1.
         let chord = (wi - reflect(wo, Vec3::Z)).length_squared();
         if chord < 2.0 { exp(self.exponent * ln_1p(-0.5 * chord)) } else { 0.0 }
     }
@@ -88,25 +89,28 @@ impl Brdf for Phong {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum BlinnPhongFactor {
-    /// `(n + 2)(n + 4) / (8π (2^(−n/2) + n))`: straight down, the albedo is exactly `k_s` (Giesen 2009).
+    /// `(n + 2)(n + 4) / (8π (2^(−n/2) + n))`: straight down, the albedo is exactly `k_s` (Giesen
+    /// 2009).
     #[default]
     Albedo,
-    /// `(n + 8) / (8π)`: the usual approximation, whose albedo straight down is up to 7.5 % more (at n = 8).
+    /// `(n + 8) / (8π)`: the usual approximation, whose albedo straight down is up to 7.5 % larger
+    /// (at n = 8).
     Approximate,
-    /// `(n + 2) / (8π)`: a quarter of the density of normals, the microfacet model without its cosines.
+    /// `(n + 2) / (8π)`: a quarter of the NDF, the microfacet model without its cosines.
     Density,
 }
 
-/// Blinn's lobe about the half vector.
+/// The Blinn–Phong lobe around the half vector.
 ///
 /// ```text
 /// f_r = k_s c(n) (n·h)ⁿ
 /// ```
 ///
-/// - **Domain:** the exponents of the density [`BlinnPhong`], specular colour within `[0, 1]³`.
+/// - **Domain:** the exponents of the NDF [`BlinnPhong`], specular color within `[0, 1]³`.
 /// - **Range:** at least 0; reciprocal.
-/// - **Energy:** the albedo straight down is as [`BlinnPhongFactor`] says, and falls towards the horizon.
-/// - **Sampling:** `D(h) h_z` of the density, mirrored.
+/// - **Energy:** the albedo straight down is documented at [`BlinnPhongFactor`], and decreases
+///   towards the horizon.
+/// - **Sampling:** `D(h) h_z` of the NDF, reflected.
 /// - **Accuracy:** 3·10⁻⁶ relative to the formula, for exponents up to 1000.
 ///
 /// Blinn 1977, *Models of Light Reflection for Computer Synthesized Pictures*.
@@ -127,10 +131,11 @@ pub struct BlinnPhongLobe {
 }
 
 impl BlinnPhongLobe {
-    /// The lobe of this colour and exponent, with this factor.
+    /// Creates the lobe of this color and exponent, with this factor.
     ///
     /// # Errors
-    /// [`ParameterError`] unless every component is within `[0, 1]`, and for an exponent that [`BlinnPhong::new`] refuses.
+    /// [`ParameterError`] unless every component is within `[0, 1]`, and for an exponent that is
+    /// invalid in [`BlinnPhong::new`].
     pub fn new(specular: Vec3, exponent: f32, factor: BlinnPhongFactor) -> Result<Self, ParameterError> {
         let specular = colour("specular", specular)?;
         let density = BlinnPhong::new(within("exponent", exponent, [0.0, MAX_EXPONENT])?)
@@ -150,7 +155,7 @@ impl Brdf for BlinnPhongLobe {
         if !are_above(wi, wo) {
             return Vec3::ZERO;
         }
-        // ln cos by the tangent: the power magnifies the rounding of a cosine near 1.
+        // ln cos from the tangent, because the power magnifies the rounding of a cosine near 1.
         let (x, y) = ((wi.x + wo.x) / (wi.z + wo.z), (wi.y + wo.y) / (wi.z + wo.z));
         let lobe = exp(-0.5 * self.density.exponent() * ln_1p(x * x + y * y));
         self.specular * finite(self.factor * lobe)

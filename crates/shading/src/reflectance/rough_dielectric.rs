@@ -1,4 +1,4 @@
-//! Rough glass: microfacets that mirror and refract.
+//! Rough glass: microfacets that reflect and refract.
 
 use asperity_ndf_sampling::Microfacet;
 use glam::{Vec2, Vec3};
@@ -9,7 +9,7 @@ use crate::reflectance::absorption::through_wall;
 use crate::reflectance::brdf::{Brdf, finite, have_sides};
 use crate::reflectance::fresnel::Dielectric;
 
-/// A rough surface of glass, whose facets mirror and refract: the model of Walter and others, for any density with Smith's masking.
+/// Rough glass: the microfacet BSDF of Walter et al. (2007) for any NDF with Smith masking.
 ///
 /// ```text
 /// reflection     f = D(h) F G₁(ωi) G₁(ωo) / (4 |cos θ_i cos θ_o|),                           h ∝ ωi + ωo
@@ -18,27 +18,34 @@ use crate::reflectance::fresnel::Dielectric;
 /// thin wall      f = D(h) (1 − R) G₁(ωi′) G₁(ωo) tint^(1/cos θ_t) / (4 |cos θ_i cos θ_o|),   R = 2F/(1 + F), ωi′ = ωi mirrored
 /// ```
 ///
-/// with the indices η_i and η_o of the sides of ωi and ωo: 1 above the surface, the relative index of the [`Dielectric`] below. A view
-/// from below sees the backs of the same facets, `G₁(ω)` is then that of −ω.
+/// with the indices η_i and η_o of the sides of ωi and ωo: 1 above the surface, the relative index
+/// of the [`Dielectric`] below. A view from below sees the backs of the same facets, for which
+/// `G₁(ω)` is evaluated at −ω.
 ///
-/// - **Radiance over η²:** the change of radiance by `η_o²/η_i²` is left out, as by [`Coat::body`](crate::reflectance::Coat::body): it is
-///   undone where the light leaves. For radiance itself multiply what is transmitted by it (Walter's eq. 21 has it).
-/// - **Domain:** directions on both sides of the surface. An index nearer to 1 than 0.01 is moved away from it: where there is hardly an
-///   interface transmission has no density.
-/// - **Range:** at least 0, finite; `η_o² f(ωi, ωo) = η_i² f(ωo, ωi)`.
-///   A thin wall does the same both ways for densities that are symmetric about the normal.
-/// - **Accuracy:** within 1.1·10⁻⁴ of Mitsuba 3.9.1's values for GGX, which are in `f32` too. Single pairs of directions next to the
-///   critical angle are the exception: the reflectance has an infinite slope there, and the rounding of a direction changes it. For an
-///   index of 1.05 they differ from Mitsuba's by up to 1.3·10⁻³, and from values in `f64` by up to 4·10⁻³. Both ways are alike to 2·10⁻⁵.
-/// - **Energy:** the albedo over both half spheres is 1 without what shadowing loses, `E[G₁(ωi)]` over visible normals; it falls with
-///   roughness and towards the horizon, as multiple scattering is left out. A thin wall loses what its tint takes as well.
-/// - **Sampling:** visible normals (Heitz 2018), mirrored or refracted by their mean reflectance; a sample's weight is
-///   `F G₁(ωi)/q` or `(1 − F) G₁(ωi)/(1 − q)`, with q of the view.
-/// - **Thin wall:** a sheet with the same facets on both sides, seen as one. Light goes on as mirrored facets send it back, so it is
-///   spread as widely; a real sheet spreads it less, by about `(η − 1)/√2` of that.
+/// - **Radiance over η²:** the change of radiance by `η_o²/η_i²` is omitted, as in
+///   [`Coat::body`](crate::reflectance::Coat::body), because it is undone where the light leaves.
+///   For radiance itself multiply the transmitted light by it (eq. 21 of Walter et al. includes
+///   it).
+/// - **Domain:** directions on both sides of the surface. An index closer to 1 than 0.01 is moved
+///   away from 1, because transmission has no density if there is hardly an interface.
+/// - **Range:** at least 0, finite; `η_o² f(ωi, ωo) = η_i² f(ωo, ωi)`. A thin wall is reciprocal
+///   for NDFs that are symmetric around the normal.
+/// - **Accuracy:** within 1.1·10⁻⁴ of the values of Mitsuba 3.9.1 for GGX, which are in `f32` too.
+///   Single pairs of directions near the critical angle are the exception: the reflectance has an
+///   infinite slope there, and the rounding of a direction changes it. For an index of 1.05 they
+///   differ from Mitsuba by up to 1.3·10⁻³, and from values in `f64` by up to 4·10⁻³. Both
+///   directions agree to 2·10⁻⁵.
+/// - **Energy:** the albedo over both hemispheres is 1 except for the loss by shadowing,
+///   `E[G₁(ωi)]` over visible normals. It decreases with roughness and towards the horizon, because
+///   multiple scattering is omitted. A thin wall also loses the light absorbed by its tint.
+/// - **Sampling:** visible normals (Heitz 2018), reflected or refracted by their mean reflectance.
+///   The weight of a sample is `F G₁(ωi)/q` or `(1 − F) G₁(ωi)/(1 − q)`, with q of the view.
+/// - **Thin wall:** a sheet with the same facets on both sides, treated as one surface.
+///   Transmission is the mirror image of reflection, so it is scattered as widely. The scattering
+///   of a real sheet is narrower, about `(η − 1)/√2` of it.
 ///
-/// Walter, Marschner, Li, Torrance 2007, *Microfacet Models for Refraction through Rough Surfaces*, eq. 20, 21 and 23; Heitz 2018,
-/// *Sampling the GGX Distribution of Visible Normals*.
+/// Walter, Marschner, Li, Torrance 2007, *Microfacet Models for Refraction through Rough Surfaces*,
+/// eq. 20, 21 and 23; Heitz 2018, *Sampling the GGX Distribution of Visible Normals*.
 ///
 /// ```
 /// use asperity_shading::glam::{Vec2, Vec3};
@@ -49,7 +56,7 @@ use crate::reflectance::fresnel::Dielectric;
 /// let (wo, wi) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(-0.3, 0.1, -0.9).normalize());
 /// let (there, back) = (frosted.value(wi, wo), frosted.value(wo, wi));
 /// assert!(there.x > 0.0 && (there - 2.25 * back).length() < 1e-5);
-/// // Most of the light goes through.
+/// // Most of the light is transmitted.
 /// assert!(frosted.sample(wo, Vec2::new(0.7, 0.2)).z < 0.0);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
@@ -60,47 +67,47 @@ use crate::reflectance::fresnel::Dielectric;
 pub struct RoughDielectric<D> {
     density: D,
     fresnel: Dielectric,
-    /// The share that a thin wall lets through straight; none for the surface of a body.
+    /// The transmittance of a thin wall at normal incidence; `None` for the surface of a body.
     wall: Option<Vec3>,
 }
 
-/// The least distance of the index from 1.
+/// The minimum distance of the index from 1.
 const LEAST_STEP: f32 = 0.01;
 
-/// Random numbers whose visible normals give the mean reflectance of a view.
+/// Random numbers whose visible normals determine the mean reflectance of a view.
 const PROBES: [Vec2; 4] =
     [Vec2::new(0.15, 0.1), Vec2::new(0.4, 0.6), Vec2::new(0.65, 0.35), Vec2::new(0.9, 0.85)];
 
 /// A facet between two directions.
 struct Meeting {
-    /// Facet's normal, above the surface.
+    /// Normal of the facet, above the surface.
     h: Vec3,
     /// |ωi·h| and |ωo·h|.
     cosines: [f32; 2],
-    /// Whether light goes through it.
+    /// Whether it transmits.
     crosses: bool,
     /// Solid angle of facets over that of ωi: `dω_h/dω_i`.
     jacobian: f32,
 }
 
 impl<D: Microfacet> RoughDielectric<D> {
-    /// The surface of a body of glass with facets of this density.
+    /// Creates the surface of a body of glass with this NDF.
     #[must_use]
     pub fn new(density: D, fresnel: Dielectric) -> Self {
         Self { density, fresnel: apart(fresnel), wall: None }
     }
 
-    /// A thin wall, both sides of it, that lets through this share of the light beside what it mirrors, straight through.
+    /// Creates a thin wall of both its sides, with the transmittance `tint` at normal incidence.
     ///
-    /// At an angle the way through is longer: `tint^(1/cos θ_t)`, by Beer and Lambert's law. A tint that is not within `[0, 1]³` is
-    /// clamped to it.
+    /// At an angle the path is longer: `tint^(1/cos θ_t)`, by the Beer–Lambert law. A tint outside
+    /// `[0, 1]³` is clamped.
     #[must_use]
     pub fn thin(density: D, fresnel: Dielectric, tint: Vec3) -> Self {
         let tint = tint.map(|share| clamp_to(share, 1.0));
         Self { density, fresnel: apart(fresnel), wall: Some(tint) }
     }
 
-    /// The density of normals.
+    /// The NDF.
     #[must_use]
     pub const fn facets(&self) -> &D {
         &self.density
@@ -112,18 +119,18 @@ impl<D: Microfacet> RoughDielectric<D> {
         &self.fresnel
     }
 
-    /// Interface of a facet as light from `w` meets it.
+    /// Interface of a facet for light from `w`.
     fn interface(&self, w: Vec3) -> Dielectric {
         if w.z < 0.0 && self.wall.is_none() { self.fresnel.reversed() } else { self.fresnel }
     }
 
-    /// Share that a facet mirrors of light at this angle on the side of `w`.
+    /// Reflectance of a facet at this angle on the side of `w`.
     fn reflectance(&self, w: Vec3, cosine: f32) -> f32 {
         let once = self.interface(w).reflectance(cosine);
         if self.wall.is_some() { 2.0 * once / (1.0 + once) } else { once }
     }
 
-    /// The facet that sends light of `wi` into `wo`; none where it would be seen from behind.
+    /// The facet that scatters light of `wi` into `wo`; `None` if it would be seen from behind.
     fn meeting(&self, wi: Vec3, wo: Vec3) -> Option<Meeting> {
         if !have_sides(wi, wo) {
             return None;
@@ -137,7 +144,7 @@ impl<D: Microfacet> RoughDielectric<D> {
             let h = up(sum).normalize_or_zero();
             let (i, o) = (wi.dot(h), wo.dot(h));
             let both = index_i * i + index_o * o;
-            // A facet that both directions see from the same side does not refract one into the other.
+            // A facet that both directions see from the same side does not refract.
             if i * wi.z <= 0.0 || o * wo.z <= 0.0 {
                 return None;
             }
@@ -152,12 +159,13 @@ impl<D: Microfacet> RoughDielectric<D> {
         (meeting.h.z > 0.0).then_some(meeting)
     }
 
-    /// Share of light that the facet of a meeting sends on, by colour.
+    /// Fraction of light that the facet of a meeting scatters, by color.
     fn share(&self, wo: Vec3, meeting: &Meeting) -> Vec3 {
         let [incident, cosine] = meeting.cosines;
         match (meeting.crosses, self.wall) {
             (false, _) => Vec3::splat(self.reflectance(wo, cosine)),
-            // By the cosine above the surface both ways: that below is ill conditioned near the critical angle.
+            // Both ways from the cosine above the surface, because the one below is ill conditioned
+            // near the critical angle.
             (true, None) => {
                 let above = if wo.z > 0.0 { cosine } else { incident };
                 Vec3::splat(1.0 - self.fresnel.reflectance(above))
@@ -169,7 +177,8 @@ impl<D: Microfacet> RoughDielectric<D> {
         }
     }
 
-    /// Chance to mirror, by the mean over visible normals: neither way is left out.
+    /// Probability of reflection, from the mean over visible normals, so that both cases are
+    /// sampled.
     fn chance(&self, wo: Vec3) -> f32 {
         let v = seen_from_above(wo);
         let sum: f32 =
@@ -185,7 +194,7 @@ fn apart(fresnel: Dielectric) -> Dielectric {
     Dielectric::clamped(away)
 }
 
-/// The direction from which facets above are seen as `w` sees them.
+/// The direction from which facets above look as `w` sees them.
 fn seen_from_above(w: Vec3) -> Vec3 {
     if w.z < 0.0 { -w } else { w }
 }
@@ -195,7 +204,7 @@ impl<D: Microfacet> Brdf for RoughDielectric<D> {
         let Some(meeting) = self.meeting(wi, wo) else {
             return Vec3::ZERO;
         };
-        // A thin wall's far side is seen through it, as if light came from above.
+        // The far side of a thin wall is seen through it, as if light came from above.
         let back = if meeting.crosses && self.wall.is_some() { Vec3::new(wi.x, wi.y, -wi.z) } else { wi };
         let masking = self.density.g2_separable(seen_from_above(back), seen_from_above(wo));
         let facets = self.density.density(meeting.h) * masking * meeting.cosines[1] * meeting.jacobian;

@@ -1,4 +1,4 @@
-//! The microfacet model over grooves of the shape of a V, for any density of normals.
+//! The Torrance–Sparrow microfacet model with V-shaped grooves, for any NDF.
 
 use asperity_ndf_sampling::Ndf;
 use glam::{Vec2, Vec3};
@@ -7,21 +7,23 @@ use crate::direction::{half_vector, reflect};
 use crate::reflectance::brdf::{Brdf, are_above, finite, mirrored_density};
 use crate::reflectance::fresnel::Fresnel;
 
-/// The microfacet model of Torrance and Sparrow, whose facets are the walls of V-shaped grooves: any density will do.
+/// The Torrance–Sparrow microfacet model with V-shaped grooves, for any NDF.
 ///
 /// ```text
 /// f_r = D(h) F(ωo·h) G / (4 cos θ_i cos θ_o)
 /// G   = min(1, 2 h_z cos θ_o / (ωo·h), 2 h_z cos θ_i / (ωo·h))
 /// ```
 ///
-/// - **Domain:** any [`Ndf`], tables and painted densities too: the masking does not depend on it.
-/// - **Range:** at least 0, finite; reciprocal to the bit.
-/// - **Energy:** the albedo is at most that of the facets for densities that are symmetric about the normal, whose grooves
-///   the masking is made for (Heitz 2014, §3.3.2). Of others it may pass 1 near the horizon.
-/// - **Sampling:** `D(h) h_z`, mirrored.
+/// - **Domain:** any [`Ndf`], including tables and painted NDFs, because the masking does not
+///   depend on it.
+/// - **Range:** at least 0, finite; reciprocal bit for bit.
+/// - **Energy:** the albedo is at most that of the facets for NDFs that are symmetric around the
+///   normal, for which the masking is derived (Heitz 2014, §3.3.2). For others it may exceed 1 near
+///   the horizon.
+/// - **Sampling:** `D(h) h_z`, reflected.
 ///
-/// Torrance, Sparrow 1967, *Theory for Off-Specular Reflection From Roughened Surfaces*; Blinn 1977, *Models of Light Reflection
-/// for Computer Synthesized Pictures*; Cook, Torrance 1982, eq. 2.
+/// Torrance, Sparrow 1967, *Theory for Off-Specular Reflection From Roughened Surfaces*; Blinn
+/// 1977, *Models of Light Reflection for Computer Synthesized Pictures*; Cook, Torrance 1982, eq. 2.
 ///
 /// ```
 /// use asperity_shading::ndf_sampling::BlinnPhong;
@@ -38,13 +40,13 @@ pub struct TorranceSparrow<D, F> {
 }
 
 impl<D: Ndf, F: Fresnel> TorranceSparrow<D, F> {
-    /// The surface whose facets have this density and reflect so much.
+    /// Creates the surface with this NDF and facet reflectance.
     #[must_use]
     pub const fn new(density: D, fresnel: F) -> Self {
         Self { density, fresnel }
     }
 
-    /// The density of normals.
+    /// The NDF.
     #[must_use]
     pub const fn facets(&self) -> &D {
         &self.density
@@ -63,9 +65,9 @@ impl<D: Ndf, F: Fresnel> Brdf for TorranceSparrow<D, F> {
             return Vec3::ZERO;
         }
         let h = half_vector(wi, wo);
-        // ωo·h = ωi·h, which the rounding of either product would tell apart: by 5 % at 89.9°.
+        // ωo·h = ωi·h, but the rounding of each product would make them different: by 5 % at 89.9°.
         let cosine = 0.5 * (wi + wo).length();
-        // G/(cos θ_i cos θ_o), with the cosine that is the lesser cancelled.
+        // G/(cos θ_i cos θ_o), with the smaller cosine cancelled.
         let (low, high) = if wi.z < wo.z { (wi.z, wo.z) } else { (wo.z, wi.z) };
         let masked = (1.0 / low).min(2.0 * h.z / cosine) / high;
         finite(self.density.density(h) * masked * 0.25) * self.fresnel.reflectance_rgb(cosine)

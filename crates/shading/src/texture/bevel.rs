@@ -1,4 +1,4 @@
-//! Ridges along the edges of a figure.
+//! Ridges along the edges of a polygon.
 
 use glam::{Vec2, Vec3};
 
@@ -6,7 +6,7 @@ use crate::direction;
 use crate::math::sqrt;
 use crate::parameter::{ParameterError, positive, within};
 
-/// The profile of a ridge along an edge: a plateau beside the edge, then a flank down to the face.
+/// The profile of a ridge along an edge: a plateau next to the edge, then a flank down to the face.
 ///
 /// ```text
 /// distance d to the edge   0 … plateau          height H, slope 0
@@ -15,13 +15,15 @@ use crate::parameter::{ParameterError, positive, within};
 /// H = (top + bottom)/2 · (ridge − plateau)
 /// ```
 ///
-/// Slopes are how fast the height falls away from the edge; negative ones make a groove. Widths are in the unit of the distance.
-/// The figure's [`Edge`] gives the distance and the direction away from it, and the gradient of the height is the slope along that
+/// Slopes are the decrease of the height with the distance from the edge; negative slopes make a
+/// groove. Widths are in the unit of the distance. The [`Edge`] of the polygon contains the
+/// distance and the direction away from it. The gradient of the height is the slope along this
 /// direction.
 ///
-/// Cohen, *Procedural Bump Mapping and Noise*, "Bevelling Effects": ridge and plateau widths, slopes at the top and the bottom of
-/// the ridge, perpendicular to the closest edge. The lecture leaves the ridge function open; this is the one with the least
-/// curvature for its four parameters.
+/// Cohen, *Procedural Bump Mapping and Noise*, "Bevelling Effects": ridge and plateau widths,
+/// slopes at the top and the bottom of the ridge, perpendicular to the closest edge. The lecture
+/// does not specify the ridge function; this one has the smallest curvature for its four
+/// parameters.
 ///
 /// ```
 /// use asperity_shading::texture::{Bevel, Edge};
@@ -31,7 +33,7 @@ use crate::parameter::{ParameterError, positive, within};
 /// let tile = [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
 /// let edge = Edge::nearest(&tile, Vec2::new(0.5, 0.06)).unwrap();
 /// let [height, slope] = bevel.profile(edge.distance);
-/// // Half way down the flank, which falls away from the edge below.
+/// // Halfway down the flank, which descends away from the edge below.
 /// assert!((slope + 0.5).abs() < 1e-6 && height > 0.0 && edge.away == Vec2::Y);
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
@@ -44,11 +46,12 @@ pub struct Bevel {
 }
 
 impl Bevel {
-    /// The ridge with a plateau of this width, `ridge` wide in all, and these slopes where its flank begins and ends.
+    /// Creates a ridge of width `ridge` with this plateau, and these slopes at the ends of its
+    /// flank.
     ///
     /// # Errors
-    /// [`ParameterError`] unless `0 ≤ plateau < ridge`, all four are finite, and no slope is beyond `f32::MAX/(4 max(1, ridge))`: heights
-    /// are finite.
+    /// [`ParameterError`] unless `0 ≤ plateau < ridge`, all four are finite, and no slope is beyond
+    /// `f32::MAX/(4 max(1, ridge))`: heights are finite.
     pub fn new(plateau: f32, ridge: f32, top: f32, bottom: f32) -> Result<Self, ParameterError> {
         // A plateau as wide as the ridge leaves no flank.
         within("plateau", plateau, [0.0, positive("ridge", ridge)?.next_down()])?;
@@ -72,19 +75,19 @@ impl Bevel {
         self.flank
     }
 
-    /// Slope where the flank begins, falling positive.
+    /// Slope where the flank begins, positive downward.
     #[must_use]
     pub const fn top(&self) -> f32 {
         self.top
     }
 
-    /// Slope where the flank ends, falling positive.
+    /// Slope where the flank ends, positive downward.
     #[must_use]
     pub const fn bottom(&self) -> f32 {
         self.bottom
     }
 
-    /// Height and its derivative by the distance, at a distance from the edge; flat at a distance that is no number.
+    /// Height and its derivative by the distance, at a distance from the edge; flat for NaN.
     #[must_use]
     pub fn profile(&self, distance: f32) -> [f32; 2] {
         let x = (distance - self.plateau) / self.flank;
@@ -100,10 +103,12 @@ impl Bevel {
         }
     }
 
-    /// The facets between two distances from the edge: the share of each and its slope by the distance, as a pixel sees them.
+    /// The facets between two distances from the edge: fraction and slope of each, as seen by a
+    /// pixel.
     ///
-    /// The shares add up to 1. A cut of the flank is two facets, by the formula of Gauss: a lighting model's mean over them is what
-    /// the pixel shows, where the model at the mean slope is something else. An interval that is empty or no number is its middle.
+    /// The fractions add up to 1. A part of the flank is two facets, by Gauss quadrature. The pixel
+    /// shows the mean of a lighting model over them, which differs from the model at the mean
+    /// slope. An empty or NaN interval is replaced by its middle.
     ///
     /// ```
     /// use asperity_shading::texture::Bevel;
@@ -114,7 +119,7 @@ impl Bevel {
     ///     shares += share;
     ///     slope += share * s;
     /// });
-    /// // The mean slope is what the height falls by, over the interval.
+    /// // The mean slope is the decrease of the height over the interval.
     /// let fall = (bevel.profile(0.2)[0] - bevel.profile(0.0)[0]) / 0.2;
     /// assert!((shares - 1.0_f32).abs() < 1e-6 && (slope - fall).abs() < 1e-6);
     /// # Ok::<(), asperity_shading::ParameterError>(())
@@ -139,7 +144,9 @@ impl Bevel {
         visit((1.0 - flank / width).max(0.0), 0.0);
     }
 
-    /// The mean height between two distances from the edge, the first not below 0; an interval that is empty or no number is its middle.
+    /// The mean height between two distances from the edge, the first not below 0.
+    ///
+    /// An empty or NaN interval is replaced by its middle.
     pub(crate) fn mean_height(&self, low: f32, high: f32) -> f32 {
         let width = high - low;
         if !(width > 0.0 && width.is_finite()) {
@@ -152,21 +159,22 @@ impl Bevel {
         (plateau * self.profile(0.0)[0] + 0.5 * flank * (heights[0] + heights[1])) / width
     }
 
-    /// The mean height of a whole square tile of the side 1 whose edges have this ridge.
+    /// The mean height of a whole square tile of side 1 whose edges have this ridge.
     pub(crate) fn mean_height_of_tile(&self) -> f32 {
         rings().map(|[low, high, share]| share * self.mean_height(low, high)).sum()
     }
 
-    /// The lowest and the highest of the ridge; the ground is 0.
+    /// The minimum and the maximum of the ridge; the ground is 0.
     pub(crate) fn range(&self) -> [f32; 2] {
-        // Where the slope changes its sign the height turns.
+        // The height has an extremum where the slope changes its sign.
         let turn = self.top / (self.top - self.bottom);
         let turn = if turn > 0.0 && turn < 1.0 { turn } else { 0.0 };
         let heights = [self.profile(0.0)[0], self.profile(self.plateau + turn * self.flank)[0]];
         heights.into_iter().fold([0.0, 0.0], |[low, high], height| [low.min(height), high.max(height)])
     }
 
-    /// The facets of a whole square tile of the side 1 whose edges have this ridge, in rings about its middle.
+    /// The facets of a whole square tile of side 1 whose edges have this ridge, in rings around its
+    /// center.
     pub(crate) fn tile(&self, mut visit: impl FnMut(f32, f32)) {
         for [low, high, ring] in rings() {
             self.facets(low, high, |share, slope| visit(ring * share, slope));
@@ -174,10 +182,11 @@ impl Bevel {
     }
 }
 
-/// The two places of Gauss's rule in an interval of length 1.
+/// The two Gauss points in an interval of length 1.
 const GAUSS: [f32; 2] = [0.211_324_87, 0.788_675_1];
 
-/// Rings about the middle of a square tile of the side 1: their distances from its edge, and the share of each.
+/// Rings around the center of a square tile of side 1: distances from its edge, and fraction of
+/// each.
 fn rings() -> impl Iterator<Item = [f32; 3]> {
     (0..16_u8).map(|k| {
         let [low, high] = [k, k + 1].map(|k| f32::from(k) / 32.0);
@@ -186,19 +195,22 @@ fn rings() -> impl Iterator<Item = [f32; 3]> {
     })
 }
 
-/// The edge of a polygon that is closest to a point.
+/// The closest edge of a polygon to a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Edge {
     /// Distance to it, at least 0.
     pub distance: f32,
-    /// The unit direction from its closest point to the point; across the edge where the point lies on it.
+    /// The unit direction from its closest point to the point; perpendicular to the edge for a
+    /// point on it.
     pub away: Vec2,
 }
 
 impl Edge {
-    /// The closest edge of the polygon with these corners, in either orientation, from a point within or without.
+    /// The closest edge of the polygon with these corners, for a point inside or outside.
     ///
-    /// `None` for fewer than two corners, and where no edge's distance is a number.
+    /// The corners may have either orientation.
+    ///
+    /// `None` for fewer than two corners, and if all distances are NaN.
     #[must_use]
     pub fn nearest(corners: &[Vec2], p: Vec2) -> Option<Self> {
         let mut nearest: Option<Self> = None;
@@ -220,7 +232,7 @@ impl Edge {
         let t = if length > 0.0 { (offset.dot(along) / length).clamp(0.0, 1.0) } else { 0.0 };
         let apart = offset - t * along;
         let distance = sqrt(apart.dot(apart));
-        // Twice: a distance near 1e-22 has lost digits, because its square is subnormal.
+        // Twice, because a distance near 1e-22 has lost digits: its square is subnormal.
         let across = || direction::along(along.perp().extend(0.0)).map_or(Vec2::Y, Vec3::truncate);
         let away = (apart / distance).try_normalize().unwrap_or_else(across);
         Self { distance, away }
@@ -262,7 +274,7 @@ mod tests {
     }
 
     #[test]
-    fn a_bevel_tells_what_it_was_made_of() {
+    fn accessors_return_the_constructor_arguments() {
         let bevel = Bevel::new(0.25, 0.75, -0.5, 0.125).unwrap();
         assert_eq!([bevel.plateau(), bevel.flank(), bevel.top(), bevel.bottom()], [0.25, 0.5, -0.5, 0.125]);
     }
@@ -276,7 +288,8 @@ mod tests {
                 let places = (0..4000_u16).map(|k| low + (high - low) * (f32::from(k) + 0.5) / 4000.0);
                 let heights: f32 = places.map(|d| bevel.profile(d)[0]).sum();
                 let mean = bevel.mean_height(low, high);
-                // The rule is exact of heights, which are of the second degree; sums of 4000 numbers below 0.2 are rounded.
+                // The rule is exact for heights, which are of the second degree; sums of 4000
+                // numbers below 0.2 are rounded.
                 assert_abs_diff_eq!(
                     mean,
                     heights / 4000.0,
@@ -285,7 +298,7 @@ mod tests {
                 );
                 assert!((least - 1e-7..=most + 1e-7).contains(&mean), "{least}, {mean}, {most}");
             }
-            // A half of a tile, from the middle of an edge: triangles of rings.
+            // Half of a tile, from the middle of an edge: triangles of rings.
             let side = 512_u16;
             let middle = |k: u16| (f32::from(k) + 0.5) / f32::from(side);
             let mut sum = 0.0_f64;
@@ -295,13 +308,14 @@ mod tests {
                 sum += f64::from(bevel.profile(edge)[0]);
             }
             let mean = (sum / f64::from(side).powi(2)) as f32;
-            // Rings are even: what a share of 1/16 at the inner side weighs less, of heights that turn by 0.2.
+            // Rings are uniform: the smaller weight of a fraction of 1/16 at the inner side, of
+            // heights that change by 0.2.
             assert_abs_diff_eq!(bevel.mean_height_of_tile(), mean, epsilon = 1e-3);
         }
     }
 
     #[test]
-    fn distances_that_are_none_are_flat() {
+    fn profile_of_nan_is_flat() {
         let bevel = Bevel::new(0.1, 0.6, 0.3, 0.9).unwrap();
         assert_eq!(bevel.profile(f32::NAN), [0.0, 0.0]);
         assert_eq!(bevel.profile(f32::INFINITY), [0.0, 0.0]);

@@ -1,4 +1,4 @@
-//! A wall of bricks with grooves of mortar.
+//! A brick wall with mortar grooves.
 
 use glam::Vec2;
 
@@ -14,9 +14,10 @@ use crate::pixel::PixelEllipse;
 /// height = smoothstep up over half the mortar, down over the other: a rounded pulse in s times one in t
 /// ```
 ///
-/// [`sample`](Self::sample) is the lecture's texture at a point, [`filtered`](Self::filtered) its exact mean over a box, for
-/// pixels of any size. Lengths are in the unit of the texture coordinates; the height runs from 0 in the middle of the mortar to 1
-/// on the brick, and is for the caller to scale: the lecture displaces by the whole unit, which only a calculated normal survives.
+/// [`sample`](Self::sample) is the texture of the lecture at a point, [`filtered`](Self::filtered)
+/// its exact mean over a box, for pixels of any size. Lengths are in the unit of the texture
+/// coordinates. The height is 0 in the middle of the mortar and 1 on the brick, and the caller
+/// scales it. The lecture displaces by the whole unit, which works only with a computed normal.
 ///
 /// Cohen, *Procedural Bump Mapping and Noise*, listing `brickbump` (after Peachey in Ebert 1994).
 ///
@@ -27,7 +28,7 @@ use crate::pixel::PixelEllipse;
 /// let middle = wall.sample(Vec2::new(0.13, 0.045));
 /// assert_eq!((middle.brick, middle.height, middle.slope), (1.0, 1.0, Vec2::ZERO));
 /// assert_eq!(wall.sample(Vec2::ZERO).brick, 0.0);
-/// // From afar a wall has the colour of its mean.
+/// // From afar a wall has its mean color.
 /// let far = wall.filtered(Vec2::new(0.3, 0.7), PixelEllipse::aligned(Vec2::splat(1000.0)));
 /// assert!((far.brick - wall.mean()).abs() < 1e-4);
 /// ```
@@ -35,24 +36,24 @@ use crate::pixel::PixelEllipse;
 pub struct Brick {
     /// Width and height of a brick with its mortar.
     cell: Vec2,
-    /// Half the mortar as a share of the cell.
+    /// Half the mortar as a fraction of the cell.
     margin: Vec2,
 }
 
 /// Sample of a [`Brick`] wall at a point; the default is mortar.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BrickSample {
-    /// The share of brick, 1, against mortar, 0.
+    /// The fraction of brick, 1, versus mortar, 0.
     pub brick: f32,
     /// The height above the middle of the mortar, in `[0, 1]`.
     pub height: f32,
     /// `(∂height/∂u, ∂height/∂v)`.
     pub slope: Vec2,
-    /// Which brick: column and row, for a colour of its own. The middle one of a filtered sample.
+    /// Column and row of the brick, for a color per brick; the middle one of a filtered sample.
     pub cell: [i32; 2],
 }
 
-/// The lecture's: 0.25 by 0.08 with 0.01 of mortar.
+/// The bricks of the lecture: 0.25 by 0.08 with 0.01 of mortar.
 impl Default for Brick {
     fn default() -> Self {
         Self { cell: Vec2::new(0.26, 0.09), margin: Vec2::new(0.005 / 0.26, 0.005 / 0.09) }
@@ -60,11 +61,12 @@ impl Default for Brick {
 }
 
 impl Brick {
-    /// Bricks of this width and height, with mortar of this thickness between them.
+    /// Creates bricks of this width and height, with mortar of this thickness between them.
     ///
     /// # Errors
-    /// [`ParameterError`] unless all are finite, width and height at least 10⁻³⁰ and the mortar at least 0. Mortar that is thinner
-    /// than 10⁻³⁰, or than twice this part of a brick, counts as none, so that all slopes are finite.
+    /// [`ParameterError`] unless all are finite, width and height at least 10⁻³⁰ and the mortar at
+    /// least 0. Mortar thinner than 10⁻³⁰, or than twice this fraction of a brick, is ignored, so
+    /// that all slopes are finite.
     pub fn new(width: f32, height: f32, mortar: f32) -> Result<Self, ParameterError> {
         let side = |parameter, side| within(parameter, positive(parameter, side)?, [THINNEST, f32::MAX]);
         let present = |mortar: f32| if mortar < THINNEST { 0.0 } else { mortar };
@@ -74,7 +76,7 @@ impl Brick {
         Ok(Self { cell, margin: Vec2::new(present(margin.x), present(margin.y)) })
     }
 
-    /// The share of the wall that is brick.
+    /// The fraction of the wall that is brick.
     #[must_use]
     pub fn mean(&self) -> f32 {
         (1.0 - 2.0 * self.margin.x) * (1.0 - 2.0 * self.margin.y)
@@ -96,11 +98,11 @@ impl Brick {
         }
     }
 
-    /// The mean of the wall over the box about a pixel of its plane, and the slope of that mean height.
+    /// The mean of the wall over the bounding box of a pixel, and the slope of the mean height.
     ///
-    /// Exact, by antiderivatives of the four pulses over even and over odd rows: no sampling, at any width. A side of less than
-    /// 2⁻¹⁰ of a brick counts as none. A width that is not a number counts as infinite, where the mean is that of the whole wall; so
-    /// do widths above 2¹⁶ bricks.
+    /// Exact, by antiderivatives of the four pulses over even and odd rows, without sampling, at
+    /// any width. Sides below 2⁻¹⁰ of a brick are read as 0. NaN widths, and widths above 2¹⁶
+    /// bricks, return the mean of the whole wall.
     #[must_use]
     pub fn filtered(&self, uv: Vec2, pixel: PixelEllipse) -> BrickSample {
         let widths = pixel.sides();
@@ -119,13 +121,14 @@ impl Brick {
             sample.height += across.round * row.round;
             sample.slope += Vec2::new(across.slope * row.round, across.round * row.slope) / self.cell;
         }
-        // Sums of shares, rounded.
+        // Sums of fractions, rounded.
         sample.brick = clamp_to(sample.brick, 1.0);
         sample.height = clamp_to(sample.height, 1.0);
         sample
     }
 
-    /// The middle of a box in its cell, its sides in cells, and the cell without the shift of its row.
+    /// The center of a box in its cell, its sides in cells, and the cell without the shift of its
+    /// row.
     pub(super) fn boxed(&self, uv: Vec2, widths: Vec2) -> Option<(f32, f32, [f32; 2], [i32; 2])> {
         let (s, t, cell) = self.place(uv)?;
         let widest = |width: f32, cell: f32| {
@@ -142,7 +145,7 @@ impl Brick {
         self.cell
     }
 
-    /// Half the mortar as a share of the cell.
+    /// Half the mortar as a fraction of the cell.
     #[doc(hidden)]
     #[must_use]
     pub const fn margin(&self) -> Vec2 {
@@ -161,13 +164,13 @@ impl Brick {
     }
 }
 
-/// The least side of a brick and thickness of mortar, and half of this as a share of a brick.
+/// The minimum side of a brick and thickness of mortar, and half of this as a fraction of a brick.
 const THINNEST: f32 = 1e-30;
 
 pub(super) const LEAST: f32 = 1.0 / 1024.0;
 const MOST: f32 = 65536.0;
 
-/// The brick in a cell, at this place in its shifted row.
+/// The brick in a cell, at this position in its shifted row.
 fn brick_of([column, row]: [i32; 2], shifted: f32) -> [i32; 2] {
     [column.saturating_add(i32::from(shifted >= 1.0)), row]
 }
@@ -176,17 +179,17 @@ pub(super) fn shift(row: i32) -> f32 {
     if row % 2 == 0 { 0.0 } else { 0.5 }
 }
 
-/// A pulse of period 1 that is 0 within the margin of whole numbers; sharp, and with rounded flanks.
+/// A pulse of period 1 that is 0 within the margin of integers; sharp, and with rounded flanks.
 #[derive(Clone, Copy)]
 pub(super) struct Pulse(pub(super) f32);
 
-/// Values of both pulses and the slope of the round one; or their means, and the slope of that mean.
+/// Values of both pulses and the slope of the round one; or their means, and the slope of the mean.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Value {
     pub(super) step: f32,
     pub(super) round: f32,
     pub(super) slope: f32,
-    /// Share of an interval that lies in rows of one kind.
+    /// Fraction of an interval that lies in rows of one kind.
     pub(super) length: f32,
 }
 
@@ -221,7 +224,7 @@ impl Pulse {
         }
     }
 
-    /// Mean over the interval of this width about `x`.
+    /// The mean over the interval of this width around `x`.
     pub(super) fn over(self, x: f32, width: f32) -> Value {
         if width < LEAST {
             return self.at(x - floor(x));
@@ -232,7 +235,7 @@ impl Pulse {
         Value { slope: ends / width, ..Value::rate(a, b, width) }
     }
 
-    /// Integrals from 0 to `x`, of any sign.
+    /// Integrals from 0 to `x`, of either sign.
     fn antiderivative(self, x: f32) -> Value {
         let whole = floor(x);
         let within = self.integral(x - whole);
@@ -248,7 +251,7 @@ impl Pulse {
     fn integral(self, f: f32) -> Value {
         let m = self.0;
         let step = (f - m).clamp(0.0, 1.0 - 2.0 * m);
-        // ∫ of the rising flank to x of its width.
+        // ∫ of the rising flank up to x of its width.
         let rise = |x: f32| m * x * x * x * (1.0 - 0.5 * x);
         let round = if f < m {
             rise(f / m)
@@ -270,7 +273,7 @@ impl Rows {
         if t < 1.0 { Self([value, Value::default()]) } else { Self([Value::default(), value]) }
     }
 
-    /// Over the interval of this width about `t`, where row 0 is even.
+    /// Over the interval of this width around `t`, where row 0 is even.
     pub(super) fn over(pulse: Pulse, t: f32, width: f32) -> Self {
         let (low, high) = (t - 0.5 * width, t + 0.5 * width);
         Self([0.0, 1.0].map(|row| {
@@ -323,13 +326,13 @@ mod tests {
     }
 
     #[test]
-    fn wall_is_that_of_the_listing() {
+    fn sample_matches_the_listing() {
         for (width, height, mortar) in [WALLS[0], WALLS[1], WALLS[3]] {
             let wall = Brick::new(width, height, mortar).unwrap();
             for i in 0..4000 {
                 let uv = Vec2::new(-3.0 + 0.001_73 * i as f32, 2.0 - 0.001_31 * i as f32);
                 let (sample, (brick, bump)) = (wall.sample(uv), listing(&wall, uv));
-                // Rounding may decide otherwise within 1e-5 of the edge.
+                // Rounding may decide differently within 1e-5 of the edge.
                 let near = wall.filtered(uv, PixelEllipse::aligned(wall.cell * 2.1e-3));
                 assert!(sample.brick == brick || (near.brick > 0.0 && near.brick < 1.0), "{uv}");
                 assert_abs_diff_eq!(sample.height, bump, epsilon = 2e-4, "{uv}");
@@ -338,7 +341,7 @@ mod tests {
     }
 
     #[test]
-    fn slope_is_the_heights() {
+    fn slopes_match_finite_differences() {
         let wall = Brick::new(1.0, 0.7, 0.4).unwrap();
         let h = 1e-3;
         for i in 0..300 {
@@ -347,7 +350,8 @@ mod tests {
                 let at = |by: Vec2| wall.filtered(uv + by, PixelEllipse::aligned(widths)).height;
                 let by = differences(at, Vec2::ZERO, h);
                 let got = wall.filtered(uv, PixelEllipse::aligned(widths)).slope;
-                // Third derivatives are 12/0.2³ at most, and the flanks begin with a leap of the second, 6/0.2².
+                // Third derivatives are 12/0.2³ at most, and the second derivative jumps by 6/0.2²
+                // at the start of the flanks.
                 assert_abs_diff_eq!(got, by, epsilon = 0.2, "{uv}, {widths}");
             }
         }
@@ -390,7 +394,7 @@ mod tests {
     }
 
     #[test]
-    fn bricks_are_counted_along_their_rows() {
+    fn brick_indices_follow_their_rows() {
         let wall = Brick::new(1.0, 1.0, 0.0).unwrap();
         assert_eq!(wall.sample(Vec2::new(0.6, 0.5)).cell, [0, 0]);
         assert_eq!(wall.sample(Vec2::new(0.4, 1.5)).cell, [0, 1]);

@@ -1,4 +1,4 @@
-//! The slopes within a pixel of a brick wall, as a few facets with their shares.
+//! The slopes within a pixel of a brick wall, as a few facets with weights.
 
 use glam::Vec2;
 
@@ -6,7 +6,7 @@ use crate::math::floor;
 use crate::pixel::PixelEllipse;
 use crate::texture::brick::{Brick, LEAST, Pulse, Rows, shift};
 
-/// A part of a pulse within an interval: how much of it, its height and its slope.
+/// A part of a pulse within an interval: its fraction, height and slope.
 #[derive(Clone, Copy, Debug)]
 struct Part {
     share: f32,
@@ -17,12 +17,16 @@ struct Part {
 }
 
 impl Brick {
-    /// The facets of the wall within the box about a pixel of its plane: the share of each, brick 1 or mortar 0, and its slope.
+    /// The facets of the wall within the bounding box of a pixel.
     ///
-    /// The shares add up to 1. A lighting model's mean over the facets is what the pixel shows: of a steep groove, the model at the
-    /// [mean slope](Self::filtered) shows something else. A flank within the box is two facets. Those of a whole flank have the slopes
-    /// 0.6 and 1.5 of its mean, and facets of a cut flank change to these over the last fifth; a box over the whole wall has 50. A box is read as [`filtered`](Self::filtered) reads it; coordinates that
-    /// are not finite are one facet of mortar.
+    /// Each has a fraction, brick 1 or mortar 0, and a slope.
+    ///
+    /// The fractions add up to 1. The pixel shows the mean of a lighting model over the facets; for
+    /// a steep groove the model at the [mean slope](Self::filtered) differs. A flank within the box
+    /// is two facets. The facets of a whole flank have the slopes 0.6 and 1.5 of its mean, and
+    /// facets of a cut flank blend to these over the last fifth. A box over the whole wall has 50
+    /// facets. The box is computed as in [`filtered`](Self::filtered); non-finite coordinates are
+    /// one facet of mortar.
     ///
     /// ```
     /// use asperity_shading::{Brick, PixelEllipse, glam::Vec2};
@@ -76,7 +80,7 @@ impl Brick {
 }
 
 impl Pulse {
-    /// The parts of the pulse over an interval, whose shares add up to 1.
+    /// The parts of the pulse over an interval, whose fractions add up to 1.
     fn parts(self, low: f32, high: f32, mut visit: impl FnMut(Part)) {
         let width = high - low;
         let m = self.0;
@@ -96,7 +100,8 @@ impl Pulse {
                     if to > from {
                         let share = (to - from) / width;
                         flanks += share;
-                        // Two points of Gauss, which become those of a whole flank over its last fifth.
+                        // Two Gauss points, which become those of a whole flank over its last
+                        // fifth.
                         let whole = (5.0 * (to - from) / m - 4.0).clamp(0.0, 1.0);
                         for (at, share_of_whole, slope_of_whole) in
                             [(0.211_324_87, 5.0 / 9.0, 0.6), (0.788_675_1, 4.0 / 9.0, 1.5)]
@@ -121,7 +126,7 @@ impl Pulse {
     }
 }
 
-/// The parts of many whole pulses: rising and falling flanks are as good as equally many.
+/// The parts of many whole pulses, with nearly equal numbers of rising and falling flanks.
 fn whole(length: f32, plateau: f32, m: f32, visit: &mut impl FnMut(Part)) {
     let flanks = (length - plateau).max(0.0);
     for sign in [1.0, -1.0] {
@@ -130,7 +135,7 @@ fn whole(length: f32, plateau: f32, m: f32, visit: &mut impl FnMut(Part)) {
     visit(Part { share: length - if m > 0.0 { flanks } else { 0.0 }, step: 1.0, round: 1.0, slope: 0.0 });
 }
 
-/// Three points of Gauss over a flank, of which the outer two have the same slope.
+/// Three Gauss points over a flank, of which the outer two have the same slope.
 fn whole_flank(share: f32, mean: f32, visit: &mut impl FnMut(Part)) {
     if share > 0.0 && mean.is_finite() {
         visit(Part { share: share * (5.0 / 9.0), step: 0.0, round: 0.5, slope: 0.6 * mean });
@@ -162,7 +167,8 @@ mod tests {
                 });
                 assert_abs_diff_eq!(shares, 1.0, epsilon = 1e-4, "{uv} {size}");
                 assert_abs_diff_eq!(brick, filtered.brick, epsilon = 2e-3, "{uv} {size}");
-                // Half a flank's rise, at most, on either side of a box wider than a brick, and corners.
+                // At most half the rise of a flank on either side of a box wider than a brick, and
+                // corners.
                 let bound = 0.6 / size.min(wall.cell());
                 let apart = (slope - filtered.slope).abs();
                 assert!(apart.x < bound.x && apart.y < bound.y, "{uv} {size}: {slope} {}", filtered.slope);

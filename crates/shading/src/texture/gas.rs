@@ -1,4 +1,4 @@
-//! Gas as a density in space, shaped into steam, and light through it.
+//! Gas as a density in space, steam, and light through it.
 
 use asperity_noise::{Field, Normalisation, Octaves, Perlin2002, Spectrum, Turbulence, simd::Kernel};
 use glam::Vec3;
@@ -7,14 +7,14 @@ use crate::math::{clamp_to, exp, floor, pow, sin, sqrt};
 use crate::parameter::{ParameterError, positive};
 use crate::pixel::Footprint;
 
-/// Gas: turbulence, raised to a power.
+/// Gas: turbulence raised to a power.
 ///
 /// ```text
 /// density(p) = (max_density · t(p))^exponent,   t = Σ |nᵢ(fᵢ p)|/fᵢ / Σ 1/fᵢ
 /// ```
 ///
-/// or with `t` replaced by `(1 + sin πt)/2`, for veins. Cohen, *Procedural Bump Mapping and Noise*, listings `turbulence` and `gas`;
-/// there the sum is not divided, which only scales `max_density`.
+/// or with `t` replaced by `(1 + sin πt)/2`, for veins. Cohen, *Procedural Bump Mapping and Noise*,
+/// listings `turbulence` and `gas`. There the sum is not divided, which only scales `max_density`.
 ///
 /// ```
 /// use asperity_shading::texture::Gas;
@@ -33,7 +33,7 @@ pub struct Gas<K = Perlin2002> {
     veins: bool,
 }
 
-/// Five octaves of Perlin's noise at lacunarity 2.17, densest 2, exponent 3.
+/// Five octaves of Perlin noise at lacunarity 2.17, maximum density 2, exponent 3.
 impl Default for Gas {
     fn default() -> Self {
         let octaves =
@@ -49,7 +49,7 @@ impl Default for Gas {
 }
 
 impl<K: Kernel<3>> Gas<K> {
-    /// The gas of the first `octaves` octaves of a turbulence.
+    /// Creates gas from the first `octaves` octaves of a turbulence.
     ///
     /// # Errors
     /// [`ParameterError`] unless `max_density` and `exponent` are finite and positive.
@@ -65,30 +65,32 @@ impl<K: Kernel<3>> Gas<K> {
         Ok(Self { turbulence, octaves, max_density, exponent, veins: false })
     }
 
-    /// Gas with veins: the sine of the turbulence.
+    /// Adds veins: the sine of the turbulence.
     #[must_use]
     pub fn with_veins(self) -> Self {
         Self { veins: true, ..self }
     }
 
-    /// The turbulence; octaves, greatest density, exponent; whether there are veins.
+    /// The turbulence; octaves, maximum density, exponent; whether there are veins.
     #[doc(hidden)]
     #[must_use]
     pub const fn parts(&self) -> (&Octaves<K, 3, Turbulence>, [f32; 3], bool) {
         (&self.turbulence, [self.octaves, self.max_density, self.exponent], self.veins)
     }
 
-    /// The density at a point, at least 0; that of no turbulence where the point is not finite.
+    /// The density at a point, at least 0; the density without turbulence if the point is not
+    /// finite.
     #[must_use]
     pub fn density(&self, p: Vec3) -> f32 {
         self.of(self.turbulence.value(p))
     }
 
-    /// The density as a pixel of this footprint sees it: the mean over what octaves that it does not resolve would add.
+    /// The density as seen by a pixel: the mean over unresolved octaves.
     ///
-    /// Turbulence of the octaves that are left, with the mean of the others, at three points of the distribution that these would
-    /// give it (the formula of Gauss and Hermite): the density of the mean is less than the mean of densities, by 36 % for the gas of
-    /// the lecture, and this by 1.4 %.
+    /// The turbulence of the resolved octaves, with the mean of the others, is evaluated at three
+    /// points of the distribution of the unresolved sum (Gauss–Hermite quadrature). The density of
+    /// the mean is less than the mean density, by 36 % for the gas of the lecture. This
+    /// approximation errs by 1.4 %.
     #[must_use]
     pub fn clamped_density(&self, p: Vec3, footprint: Footprint) -> f32 {
         let field = self.turbulence.detail(self.octaves).clamped(footprint.width());
@@ -116,7 +118,7 @@ impl<K: Kernel<3>> Gas<K> {
         if total > 0.0 { sum * (second - first * first) / (total * total) } else { 0.0 }
     }
 
-    /// No density is greater.
+    /// An upper bound of the density.
     #[must_use]
     pub fn densest(&self) -> f32 {
         pow(self.max_density, self.exponent).min(f32::MAX)
@@ -141,14 +143,15 @@ impl<K: Kernel<3>> Gas<K> {
     }
 }
 
-/// The room over a cup in which gas is steam: a slab that thins out from its axis and with the height.
+/// Steam over a cup: a slab of gas that thins out with the distance from its axis and the height.
 ///
 /// ```text
 /// share(p) = (1 − smoothstep(0, 1, d/radius)) · (1 − z/height)   for 0 ≤ z ≤ height, else 0
 /// ```
 ///
-/// with `z` the height above the surface of the tea and `d` the distance from its axis. Cohen, *Procedural Bump Mapping and Noise*,
-/// "Placing and Shaping Gas": attenuated by the distance from the centre of the tea's surface and by the height above it.
+/// with `z` the height above the surface of the tea and `d` the distance from its axis. Cohen, *Procedural
+/// Bump Mapping and Noise*, "Placing and Shaping Gas": attenuated by the distance from the center
+/// of the surface of the tea and by the height above it.
 ///
 /// ```
 /// use asperity_shading::texture::Steam;
@@ -167,7 +170,7 @@ pub struct Steam {
 }
 
 impl Steam {
-    /// Steam over the surface of tea with this centre; z points up.
+    /// Creates steam over a surface of tea with this center; z points up.
     ///
     /// # Errors
     /// [`ParameterError`] unless radius and height are finite and positive.
@@ -175,10 +178,12 @@ impl Steam {
         Ok(Self { centre, radius: positive("radius", radius)?, height: positive("height", height)? })
     }
 
-    /// The part of a ray inside the room, in units of the direction's length; empty, its ends the other way round, where it passes.
+    /// The interval of a ray inside the slab, in units of the length of the direction.
     ///
-    /// Outside of it [`share`](Self::share) is 0: a [`march`] through it and a step more at both ends adds up what one along the whole
-    /// ray does, bit for bit.
+    /// An interval with reversed ends means that the ray misses.
+    ///
+    /// Outside of it [`share`](Self::share) is 0. A [`march`] through it, extended by a step at
+    /// both ends, returns the same bits as one along the whole ray.
     ///
     /// ```
     /// use asperity_shading::texture::Steam;
@@ -214,11 +219,11 @@ impl Steam {
             NOWHERE
         };
         let [near, far] = [round[0].max(upright[0]), round[1].min(upright[1])];
-        // The root of what is negative is NaN, which comparisons find.
+        // The root of a negative number is NaN, which comparisons detect.
         if near <= far && round[0] <= round[1] { [near, far] } else { NOWHERE }
     }
 
-    /// The share of gas that is left at a point, in `[0, 1]`; 0 where the point is not finite.
+    /// The fraction of gas at a point, in `[0, 1]`; 0 where the point is not finite.
     #[must_use]
     pub fn share(&self, p: Vec3) -> f32 {
         let from = p - self.centre;
@@ -235,30 +240,34 @@ impl Steam {
 /// Light and transmittance along a ray through gas.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen {
-    /// The light that the gas adds, in the unit of what `light` returns.
+    /// The light that the gas adds, in the unit of the result of `light`.
     pub light: Vec3,
-    /// The share of light from behind that comes through, in `[0, 1]`.
+    /// The transmittance, in `[0, 1]`.
     pub transmittance: f32,
 }
 
-/// Light along a ray through gas.
+/// Marches a ray through gas and returns light and transmittance.
 ///
 /// ```text
 /// L = Σ_k T_k (1 − e^(−σ_k Δ)) light(x_k),   T_(k+1) = T_k e^(−σ_k Δ),   x_k = origin + (k + offset) Δ direction
 /// ```
 ///
-/// - **Steps** stand at whole multiples of the step from the origin of the ray, moved by `offset` in `[0, 1]`, wherever the interval
-///   begins and ends: a shape that moves or is clipped does not make its gas swim. The first and the last step count by the part of
-///   them inside the interval. At most 65,536 steps; a longer interval gets longer ones.
-/// - `extinction(x)` is σ per unit of length, light that is scattered or absorbed; values that are negative or NaN count as 0.
-/// - `interval` within the ray, in units of the direction's length; empty or NaN intervals are clear.
-/// - **Accuracy:** exact where extinction and light are constant; otherwise of second order in the step for an offset of 1/2.
+/// - **Steps** are at integer multiples of the step from the origin of the ray, shifted by `offset`
+///   in `[0, 1]`, regardless of where the interval begins and ends. The gas of a shape that moves
+///   or is clipped therefore does not swim. The first and the last step are weighted by their part
+///   inside the interval. There are at most 65,536 steps; a longer interval has longer steps.
+/// - `extinction(x)` is σ per unit of length, for scattering and absorption; negative and NaN
+///   values are read as 0.
+/// - `interval` is an interval of the ray, in units of the length of the direction; empty or NaN
+///   intervals are clear.
+/// - **Accuracy:** exact where extinction and light are constant; otherwise of second order in the
+///   step for an offset of 1/2.
 ///
 /// ```
 /// use asperity_shading::texture::march;
 /// use asperity_shading::glam::Vec3;
 ///
-/// // Fog of extinction 0.5 over a length of 2 lets 1/e through, whatever the step.
+/// // Fog of extinction 0.5 over a length of 2 transmits 1/e for any step.
 /// let seen = march(Vec3::ZERO, Vec3::X, [1.0, 3.0], 0.3, 0.5, |_| 0.5, |_| Vec3::ONE);
 /// assert!((seen.transmittance - (-1.0f32).exp()).abs() < 1e-6);
 /// assert!((seen.light.x + seen.transmittance - 1.0).abs() < 1e-6);
@@ -307,19 +316,20 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn gas_from_afar_is_as_dense_as_gas_from_nearby_is_on_average() {
+    fn clamped_density_is_the_mean_density() {
         let gas = Gas::default();
         let point = |k: u16| 7.3 * f32::from(k) * Vec3::new(0.819_172_5, 0.671_043_6, 0.549_700_5);
         let mean = (0..20_000).map(|k| gas.density(point(k))).sum::<f32>() / 20_000.0;
         let far = gas.clamped_density(Vec3::ZERO, Footprint::from_width(100.0));
         let of_mean = gas.of(gas.turbulence.first(gas.octaves).clamped(100.0).value(Vec3::ZERO));
-        // Deviations of densities are about their mean: 0.7 % of it. The third moment of the turbulence is left out; measured: 1.4 %.
+        // Standard deviations of densities are about their mean: 0.7 % of it. The third moment of
+        // the turbulence is omitted; measured: 1.4 %.
         assert_abs_diff_eq!(far / mean, 1.0, epsilon = 0.04);
         assert!(of_mean < 0.85 * mean, "{of_mean} for {mean}");
     }
 
     #[test]
-    fn density_is_the_listings() {
+    fn density_matches_the_listing() {
         let gas = Gas::default();
         for i in 0..100 {
             let p = Vec3::new(0.37 * i as f32, 1.1, -0.21 * i as f32);
@@ -359,7 +369,7 @@ mod tests {
     }
 
     #[test]
-    fn unresolved_gas_is_even() {
+    fn unresolved_gas_is_uniform() {
         let gas = Gas::default();
         let far = |x: f32| gas.clamped_density(Vec3::splat(x), Footprint::from_width(100.0));
         assert!((far(0.3) - far(7.9)).abs() < 1e-6 && far(0.3) > 0.0);
@@ -367,7 +377,7 @@ mod tests {
     }
 
     #[test]
-    fn steam_ends_at_its_room() {
+    fn steam_ends_at_its_bounds() {
         let steam = Steam::new(Vec3::ZERO, 1.0, 2.0).unwrap();
         assert_eq!(steam.share(Vec3::new(0.0, 0.0, 2.0)), 0.0);
         assert_eq!(steam.share(Vec3::new(0.0, 0.0, -0.01)), 0.0);
@@ -378,7 +388,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_outside_of_the_rays_part_of_the_room() {
+    fn share_is_zero_outside_of_the_interval() {
         let steam = Steam::new(Vec3::new(0.3, -0.2, 0.5), 0.8, 1.9).unwrap();
         let mut inside = 0;
         for i in 0..400_u16 {
@@ -442,7 +452,7 @@ mod tests {
     }
 
     #[test]
-    fn gas_may_be_a_wall_or_nothing() {
+    fn march_accepts_opaque_and_empty_gas() {
         let murky = march(Vec3::ZERO, Vec3::X, [0.0, 1.0], 0.1, 0.5, |_| f32::INFINITY, |_| Vec3::ONE);
         assert_eq!(murky.transmittance, 0.0);
         let clear = march(Vec3::ZERO, Vec3::X, [0.0, 1.0], 0.1, 0.5, |_| f32::NAN, |_| Vec3::ONE);

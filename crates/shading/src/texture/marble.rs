@@ -1,4 +1,4 @@
-//! Blue marble: a spline of colours over a sum of noise.
+//! Blue marble: a color spline over a sum of noise.
 
 use asperity_noise::{Noise, Perlin2002, removed_share};
 use glam::Vec3;
@@ -7,16 +7,17 @@ use crate::math::sqrt;
 use crate::parameter::{ParameterError, positive};
 use crate::pixel::Footprint;
 
-/// Marble: the sum of a few octaves of noise picks a colour from a spline.
+/// Marble: the sum of a few octaves of noise selects a color from a spline.
 ///
 /// ```text
 /// m(p) = Σ n(s fᵢ p)/fᵢ,   fᵢ = 2.17ⁱ,   i = 0 … 3,   s the texture's scale
 /// colour(m) = Catmull–Rom spline through thirteen colours at clamp(2m + 0.75, 0, 1)
 /// ```
 ///
-/// The first and the last colour only steer the spline, as in RenderMan's, so that ten pieces remain. Where a pixel does not resolve
-/// the upper octaves, [`colour`](Self::colour) is the mean of the spline over what they would add, and not the colour of the mean:
-/// marble keeps its colour from afar.
+/// The first and the last color are control points only, as in the spline of RenderMan, so ten
+/// pieces remain. If a pixel does not resolve the upper octaves, [`colour`](Self::colour) is the
+/// mean of the spline over them, and not the color of the mean. Marble therefore keeps its color
+/// from afar.
 ///
 /// Cohen, *Procedural Bump Mapping and Noise*, listing `blue_marble`.
 ///
@@ -47,8 +48,7 @@ const DARKER: Vec3 = Vec3::new(0.03, 0.03, 0.20);
 const COLOURS: [Vec3; 13] =
     [PALE, PALE, MEDIUM, MEDIUM, MEDIUM, PALE, PALE, DARK, DARK, DARKER, DARKER, PALE, DARKER];
 
-/// The lecture's: Perlin's noise, scale 2.5.
-/// Polynomials of the spline.
+/// The marble of the lecture: Perlin noise, scale 2.5. Polynomials of the spline.
 const PIECES: usize = COLOURS.len() - 3;
 
 /// The integral of the spline before each piece, in pieces.
@@ -67,7 +67,7 @@ const BEFORE: [Vec3; PIECES] = {
     sums
 };
 
-/// The integral of Catmull and Rom's polynomial between the middle two of four values.
+/// The integral of the Catmull–Rom polynomial between the middle two of four values.
 const fn mean_of_piece([a, b, c, d]: [f32; 4]) -> f32 {
     (13.0 * (b + c) - (a + d)) / 24.0
 }
@@ -79,7 +79,8 @@ impl Default for Marble {
 }
 
 impl<N: Noise<Vec3> + Clone> Marble<N> {
-    /// Marble of a noise with values about `[−1, 1]`, `scale` cells of its first octave per unit.
+    /// Creates marble from a noise with values in about `[−1, 1]`, `scale` cells of its first
+    /// octave per unit.
     ///
     /// # Errors
     /// [`ParameterError`] unless the scale is finite and positive.
@@ -100,12 +101,13 @@ impl<N: Noise<Vec3> + Clone> Marble<N> {
         self.resolved(p, 0.0).sum
     }
 
-    /// The colour at a point, linear RGB, as a pixel of this footprint sees it.
+    /// The linear RGB color at a point, as seen by a pixel of this footprint.
     ///
-    /// Octave i keeps the share `1 − kᵢ` that [`removed_share`] leaves of half the footprint: at the whole of it, octaves would
-    /// vanish that a pixel's mean still shows. What is removed has the measured distribution of sums
-    /// of the noise at its variance. What is kept still varies within the pixel, by its gradient. The colour is
-    /// the mean of the spline over both.
+    /// Octave i keeps the fraction `1 − kᵢ` of [`removed_share`] for half the footprint; for the
+    /// whole footprint, octaves would vanish that are still visible in the mean over a pixel. The
+    /// removed part has the measured distribution of sums of the noise at its variance. The kept
+    /// part still varies within the pixel, by its gradient. The color is the mean of the spline
+    /// over both.
     #[must_use]
     pub fn colour(&self, p: Vec3, footprint: Footprint) -> Vec3 {
         let width = footprint.width();
@@ -114,7 +116,7 @@ impl<N: Noise<Vec3> + Clone> Marble<N> {
         }
         let Resolved { sum, removed, within } = self.resolved(p, width);
         if removed == 0.0 {
-            // An interval has a twelfth of its square for variance.
+            // The variance of an interval is a twelfth of its square.
             let half = sqrt(3.0 * within);
             return End::of(sum - half).mean_until(&End::of(sum + half));
         }
@@ -131,7 +133,7 @@ impl<N: Noise<Vec3> + Clone> Marble<N> {
         mean
     }
 
-    /// The colours over `x` in `[0, 1]`, clamped; NaN is 0.
+    /// The spline over `x`, clamped to `[0, 1]`; NaN is read as 0.
     #[must_use]
     pub fn spline(x: f32) -> Vec3 {
         let (_, t, [b, linear, square, cube]) = Self::piece(x);
@@ -149,7 +151,7 @@ impl<N: Noise<Vec3> + Clone> Marble<N> {
         (before + within) / PIECES as f32 + Self::spline(1.0) * (x - 1.0).max(0.0)
     }
 
-    /// The piece of `x`, its place there, and the polynomial.
+    /// The piece of `x`, the position in it, and the polynomial.
     fn piece(x: f32) -> (usize, f32, [Vec3; 4]) {
         let x = if x > 0.0 { x.min(1.0) * PIECES as f32 } else { 0.0 };
         let piece = (x as usize).min(PIECES - 1);
@@ -171,7 +173,8 @@ impl<N: Noise<Vec3> + Clone> Marble<N> {
                 let seed = self.seed.wrapping_add(i as u32);
                 let sample = self.noise.clone().with_seed(seed).sample(p * (self.scale * frequency));
                 resolved.sum += kept / frequency * sample.value;
-                // A surface cuts two of three directions of space. A line varies without end, noise by its variance.
+                // A surface contains two of three directions of space. A line varies without bound,
+                // noise by its variance.
                 let rate = kept * self.scale * width;
                 let line = sample.gradient.dot(sample.gradient) * rate * rate / 18.0;
                 if line > 0.0 {
@@ -187,9 +190,9 @@ impl<N: Noise<Vec3> + Clone> Marble<N> {
 
 /// An end of an interval of sums.
 struct End {
-    /// Its place on the spline.
+    /// Its position on the spline.
     x: f32,
-    /// The spline's integral up to it.
+    /// The integral of the spline up to it.
     area: Vec3,
 }
 
@@ -199,10 +202,11 @@ impl End {
         Self { x, area: Marble::<Perlin2002>::antiderivative(x) }
     }
 
-    /// The mean colour over the sums from here to another end.
+    /// The mean color over the sums from here to another end.
     fn mean_until(&self, end: &Self) -> Vec3 {
         let width = end.x - self.x;
-        // Below this the difference of antiderivatives has fewer digits than the polynomial in the middle.
+        // Below this the difference of antiderivatives has fewer digits than the polynomial at the
+        // midpoint.
         if width > 0.01 {
             (end.area - self.area) / width
         } else {
@@ -214,16 +218,16 @@ impl End {
 /// The sum as a pixel resolves it.
 struct Resolved {
     sum: f32,
-    /// The variance of what it does not resolve.
+    /// The variance of the unresolved part.
     removed: f32,
-    /// The variance within it of what it does.
+    /// The variance of the resolved part within the pixel.
     within: f32,
 }
 
-/// The share of a footprint by which octaves are removed.
+/// The fraction of a footprint by which octaves are removed.
 const SOFTER: f32 = 0.5;
 
-/// Parts of the distribution of what is removed.
+/// Parts of the distribution of the removed octaves.
 const PARTS: usize = 16;
 
 #[cfg(test)]
@@ -242,7 +246,7 @@ mod tests {
             if k > 0 && k < 10 {
                 let (left, right) =
                     (Blue::spline(x) - Blue::spline(x - h), Blue::spline(x + h) - Blue::spline(x));
-                // The second derivative leaps, by less than 200.
+                // The second derivative is discontinuous, by less than 200.
                 assert_abs_diff_eq!(right, left, epsilon = 200.0 * h * h, "knot {k}");
             }
         }
@@ -253,7 +257,7 @@ mod tests {
     }
 
     #[test]
-    fn antiderivative_is_the_splines() {
+    fn antiderivative_matches_the_spline() {
         let h = 1e-3;
         for k in -30..130 {
             let x = 0.01 * k as f32 + 0.003;

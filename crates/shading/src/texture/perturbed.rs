@@ -1,4 +1,4 @@
-//! Texture coordinates moved by noise.
+//! Texture coordinates displaced by noise.
 
 use asperity_noise::{Noise, Perlin2002};
 use glam::{Vec2, Vec3};
@@ -6,14 +6,15 @@ use glam::{Vec2, Vec3};
 use crate::math::sqrt;
 use crate::pixel::Footprint;
 
-/// Moves the texture coordinates of a surface by noise at its points, so that any image on it runs.
+/// Displaces the texture coordinates of a surface by noise.
 ///
 /// ```text
 /// s′ = s + strength_x n(scale P),   t′ = t + strength_y n(scale P + (1.5, 6.7, 3.4))
 /// ```
 ///
-/// Two channels of one noise, kept apart by an offset; Cohen, *Procedural Bump Mapping and Noise*, listing `perturb`. Here the second
-/// channel has a seed of its own beside the offset, because channels on one lattice are not independent.
+/// Two channels of one noise, separated by an offset; Cohen, *Procedural Bump Mapping and Noise*,
+/// listing `perturb`. Here the second channel has its own seed in addition to the offset, because
+/// channels on one lattice are not independent.
 ///
 /// ```
 /// use asperity_shading::texture::PerturbedTexture;
@@ -25,34 +26,36 @@ use crate::pixel::Footprint;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PerturbedTexture<N = Perlin2002> {
-    /// The noise, with values about `[−1, 1]`.
+    /// The noise, with values in about `[−1, 1]`.
     pub noise: N,
     /// Cells of the noise per unit of the positions.
     pub scale: f32,
-    /// Greatest displacement of either coordinate.
+    /// Maximum displacement of either coordinate.
     pub strength: Vec2,
-    /// Which noise.
+    /// Random seed.
     pub seed: u32,
 }
 
-/// The lecture's: 0.2 cells per unit, by 0.1 and 0.05.
+/// The perturbation of the lecture: 0.2 cells per unit, by 0.1 and 0.05.
 impl Default for PerturbedTexture {
     fn default() -> Self {
         Self { noise: Perlin2002::default(), scale: 0.2, strength: Vec2::new(0.1, 0.05), seed: 0 }
     }
 }
 
-/// A place of a texture, and how far what a pixel sees is spread about it.
+/// A position in a texture, and the spread of the unresolved displacement around it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PerturbedLookUp {
     /// The texture coordinates.
     pub uv: Vec2,
-    /// The standard deviation of either.
+    /// The standard deviation of either coordinate.
     pub spread: Vec2,
 }
 
 impl<N: Noise<Vec3> + Clone> PerturbedTexture<N> {
-    /// Perturbed texture coordinates for the point `p` of the surface with coordinates `uv`; `uv` itself where `p` is not finite.
+    /// Perturbed texture coordinates for the surface point `p` with coordinates `uv`.
+    ///
+    /// Returns `uv` itself where `p` is not finite.
     #[must_use]
     pub fn coordinates(&self, p: Vec3, uv: Vec2) -> Vec2 {
         let q = p * self.scale;
@@ -61,10 +64,11 @@ impl<N: Noise<Vec3> + Clone> PerturbedTexture<N> {
         uv + self.strength * Vec2::new(self.noise.clone().with_seed(self.seed).value(q), second)
     }
 
-    /// Perturbed texture coordinates as a pixel of this footprint sees them, with the deviations of their spread.
+    /// Perturbed texture coordinates as seen by a pixel, with the standard deviations of their
+    /// spread.
     ///
-    /// Noise that the pixel does not resolve fades to 0, and what it moved the texture by is a blur: a box that is
-    /// `√(width² + 12 spread²)` wide sees both.
+    /// Unresolved noise fades to 0, and its displacement becomes a blur. A box of width `√(width² +
+    /// 12 spread²)` covers both.
     ///
     /// ```
     /// use asperity_shading::texture::PerturbedTexture;
@@ -94,7 +98,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn points_that_are_none_move_nothing() {
+    fn invalid_points_are_not_displaced() {
         let uv = Vec2::new(0.25, 0.75);
         for bad in [Vec3::NAN, Vec3::INFINITY, Vec3::new(0.0, f32::NAN, 0.0)] {
             assert_eq!(PerturbedTexture::default().coordinates(bad, uv), uv);
@@ -102,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn directions_move_apart() {
+    fn both_directions_are_independent() {
         let running = PerturbedTexture { strength: Vec2::ONE, scale: 1.0, ..PerturbedTexture::default() };
         let (mut xy, mut xx, mut yy) = (0.0_f64, 0.0_f64, 0.0_f64);
         for i in 0..20_000 {
@@ -115,7 +119,7 @@ mod tests {
             xx += moved[0] * moved[0];
             yy += moved[1] * moved[1];
         }
-        // Correlation of independent channels over some 10⁴ cells.
+        // Correlation of independent channels over about 10⁴ cells.
         assert!(xx > 0.0 && yy > 0.0 && (xy / (xx * yy).sqrt()).abs() < 0.05, "{}", xy / (xx * yy).sqrt());
     }
 }

@@ -15,10 +15,12 @@ use crate::pixel::Footprint;
 /// star: n points at radius r_max, notches at r_min between them
 /// ```
 ///
-/// A point sees the stars of its own and the eight neighbouring cells. The listing is corrected in two places, which
-/// [`as_listed`](Self::as_listed) keeps for comparison: a fraction of a turn is used as an angle in radians, which makes the
-/// notches shallow; and its chance and offsets come from lattice noise, which neither is uniform nor keeps to the chance. Its third,
-/// `CELLSIZE (1/NCELLS)`, an integer division that is 0, leaves nothing to reproduce.
+/// Each point tests the stars of its cell and the eight neighboring cells. The listing is corrected
+/// in two places, which [`as_listed`](Self::as_listed) keeps for comparison. First, a fraction of a
+/// turn is used as an angle in radians, which makes the notches shallow. Second, the chance and the
+/// offsets come from lattice noise, which is not uniform and does not match the chance. A third
+/// error, `CELLSIZE (1/NCELLS)`, is an integer division with result 0, which leaves nothing to
+/// reproduce.
 ///
 /// Cohen, *Procedural Bump Mapping and Noise*, listing `wallpaper`.
 ///
@@ -28,9 +30,9 @@ use crate::pixel::Footprint;
 /// use asperity_shading::texture::StarWallpaper;
 ///
 /// let wallpaper = StarWallpaper::default();
-/// // From afar, the share of stars.
+/// // From afar, the fraction of stars.
 /// assert_eq!(wallpaper.coverage(Vec2::new(0.3, 0.8), Footprint::from_width(10.0)), wallpaper.mean());
-/// // Close by it is star or ground.
+/// // Up close it is star or ground.
 /// let share = wallpaper.coverage(Vec2::new(0.3, 0.8), Footprint::from_width(0.0));
 /// assert!(share == 0.0 || share == 1.0);
 /// ```
@@ -44,10 +46,11 @@ pub struct StarWallpaper {
     seed: u32,
 }
 
-/// Scatter of a star's centre about that of its cell, in cells.
+/// Maximum offset of the center of a star from the center of its cell, in cells.
 const SCATTER: f32 = 0.6;
 
-/// The lecture's: ten cells per unit, stars of five points, radii 0.01 and 0.03, by a chance of 0.55 for each cell.
+/// The stars of the lecture: ten cells per unit, five points, radii 0.01 and 0.03, a chance of 0.55
+/// per cell.
 impl Default for StarWallpaper {
     fn default() -> Self {
         Self { points: 5, r_min: 0.01, r_max: 0.03, cells: 10.0, chance: 0.55, seed: 0 }
@@ -55,12 +58,15 @@ impl Default for StarWallpaper {
 }
 
 impl StarWallpaper {
-    /// Stars of `points` points with notches at `r_min` and points at `r_max`, in a share `chance` of `cells` cells per unit.
+    /// Creates stars with notches at `r_min` and `points` points at `r_max`, in a fraction `chance`
+    /// of cells.
+    ///
+    /// There are `cells` cells per unit.
     ///
     /// # Errors
-    /// [`ParameterError`] unless there are at least 2 points and at most 1000, `0 < r_min ≤ r_max`, `cells` is finite and
-    /// positive, `r_max` is at most 0.4 of a cell (beyond, a star might reach past the neighbouring cells), and `chance` is within
-    /// `[0, 1]`.
+    /// [`ParameterError`] unless there are at least 2 points and at most 1000, `0 < r_min ≤ r_max`,
+    /// `cells` is finite and positive, `r_max` is at most 0.4 of a cell (otherwise a star could
+    /// reach past the neighboring cells), and `chance` is within `[0, 1]`.
     pub fn new(
         points: u32,
         [r_min, r_max]: [f32; 2],
@@ -68,7 +74,7 @@ impl StarWallpaper {
         chance: f32,
         seed: u32,
     ) -> Result<Self, ParameterError> {
-        // Points are few: the cast is exact, and what is not few is refused all the same.
+        // Points are few, so the cast is exact; invalid counts are rejected anyway.
         within("points", points as f32, [2.0, 1000.0])?;
         positive("r_min", r_min)?;
         within("r_max", r_max, [r_min, 0.4 / positive("cells", cells)?])?;
@@ -76,20 +82,24 @@ impl StarWallpaper {
         Ok(Self { points, r_min, r_max, cells, chance, seed })
     }
 
-    /// The share of the wall that stars cover, where they do not overlap.
+    /// The fraction of the wall covered by stars, if they do not overlap.
     ///
     /// ```text
     /// chance · cells² · n r_min r_max sin(π/n)
     /// ```
     ///
-    /// Overlaps make the true share less: for the lecture's stars by 2 % of it, measured.
+    /// Overlaps make the true fraction smaller: by 2 % relative for the stars of the lecture,
+    /// measured.
     #[must_use]
     pub fn mean(&self) -> f32 {
         let n = self.points as f32;
         (self.chance * self.cells * self.cells * n * self.r_min * self.r_max * sin(PI / n)).min(1.0)
     }
 
-    /// Points, radii, cells, chance, mean, the direction of half the angle between two points, that angle; the seeds of the lattices.
+    /// Points, radii, cells, chance, mean, half the angle between two points as a direction, that
+    /// angle; seeds.
+    ///
+    /// The seeds are those of the lattices.
     #[doc(hidden)]
     #[must_use]
     pub fn parts(&self) -> ([f32; 9], [u32; 3]) {
@@ -100,10 +110,12 @@ impl StarWallpaper {
         ([self.points as f32, r_min, r_max, cells, chance, self.mean(), x, y, angle], seeds)
     }
 
-    /// The share of a pixel that stars cover, at a point of the texture seen through this footprint.
+    /// The fraction of a pixel covered by stars, at a point of the texture seen through this
+    /// footprint.
     ///
-    /// The edge of a star is a ramp, half as wide as the footprint in each of its quarters; where the footprint nears the size of a star, the wall turns into its
-    /// mean. A footprint of 0 gives 0 or 1. 0 for coordinates that are not finite.
+    /// The edge of a star is a ramp, half as wide as the footprint in each of its quarters. As the
+    /// footprint approaches the size of a star, the wall becomes its mean. A footprint of 0 returns
+    /// 0 or 1. Non-finite coordinates return 0.
     #[must_use]
     pub fn coverage(&self, uv: Vec2, footprint: Footprint) -> f32 {
         if !uv.is_finite() {
@@ -130,9 +142,11 @@ impl StarWallpaper {
         near + far * (self.mean() - near)
     }
 
-    /// The listing as it stands, with [`Perlin2002`] for its noise: the number of stars over a point is at least one.
+    /// The listing as printed, with [`Perlin2002`] as noise: whether at least one star covers a
+    /// point.
     ///
-    /// The noise is the listing's `noise`, `0.5 + 0.5 n`; the angle within a star runs to half a unit instead of half a star's angle.
+    /// The noise is the `noise` of the listing, `0.5 + 0.5 n`. The angle within a star runs to half
+    /// a unit instead of half the angle of a star.
     #[must_use]
     pub fn as_listed(&self, uv: Vec2) -> bool {
         let mut covered = false;
@@ -151,7 +165,7 @@ impl StarWallpaper {
         covered
     }
 
-    /// The share of a pixel that a star about 0 covers: the mean of ramps over its quarters.
+    /// The fraction of a pixel covered by a star around 0: the mean of ramps over its quarters.
     fn ramped(&self, p: Vec2, footprint: f32) -> f32 {
         let quarter = 0.25 * footprint;
         if quarter == 0.0 {
@@ -166,7 +180,7 @@ impl StarWallpaper {
         0.25 * sum
     }
 
-    /// The middles of the cell and its neighbours, in cells.
+    /// The centers of the cell and its neighbors, in cells.
     fn for_neighbours(&self, uv: Vec2, mut visit: impl FnMut(Vec2)) {
         let cell = (uv * self.cells).floor();
         for i in [-0.5, 0.5, 1.5] {
@@ -176,8 +190,9 @@ impl StarWallpaper {
         }
     }
 
-    /// Signed distance of `p` to the edge of a star about 0, negative outside; the angle from its point is multiplied by `listed`,
-    /// which is 1 for a star.
+    /// Signed distance of `p` to the edge of a star around 0, negative outside.
+    ///
+    /// The angle from its point is multiplied by `listed`, which is 1 for a star.
     fn inside(&self, p: Vec2, listed: f32) -> f32 {
         let angle = TAU / self.points as f32;
         let turn = (atan2(p.x, p.y) + PI) / angle;
@@ -195,10 +210,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_star_is_cut_at_the_border_of_a_cell() {
+    fn stars_continue_across_cell_borders() {
         let wall = StarWallpaper::default();
-        // Points on either side of a line between two cells differ where a star's edge runs between them, and all along a star that is
-        // cut there: of 4500 pairs 91 and 314 do if each cell draws its own star alone.
+        // Points on either side of a line between two cells differ where the edge of a star lies
+        // between them, and along a star that is cut there. Of 4500 pairs 91 differ, and 314 if
+        // each cell draws only its own star.
         let differ = |covered: &dyn Fn(Vec2) -> bool| {
             let of = |k: u32, side: f32| {
                 covered(Vec2::new((k / 500 + 1) as f32 / 10.0 + side, (k % 500) as f32 / 500.0))
@@ -211,9 +227,9 @@ mod tests {
     }
 
     #[test]
-    fn star_has_its_points_and_notches_that_are_shallow_as_listed() {
+    fn star_has_points_and_notches_shallow_as_listed() {
         let wall = StarWallpaper::default();
-        // The listing's angle starts at the negative second axis.
+        // The angle of the listing starts at the negative second axis.
         let at = |r: f32, turn: f32, listed: f32| {
             let angle = turn * TAU / 5.0 - PI;
             wall.inside(r * Vec2::new(angle.sin(), angle.cos()), listed)
@@ -223,7 +239,8 @@ mod tests {
             assert!(at(0.0299, k, 1.0) > 0.0 && at(0.0301, k, 1.0) < 0.0, "point {k}");
             assert!(at(0.0099, k + 0.5, 1.0) > 0.0 && at(0.0101, k + 0.5, 1.0) < 0.0, "notch {k}");
         }
-        // A notch ends where the edge reaches half a radian instead of half a star's angle, at 0.0113.
+        // A notch ends where the edge reaches half a radian instead of half the angle of a star, at
+        // 0.0113.
         assert!(at(0.0112, 0.5, 5.0 / TAU) > 0.0 && at(0.0114, 0.5, 5.0 / TAU) < 0.0);
     }
 }

@@ -39,7 +39,8 @@ impl DarkAreas {
     /// Creates areas of this size and strength.
     ///
     /// # Errors
-    /// [`ParameterError::Outside`] unless `dark_area_size` is within `[10⁻⁶, 10⁶]` and `dark_area_strength` within `[0, 1]`.
+    /// [`ParameterError::Outside`] unless `dark_area_size` is within `[10⁻⁶, 10⁶]` and
+    /// `dark_area_strength` within `[0, 1]`.
     pub fn new(size: f32, strength: f32, seed: u32) -> Result<Self, ParameterError> {
         let noise = Fbm::single(as_size("dark_area_size", size)?, seed);
         Ok(Self { noise, strength: as_share("dark_area_strength", strength)? })

@@ -22,7 +22,8 @@ parameters! {
         fibre_direction: Vec2 = Vec2::X;
         /// Spread around the direction: 0 is combed, 1 all directions. Default 0.6.
         fibre_spread: f32 = 0.6, as_share;
-        /// Contrast: variation in brightness, and darkening towards roots and sides, within `[0, 1]`. Default 0.6.
+        /// Contrast: variation in brightness, and darkening towards roots and sides, within `[0,
+        /// 1]`. Default 0.6.
         fibre_contrast: f32 = 0.6, as_share;
         /// Random seed.
         seed: u32 = 1;

@@ -106,7 +106,8 @@ pub struct SpecularThreads {
     coefficients: [[f32; 8]; 4],
 }
 
-/// E|N|⁵, E|N|⁶ and E|N|⁷ of continuous simplex noise in space: means over 1.6·10⁷ points, to 0.1 %.
+/// E|N|⁵, E|N|⁶ and E|N|⁷ of continuous simplex noise in space: means over 1.6·10⁷ points, to 0.1
+/// %.
 const HIGHER_MOMENTS: [f32; 3] = [0.046_27, 0.035_68, 0.028_55];
 
 impl SpecularThreads {

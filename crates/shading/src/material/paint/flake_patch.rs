@@ -65,8 +65,8 @@ pub fn flake_patch(position: Vec3, cell: f32, width: Vec3, scatter: f32, seed: u
 /// The mean cover over a plane across axis i is then `Π_j widthⱼ/cell` of the other two axes, if
 /// the width along axis i is the cell.
 ///
-/// - **Domain:** `cell` > 0, each width at most `cell`. `None` for a point with |pᵢ| ≥ 2²³ cells and where the position or the cell is not
-///   finite.
+/// - **Domain:** `cell` > 0, each width at most `cell`. `None` for a point with |pᵢ| ≥ 2²³ cells
+///   and where the position or the cell is not finite.
 pub(super) fn covered_flake(
     position: Vec3,
     cell: f32,

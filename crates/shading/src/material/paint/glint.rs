@@ -95,7 +95,8 @@ impl<N: Ndf> GlintField<N> {
     /// fewer and brighter lit flakes.
     ///
     /// # Errors
-    /// [`ParameterError::Outside`] unless `flake_spacing` is within `[10⁻⁶, 10⁶]` and `flake_bin` within `[0.001, 1]`.
+    /// [`ParameterError::Outside`] unless `flake_spacing` is within `[10⁻⁶, 10⁶]` and `flake_bin`
+    /// within `[0.001, 1]`.
     pub fn new(ndf: N, spacing: f32, bin: f32, seed: u32) -> Result<Self, ParameterError> {
         let spacing = as_size("flake_spacing", spacing)?;
         Ok(Self { ndf, spacing, bin: within("flake_bin", bin, [0.001, 1.0])?, seed })

@@ -40,7 +40,8 @@ impl OrangePeel {
     /// Creates bumps of this size, in units of the positions, and strength k.
     ///
     /// # Errors
-    /// [`ParameterError::Outside`] unless `orange_peel_size` is within `[10⁻⁶, 10⁶]` and `orange_peel_strength` within `[0, 1]`.
+    /// [`ParameterError::Outside`] unless `orange_peel_size` is within `[10⁻⁶, 10⁶]` and
+    /// `orange_peel_strength` within `[0, 1]`.
     pub fn new(size: f32, strength: f32, seed: u32) -> Result<Self, ParameterError> {
         let noise = Fbm::single(as_size("orange_peel_size", size)?, seed);
         Ok(Self { noise, strength: as_share("orange_peel_strength", strength)? })

@@ -38,8 +38,8 @@ impl PassiveFlakes {
     /// Creates flakes with `detail` octaves, the coarsest of this size, in units of the positions.
     ///
     /// # Errors
-    /// [`ParameterError::Outside`] unless `passive_flake_size` is within `[10⁻⁶, 10⁶]`, `passive_flake_strength` within
-    /// `[0, 1]`, and `passive_flake_detail` from 1 to 8.
+    /// [`ParameterError::Outside`] unless `passive_flake_size` is within `[10⁻⁶, 10⁶]`,
+    /// `passive_flake_strength` within `[0, 1]`, and `passive_flake_detail` from 1 to 8.
     pub fn new(size: f32, strength: f32, detail: u32, seed: u32) -> Result<Self, ParameterError> {
         let spectrum = spectrum("passive_flake_detail", [2.4, 2.7], detail)?;
         let size = as_size("passive_flake_size", size)?;

@@ -108,8 +108,9 @@ impl Sparkles {
     /// `variation`.
     ///
     /// # Errors
-    /// [`ParameterError::Outside`] unless `flake_sparkle_pixel_size` is within `[0, 1000]`, `flake_sparkle_physical_size` and the
-    /// unit of [`Elimination::Adaptive`], `smart_flake_sparkle`, within `[10⁻⁶, 10⁶]`, and `flake_sparkle_variation` and
+    /// [`ParameterError::Outside`] unless `flake_sparkle_pixel_size` is within `[0, 1000]`,
+    /// `flake_sparkle_physical_size` and the unit of [`Elimination::Adaptive`],
+    /// `smart_flake_sparkle`, within `[10⁻⁶, 10⁶]`, and `flake_sparkle_variation` and
     /// `flake_sparkle_elimination` within `[0, 1]`.
     pub fn new(
         pixel_size: f32,

@@ -1,4 +1,4 @@
-//! Small variations of colour and normal.
+//! Small variations of color and normal.
 
 use glam::Vec3;
 
@@ -7,7 +7,7 @@ use crate::material::fbm::{Fbm, SLOPE_VARIANCE, half_mean};
 use crate::parameter::{ParameterError, as_size};
 use crate::pixel::Footprint;
 
-/// A colour that noise varies without leaving [0, 1].
+/// Varies a color by noise within [0, 1].
 ///
 /// ```text
 /// c + N v (c where N < 0, else 1 − c)
@@ -15,7 +15,7 @@ use crate::pixel::Footprint;
 ///
 /// - **Domain:** `colour` and `variation` in [0, 1], noise in [−1, 1].
 ///
-/// Nilsson 2008, §4.5.2, which prints N/v for N v: that leaves [0, 1] for every v below 1.
+/// Nilsson 2008, §4.5.2, which prints N/v for N v; this leaves [0, 1] for every v below 1.
 ///
 /// ```
 /// assert!((asperity_shading::material::varied(0.6, 1.0, 0.2) - 0.68).abs() < 1e-6);
@@ -26,16 +26,17 @@ pub fn varied(colour: f32, noise: f32, variation: f32) -> f32 {
     colour + noise * variation * room
 }
 
-/// Blemishes: small spots that are brighter or darker and stand out, all from one octave of noise.
+/// Blemishes: small raised spots that are brighter or darker, all from one octave of noise.
 ///
 /// ```text
 /// specular = varied(specular, −N(p/size), colour strength),   n′ = normalize(n − k ∇N)
 /// ```
 ///
-/// Valleys are brighter than bumps, as in the thesis: a slip that was kept, because it looks like a thin skin.
+/// Valleys are brighter than bumps, as in the thesis: a mistake that was kept because it looks like
+/// a thin skin.
 ///
-/// The mean of N > 0 and that of N < 0 are the same, but the room above and below a colour is not: a pixel too wide for
-/// blemishes gets the mean, c + v (1 − 2c) E|N|/2.
+/// The means of N > 0 and of N < 0 are equal, but the ranges above and below a color are not. A
+/// pixel too wide for blemishes gets the mean, c + v (1 − 2c) E|N|/2.
 ///
 /// Nilsson 2008, §4.5.2.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,7 +45,7 @@ pub struct Blemishes {
 }
 
 impl Blemishes {
-    /// Blemishes of this size, in units of the positions.
+    /// Creates blemishes of this size, in units of the positions.
     ///
     /// # Errors
     /// [`ParameterError::Outside`] unless `small_blemish_size` is within `[10⁻⁶, 10⁶]`.
@@ -59,7 +60,7 @@ impl Blemishes {
         &self.noise
     }
 
-    /// A colour with blemishes of this strength; the colour itself where a coordinate is not finite.
+    /// A color with blemishes of this strength; the color itself where a coordinate is not finite.
     #[must_use]
     pub fn colour(&self, colour: Vec3, strength: f32, position: Vec3, footprint: Footprint) -> Vec3 {
         let removed = self.noise.removed(footprint);
@@ -72,7 +73,7 @@ impl Blemishes {
         Vec3::from(colour.to_array().map(each))
     }
 
-    /// The gradient of the bumps along the surface of unit normal `n`; zero where a coordinate is not finite.
+    /// The surface gradient of the bumps; zero where a coordinate is not finite.
     #[must_use]
     pub fn gradient(&self, strength: f32, position: Vec3, n: Vec3, footprint: Footprint) -> Vec3 {
         tangential(n, self.noise.sample(position, footprint).gradient) * strength
@@ -84,7 +85,7 @@ impl Blemishes {
         strength * self.noise.seen(position, footprint) / self.noise.frequencies()[0]
     }
 
-    /// The variance of the slope along each axis that a pixel does not resolve.
+    /// The slope variance along each axis that a pixel does not resolve.
     #[must_use]
     pub fn removed_slope(&self, strength: f32, footprint: Footprint) -> f32 {
         strength * strength * self.noise.removed_slope(footprint, SLOPE_VARIANCE)
@@ -97,7 +98,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn colours_stay_colours() {
+    fn varied_colors_stay_in_range() {
         for i in 0..=20_u8 {
             for j in 0..=10_u8 {
                 let (noise, colour) = (f32::from(i) / 10.0 - 1.0, f32::from(j) / 10.0);
@@ -110,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn a_wide_pixel_sees_the_mean_colour() {
+    fn wide_footprints_see_the_mean_color() {
         let blemishes = Blemishes::new(1.0, 4).unwrap();
         let colour = Vec3::new(0.1, 0.5, 0.8);
         let seen = |p, width| blemishes.colour(colour, 0.7, p, Footprint::from_width(width));
@@ -120,7 +121,7 @@ mod tests {
                 Vec3::new(f32::from(i % 20) * 3.71, f32::from(i / 20 % 20) * 3.13, f32::from(i / 400) * 2.93);
             sum += seen(p, 0.0);
         }
-        // Deviations are up to 0.17: four standard errors.
+        // Standard deviations are up to 0.17: four standard errors.
         assert_abs_diff_eq!(sum / 4000.0, seen(Vec3::ZERO, 9.0), epsilon = 0.011);
     }
 }

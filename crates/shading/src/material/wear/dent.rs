@@ -1,4 +1,4 @@
-//! Dents: low bumps here and there, of noise with some of its gradients dropped.
+//! Dents: sparse low bumps, from noise with some of its gradients dropped.
 
 use asperity_noise::{IntegerHash, Lattice, Sample, Simplex};
 use glam::Vec3;
@@ -8,17 +8,17 @@ use crate::material::fbm::{Fbm, SLOPE_VARIANCE, spectrum};
 use crate::parameter::{ParameterError, as_share, as_size};
 use crate::pixel::Footprint;
 
-/// A lattice some of whose gradients are turned around.
+/// A lattice with some inverted gradients.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Turned {
     /// Words below this are dropped ones.
     dropped: u32,
-    /// The bits of a word that turn its gradient around, or none.
+    /// The bits of a word that invert its gradient, or 0.
     turn: u32,
 }
 
-/// The signs of the components of an edge direction in space are the three uppermost bits of its word.
+/// The signs of the components of a gradient in space are the three uppermost bits of its word.
 const SIGNS: u32 = 7 << 29;
 
 impl Lattice for Turned {
@@ -28,18 +28,20 @@ impl Lattice for Turned {
     }
 }
 
-/// Dents: octaves of noise from whose lattice a share of all gradients is dropped.
+/// Dents: octaves of noise with a fraction of the lattice gradients dropped.
 ///
 /// ```text
 /// value = Σ aᵢ N_q(fᵢ p/size)/Σ aᵢ,   every gradient of N_q kept with probability cover = 1 − q
 /// ```
 ///
-/// The fewer gradients are kept, the more of the surface is flat, and the more isolated are the dents; up to q = 0.7 they look
-/// natural. The variance is 1 − q of that without drops. Octaves that a pixel cannot resolve fade to 0, their mean.
+/// The fewer gradients are kept, the more of the surface is flat, and the more isolated are the
+/// dents; up to q = 0.7 they look natural. The variance is 1 − q times the variance without drops.
+/// Octaves that a pixel cannot resolve fade to 0, their mean.
 ///
 /// The height is `strength · size · value`, whose slope does not depend on the size.
 ///
-/// It is computed as the mean of two simplex noises, one of which has the dropped gradients turned around: there they cancel.
+/// It is computed as the mean of two simplex noises, one of which has the dropped gradients
+/// inverted, so they cancel.
 ///
 /// Nilsson 2008, §4.5.3.
 ///
@@ -60,23 +62,23 @@ pub struct Dents {
 }
 
 impl Dents {
-    /// Dents of this size and cover, with `detail` octaves of lacunarity 2 and gain ½.
+    /// Creates dents of this size and cover, with `detail` octaves of lacunarity 2 and gain ½.
     ///
     /// # Errors
-    /// [`ParameterError::Outside`] unless `dent_size` is within `[10⁻⁶, 10⁶]`, `dent_cover` within `[0, 1]`, and `dent_detail` from 1
-    /// to 8.
+    /// [`ParameterError::Outside`] unless `dent_size` is within `[10⁻⁶, 10⁶]`, `dent_cover` within
+    /// `[0, 1]`, and `dent_detail` from 1 to 8.
     pub fn new(size: f32, cover: f32, detail: u32, seed: u32) -> Result<Self, ParameterError> {
         let spectrum = spectrum("dent_detail", [2.0, 0.5], detail)?;
         let size = as_size("dent_size", size)?;
         let cover = as_share("dent_cover", cover)?;
-        // A cast of what is beyond the largest word is that word.
+        // A cast of values beyond the largest word saturates.
         let dropped = ((1.0 - cover) * 4_294_967_296.0) as u32;
         let noise =
             |turn| Fbm::of(Simplex::new(0).with_lattice(Turned { dropped, turn }), spectrum, size, seed);
         Ok(Self { kept: noise(0), turned: noise(SIGNS), cover, dropped })
     }
 
-    /// The noise whose dropped gradients are as the others.
+    /// The noise without inverted gradients.
     #[doc(hidden)]
     #[must_use]
     pub const fn noise(&self) -> &Fbm<Simplex<Turned>> {
@@ -103,13 +105,13 @@ impl Dents {
         strength * self.sample(position, footprint).value / self.kept.frequencies()[0]
     }
 
-    /// The gradient of dents of this strength along the surface of unit normal `n`.
+    /// The surface gradient of dents of this strength, for the unit normal `n`.
     #[must_use]
     pub fn gradient(&self, strength: f32, position: Vec3, n: Vec3, footprint: Footprint) -> Vec3 {
         tangential(n, self.sample(position, footprint).gradient) * strength
     }
 
-    /// The variance of the slope along each axis that a pixel does not resolve.
+    /// The slope variance along each axis that a pixel does not resolve.
     #[must_use]
     pub fn removed_slope(&self, strength: f32, footprint: Footprint) -> f32 {
         strength * strength * self.kept.removed_slope(footprint, SLOPE_VARIANCE * self.cover)
@@ -121,7 +123,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn turned_words_have_opposite_gradients() {
+    fn inverted_words_have_opposite_gradients() {
         for i in 0..1000_u32 {
             let word = i.wrapping_mul(0x9e37_79b9);
             let [a, b] = [word, word ^ SIGNS].map(asperity_noise::lattice::edge_gradient::<3>);
@@ -130,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn dropped_gradients_leave_flat_ground() {
+    fn dropped_gradients_leave_flat_areas() {
         let near = Footprint::from_width(0.0);
         let none = Dents::new(1.0, 0.0, 2, 1).unwrap();
         let full = Dents::new(1.0, 1.0, 1, 1).unwrap();
@@ -144,7 +146,7 @@ mod tests {
             assert!(full.sample(p, near).value.abs() <= 1.0);
             flat += u16::from(sparse.sample(p, near).gradient.length() < 1e-5);
         }
-        // About three corners reach a point with more than nothing; 0.9³ = 0.73 and less.
+        // About three corners contribute at a point; 0.9³ = 0.73 and less.
         assert!((500..850).contains(&flat), "{flat}");
     }
 }

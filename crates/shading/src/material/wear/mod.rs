@@ -1,4 +1,4 @@
-//! Wear of any material: spots of colour, dents and scratches.
+//! Wear of any material: color variation, dents and scratches.
 
 mod blemish;
 mod dent;

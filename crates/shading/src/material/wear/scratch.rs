@@ -18,45 +18,47 @@ use crate::reflectance::{Bsdf, CookTorrance};
 parameters! {
     /// The parameters of [`Scratches`]. Lengths are in texture coordinates.
     pub struct ScratchesParameters of Scratches {
-        /// The side of a cell, within `[10⁻⁶, 10⁶]`: scratches are at most so long. Default 0.05.
+        /// The side of a cell, within `[10⁻⁶, 10⁶]`, the maximum length of scratches. Default 0.05.
         scratch_size: f32 = 0.05, as_size;
-        /// The length of a scratch over that of a cell, within `[0.01, 1]`. Default 1.
+        /// The length of a scratch over the side of a cell, within `[0.01, 1]`. Default 1.
         scratch_length: f32 = 1.0, range([0.01, 1.0]);
         /// The width of a scratch over the side of a cell, within `[10⁻⁴, 0.5]`. Default 0.01.
         scratch_width: f32 = 0.01, range([1e-4, 0.5]);
         /// The depth of a scratch over half its width, within `[0, 1]`. Default 0.5.
         scratch_strength: f32 = 0.5, as_share;
-        /// The mean number of scratches of a cell, within `[0, 4]`. Default 2.
+        /// The mean number of scratches per cell, within `[0, 4]`. Default 2.
         scratch_cover: f32 = 2.0, range([0.0, 4.0]);
-        /// The direction that they are spread about. Default (1, 0).
+        /// The mean direction. Default (1, 0).
         scratch_direction: Vec2 = Vec2::X;
-        /// Spread about that direction: 0 is parallel, 1 all directions. Default 1.
+        /// Spread around the direction: 0 is parallel, 1 all directions. Default 1.
         scratch_spread: f32 = 1.0, as_share;
-        /// The specular colour of the metal. Default 0.7.
+        /// The specular color of the metal. Default 0.7.
         specular: Vec3 = Vec3::splat(0.7), colour;
         /// The roughness of the metal: Beckmann's α, within `[0.01, 1]`. Default 0.3.
         roughness: f32 = 0.3, as_roughness;
-        /// Which scratches: any number.
+        /// Random seed.
         seed: u32 = 1;
     }
 }
 
-/// Scratches of wear and tear: grooves with midpoints, directions and presence by hashes of the cell.
+/// Scratches: grooves with midpoints, directions and presence from hashes of the cell.
 ///
 /// ```text
 /// amount = Σ (1 − (d/W)²)² (1 − t²) w/W,   |d| < W, |t| < 1,   W² = w² + (footprint/2)²
 /// height = −strength · w · amount
 /// ```
 ///
-/// with d across a scratch, t along it from −1 to 1, and w half its width. The steepest slope is 1.54 times the strength.
+/// with d across a scratch, t along it from −1 to 1, and w half its width. The steepest slope is
+/// 1.54 times the strength.
 ///
 /// # Level of detail
 ///
-/// A pixel wider than a scratch sees it wider and shallower by as much, so that the mean amount is the same at every footprint,
-/// and in closed form: [`mean`](Self::mean). Where a pixel gets as wide as a cell the amount fades to it. The mean square slope is
-/// in closed form as well: what the footprint took of it are facets of the [`Bsdf`].
+/// A pixel wider than a scratch sees a wider and shallower scratch, so that the mean amount is the
+/// same at every footprint, and in closed form: [`mean`](Self::mean). Where a pixel becomes as wide
+/// as a cell, the amount fades to the mean. The mean square slope is in closed form as well. The
+/// part removed by the footprint becomes facets of the [`Bsdf`].
 ///
-/// Nilsson 2008, §6.2 names the problem and leaves it open.
+/// Nilsson 2008, §6.2, describes the problem and leaves it open.
 ///
 /// ```
 /// use asperity_shading::glam::{Vec2, Vec3};
@@ -80,26 +82,32 @@ pub struct Scratches {
     half: f32,
 }
 
-/// Scratches as a pixel sees them.
+/// Scratches as seen by a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct ScratchedSurface {
     /// The unit normal.
     normal: Vec3,
-    /// The share of the pixel that is scratched, which has all of that variance. Its mean is the same at every footprint: 1 − e^(−λ),
-    /// λ the area of all scratches per area.
+    /// The fraction of the pixel that is scratched, which has all of that variance.
+    ///
+    /// Its mean is the same at every footprint: 1 − e^(−λ), where λ is the area of all scratches
+    /// per area.
     covered: f32,
-    /// The deviations of its slope along their two principal directions.
+    /// The standard deviations of its slope along their two principal directions.
     axes: [Vec3; 2],
 }
 
-/// The share of the facet in the middle of a groove: slopes across it have a kurtosis of 1.5 to 2.1, where a Gaussian has 3.
+/// The fraction of the facet in the middle of a groove.
+///
+/// Slopes across it have a kurtosis of 1.5 to 2.1, compared with 3 for a Gaussian.
 const FLOOR: f32 = 0.2;
 
 impl ScratchedSurface {
-    /// Facets that stand for the slopes that the footprint took, on a surface of unit normal `n`: the share and the unit normal of
-    /// each.
+    /// Facets for the slopes removed by the footprint, on a surface of unit normal `n`.
     ///
-    /// Most of a scratched surface is smooth, and has one facet; the share that is scratched has seven, across its grooves.
+    /// Each has a fraction and a unit normal.
+    ///
+    /// The smooth fraction of the surface, usually most of it, has one facet. The scratched
+    /// fraction has seven, across its grooves.
     fn facets(&self, n: Vec3) -> impl Iterator<Item = Facet> + use<> {
         let Self { normal, covered, axes, .. } = *self;
         let smooth = (covered < 1.0).then_some(Facet::new(1.0 - covered, normal));
@@ -112,18 +120,18 @@ impl ScratchedSurface {
 struct Grooves {
     amount: f32,
     slope: Vec2,
-    /// The share of the pixel that is within a groove or more.
+    /// The fraction of the pixel inside one or more grooves.
     covered: f32,
-    /// The second moments of the slopes that the pixel does not resolve: along u, along both, along v.
+    /// The second moments of the slopes that the pixel does not resolve: uu, uv, vv.
     removed: Vec3,
 }
 
 impl Scratches {
-    /// The scratches of these parameters.
+    /// Creates scratches from these parameters.
     ///
     /// # Errors
-    /// [`ParameterError`] with the first parameter that is out of its range, or for a `scratch_direction` that is zero or not
-    /// finite.
+    /// [`ParameterError`] with the first parameter that is out of its range, or for a
+    /// `scratch_direction` that is zero or not finite.
     pub fn new(parameters: ScratchesParameters) -> Result<Self, ParameterError> {
         parameters.check()?;
         let (p, cell) = (&parameters, parameters.scratch_size);
@@ -148,7 +156,7 @@ impl Scratches {
         self.segments.density() * (16.0 / 15.0) * self.half * (2.0 / 3.0) * self.segments.length
     }
 
-    /// The share that scratches cover from afar, and the mean squares of their slopes across: along u, along both, along v.
+    /// The fraction covered by scratches from afar, and the mean square slopes across: uu, uv, vv.
     #[doc(hidden)]
     #[must_use]
     pub fn far(&self) -> (f32, Vec3) {
@@ -158,7 +166,7 @@ impl Scratches {
         )
     }
 
-    /// The lines that scratches lie along.
+    /// The segments of the scratches.
     #[doc(hidden)]
     #[must_use]
     pub const fn segments(&self) -> &Segments {
@@ -172,16 +180,19 @@ impl Scratches {
         self.half
     }
 
-    /// The mean square slope of grooves that are so wide: density · strength² w⁴/W³ · 256/105 · 8/15 length.
+    /// The mean square slope of grooves of this half width: density · strength² w⁴/W³ · 256/105 ·
+    /// 8/15 length.
     fn mean_square_slope(&self, wide: f32) -> f32 {
         let (strength, ratio) = (self.parameters.scratch_strength, self.half / wide);
         let across = strength * strength * self.half * ratio * ratio * ratio * (256.0 / 105.0);
         self.segments.density() * across * (8.0 / 15.0) * self.segments.length
     }
 
-    /// The amount at a point of the texture, and the slope of the height, over a pixel of this width in texture coordinates.
+    /// The amount at a point of the texture, and the slope of the height.
     ///
-    /// Mean and no slope where a coordinate is not finite or 2²³ cells away.
+    /// The pixel has this width in texture coordinates.
+    ///
+    /// The mean without slope where a coordinate is not finite or beyond 2²³ cells.
     fn grooves(&self, uv: Vec2, width: f32) -> Grooves {
         let kept = 1.0 - removed_share(width, 1.0 / self.segments.cell);
         let (covered, removed) = self.far();
@@ -192,10 +203,12 @@ impl Scratches {
         let (wide, mut bare) = (self.wide(width), 1.0);
         let shallow = self.half / wide;
         let mut near = Grooves { amount: 0.0, slope: Vec2::ZERO, covered: 0.0, removed: Vec3::ZERO };
-        // Of all squares of slopes across, what a groove so wide does not have; so much as far as this pixel is concerned.
+        // The part of all squares of slopes across that a groove of this width lacks, as far as it
+        // concerns this pixel.
         let strength = self.parameters.scratch_strength;
         let lost = (1.0 - kept * shallow * shallow * shallow) * strength * strength * (128.0 / 105.0);
-        // More than `wide`, the root of the squares, and as far as its own width overlaps the pixel.
+        // Wider than `wide`, the root of the squares, and as far as its own width overlaps the
+        // pixel.
         let aside = self.half + 0.5 * width;
         self.segments.visit(uv, aside, |groove| {
             let (s, t) = (groove.across / wide, groove.along);
@@ -210,7 +223,7 @@ impl Scratches {
                 let by_across = -4.0 * s * side * taper / wide;
                 let by_along = side * side * -2.0 * t / (0.5 * self.segments.length);
                 near.slope += (across * by_across + groove.direction * by_along) * shallow;
-                // The groove's width, spread out as it is.
+                // The width of the widened groove.
                 let spread = side * side * shallow * (15.0 / 8.0);
                 near.removed += Vec3::new(across.x * across.x, across.x * across.y, across.y * across.y)
                     * (lost * spread * taper * taper);
@@ -230,11 +243,11 @@ impl Scratches {
         sqrt(self.half * self.half + 0.25 * width * width)
     }
 
-    /// Normal and lost slopes at a pixel; total.
+    /// Normal and unresolved slopes at a pixel; accepts every input.
     fn surface(&self, point: &SurfacePoint) -> ScratchedSurface {
         let texture = point.texture();
         let Grooves { slope, covered, removed, .. } = self.grooves(point.uv, texture.width(&point.pixel));
-        // A slope in the texture is one on the surface, whatever the texture's scale.
+        // A slope in the texture is a slope on the surface, regardless of the scale of the texture.
         let on_surface = |slope: Vec2| texture.of(slope).normalize_or_zero() * slope.length();
         let axes = if covered > 0.0 { principal(removed / covered) } else { [Vec2::ZERO; 2] };
         ScratchedSurface {
@@ -262,13 +275,13 @@ impl Material for Scratches {
     }
 
     fn height_range(&self) -> Option<[f32; 2]> {
-        // As many as a cell may have, and its neighbours.
+        // The maximum number per cell, and its neighbors.
         let most = 9.0 * (floor(self.segments.cover) + 1.0);
         Some([-self.parameters.scratch_strength * self.half * most, 0.0])
     }
 }
 
-/// The share of [d − width/2, d + width/2] that is within [−half, half].
+/// The fraction of [d − width/2, d + width/2] inside [−half, half].
 fn overlap(d: f32, half: f32, width: f32) -> f32 {
     if width > 1e-4 * half {
         let (low, high) = ((d - 0.5 * width).max(-half), (d + 0.5 * width).min(half));
@@ -280,7 +293,7 @@ fn overlap(d: f32, half: f32, width: f32) -> f32 {
     }
 }
 
-/// The principal axes of second moments (xx, xy, yy), as long as their deviations.
+/// The principal axes of second moments (xx, xy, yy), with the standard deviations as lengths.
 fn principal(moments: Vec3) -> [Vec2; 2] {
     let (middle, half) = (0.5 * (moments.x + moments.z), 0.5 * (moments.x - moments.z));
     let apart = sqrt(half * half + moments.y * moments.y);
@@ -304,7 +317,7 @@ mod tests {
     }
 
     #[test]
-    fn slopes_are_those_of_the_height() {
+    fn scratch_slopes_match_finite_differences() {
         let scratches = wide();
         let h = 1e-5;
         let depth = scratches.parameters.scratch_strength * scratches.half;
@@ -315,7 +328,7 @@ mod tests {
             let height = |du, dv| -depth * scratches.grooves(uv + Vec2::new(du, dv), 0.004).amount;
             let difference =
                 Vec2::new(height(h, 0.0) - height(-h, 0.0), height(0.0, h) - height(0.0, -h)) / (2.0 * h);
-            // Ends of scratches have a crease along; rounding of places 0.5 · 6e-8 · slope/h.
+            // Ends of scratches have a crease along; rounding of positions 0.5 · 6e-8 · slope/h.
             assert_abs_diff_eq!(slope, difference, epsilon = 0.03, "{uv}");
             steep += u16::from(slope.length() > 0.1);
         }
@@ -346,15 +359,17 @@ mod tests {
                 covered += scratches.surface(&seen).covered;
             }
             let kept = 1.0 - removed_share(width, 1.0 / cell);
-            // Deviations are about twice and four times the means: five standard errors, and the tapers' own slopes.
+            // Standard deviations are about twice and four times the means: five standard errors,
+            // and the slopes of the tapers.
             assert_abs_diff_eq!(amount / 20_000.0 / scratches.mean(), 1.0, epsilon = 0.07, "{width}");
             let expected = scratches.mean_square_slope(scratches.wide(width)) * kept * kept;
             assert_abs_diff_eq!(squares / 20_000.0 / expected, 1.0, epsilon = 0.15, "{width}");
-            // What is not resolved is all the rest, and as much of the surface is scratched from afar.
+            // The rest is unresolved, and the scratched fraction is that of the far view.
             let whole = scratches.mean_square_slope(scratches.half);
             let rest = (removed / 20_000.0 + expected) / whole;
             assert_abs_diff_eq!(rest, 1.0, epsilon = 0.1, "{width}");
-            // Of Bernoulli's variables four standard errors, and 1 % for numbers of scratches that are not Poisson's.
+            // Four standard errors of Bernoulli variables, and 1 % because the numbers of scratches
+            // are not Poisson distributed.
             let far = SurfacePoint { pixel: Footprint::from_width(10.0 * cell).into(), ..point(Vec2::ZERO) };
             let far = scratches.surface(&far).covered;
             assert_abs_diff_eq!(covered / 20_000.0 / far, 1.0, epsilon = 0.08, "{width}");

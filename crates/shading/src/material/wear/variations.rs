@@ -12,42 +12,45 @@ use crate::parameter::{ParameterError, as_roughness, as_share, colour, parameter
 use crate::reflectance::Bsdf;
 
 parameters! {
-    /// The parameters of [`Variations`], by the names of Nilsson 2008, Appendix B.
+    /// The parameters of [`Variations`], named as in Nilsson 2008, Appendix B.
     ///
-    /// Sizes are in units of the surface's positions, within `[10⁻⁶, 10⁶]`; strengths, shares and colours are within `[0, 1]`. The
-    /// defaults are those of a plastic panel in metres.
+    /// Sizes are in units of the surface positions, within `[10⁻⁶, 10⁶]`. Strengths, fractions and
+    /// colors are within `[0, 1]`. The defaults are a plastic panel in meters.
     pub struct VariationsParameters of Variations {
-        /// The diffuse colour. Default (0.3, 0.28, 0.25).
+        /// The diffuse color. Default (0.3, 0.28, 0.25).
         diffuse: Vec3 = Vec3::new(0.3, 0.28, 0.25), colour;
-        /// The specular colour. Default 0.2.
+        /// The specular color. Default 0.2.
         specular: Vec3 = Vec3::splat(0.2), colour;
-        /// The roughness of the facets, that of [`EnergyPreservingOrenNayar`](crate::EnergyPreservingOrenNayar). Default 0.3.
+        /// The roughness of the facets, as in
+        /// [`EnergyPreservingOrenNayar`](crate::EnergyPreservingOrenNayar). Default 0.3.
         roughness: f32 = 0.3, as_share;
         /// The size of blemishes. Default 0.003.
         small_blemish_size: f32 = 0.003;
         /// Tilt of the normal by blemishes: their height over their size. Default 0.03.
         small_blemish_bump_strength: f32 = 0.03, as_share;
-        /// Variation of the specular colour by blemishes. Default 0.4.
+        /// Variation of the specular color by blemishes. Default 0.4.
         small_blemish_colour_strength: f32 = 0.4, as_share;
         /// Tilt of the normal by dents: their height over their size. Default 0.05.
         dent_strength: f32 = 0.05, as_share;
         /// The size of dents. Default 0.1.
         dent_size: f32 = 0.1;
-        /// Cover of dents: the share of gradients that is kept. Default 0.3, the thesis's drop of 70 %.
+        /// Cover of dents: the fraction of gradients that is kept. Default 0.3, the drop of 70 % in
+        /// the thesis.
         dent_cover: f32 = 0.3;
         /// The number of octaves of dents, from 1 to 8. Default 2.
         dent_detail: u32 = 2;
-        /// The roughness of the gloss: Beckmann's α, within `[0.01, 1]`; not in the thesis. Default 0.25.
+        /// The roughness of the gloss: Beckmann's α, within `[0.01, 1]`; not in the thesis. Default
+        /// 0.25.
         gloss_roughness: f32 = 0.25, as_roughness;
-        /// Which surface: any number.
+        /// Random seed.
         seed: u32 = 1;
     }
 }
 
-/// A material of any kind with small variations, which make it look less perfect.
+/// A material with small variations that make it look less perfect.
 ///
-/// Nilsson 2008, §4.5 and Appendix B: [`Blemishes`] in the specular colour and the normal, [`Dents`] in the normal, and a rough
-/// diffuse colour.
+/// Nilsson 2008, §4.5 and Appendix B: [`Blemishes`] in the specular color and the normal, [`Dents`]
+/// in the normal, and a rough diffuse color.
 ///
 /// ```
 /// use asperity_shading::glam::Vec3;
@@ -67,7 +70,7 @@ pub struct Variations {
 }
 
 impl Variations {
-    /// The material of these parameters.
+    /// Creates the material of these parameters.
     ///
     /// # Errors
     /// [`ParameterError`] with the first parameter that is out of its range.
@@ -89,7 +92,8 @@ impl Variations {
         (&self.blemishes, &self.dents)
     }
 
-    /// Colours, normal and lost slopes at a pixel; total: even and flat where the position is not finite.
+    /// Colors, normal and unresolved slopes at a pixel; uniform and flat if the position is not
+    /// finite.
     fn surface(&self, point: &SurfacePoint) -> GlossySurface {
         let (p, n) = (&self.parameters, point.normal);
         let (at, footprint) = (point.position, point.footprint());
@@ -135,7 +139,7 @@ mod tests {
     use crate::pixel::Footprint;
 
     #[test]
-    fn no_strength_is_a_plain_surface() {
+    fn zero_strength_is_flat() {
         let plain = VariationsParameters {
             small_blemish_bump_strength: 0.0,
             small_blemish_colour_strength: 0.0,

@@ -1,4 +1,4 @@
-//! The energy-preserving rough diffuse surface (EON).
+//! The energy-preserving rough diffuse BRDF (EON).
 
 use core::f32::consts::{FRAC_1_PI, PI};
 
@@ -9,7 +9,7 @@ use crate::parameter::ParameterError;
 use crate::reflectance::brdf::{Brdf, are_above, finite};
 use crate::reflectance::diffuse::rough::{checked, sine, stretched};
 
-/// A rough diffuse surface that keeps all energy: light that leaves one facet for another comes out in the end.
+/// A rough diffuse BRDF that preserves energy: light that hits other facets leaves eventually.
 ///
 /// ```text
 /// f_r  = ρ/π A (1 + r s/t)  +  ρ_ms/π A r (k − G(θ_i)/π) (k − G(θ_o)/π) / (k − k̄)
@@ -19,14 +19,15 @@ use crate::reflectance::diffuse::rough::{checked, sine, stretched};
 /// s, t as in Fujii's form
 /// ```
 ///
-/// - **Domain:** roughness r within `[0, 1]`; 0 is Lambert's surface.
+/// - **Domain:** roughness r within `[0, 1]`; 0 is Lambertian.
 /// - **Range:** at least 0. Reciprocal.
-/// - **Energy:** the albedo for ρ = 1 is 1 from every direction; measured within the error of a quadrature, 2·10⁻⁵.
+/// - **Energy:** the albedo for ρ = 1 is 1 from every direction; measured within the error of a
+///   quadrature, 2·10⁻⁵.
 /// - **Accuracy:** 10⁻⁶ relative to the formula in directions up to 1.5 rad from the normal.
 ///
-/// Portsmouth, Kutz, Hill 2024, *EON: A practical energy-preserving rough diffuse BRDF*, eq. 12–19. The source divides
-/// `(1 − E(θ_i)) (1 − E(θ_o))` by `1 − Ē`, which is 0/0 for r = 0; here `A r` is cancelled from all three, and `G` has
-/// no `1/cos θ`.
+/// Portsmouth, Kutz, Hill 2024, *EON: A practical energy-preserving rough diffuse BRDF*, eq. 12–19.
+/// The source divides `(1 − E(θ_i)) (1 − E(θ_o))` by `1 − Ē`, which is 0/0 for r = 0. Here `A r` is
+/// cancelled from all three, and `G` has no `1/cos θ`.
 ///
 /// ```
 /// use asperity_shading::{Brdf, EnergyPreservingOrenNayar, glam::Vec3};
@@ -53,10 +54,11 @@ const K: f32 = 0.5 - 2.0 / (3.0 * PI);
 const K_APART: f32 = 6.0 / (5.0 * PI) - 1.0 / 6.0;
 
 impl EnergyPreservingOrenNayar {
-    /// The surface of albedo ρ and roughness r.
+    /// Creates the surface of albedo ρ and roughness r.
     ///
     /// # Errors
-    /// [`ParameterError`] unless the roughness and every component of the albedo are within `[0, 1]`.
+    /// [`ParameterError`] unless the roughness and every component of the albedo are within `[0,
+    /// 1]`.
     pub fn new(albedo: Vec3, roughness: f32) -> Result<Self, ParameterError> {
         checked(albedo, roughness, 1.0).map(|(albedo, roughness)| Self::of(albedo, roughness))
     }
@@ -70,7 +72,7 @@ impl EnergyPreservingOrenNayar {
         Self { albedo, roughness, multiple }
     }
 
-    /// The surface of the nearest albedo and roughness that are valid; NaN counts as 0.
+    /// Creates the surface with clamped albedo and roughness; NaN is read as 0.
     #[must_use]
     pub fn clamped(albedo: Vec3, roughness: f32) -> Self {
         let albedo = albedo.map(|c| clamp_to(c, 1.0));
@@ -90,7 +92,7 @@ impl EnergyPreservingOrenNayar {
     }
 }
 
-/// `k − G(θ)/π`: at least 0, what single scattering lacks.
+/// `k − G(θ)/π`: the energy missing from single scattering, at least 0.
 fn lacking(w: Vec3) -> f32 {
     let s = sine(w);
     let sc = s * w.z;
@@ -116,8 +118,8 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn single_scattering_lacks_nothing_negative() {
-        // Largest straight down, where least is seen twice; k − G(π/2)/π = 1/2 − 2/(3π) − (π/2 − 2/3)/π = 0 at the horizon.
+    fn missing_energy_is_not_negative() {
+        // Largest straight down; k − G(π/2)/π = 1/2 − 2/(3π) − (π/2 − 2/3)/π = 0 at the horizon.
         assert_abs_diff_eq!(lacking(Vec3::Z), K, epsilon = 1e-7);
         assert!(lacking(Vec3::X) < 1e-6);
     }

@@ -1,4 +1,4 @@
-//! Lambert's reflectance: the same in every direction.
+//! The Lambertian BRDF.
 
 use core::f32::consts::FRAC_1_PI;
 use glam::Vec3;
@@ -6,14 +6,14 @@ use glam::Vec3;
 use crate::parameter::{ParameterError, colour};
 use crate::reflectance::brdf::{Brdf, are_above};
 
-/// Lambert's reflectance.
+/// The Lambertian BRDF: the same value in every direction.
 ///
 /// ```text
 /// f_r = ρ / π
 /// ```
 ///
 /// - **Range:** `[0, 1/π]` sr⁻¹ in each channel. Reciprocal; the albedo is ρ from every direction.
-/// - **Sampling:** by the cosine, so that every sample has the weight ρ.
+/// - **Sampling:** cosine-weighted, so every sample has the weight ρ.
 ///
 /// Lambert 1760, *Photometria*.
 ///
@@ -33,7 +33,7 @@ pub struct Lambert {
 }
 
 impl Lambert {
-    /// The reflectance with this albedo ρ, linear RGB.
+    /// Creates the BRDF with this albedo ρ, linear RGB.
     ///
     /// # Errors
     /// [`ParameterError`] unless every component is within `[0, 1]`.

@@ -1,4 +1,4 @@
-//! Diffuse reflectance: Lambert, Oren and Nayar's rough surface in its four forms.
+//! Diffuse BRDFs: Lambert, and four forms of Oren–Nayar.
 
 mod energy_preserving;
 mod lambert;

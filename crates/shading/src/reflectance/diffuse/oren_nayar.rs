@@ -1,4 +1,4 @@
-//! Oren and Nayar's rough diffuse surface: full, qualitative, and Fujii's form.
+//! The Oren–Nayar rough diffuse BRDF: full, qualitative, and Fujii's form.
 
 use core::f32::consts::{FRAC_1_PI, PI};
 
@@ -9,7 +9,7 @@ use crate::parameter::ParameterError;
 use crate::reflectance::brdf::{Brdf, are_above, finite};
 use crate::reflectance::diffuse::rough::{checked, sine, stretched};
 
-/// Which formula an [`OrenNayar`] has.
+/// The formula of an [`OrenNayar`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum OrenNayarForm {
@@ -23,11 +23,11 @@ pub enum OrenNayarForm {
     /// C₃ = 0.125 σ²/(σ²+0.09) (4αβ/π²)²
     /// ```
     ///
-    /// α and β are the greater and the lesser angle from the normal. Oren, Nayar 1994, *Generalization of Lambert's
-    /// Reflectance Model*, eq. 30 and 31.
+    /// α and β are the larger and the smaller angle from the normal. Oren, Nayar 1994, *Generalization
+    /// of Lambert's Reflectance Model*, eq. 30 and 31.
     #[default]
     Full,
-    /// The two largest terms: dark rims where the azimuths differ, and no colour shift.
+    /// The two largest terms, with dark rims where the azimuths differ, and no color shift.
     ///
     /// ```text
     /// f_r = ρ/π (A + B max(0, cos Δφ) sin α tan β),   A = C₁,   B = 0.45 σ²/(σ²+0.09)
@@ -35,7 +35,7 @@ pub enum OrenNayarForm {
     ///
     /// Oren, Nayar 1994, §4.4.
     Qualitative,
-    /// Without the qualitative form's crease and its dark ring, with a σ that is a weight:
+    /// Fujii's form without the crease and the dark ring of the qualitative form; σ is a weight:
     ///
     /// ```text
     /// f_r = ρ (1 + σ s/t) / (π + (π/2 − 2/3) σ),   s = ωi·ωo − cos θ_i cos θ_o,
@@ -46,14 +46,16 @@ pub enum OrenNayarForm {
     Fujii,
 }
 
-/// A rough diffuse surface: facets that are Lambert's, tilted with the standard deviation σ.
+/// The Oren–Nayar rough diffuse BRDF: Lambertian facets, tilted with standard deviation σ.
 ///
 /// - **Domain:** σ in radians for the first two forms, up to π/2; up to 1 for Fujii's.
-/// - **Range:** at least 0. The full form goes slightly below 0 for opposite azimuths near the horizon, and is 0 there.
-///   Reciprocal. The first two are unbounded where both directions graze the surface in one azimuth, as `tan β` is.
-/// - **Energy:** none of the three keeps it. With ρ = 1 they lose up to a quarter (full and Fujii's form, σ = 1) or a third of
-///   it straight down. Towards the horizon the full form's albedo passes 1 by up to 5 % (σ = 0.3), the qualitative one's by
-///   up to 1.5 % (σ = 0.2); Fujii's stays below. [`EnergyPreservingOrenNayar`] keeps it.
+/// - **Range:** at least 0. The full form is slightly negative for opposite azimuths near the
+///   horizon, and is clamped to 0 there. Reciprocal. The first two are unbounded where both
+///   directions graze the surface in one azimuth, like `tan β`.
+/// - **Energy:** none of the three preserves it. With ρ = 1 they lose up to a quarter (full and
+///   Fujii's form, σ = 1) or a third of it straight down. Towards the horizon the albedo of the
+///   full form exceeds 1 by up to 5 % (σ = 0.3), and the albedo of the qualitative form by up to
+///   1.5 % (σ = 0.2). Fujii's form stays below 1. [`EnergyPreservingOrenNayar`] preserves energy.
 /// - **Accuracy:** 8·10⁻⁶ relative to the formulas in directions up to 1.5 rad from the normal.
 ///
 /// [`EnergyPreservingOrenNayar`]: crate::EnergyPreservingOrenNayar
@@ -63,7 +65,7 @@ pub enum OrenNayarForm {
 /// use asperity_shading::{Brdf, glam::Vec3};
 ///
 /// let clay = OrenNayar::new(Vec3::splat(0.7), 0.5, OrenNayarForm::Full)?;
-/// // Seen from where the light is, a rough surface is brighter towards its edge than Lambert's, which it is not across.
+/// // Seen from the light, a rough surface is brighter towards its edge than a Lambertian one; not so from the other side.
 /// let w = Vec3::new(0.8, 0.0, 0.6);
 /// assert!(clay.value(w, w).x > clay.value(w, Vec3::new(-0.8, 0.0, 0.6)).x);
 /// # Ok::<(), asperity_shading::ParameterError>(())
@@ -78,10 +80,11 @@ pub struct OrenNayar {
 }
 
 impl OrenNayar {
-    /// The surface of albedo ρ and roughness σ.
+    /// Creates the surface of albedo ρ and roughness σ.
     ///
     /// # Errors
-    /// [`ParameterError`] unless every component is within `[0, 1]`, and σ within `[0, π/2]`, for Fujii's form `[0, 1]`.
+    /// [`ParameterError`] unless every component is within `[0, 1]`, and σ within `[0, π/2]`, for
+    /// Fujii's form `[0, 1]`.
     pub fn new(albedo: Vec3, sigma: f32, form: OrenNayarForm) -> Result<Self, ParameterError> {
         let most = if form == OrenNayarForm::Fujii { 1.0 } else { 0.5 * PI };
         checked(albedo, sigma, most).map(|(albedo, sigma)| Self { albedo, sigma, form })

@@ -1,4 +1,4 @@
-//! Exact Fresnel reflectance of a conductor, unpolarised.
+//! Exact Fresnel reflectance of a conductor, unpolarized.
 
 use glam::Vec3;
 
@@ -6,9 +6,10 @@ use crate::math::{clamp_to, sqrt};
 use crate::parameter::{ParameterError, not_negative, positive};
 use crate::reflectance::fresnel::interface::{Fresnel, channels, reflectance_or_mirror};
 
-/// A smooth metal surface, by its complex refractive index `η + i k` relative to the incident side.
+/// A smooth metal surface with the complex refractive index `η + i k` relative to the incident
+/// side.
 ///
-/// The index depends on the wavelength: a coloured metal is three of these, one for each channel.
+/// The index depends on the wavelength. A colored metal is three of these, one for each channel.
 ///
 /// ```
 /// use asperity_shading::Conductor;
@@ -28,7 +29,9 @@ pub struct Conductor {
 }
 
 impl Conductor {
-    /// The metal of index `eta` and extinction coefficient `k`, both relative to the incident side's index.
+    /// Creates the metal of index `eta` and extinction coefficient `k`.
+    ///
+    /// Both are relative to the index of the incident side.
     ///
     /// # Errors
     /// [`ParameterError`] unless `eta` is finite and positive, and `k` finite and not negative.
@@ -48,7 +51,7 @@ impl Conductor {
         self.k
     }
 
-    /// The share of unpolarised light that is reflected.
+    /// The reflectance for unpolarized light.
     ///
     /// ```text
     /// a + i b = √((η + i k)² − sin² θ),   c = cos θ
@@ -57,11 +60,13 @@ impl Conductor {
     /// F = ½ (R_s + R_p)
     /// ```
     ///
-    /// - **Domain:** `cos_theta` is clamped to `[0, 1]`; NaN counts as 0, the horizon.
-    /// - **Range:** `[0, 1]`, dimensionless; 1 at the horizon, and 0 everywhere for the index 1 without absorption.
+    /// - **Domain:** `cos_theta` is clamped to `[0, 1]`; NaN is read as 0, the horizon.
+    /// - **Range:** `[0, 1]`, dimensionless; 1 at the horizon, and 0 everywhere for the index 1
+    ///   without absorption.
     /// - **Accuracy:** 3·10⁻⁷ against 20-digit references.
     ///
-    /// Born and Wolf, *Principles of Optics*, §13.2 (absorbing media), in the form without complex numbers.
+    /// Born and Wolf, *Principles of Optics*, §13.2 (absorbing media), in the form without complex
+    /// numbers.
     #[must_use]
     pub fn reflectance(&self, cos_theta: f32) -> f32 {
         let Self { eta, k } = *self;

@@ -1,4 +1,4 @@
-//! Exact Fresnel reflectance of a dielectric, unpolarised.
+//! Exact Fresnel reflectance of a dielectric, unpolarized.
 
 use glam::Vec3;
 
@@ -14,7 +14,7 @@ use crate::reflectance::fresnel::interface::{Fresnel, channels, reflectance_or_m
 /// let glass = Dielectric::new(1.5)?;
 /// assert!((glass.reflectance(1.0) - 0.04).abs() < 1e-7);
 /// assert_eq!(glass.reflectance(0.0), 1.0);
-/// // Seen from inside, beyond the critical angle, everything is reflected.
+/// // Total internal reflection beyond the critical angle.
 /// assert_eq!(glass.reversed().reflectance(0.5), 1.0);
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
@@ -26,7 +26,7 @@ pub struct Dielectric {
 }
 
 impl Dielectric {
-    /// The interface whose transmitted side has `relative_index = η_t / η_i` times the index of the incident side.
+    /// Creates the interface with `relative_index = η_t / η_i`, transmitted over incident side.
     ///
     /// # Errors
     /// [`ParameterError`] unless the index is finite and positive.
@@ -34,7 +34,8 @@ impl Dielectric {
         Ok(Self { relative_index: positive("relative_index", relative_index)? })
     }
 
-    /// The interface of the nearest relative index that is valid; NaN is 1, no interface.
+    /// Creates the interface with the relative index clamped to the valid range; NaN is 1, no
+    /// interface.
     #[must_use]
     pub fn clamped(relative_index: f32) -> Self {
         Self {
@@ -52,7 +53,7 @@ impl Dielectric {
         self.relative_index
     }
 
-    /// Interface seen from its other side: `η → 1/η`.
+    /// The interface seen from its other side: `η → 1/η`.
     ///
     /// An index so small that its inverse overflows becomes the largest finite one.
     #[must_use]
@@ -60,7 +61,7 @@ impl Dielectric {
         Self::clamped(1.0 / self.relative_index)
     }
 
-    /// The share of unpolarised light that is reflected.
+    /// The reflectance for unpolarized light.
     ///
     /// ```text
     /// F = ½ (r_s² + r_p²),   g = √(η² − 1 + c²),   c = cos θ_i
@@ -69,12 +70,13 @@ impl Dielectric {
     /// F = 1 where η² − 1 + c² < 0, total internal reflection
     /// ```
     ///
-    /// - **Domain:** `cos_theta` is clamped to `[0, 1]`; NaN counts as 0, the horizon.
-    /// - **Range:** `[0, 1]`, dimensionless; 1 at the horizon, except that equal indices (`η = 1`) reflect nothing.
+    /// - **Domain:** `cos_theta` is clamped to `[0, 1]`; NaN is read as 0, the horizon.
+    /// - **Range:** `[0, 1]`, dimensionless; 1 at the horizon, except that equal indices (`η = 1`)
+    ///   reflect nothing.
     /// - **Accuracy:** 3·10⁻⁷ against 20-digit references; no cancellation as `η → 1`.
     ///
-    /// Cook and Torrance 1982, *A Reflectance Model for Computer Graphics*, the equation for F, with
-    /// `g − c` written as `(η² − 1)/(g + c)`.
+    /// Cook and Torrance 1982, *A Reflectance Model for Computer Graphics*, the equation for F,
+    /// with `g − c` written as `(η² − 1)/(g + c)`.
     #[must_use]
     pub fn reflectance(&self, cos_theta: f32) -> f32 {
         let eta = self.relative_index;
@@ -102,13 +104,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn both_sides_reflect_alike_along_a_refracted_ray() {
+    fn reflectance_is_equal_on_both_sides_of_a_refracted_ray() {
         let outside = Dielectric::new(1.5).unwrap();
         for i in 1..=50 {
             let c = i as f32 / 50.0;
             let c_t = (1.0 - (1.0 - c * c) / 2.25).sqrt();
             let difference = outside.reflectance(c) - outside.reversed().reflectance(c_t);
-            // Measured 6.0e-6, at c = 0.02, where c_t is near the critical angle and ill conditioned.
+            // Measured: 6.0e-6, at c = 0.02, where c_t is near the critical angle and ill
+            // conditioned.
             assert!(difference.abs() < 1e-4, "cos = {c}: {difference}");
         }
     }

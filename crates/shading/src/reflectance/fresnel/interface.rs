@@ -1,13 +1,14 @@
-//! The share of light that an interface reflects, as a trait.
+//! The `Fresnel` trait: the reflectance of an interface.
 
 use glam::Vec3;
 
 use crate::math::clamp_to;
 
-/// The share of light that an interface reflects, by the angle of incidence, in linear RGB.
+/// The reflectance of an interface by the angle of incidence, in linear RGB.
 ///
-/// Implemented by every interface of this crate, which reflects the three channels alike; by an array of three, one for
-/// each channel; and by a colour, for an interface that reflects the same share from everywhere. Dyn-compatible.
+/// Implemented by every interface of this crate, with the same reflectance in all channels; by an
+/// array of three interfaces, one for each channel; and by a color, for an interface with constant
+/// reflectance. Dyn-compatible.
 ///
 /// ```
 /// use asperity_shading::{Conductor, Fresnel, glam::Vec3};
@@ -20,7 +21,7 @@ use crate::math::clamp_to;
 #[doc(alias = "fresnel")]
 #[doc(alias = "f0")]
 pub trait Fresnel {
-    /// The share of each channel that is reflected, within `[0, 1]`; a cosine that is NaN counts as the horizon's.
+    /// The reflectance in each channel, within `[0, 1]`; a NaN cosine is read as the horizon.
     #[must_use]
     fn reflectance_rgb(&self, cos_theta: f32) -> Vec3;
 }
@@ -40,7 +41,7 @@ impl Fresnel for Vec3 {
     }
 }
 
-/// An interface with a method `reflectance`, in the three channels alike or one for each.
+/// An interface with a method `reflectance`, for all channels or for each.
 macro_rules! channels {
     ($interface:ty) => {
         impl Fresnel for $interface {
@@ -62,7 +63,7 @@ macro_rules! channels {
 
 pub(super) use channels;
 
-/// A reflectance within `[0, 1]`; what overflowed to NaN is the limit of a perfect mirror.
+/// A reflectance within `[0, 1]`; overflow to NaN becomes the limit of a perfect mirror.
 #[inline]
 pub(super) fn reflectance_or_mirror(f: f32) -> f32 {
     if f >= 0.0 { f.min(1.0) } else { 1.0 }
@@ -97,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn every_input_gives_a_share() {
+    fn reflectance_accepts_every_input() {
         let odd = [f32::MIN_POSITIVE, 1e-20, 0.3, 1.0 - 1e-7, 1.0, 1.0 + 1e-6, 3.0, 1e10, 1e30, f32::MAX];
         for (eta, k) in odd.into_iter().flat_map(|eta| odd.map(|k| (eta, k))) {
             let glass = Dielectric::new(eta).unwrap();

@@ -1,4 +1,5 @@
-//! Fresnel reflectance of smooth interfaces: dielectric, conductor, Schlick's approximation and its tint at 82°.
+//! Fresnel reflectance of smooth interfaces: dielectric, conductor, Schlick's approximation and its
+//! tint at 82°.
 
 mod conductor;
 mod dielectric;

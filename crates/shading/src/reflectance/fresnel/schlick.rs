@@ -6,7 +6,7 @@ use crate::math::clamp_to;
 use crate::parameter::{ParameterError, as_share};
 use crate::reflectance::fresnel::interface::{Fresnel, channels};
 
-/// Schlick's approximation, by the reflectance `F₀` at normal incidence.
+/// Schlick's approximation with the reflectance `F₀` at normal incidence.
 ///
 /// ```
 /// use asperity_shading::Schlick;
@@ -22,7 +22,7 @@ pub struct Schlick {
 }
 
 impl Schlick {
-    /// The approximation that reflects the share `f0` at normal incidence.
+    /// Creates the approximation with the reflectance `f0` at normal incidence.
     ///
     /// # Errors
     /// [`ParameterError`] unless `f0` is within `[0, 1]`.
@@ -36,15 +36,16 @@ impl Schlick {
         self.f0
     }
 
-    /// The share of light that is reflected.
+    /// The reflectance.
     ///
     /// ```text
     /// F = F₀ + (1 − F₀) (1 − cos θ)⁵
     /// ```
     ///
-    /// - **Domain:** `cos_theta` is clamped to `[0, 1]`; NaN counts as 0, the horizon.
+    /// - **Domain:** `cos_theta` is clamped to `[0, 1]`; NaN is read as 0, the horizon.
     /// - **Range:** `[F₀, 1]`, dimensionless.
-    /// - **Accuracy:** 2·10⁻⁷ against the formula; the formula itself knows no total internal reflection.
+    /// - **Accuracy:** 2·10⁻⁷ compared with the formula; the formula itself has no total internal
+    ///   reflection.
     ///
     /// Schlick 1994, *An Inexpensive BRDF Model for Physically-Based Rendering*, eq. 15.
     #[must_use]

@@ -1,4 +1,4 @@
-//! Schlick's approximation with a tint near 82°, where metals dip.
+//! Schlick's approximation with a tint near 82°, for the dip of metals.
 
 use glam::Vec3;
 
@@ -6,12 +6,12 @@ use crate::math::clamp_to;
 use crate::parameter::{ParameterError, as_share};
 use crate::reflectance::fresnel::interface::{Fresnel, channels};
 
-/// Schlick's approximation, multiplied down to a given tint at `cos θ = 1/7`, about 82° from the normal.
+/// Schlick's approximation, reduced to a given tint at `cos θ = 1/7`, about 82° from the normal.
 ///
 /// ```
 /// use asperity_shading::reflectance::SchlickF82;
 ///
-/// // Aluminium reflects less just before the horizon than straight down.
+/// // Aluminum reflects less just before the horizon than straight down.
 /// let aluminium = SchlickF82::new(0.91, 0.94)?;
 /// assert!(aluminium.reflectance(1.0 / 7.0) < 0.94 * 0.96);
 /// assert_eq!(aluminium.reflectance(0.0), 1.0);
@@ -25,14 +25,16 @@ pub struct SchlickF82 {
 }
 
 impl SchlickF82 {
-    /// The approximation with reflectance `f0` at normal incidence and `tint` times Schlick's at `cos θ = 1/7`.
+    /// Creates the approximation with reflectance `f0` at normal incidence, and `tint` at 82°.
+    ///
+    /// `tint` is a factor of Schlick's approximation at `cos θ = 1/7`.
     ///
     /// # Errors
     /// [`ParameterError`] unless both are within `[0, 1]`.
     pub fn new(f0: f32, tint: f32) -> Result<Self, ParameterError> {
         as_share("f0", f0)?;
         as_share("tint", tint)?;
-        // In f64: (6/7)⁵ and (6/7)⁶ amplify the rounding of what they divide.
+        // In f64, because (6/7)⁵ and (6/7)⁶ amplify the rounding of their dividends.
         let sixth = 6.0_f64 / 7.0;
         let fifth_power = sixth * sixth * sixth * sixth * sixth;
         let schlick = f64::from(f0) + (1.0 - f64::from(f0)) * fifth_power;
@@ -46,15 +48,15 @@ impl SchlickF82 {
         self.dip
     }
 
-    /// The share of light that is reflected.
+    /// The reflectance.
     ///
     /// ```text
     /// F = F₀ + (1 − F₀) (1 − c)⁵ − a c (1 − c)⁶,   c = cos θ,   a such that F(1/7) is the tint's
     /// ```
     ///
-    /// - **Domain:** `cos_theta` is clamped to `[0, 1]`; NaN counts as 0, the horizon.
-    /// - **Range:** `[0, 1]`: where the last term is the greater, the reflectance is 0.
-    /// - **Accuracy:** 3·10⁻⁷ against the formula.
+    /// - **Domain:** `cos_theta` is clamped to `[0, 1]`; NaN is read as 0, the horizon.
+    /// - **Range:** `[0, 1]`; 0 where the last term is larger.
+    /// - **Accuracy:** 3·10⁻⁷ compared with the formula.
     ///
     /// Kutz, Hašan, Edmondson 2021, *Novel aspects of the Adobe Standard Material*, §2.3.
     #[must_use]
