@@ -1,4 +1,4 @@
-//! Evaluations and primary rays per second of the source's functions.
+//! Evaluations and primary rays per second for the functions of the source.
 
 use asperity_fif::glam::DVec3;
 use asperity_fif::{
@@ -7,12 +7,12 @@ use asperity_fif::{
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
 
-/// A Weyl sequence over the open domain `(0, 2)`: no short addresses.
+/// A Weyl sequence over the open domain `(0, 2)`, which has no short addresses.
 fn points() -> Vec<f64> {
     (1..=1024).map(|i| 2.0 * (f64::from(i) * 0.618_033_988_749_895).fract()).collect()
 }
 
-/// A camera that looks down at the middle of the square; about nine rays in ten hit.
+/// A camera that looks down at the center of the square; about 90 % of the rays hit.
 fn camera(side: u32) -> Vec<Ray> {
     let origin = DVec3::new(-2.5, -3.25, 4.9);
     let forward = (DVec3::new(1.0, 1.0, 0.6) - origin).normalize();
@@ -48,7 +48,7 @@ fn evaluation(c: &mut Criterion) {
     group.finish();
 }
 
-/// Algorithm 2 as printed beside the tables, at the same points; to 10⁻¹², `f32` to 10⁻⁶.
+/// Algorithm 2 as printed and the tables, at the same points; to 10⁻¹², `f32` to 10⁻⁶.
 fn tables<S: AsRef<[Piece<C>]>, const C: usize>(c: &mut Criterion, name: &str, f: &System<S, C>) {
     let points: Vec<f64> = points()
         .into_iter()
@@ -100,7 +100,7 @@ fn fast(c: &mut Criterion) {
     group.finish();
 }
 
-/// Value, slope and integral beside the value alone, to 10⁻¹².
+/// Value, slope and integral compared with the value alone, to 10⁻¹².
 fn jets<const C: usize>(c: &mut Criterion, name: &str, f: &FixedFif<2, C>) {
     let points = points();
     let table = f.table(1e-12).expect("gentle factors");

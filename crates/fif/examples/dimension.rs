@@ -1,4 +1,5 @@
-//! The box dimension of a graph and its Hölder exponent against the vertical factor; a recurrent system mixes two of them.
+//! Prints the box dimension of a graph and its Hölder exponent for several vertical scalings, and
+//! for a recurrent system with two of them.
 #![expect(clippy::print_stdout, reason = "an example prints its result")]
 
 use asperity_fif::{FixedFif, Recurrent};
@@ -10,7 +11,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let f = FixedFif::<4, 2>::affine(&x, &y, &[factor; 4])?;
         println!("{factor:6}  {:9.4}  {:8.4}", f.dimension().middle(), 2.0 - f.dimension().middle());
     }
-    // The left half copies itself gently, the right half steeply.
+    // The left half copies itself with a small scaling, the right half with a large one.
     let f = Recurrent::affine(&x, &y, &[0.1, 0.1, 0.8, -0.8], &[[0, 2], [0, 2], [2, 4], [2, 4]])?;
     for (name, from) in [("smooth", 0.0), ("rough", 2.0)] {
         let at = |k: u32| f.evaluate(from + f64::from(k) / 512.0, 1e-9).value;

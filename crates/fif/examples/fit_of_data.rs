@@ -1,10 +1,11 @@
-//! Fits a fractal function to noisy data with fewer and fewer knots, and prints how well it does and how rough both are.
+//! Fits a fractal function to noisy data with fewer and fewer knots, and prints the error and the
+//! roughness.
 #![expect(clippy::print_stdout, reason = "an example prints its result")]
 
 use asperity_fif::{box_dimension, fit};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    // A mountain's profile: a random walk of 257 heights.
+    // The profile of a mountain: a random walk of 257 heights.
     let mut state = 7_u32;
     let mut height = 0.0;
     let (x, y): (Vec<f64>, Vec<f64>) = (0..=256)

@@ -1,4 +1,4 @@
-//! A fractal terrain seen by rays, with sun and shadows: writes `target/height_field.png` or the path that is given.
+//! Ray traces a fractal terrain with sun and shadows to `target/height_field.png` or a given path.
 #![expect(clippy::print_stdout, reason = "an example prints its result")]
 
 use asperity_fif::{Fif, HeightField, Intersect, Interval, Ray, Surface, glam::DVec3};

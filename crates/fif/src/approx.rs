@@ -1,11 +1,13 @@
-//! The traits of `approx` for values with bounds, jets, rays and hits; `asperity-core` has those of intervals.
+//! The traits of `approx` for values with bounds, jets, rays and hits.
+//!
+//! `asperity-core` implements them for intervals.
 
 use crate::numeric::estimate::{Bounded, Estimate};
 use crate::ray::ray::{Hit, Ray};
 #[cfg(feature = "alloc")]
 use crate::table::jet::jet::Jet;
 
-/// Differs by infinity between absent and present.
+/// The difference between absent and present is infinite.
 fn presence<T: Copy>(part: Option<T>) -> f64 {
     if part.is_some() { 0.0 } else { f64::INFINITY }
 }

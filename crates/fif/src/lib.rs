@@ -1,13 +1,14 @@
-//! # asperity-fif
+//! Fractal interpolation functions (FIFs): curves, integrals, height fields and ray intersection.
 //!
-//! Fractal interpolation functions: curves that pass through given points and consist of smaller copies of themselves.
-//! They are evaluated to a stated tolerance, integrated exactly, bounded rigorously, and multiplied to height fields
-//! with exact normals. No ray hit is missed, and a hit reports whether it is certain to be the first.
+//! A FIF is a curve through given points that consists of smaller copies of itself. FIFs are
+//! evaluated to a given tolerance, integrated exactly, and bounded rigorously. Products of two FIFs
+//! are height fields with exact normals. No ray hit is missed, and each hit reports whether it is
+//! certain to be the first.
 //!
 //! ```
 //! use asperity_fif::{FixedFif, HeightField, Intersect, Ray, glam::DVec3};
 //!
-//! // A rough function through three points; its integral is smooth, and so is the product of two integrals.
+//! // A rough function through three points. Its integral is smooth, and so is the product of two integrals.
 //! let f = FixedFif::<2, 2>::affine(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0], &[0.5, 0.5])?;
 //! let f_hat: FixedFif<2, 3> = f.integral(0.0)?;
 //! let surface = HeightField::new(f_hat, f_hat);
@@ -17,35 +18,39 @@
 //! # Ok::<(), asperity_fif::SystemError>(())
 //! ```
 //!
-//! ## Contract
+//! # Conventions
 //!
-//! - A system is checked once, by its constructor. After that nothing fails and nothing panics: points outside the domain
-//!   are clamped, NaN gives NaN, and a ray that is no ray hits nothing.
-//! - Everything is `f64`. In `f32` the address of a point loses a bit or more per level: an affine function on 8 uneven
-//!   nodes with factor 0.6 is wrong by 6·10⁻³.
-//! - Loops are bounded: [`MAX_DEPTH`] maps per evaluation, a number of cells per search, of boxes per ray. Where a limit
-//!   binds, the returned bound or bracket is wider and still true.
-//! - Values use only `+ − × ÷` and comparisons in a fixed order (normals, extrema and fits also square roots), so they have
-//!   the same bits wherever `f64` is IEEE 754. A modulus and a dimension use powers and logarithms of the float backend.
+//! - Constructors validate a system. After that nothing fails or panics: points outside the domain
+//!   are clamped, NaN returns NaN, and invalid rays (zero or non-finite direction) return `None`.
+//! - All computations use `f64`. In `f32` the address of a point loses a bit or more per level: an
+//!   affine function on 8 uneven nodes with scaling 0.6 is wrong by 6·10⁻³.
+//! - Loops are bounded: [`MAX_DEPTH`] maps per evaluation, and a maximum number of cells per search
+//!   and of boxes per ray. When a limit is reached, the returned bound or bracket is wider and
+//!   still valid.
+//! - Values use only `+ − × ÷` and comparisons in a fixed order (normals, extrema and fits also
+//!   square roots), so they have the same bits wherever `f64` is IEEE 754. Moduli and dimensions
+//!   use powers and logarithms of the float backend.
 //!
-//! ## Features
+//! # Features
 //!
-//! | feature | gives |
+//! | feature | effect |
 //! |---|---|
 //! | `std` (default) | roots, powers and logarithms of the standard library |
-//! | `libm` | those of `libm`, for targets without a standard library; wins over `std` |
-//! | `alloc` (default) | [`Fif`], [`Table`], [`Torus`], [`Folded`], [`RoughFolded`], [`Tabulated`], [`Recurrent`], [`fit`], and the tables behind `tabulated()` |
-//! | `serde` | systems written to files, and read through the checks of [`Fif::with_ordinates`]; needs `alloc` |
+//! | `libm` | roots, powers and logarithms of `libm`, for targets without a standard library; takes precedence over `std` |
+//! | `alloc` (default) | [`Fif`], [`Table`], [`Torus`], [`Folded`], [`RoughFolded`], [`Tabulated`], [`Recurrent`], [`fit`], and the tables of `tabulated()` |
+//! | `serde` | serialization of systems, validated by [`Fif::with_ordinates`]; needs `alloc` |
 //! | `approx` | comparisons of intervals, values with bounds, jets, rays and hits to a tolerance |
-//! | `simd` (default) | batches of [`Table32`] and of jets in SIMD lanes, with the same bits |
+//! | `simd` (default) | batches of [`Table32`] and of jets with SIMD, with the same bits |
 //!
-//! One of `std` and `libm` is needed. Without `alloc` there are [`FixedFif`] and [`FifRef`], and height fields of arrays with their rays.
+//! Either `std` or `libm` is required. Without `alloc`, [`FixedFif`] and [`FifRef`], and height
+//! fields of them with ray intersection, are available.
 //!
-//! ## Sources
+//! # References
 //!
-//! W. O. Cochran, R. R. Lewis, J. C. Hart, *The Normal of a Fractal Surface*, 2000; M. F. Barnsley, *Fractal functions
-//! and interpolation*, Constructive Approximation 2, 1986; M. F. Barnsley, J. H. Elton, D. P. Hardin, *Recurrent iterated
-//! function systems*, Constructive Approximation 5, 1989. Where the first is corrected, the item says so.
+//! W. O. Cochran, R. R. Lewis, J. C. Hart, *The Normal of a Fractal Surface*, 2000; M. F. Barnsley, *Fractal
+//! functions and interpolation*, Constructive Approximation 2, 1986; M. F. Barnsley, J. H. Elton,
+//! D. P. Hardin, *Recurrent iterated function systems*, Constructive Approximation 5, 1989.
+//! Corrections of the first are documented at the items.
 #![no_std]
 
 #[cfg(any(feature = "alloc", test))]

@@ -1,8 +1,9 @@
-//! Branch and bound over the cells of a function, for the largest value of `±f` over an interval.
+//! Branch and bound over the cells of a function, for the maximum of `±f` over an interval.
 //!
-//! A pass asks for a part of the gap between the attained value and the bound, and ends when no cell can be more than
-//! that above the value. Over the whole domain its result bounds `f` inside every cell of the next pass, so that each
-//! pass goes only as deep as a product of factors takes to reach the part asked for, however small the gap has become.
+//! A pass has a target, a fraction of the gap between the best value and the bound. It ends when no
+//! cell can exceed the value by more than the target. Over the whole domain the result of a pass
+//! bounds `f` inside every cell of the next pass. Each pass therefore descends only as deep as a
+//! product of scalings needs to reach the target fraction, however small the gap has become.
 
 use asperity_core::Interval;
 use asperity_core::math::sqrt_f64;
@@ -12,25 +13,25 @@ use crate::system::cell::Cell;
 use crate::system::fif::FifRef;
 use crate::system::map::Piece;
 
-/// Cells that one search visits at most, or [`PER_MAP`] for each map where that is more.
+/// Maximum number of cells that one search visits, or [`PER_MAP`] for each map if that is more.
 const BUDGET: usize = 1 << 16;
 
-/// Cells that one pass visits at most, likewise.
+/// Maximum number of cells that one pass visits, likewise.
 const PASS: usize = 1 << 12;
 
-/// See [`BUDGET`] and [`PASS`]; every map has to be seen.
+/// See [`BUDGET`] and [`PASS`]; every map has to be visited.
 const PER_MAP: usize = 4;
 
-/// The part of the gap that the first pass asks for, and the largest part worth a pass.
+/// The target fraction of the gap in the first pass, and the largest worthwhile fraction.
 const PARTS: [f64; 2] = [1.0 / 16.0, 0.99];
 
-/// Maps that one search composes at most: the length of its stack.
+/// Maximum number of maps that a search composes: the length of its stack.
 const DEPTH: usize = 200;
 
-/// Cells that each of the two searches for the outermost places visits at most.
+/// Maximum number of cells that each of the two searches for the outermost points visits.
 const PLACES: usize = 1 << 12;
 
-/// Cells this narrow, in units of the domain, are not split for the sake of the place alone.
+/// Cells this narrow, in units of the domain, are not split to locate a point.
 const NARROW: f64 = 1.0 / 1_073_741_824.0;
 
 /// Interval and accuracy of a search.
@@ -53,7 +54,8 @@ impl Goal {
         place.left - margin <= self.over.hi && place.left + place.width + margin >= self.over.lo
     }
 
-    /// Whether a point within `slip` of `x` is surely inside, or at an end of the domain that belongs to the interval.
+    /// Whether a point within `slip` of `x` is certainly inside, or at an end of the domain in the
+    /// interval.
     fn surely(&self, x: f64, slip: f64) -> bool {
         let margin = self.margin + slip;
         let left = self.over.lo == self.domain.lo || self.over.lo + margin <= x;
@@ -67,7 +69,7 @@ impl Goal {
         Interval::new(place.left - margin, place.left + place.width + margin).intersection(self.over)
     }
 
-    /// A border of the interval within a cell that is narrower than the rounding of its place.
+    /// A border of the interval within a cell that is narrower than the rounding of its position.
     fn lost<const C: usize>(&self, place: &Place<C>) -> bool {
         let ends = [place.left, place.left + place.width];
         place.width < 0.25 * (self.margin + place.slip)
@@ -75,7 +77,7 @@ impl Goal {
     }
 }
 
-/// A cell and where it lies.
+/// A cell and its position.
 #[derive(Clone, Copy)]
 struct Place<const C: usize> {
     cell: Cell<C>,
@@ -93,7 +95,8 @@ impl<const C: usize> Place<C> {
     fn child(&self, piece: &Piece<C>) -> Self {
         let left = self.left + self.width * piece.s[0];
         let width = self.width * (piece.s[1] - piece.s[0]);
-        // One unit of the sum, three of the knot; five of each width above, once in the width and once in the shift.
+        // One unit of the sum, three of the knot; five of each width above, once in the width and
+        // once in the shift.
         let slip = self.slip + UNIT * (left.abs() + 16.0 * self.width);
         Self { cell: self.cell.child(piece), left, width, slip }
     }
@@ -107,32 +110,32 @@ struct Frame<const C: usize> {
     next: usize,
 }
 
-/// One search.
+/// State of a search.
 pub(crate) struct Search<'a, const C: usize> {
     pieces: &'a [Piece<C>],
     range: Interval,
     end_values: [f64; 2],
     goal: &'a Goal,
     sign: f64,
-    /// A value that is attained, rounded down; −∞ while no knot is surely inside.
+    /// An attained value, rounded down; −∞ while no knot is certainly inside.
     pub(crate) best: f64,
-    /// Place of the best value.
+    /// Position of the best value.
     pub(crate) at: Interval,
     /// An upper bound.
     pub(crate) bound: f64,
-    /// The part of the gap that the next pass asks for.
+    /// The target fraction of the gap in the next pass.
     part: f64,
-    /// An upper bound over the cells that this pass is done with.
+    /// An upper bound over the finished cells of this pass.
     top: f64,
-    /// Greatest allowed difference of `top` and `best`.
+    /// Maximum accepted difference of `top` and `best`.
     width: f64,
-    /// Cells that are left to this pass, and to all.
+    /// Remaining cells of this pass, and of all passes.
     left: usize,
     budget: usize,
 }
 
 impl<'a, const C: usize> Search<'a, C> {
-    /// For the maximum of `sign · f`.
+    /// Creates a search for the maximum of `sign · f`.
     pub(crate) fn new(fif: FifRef<'a, C>, goal: &'a Goal, sign: f64) -> Self {
         let pieces = fif.maps();
         let mut search = Self {
@@ -156,7 +159,8 @@ impl<'a, const C: usize> Search<'a, C> {
         search
     }
 
-    /// One pass, with `range` to hold all values over the domain; whether another one may be worth while.
+    /// One pass, where `range` contains all values over the domain; returns whether another one may
+    /// help.
     pub(crate) fn narrow(&mut self, range: Interval) -> bool {
         let reached = self.bound - self.best <= self.goal.width;
         if reached || self.budget == 0 || self.part > PARTS[1] {
@@ -175,17 +179,19 @@ impl<'a, const C: usize> Search<'a, C> {
         if !done {
             self.part = sqrt_f64(self.part);
         }
-        // Without an attained value every pass is the same, and so is one that ended in cells that cannot be split.
+        // Without an attained value every pass is the same; so is a pass that ended in cells that
+        // cannot be split.
         let stuck = done && !gained && self.top > self.best + self.width;
         !(blind || stuck)
     }
 
-    /// Sets the range that the places are searched with.
+    /// Sets the range for the search of positions.
     pub(crate) fn assume(&mut self, range: Interval) {
         self.range = range;
     }
 
-    /// The hull of the cells where a value of `best` or more may be: from the left, then from the right.
+    /// The hull of the cells that may have a value of `best` or more: from the left, then from the
+    /// right.
     pub(crate) fn places(&self) -> Interval {
         if !self.best.is_finite() {
             return self.goal.over;
@@ -195,8 +201,9 @@ impl<'a, const C: usize> Search<'a, C> {
         leftmost.hull(self.outermost(|next| last.wrapping_sub(next), |part, within| part.hi <= within.hi))
     }
 
-    /// Extends the place of `best` to one side, the children of a cell taken in an order from there; what lies on the
-    /// other side is known.
+    /// Extends the position of `best` to one side, visiting the children of a cell from that side.
+    ///
+    /// The other side is known.
     fn outermost(
         &self,
         order: impl Fn(usize) -> usize,
@@ -246,7 +253,7 @@ impl<'a, const C: usize> Search<'a, C> {
                     continue;
                 }
                 self.note(&child);
-                // Upper bounds tie often, so the middle counts too.
+                // Upper bounds are often equal, so the middle is included.
                 let promise = self.upper(&child) + self.sign * child.cell.range(self.range).middle();
                 if promise > most {
                     (most, next) = (promise, Some(child));
@@ -259,7 +266,7 @@ impl<'a, const C: usize> Search<'a, C> {
         }
     }
 
-    /// Depth first: the stack holds the cells whose children are not all visited, from the domain inward.
+    /// Depth first: the stack contains the cells with unvisited children, from the domain inward.
     fn pass(&mut self) {
         let root = Place::root(self.goal.domain);
         self.top = self.best;
@@ -269,7 +276,7 @@ impl<'a, const C: usize> Search<'a, C> {
         while let Some(frame) = height.checked_sub(1).and_then(|last| stack.get_mut(last)) {
             let (parent, upper) = (frame.place, frame.upper);
             if self.left == 0 {
-                // What is not visited any more is bounded by the cell that it is a part of.
+                // Cells that are no longer visited are bounded by the cell that contains them.
                 self.close(upper);
                 height -= 1;
                 continue;
@@ -297,7 +304,7 @@ impl<'a, const C: usize> Search<'a, C> {
         }
     }
 
-    /// Is done with a cell.
+    /// Finishes a cell.
     fn close(&mut self, upper: f64) {
         self.top = if upper > self.top { upper } else { self.top };
     }

@@ -7,7 +7,7 @@ use crate::numeric::polynomial::horner;
 use crate::system::fif::System;
 use crate::system::map::Piece;
 
-/// Least distance from a polynomial of a function that counts as none, relative to its values: far above any rounding.
+/// Minimum relative distance from a polynomial, far above any rounding.
 const APART: f64 = 1.0 / 1_073_741_824.0;
 
 impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
@@ -17,15 +17,16 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// D with Σ |α_j| a_j^{D−1} = 1   when Σ |α_j| > 1,   else 1
     /// ```
     ///
-    /// `D` is the dimension when `f` is not itself a polynomial of degree `C − 1` at most. A divided difference over
-    /// `C + 1` points ends the polynomials, so over the cell of a composite it is the product of the factors times the
-    /// one over the domain: `f` moves that much there, and counting boxes over cells of like width gives `D`. Whether
-    /// one of these differences is different from 0 is checked. When all that are tried lie under 10⁻⁹ of the values,
-    /// `f` is a polynomial as far as `f64` can tell, and the interval is `[1, D]`; for affine maps on collinear knots
-    /// it is `[1, 1]`.
+    /// `D` is the dimension unless `f` is itself a polynomial of degree at most `C − 1`. A divided
+    /// difference over `C + 1` points of a polynomial is 0. Over the cell of a composite it is the
+    /// product of the scalings times the difference over the domain. `f` moves by that much there,
+    /// and counting boxes over cells of similar width yields `D`. The function checks whether one
+    /// of these differences is nonzero. If all tested differences are below 10⁻⁹ of the values, `f`
+    /// is numerically a polynomial, and the interval is `[1, D]`. For affine maps on collinear
+    /// knots it is `[1, 1]`.
     ///
-    /// **Accuracy:** within `[1, 2]`; some 10⁻¹⁵ wide, more where `Σ |α_j|` is near one or all `a_j` are; a power within
-    /// eight units in the last place is assumed.
+    /// **Accuracy:** within `[1, 2]`; about 10⁻¹⁵ wide, more if `Σ |α_j|` is near one or all `a_j`
+    /// are. Powers are assumed to be accurate to eight units in the last place.
     ///
     /// Barnsley 1986, theorem 4, for affine maps; Hardin and Massopust, *The capacity for a class of fractal functions*,
     /// 1986.
@@ -48,7 +49,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
             });
             terms.sum()
         };
-        // The sum falls in the exponent; at 1 it is under max|α|.
+        // The sum decreases with the exponent; at 1 it is below max|α|.
         let root = |target: f64| {
             let (mut lo, mut hi) = (0.0, 1.0);
             for _ in 0..64 {
@@ -58,7 +59,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
             Interval::new(lo, hi)
         };
         let one = Interval::new(1.0, 1.0);
-        // A sum of exact terms, such as 1/2 + 1/2, is taken at its word.
+        // A sum of exact terms, such as 1/2 + 1/2, is accepted as exact.
         if sum(0.0) <= 1.0 || (C <= 2 && self.collinear()) {
             return one;
         }
@@ -75,7 +76,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
             .all(|p| (p.y()[0] - y0) * domain.width() == (y_end - y0) * (p.x()[0] - domain.lo))
     }
 
-    /// Whether every difference that is tried could be one of a polynomial of degree `C − 1`.
+    /// Whether every tested difference could be that of a polynomial of degree `C − 1`.
     fn polynomial(&self) -> bool {
         let maps = self.pieces().len();
         let mut depth = 1;
@@ -95,13 +96,14 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
                 sum += weight * rise;
                 scale += weight.abs() * (rise.abs() + 4.0 * self.noise * self.gain / APART);
             }
-            // Also when points coincide in f64.
+            // Also if points coincide in f64.
             sum.is_nan() || scale.is_nan() || sum.abs() <= APART * scale
         })
     }
 
-    /// The place in units of the domain and the ordinate of the knot with this number among those of all composites of
-    /// `depth` maps.
+    /// The position in units of the domain and the ordinate of the knot with this number.
+    ///
+    /// Knots are those of all composites of `depth` maps.
     fn knot_of_level(&self, number: usize, depth: u32) -> (f64, f64) {
         let maps = self.pieces().len().max(1);
         let [y0, y_end] = self.end_values();
@@ -131,13 +133,13 @@ mod tests {
     }
 
     #[test]
-    fn a_polynomial_in_disguise_is_not_told_apart() {
+    fn dimension_of_a_hidden_polynomial_is_an_interval() {
         // f(x) = x² on halves with factor 0.9: x²/4 = 0.9 x² + q_1, (x + 1)²/4 = 0.9 x² + q_2.
         let q = [[0.0, 0.0, -0.65], [0.25, 0.5, -0.65]];
         let f = FixedFif::<2, 3>::new(&[0.0, 0.5, 1.0], &[0.9, 0.9], &q).unwrap();
         let d = f.dimension();
         assert!(d.lo == 1.0 && d.contains(1.0 + 1.8_f64.log2()), "{d:?}");
-        // The same factors and another polynomial.
+        // The same scalings and another polynomial.
         let q = [[0.0, 0.1, -0.75], [0.25, 0.5, -0.65]];
         let f = FixedFif::<2, 3>::new(&[0.0, 0.5, 1.0], &[0.9, 0.9], &q).unwrap();
         assert!(f.dimension().lo > 1.8, "{:?}", f.dimension());

@@ -1,4 +1,4 @@
-//! Rigorous extrema over the domain and over any interval, with the places where they lie.
+//! Rigorous extrema over the domain and over any interval, with their positions.
 
 use asperity_core::Interval;
 
@@ -6,38 +6,39 @@ use crate::analysis::branch_and_bound::{Goal, Search};
 use crate::system::fif::{FifRef, System};
 use crate::system::map::Piece;
 
-/// Brackets of the two extrema of a function over an interval, and where they lie.
+/// Brackets of the two extrema of a function over an interval, and their positions.
 ///
 /// ```
 /// let f = asperity_fif::paper::f()?;
 /// let top = f.extrema(1e-9);
-/// // The certificate of the lower end: f is that large there.
+/// // Certificate of the lower end: f is at least this large there.
 /// let x = top.at_maximum.middle();
 /// assert!(f.evaluate(x, 1e-12).value >= top.maximum.lo - 1e-12);
-/// // 2/3 and 4/3 are the outermost of the points where f is largest.
+/// // 2/3 and 4/3 are the outermost points of the maximum.
 /// assert!(top.maximum_within.contains(2.0 / 3.0) && top.maximum_within.contains(4.0 / 3.0));
 /// # Ok::<(), asperity_fif::SystemError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]
 pub struct Extrema {
-    /// The least value lies in here.
+    /// Contains the minimum.
     pub minimum: Interval,
-    /// The greatest value lies in here.
+    /// Contains the maximum.
     pub maximum: Interval,
-    /// A certificate: `f` is at most `minimum.hi` somewhere in here, a few units in the last place around a knot of some
-    /// level.
+    /// A certificate: `f` is at most `minimum.hi` somewhere in this interval.
+    ///
+    /// It is a few units in the last place around a knot of some level.
     pub at_minimum: Interval,
-    /// A certificate: `f` is at least `maximum.lo` somewhere in here, likewise.
+    /// A certificate: `f` is at least `maximum.lo` somewhere in this interval.
     pub at_maximum: Interval,
-    /// Every point where the least value is taken lies in here; found with 2¹² cells from each side.
+    /// Contains every point of the minimum; found with 2¹² cells from each side.
     pub minimum_within: Interval,
-    /// Every point where the greatest value is taken lies in here, likewise.
+    /// Contains every point of the maximum, likewise.
     pub maximum_within: Interval,
 }
 
 impl Extrema {
-    /// `[minimum.lo, maximum.hi]`: every value lies in here.
+    /// `[minimum.lo, maximum.hi]`: contains every value.
     #[inline]
     pub fn enclosure(&self) -> Interval {
         Interval::new(self.minimum.lo, self.maximum.hi)
@@ -45,15 +46,16 @@ impl Extrema {
 }
 
 impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
-    /// Brackets of the extrema over the domain, each at most `width` wide where `f64` and 2¹⁶ cells allow that.
+    /// Brackets of the extrema over the domain, each at most `width` wide if `f64` and 2¹⁶ cells
+    /// permit.
     ///
-    /// The brackets are rigorous whatever their width: an upper end bounds `f`, a lower end of the maximum is a value at
-    /// a knot of some level. A chaos game (Algorithm 1 of the source) with 10⁴ points misses up to 27 % of the range, so
-    /// no inflation of it is safe.
+    /// The brackets are rigorous for any width: the upper end of the maximum bounds `f`, and its
+    /// lower end is a value at a knot of some level. A chaos game (Algorithm 1 of the source) with
+    /// 10⁴ points misses up to 27 % of the range, so no inflation of its result is safe.
     ///
-    /// A search visits at most 2¹⁶ cells, or eight per map where that is more, at most 200 levels deep; it does not
-    /// recurse. With a factor near one neither suffices: 200 levels of 0.999 leave 82 % of the range, and the bracket
-    /// is as wide as that.
+    /// A search visits at most 2¹⁶ cells, or eight per map if that is more, at most 200 levels
+    /// deep, without recursion. With a scaling near one this is not sufficient: 200 levels of 0.999
+    /// leave 82 % of the range, and the bracket has this width.
     ///
     /// ```
     /// let f = asperity_fif::paper::f()?;
@@ -66,11 +68,12 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         self.view().search(self.domain(), width)
     }
 
-    /// Brackets of the extrema over `[l, r]`, clipped to the domain, as [`System::extrema`].
+    /// Brackets of the extrema over `[l, r]`, clipped to the domain, see [`System::extrema`].
     ///
-    /// The interval is widened by the rounding of the ends of cells, eight units in the last place of the domain and
-    /// one for each level. Over one that holds no knot of any visited level, a bracket is the whole enclosure, and its
-    /// certificate the interval. `None` when the interval misses the domain, is empty or has NaN ends.
+    /// The interval is widened by the rounding of the ends of cells: eight units in the last place
+    /// of the domain, and one for each level. If it contains no knot of any visited level, a
+    /// bracket is the whole enclosure, and its certificate is the interval. Returns `None` if the
+    /// interval misses the domain, is empty or has NaN ends.
     ///
     /// ```
     /// let f = asperity_fif::paper::f()?;
@@ -86,9 +89,11 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         whole.then(|| self.view().search(over, width))
     }
 
-    /// An enclosure of `f` over `[l, r]`, clipped to the domain, each end at most `width` from the best one.
+    /// An enclosure of `f` over `[l, r]`, clipped to the domain, each end within `width` of the
+    /// best one.
     ///
-    /// That of [`System::extrema_over`], with its limits and its `None`, without the search for places.
+    /// The enclosure of [`System::extrema_over`], with its limits and its `None`, without the
+    /// search for positions.
     ///
     /// ```
     /// let g = asperity_fif::paper::g()?;
@@ -110,7 +115,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
 
 impl<'a, const C: usize> FifRef<'a, C> {
     fn goal(self, over: Interval, width: f64) -> Goal {
-        // A bracket under the rounding errors of the two bounds cannot be had.
+        // A bracket cannot be narrower than the rounding errors of the two bounds.
         let least = 64.0 * (self.noise * self.gain).max(f64::EPSILON * self.range().magnitude());
         Goal::new(over, self.domain(), if width > least { width } else { least })
     }
@@ -120,7 +125,7 @@ impl<'a, const C: usize> FifRef<'a, C> {
         let (mut top, mut bottom) = (Search::new(self, goal, 1.0), Search::new(self, goal, -1.0));
         let mut range = self.range();
         if over == self.domain() {
-            // Both passes, however the first one ends.
+            // Both passes run, regardless of the result of the first.
             while top.narrow(range) | bottom.narrow(range) {
                 range = range.intersection(Interval::new(-bottom.bound, top.bound));
             }
@@ -135,7 +140,7 @@ impl<'a, const C: usize> FifRef<'a, C> {
         let (mut top, mut bottom, range) = self.searches(&goal, over);
         top.assume(range);
         bottom.assume(range);
-        // Without a knot inside, all that is known of a value is that it lies in the enclosure.
+        // Without a knot inside, a value is only known to be in the enclosure.
         let attained = |best: f64, other: f64| if best.is_finite() { best } else { -other };
         Extrema {
             minimum: Interval::new(-bottom.bound, -attained(bottom.best, top.bound)),
@@ -170,7 +175,7 @@ mod tests {
         assert_eq!(whole, f.extrema(1e-6));
         let point = f.extrema_over(2.0 / 3.0, 2.0 / 3.0, 1e-6).unwrap();
         assert!(point.enclosure().contains(4.0 / 3.0) && point.enclosure().width() < 1e-5, "{point:?}");
-        // No knot is surely inside: the interval itself is the place.
+        // No knot is certainly inside, so the position is the interval itself.
         assert_eq!(point.at_maximum, crate::Interval::new(2.0 / 3.0, 2.0 / 3.0));
     }
 

@@ -6,7 +6,7 @@ use asperity_core::math::{ln_f64, pow_f64};
 use crate::system::fif::{Spacing, System};
 use crate::system::map::Piece;
 
-/// A bound of `|f(x) − f(y)|` by `d = |x − y|`, over the whole domain.
+/// A bound of `|f(x) − f(y)|` in terms of `d = |x − y|`, over the whole domain.
 ///
 /// ```
 /// use asperity_fif::{Modulus, paper};
@@ -24,7 +24,7 @@ pub enum Modulus {
         /// The largest slope.
         constant: f64,
     },
-    /// `constant · d · (1 + ln_f64(width/d))`, for `d` up to the width of the domain.
+    /// `constant · d · (1 + ln(width/d))`, for `d` up to the width of the domain.
     LogLipschitz {
         /// The factor.
         constant: f64,
@@ -41,7 +41,7 @@ pub enum Modulus {
 }
 
 impl Modulus {
-    /// The bound of `|f(x) − f(y)|` for `|x − y| ≤ distance`; 0 for no distance, NaN for NaN.
+    /// The bound of `|f(x) − f(y)|` for `|x − y| ≤ distance`; 0 for distance 0, NaN for NaN.
     #[must_use]
     pub fn at(&self, distance: f64) -> f64 {
         let d = distance.abs();
@@ -56,7 +56,8 @@ impl Modulus {
         }
     }
 
-    /// The largest exponent `h` for which the bound is of order `d^h`, up to logarithms: 1, or the Hölder exponent.
+    /// The largest exponent `h` with a bound of order `d^h`, up to logarithms: 1, or the Hölder
+    /// exponent.
     #[must_use]
     pub fn exponent(&self) -> f64 {
         match *self {
@@ -69,7 +70,7 @@ impl Modulus {
 /// Margin for the roundings of the constants, of powers and of logarithms.
 const UP: f64 = 1.0 + 1.0 / 1_073_741_824.0;
 
-/// Distance of a factor from `a_j` that counts as equality.
+/// Difference of a scaling from `a_j` that is treated as equality.
 const NEAR: f64 = 1.0 / 1_125_899_906_842_624.0;
 
 impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
@@ -79,17 +80,18 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     ///
     /// ```text
     /// |α_j| < a_j for all j:   Lipschitz, max Λ_j/(a_j − |α_j|)
-    /// |α_j| ≤ a_j:             d (1 + ln_f64(1/d))
+    /// |α_j| ≤ a_j:             d (1 + ln(1/d))
     /// else:                    Hölder, h = min ln|α_j| / ln a_j
     /// ```
     ///
-    /// The exponent is the best one unless `f` is a polynomial: over the cells of the map that gives the minimum,
-    /// iterated, `f` moves by `|α_j|ⁿ = a_jⁿʰ` times a constant. It is rounded down by 2⁻⁴⁰. The constant follows two
-    /// points to the level where they part, and from there to the knots between them; it is up to ten times what
-    /// samples of random systems show, and large where cells are tiny. It is rounded up by 2⁻³⁰.
+    /// The exponent is optimal unless `f` is a polynomial. Over the cells of the iterated map with
+    /// the minimum, `f` moves by `|α_j|ⁿ = a_jⁿʰ` times a constant. The exponent is rounded down by
+    /// 2⁻⁴⁰. The constant follows two points to the level where they separate, and from there to
+    /// the knots between them. It is up to ten times the value from samples of random systems, and
+    /// large if cells are tiny. It is rounded up by 2⁻³⁰.
     ///
-    /// Not in the sources; the exponent for equal cells is Bedford, *Hölder exponents and box dimension for self-affine
-    /// fractal functions*, 1989.
+    /// Not in the sources. The exponent for equal cells is from Bedford, *Hölder exponents and box
+    /// dimension for self-affine fractal functions*, 1989.
     ///
     /// ```
     /// let g = asperity_fif::paper::g()?;
@@ -106,7 +108,8 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
             gentle &= alpha < a * (1.0 - NEAR);
             even &= alpha <= a * (1.0 + NEAR);
             lipschitz = lipschitz.max(slope / (a - alpha));
-            // Others have an exponent of 1 or more. A map of all the domain, but for what rounds away, has ln a = 0.
+            // Others have an exponent of 1 or more. A map of the whole domain, up to rounding, has
+            // ln a = 0.
             if alpha > a {
                 exponent = exponent.min(ln_f64(alpha) / ln_f64(a));
             }
@@ -123,20 +126,23 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         Modulus::Holder { exponent, constant: UP * (ends + inner) / pow_f64(width, exponent) }
     }
 
-    /// Conditioning at `x`: the distance of `f(x)` and the value that [`System::evaluate`] is about.
+    /// Conditioning at `x`: the distance between `f(x)` and the value computed by
+    /// [`System::evaluate`].
     ///
-    /// The width of an enclosure of `f` over the points that roundings of knots and of the orbit may confuse with `x`:
+    /// It is the width of an enclosure of `f` over the points that rounding of knots and of the
+    /// orbit may confuse with `x`:
     ///
     /// ```text
     /// equally spaced knots:   |x′ − x| ≤ 4 ulp
     /// others:                 |x′ − x| ≤ 4 ulp + 8 u (x_N − x_0) min(4096, 1/(1 − max a_j)),   u = 2⁻⁵³
     /// ```
     ///
-    /// with the ulp of the larger end of the domain. So `|value − f(x)| ≤ bound + conditioning(x)` on any knots; for a
-    /// point that is known to be exact on equally spaced ones, `bound` alone holds. It is the error that no evaluation
-    /// in `f64` can do without: one ulp of `x` changes the source's `g` by 5·10⁻⁴.
+    /// with the ulp of the larger end of the domain. Therefore `|value − f(x)| ≤ bound +
+    /// conditioning(x)` on any knots. For an exact point on equally spaced knots `bound` alone
+    /// suffices. The conditioning is unavoidable for evaluation in `f64`: one ulp of `x` changes g
+    /// of the source by 5·10⁻⁴.
     ///
-    /// NaN for NaN; points outside the domain are clamped. Takes some microseconds to milliseconds.
+    /// NaN returns NaN; points outside the domain are clamped. Takes microseconds to milliseconds.
     ///
     /// ```
     /// use asperity_fif::paper;
@@ -162,7 +168,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         let taken = |width: f64| {
             self.enclosure(x - reach, x + reach, width).map_or_else(|| self.range().width(), Interval::width)
         };
-        // Ever narrower searches, while they pay.
+        // Narrower and narrower searches, as long as they help.
         let mut moved = taken(0.125 * self.range().width());
         for _ in 0..64 {
             let next = taken(0.125 * moved);
@@ -175,10 +181,13 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         moved
     }
 
-    /// Constants of the bound `|f(x) − f(y)| ≤ (first + second) d^h`, in units of the domain, for `|α_j| ≤ a_j^h`.
+    /// Constants of the bound `|f(x) − f(y)| ≤ (first + second) d^h`, in units of the domain.
     ///
-    /// The first is for two points in different cells, `δ^h` for their distance `δ`; the second for the polynomials of
-    /// the levels that they share, a geometric sum, or for `h = 1` one term a level and the factor `1 + ln_f64(1/d)` in all.
+    /// For `|α_j| ≤ a_j^h`.
+    ///
+    /// The first is for two points in different cells, `δ^h` for their distance `δ`. The second is
+    /// for the polynomials of their common levels. It is a geometric sum, or for `h = 1` one term
+    /// per level with the total factor `1 + ln(1/d)`.
     fn parting(&self, h: f64) -> (f64, f64) {
         let last = self.pieces().len().saturating_sub(1);
         let [y0, y_end] = self.end_values();
@@ -213,7 +222,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         let ends: f64 = (0..2)
             .map(|side| {
                 let (share, slope) = first[side];
-                // No slope on no width is none.
+                // A zero slope on zero width is 0.
                 let over = if slope == 0.0 { 0.0 } else { slope / pow_f64(share.part, h) };
                 away[side] + share.levels(h, over) + steep
             })
@@ -227,7 +236,10 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     }
 }
 
-/// A piece's share of the domain, and what is left of it, which a share of nearly all does not tell.
+/// The relative width of a piece and of the rest of the domain.
+///
+/// The rest is separate, because it cannot be computed accurately if the piece is nearly
+/// everything.
 #[derive(Clone, Copy)]
 struct Share {
     part: f64,
@@ -235,10 +247,13 @@ struct Share {
 }
 
 impl Share {
-    /// A term for every level that two points share: `term Σ (a^{1−h})^i`, or for `h = 1` their number over `ln_f64(1/d)`.
+    /// A term for every common level of two points: `term Σ (a^{1−h})^i`, or for `h = 1` the number
+    /// of levels.
     ///
-    /// By Bernoulli's inequality `1 − (1 − r)^{1−h} ≥ (1 − h) r`, and `−ln_f64(1 − r) ≥ r`: for small `r` the bounds, which do not
-    /// cancel.
+    /// The number is in units of `ln(1/d)`.
+    ///
+    /// By Bernoulli's inequality `1 − (1 − r)^{1−h} ≥ (1 − h) r`, and `−ln(1 − r) ≥ r`. For
+    /// small `r` these bounds do not cancel.
     fn levels(self, h: f64, term: f64) -> f64 {
         let Self { part, rest } = self;
         let left = match (h < 1.0, rest > 1.0 / 1_048_576.0) {
@@ -294,7 +309,7 @@ mod tests {
                     for distance in [1e-300, 1e-12, 0.1, 1.0, -8_388_608.0, f64::MAX] {
                         assert!(modulus.at(distance) >= 0.0, "{x:?} {alpha:?}: {modulus:?} at {distance}");
                     }
-                    // The narrow map's width is known exactly at the left end alone.
+                    // The width of the narrow map is exact only at the left end.
                     assert!(x[0] < 0.0 || modulus.at(1.0).is_finite(), "{x:?} {alpha:?}: {modulus:?}");
                     let (y, z) =
                         (f.evaluate(0.3 * (x[0] + x[2]), 1e-9), f.evaluate(0.31 * (x[0] + x[2]), 1e-9));

@@ -1,22 +1,23 @@
-//! Scaling of the oscillations of data: the box dimension and the multifractal spectrum of a series or an image.
+//! Scaling of oscillations of data: box dimension and multifractal spectrum of a series or an
+//! image.
 
 use asperity_core::math::{ln_f64, pow_f64, sqrt_f64};
 
-/// A power law fitted to data: an exponent and how well it fits.
+/// A power law fitted to data: its exponent and the quality of the fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scaling {
-    /// The exponent, or the dimension that follows from it.
+    /// The exponent, or the dimension computed from it.
     pub value: f64,
-    /// Standard error of the slope over the scales; what all scales have in common is not in it.
+    /// Standard error of the slope over the scales; errors common to all scales are not included.
     pub error: f64,
     /// The smallest and the largest blocks of the fit, in samples along a side.
     pub scales: [usize; 2],
 }
 
-/// Blocks along the data at the largest scale of the fit, at least.
+/// Minimum number of blocks along the data at the largest scale of the fit.
 const FEWEST: usize = 8;
 
-/// Scales at most: blocks are powers of two.
+/// Maximum number of scales; blocks are powers of two.
 const SCALES: usize = usize::BITS as usize;
 
 /// The box-counting dimension of the graph of a series, or of an image as a height field.
@@ -25,9 +26,10 @@ const SCALES: usize = usize::BITS as usize;
 /// D = 1 − τ(1)        N(s) = Σ_blocks oscillation/s ~ s^{−D}
 /// ```
 ///
-/// Boxes over a block are counted as the height that they fill, so that the unit of the heights drops out. For a series of
-/// Hurst exponent H this is 2 − H, for an image 3 − H. For samples of a fractal interpolation function it is that of
-/// [`System::dimension`](crate::System::dimension) within the errors of [`oscillation_exponent`], whose terms hold.
+/// Boxes over a block are counted by the height that they fill, so the unit of the heights cancels.
+/// For a series of Hurst exponent H the dimension is 2 − H, for an image 3 − H. For samples of a
+/// fractal interpolation function it equals [`System::dimension`](crate::System::dimension) within
+/// the errors of [`oscillation_exponent`], whose requirements apply.
 ///
 /// Dubuc, Quiniou, Roques-Carmes, Tricot, Zucker, *Evaluating the fractal dimension of profiles*, Physical Review A 39, 1989.
 ///
@@ -64,7 +66,7 @@ pub fn oscillation_exponent(values: &[f64], columns: usize, q: f64) -> Option<Sc
     for (mean, scale) in means.iter_mut().zip(scales()) {
         *mean = moment(values, [rows, columns], scale, [0.0, 1.0]);
     }
-    // What samples miss drops out of the differences, a s^H (2^H − 1).
+    // The part missed by the samples cancels in the differences, a s^H (2^H − 1).
     let rises = || means.iter().zip(means.iter().skip(1)).take(count - 1).map(|(a, b)| b - a);
     let [hurst, _] = slope(scales().zip(rises()))?;
     let growth = pow_f64(2.0, hurst) - 1.0;
@@ -93,7 +95,8 @@ fn slope(points: impl Iterator<Item = (usize, f64)>) -> Option<[f64; 2]> {
     (slope.is_finite() && left.is_finite()).then(|| [slope, sqrt_f64(left / ((count - 2.0) * spread))])
 }
 
-/// The mean over whole blocks of the q-th powers of the oscillations, raised by what samples miss.
+/// The mean over whole blocks of the q-th powers of the oscillations, corrected for the part missed
+/// by samples.
 fn moment(values: &[f64], [rows, columns]: [usize; 2], scale: usize, [missed, q]: [f64; 2]) -> f64 {
     let down = if rows == 1 { 0 } else { scale };
     let (across, along) = ((columns - 1) / scale, ((rows - 1) / scale).max(1));
@@ -120,7 +123,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_line_and_a_plane_have_their_own_dimension() {
+    fn box_dimension_of_a_line_and_a_plane() {
         let line: [f64; 300] = core::array::from_fn(|i| i as f64);
         let measured = box_dimension(&line, 300).unwrap();
         assert!((measured.value - 1.0).abs() < 1e-12 && measured.error < 1e-6, "{measured:?}");
@@ -132,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn data_that_tell_nothing_are_refused() {
+    fn oscillation_exponent_of_degenerate_data_is_none() {
         let line: [f64; 300] = core::array::from_fn(|i| i as f64);
         let mut broken = line;
         broken[7] = f64::NAN;

@@ -24,7 +24,8 @@ impl<const C: usize> Tile<C> {
     }
 }
 
-/// An end of the interval: a border of the cell, or inside it with the local position of the last step.
+/// An end of the interval: a border of the cell, or a point inside with the local position of the
+/// last step.
 #[derive(Clone, Copy)]
 enum Cut<O> {
     Border,
@@ -32,7 +33,7 @@ enum Cut<O> {
 }
 
 impl<O> Cut<O> {
-    /// The position, or that of the border.
+    /// The position of the point or of the border.
     fn or(&self, border: f64) -> f64 {
         match self {
             Self::Border => border,
@@ -50,18 +51,19 @@ impl<O> Cut<O> {
 
 /// Rounding of the ends and of the tiling, in units of the domain.
 pub(crate) struct Tiling {
-    /// Distance that the ends may have moved.
+    /// Distance by which the ends may have moved.
     pub(crate) drift: f64,
-    /// Largest number of maps in one cell.
+    /// Maximum number of maps of one cell.
     pub(crate) steps: f64,
 }
 
 impl<const C: usize> FifRef<'_, C> {
-    /// Hands the cells that make up `[l, r]` to `visit`, where `x_0 ≤ l < r ≤ x_N`.
+    /// Passes the cells that make up `[l, r]` to `visit`, where `x_0 ≤ l < r ≤ x_N`.
     ///
-    /// The descent follows both ends together as long as one cell holds them, so that a short interval is as good as a
-    /// long one. Each end then splits off the cells between it and the middle. What is left where the function varies by
-    /// less than the rounding error becomes a cell of its own, over which the fractal part is a constant.
+    /// The descent follows both ends together while one cell contains them, so short intervals are
+    /// as accurate as long ones. Then each end splits off the cells between it and the middle. When
+    /// the function varies by less than the rounding error, the rest becomes a single cell with a
+    /// constant fractal part.
     pub(crate) fn tile(self, l: f64, r: f64, visit: &mut dyn FnMut(&Tile<C>)) -> Tiling {
         let domain = self.domain();
         match self.spacing() {
@@ -70,7 +72,7 @@ impl<const C: usize> FifRef<'_, C> {
                     let t = LongPosition::new(x, domain).place();
                     (LongFraction::of(t), t.hi)
                 };
-                // Nothing rounds when the domain begins at 0 and its width is a power of two.
+                // No rounding occurs if the domain begins at 0 and its width is a power of two.
                 let exact =
                     domain.lo == 0.0 && domain.hi.to_bits().trailing_zeros() >= f64::MANTISSA_DIGITS - 1;
                 self.tile_with([l, r], cut, if exact { 0.0 } else { LongPosition::ROUNDING }, 0.0, visit)
@@ -85,7 +87,8 @@ impl<const C: usize> FifRef<'_, C> {
         }
     }
 
-    /// The rounding of the ends is relative to their distances from the left end, that of a step to the cell.
+    /// The rounding of the ends is relative to their distances from the left end; the rounding of a
+    /// step is relative to the cell.
     fn tile_with<O: Orbit + Distance + Copy>(
         self,
         ends: [f64; 2],
@@ -101,7 +104,7 @@ impl<const C: usize> FifRef<'_, C> {
                 return Cut::Border;
             }
             let (orbit, s) = cut(x);
-            // Numbers under 2⁻⁹⁰⁰ of the domain have no second half.
+            // Numbers below 2⁻⁹⁰⁰ of the domain have no low part.
             drift += of_ends * s + if of_ends + of_step > 0.0 { 16.0 * LEAST } else { 0.0 };
             Cut::Inside { orbit, s }
         });
@@ -118,12 +121,13 @@ struct Walk<'a, const C: usize> {
     tiling: Tiling,
     /// Rounding of a step in units of the cell.
     of_step: f64,
-    /// Width times variation of a cell that is not divided any more; 0 until the ends have parted.
+    /// Width times variation of a cell that is not divided further; 0 until the ends have
+    /// separated.
     least: f64,
 }
 
 impl<const C: usize> Walk<'_, C> {
-    /// Recurs once, where the ends part.
+    /// Recurses once, where the ends separate.
     fn run<O: Orbit + Distance + Copy>(
         &mut self,
         mut tile: Tile<C>,
@@ -163,7 +167,7 @@ impl<const C: usize> Walk<'_, C> {
                 let scale = tile.cell.range(self.fif.range()).magnitude();
                 self.least = 0.03125 * UNIT * tile.width * length * scale;
             }
-            // The parts of the first and of the last cell, and everything between.
+            // The parts of the first and the last cell, and everything between.
             let start = match below {
                 Cut::Border => first,
                 Cut::Inside { .. } => first + 1,
@@ -205,7 +209,8 @@ impl<const C: usize> Walk<'_, C> {
     }
 }
 
-/// The cell that an end lies in, and where in it; the border when it is that cell's left knot.
+/// The cell that contains an end, and the position in it; the border if it is the left knot of the
+/// cell.
 fn next<O: Orbit + Distance + Copy, const C: usize>(
     cut: &mut Cut<O>,
     pieces: &[Piece<C>],
@@ -220,7 +225,9 @@ fn next<O: Orbit + Distance + Copy, const C: usize>(
     }
 }
 
-/// An interval clipped to the domain in ascending order, and the sign of its direction; `None` for NaN.
+/// An interval clipped to the domain in ascending order, and the sign of its direction.
+///
+/// `None` for NaN.
 pub(crate) fn directed(l: f64, r: f64, domain: Interval) -> Option<(f64, f64, f64)> {
     if l.is_nan() || r.is_nan() {
         return None;

@@ -11,7 +11,7 @@ use crate::system::fif::System;
 use crate::system::map::Piece;
 
 impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
-    /// `∫ f g` over the domain, for systems on the same knots; the factors and the degrees may differ.
+    /// `∫ f g` over the domain, for systems on the same knots; scalings and degrees may differ.
     ///
     /// ```text
     /// (1 − Σ a_j α_j β_j) ∫ f g = Σ a_j (α_j ∫ f r_j + β_j ∫ g q_j + ∫ q_j r_j)      f∘L_j = α_j f + q_j,  g∘L_j = β_j g + r_j
@@ -28,7 +28,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// ```
     ///
     /// # Errors
-    /// [`CombineError`] when the knots differ or the degrees are too large.
+    /// [`CombineError`] if the knots differ or the degrees are too large.
     pub fn inner_product<T: AsRef<[Piece<D>]>, const D: usize>(
         &self,
         other: &System<T, D>,
@@ -40,7 +40,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
             return Err(CombineError::Degree { degree });
         }
         let too_high = |_| CombineError::Degree { degree };
-        // ∫ f against polynomials of the other's degree, and the reverse.
+        // ∫ f against polynomials of the degree of the other function, and vice versa.
         let of_f = MomentBasis::new(self.view(), degrees[1], 1).map_err(too_high)?;
         let of_g = MomentBasis::new(other.view(), degrees[0], 1).map_err(too_high)?;
         let ((f, f_error), (g, g_error)) = (of_f.power(1), of_g.power(1));
@@ -79,7 +79,8 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         Ok(Estimate::new(width * value, width * magnitude / rest, 1.02 * width * error + 4.0 * LEAST))
     }
 
-    /// `max |f|` over the domain, the supremum norm, in a bracket that is `width` wide where [`System::extrema`] allows that.
+    /// `max |f|` over the domain, the supremum norm, in a bracket of `width` if [`System::extrema`]
+    /// permits.
     ///
     /// ```
     /// let f = asperity_fif::paper::f()?;
@@ -107,7 +108,7 @@ mod tests {
             let value = f.evaluate(f64::from(k) / 32.0, 0.0);
             assert!(value.value.abs() - value.bound <= norm.hi, "{k}: {value:?} beyond {norm:?}");
         }
-        // The bound of either end's error is that of the width.
+        // The error bound of either end is that of the width.
         for factor in [1.0, -1.0, -2.5] {
             let scaled = f.scaled(factor).unwrap().supremum_norm(1e-9);
             assert!(scaled.width() <= 1e-9, "{factor}: {scaled:?}");

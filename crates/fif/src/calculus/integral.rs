@@ -1,4 +1,4 @@
-//! The integral of a fractal interpolation function, and its derivative where there is one.
+//! The integral of a fractal interpolation function, and its derivative if it exists.
 
 use asperity_core::Interval;
 use asperity_core::math::sqrt_f64;
@@ -19,7 +19,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// ∫ f = Σ a_n ∫ q_n / (1 − Σ a_n α_n),   over [x_0, x_N]
     /// ```
     ///
-    /// Infinite where it is beyond the largest `f64`.
+    /// Infinite if it is beyond the largest `f64`.
     ///
     /// Cochran, Lewis, Hart 2000, eq. 30.
     #[must_use]
@@ -27,14 +27,14 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         self.domain().width() * self.view().mean_value().0
     }
 
-    /// `∫ f` from `l` to `r`, negative when `l > r`; ends outside the domain are clamped to it.
+    /// `∫ f` from `l` to `r`, negative if `l > r`; ends are clamped to the domain.
     ///
     /// ```text
     /// ∫_e f = |e| (A_e mean f + mean P_e)   over each cell e of a union that is [l, r],   f = A_e f(·) + P_e there
     /// ```
     ///
-    /// The cells follow from the addresses of both ends, `O(N log)` of them; a short interval loses no digits, as a
-    /// difference of two values of the integral would.
+    /// It uses `O(N log)` cells from the addresses of both ends. Short intervals therefore lose no
+    /// digits, unlike a difference of two values of the integral.
     ///
     /// - **Accuracy:** measured against exact rationals, ten systems: within 1e-14 relative times `condition`.
     ///
@@ -56,11 +56,13 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         Estimate::new(width * over.sum, width * over.magnitude, bound).scaled(sign)
     }
 
-    /// The mean of `f` over the interval between `l` and `r`, in either order; `f(l)` when they are equal.
+    /// The mean of `f` over the interval between `l` and `r`, in either order; `f(l)` if they are
+    /// equal.
     ///
-    /// The numerator and the denominator are sums over the same cells, so an interval of one unit in the last place is
-    /// as good as a long one. The ends are followed to 100 bits, and `bound` includes what the rest may change. On even
-    /// knots from 0 over a width that is a power of two, the ends do not round.
+    /// Numerator and denominator are sums over the same cells, so an interval of one unit in the
+    /// last place is as accurate as a long one. The ends are followed to 100 bits, and `bound`
+    /// includes the effect of the rest. On equally spaced knots from 0 over a width that is a power
+    /// of two, the ends do not round.
     ///
     /// - **Accuracy:** tested against exact arithmetic over intervals of 1 to 40 units in the last place.
     ///
@@ -80,7 +82,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         let over = self.view().sums_over(l, r);
         if over.length > 0.0 {
             let mean = over.sum / over.length;
-            // Both ends move and the widths round in the denominator, too.
+            // In the denominator both ends move and the widths round as well.
             let bound = (over.bound + over.length_bound * self.range().magnitude()) / over.length;
             let mean = Bounded { value: mean, bound: 1.01 * bound + 4.0 * UNIT * mean.abs() + LEAST };
             let Bounded { value, bound } = mean.within(self.range());
@@ -90,15 +92,16 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         Estimate::of(Bounded::around(values))
     }
 
-    /// The integral `f̂(x) = y0 + ∫ f` from `x_0` to `x`, again a fractal interpolation function, one degree higher.
+    /// The integral `f̂(x) = y0 + ∫ f` from `x_0` to `x`, as a FIF of one degree more.
     ///
     /// ```text
     /// ŷ_j = ŷ_0 + Σ_{n ≤ j} a_n (α_n (ŷ_N − ŷ_0) + ∫ q_n over [x_0, x_N])
     /// F̂_j(x, y) = a_j α_j y + q̂_j(x),   q̂_j(x) = ŷ_{j−1} − a_j α_j ŷ_0 + a_j ∫_{x_0}^x q_j
     /// ```
     ///
-    /// The caller chooses the storage `T` and its number of coefficients `K ≥ C + 1`. Integrate twice for the second
-    /// integral. Cochran, Lewis, Hart 2000, eq. 29–33; the upper limit of eq. 31 reads `x_N`.
+    /// The caller chooses the storage `T` and its number of coefficients `K ≥ C + 1`. Integrate
+    /// twice for the second integral. Cochran, Lewis, Hart 2000, eq. 29–33; the upper limit of eq.
+    /// 31 must be `x_N`.
     ///
     /// ```
     /// use asperity_fif::{FixedFif, paper};
@@ -109,8 +112,9 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// ```
     ///
     /// # Errors
-    /// [`SystemError::Degree`] when `K < C + 1`; [`SystemError::Length`] when `T` holds another number of maps;
-    /// [`SystemError::NotFinite`] for `y0`; [`SystemError::Unbounded`] when the numbers overflow.
+    /// [`SystemError::Degree`] if `K < C + 1`; [`SystemError::Length`] if `T` has a different
+    /// number of maps; [`SystemError::NotFinite`] for `y0`; [`SystemError::Unbounded`] if the
+    /// numbers overflow.
     pub fn integral<T: Storage<K>, const K: usize>(&self, y0: f64) -> Result<System<T, K>, SystemError> {
         if K < C + 1 {
             return Err(SystemError::Degree { expected: C + 1, found: K });
@@ -122,7 +126,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         let width = self.domain().width();
         let rise = self.total_integral();
         let maps = self.pieces().len();
-        // Partial sums, asked for in ascending order; the last one is kept.
+        // Partial sums, requested in ascending order; the last one is kept.
         let partial = CoreCell::new((0, 0.0));
         let ordinate = |j: usize| {
             if j == maps {
@@ -156,13 +160,14 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         System::assemble(maps, &|j| self.knot(j), &ordinate, &factor, &polynomial)
     }
 
-    /// The derivative system, when `f` is continuously differentiable.
+    /// The derivative system, if `f` is continuously differentiable.
     ///
     /// ```text
     /// α′_j = α_j/a_j        q′_j(x) = (d/dx q_j)(x)/a_j
     /// ```
     ///
-    /// Cochran, Lewis, Hart 2000, eq. 34–36, which also need `|α_j| < a_j` and the join-up of the derivative's system.
+    /// Cochran, Lewis, Hart 2000, eq. 34–36, which also require `|α_j| < a_j` and the join-up of
+    /// the system of the derivative.
     ///
     /// ```
     /// use asperity_fif::{FixedFif, SystemError, paper};
@@ -174,8 +179,9 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// ```
     ///
     /// # Errors
-    /// [`SystemError::SteepFactor`] or [`SystemError::JoinUp`] when `f` has no continuous derivative of this form;
-    /// [`SystemError::Degree`] when `K + 1 < C`; [`SystemError::Length`] when `T` holds another number of maps.
+    /// [`SystemError::SteepFactor`] or [`SystemError::JoinUp`] if `f` has no continuous derivative
+    /// of this form; [`SystemError::Degree`] if `K + 1 < C`; [`SystemError::Length`] if `T` has a
+    /// different number of maps.
     pub fn derivative<T: Storage<K>, const K: usize>(&self) -> Result<System<T, K>, SystemError> {
         if K + 1 < C {
             return Err(SystemError::Degree { expected: C - 1, found: K });
@@ -197,7 +203,8 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         };
         let maps = self.pieces().len();
         match System::from_lists(maps, &|j| self.knot(j), &map) {
-            // Near-critical factors: ordinates from one equation each would not join up within rounding.
+            // Near-critical scalings: ordinates from one equation each would not join up within
+            // rounding.
             Err(first @ SystemError::JoinUp { .. }) => {
                 let domain = self.domain();
                 let [y0, y_end] = end_ordinates(maps, domain, &map);
@@ -216,7 +223,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         }
     }
 
-    /// Bound of what the ordinates of a [`System::derivative`] are off by; they come from its maps.
+    /// Error bound of the ordinates of a [`System::derivative`], which are computed from its maps.
     #[cfg(feature = "alloc")]
     pub(crate) fn ordinate_error(&self) -> f64 {
         1.01 * self.gain * (self.noise + 8.0 * UNIT * self.range().magnitude())
@@ -251,7 +258,7 @@ impl<const C: usize> FifRef<'_, C> {
         sums
     }
 
-    /// The mean of `f` over the domain with a bound of its error, by eq. 30.
+    /// The mean of `f` over the domain with an error bound, by eq. 30.
     fn mean_value(self) -> (f64, f64) {
         let (mut sum, mut rest, mut size, mut slack) = (0.0, 0.0, 0.0, 0.0);
         for piece in self.pieces() {
@@ -282,13 +289,13 @@ struct Sums {
     length_bound: f64,
 }
 
-/// The ordinates at both ends of a system, by least squares over all conditions of the join-up.
+/// The ordinates at both ends of a system, by least squares over all join-up conditions.
 ///
 /// ```text
 /// (1 − α_1) y_0 = q_1(x_0)    α_{j+1} y_0 − α_j y_N = q_j(x_N) − q_{j+1}(x_0)    (1 − α_N) y_N = q_N(x_N)
 /// ```
 ///
-/// Rotations keep the digits that normal equations would lose where factors are near 1.
+/// Rotations keep digits that normal equations would lose where scalings are near 1.
 fn end_ordinates<const K: usize>(
     maps: usize,
     domain: Interval,
@@ -314,7 +321,8 @@ fn end_ordinates<const K: usize>(
     [(d - b * y_end) / a, y_end]
 }
 
-/// Rotates two equations so that the second of these coefficients becomes 0, and returns the second equation.
+/// Rotates two equations so that the second of these coefficients becomes 0; returns the second
+/// equation.
 fn rotate(kept: &mut [f64; 3], mut row: [f64; 3], [a, b]: [f64; 2]) -> [f64; 3] {
     let length = sqrt_f64(a * a + b * b);
     if length > 0.0 {
@@ -339,7 +347,7 @@ mod tests {
     fn a_rough_function_has_no_derivative() {
         let steep: Result<FixedFif<2, 1>, _> = paper::f().unwrap().derivative();
         assert_eq!(steep.unwrap_err(), SystemError::SteepFactor { map: 1, alpha: 0.5, a: 0.5 });
-        // Gentle factors, but a corner at the middle knot.
+        // Small scalings, but a corner at the middle knot.
         let corner = FixedFif::<2, 2>::affine(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0], &[0.1, 0.1]).unwrap();
         let none: Result<FixedFif<2, 1>, _> = corner.derivative();
         assert!(matches!(none, Err(SystemError::JoinUp { map: 2, .. })), "{none:?}");

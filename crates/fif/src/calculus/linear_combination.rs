@@ -1,4 +1,4 @@
-//! Systems made of maps and of other systems: sums, multiples, and a count of derivatives.
+//! Systems from maps and from other systems: sums, multiples, and the number of derivatives.
 
 use crate::calculus::moment_basis::MAX_MOMENT_DEGREE;
 use crate::system::error::{SystemError, check_cells};
@@ -8,13 +8,13 @@ use crate::system::storage::Storage;
 use asperity_core::error_enum;
 
 error_enum! {
-    /// Why two systems cannot be combined. Knots are counted from 0, maps from 1.
+    /// Error for two systems that cannot be combined. Knots are counted from 0, maps from 1.
     pub enum CombineError from SystemError {
-        /// They have different numbers of maps.
+        /// The numbers of maps differ.
         Maps { left: usize, right: usize } => "`other` must have {left} maps, got {right}";
         /// A knot differs.
         Knot { knot: usize, left: f64, right: f64 } => "`other` must have knot {knot} at {left}, got {right}";
-        /// A vertical factor differs; then the sum is not a function of this class.
+        /// A vertical scaling differs, so the sum is not in this class of functions.
         Factor { map: usize, left: f64, right: f64 } =>
             "`other` must have a factor of {left} in map {map}, got {right}";
         /// The sum of both degrees is too high for an inner product.
@@ -23,7 +23,7 @@ error_enum! {
     }
 }
 
-/// Equal numbers of maps and the same knots.
+/// Checks that the number of maps and the knots are equal.
 pub(crate) fn check_knots_equal<const C: usize, const D: usize>(
     left: &[Piece<C>],
     right: &[Piece<D>],
@@ -42,7 +42,8 @@ pub(crate) fn check_knots_equal<const C: usize, const D: usize>(
 }
 
 impl<S: Storage<C>, const C: usize> System<S, C> {
-    /// From maps `(a_j x + b_j, α_j y + q_j(x))` that tile `[x0, x_end]` from left to right.
+    /// Creates a system from maps `(a_j x + b_j, α_j y + q_j(x))` that tile `[x0, x_end]` from left
+    /// to right.
     ///
     /// ```text
     /// x_j = a_j x_N + b_j = a_{j+1} x_0 + b_{j+1}
@@ -59,8 +60,9 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
     /// ```
     ///
     /// # Errors
-    /// [`SystemError::Tiling`] when the image of a map does not begin where the one before ends (or at `x0`), or the last
-    /// does not end at `x_end`, beyond 2⁻⁴⁰ of the numbers involved; otherwise those of [`System::new`].
+    /// [`SystemError::Tiling`] if the image of a map does not begin where the previous one ends (or
+    /// at `x0`), or the last does not end at `x_end`, beyond 2⁻⁴⁰ of the numbers involved;
+    /// otherwise see [`System::new`].
     pub fn from_maps(x0: f64, x_end: f64, maps: &[Map<C>]) -> Result<Self, SystemError> {
         let count = maps.len();
         if count < 2 {
@@ -75,7 +77,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
         for (j, map) in maps.iter().enumerate() {
             let [found, next] = [x0, x_end].map(|x| map.a * x + map.b);
             let scale = (map.a * x0).abs() + map.b.abs() + expected.abs();
-            // Written so that NaN is refused.
+            // Written so that NaN is an error.
             let meets = |expected: f64, found: f64| (found - expected).abs() <= JOIN_TOLERANCE * scale;
             if !meets(expected, found) {
                 return Err(SystemError::Tiling { map: j + 1, expected, found });
@@ -106,23 +108,24 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
     /// ```
     ///
     /// # Errors
-    /// [`SystemError::NotFinite`], [`SystemError::Unbounded`] when the numbers overflow or `factor` is not finite.
+    /// [`SystemError::NotFinite`], [`SystemError::Unbounded`] if the numbers overflow or `factor`
+    /// is not finite.
     pub fn scaled(&self, factor: f64) -> Result<Self, SystemError> {
         let q = |j: usize| self.pieces().get(j).map(|p| p.map().q.map(|c| factor * c));
         self.combined(&|j| factor * self.ordinate(j), &q)
     }
 
-    /// `self + other` for systems with the same knots and vertical factors, again of the same class.
+    /// `self + other` for systems with the same knots and vertical scalings, in the same class.
     ///
     /// ```
     /// let (f, g) = (asperity_fif::paper::f()?, asperity_fif::paper::g()?);
     /// assert_eq!(f.sum(&f)?.evaluate(1.0, 0.0).value, 2.0);
-    /// assert!(f.sum(&g).is_err()); // other vertical factors
+    /// assert!(f.sum(&g).is_err()); // different vertical scalings
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     ///
     /// # Errors
-    /// [`CombineError`], when a knot or a factor differs or the numbers overflow.
+    /// [`CombineError`] if a knot or a scaling differs or the numbers overflow.
     pub fn sum<T: AsRef<[Piece<C>]>>(&self, other: &System<T, C>) -> Result<Self, CombineError> {
         check_knots_equal(self.pieces(), other.pieces())?;
         for (j, (l, r)) in self.pieces().iter().zip(other.pieces()).enumerate() {
@@ -142,8 +145,10 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
         Ok(self.combined(&|j| self.ordinate(j) + other.ordinate(j), &q)?)
     }
 
-    /// Number of continuous derivatives of the system: `m` when `m` derivative systems exist one after another, `C`
-    /// when every one exists (the function is a polynomial, or its pieces join that smoothly).
+    /// The number of continuous derivatives of the system.
+    ///
+    /// It is `m` if `m` derivative systems exist in sequence, and `C` if all exist (the function is
+    /// a polynomial, or its pieces join that smoothly).
     ///
     /// ```text
     /// |α_j| < a_jᵐ, and the join-up of each derivative
@@ -166,7 +171,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
         count
     }
 
-    /// A system on these knots, with these factors, and other ordinates and polynomials.
+    /// Creates a system on these knots, with these scalings, and other ordinates and polynomials.
     fn combined(
         &self,
         y: &dyn Fn(usize) -> f64,
@@ -208,7 +213,7 @@ mod tests {
     }
 
     #[test]
-    fn systems_that_differ_are_not_added() {
+    fn sum_of_different_systems_is_an_error() {
         let f = paper::f().unwrap();
         let says = |error: CombineError, message: &str| assert_eq!(error.to_string(), message);
         says(
@@ -227,7 +232,8 @@ mod tests {
 
     #[test]
     fn derivatives_are_counted() {
-        // f integrated three times is three times differentiable; a parabola's second derivative is not contracted.
+        // f integrated three times is three times differentiable; the second derivative of a
+        // parabola is not contracted.
         let once = paper::f_hat().unwrap();
         let twice: FixedFif<2, 4> = once.integral(0.0).unwrap();
         let thrice: FixedFif<2, 5> = twice.integral(0.0).unwrap();

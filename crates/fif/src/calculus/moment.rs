@@ -18,7 +18,8 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// ∫ xᵏ fᵖ = Σ_j a_j Σ_m C(p, m) α_jᵐ ∫ (a_j x + b_j)ᵏ q_j(x)^(p−m) f(x)ᵐ dx
     /// ```
     ///
-    /// The integrals with lower powers of `f` are known, those with `fᵖ` follow from linear equations.
+    /// The integrals with lower powers of `f` are known, and the integrals with `fᵖ` follow from
+    /// linear equations.
     ///
     /// - **Accuracy:** measured against exact rationals, `p ≤ 4`, `k ≤ 6`, ten systems: within 1e-14 relative times
     ///   `condition`.
@@ -32,16 +33,16 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// Barnsley 1986, for `p = 1`.
     ///
     /// # Errors
-    /// [`MomentError`], when `k` or `p` is too large.
+    /// [`MomentError`] if `k` or `p` is too large.
     pub fn moment(&self, k: usize, p: usize) -> Result<Estimate, MomentError> {
         let domain = self.domain();
         self.moment_over(k, p, domain.lo, domain.hi)
     }
 
-    /// `∫ xᵏ fᵖ` from `l` to `r`, negative when `l > r`; ends outside the domain are clamped to it.
+    /// `∫ xᵏ fᵖ` from `l` to `r`, negative if `l > r`; ends are clamped to the domain.
     ///
-    /// The interval is a union of cells, `O(N log)` of them; each is a copy `A f + P` of the whole, so that no large
-    /// integrals are subtracted from one another. Cumulative moments are those with `l = x_0`.
+    /// The interval is a union of `O(N log)` cells. Each is a copy `A f + P` of the whole, so no
+    /// large integrals are subtracted. Cumulative moments have `l = x_0`.
     ///
     /// ```
     /// let f = asperity_fif::paper::f()?;
@@ -51,7 +52,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// ```
     ///
     /// # Errors
-    /// [`MomentError`], when `k` or `p` is too large.
+    /// [`MomentError`] if `k` or `p` is too large.
     pub fn moment_over(&self, k: usize, p: usize, l: f64, r: f64) -> Result<Estimate, MomentError> {
         let domain = self.domain();
         let weight = |s: f64| if s >= 1.0 { domain.hi } else { domain.lo + domain.width() * s };
@@ -67,7 +68,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// ∫∫…∫ f = ∫_{x_0}^x (x − t)^(n−1)/(n−1)! f(t) dt        (Cauchy)
     /// ```
     ///
-    /// For many points build the system of the integral once, [`System::integral`].
+    /// For many points create the system of the integral once, [`System::integral`].
     ///
     /// ```
     /// let f = asperity_fif::paper::f()?;
@@ -76,7 +77,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// ```
     ///
     /// # Errors
-    /// [`MomentError`], when `n` is too large.
+    /// [`MomentError`] if `n` is too large.
     pub fn nth_integral(&self, n: usize, x: f64) -> Result<Estimate, MomentError> {
         let domain = self.domain();
         let Some(k) = n.checked_sub(1) else {
@@ -92,17 +93,18 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// `∫ f²` over the whole domain, the square of the L² norm.
     ///
     /// # Errors
-    /// [`MomentError`], when the polynomials' degree is too large.
+    /// [`MomentError`] if the degree of the polynomials is too large.
     pub fn norm_squared(&self) -> Result<Estimate, MomentError> {
         self.moment(0, 2)
     }
 
-    /// The mean of `f²` over the interval between `l` and `r`, in either order; `f(l)²` when they are equal.
+    /// The mean of `f²` over the interval between `l` and `r`, in either order; `f(l)²` if they are
+    /// equal.
     ///
-    /// Accurate as [`System::mean`].
+    /// As accurate as [`System::mean`].
     ///
     /// # Errors
-    /// [`MomentError`], when the polynomials' degree is too large.
+    /// [`MomentError`] if the degree of the polynomials is too large.
     pub fn mean_square(&self, l: f64, r: f64) -> Result<Estimate, MomentError> {
         let Some((l, r, _)) = directed(l, r, self.domain()) else { return Ok(Estimate::NAN) };
         let (sum, length) = self.view().weighted(0, 2, l, r, &|_| 1.0)?;
@@ -111,7 +113,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         if length.value > 0.0 {
             let whole = self.domain().width() * length.value;
             let mean = sum.scaled(1.0 / whole);
-            // The widths of the cells round, and their ends move, in the denominator as well.
+            // In the denominator the widths of the cells round, and their ends move, as well.
             let bound = mean.bound + squares.hi * length.bound / length.value + 4.0 * UNIT * mean.value;
             let Bounded { value, bound } = Bounded { value: mean.value, bound: 1.01 * bound }.within(squares);
             return Ok(Estimate { value, bound, ..mean });
@@ -127,8 +129,9 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
 }
 
 impl<const C: usize> FifRef<'_, C> {
-    /// `∫ wᵏ fᵖ` over `[l, r]` for a linear `w`, given by its values at fractions of the domain, and the length of the cells that
-    /// it was added over, in units of the domain, with its error.
+    /// `∫ wᵏ fᵖ` over `[l, r]` for a linear `w`, and the summed length of the cells with its error.
+    ///
+    /// `w` is given by its values at fractions of the domain; the length is in units of the domain.
     fn weighted(
         self,
         k: usize,
@@ -202,7 +205,8 @@ impl Part {
             form = form.product(&polynomial);
             choose = choose * m as f64 / (p - m + 1) as f64;
         }
-        // The polynomial and the factor of the cell are rounded, and so are the values of the weight at its ends.
+        // The polynomial and the scaling of the cell are rounded, and so are the values of the
+        // weight at its ends.
         let whole = cell.product.abs() * range + size;
         let cell_error = cell.error() + cell.product_error() * cell.product.abs() * range;
         bound += (rounding(k + p * polynomial.degree) + p as f64 * UNIT) * magnitude;

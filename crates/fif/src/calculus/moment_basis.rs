@@ -1,4 +1,4 @@
-//! The moments of a function over its domain that integrals of `wᵏ fᵖ` over its cells are made of.
+//! The moments of a function over its domain, the basis of integrals of `wᵏ fᵖ` over its cells.
 
 use crate::numeric::bernstein::{Form, SIZE, binomials, power, rounding};
 use crate::numeric::elimination::solve;
@@ -6,14 +6,14 @@ use crate::numeric::polynomial::{LEAST, UNIT, hull};
 use crate::system::fif::FifRef;
 use asperity_core::error_enum;
 
-/// The largest power of `f` under an integral.
+/// The largest power of `f` in an integral.
 pub const MAX_POWER: usize = 8;
 
 /// The largest `k + p (C − 1)` of an integral of `xᵏ fᵖ`.
 pub const MAX_MOMENT_DEGREE: usize = SIZE - 1;
 
 error_enum! {
-    /// Why an integral of `xᵏ fᵖ` was refused.
+    /// Error for an integral of `xᵏ fᵖ` with invalid `k` or `p`.
     #[derive(Eq)]
     pub enum MomentError {
         /// `p` is above [`MAX_POWER`].
@@ -25,10 +25,11 @@ error_enum! {
 
 /// `∫ u^l (1 − u)^(n−l) f^m` over the domain scaled to `[0, 1]`, for every `m ≤ p` with `n = k + D (p − m)`.
 ///
-/// With `f∘L_j = α_j f + q_j` the functional equation gives, for each `m`, a system of `n + 1` linear equations whose
-/// right side has only lower powers. Scaled by binomials (Bernstein polynomials sum to one) its matrix is `1 − T` with
-/// column sums of `|T|` of at most `Σ a_j |α_j|^m < 1`: diagonally dominant by columns, so elimination needs no pivots,
-/// and a residual proves the error. Triangular systems in powers of `x` would need differences of large numbers later.
+/// With `f∘L_j = α_j f + q_j` the functional equation is, for each `m`, a system of `n + 1` linear
+/// equations whose right side has only lower powers. Scaled by binomials (Bernstein polynomials sum
+/// to one) its matrix is `1 − T`, where the column sums of `|T|` are at most `Σ a_j |α_j|^m < 1`.
+/// It is diagonally dominant by columns, so elimination needs no pivots, and a residual proves the
+/// error. Triangular systems in powers of `x` would later need differences of large numbers.
 pub(crate) struct MomentBasis {
     values: [[f64; SIZE]; MAX_POWER + 1],
     /// Bound of `Σ_l C(n, l) |error_l|`.
@@ -113,7 +114,7 @@ impl MomentBasis {
             let sum = row.iter().zip(&solution).take(n + 1).fold(right, |sum, (m, x)| sum - m * x);
             residual += choose * sum.abs();
         }
-        // The entries' own roundings, and those of the knots in units of the domain.
+        // The roundings of the entries, and those of the knots in units of the domain.
         let entries = (rounding(self.top) + 4.0 * (fif.pieces().len() + n) as f64 * UNIT) * 2.0 * largest
             + 8.0 * (fif.pieces().len() * SIZE * (p + 1)) as f64 * LEAST;
         self.errors[p] = (residual + entries + inherited) / (1.0 - own).max(f64::MIN_POSITIVE) * 1.01;
