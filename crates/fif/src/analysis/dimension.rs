@@ -28,8 +28,8 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// **Accuracy:** within `[1, 2]`; about 10⁻¹⁵ wide, more if `Σ |α_j|` is near one or all `a_j`
     /// are. Powers are assumed to be accurate to eight units in the last place.
     ///
-    /// Barnsley 1986, theorem 4, for affine maps; Hardin and Massopust, *The capacity for a class of fractal functions*,
-    /// 1986.
+    /// Barnsley 1986, theorem 4, for affine maps; Hardin and Massopust, *The capacity for a class
+    /// of fractal functions*, 1986.
     ///
     /// ```
     /// use asperity_fif::paper;

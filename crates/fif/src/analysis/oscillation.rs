@@ -31,7 +31,8 @@ const SCALES: usize = usize::BITS as usize;
 /// fractal interpolation function it equals [`System::dimension`](crate::System::dimension) within
 /// the errors of [`oscillation_exponent`], whose requirements apply.
 ///
-/// Dubuc, Quiniou, Roques-Carmes, Tricot, Zucker, *Evaluating the fractal dimension of profiles*, Physical Review A 39, 1989.
+/// Dubuc, Quiniou, Roques-Carmes, Tricot, Zucker, *Evaluating the fractal dimension of profiles*,
+/// Physical Review A 39, 1989.
 ///
 /// ```
 /// use asperity_fif::{box_dimension, paper};

@@ -36,7 +36,8 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// It uses `O(N log)` cells from the addresses of both ends. Short intervals therefore lose no
     /// digits, unlike a difference of two values of the integral.
     ///
-    /// - **Accuracy:** measured against exact rationals, ten systems: within 1e-14 relative times `condition`.
+    /// - **Accuracy:** measured against exact rationals, ten systems: within 1e-14 relative times
+    ///   `condition`.
     ///
     /// ```
     /// let f = asperity_fif::paper::f()?;
@@ -64,7 +65,8 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// includes the effect of the rest. On equally spaced knots from 0 over a width that is a power
     /// of two, the ends do not round.
     ///
-    /// - **Accuracy:** tested against exact arithmetic over intervals of 1 to 40 units in the last place.
+    /// - **Accuracy:** tested against exact arithmetic over intervals of 1 to 40 units in the last
+    ///   place.
     ///
     /// ```
     /// let g = asperity_fif::paper::g()?;

@@ -21,8 +21,8 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// The integrals with lower powers of `f` are known, and the integrals with `fᵖ` follow from
     /// linear equations.
     ///
-    /// - **Accuracy:** measured against exact rationals, `p ≤ 4`, `k ≤ 6`, ten systems: within 1e-14 relative times
-    ///   `condition`.
+    /// - **Accuracy:** measured against exact rationals, `p ≤ 4`, `k ≤ 6`, ten systems: within
+    ///   1e-14 relative times `condition`.
     ///
     /// ```
     /// let f = asperity_fif::paper::f()?;

@@ -23,7 +23,8 @@ error_enum! {
     }
 }
 
-/// `∫ u^l (1 − u)^(n−l) f^m` over the domain scaled to `[0, 1]`, for every `m ≤ p` with `n = k + D (p − m)`.
+/// `∫ u^l (1 − u)^(n−l) f^m` over the domain scaled to `[0, 1]`, for every `m ≤ p` with `n = k + D
+/// (p − m)`.
 ///
 /// With `f∘L_j = α_j f + q_j` the functional equation is, for each `m`, a system of `n + 1` linear
 /// equations whose right side has only lower powers. Scaled by binomials (Bernstein polynomials sum

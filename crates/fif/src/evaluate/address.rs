@@ -5,7 +5,7 @@ use asperity_core::Interval;
 use crate::numeric::double::Double;
 use crate::system::map::Piece;
 
-/// One inverse step: the map, and where in the domain its inverse sends the point.
+/// One inverse step: the map, and the image of the point under its inverse.
 pub(crate) struct Step {
     pub(crate) index: usize,
     /// The new point in units of the domain, in `[0, 1]`.
@@ -18,15 +18,17 @@ pub(crate) trait Orbit {
     fn step<const C: usize>(&mut self, pieces: &[Piece<C>]) -> Step;
 }
 
-/// Points whose distances lose no digits, however near they are.
+/// Points whose distances lose no digits, however close they are.
 pub(crate) trait Distance: Sized {
-    /// From one point to the other in units of the domain, rounded; `None` for the left and for the right end of the domain.
+    /// The distance between points in units of the domain, rounded; `None` is the left or right end
+    /// of the domain.
     fn between(from: Option<&Self>, to: Option<&Self>) -> f64;
 }
 
-/// A point on equally spaced knots: a fraction of the domain in words of 64 bits, the least significant first.
+/// A point on equally spaced knots: a fraction of the domain in 64-bit words, least significant
+/// first.
 ///
-/// Its address is exact at every depth if the words hold all bits of the point.
+/// Its address is exact at every depth if the words contain all bits of the point.
 #[derive(Clone, Copy)]
 pub(crate) struct Words<const N: usize> {
     words: [u64; N],
@@ -35,16 +37,17 @@ pub(crate) struct Words<const N: usize> {
 /// 128 bits: every double from [`Fraction::LEAST`] on.
 pub(crate) type Fraction = Words<2>;
 
-/// 1088 bits: every double; the last bit of the least one is 2⁻¹⁰⁷⁴.
+/// 1088 bits: every double; the last bit of the smallest one is 2⁻¹⁰⁷⁴.
 pub(crate) type LongFraction = Words<17>;
 
 impl Fraction {
-    /// The least `t` whose 53 bits all lie within the fraction, 2⁻⁷⁵.
+    /// The smallest `t` whose 53 bits all lie within the fraction, 2⁻⁷⁵.
     pub(crate) const LEAST: f64 = f64::EPSILON / 8_388_608.0;
 }
 
 impl<const N: usize> Words<N> {
-    /// `t` in `[0, 1)`, cut to the words' bits; one and beyond become the largest fraction.
+    /// `t` in `[0, 1)`, truncated to the bits of the words; values from one on become the largest
+    /// fraction.
     #[inline]
     pub(crate) fn new(t: f64) -> Self {
         const MANTISSA: u32 = 52;
@@ -55,7 +58,8 @@ impl<const N: usize> Words<N> {
         let exponent = (bits >> MANTISSA) as usize & 0x7FF;
         let fraction = bits & ((1 << MANTISSA) - 1);
         let mantissa = if exponent == 0 { fraction } else { fraction | 1 << MANTISSA };
-        // The last bit of the mantissa weighs 2^(exponent − 1075); that of the words 2^(−64 N).
+        // The last bit of the mantissa weighs 2^(exponent − 1075); the last bit of the words 2^(−64
+        // N).
         let last = exponent.max(1) + 64 * N;
         let (shift, cut) = (last.saturating_sub(1075), 1075_usize.saturating_sub(last));
         let mut rest = if cut < 64 { u128::from(mantissa >> cut) << (shift % 64) } else { 0 };
@@ -67,7 +71,7 @@ impl<const N: usize> Words<N> {
         Self { words }
     }
 
-    /// `t` in `(0, 1)`, both parts cut to the words' bits.
+    /// `t` in `(0, 1)`, both parts truncated to the bits of the words.
     pub(crate) fn of(t: Double) -> Self {
         let (mut all, part) = (Self::new(t.hi), Self::new(t.lo.abs()));
         let mut carry = false;
@@ -108,7 +112,7 @@ impl Distance for LongFraction {
             let (part, second) = part.overflowing_sub(u64::from(borrow));
             (*word, borrow) = (part, first || second);
         }
-        // The right end is one whole more than no words; a negative distance has borrowed one.
+        // The right end is one more than the largest words; a negative distance has borrowed one.
         let whole = f64::from(u8::from(to.is_none())) - f64::from(u8::from(borrow));
         if whole < 0.0 {
             return -Self::between(to, from);
@@ -116,12 +120,12 @@ impl Distance for LongFraction {
         if whole > 0.0 {
             return whole;
         }
-        // From the least word up, each part is rounded once relative to the sum.
+        // From the least significant word up, each part is rounded once relative to the sum.
         rest.iter().fold(0.0, |sum, word| sum / BASE + *word as f64 / BASE)
     }
 }
 
-/// A point on any knots; the float orbit is that of a point within a few units in the last place.
+/// A point on any knots; its float orbit is that of a point within a few units in the last place.
 #[derive(Clone, Copy)]
 pub(crate) struct Position {
     s: f64,
@@ -144,7 +148,9 @@ impl Orbit for Position {
     }
 }
 
-/// A point on any knots to a hundred bits: its distance from the left end, in units that make the domain about one wide.
+/// A point on any knots to a hundred bits: its distance from the left end.
+///
+/// The unit makes the domain about one wide.
 #[derive(Clone, Copy)]
 pub(crate) struct LongPosition {
     at: Double,
@@ -160,7 +166,7 @@ impl LongPosition {
     /// `x` in the domain.
     pub(crate) fn new(x: f64, domain: Interval) -> Self {
         const MANTISSA: u32 = 52;
-        // A power of two, so that nothing rounds but what is under 2⁻¹⁰⁰⁰ of the domain.
+        // A power of two, so that only bits below 2⁻¹⁰⁰⁰ of the domain are rounded.
         let exponent = (domain.width().to_bits() >> MANTISSA) as i64 & 0x7FF;
         let scale = f64::from_bits(((2046 - exponent).clamp(1, 2046) as u64) << MANTISSA);
         let mut point = Self { at: Double::from(0.0), width: Double::from(1.0), origin: domain.lo, scale };
@@ -168,7 +174,7 @@ impl LongPosition {
         point
     }
 
-    /// The distance of a place from the left end.
+    /// The distance of a position from the left end.
     fn offset(&self, x: f64) -> Double {
         Double::two_sum(x, -self.origin).scaled(self.scale)
     }
@@ -245,7 +251,7 @@ mod tests {
         let words = |t: f64| LongFraction::new(t).words;
         assert_eq!((words(1.0), words(0.0), words(f64::NAN)), ([u64::MAX; 17], [0; 17], [0; 17]));
         assert_eq!(words(0.75), core::array::from_fn(|k| if k == 16 { 3 << 62 } else { 0 }));
-        // 2⁻¹⁰⁷⁴ of 2⁻¹⁰⁸⁸, and the least normal number with every bit of its mantissa.
+        // 2⁻¹⁰⁷⁴ of 2⁻¹⁰⁸⁸, and the smallest normal number with every bit of its mantissa.
         assert_eq!(words(f64::from_bits(1)), core::array::from_fn(|k| if k == 0 { 1 << 14 } else { 0 }));
         let normal = f64::MIN_POSITIVE * (2.0 - f64::EPSILON);
         let want = [((1_u64 << 53) - 1) << 14, (1 << 3) - 1];

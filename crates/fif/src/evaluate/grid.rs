@@ -1,4 +1,5 @@
-//! Values at all nodes of an even grid, by the functional equation: one polynomial a node, no address.
+//! Values at all nodes of a uniform grid by the functional equation: one polynomial per node, no
+//! address.
 
 use crate::numeric::polynomial::{UNIT, horner};
 use crate::system::fif::{Spacing, System};
@@ -6,16 +7,19 @@ use crate::system::map::Piece;
 use asperity_core::error_enum;
 
 impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
-    /// `f(x_0 + (x_N − x_0) i/n)` for `i = 0, …, n`, where `n + 1` is the length of `out` and `n` a power of the number of
-    /// maps; returns the bound of the error of all of them.
+    /// Evaluates `f(x_0 + (x_N − x_0) i/n)` for `i = 0, …, n`.
+    ///
+    /// `n + 1` is the length of `out`, and `n` a power of the number of maps. Returns the error
+    /// bound of all values.
     ///
     /// ```text
     /// f((j + t)/N) = α_j f(t) + q_j(t),   t in units of the domain: N nodes of each of the grid before
     /// ```
     ///
-    /// Nothing is cut off, so the bound is that of rounding alone; knots are exact. 1.6 ns (affine) to 2.2 ns (quadratic) a node. The nodes are those
-    /// of the grid itself, which need not be doubles: on knots that are not binary fractions [`System::evaluate`] at the
-    /// rounded node is the value beside it.
+    /// Nothing is truncated, so the bound is that of rounding alone; knots are exact. Takes 1.6 ns
+    /// (affine) to 2.2 ns (quadratic) per node. The nodes are those of the grid itself, which need
+    /// not be doubles. On knots that are not binary fractions, [`System::evaluate`] at the rounded
+    /// node is the value at a nearby point.
     ///
     /// Cochran, Lewis, Hart 2000, eq. 3–9.
     ///
@@ -29,7 +33,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// ```
     ///
     /// # Errors
-    /// [`GridError`]; nothing is written then.
+    /// [`GridError`]. Nothing is written in this case.
     pub fn grid(&self, out: &mut [f64]) -> Result<f64, GridError> {
         if self.spacing() == Spacing::Nonuniform {
             return Err(GridError::Nonuniform);
@@ -58,11 +62,11 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         Ok(1.01 * self.gain * (self.noise + 4.0 * UNIT * self.range().magnitude()))
     }
 
-    /// From the `count` nodes in front, without the last one, to `N` times as many.
+    /// Refines from the first `count` nodes, without the last one, to `N` times as many.
     fn refine(&self, out: &mut [f64], count: usize) {
         let per = 1.0 / count as f64;
         let (before, after) = out.split_at_mut_checked(count).unwrap_or_default();
-        // The first piece's nodes take the place of those that all are made of.
+        // The nodes of the first piece replace those from which all are computed.
         for (piece, nodes) in self.pieces().iter().skip(1).zip(after.chunks_exact_mut(count)) {
             let alpha = piece.map().alpha;
             fill(piece, per, nodes, before.iter().map(|y| alpha * y));
@@ -77,7 +81,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     }
 }
 
-/// One piece's nodes: the scaled ones of the whole, and its polynomial.
+/// The nodes of one piece: the scaled nodes of the whole, plus its polynomial.
 #[inline(always)]
 fn fill<const C: usize>(piece: &Piece<C>, per: f64, nodes: &mut [f64], scaled: impl Iterator<Item = f64>) {
     for (node, y) in nodes.iter_mut().zip(scaled) {
@@ -86,12 +90,12 @@ fn fill<const C: usize>(piece: &Piece<C>, per: f64, nodes: &mut [f64], scaled: i
     raise(piece, per, nodes);
 }
 
-/// Adds the piece's polynomial at `0, per, 2 per, …`; the first node is the knot itself.
+/// Adds the polynomial of the piece at `0, per, 2 per, …`; the first node is the knot itself.
 #[inline(always)]
 fn raise<const C: usize>(piece: &Piece<C>, per: f64, nodes: &mut [f64]) {
     const BLOCK: usize = 256;
     for (block, part) in nodes.chunks_mut(BLOCK).enumerate() {
-        // Small counters, which lanes convert.
+        // Small counters, which SIMD converts.
         let start = (block * BLOCK) as f64;
         for (i, node) in (0_i32..).zip(part) {
             let s = (start + f64::from(i)) * per;
@@ -104,12 +108,13 @@ fn raise<const C: usize>(piece: &Piece<C>, per: f64, nodes: &mut [f64]) {
 }
 
 error_enum! {
-    /// Why there is no grid.
+    /// Error for an invalid grid.
     #[derive(Eq)]
     pub enum GridError {
         /// The knots are not equally spaced.
         Nonuniform => "`x` must be equally spaced, got unequal knots";
-        /// The number of cells, one less than the nodes `found`, is not a power of the number of maps.
+        /// The number of cells, one less than the nodes `found`, is not a power of the number of
+        /// maps.
         Length { maps: usize, found: usize } =>
             "`out` must have one element more than a power of {maps}, got {found}";
     }
@@ -143,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn other_numbers_of_nodes_are_refused() {
+    fn grid_rejects_other_numbers_of_nodes() {
         let f = paper::f().unwrap();
         for len in [0, 1, 4, 6] {
             let mut nodes = alloc::vec![7.0; len];

@@ -1,4 +1,4 @@
-//! Values with bounds: at points, at addresses, at the nodes of even grids.
+//! Values with error bounds: at points, at addresses, at the nodes of uniform grids.
 
 pub(crate) mod address;
 pub(crate) mod grid;

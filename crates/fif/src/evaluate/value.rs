@@ -8,27 +8,29 @@ use crate::system::cell::Cell;
 use crate::system::fif::{Spacing, System};
 use crate::system::map::Piece;
 
-/// Largest number of maps that one evaluation composes.
+/// Maximum number of maps that one evaluation composes.
 ///
-/// Enough for 10⁻¹² of the range at `|α| ≤ 0.993`; beyond, the returned bound says what was reached.
+/// Sufficient for 10⁻¹² of the range at `|α| ≤ 0.993`. Beyond, the returned bound is larger.
 pub const MAX_DEPTH: usize = 4096;
 
 impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
-    /// `f(x)` with a bound of its error, which is at most `tolerance` where `f64` allows that.
+    /// `f(x)` with an error bound, which is at most `tolerance` if `f64` permits.
     ///
-    /// After `k` inverse steps `f(x) = acc + A f(u)`, so the error is at most `|A| R` with `R` half the width of
-    /// [`System::range`]; the middle of the range stands for the tail. The depth follows from that, not from the horizontal
-    /// contraction, which bounds no error of `y`: Algorithm 2 of the source, taken literally, errs by 0.38 for its own
-    /// `g` at ε = 10⁻³ and by 0.075 at 10⁻⁶ (measured at 400,000 points). At most [`MAX_DEPTH`] steps are made; `bound`
-    /// holds truncation and rounding.
+    /// After `k` inverse steps `f(x) = acc + A f(u)`, so the error is at most `|A| R`, where `R` is
+    /// half the width of [`System::range`]. The middle of the range replaces the tail. This
+    /// determines the depth. The horizontal contraction does not bound the error of `y`: Algorithm
+    /// 2 of the source, taken literally, errs by 0.38 for its own `g` at ε = 10⁻³ and by 0.075 at
+    /// 10⁻⁶ (measured at 400,000 points). At most [`MAX_DEPTH`] steps are made. `bound` includes
+    /// truncation and rounding.
     ///
-    /// - **Domain:** points outside the domain are clamped to it; NaN gives NaN. A tolerance that is zero, negative,
-    ///   NaN or under the rounding error stands for the rounding error.
-    /// - **Accuracy:** knots are exact, with bound 0. Equally spaced knots: `x − x_0` in units of the domain is a binary
-    ///   fraction with all its bits, whose address is exact at every depth, and `value ± bound` holds `f(x)` itself
-    ///   (when `x − x_0` and its quotient by the width are exact, as for a width that is a power of two and `x_0 = 0`).
-    ///   Otherwise it holds `f(x′)` for an `x′` within eight units in the last place of `x` and of the ends of the
-    ///   domain: mind that one unit of `x` changes the source's `g` by 5·10⁻⁴.
+    /// - **Domain:** points outside the domain are clamped to it; NaN returns NaN. A tolerance that
+    ///   is zero, negative, NaN or below the rounding error means the rounding error.
+    /// - **Accuracy:** knots are exact, with bound 0. On equally spaced knots, `x − x_0` in units
+    ///   of the domain is a binary fraction with all its bits, whose address is exact at every
+    ///   depth. Then `value ± bound` contains `f(x)` itself, if `x − x_0` and its quotient by the
+    ///   width are exact, as for a width that is a power of two and `x_0 = 0`. Otherwise it
+    ///   contains `f(x′)` for an `x′` within eight units in the last place of `x` and of the ends
+    ///   of the domain. Note that one unit of `x` changes g of the source by 5·10⁻⁴.
     ///
     /// Cochran, Lewis, Hart 2000, Algorithm 2, corrected.
     ///
@@ -52,7 +54,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         }
     }
 
-    /// [`System::evaluate`] at a place between doubles.
+    /// [`System::evaluate`] at a position between doubles.
     pub(crate) fn evaluate_between(&self, x: Double, tolerance: f64) -> Bounded {
         let domain = self.domain();
         let t = x.minus(Double::from(domain.lo)).over(domain.width());
@@ -66,12 +68,13 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
 
     /// `f` at the point with this address: the indices of the maps, from 0, the outermost first.
     ///
-    /// The point is `L_i(L_j(L_k(…)))` for the address `i, j, k, …`. Addresses may be endless; exactly as much is read
-    /// as `tolerance` needs, 2²² at most: where cells shrink slowly, their place is followed when their factors have died out.
-    /// The bound of a finite address covers every point of its cell:
-    /// repeat 0 for the left end, the last index for the right end. An address is exact where the nearest `f64` is not.
+    /// The point is `L_i(L_j(L_k(…)))` for the address `i, j, k, …`. Addresses may be infinite. The
+    /// method reads as many indices as `tolerance` needs, at most 2²²: if cells shrink slowly, it
+    /// continues after their scalings are negligible. The bound of a finite address covers every
+    /// point of its cell. Repeat 0 for the left end and the last index for the right end. An
+    /// address can be exact where the nearest `f64` is not.
     ///
-    /// `None` when an index has no map.
+    /// Returns `None` for an index without a map.
     ///
     /// ```
     /// let f = asperity_fif::paper::f()?;
@@ -91,7 +94,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         let mut cell = Cell::root();
         let mut range = self.range();
         let mut address = address.into_iter().take(LONGEST);
-        // Restricting a polynomial again and again costs more digits than following a place.
+        // Repeated restriction of a polynomial loses more digits than tracking a position.
         let mut steps = 0;
         while steps < 128 || cell.product.abs() * self.range().width() > 0.25 * UNIT * range.magnitude() {
             let Some(index) = address.next() else { break };
@@ -102,7 +105,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
                 return Some(Bounded::around(range));
             }
         }
-        // What is left is a polynomial, and the place in the cell.
+        // The rest is a polynomial, and the position in the cell.
         let (mut left, mut width) = (Double::from(0.0), 1.0);
         let radius = 0.5 * cell.polynomial_range().width();
         let steep = 2.0 * C.saturating_sub(1) as f64 * radius;
@@ -121,10 +124,13 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         Some(Bounded::around(range))
     }
 
-    /// The address of `x`: indices of maps from 0, the outermost first, without end; clamped, and empty for NaN.
+    /// The infinite address of `x`: indices of maps from 0, the outermost first.
     ///
-    /// A knot has two addresses; this is the one that ends in zeros, except at the right end of the domain.
-    /// On knots that are not equally spaced the later indices belong to a point within a few units in the last place.
+    /// `x` is clamped to the domain; the address of NaN is empty.
+    ///
+    /// A knot has two addresses; this is the one that ends in zeros, except at the right end of the
+    /// domain. On unequal knots the later indices belong to a point within a few units in the last
+    /// place.
     ///
     /// ```
     /// let f = asperity_fif::paper::f()?;
@@ -168,7 +174,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         }
     }
 
-    /// Out of line: hardly any point is that near the left end.
+    /// Out of line, because few points are this close to the left end.
     #[cold]
     fn follow_long(&self, t: f64, tolerance: f64) -> Bounded {
         self.follow(LongFraction::new(t), tolerance)
@@ -179,7 +185,8 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         let range = self.range();
         let radius = 0.5 * range.width();
         let scale = range.magnitude();
-        // Truncation under the rounding error is not worth a step. Written so that NaN asks for the most.
+        // Truncation below the rounding error is not worth a step. Written so that NaN requests the
+        // maximum.
         let floor = self.noise + 2.0 * UNIT * scale;
         let enough = if tolerance > floor { 0.5 * tolerance } else { floor };
         let (mut sum, mut product) = (0.0, 1.0_f64);
@@ -206,12 +213,13 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         Bounded { value, bound: 1.0001 * (truncation + self.rounding(steps)) }
     }
 
-    /// Σ|A_k| and Σ k|A_k| are at most g and g²; every addition rounds a number of at most twice the range.
+    /// Σ|A_k| and Σ k|A_k| are at most g and g²; every addition rounds a number of at most twice
+    /// the range.
     #[inline]
     fn rounding(&self, steps: f64) -> f64 {
         let scale = self.range().magnitude();
         let weight = if steps < self.gain { steps } else { self.gain };
-        // Products of the least numbers round to multiples of these.
+        // Products of the smallest numbers round to multiples of these.
         let least = 4.0 * (steps + 2.0) * LEAST;
         weight * self.noise
             + UNIT * (steps + 2.0) * 2.0 * scale
@@ -312,7 +320,8 @@ mod tests {
         let f = FixedFif::<2, 2>::affine(&[0.0, 1e-3, 1.0], &[0.0, 1.0, 0.0], &[0.5, -0.875]).unwrap();
         let knot = f.value_at_address(core::iter::once(0).chain(core::iter::repeat(1)), 1e-12).unwrap();
         assert!((knot.value - 1.0).abs() <= knot.bound && knot.bound <= 1e-12, "{knot:?}");
-        // Ninety-nine times the right map, the left one, and again: a fixed point of a hundred maps.
+        // Ninety-nine times the right map, the left one, and again: a fixed point of a hundred
+        // maps.
         let period = || (0..100).map(|k| usize::from(k < 99)).cycle();
         let fine = f.value_at_address(period(), 1e-12).unwrap();
         assert!(fine.bound <= 1e-12, "{fine:?}");

@@ -1,4 +1,4 @@
-//! Vertical factors by least squares on the collage error.
+//! Vertical scalings by least squares on the collage error.
 
 use alloc::vec::Vec;
 use asperity_core::math::sqrt_f64;
@@ -7,40 +7,46 @@ use crate::system::error::{self as system, SystemError, check_finite, check_leng
 use crate::system::fif::Fif;
 use asperity_core::error_enum;
 
-/// The largest vertical factor that a fit gives, `1 − 2⁻¹⁰`: steeper ones are cut to it.
+/// The largest vertical scaling of a fit, `1 − 2⁻¹⁰`, to which larger ones are clamped.
 pub const STEEPEST: f64 = 1.0 - 1.0 / 1024.0;
 
-/// An affine fractal interpolation function fitted to data, and how well it does.
+/// An affine fractal interpolation function fitted to data, with the error of the fit.
 #[derive(Clone, Debug)]
 pub struct Fit {
     /// The function; it passes through the data at the knots.
     pub system: Fif<2>,
-    /// `max |y_i − f(x_i)|` over the data, measured, with the error bound of the values added.
+    /// `max |y_i − f(x_i)|` over the data, measured, plus the error bound of the values.
     pub error: f64,
-    /// The root of the mean of the squares of `y_i − f(x_i)`, measured.
+    /// The root mean square of `y_i − f(x_i)`, measured.
     pub rms: f64,
-    /// `sup |Y − T Y|`, the collage error: `Y` the polygon through the data, `T Y` the maps applied to it.
+    /// `sup |Y − T Y|`, the collage error: `Y` is the polygon through the data, and `T Y` its image
+    /// under the maps.
     pub collage: f64,
-    /// `collage/(1 − max|α_j|)`: no point of the polygon is farther than that from `f` (the collage theorem).
+    /// `collage/(1 − max|α_j|)`, an upper bound of the distance between the polygon and `f` (the
+    /// collage theorem).
     pub bound: f64,
 }
 
-/// Fits vertical factors by least squares, with knots at the given points of the data.
+/// Fits vertical scalings by least squares, with knots at the given points of the data.
 ///
 /// ```text
 /// α_j = ⟨u_j, v⟩/⟨v, v⟩     u_j = y − chord_j,  v = (Y − chord) ∘ L_j⁻¹   at the data over map j
 /// ```
 ///
-/// with `chord` the line through the first and last point of the data and `chord_j` through those of the part, and `Y`
-/// the polygon through the data. Each `α_j` makes the squares of the collage error at the data over its part least; it
-/// is cut to [`STEEPEST`] in size, and 0 where `v` is. The sum over all parts is not the error of the fit: see [`refined`](crate::fit::refined).
+/// with `chord` the line through the first and last point of the data, `chord_j` the line through
+/// those of the part, and `Y` the polygon through the data. Each `α_j` minimizes the squared
+/// collage error at the data over its part. It is clamped to [`STEEPEST`] in magnitude, and 0 where
+/// `v` is 0. The sum over all parts is not the error of the fit: see
+/// [`refined`](crate::fit::refined).
 ///
-/// Time: one binary search per point, and as many for each map to measure the collage error.
+/// Time: one binary search per point, and the same per map to measure the collage error.
 ///
-/// Mazel and Hayes, *Using iterated function systems to model discrete sequences*, 1992, the analytic algorithm.
+/// Mazel and Hayes, *Using iterated function systems to model discrete sequences*, 1992, the
+/// analytic algorithm.
 ///
 /// # Errors
-/// [`FitError`]: points that are too few, not finite or not in order; `knots` that do not rise from 0 to the last point.
+/// [`FitError`]: points that are too few, not finite or not in order; `knots` that do not increase
+/// from 0 to the last point.
 pub fn affine(x: &[f64], y: &[f64], knots: &[usize]) -> Result<Fit, FitError> {
     check_points(x, y)?;
     check_knots(x.len(), knots)?;
@@ -49,7 +55,7 @@ pub fn affine(x: &[f64], y: &[f64], knots: &[usize]) -> Result<Fit, FitError> {
     data.fit(knots, &alpha)
 }
 
-/// Points in order; the polygon through them.
+/// Points in order, and the polygon through them.
 #[derive(Clone, Copy)]
 pub(crate) struct Data<'a> {
     pub(crate) x: &'a [f64],
@@ -67,14 +73,14 @@ impl Data<'_> {
         line(x, self.point(right - 1), self.point(right))
     }
 
-    /// `Y − chord` at the part `t` of the domain.
+    /// `Y − chord` at the fraction `t` of the domain.
     fn deviation(&self, t: f64) -> f64 {
         let (first, last) = (self.point(0), self.point(self.x.len().saturating_sub(1)));
         let x = first.0 + t * (last.0 - first.0);
         self.polygon(x) - line(x, first, last)
     }
 
-    /// `(u, v)` at the points strictly between two.
+    /// `(u, v)` at the points strictly between two points.
     fn pairs(&self, from: usize, to: usize) -> impl Iterator<Item = (f64, f64)> + '_ {
         let (left, right) = (self.point(from), self.point(to));
         (from + 1..to).map(move |i| {
@@ -83,7 +89,7 @@ impl Data<'_> {
         })
     }
 
-    /// The factor of least squares for a map onto the part between two points.
+    /// The least-squares scaling of a map onto the part between two points.
     pub(crate) fn factor(&self, from: usize, to: usize) -> f64 {
         let (mixed, square) =
             self.pairs(from, to).fold((0.0, 0.0), |(mixed, square), (u, v)| (mixed + u * v, square + v * v));
@@ -97,7 +103,7 @@ impl Data<'_> {
         self.pairs(from, to).fold(0.0, |worst, (u, v)| worst.max((u - alpha * v).abs()))
     }
 
-    /// The system with these factors, measured.
+    /// The system with these scalings, measured.
     pub(crate) fn fit(&self, knots: &[usize], alpha: &[f64]) -> Result<Fit, FitError> {
         let (x, y): (Vec<f64>, Vec<f64>) = knots.iter().map(|&i| self.point(i)).unzip();
         let system: Fif<2> = Fif::affine(&x, &y, alpha)?;
@@ -139,10 +145,12 @@ fn line(x: f64, left: (f64, f64), right: (f64, f64)) -> f64 {
 }
 
 error_enum! {
-    /// Why a fit was refused. Points are counted from 0.
+    /// Error for an invalid fit. Points are counted from 0.
     pub enum FitError from SystemError {
-        /// The knots are not the indices of three points or more, rising from the first point to the last: entry `at` is
-        /// `index`, or the number of points if it is missing.
+        /// The knots are not increasing indices of three or more points, from the first to the
+        /// last.
+        ///
+        /// Entry `at` is `index`, or the number of points if it is missing.
         Knots { at: usize, index: usize } =>
             "`knots[{at}]` must rise from the first point to the last, three at least, got {index}";
         /// A tolerance is NaN or negative.
@@ -177,7 +185,7 @@ mod tests {
     use alloc::string::ToString;
 
     #[test]
-    fn data_out_of_order_are_refused() {
+    fn fit_rejects_unordered_data() {
         let says = |x: &[f64], y: &[f64], knots: &[usize], message: &str| {
             assert_eq!(affine(x, y, knots).unwrap_err().to_string(), message);
         };
@@ -200,9 +208,9 @@ mod tests {
     }
 
     #[test]
-    fn straight_data_have_no_factors() {
+    fn scalings_of_straight_data_are_zero() {
         let fit = affine(&[0.0, 1.0, 2.0, 3.0, 5.0], &[1.0, 2.0, 3.0, 4.0, 6.0], &[0, 2, 4]).unwrap();
-        // The error counts the bounds of the values, 4e-14 here.
+        // The error includes the bounds of the values, 4e-14 here.
         assert!(fit.error < 1e-13 && fit.collage < 1e-14, "{fit:?}");
         assert!(fit.system.pieces().iter().all(|p| p.map().alpha == 0.0), "{fit:?}");
     }

@@ -1,21 +1,24 @@
-//! The choice of knots by Mazel and Hayes.
+//! Greedy choice of knots by Mazel and Hayes.
 
 use alloc::vec::Vec;
 
 use crate::fit::collage::{Data, FitError, check_points};
 
-/// Chooses knots among the data, as few as a greedy search finds, so that the collage error at the data is at most
-/// `tolerance`.
+/// Chooses knots among the data so that the collage error at the data is at most `tolerance`.
 ///
-/// From the first point on, each map goes to the farthest point, `longest` points on at most, for which the best factor
-/// misses no point between by more than `tolerance`; a map to the next point misses none. The farthest is tried first,
-/// because the error does not grow with the length: a part that repeats the whole fits, a part of it does not. Give the
-/// result to [`affine`](crate::fit::affine) or [`refined`](crate::fit::refined).
+/// The search is greedy and uses few knots.
+///
+/// From the first point on, each map extends to the farthest point, at most `longest` points away,
+/// for which the optimal scaling misses no point between by more than `tolerance`. A map to the
+/// next point misses none. The farthest point is tried first, because the error does not increase
+/// with the length: a part that repeats the whole fits, but a piece of it does not. Pass the result
+/// to [`affine`](crate::fit::affine) or [`refined`](crate::fit::refined).
 ///
 /// Time: for each map at most `longest²/2` terms, each with a binary search.
 ///
-/// Mazel and Hayes, *Using iterated function systems to model discrete sequences*, 1992; the vertical factors are those
-/// of least squares, and the criterion is the largest error, not the mean square.
+/// Mazel and Hayes, *Using iterated function systems to model discrete sequences*, 1992. The
+/// vertical scalings are those of least squares, and the criterion is the maximum error, not the
+/// mean square.
 ///
 /// ```
 /// use asperity_fif::{fit, paper};
@@ -54,7 +57,7 @@ mod tests {
     #[test]
     fn extreme_arguments_end() {
         let (x, y) = ([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.0, -1.0, 3.0, 0.5]);
-        // Whatever fits, two maps are left; where nothing may fit, every point is a knot.
+        // If everything fits, two maps remain; if nothing fits, every point is a knot.
         assert_eq!(knots(&x, &y, f64::INFINITY, usize::MAX).unwrap(), [0, 3, 4]);
         assert_eq!(knots(&x, &y, f64::INFINITY, 0).unwrap(), [0, 1, 2, 3, 4]);
         assert!(matches!(knots(&x, &y, -1.0, 4), Err(FitError::Tolerance { .. })));

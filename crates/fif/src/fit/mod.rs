@@ -1,8 +1,9 @@
-//! Fits to data: vertical factors by least squares, knots by Mazel and Hayes, refinement, and what they miss by.
+//! Fits to data: vertical scalings by least squares, knots by Mazel and Hayes, refinement, and
+//! errors.
 //!
 //! ```
 //! use asperity_fif::{Fif, fit};
-//! // 65 samples of a function that repeats itself on four parts give its factors back.
+//! // Recovers the scalings from 65 samples of a function that repeats itself on four parts.
 //! let knots = [0.0, 0.25, 0.5, 0.75, 1.0];
 //! let f = Fif::affine(&knots, &[0.0, 1.0, -1.0, 0.5, 0.0], &[0.5, -0.4, 0.3, 0.6])?;
 //! let x: Vec<f64> = (0..=64).map(|k| f64::from(k) / 64.0).collect();

@@ -1,4 +1,4 @@
-//! Vertical factors that make the error of the function itself least.
+//! Vertical scalings that minimize the error of the function itself.
 
 use alloc::vec::Vec;
 
@@ -7,25 +7,29 @@ use crate::fit::collage::{Data, Fit, FitError, STEEPEST, check_knots, check_poin
 use crate::numeric::elimination::solve;
 use crate::system::fif::{Fif, Spacing};
 
-/// Maps that a derivative follows an orbit through at most.
+/// Maximum number of maps along which a derivative follows an orbit.
 const DEPTH: usize = 256;
 
-/// Products of factors under this are the end of an orbit.
+/// An orbit ends when the product of scalings is below this.
 const LEAST: f64 = 1e-10;
 
-/// The fit of [`affine`](crate::fit::affine), improved by at most `steps` steps of Levenberg and Marquardt on the error of
-/// the function, `Σ (y_i − f(x_i))²`, instead of that of the collage.
+/// Improves the fit of [`affine`](crate::fit::affine) by the error of the function itself.
 ///
-/// The derivatives by the factors are fractal interpolation functions too:
+/// It uses at most `steps` Levenberg–Marquardt steps on `Σ (y_i − f(x_i))²` instead of the collage
+/// error.
+///
+/// The derivatives by the scalings are fractal interpolation functions too:
 ///
 /// ```text
 /// ∂f/∂α_j ∘ L_i = α_i ∂f/∂α_j + δ_ij (f − chord)
 /// ```
 ///
-/// A step that does not lower the measured error is not made, so the result is never worse; ten steps are usually
-/// enough. With data that no factors fit well, as noise, the gain over the collage is largest.
+/// A step that does not decrease the measured error is not taken, so the result is never worse. Ten
+/// steps are usually sufficient. The gain over the collage is largest for data without matching
+/// scalings, such as noise.
 ///
-/// Time of a step: a term for each point and each pair of maps, and a third power of the number of maps.
+/// Time of a step: a term for each point and each pair of maps, and the third power of the number
+/// of maps.
 ///
 /// ```
 /// use asperity_fif::fit;
@@ -37,7 +41,7 @@ const LEAST: f64 = 1e-10;
 /// ```
 ///
 /// # Errors
-/// [`FitError`], for the reasons of [`affine`](crate::fit::affine).
+/// [`FitError`], see [`affine`](crate::fit::affine).
 pub fn refined(x: &[f64], y: &[f64], knots: &[usize], steps: usize) -> Result<Fit, FitError> {
     check_points(x, y)?;
     check_knots(x.len(), knots)?;
@@ -114,7 +118,7 @@ fn derivatives<O: Orbit>(system: &Fif<2>, mut orbit: O, row: &mut [f64]) {
             break;
         }
     }
-    // f − chord at the end of the path is 0 at a knot, and of no weight elsewhere.
+    // f − chord at the end of the path is 0 at a knot, and has no weight elsewhere.
     let mut deviation = 0.0;
     for &(index, s, weight) in path.iter().rev() {
         let Some(piece) = system.pieces().get(index) else { continue };
@@ -127,7 +131,7 @@ fn derivatives<O: Orbit>(system: &Fif<2>, mut orbit: O, row: &mut [f64]) {
     }
 }
 
-/// Solves `(M + damping diag M) z = right`; rows without weight give 0.
+/// Solves `(M + damping diag M) z = right`; rows without weight yield 0.
 fn damped(matrix: &[f64], right: &[f64], damping: f64) -> Vec<f64> {
     let (mut matrix, mut z) = (matrix.to_vec(), right.to_vec());
     for entry in matrix.iter_mut().step_by(right.len() + 1) {
@@ -143,7 +147,7 @@ mod tests {
     use approx::assert_abs_diff_eq;
 
     #[test]
-    fn derivatives_are_differences() {
+    fn derivatives_match_finite_differences() {
         let (x, y) = ([0.0, 0.3, 0.7, 1.0], [0.2, 1.0, -0.5, 0.4]);
         let alpha = [0.5, -0.6, 0.4];
         let f = Fif::affine(&x, &y, &alpha).unwrap();

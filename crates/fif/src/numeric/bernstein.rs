@@ -1,7 +1,7 @@
 //! Polynomials in `u` and `w = 1 − u`: the Bernstein form with its binomials multiplied in.
 //!
-//! A product is a convolution and a change of interval puts in two linear forms; where the numbers are positive, nothing
-//! cancels.
+//! A product is a convolution, and a change of interval substitutes two linear forms. Where the
+//! numbers are positive, nothing cancels.
 
 use crate::numeric::polynomial::UNIT;
 
@@ -22,7 +22,7 @@ impl Form {
         Self { c, degree: 0 }
     };
 
-    /// From Bernstein coefficients; those beyond [`SIZE`] are left out.
+    /// Creates the form from Bernstein coefficients; those beyond [`SIZE`] are ignored.
     pub(crate) fn from_bernstein<const C: usize>(b: &[f64; C]) -> Self {
         let degree = C.saturating_sub(1).min(SIZE - 1);
         let mut c = [0.0; SIZE];
@@ -49,7 +49,7 @@ impl Form {
         form
     }
 
-    /// The product; a degree beyond [`SIZE`] is cut off.
+    /// The product; degrees beyond [`SIZE`] are truncated.
     pub(crate) fn product(&self, other: &Self) -> Self {
         let mut out = Self { c: [0.0; SIZE], degree: (self.degree + other.degree).min(SIZE - 1) };
         for (i, a) in self.c.iter().take(self.degree + 1).enumerate() {
@@ -60,7 +60,8 @@ impl Form {
         out
     }
 
-    /// `Σ c_l m_l` and `Σ |c_l m_l|`: the integral against a measure with the moments `m_l = ∫ u^l w^(n−l)`.
+    /// `Σ c_l m_l` and `Σ |c_l m_l|`: the integral against a measure with the moments `m_l = ∫ u^l
+    /// w^(n−l)`.
     pub(crate) fn against(&self, moments: &[f64]) -> [f64; 2] {
         let (mut sum, mut magnitude) = (0.0, 0.0);
         for (c, m) in self.c.iter().take(self.degree + 1).zip(moments) {
@@ -81,12 +82,14 @@ pub(crate) fn binomials(n: usize) -> impl Iterator<Item = f64> {
     })
 }
 
-/// `x^n` by products; `powi` rounds differently on each platform.
+/// `x^n` by multiplication, because `powi` rounds differently on each platform.
 pub(crate) fn power(x: f64, n: usize) -> f64 {
     (0..n).fold(1.0, |product, _| product * x)
 }
 
-/// Relative rounding error of sums and products of forms up to degree `degree`, in terms of the sum of magnitudes.
+/// Relative rounding error of sums and products of forms up to degree `degree`.
+///
+/// It is relative to the sum of magnitudes.
 pub(crate) fn rounding(degree: usize) -> f64 {
     4.0 * (degree + 4) as f64 * UNIT
 }

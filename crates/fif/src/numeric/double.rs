@@ -1,6 +1,6 @@
-//! Sums of two doubles, for places that rounding must not move from one cell to the next.
+//! Sums of two doubles, for positions that rounding must not move to another cell.
 
-/// `hi + lo`, `hi` the nearest double: 106 bits; the order is that of the sums.
+/// `hi + lo`, where `hi` is the nearest double: 106 bits; the order is that of the sums.
 ///
 /// Dekker, *A floating-point technique for extending the available precision*, 1971.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
@@ -29,7 +29,7 @@ impl Double {
         Self::sane(sum, (a - (sum - part)) + (b - part))
     }
 
-    /// The exact `a b` of doubles, but for parts under 2⁻¹⁰²².
+    /// The exact `a b` of doubles, except for parts below 2⁻¹⁰²².
     #[inline]
     fn two_product(a: f64, b: f64) -> Self {
         const SPLIT: f64 = 134_217_729.0;
@@ -41,7 +41,7 @@ impl Double {
         Self::sane(product, a2 * b2 - (((product - a1 * b1) - a2 * b1) - a1 * b2))
     }
 
-    /// Without the small part where it overflows.
+    /// Without the low part where it overflows.
     #[inline]
     fn sane(hi: f64, lo: f64) -> Self {
         Self { hi, lo: if lo.is_finite() { lo } else { 0.0 } }

@@ -1,7 +1,9 @@
 //! Linear equations.
 
-/// Solves `M z = right` in place by Gaussian elimination without pivots, for a matrix that is diagonally dominant by columns
-/// or positive definite, its rows `stride` apart; a row without weight gives 0.
+/// Solves `M z = right` in place by Gaussian elimination without pivots.
+///
+/// The matrix is diagonally dominant by columns or positive definite, with its rows `stride` apart.
+/// A row without weight yields 0.
 pub(crate) fn solve(matrix: &mut [f64], stride: usize, right: &mut [f64]) {
     let n = right.len().min(stride);
     let divide = |a: f64, b: f64| if b == 0.0 { 0.0 } else { a / b };
@@ -30,7 +32,7 @@ mod tests {
     use approx::assert_abs_diff_eq;
 
     #[test]
-    fn equations_are_solved_and_empty_rows_give_nothing() {
+    fn solve_handles_empty_rows() {
         let mut z = [9.0, 5.0, 0.0];
         solve(&mut [4.0, 1.0, 0.0, 1.0, 3.0, 0.0, 0.0, 0.0, 0.0], 3, &mut z);
         assert_abs_diff_eq!(z[0], 2.0, epsilon = 1e-14);

@@ -1,10 +1,10 @@
-//! Values with bounds of their errors, and estimates with their conditioning.
+//! Values with error bounds, and estimates with their conditioning.
 
 use asperity_core::Interval;
 
 use crate::numeric::polynomial::{LEAST, UNIT};
 
-/// A value with a bound of its error: the exact one lies in `value ± bound`.
+/// A value with an error bound: the exact value is in `value ± bound`.
 ///
 /// ```
 /// let value = asperity_fif::Bounded { value: 1.25, bound: 1e-9 };
@@ -15,11 +15,13 @@ use crate::numeric::polynomial::{LEAST, UNIT};
 pub struct Bounded {
     /// The approximation.
     pub value: f64,
-    /// Bound of the absolute error, truncation and rounding together; NaN when `value` is NaN.
+    /// Bound of the absolute error, including truncation and rounding; NaN if `value` is NaN.
     pub bound: f64,
 }
 
-/// Written `value ± bound`, the value with the precision of the format, the bound in full as a power of ten.
+/// Formats as `value ± bound`.
+///
+/// The value has the precision of the format, and the bound is in full as a power of ten.
 impl core::fmt::Display for Bounded {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         core::fmt::Display::fmt(&self.value, f)?;
@@ -42,11 +44,11 @@ impl Bounded {
         Interval { lo: self.value, hi: self.value }.inflated(self.bound)
     }
 
-    /// The value that is known to lie in `range` as well: itself, unless the range says more.
+    /// Clamps the value to `range` if it is known to lie in it.
     pub(crate) fn within(self, range: Interval) -> Self {
         let value = range.nearest(self.value);
         let farthest = (range.hi - value).max(value - range.lo).next_up();
-        // NaN stays.
+        // NaN remains NaN.
         let bound = if self.bound > farthest { farthest } else { self.bound };
         if self.value.is_nan() { Self::NAN } else { Self { value, bound } }
     }
@@ -61,10 +63,10 @@ impl Bounded {
     }
 }
 
-/// An integral, a moment or a mean, with what is known about its error.
+/// An integral, a moment or a mean, with its error bound and conditioning.
 ///
-/// The parts that it is the sum of are integrals over cells times powers of the cells' factors. Where they cancel, the
-/// sum has fewer digits than its parts: `condition` says how many.
+/// It is a sum of integrals over cells times powers of the scalings of the cells. If the terms
+/// cancel, the sum has fewer digits than the terms, as measured by `condition`.
 ///
 /// ```
 /// let f = asperity_fif::paper::f()?;
@@ -75,16 +77,18 @@ impl Bounded {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]
 pub struct Estimate {
-    /// The approximation; NaN when an argument was NaN.
+    /// The approximation; NaN if an argument was NaN.
     pub value: f64,
-    /// Bound of the absolute error: truncation, rounding, and the rounding of the ends of the interval.
+    /// Bound of the absolute error, including truncation, rounding, and the rounding of the ends of
+    /// the interval.
     pub bound: f64,
-    /// `Σ |part| / |Σ part|`, 1 or more: the factor by which relative errors of the parts count in the sum. Infinite when
-    /// the value is 0 and a part is not.
+    /// `Σ |part| / |Σ part|`, at least 1: the amplification of relative errors of the parts.
+    ///
+    /// Infinite if the value is 0 and a part is not.
     pub condition: f64,
 }
 
-/// Written as [`Bounded`], without the conditioning.
+/// Formats like [`Bounded`], without the conditioning.
 impl core::fmt::Display for Estimate {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         core::fmt::Display::fmt(&Bounded { value: self.value, bound: self.bound }, f)
@@ -94,7 +98,7 @@ impl core::fmt::Display for Estimate {
 impl Estimate {
     pub(crate) const NAN: Self = Self { value: f64::NAN, bound: f64::NAN, condition: f64::NAN };
 
-    /// From the sum, the sum of magnitudes and the bound.
+    /// Creates an estimate from the sum, the sum of magnitudes and the bound.
     pub(crate) fn new(value: f64, magnitude: f64, bound: f64) -> Self {
         let condition = if magnitude > value.abs() { magnitude / value.abs() } else { 1.0 };
         Self { value, bound, condition }
@@ -106,7 +110,7 @@ impl Estimate {
         Interval { lo: self.value, hi: self.value }.inflated(self.bound)
     }
 
-    /// A value that is no sum.
+    /// An estimate from a value that is not a sum.
     pub(crate) fn of(Bounded { value, bound }: Bounded) -> Self {
         Self { value, bound, condition: 1.0 }
     }
@@ -134,7 +138,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_interval_holds_the_value_with_its_error() {
+    fn interval_contains_the_value_with_its_error() {
         let estimate = Estimate::new(2.0, 6.0, 0.25);
         let Interval { lo, hi } = estimate.interval();
         assert!(lo <= 1.75 && hi >= 2.25 && hi - lo < 0.5 + 2e-15, "{lo} to {hi}");

@@ -1,18 +1,20 @@
 //! Polynomials on the unit interval: monomial form for points, Bernstein form for cells.
 //!
-//! A cell of a fractal interpolation function is `A f + p` with a polynomial `p` restricted again and again. In
-//! Bernstein form the restriction is de Casteljau's, only convex combinations, so it is stable at every depth, and the
-//! coefficients enclose the values.
+//! A cell of a fractal interpolation function is `A f + p`, with a polynomial `p` that is
+//! restricted repeatedly. In Bernstein form the restriction is de Casteljau's algorithm with only
+//! convex combinations. It is therefore stable at every depth, and the coefficients enclose the
+//! values.
 
 use asperity_core::Interval;
 
 /// Unit roundoff, `2⁻⁵³`.
 pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
 
-/// The least positive number, `2⁻¹⁰⁷⁴`.
+/// The smallest positive number, `2⁻¹⁰⁷⁴`.
 pub(crate) const LEAST: f64 = f64::from_bits(1);
 
-/// `Σ c_i xⁱ` by Horner's rule, from the last coefficient: a product with zero would be kept.
+/// `Σ c_i xⁱ` by Horner's rule, starting with the last coefficient, because a product with zero
+/// would be kept.
 #[inline(always)]
 #[must_use]
 pub(crate) fn horner<const C: usize>(c: &[f64; C], x: f64) -> f64 {
@@ -30,12 +32,13 @@ pub(crate) fn magnitude<const C: usize>(c: &[f64; C], x: f64) -> f64 {
     sum
 }
 
-/// The larger of two numbers, NaN if one of them is: `max` would pass over the polynomial that overflowed to it.
+/// The larger of two numbers, or NaN if either is NaN; `max` would ignore an overflow to NaN.
 pub(crate) fn larger(a: f64, b: f64) -> f64 {
     if a >= b || a.is_nan() { a } else { b }
 }
 
-/// Falling factorial `k (k − 1) … (k − m + 1)`, the factor of the `m`-th derivative of the `k`-th power.
+/// Falling factorial `k (k − 1) … (k − m + 1)`, the factor of the `m`-th derivative of the `k`-th
+/// power.
 #[cfg(feature = "alloc")]
 pub(crate) fn falling(k: usize, m: usize) -> f64 {
     (0..m).fold(1.0, |product, i| product * k.saturating_sub(i) as f64)
@@ -96,7 +99,7 @@ pub(crate) fn bernstein<const C: usize>(c: &[f64; C]) -> [f64; C] {
     b
 }
 
-/// The hull of Bernstein coefficients, which the polynomial lies in but for rounding; 0 where there are none.
+/// The hull of Bernstein coefficients, which contains the polynomial up to rounding; 0 if empty.
 #[inline]
 pub(crate) fn hull<const C: usize>(b: &[f64; C]) -> Interval {
     let Some((&first, rest)) = b.split_first() else { return Interval::new(0.0, 0.0) };
@@ -105,7 +108,7 @@ pub(crate) fn hull<const C: usize>(b: &[f64; C]) -> Interval {
 
 /// Bernstein coefficients of the same polynomial on `[s0, s1] ⊂ [0, 1]`.
 ///
-/// Each coefficient is off by at most [`restriction_error`]` · max|b|`.
+/// The error of each coefficient is at most [`restriction_error`]` · max|b|`.
 #[inline]
 #[must_use]
 pub(crate) fn restrict<const C: usize>(b: &[f64; C], s0: f64, s1: f64) -> [f64; C] {
@@ -128,11 +131,12 @@ pub(crate) fn restrict<const C: usize>(b: &[f64; C], s0: f64, s1: f64) -> [f64; 
     out
 }
 
-/// Bound of the error of [`restrict`], relative to the largest coefficient.
+/// Error bound of [`restrict`], relative to the largest coefficient.
 ///
-/// One linear interpolation rounds its two products, its sum and the difference in its first weight, 3 units. Its
-/// parameter is a knot in units of the domain, with two roundings, or a quotient of two such knots, with five; each
-/// counts in both weights: 13 units. Halving is exact but for the sum.
+/// One linear interpolation rounds its two products, its sum and the difference in its first
+/// weight: 3 units. Its parameter is a knot in units of the domain, with two roundings, or a
+/// quotient of two such knots, with five. Each enters both weights: 13 units. Halving is exact
+/// except for the sum.
 #[must_use]
 pub(crate) fn restriction_error<const C: usize>(s0: f64, s1: f64) -> f64 {
     let split = |t: f64| match t {

@@ -1,4 +1,4 @@
-//! The source's Algorithm 1: random points of a graph.
+//! Algorithm 1 of the source: random points of a graph.
 
 use asperity_core::SplitMix64;
 
@@ -6,14 +6,17 @@ use crate::system::fif::System;
 use crate::system::map::Piece;
 
 impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
-    /// Random points `(x, y)` of the graph without end, by the chaos game: one map after another, each as likely.
+    /// An infinite sequence of random points `(x, y)` of the graph, by the chaos game with equal
+    /// probabilities.
     ///
-    /// It starts from `(x_0, y_0)`, the fixed point of the first map, so every point is on the graph up to rounding. For
-    /// pictures only: **no bound follows from the points**. After 10⁴ of them 3 to 9 % of the range of the source's `g` are
-    /// still missing, up to 27 % of other systems'; [`System::range`] and [`System::extrema`] bound rigorously. Where the knots are
-    /// uneven the points crowd in short cells.
+    /// It starts from `(x_0, y_0)`, the fixed point of the first map, so every point is on the
+    /// graph up to rounding. For images only: **the points do not bound the range**. After 10⁴
+    /// points 3 to 9 % of the range of g of the source are still missing, and up to 27 % for other
+    /// systems. [`System::range`] and [`System::extrema`] compute rigorous bounds. On unequal knots
+    /// the points are denser in short cells.
     ///
-    /// Cochran, Lewis, Hart 2000, Algorithm 1; the numbers are those of SplitMix64 (Steele, Lea, Flood 2014).
+    /// Cochran, Lewis, Hart 2000, Algorithm 1; random numbers by SplitMix64 (Steele, Lea, Flood
+    /// 2014).
     ///
     /// ```
     /// let f = asperity_fif::paper::f()?;

@@ -1,7 +1,7 @@
-//! The two functions of Cochran, Lewis, Hart 2000 and their integrals, and the source's algorithms as printed.
+//! The two functions of Cochran, Lewis, Hart 2000, their integrals, and the printed algorithms.
 //!
-//! The algorithms are methods of a system: [`System::algorithm_two`](crate::System::algorithm_two) and
-//! [`System::chaos_game`](crate::System::chaos_game).
+//! The algorithms are methods of a system: [`System::algorithm_two`](crate::System::algorithm_two)
+//! and [`System::chaos_game`](crate::System::chaos_game).
 
 pub(crate) mod algorithm_two;
 pub(crate) mod chaos_game;
@@ -23,10 +23,11 @@ pub const G_MAPS: [Map<2>; 2] = [
     Map { a: 0.5, b: 1.0, alpha: -17.0 / 20.0, q: [1.0, -0.5] },
 ];
 
-/// `f`, eq. 18–21: `2 T(x/2)` with Takagi's function `T`; maximum 4/3 at 2/3, continuous, of dimension 1.
+/// `f`, eq. 18–21: `2 T(x/2)` with Takagi's function `T`; maximum 4/3 at 2/3, continuous, of
+/// dimension 1.
 ///
 /// # Errors
-/// None: the system is valid.
+/// None; the system is valid.
 #[doc(alias = "takagi")]
 #[doc(alias = "blancmange")]
 pub fn f() -> Result<FixedFif<2, 2>, SystemError> {
@@ -36,7 +37,7 @@ pub fn f() -> Result<FixedFif<2, 2>, SystemError> {
 /// `g`, eq. 18, 19, 22, 23: rough, of dimension `1 + log₂ 1.7`, Hölder exponent 0.234.
 ///
 /// # Errors
-/// None: the system is valid.
+/// None; the system is valid.
 pub fn g() -> Result<FixedFif<2, 2>, SystemError> {
     from_maps(&G_MAPS)
 }
@@ -44,7 +45,7 @@ pub fn g() -> Result<FixedFif<2, 2>, SystemError> {
 /// The integral of [`f`] from 0, eq. 37, 38: continuously differentiable.
 ///
 /// # Errors
-/// None: the system is valid.
+/// None; the system is valid.
 pub fn f_hat() -> Result<FixedFif<2, 3>, SystemError> {
     f()?.integral(0.0)
 }
@@ -52,7 +53,7 @@ pub fn f_hat() -> Result<FixedFif<2, 3>, SystemError> {
 /// The integral of [`g`] from 0, eq. 39, 40: continuously differentiable, its slope rough.
 ///
 /// # Errors
-/// None: the system is valid.
+/// None; the system is valid.
 pub fn g_hat() -> Result<FixedFif<2, 3>, SystemError> {
     g()?.integral(0.0)
 }

@@ -10,58 +10,64 @@ use crate::surface::height_field::curve::{Below, Cell, Curve};
 use crate::surface::height_field::function::Function;
 use crate::surface::height_field::height_field::HeightField;
 
-/// More than the rounding of the times at which a ray is at the ends of cells, relative to them: 192 sums of 105 bits each.
+/// More than the relative rounding of the times at the ends of cells: 192 sums of 105 bits each.
 const THIN: f64 = 4.0 * FINEST;
 
-/// Boxes visited at most behind a place where the ray touches the surface.
+/// Maximum number of boxes visited behind a point where the ray touches the surface.
 const FURTHER: u32 = 1 << 10;
 
-/// Boxes that decide at most whether rough stretches hide a pair of roots: of a ray along an axis, and of any other.
+/// Maximum number of boxes that decide whether rough intervals hide a pair of roots.
+///
+/// For a ray along an axis, and for any other ray.
 const DEEPER: [u32; 2] = [1 << 14, 1 << 13];
 
-/// The like where any hit does, certain or not.
+/// The same if any hit suffices, certain or not.
 const DEEPER_FOR_ANY: u32 = 1 << 7;
 
-/// Parts of a rough stretch of 10⁻¹² of the domain at whose ends heights are looked at, to this part of their ranges.
+/// Subdivisions of a rough interval of 10⁻¹² of the domain at whose ends heights are tested,
+/// relative to their ranges.
 const PROBES: u32 = 16;
 const PART: f64 = 1.0 / 32.0;
 
-/// Stretches behind a place that is left open in which heights are looked at, the farthest ending 10⁻¹² of the domain from
-/// it, each half as long, and the heights in each.
+/// Intervals behind an undecided point in which heights are tested, and the number of heights in
+/// each.
+///
+/// The farthest ends 10⁻¹² of the domain from the point, and each is half as long as the next.
 const LOST: u32 = 24;
 const PLACES: u32 = 16;
 
-/// Boxes visited at most behind such a place.
+/// Maximum number of boxes visited behind an undecided point.
 const BEHIND: u32 = 1 << 12;
 
-/// Boxes, each within the last, by which a place of the surface beyond the ray is looked for.
+/// Maximum depth of nested boxes in the search for a point of the surface beyond the ray.
 const DIVE: u32 = 48;
 
-/// Levels after which heights are looked at again.
+/// Levels after which heights are tested again.
 const EVERY: u32 = 4;
 
-/// Side of the surface on which the ray is, as far as it is known.
+/// The side of the surface on which the ray is, as far as known.
 struct Sight {
-    /// `±1` where it was known last, 0 at the beginning.
+    /// `±1` at the last known position, 0 at the beginning.
     side: f64,
-    /// Distance at which the ray came so near that rounding hides the side.
+    /// Distance at which the ray came so close that rounding hides the side.
     touched: Option<f64>,
     /// Distance at which a limit left undecided whether it passes through.
     lost: Option<f64>,
-    /// Distance at which cells were too narrow to be told apart, and the box over them was not decided.
+    /// Distance at which cells were too narrow to be distinguished, and the box over them was
+    /// undecided.
     narrow: Option<f64>,
-    /// The way from there within which a change of sides is a root.
+    /// The distance from there within which a change of sides is a root.
     close: f64,
     found: Option<Root>,
 }
 
 impl Sight {
-    /// From `t` on the ray is on this side for some way: whether that ends the search.
+    /// From `t` on the ray is on this side for some distance; returns whether this ends the search.
     fn known(&mut self, side: f64, t: f64) -> bool {
         let near = self.touched.unwrap_or(t);
         if self.side * side < 0.0 {
             let certain = self.lost.is_none_or(|lost| t - lost <= self.close);
-            // Behind a place where it touches, the end of a long stretch tells the side.
+            // Behind a touching point, the end of a long interval determines the side.
             let t = if t - near > self.close { near } else { 0.5 * near + 0.5 * t };
             self.found = Some(Root { t, certain });
         } else if t - near > self.close {
@@ -72,7 +78,7 @@ impl Sight {
     }
 }
 
-/// A descent on its way.
+/// State of a descent.
 struct Descent<'a, 'b, F: Function, G: Function> {
     way: &'b mut Traversal<'a, HeightField<F, G>>,
     x: &'b Axis<'a, F>,
@@ -82,23 +88,24 @@ struct Descent<'a, 'b, F: Function, G: Function> {
     sight: Sight,
     /// Height of a box that rounding leaves undecided.
     flat: f64,
-    /// More than what rounding does to a height in the middle of a stretch.
+    /// More than the rounding of a height in the middle of an interval.
     blur: f64,
-    /// Length of a stretch that rounding may have put into a cell beside its own.
+    /// Length of an interval that rounding may have moved to a neighboring cell.
     thin: f64,
-    /// Length of a stretch below which cells may have the same time at both ends.
+    /// Length of an interval below which cells may have equal times at both ends.
     narrow: f64,
-    /// Boxes left for rough stretches, the end of those that were probed, and the place that was looked at last.
+    /// Remaining boxes for rough intervals, the end of the probed intervals, and the last tested
+    /// position.
     deeper: u32,
     probed: f64,
     seen: Double,
-    /// End of the ray's stretch over the domain.
+    /// End of the part of the ray over the domain.
     end: Double,
     aim: Aim,
 }
 
 impl<F: Function, G: Function> Traversal<'_, HeightField<F, G>> {
-    /// The least root along a stretch of the ray, or any.
+    /// The first root along a part of the ray, or any.
     pub(crate) fn boxes(&mut self, span: Interval, aim: Aim) -> Option<Root> {
         let (surface, o, d) = (self.context.surface, self.ray.origin, self.ray.direction);
         let across = Axis::new(&surface.x, [o.x, d.x], d.y);
@@ -106,7 +113,7 @@ impl<F: Function, G: Function> Traversal<'_, HeightField<F, G>> {
         let (x, y) = (across.root(), along.root());
         let (mut lo, mut hi) = (Double::from(span.lo), Double::from(span.hi));
         let mut flat = 2.0 * self.pad.z;
-        // Rounding at the border counts as the ray's where the surface is smooth.
+        // Rounding at the border is attributed to the ray if the surface is smooth.
         let rough = surface.x.derivative().is_none() || surface.y.derivative().is_none();
         for (ends, direction, value, other) in [
             ([across.time(x.left), across.time(x.left.plus(x.width))], d.x, x.value, surface.y.range()),
@@ -127,7 +134,7 @@ impl<F: Function, G: Function> Traversal<'_, HeightField<F, G>> {
         let sight =
             Sight { side: 0.0, touched: None, lost: None, narrow: None, close: self.finest, found: None };
         let slanted = d.x != 0.0 && d.y != 0.0;
-        // Along an axis every cell is gone through from end to end.
+        // Along an axis every cell is crossed from end to end.
         let narrow = THIN * (span.lo.abs() + span.hi.abs());
         let thin = if slanted { narrow } else { -1.0 };
         let deeper = if aim == Aim::Any { DEEPER_FOR_ANY } else { DEEPER[usize::from(slanted)] };
@@ -160,7 +167,7 @@ impl<F: Function, G: Function> Traversal<'_, HeightField<F, G>> {
 }
 
 impl<F: Function, G: Function> Descent<'_, '_, F, G> {
-    /// Whether the search ends within the box over two cells and a stretch of the ray.
+    /// Returns whether the search ends within the box over two cells and an interval of the ray.
     fn visit(&mut self, x: &Level<F>, y: &Level<G>, [mut lo, mut hi]: [Double; 2]) -> bool {
         let (mut height, span) = (x.value.product(y.value), Interval::new(lo.hi, hi.hi));
         let inside = lo <= hi && span.lo < f64::INFINITY;
@@ -168,7 +175,7 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
             return false;
         }
         if self.rough && hi.minus(lo).hi <= self.thin {
-            // The ray may be in a neighbouring cell all along.
+            // The ray may be in a neighboring cell all along.
             height = height.inflated(self.blur);
         }
         let (ray, pad) = (self.way.ray, self.way.pad.z);
@@ -198,7 +205,7 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
         self.enter(x, y, [lo, hi], height) || (cut.hi < span.hi && self.sight.known(side(span.hi), cut.hi))
     }
 
-    /// [`Descent::visit`] where the ray is as high as the box.
+    /// [`Descent::visit`] if the ray is at the height of the box.
     fn enter(&mut self, x: &Level<F>, y: &Level<G>, [lo, hi]: [Double; 2], height: Interval) -> bool {
         let span = Interval::new(lo.hi, hi.hi);
         let (mut slopes, mut rate) = ([Interval::ENTIRE; 2], Interval::ENTIRE);
@@ -231,7 +238,7 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
             if ends || (short && (self.deeper == 0 || far)) {
                 return self.lose(lo);
             }
-            // Of children without a length the last one alone is visited.
+            // Of children without a length only the last one is visited.
             if hi.minus(lo).hi <= self.narrow && self.sight.narrow.is_none() {
                 self.sight.narrow = Some(lo.hi);
             }
@@ -247,8 +254,11 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
         }
     }
 
-    /// Looks at the heights at both ends of a short stretch over a rough surface, and in between where that is new: a root is
-    /// found sooner than all that lies before it is cleared. Whether that ends the search.
+    /// Tests the heights at both ends of a short interval over a rough surface, and in between if
+    /// not yet tested.
+    ///
+    /// This finds a root before everything in front of it is excluded. Returns whether the search
+    /// ends.
     fn probe(&mut self, [lo, hi]: [Double; 2], values: [Interval; 2]) -> bool {
         let parts = if lo.hi < self.probed { 1 } else { PROBES };
         self.probed = self.probed.max(hi.hi);
@@ -258,8 +268,10 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
         [0, parts].into_iter().chain(1..parts).any(|k| self.looked(at(k), tolerances))
     }
 
-    /// Follows the child that reaches farthest beyond the ray, level by level, and looks at the height there: whether that
-    /// ends the search.
+    /// Follows the child that extends farthest beyond the ray, level by level, and tests the height
+    /// there.
+    ///
+    /// Returns whether the search ends.
     fn dive(&mut self, x: &Level<F>, y: &Level<G>, mut span: [Double; 2]) -> bool {
         let (side, ray) = (self.sight.side, self.way.ray);
         if side == 0.0 {
@@ -295,7 +307,7 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
         self.looked(span[0].plus(span[1]).scaled(0.5), [0.0; 2])
     }
 
-    /// Looks at the height at `t` over a rough surface: whether that ends the search.
+    /// Tests the height at `t` over a rough surface; returns whether the search ends.
     fn looked(&mut self, t: Double, [x, y]: [f64; 2]) -> bool {
         if t == self.seen || t > self.end {
             return false;
@@ -312,7 +324,8 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
         self.sight.known(above.signum(), t.hi)
     }
 
-    /// From `t` on a limit hides the side, unless a height nearby tells that there is a root: whether that ends the search.
+    /// From `t` on a limit hides the side, unless a height nearby implies a root; returns whether
+    /// the search ends.
     fn lose(&mut self, t: Double) -> bool {
         if self.sight.lost.is_some() {
             return false;
@@ -322,7 +335,7 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
             return true;
         }
         self.deeper = self.deeper.min(BEHIND);
-        // Past a root a rough surface is now on one side of the ray, now on the other.
+        // Past a root a rough surface alternates between both sides of the ray.
         (0..LOST).any(|k| {
             let far = self.sight.close / f64::from(1_u32 << k);
             (0..PLACES).any(|i| {
@@ -332,7 +345,7 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
         })
     }
 
-    /// From `t` on rounding hides the side; false, as the search goes on.
+    /// From `t` on rounding hides the side; returns false, as the search continues.
     fn touch(&mut self, t: f64) -> bool {
         if self.sight.touched.is_none() {
             (self.sight.touched, self.way.budget) = (Some(t), self.way.budget.min(FURTHER));
@@ -340,7 +353,7 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
         false
     }
 
-    /// A change of sign as the best guess at the end of the budget; true.
+    /// Returns a change of sign as the best guess at the end of the budget; always true.
     fn give_up(&mut self, span: Interval) -> bool {
         let [a, b] = [span.lo, span.hi].map(|t| self.way.height(t).value);
         let t = match self.sight.touched {
@@ -352,13 +365,13 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
         true
     }
 
-    /// By the heights at both ends of a stretch with bounded rates.
+    /// Decides by the heights at both ends of an interval with bounded rates.
     fn crossing(&mut self, span: Interval, rate: Interval, slopes: [Interval; 2]) -> bool {
         let (pad, d) = (self.way.pad, self.way.ray.direction);
         let moved = |slope: Interval, pad: f64, d: f64| if d == 0.0 { 0.0 } else { slope.magnitude() * pad };
         let blur = moved(slopes[0], pad.x, d.x) + moved(slopes[1], pad.y, d.y);
         let [first, last] = [span.lo, span.hi].map(|t| self.way.height(t));
-        // What is left of a height when its error is taken off.
+        // The remainder of a height after subtracting its error.
         let clear = |above: Bounded| {
             let rest = above.value.abs() - above.bound - blur;
             if rest > 0.0 { rest.copysign(above.value) } else { 0.0 }
@@ -385,7 +398,8 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
     fn root(&self, span: Interval, [mut v0, mut v1]: [f64; 2]) -> f64 {
         const STEPS: usize = 80;
         let (mut t0, mut t1) = (span.lo, span.hi);
-        // Illinois: a secant whose older end counts half when it stays, with a bisection now and then.
+        // The Illinois method: a secant whose older end counts half if it stays, with occasional
+        // bisection.
         let mut stayed = 0_i32;
         for step in 0..STEPS {
             let secant = t1 - v1 * ((t1 - t0) / (v1 - v0));
@@ -412,7 +426,8 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
     }
 }
 
-/// The child with the maximum of `reach` of its values and of the time, with this maximum and the child's stretch of the ray.
+/// The child with the maximum of `reach` of its values and time, with this maximum and its
+/// interval.
 fn farthest<F: Function>(
     axis: &Axis<'_, F>,
     level: &Level<F>,
@@ -432,30 +447,32 @@ fn farthest<F: Function>(
     best
 }
 
-/// Cells of one axis that a box is split into, one within the other, at most.
+/// Maximum depth of nested cells of one axis.
 const LEVELS: u32 = 192;
 
-/// Width of the cells, in parts of the domain, down to which a ray's place is known: 2⁻⁹⁶.
+/// Relative width of the cells down to which the position of a ray is known: 2⁻⁹⁶.
 const FINEST: f64 = f64::EPSILON * f64::EPSILON / 256.0;
 
-/// A curve under a ray: how its places become times.
+/// A curve under a ray: the conversion of its positions to times.
 struct Axis<'a, F: Function> {
     curve: &'a Curve<F>,
     origin: f64,
     direction: f64,
-    /// Whether places are kept as times at which the ray is there; else, where these overflow, as themselves.
+    /// Whether positions are stored as times of the ray; otherwise, where these overflow, as
+    /// positions.
     timed: bool,
-    /// Share of a child in its cell, where all have the same.
+    /// Relative width of a child in its cell, if all are equal.
     share: Option<Double>,
-    /// Width of the cells that are not split any more; none for a ray along the axis, whose cells need no place of their own.
+    /// Width of the smallest cells, which are not split; none for a ray along the axis, whose cells
+    /// need no position.
     finest: f64,
 }
 
-/// A cell of one axis: where it lies and what bounds the function there.
+/// A cell of one axis: its position and the bounds of the function there.
 #[derive(Clone)]
 struct Level<F: Function> {
     cell: Cell<Below<F>>,
-    /// The left end and the width, as places or as times; the latter also as a length, rounded.
+    /// The left end and the width, as positions or as times; the width also as a length, rounded.
     left: Double,
     width: Double,
     size: f64,
@@ -474,7 +491,7 @@ impl<'a, F: Function> Axis<'a, F> {
         Self { curve, origin, direction, timed: farthest < 0.125 * f64::MAX, share: even, finest }
     }
 
-    /// The domain, or the one place that the ray keeps to.
+    /// The domain, or the single position of a ray along the other axis.
     fn root(&self) -> Level<F> {
         let domain = self.curve.domain();
         let [lo, hi] = [domain.lo, domain.hi].map(Double::from);
@@ -489,7 +506,7 @@ impl<'a, F: Function> Axis<'a, F> {
         root
     }
 
-    /// Whether a cell is not split any more.
+    /// Whether a cell is not split further.
     #[inline]
     fn ends(&self, level: &Level<F>) -> bool {
         level.depth >= LEVELS || level.size <= self.finest
@@ -510,7 +527,7 @@ impl<'a, F: Function> Axis<'a, F> {
         if self.timed { place } else { self.time_of(place) }
     }
 
-    /// Knot `j` of a cell, whose children have the width `part`, where all have the same.
+    /// Knot `j` of a cell, whose children have the width `part` if all are equal.
     #[inline]
     fn knot(&self, level: &Level<F>, part: Double, j: usize) -> Double {
         match (self.share, j) {
@@ -521,8 +538,10 @@ impl<'a, F: Function> Axis<'a, F> {
         }
     }
 
-    /// The children that a stretch of the ray goes through, in its order, each made when it is asked for, and the part
-    /// of the stretch over each.
+    /// The children crossed by an interval of the ray, in its order, and the part of the interval
+    /// over each.
+    ///
+    /// Each child is computed on demand.
     #[inline]
     fn children<'b>(
         &'b self,
@@ -540,7 +559,7 @@ impl<'a, F: Function> Axis<'a, F> {
             let (j, far) = if self.direction < 0.0 { (count - 1 - k, count - 1 - k) } else { (k, k + 1) };
             let end = || self.time(self.knot(level, part, far));
             let end = if k + 1 == count { hi } else { end() };
-            // A stretch that only ends where the next child begins belongs to that.
+            // An interval that only ends where the next child begins belongs to the next child.
             if done || (end <= lo && k + 1 < count) {
                 return None;
             }

@@ -1,4 +1,4 @@
-//! Rays against height fields: by ordered descent of boxes, or by their tables.
+//! Ray intersection of height fields, by ordered descent of boxes or by tables.
 
 #[cfg(feature = "alloc")]
 use glam::{DVec2, DVec3};
@@ -32,7 +32,7 @@ impl<F: Function, G: Function> Intersect for HeightField<F, G> {
         if let Some(tracer) = Tracer::new(self, tolerance) {
             return self.first(&tracer, ray, t);
         }
-        // Without tables every value is as good as it can be.
+        // Without tables every value is as accurate as possible.
         let _ = tolerance;
         hit_by_boxes(&Context::new(self), ray, t, Aim::First)
     }
@@ -47,8 +47,9 @@ impl<F: Function, G: Function> Intersect for HeightField<F, G> {
         hit_by_boxes(&Context::new(self), ray, t, Aim::Any).is_some()
     }
 
-    /// With tables and the feature `simd` rays are searched in packets of eight, each with the bits of
-    /// [`Intersect::first_hit_within`].
+    /// With tables and the feature `simd`, rays are searched in packets of eight.
+    ///
+    /// Results are bit-identical to [`Intersect::first_hit_within`].
     fn first_hits(
         &self,
         rays: &[Ray],
@@ -74,7 +75,7 @@ impl<F: Function, G: Function> Intersect for HeightField<F, G> {
 }
 
 impl<F: Function, G: Function> HeightField<F, G> {
-    /// Rays that come nearer to the surface all along are searched together, the others one by one.
+    /// Rays that approach the surface monotonically are searched together, others one by one.
     #[cfg(all(feature = "alloc", feature = "simd"))]
     fn trace(&self, tracer: &Tracer<'_, F, G>, rays: &[Ray], t: Interval, hits: &mut [Option<Hit>]) {
         let (level, one_by_one) = (best_level(), |ray: &Ray| self.first(tracer, ray, t));
@@ -114,14 +115,14 @@ impl<F: Function, G: Function> HeightField<F, G> {
         }
     }
 
-    /// The hit at a root, by tables.
+    /// The hit at a root, from tables.
     #[cfg(feature = "alloc")]
     #[inline(always)]
     fn met(path: &Path<'_, F, G>, Root { t, certain }: Root) -> Hit {
         let [f, g] = path.jets(t);
         let [x, y] = path.tracer.place(&path.ray, t);
         let gradient = DVec2::new(f[1] * g[0], f[0] * g[1]);
-        // One division and one root do, unless squares overflow.
+        // One division and one square root suffice, unless squares overflow.
         let square = gradient.x * gradient.x + gradient.y * gradient.y + 1.0;
         let normal = if square < f64::MAX {
             let scale = 1.0 / sqrt_f64(square);
@@ -165,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ray_that_starts_on_the_surface_hits_at_once() {
+    fn ray_starting_on_the_surface_hits_at_zero() {
         let surface = mirror();
         // h(1, 1) = 1 exactly.
         for d in [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [1.0, 0.5, 0.3], [-0.2, 1.0, 3.0], [1.0, 0.0, 0.0]] {
@@ -177,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn vertical_rays_hit_the_height() {
+    fn vertical_rays_hit_at_the_height() {
         let surface = mirror();
         for (x, y) in [(0.3, 1.7), (0.0, 0.0), (2.0, 2.0), (2.0, 0.4)] {
             let h = surface.height(x, y);
@@ -191,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn the_stretch_of_the_ray_is_respected() {
+    fn hits_respect_the_interval_of_the_ray() {
         let surface = mirror();
         let down = ray([1.0, 1.0, 3.0], [0.0, 0.0, -1.0]);
         assert_eq!(between(&surface, &down, 0.0, 1.9), None);
@@ -203,7 +204,7 @@ mod tests {
             assert_eq!(between(&surface, &below, t_min, 9.0), None, "behind, {t_min}");
         }
         let slanted = ray([-1.0, -1.0, 3.0], [1.0, 1.0, -1.0]);
-        // h(1, 1) = 1 at t = 2: the end of the stretch belongs to it.
+        // h(1, 1) = 1 at t = 2: the end of the interval is included.
         assert_eq!(between(&surface, &slanted, 0.0, 2.0).map(|hit| hit.t), Some(2.0));
         let t = surface.first_hit(&slanted).unwrap().t;
         assert_eq!(between(&surface, &slanted, 0.0, t - 1e-9), None);

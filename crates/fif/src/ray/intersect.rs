@@ -1,4 +1,4 @@
-//! The first hit of a ray with any surface.
+//! The `Intersect` trait: first hits of rays on any surface.
 
 use asperity_core::{BatchError, Interval};
 
@@ -6,10 +6,11 @@ use crate::ray::ray::{Hit, Ray};
 use crate::ray::traversal::{Context, Unbounded};
 use crate::surface::bounds::Surface;
 
-/// Rays against a [`Surface`]; an `impl Intersect for X {}` gives them to one of your own.
+/// Ray intersection with a [`Surface`]; `impl Intersect for X {}` enables it for your own surface.
 ///
-/// [`HeightField`](crate::HeightField) and [`Tabulated`](crate::Tabulated) have rays of their own, the latter much faster;
-/// `tabulated()` makes either. The example needs the feature `alloc`.
+/// [`HeightField`](crate::HeightField) and [`Tabulated`](crate::Tabulated) have specialized
+/// implementations; the latter is much faster. `tabulated()` creates either. The example needs the
+/// feature `alloc`.
 ///
 #[cfg_attr(feature = "alloc", doc = "```")]
 #[cfg_attr(not(feature = "alloc"), doc = "```ignore")]
@@ -24,53 +25,64 @@ use crate::surface::bounds::Surface;
 #[doc(alias = "intersection")]
 #[doc(alias = "raycast")]
 pub trait Intersect: Surface {
-    /// The first point of the ray on the surface, `t ≥ 0`; a ray that starts on the surface hits at `t = 0`.
+    /// The first point of the ray on the surface, `t ≥ 0`; a ray that starts on the surface hits at
+    /// `t = 0`.
     ///
     /// ```text
     /// least t ≥ 0 with o_z + t d_z = f(o_x + t d_x, o_y + t d_y) over the closed domain
     /// ```
     ///
-    /// `None` is a proof that there is none. If a hit is [`certain`](Hit::certain), no earlier intersection exists beyond
-    /// rounding error, which is 10⁻¹² of the domain before the hit. Otherwise an earlier one may have been missed. A ray with
-    /// a zero or non-finite component where none is allowed returns `None`.
+    /// `None` proves that there is no hit. If a hit is [`certain`](Hit::certain), no earlier
+    /// intersection exists beyond rounding error, which is 10⁻¹² of the domain before the hit.
+    /// Otherwise an earlier one may have been missed. A ray with a zero or non-finite component
+    /// where none is allowed returns `None`.
     #[must_use]
     fn first_hit(&self, ray: &Ray) -> Option<Hit> {
         self.first_hit_within(ray, Interval::new(0.0, f64::INFINITY), 0.0)
     }
 
-    /// The first hit with `t` in the interval, to a tolerance: a length in the domain's unit along the ray.
+    /// The first hit with `t` in the interval, to a tolerance.
+    ///
+    /// The tolerance is a length along the ray, in the unit of the domain.
     ///
     /// ```text
     /// f stays away from the ray over [t, t + |z − f|/r],   r ≥ |d/dt (z − f)| over a cell
     /// ```
     ///
-    /// Rigorous boxes are visited in the order of the ray. Within one, bounds of the slopes say from both ends how far the nearest
-    /// root must be; where they exclude 0, two evaluations decide, and an interval Newton search finds the root. What is left
-    /// is split and bounded anew, until a stretch is no longer than the tolerance: a change of sign there is a hit. A stretch
-    /// without one is split on, down to 10⁻¹² of the domain, until its bounds exclude that the ray dips in and out
-    /// again. Over a surface without slopes every half is bounded again, down to 1.6·10⁻¹⁴ of the domain. Where the bounds do
-    /// not exclude it, a hit more than 10⁻¹² of the domain behind is not certain, or the stretch itself is an uncertain one.
-    /// So a certain hit lies within `tolerance` of a root before which there is none but within 10⁻¹² of the domain. 0,
-    /// negative and NaN stand for a root to the rounding error, which is up to 1.6·10⁻¹¹ of the domain where rounding hides
-    /// the side of the surface for that long. A ray takes at most 2¹⁶ evaluations, of which bounds of a stretch count as two; beyond, no hit is certain.
+    /// Rigorous boxes are visited in the order of the ray. Within a box, bounds of the slopes give
+    /// a minimum distance of the nearest root from both ends. If they exclude 0, two evaluations
+    /// decide, and an interval Newton search finds the root. The rest is split and bounded again,
+    /// until an interval is no longer than the tolerance, where a change of sign is a hit. An
+    /// interval without a change of sign is split further, down to 10⁻¹² of the domain, until its
+    /// bounds exclude that the ray dips in and out again. Over a surface without slopes every half
+    /// is bounded again, down to 1.6·10⁻¹⁴ of the domain. If the bounds do not exclude a dip, a hit
+    /// more than 10⁻¹² of the domain behind is not certain, or the interval itself is an uncertain
+    /// hit. Therefore a certain hit lies within `tolerance` of a root, and no root lies before it
+    /// except within 10⁻¹² of the domain. A tolerance of 0, negative or NaN means a root to the
+    /// rounding error, which is up to 1.6·10⁻¹¹ of the domain where rounding hides the side of the
+    /// surface for that long. A ray takes at most 2¹⁶ evaluations, where bounds of an interval
+    /// count as two; beyond, no hit is certain.
     ///
-    /// A negative or NaN lower end of `t` stands for 0; `None` when the upper end is NaN or less.
+    /// A negative or NaN lower end of `t` is read as 0. Returns `None` if the upper end is NaN or
+    /// less than the lower end.
     #[must_use]
     fn first_hit_within(&self, ray: &Ray, t: Interval, tolerance: f64) -> Option<Hit> {
         Context::new(self).first(&Unbounded(self), ray, t, tolerance)
     }
 
-    /// Whether the ray meets the surface at any `t` in the interval; for shadows, and quicker than the first hit. `false` is a
-    /// proof; `true` may stand for a hit that is not certain.
+    /// Whether the ray hits the surface at any `t` in the interval; for shadows, faster than the
+    /// first hit.
+    ///
+    /// `false` is a proof; `true` may be an uncertain hit.
     #[must_use]
     fn hits_any(&self, ray: &Ray, t: Interval) -> bool {
         Context::new(self).any(&Unbounded(self), ray, t)
     }
 
-    /// The first hit of every ray, as [`Intersect::first_hit_within`].
+    /// The first hit of every ray, see [`Intersect::first_hit_within`].
     ///
     /// # Errors
-    /// [`BatchError`] when `hits` has another length than `rays`; nothing is written then.
+    /// [`BatchError`] if the lengths of `hits` and `rays` differ. Nothing is written in this case.
     fn first_hits(
         &self,
         rays: &[Ray],

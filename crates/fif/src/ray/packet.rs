@@ -1,5 +1,6 @@
-//! Packets of rays against a smooth height field that has tables: their searches for one root, and their hits, in the lanes of
-//! SIMD registers, with the operations of one ray in their order.
+//! SIMD packets of rays for a smooth height field with tables.
+//!
+//! The root searches and the hits use the same operations in the same order as for a single ray.
 
 use asperity_core::Interval;
 use fearless_simd::{Level, Select, Simd, SimdBase, SimdFloat, SimdMask, dispatch, f64x8, mask64x8};
@@ -11,17 +12,19 @@ use crate::ray::tables::{Path, Tracer};
 use crate::surface::height_field::function::Function;
 use crate::surface::height_field::jet_table::LANES;
 
-/// Evaluations of a packet at most; rays that want more are searched one by one.
+/// Maximum number of evaluations of a packet; rays that need more are searched one by one.
 const EVALUATIONS: u32 = 16;
 
 const NUMBERS: [f64; LANES] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
 
-/// Rays that come nearer to the surface all along a stretch, a column each: from, way, direction, height, stretch,
-/// rate, blur, reach, and 1 if nothing waits behind the stretch.
+/// Rays that approach the surface monotonically over an interval, one column each.
+///
+/// The rows are start and direction in units of the domain, the direction and the starting height
+/// of the ray, interval, rate, blur, reach, and 1 if no interval follows.
 #[derive(Clone)]
 pub(crate) struct Packet {
     rows: [[f64; LANES]; 15],
-    /// The number of each ray in its list.
+    /// The index of each ray in its list.
     numbers: [usize; LANES],
     count: usize,
 }
@@ -29,15 +32,16 @@ pub(crate) struct Packet {
 /// State of the rays of a packet between one evaluation and the next.
 struct Search<I: Simd> {
     t: f64x8<I>,
-    /// Steps of the next evaluation, and the bound of its error.
+    /// Number of steps of the next evaluation, and its error bound.
     steps: f64x8<I>,
     bound: f64x8<I>,
-    /// The root lies between these if it lies in the stretch; and whether it is known not to lie before, and not behind.
+    /// The bracket of the root if it is in the interval, and whether it is known not to lie before
+    /// or behind.
     lo: f64x8<I>,
     hi: f64x8<I>,
     starts: mask64x8<I>,
     ends: mask64x8<I>,
-    /// Rays under search, rays that are known to hit or to miss, and those that hit.
+    /// Rays in progress, rays with a known result, and rays that hit.
     open: mask64x8<I>,
     served: mask64x8<I>,
     hit: mask64x8<I>,
@@ -52,7 +56,7 @@ impl Packet {
         self.count >= LANES
     }
 
-    /// One ray more.
+    /// Adds a ray.
     #[inline(always)]
     pub(crate) fn push<F: Function, G: Function>(
         &mut self,
@@ -92,9 +96,10 @@ impl Packet {
 }
 
 impl<F: Function, G: Function> Tracer<'_, F, G> {
-    /// Empties a packet: gives each ray its hit, or else to `one_by_one`, where lanes do not serve it.
+    /// Empties a packet: stores the hit of each ray, or passes the ray to `one_by_one` if SIMD does
+    /// not apply.
     ///
-    /// In two frames: both in one are more than a megabyte where nothing is optimised.
+    /// In two functions, because the combined stack frame exceeds a megabyte in unoptimized builds.
     pub(crate) fn finish(
         &self,
         level: Level,
@@ -156,7 +161,7 @@ impl<F: Function, G: Function> Tracer<'_, F, G> {
         }
     }
 
-    /// [`Path::above`] of all rays, `most` steps at most.
+    /// [`Path::above`] of all rays, with at most `most` steps.
     #[inline(always)]
     fn above_all<I: Simd>(
         &self,
@@ -174,7 +179,8 @@ impl<F: Function, G: Function> Tracer<'_, F, G> {
         ([f, g], z - f[0] * g[0], dz - dx * f[1] * g[0] - dy * f[0] * g[1])
     }
 
-    /// [`Search::finish`](crate::ray::tables::Search::finish) of all rays; those that are not served are searched one by one.
+    /// [`Search::finish`](crate::ray::tables::Search::finish) of all rays; others are searched one
+    /// by one.
     #[inline(always)]
     fn search<I: Simd>(&self, simd: I, packet: &Packet) -> Search<I> {
         let row = |k: usize| f64x8::from_slice(simd, &packet.rows[k]);

@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-/// A half line, `origin + t direction` for `t ≥ 0`; the direction need not have unit length.
+/// A half line `origin + t direction` for `t ≥ 0`; the direction need not have unit length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
     /// Start of the half line.
@@ -24,26 +24,28 @@ impl Ray {
     }
 }
 
-/// The point where a ray meets a surface.
+/// An intersection of a ray and a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
-    /// The ray's parameter, in units of its direction.
+    /// The parameter of the ray, in units of its direction.
     pub t: f64,
     /// Position along the first axis, within the domain.
     pub x: f64,
     /// Position along the second axis, within the domain.
     pub y: f64,
-    /// The surface's height at `(x, y)`. It differs from the ray's by what the surface changes over the rounding error of
-    /// `t`, which is large next to spikes of rough surfaces.
-    pub height: f64,
-    /// `(∂h/∂x, ∂h/∂y)`, where the surface is differentiable.
-    pub gradient: Option<DVec2>,
-    /// The upward unit normal, where the surface is differentiable.
-    pub normal: Option<DVec3>,
-    /// Whether this is the first hit, but for others up to 10⁻¹² of the domain before it.
+    /// The height of the surface at `(x, y)`.
     ///
-    /// `false`: the ray grazes the surface here within the rounding error, or a search limit was reached and an earlier hit
-    /// may exist. A guaranteed crossing is always reported.
+    /// It differs from the height of the ray by the change of the surface over the rounding error
+    /// of `t`, which is large next to spikes of rough surfaces.
+    pub height: f64,
+    /// `(∂h/∂x, ∂h/∂y)`, if the surface is differentiable.
+    pub gradient: Option<DVec2>,
+    /// The upward unit normal, if the surface is differentiable.
+    pub normal: Option<DVec3>,
+    /// Whether this is the first hit, except for others up to 10⁻¹² of the domain before it.
+    ///
+    /// `false`: the ray grazes the surface here within the rounding error, or a search limit was
+    /// reached and an earlier hit may exist. A guaranteed crossing is always reported.
     pub certain: bool,
 }
 
@@ -54,10 +56,10 @@ pub(crate) struct Root {
     pub(crate) certain: bool,
 }
 
-/// The aim of a search along a ray.
+/// The target of a search along a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Aim {
     First,
-    /// Some hit, as soon as there is one for certain.
+    /// Any hit, as soon as one is certain.
     Any,
 }

@@ -1,4 +1,5 @@
-//! A ray against a smooth height field that has tables: ranges over ever shorter stretches, then Newton's steps.
+//! Rays and smooth height fields with tables: ranges over shorter and shorter intervals, then
+//! Newton steps.
 
 use asperity_core::Interval;
 use asperity_core::math::sqrt_f64;
@@ -18,16 +19,16 @@ pub(crate) struct Tracer<'a, F: Function, G: Function> {
     pub(crate) y: &'a AxisTables<G::Rows>,
     both: &'a BothAxes,
     tolerance: f64,
-    /// Steps for the slopes of the hit.
+    /// Number of steps for the slopes of the hit.
     pub(crate) slope_steps: usize,
 }
 
-/// One ray on its way.
+/// State of one ray.
 pub(crate) struct Path<'a, F: Function, G: Function> {
     pub(crate) tracer: &'a Tracer<'a, F, G>,
     pub(crate) ray: Ray,
     pub(crate) span: Interval,
-    /// Along both axes in parts of the domain: where the ray begins and its direction.
+    /// Origin and direction of the ray along both axes, in units of the domain.
     pub(crate) from: [f64; 2],
     pub(crate) way: [f64; 2],
     /// More than the rounding of these.
@@ -35,11 +36,11 @@ pub(crate) struct Path<'a, F: Function, G: Function> {
     /// `1/d_z`
     pub(crate) inverse: f64,
     pub(crate) pad: f64,
-    /// More than the rounding of the rate at which the ray comes nearer.
+    /// More than the rounding of the rate of approach.
     pub(crate) rate_pad: f64,
-    /// More than what the rounding of the coordinates does to the height.
+    /// More than the effect of the rounding of the coordinates on the height.
     pub(crate) blur: f64,
-    /// Errors of `t` that are allowed.
+    /// Accepted errors of `t`.
     pub(crate) reach: f64,
 }
 
@@ -48,14 +49,14 @@ impl<'a, F: Function, G: Function> Tracer<'a, F, G> {
     pub(crate) fn new(surface: &'a HeightField<F, G>, tolerance: f64) -> Option<Self> {
         let (x, y, both) = (surface.x.top()?, surface.y.top()?, surface.both.as_ref()?);
         let (wide, deep) = (x.domain.width(), y.domain.width());
-        // Over a cell of the tolerance's size, one slope is as good as another.
+        // Over a cell of the size of the tolerance, all slopes are equivalent.
         let tolerance = if tolerance > 0.0 { tolerance } else { 0.0 };
         let part = tolerance / if wide > deep { wide } else { deep };
         let (p, q) = (x.jets.cells_within(part), y.jets.cells_within(part));
         Some(Self { surface, x, y, both, tolerance, slope_steps: if p > q { p } else { q } })
     }
 
-    /// The ray ready to go; `None` for rays with components that are zero, extreme, or no numbers.
+    /// Prepares a ray; `None` for rays with components that are zero, extreme, or NaN.
     #[inline(always)]
     pub(crate) fn path(&'a self, ray: &Ray, t: Interval) -> Option<Path<'a, F, G>> {
         let (o, d) = (ray.origin, ray.direction);
@@ -72,7 +73,7 @@ impl<'a, F: Function, G: Function> Tracer<'a, F, G> {
             16.0 * f64::EPSILON * magnitude.y + y.pad,
             16.0 * f64::EPSILON * magnitude.z + both.pad,
         ];
-        // No number as the end leaves nothing.
+        // NaN as the end leaves nothing.
         let end = if t.hi >= 0.0 { t.hi } else { f64::NEG_INFINITY };
         let mut span = Interval::new(if t.lo > 0.0 { t.lo } else { 0.0 }, end);
         for (side, o, inverse, pad) in
@@ -107,7 +108,7 @@ impl<'a, F: Function, G: Function> Tracer<'a, F, G> {
         self.both.finest
     }
 
-    /// Bound of the error of a height but for the ray's own rounding.
+    /// Error bound of a height, without the rounding of the ray.
     #[inline]
     pub(crate) fn error(&self, steps: usize) -> f64 {
         self.both.errors.get(steps).copied().unwrap_or(self.both.best)
@@ -124,7 +125,7 @@ impl<'a, F: Function, G: Function> Tracer<'a, F, G> {
         [within(o.x + t * d.x, self.x.domain), within(o.y + t * d.y, self.y.domain)]
     }
 
-    /// More steps than these, if there are any that gain.
+    /// More steps than these, if more improve the result.
     #[inline]
     pub(crate) fn better(&self, steps: usize) -> usize {
         if steps == 1 && self.both.finest > 2 { 2 } else { self.both.finest }
@@ -132,7 +133,7 @@ impl<'a, F: Function, G: Function> Tracer<'a, F, G> {
 }
 
 impl<F: Function, G: Function> Path<'_, F, G> {
-    /// The parts of the domains from the beginning of a stretch to its end, in order.
+    /// The fractions of the domains from the beginning of an interval to its end, in order.
     #[inline(always)]
     fn parts(&self, axis: usize, span: Interval) -> [f64; 2] {
         let (from, way, late) = (self.from[axis], self.way[axis], self.late[axis]);
@@ -140,13 +141,13 @@ impl<F: Function, G: Function> Path<'_, F, G> {
         if way > 0.0 { [a - late, b + late] } else { [b - late, a + late] }
     }
 
-    /// Ranges of values and slopes along both axes over a stretch, from the tables.
+    /// Ranges of values and slopes along both axes over an interval, from the tables.
     #[inline(always)]
     pub(crate) fn ranges(&self, span: Interval) -> [[Interval; 2]; 2] {
         [self.tracer.x.over(self.parts(0, span)), self.tracer.y.over(self.parts(1, span))]
     }
 
-    /// Narrower ones below the cells of the tables.
+    /// Narrower ranges, below the cells of the tables.
     #[inline]
     pub(crate) fn finer(&self, span: Interval) -> Option<[[Interval; 2]; 2]> {
         let (x, y) = (self.tracer.x, self.tracer.y);
@@ -158,7 +159,7 @@ impl<F: Function, G: Function> Path<'_, F, G> {
         Some([x.finer(along_x)?, y.finer(along_y)?])
     }
 
-    /// Value and slope of both axes where the ray meets the surface, the slopes over cells of the tolerance's size.
+    /// Value and slope of both axes at the hit, the slopes over cells of the size of the tolerance.
     #[inline(always)]
     pub(crate) fn jets(&self, t: f64) -> [[f64; 2]; 2] {
         self.above(t, self.tracer.slope_steps).0
@@ -170,13 +171,13 @@ impl<F: Function, G: Function> Path<'_, F, G> {
         self.tracer.error(steps) + self.blur
     }
 
-    /// The jets at `t`, the height of the ray above the surface, and how it changes.
+    /// The jets at `t`, the height of the ray above the surface, and its rate of change.
     #[inline(always)]
     pub(crate) fn above(&self, t: f64, steps: usize) -> ([[f64; 2]; 2], f64, f64) {
         let (o, d) = (self.ray.origin, self.ray.direction);
         let (x, y) = (self.from[0] + t * self.way[0], self.from[1] + t * self.way[1]);
         let (f, g) = (&self.tracer.x.jets, &self.tracer.y.jets);
-        // The numbers of steps that tolerances ask for, as constants: half the time of a loop.
+        // The numbers of steps as constants, which saves half the time of a loop.
         let (f, g) = match steps {
             1 => (f.jet(x, 1), g.jet(y, 1)),
             2 => (f.jet(x, 2), g.jet(y, 2)),
@@ -187,13 +188,13 @@ impl<F: Function, G: Function> Path<'_, F, G> {
     }
 }
 
-/// Stretches that wait behind the one under search at most; more are left to the descent of boxes.
+/// Maximum number of pending intervals; more are left to the descent of boxes.
 const WAITING: usize = 32;
 
-/// Divisions of stretches before the descent of boxes takes over.
+/// Divisions of intervals before the descent of boxes takes over.
 const DIVISIONS: u32 = 256;
 
-/// The stretches of a ray that are left to be searched, from the first on, divided where the ray may come nearer and go away again.
+/// The remaining intervals of a ray, divided where the ray may approach and recede again.
 pub(crate) struct Division {
     span: Interval,
     rate: Interval,
@@ -208,14 +209,14 @@ impl Division {
         Self { span, rate, waiting: [Interval::EMPTY; WAITING], left: 0, divisions: 0 }
     }
 
-    /// Whether no stretch waits behind the last one.
+    /// Whether no interval follows the last one.
     #[cfg(feature = "simd")]
     #[inline(always)]
     pub(crate) fn is_done(&self) -> bool {
         self.left == 0
     }
 
-    /// The next stretch with its rates; where these are of both signs, tables are at their end.
+    /// The next interval with its rates; if these have both signs, the tables are exhausted.
     #[inline(always)]
     pub(crate) fn next<F: Function, G: Function>(
         &mut self,
@@ -232,7 +233,7 @@ impl Division {
                 let middle = 0.5 * span.lo + 0.5 * span.hi;
                 let (_, value, _) = path.above(middle, 1);
                 let free = value.abs() - path.error(1);
-                // No root as near as this before and behind.
+                // No root is this close before and behind.
                 let (mut before, mut behind) = (0.0, 0.0);
                 if free > 0.0 {
                     let (rise, fall) = (0.999 * free / rate.hi, 0.999 * free / -rate.lo);
@@ -258,7 +259,7 @@ impl Division {
     }
 }
 
-/// Whether a ray with these rates comes nearer all along, or goes away.
+/// Whether a ray with these rates approaches or recedes monotonically.
 #[inline(always)]
 pub(crate) fn keeps_sign(rate: Interval) -> bool {
     rate.lo > 0.0 || rate.hi < 0.0
@@ -278,7 +279,8 @@ impl<F: Function, G: Function> Path<'_, F, G> {
         }
     }
 
-    /// The stretch over which the ray is as high as the surface may be, and the rates at which it comes nearer there.
+    /// The interval in which the ray is in the height range of the surface, and the rates of
+    /// approach there.
     #[inline(always)]
     pub(crate) fn approach(&self) -> (Interval, Interval) {
         let mut span = self.span;
@@ -287,7 +289,7 @@ impl<F: Function, G: Function> Path<'_, F, G> {
         (span, rate)
     }
 
-    /// The first hit in what is left, or any.
+    /// The first hit in the rest, or any.
     pub(crate) fn rest(&self, parts: &mut Division, aim: Aim) -> Option<Root> {
         while let Some((span, rate)) = parts.next(self) {
             let root =
@@ -299,7 +301,7 @@ impl<F: Function, G: Function> Path<'_, F, G> {
         None
     }
 
-    /// [`Path::narrow`] as well as tables can.
+    /// [`Path::narrow`] as accurately as tables permit.
     #[inline(always)]
     fn narrow_well(&self, span: &mut Interval) -> Interval {
         let ranges = self.ranges(*span);
@@ -322,12 +324,14 @@ impl<F: Function, G: Function> Path<'_, F, G> {
         traversal.boxes(span, Aim::First)
     }
 
-    /// Cuts off what lies above or below all heights of a stretch; the rates at which the ray comes nearer over it.
+    /// Removes the parts above or below all heights of an interval; returns the rates of approach
+    /// over it.
     #[inline(always)]
     fn narrow(&self, span: &mut Interval, [[f, f_slope], [g, g_slope]]: [[Interval; 2]; 2]) -> Interval {
         let h = times(f, g);
         let (o, d) = (self.ray.origin, self.ray.direction);
-        // Infinite for a level ray, and no number, which cuts nothing, on the border of the heights.
+        // Infinite for a horizontal ray, and NaN, which removes nothing, on the border of the
+        // heights.
         let (a, b) = ((h.lo - self.pad - o.z) * self.inverse, (h.hi + self.pad - o.z) * self.inverse);
         let (a, b) = if self.inverse > 0.0 { (a, b) } else { (b, a) };
         span.lo = if a > span.lo { a } else { span.lo };
@@ -352,20 +356,22 @@ fn spread(a: Interval, s: f64) -> Interval {
     if p < q { Interval::new(p, q) } else { Interval::new(q, p) }
 }
 
-/// Evaluations that one search makes at most.
+/// Maximum number of evaluations of a search.
 const EVALUATIONS: u32 = 80;
 
-/// The search for the one root there may be in a stretch over which the ray comes nearer all along.
+/// Search for the only possible root in an interval with monotonic approach.
 ///
-/// Newton's steps with rates within their bounds, and a bisection now and then. A value and the bounds of the rate enclose the root; once
-/// this is within reach and the stretch, the root is certain.
+/// Uses Newton steps with rates within their bounds, and occasional bisection. A value and the
+/// bounds of the rate enclose the root. Once the enclosure is within reach and inside the interval,
+/// the root is certain.
 pub(crate) struct Search {
     span: Interval,
-    /// `±1`, so that the height above the surface times this grows.
+    /// `±1`, so that the height above the surface times this increases.
     sign: f64,
     least: f64,
     most: f64,
-    /// The root lies between these if it lies in the stretch, and whether it is known not to lie before, and not behind.
+    /// The bracket of the root if it is in the interval, and whether it is known not to lie before
+    /// or behind.
     lo: f64,
     hi: f64,
     starts: bool,
@@ -380,7 +386,7 @@ impl Search {
         Self { span, sign, least, most, lo: span.lo, hi: span.hi, starts: false, ends: false }
     }
 
-    /// The root, or none; for [`Aim::Any`] only near to it.
+    /// The root, or none; for [`Aim::Any`] only a point close to it.
     #[inline(always)]
     pub(crate) fn finish<F: Function, G: Function>(
         mut self,
@@ -403,7 +409,8 @@ impl Search {
             let slope = if slope > self.most { self.most } else { slope };
             let mut next = t - value / slope;
             let size = value.abs();
-            // The root and the next place both lie from `t` as far as the value over one of the rates.
+            // The distances from `t` to the root and to the next position are at most the value
+            // over one of the rates.
             if size * spread + 1.0001 * (bound * slow) <= path.reach {
                 return self.settle(path, next, reach);
             }
@@ -428,7 +435,7 @@ impl Search {
                 let (end, known) = if value > 0.0 { (self.lo, self.starts) } else { (self.hi, self.ends) };
                 let past = size > bound && !(next > self.lo && next < self.hi);
                 if past && !known {
-                    // Either the root lies outside, or the end of the stretch decides.
+                    // Either the root lies outside, or the end of the interval decides.
                     if t == end || (size - bound) * fast > (t - end).abs() + slack {
                         return None;
                     }
@@ -445,7 +452,7 @@ impl Search {
         }
     }
 
-    /// The root, once it is known to lie so near to `t` or outside the stretch.
+    /// The root, once it is known to lie close enough to `t` or outside the interval.
     #[inline(always)]
     fn settle<F: Function, G: Function>(&self, path: &Path<'_, F, G>, t: f64, near: f64) -> Option<Root> {
         if (self.starts || t - near >= self.span.lo) && (self.ends || t + near <= self.span.hi) {
@@ -454,7 +461,7 @@ impl Search {
         self.prove(path, t)
     }
 
-    /// Looks at the ends of the stretch that are not known to lie on the right side of the root.
+    /// Tests the ends of the interval that are not known to lie on the right side of the root.
     #[cold]
     #[inline(never)]
     fn prove<F: Function, G: Function>(&self, path: &Path<'_, F, G>, t: f64) -> Option<Root> {

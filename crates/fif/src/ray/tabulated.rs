@@ -1,4 +1,4 @@
-//! A surface with a pyramid of bounds over its quartered domain.
+//! A surface with a quadtree of bounds over its domain.
 
 use alloc::vec::Vec;
 use asperity_core::Interval;
@@ -12,9 +12,10 @@ use crate::surface::bounds::{Surface, SurfaceBounds};
 use crate::surface::self_affine::rough_folded::RoughFolded;
 use crate::surface::self_affine::self_affine::{Fold, SelfAffine};
 
-/// A surface with bounds over the squares of its quartered domain: hits are found several times as fast.
+/// A surface with bounds over a quadtree of its domain, for several times faster ray intersection.
 ///
-/// The bounds are `f32`, rounded outward: 24 bytes a square, 0.5 MB for the 128² smallest of [`Tabulated::new`].
+/// The bounds are `f32`, rounded outward: 24 bytes per square, 0.5 MB for the 128² smallest of
+/// [`Tabulated::new`].
 ///
 /// ```
 /// use asperity_fif::{Intersect, Ray, Torus, glam::DVec3};
@@ -30,18 +31,18 @@ use crate::surface::self_affine::self_affine::{Fold, SelfAffine};
 pub struct Tabulated<S> {
     surface: S,
     levels: u32,
-    /// Level after level, rows along y: the range of the heights, of ∂f/∂x, of ∂f/∂y.
+    /// Level by level, rows along y: the range of the heights, of ∂f/∂x, of ∂f/∂y.
     squares: Vec<[[f32; 2]; 3]>,
 }
 
 impl<S: Surface> Tabulated<S> {
-    /// Bounds over a domain seven times quartered.
+    /// Computes bounds over a domain divided into quarters seven times.
     #[must_use]
     pub fn new(surface: S) -> Self {
         Self::with_levels(surface, 7)
     }
 
-    /// Bounds over a domain quartered `levels` times, at most ten.
+    /// Computes bounds over a domain divided into quarters `levels` times, at most ten.
     #[must_use]
     pub fn with_levels(surface: S, levels: u32) -> Self {
         let levels = levels.min(10);
@@ -84,7 +85,7 @@ impl<S: Surface> Tabulated<S> {
 impl<F: Fold> Intersect for SelfAffine<F> {}
 
 impl<F: Fold> SelfAffine<F> {
-    /// The surface with narrower global ranges and a table of bounds: hits several times as fast.
+    /// Adds narrower global ranges and a table of bounds, for several times faster hits.
     #[must_use]
     pub fn tabulated(self) -> Tabulated<Self> {
         Tabulated::new(self.narrowed())
@@ -94,7 +95,7 @@ impl<F: Fold> SelfAffine<F> {
 impl Intersect for RoughFolded {}
 
 impl RoughFolded {
-    /// The surface with a table of bounds: faster hits.
+    /// Adds a table of bounds, for faster hits.
     #[must_use]
     pub fn tabulated(self) -> Tabulated<Self> {
         Tabulated::new(self)
@@ -151,7 +152,7 @@ impl<S: Surface> Intersect for Tabulated<S> {
     }
 }
 
-/// The number of the first square of a level.
+/// The index of the first square of a level.
 const fn first(level: u32) -> usize {
     ((1 << (2 * level)) - 1) / 3
 }
@@ -186,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn every_square_holds_the_four_within_it() {
+    fn squares_contain_their_quarters() {
         let table = Tabulated::with_levels(torus(), 3);
         for level in 0..3_u32 {
             for (i, j) in (0..1 << level).flat_map(|i| (0..1 << level).map(move |j| (i, j))) {

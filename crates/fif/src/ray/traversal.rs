@@ -1,19 +1,22 @@
-//! The first hit of a ray on any surface `z = f(x, y)`, with proof that nothing lies before it.
+//! The first hit of a ray on any surface `z = f(x, y)`, with proof that there is none before it.
 //!
-//! A [`Context`] holds the constants of a surface, a [`Traversal`] one ray on its way. Of `r(t)`, the height of the ray above the
-//! surface at the distance t, roots are sought:
+//! A [`Context`] contains the constants of a surface, and a [`Traversal`] the state of one ray. The
+//! search finds roots of `r(t)`, the height of the ray above the surface at the distance t:
 //!
 //! 1. [`Context::ray`] clips the ray to the domain.
-//! 2. [`Traversal::descend`] visits the squares of a quadtree over the domain front to back. The range of the heights over a
-//!    square clips the ray: outside this stretch it is above or below the surface.
-//! 3. [`Traversal::search`] decides a stretch over a smallest square. Bounds of the slopes bound the rate `r′`, so r at an end of
-//!    the stretch excludes roots for some way from there. If the rate keeps its sign, r at both ends decides; otherwise the rest
-//!    of the stretch is halved and bounded again.
-//! 4. [`Traversal::root`] encloses a root between a change of sign, by secants and the bounds of the rate.
+//! 2. [`Traversal::descend`] visits the squares of a quadtree over the domain front to back. The
+//!    range of the heights over a square clips the ray: outside this interval it is above or below
+//!    the surface.
+//! 3. [`Traversal::search`] decides an interval over a smallest square. Bounds of the slopes bound
+//!    the rate `r′`, so r at an end of the interval excludes roots for some distance. If the rate
+//!    keeps its sign, r at both ends decides; otherwise the rest of the interval is halved and
+//!    bounded again.
+//! 4. [`Traversal::root`] encloses a root between a change of sign, by secants and the bounds of
+//!    the rate.
 //! 5. [`Traversal::hit`] evaluates height and gradient there.
 //!
-//! Height fields `f(x) g(y)` have their own steps 2 and 3: by products of cells ([`boxes`](crate::ray::boxes)) or of tables
-//! ([`tables`](crate::ray::tables)).
+//! Height fields `f(x) g(y)` have specialized steps 2 and 3: by products of cells
+//! ([`boxes`](crate::ray::boxes)) or of tables ([`tables`](crate::ray::tables)).
 
 use asperity_core::Interval;
 use glam::DVec3;
@@ -23,48 +26,50 @@ use crate::numeric::polynomial::UNIT;
 use crate::ray::ray::{Aim, Hit, Ray, Root};
 use crate::surface::bounds::{Surface, SurfaceBounds, upward_normal};
 
-/// Evaluations, or boxes, that one ray takes at most; beyond, a hit is not certain.
+/// Maximum number of evaluations, or boxes, of one ray; beyond, a hit is not certain.
 const BUDGET: u32 = 1 << 16;
 
-/// Length of a stretch, relative to the domain, at whose ends a change of sign is a root.
+/// Length of an interval, relative to the domain, at whose ends a change of sign is a root.
 const CLOSE: f64 = 1e-12;
 
-/// Stretches that wait at most: every split halves one.
+/// Maximum number of pending intervals; every split halves one.
 const WAITING: usize = 64;
 
 /// Splits after which the slopes are bounded again.
 const SPLITS: u32 = 8;
 
-/// Length of the shortest stretch over a rough surface, relative to the shortest over a smooth one.
+/// Length of the shortest interval over a rough surface, relative to the shortest over a smooth
+/// one.
 const ROUGH_PART: f64 = 1.0 / 64.0;
 
-/// Evaluations that one search for a single root makes at most.
+/// Maximum number of evaluations of a search for a single root.
 const EVALUATIONS: u32 = 100;
 
-/// Evaluations that bounds count as.
+/// Evaluations to which bounds are equivalent.
 const BOUNDS: u32 = 2;
 
-/// The constants of a surface that all rays share.
+/// The constants of a surface, common to all rays.
 pub(crate) struct Context<'a, S: ?Sized> {
     pub(crate) surface: &'a S,
     domain: [Interval; 2],
     range: Interval,
 }
 
-/// One ray on its way.
+/// State of one ray.
 pub(crate) struct Traversal<'a, S: ?Sized> {
     pub(crate) context: &'a Context<'a, S>,
     pub(crate) ray: Ray,
     /// More than the rounding of a coordinate on the ray within the domain.
     pub(crate) pad: DVec3,
-    /// Length of a stretch at whose ends a change of sign is a root, and of one that is not split any more.
+    /// Length of an interval at whose ends a change of sign is a root, and of an interval that is
+    /// not split further.
     pub(crate) close: f64,
     pub(crate) finest: f64,
-    /// Whether a root is wanted to the rounding error.
+    /// Whether a root is requested to the rounding error.
     exact: bool,
-    /// Evaluations or boxes left.
+    /// Remaining evaluations or boxes.
     pub(crate) budget: u32,
-    /// Distance at which a limit first left undecided whether the ray meets the surface.
+    /// Distance at which a limit first left undecided whether the ray hits the surface.
     lost: Option<f64>,
 }
 
@@ -73,7 +78,7 @@ impl<'a, S: Surface + ?Sized> Context<'a, S> {
         Self { surface, domain: surface.domain(), range: surface.range() }
     }
 
-    /// The ray with the stretch of it over the domain, which may be empty; `None` for an invalid ray.
+    /// The ray with its part over the domain, which may be empty; `None` for an invalid ray.
     pub(crate) fn ray(&self, ray: &Ray, t: Interval, tolerance: f64) -> Option<(Traversal<'_, S>, Interval)> {
         let (o, d) = (ray.origin, ray.direction);
         if !o.is_finite() || !d.is_finite() || d == DVec3::ZERO {
@@ -109,7 +114,7 @@ impl<'a, S: Surface + ?Sized> Context<'a, S> {
         traversal.hit(root, tolerance)
     }
 
-    /// Whether the ray meets the surface with `t` in the interval.
+    /// Whether the ray hits the surface with `t` in the interval.
     pub(crate) fn any(&self, squares: &impl Squares, ray: &Ray, t: Interval) -> bool {
         let Some((mut traversal, span)) = self.ray(ray, t, 0.0) else { return false };
         let root = traversal.meets(squares, span, Aim::Any);
@@ -176,13 +181,15 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
             return self.vertical(span);
         }
         let found = self.descend(squares, span, aim);
-        // What is left undecided just before a root is as near to it as rounding may put another.
+        // A point left undecided just before a root may be as close to it as rounding may move
+        // another root.
         let near = |t: f64| self.lost.is_none_or(|lost| t - lost <= self.finest);
         let found = found.map(|root| Root { certain: root.certain && near(root.t), ..root });
         found.or(self.lost.map(|t| Root { t, certain: false }))
     }
 
-    /// The least root in the squares along the ray, or any; the nearest square lies on top of the stack.
+    /// The first root in the squares along the ray, or any; the nearest square is on top of the
+    /// stack.
     fn descend(&mut self, squares: &impl Squares, span: Interval, aim: Aim) -> Option<Root> {
         const PLACES: usize = 64;
         let [x, y] = self.context.domain;
@@ -213,7 +220,8 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
             if span.lo.is_nan() || span.hi.is_nan() || span.lo > span.hi {
                 continue;
             }
-            // The stretch before and behind the middle of either side, whichever way the ray goes.
+            // The interval before and behind the middle of either side, for any direction of the
+            // ray.
             let halves = |axis: usize| {
                 let (origin, step) = if axis == 0 { (o.x, d.x) } else { (o.y, d.y) };
                 let (side, pad, inverse, pad_t) = if axis == 0 {
@@ -255,7 +263,7 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
         None
     }
 
-    /// The first root in a stretch over which the rate is in `rate`, or any.
+    /// The first root in an interval over which the rate is in `rate`, or any.
     fn search(&mut self, waiting: &mut Stretches, span: Interval, rate: Interval, aim: Aim) -> Option<Root> {
         waiting.filled = 0;
         // More than the rounding of t.
@@ -271,7 +279,7 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
                 continue;
             }
             let coarse = if rough { self.context.range.width() } else { 0.0625 * speed * width };
-            // Where the sign at an end cannot be told, that end is the root, up to rounding.
+            // If the sign at an end is unknown, that end is the root, up to rounding.
             let low = if clearance[0] == 0.0 { self.clearance(lo, coarse) } else { clearance[0] };
             if low == 0.0 {
                 return Some(self.proven(lo));
@@ -295,7 +303,8 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
                 let certain = width <= self.close;
                 return Some(Root { t: self.root(stretch.span, Interval::ENTIRE, low, slack), certain });
             }
-            // A Lipschitz bound from either end leaves [from, to]: |r| decreases at these rates at most.
+            // A Lipschitz bound from either end leaves [from, to]: |r| decreases at most at these
+            // rates.
             let (fall, rise) = if low > 0.0 { (-rate.lo, rate.hi) } else { (rate.hi, -rate.lo) };
             let from = lo + low.abs() / fall - slack;
             let from = if from > lo { from } else { lo };
@@ -306,7 +315,7 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
             }
             let finest = if rough { ROUGH_PART * self.finest } else { self.finest };
             if width <= finest || self.budget == 0 {
-                // Nothing may tell whether the ray dips in and out again.
+                // There may be no way to decide whether the ray dips in and out again.
                 if self.lost.is_none() && self.bounded(stretch).is_some() {
                     self.lost = Some(lo);
                 }
@@ -322,7 +331,7 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
         None
     }
 
-    /// Both halves, with new bounds once they are much smaller than what the old ones are for.
+    /// Both halves, with new bounds once they are much smaller than the domain of the old ones.
     fn split(&mut self, waiting: &mut Stretches, stretch: Stretch) {
         let Stretch { span, rate, clearance, splits } = stretch;
         let (middle, splits) = (span.middle(), splits + 1);
@@ -338,7 +347,8 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
         }
     }
 
-    /// The stretch with bounds over its own rectangle; `None` where the ray is over or under all of that.
+    /// The interval with bounds over its own rectangle; `None` if the ray is above or below all of
+    /// it.
     fn bounded(&mut self, stretch: Stretch) -> Option<Stretch> {
         self.budget = self.budget.saturating_sub(BOUNDS);
         let (a, b) = (self.ray.at(stretch.span.lo), self.ray.at(stretch.span.hi));
@@ -352,7 +362,7 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
         (span.lo <= span.hi).then_some(Stretch { rate, ..stretch.cut(span, stretch.clearance) })
     }
 
-    /// A lower bound of |r|, with the sign of r: 0 only where the sign cannot be told.
+    /// A lower bound of |r|, with the sign of r; 0 only if the sign is unknown.
     fn clearance(&mut self, t: f64, mut tolerance: f64) -> f64 {
         const FINER: f64 = 1.0 / 4096.0;
         loop {
@@ -368,10 +378,11 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
         }
     }
 
-    /// A root in a stretch at whose ends the signs of r differ; the only one, if the rate excludes 0.
+    /// A root in an interval with different signs of r at its ends; the only one, if the rate
+    /// excludes 0.
     fn root(&mut self, span: Interval, rate: Interval, low: f64, slack: f64) -> f64 {
         let sign = if low < 0.0 { 1.0 } else { -1.0 };
-        // r times the sign increases over the stretch.
+        // r times the sign increases over the interval.
         let rate = rate.scaled(sign);
         let (pace, most) = (rate.lo.max(0.0), rate.hi);
         let (mut lo, mut hi) = (span.lo, span.hi);
@@ -390,7 +401,8 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
             if value.abs() <= bound && wanted <= 2.0 * bound {
                 return t;
             }
-            // Interval Newton: the root lies between `before` and `after`, far at the least rate, near at the greatest.
+            // Interval Newton: the root lies between `before` and `after`, far at the minimum rate,
+            // near at the maximum.
             let (below, over) = (value - bound, value + bound);
             let quick = |v: f64| if most.is_finite() { v / most } else { 0.0 };
             let slow = |v: f64| if pace > 0.0 { v / pace } else { v * f64::INFINITY };
@@ -426,7 +438,7 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
         Bounded { value: at.z - h.value, bound: h.bound + rounding }
     }
 
-    /// The stretch in which the ray is as high as the surface may be.
+    /// The interval in which the ray is in the height range of the surface.
     #[inline]
     pub(crate) fn within(&self, span: Interval, height: Interval) -> Interval {
         span.intersection(slab(self.ray.origin.z, self.ray.direction.z, padded(height, self.pad.z)))
@@ -438,12 +450,12 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
         Interval::new(d.z, d.z).sum(x.scaled(-d.x)).sum(y.scaled(-d.y))
     }
 
-    /// Whether the ray runs along z, and so meets the surface at one height.
+    /// Whether the ray is parallel to z, so that it hits the surface at one height.
     pub(crate) fn is_vertical(&self) -> bool {
         self.ray.direction.x == 0.0 && self.ray.direction.y == 0.0
     }
 
-    /// The distance at which a ray along z meets the surface.
+    /// The distance at which a ray parallel to z hits the surface.
     pub(crate) fn vertical(&self, span: Interval) -> Option<Root> {
         if span.lo > span.hi {
             return None;
@@ -456,9 +468,9 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
         near.then(|| Root { t: span.nearest(t), certain })
     }
 
-    /// The root, certain if the signs nearby tell so.
+    /// The root, certain if the signs nearby prove it.
     pub(crate) fn proven(&self, t: f64) -> Root {
-        // Where rounding hides the sign for longer than the shortest stretch, farther.
+        // Where rounding hides the sign for longer than the shortest interval, farther.
         const NEARBY: [f64; 6] = [1e-3, 1e-2, 1e-1, 1.0, 4.0, 16.0];
         let apart = |near: f64| {
             let [a, b] = [t - near, t + near].map(|t| self.above(t, 0.0));
@@ -467,7 +479,7 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
         Root { t, certain: NEARBY.iter().any(|part| apart(part * self.finest)) }
     }
 
-    /// The hit at `t`, to the tolerance; `None` for a direction so short that t or the way to the surface overflows.
+    /// The hit at `t`, to the tolerance; `None` if t or the distance to the surface overflows.
     pub(crate) fn hit(&self, Root { t, certain }: Root, tolerance: f64) -> Option<Hit> {
         let at = self.ray.at(t);
         if !t.is_finite() || !at.is_finite() {
@@ -483,7 +495,7 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
     }
 }
 
-/// A stretch of the ray, bounds of the rate over it, and of r at its ends.
+/// An interval of the ray, bounds of the rate over it, and bounds of r at its ends.
 #[derive(Clone, Copy)]
 struct Stretch {
     span: Interval,
@@ -494,7 +506,7 @@ struct Stretch {
 }
 
 impl Stretch {
-    /// A part of the stretch, with the bounds at the ends that it keeps.
+    /// A part of the interval, with the bounds at the ends that it keeps.
     fn cut(self, span: Interval, [low, high]: [f64; 2]) -> Self {
         let kept = |end: f64, old: f64, clearance: f64| if end == old { clearance } else { 0.0 };
         Self {
@@ -505,7 +517,7 @@ impl Stretch {
     }
 }
 
-/// Stretches left to search, the nearest last.
+/// Intervals left to search, the nearest last.
 struct Stretches {
     waiting: [Stretch; WAITING],
     filled: usize,
@@ -534,7 +546,8 @@ fn padded(side: Interval, pad: f64) -> Interval {
     Interval::new(side.lo - pad, side.hi + pad)
 }
 
-/// The stretch of `t` with `origin + t direction` in `side`; everything or nothing for a ray parallel to it.
+/// The interval of `t` with `origin + t direction` in `side`; everything or nothing for a parallel
+/// ray.
 #[inline]
 fn slab(origin: f64, direction: f64, side: Interval) -> Interval {
     if direction == 0.0 {

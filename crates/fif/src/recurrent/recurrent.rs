@@ -1,4 +1,4 @@
-//! Recurrent systems: each map copies a part of the graph of its own.
+//! Recurrent systems: each map has its own source interval.
 
 use alloc::vec::Vec;
 use asperity_core::Interval;
@@ -9,7 +9,7 @@ use crate::system::fif::value;
 use crate::system::map::Piece;
 use asperity_core::error_enum;
 
-/// Sweeps that tighten the ranges.
+/// Number of sweeps that tighten the ranges.
 const SWEEPS: usize = 64;
 
 #[doc = include_str!("../../docs/recurrent-systems.md")]
@@ -19,14 +19,15 @@ pub struct Recurrent<const C: usize> {
     range: Interval,
     /// Error of one polynomial, at any point of its source.
     pub(crate) noise: f64,
-    /// `1/(1 − max|α|)`, and the same of the horizontal factors.
+    /// `1/(1 − max|α|)`, and the same for the horizontal factors.
     pub(crate) gain: f64,
     pub(crate) reach: f64,
     pub(crate) means: Means,
 }
 
 impl Recurrent<2> {
-    /// Straight lines between `(x_j, y_j)` with vertical factors `alpha`, distorted by the parts over `sources`.
+    /// Creates straight lines between `(x_j, y_j)` with vertical scalings `alpha`, distorted by the
+    /// parts over `sources`.
     ///
     /// A source `[from, to]` goes from knot `from` to knot `to`, counted from 0.
     ///
@@ -52,10 +53,12 @@ impl Recurrent<2> {
 }
 
 impl<const C: usize> Recurrent<C> {
-    /// From knots, their ordinates, vertical factors, polynomials and sources.
+    /// Creates a recurrent system from knots, their ordinates, vertical scalings, polynomials and
+    /// sources.
     ///
     /// # Errors
-    /// See [`RecurrentError`]; both ends of every map must meet the ordinates within [`JOIN_TOLERANCE`](crate::system::JOIN_TOLERANCE).
+    /// See [`RecurrentError`]; both ends of every map must match the ordinates within
+    /// [`JOIN_TOLERANCE`](crate::system::JOIN_TOLERANCE).
     pub fn new(
         x: &[f64],
         y: &[f64],
@@ -85,7 +88,8 @@ impl<const C: usize> Recurrent<C> {
         let reach = (1.0 / (1.0 - widest)).next_up();
         let gain = (1.0 / (1.0 - steepest)).next_up();
         for link in &links {
-            // Horner's rule, at places in the sources that are off by five units for each map of the orbit.
+            // Horner's rule, at positions in the sources that err by five units for each map of the
+            // orbit.
             let slope: f64 = link.piece.local.iter().enumerate().map(|(k, c)| k as f64 * c.abs()).sum();
             let size = C as f64 * magnitude(&link.piece.local, 1.0);
             noise = larger(noise, link.piece.slack + 8.0 * UNIT * (size + reach * slope));
@@ -98,13 +102,13 @@ impl<const C: usize> Recurrent<C> {
         Ok(Self { links, range, noise, gain, reach, means })
     }
 
-    /// The maps with the intervals that they fill, from left to right.
+    /// The maps with their image intervals, from left to right.
     #[must_use]
     pub fn pieces(&self) -> impl ExactSizeIterator<Item = &Piece<C>> {
         self.links.iter().map(|link| &link.piece)
     }
 
-    /// The knots, from 0, at the ends of each map's source.
+    /// The knots, from 0, at the ends of the source of each map.
     #[must_use]
     pub fn sources(&self) -> impl ExactSizeIterator<Item = [usize; 2]> {
         self.links.iter().map(|link| [link.from, link.to])
@@ -119,8 +123,8 @@ impl<const C: usize> Recurrent<C> {
 
     /// A rigorous enclosure of `f` over its domain.
     ///
-    /// The ranges over the images, `B_j ← hull of α_j B_i + q_j(X_i)` for the images `i` in the source of `j`, from a box that
-    /// holds all, with outward rounding.
+    /// The ranges over the images, `B_j ← hull of α_j B_i + q_j(X_i)` for the images `i` in the
+    /// source of `j`, starting from a box that contains all, with outward rounding.
     pub fn range(&self) -> Interval {
         self.range
     }
@@ -180,7 +184,7 @@ fn ranges<const C: usize>(links: &mut [Link<C>], gain: f64) -> Option<Interval> 
     Some(boxes.iter().fold(Interval::EMPTY, |hull, b| hull.hull(*b)))
 }
 
-/// Enclosures of a map's polynomial over the images in its source.
+/// Enclosures of the polynomial of a map over the images in its source.
 fn polynomial_ranges<const C: usize>(link: &Link<C>, links: &[Link<C>]) -> Vec<Interval> {
     let all = bernstein(&link.piece.local);
     let largest = hull(&all).magnitude();
@@ -188,7 +192,7 @@ fn polynomial_ranges<const C: usize>(link: &Link<C>, links: &[Link<C>]) -> Vec<I
     let within = links.get(link.from..link.to).unwrap_or_default();
     let part = |inner: &Link<C>| {
         let [l, r] = inner.piece.x().map(|x| ((x - link.start) / link.width).clamp(0.0, 1.0));
-        // The ends are off by four units.
+        // The ends err by four units.
         let error = restriction_error::<C>(l, r) * largest + 8.0 * UNIT * slope;
         hull(&restrict(&all, l, r)).inflated(error + link.piece.slack)
     };
@@ -216,21 +220,22 @@ impl<const C: usize> Link<C> {
     }
 }
 
-/// Sweeps that solve for the means.
+/// Number of sweeps that solve for the means.
 const MEAN_SWEEPS: usize = 65_536;
 
 /// Integrals from the left end to every knot.
 #[derive(Clone, Debug)]
 pub(crate) struct Means {
     pub(crate) integrals: Vec<f64>,
-    /// Bound of the error of a mean over images.
+    /// Error bound of a mean over images.
     pub(crate) error: f64,
-    /// The width of the domain over that of the narrowest source.
+    /// The width of the domain divided by the width of the narrowest source.
     pub(crate) spread: f64,
 }
 
 impl Means {
-    /// Solves `m_j = α_j (mean over the source) + mean of q_j`, a contraction by `max|α|` in the largest error.
+    /// Solves `m_j = α_j (mean over the source) + mean of q_j`, a contraction by `max|α|` in the
+    /// maximum error.
     pub(crate) fn new<const C: usize>(links: &[Link<C>], range: Interval, gain: f64) -> Self {
         let parts: Vec<f64> = links.iter().map(|link| primitive(&link.piece.local, 1.0)).collect();
         let mut means: Vec<f64> = links.iter().map(|link| link.range.middle()).collect();
@@ -247,7 +252,8 @@ impl Means {
             integrals = sums(links, &means);
             left -= 1;
         }
-        // One more sweep moves no mean by more; roundings of a mean and of the polynomial's integral.
+        // One more sweep changes no mean by more; roundings of a mean and of the integral of the
+        // polynomial.
         let maps = links.len() as f64;
         let slack = links.iter().fold(0.0_f64, |most, link| {
             most.max(link.piece.slack + 4.0 * C as f64 * UNIT * magnitude(&link.piece.local, 1.0))
@@ -286,12 +292,13 @@ pub(crate) fn primitive<const C: usize>(c: &[f64; C], s: f64) -> f64 {
 }
 
 error_enum! {
-    /// Why a recurrent system was refused. Maps are counted from 1, as in the literature, knots from 0.
+    /// Error for an invalid recurrent system. Maps are counted from 1, as in the literature, knots
+    /// from 0.
     pub enum RecurrentError from SystemError {
-        /// A source does not go from a knot to a later one; `last` is the last knot of all.
+        /// A source does not go from a knot to a later knot; `last` is the last knot.
         Source { map: usize, from: usize, to: usize, last: usize } =>
             "`sources` of map {map} must rise within 0 to {last}, got {from} to {to}";
-        /// A source is no wider than its image.
+        /// A source is not wider than its image.
         Expansion { map: usize, source: f64, image: f64 } =>
             "`sources` of map {map} must be wider than its image of {image}, got {source}";
     }
@@ -302,7 +309,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn polynomials_that_overflow_are_refused() {
+    fn overflowing_polynomials_are_an_error() {
         // x³ over [0, 10²⁰⁰] has coefficients of ∞ and of 0 · ∞; the second polynomial is finite.
         let (x, cubic) = ([0.0, 1e200, 2e200], [0.0, 0.0, 0.0, 1.0]);
         let error =

@@ -5,19 +5,20 @@ use crate::numeric::estimate::Bounded;
 use crate::numeric::polynomial::{UNIT, horner};
 use crate::recurrent::recurrent::{Link, Means, Recurrent, primitive};
 
-/// Maps that one integral composes at most.
+/// Maximum number of maps that one integral composes.
 const DEPTH: usize = 1024;
 
 impl<const C: usize> Recurrent<C> {
-    /// `f(x)` with a bound of its error, which is at most `tolerance` where `f64` allows that.
+    /// `f(x)` with an error bound, which is at most `tolerance` if `f64` permits.
     ///
-    /// [`System::evaluate`](crate::System::evaluate) with the inverse of each map ending in its source; at most
-    /// [`MAX_DEPTH`] steps.
+    /// Like [`System::evaluate`](crate::System::evaluate), where the inverse of each map ends in
+    /// its source; at most [`MAX_DEPTH`] steps.
     ///
-    /// - **Domain:** points outside the domain are clamped to it; NaN gives NaN. A tolerance that is zero, negative,
-    ///   NaN or under the rounding error stands for the rounding error.
-    /// - **Accuracy:** knots are exact, with bound 0. Else `value ± bound` holds `f(x′)` for an `x′` within four units in the
-    ///   last place of the domain's larger end and `2⁻⁵⁰/(1 − max a_j)` of its width.
+    /// - **Domain:** points outside the domain are clamped to it; NaN returns NaN. A tolerance that
+    ///   is zero, negative, NaN or below the rounding error means the rounding error.
+    /// - **Accuracy:** knots are exact, with bound 0. Otherwise `value ± bound` contains `f(x′)`
+    ///   for an `x′` within four units in the last place of the larger end of the domain and
+    ///   `2⁻⁵⁰/(1 − max a_j)` of its width.
     pub fn evaluate(&self, x: f64, tolerance: f64) -> Bounded {
         if x.is_nan() {
             return Bounded::NAN;
@@ -33,7 +34,8 @@ impl<const C: usize> Recurrent<C> {
         }
         let mut s = ((x - first.piece.x()[0]) / first.image()).clamp(0.0, 1.0);
         let scale = range.magnitude();
-        // Truncation under the rounding error is not worth a step. Written so that NaN asks for the most.
+        // Truncation below the rounding error is not worth a step. Written so that NaN requests the
+        // maximum.
         let floor = self.noise + 2.0 * UNIT * scale;
         let enough = if tolerance > floor { 0.5 * tolerance } else { floor };
         let (mut sum, mut product, mut tail, mut radius) =
@@ -60,7 +62,7 @@ impl<const C: usize> Recurrent<C> {
         Bounded { value: sum + product * tail, bound: 1.0001 * (truncation + rounding) }
     }
 
-    /// The image that a place in a source lies in, and the place there.
+    /// The image that contains a position in a source, and the position in the image.
     pub(crate) fn descend(&self, link: &Link<C>, s: f64) -> (usize, f64) {
         let offset = s * link.width;
         let within = self.links.get(link.from..link.to).unwrap_or_default();
@@ -71,14 +73,14 @@ impl<const C: usize> Recurrent<C> {
         (link.from + index, place.clamp(0.0, 1.0))
     }
 
-    /// `∫ f` from `x_0` to `x`, with the bound of its error.
+    /// `∫ f` from `x_0` to `x`, with an error bound.
     ///
     /// ```text
     /// ∫ over [x_{j−1}, x] of f = a_j (α_j ∫ over [x_from, u] of f + ∫ over [x_from, u] of q_j),   x = a_j u + b_j
     /// ```
     ///
-    /// The integrals up to the knots solve one linear system, which the constructor has done by repeated substitution.
-    /// Points outside the domain are clamped to it; NaN gives NaN.
+    /// The integrals up to the knots solve a linear system, which the constructor has solved by
+    /// repeated substitution. Points outside the domain are clamped to it; NaN returns NaN.
     pub fn integral(&self, x: f64) -> Bounded {
         let domain = self.domain();
         if x.is_nan() {
@@ -105,7 +107,8 @@ impl<const C: usize> Recurrent<C> {
                 break;
             }
         }
-        // Each term is off by a mean's error, twice, a polynomial's and roundings; the orbit by a few units of x.
+        // Each term errs by the error of a mean, twice, the error of a polynomial, and roundings;
+        // the orbit by a few units of x.
         let Means { error, spread, .. } = self.means;
         let maps = self.links.len() as f64;
         let terms = 2.0 * error + self.noise + 16.0 * UNIT * scale * maps * (1.0 + spread);

@@ -1,4 +1,4 @@
-//! Any surface over a rectangle: values, enclosures and gradients.
+//! The `Surface` trait: values, enclosures and gradients over a rectangle.
 
 use asperity_core::Interval;
 use asperity_core::math::sqrt_f64;
@@ -10,16 +10,17 @@ use crate::numeric::estimate::Bounded;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]
 pub struct SurfaceBounds {
-    /// Of the heights.
+    /// Enclosure of the heights.
     pub height: Interval,
-    /// Of `∂f/∂x` and `∂f/∂y`.
+    /// Enclosures of `∂f/∂x` and `∂f/∂y`.
     pub slopes: [Interval; 2],
 }
 
-/// A surface `z = f(x, y)` over a rectangle, as bounds and rays see it.
+/// A surface `z = f(x, y)` over a rectangle, the input of bounds and ray intersection.
 ///
-/// Implemented by [`HeightField`](crate::HeightField), by [`SelfAffine`](crate::SelfAffine) and by [`Tabulated`](crate::Tabulated) over any. The rays
-/// are those of [`Intersect`](crate::Intersect).
+/// Implemented by [`HeightField`](crate::HeightField), by [`SelfAffine`](crate::SelfAffine), and by
+/// [`Tabulated`](crate::Tabulated) over any surface. [`Intersect`](crate::Intersect) adds ray
+/// intersection.
 ///
 /// ```
 /// use asperity_fif::{HeightField, Interval, Surface, paper};
@@ -35,14 +36,20 @@ pub trait Surface {
     /// A rigorous enclosure of the heights.
     fn range(&self) -> Interval;
 
-    /// The height with a bound of its error, to `tolerance` or the rounding error. A point that rounding has put outside the
-    /// domain stands for the nearest of it.
+    /// The height with an error bound, to `tolerance` or the rounding error.
+    ///
+    /// A point that rounding has moved outside the domain is read as the nearest point of the
+    /// domain.
     fn evaluate(&self, x: f64, y: f64, tolerance: f64) -> Bounded;
 
-    /// Rigorous enclosures of heights and slopes over a rectangle, [`Interval::ENTIRE`] for unknown slopes.
+    /// Rigorous enclosures of heights and slopes over a rectangle.
+    ///
+    /// Unknown slopes are [`Interval::ENTIRE`].
     fn bounds(&self, x: Interval, y: Interval) -> SurfaceBounds;
 
-    /// The gradient at a point that is known to `distance`, or `None` where there is none: what changes over less may be left out.
+    /// The gradient at a point known to `distance`, or `None` if it does not exist.
+    ///
+    /// Changes over smaller distances may be omitted.
     #[must_use]
     fn gradient_near(&self, x: f64, y: f64, distance: f64) -> Option<DVec2>;
 }

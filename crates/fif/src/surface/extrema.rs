@@ -5,13 +5,13 @@ use glam::DVec2;
 
 use crate::surface::bounds::Surface;
 
-/// Brackets of the two extrema of a surface over a rectangle, and where it is that low and that high.
+/// Brackets of the two extrema of a surface over a rectangle, and their positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]
 pub struct SurfaceExtrema {
-    /// The least height lies in here.
+    /// Contains the minimum height.
     pub minimum: Interval,
-    /// The greatest height lies in here.
+    /// Contains the maximum height.
     pub maximum: Interval,
     /// A point whose height lies in `minimum`.
     pub lowest: DVec2,
@@ -19,20 +19,20 @@ pub struct SurfaceExtrema {
     pub highest: DVec2,
 }
 
-/// Rectangles that one search for an extremum visits at most.
+/// Maximum number of rectangles that a search for an extremum visits.
 const BUDGET: u32 = 1 << 16;
 
-/// Times that a search splits a rectangle at most.
+/// Maximum number of times that a search splits a rectangle.
 const DEPTH: usize = 64;
 
-/// Brackets at most `width` wide where the budget allows that.
+/// Brackets at most `width` wide, if the budget permits.
 pub(crate) fn extrema<S: Surface>(surface: &S, rectangle: [Interval; 2], width: f64) -> SurfaceExtrema {
     let (maximum, highest) = greatest(surface, rectangle, width, 1.0);
     let (minimum, lowest) = greatest(surface, rectangle, width, -1.0);
     SurfaceExtrema { minimum: Interval::new(-minimum.hi, -minimum.lo), maximum, lowest, highest }
 }
 
-/// A bracket of the greatest of `sign · f`, and where the value is that is its lower end.
+/// A bracket of the maximum of `sign · f`, and the position of its lower end.
 fn greatest<S: Surface>(surface: &S, rectangle: [Interval; 2], width: f64, sign: f64) -> (Interval, DVec2) {
     let upper = |[x, y]: [Interval; 2]| {
         let range = surface.bounds(x, y).height;
@@ -50,14 +50,19 @@ fn greatest<S: Surface>(surface: &S, rectangle: [Interval; 2], width: f64, sign:
     (Interval::new(best.lo, best.hi.max(top)), highest)
 }
 
-/// The greatest of `upper` over the squares that quartering `depth` times gives, where it is no greater than over what holds
-/// them; the greatest over larger squares where a budget ends before.
+/// The maximum of `upper` over the squares after dividing into quarters `depth` times.
+///
+/// It is at most the value over larger squares. If a budget ends before, it is the maximum over
+/// larger squares.
 pub(crate) fn ceiling(rectangle: [Interval; 2], depth: u32, upper: impl Fn([Interval; 2]) -> f64) -> f64 {
     search(rectangle, depth.min(24) as usize, upper, |_| f64::NEG_INFINITY)
 }
 
-/// Quarters a rectangle, the parts with the greatest bounds first, where they are over `enough` of the part, `depth` times at most:
-/// the greatest bound of what is left whole.
+/// Divides a rectangle into quarters, those with the largest bounds first; returns the maximum
+/// bound.
+///
+/// Quarters are divided at most `depth` times, and only if their bound exceeds `enough` of the
+/// part.
 fn search(
     rectangle: [Interval; 2],
     depth: usize,

@@ -16,19 +16,19 @@ pub(crate) type Corner = [f64; 3];
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Patch(pub(crate) [[Corner; 2]; 2]);
 
-/// Bounds of a patch that hold for all patches with corners up to given magnitudes.
+/// Bounds of a patch for all patches with corners up to given magnitudes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Magnitudes {
-    /// Of the sums of absolute terms of the value.
+    /// Bound of the sums of absolute terms of the value.
     pub(crate) value: f64,
-    /// Of those of either slope.
+    /// The same for either slope.
     pub(crate) slope: f64,
-    /// Of those of any second derivative.
+    /// The same for any second derivative.
     pub(crate) second: f64,
 }
 
 impl Magnitudes {
-    /// From the greatest magnitudes of corners.
+    /// Computes the bounds from the maximum magnitudes of corners.
     pub(crate) fn new([z, x, y]: Corner) -> Self {
         // ΣH = 1, Σ|K| = u(1 − u) ≤ 1/4, Σ|H′| ≤ 3, Σ|K′| ≤ 1, Σ|H″| ≤ 12, Σ|K″| ≤ 6.
         Self { value: z + 0.25 * (x + y), slope: 3.0 * z + 2.0 * x.max(y), second: 12.0 * z + 9.0 * (x + y) }
@@ -98,7 +98,8 @@ impl Patch {
         ]
     }
 
-    /// Bézier's control points: the patch lies within their range, its slopes within three times their differences.
+    /// Bézier control points: the patch lies within their range, its slopes within three times
+    /// their differences.
     fn control_net(&self) -> [[f64; 4]; 4] {
         let mut net = [[0.0; 4]; 4];
         for (i, row) in net.iter_mut().enumerate() {
@@ -116,7 +117,9 @@ fn greatest(net: &[[f64; 4]; 4]) -> f64 {
     net.iter().flatten().fold(0.0, |scale, point| scale.max(point.abs()))
 }
 
-/// The range of the control points of a part of a patch of degrees `A − 1` and `B − 1`, moved out by their rounding.
+/// The range of the control points of a part of a patch, expanded by their rounding.
+///
+/// The degrees of the patch are `A − 1` and `B − 1`.
 fn restriction<const A: usize, const B: usize>(
     net: &[[f64; B]; A],
     u: [f64; 2],
@@ -130,12 +133,13 @@ fn restriction<const A: usize, const B: usize>(
             range = range.hull(Interval::new(point, point));
         }
     }
-    // Points of the net are off by 4 roundings, their differences by as many of six times the scale; then there are up to 6
-    // interpolations of 3 roundings each.
+    // Points of the net err by 4 roundings, their differences by as many of six times the scale.
+    // Then there are up to 6 interpolations of 3 roundings each.
     range.inflated(64.0 * UNIT * scale)
 }
 
-/// Control points over `[a, b]` of the polynomial with control points `points` over `[0, 1]`: its blossom at a's and b's.
+/// Control points over `[a, b]` of the polynomial with control points `points` over `[0, 1]`, by
+/// its blossom.
 fn part<const N: usize>(points: [f64; N], [a, b]: [f64; 2]) -> [f64; N] {
     core::array::from_fn(|count| {
         let mut level = points;
@@ -185,13 +189,13 @@ mod tests {
     }
 
     #[test]
-    fn slopes_are_those_of_the_value() {
+    fn slopes_match_finite_differences() {
         const STEP: f64 = 1e-4;
         for (u, v) in [(0.3, 0.6), (0.01, 0.97), (0.5, 0.5)] {
             let [x, y] = PATCH.slopes(u, v);
             let along_u = (PATCH.value(u + STEP, v) - PATCH.value(u - STEP, v)) / (2.0 * STEP);
             let along_v = (PATCH.value(u, v + STEP) - PATCH.value(u, v - STEP)) / (2.0 * STEP);
-            // Third derivatives are under 100 here: h²/6 of that.
+            // Third derivatives are below 100 here: h²/6 of that.
             assert!(
                 abs_diff_eq!(x, along_u, epsilon = 2e-7) && abs_diff_eq!(y, along_v, epsilon = 2e-7),
                 "({u}, {v})"
@@ -200,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn ranges_hold_and_shrink_to_the_point() {
+    fn ranges_contain_values_and_shrink_to_the_point() {
         for [u, v] in [[[0.0, 1.0], [0.0, 1.0]], [[0.2, 0.7], [0.55, 0.6]], [[0.9, 1.0], [0.3, 0.31]]] {
             let ranges = PATCH.ranges(u, v);
             assert_eq!(PATCH.range(u, v), ranges[0]);

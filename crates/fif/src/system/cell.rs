@@ -1,4 +1,4 @@
-//! A cell of the domain, the image of a composite of maps, with what bounds `f` over it.
+//! A cell of the domain, the image of a composite of maps, with bounds of `f` over it.
 
 use asperity_core::Interval;
 
@@ -7,10 +7,11 @@ use crate::system::map::Piece;
 
 /// Over the image of `L_i ∘ L_j ∘ …`, scaled to `[0, 1]`: `f = A f(·) + p(·)`, within `error`.
 ///
-/// Children are made from the outside in, `p_child = p|_j + A q_j` and `A_child = A α_j` (eq. 26, 27 in Bernstein form).
+/// Children are computed from the outside in, `p_child = p|_j + A q_j` and `A_child = A α_j` (eq.
+/// 26, 27 in Bernstein form).
 #[derive(Clone, Copy, Debug)]
 pub struct Cell<const C: usize> {
-    /// Product of the vertical factors.
+    /// Product of the vertical scalings.
     pub(crate) product: f64,
     pub(super) polynomial: [f64; C],
     pub(super) error: f64,
@@ -25,7 +26,7 @@ impl<const C: usize> Cell<C> {
         Self { product: 1.0, polynomial: [0.0; C], error: 0.0, steps: 0.0 }
     }
 
-    /// The part of the cell that `piece` maps to.
+    /// The part of the cell to which `piece` maps.
     #[inline]
     pub(crate) fn child(&self, piece: &Piece<C>) -> Self {
         let mut polynomial = restrict(&self.polynomial, piece.s[0], piece.s[1]);
@@ -49,7 +50,9 @@ impl<const C: usize> Cell<C> {
         p.sum(f).inflated(1.01 * self.error + (self.steps + 4.0) * UNIT * f.magnitude())
     }
 
-    /// The part `[from, to]` of the cell, in units of its width, with the middle of the range for the fractal part.
+    /// The part `[from, to]` of the cell, in units of its width, with a constant fractal part.
+    ///
+    /// The constant is the middle of the range.
     pub(crate) fn levelled(&self, domain: Interval, from: f64, to: f64) -> Self {
         let middle = self.product * domain.middle();
         let radius = self.product.abs() * 0.5 * domain.width();
@@ -70,7 +73,7 @@ impl<const C: usize> Cell<C> {
         self.steps * UNIT
     }
 
-    /// The polynomial's part of the range, without its error.
+    /// The range of the polynomial part, without its error.
     pub(crate) fn polynomial_range(&self) -> Interval {
         hull(&self.polynomial)
     }

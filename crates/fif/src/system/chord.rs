@@ -1,11 +1,14 @@
-//! The deviation of a function from its chord, again a fractal interpolation function, but zero at both ends.
+//! The deviation of a function from its chord, again a fractal interpolation function, but zero at
+//! both ends.
 
 use crate::numeric::polynomial::{UNIT, magnitude};
 use crate::system::fif::{Spacing, System};
 use crate::system::map::Piece;
 
-/// The line through both ends of the graph, over the domain scaled to `[0, 1]`; constant when `C < 2`, so that the
-/// polynomials of the deviation need no coefficient more than those of `f`.
+/// The line through both ends of the graph, over the domain scaled to `[0, 1]`.
+///
+/// It is constant if `C < 2`, so that the polynomials of the deviation need no more coefficients
+/// than those of `f`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Chord {
     pub(crate) start: f64,
@@ -25,7 +28,7 @@ impl Chord {
 /// v(s + a u) = α v(u) + p(u)        p(u) = q(u) + α chord(u) − chord(s + a u)
 /// ```
 ///
-/// `v(0) = 0`, so what is left of a sum at a knot is an exact zero.
+/// `v(0) = 0`, so the rest of a sum at a knot is exactly zero.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Deviation<const C: usize> {
     pub(crate) alpha: f64,
@@ -53,7 +56,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         if let Some(linear) = p.get_mut(1) {
             *linear += alpha * chord.rise - chord.rise * a;
         }
-        // The left knot itself, which the polynomial meets within the defect of the join-up.
+        // The left knot itself, which the polynomial matches within the defect of the join-up.
         let left = piece.y()[0];
         if let Some(constant) = p.first_mut() {
             *constant = left - chord.at(s);

@@ -1,8 +1,8 @@
-//! Why a system of maps is refused, and the checks that refuse it.
+//! Error for invalid systems of maps, and the checks.
 
 use asperity_core::error_enum;
 
-/// An end of a map's interval.
+/// An end of the interval of a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// `x_{j−1}`, the image of `x_0`.
@@ -12,47 +12,53 @@ pub enum End {
 }
 
 error_enum! {
-    /// The refusal of a system of maps. Maps are counted from 1, as in the literature, knots and powers from 0.
+    /// Error for an invalid system of maps. Maps are counted from 1, as in the literature, knots
+    /// and powers from 0.
     pub enum SystemError {
-        /// A system needs two maps, three knots, at least.
+        /// A system needs at least two maps, i.e. three knots.
         TooFew { parameter: &'static str, least: usize, got: usize } =>
             "`{parameter}` must have at least {least} elements, got {got}";
-        /// A list's length does not fit the number of knots, or `storage` holds another number of maps.
+        /// The length of a list does not match the number of knots, or `storage` has a different
+        /// number of maps.
         Length { parameter: &'static str, expected: usize, got: usize } =>
             "`{parameter}` must have {expected} elements, got {got}";
         /// A knot, an ordinate or a slope is NaN or infinite.
         NotFinite { parameter: &'static str, knot: usize, value: f64 } =>
             "`{parameter}[{knot}]` must be finite, got {value}";
-        /// A knot does not lie to the right of the one before.
+        /// A knot is not to the right of the previous one.
         KnotOrder { knot: usize, left: f64, right: f64 } => "`x[{knot}]` must be right of {left}, got {right}";
         /// A cell is narrower than [`NARROWEST`] of the domain.
         NarrowCell { map: usize, width: f64, domain: f64 } =>
             "cell is too narrow: `x[{map}]` - `x[{}]` = {width:e} (at least {:e})",
             map.saturating_sub(1), domain * NARROWEST;
-        /// A vertical factor is not in `(−1, 1)`.
+        /// A vertical scaling is not in `(−1, 1)`.
         VerticalFactor { map: usize, alpha: f64 } => "`alpha` of map {map} must be in (-1, 1), got {alpha}";
-        /// A vertical factor is too steep for a continuous derivative, `|α_j| ≥ a_j`.
+        /// A vertical scaling is too large for a continuous derivative, `|α_j| ≥ a_j`.
         SteepFactor { map: usize, alpha: f64, a: f64 } =>
             "`alpha` of map {map} must be under {a} in magnitude, got {alpha}";
         /// A coefficient of a polynomial is NaN or infinite.
         CoefficientNotFinite { map: usize, power: usize, value: f64 } =>
             "`q` of map {map} must have a finite coefficient of x^{power}, got {value}";
-        /// A map does not send an end of the graph to a knot: to the ordinate `found` instead of `expected`.
+        /// A map does not send an end of the graph to a knot: the ordinate is `found` instead of
+        /// `expected`.
         JoinUp { map: usize, end: End, expected: f64, found: f64 } =>
             "`q` of map {map} must send the {} end to {expected}, got {found}",
             if end == End::Left { "left" } else { "right" };
-        /// The image of a map does not begin where that of the map before ends, or the last not at the end of the domain.
+        /// The image of a map does not begin where the previous one ends, or the last does not end
+        /// at the end of the domain.
         Tiling { map: usize, expected: f64, found: f64 } =>
             "`maps` must tile the domain, map {map} at {expected}, got {found}";
-        /// No finite bound of the function could be proved: the numbers or the width of their range overflow, or the largest
-        /// `|α_j|` is a rounding error from 1.
+        /// No finite bound of the function could be proved.
+        ///
+        /// The numbers or the width of their range overflow, or the largest `|α_j|` is a rounding
+        /// error from 1.
         Unbounded { alpha: f64 } => "`alpha` and `q` must leave room for a finite bound, got a factor of {alpha}";
-        /// The polynomials need more coefficients than their type holds.
+        /// The polynomials need more coefficients than their type has.
         Degree { expected: usize, found: usize } => "`C` must be at least {expected}, got {found}";
     }
 }
 
-/// Width of the narrowest cell that constructors accept, in units of the domain: 2⁻¹⁰⁰⁰, so that the reciprocal is finite.
+/// Relative width of the narrowest valid cell: 2⁻¹⁰⁰⁰, so that the reciprocal is finite.
 pub const NARROWEST: f64 = f64::from_bits((1023 - 1000) << 52);
 
 /// The number of maps.
@@ -71,7 +77,7 @@ pub(crate) fn check_knots(x: &[f64]) -> Result<usize, SystemError> {
     Ok(maps)
 }
 
-/// Knots are in order.
+/// Checks that knots are in order.
 pub(crate) fn check_cells(maps: usize, x: &dyn Fn(usize) -> f64) -> Result<(), SystemError> {
     // Half of it, which does not overflow.
     let half = 0.5 * x(maps) - 0.5 * x(0);
@@ -131,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn constructors_refuse_by_name() {
+    fn constructor_errors_name_the_parameter() {
         let new = |alpha: &[f64], q: &[[f64; 2]]| FixedFif::<2, 2>::new(&X, alpha, q).unwrap_err();
         let with =
             |y: &[f64], q: &[[f64; 2]]| FixedFif::<2, 2>::with_ordinates(&X, y, &ALPHA, q).unwrap_err();
@@ -171,18 +177,18 @@ mod tests {
             assert_eq!(affine(&X, &Y, &[0.5, alpha]).to_string(), message);
             assert_eq!(new(&[0.5, alpha], &Q).to_string(), message);
         }
-        // Within the tolerance: the rounding of decimal data does not matter.
+        // Within the tolerance, so the rounding of decimal data does not matter.
         let nearly = [[0.0, 0.5], [1.0 + 1e-13, -0.5]];
         assert!(FixedFif::<2, 2>::with_ordinates(&X, &Y, &ALPHA, &nearly).is_ok());
     }
 
     #[test]
-    fn cells_of_subnormal_width_are_refused() {
+    fn cells_of_subnormal_width_are_an_error() {
         let error = affine(&[0.0, 5e-324, 1.0], &Y, &ALPHA);
         assert_eq!(error, SystemError::NarrowCell { map: 1, width: 5e-324, domain: 1.0 });
         let text = "cell is too narrow: `x[1]` - `x[0]` = 5e-324 (at least 9.332636185032189e-302)";
         assert_eq!(error.to_string(), text);
-        // In units of a domain that is as small, no cell is narrow; in a large one, others are.
+        // In units of an equally small domain no cell is narrow; in a large domain others are.
         assert!(FixedFif::<2, 2>::affine(&[0.0, 1e-250, 2e-250], &Y, &ALPHA).is_ok());
         for x in [[-1e300, 0.0, 1e-10], [0.0, 1e-302, 1.0], [0.0, 1.0, f64::MAX]] {
             assert!(matches!(affine(&x, &Y, &ALPHA), SystemError::NarrowCell { .. }), "{x:?}");
@@ -191,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_bounded_is_refused() {
+    fn unbounded_systems_are_an_error() {
         let error = affine(&X, &[0.0, 1e308, -1e308], &[0.9, -0.9]);
         assert!(matches!(error, SystemError::Unbounded { .. } | SystemError::JoinUp { .. }), "{error}");
         let error = affine(&[-1e308, 0.0, 1e308], &Y, &ALPHA);
@@ -200,7 +206,7 @@ mod tests {
         let (x, slopes) = ([-1.5, -0.25, -0.15], [f64::MAX, 1e306, 1e306]);
         let error = FixedFif::<2, 4>::hermite(&x, &[0.0, -1e9, 1e9], &slopes, &[-0.1, -0.01]).unwrap_err();
         assert!(matches!(error, SystemError::Unbounded { .. }), "{error}");
-        // Both ends of the range are numbers, its width is not.
+        // Both ends of the range are numbers, but its width is not.
         let error = affine(&[0.0, 0.5, 1.0], &[1.8e307, -1.62e307, 1.8e306], &[0.9, -0.9]);
         assert!(matches!(error, SystemError::Unbounded { .. }), "{error}");
         let nearest = 1.0_f64.next_down();

@@ -34,14 +34,16 @@ pub(crate) enum Spacing {
 }
 
 impl<S: Storage<C>, const C: usize> System<S, C> {
-    /// From knots, vertical factors and polynomials; the ordinates follow from them.
+    /// Creates a system from knots, vertical scalings and polynomials, which determine the
+    /// ordinates.
     ///
     /// ```text
     /// y_0 = q_1(x_0)/(1 − α_1)        y_j = F_j(x_N, y_N)        y_N = q_N(x_N)/(1 − α_N)
     /// ```
     ///
     /// # Errors
-    /// See [`SystemError`]; the join-up is violated when `F_{j+1}(x_0, y_0) ≠ y_j` beyond [`JOIN_TOLERANCE`](crate::system::JOIN_TOLERANCE).
+    /// See [`SystemError`]; also if `F_{j+1}(x_0, y_0) ≠ y_j` beyond
+    /// [`JOIN_TOLERANCE`](crate::system::JOIN_TOLERANCE).
     pub fn new(x: &[f64], alpha: &[f64], q: &[[f64; C]]) -> Result<Self, SystemError> {
         let maps = check_knots(x)?;
         check_length("alpha", maps, alpha.len())?;
@@ -49,7 +51,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
         Self::from_lists(maps, &|j| value(x, j), &|j| Some((value(alpha, j), *q.get(j)?)))
     }
 
-    /// [`System::new`] from checked knots, and from factors and polynomials map by map.
+    /// [`System::new`] from checked knots, and from scalings and polynomials map by map.
     pub(crate) fn from_lists(
         maps: usize,
         x: &dyn Fn(usize) -> f64,
@@ -73,10 +75,11 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
         Self::assemble(maps, x, &ordinate, &alpha, &|j| map(j).map(|(_, q)| q))
     }
 
-    /// From knots, their ordinates, vertical factors and polynomials.
+    /// Creates a system from knots, their ordinates, vertical scalings and polynomials.
     ///
     /// # Errors
-    /// See [`SystemError`]; both ends of every map must meet the ordinates within [`JOIN_TOLERANCE`](crate::system::JOIN_TOLERANCE).
+    /// See [`SystemError`]; both ends of every map must match the ordinates within
+    /// [`JOIN_TOLERANCE`](crate::system::JOIN_TOLERANCE).
     pub fn with_ordinates(x: &[f64], y: &[f64], alpha: &[f64], q: &[[f64; C]]) -> Result<Self, SystemError> {
         let maps = check_knots(x)?;
         check_length("q", maps, q.len())?;
@@ -139,7 +142,8 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
         if fif.range.width().is_finite() { Ok(fif) } else { Err(unbounded) }
     }
 
-    /// Replaces the box by the hull of its images under all composites of a few maps, while that pays.
+    /// Replaces the box by the hull of its images under all composites of a few maps, as long as
+    /// this helps.
     fn tighten(&mut self) {
         const CELLS: usize = 1024;
         const ROUNDS: usize = 8;
@@ -220,9 +224,10 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
 
     /// A rigorous enclosure of `f` over its domain; for a tighter one see [`System::extrema`].
     ///
-    /// The least box `B` with `α_j B + q_j(X) ⊂ B` for all maps, by policy iteration, inflated until the inclusion holds
-    /// with outward rounding, then intersected with the hull of its images under composites of a few maps. The source's
-    /// eq. 47 and 48 take the minimum from one and the maximum from the other polynomial; for `α < 0` they swap.
+    /// The smallest box `B` with `α_j B + q_j(X) ⊂ B` for all maps, by policy iteration, inflated
+    /// until the inclusion holds with outward rounding. It is then intersected with the hull of its
+    /// images under composites of a few maps. Eq. 47 and 48 of the source take the minimum from one
+    /// polynomial and the maximum from the other; for `α < 0` they swap.
     pub fn range(&self) -> Interval {
         self.range
     }
@@ -247,7 +252,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
 }
 
 impl<S: Storage<2>> System<S, 2> {
-    /// Barnsley's affine interpolation through `(x_j, y_j)` with vertical factors `alpha`.
+    /// Creates Barnsley's affine interpolation through `(x_j, y_j)` with vertical scalings `alpha`.
     ///
     /// ```text
     /// q_j(x) = y_{j−1} − α_j y_0 + (y_j − y_{j−1} − α_j (y_N − y_0)) (x − x_0)/(x_N − x_0)
@@ -270,7 +275,7 @@ impl<S: Storage<2>> System<S, 2> {
 }
 
 impl<S: Storage<4>> System<S, 4> {
-    /// A continuously differentiable interpolation of ordinates `y` and slopes `slope`, for `|α_j| < a_j`.
+    /// Creates a C¹ interpolation of ordinates `y` and slopes `slope`, for `|α_j| < a_j`.
     ///
     /// `q_j` is the cubic with
     ///
@@ -280,7 +285,7 @@ impl<S: Storage<4>> System<S, 4> {
     /// ```
     ///
     /// # Errors
-    /// See [`SystemError`]; [`SystemError::SteepFactor`] when `|α_j| ≥ a_j`.
+    /// See [`SystemError`]; [`SystemError::SteepFactor`] if `|α_j| ≥ a_j`.
     pub fn hermite(x: &[f64], y: &[f64], slope: &[f64], alpha: &[f64]) -> Result<Self, SystemError> {
         let maps = check_knots(x)?;
         check_data(maps, y, alpha)?;
@@ -311,7 +316,7 @@ impl<S: Storage<4>> System<S, 4> {
 
 #[cfg(feature = "alloc")]
 impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
-    /// The system with its maps in a vector of its own.
+    /// The system with its maps copied to a vector.
     pub(crate) fn owned(&self) -> Fif<C> {
         self.over(self.pieces().to_vec())
     }
@@ -326,13 +331,13 @@ pub type Fif<const C: usize> = System<alloc::vec::Vec<Piece<C>>, C>;
 pub type FifRef<'a, const C: usize> = System<&'a [Piece<C>], C>;
 
 impl<'a, const C: usize> FifRef<'a, C> {
-    /// [`System::pieces`], for as long as they are borrowed.
+    /// [`System::pieces`] for the lifetime of the borrow.
     pub(crate) const fn maps(self) -> &'a [Piece<C>] {
         self.pieces
     }
 }
 
-/// A system of `N` maps in an array; needs no allocator.
+/// A system of `N` maps in an array, without an allocator.
 pub type FixedFif<const N: usize, const C: usize> = System<[Piece<C>; N], C>;
 
 /// Whether every knot is within two units in the last place (of the larger end) of equal spacing.
@@ -346,7 +351,7 @@ fn spacing(maps: usize, x: &dyn Fn(usize) -> f64) -> Spacing {
     if equal { Spacing::Uniform } else { Spacing::Nonuniform }
 }
 
-/// `values[j]`; the lists' lengths have been checked, so the 0 is never seen.
+/// `values[j]`; the lengths of the lists have been checked, so the 0 is never used.
 pub(crate) fn value(values: &[f64], j: usize) -> f64 {
     values.get(j).copied().unwrap_or(0.0)
 }

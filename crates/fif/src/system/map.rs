@@ -1,18 +1,18 @@
-//! One map of an iterated function system, and the composition of two.
+//! One map of an iterated function system, and the composition of two maps.
 
 use crate::numeric::polynomial::{LEAST, bernstein, horner, magnitude, restriction_error, substitute};
 use crate::system::error::{End, SystemError};
 
-/// Largest defect of the join-up that a constructor accepts, relative to the sum of the magnitudes of its terms.
+/// Maximum accepted defect of the join-up, relative to the sum of the magnitudes of its terms.
 ///
 /// ```text
 /// |F_j(x, y) − y'| ≤ 2⁻⁴⁰ (|α_j y| + Σ_i |q_ji xⁱ| + |y'|)
 /// ```
 pub const JOIN_TOLERANCE: f64 = 1.0 / 1_099_511_627_776.0;
 
-/// The map `w(x, y) = (a x + b, α y + q(x))` with a polynomial `q` of degree `C − 1`, coefficients ascending.
+/// The map `w(x, y) = (a x + b, α y + q(x))` with a polynomial `q` of degree `C − 1`.
 ///
-/// A plain record without invariants: [`System`](crate::System) is where a family of maps is validated.
+/// A plain struct without invariants; [`System`](crate::System) validates maps.
 ///
 /// Cochran, Lewis, Hart 2000, eq. 3, 8, 9.
 ///
@@ -25,11 +25,11 @@ pub const JOIN_TOLERANCE: f64 = 1.0 / 1_099_511_627_776.0;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Map<const C: usize> {
-    /// Horizontal factor, the part of the domain that the map's image covers.
+    /// Horizontal factor, the fraction of the domain covered by the image of the map.
     pub a: f64,
     /// Horizontal shift.
     pub b: f64,
-    /// Vertical factor `α`.
+    /// Vertical scaling `α`.
     pub alpha: f64,
     /// Coefficients of `q`, in ascending powers of `x` (not of a local variable).
     pub q: [f64; C],
@@ -52,9 +52,9 @@ impl<const C: usize> Map<C> {
     /// α_c = α_i α_j        q_c(x) = α_i q_j(x) + q_i(a_j x + b_j)
     /// ```
     ///
-    /// Cochran, Lewis, Hart 2000, eq. 24–28 (the binomial expansion by Horner's rule). Do not invert a deep composite:
-    /// once `a_c` is under a unit in the last place of `b_c`, its inverse is noise; [`System::evaluate`](crate::System::evaluate)
-    /// iterates the inverse maps instead.
+    /// Cochran, Lewis, Hart 2000, eq. 24–28 (the binomial expansion by Horner's rule). Do not
+    /// invert a deep composite: once `a_c` is below a unit in the last place of `b_c`, its inverse
+    /// is noise. [`System::evaluate`](crate::System::evaluate) iterates the inverse maps instead.
     #[must_use]
     pub fn compose(&self, inner: &Self) -> Self {
         let mut q = substitute(&self.q, inner.a, inner.b);
@@ -65,7 +65,7 @@ impl<const C: usize> Map<C> {
     }
 }
 
-/// A validated map of a [`System`](crate::System) with what evaluation derives from it; made by the constructors.
+/// A validated map of a [`System`](crate::System) with derived data for evaluation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece<const C: usize> {
     map: Map<C>,
@@ -79,14 +79,15 @@ pub struct Piece<const C: usize> {
     pub(crate) local: [f64; C],
     /// `q` in Bernstein form.
     pub(crate) bernstein: [f64; C],
-    /// Bound of `|q − local|` and `|q − bernstein|` over the domain, with the defect of the join-up.
+    /// Bound of `|q − local|` and `|q − bernstein|` over the domain, including the defect of the
+    /// join-up.
     pub(crate) slack: f64,
     /// Relative error of restricting a polynomial to the interval.
     pub(crate) rounding: f64,
 }
 
 impl<const C: usize> Piece<C> {
-    /// A piece that belongs to no system; a filler for storage that a constructor is about to fill.
+    /// A placeholder piece for storage that a constructor is about to fill.
     pub const EMPTY: Self = Self {
         map: Map::IDENTITY,
         x: [0.0; 2],
@@ -99,8 +100,10 @@ impl<const C: usize> Piece<C> {
         rounding: 0.0,
     };
 
-    /// `domain` is `[x_0, x_N]`; `s` is the piece's interval in units of it, and `a` its width, which the difference of
-    /// the rounded ends would not hold where the interval is narrow.
+    /// `domain` is `[x_0, x_N]`, and `s` is the interval of the piece in units of it.
+    ///
+    /// `a` is the width, for which the difference of the rounded ends would be too inaccurate for a
+    /// narrow interval.
     pub(crate) fn new(
         alpha: f64,
         q: [f64; C],
@@ -112,7 +115,8 @@ impl<const C: usize> Piece<C> {
     ) -> Self {
         let width = domain[1] - domain[0];
         let local = substitute(&q, width, domain[0]);
-        // At most 2C roundings for each of the two changes of basis and of the width, on numbers of this scale.
+        // At most 2C roundings for each of the two changes of basis and of the width, on numbers of
+        // this scale.
         let scale = magnitude(&q, domain[0].abs() + width);
         let slack = 8.0 * C as f64 * (f64::EPSILON * scale + LEAST);
         Self {
@@ -128,7 +132,8 @@ impl<const C: usize> Piece<C> {
         }
     }
 
-    /// Checks that map number `map` sends both ends of its `source`, with ordinates `of`, to the piece's own.
+    /// Checks that map number `map` sends both ends of its `source`, with ordinates `of`, to the
+    /// ends of the piece.
     pub(crate) fn joined(mut self, map: usize, source: [f64; 2], of: [f64; 2]) -> Result<Self, SystemError> {
         for (end, at) in [(End::Left, 0.0), (End::Right, 1.0)] {
             let (expected, of) = (self.y[end as usize], self.map.alpha * of[end as usize]);
@@ -167,7 +172,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn composition_is_application_in_turn() {
+    fn compose_applies_maps_in_sequence() {
         let w = Map { a: 0.3, b: 0.7, alpha: -0.6, q: [0.1, -2.0, 0.5] };
         let v = Map { a: 0.25, b: -1.5, alpha: 0.9, q: [-0.4, 0.2, 1.5] };
         for i in 0..20 {

@@ -1,4 +1,4 @@
-//! Systems of maps: the validated type, its storage, its range, its file form.
+//! Systems of maps: the validated type, its storage, its range, its serialization.
 
 pub(crate) mod cell;
 #[cfg(feature = "alloc")]

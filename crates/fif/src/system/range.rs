@@ -1,11 +1,11 @@
-//! A box that holds the graph, proved by an inclusion.
+//! A box that contains the graph, proved by an inclusion.
 
 use asperity_core::Interval;
 
 use crate::system::cell::Cell;
 use crate::system::map::Piece;
 
-/// A box that every image `α_j B + q_j(X)` lies in, or `None` when none can be proved in `f64`.
+/// A box that contains every image `α_j B + q_j(X)`, or `None` if none can be proved in `f64`.
 pub(crate) fn box_of_range<const C: usize>(pieces: &[Piece<C>]) -> Option<Interval> {
     const STEPS: usize = 32;
     let image = |b: Interval, piece: &Piece<C>| Cell::root().child(piece).range(b);
@@ -14,7 +14,8 @@ pub(crate) fn box_of_range<const C: usize>(pieces: &[Piece<C>]) -> Option<Interv
     let steepest = pieces.iter().fold(0.0_f64, |m, p| m.max(p.map().alpha.abs()));
     let offset = cover(Interval::new(0.0, 0.0));
     let radius = offset.magnitude() / (1.0 - steepest);
-    // Policy iteration: fix the maps that make the top and the bottom, solve the two linear equations, choose again.
+    // Policy iteration: fix the maps of the top and the bottom, solve the two linear equations,
+    // choose again.
     let mut guess = offset;
     for _ in 0..STEPS {
         let (mut top, mut bottom) = ((f64::NEG_INFINITY, 0.0, 0.0), (f64::INFINITY, 0.0, 0.0));
@@ -31,7 +32,8 @@ pub(crate) fn box_of_range<const C: usize>(pieces: &[Piece<C>]) -> Option<Interv
         guess = next;
     }
     let scale = radius.max(f64::MIN_POSITIVE);
-    // The inclusion is the proof; inflation by δ leaves room (1 − |α|) δ for the rounding of the check itself.
+    // The inclusion is the proof. Inflation by δ leaves a margin of (1 − |α|) δ for the rounding of
+    // the check itself.
     for candidate in [guess, Interval::new(-radius, radius)] {
         let mut margin = 16.0 * C as f64 * f64::EPSILON * scale;
         for _ in 0..STEPS {

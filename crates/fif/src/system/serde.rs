@@ -1,4 +1,4 @@
-//! Systems in files: their data are written, and read through the constructor that checks them.
+//! Serialization of systems: data are written, and read through the validating constructor.
 
 use alloc::vec::Vec;
 
@@ -20,13 +20,14 @@ struct Data {
     y: Vec<f64>,
     /// Vertical factors.
     alpha: Vec<f64>,
-    /// Coefficients of the polynomials in ascending powers of x, at most as many as the type holds.
+    /// Coefficients of the polynomials in ascending powers of x, at most as many as the type has.
     q: Vec<Vec<f64>>,
 }
 
-/// Written as the record `{ x, y, alpha, q }` of the lists that [`System::with_ordinates`] takes.
+/// Writes `{ x, y, alpha, q }`, the lists for [`System::with_ordinates`].
 ///
-/// Numbers read back have the same bits, in formats that keep those of numbers: mind that JSON readers may round.
+/// Numbers read back have the same bits, in formats that preserve the bits of numbers. Note that
+/// JSON readers may round.
 impl<S: AsRef<[Piece<C>]>, const C: usize> Serialize for System<S, C> {
     fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
         let pieces = self.pieces();
@@ -41,8 +42,10 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Serialize for System<S, C> {
     }
 }
 
-/// Read through [`System::with_ordinates`]: a record that is no valid system is refused with the message of its
-/// [`SystemError`]. Polynomials may be shorter than the type's, not longer.
+/// Reads through [`System::with_ordinates`]. An invalid system is an error with the message of its
+/// [`SystemError`].
+///
+/// Polynomials may be shorter than those of the type, but not longer.
 impl<'de, S: Storage<C>, const C: usize> Deserialize<'de> for System<S, C> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let data = Data::deserialize(deserializer)?;
@@ -56,7 +59,7 @@ impl<'de, S: Storage<C>, const C: usize> Deserialize<'de> for System<S, C> {
     }
 }
 
-/// Coefficients padded to as many as the type holds.
+/// Coefficients padded to the number of the type.
 fn padded<const C: usize>(given: &[f64]) -> Result<[f64; C], SystemError> {
     let mut all = [0.0; C];
     let places = all.get_mut(..given.len());

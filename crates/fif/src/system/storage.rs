@@ -1,4 +1,4 @@
-//! Storage for the maps of a system: an array, or a vector under `alloc`.
+//! Storage for the maps of a system: an array, or a vector with `alloc`.
 
 use crate::system::cell::Cell;
 use crate::system::map::Piece;
@@ -8,10 +8,10 @@ pub trait Storage<const C: usize>: AsRef<[Piece<C>]> + AsMut<[Piece<C>]> + Sized
     /// Storage for exactly `len` pieces.
     ///
     /// # Errors
-    /// The number that the type holds, where that is another one.
+    /// The number of pieces that the type holds, if it differs.
     fn with_len(len: usize) -> Result<Self, usize>;
 
-    /// All cells of a level, where there is memory for them.
+    /// All cells of a level, if there is memory for them.
     #[doc(hidden)]
     #[must_use]
     fn leaves(_: &[Piece<C>], _: u32) -> Option<impl AsRef<[Cell<C>]> + use<Self, C>> {

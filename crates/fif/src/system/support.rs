@@ -1,4 +1,4 @@
-//! Ranges of a rough function with a line added, which bound cells more tightly than those of either.
+//! Ranges of a rough function plus a line, which bound cells more tightly than separate ranges.
 
 use asperity_core::Interval;
 
@@ -6,21 +6,24 @@ use crate::numeric::polynomial::UNIT;
 use crate::system::cell::Cell;
 use crate::system::map::Piece;
 
-/// Slopes at which the ranges are kept, from `−LIMIT` to `LIMIT` ranges of the function per domain.
+/// Slopes for which the ranges are stored, from `−LIMIT` to `LIMIT` ranges of the function per
+/// domain.
 const NODES: usize = 33;
 const LIMIT: f64 = 2.0;
 
-/// Cells from which ranges are computed, unless there are more maps, and rounds in which ranges are computed from those
-/// before.
+/// Cells from which ranges are computed, unless there are more maps.
+///
+/// And the number of rounds in which ranges are computed from the previous ones.
 const CELLS: usize = 8;
 const ROUNDS: usize = 24;
 
-/// Maps of a function at most.
+/// Maximum number of maps of a function.
 const MAPS: usize = 64;
 
 /// For slopes `k`, with `u` from 0 to 1 over the domain, enclosures of `{f + k u}`.
 ///
-/// Its upper end is convex in `k` and its lower one concave, so lines between nodes enclose the ends.
+/// Its upper end is convex in `k` and its lower end concave, so lines between nodes enclose the
+/// ends.
 #[derive(Clone, Copy, Debug)]
 pub struct Support {
     steepest: f64,
@@ -28,8 +31,9 @@ pub struct Support {
 }
 
 impl Support {
-    /// `None` for a function of many maps, for which this would take long, and for one whose range is too narrow or too wide for
-    /// slopes in units of it.
+    /// Returns `None` for a function of many maps, for which this would take long.
+    ///
+    /// Also for a function whose range is too narrow or too wide for slopes in units of it.
     pub(crate) fn new<const C: usize>(pieces: &[Piece<C>], range: Interval) -> Option<Self> {
         let steepest = LIMIT * range.width();
         if pieces.len() > MAPS || !(1e-280..1e280).contains(&steepest) || range.magnitude() > 1e280 {
@@ -90,18 +94,19 @@ impl Support {
         self.steepest * ((2 * i) as f64 / (NODES - 1) as f64 - 1.0)
     }
 
-    /// More than the magnitude of numbers in a range at a slope of at most the steepest.
+    /// More than the magnitude of numbers in a range at the maximum slope.
     pub(crate) fn magnitude(&self) -> f64 {
         2.0 * self.steepest + self.ranges[NODES / 2].magnitude()
     }
 
-    /// An enclosure of `f` and a line over the cell, from enclosures of `f` and lines over the domain.
+    /// An enclosure of `f` plus a line over the cell, from enclosures of `f` plus lines over the
+    /// domain.
     #[inline]
     pub(crate) fn tilted_range<const C: usize>(&self, cell: &Cell<C>, [from, to]: [f64; 2]) -> Interval {
         let first = cell.polynomial.first().copied().unwrap_or(0.0);
         let last = cell.polynomial.last().copied().unwrap_or(0.0);
         let rise = last - first;
-        // What the polynomial adds to its chord.
+        // The difference between the polynomial and its chord.
         let mut rest = Interval::new(0.0, 0.0);
         let mut largest = from.abs() + to.abs();
         for (i, &b) in cell.polynomial.iter().enumerate() {
@@ -118,7 +123,7 @@ impl Support {
         let range = if slope.is_finite() {
             flipped(self.range(if cell.product > 0.0 { slope } else { -slope }))
         } else {
-            // The quotient is infinite or NaN, so the line is bounded on its own.
+            // The quotient is infinite or NaN, so the line is bounded separately.
             rest = rest.sum(Interval::new(line.min(0.0), line.max(0.0)));
             flipped(flat)
         };
@@ -127,7 +132,7 @@ impl Support {
         Interval::new(base + size * range.lo + rest.lo, base + size * range.hi + rest.hi).inflated(slack)
     }
 
-    /// An enclosure of `{f + k u}`, but for rounding relative to its magnitude and that of `k`.
+    /// An enclosure of `{f + k u}`, except for rounding relative to its magnitude and that of `k`.
     #[inline]
     pub(crate) fn range(&self, k: f64) -> Interval {
         let over = k.abs() - self.steepest;

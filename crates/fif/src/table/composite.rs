@@ -1,4 +1,5 @@
-//! All composites of a few maps of a system on equally spaced knots, in a table: one digit of a larger radix each.
+//! All composites of a few maps of a system on equally spaced knots, one digit of a larger radix
+//! each.
 
 use alloc::vec::Vec;
 use asperity_core::Interval;
@@ -7,15 +8,16 @@ use core::fmt;
 use crate::numeric::polynomial::{UNIT, bernstein, falling, hull, magnitudes, substitute};
 use crate::system::fif::{FifRef, Spacing};
 
-/// A composite of maps: over its cell, scaled to `[0, 1]`, the function less its chord is `a v(u) + Σ c_k uᵏ`.
-/// The powers may be scaled to the unit that the holder of the table counts in.
+/// A composite of maps: over its cell, scaled to `[0, 1]`, `f − chord` is `a v(u) + Σ c_k uᵏ`.
+///
+/// The powers may be scaled to the unit of the table.
 #[derive(Clone, Copy, Debug)]
 pub struct Composite<const C: usize> {
     pub(crate) a: f64,
     pub(crate) c: [f64; C],
 }
 
-/// The table, with what bounds the error of sums over it.
+/// The table, with error bounds for sums over it.
 #[derive(Clone, Debug)]
 pub(crate) struct Composites<const C: usize> {
     pub(crate) table: Vec<Composite<C>>,
@@ -36,7 +38,8 @@ pub(crate) struct Composites<const C: usize> {
 }
 
 impl<const C: usize> Composites<C> {
-    /// The largest table with at most 1024 composites and 32 KB; `None` unless the knots are equally spaced.
+    /// The largest table with at most 1024 composites and 32 KB; `None` unless the knots are
+    /// equally spaced.
     pub(crate) fn new(system: FifRef<'_, C>) -> Option<Self> {
         if system.spacing() == Spacing::Nonuniform {
             return None;
@@ -47,7 +50,8 @@ impl<const C: usize> Composites<C> {
         let (mut steepest, mut largest, mut errors) = (1.0_f64, [0.0; C], [0.0; C]);
         let gamma = 4.0 * C as f64 * UNIT;
         for digit in 0..digits {
-            // Outer composites first: v∘L_e∘L_j = a_e (α_j v + p_j) + P_e∘L_j, in place from the last to the first.
+            // Outer composites first: v∘L_e∘L_j = a_e (α_j v + p_j) + P_e∘L_j, in place from the
+            // last to the first.
             let outer = maps.saturating_pow(digit);
             let (mut steep, mut large, mut part, mut slack) = (0.0_f64, [0.0; C], [0.0; C], 0.0_f64);
             for e in (0..outer).rev() {
@@ -66,7 +70,8 @@ impl<const C: usize> Composites<C> {
                     slack = slack.max(map.slack);
                 }
             }
-            // In the norms Σ|c| of the derivatives, which no substitution u ↦ a u + s into [0, 1] enlarges: it takes aᵐ off.
+            // In the norms Σ|c| of the derivatives, which no substitution u ↦ a u + s into [0, 1]
+            // enlarges: it divides them by aᵐ.
             let factor = f64::from(digit) + 2.0;
             let mut shrink = 1.0;
             let sizes = largest.iter().zip(part).zip(large);
@@ -86,14 +91,14 @@ impl<const C: usize> Composites<C> {
         Some(Self { table, radix, digits, steepest, largest, error, errors, deviation })
     }
 
-    /// Steps after which nothing is left of 64 bits: a power of two uses them up.
+    /// Steps after which 64 bits are used up; a power of two uses them up.
     pub(crate) fn end(&self) -> u32 {
         let bits = self.radix.trailing_zeros();
         if self.radix.is_power_of_two() { u64::BITS.div_ceil(bits.max(1)) } else { u32::MAX }
     }
 }
 
-/// The greater of each.
+/// The element-wise maximum.
 pub(crate) fn greater<const C: usize>(mut most: [f64; C], values: [f64; C]) -> [f64; C] {
     for (most, value) in most.iter_mut().zip(values) {
         *most = most.max(value);
@@ -105,9 +110,12 @@ fn first<const C: usize>(values: &[f64; C]) -> f64 {
     values.first().copied().unwrap_or(0.0)
 }
 
-/// An enclosure of the deviation from the chord: the range of `f` less that of the chord, then the hull of its images
-/// under all rows `(a, c)` of a table that covers the domain, while that pays. `slack` bounds the error of their
-/// polynomials, `roundings` those of `a`.
+/// An enclosure of the deviation from the chord: the range of `f` minus that of the chord, then
+/// narrowed.
+///
+/// It is narrowed by the hull of its images under all rows `(a, c)` of a table that covers the
+/// domain, as long as this helps. `slack` bounds the error of their polynomials, `roundings` those
+/// of `a`.
 pub(crate) fn enclose<const C: usize>(
     system: FifRef<'_, C>,
     rows: impl Iterator<Item = (f64, [f64; C])>,
@@ -122,7 +130,9 @@ pub(crate) fn enclose<const C: usize>(
     narrow(bound, rows, slack, roundings)
 }
 
-/// The hull of the images of a bound under all rows `(a, c)` of a table that covers the domain, while that pays.
+/// The hull of the images of a bound under all rows `(a, c)` of a table that covers the domain.
+///
+/// Repeated as long as this helps.
 pub(crate) fn narrow<const C: usize>(
     mut bound: Interval,
     rows: impl Iterator<Item = (f64, [f64; C])>,
@@ -154,14 +164,16 @@ fn size(maps: usize, bytes: usize) -> (u32, usize) {
     (digits, maps.saturating_pow(digits))
 }
 
-/// The refusal of a table: the vertical factors are so near to one that a bounded number of composites misses the
-/// tolerance. [`System::evaluate`](crate::System::evaluate) serves every system.
+/// Error for a table: the vertical scalings are too close to one for the tolerance.
+///
+/// A bounded number of composites is not sufficient. [`System::evaluate`](crate::System::evaluate)
+/// works for every system.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct TableError {
     /// The largest `|α_j|`.
     pub alpha: f64,
-    /// Composites that one evaluation may take.
+    /// Maximum number of composites of one evaluation.
     pub steps: u32,
     /// The error that they would leave.
     pub bound: f64,
@@ -179,24 +191,25 @@ impl fmt::Display for TableError {
 
 impl core::error::Error for TableError {}
 
-/// Composites that one evaluation takes at most.
+/// Maximum number of composites of one evaluation.
 pub(crate) const MOST: u32 = 64;
 
-/// The sum `Σ_{k < K} W_k P_k + W_K tail`, every factor of `W_k` at most `ratio` in size.
+/// The sum `Σ_{k < K} W_k P_k + W_K tail`, where every factor of `W_k` is at most `ratio` in
+/// magnitude.
 #[derive(Clone, Debug)]
 pub(crate) struct Series {
     pub(crate) ratio: f64,
     /// `max |P_k|`.
     pub(crate) largest: f64,
-    /// Bound of the error of one `P_k` as it is evaluated.
+    /// Error bound of one evaluated `P_k`.
     pub(crate) row: f64,
     /// Relative error of one factor of `W_k` and of the product, in units of rounding.
     pub(crate) roundings: f64,
     /// Encloses the tail.
     pub(crate) tail: Interval,
-    /// The size of what is added to the sum.
+    /// The magnitude of the addend of the sum.
     pub(crate) scale: f64,
-    /// The number of steps after which nothing is left.
+    /// The number of steps after which nothing remains.
     pub(crate) end: u32,
     /// An error that does not depend on the depth.
     pub(crate) lost: f64,
@@ -204,15 +217,17 @@ pub(crate) struct Series {
     pub(crate) unit: f64,
 }
 
-/// Number of steps, and the error that they leave.
+/// Number of steps, and the remaining error.
 pub(crate) struct Depth {
     pub(crate) steps: u32,
     pub(crate) bound: f64,
 }
 
 impl Series {
-    /// The least number of steps whose bound is within the tolerance, or else within 5/4 of the least bound; that bound
-    /// as an error when more steps than [`MOST`] would have lessened it.
+    /// The smallest number of steps whose bound is within the tolerance, or else within 5/4 of the
+    /// smallest bound.
+    ///
+    /// Returns that bound as an error if more steps than [`MOST`] would have reduced it.
     pub(crate) fn depth(&self, tolerance: f64) -> Result<Depth, f64> {
         let last = MOST.min(self.end);
         let bounds = || (1..=last).map(|steps| Depth { steps, bound: self.bound(steps) });
@@ -221,12 +236,13 @@ impl Series {
         let first =
             bounds().find(|depth| depth.bound <= enough).filter(|_| least.is_finite()).ok_or(least)?;
         let [truncation, rounding] = self.errors(last);
-        // NaN is no tolerance that could be met.
+        // A NaN tolerance cannot be reached.
         let within = first.bound <= tolerance;
         if within || truncation <= rounding { Ok(first) } else { Err(least) }
     }
 
-    /// The least number of steps whose truncation is within the tolerance, or else within half the rounding error.
+    /// The smallest number of steps whose truncation is within the tolerance, or else half the
+    /// rounding error.
     pub(crate) fn depth_of_truncation(&self, tolerance: f64) -> Result<Depth, f64> {
         let enough = |steps: &u32| {
             let [truncation, rounding] = self.errors(*steps);
@@ -238,7 +254,7 @@ impl Series {
         found.ok_or_else(|| self.bound(last))
     }
 
-    /// Truncation and rounding after so many steps.
+    /// Truncation and rounding after this number of steps.
     pub(crate) fn bound(&self, steps: u32) -> f64 {
         let [truncation, rounding] = self.errors(steps);
         1.001 * (truncation + rounding) + self.lost
@@ -264,7 +280,7 @@ impl Series {
 }
 
 impl<const C: usize> FifRef<'_, C> {
-    /// The refusal of a table that would leave this bound.
+    /// The error of a table that would leave this bound.
     pub(crate) fn too_deep(&self, bound: f64) -> TableError {
         TableError { alpha: self.steepest(), steps: MOST, bound }
     }

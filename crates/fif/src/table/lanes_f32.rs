@@ -1,4 +1,4 @@
-//! Values in the lanes of SIMD registers: rows are copied side by side and turned, so no gather is needed.
+//! Values in SIMD lanes: rows are copied side by side and transposed, so no gather is needed.
 
 use asperity_core::lanes::best_level;
 use fearless_simd::{Bytes, Select, Simd, SimdBase, SimdMask, dispatch, f32x16, i32x16, u32x16};
@@ -7,15 +7,16 @@ use crate::table::uniform_f32::{Rows32, Table32};
 
 const LANES: usize = 16;
 
-/// Registers of one turn, so many that rows have been written before they are read; and of what is left.
+/// Registers per iteration, enough that rows are written before they are read; and for the
+/// remainder.
 const MOST: usize = 8;
 const LEFT: usize = 4;
 
-/// The least place in the domain whose 24 bits lie within 30: 2⁻⁷.
+/// The smallest position in the domain whose 24 bits lie within 30: 2⁻⁷.
 const LEAST: f32 = 1.0 / 128.0;
 
 impl<const C: usize> Table32<C> {
-    /// All values, in lanes where digits are bits.
+    /// Computes all values, with SIMD if digits are bits.
     pub(crate) fn in_lanes(&self, x: &[f32], out: &mut [f32]) {
         let bits = |rows: &Rows32| rows.radix.trailing_zeros();
         if x.len() <= LANES {
@@ -42,7 +43,7 @@ impl<const C: usize> Table32<C> {
         out.copy_from_slice(&values.as_flattened()[..out.len()]);
     }
 
-    /// Blocks of so many registers, and what is left of the lists.
+    /// Blocks of this number of registers, and the rest of the lists.
     #[inline(always)]
     fn blocks<'a, I: Simd, const G: usize>(
         &self,
@@ -117,14 +118,14 @@ impl<const C: usize> Table32<C> {
     }
 }
 
-/// Digits and their rows, in whole lines of the cache.
+/// Digits and their rows, in whole cache lines.
 #[repr(align(64))]
 struct Scratch<const G: usize> {
     digits: [[u32; LANES]; G],
     rows: [[[f32; 4]; LANES]; G],
 }
 
-/// The next digit of every place, which is left with the others, and its row.
+/// The next digit of every position, which keeps the remaining digits, and its row.
 #[inline(always)]
 fn next<I: Simd, const G: usize>(
     table: &[[f32; 4]],
@@ -143,7 +144,7 @@ fn next<I: Simd, const G: usize>(
     }
 }
 
-/// Factors and polynomials of rows, at what is left.
+/// Scalings and polynomials of rows, at the remainder.
 #[inline(always)]
 fn term<I: Simd, const C: usize>(rows: &[[f32; 4]; LANES], rest: u32x16<I>) -> (f32x16<I>, f32x16<I>) {
     let simd = rest.simd;

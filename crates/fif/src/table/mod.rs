@@ -1,4 +1,4 @@
-//! Tables for fast values: uniform and nonuniform knots, `f32` lanes, jets.
+//! Tables for fast values: uniform and nonuniform knots, `f32` with SIMD, jets.
 
 pub(crate) mod composite;
 pub(crate) mod jet;

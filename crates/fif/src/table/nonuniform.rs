@@ -1,4 +1,5 @@
-//! Values on unequal knots: a partition into composite cells of like weight, found by a guide table.
+//! Values on unequal knots: a partition into composite cells of similar weight, found by a guide
+//! table.
 
 use alloc::collections::BinaryHeap;
 use alloc::vec::Vec;
@@ -15,12 +16,15 @@ const CELLS: usize = 4096;
 /// Entries of the guide.
 const BUCKETS: usize = 16384;
 
-/// Cells narrower than this part of the domain are not split: hardly a point lies in them.
+/// Cells narrower than this fraction of the domain are not split, because hardly any point lies in
+/// them.
 const NARROW: f64 = 1.0 / 1_048_576.0;
 
-/// Cells of a partition with their composites, and a guide that finds the cell of a point in one or two steps.
+/// Cells of a partition with their composites, and a guide that finds the cell of a point in one or
+/// two steps.
 ///
-/// The domain is split into 4096 cells, images of composites of maps, the one with the largest vertical factor first.
+/// The domain is split into 4096 cells, images of composites of maps, the one with the largest
+/// vertical scaling first.
 #[derive(Clone, Debug)]
 pub(crate) struct Nonuniform<const C: usize> {
     cells: Vec<Row<C>>,
@@ -30,7 +34,7 @@ pub(crate) struct Nonuniform<const C: usize> {
     origin: f64,
     width: f64,
     middle: f64,
-    /// Bound of the error away from knots.
+    /// Error bound away from knots.
     pub(crate) away: f64,
 }
 
@@ -89,7 +93,7 @@ impl<const C: usize> Nonuniform<C> {
     /// The sum over the cells; `None` at knots, outside and for NaN.
     #[inline(always)]
     pub(crate) fn sum(&self, x: f64) -> Option<f64> {
-        // Divided, as the places of the knots are, which are met exactly therefore.
+        // Divided, like the positions of the knots, which are therefore matched exactly.
         let t = (x - self.origin) / self.width;
         if !(t > 0.0 && t < 1.0) {
             return None;
@@ -118,7 +122,7 @@ impl<const C: usize> Nonuniform<C> {
         // Signed, which one instruction converts; `t` is in [0, 1].
         let bucket = (t * BUCKETS as f64) as i64 as usize;
         let mut index = usize::from(*self.guide.get(bucket)?);
-        // Two steps without a branch, which is all that most points need.
+        // Two steps without a branch, which is sufficient for most points.
         index += usize::from(self.cells.get(index + 1)?.left <= t);
         index += usize::from(self.cells.get(index + 1)?.left <= t);
         if self.cells.get(index + 1)?.left <= t {
@@ -133,7 +137,7 @@ impl<const C: usize> Nonuniform<C> {
 #[derive(Clone, Copy)]
 struct Cell<const C: usize> {
     left: f64,
-    /// Rounding error of the sum that made `left`.
+    /// Rounding error of the sum for `left`.
     low: f64,
     width: f64,
     a: f64,
@@ -146,7 +150,7 @@ struct Cell<const C: usize> {
 fn partition<const C: usize>(system: FifRef<'_, C>) -> Vec<Cell<C>> {
     let root = Cell { left: 0.0, low: 0.0, width: 1.0, a: 1.0, c: [0.0; C], error: 0.0, depth: 0.0 };
     let mut parts = alloc::vec![root];
-    // The bits of a number that is not negative are in its order.
+    // The order of the bits is the order of non-negative numbers.
     let mut heap = BinaryHeap::from([(u64::MAX, 0)]);
     let maps = system.pieces().len();
     while let Some((_, index)) = heap.pop() {

@@ -1,4 +1,4 @@
-//! Fast values of a function by a table that fits its knots.
+//! Fast values of a function from a table for its knots.
 
 use alloc::vec::Vec;
 use asperity_core::{BatchError, Interval};
@@ -17,7 +17,7 @@ use crate::table::uniform::Uniform;
 #[doc(alias = "lookup")]
 pub struct Table<const C: usize> {
     rows: Rows<C>,
-    /// Value, slope and integral together, where the function is smooth and its knots equally spaced.
+    /// Value, slope and integral together, if the function is smooth and its knots equally spaced.
     jets: Option<Jets<C>>,
     bound: f64,
     tolerance: f64,
@@ -26,7 +26,7 @@ pub struct Table<const C: usize> {
     derivatives: Vec<Fif<C>>,
 }
 
-/// Composites, as the knots allow.
+/// Composites for either kind of knots.
 #[derive(Clone, Debug)]
 enum Rows<const C: usize> {
     Uniform(Uniform<C>),
@@ -34,7 +34,7 @@ enum Rows<const C: usize> {
 }
 
 impl<const C: usize> Rows<C> {
-    /// The value away from knots, and the bound of its error.
+    /// The value away from knots, and its error bound.
     #[inline(always)]
     fn sum(&self, x: f64) -> (Option<f64>, f64) {
         match self {
@@ -43,7 +43,8 @@ impl<const C: usize> Rows<C> {
         }
     }
 
-    /// Out of line: loops over single values on equal knots take a third longer with both in them.
+    /// Out of line, because loops over single values on equal knots take a third longer with both
+    /// inlined.
     #[inline(never)]
     fn nonuniform(rows: &Nonuniform<C>, x: f64) -> (Option<f64>, f64) {
         (rows.sum(x), rows.away)
@@ -51,21 +52,22 @@ impl<const C: usize> Rows<C> {
 }
 
 impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
-    /// A table for values to `tolerance`, on any knots.
+    /// Builds a table for values to `tolerance`, on any knots.
     ///
-    /// A tolerance that is zero, negative, NaN or under the rounding error stands for the rounding error, so
-    /// [`Table::bound`] never grows with a smaller tolerance.
+    /// A tolerance that is zero, negative, NaN or below the rounding error means the rounding
+    /// error, so [`Table::bound`] never increases with a smaller tolerance.
     ///
     /// # Errors
-    /// [`TableError`] when 64 steps leave more than `tolerance`: near-critical factors whose number is no power of two, or
-    /// unequal knots with such factors or thousands of maps.
+    /// [`TableError`] if 64 steps leave more than `tolerance`: near-critical scalings on a number
+    /// of maps that is not a power of two, or unequal knots with such scalings or thousands of
+    /// maps.
     pub fn table(&self, tolerance: f64) -> Result<Table<C>, TableError> {
         self.view().tabulate(tolerance)
     }
 }
 
 impl<const C: usize> FifRef<'_, C> {
-    /// [`System::table`], compiled once for every storage.
+    /// [`System::table`], compiled once for all storage types.
     fn tabulate(self, tolerance: f64) -> Result<Table<C>, TableError> {
         let derivatives = derivatives(self);
         let (rows, jets, away) = match Composites::new(self) {
@@ -89,14 +91,16 @@ impl<const C: usize> FifRef<'_, C> {
 impl<const C: usize> Table<C> {
     /// `f(x)`, within [`Table::bound`].
     ///
-    /// - **Domain:** points outside the domain are clamped to it; NaN gives NaN. Knots are exact.
-    /// - **Accuracy:** on equally spaced knots the bound holds for `f(x)` itself when `x − x_0` and its product with
-    ///   `1/(x_N − x_0)` are exact, else for an `f(x′)` with `x′` within eight units in the last place; on others within
-    ///   sixteen of `x` and of the ends of the domain.
+    /// - **Domain:** points outside the domain are clamped to it; NaN returns NaN. Knots are exact.
+    /// - **Accuracy:** on equally spaced knots the bound holds for `f(x)` itself if `x − x_0` and
+    ///   its product with `1/(x_N − x_0)` are exact, otherwise for an `f(x′)` with `x′` within
+    ///   eight units in the last place. On other knots it is within sixteen units of `x` and of the
+    ///   ends of the domain.
     ///
-    /// Next to knots of the table's first digit and within 2⁻¹¹ of the domain from its left end this is
-    /// [`System::evaluate`], ten to thirty times slower.
-    // In a caller's loop the constants stay in registers, which is a quarter of the time of a call.
+    /// Next to knots of the first digit of the table, and within 2⁻¹¹ of the domain from its left
+    /// end, this calls [`System::evaluate`], which is ten to thirty times slower.
+    // In a loop of the caller the constants stay in registers, which saves a quarter of the time of
+    // a call.
     #[inline(always)]
     #[must_use]
     pub fn value(&self, x: f64) -> f64 {
@@ -106,7 +110,7 @@ impl<const C: usize> Table<C> {
         }
     }
 
-    /// `f(x)` with the bound of its error: 0 at knots, NaN for NaN, else at most [`Table::bound`].
+    /// `f(x)` with its error bound: 0 at knots, NaN for NaN, otherwise at most [`Table::bound`].
     #[inline]
     pub fn evaluate(&self, x: f64) -> Bounded {
         match self.rows.sum(x) {
@@ -118,7 +122,7 @@ impl<const C: usize> Table<C> {
     /// Values at many points, in any order; each equals [`Table::value`].
     ///
     /// # Errors
-    /// [`BatchError`] when `y` has another length than `x`; nothing is written then.
+    /// [`BatchError`] if the lengths of `y` and `x` differ. Nothing is written in this case.
     #[inline]
     pub fn values(&self, x: &[f64], y: &mut [f64]) -> Result<(), BatchError> {
         BatchError::check("y", x.len(), y.len())?;
@@ -134,15 +138,18 @@ impl<const C: usize> Table<C> {
         Ok(())
     }
 
-    /// Value, slope and integral at `x`, each within the bound that [`Table::evaluate_jet`] reports.
+    /// Value, slope and integral at `x`, each within the bound that [`Table::evaluate_jet`]
+    /// returns.
     ///
-    /// - **Domain:** points outside the domain are clamped to it, slopes there are those of its ends; NaN gives NaN. The
-    ///   slope of a function without a continuous [`derivative`](System::derivative) is NaN, else finite, however near to 1
-    ///   its factors are. Values at knots are exact.
-    /// - **Accuracy:** as [`Table::value`]; the slope is that of [`System::derivative`].
-    /// - **Speed:** from the table where the function is smooth, its knots equally spaced and its slope's factors not near
-    ///   one; else by [`System::evaluate`] and [`System::integral_over`], in microseconds. A rough function's
-    ///   [`integral`](System::integral) is smooth: its jets hold `f` as the slope.
+    /// - **Domain:** points outside the domain are clamped to it, slopes there are those of its
+    ///   ends; NaN returns NaN. The slope of a function without a continuous
+    ///   [`derivative`](System::derivative) is NaN. Otherwise it is finite, however close to 1 its
+    ///   scalings are. Values at knots are exact.
+    /// - **Accuracy:** as for [`Table::value`]; the slope is that of [`System::derivative`].
+    /// - **Speed:** from the table if the function is smooth, its knots equally spaced and the
+    ///   scalings of its slope not near one. Otherwise by [`System::evaluate`] and
+    ///   [`System::integral_over`], in microseconds. The [`integral`](System::integral) of a rough
+    ///   function is smooth: its jets contain `f` as the slope.
     ///
     /// ```
     /// use asperity_fif::paper;
@@ -153,7 +160,7 @@ impl<const C: usize> Table<C> {
     /// assert!((jet.integral - f_hat.system().integral_over(0.0, 1.3).value).abs() <= 1e-12);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
-    // As [`Table::value`].
+    // See [`Table::value`].
     #[inline(always)]
     #[must_use]
     pub fn jet(&self, x: f64) -> Jet {
@@ -163,7 +170,8 @@ impl<const C: usize> Table<C> {
         }
     }
 
-    /// [`Table::jet`] with the bounds of the errors: NaN for NaN, 0 for values at knots. Slopes at knots are rounded.
+    /// [`Table::jet`] with error bounds: NaN for NaN, 0 for values at knots. Slopes at knots are
+    /// rounded.
     #[must_use]
     pub fn evaluate_jet(&self, x: f64) -> Jet<Bounded> {
         let Some(jets) = &self.jets else { return self.jet_elsewhere(x) };
@@ -173,8 +181,10 @@ impl<const C: usize> Table<C> {
         }
     }
 
-    /// Jets at many points, in any order: in lanes of the machine's SIMD level where the number of maps is a power of two
-    /// (feature `simd`), one by one otherwise. Each has the bits of [`Table::jet`].
+    /// Jets at many points, in any order, bit-identical to [`Table::jet`].
+    ///
+    /// Uses SIMD if the number of maps is a power of two (feature `simd`), otherwise evaluates one
+    /// by one.
     ///
     /// ```
     /// use asperity_fif::{Jet, paper};
@@ -186,7 +196,8 @@ impl<const C: usize> Table<C> {
     /// ```
     ///
     /// # Errors
-    /// [`BatchError`] when a list of `jets` has another length than `x`; nothing is written then.
+    /// [`BatchError`] if the lengths of a list of `jets` and `x` differ. Nothing is written in this
+    /// case.
     pub fn jets(&self, x: &[f64], jets: Jet<&mut [f64]>) -> Result<(), BatchError> {
         BatchError::check("value", x.len(), jets.value.len())?;
         BatchError::check("slope", x.len(), jets.slope.len())?;
@@ -205,7 +216,7 @@ impl<const C: usize> Table<C> {
         Ok(())
     }
 
-    /// `f, f′, …, f^(M−1)` at `x`, with the bounds of their errors, as [`Table::jet`].
+    /// `f, f′, …, f^(M−1)` at `x`, with error bounds as in [`Table::jet`].
     ///
     /// NaN for derivatives beyond [`System::differentiability`].
     ///
@@ -228,21 +239,21 @@ impl<const C: usize> Table<C> {
         })
     }
 
-    /// Bound of the error of every value: truncation and rounding, the table's included.
+    /// Error bound of every value: truncation and rounding, including those of the table.
     #[inline]
     #[must_use]
     pub fn bound(&self) -> f64 {
         self.bound
     }
 
-    /// The tolerance that the table was made for.
+    /// The tolerance for which the table was built.
     #[inline]
     #[must_use]
     pub fn tolerance(&self) -> f64 {
         self.tolerance
     }
 
-    /// The system that the table was made of.
+    /// The system from which the table was built.
     #[inline]
     #[must_use]
     pub fn system(&self) -> &Fif<C> {
@@ -289,7 +300,7 @@ mod tests {
     use alloc::string::ToString;
 
     #[test]
-    fn near_critical_factors_are_refused() {
+    fn near_critical_scalings_are_an_error() {
         let thirds = [0.0, 1.0, 2.0, 3.0];
         let f = Fif::affine(&thirds, &[0.0, 1.0, -1.0, 0.0], &[0.999, -0.999, 0.99]).unwrap();
         for tolerance in [1e-6, 0.0, f64::NAN] {

@@ -1,4 +1,4 @@
-//! Values on equally spaced knots by a table of composites: few steps, a fixed number of them.
+//! Values on equally spaced knots from a table of composites, with a fixed small number of steps.
 
 use alloc::vec::Vec;
 
@@ -7,32 +7,36 @@ use crate::system::chord::Chord;
 use crate::system::fif::FifRef;
 use crate::table::composite::{Composite, Composites, Series, TableError};
 
-/// The least distance from the left end, in units of the domain, whose 53 bits all lie within 64: 2⁻¹¹.
+/// The smallest distance from the left end, in units of the domain, whose 53 bits lie within 64:
+/// 2⁻¹¹.
 pub(crate) const LEAST: f64 = 1.0 / 2048.0;
 
-/// Rows of composites, one to a digit of a place.
+/// Rows of composites, one per digit of a position.
 ///
-/// A row is as good at any depth, because the digits are exact: a 64-bit fraction of the domain holds every bit of
-/// `t ≥ 2⁻¹¹`.
+/// A row is equally accurate at any depth, because the digits are exact: a 64-bit fraction of the
+/// domain contains every bit of `t ≥ 2⁻¹¹`.
 #[derive(Clone, Debug)]
 pub(crate) struct Uniform<const C: usize> {
     rows: Vec<Composite<C>>,
     radix: u64,
     /// Steps after the first.
     more: u32,
-    /// Remainder after the first digit, or lack to the next one, at the knots and around them.
+    /// Remainder after the first digit, or distance to the next one, at the knots and around them.
     near: u64,
     origin: f64,
     per_width: f64,
     chord: Chord,
     middle: f64,
-    /// Bound of the error away from knots.
+    /// Error bound away from knots.
     pub(crate) away: f64,
 }
 
 impl<const C: usize> Uniform<C> {
-    /// The least number of steps whose bound is at most `tolerance`, else the least within 5/4 of the least bound. When the
-    /// number of maps is a power of two, 64 bits are used up after `⌈64/log₂ M⌉` steps, however near to one the factors are.
+    /// The smallest number of steps whose bound is at most `tolerance`, else within 5/4 of the
+    /// smallest bound.
+    ///
+    /// If the number of maps is a power of two, 64 bits are used up after `⌈64/log₂ M⌉` steps,
+    /// however close to one the scalings are.
     pub(crate) fn new(
         system: FifRef<'_, C>,
         made: &Composites<C>,
@@ -42,7 +46,7 @@ impl<const C: usize> Uniform<C> {
         let series = Series {
             ratio: made.steepest,
             largest: made.largest,
-            // Horner's rule, the scaled powers, and the 11 bits of u that the sum does not see.
+            // Horner's rule, the scaled powers, and the 11 bits of u that the sum does not use.
             row: made.error + 3.0 * degree * UNIT * made.largest,
             roundings: f64::from(made.digits) + 2.0,
             tail: made.deviation,
@@ -79,7 +83,8 @@ impl<const C: usize> Uniform<C> {
         })
     }
 
-    /// The sum over the digits; `None` near knots, outside, for NaN and where 64 bits do not hold the place.
+    /// The sum over the digits; `None` near knots, outside, for NaN and if 64 bits are not
+    /// sufficient.
     #[inline(always)]
     pub(crate) fn sum(&self, x: f64) -> Option<f64> {
         let t = (x - self.origin) * self.per_width;
@@ -110,7 +115,7 @@ pub(crate) fn fraction(t: f64) -> u64 {
     ((bits << 11) | 1 << 63) >> (1022_u64.wrapping_sub(bits >> 52) & 63)
 }
 
-/// The next digit of a fraction, which is left with the others.
+/// The next digit of a fraction, which keeps the remaining digits.
 #[inline(always)]
 pub(crate) fn digit(rest: &mut u64, radix: u64) -> usize {
     let wide = u128::from(*rest) * u128::from(radix);
@@ -118,7 +123,7 @@ pub(crate) fn digit(rest: &mut u64, radix: u64) -> usize {
     (wide >> 64) as usize
 }
 
-/// A row's polynomial at a fraction, in units of 2⁻⁵³.
+/// The polynomial of a row at a fraction, in units of 2⁻⁵³.
 #[inline(always)]
 pub(crate) fn polynomial<const C: usize>(c: &[f64; C], rest: u64) -> f64 {
     // Signed, which one instruction converts.

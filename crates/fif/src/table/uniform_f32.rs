@@ -1,4 +1,4 @@
-//! Values in `f32`: half the table, twice the speed, and lanes.
+//! Values in `f32`: half the table, twice the speed, and SIMD.
 
 use alloc::vec::Vec;
 use asperity_core::BatchError;
@@ -8,16 +8,17 @@ use crate::table::composite::{Composite, Composites, Series};
 use crate::table::table::Table;
 use crate::table::uniform::digit;
 
-/// The least place in the domain whose 24 bits all lie within 64: 2⁻⁴⁰.
+/// The smallest position in the domain whose 24 bits all lie within 64: 2⁻⁴⁰.
 const LEAST: f32 = 1.0 / 1_099_511_627_776.0;
 
-/// The unit of rounding, 2⁻²⁴, and that of a row's powers.
+/// The unit of rounding, 2⁻²⁴, and the unit of the powers of a row.
 const UNIT: f64 = 1.0 / 16_777_216.0;
 
-/// A function with a table in `f32`, from [`Table::to_f32`]: single values, and many in the lanes of SIMD registers.
+/// A function with a table in `f32`, from [`Table::to_f32`], for single values and SIMD batches.
 ///
-/// On equally spaced knots, up to three coefficients and values below 8·10³⁴ the table holds 16 bytes a row, 1024 rows at most, made
-/// in `f64` and rounded once; digits are exact there. Other systems round the values of their [`Table`], to infinity beyond `f32`.
+/// On equally spaced knots, with up to three coefficients and values below 8·10³⁴, the table has 16
+/// bytes per row and at most 1024 rows. It is computed in `f64` and rounded once, and its digits
+/// are exact. Other systems round the values of their [`Table`], to infinity beyond `f32`.
 ///
 /// ```
 /// use asperity_fif::paper;
@@ -42,22 +43,26 @@ pub struct Rows32 {
     pub table: Vec<[f32; 4]>,
     /// Number of rows.
     pub radix: u64,
-    /// Composites of a value.
+    /// Number of composites per value.
     pub steps: u32,
     /// Left end of the domain.
     pub origin: f32,
-    /// Reciprocal of the domain's width.
+    /// Reciprocal of the width of the domain.
     pub per_width: f32,
     /// Start and rise of the chord.
     pub chord: [f32; 2],
-    /// Middle of the deviations from the chord.
+    /// Middle of the range of deviations from the chord.
     pub middle: f32,
 }
 
 impl<const C: usize> Table<C> {
-    /// Values in `f32`, cut off at the table's tolerance or half the rounding error of `f32`, whichever is more.
+    /// Values in `f32`, truncated at the tolerance of the table or half the rounding error of
+    /// `f32`.
     ///
-    /// The rounding of `f32` comes on top, see [`Table32::bound`]: a few units of 6·10⁻⁸ of the largest value.
+    /// The larger of the two applies.
+    ///
+    /// The rounding of `f32` is added, see [`Table32::bound`]: a few units of 6·10⁻⁸ of the largest
+    /// value.
     #[must_use]
     pub fn to_f32(&self) -> Table32<C> {
         let rounding = UNIT * self.system().range().magnitude();
@@ -71,15 +76,17 @@ impl<const C: usize> Table<C> {
     }
 }
 
-/// Rows and the bound of their error away from knots; `None` on unequal knots, for more than three coefficients, for factors too
-/// near to one and for values near the largest number of `f32`.
+/// Rows and their error bound away from knots.
+///
+/// `None` on unequal knots, for more than three coefficients, for scalings too close to one and for
+/// values near the largest `f32`.
 fn rows<const C: usize>(system: FifRef<'_, C>, tolerance: f64) -> Option<(Rows32, f64)> {
     let made = if C > 3 { None } else { Composites::new(system) }?;
     let chord = system.chord();
     let series = Series {
         ratio: made.steepest * (1.0 + UNIT),
         largest: made.largest,
-        // One for the coefficients, three for a product, a sum and the bits of u that are not seen, per power.
+        // One for the coefficients, three for a product, a sum and the unused bits of u, per power.
         row: made.error + (3.0 * C as f64 + 1.0) * UNIT * made.largest,
         roundings: 2.0,
         tail: made.deviation,
@@ -119,10 +126,10 @@ fn rows<const C: usize>(system: FifRef<'_, C>, tolerance: f64) -> Option<(Rows32
 impl<const C: usize> Table32<C> {
     /// `f(x)`, within [`Table32::bound`].
     ///
-    /// - **Domain:** points outside the domain are clamped to it; NaN gives NaN.
-    /// - **Accuracy:** the bound holds for `f(x)` itself when `x − x_0` and its product with `1/(x_N − x_0)` are exact in
-    ///   `f32`, else for an `f(x′)` with `x′` within four units in the last place of `x` and of the ends of the domain.
-    ///   Knots are within the bound, not exact.
+    /// - **Domain:** points outside the domain are clamped to it; NaN returns NaN.
+    /// - **Accuracy:** the bound holds for `f(x)` itself if `x − x_0` and its product with `1/(x_N
+    ///   − x_0)` are exact in `f32`, otherwise for an `f(x′)` with `x′` within four units in the
+    ///   last place of `x` and of the ends of the domain. Knots are within the bound, not exact.
     #[inline]
     #[must_use]
     pub fn value(&self, x: f32) -> f32 {
@@ -132,11 +139,13 @@ impl<const C: usize> Table32<C> {
         }
     }
 
-    /// Values at many points, in any order: in lanes of the machine's SIMD level where the number of maps is a power of two
-    /// (feature `simd`), one by one otherwise. Each has the bits of [`Table32::value`].
+    /// Values at many points, in any order, bit-identical to [`Table32::value`].
+    ///
+    /// Uses SIMD if the number of maps is a power of two (feature `simd`), otherwise evaluates one
+    /// by one.
     ///
     /// # Errors
-    /// [`BatchError`] when `y` has another length than `x`; nothing is written then.
+    /// [`BatchError`] if the lengths of `y` and `x` differ. Nothing is written in this case.
     pub fn values(&self, x: &[f32], y: &mut [f32]) -> Result<(), BatchError> {
         BatchError::check("y", x.len(), y.len())?;
         #[cfg(feature = "simd")]
@@ -146,19 +155,20 @@ impl<const C: usize> Table32<C> {
         Ok(())
     }
 
-    /// Bound of the error of every value: truncation and rounding, the table's included.
+    /// Error bound of every value: truncation and rounding, including those of the table.
     #[must_use]
     pub fn bound(&self) -> f32 {
         self.bound
     }
 
-    /// The table in `f64` that it was made of.
+    /// The table in `f64` from which it was built.
     #[must_use]
     pub fn table(&self) -> &Table<C> {
         &self.table
     }
 
-    /// Rows of composites, for other machines; `None` where values are rounded from those of [`Table32::table`].
+    /// Rows of composites, for shaders; `None` if values are rounded from those of
+    /// [`Table32::table`].
     #[doc(hidden)]
     #[must_use]
     pub fn rows(&self) -> Option<&Rows32> {
@@ -172,7 +182,7 @@ impl<const C: usize> Table32<C> {
         }
     }
 
-    /// Out of line: without rows every point, with them hardly any.
+    /// Out of line: every point without rows, hardly any with rows.
     #[cold]
     fn elsewhere(&self, x: f32) -> f32 {
         let x = f64::from(x);
@@ -197,7 +207,7 @@ impl Rows32 {
             let s = (rest >> 40) as i32 as f32;
             sum += weight * polynomial::<C>(row, s);
             if rest == 0 {
-                // The terms that follow are zeros.
+                // The following terms are zeros.
                 return Some(sum);
             }
             weight *= row[0];
@@ -221,7 +231,7 @@ mod tests {
     use crate::{Fif, System, paper, system::map::Piece};
 
     #[test]
-    fn values_near_the_largest_number_are_numbers() {
+    fn values_near_the_largest_float_are_not_nan() {
         for largest in [1e34, 3e38, 1e39, 1e300] {
             let y = [largest, 0.0, -largest];
             let f = Fif::<2>::affine(&[0.0, 0.5, 1.0], &y, &[0.5, -0.5]).unwrap();
@@ -265,7 +275,8 @@ mod tests {
             check(&paper::f_hat().unwrap(), tolerance);
             check(&paper::g_hat().unwrap(), tolerance);
         }
-        // Quarters: another number of bits; one coefficient; cubics and six maps, whose powers have trailing zeros too.
+        // Quarters: another number of bits; one coefficient; cubics and six maps, whose powers have
+        // trailing zeros too.
         let x = [0.0, 0.5, 1.0, 1.5, 2.0];
         check(&Fif::affine(&x, &[0.0, 1.0, -0.5, 0.3, 0.9], &[0.5, -0.7, 0.4, 0.9]).unwrap(), 1e-6);
         check(&Fif::<1>::new(&[0.0, 1.0, 2.0], &[0.5, 0.5], &[[0.0], [0.5]]).unwrap(), 1e-6);

@@ -7,7 +7,7 @@ use crate::numeric::estimate::Estimate;
 use crate::surface::height_field::function::Function;
 use crate::surface::height_field::height_field::HeightField;
 
-/// Means over a rectangle of a height field, each over the area.
+/// Means of a height field over the area of a rectangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AreaMeans {
     /// The mean height `h`.
@@ -20,7 +20,8 @@ pub struct AreaMeans {
 
 /// Means of the slopes `h_x = ∂h/∂x` and `h_y = ∂h/∂y` over a rectangle.
 ///
-/// Mean and covariance of the slopes, that is the normal and the roughness of what a pixel's footprint does not resolve.
+/// The mean and covariance of the slopes are the normal and the roughness of the unresolved part of
+/// a pixel footprint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlopeMeans {
     /// The means of `h_x` and of `h_y`.
@@ -38,10 +39,12 @@ impl<F: Function, G: Function> HeightField<F, G> {
     /// ⟨h⟩ = ⟨f⟩⟨g⟩       ⟨h²⟩ = ⟨f²⟩⟨g²⟩       ⟨h_x⟩ = ⟨f′⟩⟨g⟩       ⟨h_x²⟩ = ⟨f′²⟩⟨g²⟩       ⟨h_x h_y⟩ = ⟨f f′⟩⟨g g′⟩
     /// ```
     ///
-    /// Each factor is a mean over an interval, [`System::mean`](crate::System::mean) and [`System::mean_square`](crate::System::mean_square); a rectangle without area gives the
+    /// Each factor is a mean over an interval, [`System::mean`](crate::System::mean) and
+    /// [`System::mean_square`](crate::System::mean_square). A rectangle without area returns the
     /// values along its line or at its point.
     ///
-    /// - **Accuracy:** measured against exact rationals, 45 rectangles: within 5e-14 relative times `condition`.
+    /// - **Accuracy:** measured against exact rationals, 45 rectangles: within 5e-14 relative times
+    ///   `condition`.
     ///
     /// ```
     /// use asperity_fif::{HeightField, Interval, paper};
@@ -53,7 +56,7 @@ impl<F: Function, G: Function> HeightField<F, G> {
     /// ```
     ///
     /// # Errors
-    /// [`MomentError`], when the polynomials' degree is too large.
+    /// [`MomentError`] if the degree of the polynomials is too large.
     pub fn area_means(&self, x: Interval, y: Interval) -> Result<AreaMeans, MomentError> {
         let (f, g) = (self.x.means(x.lo, x.hi)?, self.y.means(y.lo, y.hi)?);
         let slopes = f.slope.zip(g.slope).map(|([fx, fx_squared, ffx], [gy, gy_squared, ggy])| SlopeMeans {

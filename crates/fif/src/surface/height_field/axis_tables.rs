@@ -1,4 +1,4 @@
-//! Tables of one axis, with the constants that every ray needs.
+//! Tables of one axis, with the constants for rays.
 
 use asperity_core::Interval;
 
@@ -6,7 +6,7 @@ use crate::numeric::floor::floor;
 use crate::surface::height_field::jet_table::{JetTable, Rows};
 use crate::surface::height_field::range_table::RangeTable;
 
-/// Ranges over runs of the finest cells, values and slopes, and numbers drawn from these.
+/// Ranges of values and slopes over runs of the finest cells, and derived numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct AxisTables<R> {
     pub(crate) ranges: RangeTable,
@@ -14,9 +14,9 @@ pub(crate) struct AxisTables<R> {
     pub(crate) domain: Interval,
     pub(crate) per_width: f64,
     pub(crate) cells: f64,
-    /// `16 ε` of the domain's magnitude.
+    /// `16 ε` of the magnitude of the domain.
     pub(crate) pad: f64,
-    /// The greatest `|f|` and `|f′|`.
+    /// The maximum of `|f|` and `|f′|`.
     pub(crate) magnitude: f64,
     pub(crate) steepest: f64,
 }
@@ -24,14 +24,14 @@ pub(crate) struct AxisTables<R> {
 /// Constants of a product of two axes with tables.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BothAxes {
-    /// The greatest `|∂h/∂x|` and `|∂h/∂y|`.
+    /// The maximum of `|∂h/∂x|` and `|∂h/∂y|`.
     pub(crate) falls: [f64; 2],
-    /// `16 ε` of the greatest height.
+    /// `16 ε` of the maximum height.
     pub(crate) pad: f64,
     /// Errors of a height after 0, 1 and 2 steps, and after the finest.
     pub(crate) errors: [f64; 3],
     pub(crate) best: f64,
-    /// Steps for values to the rounding error.
+    /// Number of steps for values to the rounding error.
     pub(crate) finest: usize,
 }
 
@@ -50,7 +50,7 @@ impl BothAxes {
 }
 
 impl<R: Rows> AxisTables<R> {
-    /// From ranges of values and slopes over the finest cells.
+    /// Creates tables from ranges of values and slopes over the finest cells.
     pub(crate) fn new(cells: &[[Interval; 2]], jets: JetTable<R>, domain: Interval) -> Self {
         let whole = cells.iter().fold([Interval::EMPTY; 2], |h, c| [h[0].hull(c[0]), h[1].hull(c[1])]);
         Self {
@@ -65,7 +65,7 @@ impl<R: Rows> AxisTables<R> {
         }
     }
 
-    /// Ranges of values and slopes from one part of the domain to the next.
+    /// Ranges of values and slopes between two fractions of the domain.
     #[inline(always)]
     pub(crate) fn over(&self, parts: [f64; 2]) -> [Interval; 2] {
         let last = self.cells - 0.5;
@@ -77,7 +77,7 @@ impl<R: Rows> AxisTables<R> {
         self.ranges.over(cell(parts[0]), cell(parts[1]))
     }
 
-    /// Narrower enclosures where the parts are within two cells.
+    /// Narrower enclosures if the fractions are within two cells.
     pub(crate) fn finer(&self, parts: [f64; 2]) -> Option<[Interval; 2]> {
         self.jets.finer(&self.ranges, parts)
     }

@@ -1,24 +1,26 @@
-//! Bounds of the function along an axis over any interval, from those of its cells.
+//! Bounds of the function along an axis over any interval, from the bounds of its cells.
 
 use asperity_core::Interval;
 
 use crate::surface::height_field::curve::{Below, Cell, Curve};
 use crate::surface::height_field::function::Function;
 
-/// Width of the cells to which the ends of the interval are followed, in parts of its width.
+/// Width of the cells down to which the ends of the interval are followed, relative to its width.
 const FINER: f64 = 1.0 / 64.0;
 
-/// Splits of the domain at most.
+/// Maximum number of splits of the domain.
 const LEVELS: u32 = 96;
 
-/// A cell and where it lies.
+/// A cell and its position.
 struct Place<B> {
     cell: Cell<B>,
     left: f64,
     width: f64,
 }
 
-/// Enclosures of the values and slopes over the part of an interval within the domain, or over all of it if there is none.
+/// Enclosures of the values and slopes over the part of an interval inside the domain.
+///
+/// If there is no such part, over the whole domain.
 pub(crate) fn covered<F: Function>(axis: &Curve<F>, over: Interval) -> [Interval; 2] {
     let domain = axis.domain();
     let cut = over.intersection(domain);

@@ -8,8 +8,9 @@ use crate::surface::height_field::height_field::HeightField;
 use crate::system::fif::System;
 use crate::system::map::Piece;
 
-/// The curvature of a surface at a point, per unit length; positive where the surface bends towards its upward normal, in a
-/// valley.
+/// The curvature of a surface at a point, per unit length.
+///
+/// It is positive where the surface bends towards its upward normal, in a valley.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]
 pub struct Curvature {
@@ -20,7 +21,7 @@ pub struct Curvature {
 }
 
 impl Curvature {
-    /// Of a graph with this gradient and these second slopes `h_xx, h_xy, h_yy`.
+    /// The curvature of a graph with this gradient and these second derivatives `h_xx, h_xy, h_yy`.
     ///
     /// ```text
     /// H = ((1 + h_y²) h_xx − 2 h_x h_y h_xy + (1 + h_x²) h_yy) / (2 w³),   K = (h_xx h_yy − h_xy²)/w⁴,   w² = 1 + h_x² + h_y²
@@ -51,11 +52,12 @@ impl Curvature {
 }
 
 impl<F: Function, G: Function> HeightField<F, G> {
-    /// The curvature at `(x, y)`, with the second derivatives `f″` and `g″` of the two axes; `None` unless both axes are
-    /// differentiable.
+    /// The curvature at `(x, y)`, from the second derivatives `f″` and `g″` of the two axes.
     ///
-    /// `f″` is the derivative of the slope, [`System::derivative`], made once by the caller: it exists for few functions, such as
-    /// second integrals.
+    /// `None` unless both axes are differentiable.
+    ///
+    /// `f″` is the derivative of the slope, [`System::derivative`], which the caller computes once.
+    /// It exists for few functions, such as second integrals.
     ///
     /// ```
     /// use asperity_fif::{FixedFif, HeightField, paper};
@@ -89,7 +91,7 @@ mod tests {
     use approx::assert_abs_diff_eq;
 
     #[test]
-    fn the_normal_diverges_by_twice_the_mean_curvature() {
+    fn divergence_of_the_normal_is_twice_the_mean_curvature() {
         let (f, g) = (paper::f().unwrap(), paper::g().unwrap());
         let [x_axis, y_axis] = [f, g].map(|second| {
             let slope: FixedFif<2, 3> = second.integral(0.1).unwrap();
@@ -104,7 +106,8 @@ mod tests {
         assert!((along_x + along_y + 2.0 * got.mean).abs() < 1e-3, "{} != {got:?}", along_x + along_y);
         let cross = (normal(0.0, 1.0).x - normal(0.0, -1.0).x) * (normal(1.0, 0.0).y - normal(-1.0, 0.0).y);
         let determinant = along_x * along_y - cross / (4.0 * step * step);
-        // The Gauss map's area ratio on the surface is K; projected, both areas shrink by the same cosine.
+        // The area ratio of the Gauss map on the surface is K; projected, both areas shrink by the
+        // same cosine.
         assert_abs_diff_eq!(determinant, got.gauss, epsilon = 1e-3);
         let rough = HeightField::new(f, y_axis);
         assert!(rough.curvature(x, y, &f, &g).is_none());

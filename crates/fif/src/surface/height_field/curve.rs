@@ -1,4 +1,4 @@
-//! The function along one axis of a height field, with its derivative and the bounds of its top levels of cells.
+//! The function along one axis of a height field, with its derivative and bounds of its top cells.
 
 use asperity_core::Interval;
 
@@ -12,19 +12,21 @@ use crate::surface::height_field::function::{Axis, Function};
 use crate::surface::height_field::range_table::RangeTable;
 use crate::system::support::Support;
 
-/// A function along an axis of a [`HeightField`](crate::HeightField) with its derivative, where that is continuous, and
-/// with tables, where it was [`tabulated`](crate::HeightField::tabulated).
+/// A function along an axis of a [`HeightField`](crate::HeightField).
+///
+/// It has a derivative if that is continuous, and tables if it was
+/// [`tabulated`](crate::HeightField::tabulated).
 #[derive(Clone, Debug)]
 pub struct Curve<F: Function> {
     function: F,
     derivative: Option<F::Derivative>,
-    /// Of a function that is only continuous.
+    /// Bounds of a function that is only continuous.
     support: Option<Support>,
     #[cfg(feature = "alloc")]
     levels: Option<Levels<F>>,
 }
 
-/// Means of a function over an interval, and of its slope when it has one.
+/// Means of a function over an interval, and of its slope if it exists.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LineMeans {
     /// The mean of `f`.
@@ -42,13 +44,13 @@ pub(crate) struct Both<V, D> {
     slope: D,
 }
 
-/// A cell below the tables, by what its bounds are computed from.
+/// A cell below the tables: the data for its bounds.
 pub(crate) type Below<F> = Both<<F as Axis>::Cell, <<F as Axis>::Derivative as Axis>::Cell>;
 
 /// A cell of a curve.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Cell<B> {
-    /// By its number in the table.
+    /// A cell of the table, by its index.
     #[cfg(feature = "alloc")]
     Top(usize),
     Below(B),
@@ -66,7 +68,8 @@ impl<F: Function> Curve<F> {
         }
     }
 
-    /// With a table of the value and slope ranges of its top levels, at most `cells` cells in the last one.
+    /// Adds a table of the value and slope ranges of its top levels, with at most `cells` cells in
+    /// the last one.
     #[cfg(feature = "alloc")]
     pub(crate) fn tabulated(self, cells: usize) -> Self {
         Self { levels: Some(Levels::new(&self, cells)), ..self }
@@ -98,7 +101,7 @@ impl<F: Function> Curve<F> {
         self.function.range()
     }
 
-    /// The value at `x`, as [`System::evaluate`](crate::System::evaluate).
+    /// The value at `x`, see [`System::evaluate`](crate::System::evaluate).
     pub fn evaluate(&self, x: f64, tolerance: f64) -> Bounded {
         self.function.evaluate(x, tolerance)
     }
@@ -116,7 +119,9 @@ impl<F: Function> Curve<F> {
         self.levels.as_ref().map_or(0, Levels::bytes)
     }
 
-    /// Ranges over runs of cells, for other machines; where the function is smooth, its knots equally spaced and the field
+    /// Ranges over runs of cells, for shaders.
+    ///
+    /// Available if the function is smooth, its knots are equally spaced, and the field is
     /// [`tabulated`](crate::HeightField::tabulated).
     #[cfg(feature = "alloc")]
     #[doc(hidden)]
@@ -125,14 +130,14 @@ impl<F: Function> Curve<F> {
         self.top().map(|top| &top.ranges)
     }
 
-    /// The tables of values and slopes, where there are any.
+    /// The tables of values and slopes, if any.
     #[cfg(feature = "alloc")]
     #[inline]
     pub(crate) fn top(&self) -> Option<&AxisTables<F::Rows>> {
         self.levels.as_ref()?.tables.as_ref()
     }
 
-    /// The value to the rounding error, as near as a ray's own coordinates are.
+    /// The value to the rounding error, consistent with the precision of the coordinates of a ray.
     #[inline]
     pub(crate) fn near(&self, x: f64) -> Bounded {
         #[cfg(feature = "alloc")]
@@ -143,7 +148,7 @@ impl<F: Function> Curve<F> {
         self.function.evaluate(x, 0.0)
     }
 
-    /// The value at a place between doubles.
+    /// The value at a position between doubles.
     pub(crate) fn at(&self, x: Double, tolerance: f64) -> Bounded {
         self.function.evaluate_between(x, tolerance)
     }
@@ -157,7 +162,7 @@ impl<F: Function> Curve<F> {
         Cell::Below(Self::below())
     }
 
-    /// The whole domain, as cells below the tables are.
+    /// The whole domain, in the form of a cell below the tables.
     pub(crate) fn below() -> Below<F> {
         Both { value: F::root(), slope: F::Derivative::root() }
     }
@@ -168,13 +173,13 @@ impl<F: Function> Curve<F> {
         self.function.count()
     }
 
-    /// Knots of child `j` in units of the cell's width.
+    /// Knots of child `j` in units of the width of the cell.
     #[inline]
     pub(crate) fn part(&self, j: usize) -> [f64; 2] {
         self.function.part(j)
     }
 
-    /// Child `j`; the cell itself when there is none.
+    /// Child `j`; the cell itself if it does not exist.
     #[inline]
     pub(crate) fn child(&self, cell: &Cell<Below<F>>, j: usize) -> Cell<Below<F>> {
         match cell {
@@ -193,7 +198,7 @@ impl<F: Function> Curve<F> {
         Both { value: self.function.child(&cell.value, j), slope }
     }
 
-    /// Enclosures of the values and of the slopes over the cell; [`Interval::ENTIRE`] for unknown slopes.
+    /// Enclosures of the values and slopes over the cell; unknown slopes are [`Interval::ENTIRE`].
     #[inline]
     pub(crate) fn bounds(&self, cell: &Cell<Below<F>>) -> [Interval; 2] {
         match cell {
@@ -213,7 +218,8 @@ impl<F: Function> Curve<F> {
         [value, slope]
     }
 
-    /// Means over the interval between `l` and `r`, clamped to the domain; the values at `l` when both are equal.
+    /// Means over the interval between `l` and `r`, clamped to the domain; the values at `l` if
+    /// they are equal.
     pub(crate) fn means(&self, l: f64, r: f64) -> Result<LineMeans, MomentError> {
         let (value, value_squared) = (self.function.mean(l, r), self.function.mean_square(l, r)?);
         let Some(derivative) = &self.derivative else {
@@ -233,23 +239,23 @@ impl<F: Function> Curve<F> {
     }
 }
 
-/// A table of the value and slope ranges of a curve's top levels of cells.
+/// A table of the value and slope ranges of the top levels of cells of a curve.
 #[cfg(feature = "alloc")]
 #[derive(Clone, Debug)]
 struct Levels<F: Function> {
-    /// Level after level; the children of cell `i` are `i N + 1` to `i N + N`.
+    /// Level by level; the children of cell `i` are `i N + 1` to `i N + N`.
     bounds: alloc::vec::Vec<[Interval; 2]>,
     /// The cells of the last level.
     leaves: alloc::vec::Vec<Below<F>>,
-    /// Ranges over runs of leaves, and values and slopes, where a table can have them.
+    /// Ranges over runs of leaves, and values and slopes, if available.
     tables: Option<AxisTables<F::Rows>>,
 }
 
 #[cfg(feature = "alloc")]
 impl<F: Function> Levels<F> {
-    /// With at most `cells` cells in the last level; 0 and 1 keep the domain's own bounds only.
+    /// Creates at most `cells` cells in the last level; 0 and 1 keep only the bounds of the domain.
     fn new(curve: &Curve<F>, cells: usize) -> Self {
-        // Levels below the last one that its bounds are drawn from.
+        // Levels below the last one from which its bounds are computed.
         const BELOW: u32 = 3;
         let maps = curve.count().max(2);
         let mut leaves = alloc::vec![Curve::<F>::below()];
@@ -257,7 +263,7 @@ impl<F: Function> Levels<F> {
             leaves = leaves.iter().flat_map(|cell| (0..maps).map(|j| curve.child_below(cell, j))).collect();
         }
         let below = if maps.pow(2) > 64 { 1 } else { BELOW };
-        // From the last level up, then turned round.
+        // From the last level up, then reversed.
         let mut levels: alloc::vec::Vec<alloc::vec::Vec<[Interval; 2]>> =
             alloc::vec![leaves.iter().map(|cell| finer(curve, cell, below)).collect()];
         let slopes = curve.derivative().filter(|_| cells > 1).map(Axis::range);
@@ -283,14 +289,14 @@ impl<F: Function> Levels<F> {
         self.bounds.get(index).copied().unwrap_or([Interval::ENTIRE; 2])
     }
 
-    /// A cell of the last level, by its number in the table.
+    /// A cell of the last level, by its index in the table.
     #[inline]
     fn leaf(&self, index: usize) -> Option<&Below<F>> {
         self.leaves.get(index.checked_sub(self.bounds.len() - self.leaves.len())?)
     }
 }
 
-/// The bounds of a cell as the hull of its descendants' some levels below.
+/// The bounds of a cell as the hull of its descendants some levels below.
 #[cfg(feature = "alloc")]
 fn finer<F: Function>(curve: &Curve<F>, cell: &Below<F>, levels: u32) -> [Interval; 2] {
     let own = curve.bounds_below(cell);
@@ -322,7 +328,7 @@ mod tests {
     }
 
     #[test]
-    fn cells_in_the_table_and_below_it_hold_their_samples() {
+    fn cells_in_and_below_the_table_contain_their_samples() {
         fn check<F: Function>(function: F, cells: usize, levels: u32, slack: f64) -> Curve<F> {
             let curve = tabulated(function, cells);
             let mut row = alloc::vec![(curve.root(), curve.domain().lo, curve.domain().width())];
@@ -349,7 +355,7 @@ mod tests {
             curve
         }
         let f = Fif::affine(&[0.0, 0.2, 0.7, 1.0], &[0.3, 1.0, -0.5, 0.25], &[0.4, -0.6, 0.5]).unwrap();
-        // A sample at the border may be the neighbour's: an ulp of x moves f by 1e-9 here.
+        // A sample at the border may belong to the neighbor: an ulp of x moves f by 1e-9 here.
         let uneven = check(f, 100, 6, 1e-9);
         assert_eq!(sizes(&uneven), Some([81, 1 + 3 + 9 + 27 + 81]));
         check(paper::g_hat().unwrap(), 16, 7, 1e-12);

@@ -1,4 +1,4 @@
-//! Functions that a height field can have along an axis.
+//! The sealed `Function` trait: functions along an axis of a height field.
 
 use asperity_core::Interval;
 use core::fmt::Debug;
@@ -15,9 +15,12 @@ use crate::system::support::Support;
 #[cfg(feature = "alloc")]
 use crate::table::composite::Composite;
 
-/// A function along an axis of a [`HeightField`](crate::HeightField): every [`System`] of up to eight coefficients; sealed.
+/// A function along an axis of a [`HeightField`](crate::HeightField): any [`System`] of up to eight
+/// coefficients.
+///
+/// The trait is sealed.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no function along an axis of a height field",
+    message = "`{Self}` cannot be the function along an axis of a height field",
     note = "an axis takes a `Fif`, a `FixedFif` or, with the feature `alloc`, a `FifRef` of one to eight coefficients"
 )]
 pub trait Function: Axis {}
@@ -26,9 +29,9 @@ impl<F: Axis> Function for F {}
 
 /// The operations of a [`Function`].
 pub trait Axis: Clone + Debug {
-    /// A cell of the domain, as far as its children and bounds need it.
+    /// A cell of the domain, with the data for its children and bounds.
     type Cell: Copy + Debug;
-    /// The derivative: one coefficient fewer in storage of the like.
+    /// The derivative: one coefficient fewer in the same kind of storage.
     type Derivative: Function;
     #[cfg(feature = "alloc")]
     type Rows: Rows;
@@ -36,7 +39,7 @@ pub trait Axis: Clone + Debug {
     fn domain(&self) -> Interval;
     fn range(&self) -> Interval;
     fn evaluate(&self, x: f64, tolerance: f64) -> Bounded;
-    /// The value between doubles, and what it changes over a distance to which such a place is known.
+    /// The value at a position between doubles, and its change over the precision of that position.
     fn evaluate_between(&self, x: Double, tolerance: f64) -> Bounded;
     fn blur(&self, distance: f64) -> f64;
     fn mean(&self, l: f64, r: f64) -> Estimate;
@@ -46,26 +49,26 @@ pub trait Axis: Clone + Debug {
     fn root() -> Self::Cell;
     /// The number of children of a cell.
     fn count(&self) -> usize;
-    /// Knots of child `j` in units of the cell's width.
+    /// Knots of child `j` in units of the width of the cell.
     fn part(&self, j: usize) -> [f64; 2];
-    /// Knot `j` in units of the domain, as exactly as [`System::evaluate`] takes it.
+    /// Knot `j` in units of the domain, as exactly as in [`System::evaluate`].
     fn knot(&self, j: usize) -> Double;
     /// Whether all children of a cell have the same width.
     fn is_even(&self) -> bool;
-    /// Child `j`; the cell itself when there is none.
+    /// Child `j`; the cell itself if it does not exist.
     fn child(&self, cell: &Self::Cell, j: usize) -> Self::Cell;
     /// An enclosure of the values over a cell.
     fn cell_range(&self, cell: &Self::Cell) -> Interval;
-    /// Ranges of `f` with lines added, where they pay.
+    /// Ranges of `f` plus lines, if they are worthwhile.
     fn support(&self) -> Option<Support>;
-    /// An enclosure of the values over a cell that is tighter for them.
+    /// A tighter enclosure of the values over a cell, using the support.
     fn supported_range(&self, cell: &Self::Cell, support: &Support) -> Interval;
-    /// Values and slopes by a table, if there can be one; `slopes` encloses the derivative.
+    /// Values and slopes from a table, if possible; `slopes` encloses the derivative.
     #[cfg(feature = "alloc")]
     fn jets(&self, slopes: Interval) -> Option<JetTable<Self::Rows>>;
 }
 
-/// Storage of pieces to whose derivative's pieces there is storage of the like.
+/// Storage of pieces for which the same kind of storage exists for the pieces of the derivative.
 pub trait Lower<const C: usize>: AsRef<[Piece<C>]> + Clone + Debug {
     /// The derivative.
     type Derivative: Function;
@@ -123,7 +126,7 @@ impl<S: Lower<C>, const C: usize> Axis for System<S, C> {
     }
 
     fn blur(&self, distance: f64) -> f64 {
-        // On unequal knots a place stands for one that is as near as a double.
+        // On unequal knots a position represents a point within the precision of a double.
         match self.spacing() {
             Spacing::Uniform => self.modulus().at(distance),
             Spacing::Nonuniform => 0.0,

@@ -17,10 +17,11 @@ use crate::surface::height_field::function::Function;
 /// h(x, y) = f(x) g(y)      ∂h/∂x = f′(x) g(y)      ∂h/∂y = f(x) g′(y)      N = (−∂h/∂x, −∂h/∂y, 1) / |…|
 /// ```
 ///
-/// Continuously differentiable functions give it gradients and normals, found by the constructor; functions that are only
-/// continuous give heights and hits. Points outside the domain are clamped to it, NaN gives NaN.
+/// If both functions are continuously differentiable, it has gradients and normals, which the
+/// constructor detects. Functions that are only continuous have heights and hits. Points outside
+/// the domain are clamped to it; NaN returns NaN.
 ///
-/// Cochran, Lewis, Hart 2000, eq. 41–45; the normal there is not of unit length, here it is.
+/// Cochran, Lewis, Hart 2000, eq. 41–45. The normal there is not of unit length; here it is.
 ///
 /// ```
 /// use asperity_fif::{HeightField, paper};
@@ -37,16 +38,19 @@ use crate::surface::height_field::function::Function;
 pub struct HeightField<F: Function, G: Function> {
     pub(crate) x: Curve<F>,
     pub(crate) y: Curve<G>,
-    /// Constants for rays, where both axes have tables.
+    /// Constants for rays, if both axes have tables.
     #[cfg(feature = "alloc")]
     pub(crate) both: Option<BothAxes>,
 }
 
 impl<F: Function, G: Function> HeightField<F, G> {
-    /// The tensor product of `f` and `g`: a [`Fif`](crate::Fif), a [`FixedFif`](crate::FixedFif) or a
-    /// [`FifRef`](crate::FifRef) each, of up to eight coefficients.
+    /// Creates the tensor product of `f` and `g`.
     ///
-    /// For a function that is only continuous, of at most 64 maps, bounds of its cells are prepared: 0.06 ms for two maps.
+    /// Each is a [`Fif`](crate::Fif), a [`FixedFif`](crate::FixedFif) or a
+    /// [`FifRef`](crate::FifRef), of up to eight coefficients.
+    ///
+    /// For a function of at most 64 maps that is only continuous, bounds of its cells are
+    /// precomputed: 0.06 ms for two maps.
     #[must_use]
     pub fn new(f: F, g: G) -> Self {
         Self {
@@ -69,11 +73,12 @@ impl<F: Function, G: Function> HeightField<F, G> {
         &self.y
     }
 
-    /// The surface with tables along both axes: hits an order of magnitude faster.
+    /// Adds tables along both axes, for hits that are an order of magnitude faster.
     ///
-    /// The product of two tables bounds every box of the top levels: `2 N^K` numbers in place of `N^{2K}`, at most 1024 cells
-    /// an axis. The ranges are hulls of those of finer cells, tighter than any that a descent computes on the fly. Smooth
-    /// functions on equally spaced knots have values and slopes in their tables too; less than 0.5 MB an axis.
+    /// The product of two tables bounds every box of the top levels, with `2 N^K` numbers instead
+    /// of `N^{2K}`, and at most 1024 cells per axis. The ranges are hulls of those of finer cells,
+    /// tighter than those computed during a descent. Smooth functions on equally spaced knots also
+    /// have values and slopes in their tables; less than 0.5 MB per axis.
     ///
     /// ```
     /// use asperity_fif::{HeightField, Intersect, Ray, glam::DVec3, paper};
@@ -89,7 +94,8 @@ impl<F: Function, G: Function> HeightField<F, G> {
         self.tabulated_with(1024)
     }
 
-    /// [`HeightField::tabulated`] with at most `cells` cells along an axis; 0 and 1 keep the domain's own bounds only.
+    /// [`HeightField::tabulated`] with at most `cells` cells per axis; 0 and 1 keep only the bounds
+    /// of the domain.
     #[cfg(feature = "alloc")]
     #[must_use]
     pub fn tabulated_with(self, cells: usize) -> Self {
@@ -98,7 +104,8 @@ impl<F: Function, G: Function> HeightField<F, G> {
         Self { x, y, both }
     }
 
-    /// `h` with a bound of its error; `tolerance` is asked of each factor, relative to the other's magnitude.
+    /// `h` with an error bound; `tolerance` applies to each factor, relative to the magnitude of
+    /// the other.
     ///
     /// ```text
     /// |h − f g| ≤ |f| δ_g + |g| δ_f + δ_f δ_g

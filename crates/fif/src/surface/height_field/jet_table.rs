@@ -1,4 +1,4 @@
-//! Values and slopes of a smooth function by composed maps, several levels at a step.
+//! Values and slopes of a smooth function by composed maps, several levels per step.
 
 use alloc::vec::Vec;
 use asperity_core::Interval;
@@ -14,26 +14,31 @@ use crate::surface::height_field::range_table::RangeTable;
 use crate::system::fif::FifRef;
 use crate::table::composite::{Composite, Composites};
 
-/// Lanes of a packet: two registers of AVX2, of which one works while the other waits.
+/// Lanes of a packet: two registers of AVX2, to hide latency.
 #[cfg(feature = "simd")]
 pub(crate) const LANES: usize = 8;
 
-/// Steps of one evaluation at most.
+/// Maximum number of steps of one evaluation.
 pub(crate) const STEPS: usize = 64;
 
-/// The rows of a table, whatever their degree.
+/// The rows of a table, of any degree.
 pub trait Rows: Sized + Clone + Debug {
-    /// `[f(x), f′(x)]` after so many steps, for an `x` within the rounding error of the ray, given as the part of the domain on its left.
+    /// `[f(x), f′(x)]` after this number of steps.
+    ///
+    /// `x` is within the rounding error of the ray, given as the fraction of the domain to its
+    /// left.
     #[doc(hidden)]
     fn jet(table: &JetTable<Self>, part: f64, steps: usize) -> [f64; 2];
 
-    /// [`Rows::jet`] in lanes, after a number of steps in each, `most` at most.
+    /// [`Rows::jet`] with SIMD, with a number of steps per lane, at most `most`.
     #[cfg(feature = "simd")]
     #[doc(hidden)]
     fn jets<I: Simd>(table: &JetTable<Self>, part: f64x8<I>, steps: f64x8<I>, most: usize) -> [f64x8<I>; 2];
 
-    /// Enclosures of values and slopes from one part of the domain to the next, from ranges over the cells of the whole; `None` for
-    /// parts over more than two cells of the first step.
+    /// Enclosures of values and slopes between two fractions of the domain, from ranges over the
+    /// cells of the whole.
+    ///
+    /// `None` if the fractions span more than two cells of the first step.
     #[doc(hidden)]
     fn finer(table: &JetTable<Self>, ranges: &RangeTable, parts: [f64; 2]) -> Option<[Interval; 2]>;
 
@@ -42,18 +47,20 @@ pub trait Rows: Sized + Clone + Debug {
     fn bytes(&self) -> usize;
 }
 
-/// All composites of a few maps of a system on equal knots, and their derivatives, evaluated to any number of steps.
+/// All composites of a few maps of a system on equal knots, and their derivatives, for any number
+/// of steps.
 ///
 /// ```text
 /// f(x) = chord(x) + Σ_k W_k P_{e_{k+1}}(u_{k+1}) + W_K v       |error| ≤ max|A|^K sup|f − chord − v| + rounding
 /// ```
 ///
-/// `e_k` are the digits of `(x − x_0)/(x_N − x_0)` in the table's radix, `u_k` what is left of it, `W_k` the product of the
-/// factors; the slope is the sum of the derivatives, and the middle of its range the tail. The fraction is an `f64`, so the value is
-/// that of a point within two units in the last place of the domain's width.
+/// `e_k` are the digits of `(x − x_0)/(x_N − x_0)` in the radix of the table, `u_k` is the
+/// remainder, and `W_k` the product of the scalings. The slope is the sum of the derivatives, and
+/// the middle of its range replaces the tail. The fraction is an `f64`, so the value is that of a
+/// point within two units in the last place of the width of the domain.
 #[derive(Clone, Debug)]
 pub struct JetTable<R> {
-    /// One to a cell of the first step, and one for the end of the domain.
+    /// One per cell of the first step, and one for the end of the domain.
     entries: R,
     radix: f64,
     /// The left end of the domain and the reciprocal of its width.
@@ -63,7 +70,7 @@ pub struct JetTable<R> {
     chord: [f64; 2],
     /// The middle of the range of deviations from the chord.
     tail: f64,
-    /// That of their slopes over a cell of the first step.
+    /// The middle of the range of their slopes over a cell of the first step.
     tail_slope: f64,
     /// Bounds of the errors of value and slope after 0, 1, … steps.
     errors: [[f64; 2]; STEPS + 1],
@@ -72,7 +79,8 @@ pub struct JetTable<R> {
 }
 
 impl<const C: usize> JetTable<Vec<Composite<C>>> {
-    /// `None` unless the knots are equally spaced and the sums of values and slopes converge.
+    /// Returns `None` unless the knots are equally spaced and the sums of values and slopes
+    /// converge.
     pub(crate) fn new(value: FifRef<'_, C>, slopes: Interval) -> Option<Self> {
         let Composites { table, radix, steepest, largest, error, deviation, .. } = Composites::new(value)?;
         let wide = radix as f64;
@@ -81,7 +89,8 @@ impl<const C: usize> JetTable<Vec<Composite<C>>> {
         let slopes = slopes.scaled(width).sum(Interval::new(-rise, -rise));
         let steep = steepest * wide;
         let converges = steepest < 1.0 && steep < 1.0;
-        // Horner's rule rounds twice a step; a derivative has each coefficient up to C times.
+        // Horner's rule rounds twice per step; a derivative contains each coefficient up to C
+        // times.
         let noise = error + 4.0 * C as f64 * UNIT * largest;
         let slope_noise = C as f64 * wide * noise;
         if !(converges && noise.is_finite() && slope_noise.is_finite() && slopes.width().is_finite()) {
@@ -107,12 +116,13 @@ impl<const C: usize> JetTable<Vec<Composite<C>>> {
             let last = errors.last().map_or(f64::INFINITY, |e| e[i]);
             errors.iter().position(|e| e[i] <= 1.05 * last).unwrap_or(STEPS)
         });
-        // Near-critical systems: better none than one that is worse than the plain evaluation.
+        // Near-critical systems: no table rather than one that is worse than plain evaluation.
         let rounding = |i: usize, scale: f64| errors.get(enough[i]).is_some_and(|e| e[i] <= 1e-8 * scale);
         if !(rounding(0, scale) && rounding(1, slopes.magnitude() / width)) {
             return None;
         }
-        // One more at the end of the domain, for the place that begins there: the last polynomial moved by a cell.
+        // One more at the end of the domain, for the position that begins there: the last
+        // polynomial shifted by a cell.
         let mut table = table;
         let end = table.last().map(|last| Composite { a: last.a, c: substitute(&last.c, 1.0, 1.0) })?;
         table.push(end);
@@ -150,25 +160,27 @@ impl<R: Rows> JetTable<R> {
         self.entries.bytes() + size_of::<Self>()
     }
 
-    /// The part of the domain on the left of `x`.
+    /// The fraction of the domain to the left of `x`.
     #[inline]
     pub(crate) fn part(&self, x: f64) -> f64 {
         (x - self.origin) * self.per_width
     }
 
-    /// Bound of the error of a value after so many steps.
+    /// Error bound of a value after this number of steps.
     #[inline]
     pub(crate) fn error(&self, steps: usize) -> f64 {
         self.errors.get(steps).map_or(f64::INFINITY, |e| e[0])
     }
 
-    /// The steps for a value to the rounding error, and its bound.
+    /// The number of steps for a value to the rounding error, and its bound.
     #[inline]
     pub(crate) fn finest(&self) -> (usize, f64) {
         (self.enough[0], self.error(self.enough[0]))
     }
 
-    /// The steps after which cells are at most this part of the domain, unless the slope does not gain any more before.
+    /// The number of steps after which cells are at most this fraction of the domain.
+    ///
+    /// It is smaller if more steps do not improve the slope.
     #[inline]
     pub(crate) fn cells_within(&self, part: f64) -> usize {
         let (mut steps, mut finer) = (0, part);
@@ -270,7 +282,7 @@ impl<const C: usize> Rows for Vec<Composite<C>> {
         for (i, entry) in entries.iter().enumerate() {
             let ends = places.map(|place| (place - (first + i) as f64).clamp(0.0, 1.0));
             let [f, s] = ranges.between(ends);
-            // Deviations from the chord over the domain's image, and over the cell.
+            // Deviations from the chord over the image of the domain, and over the cell.
             let over = |start: f64, rise: f64, t: [f64; 2]| {
                 let [a, b] = t.map(|t| start + rise * t);
                 if a < b { Interval::new(a, b) } else { Interval::new(b, a) }
@@ -330,7 +342,7 @@ mod tests {
             let x = if i % 50 == 0 { domain.lo + domain.width() * f64::from(i - 100) / 1800.0 } else { x };
             let near = 4.0 * f64::EPSILON * domain.magnitude();
             let (f, d) = (value.evaluate(x, 0.0), slope.evaluate(x, 0.0));
-            // A slope is one of a point near by.
+            // A slope is that of a nearby point.
             let moved = slope.extrema_over(
                 domain.lo.max(domain.hi.min(x)) - near,
                 domain.lo.max(domain.hi.min(x)) + near,
@@ -399,7 +411,8 @@ mod tests {
                         "{from} {width}: {f} {values:?}, {s} {slopes:?}"
                     );
                 }
-                // Some times what the function takes over a cell of this width, and not less than over one of the second step.
+                // A few times the variation of the function over a cell of this width, and at least
+                // that over one of the second step.
                 let finest = [f64::from(1 << 20).recip(), width][usize::from(width > 1e-6)];
                 let depth = -finest.log2();
                 assert!(slopes.width() < 64.0 * f64::powf(most, depth - 2.0), "{from} {width}: {slopes:?}");

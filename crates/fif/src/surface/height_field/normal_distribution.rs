@@ -11,37 +11,41 @@ use crate::surface::height_field::height_field::HeightField;
 use asperity_core::error_enum;
 
 error_enum! {
-    /// Why a distribution of normals was refused.
+    /// Error for an invalid distribution of normals.
     #[derive(Eq)]
     pub enum NormalDistributionError {
         /// An axis is not differentiable, so there are no normals.
         Rough => "`self` must have slopes along both axes, got one without";
-        /// The image has no texel, or the slice has another length than columns times rows.
+        /// The image has no texel, or the length of the slice is not columns times rows.
         Size { width: usize, height: usize, len: usize } =>
             "`texels` must have {width} times {height} elements, got {len}";
         /// The number of samples along an axis is 0 or more than 4096.
         Samples { samples: usize } => "`samples` must be 1 to {MOST}, got {samples}";
-        /// The rectangle does not meet the domain, or has NaN for a bound.
+        /// The rectangle does not intersect the domain, or has NaN bounds.
         Empty => "`x` and `y` must meet the domain, got a rectangle beside it";
     }
 }
 
-/// A texel that counts every normal is still exact in `f32`: 2²⁴.
+/// The largest count of normals per texel that is exact in `f32`: 2²⁴.
 const MOST: usize = 4096;
 
 impl<F: Function, G: Function> HeightField<F, G> {
-    /// The density of the unit normals over the rectangle `x × y`, per `dn_x dn_y`, in rows of an image of `width` columns.
+    /// The density of the unit normals over the rectangle `x × y`, per `dn_x dn_y`.
+    ///
+    /// The result is an image in rows of `width` columns.
     ///
     /// ```text
     /// texel j·width + i covers [i, i+1]/width × [j, j+1]/height of ((n_x + 1)/2, (n_y + 1)/2);   Σ texels · 4/(width·height) = 1
     /// ```
     ///
-    /// The first row has `n_y = −1`. That is the layout of a map of normals that are counted over the macro surface, so an
-    /// importance sampler of densities given as images takes the texels as they are.
+    /// The first row has `n_y = −1`. This is the layout of a map of normals that are counted over
+    /// the macro surface, so the texels can be passed to an importance sampler of NDFs given as
+    /// images.
     ///
-    /// The normals are those at `samples × samples` points, one in each cell of an equal division of the rectangle. A texel
-    /// is exact to the share of the cells that its border cuts. Along an axis whose slope is rough, such as the integral of
-    /// the source's `g`, it is as good as `samples` independent ones: 512 give the mean slope within 0.03.
+    /// The normals are those at `samples × samples` points, one in each cell of a uniform grid on
+    /// the rectangle. A texel is exact up to the fraction of the cells cut by its border. Along an
+    /// axis with a rough slope, such as the integral of `g` of the source, it is as accurate as
+    /// `samples` independent ones: 512 yield the mean slope within 0.03.
     ///
     /// ```
     /// use asperity_fif::{HeightField, Interval, paper};
@@ -54,7 +58,8 @@ impl<F: Function, G: Function> HeightField<F, G> {
     /// ```
     ///
     /// # Errors
-    /// [`NormalDistributionError`]: an axis without slopes, a wrong length, no samples, no rectangle.
+    /// [`NormalDistributionError`]: an axis without slopes, a wrong length, no samples, an invalid
+    /// rectangle.
     pub fn normal_distribution(
         &self,
         [x, y]: [Interval; 2],
@@ -95,10 +100,11 @@ fn points<F: Function>(
     over: Interval,
     samples: usize,
 ) -> Result<Vec<[f64; 2]>, NormalDistributionError> {
-    // Not the centres: on even knots those are knots of some level, where all finer levels of the function vanish.
+    // Not the centers: on equally spaced knots these are knots of some level, where all finer
+    // levels of the function vanish.
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let over = over.intersection(axis.domain());
-    // NaN meets nothing.
+    // NaN overlaps nothing.
     let meets = over.lo <= over.hi;
     if !meets {
         return Err(NormalDistributionError::Empty);

@@ -1,22 +1,24 @@
-//! Ranges over any run of the finest cells of a table, from two overlapping runs of a power of two of them.
+//! Ranges over any run of the finest cells of a table, from two overlapping runs of power-of-two
+//! length.
 
 use alloc::vec::Vec;
 use asperity_core::Interval;
 
 use crate::numeric::floor::floor;
 
-/// Ranges of values and slopes over runs of 1, 2, 4, … cells that begin at every cell: a sparse table.
+/// Ranges of values and slopes over runs of 1, 2, 4, … cells from every cell: a sparse table.
 ///
-/// Any run is the union of two of these, so that its ranges take two look-ups. In `f32`, rounded outward.
+/// Any run is the union of two of these, so its ranges need two lookups. In `f32`, rounded outward.
 #[derive(Clone, Debug)]
 pub struct RangeTable {
-    /// Row after row, one of `cells` entries to a length of runs; the lower ends negated, so that maxima are hulls.
+    /// Row by row, with `cells` entries per run length; the lower ends are negated, so that maxima
+    /// are hulls.
     runs: Vec<[f32; 4]>,
     cells: usize,
 }
 
 impl RangeTable {
-    /// From the ranges of values and slopes of the finest cells.
+    /// Creates the table from the ranges of values and slopes of the finest cells.
     pub(crate) fn new(cells: &[[Interval; 2]]) -> Self {
         let mut runs: Vec<[f32; 4]> = cells
             .iter()
@@ -35,7 +37,9 @@ impl RangeTable {
         Self { runs, cells: cells.len() }
     }
 
-    /// Enclosures of values and slopes over the cells from `first` to `last`; the whole line for cells that there are not.
+    /// Enclosures of values and slopes over the cells from `first` to `last`.
+    ///
+    /// The whole line for cells that do not exist.
     #[inline(always)]
     pub(crate) fn over(&self, first: usize, last: usize) -> [Interval; 2] {
         let row = last.wrapping_sub(first).wrapping_add(1).max(1).ilog2();
@@ -56,8 +60,9 @@ impl RangeTable {
         self.over(cell(parts[0] - LITTLE), cell(parts[1] + LITTLE))
     }
 
-    /// Row after row of runs of 1, 2, 4, … cells, one entry to every cell that a run begins at: the greatest of −value, value,
-    /// −slope and slope.
+    /// Rows of runs of 1, 2, 4, … cells, with one entry per first cell of a run.
+    ///
+    /// An entry is the maximum of −value, value, −slope and slope.
     #[must_use]
     pub fn runs(&self) -> &[[f32; 4]] {
         &self.runs
@@ -75,7 +80,7 @@ impl RangeTable {
     }
 }
 
-/// The least `f32` that is known to be no less.
+/// The smallest `f32` that is certainly not less.
 fn outward(x: f64) -> f32 {
     (x as f32).next_up()
 }
@@ -90,7 +95,7 @@ fn hull(a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
 mod tests {
     use super::*;
 
-    /// Lengths 1, 2, 4, … of runs among as many cells.
+    /// Number of lengths 1, 2, 4, … of runs among this number of cells.
     fn rows(cells: i32) -> usize {
         cells.ilog2() as usize + 1
     }
@@ -104,12 +109,13 @@ mod tests {
                 .collect();
             let table = RangeTable::new(&cells);
             assert_eq!((table.cells(), table.runs().len()), (cells.len(), cells.len() * rows(count)));
-            // The last row's first run: −value, value, −slope and slope of as many cells as fit.
+            // The first run of the last row: −value, value, −slope and slope of as many cells as
+            // fit.
             let longest = 1 << (rows(count) - 1);
             let [value, slope] = table.over(0, longest - 1);
             let run = table.runs()[cells.len() * (rows(count) - 1)].map(f64::from);
             assert_eq!(run, [-value.lo, value.hi, -slope.lo, slope.hi]);
-            // Parts that overlap by nothing but rounding come as a run that ends before it begins.
+            // Parts that overlap only by rounding are a run that ends before it begins.
             assert!(table.over(1, 0).iter().all(|range| range.lo <= range.hi));
             for first in 0..cells.len() {
                 for last in first..cells.len() {

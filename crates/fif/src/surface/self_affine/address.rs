@@ -1,6 +1,6 @@
 //! Points of the torus as exact fractions of a turn, and their images under an integer matrix.
 
-/// A point of the unit torus, as fractions with as many bits as a word has, or as ratios.
+/// A point of the unit torus, as fractions with the bits of a word, or as ratios.
 #[derive(Clone, Copy, Debug)]
 pub enum Address {
     /// 64 bits: every `f64` of magnitude 2⁻¹¹ or more, and every one that is a multiple of 2⁻⁶⁴.
@@ -12,7 +12,7 @@ pub enum Address {
 }
 
 impl Address {
-    /// The point and what is cut off of a coordinate; `None` unless both are finite.
+    /// The point and the truncation of a coordinate; `None` unless both are finite.
     #[inline]
     pub(crate) fn of(x: f64, y: f64) -> Option<(Self, f64)> {
         let ((x, cut_x), (y, cut_y)) = (turn(x)?, turn(y)?);
@@ -30,7 +30,7 @@ impl Address {
     /// `M (x, y)` modulo 1, exact.
     #[inline]
     pub(crate) fn moved(self, matrix: &[[i32; 2]; 2]) -> Self {
-        // Sign extension and wrapping products are arithmetic modulo the word, whole turns drop out.
+        // Sign extension and wrapping products are arithmetic modulo the word; whole turns vanish.
         match self {
             Self::Short([x, y]) => Self::Short(matrix.map(|[a, b]| {
                 x.wrapping_mul(i64::from(a) as u64).wrapping_add(y.wrapping_mul(i64::from(b) as u64))
@@ -49,7 +49,9 @@ impl Address {
         }
     }
 
-    /// The cell of a grid of `2^bits` cells along a side, and the place within it in units of the cell, 53 bits of it.
+    /// The cell of a grid of `2^bits` cells per side, and the position in it.
+    ///
+    /// The position is in units of the cell, with 53 bits.
     #[inline]
     pub(crate) fn cell(self, bits: u32) -> ([usize; 2], [f64; 2]) {
         let high = |t: u128| (t >> 64) as u64;
@@ -87,7 +89,7 @@ fn unit(fraction: u64) -> f64 {
     (fraction >> 11) as i64 as f64 * ULP
 }
 
-/// `x` modulo 1 with 128 bits, and what was cut off at most; `None` unless `x` is finite.
+/// `x` modulo 1 with 128 bits, and the maximum truncation; `None` unless `x` is finite.
 #[inline]
 fn turn(x: f64) -> Option<(u128, f64)> {
     const MANTISSA: u32 = 52;
@@ -99,7 +101,7 @@ fn turn(x: f64) -> Option<(u128, f64)> {
     let exponent = (bits >> MANTISSA) as i32 & 0x7FF;
     let fraction = bits & ((1 << MANTISSA) - 1);
     let mantissa = u128::from(if exponent == 0 { fraction } else { fraction | 1 << MANTISSA });
-    // The mantissa's last bit weighs 2^(exponent − 1075), the word's 2⁻¹²⁸.
+    // The last bit of the mantissa weighs 2^(exponent − 1075), the last bit of the word 2⁻¹²⁸.
     let shift = exponent.max(1) - 947;
     let (part, rest) = match shift {
         128.. => (0, 0),

@@ -17,11 +17,13 @@ use crate::surface::self_affine::zig_zag::{
 pub type Folded = SelfAffine<ZigZag>;
 
 impl SelfAffine<ZigZag> {
-    /// The surface with heights `z` and gradients `d` at the nodes of the grid of knots `x` and `y`: node (i, j) lies at
-    /// `(x_i, y_j)` and is entry `i · y.len() + j` of both lists.
+    /// Creates the surface with heights `z` and gradients `d` at the nodes of the grid of knots `x`
+    /// and `y`.
+    ///
+    /// Node (i, j) lies at `(x_i, y_j)` and is entry `i · y.len() + j` of both lists.
     ///
     /// # Errors
-    /// A [`SelfAffineError`] names the rule that the data break.
+    /// [`SelfAffineError`] for invalid data.
     pub fn new(
         x: &[f64],
         y: &[f64],
@@ -38,14 +40,16 @@ impl SelfAffine<ZigZag> {
         Ok(Self { fold, factor, limits })
     }
 
-    /// Cells along both axes, for other machines.
+    /// Cells along both axes, for shaders.
     #[doc(hidden)]
     #[must_use]
     pub fn cells(&self) -> [usize; 2] {
         self.fold.cells
     }
 
-    /// Nodes, for other machines: x, y, then height and slopes of H, then those of H − G; lengths in units of the domain.
+    /// Nodes, for shaders: x, y, then height and slopes of H, then those of H − G.
+    ///
+    /// Lengths are in units of the domain.
     #[doc(hidden)]
     pub fn nodes(&self) -> impl Iterator<Item = [f64; 8]> {
         let [wide, deep] = self.fold.domain.map(Interval::width);
@@ -55,8 +59,10 @@ impl SelfAffine<ZigZag> {
         })
     }
 
-    /// The factor by which slopes of one repetition more are smaller at least, and the middles of the ranges of w and its slopes, for
-    /// other machines.
+    /// The guaranteed reduction of slopes per repetition, and the middles of the ranges of w and
+    /// its slopes.
+    ///
+    /// For shaders.
     #[doc(hidden)]
     #[must_use]
     pub fn remainder(&self) -> (f64, [f64; 3]) {
@@ -121,7 +127,8 @@ impl FoldParts for ZigZag {
 
     #[inline]
     fn slope_enough(limits: &Limits, tolerance: f64) -> f64 {
-        // More steps than the least factors need; it reserves the rounding part of the bound.
+        // More steps than the smallest scalings need, which reserves the rounding part of the
+        // bound.
         let floor = slope_rounding(limits, 256);
         let spare = tolerance - floor;
         if spare > floor { spare } else { floor }

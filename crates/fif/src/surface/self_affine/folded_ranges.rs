@@ -8,7 +8,7 @@ use crate::surface::extrema::ceiling;
 use crate::surface::self_affine::self_affine::{FoldParts, Part, SelfAffine};
 use crate::surface::self_affine::zig_zag::{Strip, ZigZag, slope_rounding, steepest, value_rounding};
 
-/// Steps that bounds follow a rectangle at most.
+/// Maximum number of steps in which bounds follow a rectangle.
 const MOST_STEPS: u32 = 64;
 
 /// Rounding of a step in units of the domain.
@@ -21,7 +21,7 @@ struct Followed {
 }
 
 impl SelfAffine<ZigZag> {
-    /// [`SelfAffine::bounds`].
+    /// See [`SelfAffine::bounds`].
     pub(crate) fn bounds_over(&self, x: Interval, y: Interval) -> SurfaceBounds {
         let limits = &self.limits;
         let whole = SurfaceBounds { height: limits.range, slopes: self.slope_range() };
@@ -37,7 +37,8 @@ impl SelfAffine<ZigZag> {
         let height = followed.height.intersection(limits.range);
         let slopes = self.per_domain([0, 1].map(|k| followed.slopes[k].intersection(limits.slopes[k])));
         let zero = Interval::new(0.0, 0.0);
-        // Along the way from the centre, slopes outside the domain are 0 and heights those of the border.
+        // On the path from the center, slopes outside the domain are 0 and heights are those of the
+        // border.
         let clamped = [x, y].into_iter().zip(self.fold.domain).map(|(x, side)| x.intersection(side));
         let mut around = self.evaluate(x.middle(), y.middle(), 0.0).interval();
         for ((range, clamped), slope) in [x, y].into_iter().zip(clamped).zip(slopes) {
@@ -72,7 +73,7 @@ impl SelfAffine<ZigZag> {
         self.limits.steepest = steepest(&self.limits);
     }
 
-    /// The range of a part over small squares, within what is known of it.
+    /// The range of a part over small squares, within its known range.
     fn sides(&self, part: Part, depth: u32, most: Interval, of: impl Fn(&Followed) -> Interval) -> Interval {
         let unit = [Interval::new(0.0, 1.0); 2];
         let high = |at| self.followed(at, part).map_or(most.hi, |followed| of(&followed).hi);
@@ -80,7 +81,9 @@ impl SelfAffine<ZigZag> {
         Interval::new(-ceiling(unit, depth, low), ceiling(unit, depth, high)).intersection(most)
     }
 
-    /// Enclosures over a rectangle, in units of the domain, of f or of w; `None` if it meets too many cells for one step.
+    /// Enclosures over a rectangle, in units of the domain, of f or of w.
+    ///
+    /// `None` if it overlaps too many cells for one step.
     fn followed(&self, mut at: [Interval; 2], first: Part) -> Option<Followed> {
         let limits = &self.limits;
         let zero = Interval::new(0.0, 0.0);
@@ -115,7 +118,7 @@ impl SelfAffine<ZigZag> {
         (steps > 0).then_some(Followed { height, slopes })
     }
 
-    /// A place with the rounding of a step.
+    /// A position with the rounding of a step.
     fn padded(&self, at: Interval) -> Interval {
         let pad = STEP + self.limits.shift;
         Interval::new((at.lo - pad).max(0.0), (at.hi + pad).min(1.0))
@@ -131,7 +134,7 @@ impl SelfAffine<ZigZag> {
                 all = [0, 1, 2].map(|k| all[k].hull(here[k]));
             }
         }
-        // Reciprocals and widths are rounded; far less than the noise of a slope.
+        // Reciprocals and widths are rounded, by far less than the noise of a slope.
         [
             all[0].inflated(self.limits.noise[0]),
             all[1].inflated(self.limits.noise[1]),
@@ -140,7 +143,7 @@ impl SelfAffine<ZigZag> {
     }
 }
 
-/// The parts of a stretch in its one or two cells, and where in each.
+/// The parts of an interval in its one or two cells, and the position of each.
 pub(crate) fn pieces([low, high]: [Strip; 2]) -> impl Iterator<Item = (Strip, [f64; 2])> {
     let one = low.index == high.index;
     let first = (low, [low.u, if one { high.u } else { 1.0 }]);

@@ -1,4 +1,5 @@
-//! Global bounds of a self-affine surface and of the errors of its evaluation; lengths are in units of the domain.
+//! Global bounds of a self-affine surface and of the errors of its evaluation; lengths are in units
+//! of the domain.
 
 use asperity_core::Interval;
 
@@ -8,19 +9,21 @@ use crate::surface::self_affine::error::SelfAffineError;
 /// Constants of bounds, rounded up.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
-    /// The factor by which the fold stretches at most: `‖M‖₂`, or `1/a` for the smallest share `a` of a cell.
+    /// The maximum stretch of the fold: `‖M‖₂`, or `1/a` for the relative width `a` of the smallest
+    /// cell.
     pub(crate) stretch: f64,
     /// `|s|` times that.
     pub(crate) contraction: f64,
     /// `1/(1 − |s|)` and the reciprocal of 1 less the contraction.
     pub(crate) gain: [f64; 2],
-    /// Error of one patch's value and gradient.
+    /// Error of the value and gradient of one patch.
     pub(crate) noise: [f64; 2],
-    /// The greatest value and slope of the patches.
+    /// The maximum value and slope of the patches.
     pub(crate) patch: [f64; 2],
     /// A Lipschitz constant of the slopes of the patches.
     pub(crate) bend: f64,
-    /// The computed orbit of a point stays this close to that of a point this close; 0 where orbits are exact.
+    /// The computed orbit of a point stays this close to the orbit of a point this close; 0 where
+    /// orbits are exact.
     pub(crate) shift: f64,
     /// Encloses `f`.
     pub(crate) range: Interval,
@@ -29,7 +32,7 @@ pub struct Limits {
     /// Encloses the repeated part `w`, and its slopes.
     pub(crate) own: Interval,
     pub(crate) own_slopes: [Interval; 2],
-    /// The greatest `|∇f|`, or the greatest slope along either axis.
+    /// The maximum of `|∇f|`, or the maximum slope along either axis.
     pub(crate) steepest: f64,
 }
 
@@ -49,7 +52,7 @@ impl Limits {
         steepest: 0.0,
     };
 
-    /// The limits, unless numbers of these magnitudes take one out of the range of `f64`.
+    /// Returns the limits unless numbers of these magnitudes overflow or underflow `f64`.
     pub(crate) fn checked(self, magnitudes: [f64; 3]) -> Result<Self, SelfAffineError> {
         let ranges = [self.range, self.slopes[0], self.slopes[1]];
         let finite = ranges.iter().all(|range| range.magnitude().is_finite())
@@ -59,12 +62,13 @@ impl Limits {
         if finite { Ok(self) } else { Err(SelfAffineError::TooLarge { magnitude }) }
     }
 
-    /// `contractionᵏ`, rounded up; no smaller than for 64 steps.
+    /// `contractionᵏ`, rounded up; constant from 64 steps on.
     pub(crate) fn contraction_of(&self, steps: u32) -> f64 {
         (0..steps.min(64)).fold(1.0, |power, _| power * self.contraction * (1.0 + 2.0 * UNIT))
     }
 
-    /// A bound of what slopes change over a distance: `Σ_k min(L stretchᵏ distance, 2 sup|∇|) contractionᵏ`.
+    /// A bound of the change of slopes over a distance: `Σ_k min(L stretchᵏ distance, 2 sup|∇|)
+    /// contractionᵏ`.
     pub(crate) fn modulus(&self, distance: f64) -> f64 {
         const MOST_STEPS: u32 = 1 << 16;
         let (mut sum, mut weight, mut change) = (0.0, 1.0, self.bend * distance);
@@ -80,8 +84,9 @@ impl Limits {
         1.01 * (sum + weight * most * self.gain[1])
     }
 
-    /// A tolerance that leaves out the repetitions whose cells are smaller than `distance`, from the finest cell and the
-    /// greatest slope.
+    /// A tolerance that omits the repetitions whose cells are smaller than `distance`.
+    ///
+    /// It is computed from the finest cell and the maximum slope.
     pub(crate) fn left_out(&self, distance: f64, cell: f64, steepest: f64) -> f64 {
         const STEPS: u32 = 1 << 10;
         if distance.is_nan() || distance <= 0.0 {

@@ -1,4 +1,4 @@
-//! The folded surface whose vertical factor varies from node to node: continuous, and as rough as wanted.
+//! The folded surface with a vertical scaling at every node: continuous, with variable roughness.
 
 use alloc::vec::Vec;
 use asperity_core::Interval;
@@ -14,7 +14,7 @@ use crate::surface::self_affine::limits::Limits;
 use crate::surface::self_affine::self_affine::{FoldParts, MOST_STEPS, Part};
 use crate::surface::self_affine::zig_zag::{Grid, Strip, ZigZag, bilinear, patches, shift};
 
-/// Steps that bounds follow a rectangle at most.
+/// Maximum number of steps in which bounds follow a rectangle.
 const FOLLOWED: u32 = 128;
 
 #[doc = include_str!("../../../docs/rough-folded.md")]
@@ -23,10 +23,11 @@ pub struct RoughFolded {
     fold: ZigZag,
     /// At the nodes, row after row.
     factors: Vec<f64>,
-    /// The greatest |S|, and the errors of a factor and of a patch, the rounding of the place included.
+    /// The maximum |S|, and the errors of a scaling and of a patch, including the rounding of the
+    /// position.
     steepest: f64,
     noise: [f64; 2],
-    /// Rounding of the place, in units of the domain.
+    /// Rounding of the position, in units of the domain.
     shift: f64,
     /// Enclose f and w.
     range: Interval,
@@ -34,12 +35,15 @@ pub struct RoughFolded {
 }
 
 impl RoughFolded {
-    /// The surface with vertical factors `factors`, heights `z` and gradients `d` of the smooth part at the nodes of the grid of
-    /// knots `x` and `y`: node (i, j) lies at `(x_i, y_j)` and is entry `i · y.len() + j` of all lists.
+    /// Creates the surface with vertical scalings `factors`, heights `z` and gradients `d` at the
+    /// nodes.
+    ///
+    /// The gradients are those of the smooth part. The nodes form the grid of knots `x` and `y`:
+    /// node (i, j) lies at `(x_i, y_j)` and is entry `i · y.len() + j` of all lists.
     ///
     /// # Errors
-    /// A [`SelfAffineError`] names the rule that the data break, and the node: factors are under 1 in magnitude, by more than
-    /// their rounding.
+    /// [`SelfAffineError`] for invalid data, with the node. Scalings must be below 1 in magnitude,
+    /// by more than their rounding.
     pub fn new(
         x: &[f64],
         y: &[f64],
@@ -54,7 +58,7 @@ impl RoughFolded {
             return Err(SelfAffineError::Length { parameter: "factors", expected, got });
         }
         let shift = shift(widest);
-        // What rounding makes of a factor, relative; along both axes the place is off by the shift.
+        // The relative rounding of a scaling; along both axes the position errs by the shift.
         let rounding = 16.0 * UNIT + 4.0 * shift / narrowest;
         let (mut steepest, mut all) = (0.0_f64, Interval::EMPTY);
         for (index, &factor) in factors.iter().enumerate() {
@@ -95,14 +99,15 @@ impl RoughFolded {
         self.range
     }
 
-    /// `f(x, y)` with a bound of its error, to `tolerance` or the rounding error.
+    /// `f(x, y)` with an error bound, to `tolerance` or the rounding error.
     ///
     /// ```text
     /// f = H + Σ_{0<k<K} A_k (H − G)∘Φᵏ + A_K w∘Φᴷ,   A_k = Π_{i<k} S∘Φⁱ,   |A_K| ≤ (max |s|)ᴷ
     /// ```
     ///
-    /// The last term is replaced by A_K times the middle of w's range, or at a node by its exact value. The bound adds up what
-    /// rounding did on the way, that of the place but for its effect on f itself: see the type.
+    /// The last term is replaced by A_K times the middle of the range of w, or at a node by its
+    /// exact value. The bound includes all rounding, and the rounding of the position except for
+    /// its effect on f itself: see the type.
     pub fn evaluate(&self, x: f64, y: f64, tolerance: f64) -> Bounded {
         let Some((mut at, _)) = self.fold.locate(x, y) else { return Bounded::NAN };
         let radius = 0.5 * self.own.width();
@@ -119,7 +124,7 @@ impl RoughFolded {
             sum += term;
             error += weight_error * (patch.abs() + self.noise[1]) + 2.0 * UNIT * (term.abs() + sum.abs());
             if cell.node.is_some() {
-                // Where a node is reached by rounding, its height stands for one nearby.
+                // If a node is reached by rounding, its height replaces that of a nearby point.
                 let near = if part == Part::Data { 0.0 } else { weight.abs() * self.noise[1] };
                 let error = if part == Part::Data { 0.0 } else { error };
                 return Bounded { value: sum, bound: 1.01 * (error + near) };
@@ -149,14 +154,15 @@ impl RoughFolded {
         self.evaluate(x, y, 0.0).value
     }
 
-    /// A rigorous enclosure of the heights over `x × y`; the smaller the rectangle, the tighter.
+    /// A rigorous enclosure of the heights over `x × y`; tighter for smaller rectangles.
     ///
     /// ```text
     /// f(Q) ⊂ H(Q) + Σ_{0<k<K} A_k(Q) (H − G)(Φᵏ Q) + A_K(Q) w
     /// ```
     ///
-    /// K is where the image has grown to more than two cells. A rectangle of that size gets the range; so does one that is empty
-    /// or has ends that are NaN. Parts outside the domain count as its border.
+    /// K is the step at which the image covers more than two cells. A rectangle of that size
+    /// returns the range, and so does one that is empty or has NaN ends. Parts outside the domain
+    /// are read as its border.
     ///
     /// ```
     /// # use asperity_fif::{Interval, RoughFolded};
@@ -180,7 +186,8 @@ impl RoughFolded {
         let mut height = self.range;
         for step in 0..FOLLOWED {
             let pad = STEP + self.shift;
-            // Arrays are written out: `map` is a call for each of them, a quarter of a ray's time.
+            // Arrays are written out, because `map` is a call for each of them, which takes a
+            // quarter of the time of a ray.
             let ends = |k: usize| {
                 let (low, high) = ((at[k].lo - pad).max(0.0), (at[k].hi + pad).min(1.0));
                 [self.fold.strip(k, low), self.fold.strip(k, high)]
@@ -201,8 +208,9 @@ impl RoughFolded {
         height
     }
 
-    /// Brackets of the extrema over `x × y`, each at most `width` wide where 2¹⁶ rectangles allow that, as
-    /// [`SelfAffine::extrema_over`](crate::SelfAffine::extrema_over).
+    /// Brackets of the extrema over `x × y`, each at most `width` wide if 2¹⁶ rectangles permit.
+    ///
+    /// See [`SelfAffine::extrema_over`](crate::SelfAffine::extrema_over).
     ///
     /// ```
     /// # use asperity_fif::RoughFolded;
@@ -218,7 +226,7 @@ impl RoughFolded {
         extrema(self, self.fold.searched(x, y), width)
     }
 
-    /// Factors at the corners of a cell.
+    /// Scalings at the corners of a cell.
     #[inline]
     fn corners(&self, [i, j]: [usize; 2]) -> [[f64; 2]; 2] {
         let row = self.fold.cells[1] + 1;
@@ -226,7 +234,8 @@ impl RoughFolded {
         [[at(i, j), at(i, j + 1)], [at(i + 1, j), at(i + 1, j + 1)]]
     }
 
-    /// Ranges of a function's patches and of S over a rectangle within two cells along each axis.
+    /// Ranges of the patches of a function and of S over a rectangle within two cells along each
+    /// axis.
     fn ranges(&self, [x, y]: [[Strip; 2]; 2], part: Part) -> [Interval; 2] {
         let [mut patch, mut factor] = [Interval::EMPTY; 2];
         for (across, u) in pieces(x) {

@@ -11,18 +11,20 @@ use crate::surface::extrema::{SurfaceExtrema, extrema};
 use crate::surface::hermite_patch::{Corner, Patch};
 use crate::surface::self_affine::limits::Limits;
 
-/// Steps that one evaluation takes at most.
+/// Maximum number of steps of one evaluation.
 pub(crate) const MOST_STEPS: u32 = 1 << 16;
 
-/// A surface through given heights with given gradients that consists of smooth patches and smaller copies of itself,
-/// once continuously differentiable; no product of curves.
+/// A C¹ fractal surface through given heights and gradients.
+///
+/// It consists of smooth patches and smaller copies of itself, and is not a product of curves.
 ///
 /// ```text
 /// f = H + s w∘Φ,   w = P + s w∘Φ        H, P: bicubic Hermite patches without twist
 /// ```
 ///
-/// The fold `Φ` maps every cell of a grid onto the whole: an integer matrix of the torus ([`Torus`](crate::Torus), periodic,
-/// without grain), or zig-zags along both axes ([`Folded`](crate::Folded), on unequal cells).
+/// The fold `Φ` maps every cell of a grid onto the whole. It is an integer matrix of the torus
+/// ([`Torus`](crate::Torus), periodic, without grain), or zig-zags along both axes
+/// ([`Folded`](crate::Folded), on unequal cells).
 #[derive(Clone, Debug)]
 pub struct SelfAffine<F> {
     pub(crate) fold: F,
@@ -30,7 +32,7 @@ pub struct SelfAffine<F> {
     pub(crate) limits: Limits,
 }
 
-/// One of the two functions that patches are of.
+/// One of the two functions with patches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// `H`.
@@ -39,7 +41,7 @@ pub enum Part {
     Own,
 }
 
-/// The patch of a cell, and a place in it.
+/// The patch of a cell, and a position in it.
 #[derive(Clone, Copy, Debug)]
 pub struct Cell {
     pub(crate) index: [usize; 2],
@@ -48,11 +50,14 @@ pub struct Cell {
     pub(crate) at: [f64; 2],
     /// In units of the domain.
     pub(crate) widths: [f64; 2],
-    /// Height and slopes where the place is a node; those of `H` as they were given.
+    /// Height and slopes if the position is a node; those of `H` as given.
     pub(crate) node: Option<Corner>,
 }
 
-/// A fold of the plane with its nodes: [`TorusFold`](crate::surface::TorusFold) or [`ZigZag`](crate::surface::ZigZag); sealed.
+/// A fold of the plane with its nodes: [`TorusFold`](crate::surface::TorusFold) or
+/// [`ZigZag`](crate::surface::ZigZag).
+///
+/// The trait is sealed.
 pub trait Fold: FoldParts {}
 
 impl<F: FoldParts> Fold for F {}
@@ -64,23 +69,24 @@ pub trait FoldParts: Sized + Clone + Debug {
 
     fn domain(&self) -> [Interval; 2];
 
-    /// The point, and what is cut off of a coordinate; `None` for what is no point.
+    /// The point and the truncation of a coordinate; `None` for an invalid point.
     fn locate(&self, x: f64, y: f64) -> Option<(Self::Place, f64)>;
 
     fn cell(&self, at: Self::Place, part: Part) -> Cell;
 
-    /// The point's image.
+    /// The image of the point.
     fn next(&self, at: Self::Place, cell: &Cell) -> Self::Place;
 
-    /// The Jacobian of one repetition more.
+    /// The Jacobian of one more repetition.
     fn turned(&self, jacobian: &[[f64; 2]; 2], cell: &Cell, factor: f64) -> [[f64; 2]; 2];
 
-    /// Truncation that is enough for values, and bounds of their rounding.
+    /// Sufficient truncation of values, and bounds of their rounding.
     fn value_enough(limits: &Limits, tolerance: f64) -> f64;
 
     fn value_rounding(limits: &Limits, steps: u32) -> f64;
 
-    /// Truncation that is enough for slopes, and bounds of their rounding with partial sums up to `largest`.
+    /// Sufficient truncation of slopes, and bounds of their rounding with partial sums up to
+    /// `largest`.
     fn slope_enough(limits: &Limits, tolerance: f64) -> f64;
 
     fn slope_rounding(limits: &Limits, steps: u32, largest: f64) -> f64;
@@ -94,7 +100,7 @@ pub trait FoldParts: Sized + Clone + Debug {
 
     fn mean(surface: &SelfAffine<Self>) -> Bounded;
 
-    /// The rectangle that a search takes for `x × y`.
+    /// The rectangle that a search uses for `x × y`.
     fn searched(&self, x: Interval, y: Interval) -> [Interval; 2];
 }
 
@@ -104,7 +110,7 @@ impl<F: Fold> SelfAffine<F> {
         self.fold.domain()
     }
 
-    /// The vertical factor s.
+    /// The vertical scaling s.
     #[must_use]
     pub const fn factor(&self) -> f64 {
         self.factor
@@ -120,7 +126,7 @@ impl<F: Fold> SelfAffine<F> {
         self.per_domain(self.limits.slopes)
     }
 
-    /// The mean height over the domain, exact up to the rounding error that is reported.
+    /// The mean height over the domain, exact up to the reported rounding error.
     ///
     /// ```text
     /// torus:    ∫ f = ∫ p / (1 − s) = (Σ_v z_v − s Σ_v z_{Mv}) / (n² (1 − s))
@@ -128,8 +134,8 @@ impl<F: Fold> SelfAffine<F> {
     ///           ∫ over a cell of widths a, b = a b Σ_corners (z/4 ± a z_x/24 ± b z_y/24), + at its lower ends
     /// ```
     ///
-    /// On a torus slopes of the nodes cancel between neighbouring patches; for an odd determinant M permutes the nodes, and
-    /// this is the mean of the data.
+    /// On a torus the slopes of the nodes cancel between neighboring patches. For an odd
+    /// determinant M permutes the nodes, and this is the mean of the data.
     ///
     /// ```
     /// use asperity_fif::{Folded, Torus};
@@ -145,27 +151,28 @@ impl<F: Fold> SelfAffine<F> {
         F::mean(self)
     }
 
-    /// `f(x, y)` with a bound of its error, to `tolerance` or the rounding error.
+    /// `f(x, y)` with an error bound, to `tolerance` or the rounding error.
     ///
     /// ```text
     /// f = H + Σ_{0<k<K} sᵏ P∘Φᵏ + sᴷ w∘Φᴷ
     /// ```
     ///
-    /// The last term is replaced by `sᴷ` times the middle of w's range, or at a node by its exact value.
+    /// The last term is replaced by `sᴷ` times the middle of the range of w, or at a node by its
+    /// exact value.
     pub fn evaluate(&self, x: f64, y: f64, tolerance: f64) -> Bounded {
         let Some((at, cut)) = self.fold.locate(x, y) else { return Bounded::NAN };
         let Bounded { value, bound } = self.value_from(at, tolerance);
         Bounded { value, bound: if cut > 0.0 { bound + 2.0 * cut * self.limits.steepest } else { bound } }
     }
 
-    /// `[∂f/∂x, ∂f/∂y]`, each with a bound of its error, to `tolerance` or the rounding error.
+    /// `[∂f/∂x, ∂f/∂y]`, each with an error bound, to `tolerance` or the rounding error.
     ///
     /// ```text
     /// ∇f = ∇H + Σ_{0<k<K} J_kᵀ ∇P∘Φᵏ + J_Kᵀ ∇w∘Φᴷ,   J_k: sᵏ times the Jacobian of Φᵏ
     /// ```
     ///
-    /// The bound includes what the gradient may change over the rounding of the point, which on zig-zags is more than any
-    /// other rounding: [`SelfAffine::gradient_modulus`].
+    /// The bound includes the change of the gradient over the rounding of the point, which on
+    /// zig-zags exceeds any other rounding: [`SelfAffine::gradient_modulus`].
     pub fn evaluate_gradient(&self, x: f64, y: f64, tolerance: f64) -> [Bounded; 2] {
         let Some((at, cut)) = self.fold.locate(x, y) else { return [Bounded::NAN; 2] };
         self.gradient_from(at, cut, tolerance)
@@ -190,15 +197,18 @@ impl<F: Fold> SelfAffine<F> {
         upward_normal(self.gradient(x, y))
     }
 
-    /// A bound of what the gradient changes between points at most `distance` apart: its conditioning. On a torus of
-    /// `|∇f(p) − ∇f(q)|`, on zig-zags of both components, with the distance along each axis.
+    /// A bound of the change of the gradient between points at most `distance` apart: its
+    /// conditioning.
+    ///
+    /// On a torus it bounds `|∇f(p) − ∇f(q)|`. On zig-zags it bounds both components, with the
+    /// distance along each axis.
     ///
     /// ```text
     /// Σ_k min(L λᵏ distance, 2 sup|∇P|) (|s| λ)ᵏ        λ = ‖M‖₂, or 1/a for the share a of the narrowest cell
     /// ```
     ///
-    /// `L` is a Lipschitz constant of the patches' slopes. The bound falls like a power of the distance, `−ln(|s| λ)/ln λ`
-    /// where that is under 1.
+    /// `L` is a Lipschitz constant of the slopes of the patches. The bound decreases like a power
+    /// of the distance, `−ln(|s| λ)/ln λ` if that is below 1.
     #[must_use]
     pub fn gradient_modulus(&self, distance: f64) -> f64 {
         let per = self.per();
@@ -206,7 +216,7 @@ impl<F: Fold> SelfAffine<F> {
         1.01 * self.limits.modulus(distance.abs() * most) * most
     }
 
-    /// Rigorous enclosures of the heights and slopes over `x × y`; the smaller the rectangle, the tighter.
+    /// Rigorous enclosures of the heights and slopes over `x × y`; tighter for smaller rectangles.
     ///
     /// ```text
     /// f(Q) ⊂ H(Q) + Σ_{0<k<K} sᵏ P(Φᵏ Q) + sᴷ w      ∇f(Q) ⊂ ∇H(Q) + Σ_{0<k<K} J_k(Q)ᵀ ∇P(Φᵏ Q) + J_K(Q)ᵀ ∇w
@@ -214,9 +224,10 @@ impl<F: Fold> SelfAffine<F> {
     /// torus: f(Q) ⊂ S_K(c) + ∇S_K(c) · (Q − c) ± Σ_{k<K} |s|ᵏ |∇p(Mᵏ Q) − ∇p(Mᵏ c)| |Mᵏ (Q − c)| + sᴷ f,   S_K = Σ_{k<K} sᵏ p∘Mᵏ
     /// ```
     ///
-    /// K is where the image has grown to a cell of the grid, or to more than two, so a rectangle of that size or more gets the
-    /// global ranges; so does one that is empty or has ends that are NaN. [`SelfAffine::extrema_over`] splits what is too
-    /// large. On zig-zags parts outside the domain count as its border.
+    /// K is the step at which the image covers a cell of the grid, or more than two. A rectangle of
+    /// that size or more returns the global ranges, and so does one that is empty or has NaN ends.
+    /// [`SelfAffine::extrema_over`] splits rectangles that are too large. On zig-zags parts outside
+    /// the domain are read as its border.
     ///
     /// ```
     /// # use asperity_fif::{Interval, Torus};
@@ -231,15 +242,16 @@ impl<F: Fold> SelfAffine<F> {
         F::bounds(self, x, y)
     }
 
-    /// The surface with narrower global ranges, of heights and slopes, by branch and bound.
+    /// Narrows the global ranges of heights and slopes, by branch and bound over the domain.
     ///
     /// ```text
     /// sup |∇w| ≤ sup (|Σ_{k<K} J_kᵀ ∇P∘Φᵏ| + |J_K| sup |∇w|),   K and the square as in bounds()
     /// ```
     ///
-    /// The constructor adds up the ranges of all terms; here they are added over small squares. That takes some to some tens of
-    /// milliseconds and makes [`SelfAffine::slope_range`] a few times as narrow, and with it every bound over a rectangle:
-    /// worth it before searches; [`SelfAffine::tabulated`] does it by itself.
+    /// The constructor adds up the ranges of all terms; here they are added over small squares.
+    /// This takes up to tens of milliseconds and makes [`SelfAffine::slope_range`] a few times as
+    /// narrow, and with it every bound over a rectangle. It is worthwhile before searches;
+    /// [`SelfAffine::tabulated`] includes it.
     ///
     /// ```
     /// # use asperity_fif::Torus;
@@ -255,10 +267,10 @@ impl<F: Fold> SelfAffine<F> {
         self
     }
 
-    /// Brackets of the extrema over `x × y`, each at most `width` wide where 2¹⁶ rectangles allow that.
+    /// Brackets of the extrema over `x × y`, each at most `width` wide if 2¹⁶ rectangles permit.
     ///
-    /// They are rigorous whatever their width. A rectangle that is empty or not finite stands for the domain; on zig-zags it is
-    /// cut to that.
+    /// They are rigorous for any width. A rectangle that is empty or not finite is read as the
+    /// domain; on zig-zags it is clipped to the domain.
     ///
     /// ```
     /// # use asperity_fif::{Interval, Torus};
@@ -275,12 +287,12 @@ impl<F: Fold> SelfAffine<F> {
         extrema(self, self.fold.searched(x, y), width)
     }
 
-    /// Reciprocals of the domain's widths.
+    /// Reciprocals of the widths of the domain.
     fn per(&self) -> [f64; 2] {
         self.fold.domain().map(|side| 1.0 / side.width())
     }
 
-    /// Slopes per the domain's widths as slopes.
+    /// Converts slopes per width of the domain to slopes.
     pub(crate) fn per_domain(&self, slopes: [Interval; 2]) -> [Interval; 2] {
         let domain = self.fold.domain();
         [0, 1].map(|k| match domain[k].width() {

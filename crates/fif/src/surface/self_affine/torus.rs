@@ -21,11 +21,12 @@ use crate::surface::self_affine::torus_fold::{
 pub type Torus = SelfAffine<TorusFold>;
 
 impl SelfAffine<TorusFold> {
-    /// The surface with heights `z` and gradients `d` at `side`² nodes: node (i, j) lies at `(i, j)/side` and is entry
-    /// `i · side + j` of both lists.
+    /// Creates the surface with heights `z` and gradients `d` at `side`² nodes.
+    ///
+    /// Node (i, j) lies at `(i, j)/side` and is entry `i · side + j` of both lists.
     ///
     /// # Errors
-    /// A [`SelfAffineError`] names the rule that the data break.
+    /// [`SelfAffineError`] for invalid data.
     pub fn new(
         side: usize,
         matrix: [[i32; 2]; 2],
@@ -83,7 +84,8 @@ impl SelfAffine<TorusFold> {
         self.fold.matrix
     }
 
-    /// [`SelfAffine::evaluate`] at the rational point `numerators / denominator`, whose orbit is followed exactly.
+    /// [`SelfAffine::evaluate`] at the rational point `numerators / denominator`, with an exact
+    /// orbit.
     ///
     /// NaN for the denominator 0.
     ///
@@ -101,8 +103,8 @@ impl SelfAffine<TorusFold> {
 
     /// [`SelfAffine::evaluate_gradient`] at the rational point `numerators / denominator`.
     ///
-    /// The gradient is only Hölder continuous, so that of the nearest double may differ by far more than its rounding:
-    /// [`SelfAffine::gradient_modulus`]. NaN for the denominator 0.
+    /// The gradient is only Hölder continuous, so the gradient at the nearest double may differ by
+    /// far more than its rounding: [`SelfAffine::gradient_modulus`]. NaN for the denominator 0.
     pub fn evaluate_gradient_ratio(
         &self,
         numerators: [i64; 2],
@@ -199,6 +201,6 @@ impl FoldParts for TorusFold {
 
 /// The image of a node under M.
 fn moved_node([i, j]: [usize; 2], matrix: &[[i32; 2]; 2]) -> [usize; 2] {
-    // Wrapping arithmetic is that of the remainders, as the side is a power of two.
+    // Wrapping arithmetic equals that of the remainders, because the side is a power of two.
     matrix.map(|[a, b]| i.wrapping_mul(a as isize as usize).wrapping_add(j.wrapping_mul(b as isize as usize)))
 }

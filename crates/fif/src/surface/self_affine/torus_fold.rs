@@ -19,7 +19,7 @@ pub struct TorusFold {
     pub(crate) scaled: [[f64; 2]; 2],
 }
 
-/// A node: its data and those of the patches' corner.
+/// A node: its data and the data of the corner of the patch.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Node {
     /// `p` and its slopes per width of a cell.
@@ -75,7 +75,7 @@ pub(crate) fn limits(
     }
     let along = along.map(|range| range.scaled(scale));
     let magnitudes = Magnitudes::new(corner);
-    // What the corners were computed from, each with 5 roundings at most.
+    // The data of the corners, each with at most 5 roundings.
     let turned = factor.abs() * 2.0 * norm * x.max(y);
     let given = Magnitudes::new([z * (1.0 + factor.abs()), (x + turned) / scale, (y + turned) / scale]);
     let noise = [
@@ -112,7 +112,8 @@ pub(crate) fn limits(
     limits
 }
 
-/// Smaller enclosures from the functional equations: whatever encloses f on the right encloses it on the left.
+/// Tighter enclosures from the functional equations: an enclosure of f on the right is one on the
+/// left.
 fn settle(limits: &mut Limits, value: Interval, along: [Interval; 2], fold: &TorusFold, factor: f64) {
     const SWEEPS: u32 = 64;
     let (mut sum, mut jacobian, mut rest) =
@@ -129,7 +130,9 @@ fn settle(limits: &mut Limits, value: Interval, along: [Interval; 2], fold: &Tor
         .map(|range| range.intersection(Interval::new(-limits.steepest, limits.steepest)));
 }
 
-/// Rounding of a value after `steps` terms: of the patches, of powers of s, and of partial sums of up to twice the range.
+/// Rounding of a value after `steps` terms.
+///
+/// It includes the patches, powers of s, and partial sums of up to twice the range.
 pub(crate) fn value_rounding(limits: &Limits, steps: u32) -> f64 {
     let steps = f64::from(steps);
     let weight = if steps < limits.gain[0] { steps } else { limits.gain[0] };
@@ -138,8 +141,10 @@ pub(crate) fn value_rounding(limits: &Limits, steps: u32) -> f64 {
         + UNIT * (2.0 * (steps + 2.0) * scale + 2.0 * weight * (weight * limits.patch[0] + scale)))
 }
 
-/// Rounding of a gradient after `steps` terms: of the patches, of Jacobians, which are off by at most 8 k units after k
-/// products relative to `(|s| ‖M‖)ᵏ`, of products with them, and of partial sums up to `largest`.
+/// Rounding of a gradient after `steps` terms.
+///
+/// It includes the patches, Jacobians, which err by at most 8 k units after k products relative to
+/// `(|s| ‖M‖)ᵏ`, products with them, and partial sums up to `largest`.
 pub(crate) fn slope_rounding(limits: &Limits, steps: u32, largest: f64) -> f64 {
     let steps = f64::from(steps);
     let weight = if steps < limits.gain[1] { steps } else { limits.gain[1] };
@@ -151,7 +156,7 @@ pub(crate) fn slope_rounding(limits: &Limits, steps: u32, largest: f64) -> f64 {
 pub(crate) fn spectral_norm(matrix: &[[i32; 2]; 2]) -> f64 {
     let [[a, b], [c, d]] = matrix.map(|row| row.map(i128::from));
     let (total, determinant) = (a * a + b * b + c * c + d * d, (a * d - b * c).abs());
-    // Both factors are exact integers under 2⁶⁵, so nothing cancels.
+    // Both factors are exact integers below 2⁶⁵, so nothing cancels.
     let root = sqrt_f64((total - 2 * determinant) as f64 * (total + 2 * determinant) as f64);
     sqrt_f64(0.5 * (total as f64 + root)) * (1.0 + 8.0 * UNIT)
 }

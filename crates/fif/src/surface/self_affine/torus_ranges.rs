@@ -25,7 +25,9 @@ struct PartialSlopes {
 }
 
 impl SelfAffine<TorusFold> {
-    /// [`SelfAffine::bounds`] and an enclosure of the mean height, to which what is linear around the centre adds nothing.
+    /// [`SelfAffine::bounds`] and an enclosure of the mean height.
+    ///
+    /// The linear part around the center contributes nothing to the mean.
     pub(crate) fn bounds_and_mean(&self, x: Interval, y: Interval) -> BoundsAndMean {
         let limits = &self.limits;
         let whole = SurfaceBounds { height: limits.range, slopes: limits.slopes };
@@ -42,7 +44,7 @@ impl SelfAffine<TorusFold> {
         let mut radius = sqrt_f64(extent[0] * extent[0] + extent[1] * extent[1]) * (1.0 + 4.0 * UNIT);
         let (mut sum, mut slopes) = (Interval::new(0.0, 0.0), [Interval::new(0.0, 0.0); 2]);
         let (mut weight, mut jacobian, mut steps) = (1.0_f64, IDENTITY, 0);
-        // The first K terms at the centre, their gradient, and what is left of them over the rectangle.
+        // The first K terms at the center, their gradient, and the rest over the rectangle.
         let (mut value, mut gradient, mut bent) = (0.0, [0.0_f64; 2], 0.0);
         let (mut height, mut mean, reach) = (limits.range, limits.range, half.map(|half| half + cut));
         while extent[0].max(extent[1]) <= 0.5 && steps < MOST_STEPS {
@@ -67,7 +69,8 @@ impl SelfAffine<TorusFold> {
             let error = value_rounding(limits, steps);
             height = height.intersection(sum.sum(rest).inflated(error));
             let turn = gradient[0].abs() * reach[0] + gradient[1].abs() * reach[1] + bent;
-            // The centre is that of the rectangle but for half a unit in the last place, which `half` contains.
+            // The center is the center of the rectangle up to half a unit in the last place, which
+            // `half` contains.
             let error = error
                 + turn * 1e-14
                 + slope_rounding(limits, steps, 2.0 * limits.steepest) * (reach[0] + reach[1]);
@@ -149,9 +152,9 @@ impl SelfAffine<TorusFold> {
     /// mean f ∈ S_K(c) ± Σ_{k<K} |s|ᵏ |∇p(Mᵏ Q) − ∇p(Mᵏ c)| |Mᵏ (Q − c)| + sᴷ f   over a part Q around c
     /// ```
     ///
-    /// The bound falls like `cells^(−ln |s|/ln ‖M‖)`: four times as many gain a factor of four to
-    /// five where |s| = 3/8 and ‖M‖ = √5. Over
-    /// whole periods [`SelfAffine::mean`] is exact. NaN for a rectangle that is empty or not finite.
+    /// The bound decreases like `cells^(−ln |s|/ln ‖M‖)`: four times as many cells gain a factor of
+    /// four to five for |s| = 3/8 and ‖M‖ = √5. Over whole periods [`SelfAffine::mean`] is exact.
+    /// NaN for a rectangle that is empty or not finite.
     pub fn mean_over(&self, x: Interval, y: Interval, cells: u32) -> Bounded {
         let cells = cells.max(1);
         let step = [x, y].map(|range| range.width() / f64::from(cells));
@@ -174,13 +177,15 @@ impl SelfAffine<TorusFold> {
         }
         let count = f64::from(cells) * f64::from(cells);
         let limits = &self.limits;
-        // Sums of up to `count` heights; parts of unequal size and places by the rounding of their ends.
+        // Sums of up to `count` heights; parts of unequal size and positions by the rounding of
+        // their ends.
         let ends = 4.0 * f64::EPSILON * (x.magnitude() + y.magnitude()) * limits.steepest;
         let rounding = UNIT * (count + 16.0) * limits.range.magnitude();
         Bounded { value: sum / count, bound: 1.001 * (bound / count + ends + rounding) }
     }
 
-    /// Ranges of p and its slopes per cell over the box of half widths `extent`, at most half a cell, around a point.
+    /// Ranges of p and its slopes per cell over the box of half widths `extent`, at most half a
+    /// cell, around a point.
     fn patch_ranges(&self, at: Address, extent: [f64; 2]) -> [Interval; 3] {
         let ([i, j], place) = at.cell(self.fold.bits);
         let reach = |k: usize| {
@@ -199,13 +204,13 @@ impl SelfAffine<TorusFold> {
     }
 }
 
-/// Half the width, rounded up so that the middle's rounding does not count.
+/// Half the width, rounded up so that it covers the rounding of the center.
 fn half_width(range: Interval) -> f64 {
     let middle = range.middle();
     (range.hi - middle).max(middle - range.lo).next_up()
 }
 
-/// The parts of `[lo, hi]` in the cell and its neighbours: which cell, and where in it.
+/// The parts of `[lo, hi]` in the cell and its neighbors: the cell, and the position in it.
 fn pieces([lo, hi]: [f64; 2]) -> impl Iterator<Item = (isize, [f64; 2])> {
     let own = (0, [lo.max(0.0), hi.min(1.0)]);
     let before = (-1, [(1.0 + lo).max(0.0), 1.0]);

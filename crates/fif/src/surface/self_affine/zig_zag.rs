@@ -9,7 +9,9 @@ use crate::surface::self_affine::error::{SelfAffineError, magnitudes};
 use crate::surface::self_affine::limits::Limits;
 use crate::surface::self_affine::self_affine::Part;
 
-/// A rectangle under zig-zags, affine from every cell of a grid onto the whole, rising and falling in turn.
+/// A rectangle folded by zig-zags, affine from every cell of a grid onto the whole.
+///
+/// They alternately increase and decrease.
 #[derive(Clone, Debug)]
 pub struct ZigZag {
     pub(crate) nodes: Vec<Node>,
@@ -17,7 +19,7 @@ pub struct ZigZag {
     pub(crate) domain: [Interval; 2],
 }
 
-/// A node: its place, its data and those of the repeated part.
+/// A node: its position, its data and the data of the repeated part.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Node {
     /// In units of the domain.
@@ -28,17 +30,17 @@ pub(crate) struct Node {
     pub(crate) own: Corner,
 }
 
-/// A grid with its nodes, and what the constructors of surfaces over it ask.
+/// A grid with its nodes, and the data for the constructors of surfaces.
 pub(crate) struct Grid {
     pub(crate) fold: ZigZag,
     /// Widths of the narrowest and the widest cell along either axis, in units of the domain.
     pub(crate) narrowest: f64,
     pub(crate) widest: f64,
-    /// The greatest magnitudes of heights and of both slopes.
+    /// The maximum magnitudes of heights and of both slopes.
     pub(crate) magnitudes: [f64; 3],
 }
 
-/// A cell of one axis, and a place within it.
+/// A cell of one axis, and a position in it.
 #[derive(Clone, Copy)]
 pub(crate) struct Strip {
     pub(crate) index: usize,
@@ -49,7 +51,7 @@ pub(crate) struct Strip {
 }
 
 impl Strip {
-    /// Image of the place under Φ.
+    /// Image of the position under Φ.
     #[inline]
     pub(crate) fn folded(self) -> f64 {
         if self.index.is_multiple_of(2) { self.u } else { 1.0 - self.u }
@@ -63,7 +65,8 @@ impl Strip {
 }
 
 impl ZigZag {
-    /// The grid of knots `x` and `y` with heights `z` and gradients `d` at its nodes, row after row.
+    /// Creates the grid of knots `x` and `y` with heights `z` and gradients `d` at its nodes, row
+    /// by row.
     pub(crate) fn through(x: &[f64], y: &[f64], z: &[f64], d: &[[f64; 2]]) -> Result<Grid, SelfAffineError> {
         let along = [knots(0, x)?, knots(1, y)?];
         let magnitudes = magnitudes(x.len().saturating_mul(y.len()), y.len(), z, d)?;
@@ -106,7 +109,7 @@ impl ZigZag {
         Strip { index, width: self.knot(axis, index + 1) - self.knot(axis, index), u: 0.0 }
     }
 
-    /// The cell of an axis in which a place is, in units of the domain.
+    /// The cell of an axis that contains a position, in units of the domain.
     #[inline]
     pub(crate) fn strip(&self, axis: usize, place: f64) -> Strip {
         let count = if axis == 0 { self.cells[0] } else { self.cells[1] };
@@ -123,7 +126,7 @@ impl ZigZag {
         Strip { index, width, u: if u > 1.0 { 1.0 } else { u } }
     }
 
-    /// The patch of a function over a cell, slopes per width of the cell.
+    /// The patch of a function over a cell, with slopes per width of the cell.
     #[inline]
     pub(crate) fn patch(&self, [x, y]: [Strip; 2], part: Part) -> Patch {
         let corner = |i: usize, j: usize| {
@@ -146,7 +149,7 @@ impl ZigZag {
     }
 }
 
-/// A place in units of the domain, clamped to it; NaN for NaN.
+/// A position in units of the domain, clamped to it; NaN for NaN.
 #[inline]
 pub(crate) fn part_of(domain: Interval, x: f64) -> f64 {
     let x = if x < domain.lo { domain.lo } else { x };
@@ -186,7 +189,7 @@ fn knots(axis: usize, at: &[f64]) -> Result<Spacing, SelfAffineError> {
     for (cell, pair) in at.windows(2).enumerate() {
         let &[left, right] = pair else { continue };
         let width = part_of(domain, right) - part_of(domain, left);
-        // Far more than the rounding of places in units of the domain.
+        // Far more than the rounding of positions in units of the domain.
         if width.is_nan() || width < 1e-9 {
             return not_increasing(cell + 1, right);
         }
@@ -205,7 +208,7 @@ pub(crate) fn bilinear(corners: &[[f64; 2]; 2], [t, u]: [f64; 2]) -> Corner {
     [s * (v * a + u * b) + t * (v * c + u * d), v * (c - a) + u * (d - b), s * (b - a) + t * (d - c)]
 }
 
-/// The limits of a folded surface whose narrowest and widest cells have these shares.
+/// The limits of a folded surface whose narrowest and widest cells have these relative widths.
 pub(crate) fn limits(fold: &ZigZag, factor: f64, [narrowest, widest]: [f64; 2], contraction: f64) -> Limits {
     const SWEEPS: u32 = 64;
     let up = 1.0 + 64.0 * UNIT;
@@ -233,13 +236,17 @@ pub(crate) fn limits(fold: &ZigZag, factor: f64, [narrowest, widest]: [f64; 2], 
     limits
 }
 
-/// The orbit of a point is that of one within this distance, in units of the domain, when the widest cell has this share.
+/// The precision of an orbit, in units of the domain, for this relative width of the widest cell.
+///
+/// The computed orbit is exact for a point within this distance.
 pub(crate) fn shift(widest: f64) -> f64 {
-    // 16 roundings a step; going back along the orbit, a cell's share makes them smaller.
+    // 16 roundings per step; going back along the orbit, the relative width of a cell makes them
+    // smaller.
     16.0 * UNIT * (1.0 + (1.0 + 64.0 * UNIT) / (1.0 - widest))
 }
 
-/// Ranges of values and slopes of the patches of both functions, which the limits take in with their noise.
+/// Ranges of values and slopes of the patches of both functions, which are added to the limits with
+/// their noise.
 pub(crate) fn patches(fold: &ZigZag, limits: &mut Limits) -> [[Interval; 3]; 2] {
     let mut ranges = [[Interval::EMPTY; 3]; 2];
     let [m, n] = fold.cells;
@@ -263,12 +270,12 @@ pub(crate) fn patches(fold: &ZigZag, limits: &mut Limits) -> [[Interval; 3]; 2] 
     ranges
 }
 
-/// The greatest slope of f along either axis.
+/// The maximum slope of f along either axis.
 pub(crate) fn steepest(limits: &Limits) -> f64 {
     limits.slopes[0].magnitude().max(limits.slopes[1].magnitude())
 }
 
-/// Takes in a patch over a cell whose narrower side is `width`.
+/// Includes a patch over a cell whose narrower side is `width`.
 fn add(limits: &mut Limits, patch: &Patch, width: f64) {
     let mut corner = [0.0_f64; 3];
     for data in patch.0.iter().flatten() {
@@ -282,7 +289,8 @@ fn add(limits: &mut Limits, patch: &Patch, width: f64) {
     limits.bend = limits.bend.max(2.0 * magnitudes.second / (width * width));
 }
 
-/// Rounding of a value after `steps` terms: of the patches, of powers of s, of partial sums, and of the orbit.
+/// Rounding of a value after `steps` terms: of the patches, of powers of s, of partial sums, and of
+/// the orbit.
 pub(crate) fn value_rounding(limits: &Limits, steps: u32) -> f64 {
     let steps = f64::from(steps);
     let weight = if steps < limits.gain[0] { steps + 1.0 } else { limits.gain[0] + 1.0 };
@@ -293,7 +301,9 @@ pub(crate) fn value_rounding(limits: &Limits, steps: u32) -> f64 {
         + moved)
 }
 
-/// Rounding of a slope after `steps` terms, widths of cells included, but for what the gradient changes over the rounding of the point.
+/// Rounding of a slope after `steps` terms, including widths of cells.
+///
+/// It excludes the change of the gradient over the rounding of the point.
 pub(crate) fn slope_rounding(limits: &Limits, steps: u32) -> f64 {
     let steps = f64::from(steps);
     let weight = if steps < limits.gain[1] { steps + 1.0 } else { limits.gain[1] + 1.0 };

@@ -3,7 +3,7 @@
 use core::array;
 use core::ops::{Add, Mul};
 
-/// A function, its derivative and its integral at a point; or bounds of their errors, or places for many.
+/// A function, its derivative and its integral at a point; or their error bounds, or output slices.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Jet<T = f64> {
     /// `f(x)`.
@@ -15,7 +15,7 @@ pub struct Jet<T = f64> {
 }
 
 impl<T> Jet<T> {
-    /// All three mapped by one function.
+    /// Maps all three by one function.
     #[must_use]
     pub fn map<U>(self, to: impl Fn(T) -> U) -> Jet<U> {
         Jet { value: to(self.value), slope: to(self.slope), integral: to(self.integral) }
@@ -30,7 +30,7 @@ impl<T> Jet<T> {
     }
 }
 
-/// A number, or lanes of numbers.
+/// A number, or SIMD lanes of numbers.
 pub(crate) trait Lanes: Copy + Add<Output = Self> + Mul<Output = Self> {}
 
 impl<V: Copy + Add<Output = V> + Mul<Output = V>> Lanes for V {}
@@ -40,7 +40,7 @@ impl<V: Copy + Add<Output = V> + Mul<Output = V>> Lanes for V {}
 pub(crate) struct Scales<V, const C: usize> {
     pub(crate) radix: V,
     pub(crate) per_radix: V,
-    /// `1/(k + 1)`, what integration gives a coefficient.
+    /// `1/(k + 1)`, the factor of a coefficient by integration.
     pub(crate) parts: [V; C],
 }
 
@@ -54,7 +54,7 @@ impl<const C: usize> Scales<f64, C> {
 #[derive(Clone, Copy)]
 pub(crate) struct Sums<V> {
     jet: Jet<V>,
-    /// The products of factors so far, times powers of the radix for slope and integral.
+    /// The products of scalings so far, times powers of the radix for slope and integral.
     weight: V,
     steep: V,
     flat: V,
@@ -66,12 +66,12 @@ impl<V: Lanes> Sums<V> {
         Self { jet, weight: one, steep: one, flat: one }
     }
 
-    /// The next term of all three; `z` is what is left, less 1/2.
+    /// The next term of all three; `z` is the remainder minus 1/2.
     #[inline(always)]
     pub(crate) fn all<const C: usize>(&mut self, c: &[V; C], a: V, middle: V, z: V, by: &Scales<V, C>) {
         if let Some((&last, lower)) = c.split_last() {
             let mut p = last * by.parts[C - 1];
-            // No closures: a function of its own would not have the registers of the lanes.
+            // No closures, because a separate function would not use the registers of the lanes.
             for (&c, &part) in lower.iter().zip(&by.parts).rev() {
                 p = p * z + c * part;
             }
@@ -81,7 +81,7 @@ impl<V: Lanes> Sums<V> {
         self.value_and_slope(c, a, z, by);
     }
 
-    /// The last term of the integral, linear in what is left.
+    /// The last term of the integral, linear in the remainder.
     #[inline(always)]
     pub(crate) fn end_integral<const C: usize>(&mut self, c: &[V; C], middle: V, z: V, by: &Scales<V, C>) {
         if let Some(&first) = c.first() {

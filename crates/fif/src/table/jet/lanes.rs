@@ -1,4 +1,4 @@
-//! Jets in the lanes of a SIMD register. Where the radix is a power of two, digits come out of a float exactly.
+//! Jets in SIMD lanes, where the radix is a power of two and digits of a float are exact.
 
 use asperity_core::lanes::best_level;
 use fearless_simd::{Bytes, Simd, dispatch, f64x4, prelude::*, u32x8};
@@ -10,14 +10,15 @@ use crate::table::uniform::LEAST;
 
 const LANES: usize = 4;
 
-/// Remainder in each lane, and the row of the digit before it.
+/// Remainder in each lane, and the row of the previous digit.
 struct Places<'a, I: Simd, const C: usize> {
     rest: f64x4<I>,
     digits: [usize; LANES],
     rows: [&'a Composite<C>; LANES],
 }
 
-/// Places that lanes serve: from a place whose bits after one digit all lie over 2⁻⁵³, and between knots.
+/// Range of positions for SIMD: all bits after one digit are above 2⁻⁵³, and the position is
+/// between knots.
 struct Edges {
     least: f64,
     near: f64,
@@ -25,7 +26,7 @@ struct Edges {
 }
 
 impl<const C: usize> Jets<C> {
-    /// All jets in lanes where the radix is a power of two; points that lanes do not serve go to `one_by_one`.
+    /// Computes all jets with SIMD if the radix is a power of two; other points go to `one_by_one`.
     pub(crate) fn in_lanes(
         &self,
         x: &[f64],
@@ -68,7 +69,7 @@ impl<const C: usize> Jets<C> {
         one_by_one(rest, Jet { value, slope, integral });
     }
 
-    /// `None` when a lane has to go another way.
+    /// `None` if a lane needs another path.
     #[inline(always)]
     fn group<I: Simd>(&self, simd: I, edges: &Edges, x: &[f64; LANES]) -> Option<Jet<f64x4<I>>> {
         let (one, half) = (f64x4::splat(simd, 1.0), f64x4::splat(simd, 0.5));
@@ -90,7 +91,7 @@ impl<const C: usize> Jets<C> {
             integral: t * (start + f64x4::splat(simd, 0.5 * self.chord.rise) * t) + self.primitive.half,
         };
         let table = self.table.as_slice();
-        // Of one length, so that one comparison serves for both.
+        // Of equal length, so that one comparison covers both.
         let middles = self.primitive.middles.get(..table.len())?;
         let mut sums = Sums::new(jet, one);
         let mut rest = t;
@@ -139,7 +140,7 @@ impl<'a, I: Simd, const C: usize> Places<'a, I, C> {
     fn next(table: &'a [Composite<C>], rest: f64x4<I>, radix: f64x4<I>) -> Option<Self> {
         let scaled = rest * radix;
         let whole = scaled.floor();
-        // 2⁵² and the digit: its bits are the last ones.
+        // 2⁵² plus the digit: its bits are the last ones.
         let bits: u32x8<I> = (whole + 4_503_599_627_370_496.0).bitcast();
         let [d0, _, d1, _, d2, _, d3, _] = <[u32; 8]>::from(bits);
         let digits = [d0 as usize, d1 as usize, d2 as usize, d3 as usize];

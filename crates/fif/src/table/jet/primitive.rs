@@ -1,4 +1,4 @@
-//! The integral of the deviation from the chord, at the middles of all cells of a table.
+//! The integral of the deviation from the chord, at the centers of all cells of a table.
 
 use alloc::vec::Vec;
 use asperity_core::Interval;
@@ -11,18 +11,19 @@ use crate::table::composite::{Composite, Composites, Series};
 /// Over the domain scaled to `[0, 1]`.
 #[derive(Clone, Debug)]
 pub(crate) struct Primitive {
-    /// `∫ v` from 1/2 to the middle of each cell.
+    /// `∫ v` from 1/2 to the center of each cell.
     pub(crate) middles: Vec<f64>,
     /// `∫ v` from 0 to 1/2 and to 1.
     pub(crate) half: f64,
     pub(crate) whole: f64,
-    /// The sum `Σ_k W_k r^(1−k) (∫_{1/2}^c v + (1/r) ∫_{1/2}^{u_k} P)`, whose last term has the line through the
-    /// middle in place of the integral of `P`.
+    /// The sum `Σ_k W_k r^(1−k) (∫_{1/2}^c v + (1/r) ∫_{1/2}^{u_k} P)`.
+    ///
+    /// Its last term uses the line through the center in place of the integral of `P`.
     pub(crate) series: Series,
 }
 
 impl Primitive {
-    /// `centred` has the rows' polynomials in `u − 1/2`.
+    /// `centred` contains the polynomials of the rows in `u − 1/2`.
     pub(crate) fn new<const C: usize>(made: &Composites<C>, centred: &[Composite<C>], chord: &Chord) -> Self {
         let per_radix = 1.0 / made.radix as f64;
         let cells: Vec<_> = centred.iter().map(Cell::new).collect();
@@ -45,7 +46,7 @@ impl Primitive {
             .collect();
         let middle = made.radix / 2;
         let half = match (starts.get(middle), cells.get(middle)) {
-            // 1/2 is the middle of the middle cell.
+            // 1/2 is the center of the middle cell.
             (Some(start), Some(cell)) if made.radix % 2 == 1 => {
                 (start + per_radix * cell.left) / (1.0 - per_radix * cell.a)
             }
@@ -61,7 +62,7 @@ impl Primitive {
         let sup = made.deviation.magnitude();
         let gamma = 4.0 * C as f64 * UNIT;
         let gain = 1.0 / (1.0 - made.steepest);
-        // A polynomial, moved to the middle, and its integral.
+        // A polynomial, shifted to the center, and its integral.
         let part = 1.01 * (made.error + 3.0 * gamma * made.largest);
         let sums = gain * (part + 8.0 * UNIT * (made.largest + whole.abs() + sup));
         let farthest = middles.iter().fold(0.0_f64, |most, middle| most.max(middle.abs()));
@@ -78,7 +79,7 @@ impl Primitive {
             tail: Interval::new(-radius, radius),
             scale: 2.0 * (chord.start.abs() + chord.rise.abs()) + half.abs(),
             end: u32::MAX,
-            // Places near the left end are cut off after 64 bits.
+            // Positions near the left end are truncated after 64 bits.
             lost: f64::MIN_POSITIVE + UNIT / 1024.0 * sup,
             unit: UNIT,
         };
@@ -86,8 +87,9 @@ impl Primitive {
     }
 }
 
-/// Integrals of a row: over the left half of its cell, over the whole cell, and a bound of what the line
-/// through the middle leaves of it.
+/// Integrals of a row: over the left half of its cell, and over the whole cell.
+///
+/// And an error bound of the line through the center.
 struct Cell {
     a: f64,
     left: f64,
@@ -96,13 +98,13 @@ struct Cell {
 }
 
 impl Cell {
-    /// Of a row in `u − 1/2`.
+    /// Integrals of a row in `u − 1/2`.
     fn new<const C: usize>(row: &Composite<C>) -> Self {
         let c = row.c;
         let (mut power, mut left, mut whole) = (0.5, 0.0, 0.0);
         for (k, c) in c.iter().enumerate() {
             let part = c * power / (k + 1) as f64;
-            // Odd powers take from the left half what they add to the right one.
+            // Odd powers subtract from the left half the amount that they add to the right one.
             left += if k % 2 == 0 { part } else { -part };
             whole += if k % 2 == 0 { 2.0 * part } else { 0.0 };
             power *= 0.5;
@@ -115,7 +117,7 @@ impl Cell {
     }
 }
 
-/// A sum with what its roundings have lost.
+/// A sum with its accumulated rounding error.
 #[derive(Default)]
 struct Exact {
     high: f64,

@@ -1,4 +1,4 @@
-//! Value, slope, integral and higher derivatives at one address, by a table of composites.
+//! Value, slope, integral and higher derivatives at one address, from a table of composites.
 
 use alloc::vec::Vec;
 use asperity_core::Interval;
@@ -12,21 +12,22 @@ use crate::table::jet::jet::{Jet, Scales, Sums};
 use crate::table::jet::primitive::Primitive;
 use crate::table::uniform::{LEAST, digit, fraction};
 
-/// A smooth function with its derivatives and its integral, which share the digits of a point.
+/// A smooth function with its derivatives and its integral, which use the same digits of a point.
 ///
-/// With `r` composites `v(L_e u) = A_e v(u) + P_e(u)` of `v = f − chord`, over the domain scaled to `[0, 1]`, the digits
-/// `e_1, e_2, …` of a place `t` to the radix `r`, `u_1, u_2, …` left after them, and `c` the middle of a cell:
+/// With `r` composites `v(L_e u) = A_e v(u) + P_e(u)` of `v = f − chord`, over the domain scaled to
+/// `[0, 1]`, the digits `e_1, e_2, …` of a position `t` to the radix `r`, the remainders `u_1, u_2,
+/// …`, and the center `c` of a cell:
 ///
 /// ```text
 /// v^(m)(t) = Σ_k W_k r^(mk) P^(m)(u_k)                               W_k = A_{e_1} … A_{e_{k−1}},  P = P_{e_k}
 /// ∫_{1/2}^t v = Σ_k W_k r^(1−k) (∫_{1/2}^c v + (1/r) ∫_{1/2}^{u_k} P)
 /// ```
 ///
-/// Every sum has its own number of terms, fixed by the tolerance. The slope has the most, the integral gains `r` more with
-/// each digit; its last term is linear in `u_k`.
+/// Every sum has a separate number of terms, determined by the tolerance. The slope needs the most.
+/// The integral gains a factor `r` more with each digit; its last term is linear in `u_k`.
 ///
-/// Not in the sources: eq. 29–36 of Cochran, Lewis, Hart 2000 make systems of derivative and integral, each with
-/// addresses of its own.
+/// Not in the sources: eq. 29–36 of Cochran, Lewis, Hart 2000 create systems of derivative and
+/// integral, each with its own addresses.
 #[derive(Clone, Debug)]
 pub(crate) struct Jets<const C: usize> {
     /// Polynomials in `u − 1/2`.
@@ -34,24 +35,29 @@ pub(crate) struct Jets<const C: usize> {
     pub(crate) primitive: Primitive,
     pub(crate) radix: u64,
     pub(crate) scales: Scales<f64, C>,
-    /// Terms of the sums for the integral, the value and the slope, none fewer than the one before.
+    /// Numbers of terms of the sums for the integral, the value and the slope, in nondecreasing
+    /// order.
     pub(crate) terms: [u32; 3],
-    /// Remainder after the first digit, or lack to the next one, at the knots and around them, in units of 2⁻⁶⁴.
+    /// Remainder after the first digit, or distance to the next one, at the knots and around them.
+    ///
+    /// In units of 2⁻⁶⁴.
     pub(crate) near: u64,
     pub(crate) origin: f64,
     pub(crate) width: f64,
     pub(crate) per_width: f64,
     pub(crate) chord: Chord,
-    /// Stand-ins for the tails of value and slope, where digits are left and where they are zeros.
+    /// Replacements for the tails of value and slope, for nonzero and for zero remaining digits.
     pub(crate) tails: [[f64; 2]; 2],
     pub(crate) orders: Vec<Order>,
-    /// Bounds of the errors away from knots.
+    /// Error bounds away from knots.
     pub(crate) away: Jet,
 }
 
 impl<const C: usize> Jets<C> {
-    /// `None` when 64 steps leave more than `tolerance`, or the rounding error where that is more, of a component; `count`
-    /// derivatives are continuous.
+    /// Returns `None` if 64 steps leave more than `tolerance` in a component, or the rounding error
+    /// if larger.
+    ///
+    /// `count` derivatives are continuous.
     pub(crate) fn new(
         system: FifRef<'_, C>,
         made: &Composites<C>,
@@ -73,14 +79,14 @@ impl<const C: usize> Jets<C> {
         for m in 0..=count {
             let sum = Sum { made, largest: largest.get(m).copied().unwrap_or(0.0), order: m, scale };
             let Some((series, tail)) = sum.series(&chord) else { break };
-            // Higher derivatives are as good as 64 steps make them.
+            // Higher derivatives have the accuracy of 64 steps.
             let steps = match series.depth(tolerance * unit) {
                 Ok(depth) => depth.steps,
                 Err(_) if m > 1 => series.end.min(MOST),
                 Err(_) => return None,
             };
             least = least.max(steps);
-            // The chord, the width's power and the product with it.
+            // The chord, the power of the width and the product with it.
             let rounding = 4.0 * (m + 1) as f64 * UNIT * (series.tail.magnitude() + series.scale);
             let bound = 1.001 * (series.bound(least) + rounding) / unit;
             orders.push(Order { terms: least, tail, bound });
@@ -113,7 +119,9 @@ impl<const C: usize> Jets<C> {
         })
     }
 
-    /// The place in the domain and its fraction; `None` near knots, outside, for NaN and where 64 bits do not hold it.
+    /// The position in the domain and its fraction.
+    ///
+    /// `None` near knots, outside, for NaN and if 64 bits are not sufficient.
     #[inline(always)]
     pub(crate) fn place(&self, x: f64) -> Option<(f64, u64)> {
         let t = (x - self.origin) * self.per_width;
@@ -125,20 +133,20 @@ impl<const C: usize> Jets<C> {
         (first.wrapping_add(self.near) > self.near.saturating_mul(2)).then_some((t, rest))
     }
 
-    /// The row of the next digit with its number, and what is left, from the middle of the cell.
+    /// The row of the next digit with its index, and the remainder, from the center of the cell.
     #[inline(always)]
     pub(crate) fn next(&self, rest: &mut u64) -> Option<(&Composite<C>, usize, f64)> {
         let index = digit(rest, self.radix);
         Some((self.table.get(index)?, index, from_middle(*rest)))
     }
 
-    /// The jet by digits; `None` near knots, outside, for NaN and where 64 bits do not hold the place.
+    /// The jet by digits; `None` near knots, outside, for NaN and if 64 bits are not sufficient.
     #[inline(always)]
     pub(crate) fn sum(&self, x: f64) -> Option<Jet> {
         let (t, mut rest) = self.place(x)?;
         let mut sums = Sums::new(self.chord_jet(t), 1.0);
         let [integral, value, slope] = self.terms;
-        // The first term apart, whose products with ones the compiler leaves out.
+        // The first term separately, whose products with ones the compiler removes.
         if integral > 1 {
             let (row, index, z) = self.next(&mut rest)?;
             sums.all(&row.c, row.a, *self.primitive.middles.get(index)?, z, &self.scales);
@@ -165,7 +173,7 @@ impl<const C: usize> Jets<C> {
         Some(sums.jet(self.width, self.per_width))
     }
 
-    /// The jet of the chord at a place, with slope and integral in units of the domain.
+    /// The jet of the chord at a position, with slope and integral in units of the domain.
     #[inline(always)]
     fn chord_jet(&self, t: f64) -> Jet {
         let Chord { start, rise } = self.chord;
@@ -176,7 +184,7 @@ impl<const C: usize> Jets<C> {
         }
     }
 
-    /// The integral at a point that [`Jets::sum`] leaves out, NaN included.
+    /// The integral at a point that [`Jets::sum`] does not cover, including NaN.
     pub(crate) fn integral_at(&self, x: f64) -> Bounded {
         let t = (x - self.origin) * self.per_width;
         if x.is_nan() {
@@ -208,7 +216,7 @@ impl<const C: usize> Jets<C> {
     }
 }
 
-/// A fraction less 1/2, exactly but for the last 11 bits.
+/// A fraction minus 1/2, exact except for the last 11 bits.
 #[inline(always)]
 fn from_middle(rest: u64) -> f64 {
     ((rest ^ 1 << 63) as i64 >> 11) as f64 * UNIT
@@ -219,7 +227,7 @@ fn from_middle(rest: u64) -> f64 {
 pub(crate) struct Order {
     pub(crate) terms: u32,
     pub(crate) tail: [f64; 2],
-    /// Bound of the error away from knots.
+    /// Error bound away from knots.
     pub(crate) bound: f64,
 }
 
@@ -237,7 +245,7 @@ pub(crate) fn derivatives<const C: usize>(system: FifRef<'_, C>) -> Vec<Fif<C>> 
     all
 }
 
-/// The greatest `Σ_k k!/(k − m)! |c_k|` of any row, for each order `m`.
+/// The maximum of `Σ_k k!/(k − m)! |c_k|` of any row, for each order `m`.
 pub(crate) fn largest<const C: usize>(table: &[Composite<C>]) -> [f64; C] {
     table.iter().fold([0.0; C], |most, row| greater(most, magnitudes(&row.c)))
 }
@@ -251,12 +259,14 @@ pub(crate) struct Sum<'a, const C: usize> {
 }
 
 impl<const C: usize> Sum<'_, C> {
-    /// The series, and what stands for its tail where digits are left and where they are zeros; `None` when it diverges.
+    /// The series, and the replacement of its tail for nonzero and for zero remaining digits.
+    ///
+    /// `None` if it diverges.
     pub(crate) fn series(&self, chord: &Chord) -> Option<(Series, [f64; 2])> {
         let Self { made, order: m, largest, scale } = *self;
         let (ratio, largest) = (made.steepest * scale, scale * largest);
-        // Shifting the origin to the middle; Horner's rule and 11 bits of u that a sum does not see, for every coefficient
-        // up to C times with each derivative.
+        // Shifting the origin to the center; Horner's rule and 11 unused bits of u, for every
+        // coefficient up to C times with each derivative.
         let gamma = 4.0 * C as f64 * UNIT;
         let row = scale * made.errors.get(m).copied().unwrap_or(0.0)
             + gamma * (1.0 + (m + 1) as f64 * C as f64) * largest;
@@ -307,7 +317,7 @@ fn differentiate<const C: usize>(c: &[f64; C], m: usize, factors: &[f64; C]) -> 
 }
 
 impl<const C: usize> Jets<C> {
-    /// `f, f′, …, f^(M−1)` at `x`, NaN beyond those that are continuous; `None` as [`Jets::sum`].
+    /// `f, f′, …, f^(M−1)` at `x`, NaN beyond the continuous ones; `None` as in [`Jets::sum`].
     pub(crate) fn derivatives<const M: usize>(&self, x: f64) -> Option<[Bounded; M]> {
         let mut out = [Bounded::NAN; M];
         let (t, mut rest) = self.place(x)?;
@@ -334,7 +344,8 @@ impl<const C: usize> Jets<C> {
             let mut scale = row.a;
             let sums = out.iter_mut().zip(&mut weights).zip(&tail).zip(&self.orders).enumerate();
             for (m, (((out, weight), unit), order)) in sums {
-                // Horner's rule divides by z: what remains is the next coefficient of the expansion there.
+                // Horner's rule divides by z: the remainder is the next coefficient of the
+                // expansion there.
                 let mut p = 0.0;
                 for c in taylor.iter_mut().skip(m).rev() {
                     p = p * z + *c;
