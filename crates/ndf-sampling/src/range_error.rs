@@ -8,7 +8,7 @@ use core::fmt;
 /// use asperity_ndf_sampling::Ggx;
 ///
 /// let error = Ggx::new(0.3, -1.0).unwrap_err();
-/// assert_eq!(error.to_string(), "alpha_y must be between 1e-6 and 1e6, got -1");
+/// assert_eq!(error.to_string(), "`alpha_y` must be between 1e-6 and 1e6, got -1");
 /// assert_eq!((error.parameter, error.value), ("alpha_y", -1.0));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +35,7 @@ impl fmt::Display for RangeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { parameter, least, most, value } = self;
         let [least, most, value] = [least, most, value].map(|&x| Short(x));
-        write!(f, "{parameter} must be between {least} and {most}, got {value}")
+        write!(f, "`{parameter}` must be between {least} and {most}, got {value}")
     }
 }
 

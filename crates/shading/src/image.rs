@@ -19,15 +19,15 @@ error_enum! {
     /// ```
     pub enum ImageError {
         /// The width or the height is 0.
-        Empty { width: usize, height: usize } => "image must have texels, got {width} × {height}";
+        Empty { width: usize, height: usize } => "image must not be empty, got {width} × {height}";
         /// There are too many texels.
         TooLarge { width: usize, height: usize, most: usize } =>
             "image must have at most {most} texels, got {width} × {height}";
         /// The length of the slice is not `width · height`.
         SizeMismatch { width: usize, height: usize, len: usize } =>
-            "image of {width} × {height} needs as many texels, got {len}";
+            "number of texels must match the image of {width} × {height}, got {len}";
         /// The length of the table of an environment, or of the levels of a normal map, is wrong.
-        TableMismatch { needed: usize, len: usize } => "table needs {needed} entries, got {len}";
+        TableMismatch { needed: usize, len: usize } => "table must have {needed} entries, got {len}";
         /// A channel or a coordinate of a texel is NaN or too far from 0, or the third component of
         /// a slope is 0.
         TooFar { index: usize, value: Vec3, most: f32 } =>

@@ -21,7 +21,7 @@ error_enum! {
         NotPositive { parameter: &'static str, value: f32 } =>
             "`{parameter}` must be finite and positive, got {value}";
         /// A direction is zero or not finite; the third component of a direction in the plane is 0.
-        Direction { parameter: &'static str, value: Vec3 } => "`{parameter}` must have a direction, got {value}";
+        Direction { parameter: &'static str, value: Vec3 } => "`{parameter}` must be a finite, non-zero vector, got {value}";
     }
 }
 
@@ -177,10 +177,10 @@ mod tests {
         let refused = [
             (as_share("a", 1.5), "`a` must be within [0, 1], got 1.5"),
             (positive("b", f32::NAN), "`b` must be finite and positive, got NaN"),
-            (direction("c", Vec3::ZERO).map(|v| v.x), "`c` must have a direction, got [0, 0, 0]"),
+            (direction("c", Vec3::ZERO).map(|v| v.x), "`c` must be a finite, non-zero vector, got [0, 0, 0]"),
             (
                 direction_in_plane("d", Vec2::new(0.5, f32::INFINITY)).map(|v| v.x),
-                "`d` must have a direction, got [0.5, inf, 0]",
+                "`d` must be a finite, non-zero vector, got [0.5, inf, 0]",
             ),
         ];
         for (result, sentence) in refused {

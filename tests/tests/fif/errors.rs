@@ -27,26 +27,29 @@ fn errors_name_the_parameter_and_its_value() {
         (torus(3, turning, &[0.0; 4]).to_string(), "`side` must be a power of two from 2 to 32768, got 3"),
         (
             torus(2, [[1, 1], [1, 2]], &[0.0; 4]).to_string(),
-            "`matrix` must have a determinant of magnitude 2 at least, got 1",
+            "`matrix` must have a determinant of magnitude at least 2, got 1",
         ),
         (torus(2, turning, &[0.0; 3]).to_string(), "`z` must have 4 elements, got 3"),
-        (folded(&knots[1..], &[0.5; 6]), "`x` must have 3 knots at least, got 2"),
-        (folded(&[0.0, 2.0, 1.0], &[0.5; 9]), "`x[2]` must be finite and beyond the knot before, got 1"),
+        (folded(&knots[1..], &[0.5; 6]), "`x` must have at least 3 knots, got 2"),
+        (
+            folded(&[0.0, 2.0, 1.0], &[0.5; 9]),
+            "`x[2]` must be finite and greater than the previous knot, got 1",
+        ),
         (folded(&knots, &dented), "`z` and `d` must be finite, got NaN at node (1, 2)"),
         (batch.unwrap_err().to_string(), "`hits` must have 2 elements, got 1"),
         (
             steep.inner_product(&steep).unwrap_err().to_string(),
-            "`other` must leave a product of degree 32 at most, got 38",
+            "degree of the product with `other` must be at most 32, got 38",
         ),
         (
             fit::knots(&knots, &[0.0; 3], -1.0, 8).unwrap_err().to_string(),
-            "`tolerance` must be a number from 0, got -1",
+            "`tolerance` must be at least 0, got -1",
         ),
     ];
     for (said, sentence) in cases {
         assert_eq!(said, sentence);
     }
-    let magnitude = format!("`z` and `d` must leave room for bounds, got a magnitude of {}", 1e308);
+    let magnitude = format!("`z` and `d` are too large: magnitude {} overflows the error bounds", 1e308);
     assert_eq!(folded(&knots, &high), magnitude);
 }
 

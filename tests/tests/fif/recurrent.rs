@@ -184,8 +184,8 @@ fn wrong_recurrent_systems_are_refused_by_name() {
     };
     let alpha = [0.5; 3];
     says(&alpha, &whole[1..], "`sources` must have 3 elements, got 2");
-    says(&alpha, &[[0, 3], [2, 2], [0, 3]], "`sources` of map 2 must rise within 0 to 3, got 2 to 2");
-    says(&alpha, &[[0, 3], [0, 3], [2, 4]], "`sources` of map 3 must rise within 0 to 3, got 2 to 4");
+    says(&alpha, &[[0, 3], [2, 2], [0, 3]], "`sources` of map 2 must increase within 0 to 3, got 2 to 2");
+    says(&alpha, &[[0, 3], [0, 3], [2, 4]], "`sources` of map 3 must increase within 0 to 3, got 2 to 4");
     says(&alpha, &[[1, 2], [0, 3], [0, 3]], "`sources` of map 1 must be wider than its image of 1, got 1");
     says(&[0.5, 1.0, 0.5], &whole, "`alpha` of map 2 must be in (-1, 1), got 1");
     says(&[0.5; 2], &whole, "`alpha` must have 3 elements, got 2");

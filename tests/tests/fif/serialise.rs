@@ -49,7 +49,7 @@ fn invalid_systems_are_refused_when_read() {
         assert!(error.starts_with(message), "{error}");
     };
     refuse(r#""alpha":[0.5,0.5]"#, r#""alpha":[0.5,1.5]"#, "`alpha` of map 2 must be in (-1, 1), got 1.5");
-    refuse("[0.0,1.0,2.0]", "[0.0,2.0,2.0]", "`x[2]` must be right of 2, got 2");
+    refuse("[0.0,1.0,2.0]", "[0.0,2.0,2.0]", "knots must be strictly increasing: `x[2]` = 2 follows 2");
     refuse("[[0.0,0.5],", "[[0.0,0.5,0.0],", "`C` must be at least 3, got 2");
     refuse("[[0.0,0.5],", "[", "`q` must have 2 elements, got 1");
     refuse(r#""y":[0.0,1.0,0.0]"#, r#""y":[0.0,1.0]"#, "`y` must have 3 elements, got 2");

@@ -13,13 +13,19 @@ use glam::{Vec2, Vec3};
 fn refused<T, E: core::error::Error>(result: Result<T, E>, line: &str) {
     let error = result.err().map(|error| error.to_string());
     assert_eq!(error.as_deref(), Some(line));
-    assert!(!line.contains('\n') && !line.ends_with('.') && line.starts_with(char::is_lowercase), "{line:?}");
+    assert!(
+        !line.contains('\n')
+            && !line.ends_with('.')
+            && line.trim_start_matches('`').starts_with(char::is_lowercase),
+        "{line:?}"
+    );
 }
 
 #[test]
 fn roughness() {
     for value in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, -0.3] {
-        let lines = ["x", "y"].map(|axis| format!("alpha_{axis} must be between 1e-6 and 1e6, got {value}"));
+        let lines =
+            ["x", "y"].map(|axis| format!("`alpha_{axis}` must be between 1e-6 and 1e6, got {value}"));
         refused(Ggx::new(value, 0.5), &lines[0]);
         refused(Ggx::new(0.5, value), &lines[1]);
         refused(Ggx::isotropic(value), &lines[0]);
@@ -33,8 +39,8 @@ fn roughness() {
             assert!(Ggx::new(repaired, repaired).is_ok(), "{value} became {repaired}");
         }
     }
-    refused(Ggx::new(1e-7, 0.5), "alpha_x must be between 1e-6 and 1e6, got 1e-7");
-    refused(Ggx::new(0.5, f32::MAX), "alpha_y must be between 1e-6 and 1e6, got 3.4028235e38");
+    refused(Ggx::new(1e-7, 0.5), "`alpha_x` must be between 1e-6 and 1e6, got 1e-7");
+    refused(Ggx::new(0.5, f32::MAX), "`alpha_y` must be between 1e-6 and 1e6, got 3.4028235e38");
     let RangeError { parameter, value, .. } = Ggx::new(-1.0, 0.5).unwrap_err();
     assert_eq!((parameter, value), ("alpha_x", -1.0));
 }
@@ -42,7 +48,8 @@ fn roughness() {
 #[test]
 fn facets() {
     for (value, name) in [(f32::NAN, "NaN"), (f32::INFINITY, "inf"), (-1.0, "-1"), (3e12, "3e12")] {
-        let line = |parameter: &str, range: &str| format!("{parameter} must be between {range}, got {name}");
+        let line =
+            |parameter: &str, range: &str| format!("`{parameter}` must be between {range}, got {name}");
         refused(StudentT::new(0.5, 0.5, value), &line("gamma", "1.51 and 1e12"));
         refused(BlinnPhong::new(value), &line("exponent", "0 and 2e12"));
         refused(BlinnPhong::from_roughness(value), &line("roughness", "1e-6 and 1"));
@@ -55,23 +62,23 @@ fn facets() {
         let repaired = StudentT::clamped(value, value, value);
         assert!(StudentT::new(repaired.alpha_x(), repaired.alpha_y(), repaired.gamma()).is_ok(), "{value}");
     }
-    refused(StudentT::new(0.5, 0.5, 1.5), "gamma must be between 1.51 and 1e12, got 1.5");
-    refused(BlinnPhong::from_roughness(1.1), "roughness must be between 1e-6 and 1, got 1.1");
+    refused(StudentT::new(0.5, 0.5, 1.5), "`gamma` must be between 1.51 and 1e12, got 1.5");
+    refused(BlinnPhong::from_roughness(1.1), "`roughness` must be between 1e-6 and 1, got 1.1");
     let (ggx, oval) = (Ggx::isotropic(0.3).unwrap(), Ggx::new(0.2, 0.4).unwrap());
-    refused(Mixture::new(ggx, ggx, f32::NAN), "weight must be between 0 and 1, got NaN");
+    refused(Mixture::new(ggx, ggx, f32::NAN), "`weight` must be between 0 and 1, got NaN");
     let line = "must depend on the tilt alone, got one that depends on the azimuth";
     refused(Mixture::new(oval, ggx, 0.5), &format!("density a {line}"));
     refused(Mixture::new(ggx, oval, 0.5), &format!("density b {line}"));
-    refused(Blend::new(oval, ggx, 1.5), "weight must be between 0 and 1, got 1.5");
-    let line = "angle must be between -3.4028235e38 and 3.4028235e38, got inf";
+    refused(Blend::new(oval, ggx, 1.5), "`weight` must be between 0 and 1, got 1.5");
+    let line = "`angle` must be between -3.4028235e38 and 3.4028235e38, got inf";
     refused(Rotated::new(oval, f32::INFINITY), line);
     let covariance = |x, covariance| OffsetBeckmann::new(Vec2::new(x, 0.0), covariance);
-    let line = "mean must be between -1e9 and 1e9 along each axis, got [NaN, 0]";
+    let line = "`mean` must be between -1e9 and 1e9 along each axis, got [NaN, 0]";
     refused(covariance(f32::NAN, [1.0, 0.0, 1.0]), line);
     for bad in
         [[1.0, 2.0, 1.0], [0.0, 0.0, 1.0], [1.0, 0.0, -1.0], [1.0, f32::NAN, 1.0], [f32::INFINITY, 0.0, 1.0]]
     {
-        let line = format!("covariance must be positive definite and at most 1e18, got {bad:?}");
+        let line = format!("`covariance` must be positive definite and at most 1e18, got {bad:?}");
         refused(covariance(0.0, bad), &line);
     }
 }
@@ -83,7 +90,7 @@ fn tables_over_the_cosine() {
     refused(Isotropic::new(&[1.0, -2.0]), "density 1 must be finite and not negative, got -2");
     refused(Isotropic::new(&[f32::NAN, 1.0]), "density 0 must be finite and not negative, got NaN");
     refused(Isotropic::new(&[1.0, 2.0, f32::INFINITY]), "density 2 must be finite and not negative, got inf");
-    refused(Isotropic::new(&[0.0; 4]), "density must not be 0 everywhere, got 4 such nodes");
+    refused(Isotropic::new(&[0.0; 4]), "density is 0 at all 4 nodes");
     refused(IsotropicRef::pack(&[1.0; 2], &mut [0.0; 5]), "storage must have 6 numbers, got 5");
     refused(IsotropicRef::new(&[]), "nodes must be 2 to 1048576, got 0");
     refused(IsotropicRef::new(&[1.0; 8]), "storage must have 6 numbers, got 8");
@@ -91,7 +98,7 @@ fn tables_over_the_cosine() {
     let table = Isotropic::new(&[0.5, 1.0, 4.0]).unwrap();
     let mut broken = table.packed().to_vec();
     broken[4] = 2.0;
-    refused(IsotropicRef::new(&broken), "distribution must rise from 0 to 1, got another at node 1");
+    refused(IsotropicRef::new(&broken), "distribution must increase from 0 to 1 (violated at node 1)");
 }
 
 #[test]
@@ -108,8 +115,8 @@ fn images() {
     both(1 << 13, 1 << 12, &[], "size must be 1 to 16777216 texels, got 8192 × 4096");
     let line = "size must be 1 to 16777216 texels, got 18446744073709551615 × 2";
     both(usize::MAX, 2, &[1.0], line);
-    both(2, 2, &[1.0; 3], "texels must be 4, got 3");
-    both(4, 4, &[0.0; 16], "texels inside the disk must have weight, got 4 × 4 black ones");
+    both(2, 2, &[1.0; 3], "`texels` must have 4 elements, got 3");
+    both(4, 4, &[0.0; 16], "all 4 × 4 texels inside the unit disk are zero");
     for (bad, name) in [(f32::NAN, "NaN"), (f32::INFINITY, "inf"), (-0.5, "-0.5")] {
         let mut texels = [1.0; 16];
         texels[9] = bad;
@@ -131,12 +138,12 @@ fn images() {
 
 #[test]
 fn estimates() {
-    refused(NdfEstimator::new(0, 0.1), "size² must be between 1 and 16777216, got size 0");
-    refused(NdfEstimator::new(4097, 0.1), "size² must be between 1 and 16777216, got size 4097");
-    refused(NdfEstimator::new(8, f32::NAN), "width must be between 0 and 1, got NaN");
-    refused(NdfEstimator::new(8, -0.5), "width must be between 0 and 1, got -0.5");
+    refused(NdfEstimator::new(0, 0.1), "`size`² must be between 1 and 16777216, got size 0");
+    refused(NdfEstimator::new(4097, 0.1), "`size`² must be between 1 and 16777216, got size 4097");
+    refused(NdfEstimator::new(8, f32::NAN), "`width` must be between 0 and 1, got NaN");
+    refused(NdfEstimator::new(8, -0.5), "`width` must be between 0 and 1, got -0.5");
     for normals in [&[][..], &[Vec3::NAN, Vec3::splat(2.0), Vec3::INFINITY]] {
-        refused(estimate_ndf(normals), "normals must be inside the unit disk, got none");
+        refused(estimate_ndf(normals), "no valid normal inside the unit disk");
     }
 }
 
@@ -144,42 +151,42 @@ fn estimates() {
 fn tables() {
     let ggx = Ggx::isotropic(0.5).unwrap();
     for size in [0, 4097, usize::MAX] {
-        let line = format!("size must be between 1 and 4096, got {size}");
+        let line = format!("`size` must be between 1 and 4096, got {size}");
         refused(NormalTable::new(&ggx, size), &line);
         refused(NormalTableRef::new(size, TableLayout::default(), &[[0.0_f32; 2]; 3]), &line);
         refused(ConditionalTable::new(&ggx, size), &line);
         refused(ConditionalTableRef::new(size, Vec2::ONE, &[[0.0; 3]; 3]), &line);
     }
-    let line = "entries must be 4, got 3";
+    let line = "`entries` must have 4 elements, got 3";
     refused(NormalTableRef::new(2, TableLayout::default(), &[[0.0_f32; 2]; 3]), line);
     refused(ConditionalTableRef::new(2, Vec2::ONE, &[[0.0; 3]; 3]), line);
 }
 
 #[test]
 fn distributions_of_noise() {
-    let line = "must be in [0, 1] and not below the one before";
+    let line = "must be in [0, 1] and not below the previous entry";
     for (range, table, line) in [
-        (f32::NAN, &[0.0, 1.0][..], "range must be positive and finite, got NaN"),
-        (0.0, &[0.0, 1.0], "range must be positive and finite, got 0"),
-        (-1.0, &[0.0, 1.0], "range must be positive and finite, got -1"),
-        (1.0, &[], "table must have at least two entries, got 0"),
-        (1.0, &[0.5], "table must have at least two entries, got 1"),
+        (f32::NAN, &[0.0, 1.0][..], "`range` must be positive and finite, got NaN"),
+        (0.0, &[0.0, 1.0], "`range` must be positive and finite, got 0"),
+        (-1.0, &[0.0, 1.0], "`range` must be positive and finite, got -1"),
+        (1.0, &[], "`table` must have at least two entries, got 0"),
+        (1.0, &[0.5], "`table` must have at least two entries, got 1"),
         (1.0, &[0.0, f32::NAN, 1.0], &*format!("entry 1 {line}, got NaN")),
         (1.0, &[0.0, 1.5], &*format!("entry 1 {line}, got 1.5")),
         (1.0, &[0.0, 0.5, 0.25], &*format!("entry 2 {line}, got 0.25")),
-        (1.0, &[0.5, 0.5], "table must increase, got 0.5 everywhere"),
+        (1.0, &[0.5, 0.5], "`table` must increase, got 0.5 everywhere"),
     ] {
         refused(NoiseCdfRef::new(range, table), line);
     }
     let between = |low, high| NoiseCdfRef::between(low, high, &[0.0, 1.0]);
-    refused(between(1.0, 1.0), "ends must be finite and in order, got 1 and 1");
-    refused(between(f32::NAN, 1.0), "ends must be finite and in order, got NaN and 1");
+    refused(between(1.0, 1.0), "ends must be finite and increasing, got 1 and 1");
+    refused(between(f32::NAN, 1.0), "ends must be finite and increasing, got NaN and 1");
     assert!(between(-3e38, 3e38).is_err());
-    let deviation = "deviation must be between 1.1754944e-38 and 3.4028235e38, got";
+    let deviation = "`deviation` must be between 1.1754944e-38 and 3.4028235e38, got";
     for (value, name) in [(-1.0, "-1"), (f32::NAN, "NaN"), (f32::INFINITY, "inf")] {
         refused(GaussianNoise::new(value), &format!("{deviation} {name}"));
         refused(KurtoticNoise::new(value, 0.0), &format!("{deviation} {name}"));
     }
-    refused(KurtoticNoise::new(1.0, 2.5), "kurtosis must be between -1.5 and 2, got 2.5");
-    refused(KurtoticNoise::new(1.0, f32::NAN), "kurtosis must be between -1.5 and 2, got NaN");
+    refused(KurtoticNoise::new(1.0, 2.5), "`kurtosis` must be between -1.5 and 2, got 2.5");
+    refused(KurtoticNoise::new(1.0, f32::NAN), "`kurtosis` must be between -1.5 and 2, got NaN");
 }

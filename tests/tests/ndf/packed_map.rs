@@ -201,7 +201,7 @@ fn other_arrays_are_refused() {
     let array = map.into_array();
     let refused = |array: &[f32]| PackedMapRef::new(array).unwrap_err().to_string();
     assert_eq!(refused(&[]), "array must have 16 numbers, got 0");
-    assert_eq!(refused(&[1.0; 100]), "number 0 must be the format of packed maps, got 1");
+    assert_eq!(refused(&[1.0; 100]), "not a packed map: bad magic number 1");
     assert!(refused(&array[..array.len() - 1]).contains(&(array.len() - 1).to_string()));
     for index in 1..7 {
         let mut other = array.clone();

@@ -50,9 +50,9 @@ fn densities_are_read_through_their_constructors() {
     stands(&StudentT::new(0.1, 0.3, 2.5).unwrap(), r#"{"alpha_x":0.1,"alpha_y":0.3,"gamma":2.5}"#);
     stands(&BlinnPhong::new(20.0).unwrap(), r#"{"exponent":20.0}"#);
     stands(&AshikhminShirley::new(50.0, 10.0).unwrap(), r#"{"n_u":50.0,"n_v":10.0}"#);
-    refused::<Ggx>(r#"{"alpha_x":0.1,"alpha_y":-0.3}"#, "alpha_y must be ");
-    refused::<StudentT>(r#"{"alpha_x":0.1,"alpha_y":0.3,"gamma":1.0}"#, "gamma must be ");
-    refused::<BlinnPhong>(r#"{"exponent":-1.0}"#, "exponent must be ");
+    refused::<Ggx>(r#"{"alpha_x":0.1,"alpha_y":-0.3}"#, "`alpha_y` must be ");
+    refused::<StudentT>(r#"{"alpha_x":0.1,"alpha_y":0.3,"gamma":1.0}"#, "`gamma` must be ");
+    refused::<BlinnPhong>(r#"{"exponent":-1.0}"#, "`exponent` must be ");
     let layout = TableLayout { spacing: Spacing::Warped, chart: Chart::Slopes };
     stands(&(layout, Measure::SolidAngle), r#"[{"spacing":"warped","chart":"slopes"},"solid_angle"]"#);
     let directx = NormalMapFormat { tangent_space: TangentSpace::DirectX, ..NormalMapFormat::default() };

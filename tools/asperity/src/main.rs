@@ -96,7 +96,7 @@ mod tests {
         let refused = [
             ("tables --ndf velvet", "density `velvet`: neither `ggx:AX[,AY]`, "),
             ("check-ndf --ndf velvet", "density `velvet`: neither `ggx:AX[,AY]`, "),
-            ("tables --ndf ggx:0", "density `ggx:0`: alpha_x must be "),
+            ("tables --ndf ggx:0", "density `ggx:0`: `alpha_x` must be "),
             (
                 "tables --normal-map nowhere.png",
                 "density `normal-map:nowhere.png`: the file cannot be read: ",

@@ -19,7 +19,7 @@ error_enum! {
             "`other` must have a factor of {left} in map {map}, got {right}";
         /// The sum of both degrees is too high for an inner product.
         Degree { degree: usize } =>
-            "`other` must leave a product of degree {MAX_MOMENT_DEGREE} at most, got {degree}";
+            "degree of the product with `other` must be at most {MAX_MOMENT_DEGREE}, got {degree}";
     }
 }
 
@@ -207,7 +207,10 @@ mod tests {
         says(&[first], "`maps` must have at least 2 elements, got 1");
         says(&[first, Map { alpha: -1.0, ..second }], "`alpha` of map 2 must be in (-1, 1), got -1");
         let flat = Map { a: 0.0, ..first };
-        says(&[flat, Map { a: 1.0, b: 0.0, ..second }], "`x[1]` must be right of 0, got 0");
+        says(
+            &[flat, Map { a: 1.0, b: 0.0, ..second }],
+            "knots must be strictly increasing: `x[1]` = 0 follows 0",
+        );
         let infinite = FixedFif::<2, 2>::from_maps(f64::NEG_INFINITY, 2.0, &paper::F_MAPS).unwrap_err();
         assert_eq!(infinite.to_string(), "`x[0]` must be finite, got -inf");
     }

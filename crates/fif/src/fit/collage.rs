@@ -152,9 +152,9 @@ error_enum! {
         ///
         /// Entry `at` is `index`, or the number of points if it is missing.
         Knots { at: usize, index: usize } =>
-            "`knots[{at}]` must rise from the first point to the last, three at least, got {index}";
+            "`knots[{at}]` must increase from the first point to the last, at least three, got {index}";
         /// A tolerance is NaN or negative.
-        Tolerance { value: f64 } => "`tolerance` must be a number from 0, got {value}";
+        Tolerance { value: f64 } => "`tolerance` must be at least 0, got {value}";
     }
 }
 
@@ -193,8 +193,13 @@ mod tests {
         says(&x, &y[..3], &[0, 1, 3], "`y` must have 4 elements, got 3");
         says(&x[..2], &y[..2], &[0, 1], "`x` must have at least 3 elements, got 2");
         says(&x, &[0.0, f64::NAN, 0.0, 1.0], &[0, 1, 3], "`y[1]` must be finite, got NaN");
-        says(&[0.0, 1.0, 1.0, 3.0], &y, &[0, 1, 3], "`x[2]` must be right of 1, got 1");
-        let rule = "must rise from the first point to the last, three at least";
+        says(
+            &[0.0, 1.0, 1.0, 3.0],
+            &y,
+            &[0, 1, 3],
+            "knots must be strictly increasing: `x[2]` = 1 follows 1",
+        );
+        let rule = "must increase from the first point to the last, at least three";
         for (knots, at, index) in [
             (&[1, 2, 3][..], 0, 1),
             (&[], 0, 4),

@@ -29,7 +29,7 @@ pub trait Intersect: Surface {
     /// `t = 0`.
     ///
     /// ```text
-    /// least t ≥ 0 with o_z + t d_z = f(o_x + t d_x, o_y + t d_y) over the closed domain
+    /// smallest t ≥ 0 with o_z + t d_z = f(o_x + t d_x, o_y + t d_y) over the closed domain
     /// ```
     ///
     /// `None` proves that there is no hit. If a hit is [`certain`](Hit::certain), no earlier

@@ -297,7 +297,7 @@ error_enum! {
     pub enum RecurrentError from SystemError {
         /// A source does not go from a knot to a later knot; `last` is the last knot.
         Source { map: usize, from: usize, to: usize, last: usize } =>
-            "`sources` of map {map} must rise within 0 to {last}, got {from} to {to}";
+            "`sources` of map {map} must increase within 0 to {last}, got {from} to {to}";
         /// A source is not wider than its image.
         Expansion { map: usize, source: f64, image: f64 } =>
             "`sources` of map {map} must be wider than its image of {image}, got {source}";

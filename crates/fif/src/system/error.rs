@@ -26,7 +26,7 @@ error_enum! {
         NotFinite { parameter: &'static str, knot: usize, value: f64 } =>
             "`{parameter}[{knot}]` must be finite, got {value}";
         /// A knot is not to the right of the previous one.
-        KnotOrder { knot: usize, left: f64, right: f64 } => "`x[{knot}]` must be right of {left}, got {right}";
+        KnotOrder { knot: usize, left: f64, right: f64 } => "knots must be strictly increasing: `x[{knot}]` = {right} follows {left}";
         /// A cell is narrower than [`NARROWEST`] of the domain.
         NarrowCell { map: usize, width: f64, domain: f64 } =>
             "cell is too narrow: `x[{map}]` - `x[{}]` = {width:e} (at least {:e})",
@@ -52,7 +52,7 @@ error_enum! {
         ///
         /// The numbers or the width of their range overflow, or the largest `|α_j|` is a rounding
         /// error from 1.
-        Unbounded { alpha: f64 } => "`alpha` and `q` must leave room for a finite bound, got a factor of {alpha}";
+        Unbounded { alpha: f64 } => "`alpha` and `q` are too large for a finite bound: largest factor {alpha}";
         /// The polynomials need more coefficients than their type has.
         Degree { expected: usize, found: usize } => "`C` must be at least {expected}, got {found}";
     }
@@ -149,8 +149,8 @@ mod tests {
             (affine(&[], &[], &[]), "`x` must have at least 3 elements, got 0"),
             (affine(&[0.0, f64::NAN, 2.0], &Y, &ALPHA), "`x[1]` must be finite, got NaN"),
             (affine(&[0.0, 1.0, f64::INFINITY], &Y, &ALPHA), "`x[2]` must be finite, got inf"),
-            (affine(&[0.0, 1.0, 1.0], &Y, &ALPHA), "`x[2]` must be right of 1, got 1"),
-            (affine(&[0.0, 3.0, 2.0], &Y, &ALPHA), "`x[2]` must be right of 3, got 2"),
+            (affine(&[0.0, 1.0, 1.0], &Y, &ALPHA), "knots must be strictly increasing: `x[2]` = 1 follows 1"),
+            (affine(&[0.0, 3.0, 2.0], &Y, &ALPHA), "knots must be strictly increasing: `x[2]` = 2 follows 3"),
             (affine(&X, &[0.0, f64::NAN, 0.0], &ALPHA), "`y[1]` must be finite, got NaN"),
             (
                 new(&ALPHA, &[[0.0, 0.5], [1.0, f64::INFINITY]]),

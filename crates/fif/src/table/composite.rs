@@ -184,7 +184,7 @@ impl fmt::Display for TableError {
         let Self { alpha, steps, bound } = self;
         write!(
             f,
-            "`alpha` must leave less than the tolerance after {steps} composites, got {alpha}, which leaves {bound:e}"
+            "`alpha` is too close to 1 for the tolerance: {alpha} leaves {bound:e} after {steps} composites"
         )
     }
 }

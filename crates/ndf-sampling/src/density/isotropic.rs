@@ -270,9 +270,9 @@ error_enum! {
         Density { index: usize, value: f32 } =>
             "density {index} must be finite and not negative, got {value}";
         /// The density is 0 at every tilt above the horizon.
-        Black { got: usize } => "density must not be 0 everywhere, got {got} such nodes";
+        Black { got: usize } => "density is 0 at all {got} nodes";
         /// The packed CDF does not increase from 0 to 1.
-        Distribution { index: usize } => "distribution must rise from 0 to 1, got another at node {index}";
+        Distribution { index: usize } => "distribution must increase from 0 to 1 (violated at node {index})";
     }
 }
 

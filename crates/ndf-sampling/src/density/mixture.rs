@@ -187,7 +187,7 @@ error_enum! {
     /// Error for sums of NDFs with a map.
     pub enum MixtureError {
         /// The weight is not between 0 and 1.
-        Weight { value: f32 } => "weight must be between 0 and 1, got {value}";
+        Weight { value: f32 } => "`weight` must be between 0 and 1, got {value}";
         /// An NDF, `"a"` or `"b"`, depends on the azimuth, so the sum has no radial map.
         NotRadial { density: &'static str } =>
             "density {density} must depend on the tilt alone, got one that depends on the azimuth";

@@ -156,10 +156,10 @@ error_enum! {
     /// Error for an invalid mean or covariance of slopes.
     pub enum OffsetBeckmannError {
         /// The mean is not finite or beyond 10⁹.
-        Mean { value: Vec2 } => "mean must be between -1e9 and 1e9 along each axis, got {value}";
+        Mean { value: Vec2 } => "`mean` must be between -1e9 and 1e9 along each axis, got {value}";
         /// The covariance `[xx, xy, yy]` is not finite, not positive definite or out of range.
         Covariance { value: [f32; 3] } =>
-            "covariance must be positive definite and at most 1e18, got {value:?}";
+            "`covariance` must be positive definite and at most 1e18, got {value:?}";
     }
 }
 

@@ -12,11 +12,11 @@ error_enum! {
         Size { width: usize, height: usize } =>
             "size must be 1 to {MAX_TEXELS} texels, got {width} × {height}";
         /// The length of the slice is not `width · height`.
-        Texels { expected: usize, got: usize } => "texels must be {expected}, got {got}";
+        Texels { expected: usize, got: usize } => "`texels` must have {expected} elements, got {got}";
         /// A texel, at `index = row · width + column`, is NaN, infinite or negative.
         Texel { index: usize, value: f32 } => "texel {index} must be finite and not negative, got {value}";
         /// All texels inside the disk are zero.
         Black { width: usize, height: usize } =>
-            "texels inside the disk must have weight, got {width} × {height} black ones";
+            "all {width} × {height} texels inside the unit disk are zero";
     }
 }

@@ -152,16 +152,16 @@ error_enum! {
     /// Error for a table that is not the CDF of a noise.
     pub enum NoiseCdfError {
         /// The range is not positive and finite.
-        Range { value: f32 } => "range must be positive and finite, got {value}";
+        Range { value: f32 } => "`range` must be positive and finite, got {value}";
         /// The ends are not finite or not increasing.
-        Ends { low: f32, high: f32 } => "ends must be finite and in order, got {low} and {high}";
+        Ends { low: f32, high: f32 } => "ends must be finite and increasing, got {low} and {high}";
         /// The table has fewer than two entries.
-        Entries { got: usize } => "table must have at least two entries, got {got}";
+        Entries { got: usize } => "`table` must have at least two entries, got {got}";
         /// An entry is NaN, outside [0, 1] or smaller than the previous one.
         Entry { index: usize, value: f32 } =>
-            "entry {index} must be in [0, 1] and not below the one before, got {value}";
+            "entry {index} must be in [0, 1] and not below the previous entry, got {value}";
         /// All entries are equal.
-        Constant { value: f32 } => "table must increase, got {value} everywhere";
+        Constant { value: f32 } => "`table` must increase, got {value} everywhere";
     }
 }
 

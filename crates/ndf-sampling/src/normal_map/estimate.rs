@@ -236,11 +236,11 @@ error_enum! {
     /// Error for normals without an NDF.
     pub enum EstimateError {
         /// The map would have no texels, or more than [`MAX_TEXELS`].
-        Size { value: usize } => "size² must be between 1 and {MAX_TEXELS}, got size {value}";
+        Size { value: usize } => "`size`² must be between 1 and {MAX_TEXELS}, got size {value}";
         /// The width of the kernel is not in [0, 1].
-        Width { value: f32 } => "width must be between 0 and 1, got {value}";
+        Width { value: f32 } => "`width` must be between 0 and 1, got {value}";
         /// There are no valid normals.
-        NoNormals => "normals must be inside the unit disk, got none";
+        NoNormals => "no valid normal inside the unit disk";
     }
 }
 

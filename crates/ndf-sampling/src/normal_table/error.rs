@@ -10,9 +10,9 @@ error_enum! {
     #[derive(Eq)]
     pub enum NormalTableError {
         /// The size is 0 or above 4096.
-        Size { value: usize } => "size must be between 1 and {MAX_SIZE}, got {value}";
+        Size { value: usize } => "`size` must be between 1 and {MAX_SIZE}, got {value}";
         /// The length of the slice is not `size · size`.
-        Entries { expected: usize, got: usize } => "entries must be {expected}, got {got}";
+        Entries { expected: usize, got: usize } => "`entries` must have {expected} elements, got {got}";
     }
 }
 

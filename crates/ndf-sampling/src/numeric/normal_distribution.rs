@@ -8,8 +8,8 @@ use asperity_core::math;
 /// Φ(z) = ∫_{−∞}^z exp(−t²/2) dt / √(2π) = erfc(−z/√2)/2
 /// ```
 ///
-/// - **Domain:** all reals; NaN gives NaN. - **Range:** `[0, 1]`, exactly 0 below −38.5 and 1 above
-///   8.3.
+/// - **Domain:** all reals; NaN returns NaN.
+/// - **Range:** `[0, 1]`, exactly 0 below −38.5 and 1 above 8.3.
 /// - **Accuracy:** 2e-15 relative for `z ≥ −8`, against 25-digit values.
 ///
 /// ```

@@ -20,7 +20,7 @@ use crate::image::texel_count;
 /// [`EnvironmentMap`] owns both, [`EnvironmentRef`] borrows them.
 ///
 /// ```text
-/// p(ω) = l(φ, z)/∫ l dω,   l bilinear in longitude and in height z between the centres of the texels
+/// p(ω) = l(φ, z)/∫ l dω,   l bilinear in longitude and in height z between the centers of the texels
 /// ```
 ///
 /// - **Lookup:** see [`LatitudeLongitude`].

@@ -280,9 +280,9 @@ mod tests {
         let refused = |width, height, texels: &[Vec3]| {
             LatitudeLongitude::new(width, height, texels).unwrap_err().to_string()
         };
-        assert_eq!(refused(0, 4, &[]), "image must have texels, got 0 × 4");
+        assert_eq!(refused(0, 4, &[]), "image must not be empty, got 0 × 4");
         assert_eq!(refused(1 << 27, 4, &[]), "image must have at most 268435456 texels, got 134217728 × 4");
-        assert_eq!(refused(2, 2, &[Vec3::ONE; 3]), "image of 2 × 2 needs as many texels, got 3");
+        assert_eq!(refused(2, 2, &[Vec3::ONE; 3]), "number of texels must match the image of 2 × 2, got 3");
         assert_eq!(
             refused(1, 2, &[Vec3::ONE, Vec3::new(0.0, f32::NAN, 1.0)]),
             "texel 1 must be at most 1e30 in each component, got [0, NaN, 1]"

@@ -15,14 +15,14 @@ error_enum! {
     #[derive(Eq)]
     pub enum NormalDistributionError {
         /// An axis is not differentiable, so there are no normals.
-        Rough => "`self` must have slopes along both axes, got one without";
+        Rough => "surface must have slopes along both axes";
         /// The image has no texel, or the length of the slice is not columns times rows.
         Size { width: usize, height: usize, len: usize } =>
             "`texels` must have {width} times {height} elements, got {len}";
         /// The number of samples along an axis is 0 or more than 4096.
         Samples { samples: usize } => "`samples` must be 1 to {MOST}, got {samples}";
         /// The rectangle does not intersect the domain, or has NaN bounds.
-        Empty => "`x` and `y` must meet the domain, got a rectangle beside it";
+        Empty => "rectangle does not intersect the domain";
     }
 }
 

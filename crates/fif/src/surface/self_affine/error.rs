@@ -12,14 +12,14 @@ error_enum! {
         Side { side: usize } => "`side` must be a power of two from 2 to 32768, got {side}";
         /// The matrix of a torus creates fewer than two replicas, `|det M| < 2`.
         Determinant { determinant: i64 } =>
-            "`matrix` must have a determinant of magnitude 2 at least, got {determinant}";
+            "`matrix` must have a determinant of magnitude at least 2, got {determinant}";
         /// An axis of a folded surface has fewer than three knots, so there is no fold.
         TooFewKnots { axis: usize, knots: usize } =>
-            "`{}` must have 3 knots at least, got {knots}", ["x", "y"][axis & 1];
+            "`{}` must have at least 3 knots, got {knots}", ["x", "y"][axis & 1];
         /// A knot is NaN or infinite, or not greater than the previous one by more than the
         /// rounding of the domain.
         NotIncreasing { axis: usize, knot: usize, value: f64 } =>
-            "`{}[{knot}]` must be finite and beyond the knot before, got {value}", ["x", "y"][axis & 1];
+            "`{}[{knot}]` must be finite and greater than the previous knot, got {value}", ["x", "y"][axis & 1];
         /// The length of a list differs from the number of nodes.
         Length { parameter: &'static str, expected: usize, got: usize } =>
             "`{parameter}` must have {expected} elements, got {got}";
@@ -36,7 +36,7 @@ error_enum! {
             "`z` and `d` must be finite, got {value} at node ({}, {})", node[0], node[1];
         /// The magnitude of heights or gradients is so large that bounds of the surface overflow.
         TooLarge { magnitude: f64 } =>
-            "`z` and `d` must leave room for bounds, got a magnitude of {magnitude}";
+            "`z` and `d` are too large: magnitude {magnitude} overflows the error bounds";
     }
 }
 

@@ -204,7 +204,7 @@ impl<F: Fold> SelfAffine<F> {
     /// distance along each axis.
     ///
     /// ```text
-    /// Σ_k min(L λᵏ distance, 2 sup|∇P|) (|s| λ)ᵏ        λ = ‖M‖₂, or 1/a for the share a of the narrowest cell
+    /// Σ_k min(L λᵏ distance, 2 sup|∇P|) (|s| λ)ᵏ        λ = ‖M‖₂, or 1/a for the relative width a of the narrowest cell
     /// ```
     ///
     /// `L` is a Lipschitz constant of the slopes of the patches. The bound decreases like a power

@@ -162,7 +162,7 @@ impl Seams {
     ///
     /// ```text
     /// lines:  (S(p + W/2) − S(p − W/2))/W,   S = ∫|sin|,   W² = (f width)² + (π/20)²
-    /// grid:   ∫₀^{π/2} m₁(θ) m₂(θ) cos θ dθ,   m(θ) the share of [p − W/2, p + W/2] that is farther than θ from every seam
+    /// grid:   ∫₀^{π/2} m₁(θ) m₂(θ) cos θ dθ,   m(θ) the fraction of [p − W/2, p + W/2] that is farther than θ from every seam
     /// ```
     ///
     /// The amount of a grid depends on the smaller of two values. It is above a level where both

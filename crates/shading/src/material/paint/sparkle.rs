@@ -36,7 +36,7 @@ pub enum Elimination {
 /// ```text
 /// width  = min(pixel size · footprint, physical size),   one flake to a cell of the physical size
 /// n′     = normalize(n + fade · variation · tilt),   fade = 1 − smoothstep(0.2, 0.6, pixel size · footprint/physical size)
-/// weight = cover · fade,   cover the share of the pixel under the flake
+/// weight = cover · fade,   cover the fraction of the pixel under the flake
 /// ```
 ///
 /// Up close, flakes are few pixels wide and far apart. From farther away they become dense, and
