@@ -17,7 +17,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .unzip();
     let dimension = |y: &[f64]| box_dimension(y, y.len()).map_or(f64::NAN, |measured| measured.value);
     println!("box dimension of the data: {:.3}", dimension(&y));
-    println!("maps  greatest error  rms error  collage bound  box dimension");
+    println!("maps   maximum error  rms error  collage bound  box dimension");
     for spacing in [2, 4, 8, 16, 32] {
         let knots: Vec<usize> = (0..=256).step_by(spacing).collect();
         let fit = fit::affine(&x, &y, &knots)?;

@@ -121,7 +121,7 @@ fn faulty_densities_are_caught() {
             "1 % too bright",
             Faulty { bright: 1.01, ..right },
             &[
-                "normalisation",
+                "normalization",
                 "Jacobian of the map",
                 "projected area",
                 "masking",
@@ -161,7 +161,7 @@ fn faulty_densities_are_caught() {
         (
             "Λ below 0",
             Faulty { masking: -0.5, ..right },
-            &["masking", "monotony of masking", "totality of views"],
+            &["masking", "monotonicity of masking", "totality of views"],
         ),
         ("visible normals of all", Faulty { view: |_| Vec3::Z, ..right }, &["visible normals"]),
         (

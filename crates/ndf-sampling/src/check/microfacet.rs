@@ -79,13 +79,13 @@ pub fn microfacet<N: Microfacet + ?Sized>(density: &N, settings: Settings) -> Re
     report.add("masking", "|∫ G₁ D max(0, v·m) dω/cos θ − 1|", masking.error, limit, masking.place);
     report.add("density of visible normals", "|∫ D_v dω − 1|", norm.error, limit, norm.place);
     report.add("visible normals", "p of χ²", least.0, Limit::AtLeast(significance), least.1);
-    add_monotony(&mut report, density);
+    add_monotonicity(&mut report, density);
     add_totality(&mut report, density);
     report
 }
 
 /// Adds the check that `0 ≤ G₁ ≤ 1` and that `G₁` decreases towards the horizon.
-fn add_monotony<N: Microfacet + ?Sized>(report: &mut Report, density: &N) {
+fn add_monotonicity<N: Microfacet + ?Sized>(report: &mut Report, density: &N) {
     let mut worst = Worst::default();
     for azimuth in 0..AZIMUTHS {
         let phi = core::f64::consts::TAU * f64::from(azimuth) / f64::from(AZIMUTHS);
@@ -104,7 +104,7 @@ fn add_monotony<N: Microfacet + ?Sized>(report: &mut Report, density: &N) {
         }
     }
     let limit = Limit::AtMost(1e-5);
-    report.add("monotony of masking", "growth of G₁ towards the horizon", worst.error, limit, worst.place);
+    report.add("monotonicity of masking", "growth of G₁ towards the horizon", worst.error, limit, worst.place);
 }
 
 /// Adds the check that methods with a view accept every input.

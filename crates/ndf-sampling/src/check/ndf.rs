@@ -54,7 +54,7 @@ const PLACES: usize = 4096;
 ///
 /// let bright = Bright(asperity_ndf_sampling::Beckmann::new(0.2, 0.4)?);
 /// let report = check::ndf(&bright, check::Settings::default());
-/// assert!(report.failures().eq(["normalisation", "Jacobian of the map"]), "{report}");
+/// assert!(report.failures().eq(["normalization", "Jacobian of the map"]), "{report}");
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 #[must_use]
@@ -68,7 +68,7 @@ pub(super) fn shared<N: Ndf + ?Sized>(ndf: &N, settings: Settings, significance:
     let density = Density::new(settings, 0, |u| ndf.sample(u));
     let masses = density.cells.integrate(|m| f64::from(ndf.density(m)) * f64::from(m.z));
     let total: f64 = masses.iter().sum();
-    report.add("normalisation", "|∫ D cos θ dω − 1|", (total - 1.0).abs(), Limit::AtMost(INTEGRAL), "");
+    report.add("normalization", "|∫ D cos θ dω − 1|", (total - 1.0).abs(), Limit::AtMost(INTEGRAL), "");
     let limit = Limit::AtLeast(significance);
     let p = density.p_value(&masses, 1, |u| ndf.sample(u));
     report.add("samples", "p of χ²", p, limit, "");
@@ -164,7 +164,7 @@ fn add_inverses<N: Ndf + ?Sized>(report: &mut Report, ndf: &N, points: impl Iter
     }
     let limit = Limit::AtMost(1e-3);
     report.add("inverse of the map", "|T⁻¹(T(z)) − z| beyond rounding", there.error, limit, there.place);
-    report.add("map of the inverse", "|T(T⁻¹(m)) − m| in deviations", back.error, limit, back.place);
+    report.add("map of the inverse", "|T(T⁻¹(m)) − m| in standard deviations", back.error, limit, back.place);
 }
 
 /// The largest error and where it occurs; NaN is larger than any number.

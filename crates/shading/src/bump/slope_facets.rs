@@ -35,7 +35,7 @@ impl Facet {
 ///
 /// ```text
 /// slopes g, g + √(6 − 2√3) σ (cos kπ/3, sin kπ/3) and g + √(6 + 2√3) σ (sin kπ/3, cos kπ/3),
-/// shares 1/3, six times (2 + √3)/36 and six times (2 − √3)/36,   σ² = variance,   g the slope of `bumped`
+/// weights 1/3, six times (2 + √3)/36 and six times (2 − √3)/36,   σ² = variance,   g the slope of `bumped`
 /// ```
 ///
 /// `variance` is the variance along each axis, which level of detail removed from the bumps of a
@@ -75,7 +75,7 @@ pub fn slope_facets(n: Vec3, bumped: Vec3, variance: f32) -> impl Iterator<Item 
 /// The facet in the middle has the given fraction.
 ///
 /// ```text
-/// √(2/(1 − middle)) (u cos kπ/3 + v sin kπ/3),   shares (1 − middle)/6
+/// √(2/(1 − middle)) (u cos kπ/3 + v sin kπ/3),   weights (1 − middle)/6
 /// ```
 ///
 /// Exact up to the fifth degree if the middle has one half (Stroud 1971, E₂^{r²} 5-1).

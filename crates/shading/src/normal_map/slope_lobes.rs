@@ -82,7 +82,7 @@ impl<const K: usize> SlopeLobes<K> {
     /// The density of facets that the pixel sees, with finer bumps of the NDF `fine`, in sr⁻¹.
     ///
     /// ```text
-    /// p(h) = Σ_k w_k N(s(h); μ_k + √t α z/√2, Σ_k + (1 − t) α²/2)/h_z⁴,   t the share that is resolved
+    /// p(h) = Σ_k w_k N(s(h); μ_k + √t α z/√2, Σ_k + (1 − t) α²/2)/h_z⁴,   t the resolved fraction
     /// ```
     ///
     /// If no finer bump is resolved, `noise` is [`Coordinates::FAR`], and `fine` the roughness of

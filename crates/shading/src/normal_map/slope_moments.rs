@@ -113,7 +113,7 @@ impl SlopeMoments {
     /// The NDF of this map with finer bumps that the pixel partially resolves.
     ///
     /// ```text
-    /// s ~ N(μ + √t α z/√2, Σ + (1 − t) α²/2),   t the share that is resolved, for αx and αy alike
+    /// s ~ N(μ + √t α z/√2, Σ + (1 − t) α²/2),   t the resolved fraction, for αx and αy alike
     /// ```
     ///
     /// The map is the top level. Below its texels it continues as a bump map with the NDF `fine`,

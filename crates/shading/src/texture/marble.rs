@@ -11,7 +11,7 @@ use crate::pixel::Footprint;
 ///
 /// ```text
 /// m(p) = Σ n(s fᵢ p)/fᵢ,   fᵢ = 2.17ⁱ,   i = 0 … 3,   s the texture's scale
-/// colour(m) = Catmull–Rom spline through thirteen colours at clamp(2m + 0.75, 0, 1)
+/// colour(m) = Catmull–Rom spline through thirteen colors at clamp(2m + 0.75, 0, 1)
 /// ```
 ///
 /// The first and the last color are control points only, as in the spline of RenderMan, so ten

@@ -11,7 +11,7 @@ use crate::pixel::Footprint;
 /// Stars scattered over a grid of cells.
 ///
 /// ```text
-/// a cell has a star with the given chance; its centre lies within 0.6 of a cell of the cell's, in both directions
+/// a cell has a star with the given chance; its center is within 0.6 of a cell of the cell center, along both axes
 /// star: n points at radius r_max, notches at r_min between them
 /// ```
 ///

@@ -85,8 +85,8 @@ parameters! {
 ///
 /// ```text
 /// amount   = seams + (1 − seams) d,   d = strength (N + 1)/2,   of the crossing threads
-/// diffuse  = clamp(diffuse + strength · threads) · amount · dark areas · fibres
-/// specular = clamp(specular + strength · plasma⁷) · amount · dark areas · fibres
+/// diffuse  = clamp(diffuse + strength · threads) · amount · dark areas · fibers
+/// specular = clamp(specular + strength · plasma⁷) · amount · dark areas · fibers
 /// n′       = normalize(n − k ∇threads − k (1 − d) cos p ∇p/|∇p|)
 /// ```
 ///

@@ -33,7 +33,7 @@ impl<F: Fresnel + ?Sized> Fresnel for &F {
     }
 }
 
-/// A colour is clamped to `[0, 1]`, with NaN as 0.
+/// A color is clamped to `[0, 1]`; NaN becomes 0.
 impl Fresnel for Vec3 {
     #[inline]
     fn reflectance_rgb(&self, _: f32) -> Vec3 {
