@@ -1,5 +1,4 @@
-//! Prints the box dimension of a graph and its Hölder exponent for several vertical scalings, and
-//! for a recurrent system with two of them.
+//! Prints box dimensions and Hölder exponents for several vertical scalings and a recurrent system.
 #![expect(clippy::print_stdout, reason = "an example prints its result")]
 
 use asperity_fif::{FixedFif, Recurrent};

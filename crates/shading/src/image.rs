@@ -4,8 +4,8 @@ use asperity_core::error_enum;
 use glam::Vec3;
 
 error_enum! {
-    /// Error for an invalid image of an environment or a normal map. Texels are counted `row ·
-    /// width + column`.
+    /// Error for an invalid environment image or normal map. Texels are counted `row · width +
+    /// column`.
     ///
     /// The example needs the feature `alloc`.
     ///

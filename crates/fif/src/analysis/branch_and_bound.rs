@@ -49,7 +49,7 @@ impl Goal {
         Self { over, domain, margin: 8.0 * f64::EPSILON * domain.magnitude(), width }
     }
 
-    fn meets<const C: usize>(&self, place: &Place<C>) -> bool {
+    fn meets<const C: usize>(&self, place: &CellPosition<C>) -> bool {
         let margin = self.margin + place.slip;
         place.left - margin <= self.over.hi && place.left + place.width + margin >= self.over.lo
     }
@@ -64,13 +64,13 @@ impl Goal {
     }
 
     /// Part of the interval within the margins of a cell.
-    fn part<const C: usize>(&self, place: &Place<C>) -> Interval {
+    fn part<const C: usize>(&self, place: &CellPosition<C>) -> Interval {
         let margin = self.margin + place.slip;
         Interval::new(place.left - margin, place.left + place.width + margin).intersection(self.over)
     }
 
     /// A border of the interval within a cell that is narrower than the rounding of its position.
-    fn lost<const C: usize>(&self, place: &Place<C>) -> bool {
+    fn lost<const C: usize>(&self, place: &CellPosition<C>) -> bool {
         let ends = [place.left, place.left + place.width];
         place.width < 0.25 * (self.margin + place.slip)
             && !ends.into_iter().all(|x| self.surely(x, place.slip))
@@ -79,7 +79,7 @@ impl Goal {
 
 /// A cell and its position.
 #[derive(Clone, Copy)]
-struct Place<const C: usize> {
+struct CellPosition<const C: usize> {
     cell: Cell<C>,
     left: f64,
     width: f64,
@@ -87,7 +87,7 @@ struct Place<const C: usize> {
     slip: f64,
 }
 
-impl<const C: usize> Place<C> {
+impl<const C: usize> CellPosition<C> {
     fn root(domain: Interval) -> Self {
         Self { cell: Cell::root(), left: domain.lo, width: domain.width(), slip: 0.0 }
     }
@@ -105,7 +105,7 @@ impl<const C: usize> Place<C> {
 /// A cell whose children are being visited.
 #[derive(Clone, Copy)]
 struct Frame<const C: usize> {
-    place: Place<C>,
+    place: CellPosition<C>,
     upper: f64,
     next: usize,
 }
@@ -153,7 +153,7 @@ impl<'a, const C: usize> Search<'a, C> {
             left: 0,
             budget: BUDGET.max(pieces.len().saturating_mul(2 * PER_MAP)),
         };
-        let root = Place::root(goal.domain);
+        let root = CellPosition::root(goal.domain);
         search.note(&root);
         search.roll_out(root);
         search
@@ -211,7 +211,7 @@ impl<'a, const C: usize> Search<'a, C> {
     ) -> Interval {
         let mut within = self.at;
         let mut left = PLACES.max(self.pieces.len().saturating_mul(2));
-        let root = Place::root(self.goal.domain);
+        let root = CellPosition::root(self.goal.domain);
         let mut stack = [Frame { place: root, upper: f64::INFINITY, next: 0 }; DEPTH];
         let mut height = 1_usize;
         while let Some(frame) = height.checked_sub(1).and_then(|last| stack.get_mut(last)) {
@@ -242,7 +242,7 @@ impl<'a, const C: usize> Search<'a, C> {
     }
 
     /// Follows the most promising child, to have a good value before the passes begin.
-    fn roll_out(&mut self, root: Place<C>) {
+    fn roll_out(&mut self, root: CellPosition<C>) {
         let mut place = root;
         for _ in 0..DEPTH.min(BUDGET / self.pieces.len().max(1) + 1) {
             let mut next = None;
@@ -268,7 +268,7 @@ impl<'a, const C: usize> Search<'a, C> {
 
     /// Depth first: the stack contains the cells with unvisited children, from the domain inward.
     fn pass(&mut self) {
-        let root = Place::root(self.goal.domain);
+        let root = CellPosition::root(self.goal.domain);
         self.top = self.best;
         let start = Frame { place: root, upper: self.upper(&root), next: 0 };
         let mut stack = [start; DEPTH];
@@ -309,12 +309,12 @@ impl<'a, const C: usize> Search<'a, C> {
         self.top = if upper > self.top { upper } else { self.top };
     }
 
-    fn upper(&self, place: &Place<C>) -> f64 {
+    fn upper(&self, place: &CellPosition<C>) -> f64 {
         let range = place.cell.range(self.range);
         if self.sign > 0.0 { range.hi } else { -range.lo }
     }
 
-    fn note(&mut self, place: &Place<C>) {
+    fn note(&mut self, place: &CellPosition<C>) {
         let ends = place.cell.ends(self.end_values);
         for (value, x) in ends.into_iter().zip([place.left, place.left + place.width]) {
             let attained = if self.sign > 0.0 { value.lo } else { -value.hi };

@@ -19,11 +19,11 @@ pub struct Fit {
     pub error: f64,
     /// The root mean square of `y_i − f(x_i)`, measured.
     pub rms: f64,
-    /// `sup |Y − T Y|`, the collage error: `Y` is the polygon through the data, and `T Y` its image
-    /// under the maps.
+    /// The collage error `sup |Y − T Y|`, where `T Y` is the image of the polygon `Y` through the
+    /// data.
     pub collage: f64,
-    /// `collage/(1 − max|α_j|)`, an upper bound of the distance between the polygon and `f` (the
-    /// collage theorem).
+    /// The bound `collage/(1 − max|α_j|)` of the distance between polygon and `f` (collage
+    /// theorem).
     pub bound: f64,
 }
 

@@ -46,7 +46,7 @@ const DIVE: u32 = 48;
 const EVERY: u32 = 4;
 
 /// The side of the surface on which the ray is, as far as known.
-struct Sight {
+struct SideState {
     /// `±1` at the last known position, 0 at the beginning.
     side: f64,
     /// Distance at which the ray came so close that rounding hides the side.
@@ -61,7 +61,7 @@ struct Sight {
     found: Option<Root>,
 }
 
-impl Sight {
+impl SideState {
     /// From `t` on the ray is on this side for some distance; returns whether this ends the search.
     fn known(&mut self, side: f64, t: f64) -> bool {
         let near = self.touched.unwrap_or(t);
@@ -85,7 +85,7 @@ struct Descent<'a, 'b, F: Function, G: Function> {
     y: &'b Axis<'a, G>,
     /// Whether slopes are unknown.
     rough: bool,
-    sight: Sight,
+    state: SideState,
     /// Height of a box that rounding leaves undecided.
     flat: f64,
     /// More than the rounding of a height in the middle of an interval.
@@ -131,8 +131,8 @@ impl<F: Function, G: Function> Traversal<'_, HeightField<F, G>> {
         let (off_x, off_y) = (near(surface.x.domain(), o.x), near(surface.y.domain(), o.y));
         let moved = || surface.x.function().blur(off_x) * g + surface.y.function().blur(off_y) * f;
         let blur = self.pad.z + if rough { 1.0001 * moved() } else { 0.0 };
-        let sight =
-            Sight { side: 0.0, touched: None, lost: None, narrow: None, close: self.finest, found: None };
+        let state =
+            SideState { side: 0.0, touched: None, lost: None, narrow: None, close: self.finest, found: None };
         let slanted = d.x != 0.0 && d.y != 0.0;
         // Along an axis every cell is crossed from end to end.
         let narrow = THIN * (span.lo.abs() + span.hi.abs());
@@ -144,7 +144,7 @@ impl<F: Function, G: Function> Traversal<'_, HeightField<F, G>> {
             x: &across,
             y: &along,
             rough,
-            sight,
+            state,
             flat,
             blur,
             thin,
@@ -156,7 +156,7 @@ impl<F: Function, G: Function> Traversal<'_, HeightField<F, G>> {
             aim,
         };
         descent.visit(&x, &y, [lo, hi]);
-        let Sight { touched, lost, narrow, found, .. } = descent.sight;
+        let SideState { touched, lost, narrow, found, .. } = descent.state;
         found.or(touched.or(lost).or(narrow).map(|t| Root { t, certain: false }))
     }
 
@@ -182,7 +182,7 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
         let [z, end] = [span.lo, span.hi].map(|t| ray.origin.z + t * ray.direction.z);
         let (above, below) = (height.hi + pad, height.lo - pad);
         if (z > above && end > above) || (z < below && end < below) {
-            return self.sight.known(if z > above { 1.0 } else { -1.0 }, span.lo);
+            return self.state.known(if z > above { 1.0 } else { -1.0 }, span.lo);
         }
         if below <= z && z <= above && below <= end && end <= above {
             return self.enter(x, y, [lo, hi], height);
@@ -191,10 +191,10 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
         let middle = height.middle();
         let side = |t: f64| if ray.origin.z + t * ray.direction.z < middle { -1.0 } else { 1.0 };
         if cut.lo > cut.hi {
-            return self.sight.known(side(span.lo), span.lo);
+            return self.state.known(side(span.lo), span.lo);
         }
         if cut.lo > span.lo {
-            if self.sight.known(side(span.lo), span.lo) {
+            if self.state.known(side(span.lo), span.lo) {
                 return true;
             }
             lo = Double::from(cut.lo);
@@ -202,7 +202,7 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
         if cut.hi < span.hi {
             hi = Double::from(cut.hi);
         }
-        self.enter(x, y, [lo, hi], height) || (cut.hi < span.hi && self.sight.known(side(span.hi), cut.hi))
+        self.enter(x, y, [lo, hi], height) || (cut.hi < span.hi && self.state.known(side(span.hi), cut.hi))
     }
 
     /// [`Descent::visit`] if the ray is at the height of the box.
@@ -234,13 +234,13 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
                     return true;
                 }
             }
-            let far = self.sight.lost.is_some_and(|lost| span.lo - lost > self.sight.close);
+            let far = self.state.lost.is_some_and(|lost| span.lo - lost > self.state.close);
             if ends || (short && (self.deeper == 0 || far)) {
                 return self.lose(lo);
             }
             // Of children without a length only the last one is visited.
-            if hi.minus(lo).hi <= self.narrow && self.sight.narrow.is_none() {
-                self.sight.narrow = Some(lo.hi);
+            if hi.minus(lo).hi <= self.narrow && self.state.narrow.is_none() {
+                self.state.narrow = Some(lo.hi);
             }
         }
         if self.way.budget == 0 {
@@ -273,7 +273,7 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
     ///
     /// Returns whether the search ends.
     fn dive(&mut self, x: &Level<F>, y: &Level<G>, mut span: [Double; 2]) -> bool {
-        let (side, ray) = (self.sight.side, self.way.ray);
+        let (side, ray) = (self.state.side, self.way.ray);
         if side == 0.0 {
             return false;
         }
@@ -321,23 +321,23 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
             return false;
         }
         self.seen = t;
-        self.sight.known(above.signum(), t.hi)
+        self.state.known(above.signum(), t.hi)
     }
 
     /// From `t` on a limit hides the side, unless a height nearby implies a root; returns whether
     /// the search ends.
     fn lose(&mut self, t: Double) -> bool {
-        if self.sight.lost.is_some() {
+        if self.state.lost.is_some() {
             return false;
         }
-        self.sight.lost = Some(t.hi);
+        self.state.lost = Some(t.hi);
         if self.aim == Aim::Any {
             return true;
         }
         self.deeper = self.deeper.min(BEHIND);
         // Past a root a rough surface alternates between both sides of the ray.
         (0..LOST).any(|k| {
-            let far = self.sight.close / f64::from(1_u32 << k);
+            let far = self.state.close / f64::from(1_u32 << k);
             (0..PLACES).any(|i| {
                 let near = far * (1.0 - f64::from(i) / f64::from(2 * PLACES));
                 self.looked(t.plus(Double::from(near)), [0.0; 2])
@@ -347,8 +347,8 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
 
     /// From `t` on rounding hides the side; returns false, as the search continues.
     fn touch(&mut self, t: f64) -> bool {
-        if self.sight.touched.is_none() {
-            (self.sight.touched, self.way.budget) = (Some(t), self.way.budget.min(FURTHER));
+        if self.state.touched.is_none() {
+            (self.state.touched, self.way.budget) = (Some(t), self.way.budget.min(FURTHER));
         }
         false
     }
@@ -356,12 +356,12 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
     /// Returns a change of sign as the best guess at the end of the budget; always true.
     fn give_up(&mut self, span: Interval) -> bool {
         let [a, b] = [span.lo, span.hi].map(|t| self.way.height(t).value);
-        let t = match self.sight.touched {
+        let t = match self.state.touched {
             Some(t) => t,
             None if (a < 0.0) != (b < 0.0) => self.root(span, [a, b]),
             None => span.lo,
         };
-        self.sight.found = Some(Root { t, certain: false });
+        self.state.found = Some(Root { t, certain: false });
         true
     }
 
@@ -379,19 +379,19 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
         let (low, high) = (clear(first), clear(last));
         if low == 0.0 {
             self.touch(span.lo);
-        } else if self.sight.known(low.signum(), span.lo) {
+        } else if self.state.known(low.signum(), span.lo) {
             return true;
         }
         if low * high < 0.0 {
             let t = self.root(span, [first.value, last.value]);
-            self.sight.found = Some(Root { t, certain: self.sight.lost.is_none() });
+            self.state.found = Some(Root { t, certain: self.state.lost.is_none() });
             return true;
         }
         let apart = low.abs() + high.abs() > rate.magnitude() * span.width();
         if low * high > 0.0 && rate.contains(0.0) && !apart {
             self.touch(span.lo);
         }
-        if high == 0.0 { self.touch(span.hi) } else { self.sight.known(high.signum(), span.hi) }
+        if high == 0.0 { self.touch(span.hi) } else { self.state.known(high.signum(), span.hi) }
     }
 
     /// A root in `span`, at whose ends the signs differ.

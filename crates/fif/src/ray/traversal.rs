@@ -200,7 +200,7 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
         let pad_t = [self.pad.x * inverse[0].abs(), self.pad.y * inverse[1].abs()];
         let mut stack = [(Square::WHOLE, span); PLACES];
         let mut filled = 1_usize;
-        let mut stretches = Stretches::new();
+        let mut segments = Segments::new();
         while filled > 0 {
             filled -= 1;
             let Some(&(square, span)) = stack.get(filled) else { break };
@@ -210,7 +210,7 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
                 let SurfaceBounds { height, slopes } = squares.leaf(square, around[0], around[1]);
                 let span = self.within(span, height);
                 if span.lo <= span.hi
-                    && let Some(root) = self.search(&mut stretches, span, self.rate(slopes), aim)
+                    && let Some(root) = self.search(&mut segments, span, self.rate(slopes), aim)
                 {
                     return Some(root);
                 }
@@ -264,18 +264,18 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
     }
 
     /// The first root in an interval over which the rate is in `rate`, or any.
-    fn search(&mut self, waiting: &mut Stretches, span: Interval, rate: Interval, aim: Aim) -> Option<Root> {
+    fn search(&mut self, waiting: &mut Segments, span: Interval, rate: Interval, aim: Aim) -> Option<Root> {
         waiting.filled = 0;
         // More than the rounding of t.
         let slack = 4.0 * UNIT * (span.lo.abs() + span.hi.abs());
-        waiting.push(Stretch { span, rate, clearance: [0.0; 2], splits: 0 });
-        while let Some(stretch) = waiting.pop() {
-            let Stretch { span: Interval { lo, hi }, rate, clearance, .. } = stretch;
+        waiting.push(Segment { span, rate, clearance: [0.0; 2], splits: 0 });
+        while let Some(segment) = waiting.pop() {
+            let Segment { span: Interval { lo, hi }, rate, clearance, .. } = segment;
             let (width, speed) = (hi - lo, rate.magnitude());
             let rough = !speed.is_finite();
             if rough && aim == Aim::First && width > self.close && self.budget > 0 {
                 // Heights at the ends exclude nothing in between; bounds of the parts do.
-                self.split(waiting, stretch);
+                self.split(waiting, segment);
                 continue;
             }
             let coarse = if rough { self.context.range.width() } else { 0.0625 * speed * width };
@@ -292,7 +292,7 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
             // r is monotonic: one root or none.
             if rate.lo > 0.0 || rate.hi < 0.0 {
                 if crosses {
-                    return Some(Root { t: self.root(stretch.span, rate, low, slack), certain: true });
+                    return Some(Root { t: self.root(segment.span, rate, low, slack), certain: true });
                 }
                 if high == 0.0 {
                     return Some(self.proven(hi));
@@ -301,7 +301,7 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
             }
             if crosses && (width <= self.close || self.budget == 0) {
                 let certain = width <= self.close;
-                return Some(Root { t: self.root(stretch.span, Interval::ENTIRE, low, slack), certain });
+                return Some(Root { t: self.root(segment.span, Interval::ENTIRE, low, slack), certain });
             }
             // A Lipschitz bound from either end leaves [from, to]: |r| decreases at most at these
             // rates.
@@ -316,12 +316,12 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
             let finest = if rough { ROUGH_PART * self.finest } else { self.finest };
             if width <= finest || self.budget == 0 {
                 // There may be no way to decide whether the ray dips in and out again.
-                if self.lost.is_none() && self.bounded(stretch).is_some() {
+                if self.lost.is_none() && self.bounded(segment).is_some() {
                     self.lost = Some(lo);
                 }
                 continue;
             }
-            let rest = stretch.cut(Interval::new(from, to), [low, high]);
+            let rest = segment.cut(Interval::new(from, to), [low, high]);
             if to - from <= 0.5 * width {
                 waiting.push(rest);
             } else {
@@ -332,15 +332,15 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
     }
 
     /// Both halves, with new bounds once they are much smaller than the domain of the old ones.
-    fn split(&mut self, waiting: &mut Stretches, stretch: Stretch) {
-        let Stretch { span, rate, clearance, splits } = stretch;
+    fn split(&mut self, waiting: &mut Segments, segment: Segment) {
+        let Segment { span, rate, clearance, splits } = segment;
         let (middle, splits) = (span.middle(), splits + 1);
         let again = !rate.magnitude().is_finite() || splits.is_multiple_of(SPLITS);
         for (span, clearance) in [
             (Interval::new(middle, span.hi), [0.0, clearance[1]]),
             (Interval::new(span.lo, middle), [clearance[0], 0.0]),
         ] {
-            let part = Stretch { span, rate, clearance, splits };
+            let part = Segment { span, rate, clearance, splits };
             if let Some(part) = if again { self.bounded(part) } else { Some(part) } {
                 waiting.push(part);
             }
@@ -349,17 +349,17 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
 
     /// The interval with bounds over its own rectangle; `None` if the ray is above or below all of
     /// it.
-    fn bounded(&mut self, stretch: Stretch) -> Option<Stretch> {
+    fn bounded(&mut self, segment: Segment) -> Option<Segment> {
         self.budget = self.budget.saturating_sub(BOUNDS);
-        let (a, b) = (self.ray.at(stretch.span.lo), self.ray.at(stretch.span.hi));
+        let (a, b) = (self.ray.at(segment.span.lo), self.ray.at(segment.span.hi));
         let side = |a: f64, b: f64, pad: f64| {
             if a < b { Interval::new(a - pad, b + pad) } else { Interval::new(b - pad, a + pad) }
         };
         let SurfaceBounds { height, slopes } =
             self.context.surface.bounds(side(a.x, b.x, self.pad.x), side(a.y, b.y, self.pad.y));
-        let span = self.within(stretch.span, height);
-        let rate = self.rate(slopes).intersection(stretch.rate);
-        (span.lo <= span.hi).then_some(Stretch { rate, ..stretch.cut(span, stretch.clearance) })
+        let span = self.within(segment.span, height);
+        let rate = self.rate(slopes).intersection(segment.rate);
+        (span.lo <= span.hi).then_some(Segment { rate, ..segment.cut(span, segment.clearance) })
     }
 
     /// A lower bound of |r|, with the sign of r; 0 only if the sign is unknown.
@@ -497,7 +497,7 @@ impl<S: Surface + ?Sized> Traversal<'_, S> {
 
 /// An interval of the ray, bounds of the rate over it, and bounds of r at its ends.
 #[derive(Clone, Copy)]
-struct Stretch {
+struct Segment {
     span: Interval,
     rate: Interval,
     /// Lower bounds of |r| at the ends, with its sign; 0 where nothing is known.
@@ -505,7 +505,7 @@ struct Stretch {
     splits: u32,
 }
 
-impl Stretch {
+impl Segment {
     /// A part of the interval, with the bounds at the ends that it keeps.
     fn cut(self, span: Interval, [low, high]: [f64; 2]) -> Self {
         let kept = |end: f64, old: f64, clearance: f64| if end == old { clearance } else { 0.0 };
@@ -518,25 +518,25 @@ impl Stretch {
 }
 
 /// Intervals left to search, the nearest last.
-struct Stretches {
-    waiting: [Stretch; WAITING],
+struct Segments {
+    waiting: [Segment; WAITING],
     filled: usize,
 }
 
-impl Stretches {
+impl Segments {
     fn new() -> Self {
-        let none = Stretch { span: Interval::EMPTY, rate: Interval::ENTIRE, clearance: [0.0; 2], splits: 0 };
+        let none = Segment { span: Interval::EMPTY, rate: Interval::ENTIRE, clearance: [0.0; 2], splits: 0 };
         Self { waiting: [none; WAITING], filled: 0 }
     }
 
-    fn push(&mut self, stretch: Stretch) {
+    fn push(&mut self, segment: Segment) {
         if let Some(place) = self.waiting.get_mut(self.filled) {
-            *place = stretch;
+            *place = segment;
             self.filled += 1;
         }
     }
 
-    fn pop(&mut self) -> Option<Stretch> {
+    fn pop(&mut self) -> Option<Segment> {
         self.filled = self.filled.checked_sub(1)?;
         self.waiting.get(self.filled).copied()
     }

@@ -26,8 +26,8 @@ pub struct Recurrent<const C: usize> {
 }
 
 impl Recurrent<2> {
-    /// Creates straight lines between `(x_j, y_j)` with vertical scalings `alpha`, distorted by the
-    /// parts over `sources`.
+    /// Creates an affine interpolation with vertical scalings `alpha` and the source intervals
+    /// `sources`.
     ///
     /// A source `[from, to]` goes from knot `from` to knot `to`, counted from 0.
     ///

@@ -12,8 +12,8 @@ pub enum End {
 }
 
 error_enum! {
-    /// Error for an invalid system of maps. Maps are counted from 1, as in the literature, knots
-    /// and powers from 0.
+    /// Error for an invalid system. Maps are counted from 1, as in the literature, knots and powers
+    /// from 0.
     pub enum SystemError {
         /// A system needs at least two maps, i.e. three knots.
         TooFew { parameter: &'static str, least: usize, got: usize } =>

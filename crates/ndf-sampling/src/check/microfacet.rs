@@ -25,8 +25,8 @@ const VIEWS: [Vec3; 5] = [
 const TILTS: u16 = 64;
 const AZIMUTHS: u16 = 5;
 
-/// Checks a [`Microfacet`]: everything of [`ndf`](crate::check::ndf()), projected areas, masking
-/// and visible normals.
+/// Checks projected areas, masking and visible normals, and everything of
+/// [`ndf`](crate::check::ndf()).
 ///
 /// ```text
 /// σ(v) = ∫ D max(0, v·m) dω,      ∫ G₁ D max(0, v·m) dω = cos θ_v,      ∫ D_v dω = 1
@@ -104,7 +104,13 @@ fn add_monotonicity<N: Microfacet + ?Sized>(report: &mut Report, density: &N) {
         }
     }
     let limit = Limit::AtMost(1e-5);
-    report.add("monotonicity of masking", "growth of G₁ towards the horizon", worst.error, limit, worst.place);
+    report.add(
+        "monotonicity of masking",
+        "growth of G₁ towards the horizon",
+        worst.error,
+        limit,
+        worst.place,
+    );
 }
 
 /// Adds the check that methods with a view accept every input.

@@ -45,7 +45,7 @@ pub(crate) fn columns_of_texels(
     let image = Image { width, height, texels: &counted, inside: &inside };
     match PrefixSums::new(image, kind) {
         Some(integrals) => Ok(Columns { width, height, kind, integrals }),
-        None => Err(culprit(width, height, texels, &inside)),
+        None => Err(first_invalid(width, height, texels, &inside)),
     }
 }
 
@@ -63,7 +63,7 @@ fn is_density(value: f32) -> bool {
 }
 
 /// The first texel inside the disk that is not finite or negative.
-fn culprit(width: usize, height: usize, texels: &[f32], inside: &[[u32; 2]]) -> NdfMapError {
+fn first_invalid(width: usize, height: usize, texels: &[f32], inside: &[[u32; 2]]) -> NdfMapError {
     let rows = texels.chunks_exact(width).enumerate();
     let mut counted = rows.flat_map(|(j, row)| {
         let counts = move |rows: &[u32; 2]| (rows[0]..rows[1]).contains(&(j as u32));

@@ -4,7 +4,7 @@ use core::f32::consts::TAU;
 
 use glam::{Vec2, Vec3};
 
-use crate::environment::latitude_longitude::{LatitudeLongitude, MAX_TEXELS, Place};
+use crate::environment::latitude_longitude::{ImagePosition, LatitudeLongitude, MAX_TEXELS};
 use crate::image::{ImageError, texel_count};
 use crate::math::{cos, sin, sqrt};
 
@@ -85,8 +85,8 @@ impl Tables<'_> {
     }
 
     /// The density over solid angle.
-    pub(super) fn density(&self, place: Place) -> f32 {
-        let Place { strip, column, along, theta, .. } = place;
+    pub(super) fn density(&self, place: ImagePosition) -> f32 {
+        let ImagePosition { strip, column, along, theta, .. } = place;
         let [above, below] = [strip, strip + 1].map(|row| self.image.theta(row));
         // (cos above − cos θ)/(cos above − cos below) without the differences.
         let down = sin(0.5 * (theta + above)) * sin(0.5 * (theta - above))

@@ -32,8 +32,7 @@ pub trait Environment {
     #[must_use]
     fn radiance(&self, direction: Vec3) -> Vec3;
 
-    /// Samples a unit direction with [`density`](Environment::density), from a uniform point of the
-    /// unit square.
+    /// Samples a unit direction with [`density`](Environment::density), from a uniform `u`.
     ///
     /// The default is uniform on the sphere. Numbers are clamped to `[0, 1)`, NaN is read as 0.
     #[must_use]

@@ -59,7 +59,7 @@ pub type LatitudeLongitude<'a> = LatitudeLongitudeIn<&'a [Vec3]>;
 ///
 /// Row 0 and row `height + 1` are the poles.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct ImagePosition {
     /// The rows `strip` and `strip + 1`.
     pub(super) strip: usize,
     /// Fraction of the height of the row above the direction, by angle, in [0, 1].
@@ -162,7 +162,7 @@ impl<S: Deref<Target = [Vec3]>> LatitudeLongitudeIn<S> {
 
     /// The position of a direction on the image; `None` for an invalid direction.
     #[inline]
-    pub(super) fn place(&self, direction: Vec3) -> Option<Place> {
+    pub(super) fn place(&self, direction: Vec3) -> Option<ImagePosition> {
         if !is_direction(direction) {
             return None;
         }
@@ -174,7 +174,7 @@ impl<S: Deref<Target = [Vec3]>> LatitudeLongitudeIn<S> {
         let (above, below) = (self.theta(strip), self.theta(strip + 1));
         let across = (0.5 - atan2(y, x) / TAU) * self.width as f32 - 0.5;
         let left = floor(across);
-        Some(Place {
+        Some(ImagePosition {
             strip,
             down: ((theta - above) / (below - above)).clamp(0.0, 1.0),
             // −1 is the last column, and `width` the first.

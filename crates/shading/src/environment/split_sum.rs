@@ -9,8 +9,7 @@ use crate::math::{clamp_to, sqrt};
 /// Entries along each side of the table.
 const SIDE: usize = 32;
 
-/// Directional albedo of a GGX conductor with Schlick's Fresnel term: scale and bias of `F₀` (the
-/// split-sum table).
+/// The split-sum table: directional albedo of a GGX conductor as scale and bias of `F₀`.
 ///
 /// ```text
 /// ∫ f_r cos θ_i dω_i = F₀ scale + bias,   scale = E[(1 − s) G₂/G₁],   bias = E[s G₂/G₁],   s = (1 − ωo·h)⁵

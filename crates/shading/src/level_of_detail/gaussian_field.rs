@@ -6,8 +6,7 @@ use glam::{Vec2, Vec3};
 /// The resolved part of a bump map at a point, the input of both level-of-detail rules.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Coordinates {
-    /// The noise `z_b` of the resolved octaves, in standard deviations: two independent N(0, 1)
-    /// over the surface.
+    /// The noise `z_b` of the resolved octaves: two independent N(0, 1) over the surface.
     pub z: Vec2,
     /// The fraction `s` of the variance in these octaves, in `[0, 1]`; 0 where nothing is resolved.
     pub share: f32,

@@ -104,7 +104,7 @@ pub struct BevelledTiles {
 }
 
 /// The interval across the nearest edge of a tile that a pixel covers, in sides.
-struct Stretch {
+struct EdgeInterval {
     low: f32,
     high: f32,
     /// The fraction beyond the edge, which is the ridge of the next tile.
@@ -116,29 +116,29 @@ impl BevelledTiles {
     /// The interval that a pixel covers, if it resolves tiles, and the unresolved fraction.
     ///
     /// `None` without edges.
-    fn stretch(&self, point: &SurfacePoint) -> Option<(Option<Stretch>, f32)> {
+    fn interval(&self, point: &SurfacePoint) -> Option<(Option<EdgeInterval>, f32)> {
         const TILE: [Vec2; 4] = [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
         let side = Some(self.side).filter(|side| *side > 0.0)?;
         let (at, width) = (point.uv / side, point.texture().width(&point.pixel) / side);
         let far = removed_share(width, 1.0);
         let nearest = Edge::nearest(&TILE, at - at.floor()).filter(|_| far < 1.0);
-        let stretch = nearest.map(|Edge { distance, away }| {
+        let interval = nearest.map(|Edge { distance, away }| {
             let [low, high] = [distance - 0.5 * width, distance + 0.5 * width];
-            Stretch { low, high, beyond: if width > 0.0 { (-low / width).max(0.0) } else { 0.0 }, away }
+            EdgeInterval { low, high, beyond: if width > 0.0 { (-low / width).max(0.0) } else { 0.0 }, away }
         });
-        Some((stretch, far))
+        Some((interval, far))
     }
 }
 
 impl Material for BevelledTiles {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let lobe = EnergyPreservingOrenNayar::clamped(self.colour, self.roughness).into();
-        let Some((stretch, far)) = self.stretch(point) else {
+        let Some((interval, far)) = self.interval(point) else {
             return Bsdf::new(wo).with([Facet::FLAT], [lobe]);
         };
         Bsdf::new(wo).with_visited([lobe], |add| {
             let mut lit = of_slopes(point, 1.0, add);
-            if let Some(Stretch { low, high, beyond, away }) = stretch {
+            if let Some(EdgeInterval { low, high, beyond, away }) = interval {
                 self.bevel.facets(low.max(0.0), high, |share, slope| {
                     lit((1.0 - far) * (1.0 - beyond) * share, slope * away);
                 });
@@ -158,8 +158,8 @@ impl Material for BevelledTiles {
     }
 
     fn height(&self, point: &SurfacePoint) -> f32 {
-        let Some((stretch, far)) = self.stretch(point) else { return 0.0 };
-        let near = stretch.map_or(0.0, |Stretch { low, high, beyond, .. }| {
+        let Some((interval, far)) = self.interval(point) else { return 0.0 };
+        let near = interval.map_or(0.0, |EdgeInterval { low, high, beyond, .. }| {
             let own = (1.0 - beyond) * self.bevel.mean_height(low.max(0.0), high);
             own + if beyond > 0.0 { beyond * self.bevel.mean_height(0.0, -low) } else { 0.0 }
         });

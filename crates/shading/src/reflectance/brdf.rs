@@ -46,8 +46,7 @@ pub trait Brdf {
     #[must_use]
     fn value(&self, wi: Vec3, wo: Vec3) -> Vec3;
 
-    /// Samples a direction `ωi` for light that leaves along `wo`, from a uniform point of the unit
-    /// square.
+    /// Samples a direction `ωi` for light that leaves along `wo`, from a uniform `u` in `[0, 1)²`.
     ///
     /// It may be below the horizon, where `value` is 0: such samples contribute zero. The default
     /// implementation never produces them: its density is `cos θ / π` (Malley's method).

@@ -56,8 +56,8 @@ enum Behind {
 #[doc(alias = "specular delta")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Delta {
-    /// The unit direction to the light, in the frame of the surface; finite and of any length where
-    /// the weight is 0.
+    /// The unit direction to the light, in the frame of the surface; any finite vector if the
+    /// weight is 0.
     pub wi: Vec3,
     /// The fraction of its radiance, in [0, 1]³.
     pub weight: Vec3,

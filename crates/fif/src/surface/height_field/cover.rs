@@ -12,7 +12,7 @@ const FINER: f64 = 1.0 / 64.0;
 const LEVELS: u32 = 96;
 
 /// A cell and its position.
-struct Place<B> {
+struct CellPosition<B> {
     cell: Cell<B>,
     left: f64,
     width: f64,
@@ -24,7 +24,7 @@ struct Place<B> {
 pub(crate) fn covered<F: Function>(axis: &Curve<F>, over: Interval) -> [Interval; 2] {
     let domain = axis.domain();
     let cut = over.intersection(domain);
-    let mut place = Place { cell: axis.root(), left: domain.lo, width: domain.width() };
+    let mut place = CellPosition { cell: axis.root(), left: domain.lo, width: domain.width() };
     let pad = 16.0 * f64::EPSILON * (domain.magnitude() + domain.width());
     let over = Interval::new(cut.lo - pad, cut.hi + pad);
     if cut.lo > cut.hi || cut.lo.is_nan() || cut.hi.is_nan() {
@@ -43,7 +43,7 @@ pub(crate) fn covered<F: Function>(axis: &Curve<F>, over: Interval) -> [Interval
 /// At most `levels` deep.
 fn gather<F: Function>(
     axis: &Curve<F>,
-    place: &Place<Below<F>>,
+    place: &CellPosition<Below<F>>,
     over: Interval,
     levels: u32,
     all: &mut [Interval; 2],
@@ -62,12 +62,12 @@ fn gather<F: Function>(
     }
 }
 
-fn child<F: Function>(axis: &Curve<F>, place: &Place<Below<F>>, j: usize) -> Place<Below<F>> {
+fn child<F: Function>(axis: &Curve<F>, place: &CellPosition<Below<F>>, j: usize) -> CellPosition<Below<F>> {
     let [s0, s1] = axis.part(j);
     let cell = axis.child(&place.cell, j);
-    Place { cell, left: place.left + place.width * s0, width: place.width * (s1 - s0) }
+    CellPosition { cell, left: place.left + place.width * s0, width: place.width * (s1 - s0) }
 }
 
-fn meets<B>(place: &Place<B>, over: Interval) -> bool {
+fn meets<B>(place: &CellPosition<B>, over: Interval) -> bool {
     place.left <= over.hi && over.lo <= place.left + place.width
 }

@@ -94,8 +94,7 @@ impl<F: Function, G: Function> HeightField<F, G> {
         self.tabulated_with(1024)
     }
 
-    /// [`HeightField::tabulated`] with at most `cells` cells per axis; 0 and 1 keep only the bounds
-    /// of the domain.
+    /// Adds tables with at most `cells` cells per axis; 0 and 1 keep only the bounds of the domain.
     #[cfg(feature = "alloc")]
     #[must_use]
     pub fn tabulated_with(self, cells: usize) -> Self {

@@ -1,5 +1,4 @@
-//! Global bounds of a self-affine surface and of the errors of its evaluation; lengths are in units
-//! of the domain.
+//! Global bounds of a self-affine surface and of its evaluation errors, in units of the domain.
 
 use asperity_core::Interval;
 

@@ -206,7 +206,8 @@ impl Seams {
                 Crease { height, slope: Vec2::new(slope, 0.0) }
             }
             SeamPattern::Grid => {
-                let [x, y] = [(phases.x, widths.x), (phases.y, widths.y)].map(|(p, w)| Stretch::new(p, w));
+                let [x, y] =
+                    [(phases.x, widths.x), (phases.y, widths.y)].map(|(p, w)| PhaseInterval::new(p, w));
                 mean_of_smaller(&x, &y)
             }
         }
@@ -298,12 +299,12 @@ fn area(p: f32) -> f32 {
 }
 
 /// The interval of phases that a pixel covers.
-struct Stretch {
+struct PhaseInterval {
     /// Its ends, the first in (−π, π); `None` if it is many seams long.
     ends: Option<[f32; 2]>,
 }
 
-impl Stretch {
+impl PhaseInterval {
     fn new(p: f32, width: f32) -> Self {
         let w = sqrt(width * width + LEAST * LEAST);
         let p = p - floor(p / PI) * PI;
@@ -348,7 +349,7 @@ impl Stretch {
 /// ```text
 /// min(s, t) = ∫₀¹ [s > l] [t > l] dl,   l = sin θ
 /// ```
-fn mean_of_smaller(x: &Stretch, y: &Stretch) -> Crease {
+fn mean_of_smaller(x: &PhaseInterval, y: &PhaseInterval) -> Crease {
     /// Gauss points and weights on [0, 1].
     const RULE: [[f32; 2]; 4] = [
         [0.069_431_84, 0.173_927_42],

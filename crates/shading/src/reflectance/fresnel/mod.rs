@@ -1,5 +1,4 @@
-//! Fresnel reflectance of smooth interfaces: dielectric, conductor, Schlick's approximation and its
-//! tint at 82°.
+//! Fresnel reflectance of smooth interfaces: dielectric, conductor, Schlick, Schlick with F82 tint.
 
 mod conductor;
 mod dielectric;
