@@ -44,7 +44,7 @@ impl Bounded {
         Interval { lo: self.value, hi: self.value }.inflated(self.bound)
     }
 
-    /// Clamps the value to `range` if it is known to lie in it.
+    /// Clamps the value and the bound, given that the exact value also lies in `range`.
     pub(crate) fn within(self, range: Interval) -> Self {
         let value = range.nearest(self.value);
         let farthest = (range.hi - value).max(value - range.lo).next_up();

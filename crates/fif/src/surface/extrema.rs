@@ -52,8 +52,8 @@ fn greatest<S: Surface>(surface: &S, rectangle: [Interval; 2], width: f64, sign:
 
 /// The maximum of `upper` over the squares after dividing into quarters `depth` times.
 ///
-/// It is at most the value over larger squares. If a budget ends before, it is the maximum over
-/// larger squares.
+/// The bound of a square is at most the bound of the larger square around it. If the budget ends
+/// before, larger squares are used.
 pub(crate) fn ceiling(rectangle: [Interval; 2], depth: u32, upper: impl Fn([Interval; 2]) -> f64) -> f64 {
     search(rectangle, depth.min(24) as usize, upper, |_| f64::NEG_INFINITY)
 }

@@ -97,8 +97,8 @@ pub(crate) struct Near {
 impl Segments {
     /// Visits the segments that may reach the point.
     ///
-    /// Their midpoint is nearer than half their length along, `aside` across, and the side of a
-    /// cell. None where cells cannot be distinguished.
+    /// The distance of their midpoint is at most half their length along, `aside` across, and less
+    /// than the side of a cell. Visits none where cells cannot be distinguished.
     pub(crate) fn visit(&self, at: Vec2, aside: f32, mut f: impl FnMut(Near)) {
         const FARTHEST: f32 = 8_388_608.0;
         let place = at / self.cell;

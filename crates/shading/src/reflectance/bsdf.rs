@@ -30,8 +30,8 @@ const LAYERS: usize = 4;
 ///
 /// Here ω′ is in the frame of the facet m, and T = 1 − F of the coat. Directions are unit vectors
 /// in the frame of the surface without bumps,
-/// [`SurfacePoint::frame`](crate::material::SurfacePoint::frame), and point away from it. It is a
-/// [`Brdf`]: value, samples and density are those of the layers. Reflection and transmission by a
+/// [`SurfacePoint::frame`](crate::material::SurfacePoint::frame), and point away from it. As a
+/// [`Brdf`] it has the value, samples and density of the layers. Reflection and transmission by a
 /// smooth coat are in [`deltas`](Self::deltas), and emission is in [`emitted`](Self::emitted).
 ///
 /// - **Energy:** at most 1 if the lobes of every layer have a total albedo of at most 1 (materials
