@@ -28,7 +28,7 @@ mod tests {
     use approx::{assert_abs_diff_eq, assert_abs_diff_ne, assert_relative_eq, assert_ulps_eq};
 
     #[test]
-    fn fields_are_compared_one_by_one() {
+    fn approx_compares_every_field() {
         let a = Interval::new(1.0, 2.0);
         assert_abs_diff_eq!(a, Interval::new(1.0, 2.0 + 1e-9), epsilon = 1e-8);
         assert_abs_diff_ne!(a, Interval::new(1.0 + 1e-7, 2.0), epsilon = 1e-8);

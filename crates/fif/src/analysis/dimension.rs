@@ -126,7 +126,7 @@ mod tests {
     use crate::{FixedFif, paper};
 
     #[test]
-    fn lines_and_gentle_factors_have_dimension_one() {
+    fn dimension_of_lines_and_small_scalings_is_one() {
         let line = FixedFif::<2, 2>::affine(&[0.0, 1.0, 2.0], &[1.0, 2.0, 3.0], &[0.9, 0.9]).unwrap();
         assert_eq!(line.dimension().hi, 1.0);
         assert_eq!(paper::g_hat().unwrap().dimension().hi, 1.0);

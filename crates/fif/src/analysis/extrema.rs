@@ -158,7 +158,7 @@ mod tests {
     use crate::{FixedFif, paper};
 
     #[test]
-    fn an_impossible_width_still_gives_brackets() {
+    fn extrema_with_an_unreachable_width_are_bracketed() {
         for width in [0.0, -1.0, f64::NAN, 1e-300] {
             let e = paper::g().unwrap().extrema(width);
             assert!(e.maximum.width() < 1e-10 && e.maximum.contains(41_969.0 / 21_609.0), "{width}: {e:?}");
@@ -166,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn empty_and_unordered_intervals_have_no_extrema() {
+    fn extrema_over_empty_intervals_is_none() {
         let f = paper::f().unwrap();
         for (l, r) in [(1.0, 0.5), (f64::NAN, 1.0), (0.0, f64::NAN), (-2.0, -1.0)] {
             assert!(f.extrema_over(l, r, 1e-6).is_none() && f.enclosure(l, r, 1e-6).is_none(), "[{l}, {r}]");
@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn cells_of_a_billionth_are_found() {
+    fn extrema_finds_cells_of_a_billionth() {
         // A spike of height 1 in the first billionth of the domain, and its copies.
         let spike =
             FixedFif::<3, 2>::affine(&[0.0, 1e-9, 2e-9, 1.0], &[0.0, 1.0, 0.0, 0.0], &[0.5, 0.5, 0.5]);

@@ -281,7 +281,7 @@ mod tests {
     use crate::{FixedFif, paper};
 
     #[test]
-    fn a_parabola_has_its_slope() {
+    fn modulus_of_a_parabola_is_its_slope() {
         // x² on halves, α = 1/4: Lipschitz constant 2.
         let q = [[0.0, 0.0, 0.0], [0.25, 0.5, 0.0]];
         let f = FixedFif::<2, 3>::new(&[0.0, 0.5, 1.0], &[0.25, 0.25], &q).unwrap();
@@ -291,7 +291,7 @@ mod tests {
     }
 
     #[test]
-    fn no_distance_is_no_movement() {
+    fn modulus_at_zero_is_zero() {
         for modulus in [paper::f().unwrap().modulus(), paper::g().unwrap().modulus()] {
             assert!(modulus.at(0.0) == 0.0 && modulus.at(f64::NAN).is_nan(), "{modulus:?}");
             assert!(modulus.at(100.0) >= modulus.at(2.0) && modulus.at(2.0) >= modulus.at(1e-300));
@@ -299,7 +299,7 @@ mod tests {
     }
 
     #[test]
-    fn nearly_all_of_the_domain_in_one_map_leaves_a_bound() {
+    fn modulus_is_finite_if_one_map_covers_nearly_everything() {
         for narrow in [1e-3, 1e-9, 1e-15, 1e-20, 1e-300] {
             for alpha in [[0.5, 0.3], [0.3, -0.9], [0.0, 0.0]] {
                 for x in [[0.0, narrow, 1.0], [-1.0, -narrow, 0.0]] {
@@ -321,7 +321,7 @@ mod tests {
     }
 
     #[test]
-    fn conditioning_is_total() {
+    fn conditioning_accepts_every_input() {
         let g = paper::g().unwrap();
         assert!(g.conditioning(f64::NAN).is_nan());
         for x in [f64::NEG_INFINITY, -1.0, 0.0, 1.0, 2.0, 3.0, f64::INFINITY] {

@@ -101,7 +101,7 @@ mod tests {
     use crate::{FixedFif, paper};
 
     #[test]
-    fn the_supremum_norm_is_a_norm_that_no_value_exceeds() {
+    fn supremum_norm_bounds_every_value() {
         let f = paper::f_hat().unwrap();
         let norm = f.supremum_norm(1e-9);
         for k in 0..=64_u8 {

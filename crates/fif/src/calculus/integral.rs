@@ -346,7 +346,7 @@ mod tests {
     use crate::{FixedFif, SystemError, paper};
 
     #[test]
-    fn a_rough_function_has_no_derivative() {
+    fn derivative_of_a_rough_function_is_an_error() {
         let steep: Result<FixedFif<2, 1>, _> = paper::f().unwrap().derivative();
         assert_eq!(steep.unwrap_err(), SystemError::SteepFactor { map: 1, alpha: 0.5, a: 0.5 });
         // Small scalings, but a corner at the middle knot.

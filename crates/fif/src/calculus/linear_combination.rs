@@ -196,7 +196,7 @@ mod tests {
     use alloc::string::ToString;
 
     #[test]
-    fn maps_must_tile_the_domain() {
+    fn from_maps_requires_tiling() {
         let [first, second] = paper::F_MAPS;
         let build = |maps: &[Map<2>]| FixedFif::<2, 2>::from_maps(0.0, 2.0, maps).map(|f| f.end_values());
         let overlap = Map { a: 0.75, ..first };
@@ -234,7 +234,7 @@ mod tests {
     }
 
     #[test]
-    fn derivatives_are_counted() {
+    fn differentiability_counts_derivatives() {
         // f integrated three times is three times differentiable; the second derivative of a
         // parabola is not contracted.
         let once = paper::f_hat().unwrap();

@@ -212,7 +212,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn long_fractions_hold_both_parts_of_a_double() {
+    fn long_fractions_contain_both_parts_of_a_double() {
         for (hi, lo) in
             [(0.5, 2f64.powi(-80)), (0.5, -(2f64.powi(-80))), (2f64.powi(-500), -(2f64.powi(-600)))]
         {

@@ -126,7 +126,7 @@ mod tests {
     use alloc::string::ToString;
 
     #[test]
-    fn nodes_are_the_values_there() {
+    fn grid_equals_evaluate_at_the_nodes() {
         let g = paper::g_hat().unwrap();
         let mut nodes = [0.0; 1025];
         let bound = g.grid(&mut nodes).unwrap();

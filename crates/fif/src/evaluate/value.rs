@@ -264,7 +264,7 @@ mod tests {
     use approx::assert_abs_diff_eq;
 
     #[test]
-    fn any_tolerance_gives_a_bound_that_holds() {
+    fn evaluate_is_within_its_bound_for_any_tolerance() {
         let f = paper::f().unwrap();
         for tolerance in [f64::INFINITY, 10.0, 1e-3, 1e-300, 0.0, -1.0, f64::NAN] {
             let got = f.evaluate(2.0 / 3.0, tolerance);
@@ -274,7 +274,7 @@ mod tests {
     }
 
     #[test]
-    fn points_next_to_the_left_end_obey_the_functional_equation() {
+    fn evaluate_near_the_left_end_satisfies_the_functional_equation() {
         // f(x) = F_1(f(N x)), down from points that are far from the end; every N^k x is exact.
         fn check<const N: usize>(f: &FixedFif<N, 2>, x: f64, steps: i32) {
             let map = f.pieces()[0].map();
@@ -307,7 +307,7 @@ mod tests {
     }
 
     #[test]
-    fn addresses_end_in_zeros_at_knots_and_are_empty_for_nan() {
+    fn address_of_knots_and_nan() {
         let f = paper::f().unwrap();
         assert!(f.address(1.0).take(4).eq([1, 0, 0, 0]));
         assert!(f.address(0.0).take(3).eq([0, 0, 0]) && f.address(-7.0).take(3).eq([0, 0, 0]));
@@ -316,7 +316,7 @@ mod tests {
     }
 
     #[test]
-    fn slow_addresses_are_followed_to_the_tolerance() {
+    fn value_at_address_of_slowly_shrinking_cells() {
         let f = FixedFif::<2, 2>::affine(&[0.0, 1e-3, 1.0], &[0.0, 1.0, 0.0], &[0.5, -0.875]).unwrap();
         let knot = f.value_at_address(core::iter::once(0).chain(core::iter::repeat(1)), 1e-12).unwrap();
         assert!((knot.value - 1.0).abs() <= knot.bound && knot.bound <= 1e-12, "{knot:?}");
@@ -333,7 +333,7 @@ mod tests {
     }
 
     #[test]
-    fn bounds_hold_among_the_least_numbers() {
+    fn evaluate_is_within_its_bound_for_subnormal_numbers() {
         let scale = 2f64.powi(900);
         let y = [1e-310, -3e-310, 2e-320, 7e-324, -1e-310];
         let x = [0.0, 0.25, 0.5, 0.75, 1.0];
@@ -350,7 +350,7 @@ mod tests {
     }
 
     #[test]
-    fn a_finite_address_bounds_its_cell() {
+    fn value_at_finite_address_bounds_its_cell() {
         let f = paper::f().unwrap();
         let cell = f.value_at_address([0, 1], 1e-12).unwrap().interval();
         for k in 0..=16 {

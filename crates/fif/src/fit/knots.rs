@@ -55,7 +55,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn extreme_arguments_end() {
+    fn knots_accepts_extreme_arguments() {
         let (x, y) = ([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.0, -1.0, 3.0, 0.5]);
         // If everything fits, two maps remain; if nothing fits, every point is a knot.
         assert_eq!(knots(&x, &y, f64::INFINITY, usize::MAX).unwrap(), [0, 3, 4]);

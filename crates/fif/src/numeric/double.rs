@@ -106,7 +106,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn thirds_are_known_to_a_hundred_bits() {
+    fn thirds_are_accurate_to_a_hundred_bits() {
         let third = Double::ratio(1.0, 3.0);
         let rest = third.plus(third).plus(third).minus(Double::from(1.0));
         assert!(rest.hi.abs() < 2f64.powi(-104), "{rest:?}");

@@ -155,7 +155,7 @@ mod tests {
     const P: [f64; 4] = [0.3, -1.25, 2.0, 0.7];
 
     #[test]
-    fn substitution_is_the_polynomial_of_the_affine_argument() {
+    fn substitute_composes_with_an_affine_argument() {
         let p = substitute(&P, 0.4, -0.3);
         for i in 0..=10 {
             let x = f64::from(i) * 0.2 - 1.0;
@@ -165,7 +165,7 @@ mod tests {
     }
 
     #[test]
-    fn restricted_bernstein_coefficients_are_the_same_polynomial() {
+    fn restrict_preserves_the_polynomial() {
         let b = bernstein(&P);
         assert_abs_diff_eq!(b[0], P[0], epsilon = 1e-15);
         assert_abs_diff_eq!(b[3], horner(&P, 1.0), epsilon = 1e-15);

@@ -85,7 +85,7 @@ mod tests {
     use approx::assert_abs_diff_eq;
 
     #[test]
-    fn the_expansion_is_the_composite() {
+    fn expanded_equals_compose() {
         let w = Map { a: 0.3, b: 0.7, alpha: -0.6, q: [0.1, -2.0, 0.5, 1.1] };
         let v = Map { a: 0.25, b: -1.5, alpha: 0.9, q: [-0.4, 0.2, 1.5, -0.3] };
         let (got, want) = (expanded(&w, &v), w.compose(&v));
@@ -110,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn any_input_ends() {
+    fn algorithm_two_accepts_every_input() {
         let g = paper::g().unwrap();
         assert!(g.algorithm_two(f64::NAN, 1e-3).is_nan());
         for (x, epsilon) in [(0.3, 0.0), (0.3, -1.0), (0.3, f64::NAN), (f64::INFINITY, 1e-3), (-7.0, 1e-3)] {

@@ -42,7 +42,7 @@ mod tests {
     use crate::paper;
 
     #[test]
-    fn ten_thousand_points_miss_a_part_of_the_range() {
+    fn chaos_game_misses_a_part_of_the_range() {
         let g = paper::g().unwrap();
         let whole = g.extrema(1e-6).enclosure();
         let (mut lo, mut hi, mut left) = (f64::INFINITY, f64::NEG_INFINITY, 0);

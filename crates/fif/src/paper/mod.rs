@@ -67,7 +67,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_maps_are_those_of_the_systems() {
+    fn printed_maps_match_the_systems() {
         for (system, maps) in [(f().unwrap(), F_MAPS), (g().unwrap(), G_MAPS)] {
             for (piece, map) in system.pieces().iter().zip(maps) {
                 assert_eq!(*piece.map(), map);

@@ -178,7 +178,7 @@ mod tests {
         Patch([[[0.25, -1.0, 0.5], [1.5, 2.0, -0.75]], [[-0.5, 0.25, 3.0], [0.125, -2.5, 1.0]]]);
 
     #[test]
-    fn corners_are_interpolated() {
+    fn patch_interpolates_its_corners() {
         for (a, side) in PATCH.0.iter().enumerate() {
             for (b, corner) in side.iter().enumerate() {
                 let (u, v) = (a as f64, b as f64);

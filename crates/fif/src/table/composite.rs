@@ -292,7 +292,7 @@ mod tests {
     use crate::{Fif, paper};
 
     #[test]
-    fn the_deviation_is_enclosed_tightly() {
+    fn deviation_enclosure_is_tight() {
         // f of the source vanishes at both ends and reaches 4/3.
         let t = Composites::new(paper::f().unwrap().view()).unwrap();
         assert_eq!((t.radix, t.digits, t.steepest), (1024, 10, 1.0 / 1024.0 * (1.0 + 6.0 * f64::EPSILON)));

@@ -367,7 +367,7 @@ mod tests {
     }
 
     #[test]
-    fn rough_and_uneven_functions_have_jets_too() {
+    fn jets_of_rough_functions_and_unequal_knots() {
         let g = paper::g().unwrap();
         let jet = g.table(1e-9).unwrap().evaluate_jet(0.7);
         assert!(jet.slope.value.is_nan());

@@ -136,7 +136,7 @@ mod tests {
     use crate::Fif;
 
     #[test]
-    fn powers_of_two_end_however_steep() {
+    fn depth_is_bounded_for_powers_of_two() {
         let f = Fif::affine(&[0.0, 0.5, 1.0], &[0.0, 1.0, 0.0], &[0.999, -0.999]).unwrap();
         let table = Uniform::new(f.view(), &Composites::new(f.view()).unwrap(), 1e-9).unwrap();
         assert_eq!(table.more, 6);

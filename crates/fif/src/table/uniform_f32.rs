@@ -268,7 +268,7 @@ mod tests {
     }
 
     #[test]
-    fn values_lie_within_the_bound_and_lanes_have_their_bits() {
+    fn values_are_within_the_bound_and_bit_identical_in_lanes() {
         for tolerance in [1e-2, 1e-6, 0.0, f64::NAN] {
             check(&paper::f().unwrap(), tolerance);
             check(&paper::g().unwrap(), tolerance);
@@ -287,7 +287,7 @@ mod tests {
     }
 
     #[test]
-    fn lists_of_any_length_have_the_bits_of_values() {
+    fn values_of_any_length_are_bit_identical_to_value() {
         let table = paper::g().unwrap().table(1e-6).unwrap().to_f32();
         let x: Vec<f32> = (0_u16..300).map(|k| 0.01 + 0.006_61 * f32::from(k)).collect();
         for n in [0, 1, 16, 17, 63, 64, 65, 127, 128, 144, 145, 192, 209, 300] {

@@ -166,7 +166,7 @@ mod tests {
     use asperity_core::lanes::Scalar;
 
     #[test]
-    fn tail_is_relative() {
+    fn tail_is_relatively_accurate() {
         for k in -500..=1300 {
             let x = k as f32 * 0.01;
             let tail = density(Scalar, x) * mills_ratio(Scalar, x.abs());

@@ -137,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn accuracy_grows_with_the_square_of_the_size() {
+    fn accuracy_is_quadratic_in_the_size() {
         let beckmann = Beckmann::new(0.01, 0.4).unwrap();
         let [coarse, fine] =
             [64, 128].map(|size| ConditionalTable::new(&beckmann, size).unwrap().accuracy(&beckmann));

@@ -72,7 +72,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn spline_is_a_density_with_the_variance_of_a_quarter() {
+    fn spline_integrates_to_one_with_variance_one_quarter() {
         let (mut mass, mut variance, mut before) = (0.0, 0.0, spline_integral(-1.5));
         assert_eq!((before, spline_integral(1.5), spline_integral(0.0)), (0.0, 1.0, 0.5));
         for k in -1499..=1500 {
@@ -87,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn kernel_is_whole_inside_the_map() {
+    fn kernel_sums_to_one_inside_the_map() {
         let mut kernel = Vec::new();
         for (c, width) in [(0.0, 0.1), (0.31, 0.02), (-0.7, 0.19), (0.999, 0.0), (1.0, 0.0), (-1.0, 0.0)] {
             averaged_kernel(c, width, first_texel(c, width, 64), 64, &mut kernel);

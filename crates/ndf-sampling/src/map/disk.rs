@@ -103,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn rectangles_meet_the_disk_by_area() {
+    fn meets_is_consistent_with_the_area() {
         assert!(meets([-1.0, -0.5], [-0.1, 0.1]));
         assert!(!meets([0.75, 1.0], [0.75, 1.0]));
         assert!(meets([-1.0, 1.0], [-1.0, 1.0]));

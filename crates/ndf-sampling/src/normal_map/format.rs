@@ -198,14 +198,14 @@ mod tests {
     }
 
     #[test]
-    fn flat_texel_of_unsigned_normalised_textures_is_tilted() {
+    fn flat_texel_of_unsigned_normalized_textures_is_tilted() {
         let n = NormalMapFormat::default().decode_u8([128, 128, 255]);
         assert_abs_diff_eq!(n.x, 0.003_921_5, epsilon = 1e-6);
         assert_abs_diff_eq!(n.y, 0.003_921_5, epsilon = 1e-6);
     }
 
     #[test]
-    fn every_texel_is_a_unit_normal() {
+    fn every_texel_decodes_to_a_unit_normal() {
         let values = [0, 1, 127, 128, 200, 255];
         for format in formats() {
             for (r, g) in values.into_iter().flat_map(|r| values.map(|g| (r, g))) {

@@ -159,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn steps_are_at_most_a_diagonal_longer_than_those_of_the_normals() {
+    fn frame_steps_are_at_most_sqrt_two_normal_steps() {
         let table = NormalTable::new(&Ggx::isotropic(1.0).unwrap(), 64).unwrap();
         let normals: Vec<Vec3> = table.frames().map(|frame| frame.normal).collect();
         let rows = normals.chunks(64).flat_map(|row| row.windows(2).map(|pair| angle(pair[0], pair[1])));

@@ -362,7 +362,7 @@ mod tests {
     }
 
     #[test]
-    fn can_be_a_constant() {
+    fn table_is_const_constructible() {
         static FLASH: [[u16; 2]; 1] = [[0x3800, 0]];
         const TABLE: NormalTableRef<'static, [u16; 2]> = match NormalTableRef::new(
             1,

@@ -227,7 +227,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn edges() {
+    fn phi_and_inverse_phi_at_the_edges() {
         assert_eq!(phi(f64::NEG_INFINITY), 0.0);
         assert_eq!(phi(f64::INFINITY), 1.0);
         assert_eq!((inverse_phi(0.0), inverse_phi(1.0)), (f64::NEG_INFINITY, f64::INFINITY));

@@ -64,7 +64,7 @@ mod tests {
     }
 
     #[test]
-    fn surfaces_of_any_size_have_unit_normals() {
+    fn displace_returns_unit_normals_at_any_scale() {
         let (p, slope) = ([Vec3::new(0.8, 0.1, 0.2), Vec3::new(-0.1, 0.7, 0.3)], Vec2::new(0.3, -0.4));
         // With either handedness.
         for (p, slope) in [(p, slope), ([p[1], p[0]], slope.yx())] {

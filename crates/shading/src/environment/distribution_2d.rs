@@ -157,7 +157,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn linear_densities_are_inverted() {
+    fn linear_quantile_inverts_the_cdf() {
         for (a, b) in [(1.0, 1.0), (0.0, 2.0), (3.0, 0.0), (1e-20, 1e30), (0.2, 0.7)] {
             for k in 0..=64 {
                 let u = k as f32 / 64.0;

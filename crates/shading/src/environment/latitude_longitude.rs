@@ -260,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn every_direction_has_a_radiance() {
+    fn radiance_accepts_every_direction() {
         let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, 1e-45, 3e38, -1.0];
         for (texels, size) in [(&texels()[..], SIZE), (&[Vec3::ONE][..], [1, 1])] {
             let image = LatitudeLongitude::new(size[0], size[1], texels).unwrap();

@@ -102,7 +102,7 @@ mod tests {
     use asperity_noise::{GaussianOctaves, Simplex, Spectrum};
 
     #[test]
-    fn fields_have_the_octaves_of_their_spectrum_and_references_are_the_field() {
+    fn octave_limits_and_references_of_fields() {
         fn compared(field: impl GaussianField, same: impl GaussianField) {
             let p = Vec3::new(0.3, 1.7, -2.2);
             assert_eq!((field.lacunarity(), field.max_octaves()), (2.5, 6.0));

@@ -120,7 +120,7 @@ mod tests {
     use asperity_noise::{Gaussian, GaussianOctaves, Perlin2002, Simplex};
 
     #[test]
-    fn every_point_and_count_gives_finite_coordinates() {
+    fn coordinates_are_finite_for_every_input() {
         let perlin = RemappedOctaves::new(Perlin2002::default(), Spectrum::default(), 1).unwrap();
         let gaussian = GaussianOctaves::<3>::new(Gaussian::new(1), Spectrum::default());
         for field in [&perlin as &dyn GaussianField, &gaussian] {

@@ -319,7 +319,7 @@ mod tests {
     }
 
     #[test]
-    fn every_coordinate_gives_a_finite_radiance() {
+    fn radiance_is_finite_for_every_coordinate() {
         let ndf = Ggx::new(0.05, 1.0).unwrap();
         let odd = [f32::NAN, f32::NEG_INFINITY, -1e30, -1.0, 0.0, 0.5, 1.0, 1e30, f32::INFINITY];
         let h = Vec3::new(0.3, 0.2, 0.9).normalize();

@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn references_and_boxes_are_the_material_with_its_heights() {
+    fn references_and_boxes_forward_every_method() {
         fn seen(
             material: impl Material,
             point: &SurfacePoint,

@@ -286,7 +286,7 @@ mod tests {
     }
 
     #[test]
-    fn metallic_roughness_of_other_lobes_is_the_nearest_of_the_model() {
+    fn metallic_roughness_of_other_lobes_is_the_nearest_fit() {
         let apart = |lobes: [Vec3; 2], base: Vec3, metallic: f32| {
             let [below, specular] = [base * (1.0 - metallic), Vec3::splat(0.04).lerp(base, metallic)];
             let below = below - lobes[0] / (Vec3::ONE - lobes[1]);

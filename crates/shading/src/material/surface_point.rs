@@ -130,7 +130,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn taps_lie_along_the_pixel_with_the_coordinates_there() {
+    fn taps_have_interpolated_texture_coordinates() {
         // Half a unit of u and a quarter of v per unit of length, on a slope.
         let tangents = [Vec3::new(1.2, 0.0, 1.6), Vec3::new(0.0, 4.0, 0.0)];
         let normal = Vec3::new(-0.8, 0.0, 0.6);

@@ -176,7 +176,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn groups_are_found() {
+    fn centers_finds_the_groups() {
         let middles = [Vec2::ZERO, Vec2::new(1.0, 0.2), Vec2::new(-0.5, 0.8)];
         let slopes: [Vec2; 90] = core::array::from_fn(|k| {
             middles[k / 30] + 0.05 * Vec2::new((k as f32 * 1.7).sin(), (k as f32 * 2.9).cos())

@@ -138,7 +138,7 @@ mod tests {
     use asperity_ndf_sampling::Ndf as _;
 
     #[test]
-    fn mixtures_have_the_moments_of_all_their_values() {
+    fn mixed_has_the_moments_of_all_values() {
         let values: [Vec2; 12] =
             core::array::from_fn(|k| Vec2::new((k * 7 % 12) as f32 * 0.1 + 1000.0, (k * 5 % 7) as f32 * 0.2));
         let part =
@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn slopes_roughen_a_beckmann_surface() {
+    fn beckmann_adds_the_slope_variance() {
         let moments = SlopeMoments { mean: Vec2::new(0.3, -0.1), covariance: [0.02, 0.01, 0.03] };
         let rough = moments.beckmann(0.2, 0.4);
         let expected = [0.04, 0.01, 0.11];
@@ -170,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn finer_bumps_move_the_slopes_and_roughen_them() {
+    fn detailed_moves_and_roughens_slopes() {
         let moments = SlopeMoments { mean: Vec2::new(0.3, -0.1), covariance: [0.02, 0.01, 0.03] };
         let fine = Beckmann::new(0.2, 0.4).unwrap();
         let unresolved = moments.detailed(fine, Coordinates::FAR);

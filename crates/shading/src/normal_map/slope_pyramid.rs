@@ -294,7 +294,7 @@ mod tests {
     }
 
     #[test]
-    fn moments_are_kept_at_every_footprint() {
+    fn mean_moments_are_equal_at_every_footprint() {
         let (values, mut lobes) = (values(), [SlopeLobes::<3>::default(); 341]);
         let map = SlopePyramidRef::new(SIZE, SIZE, &values, &mut lobes).unwrap();
         let whole = map.whole().moments();
@@ -314,7 +314,7 @@ mod tests {
     }
 
     #[test]
-    fn long_pixels_are_longer_than_wide() {
+    fn sample_along_is_anisotropic() {
         let (values, mut lobes) = (values(), [SlopeLobes::<3>::default(); 341]);
         let map = SlopePyramidRef::new(SIZE, SIZE, &values, &mut lobes).unwrap();
         let uv = Vec2::new(0.3, 0.6);
@@ -331,7 +331,7 @@ mod tests {
     }
 
     #[test]
-    fn every_point_and_pixel_has_moments() {
+    fn sample_accepts_every_input() {
         let (values, mut lobes) = (values(), [SlopeLobes::<3>::default(); 341]);
         let map = SlopePyramidRef::new(SIZE, SIZE, &values, &mut lobes).unwrap();
         for x in [f32::NAN, f32::INFINITY, -1e30, -1e-9, 0.0, 1.0, 1e30] {

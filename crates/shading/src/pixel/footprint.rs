@@ -102,7 +102,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn derivatives_give_the_longest_axis() {
+    fn from_derivatives_is_the_longest_axis() {
         let cases = [
             (Vec3::X, Vec3::Y, 1.0),
             (2.0 * Vec3::X, 3.0 * Vec3::Z, 3.0),
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn both_ways_agree_on_a_slanted_plane() {
+    fn from_distance_equals_from_derivatives_on_a_slanted_plane() {
         // A pixel of 1 mrad at distance 5; the plane is tilted by 60° around the horizontal axis of
         // the pixel.
         let by_distance = Footprint::from_distance(5.0, 1e-3, 0.5).width();

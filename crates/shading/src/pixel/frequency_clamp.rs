@@ -131,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn count_is_continuous_and_falls_with_the_footprint() {
+    fn octaves_is_continuous_and_decreasing() {
         let mut last = 6.0;
         for i in 0..=20_000 {
             let width = 2.0_f32.powf(-16.0 + i as f32 / 1000.0);
@@ -145,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn footprint_undoes_octaves() {
+    fn footprint_inverts_octaves() {
         for i in 0..=60 {
             let octaves = i as f32 / 10.0;
             let got = clamp().octaves(clamp().footprint(octaves));
@@ -164,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn both_ends_are_reached() {
+    fn octaves_reaches_both_ends() {
         assert_eq!(clamp().octaves(Footprint::from_width(0.0)), 6.0);
         assert_eq!(clamp().octaves(Footprint::from_width(f32::INFINITY)), 0.0);
         assert_eq!(clamp().octaves(Footprint::from_width(f32::NAN)), 0.0);

@@ -113,7 +113,7 @@ mod tests {
     use asperity_ndf_sampling::{Beckmann, Ggx, Ndf};
 
     #[test]
-    fn straight_down_it_is_a_quarter_of_the_peak() {
+    fn cook_torrance_at_normal_incidence_is_a_quarter_of_the_peak() {
         let ndf = Ggx::isotropic(0.5).unwrap();
         let smith = CookTorrance::new(ndf, Vec3::ONE).value(Vec3::Z, Vec3::Z);
         let grooves = TorranceSparrow::new(ndf, Vec3::ONE).value(Vec3::Z, Vec3::Z);
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn smooth_mirrors_stay_finite() {
+    fn cook_torrance_of_smooth_mirrors_is_finite() {
         let ndf = Ggx::isotropic(1e-4).unwrap();
         let low = Vec3::new(1.0, 0.0, 1e-20);
         for (wi, wo) in [(Vec3::Z, Vec3::Z), (low, low), (low, Vec3::new(-1.0, 0.0, 1e-20))] {

@@ -280,7 +280,7 @@ mod tests {
     }
 
     #[test]
-    fn mean_heights_are_those_of_many_places() {
+    fn mean_height_matches_sampling() {
         for (top, bottom) in [(0.0, 1.0), (1.0, 0.0), (-0.7, 0.2), (0.7, -0.9)] {
             let bevel = Bevel::new(0.05, 0.3, top, bottom).unwrap();
             let [least, most] = bevel.range();
@@ -323,7 +323,7 @@ mod tests {
     }
 
     #[test]
-    fn the_steepest_ridges_have_finite_heights() {
+    fn steepest_ridges_have_finite_heights() {
         for ridge in [f32::MIN_POSITIVE, 1e-3, 1.0, 7.3, 1e19, f32::MAX] {
             let steepest = 0.25 * f32::MAX / ridge.max(1.0);
             for (top, bottom) in [(steepest, steepest), (-steepest, steepest), (steepest, -steepest)] {

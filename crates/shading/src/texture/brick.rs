@@ -370,7 +370,7 @@ mod tests {
     }
 
     #[test]
-    fn the_thinnest_mortar_has_finite_slopes() {
+    fn thinnest_mortar_has_finite_slopes() {
         let sizes = [1e-30, 1e-20, 1e-6, 1.0, 1e6, 1e20, 3e38];
         let mortars = [1e-45, 1e-41, 1e-38, 1e-30, 1e-10, 1.0, 3e38];
         for (width, mortar) in sizes.into_iter().flat_map(|size| mortars.map(|mortar| (size, mortar))) {

@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn a_whole_flank_has_the_moments_of_its_slopes() {
+    fn whole_flank_has_the_moments_of_its_slopes() {
         let mut moments = [0.0; 3];
         whole_flank(1.0, 2.0, &mut |part| {
             for (power, moment) in (0..).zip(&mut moments) {

@@ -238,7 +238,7 @@ mod tests {
     type Blue = Marble<Perlin2002>;
 
     #[test]
-    fn spline_goes_through_its_inner_colours_smoothly() {
+    fn spline_interpolates_its_inner_colors_smoothly() {
         for (k, colour) in COLOURS[1..12].iter().enumerate() {
             let x = k as f32 / 10.0;
             assert_abs_diff_eq!(Blue::spline(x), *colour, epsilon = 1e-6, "knot {k}");

@@ -362,7 +362,7 @@ mod tests {
     }
 
     #[test]
-    fn a_table_of_one_cell_works() {
+    fn table_of_one_cell() {
         let cached = tabulated(paper::f().unwrap(), 0);
         assert_eq!(sizes(&cached), Some([1, 1]));
         assert!(cached.range().contains(4.0 / 3.0));

@@ -364,7 +364,7 @@ mod tests {
     }
 
     #[test]
-    fn values_and_slopes_keep_their_bounds_after_any_number_of_steps() {
+    fn jets_are_within_their_bounds_after_any_number_of_steps() {
         let hermite = Fif::hermite(
             &[-1.0, 0.0, 1.0, 2.0],
             &[0.3, 1.0, -0.5, 2.0],
@@ -384,7 +384,7 @@ mod tests {
     }
 
     #[test]
-    fn finer_ranges_hold_samples_and_are_narrow() {
+    fn finer_ranges_contain_samples_and_are_narrow() {
         for (axis, most) in [(paper::f_hat(), 0.5), (paper::g_hat(), 0.85)] {
             let tabulated = Curve::new(axis.unwrap()).tabulated(1024);
             let top = tabulated.top().unwrap();

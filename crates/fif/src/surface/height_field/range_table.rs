@@ -101,7 +101,7 @@ mod tests {
     }
 
     #[test]
-    fn every_run_is_the_hull_of_its_cells() {
+    fn runs_are_hulls_of_their_cells() {
         for count in [1, 2, 3, 27, 64] {
             let cells: Vec<[Interval; 2]> = (0..count)
                 .map(|i| f64::from(i * 37 % 11) + 0.1)

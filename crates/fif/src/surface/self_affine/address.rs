@@ -117,7 +117,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn doubles_become_their_fraction_of_a_turn() {
+    fn turn_of_doubles_is_exact() {
         const ONE: f64 = 18_446_744_073_709_551_616.0;
         for (x, want) in [
             (0.0, 0.0),
@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn both_lengths_move_alike() {
+    fn moved_is_equal_for_both_word_lengths() {
         let matrix = [[2, -1], [1, 2]];
         let mut long = Address::Long([0.3, -0.7].map(|x| turn(x).unwrap().0));
         let (mut short, cut) = Address::of(0.3, -0.7).unwrap();

@@ -229,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn arrays_of_every_length_have_the_bits_of_single_calls_at_every_level() {
+    fn arrays_are_bit_identical_to_single_calls_at_every_simd_level() {
         let [x, y] = pairs();
         // Smooth; with columns and rows without weight; rough.
         let images: [fn(Vec3) -> f32; 3] =

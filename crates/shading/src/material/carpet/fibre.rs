@@ -318,7 +318,7 @@ mod tests {
     }
 
     #[test]
-    fn fibres_cover_most_of_the_surface() {
+    fn fibers_cover_most_of_the_surface() {
         let fibres = Fibres::new(FibresParameters::default()).unwrap();
         let mut gaps = 0;
         for i in 0..10_000_u16 {

@@ -418,7 +418,7 @@ mod tests {
     }
 
     #[test]
-    fn filters_keep_the_mean_at_every_width() {
+    fn filtered_keeps_the_mean_at_every_width() {
         for (pattern, mean) in
             [(SeamPattern::Lines, 2.0 / PI), (SeamPattern::Grid, 8.0 / (PI * PI) * (FRAC_PI_2 - 1.0))]
         {
@@ -438,7 +438,7 @@ mod tests {
     }
 
     #[test]
-    fn grids_are_filtered_by_their_mean_over_the_pixel() {
+    fn filtered_grid_is_the_mean_over_the_pixel() {
         let seams = Seams::new(Vec2::X, SeamPattern::Grid, PI, 1.0).unwrap();
         for k in 0..60_u16 {
             let uv = Vec2::new(0.31 * f32::from(k), 0.17 * f32::from(k % 23));
@@ -486,7 +486,7 @@ mod tests {
     }
 
     #[test]
-    fn seams_removed_slopes_are_those_of_filtered_seams() {
+    fn removed_slopes_match_filtered_seams() {
         const SIDE: u16 = 96;
         for pattern in PATTERNS {
             let seams = Seams::new(Vec2::X, pattern, PI, 1.0).unwrap();
@@ -525,7 +525,7 @@ mod tests {
     }
 
     #[test]
-    fn linear_seam_continuous_and_total() {
+    fn linear_seam_is_continuous_and_accepts_every_input() {
         assert!((linear_seam(0.499_999) - linear_seam(0.500_001)).abs() < 1e-5);
         for p in [f32::NAN, f32::INFINITY, f32::MAX] {
             assert_eq!(linear_seam(p), 1.0, "{p}");

@@ -158,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn tilts_fill_the_ball_evenly() {
+    fn tilts_are_uniform_in_the_ball() {
         let (mut radii, mut squares) = (0.0, Vec3::ZERO);
         for i in 0..4096_u16 {
             let p = Vec3::new(f32::from(i % 16), f32::from(i / 16 % 16), f32::from(i / 256)) + 0.5;

@@ -67,7 +67,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn the_last_octave_has_most_of_the_variance() {
+    fn last_octave_has_most_of_the_variance() {
         let spectrum = spectrum("detail", [2.4, 2.7], 4).unwrap();
         assert_abs_diff_eq!(1.0 - spectrum.share(3.0), 0.863, epsilon = 1e-3);
     }

@@ -287,7 +287,7 @@ mod tests {
     }
 
     #[test]
-    fn sparkle_weight_has_its_mean_over_each_cell_and_is_continuous() {
+    fn sparkle_weight_is_continuous_with_the_stated_mean() {
         let sparkles = Sparkles::new(2.0, 1.0, 0.3, 0.5, Elimination::Adaptive { unit: 0.7 }, 1).unwrap();
         for (cell, width) in (0..40_u8).zip([0.02, 0.07, 0.13, 0.2, 0.25, 0.29].into_iter().cycle()) {
             let footprint = Footprint::from_width(width);

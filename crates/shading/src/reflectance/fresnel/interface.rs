@@ -75,7 +75,7 @@ mod tests {
     use crate::reflectance::fresnel::{Conductor, Dielectric, Schlick, SchlickF82};
 
     #[test]
-    fn three_interfaces_are_one_for_each_channel() {
+    fn array_of_interfaces_is_per_channel() {
         let glasses = [1.2, 1.5, 2.4].map(|eta| Dielectric::new(eta).unwrap());
         let metals = [0.2, 0.9, 1.4].map(|eta| Conductor::new(eta, 2.0).unwrap());
         let (tints, edges) = (
