@@ -1,9 +1,13 @@
-//! Lattice noises with exact analytic gradients, in one to four dimensions, with the same bits on every machine.
+//! Procedural noise with analytic gradients, in one to four dimensions.
 //!
-//! Every kind, sum and transform is a [`Field`]: `value(p)` and `sample(p)`, value and gradient, at a point; the same at the points of
-//! a grid or a list with all the SIMD lanes of the machine, bit for bit. Fields own what they are made of: they are added, blended and
-//! warped, returned from functions and put into a `Box<dyn Field<Vec3>>`. [`GaussianOctaves`] is what a statistical model wants:
-//! N(0, 1) at every point, for every real number of octaves. No allocation, no state.
+//! Every kind, sum and transform is a [`Field`]. `value(p)` returns the value at a point,
+//! `sample(p)` value and gradient. Batch methods evaluate lists and grids of points with SIMD and
+//! return the same bits. Fields own their parts. They can be added, blended, warped, returned from
+//! functions and boxed as `Box<dyn Field<Vec3>>`.
+//!
+//! Use [`GaussianOctaves`] when the statistics matter: its values are N(0, 1) at every point, for
+//! every real number of octaves. Fields do not allocate and have no state. Their bits are the same
+//! on every machine.
 //!
 //! ```
 //! use asperity_noise::{Field, GaussianOctaves, Gaussian, Grid, Octaves, Perlin2002, Spectrum, Warp, glam::{Vec2, Vec3}};
@@ -42,26 +46,28 @@
 //!
 //! | other items | are |
 //! |---|---|
-//! | [`Field`], [`Noise`], [`Curved`], [`Sample`], [`SecondOrder`] | functions with gradients; what a kind knows of itself; Hessians; what they return |
-//! | [`Grid`] | regular points, for whole pictures and volumes |
+//! | [`Field`], [`Noise`], [`Curved`] | functions with gradients; kinds with measured statistics; functions with Hessians |
+//! | [`Sample`], [`SecondOrder`] | value and gradient; value, gradient and Hessian |
+//! | [`Grid`] | regular points, for images and volumes |
 //! | [`Spectrum`], [`Octaves`], [`Rotation`], [`Normalisation`] | lacunarity, gain and a real number of octaves; sums of any kind |
 //! | [`Turbulence`], [`Plasma`], [`Billow`], [`Ridged`], [`RidgedMultifractal`] | creased sums |
-//! | [`Octaves::tiled`] | sums that repeat, each octave with periods of its own |
-//! | [`Octave`] | what an octave is evaluated by: its map, cell and key |
-//! | [`Octaves::anchored`] | sums far from the origin, told to a thousandth of a cell at 10¹² |
+//! | [`Octaves::tiled`] | tileable sums, in which each octave has its own periods |
+//! | [`Octave`] | the affine map, cell and key of an octave, for evaluation elsewhere |
+//! | [`Octaves::anchored`] | fBm far from the origin, accurate to 1/1000 cell at 10¹² |
 //! | [`Octaves::clamped`], [`removed_share`], [`pixel_footprint`] | frequency clamping to a pixel |
 //! | [`GaussianOctaves`] | sums that are N(0, 1) at every point |
-//! | [`Add`], [`Multiply`], [`Blend`], [`Clamp`], [`Map`], [`Affine`], [`Power`], [`Unit`] | fields of fields, by value |
-//! | [`Warp`], [`curl`] | domain warping with its Jacobian; flows without divergence |
-//! | [`Basis`], [`Metric`] | what cellular noise gives and measures in |
-//! | [`Lattice`], [`IntegerHash`], [`lattice`] | where a lattice point's bits come from, and what kinds make of them |
-//! | [`Statistics`] | measured deviation, kurtosis, range and distribution of a kind |
-//! | [`simd`] | SIMD levels, and the interface that kinds are written in |
+//! | [`Add`], [`Multiply`], [`Blend`], [`Clamp`], [`Map`], [`Affine`], [`Power`], [`Unit`] | fields composed of fields, by value |
+//! | [`Warp`], [`curl`] | domain warping with its Jacobian; divergence-free velocities |
+//! | [`Basis`], [`Metric`] | output and metric of cellular noise |
+//! | [`Lattice`], [`IntegerHash`], [`lattice`] | sources of the random bits of lattice points, and the variates made of them |
+//! | [`Statistics`] | measured standard deviation, kurtosis, range and distribution of a kind |
+//! | [`simd`] | SIMD levels, and the interface over lanes that kinds implement |
 //!
 //! # Statistics
 //!
-//! Measured over 8.4 million points, standard errors 0.0003 σ₁ and 0.002; sparse noise, whose σ₁ is 1, over a million,
-//! standard errors 0.003 and 0.02. Classic noises are neither Gaussian nor stationary: gradient noise is 0 at every lattice point.
+//! Measured over 8.4 million points, with standard errors 0.0003 σ₁ and 0.002. Sparse noise, whose
+//! σ₁ is 1, is measured over a million points, with standard errors 0.003 and 0.02. Classic noises
+//! are neither Gaussian nor stationary: gradient noise is 0 at every lattice point.
 //!
 //! | kind | σ₁ 2-D | κ₁ 2-D | σ₁ 3-D | κ₁ 3-D |
 //! |---|---|---|---|---|
@@ -78,15 +84,16 @@
 //!
 //! # Reproducibility
 //!
-//! Bits are the same on every platform, at every SIMD level and with every feature: evaluation uses +, −, ×,
-//! ÷, √ and integers only, no fused multiply-add, no logarithm and no trigonometry of a library. Changed bits
-//! are a value-breaking change.
+//! The same input gives the same bits on every platform, at every SIMD level and with every
+//! feature. Evaluation uses +, −, ×, ÷, √ and integers only. It uses no fused multiply-add and no
+//! library logarithm or trigonometry. A release that changes bits is a value-breaking change.
 //!
-//! # Precision
+//! # Accuracy
 //!
-//! The largest errors against an `f64` evaluation at the same points, measured at 10⁵ random points within ±64 in each
-//! dimension, or fewer for slow kinds in 3-D and 4-D. Simplex noise is measured within ±4, where its corners are
-//! rounded least. Rare points have up to twice these errors.
+//! The largest errors against an `f64` evaluation at the same points, measured at 10⁵ random points
+//! within ±64 in each dimension. Slow kinds are measured at fewer points in 3-D and 4-D. Simplex
+//! noise is measured within ±4, where the rounding of its corners is smallest. Rare points have up
+//! to twice these errors.
 //!
 //! | kind | value | gradient |
 //! |---|---|---|
@@ -100,34 +107,38 @@
 //! | sparse, one impulse | 9.2e-7 | 2.0e-6 |
 //! | Gaussian | 4.5e-6 | 1.2e-5 |
 //!
-//! Kinds with quintic weights are least accurate next to the upper border of a cell, where the weight is rounded by up
-//! to 1.2e-6. A coordinate x itself has a spacing of |x|·2⁻²³, and octave i of a sum sees fᵢ x: keep fᵢ |x| under 10⁵ or so,
-//! or put an anchor of `f64` near the points, by [`Octaves::anchored`].
-//! Values far out and at points that are not finite are stated at [`Field`].
+//! Kinds with quintic weights are least accurate next to the upper border of a cell, where the
+//! weight is rounded by up to 1.2e-6. A coordinate x itself has a spacing of |x|·2⁻²³, and octave i
+//! of a sum is evaluated at fᵢ x. Keep fᵢ |x| under about 10⁵, or place an `f64` anchor near the
+//! points with [`Octaves::anchored`]. [`Field`] documents values far from the origin and at
+//! non-finite points.
 //!
-//! # What it does not do
+//! # Limitations
 //!
-//! No fifth dimension, no `f64` values.
+//! The crate has no 5-D noise and no `f64` values.
 //!
 //! # Features
 //!
-//! | feature | does |
+//! | feature | effect |
 //! |---|---|
-//! | `std` (default) | √ of the standard library, and detection of the machine's SIMD levels; `alloc` |
+//! | `std` (default) | √ of the standard library, SIMD detection at run time; enables `alloc` |
 //! | `alloc` | [`Field`] for `Box`, `Rc` and, on targets with atomic pointers, `Arc` |
-//! | `simd` (default) | lanes by `fearless_simd`; without `std` those that the program is compiled for |
-//! | `libm` | √ of `libm`, without `std`; wins when both are on; the same bits |
+//! | `simd` (default) | SIMD through `fearless_simd`; without `std` only the levels that the program is compiled for |
+//! | `libm` | √ of `libm`, without `std`; takes precedence if both are enabled; the same bits |
 //! | `approx` | the traits of `approx` for [`Sample`] and [`SecondOrder`] |
-//! | `check` | property tests for any field, your own included: module [`check`] |
-//! | `serde` | [`Spectrum`], [`Grid`], [`Normalisation`] and [`Rotation`] in files; a spectrum is read through [`Spectrum::new`] |
+//! | `check` | property tests for any field, including custom fields: module [`check`] |
+//! | `serde` | serialization of [`Spectrum`], [`Grid`], [`Normalisation`] and [`Rotation`]; a spectrum is deserialized through [`Spectrum::new`] |
 //!
 //! # Compile time
 //!
-//! All kinds in one to three dimensions are compiled once, in this crate, for SSE2, AVX2 and AVX-512: optimized it takes 45 seconds of
-//! processor time on one machine, on all cores at once, the first time. A program that boxes seven kinds then takes 1.6 at each
-//! build. In four dimensions, and on lattices other than [`IntegerHash`], what a program uses is compiled with the program: 4 seconds
-//! for each kind and 4 for its octaves. So is everything with debug assertions, at the level of optimization of the program.
-//! Without `simd`, `default-features = false, features = ["std"]`, batches run one point at a time.
+//! All kinds in one to three dimensions are compiled once, in this crate, for SSE2, AVX2 and
+//! AVX-512. The first optimized build takes 45 seconds of processor time on one machine, on all
+//! cores at once. A program that boxes seven kinds then takes 1.6 seconds for each build.
+//!
+//! In four dimensions, and on lattices other than [`IntegerHash`], each kind is compiled with the
+//! program that uses it: 4 seconds for each kind and 4 for its octaves. So is every kind in a build
+//! with debug assertions, at the optimization level of the program. Without `simd`
+//! (`default-features = false, features = ["std"]`), batches run one point at a time.
 #![no_std]
 #![expect(
     clippy::needless_range_loop,

@@ -1,4 +1,4 @@
-//! The points that noises are evaluated at: numbers, and glam's vectors of two to four.
+//! The points at which noises are evaluated: `f32` and the vectors of glam.
 
 use core::fmt::Debug;
 
@@ -6,8 +6,8 @@ use glam::{Vec2, Vec3, Vec4};
 
 /// A point in one to four dimensions: `f32`, [`Vec2`], [`Vec3`] or [`Vec4`].
 ///
-/// Every field is a field over points of one type, `Field<Vec3>` for instance, and its gradients are of that type too. Vectors of
-/// another library, or of another version of glam, are points once they implement this.
+/// A field has one type of point, for instance `Field<Vec3>`, and its gradients are of the same
+/// type. Implement this trait to use the vectors of another library or of another version of glam.
 ///
 /// ```
 /// use asperity_noise::{Point, glam::Vec3};
@@ -25,16 +25,16 @@ pub trait Point: Copy + Debug + Default + PartialEq + 'static {
     type Coordinates: AsRef<[f32]> + AsMut<[f32]> + Copy + Debug + PartialEq;
     /// Matrices by rows, N of N numbers each.
     type Matrix: Copy + Debug + PartialEq;
-    /// One thing for each of the N axes.
+    /// One `T` for each of the N axes.
     type Array<T>: AsRef<[T]> + AsMut<[T]>;
 
-    /// The coordinates.
+    /// Returns the coordinates.
     fn coordinates(self) -> Self::Coordinates;
-    /// The point of the coordinates.
+    /// Creates a point from its coordinates.
     fn from_coordinates(coordinates: Self::Coordinates) -> Self;
-    /// One thing for each axis, made in the order of the axes.
+    /// Creates one `T` per axis, in the order of the axes.
     fn array<T>(make: impl FnMut(usize) -> T) -> Self::Array<T>;
-    /// The point of coordinates that are made in the order of the axes.
+    /// Creates a point from coordinates computed in the order of the axes.
     fn from_axes(make: impl FnMut(usize) -> f32) -> Self;
 }
 

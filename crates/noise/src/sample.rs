@@ -1,11 +1,11 @@
-//! The result of one evaluation of a field: value and gradient, or these and the Hessian.
+//! Results of one evaluation of a field: value and gradient, optionally the Hessian.
 
 use crate::point::Point;
 
-/// A field's value at a point with its analytic gradient, both from one evaluation.
+/// Value and analytic gradient of a field at a point, from one evaluation.
 ///
-/// `V` is the point's type: `f32`, [`glam::Vec2`], [`glam::Vec3`] or [`glam::Vec4`].
-/// The gradient is in units of the value per unit of the field's input coordinate.
+/// `V` is the type of the point: `f32`, [`glam::Vec2`], [`glam::Vec3`] or [`glam::Vec4`]. The
+/// gradient is in units of the value per unit of the field's input coordinate.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sample<V> {
     /// The value, dimensionless.
@@ -14,7 +14,7 @@ pub struct Sample<V> {
     pub gradient: V,
 }
 
-/// A field's value at a point with its gradient and its Hessian.
+/// Value, gradient and Hessian of a field at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SecondOrder<V: Point> {
     /// The value, dimensionless.
@@ -65,7 +65,7 @@ mod approximately {
     where
         V::Matrix: AsRef<[V::Coordinates]>,
     {
-        /// Whether all entries of both are near one another by a rule for numbers.
+        /// Whether all entries of both are close under a comparison of numbers.
         fn is_near(&self, other: &Self, gradients: bool, near: impl Fn(&f32, &f32) -> bool) -> bool {
             let rows = self.hessian.as_ref().iter().zip(other.hessian.as_ref());
             gradients
@@ -106,7 +106,7 @@ mod approximately {
 mod tests {
     #[cfg(feature = "approx")]
     #[test]
-    fn every_number_is_compared_by_its_tolerance() {
+    fn approx_compares_every_entry() {
         use super::{Sample, SecondOrder};
         use approx::{abs_diff_eq, relative_eq, ulps_eq};
         use glam::Vec2;

@@ -1,4 +1,4 @@
-//! Batches at a SIMD level of choice.
+//! Batches at a chosen SIMD level.
 
 use asperity_core::BatchError;
 
@@ -7,9 +7,10 @@ use crate::{
     sample::Sample,
 };
 
-/// Evaluates fields at a SIMD level of choice, for tests and benchmarks.
+/// Evaluates fields at a chosen SIMD level, for tests and benchmarks.
 ///
-/// The methods of [`Field`] do the same at the best level of the machine, and the bits are the same at every level.
+/// The methods of [`Field`] use the best level of the machine. The bits are the same at every
+/// level.
 ///
 /// ```
 /// use asperity_noise::{Field, Perlin2002, glam::Vec2, simd::{Batch, Level}};
@@ -32,29 +33,31 @@ impl Default for Batch {
 }
 
 impl Batch {
-    /// A batch at the best level of this machine; without `std`, at the best level that the program was built for.
+    /// Creates a batch evaluator at the best SIMD level of this machine.
+    ///
+    /// Without `std` it uses the best level that the program was compiled for.
     #[must_use]
     pub fn new() -> Self {
         Self { level: Level::best() }
     }
 
-    /// A batch at a level of choice.
+    /// Creates a batch evaluator at the given level.
     #[must_use]
     pub const fn with_level(level: Level) -> Self {
         Self { level }
     }
 
-    /// The level.
+    /// Returns the SIMD level.
     #[must_use]
     pub const fn level(&self) -> Level {
         self.level
     }
 
-    /// [`Field::values`] at the level.
+    /// Evaluates [`Field::values`] at the level.
     ///
     /// # Errors
     ///
-    /// If `values` is not as long as `points`.
+    /// If the lengths of `values` and `points` differ.
     pub fn values<V: Point, F: Field<V> + ?Sized>(
         &self,
         field: &F,
@@ -64,11 +67,11 @@ impl Batch {
         many::values(self.level, &|points, target| field.fill(points, target), points, values)
     }
 
-    /// [`Field::samples`] at the level.
+    /// Evaluates [`Field::samples`] at the level.
     ///
     /// # Errors
     ///
-    /// If `samples` is not as long as `points`.
+    /// If the lengths of `samples` and `points` differ.
     pub fn samples<V: Point, F: Field<V> + ?Sized>(
         &self,
         field: &F,
@@ -78,11 +81,11 @@ impl Batch {
         many::samples(self.level, &|points, target| field.fill(points, target), points, samples)
     }
 
-    /// [`Field::grid_values`] at the level.
+    /// Evaluates [`Field::grid_values`] at the level.
     ///
     /// # Errors
     ///
-    /// If `values` does not hold as many numbers as the grid has points.
+    /// If the length of `values` is not the number of grid points.
     pub fn grid_values<V: Point, F: Field<V> + ?Sized>(
         &self,
         field: &F,
@@ -92,11 +95,11 @@ impl Batch {
         many::grid(self.level, &|points, target| field.fill(points, target), grid, values, None)
     }
 
-    /// [`Field::grid_samples`] at the level.
+    /// Evaluates [`Field::grid_samples`] at the level.
     ///
     /// # Errors
     ///
-    /// If `values` or a component of `gradients` does not hold as many numbers as the grid has points.
+    /// If the length of `values` or of a component of `gradients` is not the number of grid points.
     pub fn grid_samples<'a, V: Point, F: Field<V> + ?Sized>(
         &self,
         field: &F,
@@ -107,11 +110,11 @@ impl Batch {
         many::grid(self.level, &|points, target| field.fill(points, target), grid, values, Some(gradients))
     }
 
-    /// The values at points given by lists of their coordinates, one for each axis.
+    /// Evaluates values at points given by one list of coordinates per axis.
     ///
     /// # Errors
     ///
-    /// If `values` is not as long as each list.
+    /// If the lengths of `values` and the lists differ.
     pub fn list_values<V: Point, F: Field<V> + ?Sized>(
         &self,
         field: &F,
@@ -121,11 +124,11 @@ impl Batch {
         many::lists(self.level, &|points, target| field.fill(points, target), points, values, None)
     }
 
-    /// Values and gradients at points given by lists of their coordinates, one for each axis.
+    /// Evaluates values and gradients at points given by one list of coordinates per axis.
     ///
     /// # Errors
     ///
-    /// If `values` or a component of `gradients` is not as long as each list.
+    /// If the lengths of `values`, the components of `gradients` and the lists differ.
     pub fn list_samples<'a, V: Point, F: Field<V> + ?Sized>(
         &self,
         field: &F,

@@ -1,7 +1,8 @@
-//! Kinds of noise on [`IntegerHash`](crate::IntegerHash) in one to three dimensions, compiled in this crate and not in every program.
+//! Kinds on [`IntegerHash`](crate::IntegerHash) in one to three dimensions, compiled in this crate.
 //!
-//! The kinds are generic over their lattice, and kernels over the lanes; left at that, every program would compile each of its kinds
-//! for each SIMD level anew. In a build with debug assertions it does, because what is not optimized takes less time than all kinds.
+//! Kinds are generic over their lattice, and kernels over the lanes. Without this module every
+//! program would compile each kind again for each SIMD level. A build with debug assertions does,
+//! because compiling the used kinds without optimization takes less time than compiling all kinds.
 
 use core::any::Any;
 
@@ -12,7 +13,10 @@ use crate::{
     lattice::lattice::{IS_FULL, Lattice, OnLattice},
 };
 
-/// The dimensions that kinds are compiled in; in four a kind takes as long to compile as in all others together, and few use it.
+/// The dimensions that kinds are compiled in.
+///
+/// A kind in 4-D takes as long to compile as in all other dimensions together, and few programs use
+/// it.
 const DIMENSIONS: usize = 3;
 
 /// Whether kinds on a lattice are compiled here.
@@ -36,7 +40,9 @@ pub(crate) struct Forms<K: Kernel<N>, const N: usize> {
 }
 
 impl<K: Kernel<N>, const N: usize> Forms<K, N> {
-    /// The evaluations themselves, in a [full](IS_FULL) build: a static's functions are compiled whether it is used or not.
+    /// The evaluations, in a [full](IS_FULL) build.
+    ///
+    /// The functions of a static are compiled even if it is unused.
     pub(crate) const ALL: Self = if IS_FULL {
         Self {
             value: |noise, p, seed| lone::<K, N, false>(noise, p, seed).0,
@@ -49,7 +55,7 @@ impl<K: Kernel<N>, const N: usize> Forms<K, N> {
         Self::NONE
     };
 
-    /// For a dimension that there is not, and builds that are not full.
+    /// For dimensions that are not compiled and builds that are not full.
     pub(crate) const NONE: Self = Self {
         value: |_, _, _| 0.0,
         sample: |_, _, _| (0.0, [0.0; N]),
@@ -67,7 +73,7 @@ pub(crate) trait Compiled<const N: usize>: Sized + 'static {
         Self: Kernel<N>;
 }
 
-/// The forms in N dimensions, of those of all dimensions.
+/// Selects the forms in N dimensions from the forms of all dimensions.
 #[inline(always)]
 pub(crate) fn in_dimension<T: 'static, const N: usize>(
     forms: [&'static dyn Any; DIMENSIONS],
@@ -75,7 +81,7 @@ pub(crate) fn in_dimension<T: 'static, const N: usize>(
     forms.get(N - 1)?.downcast_ref()
 }
 
-/// Implements `Compiled` for a kind: statics, which no program that uses the crate compiles again.
+/// Implements `Compiled` for a kind, with statics that dependent programs do not compile again.
 macro_rules! compiled {
     ($kind:ident) => {
         impl<const N: usize> $crate::contract::compiled::Compiled<N> for $kind {
@@ -94,7 +100,7 @@ macro_rules! compiled {
 
 pub(crate) use compiled;
 
-/// The methods of a [`Kernel`] that the crate has compiled where the lattice is the standard one.
+/// The methods of a [`Kernel`] that this crate compiles for the standard lattice.
 macro_rules! on_standard_lattice {
     () => {
         #[inline]

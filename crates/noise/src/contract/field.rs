@@ -1,4 +1,4 @@
-//! Fields: values and gradients at points, one by one, in lists and on grids.
+//! Fields: values and gradients at single points, in lists and on grids.
 
 use asperity_core::BatchError;
 
@@ -11,14 +11,16 @@ use crate::{
     sample::{Sample, SecondOrder},
 };
 
-/// A function of points `V` with its gradient: a noise, a sum of octaves, a warp, a blend of others, or your own.
+/// A function of points `V` with its gradient: a noise, a sum of octaves, a warp, or your own.
 ///
-/// It is dyn-compatible: `Box<dyn Field<Vec3>>` and `&dyn Field<Vec3>` are fields too, on grids as fast as what is in them. The kinds of
-/// this crate are evaluated on grids and in lists with all SIMD lanes of the machine, and what is composed of them is; a field of
-/// one's own needs [`sample`](Self::sample) alone and is evaluated point by point. Every way gives a point the same bits.
+/// The trait is dyn-compatible. `Box<dyn Field<Vec3>>` and `&dyn Field<Vec3>` are fields too, and
+/// evaluate grids as fast as the inner field. The fields of this crate evaluate grids and lists
+/// with SIMD. A custom field implements only [`sample`](Self::sample) and is evaluated point by
+/// point. All methods return the same bits for a point.
 ///
-/// Fields of this crate are total. A point with an infinite or NaN coordinate gives value 0 and gradient 0 for a kind. From
-/// |x| = 2²³ on `f32` holds integers only, so noise is seen at its lattice points; from 2³¹ on cells wrap modulo 2³².
+/// Fields of this crate are total. At a point with an infinite or NaN coordinate a kind has value 0
+/// and gradient 0. From |x| = 2²³ on, `f32` holds only integers, so noise is evaluated at lattice
+/// points only. From 2³¹ on, cells wrap modulo 2³².
 ///
 /// ```
 /// use asperity_noise::{Add, Field, Grid, Octaves, Perlin2002, Sample, Spectrum, glam::Vec2};
@@ -55,53 +57,56 @@ use crate::{
     note = "a field of your own implements `fn sample(&self, p: V) -> Sample<V>`"
 )]
 pub trait Field<V: Point> {
-    /// Value and gradient at a point.
+    /// Returns value and gradient at a point.
     #[must_use]
     fn sample(&self, p: V) -> Sample<V>;
 
-    /// The value at a point, the same bits as [`sample`](Self::sample)'s.
+    /// Returns the value at a point, with the same bits as [`sample`](Self::sample).
     #[must_use]
     #[inline]
     fn value(&self, p: V) -> f32 {
         self.sample(p).value
     }
 
-    /// Lower and upper bound of all values, ±∞ where none is known.
+    /// Returns lower and upper bound of all values, or ±∞ if unknown.
     ///
-    /// For fields of this crate every value is within it at every point, rounding included, so it can scale an index.
+    /// Every value of a field of this crate is within the range, including rounding, so the value
+    /// can be scaled to an index.
     #[must_use]
     fn range(&self) -> [f32; 2] {
         [f32::NEG_INFINITY, f32::INFINITY]
     }
 
-    /// The values at points.
+    /// Evaluates the values at a list of points.
     ///
     /// # Errors
     ///
-    /// If `values` is not as long as `points`.
+    /// If the lengths of `values` and `points` differ.
     fn values(&self, points: &[V], values: &mut [f32]) -> Result<(), BatchError> {
         many::values(Level::best(), &|points, target| self.fill(points, target), points, values)
     }
 
-    /// Values and gradients at points.
+    /// Evaluates values and gradients at a list of points.
     ///
     /// # Errors
     ///
-    /// If `samples` is not as long as `points`.
+    /// If the lengths of `samples` and `points` differ.
     fn samples(&self, points: &[V], samples: &mut [Sample<V>]) -> Result<(), BatchError> {
         many::samples(Level::best(), &|points, target| self.fill(points, target), points, samples)
     }
 
-    /// The values on a grid, the first axis running fastest.
+    /// Evaluates the values on a grid, with the first axis fastest.
     ///
     /// # Errors
     ///
-    /// If `values` does not hold as many numbers as the grid has points.
+    /// If the length of `values` is not the number of grid points.
     fn grid_values(&self, grid: &Grid<V>, values: &mut [f32]) -> Result<(), BatchError> {
         many::grid(Level::best(), &|points, target| self.fill(points, target), grid, values, None)
     }
 
-    /// Values and gradients on a grid, the first axis running fastest; one slice for each component of the gradient.
+    /// Evaluates values and gradients on a grid, with the first axis fastest.
+    ///
+    /// `gradients` has one slice per component.
     ///
     /// ```
     /// use asperity_noise::{Field, Grid, Perlin2002, glam::Vec2};
@@ -118,7 +123,7 @@ pub trait Field<V: Point> {
     ///
     /// # Errors
     ///
-    /// If `values` or a component of `gradients` does not hold as many numbers as the grid has points.
+    /// If the length of `values` or of a component of `gradients` is not the number of grid points.
     fn grid_samples<'a>(
         &self,
         grid: &Grid<V>,
@@ -128,7 +133,7 @@ pub trait Field<V: Point> {
         many::grid(Level::best(), &|points, target| self.fill(points, target), grid, values, Some(gradients))
     }
 
-    /// Evaluation of lists and grids: point by point, unless a field of this crate knows better.
+    /// Evaluates lists and grids, by default point by point.
     #[doc(hidden)]
     fn fill(&self, points: &Points<'_, V>, mut target: Target<'_, V>) {
         let width = points.width();
@@ -151,21 +156,23 @@ pub trait Field<V: Point> {
     }
 }
 
-/// A field that knows its second derivatives.
+/// A field with second derivatives.
 ///
-/// [`Perlin1985`](crate::Perlin1985), [`Perlin2002`](crate::Perlin2002), [`Simplex`](crate::Simplex),
-/// [`Gaussian`](crate::Gaussian), [`Value`](crate::Value) and [`ValueGradient`](crate::ValueGradient) do, in 1 to 4 dimensions, and the sums of
-/// their octaves. Value and gradient have the bits of [`Field::sample`].
+/// Implemented for [`Perlin1985`](crate::Perlin1985), [`Perlin2002`](crate::Perlin2002),
+/// [`Simplex`](crate::Simplex), [`Gaussian`](crate::Gaussian), [`Value`](crate::Value) and
+/// [`ValueGradient`](crate::ValueGradient) in 1 to 4 dimensions, and for the sums of their octaves.
+/// Value and gradient have the bits of [`Field::sample`].
 ///
 /// ```text
 /// H = Σ wᵢ aᵢ Mᵢᵀ Hᵢ(Mᵢ p + oᵢ) Mᵢ / N,   Mᵢ = fᵢ Rᵢ,   of a sum of octaves
 /// ```
 ///
-/// - **Continuity:** quintic weights are C², so that the Hessians of Perlin's noise of 2002 and of Gaussian noise are continuous;
-///   that of simplex noise with r² = ½ is even smooth. Cubic weights are C¹ only: the Hessian of
-///   [`Perlin1985`](crate::Perlin1985) leaps at the borders of cells, where w″ goes from −6 to 6. On a border the cell above it
-///   counts. Wide simplex noise leaps itself.
-/// - Points that are not finite give 0, as everywhere.
+/// - **Continuity:** quintic weights are C², so the Hessians of Perlin noise of 2002 and of
+///   Gaussian noise are continuous. The Hessian of simplex noise with r² = ½ is smooth. Cubic
+///   weights are only C¹: the Hessian of [`Perlin1985`](crate::Perlin1985) is discontinuous at cell
+///   borders, where w″ jumps from −6 to 6. On a border it is the Hessian of the cell above. Wide
+///   simplex noise is itself discontinuous.
+/// - **NaN and ∞:** points that are not finite give 0.
 ///
 /// ```
 /// use asperity_noise::{Curved, Field, Perlin2002, glam::Vec2};
@@ -180,7 +187,7 @@ pub trait Field<V: Point> {
 /// ```
 #[doc(alias("hessian", "second derivative"))]
 pub trait Curved<V: Point>: Field<V> {
-    /// Value, gradient and Hessian at a point.
+    /// Returns value, gradient and Hessian at a point.
     #[must_use]
     fn second_order(&self, p: V) -> SecondOrder<V>;
 }

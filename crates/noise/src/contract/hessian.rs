@@ -22,7 +22,7 @@ impl<const N: usize> Jet<N> {
     }
 }
 
-/// A kind that knows its second derivatives.
+/// A kind with second derivatives.
 pub trait CurvedKernel<const N: usize>: Kernel<N> {
     /// Value, gradient and Hessian at a point whose coordinates are at most 2³¹ in magnitude.
     fn near_jet(&self, p: [f32; N], seed: u32) -> Jet<N>;
@@ -34,7 +34,7 @@ pub(crate) fn at<K: CurvedKernel<N> + ?Sized, const N: usize>(kernel: &K, p: [f3
     evaluated(p, K::REACH).map_or(Jet::ZERO, |p| kernel.near_jet(p, seed))
 }
 
-/// Copies what is above the diagonal to below it.
+/// Copies the entries above the diagonal to below it.
 pub(crate) fn mirror<const N: usize>(matrix: &mut [[f32; N]; N]) {
     for i in 0..N {
         for j in 0..i {

@@ -1,4 +1,4 @@
-//! The SIMD-generic interface that every kind of noise implements once; single points, rows and lists share it.
+//! The SIMD-generic interface of noise kinds, shared by single points, rows and lists.
 
 use core::{array, ops::Range};
 
@@ -15,16 +15,18 @@ use crate::{
     statistics::statistics::Statistics,
 };
 
-/// Seed and measured statistics of a kind of noise of this crate. Not for users: its methods may change in any release.
+/// Seed and measured statistics of a kind of noise of this crate.
+///
+/// An internal trait: its methods may change in any release.
 #[doc(hidden)]
 pub trait Measured<const N: usize> {
-    /// The seed of the noise by itself; octaves have seeds of their own.
+    /// The seed of the noise; octaves have their own seeds.
     fn seed(&self) -> u32;
 
     /// The measured statistics of the kind in this dimension.
     fn statistics(&self) -> &'static Statistics;
 
-    /// σ₁, the standard deviation of this very noise; other than the table's where a kind has parameters.
+    /// σ₁, the standard deviation of this noise with its parameters.
     fn standard_deviation(&self) -> f32 {
         self.statistics().standard_deviation
     }
@@ -34,13 +36,15 @@ pub trait Measured<const N: usize> {
         0.0
     }
 
-    /// Lower and upper bound of the values of this very noise.
+    /// Lower and upper bound of the values of this noise.
     fn bounds(&self) -> [f32; 2] {
         let range = self.statistics().range;
         [-range, range]
     }
 
-    /// E|n|, E|n|², E|n|³ and E|n|⁴ of one octave over all points and seeds, what a [`Shape`](crate::Shape)'s mean follows from.
+    /// E|n|, E|n|², E|n|³ and E|n|⁴ of one octave over all points and seeds.
+    ///
+    /// The mean of a [`Shape`](crate::Shape) follows from them.
     fn absolute_moments(&self) -> [f32; 4] {
         self.statistics().absolute_moments
     }
@@ -48,19 +52,20 @@ pub trait Measured<const N: usize> {
 
 /// A kind of noise in N dimensions, written over [`Lanes`].
 ///
-/// Points have finite coordinates of at most 2³¹ in magnitude. Every method gives a point the same bits. Sealed: a field of one's
-/// own implements [`Field`](crate::Field).
+/// Points have finite coordinates of at most 2³¹ in magnitude. Every method returns the same bits
+/// for a point. This trait is sealed. Implement [`Field`](crate::Field) for custom noise.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no kind of noise in {N} dimensions",
+    message = "`{Self}` is not a kind of noise in {N} dimensions",
     note = "octaves are summed of the kinds of this crate, `Perlin2002` for instance; any field can be added, multiplied, \
             blended, clamped, mapped and warped"
 )]
 pub trait Kernel<const N: usize>: Measured<N> {
-    /// The noise is 0 from where Σ |xᵢ| reaches this. By default coordinates go on to ∞ with their cells
-    /// modulo 2³².
+    /// The sum Σ |xᵢ| from which on the noise is 0.
+    ///
+    /// By default coordinates extend to ∞, with cells modulo 2³².
     const REACH: f32 = REACH;
 
-    /// Whether the noise repeats.
+    /// Whether the noise is tileable.
     const TILED: bool = false;
     /// Whether cells are simplices of the skewed lattice.
     const SIMPLICIAL: bool = false;
@@ -68,26 +73,27 @@ pub trait Kernel<const N: usize>: Measured<N> {
     /// Whether lists are faster in sixteen lanes than in eight.
     const WIDE: bool = true;
 
-    /// Steps along a row from which on its points share too little; 0 where they never share enough.
+    /// The step along a row from which on rows no longer reuse enough work; 0 if they never do.
     const LONG_STEP: f32 = 0.0;
 
-    /// From so many octaves on those of a point are evaluated in lanes, each with a key of its own.
+    /// The number of octaves from which on the octaves of a point are evaluated in lanes, each with
+    /// its own key.
     const OCTAVES_IN_LANES: usize = usize::MAX;
 
-    /// Intermediate results that rows of a grid share, from row to row.
+    /// Intermediate results that successive rows of a grid reuse.
     type RowScratch: Default;
 
-    /// The period along an axis, 0 where there is none.
+    /// The period along an axis, 0 if there is none.
     fn period(&self, _axis: usize) -> u32 {
         0
     }
 
-    /// The key that the lattice makes of a seed, and words of it.
+    /// The key that the lattice derives from a seed, used to draw words.
     fn key(&self, seed: u32) -> u32 {
         seed
     }
 
-    /// The noise of an octave of a sum, on its own lattice; nothing where that is the noise itself.
+    /// The noise of an octave of a sum, on its own lattice; `None` if it is the noise itself.
     #[inline(always)]
     fn of_octave(&self, _frequency: f32, _cell: &[i32]) -> Option<Self>
     where
@@ -96,7 +102,9 @@ pub trait Kernel<const N: usize>: Measured<N> {
         None
     }
 
-    /// The noise again for lists of values, where it has parameters to keep in registers and a lattice that takes no memory.
+    /// A copy of the noise for lists of values.
+    ///
+    /// `Some` if the noise has parameters to keep in registers and a lattice without memory.
     #[inline(always)]
     fn copied(&self) -> Option<Self>
     where
@@ -105,10 +113,11 @@ pub trait Kernel<const N: usize>: Measured<N> {
         None
     }
 
-    /// The values at points, and the gradients if `GRADIENTS`; else those are of no meaning.
+    /// The values at points, and the gradients if `GRADIENTS`; otherwise the gradients are
+    /// unspecified.
     fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N>;
 
-    /// The value at one point, and the gradient if `GRADIENTS`, the same bits.
+    /// The value at one point, and the gradient if `GRADIENTS`, with the same bits.
     #[inline(always)]
     fn lone<const GRADIENTS: bool>(&self, p: [f32; N], seed: u32) -> LaneSample<Scalar, N> {
         self.evaluate::<Scalar, GRADIENTS>(Scalar, p, seed)
@@ -126,7 +135,7 @@ pub trait Kernel<const N: usize>: Measured<N> {
         lone::<Self, N, true>(self, p, seed)
     }
 
-    /// A row at a SIMD level.
+    /// Evaluates a row at a SIMD level.
     fn fill_row(call: FillRow<'_, Self, N>, instructions: Instructions)
     where
         Self: Sized,
@@ -134,7 +143,7 @@ pub trait Kernel<const N: usize>: Measured<N> {
         call.at(instructions);
     }
 
-    /// A list at a SIMD level.
+    /// Evaluates a list at a SIMD level.
     fn fill_list(call: FillList<'_, Self, N>, instructions: Instructions)
     where
         Self: Sized,
@@ -142,7 +151,7 @@ pub trait Kernel<const N: usize>: Measured<N> {
         call.at(instructions);
     }
 
-    /// Octaves at a point, as many at once as there are lanes; nothing where there is one lane only.
+    /// Evaluates octaves at a point, one per lane; `None` if there is only one lane.
     fn octaves_at(&self, octaves: OctavesAt<'_, N>, samples: &mut OctaveSamples<N>) -> Option<()>
     where
         Self: Sized,
@@ -150,17 +159,20 @@ pub trait Kernel<const N: usize>: Measured<N> {
         octaves.evaluate(self, samples)
     }
 
-    /// Whether a row of so many points shares work along it or with the next row, more than it costs.
+    /// Whether a row of `count` points saves more than it costs by reusing work along it or in the
+    /// next row.
     ///
-    /// `wide` is set where lists have sixteen lanes. Rows have eight at most: sixteen make `Perlin2002` faster by a fifth, `Perlin1985` by
-    /// two fifths where few points share a cell.
+    /// `wide` is set if lists have sixteen lanes. Rows have at most eight. Where few points are in
+    /// a cell, sixteen lanes make `Perlin2002` faster by a fifth and `Perlin1985` by two fifths.
     #[inline(always)]
     fn shares(&self, row: &Row<N>, count: usize, _wide: bool) -> bool {
         has_columns(row, count, Self::LONG_STEP)
     }
 
-    /// The values along a row that [shares](Self::shares) work, and the gradients if `GRADIENTS`; the number of points from the
-    /// first on that were evaluated. The others are evaluated as a list.
+    /// The values along a row that [reuses](Self::shares) work, and the gradients if `GRADIENTS`.
+    ///
+    /// Returns the number of leading points that were evaluated. The others are evaluated as a
+    /// list.
     #[inline(always)]
     fn rows<S: Lanes, const GRADIENTS: bool>(
         &self,
@@ -172,10 +184,10 @@ pub trait Kernel<const N: usize>: Measured<N> {
     }
 }
 
-/// The most octaves of a point.
+/// The maximum number of octaves of a point.
 const OCTAVES: usize = 16;
 
-/// A point in the coordinates of octaves, each of which draws its words with a key of its own.
+/// A point in the coordinates of octaves, each with its own key.
 #[derive(Clone, Copy, Debug)]
 pub struct OctavesAt<'a, const N: usize> {
     pub(crate) points: &'a [[f32; OCTAVES]; N],
@@ -205,12 +217,12 @@ impl<const N: usize> OctaveSamples<N> {
 }
 
 impl<const N: usize> OctavesAt<'_, N> {
-    /// The octaves of a kind in lanes.
+    /// Evaluates the octaves of a kind in lanes.
     pub(crate) fn evaluate<K: Kernel<N>>(self, kernel: &K, samples: &mut OctaveSamples<N>) -> Option<()> {
         run_at_point(EvaluateOctaves { kernel, octaves: self, samples })
     }
 
-    /// The octaves in lanes from one on.
+    /// Evaluates a register of octaves, from `first` on.
     #[inline(always)]
     fn put<S: Lanes, K: Kernel<N>>(self, s: S, kernel: &K, samples: &mut OctaveSamples<N>, first: usize) {
         let mut p = [s.float(0.0); N];
@@ -244,19 +256,21 @@ impl<K: Kernel<N>, const N: usize> Task for EvaluateOctaves<'_, K, N> {
     }
 }
 
-/// A kind whose sums can be seen from an anchor far from the origin.
+/// A kind whose sums can be evaluated relative to an anchor far from the origin.
 pub trait Anchor<const N: usize>: Kernel<N> {
-    /// The kind on a lattice whose cells are counted from the anchor's.
+    /// The kind on a lattice whose cells are relative to the anchor's cell.
     type Shifted: Kernel<N>;
 
-    /// The noise on such a lattice, not shifted yet.
+    /// The noise on such a lattice, before it is shifted.
     fn shifted(self) -> Self::Shifted;
 }
 
-/// Whether |xᵢ| < 2³⁰ for every axis, by bits: arithmetic of words leaves that of vectors to the noise.
+/// Whether |xᵢ| < 2³⁰ for every axis.
+///
+/// Compares bits with integer arithmetic, which leaves the vector units to the noise.
 #[inline(always)]
 fn is_small<const N: usize>(p: &[f32; N]) -> bool {
-    // Such numbers come up to the sign's bit.
+    // The addition carries the bits of numbers from 2³⁰ on into the sign bit.
     const BELOW: u64 = 0x8000_0000 - 0x4e80_0000;
     let mut any = 0;
     for axis in (0..N).step_by(2) {
@@ -268,7 +282,8 @@ fn is_small<const N: usize>(p: &[f32; N]) -> bool {
 
 /// The value at any point, and the gradient if `GRADIENTS`.
 ///
-/// A point beyond reach is moved to where it has the same cells before the kind is evaluated, so that it is compiled once.
+/// A point beyond reach is first moved to a point with the same cells, so that the kind is compiled
+/// once.
 #[inline(always)]
 pub(crate) fn lone<K: Kernel<N> + ?Sized, const N: usize, const GRADIENTS: bool>(
     kernel: &K,
@@ -283,7 +298,7 @@ pub(crate) fn lone<K: Kernel<N> + ?Sized, const N: usize, const GRADIENTS: bool>
     if known { sample } else { (0.0, [0.0; N]) }
 }
 
-/// The values at any points, one in each lane, and the gradients if `GRADIENTS`.
+/// The values at arbitrary points, one per lane, and the gradients if `GRADIENTS`.
 #[inline(always)]
 pub(crate) fn evaluate<K: Kernel<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     kernel: &K,
@@ -317,7 +332,9 @@ pub(crate) fn evaluate<K: Kernel<N>, S: Lanes, const N: usize, const GRADIENTS: 
     (value, gradient)
 }
 
-/// The point itself if it is within reach; beyond, a point with the same cells, if the kind has cells there.
+/// The point itself if it is within reach, otherwise a point with the same cells.
+///
+/// `None` if the kind has no cells there.
 #[inline]
 pub(crate) fn evaluated<const N: usize>(p: [f32; N], reach: f32) -> Option<[f32; N]> {
     if is_within(Scalar, &p, reach) {
@@ -335,8 +352,10 @@ fn evaluated_far<const N: usize>(p: [f32; N], reach: f32) -> Option<[f32; N]> {
     evaluated(p, reach)
 }
 
-/// The values at points of a list, and the gradients if `GRADIENTS`. One lane takes the way of a single point, where corners have the lanes:
-/// in a loop it has too few registers.
+/// The values at points of a list, and the gradients if `GRADIENTS`.
+///
+/// A single lane uses the code of a single point, in which corners have the lanes. In a loop it has
+/// too few registers.
 #[inline(always)]
 fn in_lanes<K: Kernel<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
@@ -372,7 +391,7 @@ pub struct FillRow<'a, K: Kernel<N>, const N: usize> {
 }
 
 impl<K: Kernel<N>, const N: usize> FillRow<'_, K, N> {
-    /// The row at a SIMD level: all that is compiled for rows of a kind.
+    /// Evaluates the row at a SIMD level, the only code that is compiled for rows of a kind.
     pub(crate) fn at(mut self, instructions: Instructions) {
         let count = self.values.len();
         let shares = self.kernel.shares(&self.row, count, instructions.are_wide());
@@ -386,7 +405,7 @@ impl<K: Kernel<N>, const N: usize> FillRow<'_, K, N> {
         }
     }
 
-    /// Points of the row as a list.
+    /// Evaluates points of the row as a list.
     #[inline(never)]
     fn list(&mut self, range: Range<usize>, instructions: Instructions) {
         let mut points = [[0.0; BLOCK]; N];
@@ -409,7 +428,7 @@ impl<K: Kernel<N>, const N: usize> FillRow<'_, K, N> {
     }
 }
 
-/// A row that shares work.
+/// A row that reuses work.
 struct Shared<'r, 'a, K: Kernel<N>, const N: usize>(&'r mut FillRow<'a, K, N>);
 
 impl<K: Kernel<N>, const N: usize> Task for Shared<'_, '_, K, N> {
@@ -422,7 +441,7 @@ impl<K: Kernel<N>, const N: usize> Task for Shared<'_, '_, K, N> {
         if const { has_values_alone::<S>() } && gradients.is_none() {
             return kernel.rows(s, scratch, Strip::<N, false> { row, seed, values, gradients: slopes });
         }
-        // Without gradients they are written to empty slices.
+        // Without gradients they go to empty slices.
         for (to, g) in slopes.iter_mut().zip(gradients.iter_mut().flatten()) {
             *to = &mut **g;
         }
@@ -430,7 +449,7 @@ impl<K: Kernel<N>, const N: usize> Task for Shared<'_, '_, K, N> {
     }
 }
 
-/// Points of a kind, or of one of its octaves, from lists of their coordinates.
+/// Points of a kind or of one of its octaves, from one list of coordinates per axis.
 #[derive(Debug)]
 pub struct FillList<'a, K: Kernel<N>, const N: usize> {
     pub(crate) kernel: &'a K,
@@ -442,7 +461,7 @@ pub struct FillList<'a, K: Kernel<N>, const N: usize> {
 }
 
 impl<K: Kernel<N>, const N: usize> FillList<'_, K, N> {
-    /// The list at a SIMD level.
+    /// Evaluates the list at a SIMD level.
     pub(crate) fn at(self, instructions: Instructions) {
         let Self { kernel, seed, points, values, gradients } = self;
         fill_blocks(points, values, gradients, K::REACH, &mut |block| {
@@ -452,21 +471,23 @@ impl<K: Kernel<N>, const N: usize> FillList<'_, K, N> {
     }
 }
 
-/// Points of a list that are evaluated without a question in between.
+/// The number of points of a list that are evaluated without a branch in between.
 const BLOCK: usize = 128;
 
-/// A block of points, and room for their values, and for gradients if they are wanted.
+/// A block of points, with space for their values and gradients.
 struct Block<'a, const N: usize> {
     points: [&'a [f32; BLOCK]; N],
     values: &'a mut [f32; BLOCK],
     gradients: Option<[&'a mut [f32; BLOCK]; N]>,
-    /// The number of points that are wanted, the first ones.
+    /// The number of points to evaluate, from the first on.
     len: usize,
-    /// Whether all points were within reach; they may be and seem not where they are far from the origin.
+    /// Whether all points were within reach; may be a false negative far from the origin.
     is_near: bool,
 }
 
-/// Evaluates a list by blocks: whole blocks of points near the origin as they lie, and others by way of copies.
+/// Evaluates a list by blocks.
+///
+/// Whole blocks of points near the origin are evaluated in place, other blocks from copies.
 #[inline(never)]
 fn fill_blocks<const N: usize>(
     points: [&[f32]; N],
@@ -495,7 +516,7 @@ fn fill_blocks<const N: usize>(
     }
 }
 
-/// A block of a list as it lies there, if it is whole.
+/// A block of a list in place, if it is whole.
 #[inline]
 fn whole_block<'a, const N: usize>(
     points: &[&'a [f32]; N],
@@ -548,7 +569,7 @@ impl<const N: usize> Block<'_, N> {
         let mut sum = s.float(0.0);
         let mut i = 0;
         while i < self.len {
-            // Told to leave room for a vector.
+            // The mask lets the compiler see that a register fits.
             let at = i & (BLOCK - S::LEN);
             let mut p = [s.float(0.0); N];
             for axis in 0..N {
@@ -570,10 +591,10 @@ impl<const N: usize> Block<'_, N> {
     }
 }
 
-/// A block's points, those beyond reach moved to where they have the same cells.
+/// Copies of a block's points; points beyond reach are moved to points with the same cells.
 struct Copies<const N: usize> {
     points: [[f32; BLOCK]; N],
-    /// A bit for each point, 0 where the noise is 0 whatever it is evaluated to.
+    /// One bit per point, 0 where the noise is 0 regardless of the evaluation.
     known: u128,
 }
 
@@ -588,13 +609,13 @@ impl<const N: usize> Copies<N> {
                 *sum += from.abs();
             }
         }
-        // NaN is not below it either.
+        // NaN is not below `reach` either.
         if !sums.iter().all(|&sum| sum < reach) {
             self.move_far(reach);
         }
     }
 
-    /// Moves points beyond reach, and tells at which the noise is other than 0.
+    /// Moves points beyond reach and records where the noise can differ from 0.
     #[cold]
     #[inline(never)]
     fn move_far(&mut self, reach: f32) {
@@ -613,7 +634,7 @@ impl<const N: usize> Copies<N> {
         }
     }
 
-    /// Copies numbers to where they belong.
+    /// Copies numbers to their destination.
     fn write(&self, from: &[f32; BLOCK], to: &mut [f32]) {
         for (i, (to, from)) in to.iter_mut().zip(from).enumerate() {
             *to = if self.known >> i & 1 == 1 { *from } else { 0.0 };
@@ -621,12 +642,12 @@ impl<const N: usize> Copies<N> {
     }
 }
 
-/// From so many points on rows share enough to pay for the room that it takes.
+/// The number of points from which on rows save enough to pay for the memory.
 pub(crate) const FEW_POINTS: usize = 256;
-/// Points of a grid that are evaluated as one list.
+/// The number of points of a grid that are evaluated as one list.
 pub(crate) const LIST: usize = 256;
 
-/// Whether the rows of a grid, in the coordinates that `seen` makes of them, share work.
+/// Whether the rows of a grid reuse work, in the coordinates that `seen` maps them to.
 pub(crate) fn shares<K: Kernel<N>, V: Point<Coordinates = [f32; N]>, const N: usize>(
     kernel: &K,
     points: &Points<'_, V>,
@@ -639,7 +660,7 @@ pub(crate) fn shares<K: Kernel<N>, V: Point<Coordinates = [f32; N]>, const N: us
     points.len() >= FEW_POINTS && window.rows(0..1).next().is_some_and(shares)
 }
 
-/// A kind at the points of a batch.
+/// Evaluates a kind at the points of a batch.
 pub(crate) fn fill<K: Kernel<N>, V: Point<Coordinates = [f32; N]>, const N: usize>(
     kernel: &K,
     points: &Points<'_, V>,
@@ -670,7 +691,7 @@ pub(crate) fn fill<K: Kernel<N>, V: Point<Coordinates = [f32; N]>, const N: usiz
         for block in points.blocks(LIST) {
             points.part(&block).write(lists.as_mut());
             let mut target = target.part(&block);
-            // Whole rows are one list.
+            // Whole rows form one list.
             let whole = target.stride == block.width();
             let (rows, width) =
                 if whole { (1, block.len()) } else { (block.rows.len(), block.width().max(1)) };

@@ -1,4 +1,4 @@
-//! Many points at once: lists and grids, checked and handed on at one SIMD level.
+//! Lists and grids of points, checked and evaluated at one SIMD level.
 
 use asperity_core::BatchError;
 
@@ -10,13 +10,15 @@ use crate::{
     sample::Sample,
 };
 
-/// A filler of a list or a grid; by reference, so that one field's batches are not compiled beside another's.
+/// A filler of a list or a grid.
+///
+/// By reference, so that the batches of one field are not compiled once more for another.
 type Fill<'f, V> = &'f dyn Fn(&Points<'_, V>, Target<'_, V>);
 
-/// Points that are gone through at once where their coordinates lie point by point.
+/// The number of points per pass where coordinates are stored point by point.
 const LIST: usize = 128;
 
-/// Values at points, by what fills a list.
+/// Evaluates values at points, given a function that fills a list.
 pub(crate) fn values<V: Point>(
     level: Level,
     fill: Fill<'_, V>,
@@ -34,7 +36,7 @@ pub(crate) fn values<V: Point>(
     Ok(())
 }
 
-/// Values and gradients at points, by what fills a list.
+/// Evaluates values and gradients at points, given a function that fills a list.
 pub(crate) fn samples<V: Point>(
     level: Level,
     fill: Fill<'_, V>,
@@ -55,7 +57,7 @@ pub(crate) fn samples<V: Point>(
     Ok(())
 }
 
-/// Values on a grid, and gradients if there is room for them.
+/// Evaluates values on a grid, and gradients if there is space for them.
 pub(crate) fn grid<'a, V: Point>(
     level: Level,
     fill: Fill<'_, V>,
@@ -69,7 +71,7 @@ pub(crate) fn grid<'a, V: Point>(
     Ok(())
 }
 
-/// Values at points given by lists of their coordinates, and gradients if there is room for them.
+/// Evaluates values at points given by one list per axis, and gradients if there is space for them.
 pub(crate) fn lists<'a, V: Point>(
     level: Level,
     fill: Fill<'_, V>,
@@ -84,7 +86,7 @@ pub(crate) fn lists<'a, V: Point>(
     Ok(())
 }
 
-/// The coordinates of points as one list for each axis.
+/// Transposes points to one list of coordinates per axis.
 #[inline]
 fn write<V: Point>(points: &[V], lists: &mut V::Array<[f32; LIST]>) {
     for (i, p) in points.iter().take(LIST).enumerate() {

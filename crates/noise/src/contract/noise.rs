@@ -1,8 +1,8 @@
-//! Kinds of noise: their statistics, moments and seeds, beside their values.
+//! Kinds of noise: statistics, moments and seeds in addition to values.
 
 use crate::{contract::field::Field, point::Point, statistics::statistics::Statistics};
 
-/// A kind of noise: a random field, one of many that its seed selects, with measured statistics.
+/// A kind of noise: a random field selected by a seed, with measured statistics.
 ///
 /// ```
 /// use asperity_noise::{Field, Noise, Perlin2002, glam::Vec3};
@@ -13,36 +13,42 @@ use crate::{contract::field::Field, point::Point, statistics::statistics::Statis
 /// assert_eq!(noise.value(Vec3::new(f32::NAN, 0.0, 0.0)), 0.0);
 /// ```
 pub trait Noise<V: Point>: Field<V> {
-    /// The measured statistics of the kind in this dimension.
+    /// Returns the measured statistics of the kind in this dimension.
     #[must_use]
     fn statistics(&self) -> &'static Statistics;
 
-    /// σ₁, the standard deviation of this very noise; other than the table's where a kind has parameters.
+    /// Returns σ₁, the standard deviation of this noise.
+    ///
+    /// Differs from the table if the kind has parameters.
     #[must_use]
     fn standard_deviation(&self) -> f32;
 
-    /// E n, the mean over all points and seeds: 0 for all kinds but [`Cellular`](crate::Cellular).
+    /// Returns E n, the mean over all points and seeds.
+    ///
+    /// It is 0 for all kinds except [`Cellular`](crate::Cellular).
     #[must_use]
     fn mean(&self) -> f32 {
         0.0
     }
 
-    /// E|n|, E|n|², E|n|³ and E|n|⁴ over all points and seeds, measured; what a [`Shape`](crate::Shape)'s mean follows from.
+    /// Returns E|n|, E|n|², E|n|³ and E|n|⁴ over all points and seeds, measured.
+    ///
+    /// The mean of a [`Shape`](crate::Shape) follows from them.
     #[must_use]
     fn absolute_moments(&self) -> [f32; 4];
 
-    /// The seed.
+    /// Returns the seed.
     #[must_use]
     fn seed(&self) -> u32;
 
-    /// The noise that another seed selects.
+    /// Returns the noise with another seed.
     #[must_use]
     fn with_seed(self, seed: u32) -> Self
     where
         Self: Sized;
 }
 
-/// The constructors of a kind: of its parameters, if it has any, with the values that they begin with.
+/// The constructors of a kind, with the initial values of its parameters.
 macro_rules! kind {
     ($kind:ident $({ $($parameter:ident: $value:expr),+ }, $about:literal)?) => {
         impl $kind {
@@ -61,7 +67,7 @@ macro_rules! kind {
         }
 
         impl<L> $kind<L> {
-            /// Its words drawn from another lattice.
+            /// Sets the lattice that random words are drawn from.
             #[must_use]
             pub fn with_lattice<M>(self, lattice: M) -> $kind<M> {
                 $kind { seed: self.seed, $($($parameter: self.$parameter,)+)? lattice }
@@ -74,7 +80,7 @@ macro_rules! kind {
                 $kind { seed: self.seed, $($($parameter: self.$parameter,)+)? lattice }
             }
 
-            /// Another seed.
+            /// Sets the seed.
             #[must_use]
             pub fn with_seed(self, seed: u32) -> Self {
                 Self { seed, ..self }
@@ -113,7 +119,7 @@ macro_rules! kind {
 
 pub(crate) use kind;
 
-/// Implements `Measured` for a kind whose statistics are all in a table.
+/// Implements `Measured` for a kind whose statistics are all in one table.
 macro_rules! measured {
     ($kind:ident, |$self:ident| $table:expr) => {
         impl<L, const N: usize> $crate::contract::kernel::Measured<N> for $kind<L> {

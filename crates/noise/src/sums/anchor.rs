@@ -1,17 +1,18 @@
-//! Octaves seen from an anchor far from the origin: each in a cell of its own, and near it.
+//! Octaves relative to an anchor far from the origin, each evaluated near it in its own cell.
 
-/// Place of an anchor in the coordinates of an octave along an axis: cell + place, exactly.
+/// Position of an anchor in the coordinates of an octave along an axis: cell + place, without
+/// rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Position {
     cell: i64,
     place: f64,
 }
 
-/// From here on positions are not told.
+/// Positions from here on are rejected.
 const LIMIT: f64 = 4_611_686_018_427_387_904.0 / 16.0;
 
 impl Position {
-    /// Adds a number that `f64` holds exactly; nothing where it is too large or none.
+    /// Adds a number that `f64` holds exactly; `None` if the sum is too large or not a number.
     fn add(self, exact: f64) -> Option<Self> {
         if !(exact > -LIMIT && exact < LIMIT) {
             return None;
@@ -20,7 +21,7 @@ impl Position {
         Some(Self { cell: self.cell.wrapping_add(whole), place: self.place + (exact - whole as f64) })
     }
 
-    /// With a place in [0, 1].
+    /// The same position with a place in [0, 1].
     fn floored(self) -> Self {
         let truncated = self.place as i64;
         let floor = if self.place < truncated as f64 { truncated - 1 } else { truncated };
@@ -60,9 +61,11 @@ const UNSKEW: [[f64; 4]; 4] = [
 /// (√(n + 1) − 1)/n.
 const SKEW: [f64; 4] = [0.0, 0.366_025_403_784_438_65, 1.0 / 3.0, 0.309_016_994_374_947_4];
 
-/// The cell of an anchor in an octave, modulo 2³², and the place from there on: of the rows of the octave's matrix and of its offset.
+/// The cell of an anchor in an octave, modulo 2³², and the position relative to the cell.
 ///
-/// The place is near the cell's corner, in the cell where cells are cubes. Nothing where a coordinate is 2⁵⁸ or more, or none.
+/// `matrix` and `offset` map points into the octave. The position is near the corner of the
+/// cell, inside the cell if cells are cubes. `None` if a coordinate is 2⁵⁸ or more, or not a
+/// number.
 pub(crate) fn anchored<const N: usize>(
     matrix: &[[f32; N]; N],
     at: &[f64; N],
@@ -75,8 +78,8 @@ pub(crate) fn anchored<const N: usize>(
     }
     let (mut shift, mut back) = (0, 0.0);
     if simplicial && N > 1 {
-        // A step of the skewed lattice to near the anchor: any will do, but its corner must be told to the last digit, and that is
-        // the small difference of large numbers.
+        // A step of the skewed lattice to near the anchor. Any step works, but its corner must be
+        // exact to the last digit, and the corner is the small difference of large numbers.
         let sum = positions.iter().fold(0_i64, |sum, position| sum.wrapping_add(position.cell));
         shift = (SKEW[N - 1] * sum as f64) as i64;
         let corners = sum.wrapping_add(shift.wrapping_mul(N as i64));

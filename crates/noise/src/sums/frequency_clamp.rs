@@ -1,14 +1,17 @@
-//! Frequency clamping: octaves that a pixel cannot resolve give way to their mean.
+//! Frequency clamping: octaves that a pixel cannot resolve are replaced by their mean.
 
 use crate::point::Point;
 
-/// The share of an octave that is removed for a footprint: 0 up to a fifth of a period, 1 from three fifths on.
+/// Returns the fraction of an octave that a footprint removes.
+///
+/// It is 0 up to a fifth of a period and 1 from three fifths on.
 ///
 /// ```text
 /// k = smoothstep(0.2, 0.6, footprint · frequency),   smoothstep(a, b, x) = t² (3 − 2t),   t = clamp((x − a)/(b − a), 0, 1)
 /// ```
 ///
-/// - **Domain:** any; what is negative or not a number is taken for 0 and removes nothing.   - **Range:** [0, 1].
+/// - **Domain:** any. Negative and NaN arguments are taken as 0 and remove nothing.
+/// - **Range:** [0, 1].
 ///
 /// Nilsson 2008, section 4.1.6, `fadeout` with the item size 1/frequency.
 ///
@@ -33,13 +36,15 @@ pub fn removed_share(footprint: f32, frequency: f32) -> f32 {
     }
 }
 
-/// The footprint of a pixel: the largest change of any coordinate from the pixel to the next in x or in y.
+/// Returns the footprint of a pixel: the largest change of a coordinate to the next pixel in x or
+/// y.
 ///
 /// ```text
 /// footprint = max over i of max(|∂pᵢ/∂x|, |∂pᵢ/∂y|)
 /// ```
 ///
-/// `ddx` and `ddy` are the changes of the noise's input from one pixel to the next. Parts that are not numbers are left out.
+/// `ddx` and `ddy` are the changes of the noise's input from one pixel to the next. NaN components
+/// are ignored.
 ///
 /// - **Range:** [0, ∞].
 ///
@@ -62,7 +67,7 @@ mod tests {
     use glam::Vec3;
 
     #[test]
-    fn the_share_rises_from_nothing_to_all() {
+    fn removed_share_rises_from_0_to_1() {
         let shares = core::array::from_fn::<f32, 101, _>(|i| removed_share(i as f32 / 100.0, 1.0));
         assert!(shares.windows(2).all(|pair| pair[0] <= pair[1] && pair[1] - pair[0] < 0.04));
         assert_eq!((shares[20], shares[60], shares[100]), (0.0, 1.0, 1.0));
@@ -70,7 +75,7 @@ mod tests {
     }
 
     #[test]
-    fn footprints_that_are_none_remove_nothing() {
+    fn removed_share_is_0_for_invalid_footprints() {
         for footprint in [0.0, -0.0, -3.0, f32::NEG_INFINITY, f32::NAN] {
             assert_eq!(removed_share(footprint, 2.0), 0.0, "{footprint}");
         }

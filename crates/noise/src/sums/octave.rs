@@ -1,4 +1,4 @@
-//! The place of one octave: its own seed and offset, and its rotation, times its frequency.
+//! The affine map of one octave: seed, offset, and rotation times frequency.
 
 use crate::{
     contract::kernel::{Kernel, OctavesAt},
@@ -8,23 +8,26 @@ use crate::{
     sums::spectrum::{MAX_OCTAVES, Spectrum},
 };
 
-/// Whether octaves are turned against one another.
+/// Whether octaves are rotated relative to each other.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Rotation {
-    /// Every octave has an own random rotation, so that lattices meet nowhere and look alike in no direction.
+    /// Every octave has its own random rotation.
+    ///
+    /// Lattices coincide nowhere, and the sum has no preferred direction.
     #[default]
     Random,
-    /// No octave is rotated. Lattices are parallel, which lets a grid share work along its rows.
+    /// No octave is rotated. The lattices are parallel, so grids reuse work along rows.
     ///
-    /// The axes of the lattice show in the sum, and two sums of different seeds peak more often along the same planes.
+    /// The axes of the lattice are visible in the sum, and two sums of different seeds peak more
+    /// often along the same planes.
     Aligned,
 }
 
 /// The seed of an octave's lattice and the affine map into it.
 ///
-/// A lattice shared between octaves or channels makes them dependent, other seeds or not: their variances peak at the
-/// same points.
+/// A common lattice makes octaves or channels dependent even if their seeds differ: their variances
+/// peak at the same points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Layer<const N: usize> {
     pub(crate) seed: u32,
@@ -32,7 +35,7 @@ pub(crate) struct Layer<const N: usize> {
     /// Rotation times frequency, by rows.
     pub(crate) matrix: [[f32; N]; N],
     pub(crate) offset: [f32; N],
-    /// The cell that the octave's are counted from, where the sum is anchored.
+    /// The origin of the octave's cells if the sum is anchored.
     pub(crate) cell: [i32; N],
 }
 
@@ -64,10 +67,10 @@ impl<const N: usize> Layer<N> {
         })
     }
 
-    /// The noise of the octave: `noise`, or `own` if the octave has a lattice of its own.
+    /// The noise of the octave: `noise`, or `own` if the octave has its own lattice.
     #[inline(always)]
     pub(crate) fn noise<'a, K: Kernel<N>>(&self, noise: &'a K, own: &'a mut Option<K>) -> &'a K {
-        // Sums on lattices that repeat are aligned, and others do not ask for the frequency.
+        // Sums on tileable lattices are aligned, and other lattices ignore the frequency.
         *own = noise.of_octave(self.matrix[0][0], &self.cell);
         own.as_ref().unwrap_or(noise)
     }
@@ -92,7 +95,7 @@ impl<const N: usize> Layer<N> {
         self.map(s).points(p)
     }
 
-    /// Mᵀ g: a gradient turned back to the coordinates of the sum.
+    /// Mᵀ g: rotates a gradient back to the coordinates of the sum.
     #[inline(always)]
     pub(crate) fn pull_back<S: Lanes>(&self, s: S, g: [S::F; N]) -> [S::F; N] {
         self.map(s).pull_back(g)
@@ -108,7 +111,7 @@ impl<const N: usize> Layer<N> {
         frequencies
     }
 
-    /// sum + factor · sample, with the gradient turned back.
+    /// sum + factor · sample, with the gradient rotated back.
     #[inline(always)]
     pub(crate) fn accumulate<S: Lanes>(
         &self,
@@ -143,13 +146,14 @@ impl<S: Lanes, const N: usize> Map<S, N> {
         q
     }
 
-    /// Mᵀ g: a gradient turned back to the coordinates of the sum.
+    /// Mᵀ g: rotates a gradient back to the coordinates of the sum.
     #[inline(always)]
     pub(crate) fn pull_back(&self, g: [S::F; N]) -> [S::F; N] {
         self.product::<true>(g)
     }
 
-    /// M v, or Mᵀ v if `TRANSPOSED`; in an aligned layer all off the diagonal is 0 and left out.
+    /// M v, or Mᵀ v if `TRANSPOSED`; skips entries off the diagonal in an aligned layer, which are
+    /// 0.
     #[inline(always)]
     fn product<const TRANSPOSED: bool>(&self, v: [S::F; N]) -> [S::F; N] {
         let mut product = v;
@@ -170,48 +174,50 @@ impl<S: Lanes, const N: usize> Map<S, N> {
     }
 }
 
-/// An octave of a sum as it is evaluated: the map into the cells of its lattice, and the key that its words are drawn by.
+/// The affine map into the lattice of an octave, and the key for its random words.
 ///
 /// ```text
 /// nᵢ(p) = n(M p + o),   its words those of the lattice at cell + ⌊M p + o⌋ mod 2³²
 /// ```
 ///
-/// For evaluation elsewhere, on a graphics card for instance. Of a noise that repeats each octave has periods of its own besides, which
-/// are not told here.
+/// For evaluation elsewhere, for instance on a GPU. The octaves of a tileable noise also have their
+/// own periods, which are not part of this struct.
 ///
 /// ```
 /// use asperity_noise::{Octaves, Perlin2002, Spectrum};
 ///
 /// let sum = Octaves::new(Perlin2002::new(5), Spectrum::default()).first(1.0);
 /// let octave = sum.octave(0);
-/// // The first is turned and not stretched: it keeps lengths.
+/// // The first octave is rotated and not scaled, so it keeps lengths.
 /// let [x, y] = octave.matrix.map(|[x, y]| 3.0 * x - 4.0 * y);
 /// assert!((x.hypot(y) - 5.0).abs() < 1e-5 && octave.cell == [0, 0]);
 ///
-/// // Seen from an anchor it has the cell there.
+/// // Relative to an anchor it has the cell of the anchor.
 /// let far = sum.anchored([1e9, 0.0]).octave(0);
 /// assert!(far.key == octave.key && far.cell != [0, 0] && far.matrix == octave.matrix);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Octave<const N: usize> {
-    /// M, rotation times frequency, by rows: cells of the octave per unit of the sum's coordinates.
+    /// M, rotation times frequency, by rows, in cells of the octave per unit of the sum's
+    /// coordinates.
     pub matrix: [[f32; N]; N],
-    /// o in cells; NaN where an anchor is too far away, and the octave 0.
+    /// o in cells; NaN if an anchor is too far away, and the octave is 0.
     pub offset: [f32; N],
-    /// The cell that cells are counted from: 0, or that of the anchor modulo 2³².
+    /// The origin of the cells: 0, or the cell of the anchor modulo 2³².
     pub cell: [i32; N],
-    /// Key that the lattice makes of the octave's seed.
+    /// Key that the lattice derives from the octave's seed.
     pub key: u32,
 }
 
-/// The layers of all octaves of a sum, each number of all octaves side by side; those beyond the spectrum's maximum are there and
-/// unused.
+/// The layers of all octaves of a sum, stored as one array per component.
+///
+/// Layers beyond the spectrum's maximum exist and are unused.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Layers<const N: usize> {
     pub(crate) rotation: Rotation,
     seeds: [u32; OCTAVES],
-    /// The keys that the lattice makes of the seeds.
+    /// The keys that the lattice derives from the seeds.
     keys: [u32; OCTAVES],
     matrix: [[[f32; OCTAVES]; N]; N],
     offset: [[f32; OCTAVES]; N],
@@ -251,7 +257,7 @@ impl<const N: usize> Layers<N> {
         all
     }
 
-    /// One layer; the last where there is none of the number.
+    /// Returns a layer by its number, or the last for larger numbers.
     #[inline(always)]
     pub(crate) fn layer(&self, i: usize) -> Layer<N> {
         let i = i % OCTAVES;
@@ -271,7 +277,7 @@ impl<const N: usize> Layers<N> {
         layer
     }
 
-    /// An octave by its number; beyond the last numbers repeat.
+    /// Returns an octave by its number; numbers beyond the last wrap.
     pub(crate) fn octave(&self, i: usize) -> Octave<N> {
         let Layer { matrix, offset, cell, .. } = self.layer(i);
         Octave { matrix, offset, cell, key: self.keys[i % OCTAVES] }
@@ -283,7 +289,7 @@ impl<const N: usize> Layers<N> {
         (0..OCTAVES).map(|i| self.layer(i))
     }
 
-    /// The first octaves at a point that is given in the coordinates of every octave.
+    /// The first octaves at a point given in the coordinates of every octave.
     pub(crate) const fn octaves_at<'a>(
         &'a self,
         points: &'a [[f32; OCTAVES]; N],
@@ -314,7 +320,8 @@ impl<const N: usize> Layers<N> {
         self.products::<true>(gradients)
     }
 
-    /// M v of every octave, or Mᵀ v if `TRANSPOSED`; in an aligned layer all off the diagonal is 0 and left out.
+    /// M v of every octave, or Mᵀ v if `TRANSPOSED`; skips entries off the diagonal in an aligned
+    /// layer, which are 0.
     #[inline(always)]
     fn products<const TRANSPOSED: bool>(&self, v: &[[f32; OCTAVES]; N]) -> [[f32; OCTAVES]; N] {
         let mut products = [[0.0; OCTAVES]; N];
@@ -348,7 +355,7 @@ fn identity<const N: usize>() -> [[f32; N]; N] {
 
 /// A rotation uniform over all rotations in N dimensions, N ≤ 4.
 ///
-/// In space a unit quaternion q acts by v ↦ q v q̄, in 4-D two act by v ↦ p v q̄.
+/// In 3-D a unit quaternion q acts by v ↦ q v q̄. In 4-D two act by v ↦ p v q̄.
 fn random_rotation<const N: usize>([first, second]: [u32; 2]) -> [[f32; N]; N] {
     let unit = |word: u32| unit_direction::<Scalar, 4>(Scalar, Scalar.word(word), 1.0);
     let mut matrix = identity::<N>();

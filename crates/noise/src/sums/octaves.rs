@@ -30,14 +30,16 @@ use crate::{
 pub enum Normalisation {
     /// Σ wᵢ aᵢ: the sum stays in [−1, 1]. Its variance shrinks as octaves are added.
     Range,
-    /// σ₁ √Σ (wᵢ aᵢ)²: the sum has variance 1 for every number of octaves, and no bound of 1.
+    /// σ₁ √Σ (wᵢ aᵢ)²: the sum has variance 1 for every number of octaves. It is not bounded by 1.
     ///
-    /// With a kind or a [`Shape`] whose mean is not 0 the mean is taken away first, so that the sum has mean 0.
+    /// The mean of a kind or a [`Shape`] is subtracted first, so that the sum has mean 0.
     #[default]
     Variance,
 }
 
-/// Fractional Brownian motion: a sum of octaves of one kind of noise; with another [`Shape`] turbulence and its like.
+/// Fractional Brownian motion: a sum of octaves of one kind of noise.
+///
+/// Other [`Shape`]s give turbulence, plasma, billow and ridged noise.
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/pictures/octaves.md"))]
 ///
@@ -45,12 +47,14 @@ pub enum Normalisation {
 /// n(p) = Σ wᵢ aᵢ φ(nᵢ(fᵢ Rᵢ p + oᵢ)) / N
 /// ```
 ///
-/// with the weights, amplitudes and frequencies of a [`Spectrum`], N by [`Normalisation`], and an own seed, offset oᵢ and
-/// rotation Rᵢ for every octave, so that octaves, and sums of different seeds, do not share lattice points. φ is the
-/// identity until [`with_shape`](Self::with_shape) gives another.
+/// The [`Spectrum`] defines weights, amplitudes and frequencies, and [`Normalisation`] defines N.
+/// Every octave has its own seed, offset oᵢ and rotation Rᵢ, so that octaves and sums of different
+/// seeds have no lattice points in common. φ is the identity unless set by
+/// [`with_shape`](Self::with_shape).
 ///
-/// All octaves of the spectrum take part until [`first`](Self::first) says how many. No octaves give 0. As they become fewer than one
-/// the first stays as it is, because it is normalised: fade it by [`share`](Self::share). An octave whose coordinates overflow adds φ(0).
+/// Uses every octave of the spectrum unless limited by [`first`](Self::first). With zero octaves
+/// the result is 0. Below one octave the sum does not change, because it is normalized. Fade it by
+/// [`share`](Self::share) instead. An octave whose coordinates overflow adds φ(0).
 ///
 /// Nilsson 2008, "Procedural Generation of Natural Variations"; lacunarity after Ebert (ed.) 1994.
 ///
@@ -74,8 +78,8 @@ pub struct Octaves<K, const N: usize, T = Signed> {
 /// z(p) = Σ wᵢ aᵢ zᵢ(fᵢ Rᵢ p + oᵢ) / √Σ wᵢ² aᵢ²,   zᵢ = nᵢ/√vᵢ ~ N(0, 1)
 /// ```
 ///
-/// Each octave is normalised by itself, so the share of the variance that an octave has is the same at every point,
-/// wᵢ² aᵢ² / Σ wⱼ² aⱼ².
+/// Each octave is normalized separately, so the fraction of the variance of an octave is the same
+/// at every point, wᵢ² aᵢ² / Σ wⱼ² aⱼ².
 ///
 /// ```
 /// use asperity_noise::{Field, Gaussian, GaussianOctaves, Spectrum, glam::Vec3};
@@ -88,7 +92,7 @@ pub struct Octaves<K, const N: usize, T = Signed> {
 #[doc(alias("fbm", "fractal"))]
 pub type GaussianOctaves<const N: usize> = Octaves<Gaussian, N>;
 
-/// A sum of octaves seen with another number of octaves, as [`Octaves::detail`] gives it.
+/// A sum with another number of octaves, returned by [`Octaves::detail`].
 #[derive(Clone, Copy, Debug)]
 pub struct Detail<'a, K, const N: usize, T = Signed> {
     terms: &'a Terms<K, N, T>,
@@ -107,15 +111,15 @@ struct Terms<K, const N: usize, T> {
     shape: T,
 }
 
-/// The octaves that take part, and what they are divided by: computed once, not at every point.
+/// The active octaves and their divisor, computed once instead of at every point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Active {
     octaves: f32,
-    /// wᵢ aᵢ, less what a footprint has removed.
+    /// wᵢ aᵢ, reduced by frequency clamping.
     amplitudes: [f32; MAX_OCTAVES as usize],
-    /// The number of octaves that take part.
+    /// The number of active octaves.
     count: usize,
-    /// A constant that is added to the sum before it is normalised.
+    /// A constant that is added to the sum before normalization.
     constant: f32,
     factor: f32,
     /// Lower and upper bound of the sum.
@@ -123,7 +127,9 @@ struct Active {
 }
 
 impl Active {
-    /// The sum where every octave is at this bound: a bound of the sum, as rounded additions and products keep the order.
+    /// The sum if every octave is at this bound.
+    ///
+    /// It is a bound of the sum, as rounded additions and products are monotonic.
     #[inline]
     fn of_bound(&self, bound: f32) -> f32 {
         let amplitudes = self.amplitudes.iter().take(self.count);
@@ -131,14 +137,19 @@ impl Active {
     }
 }
 
-/// The count with a lone octave made whole: its weight cancels against the normalisation, or underflows in it.
+/// The number of octaves, with a lone octave made whole.
+///
+/// The weight of a lone octave cancels against the normalization, or underflows in it.
 #[inline]
 fn lone_whole(octaves: f32) -> f32 {
     if octaves > 0.0 { octaves.max(1.0) } else { 0.0 }
 }
 
 impl Active {
-    /// So many octaves of a spectrum, of variance 1 if there are `moments`, the mean and deviation of one octave; `bounds` are those of one.
+    /// The first `octaves` octaves of a spectrum.
+    ///
+    /// The variance is 1 if there are `moments`, the mean and deviation of one octave. `bounds` are
+    /// the bounds of one octave.
     fn new(spectrum: &Spectrum, octaves: f32, bounds: [f32; 2], moments: Option<[f32; 2]>) -> Self {
         let mut active = Self {
             octaves: if octaves > 0.0 { octaves } else { 0.0 },
@@ -158,7 +169,7 @@ impl Active {
             squares += weighted * weighted;
         }
         if let Some([mean, deviation]) = moments {
-            // From 0, so that shapes of mean 0 start from 0 and not from −0.
+            // Starts from 0, so that shapes of mean 0 start from 0 and not from −0.
             let amplitudes = active.amplitudes.iter().take(active.count);
             let constant = amplitudes.fold(0.0, |sum, amplitude| sum - mean * amplitude);
             active.constant = constant + 0.0;
@@ -169,7 +180,8 @@ impl Active {
         active
     }
 
-    /// Less what a footprint removes, which gives way to the mean of one octave; `bounds` are those of one.
+    /// Replaces the octaves that a footprint removes by the mean of one octave, within the `bounds`
+    /// of one octave.
     fn clamped(mut self, footprint: f32, lacunarity: f32, mean: f32, bounds: [f32; 2]) -> Self {
         let mut frequency = 1.0;
         for amplitude in self.amplitudes.iter_mut().take(self.count) {
@@ -179,7 +191,8 @@ impl Active {
             frequency *= lacunarity;
         }
         self.count = self.amplitudes.iter().take_while(|&&amplitude| amplitude > 0.0).count();
-        // The range of the whole sum, so that it does not depend on the footprint; rounding may add to it.
+        // The range of the whole sum is kept, so that it does not depend on the footprint. Rounding
+        // may add to it.
         let [low, high] = self.range;
         let [lower, upper] = bounds.map(|bound| self.of_bound(bound));
         self.range = [low.min(lower), high.max(upper)];
@@ -223,7 +236,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
         active.clamped(footprint, self.spectrum.lacunarity(), self.moments()[0], self.bounds())
     }
 
-    /// The octaves that take part, each with its amplitude.
+    /// The active octaves, each with its amplitude.
     #[inline(always)]
     fn octaves(&self, active: &Active) -> impl Iterator<Item = (f32, Layer<N>)> {
         active.amplitudes.iter().copied().take(active.count).zip(self.layers.iter())
@@ -235,7 +248,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
         AtPoint { layers: &self.layers, amplitudes: &active.amplitudes, count: active.count, p }
     }
 
-    /// The sum from as many octaves at once as there are lanes, where that is faster.
+    /// The sum from one octave per lane, where this is faster.
     #[inline(always)]
     fn in_lanes(&self, active: &Active, p: [f32; N]) -> Option<LaneSample<Scalar, N>> {
         if K::OCTAVES_IN_LANES == usize::MAX || active.count < K::OCTAVES_IN_LANES {
@@ -276,7 +289,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
         (sum.0 * active.factor, scaled(sum.1, active.factor))
     }
 
-    /// The point itself, or where the noise repeats its image in the first tile.
+    /// The point itself, or its image in the first tile if the noise is tileable.
     #[inline(always)]
     fn in_first_tile(&self, p: [f32; N]) -> [f32; N] {
         if K::TILED { in_first_tile(Scalar, p, &periods(&self.noise)) } else { p }
@@ -306,7 +319,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
     }
 }
 
-/// The periods along all axes, 0 where there is none.
+/// The periods along all axes, 0 if there is none.
 #[inline(always)]
 fn periods<K: Kernel<N>, const N: usize>(noise: &K) -> [f32; N] {
     let mut periods = [0.0; N];
@@ -369,13 +382,14 @@ impl<L: Lattice, const N: usize> Terms<Gaussian<L>, N, Signed> {
 }
 
 impl<K: Kernel<N>, const N: usize> Octaves<K, N> {
-    /// The sum of octaves of `noise` that its seed selects, each randomly rotated, of variance 1.
+    /// Creates the sum of octaves of `noise`, each randomly rotated, with variance 1.
     ///
-    /// A noise that repeats is not compiled here: octaves with one period for all would repeat within it, and turned they would not
-    /// repeat at all. [`Octaves::tiled`] gives each a period of its own.
+    /// Tileable noises do not compile here. With one period for all, the octaves would repeat
+    /// within it. With rotations, they would not repeat at all. [`Octaves::tiled`] gives each
+    /// octave its own period.
     #[must_use]
     pub fn new(noise: K, spectrum: Spectrum) -> Self {
-        const { assert!(!K::TILED, "a sum of octaves of a noise that repeats is made by `Octaves::tiled`") };
+        const { assert!(!K::TILED, "use `Octaves::tiled` for octaves of a tileable noise") };
         Self::with_layers(noise, spectrum, Rotation::Random)
     }
 
@@ -385,16 +399,20 @@ impl<K: Kernel<N>, const N: usize> Octaves<K, N> {
         Terms { noise, spectrum, normalisation, rotation, seed, layers, shape: Signed }.all()
     }
 
-    /// The sum of octaves of a noise that repeats, with its periods, of variance 1.
+    /// Creates the sum of octaves of a tileable noise with the periods of the noise, with variance
+    /// 1.
     ///
-    /// Octave i has periods ℓⁱ times as long in its own cells, so that none repeats within the tile. Octaves are not rotated. Points are
-    /// moved by whole periods into the first tile, exactly, so that where p and p + period are exact in `f32` values and gradients have
-    /// the same bits. Grids are evaluated point by point in lanes; rows do not share work as those of other aligned sums do.
+    /// Octave i has periods ℓⁱ times as long in its own cells, so that no octave repeats within the
+    /// tile. Octaves are not rotated. Points are moved into the first tile by whole periods,
+    /// without rounding. Values and gradients at p and p + period therefore have the same bits if
+    /// both points are exact in `f32`. Grids are evaluated point by point in lanes, without the row
+    /// reuse of other aligned sums.
     ///
     /// # Errors
     ///
-    /// If the noise does not repeat along some axis, or if a period times ℓⁱ is not a whole number up to 2²¹ for some octave of
-    /// the spectrum, ℓ its lacunarity: with 2 and 3 every period will do, with 1.5 powers of 2 do for a while.
+    /// If the noise does not repeat along some axis, or if a period times ℓⁱ is not an integer up
+    /// to 2²¹ for some octave of the spectrum with lacunarity ℓ. Lacunarities 2 and 3 accept every
+    /// period. Lacunarity 1.5 accepts powers of 2 for a limited number of octaves.
     ///
     /// ```
     /// use asperity_noise::{Field, IntegerHash, Octaves, Perlin2002, Spectrum, Tiled, TiledError, glam::Vec2};
@@ -405,7 +423,7 @@ impl<K: Kernel<N>, const N: usize> Octaves<K, N> {
     /// assert_eq!(tile.sample(p), tile.sample(p + Vec2::new(8.0, -5.0)));
     /// assert_ne!(tile.value(p), tile.value(p + Vec2::new(4.0, 0.0)));
     ///
-    /// // The default lacunarity is 2.17, and 8 · 2.17 is no period.
+    /// // The default lacunarity is 2.17, and 8 · 2.17 is not an integer.
     /// assert!(matches!(Octaves::<_, 2>::tiled(noise, Spectrum::default()), Err(TiledError::NoOctavePeriod { octave: 1, .. })));
     /// # Ok::<(), TiledError>(())
     /// ```
@@ -429,7 +447,7 @@ impl<K: Kernel<N>, const N: usize> Octaves<K, N> {
         Ok(Self::with_layers(noise, spectrum, Rotation::Aligned))
     }
 
-    /// One octave alone, the noise itself: for [`anchored`](Self::anchored).
+    /// Creates a sum of one octave, the noise itself, for use with [`anchored`](Self::anchored).
     ///
     /// ```
     /// use asperity_noise::{Field, Octaves, Perlin2002, glam::Vec2};
@@ -451,27 +469,32 @@ impl<K: Kernel<N>, const N: usize> Octaves<K, N> {
 }
 
 impl<K: Anchor<N>, const N: usize, T: Shape> Octaves<K, N, T> {
-    /// The sum as seen from an anchor: its value at p is the sum's at anchor + p, however far the anchor is from the origin.
+    /// Moves the origin of the sum to an anchor, without loss of precision far from the origin.
     ///
-    /// Each octave has its own cell at the anchor, found from `f64` without rounding, and is computed near it: the anchor's own precision,
-    /// 2⁻⁵³ of its distance, is all that is lost, and p's. From 2³¹ on cells repeat modulo 2³², as everywhere. Take an anchor for each chunk
-    /// of a world or for the eye, and differences to it as points; at the origin the sum has the bits that it has without one.
+    /// The value at p is the value of the original sum at anchor + p. The cell of the anchor in
+    /// each octave is computed from `f64` without rounding, and the octave is evaluated near it.
+    /// The only rounding is the rounding of p and of the anchor itself, 2⁻⁵³ of its distance. From
+    /// 2³¹ on, cells repeat modulo 2³², as everywhere. Use one anchor per chunk of a world or one
+    /// at the camera, and pass differences to it as points. An anchor at the origin gives the bits
+    /// of the original sum.
     ///
-    /// - **Accuracy:** 1e-3 of a cell is told at 10¹² in every octave; the sums of two anchors 1000 cells apart agree within
-    ///   the precision of points there.
-    /// - **Domain:** an octave of which the anchor has a coordinate of 2⁵⁸ cells or more, or none, is 0.
+    /// - **Accuracy:** every octave resolves 1e-3 of a cell at 10¹². The sums of two anchors 1000
+    ///   cells apart agree within the precision of points there.
+    /// - **Domain:** an octave is 0 if a coordinate of the anchor in its cells is 2⁵⁸ or more, or
+    ///   not finite.
     ///
-    /// An anchor is an array of `f64`, or glam's `DVec2` to `DVec4` if your glam has its feature `f64`.
+    /// An anchor is an array of `f64`, or `DVec2` to `DVec4` of glam if your glam has its feature
+    /// `f64`.
     ///
-    /// An anchored sum has its octaves: another seed or rotation is chosen before. A noise that repeats is not compiled here: move its
-    /// anchor by whole periods.
+    /// The octaves of an anchored sum are fixed. Choose seed and rotation before anchoring.
+    /// Tileable noises do not compile here: move their anchor by whole periods instead.
     ///
     /// ```
     /// use asperity_noise::{Field, Octaves, Simplex, Spectrum, glam::Vec3};
     ///
     /// let sum = Octaves::new(Simplex::new(7), Spectrum::default());
     /// let [here, there] = [1e12, 1e12 + 1.0].map(|x| sum.anchored([x, -3e11, 5e10]));
-    /// // From either anchor the same place, and a thousandth of a cell beside it another value.
+    /// // Both anchors give the same point. A point 1/1000 of a cell away has another value.
     /// let p = Vec3::new(0.25, 0.5, 0.75);
     /// assert!((here.value(p + Vec3::X) - there.value(p)).abs() < 1e-3);
     /// assert_ne!(here.value(p), here.value(p + Vec3::new(1e-3, 0.0, 0.0)));
@@ -479,7 +502,7 @@ impl<K: Anchor<N>, const N: usize, T: Shape> Octaves<K, N, T> {
     #[doc(alias("floating origin", "large world", "double precision", "f64"))]
     #[must_use]
     pub fn anchored(self, at: impl Into<[f64; N]>) -> Octaves<K::Shifted, N, T> {
-        const { assert!(!K::TILED, "the anchor of a sum that repeats is moved by whole periods instead") };
+        const { assert!(!K::TILED, "move the anchor of a tileable sum by whole periods instead") };
         let at = at.into();
         let Terms { noise, spectrum, normalisation, rotation, seed, layers, shape } = self.terms;
         let mut layers = array::from_fn(|i| layers.layer(i));
@@ -503,16 +526,18 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
 }
 
 impl<K: Kernel<N>, const N: usize, T: Shape> Octaves<K, N, T> {
-    /// Octaves that are rotated or not; those of a noise that repeats are not, and this is not compiled for them.
+    /// Sets whether octaves are rotated.
+    ///
+    /// Tileable noises do not compile here, since their octaves are never rotated.
     #[must_use]
     pub fn with_rotation(self, rotation: Rotation) -> Self {
-        const { assert!(!K::TILED, "octaves that repeat are aligned") };
+        const { assert!(!K::TILED, "octaves of a tileable noise cannot be rotated") };
         let layers = Layer::all(&self.terms.spectrum, rotation, self.terms.seed);
         let layers = Layers::of(&self.terms.noise, &layers);
         Self { terms: Terms { rotation, layers, ..self.terms }, ..self }
     }
 
-    /// The sum that another seed selects.
+    /// Sets the seed.
     #[must_use]
     pub fn with_seed(self, seed: u32) -> Self {
         let layers = Layer::all(&self.terms.spectrum, self.terms.rotation, seed);
@@ -520,14 +545,16 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Octaves<K, N, T> {
         Self { terms: Terms { seed, layers, ..self.terms }, ..self }
     }
 
-    /// Another normalisation, of as many octaves; before [`clamped`](Self::clamped).
+    /// Sets the normalization and keeps the number of octaves; call before
+    /// [`clamped`](Self::clamped).
     #[must_use]
     pub fn with_normalisation(self, normalisation: Normalisation) -> Self {
         Terms { normalisation, ..self.terms }.all().first(self.active.octaves)
     }
 
-    /// Another shape, of as many octaves: [`Turbulence`](crate::Turbulence), [`Plasma`](crate::Plasma) and others; before
-    /// [`clamped`](Self::clamped).
+    /// Sets the shape and keeps the number of octaves; call before [`clamped`](Self::clamped).
+    ///
+    /// Shapes include [`Turbulence`](crate::Turbulence) and [`Plasma`](crate::Plasma).
     #[must_use]
     pub fn with_shape<U: Shape>(self, shape: U) -> Octaves<K, N, U> {
         let Terms { noise, spectrum, normalisation, rotation, seed, layers, .. } = self.terms;
@@ -536,7 +563,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Octaves<K, N, T> {
             .first(self.active.octaves)
     }
 
-    /// The first `octaves` octaves; with a fraction, the last one at part of its amplitude.
+    /// Limits the sum to the first `octaves` octaves; a fraction reduces the amplitude of the last.
     ///
     /// ```
     /// use asperity_noise::{Field, Grid, Octaves, Perlin2002, Spectrum, glam::Vec2};
@@ -553,7 +580,8 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Octaves<K, N, T> {
         Self { active: self.terms.active(octaves), ..self }
     }
 
-    /// The first `octaves` octaves, borrowed: for a number of octaves that changes from point to point.
+    /// Borrows the sum with the first `octaves` octaves, for a number that varies from point to
+    /// point.
     #[doc(alias("lod", "level of detail"))]
     #[must_use]
     #[inline]
@@ -562,59 +590,63 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Octaves<K, N, T> {
     }
 }
 
-/// Methods that a sum and a sum with another number of octaves have in common.
+/// Methods of [`Octaves`] and [`Detail`].
 macro_rules! sum {
     ($sum:ty) => {
         impl<K: Kernel<N>, const N: usize, T: Shape> $sum {
-            /// The noise of every octave.
+            /// Returns the noise of every octave.
             #[must_use]
             pub const fn noise(&self) -> &K {
                 &self.terms.noise
             }
 
-            /// The spectrum of the sum.
+            /// Returns the spectrum of the sum.
             #[must_use]
             pub const fn spectrum(&self) -> &Spectrum {
                 &self.terms.spectrum
             }
 
-            /// The divisor of the sum.
+            /// Returns the divisor of the sum.
             #[must_use]
             pub const fn normalisation(&self) -> Normalisation {
                 self.terms.normalisation
             }
 
-            /// Octave i of the spectrum, whether it takes part or not; beyond [`Spectrum::MAX_OCTAVES`] numbers repeat.
+            /// Returns octave i of the spectrum, whether it is active or not.
+            ///
+            /// Numbers from [`Spectrum::MAX_OCTAVES`] on wrap.
             #[must_use]
             pub fn octave(&self, i: u32) -> Octave<N> {
                 self.terms.layers.octave(i as usize)
             }
 
-            /// Mean and standard deviation of one octave of amplitude 1, after its shape.
+            /// Returns mean and standard deviation of one octave of amplitude 1, after its shape.
             #[doc(hidden)]
             #[must_use]
             pub fn octave_moments(&self) -> [f32; 2] {
                 self.terms.moments()
             }
 
-            /// The number of octaves, 0 or more; a lone octave is whole however small its part.
+            /// Returns the number of octaves, at least 0; a fraction below 1 counts as one octave.
             #[must_use]
             pub const fn octaves(&self) -> f32 {
                 self.active.octaves
             }
 
-            /// Frequency clamping: the sum as a pixel of this footprint resolves it; octaves too fine for it give way to their mean.
+            /// Replaces octaves that are too fine for a pixel of this footprint by their mean.
             ///
             /// ```text
             /// φ(nᵢ) becomes φ(nᵢ) + kᵢ (μ − φ(nᵢ)),   kᵢ = smoothstep(0.2, 0.6, footprint·fᵢ)
             /// ```
             ///
-            /// μ is the mean of the shape, 0 for signed noise and measured for the others. The sum keeps its mean and loses the
-            /// variance of what is removed; the normalisation stays that of all octaves. Octaves that are removed altogether are
-            /// not evaluated. The gradient is that for a footprint that is the same at all points, see [`removed_share`] and
-            /// [`pixel_footprint`](crate::pixel_footprint).
+            /// μ is the mean of the shape, which is 0 for signed noise and measured for other
+            /// shapes. The sum keeps its mean and loses the variance of the removed octaves. The
+            /// normalization stays the normalization of all octaves. Octaves that are removed
+            /// completely are not evaluated. The gradient assumes that the footprint is the same at
+            /// all points, see [`removed_share`] and [`pixel_footprint`](crate::pixel_footprint).
             ///
-            /// Nilsson 2008, section 4.1.6, with the means of the noises here: 0 is the mean of signed noise only.
+            /// Frequency clamping after Nilsson 2008, section 4.1.6, with the measured means of
+            /// these noises. 0 is the mean of signed noise only.
             ///
             /// ```
             /// use asperity_noise::{Field, Normalisation, Octaves, Simplex, Spectrum, Turbulence, glam::Vec2};
@@ -633,21 +665,26 @@ macro_rules! sum {
                 Self { active: self.terms.clamped(self.active, footprint), ..self }
             }
 
-            /// The measured mean of the sum: that of the shape under [`Normalisation::Range`], else 0; 0 without octaves.
+            /// Returns the mean of the sum: the measured mean of the shape under
+            /// [`Normalisation::Range`], otherwise 0.
+            ///
+            /// Without octaves the mean is 0.
             #[must_use]
             pub fn mean(&self) -> f32 {
                 self.terms.mean(&self.active)
             }
 
-            /// The measured standard deviation of the sum: 1 under [`Normalisation::Variance`], 0 without octaves.
+            /// Returns the measured standard deviation of the sum before it is
+            /// [`clamped`](Self::clamped).
             ///
-            /// Of the sum before it is [`clamped`](Self::clamped).
+            /// It is 1 under [`Normalisation::Variance`], and 0 without octaves.
             #[must_use]
             pub fn standard_deviation(&self) -> f32 {
                 self.terms.standard_deviation(&self.active)
             }
 
-            /// The share in [0, 1) of the endless spectrum's variance that the octaves resolve, [`Spectrum::share`].
+            /// Returns the fraction in
+            /// [0, 1) of the spectrum's variance that the octaves resolve, [`Spectrum::share`].
             #[must_use]
             #[inline]
             pub fn share(&self) -> f32 {
@@ -689,7 +726,7 @@ sum!(Detail<'_, K, N, T>);
 macro_rules! signed_sum {
     ($sum:ident $(, $lifetime:lifetime)?) => {
         impl<K: Kernel<N>, const N: usize> $sum<$($lifetime,)? K, N> {
-            /// The excess kurtosis of the sum, from the measured one of the kind.
+            /// Returns the excess kurtosis of the sum, from the measured kurtosis of the kind.
             #[must_use]
             pub fn excess_kurtosis(&self) -> f32 {
                 self.terms.noise.statistics().excess_kurtosis * self.terms.spectrum.kurtosis_ratio(self.active.octaves)
@@ -697,7 +734,9 @@ macro_rules! signed_sum {
         }
 
         impl<L: Lattice, const N: usize> $sum<$($lifetime,)? Gaussian<L>, N> {
-            /// Two channels from one walk of the lattices, independent of each other; the first is [`sample`](Field::sample)'s.
+            /// Evaluates two independent channels in one pass over the lattices.
+            ///
+            /// The first channel is [`sample`](Field::sample).
             #[must_use]
             #[inline]
             pub fn pair<V: Point<Coordinates = [f32; N]>>(&self, p: V) -> [Sample<V>; 2] {
@@ -721,7 +760,7 @@ signed_sum!(Octaves);
 signed_sum!(Detail, '_);
 
 impl<K: Kernel<N>, const N: usize, T: Shape> Octaves<K, N, T> {
-    /// The octaves that take part, for sums that weight them otherwise.
+    /// The active octaves, for sums with other weights.
     pub(crate) fn parts(&self) -> Passes<'_, K, N, T> {
         self.terms.passes(&self.active)
     }

@@ -1,4 +1,4 @@
-//! Octaves of a sum at many points: one octave after the other, over blocks of points.
+//! Octaves of a sum at many points, one octave after the other over blocks of points.
 
 use asperity_core::lanes::Task;
 
@@ -15,16 +15,16 @@ use crate::{
     sums::shape::Shape,
 };
 
-/// Points that an octave is evaluated at before the next: as many as a near cache holds.
+/// The number of points per octave pass, as many as fit into a near cache.
 const BLOCK: usize = 8192;
 
 /// One number for each point of a list, for each axis.
 pub(crate) type Lists<const N: usize> = [[f32; LIST]; N];
 
-/// The octaves of a sum that take part, and what becomes of them.
+/// The active octaves of a sum, and how they are combined.
 pub(crate) struct Passes<'a, K, const N: usize, T> {
     pub(crate) noise: &'a K,
-    /// The periods along all axes, 0 where there is none.
+    /// The periods along all axes, 0 if there is none.
     pub(crate) periods: [f32; N],
     pub(crate) shape: T,
     pub(crate) layers: &'a Layers<N>,
@@ -35,7 +35,7 @@ pub(crate) struct Passes<'a, K, const N: usize, T> {
 }
 
 impl<K: Kernel<N>, const N: usize, T: Shape> Passes<'_, K, N, T> {
-    /// The sum at the points of a batch.
+    /// Evaluates the sum at the points of a batch.
     pub(crate) fn fill<V: Point<Coordinates = [f32; N]>>(
         &self,
         points: &Points<'_, V>,
@@ -75,7 +75,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Passes<'_, K, N, T> {
         self.amplitudes.iter().zip(layers).enumerate().map(|(i, (&amplitude, layer))| (i, amplitude, layer))
     }
 
-    /// Rows of a grid of parallel lattices, which share work along them.
+    /// Evaluates rows of a grid on parallel lattices, which reuse work along the rows.
     fn fill_rows<V: Point<Coordinates = [f32; N]>>(
         &self,
         points: &Points<'_, V>,
@@ -109,7 +109,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Passes<'_, K, N, T> {
         }
     }
 
-    /// A list of points, or points of a grid whose octaves are turned.
+    /// Evaluates a list of points, or points of a grid whose octaves are rotated.
     fn fill_list<V: Point<Coordinates = [f32; N]>>(
         &self,
         points: &Points<'_, V>,
@@ -125,7 +125,8 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Passes<'_, K, N, T> {
         copy_out(&mut target, block, &sum, &gradient);
     }
 
-    /// Every octave with its number and amplitude: its values at up to [`LIST`] points, and its gradients if they are wanted.
+    /// Evaluates every octave at up to [`LIST`] points, with its number and amplitude, and its
+    /// gradients if wanted.
     pub(crate) fn each_octave<V: Point<Coordinates = [f32; N]>>(
         &self,
         points: &Points<'_, V>,
@@ -176,7 +177,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Passes<'_, K, N, T> {
     }
 }
 
-/// Sums of a block, written to where they belong.
+/// Writes the sums of a block to their destination.
 pub(crate) fn copy_out<V: Point, const N: usize>(
     target: &mut Target<'_, V>,
     block: &Block,
@@ -249,14 +250,15 @@ impl<const N: usize> Task for Move<'_, N> {
     }
 }
 
-/// sum + amplitude · φ(octave); the sum is a constant before the first octave and normalised after the last.
+/// sum + amplitude · φ(octave), with a constant before the first octave and normalized after the
+/// last.
 struct Add<'a, const N: usize, const M: usize, T> {
     shape: T,
     layer: &'a Layer<N>,
     amplitude: f32,
     before: Option<f32>,
     factor: Option<f32>,
-    /// With room for a whole register behind the points.
+    /// With space for a whole register behind the points.
     octave: &'a mut [f32],
     slopes: &'a [[f32; M]; N],
     values: &'a mut [f32],
@@ -303,7 +305,7 @@ impl<const N: usize, const M: usize, T: Shape> Task for Add<'_, N, M, T> {
                 *n = shape.value(*n);
             }
         }
-        // Whole registers ask nothing; what is left comes last.
+        // Whole registers need no bounds checks. The remainder comes last.
         let (whole, factor) = (count - count % S::LEN, s.float(factor.unwrap_or(1.0)));
         let (parts, rest) = values.split_at_mut(whole);
         let turns = parts.chunks_exact_mut(S::LEN).zip(octave.chunks_exact(S::LEN));

@@ -1,7 +1,7 @@
-//! The octaves of one point: as many at once as there are lanes, then added up one after the other.
+//! The octaves of one point, evaluated one per lane and then added in order.
 //!
-//! A lane has the bits that the octave has alone, and the sum its written order, so that the sum has the bits that it has where octaves
-//! are evaluated one by one.
+//! A lane has the same bits as the octave evaluated alone, and the sum has a fixed order. The sum
+//! therefore has the same bits as a sum evaluated octave by octave.
 
 use crate::{
     contract::kernel::{Kernel, OctaveSamples},
@@ -27,7 +27,8 @@ pub(crate) struct AtPoint<'a, const N: usize> {
 }
 
 impl<const N: usize> AtPoint<'_, N> {
-    /// Adds the octaves to a sum; nothing where there is one lane only. Values alone would be a fourth faster at most.
+    /// Adds the octaves to a sum; `None` if there is only one lane. Values alone would be at most a
+    /// fourth faster.
     #[inline(always)]
     pub(crate) fn add<K: Kernel<N>, T: Shape>(&self, noise: &K, shape: T, sum: &mut Sum<N>) -> Option<()> {
         let points = self.layers.points(self.p);
@@ -48,7 +49,8 @@ impl<const N: usize> AtPoint<'_, N> {
         Some(())
     }
 
-    /// Adds both channels of the octaves to their sums; nothing where there are fewer lanes than two points fill.
+    /// Adds both channels of the octaves to their sums; `None` if there are fewer lanes than two
+    /// points fill.
     #[inline(always)]
     pub(crate) fn add_pair<L: Lattice>(&self, noise: &Gaussian<L>, sums: &mut [Sum<N>; 2]) -> Option<()> {
         let points = self.layers.points(self.p);
@@ -61,7 +63,7 @@ impl<const N: usize> AtPoint<'_, N> {
         Some(())
     }
 
-    /// Adds amplitude times value of the octaves, and the gradients, turned back.
+    /// Adds amplitude times value of the octaves, and the gradients rotated back.
     #[inline(always)]
     fn add_up(&self, samples: &OctaveSamples<N>, sum: &mut Sum<N>) {
         let gradients = self.layers.pulled_back(&samples.gradients);

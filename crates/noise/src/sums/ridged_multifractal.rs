@@ -1,4 +1,4 @@
-//! Ridges that bear ridges: octaves weighted by the octave before.
+//! Ridged multifractals: octaves weighted by the previous octave.
 
 use core::{error::Error, fmt};
 
@@ -21,7 +21,7 @@ use crate::{
     sums::turbulence::Ridged,
 };
 
-/// A sum of ridged octaves in which an octave is strong only where the one before is.
+/// A sum of ridged octaves in which an octave is strong only where the previous octave is.
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/pictures/ridged_multifractal.md"))]
 ///
@@ -29,12 +29,12 @@ use crate::{
 /// n(p) = Σ wᵢ aᵢ sᵢ / Σ wᵢ aᵢ,   sᵢ = vᵢ (1 − |nᵢ|)²,   v₀ = 1,   vᵢ₊₁ = min(1, feedback · sᵢ)
 /// ```
 ///
-/// Valleys stay smooth and ridges are rough. The gradient is that of the formula, through the weights too; where |nᵢ| is creased
-/// sign(0) = 0, and where a weight is cut off at 1 its gradient is 0.
+/// Valleys stay smooth and ridges are rough. The gradient includes the gradients of the weights. At
+/// a crease of |nᵢ| sign(0) = 0. Where a weight is clamped to 1 its gradient is 0.
 ///
-/// - **Range:** [0, 1] for kinds of range 1. The mean depends on the feedback and is not known.
+/// - **Range:** [0, 1] for kinds of range 1. The mean depends on the feedback and is unknown.
 ///
-/// Musgrave in Ebert (ed.) 1994, the ridged multifractal with the offset 1; divided by Σ wᵢ aᵢ here.
+/// Musgrave in Ebert (ed.) 1994, the ridged multifractal with offset 1, divided here by Σ wᵢ aᵢ.
 ///
 /// ```
 /// use asperity_noise::{Field, Perlin2002, RidgedMultifractal, Spectrum, glam::Vec2};
@@ -52,20 +52,22 @@ pub struct RidgedMultifractal<K, const N: usize> {
 }
 
 impl<K: Kernel<N>, const N: usize> RidgedMultifractal<K, N> {
-    /// The sum of octaves of `noise` that its seed selects, each randomly rotated.
+    /// Creates the sum of octaves of `noise`, each randomly rotated.
     ///
     /// # Errors
     ///
-    /// If `feedback` is not a finite number from 0 on.
+    /// If `feedback` is negative or not finite.
     pub fn new(noise: K, spectrum: Spectrum, feedback: f32) -> Result<Self, FeedbackError> {
         Self::of(Octaves::new(noise, spectrum), feedback)
     }
 
-    /// The sum of the octaves of another sum: one that is [tiled](Octaves::tiled) or [anchored](Octaves::anchored), for instance.
+    /// Creates a ridged multifractal from the octaves of another sum.
+    ///
+    /// The sum may be [tiled](Octaves::tiled) or [anchored](Octaves::anchored).
     ///
     /// # Errors
     ///
-    /// If `feedback` is not a finite number from 0 on.
+    /// If `feedback` is negative or not finite.
     pub fn of(octaves: Octaves<K, N>, feedback: f32) -> Result<Self, FeedbackError> {
         if !(feedback >= 0.0 && feedback.is_finite()) {
             return Err(FeedbackError { feedback });
@@ -74,13 +76,13 @@ impl<K: Kernel<N>, const N: usize> RidgedMultifractal<K, N> {
         Ok(Self { octaves, feedback })
     }
 
-    /// The first `octaves` octaves; with a fraction, the last one at part of its amplitude.
+    /// Limits the sum to the first `octaves` octaves; a fraction reduces the amplitude of the last.
     #[must_use]
     pub fn first(self, octaves: f32) -> Self {
         Self { octaves: self.octaves.first(octaves), ..self }
     }
 
-    /// The factor from an octave to the weight of the next.
+    /// Returns the factor from an octave to the weight of the next.
     #[must_use]
     pub const fn feedback(&self) -> f32 {
         self.feedback
@@ -128,7 +130,7 @@ impl<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize> Field<V> fo
 
     fn range(&self) -> [f32; 2] {
         let ([low, high], passes) = (Field::<V>::range(&self.octaves), self.octaves.parts());
-        // A weak octave adds less than one that stands alone, and never less than 0.
+        // A weak octave adds less than a lone octave, and at least 0.
         [low.min(passes.constant * passes.factor), high]
     }
 
@@ -155,7 +157,7 @@ impl<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize> Field<V> fo
     }
 }
 
-/// The sums at the points of a list, and the weights of their next octave.
+/// The sums at the points of a list, and the weights of the next octave.
 struct Sums<const N: usize> {
     value: [f32; LIST],
     gradient: Lists<N>,
@@ -170,7 +172,7 @@ impl<const N: usize> Sums<N> {
     }
 }
 
-/// Adds an octave by its weights, and weights the next.
+/// Adds a weighted octave and computes the weights of the next.
 struct Add<'a, const N: usize> {
     layer: &'a Layer<N>,
     amplitude: f32,
@@ -222,7 +224,7 @@ impl<const N: usize> Task for Add<'_, N> {
     }
 }
 
-/// A feedback that is not a finite number from 0 on.
+/// Error of [`RidgedMultifractal::new`] if the feedback is negative or not finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct FeedbackError {

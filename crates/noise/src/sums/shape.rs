@@ -1,11 +1,12 @@
-//! Shapes: functions that every octave of a sum goes through before it is added.
+//! Shapes: functions applied to every octave of a sum before it is added.
 
 use core::fmt::Debug;
 
-/// A function φ that every octave of a sum goes through: the noise itself, one of the shapes with creases, or one of your own.
+/// A function φ applied to every octave of a sum.
 ///
-/// The shapes are [`Signed`], which is the noise itself, [`Turbulence`](crate::Turbulence), [`Plasma`](crate::Plasma),
-/// [`Billow`](crate::Billow) and [`Ridged`](crate::Ridged). A shape has no size and costs what its arithmetic costs.
+/// The shapes are [`Signed`], which is the noise itself, [`Turbulence`](crate::Turbulence),
+/// [`Plasma`](crate::Plasma), [`Billow`](crate::Billow), [`Ridged`](crate::Ridged), and your own.
+/// Shapes are zero-sized and cost only their arithmetic.
 ///
 /// ```
 /// use asperity_noise::{Field, Octaves, Shape, Simplex, Spectrum, glam::Vec2};
@@ -27,27 +28,29 @@ use core::fmt::Debug;
 /// assert!(sum.value(Vec2::new(0.4, 0.1)).is_finite());
 /// ```
 pub trait Shape: Copy + Debug {
-    /// Whether φ(n) = n, so that nothing need be computed.
+    /// Whether φ(n) = n, so that φ need not be computed.
     const IS_IDENTITY: bool = false;
 
-    /// φ(n).
+    /// Returns φ(n).
     fn value(self, n: f32) -> f32;
 
-    /// φ′(n); at a crease the mean of the slopes of both sides.
+    /// Returns φ′(n); at a crease the mean of the slopes of both sides.
     fn slope(self, n: f32) -> f32;
 
-    /// Lower and upper bound of φ(n) for |n| ≤ `bound`.
+    /// Returns lower and upper bound of φ(n) for |n| ≤ `bound`.
     fn range(self, bound: f32) -> [f32; 2];
 
-    /// Mean and standard deviation of φ(n), from those of n and from its absolute moments.
+    /// Returns mean and standard deviation of φ(n), from the moments of n.
     ///
-    /// `moments` are E|n|, E|n|², E|n|³ and E|n|⁴ as [`Noise::absolute_moments`](crate::Noise::absolute_moments) has them.
+    /// `moments` are E|n|, E|n|², E|n|³ and E|n|⁴, see
+    /// [`Noise::absolute_moments`](crate::Noise::absolute_moments).
     fn mean_and_deviation(self, standard_deviation: f32, moments: [f32; 4]) -> [f32; 2];
 }
 
 /// Fractional Brownian motion, φ(n) = n.
 ///
-/// The cloud pattern of Nilsson 2008, section 4.1.5, is this with [`Spectrum::CLOUD`](crate::Spectrum::CLOUD).
+/// With [`Spectrum::CLOUD`](crate::Spectrum::CLOUD) it is the cloud pattern of Nilsson 2008,
+/// section 4.1.5.
 #[doc(alias = "fbm")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Signed;

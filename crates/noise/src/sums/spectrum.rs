@@ -1,21 +1,23 @@
-//! Spectra: frequency and amplitude from octave to octave, and how a fractional octave fades in.
+//! Spectra: frequency and amplitude per octave, and the fade of a fractional octave.
 
 use asperity_core::error_enum;
 
 /// [`Spectrum::MAX_OCTAVES`].
 pub(crate) const MAX_OCTAVES: u32 = Spectrum::MAX_OCTAVES;
 
-/// Lacunarity, gain and the greatest number of octaves of a sum of noises.
+/// Lacunarity, gain and maximum number of octaves of a sum of noises.
 ///
 /// ```text
 /// fᵢ = lacunarityⁱ,   aᵢ = gainⁱ,   wᵢ = clamp(octaves − i, 0, 1),   i = 0, 1, …
 /// ```
 ///
-/// Amplitudes go like f^−H, where H = −ln gain / ln lacunarity is the Hurst exponent of fractional Brownian motion if 0 < H < 1;
-/// above, the sum grows smooth, and at H ≤ 0 its finest octave is the strongest or as strong.
+/// Amplitudes are proportional to f^−H, where H = −ln gain / ln lacunarity is the Hurst exponent of
+/// fractional Brownian motion if 0 < H < 1. Above 1 the sum becomes smooth. At H ≤ 0 its finest
+/// octave is at least as strong as any other.
 ///
-/// The count of octaves is a real number: its last octave has a weight between 0 and 1 and fades in as the count grows.
-/// Every method takes that count; negative and NaN counts are 0, counts above the maximum are the maximum.
+/// The number of octaves is a real number. The last octave has a weight between 0 and 1 and fades
+/// in as the number grows. Every method accepts this number. Negative and NaN numbers are taken as
+/// 0, and numbers above the maximum as the maximum.
 ///
 /// ```
 /// use asperity_noise::Spectrum;
@@ -33,7 +35,7 @@ pub struct Spectrum {
     max_octaves: u32,
 }
 
-/// Spectrum as it is read: it goes through the constructor.
+/// The serialized spectrum, which is deserialized through the constructor.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -53,36 +55,44 @@ impl TryFrom<Arguments> for Spectrum {
 }
 
 impl Default for Spectrum {
-    /// Lacunarity 2.17, which is no round number, so that lattices of neighbouring octaves do not meet; gain 0.5; ten octaves.
+    /// Lacunarity 2.17, gain 0.5, ten octaves.
+    ///
+    /// The lacunarity is not a round number, so that the lattices of neighboring octaves do not
+    /// coincide.
     fn default() -> Self {
         Self { lacunarity: 2.17, gain: 0.5, max_octaves: 10 }
     }
 }
 
 impl Spectrum {
-    /// The most octaves that a sum can have.
+    /// The maximum number of octaves of a sum.
     pub const MAX_OCTAVES: u32 = 16;
 
-    /// Clouds: lacunarity 2 and gain 0.5, after Nilsson 2008, section 4.1.5, which leaves the number of octaves open; here ten.
+    /// Clouds: lacunarity 2, gain 0.5, ten octaves.
+    ///
+    /// After Nilsson 2008, section 4.1.5, which leaves the number of octaves open.
     pub const CLOUD: Self = Self { lacunarity: 2.0, gain: 0.5, max_octaves: 10 };
 
-    /// Threads of a carpet: lacunarity 2, gain 1, three octaves, after Nilsson 2008, section 4.2.2.
+    /// Threads of a carpet: lacunarity 2, gain 1, three octaves.
     ///
-    /// Signed for the threads together; for the single ones [`Plasma`](crate::Plasma) to the seventh [`Power`](crate::Power).
+    /// After Nilsson 2008, section 4.2.2. Use [`Signed`](crate::Signed) for all threads together,
+    /// and [`Plasma`](crate::Plasma) to the seventh [`Power`](crate::Power) for single threads.
     pub const THREADS: Self = Self { lacunarity: 2.0, gain: 1.0, max_octaves: 3 };
 
     /// One octave.
     pub(crate) const SINGLE: Self = Self { lacunarity: 2.0, gain: 0.5, max_octaves: 1 };
 
-    /// A spectrum of at most `max_octaves` octaves.
+    /// Creates a spectrum of at most `max_octaves` octaves.
     ///
-    /// A gain below 1 is that of an endless spectrum, of which these octaves are the first. With a gain of 1 and above, where
-    /// finer octaves are as strong or stronger, an endless spectrum has no sum, and these octaves are all there are.
+    /// With a gain below 1 these octaves are the first of an infinite spectrum. With a gain of 1 or
+    /// more finer octaves are as strong or stronger, so the infinite spectrum has no sum, and the
+    /// spectrum consists of these octaves only.
     ///
     /// # Errors
     ///
-    /// If `lacunarity` is not above 1 or so large that the highest frequency overflows, if `gain` is not a finite number above 0
-    /// or so large that the fourth powers of the amplitudes overflow, or if `max_octaves` is not from 1 to [`MAX_OCTAVES`](Self::MAX_OCTAVES).
+    /// If `lacunarity` is not above 1 or overflows the highest frequency, if `gain` is not positive
+    /// and finite or overflows the fourth powers of the amplitudes, or if `max_octaves` is not in
+    /// 1..=[`MAX_OCTAVES`](Self::MAX_OCTAVES).
     pub fn new(lacunarity: f32, gain: f32, max_octaves: u32) -> Result<Self, SpectrumError> {
         if !(lacunarity > 1.0 && lacunarity.is_finite()) {
             return Err(SpectrumError::LacunarityNotAboveOne { lacunarity });
@@ -104,51 +114,52 @@ impl Spectrum {
         Ok(spectrum)
     }
 
-    /// The ratio of the frequencies of successive octaves.
+    /// Returns the ratio of the frequencies of successive octaves.
     #[must_use]
     pub const fn lacunarity(&self) -> f32 {
         self.lacunarity
     }
 
-    /// The ratio of the amplitudes of successive octaves.
+    /// Returns the ratio of the amplitudes of successive octaves.
     #[doc(alias("hurst", "persistence", "roughness"))]
     #[must_use]
     pub const fn gain(&self) -> f32 {
         self.gain
     }
 
-    /// The greatest number of octaves.
+    /// Returns the maximum number of octaves.
     #[must_use]
     pub const fn max_octaves(&self) -> u32 {
         self.max_octaves
     }
 
-    /// fᵢ, the frequency of octave i relative to the first.
+    /// Returns fᵢ, the frequency of octave i relative to the first.
     #[must_use]
     pub fn frequency(&self, i: u32) -> f32 {
         power(self.lacunarity, i)
     }
 
-    /// aᵢ, the amplitude of octave i relative to the first.
+    /// Returns aᵢ, the amplitude of octave i relative to the first.
     #[must_use]
     pub fn amplitude(&self, i: u32) -> f32 {
         power(self.gain, i)
     }
 
-    /// wᵢ, the weight of octave i in [0, 1].
+    /// Returns wᵢ, the weight of octave i in [0, 1].
     #[inline]
     #[must_use]
     pub fn weight(&self, octaves: f32, i: u32) -> f32 {
         (self.clamped(octaves) - i as f32).clamp(0.0, 1.0)
     }
 
-    /// Σ wᵢ aᵢ, the range of the sum of noises of range 1.
+    /// Returns Σ wᵢ aᵢ, the bound of a sum of noises of range 1.
     #[must_use]
     pub fn sum_of_amplitudes(&self, octaves: f32) -> f32 {
         self.active(octaves).fold(0.0, |sum, (_, a)| sum + a)
     }
 
-    /// √Σ (wᵢ aᵢ)², the standard deviation of the sum of independent noises of standard deviation 1.
+    /// Returns √Σ (wᵢ aᵢ)², the standard deviation of a sum of independent noises of standard
+    /// deviation 1.
     #[must_use]
     pub fn root_sum_of_squares(&self, octaves: f32) -> f32 {
         asperity_core::math::sqrt(self.sum_of_squares(octaves))
@@ -159,16 +170,16 @@ impl Spectrum {
         self.active(octaves).fold(0.0, |sum, (_, a)| sum + a * a)
     }
 
-    /// The share of the variance of the whole spectrum that the octaves carry, in [0, 1).
+    /// Returns the fraction of the spectrum's variance that the octaves carry, in [0, 1).
     ///
     /// ```text
     /// gain < 1:   share = Σ wᵢ² aᵢ² / Σ_{i ≥ 0} aᵢ² = (1 − gain²) Σ wᵢ² aᵢ²
     /// gain ≥ 1:   share = Σ wᵢ² aᵢ² / Σ_{i < max_octaves} aᵢ²
     /// ```
     ///
-    /// The rest to 1 belongs to the octaves not evaluated; for a gain below 1 the whole spectrum is endless
-    /// and includes those beyond the maximum, for others it ends there. The share grows continuously from 0
-    /// at `octaves` = 0 and stays under 1 (2⁻²⁴ under at least).
+    /// The remaining octaves carry the rest. For a gain below 1 the spectrum is infinite and
+    /// includes octaves beyond the maximum. Otherwise it ends at the maximum. The fraction grows
+    /// continuously from 0 at `octaves` = 0 and is at most 1 − 2⁻²⁴.
     #[inline]
     #[must_use]
     pub fn share(&self, octaves: f32) -> f32 {
@@ -181,7 +192,7 @@ impl Spectrum {
         }
     }
 
-    /// The excess kurtosis of the sum relative to one octave's.
+    /// Returns the excess kurtosis of the sum relative to one octave.
     ///
     /// ```text
     /// κ/κ₁ = Σ wᵢ⁴ aᵢ⁴ / (Σ wᵢ² aᵢ²)²
@@ -199,7 +210,7 @@ impl Spectrum {
         fourth / (second * second)
     }
 
-    /// The octaves that take part, each with wᵢ aᵢ.
+    /// The active octaves, each with wᵢ aᵢ.
     #[inline(always)]
     pub(crate) fn active(&self, octaves: f32) -> impl Iterator<Item = (usize, f32)> {
         let octaves = self.clamped(octaves);
@@ -219,25 +230,25 @@ impl Spectrum {
     }
 }
 
-/// baseⁱ by repeated multiplication, the same bits everywhere.
+/// baseⁱ by repeated multiplication, with the same bits everywhere.
 fn power(base: f32, i: u32) -> f32 {
     (0..i).fold(1.0, |product, _| product * base)
 }
 
 error_enum! {
-    /// Why a [`Spectrum`] was refused.
+    /// Error returned for invalid parameters of a [`Spectrum`].
     pub enum SpectrumError {
         /// The lacunarity is not a finite number above 1.
         LacunarityNotAboveOne { lacunarity: f32 } =>
             "`lacunarity` must be a finite number above 1, got {lacunarity}";
         /// The gain is not a finite number above 0.
         GainNotPositive { gain: f32 } => "`gain` must be a finite number above 0, got {gain}";
-        /// The number of octaves is 0 or above [`Spectrum::MAX_OCTAVES`].
+        /// The number of octaves is not in 1..=[`Spectrum::MAX_OCTAVES`].
         OctavesOutOfRange { max_octaves: u32 } => "`max_octaves` must be from 1 to 16, got {max_octaves}";
-        /// The lacunarity is so large that the highest octave's frequency is infinite.
+        /// The lacunarity is so large that the frequency of the highest octave is infinite.
         FrequencyOverflow { lacunarity: f32 } =>
             "`lacunarity` must leave the last frequency finite, got {lacunarity}";
-        /// The gain is so large that the fourth powers of the amplitudes have an infinite sum.
+        /// The gain is so large that the sum of the fourth powers of the amplitudes is infinite.
         AmplitudeOverflow { gain: f32 } =>
             "`gain` must leave the fourth powers of amplitudes finite, got {gain}";
     }

@@ -1,7 +1,7 @@
-//! The shapes of octaves with creases: turbulence, plasma, billow and ridged.
+//! Shapes of octaves with creases: turbulence, plasma, billow and ridged.
 //!
-//! All are functions of |n|, whose gradient is sign(n) ∇n: the sum has a crease where an octave passes through 0. On the
-//! crease itself sign(0) = 0, the mean of the slopes of both sides.
+//! All are functions of |n|, whose gradient is sign(n) ∇n. The sum has a crease where an octave
+//! passes through 0. On the crease sign(0) = 0, the mean of the slopes of both sides.
 
 use asperity_core::math;
 
@@ -37,8 +37,8 @@ pub struct Turbulence;
 /// Σ wᵢ aᵢ (1 − |nᵢ|) / Σ wᵢ aᵢ = 1 − turbulence
 /// ```
 ///
-/// With [`Spectrum::THREADS`](crate::Spectrum::THREADS) and to the seventh [`Power`](crate::Power) it is the thread pattern of
-/// Nilsson 2008, section 4.2.2.
+/// With [`Spectrum::THREADS`](crate::Spectrum::THREADS) and the seventh [`Power`](crate::Power) it
+/// is the thread pattern of Nilsson 2008, section 4.2.2.
 ///
 /// - **Range:** [0, 1] under [`Normalisation::Range`](crate::Normalisation::Range), for kinds of range 1.
 ///
@@ -46,7 +46,7 @@ pub struct Turbulence;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Plasma;
 
-/// φ(n) = 2|n| − 1: billow, turbulence over the whole of [−1, 1].
+/// φ(n) = 2|n| − 1: billow, turbulence over all of [−1, 1].
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/pictures/billow.md"))]
 ///
@@ -54,11 +54,12 @@ pub struct Plasma;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Billow;
 
-/// φ(n) = (1 − |n|)²: ridges where an octave is 0, sharper than those of [`Plasma`].
+/// φ(n) = (1 − |n|)²: ridges where an octave is 0, sharper than the veins of [`Plasma`].
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/pictures/ridged.md"))]
 ///
-/// Octaves add without regard to one another; in a [`RidgedMultifractal`](crate::RidgedMultifractal) ridges bear ridges.
+/// Octaves are added independently. In a [`RidgedMultifractal`](crate::RidgedMultifractal) ridges
+/// carry smaller ridges.
 ///
 /// - **Range:** [0, 1] under [`Normalisation::Range`](crate::Normalisation::Range), for kinds of range 1.
 ///
@@ -73,7 +74,8 @@ fn with_sign_of(n: f32, x: f32) -> f32 {
     if n < 0.0 { -x } else { positive }
 }
 
-/// φ and φ′/sign(n) as functions of |n|, lower and upper bound for |n| up to a bound, mean and variance from the moments.
+/// Defines φ and φ′/sign(n) as functions of |n|, bounds for |n| up to a bound, and mean and
+/// variance from the moments.
 macro_rules! shape {
     ($name:ident, |$size:ident| $value:expr, $slope:expr, |$bound:ident| $range:expr, |$m:ident| $moments:expr) => {
         impl Shape for $name {
@@ -135,8 +137,8 @@ mod tests {
             assert_eq!(value, phi(n), "{shape:?} at {n}");
             let [low, high] = shape.range(1.0);
             assert!((low..=high).contains(&value), "{shape:?} at {n}");
-            // All are polynomials of degree 2 on either side, on multiples of 2⁻¹⁰: the difference is exact, and at
-            // the crease it is the mean of both sides.
+            // All are polynomials of degree 2 on either side, at multiples of 2⁻¹⁰. The difference
+            // is exact, and at the crease it is the mean of both sides.
             let difference = (phi(n + h) - phi(n - h)) / (2.0 * h);
             assert_eq!(slope, difference, "{shape:?} at {n}");
         }
