@@ -1,7 +1,7 @@
 //! Noises that interpolate random numbers at lattice points by products of Catmull–Rom splines.
 //!
-//! The 4ⁿ numbers around a point are first blended along all axes but the first. That leaves four columns, which do not
-//! change along a row of a grid; between them runs a cubic.
+//! The 4ⁿ numbers around a point are first blended along all axes but the first. The resulting four
+//! columns are constant along a row of a grid. A cubic interpolates between them.
 
 use crate::{
     contract::kernel::Kernel,
@@ -11,7 +11,7 @@ use crate::{
     row::row::Strip,
 };
 
-/// A noise by its numbers at lattice points.
+/// A noise defined by its numbers at lattice points.
 pub(crate) trait SplineNoise<const N: usize>: OnLattice {
     fn number<S: Lanes>(&self, s: S, word: S::U) -> S::F;
 }
@@ -70,14 +70,14 @@ impl<S: Lanes> Cubic<S> {
     }
 }
 
-/// Everything about a point's cell but the first axis.
+/// The neighborhood of a point's cell along all axes but the first.
 struct Section<S: Lanes, const N: usize> {
     terms: [[S::U; 4]; N],
     weight: [[S::F; 4]; N],
     slope: [[S::F; 4]; N],
 }
 
-/// The terms of a cell's four points along an axis, from the one before it.
+/// The terms of a cell's four points along an axis, from the previous point on.
 #[inline(always)]
 fn terms<S: Lanes, L: Lattice>(s: S, lattice: &L, axis: usize, cell: S::U) -> [S::U; 4] {
     let mut terms = [cell; 4];
@@ -101,7 +101,7 @@ impl<S: Lanes, const N: usize> Section<S, N> {
         section
     }
 
-    /// The blend of a column; at index i > 0 its derivative along axis i, if `GRADIENTS`.
+    /// The blend of a column, and if `GRADIENTS` its derivative along axis i at index i > 0.
     #[inline(always)]
     fn column<K: SplineNoise<N>, const GRADIENTS: bool>(
         &self,
@@ -116,7 +116,8 @@ impl<S: Lanes, const N: usize> Section<S, N> {
             for axis in 1..N {
                 words[axis] = self.terms[axis][k >> (2 * (axis - 1)) & 3];
             }
-            // A sum along an axis is complete with its fourth part, and then is a part of the sum along the next axis.
+            // The fourth addend completes a sum along an axis, which then is an addend of the sum
+            // along the next axis.
             let mut part = [s.float(0.0); N];
             part[0] = noise.number(s, noise.lattice().words(s, words, seed));
             sums[0] = part;
@@ -169,7 +170,7 @@ pub(crate) fn spline<K: SplineNoise<N>, S: Lanes, const N: usize, const GRADIENT
     at::<S, N, GRADIENTS>(s, &cubics, t)
 }
 
-/// The value of the first cubic, and if `GRADIENTS` its slope beside the values of the others.
+/// The value of the first cubic, and if `GRADIENTS` its slope and the values of the others.
 #[inline(always)]
 fn at<S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
@@ -186,11 +187,11 @@ fn at<S: Lanes, const N: usize, const GRADIENTS: bool>(
     (cubics[0].value(t), gradient)
 }
 
-/// Steps from here on leave too few points in a cell for columns to pay.
+/// The step from which on a cell has too few points for columns to pay off.
 pub(crate) const LONG_STEP: f32 = 0.95;
-/// Columns that are computed at once along a row.
+/// The number of columns that are computed at once along a row.
 const COLUMNS: usize = 64;
-/// Room behind the columns for a vector that begins at one of them.
+/// Space behind the columns for a vector that begins at one of them.
 const SPARE: usize = 20;
 
 type Numbers = [f32; COLUMNS + SPARE];
@@ -234,7 +235,7 @@ pub(crate) fn spline_rows<K: SplineNoise<N> + Kernel<N>, S: Lanes, const N: usiz
     count
 }
 
-/// The cubics of as many cells of a row, from `leftmost` on.
+/// Computes the cubics of consecutive cells of a row, from `leftmost` on.
 #[inline(always)]
 fn fill<K: SplineNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
@@ -293,7 +294,7 @@ mod tests {
         [[0.0, 1.0, 0.0, 0.0], [-0.5, 0.0, 0.5, 0.0], [1.0, -2.5, 2.0, -0.5], [-0.5, 1.5, -1.5, 0.5]];
 
     #[test]
-    fn weights_and_cubics_are_those_of_the_matrix() {
+    fn catmull_rom_weights_and_cubics_match_matrix() {
         for i in 0..=16_u8 {
             let t = f32::from(i) / 16.0;
             let (w, slope) = (weights(Scalar, t), slopes(Scalar, t));
@@ -302,7 +303,7 @@ mod tests {
                 let mut column = [0.0; 4];
                 column[k] = 1.0;
                 let cubic = Cubic::new(Scalar, column);
-                // Two roundings of numbers below 3, the most that a derivative's terms come to.
+                // Two roundings of numbers below 3, the largest sum of a derivative's terms.
                 let (value, derivative) =
                     (c0 + t * (c1 + t * (c2 + t * c3)), c1 + t * (2.0 * c2 + t * 3.0 * c3));
                 for got in [w[k], cubic.value(t)] {

@@ -1,4 +1,4 @@
-//! Value-gradient noise, normalised so that it is exactly Gaussian at every point.
+//! Value-gradient noise, normalized to be exactly Gaussian at every point.
 
 use asperity_core::lanes::Task;
 
@@ -21,7 +21,7 @@ use crate::{
     statistics::tables,
 };
 
-/// Noise with the distribution N(0, 1) at every point; C² before, and C² after normalisation.
+/// Noise with the distribution N(0, 1) at every point; C² before and after normalization.
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/pictures/gaussian.md"))]
 ///
@@ -29,15 +29,18 @@ use crate::{
 /// n(p) = Σ_c W_c(p) (s_c + 2 g_c·(p − c)),   v(p) = Σ_c W_c(p)² (1 + 4 |p − c|²),   z = n/√v
 /// ```
 ///
-/// Each corner c of the cell carries independent N(0, 1) variates, a value s_c and a gradient g_c; W are the products
-/// of 6t⁵ − 15t⁴ + 10t³. Given p, n is a linear combination of Gaussians with variance v, so z is N(0, 1): at lattice
-/// points, in cell centres and between, in 1 to 4 dimensions. v is from 0.75 to 1.07 in 2-D and from 0.5 to 1.09 in
-/// 3-D, least in cell centres.
+/// Each corner c of the cell carries independent N(0, 1) variates, a value s_c and a gradient g_c.
+/// W are the products of 6t⁵ − 15t⁴ + 10t³. At a given p, n is a linear combination of Gaussian
+/// variates with variance v. Its quotient z = n/√v is therefore N(0, 1) at lattice points, in cell
+/// centers and between, in 1 to 4 dimensions. v ranges from 0.75 to 1.07 in 2-D and from 0.5 to
+/// 1.09 in 3-D, with the minimum in cell centers.
 ///
-/// - **Variates:** values of 32 bits, whose tails are normal to 5.5 deviations, P(|s| > x) within 0.6 % of the normal's; gradients of 4096
-///   equally likely levels with second and fourth moment 1 and 3.
-/// - **Tails:** at lattice points those of values. Elsewhere the levels' ends take away up to 0.4 % of P(|z| > 4) and 3 % of
-///   P(|z| > 5), most in the middle of edges and nothing that counts in the middle of cells in space.
+/// - **Variates:** values have 32 bits, and their tails are normal up to 5.5 deviations, with P(|s|
+///   > x) within 0.6 % of the normal distribution. Gradients have 4096 equally likely levels with
+///   second and fourth moment 1 and 3.
+/// - **Tails:** at lattice points they are the tails of the values. Elsewhere the bounded levels
+///   reduce P(|z| > 4) by up to 0.4 % and P(|z| > 5) by up to 3 %. The loss is largest in the
+///   middle of edges and negligible in the middle of cells in 3-D.
 /// - **Gradient:** ∇z = (∇n − n ∇v/(2v))/√v.
 /// - **Range:** all of ℝ up to the variates' bits: |s| ≤ 6.24, |g| ≤ 3.78.
 ///
@@ -58,10 +61,11 @@ measured!(Gaussian, |self| &tables::GAUSSIAN);
 noise!(Gaussian, curved);
 
 impl<L: Lattice> Gaussian<L> {
-    /// Two channels from one walk of the lattice, independent of each other.
+    /// Evaluates two independent channels in one pass over the lattice.
     ///
-    /// The first is [`sample`](crate::Field::sample)'s; the second has its own variates at each corner. Cells, weights and
-    /// hashes are shared, so that the pair costs less than two noises.
+    /// The first channel is [`sample`](crate::Field::sample). The second has its own variates at
+    /// each corner. Both use the same cells, weights and hashes, so that the pair costs less than
+    /// two noises.
     #[must_use]
     #[inline]
     pub fn pair<V: Point<Coordinates = [f32; N]>, const N: usize>(&self, p: V) -> [Sample<V>; 2] {
@@ -71,14 +75,14 @@ impl<L: Lattice> Gaussian<L> {
         pair.map(|(value, gradient)| Sample { value, gradient: V::from_coordinates(gradient) })
     }
 
-    /// n, the noise before normalisation, with its gradient; both 0 where p is not finite.
+    /// Returns n, the noise before normalization, with its gradient; both 0 if p is not finite.
     #[must_use]
     #[inline]
     pub fn unnormalised<V: Point<Coordinates = [f32; N]>, const N: usize>(&self, p: V) -> Sample<V> {
         self.parts_at(p)[0]
     }
 
-    /// v, the variance of n over all seeds, with its gradient; both 0 where p is not finite.
+    /// Returns v, the variance of n over all seeds, with its gradient; both 0 if p is not finite.
     #[must_use]
     #[inline]
     pub fn variance<V: Point<Coordinates = [f32; N]>, const N: usize>(&self, p: V) -> Sample<V> {
@@ -93,13 +97,14 @@ impl<L: Lattice> Gaussian<L> {
         })
     }
 
-    /// Both channels at any point.
+    /// Both channels at an arbitrary point.
     #[inline(always)]
     pub(crate) fn channels<const N: usize>(&self, p: [f32; N], seed: u32) -> [LaneSample<Scalar, N>; 2] {
         if is_within(Scalar, &p, REACH) { self.near_channels(p, seed) } else { self.far_channels(p, seed) }
     }
 
-    /// Both channels at any point, by corners in lanes where four lanes are free for each.
+    /// Both channels at an arbitrary point, with corners in lanes if there are four lanes for each
+    /// channel.
     #[inline(always)]
     pub(crate) fn channels_in_lanes<S: Lanes, const N: usize>(
         &self,
@@ -117,11 +122,12 @@ impl<L: Lattice> Gaussian<L> {
         [0, BOTH / 2].map(|lane| of_lane::<S, N, true>(s, both, lane))
     }
 
-    /// Both channels where every coordinate has a cell.
+    /// Both channels at a point whose coordinates all have a cell.
     #[inline(always)]
     fn near_channels<const N: usize>(&self, p: [f32; N], seed: u32) -> [LaneSample<Scalar, N>; 2] {
         let place = Place::new(Scalar, self, &p, 0);
-        // Each channel draws by itself: handing pairs around costs more than the words that the compiler shares.
+        // Each channel draws separately. Returning pairs costs more than the words that the
+        // compiler reuses.
         let nothing = Corner::nothing(Scalar);
         let corners = place.corners(Scalar, self, seed, nothing, |word| corner::<Scalar, N, 0>(Scalar, word));
         let (first, variance) = place.parts_of::<Self>(Scalar, &corners);
@@ -139,7 +145,7 @@ impl<L: Lattice> Gaussian<L> {
 }
 
 impl<L: Lattice> Gaussian<L> {
-    /// Both channels of octaves at a point; nothing where there is one lane only.
+    /// Both channels of octaves at a point; `None` if there is only one lane.
     pub(crate) fn pairs_at<const N: usize>(
         &self,
         octaves: OctavesAt<'_, N>,
@@ -161,7 +167,7 @@ impl<L: Lattice> Gaussian<L> {
     }
 }
 
-/// The evaluations of both channels, compiled once as those of one are.
+/// The evaluations of both channels, compiled once like the evaluations of one channel.
 struct PairForms<const N: usize> {
     pair: fn(&Gaussian, [f32; N]) -> [LaneSample<Scalar, N>; 2],
     octaves: fn(&Gaussian, OctavesAt<'_, N>, &mut [OctaveSamples<N>; 2]) -> Option<()>,
@@ -203,11 +209,12 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Gaussian<L> {
     }
 }
 
-/// Lanes that both channels of a point fill with corners.
+/// The number of lanes that both channels of a point fill with corners.
 pub(crate) const BOTH: usize = 8;
 
-/// Both channels of one point.
-/// Both channels of octaves of a point: lanes of the lower half have the first channel, the others the second.
+/// The evaluation of both channels of octaves of a point.
+///
+/// Lanes of the lower half have the first channel, the others the second.
 struct Pairs<'a, L, const N: usize> {
     noise: &'a Gaussian<L>,
     octaves: OctavesAt<'a, N>,
@@ -275,7 +282,7 @@ impl<L: Lattice, const N: usize> Task for Lone<'_, L, N> {
     }
 }
 
-/// Both channels at once: lanes of the lower half have the first, the others the second.
+/// Both channels at once: lanes of the lower half have the first channel, the others the second.
 pub(crate) struct Channels<'a, L>(pub(crate) &'a Gaussian<L>);
 
 impl<L: Lattice> OnLattice for Channels<'_, L> {

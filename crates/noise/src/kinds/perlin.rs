@@ -1,4 +1,4 @@
-//! Gradient noise on the integer lattice, in Perlin's two forms.
+//! Gradient noise on the integer lattice: Perlin noise of 1985 and 2002.
 
 use crate::{
     contract::noise::{kind, measured, noise},
@@ -14,7 +14,7 @@ use crate::{
     statistics::tables,
 };
 
-/// Perlin's noise of 1985: unit gradients uniform on the circle or sphere, cubic weights; C¹.
+/// Perlin noise of 1985: unit gradients uniform on the circle or sphere, cubic weights; C¹.
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/pictures/perlin_1985.md"))]
 ///
@@ -24,8 +24,10 @@ use crate::{
 ///
 /// In 1 to 4 dimensions; in 1-D a unit gradient is ±1.
 ///
-/// - **Range:** [−1, 1]. A = 1/max Σ W_c |p − c| = 2/√n in n dimensions, attained in cell centres within 2e-6.
-/// - **Zero** at every lattice point; the variance depends on the place in the cell.
+/// - **Range:** [−1, 1]. A = 1/max Σ W_c |p − c| = 2/√n in n dimensions, attained in cell centers
+///   within 2e-6.
+/// - **Lattice points:** the value is 0 at every lattice point. The variance depends on the
+///   position in the cell.
 ///
 /// Perlin 1985, "An Image Synthesizer"; Ebert (ed.) 1994, "Texturing and Modeling".
 ///
@@ -40,19 +42,20 @@ pub struct Perlin1985<L = IntegerHash> {
     lattice: L,
 }
 
-/// Perlin's noise of 2002: gradients to the edges of a cube, quintic weights; C².
+/// Perlin noise of 2002: gradients to the edges of a cube, quintic weights; C².
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/pictures/perlin_2002.md"))]
 ///
-/// The sum of [`Perlin1985`], with w(t) = 6t⁵ − 15t⁴ + 10t³ and one of twelve gradients in space, (±1, ±1, 0)
-/// and its rotations. In 4-D they are the 32 of the kind (0, ±1, ±1, ±1), in the plane the eight at odd multiples of 22.5°, of
-/// length √2, and in 1-D ±⅛ … ±1.
+/// The sum of [`Perlin1985`] with w(t) = 6t⁵ − 15t⁴ + 10t³ and other gradients. In 3-D they are the
+/// twelve (±1, ±1, 0) and its rotations, in 4-D the 32 of the form (0, ±1, ±1, ±1). In 2-D they are
+/// the eight of length √2 at odd multiples of 22.5°, and in 1-D ±⅛ … ±1.
 ///
 /// - **Range:** [−1, 1], attained within 2e-6; the scale is the inverse of the searched maximum.
 ///
-/// Perlin 2002, "Improving Noise". Two deviations: all twelve gradients are equally likely, where Perlin repeats four
-/// to fill a table of sixteen; and the range is made tight. On a [`PerlinTable`](crate::lattice::PerlinTable) neither holds: there it is
-/// his own noise, but for its scale.
+/// Perlin 2002, "Improving Noise". There are two deviations. All twelve gradients are equally
+/// likely, where Perlin repeats four to fill a table of sixteen. The range is normalized to
+/// [−1, 1]. With [`PerlinTable`](crate::lattice::PerlinTable) neither deviation applies, and the
+/// noise equals Perlin's up to its scale.
 ///
 /// ```
 /// use asperity_noise::{Field, Perlin2002, glam::Vec3};

@@ -1,4 +1,4 @@
-//! Sparse convolution noise: randomly placed impulses, each spread by a radial kernel.
+//! Sparse convolution noise: randomly placed impulses, convolved with a radial kernel.
 
 use asperity_core::error_enum;
 
@@ -17,7 +17,7 @@ use crate::{
     statistics::tables,
 };
 
-/// The sum of radial kernels around impulses of random weight, K at random places of every cell; C².
+/// A sum of radial kernels around impulses of random weight, K per cell at random places; C².
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/pictures/sparse.md"))]
 ///
@@ -26,15 +26,18 @@ use crate::{
 /// ∫h² = 0.682, π/7, 0.2857, π²/56 in 1 to 4 dimensions
 /// ```
 ///
-/// In 1 to 4 dimensions; places are uniform in the cell, weights in (−1, 1). Nothing is aligned to the lattice but the count:
-/// no direction is preferred, no place is flat or 0. The 3ⁿ cells around a point are visited.
+/// In 1 to 4 dimensions. Places are uniform in the cell and weights uniform in (−1, 1). Only the
+/// number of impulses is aligned to the lattice. The noise has no preferred direction, and no place
+/// is always flat or 0. An evaluation visits the 3ⁿ cells around the point.
 ///
-/// - **Mean 0, variance 1** at every point exactly, as weights are independent of one another and of places.
-/// - **Range:** |n| ≤ 2ⁿ K A, the supremum, reached if all impulses around a lattice point meet there. Values beyond 5 are rare.
-/// - **Places:** 2⁻¹⁶ apart.
+/// - **Moments:** mean 0 and variance 1 at every point, as weights are independent of each other
+///   and of places.
+/// - **Range:** |n| ≤ 2ⁿ K A. The bound is the supremum, reached if all impulses around a lattice
+///   point coincide there. Values beyond 5 are rare.
+/// - **Resolution of places:** 2⁻¹⁶.
 ///
-/// Lewis 1989, "Algorithms for Solid Noise Synthesis". A deviation: the count per cell is fixed and not Poisson-distributed,
-/// which spares empty regions.
+/// Lewis 1989, "Algorithms for Solid Noise Synthesis". Unlike there the number of impulses per cell
+/// is fixed instead of Poisson-distributed, which avoids empty regions.
 ///
 /// ```
 /// use asperity_noise::{Field, Sparse, glam::Vec3};
@@ -51,7 +54,7 @@ pub struct Sparse<L = IntegerHash> {
 }
 
 impl Sparse {
-    /// The most impulses per cell.
+    /// The maximum number of impulses per cell.
     pub const MAX_IMPULSES: u32 = 4;
 }
 
@@ -59,11 +62,11 @@ kind!(Sparse { impulses: 1 }, "of one impulse per cell");
 noise!(Sparse);
 
 impl<L> Sparse<L> {
-    /// So many impulses per cell; the more, the closer to Gaussian, and the slower.
+    /// Sets the number of impulses per cell; more are slower and closer to Gaussian.
     ///
     /// # Errors
     ///
-    /// If the count is not from 1 to [`MAX_IMPULSES`](Sparse::MAX_IMPULSES).
+    /// If the number is not in 1..=[`MAX_IMPULSES`](Sparse::MAX_IMPULSES).
     pub fn with_impulses(self, impulses: u32) -> Result<Self, SparseError> {
         if (1..=Sparse::MAX_IMPULSES).contains(&impulses) {
             Ok(Self { impulses: impulses as u8, ..self })
@@ -72,14 +75,14 @@ impl<L> Sparse<L> {
         }
     }
 
-    /// K, the number of impulses per cell.
+    /// Returns K, the number of impulses per cell.
     #[must_use]
     pub const fn impulses(&self) -> u32 {
         self.impulses as u32
     }
 }
 
-/// √(3/(K ∫h²)) by dimension and count.
+/// √(3/(K ∫h²)) by dimension and number of impulses.
 const AMPLITUDE: [[f32; 4]; 4] = [
     [2.097_361_6, 1.483_058_6, 1.210_912_3, 1.048_680_8],
     [2.585_441_5, 1.828_183_2, 1.492_705_3, 1.292_720_8],
@@ -87,14 +90,14 @@ const AMPLITUDE: [[f32; 4]; 4] = [
     [4.125_767_7, 2.917_358_3, 2.382_013, 2.062_883_8],
 ];
 
-/// The number of cells around a cell and in it, all axes but the first.
+/// The number of cells in the neighborhood of a cell along all axes but the first.
 const SECTION: [usize; 5] = [1, 1, 3, 9, 27];
 /// 3^(axis − 1).
 const POWERS: [usize; 4] = [1, 1, 3, 9];
 
-/// Everything about a point's cell but the first axis.
+/// The neighborhood of a point's cell along all axes but the first.
 struct Section<S: Lanes, const N: usize> {
-    /// The terms of the cell before, the cell and the cell behind along each axis.
+    /// The terms of the previous cell, the cell and the next cell along each axis.
     terms: [[S::U; 3]; N],
     place: [S::F; N],
 }
@@ -109,8 +112,10 @@ fn terms<S: Lanes, L: Lattice>(s: S, lattice: &L, axis: usize, cell: S::U) -> [S
     terms
 }
 
-/// An impulse as points see it: its place along the first axis in its own cell, the ways to it along the other axes and
-/// the sum of their squares, and its weight times A.
+/// An impulse relative to points.
+///
+/// Its place along the first axis in its own cell, the offsets to it along the other axes, the sum
+/// of their squares, and its weight times A.
 struct Impulse<S: Lanes, const N: usize> {
     x: S::F,
     d: [S::F; N],
@@ -165,7 +170,7 @@ impl<S: Lanes, const N: usize> Section<S, N> {
     }
 }
 
-/// Adds an impulse's part, its first way given.
+/// Adds the contribution of an impulse, given its offset along the first axis.
 #[inline(always)]
 fn add<S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
@@ -192,16 +197,17 @@ impl<L: Lattice> Sparse<L> {
     }
 }
 
-/// Steps from here on leave too few points in a cell for columns to pay.
+/// The step from which on a cell has too few points for columns to pay off.
 const LONG_STEP: f32 = 0.95;
-/// Columns that are computed at once along a row.
+/// The number of columns that are computed at once along a row.
 const COLUMNS: usize = 16;
-/// The most impulses of a column that rows keep; with more, points are computed one by one.
+/// The maximum number of impulses of a column that rows store; with more, points are computed one
+/// by one.
 const KEPT: usize = 36;
 
 type Numbers = [[f32; COLUMNS]; KEPT];
 
-/// The impulses of the columns that a stretch of a row crosses.
+/// The impulses of the columns that an interval of a row crosses.
 struct Columns<const N: usize> {
     x: Numbers,
     rest: Numbers,
@@ -217,7 +223,7 @@ impl<const N: usize> Columns<N> {
         d: [[[0.0; COLUMNS]; KEPT]; N],
     };
 
-    /// The impulses of `count` columns from the cell `leftmost` on.
+    /// Computes the impulses of `count` columns from the cell `leftmost` on.
     #[inline(always)]
     fn fill<L: Lattice, S: Lanes>(
         &mut self,
@@ -251,14 +257,15 @@ impl<const N: usize> Columns<N> {
         }
     }
 
-    /// The impulses that points of cell k can see, in the order of the sum; the count.
+    /// Collects the impulses that points of cell k can see, in the order of the sum, and returns
+    /// their number.
     #[inline(always)]
     fn seen(&self, count: usize, k: usize, seen: &mut [[f32; 6]; 3 * KEPT]) -> usize {
         let mut n = 0;
         for i in 0..3 {
             let column = (k + i) % COLUMNS;
             for j in 0..count.min(KEPT) {
-                // Others have no part in the sum but ±0.
+                // Other impulses add only ±0 to the sum.
                 if self.rest[j][column] < 1.0 {
                     let impulse = &mut seen[n];
                     impulse[0] = (i as f32 - 1.0) + self.x[j][column];
@@ -300,7 +307,7 @@ impl<L: Lattice, const N: usize> Kernel<N> for Sparse<L> {
         sum
     }
 
-    /// In eight lanes rows are 1.6 times as fast as lists, in sixteen slower.
+    /// In eight lanes rows are 1.6 times as fast as lists; in sixteen lanes they are slower.
     #[inline(always)]
     fn shares(&self, row: &Row<N>, count: usize, wide: bool) -> bool {
         !wide && SECTION[N] * usize::from(self.impulses) <= KEPT && has_columns(row, count, LONG_STEP)
@@ -367,9 +374,9 @@ impl<L, const N: usize> Measured<N> for Sparse<L> {
 }
 
 error_enum! {
-    /// Why a sparse convolution noise was refused.
+    /// Error returned for invalid parameters of [`Sparse`].
     pub enum SparseError {
-        /// The number of impulses per cell is not from 1 to [`Sparse::MAX_IMPULSES`].
+        /// The number of impulses per cell is not in 1..=[`Sparse::MAX_IMPULSES`].
         ImpulsesOutOfRange { impulses: u32 } => "`impulses` must be from 1 to 4, got {impulses}";
     }
 }

@@ -1,4 +1,4 @@
-//! Value noise: random numbers at lattice points, interpolated in two ways.
+//! Value noise: random numbers at lattice points, interpolated by quintic weights or by splines.
 
 use crate::{
     contract::compiled::on_lattice,
@@ -24,9 +24,10 @@ use crate::{
 ///
 /// In 1 to 4 dimensions, v uniform in (−1, 1).
 ///
-/// - **Range:** [−1, 1], since the weights are positive and sum to 1. Next to the upper border of a cell a rounded weight
-///   exceeds 1 by up to 1.1e-6, so the value is clamped.
-/// - **Flat** at every lattice point: there the gradient is 0 and |n| most spread, with variance 1/3.
+/// - **Range:** [−1, 1], since the weights are positive and sum to 1. Next to the upper border of a
+///   cell a rounded weight exceeds 1 by up to 1.1e-6, so the value is clamped.
+/// - **Lattice points:** the gradient is 0 at every lattice point, and the variance of n is
+///   greatest there, 1/3.
 ///
 /// Ebert (ed.) 1994, "Texturing and Modeling"; weights of Perlin 2002.
 ///
@@ -54,10 +55,11 @@ pub struct Value<L = IntegerHash> {
 ///
 /// In 1 to 4 dimensions, v uniform in (−1, 1).
 ///
-/// - **Range:** [−1, 1]. The spline overshoots: Σ |s| = 1 + t − t² ≤ 5/4, so max |Σ| = (5/4)ⁿ, attained in cell centres;
-///   the noise is divided by it.
+/// - **Range:** [−1, 1]. The spline overshoots: Σ |s| = 1 + t − t² ≤ 5/4, so max |Σ| = (5/4)ⁿ,
+///   attained in cell centers. The noise is divided by it.
 ///
-/// Ebert (ed.) 1994, "Texturing and Modeling", `vnoise`, which does not divide; [`Vnoise`](crate::printed::Vnoise) is that.
+/// Ebert (ed.) 1994, "Texturing and Modeling", `vnoise`. The original does not divide, see
+/// [`Vnoise`](crate::printed::Vnoise).
 ///
 /// ```
 /// use asperity_noise::{Field, ValueCatmullRom, glam::Vec2};

@@ -1,4 +1,4 @@
-//! Value-gradient noise: value noise and gradient noise on one lattice, in a chosen proportion.
+//! Value-gradient noise: a weighted sum of value noise and gradient noise on one lattice.
 
 use asperity_core::{error_enum, math};
 
@@ -15,7 +15,7 @@ use crate::{
     statistics::tables,
 };
 
-/// The weighted sum of value noise and gradient noise: neither flat nor 0 at lattice points; C².
+/// The weighted sum of value noise and gradient noise, neither flat nor 0 at lattice points; C².
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/pictures/value_gradient.md"))]
 ///
@@ -23,15 +23,16 @@ use crate::{
 /// n(p) = Σ_c W_c(p) ((1 − μ) v_c + μ (2/√n) g_c·(p − c)),   W = Π w or 1 − w,   w(t) = 6t⁵ − 15t⁴ + 10t³
 /// ```
 ///
-/// In 1 to 4 dimensions, v uniform in (−1, 1), g uniform on the circle or sphere and ±1 in 1-D, independent of v. The weight
-/// μ is that of gradient noise: at 0 this is [`Value`](crate::Value) noise with other numbers.
+/// In 1 to 4 dimensions. v is uniform in (−1, 1). g is uniform on the circle or sphere, ±1 in 1-D,
+/// and independent of v. μ is the weight of gradient noise. At μ = 0 this is
+/// [`Value`](crate::Value) noise with other random numbers.
 ///
-/// - **Range:** [−1, 1] for every μ: either part attains 1 in cell centres. The value is clamped to it, as that of
-///   [`Value`](crate::Value).
+/// - **Range:** [−1, 1] for every μ, as either part attains 1 in cell centers. The value is clamped
+///   to it, as for [`Value`](crate::Value).
 /// - **Variance:** σ² = (1 − μ)² σ_v² + μ² σ_g² at every point, as v and g are independent.
 ///
-/// Ebert (ed.) 1994, "Texturing and Modeling", `vgnoise`; weights of Perlin 2002. [`Vgnoise`](crate::printed::Vgnoise) is the
-/// original.
+/// Ebert (ed.) 1994, "Texturing and Modeling", `vgnoise`, with the weights of Perlin 2002. The
+/// original is [`Vgnoise`](crate::printed::Vgnoise).
 ///
 /// ```
 /// use asperity_noise::{Field, ValueGradient, glam::Vec3};
@@ -53,7 +54,7 @@ kind!(ValueGradient { weight: 0.5 }, "of equal weights");
 noise!(ValueGradient, curved);
 
 impl<L> ValueGradient<L> {
-    /// The weight `weight` of gradient noise, and the rest of value noise.
+    /// Sets the weight of gradient noise; value noise has the weight 1 − `weight`.
     ///
     /// # Errors
     ///
@@ -66,7 +67,7 @@ impl<L> ValueGradient<L> {
         }
     }
 
-    /// μ, the weight of gradient noise.
+    /// Returns μ, the weight of gradient noise.
     #[must_use]
     pub const fn weight(&self) -> f32 {
         self.weight
@@ -111,7 +112,8 @@ impl<L, const N: usize> Measured<N> for ValueGradient<L> {
         math::sqrt(low * low * value + high * high * gradient)
     }
 
-    /// σᵏ times E|n|ᵏ/σᵏ, which is measured at μ = 0, ¼, ½, ¾ and 1; between these by the polynomial through all five.
+    /// σᵏ times E|n|ᵏ/σᵏ, which is measured at μ = 0, ¼, ½, ¾ and 1 and interpolated by the
+    /// polynomial through all five.
     fn absolute_moments(&self) -> [f32; 4] {
         let mut ratios = [0.0; 3];
         for (i, table) in absolute_moments::VALUE_GRADIENT.iter().enumerate() {
@@ -131,7 +133,7 @@ impl<L, const N: usize> Measured<N> for ValueGradient<L> {
 }
 
 error_enum! {
-    /// Why a value-gradient noise was refused.
+    /// Error returned for invalid parameters of [`ValueGradient`].
     pub enum ValueGradientError {
         /// The weight is not in [0, 1].
         WeightOutOfRange { weight: f32 } => "`weight` must be in [0, 1], got {weight}";

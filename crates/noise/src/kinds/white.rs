@@ -11,7 +11,7 @@ use crate::{
     statistics::tables,
 };
 
-/// A number per cell of the lattice, uniform in (−1, 1) and independent of all other cells'; leaps at the borders.
+/// One random number per cell, uniform in (−1, 1) and independent; discontinuous at cell borders.
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/pictures/white.md"))]
 ///
@@ -19,9 +19,10 @@ use crate::{
 /// n(p) = 2 word(⌊p⌋)/2³² − 1
 /// ```
 ///
-/// In 1 to 4 dimensions. The gradient is 0, as it is inside every cell.
+/// In 1 to 4 dimensions. The gradient is 0 everywhere, as it is inside every cell.
 ///
-/// - **Range:** (−1, 1), multiples of 2⁻²³ off by half a step; variance 1/3 at every point.
+/// - **Range:** (−1, 1). Values are multiples of 2⁻²³ plus half a step. The variance is 1/3 at
+///   every point.
 ///
 /// Ebert (ed.) 1994, "Texturing and Modeling".
 ///

@@ -1,4 +1,4 @@
-//! Sums, products, blends and limits of fields, each with its gradient.
+//! Sums, products, blends and clamps of fields, each with its gradient.
 
 use crate::{
     contract::field::Field,
@@ -8,7 +8,7 @@ use crate::{
     transforms::pointwise::{self, Combine},
 };
 
-/// A combination of fields that is made of their values alone: its methods, from those of [`Combine`].
+/// Implements the methods of a pointwise combination of fields from its [`Combine`].
 macro_rules! combined {
     ([$($generic:ident),*] $name:ty, |$self:ident| $first:expr, [$($other:expr),*], $range:expr) => {
         combined!([$($generic),*] $name, Point, |$self| $first, [$($other),*], $range);
@@ -48,7 +48,8 @@ pub(crate) use combined;
 
 /// The sum of two fields, a + b.
 ///
-/// - **Gradient:** ∇a + ∇b.   - **Range:** the sum of the ranges.
+/// - **Gradient:** ∇a + ∇b.
+/// - **Range:** the sum of the ranges.
 ///
 /// ```
 /// use asperity_noise::{Add, Field, Perlin2002, Simplex, glam::Vec3};
@@ -112,7 +113,7 @@ impl<A, B> Combine<1> for Multiply<A, B> {
 
 combined!([A, B] Multiply<A, B>, |self| self.0, [self.1], product(self.0.range(), self.1.range()));
 
-/// Bounds of products; values are finite, so that 0 · ∞ is 0.
+/// Bounds of products, with 0 · ∞ = 0 as values are finite.
 fn product([a, b]: [f32; 2], [c, d]: [f32; 2]) -> [f32; 2] {
     let products = [a * c, a * d, b * c, b * d].map(|x| if x.is_nan() { 0.0 } else { x });
     [
@@ -124,7 +125,8 @@ fn product([a, b]: [f32; 2], [c, d]: [f32; 2]) -> [f32; 2] {
 /// The blend of two fields by a third, a + t (b − a): a where t is 0 and b where it is 1.
 ///
 /// - **Gradient:** ∇a + t (∇b − ∇a) + (b − a) ∇t.
-/// - **Range:** that of a and b together where t stays in [0, 1], which it is not limited to: see [`Clamp`] and [`Unit`](crate::Unit).
+/// - **Range:** the union of the ranges of a and b if t stays in [0, 1]. t is not clamped; use
+///   [`Clamp`] or [`Unit`](crate::Unit).
 ///
 /// ```
 /// use asperity_noise::{Blend, Field, Perlin2002, Simplex, Unit, Value, glam::Vec2};
@@ -170,7 +172,7 @@ combined!([A, B, T] Blend<A, B, T>, |self| self.0, [self.1, self.2], {
     }
 });
 
-/// A field between two bounds; its gradient is 0 where it is cut off.
+/// A field clamped to two bounds; its gradient is 0 where it is clamped.
 ///
 /// ```
 /// use asperity_noise::{Clamp, Field, Perlin2002, glam::Vec2};
@@ -184,7 +186,7 @@ pub struct Clamp<F>(
     pub F,
     /// The lower bound.
     pub f32,
-    /// The upper bound; the result where it is under the lower one.
+    /// The upper bound; the result if it is below the lower bound.
     pub f32,
 );
 
@@ -201,7 +203,7 @@ impl<F> Combine<0> for Clamp<F> {
 
 combined!([F] Clamp<F>, |self| self.0, [], self.0.range().map(|bound| Combine::combined(self, bound, [])));
 
-/// A field times a factor and moved, factor · f + offset.
+/// A field scaled and offset, factor · f + offset.
 ///
 /// ```
 /// use asperity_noise::{Affine, Field, Perlin2002, glam::Vec2};
@@ -236,9 +238,10 @@ combined!([F] Affine<F>, |self| self.0, [], {
     [low + self.2, high + self.2]
 });
 
-/// A function of a field's values, g(f), given with its derivative.
+/// A function of a field's values, g(f), with its derivative.
 ///
-/// - **Gradient:** g′(f) ∇f.   - **Range:** not known.
+/// - **Gradient:** g′(f) ∇f.
+/// - **Range:** unknown.
 ///
 /// ```
 /// use asperity_noise::{Field, Map, Perlin2002, glam::Vec2};

@@ -1,4 +1,4 @@
-//! Curl noise: velocities without divergence, from the gradients of fields.
+//! Curl noise: divergence-free velocities from the gradients of fields.
 
 use glam::{Vec2, Vec3};
 
@@ -7,23 +7,23 @@ use crate::{
     point::Point,
 };
 
-/// A velocity and how it changes.
+/// A velocity and its Jacobian.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Velocity<V: Point> {
     /// The velocity v.
     pub velocity: V,
-    /// ∂v/∂p by rows: row i holds the gradient of component i. Its trace is the divergence of v.
+    /// ∂v/∂p by rows: row i is the gradient of component i. Its trace is the divergence of v.
     pub jacobian: V::Matrix,
 }
 
-/// The flow along the level lines of a field ψ in the plane.
+/// The flow along the level lines of a 2-D field ψ.
 ///
 /// ```text
 /// v = (∂ψ/∂y, −∂ψ/∂x),   ∂v/∂p = [[ψxy, ψyy], [−ψxx, −ψxy]],   div v = ψxy − ψxy = 0, bit for bit
 /// ```
 ///
-/// Batches need nothing new: fill gradients and swap them.
+/// For batches, evaluate gradients with [`Field`] and swap their components.
 ///
 /// Bridson, Hourihan, Nordenstam 2007, "Curl-Noise for Procedural Fluid Flow".
 ///
@@ -40,7 +40,7 @@ pub struct Curl2<F>(
 );
 
 impl<F: Field<Vec2>> Curl2<F> {
-    /// The velocity at a point.
+    /// Returns the velocity at a point.
     #[must_use]
     #[inline]
     pub fn velocity(&self, p: Vec2) -> Vec2 {
@@ -50,7 +50,7 @@ impl<F: Field<Vec2>> Curl2<F> {
 }
 
 impl<F: Curved<Vec2>> Curl2<F> {
-    /// Velocity and Jacobian at a point.
+    /// Returns velocity and Jacobian at a point.
     #[must_use]
     #[inline]
     pub fn velocity_and_jacobian(&self, p: Vec2) -> Velocity<Vec2> {
@@ -60,14 +60,15 @@ impl<F: Curved<Vec2>> Curl2<F> {
     }
 }
 
-/// The flow along the lines where the level surfaces of two fields a and b meet.
+/// The flow along the intersections of the level surfaces of two fields a and b.
 ///
 /// ```text
 /// v = ∇a × ∇b,   ∂v/∂pⱼ = (Hₐ eⱼ) × ∇b + ∇a × (H_b eⱼ),   div v = ∇b·curl ∇a − ∇a·curl ∇b = 0
 /// ```
 ///
-/// Two fields instead of the three of a potential, [`CurlPotential`]; a and b stay constant along the flow. The Jacobian's trace
-/// is 0 but for rounding: products cancel in pairs, and only their sums are rounded.
+/// It evaluates two fields instead of the three of a [`CurlPotential`]. a and b are constant along
+/// the flow. The trace of the Jacobian is 0 up to rounding: products cancel in pairs, and only
+/// their sums are rounded.
 ///
 /// DeWolf 2005, "Divergence-Free Noise".
 ///
@@ -88,7 +89,7 @@ pub struct Curl3<A, B>(
 );
 
 impl<A: Field<Vec3>, B: Field<Vec3>> Curl3<A, B> {
-    /// The velocity at a point.
+    /// Returns the velocity at a point.
     #[must_use]
     #[inline]
     pub fn velocity(&self, p: Vec3) -> Vec3 {
@@ -97,7 +98,7 @@ impl<A: Field<Vec3>, B: Field<Vec3>> Curl3<A, B> {
 }
 
 impl<A: Curved<Vec3>, B: Curved<Vec3>> Curl3<A, B> {
-    /// Velocity and Jacobian at a point.
+    /// Returns velocity and Jacobian at a point.
     #[must_use]
     #[inline]
     pub fn velocity_and_jacobian(&self, p: Vec3) -> Velocity<Vec3> {
@@ -120,7 +121,8 @@ impl<A: Curved<Vec3>, B: Curved<Vec3>> Curl3<A, B> {
 /// v = (∂A₃/∂y − ∂A₂/∂z, ∂A₁/∂z − ∂A₃/∂x, ∂A₂/∂x − ∂A₁/∂y),   div v = 0
 /// ```
 ///
-/// A potential times a factor that falls to 0 at a wall gives a flow along the wall. The Jacobian's trace is 0 but for rounding.
+/// Multiply the potential by a factor that falls to 0 at a wall for a flow along the wall. The
+/// trace of the Jacobian is 0 up to rounding.
 ///
 /// Bridson, Hourihan, Nordenstam 2007, "Curl-Noise for Procedural Fluid Flow".
 ///
@@ -138,7 +140,7 @@ pub struct CurlPotential<F>(
 );
 
 impl<F: Field<Vec3>> CurlPotential<F> {
-    /// The velocity at a point.
+    /// Returns the velocity at a point.
     #[must_use]
     #[inline]
     pub fn velocity(&self, p: Vec3) -> Vec3 {
@@ -148,7 +150,7 @@ impl<F: Field<Vec3>> CurlPotential<F> {
 }
 
 impl<F: Curved<Vec3>> CurlPotential<F> {
-    /// Velocity and Jacobian at a point.
+    /// Returns velocity and Jacobian at a point.
     #[must_use]
     #[inline]
     pub fn velocity_and_jacobian(&self, p: Vec3) -> Velocity<Vec3> {
@@ -166,7 +168,7 @@ impl<F: Curved<Vec3>> CurlPotential<F> {
     }
 }
 
-/// u × v, every operation rounded, so that bits are the same everywhere.
+/// u × v with every operation rounded, so that bits are the same everywhere.
 fn cross(u: [f32; 3], v: [f32; 3]) -> [f32; 3] {
     [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
 }

@@ -1,4 +1,4 @@
-//! Fields made of fields.
+//! Fields composed of other fields.
 
 pub(crate) mod arithmetic;
 pub(crate) mod curl;

@@ -1,4 +1,4 @@
-//! Fields combined value by value: what sums, products, blends and maps of fields share.
+//! Pointwise combinations of fields, the common part of sums, products, blends and maps.
 
 use crate::{
     contract::field::Field,
@@ -6,20 +6,20 @@ use crate::{
     row::points::{Buffer, Points, Target},
 };
 
-/// Points whose values are combined at once.
+/// The number of points whose values are combined at once.
 const BLOCK: usize = 2048;
 
-/// A function of the values of M fields beside the first.
+/// A function of the values of a field and M other fields.
 pub(crate) trait Combine<const M: usize> {
     /// f(x, y₁ … y_M).
     fn combined(&self, x: f32, others: [f32; M]) -> f32;
-    /// ∂f along a direction along which the fields change by `dx` and `d_others`.
+    /// The derivative of f along a direction in which the fields change by `dx` and `d_others`.
     fn slope(&self, x: f32, others: [f32; M], dx: f32, d_others: [f32; M]) -> f32;
 }
 
-/// The combination at the points of a batch.
+/// Evaluates the combination at the points of a batch.
 ///
-/// The first field is evaluated where the combination goes, the others in buffers, a block of points at a time.
+/// The first field is evaluated in the target, the others in buffers, a block of points at a time.
 pub(crate) fn fill<V: Point, C: Combine<M>, const M: usize>(
     combine: &C,
     first: &dyn Field<V>,

@@ -1,4 +1,4 @@
-//! A field to an integer power, which draws its high parts out.
+//! A field to an integer power, which emphasizes high values.
 
 use crate::{
     contract::field::Field,
@@ -13,8 +13,8 @@ use crate::{
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/pictures/power.md"))]
 ///
-/// The mean of a power is not the power of the mean: a sum whose octaves fade to their means inside of a power does not fade to
-/// the power's mean.
+/// The mean of a power is not the power of the mean. If the octaves of the inner sum fade to their
+/// means, the power does not fade to its mean.
 ///
 /// ```
 /// use asperity_noise::{Field, Normalisation, Octaves, Plasma, Power, Simplex, Spectrum, glam::Vec2};

@@ -1,4 +1,4 @@
-//! Fields over [0, 1].
+//! Fields mapped to [0, 1].
 
 use crate::{
     contract::field::Field,
@@ -14,7 +14,7 @@ use crate::{
 /// (f − low)/(high − low),   clamped to [0, 1], which rounding may leave
 /// ```
 ///
-/// A field without a finite [range](Field::range) is ½ everywhere.
+/// A field without a finite [range](Field::range) is mapped to ½ everywhere.
 ///
 /// ```
 /// use asperity_noise::{Field, Perlin2002, Unit, glam::Vec2};

@@ -1,4 +1,4 @@
-//! Domain warping: a field that is looked up where other fields have moved the point to.
+//! Domain warping: a field evaluated at points displaced by other fields.
 
 use core::{error::Error, fmt};
 
@@ -9,7 +9,7 @@ use crate::{
     sample::Sample,
 };
 
-/// A field seen through a warp: f(q), q = p + s·w(p).
+/// A field evaluated at displaced points: f(q), q = p + s·w(p).
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/pictures/warp.md"))]
 ///
@@ -17,8 +17,9 @@ use crate::{
 /// ∂q/∂p = I + s ∂w/∂p,   ∇(f ∘ q) = (∂q/∂p)ᵀ ∇f(q)
 /// ```
 ///
-/// w holds one field per axis. They should be independent: sums of octaves of different seeds are, single noises of different
-/// seeds share a lattice. Any field can be warped, warps too. Where s·w is not finite, q is no point and the value is 0.
+/// w has one field per axis. They should be independent: sums of octaves with different seeds are,
+/// but single noises with different seeds have a common lattice. Any field can be warped, including
+/// another warp. The value is 0 where s·w is not finite.
 ///
 /// Ebert (ed.) 1994, "Texturing and Modeling": textures perturbed by noise.
 ///
@@ -41,18 +42,18 @@ pub struct Warp<F, W, const N: usize> {
     strength: f32,
 }
 
-/// The place to which a [`Warp`] takes a point, and how it stretches and turns what lies around it.
+/// The displaced point of a [`Warp`], with the Jacobian of the displacement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Displacement<V: Point> {
     /// q = p + s·w(p).
     pub point: V,
-    /// ∂q/∂p by rows: row i holds the gradient of coordinate i of q.
+    /// ∂q/∂p by rows: row i is the gradient of coordinate i of q.
     pub jacobian: V::Matrix,
 }
 
 impl<F, W, const N: usize> Warp<F, W, N> {
-    /// `field` warped by `by`, `strength` times.
+    /// Creates `field` warped by `strength` times the fields `by`.
     ///
     /// # Errors
     ///
@@ -61,13 +62,13 @@ impl<F, W, const N: usize> Warp<F, W, N> {
         if strength.is_finite() { Ok(Self { field, by, strength }) } else { Err(WarpError { strength }) }
     }
 
-    /// s.
+    /// Returns s.
     #[must_use]
     pub const fn strength(&self) -> f32 {
         self.strength
     }
 
-    /// q and ∂q/∂p at a point.
+    /// Returns q and ∂q/∂p at a point.
     #[must_use]
     pub fn displacement<V>(&self, p: V) -> Displacement<V>
     where
@@ -97,7 +98,7 @@ impl<F, W, const N: usize> Warp<F, W, N> {
     }
 }
 
-/// Points that are moved at once.
+/// The number of points that are displaced at once.
 const BLOCK: usize = 256;
 
 impl<V: Point<Coordinates = [f32; N]>, F: Field<V>, W: Field<V>, const N: usize> Field<V> for Warp<F, W, N> {
@@ -162,7 +163,7 @@ impl<V: Point<Coordinates = [f32; N]>, F: Field<V>, W: Field<V>, const N: usize>
     }
 }
 
-/// A strength that is infinite or not a number.
+/// Error of [`Warp::new`] if the strength is infinite or NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct WarpError {

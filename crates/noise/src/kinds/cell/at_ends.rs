@@ -1,4 +1,4 @@
-//! One point by lanes, one for each end of the first two axes of its cell.
+//! Evaluation of one point in lanes, one lane per end of the first two axes of its cell.
 
 use crate::{
     kinds::cell::blend::lerp,
@@ -11,13 +11,13 @@ use crate::{
     lattice::lattice::{Lattice, at_ends, cell},
 };
 
-/// e + f y in two lanes of every four, one for each end of the second axis.
+/// e + f y in two of every four lanes, one per end of the second axis.
 struct Line<S: Lanes> {
     value: S::F,
     slope: S::F,
 }
 
-/// Height of a plane at its distance along the first axis.
+/// Height of a plane at a distance along the first axis.
 #[inline(always)]
 fn height<K: CellNoise<N>, S: Lanes, const N: usize>(plane: &Plane<S>, way: S::F) -> S::F {
     if !K::HAS_GRADIENT {
@@ -27,13 +27,13 @@ fn height<K: CellNoise<N>, S: Lanes, const N: usize>(plane: &Plane<S>, way: S::F
     if K::HAS_VALUE || N > 2 { plane.value + rise } else { rise }
 }
 
-/// A number at the lower end and at the upper end of the first axis, blended.
+/// The blend of a number at the lower and the upper end of the first axis.
 #[inline(always)]
 fn along_first<S: Lanes>(s: S, x: S::F, along: &Along<S>) -> S::F {
     lerp::<S>(x, s.turned::<2>(x), along.weight)
 }
 
-/// A line's function along the second axis, and that at the lower end and at the upper end blended.
+/// A line's function along the second axis, and the blend of its lower and upper end.
 #[inline(always)]
 fn along_second<K: CellNoise<N>, S: Lanes, const N: usize>(
     s: S,
@@ -45,8 +45,10 @@ fn along_second<K: CellNoise<N>, S: Lanes, const N: usize>(
     [offset, lerp::<S>(offset, s.turned::<1>(offset), along.weight)]
 }
 
-/// A point's cell, the words of its corners, one for each end of the first two axes in every four lanes, and in the first of them n, and
-/// v where the noise is normalised, with their gradients.
+/// The cell of a point, the words of its corners, and n and v with their gradients.
+///
+/// Every four lanes hold the words, one lane per end of the first two axes, and the first of them
+/// holds n, and v if the noise is normalized.
 pub(crate) struct Ends<S: Lanes, const N: usize> {
     #[cfg(feature = "simd")]
     pub(crate) place: Place<S, N>,
@@ -55,8 +57,10 @@ pub(crate) struct Ends<S: Lanes, const N: usize> {
     pub(crate) parts: (LaneSample<S, N>, LaneSample<S, N>),
 }
 
-/// One point's value by four lanes, one for each end of the first two axes, and the gradient if `GRADIENTS`; the bits that
-/// [`Kernel::evaluate`](crate::simd::Kernel) gives, in the first of every four lanes.
+/// The value of one point, and the gradient if `GRADIENTS`, by four lanes.
+///
+/// Each lane has one end of the first two axes. The first of every four lanes has the bits of
+/// [`Kernel::evaluate`](crate::simd::Kernel).
 #[inline(always)]
 pub(crate) fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
@@ -68,13 +72,14 @@ pub(crate) fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIE
     if K::NORMALISED { normalised::<S, N, GRADIENTS>(s, sample, variance) } else { sample }
 }
 
-/// The end of the first axis that a lane is at, and of the second.
+/// The ends of the first and of the second axis by lane.
 static FIRST_ENDS: [f32; LANES] =
     [0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0];
 static SECOND_ENDS: [f32; LANES] =
     [0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0];
 
-/// A point's corners and parts, with gradients if `GRADIENTS`. Axes share one register.
+/// The corners and parts of a point, with gradients if `GRADIENTS`. Axes are packed into one
+/// register.
 #[inline(always)]
 pub(crate) fn at_ends_of<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,

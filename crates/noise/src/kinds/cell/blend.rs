@@ -32,7 +32,7 @@ pub(crate) struct Line<S: Lanes> {
 #[derive(Clone, Copy)]
 pub(crate) struct Edge<S: Lanes, const N: usize> {
     pub(crate) line: Line<S>,
-    /// That along the second axis is of no meaning.
+    /// The entry for the second axis is unused.
     pub(crate) derivatives: [Line<S>; N],
 }
 
@@ -44,12 +44,12 @@ impl<S: Lanes, const N: usize> Edge<S, N> {
     }
 }
 
-/// The ends of the second axis: one if there is no such axis.
+/// The number of ends of the second axis: one if the axis does not exist.
 pub(crate) const fn ends<const N: usize>() -> usize {
     if N == 1 { 1 } else { 2 }
 }
 
-/// The ends of an edge's function at their distances from t.
+/// The values of the functions of both ends of an edge at t.
 #[inline(always)]
 fn heights<K: CellNoise<N>, S: Lanes, const N: usize>(
     s: S,
@@ -64,7 +64,7 @@ fn heights<K: CellNoise<N>, S: Lanes, const N: usize>(
     if K::HAS_VALUE || N > 2 { [low.value + a, high.value + b] } else { [a, b] }
 }
 
-/// The blend of two columns' functions.
+/// The blend of the functions of two columns.
 #[inline(always)]
 fn line<K: CellNoise<N>, S: Lanes, const N: usize>(
     s: S,
@@ -113,7 +113,7 @@ pub(crate) fn edge<K: CellNoise<N>, S: Lanes, const N: usize>(
     edge
 }
 
-/// The blend of two edges' functions.
+/// The blend of the functions of two edges.
 #[inline(always)]
 fn across<K: CellNoise<N>, S: Lanes, const N: usize>(
     s: S,
@@ -127,7 +127,7 @@ fn across<K: CellNoise<N>, S: Lanes, const N: usize>(
     lerp::<S>(a, b, along.weight)
 }
 
-/// Two edges' functions at their distances from u.
+/// The functions of two edges at their distances from u.
 #[inline(always)]
 fn offsets<K: CellNoise<N>, S: Lanes, const N: usize>(s: S, [low, high]: [Line<S>; 2], u: S::F) -> [S::F; 2] {
     if K::HAS_GRADIENT {
@@ -137,7 +137,7 @@ fn offsets<K: CellNoise<N>, S: Lanes, const N: usize>(s: S, [low, high]: [Line<S
     }
 }
 
-/// The value of two edges' blend along the second axis, and its gradient if `GRADIENTS`.
+/// The value of the blend of two edges along the second axis, and its gradient if `GRADIENTS`.
 #[inline(always)]
 pub(crate) fn blend<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,

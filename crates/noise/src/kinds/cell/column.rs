@@ -1,4 +1,4 @@
-//! Columns of a cell: its corners at one end of the first two axes, blended along the others.
+//! Columns of a cell: corners at one end of the first two axes, blended along the other axes.
 
 use crate::lanes::Lanes;
 
@@ -9,11 +9,12 @@ pub(crate) struct Plane<S: Lanes> {
     pub(crate) slopes: [S::F; 2],
 }
 
-/// The blend of a cell's corners along all axes but the first two, and its derivatives along those it was blended along.
+/// The blend of a cell's corners along all axes but the first two, and its derivatives along the
+/// blended axes.
 #[derive(Clone, Copy)]
 pub(crate) struct Column<S: Lanes, const N: usize> {
     pub(crate) plane: Plane<S>,
-    /// Those along the first two axes are of no meaning.
+    /// Entries for axes 0 and 1 are unused.
     pub(crate) derivatives: [Plane<S>; N],
 }
 

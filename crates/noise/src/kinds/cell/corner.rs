@@ -1,7 +1,9 @@
-//! Noises that blend one linear function per corner of a cell: gradient, value, value-gradient and Gaussian noise.
+//! Noises that blend one linear function per corner of a cell: gradient, value, value-gradient and
+//! Gaussian noise.
 //!
-//! Corners are blended along the third axis and those after it first, which leaves four columns; then along the first axis,
-//! which leaves two edges; then along the second. So rows of a grid that cross the same cells share their edges.
+//! Corners are blended first along the third axis and later axes, which leaves four columns. The
+//! columns are blended along the first axis, which leaves two edges, and the edges along the second
+//! axis. Rows of a grid that cross the same cells can therefore reuse edges.
 //!
 //! ```text
 //! column   C = c + a x + b y,                       x, y from the column
@@ -18,7 +20,7 @@ use crate::{
     lattice::lattice::OnLattice,
 };
 
-/// The linear function of a corner: its value there and its gradient.
+/// The linear function of a corner: its value at the corner and its gradient.
 #[derive(Clone, Copy)]
 pub(crate) struct Corner<S: Lanes, const N: usize> {
     pub(crate) value: S::F,
@@ -32,7 +34,7 @@ impl<S: Lanes, const N: usize> Corner<S, N> {
     }
 }
 
-/// A noise by its values and gradients at the corners of cells, and by their blend.
+/// A noise defined by values and gradients at the corners of cells, and by their blend.
 pub(crate) trait CellNoise<const N: usize>: OnLattice + Measured<N> {
     /// The noise on the standard lattice.
     type Standard: CellNoise<N> + Compiled<N>;
@@ -40,11 +42,11 @@ pub(crate) trait CellNoise<const N: usize>: OnLattice + Measured<N> {
     /// The noise with the same seed and parameters on the standard lattice.
     fn standard(&self) -> Self::Standard;
 
-    /// Whether the upper bits of a corner's word are all that is read of it.
+    /// Whether only the upper bits of a corner's word are used.
     const UPPER_BITS: bool = false;
-    /// Unit of the values of corners, where they have no gradients.
+    /// Unit of the values of corners without gradients.
     const UNIT: f32 = 1.0;
-    /// Whether values are clamped to [−1, 1], which rounding of the weights would leave.
+    /// Whether values are clamped to [−1, 1], which rounded weights would exceed.
     const CLAMPED: bool = false;
     /// Whether corners have values other than 0.
     const HAS_VALUE: bool = true;
@@ -52,12 +54,14 @@ pub(crate) trait CellNoise<const N: usize>: OnLattice + Measured<N> {
     const HAS_GRADIENT: bool = true;
     /// The weights.
     const FADE: Fade = Fade::Quintic;
-    /// Whether the sum is divided by its standard deviation at the point, see [`Gaussian`](crate::Gaussian).
+    /// Whether the sum is divided by its standard deviation at the point, see
+    /// [`Gaussian`](crate::Gaussian).
     const NORMALISED: bool = false;
 
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N>;
 
-    /// The column of the corners of these words, where the kind has a shorter way to it than by its corners.
+    /// The column of the corners with these words, for kinds with a faster method than corner by
+    /// corner.
     #[inline(always)]
     fn column<S: Lanes>(&self, s: S, along: &[Along<S>; N], words: &[S::U; 4]) -> Option<Column<S, N>> {
         let _ = (s, along, words);

@@ -1,4 +1,4 @@
-//! A point's cell: what the lattice draws at its corners, and their blend into columns and edges.
+//! The cell of a point: random numbers at its corners, blended into columns and edges.
 
 use core::num::Wrapping;
 
@@ -12,10 +12,10 @@ use crate::{
     lattice::lattice::{Lattice, cell},
 };
 
-/// The corners at one end of the first two axes, by the number of dimensions.
+/// The number of corners at one end of the first two axes, by dimension.
 pub(crate) const CORNERS: [usize; 5] = [0, 1, 1, 2, 4];
 
-/// A point's cell, and its place there.
+/// The cell of a point, and the point's position in it.
 #[derive(Clone, Copy)]
 pub(crate) struct Place<S: Lanes, const N: usize> {
     /// The lattice's terms of the lower and the upper ends.
@@ -27,7 +27,7 @@ impl<const N: usize> Place<Scalar, N> {
     pub(crate) const NOWHERE: Self =
         Self { terms: [[Wrapping(0); 2]; N], along: [Along { place: 0.0, weight: 0.0, slope: 0.0 }; N] };
 
-    /// This place in every lane.
+    /// This position in every lane.
     #[inline(always)]
     pub(crate) fn splat<S: Lanes>(&self, s: S) -> Place<S, N> {
         let mut place = Place { terms: [[s.word(0); 2]; N], along: [self.along[0].splat(s); N] };
@@ -40,11 +40,12 @@ impl<const N: usize> Place<Scalar, N> {
     }
 }
 
-/// The corners of a cell, by the ends along the first axis and the second, and by the others' in the bits of an index.
+/// The corners of a cell, by the ends along the first axis, the second, and the others as bits of
+/// an index.
 pub(crate) type Corners<T> = [[[T; 4]; 2]; 2];
 
 impl<S: Lanes, const N: usize> Place<S, N> {
-    /// The place of a point, from axis `first` on; nowhere along those before.
+    /// The position of a point along the axes from `first` on; earlier axes are unused.
     #[inline(always)]
     pub(crate) fn new<K: CellNoise<N>>(s: S, noise: &K, p: &[S::F; N], first: usize) -> Self {
         let zero = s.float(0.0);
@@ -60,7 +61,7 @@ impl<S: Lanes, const N: usize> Place<S, N> {
 
     /// The word of corner `k` of the column whose terms of the first axes are `first` and `second`.
     ///
-    /// Bit i of k tells the end along axis i + 2.
+    /// Bit i of k selects the end along axis i + 2.
     #[inline(always)]
     fn word<K: CellNoise<N>>(
         &self,
@@ -81,7 +82,7 @@ impl<S: Lanes, const N: usize> Place<S, N> {
         }
     }
 
-    /// Numbers drawn from the words at the corners of the cell.
+    /// Draws numbers from the words at the corners of the cell.
     #[inline(always)]
     pub(crate) fn corners<K: CellNoise<N>, T: Copy>(
         &self,
@@ -103,7 +104,7 @@ impl<S: Lanes, const N: usize> Place<S, N> {
         corners
     }
 
-    /// The column whose terms of the first axes are given.
+    /// The column with the given terms of the first axes.
     #[inline(always)]
     pub(crate) fn drawn_column<K: CellNoise<N>>(
         &self,
@@ -119,7 +120,7 @@ impl<S: Lanes, const N: usize> Place<S, N> {
         self.column(s, noise, &words)
     }
 
-    /// The blend of the corners at one end of the first two axes, by their words.
+    /// The blend of the corners at one end of the first two axes, given their words.
     #[inline(always)]
     pub(crate) fn column<K: CellNoise<N>>(&self, s: S, noise: &K, words: &[S::U; 4]) -> Column<S, N> {
         if let Some(column) = noise.column(s, &self.along, words) {
@@ -171,7 +172,7 @@ impl<S: Lanes, const N: usize> Place<S, N> {
         column
     }
 
-    /// The blend of two ends along `axis`; those before it have been blended.
+    /// The blend of two ends along `axis`; earlier axes have been blended.
     #[inline(always)]
     fn blend<K: CellNoise<N> + ?Sized>(
         &self,
@@ -215,7 +216,7 @@ impl<S: Lanes, const N: usize> Place<S, N> {
         edge::<K, S, N>(s, &low, &high, self.along[0])
     }
 
-    /// The edges of the cell, of which there is one only in 1-D.
+    /// The edges of the cell; a single edge in 1-D.
     #[inline(always)]
     pub(crate) fn drawn_edges<K: CellNoise<N>>(&self, s: S, noise: &K, seed: u32) -> [Edge<S, N>; 2] {
         let low = self.drawn_edge(s, noise, 0, seed);
@@ -238,7 +239,7 @@ impl<S: Lanes, const N: usize> Place<S, N> {
         self.parts::<K, true>(s, &edges)
     }
 
-    /// n, and v where the noise is normalised, with their gradients if `GRADIENTS`.
+    /// n, and v if the noise is normalized, with their gradients if `GRADIENTS`.
     #[inline(always)]
     pub(crate) fn parts<K: CellNoise<N>, const GRADIENTS: bool>(
         &self,
@@ -253,7 +254,7 @@ impl<S: Lanes, const N: usize> Place<S, N> {
         (sample, self.variance(s).at::<GRADIENTS>(axis))
     }
 
-    /// The variance of all axes but the first.
+    /// The variance from all axes but the first.
     #[inline(always)]
     pub(crate) fn variance(&self, s: S) -> Variance<S, N> {
         Variance::new(s, &self.along)

@@ -1,17 +1,21 @@
-//! Columns of corners whose gradients are edge directions: no component is multiplied with, each is a sign or nothing.
+//! Columns of corners whose gradients are edge directions, without multiplications by components.
+//!
+//! Each component is a sign or 0.
 
 use crate::{
     kinds::cell::column::Column, kinds::cell::corners::CORNERS, lanes::Lanes, lattice::edges::Edge,
     lattice::fade::Along,
 };
 
-/// The blend in space or in 4-D of the corners at one end of the first two axes, their gradients edge directions times `length`.
+/// The blend, in 3-D or 4-D, of the corners at one end of the first two axes.
+///
+/// Their gradients are edge directions times `length`.
 ///
 /// ```text
 /// c = Σ_k (g_k·d_k) u_k,   a, b = Σ_k (g_k)ₓ u_k, Σ_k (g_k)_y u_k,   u = length Π w or 1 − w
 /// ```
 ///
-/// The products of ways and weights are those of all four columns of a cell.
+/// All four columns of a cell use the same products of offsets and weights.
 #[inline(always)]
 pub(crate) fn edge_column<S: Lanes, const N: usize>(
     s: S,
@@ -47,20 +51,20 @@ pub(crate) fn edge_column<S: Lanes, const N: usize>(
     column
 }
 
-/// A sum and its next part, the first of which is number 0.
+/// Adds a term to a sum; term 0 starts the sum.
 #[inline(always)]
 fn added<F: core::ops::Add<Output = F>>(sum: F, part: F, number: usize) -> F {
     if number == 0 { part } else { sum + part }
 }
 
-/// The way from corner k along an axis.
+/// The offset from corner k along an axis.
 #[inline(always)]
 fn way<S: Lanes, const N: usize>(s: S, along: &[Along<S>; N], k: usize, axis: usize) -> S::F {
     let t = along[axis].place;
     if k >> (axis - 2) & 1 == 0 { t } else { t - s.float(1.0) }
 }
 
-/// `length` times the product of the weights of corner k, derived along one axis, or along none where there is no such axis.
+/// `length` times the product of the weights of corner k, differentiated along `axis` if it exists.
 #[inline(always)]
 fn weight<S: Lanes, const N: usize>(
     s: S,

@@ -52,14 +52,14 @@ fn one_by_one<K: CellNoise<N>, const N: usize>(noise: &K, p: [f32; N], seed: u32
     jet::<K, N>(&place, sample, variance, hessian)
 }
 
-/// The jet of a point by lanes, a corner in each.
+/// The jet of a point in lanes, one corner each.
 #[cfg(feature = "simd")]
 #[inline(always)]
 fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize>(s: S, noise: &K, p: [f32; N], seed: u32) -> Jet<N> {
     let Ends { place, words, parts: (sample, variance) } = at_ends_of::<K, S, N, true>(s, noise, p, seed);
     let mut ends = [End::new(s, K::FADE, &place.along[0], |lane| lane >> 1 & 1 == 1); N];
     ends[1 % N] = End::new(s, K::FADE, &place.along[1 % N], |lane| lane & 1 == 1);
-    // Four entries of the upper half side by side, row after row.
+    // Four consecutive entries of the upper half, row by row.
     let mut sums = [s.float(0.0); 3];
     for k in 0..CORNERS[N] {
         for axis in 2..N {
@@ -71,7 +71,7 @@ fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize>(s: S, noise: &K, p: [f3
             e += 1;
         });
         for q in 0..(N * (N + 1) / 2).div_ceil(4) {
-            // Corners are added up by the ends of the second axis first.
+            // Corners are first added by the ends of the second axis.
             for lane in [0, 2, 1, 3] {
                 sums[q] = sums[q] + s.floats(|entry| s.lane(entries[q][entry & 3], lane));
             }
@@ -97,7 +97,7 @@ fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize>(s: S, noise: &K, p: [f3
     jet::<K, N>(&first, sample, variance, hessian)
 }
 
-/// The jet of n, or of n/√v where the noise is normalised.
+/// The jet of n, or of n/√v if the noise is normalized.
 #[inline(always)]
 fn jet<K: CellNoise<N>, const N: usize>(
     place: &Place<Scalar, N>,
@@ -119,7 +119,8 @@ fn jet<K: CellNoise<N>, const N: usize>(
     Jet { value, gradient, hessian }
 }
 
-/// A corner along one axis: the way from it, its weight and the weight's first and second derivatives.
+/// A corner along one axis: the offset from it, its weight and the first and second derivative of
+/// the weight.
 #[derive(Clone, Copy)]
 struct End<S: Lanes> {
     way: S::F,
@@ -131,7 +132,7 @@ impl End<Scalar> {
 }
 
 impl<S: Lanes> End<S> {
-    /// The upper end in the lanes that `high` names, the lower one in the others.
+    /// The upper end in the lanes selected by `high`, the lower end in the others.
     #[inline(always)]
     fn new(s: S, fade: Fade, along: &Along<S>, high: impl Fn(usize) -> bool) -> Self {
         let one = s.floats(|lane| f32::from(u8::from(!high(lane))));
@@ -144,7 +145,7 @@ impl<S: Lanes> End<S> {
     }
 }
 
-/// All that a corner adds to the entries of the upper half, row after row.
+/// Adds the contributions of a corner to the entries of the upper half, row by row.
 #[inline(always)]
 fn add_bends<K: CellNoise<N>, S: Lanes, const N: usize>(
     s: S,
@@ -156,7 +157,7 @@ fn add_bends<K: CellNoise<N>, S: Lanes, const N: usize>(
     for axis in 0..if K::HAS_GRADIENT { N } else { 0 } {
         f = f + corner.gradient[axis] * ends[axis].way;
     }
-    // The product of the weights, derived as often along each axis as it is named; N names none.
+    // The product of the weights, differentiated along the axes i and j; N stands for no axis.
     let product = |i: usize, j: usize| {
         let mut product = s.float(1.0);
         for axis in 0..N {
@@ -182,7 +183,8 @@ fn add_bends<K: CellNoise<N>, S: Lanes, const N: usize>(
 
 /// The upper half of the Hessian of v.
 ///
-/// P + εQ = Π (pᵢ + ε qᵢ) with ε² = 0, so that derivatives are products of the axes' own; v = P + 4Q.
+/// P + εQ = Π (pᵢ + ε qᵢ) with ε² = 0, so that derivatives are products of the derivatives of the
+/// axes. v = P + 4Q.
 fn variance_hessian<const N: usize>(fade: Fade, place: &Place<Scalar, N>) -> [[f32; N]; N] {
     // p and q of every axis and their first and second derivatives.
     let mut factors = [[[0.0; 2]; 3]; N];
@@ -266,7 +268,7 @@ mod tests {
     }
 
     #[test]
-    fn corners_in_lanes_have_the_jets_of_corners_one_by_one() {
+    fn hessian_in_lanes_matches_scalar() {
         macro_rules! of {
             ($($noise:expr),*) => { $(same::<_, 2>(&$noise); same::<_, 3>(&$noise); same::<_, 4>(&$noise);)* };
         }

@@ -1,4 +1,4 @@
-//! Noises on cells as kinds: at points and along rows.
+//! Noises on cells as kernels: at points and along rows.
 
 use crate::{
     contract::compiled::on_lattice,
@@ -14,7 +14,7 @@ use crate::{
 #[cfg(feature = "simd")]
 use crate::{kinds::cell::at_ends::by_corners, lanes::level::four};
 
-/// n, and v where the noise is normalised, with their gradients if `GRADIENTS`.
+/// n, and v if the noise is normalized, with their gradients if `GRADIENTS`.
 #[inline(always)]
 pub(crate) fn parts<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
@@ -40,14 +40,15 @@ pub(crate) fn of_lane<S: Lanes, const N: usize, const GRADIENTS: bool>(
     (s.lane(value, lane), slopes)
 }
 
-/// From so long a step on sixteen lanes are faster than what rows share of words that are cheap.
+/// The step from which on sixteen lanes are faster than the reuse in rows, for words that are fast
+/// to compute.
 const LONG_STEP_OF_WIDE_LANES: f32 = 0.6;
 
 impl<K: CellNoise<N>, const N: usize> Kernel<N> for K {
     const OCTAVES_IN_LANES: usize = match (<K::Lattice as Lattice>::SHARED, K::NORMALISED) {
         (false, _) => usize::MAX,
         (true, false) => 3,
-        // Its variates are looked up lane by lane, which unused lanes pay for too.
+        // Its variates are looked up lane by lane, and unused lanes cost as much.
         (true, true) => 4,
     };
 
@@ -75,7 +76,7 @@ impl<K: CellNoise<N>, const N: usize> Kernel<N> for K {
         self.evaluate::<Scalar, GRADIENTS>(Scalar, p, seed)
     }
 
-    /// Rows of cells that are crossed by more than one row of points share edges.
+    /// Rows of cells that are crossed by more than one row of points reuse edges.
     #[inline(always)]
     fn shares(&self, row: &Row<N>, _: usize, wide: bool) -> bool {
         let longest = if wide && K::UPPER_BITS { LONG_STEP_OF_WIDE_LANES } else { 1.0 };

@@ -1,4 +1,4 @@
-//! The columns and edges that rows share, as they are stored: one number for each column or point.
+//! Storage of the columns and edges that rows reuse: one number per column or point.
 
 use crate::{
     kinds::cell::blend::{Edge, Line},
@@ -18,10 +18,10 @@ pub(crate) struct Columns<const N: usize> {
     derivatives: [[OfColumns; 3]; N],
 }
 
-/// e and f of the edges above a row's points, and of their derivatives.
+/// e and f of the edges over the points of a row, and of their derivatives.
 #[derive(Clone, Debug)]
 pub(crate) struct Edges<const N: usize> {
-    /// The place of the edges along the second axis.
+    /// The cell coordinate of the edges along the second axis.
     pub(crate) second: Option<i32>,
     pub(crate) lines: [Numbers; 2],
     pub(crate) derivatives: [[Numbers; 2]; N],
@@ -51,7 +51,7 @@ impl<const N: usize> Edges<N> {
         }
     }
 
-    /// The edge in lanes for the points from `k` on of block `b`.
+    /// Returns the edge in lanes for the points from `k` on of block `b`.
     #[inline(always)]
     pub(crate) fn load<K: CellNoise<N>, S: Lanes, const GRADIENTS: bool>(
         &self,
@@ -121,7 +121,7 @@ impl<const N: usize> Columns<N> {
         }
     }
 
-    /// Column k in every lane.
+    /// Returns column k in every lane.
     #[inline(always)]
     pub(crate) fn splat<K: CellNoise<N>, S: Lanes, const GRADIENTS: bool>(
         &self,

@@ -1,7 +1,9 @@
-//! Rows of cell noises: what does not change along a row, or from row to row of a grid, is computed once.
+//! Rows of cell noises: everything that is constant along a row, or from row to row of a grid, is
+//! computed once.
 //!
-//! Places and weights along the first axis are the same in all rows, and the edges that cells are blended from in all rows
-//! that cross the same cells. Two edges are kept, so that the next row of cells finds one of its own there.
+//! Positions and weights along the first axis are the same in all rows. The edges of cells are the
+//! same in all rows that cross the same cells. Two edges are kept, so that the next row of cells
+//! reuses one.
 
 use crate::{
     kinds::cell::blend::{blend, edge, ends},
@@ -16,13 +18,14 @@ use crate::{
     row::row::{Row, Strip, no_slices},
 };
 
-/// The slot that keeps the edge at a place along the second axis.
+/// The slot of the edge at a cell coordinate along the second axis.
 #[inline(always)]
 fn slot(second: i32) -> usize {
     second as usize % 2
 }
 
-/// All that the edges of a stretch depend on beside the plan and their place along the second axis.
+/// Everything that the edges of an interval depend on, except the plan and their cell coordinate
+/// along the second axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Key<const N: usize> {
     /// The bits of the coordinates from the third on.
@@ -31,12 +34,13 @@ struct Key<const N: usize> {
     gradients: bool,
 }
 
-/// Two edges of the cells that a stretch of a row crosses, and what they are made of.
+/// Two edges of the cells that an interval of a row crosses, and the data that they are computed
+/// from.
 #[derive(Clone)]
 pub struct Stretch<const N: usize> {
     plan: Plan,
     key: Option<Key<N>>,
-    /// The place of the row along all axes but the first, and its cell along the second.
+    /// The position of the row along all axes but the first, and its cell along the second.
     place: Place<Scalar, N>,
     second: i32,
     columns: Columns<N>,
@@ -44,7 +48,7 @@ pub struct Stretch<const N: usize> {
 }
 
 impl<const N: usize> Default for Stretch<N> {
-    /// Not a constant, because a constant would be copied, which takes longer than zeros.
+    /// Not a constant, because copying a constant takes longer than writing zeros.
     #[inline(always)]
     fn default() -> Self {
         Self {
@@ -59,7 +63,7 @@ impl<const N: usize> Default for Stretch<N> {
 }
 
 impl<const N: usize> Stretch<N> {
-    /// Values along a row, and gradients if `GRADIENTS`.
+    /// The values along a row, and the gradients if `GRADIENTS`.
     #[inline(always)]
     pub(crate) fn rows<K: CellNoise<N>, S: Lanes, const GRADIENTS: bool>(
         &mut self,
@@ -77,7 +81,7 @@ impl<const N: usize> Stretch<N> {
         count
     }
 
-    /// Plans the first `points` points of a row and forgets the edges of others.
+    /// Plans the first `points` points of a row and discards the edges of other rows.
     #[inline(always)]
     fn plan<K: CellNoise<N>, S: Lanes>(
         &mut self,
@@ -105,9 +109,9 @@ impl<const N: usize> Stretch<N> {
         }
     }
 
-    /// Forgets the edges of another place along the axes from the third on.
+    /// Discards the edges of another position along the axes from the third on.
     ///
-    /// A call of its own, because what it does would otherwise be begun for every row.
+    /// A separate function, because inlined code would be started for every row.
     #[inline(never)]
     fn move_to<K: CellNoise<N>>(&mut self, noise: &K, origin: &[f32; N], key: Option<Key<N>>) {
         self.key = key;
@@ -116,7 +120,7 @@ impl<const N: usize> Stretch<N> {
         self.place = Place::new(Scalar, noise, origin, 2);
     }
 
-    /// The edges below and above the row, if they are not there.
+    /// Computes the edges below and above the row unless they are present.
     #[inline(always)]
     fn fill_edges<K: CellNoise<N>, S: Lanes, const GRADIENTS: bool>(&mut self, s: S, noise: &K, seed: u32) {
         for j in 0..ends::<N>() {
@@ -127,9 +131,10 @@ impl<const N: usize> Stretch<N> {
         }
     }
 
-    /// The edges of the planned points at the lower or the upper end j of the second axis.
+    /// Computes the edges of the planned points at the lower or the upper end j of the second axis.
     ///
-    /// Whole vectors are written for every cell; the next cell overwrites what lies beyond the cell's end.
+    /// Whole vectors are written for every cell. The next cell overwrites entries beyond the end of
+    /// the cell.
     #[inline(always)]
     fn fill<K: CellNoise<N>, S: Lanes, const GRADIENTS: bool>(
         &mut self,
@@ -182,7 +187,8 @@ impl<const N: usize> Stretch<N> {
         if slot(self.second) == 0 { [even, odd] } else { [odd, even] }
     }
 
-    /// The values of the planned points, and the gradients if `GRADIENTS`, from the edges below and above them.
+    /// The values of the planned points, and the gradients if `GRADIENTS`, from the edges below and
+    /// above.
     #[inline(always)]
     fn blend<K: CellNoise<N>, S: Lanes, const GRADIENTS: bool>(&self, s: S, strip: Strip<'_, N, GRADIENTS>) {
         let Strip { values, mut gradients, .. } = strip;
@@ -190,7 +196,7 @@ impl<const N: usize> Stretch<N> {
         let along = self.place.along[1 % N].splat(s);
         let rest = self.place.variance(Scalar).splat(s);
         let whole = values.len() / LANES;
-        // The points after the last whole block are written by way of another block.
+        // The points after the last whole block are written through another block.
         let (mut tail, mut slopes) = ([[0.0; LANES]; 1], [[[0.0; LANES]; 1]; N]);
         for part in 0..if values.len().is_multiple_of(LANES) { 1 } else { 2 } {
             let mut blocks: [&mut [[f32; LANES]]; N] = no_slices();
@@ -233,7 +239,7 @@ impl<const N: usize> Stretch<N> {
     }
 }
 
-/// Copies as much as there is room for from `start` on.
+/// Copies numbers from `start` on, up to the end of `to`.
 #[inline(always)]
 fn copy(from: &[f32; LANES], to: &mut [f32], start: usize) {
     for (to, from) in to.iter_mut().skip(start).zip(from) {
@@ -241,7 +247,7 @@ fn copy(from: &[f32; LANES], to: &mut [f32], start: usize) {
     }
 }
 
-/// The columns of a run at one end of the second axis, `term` being that end's.
+/// The columns of a run at one end of the second axis, with the term of the end.
 #[inline(always)]
 fn draw<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,

@@ -1,4 +1,4 @@
-//! The variance at a point of a sum of Gaussian variates, by axes.
+//! The variance of a sum of Gaussian variates at a point, by axes.
 
 use crate::{
     kinds::cell::blend::splat,
@@ -6,7 +6,9 @@ use crate::{
     lattice::fade::Along,
 };
 
-/// The variance of a sum of N(0, 1) variates, a value and twice a gradient per corner, from all axes but the first.
+/// The variance of a sum of N(0, 1) variates from all axes but the first.
+///
+/// Each corner has a value and twice a gradient.
 ///
 /// ```text
 /// v = Σ W² (1 + 4 |d|²) = p₀ (P + 4Q) + 4 q₀ P,   pᵢ = Σ w²,   qᵢ = Σ w² d²,   P = Π pᵢ,   Q = Σ qᵢ Π_{j≠i} pⱼ
@@ -21,7 +23,7 @@ pub(crate) struct Variance<S: Lanes, const N: usize> {
     dp4: [S::F; N],
 }
 
-/// pᵢ, qᵢ, pᵢ′ and qᵢ′ of one axis.
+/// pᵢ, qᵢ, pᵢ′ and qᵢ′ of an axis.
 #[inline(always)]
 pub(crate) fn axis_variance<S: Lanes>(s: S, along: &Along<S>) -> [S::F; 4] {
     let Along { place: t, weight: high, slope } = *along;

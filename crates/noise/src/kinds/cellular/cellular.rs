@@ -1,4 +1,4 @@
-//! Cellular noise: distances to the nearest feature points, one at a random place of each cell.
+//! Cellular noise: distances to the nearest feature points, one at a random place in each cell.
 
 use asperity_core::{error_enum, math};
 
@@ -20,21 +20,30 @@ use crate::{
     statistics::tables,
 };
 
-/// The function of the nearest feature points that cellular noise is: Worley's Fₙ is the distance to the nth nearest.
+/// The output of cellular noise, a function of the nearest feature points.
+///
+/// Worley's Fₙ is the distance to the nth nearest feature point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Basis {
-    /// F₁, the distance to the nearest feature point: continuous, with a crease where two are equally near.
+    /// F₁, the distance to the nearest feature point: continuous, with a crease where two are
+    /// equally near.
     #[default]
     F1,
-    /// F₂, the distance to the second nearest: continuous, with creases there and where the second and third are equally near.
+    /// F₂, the distance to the second nearest.
+    ///
+    /// Continuous, with creases where the two nearest, or the second and third nearest, are equally
+    /// near.
     F2,
-    /// F₂ − F₁: continuous, and 0 on the borders of the regions that have one feature point nearest.
+    /// F₂ − F₁: continuous, and 0 on the borders between the regions of feature points.
     F2MinusF1,
-    /// A number of the nearest feature point, uniform in (−1, 1): constant in its region, with leaps at the borders.
+    /// A random number of the nearest feature point, uniform in (−1, 1).
+    ///
+    /// Constant in the region of the feature point and discontinuous at its border.
     Cell,
 }
 
-/// Cellular noise, the distance to the nearest of feature points, one at a random place of each cell; exact.
+/// Cellular noise: the exact distance to the nearest feature points, one at a random place in each
+/// cell.
 ///
 #[cfg_attr(doc, doc = include_str!("../../../docs/pictures/cellular.md"))]
 ///
@@ -42,23 +51,27 @@ pub enum Basis {
 /// F₁(p) = min_c |p − x_c|,   F₂(p) = the second least |p − x_c|,   x_c = c + ½ + j (u_c − ½)
 /// ```
 ///
-/// In 1 to 4 dimensions, u uniform in the unit cube, in the metric and of the basis of choice. The jitter j is 1 by default; at
-/// 0 feature points are the centres of cells. The value is the distance itself, in cells, with a
-/// [mean](crate::Noise::mean) above 0: [`Unit`](crate::Unit) maps its range to [0, 1], and [`Octaves`](crate::Octaves) of
-/// variance 1 take the mean away.
+/// In 1 to 4 dimensions, with u uniform in the unit cube. [`Basis`] and [`Metric`] are
+/// configurable. The jitter j is 1 by default. At 0 feature points are the centers of cells. The
+/// value is the distance itself, in cells, with a positive [mean](crate::Noise::mean).
+/// [`Unit`](crate::Unit) maps its range to [0, 1], and [`Octaves`](crate::Octaves) of variance 1
+/// subtract the mean.
 ///
-/// - **Exact:** every cell is visited whose nearest place is no farther than the feature point that is sought, up to 2 cells away
-///   in the Euclidean metric, n in that of Manhattan and 1 in that of Chebyshev.
-/// - **Range:** from 0 to the supremum. In the Euclidean metric, Manhattan's and Chebyshev's that of F₁ is √n h, n h and h with
-///   h = (1 + j)/2, that of F₂ and F₂ − F₁ √max(n h², (n − 1) j²/4 + (1 + j/2)²), max(n h, 1 + n j/2) and 1 + j/2.
-/// - **Gradient:** that of the distance to the feature point, of length 1 in the Euclidean metric, and 0 where the distance is 0.
-///   Where two feature points are equally near the gradient leaps; there that of the cell counts which comes first in the order of
-///   its coordinates, the first axis above the last above those between. The gradients of Manhattan's and Chebyshev's metric leap on axes and
-///   diagonals through the feature point as well.
-/// - **Places:** j 2⁻¹⁶ apart.
+/// - **Exact search:** visits every cell that can be as near as the current result, up to 2 cells
+///   away in the Euclidean metric, n cells in the Manhattan metric and 1 in the Chebyshev metric.
+/// - **Range:** from 0 to the supremum, with h = (1 + j)/2. In the Euclidean, Manhattan and
+///   Chebyshev metric the supremum of F₁ is √n h, n h and h. The supremum of F₂ and of F₂ − F₁ is
+///   √max(n h², (n − 1) j²/4 + (1 + j/2)²), max(n h, 1 + n j/2) and 1 + j/2.
+/// - **Gradient:** the gradient of the distance to the feature point, of length 1 in the Euclidean
+///   metric, and 0 where the distance is 0. The gradient is discontinuous where two feature points
+///   are equally near. There it is the gradient of the cell that comes first in the order of its
+///   coordinates, the first axis before the last, before the axes between. In the Manhattan and the
+///   Chebyshev metric the gradient is also discontinuous on axes and diagonals through the feature
+///   point.
+/// - **Resolution of places:** j 2⁻¹⁶.
 ///
-/// Worley 1996, "A Cellular Texture Basis Function". A deviation: cells hold one feature point each and not a number with
-/// Poisson's distribution, which spares empty regions.
+/// Worley 1996, "A Cellular Texture Basis Function". Unlike there each cell has one feature point
+/// instead of a Poisson-distributed number, which avoids empty regions.
 ///
 /// ```
 /// use asperity_noise::{Basis, Cellular, Field, Metric, glam::Vec3};
@@ -92,31 +105,32 @@ kind!(
 noise!(Cellular);
 
 impl<L> Cellular<L> {
-    /// Another basis.
+    /// Sets the output of the noise.
     #[must_use]
     pub fn with_basis(self, basis: Basis) -> Self {
         Self { basis, ..self }
     }
 
-    /// The basis.
+    /// Returns the output of the noise.
     #[must_use]
     pub const fn basis(&self) -> Basis {
         self.basis
     }
 
-    /// Another metric.
+    /// Sets the metric.
     #[must_use]
     pub fn with_metric(self, metric: Metric) -> Self {
         Self { metric, ..self }
     }
 
-    /// The metric.
+    /// Returns the metric.
     #[must_use]
     pub const fn metric(&self) -> Metric {
         self.metric
     }
 
-    /// Feature points in a box of side `jitter` in the middle of each cell.
+    /// Sets the jitter, the side of the box in the middle of each cell that contains its feature
+    /// point.
     ///
     /// # Errors
     ///
@@ -130,7 +144,7 @@ impl<L> Cellular<L> {
         }
     }
 
-    /// j, the side of the box in the middle of a cell that its feature point lies in.
+    /// Returns j, the side of the box in the middle of a cell that contains its feature point.
     #[must_use]
     pub const fn jitter(&self) -> f32 {
         self.jitter
@@ -209,7 +223,7 @@ impl<L> Cellular<L> {
         matches!(self.basis, Basis::F2 | Basis::F2MinusF1)
     }
 
-    /// The value of measures of the nearest and the second nearest feature point.
+    /// The value for measures of the nearest and the second nearest feature point.
     #[inline(always)]
     pub(super) fn of_measures<S: Lanes, const N: usize>(
         &self,
@@ -224,7 +238,7 @@ impl<L> Cellular<L> {
         (value, [s.float(0.0); N])
     }
 
-    /// Value and gradient from the ways from the nearest and the second nearest feature point.
+    /// Value and gradient for the offsets from the nearest and the second nearest feature point.
     #[inline(always)]
     pub(super) fn of_ways<S: Lanes, const N: usize>(
         &self,
@@ -248,9 +262,10 @@ impl<L> Cellular<L> {
 
 /// The supremum of F₁, and of F₂ and F₂ − F₁, for feature points in boxes of side `jitter`.
 ///
-/// A point at |t − ½| = a from the middle of its cell, along every axis, sees its own feature point within |a + j/2|, and one
-/// across the nearest border within |a + j/2| with 1 − a + j/2 along the axis of the greatest a. The first is greatest at
-/// a = ½, the second at a = 0 or a = ½, as it is convex in a.
+/// Consider a point at |t − ½| = a from the middle of its cell along every axis. Its own feature
+/// point is within |a + j/2|. The feature point across the nearest border is within |a + j/2| with
+/// 1 − a + j/2 along the axis of the largest a. The first bound is largest at a = ½, the second at
+/// a = 0 or a = ½, as it is convex in a.
 fn supremum(metric: Metric, jitter: f32, second: bool, dimension: usize) -> f32 {
     let (n, half) = (dimension as f32, 0.5 * jitter);
     let (corner, across) = (0.5 + half, 1.0 + half);
@@ -261,7 +276,7 @@ fn supremum(metric: Metric, jitter: f32, second: bool, dimension: usize) -> f32 
         Metric::Manhattan => [n * corner, (n - 1.0) * half + across],
         Metric::Chebyshev => [corner, across],
     };
-    // For the rounding of ways and of the sum.
+    // Accounts for the rounding of offsets and of the sum.
     let greatest = if second { at_corner.max(at_centre) } else { at_corner };
     greatest * (1.0 + 2e-6)
 }
@@ -277,7 +292,7 @@ fn at_jitter(jitter: f32, numbers: [f32; 5]) -> f32 {
 }
 
 impl<L> Cellular<L> {
-    /// E nᵏ, k = 1 … 4, at the jitters 0, ¼, ½, ¾ and 1; nothing for the number of a cell.
+    /// E nᵏ, k = 1 … 4, at the jitters 0, ¼, ½, ¾ and 1; `None` for [`Basis::Cell`].
     fn moments<const N: usize>(&self) -> Option<[[f32; 4]; 5]> {
         let basis = match self.basis {
             Basis::F1 => 0,
@@ -289,7 +304,7 @@ impl<L> Cellular<L> {
     }
 }
 
-/// The row of the tables of a metric in a dimension; on the line all metrics are one.
+/// The row of a metric in the tables of a dimension; in 1-D all metrics are equal.
 const fn row(metric: Metric, dimension: usize) -> usize {
     if dimension == 1 { 0 } else { metric as usize % 3 * 3 + dimension - 1 }
 }
@@ -299,7 +314,7 @@ impl<L, const N: usize> Measured<N> for Cellular<L> {
         self.seed
     }
 
-    /// The statistics at a jitter of 1.
+    /// The statistics at jitter 1.
     fn statistics(&self) -> &'static Statistics {
         let basis = match self.basis {
             Basis::F1 => 0,
@@ -337,7 +352,7 @@ impl<L, const N: usize> Measured<N> for Cellular<L> {
 }
 
 error_enum! {
-    /// Why a cellular noise was refused.
+    /// Error returned for invalid parameters of [`Cellular`].
     pub enum CellularError {
         /// The jitter is not in [0, 1].
         JitterOutOfRange { jitter: f32 } => "`jitter` must be in [0, 1], got {jitter}";

@@ -2,13 +2,14 @@
 
 use crate::lanes::Lanes;
 
-/// The metric that cellular noise measures distances in.
+/// The metric of the distances of cellular noise.
 ///
 /// ```text
 /// Euclidean √(Σ dᵢ²),   Manhattan Σ |dᵢ|,   Chebyshev max |dᵢ|
 /// ```
 ///
-/// The square of the Euclidean distance is no metric; it has the same nearest points, so that its F₁ is this one times itself.
+/// The squared Euclidean distance is not a metric. It has the same nearest points, so its F₁ is the
+/// square of the Euclidean F₁.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Metric {
     /// √(Σ dᵢ²): round cells.
@@ -21,7 +22,8 @@ pub enum Metric {
 }
 
 impl Metric {
-    /// A measure with one way more: Σ d² of the Euclidean metric, the distance itself of the others. No measure is −0.
+    /// A measure with one more offset: Σ d² of the Euclidean metric, the distance itself of the
+    /// others. No measure is −0.
     #[inline(always)]
     pub(super) fn joined<S: Lanes>(self, s: S, measure: S::F, way: S::F) -> S::F {
         match self {
@@ -31,7 +33,7 @@ impl Metric {
         }
     }
 
-    /// The measure of the ways along all axes but the first.
+    /// The measure of the offsets along all axes but the first.
     #[inline(always)]
     pub(super) fn rest<S: Lanes, const N: usize>(self, s: S, ways: [S::F; N]) -> S::F {
         let mut measure = s.float(0.0);
@@ -41,7 +43,7 @@ impl Metric {
         measure
     }
 
-    /// The measure of ways, the first axis last: it is what changes along a row.
+    /// The measure of offsets, with the first axis last because it changes along a row.
     #[inline(always)]
     pub(super) fn measure<S: Lanes, const N: usize>(self, s: S, ways: [S::F; N]) -> S::F {
         self.joined(s, self.rest(s, ways), ways[0])
@@ -56,7 +58,9 @@ impl Metric {
         }
     }
 
-    /// The gradient of the distance along the ways; 0 where the distance is, and of axes tied for the greatest way the first counts.
+    /// The gradient of the distance along the offsets; 0 where the distance is 0.
+    ///
+    /// If axes tie for the largest offset, the first axis is used.
     #[inline(always)]
     pub(super) fn slopes<S: Lanes, const N: usize>(self, s: S, ways: [S::F; N], distance: S::F) -> [S::F; N] {
         let (zero, one) = (s.float(0.0), s.float(1.0));
@@ -68,7 +72,7 @@ impl Metric {
                 Self::Euclidean => s.select(s.less(zero, distance), ways[axis] / distance, zero),
                 Self::Manhattan => sign(ways[axis]),
                 Self::Chebyshev => {
-                    // The greatest way is the distance, bit for bit.
+                    // The largest offset is the distance, bit for bit.
                     let shorter = s.less(s.abs(ways[axis]), distance);
                     let slope =
                         s.select(s.less(zero, taken), zero, s.select(shorter, zero, sign(ways[axis])));
@@ -80,13 +84,17 @@ impl Metric {
         slopes
     }
 
-    /// Greatest distance of a cell, in cells along one axis, for its feature point to be the nearest or the second nearest of a point.
+    /// Maximum distance of a cell, in cells along one axis, for its feature point to be the nearest
+    /// or the second nearest of a point.
     ///
-    /// Let the point lie in its cell with m as the greatest of mᵢ = max(tᵢ, 1 − tᵢ). A feature point of its own cell is within
-    /// |m|, one of the cell across the border next to it along the axis of m within |m| with 2 − m in the place of m. A cell k
-    /// along an axis is k − mᵢ or more away. Both bounds exceed that for k = 2 in no metric on the line and for no k of 2 or
-    /// more in the metric of Chebyshev, where the second is 2 − m; the Euclidean ones are √n and at most 2, those of Manhattan
-    /// Σ mᵢ and Σ mᵢ + 2 − 2m, which k − mᵢ reaches from n + 1 on.
+    /// Let the point lie in its cell with m as the maximum of mᵢ = max(tᵢ, 1 − tᵢ). The feature
+    /// point of its own cell is within |m|. The feature point of the cell across the border next to
+    /// it along the axis of m is within |m| with 2 − m in place of m. A cell k along an axis is at
+    /// least k − mᵢ away.
+    ///
+    /// In 1-D neither bound exceeds that distance for k = 2. In the Chebyshev metric neither does
+    /// for any k ≥ 2, where the second bound is 2 − m. The Euclidean bounds are √n and at most 2.
+    /// The Manhattan bounds are Σ mᵢ and Σ mᵢ + 2 − 2m, which k − mᵢ reaches from n + 1 on.
     #[inline(always)]
     pub(super) const fn reach(self, dimension: usize) -> usize {
         match self {

@@ -1,7 +1,9 @@
-//! Rows of cellular noise: the feature points that points of a cell can have nearest are found once for many of them.
+//! Rows of cellular noise: the candidate feature points of a cell are found once for many of its
+//! points.
 //!
-//! Cells are cut into slabs across all axes but the first. Rows of a grid that pass through the same slab of the same cells share
-//! the search: what is farther from the slab than the farthest that the nearest feature point can be is not seen from any of them.
+//! Cells are cut into slabs across all axes but the first. Rows of a grid that pass through the
+//! same slab of the same cells reuse the search. Feature points that are farther from the slab than
+//! the maximum distance of the nearest feature point are not candidates for any of them.
 
 use crate::{
     kinds::cellular::metric::Metric,
@@ -13,45 +15,50 @@ use crate::{
     row::row::Row,
 };
 
-/// Steps from here on leave too few points in a cell for columns to pay.
+/// The step from which on a cell has too few points for columns to pay off.
 pub(super) const LONG_STEP: f32 = 0.15;
-/// Columns of cells that are computed at once along a row.
+/// The number of columns of cells that are computed at once along a row.
 const COLUMNS: usize = 64;
-/// The most cells of a column: 5² in space in the Euclidean metric, 3³ in that of Chebyshev in 4-D.
+/// The maximum number of cells of a column: 5² in 3-D in the Euclidean metric, 3³ in 4-D in the
+/// Chebyshev metric.
 const SECTIONS: usize = 27;
-/// The most feature points of the columns around a cell.
+/// The maximum number of feature points of the columns around a cell.
 const MOST: usize = SECTIONS * 5;
-/// Feature points that are kept for the cells of a row; 60 cells in space see some 600.
+/// The maximum number of feature points stored for the cells of a row; 60 cells in 3-D have some
+/// 600 candidates.
 const ROOM: usize = 1024;
 /// Slabs of a cell along an axis: a power of two, so that their borders are exact.
 const SLABS: f32 = 4.0;
 
 type Numbers = [[f32; COLUMNS]; SECTIONS];
 
-/// The feature points of the columns that a stretch of a row crosses.
+/// The feature points of the columns that an interval of a row crosses.
 #[derive(Clone, Debug)]
 pub struct Columns<const N: usize> {
     pub(super) plan: Plan,
     /// The cells that the feature points were drawn for.
     key: Option<Key<N>>,
-    /// The least and the greatest place in the cell that they are seen from, along all axes but the first.
+    /// Minimum and maximum position in the cell of the points that use the search, along all axes
+    /// but the first.
     slab: [[f32; N]; 2],
     /// Reach of columns, and the number of cells in each.
     reach: usize,
     sections: usize,
     /// The steps to the cells of a column.
     steps: [[f32; SECTIONS]; N],
-    /// Places of feature points: along the first axis in their cells, along the others as the cell of the row counts.
+    /// Positions of feature points: along the first axis in their cells, along the others relative
+    /// to the cell of the row.
     places: [Numbers; N],
-    /// The numbers of the cells.
+    /// The random numbers of the cells.
     numbers: Numbers,
-    /// Measures of the ways from the slab to the feature points, along all axes but the first: the least, and the greatest.
+    /// Minimum and maximum measure of the offsets from the slab to the feature points, along all
+    /// axes but the first.
     gaps: [Numbers; 2],
-    /// The greatest measure that the feature point sought can have in a cell.
+    /// The maximum measure of the nearest or second nearest feature point in a cell.
     bounds: [f32; COLUMNS],
-    /// The cells whose feature points there was room for.
+    /// The number of cells whose feature points fit.
     pub(super) cells: usize,
-    /// For each cell the columns and sections of the feature points that it sees, and how many they are.
+    /// For each cell the columns and sections of its candidate feature points, and their number.
     lists: [[u8; MOST]; COLUMNS],
     counts: [u8; COLUMNS],
     /// The index after the last feature point of each cell, in the order of the points of the row.
@@ -60,7 +67,9 @@ pub struct Columns<const N: usize> {
     point_numbers: [f32; ROOM],
 }
 
-/// All that the words of columns depend on: the first column and their number, the row's cell along the other axes, the seed.
+/// Everything that the words of columns depend on.
+///
+/// The first column, the number of columns, the row's cell along the other axes, and the seed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Key<const N: usize> {
     first: i32,
@@ -70,7 +79,8 @@ struct Key<const N: usize> {
     seed: u32,
 }
 
-/// The feature points that points of a cell can have nearest, in the order of their ranks, and the numbers of their cells.
+/// The candidate feature points of the points of a cell, in the order of their ranks, and the
+/// numbers of their cells.
 #[derive(Clone, Copy)]
 pub(super) struct Seen<'a, const N: usize> {
     pub(super) points: &'a [[f32; N]],
@@ -102,19 +112,23 @@ impl<const N: usize> Default for Columns<N> {
 }
 
 impl<const N: usize> Columns<N> {
-    /// Plans the first `points` points of a row; false if they lie in too many cells, or columns do not hold all cells within reach.
+    /// Plans the first `points` points of a row.
+    ///
+    /// Returns false if they lie in too many cells, or if columns do not hold all cells within
+    /// reach.
     #[inline(always)]
     pub(super) fn plan<S: Lanes>(&mut self, s: S, metric: Metric, row: &Row<N>, points: usize) -> bool {
         let reach = metric.reach(N);
         if (2 * reach + 1).pow(N as u32 - 1) > SECTIONS {
             return false;
         }
-        // Weights are not asked for.
+        // Weights are not used.
         self.plan.make(s, Fade::Cubic, row, points);
         self.plan.crossed() + 2 * reach <= COLUMNS
     }
 
-    /// Finds the feature points that the cells of the planned row see; its place in them along all axes but the first.
+    /// Finds the candidate feature points of the cells of the planned row, and returns its position
+    /// in them along all axes but the first.
     #[inline(always)]
     pub(super) fn fill<S: Lanes, L: Lattice>(
         &mut self,
@@ -181,7 +195,8 @@ impl<const N: usize> Columns<N> {
         }
     }
 
-    /// Bounds what is sought in each cell by the feature points next to it, from the farthest corner of the slab.
+    /// Bounds the result in each cell by the feature points next to it, from the farthest corner of
+    /// the slab.
     #[inline(always)]
     fn bound<S: Lanes>(&mut self, s: S, metric: Metric, cells: usize, second: bool) {
         let [low, high] = self.slab;
@@ -220,9 +235,10 @@ impl<const N: usize> Columns<N> {
         }
     }
 
-    /// Lists the feature points that each cell sees, in the order of their ranks.
+    /// Lists the candidate feature points of each cell, in the order of their ranks.
     ///
-    /// Sums and differences are rounded by one formula here and at points, and rounding keeps their order.
+    /// Sums and differences are rounded by the same formula here and at points, and rounding is
+    /// monotonic.
     #[inline(always)]
     fn list<S: Lanes>(&mut self, s: S, metric: Metric, cells: usize) {
         self.counts = [0; COLUMNS];
@@ -259,7 +275,7 @@ impl<const N: usize> Columns<N> {
         }
     }
 
-    /// Copies the feature points of the lists, of as many cells as there is room for.
+    /// Copies the listed feature points of as many cells as fit.
     #[inline(always)]
     fn copy(&mut self, cells: usize, descending: bool) {
         let mut end = 0;
@@ -284,7 +300,7 @@ impl<const N: usize> Columns<N> {
         }
     }
 
-    /// The feature points that points of cell j of the run can have nearest.
+    /// The candidate feature points of the points of cell j of the run.
     #[inline(always)]
     pub(super) fn seen(&self, j: usize) -> Seen<'_, N> {
         let start = if j == 0 { 0 } else { self.ends[(j - 1) % COLUMNS] };

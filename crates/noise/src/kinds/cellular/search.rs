@@ -1,4 +1,4 @@
-//! The search of the nearest feature points of points, one in each lane.
+//! The search for the nearest feature points, with one point per lane.
 
 use crate::{
     kinds::cellular::metric::Metric,
@@ -8,11 +8,13 @@ use crate::{
     lattice::variates::uniform,
 };
 
-/// Cells may be passed over whose border is farther than the second nearest point: less than this is lost to rounding, which
-/// is 5e-7 for ways up to 5.
+/// Cells are skipped only if their border is farther than the second nearest point by this margin.
+///
+/// It exceeds the rounding error, which is 5e-7 for offsets up to 5.
 const MARGIN: f32 = 4e-6;
 
-/// Weights of the cells' steps in a rank: steps are from −4 to 4, and the first axis weighs most.
+/// Weights of the cells' steps in a rank: steps are from −4 to 4, and the first axis has the
+/// largest weight.
 const RANKS: [[f32; 4]; 4] =
     [[1.0, 0.0, 0.0, 0.0], [9.0, 1.0, 0.0, 0.0], [81.0, 1.0, 9.0, 0.0], [729.0, 1.0, 9.0, 81.0]];
 
@@ -21,11 +23,11 @@ pub(super) struct Features<'a, L> {
     pub(super) lattice: &'a L,
     pub(super) seed: u32,
     pub(super) metric: Metric,
-    /// The side of the box in the middle of a cell that its feature point lies in.
+    /// The side of the box in the middle of a cell that contains its feature point.
     pub(super) jitter: f32,
 }
 
-/// The cells of points, and the points' places there.
+/// The cells of points, and the positions of the points in them.
 pub(super) struct Place<S: Lanes, const N: usize> {
     pub(super) cell: [S::U; N],
     pub(super) t: [S::F; N],
@@ -50,7 +52,8 @@ pub(super) fn number<S: Lanes>(s: S, word: S::U) -> S::F {
     uniform(s, further::<S, 2>(s, word))
 }
 
-/// Measures of the distances to the nearest and to the second nearest feature point, and the ranks of their cells.
+/// Measures of the distances to the nearest and the second nearest feature point, and the ranks of
+/// their cells.
 pub(super) struct Nearest<S: Lanes> {
     pub(super) measures: [S::F; 2],
     pub(super) ranks: [S::F; 2],
@@ -63,7 +66,8 @@ impl<S: Lanes> Nearest<S> {
         Self { measures: [far; 2], ranks: [far; 2] }
     }
 
-    /// Takes a feature point in; of two at one distance that of the lower rank is nearer, in whichever order they come.
+    /// Adds a feature point. At equal distance the feature point of lower rank is nearer, in any
+    /// order of calls.
     #[inline(always)]
     fn take<const RANKED: bool>(&mut self, s: S, measure: S::F, rank: S::F) {
         let [first, second] = self.measures;
@@ -88,7 +92,7 @@ impl<S: Lanes> Nearest<S> {
     }
 }
 
-/// One axis of a cell that is visited: the term of its word, and its step from the point's own cell.
+/// One axis of a visited cell: the term of its word, and its step from the point's own cell.
 struct Axis<S: Lanes> {
     term: S::U,
     step: S::F,
@@ -103,7 +107,7 @@ impl<S: Lanes> Clone for Axis<S> {
 impl<S: Lanes> Copy for Axis<S> {}
 
 impl<L: Lattice> Features<'_, L> {
-    /// The places of the feature points of words in their cells.
+    /// The positions of the feature points of words in their cells.
     #[inline(always)]
     pub(super) fn places<S: Lanes, const N: usize>(&self, s: S, word: S::U) -> [S::F; N] {
         let low = s.word(0xffff);
@@ -117,7 +121,7 @@ impl<L: Lattice> Features<'_, L> {
         places
     }
 
-    /// The ways from feature points to points.
+    /// The offsets from feature points to points.
     #[inline(always)]
     fn ways<S: Lanes, const N: usize>(
         &self,
@@ -161,10 +165,12 @@ impl<L: Lattice> Features<'_, L> {
         nearest.take::<RANKED>(s, self.metric.measure(s, ways), rank);
     }
 
-    /// The nearest feature point and, if `second`, the second nearest; of no meaning else.
+    /// The nearest feature point and, if `second`, the second nearest, which is otherwise
+    /// unspecified.
     ///
-    /// The 2ⁿ cells next to the nearest corner are visited first. Along an axis the others follow in the order of their distance,
-    /// and end where the border of a cell is farther than what is sought in every lane.
+    /// The 2ⁿ cells next to the nearest corner are visited first. The other cells along an axis
+    /// follow in the order of their distance. The search ends where the border of a cell is farther
+    /// than the result in every lane.
     #[inline(always)]
     pub(super) fn nearest<S: Lanes, const N: usize, const RANKED: bool>(
         &self,
@@ -174,7 +180,8 @@ impl<L: Lattice> Features<'_, L> {
     ) -> Nearest<S> {
         let mut nearest = Nearest::none(s);
         let zero = s.float(0.0);
-        // Towards the nearer border, and the distance of the point from the middle of its cell.
+        // The direction to the nearer border, and the distance of the point from the middle of its
+        // cell.
         let (mut towards, mut off_centre) = ([zero; N], [zero; N]);
         let mut near = [[Axis { term: place.cell[0], step: zero }; 2]; N];
         for axis in 0..N {
@@ -193,7 +200,8 @@ impl<L: Lattice> Features<'_, L> {
 
         let last = 2 * self.metric.reach(N);
         let half = 0.5 * self.jitter + MARGIN;
-        // Along an axis whose point is so far from the middle of its cell.
+        // The gap along an axis to a cell, given the distance of the point from the middle of its
+        // cell.
         let gap = |off_centre: S::F, turn: usize| {
             let cells = turn.div_ceil(2) as f32;
             let off = if turn % 2 == 1 { -off_centre } else { off_centre };
@@ -201,7 +209,7 @@ impl<L: Lattice> Features<'_, L> {
         };
         let mut turns = [0; N];
         let mut axes = [near[0][0]; N];
-        // The measure of the gaps along an axis and those after it.
+        // The measure of the gaps along an axis and later axes.
         let mut gaps = [zero; 5];
         for axis in (0..N).rev() {
             axes[axis] = near[axis][0];
@@ -241,7 +249,7 @@ impl<L: Lattice> Features<'_, L> {
         Axis { term: self.lattice.term(s, axis, place.cell[axis] + s.integer(step)), step }
     }
 
-    /// The word and the ways of the feature point of a rank.
+    /// The word and the offsets of the feature point of a rank.
     #[inline(always)]
     pub(super) fn of_rank<S: Lanes, const N: usize>(
         &self,
@@ -251,11 +259,11 @@ impl<L: Lattice> Features<'_, L> {
     ) -> (S::U, [S::F; N]) {
         let weights = RANKS[N - 1];
         let mut axes = [Axis { term: place.cell[0], step: s.float(0.0) }; N];
-        // The greatest weight first: the first axis, then from the last one down.
+        // Decodes the largest weight first: the first axis, then from the last axis down.
         let mut rest = rank;
         for turn in 0..N {
             let axis = if turn == 0 { 0 } else { N - turn };
-            // The rest of lesser weights is under half a weight.
+            // The remaining smaller weights sum to less than half a weight.
             let step = s.floor(rest * s.float(1.0 / weights[axis]) + s.float(0.5));
             rest = rest - step * s.float(weights[axis]);
             axes[axis] = self.axis(s, place, axis, step);

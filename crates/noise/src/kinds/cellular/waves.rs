@@ -1,4 +1,4 @@
-//! Points of a row that lie in one cell: the nearest of the feature points that the cell sees, a few vectors at once.
+//! Points of a row in one cell: the nearest of the candidate feature points, a few vectors at once.
 
 use core::ops::Range;
 
@@ -12,9 +12,9 @@ use crate::{
 };
 
 impl<L> Cellular<L> {
-    /// Values and gradients at a range of the points of a row.
+    /// Evaluates values and gradients at a range of the points of a row.
     ///
-    /// Whole vectors are written; the next cell overwrites what lies beyond the end.
+    /// Whole vectors are written. The next cell overwrites entries beyond the end.
     #[inline(always)]
     pub(super) fn wave<S: Lanes, const N: usize, const GRADIENTS: bool>(
         &self,
@@ -38,7 +38,7 @@ impl<L> Cellular<L> {
         while i < end {
             i = match end - i {
                 left if left <= S::LEN => self.values::<S, N, GRADIENTS, 1>(s, seen, plan, places, strip, i),
-                // The compiler makes vectors of single lanes.
+                // The compiler vectorizes single lanes.
                 left if S::LEN == 1 && left >= 8 => {
                     self.values::<S, N, GRADIENTS, 8>(s, seen, plan, places, strip, i)
                 }
@@ -50,7 +50,7 @@ impl<L> Cellular<L> {
         }
     }
 
-    /// The values in `V` vectors from point `i` on, and the index after them.
+    /// Evaluates the values in `V` vectors from point `i` on, and returns the index after them.
     #[inline(always)]
     fn values<S: Lanes, const N: usize, const GRADIENTS: bool, const V: usize>(
         &self,
@@ -76,7 +76,8 @@ impl<L> Cellular<L> {
         i + V * S::LEN
     }
 
-    /// Value and gradient at places in a cell, or the number of the nearest feature point's cell.
+    /// Value and gradient at positions in a cell, or the number of the nearest feature point's
+    /// cell.
     #[inline(always)]
     fn at<S: Lanes, const N: usize>(&self, s: S, places: [S::F; N], seen: Seen<'_, N>) -> (S::F, [S::F; N]) {
         let mut measures = [s.float(f32::INFINITY); 2];
@@ -89,7 +90,7 @@ impl<L> Cellular<L> {
                 way[axis] = places[axis] - s.float(point[axis]);
             }
             let measure = self.metric.measure(s, way);
-            // Of two at one distance the first one, which has the lower rank, is nearer.
+            // At equal distance the first feature point, which has the lower rank, is nearer.
             let nearest = s.less(measure, measures[0]);
             if self.basis == Basis::Cell {
                 numbers = s.select(nearest, s.float(number), numbers);
@@ -113,7 +114,8 @@ impl<L> Cellular<L> {
     }
 }
 
-/// The measures of the nearest feature point, and of the second if `SECOND`, at `V` vectors of places along the first axis.
+/// The measures of the nearest feature point, and of the second if `SECOND`, at `V` vectors of
+/// positions along the first axis.
 #[inline(always)]
 fn nearest<S: Lanes, const N: usize, const V: usize, const SECOND: bool>(
     s: S,

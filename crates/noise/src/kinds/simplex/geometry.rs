@@ -2,9 +2,9 @@
 
 use crate::lanes::{Arithmetic, Floats, Lanes};
 
-/// (√(n + 1) − 1)/n, which shears the simplices into halves, sixths, … of cubes; nothing is sheared in 1-D.
+/// (√(n + 1) − 1)/n, the skew that maps simplices to halves, sixths, … of cubes; 0 in 1-D.
 pub(crate) const SKEW: [f32; 4] = [0.0, 0.366_025_4, 1.0 / 3.0, 0.309_017];
-/// (1 − 1/√(n + 1))/n, which shears back.
+/// (1 − 1/√(n + 1))/n, the inverse skew.
 pub(crate) const UNSKEW: [f32; 4] = [0.0, 0.211_324_87, 1.0 / 6.0, 0.138_196_6];
 
 /// The first corner of a point's simplex in the skewed lattice.
@@ -31,16 +31,17 @@ pub(crate) fn first_corner<S: Lanes, const N: usize>(s: S, p: &[S::F; N]) -> Cor
     corner
 }
 
-/// The axes that have been stepped along from the first corner to those between it and the last, by the corner's number less one.
+/// The axes stepped along from the first corner to each inner corner, by the corner's number minus
+/// one.
 pub(crate) type Steps<S, const N: usize> = [[<S as Arithmetic>::M; N]; N];
 
 impl<S: Lanes, const N: usize> Corner<S, N> {
-    /// Than how many axes the point is farther along each axis in the skewed cell.
+    /// For each axis the number of axes along which the point is less far in the skewed cell.
     #[inline(always)]
     pub(crate) fn ranks(&self, s: S, p: &[S::F; N]) -> [S::F; N] {
         let (one, zero) = (s.float(1.0), s.float(0.0));
         let mut ranks = [zero; N];
-        // Which axis the point is farther along does not depend on what all are shifted by.
+        // The comparison of two axes does not depend on their common shift.
         for axis in 1..N {
             for before in 0..axis {
                 let low = p[axis] - self.skewed[axis];
@@ -52,7 +53,7 @@ impl<S: Lanes, const N: usize> Corner<S, N> {
         ranks
     }
 
-    /// From corner to corner one steps along the axes in descending order of the ranks.
+    /// The steps from corner to corner, along the axes in descending order of the ranks.
     #[inline(always)]
     pub(crate) fn steps(&self, s: S, p: &[S::F; N]) -> Steps<S, N> {
         let none = s.less(s.float(0.0), s.float(0.0));
@@ -61,7 +62,7 @@ impl<S: Lanes, const N: usize> Corner<S, N> {
             |axis: usize, before: usize| s.less(p[axis] - self.skewed[axis], p[before] - self.skewed[before]);
         match N {
             1 => {}
-            // One lane alone has no masks, and comparisons would become branches.
+            // A single lane has no masks, and comparisons would compile to branches.
             2 if S::LEN > 1 => {
                 let x = ahead(1, 0);
                 (steps[0][0], steps[0][1]) = (x, s.not(x));
@@ -86,13 +87,16 @@ impl<S: Lanes, const N: usize> Corner<S, N> {
     }
 }
 
-/// The end of kernels: t is 0 from here down.
+/// The end of kernels: t is taken as 0 up to here.
 ///
-/// Corners of other simplices come as near as t = 0, and nearer by rounding. Were there no gap, it would depend on the order of
-/// evaluation whether they count. The leap is t⁴ A |g·d| < 1e-10, and that of the gradient 5e-7.
+/// Corners of other simplices come as near as t = 0, and nearer by rounding. Without a gap their
+/// contribution would depend on the order of evaluation. The discontinuity is t⁴ A |g·d| < 1e-10 in
+/// the value and 5e-7 in the gradient.
 pub(crate) const GAP: f32 = 1.0 / 1024.0;
 
-/// One term of the sum: t = r² − |d|², 0 below the gap, d, g and g·d. In space g is of no meaning where only values are wanted.
+/// One term of the sum: t = r² − |d|², 0 below the gap, d, g and g·d.
+///
+/// In 3-D g is unspecified if only values are wanted.
 pub(crate) struct Term<S: Lanes, const N: usize> {
     pub(crate) t: S::F,
     pub(crate) d: [S::F; N],
@@ -123,7 +127,8 @@ pub(crate) fn product<S: Lanes, const N: usize>(g: &[S::F; N], d: &[S::F; N]) ->
 /// t where it is above the gap, else 0.
 #[inline(always)]
 fn beyond_gap<S: Lanes>(s: S, t: S::F) -> S::F {
-    // Numbers that are not negative are in the order of their bits, and negative ones below, which takes one operation less.
+    // Non-negative floats are ordered like their bits, with negative floats below. This saves one
+    // operation.
     let above = s.signed_less(s.word(GAP.to_bits()), s.bits(t));
     s.select(above, t, s.float(0.0))
 }

@@ -1,4 +1,4 @@
-//! Simplex noise as a kind: at points, with its Hessian.
+//! Simplex noise as a kernel: at points, with its Hessian.
 
 use crate::{
     contract::compiled::on_standard_lattice,
@@ -58,7 +58,7 @@ impl<L: Lattice, const N: usize> Kernel<N> for Simplex<L> {
         self.lattice().key(seed)
     }
 
-    /// Only on the line does the noise repeat with its lattice.
+    /// The noise repeats with its lattice in 1-D only.
     fn period(&self, axis: usize) -> u32 {
         if N == 1 { Lattice::period(self.lattice(), axis) } else { 0 }
     }

@@ -1,4 +1,4 @@
-//! Simplex noise, with the kernel radius that is continuous and with the customary wider one.
+//! Simplex noise, with the continuous kernel radius and with the customary wider radius.
 
 use crate::{
     contract::noise::{kind, measured, noise},
@@ -11,7 +11,7 @@ use crate::{
     statistics::tables,
 };
 
-/// Gradient noise on the simplicial lattice: n + 1 corners in n dimensions.
+/// Gradient noise on the simplicial lattice, with n + 1 corners in n dimensions.
 ///
 #[cfg_attr(doc, doc = include_str!("../../../docs/pictures/simplex.md"))]
 ///
@@ -19,17 +19,19 @@ use crate::{
 /// n(p) = A Σ_c max(0, r² − |d|²)⁴ g_c·d,   d = p − c
 /// ```
 ///
-/// In 1 to 4 dimensions. Far from the origin corners are rounded, by up to |p|·2⁻²², which is about what `f32` cannot hold
-/// of the point itself; the noise stays continuous. From Σ |xᵢ| = 2²² on, where `f32` cannot tell simplices apart, it is 0.
+/// In 1 to 4 dimensions. Far from the origin corners are rounded by up to |p|·2⁻²², which is about
+/// the rounding of the point itself. The noise stays continuous. From Σ |xᵢ| = 2²² on, where `f32`
+/// cannot resolve simplices, it is 0.
 ///
-/// - **Range:** [−1, 1]; A is the inverse of the searched maximum, attained within 2e-6. Far from the origin rounded corners
-///   would exceed it, by 1e-4 at 1000 and by 0.3 at 10⁶, so the value is clamped. The gradient there is that of the sum
-///   before the clamp.
-/// - **Kernels** end where r² − |d|² falls to 2⁻¹⁰, by a leap of less than 1e-10. So no rounding decides whether the corner
-///   opposite to a face counts, and grids may add corners up one after the other.
+/// - **Range:** [−1, 1]. A is the inverse of the searched maximum, attained within 2e-6. Far from
+///   the origin rounded corners would exceed the range, by 1e-4 at 1000 and by 0.3 at 10⁶, so the
+///   value is clamped. The gradient there is the gradient of the sum before clamping.
+/// - **Kernels** end where r² − |d|² falls to 2⁻¹⁰, with a discontinuity below 1e-10. Rounding
+///   therefore never decides whether the corner opposite to a face contributes, and grids may add
+///   corners in sequence.
 ///
-/// Nilsson 2008, section 4.1.3, prints the dot product with minus signs and its derivative without a factor. With
-/// t = r² − |d|² and s = g·d it is ∂(t⁴ s)/∂x = −8 x t³ s + t⁴ gₓ.
+/// Nilsson 2008, section 4.1.3, prints the dot product with minus signs and its derivative without
+/// a factor. With t = r² − |d|² and s = g·d the derivative is ∂(t⁴ s)/∂x = −8 x t³ s + t⁴ gₓ.
 ///
 /// ```
 /// use asperity_noise::{Field, Simplex, glam::Vec3};
@@ -56,8 +58,10 @@ kind!(
 );
 
 impl Simplex {
-    /// r² = 0.6, as in Nilsson 2008: smoother to the eye, but kernels are cut off at the faces of the simplices, where the noise
-    /// leaps. **Discontinuous** in 2-D and 3-D; measured leaps up to 0.0045 and 0.0023.
+    /// Creates simplex noise with r² = 0.6, as in Nilsson 2008.
+    ///
+    /// It has higher contrast than r² = 0.5 but is **discontinuous** at simplex faces, where
+    /// kernels are cut off. Measured discontinuities are up to 0.0045 in 2-D and 0.0023 in 3-D.
     #[must_use]
     pub const fn wide(seed: u32) -> Self {
         Self { seed, kernel: Radius::Wide, lattice: IntegerHash }
@@ -65,7 +69,7 @@ impl Simplex {
 }
 
 impl<L> Simplex<L> {
-    /// r², the square of the kernel's radius.
+    /// Returns r², the square of the kernel's radius.
     #[must_use]
     pub const fn radius_squared(&self) -> f32 {
         match self.kernel {
@@ -90,7 +94,7 @@ const fn lengths(axis: usize) -> [Lengths; 2] {
     [Lengths::new(MARGIN / MAXIMA[axis][0]), Lengths::new(MARGIN / MAXIMA[axis][1])]
 }
 
-/// A block of code once for each of the N + 1 corners.
+/// Repeats a block of code for each of the N + 1 corners.
 macro_rules! for_corners {
     ($n:ident, |$k:ident| $block:block) => {
         for_corners!(@ $n, $k, $block, 0 1 2 3 4)
@@ -114,10 +118,12 @@ impl<L: Lattice> Simplex<L> {
         terms
     }
 
-    /// The term of the corner that has the skewed coordinates, whose sum is `sum`, and draws the word.
+    /// The term of the corner with the given skewed coordinates, whose sum is `sum`; draws its
+    /// word.
     ///
-    /// A corner's place is computed from its skewed coordinates alone, so that all simplices around it agree on it to the
-    /// last bit, and what is rounded far from the origin moves corners but opens no seams.
+    /// A corner's position is computed from its skewed coordinates alone, so that all simplices
+    /// around it use the same bits. Far from the origin rounding moves corners without opening
+    /// seams.
     #[inline(always)]
     pub(crate) fn term<S: Lanes, const N: usize, const GRADIENTS: bool>(
         &self,
@@ -141,7 +147,7 @@ impl<L: Lattice> Simplex<L> {
         Term { t, d, g, slope: product::<S, N>(&g, &d) }
     }
 
-    /// The terms of the corners of a point's simplex, from the first to the last, handed to what adds them up.
+    /// Passes the terms of the corners of a point's simplex to `add`, from the first to the last.
     #[inline(always)]
     pub(crate) fn terms_at<S: Lanes, const N: usize, const GRADIENTS: bool>(
         &self,
@@ -156,7 +162,7 @@ impl<L: Lattice> Simplex<L> {
         for axis in 0..N {
             last[axis] = last[axis] + s.float(1.0);
         }
-        // Written out, because a loop with such a body is not unrolled.
+        // Repeated by a macro, because the compiler does not unroll a loop with this body.
         for_corners!(N, |k| {
             let (mut words, mut skewed) = ([terms[0][0]; N], first.skewed);
             for axis in 0..N {

@@ -1,4 +1,4 @@
-//! Simplex noise in space that repeats along the axes.
+//! Tileable simplex noise in 3-D.
 
 use crate::{
     contract::kernel::{Kernel, Measured},
@@ -11,17 +11,18 @@ use crate::{
     statistics::statistics::Statistics,
 };
 
-/// [`Simplex`] noise in space with a period along each axis, multiples of 3.
+/// [`Simplex`] noise in 3-D with a period along each axis, a multiple of 3.
 ///
-/// A corner of the simplicial lattice with the skewed coordinates (i, j, k) lies at x = i − (i + j + k)/6, and so on. The step
-/// (4, 1, 1) leads 3 along the x axis, so the lattice maps onto itself; corners whose 6x, 6y and 6z, integers, agree modulo
-/// six periods get the same word.
+/// The corner of the simplicial lattice with skewed coordinates (i, j, k) is at x = i − (i + j +
+/// k)/6, and so on. The step (4, 1, 1) moves by 3 along the x axis, so it maps the lattice onto
+/// itself. The integers 6x, 6y and 6z identify a corner. Corners that agree modulo six periods get
+/// the same word.
 ///
-/// In the plane and in 4-D no step along an axis maps the lattice onto itself: x = i − (i + j)(3 − √3)/6 is irrational unless
-/// i + j = 0. On the line [`Simplex`] takes a [`Tiled`] lattice.
+/// In 2-D and 4-D no step along an axis maps the lattice onto itself: x = i − (i + j)(3 − √3)/6 is
+/// irrational unless i + j = 0. In 1-D use [`Simplex`] on a [`Tiled`] lattice.
 ///
-/// - **Range, continuity:** those of the [`Simplex`] noise. Where p and p + period are exact in `f32` and under 2²², values and
-///   gradients have the same bits; corners wrap from 2²⁸ on.
+/// - **Range, continuity:** as for [`Simplex`]. If p and p + period are exact in `f32` and below
+///   2²², values and gradients have the same bits. Corners wrap from 2²⁸ on.
 ///
 /// ```
 /// use asperity_noise::{Field, Simplex, TiledSimplex, glam::Vec3};
@@ -39,7 +40,7 @@ pub struct TiledSimplex<L = IntegerHash> {
 }
 
 impl TiledSimplex {
-    /// The noise, repeated with the periods.
+    /// Creates the noise with the given periods.
     ///
     /// # Errors
     ///
@@ -57,27 +58,28 @@ impl TiledSimplex {
 }
 
 impl<L> TiledSimplex<L> {
-    /// Its words drawn from another lattice.
+    /// Sets the lattice that random words are drawn from.
     #[must_use]
     pub fn with_lattice<M>(self, lattice: M) -> TiledSimplex<M> {
         let Self { noise, periods } = self;
         TiledSimplex { noise: noise.with_lattice(Corners { lattice, periods }), periods }
     }
 
-    /// Another seed.
+    /// Sets the seed.
     #[must_use]
     pub fn with_seed(self, seed: u32) -> Self {
         Self { noise: self.noise.with_seed(seed), ..self }
     }
 
-    /// The period along each axis.
+    /// Returns the period along each axis.
     #[must_use]
     pub const fn periods(&self) -> &[u32; 3] {
         &self.periods
     }
 }
 
-/// The simplicial lattice in space, its corners named by six times their coordinates modulo the periods.
+/// The simplicial lattice in 3-D; corners are identified by six times their coordinates modulo the
+/// periods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Corners<L> {
     lattice: L,
@@ -107,7 +109,7 @@ impl<L: Lattice + Clone> Lattice for Corners<L> {
 }
 
 impl<L: Lattice> Corners<L> {
-    /// The terms of corners, moved by whole periods to ones of the first tile.
+    /// The terms of corners, moved by whole periods into the first tile.
     #[inline(always)]
     fn terms_of<S: Lanes, const N: usize>(&self, s: S, cell: [S::U; N]) -> [S::U; N] {
         let mut sum = cell[0];
