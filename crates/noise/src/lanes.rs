@@ -1,4 +1,5 @@
-//! The lanes that kinds of noise are written over, those of `asperity-core`, and the SIMD levels that a machine has.
+//! The lanes of `asperity-core` that noise kinds are written over, and the SIMD levels of a
+//! machine.
 
 pub(crate) use asperity_core::lanes::MAX_LANES as LANES;
 pub use asperity_core::lanes::{Arithmetic, Floats, Lanes, Scalar, Words};

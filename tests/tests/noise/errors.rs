@@ -28,17 +28,20 @@ fn errors_name_the_parameter_and_its_value() {
         (says(Cellular::new(0).with_jitter(1.5)), "`jitter` must be in [0, 1], got 1.5"),
         (says(ValueGradient::new(0).with_weight(-0.5)), "`weight` must be in [0, 1], got -0.5"),
         (says(Warp::new(noise, [noise; 2], f32::INFINITY)), "`strength` must be finite, got inf"),
-        (says(PermutationTable::from_entries(entries)), "the entry 3 at position 9 is there a second time"),
+        (
+            says(PermutationTable::from_entries(entries)),
+            "duplicate entry 3 at index 9 (entries must be a permutation of 0 to 255)",
+        ),
         (says(Tiled::new(IntegerHash, [8, 0])), "`periods[1]` must be from 1 to 2097152, got 0"),
         (says(TiledSimplex::new(Simplex::new(0), [3, 6, 4])), "`periods[2]` must be a multiple of 3, got 4"),
-        (says(untiled), "`noise` must repeat: put it on a `Tiled` lattice, or take `TiledSimplex`"),
+        (says(untiled), "`noise` must be tileable (use a `Tiled` lattice or `TiledSimplex`)"),
         (
             TiledError::NoOctavePeriod { axis: 1, period: 5, lacunarity: 2.5, octave: 3 }.to_string(),
             "`periods[1]` times `lacunarity` to the power 3 must be a whole number up to 2097152, got 5 · 2.5^3",
         ),
         (
             says(RidgedMultifractal::<_, 2>::new(noise, Spectrum::CLOUD, -1.0)),
-            "`feedback` must be a finite number from 0 on, got -1",
+            "`feedback` must be finite and at least 0, got -1",
         ),
         (
             says(Field::<Vec2>::values(&noise, &[Vec2::ZERO; 2], &mut [0.0])),

@@ -1,10 +1,10 @@
-//! Slopes by differences, with what they can be off.
+//! Slopes by finite differences, with error bounds.
 
 use asperity_core::math::sqrt_f64;
 
 use crate::point::Point;
 
-/// The most of a point's coordinates: so near to the origin they cost few digits.
+/// The largest magnitude of a point's coordinates; so close to the origin they lose few digits.
 pub(super) const REACH: f32 = 4.0;
 
 /// A unit in the last place of a number of one.
@@ -16,8 +16,9 @@ const ULP: f64 = 1.0 / 8_388_608.0;
 /// D(h) = (f(p + h) − f(p − h))/(2h),      |D(h) − f′(p)| ≤ |D(h) − D(2h)| + |f(p + h) − 2 f(p) + f(p − h)|/(2h) + 4 ulp (|f| + |p| |∇f|)/h
 /// ```
 ///
-/// The first is what the third derivative does three times over; the second what a kink does that is nearer than `h`; the third is the
-/// rounding of values and of places to `f32`. Of the steps from 2⁻¹⁴ to 2⁻⁴, as long as they agree, that of the least bound is taken.
+/// The first term is three times the error of the third derivative. The second is the error of a
+/// kink closer than `h`. The third is the rounding of values and positions to `f32`. Of the steps
+/// from 2⁻¹⁴ to 2⁻⁴, as long as they agree, the step with the smallest bound is used.
 pub(super) fn slope<V: Point>(f: &dyn Fn(V) -> f64, p: V, axis: usize, size: f64, steep: f64) -> [f64; 2] {
     let moved = |by: f32| {
         let mut coordinates = p.coordinates();
@@ -40,7 +41,7 @@ pub(super) fn slope<V: Point>(f: &dyn Fn(V) -> f64, p: V, axis: usize, size: f64
         let wider = (far[1] - far[0]) / (2.0 * twice);
         let bound =
             (difference - wider).abs() + (ahead - 2.0 * here + behind).abs() / (2.0 * h) + rounding / h;
-        // Steps that are longer than what there is to see agree by chance.
+        // Steps that are longer than the features of the function agree by chance.
         if (difference - best[0]).abs() > best[1] {
             break;
         }

@@ -1,4 +1,4 @@
-//! Checks of a field, and of one that knows its second derivatives.
+//! Checks of a field, optionally with second derivatives.
 
 use alloc::{format, string::String, vec, vec::Vec};
 
@@ -15,33 +15,37 @@ use crate::{
     sample::Sample,
 };
 
-/// Points at which slopes are compared.
+/// The number of points at which slopes are compared.
 const POINTS: usize = 1024;
 
-/// The largest error of a slope beyond what differences err, over the root mean square slope, that passes.
+/// The largest accepted error of a slope beyond the error of the differences, over the root mean
+/// square slope.
 const SLOPE: f64 = 1e-3;
 
-/// By how much of its width a range may be overstepped: rounding of values.
+/// The accepted excess over a range, relative to its width, for the rounding of values.
 const RANGE: f64 = 1e-6;
 
 /// Checks of a [`Field`]: gradients, range, lists and grids, totality.
 ///
-/// - **gradient:** its components are slopes by differences, within a thousandth of the root mean square slope and what the differences
-///   can be off, at nine of ten points along each axis, so that kinks are free;
-/// - **range:** no value is beyond [`Field::range`], in 4096 points;
-/// - **lists and grids:** [`Field::value`], lists and grids have the bits of [`Field::sample`], at odd points as well;
-/// - **totality:** odd points, NaN, infinities, huge and tiny numbers, have finite values and gradients.
+/// - **gradient:** its components match finite differences within a thousandth of the root mean
+///   square slope plus the error of the differences. They must match at nine of ten points along
+///   each axis, so that kinks are allowed.
+/// - **range:** no value at 4096 points is beyond [`Field::range`].
+/// - **lists and grids:** [`Field::value`], lists and grids have the bits of [`Field::sample`],
+///   also at odd points.
+/// - **totality:** values and gradients are finite at NaN, infinities, and huge and tiny numbers.
 ///
 /// # Accuracy
 ///
-/// Differences `D(h)` are taken over steps from 2⁻¹⁴ to 2⁻⁴, as long as they agree, and bounded by `|D(h) − D(2h)|`, half of the second
-/// difference over `h` and the rounding of values and places over `h`; the step of the least bound counts. The report says how small the median bound
-/// is: an error of a gradient that is smaller everywhere is not seen.
+/// Differences `D(h)` use steps from 2⁻¹⁴ to 2⁻⁴, as long as they agree. Their error is bounded by
+/// `|D(h) − D(2h)|`, half of the second difference over `h`, and the rounding of values and
+/// positions over `h`. The step with the smallest bound is used. The report contains the median
+/// bound: an error of a gradient that is smaller everywhere is not detected.
 ///
 /// ```
 /// use asperity_noise::{Field, Perlin2002, Sample, check, glam::Vec2};
 ///
-/// /// A field of one's own, whose gradient is a hundredth off along y.
+/// /// A custom field whose gradient is wrong by a hundredth along y.
 /// struct Off(Perlin2002);
 /// impl Field<Vec2> for Off {
 ///     fn sample(&self, p: Vec2) -> Sample<Vec2> {
@@ -65,10 +69,12 @@ pub fn field<V: Point, F: Field<V> + ?Sized>(field: &F, settings: Settings) -> R
     report
 }
 
-/// Checks of a [`Curved`] field: those of [`field`](field()), and Hessians.
+/// Checks of a [`Curved`] field: the checks of [`field`](field()), and Hessians.
 ///
-/// - **bits:** value and gradient of [`Curved::second_order`] are the sample's, and the Hessian is symmetric, bit for bit;
-/// - **Hessian:** its rows are slopes of the gradient by differences, as gradients are those of values.
+/// - **bits:** value and gradient of [`Curved::second_order`] equal the sample, and the Hessian is
+///   symmetric, bit for bit.
+/// - **Hessian:** its rows match finite differences of the gradient, with the same limits as
+///   gradients.
 ///
 /// ```
 /// use asperity_noise::{Simplex, check, glam::Vec3};
@@ -91,7 +97,7 @@ where
         let same = same(there.value, sample.value) && same_point(there.gradient, sample.gradient);
         broken.unless(symmetric && same, || format!("second_order({p:?}) = {there:?}, sample {sample:?}"));
     }
-    broken.add(&mut report, "bits of second order", "cases that differ");
+    broken.add(&mut report, "bits of second order", "cases with different bits");
     let hessians = Slopes {
         functions: axes::<V>(),
         f: &|i, p| of.sample(p).gradient.coordinates().as_ref()[i],
@@ -114,7 +120,7 @@ struct Slopes<'a, V> {
 }
 
 impl<V: Point> Slopes<'_, V> {
-    /// Adds how far slopes are from differences.
+    /// Adds the difference of slopes from finite differences.
     fn add(&self, report: &mut Report, name: &'static str, quantity: &'static str, settings: Settings) {
         let mut point = points(settings, 0, REACH);
         let cases: Vec<(V, usize)> = (0..POINTS).map(|k| (point(), k % self.functions)).collect();
@@ -122,7 +128,7 @@ impl<V: Point> Slopes<'_, V> {
         let slopes: Vec<V::Coordinates> =
             cases.iter().map(|&(p, i)| (self.slope)(i, p).coordinates()).collect();
         let steep = root_mean_square(slopes.iter().flat_map(AsRef::as_ref).map(|&x| f64::from(x)));
-        // What is level everywhere has no slope to compare with.
+        // A constant function has no slope to compare with.
         let scale = steep.max(1e-3 * size).max(f64::MIN_POSITIVE);
         let mut bounds = Vec::new();
         let mut errors: Vec<Vec<(f64, V)>> = (0..axes::<V>()).map(|_| Vec::new()).collect();
@@ -149,7 +155,7 @@ impl<V: Point> Slopes<'_, V> {
     }
 }
 
-/// Adds how far values are beyond the range.
+/// Adds the excess of values over the range.
 fn add_range<V: Point, F: Field<V> + ?Sized>(report: &mut Report, field: &F, settings: Settings) {
     let [low, high] = field.range().map(f64::from);
     let mut point = points(settings, 1, REACH);
@@ -164,7 +170,7 @@ fn add_range<V: Point, F: Field<V> + ?Sized>(report: &mut Report, field: &F, set
     report.add("range", "excess over the width", worst, Limit::AtMost(RANGE), place);
 }
 
-/// Whether both are the same number, or both NaN.
+/// Whether both are the same number or both NaN.
 fn same(a: f32, b: f32) -> bool {
     a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan()
 }
@@ -179,7 +185,7 @@ pub(super) fn same_sample<V: Point>(a: Sample<V>, b: Sample<V>) -> bool {
     same(a.value, b.value) && same_point(a.gradient, b.gradient)
 }
 
-/// Adds that values, lists and grids have the bits of samples.
+/// Adds the check that values, lists and grids have the bits of samples.
 fn add_batches<V: Point, F: Field<V> + ?Sized>(report: &mut Report, field: &F, settings: Settings) {
     let mut broken = Broken::default();
     let mut point = points(settings, 3, 64.0);
@@ -193,7 +199,7 @@ fn add_batches<V: Point, F: Field<V> + ?Sized>(report: &mut Report, field: &F, s
         broken.unless(same_sample(sample, expected), || format!("samples at {p:?}: {sample:?}"));
     }
 
-    // Rows of no whole number of lanes, over several cells and within one.
+    // Rows whose length is not a multiple of the lanes, over several cells and within one.
     for step in [0.37, 1.0 / 256.0] {
         let grid = Grid {
             origin: point(),
@@ -214,10 +220,10 @@ fn add_batches<V: Point, F: Field<V> + ?Sized>(report: &mut Report, field: &F, s
             broken.unless(same_sample(got, sample), || format!("grid_samples at {p:?}: {got:?}"));
         }
     }
-    broken.add(report, "lists and grids", "points of other bits");
+    broken.add(report, "lists and grids", "points with different bits");
 }
 
-/// Points with a coordinate that evaluation must survive, and those with all such.
+/// Points with one odd coordinate, and points with odd coordinates only.
 fn odd_points<V: Point>() -> impl Iterator<Item = V> {
     const ODD: [f32; 14] = [
         f32::NAN,
@@ -241,7 +247,7 @@ fn odd_points<V: Point>() -> impl Iterator<Item = V> {
     })
 }
 
-/// Adds totality of samples.
+/// Adds the check that samples are total.
 fn add_totality<V: Point, F: Field<V> + ?Sized>(report: &mut Report, field: &F) {
     let mut broken = Broken::default();
     for p in odd_points::<V>() {
@@ -250,10 +256,10 @@ fn add_totality<V: Point, F: Field<V> + ?Sized>(report: &mut Report, field: &F) 
             sample.value.is_finite() && sample.gradient.coordinates().as_ref().iter().all(|x| x.is_finite());
         broken.unless(finite, || format!("sample({p:?}) = {sample:?}"));
     }
-    broken.add(report, "totality", "points without a number");
+    broken.add(report, "totality", "points with a non-finite result");
 }
 
-/// Counts of what breaks a promise, with the first case.
+/// Counts violations, with the first case.
 #[derive(Default)]
 pub(super) struct Broken {
     count: u32,

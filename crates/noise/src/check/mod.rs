@@ -1,7 +1,8 @@
-//! Property tests for any field, your own included: gradients against differences, ranges, lists and grids, statistics, tiles, and
-//! totality on odd input.
+//! Property tests for any field, including custom fields.
 //!
-//! Five lines do to any field what the tests of this crate do to its own:
+//! They compare gradients with finite differences, check ranges, lists and grids, statistics,
+//! tiles, and totality on odd input. Five lines test any field like the tests of this crate test
+//! its own fields:
 //!
 //! ```
 //! use asperity_noise::{Perlin2002, check::{self, Settings}, glam::Vec3};
@@ -13,11 +14,12 @@
 //!
 //! # False alarms
 //!
-//! [`Settings::significance`] is the probability with which a right noise may fail a report by chance, divided evenly among the three
-//! statistical tests of [`noise()`]; the other checks have limits that no chance is in. Reports have the form of those of
-//! `asperity_ndf_sampling::check`, which does the same for densities.
+//! [`Settings::significance`] is the probability that a correct noise fails a report by chance. It
+//! is divided evenly among the three statistical tests of [`noise()`]. The limits of the other
+//! checks involve no chance. Reports have the form of `asperity_ndf_sampling::check`, which tests
+//! densities.
 //!
-//! The feature `check` is off by default and adds no dependency: enable it for `dev-dependencies`.
+//! The feature `check` is off by default and adds no dependency. Enable it in `dev-dependencies`.
 
 mod difference;
 mod field;

@@ -1,4 +1,4 @@
-//! Checks of a kind of noise against the statistics that it states.
+//! Checks of a kind of noise against its stated statistics.
 
 use alloc::{vec, vec::Vec};
 
@@ -14,23 +14,28 @@ use crate::{
 /// Half a side of the box that points are drawn from, in cells.
 const BOX: f32 = 64.0;
 
-/// The octaves of the sum whose distribution [`Statistics`](crate::Statistics) state.
+/// The number of octaves of the sum whose distribution is in [`Statistics`](crate::Statistics).
 const OCTAVES: usize = 8;
 
 /// Error of measured means and deviations, over σ₁, and of measured distributions.
 const TABLE: f64 = 3e-3;
 
-/// Checks of a [`Noise`]: those of [`field`](field()), and its mean, deviation and distribution over seeds.
+/// Checks of a [`Noise`]: the checks of [`field`](field()), and mean, deviation and distribution
+/// over seeds.
 ///
 /// ```text
 /// |mean − μ| < z σ₁/√n,      |mean of (n − μ)² − σ₁²| < z s/√n,      sup |F(r) − G(r)| < z/(2√n),      z = √(2 ln(2·3/significance))
 /// ```
 ///
-/// - **Samples:** each of a seed and a place of its own, so that they are independent; s is their own deviation of squares.
-/// - **Distribution:** F is that of sums of eight such with gain ½, over their deviation, at the knots of
-///   [`Statistics::cdf`](crate::Statistics), by Kolmogorov and Smirnov.
-/// - **Significance:** each bound is exceeded with at most a third of that of the settings: those of means by Chernoff's bound of Gaussian
-///   tails, that of the distribution by Massart's. 0.003 is left to the measured tables themselves, in units of σ₁.
+/// - **Samples:** each has its own seed and place, so that samples are independent. s is the sample
+///   deviation of squares.
+/// - **Distribution:** F is the distribution of sums of eight octaves with gain ½, divided by their
+///   deviation, at the knots of [`Statistics::cdf`](crate::Statistics), tested by
+///   Kolmogorov–Smirnov.
+/// - **Significance:** each bound is exceeded with at most a third of the probability of the
+///   settings. The bounds of means use Chernoff's bound of Gaussian tails, the bound of the
+///   distribution uses Massart's inequality. The measured tables themselves are allowed an error of
+///   0.003, in units of σ₁.
 ///
 /// ```
 /// use asperity_noise::{Gaussian, check, glam::Vec2};
@@ -75,12 +80,12 @@ pub fn noise<V: Point, N: Noise<V> + Clone>(noise: &N, settings: Settings) -> Re
     report
 }
 
-/// The largest difference of an empirical distribution function from another at its knots over ±4.
+/// The largest difference of an empirical distribution function from a table over ±4.
 fn distance(samples: impl Iterator<Item = f64>, cdf: &[f32], n: usize) -> f64 {
     let cells = cdf.len().saturating_sub(1) as f64;
     let mut counts = vec![0_u32; cdf.len()];
     for r in samples {
-        // The first knot that is not below; a cast takes what is beyond the knots to the ends.
+        // The first knot that is not below. The cast clamps values beyond the knots to the ends.
         let knot = (r + 4.0) * cells / 8.0;
         let above = knot as usize + usize::from(knot > 0.0);
         if let Some(count) = counts.get_mut(above) {

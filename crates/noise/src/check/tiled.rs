@@ -1,4 +1,4 @@
-//! Checks of fields that repeat.
+//! Checks of tileable fields.
 
 use alloc::format;
 
@@ -14,9 +14,10 @@ use crate::{
     point::Point,
 };
 
-/// Checks that a field repeats along each axis after `period`, to the bit; along an axis of period 0 nothing is asked.
+/// Checks that a field repeats along each axis after `period`, bit for bit.
 ///
-/// Of 4096 points with coordinates of 15 bits up to ±4: periods up to 1024 in steps of 2⁻¹² move them without rounding.
+/// Axes of period 0 are not checked. The check uses 4096 points with coordinates of 15 bits up to
+/// ±4: periods up to 1024 in steps of 2⁻¹² move them without rounding.
 ///
 /// ```
 /// use asperity_noise::{IntegerHash, Octaves, Perlin2002, Spectrum, Tiled, check, glam::Vec2};
@@ -38,6 +39,6 @@ pub fn tiled<V: Point, F: Field<V> + ?Sized>(field: &F, period: V, settings: Set
         let [here, there] = [V::from_coordinates(p), moved].map(|p| field.sample(p));
         broken.unless(same_sample(here, there), || format!("{here:?} at {p:?}, {there:?} at {moved:?}"));
     }
-    broken.add(&mut report, "tile", "points that differ a period on");
+    broken.add(&mut report, "tile", "points that differ after a period");
     report
 }

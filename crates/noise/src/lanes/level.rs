@@ -1,4 +1,4 @@
-//! The SIMD levels that a batch can run at.
+//! The SIMD levels of batches.
 
 use core::fmt;
 
@@ -23,13 +23,14 @@ use asperity_core::lanes::{Registers, best_level};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Level {
-    /// One point at a time; a batch of this level has the four lanes of the baseline where there is one with lanes.
+    /// One point at a time. A batch of this level uses the four lanes of the baseline if the
+    /// baseline has lanes.
     Scalar,
-    /// Four lanes, the least of x86-64; SSE4.2, of machines before 2013, is not worth a form of its own.
+    /// Four lanes, the minimum of x86-64. SSE4.2, for machines before 2013, has no separate level.
     Sse2,
     /// Eight lanes, x86-64-v3.
     Avx2,
-    /// Sixteen lanes, from Ice Lake on.
+    /// Sixteen lanes, available from Ice Lake on.
     Avx512,
     /// Four lanes on 64-bit Arm.
     Neon,
@@ -40,18 +41,21 @@ pub enum Level {
 impl Level {
     const ALL: [Self; 6] = [Self::Scalar, Self::Sse2, Self::Avx2, Self::Avx512, Self::Neon, Self::Wasm128];
 
-    /// The best level of this machine; without `std`, the best that the program was built for; without `simd`, [`Level::Scalar`].
+    /// Returns the best level of this machine.
+    ///
+    /// Without `std` it is the best level that the program is compiled for; without `simd`,
+    /// [`Level::Scalar`].
     #[must_use]
     pub fn best() -> Self {
         Self::available().last().unwrap_or(Self::Scalar)
     }
 
-    /// All levels of this machine, in ascending order.
+    /// Iterates over all levels of this machine, in ascending order.
     pub fn available() -> impl Iterator<Item = Self> {
         Self::ALL.into_iter().filter(|level| level.is_available())
     }
 
-    /// Whether this machine has the level.
+    /// Returns whether this machine has the level.
     #[must_use]
     pub fn is_available(self) -> bool {
         #[cfg(feature = "simd")]
@@ -60,7 +64,7 @@ impl Level {
         return self == Self::Scalar;
     }
 
-    /// The level's name in lower case, `sse2` or `avx2` for instance.
+    /// Returns the level's name in lower case, for instance `sse2` or `avx2`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -73,7 +77,7 @@ impl Level {
         }
     }
 
-    /// The proof that the machine has the level.
+    /// A token that proves that the machine has the level.
     #[cfg(feature = "simd")]
     #[inline]
     fn token(self) -> Option<fearless_simd::Level> {
@@ -90,7 +94,7 @@ impl Level {
             #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
             Self::Wasm128 => best.as_wasm_simd128().map(fearless_simd::Level::WasmSimd128),
             _ => {
-                // Only read on some architectures.
+                // Used on some architectures only.
                 let _ = best;
                 None
             }
@@ -113,24 +117,28 @@ impl fmt::Display for Level {
     }
 }
 
-/// Whether values alone are evaluated without gradients. On x86 processors without AVX2 they are not, where they would be 1.2 times as
-/// fast: each form of a kind takes its time to compile.
+/// Whether values are evaluated without gradients.
+///
+/// On x86 processors without AVX2 they are not, although they would be 1.2 times as fast, because
+/// each variant of a kind takes time to compile.
 #[must_use]
 pub(crate) const fn has_values_alone<S: Lanes>() -> bool {
     S::LEN != 4 || !cfg!(any(target_arch = "x86", target_arch = "x86_64"))
 }
 
-/// The proof that the machine has a level, found once for all rows of a batch.
+/// A token that proves that the machine has a level, obtained once for all rows of a batch.
 #[derive(Clone, Copy, Debug)]
 pub struct Instructions {
     #[cfg(feature = "simd")]
     token: Option<fearless_simd::Level>,
 }
 
-/// Runs the work of a single point, for which four or eight lanes are as many as it fills. Nothing where there is one lane only.
+/// Runs the work of a single point, which fills at most four or eight lanes; `None` if there is
+/// only one lane.
 ///
-/// On x86 with AVX2 alone, since each level takes its time to compile for every noise, and processors without it are few. Never
-/// inlined: a program has calls of each sum in many places, and what they run once.
+/// On x86 it uses AVX2 only, since each level takes time to compile for every noise, and few
+/// processors lack AVX2. Never inlined: a program calls each sum in many places, and the called
+/// code runs once.
 #[inline(never)]
 pub(crate) fn run_at_point(task: impl Task<Output = ()>) -> Option<()> {
     #[cfg(not(feature = "simd"))]
@@ -164,7 +172,8 @@ impl Instructions {
         false
     }
 
-    /// Runs a task, at the level or at one below it that tasks are compiled for: on x86 at the baseline, AVX2 or AVX-512.
+    /// Runs a task at the level, or at the next lower level that tasks are compiled for: on x86 the
+    /// baseline, AVX2 or AVX-512.
     #[inline(always)]
     pub(crate) fn run(self, task: impl Task<Output = ()>) {
         #[cfg(all(feature = "simd", any(target_arch = "x86", target_arch = "x86_64")))]
@@ -174,7 +183,7 @@ impl Instructions {
         self.run_in_eight(task);
     }
 
-    /// Runs a task at the level or below it, in eight lanes at most.
+    /// Runs a task at the level or below it, in at most eight lanes.
     #[cfg(all(feature = "simd", any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
     #[inline(always)]
     pub(crate) fn run_in_eight<T: Task>(self, task: T) -> T::Output
@@ -205,7 +214,7 @@ impl Instructions {
     }
 }
 
-/// Four lanes of the level that the program is built for, which a single call may use.
+/// Four lanes of the level that the program is compiled for, which a single call may use.
 #[cfg(feature = "simd")]
 macro_rules! four {
     ($level:ty, $token:ident) => {
@@ -223,7 +232,8 @@ four!(fearless_simd::aarch64::Neon, as_neon);
 #[cfg(all(feature = "simd", target_arch = "wasm32", target_feature = "simd128"))]
 four!(fearless_simd::wasm32::WasmSimd128, as_wasm_simd128);
 
-/// Four lanes of the level that the program is built for: `None` where the architecture has no SIMD level.
+/// Four lanes of the level that the program is compiled for: `None` if the architecture has no SIMD
+/// level.
 #[cfg(all(
     feature = "simd",
     not(any(
@@ -244,12 +254,12 @@ mod tests {
     use alloc::string::ToString;
 
     #[test]
-    fn levels_are_named_apart_and_ascend_from_the_one_that_every_machine_has() {
+    fn levels_have_distinct_names_and_ascend_from_the_baseline() {
         let names = Level::ALL.map(|level| level.to_string());
         assert_eq!(names, ["scalar", "sse2", "avx2", "avx512", "neon", "wasm128"]);
         assert!(Level::Scalar.is_available());
         assert_eq!(Level::available().last(), Some(Level::best()));
-        // No machine has the instructions of two.
+        // No machine has the instructions of two of them.
         let families = [Level::Sse2, Level::Neon, Level::Wasm128];
         assert!(families.into_iter().filter(|level| level.is_available()).count() <= 1);
     }

@@ -1,25 +1,29 @@
-//! The chained look-ups of Nilsson 2008: a permutation in a texture, read once per axis.
+//! The chained lookups of Nilsson 2008: a permutation in a texture, read once per axis.
 
 use crate::{
     lattice::integer_hash::mix, lattice::lattice::Lattice, lattice::permutation_table::PermutationTable,
 };
 
-/// A random permutation in a texture of 256 texels, read once per axis, each time from where the last look-up leads.
+/// A random permutation in a texture of 256 texels, read once per axis.
+///
+/// Each lookup starts where the previous lookup leads.
 ///
 /// ```text
 /// v = 0;  for each axis: v = T(xᵢ/(256 size) + v),   T(u) = entry[⌊256 (u − ⌊u⌋)⌋]/255
 /// ```
 ///
-/// T is a texture of bytes, sampled at points and repeated. The first axis is read first. A byte of 255 is v = 1, one whole
-/// turn, and any other leads k + k/255 texels on: cells of different columns are shifted by k/255 of a cell. Only 256
-/// different values exist; the period is 256·size along each axis.
+/// T is a texture of bytes, sampled at points and repeated. The first axis is read first. A byte of
+/// 255 is v = 1, one whole turn. Any other byte k moves by k + k/255 texels: cells of different
+/// columns are shifted by k/255 of a cell. Only 256 different values exist. The period is 256·size
+/// along each axis.
 ///
-/// [`prng`](Self::prng) is the original. As a [`Lattice`] the table is read at integers, size 1, with one addition per
-/// dimension, and its byte and the seed are mixed to a word as in [`PermutationTable`]. Take
-/// [`IntegerHash`](crate::IntegerHash) unless the original is to be reproduced.
+/// [`prng`](Self::prng) is the original function. As a [`Lattice`] the table is read at integers,
+/// with size 1 and one addition per dimension. Byte and seed are mixed to a word as in
+/// [`PermutationTable`]. Use [`IntegerHash`](crate::IntegerHash) unless you reproduce the original.
 ///
-/// Nilsson 2008, "Procedural Generation of Natural Variations in Materials and Surfaces", section 4.1.2. The text leaves the
-/// texture's format open; bytes are the 256 values that it speaks of.
+/// Nilsson 2008, "Procedural Generation of Natural Variations in Materials and Surfaces", section
+/// 4.1.2. The text does not define the format of the texture. Bytes are the 256 values that it
+/// mentions.
 ///
 /// ```
 /// use asperity_noise::lattice::{ChainedTable, PermutationTable};
@@ -35,10 +39,10 @@ pub struct ChainedTable(
 );
 
 impl ChainedTable {
-    /// The original function: v after the look-ups of all axes, in [0, 1].
+    /// Evaluates the original function: v after the lookups of all axes, in [0, 1].
     ///
-    /// Products, quotients and sums are rounded to `f32`, in the order of the listing. A coordinate that is not finite reads
-    /// the first texel.
+    /// Products, quotients and sums are rounded to `f32`, in the order of the listing. A coordinate
+    /// that is not finite reads the first texel.
     #[must_use]
     #[inline]
     pub fn prng<const N: usize>(&self, position: [f32; N], size: f32) -> f32 {
@@ -49,7 +53,7 @@ impl ChainedTable {
         v
     }
 
-    /// The texture at u, repeated: fractions of the byte's 255.
+    /// The texture at u, repeated; bytes are fractions of 255.
     #[inline]
     fn texel(&self, u: f32) -> f32 {
         let mut texel = 0;
@@ -57,19 +61,19 @@ impl ChainedTable {
         if u.abs() < 8_388_608.0 {
             let truncated = u as i32 as f32;
             let floor = if u < truncated { truncated - 1.0 } else { truncated };
-            // Next under an integer the fraction rounds to 1.
+            // Just under an integer the fraction rounds to 1.
             texel = ((u - floor) * 256.0) as u32 & 255;
         }
         f32::from(self.0.entries()[texel as usize]) / 255.0
     }
 
-    /// The byte of a cell: the original at the cell's corner, size 1, without rounding.
+    /// Returns the byte of a cell: the original at the cell's corner, size 1, without rounding.
     #[must_use]
     #[inline]
     pub fn index<const N: usize>(&self, cell: [i32; N]) -> u8 {
         let mut byte = 0;
         for x in cell {
-            // A byte k leads 256 k/255 texels on.
+            // A byte k moves by 256 k/255 texels.
             let shift = i32::from(byte) + i32::from(byte == 255);
             byte = self.0.entries()[(x.wrapping_add(shift) & 255) as usize];
         }
@@ -89,7 +93,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_lattice_is_the_original_at_integers() {
+    fn chained_table_matches_prng_at_integers() {
         let table = ChainedTable(PermutationTable::new(3));
         let mut whole_turns = 0;
         for i in -2000..2000_i16 {
@@ -97,7 +101,7 @@ mod tests {
             let position = cell.map(f32::from);
             let byte = table.index(cell.map(i32::from));
             assert_eq!(table.prng(position, 1.0), f32::from(byte) / 255.0, "{cell:?}");
-            // A power of two as size loses nothing either.
+            // A power of two as size is exact, too.
             assert_eq!(table.prng(position.map(|x| 4.0 * x), 4.0), f32::from(byte) / 255.0, "{cell:?}");
             whole_turns += u32::from(table.index([i32::from(i)]) == 255);
         }
@@ -105,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_look_up_is_the_table() {
+    fn chained_table_first_lookup() {
         let table = ChainedTable(PermutationTable::new(9));
         for x in -300..300_i32 {
             assert_eq!(table.index([x]), table.0.entries()[(x & 255) as usize]);
@@ -115,7 +119,7 @@ mod tests {
     }
 
     #[test]
-    fn every_position_has_a_value() {
+    fn chained_table_is_total() {
         let table = ChainedTable(PermutationTable::new(3));
         let first = f32::from(table.0.entries()[0]) / 255.0;
         for x in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX] {

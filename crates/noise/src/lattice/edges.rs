@@ -1,4 +1,4 @@
-//! Directions to the edges of a cube, by the upper bits of a lattice word.
+//! Directions to the edges of a cube, selected by the upper bits of a lattice word.
 
 use crate::lanes::{Arithmetic, LANES, Lanes, Scalar};
 
@@ -12,7 +12,7 @@ const SHORT: f32 = 0.541_196_1;
 /// The top bit of a word, the sign of a float.
 const SIGN: u32 = 0x8000_0000;
 
-/// From here on signed numbers are in their second and in their last third.
+/// Signed numbers from here on are in their second and in their last third.
 const SECOND_THIRD: i32 = i32::MIN + 1_431_655_766;
 const LAST_THIRD: i32 = SECOND_THIRD + 1_431_655_765;
 
@@ -22,11 +22,11 @@ fn sign<S: Lanes, const N: u32>(s: S, word: S::U) -> S::U {
     if N == 0 { word & s.word(SIGN) } else { s.shl::<N>(word) & s.word(SIGN) }
 }
 
-/// The components of an edge direction in space or in 4-D by their signs, but for the one that is 0.
+/// The signs of the components of an edge direction in 3-D or 4-D, except the component that is 0.
 #[derive(Clone, Copy)]
 pub(crate) struct Edge<S: Lanes, const N: usize> {
     word: S::U,
-    /// In space, whether it is not the first component, and whether not the third.
+    /// In 3-D, whether the direction is not the first component, and whether it is not the third.
     others: [S::M; 2],
 }
 
@@ -63,7 +63,7 @@ impl<S: Lanes, const N: usize> Edge<S, N> {
     }
 }
 
-/// A length of directions, and those of the plane times it: both components by index, twice.
+/// A length of directions, and the directions of 2-D times it: both components by index, twice.
 pub(crate) struct Lengths {
     length: f32,
     plane: [[f32; LANES]; 2],
@@ -82,10 +82,11 @@ impl Lengths {
     }
 }
 
-/// A direction to an edge, times a length: one of 16, 8, 12 or 32 in 1 to 4 dimensions.
+/// A direction to an edge, times a length; one of 16, 8, 12 or 32 in 1 to 4 dimensions.
 ///
-/// ±⅛ … ±1; √2 times those at odd multiples of 22.5°; (±1, ±1, 0) and its rotations; (0, ±1, ±1, ±1) and its rotations. Equally
-/// likely, by the upper four, three, 29 or six bits; in space within 4e-9.
+/// The directions are ±⅛ … ±1 in 1-D, vectors of length √2 at odd multiples of 22.5° in 2-D, (±1,
+/// ±1, 0) and its rotations in 3-D, and (0, ±1, ±1, ±1) and its rotations in 4-D. They are equally
+/// likely, selected by the upper four, three, 29 or six bits; in 3-D within 4e-9.
 #[inline(always)]
 pub(crate) fn edge_direction<S: Lanes, const N: usize>(s: S, word: S::U, lengths: &Lengths) -> [S::F; N] {
     let length = lengths.length;
@@ -121,9 +122,10 @@ pub(crate) fn edge_direction<S: Lanes, const N: usize>(s: S, word: S::U, lengths
     g
 }
 
-/// g·d of a direction to an edge in space, times a length: of three products the two that are not 0, one choice for each.
+/// g·d of a direction to an edge in 3-D, times a length.
 ///
-/// A sum of both has the bits of that of all three but for the sign of 0.
+/// Adds the two products that are not 0, each selected once. The sum has the bits of the sum of all
+/// three except for the sign of 0.
 #[inline(always)]
 pub(crate) fn edge_product<S: Lanes, const N: usize>(
     s: S,
@@ -139,7 +141,8 @@ pub(crate) fn edge_product<S: Lanes, const N: usize>(
     length * s.select(first, x, y) + length * s.select(third, z, y)
 }
 
-/// The edge directions by index: the upper bits, and in space the third of the rest above those.
+/// The edge directions by index: the upper bits, and in 3-D the third of the remaining bits above
+/// them.
 static EDGES_2: [[f32; 4]; 8] = edges_2();
 static EDGES_3: [[f32; 4]; 32] = edges();
 static EDGES_4: [[f32; 4]; 64] = edges();
@@ -155,7 +158,8 @@ const fn edges_2() -> [[f32; 4]; 8] {
     edges
 }
 
-/// Signs by the bits of the index from the upper ones down, after the axis in space, before it in 4-D.
+/// Signs by the bits of the index from the upper bits down, after the axis in 3-D, before it in
+/// 4-D.
 const fn edges<const COUNT: usize>() -> [[f32; 4]; COUNT] {
     let mut edges = [[0.0; 4]; COUNT];
     let mut i = 0;
@@ -192,7 +196,7 @@ fn edge_entry<S: Lanes, const N: usize>(s: S, word: S::U, length: f32) -> [S::F;
 /// The gradient that [`Perlin2002`](crate::Perlin2002) and [`Simplex`](crate::Simplex) draw from an
 /// [upper word](crate::Lattice::upper_word), before scaling.
 ///
-/// One of the 16, 8, 12 or 32 directions that [`Perlin2002`](crate::Perlin2002) lists.
+/// It is one of the 16, 8, 12 or 32 directions listed at [`Perlin2002`](crate::Perlin2002).
 #[must_use]
 pub fn edge_gradient<const N: usize>(word: u32) -> [f32; N] {
     edge_direction(Scalar, Scalar.word(word), &const { Lengths::new(1.0) })
@@ -206,7 +210,7 @@ mod tests {
     use crate::{lanes::level::Level, lattice::integer_hash::mix};
     use approx::assert_abs_diff_eq;
 
-    /// The tables again, which the compiler has made.
+    /// Runs the `const` functions at run time.
     #[test]
     fn tables_hold_every_direction_once() {
         let plane = edges_2();
@@ -226,13 +230,13 @@ mod tests {
         for (k, [x, y, ..]) in plane.into_iter().cycle().take(LANES).enumerate() {
             assert_eq!([lengths.plane[0][k], lengths.plane[1][k]], [0.7 * x, 0.7 * y]);
         }
-        // In space the fourth third is never looked up.
+        // In 3-D the fourth third is never looked up.
         let (space, hyperspace) = (edges::<32>(), edges::<64>());
         let zeros = |edge: &[f32; 4]| edge.iter().filter(|&&x| x == 0.0).count();
         assert!(space[..24].iter().all(|edge| zeros(edge) == 2 && edge[3] == 0.0));
         assert!(hyperspace.iter().all(|edge| zeros(edge) == 1));
         for edges in [&plane[..], &space[..24], &hyperspace[..]] {
-            // Signs of a component that is 0 draw the same direction.
+            // Both signs of a component that is 0 give the same direction.
             let twice = edges.len() / 8 != 1;
             for edge in edges {
                 let again = edges.iter().filter(|&other| other == edge).count();
@@ -271,7 +275,7 @@ mod tests {
     }
 
     #[test]
-    fn components_are_those_of_the_table() {
+    fn edge_components_match_table() {
         fn compared<const N: usize>(word: u32) {
             let edge = Edge::<Scalar, N>::new(Scalar, Scalar.word(word));
             for (axis, expected) in edge_gradient::<N>(word).into_iter().enumerate() {
@@ -284,7 +288,7 @@ mod tests {
         }
     }
 
-    /// Directions and products in the last lane against those of one lane.
+    /// Compares directions and products in the last lane with a single lane.
     struct InLanes;
 
     impl Task for InLanes {
@@ -306,7 +310,7 @@ mod tests {
     }
 
     #[test]
-    fn lanes_have_the_directions_and_products_of_one() {
+    fn edge_directions_in_lanes_match_scalar() {
         for level in Level::available() {
             level.instructions().run(InLanes);
         }

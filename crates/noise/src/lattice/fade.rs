@@ -1,4 +1,4 @@
-//! The weights that a noise blends the ends of a cell with, and their derivatives.
+//! The weights by which a noise blends the ends of a cell, and their derivatives.
 
 use crate::lanes::{Lanes, Scalar};
 
@@ -43,7 +43,7 @@ impl Fade {
     }
 }
 
-/// A place along an axis of the cell: t, w(t) and w′(t).
+/// A position along an axis of the cell: t, w(t) and w′(t).
 #[derive(Clone, Copy)]
 pub(crate) struct Along<S: Lanes> {
     pub(crate) place: S::F,
@@ -59,7 +59,7 @@ impl<S: Lanes> Along<S> {
 }
 
 impl Along<Scalar> {
-    /// This place along an axis in every lane.
+    /// This position along an axis in every lane.
     #[inline(always)]
     pub(crate) fn splat<S: Lanes>(&self, s: S) -> Along<S> {
         Along { place: s.float(self.place), weight: s.float(self.weight), slope: s.float(self.slope) }
@@ -72,14 +72,14 @@ mod tests {
     use approx::abs_diff_eq;
 
     #[test]
-    fn derivatives_are_derivatives() {
+    fn fade_derivatives_match_differences() {
         let h = 1.0 / 256.0;
         for fade in [Fade::Cubic, Fade::Quintic] {
             let [w, dw] = [Fade::weight, Fade::slope].map(|f| move |t: f32| f(fade, Scalar, t));
             assert_eq!([w(0.0), w(0.5), w(1.0), dw(0.0), dw(1.0)], [0.0, 0.5, 1.0, 0.0, 0.0]);
             for i in 1..16_u8 {
                 let t = f32::from(i) / 16.0;
-                // A central difference errs by h² max |w‴|/6 ≤ 10 h², and by rounding.
+                // The error of a central difference is h² max |w‴|/6 ≤ 10 h² plus rounding.
                 let slope = (w(t + h) - w(t - h)) / (2.0 * h);
                 assert!(abs_diff_eq!(dw(t), slope, epsilon = 2e-4), "{fade:?} at {t}: {slope}");
                 let curvature = (dw(t + h) - dw(t - h)) / (2.0 * h);
@@ -94,14 +94,14 @@ mod tests {
     #[test]
     fn quintic_weight_errs_as_documented() {
         let (mut error, mut beyond) = (0.0_f64, 0.0_f64);
-        // Every float from 1/2 on: the worst ones are next to 1.
+        // Every float from 1/2 on. The largest errors are next to 1.
         for bits in 0.5_f32.to_bits()..1.0_f32.to_bits() {
             let t = f32::from_bits(bits);
             let (weight, x) = (f64::from(Fade::Quintic.weight(Scalar, t)), f64::from(t));
             error = error.max((weight - x * x * x * (x * (x * 6.0 - 15.0) + 10.0)).abs());
             beyond = beyond.max(weight - 1.0);
         }
-        // Worst seen 1.154e-6 and 9 units of 2⁻²³.
+        // The largest errors are 1.154e-6 and 9 units of 2⁻²³.
         assert!(error < 1.2e-6 && (1.0e-6..1.1e-6).contains(&beyond), "{error:e} {beyond:e}");
     }
 }

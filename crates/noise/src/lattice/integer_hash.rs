@@ -1,4 +1,4 @@
-//! An integer hash of cell and seed without visible period: the default lattice.
+//! An integer hash of cell and seed without a visible period, the default lattice.
 
 use crate::{
     lanes::Lanes,
@@ -13,27 +13,30 @@ use crate::{
 /// h = (h ^ h ≫ 15)·M₂,   word = h ^ h ≫ 16
 /// ```
 ///
-/// P are 2³² times the fractions of g⁻¹ … g⁻⁴ with g⁵ = g + 1, made odd, which keep small cells far apart; they are
-/// joined by exclusive or, which unlike a sum has no translation that maps the lattice onto itself. But −a ^ −b is a ^ b
-/// for a third of all words, so a lattice has reflections of two axes at once that keep a third of it; D put their centres
-/// more than 2²⁸ cells away. M₁ and M₂ are the
-/// multipliers of Wellons's search for 32-bit mixers of least bias (2018). key is SplitMix64's finaliser of the seed
-/// (Steele, Lea, Flood 2014); it enters between two rounds, so no seed's lattice is another's translate.
+/// P are 2³² times the fractional parts of g⁻¹ … g⁻⁴ with g⁵ = g + 1, made odd, which keeps small
+/// cells far apart. They are joined by exclusive or, because a sum has translations that map the
+/// lattice onto itself. However, −a ^ −b is a ^ b for a third of all words, so a lattice has
+/// reflections of two axes at once that preserve a third of it. The offsets D put their centers
+/// more than 2²⁸ cells away. M₁ and M₂ are the multipliers of Wellons's search for 32-bit mixers of
+/// minimum bias (2018). key is SplitMix64's finalizer of the seed (Steele, Lea, Flood 2014). It is
+/// added between two rounds, so no seed's lattice is a translation of another.
 ///
-/// In fewer dimensions the missing coordinates are −D: a plane is a section of space.
+/// In fewer dimensions the missing coordinates are −D: the 2-D lattice is a section of the 3-D
+/// lattice.
 ///
-/// [`upper_word`](Lattice::upper_word), which [`Value`](crate::Value), [`Perlin2002`](crate::Perlin2002) and
-/// [`Simplex`](crate::Simplex) draw from, takes one product per point, of the joined ends with themselves:
-///
+/// [`Value`](crate::Value), [`Perlin2002`](crate::Perlin2002) and [`Simplex`](crate::Simplex) use
+/// [`upper_word`](Lattice::upper_word), which takes one product per point, the square of the joined
+/// terms:
 /// ```text
 /// h = (f(x·P₁) + key(seed)) ^ f((y + D₂)·P₂) ^ …,   upper = h·(h | 1)   mod 2³²
 /// ```
 ///
-/// A square has the upper bits that a product with a constant lacks: what changes them depends on all of h. On the line, where
-/// nothing is joined, h = h ^ h ≫ 15 comes before it.
+/// In a square the upper bits depend on all of h, in contrast to a product with a constant. In 1-D,
+/// where nothing is joined, h = h ^ h ≫ 15 precedes it.
 ///
-/// - **Measured:** flipping one bit of a coordinate or the seed flips each bit of the word with probability 0.5 ± 0.1, and of the
-///   upper word each of the upper eight, for the coordinates' bits below 2²⁰.
+/// - **Measured avalanche:** flipping one bit of a coordinate or the seed flips each bit of the
+///   word with probability 0.5 ± 0.1. For the upper word this holds for its upper eight bits and
+///   the coordinates' bits below 2²⁰.
 ///
 /// ```
 /// use asperity_noise::{IntegerHash, Lattice};
@@ -45,7 +48,7 @@ use crate::{
 pub struct IntegerHash;
 
 const P: [u32; 4] = [0xdb4f_0b91, 0xbbe0_5633, 0xa0f2_ec75, 0x89e1_8285];
-/// D·P, nothing for one axis: no two axes have their centres near.
+/// D·P, 0 for one axis; no two axes have their centers close together.
 const SHIFT: [u32; 4] = [
     0,
     0x2545_f491_u32.wrapping_mul(P[1]),
@@ -67,7 +70,7 @@ impl Lattice for IntegerHash {
         Some(*self)
     }
 
-    /// SplitMix64's finaliser of the seed.
+    /// SplitMix64's finalizer of the seed.
     #[inline(always)]
     fn key(&self, seed: u32) -> u32 {
         (mix(u64::from(seed)) >> 32) as u32
@@ -108,7 +111,8 @@ impl Lattice for IntegerHash {
     }
 }
 
-/// t ^ t ≫ 16 of a product, once for all the points that share it: exclusive or and the shift may change places.
+/// t ^ t ≫ 16 of a product, once for all points with the same term; the shift commutes with
+/// exclusive or.
 #[inline(always)]
 fn folded<S: Lanes>(s: S, t: S::U) -> S::U {
     t ^ s.shr::<16>(t)
@@ -123,14 +127,14 @@ pub(crate) fn mix(counter: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// A further word of a lattice point, for noises that need more than 32 bits of it.
+/// Another word of a lattice point, for noises that need more than 32 bits of it.
 ///
 /// ```text
 /// h = word + K·⌊2³²/φ⌋,   h = (h ^ h ≫ 15)·M₂,   h ^ h ≫ 16
 /// ```
 ///
-/// A bijection for every K. Two of K = 1, 2, 3 and 6 depend on one another, but hardly: Cramér's V is at most 8e-4 over 64 × 64 classes
-/// of 16-bit fields, 2²⁷ words.
+/// A bijection for every K. Pairs of K = 1, 2, 3 and 6 are almost independent: Cramér's V is at
+/// most 8e-4 over 64 × 64 classes of 16-bit fields, 2²⁷ words.
 #[inline(always)]
 pub(crate) fn further<S: Lanes, const K: u32>(s: S, word: S::U) -> S::U {
     let h = word + s.word(GOLDEN.wrapping_mul(K));
@@ -141,14 +145,15 @@ pub(crate) fn further<S: Lanes, const K: u32>(s: S, word: S::U) -> S::U {
 /// Multipliers of other hashes.
 pub(crate) const MULTIPLIERS: [u32; 5] = [0x846c_a68b, 0x9e37_79b1, 0xc2b2_ae3d, 0x2c1b_3c6d, 0x297a_2d39];
 
-/// One of five words of a lattice point that are its word times different [`MULTIPLIERS`]: what Gaussian variates are drawn from.
+/// One of five words of a lattice point, its word times one of the [`MULTIPLIERS`]; source of
+/// Gaussian variates.
 ///
 /// ```text
 /// h = (word ^ word ≫ 15)·Mₖ,   h ^ h ≫ 16
 /// ```
 ///
-/// A bijection for every k. Of the word and these five no two 16-bit fields show dependence: χ² over 64 × 64 classes is within
-/// 4 standard deviations for all 66 pairs and 2³⁰ words.
+/// A bijection for every k. No two 16-bit fields of the word and these five show dependence: χ²
+/// over 64 × 64 classes is within 4 standard deviations for all 66 pairs and 2³⁰ words.
 #[inline(always)]
 pub(crate) fn multiplied<S: Lanes>(s: S, word: S::U, multiplier: S::U) -> S::U {
     let h = (word ^ s.shr::<15>(word)) * multiplier;
@@ -161,9 +166,10 @@ mod tests {
     use crate::lanes::{Arithmetic, Scalar};
     use approx::abs_diff_eq;
 
-    /// The shares of flips of each bit of the word over `COUNT` points when one bit of an input is flipped.
+    /// The fractions of flips of each bit of the word over `COUNT` points when one bit of an input
+    /// is flipped.
     #[test]
-    fn every_input_bit_flips_every_output_bit_half_the_time() {
+    fn integer_hash_avalanche() {
         const COUNT: u32 = 1024;
         // 6 standard errors of ½ over 1024 trials, for 5120 pairs of bits.
         const TOLERANCE: f64 = 6.0 * 0.5 / 32.0;
@@ -195,7 +201,8 @@ mod tests {
         }
     }
 
-    /// χ² of two numbers below 16, each from a cell that is `step` from the other's, and of two seeds at the same cells.
+    /// χ² of two numbers below 16, one from each of two cells `step` apart, and of two seeds at the
+    /// same cells.
     fn chi_square(seeds: [u32; 2], step: [i32; 3], at: impl Fn(i32) -> [i32; 3]) -> f64 {
         let mut table = [0_u32; 256];
         for i in 0..1 << 16 {
@@ -209,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn upper_words_of_neighbours_and_of_seeds_are_independent() {
+    fn upper_words_of_neighbors_and_seeds_are_independent() {
         // The quantile 1 − 1e-3/310 of χ² with 255 degrees of freedom.
         const GREATEST: f64 = 372.0;
         let at = |i| [i & 63, i >> 6 & 63, i >> 12];
@@ -226,9 +233,10 @@ mod tests {
         }
     }
 
-    /// The shares of flips of each of the upper eight bits when one bit of the seed or of a coordinate below 2²⁰ is flipped.
+    /// The fractions of flips of each of the upper eight bits when one bit of the seed or of a
+    /// coordinate below 2²⁰ is flipped.
     #[test]
-    fn every_input_bit_flips_every_upper_bit_half_the_time() {
+    fn upper_word_avalanche() {
         for input in (0..20).chain(32..52).chain(64..84).chain(96..128) {
             let mut flips = [0_u32; 8];
             for i in 0..1024 {
@@ -253,7 +261,7 @@ mod tests {
     }
 
     #[test]
-    fn fields_of_a_point_s_words_are_independent() {
+    fn bit_fields_of_words_are_independent() {
         // The upper four bits of both halves of six words.
         let mut tables = [[[0_u32; 256]; 12]; 12];
         for i in 0..1 << 21 {
@@ -282,7 +290,8 @@ mod tests {
 
     #[test]
     fn no_small_translation_maps_the_lattice_onto_itself() {
-        // Under a sum of products the shortest such vector in space would have some 1600 cells, and every word would meet.
+        // Under a sum of products the shortest such vector in 3-D would have some 1600 cells, and
+        // every word would match.
         let mut met = 0;
         for shift in 1..20_000 {
             let same = (0..4)
@@ -294,7 +303,8 @@ mod tests {
 
     #[test]
     fn no_near_reflection_maps_the_lattice_onto_itself() {
-        // Every pair of axes, mirrored about every half cell near the origin; without the shifts a third would meet.
+        // Every pair of axes, mirrored about every half cell near the origin. Without the shifts a
+        // third would match.
         for (first, second) in [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)] {
             for centre in -8..8 {
                 let mut met = 0;

@@ -1,22 +1,25 @@
-//! The source of a lattice's random words, and the cell that a point lies in.
+//! The source of a lattice's random words, and the cell of a point.
 
 use crate::lanes::{Arithmetic, Lanes, Scalar};
 
-/// Whether this build of the crate has the kinds compiled. Its unit tests call none of them.
+/// Whether this build compiles the kinds in the crate. The unit tests call none of them.
 pub(crate) const IS_FULL: bool = cfg!(not(any(debug_assertions, test)));
 
 /// A hash of lattice points, the only randomness of every noise of this crate.
 ///
-/// All 32 bits of a word must look independent of one another, of the words of other points and of other seeds.
-/// [`IntegerHash`](crate::IntegerHash) is the default; [`PermutationTable`](crate::lattice::PermutationTable) and
-/// [`ChainedTable`](crate::lattice::ChainedTable) reproduce the sources; [`Tiled`](crate::Tiled) repeats any of them.
+/// All 32 bits of a word must look independent of each other, of the words of other points and of
+/// other seeds. [`IntegerHash`](crate::IntegerHash) is the default.
+/// [`PermutationTable`](crate::lattice::PermutationTable) and
+/// [`ChainedTable`](crate::lattice::ChainedTable) reproduce published lattices.
+/// [`Tiled`](crate::Tiled) makes any lattice periodic.
 ///
-/// Implement [`word`](Self::word) for a lattice of your own; the methods over [`Lanes`] follow from it.
+/// Implement [`word`](Self::word) for a custom lattice. The methods over [`Lanes`] have default
+/// implementations.
 ///
 /// ```
 /// use asperity_noise::{Field, IntegerHash, Lattice, Perlin2002, glam::Vec2};
 ///
-/// /// Only one row of cells matters.
+/// /// Only the row of cells matters.
 /// struct Stripes;
 ///
 /// impl Lattice for Stripes {
@@ -29,18 +32,19 @@ pub(crate) const IS_FULL: bool = cfg!(not(any(debug_assertions, test)));
 /// assert_eq!(noise.value(Vec2::new(0.4, 0.25)), noise.value(Vec2::new(0.4, 7.25)));
 /// ```
 pub trait Lattice {
-    /// The random word of a lattice point in N dimensions.
+    /// Returns the random word of a lattice point in N dimensions.
     fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32;
 
-    /// The word of a lattice point for kinds that read its upper bits alone, which may be cheaper than all of them.
+    /// Returns the word of a lattice point for kinds that use only its upper bits.
     ///
-    /// Its upper 16 bits are as random as those of [`word`](Self::word), of which they need not be a part; by default it is that.
+    /// It may be faster than [`word`](Self::word), which is the default. Its upper 16 bits are as
+    /// random as the bits of [`word`](Self::word), but may be different bits.
     #[inline]
     fn upper_word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
         self.word(cell, seed)
     }
 
-    /// Whether it is [`IntegerHash`](crate::IntegerHash), for which this crate has every kind compiled.
+    /// Whether it is [`IntegerHash`](crate::IntegerHash), for which this crate compiles every kind.
     #[doc(hidden)]
     const STANDARD: bool = false;
 
@@ -48,15 +52,16 @@ pub trait Lattice {
     #[doc(hidden)]
     const TILED: bool = false;
 
-    /// The period along an axis, 0 where there is none.
+    /// The period along an axis, 0 if there is none.
     #[doc(hidden)]
     #[inline(always)]
     fn period(&self, _axis: usize) -> u32 {
         0
     }
 
-    /// The lattice of an octave of a sum: its periods as many times as long as the frequency says, its cells counted from another.
-    /// Nothing where that changes nothing.
+    /// The lattice of an octave of a sum; `None` if it is the lattice itself.
+    ///
+    /// Its periods are multiplied by the frequency, and its cells are relative to another cell.
     #[doc(hidden)]
     #[inline(always)]
     fn of_octave(&self, _frequency: f32, _cell: &[i32]) -> Option<Self>
@@ -66,8 +71,10 @@ pub trait Lattice {
         None
     }
 
-    /// The lattice again, where that takes no memory. Parameters of a noise of one's own stay in registers; of a borrowed one, what is
-    /// written may lie over them for all that the compiler knows.
+    /// A copy of the lattice, if it takes no memory.
+    ///
+    /// Parameters of an owned noise stay in registers. For a borrowed noise the compiler must
+    /// assume that writes can alias them.
     #[doc(hidden)]
     #[inline(always)]
     fn copied(&self) -> Option<Self>
@@ -77,37 +84,37 @@ pub trait Lattice {
         None
     }
 
-    /// Whether all octaves of a sum draw from the lattice itself.
+    /// Whether all octaves of a sum use the lattice itself.
     #[doc(hidden)]
     const SHARED: bool = true;
 
-    /// The key that words are made of in place of the seed, computed once for all words of a seed.
+    /// The key that replaces the seed in words, computed once for all words of a seed.
     #[doc(hidden)]
     #[inline(always)]
     fn key(&self, seed: u32) -> u32 {
         seed
     }
 
-    /// The part of a cell's word that its coordinate along an axis makes.
+    /// The part of a cell's word that depends on its coordinate along an axis.
     #[inline(always)]
     fn term<S: Lanes>(&self, _: S, _axis: usize, cell: S::U) -> S::U {
         cell
     }
 
-    /// The terms of a cell and of the next one.
+    /// The terms of a cell and of the next cell.
     #[inline(always)]
     fn terms<S: Lanes>(&self, s: S, axis: usize, cell: S::U) -> [S::U; 2] {
         [self.term(s, axis, cell), self.term(s, axis, cell + s.word(1))]
     }
 
-    /// The words of the points that terms were made of.
+    /// The words of points, from their terms.
     #[inline(always)]
     fn words<S: Lanes, const N: usize>(&self, s: S, terms: [S::U; N], seed: u32) -> S::U {
         let seeds = s.keys(|| seed);
         s.words(|lane| self.word(terms.map(|term| s.lane_word(term, lane) as i32), s.lane_word(seeds, lane)))
     }
 
-    /// The upper words of the points that terms were made of.
+    /// The upper words of points, from their terms.
     #[inline(always)]
     fn upper_words<S: Lanes, const N: usize>(&self, s: S, terms: [S::U; N], seed: u32) -> S::U {
         let seeds = s.keys(|| seed);
@@ -117,8 +124,10 @@ pub trait Lattice {
     }
 }
 
-/// The terms of the corners of a cell in lanes: in every four the ends of the first two axes, 0 and 0, 0 and 1, 1 and 0, 1 and 1; bit i
-/// of `k` tells the end along axis i + 2.
+/// The terms of the corners of a cell in lanes.
+///
+/// Every four lanes have the ends of the first two axes: 0 and 0, 0 and 1, 1 and 0, 1 and 1. Bit i
+/// of `k` selects the end along axis i + 2.
 #[inline(always)]
 pub(crate) fn at_ends<S: Lanes, const N: usize>(s: S, ends: &[[u32; 2]; N], k: usize) -> [S::U; N] {
     let mut terms = [s.word(0); N];
@@ -149,7 +158,7 @@ pub(crate) trait OnLattice {
     }
 }
 
-/// From here on cells do not fit an `i32`.
+/// From here on cells do not fit into `i32`.
 const LIMIT: f32 = 2_147_483_648.0;
 
 /// The reach of a kind of noise: Σ |xᵢ| < 2³⁰, so that every coordinate has a cell.
@@ -165,17 +174,19 @@ pub(crate) fn is_within<S: Lanes, const N: usize>(s: S, p: &[S::F; N], reach: f3
     s.all(s.less(sum, s.float(reach)))
 }
 
-/// The cell of each coordinate and the place in it, in [0, 1], for |x| ≤ 2³¹.
+/// The cell of each coordinate and the position in it, in [0, 1], for |x| ≤ 2³¹.
 ///
-/// The place reaches 1 when x lies closer under an integer than `f32` can resolve; noises are continuous there.
+/// The position rounds to 1 if x is closer under an integer than `f32` can resolve. Noises are
+/// continuous there.
 #[inline(always)]
 pub(crate) fn cell<S: Lanes>(s: S, x: S::F) -> (S::U, S::F) {
     s.cell(x)
 }
 
-/// A point with the same cell modulo 2³² whose coordinates all fit an `i32`; nothing if one is not finite.
+/// A point with the same cell modulo 2³² whose coordinates all fit into `i32`; `None` if a
+/// coordinate is not finite.
 ///
-/// From |x| = 2²³ on `f32` holds integers only, so nothing but the cell is lost.
+/// From |x| = 2²³ on, `f32` holds only integers, so that only the cell changes.
 #[inline]
 pub(crate) fn wrapped<const N: usize>(p: [f32; N]) -> Option<[f32; N]> {
     // From 2⁵⁵ on every `f32` is a multiple of 2³².
@@ -202,7 +213,7 @@ pub(crate) fn terms_of<L: Lattice + ?Sized, const N: usize>(
     terms
 }
 
-/// The words of one point of a [`Lattice`], from its terms.
+/// Implements the words of a [`Lattice`] at one point by its terms.
 macro_rules! words_by_terms {
     () => {
         #[inline(always)]
@@ -221,7 +232,8 @@ macro_rules! words_by_terms {
 
 pub(crate) use words_by_terms;
 
-/// The words of a [`Lattice`] that has its own terms and hashes them as the lattice in the given field does.
+/// Implements the words of a [`Lattice`] that has its own terms and hashes them like the lattice in
+/// the given field.
 macro_rules! words_of_terms_in {
     ($lattice:ident) => {
         $crate::lattice::lattice::words_by_terms!();

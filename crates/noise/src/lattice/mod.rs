@@ -1,4 +1,4 @@
-//! Lattices: where the bits of lattice points come from, and the numbers that kinds make of them.
+//! Lattices: sources of the random bits of lattice points, and the variates made of them.
 
 pub(crate) mod chained_table;
 pub(crate) mod edges;

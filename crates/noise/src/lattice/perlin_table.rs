@@ -1,19 +1,23 @@
-//! Ken Perlin's own lattice of 2002: his permutation, his order of look-ups and his choice of gradients.
+//! The lattice of Perlin's reference implementation of 2002: its permutation, lookup order and
+//! gradients.
 
 use crate::{
     lattice::edges::EDGE_MAXIMUM, lattice::integer_hash::mix, lattice::lattice::Lattice,
     lattice::variates::MARGIN,
 };
 
-/// The lattice of Perlin's reference implementation of 2002: period 256 along each axis, twelve gradients in a table of sixteen.
+/// The lattice of Perlin's reference implementation of 2002, with period 256 along each axis.
+///
+/// Twelve gradients fill a table of sixteen.
 ///
 /// ```text
 /// h = p[p[p[x] + y] + z] mod 16,   gradient h of his listing
 /// ```
 ///
-/// With it [`Perlin2002`](crate::Perlin2002) in space is his noise over [`SCALE`](Self::SCALE), with his seedless pictures for seed 0;
-/// another seed moves the lattice by so many cells along x. In other dimensions, for which he lists no noise, words are drawn from
-/// the last look-up, one per axis.
+/// With this lattice [`Perlin2002`](crate::Perlin2002) in 3-D is the reference noise divided by
+/// [`SCALE`](Self::SCALE). Seed 0 gives the seedless reference. Another seed moves the lattice by
+/// that number of cells along x. The reference does not define other dimensions. There, words are
+/// drawn from the last of one lookup per axis.
 ///
 /// Perlin 2002, "Improved Noise reference implementation", <https://mrl.cs.nyu.edu/~perlin/noise/>.
 ///
@@ -27,10 +31,11 @@ use crate::{
 pub struct PerlinTable;
 
 impl PerlinTable {
-    /// His noise over [`Perlin2002`](crate::Perlin2002)'s, whose range is [−1, 1].
+    /// Scale of the reference noise relative to [`Perlin2002`](crate::Perlin2002), whose range is
+    /// [−1, 1].
     pub const SCALE: f32 = EDGE_MAXIMUM[2] / MARGIN;
 
-    /// The byte `p[…p[p[x] + y]…]` of a cell.
+    /// Returns the byte `p[…p[p[x] + y]…]` of a cell.
     #[must_use]
     #[inline]
     pub fn index<const N: usize>(&self, cell: [i32; N]) -> u8 {
@@ -49,7 +54,8 @@ impl Lattice for PerlinTable {
     }
 }
 
-/// The word of which [`edge_gradient`](crate::lattice::edge_gradient) makes each gradient of his listing.
+/// The words from which [`edge_gradient`](crate::lattice::edge_gradient) makes the gradients of the
+/// reference.
 const WORDS: [u32; 16] = {
     // The axis along which the gradient is 0, and the axes with a minus sign as bits from the lowest.
     const GRADIENTS: [(u32, u32); 16] = [
@@ -74,7 +80,7 @@ const WORDS: [u32; 16] = {
     let mut h = 0;
     while h < 16 {
         let (axis, signs) = GRADIENTS[h];
-        // The middle of the third of signed numbers that draws the axis.
+        // The middle of the third of signed numbers that selects the axis.
         let third = 0x2aaa_aaaa_u32.wrapping_add(0x5555_5555 * axis) ^ 0x8000_0000;
         words[h] = third >> 3 | (signs & 1) << 31 | (signs >> 1 & 1) << 30 | (signs >> 2) << 29;
         h += 1;
@@ -103,7 +109,7 @@ mod tests {
     use crate::lattice::{edges::edge_gradient, permutation_table::PermutationTable};
 
     #[test]
-    fn gradients_are_those_of_the_listing() {
+    fn perlin_table_gradients_match_reference() {
         assert!(PermutationTable::from_entries(PERMUTATION).is_ok());
         let p = [0.25, 4.0, -64.0];
         for (h, word) in WORDS.into_iter().enumerate() {

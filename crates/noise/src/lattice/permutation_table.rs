@@ -1,18 +1,20 @@
-//! The permutation table of 256 entries of Ebert (ed.) 1994: the classic lattice, with its period.
+//! The permutation table of 256 entries of Ebert (ed.) 1994, the classic lattice with its period.
 
 use asperity_core::error_enum;
 
 use crate::{lattice::integer_hash::mix, lattice::lattice::Lattice};
 
-/// A random permutation of 0…255 that folds a cell to a byte; the lattice has period 256 along each axis.
+/// A random permutation of 0…255 that hashes a cell to a byte, with period 256 along each axis.
 ///
 /// ```text
 /// index = perm[(x + perm[(y + perm[z & 255]) & 255]) & 255]
 /// word  = SplitMix64(index, seed)
 /// ```
 ///
-/// Only 256 different words exist per seed, and every seed of a noise keeps the same cells alike: two seeds correlate by
-/// ±0.04, as far as 256 samples do. Take [`IntegerHash`](crate::IntegerHash) unless the classic look or its period is wanted. In 2-D z is 0.
+/// Only 256 different words exist per seed, and cells that are equal for one seed are equal for
+/// every seed. Two seeds correlate by ±0.04, which is the spread of 256 samples. Use
+/// [`IntegerHash`](crate::IntegerHash) unless you need the classic look or its period. In 2-D z is
+/// 0.
 ///
 /// Ebert (ed.) 1994, "Texturing and Modeling"; Perlin 1985.
 ///
@@ -28,7 +30,7 @@ pub struct PermutationTable {
 }
 
 impl PermutationTable {
-    /// The permutation of a seed: Fisher and Yates's shuffle fed by SplitMix64.
+    /// Creates the permutation of a seed by a Fisher–Yates shuffle with SplitMix64.
     #[must_use]
     pub fn new(seed: u32) -> Self {
         let mut entries = [0_u8; 256];
@@ -42,11 +44,11 @@ impl PermutationTable {
         Self { entries }
     }
 
-    /// A given permutation, such as a published one.
+    /// Creates a table from a given permutation, such as a published permutation.
     ///
     /// # Errors
     ///
-    /// If a number occurs twice, so that another is missing.
+    /// If a number occurs twice.
     ///
     /// ```
     /// use asperity_noise::lattice::PermutationTable;
@@ -70,13 +72,13 @@ impl PermutationTable {
         Ok(Self { entries })
     }
 
-    /// The permutation itself.
+    /// Returns the permutation.
     #[must_use]
     pub const fn entries(&self) -> &[u8; 256] {
         &self.entries
     }
 
-    /// The byte of a lattice point, the formula's index.
+    /// Returns the byte of a lattice point, the index of the formula.
     #[must_use]
     #[inline]
     pub const fn index(&self, x: i32, y: i32, z: i32) -> u8 {
@@ -91,18 +93,18 @@ impl Lattice for PermutationTable {
     fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
         let mut coordinates = cell.iter().copied();
         let [x, y, z, w] = [(); 4].map(|()| coordinates.next().unwrap_or(0));
-        // Below four dimensions w is 0, and the inner look-up of the formula is left out.
+        // Below 4-D w is 0, and the inner lookup of the formula is omitted.
         let z = if N > 3 { z.wrapping_add(i32::from(self.entries[(w & 255) as usize])) } else { z };
         (mix((u64::from(seed) << 8) | u64::from(self.index(x, y, z))) >> 32) as u32
     }
 }
 
 error_enum! {
-    /// Why 256 numbers are no permutation.
+    /// Error returned if 256 numbers are not a permutation.
     pub enum PermutationTableError {
         /// A number occurs a second time, at the index `position`.
         Repeated { entry: u8, position: usize } =>
-            "the entry {entry} at position {position} is there a second time";
+            "duplicate entry {entry} at index {position} (entries must be a permutation of 0 to 255)";
     }
 }
 
@@ -133,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn the_index_is_the_formula_s() {
+    fn index_matches_formula() {
         let table = PermutationTable::new(3);
         let perm = |i: i32| i32::from(table.entries()[(i & 255) as usize]);
         for (x, y, z) in [(0, 0, 0), (1, 2, 3), (-1, -300, 77), (1000, -2000, 255), (250, 250, 250)] {

@@ -1,17 +1,18 @@
-//! Lattices seen from a cell far from the origin.
+//! Lattices relative to a cell far from the origin.
 
 use crate::{
     lanes::Lanes,
     lattice::lattice::{Lattice, words_of_terms_in},
 };
 
-/// A lattice whose cells are counted from another cell: what an anchored sum of octaves draws its words from.
+/// A lattice whose cells are relative to another cell, the lattice of an anchored sum of octaves.
 ///
 /// ```text
 /// word(c) = L.word(c + cell mod 2³²)
 /// ```
 ///
-/// [`Octaves::anchored`](crate::Octaves::anchored) makes it; the cell is that of each octave's anchor.
+/// Created by [`Octaves::anchored`](crate::Octaves::anchored), with the cell of each octave's
+/// anchor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shifted<L, const N: usize> {
     lattice: L,
@@ -19,7 +20,7 @@ pub struct Shifted<L, const N: usize> {
 }
 
 impl<L, const N: usize> Shifted<L, N> {
-    /// The lattice itself, until an octave shifts it.
+    /// The lattice itself, before an octave shifts it.
     pub(crate) const fn new(lattice: L) -> Self {
         Self { lattice, cell: [0; N] }
     }

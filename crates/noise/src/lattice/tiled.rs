@@ -1,4 +1,4 @@
-//! Lattices that repeat with a period along each axis, so that noises tile.
+//! Lattices with a period along each axis, for tileable noises.
 
 use asperity_core::error_enum;
 
@@ -7,7 +7,7 @@ use crate::{
     lattice::lattice::{Lattice, words_of_terms_in},
 };
 
-/// A lattice that repeats along the first N axes with a period of its own along each.
+/// A lattice with its own period along each of the first N axes.
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/pictures/tiled.md"))]
 ///
@@ -15,14 +15,17 @@ use crate::{
 /// word(c) = L.word(c mod period)
 /// ```
 ///
-/// Every noise on the integer lattice tiles with it: white, value, gradient, value-gradient, sparse, cellular and Gaussian noise, in
-/// any dimension; axes beyond the N-th do not repeat. Where p and p + period are both exact in `f32`, values and gradients
-/// have the same bits. From |x| = 2³¹ on cells wrap modulo 2³², and only periods that are powers of two go on.
+/// Makes every noise on the integer lattice tileable: white, value, gradient, value-gradient,
+/// sparse, cellular and Gaussian noise, in any dimension. Axes beyond the N-th do not repeat. If p
+/// and p + period are both exact in `f32`, values and gradients have the same bits. From |x| = 2³¹
+/// on cells wrap modulo 2³², and only periods that are powers of two continue.
 ///
-/// Octaves each have periods of their own: a sum is made by [`Octaves::tiled`](crate::Octaves::tiled).
+/// Use [`Octaves::tiled`](crate::Octaves::tiled) for sums, in which each octave has its own
+/// periods.
 ///
-/// [`Simplex`](crate::Simplex) noise tiles with it in 1-D alone. In space it has [`TiledSimplex`](crate::TiledSimplex); in the
-/// plane and in 4-D no step along an axis maps the simplicial lattice onto itself, since its shear is irrational.
+/// [`Simplex`](crate::Simplex) noise is tileable with it in 1-D only. Use
+/// [`TiledSimplex`](crate::TiledSimplex) in 3-D. In 2-D and 4-D no step along an axis maps the
+/// simplicial lattice onto itself, since its shear is irrational.
 ///
 /// ```
 /// use asperity_noise::{Field, IntegerHash, Perlin2002, Tiled, glam::Vec2};
@@ -40,10 +43,10 @@ pub struct Tiled<L, const N: usize> {
 }
 
 impl<L, const N: usize> Tiled<L, N> {
-    /// The longest period, a quarter of the cells that `f32` can find a place in.
+    /// The longest period, a quarter of the cells in which `f32` can resolve a position.
     pub const MAX_PERIOD: u32 = 1 << 21;
 
-    /// The lattice, repeated with the periods.
+    /// Creates the lattice with the given periods.
     ///
     /// # Errors
     ///
@@ -57,20 +60,21 @@ impl<L, const N: usize> Tiled<L, N> {
         Ok(Self { lattice, periods })
     }
 
-    /// The period along each axis.
+    /// Returns the period along each axis.
     #[must_use]
     pub const fn periods(&self) -> &[u32; N] {
         &self.periods
     }
 }
 
-/// The period of an octave, a whole number as the sum has been checked for.
+/// The period of an octave, an integer as checked by the sum.
 #[inline(always)]
 pub(crate) fn octave_period(period: u32, frequency: f32) -> u32 {
     ((period as f32 * frequency) as u32).max(1)
 }
 
-/// Points moved by whole periods into the first tile, exactly; along an axis whose period is 0 they stay.
+/// Points moved into the first tile by whole periods without rounding; along an axis of period 0
+/// they stay.
 #[inline(always)]
 pub(crate) fn in_first_tile<S: Lanes, const N: usize>(s: S, p: [S::F; N], periods: &[f32; N]) -> [S::F; N] {
     let mut q = p;
@@ -78,7 +82,7 @@ pub(crate) fn in_first_tile<S: Lanes, const N: usize>(s: S, p: [S::F; N], period
         if periods[axis] > 0.0 {
             let period = s.float(periods[axis]);
             let near = p[axis] - period * s.floor(p[axis] / period);
-            // A quotient may be rounded up to the next integer, or down from it.
+            // The quotient may be rounded up to the next integer, or down from it.
             let low = s.select(s.less(near, s.float(0.0)), near + period, near);
             q[axis] = s.select(s.less(low, period), low, low - period);
         }
@@ -86,10 +90,11 @@ pub(crate) fn in_first_tile<S: Lanes, const N: usize>(s: S, p: [S::F; N], period
     q
 }
 
-/// A cell modulo a period of at most 6 · 2²¹, the remainder not negative.
+/// A cell modulo a period of at most 6 · 2²¹, with a non-negative remainder.
 ///
-/// Exact: the first quotient times the period errs by less than 2³¹ · 2⁻²², which leaves a rest from −2⁹ to the period + 2⁹. That is
-/// a float, and so close to 0 or so small a multiple of the period that its quotient does not round to the next integer.
+/// It is exact. The first quotient times the period has an error below 2³¹ · 2⁻²², which leaves a
+/// remainder from −2⁹ to the period + 2⁹. The remainder is a float so close to 0, or so small a
+/// multiple of the period, that its quotient does not round to the next integer.
 #[inline(always)]
 pub(crate) fn remainder<S: Lanes>(s: S, cell: S::U, period: u32) -> S::U {
     let (real, bits) = (s.float(period as f32), s.word(period));
@@ -125,7 +130,7 @@ impl<L: Lattice + Clone, const M: usize> Lattice for Tiled<L, M> {
 }
 
 error_enum! {
-    /// Why a lattice was not repeated.
+    /// Error returned for periods that are invalid, or that a noise does not have.
     pub enum TiledError {
         /// The period of an axis, counted from 0, is 0 or too long.
         PeriodOutOfRange { axis: usize, period: u32 } =>
@@ -133,9 +138,11 @@ error_enum! {
         /// The lattice repeats only with multiples of `factor`.
         NoMultiple { axis: usize, period: u32, factor: u32 } =>
             "`periods[{axis}]` must be a multiple of {factor}, got {period}";
-        /// A noise that does not repeat along an axis was to be summed as one that does.
-        NoPeriod => "`noise` must repeat: put it on a `Tiled` lattice, or take `TiledSimplex`";
-        /// The lacunarity makes the period of an octave, counted from 0, fractional or too long; `period` is that of the first.
+        /// The noise of a tileable sum does not repeat along an axis.
+        NoPeriod => "`noise` must be tileable (use a `Tiled` lattice or `TiledSimplex`)";
+        /// The lacunarity makes the period of an octave fractional or too long.
+        ///
+        /// Octaves are counted from 0, and `period` is the period of the first.
         NoOctavePeriod { axis: usize, period: u32, lacunarity: f32, octave: u32 } =>
             "`periods[{axis}]` times `lacunarity` to the power {octave} must be a whole number up to 2097152, got {period} \
              · {lacunarity}^{octave}";
@@ -151,7 +158,7 @@ mod tests {
     const LONG: u32 = Tiled::<IntegerHash, 1>::MAX_PERIOD;
 
     #[test]
-    fn remainders_are_euclid_s() {
+    fn remainder_matches_rem_euclid() {
         for period in [1, 2, 3, 5, 7, 12, 255, 256, 1000, 65_537, LONG - 1, LONG, 6 * LONG - 6, 6 * LONG] {
             let signed = period as i32;
             let near = (-300..300_i32).flat_map(|i| {

@@ -1,4 +1,5 @@
-//! Directions and Gaussian variates from the bits of a lattice word, without logarithm or trigonometry of a library.
+//! Directions and Gaussian variates from the bits of a lattice word, without library logarithms or
+//! trigonometry.
 
 use crate::{
     lanes::{Arithmetic, LANES, Lanes, Scalar},
@@ -6,18 +7,20 @@ use crate::{
     lattice::integer_hash::{MULTIPLIERS, further, multiplied},
 };
 
-/// Keeps rounding from crossing 1.
+/// Keeps rounded values below 1.
 pub(crate) const MARGIN: f32 = 1.0 - 2e-6;
-/// 2/√n, by which gradient noise with unit gradients and any weights attains 1 in cell centres.
+/// 2/√n, the scale with which gradient noise with unit gradients and any weights attains 1 in cell
+/// centers.
 pub(crate) const UNIT_SCALE: [f32; 4] =
     [MARGIN * 2.0, MARGIN * core::f32::consts::SQRT_2, MARGIN * 1.154_700_5, MARGIN];
 
 /// The top bit of a word, the sign of a float.
 const SIGN: u32 = 0x8000_0000;
 
-/// cos and sin of an angle uniform on the circle, by the word's upper 2 + `BITS` bits.
+/// cos and sin of an angle uniform on the circle, from the upper 2 + `BITS` bits of the word.
 ///
-/// The angle is a quarter turn, and −π/4 … π/4 within it; polynomials of least greatest error, 2e-9 and 6e-8.
+/// The angle is a quarter turn plus −π/4 … π/4 within it. Minimax polynomials, with errors 2e-9 and
+/// 6e-8.
 #[inline(always)]
 fn turn<S: Lanes, const BITS: u32>(s: S, word: S::U) -> [S::F; 2] {
     let step = 1.0 / (1_u32 << BITS) as f32;
@@ -39,7 +42,7 @@ fn turn<S: Lanes, const BITS: u32>(s: S, word: S::U) -> [S::F; 2] {
 
 /// A direction of length `length`, uniform on the circle, the sphere or the sphere in 4-D; ±`length` in 1-D.
 ///
-/// In space z = 1 − 2u and the angle 2πv, as in Ebert (ed.) 1994, with 16 bits for either.
+/// In 3-D z = 1 − 2u and the angle is 2πv, as in Ebert (ed.) 1994, with 16 bits each.
 ///
 /// - **Accuracy:** unit length within 2e-7.
 #[inline(always)]
@@ -74,13 +77,14 @@ pub(crate) fn unit_direction<S: Lanes, const N: usize>(s: S, word: S::U, length:
     g
 }
 
-/// A number uniform in (−1, 1), a multiple of 2⁻²³ off by half a step.
+/// A number uniform in (−1, 1), a multiple of 2⁻²³ plus half a step.
 #[inline(always)]
 pub(crate) fn uniform<S: Lanes>(s: S, word: S::U) -> S::F {
     s.real(s.shr::<8>(word)) * s.float(1.0 / 8_388_608.0) + s.float(0.5 / 8_388_608.0 - 1.0)
 }
 
-/// 4096 equally likely levels with the moments of N(0, 1) up to the fifth, ascending, and the last once more.
+/// 4096 equally likely levels with the moments of N(0, 1) up to the fifth, ascending; the last is
+/// repeated.
 static LEVELS: [f32; 4097] = signed(&POSITIVE_LEVELS);
 
 const fn signed(positive: &[f32; 2048]) -> [f32; 4097] {
@@ -94,16 +98,18 @@ const fn signed(positive: &[f32; 2048]) -> [f32; 4097] {
     levels
 }
 
-/// The level of the twelve bits of `word` from bit `SHIFT` on.
+/// The level selected by the twelve bits of `word` from bit `SHIFT` on.
 #[inline(always)]
 fn level<S: Lanes, const SHIFT: u32>(s: S, word: S::U) -> S::F {
     s.floats(|lane| LEVELS[((s.lane_word(word, lane) >> SHIFT) & 0xfff) as usize])
 }
 
-/// Words that are so near to 0 modulo 2³² belong to a tail of [`quantile`].
+/// Words this close to 0 modulo 2³² belong to a tail of [`quantile`].
 const TAIL: u32 = 4 << 20;
 
-/// z = Φ⁻¹(word/2³² + 2⁻¹³): between levels, which are Φ⁻¹ of odd multiples of 2⁻¹³, by their chords, and in the tails by [`tails`].
+/// z = Φ⁻¹(word/2³² + 2⁻¹³), by chords between levels and by [`tails`] in the tails.
+///
+/// Levels are Φ⁻¹ of odd multiples of 2⁻¹³.
 #[inline(always)]
 fn quantile<S: Lanes>(s: S, word: S::U) -> S::F {
     let [low, high] = s.pairs(|lane| {
@@ -121,10 +127,11 @@ fn quantile<S: Lanes>(s: S, word: S::U) -> S::F {
     z
 }
 
-/// The values of words that belong to the tails, Φ(−|z|) = |x|/2³² for x = word + 2¹⁹ as a signed number, made odd so that it is not 0.
+/// The values of words in the tails, Φ(−|z|) = |x|/2³².
 ///
-/// A line for every 32nd of a power of two, on which x is no rounded number: chords between the outer levels would be too long. One
-/// word of 512 comes here.
+/// x is word + 2¹⁹ as a signed number, made odd so that it is not 0. There is one line for every
+/// 32nd of a power of two, on which x is not rounded. Chords between the outer levels would be too
+/// long. One word of 512 is in a tail.
 #[cold]
 #[inline(never)]
 fn tails(words: &[f32; LANES], values: &mut [f32; LANES]) {
@@ -143,13 +150,15 @@ fn tails(words: &[f32; LANES], values: &mut [f32; LANES]) {
 
 /// The Gaussian value of a lattice point and twice its gradient, independent, of channel 0 or 1.
 ///
-/// A value stands alone at lattice points: it has a word of its own, and all its bits count. The parts of the gradient, which never
-/// do, are levels of twelve bits, medians of equal slices of N(0, 1), scaled, and the outermost moved to ±3.78, so that second and
-/// fourth moment are 1 and 3.
+/// At lattice points the value alone determines the noise, so it has its own word and uses all bits
+/// of it. The components of the gradient never do. They are levels of twelve bits: scaled medians
+/// of equal slices of N(0, 1), with the outermost moved to ±3.78, so that second and fourth moment
+/// are 1 and 3.
 ///
 /// - **Range:** |s| ≤ 6.24, |g| ≤ 3.78.
-/// - **Accuracy:** of a value, over all 2³² words, KS distance 9e-6 to N(0, 1), P(|s| > x) within 0.1 % of the normal's for x ≤ 5 and
-///   0.6 % for x ≤ 5.5, variance 0.99995; of a component of g, KS distance 1.7e-4 and excess kurtosis 0 to `f32` rounding.
+/// - **Accuracy of a value**, over all 2³² words: KS distance 9e-6 to N(0, 1), P(|s| > x) within
+///   0.1 % of the normal distribution for x ≤ 5 and 0.6 % for x ≤ 5.5, variance 0.99995.
+/// - **Accuracy of a component of g:** KS distance 1.7e-4, excess kurtosis 0 up to `f32` rounding.
 #[inline(always)]
 pub(crate) fn gaussian_variates<S: Lanes, const N: usize, const CHANNEL: u32>(
     s: S,
@@ -171,7 +180,7 @@ pub(crate) fn gaussian_variates_of_both<S: Lanes, const N: usize>(s: S, word: S:
     variates(s, s.select_word(is_first, word, own), [by(0, 3), by(1, 4)])
 }
 
-/// The value that a word draws, and twice the gradient that two others draw.
+/// The value of one word, and twice the gradient of two others.
 #[inline(always)]
 fn variates<S: Lanes, const N: usize>(s: S, value: S::U, words: [S::U; 2]) -> (S::F, [S::F; N]) {
     let value = quantile(s, value);
@@ -184,7 +193,7 @@ fn variates<S: Lanes, const N: usize>(s: S, value: S::U, words: [S::U; 2]) -> (S
     (value, twice)
 }
 
-/// Four numbers of a word that have a uniform direction: a quaternion, before it is divided by its length.
+/// Four numbers of a word with a uniform direction: a quaternion before normalization.
 pub(crate) fn gaussian_quaternion(word: u32) -> [f32; 4] {
     let word = Scalar.word(word);
     let [second, third] = [further::<_, 1>(Scalar, word), further::<_, 2>(Scalar, word)];
@@ -197,15 +206,17 @@ pub(crate) fn gaussian_quaternion(word: u32) -> [f32; 4] {
     ]
 }
 
-/// The unit gradient that [`Perlin1985`](crate::Perlin1985) draws at a lattice point from its word, before scaling.
+/// Returns the unit gradient that [`Perlin1985`](crate::Perlin1985) draws from a lattice point's
+/// word, before scaling.
 ///
-/// Uniform on the circle or sphere; ±1 in 1-D. Unit length within 2e-7.
+/// Uniform on the circle or sphere; ±1 in 1-D. The length is 1 within 2e-7.
 #[must_use]
 pub fn unit_gradient<const N: usize>(word: u32) -> [f32; N] {
     unit_direction(Scalar, Scalar.word(word), 1.0)
 }
 
-/// The Gaussian value and gradient that [`Gaussian`](crate::Gaussian) draws from a word, for both of its channels.
+/// Returns the Gaussian value and gradient that [`Gaussian`](crate::Gaussian) draws from a word,
+/// for both channels.
 #[must_use]
 pub fn gaussian_corner<const N: usize>(word: u32) -> [(f32, [f32; N]); 2] {
     let word = Scalar.word(word);
@@ -213,10 +224,10 @@ pub fn gaussian_corner<const N: usize>(word: u32) -> [(f32, [f32; N]); 2] {
         .map(|(value, twice)| (value, twice.map(|g| 0.5 * g)))
 }
 
-/// The levels that [`gaussian_corner`] draws from: 4096 in ascending order, and the last once more.
+/// Returns the levels of [`gaussian_corner`]: 4096 in ascending order, and the last repeated.
 ///
-/// Gradients are levels by twelve bits; values lie on the chords between them, and in the tails on
-/// [`gaussian_tail_lines`]. For evaluation elsewhere, on a graphics card for instance.
+/// Twelve bits select a level for a gradient. Values are on the chords between levels, and in the
+/// tails on [`gaussian_tail_lines`]. For evaluation elsewhere, for instance on a GPU.
 ///
 /// ```
 /// use asperity_noise::lattice::gaussian_levels;
@@ -229,13 +240,15 @@ pub fn gaussian_levels() -> &'static [f32; 4097] {
     &LEVELS
 }
 
-/// The lines that values in the tails lie on, each of two numbers a, b with |z| = a + b m: m in [1, 2) is the mantissa of
-/// x = word + 2¹⁹ as a signed number, made odd, and there are 32 lines for each exponent from 0 to 22.
+/// Returns the lines of the values in the tails, each of two numbers a, b with |z| = a + b m.
+///
+/// m in [1, 2) is the mantissa of x = word + 2¹⁹ as a signed number, made odd. There are 32 lines
+/// for each exponent from 0 to 22.
 ///
 /// ```
 /// use asperity_noise::lattice::{gaussian_corner, gaussian_tail_lines};
 ///
-/// // x = 1 is the rarest word but its mirror image's: m = 1 on the first line.
+/// // x = 1, with its mirror image, is the most extreme word: m = 1 on the first line.
 /// let [a, b] = gaussian_tail_lines()[0];
 /// let [(value, _), _] = gaussian_corner::<1>(0_u32.wrapping_sub(1 << 19));
 /// assert_eq!(value, -(a + b));
@@ -257,7 +270,7 @@ mod tests {
             let levels = LEVELS[..4096].iter();
             levels.map(|&x| (0..power).fold(1.0, |product, _| product * f64::from(x))).sum::<f64>() / 4096.0
         };
-        // Levels rounded to `f32` miss by 1e-9.
+        // The error of levels rounded to `f32` is 1e-9.
         for (power, moment) in [(1, 0.0), (2, 1.0), (3, 0.0), (4, 3.0)] {
             assert!(abs_diff_eq!(mean(power), moment, epsilon = 1e-7), "moment {power}: {}", mean(power));
         }
@@ -276,11 +289,11 @@ mod tests {
 
     #[test]
     fn every_tail_word_lies_on_its_line() {
-        // Of the last exponent the tails end amid.
+        // The tails end within the last exponent.
         for exponent in 0..22_u32 {
             for part in [0, 13, 31] {
                 let [a, b] = gaussian_tail_lines()[(exponent << 5 | part) as usize];
-                // The first number of the part that is odd.
+                // The first odd number of the part.
                 let x = ((1_u64 << exponent) + (u64::from(part) << exponent >> 5)) as u32 | 1;
                 let m = x as f32 / (1_u32 << exponent) as f32;
                 if f32::to_bits(m) >> 18 & 31 != part {
@@ -298,12 +311,13 @@ mod tests {
         assert!(z(1) < -6.23 && z(1) > -6.24 && z(-1) == -z(1));
         let mut before = z(1);
         for i in 1..100_000_i32 {
-            // From every word at the tail to every 43 000th in the middle.
+            // Steps from every word in the tail to every 43 000th in the middle.
             let x = (f64::from(i) * f64::from(i) * 0.2147) as i32 | 1;
-            // From line to line and to the first chord z may fall by what they miss.
+            // Between lines, and at the first chord, z may fall by their errors.
             assert!(z(x) >= before - 2e-3, "{x}: {} after {before}", z(x));
-            // Mirrored words lie one word apart, so one may be on a line and the other on a chord over a quarter of its distance
-            // from the end, which misses p by 1/(8 · 4²) of it and z by a third of that.
+            // Mirrored words differ by one word, so one may be on a line and the other on a chord
+            // over a quarter of its distance from the end. The error of p is then 1/(8 · 4²) of p,
+            // and the error of z a third of that.
             assert_abs_diff_eq!(z(x), -z(-x), epsilon = 2.6e-3);
             before = z(x);
         }

@@ -29,9 +29,10 @@ use crate::{
 /// value = 1 − 2u;   z = 1 − 2u, r = √(1 − z²), θ = 2πv, gradient = (r cos θ, r sin θ, z)
 /// ```
 ///
-/// The originals fill them from a generator of the system, uniform in [0, 1], started anew for either table; any stream of
-/// such numbers does here, and the permutation is the caller's. Everything is rounded to `f32` where the originals round;
-/// sine and cosine are within an ulp of the exact ones, and the same bits everywhere.
+/// The originals fill the tables from a system generator, uniform in [0, 1], restarted for each
+/// table. Here the caller passes any stream of such numbers, and the permutation. Everything is
+/// rounded to `f32` where the originals round. Sine and cosine are within an ulp of the exact
+/// values and have the same bits everywhere.
 ///
 /// Ebert (ed.) 1994, "Texturing and Modeling", noise by D. Peachey; Cohen's lecture "Procedural Bump Mapping and Noise".
 ///
@@ -56,9 +57,10 @@ pub struct LectureTables {
 }
 
 impl LectureTables {
-    /// Tables from a permutation, 256 uniform numbers for the values and 512 for the gradients, z before θ.
+    /// Creates tables from a permutation, 256 uniform numbers for the values and 512 for the
+    /// gradients, z before θ.
     ///
-    /// Numbers are clamped to [0, 1], NaN to 0.
+    /// Numbers are clamped to [0, 1]. NaN is taken as 0.
     #[must_use]
     pub fn new(
         permutation: PermutationTable,
@@ -80,19 +82,19 @@ impl LectureTables {
         tables
     }
 
-    /// The permutation.
+    /// Returns the permutation.
     #[must_use]
     pub const fn permutation(&self) -> &PermutationTable {
         &self.permutation.0
     }
 
-    /// The numbers of `vnoise`.
+    /// Returns the numbers of `vnoise`.
     #[must_use]
     pub const fn values(&self) -> &[f32; 256] {
         &self.values
     }
 
-    /// The gradients of `gnoise`.
+    /// Returns the gradients of `gnoise`.
     #[must_use]
     pub const fn gradients(&self) -> &[[f32; 3]; 256] {
         &self.gradients
@@ -108,7 +110,7 @@ fn cos_sin(theta: f32) -> [f32; 2] {
     let theta = f64::from(theta);
     let quarter = (theta * core::f64::consts::FRAC_2_PI + 0.5) as u32;
     let x = theta - f64::from(quarter) * core::f64::consts::FRAC_PI_2;
-    // 1 − x²/(m (m + 1)) (1 − x²/((m + 2) (m + 3)) (…)), of six quotients.
+    // 1 − x²/(m (m + 1)) (1 − x²/((m + 2) (m + 3)) (…)), with six quotients.
     let series = |m: u32| {
         let quotient = |k: u32| x * x / f64::from((m + 2 * k) * (m + 2 * k + 1));
         (0..6).rev().fold(1.0, |sum, k| 1.0 - sum * quotient(k))
@@ -122,7 +124,7 @@ fn cos_sin(theta: f32) -> [f32; 2] {
     }
 }
 
-/// The lattice whose words are the bytes of the permutation themselves.
+/// The lattice whose words are the bytes of the permutation.
 #[derive(Clone, Debug, PartialEq)]
 struct Bytes(PermutationTable);
 
@@ -134,9 +136,9 @@ impl Lattice for Bytes {
     }
 }
 
-/// `vnoise`: the table's values at lattice points, interpolated by Catmull–Rom splines in space; C¹.
+/// `vnoise`: values of the table at lattice points, interpolated by Catmull–Rom splines in 3-D; C¹.
 ///
-/// [`ValueCatmullRom`](crate::ValueCatmullRom) before its division by (5/4)³, on the table.
+/// It is [`ValueCatmullRom`](crate::ValueCatmullRom) before the division by (5/4)³, on the table.
 ///
 /// - **Range:** ±125/64, though the splines rarely leave [−1, 1].
 /// - **Period:** 256 along each axis.
@@ -153,9 +155,9 @@ pub struct Vnoise<'a>(
     pub &'a LectureTables,
 );
 
-/// `gnoise`: gradient noise in space with the table's gradients and the weights 3t² − 2t³; C¹, 0 at lattice points.
+/// `gnoise`: gradient noise in 3-D with the gradients of the table and the weights 3t² − 2t³; C¹.
 ///
-/// [`Perlin1985`] before its division by √3/2, on the table.
+/// It is 0 at lattice points. It is [`Perlin1985`] before the division by √3/2, on the table.
 ///
 /// - **Range:** ±√3/2.
 /// - **Period:** 256 along each axis.
@@ -189,7 +191,7 @@ pub struct Vgnoise<'a> {
 }
 
 impl<'a> Vgnoise<'a> {
-    /// The sum with the weight μ of gradient noise.
+    /// Creates the sum with the weight μ of gradient noise.
     ///
     /// # Errors
     ///
@@ -202,7 +204,7 @@ impl<'a> Vgnoise<'a> {
         }
     }
 
-    /// μ, the weight of gradient noise.
+    /// Returns μ, the weight of gradient noise.
     #[must_use]
     pub const fn weight(&self) -> f32 {
         self.weight
@@ -211,7 +213,7 @@ impl<'a> Vgnoise<'a> {
 
 macro_rules! field_of_kernel {
     ($noise:ty, $kernel:ident, $range:expr) => {
-        /// Value and gradient are both 0 where a point is not finite.
+        /// Value and gradient are both 0 if a point is not finite.
         impl<V: Point<Coordinates = [f32; 3]>> Field<V> for $noise {
             fn sample(&self, p: V) -> Sample<V> {
                 let (value, gradient) = kernel::Kernel::<3>::sample_at(&$kernel(self.0), p.coordinates(), 0);
@@ -339,7 +341,7 @@ mod tests {
     use approx::abs_diff_eq;
 
     #[test]
-    fn sine_and_cosine_are_those_of_the_library() {
+    fn cos_sin_matches_std() {
         for i in 0..=4096_u16 {
             let theta = f32::from(i) / 4096.0 * core::f32::consts::TAU;
             let [c, s] = cos_sin(theta).map(f64::from);

@@ -1,4 +1,4 @@
-//! Noises as their sources print them, for reproduction.
+//! Noises as printed in their sources, for reproduction.
 
 pub(crate) mod ebert_1994;
 

@@ -1,4 +1,5 @@
-//! The cells that a row's points lie in, and the points' places and weights there: the same in all rows of a grid.
+//! The cells of a row's points, and the points' positions and weights in them, equal in all rows of
+//! a grid.
 
 use crate::{
     lanes::{LANES, Lanes, Scalar},
@@ -6,14 +7,14 @@ use crate::{
     row::row::{Row, RowKey},
 };
 
-/// Points of a row that are planned at once.
+/// The number of points of a row that are planned at once.
 pub(crate) const POINTS: usize = 512;
-/// Lattice points that are computed at once along a row.
+/// The number of lattice points that are computed at once along a row.
 pub(crate) const COLUMNS: usize = 64;
-/// Steps from here on leave so few points in a cell that every point computes its own columns.
+/// The step from which on cells have so few points that every point computes its own columns.
 const SPARSE_STEP: f32 = 0.22;
 
-/// One number per point, and room for a vector that begins at the last.
+/// One number per point, with space for a vector that begins at the last.
 pub(crate) type Numbers = [[f32; LANES]; POINTS / LANES + 1];
 
 pub(crate) const ZEROS: Numbers = [[0.0; LANES]; POINTS / LANES + 1];
@@ -26,17 +27,19 @@ pub(crate) fn has_columns<const N: usize>(row: &Row<N>, count: usize, longest: f
     step < longest && step > reach * 1e-6 && count < 1 << 24
 }
 
-/// The cells of a row's points, and the points' places and weights in them.
+/// The cells of a row's points, and the points' positions and weights in them.
 #[derive(Clone, Debug)]
 pub(crate) struct Plan {
-    /// The row that the plan is of.
+    /// The row of the plan.
     key: Option<(RowKey, Fade, usize)>,
-    /// The first point's cell, and whether cells descend from there.
+    /// The first point's cell, and whether cells descend from it.
     cell: i32,
     descending: bool,
-    /// Whether few points lie in a cell; then only cells of points are known, not the points of cells.
+    /// Whether cells have few points. Then only the cells of points are stored, not the points of
+    /// cells.
     pub(crate) sparse: bool,
-    /// The index after the last point of every cell, in the order of the points; there are fewer cells than points.
+    /// The index after the last point of every cell, in the order of the points. There are at most
+    /// as many cells as points.
     cells: usize,
     ends: [u16; POINTS],
     floor: Numbers,
@@ -45,7 +48,7 @@ pub(crate) struct Plan {
     slope: Numbers,
 }
 
-/// Cells whose columns, one more than cells, are computed at once.
+/// Cells whose columns are computed at once. There is one more column than cells.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Run {
     /// The first cell in the order of the points.
@@ -72,7 +75,7 @@ impl Plan {
         }
     }
 
-    /// Plans the first `points` points of a row, and tells whether that changed anything.
+    /// Plans the first `points` points of a row, and returns whether the plan changed.
     #[inline(always)]
     pub(crate) fn make<S: Lanes, const N: usize>(
         &mut self,
@@ -116,7 +119,7 @@ impl Plan {
         true
     }
 
-    /// Writes places from point `i` on, and their weights.
+    /// Writes positions from point `i` on, and their weights.
     #[inline(always)]
     fn store<S: Lanes>(&mut self, s: S, fade: Fade, t: S::F, i: usize) {
         s.store(t, &mut self.place.as_flattened_mut()[i..]);
@@ -136,7 +139,7 @@ impl Plan {
         self.cells
     }
 
-    /// The cells from the given one on whose columns are computed at once; none after the last.
+    /// The run of cells from `first` on; empty after the last cell.
     #[inline(always)]
     pub(crate) fn run(&self, first: usize) -> Run {
         let cells = self.cells.saturating_sub(first).min(COLUMNS - 1);
@@ -162,13 +165,13 @@ impl Plan {
         (column % COLUMNS, usize::from(self.ends[(run.first + j) % POINTS]).min(POINTS))
     }
 
-    /// The cells of as many points as there are lanes, from point `i` on, where points are sparse.
+    /// The cells of one point per lane, from point `i` on, where points are sparse.
     #[inline(always)]
     pub(crate) fn cells<S: Lanes>(&self, s: S, i: usize) -> S::U {
         s.integer(s.load(&self.floor.as_flattened()[i..]))
     }
 
-    /// The places of as many points as there are lanes, from point `k` of block `b` on.
+    /// The positions of one point per lane, from point `k` of block `b` on.
     #[inline(always)]
     pub(crate) fn along<S: Lanes>(&self, s: S, b: usize, k: usize) -> Along<S> {
         Along {
@@ -178,7 +181,7 @@ impl Plan {
         }
     }
 
-    /// The places of as many points as there are lanes, from point `i` on.
+    /// The positions of one point per lane, from point `i` on.
     #[inline(always)]
     pub(crate) fn along_from<S: Lanes>(&self, s: S, i: usize) -> Along<S> {
         Along {
@@ -189,7 +192,7 @@ impl Plan {
     }
 }
 
-/// The index after the last point from `i` on that lies in the cell at `floor`.
+/// The index after the last point from `i` on in the cell at `floor`.
 #[inline(always)]
 pub(crate) fn end_of_cell<const N: usize>(
     row: &Row<N>,

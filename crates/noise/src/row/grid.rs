@@ -2,9 +2,9 @@
 
 use crate::point::Point;
 
-/// A regular grid of points: origin + step·index along every axis, the first axis running fastest.
+/// A regular grid of points: origin + step·index along every axis, with the first axis fastest.
 ///
-/// Points are rounded after the product and after the sum.
+/// Rounding happens after the product and after the sum.
 ///
 /// ```
 /// use asperity_noise::{Grid, glam::Vec3};
@@ -26,26 +26,26 @@ use crate::point::Point;
 pub struct Grid<V: Point> {
     /// The point of index 0.
     pub origin: V,
-    /// The distance of neighbours along each axis; may be 0 or negative.
+    /// The distance of neighbors along each axis; may be 0 or negative.
     pub step: V,
     /// The number of points along each axis.
     pub size: V::Array<usize>,
 }
 
 impl<V: Point> Grid<V> {
-    /// The number of points, `usize::MAX` if it is larger than that.
+    /// Returns the number of points, saturated to `usize::MAX`.
     #[must_use]
     pub fn len(&self) -> usize {
         self.size.as_ref().iter().fold(1_usize, |product, &n| product.saturating_mul(n))
     }
 
-    /// Whether there are no points.
+    /// Returns whether the grid has no points.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// The point of an index, inside the grid or outside.
+    /// Returns the point of an index, inside or outside the grid.
     #[must_use]
     #[expect(clippy::needless_pass_by_value, reason = "an index is as small as a point")]
     pub fn point(&self, index: V::Array<usize>) -> V {
@@ -63,7 +63,7 @@ impl<V: Point> Grid<V> {
         (origin.as_ref()[0] + 0.0) + step.as_ref()[0] * (column as i32 as f32)
     }
 
-    /// The points of a row.
+    /// The number of points of a row.
     #[inline(always)]
     pub(crate) fn width(&self) -> usize {
         self.size.as_ref().first().copied().unwrap_or(0)
@@ -75,7 +75,7 @@ impl<V: Point> Grid<V> {
         self.len().checked_div(self.width()).unwrap_or(0)
     }
 
-    /// The index of a row's point, rows counted over all axes but the first.
+    /// The index of a point in a row, with rows counted over all axes but the first.
     #[inline(always)]
     pub(crate) fn index(&self, column: usize, mut row: usize) -> V::Array<usize> {
         V::array(|axis| {

@@ -1,4 +1,4 @@
-//! Rows of points: the cells that they cross, and the memory that rows of a grid share.
+//! Rows of points: the cells that they cross, and the memory that rows of a grid reuse.
 
 pub(crate) mod cells;
 pub(crate) mod grid;

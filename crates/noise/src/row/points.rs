@@ -1,4 +1,4 @@
-//! The points that a field is evaluated at in one call, and where its values and gradients go.
+//! The points of a batch, and the destination of values and gradients.
 
 use core::{array, ops::Range};
 
@@ -8,11 +8,11 @@ use crate::{
     row::{cells::POINTS, grid::Grid, row::Row},
 };
 
-/// The points of a batch, handed to [`Field::fill`](crate::Field::fill); opaque.
+/// The points of a batch, an opaque argument of [`Field::fill`](crate::Field::fill).
 #[expect(missing_debug_implementations, reason = "opaque")]
 pub struct Points<'a, V: Point>(pub(crate) Source<'a, V>);
 
-/// Lists of coordinates, or a part of a grid.
+/// Lists of coordinates, or part of a grid.
 pub(crate) enum Source<'a, V: Point> {
     Lists(V::Array<&'a [f32]>),
     Window(Window<'a, V>),
@@ -26,7 +26,7 @@ pub(crate) struct Window<'a, V: Point> {
 }
 
 impl<V: Point> Window<'_, V> {
-    /// The rows, as the kinds see them, each with its number in the window.
+    /// The rows in the coordinates of kinds, each with its number in the window.
     #[inline(always)]
     pub(crate) fn rows<const N: usize>(&self, part: Range<usize>) -> impl Iterator<Item = (usize, Row<N>)>
     where
@@ -57,7 +57,7 @@ impl Block {
     }
 }
 
-/// Parts of at most `limit` points: strips of [`POINTS`] columns, blocks of rows in them.
+/// Parts of at most `limit` points: strips of [`POINTS`] columns, divided into blocks of rows.
 pub(crate) fn blocks(width: usize, rows: usize, limit: usize) -> impl Iterator<Item = Block> {
     let strip = width.clamp(1, POINTS.min(limit));
     let height = (limit / strip).max(1);
@@ -84,7 +84,7 @@ impl<'a, V: Point> Points<'a, V> {
         Self::lists(V::array(|axis| list(axis).unwrap_or_default()))
     }
 
-    /// The points of a row.
+    /// The number of points of a row.
     pub(crate) fn width(&self) -> usize {
         match &self.0 {
             Source::Lists(lists) => lists.as_ref().first().map_or(0, |x| x.len()),
@@ -134,7 +134,7 @@ impl<'a, V: Point> Points<'a, V> {
         }
     }
 
-    /// Writes the coordinates of up to M points, row after row.
+    /// Writes the coordinates of up to M points, row by row.
     pub(crate) fn write<const M: usize>(&self, lists: &mut [[f32; M]]) {
         let width = self.width().max(1);
         for row in 0..self.rows().min(M / width) {
@@ -155,13 +155,14 @@ impl<'a, V: Point> Points<'a, V> {
     }
 }
 
-/// Room for one list of coordinates per axis.
+/// Space for one list of coordinates per axis.
 pub(crate) fn buffers<V: Point, const M: usize>() -> V::Array<[f32; M]> {
     V::array(|_| [0.0; M])
 }
 
-/// Room for the values of a batch, and the gradients if they are wanted, handed to
-/// [`Field::fill`](crate::Field::fill); opaque.
+/// The destination of the values of a batch, and of the gradients if wanted.
+///
+/// An opaque argument of [`Field::fill`](crate::Field::fill).
 #[expect(missing_debug_implementations, reason = "opaque")]
 pub struct Target<'a, V: Point> {
     pub(crate) instructions: Instructions,
@@ -173,12 +174,12 @@ pub struct Target<'a, V: Point> {
 }
 
 impl<V: Point> Target<'_, V> {
-    /// The room for a part of the points.
+    /// The destination for a part of the points.
     pub(crate) fn part(&mut self, block: &Block) -> Target<'_, V> {
         self.after(block.rows.start * self.stride + block.columns.start)
     }
 
-    /// The room for the points from an index on.
+    /// The destination for the points from an index on.
     pub(crate) fn after(&mut self, start: usize) -> Target<'_, V> {
         Target {
             instructions: self.instructions,
@@ -191,7 +192,7 @@ impl<V: Point> Target<'_, V> {
         }
     }
 
-    /// The room for `width` points of a row; as many gradients as values.
+    /// The destination for `width` points of a row, with as many gradients as values.
     #[inline(always)]
     pub(crate) fn row(&mut self, row: usize, width: usize) -> (&mut [f32], Option<V::Array<&mut [f32]>>) {
         let part = row * self.stride..row * self.stride + width;
@@ -204,7 +205,7 @@ impl<V: Point> Target<'_, V> {
     }
 }
 
-/// One thing for each axis, made from another.
+/// Maps one value per axis.
 #[inline(always)]
 fn each<'a, V: Point, T: 'a, U: Default>(
     things: &'a mut V::Array<T>,
@@ -214,14 +215,14 @@ fn each<'a, V: Point, T: 'a, U: Default>(
     V::array(|_| things.next().map(&mut make).unwrap_or_default())
 }
 
-/// Buffers of values and gradients, as an array of N where the dimension is a number.
+/// Buffers of values and gradients, as an array of N if the dimension is a number.
 #[inline(always)]
 pub(crate) fn by_axes<V: Point, const N: usize>(mut slices: V::Array<&mut [f32]>) -> [&mut [f32]; N] {
     let mut slices = slices.as_mut().iter_mut();
     array::from_fn(|_| slices.next().map(core::mem::take).unwrap_or_default())
 }
 
-/// Room for the values and gradients of up to M points.
+/// Space for the values and gradients of up to M points.
 pub(crate) struct Buffer<V: Point, const M: usize> {
     pub(crate) values: [f32; M],
     pub(crate) gradients: V::Array<[f32; M]>,
@@ -233,7 +234,7 @@ impl<V: Point, const M: usize> Buffer<V, M> {
         Self { values: [0.0; M], gradients: buffers::<V, M>() }
     }
 
-    /// The room for rows of a width.
+    /// The buffer as a destination for rows of a width.
     pub(crate) fn target(
         &mut self,
         instructions: Instructions,

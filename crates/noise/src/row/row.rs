@@ -1,4 +1,5 @@
-//! Rows of points: at equal steps along the first axis, in the coordinates of a field or of one of its octaves.
+//! Rows of points at equal steps along the first axis, in the coordinates of a field or of an
+//! octave.
 
 use core::ops::Range;
 
@@ -9,10 +10,11 @@ use crate::{
 
 /// Points at equal steps along the first axis: xᵢ = frequency·(x₀ + step·i) + offset.
 ///
-/// Every operation is rounded, as where the points are computed one by one; the frequency 1 and the offset 0 change no bit.
+/// Every operation is rounded, as for points computed one by one. Frequency 1 and offset 0 change
+/// no bit.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<const N: usize> {
-    /// x₀ and the other coordinates, which are those of all points.
+    /// x₀, and the other coordinates, which are equal for all points.
     origin: [f32; N],
     step: f32,
     /// The index of the first point.
@@ -44,7 +46,7 @@ impl<const N: usize> Row<N> {
         Self { start: self.start + start, ..*self }
     }
 
-    /// All that the first coordinates depend on.
+    /// Everything that the first coordinates depend on.
     #[inline(always)]
     pub(crate) fn key(&self) -> RowKey {
         let x = [self.origin[0], self.step, self.frequency, self.offset];
@@ -66,7 +68,7 @@ impl<const N: usize> Row<N> {
         self.frequency * x + self.offset
     }
 
-    /// The first coordinates of as many points as there are lanes, from point i on.
+    /// The first coordinates of one point per lane, from point i on.
     #[inline(always)]
     pub(crate) fn xs<S: Lanes>(&self, s: S, i: usize) -> S::F {
         let index = s.word((self.start + i) as u32) + s.iota();
@@ -74,13 +76,13 @@ impl<const N: usize> Row<N> {
         s.float(self.frequency) * x + s.float(self.offset)
     }
 
-    /// The coordinates of the first point; the first one is of no meaning in a scaled row.
+    /// The coordinates of the first point; in a scaled row the first coordinate is unspecified.
     #[inline(always)]
     pub(crate) fn origin(&self) -> [f32; N] {
         self.origin
     }
 
-    /// The distance from point to point, but for rounding.
+    /// The distance from point to point, up to rounding.
     #[inline(always)]
     pub(crate) fn stride(&self) -> f32 {
         self.frequency * self.step
@@ -93,7 +95,7 @@ impl<const N: usize> Row<N> {
     }
 }
 
-/// All that the first coordinates of a row depend on.
+/// Everything that the first coordinates of a row depend on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct RowKey {
     x: [u32; 4],
@@ -110,13 +112,15 @@ pub(crate) fn put<S: Lanes>(s: S, x: S::F, out: &mut [f32], i: usize, count: usi
     }
 }
 
-/// Empty slices, to be replaced. Not inlined: arrays of references are much to compile wherever they are made.
+/// Empty slices, to be replaced. Not inlined, because arrays of references take long to compile
+/// wherever they are created.
 #[inline(never)]
 pub(crate) fn no_slices<'a, T, const N: usize>() -> [&'a mut [T]; N] {
     core::array::from_fn(|_| <&mut [T]>::default())
 }
 
-/// A row of points in the coordinates of a noise with a seed, and room for values there, and for gradients if `GRADIENTS`.
+/// A row of points in the coordinates of a noise with a seed, with space for values, and for
+/// gradients if `GRADIENTS`.
 #[derive(Debug)]
 pub struct Strip<'a, const N: usize, const GRADIENTS: bool> {
     pub(crate) row: Row<N>,

@@ -2,8 +2,9 @@
 
 /// Standard deviation, excess kurtosis, range and distribution of a kind of noise, measured over points and seeds.
 ///
-/// The distribution G is that of the sum of eight octaves with gain 0.5, divided by its standard deviation:
-/// knot k of K stands at r = −4 + 8 k/(K − 1). G(−r) = 1 − G(r), but for [`Cellular`](crate::Cellular) noise, whose mean is taken away first.
+/// The distribution G is the distribution of the sum of eight octaves with gain 0.5, divided by its
+/// standard deviation. Knot k of K is at r = −4 + 8 k/(K − 1). G(−r) = 1 − G(r), except for
+/// [`Cellular`](crate::Cellular) noise, whose mean is subtracted first.
 ///
 /// ```
 /// use asperity_noise::{Noise, Perlin2002, glam::Vec3};
@@ -26,7 +27,7 @@ pub struct Statistics {
     pub cdf: &'static [f32],
 }
 
-/// The distribution at all knots from that at those below 0.
+/// The distribution at all knots, from the distribution at knots below 0.
 pub(crate) const fn mirrored(low: [f32; 128]) -> [f32; 257] {
     let mut cdf = [0.5; 257];
     let mut k = 0;
@@ -43,7 +44,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_mirrored_is_odd_about_one_half() {
+    fn mirrored_cdf_is_odd_about_one_half() {
         let low = core::array::from_fn(|k| (k * k) as f32 / 65_536.0);
         let cdf = mirrored(low);
         assert_eq!((&cdf[..128], cdf[128]), (&low[..], 0.5));

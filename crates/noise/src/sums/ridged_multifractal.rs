@@ -234,7 +234,7 @@ pub struct FeedbackError {
 
 impl fmt::Display for FeedbackError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "`feedback` must be a finite number from 0 on, got {}", self.feedback)
+        write!(f, "`feedback` must be finite and at least 0, got {}", self.feedback)
     }
 }
 
