@@ -1,4 +1,4 @@
-//! Encloses √2 by interval arithmetic: halves an interval until its ends are neighbors.
+//! Encloses √2 by interval arithmetic: bisects an interval until its ends are adjacent floats.
 #![expect(clippy::print_stdout, reason = "an example prints its result")]
 
 use asperity_core::Interval;

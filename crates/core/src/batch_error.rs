@@ -31,10 +31,10 @@ impl BatchError {
         if expected == got { Ok(()) } else { Err(Self { parameter, expected, got }) }
     }
 
-    /// Checks that all slices have the length of the first one: the inputs, then the outputs.
+    /// Checks that all slices have the same length: the inputs, then the outputs.
     ///
     /// # Errors
-    /// Returns an error for the first slice with another length.
+    /// Returns an error for the first slice whose length differs.
     pub fn check_all(
         inputs: &[(&'static str, &[&[f32]])],
         (output, slices): (&'static str, &[&mut [f32]]),

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-/// A closed interval `[lo, hi]`; every operation rounds outward, so the result encloses the exact one.
+/// A closed interval `[lo, hi]` with outward rounding, so that results enclose the exact result.
 ///
 /// Each bound moves out by one unit in the last place after a rounding to nearest. Operations on
 /// NaN may return any interval.
@@ -42,7 +42,7 @@ impl Interval {
         }
     }
 
-    /// The common part of both; empty (`lo > hi`) when there is none.
+    /// The intersection of both; empty (`lo > hi`) if they are disjoint.
     #[inline]
     pub fn intersection(self, other: Self) -> Self {
         Self {
@@ -58,9 +58,10 @@ impl Interval {
         self.lo <= value && value <= self.hi
     }
 
-    /// The number inside that is nearest to `value`, NaN for NaN; any number for an empty interval.
+    /// The number in the interval nearest to `value`, NaN for NaN; unspecified for an empty
+    /// interval.
     ///
-    /// `f64::clamp` panics for an empty interval, and its panic is linked wherever the compiler cannot exclude one.
+    /// Unlike `f64::clamp` it does not panic for an empty interval, so no panic is linked.
     #[inline]
     #[must_use]
     pub fn nearest(self, value: f64) -> f64 {
@@ -133,7 +134,7 @@ impl Interval {
     }
 }
 
-/// `a b` with `0 · ∞ = 0`, as interval arithmetic wants it.
+/// `a b` with `0 · ∞ = 0`, as required by interval arithmetic.
 #[inline]
 fn times(a: f64, b: f64) -> f64 {
     if a == 0.0 || b == 0.0 { 0.0 } else { a * b }

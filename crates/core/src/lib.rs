@@ -1,7 +1,10 @@
-//! Foundations of the Asperity crates: SIMD lanes, float back ends, intervals, errors of batches and reports of checks.
+//! Foundations of the Asperity crates: SIMD lanes, float functions, intervals and check reports.
 //!
-//! [`lanes`] is arithmetic written once, for one number or for SIMD registers, with the same bits; [`math`] the float functions of
-//! `std` or of `libm`; [`Interval`] rounds outward. The crates that are built on it re-export their users' part of it.
+//! - [`lanes`]: arithmetic written once, for a number or for SIMD registers, with the same bits.
+//! - [`math`]: the float functions of `std` or `libm`.
+//! - [`Interval`]: interval arithmetic with outward rounding.
+//!
+//! The dependent crates re-export the parts that their users need.
 //!
 //! ```
 //! use asperity_core::{Interval, math};

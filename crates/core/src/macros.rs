@@ -1,7 +1,9 @@
 //! Macros of the Asperity crates.
 
-/// Defines an error enum, its messages and its traits. A message names the parameter, its rule and the fields of its variant;
-/// `from E` adds the variant `System` for an error `E` of a layer below.
+/// Defines an error enum, its messages and its traits.
+///
+/// A message names the parameter, its rule and the fields of its variant. `from E` adds the variant
+/// `System` for an error `E` of a lower layer.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! error_enum {
@@ -15,7 +17,7 @@ macro_rules! error_enum {
         pub enum $name {
             $($(#[$doc])* $variant $({ $($field: $type),* })?,)*
             $(
-                /// A rule of every system of maps is broken.
+                /// A rule of all systems of maps is violated.
                 System { error: $rule },
             )?
         }
@@ -56,7 +58,8 @@ macro_rules! error_enum {
 
 /// Implements the traits of `approx` for types, part by part, with one tolerance.
 ///
-/// The calling crate depends on `approx` and its float type has the traits: `impl_approx! { f32; Size: s => s.width, s.height; }`.
+/// The calling crate must depend on `approx`, and its float type must implement the traits:
+/// `impl_approx! { f32; Size: s => s.width, s.height; }`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! impl_approx {

@@ -1,4 +1,4 @@
-//! Float functions with two back ends: the standard library's or those of `libm`, which wins.
+//! Float functions of the standard library or of `libm`, which takes precedence.
 //!
 //! With `libm` the results have the same bits on every platform. Names with `_f64` take `f64`, all others `f32`.
 
@@ -12,7 +12,7 @@ macro_rules! back_ends {
             { libm::$libm($first $(, $other)?) }
             #[cfg(all(feature = "std", not(feature = "libm")))]
             { $first.$std($($other)?) }
-            // The crate's own message is the only error.
+            // The compile error of the crate root is the only error.
             #[cfg(not(any(feature = "std", feature = "libm")))]
             { $(let _ = $other;)? $first }
         }

@@ -1,7 +1,8 @@
 //! Every kind of noise in 1-D to 4-D, its sums and its lattices: calls, grids and lists of points.
 //!
-//! Names are those of the methods, the dimension and the kind: `grid_samples/3-d/perlin-2002`. A part of a name as argument runs
-//! those that have it: `cargo bench -p asperity-noise -- 3-d/perlin`.
+//! A name consists of the method, the dimension and the kind: `grid_samples/3-d/perlin-2002`. A
+//! part of a name as argument selects the matching benchmarks:
+//! `cargo bench -p asperity-noise -- 3-d/perlin`.
 
 use std::{hint::black_box, time::Duration};
 
@@ -14,11 +15,11 @@ use asperity_noise::{
 };
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
-/// Why a bench of a list must not fail.
+/// The reason why a benchmark of a list cannot fail.
 const ONE: &str = "one number per point";
 
 const SEED: u32 = 7;
-/// Distance of neighbours on a grid, in lattice cells.
+/// Distance of neighbors on a grid, in lattice cells.
 const STEP: f32 = 0.05;
 /// Points of a grid or a list.
 const POINTS: usize = 4096;
@@ -67,8 +68,10 @@ fn sums(criterion: &mut Criterion) {
     of_dimension::<Vec3, 3>(criterion, || [16; 3]);
 }
 
-/// Pairs of channels, and the lattices that gradient noise can be drawn from, along a line that crosses a border of cells every
-/// few steps, as a scan line of a picture does.
+/// Benchmarks pairs of channels, and the lattices of gradient noise.
+///
+/// The points are on a line that crosses a border of cells every few steps, like a scan line of an
+/// image.
 fn lines(criterion: &mut Criterion) {
     let line = |i: usize| Vec3::new(0.3, -7.0, 2.0) + Vec3::new(0.21, 0.17, -0.13) * i as f32;
     let noise = Gaussian::new(1);
@@ -90,10 +93,10 @@ fn lines(criterion: &mut Criterion) {
     calls(criterion, "value/3-d/perlin-2002-tiled", |i| noise.value(line(i)));
 }
 
-/// A call that writes values, and gradients if it has any.
+/// A call that writes values, and gradients if it has them.
 type Run<'r, V> = &'r mut dyn for<'a> FnMut(&'a mut [f32], <V as Point>::Array<&'a mut [f32]>);
 
-/// Calls, a grid and lists of points of a field.
+/// Benchmarks calls, a grid and lists of points of a field.
 fn field<V: Point>(criterion: &mut Criterion, name: &str, field: &dyn Field<V>, size: V::Array<usize>) {
     let dimension = size.as_ref().len();
     let lists = V::array(scattered);
@@ -121,7 +124,7 @@ fn field<V: Point>(criterion: &mut Criterion, name: &str, field: &dyn Field<V>, 
     });
 }
 
-/// Benches calls at points; every result passes through memory, so that calls are not computed together.
+/// Benchmarks calls at points. Every result passes through memory, so that calls are not merged.
 fn calls<T>(criterion: &mut Criterion, id: &str, evaluate: impl Fn(usize) -> T) {
     calls_of(criterion, id, &mut || {
         for i in 0..POINTS {
@@ -130,7 +133,7 @@ fn calls<T>(criterion: &mut Criterion, id: &str, evaluate: impl Fn(usize) -> T) 
     });
 }
 
-/// Benches what is done for all points.
+/// Benchmarks a call for all points.
 fn calls_of(criterion: &mut Criterion, id: &str, run: &mut dyn FnMut()) {
     let (group, name) = id.rsplit_once('/').unwrap_or(("", id));
     let mut group = criterion.benchmark_group(group);
@@ -138,7 +141,7 @@ fn calls_of(criterion: &mut Criterion, id: &str, run: &mut dyn FnMut()) {
     group.bench_function(name, |bencher| bencher.iter(&mut *run));
 }
 
-/// Coordinates within ±1000, the same at every call.
+/// Coordinates within ±1000, the same in every call.
 fn scattered(axis: usize) -> Vec<f32> {
     let mut state = 1_u64;
     let mut next = || {
@@ -151,7 +154,7 @@ fn scattered(axis: usize) -> Vec<f32> {
     (0..POINTS).map(|_| next()).collect()
 }
 
-/// A short run of each bench: there are hundreds.
+/// A short run of each benchmark, as there are hundreds.
 fn configuration() -> Criterion {
     Criterion::default().warm_up_time(Duration::from_millis(200)).measurement_time(Duration::from_millis(800))
 }

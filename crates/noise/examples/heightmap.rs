@@ -1,4 +1,5 @@
-//! Writes hills of warped fractional Brownian motion, lit by their gradients, as a PNG: `cargo run --example heightmap [path]`.
+//! Writes warped fBm hills, lit by their gradients, as a PNG:
+//! `cargo run --example heightmap [path]`.
 
 use asperity_noise::{
     Affine, Field, Grid, Octaves, Perlin2002, Spectrum, Warp,

@@ -1,4 +1,5 @@
-//! Seven tasks, one function each, and a line of numbers for each: `cargo run --example seven_tasks`.
+//! Seven tasks, one function each, and a line of numbers for each:
+//! `cargo run --example seven_tasks`.
 #![expect(clippy::print_stdout, reason = "an example prints its result")]
 
 use asperity_noise::{

@@ -1,5 +1,6 @@
-//! Golden bits, the same bits at every SIMD level, and kinds, sums and transforms by their public API: one program, so that what
-//! they instantiate is compiled once.
+//! Golden bits, equal bits at every SIMD level, and the public API of kinds, sums and transforms.
+//!
+//! One program, so that their instances are compiled once.
 
 mod golden;
 mod kinds;

@@ -5,22 +5,23 @@ use alloc::vec::Vec;
 use crate::math;
 
 /// Bins are pooled until one expects at least this many samples.
-const LEAST_EXPECTED: f64 = 10.0;
+const MIN_EXPECTED: f64 = 10.0;
 
-/// The share of samples that rounding may put across the border of a bin without probability.
+/// The fraction of samples that rounding may move across the border of a bin with probability 0.
 const STRAY: f64 = 5e-6;
 
-/// Probability that samples which do follow `probabilities` fit no better than `counts` do, by Pearson's χ².
+/// Returns the p-value of `counts` under `probabilities`, by Pearson's χ² test.
 ///
 /// ```text
 /// χ² = Σ (count − n p)²/(n p),      P(χ²_{bins − 1} ≥ χ²) = Q((bins − 1)/2, χ²/2)
 /// ```
 ///
-/// Samples in bins that have no probability make the result 0, beyond five in a million: pooled with others they would hide.
-/// Other bins are pooled in the order of their probability until one expects ten samples, so that the result does not depend on
-/// the counts. What the probabilities lack to 1 is a further bin, whose count is what `counts` lack to `samples`.
+/// If more than five in a million samples are in bins with probability 0, the result is 0, because
+/// pooling would hide them. Other bins are pooled in the order of their probability until each
+/// expects ten samples, so that the pooling does not depend on the counts. If the probabilities sum
+/// to less than 1, the rest is another bin, whose count is `samples` minus the sum of `counts`.
 ///
-/// - **Range:** `[0, 1]`; NaN, which passes no comparison, where fewer than two bins remain.
+/// - **Range:** `[0, 1]`; NaN, which fails every comparison, if fewer than two bins remain.
 /// - **Accuracy:** 1e-10 relative to the larger of the result and its complement.
 ///
 /// ```
@@ -30,7 +31,8 @@ const STRAY: f64 = 5e-6;
 /// assert!(p_value(&[5250, 4750], &[0.5, 0.5], 10_000) < 1e-6);
 /// ```
 ///
-/// Pearson 1900; Cochran 1954, "Some methods for strengthening the common χ² tests", for the least expectation.
+/// Pearson 1900; Cochran 1954, "Some methods for strengthening the common χ² tests", for the
+/// minimum expectation.
 #[must_use]
 pub fn p_value(counts: &[u64], probabilities: &[f64], samples: u64) -> f64 {
     let total = samples as f64;
@@ -46,7 +48,7 @@ pub fn p_value(counts: &[u64], probabilities: &[f64], samples: u64) -> f64 {
     let mut open = (0.0, 0);
     for (probability, count) in bins {
         open = (open.0 + probability, open.1 + count);
-        if open.0 * total >= LEAST_EXPECTED {
+        if open.0 * total >= MIN_EXPECTED {
             pooled.push(open);
             open = (0.0, 0);
         }
@@ -67,7 +69,8 @@ pub fn p_value(counts: &[u64], probabilities: &[f64], samples: u64) -> f64 {
     upper_gamma(0.5 * (pooled.len() - 1) as f64, 0.5 * statistic)
 }
 
-/// `Q(s, x) = Γ(s, x)/Γ(s)` for `s > 0`; by its series below `s + 1`, by its continued fraction above.
+/// `Q(s, x) = Γ(s, x)/Γ(s)` for `s > 0`, by its series below `s + 1`, by its continued fraction
+/// above.
 ///
 /// Press, Teukolsky, Vetterling, Flannery 1992, "Numerical Recipes", eq. 6.2.5 and 6.2.7.
 fn upper_gamma(s: f64, x: f64) -> f64 {
@@ -77,7 +80,7 @@ fn upper_gamma(s: f64, x: f64) -> f64 {
     let front = math::exp_f64(s * math::ln_f64(x) - x - ln_gamma(s));
     if x < s + 1.0 {
         let (mut term, mut sum) = (1.0 / s, 1.0 / s);
-        for k in 1..MOST_TERMS {
+        for k in 1..MAX_TERMS {
             term *= x / (s + f64::from(k));
             sum += term;
             if term < 1e-16 * sum {
@@ -90,7 +93,7 @@ fn upper_gamma(s: f64, x: f64) -> f64 {
     let mut b = x + 1.0 - s;
     let (mut c, mut d) = (1e300, 1.0 / b);
     let mut product = d;
-    for k in 1..MOST_TERMS {
+    for k in 1..MAX_TERMS {
         let k = f64::from(k);
         let a = k * (s - k);
         b += 2.0;
@@ -104,10 +107,11 @@ fn upper_gamma(s: f64, x: f64) -> f64 {
     front * product
 }
 
-/// More terms than a million bins need, whose series end after some thousand.
-const MOST_TERMS: u32 = 20_000;
+/// More terms than a million bins need, whose series end after some thousand terms.
+const MAX_TERMS: u32 = 20_000;
 
-/// `ln Γ(s)` for `s > 0`: Stirling's series beyond 10, where its fourth term is 6e-11 of the first, below by recurrence.
+/// `ln Γ(s)` for `s > 0`: Stirling's series beyond 10, where its fourth term is 6e-11 of the first;
+/// by recurrence below.
 fn ln_gamma(s: f64) -> f64 {
     let (mut s, mut product) = (s, 1.0);
     while s < 10.0 {
@@ -126,8 +130,8 @@ mod tests {
     use crate::split_mix::SplitMix64;
 
     #[test]
-    fn tails_of_chi_square_are_those_of_tables() {
-        // Of one, two and a hundred degrees of freedom; two are exp(−x/2), one erfc(√(x/2)).
+    fn upper_gamma_matches_tables() {
+        // One, two and a hundred degrees of freedom. Two are exp(−x/2), one is erfc(√(x/2)).
         crate::assert_abs_diff_eq!(upper_gamma(1.0, 7.0) / (-7.0_f64).exp(), 1.0, epsilon = 1e-12);
         crate::assert_abs_diff_eq!(upper_gamma(1.0, 0.3), (-0.3_f64).exp(), epsilon = 1e-14);
         for x in [0.1, 0.9, 2.0, 8.0, 30.0] {
@@ -157,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn accepts_the_right_and_rejects_the_wrong() {
+    fn p_value_accepts_matching_and_rejects_other_samples() {
         let right = [0.05, 0.1, 0.1, 0.2, 0.25, 0.15, 0.1, 0.05];
         let wrong = [0.055, 0.1, 0.1, 0.195, 0.25, 0.15, 0.1, 0.05];
         assert!(p_value(&counts(right), &right, 100_000) > 0.01);
@@ -165,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn samples_in_an_impossible_bin_are_rejected() {
+    fn p_value_rejects_samples_in_impossible_bin() {
         assert_eq!(p_value(&[50_000, 49_980, 20], &[0.5, 0.5, 0.0], 100_000), 0.0);
         assert!(p_value(&[50_000, 50_000, 0], &[0.5, 0.5, 0.0], 100_000) > 0.9);
         assert!(p_value(&[100], &[1.0], 100).is_nan() && p_value(&[], &[], 0).is_nan());

@@ -1,11 +1,11 @@
-//! Properties that were checked, with their figures and limits.
+//! Results of checks, with their values and limits.
 
 use alloc::borrow::Cow;
 use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt;
 
-/// The checks of something, in order; prints one line for each.
+/// A list of checks in order, printed as one line each.
 ///
 /// ```
 /// use asperity_core::check::{Check, Limit, Report};
@@ -17,11 +17,11 @@ use core::fmt;
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Report {
-    /// The checks, in the order in which they were made.
+    /// The checks, in order.
     pub checks: Vec<Check>,
 }
 
-/// A quantity with the limit that it must keep.
+/// A measured quantity and its limit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
     /// Property that is checked.
@@ -36,23 +36,23 @@ pub struct Check {
     pub place: String,
 }
 
-/// A bound that a measured quantity must keep; NaN keeps none.
+/// A limit of a measured quantity; NaN violates every limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Limit {
     /// The largest value that passes.
     AtMost(f64),
-    /// The least value that passes.
+    /// The smallest value that passes.
     AtLeast(f64),
 }
 
 impl Report {
-    /// Whether every check has passed.
+    /// Whether all checks passed.
     #[must_use]
     pub fn passed(&self) -> bool {
         self.checks.iter().all(Check::passed)
     }
 
-    /// Names of the checks that have failed.
+    /// Names of the checks that failed.
     pub fn failures(&self) -> impl Iterator<Item = &str> {
         self.checks.iter().filter(|check| !check.passed()).map(|check| &*check.name)
     }
@@ -71,7 +71,7 @@ impl Report {
 }
 
 impl Check {
-    /// Whether the value keeps its limit.
+    /// Whether the value is within its limit.
     #[must_use]
     pub fn passed(&self) -> bool {
         match self.limit {
@@ -109,7 +109,7 @@ impl fmt::Display for Report {
     }
 }
 
-/// A number with three digits where it is small or large.
+/// A number that prints with three digits if it is small or large.
 struct Short(f64);
 
 impl fmt::Display for Short {
@@ -129,7 +129,7 @@ mod tests {
     use alloc::string::ToString;
 
     #[test]
-    fn a_number_that_is_none_fails() {
+    fn nan_fails() {
         let mut report = Report::default();
         assert_eq!((report.passed(), &*report.to_string()), (true, "all 0 checks passed"));
         report.add("a", "x", f64::NAN, Limit::AtMost(1.0), "");

@@ -1,10 +1,10 @@
-//! Seed and effort of checks.
+//! Seed and sample count of checks.
 
 use glam::Vec2;
 
 use crate::split_mix::SplitMix64;
 
-/// The seed and the effort of a [`Report`](super::Report).
+/// The seed, the sample count and the significance of a [`Report`](super::Report).
 ///
 /// ```
 /// use asperity_core::check::Settings;
@@ -14,16 +14,17 @@ use crate::split_mix::SplitMix64;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// Seed of the samples; the same seed, the same report.
+    /// Seed of the samples; equal seeds give equal reports.
     pub seed: u32,
     /// Samples of each χ² test; at least 4096 are drawn.
     pub samples: u32,
-    /// Probability with which what is right may fail a report by chance, divided evenly among its statistical tests.
+    /// Probability that a correct subject fails a report by chance, divided evenly among its
+    /// statistical tests.
     pub significance: f64,
 }
 
 impl Settings {
-    /// Uniform points of the unit square without end; each stream has its own.
+    /// Iterates endlessly over uniform points of the unit square; each stream has its own points.
     ///
     /// ```
     /// use asperity_core::check::Settings;
@@ -38,7 +39,9 @@ impl Settings {
 }
 
 impl Default for Settings {
-    /// The seed 0, 65,536 samples, and a significance of 10⁻⁶: a thousand reports fail by chance once in a thousand times.
+    /// Seed 0, 65,536 samples, and a significance of 10⁻⁶.
+    ///
+    /// Among a thousand reports the probability of a false failure is 1/1000.
     fn default() -> Self {
         Self { seed: 0, samples: 1 << 16, significance: 1e-6 }
     }

@@ -22,7 +22,7 @@ pub fn best_level() -> fearless_simd::Level {
     return fearless_simd::Level::baseline();
 }
 
-/// The best SIMD level for `count` numbers: short arrays do not fill the longest registers.
+/// The best SIMD level for `count` numbers; short arrays do not fill the longest registers.
 #[cfg(feature = "simd")]
 #[inline]
 #[must_use]
@@ -70,7 +70,8 @@ pub fn run_at<T: Task>(level: fearless_simd::Level, task: T) -> T::Output {
     fearless_simd::dispatch!(level, simd => task.run(Registers::new(simd)))
 }
 
-/// Runs a task over `count` numbers at the best level for so many; in one lane without the feature `simd`.
+/// Runs a task over `count` numbers at the best level for this count; in one lane without the
+/// feature `simd`.
 #[inline]
 pub fn run<T: Task>(count: usize, task: T) -> T::Output {
     #[cfg(feature = "simd")]
@@ -91,7 +92,8 @@ pub trait Kernel<const I: usize, const O: usize> {
     fn apply<S: Arithmetic>(&self, s: S, x: [S::F; I]) -> [S::F; O];
 }
 
-/// Applies a kernel to arrays of one length, at the best level of the machine; in one lane without the feature `simd`.
+/// Applies a kernel to arrays of equal length, at the best level of the machine; in one lane
+/// without the feature `simd`.
 #[inline]
 pub fn map<K: Kernel<I, O>, const I: usize, const O: usize>(
     kernel: &K,
@@ -111,7 +113,7 @@ pub fn map<K: Kernel<I, O>, const I: usize, const O: usize>(
     fill(Scalar, kernel, inputs, outputs);
 }
 
-/// Applies a kernel to arrays of one length, one register after another.
+/// Applies a kernel to arrays of equal length, register by register.
 #[inline(always)]
 fn fill<S: Arithmetic, K: Kernel<I, O>, const I: usize, const O: usize>(
     s: S,

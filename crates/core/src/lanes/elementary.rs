@@ -1,21 +1,22 @@
-//! Exponential, logarithm, sine and cosine in lanes: Taylor's series behind exact reductions of the argument.
+//! Exponential, logarithm, sine and cosine in lanes, by Taylor series after exact argument
+//! reduction.
 //!
-//! Only correctly rounded operations are used, so the results have the same bits on every machine. Series are summed by pairs,
-//! which shortens the chain that a single lane waits for.
+//! Only correctly rounded operations are used, so the results have the same bits on every machine.
+//! Series are summed by pairs, which shortens the dependency chain of a single lane.
 
 use crate::lanes::lanes::Arithmetic;
 
-/// 1.5·2²³: a sum with it is rounded to an integer, which its lowest bits hold.
+/// 1.5·2²³: adding it rounds to an integer, which the lowest bits hold.
 const ROUND: f32 = 12_582_912.0;
 
-/// `exp(x)` for `x ≤ 0`; below −87, where the result would be subnormal, and NaN give 0.
+/// `exp(x)` for `x ≤ 0`; 0 for NaN and below −87, where the result would be subnormal.
 ///
 /// `x = k ln 2 + r` with |r| ≤ ½ ln 2; the series ends at r⁷/7!, 6e-9 relative. Accuracy: 2e-7 relative.
 #[inline(always)]
 pub fn exp<S: Arithmetic>(s: S, x: S::F) -> S::F {
     let shifted = x * s.float(core::f32::consts::LOG2_E) + s.float(ROUND);
     let k = shifted - s.float(ROUND);
-    // ln 2 in two parts, of which the first has 15 bits: its product with k is exact.
+    // ln 2 in two parts. The first has 15 bits, so that its product with k is exact.
     let r = (x - k * s.float(0.693_145_75)) - k * s.float(1.428_606_8e-6);
     let r2 = r * r;
     let low = (s.float(1.0) + r) + r2 * (s.float(1.0 / 2.0) + r * s.float(1.0 / 6.0));
@@ -39,10 +40,11 @@ pub fn one_minus_exp_ratio<S: Arithmetic>(s: S, t: S::F, root: S::F) -> S::F {
     s.select(s.less(t, s.float(1.0)), root * series, far)
 }
 
-/// `ln(1 + x)` for `x > −1`, the larger `x` finite; NaN for NaN is not kept.
+/// `ln(1 + x)` for finite `x > −1`; NaN is not propagated.
 ///
 /// `1 + x = 2ᵏ m` with m in √½ … √2, and `ln m = 2 artanh(f/(2 + f))`, `f = m − 1`, by its series to the ninth power, 5e-9 relative.
-/// For k = 0 f is x itself: nothing rests on what the sum `1 + x` has lost. Accuracy: 3e-7 relative.
+/// For k = 0, f is x itself, so that the rounding of `1 + x` does not matter. Accuracy: 3e-7
+/// relative.
 #[inline(always)]
 pub fn ln_1p<S: Arithmetic>(s: S, x: S::F) -> S::F {
     let one = s.float(1.0);
@@ -50,7 +52,7 @@ pub fn ln_1p<S: Arithmetic>(s: S, x: S::F) -> S::F {
     ln_of_parts(s, k, s.select(s.less(k * k, one), x, m - one))
 }
 
-/// `ln x` for normal, positive, finite `x`. Accuracy: 3e-7 relative, away from 1 as near it.
+/// `ln x` for normal, positive, finite `x`. Accuracy: 3e-7 relative, also near 1.
 #[inline(always)]
 pub fn ln<S: Arithmetic>(s: S, x: S::F) -> S::F {
     let [k, m] = parts(s, x);
@@ -82,7 +84,8 @@ fn ln_of_parts<S: Arithmetic>(s: S, k: S::F, f: S::F) -> S::F {
 
 /// `(cos 2πu, sin 2πu)` for |u| < 2²¹.
 ///
-/// The nearest quarter turn is taken off exactly; the series end at x¹⁰/10! and x⁹/9!. Accuracy: 1.2e-7 absolute.
+/// The nearest quarter turn is subtracted exactly. The series end at x¹⁰/10! and x⁹/9!. Accuracy:
+/// 1.2e-7 absolute.
 #[inline(always)]
 pub fn cos_sin_turns<S: Arithmetic>(s: S, u: S::F) -> [S::F; 2] {
     let shifted = u * s.float(4.0) + s.float(ROUND);

@@ -1,6 +1,7 @@
 //! SIMD lanes: arithmetic that is written once, for one number or for a register of numbers.
 //!
-//! Every operation is exact or correctly rounded, so each lane has the bits of the scalar computation.
+//! Every operation is exact or correctly rounded, so each lane has the bits of the scalar
+//! computation.
 
 use core::{
     num::Wrapping,
@@ -95,9 +96,9 @@ pub trait Arithmetic: Copy {
 
 /// All operations of one register: integers, masks, gathers and records.
 pub trait Lanes: Arithmetic {
-    /// Whether a table is looked up faster than its entries are computed.
+    /// Whether a table lookup is faster than computing the entries.
     const TABLES: bool = false;
-    /// These lanes when each carries a word: the key that it hashes with, for instance.
+    /// These lanes with one word each, for instance the key for a hash.
     type Keyed: Lanes<F = Self::F, U = Self::U, M = Self::M>;
 
     /// These lanes, with a word each. [`Scalar`] carries none.
@@ -107,7 +108,7 @@ pub trait Lanes: Arithmetic {
 
     /// One float per lane, by its number.
     fn floats(self, f: impl FnMut(usize) -> f32) -> Self::F;
-    /// Two floats per lane, which are adjacent where they are loaded from.
+    /// Two floats per lane, which are adjacent in memory.
     fn pairs(self, f: impl FnMut(usize) -> [f32; 2]) -> [Self::F; 2];
     /// One word per lane, by its number.
     fn words(self, f: impl FnMut(usize) -> u32) -> Self::U;
@@ -115,11 +116,11 @@ pub trait Lanes: Arithmetic {
     fn iota(self) -> Self::U;
     /// The first words of a slice; zeros if the slice is shorter than `LEN`.
     fn load_words(self, slice: &[u32]) -> Self::U;
-    /// Writes all words to a slice that is not shorter than `LEN`.
+    /// Writes all words to a slice of at least `LEN`.
     fn store_words(self, x: Self::U, slice: &mut [u32]);
-    /// The float of one lane; lane 0 if the number is too large.
+    /// The float of one lane; lane 0 if the number is out of range.
     fn lane(self, x: Self::F, lane: usize) -> f32;
-    /// The word of one lane; lane 0 if the number is too large.
+    /// The word of one lane; lane 0 if the number is out of range.
     fn lane_word(self, x: Self::U, lane: usize) -> u32;
 
     /// ⌊x⌋ for |x| < 2³¹.
@@ -182,7 +183,8 @@ pub trait Lanes: Arithmetic {
         (self.integer(floor), x - floor)
     }
 
-    /// The entries of a table of eight, stored twice, at indices below 8; `None` at a level without an instruction that looks them up.
+    /// The entries of a table of eight, stored twice, at indices below 8; `None` at a level without
+    /// a lookup instruction.
     #[inline(always)]
     fn looked_up(self, _table: &[f32; MAX_LANES], _index: Self::U) -> Option<Self::F> {
         None
@@ -220,7 +222,8 @@ pub struct Scalar;
 /// ⌊x⌋ for |x| ≤ 2³¹.
 #[inline(always)]
 fn floor(x: f32) -> i32 {
-    // 1.5·2²³: a sum with it is rounded to an integer, which its lower bits hold. That is faster than a saturating cast.
+    // 1.5·2²³: adding it rounds to an integer, which the lower bits hold. This is faster than a
+    // saturating cast.
     const ROUND: f32 = 12_582_912.0;
     let (nearest, above) = if x.abs() < 4_194_304.0 {
         let sum = x + ROUND;
@@ -378,7 +381,7 @@ impl Lanes for Scalar {
     }
     #[inline(always)]
     fn keep(self, mask: bool, x: f32) -> f32 {
-        // A choice would be a branch, on what is random.
+        // A conditional would be a branch on random data.
         f32::from_bits(x.to_bits() & u32::from(mask).wrapping_neg())
     }
     #[inline(always)]

@@ -1,4 +1,4 @@
-//! Entries of short tables, looked up in every lane at once where the level has an instruction for it.
+//! Lookups in short tables, in all lanes at once if the level has an instruction for it.
 
 use fearless_simd::Simd;
 
@@ -9,7 +9,8 @@ use core::arch::x86 as arch;
 #[cfg(target_arch = "x86_64")]
 use core::arch::x86_64 as arch;
 
-/// The entries of a table of eight, stored twice, at indices below 8; `None` where the level has no instruction for it.
+/// The entries of a table of eight, stored twice, at indices below 8; `None` at a level without a
+/// lookup instruction.
 #[inline(always)]
 pub(super) fn looked_up<S: Simd>(simd: S, table: &[f32; MAX_LANES], index: S::u32s) -> Option<S::f32s> {
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]

@@ -5,7 +5,8 @@ use fearless_simd::{Bytes, Select, Simd, SimdBase, SimdFloat, SimdInt, SimdMask,
 use crate::lanes::lanes::{Arithmetic, Lanes, MAX_LANES};
 use crate::lanes::look_up::looked_up;
 
-/// The lanes of one register of a SIMD level, and the words `K` that they carry, by default none.
+/// The lanes of one register of a SIMD level, and the words `K` that they carry; no words by
+/// default.
 #[derive(Clone, Copy, Debug)]
 pub struct Registers<S, K = ()> {
     /// Token of the level.
@@ -133,7 +134,7 @@ impl<S: Simd, K: Keys<S::u32s>> Lanes for Registers<S, K> {
     }
     #[inline(always)]
     fn pairs(self, mut f: impl FnMut(usize) -> [f32; 2]) -> [Self::F; 2] {
-        // As one number of 64 bits two neighbours are loaded at once.
+        // Two neighbors are loaded at once as one number of 64 bits.
         let mut pair = |lane| {
             let [first, second] = f(lane).map(|x| u64::from(x.to_bits()));
             f64::from_bits(first | second << 32)
@@ -290,7 +291,8 @@ impl<S: Simd, K: Keys<S::u32s>> Lanes for Registers<S, K> {
             let floor = x.floor();
             return (self.integer(floor), x - floor);
         }
-        // Both differences are exact but where the second is near 1, and the sum with 0 has no sign of its own.
+        // Both differences are exact, except if the second is near 1. The sum with 0 removes the
+        // sign of 0.
         let (truncated, nearest, above) = self.truncated_above(x);
         let cell = truncated + self.select_word(above, self.word(u32::MAX), self.word(0));
         (cell, (x - nearest) + self.select(above, self.float(1.0), self.float(0.0)))
@@ -304,7 +306,8 @@ impl<S: Simd, K: Keys<S::u32s>> Lanes for Registers<S, K> {
         if self.rounds() {
             return [self.select(mask, b, a), self.select(mask, a, b)];
         }
-        // What rounds has an instruction that selects too. Without one the bits that differ change places.
+        // Levels with a rounding instruction also have a select instruction. Otherwise swap the
+        // bits that differ.
         let (first, second) = (self.bits(a), self.bits(b));
         let differing = self.select_word(mask, first ^ second, self.word(0));
         [first, second].map(|bits| self.float_of_bits(bits ^ differing))
@@ -312,7 +315,8 @@ impl<S: Simd, K: Keys<S::u32s>> Lanes for Registers<S, K> {
 }
 
 impl<S: Simd, K: Keys<S::u32s>> Registers<S, K> {
-    /// Whether the level has an instruction that rounds; without one a library would be called for every lane.
+    /// Whether the level has a rounding instruction; otherwise a library would be called for every
+    /// lane.
     #[inline(always)]
     fn rounds(self) -> bool {
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
@@ -321,7 +325,8 @@ impl<S: Simd, K: Keys<S::u32s>> Registers<S, K> {
         true
     }
 
-    /// x truncated, as the bits of an `i32` and as a float, and whether that is above x, for |x| < 2³¹.
+    /// x truncated, as the bits of an `i32` and as a float, and whether the truncated number is
+    /// above x, for |x| < 2³¹.
     #[inline(always)]
     fn truncated_above(
         self,
@@ -343,7 +348,7 @@ fn loaded<S: Simd, K: Copy, const N: usize>(lanes: Registers<S, K>, floats: &[f3
     registers
 }
 
-/// The fields of records of four, given as they lie one after another.
+/// The fields of records of four, given in memory order.
 #[inline(always)]
 fn fields_of_four<S: Simd>([a, b, c, d]: [S::f32s; 4]) -> [S::f32s; 4] {
     let ((even, odd), (next_even, next_odd)) = (a.deinterleave(b), c.deinterleave(d));

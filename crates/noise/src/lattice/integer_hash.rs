@@ -218,17 +218,17 @@ mod tests {
     #[test]
     fn upper_words_of_neighbors_and_seeds_are_independent() {
         // The quantile 1 − 1e-3/310 of χ² with 255 degrees of freedom.
-        const GREATEST: f64 = 372.0;
+        const MAX_CHI_SQUARE: f64 = 372.0;
         let at = |i| [i & 63, i >> 6 & 63, i >> 12];
         for seed in 0..4 {
             for i in 63..125 {
                 let step = [i % 5 - 2, i / 5 % 5 - 2, i / 25 - 2];
                 let chi_square = chi_square([seed; 2], step, at);
-                assert!(chi_square < GREATEST, "seed {seed}, step {step:?}: {chi_square}");
+                assert!(chi_square < MAX_CHI_SQUARE, "seed {seed}, step {step:?}: {chi_square}");
             }
             for other in 0..31 {
                 let chi_square = chi_square([seed, seed ^ 1 << other], [0; 3], at);
-                assert!(chi_square < GREATEST, "seed {seed}, bit {other}: {chi_square}");
+                assert!(chi_square < MAX_CHI_SQUARE, "seed {seed}, bit {other}: {chi_square}");
             }
         }
     }

@@ -1,4 +1,6 @@
-//! Values whose bits are golden: every kind and sum in every dimension. Needs neither std nor an allocator.
+//! Values with golden bits: every kind and sum in every dimension.
+//!
+//! Needs neither std nor an allocator.
 
 use asperity_noise::{
     Basis, Cellular, Field, Gaussian, GaussianOctaves, IntegerHash, Lattice, Metric, Normalisation, Octaves,
@@ -9,11 +11,11 @@ use asperity_noise::{
     simd::{Batch, Kernel, Level},
 };
 
-/// The bits of one thing: of its sample at [`POINT`], and a digest of those at many points.
+/// The golden bits of a field: its sample at [`POINT`], and a digest of its samples at many points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Golden {
     pub(crate) dimension: usize,
-    /// Value and gradient; 0 where there is no such axis.
+    /// Value and gradient; 0 for axes that do not exist.
     pub(crate) sample: [u32; 5],
     pub(crate) digest: u32,
 }
@@ -23,14 +25,14 @@ const POINT: [f32; 4] = [-3.7, 12.3, 0.45, 7.1];
 /// Points of a digest.
 const POINTS: usize = 96;
 
-/// The FNV-1a hash of words (Fowler, Noll, Vo), by whole words.
+/// The FNV-1a hash of words (Fowler, Noll, Vo), word by word.
 fn digest(hash: u32, bits: u32) -> u32 {
     (hash ^ bits).wrapping_mul(0x0100_0193)
 }
 
 const START: u32 = 0x811c_9dc5;
 
-/// Point `i` of a digest: near the origin, at lattice points, far out, and beyond where cells are.
+/// Point `i` of a digest: near the origin, at lattice points, far away, and beyond all cells.
 fn point<const N: usize>(i: u32) -> [f32; N] {
     let mut state = i.wrapping_mul(0x9e37_79b9);
     [(); N].map(|()| {
@@ -46,7 +48,8 @@ fn point<const N: usize>(i: u32) -> [f32; N] {
     })
 }
 
-/// The golden bits of a field of points `V`, behind a pointer so that the digest is compiled once a dimension.
+/// The golden bits of a field of points `V`, behind a pointer so that the digest is compiled once
+/// per dimension.
 fn golden<V: Point<Coordinates = [f32; N]>, const N: usize>(field: &dyn Fn(V) -> Sample<V>) -> Golden {
     let bits = |p: [f32; N]| {
         let sample = field(V::from_coordinates(p));
@@ -93,7 +96,9 @@ where
     hash
 }
 
-/// The golden bits of a field that batches take too; the digest is that of the first level with other bits, if one has.
+/// The golden bits of a field that is also evaluated in batches.
+///
+/// The digest is the digest of the first level with different bits, if there is one.
 fn batched<V: Point<Coordinates = [f32; N]>, const N: usize>(field: &dyn Field<V>) -> Golden {
     let golden = golden(&|p: V| field.sample(p));
     let other =
@@ -112,7 +117,8 @@ where
     tell(name, golden(&|p: Vec4| noise.sample(p)));
 }
 
-/// A sum of octaves in every dimension; a sum of unit variance has bits of the shipped statistics.
+/// A sum of octaves in every dimension. The bits of a sum of unit variance depend on the measured
+/// statistics.
 fn sum(
     name: &'static str,
     normalisation: Normalisation,
@@ -148,7 +154,7 @@ fn gaussian_sum<V: Point<Coordinates = [f32; N]>, const N: usize>(
     tell("variance of Gaussian", golden(&|p: V| Gaussian::new(17).variance(p)));
 }
 
-/// Tells the golden bits of every kind and sum in every dimension.
+/// Passes the golden bits of every kind and sum in every dimension to `tell`.
 pub(crate) fn fields(tell: &mut impl FnMut(&'static str, Golden)) {
     let table = PermutationTable::new(17);
     kind("Perlin 1985", &Perlin1985::new(17), tell);
@@ -181,7 +187,8 @@ pub(crate) fn fields(tell: &mut impl FnMut(&'static str, Golden)) {
     gaussian_sum::<Vec4, 4>(tell);
 }
 
-/// Tells the golden bits of what batches fill, which are those of the same kinds and sums above.
+/// Passes the golden bits of batches to `tell`; they equal the bits of the same kinds and sums
+/// above.
 pub(crate) fn batches(tell: &mut impl FnMut(&'static str, Golden)) {
     tell("Perlin 2002", batched::<Vec3, 3>(&Perlin2002::new(17)));
     tell("simplex", batched::<Vec2, 2>(&Simplex::new(17)));
@@ -190,12 +197,12 @@ pub(crate) fn batches(tell: &mut impl FnMut(&'static str, Golden)) {
     tell("Gaussian octaves", batched::<Vec2, 2>(&sum.first(6.5)));
 }
 
-/// The digest of what is drawn from a word.
+/// The digest of the variates of words.
 fn drawn(components: impl IntoIterator<Item = f32>) -> u32 {
     components.into_iter().map(f32::to_bits).fold(START, digest)
 }
 
-/// Tells the digests of words, of what is drawn from them, and of the numbers of a spectrum.
+/// Passes the digests of words, of their variates, and of the numbers of a spectrum to `tell`.
 pub(crate) fn numbers(tell: &mut impl FnMut(&'static str, u32)) {
     let hash = |words: &mut dyn FnMut(i32) -> u32| (0..256).map(words).fold(START, digest);
     let cell = |i: i32| [i % 7 - 3, i / 7 - 18, i * 1_000_003, -i];

@@ -1,4 +1,5 @@
-//! Golden bits: every kind and sum has the same bits with every feature, at every SIMD level, on every machine.
+//! Golden bits: every kind and sum has the same bits with every feature, at every SIMD level, on
+//! every machine.
 
 mod computed;
 mod pinned;
@@ -9,7 +10,7 @@ use computed::Golden;
 use pinned::{FIELDS, NUMBERS};
 
 #[test]
-fn every_kind_and_sum_has_its_golden_bits() {
+fn golden_bits_of_kinds_and_sums() {
     let (mut rows, mut text) = (Vec::new(), String::new());
     computed::fields(&mut |name, golden| rows.push((name, golden)));
     for (name, Golden { dimension, sample, digest }) in &rows {
@@ -24,12 +25,12 @@ fn every_kind_and_sum_has_its_golden_bits() {
 }
 
 #[test]
-fn batches_have_the_golden_bits_at_every_level() {
+fn golden_bits_of_batches_at_every_level() {
     computed::batches(&mut |name, golden| assert!(FIELDS.contains(&(name, golden)), "{name}: {golden:?}"));
 }
 
 #[test]
-fn words_directions_and_spectra_have_their_golden_bits() {
+fn golden_bits_of_words_directions_and_spectra() {
     let (mut rows, mut text) = (Vec::new(), String::new());
     computed::numbers(&mut |name, digest| rows.push((name, digest)));
     for (name, digest) in &rows {

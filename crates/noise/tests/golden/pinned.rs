@@ -2,7 +2,7 @@
 
 use super::computed::Golden;
 
-/// The kinds and sums, in the order that they are computed in.
+/// The kinds and sums, in the order of computation.
 #[rustfmt::skip]
 pub(crate) const FIELDS: &[(&str, Golden)] = &[
     ("Perlin 1985", Golden { dimension: 1, sample: [0x3e2c_081c, 0xbf05_1ea4, 0x0000_0000, 0x0000_0000, 0x0000_0000], digest: 0x68c9_905f }),

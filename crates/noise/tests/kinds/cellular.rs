@@ -1,4 +1,4 @@
-//! Cellular noise: settings, totality, gradients, ranges and moments.
+//! Cellular noise: settings, points that are not finite, gradients, ranges and moments.
 
 use approx::assert_abs_diff_eq;
 use asperity_noise::{
@@ -17,7 +17,7 @@ fn every_noise() -> impl Iterator<Item = Cellular> {
 }
 
 #[test]
-fn only_jitters_in_range_are_accepted() {
+fn cellular_rejects_invalid_jitter() {
     for jitter in [0.0, -0.0, 0.5, 1.0] {
         assert_abs_diff_eq!(Cellular::default().with_jitter(jitter).unwrap().jitter(), jitter);
     }
@@ -28,7 +28,7 @@ fn only_jitters_in_range_are_accepted() {
 }
 
 #[test]
-fn points_that_are_not_finite_give_0_and_far_ones_stay_in_range() {
+fn cellular_at_far_and_nonfinite_points() {
     for noise in every_noise() {
         for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
             let sample = noise.sample(Vec3::new(0.5, bad, 0.0));
@@ -46,7 +46,7 @@ fn points_that_are_not_finite_give_0_and_far_ones_stay_in_range() {
 }
 
 #[test]
-fn a_gradient_has_length_1_in_the_dual_norm() {
+fn cellular_gradient_has_length_1_in_the_dual_norm() {
     for i in 0..200_u8 {
         let p = Vec4::new(0.37, -0.91, 0.53, 0.29) * f32::from(i);
         let noise = Cellular::new(u32::from(i));
@@ -58,21 +58,21 @@ fn a_gradient_has_length_1_in_the_dual_norm() {
 }
 
 #[test]
-fn at_a_feature_point_distance_and_gradient_are_0() {
+fn cellular_at_feature_points() {
     let squares = Cellular::new(3).with_jitter(0.0).unwrap();
     for metric in METRICS {
         let sample = squares.with_metric(metric).sample(Vec3::new(2.5, -0.5, 0.5));
         assert_eq!((sample.value, sample.gradient), (0.0, Vec3::ZERO));
     }
-    // Of the two equally near on a border that of the lower cell counts.
+    // Of two equally near feature points on a border the lower cell is used.
     assert_eq!(squares.sample(Vec2::new(3.0, 0.5)).gradient, Vec2::X);
     let diagonal = squares.with_metric(Metric::Chebyshev).sample(Vec2::new(0.75, 0.25));
     assert_eq!(diagonal.gradient, Vec2::X);
 }
 
-/// The greatest distances, of feature points in the corners of their cells.
+/// The largest distances, for feature points in the corners of their cells.
 #[test]
-fn ranges_are_the_suprema() {
+fn cellular_range_is_the_supremum() {
     let range = |metric, basis, jitter| {
         let noise = Cellular::default().with_metric(metric).with_basis(basis).with_jitter(jitter).unwrap();
         [
@@ -98,7 +98,7 @@ fn ranges_are_the_suprema() {
     close(range(Metric::Chebyshev, Basis::F2, 0.0), [1.0; 4]);
 }
 
-/// Mean, deviation and higher moments over `COUNT` points of as many seeds.
+/// Mean, deviation and higher moments over `COUNT` points, one seed each.
 fn measure<V: Point<Coordinates = [f32; N]>, const N: usize>(noise: &Cellular) -> [f64; 4] {
     const COUNT: u32 = 20_000;
     let mut sums = [0.0; 4];
@@ -119,7 +119,7 @@ fn measure<V: Point<Coordinates = [f32; N]>, const N: usize>(noise: &Cellular) -
 }
 
 #[test]
-fn shipped_moments_are_those_measured_at_any_jitter() {
+fn cellular_moments_at_any_jitter() {
     fn compare<V: Point<Coordinates = [f32; N]>, const N: usize>(noise: &Cellular) {
         let measured = measure::<V, N>(noise);
         let [_, _, third, fourth] = Noise::<V>::absolute_moments(noise);
@@ -143,7 +143,7 @@ fn shipped_moments_are_those_measured_at_any_jitter() {
 }
 
 #[test]
-fn sums_have_mean_0_and_variance_1_and_units_a_range_of_1() {
+fn cellular_octaves_and_unit() {
     let noise = Cellular::new(1).with_metric(Metric::Manhattan);
     let (mut sum, mut square) = (0.0, 0.0);
     for seed in 0..4000_u16 {

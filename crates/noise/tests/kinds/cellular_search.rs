@@ -1,4 +1,4 @@
-//! Cellular noise against a plain search for feature points in `f64`.
+//! Cellular noise compared with a brute-force search for feature points in `f64`.
 
 use core::array::from_fn;
 
@@ -13,7 +13,7 @@ use super::words::{further, mix, uniform};
 
 const METRICS: [Metric; 3] = [Metric::Euclidean, Metric::Manhattan, Metric::Chebyshev];
 
-/// A feature point as a plain search in `f64` finds it.
+/// A feature point found by a brute-force search in `f64`.
 #[derive(Clone, Copy)]
 struct Found<const N: usize> {
     distance: f64,
@@ -54,7 +54,9 @@ fn wide_search<L: Lattice, const N: usize>(
     nearest
 }
 
-/// The bases at a point against a wide search, and their gradients and the cell where no other feature point is as near.
+/// The outputs at a point compared with a wide search.
+///
+/// Also compares their gradients, and the cell if no other feature point is equally near.
 fn compare<V, L, const N: usize>(noise: Cellular<L>, words: (&L, u32), p: [f32; N], window: i32)
 where
     V: Point<Coordinates = [f32; N]>,
@@ -66,7 +68,8 @@ where
     for (basis, expected) in [(Basis::F1, first), (Basis::F2, second), (Basis::F2MinusF1, second - first)] {
         let noise = noise.with_basis(basis);
         let sample = noise.sample(V::from_coordinates(p));
-        // Ways are rounded by up to 2.4e-7 each and their roots by little; 7e-7 was seen.
+        // Offsets are rounded by up to 2.4e-7 each, and their roots by little. The largest error
+        // was 7e-7.
         assert!((f64::from(sample.value) - expected).abs() < 1.5e-6, "{basis:?} {}: {sample:?}", what());
         assert_eq!(noise.value(V::from_coordinates(p)), sample.value, "{basis:?} {}", what());
         let [low, high] = Field::<V>::range(&noise);
@@ -91,7 +94,7 @@ where
                     Basis::F2 => slope(&nearest[1], axis),
                     _ => slope(&nearest[1], axis) - slope(&nearest[0], axis),
                 };
-                // A way of 1e-3 is rounded by 2.4e-7.
+                // An offset of 1e-3 is rounded by 2.4e-7.
                 assert_abs_diff_eq!(f64::from(slope_here), expected, epsilon = 6e-4);
             }
         }
@@ -129,14 +132,14 @@ fn compare_at_random<V: Point<Coordinates = [f32; N]>, const N: usize>(count: u3
 }
 
 #[test]
-fn no_feature_point_is_missed_at_random_points() {
+fn cellular_search_at_random_points() {
     compare_at_random::<f32, 1>(2000, 4);
     compare_at_random::<Vec2, 2>(2000, 4);
     compare_at_random::<Vec3, 3>(400, 4);
     compare_at_random::<Vec4, 4>(60, 4);
 }
 
-/// Grids, rows of which find their feature points together, against a wide search.
+/// Grids, whose rows find their feature points together, compared with a wide search.
 fn compare_grids<V: Point<Coordinates = [f32; N]>, const N: usize>(size: &V::Array<usize>, window: i32) {
     for (metric, step) in METRICS.into_iter().zip([0.05, -0.031, 0.12]) {
         for basis in [Basis::F1, Basis::F2] {
@@ -164,16 +167,17 @@ fn compare_grids<V: Point<Coordinates = [f32; N]>, const N: usize>(size: &V::Arr
     }
 }
 
-// Rows of a grid share what they find from 256 points on.
+// Rows of a grid reuse their search from 256 points on.
 #[test]
-fn no_feature_point_is_missed_along_rows() {
+fn cellular_search_along_rows() {
     compare_grids::<f32, 1>(&[600], 3);
     compare_grids::<Vec2, 2>(&[70, 20], 4);
     compare_grids::<Vec3, 3>(&[40, 3, 3], 3);
     compare_grids::<Vec4, 4>(&[24, 11, 1, 1], 3);
 }
 
-/// Feature points as far from the origin as their cells allow, but for those of planted cells, which are as near.
+/// Feature points as far from the origin as their cells allow, except in planted cells, where they
+/// are as near.
 #[derive(Clone, Copy)]
 struct Planted<'a> {
     /// Words of feature points in each corner of a cell.
@@ -189,7 +193,7 @@ impl Lattice for Planted<'_> {
     }
 }
 
-/// Words whose feature points lie within 1/16 of each corner of their cells.
+/// Words whose feature points are within 1/16 of each corner of their cells.
 fn words_of_corners() -> [u32; 16] {
     from_fn(|corner| {
         let ends = |field: u32, axis: usize| field >> 12 == if corner >> axis & 1 == 1 { 15 } else { 0 };
@@ -208,7 +212,8 @@ fn compare_with_planted<V: Point<Coordinates = [f32; N]>, const N: usize>(count:
     for metric in METRICS {
         let mut counter = 2 << 32;
         for i in 0..count {
-            // Up to N + 1 cells away along one axis and next to the origin or two away along the others.
+            // Up to N + 1 cells away along one axis, and next to the origin or two cells away along
+            // the others.
             let cells = from_fn(|k| {
                 let mut next = |bound: u64| {
                     counter += 1;
@@ -234,7 +239,7 @@ fn compare_with_planted<V: Point<Coordinates = [f32; N]>, const N: usize>(count:
 }
 
 #[test]
-fn no_feature_point_is_missed_far_away() {
+fn cellular_search_far_feature_points() {
     compare_with_planted::<f32, 1>(100);
     compare_with_planted::<Vec2, 2>(400);
     compare_with_planted::<Vec3, 3>(200);

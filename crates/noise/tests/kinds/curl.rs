@@ -8,7 +8,7 @@ use asperity_noise::{
 };
 
 #[test]
-fn velocities_stand_on_the_gradients() {
+fn curl_is_perpendicular_to_gradients() {
     let fields = [1, 2, 3].map(Perlin2002::new);
     for i in 0..20_u8 {
         let p = Vec3::new(0.31 * f32::from(i), 1.7, -0.4 * f32::from(i));
@@ -26,7 +26,7 @@ fn velocities_stand_on_the_gradients() {
 }
 
 #[test]
-fn both_ways_give_one_velocity() {
+fn curl_velocity_matches_velocity_and_jacobian() {
     let fields = [1, 2, 3].map(Simplex::new);
     let p = Vec3::new(0.2, -1.3, 5.5);
     let pair = Curl3(fields[0], fields[1]);

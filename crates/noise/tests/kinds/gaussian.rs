@@ -1,4 +1,4 @@
-//! Gaussian noise: its pair, its parts and totality.
+//! Gaussian noise: its pair, its parts, and points that are not finite.
 
 use approx::assert_abs_diff_eq;
 use asperity_noise::{
@@ -7,7 +7,7 @@ use asperity_noise::{
 };
 
 #[test]
-fn the_first_channel_is_the_sample() {
+fn gaussian_pair_starts_with_sample() {
     let noise = Gaussian::default();
     for i in 0..100_u8 {
         let p = Vec3::new(0.37 * f32::from(i), -0.21 * f32::from(i), 3.1);
@@ -19,7 +19,7 @@ fn the_first_channel_is_the_sample() {
 }
 
 #[test]
-fn the_normalised_noise_is_the_quotient() {
+fn gaussian_is_unnormalised_over_deviation() {
     let p = Vec2::new(1.3, -2.6);
     let (n, v) = (Gaussian::new(3).unnormalised(p), Gaussian::new(3).variance(p));
     let z = Gaussian::new(3).sample(p).value;
@@ -29,7 +29,7 @@ fn the_normalised_noise_is_the_quotient() {
 }
 
 #[test]
-fn far_points_and_points_that_are_none_are_defined() {
+fn gaussian_at_far_and_nonfinite_points() {
     let noise = Gaussian::default();
     assert_eq!(noise.with_seed(1).pair(Vec2::new(f32::NAN, 1.0)), [Sample::default(); 2]);
     let nowhere = Vec2::new(f32::INFINITY, 1.0);

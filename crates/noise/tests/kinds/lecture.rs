@@ -1,4 +1,4 @@
-//! The lecture's noises at points that are not finite, and far out.
+//! The printed noises at points that are not finite, and far from the origin.
 
 use asperity_noise::{
     Field, Sample,
@@ -21,7 +21,7 @@ fn tables() -> LectureTables {
 }
 
 #[test]
-fn points_that_are_none_are_defined() {
+fn printed_noises_at_nonfinite_points() {
     let tables = tables();
     let nowhere = Vec3::new(f32::NAN, 0.0, 0.0);
     assert_eq!(Vnoise(&tables).sample(nowhere), Sample::default());

@@ -1,4 +1,4 @@
-//! Kinds, sums and transforms by their public API.
+//! Kinds, sums and transforms through their public API.
 
 mod cellular;
 mod cellular_search;

@@ -1,4 +1,4 @@
-//! Perlin 2002 against the printed formula.
+//! Perlin noise of 2002 compared with the printed formula.
 
 use approx::assert_abs_diff_eq;
 use asperity_noise::{
@@ -7,7 +7,7 @@ use asperity_noise::{
     lattice::{PerlinTable, edge_gradient},
 };
 
-/// The formula as it is printed, over the eight corners of the cell; w(1 − t) = 1 − w(t).
+/// The formula as printed, over the eight corners of the cell; w(1 − t) = 1 − w(t).
 fn improved_noise(p: Vec3, seed: u32) -> f32 {
     let w = |t: f32| t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
     let sum = (0..8_u8).map(|c| {
@@ -20,10 +20,10 @@ fn improved_noise(p: Vec3, seed: u32) -> f32 {
 }
 
 #[test]
-fn columns_and_edges_come_to_the_printed_formula() {
+fn perlin_2002_matches_printed_formula() {
     for i in 0..1000_u16 {
         let p = Vec3::new(0.37, -0.21, 0.83) * f32::from(i);
-        // Twice the error that the crate's page states.
+        // Twice the error that the crate page states.
         assert_abs_diff_eq!(Perlin2002::new(7).value(p), improved_noise(p, 7), epsilon = 3.4e-6);
     }
 }

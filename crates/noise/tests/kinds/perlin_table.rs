@@ -1,4 +1,4 @@
-//! Perlin's own noise of 2002 against his reference implementation.
+//! Perlin's reference implementation of 2002 compared with `PerlinTable`.
 
 use approx::assert_abs_diff_eq;
 use asperity_noise::{Affine, Field, Grid, Perlin2002, glam::Vec3, lattice::PerlinTable};
@@ -29,8 +29,8 @@ fn reference(p: [f64; 3]) -> f64 {
 }
 
 #[test]
-#[expect(clippy::approx_constant, reason = "the point of the value that is known of his noise")]
-fn every_form_gives_his_noise() {
+#[expect(clippy::approx_constant, reason = "the point of a published value of the reference noise")]
+fn perlin_table_matches_reference() {
     assert_abs_diff_eq!(reference([3.14, 42.0, 7.0]), 0.136_919_958_784, epsilon = 1e-9);
     let noise = Affine(Perlin2002::new(0).with_lattice(PerlinTable), PerlinTable::SCALE, 0.0);
     let classic = Vec3::new(3.14, 42.0, 7.0);
@@ -55,7 +55,7 @@ fn every_form_gives_his_noise() {
             assert_eq!(values[i], listed[i]);
         }
     }
-    // Another seed is a translate.
+    // Another seed is a translation.
     let moved = Affine(Perlin2002::new(5).with_lattice(PerlinTable), PerlinTable::SCALE, 0.0);
     assert_abs_diff_eq!(moved.value(classic - Vec3::X * 5.0), 0.136_92, epsilon = 1e-6);
 }

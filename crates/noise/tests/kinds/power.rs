@@ -3,7 +3,7 @@
 use asperity_noise::{Field, Perlin2002, Power, glam::Vec2};
 
 #[test]
-fn powers_are_powers() {
+fn power_matches_products() {
     let (field, p) = (Perlin2002::new(3), Vec2::new(0.3, 1.8));
     let n = field.sample(p);
     let [one, itself, cube] = [0, 1, 3].map(|k| Power(field, k).sample(p));

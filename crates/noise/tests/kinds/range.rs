@@ -24,12 +24,12 @@ impl Random {
         (self.word() % count) as usize
     }
 
-    /// A word of a lattice point: any, or an end of the range of values.
+    /// A word of a lattice point: arbitrary, or an end of the range of values.
     fn lattice_word(&mut self) -> u32 {
         [self.word(), 0, u32::MAX, 0x7fff_ffff, 0x8000_0000][self.below(5)]
     }
 
-    /// A coordinate: cells near and far, places near an end or the center of a cell and between.
+    /// A coordinate: in cells near and far, close to an end or the center of a cell and between.
     fn coordinate(&mut self) -> f32 {
         let cell = f64::from(self.word() % (1 << self.below(22))) * [1.0, -1.0][self.below(2)];
         let near = (-f64::from(self.word() % 26)).exp2();
@@ -41,7 +41,8 @@ impl Random {
 /// The words that the search chooses.
 type Words = [u32; 256];
 
-/// A lattice that has these words, by the last two bits of the cell's coordinates. All octaves share them.
+/// A lattice with these words, selected by the last two bits of the cell's coordinates, for all
+/// octaves.
 #[derive(Clone, Copy, Debug)]
 struct Chosen(Words);
 
@@ -51,7 +52,8 @@ impl Lattice for Chosen {
     }
 }
 
-/// Climbs to values far from the middle of the range, and returns how far the worst one is beyond it, with its place.
+/// Climbs to values far from the middle of the range, and returns the largest excess over it, with
+/// its place.
 fn excess<V, F, const N: usize>(random: &mut Random, field: impl Fn(Words) -> F) -> (f32, String)
 where
     V: Point<Coordinates = [f32; N]>,
@@ -61,7 +63,7 @@ where
     let distance = |words, p: [f32; N]| {
         let field = field(words);
         let ([low, high], value) = (field.range(), field.value(V::from_coordinates(p)));
-        // NaN is as bad as it gets.
+        // NaN counts as the worst value.
         if value.is_nan() { f32::INFINITY } else { (value - high).max(low - value) }
     };
     let (mut worst, mut place) = (f32::NEG_INFINITY, String::new());
@@ -179,7 +181,8 @@ fn range_of_octaves_holds_with_all_octaves_at_a_bound() {
     search!(random, found, "ridged multifractal", |w| {
         RidgedMultifractal::new(Value::new(0).with_lattice(Chosen(w)), spectrum, 2.0).unwrap()
     });
-    // A kind whose range is less than 1, so that a ridged octave is never 0 but a weak one is smaller.
+    // A kind with a range smaller than 1, so that a ridged octave is never 0 and a weak octave is
+    // smaller.
     search!(random, found, "ridged multifractal of low cells", |w| {
         let cells = Cellular::new(0).with_jitter(0.0).unwrap().with_lattice(Chosen(w));
         RidgedMultifractal::new(cells, spectrum, 0.1).unwrap()

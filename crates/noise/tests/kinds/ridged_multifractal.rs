@@ -1,4 +1,4 @@
-//! The ridged multifractal: settings, and sums that are known.
+//! The ridged multifractal: settings, and sums with known values.
 
 use approx::assert_abs_diff_eq;
 use asperity_noise::{
@@ -6,7 +6,7 @@ use asperity_noise::{
 };
 
 #[test]
-fn only_finite_feedback_from_zero_on_is_taken() {
+fn ridged_multifractal_rejects_invalid_feedback() {
     let new = |feedback| RidgedMultifractal::<_, 2>::new(Perlin2002::new(1), Spectrum::default(), feedback);
     for feedback in [-1.0, f32::INFINITY] {
         assert_eq!(new(feedback).map_err(|error| error.feedback), Err(feedback));
@@ -15,7 +15,7 @@ fn only_finite_feedback_from_zero_on_is_taken() {
 }
 
 #[test]
-fn one_octave_is_one_ridged_octave() {
+fn ridged_multifractal_of_one_octave_is_ridged() {
     let ridges = RidgedMultifractal::new(Perlin2002::new(1), Spectrum::default(), 1.0).unwrap();
     let octaves =
         Octaves::new(Perlin2002::new(1), Spectrum::default()).with_normalisation(Normalisation::Range);
@@ -27,7 +27,7 @@ fn one_octave_is_one_ridged_octave() {
 }
 
 #[test]
-fn without_feedback_only_the_first_octave_counts() {
+fn ridged_multifractal_without_feedback_is_its_first_octave() {
     let ridges = RidgedMultifractal::new(Perlin2002::new(1), Spectrum::default(), 0.0).unwrap();
     let p = Vec3::new(0.2, 7.1, -3.4);
     let [one, three] = [1.0, 3.0].map(|octaves| ridges.first(octaves).value(p));

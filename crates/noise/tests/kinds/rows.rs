@@ -1,4 +1,4 @@
-//! Rows of the kinds that share columns in a way of their own against their points one by one.
+//! Rows of kinds with their own column code, compared with single points.
 
 use asperity_noise::{
     Field, Grid, Sparse, ValueCatmullRom,
@@ -8,7 +8,8 @@ use asperity_noise::{
 
 const COUNT: usize = 131;
 
-/// Starts and steps: ascending and descending, across more columns than are kept at once, and without any.
+/// Starts and steps: ascending and descending, across more columns than are kept at once, and
+/// without any.
 const ROWS: [(f32, f32); 8] =
     [(-3.3, 0.07), (2.9, -0.21), (-7.0, 0.5), (-7.0, 0.9), (7.5, -0.7), (7.5, -0.9), (0.4, 1.3), (1e6, 0.25)];
 
@@ -16,7 +17,7 @@ const ROWS: [(f32, f32); 8] =
 fn check(noise: &impl Field<Vec2>) {
     for level in Level::available() {
         for (x, step) in ROWS {
-            // Two rows, so that there are enough points for rows to share work.
+            // Two rows, so that there are enough points for rows to reuse work.
             let grid = Grid { origin: Vec2::new(x, 0.7), step: Vec2::new(step, 0.45), size: [COUNT, 2] };
             let mut values = [f32::NAN; 2 * COUNT];
             let mut gradients = [[f32::NAN; 2 * COUNT]; 2];
@@ -36,7 +37,7 @@ fn check(noise: &impl Field<Vec2>) {
 }
 
 #[test]
-fn rows_have_the_values_and_gradients_of_their_points() {
+fn rows_match_points() {
     for impulses in [1, 3] {
         check(&Sparse::new(5).with_impulses(impulses).unwrap());
     }

@@ -1,4 +1,4 @@
-//! Kinds on a lattice that repeats.
+//! Kinds on a tileable lattice.
 
 use asperity_noise::{
     Basis, Cellular, Field, Gaussian, IntegerHash, Perlin1985, Perlin2002, Point, Simplex, Sparse, Tiled,
@@ -12,7 +12,7 @@ fn tiles<V: Point<Coordinates = [f32; N]>, const N: usize>(noise: &impl Field<V>
         let mut axis = 0;
         let p = periods.map(|period| {
             axis += 1;
-            // Eighths, so that sums are exact; across the border of a period and on it.
+            // Multiples of 1/8, so that sums are exact; across the border of a period and on it.
             (f32::from(i) * [0.625, -0.375, 1.125, -0.875][axis - 1]) % (2.0 * period as f32)
         });
         let here = noise.sample(V::from_coordinates(p));
@@ -30,7 +30,7 @@ fn tiles<V: Point<Coordinates = [f32; N]>, const N: usize>(noise: &impl Field<V>
 }
 
 #[test]
-fn every_kind_on_the_integer_lattice_tiles_bit_for_bit() {
+fn tiled_repeats_every_kind_on_the_integer_lattice() {
     fn kind<K>(noise: &K)
     where
         K: Field<f32> + Field<Vec2> + Field<Vec3> + Field<Vec4>,
@@ -57,7 +57,7 @@ fn every_kind_on_the_integer_lattice_tiles_bit_for_bit() {
 }
 
 #[test]
-fn simplex_noise_tiles_on_the_line() {
+fn tiled_repeats_simplex_in_1d() {
     let lattice = Tiled::new(IntegerHash, [7]).unwrap();
     tiles::<f32, 1>(&Simplex::new(4).with_lattice(lattice), [7]);
     tiles::<f32, 1>(&Simplex::wide(4).with_lattice(lattice), [7]);

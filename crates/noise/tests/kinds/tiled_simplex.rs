@@ -1,9 +1,9 @@
-//! Simplex noise that repeats.
+//! Tileable simplex noise.
 
 use asperity_noise::{Field, Simplex, TiledError, TiledSimplex, glam::Vec3};
 
 #[test]
-fn only_multiples_of_three_are_accepted() {
+fn tiled_simplex_rejects_invalid_periods() {
     assert_eq!(TiledSimplex::new(Simplex::wide(0), [3, 6, 300]).unwrap().periods(), &[3, 6, 300]);
     let error = TiledError::NoMultiple { axis: 1, period: 4, factor: 3 };
     assert_eq!(TiledSimplex::new(Simplex::wide(0), [3, 4, 6]), Err(error));
@@ -11,7 +11,7 @@ fn only_multiples_of_three_are_accepted() {
 }
 
 #[test]
-fn the_noise_repeats_along_every_axis_and_not_before() {
+fn tiled_simplex_repeats_along_every_axis() {
     let periods = Vec3::new(3.0, 6.0, 9.0);
     for kernel in [Simplex::new(0), Simplex::wide(0)] {
         let noise = TiledSimplex::new(kernel, [3, 6, 9]).unwrap();
@@ -29,7 +29,8 @@ fn the_noise_repeats_along_every_axis_and_not_before() {
             let half = [Vec3::new(0.0, 3.0, 0.0), Vec3::new(0.0, 0.0, 3.0)];
             others += half.iter().filter(|&&step| noise.with_seed(4).value(p + step) == here.value).count();
         }
-        // Of 800; where one corner alone is near, one of twelve gradients is the same by chance.
+        // Of 800 points. Where only one corner is near, one of twelve gradients is the same by
+        // chance.
         assert!(others < 80, "{others}");
     }
 }

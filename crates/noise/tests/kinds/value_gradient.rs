@@ -3,7 +3,7 @@
 use asperity_noise::{Field, ValueGradient, ValueGradientError, glam::Vec2};
 
 #[test]
-fn only_weights_are_accepted() {
+fn value_gradient_rejects_invalid_weight() {
     for weight in [-0.0, 0.0, 0.3, 1.0] {
         assert_eq!(ValueGradient::default().with_weight(weight).unwrap().weight(), weight);
     }
@@ -17,7 +17,7 @@ fn only_weights_are_accepted() {
 }
 
 #[test]
-fn parts_alone_are_0_or_flat_at_lattice_points() {
+fn value_gradient_parts_at_lattice_points() {
     let p = Vec2::new(3.0, -2.0);
     assert_eq!(ValueGradient::default().with_weight(1.0).unwrap().with_seed(1).value(p), 0.0);
     assert_eq!(

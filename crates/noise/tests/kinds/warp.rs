@@ -6,7 +6,7 @@ use asperity_noise::{
 };
 
 #[test]
-fn a_warp_of_strength_zero_is_the_field() {
+fn warp_of_strength_0_is_the_field() {
     let field = Perlin2002::new(1);
     let warp = Warp::new(field, [2, 3, 4].map(Simplex::new), 0.0).unwrap();
     let p = Vec3::new(0.3, -4.1, 7.7);
@@ -15,7 +15,7 @@ fn a_warp_of_strength_zero_is_the_field() {
 }
 
 #[test]
-fn strengths_must_be_finite_and_points_need_not() {
+fn warp_with_nonfinite_strength_or_points() {
     let field = Perlin2002::new(1);
     for strength in [f32::INFINITY, f32::NEG_INFINITY] {
         assert_eq!(Warp::new(field, [field; 2], strength).map_err(|error| error.strength), Err(strength));

@@ -1,4 +1,4 @@
-//! Words of lattice points and numbers of them, as their documentation states them, and random numbers.
+//! Words of lattice points and numbers drawn from them, as documented, and random numbers.
 
 /// SplitMix64's output for the state `counter`·γ.
 pub(crate) fn mix(counter: u64) -> u64 {

@@ -1,11 +1,11 @@
-//! Batches at every SIMD level against single points, bit by bit.
+//! Batches at every SIMD level compared with single points, bit by bit.
 
 use asperity_noise::{
     Field, Grid, Point, Sample,
     simd::{Batch, Level},
 };
 
-/// The linear congruential generator of Numerical Recipes, of which the upper bits are used.
+/// The linear congruential generator of Numerical Recipes; only its upper bits are used.
 #[derive(Clone, Debug)]
 pub struct Random(pub u32);
 
@@ -40,7 +40,7 @@ struct Filled<V: Point> {
 
 impl<V: Point> Filled<V> {
     fn new(count: usize) -> Self {
-        // Not a number that a noise gives, so that a place left out is seen.
+        // A number that no noise returns, so that skipped points are detected.
         let empty = || vec![f32::NAN; count];
         Self { alone: empty(), values: empty(), gradients: V::array(|_| empty()) }
     }
@@ -62,7 +62,7 @@ impl<V: Point> Filled<V> {
     }
 }
 
-/// Grids of a field at every level have the bits of `sample`.
+/// Checks that grids of a field at every level have the bits of `sample`.
 ///
 /// # Panics
 /// If a bit differs.
@@ -86,7 +86,8 @@ pub fn grid<V: Point>(name: &str, field: &dyn Field<V>, grid: &Grid<V>) {
     }
 }
 
-/// Points near the origin, on lattice points, far out, beyond all cells and not finite, mixed within every register.
+/// Points near the origin, on lattice points, far away, beyond all cells and not finite, mixed
+/// within every register.
 #[must_use]
 pub fn coordinate(random: &mut Random) -> f32 {
     let x = random.uniform() - 0.5;
@@ -104,13 +105,13 @@ pub fn coordinate(random: &mut Random) -> f32 {
     }
 }
 
-/// Lists of points of a field at every level have the bits of `sample`.
+/// Checks that lists of points of a field at every level have the bits of `sample`.
 ///
 /// # Panics
 /// If a bit differs.
 pub fn points<V: Point>(name: &str, field: &dyn Field<V>, count: usize) {
     let mut random = Random(count as u32);
-    // The first half is near the origin, so that whole registers take the way of near points.
+    // The first half is near the origin, so that whole registers use the code for near points.
     let coordinates = V::array(|_| -> Vec<f32> {
         (0..count)
             .map(|i| if i < count / 2 { (random.uniform() - 0.5) * 64.0 } else { coordinate(&mut random) })
@@ -144,7 +145,7 @@ pub fn cut<V: Point>(all: [f32; 4]) -> V {
     V::from_axes(|axis| all[axis])
 }
 
-/// Grids of an origin and steps each.
+/// Checks grids with the given origin and steps.
 ///
 /// # Panics
 /// If a bit differs.
@@ -171,7 +172,7 @@ pub fn near_cases() -> Vec<([f32; 4], [f32; 4])> {
     cases
 }
 
-/// Origins and steps far out, across 2³¹, not finite, −0 and below all normal numbers.
+/// Origins and steps far away, across 2³¹, not finite, −0 and subnormal.
 #[must_use]
 pub fn far_cases() -> Vec<([f32; 4], [f32; 4])> {
     let step = [0.05, 0.3, 0.21, -0.4];
@@ -200,7 +201,8 @@ pub fn far_cases() -> Vec<([f32; 4], [f32; 4])> {
     cases
 }
 
-/// A row that is filled in several stretches, and rows of every short length, alone and several that share their edges.
+/// Checks a row that is filled in several intervals, and rows of every short length, alone and as
+/// several rows that reuse edges.
 ///
 /// # Panics
 /// If a bit differs.
@@ -217,7 +219,7 @@ pub fn lengths<V: Point>(name: &str, field: &dyn Field<V>) {
         if !(36..=1000).contains(&length) {
             grid(name, field, &Grid { origin, step: cut([0.013, 0.3, 0.2, 0.1]), size: size() });
         }
-        // Backwards too, and in steps of many cells.
+        // Also backwards, and in steps of many cells.
         grid(name, field, &Grid { origin, step: cut([-0.7, 0.3, 0.2, 0.1]), size: size() });
     }
 }

@@ -1,7 +1,7 @@
-//! Equal bits at every SIMD level, for the ways that a batch can take; `tests/lanes` has every kind and
-//! dimension.
+//! Equal bits at every SIMD level, for each code path of a batch. The package `tests/lanes` tests
+//! every kind and dimension.
 
-#[expect(unreachable_pub, reason = "the package that has every kind exports it")]
+#[expect(unreachable_pub, reason = "the package that tests every kind exports it")]
 mod compare;
 mod octaves;
 mod shapes;
@@ -15,7 +15,7 @@ use asperity_noise::{
 use compare::{far_cases, grid, grids, lengths, near_cases, points};
 
 #[test]
-fn grids_of_gradient_noise_have_the_scalar_bits() {
+fn grids_of_gradient_noise_match_scalar() {
     let field: &dyn Field<Vec2> = &Gaussian::new(7);
     grids("Gaussian 2-D", field, &near_cases());
     grids("Gaussian 2-D", field, &far_cases());
@@ -23,16 +23,16 @@ fn grids_of_gradient_noise_have_the_scalar_bits() {
 }
 
 #[test]
-fn grids_of_simplex_noise_have_the_scalar_bits() {
+fn grids_of_simplex_noise_match_scalar() {
     let field: &dyn Field<Vec2> = &Simplex::new(7);
     grids("simplex 2-D", field, &near_cases());
     grids("simplex 2-D", field, &far_cases());
     lengths("simplex 2-D", field);
 }
 
-/// A kernel that ends between two points: rounding is all that tells which of them it reaches.
+/// A kernel that ends between two points, so that rounding alone decides which point it reaches.
 #[test]
-fn fine_rows_across_the_end_of_a_kernel_have_the_scalar_bits() {
+fn fine_rows_across_the_end_of_a_kernel_match_scalar() {
     for seed in 0..40 {
         let (origin, step) = (Vec2::new(-0.004_261_506_7, -2.063_24), Vec2::new(5.195_842e-9, 1e-8));
         grid("simplex 2-D", &Simplex::new(seed), &Grid { origin, step, size: [300, 1] });
@@ -41,7 +41,7 @@ fn fine_rows_across_the_end_of_a_kernel_have_the_scalar_bits() {
 
 /// Rows so wide that the products of step and index are rounded by more than a step.
 #[test]
-fn the_end_of_a_wide_row_has_the_scalar_bits() {
+fn end_of_a_wide_row_matches_scalar() {
     const WIDTH: usize = 40_000_000;
     let field: &dyn Field<Vec2> = &Simplex::new(7);
     let grid = Grid {
@@ -58,12 +58,12 @@ fn the_end_of_a_wide_row_has_the_scalar_bits() {
 }
 
 #[test]
-fn grids_in_space_have_the_scalar_bits() {
+fn grids_in_3d_match_scalar() {
     grids("Perlin 2002 3-D", &Perlin2002::new(7) as &dyn Field<Vec3>, &near_cases());
 }
 
 #[test]
-fn grids_of_cellular_noise_have_the_scalar_bits() {
+fn grids_of_cellular_noise_match_scalar() {
     for basis in [Basis::F1, Basis::F2MinusF1, Basis::Cell] {
         for metric in [Metric::Euclidean, Metric::Manhattan, Metric::Chebyshev] {
             let noise = Cellular::new(7).with_basis(basis).with_metric(metric);
@@ -86,14 +86,14 @@ fn grids_of_cellular_noise_have_the_scalar_bits() {
 }
 
 #[test]
-fn points_of_simplex_noise_have_the_scalar_bits() {
+fn points_of_simplex_noise_match_scalar() {
     for count in (0..20).chain([4001]) {
         points("simplex 2-D", &Simplex::new(7) as &dyn Field<Vec2>, count);
     }
 }
 
 #[test]
-fn aligned_sums_have_the_scalar_bits() {
+fn aligned_sums_match_scalar() {
     let sum = Octaves::<_, 2>::new(Simplex::new(3), Spectrum::default()).first(3.4);
     let sum = sum.with_normalisation(Normalisation::Range).with_rotation(Rotation::Aligned);
     let field: &dyn Field<Vec2> = &sum;
@@ -102,7 +102,7 @@ fn aligned_sums_have_the_scalar_bits() {
 }
 
 #[test]
-fn fields_take_the_best_level_by_themselves() {
+fn fields_use_the_best_level() {
     let field = Simplex::new(7);
     let grid = Grid { origin: Vec2::new(-3.0, 0.7), step: Vec2::new(0.13, 1.0), size: [300, 2] };
     let (mut values, mut forced) = (vec![0.0; 600], vec![0.0; 600]);
@@ -117,7 +117,7 @@ fn fields_take_the_best_level_by_themselves() {
 }
 
 #[test]
-fn an_unavailable_level_falls_back_to_the_same_bits() {
+fn unavailable_level_has_the_same_bits() {
     let (noise, p) = (Simplex::new(1), [0.3, 1.7, -2.4].map(Vec2::splat));
     for level in [Level::Scalar, Level::Sse2, Level::Avx512, Level::Neon, Level::Wasm128] {
         let mut values = [0.0; 3];

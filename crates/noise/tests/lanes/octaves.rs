@@ -1,11 +1,12 @@
-//! Octaves of a point in lanes against the same octaves one by one, bit by bit.
+//! Octaves of a point in lanes compared with the same octaves one by one, bit by bit.
 
 use asperity_noise::{
     Field, Gaussian, IntegerHash, Lattice, Octaves, Perlin2002, Sample, Simplex, Spectrum, Turbulence, Value,
     glam::{Vec2, Vec3},
 };
 
-/// The default lattice as one that octaves do not share, so that they are not evaluated at once.
+/// The default lattice as a lattice that octaves do not use in common, so that they are not
+/// evaluated at once.
 #[derive(Clone, Copy)]
 struct OneByOne;
 
@@ -23,7 +24,8 @@ impl Lattice for OneByOne {
 
 const COUNTS: [f32; 10] = [0.0, 0.3, 1.0, 2.0, 3.0, 3.7, 4.0, 8.0, 9.5, 16.0];
 
-/// Points near the origin, points of which fine octaves alone are beyond reach, and points that are none.
+/// Points near the origin, points where only fine octaves are beyond reach, and points that are not
+/// finite.
 fn space() -> impl Iterator<Item = Vec3> {
     let near = (0..40_u8).map(|i| Vec3::new(0.37, -1.21, 2.6) * f32::from(i) - 20.0);
     let far = [Vec3::new(4e3, -3e2, 0.5), Vec3::new(1e9, 0.3, -2e9), Vec3::splat(1e30)];
@@ -39,7 +41,7 @@ fn bits(sample: &Sample<Vec3>) -> [u32; 4] {
     [sample.value, sample.gradient.x, sample.gradient.y, sample.gradient.z].map(f32::to_bits)
 }
 
-/// A sum's sample and value at a point. No `dyn Field`, which would have its batches compiled.
+/// A sum's sample and value at a point. Not a `dyn Field`, which would compile its batches.
 type At<'a> = &'a dyn Fn(Vec3) -> (Sample<Vec3>, f32);
 
 fn same(name: &str, in_lanes: At<'_>, one_by_one: At<'_>) {
@@ -51,7 +53,7 @@ fn same(name: &str, in_lanes: At<'_>, one_by_one: At<'_>) {
 }
 
 #[test]
-fn octaves_in_lanes_have_the_bits_of_octaves_one_by_one() {
+fn octaves_in_lanes_match_octaves_one_by_one() {
     macro_rules! kinds {
         ($($kind:expr),+) => {$(
             let in_lanes = Octaves::<_, 3>::new($kind, spectrum());
@@ -70,7 +72,7 @@ fn octaves_in_lanes_have_the_bits_of_octaves_one_by_one() {
 }
 
 #[test]
-fn channels_in_lanes_have_the_bits_of_octaves_one_by_one() {
+fn channels_in_lanes_match_octaves_one_by_one() {
     let in_lanes = Octaves::<_, 3>::new(Gaussian::new(7), spectrum());
     let one_by_one = Octaves::<_, 3>::new(Gaussian::new(7).with_lattice(OneByOne), spectrum());
     let flat = Octaves::<_, 2>::new(Gaussian::new(7), spectrum());

@@ -1,4 +1,4 @@
-//! Lists and grids of turbulence and its like, and of fields that are composed, against single points, bit by bit.
+//! Lists and grids of shaped sums and of composed fields compared with single points, bit by bit.
 
 use super::compare::{far_cases, grids, lengths, near_cases, points};
 use asperity_noise::{
@@ -15,7 +15,7 @@ fn same_bits(name: &str, field: &dyn Field<Vec2>) {
 }
 
 #[test]
-fn batches_of_shaped_sums_have_the_bits_of_single_points() {
+fn batches_of_shaped_sums_match_points() {
     let octaves = Octaves::<_, 2>::new(Simplex::new(4), Spectrum::default()).first(3.5);
     for rotation in [Rotation::Random, Rotation::Aligned] {
         let turbulence = octaves.with_rotation(rotation).with_shape(Turbulence);
@@ -29,12 +29,12 @@ fn batches_of_shaped_sums_have_the_bits_of_single_points() {
 }
 
 #[test]
-fn batches_of_a_ridged_multifractal_have_the_bits_of_single_points() {
+fn batches_of_ridged_multifractal_match_points() {
     let ridges = RidgedMultifractal::<_, 2>::new(Simplex::new(1), Spectrum::CLOUD, 2.0).unwrap();
     same_bits("ridged multifractal, squared", &Power(ridges.first(3.5), 2));
 }
 
-/// A user's field: a plane wave, point by point.
+/// A custom field, a plane wave, evaluated point by point.
 struct Wave;
 
 impl Field<Vec2> for Wave {
@@ -43,7 +43,7 @@ impl Field<Vec2> for Wave {
     }
 }
 
-/// Fields that own what they are made of, chosen at run time.
+/// Fields that own their parts, selected at run time.
 fn composed(which: usize) -> Box<dyn Field<Vec2>> {
     let by = [1, 2].map(|seed| Octaves::new(Simplex::new(seed), Spectrum::CLOUD).first(2.0));
     let noise = || Simplex::new(7);
@@ -61,7 +61,7 @@ fn composed(which: usize) -> Box<dyn Field<Vec2>> {
 }
 
 #[test]
-fn batches_of_composed_fields_have_the_bits_of_single_points() {
+fn batches_of_composed_fields_match_points() {
     for which in 0..9 {
         let field = composed(which);
         grids(&format!("composed {which}"), field.as_ref(), &near_cases()[..3]);
@@ -71,14 +71,14 @@ fn batches_of_composed_fields_have_the_bits_of_single_points() {
 }
 
 #[test]
-fn gradients_of_composed_fields_are_differences() {
+fn gradients_of_composed_fields_match_differences() {
     const H: f32 = 1.0 / 1024.0;
     for which in (0..9).filter(|&which| which != 3) {
         let field = composed(which);
         let mut worst = 0.0_f32;
         for i in 0..200_u16 {
             let p = Vec2::new(0.037 * f32::from(i) - 3.0, 2.0 - 0.0213 * f32::from(i));
-            // Where the clamp of a warp sets in, within H times a slope, there is a crease.
+            // There is a crease within H times a slope of where the clamp of a warp begins.
             let clamped = Simplex::new(7).value(p);
             if which == 7 && [-0.2, 0.1].iter().any(|limit| (clamped - limit).abs() < 0.02) {
                 continue;
@@ -88,7 +88,8 @@ fn gradients_of_composed_fields_are_differences() {
             let difference = Vec2::new(slope(Vec2::new(H, 0.0)), slope(Vec2::new(0.0, H)));
             worst = worst.max((gradient - difference).length() / (1.0 + gradient.length()));
         }
-        // H²/6 times third derivatives, which reach some ten thousand in warps, and the rounding of values, 4e-7, over H.
+        // H²/6 times third derivatives, which reach some ten thousand in warps, and the rounding of
+        // values, 4e-7, over H.
         assert!(worst < if which > 6 { 0.05 } else { 4e-3 }, "composed {which}: {worst:e}");
     }
     let (clamped, whole) = (Clamp(Simplex::new(7), -0.2, 0.1), Simplex::new(7));
@@ -101,7 +102,7 @@ fn gradients_of_composed_fields_are_differences() {
 }
 
 #[test]
-fn ranges_of_composed_fields_hold_all_values() {
+fn ranges_of_composed_fields_contain_values() {
     for which in 0..9 {
         let field = composed(which);
         let [low, high] = field.range();
