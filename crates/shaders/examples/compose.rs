@@ -1,4 +1,5 @@
-//! A module of WGSL and the words that it is bound to, without any graphics API: `cargo run -p asperity-shaders --example compose`.
+//! Prints a WGSL module and its packed bindings, without a graphics API:
+//! `cargo run -p asperity-shaders --example compose`.
 #![expect(clippy::print_stdout, reason = "an example prints its result")]
 
 use asperity_noise::glam::DVec3;
@@ -7,7 +8,7 @@ use asperity_shaders::noise::sums::{self, OctavesUniform};
 use asperity_shaders::noise::{GAUSSIAN_LEVELS_WIDTH, gaussian_levels};
 use asperity_shaders::{Binding, Bindings, Part, compose, ndf, ordered};
 
-/// A function of one's own, with the parts whose functions it calls.
+/// A custom part, with the parts whose functions it calls.
 static BUMPS: Part = Part::new(
     "bumps",
     "// The normal of a rough surface at p, which counts from the focus, with as many octaves as a pixel resolves.
@@ -19,7 +20,7 @@ fn bumps(p: vec3<f32>, octaves: f32) -> vec3<f32> {
 );
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    // Seen from a focus: shaders have no digits for points far from the origin at high zooms.
+    // Anchored: at high zooms `f32` cannot resolve points far from the origin.
     let sum = GaussianOctaves::<3>::new(Gaussian::new(7), Spectrum::new(2.0, 0.5, 16)?);
     let words =
         OctavesUniform::<3>::uniform(&[OctavesUniform::new(&sum.anchored(DVec3::new(310.0, -27.5, 4.0)))]);

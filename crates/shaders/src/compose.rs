@@ -5,24 +5,25 @@ use core::fmt::Write;
 
 use crate::part::{Binding, Part};
 
-/// Forms of the resources of a composition, and the group that they are bound in.
+/// Resource types of a composition, and their bind group.
 ///
-/// Bindings are numbered from 0 in the order of [`ordered`] and of each part's [`bindings`](Part::bindings).
+/// Bindings are numbered from 0 in the order of [`ordered`] and of the [`bindings`](Part::bindings)
+/// of each part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bindings {
-    /// Tables are textures: the form that WebGPU, WebGL 2, GLSL, HLSL and MSL share.
+    /// Tables are textures, which WebGPU, WebGL 2, GLSL, HLSL and MSL all support.
     Textures {
-        /// The group.
+        /// The bind group.
         group: u32,
     },
     /// Tables are read-only storage buffers.
     Buffers {
-        /// The group.
+        /// The bind group.
         group: u32,
     },
 }
 
-/// The parts and all that they need, each once, what is needed before what needs it.
+/// Returns the parts and their transitive dependencies in topological order, without duplicates.
 #[must_use]
 pub fn ordered(parts: &[&'static Part]) -> Vec<&'static Part> {
     let (mut begun, mut found) = (Vec::new(), Vec::new());
@@ -30,7 +31,8 @@ pub fn ordered(parts: &[&'static Part]) -> Vec<&'static Part> {
     found
 }
 
-/// Appends all that a part needs and then itself, unless a part of its name is there or on the way.
+/// Appends the dependencies of a part and then the part, unless a part with its name is in `found`
+/// or `begun`.
 pub(crate) fn add(part: &'static Part, begun: &mut Vec<&'static str>, found: &mut Vec<&'static Part>) {
     if !begun.contains(&part.name()) {
         begun.push(part.name());
@@ -39,9 +41,10 @@ pub(crate) fn add(part: &'static Part, begun: &mut Vec<&'static str>, found: &mu
     }
 }
 
-/// One WGSL module of parts and all that they need, with their bindings.
+/// Joins parts and their dependencies into one WGSL module with their bindings.
 ///
-/// A part of a circle of needs is there once, but not after all that it needs; WGSL does not ask for an order.
+/// In a dependency cycle each part occurs once, not necessarily after its dependencies. WGSL does
+/// not require an order.
 #[must_use]
 pub fn compose(parts: &[&'static Part], bindings: Bindings) -> String {
     let parts = ordered(parts);
@@ -56,7 +59,7 @@ pub fn compose(parts: &[&'static Part], bindings: Bindings) -> String {
     wgsl
 }
 
-/// A resource as a variable, with the function that reads it where it is a table.
+/// Declares a resource as a variable, and for a table the function that reads it.
 pub(crate) fn declared(resource: &Binding, bindings: Bindings, index: usize) -> String {
     let (group, textures) = match bindings {
         Bindings::Textures { group } => (group, true),
@@ -102,19 +105,19 @@ mod tests {
     static RIGHT: Part = Part::new("right", "fn right() {}\n", &[&BASE, &LEFT]);
 
     #[test]
-    fn parts_stand_once_and_after_what_they_need() {
+    fn compose_orders_dependencies() {
         let names =
             |parts: &[&'static Part]| ordered(parts).iter().map(|part| part.name()).collect::<Vec<_>>();
         assert_eq!(names(&[&RIGHT]), ["base", "left", "right"]);
         assert_eq!(names(&[&LEFT, &RIGHT, &BASE]), ["base", "left", "right"]);
     }
 
-    /// Two parts that need one another, and one that needs itself.
+    /// Two parts that depend on each other, and one that depends on itself.
     static HEN: Part = Part::new("hen", "fn hen() {}\n", &[&EGG]);
     static EGG: Part = Part::new("egg", "fn egg() {}\n", &[&EGG, &HEN]);
 
     #[test]
-    fn circles_of_needs_come_to_an_end() {
+    fn compose_terminates_on_cycles() {
         let names = |parts: &[&'static Part]| ordered(parts).iter().map(|p| p.name()).collect::<Vec<_>>();
         assert_eq!(names(&[&HEN]), ["egg", "hen"]);
         assert_eq!(names(&[&EGG, &HEN]), ["hen", "egg"]);
@@ -122,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn a_table_without_texels_in_a_row_is_declared_too() {
+    fn compose_declares_table_of_width_0() {
         static NONE: Part = Part::new("none", "", &[]).with_bindings(&[Binding::Table {
             name: "none",
             element: Element::Word,
@@ -132,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn bindings_are_numbered_and_tables_are_read_by_functions() {
+    fn compose_numbers_bindings() {
         let wgsl = compose(&[&RIGHT], Bindings::Textures { group: 1 });
         assert!(wgsl.starts_with(
             "@group(1) @binding(0) var level_table: texture_2d<u32>;\n\

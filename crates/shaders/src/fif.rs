@@ -1,6 +1,8 @@
-//! Fractal interpolation functions: values and slopes by tables, height fields and folded surfaces with normals, first hits of rays.
+//! Fractal interpolation functions from tables: values and slopes, height fields, folded surfaces
+//! and ray intersection.
 //!
-//! Rows of all functions lie in one table, ranges of all axes in another; a uniform says where its own begin.
+//! The rows of all functions are in one table and the ranges of all axes in another. Uniforms
+//! contain the offsets of a function.
 
 #[cfg(feature = "alloc")]
 use asperity_fif::{Folded, Table32, surface::Curve, surface::Function};
@@ -10,19 +12,21 @@ use crate::part::{Binding, Element, Part, part};
 /// Numbers in a row of the textures of rows and of ranges.
 pub const WIDTH: u32 = 1024;
 
-/// Whether a coordinate is a number: `fif_is_number`.
+/// Whether a coordinate is not NaN: `fif_is_number`.
 pub static NUMBER: Part = part!("fif/number");
 
-/// Values of a function by its table: `fif_table_value`, the bits of [`Table32::value`](asperity_fif::Table32::value).
+/// Values of a function from its table: `fif_table_value`, with the bits of
+/// [`Table32::value`](asperity_fif::Table32::value).
 ///
-/// Bound to the table `fif_rows` of [`table_rows`]; functions are told apart by their [`TableUniform`].
+/// Bound to the table `fif_rows` of [`table_rows`]. The [`TableUniform`] selects the function.
 pub static TABLE: Part = part!("fif/table/uniform", NUMBER).with_bindings(&[Binding::Table {
     name: "fif_rows",
     element: Element::Float,
     width: WIDTH,
 }]);
 
-/// Values and slopes of a smooth function by its table: `fif_table_jet`, as [`Table::jet`](asperity_fif::Table::jet).
+/// Values and slopes of a smooth function from its table: `fif_table_jet`, as
+/// [`Table::jet`](asperity_fif::Table::jet).
 pub static JET: Part = part!("fif/table/jet", TABLE);
 
 /// The normal of a gradient: `upward_normal`.
@@ -31,37 +35,38 @@ pub static NORMAL: Part = part!("fif/surface/normal");
 /// Height and gradient of `f(x) g(y)`: [`HeightField`](asperity_fif::HeightField).
 pub static HEIGHT_FIELD: Part = part!("fif/surface/height_field", JET);
 
-/// Height and gradient of a surface that is no product: `folded_height` and `folded_jet`, as
+/// Height and gradient of a surface that is not a product: `folded_height` and `folded_jet`, as
 /// [`asperity_fif::Folded`].
 ///
-/// Bound to the table `fif_nodes` of [`folded_nodes`]; surfaces are told apart by their [`FoldedUniform`].
+/// Bound to the table `fif_nodes` of [`folded_nodes`]. The [`FoldedUniform`] selects the surface.
 pub static FOLDED: Part = part!("fif/surface/folded", NUMBER).with_bindings(&[Binding::Table {
     name: "fif_nodes",
     element: Element::Float,
     width: WIDTH,
 }]);
 
-/// First hits of rays with a height field: `height_field_first_hit`, as
+/// Ray intersection with a height field: `height_field_first_hit`, as
 /// [`Intersect::first_hit_within`](asperity_fif::Intersect::first_hit_within).
 ///
-/// Bound to the table `fif_ranges` of [`ranges`]; axes are told apart by their [`RangesUniform`].
+/// Bound to the table `fif_ranges` of [`ranges`]. The [`RangesUniform`] selects the axis.
 pub static FIRST_HIT: Part = part!("fif/ray/first_hit", HEIGHT_FIELD).with_bindings(&[Binding::Table {
     name: "fif_ranges",
     element: Element::Float,
     width: WIDTH,
 }]);
 
-/// Words of the structure `FifTable`: constants of a function, and where its rows begin.
+/// Words of the structure `FifTable`: constants of a function, and the offset of its rows.
 ///
-/// | words | hold |
+/// | words | contents |
 /// |---|---|
-/// | 0–3 | number of the first word of its rows in `fif_rows`, number of rows, composites of a value, of a slope |
+/// | 0–3 | index of the first word of its rows in `fif_rows`, number of rows, composites of a value, of a slope |
 /// | 4, 5 | left end of the domain, reciprocal of its width |
-/// | 6–8 | value at the left end, rise to the right one, value at the right end |
+/// | 6–8 | value at the left end, rise to the right end, value at the right end |
 /// | 9, 10 | middle of the deviation from the chord, and of its slopes over a row |
 /// | 11 | bound of the error of a value |
 ///
-/// The first four are whole numbers, the others `f32`; lengths are in the domain's unit. A height field is two of them, x's and y's.
+/// The first four are integers, the others `f32`. Lengths are in the unit of the domain. A height
+/// field has two of them, for x and y.
 ///
 /// ```
 /// use asperity_fif::paper;
@@ -85,9 +90,10 @@ impl TableUniform {
     /// Number of the words.
     pub const WORDS: usize = 12;
 
-    /// From a table whose rows begin at the number `first` of `fif_rows`.
+    /// Packs a table whose rows begin at index `first` of `fif_rows`.
     ///
-    /// `None` for functions on unequal knots, of more than three coefficients or of 2¹⁶ maps, and for factors too near to one.
+    /// Returns `None` for functions on unequal knots, with more than three coefficients or 2¹⁶
+    /// maps, and for factors too close to one.
     #[must_use]
     pub fn new<const C: usize>(table: &Table32<C>, first: u32) -> Option<Self> {
         let rows = table.rows().filter(|rows| rows.radix < 1 << 16)?;
@@ -98,7 +104,8 @@ impl TableUniform {
         if let Some(slopes) = table.table().slopes() {
             let rise = f64::from(rows.chord[1]);
             slope_middle = (slopes.middle() * domain.width() - rise) / radix;
-            // What the digits that are left out do to the slope is less than its rounding; 64 bits hold so many digits.
+            // The contribution of omitted digits to the slope is below its rounding. 64 bits hold
+            // this number of digits.
             let steepest = rows.table.iter().fold(0.0, |most: f64, row| most.max(f64::from(row[0].abs())));
             let (mut left, enough) = (0.5 * slopes.width(), slopes.magnitude() / 33_554_432.0);
             let mut place = 1.0;
@@ -124,30 +131,31 @@ impl TableUniform {
         Some(Self { words })
     }
 
-    /// The words, in the layout of `FifTable`.
+    /// Returns the words, in the layout of `FifTable`.
     #[must_use]
     pub const fn words(&self) -> [u32; Self::WORDS] {
         self.words
     }
 }
 
-/// Rows of a table for `fif_rows`: the factor and the coefficients of every composite, four numbers each.
+/// Iterates over the rows of a table for `fif_rows`: factor and coefficients of every composite,
+/// four numbers each.
 #[cfg(feature = "alloc")]
 pub fn table_rows<const C: usize>(table: &Table32<C>) -> impl Iterator<Item = f32> {
     table.rows().into_iter().flat_map(|rows| rows.table.iter().copied().flatten())
 }
 
-/// Words of the structure `FoldedSurface`: constants of a surface, and where its nodes begin.
+/// Words of the structure `FoldedSurface`: constants of a surface, and the offset of its nodes.
 ///
-/// | words | hold |
+/// | words | contents |
 /// |---|---|
-/// | 0, 1 | number of the first word of its nodes in `fif_nodes`, repetitions |
+/// | 0, 1 | index of the first word of its nodes in `fif_nodes`, repetitions |
 /// | 2, 3 | cells along both axes |
 /// | 4–7 | lower ends of the domain, reciprocals of its widths |
-/// | 8–10 | middles of what repeats, and of its slopes per width of the domain |
+/// | 8–10 | middles of the repeated term, and of its slopes per width of the domain |
 /// | 11 | vertical factor |
 ///
-/// The first four are whole numbers, the others `f32`.
+/// The first four are integers, the others `f32`.
 ///
 /// ```
 /// use asperity_fif::Folded;
@@ -171,13 +179,14 @@ impl FoldedUniform {
     /// Number of the words.
     pub const WORDS: usize = 12;
 
-    /// From a surface whose nodes begin at the number `first` of `fif_nodes`.
+    /// Packs a surface whose nodes begin at index `first` of `fif_nodes`.
     #[must_use]
     pub fn new(surface: &Folded, first: u32) -> Self {
-        /// Slopes whose repetitions hardly grow smaller lose their last ones, which are smaller than pixels long before.
+        /// The maximum number of terms of slopes that decrease slowly; later terms are smaller than
+        /// pixels long before.
         const MOST: u32 = 256;
         let (contraction, middles) = surface.remainder();
-        // What is left out is less than the rounding of slopes.
+        // The omitted terms are below the rounding of slopes.
         let (mut left, mut steps) = (1.0, 0);
         while steps == 0 || (left > 1.0 / 33_554_432.0 && steps < MOST) {
             left *= contraction;
@@ -194,30 +203,33 @@ impl FoldedUniform {
         Self { words }
     }
 
-    /// The words, in the layout of `FoldedSurface`.
+    /// Returns the words, in the layout of `FoldedSurface`.
     #[must_use]
     pub const fn words(&self) -> [u32; Self::WORDS] {
         self.words
     }
 }
 
-/// Nodes of a surface for `fif_nodes`, row after row along y, eight numbers each: place, height and slopes, then those of what repeats;
+/// Iterates over the nodes of a surface for `fif_nodes`, row by row along y, eight numbers each.
+///
+/// The numbers are position, height and slopes, and then the same of the repeated term, with
 /// lengths in units of the domain.
 #[cfg(feature = "alloc")]
 pub fn folded_nodes(surface: &Folded) -> impl Iterator<Item = f32> {
     surface.nodes().flatten().map(|number| number as f32)
 }
 
-/// Words of the structure `FifRanges`: an axis of a height field, as rays need it, and where its ranges begin.
+/// Words of the structure `FifRanges`: an axis of a height field for ray intersection, and the
+/// offset of its ranges.
 ///
-/// | words | hold |
+/// | words | contents |
 /// |---|---|
-/// | 0, 1 | number of the first word of its ranges in `fif_ranges`, number of cells of the domain |
+/// | 0, 1 | index of the first word of its ranges in `fif_ranges`, number of cells of the domain |
 /// | 2, 3 | the ends of the domain |
-/// | 4, 5 | the greatest size of values, and of slopes |
-/// | 6, 7 | the greatest size of a coordinate, and the bound of the error of a value |
+/// | 4, 5 | the largest magnitude of values, and of slopes |
+/// | 6, 7 | the largest magnitude of a coordinate, and the bound of the error of a value |
 ///
-/// The first two are whole numbers, the others `f32`. `HeightFieldRanges` is two of them, x's and y's.
+/// The first two are integers, the others `f32`. `HeightFieldRanges` has two of them, for x and y.
 ///
 /// ```
 /// use asperity_fif::{HeightField, paper};
@@ -240,10 +252,11 @@ impl RangesUniform {
     /// Number of the words.
     pub const WORDS: usize = 8;
 
-    /// From an axis of a field and the table of its function, whose ranges begin at the number `first` of `fif_ranges`.
+    /// Packs an axis of a field and the table of its function, whose ranges begin at index `first`
+    /// of `fif_ranges`.
     ///
-    /// `None` unless the field is [`tabulated`](asperity_fif::HeightField::tabulated) and the axis is smooth, on equally
-    /// spaced knots.
+    /// Returns `None` unless the field is [`tabulated`](asperity_fif::HeightField::tabulated) and
+    /// the axis is smooth, on equally spaced knots.
     #[must_use]
     pub fn new<F: Function, const C: usize>(
         curve: &Curve<F>,
@@ -256,7 +269,7 @@ impl RangesUniform {
             ends.fold(0.0, f32::max)
         };
         let domain = curve.domain();
-        // The sum of the table is rounded too, and so is the place it is taken at; outward.
+        // The sum of the table and the position are rounded too, so bounds are rounded outward.
         let floats = [
             domain.lo as f32,
             domain.hi as f32,
@@ -272,14 +285,16 @@ impl RangesUniform {
         Some(Self { words })
     }
 
-    /// The words, in the layout of `FifRanges`.
+    /// Returns the words, in the layout of `FifRanges`.
     #[must_use]
     pub const fn words(&self) -> [u32; Self::WORDS] {
         self.words
     }
 }
 
-/// Ranges of an axis for `fif_ranges`: over runs of 1, 2, 4, … cells from every cell on, the greatest of −value, value, −slope
+/// Iterates over the ranges of an axis for `fif_ranges`.
+///
+/// For runs of 1, 2, 4, … cells from every cell on, they are the maxima of −value, value, −slope
 /// and slope.
 #[cfg(feature = "alloc")]
 pub fn ranges<F: Function>(curve: &Curve<F>) -> impl Iterator<Item = f32> {

@@ -1,4 +1,4 @@
-//! Parts as modules of their own, for those who join shaders by imports.
+//! Parts as separate modules, for shader preprocessors with imports.
 
 use alloc::{format, string::String, vec, vec::Vec};
 
@@ -7,7 +7,8 @@ use crate::{
     part::Part,
 };
 
-/// Preprocessors that join WGSL by imports. They are told what a part imports by lines at its head; the rest is plain WGSL.
+/// A preprocessor that joins WGSL by imports, which are lines at the head of a module of plain
+/// WGSL.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Imports {
@@ -17,7 +18,7 @@ pub enum Imports {
     Wesl,
 }
 
-/// One part as a module with its imports, and with its own bindings from 0 on.
+/// Returns one part as a module with its imports, and with its own bindings from 0 on.
 ///
 /// ```
 /// use asperity_shaders::{Bindings, Imports, module, noise};
@@ -32,7 +33,7 @@ pub fn module(part: &Part, imports: Imports, bindings: Bindings) -> String {
         Imports::NagaOil => format!("#define_import_path asperity::{}\n", path(part)),
         Imports::Wesl => String::new(),
     };
-    // Not the part itself, where it is in a circle of needs.
+    // A part is excluded from its own dependencies, which may form a cycle.
     let (mut begun, mut needs) = (vec![part.name()], Vec::new());
     part.needs().iter().for_each(|needed| add(needed, &mut begun, &mut needs));
     for needed in needs {
@@ -51,7 +52,7 @@ pub fn module(part: &Part, imports: Imports, bindings: Bindings) -> String {
     format!("{wgsl}\n{}", part.source())
 }
 
-/// Whether a source has a word.
+/// Whether a source contains a word.
 fn mentions(source: &str, word: &str) -> bool {
     let part_of_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
     source.match_indices(word).any(|(at, _)| {
@@ -77,11 +78,11 @@ mod tests {
     )
     .with_bindings(&[Binding::Table { name: "words", element: Element::Float, width: 64 }]);
 
-    /// Needs of needs are imported as well.
+    /// Transitive dependencies are imported, too.
     static TOP: Part = Part::new("c/top", "fn top() -> f32 {\n    return high(lower());\n}\n", &[&HIGH]);
 
     #[test]
-    fn modules_import_from_what_their_needs_need() {
+    fn module_imports_transitive_dependencies() {
         let oil = module(&TOP, Imports::NagaOil, Bindings::Textures { group: 0 });
         let imports = "#import asperity::a::low::{lower}\n#import asperity::b::high::{high}\n";
         assert!(oil.starts_with(&format!("#define_import_path asperity::c::top\n{imports}")), "{oil}");
@@ -91,13 +92,13 @@ mod tests {
     static EGG: Part = Part::new("egg", "fn egg() { hen(); }\n", &[&HEN]);
 
     #[test]
-    fn a_part_in_a_circle_of_needs_does_not_import_itself() {
+    fn module_in_a_cycle_does_not_import_itself() {
         let wesl = module(&HEN, Imports::Wesl, Bindings::Buffers { group: 0 });
         assert_eq!(wesl, format!("import package::asperity::egg::{{egg}};\n\n{}", HEN.source()));
     }
 
     #[test]
-    fn modules_import_the_names_that_they_use() {
+    fn module_imports_used_names() {
         let bindings = Bindings::Buffers { group: 3 };
         let expected = "#define_import_path asperity::b::high\n\
                         #import asperity::a::low::{LOW_STEP, low}\n\

@@ -1,8 +1,9 @@
-//! The noises, densities, materials and fractal surfaces of Asperity as WGSL, for every graphics card; and the words that their
-//! uniforms and tables take, from the crates' own values.
+//! WGSL for the noises, normal distributions, materials and fractal surfaces of Asperity, and
+//! helpers that pack their uniforms and tables.
 //!
-//! A [`Part`] is one concept: plain WGSL, the parts that it needs, and what it is bound to. [`compose`](fn@compose) joins parts
-//! into a module, without `alloc` the sources are constants to join by hand.
+//! A [`Part`] is one concept: plain WGSL, its dependencies and its bindings.
+//! [`compose`](fn@compose) joins parts into a module. Without `alloc` the sources are constants
+//! that you join yourself.
 //!
 //! ```
 //! # #[cfg(feature = "alloc")] {
@@ -13,12 +14,12 @@
 //! # }
 //! ```
 //!
-//! | module | holds |
+//! | module | contents |
 //! |---|---|
 //! | [`noise`] | hash, kinds of noise with analytic gradients, sums of octaves |
 //! | [`ndf`] | densities of normals, their maps and tables, exact level of detail |
 //! | [`shading`] | pixels, bump mapping, reflectances, textures, materials |
-//! | [`fif`] | fractal interpolation: table functions, height fields, first hits of rays |
+//! | [`fif`] | fractal interpolation: table functions, height fields, ray intersection |
 #![no_std]
 #![forbid(unsafe_code)]
 #![cfg_attr(docsrs, feature(doc_cfg))]

@@ -1,8 +1,9 @@
 //! Noise: the hash of lattice points, kinds with analytic gradients, sums of octaves.
 //!
-//! Every kind has a function of any point, `value_noise_3d(p, key) -> Sample3d` and its like, and one of a cell and the place in it,
-//! `value_in_cell_3d(cell, t, key)`, for points that are anchored. Both give the bits of the crate where every operation is
-//! rounded as it is written. Seeds come as keys, [`key`] of the seed.
+//! Every kind has a function of a point, such as `value_noise_3d(p, key) -> Sample3d`, and a
+//! function of a cell and the position in it, such as `value_in_cell_3d(cell, t, key)`, for
+//! anchored points. Both return the bits of the Rust crate if every operation is rounded as
+//! written. Seeds are passed as keys, [`key`] of the seed.
 //!
 //! | part | functions at points p | dimensions |
 //! |---|---|---|
@@ -33,7 +34,7 @@ use crate::part::{Binding, Element, Part, part};
 pub mod sums;
 pub mod transforms;
 
-/// The key of a seed, which every function takes in its place.
+/// Returns the key of a seed, which every function takes instead of the seed.
 ///
 /// ```
 /// use asperity_shaders::noise::key;
@@ -48,12 +49,12 @@ pub fn key(seed: u32) -> u32 {
 /// Structures of value and gradient in two, three and four dimensions.
 pub static SAMPLE: Part = part!("noise/sample");
 
-/// Hash of lattice points, the bits of [`IntegerHash`].
+/// Hash of lattice points, with the bits of [`IntegerHash`].
 ///
-/// Seeds come as keys, [`key`] of the seed, which takes 64 bits.
+/// Seeds are passed as keys, [`key`] of the seed, whose computation takes 64 bits.
 pub static INTEGER_HASH: Part = part!("noise/lattice/integer_hash");
 
-/// Cell of a point and the place in it, as [`Field`](asperity_noise::Field) has them for every point.
+/// Cell of a point and the position in it, for every point as in [`Field`](asperity_noise::Field).
 pub static CELL: Part = part!("noise/lattice/cell");
 
 /// Weights along the axes of a cell, and their derivatives.
@@ -68,7 +69,7 @@ pub static VARIATES: Part = part!("noise/lattice/variates");
 /// Blend of the corners of a cell at the ends of the first two axes.
 pub static COLUMNS: Part = part!("noise/kinds/cell/columns", SAMPLE);
 
-/// Blend of the corners of a cell in space.
+/// Blend of the corners of a cell in 3-D.
 pub static CORNERS: Part = part!("noise/kinds/cell/corners", COLUMNS);
 
 /// White noise, [`White`](asperity_noise::White), in two and three dimensions.
@@ -77,31 +78,35 @@ pub static WHITE: Part = part!("noise/kinds/white", SAMPLE, INTEGER_HASH, CELL, 
 /// Value noise, [`Value`](asperity_noise::Value), in two to four dimensions.
 pub static VALUE: Part = part!("noise/kinds/value", SAMPLE, INTEGER_HASH, CELL, FADE);
 
-/// Perlin's noise of 1985, [`Perlin1985`](asperity_noise::Perlin1985), in two and three dimensions.
+/// Perlin noise of 1985, [`Perlin1985`](asperity_noise::Perlin1985), in two and three dimensions.
 pub static PERLIN_1985: Part = part!("noise/kinds/perlin_1985", INTEGER_HASH, CELL, FADE, VARIATES, CORNERS);
 
-/// Perlin's noise of 2002, [`Perlin2002`](asperity_noise::Perlin2002), in two to four dimensions.
+/// Perlin noise of 2002, [`Perlin2002`](asperity_noise::Perlin2002), in two to four dimensions.
 pub static PERLIN_2002: Part = part!("noise/kinds/perlin_2002", INTEGER_HASH, CELL, FADE, EDGES, COLUMNS);
 
 /// Value-gradient noise, [`ValueGradient`](asperity_noise::ValueGradient), in two and three dimensions.
 pub static VALUE_GRADIENT: Part =
     part!("noise/kinds/value_gradient", INTEGER_HASH, CELL, FADE, VARIATES, CORNERS);
 
-/// Value noise by splines, [`ValueCatmullRom`](asperity_noise::ValueCatmullRom), in two and three dimensions.
+/// Value noise by splines, [`ValueCatmullRom`](asperity_noise::ValueCatmullRom), in two and three
+/// dimensions.
 pub static VALUE_CATMULL_ROM: Part =
     part!("noise/kinds/value_catmull_rom", SAMPLE, INTEGER_HASH, CELL, VARIATES);
 
 /// Sparse convolution noise, [`Sparse`](asperity_noise::Sparse), in two and three dimensions.
 pub static SPARSE: Part = part!("noise/kinds/sparse_convolution", SAMPLE, INTEGER_HASH, CELL, VARIATES);
 
-/// Simplex noise, [`Simplex`](asperity_noise::Simplex) of either radius, in two to four dimensions.
+/// Simplex noise, [`Simplex`](asperity_noise::Simplex) with either radius, in two to four
+/// dimensions.
 pub static SIMPLEX: Part = part!("noise/kinds/simplex/simplex", SAMPLE, INTEGER_HASH, CELL, EDGES);
 
-/// Cellular noise, [`Cellular`](asperity_noise::Cellular) of all bases and metrics, in two and three dimensions.
+/// Cellular noise, [`Cellular`](asperity_noise::Cellular) with all outputs and metrics, in two and
+/// three dimensions.
 pub static CELLULAR: Part = part!("noise/kinds/cellular/cellular", SAMPLE, INTEGER_HASH, CELL, VARIATES);
 
-/// Gaussian variates of lattice points, [`gaussian_corner`](asperity_noise::lattice::gaussian_corner), by the table
-/// of [`gaussian_levels`].
+/// Gaussian variates of lattice points,
+/// [`gaussian_corner`](asperity_noise::lattice::gaussian_corner), from the table of
+/// [`gaussian_levels`].
 pub static GAUSSIAN_VARIATES: Part = part!("noise/lattice/gaussian_variates", INTEGER_HASH, CORNERS)
     .with_bindings(&[Binding::Table {
         name: "gaussian_level",
@@ -114,12 +119,13 @@ pub static GAUSSIAN_VARIATES: Part = part!("noise/lattice/gaussian_variates", IN
 pub static GAUSSIAN: Part =
     part!("noise/kinds/gaussian", INTEGER_HASH, CELL, FADE, CORNERS, GAUSSIAN_VARIATES);
 
-/// Texels in a row of the table of [`gaussian_levels`].
+/// Texels per row of the table of [`gaussian_levels`].
 pub const GAUSSIAN_LEVELS_WIDTH: u32 = 64;
 
-/// The table `gaussian_level` of [`GAUSSIAN_VARIATES`]: levels, lines of the tails, and zeros to the end of the last of 88 rows.
+/// Iterates over the table `gaussian_level` of [`GAUSSIAN_VARIATES`], in units of the standard
+/// deviation.
 ///
-/// Dimensionless, in units of the standard deviation.
+/// The table has the levels, the lines of the tails, and zeros to the end of the last of 88 rows.
 ///
 /// ```
 /// use asperity_shaders::noise::{GAUSSIAN_LEVELS_WIDTH, gaussian_levels};

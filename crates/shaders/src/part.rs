@@ -1,8 +1,8 @@
-//! Parts of shaders: sources with what they need.
+//! Parts of shaders: sources with their dependencies.
 
-/// One concept in WGSL: its source, the parts that it calls, and what it is bound to.
+/// One concept in WGSL: its source, its dependencies and its bindings.
 ///
-/// Parts of one's own join those of the crate:
+/// You can define your own parts:
 ///
 /// ```
 /// use asperity_shaders::{Part, noise};
@@ -23,39 +23,40 @@ pub struct Part {
 }
 
 impl Part {
-    /// A part that is bound to nothing.
+    /// Creates a part without bindings.
     ///
-    /// Names are unique: of two parts of one name a composition holds the first.
+    /// Names are unique. A composition keeps the first of two parts with the same name.
     #[must_use]
     pub const fn new(name: &'static str, source: &'static str, needs: &'static [&'static Self]) -> Self {
         Self { name, source, needs, bindings: &[] }
     }
 
-    /// The part, bound to uniforms, tables and textures.
+    /// Adds bindings to uniforms, tables and textures.
     #[must_use]
     pub const fn with_bindings(self, bindings: &'static [Binding]) -> Self {
         Self { bindings, ..self }
     }
 
-    /// Path of the concept: crate, room, file; `noise/kinds/gaussian`.
+    /// Returns the path of the concept: crate, module, file; for instance `noise/kinds/gaussian`.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         self.name
     }
 
-    /// Plain WGSL, without bindings and without the parts that it needs.
+    /// Returns the plain WGSL, without bindings and dependencies.
     #[must_use]
     pub const fn source(&self) -> &'static str {
         self.source
     }
 
-    /// Parts whose names the source uses, apart from those that they need themselves.
+    /// Returns the direct dependencies: parts whose names the source uses, without their own
+    /// dependencies.
     #[must_use]
     pub const fn needs(&self) -> &'static [&'static Self] {
         self.needs
     }
 
-    /// Names that the source defines: functions, structures, constants, in the order of the file.
+    /// Iterates over the names that the source defines, in order: functions, structures, constants.
     pub fn names(&self) -> impl Iterator<Item = &'static str> + use<> {
         self.source.lines().filter_map(|line| {
             let rest =
@@ -64,7 +65,7 @@ impl Part {
         })
     }
 
-    /// Resources that the source reads.
+    /// Returns the resources that the source reads.
     #[must_use]
     pub const fn bindings(&self) -> &'static [Binding] {
         self.bindings
@@ -84,17 +85,17 @@ pub enum Binding {
     },
     /// A list of words, read by a function `fn name(i: u32) -> element`.
     ///
-    /// A texture of it has `width` texels of one channel, `r32float` or `r32uint`, in a row, and is read without filtering; as a
-    /// buffer it is `array<element>`.
+    /// As a texture it has one channel, `r32float` or `r32uint`, and `width` texels per row, and is
+    /// read without filtering. As a buffer it is `array<element>`.
     Table {
         /// Name of the function.
         name: &'static str,
         /// Type of an element.
         element: Element,
-        /// Texels in a row, a power of two.
+        /// Texels per row, a power of two.
         width: u32,
     },
-    /// `var name: texture_2d<f32>;` with levels of detail.
+    /// `var name: texture_2d<f32>;` with mip levels.
     Texture {
         /// Name of the variable.
         name: &'static str,
@@ -107,7 +108,7 @@ pub enum Binding {
 }
 
 impl Binding {
-    /// Name of the variable, or of the function that reads the table.
+    /// Returns the name of the variable, or of the function that reads the table.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {
@@ -124,12 +125,13 @@ impl Binding {
 pub enum Element {
     /// `f32`.
     Float,
-    /// `u32`, also for the bits of floats of which some are whole numbers: hardware may flush those.
+    /// `u32`, also for the bits of floats mixed with integers, which hardware may flush to zero as
+    /// floats.
     Word,
 }
 
 impl Element {
-    /// Name of the type in WGSL.
+    /// Returns the name of the type in WGSL.
     #[must_use]
     pub const fn wgsl(self) -> &'static str {
         match self {
@@ -139,7 +141,7 @@ impl Element {
     }
 }
 
-/// A part of this crate, from its file under `wgsl/`, and the parts that it needs.
+/// Defines a part of this crate, from its file under `wgsl/` and its dependencies.
 macro_rules! part {
     ($name:expr $(, $needs:path)* $(,)?) => {
         $crate::part::Part::new(
@@ -150,7 +152,7 @@ macro_rules! part {
     };
 }
 
-/// A uniform as its words, in the layout of a WGSL structure.
+/// Defines a uniform as words in the layout of a WGSL structure.
 macro_rules! uniform {
     ($(#[$doc:meta])* $name:ident: $words:expr, $of:literal;) => {
         $(#[$doc])*

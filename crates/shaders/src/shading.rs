@@ -1,7 +1,8 @@
 //! Shading: pixels, level of detail, bump mapping, normal maps, reflectances, textures, materials.
 //!
-//! Directions are unit vectors that point away from the surface, in its frame where z is the normal. Reflectances are in sr⁻¹ as those of
-//! the crate, without the cosine of the light. Evaluation is total: what is no number, and directions below the horizon, are dark.
+//! Directions are unit vectors that point away from the surface, in its frame, where z is the
+//! normal. Reflectances are in sr⁻¹, without the cosine of the light. Evaluation is total: NaN and
+//! directions below the horizon give 0.
 
 use asperity_shading::pixel::FrequencyClamp;
 
@@ -15,22 +16,25 @@ pub mod pixel;
 pub mod reflectance;
 pub mod texture;
 
-/// Clamps that drop what is no number, and angles of vectors.
+/// Clamps that replace NaN, and angles of vectors.
 pub static MATH: Part = part!("shading/math");
 
 /// Unit vectors, [half vectors](fn@asperity_shading::half_vector), [mirrored directions](fn@asperity_shading::reflect).
 pub static DIRECTION: Part = part!("shading/direction", MATH);
 
-/// Exact and fractal rule of level of detail, whole for GGX and Beckmann, in pieces for any density:
-/// [`LevelOfDetail`](asperity_shading::LevelOfDetail).
+/// Exact and fractal rule of level of detail: [`LevelOfDetail`](asperity_shading::LevelOfDetail).
+///
+/// Complete for GGX and Beckmann, as building blocks for any other normal distribution.
 pub static LEVEL_OF_DETAIL: Part =
     part!("shading/level_of_detail/rule", ELEMENTARY, FRAME, GAUSSIAN_SPLIT, GGX, BECKMANN);
 
 /// Octaves that a pixel resolves, [`FrequencyClamp`].
 pub static FREQUENCY_CLAMP: Part = part!("shading/pixel/frequency_clamp");
 
-/// The words of a `FrequencyClamp` in a shader: the first octave's frequency in cells per unit of length, the logarithm of the
-/// lacunarity, the most octaves.
+/// Returns the words of a `FrequencyClamp` in a shader.
+///
+/// The words are the frequency of the first octave in cells per unit of length, the logarithm of
+/// the lacunarity and the maximum number of octaves.
 ///
 /// ```
 /// use asperity_shaders::shading::frequency_clamp_words;

@@ -1,15 +1,15 @@
-//! Textures of half vectors: the part, the uniform.
+//! Textures of half vectors: the part and its uniform.
 
 use asperity_ndf_sampling::ConditionalTableRef;
 
 use crate::ndf::density::{ELEMENTARY, GAUSSIAN_SPLIT};
 use crate::part::{Binding, Element, Part, part};
 
-/// Exact level of detail of any density by one look-up; [`ConditionalTableRef`].
+/// Exact level of detail of any normal distribution by one lookup; [`ConditionalTableRef`].
 ///
-/// Bound to [`ConditionalTableUniform`] as `conditional_table_grid`, and to the entries, three floats each, as the table
-/// `conditional_table_number`. Where hardware interpolates, `conditional_table_coordinates` and `conditional_table_weigh` are what goes
-/// before and after the texture.
+/// Bound to [`ConditionalTableUniform`] as `conditional_table_grid`, and to the entries, three
+/// floats each, as the table `conditional_table_number`. With hardware interpolation, call
+/// `conditional_table_coordinates` before and `conditional_table_weigh` after the texture lookup.
 pub static CONDITIONAL_TABLE: Part =
     part!("ndf/level_of_detail/conditional_table", ELEMENTARY, GAUSSIAN_SPLIT).with_bindings(&[
         Binding::Uniform { name: "conditional_table_grid", of: "ConditionalTableGrid" },
@@ -37,17 +37,18 @@ pub static CONDITIONAL_TABLE: Part =
 pub struct ConditionalTableUniform([u32; 4]);
 
 impl ConditionalTableUniform {
-    /// Texels in a row of the table.
+    /// Texels per row of the table.
     pub const WIDTH: u32 = 1024;
 
-    /// The uniform of a table.
+    /// Packs the uniform of a table.
     #[must_use]
     pub fn new(table: &ConditionalTableRef<'_>) -> Self {
         let stretch = table.stretch();
         Self([stretch.x.to_bits(), stretch.y.to_bits(), table.size() as u32, 0])
     }
 
-    /// The 16 bytes of the structure `ConditionalTableGrid` in words: stretch along x and y, entries along a side, nothing.
+    /// Returns the 16 bytes of the structure `ConditionalTableGrid` as words: stretch along x and
+    /// y, entries along a side, padding.
     #[must_use]
     pub const fn words(&self) -> [u32; 4] {
         self.0

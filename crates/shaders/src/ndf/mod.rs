@@ -1,7 +1,8 @@
-//! Densities of normals: closed forms, maps, tables of normals, exact level of detail.
+//! Normal distributions: closed forms, maps, tables of normals, exact level of detail.
 //!
-//! Roughnesses are valid ones, as the crate's constructors make them; `roughness_clamped` repairs those of a texture. Where the
-//! crate gives ∞, as Λ at the horizon, shaders give the largest float.
+//! Roughnesses must be valid, as returned by the Rust constructors. `roughness_clamped` repairs
+//! roughnesses from a texture. Shaders return the largest float instead of ∞, for instance for Λ at
+//! the horizon.
 
 mod conditional_table;
 mod density;

@@ -5,17 +5,18 @@ use asperity_ndf_sampling::PackedMapRef;
 use crate::ndf::density::{ELEMENTARY, GAUSSIAN_SPLIT, NORMAL_DISTRIBUTION};
 use crate::part::{Binding, Element, Part, part};
 
-/// A density painted or computed on the map of normals, from one array: density, samples, distribution functions, bijection and
-/// inverse, conditional density; [`PackedMapRef`].
+/// A painted or computed distribution on the map of normals, from one array, [`PackedMapRef`].
 ///
-/// Bound to [`PackedMapUniform`] as `packed_map_grid`, and to the bits of the array as the table `packed_map_word`.
+/// Density, samples, distribution functions, bijection and inverse, conditional density. Bound to
+/// [`PackedMapUniform`] as `packed_map_grid`, and to the bits of the array as the table
+/// `packed_map_word`.
 pub static PACKED_MAP: Part = part!("ndf/map/packed_map", ELEMENTARY, NORMAL_DISTRIBUTION, GAUSSIAN_SPLIT)
     .with_bindings(&[
         Binding::Uniform { name: "packed_map_grid", of: "PackedMapGrid" },
         Binding::Table { name: "packed_map_word", element: Element::Word, width: PackedMapUniform::WIDTH },
     ]);
 
-/// Uniform of a packed map: its grid, and where the parts of its array begin.
+/// Uniform of a packed map: its grid, and the offsets of the parts of its array.
 ///
 /// ```
 /// use asperity_shaders::ndf::PackedMapUniform;
@@ -26,7 +27,7 @@ pub static PACKED_MAP: Part = part!("ndf/map/packed_map", ELEMENTARY, NORMAL_DIS
 /// let words = PackedMapUniform::new(&map.view()).words();
 /// // 64 columns over the disk's diameter of 2, 32 rows.
 /// assert_eq!([words[0], words[1]].map(f32::from_bits), [32.0, 16.0]);
-/// // The table is the bits of the array, filled up to whole rows of texels.
+/// // The table is the bits of the array, padded to whole rows of texels.
 /// let table: Vec<u32> = map.array().iter().map(|x| x.to_bits()).collect();
 /// let rows = table.len().div_ceil(PackedMapUniform::WIDTH as usize);
 /// assert!(rows < 2048);
@@ -37,10 +38,10 @@ pub static PACKED_MAP: Part = part!("ndf/map/packed_map", ELEMENTARY, NORMAL_DIS
 pub struct PackedMapUniform([u32; 24]);
 
 impl PackedMapUniform {
-    /// Texels in a row of the table.
+    /// Texels per row of the table.
     pub const WIDTH: u32 = 1024;
 
-    /// The uniform of a map.
+    /// Packs the uniform of a map.
     #[must_use]
     pub fn new(map: &PackedMapRef<'_>) -> Self {
         let (floats, words) = map.grid_and_parts();
@@ -52,7 +53,7 @@ impl PackedMapUniform {
         Self(uniform)
     }
 
-    /// The 96 bytes of the structure `PackedMapGrid` in words.
+    /// Returns the 96 bytes of the structure `PackedMapGrid` as words.
     ///
     /// ```text
     /// density.xy  size.xy  origin.xy  last.xy  margin  guide  quantiles                        floats

@@ -1,7 +1,8 @@
-//! Sums of octaves: spectra, shapes, octaves of every kind of noise, and the words of their uniforms.
+//! Sums of octaves: spectra, shapes, octaves of every kind of noise, and their packed uniforms.
 //!
-//! A module holds up to [`SUMS`] sums of a dimension, which functions number from 0: a field and those that warp it, for instance.
-//! Every kind has a function of its own; a kind of one's own adds its octaves to a [`TOTAL`](octaves_3d::TOTAL) as they do.
+//! A module has up to [`SUMS`] sums of a dimension, which functions index from 0, for instance a
+//! field and the fields that warp it. Every kind has its own function. A custom kind adds its
+//! octaves to a [`TOTAL`](octaves_3d::TOTAL) in the same way.
 //!
 //! ```
 //! # #[cfg(feature = "alloc")] {
@@ -18,7 +19,7 @@
 //! # #[cfg(feature = "alloc")] {
 //! use asperity_shaders::{Bindings, Part, compose, noise::{self, sums::octaves_3d}};
 //!
-//! // A kind of one's own: value-gradient noise that is mostly gradients.
+//! // A custom kind: value-gradient noise that is mostly gradients.
 //! static STEEP: Part = Part::new(
 //!     "steep",
 //!     "fn steep(p: vec3<f32>, octaves: f32, sum: u32) -> Sample3d {
@@ -53,41 +54,46 @@ pub use uniform::{OctavesUniform, SUMS, ShaderShape};
 use super::{CELL, GAUSSIAN};
 use crate::part::{Binding, Part, part};
 
-/// Shapes of octaves, [`Turbulence`](asperity_noise::Turbulence) and its like.
+/// Shapes of octaves: [`Turbulence`](asperity_noise::Turbulence), plasma, billow and ridged.
 pub static SHAPE: Part = part!("noise/sums/shape");
 
 /// Frequency clamping, [`removed_share`](asperity_noise::removed_share).
 pub static FREQUENCY_CLAMP: Part = part!("noise/sums/frequency_clamp");
 
-/// Weights of a real number of octaves, [`Spectrum`](asperity_noise::Spectrum), and what a sum is divided by.
+/// Weights of a real number of octaves, [`Spectrum`](asperity_noise::Spectrum), and the divisor of
+/// a sum.
 pub static SPECTRUM: Part = part!("noise/sums/spectrum", FREQUENCY_CLAMP);
 
-/// One octave, [`Octave`](asperity_noise::Octave): its map in two, three and four dimensions.
+/// One octave, [`Octave`](asperity_noise::Octave): its affine map in two, three and four
+/// dimensions.
 pub static OCTAVE: Part = part!("noise/sums/octave");
 
-/// Uniform of sums of octaves in space.
+/// Uniform of sums of octaves in 3-D.
 pub static UNIFORM_3D: Part = part!("noise/sums/uniform_3d", SPECTRUM, OCTAVE)
     .with_bindings(&[Binding::Uniform { name: "octaves_uniform_3d", of: "array<OctavesUniform3d, 8>" }]);
 
-/// Uniform of sums of octaves in the plane.
+/// Uniform of sums of octaves in 2-D.
 pub static UNIFORM_2D: Part = part!("noise/sums/uniform_2d", SPECTRUM, OCTAVE)
     .with_bindings(&[Binding::Uniform { name: "octaves_uniform_2d", of: "array<OctavesUniform2d, 8>" }]);
 
-/// Uniform of sums of octaves in four dimensions.
+/// Uniform of sums of octaves in 4-D.
 pub static UNIFORM_4D: Part = part!("noise/sums/uniform_4d", SPECTRUM, OCTAVE)
     .with_bindings(&[Binding::Uniform { name: "octaves_uniform_4d", of: "array<OctavesUniform4d, 8>" }]);
 
-/// Sums of octaves of Gaussian noise in space, two channels, [`GaussianOctaves`](asperity_noise::GaussianOctaves).
+/// Sums of octaves of Gaussian noise in 3-D, two channels,
+/// [`GaussianOctaves`](asperity_noise::GaussianOctaves).
 pub static GAUSSIAN_OCTAVES_3D: Part =
     part!("noise/sums/gaussian_octaves_3d", SPECTRUM, OCTAVE, UNIFORM_3D, CELL, GAUSSIAN);
 
-/// Sums of octaves of Gaussian noise in the plane, two channels, [`GaussianOctaves`](asperity_noise::GaussianOctaves).
+/// Sums of octaves of Gaussian noise in 2-D, two channels,
+/// [`GaussianOctaves`](asperity_noise::GaussianOctaves).
 pub static GAUSSIAN_OCTAVES_2D: Part =
     part!("noise/sums/gaussian_octaves_2d", SPECTRUM, OCTAVE, UNIFORM_2D, CELL, GAUSSIAN);
 
-/// Octaves of Gaussian noise in the plane from a mip-mapped texture, [`MipMapped`], the path of Kautz, Heidrich, Seidel 2001, §5.2.2.
+/// Octaves of Gaussian noise in 2-D from a mip-mapped texture, [`MipMapped`].
 ///
-/// Bound to the texture `mip_mapped_noise` of two channels, and to a sampler that is linear between texels and levels and repeats.
+/// The method of Kautz, Heidrich, Seidel 2001, §5.2.2. Bound to the two-channel texture
+/// `mip_mapped_noise`, and to a repeating sampler that is linear between texels and levels.
 pub static MIP_MAPPED: Part = part!("noise/sums/mip_mapped", SPECTRUM, UNIFORM_2D).with_bindings(&[
     Binding::Texture { name: "mip_mapped_noise" },
     Binding::Sampler { name: "mip_mapped_sampler" },

@@ -1,4 +1,4 @@
-//! Bump mapping by surface gradients, and facets for slopes that a pixel does not resolve.
+//! Bump mapping by surface gradients, and facets for unresolved slopes.
 
 use crate::part::{Part, part};
 use crate::shading::DIRECTION;
@@ -6,5 +6,5 @@ use crate::shading::DIRECTION;
 /// Surface gradients and bumped normals, [`bump`](asperity_shading::bump).
 pub static SURFACE_GRADIENT: Part = part!("shading/bump/surface_gradient", DIRECTION);
 
-/// Slopes that a pixel does not resolve, as facets with shares: [`slope_facets`](fn@asperity_shading::bump::slope_facets).
+/// Unresolved slopes as weighted facets: [`slope_facets`](fn@asperity_shading::bump::slope_facets).
 pub static SLOPE_FACETS: Part = part!("shading/bump/slope_facets", SURFACE_GRADIENT);

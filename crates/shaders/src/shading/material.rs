@@ -1,8 +1,10 @@
-//! Materials: reflectance times cosine at a point, as a pixel sees it.
+//! Materials: reflectance times cosine at a point, filtered over a pixel.
 //!
-//! Each has a function `material_scattered(material, point, wo, wi)` of its structure, the point, and the directions to the eye and to the light
-//! in the point's frame: what [`Bsdf::scattered`](asperity_shading::Bsdf::scattered) of its [`Material::bsdf`](asperity_shading::Material::bsdf)
-//! gives. `material(point, wo, wi)` is that of the material in a uniform.
+//! Each material has a function `material_scattered(material, point, wo, wi)` of its structure, the
+//! point, and the directions to eye and light in the frame of the point. It returns
+//! [`Bsdf::scattered`](asperity_shading::Bsdf::scattered) of
+//! [`Material::bsdf`](asperity_shading::Material::bsdf). `material(point, wo, wi)` evaluates the
+//! material in a uniform.
 
 mod carpet;
 mod glass;

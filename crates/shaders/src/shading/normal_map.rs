@@ -1,4 +1,4 @@
-//! Normal maps made by hand: parts, words.
+//! Authored normal maps: parts and words.
 
 use asperity_shading::glam::Vec2;
 use asperity_shading::normal_map::{SlopeLobes, SlopePyramidRef};
@@ -8,21 +8,23 @@ use crate::part::{Binding, Element, Part, part};
 use crate::shading::MATH;
 use crate::shading::pixel::PIXEL_ELLIPSE;
 
-/// Mean and covariance of slopes within a pixel, [`SlopeMoments`](asperity_shading::normal_map::SlopeMoments).
+/// Mean and covariance of slopes within a pixel,
+/// [`SlopeMoments`](asperity_shading::normal_map::SlopeMoments).
 pub static SLOPE_MOMENTS: Part =
     part!("shading/normal_map/slope_moments", GAUSSIAN_SPLIT, OFFSET_BECKMANN, MATH);
 
-/// Normal maps at every zoom by their slopes in groups, [`SlopePyramidRef`]; bound to [`slope_pyramid_numbers`] as the table
-/// `slope_pyramid_number`.
+/// Normal maps at every zoom as grouped slopes, [`SlopePyramidRef`].
+///
+/// Bound to [`slope_pyramid_numbers`] as the table `slope_pyramid_number`.
 pub static SLOPE_PYRAMID: Part =
     part!("shading/normal_map/slope_pyramid", SLOPE_MOMENTS, PIXEL_ELLIPSE, MATH).with_bindings(&[
         Binding::Table { name: "slope_pyramid_number", element: Element::Float, width: SLOPE_PYRAMID_WIDTH },
     ]);
 
-/// Texels in a row of the table: a map of 512² texels in four groups takes 4352 rows.
+/// Texels per row of the table. A map of 512² texels in four groups takes 4352 rows.
 pub const SLOPE_PYRAMID_WIDTH: u32 = 2048;
 
-/// The words of the structure `SlopePyramid`: width, height, the last level, groups.
+/// Returns the words of the structure `SlopePyramid`: width, height, last level, number of groups.
 ///
 /// The example needs the feature `alloc`.
 ///
@@ -33,7 +35,7 @@ pub const SLOPE_PYRAMID_WIDTH: u32 = 2048;
 ///
 /// let map = SlopePyramid::<2>::new(4, 2, vec![Vec2::X; 8])?;
 /// assert_eq!(slope_pyramid_words(&map.as_ref()), [4, 2, 2, 2]);
-/// // Two centres, eight slopes, eleven texels of two lobes.
+/// // Two centers, eight slopes, eleven texels of two lobes.
 /// assert_eq!(slope_pyramid_numbers(&map.as_ref()).count(), 2 * 2 + 2 * 8 + 6 * 2 * 11);
 /// # Ok::<(), asperity_shading::ImageError>(())
 /// ```
@@ -43,8 +45,10 @@ pub fn slope_pyramid_words<const K: usize>(map: &SlopePyramidRef<'_, K>) -> [u32
     [width as u32, height as u32, map.last_level(), K as u32]
 }
 
-/// The numbers of the table: two for the centre of each group, two for each texel, its slope, and six for each group of each texel of
-/// every level, weight, mean, covariance.
+/// Iterates over the numbers of the table.
+///
+/// Two numbers for the center of each group, two for the slope of each texel, and six for each
+/// group of each texel of every level: weight, mean, covariance.
 pub fn slope_pyramid_numbers<'a, const K: usize>(
     map: &'a SlopePyramidRef<'_, K>,
 ) -> impl Iterator<Item = f32> + use<'a, K> {

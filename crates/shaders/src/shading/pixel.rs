@@ -1,11 +1,12 @@
-//! Pixels on a surface: their width and their two axes.
+//! Pixel footprints on a surface: width and axes.
 
 use crate::noise::sums::FREQUENCY_CLAMP;
 use crate::part::{Part, part};
 use crate::shading::DIRECTION;
 
-/// Width of a pixel on a surface, [`Footprint`](asperity_shading::Footprint): the largest float where the crate's is infinite.
+/// Width of a pixel on a surface, [`Footprint`](asperity_shading::Footprint); the largest float
+/// instead of ∞.
 pub static FOOTPRINT: Part = part!("shading/pixel/footprint", DIRECTION, FREQUENCY_CLAMP);
 
-/// Footprints of pixels that are longer than wide, [`PixelEllipse`](asperity_shading::PixelEllipse).
+/// Elliptical pixel footprints, [`PixelEllipse`](asperity_shading::PixelEllipse).
 pub static PIXEL_ELLIPSE: Part = part!("shading/pixel/ellipse", FOOTPRINT);

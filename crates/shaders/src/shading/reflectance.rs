@@ -8,59 +8,64 @@ use crate::part::{Part, part, uniform};
 use crate::shading::bump::{SLOPE_FACETS, SURFACE_GRADIENT};
 use crate::shading::{DIRECTION, MATH};
 
-/// Reflectances that are finite and not negative.
+/// Clamps reflectances to finite, non-negative values.
 pub static BRDF: Part = part!("shading/reflectance/brdf", MATH);
 
 /// Schlick's approximation, plain and with a tint at 82°: [`Schlick`](asperity_shading::Schlick),
 /// [`SchlickF82`](asperity_shading::reflectance::SchlickF82).
 pub static SCHLICK: Part = part!("shading/reflectance/fresnel/schlick", MATH);
 
-/// Fresnel's reflectance of a dielectric, [`Dielectric`](asperity_shading::Dielectric).
+/// Fresnel reflectance of a dielectric, [`Dielectric`](asperity_shading::Dielectric).
 pub static DIELECTRIC: Part = part!("shading/reflectance/fresnel/dielectric", MATH);
 
-/// Fresnel's reflectance of a metal, [`Conductor`](asperity_shading::Conductor).
+/// Fresnel reflectance of a metal, [`Conductor`](asperity_shading::Conductor).
 pub static CONDUCTOR: Part = part!("shading/reflectance/fresnel/conductor", MATH);
 
-/// Lambert's diffuse reflectance, [`Lambert`](asperity_shading::Lambert).
+/// Lambertian reflectance, [`Lambert`](asperity_shading::Lambert).
 pub static LAMBERT: Part = part!("shading/reflectance/diffuse/lambert", DIRECTION);
 
-/// Geometry that rough diffuse reflectances share.
+/// Common geometry of rough diffuse reflectances.
 pub static ROUGH: Part = part!("shading/reflectance/diffuse/rough", MATH);
 
-/// Oren and Nayar's rough diffuse reflectance in three forms, [`OrenNayar`](asperity_shading::reflectance::OrenNayar).
+/// Oren–Nayar reflectance in three forms, [`OrenNayar`](asperity_shading::reflectance::OrenNayar).
 pub static OREN_NAYAR: Part = part!("shading/reflectance/diffuse/oren_nayar", BRDF, DIRECTION, ROUGH);
 
-/// Rough diffuse reflectance that keeps all energy, [`EnergyPreservingOrenNayar`](asperity_shading::EnergyPreservingOrenNayar).
+/// Energy-preserving Oren–Nayar reflectance,
+/// [`EnergyPreservingOrenNayar`](asperity_shading::EnergyPreservingOrenNayar).
 pub static ENERGY_PRESERVING: Part =
     part!("shading/reflectance/diffuse/energy_preserving", BRDF, DIRECTION, ROUGH);
 
-/// Microfacets of Beckmann's density with Smith's masking, [`CookTorrance`](asperity_shading::CookTorrance).
+/// Beckmann microfacets with Smith masking, [`CookTorrance`](asperity_shading::CookTorrance).
 pub static COOK_TORRANCE_BECKMANN: Part =
     part!("shading/reflectance/cook_torrance_beckmann", BRDF, DIRECTION, BECKMANN);
 
-/// Microfacets of GGX with Smith's masking, [`CookTorrance`](asperity_shading::CookTorrance).
+/// GGX microfacets with Smith masking, [`CookTorrance`](asperity_shading::CookTorrance).
 pub static COOK_TORRANCE_GGX: Part = part!("shading/reflectance/cook_torrance_ggx", BRDF, DIRECTION, GGX);
 
-/// Microfacets of any density over grooves, [`TorranceSparrow`](asperity_shading::TorranceSparrow).
+/// Microfacets of any normal distribution over grooves,
+/// [`TorranceSparrow`](asperity_shading::TorranceSparrow).
 pub static TORRANCE_SPARROW: Part = part!("shading/reflectance/torrance_sparrow", BRDF, DIRECTION);
 
-/// Lobes of powers of cosines, [`Phong`](asperity_shading::Phong) and
+/// Cosine-power lobes, [`Phong`](asperity_shading::Phong) and
 /// [`BlinnPhongLobe`](asperity_shading::reflectance::BlinnPhongLobe).
 pub static PHONG: Part = part!("shading/reflectance/phong", BRDF, DIRECTION, ELEMENTARY);
 
-/// Ward's anisotropic reflectance in three forms, [`WardReflection`](asperity_shading::reflectance::WardReflection).
+/// Ward's anisotropic reflectance in three forms,
+/// [`WardReflection`](asperity_shading::reflectance::WardReflection).
 pub static WARD: Part = part!("shading/reflectance/ward", BRDF, DIRECTION, ELEMENTARY);
 
-/// Light by way of a facet of a surface, as [`Bsdf`](asperity_shading::Bsdf) adds it up.
+/// Light from a facet of a surface, as summed by [`Bsdf`](asperity_shading::Bsdf).
 pub static FACET: Part = part!("shading/reflectance/facet", SURFACE_GRADIENT, FRAME, BRDF);
 
 /// Frosted glass, walls and bodies, [`RoughDielectric`](asperity_shading::reflectance::RoughDielectric).
 pub static ROUGH_DIELECTRIC: Part =
     part!("shading/reflectance/rough_dielectric", BRDF, DIRECTION, DIELECTRIC, BECKMANN, ELEMENTARY);
 
-/// Smooth and rough coats of every kind over the layers of a surface, [`Coat`]: what they let through, mirror and transmit.
+/// Smooth and rough coats over the layers of a surface, [`Coat`]: transmission to the layers,
+/// reflection and transmission.
 ///
-/// Any material has one by `coat_over(coat, material(point, wo, wi), wo, wi)`, and `coat_deltas`.
+/// Apply a coat to any material by `coat_over(coat, material(point, wo, wi), wo, wi)` and
+/// `coat_deltas`.
 pub static COAT: Part = part!(
     "shading/reflectance/coat",
     SLOPE_FACETS,
@@ -76,9 +81,9 @@ uniform! {
     ///
     /// | words | |
     /// |---|---|
-    /// | 0–3 | unit normal in the frame of the surface; variance of the slopes that the pixel does not resolve |
-    /// | 4–7 | steepest slope of a sine that it does not resolve, or 0; Beckmann's α, 0 for a smooth coat |
-    /// | 8–11 | tint of a pane, reflectance of a metal, transmittance of a veil, else 1; relative index |
+    /// | 0–3 | unit normal in the frame of the surface; variance of the unresolved slopes |
+    /// | 4–7 | steepest unresolved slope of a sine, or 0; Beckmann's α, 0 for a smooth coat |
+    /// | 8–11 | tint of a pane, reflectance of a metal, transmittance of a veil, otherwise 1; relative IOR |
     /// | 12–15 | kind: varnish, pane, body, metal, veil; 0, 0, 0 |
     ///
     /// ```
@@ -94,7 +99,7 @@ uniform! {
 }
 
 impl CoatUniform {
-    /// The words of a coat.
+    /// Packs a coat.
     #[must_use]
     pub fn new(coat: &Coat) -> Self {
         let (rows, kind) = coat.parts();

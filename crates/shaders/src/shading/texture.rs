@@ -21,27 +21,29 @@ pub static BRICK_FACETS: Part = part!("shading/texture/brick_facets", BRICK, DIR
 /// Ridges along the edges of a tile, at points and as facets, [`Bevel`].
 pub static BEVEL: Part = part!("shading/texture/bevel", DIRECTION);
 
-/// Stars in some of the cells of a grid, as a pixel sees them: [`StarWallpaper`].
+/// Stars in random cells of a grid, filtered over a pixel: [`StarWallpaper`].
 pub static STAR_WALLPAPER: Part =
     part!("shading/texture/star_wallpaper", MATH, DIRECTION, ELEMENTARY, FREQUENCY_CLAMP, WHITE);
 
-/// Blue marble by position, as a pixel sees it: [`Marble`].
+/// Blue marble by position, filtered over a pixel: [`Marble`].
 pub static MARBLE: Part = part!("shading/texture/marble", MATH, FREQUENCY_CLAMP, PERLIN_2002);
 
-/// Density of gas in space, as a pixel sees it, and its share in a column of steam: [`Gas`],
+/// Density of gas in 3-D, filtered over a pixel, and its fraction in a column of steam: [`Gas`],
 /// [`Steam`](asperity_shading::texture::Steam).
 pub static GAS: Part = part!("shading/texture/gas", ELEMENTARY, FOOTPRINT, octaves_3d::PERLIN_2002);
 
-/// Light and transmittance along a ray through gas, and the part of it in steam: [`march`](fn@asperity_shading::texture::march),
+/// Light and transmittance along a ray through gas, and its interval in steam:
+/// [`march`](fn@asperity_shading::texture::march),
 /// [`Steam::interval`](asperity_shading::texture::Steam::interval).
 pub static GAS_MARCH: Part = part!("shading/texture/gas_march", GAS, DIRECTION, MATH, ELEMENTARY);
 
-/// Texture coordinates moved by noise, [`PerturbedTexture`].
+/// Texture coordinates displaced by noise, [`PerturbedTexture`].
 pub static PERTURBED: Part = part!("shading/texture/perturbed", FOOTPRINT, PERLIN_2002);
 
 /// A wall of bricks as the words of the structure `Brick`.
 ///
-/// Sides of a brick with its mortar in texture coordinates, and half the mortar as a share of either side.
+/// Sides of a brick including its mortar in texture coordinates, and half the mortar as a fraction
+/// of either side.
 ///
 /// ```
 /// use asperity_shaders::shading::texture::BrickUniform;
@@ -58,14 +60,14 @@ impl BrickUniform {
     /// Words of a wall.
     pub const WORDS: usize = 4;
 
-    /// The words of a wall.
+    /// Packs a wall.
     #[must_use]
     pub fn new(wall: &Brick) -> Self {
         let (cell, margin) = (wall.cell(), wall.margin());
         Self([cell.x, cell.y, margin.x, margin.y].map(f32::to_bits))
     }
 
-    /// The words, in the layout of `Brick`.
+    /// Returns the words, in the layout of `Brick`.
     #[must_use]
     pub const fn words(&self) -> [u32; Self::WORDS] {
         self.0
@@ -91,13 +93,13 @@ impl BevelUniform {
     /// Words of a ridge.
     pub const WORDS: usize = 4;
 
-    /// The words of a ridge.
+    /// Packs a ridge.
     #[must_use]
     pub fn new(ridge: &Bevel) -> Self {
         Self([ridge.plateau(), ridge.flank(), ridge.top(), ridge.bottom()].map(f32::to_bits))
     }
 
-    /// The words, in the layout of `Bevel`.
+    /// Returns the words, in the layout of `Bevel`.
     #[must_use]
     pub const fn words(&self) -> [u32; Self::WORDS] {
         self.0
@@ -110,8 +112,8 @@ uniform! {
     /// | words | |
     /// |---|---|
     /// | 0–3 | points of a star; radii of its notches and points in texture coordinates; cells per unit |
-    /// | 4–8 | chance of a star; share of stars from afar; cosine and sine of half the angle between points; that angle in radians |
-    /// | 9–11 | keys of the lattices that say whether there is a star, and where |
+    /// | 4–8 | probability of a star; far-field fraction of stars; cosine and sine of half the angle between points; that angle in radians |
+    /// | 9–11 | keys of the lattices of the presence and the position of stars |
     ///
     /// ```
     /// use asperity_shaders::shading::texture::StarWallpaperUniform;
@@ -124,7 +126,7 @@ uniform! {
 }
 
 impl StarWallpaperUniform {
-    /// The words of wallpaper.
+    /// Packs a wallpaper.
     #[must_use]
     pub fn new(wallpaper: &StarWallpaper) -> Self {
         let (floats, seeds) = wallpaper.parts();
@@ -140,9 +142,9 @@ uniform! {
     ///
     /// | words | |
     /// |---|---|
-    /// | 0–3 | cells of the first octave per unit of length; deviation of one octave; 0, 0 |
+    /// | 0–3 | cells of the first octave per unit of length; standard deviation of one octave; 0, 0 |
     /// | 4–7 | keys of its octaves |
-    /// | 8–23 | distribution function of an octave at −3.5, −3, … 4 deviations |
+    /// | 8–23 | distribution function of an octave at −3.5, −3, … 4 standard deviations |
     ///
     /// ```
     /// use asperity_shaders::shading::texture::MarbleUniform;
@@ -155,7 +157,7 @@ uniform! {
 }
 
 impl MarbleUniform {
-    /// The words of marble.
+    /// Packs a marble.
     #[must_use]
     pub fn new(marble: &Marble) -> Self {
         let ((scale, seed), statistics) = (marble.parts(), Noise::<Vec3>::statistics(&Perlin2002::default()));
@@ -173,7 +175,8 @@ impl MarbleUniform {
 
 /// Gas as the words of the structure `Gas`, and its sum of octaves.
 ///
-/// Octaves, greatest density, exponent, variance of the magnitude of an octave; number of the sum, 1 for veins, 0, 0.
+/// Octaves, maximum density, exponent, variance of the magnitude of an octave; index of the sum, 1
+/// for veins, 0, 0.
 ///
 /// ```
 /// use asperity_shaders::shading::texture::GasUniform;
@@ -193,7 +196,7 @@ impl GasUniform {
     /// Words of the structure.
     pub const WORDS: usize = 8;
 
-    /// The words of gas whose sum of octaves has this number in the uniform of sums.
+    /// Packs gas whose sum of octaves has this index in the uniform of sums.
     #[must_use]
     pub fn new(gas: &Gas, sum: u32) -> Self {
         let (turbulence, [octaves, density, exponent], veins) = gas.parts();
@@ -203,13 +206,13 @@ impl GasUniform {
         Self { words: [a, b, c, d, sum, u32::from(veins), 0, 0], sum: OctavesUniform::new(turbulence) }
     }
 
-    /// The words, in the layout of `Gas`.
+    /// Returns the words, in the layout of `Gas`.
     #[must_use]
     pub const fn words(&self) -> [u32; Self::WORDS] {
         self.words
     }
 
-    /// The sum of octaves, for the uniform of sums.
+    /// Returns the sum of octaves, for the uniform of sums.
     #[must_use]
     pub const fn sum(&self) -> OctavesUniform<3> {
         self.sum
@@ -217,7 +220,7 @@ impl GasUniform {
 }
 
 uniform! {
-    /// Coordinates that noise moves as the words of the structure `PerturbedTexture`.
+    /// Texture coordinates displaced by noise as the words of the structure `PerturbedTexture`.
     ///
     /// Strengths in texture coordinates, cells of noise per unit of length, its standard deviation; two keys, 0, 0.
     ///
@@ -232,7 +235,7 @@ uniform! {
 }
 
 impl PerturbedUniform {
-    /// The words of a texture.
+    /// Packs a texture.
     #[must_use]
     pub fn new(texture: &PerturbedTexture) -> Self {
         let deviation = Noise::<Vec3>::statistics(&texture.noise).standard_deviation;

@@ -1,4 +1,4 @@
-//! Texels of octaves of noise, for a mip-mapped texture.
+//! Texels of octaves of noise for a mip-mapped texture.
 
 use core::{error::Error, fmt};
 
@@ -6,16 +6,21 @@ use asperity_noise::{
     Gaussian, IntegerHash, Octaves, Spectrum, SpectrumError, Tiled, TiledError, glam::Vec2,
 };
 
-/// A texture of two channels of a sum of octaves that tiles; level l holds all octaves but the finest l.
+/// A two-channel texture of a tileable sum of octaves; mip level l contains all octaves except the
+/// finest l.
 ///
 /// ```text
 /// texel = Σ_{i < k} aᵢ nᵢ(p),   k = max_octaves − level,   p = period · (x + ½, y + ½)/size
 /// ```
 ///
-/// Sizes halve from level to level, and so does the frequency of the finest octave: each level has as many texels per cell of it. Where
-/// a sampler blends two levels the result is the sum with a part of one octave, so that `mip_mapped_octaves` of the shader need only
-/// divide it. Kautz, Heidrich, Seidel 2001, "Real-Time Bump Map Synthesis", §5.2.2, with Gaussian noise for turbulence and N(0, 1) for
-/// the numbers that index L; there filtering narrows their distribution, here only between texels.
+/// Sizes halve from level to level, and so does the frequency of the finest octave. Every level
+/// therefore has the same number of texels per cell of its finest octave. A blend of two levels by
+/// a sampler is the sum with a fraction of one octave, so that `mip_mapped_octaves` of the shader
+/// only divides it.
+///
+/// After Kautz, Heidrich, Seidel 2001, "Real-Time Bump Map Synthesis", §5.2.2, with Gaussian noise
+/// instead of turbulence and N(0, 1) instead of the numbers that index L. There filtering narrows
+/// the distribution of the numbers, here only between texels.
 ///
 /// ```
 /// use asperity_shaders::noise::sums::MipMapped;
@@ -36,13 +41,15 @@ impl MipMapped {
     /// Texels along a cell of the finest octave of each level.
     pub const TEXELS_PER_CELL: u32 = 4;
 
-    /// The texture of a seed, of `period` cells of the first octave along each side, `octaves` of lacunarity 2 and a gain.
+    /// Creates the texture of a seed.
     ///
-    /// `period` should be a power of two, or levels have sizes that hardware rounds.
+    /// `period` is the number of cells of the first octave along each side, `octaves` the number of
+    /// octaves of lacunarity 2. `period` should be a power of two; otherwise hardware rounds the
+    /// sizes of levels.
     ///
     /// # Errors
     ///
-    /// If [`Spectrum::new`] refuses gain or octaves, or [`Octaves::tiled`] the period.
+    /// If [`Spectrum::new`] rejects `gain` or `octaves`, or [`Octaves::tiled`] rejects `period`.
     pub fn new(seed: u32, period: u32, octaves: u32, gain: f32) -> Result<Self, MipMappedError> {
         let spectrum = Spectrum::new(2.0, gain, octaves).map_err(MipMappedError::Spectrum)?;
         let tiled = Tiled::new(IntegerHash, [period; 2]).map_err(MipMappedError::Period)?;
@@ -50,19 +57,19 @@ impl MipMapped {
         Ok(Self { sum: Octaves::tiled(noise, spectrum).map_err(MipMappedError::Period)?, period })
     }
 
-    /// The sum whose octaves the texture holds, for [`OctavesUniform`](super::OctavesUniform).
+    /// Returns the sum of octaves of the texture, for [`OctavesUniform`](super::OctavesUniform).
     #[must_use]
     pub const fn sum(&self) -> &Octaves<Gaussian<Tiled<IntegerHash, 2>>, 2> {
         &self.sum
     }
 
-    /// Levels of the texture, the last without any octave.
+    /// Returns the number of levels of the texture, including the last, which has no octaves.
     #[must_use]
     pub fn levels(&self) -> u32 {
         self.sum.spectrum().max_octaves() + 1
     }
 
-    /// Texels along a side of a level.
+    /// Returns the number of texels along a side of a level.
     #[must_use]
     pub fn size(&self, level: u32) -> u32 {
         let octaves = self.sum.spectrum().max_octaves();
@@ -70,7 +77,7 @@ impl MipMapped {
         finest >> level.min(31)
     }
 
-    /// Both channels of a texel, column `x` of row `y`.
+    /// Returns both channels of a texel, column `x` of row `y`.
     #[must_use]
     pub fn texel(&self, level: u32, x: u32, y: u32) -> [f32; 2] {
         let spectrum = self.sum.spectrum();
@@ -82,13 +89,13 @@ impl MipMapped {
     }
 }
 
-/// Why there is no such texture.
+/// Error returned for invalid parameters of [`MipMapped`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum MipMappedError {
-    /// Gain or number of octaves.
+    /// Invalid gain or number of octaves.
     Spectrum(SpectrumError),
-    /// The period, of the first octave or of a finer one.
+    /// Invalid period of the first or of a finer octave.
     Period(TiledError),
 }
 

@@ -1,6 +1,7 @@
-//! Parts of sums of octaves in two, three and four dimensions, from templates filled in at compile time.
+//! Parts of sums of octaves in two, three and four dimensions, from templates expanded at compile
+//! time.
 
-/// A template's length with its marks replaced.
+/// The length of a template with its placeholders replaced.
 pub(crate) const fn size(template: &str, words: &[(u8, &str)]) -> usize {
     let (text, mut i, mut size) = (template.as_bytes(), 0, 0);
     while i < text.len() {
@@ -10,7 +11,7 @@ pub(crate) const fn size(template: &str, words: &[(u8, &str)]) -> usize {
     size
 }
 
-/// A template with its marks replaced by words.
+/// A template with its placeholders replaced by words.
 pub(crate) const fn filled<const N: usize>(template: &str, words: &[(u8, &str)]) -> [u8; N] {
     let (text, mut out, mut i, mut n) = (template.as_bytes(), [0; N], 0, 0);
     while i < text.len() {
@@ -24,7 +25,7 @@ pub(crate) const fn filled<const N: usize>(template: &str, words: &[(u8, &str)])
     out
 }
 
-/// The word for the mark at byte `i`, or the byte itself.
+/// The word for the placeholder at byte `i`, or the byte itself.
 const fn word<'a>(text: &'a [u8], i: usize, words: &[(u8, &'a str)]) -> &'a [u8] {
     let mut k = 0;
     while k < words.len() {
@@ -54,7 +55,8 @@ macro_rules! octave_part {
     }};
 }
 
-/// The parts of sums in a dimension: a sum under way, a ridged multifractal, and octaves of kinds of noise by their names.
+/// Defines the parts of sums in a dimension: a running sum, a ridged multifractal, and octaves of
+/// each kind of noise.
 macro_rules! octaves {
     ($dimension:tt, $uniform:path, [$($kind:ident),*]) => {
         use $crate::noise::sums::octaves::{filled, size};
@@ -62,13 +64,13 @@ macro_rules! octaves {
         use $crate::noise::{self, CELL, SAMPLE};
         use $crate::part::Part;
 
-        /// Sum of octaves under way, [`Octaves`](asperity_noise::Octaves): what octaves of any kind are added to.
+        /// Running sum of octaves of any kind, [`Octaves`](asperity_noise::Octaves).
         pub static TOTAL: Part =
             octave_part!($dimension, "total", ["total"], [], [SAMPLE, SHAPE, SPECTRUM, OCTAVE, $uniform]);
 
-        /// Ridges that bear ridges under way, [`RidgedMultifractal`](asperity_noise::RidgedMultifractal).
+        /// Running ridged multifractal, [`RidgedMultifractal`](asperity_noise::RidgedMultifractal).
         ///
-        /// It uses the octaves of a uniform's sum, whatever its shape and normalization.
+        /// It uses the octaves of a sum in a uniform and ignores the sum's shape and normalization.
         pub static RIDGED_MULTIFRACTAL: Part = octave_part!(
             $dimension, "ridged_multifractal", ["ridged_multifractal"], [],
             [SAMPLE, SHAPE, SPECTRUM, OCTAVE, $uniform]

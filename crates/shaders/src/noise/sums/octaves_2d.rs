@@ -1,4 +1,4 @@
-//! Sums of octaves in the plane, of every kind of noise; and what sums of a kind of one's own are made of.
+//! Sums of octaves in 2-D for every kind of noise, and building blocks for custom kinds.
 
 use super::UNIFORM_2D;
 use super::octaves::{octave_part, octaves};

@@ -1,4 +1,4 @@
-//! Sums of octaves in space, of every kind of noise; and what sums of a kind of one's own are made of.
+//! Sums of octaves in 3-D for every kind of noise, and building blocks for custom kinds.
 
 use super::UNIFORM_3D;
 use super::octaves::{octave_part, octaves};

@@ -1,4 +1,4 @@
-//! Sums of octaves in four dimensions, of the kinds that move in space; and what sums of a kind of one's own are made of.
+//! Sums of octaves in 4-D for the kinds in 4-D, and building blocks for custom kinds.
 
 use super::UNIFORM_4D;
 use super::octaves::{octave_part, octaves};

@@ -1,10 +1,10 @@
-//! Words of a sum of octaves.
+//! Packed sums of octaves.
 
 use asperity_noise::{
     Billow, Normalisation, Octave, Octaves, Plasma, Ridged, Shape, Signed, Spectrum, Turbulence, simd::Kernel,
 };
 
-/// A shape that shaders know: those of the crate. Sealed.
+/// A shape that shaders support. Sealed; implemented by the shapes of `asperity-noise`.
 pub trait ShaderShape: Shape + numbered::Numbered {}
 
 impl<T: Shape + numbered::Numbered> ShaderShape for T {}
@@ -26,21 +26,24 @@ macro_rules! shapes {
 
 shapes!(Signed: 0, Turbulence: 1, Plasma: 2, Billow: 3, Ridged: 4);
 
-/// Sums of octaves that a uniform holds, numbered from 0. Those that a module does not use may hold anything.
+/// The number of sums of octaves in a uniform. Sums that a module does not use may have any
+/// content.
 pub const SUMS: usize = 8;
 
 const OCTAVES: usize = Spectrum::MAX_OCTAVES as usize;
 /// Words of a spectrum.
 const SPECTRUM: usize = 8;
 
-/// A sum of octaves as the words of `OctavesUniform3d` and its like in two and four dimensions, one element of their uniform's array.
+/// A sum of octaves as the words of `OctavesUniform3d`, or its 2-D and 4-D counterparts, one
+/// element of an array in a uniform.
 ///
-/// All octaves of the spectrum are there; how many take part, and the footprint that they are clamped to, are arguments of the shader's
-/// functions. An anchored sum has the cells of its anchor, and the shader takes differences to it: make the words anew when the anchor
-/// moves.
+/// All octaves of the spectrum are included. The number of octaves to evaluate and the footprint
+/// are arguments of the shader functions. An anchored sum contains the cells of its anchor, and the
+/// shader takes differences to the anchor. Pack the sum again when the anchor moves.
 ///
-/// Words 0 to 7 are the spectrum: lacunarity, gain, octaves at most, share, mean and deviation of an octave, normalisation and shape. Then
-/// there are for each of 16 octaves, with matrices in cells per unit and offsets in cells:
+/// Words 0 to 7 are the spectrum: lacunarity, gain, maximum number of octaves, variance fraction,
+/// mean and standard deviation of an octave, normalization and shape. Each of the 16 octaves
+/// follows, with matrices in cells per unit and offsets in cells:
 ///
 /// | dimension | words |
 /// |---|---|
@@ -58,11 +61,11 @@ const SPECTRUM: usize = 8;
 /// assert_eq!([words[0], words[1], words[2]].map(f32::from_bits), [2.17, 0.5, 10.0]);
 /// assert_eq!(words[8], sum.octave(0).matrix[0][0].to_bits());
 ///
-/// // A second sum of the uniform, number 1 in the shader.
+/// // A second sum of the uniform, with index 1 in the shader.
 /// let uniform = OctavesUniform::<3>::uniform(&[OctavesUniform::new(&sum.with_seed(1)), OctavesUniform::new(&sum)]);
 /// assert_eq!(uniform[264..528], words);
 ///
-/// // From an anchor only offsets and cells differ.
+/// // An anchor changes only offsets and cells.
 /// let far = OctavesUniform::new(&sum.anchored([1e6, -3.0, 0.25])).words();
 /// let differing = (8..264).filter(|i| far[*i] != words[*i]);
 /// assert!(differing.into_iter().all(|i| [3, 7, 11, 12, 13, 14].contains(&((i - 8) % 16))));
@@ -74,10 +77,11 @@ pub struct OctavesUniform<const N: usize> {
 }
 
 impl<const N: usize> OctavesUniform<N> {
-    /// The words of a sum of the octaves that its spectrum has; of the kind that the shader sums, on the
+    /// Packs a sum of octaves for a shader that sums the same kind on the
     /// [`IntegerHash`](asperity_noise::IntegerHash).
     ///
-    /// Of a sum that repeats shaders have the spectrum alone, for the weights of its octaves in a texture: they know no periods.
+    /// Shaders do not support periods. They use only the spectrum of a tileable sum, for the
+    /// weights of its octaves in a texture.
     #[must_use]
     pub fn new<K: Kernel<N>, T: ShaderShape>(sum: &Octaves<K, N, T>) -> Self {
         let spectrum = sum.spectrum();
@@ -104,7 +108,7 @@ impl<const N: usize> OctavesUniform<N> {
         Self { spectrum: words, octaves }
     }
 
-    /// Fills words with the spectrum and, octave by octave, with those that `layer` makes.
+    /// Fills words with the spectrum, followed by the words that `layer` makes of each octave.
     fn fill<const WIDTH: usize>(&self, words: &mut [u32], layer: impl Fn(&Octave<N>) -> [u32; WIDTH]) {
         words[..SPECTRUM].copy_from_slice(&self.spectrum);
         for (words, octave) in words[SPECTRUM..].chunks_exact_mut(WIDTH).zip(&self.octaves) {
@@ -113,7 +117,7 @@ impl<const N: usize> OctavesUniform<N> {
     }
 }
 
-/// Words of some sums behind one another, and 0 to the end.
+/// Words of consecutive sums, filled with 0 to the end.
 fn joined<const EACH: usize, const ALL: usize>(sums: impl Iterator<Item = [u32; EACH]>) -> [u32; ALL] {
     let mut words = [0; ALL];
     for (words, sum) in words.chunks_exact_mut(EACH).zip(sums) {
@@ -123,16 +127,16 @@ fn joined<const EACH: usize, const ALL: usize>(sums: impl Iterator<Item = [u32; 
 }
 
 impl OctavesUniform<3> {
-    /// Words of a sum in space.
+    /// Number of words of a sum in 3-D.
     pub const WORDS: usize = SPECTRUM + 16 * OCTAVES;
 
-    /// The words of a whole uniform, of sums numbered from 0; those beyond [`SUMS`] are left out.
+    /// Packs a whole uniform; sums beyond [`SUMS`] are ignored.
     #[must_use]
     pub fn uniform(sums: &[Self]) -> [u32; SUMS * Self::WORDS] {
         joined(sums.iter().map(Self::words))
     }
 
-    /// The words, in the layout of `OctavesUniform3d`.
+    /// Returns the words, in the layout of `OctavesUniform3d`.
     #[must_use]
     pub fn words(&self) -> [u32; Self::WORDS] {
         let mut words = [0; Self::WORDS];
@@ -150,16 +154,16 @@ impl OctavesUniform<3> {
 }
 
 impl OctavesUniform<2> {
-    /// Words of a sum in the plane.
+    /// Number of words of a sum in 2-D.
     pub const WORDS: usize = SPECTRUM + 12 * OCTAVES;
 
-    /// The words of a whole uniform, of sums numbered from 0; those beyond [`SUMS`] are left out.
+    /// Packs a whole uniform; sums beyond [`SUMS`] are ignored.
     #[must_use]
     pub fn uniform(sums: &[Self]) -> [u32; SUMS * Self::WORDS] {
         joined(sums.iter().map(Self::words))
     }
 
-    /// The words, in the layout of `OctavesUniform2d`.
+    /// Returns the words, in the layout of `OctavesUniform2d`.
     #[must_use]
     pub fn words(&self) -> [u32; Self::WORDS] {
         let mut words = [0; Self::WORDS];
@@ -174,16 +178,16 @@ impl OctavesUniform<2> {
 }
 
 impl OctavesUniform<4> {
-    /// Words of a sum in four dimensions.
+    /// Number of words of a sum in 4-D.
     pub const WORDS: usize = SPECTRUM + 28 * OCTAVES;
 
-    /// The words of a whole uniform, of sums numbered from 0; those beyond [`SUMS`] are left out.
+    /// Packs a whole uniform; sums beyond [`SUMS`] are ignored.
     #[must_use]
     pub fn uniform(sums: &[Self]) -> [u32; SUMS * Self::WORDS] {
         joined(sums.iter().map(Self::words))
     }
 
-    /// The words, in the layout of `OctavesUniform4d`.
+    /// Returns the words, in the layout of `OctavesUniform4d`.
     #[must_use]
     pub fn words(&self) -> [u32; Self::WORDS] {
         let mut words = [0; Self::WORDS];

@@ -11,13 +11,13 @@ use crate::part::{Binding, Part, part};
 use crate::shading::DIRECTION;
 use crate::shading::pixel::FOOTPRINT;
 
-/// Seams, lines or a grid, as a pixel sees them: [`Seams`](asperity_shading::material::Seams).
+/// Seams, lines or a grid, filtered over a pixel: [`Seams`](asperity_shading::material::Seams).
 pub static SEAMS: Part = part!("shading/material/carpet/seams", DIRECTION, ELEMENTARY);
 
-/// Short bent fibres that cover one another, [`Fibres`](asperity_shading::material::Fibres).
+/// Short bent fibers that cover each other, [`Fibres`](asperity_shading::material::Fibres).
 pub static FIBRES: Part = part!("shading/material/carpet/fibres", SEGMENTS, FOOTPRINT);
 
-/// Carpet of threads, fibres, seams and dark areas, with the light along its rim: [`Carpet`].
+/// Carpet of threads, fibers, seams and dark areas, with rim light: [`Carpet`].
 pub static CARPET: Part = part!("shading/material/carpet/carpet", SURFACE_POINT, FBM, SEAMS, FIBRES, GLOSSY)
     .with_bindings(&[Binding::Uniform { name: "carpet_uniform", of: "Carpet" }]);
 
@@ -25,12 +25,12 @@ pub static CARPET: Part = part!("shading/material/carpet/carpet", SURFACE_POINT,
 ///
 /// | words | |
 /// |---|---|
-/// | 0–15 | of threads, threads that shine, dark areas and what leans over seams: cells per unit of length, highest frequency over lowest, octaves, number of the sum |
-/// | 16–27 | fibres: lines that they lie along, half their width, bend, contrast, mean brightness |
-/// | 28–31 | mean square of fibres' slopes, their share of the colours, tilt by them; pattern of seams: none, lines, grid |
-/// | 32–39 | across the seams, their frequency in radians, darkening, slope; share that is leant over; variation and tilt by threads |
-/// | 40–43 | rise by threads that shine, darkening of dark areas, half the mean of simplex noise's magnitude, roughness |
-/// | 44–55 | diffuse colour, Beckmann's α; specular colour, width of the rim; its light, 0 |
+/// | 0–15 | for threads, shining threads, dark areas and threads over seams: cells per unit of length, highest frequency over lowest, octaves, index of the sum |
+/// | 16–27 | fibers: their segments, half their width, bend, contrast, mean brightness |
+/// | 28–31 | mean square of the slopes of fibers, their weight in the colors, tilt by them; pattern of seams: none, lines, grid |
+/// | 32–39 | across the seams, their frequency in radians, darkening, slope; fraction covered by threads; variation and tilt by threads |
+/// | 40–43 | rise by shining threads, darkening of dark areas, half the mean of simplex noise's magnitude, roughness |
+/// | 44–55 | diffuse color, Beckmann's α; specular color, width of the rim; its light, 0 |
 /// | 56–87 | coefficients of the mean of shining threads |
 ///
 /// ```
@@ -52,7 +52,7 @@ impl CarpetUniform {
     /// Words of the structure.
     pub const WORDS: usize = 88;
 
-    /// The words of carpet whose sums of octaves are numbered from `first` in the uniform of sums.
+    /// Packs carpet whose sums of octaves have the indices from `first` on in the uniform of sums.
     #[must_use]
     pub fn new(carpet: &Carpet, first: u32) -> Self {
         let (p, (threads, shine, dark, seams, crossover, fibres)) = (carpet.parameters(), carpet.parts());
@@ -117,13 +117,15 @@ impl CarpetUniform {
         Self { words, sums }
     }
 
-    /// The words, in the layout of `Carpet`.
+    /// Returns the words, in the layout of `Carpet`.
     #[must_use]
     pub const fn words(&self) -> [u32; Self::WORDS] {
         self.words
     }
 
-    /// The sums of octaves of threads, threads that shine, dark areas and what leans over seams, for the uniform of sums from `first` on.
+    /// Returns the sums of octaves for the uniform of sums, from index `first` on.
+    ///
+    /// They belong to threads, shining threads, dark areas and threads over seams.
     #[must_use]
     pub const fn sums(&self) -> [OctavesUniform<3>; 4] {
         self.sums

@@ -8,7 +8,8 @@ use crate::noise::sums::OctavesUniform;
 use crate::part::{Binding, Part, part};
 use crate::shading::reflectance::{COAT, ROUGH_DIELECTRIC};
 
-/// Tempered glass, pane or body, smooth or frosted, with waves of a sine or of noise: [`TemperedGlass`].
+/// Tempered glass, a pane or a body, smooth or frosted, with sine or noise waves:
+/// [`TemperedGlass`].
 pub static TEMPERED_GLASS: Part =
     part!("shading/material/tempered_glass", SURFACE_POINT, FBM, COAT, ROUGH_DIELECTRIC)
         .with_bindings(&[Binding::Uniform { name: "tempered_glass_uniform", of: "TemperedGlass" }]);
@@ -17,10 +18,10 @@ pub static TEMPERED_GLASS: Part =
 ///
 /// | words | |
 /// |---|---|
-/// | 0–3 | noise: cells per unit of length, 1, octaves, number of the sum |
+/// | 0–3 | noise: cells per unit of length, 1, octaves, index of the sum |
 /// | 4–7 | unit direction of the waves; their frequency in radians per unit of length |
 /// | 8–11 | tint; amplitude of the waves in units of length |
-/// | 12–15 | relative index; Beckmann's α, 0 for smooth glass; 1 for noise; 1 for a body |
+/// | 12–15 | relative IOR; Beckmann's α, 0 for smooth glass; 1 for noise; 1 for a body |
 ///
 /// ```
 /// use asperity_shaders::shading::material::TemperedGlassUniform;
@@ -40,7 +41,7 @@ impl TemperedGlassUniform {
     /// Words of the structure.
     pub const WORDS: usize = 16;
 
-    /// The words of glass whose sum of octaves has this number in the uniform of sums.
+    /// Packs glass whose sum of octaves has this index in the uniform of sums.
     #[must_use]
     pub fn new(glass: &TemperedGlass, sum: u32) -> Self {
         let (p, (direction, noise)) = (glass.parameters(), glass.parts());
@@ -54,13 +55,14 @@ impl TemperedGlassUniform {
         Self { words, sum: octaves_of(noise) }
     }
 
-    /// The words, in the layout of `TemperedGlass`.
+    /// Returns the words, in the layout of `TemperedGlass`.
     #[must_use]
     pub const fn words(&self) -> [u32; Self::WORDS] {
         self.words
     }
 
-    /// The sum of octaves of noise, for the uniform of sums; glass with waves of a sine does not read it.
+    /// Returns the sum of octaves of noise, for the uniform of sums; glass with sine waves does not
+    /// read it.
     #[must_use]
     pub const fn sum(&self) -> OctavesUniform<3> {
         self.sum

@@ -1,4 +1,4 @@
-//! Flakes that are counted.
+//! Counted flakes.
 
 use asperity_shading::material::GlintField;
 use asperity_shading::{MetallicPaint, Ndf};
@@ -10,7 +10,7 @@ use crate::noise::{INTEGER_HASH, key};
 use crate::part::{Binding, Part, part, uniform};
 use crate::shading::{DIRECTION, MATH};
 
-/// Flakes counted within pixels, with any density of normals for their mean, [`GlintField`].
+/// Flakes counted within pixels, with any normal distribution as their mean, [`GlintField`].
 pub static GLINT_FIELD: Part = part!(
     "shading/material/paint/glint_field",
     INTEGER_HASH,
@@ -21,15 +21,16 @@ pub static GLINT_FIELD: Part = part!(
     MATH,
 );
 
-/// Metallic paint whose flakes are counted, [`PaintFlakes::Counted`](asperity_shading::material::PaintFlakes::Counted).
+/// Metallic paint with counted flakes,
+/// [`PaintFlakes::Counted`](asperity_shading::material::PaintFlakes::Counted).
 pub static COUNTED_FLAKES: Part = part!("shading/material/paint/counted_flakes", COATED_FLAKES, GLINT_FIELD)
     .with_bindings(&[Binding::Uniform { name: "counted_flakes_uniform", of: "CountedFlakes" }]);
 
 uniform! {
-    /// Flakes that are counted as the words of the structure `GlintField`.
+    /// Counted flakes as the words of the structure `GlintField`.
     ///
-    /// Distance between flakes in units of positions, deviations of their tilt over which a lamp is mirrored; key of the lattice, 0; two keys
-    /// of tilts, 0, 0.
+    /// Distance between flakes in units of positions, standard deviations of their tilt that mirror
+    /// a light source; key of the lattice, 0; two keys of tilts, 0, 0.
     ///
     /// ```
     /// use asperity_shaders::shading::material::GlintFieldUniform;
@@ -43,7 +44,7 @@ uniform! {
 }
 
 impl GlintFieldUniform {
-    /// The words of flakes.
+    /// Packs flakes.
     #[must_use]
     pub fn new<N: Ndf>(field: &GlintField<N>) -> Self {
         let ([spacing, bin], seed) = field.parts();
@@ -53,9 +54,10 @@ impl GlintFieldUniform {
 }
 
 uniform! {
-    /// Paint whose flakes are counted as the words of the structure `CountedFlakes`.
+    /// Paint with counted flakes as the words of the structure `CountedFlakes`.
     ///
-    /// The 36 words of [`MetallicPaintUniform`], which has its sums of octaves too, and the eight of [`GlintFieldUniform`].
+    /// The 36 words of [`MetallicPaintUniform`], which also contains its sums of octaves, and the
+    /// eight words of [`GlintFieldUniform`].
     ///
     /// ```
     /// use asperity_shaders::shading::material::CountedFlakesUniform;
@@ -71,7 +73,9 @@ uniform! {
 }
 
 impl CountedFlakesUniform {
-    /// The words of paint whose sums of octaves are numbered from `first` in the uniform of sums; none of paint whose flakes sparkle.
+    /// Packs paint whose sums of octaves have the indices from `first` on in the uniform of sums.
+    ///
+    /// Returns `None` for paint with sparkling flakes.
     #[must_use]
     pub fn new(paint: &MetallicPaint, first: u32) -> Option<Self> {
         let field = GlintFieldUniform::new(paint.glints()?).words();

@@ -1,4 +1,4 @@
-//! Bump maps of a density and normal maps made by hand.
+//! Bump maps of a normal distribution, and authored normal maps.
 
 use asperity_shading::level_of_detail::GaussianField;
 use asperity_shading::material::NormalMapped;
@@ -12,7 +12,7 @@ use crate::shading::normal_map::{SLOPE_PYRAMID, slope_pyramid_words};
 use crate::shading::reflectance::{BRDF, FACET};
 use crate::shading::{DIRECTION, FREQUENCY_CLAMP, LEVEL_OF_DETAIL, frequency_clamp_words};
 
-/// Bump map of a density of normals, [`BumpMapped`].
+/// Bump map of a normal distribution, [`BumpMapped`].
 pub static BUMP_MAPPED: Part = part!(
     "shading/material/bump_mapped",
     SURFACE_POINT,
@@ -25,7 +25,7 @@ pub static BUMP_MAPPED: Part = part!(
 )
 .with_bindings(&[Binding::Uniform { name: "bump_mapped_uniform", of: "BumpMapped" }]);
 
-/// Glossy surface with a normal map made by hand, [`NormalMapped`].
+/// Glossy surface with an authored normal map, [`NormalMapped`].
 pub static NORMAL_MAPPED: Part = part!(
     "shading/material/normal_mapped",
     SURFACE_POINT,
@@ -42,8 +42,8 @@ uniform! {
     ///
     /// | words | |
     /// |---|---|
-    /// | 0–3 | cells of the first octave per unit of length, base-2 logarithm of the lacunarity, most octaves; 1 for the fractal rule |
-    /// | 4–7 | α along x and y; 1 for Beckmann; number of the sum of octaves |
+    /// | 0–3 | cells of the first octave per unit of length, base-2 logarithm of the lacunarity, maximum number of octaves; 1 for the fractal rule |
+    /// | 4–7 | α along x and y; 1 for Beckmann; index of the sum of octaves |
     /// | 8–11 | reflectance of the facets, at least 0; 0 |
     ///
     /// ```
@@ -61,13 +61,13 @@ uniform! {
 }
 
 impl BumpMappedUniform {
-    /// The words of a bump map of GGX whose sum of octaves has this number in the uniform of sums.
+    /// Packs a GGX bump map whose sum of octaves has this index in the uniform of sums.
     #[must_use]
     pub fn ggx<F: GaussianField>(material: &BumpMapped<Ggx, F>, sum: u32) -> Self {
         Self::new(material, [material.ndf.alpha_x(), material.ndf.alpha_y()], [0, sum])
     }
 
-    /// The words of a bump map of Beckmann's density whose sum of octaves has this number in the uniform of sums.
+    /// Packs a Beckmann bump map whose sum of octaves has this index in the uniform of sums.
     #[must_use]
     pub fn beckmann<F: GaussianField>(material: &BumpMapped<Beckmann, F>, sum: u32) -> Self {
         Self::new(material, [material.ndf.alpha_x(), material.ndf.alpha_y()], [1, sum])
@@ -85,18 +85,20 @@ impl BumpMappedUniform {
     }
 }
 
-/// A reflectance, what is not positive as 0.
+/// The words of a reflectance; components that are not positive become 0.
 fn colour_words(colour: Vec3) -> [u32; 3] {
     colour.to_array().map(|share| share.max(0.0).to_bits())
 }
 
 uniform! {
-    /// A surface with a normal map as the words of the structure `NormalMapped`; the map's numbers are
+    /// A surface with a normal map as the words of the structure `NormalMapped`.
+    ///
+    /// The numbers of the map are
     /// [`slope_pyramid_numbers`](crate::shading::normal_map::slope_pyramid_numbers).
     ///
     /// | words | |
     /// |---|---|
-    /// | 0–3 | width and height of the map, its last level, groups |
+    /// | 0–3 | width and height of the map, its last level, number of groups |
     /// | 4–7 | reflectance of the facets, at least 0; Beckmann's α along x |
     /// | 8–11 | α along y; 0, 0, 0 |
     ///
@@ -118,7 +120,7 @@ uniform! {
 }
 
 impl NormalMappedUniform {
-    /// The words of a surface.
+    /// Packs a surface.
     #[must_use]
     pub fn new<const K: usize>(material: &NormalMapped<'_, K>) -> Self {
         let [width, height, last, groups] = slope_pyramid_words(&material.map);

@@ -11,27 +11,30 @@ use crate::part::{Binding, Part, part};
 use crate::shading::DIRECTION;
 use crate::shading::reflectance::{COAT, ENERGY_PRESERVING};
 
-/// Patches of space, one to a flake, [`flake_patch`](fn@asperity_shading::material::flake_patch).
+/// Patches of space, one per flake, [`flake_patch`](fn@asperity_shading::material::flake_patch).
 pub static FLAKE_PATCH: Part =
     part!("shading/material/paint/flake_patch", INTEGER_HASH, DIRECTION, ELEMENTARY);
 
-/// Flakes over pigment under a clear coat with orange peel, what both kinds of [`MetallicPaint`] share.
+/// Flakes over pigment under a clearcoat with orange peel, the common part of both kinds of
+/// [`MetallicPaint`].
 pub static COATED_FLAKES: Part =
     part!("shading/material/paint/coated_flakes", SURFACE_POINT, FBM, ENERGY_PRESERVING, COAT);
 
-/// Metallic paint with passive flakes, sparkles and a clear coat with orange peel, [`MetallicPaint`].
+/// Metallic paint with passive flakes, sparkles and a clearcoat with orange peel,
+/// [`MetallicPaint`].
 pub static METALLIC_PAINT: Part = part!("shading/material/paint/metallic_paint", COATED_FLAKES, FLAKE_PATCH)
     .with_bindings(&[Binding::Uniform { name: "metallic_paint_uniform", of: "MetallicPaint" }]);
 
-/// Metallic paint whose flakes sparkle as the words of the structure `MetallicPaint`, and its sums of octaves.
+/// Metallic paint with sparkling flakes as the words of the structure `MetallicPaint`, and its sums
+/// of octaves.
 ///
 /// | words | |
 /// |---|---|
-/// | 0–7 | of orange peel and of passive flakes: cells per unit of length, highest frequency over lowest, octaves, number of the sum |
+/// | 0–7 | for orange peel and passive flakes: cells per unit of length, highest frequency over lowest, octaves, index of the sum |
 /// | 8–15 | seven keys of sparkles, 0 |
-/// | 16–27 | specular colour, Beckmann's α of flakes; pigment, strength of orange peel; target of the boost, boost |
-/// | 28–31 | sparkles: width in pixels, greatest width, variation, share that is left out |
-/// | 32–35 | 1/unit of adaptive elimination or 0; strength of passive flakes; relative index of the coat; its α |
+/// | 16–27 | specular color, Beckmann's α of flakes; pigment, strength of orange peel; target of the boost, boost |
+/// | 28–31 | sparkles: width in pixels, maximum width, variation, fraction that is left out |
+/// | 32–35 | 1/unit of adaptive elimination or 0; strength of passive flakes; relative IOR of the coat; its α |
 ///
 /// ```
 /// use asperity_shaders::shading::material::MetallicPaintUniform;
@@ -51,7 +54,7 @@ impl MetallicPaintUniform {
     /// Words of the structure.
     pub const WORDS: usize = 36;
 
-    /// The words of paint whose sums of octaves are numbered from `first` in the uniform of sums.
+    /// Packs paint whose sums of octaves have the indices from `first` on in the uniform of sums.
     #[must_use]
     pub fn new(paint: &MetallicPaint, first: u32) -> Self {
         let (p, (peel, sparkles, passive)) = (paint.parameters(), paint.parts());
@@ -84,13 +87,14 @@ impl MetallicPaintUniform {
         Self { words, sums: [octaves_of(peel.noise()), octaves_of(passive.noise())] }
     }
 
-    /// The words, in the layout of `MetallicPaint`.
+    /// Returns the words, in the layout of `MetallicPaint`.
     #[must_use]
     pub const fn words(&self) -> [u32; Self::WORDS] {
         self.words
     }
 
-    /// The sums of octaves of orange peel and of passive flakes, for the uniform of sums from `first` on.
+    /// Returns the sums of octaves of orange peel and passive flakes for the uniform of sums, from
+    /// index `first` on.
     #[must_use]
     pub const fn sums(&self) -> [OctavesUniform<3>; 2] {
         self.sums

@@ -1,4 +1,4 @@
-//! Walls and floors: bricks, tiles, wallpaper, marble, and any of them perturbed.
+//! Walls and floors: bricks, tiles, wallpaper, marble, and perturbed materials.
 
 use asperity_shading::glam::Vec3;
 use asperity_shading::material::{BevelledTiles, BrickWall, PolishedMarble, Wallpaper};
@@ -18,7 +18,7 @@ use crate::shading::texture::{
 pub static TEXTURED_SLOPES: Part =
     part!("shading/material/textured/textured_slopes", SURFACE_POINT, FACET, ENERGY_PRESERVING);
 
-/// Wall of bricks whose mortar lies deeper, [`BrickWall`].
+/// Wall of bricks with recessed mortar, [`BrickWall`].
 pub static BRICK_WALL: Part = part!(
     "shading/material/textured/brick_wall",
     BRICK_FACETS,
@@ -45,7 +45,8 @@ pub static POLISHED_MARBLE: Part =
     part!("shading/material/textured/polished_marble", MARBLE, SURFACE_POINT, ENERGY_PRESERVING, COAT)
         .with_bindings(&[Binding::Uniform { name: "polished_marble_uniform", of: "PolishedMarble" }]);
 
-/// Point whose texture coordinates run: any material there is [`Perturbed`](asperity_shading::material::Perturbed).
+/// Surface point with displaced texture coordinates, for
+/// [`Perturbed`](asperity_shading::material::Perturbed) materials.
 pub static PERTURBED_POINT: Part =
     part!("shading/material/textured/perturbed_point", PERTURBED, SURFACE_POINT);
 
@@ -54,9 +55,9 @@ uniform! {
     ///
     /// | words | |
     /// |---|---|
-    /// | 0–3 | sides of a brick with its mortar in texture coordinates, half the mortar as a share of either |
-    /// | 4–7 | colour of bricks; its variation from brick to brick |
-    /// | 8–11 | colour of the mortar; its depth in texture coordinates |
+    /// | 0–3 | sides of a brick including its mortar in texture coordinates, half the mortar as a fraction of either |
+    /// | 4–7 | color of bricks; its variation from brick to brick |
+    /// | 8–11 | color of the mortar; its depth in texture coordinates |
     /// | 12–15 | roughness of the facets; key of the lattice of bricks; 0, 0 |
     ///
     /// ```
@@ -70,7 +71,7 @@ uniform! {
 }
 
 impl BrickWallUniform {
-    /// The words of a wall.
+    /// Packs a wall.
     #[must_use]
     pub fn new(wall: &BrickWall) -> Self {
         let mut words = [0; Self::WORDS];
@@ -82,7 +83,7 @@ impl BrickWallUniform {
     }
 }
 
-/// A vector and a number behind it.
+/// The words of a vector followed by a number.
 fn with(vector: Vec3, number: f32) -> [u32; 4] {
     vector.extend(number).to_array().map(f32::to_bits)
 }
@@ -92,11 +93,11 @@ uniform! {
     ///
     /// | words | |
     /// |---|---|
-    /// | 0–3 | widths of plateau and flank as shares of the side, the flank's slopes at its top and its bottom |
-    /// | 4–7 | colour; roughness of the facets |
+    /// | 0–3 | widths of plateau and flank as fractions of the side, the flank's slopes at its top and its bottom |
+    /// | 4–7 | color; roughness of the facets |
     /// | 8–11 | side of a tile in texture coordinates; 0, 0, 0 |
     ///
-    /// A side that is not positive is one tile, as large as there are numbers.
+    /// A side that is not positive becomes one tile of the largest finite size.
     ///
     /// ```
     /// use asperity_shaders::shading::material::BevelledTilesUniform;
@@ -111,7 +112,7 @@ uniform! {
 }
 
 impl BevelledTilesUniform {
-    /// The words of tiles.
+    /// Packs tiles.
     #[must_use]
     pub fn new(tiles: &BevelledTiles) -> Self {
         let mut words = [0; Self::WORDS];
@@ -128,8 +129,8 @@ uniform! {
     /// | words | |
     /// |---|---|
     /// | 0–11 | stars, [`StarWallpaperUniform`] |
-    /// | 12–15 | colour of the paper; roughness of the facets |
-    /// | 16–19 | colour of stars; 0 |
+    /// | 12–15 | color of the paper; roughness of the facets |
+    /// | 16–19 | color of stars; 0 |
     ///
     /// ```
     /// use asperity_shaders::shading::material::WallpaperUniform;
@@ -144,7 +145,7 @@ uniform! {
 }
 
 impl WallpaperUniform {
-    /// The words of wallpaper.
+    /// Packs a wallpaper.
     #[must_use]
     pub fn new(wallpaper: &Wallpaper) -> Self {
         let mut words = [0; Self::WORDS];
@@ -161,7 +162,7 @@ uniform! {
     /// | words | |
     /// |---|---|
     /// | 0–23 | veins, [`MarbleUniform`] |
-    /// | 24–27 | factor of the colours; Beckmann's α of the polish, 0 for none |
+    /// | 24–27 | factor of the colors; Beckmann's α of the polish, 0 for none |
     ///
     /// ```
     /// use asperity_shaders::shading::material::PolishedMarbleUniform;
@@ -175,7 +176,7 @@ uniform! {
 }
 
 impl PolishedMarbleUniform {
-    /// The words of stone.
+    /// Packs a stone.
     #[must_use]
     pub fn new(stone: &PolishedMarble) -> Self {
         let mut words = [0; Self::WORDS];

@@ -22,7 +22,7 @@ pub static SCRATCHES: Part = part!(
 )
 .with_bindings(&[Binding::Uniform { name: "scratches_uniform", of: "Scratches" }]);
 
-/// The words of lines that scratches or fibres lie along, the structure `Segments`.
+/// The words of the structure `Segments`, the segments of scratches or fibers.
 pub(super) fn segment_words(segments: &Segments) -> [u32; 8] {
     let floats = [
         segments.direction.x,
@@ -42,8 +42,8 @@ uniform! {
     /// | words | |
     /// |---|---|
     /// | 0–7 | direction, cell, length of a scratch, number in a cell, spread, key of the lattice, 0 |
-    /// | 8–11 | specular colour; half the width |
-    /// | 12–15 | mean squares of slopes from afar; the share that is covered there |
+    /// | 8–11 | specular color; half the width |
+    /// | 12–15 | far-field mean squares of slopes, and the fraction that is covered |
     /// | 16–19 | depth over half the width; Beckmann's α; 0, 0 |
     ///
     /// Lengths are in texture coordinates.
@@ -61,7 +61,7 @@ uniform! {
 }
 
 impl ScratchesUniform {
-    /// The words of scratches.
+    /// Packs scratches.
     #[must_use]
     pub fn new(scratches: &Scratches) -> Self {
         let (p, (covered, removed)) = (scratches.parameters(), scratches.far());
@@ -85,13 +85,13 @@ impl ScratchesUniform {
     }
 }
 
-/// Small variations of colour, [`Blemishes`](asperity_shading::material::Blemishes).
+/// Small variations of color, [`Blemishes`](asperity_shading::material::Blemishes).
 pub static BLEMISHES: Part = part!("shading/material/wear/blemishes", FBM);
 
-/// Noise some of whose gradients are dropped, [`Dents`](asperity_shading::material::Dents).
+/// Noise with some of its gradients dropped, [`Dents`](asperity_shading::material::Dents).
 pub static DENTS: Part = part!("shading/material/wear/dents", FBM, LATTICE_KEY, SIMPLEX, octaves_3d::TOTAL);
 
-/// A material of any kind with blemishes and dents, [`Variations`].
+/// Any material with blemishes and dents, [`Variations`].
 pub static VARIATIONS: Part =
     part!("shading/material/wear/variations", BLEMISHES, DENTS, GLOSSY, SURFACE_POINT)
         .with_bindings(&[Binding::Uniform { name: "variations_uniform", of: "Variations" }]);
@@ -100,17 +100,17 @@ pub static VARIATIONS: Part =
 ///
 /// | words | |
 /// |---|---|
-/// | 0–7 | of blemishes and of dents: cells per unit of length, highest frequency over lowest, octaves, number of the sum |
-/// | 8–15 | diffuse colour, roughness of the facets; specular colour, Beckmann's α of the gloss |
-/// | 16–19 | tilt by blemishes, variation of colour by them, tilt by dents, share of dents' gradients that is kept |
-/// | 20–23 | words below are dropped gradients; half the mean of simplex noise's magnitude; 0, 0 |
+/// | 0–7 | for blemishes and dents: cells per unit of length, highest frequency over lowest, octaves, index of the sum |
+/// | 8–15 | diffuse color, roughness of the facets; specular color, Beckmann's α of the gloss |
+/// | 16–19 | tilt by blemishes, variation of color by them, tilt by dents, fraction of the gradients of dents that is kept |
+/// | 20–23 | gradients of words below are dropped; half the mean of simplex noise's magnitude; 0, 0 |
 ///
 /// ```
 /// use asperity_shaders::shading::material::VariationsUniform;
 /// use asperity_shading::{Variations, VariationsParameters};
 ///
 /// let variations = VariationsUniform::new(&Variations::new(VariationsParameters::default())?, 3);
-/// // Its sums are the fourth and the fifth of the uniform of sums.
+/// // Its sums have the indices 3 and 4 in the uniform of sums.
 /// assert_eq!([variations.words()[3], variations.words()[7]], [3, 4]);
 /// assert_eq!(variations.sums().len(), 2);
 /// # Ok::<(), asperity_shading::ParameterError>(())
@@ -125,7 +125,8 @@ impl VariationsUniform {
     /// Words of the structure.
     pub const WORDS: usize = 24;
 
-    /// The words of variations whose sums of octaves are numbered from `first` in the uniform of sums.
+    /// Packs variations whose sums of octaves have the indices from `first` on in the uniform of
+    /// sums.
     #[must_use]
     pub fn new(variations: &Variations, first: u32) -> Self {
         let (p, (blemishes, dents)) = (variations.parameters(), variations.parts());
@@ -141,13 +142,14 @@ impl VariationsUniform {
         Self { words, sums: [octaves_of(blemishes.noise()), octaves_of(dents.noise())] }
     }
 
-    /// The words, in the layout of `Variations`.
+    /// Returns the words, in the layout of `Variations`.
     #[must_use]
     pub const fn words(&self) -> [u32; Self::WORDS] {
         self.words
     }
 
-    /// The sums of octaves of blemishes and of dents, for the uniform of sums from `first` on.
+    /// Returns the sums of octaves of blemishes and dents for the uniform of sums, from index
+    /// `first` on.
     #[must_use]
     pub const fn sums(&self) -> [OctavesUniform<3>; 2] {
         self.sums
