@@ -10,7 +10,7 @@ fn frame_product(a: vec3<f32>, b: vec3<f32>) -> f32 {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-// v over its length, unchanged where that is 1 to rounding; zero where v has no direction.
+// v over its length, unchanged if the length is 1 up to rounding; zero if v has no direction.
 fn frame_direction(v: vec3<f32>) -> vec3<f32> {
     let square = frame_product(v, v);
     if abs(square - 1.0) < 2.3841858e-7 {
@@ -22,7 +22,7 @@ fn frame_direction(v: vec3<f32>) -> vec3<f32> {
     return v / sqrt(square);
 }
 
-// The frame that the smallest rotation which takes (0, 0, 1) to the direction n makes of the axes, which is n's frame.
+// The frame of the direction n, from the minimal rotation that takes (0, 0, 1) to n.
 fn frame_of_direction(n: vec3<f32>) -> Frame {
     var a = 0.0;
     if n.z >= 0.0 {
@@ -38,7 +38,8 @@ fn frame_of_direction(n: vec3<f32>) -> Frame {
     return Frame(vec3<f32>(1.0 - n.x * n.x * a, both, -n.x), vec3<f32>(both, 1.0 - n.y * n.y * a, -n.y), n);
 }
 
-// The frame of any vector n, normalised; the axes where n has no direction. At (0, 0, -1) the half turn about x.
+// The frame of any vector n, normalized; the axes if n has no direction. At (0, 0, -1) it is the
+// half turn about x.
 fn frame_from_normal(n: vec3<f32>) -> Frame {
     let direction = frame_direction(n);
     if direction.x == 0.0 && direction.y == 0.0 && direction.z == 0.0 {
@@ -47,7 +48,8 @@ fn frame_from_normal(n: vec3<f32>) -> Frame {
     return frame_of_direction(direction);
 }
 
-// The frame of n whose tangent is the part of t that is perpendicular to n; that of n alone where t has no such part.
+// The frame of n whose tangent is the part of t perpendicular to n; the frame of n alone if t has
+// no such part.
 fn frame_from_normal_tangent(n: vec3<f32>, t: vec3<f32>) -> Frame {
     var normal = frame_direction(n);
     if normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0 {
@@ -56,7 +58,7 @@ fn frame_from_normal_tangent(n: vec3<f32>, t: vec3<f32>) -> Frame {
     let given = frame_direction(t);
     var across = given - normal * frame_product(normal, given);
     if frame_product(across, across) >= 1e-6 {
-        // Once more: the first projection leaves a part along n that 1e-3 rad magnifies to 1e-4.
+        // A second projection. The first leaves a part along n that 1e-3 rad magnifies to 1e-4.
         across = frame_direction(across);
         let tangent = frame_direction(across - normal * frame_product(normal, across));
         let bitangent = vec3<f32>(

@@ -1,7 +1,7 @@
-// Smith's masking and shadowing, and views from below: `asperity_ndf_sampling::Microfacet`.
+// Smith masking and shadowing, and views from below: `asperity_ndf_sampling::Microfacet`.
 
-// v if it is a direction above the horizon, of length 1 if it was far from that; otherwise the direction of the horizon below
-// which it lies, or the zenith if it has none.
+// v if it is a direction above the horizon, normalized if its length is far from 1. Otherwise the
+// direction on the horizon above v, or the zenith if there is none.
 fn microfacet_above(v: vec3<f32>) -> vec3<f32> {
     let given = v.x * v.x + v.y * v.y + v.z * v.z;
     if v.z > 0.0 && given >= 0.25 && given <= 4.0 {
@@ -17,14 +17,15 @@ fn microfacet_above(v: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(flat_part.x * per_length, flat_part.y * per_length, flat_part.z * per_length);
 }
 
-// D_v(m) = D(m) max(0, v.m)/sigma(v), in 1/sr, of the density D(m), a view that is above and its projected area.
+// D_v(m) = D(m) max(0, v.m)/sigma(v), in 1/sr, for the density D(m), a view above the horizon and
+// its projected area.
 fn microfacet_visible_density(density: f32, v: vec3<f32>, m: vec3<f32>, area: f32) -> f32 {
     let cosine = v.x * m.x + v.y * m.y + v.z * m.z;
     let seen = density * select(0.0, cosine, cosine > 0.0) / area;
     return select(0.0, min(seen, ELEMENTARY_LARGEST), seen >= 0.0);
 }
 
-// G1 = 1/(1 + Lambda); 0 for the largest float, by which shaders say an infinite Lambda.
+// G1 = 1/(1 + Lambda); 0 for the largest float, which represents an infinite Lambda.
 fn microfacet_masking(lambda: f32) -> f32 {
     return select(0.0, 1.0 / (1.0 + lambda), lambda < ELEMENTARY_LARGEST);
 }

@@ -15,7 +15,7 @@ struct Sample4d {
     gradient: vec4<f32>,
 }
 
-// The sample where it is known, else 0.
+// The sample if it is known, otherwise 0.
 fn sample_known_2d(sample: Sample2d, known: bool) -> Sample2d {
     if known {
         return sample;

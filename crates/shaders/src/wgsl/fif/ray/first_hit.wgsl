@@ -1,21 +1,22 @@
-// First hits of rays with a height field: `asperity_fif::Intersect::first_hit_within`, in f32.
+// Intersection of rays with a height field: `asperity_fif::Intersect::first_hit_within`, in f32.
 //
-// A stretch of the ray is bounded by the ranges of heights and slopes of the cells under it. What lies above or below is cut off; where
-// the ray comes nearer all along there is one root at most, which Newton's steps find; else the stretch is halved, and what is too
-// near to its beginning for a root is passed by.
+// An interval of the ray is bounded by the ranges of heights and slopes of the cells under it. The
+// parts above and below all heights are cut off. If the ray approaches or leaves the surface over
+// the whole interval, it has at most one root, which Newton steps find. Otherwise the interval is
+// halved, and the part too close to its start for a root is skipped.
 
 // Ranges over runs of cells along an axis.
 struct FifRanges {
-    // Number in `fif_ranges` of the first word, and cells of the domain.
+    // Index in `fif_ranges` of the first word, and cells of the domain.
     first: u32,
     cells: u32,
     // The ends of the domain.
     low: f32,
     high: f32,
-    // The greatest |f| and |f'|.
+    // The maxima of |f| and |f'|.
     magnitude: f32,
     steepest: f32,
-    // The greatest of |low| and |high|, and what a height along this axis is off by.
+    // The maximum of |low| and |high|, and the error of a height along this axis.
     reach: f32,
     bound: f32,
 }
@@ -26,28 +27,29 @@ struct HeightFieldRanges {
 }
 
 struct HeightFieldHit {
-    // 0: no hit. 1: a hit, the first one. 2: the ray grazes the surface here within rounding, or the limit of stretches was met.
+    // 0: no hit. 1: the first hit. 2: the ray grazes the surface here within rounding, or the limit
+    // of intervals was reached.
     kind: u32,
     // The ray's parameter.
     t: f32,
-    // The point below it, within the domain.
+    // The point of the domain below it.
     p: vec2<f32>,
     height: f32,
     gradient: vec2<f32>,
 }
 
-// A ray, and what rounding does to it.
+// A ray and its rounding errors.
 struct HeightFieldRay {
     origin: vec3<f32>,
     direction: vec3<f32>,
-    // More than the rounding of its coordinates, and of the rate at which it comes nearer.
+    // More than the rounding of its coordinates and of the rate at which it approaches.
     pad: vec3<f32>,
     rate_pad: f32,
     // Bound of the error of its height above the surface.
     error: f32,
 }
 
-// A stretch, and the rates over it.
+// An interval of the ray, and the rates over it.
 struct HeightFieldStretch {
     span: vec2<f32>,
     rate: vec2<f32>,
@@ -70,7 +72,8 @@ fn fif_ranges_over(ranges: FifRanges, a: f32, b: f32) -> vec4<f32> {
     let most = cells - 1.0;
     let first = u32(clamp(floor((a - ranges.low) * per_width), 0.0, most));
     let last = max(first, u32(clamp(floor((b - ranges.low) * per_width), 0.0, most)));
-    // The number of the run's leading bit is its exponent; GLSL ES 3.00 has no function for it.
+    // The number of the run's leading bit, from a float's exponent, as GLSL ES 3.00 has no function
+    // for it.
     let row = (bitcast<u32>(f32(last - first + 1u)) >> 23u) - 127u;
     let start = row * ranges.cells;
     let i = ranges.first + 4u * (start + first);
@@ -95,7 +98,8 @@ fn fif_ranges_scaled(a: vec2<f32>, s: f32) -> vec2<f32> {
     return vec2<f32>(min(a.x * s, a.y * s), max(a.x * s, a.y * s));
 }
 
-// The part of a stretch in which o + t d lies between two bounds; one that ends before it begins is empty.
+// The part of an interval in which o + t d is between two bounds; empty if it ends before it
+// begins.
 fn height_field_cut(span: vec2<f32>, o: f32, d: f32, low: f32, high: f32) -> vec2<f32> {
     if d == 0.0 {
         if o < low || o > high {
@@ -108,7 +112,8 @@ fn height_field_cut(span: vec2<f32>, o: f32, d: f32, low: f32, high: f32) -> vec
     return vec2<f32>(max(span.x, min(a, b)), min(span.y, max(a, b)));
 }
 
-// The stretch without what lies above or below all heights, and the rates at which the ray comes nearer over it.
+// The interval without the parts above and below all heights, and the rates at which the ray
+// approaches over it.
 fn height_field_narrowed(ranges: HeightFieldRanges, ray: HeightFieldRay, span: vec2<f32>) -> HeightFieldStretch {
     let a = ray.origin.xy + span.x * ray.direction.xy;
     let b = ray.origin.xy + span.y * ray.direction.xy;
@@ -128,18 +133,19 @@ fn height_field_narrowed(ranges: HeightFieldRanges, ray: HeightFieldRay, span: v
     );
 }
 
-// The ray's height above the surface at t, and how it changes.
+// The ray's height above the surface at t, and its derivative.
 fn height_field_above(field: HeightField, ray: HeightFieldRay, t: f32) -> vec2<f32> {
     let p = ray.origin + t * ray.direction;
     let jet = height_field_jet(field, p.xy);
     return vec2<f32>(p.z - jet.height, ray.direction.z - dot(ray.direction.xy, jet.gradient));
 }
 
-// The one root in a stretch over which the ray comes nearer all along, or goes away: one more than it, and 1; or 0 if there is none.
+// The only root in an interval over which the ray only approaches or only leaves: a parameter
+// beyond it, and 1; or 0 if there is no root.
 fn height_field_root(field: HeightField, ray: HeightFieldRay, stretch: HeightFieldStretch) -> vec2<f32> {
     var low = stretch.span.x;
     var high = stretch.span.y;
-    // The height above the surface times this grows.
+    // The height above the surface times this sign increases.
     let sign = select(-1.0, 1.0, stretch.rate.x > 0.0);
     let least = max(min(abs(stretch.rate.x), abs(stretch.rate.y)), 1e-30);
     let most = max(abs(stretch.rate.x), abs(stretch.rate.y));
@@ -186,8 +192,8 @@ fn height_field_hit(field: HeightField, ranges: HeightFieldRanges, ray: HeightFi
     return HeightFieldHit(kind, t, p, jet.height, jet.gradient);
 }
 
-// The first point of a ray on the surface with t between `reach.x` and `reach.y`. No hit for a zero direction, one with a component of
-// 1e18 or more, and for what is no number.
+// The first point of a ray on the surface with t between `reach.x` and `reach.y`. No hit for a zero
+// direction, a component of 1e18 or more, and NaN.
 fn height_field_first_hit(
     field: HeightField,
     ranges: HeightFieldRanges,
@@ -231,7 +237,7 @@ fn height_field_first_hit(
             free = true;
         }
         if !free {
-            // The ray may come nearer and go away again: no root as near as this.
+            // The ray may approach and leave again; there is no root as close as this.
             let above = height_field_above(field, ray, stretch.span.x).x;
             let clear = 0.999 * (abs(above) - ray.error);
             if !(clear > 0.0) {

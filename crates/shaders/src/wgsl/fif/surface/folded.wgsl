@@ -1,12 +1,13 @@
-// A smooth surface over a grid of unequal cells that is no product of curves: `asperity_fif::Folded`.
+// A smooth surface over a grid of unequal cells that is not a product of curves:
+// `asperity_fif::Folded`.
 //
 //   f = H + s (H - G)(fold) + s^2 (H - G)(fold^2) + ...      fold: every cell onto the whole, rising and falling in turn
 //
-// Nodes of all surfaces lie in `fif_nodes`, row after row along y, eight numbers each: place, height and slopes of H, then of H - G.
-// Lengths are in units of the domain.
+// The nodes of all surfaces are in `fif_nodes`, row by row along y, eight numbers each: position,
+// height and slopes of H, then of H - G. Lengths are in units of the domain.
 
 struct FoldedSurface {
-    // Number in `fif_nodes` of the first word, and repetitions.
+    // Index in `fif_nodes` of the first word, and repetitions.
     first: u32,
     steps: u32,
     // Cells along both axes.
@@ -14,7 +15,7 @@ struct FoldedSurface {
     // Lower ends of the domain, and the reciprocals of its widths.
     origin: vec2<f32>,
     per_width: vec2<f32>,
-    // Middles of what repeats, and of its slopes.
+    // Middles of the repeated term, and of its slopes.
     middle: f32,
     slope_x: f32,
     slope_y: f32,
@@ -22,14 +23,15 @@ struct FoldedSurface {
     factor: f32,
 }
 
-// A cell along an axis, and a place within it in units of the cell.
+// A cell along an axis, and a position within it in units of the cell.
 struct FoldedStrip {
     index: u32,
     width: f32,
     u: f32,
 }
 
-// A patch over a cell: where a place is along both axes, and heights and slopes at its corners, slopes per width of the cell.
+// A patch over a cell: the position along both axes, and heights and slopes at its corners, with
+// slopes per width of the cell.
 struct FoldedPatch {
     x: FoldedStrip,
     y: FoldedStrip,
@@ -39,7 +41,7 @@ struct FoldedPatch {
     far_right: vec3<f32>,
 }
 
-// Number in `fif_nodes` of the first word of a node.
+// Index in `fif_nodes` of the first word of a node.
 fn folded_node(surface: FoldedSurface, i: u32, j: u32) -> u32 {
     return surface.first + 8u * (i * (surface.cells.y + 1u) + j);
 }
@@ -50,7 +52,7 @@ fn folded_knot(surface: FoldedSurface, axis: u32, index: u32) -> f32 {
     return fif_nodes(node + axis);
 }
 
-// The cell of an axis in which a place of [0, 1] is.
+// The cell of an axis that contains a position in [0, 1].
 fn folded_strip(surface: FoldedSurface, axis: u32, place: f32) -> FoldedStrip {
     let count = select(surface.cells.y, surface.cells.x, axis == 0u);
     var index = min(u32(place * f32(count)), count - 1u);
@@ -68,7 +70,7 @@ fn folded_strip(surface: FoldedSurface, axis: u32, place: f32) -> FoldedStrip {
     return FoldedStrip(index, width, min((place - begin) / width, 1.0));
 }
 
-// Image of a place of a cell: every other one falls.
+// Image of a position in a cell; every other cell falls.
 fn folded_image(strip: FoldedStrip) -> f32 {
     return select(strip.u, 1.0 - strip.u, (strip.index & 1u) == 1u);
 }
@@ -78,13 +80,13 @@ fn folded_slope(strip: FoldedStrip) -> f32 {
     return select(1.0, -1.0, (strip.index & 1u) == 1u) / strip.width;
 }
 
-// Height and slopes at a node from one of its words on, per width of a cell.
+// Height and slopes at a node, from one of its words on, per width of a cell.
 fn folded_corner(surface: FoldedSurface, i: u32, j: u32, word: u32, x: f32, y: f32) -> vec3<f32> {
     let at = folded_node(surface, i, j) + word;
     return vec3<f32>(fif_nodes(at), fif_nodes(at + 1u) * x, fif_nodes(at + 2u) * y);
 }
 
-// The patch at a place of the unit square, of H or of H - G by the word at which nodes hold them.
+// The patch at a point of the unit square, of H or H - G, selected by the word offset in nodes.
 fn folded_patch(surface: FoldedSurface, at: vec2<f32>, word: u32) -> FoldedPatch {
     let x = folded_strip(surface, 0u, at.x);
     let y = folded_strip(surface, 1u, at.y);
@@ -98,19 +100,19 @@ fn folded_patch(surface: FoldedSurface, at: vec2<f32>, word: u32) -> FoldedPatch
     );
 }
 
-// Cubics of Hermite, by what they carry: heights at 0 and at 1, slopes there.
+// Cubic Hermite basis: heights at 0 and at 1, slopes there.
 fn folded_basis(u: f32) -> vec4<f32> {
     let v = 1.0 - u;
     return vec4<f32>((1.0 + 2.0 * u) * v * v, (1.0 + 2.0 * v) * u * u, u * v * v, -(v * u * u));
 }
 
-// Their slopes.
+// Slopes of the Hermite basis.
 fn folded_basis_slopes(u: f32) -> vec4<f32> {
     let v = 1.0 - u;
     return vec4<f32>(-(6.0 * u * v), 6.0 * u * v, v * (1.0 - 3.0 * u), u * (3.0 * u - 2.0));
 }
 
-// A patch with such cubics along both axes; the product of two slopes is carried by none.
+// A patch with Hermite cubics along both axes, without the mixed term of two slopes.
 fn folded_sum(piece: FoldedPatch, x: vec4<f32>, y: vec4<f32>) -> f32 {
     let left = y.x * piece.near_left.x + y.y * piece.far_left.x + (y.z * piece.near_left.z + y.w * piece.far_left.z);
     let right = y.x * piece.near_right.x + y.y * piece.far_right.x + (y.z * piece.near_right.z + y.w * piece.far_right.z);
@@ -119,7 +121,7 @@ fn folded_sum(piece: FoldedPatch, x: vec4<f32>, y: vec4<f32>) -> f32 {
     return x.x * left + x.z * rise_left + (x.y * right + x.w * rise_right);
 }
 
-// Height at a point that is clamped to the domain; a coordinate that is no number is given back.
+// Height at a point clamped to the domain; a NaN coordinate is returned unchanged.
 fn folded_height(surface: FoldedSurface, p: vec2<f32>) -> f32 {
     if !fif_is_number(p.x) {
         return p.x;
@@ -139,7 +141,7 @@ fn folded_height(surface: FoldedSurface, p: vec2<f32>) -> f32 {
     return sum + weight * surface.middle;
 }
 
-// Height and gradient, those of the nearest point of the domain.
+// Height and gradient at the nearest point of the domain.
 fn folded_jet(surface: FoldedSurface, p: vec2<f32>) -> vec3<f32> {
     if !fif_is_number(p.x) {
         return vec3<f32>(p.x);

@@ -1,7 +1,7 @@
-// Value and slope of a smooth function by one table: `asperity_fif::Table::jet`.
+// Value and slope of a smooth function from one table: `asperity_fif::Table::jet`.
 
-// f(x), the bits of `fif_table_value`, and f'(x), at the domain's ends and outside that of the end; 0 for a function that is not smooth.
-// What is no number is given back.
+// f(x), with the bits of `fif_table_value`, and f'(x). At the ends of the domain and outside f' is
+// the slope of the end; it is 0 for a function that is not smooth. NaN is returned unchanged.
 fn fif_table_jet(table: FifTable, x: f32) -> vec2<f32> {
     if !fif_is_number(x) {
         return vec2<f32>(x, x);

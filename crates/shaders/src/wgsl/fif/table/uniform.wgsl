@@ -1,11 +1,13 @@
-// Values of a fractal interpolation function on equally spaced knots by its table: `asperity_fif::Table32::value`.
+// Values of a fractal interpolation function on equally spaced knots from its table:
+// `asperity_fif::Table32::value`.
 //
 //   f(t) = start + rise t + sum of W_k P_e(u) + W_K middle      e, u: digits of t and what is left of it
 //
-// Rows of all functions lie in `fif_rows`, four numbers each: a, and the powers of P in units of 2^-24.
+// The rows of all functions are in `fif_rows`, four numbers each: a, and the powers of P in units
+// of 2^-24.
 
 struct FifTable {
-    // Number in `fif_rows` of the first word, and rows: one to a digit.
+    // Index in `fif_rows` of the first word, and number of rows, one per digit.
     first: u32,
     radix: u32,
     // Composites of a value, and of a slope.
@@ -14,11 +16,11 @@ struct FifTable {
     // Left end of the domain, and the reciprocal of its width.
     origin: f32,
     per_width: f32,
-    // Values at the ends, the left one and what the right one is more, then the right one itself.
+    // The value at the left end, the rise to the right end, and the value at the right end.
     start: f32,
     rise: f32,
     last: f32,
-    // Middle of f - chord, and that of its slopes over a row.
+    // Middle of f - chord, and of its slopes over a row.
     middle: f32,
     slope_middle: f32,
     // Bound of the error of a value.
@@ -31,7 +33,7 @@ fn fif_table_row(table: FifTable, digit: u32) -> vec4<f32> {
     return vec4<f32>(fif_rows(i), fif_rows(i + 1u), fif_rows(i + 2u), fif_rows(i + 3u));
 }
 
-// The first 64 bits of t in (0, 1) behind the point, the upper word first.
+// The first 64 fractional bits of t in (0, 1), the upper word first.
 fn fif_table_fraction(t: f32) -> vec2<u32> {
     let bits = bitcast<u32>(t);
     let mantissa = (bits << 8u) | 0x80000000u;
@@ -45,7 +47,7 @@ fn fif_table_fraction(t: f32) -> vec2<u32> {
     return vec2<u32>(0u, select(0u, mantissa >> (shift & 31u), shift < 64u));
 }
 
-// A word times a radix below 2^16: the upper word, then the lower one.
+// A word times a radix below 2^16: the upper word, then the lower word.
 fn fif_table_product(word: u32, radix: u32) -> vec2<u32> {
     let low = (word & 0xffffu) * radix;
     let high = (word >> 16u) * radix;
@@ -53,7 +55,7 @@ fn fif_table_product(word: u32, radix: u32) -> vec2<u32> {
     return vec2<u32>((high >> 16u) + select(0u, 1u, sum < low), sum);
 }
 
-// The next digit of a fraction, then what is left of it.
+// The next digit of a fraction, then the remainder.
 fn fif_table_digit(rest: vec2<u32>, radix: u32) -> vec3<u32> {
     let upper = fif_table_product(rest.x, radix);
     let lower = fif_table_product(rest.y, radix);
@@ -61,8 +63,9 @@ fn fif_table_digit(rest: vec2<u32>, radix: u32) -> vec3<u32> {
     return vec3<u32>(upper.x + select(0u, 1u, sum < lower.x), sum, lower.y);
 }
 
-// f(x), the bits of `asperity_fif::Table32::value`. Points outside the domain are clamped to it, what is no number is given back.
-// Nearer to the left end than 2^-40 of the domain 64 bits do not hold every bit of a place: the value is that of a place within 2^-64.
+// f(x), with the bits of `asperity_fif::Table32::value`. Points outside the domain are clamped to
+// it, and NaN is returned unchanged. Closer to the left end than 2^-40 of the domain, 64 bits do
+// not hold every bit of a position. The value is then the value at a position within 2^-64.
 fn fif_table_value(table: FifTable, x: f32) -> f32 {
     if !fif_is_number(x) {
         return x;
@@ -81,11 +84,11 @@ fn fif_table_value(table: FifTable, x: f32) -> f32 {
         let next = fif_table_digit(rest, table.radix);
         rest = next.yz;
         let row = fif_table_row(table, next.x);
-        // 24 bits, which are a float exactly.
+        // 24 bits, which are exact as a float.
         let s = f32(rest.x >> 8u);
         sum += weight * ((row.w * s + row.z) * s + row.y);
         if (rest.x | rest.y) == 0u {
-            // The terms that follow are zeros.
+            // The remaining terms are 0.
             return sum;
         }
         weight *= row.x;

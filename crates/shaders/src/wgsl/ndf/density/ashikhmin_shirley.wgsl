@@ -1,12 +1,13 @@
-// The Ashikhmin-Shirley normal density of the exponents n along x and y: `asperity_ndf_sampling::AshikhminShirley`, which computes
-// D and the inverse of T in 64 bits.
+// The Ashikhmin-Shirley normal distribution of the exponents n along x and y:
+// `asperity_ndf_sampling::AshikhminShirley`, which computes D and the inverse of T in 64 bits.
 
-// Exponents moved to the nearest valid ones, 0 to 2e12; what is no number becomes 0.
+// Exponents clamped to the valid range, 0 to 2e12; NaN becomes 0.
 fn ashikhmin_shirley_clamped(n: vec2<f32>) -> vec2<f32> {
     return clamp(vec2<f32>(elementary_number(n.x), elementary_number(n.y)), vec2<f32>(0.0), vec2<f32>(2e12));
 }
 
-// D(m) in 1/sr, of the slope of m; 0 for m.z <= 0 and what is no number. 1e-6 + 5e-7 a relative, with the exponent a of D.
+// D(m) in 1/sr, from the slope of m; 0 for m.z <= 0 and NaN. The error is 1e-6 + 5e-7 a relative,
+// with the exponent a of D.
 fn ashikhmin_shirley_density(n: vec2<f32>, m: vec3<f32>) -> f32 {
     if !(m.z > 0.0 && abs(m.x) <= ELEMENTARY_LARGEST && abs(m.y) <= ELEMENTARY_LARGEST) {
         return 0.0;
@@ -24,7 +25,7 @@ fn ashikhmin_shirley_density(n: vec2<f32>, m: vec3<f32>) -> f32 {
     return peak * elementary_exp(-0.5 * exponent * elementary_ln_1p(square));
 }
 
-// The normal of coordinates without a bound.
+// The normal of unbounded coordinates.
 fn ashikhmin_shirley_tilted(n: vec2<f32>, z: vec2<f32>) -> vec3<f32> {
     let d = vec2<f32>(z.x * sqrt(2.0 / (n.x + 2.0)), z.y * sqrt(2.0 / (n.y + 2.0))) * 0.70710677;
     let square = d.x * d.x + d.y * d.y;

@@ -1,16 +1,19 @@
-// The Beckmann normal density of the roughnesses alpha along x and y, which are valid: `asperity_ndf_sampling::Beckmann`.
+// The Beckmann normal distribution with valid roughnesses alpha along x and y:
+// `asperity_ndf_sampling::Beckmann`.
 
-// The density about the slope `mean`, in units of the roughnesses, whose square is `rest` times that of alpha.
+// The density around the slope `mean`, in units of the roughnesses, whose square is `rest` times
+// the square of alpha.
 fn beckmann_lobe(alpha: vec2<f32>, mean: vec2<f32>, rest: f32, m: vec3<f32>) -> f32 {
     let up = select(1.0, m.z, m.z > 0.0);
     let x = m.x / alpha.x / up - mean.x;
     let y = m.y / alpha.y / up - mean.y;
     let exponent = -(x * x + y * y) / rest;
-    // Beyond it the exponential of the half is 0.
+    // Beyond it the exponential of half the exponent is 0.
     if !(m.z > 0.0 && exponent > -174.0) {
         return 0.0;
     }
-    // Far out the peak or z^4 make up for an exponential that would underflow: D = (exp(-a/2)/z^2)^2 peak.
+    // Far out the peak or z^4 compensates for an exponential that would underflow: D =
+    // (exp(-a/2)/z^2)^2 peak.
     let near = exponent > -40.0;
     let falloff = elementary_exp(select(exponent * 0.5, exponent, near));
     let square = up * up;
@@ -51,7 +54,7 @@ fn beckmann_from_uniform(alpha: vec2<f32>, u: vec2<f32>) -> vec3<f32> {
     return roughness_unit(vec3<f32>(slope * turn.x * alpha.x, slope * turn.y * alpha.y, 1.0));
 }
 
-// p_s(h | z_b) in 1/sr: a Beckmann density about the slope that is resolved.
+// p_s(h | z_b) in 1/sr: a Beckmann density around the resolved slope.
 fn beckmann_conditional_density(alpha: vec2<f32>, h: vec3<f32>, split: GaussianSplit) -> f32 {
     return beckmann_lobe(alpha, split.z_b * (split.root * 0.70710677), split.rest, h);
 }
@@ -95,7 +98,8 @@ fn beckmann_visible_density(alpha: vec2<f32>, v: vec3<f32>, m: vec3<f32>) -> f32
     return microfacet_visible_density(beckmann_density(alpha, m), microfacet_above(v), m, area);
 }
 
-// A normal with the density D_v over solid angle, for uniform u: the slope along the view by inversion, that across by its quantile.
+// A normal with the density D_v over solid angle, for uniform u: the slope along the view by
+// inversion, the slope across by its quantile.
 fn beckmann_sample_visible(alpha: vec2<f32>, v: vec3<f32>, u: vec2<f32>) -> vec3<f32> {
     let bounded = elementary_probabilities(u);
     let w = roughness_stretched(alpha, v);

@@ -1,7 +1,8 @@
-// The Blinn-Phong normal density of an exponent n: `asperity_ndf_sampling::BlinnPhong`, Student's t with gamma = n/2 + 2 and the
-// roughness sqrt(2/(n + 2)), by whose functions everything else is computed.
+// The Blinn-Phong normal distribution of an exponent n: `asperity_ndf_sampling::BlinnPhong`. It is
+// Student's t with gamma = n/2 + 2 and the roughness sqrt(2/(n + 2)), whose functions compute
+// everything else.
 
-// An exponent moved to the nearest valid one, 0 to 2e12; what is no number becomes 0.
+// An exponent clamped to the valid range, 0 to 2e12; NaN becomes 0.
 fn blinn_phong_clamped(exponent: f32) -> f32 {
     return clamp(elementary_number(exponent), 0.0, 2e12);
 }

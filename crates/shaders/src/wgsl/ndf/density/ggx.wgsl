@@ -1,4 +1,5 @@
-// The GGX normal density of the roughnesses alpha along x and y, which are valid: `asperity_ndf_sampling::Ggx`.
+// The GGX normal distribution with valid roughnesses alpha along x and y:
+// `asperity_ndf_sampling::Ggx`.
 
 // D(m) in 1/sr, for unit m; 0 for m.z <= 0 and what is no number.
 fn ggx_density(alpha: vec2<f32>, m: vec3<f32>) -> f32 {
@@ -30,7 +31,8 @@ fn ggx_to_gaussian(alpha: vec2<f32>, m: vec3<f32>) -> vec2<f32> {
     if !(lateral > 0.0 && lateral <= ELEMENTARY_LARGEST) {
         return vec2<f32>(0.0, 0.0);
     }
-    // Beyond 1e19 the square would overflow, below 1e-5 it may underflow and the logarithm is t^2 to the last bit.
+    // Beyond 1e19 the square would overflow. Below 1e-5 it may underflow, and the logarithm is t^2
+    // to the last bit.
     let t = min(lateral / up, 1e19);
     let rho = select(sqrt(elementary_ln_1p(t * t) * 2.0), t * 1.4142135, t < 1e-5);
     let per_lateral = rho / lateral;
@@ -47,7 +49,7 @@ fn ggx_from_uniform(alpha: vec2<f32>, u: vec2<f32>) -> vec3<f32> {
     return roughness_unit(vec3<f32>(x, y, sqrt(1.0 - bounded.x)));
 }
 
-// p_s(h | z_b) in 1/sr: what is left of the density where a part of it is resolved.
+// p_s(h | z_b) in 1/sr, the density of the unresolved part.
 fn ggx_conditional_density(alpha: vec2<f32>, h: vec3<f32>, split: GaussianSplit) -> f32 {
     return gaussian_split_weigh(split, ggx_density(alpha, h), ggx_to_gaussian(alpha, h));
 }
@@ -83,12 +85,13 @@ fn ggx_visible_density(alpha: vec2<f32>, v: vec3<f32>, m: vec3<f32>) -> f32 {
     return microfacet_visible_density(ggx_density(alpha, m), microfacet_above(v), m, ggx_projected_area(alpha, v));
 }
 
-// A normal with the density D_v over solid angle, for uniform u: the cap of directions c with c.z >= -z, in forms that keep sin.
+// A normal with the density D_v over solid angle, for uniform u, from the cap of directions c with
+// c.z >= -z, in formulas that preserve sin.
 fn ggx_sample_visible(alpha: vec2<f32>, v: vec3<f32>, u: vec2<f32>) -> vec3<f32> {
     let bounded = elementary_probabilities(u);
     let stretched = roughness_stretched(alpha, v);
     let square = (stretched.x * stretched.x + stretched.y * stretched.y) + stretched.z * stretched.z;
-    // What has no direction is read as the zenith.
+    // A vector without direction is taken as the zenith.
     var w = vec3<f32>(0.0, 0.0, 1.0);
     if square > 1e-37 {
         let scale = 1.0 / sqrt(square);

@@ -1,5 +1,5 @@
-// Student's t distribution in 32 bits: density, tail, mean excess, quantile, and the slopes that a view sees:
-// `density/student_distribution.rs` of asperity-ndf-sampling, there in 64 bits.
+// Student's t distribution in 32 bits: density, tail, mean excess, quantile, and the slopes visible
+// from a view. `density/student_distribution.rs` of asperity-ndf-sampling uses 64 bits.
 
 struct StudentDistribution {
     // Degrees of freedom, more than 1.
@@ -8,7 +8,7 @@ struct StudentDistribution {
     peak: f32,
 }
 
-// Beyond it squares overflow.
+// Squares overflow from here on.
 const STUDENT_DISTRIBUTION_FARTHEST: f32 = 1e18;
 
 // Gamma(x + 1/2)/Gamma(x) for x > 0, by Tricomi and Erdelyi's series beyond x = 5.
@@ -29,7 +29,7 @@ fn student_distribution_gamma_ratio(x: f32) -> f32 {
     return above / below * sqrt(y) * series;
 }
 
-// The distribution with so many degrees of freedom, more than 1.
+// The distribution with this number of degrees of freedom, more than 1.
 fn student_distribution(freedom: f32) -> StudentDistribution {
     return StudentDistribution(freedom, student_distribution_gamma_ratio(0.5 * freedom) / sqrt(3.1415927 * freedom));
 }
@@ -39,17 +39,17 @@ fn student_distribution_density(t: StudentDistribution, z: f32) -> f32 {
     return t.peak * elementary_exp(-0.5 * (t.freedom + 1.0) * elementary_ln_1p(z * z / t.freedom));
 }
 
-// The integral of t times the density beyond z, even in z, of the density there.
+// The integral of t times the density beyond z, even in z, given the density at z.
 fn student_distribution_beyond(t: StudentDistribution, z: f32, density: f32) -> f32 {
     return (t.freedom + z * z) / (t.freedom - 1.0) * density;
 }
 
-// Whether |z| is below the point at which the series at 0 gives way to the continued fraction.
+// Whether |z| is below the threshold between the series at 0 and the continued fraction.
 fn student_distribution_is_central(t: StudentDistribution, z: f32) -> bool {
     return z * z < 2.0 * t.freedom / (t.freedom + 2.0);
 }
 
-// The probability between 0 and z, a series of positive terms; some fifteen at the seam.
+// The probability between 0 and z, by a series of positive terms, some fifteen at the threshold.
 fn student_distribution_centre(t: StudentDistribution, z: f32, density: f32) -> f32 {
     let y = z * z / (t.freedom + z * z);
     var term = 1.0;
@@ -87,7 +87,7 @@ fn student_distribution_fraction(t: StudentDistribution, z: f32) -> f32 {
     return k_sum;
 }
 
-// The probability beyond z, of the density there.
+// The probability beyond z, given the density at z.
 fn student_distribution_tail(t: StudentDistribution, z: f32, density: f32) -> f32 {
     let y = abs(z);
     var upper = 0.0;
@@ -99,7 +99,8 @@ fn student_distribution_tail(t: StudentDistribution, z: f32, density: f32) -> f3
     return select(1.0 - upper, upper, z > 0.0);
 }
 
-// The mean excess E[max(0, X - z)] for z >= 0: the mean beyond z less z times the tail, beyond the seam without the difference.
+// The mean excess E[max(0, X - z)] for z >= 0: the mean beyond z minus z times the tail. Beyond the
+// threshold it avoids the difference.
 fn student_distribution_excess(t: StudentDistribution, z: f32) -> f32 {
     if !(z < STUDENT_DISTRIBUTION_FARTHEST) {
         return 0.0;
@@ -120,7 +121,7 @@ fn student_distribution_exp_less_one(x: f32) -> f32 {
     return select(-share, share * elementary_exp(y), x > 0.0);
 }
 
-// The quantile roughly: Wallace's transform from the Gaussian's.
+// An approximate quantile, by Wallace's transform of the Gaussian quantile.
 fn student_distribution_guess(t: StudentDistribution, u: f32) -> f32 {
     let nu = t.freedom;
     let z = normal_distribution_inverse_phi(u) * (8.0 * nu + 3.0) / (8.0 * nu + 1.0);
@@ -128,7 +129,7 @@ fn student_distribution_guess(t: StudentDistribution, u: f32) -> f32 {
     return select(x, -x, z < 0.0);
 }
 
-// Between low and high, by their logarithms where they differ by orders of magnitude.
+// A number between low and high, by their logarithms if they differ by orders of magnitude.
 fn student_distribution_middle(low: f32, high: f32) -> f32 {
     let bent_low = select(elementary_ln_1p(max(low, 0.0)), -elementary_ln_1p(max(-low, 0.0)), low < 0.0);
     let bent_high = select(elementary_ln_1p(max(high, 0.0)), -elementary_ln_1p(max(-high, 0.0)), high < 0.0);
@@ -137,10 +138,12 @@ fn student_distribution_middle(low: f32, high: f32) -> f32 {
     return select(middle, -middle, m < 0.0);
 }
 
-// The u-quantile of slopes that a view sees, whose density is proportional to (b + x) times the distribution's for x >= -b; where
-// `is_seen` is false, of the distribution itself. In u within 1e-6.
+// The u-quantile of the slopes visible from a view, whose density is proportional to (b + x) times
+// the density of the distribution for x >= -b. If `is_seen` is false, the u-quantile of the
+// distribution itself. The error in u is below 1e-6.
 //
-// Newton's steps in arsinh(x/sqrt(nu)), for the root of u at the left, where the edge is a square, for the logarithm at the right.
+// Newton steps in arsinh(x/sqrt(nu)), for the root of u on the left, where the edge is a square,
+// and for the logarithm on the right.
 fn student_distribution_solve(t: StudentDistribution, is_seen: bool, b: f32, u: f32) -> f32 {
     let wanted = max(u, 2.3283064e-10);
     let guess = student_distribution_guess(t, wanted);
@@ -158,7 +161,7 @@ fn student_distribution_solve(t: StudentDistribution, is_seen: bool, b: f32, u: 
         low = -b;
         let y = b + guess;
         if y > 0.0 {
-            // Right for b to infinity to the second order in 1/b.
+            // Correct for b to infinity to second order in 1/b.
             x = guess + 2.0 / (sqrt(y * y + 4.0) + y);
         } else {
             x = min(sqrt(2.0 * wanted * total / max(at_edge, 1e-30)), b + 1.0) - b;
@@ -167,7 +170,7 @@ fn student_distribution_solve(t: StudentDistribution, is_seen: bool, b: f32, u: 
     let is_left = wanted < 0.5;
     for (var k = 0; k < 24; k++) {
         let density = student_distribution_density(t, x);
-        // The share on the smaller side, and the density there.
+        // The probability on the smaller side, and the density there.
         var share = student_distribution_tail(t, select(x, -x, is_left), density);
         var slope = density;
         if is_seen {

@@ -1,15 +1,17 @@
-// The Student-t normal density of valid roughnesses alpha and an exponent gamma: `asperity_ndf_sampling::StudentT`, which computes in
-// 64 bits what is here in 32.
+// The Student-t normal distribution of valid roughnesses alpha and an exponent gamma:
+// `asperity_ndf_sampling::StudentT`, which uses 64 bits instead of 32.
 //
-// gamma = 2 is GGX, gamma to infinity Beckmann. D to 1e-6 + 5e-7 a relative, with the exponent a of D.
+// gamma = 2 is GGX, gamma to infinity Beckmann. The error of D is 1e-6 + 5e-7 a relative, with the
+// exponent a of D.
 
-// An exponent moved to the nearest valid one, 1.51 to 1e12; what is no number becomes 2.
+// An exponent clamped to the valid range, 1.51 to 1e12; NaN becomes 2.
 fn student_t_clamped_gamma(gamma: f32) -> f32 {
     let is_number = (bitcast<u32>(gamma) & 0x7fffffffu) <= 0x7f800000u;
     return select(2.0, clamp(gamma, 1.51, 1e12), is_number);
 }
 
-// D(m) in 1/sr, of the slope of m; 0 for m.z <= 0 and what is no number, for m.z >= 1e-9 or exactly 0.
+// D(m) in 1/sr, from the slope of m; 0 for m.z <= 0 and NaN. m.z must be at least 1e-9 or exactly
+// 0.
 fn student_t_density(alpha: vec2<f32>, gamma: f32, m: vec3<f32>) -> f32 {
     let up = select(1.0, m.z, m.z > 0.0);
     let x = m.x / alpha.x / up;
@@ -18,13 +20,15 @@ fn student_t_density(alpha: vec2<f32>, gamma: f32, m: vec3<f32>) -> f32 {
     if !(m.z > 0.0 && square <= ELEMENTARY_LARGEST) {
         return 0.0;
     }
-    // The root of it all but the peak: far out z^4 makes up for a power that would underflow.
+    // The root of everything but the peak. Far out z^4 compensates for a power that would
+    // underflow.
     let root = elementary_exp(-0.5 * gamma * elementary_ln_1p(square / (gamma - 1.0))) / max(up * up, ELEMENTARY_LEAST_NORMAL);
     let peak = 1.0 / (3.1415927 * alpha.x * alpha.y);
     return min(root * (root * peak), ELEMENTARY_LARGEST);
 }
 
-// The normal with the direction of z in the stretched space, beyond which the share exp(-|z|^2/2) of the normals is tilted.
+// The normal with the direction of z in the stretched space, beyond which the fraction
+// exp(-|z|^2/2) of the normals is tilted.
 fn student_t_tilted(alpha: vec2<f32>, gamma: f32, z: vec2<f32>) -> vec3<f32> {
     let t = 0.5 * (z.x * z.x + z.y * z.y) / (gamma - 1.0);
     let root = elementary_exp(-0.5 * t);
@@ -72,7 +76,8 @@ fn student_t_from_uniform(alpha: vec2<f32>, gamma: f32, u: vec2<f32>) -> vec3<f3
     return student_t_tilted(alpha, gamma, elementary_cos_sin_turns(bounded.y) * rho);
 }
 
-// Smith's Lambda(v), for |v| < 1e12; the largest float where it is infinite, at and below the horizon.
+// Smith's Lambda(v), for |v| < 1e12; the largest float where it is infinite, at and below the
+// horizon.
 fn student_t_lambda(alpha: vec2<f32>, gamma: f32, v: vec3<f32>) -> f32 {
     let spread = roughness_spread(alpha, v);
     if !(v.z > 0.0 && spread <= ELEMENTARY_LARGEST) {
@@ -112,8 +117,9 @@ fn student_t_visible_density(alpha: vec2<f32>, gamma: f32, v: vec3<f32>, m: vec3
     return microfacet_visible_density(student_t_density(alpha, gamma, m), microfacet_above(v), m, area);
 }
 
-// A normal with the density D_v over solid angle, for uniform u: the slope along the view by inversion of its distribution, that
-// across by the quantile of Student's t, to which it is distributed given the first.
+// A normal with the density D_v over solid angle, for uniform u. The slope along the view is found
+// by inversion of its distribution. Given that slope, the slope across the view is Student-t
+// distributed and found by its quantile.
 fn student_t_sample_visible(alpha: vec2<f32>, gamma: f32, v: vec3<f32>, u: vec2<f32>) -> vec3<f32> {
     let bounded = elementary_probabilities(u);
     let w = microfacet_above(v) * vec3<f32>(alpha, 1.0);

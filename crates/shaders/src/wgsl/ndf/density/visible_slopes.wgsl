@@ -1,6 +1,6 @@
 // Gaussian slopes along a view: `visible_slope` of `density/gaussian_lanes.rs` of asperity-ndf-sampling.
 
-// Mills' ratio to 1e-4 relative, for a step on the way.
+// Mills' ratio to 1e-4 relative, for an intermediate step.
 fn visible_slopes_rough_mills_ratio(x: f32) -> f32 {
     let t = 1.0 / (1.0 + x * 0.4);
     let square = t * t;
@@ -9,7 +9,7 @@ fn visible_slopes_rough_mills_ratio(x: f32) -> f32 {
     return t * (low + square * (high - square * 0.21245462));
 }
 
-// The quantile of a standard Gaussian to 2e-3 relative, as a place to start from.
+// The quantile of a standard Gaussian to 2e-3 relative, as a starting point.
 fn visible_slopes_rough_inverse_phi(u: f32) -> f32 {
     let t = sqrt(2.0 - elementary_ln(u * (1.0 - u) * 4.0));
     let low = 1.74507 - t * 2.14786;
@@ -17,7 +17,7 @@ fn visible_slopes_rough_inverse_phi(u: f32) -> f32 {
     return (low + t * t * high) * ((u + u) - 1.0);
 }
 
-// One step towards the u-quantile from x, where the Gaussian density and the tail beyond |x| are given.
+// One step toward the u-quantile from x, given the Gaussian density and the tail beyond |x|.
 fn visible_slopes_closer(b: f32, u: f32, per_total: f32, x: f32, density: f32, tail: f32) -> f32 {
     let height = max(b + x, 1e-20);
     let q = density * per_total;
@@ -34,9 +34,10 @@ fn visible_slopes_closer(b: f32, u: f32, per_total: f32, x: f32, density: f32, t
     return x + max(change, height * -0.9);
 }
 
-// The u-quantile of the slope along the view, in standard deviations, for the cotangent b >= 0 of its angle in these, at most 1e6.
+// The u-quantile of the slope along the view, in standard deviations, where b >= 0, at most 1e6, is
+// the cotangent of the view angle in these units.
 //
-// The share of the slopes below the result is u within 8e-7, and 2e-6 below u = 1e-5.
+// The fraction of slopes below the result is u within 8e-7, and within 2e-6 below u = 1e-5.
 fn visible_slopes_quantile(b: f32, u: f32) -> f32 {
     let bounded = max(u, 2.3283064e-10);
     let at_edge = normal_distribution_density(b);

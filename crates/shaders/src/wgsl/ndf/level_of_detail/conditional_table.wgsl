@@ -1,6 +1,7 @@
-// Exact level of detail of any density by one look-up: `asperity_ndf_sampling::ConditionalTableRef`.
+// Exact level of detail of any distribution by one lookup:
+// `asperity_ndf_sampling::ConditionalTableRef`.
 
-// What `ConditionalTableUniform` holds.
+// The contents of `ConditionalTableUniform`.
 struct ConditionalTableGrid {
     // The stretch of half vectors along x and y.
     stretch: vec2<f32>,
@@ -9,7 +10,8 @@ struct ConditionalTableGrid {
     padding: u32,
 }
 
-// A texture coordinate from a stretched coordinate of a half vector and its length plus height; 0 where that is no number.
+// A texture coordinate from a stretched coordinate of a half vector and its length plus height; 0
+// for NaN.
 fn conditional_table_coordinate(c: f32, sum: f32) -> f32 {
     if !(sum > 0.0 && abs(c) <= ELEMENTARY_LARGEST) {
         return 0.0;
@@ -20,7 +22,7 @@ fn conditional_table_coordinate(c: f32, sum: f32) -> f32 {
     return 0.5 * (c / sum) + 0.5;
 }
 
-// The texture coordinates in 0 to 1 of a half vector, for tables in textures that hardware interpolates.
+// The texture coordinates from 0 to 1 of a half vector, for textures with hardware interpolation.
 fn conditional_table_coordinates(stretch: vec2<f32>, h: vec3<f32>) -> vec2<f32> {
     let x = h.x / stretch.x;
     let y = h.y / stretch.y;
@@ -64,7 +66,7 @@ fn conditional_table_interpolated(h: vec3<f32>) -> vec3<f32> {
     return low + (high - low) * up;
 }
 
-// p_s(h | z_b) in 1/sr: what is left of the density where a part of it is resolved; 0 for h.z <= 0 and what is no number.
+// p_s(h | z_b) in 1/sr, the density of the unresolved part; 0 for h.z <= 0 and NaN.
 fn conditional_table_density(h: vec3<f32>, split: GaussianSplit) -> f32 {
     return conditional_table_weigh(conditional_table_interpolated(h), h, split);
 }

@@ -7,14 +7,14 @@ struct OffsetBeckmann {
     lower: vec3<f32>,
 }
 
-// What is left of a Beckmann density where the coordinates of a split are resolved.
+// The rest of a Beckmann distribution after the coordinates of a split are resolved.
 fn offset_beckmann_conditional(alpha: vec2<f32>, split: GaussianSplit) -> OffsetBeckmann {
     let deviation = alpha * 0.70710677;
     let rest = sqrt(split.rest);
     return OffsetBeckmann(deviation * (split.z_b * split.root), vec3<f32>(deviation.x * rest, 0.0, deviation.y * rest));
 }
 
-// Whether |x| is at most the limit. By the bits: compilers may take every float for a number.
+// Whether |x| is at most the limit. Compares bits, as compilers may assume that no float is NaN.
 fn offset_beckmann_within(x: f32, limit: f32) -> bool {
     return (bitcast<u32>(x) & 0x7fffffffu) <= bitcast<u32>(limit);
 }
@@ -25,7 +25,7 @@ fn offset_beckmann_covariance(slopes: OffsetBeckmann) -> vec3<f32> {
     return vec3<f32>(l.x * l.x, l.x * l.y, l.y * l.y + l.z * l.z);
 }
 
-// Slopes of this mean and covariance; `otherwise` where there is no such density.
+// Slopes of this mean and covariance; `otherwise` if there is no such distribution.
 fn offset_beckmann_of(mean: vec2<f32>, covariance: vec3<f32>, otherwise: OffsetBeckmann) -> OffsetBeckmann {
     let xx = covariance.x;
     let xy = covariance.y;
@@ -35,7 +35,8 @@ fn offset_beckmann_of(mean: vec2<f32>, covariance: vec3<f32>, otherwise: OffsetB
     if !(has_mean && in_range && xx >= 1e-24) {
         return otherwise;
     }
-    // What the quotient and the product are rounded by: without it the smaller axis of a thin ellipse would be lost.
+    // The rounding of the quotient and the product; without it the smaller axis of a thin ellipse
+    // would be lost.
     let ratio = xy / xx;
     let product = xy * ratio;
     let lost = fma(xy, ratio, -product) + xy * (fma(-ratio, xx, xy) / xx);
@@ -65,6 +66,6 @@ fn offset_beckmann_density(slopes: OffsetBeckmann, m: vec3<f32>) -> f32 {
     if !(along > 0.0 && across > 0.0) {
         return ELEMENTARY_LARGEST;
     }
-    // In two steps: the product of both deviations may leave the range of floats.
+    // In two steps, as the product of both deviations may leave the range of floats.
     return min(falloff / along / across, ELEMENTARY_LARGEST);
 }

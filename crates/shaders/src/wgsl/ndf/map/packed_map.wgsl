@@ -1,28 +1,31 @@
-// A density of normals from the array that `NdfMap::pack` makes: `asperity_ndf_sampling::PackedMapRef`.
+// A normal distribution from the array of `NdfMap::pack`: `asperity_ndf_sampling::PackedMapRef`.
 //
-// Words and not floats are read: whole numbers lie in the array as the floats of their bits, which hardware may flush to zero.
+// Words are read instead of floats. Integers are stored as the floats of their bits, which hardware
+// may flush to zero.
 
-// What `PackedMapUniform` holds: the grid of columns and rows on the disk, and where the parts of the array begin.
+// The contents of `PackedMapUniform`: the grid of columns and rows on the disk, and the offsets of
+// the parts of the array.
 struct PackedMapGrid {
-    // Columns, and rows, per unit of a normal's coordinate, and the reverse.
+    // Columns and rows per unit of a normal's coordinate, and the reciprocals.
     density: vec2<f32>,
     size: vec2<f32>,
-    // Columns before n_x = 0, rows before n_y = 0; the middles of the last ones.
+    // Columns before n_x = 0, rows before n_y = 0; the middles of the last column and row.
     origin: vec2<f32>,
     last: vec2<f32>,
-    // Margin of a sample from the lines between rows, in rows.
+    // Margin between a sample and the lines between rows, in rows.
     margin: f32,
-    // Entries of a guide; entries of a column's quantiles less 1.
+    // Entries of a guide; entries of a column's quantiles minus 1.
     guide: f32,
     quantiles: f32,
     last_row: u32,
-    // 1 for a map that is constant on texels, 2 for a bilinear one: columns of values between which a cell lies.
+    // 1 for a map that is constant on texels, 2 for a bilinear map: the columns of values around a
+    // cell.
     sides: u32,
     // Words of a column of the quantiles, of the nodes, of the texels.
     ranks: u32,
     stride: u32,
     texel_stride: u32,
-    // Where the parts begin, and how many leaves there are.
+    // The offsets of the parts, and the number of leaves.
     by_weight_at: u32,
     by_place_at: u32,
     leaves_at: u32,
@@ -41,7 +44,8 @@ fn packed_map_four(i: u32) -> vec4<f32> {
     return vec4<f32>(packed_map_float(i), packed_map_float(i + 1u), packed_map_float(i + 2u), packed_map_float(i + 3u));
 }
 
-// The last leaf whose key is at most the value, from where the guide's entry says; key 0 is the weight, 2 the place.
+// The last leaf whose key is at most the value, starting from the guide's entry; key 0 is the
+// weight, 2 the place.
 fn packed_map_leaf(entry_at: u32, key: u32, value: f32) -> u32 {
     var leaf = packed_map_word(entry_at);
     let keys = vec3<f32>(
@@ -53,7 +57,7 @@ fn packed_map_leaf(entry_at: u32, key: u32, value: f32) -> u32 {
         leaf += select(1u, 2u, keys.y <= value);
     }
     if keys.z <= value {
-        // Seldom, and then it is not clear whether the next ones are passed too.
+        // Rarely executed. It is not known whether the next leaves are passed, too.
         loop {
             if leaf + 1u >= packed_map_grid.leaves {
                 break;
@@ -67,14 +71,14 @@ fn packed_map_leaf(entry_at: u32, key: u32, value: f32) -> u32 {
     return leaf;
 }
 
-// The column, or row, of a place in these from the middle, and the place in it.
+// The column or row of a position relative to the middle, and the position in it.
 fn packed_map_cell(at: f32, origin: f32, last: f32) -> vec2<f32> {
     let cell = f32(u32(min(at + origin, last)));
-    // Rounding of the sum may tell the cell beside.
+    // A rounded sum may select the neighboring cell.
     return vec2<f32>(cell, clamp(at - (cell - origin), 0.0, 1.0));
 }
 
-// A leaf's marginal and the part of it below the middle, at the place s.
+// The marginal of a leaf and its part below the middle, at position s.
 fn packed_map_marginals(marginal: vec4<f32>, below: vec4<f32>, s: f32) -> vec2<f32> {
     let o = 1.0 - s;
     let o_square = o * o;
@@ -89,7 +93,7 @@ fn packed_map_marginals(marginal: vec4<f32>, below: vec4<f32>, s: f32) -> vec2<f
     );
 }
 
-// Four times the marginal's integral up to the place s, and over the whole leaf.
+// Four times the integral of the marginal up to position s, and over the whole leaf.
 fn packed_map_integrals(marginal: vec4<f32>, s: f32) -> vec2<f32> {
     let o = 1.0 - s;
     let o_square = o * o;
@@ -101,7 +105,7 @@ fn packed_map_integrals(marginal: vec4<f32>, s: f32) -> vec2<f32> {
     return vec2<f32>(s * (first + s_square * (4.0 * three * o + sum * s)), sum);
 }
 
-// Integral and value on a line of a column of cells, t of the way from its left to its right side.
+// Integral and value on a line of a column of cells, at fraction t from its left to its right side.
 fn packed_map_line(column: u32, t: f32, line: u32) -> vec2<f32> {
     let at = packed_map_grid.nodes_at + column * packed_map_grid.stride + packed_map_grid.sides * line;
     let left = packed_map_float(at);
@@ -116,12 +120,12 @@ fn packed_map_line(column: u32, t: f32, line: u32) -> vec2<f32> {
     );
 }
 
-// A coordinate of a normal in -1 to 1; 0 for what is no number.
+// A coordinate of a normal from -1 to 1; 0 for NaN.
 fn packed_map_coordinate(n: f32) -> f32 {
     return clamp(elementary_number(n), -1.0, 1.0);
 }
 
-// D(m) in 1/sr; 0 outside the disk, for m.z <= 0 and what is no number.
+// D(m) in 1/sr; 0 outside the disk, for m.z <= 0 and NaN.
 fn packed_map_density(m: vec3<f32>) -> f32 {
     let inside = m.x * m.x + m.y * m.y < 1.000001 && m.z > 0.0;
     if !inside {
@@ -145,7 +149,8 @@ fn packed_map_density(m: vec3<f32>) -> f32 {
     return begin + (y - f32(row)) * (end - begin);
 }
 
-// (M, C): the uniform numbers of a normal by its first two coordinates, each in [0, 1]: `PackedMapRef::forward`.
+// (M, C): the uniform numbers of a normal from its first two coordinates, each in [0, 1]:
+// `PackedMapRef::forward`.
 fn packed_map_forward(n: vec2<f32>) -> vec2<f32> {
     let x = packed_map_coordinate(n.x);
     let y = packed_map_coordinate(n.y);
@@ -170,7 +175,7 @@ fn packed_map_forward(n: vec2<f32>) -> vec2<f32> {
         sum = low.x + q * (low.y + 0.5 * q * (high.y - low.y));
     }
     if !(marginals.x > 0.0) {
-        // Without weight the conditional is uniform on the chord.
+        // The conditional of zero weight is uniform on the chord.
         let chord = sqrt(max(1.0 - x * x, ELEMENTARY_LEAST_NORMAL));
         return vec2<f32>(min(weight, 1.0), clamp(0.5 * (y / chord) + 0.5, 0.0, 1.0));
     }
@@ -178,16 +183,17 @@ fn packed_map_forward(n: vec2<f32>) -> vec2<f32> {
     return vec2<f32>(min(weight, 1.0), share);
 }
 
-// The place in a leaf at which the share r of its weight is reached, by as many steps as it takes: the crate's in 64 bits.
+// The position in a leaf at which the fraction r of its weight is reached, with as many steps as
+// needed; the Rust crate uses 64 bits.
 fn packed_map_many_steps(marginal: vec4<f32>, r: f32, least: f32) -> f32 {
-    // Bernstein coefficients; sums of them are those of four times the integral.
+    // Bernstein coefficients; their sums are the coefficients of four times the integral.
     let b = vec4<f32>(marginal.x, marginal.y * 0.33333334, marginal.z * 0.33333334, marginal.w);
     let sum = b.x + b.y + b.z + b.w;
     let faint = 2.5e-7 * sum;
     let away = min(least, 0.5);
     let share = min(max(r, select(0.0, away, b.x < faint)), select(1.0, 1.0 - away, b.w < faint));
     let wanted = share * sum;
-    // In closed form for a linear polynomial, bracketed Newton steps from there.
+    // In closed form for a linear polynomial, followed by bracketed Newton steps.
     let root = sqrt(max(b.x * b.x + share * (b.w * b.w - b.x * b.x), 0.0));
     var s = share;
     if b.x + root > 0.0 {
@@ -218,7 +224,8 @@ fn packed_map_many_steps(marginal: vec4<f32>, r: f32, least: f32) -> f32 {
     return s;
 }
 
-// Whether the integral up to a line is beyond the target, between those of the bottom and of the top.
+// Whether the integral up to a line exceeds the target, between the integrals of the bottom and of
+// the top.
 fn packed_map_reaches(sum: f32, wanted: f32, bottom: f32, top: f32) -> bool {
     if wanted >= top {
         return sum >= top;
@@ -226,7 +233,7 @@ fn packed_map_reaches(sum: f32, wanted: f32, bottom: f32, top: f32) -> bool {
     return sum > max(wanted, bottom);
 }
 
-// The last row that begins at or below the target and has weight.
+// The last row with weight that begins at or below the target.
 fn packed_map_search(column: u32, t: f32, wanted: f32) -> u32 {
     let rows = packed_map_grid.last_row + 1u;
     let bottom = packed_map_line(column, t, 0u).x;
@@ -247,7 +254,7 @@ fn packed_map_search(column: u32, t: f32, wanted: f32) -> u32 {
     return low;
 }
 
-// The coordinate y, moved to the end of the chord if it is beyond, or to where there is weight from there on.
+// The coordinate y, moved to the end of the chord if it is beyond it, or to the next weight inward.
 fn packed_map_inside(column: u32, t: f32, x: f32, y: f32) -> f32 {
     if x * x + y * y <= 0.9999995 {
         return y;
@@ -259,7 +266,7 @@ fn packed_map_inside(column: u32, t: f32, x: f32, y: f32) -> f32 {
     let first = min(u32(max(-chord * density + origin, 0.0)), packed_map_grid.last_row);
     let last = min(u32(max(chord * density + origin, 0.0)), packed_map_grid.last_row);
     let here = min(u32(max(nearest * density + origin, 0.0)), packed_map_grid.last_row);
-    // Inwards from the end of the chord on that side.
+    // Inward from the end of the chord on that side.
     for (var k = 0u; k <= last - first; k++) {
         let row = select(last - k, first + k, y < 0.0);
         if packed_map_line(column, t, row).x < packed_map_line(column, t, row + 1u).x {
@@ -274,7 +281,8 @@ fn packed_map_inside(column: u32, t: f32, x: f32, y: f32) -> f32 {
     return nearest;
 }
 
-// The inverse of (M, C): the first two coordinates of the normal of uniform numbers: `PackedMapRef::inverse`.
+// The inverse of (M, C): the first two coordinates of the normal of uniform numbers:
+// `PackedMapRef::inverse`.
 fn packed_map_inverse(u: vec2<f32>) -> vec2<f32> {
     let v = elementary_probabilities(u);
     let leaf = packed_map_leaf(packed_map_grid.by_weight_at + 4u * u32(v.x * packed_map_grid.guide), 0u, v.x);
@@ -300,10 +308,10 @@ fn packed_map_inverse(u: vec2<f32>) -> vec2<f32> {
         }
     }
     let x = clamp((place.z + wide * s) * packed_map_grid.size.x, -1.0, 1.0);
-    // A piece lies in one column.
+    // A piece is in one column.
     let origin = packed_map_grid.origin.x;
     let column = u32(min(place.z + 0.5 * wide + origin, packed_map_grid.last.x));
-    // The conditional is that of the rounded place, which is what the way back finds.
+    // The conditional of the rounded position, which `packed_map_forward` also uses.
     let at = x * packed_map_grid.density.x;
     let t = clamp(at - (f32(column) - origin), 0.0, 1.0);
     if is_flagged {
@@ -312,7 +320,7 @@ fn packed_map_inverse(u: vec2<f32>) -> vec2<f32> {
     let marginals = packed_map_marginals(marginal_cubic, packed_map_four(leaf_at + 12u), s);
     var wanted = v.y * marginals.x - marginals.y;
 
-    // The line before the row that the quantiles say.
+    // The line before the row given by the quantiles.
     let rank = v.y * packed_map_grid.quantiles;
     let rank_at = packed_map_grid.quantiles_at + column * packed_map_grid.ranks + u32(rank);
     let before = packed_map_float(rank_at);
@@ -363,7 +371,8 @@ fn packed_map_from_uniform(u: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(n.x, n.y, sqrt(max(1.0 - n.x * n.x - n.y * n.y, 1e-15)));
 }
 
-// T(z): the normal of Gaussian coordinates; the distribution function in 32 bits, in the crate in 64.
+// T(z): the normal of Gaussian coordinates, with the distribution function in 32 bits; the Rust
+// crate uses 64.
 fn packed_map_from_gaussian(z: vec2<f32>) -> vec3<f32> {
     let x = normal_distribution_phi(elementary_number(z.x));
     let y = normal_distribution_phi(elementary_number(z.y));
@@ -382,7 +391,7 @@ fn packed_map_to_gaussian(m: vec3<f32>) -> vec2<f32> {
     return vec2<f32>(packed_map_quantile(u.x), packed_map_quantile(u.y));
 }
 
-// p_s(h | z_b) in 1/sr, what is left of the density where a part of it is resolved.
+// p_s(h | z_b) in 1/sr, the density of the unresolved part.
 fn packed_map_conditional_density(h: vec3<f32>, split: GaussianSplit) -> f32 {
     let density = packed_map_density(h);
     if !(density > 0.0) {

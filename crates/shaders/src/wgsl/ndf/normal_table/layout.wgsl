@@ -1,5 +1,6 @@
-// Layouts of tables of normals: `Spacing` and `Chart` of `asperity_ndf_sampling::normal_table`, for tables in textures too, whose
-// coordinate is the place of each Gaussian coordinate and whose texel is the point of a normal.
+// Layouts of tables of normals: `Spacing` and `Chart` of `asperity_ndf_sampling::normal_table`.
+// They also apply to tables in textures, where the texture coordinate is the place of each Gaussian
+// coordinate and the texel is the point of a normal.
 
 const NORMAL_TABLE_COORDINATES: u32 = 0u;
 const NORMAL_TABLE_QUANTILES: u32 = 1u;
@@ -9,7 +10,8 @@ const NORMAL_TABLE_PROJECTED: u32 = 0u;
 const NORMAL_TABLE_SLOPES: u32 = 1u;
 const NORMAL_TABLE_STEREOGRAPHIC: u32 = 2u;
 
-// The place in 0 to 1 of a Gaussian coordinate, 0 for what is no number, within 4.5 standard deviations: `Spacing::place`.
+// The place from 0 to 1 of a Gaussian coordinate within 4.5 standard deviations, 0 for NaN:
+// `Spacing::place`.
 fn normal_table_place(spacing: u32, coordinate: f32) -> f32 {
     let z = elementary_bounded(coordinate, 4.5);
     if spacing == NORMAL_TABLE_QUANTILES {
@@ -21,7 +23,8 @@ fn normal_table_place(spacing: u32, coordinate: f32) -> f32 {
     return z * 0.11111111 + 0.5;
 }
 
-// The normal of a point of the chart; what is no point counts as the nearest that is one: `Chart::to_normal`.
+// The normal of a point of the chart; an invalid point is replaced by the nearest valid point:
+// `Chart::to_normal`.
 fn normal_table_normal(chart: u32, point: vec2<f32>) -> vec3<f32> {
     let x = elementary_bounded(point.x, 1e9);
     let y = elementary_bounded(point.y, 1e9);

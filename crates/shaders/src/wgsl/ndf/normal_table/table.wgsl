@@ -1,6 +1,6 @@
-// Table L, normals by look-up of two Gaussian numbers: `asperity_ndf_sampling::NormalTableRef`.
+// Table L, normals by lookup of two Gaussian numbers: `asperity_ndf_sampling::NormalTableRef`.
 
-// What `NormalTableUniform` holds: entries along a side, and the layout.
+// The contents of `NormalTableUniform`: entries along a side, and the layout.
 struct NormalTableGrid {
     size: u32,
     spacing: u32,
@@ -13,7 +13,7 @@ fn normal_table_point(entry: u32) -> vec2<f32> {
     return vec2<f32>(normal_table_number(2u * entry), normal_table_number(2u * entry + 1u));
 }
 
-// The position among the entries, in 0 to size - 1, of a Gaussian coordinate.
+// The position among the entries, from 0 to size - 1, of a Gaussian coordinate.
 fn normal_table_position(z: f32) -> f32 {
     let size = f32(normal_table_grid.size);
     return min(max(normal_table_place(normal_table_grid.spacing, z) * size - 0.5, 0.0), size - 1.0);

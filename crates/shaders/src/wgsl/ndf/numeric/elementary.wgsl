@@ -1,22 +1,24 @@
-// Exponential, logarithm, sine and cosine from operations that no compiler takes apart: `simd/elementary.rs` of
-// asperity-ndf-sampling, whose bits they have where sums and products are rounded one by one.
+// Exponential, logarithm, sine and cosine from operations that compilers cannot transform:
+// `simd/elementary.rs` of asperity-ndf-sampling. They have the same bits if sums and products are
+// rounded one by one.
 //
-// Built-in functions are coarser: exp to 4e-6 relative, sin to 2e-4 on some drivers.
+// Built-in functions are less accurate: on some drivers exp has errors of 4e-6 relative and sin of
+// 2e-4.
 
 const ELEMENTARY_LARGEST: f32 = 3.4028234663852886e38;
 const ELEMENTARY_LEAST_NORMAL: f32 = 1.1754944e-38;
 
-// x, and 0 where it is no number. By the bits: compilers may take every float for a number.
+// x, or 0 if it is NaN. Compares bits, as compilers may assume that no float is NaN.
 fn elementary_number(x: f32) -> f32 {
     return select(x, 0.0, (bitcast<u32>(x) & 0x7fffffffu) > 0x7f800000u);
 }
 
-// x in -limit to limit; 0 for what is no number.
+// x clamped to -limit ... limit; 0 for NaN.
 fn elementary_bounded(x: f32, limit: f32) -> f32 {
     return clamp(elementary_number(x), -limit, limit);
 }
 
-// Uniform numbers in [0, 1 - 2^-24]; 0 for what is no number.
+// Uniform numbers clamped to [0, 1 - 2^-24]; 0 for NaN.
 fn elementary_probabilities(u: vec2<f32>) -> vec2<f32> {
     let numbers = vec2<f32>(elementary_number(u.x), elementary_number(u.y));
     return clamp(numbers, vec2<f32>(0.0), vec2<f32>(0.99999994));
@@ -24,7 +26,8 @@ fn elementary_probabilities(u: vec2<f32>) -> vec2<f32> {
 
 // exp(x) for x at most 87; 0 below -87. 2e-7 relative.
 //
-// x = k ln 2 + r with |r| at most ln(2)/2; ln 2 is in two parts, of which the first times k is exact.
+// x = k ln 2 + r with |r| at most ln(2)/2. ln 2 is in two parts, and the product of the first with
+// k is exact.
 fn elementary_exp(x: f32) -> f32 {
     let bounded = clamp(x, -87.0, 87.0);
     let k = round(bounded * 1.442695);
@@ -65,7 +68,8 @@ fn elementary_ln(x: f32) -> f32 {
     return elementary_ln_of_parts(k, m - 1.0);
 }
 
-// ln(1 + x) for x > -1, the larger x finite. 3e-7 relative; near 0 of x itself, so that nothing rests on what the sum has lost.
+// ln(1 + x) for finite x > -1. 3e-7 relative; near 0 it uses x itself, so that the rounding of the
+// sum does not matter.
 fn elementary_ln_1p(x: f32) -> f32 {
     let shifted = bitcast<u32>(1.0 + x) + (0x3f800000u - 0x3f3504f3u);
     let k = f32(i32(shifted >> 23u) - 127);

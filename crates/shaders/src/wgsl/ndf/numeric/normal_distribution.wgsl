@@ -1,12 +1,14 @@
-// The Gaussian distribution function, its tail and its quantile in 32 bits: `density/gaussian_lanes.rs` of asperity-ndf-sampling.
-// `asperity_ndf_sampling::{phi, inverse_phi}` are the same in 64 bits.
+// The Gaussian distribution function, its tail and its quantile in 32 bits:
+// `density/gaussian_lanes.rs` of asperity-ndf-sampling. `asperity_ndf_sampling::{phi, inverse_phi}`
+// use 64 bits.
 
 // The density of a standard Gaussian.
 fn normal_distribution_density(x: f32) -> f32 {
     return elementary_exp(x * x * -0.5) * 0.3989423;
 }
 
-// Mills' ratio, of the tail to the density, for x >= 0. Fitted to 7e-8 relative; 5e-7 with its roundings.
+// Mills' ratio, the ratio of the tail to the density, for x >= 0. Fitted to 7e-8 relative; 5e-7
+// including rounding.
 fn normal_distribution_mills_ratio(x: f32) -> f32 {
     let t = 1.0 / (1.0 + x * 0.33);
     let square = t * t;
@@ -20,7 +22,7 @@ fn normal_distribution_mills_ratio(x: f32) -> f32 {
 // The probability that a standard Gaussian is at most x. 2.5e-7 absolute, for x < 0 also 5e-7 + 6e-8 x^2 relative.
 fn normal_distribution_phi(x: f32) -> f32 {
     let tail = normal_distribution_density(x) * normal_distribution_mills_ratio(min(abs(x), 40.0));
-    // At 0 a half, not its neighbour.
+    // Exactly one half at 0.
     return select(select(tail, 1.0 - tail, x > 0.0), 0.5, abs(x) < 1e-7);
 }
 
@@ -44,7 +46,8 @@ fn normal_distribution_inverse_phi(u: f32) -> f32 {
 
 // The mean excess E[max(0, X - z)] of a standard Gaussian X, for z >= 0; 0 beyond 13.1. 1e-6 + 6e-8 z^2 relative.
 //
-// The density times 1 - z M(z), with Mills' ratio M, by a polynomial in t = 1/(1 + 0.33 z): the difference itself would cancel.
+// The density times 1 - z M(z), with Mills' ratio M, by a polynomial in t = 1/(1 + 0.33 z), as the
+// difference itself would cancel.
 fn normal_distribution_excess(z: f32) -> f32 {
     let t = 1.0 / (1.0 + min(z, 15.0) * 0.33);
     let square = t * t;

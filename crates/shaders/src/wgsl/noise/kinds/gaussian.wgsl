@@ -1,4 +1,5 @@
-// Noise that is N(0, 1) at every point, `asperity_noise::Gaussian`: value-gradient noise over its standard deviation there.
+// Noise that is N(0, 1) at every point, `asperity_noise::Gaussian`: value-gradient noise divided by
+// its standard deviation at the point.
 
 // Two channels, independent of each other.
 struct GaussianPair2d {
@@ -14,7 +15,7 @@ struct GaussianPair3d {
     dz: vec2<f32>,
 }
 
-// What the variance is made of along each axis: p = sum w^2, q = sum w^2 d^2, and their derivatives.
+// The terms of the variance along each axis: p = sum w^2, q = sum w^2 d^2, and their derivatives.
 struct GaussianVariance {
     p: vec3<f32>,
     q: vec3<f32>,
@@ -95,7 +96,8 @@ fn gaussian_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, key: u32) -> Sample3d {
     return gaussian_normalised_3d(corners_blend_3d(low, high, t, w, slope), gaussian_variance_3d(t, w, slope));
 }
 
-// Both channels at a place in [0, 1]^2 of a cell: one walk of the lattice, and one variance.
+// Both channels at a position in [0, 1]^2 of a cell, from one pass over the lattice and one
+// variance.
 fn gaussian_pair_in_cell_2d(cell: vec2<i32>, t: vec2<f32>, key: u32) -> GaussianPair2d {
     let w = fade_quintic(vec4<f32>(t, 0.0, 0.0)).xy;
     let slope = fade_quintic_slope(vec4<f32>(t, 0.0, 0.0)).xy;
@@ -110,7 +112,7 @@ fn gaussian_pair_in_cell_2d(cell: vec2<i32>, t: vec2<f32>, key: u32) -> Gaussian
     );
 }
 
-// Both channels at a place in [0, 1]^3 of a cell.
+// Both channels at a position in [0, 1]^3 of a cell.
 fn gaussian_pair_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, key: u32) -> GaussianPair3d {
     let ends = integer_hash_ends_3d(cell);
     let w = fade_quintic(vec4<f32>(t, 0.0)).xyz;
@@ -144,7 +146,7 @@ fn gaussian_noise_3d(p: vec3<f32>, key: u32) -> Sample3d {
     return sample_known_3d(gaussian_in_cell_3d(at.cell, at.place, key), at.known);
 }
 
-// Both channels at any point; 0 where a coordinate is not finite.
+// Both channels at any point; 0 if a coordinate is not finite.
 fn gaussian_pair_2d(p: vec2<f32>, key: u32) -> GaussianPair2d {
     let at = cell_place_2d(p);
     if at.known {

@@ -1,4 +1,5 @@
-// Perlin's noise of 1985, `asperity_noise::Perlin1985`: unit gradients, cubic weights. Values are in [-1, 1].
+// Perlin noise of 1985, `asperity_noise::Perlin1985`: unit gradients, cubic weights. Values are in
+// [-1, 1].
 
 const PERLIN_1985_SCALE: vec2<f32> = vec2<f32>(1.4142107, 1.1546981);
 

@@ -1,4 +1,5 @@
-// Perlin's noise of 2002, `asperity_noise::Perlin2002`: gradients to edges, quintic weights. Values are in [-1, 1].
+// Perlin noise of 2002, `asperity_noise::Perlin2002`: gradients to edges, quintic weights. Values
+// are in [-1, 1].
 
 const PERLIN_2002_SCALE: vec3<f32> = vec3<f32>(1.070048, 0.96491945, 0.6507936);
 
@@ -11,7 +12,8 @@ fn perlin_2002_in_cell_2d(cell: vec2<i32>, t: vec2<f32>, key: u32) -> Sample2d {
     return columns_blend(Columns(vec4<f32>(0.0), g.x, g.y), t, w.xy, slope.xy);
 }
 
-// Corners blended along the third axis: the parts of a direction are signs or 0, so their products with ways and weights are exact.
+// Corners blended along the third axis. The components of a direction are signs or 0, so their
+// products with offsets and weights are exact.
 fn perlin_2002_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, key: u32) -> Sample3d {
     let ends = integer_hash_ends_3d(cell);
     let w = fade_quintic(vec4<f32>(t, 0.0));
@@ -40,7 +42,8 @@ struct Perlin2002Columns4d {
     dw: Columns,
 }
 
-// The sums with the corners of one end: directions g, ways to them, and their weight with its derivatives.
+// The sums with the corners of one end: directions g, offsets to them, and their weight with its
+// derivatives.
 fn perlin_2002_joined_4d(
     sum: Perlin2002Columns4d,
     g: EdgeDirections4d,

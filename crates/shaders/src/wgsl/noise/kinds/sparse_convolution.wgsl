@@ -1,11 +1,11 @@
-// Sparse convolution noise, `asperity_noise::Sparse`: impulses of random weight at random places, one to four in each cell, each
-// spread by (1 - r^2)^3. Mean 0 and variance 1 at every point.
+// Sparse convolution noise, `asperity_noise::Sparse`: impulses of random weight at random places,
+// one to four per cell, convolved with (1 - r^2)^3. Mean 0 and variance 1 at every point.
 
 // By the number of impulses.
 const SPARSE_AMPLITUDE_2D: vec4<f32> = vec4<f32>(2.5854415, 1.8281832, 1.4927053, 1.2927208);
 const SPARSE_AMPLITUDE_3D: vec4<f32> = vec4<f32>(3.2406268, 2.291469, 1.8709767, 1.6203134);
 
-// Places in a cell by the halves of a word.
+// Places in a cell from the halves of a word.
 fn sparse_places(word: u32) -> vec2<f32> {
     return (vec2<f32>(f32(word >> 16u), f32(word & 0xffffu)) + 0.5) * 1.5258789e-5;
 }
@@ -65,7 +65,7 @@ fn sparse_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, impulses: u32, key: u32) -> 
     return Sample3d(value, gradient);
 }
 
-// At any point, of 1 to 4 impulses per cell; 0 where a coordinate is not finite.
+// The noise at any point, with 1 to 4 impulses per cell; 0 if a coordinate is not finite.
 fn sparse_noise_2d(p: vec2<f32>, impulses: u32, key: u32) -> Sample2d {
     let at = cell_place_2d(p);
     return sample_known_2d(sparse_in_cell_2d(at.cell, at.place, impulses, key), at.known);

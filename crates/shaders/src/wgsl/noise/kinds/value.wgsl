@@ -1,9 +1,9 @@
 // Value noise with quintic weights, `asperity_noise::Value`. Values are clamped to [-1, 1].
 //
-// The corners of a cell at one end of the third axis are a vector: low and low, high and low, low and high, high and high along the
-// first two.
+// The corners of a cell at one end of the third axis are a vector. Along the first two axes its
+// order is low and low, high and low, low and high, high and high.
 
-// Of the signed words, as numbers: just under 2^-31.
+// The scale of signed words, just under 2^-31.
 const VALUE_UNIT: f32 = 4.6566034e-10;
 
 fn value_numbers(keyed: vec4<u32>) -> vec4<f32> {

@@ -1,6 +1,7 @@
 // Value noise through the 4^n lattice points around a point, `asperity_noise::ValueCatmullRom`. Values are in [-1, 1].
 //
-// Numbers are blended along all axes but the first, which gives four columns, one in each lane; between these runs a cubic.
+// Numbers are blended along all axes but the first, which gives four columns, one per lane. A cubic
+// interpolates between them.
 
 const VALUE_CATMULL_ROM_SCALE: vec2<f32> = vec2<f32>(0.6399987, 0.511999);
 const VALUE_CATMULL_ROM_STEPS: vec4<i32> = vec4<i32>(-1, 0, 1, 2);

@@ -1,4 +1,5 @@
-// Value-gradient noise, `asperity_noise::ValueGradient`: both on one lattice, the gradients' weight in [0, 1]. Values are clamped to [-1, 1].
+// Value-gradient noise, `asperity_noise::ValueGradient`: value and gradient noise on one lattice.
+// The weight of gradient noise is in [0, 1]. Values are clamped to [-1, 1].
 
 const VALUE_GRADIENT_SCALE: vec3<f32> = vec3<f32>(0.999998, 1.4142107, 1.1546981);
 

@@ -1,7 +1,9 @@
-// Cells of the lattice, for every point: `asperity_noise::Field` says what lies far out.
+// Cells of the lattice, for every point. `asperity_noise::Field` documents points far from the
+// origin.
 //
-// From |x| = 2^23 on points are lattice points, from 2^31 on cells repeat modulo 2^32, and infinities and NaN are nowhere: there
-// noises are 0. Bits are asked, since compilers may take it that no number is infinite.
+// From |x| = 2^23 on points are lattice points, and from 2^31 on cells repeat modulo 2^32.
+// Infinities and NaN have no cell, and noises are 0 there. Bits are compared, since compilers may
+// assume that no number is infinite.
 
 struct CellPlace2d {
     cell: vec2<i32>,
@@ -25,7 +27,7 @@ struct CellPlace4d {
 const CELL_LIMIT_BITS: u32 = 0x4f000000u;
 const CELL_INFINITE_BITS: u32 = 0x7f800000u;
 
-// The greatest bits of magnitudes.
+// The maximum of the bits of magnitudes.
 fn cell_magnitude_bits(p: vec4<f32>) -> u32 {
     let bits = bitcast<vec4<u32>>(p) & vec4<u32>(0x7fffffffu);
     return max(max(bits.x, bits.y), max(bits.z, bits.w));
@@ -45,7 +47,7 @@ fn cell_wrapped(x: f32) -> i32 {
     return bitcast<i32>(select(magnitude, 0u - magnitude, bits > 0x7fffffffu));
 }
 
-// The place in the cell; 0 from 2^31 on.
+// The position in the cell; 0 from 2^31 on.
 fn cell_fraction(x: f32) -> f32 {
     if (bitcast<u32>(x) & 0x7fffffffu) < CELL_LIMIT_BITS {
         return x - floor(x);
@@ -53,7 +55,7 @@ fn cell_fraction(x: f32) -> f32 {
     return 0.0;
 }
 
-// The cell of a point and the place in it, from 0 to 1.
+// The cell of a point and the position in it, from 0 to 1.
 fn cell_place_2d(p: vec2<f32>) -> CellPlace2d {
     let bits = cell_magnitude_bits(vec4<f32>(p, 0.0, 0.0));
     if bits < CELL_LIMIT_BITS {

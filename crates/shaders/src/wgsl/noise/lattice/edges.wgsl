@@ -1,4 +1,4 @@
-// Directions to the edges of a square, a cube and its like in 4-D, drawn by the upper bits of words:
+// Directions to the edges of a square, a cube and a hypercube, selected by the upper bits of words:
 // `asperity_noise::lattice::edge_gradient`, four at once.
 
 const EDGES_LONG: f32 = 1.306563;

@@ -1,4 +1,4 @@
-// Weights that noises blend the ends of a cell with, and their derivatives, along each axis.
+// Weights by which noises blend the ends of a cell, and their derivatives, along each axis.
 
 // 6 t^5 - 15 t^4 + 10 t^3, which is C2 across cells.
 fn fade_quintic(t: vec4<f32>) -> vec4<f32> {

@@ -1,6 +1,7 @@
 // Gaussian variates of lattice points, `asperity_noise::lattice::gaussian_corner`, four points at once.
 //
-// `gaussian_level` is a table: 4096 levels, the last once more, then the lines of the tails, two numbers each.
+// The table `gaussian_level` has 4096 levels, the last level again, and the lines of the tails, two
+// numbers each.
 
 const GAUSSIAN_TAIL: u32 = 0x00400000u;
 const GAUSSIAN_LINES: u32 = 4097u;
@@ -10,16 +11,17 @@ fn gaussian_level_at(words: vec4<u32>, shift: u32) -> vec4<f32> {
     return vec4<f32>(gaussian_level(i.x), gaussian_level(i.y), gaussian_level(i.z), gaussian_level(i.w));
 }
 
-// Values N(0, 1) that all bits of the words count for.
+// Values N(0, 1) that use all bits of the words.
 //
-// Levels are joined by chords; where a word is near 0 modulo 2^32 the value is by a line for every 32nd of a power of two.
+// Chords connect levels. Where a word is near 0 modulo 2^32 the value is on a line, one for every
+// 32nd of a power of two.
 fn gaussian_quantiles(words: vec4<u32>) -> vec4<f32> {
     let is_tail = (words + vec4<u32>(GAUSSIAN_TAIL)) < vec4<u32>(2u * GAUSSIAN_TAIL);
     let x = vec4<f32>(bitcast<vec4<i32>>((words + vec4<u32>(0x80000u)) | vec4<u32>(1u)));
     let bits = bitcast<vec4<u32>>(x) & vec4<u32>(0x7fffffffu);
     let line = GAUSSIAN_LINES + 2u * ((bits >> vec4<u32>(18u)) - vec4<u32>(4064u));
     let slice = words >> vec4<u32>(20u);
-    // One by one: GLSL ES 3.00 chooses between no vectors of whole numbers.
+    // One by one, as GLSL ES 3.00 cannot select integer vectors.
     let i = vec4<u32>(
         select(slice.x, line.x, is_tail.x),
         select(slice.y, line.y, is_tail.y),
@@ -46,7 +48,7 @@ fn gaussian_first_corners_3d(words: vec4<u32>) -> Corners3d {
     return Corners3d(plane.value, plane.x, plane.y, z);
 }
 
-// Those of the second channel.
+// Values and twice the gradients of the second channel.
 fn gaussian_second_corners_2d(words: vec4<u32>) -> Columns {
     let word = integer_hash_multiplied(words, 0x2c1b3c6du);
     let values = gaussian_quantiles(integer_hash_multiplied(words, 0xc2b2ae3du));

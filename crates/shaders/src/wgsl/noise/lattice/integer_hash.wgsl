@@ -1,6 +1,6 @@
-// The hash of lattice points, word for word that of `asperity_noise::IntegerHash`.
+// The hash of lattice points, with the words of `asperity_noise::IntegerHash`.
 //
-// A seed comes as its key, which takes 64 bits: the host computes it.
+// Seeds are passed as keys, which the host computes with 64 bits.
 
 const INTEGER_HASH_FACTORS: vec4<u32> = vec4<u32>(0xdb4f0b91u, 0xbbe05633u, 0xa0f2ec75u, 0x89e18285u);
 const INTEGER_HASH_SHIFTS: vec4<u32> = vec4<u32>(0x00000000u, 0xd6f86ee3u, 0x48e65b1au, 0xb7a67b5fu);
@@ -10,13 +10,13 @@ fn integer_hash_folded(products: vec4<u32>) -> vec4<u32> {
     return products ^ (products >> vec4<u32>(16u));
 }
 
-// What the coordinate of a cell along an axis contributes to its words.
+// The contribution of a cell's coordinate along an axis to its words.
 fn integer_hash_term(axis: u32, cell: i32) -> u32 {
     let product = bitcast<u32>(cell) * INTEGER_HASH_FACTORS[axis] + INTEGER_HASH_SHIFTS[axis];
     return product ^ (product >> 16u);
 }
 
-// What four coordinates along one axis contribute.
+// The contributions of four coordinates along one axis.
 fn integer_hash_terms(axis: u32, cells: vec4<i32>) -> vec4<u32> {
     return integer_hash_folded(bitcast<vec4<u32>>(cells) * INTEGER_HASH_FACTORS[axis] + INTEGER_HASH_SHIFTS[axis]);
 }
@@ -46,7 +46,7 @@ fn integer_hash_joined(ends: IntegerHashEnds) -> vec4<u32> {
         ^ vec4<u32>(ends.low.y, ends.low.y, ends.high.y, ends.high.y);
 }
 
-// The same with the key in it, what upper words are made of.
+// The same, combined with the key, for upper words.
 fn integer_hash_keyed(ends: IntegerHashEnds, key: u32) -> vec4<u32> {
     let low = ends.low.x + key;
     let high = ends.high.x + key;
@@ -67,18 +67,19 @@ fn integer_hash_words(terms: vec4<u32>, key: u32) -> vec4<u32> {
     return integer_hash_folded(h);
 }
 
-// The word whose upper bits are good, from the term of the first axis and the exclusive or of the others'.
+// The word with good upper bits, from the term of the first axis and the exclusive or of the other
+// terms.
 fn integer_hash_upper_word(first: u32, others: u32, key: u32) -> u32 {
     let h = (first + key) ^ others;
     return h * (h | 1u);
 }
 
-// The upper words of four lattice points from what is joined of their terms and the key.
+// The upper words of four lattice points, from their terms combined with the key.
 fn integer_hash_upper_words(keyed: vec4<u32>) -> vec4<u32> {
     return keyed * (keyed | vec4<u32>(1u));
 }
 
-// A further word of a lattice point, the k-th.
+// The k-th further word of a lattice point.
 fn integer_hash_further(word: u32, k: u32) -> u32 {
     var h = word + k * INTEGER_HASH_GOLDEN;
     h = (h ^ (h >> 15u)) * 0x846ca68bu;
@@ -92,7 +93,7 @@ fn integer_hash_further_words(words: vec4<u32>, k: u32) -> vec4<u32> {
     return integer_hash_folded(h);
 }
 
-// Words of four lattice points by a multiplier of their own, what Gaussian variates are drawn from.
+// Words of four lattice points times a multiplier, the source of Gaussian variates.
 fn integer_hash_multiplied(words: vec4<u32>, multiplier: u32) -> vec4<u32> {
     return integer_hash_folded((words ^ (words >> vec4<u32>(15u))) * multiplier);
 }

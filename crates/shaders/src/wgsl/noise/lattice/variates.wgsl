@@ -1,6 +1,6 @@
 // Numbers and directions from the bits of words: `asperity_noise::lattice::unit_gradient`.
 
-// A number uniform in (-1, 1), a multiple of 2^-23 off by half a step.
+// A number uniform in (-1, 1), a multiple of 2^-23 plus half a step.
 fn variate_uniform(word: u32) -> f32 {
     return f32(word >> 8u) * 1.1920929e-7 + -0.99999994;
 }
@@ -20,7 +20,8 @@ struct VariateDirections3d {
     z: vec4<f32>,
 }
 
-// Cosine and sine of a quarter turn by the upper two bits, and of `x` quarter turns in [-1/2, 1/2] from there.
+// Cosine and sine of a quarter turn selected by the upper two bits, plus `x` quarter turns in
+// [-1/2, 1/2].
 fn variate_turns(words: vec4<u32>, x: vec4<f32>) -> VariateDirections2d {
     let y = x * x;
     let sine = x * (1.5707964 + y * (-0.64596294 + y * (0.0796759 + y * -0.00459229)));

@@ -1,15 +1,16 @@
-// Sums of octaves of Gaussian noise in the plane, two channels, N(0, 1) at every point for every real number of octaves:
-// asperity_noise::GaussianOctaves.
+// Sums of octaves of Gaussian noise in 2-D, two channels, N(0, 1) at every point for every real
+// number of octaves: asperity_noise::GaussianOctaves.
 
-// Both channels with their gradients; the share of the whole spectrum's variance that they carry, in [0, 1), and the weight of the
-// first octave, in [0, 1].
+// Both channels with their gradients, the fraction of the whole spectrum's variance that they
+// carry, in [0, 1), and the weight of the first octave, in [0, 1].
 struct GaussianOctaves2d {
     pair: GaussianPair2d,
     share: f32,
     fade: f32,
 }
 
-// Both channels of one octave from its own coordinates, with cells counted from another; 0 where a coordinate is not finite.
+// Both channels of one octave in its own coordinates, with cells relative to another cell; 0 if a
+// coordinate is not finite.
 fn gaussian_octaves_pair_2d(cell: vec2<i32>, q: vec2<f32>, key: u32) -> GaussianPair2d {
     let at = cell_place_2d(q);
     if !at.known {
@@ -18,8 +19,8 @@ fn gaussian_octaves_pair_2d(cell: vec2<i32>, q: vec2<f32>, key: u32) -> Gaussian
     return gaussian_pair_in_cell_2d(cell + at.cell, at.place, key);
 }
 
-// The first octaves of a sum: `Octaves::pair` of `detail(octaves)`, `Spectrum::share` and `Spectrum::weight`. Of an anchored sum
-// `p` is the difference to the anchor.
+// The first octaves of a sum: `Octaves::pair` of `detail(octaves)`, `Spectrum::share` and
+// `Spectrum::weight`. For an anchored sum `p` is the difference to the anchor.
 fn gaussian_octaves_2d(p: vec2<f32>, octaves: f32, sum: u32) -> GaussianOctaves2d {
     let spectrum = octaves_spectrum_2d(sum);
     let whole = octaves_lone_whole(octaves, spectrum);

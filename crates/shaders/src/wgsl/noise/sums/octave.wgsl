@@ -1,6 +1,8 @@
-// One octave: the map into the cells of its lattice, and the key that its words are drawn by. asperity_noise::Octave.
+// One octave: the affine map into the cells of its lattice, and the key for its random words.
+// asperity_noise::Octave.
 
-// Rows of a matrix, rotation times frequency, each with its offset; the cell that cells are counted from, and the key as its bits.
+// Rows of a matrix, rotation times frequency, each with its offset; the origin of the cells, and
+// the bits of the key.
 struct OctavesLayer3d {
     row_x: vec4<f32>,
     row_y: vec4<f32>,
@@ -8,7 +10,7 @@ struct OctavesLayer3d {
     cell_and_key: vec4<i32>,
 }
 
-// Both rows, the offset, the cell that cells are counted from, and the key.
+// Both rows, the offset, the origin of the cells, and the key.
 struct OctavesLayer2d {
     rows: vec4<f32>,
     offset: vec2<f32>,
@@ -16,7 +18,7 @@ struct OctavesLayer2d {
     key: u32,
 }
 
-// Rows of the matrix, the offset, the cell that cells are counted from, and the key.
+// Rows of the matrix, the offset, the origin of the cells, and the key.
 struct OctavesLayer4d {
     row_x: vec4<f32>,
     row_y: vec4<f32>,
@@ -36,7 +38,7 @@ fn octaves_point_3d(layer: OctavesLayer3d, p: vec3<f32>) -> vec3<f32> {
     );
 }
 
-// M p + o in the plane.
+// M p + o in 2-D.
 fn octaves_point_2d(layer: OctavesLayer2d, p: vec2<f32>) -> vec2<f32> {
     return vec2<f32>(
         layer.rows.x * p.x + layer.rows.y * p.y + layer.offset.x,
@@ -44,7 +46,7 @@ fn octaves_point_2d(layer: OctavesLayer2d, p: vec2<f32>) -> vec2<f32> {
     );
 }
 
-// M p + o in four dimensions.
+// M p + o in 4-D.
 fn octaves_point_4d(layer: OctavesLayer4d, p: vec4<f32>) -> vec4<f32> {
     let x = layer.row_x * p;
     let y = layer.row_y * p;
@@ -54,17 +56,17 @@ fn octaves_point_4d(layer: OctavesLayer4d, p: vec4<f32>) -> vec4<f32> {
         + vec4<f32>(x.w, y.w, z.w, w.w) + layer.offset;
 }
 
-// The transpose of M times g: a gradient turned back to the coordinates of the sum.
+// The transpose of M times g: rotates a gradient back to the coordinates of the sum.
 fn octaves_pull_back_3d(layer: OctavesLayer3d, g: vec3<f32>) -> vec3<f32> {
     return layer.row_x.xyz * g.x + layer.row_y.xyz * g.y + layer.row_z.xyz * g.z;
 }
 
-// The transpose of M times g in the plane.
+// The transpose of M times g in 2-D.
 fn octaves_pull_back_2d(layer: OctavesLayer2d, g: vec2<f32>) -> vec2<f32> {
     return layer.rows.xy * g.x + layer.rows.zw * g.y;
 }
 
-// The transpose of M times g in four dimensions.
+// The transpose of M times g in 4-D.
 fn octaves_pull_back_4d(layer: OctavesLayer4d, g: vec4<f32>) -> vec4<f32> {
     return layer.row_x * g.x + layer.row_y * g.y + layer.row_z * g.z + layer.row_w * g.w;
 }

@@ -28,7 +28,7 @@ fn octaves_shape_value(shape: u32, n: f32) -> f32 {
     }
 }
 
-// The slope of a shape at n, on a crease the mean of both sides', `Shape::slope`.
+// The slope of a shape at n, on a crease the mean of the slopes of both sides, `Shape::slope`.
 fn octaves_shape_slope(shape: u32, n: f32) -> f32 {
     let size = abs(n);
     var slope = 1.0;

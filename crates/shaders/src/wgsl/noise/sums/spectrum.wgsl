@@ -1,5 +1,6 @@
-// Spectra of sums of octaves: asperity_noise::Spectrum, with what a sum is divided by. The number of octaves is real; what is negative
-// or no number is 0, and what is above the maximum is the maximum.
+// Spectra of sums of octaves: asperity_noise::Spectrum, with the divisor of a sum. The number of
+// octaves is a real number. Negative numbers and NaN are taken as 0, and numbers above the maximum
+// as the maximum.
 
 struct OctavesSpectrum {
     // Ratio of the frequencies of successive octaves, and of their amplitudes.
@@ -7,7 +8,7 @@ struct OctavesSpectrum {
     gain: f32,
     // At most 16.
     max_octaves: f32,
-    // 1 - gain^2 for a gain below 1, else the squares of all amplitudes together.
+    // 1 - gain^2 for a gain below 1, otherwise the sum of the squares of all amplitudes.
     share: f32,
     // Mean and standard deviation of one octave of amplitude 1.
     mean: f32,
@@ -18,15 +19,16 @@ struct OctavesSpectrum {
     shape: u32,
 }
 
-// What a sum starts from and is multiplied by in the end; the sum of the squares of its amplitudes, unclamped.
+// The constant that a sum starts from, the factor that it ends with, and the sum of the squares of
+// its amplitudes, unclamped.
 struct OctavesDivisor {
     constant: f32,
     factor: f32,
     squares: f32,
 }
 
-// Whether there is any octave, however small its part: by bits, as compilers may take it that no number is NaN, and hardware may take
-// small ones for 0.
+// Whether there is any octave, even with a tiny fraction. Compares bits, as compilers may assume
+// that no number is NaN, and hardware may flush small numbers to 0.
 fn octaves_any(octaves: f32) -> bool {
     return bitcast<u32>(octaves) - 1u < 0x7f800000u;
 }
@@ -36,7 +38,7 @@ fn octaves_within(octaves: f32, spectrum: OctavesSpectrum) -> f32 {
     return select(0.0, min(octaves, spectrum.max_octaves), octaves_any(octaves));
 }
 
-// The number of octaves with a lone one made whole: its weight cancels against the divisor.
+// The number of octaves, with a lone octave made whole, as its weight cancels against the divisor.
 fn octaves_lone_whole(octaves: f32, spectrum: OctavesSpectrum) -> f32 {
     return select(0.0, min(max(octaves, 1.0), spectrum.max_octaves), octaves_any(octaves));
 }
@@ -68,7 +70,7 @@ fn octaves_divisor(octaves: f32, footprint: f32, spectrum: OctavesSpectrum) -> O
     if norm > 0.0 {
         factor = 1.0 / norm;
     }
-    // What the footprint removes gives way to its mean.
+    // Removed octaves are replaced by their mean.
     if spectrum.mean != 0.0 && footprint > 0.0 {
         amplitude = 1.0;
         var frequency = 1.0;
@@ -86,10 +88,11 @@ fn octaves_divisor(octaves: f32, footprint: f32, spectrum: OctavesSpectrum) -> O
     return OctavesDivisor(constant, factor, squares);
 }
 
-// The share in [0, 1) of the whole spectrum's variance, from the sum of the squares that `octaves_divisor` gives: `Spectrum::share`.
+// The fraction in [0, 1) of the whole spectrum's variance, from the sum of squares of
+// `octaves_divisor`: `Spectrum::share`.
 fn octaves_share(octaves: f32, squares: f32, spectrum: OctavesSpectrum) -> f32 {
     let within = octaves_within(octaves, spectrum);
-    // A lone octave counts by its weight here.
+    // Here a lone octave has its weight.
     let resolved = select(squares, within * within, within < 1.0);
     if spectrum.gain < 1.0 {
         return min(resolved * spectrum.share, 0.99999994);
@@ -102,13 +105,15 @@ fn octaves_fade(octaves: f32, spectrum: OctavesSpectrum) -> f32 {
     return min(octaves_within(octaves, spectrum), 1.0);
 }
 
-// The octaves that take part, one after the other.
+// Iteration over the active octaves.
 struct OctavesWalk {
     spectrum: OctavesSpectrum,
-    // The number of octaves with a lone one made whole, and the footprint that they are clamped to.
+    // The number of octaves with a lone octave made whole, and the footprint for frequency
+    // clamping.
     whole: f32,
     footprint: f32,
-    // The number of the next octave, its amplitude and frequency whole, and its amplitude as it takes part; 0 where there is none.
+    // The number of the next octave, its full amplitude and frequency, and its weighted amplitude;
+    // 0 after the last.
     octave: u32,
     amplitude: f32,
     frequency: f32,
@@ -121,7 +126,7 @@ fn octaves_walk(octaves: f32, footprint: f32, spectrum: OctavesSpectrum) -> Octa
     return octaves_weighted(OctavesWalk(spectrum, whole, footprint, 0u, 1.0, 1.0, 0.0));
 }
 
-// The octave behind one.
+// The next octave.
 fn octaves_next(walk: OctavesWalk) -> OctavesWalk {
     let amplitude = walk.amplitude * walk.spectrum.gain;
     let frequency = walk.frequency * walk.spectrum.lacunarity;
@@ -131,7 +136,7 @@ fn octaves_next(walk: OctavesWalk) -> OctavesWalk {
     );
 }
 
-// An octave with its amplitude as it takes part.
+// An octave with its weighted amplitude.
 fn octaves_weighted(walk: OctavesWalk) -> OctavesWalk {
     let weight = min(walk.whole - f32(walk.octave), 1.0);
     var weighted = walk;

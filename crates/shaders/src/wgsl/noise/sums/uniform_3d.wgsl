@@ -1,5 +1,5 @@
-// Sums of octaves in space, in a uniform: what `OctavesUniform` writes. A module of one's own may have more of them, or
-// read them from elsewhere: all that is here is these two functions.
+// Sums of octaves in 3-D, in a uniform written by `OctavesUniform`. A custom module may have more
+// sums or read them from elsewhere by replacing these two functions.
 
 struct OctavesUniform3d {
     spectrum: OctavesSpectrum,

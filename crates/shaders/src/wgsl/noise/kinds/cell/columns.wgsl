@@ -1,7 +1,7 @@
-// The blend of what is drawn at the corners of a cell, values and gradients, as all noises on cells share it.
+// The blend of values and gradients at the corners of a cell, used by all noises on cells.
 //
-// Columns are the corners at the ends of the first two axes, blended along all others: low and low, high and low, low and high,
-// high and high. Each is value + x (p.x - c.x) + y (p.y - c.y).
+// Columns are the corners at the ends of the first two axes, blended along all other axes: low and
+// low, high and low, low and high, high and high. Each is value + x (p.x - c.x) + y (p.y - c.y).
 
 struct Columns {
     value: vec4<f32>,
@@ -14,7 +14,7 @@ fn columns_edges(values: vec2<f32>, slopes: vec2<f32>, t: f32) -> vec2<f32> {
     return values + vec2<f32>(t, t - 1.0) * slopes;
 }
 
-// The blend of columns at place t with weights w along the first two axes.
+// The blend of columns at position t with weights w along the first two axes.
 fn columns_value(columns: Columns, t: vec2<f32>, w: vec2<f32>) -> f32 {
     let low = columns.value.xz + columns.x.xz * t.x;
     let high = columns.value.yw + columns.x.yw * (t.x - 1.0);

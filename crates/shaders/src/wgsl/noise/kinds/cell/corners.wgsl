@@ -1,4 +1,4 @@
-// Corners of a cell in space at one end of the third axis, and the blend of both ends.
+// Corners of a cell in 3-D at one end of the third axis, and the blend of both ends.
 
 struct Corners3d {
     value: vec4<f32>,

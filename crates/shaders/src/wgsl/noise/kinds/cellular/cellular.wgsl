@@ -1,8 +1,10 @@
-// Cellular noise, `asperity_noise::Cellular`: of the distances to feature points, one at a random place of each cell.
+// Cellular noise, `asperity_noise::Cellular`: a function of the distances to feature points, one at
+// a random place in each cell.
 //
-// The basis is one of CELLULAR_FIRST, the distance to the nearest, CELLULAR_SECOND, to the second nearest, CELLULAR_BETWEEN, their
-// difference, and CELLULAR_NUMBER, a number in (-1, 1) of the nearest. The jitter in [0, 1] is the side of the box in the middle of a
-// cell that its feature point lies in.
+// The basis is CELLULAR_FIRST, the distance to the nearest feature point, CELLULAR_SECOND, to the
+// second nearest, CELLULAR_BETWEEN, their difference, or CELLULAR_NUMBER, a number in (-1, 1) of
+// the nearest. The jitter in [0, 1] is the side of the box in the middle of a cell that contains
+// its feature point.
 
 const CELLULAR_FIRST: u32 = 0u;
 const CELLULAR_SECOND: u32 = 1u;
@@ -13,11 +15,12 @@ const CELLULAR_EUCLIDEAN: u32 = 0u;
 const CELLULAR_MANHATTAN: u32 = 1u;
 const CELLULAR_CHEBYSHEV: u32 = 2u;
 
-// Cells are passed over whose border is farther than what is sought by more than rounding.
+// Cells are skipped only if their border is farther than the result by more than rounding.
 const CELLULAR_MARGIN: f32 = 0.000004;
 const CELLULAR_NOWHERE: f32 = 3.0e38;
 
-// A measure of a distance with one way more: the square of the Euclidean one, and of the others the distance itself.
+// A measure of a distance with one more offset: the square of the Euclidean distance, otherwise the
+// distance itself.
 fn cellular_joined(metric: u32, measure: f32, way: f32) -> f32 {
     if metric == CELLULAR_EUCLIDEAN {
         return measure + way * way;
@@ -35,7 +38,8 @@ fn cellular_distance(metric: u32, measure: f32) -> f32 {
     return measure;
 }
 
-// The gradient of a distance; 0 where it is, and of axes tied for the greatest way the first counts.
+// The gradient of a distance; 0 where the distance is 0. If axes tie for the largest offset, the
+// first is used.
 fn cellular_slopes_2d(metric: u32, way: vec2<f32>, distance: f32) -> vec2<f32> {
     if metric == CELLULAR_EUCLIDEAN {
         if distance > 0.0 {
@@ -71,19 +75,20 @@ fn cellular_slopes_3d(metric: u32, way: vec3<f32>, distance: f32) -> vec3<f32> {
     return vec3<f32>(sign(way.x), 0.0, 0.0);
 }
 
-// The step of a turn of the search along an axis: 0, then one to the nearer side, one to the other, two to the nearer.
+// The step of a turn of the search along an axis: 0, one to the nearer side, one to the other side,
+// two to the nearer side.
 fn cellular_step(turn: u32, towards: f32) -> f32 {
     let cells = f32((turn + 1u) / 2u);
     return towards * select(-cells, cells, (turn & 1u) == 1u);
 }
 
-// The least way to a feature point of that cell.
+// The minimum offset to a feature point of that cell.
 fn cellular_gap(turn: u32, off_centre: f32, half: f32) -> f32 {
     let cells = f32((turn + 1u) / 2u);
     return max((cells - half) + select(off_centre, -off_centre, (turn & 1u) == 1u), 0.0);
 }
 
-// The place of a feature point by 16 bits.
+// The place of a feature point from 16 bits.
 fn cellular_place(bits: u32, jitter: f32) -> f32 {
     return (0.5 - 0.5 * jitter) + (f32(bits) + 0.5) * (jitter * 1.5258789e-5);
 }
@@ -96,7 +101,8 @@ fn cellular_turns(metric: u32, dimension: u32) -> u32 {
     return select(5u, 2u * dimension + 1u, metric == CELLULAR_MANHATTAN);
 }
 
-// The value by the measures of the nearest two and the word of the nearest, and how much the slopes to either count in its gradient.
+// The value from the measures of the nearest two feature points and the word of the nearest, and
+// the weights of both slopes in its gradient.
 struct CellularValue {
     value: f32,
     distances: vec2<f32>,

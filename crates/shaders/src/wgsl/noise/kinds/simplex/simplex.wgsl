@@ -1,20 +1,23 @@
 // Simplex noise, `asperity_noise::Simplex`: gradient noise on the simplicial lattice. Values are clamped to [-1, 1].
 //
-// `simplex_*` have kernels of r^2 = 1/2, which end where they should; `simplex_wide_*` the customary 0.6, by which the noise leaps at
-// the faces of simplices, as `asperity_noise::Simplex::wide` does. Corners are lanes. From |x| + |y| + ... = 2^22 on the noise is 0.
+// `simplex_*` have kernels of r^2 = 1/2, which are continuous. `simplex_wide_*` have the customary
+// r^2 = 0.6, which is discontinuous at the faces of simplices, like
+// `asperity_noise::Simplex::wide`. Corners are lanes. From |x| + |y| + ... = 2^22 on the noise is
+// 0.
 
 // In two, three and four dimensions.
 const SIMPLEX_SKEW: vec3<f32> = vec3<f32>(0.3660254, 0.33333334, 0.309017);
 const SIMPLEX_UNSKEW: vec3<f32> = vec3<f32>(0.21132487, 0.16666667, 0.1381966);
-// The inverses of the greatest sums.
+// The inverses of the maximum sums.
 const SIMPLEX_SCALE: vec3<f32> = vec3<f32>(70.73889, 76.8806, 62.777576);
 const SIMPLEX_WIDE_SCALE: vec3<f32> = vec3<f32>(24.693579, 32.69582, 27.225628);
-// Kernels are 0 from here down.
+// Kernels are 0 up to here.
 const SIMPLEX_GAP: f32 = 0.0009765625;
 const SIMPLEX_REACH: f32 = 4194304.0;
 const SIMPLEX_REACH_BITS: u32 = 0x4a800000u;
 
-// Whether a point is within reach, by bits first: compilers may take it that no number is infinite.
+// Whether a point is within reach. Compares bits first, as compilers may assume that no number is
+// infinite.
 fn simplex_is_within(p: vec4<f32>) -> bool {
     if cell_magnitude_bits(p) >= SIMPLEX_REACH_BITS {
         return false;
@@ -33,24 +36,25 @@ fn simplex_kernel(t: vec4<f32>) -> vec4<f32> {
     return square * square;
 }
 
-// 8 t^3 s, by which a term's gradient points to its corner.
+// 8 t^3 s, the factor of the offset in a term's gradient.
 fn simplex_pull(t: vec4<f32>, s: vec4<f32>) -> vec4<f32> {
     return 8.0 * (t * t * t) * s;
 }
 
-// Places of four corners along an axis, one step on where they are ahead.
+// Positions of four corners along an axis, one step ahead where `ahead`.
 fn simplex_corners(first: f32, ahead: vec4<bool>) -> vec4<f32> {
     return select(vec4<f32>(first), vec4<f32>(first + 1.0), ahead);
 }
 
-// The terms of the corners along an axis, one by one: GLSL ES 3.00 chooses between no vectors of whole numbers.
+// The terms of the corners along an axis, one by one, as GLSL ES 3.00 cannot select integer
+// vectors.
 fn simplex_terms(low: u32, high: u32, ahead: vec4<bool>) -> vec4<u32> {
     return vec4<u32>(
         select(low, high, ahead.x), select(low, high, ahead.y), select(low, high, ahead.z), select(low, high, ahead.w),
     );
 }
 
-// The sum at p, with cells of the skewed lattice counted from `cell`.
+// The sum at p, with cells of the skewed lattice relative to `cell`.
 fn simplex_sum_2d(cell: vec2<i32>, p: vec2<f32>, radius_squared: f32, scale: f32, key: u32) -> Sample2d {
     if !simplex_is_within(vec4<f32>(p, 0.0, 0.0)) {
         return Sample2d(0.0, vec2<f32>(0.0));
@@ -83,7 +87,8 @@ fn simplex_added(v: vec4<f32>) -> f32 {
     return ((v.x + v.y) + v.z) + v.w;
 }
 
-// The corners of the simplex around a point: the ways from them, and their terms of the hash along x and along the other axes.
+// The corners of the simplex around a point: the offsets from them, and their terms of the hash
+// along x and along the other axes.
 struct SimplexCorners3d {
     dx: vec4<f32>,
     dy: vec4<f32>,
@@ -95,7 +100,7 @@ struct SimplexCorners3d {
 fn simplex_corners_3d(cell: vec3<i32>, p: vec3<f32>) -> SimplexCorners3d {
     let first = floor(p + ((p.z + p.y) + p.x) * SIMPLEX_SKEW.y);
     let low = p - first;
-    // Which axis the point is farther along.
+    // Comparisons of the axes along which the point is farther.
     let xy = low.y < low.x;
     let xz = low.z < low.x;
     let yz = low.z < low.y;
@@ -114,7 +119,7 @@ fn simplex_corners_3d(cell: vec3<i32>, p: vec3<f32>) -> SimplexCorners3d {
     );
 }
 
-// The sum over the corners with gradients g times a scale each, not clamped.
+// The sum over the corners with gradients g times one scale each, before clamping.
 fn simplex_corner_sum_3d(at: SimplexCorners3d, g: EdgeDirections3d, scale: vec4<f32>, radius_squared: f32) -> Sample3d {
     let gx = g.x * scale;
     let gy = g.y * scale;
@@ -152,7 +157,7 @@ struct SimplexTerms4d {
     w: vec4<f32>,
 }
 
-// By the ways from the corners along each axis.
+// From the offsets to the corners along each axis.
 fn simplex_terms_4d(
     dx: vec4<f32>,
     dy: vec4<f32>,
@@ -186,7 +191,7 @@ fn simplex_sum_4d(cell: vec4<i32>, p: vec4<f32>, radius_squared: f32, scale: f32
     }
     let first = floor(p + (((p.w + p.z) + p.y) + p.x) * SIMPLEX_SKEW.z);
     let low = p - first;
-    // Than how many axes the point is farther along each.
+    // For each axis the number of axes along which the point is less far.
     let xs = select(vec3<f32>(0.0), vec3<f32>(1.0), low.yzw < vec3<f32>(low.x));
     let ys = select(vec2<f32>(0.0), vec2<f32>(1.0), low.zw < vec2<f32>(low.y));
     let zw = select(0.0, 1.0, low.w < low.z);
@@ -236,7 +241,8 @@ fn simplex_sum_4d(cell: vec4<i32>, p: vec4<f32>, radius_squared: f32, scale: f32
     );
 }
 
-// As octaves that are anchored call it: cells of the skewed lattice are counted from `cell`, and p is the way from there.
+// For anchored octaves: cells of the skewed lattice are relative to `cell`, and p is the offset
+// from it.
 fn simplex_in_cell_2d(cell: vec2<i32>, p: vec2<f32>, key: u32) -> Sample2d {
     return simplex_sum_2d(cell, p, 0.5, SIMPLEX_SCALE.x, key);
 }
@@ -249,7 +255,7 @@ fn simplex_in_cell_4d(cell: vec4<i32>, p: vec4<f32>, key: u32) -> Sample4d {
     return simplex_sum_4d(cell, p, 0.5, SIMPLEX_SCALE.z, key);
 }
 
-// At any point.
+// The noise at any point.
 fn simplex_noise_2d(p: vec2<f32>, key: u32) -> Sample2d {
     return simplex_in_cell_2d(vec2<i32>(0), p, key);
 }
@@ -262,7 +268,7 @@ fn simplex_noise_4d(p: vec4<f32>, key: u32) -> Sample4d {
     return simplex_in_cell_4d(vec4<i32>(0), p, key);
 }
 
-// Of the wider kernel, counted from `cell`.
+// The wider kernel, relative to `cell`.
 fn simplex_wide_in_cell_2d(cell: vec2<i32>, p: vec2<f32>, key: u32) -> Sample2d {
     return simplex_sum_2d(cell, p, 0.6, SIMPLEX_WIDE_SCALE.x, key);
 }
@@ -275,7 +281,7 @@ fn simplex_wide_in_cell_4d(cell: vec4<i32>, p: vec4<f32>, key: u32) -> Sample4d 
     return simplex_sum_4d(cell, p, 0.6, SIMPLEX_WIDE_SCALE.z, key);
 }
 
-// Of the wider kernel, at any point.
+// The wider kernel, at any point.
 fn simplex_wide_noise_2d(p: vec2<f32>, key: u32) -> Sample2d {
     return simplex_wide_in_cell_2d(vec2<i32>(0), p, key);
 }
