@@ -87,11 +87,11 @@ macro_rules! octaves {
     };
     (@PERLIN_1985 $d:tt $u:path) => {
         octaves!(@cells $d $u, PERLIN_1985 "perlin_1985", "perlin_1985", "",
-            "Perlin's noise of 1985, asperity_noise::Perlin1985");
+            "Perlin noise of 1985, asperity_noise::Perlin1985");
     };
     (@PERLIN_2002 $d:tt $u:path) => {
         octaves!(@cells $d $u, PERLIN_2002 "perlin_2002", "perlin_2002", "",
-            "Perlin's noise of 2002, asperity_noise::Perlin2002");
+            "Perlin noise of 2002, asperity_noise::Perlin2002");
     };
     (@VALUE_GRADIENT $d:tt $u:path) => {
         octaves!(@cells $d $u, VALUE_GRADIENT "value_gradient", "value_gradient", " 0.5,",

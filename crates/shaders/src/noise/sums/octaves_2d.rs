@@ -4,7 +4,7 @@ use super::UNIFORM_2D;
 use super::octaves::{octave_part, octaves};
 
 octaves!(
-    ["2", "in the plane", "layer.cell", "layer.key"],
+    ["2", "in 2-D", "layer.cell", "layer.key"],
     UNIFORM_2D,
     [
         VALUE,

@@ -4,7 +4,7 @@ use super::UNIFORM_3D;
 use super::octaves::{octave_part, octaves};
 
 octaves!(
-    ["3", "in space", "layer.cell_and_key.xyz", "bitcast<u32>(layer.cell_and_key.w)"],
+    ["3", "in 3-D", "layer.cell_and_key.xyz", "bitcast<u32>(layer.cell_and_key.w)"],
     UNIFORM_3D,
     [
         VALUE,

@@ -4,7 +4,7 @@ use super::UNIFORM_4D;
 use super::octaves::{octave_part, octaves};
 
 octaves!(
-    ["4", "in four dimensions", "layer.cell", "layer.key"],
+    ["4", "in 4-D", "layer.cell", "layer.key"],
     UNIFORM_4D,
     [VALUE, PERLIN_2002, SIMPLEX, SIMPLEX_WIDE]
 );

@@ -1,25 +1,25 @@
-// Floats that are kept in their ranges, and the angle of a vector: `math.rs` of asperity-shading.
+// Floats clamped to their ranges, and the angle of a vector: `math.rs` of asperity-shading.
 
 const MATH_LARGEST: f32 = 3.4028234663852886e38;
 
-// x in [0, most]; 0 for what is no number.
+// x clamped to [0, most]; 0 for NaN.
 fn math_clamped(x: f32, most: f32) -> f32 {
     return select(0.0, min(x, most), x > 0.0);
 }
 
-// x in [0, 1] along each axis; 0 for what is no number.
+// x clamped to [0, 1] along each axis; 0 for NaN.
 fn math_shares(x: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(math_clamped(x.x, 1.0), math_clamped(x.y, 1.0), math_clamped(x.z, 1.0));
 }
 
-// Whether x is finite. By the bits: compilers may take every float for finite.
+// Whether x is finite. Compares bits, as compilers may assume that every float is finite.
 fn math_is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7fffffffu) < 0x7f800000u;
 }
 
 // atan x for x in [0, 1]. 2e-7 relative.
 fn math_arctangent(x: f32) -> f32 {
-    // Beyond tan(pi/8) by the difference to pi/4.
+    // Beyond tan(pi/8), from the difference to pi/4.
     let far = x > 0.41421357;
     let t = select(x, (x - 1.0) / (x + 1.0), far);
     let square = t * t;

@@ -34,18 +34,18 @@ fn ashikhmin_shirley_tilted(n: vec2<f32>, z: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(d.x * per_length, d.y * per_length, max(root, ELEMENTARY_LEAST_NORMAL));
 }
 
-// T(z): the normal of Gaussian coordinates; beyond 13 that bound, 0 for what is no number.
+// T(z): the normal of Gaussian coordinates, clamped to 13; 0 for NaN.
 fn ashikhmin_shirley_from_gaussian(n: vec2<f32>, z: vec2<f32>) -> vec3<f32> {
     return ashikhmin_shirley_tilted(n, vec2<f32>(elementary_bounded(z.x, 13.0), elementary_bounded(z.y, 13.0)));
 }
 
-// The inverse of T: the Gaussian coordinates of the normal m, of which only the slope counts; finite for every m.
+// The inverse of T: the Gaussian coordinates of the normal m, whose slope alone is used; finite for every m.
 fn ashikhmin_shirley_to_gaussian(n: vec2<f32>, m: vec3<f32>) -> vec2<f32> {
     if !(abs(m.x) <= ELEMENTARY_LARGEST && abs(m.y) <= ELEMENTARY_LARGEST) {
         return vec2<f32>(0.0, 0.0);
     }
     let up = select(ELEMENTARY_LEAST_NORMAL, m.z, m.z > ELEMENTARY_LEAST_NORMAL);
-    // In units of 1e20 where squares would overflow.
+    // Scaled by 1e-20 where squares would overflow.
     let is_far = max(abs(m.x), abs(m.y)) > 1e18;
     let q = vec2<f32>(m.x, m.y) * select(1.0, 1e-20, is_far);
     let lateral = sqrt(q.x * q.x + q.y * q.y);
@@ -65,7 +65,7 @@ fn ashikhmin_shirley_to_gaussian(n: vec2<f32>, m: vec3<f32>) -> vec2<f32> {
     return clamp(vec2<f32>(x, y), vec2<f32>(-13.0), vec2<f32>(13.0));
 }
 
-// A normal with the density D over the macro surface, for uniform u in the unit square.
+// A normal with the density D over the macro surface, from uniform u in the unit square.
 fn ashikhmin_shirley_from_uniform(n: vec2<f32>, u: vec2<f32>) -> vec3<f32> {
     let bounded = elementary_probabilities(u);
     let rho = sqrt(-2.0 * elementary_ln_1p(-bounded.x));

@@ -26,19 +26,19 @@ fn beckmann_lobe(alpha: vec2<f32>, mean: vec2<f32>, rest: f32, m: vec3<f32>) -> 
     return min(select(ratio * (ratio * peak), ratio, near), ELEMENTARY_LARGEST);
 }
 
-// D(m) in 1/sr, for unit m; 0 for m.z <= 0 and what is no number.
+// D(m) in 1/sr, for unit m; 0 for m.z <= 0 and NaN.
 fn beckmann_density(alpha: vec2<f32>, m: vec3<f32>) -> f32 {
     return beckmann_lobe(alpha, vec2<f32>(0.0, 0.0), 1.0, m);
 }
 
-// T(z): the normal of Gaussian coordinates, which count standard deviations; beyond 13 that bound, 0 for what is no number.
+// T(z): the normal of Gaussian coordinates, in standard deviations, clamped to 13; 0 for NaN.
 fn beckmann_from_gaussian(alpha: vec2<f32>, z: vec2<f32>) -> vec3<f32> {
     let x = elementary_bounded(z.x, 13.0) * (alpha.x * 0.70710677);
     let y = elementary_bounded(z.y, 13.0) * (alpha.y * 0.70710677);
     return roughness_unit(vec3<f32>(x, y, 1.0));
 }
 
-// The inverse of T: the Gaussian coordinates of the normal m, of which only the slope counts; finite for every m.
+// The inverse of T: the Gaussian coordinates of the normal m, whose slope alone is used; finite for every m.
 fn beckmann_to_gaussian(alpha: vec2<f32>, m: vec3<f32>) -> vec2<f32> {
     let up = 1.4142135 / select(ELEMENTARY_LEAST_NORMAL, m.z, m.z > ELEMENTARY_LEAST_NORMAL);
     let x = (m.x / alpha.x) * up;
@@ -46,7 +46,7 @@ fn beckmann_to_gaussian(alpha: vec2<f32>, m: vec3<f32>) -> vec2<f32> {
     return vec2<f32>(elementary_bounded(x, 13.0), elementary_bounded(y, 13.0));
 }
 
-// A normal with the density D over the macro surface, for uniform u in the unit square: `Beckmann::sample`.
+// A normal with the density D over the macro surface, from uniform u in the unit square: `Beckmann::sample`.
 fn beckmann_from_uniform(alpha: vec2<f32>, u: vec2<f32>) -> vec3<f32> {
     let bounded = elementary_probabilities(u);
     let slope = sqrt(-elementary_ln_1p(-bounded.x));
@@ -72,7 +72,7 @@ fn beckmann_lambda(alpha: vec2<f32>, v: vec3<f32>) -> f32 {
     return min(normal_distribution_excess(z) / max(z, 1e-37), ELEMENTARY_LARGEST);
 }
 
-// Masking G1(v): the visible share of the facets that face v.
+// Masking G1(v): the visible fraction of the facets that face v.
 fn beckmann_masking(alpha: vec2<f32>, v: vec3<f32>) -> f32 {
     return microfacet_masking(beckmann_lambda(alpha, v));
 }

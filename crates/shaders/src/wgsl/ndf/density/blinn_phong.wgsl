@@ -27,7 +27,7 @@ fn blinn_phong_to_gaussian(exponent: f32, m: vec3<f32>) -> vec2<f32> {
     return student_t_to_gaussian(blinn_phong_roughness(exponent), 0.5 * exponent + 2.0, m);
 }
 
-// A normal with the density D over the macro surface, for uniform u in the unit square.
+// A normal with the density D over the macro surface, from uniform u in the unit square.
 fn blinn_phong_from_uniform(exponent: f32, u: vec2<f32>) -> vec3<f32> {
     return student_t_from_uniform(blinn_phong_roughness(exponent), 0.5 * exponent + 2.0, u);
 }

@@ -1,7 +1,7 @@
 // The GGX normal distribution with valid roughnesses alpha along x and y:
 // `asperity_ndf_sampling::Ggx`.
 
-// D(m) in 1/sr, for unit m; 0 for m.z <= 0 and what is no number.
+// D(m) in 1/sr, for unit m; 0 for m.z <= 0 and NaN.
 fn ggx_density(alpha: vec2<f32>, m: vec3<f32>) -> f32 {
     let x = m.x / alpha.x;
     let y = m.y / alpha.y;
@@ -12,7 +12,7 @@ fn ggx_density(alpha: vec2<f32>, m: vec3<f32>) -> f32 {
     return select(0.0, density, m.z > 0.0 && t <= ELEMENTARY_LARGEST);
 }
 
-// T(z): the normal of Gaussian coordinates, which count standard deviations; beyond 13 that bound, 0 for what is no number.
+// T(z): the normal of Gaussian coordinates, in standard deviations, clamped to 13; 0 for NaN.
 fn ggx_from_gaussian(alpha: vec2<f32>, z: vec2<f32>) -> vec3<f32> {
     let x = elementary_bounded(z.x, 13.0);
     let y = elementary_bounded(z.y, 13.0);
@@ -22,7 +22,7 @@ fn ggx_from_gaussian(alpha: vec2<f32>, z: vec2<f32>) -> vec3<f32> {
     return roughness_unit(vec3<f32>(x * scale * alpha.x, y * scale * alpha.y, up));
 }
 
-// The inverse of T: the Gaussian coordinates of the normal m, of which only the slope counts; finite for every m.
+// The inverse of T: the Gaussian coordinates of the normal m, whose slope alone is used; finite for every m.
 fn ggx_to_gaussian(alpha: vec2<f32>, m: vec3<f32>) -> vec2<f32> {
     let up = select(ELEMENTARY_LEAST_NORMAL, m.z, m.z > ELEMENTARY_LEAST_NORMAL);
     let x = m.x / alpha.x;
@@ -39,7 +39,7 @@ fn ggx_to_gaussian(alpha: vec2<f32>, m: vec3<f32>) -> vec2<f32> {
     return clamp(vec2<f32>(x * per_lateral, y * per_lateral), vec2<f32>(-13.0), vec2<f32>(13.0));
 }
 
-// A normal with the density D over the macro surface, for uniform u in the unit square: `Ggx::sample`.
+// A normal with the density D over the macro surface, from uniform u in the unit square: `Ggx::sample`.
 fn ggx_from_uniform(alpha: vec2<f32>, u: vec2<f32>) -> vec3<f32> {
     let bounded = elementary_probabilities(u);
     let slope = sqrt(bounded.x);
@@ -64,7 +64,7 @@ fn ggx_lambda(alpha: vec2<f32>, v: vec3<f32>) -> f32 {
     return select(ELEMENTARY_LARGEST, lambda, v.z > 0.0 && t <= ELEMENTARY_LARGEST);
 }
 
-// Masking G1(v): the visible share of the facets that face v.
+// Masking G1(v): the visible fraction of the facets that face v.
 fn ggx_masking(alpha: vec2<f32>, v: vec3<f32>) -> f32 {
     return microfacet_masking(ggx_lambda(alpha, v));
 }

@@ -39,19 +39,19 @@ fn student_t_tilted(alpha: vec2<f32>, gamma: f32, z: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(m.x, m.y, max(m.z, ELEMENTARY_LEAST_NORMAL));
 }
 
-// T(z): the normal of Gaussian coordinates; beyond 13 that bound, 0 for what is no number.
+// T(z): the normal of Gaussian coordinates, clamped to 13; 0 for NaN.
 fn student_t_from_gaussian(alpha: vec2<f32>, gamma: f32, z: vec2<f32>) -> vec3<f32> {
     return student_t_tilted(alpha, gamma, vec2<f32>(elementary_bounded(z.x, 13.0), elementary_bounded(z.y, 13.0)));
 }
 
-// The inverse of T: the Gaussian coordinates of the normal m, of which only the slope counts; finite for every m.
+// The inverse of T: the Gaussian coordinates of the normal m, whose slope alone is used; finite for every m.
 fn student_t_to_gaussian(alpha: vec2<f32>, gamma: f32, m: vec3<f32>) -> vec2<f32> {
     let up = select(ELEMENTARY_LEAST_NORMAL, m.z, m.z > ELEMENTARY_LEAST_NORMAL);
     let slope = vec2<f32>(m.x / alpha.x / up, m.y / alpha.y / up);
     if !(abs(slope.x) <= ELEMENTARY_LARGEST && abs(slope.y) <= ELEMENTARY_LARGEST) {
         return vec2<f32>(0.0, 0.0);
     }
-    // In units of 1e20 where squares would overflow.
+    // Scaled by 1e-20 where squares would overflow.
     let is_far = max(abs(slope.x), abs(slope.y)) > 1e18;
     let q = slope * select(1.0, 1e-20, is_far);
     let t = sqrt(q.x * q.x + q.y * q.y);
@@ -69,7 +69,7 @@ fn student_t_to_gaussian(alpha: vec2<f32>, gamma: f32, m: vec3<f32>) -> vec2<f32
     return clamp(vec2<f32>(q.x * per_t, q.y * per_t), vec2<f32>(-13.0), vec2<f32>(13.0));
 }
 
-// A normal with the density D over the macro surface, for uniform u in the unit square.
+// A normal with the density D over the macro surface, from uniform u in the unit square.
 fn student_t_from_uniform(alpha: vec2<f32>, gamma: f32, u: vec2<f32>) -> vec3<f32> {
     let bounded = elementary_probabilities(u);
     let rho = sqrt(-2.0 * elementary_ln_1p(-bounded.x));
@@ -90,7 +90,7 @@ fn student_t_lambda(alpha: vec2<f32>, gamma: f32, v: vec3<f32>) -> f32 {
     return min(student_distribution_excess(student_distribution(2.0 * gamma - 2.0), z) / max(z, 1e-37), ELEMENTARY_LARGEST);
 }
 
-// Masking G1(v): the visible share of the facets that face v.
+// Masking G1(v): the visible fraction of the facets that face v.
 fn student_t_masking(alpha: vec2<f32>, gamma: f32, v: vec3<f32>) -> f32 {
     return microfacet_masking(student_t_lambda(alpha, gamma, v));
 }

@@ -76,7 +76,7 @@ fn gaussian_normalised_3d(n: Sample3d, v: Sample3d) -> Sample3d {
     return Sample3d(z, n.gradient * inverse - (z * (0.5 * inverse * inverse)) * v.gradient);
 }
 
-// At a place in [0, 1]^2 of a cell.
+// The noise at a position in [0, 1]^2 of a cell.
 fn gaussian_in_cell_2d(cell: vec2<i32>, t: vec2<f32>, key: u32) -> Sample2d {
     let w = fade_quintic(vec4<f32>(t, 0.0, 0.0)).xy;
     let slope = fade_quintic_slope(vec4<f32>(t, 0.0, 0.0)).xy;
@@ -85,7 +85,7 @@ fn gaussian_in_cell_2d(cell: vec2<i32>, t: vec2<f32>, key: u32) -> Sample2d {
     return gaussian_normalised_2d(sum, gaussian_variance_2d(t, w, slope));
 }
 
-// At a place in [0, 1]^3 of a cell.
+// The noise at a position in [0, 1]^3 of a cell.
 fn gaussian_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, key: u32) -> Sample3d {
     let ends = integer_hash_ends_3d(cell);
     let w = fade_quintic(vec4<f32>(t, 0.0)).xyz;
@@ -135,7 +135,7 @@ fn gaussian_pair_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, key: u32) -> Gaussian
     );
 }
 
-// At any point; 0 where a coordinate is not finite.
+// The noise at any point; 0 if a coordinate is not finite.
 fn gaussian_noise_2d(p: vec2<f32>, key: u32) -> Sample2d {
     let at = cell_place_2d(p);
     return sample_known_2d(gaussian_in_cell_2d(at.cell, at.place, key), at.known);

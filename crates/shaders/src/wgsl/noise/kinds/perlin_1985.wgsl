@@ -8,7 +8,7 @@ fn perlin_1985_corners_3d(terms: vec4<u32>, key: u32) -> Corners3d {
     return Corners3d(vec4<f32>(0.0), g.x, g.y, g.z);
 }
 
-// At a place in [0, 1]^2 of a cell.
+// The noise at a position in [0, 1]^2 of a cell.
 fn perlin_1985_in_cell_2d(cell: vec2<i32>, t: vec2<f32>, key: u32) -> Sample2d {
     let w = fade_cubic(vec4<f32>(t, 0.0, 0.0));
     let slope = fade_cubic_slope(vec4<f32>(t, 0.0, 0.0));
@@ -17,7 +17,7 @@ fn perlin_1985_in_cell_2d(cell: vec2<i32>, t: vec2<f32>, key: u32) -> Sample2d {
     return columns_blend(Columns(vec4<f32>(0.0), g.x, g.y), t, w.xy, slope.xy);
 }
 
-// At a place in [0, 1]^3 of a cell.
+// The noise at a position in [0, 1]^3 of a cell.
 fn perlin_1985_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, key: u32) -> Sample3d {
     let ends = integer_hash_ends_3d(cell);
     let w = fade_cubic(vec4<f32>(t, 0.0));
@@ -28,7 +28,7 @@ fn perlin_1985_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, key: u32) -> Sample3d {
     return corners_blend_3d(low, high, t, w.xyz, slope.xyz);
 }
 
-// At any point; 0 where a coordinate is not finite.
+// The noise at any point; 0 if a coordinate is not finite.
 fn perlin_1985_noise_2d(p: vec2<f32>, key: u32) -> Sample2d {
     let at = cell_place_2d(p);
     return sample_known_2d(perlin_1985_in_cell_2d(at.cell, at.place, key), at.known);

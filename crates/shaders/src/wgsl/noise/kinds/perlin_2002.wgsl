@@ -3,7 +3,7 @@
 
 const PERLIN_2002_SCALE: vec3<f32> = vec3<f32>(1.070048, 0.96491945, 0.6507936);
 
-// At a place in [0, 1]^2 of a cell.
+// The noise at a position in [0, 1]^2 of a cell.
 fn perlin_2002_in_cell_2d(cell: vec2<i32>, t: vec2<f32>, key: u32) -> Sample2d {
     let w = fade_quintic(vec4<f32>(t, 0.0, 0.0));
     let slope = fade_quintic_slope(vec4<f32>(t, 0.0, 0.0));
@@ -66,7 +66,7 @@ fn perlin_2002_joined_4d(
     );
 }
 
-// At a place in [0, 1]^4 of a cell.
+// The noise at a position in [0, 1]^4 of a cell.
 fn perlin_2002_in_cell_4d(cell: vec4<i32>, t: vec4<f32>, key: u32) -> Sample4d {
     let ends = integer_hash_ends(cell);
     let w = fade_quintic(t);
@@ -100,7 +100,7 @@ fn perlin_2002_in_cell_4d(cell: vec4<i32>, t: vec4<f32>, key: u32) -> Sample4d {
     );
 }
 
-// At any point; 0 where a coordinate is not finite.
+// The noise at any point; 0 if a coordinate is not finite.
 fn perlin_2002_noise_2d(p: vec2<f32>, key: u32) -> Sample2d {
     let at = cell_place_2d(p);
     return sample_known_2d(perlin_2002_in_cell_2d(at.cell, at.place, key), at.known);

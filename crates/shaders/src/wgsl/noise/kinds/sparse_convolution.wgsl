@@ -10,7 +10,7 @@ fn sparse_places(word: u32) -> vec2<f32> {
     return (vec2<f32>(f32(word >> 16u), f32(word & 0xffffu)) + 0.5) * 1.5258789e-5;
 }
 
-// At a place in [0, 1]^2 of a cell.
+// The noise at a position in [0, 1]^2 of a cell.
 fn sparse_in_cell_2d(cell: vec2<i32>, t: vec2<f32>, impulses: u32, key: u32) -> Sample2d {
     let count = clamp(impulses, 1u, 4u);
     let amplitude = SPARSE_AMPLITUDE_2D[count - 1u];
@@ -36,7 +36,7 @@ fn sparse_in_cell_2d(cell: vec2<i32>, t: vec2<f32>, impulses: u32, key: u32) -> 
     return Sample2d(value, gradient);
 }
 
-// At a place in [0, 1]^3 of a cell.
+// The noise at a position in [0, 1]^3 of a cell.
 fn sparse_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, impulses: u32, key: u32) -> Sample3d {
     let count = clamp(impulses, 1u, 4u);
     let amplitude = SPARSE_AMPLITUDE_3D[count - 1u];

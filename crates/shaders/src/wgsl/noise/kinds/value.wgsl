@@ -24,7 +24,7 @@ fn value_along_slope(corners: vec4<f32>, slope: f32) -> vec2<f32> {
     return (slope * (corners.yw - corners.xz)) * VALUE_UNIT;
 }
 
-// At a place in [0, 1]^2 of a cell.
+// The noise at a position in [0, 1]^2 of a cell.
 fn value_in_cell_2d(cell: vec2<i32>, t: vec2<f32>, key: u32) -> Sample2d {
     let ends = integer_hash_ends_2d(cell);
     let w = fade_quintic(vec4<f32>(t, 0.0, 0.0));
@@ -37,7 +37,7 @@ fn value_in_cell_2d(cell: vec2<i32>, t: vec2<f32>, key: u32) -> Sample2d {
     );
 }
 
-// At a place in [0, 1]^3 of a cell.
+// The noise at a position in [0, 1]^3 of a cell.
 fn value_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, key: u32) -> Sample3d {
     let ends = integer_hash_ends_3d(cell);
     let w = fade_quintic(vec4<f32>(t, 0.0));
@@ -57,7 +57,7 @@ fn value_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, key: u32) -> Sample3d {
     );
 }
 
-// At a place in [0, 1]^4 of a cell.
+// The noise at a position in [0, 1]^4 of a cell.
 fn value_in_cell_4d(cell: vec4<i32>, t: vec4<f32>, key: u32) -> Sample4d {
     let ends = integer_hash_ends(cell);
     let w = fade_quintic(t);
@@ -84,7 +84,7 @@ fn value_in_cell_4d(cell: vec4<i32>, t: vec4<f32>, key: u32) -> Sample4d {
     );
 }
 
-// At any point; 0 where a coordinate is not finite.
+// The noise at any point; 0 if a coordinate is not finite.
 fn value_noise_2d(p: vec2<f32>, key: u32) -> Sample2d {
     let at = cell_place_2d(p);
     return sample_known_2d(value_in_cell_2d(at.cell, at.place, key), at.known);

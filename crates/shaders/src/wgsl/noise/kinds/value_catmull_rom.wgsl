@@ -46,7 +46,7 @@ fn value_catmull_rom_numbers(terms: vec4<u32>, scale: f32, key: u32) -> vec4<f32
     return variates_uniform(integer_hash_words(terms, key)) * scale;
 }
 
-// At a place in [0, 1]^2 of a cell.
+// The noise at a position in [0, 1]^2 of a cell.
 fn value_catmull_rom_in_cell_2d(cell: vec2<i32>, t: vec2<f32>, key: u32) -> Sample2d {
     let xs = integer_hash_terms(0u, vec4<i32>(cell.x) + VALUE_CATMULL_ROM_STEPS);
     let ys = integer_hash_terms(1u, vec4<i32>(cell.y) + VALUE_CATMULL_ROM_STEPS);
@@ -69,7 +69,7 @@ fn value_catmull_rom_in_cell_2d(cell: vec2<i32>, t: vec2<f32>, key: u32) -> Samp
     );
 }
 
-// At a place in [0, 1]^3 of a cell.
+// The noise at a position in [0, 1]^3 of a cell.
 fn value_catmull_rom_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, key: u32) -> Sample3d {
     let xs = integer_hash_terms(0u, vec4<i32>(cell.x) + VALUE_CATMULL_ROM_STEPS);
     let ys = integer_hash_terms(1u, vec4<i32>(cell.y) + VALUE_CATMULL_ROM_STEPS);
@@ -104,7 +104,7 @@ fn value_catmull_rom_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, key: u32) -> Samp
     );
 }
 
-// At any point; 0 where a coordinate is not finite.
+// The noise at any point; 0 if a coordinate is not finite.
 fn value_catmull_rom_noise_2d(p: vec2<f32>, key: u32) -> Sample2d {
     let at = cell_place_2d(p);
     return sample_known_2d(value_catmull_rom_in_cell_2d(at.cell, at.place, key), at.known);

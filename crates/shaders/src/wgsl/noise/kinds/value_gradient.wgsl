@@ -13,7 +13,7 @@ fn value_gradient_corners_3d(terms: vec4<u32>, weight: f32, key: u32) -> Corners
     return Corners3d(value_gradient_values(words, weight), g.x, g.y, g.z);
 }
 
-// At a place in [0, 1]^2 of a cell.
+// The noise at a position in [0, 1]^2 of a cell.
 fn value_gradient_in_cell_2d(cell: vec2<i32>, t: vec2<f32>, weight: f32, key: u32) -> Sample2d {
     let w = fade_quintic(vec4<f32>(t, 0.0, 0.0));
     let slope = fade_quintic_slope(vec4<f32>(t, 0.0, 0.0));
@@ -23,7 +23,7 @@ fn value_gradient_in_cell_2d(cell: vec2<i32>, t: vec2<f32>, weight: f32, key: u3
     return Sample2d(clamp(blend.value, -1.0, 1.0), blend.gradient);
 }
 
-// At a place in [0, 1]^3 of a cell.
+// The noise at a position in [0, 1]^3 of a cell.
 fn value_gradient_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, weight: f32, key: u32) -> Sample3d {
     let ends = integer_hash_ends_3d(cell);
     let w = fade_quintic(vec4<f32>(t, 0.0));
@@ -35,7 +35,7 @@ fn value_gradient_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, weight: f32, key: u3
     return Sample3d(clamp(blend.value, -1.0, 1.0), blend.gradient);
 }
 
-// At any point; 0 where a coordinate is not finite.
+// The noise at any point; 0 if a coordinate is not finite.
 fn value_gradient_noise_2d(p: vec2<f32>, weight: f32, key: u32) -> Sample2d {
     let at = cell_place_2d(p);
     return sample_known_2d(value_gradient_in_cell_2d(at.cell, at.place, weight, key), at.known);

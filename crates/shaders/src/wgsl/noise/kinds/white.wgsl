@@ -10,7 +10,7 @@ fn white_in_cell_3d(cell: vec3<i32>, key: u32) -> f32 {
     return variate_uniform(integer_hash_word(ends.x ^ ends.y ^ ends.z, key));
 }
 
-// At any point; 0 where a coordinate is not finite.
+// The noise at any point; 0 if a coordinate is not finite.
 fn white_noise_2d(p: vec2<f32>, key: u32) -> Sample2d {
     let at = cell_place_2d(p);
     return sample_known_2d(Sample2d(white_in_cell_2d(at.cell, key), vec2<f32>(0.0)), at.known);

@@ -1,13 +1,13 @@
-// Slopes that a pixel does not resolve, as a few facets: `bump::slope_facets` of asperity-shading.
+// Unresolved slopes of a pixel as a few facets: `bump::slope_facets` of asperity-shading.
 
 struct SlopeFacet {
-    // The share of the pixel, in [0, 1].
+    // The fraction of the pixel, in [0, 1].
     share: f32,
     // The unit normal.
     normal: vec3<f32>,
 }
 
-// Slopes about a bumped normal.
+// Slopes around a bumped normal.
 struct SlopeFacets {
     n: vec3<f32>,
     bumped: vec3<f32>,
@@ -16,11 +16,11 @@ struct SlopeFacets {
     // Deviations of the slope along two axes.
     u: vec3<f32>,
     v: vec3<f32>,
-    // Whether there are facets beside the bumped normal.
+    // Whether there are facets in addition to the bumped normal.
     rough: bool,
 }
 
-// Slopes about the normal `bumped` of a surface whose normal is n, of the deviations u and v.
+// Slopes around the normal `bumped` of a surface with normal n, with the deviations u and v.
 fn slope_facets(n: vec3<f32>, bumped: vec3<f32>, u: vec3<f32>, v: vec3<f32>) -> SlopeFacets {
     let cosine = dot(bumped, n);
     let deviates = u.x != 0.0 || u.y != 0.0 || u.z != 0.0 || v.x != 0.0 || v.y != 0.0 || v.z != 0.0;
@@ -41,7 +41,8 @@ fn slope_facets_side(facets: SlopeFacets, corner: vec2<f32>, radius: f32) -> vec
     return surface_gradient_normal(facets.n, slope);
 }
 
-// Facet k of `facets_along`, of seven: the one in the middle, of this share, and six around it. Of smooth slopes the first is all.
+// Facet k of `facets_along`, of seven: the middle facet with this weight, and six around it. For
+// smooth slopes the first is all.
 fn slope_facets_along(facets: SlopeFacets, middle: f32, k: u32) -> SlopeFacet {
     if !facets.rough {
         return SlopeFacet(select(0.0, 1.0, k == 0u), facets.bumped);
@@ -54,7 +55,8 @@ fn slope_facets_along(facets: SlopeFacets, middle: f32, k: u32) -> SlopeFacet {
     return SlopeFacet(rest / 6.0, normal);
 }
 
-// Facet k of `slope_facets`, of thirteen: the one in the middle and two rings of six. Of smooth slopes the first is all.
+// Facet k of `slope_facets`, of thirteen: the middle facet and two rings of six. For smooth slopes
+// the first is all.
 fn slope_facets_gaussian(facets: SlopeFacets, k: u32) -> SlopeFacet {
     if !facets.rough {
         return SlopeFacet(select(0.0, 1.0, k == 0u), facets.bumped);

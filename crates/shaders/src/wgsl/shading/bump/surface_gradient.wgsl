@@ -1,14 +1,15 @@
 // Bump mapping by surface gradients: `bump::surface_gradient` of asperity-shading.
 
-// Beyond this slope the rounding of the gradient's own part along the normal would outweigh it.
+// Beyond this slope the rounding of the gradient's component along the normal would exceed the
+// component.
 const SURFACE_GRADIENT_STEEPEST: f32 = 10000.0;
 
 fn surface_gradient_finite(gradient: vec3<f32>) -> vec3<f32> {
     return select(vec3<f32>(0.0), gradient, direction_is_finite(gradient));
 }
 
-// The gradient along a surface of a height with these derivatives in two parameters, p_u and p_v being those of the position; zero
-// where there is none.
+// The surface gradient of a height with these derivatives in two parameters, where p_u and p_v are
+// the derivatives of the position; zero if there is none.
 fn surface_gradient(n: vec3<f32>, p_u: vec3<f32>, p_v: vec3<f32>, slope: vec2<f32>) -> vec3<f32> {
     let area = dot(n, cross(p_u, p_v));
     if !(abs(area) > 0.0) {
@@ -17,7 +18,7 @@ fn surface_gradient(n: vec3<f32>, p_u: vec3<f32>, p_v: vec3<f32>, slope: vec2<f3
     return surface_gradient_finite((slope.x * cross(p_v, n) + slope.y * cross(n, p_u)) / area);
 }
 
-// The part along a surface of a gradient in space: `tangential`.
+// The component of a 3-D gradient along a surface: `tangential`.
 fn surface_gradient_tangential(n: vec3<f32>, g: vec3<f32>) -> vec3<f32> {
     return surface_gradient_finite(g - n * dot(n, g));
 }
@@ -30,7 +31,8 @@ fn surface_gradient_of_normal(tangent: vec3<f32>, bitangent: vec3<f32>, m: vec3<
     return surface_gradient_finite((m.x * tangent + m.y * bitangent) / -max(m.z, 0.0009765625));
 }
 
-// The unit normal of a surface with this surface gradient of its height; n where there is none: `bumped_normal`.
+// The unit normal of a surface with this surface gradient of its height; n if there is none:
+// `bumped_normal`.
 fn surface_gradient_normal(n: vec3<f32>, gradient: vec3<f32>) -> vec3<f32> {
     if !direction_is_finite(gradient) {
         return n;
@@ -44,13 +46,14 @@ fn surface_gradient_normal(n: vec3<f32>, gradient: vec3<f32>) -> vec3<f32> {
     return select(bumped, n, bumped.x == 0.0 && bumped.y == 0.0 && bumped.z == 0.0);
 }
 
-// The bumped normal, turned as little as lets a mirror send the view `wo` above the horizon of n: `facing`.
+// The bumped normal, rotated minimally so that a mirror reflects the view `wo` above the horizon of
+// n: `facing`.
 fn surface_gradient_facing(n: vec3<f32>, bumped: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
     if !direction_is_finite(bumped) {
         return n;
     }
     let mirrored = direction_reflect(wo, bumped);
-    // By the bits, because either may be no number: above 0, and below.
+    // Compares bits, because either may be NaN: above 0, and below.
     let sides = vec2<u32>(bitcast<u32>(dot(wo, n)) - 1u, bitcast<u32>(dot(mirrored, n)) - 0x80000001u);
     if max(sides.x, sides.y) >= 0x7f800000u {
         return bumped;

@@ -1,14 +1,15 @@
-// A bump map of a density of normals: `asperity_shading::BumpMapped` of GGX or Beckmann, and the pieces for any other density.
+// A bump map of a normal distribution: `asperity_shading::BumpMapped` of GGX or Beckmann, and
+// building blocks for other distributions.
 
 struct BumpMapped {
     // The frequency clamp of the noise.
     frequency: f32,
     log_lacunarity: f32,
     max_octaves: f32,
-    // 0 for the exact rule, 1 for the fractal one.
+    // 0 for the exact rule, 1 for the fractal rule.
     rule: u32,
     alpha: vec2<f32>,
-    // 0 for GGX, 1 for Beckmann; the number of the sum of octaves.
+    // 0 for GGX, 1 for Beckmann; the index of the sum of octaves.
     density: u32,
     sum: u32,
     // The reflectance of the facets, not negative.
@@ -16,15 +17,15 @@ struct BumpMapped {
     reserved: u32,
 }
 
-// Gaussian coordinates of the bump map as far as a pixel of this width resolves them, their share and the first octave's weight:
-// `BumpField::coordinates`.
+// Gaussian coordinates of the bump map as resolved by a pixel of this width, their variance
+// fraction and the first octave's weight: `BumpField::coordinates`.
 fn bump_mapped_coordinates(bumps: BumpMapped, p: vec3<f32>, width: f32) -> vec4<f32> {
     let limits = FrequencyClamp(bumps.frequency, bumps.log_lacunarity, bumps.max_octaves);
     let seen = gaussian_octaves_3d(p * bumps.frequency, frequency_clamp_octaves(width, limits), bumps.sum);
     return vec4<f32>(seen.pair.value, seen.share, seen.fade);
 }
 
-// What the rule shows of the density, in 1/sr, for h.z > 0.
+// The reflected distribution under the rule, in 1/sr, for h.z > 0.
 fn bump_mapped_radiance(bumps: BumpMapped, h: vec3<f32>, seen: vec4<f32>) -> f32 {
     if bumps.rule == 0u {
         if bumps.density == 0u {
@@ -38,8 +39,9 @@ fn bump_mapped_radiance(bumps: BumpMapped, h: vec3<f32>, seen: vec4<f32>) -> f32
     return level_of_detail_fractal_beckmann(bumps.alpha, h, seen.xy, seen.w);
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame, `surface_point_frame`. Of another density it is
-// `colour * facet_shown(radiance, h, wi, wo) * wi.z` with what its rule shows.
+// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame,
+// `surface_point_frame`. For another distribution it is
+// `colour * facet_shown(radiance, h, wi, wo) * wi.z`, with the radiance of its rule.
 fn bump_mapped_scattered(bumps: BumpMapped, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {
         return vec3<f32>(0.0);
@@ -53,7 +55,7 @@ fn bump_mapped_scattered(bumps: BumpMapped, point: SurfacePoint, wo: vec3<f32>, 
     return brdf_finite_channels(bumps.colour * shown * wi.z);
 }
 
-// Of the material in the uniform.
+// The material in the uniform.
 fn bump_mapped(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     return bump_mapped_scattered(bump_mapped_uniform, point, wo, wi);
 }

@@ -1,4 +1,5 @@
-// A rough diffuse surface with gloss, what carpets and plastic panels are to a pixel: `material/glossy.rs` of asperity-shading.
+// A rough diffuse surface with gloss, the filtered model of carpets and plastic panels:
+// `material/glossy.rs` of asperity-shading.
 
 struct Glossy {
     // Colours, in [0, 1].
@@ -6,9 +7,10 @@ struct Glossy {
     specular: vec3<f32>,
     // The unit normal with bumps.
     normal: vec3<f32>,
-    // The variance of the slope along each axis that the footprint took from the bumps.
+    // The variance of the slope along each axis that filtering removed from the bumps.
     slope_variance: f32,
-    // The deviation of the slope that it took from ridges, in the direction across them; zero without.
+    // The deviation of the slope that filtering removed from ridges, in the direction across them;
+    // zero without ridges.
     ridges: vec3<f32>,
 }
 
@@ -25,7 +27,7 @@ fn glossy_scattered(
         return vec3<f32>(0.0);
     }
     let n = vec3<f32>(0.0, 0.0, 1.0);
-    // What shines is at the cost of what is scattered.
+    // Specular reflection reduces diffuse reflection.
     let diffuse = min(surface.diffuse, 1.0 - surface.specular);
     let specular = math_shares(surface.specular);
     let across = frame_to_local(frame, surface.ridges);

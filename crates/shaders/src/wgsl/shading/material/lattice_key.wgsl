@@ -1,4 +1,5 @@
-// Keys of lattices whose seeds are drawn in the shader: `IntegerHash.key` of asperity-noise. Words of 64 bits are pairs, the lower first.
+// Keys of lattices whose seeds are drawn in the shader: `IntegerHash.key` of asperity-noise. Words
+// of 64 bits are pairs, the lower word first.
 
 fn lattice_key_product(a: vec2<u32>, b: vec2<u32>) -> vec2<u32> {
     let a_low = a.x & 0xffffu;

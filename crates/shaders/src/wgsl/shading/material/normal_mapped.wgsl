@@ -1,4 +1,4 @@
-// A glossy surface with a normal map made by hand: `asperity_shading::material::NormalMapped`.
+// A glossy surface with an authored normal map: `asperity_shading::material::NormalMapped`.
 
 struct NormalMapped {
     map: SlopePyramid,
@@ -30,7 +30,7 @@ fn normal_mapped_scattered(stone: NormalMapped, point: SurfacePoint, wo: vec3<f3
     return brdf_finite_channels(sum * wi.z);
 }
 
-// Of the material in the uniform.
+// The material in the uniform.
 fn normal_mapped(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     return normal_mapped_scattered(normal_mapped_uniform, point, wo, wi);
 }

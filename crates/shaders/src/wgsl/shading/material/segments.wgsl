@@ -1,15 +1,15 @@
-// Short oriented segments in the cells of a plane, drawn by hashes: what scratches and fibres lie along.
+// Short oriented segments in the cells of a plane, drawn from hashes, for scratches and fibers.
 // `material/segment.rs` of asperity-shading.
 
 struct Segments {
-    // The unit direction that segments are spread about.
+    // The unit direction around which segments are spread.
     direction: vec2<f32>,
-    // The side of a cell, and the length of a segment, at most that.
+    // The side of a cell, and the length of a segment, at most the side.
     cell: f32,
     length: f32,
     // The mean number of segments of a cell, at most 8.
     cover: f32,
-    // 1 is a quarter of a turn to either side.
+    // The spread; 1 is a quarter turn to either side.
     spread: f32,
     // The lattice's key.
     key: u32,
@@ -20,29 +20,31 @@ struct Segments {
 struct SegmentsPlace {
     place: vec2<f32>,
     base: vec2<f32>,
-    // The square of how far midpoints may be, in cells; negative where cells cannot be told apart.
+    // The square of the maximum distance of midpoints, in cells; negative if cells cannot be
+    // resolved.
     farthest: f32,
 }
 
 // A segment near a point.
 struct SegmentsNear {
     there: bool,
-    // The place along it, -1 and 1 at its ends, and the distance to its left.
+    // The position along it, -1 and 1 at its ends, and the distance to its left.
     along: f32,
     across: f32,
     direction: vec2<f32>,
-    // Two numbers in [0, 1) of its own.
+    // Two random numbers in [0, 1) of the segment.
     random: vec2<f32>,
 }
 
-// The cells about a point, for segments whose midpoints are nearer than half their length along and `aside` across.
+// The cells around a point, for segments whose midpoints are closer than half their length along
+// and `aside` across.
 fn segments_place(segments: Segments, at: vec2<f32>, aside: f32) -> SegmentsPlace {
     let place = at / segments.cell;
     if !direction_is_finite(vec3<f32>(place, 0.0)) || !(max(abs(place.x), abs(place.y)) < 8388608.0) {
         return SegmentsPlace(vec2<f32>(0.0), vec2<f32>(0.0), -1.0);
     }
     let reach = vec2<f32>(0.5 * segments.length, aside) / segments.cell;
-    // A little more, for rounding.
+    // Slightly more, for rounding.
     let farthest = min((reach.x * reach.x + reach.y * reach.y) * 1.0001, 1.0);
     return SegmentsPlace(place, floor(place), farthest);
 }
@@ -52,7 +54,7 @@ fn segments_corner(place: SegmentsPlace, i: u32) -> vec2<f32> {
     return place.base + (vec2<f32>(f32(i % 3u), f32(i / 3u)) - 1.0);
 }
 
-// Whether cell i of nine may have midpoints that are near.
+// Whether cell i of nine may have midpoints within the distance.
 fn segments_reaches(place: SegmentsPlace, i: u32) -> bool {
     let within = place.place - place.base;
     let column = i % 3u;
@@ -79,10 +81,10 @@ fn segments_cos_sin(t: f32) -> vec2<f32> {
     return vec2<f32>(cosine, t * sine);
 }
 
-// Segment k of 8 of cell i of nine, as the point sees it.
+// Segment k of 8 of cell i of nine, relative to the point.
 fn segments_near(segments: Segments, place: SegmentsPlace, i: u32, k: u32) -> SegmentsNear {
     let nowhere = SegmentsNear(false, 0.0, 0.0, vec2<f32>(0.0), vec2<f32>(0.0));
-    // Segment k is there with probability cover - k.
+    // Segment k exists with probability cover - k.
     if !(segments.cover > f32(k)) {
         return nowhere;
     }

@@ -1,7 +1,7 @@
 // The point of a surface that a material is evaluated at: `asperity_shading::SurfacePoint`.
 
 struct SurfacePoint {
-    // In the space of the model: noises are sampled here.
+    // In model space, where noises are sampled.
     position: vec3<f32>,
     // The unit normal without bumps.
     normal: vec3<f32>,
@@ -13,12 +13,13 @@ struct SurfacePoint {
     pixel: PixelEllipse,
 }
 
-// The frame in which the directions of materials are: z along the normal, x as near to the derivative by u as is orthogonal to it.
+// The frame of the directions of materials: z along the normal, x along the projected derivative by
+// u.
 fn surface_point_frame(point: SurfacePoint) -> Frame {
     return frame_from_normal_tangent(point.normal, point.tangent_u);
 }
 
-// The gradient along the surface of u, and that of v; zero where the tangents are parallel.
+// The surface gradients of u and of v; zero if the tangents are parallel.
 fn surface_point_gradient_u(point: SurfacePoint) -> vec3<f32> {
     return surface_gradient(point.normal, point.tangent_u, point.tangent_v, vec2<f32>(1.0, 0.0));
 }
@@ -27,13 +28,14 @@ fn surface_point_gradient_v(point: SurfacePoint) -> vec3<f32> {
     return surface_gradient(point.normal, point.tangent_u, point.tangent_v, vec2<f32>(0.0, 1.0));
 }
 
-// The gradient along the surface of a function with this slope in texture coordinates; zero where that is not finite.
+// The surface gradient of a function with this slope in texture coordinates; zero if it is not
+// finite.
 fn surface_point_gradient(point: SurfacePoint, slope: vec2<f32>) -> vec3<f32> {
     let gradient = surface_point_gradient_u(point) * slope.x + surface_point_gradient_v(point) * slope.y;
     return surface_gradient_finite(gradient);
 }
 
-// A slope in texture coordinates as one on the surface, as steep whatever the texture's scale.
+// A slope in texture coordinates as a slope on the surface, independent of the texture's scale.
 fn surface_point_slope(point: SurfacePoint, slope: vec2<f32>) -> vec3<f32> {
     return direction_unit_or_zero(surface_point_gradient(point, slope)) * sqrt(dot(slope, slope));
 }

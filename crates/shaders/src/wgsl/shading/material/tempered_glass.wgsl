@@ -1,31 +1,31 @@
-// Tempered glass with the waves that rollers leave: `asperity_shading::TemperedGlass`.
+// Tempered glass with roller waves: `asperity_shading::TemperedGlass`.
 
 struct TemperedGlass {
     noise: Fbm,
-    // The unit direction in which waves travel; their frequency in rad per unit of length.
+    // The unit direction of the waves; their frequency in rad per unit of length.
     direction: vec3<f32>,
     frequency: f32,
-    // The share that a pane lets through straight; the waves' amplitude.
+    // The fraction that a pane transmits; the amplitude of the waves.
     tint: vec3<f32>,
     amplitude: f32,
-    // The relative index, and Beckmann's alpha of the surfaces, 0 for smooth ones.
+    // The relative IOR, and Beckmann's alpha of the surfaces, 0 for smooth glass.
     index: f32,
     roughness: f32,
-    // 1 for waves of noise, 0 for a sine; 1 for the surface of a body, 0 for a pane.
+    // 1 for noise waves, 0 for a sine; 1 for the surface of a body, 0 for a pane.
     is_noisy: u32,
     is_solid: u32,
 }
 
-// The surface that a pixel sees, in its frame.
+// The surface filtered over a pixel, in its frame.
 struct TemperedGlassSurface {
     normal: vec3<f32>,
-    // The steepest slope of the part of a sine that is not resolved; zero for noise.
+    // The steepest slope of the unresolved part of a sine; zero for noise.
     swing: vec3<f32>,
-    // The variance of the slopes of noise that are not resolved.
+    // The variance of the unresolved slopes of noise.
     slope_variance: f32,
 }
 
-// Normal and lost slopes of a pixel. A sine of more than 2^21 periods from the origin is level.
+// Normal and unresolved slopes of a pixel. A sine is flat beyond 2^21 periods from the origin.
 fn tempered_glass_surface(glass: TemperedGlass, point: SurfacePoint, frame: Frame) -> TemperedGlassSurface {
     let n = point.normal;
     let steepest = glass.frequency * glass.amplitude;
@@ -50,7 +50,7 @@ fn tempered_glass_surface(glass: TemperedGlass, point: SurfacePoint, frame: Fram
     return TemperedGlassSurface(frame_to_local(frame, normal), frame_to_local(frame, swing), 0.0);
 }
 
-// The coat that a pixel sees.
+// The coat filtered over a pixel.
 fn tempered_glass_coat(glass: TemperedGlass, point: SurfacePoint) -> Coat {
     let surface = tempered_glass_surface(glass, point, surface_point_frame(point));
     let kind = select(COAT_PANE, COAT_BODY, glass.is_solid != 0u);
@@ -67,18 +67,20 @@ fn tempered_glass_coat(glass: TemperedGlass, point: SurfacePoint) -> Coat {
     );
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point; 0 for smooth glass, of which `tempered_glass_deltas` has all. wo and wi are
-// in its frame, `surface_point_frame`, either below the surface too.
+// Reflectance times cosine, `Bsdf::scattered` of a point; 0 for smooth glass, whose light is all in
+// `tempered_glass_deltas`. wo and wi are in its frame, `surface_point_frame`, and may be below the
+// surface.
 fn tempered_glass_scattered(glass: TemperedGlass, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     return brdf_finite_channels(coat_scattered(tempered_glass_coat(glass, point), wo, wi));
 }
 
-// What smooth glass mirrors and transmits, by a facet that uniform numbers choose; dark for rough glass.
+// Reflection and transmission of smooth glass at a facet chosen by uniform numbers; 0 for rough
+// glass.
 fn tempered_glass_deltas(glass: TemperedGlass, point: SurfacePoint, wo: vec3<f32>, u: vec2<f32>) -> CoatDeltas {
     return coat_deltas(tempered_glass_coat(glass, point), wo, u);
 }
 
-// Of the material in the uniform.
+// The material in the uniform.
 fn tempered_glass(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     return tempered_glass_scattered(tempered_glass_uniform, point, wo, wi);
 }

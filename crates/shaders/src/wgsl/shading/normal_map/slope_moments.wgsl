@@ -6,7 +6,7 @@ struct SlopeMoments {
     covariance: vec3<f32>,
 }
 
-// The mixture with another part of this share.
+// The mixture with another part of this weight.
 fn slope_moments_joined(moments: SlopeMoments, other: SlopeMoments, share: f32) -> SlopeMoments {
     let apart = other.mean - moments.mean;
     let outer = vec3<f32>(apart.x * apart.x, apart.x * apart.y, apart.y * apart.y);
@@ -24,14 +24,16 @@ fn slope_moments_normal(moments: SlopeMoments) -> vec3<f32> {
     return select(vec3<f32>(0.0, 0.0, 1.0), normal / sqrt(square), math_is_finite(square));
 }
 
-// About the mean of the unit normals of these slopes: a diffuse surface sends on by it. Its length is at most 1.
+// Approximately the mean of the unit normals of these slopes, for diffuse reflection. Its length is
+// at most 1.
 fn slope_moments_mean_normal(moments: SlopeMoments) -> vec3<f32> {
     let normal = vec3<f32>(moments.mean, 1.0);
     let square = dot(normal, normal) + math_clamped(moments.covariance.x + moments.covariance.z, MATH_LARGEST);
     return select(vec3<f32>(0.0, 0.0, 1.0), normal / sqrt(square), math_is_finite(square));
 }
 
-// Facets of the map with finer bumps of Beckmann's alpha on it, of which the pixel resolves what the split says: `SlopeMoments::detailed`.
+// Facets of the map with finer Beckmann bumps of roughness alpha, of which the pixel resolves the
+// split: `SlopeMoments::detailed`.
 fn slope_moments_detailed(moments: SlopeMoments, alpha: vec2<f32>, split: GaussianSplit) -> OffsetBeckmann {
     let seen = offset_beckmann_conditional(alpha, split);
     let fine = offset_beckmann_covariance(seen);

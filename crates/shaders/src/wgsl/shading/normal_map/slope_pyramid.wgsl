@@ -1,23 +1,24 @@
-// Normal maps at every zoom by their slopes in groups: `asperity_shading::normal_map::SlopePyramidRef`, a group at a time.
+// Normal maps at every zoom as grouped slopes: `asperity_shading::normal_map::SlopePyramidRef`, one
+// group at a time.
 //
-// The table `slope_pyramid_number` has two numbers for the centre of each group, two for each texel, its slope, and six for each group
-// of each texel of every level: weight, mean, covariance.
+// The table `slope_pyramid_number` has two numbers for the center of each group, two for the slope
+// of each texel, and six for each group of each texel of every level: weight, mean, covariance.
 
 struct SlopePyramid {
     width: u32,
     height: u32,
-    // The level of one texel.
+    // The level with a single texel.
     last_level: u32,
     groups: u32,
 }
 
-// A part of the slopes within a pixel: its share of it, and their moments.
+// A part of the slopes within a pixel: its weight and its moments.
 struct SlopeLobe {
     weight: f32,
     moments: SlopeMoments,
 }
 
-// A mixture of lobes while it grows, with the weights of all its parts.
+// A running mixture of lobes, with the weights of all its parts.
 struct SlopePyramidMixture {
     lobe: SlopeLobe,
     all: f32,
@@ -27,7 +28,7 @@ fn slope_pyramid_nothing() -> SlopePyramidMixture {
     return SlopePyramidMixture(SlopeLobe(0.0, SlopeMoments(vec2<f32>(0.0), vec3<f32>(0.0))), 0.0);
 }
 
-// The mixture with another part of this weight, which does not count unless it is positive.
+// The mixture with another part of this weight, which is ignored unless it is positive.
 fn slope_pyramid_with(mixture: SlopePyramidMixture, share: f32, part: SlopeLobe) -> SlopePyramidMixture {
     var mixed = mixture;
     if share > 0.0 {
@@ -45,14 +46,14 @@ fn slope_pyramid_mixed(mixture: SlopePyramidMixture) -> SlopeLobe {
     return SlopeLobe(mixture.lobe.weight / select(1.0, mixture.all, mixture.all > 0.0), mixture.lobe.moments);
 }
 
-// The texels around a point along one axis, and how near the second is.
+// The texels around a point along one axis, and the weight of the second.
 struct SlopePyramidAxis {
     first: u32,
     second: u32,
     place: f32,
 }
 
-// A coordinate that is no number counts as 0.
+// A NaN coordinate is taken as 0.
 fn slope_pyramid_axis(u: f32, size: u32) -> SlopePyramidAxis {
     var turn = 0.0;
     if math_is_finite(u) {
@@ -60,7 +61,7 @@ fn slope_pyramid_axis(u: f32, size: u32) -> SlopePyramidAxis {
     }
     let place = select(0.0, turn * f32(size), turn > 0.0) - 0.5;
     let first = floor(place);
-    // Before the first texel is the last one.
+    // The last texel precedes the first.
     let i = u32(i32(first) + i32(size)) % size;
     return SlopePyramidAxis(i, select(0u, i + 1u, i + 1u < size), place - first);
 }
@@ -88,7 +89,7 @@ fn slope_pyramid_pair(at: u32) -> vec2<f32> {
     return vec2<f32>(slope_pyramid_number(at), slope_pyramid_number(at + 1u));
 }
 
-// The slope at a point, bilinear between the centres of the texels.
+// The slope at a point, bilinear between the centers of the texels.
 fn slope_pyramid_slope(map: SlopePyramid, uv: vec2<f32>) -> vec2<f32> {
     let corners = slope_pyramid_corners(uv, map.width, map.height);
     var slope = vec2<f32>(0.0);
@@ -98,7 +99,7 @@ fn slope_pyramid_slope(map: SlopePyramid, uv: vec2<f32>) -> vec2<f32> {
     return slope;
 }
 
-// The group of a slope: that of the nearest centre.
+// The group of a slope: the group with the nearest center.
 fn slope_pyramid_group(map: SlopePyramid, slope: vec2<f32>) -> u32 {
     var best = 0u;
     var least = MATH_LARGEST;
@@ -113,7 +114,8 @@ fn slope_pyramid_group(map: SlopePyramid, slope: vec2<f32>) -> u32 {
     return best;
 }
 
-// A group in one level, bilinear between the centres of its texels; a level beyond the last is the last one.
+// A group in one level, bilinear between the centers of its texels. Levels beyond the last are the
+// last.
 fn slope_pyramid_level(map: SlopePyramid, uv: vec2<f32>, level: u32, group: u32) -> SlopeLobe {
     var width = map.width;
     var height = map.height;
@@ -162,7 +164,8 @@ fn slope_pyramid_sample(map: SlopePyramid, uv: vec2<f32>, width: f32, group: u32
     return slope_pyramid_mixed(mixture);
 }
 
-// A group within a long pixel around a point, by up to `most` round footprints: `SlopePyramidRef::sample_along`.
+// A group within a long pixel around a point, by up to `most` round footprints:
+// `SlopePyramidRef::sample_along`.
 fn slope_pyramid_sample_along(map: SlopePyramid, uv: vec2<f32>, pixel: PixelEllipse, most: u32, group: u32) -> SlopeLobe {
     let count = pixel_ellipse_tap_count(pixel, most);
     var mixture = slope_pyramid_nothing();

@@ -1,7 +1,7 @@
-// Widths of pixels on a surface, in units of its positions: `asperity_shading::Footprint`. Where the crate's are infinite these are the
-// largest float: nothing is resolved there.
+// Widths of pixels on a surface, in units of its positions: `asperity_shading::Footprint`. The
+// largest float replaces infinity, for which nothing is resolved.
 
-// A width by its magnitude; the largest float for what is no number.
+// A width by its magnitude; the largest float for NaN.
 fn footprint_from_width(width: f32) -> f32 {
     let bits = bitcast<u32>(width) & 0x7fffffffu;
     return bitcast<f32>(min(bits, 0x7f7fffffu));
@@ -15,7 +15,7 @@ fn footprint_from_distance(distance: f32, pixel_angle: f32, cos_theta: f32) -> f
     return footprint_from_width(distance * pixel_angle / cos_theta);
 }
 
-// The longest axis of the ellipse that the derivatives of the position by one pixel span.
+// The longest axis of the ellipse spanned by the derivatives of the position to the next pixels.
 fn footprint_from_derivatives(dx: vec3<f32>, dy: vec3<f32>) -> f32 {
     if !(direction_is_finite(dx) && direction_is_finite(dy)) {
         return MATH_LARGEST;
@@ -25,7 +25,7 @@ fn footprint_from_derivatives(dx: vec3<f32>, dy: vec3<f32>) -> f32 {
     if scale == 0.0 {
         return 0.0;
     }
-    // Scaled, because squares of small or large derivatives leave the range of floats.
+    // Scaled, as the squares of small or large derivatives leave the range of floats.
     let x = dx / scale;
     let y = dy / scale;
     let e = dot(x, x);
@@ -35,7 +35,8 @@ fn footprint_from_derivatives(dx: vec3<f32>, dy: vec3<f32>) -> f32 {
     return footprint_from_width(scale * sqrt(0.5 * (e + g + root)));
 }
 
-// The share that is kept of a frequency, in cycles per unit of length: 1 - smoothstep(0.2, 0.6, width * frequency).
+// The fraction of a frequency that is kept, in cycles per unit of length: 1 - smoothstep(0.2, 0.6,
+// width * frequency).
 fn footprint_kept(width: f32, frequency: f32) -> f32 {
     return 1.0 - frequency_clamp_removed_share(width, frequency);
 }

@@ -3,13 +3,13 @@
 struct FrequencyClamp {
     // Cells of the first octave per unit of length.
     frequency: f32,
-    // Base-2 logarithm of the ratio of each octave's frequency to the last one's, above 0.
+    // Base-2 logarithm of the ratio of the frequencies of successive octaves, above 0.
     log_lacunarity: f32,
     max_octaves: f32,
 }
 
-// Octaves of a footprint by its width, in [0, max_octaves]: `FrequencyClamp::octaves`. Widths that are negative count by their
-// magnitude, those that are no number as infinite; from 2^-126 of a cell downward as 0.
+// Octaves of a footprint by its width, in [0, max_octaves]: `FrequencyClamp::octaves`. Negative
+// widths are taken as their magnitude, NaN as infinite, and widths up to 2^-126 of a cell as 0.
 fn frequency_clamp_octaves(width: f32, limits: FrequencyClamp) -> f32 {
     let cells = 2.0 * abs(width) * limits.frequency;
     // Bits of 1 and above, infinity and NaN.
@@ -19,6 +19,6 @@ fn frequency_clamp_octaves(width: f32, limits: FrequencyClamp) -> f32 {
     if cells < 1.1754944e-38 {
         return limits.max_octaves;
     }
-    // The built-in logarithm is a unit of the last place off, a millionth of an octave.
+    // The error of the built-in logarithm is one unit in the last place, a millionth of an octave.
     return clamp(-log2(cells) / limits.log_lacunarity, 0.0, limits.max_octaves);
 }

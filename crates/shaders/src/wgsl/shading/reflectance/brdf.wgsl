@@ -1,6 +1,6 @@
-// What reflectances have in common: `reflectance/brdf.rs` of asperity-shading.
+// Common functions of reflectances: `reflectance/brdf.rs` of asperity-shading.
 
-// A reflectance that is finite and not negative; 0 for what is no number.
+// A reflectance clamped to finite, non-negative values; 0 for NaN.
 fn brdf_finite(x: f32) -> f32 {
     return select(0.0, min(x, MATH_LARGEST), x > 0.0);
 }

@@ -9,28 +9,30 @@ const COAT_VEIL: u32 = 4u;
 // A coat of any kind, in the frame of the surface.
 struct Coat {
     normal: vec3<f32>,
-    // The variance along each axis of Gaussian slopes that the pixel does not resolve.
+    // The variance along each axis of the unresolved Gaussian slopes.
     slope_variance: f32,
-    // The steepest slope of a sine that it does not resolve; zero without.
+    // The steepest unresolved slope of a sine; zero without a sine.
     swing: vec3<f32>,
-    // Beckmann's alpha of what is mirrored, 0 for a smooth coat.
+    // Beckmann's alpha of the reflection, 0 for a smooth coat.
     roughness: f32,
     // The tint of a pane, the reflectance of a metal, the transmittance of a veil.
     colour: vec3<f32>,
-    // The relative index of a varnish, a pane or a body.
+    // The relative IOR of a varnish, a pane or a body.
     index: f32,
     kind: u32,
     reserved: u32,
     more_reserved: vec2<u32>,
 }
 
-// A direction to light of which a smooth surface sends a share to the eye; below the surface light that is transmitted.
+// A direction from which a smooth surface sends a fraction of the light to the eye; below the
+// surface the light is transmitted.
 struct CoatDelta {
     wi: vec3<f32>,
     weight: vec3<f32>,
 }
 
-// A lobe narrower than the gaps between facets takes as much of the slopes' variance as makes it as wide: alpha, and what is left.
+// A lobe narrower than the gaps between facets is widened to them by part of the slopes' variance:
+// alpha, and the remaining variance.
 fn coat_widened(roughness: f32, slope_variance: f32) -> vec2<f32> {
     let square = roughness * roughness;
     if math_is_finite(slope_variance) && square < 1.4 * slope_variance {
@@ -40,7 +42,7 @@ fn coat_widened(roughness: f32, slope_variance: f32) -> vec2<f32> {
     return vec2<f32>(roughness, slope_variance);
 }
 
-// Slopes of this variance about a normal, in the frame of the surface.
+// Slopes of this variance around a normal, in the frame of the surface.
 fn coat_facets(normal: vec3<f32>, slope_variance: f32) -> SlopeFacets {
     var deviation = 0.0;
     if slope_variance > 0.0 {
@@ -50,13 +52,14 @@ fn coat_facets(normal: vec3<f32>, slope_variance: f32) -> SlopeFacets {
     return slope_facets(n, normal, vec3<f32>(deviation, 0.0, 0.0), vec3<f32>(0.0, deviation, 0.0));
 }
 
-// A varnish of a relative index over slopes of this variance about a normal.
+// A varnish with a relative IOR over slopes of this variance around a normal.
 fn coat_varnish(index: f32, roughness: f32, normal: vec3<f32>, slope_variance: f32) -> Coat {
     let none = vec3<f32>(0.0);
     return Coat(normal, slope_variance, none, roughness, vec3<f32>(1.0), index, COAT_VARNISH, 0u, vec2<u32>(0u));
 }
 
-// The normal of a facet of slopes of this variance about a normal, chosen by uniform numbers, as the view sees it.
+// The normal of a facet with slopes of this variance around a normal, visible from the view, chosen
+// by uniform numbers.
 fn coat_facet(normal: vec3<f32>, slope_variance: f32, wo: vec3<f32>, u: vec2<f32>) -> vec3<f32> {
     let n = vec3<f32>(0.0, 0.0, 1.0);
     var facet = normal;
@@ -68,7 +71,7 @@ fn coat_facet(normal: vec3<f32>, slope_variance: f32, wo: vec3<f32>, u: vec2<f32
     return surface_gradient_facing(n, facet, wo);
 }
 
-// The share of light from one direction that comes through a coat to the layers below.
+// The fraction of light from one direction that a coat transmits to the layers below.
 fn coat_through(coat: Coat, w: vec3<f32>) -> f32 {
     if coat.kind == COAT_VARNISH {
         return 1.0 - dielectric_reflectance(coat.index, dot(w, coat.normal));
@@ -89,14 +92,15 @@ fn coat_lobe(coat: Coat, alpha: f32, wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> 
     return vec3<f32>(value.x * dielectric_reflectance(coat.index, value.y));
 }
 
-// What a rough coat mirrors and, a pane or a body, transmits, times the cosine; 0 for a smooth one, of which `coat_deltas` has all.
+// Reflection of a rough coat, and transmission of a pane or a body, times the cosine; 0 for a
+// smooth coat, whose light is all in `coat_deltas`.
 fn coat_scattered(coat: Coat, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     let transmits = coat.kind == COAT_PANE || coat.kind == COAT_BODY;
     let has_sides = direction_are_above(wi, wo) || (transmits && direction_have_sides(wi, wo));
     if !(coat.roughness > 0.0 && coat.kind != COAT_VEIL && has_sides) {
         return vec3<f32>(0.0);
     }
-    // Slopes of a sine stand in facets of their own.
+    // Slopes of a sine have their own facets.
     let is_sine = coat.swing.x != 0.0 || coat.swing.y != 0.0 || coat.swing.z != 0.0;
     var widened = vec2<f32>(coat.roughness, select(coat.slope_variance, 0.0, is_sine));
     if coat.kind != COAT_PANE && !is_sine {
@@ -126,7 +130,8 @@ fn coat_scattered(coat: Coat, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     return sum;
 }
 
-// Reflectance times cosine of layers under a coat, and of the coat: `scattered` is theirs, for directions above the surface.
+// Reflectance times cosine of layers under a coat, and of the coat; `scattered` is the value of the
+// layers, for directions above the surface.
 fn coat_over(coat: Coat, scattered: vec3<f32>, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     let through = coat_through(coat, wi) * coat_through(coat, wo);
     return brdf_finite_channels(scattered * through + coat_scattered(coat, wo, wi));
@@ -138,10 +143,11 @@ struct CoatDeltas {
     transmitted: CoatDelta,
 }
 
-// What a smooth coat mirrors and transmits, by a facet that uniform numbers choose; dark for a rough one, but not for a veil.
+// Reflection and transmission of a smooth coat at a facet chosen by uniform numbers; 0 for a rough
+// coat, except for a veil.
 fn coat_deltas(coat: Coat, view: vec3<f32>, u: vec2<f32>) -> CoatDeltas {
     let dark = CoatDelta(vec3<f32>(0.0), vec3<f32>(0.0));
-    // A view may have any length; one that is unit but for its rounding keeps its bits.
+    // The view may have any length. A view that is unit up to rounding keeps its bits.
     let wo = select(direction_unit_or_zero(direction_near_one(view)), view, abs(dot(view, view) - 1.0) < 1e-5);
     if wo.z == 0.0 || !direction_is_finite(wo) {
         return CoatDeltas(dark, dark);
@@ -149,7 +155,7 @@ fn coat_deltas(coat: Coat, view: vec3<f32>, u: vec2<f32>) -> CoatDeltas {
     if coat.kind == COAT_VEIL {
         return CoatDeltas(dark, CoatDelta(-wo, math_shares(coat.colour)));
     }
-    // From below everything is the other way up.
+    // From below everything is upside down.
     let inside = wo.z < 0.0;
     let covers = coat.kind == COAT_VARNISH || coat.kind == COAT_METAL;
     if coat.roughness > 0.0 || (inside && covers) {
@@ -183,7 +189,7 @@ fn coat_deltas(coat: Coat, view: vec3<f32>, u: vec2<f32>) -> CoatDeltas {
     let index = select(coat.index, dielectric_reversed(coat.index), inside);
     let share = dielectric_reflectance(index, cosine);
     let eta = 1.0 / index;
-    // Snell: sin of the refracted angle is that of the incident one over the index.
+    // Snell's law: sin of the refracted angle is sin of the incident angle divided by the index.
     let below = 1.0 - eta * eta * max(1.0 - cosine * cosine, 0.0);
     let refracted = (eta * cosine - sqrt(max(below, 0.0))) * m - eta * up;
     let kept = select(0.0, 1.0 - share, below > 0.0 && refracted.z < 0.0);

@@ -1,6 +1,8 @@
-// The microfacet model of Cook and Torrance over Beckmann's density: `asperity_shading::CookTorrance<Beckmann, _>`.
+// The microfacet model of Cook and Torrance with Beckmann's distribution:
+// `asperity_shading::CookTorrance<Beckmann, _>`.
 
-// D G/(4 cos cos) in 1/sr, and the cosine of either direction with the half vector, where Fresnel's reflectance is to be taken.
+// D G/(4 cos cos) in 1/sr, and the cosine of either direction with the half vector, the argument of
+// the Fresnel reflectance.
 fn cook_torrance_beckmann(alpha: vec2<f32>, wi: vec3<f32>, wo: vec3<f32>) -> vec2<f32> {
     if !direction_are_above(wi, wo) {
         return vec2<f32>(0.0);

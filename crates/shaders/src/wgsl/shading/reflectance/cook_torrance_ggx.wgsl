@@ -1,6 +1,7 @@
-// The microfacet model of Cook and Torrance over GGX: `asperity_shading::CookTorrance<Ggx, _>`.
+// The microfacet model of Cook and Torrance with GGX: `asperity_shading::CookTorrance<Ggx, _>`.
 
-// D G/(4 cos cos) in 1/sr, and the cosine of either direction with the half vector, where Fresnel's reflectance is to be taken:
+// D G/(4 cos cos) in 1/sr, and the cosine of either direction with the half vector, the argument of
+// the Fresnel reflectance:
 //
 //     let facets = cook_torrance_ggx(alpha, wi, wo);
 //     let f_r = facets.x * schlick_reflectance(normal_incidence, facets.y);

@@ -1,15 +1,16 @@
-// Light by way of a facet of a surface, as `asperity_shading::Bsdf` adds it up.
+// Light from a facet of a surface, as summed by `asperity_shading::Bsdf`.
 
-// Both directions in the frame of a facet, and the factor of the facet's reflectance: its share times the cosine of the light; 0 where
-// either direction is on the other side of the facet than of the surface.
+// Both directions in the frame of a facet, and the factor of the facet's reflectance, its weight
+// times the cosine of the light. The factor is 0 if either direction is on different sides of the
+// facet and the surface.
 struct FacetLight {
     wi: vec3<f32>,
     wo: vec3<f32>,
     factor: f32,
 }
 
-// The light of a facet of this share and unit normal, turned so that the view sees its mirrored direction. All in the frame of the
-// surface.
+// The light from a facet of this weight and unit normal, rotated so that its mirror direction of
+// the view is visible. All in the frame of the surface.
 fn facet_light(share: f32, normal: vec3<f32>, wi: vec3<f32>, wo: vec3<f32>) -> FacetLight {
     let m = surface_gradient_facing(vec3<f32>(0.0, 0.0, 1.0), normal, wo);
     var i = wi;
@@ -23,7 +24,8 @@ fn facet_light(share: f32, normal: vec3<f32>, wi: vec3<f32>, wo: vec3<f32>) -> F
     return FacetLight(i, o, select(0.0, share * abs(i.z), lit));
 }
 
-// The reflectance of mirroring facets of this density about h, directions above the surface: they send on no more than there are of them.
+// The reflectance of mirror facets with this density around h, for directions above the surface;
+// limited to the number of facets.
 fn facet_shown(density: f32, h: vec3<f32>, wi: vec3<f32>, wo: vec3<f32>) -> f32 {
     let cosine = dot(wo, h);
     let ratio = select(1.0, h.z / select(1.0, cosine, cosine != 0.0), cosine != 0.0);

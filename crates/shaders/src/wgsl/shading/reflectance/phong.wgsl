@@ -1,12 +1,12 @@
-// Lobes of powers of cosines, 1/sr per specular colour: `asperity_shading::Phong`,
+// Cosine-power lobes, in 1/sr per specular color: `asperity_shading::Phong`,
 // `asperity_shading::reflectance::BlinnPhongLobe`.
 
-// c^n of Phong by 1 - c, that is half the square of the chord; n in [0, 1e6].
+// c^n of Phong, computed from 1 - c, half the square of the chord; n in [0, 1e6].
 fn phong_value(exponent: f32, wi: vec3<f32>, wo: vec3<f32>) -> f32 {
     if !direction_are_above(wi, wo) {
         return 0.0;
     }
-    // By the chord: the power magnifies the rounding of a cosine near 1.
+    // Uses the chord, as the power magnifies the rounding of a cosine near 1.
     let apart = wi - vec3<f32>(-wo.x, -wo.y, wo.z);
     let chord = dot(apart, apart);
     if !(chord < 2.0) {
@@ -15,12 +15,13 @@ fn phong_value(exponent: f32, wi: vec3<f32>, wo: vec3<f32>) -> f32 {
     return (exponent + 2.0) / 6.2831855 * elementary_exp(exponent * elementary_ln_1p(-0.5 * chord));
 }
 
-// `factor` (n.h)^n of Blinn, with the factor of `phong_blinn_factor` or that of `BlinnPhongLobe`; n in [0, 1e6].
+// `factor` (n.h)^n of Blinn, with `phong_blinn_factor` or the factor of `BlinnPhongLobe`; n in
+// [0, 1e6].
 fn phong_blinn_value(exponent: f32, factor: f32, wi: vec3<f32>, wo: vec3<f32>) -> f32 {
     if !direction_are_above(wi, wo) {
         return 0.0;
     }
-    // The logarithm of the cosine by the tangent.
+    // The logarithm of the cosine, from the tangent.
     let x = (wi.x + wo.x) / (wi.z + wo.z);
     let y = (wi.y + wo.y) / (wi.z + wo.z);
     let square = min(x * x + y * y, 1e37);

@@ -1,20 +1,21 @@
-// Frosted glass, facets of Beckmann's density that mirror and refract: `asperity_shading::reflectance::RoughDielectric`.
+// Frosted glass, Beckmann facets that reflect and refract:
+// `asperity_shading::reflectance::RoughDielectric`.
 
 struct RoughDielectric {
     alpha: f32,
-    // The relative index, at least 0.01 from 1: see `rough_dielectric_index`.
+    // The relative IOR, at least 0.01 from 1: see `rough_dielectric_index`.
     eta: f32,
-    // A thin wall, that lets through straight the share `tint`, or the surface of a body.
+    // A thin wall that transmits the fraction `tint` undeflected, or the surface of a body.
     wall: bool,
     tint: vec3<f32>,
 }
 
-// The index nearest to this that is apart from 1.
+// The nearest index with at least the minimum distance from 1.
 fn rough_dielectric_index(eta: f32) -> f32 {
     return select(max(eta, 1.01), min(eta, 0.99), eta < 1.0);
 }
 
-// The share that is left on the way through a wall at an angle: tint^(1/cos).
+// The fraction that is transmitted on the way through a wall at an angle: tint^(1/cos).
 fn rough_dielectric_through_wall(tint: vec3<f32>, cosine: f32, eta: f32) -> vec3<f32> {
     let c = math_clamped(cosine, 1.0);
     let sine_squared = (1.0 - c * c) / (eta * eta);
@@ -27,12 +28,12 @@ fn rough_dielectric_through_wall(tint: vec3<f32>, cosine: f32, eta: f32) -> vec3
     return math_shares(select(vec3<f32>(0.0), left, share > vec3<f32>(0.0)));
 }
 
-// The direction from which facets above are seen as w sees them.
+// The direction from which facets above look the same as from w.
 fn rough_dielectric_up(w: vec3<f32>) -> vec3<f32> {
     return select(w, -w, w.z < 0.0);
 }
 
-// The share that a facet mirrors of light at this angle on the side of w.
+// The fraction of light at this angle on the side of w that a facet reflects.
 fn rough_dielectric_reflectance(glass: RoughDielectric, w: vec3<f32>, cosine: f32) -> f32 {
     if glass.wall {
         let once = dielectric_reflectance(glass.eta, cosine);
@@ -44,7 +45,7 @@ fn rough_dielectric_reflectance(glass: RoughDielectric, w: vec3<f32>, cosine: f3
     return dielectric_reflectance(glass.eta, cosine);
 }
 
-// f_r in 1/sr; of directions on two sides what is transmitted.
+// f_r in 1/sr; for directions on two sides the transmission.
 fn rough_dielectric_value(glass: RoughDielectric, wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
     if !direction_have_sides(wi, wo) {
         return vec3<f32>(0.0);
@@ -54,7 +55,7 @@ fn rough_dielectric_value(glass: RoughDielectric, wi: vec3<f32>, wo: vec3<f32>) 
     var incident = 0.0;
     var cosine = 0.0;
     var jacobian = 0.0;
-    // A thin wall's far side is seen through it, as if light came from above.
+    // The far side of a thin wall is seen through it, as if light came from above.
     var back = wi;
     if crosses && !glass.wall {
         let index_i = select(1.0, glass.eta, wi.z < 0.0);
@@ -63,7 +64,7 @@ fn rough_dielectric_value(glass: RoughDielectric, wi: vec3<f32>, wo: vec3<f32>) 
         let i = dot(wi, h);
         let o = dot(wo, h);
         let both = index_i * i + index_o * o;
-        // A facet that both directions see from the same side does not refract one into the other.
+        // A facet seen from the same side by both directions does not refract one into the other.
         if i * wi.z <= 0.0 || o * wo.z <= 0.0 || both == 0.0 {
             return vec3<f32>(0.0);
         }
@@ -94,7 +95,8 @@ fn rough_dielectric_value(glass: RoughDielectric, wi: vec3<f32>, wo: vec3<f32>) 
         let through = rough_dielectric_through_wall(glass.tint, cosine, glass.eta);
         return value * ((1.0 - rough_dielectric_reflectance(glass, wo, cosine)) * through);
     }
-    // By the cosine above the surface both ways: that below is ill conditioned near the critical angle.
+    // Uses the cosine above the surface in both cases, as the cosine below is ill-conditioned near
+    // the critical angle.
     let above = select(incident, cosine, wo.z > 0.0);
     return vec3<f32>(value * (1.0 - dielectric_reflectance(glass.eta, above)));
 }

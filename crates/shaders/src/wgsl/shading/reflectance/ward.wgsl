@@ -1,11 +1,12 @@
-// Ward's anisotropic reflectance and its two later denominators, 1/sr per specular colour:
+// Ward's anisotropic reflectance and its two later denominators, in 1/sr per specular color:
 // `asperity_shading::reflectance::WardReflection`.
 
 const WARD_AS_PUBLISHED: u32 = 0u;
 const WARD_DUR: u32 = 1u;
 const WARD_BOUNDED: u32 = 2u;
 
-// A Gaussian of the half vector's slopes, for valid roughnesses along x and y and one of the forms above.
+// A Gaussian of the half vector's slopes, for valid roughnesses along x and y and one of the forms
+// above.
 fn ward_value(alpha: vec2<f32>, form: u32, wi: vec3<f32>, wo: vec3<f32>) -> f32 {
     if !direction_are_above(wi, wo) {
         return 0.0;

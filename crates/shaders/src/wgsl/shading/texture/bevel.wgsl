@@ -1,6 +1,7 @@
 // Ridges along the edges of a figure: `asperity_shading::texture::Bevel`.
 
-// A plateau beside the edge, then a flank whose slope goes from `top` to `bottom`: widths of both, and the slopes.
+// A plateau next to the edge, then a flank whose slope changes from `top` to `bottom`: widths of
+// both, and the slopes.
 struct Bevel {
     plateau: f32,
     flank: f32,
@@ -8,7 +9,7 @@ struct Bevel {
     bottom: f32,
 }
 
-// The point of an edge that is nearest: its distance, and the unit direction away from it.
+// The nearest point of an edge: its distance, and the unit direction away from it.
 struct BevelEdge {
     distance: f32,
     away: vec2<f32>,
@@ -27,7 +28,7 @@ fn bevel_profile(bevel: Bevel, distance: f32) -> vec2<f32> {
     return vec2<f32>(0.0);
 }
 
-// The edge from one corner to another, as p sees it.
+// The edge from one corner to another, relative to p.
 fn bevel_edge(begin: vec2<f32>, end: vec2<f32>, p: vec2<f32>) -> BevelEdge {
     let along = end - begin;
     let offset = p - begin;
@@ -42,11 +43,11 @@ fn bevel_edge(begin: vec2<f32>, end: vec2<f32>, p: vec2<f32>) -> BevelEdge {
     if !(distance > 0.0) {
         return BevelEdge(distance, otherwise);
     }
-    // Twice: a tiny distance has lost digits, because its square is subnormal.
+    // Normalized twice. A tiny distance has lost digits, because its square is subnormal.
     return BevelEdge(distance, direction_unit_or_2d(apart / distance, otherwise));
 }
 
-// The nearer of two edges, the first of those as near.
+// The nearer of two edges, the first if both are equally near.
 fn bevel_nearer(a: BevelEdge, b: BevelEdge) -> BevelEdge {
     if b.distance < a.distance {
         return b;
@@ -63,19 +64,21 @@ fn bevel_tile_edge(p: vec2<f32>) -> BevelEdge {
     return bevel_nearer(bevel_nearer(bevel_nearer(left, below), right), above);
 }
 
-// Slopes within an interval of distances and their shares: two facets of the flank and the rest, which is flat, with no slope.
+// Slopes within an interval of distances and their weights: two facets of the flank, and the rest,
+// which is flat.
 struct BevelFacets {
     slopes: vec2<f32>,
-    // Of each facet of the flank, and of what is flat.
+    // Weights of each facet of the flank, and of the flat part.
     flank: f32,
     flat: f32,
 }
 
-// `Bevel::facets`: the mean of a lighting model over them is what a pixel from one distance to another shows.
+// `Bevel::facets`: a pixel from one distance to another shows the mean of a lighting model over
+// them.
 fn bevel_facets(bevel: Bevel, low: f32, high: f32) -> BevelFacets {
     let width = high - low;
     if !(width > 0.0 && width <= MATH_LARGEST) {
-        // One facet, both of one slope.
+        // One facet; both have the same slope.
         let slope = bevel_profile(bevel, 0.5 * (low + high)).y;
         return BevelFacets(vec2<f32>(slope), 0.5, 0.0);
     }

@@ -1,13 +1,13 @@
 // A wall of bricks with grooves of mortar: `asperity_shading::Brick`.
 
-// The pattern: sides of a brick with its mortar, and half the mortar as a share of them.
+// The pattern: sides of a brick including its mortar, and half the mortar as a fraction of them.
 struct Brick {
     cell: vec2<f32>,
     margin: vec2<f32>,
 }
 
 struct BrickSample {
-    // 1 in a brick, 0 in the mortar; its share of the pixel.
+    // 1 in a brick, 0 in the mortar; as a mean, the fraction of the pixel.
     brick: f32,
     // The height over the depth of the grooves, in [0, 1], and its derivatives in texture coordinates.
     height: f32,
@@ -16,7 +16,8 @@ struct BrickSample {
     cell: vec2<i32>,
 }
 
-// A pulse of period 1, or its integral: how much of the plateau, of the rounded pulse, of its slope, and of what length.
+// A pulse of period 1, or its integral: fractions of the plateau, of the rounded pulse, of its
+// slope, and the length.
 struct BrickPulse {
     step: f32,
     round: f32,
@@ -24,9 +25,9 @@ struct BrickPulse {
     length: f32,
 }
 
-// Narrower boxes are points.
+// Narrower boxes are evaluated as points.
 const BRICK_LEAST: f32 = 0.0009765625;
-// Wider boxes see the mean.
+// Wider boxes are replaced by the mean.
 const BRICK_MOST: f32 = 65536.0;
 
 // The sample of coordinates that are not finite.
@@ -34,32 +35,32 @@ fn brick_nowhere() -> BrickSample {
     return BrickSample(0.0, 0.0, vec2<f32>(0.0), vec2<i32>(0));
 }
 
-// The share of bricks: `Brick::mean`.
+// The fraction of bricks: `Brick::mean`.
 fn brick_mean(brick: Brick) -> f32 {
     return (1.0 - 2.0 * brick.margin.x) * (1.0 - 2.0 * brick.margin.y);
 }
 
-// What a row is shifted by, in bricks.
+// The shift of a row, in bricks.
 fn brick_shift(row: i32) -> f32 {
     return select(0.5, 0.0, (row & 1) == 0);
 }
 
-// Whole coordinates as whole numbers, the nearest there are.
+// Integral coordinates as integers, saturated.
 fn brick_saturated(x: vec2<f32>) -> vec2<i32> {
     let within = vec2<i32>(clamp(x, vec2<f32>(-2147483648.0), vec2<f32>(2147483520.0)));
-    // One by one: GLSL ES 3.00 chooses between no vectors of whole numbers.
+    // One by one, as GLSL ES 3.00 cannot select integer vectors.
     return vec2<i32>(
         select(within.x, 2147483647, x.x >= 2147483648.0),
         select(within.y, 2147483647, x.y >= 2147483648.0),
     );
 }
 
-// The brick of a place in a row, counted so that it is the next one beyond the shift.
+// The brick at a position in a row, where positions beyond the shift belong to the next brick.
 fn brick_of(cell: vec2<i32>, shifted: f32) -> vec2<i32> {
     return vec2<i32>(cell.x + select(0, 1, shifted >= 1.0 && cell.x < 2147483647), cell.y);
 }
 
-// The pulse at f in [0, 1], with flanks of the width m.
+// The pulse at f in [0, 1], with flanks of width m.
 fn brick_pulse(m: f32, f: f32) -> BrickPulse {
     let flank = min(f, 1.0 - f);
     if flank >= m {
@@ -70,7 +71,7 @@ fn brick_pulse(m: f32, f: f32) -> BrickPulse {
     return BrickPulse(0.0, x * x * (3.0 - 2.0 * x), sign * 6.0 * x * (1.0 - x) / m, 0.0);
 }
 
-// The integral of the rising flank to x of its width.
+// The integral of the rising flank up to x of its width.
 fn brick_rise(m: f32, x: f32) -> f32 {
     return m * x * x * x * (1.0 - 0.5 * x);
 }
@@ -105,7 +106,7 @@ fn brick_rate(a: BrickPulse, b: BrickPulse, width: f32) -> BrickPulse {
     );
 }
 
-// The mean of the periodic pulse over a box of this width about x.
+// The mean of the periodic pulse over a box of this width around x.
 fn brick_pulse_over(m: f32, x: f32, width: f32) -> BrickPulse {
     if width < BRICK_LEAST {
         return brick_pulse(m, x - floor(x));
@@ -130,7 +131,7 @@ fn brick_rows_antiderivative(m: f32, t: f32) -> BrickPulse {
     return BrickPulse(pair * full.step + part.step, pair * full.round + part.round, slope, pair + min(within, 1.0));
 }
 
-// The means over a box about t of the even rows (parity 0) or of the odd ones (1).
+// The means over a box around t of the even rows (parity 0) or the odd rows (1).
 fn brick_rows_over(m: f32, t: f32, width: f32, parity: f32) -> BrickPulse {
     let low = t - 0.5 * width;
     let high = t + 0.5 * width;
@@ -172,7 +173,7 @@ fn brick_filtered(brick: Brick, uv: vec2<f32>, widths: vec2<f32>) -> BrickSample
     let cell = brick_saturated(corner);
     let box = brick_box(brick, widths);
     let s = p.x - corner.x;
-    // Rows are counted from the even one at or below, so that positions stay small.
+    // Rows are counted from the even row at or below, so that positions stay small.
     let t = (p.y - corner.y) + select(1.0, 0.0, (cell.y & 1) == 0);
     var sample = BrickSample(0.0, 0.0, vec2<f32>(0.0), brick_of(cell, s + brick_shift(cell.y)));
     for (var parity = 0u; parity < 2u; parity++) {
@@ -187,7 +188,7 @@ fn brick_filtered(brick: Brick, uv: vec2<f32>, widths: vec2<f32>) -> BrickSample
         sample.height += across.round * row.round;
         sample.slope += vec2<f32>(across.slope * row.round, across.round * row.slope) / brick.cell;
     }
-    // Sums of shares, rounded.
+    // Sums of fractions, rounded.
     sample.brick = math_clamped(sample.brick, 1.0);
     sample.height = math_clamped(sample.height, 1.0);
     return sample;

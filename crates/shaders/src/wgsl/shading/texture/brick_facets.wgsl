@@ -1,4 +1,4 @@
-// Slopes within a pixel of a wall of bricks, as facets with their shares: `Brick::facets`.
+// Slopes within a pixel of a wall of bricks, as weighted facets: `Brick::facets`.
 //
 //     let facets = brick_facets(wall, uv, widths);
 //     for (var j = 0u; j < brick_facets_rows(facets); j++) {
@@ -8,9 +8,10 @@
 //         }
 //     }
 //
-// Those of no share are none.
+// Ignore facets of zero weight.
 
-// A part of a pulse within an interval: how much of it, 1 on the plateau and 0 on a flank, its height and its slope.
+// A part of a pulse within an interval: its fraction, 1 on the plateau and 0 on a flank, its height
+// and its slope.
 struct BrickPart {
     share: f32,
     step: f32,
@@ -18,14 +19,15 @@ struct BrickPart {
     slope: f32,
 }
 
-// A part of the wall within a pixel: how much of it, brick 1 or mortar 0, and its slope in texture coordinates.
+// A part of the wall within a pixel: its fraction, brick 1 or mortar 0, and its slope in texture
+// coordinates.
 struct BrickFacet {
     share: f32,
     brick: f32,
     slope: vec2<f32>,
 }
 
-// The box about a pixel on a wall.
+// The box around a pixel on a wall.
 struct BrickFacets {
     wall: Brick,
     // Its middle in the cell, and its sides in cells.
@@ -33,11 +35,11 @@ struct BrickFacets {
     sides: vec2<f32>,
     // The row of the middle.
     row: i32,
-    // Whether the coordinates are finite: if not, all is mortar.
+    // Whether the coordinates are finite; otherwise everything is mortar.
     there: bool,
 }
 
-// A part of a row, across which the slope is `part.slope`.
+// A part of a row, with the slope `part.slope` across the row.
 struct BrickRow {
     row: i32,
     part: BrickPart,
@@ -47,7 +49,8 @@ fn brick_no_part() -> BrickPart {
     return BrickPart(0.0, 0.0, 0.0, 0.0);
 }
 
-// One of both parts that stand for a whole flank: three points of Gauss, of which the outer two have the same slope.
+// One of two parts that represent a whole flank: three Gauss points, of which the outer two have
+// the same slope.
 fn brick_flank_part(m: f32, share: f32, sign: f32, k: u32) -> BrickPart {
     if !(share > 0.0 && m > 0.0) {
         return brick_no_part();
@@ -58,7 +61,7 @@ fn brick_flank_part(m: f32, share: f32, sign: f32, k: u32) -> BrickPart {
     return BrickPart(share * 0.44444445, 0.0, 0.5, 1.5 * (sign / m));
 }
 
-// Part k of five of many whole pulses: rising and falling flanks are as good as equally many.
+// Part k of five of many whole pulses, with equal numbers of rising and falling flanks.
 fn brick_whole_part(m: f32, length: f32, plateau: f32, k: u32) -> BrickPart {
     let flanks = max(length - plateau, 0.0);
     if k < 4u {
@@ -67,7 +70,8 @@ fn brick_whole_part(m: f32, length: f32, plateau: f32, k: u32) -> BrickPart {
     return BrickPart(length - select(0.0, flanks, m > 0.0), 1.0, 1.0, 0.0);
 }
 
-// The part of flank j of four within an interval that is shorter than a pulse: both of the pulse where it begins, and of the next.
+// The part of flank j of four within an interval shorter than a pulse: both flanks of the pulse
+// where it begins, and of the next.
 fn brick_cut(m: f32, low: f32, high: f32, j: u32) -> vec2<f32> {
     let whole = floor(low) + f32(j >> 1u);
     let rises = (j & 1u) == 0u;
@@ -76,7 +80,7 @@ fn brick_cut(m: f32, low: f32, high: f32, j: u32) -> vec2<f32> {
     );
 }
 
-// Part k of nine of the pulse over an interval, whose shares add up to 1.
+// Part k of nine of the pulse over an interval. The fractions sum to 1.
 fn brick_part(m: f32, low: f32, high: f32, k: u32) -> BrickPart {
     let width = high - low;
     if width < BRICK_LEAST {
@@ -103,7 +107,7 @@ fn brick_part(m: f32, low: f32, high: f32, k: u32) -> BrickPart {
         return brick_no_part();
     }
     let share = (cut.y - cut.x) / width;
-    // Two points of Gauss, which become those of a whole flank over its last fifth.
+    // Two Gauss points, which become the points of a whole flank over its last fifth.
     let whole = clamp(5.0 * (cut.y - cut.x) / m - 4.0, 0.0, 1.0);
     let x = cut.x + select(0.7886751, 0.21132487, (k & 1u) == 0u) * (cut.y - cut.x);
     let value = brick_pulse(m, x - floor(x));
@@ -117,7 +121,7 @@ fn brick_part(m: f32, low: f32, high: f32, k: u32) -> BrickPart {
     );
 }
 
-// The number of parts over an interval of this width, those of no share among them.
+// The number of parts over an interval of this width, including parts of zero weight.
 fn brick_part_count(width: f32) -> u32 {
     if width < BRICK_LEAST {
         return 1u;
@@ -135,7 +139,7 @@ fn brick_facets(wall: Brick, uv: vec2<f32>, widths: vec2<f32>) -> BrickFacets {
     return BrickFacets(wall, p - corner, brick_box(wall, widths), brick_saturated(corner).y, true);
 }
 
-// The number of parts of rows within the box, those of no share among them.
+// The number of parts of rows within the box, including parts of zero weight.
 fn brick_facets_rows(facets: BrickFacets) -> u32 {
     if !(facets.sides.y >= BRICK_LEAST) {
         return 1u;
@@ -143,7 +147,7 @@ fn brick_facets_rows(facets: BrickFacets) -> u32 {
     return select(15u, 10u, facets.sides.y >= 2.0);
 }
 
-// The row so many above the middle's, one at most.
+// The row `above` rows above the middle's row, at most one.
 fn brick_facets_row_above(row: i32, above: i32) -> i32 {
     let last = (above > 0 && row == 2147483647) || (above < 0 && row < -2147483647);
     return select(row + above, row, last);
@@ -161,7 +165,7 @@ fn brick_facets_row(facets: BrickFacets, j: u32) -> BrickRow {
         return BrickRow(facets.row, brick_part(m, t, t, 0u));
     }
     if height >= 2.0 {
-        // Even and odd rows, all of them.
+        // All even and odd rows.
         let parity = j / 5u;
         let rows = brick_rows_over(m, t, height, f32(parity));
         let part = brick_whole_part(m, rows.length, rows.step, j % 5u);
@@ -188,7 +192,7 @@ fn brick_facets_interval(facets: BrickFacets, row: i32) -> vec2<f32> {
     return vec2<f32>(s - 0.5 * facets.sides.x, s + 0.5 * facets.sides.x);
 }
 
-// The number of facets of a part of the rows, those of no share among them.
+// The number of facets of a part of the rows, including facets of zero weight.
 fn brick_facets_columns(facets: BrickFacets, row: BrickRow) -> u32 {
     if row.part.share == 0.0 {
         return 0u;

@@ -1,4 +1,4 @@
-// Gas as a density in space, shaped into steam: `asperity_shading::texture::Gas`, `Steam`.
+// Gas as a density in 3-D, shaped into steam: `asperity_shading::texture::Gas`, `Steam`.
 
 struct Gas {
     octaves: f32,
@@ -6,7 +6,7 @@ struct Gas {
     exponent: f32,
     // The variance of the magnitude of one octave.
     variance: f32,
-    // The number of the sum in the uniform of sums; 1 for veins.
+    // The index of the sum in the uniform of sums; 1 for veins.
     sum: u32,
     has_veins: u32,
     reserved: vec2<u32>,
@@ -60,7 +60,8 @@ fn gas_removed(gas: Gas, footprint: f32) -> f32 {
     return removed * gas.variance / (total * total);
 }
 
-// The density at a point, as a pixel of this width sees it; at the point itself for a width of 0. `Gas::clamped_density`.
+// The density at a point, filtered over a pixel of this width; unfiltered for a width of 0.
+// `Gas::clamped_density`.
 fn gas_density(gas: Gas, p: vec3<f32>, footprint: f32) -> f32 {
     let mean = perlin_2002_octaves_3d(p, gas.octaves, footprint, gas.sum).value;
     let apart = sqrt(3.0 * gas_removed(gas, footprint));
@@ -71,7 +72,8 @@ fn gas_density(gas: Gas, p: vec3<f32>, footprint: f32) -> f32 {
     return 0.6666667 * gas_of(gas, mean) + sides / 6.0;
 }
 
-// The share of the density that a column of steam has at a point: full above the middle of its ground, thinner up and aside.
+// The fraction of the density in a column of steam at a point: 1 above the middle of its ground,
+// thinner upward and to the side.
 fn gas_steam_share(centre: vec3<f32>, radius: f32, height: f32, p: vec3<f32>) -> f32 {
     let from_centre = p - centre;
     let d = sqrt(from_centre.x * from_centre.x + from_centre.y * from_centre.y) / radius;

@@ -6,30 +6,31 @@
 //         march = gas_march_added(march, extinction_at(p), light_at(p));
 //     }
 
-// A ray on its way.
+// The state of a ray.
 struct GasMarch {
-    // What is left of it, in units of the direction's length; steps, and where in them the gas is asked for, in [0, 1].
+    // The rest of the interval, in units of the direction's length; steps, and the sampling
+    // position in them, in [0, 1].
     near: f32,
     far: f32,
     step: f32,
     offset: f32,
-    // The number of the next step from the origin, and how many there were.
+    // The number of the next step from the origin, and the number of steps done.
     next: f32,
     count: u32,
-    // The light that the gas added, and the share of light from behind that comes through.
+    // The light added by the gas, and the fraction of background light that is transmitted.
     transmittance: f32,
     light: vec3<f32>,
 }
 
-// The room over a cup in which gas is steam.
+// The volume over a cup in which gas is steam.
 struct GasSteam {
     centre: vec3<f32>,
     radius: f32,
     height: f32,
 }
 
-// The part of a ray inside the room, near and far, in units of the direction's length; where it passes, the largest float and its
-// opposite: `Steam::interval`.
+// The interval of a ray inside the volume, near and far, in units of the direction's length. If it
+// misses, the largest float and its negative: `Steam::interval`.
 fn gas_march_interval(steam: GasSteam, origin: vec3<f32>, direction: vec3<f32>) -> vec2<f32> {
     let everywhere = vec2<f32>(-MATH_LARGEST, MATH_LARGEST);
     let start = origin - steam.centre;
@@ -53,7 +54,7 @@ fn gas_march_interval(steam: GasSteam, origin: vec3<f32>, direction: vec3<f32>) 
     if direction.z != 0.0 {
         let bottom = (0.0 - start.z) / direction.z;
         let top = (steam.height - start.z) / direction.z;
-        // By the bits: a height that is no number leaves all of the ray.
+        // Compares bits. A NaN height leaves the whole ray.
         let bits = bitcast<vec2<u32>>(vec2<f32>(bottom, top)) & vec2<u32>(0x7fffffffu);
         if max(bits.x, bits.y) <= 0x7f800000u {
             upright = vec2<f32>(min(bottom, top), max(bottom, top));
@@ -63,14 +64,15 @@ fn gas_march_interval(steam: GasSteam, origin: vec3<f32>, direction: vec3<f32>) 
     }
     let near = max(circle.x, upright.x);
     let far = min(circle.y, upright.y);
-    // By the bits too: no interval has an end that is no number.
+    // Also compares bits. An interval with a NaN end is empty.
     if !(near <= far && direction_is_finite(vec3<f32>(near, far, 0.0))) {
         return -everywhere;
     }
     return vec2<f32>(near, far);
 }
 
-// A ray from near to far; clear where there is nothing between. At most 65536 steps, longer ones in a longer interval.
+// A ray from near to far; clear if the interval is empty. At most 65536 steps, which are longer in
+// a longer interval.
 fn gas_march_begin(near: f32, far: f32, stride: f32, offset: f32) -> GasMarch {
     let length = far - near;
     if !(direction_is_length(length) && math_is_finite(near)) {
@@ -81,17 +83,17 @@ fn gas_march_begin(near: f32, far: f32, stride: f32, offset: f32) -> GasMarch {
     return GasMarch(near, far, taken, math_clamped(offset, 1.0), floor(near / taken), 0u, 1.0, vec3<f32>(0.0));
 }
 
-// Whether there is a step more that light comes through.
+// Whether there is another step that light reaches.
 fn gas_march_goes_on(march: GasMarch) -> bool {
     return march.count < 65538u && max(march.next * march.step, march.near) < march.far && march.transmittance >= 1e-6;
 }
 
-// Where the gas of the next step is asked for.
+// The sampling point of the next step.
 fn gas_march_point(march: GasMarch, origin: vec3<f32>, direction: vec3<f32>) -> vec3<f32> {
     return origin + direction * clamp((march.next + march.offset) * march.step, march.near, march.far);
 }
 
-// The ray after a step through gas of this extinction per unit of length, which counts from 0 up, and light.
+// The ray after a step through gas of this extinction per unit of length, at least 0, and light.
 fn gas_march_added(march: GasMarch, extinction: f32, light: vec3<f32>) -> GasMarch {
     var on = march;
     let begin = max(march.next * march.step, march.near);
@@ -107,8 +109,9 @@ fn gas_march_added(march: GasMarch, extinction: f32, light: vec3<f32>) -> GasMar
     return on;
 }
 
-// The transmittance along a ray through steam whose extinction is so much per unit of length and density, as pixels of this width see
-// it. Where light is alike everywhere, that share of it is missing from what the steam adds.
+// The transmittance along a ray through steam with this extinction per unit of length and density,
+// filtered over pixels of this width. Under uniform light the steam adds the light times 1
+// minus this transmittance.
 fn gas_march_transmittance(
     gas: Gas,
     steam: GasSteam,
@@ -120,7 +123,8 @@ fn gas_march_transmittance(
     offset: f32,
 ) -> f32 {
     let interval = gas_march_interval(steam, origin, direction);
-    // A step more at both ends: none is cut at the ground, where the share leaps.
+    // One more step at both ends, so that no step is cut at the ground, where the fraction is
+    // discontinuous.
     var march = gas_march_begin(interval.x - stride, interval.y + stride, stride, offset);
     while gas_march_goes_on(march) {
         let p = gas_march_point(march, origin, direction);

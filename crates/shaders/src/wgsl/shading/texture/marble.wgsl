@@ -1,4 +1,4 @@
-// Blue marble: a spline of colours over a sum of noise: `asperity_shading::Marble`.
+// Blue marble, a color spline over a sum of noise: `asperity_shading::Marble`.
 
 struct Marble {
     // Cells of the first octave per unit of length.
@@ -8,18 +8,20 @@ struct Marble {
     reserved: vec2<f32>,
     // The keys of four octaves.
     keys: vec4<u32>,
-    // The distribution function of an octave at 1/2, 1, ... deviations from -4 on, without the first, at which it is 0.
+    // The distribution function of an octave at steps of 1/2 deviations from -4 on, without the
+    // first, where it is 0.
     cdf: array<vec4<f32>, 4>,
 }
 
-// The sum as far as a pixel resolves it, the variance of what it does not, and that of the sum within the pixel.
+// The sum as resolved by a pixel, the variance of the rest, and the variance of the sum within the
+// pixel.
 struct MarbleSum {
     sum: f32,
     removed: f32,
     within: f32,
 }
 
-// Coefficients of a piece of the spline, its number, and the place in it.
+// Coefficients of a piece of the spline, its index, and the position in it.
 struct MarblePiece {
     constant: vec3<f32>,
     linear: vec3<f32>,
@@ -29,8 +31,8 @@ struct MarblePiece {
     place: f32,
 }
 
-// Colours, of which a piece has four. Told apart by bits: compilers of HLSL refuse a list that is made, and thirteen cases at every
-// place where this is called kept others busy for minutes.
+// Colors; each piece has four. Selected by bits, as HLSL compilers reject a computed list, and with
+// thirteen cases at every call other compilers took minutes.
 fn marble_knot(i: u32) -> vec3<f32> {
     var colour = vec3<f32>(0.25, 0.25, 0.35);
     colour = select(colour, vec3<f32>(0.1, 0.1, 0.3), ((0x1cu >> i) & 1u) == 1u);
@@ -65,14 +67,14 @@ fn marble_piece(x: f32) -> MarblePiece {
     return MarblePiece(b, 0.5 * (c - a), square, 1.5 * (b - c) + 0.5 * (d - a), index, along - f32(index));
 }
 
-// The spline at x in [0, 1], beyond it that of its ends.
+// The spline at x in [0, 1], constant beyond its ends.
 fn marble_spline(x: f32) -> vec3<f32> {
     let piece = marble_piece(x);
     let t = piece.place;
     return piece.constant + t * (piece.linear + t * (piece.square + t * piece.cube));
 }
 
-// An end of an interval of the spline, and the integral from 0 to there.
+// An end of an interval of the spline, and the integral from 0 to it.
 struct MarbleEnd {
     x: f32,
     area: vec3<f32>,
@@ -87,17 +89,17 @@ fn marble_end(x: f32) -> MarbleEnd {
     return MarbleEnd(x, (marble_before(piece.index) + within) / 10.0 + colour * beyond);
 }
 
-// The mean of the spline between two places.
+// The mean of the spline between two positions.
 fn marble_mean(start: MarbleEnd, end: MarbleEnd) -> vec3<f32> {
     let width = end.x - start.x;
-    // Below this the difference of areas has fewer digits than the polynomial in the middle.
+    // Below this width the difference of areas has fewer digits than the polynomial in the middle.
     if width > 0.01 {
         return (end.area - start.area) / width;
     }
     return marble_spline(0.5 * (start.x + end.x));
 }
 
-// The sum of octaves of noise, as a pixel of this width resolves it; of a width of 0 all of it.
+// The sum of octaves of noise, filtered over a pixel of this width; unfiltered for a width of 0.
 fn marble_sum(marble: Marble, p: vec3<f32>, width: f32) -> MarbleSum {
     var resolved = MarbleSum(0.0, 0.0, 0.0);
     var frequency = 1.0;
@@ -110,7 +112,8 @@ fn marble_sum(marble: Marble, p: vec3<f32>, width: f32) -> MarbleSum {
             );
             let octave = perlin_2002_noise_3d(p * (marble.scale * frequency), key);
             resolved.sum += kept / frequency * octave.value;
-            // A surface cuts two of three directions of space. A line varies without end, noise by its variance.
+            // A surface intersects two of three directions of space. A line varies without bound,
+            // noise by its variance.
             let rate = min(kept * marble.scale * width, 1e15);
             let line = dot(octave.gradient, octave.gradient) * rate * rate / 18.0;
             if line > 0.0 {
@@ -138,11 +141,12 @@ fn marble_cdf(marble: Marble, k: u32) -> f32 {
     return select(select(row.x, row.y, column == 1u), select(row.z, row.w, column == 3u), column >= 2u);
 }
 
-// The colour that a pixel of this width sees: `Marble::colour`. All in one loop, since what is called is compiled at every place.
+// The color filtered over a pixel of this width: `Marble::colour`. All in one loop, since functions
+// are compiled at every call.
 fn marble_colour(marble: Marble, p: vec3<f32>, footprint: f32) -> vec3<f32> {
     let resolved = marble_sum(marble, p, footprint);
-    // The sixteen parts of the distribution of what a pixel does not resolve, or where it resolves all an interval, which has a twelfth of
-    // its square for variance.
+    // The sixteen parts of the distribution of the unresolved sum. If everything is resolved, the
+    // parts of an interval, whose variance is a twelfth of its square.
     let is_interval = resolved.removed == 0.0;
     let parts = select(16u, 1u, is_interval);
     let deviation = sqrt(select(resolved.removed + resolved.within, 3.0 * resolved.within, is_interval));

@@ -1,4 +1,4 @@
-// Texture coordinates moved by noise: `asperity_shading::texture::PerturbedTexture`.
+// Texture coordinates displaced by noise: `asperity_shading::texture::PerturbedTexture`.
 
 struct PerturbedTexture {
     strength: vec2<f32>,
@@ -9,7 +9,7 @@ struct PerturbedTexture {
     reserved: vec2<u32>,
 }
 
-// Where a pixel of this width looks an image up, and by how much what it does not resolve blurs it.
+// The texture coordinates of a pixel of this width, and the blur by the unresolved displacement.
 struct PerturbedLookUp {
     uv: vec2<f32>,
     spread: vec2<f32>,
@@ -23,7 +23,7 @@ fn perturbed_coordinates(texture: PerturbedTexture, p: vec3<f32>, uv: vec2<f32>)
     return uv + texture.strength * vec2<f32>(first, second);
 }
 
-// The coordinates as a pixel resolves them: `PerturbedTexture::filtered`.
+// The texture coordinates as resolved by a pixel: `PerturbedTexture::filtered`.
 fn perturbed_look_up(texture: PerturbedTexture, p: vec3<f32>, uv: vec2<f32>, footprint: f32) -> PerturbedLookUp {
     let kept = footprint_kept(footprint, texture.scale);
     if kept >= 1.0 {

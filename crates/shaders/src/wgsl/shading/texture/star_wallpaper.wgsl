@@ -6,21 +6,22 @@ struct StarWallpaper {
     // Radii of its notches and its points, in texture coordinates.
     r_min: f32,
     r_max: f32,
-    // Cells per unit of texture coordinates, and the chance that one has a star.
+    // Cells per unit of texture coordinates, and the probability that a cell has a star.
     cells: f32,
     chance: f32,
-    // The share of stars from afar: `StarWallpaper::mean`.
+    // The far-field fraction of stars: `StarWallpaper::mean`.
     mean: f32,
-    // cos and sin of half the angle between two points, and a turn over their number.
+    // cos and sin of half the angle between two points, and a full turn divided by their number.
     half_angle: vec2<f32>,
     angle: f32,
-    // Keys of the three lattices: whether there is a star, and where.
+    // Keys of the three lattices of the presence and the position of stars.
     presence: u32,
     across: u32,
     along: u32,
 }
 
-// How far inside the star about the origin a point is; the distance to its nearest edge near by.
+// The depth of a point inside the star around the origin, near its edge the distance to the nearest
+// edge.
 fn star_wallpaper_inside(wallpaper: StarWallpaper, p: vec2<f32>) -> f32 {
     let turn = (math_angle(p.x, p.y) + 3.1415927) / wallpaper.angle;
     let fraction = turn - floor(turn);
@@ -31,7 +32,7 @@ fn star_wallpaper_inside(wallpaper: StarWallpaper, p: vec2<f32>) -> f32 {
     return (edge.x * apart.y - edge.y * apart.x) / sqrt(dot(edge, edge));
 }
 
-// The share of a box of this width that the star covers.
+// The fraction of a box of this width that the star covers.
 fn star_wallpaper_ramped(wallpaper: StarWallpaper, p: vec2<f32>, footprint: f32) -> f32 {
     let quarter = 0.25 * footprint;
     if quarter == 0.0 {
@@ -45,7 +46,7 @@ fn star_wallpaper_ramped(wallpaper: StarWallpaper, p: vec2<f32>, footprint: f32)
     return 0.25 * sum;
 }
 
-// The share of stars that a pixel of this width sees, in [0, 1]: `StarWallpaper::coverage`.
+// The fraction of stars within a pixel of this width, in [0, 1]: `StarWallpaper::coverage`.
 fn star_wallpaper_coverage(wallpaper: StarWallpaper, uv: vec2<f32>, footprint: f32) -> f32 {
     if !direction_is_finite(vec3<f32>(uv, 0.0)) {
         return 0.0;
@@ -57,7 +58,7 @@ fn star_wallpaper_coverage(wallpaper: StarWallpaper, uv: vec2<f32>, footprint: f
     let corner = floor(uv * wallpaper.cells);
     var bare = 1.0;
     for (var k = 0u; k < 9u; k++) {
-        // Rows of the same column one after the other.
+        // Column by column, along the rows.
         let cell = corner + vec2<f32>(f32(k / 3u) - 0.5, f32(k % 3u) - 0.5);
         if 0.5 + 0.5 * white_noise_2d(cell, wallpaper.presence).value < wallpaper.chance {
             let offset = 0.6 * vec2<f32>(

@@ -125,7 +125,7 @@ fn cellular_value(basis: u32, metric: u32, measures: vec2<f32>, word: u32) -> Ce
     return CellularValue(variate_uniform(integer_hash_further(word, 2u)), distances, vec2<f32>(0.0));
 }
 
-// At a place in [0, 1]^2 of a cell.
+// The noise at a position in [0, 1]^2 of a cell.
 fn cellular_in_cell_2d(
     cell: vec2<i32>,
     t: vec2<f32>,
@@ -186,7 +186,7 @@ fn cellular_in_cell_2d(
     return Sample2d(found.value, gradient);
 }
 
-// At a place in [0, 1]^3 of a cell.
+// The noise at a position in [0, 1]^3 of a cell.
 fn cellular_in_cell_3d(
     cell: vec3<i32>,
     t: vec3<f32>,
@@ -261,7 +261,7 @@ fn cellular_in_cell_3d(
     return Sample3d(found.value, gradient);
 }
 
-// At any point; 0 where a coordinate is not finite.
+// The noise at any point; 0 if a coordinate is not finite.
 fn cellular_noise_2d(p: vec2<f32>, basis: u32, metric: u32, jitter: f32, key: u32) -> Sample2d {
     let at = cell_place_2d(p);
     return sample_known_2d(cellular_in_cell_2d(at.cell, at.place, basis, metric, jitter, key), at.known);

@@ -1,13 +1,13 @@
-// The carpet of a car, threads, fibres, seams, dark areas: `asperity_shading::Carpet`.
+// The carpet of a car, with threads, fibers, seams and dark areas: `asperity_shading::Carpet`.
 
 struct Carpet {
     threads: Fbm,
-    // Threads that shine, by turbulence, and the areas that look darker, and where threads lean over the seams.
+    // Shining threads, by turbulence, dark areas, and the areas where threads lean over the seams.
     shine: Fbm,
     dark: Fbm,
     crossover: Fbm,
     fibres: Fibres,
-    // Mean square of the slope of fibres; share of the colours that is theirs; tilt by them.
+    // Mean square of the slope of fibers, their weight in the colors, tilt by them.
     fibre_square_slope: f32,
     fibre_strength: f32,
     fibre_bump: f32,
@@ -31,17 +31,18 @@ struct Carpet {
     rim_width: f32,
     rim: vec3<f32>,
     reserved: f32,
-    // Of the mean of shining threads, where so many octaves are known: two of each.
+    // Coefficients of the mean of shining threads given the known octaves, two for each number of
+    // octaves.
     coefficients: array<vec4<f32>, 8>,
 }
 
-// A polynomial of the seventh degree, coefficients of the highest power first.
+// A polynomial of degree seven, coefficients of the highest power first.
 fn carpet_polynomial(high: vec4<f32>, low: vec4<f32>, c: f32) -> f32 {
     let cubic = ((high.x * c + high.y) * c + high.z) * c + high.w;
     return (((cubic * c + low.x) * c + low.y) * c + low.z) * c + low.w;
 }
 
-// The mean of shining threads where so many octaves are known.
+// The mean of shining threads given the known octaves.
 fn carpet_expected_shine(carpet: Carpet, known: u32, p: vec3<f32>) -> f32 {
     let count = f32(known);
     var veins = 0.0;
@@ -61,7 +62,7 @@ fn carpet_expected_shine(carpet: Carpet, known: u32, p: vec3<f32>) -> f32 {
     return carpet_polynomial(carpet.coefficients[6], carpet.coefficients[7], c);
 }
 
-// The shine of threads as a pixel sees it: `SpecularThreads::value`.
+// The shine of threads filtered over a pixel: `SpecularThreads::value`.
 fn carpet_shine(carpet: Carpet, position: vec3<f32>, footprint: f32) -> f32 {
     let p = position * carpet.shine.frequency;
     let width = footprint * carpet.shine.frequency;
@@ -72,7 +73,7 @@ fn carpet_shine(carpet: Carpet, position: vec3<f32>, footprint: f32) -> f32 {
         if j < 3u {
             kept = 1.0 - frequency_clamp_removed_share(width, f32(1u << j));
         }
-        // Only those levels are evaluated that have a weight.
+        // Only levels with a weight are evaluated.
         let weight = before - kept;
         if weight > 0.0 {
             value += weight * carpet_expected_shine(carpet, j, p);
@@ -92,13 +93,13 @@ fn carpet_dark(carpet: Carpet, position: vec3<f32>, footprint: f32) -> f32 {
     return 1.0 - carpet.dark_strength * (near + removed * (carpet.half_mean - near));
 }
 
-// A colour with threads, in [0, 1].
+// A color with threads, in [0, 1].
 fn carpet_lit(colour: vec3<f32>, by: f32, factor: f32) -> vec3<f32> {
     let threads = clamp(colour + vec3<f32>(by), vec3<f32>(0.0), vec3<f32>(1.0));
     return min(threads * factor, vec3<f32>(1.0));
 }
 
-// What a pixel sees of the carpet.
+// The carpet filtered over a pixel.
 fn carpet_surface(carpet: Carpet, point: SurfacePoint) -> Glossy {
     let n = point.normal;
     let at = point.position;
@@ -151,7 +152,7 @@ fn carpet_scattered(carpet: Carpet, point: SurfacePoint, wo: vec3<f32>, wi: vec3
     return glossy_scattered(surface, surface_point_frame(point), carpet.roughness, carpet.specular_roughness, wo, wi);
 }
 
-// The light along the rim, which is there whatever the lamps: `Bsdf::emitted`.
+// The rim light, which is independent of the light sources: `Bsdf::emitted`.
 fn carpet_emitted(carpet: Carpet, point: SurfacePoint, wo: vec3<f32>) -> vec3<f32> {
     if !direction_is_finite(wo) {
         return vec3<f32>(0.0);
@@ -167,7 +168,7 @@ fn carpet_emitted(carpet: Carpet, point: SurfacePoint, wo: vec3<f32>) -> vec3<f3
     return brdf_finite_channels(share * carpet.rim);
 }
 
-// Of the material in the uniform.
+// The material in the uniform.
 fn carpet(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     return carpet_scattered(carpet_uniform, point, wo, wi);
 }

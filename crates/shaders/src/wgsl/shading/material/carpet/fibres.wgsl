@@ -1,21 +1,22 @@
-// Fibres, threads that are still threads from very near: `asperity_shading::material::Fibres`.
+// Fibers, threads that remain threads in close-ups: `asperity_shading::material::Fibres`.
 
 struct Fibres {
     segments: Segments,
-    // Half the width of a fibre, how far aside it bends, in texture coordinates; contrast; the mean of its brightness.
+    // Half the width of a fiber, its sideways bend, in texture coordinates; contrast; the mean of
+    // its brightness.
     half_width: f32,
     bend: f32,
     contrast: f32,
     mean: f32,
 }
 
-// A factor of colour, and the slope in texture coordinates.
+// A factor of color, and the slope in texture coordinates.
 struct FibresSample {
     factor: f32,
     slope: vec2<f32>,
 }
 
-// The fibre on top at a point.
+// The top fiber at a point.
 fn fibres_top(fibres: Fibres, uv: vec2<f32>) -> FibresSample {
     var top = FibresSample(1.0 + fibres.contrast * (0.1 - 1.0), vec2<f32>(0.0));
     var highest = -1.0;
@@ -37,7 +38,7 @@ fn fibres_top(fibres: Fibres, uv: vec2<f32>) -> FibresSample {
                 continue;
             }
             let rise = crown * 0.5 * (t + 1.0);
-            // Whose root is hidden and whose tip is on top does not depend on its brightness.
+            // The order of roots and tips does not depend on the brightness.
             let spread = near.random.x * 618.034;
             let height = rise + (spread - floor(spread));
             if height > highest {
@@ -56,12 +57,12 @@ fn fibres_top(fibres: Fibres, uv: vec2<f32>) -> FibresSample {
     return top;
 }
 
-// The share of fibres that a pixel of this width in texture coordinates resolves.
+// The fraction of fibers that a pixel of this width in texture coordinates resolves.
 fn fibres_kept(fibres: Fibres, footprint: f32) -> f32 {
     return footprint_kept(footprint, 0.25 / fibres.half_width);
 }
 
-// Factor and slope as such a pixel sees them: `Fibres::sample`.
+// Factor and slope filtered over a pixel: `Fibres::sample`.
 fn fibres_sample(fibres: Fibres, uv: vec2<f32>, footprint: f32) -> FibresSample {
     let kept = fibres_kept(fibres, footprint);
     if !(kept > 0.0) || segments_place(fibres.segments, uv, 0.0).farthest < 0.0 {

@@ -1,13 +1,13 @@
-// Seams of a carpet, lines or a grid where there are fewer threads: `asperity_shading::material::Seams`.
+// Seams of a carpet, lines or a grid with fewer threads: `asperity_shading::material::Seams`.
 
 const SEAMS_NONE: u32 = 0u;
 const SEAMS_LINES: u32 = 1u;
 const SEAMS_GRID: u32 = 2u;
 const SEAMS_PI: f32 = 3.1415927;
-// The square of the least width of a crease, pi/20.
+// The square of the minimum width of a crease, pi/20.
 const SEAMS_LEAST_SQUARED: f32 = 0.024674013;
 
-// An interval of phases about one; without ends it is as good as all phases.
+// An interval of phases around one; an interval without ends is equivalent to all phases.
 struct SeamsStretch {
     ends: vec2<f32>,
     is_short: bool,
@@ -18,13 +18,13 @@ fn seams_cos_sin(p: f32) -> vec2<f32> {
     return elementary_cos_sin_turns(p * 0.15915494);
 }
 
-// The phase across seams; between two of them where it is not finite.
+// The phase across seams; between two seams if it is not finite.
 fn seams_phase(across: vec2<f32>, uv: vec2<f32>) -> f32 {
     let p = dot(across, uv);
     return select(1.5707964, p, math_is_finite(p));
 }
 
-// The place in a period.
+// The position in a period.
 fn seams_place(p: f32) -> f32 {
     return p - floor(p / SEAMS_PI) * SEAMS_PI;
 }
@@ -35,7 +35,7 @@ fn seams_area(p: f32) -> f32 {
     return 2.0 * whole + 1.0 - seams_cos_sin(p - whole * SEAMS_PI).x;
 }
 
-// The mean of |sin| over an interval of this width about p, and its derivative by p.
+// The mean of |sin| over an interval of this width around p, and its derivative by p.
 fn seams_mean(p: f32, w: f32) -> vec2<f32> {
     if !(w <= 10000.0) {
         return vec2<f32>(0.63661975, 0.0);
@@ -52,7 +52,7 @@ fn seams_stretch(p: f32, width: f32) -> SeamsStretch {
     return SeamsStretch(vec2<f32>(place - 0.5 * w, place + 0.5 * w), w < 10000.0);
 }
 
-// The distance of an end to the nearest seam; 0 of a long stretch.
+// The distance of an end to the nearest seam; 0 for a long interval.
 fn seams_bend(stretch: SeamsStretch, end: f32) -> f32 {
     let place = seams_place(end);
     return select(0.0, min(place, SEAMS_PI - place), stretch.is_short);
@@ -63,7 +63,7 @@ fn seams_until(p: f32, theta: f32, between: f32) -> f32 {
     return whole * between + clamp(p - whole * SEAMS_PI - theta, 0.0, max(between, 0.0));
 }
 
-// The share of a stretch that is farther than theta from every seam.
+// The fraction of an interval that is farther than theta from every seam.
 fn seams_share(stretch: SeamsStretch, theta: f32) -> f32 {
     let between = SEAMS_PI - 2.0 * theta;
     if !stretch.is_short {
@@ -73,7 +73,7 @@ fn seams_share(stretch: SeamsStretch, theta: f32) -> f32 {
     return (seams_until(stretch.ends.y, theta, between) - seams_until(stretch.ends.x, theta, between)) / length;
 }
 
-// The derivative of the share by the phase, whose ends have these distances to seams.
+// The derivative of the fraction by the phase, whose ends have these distances to seams.
 fn seams_moved(stretch: SeamsStretch, bends: vec2<f32>, theta: f32) -> f32 {
     if !stretch.is_short {
         return 0.0;
@@ -81,11 +81,13 @@ fn seams_moved(stretch: SeamsStretch, bends: vec2<f32>, theta: f32) -> f32 {
     return (select(0.0, 1.0, theta < bends.y) - select(0.0, 1.0, theta < bends.x)) / (stretch.ends.y - stretch.ends.x);
 }
 
-// The mean of the smaller of two |sin|, and its derivatives by both phases: four points of Gauss between bends.
+// The mean of the smaller of two |sin|, and its derivatives by both phases: four Gauss points
+// between bends.
 fn seams_mean_of_smaller(x: SeamsStretch, y: SeamsStretch) -> vec3<f32> {
     let of_x = vec2<f32>(seams_bend(x, x.ends.x), seams_bend(x, x.ends.y));
     let of_y = vec2<f32>(seams_bend(y, y.ends.x), seams_bend(y, y.ends.y));
-    // In order: the lesser and the greater of either, then of both, with a quarter of a turn as the last.
+    // In order: the smaller and the larger of either, then of both, with a quarter turn as the
+    // last.
     let low = vec2<f32>(min(of_x.x, of_x.y), min(of_y.x, of_y.y));
     let high = vec2<f32>(max(of_x.x, of_x.y), max(of_y.x, of_y.y));
     let second = max(low.x, low.y);
@@ -119,8 +121,9 @@ fn seams_mean_of_smaller(x: SeamsStretch, y: SeamsStretch) -> vec3<f32> {
     return crease;
 }
 
-// Mean height, from 0 at a seam to 1 between, and its derivatives by the phases across both sets of seams; uv times the frequency,
-// widths of the pixel in phases. `Seams::crease`.
+// Mean height, from 0 at a seam to 1 between seams, and its derivatives by the phases across both
+// sets of seams: `Seams::crease`. uv is multiplied by the frequency, and widths of the pixel are in
+// phases.
 fn seams_crease(pattern: u32, direction: vec2<f32>, uv: vec2<f32>, widths: vec2<f32>) -> vec3<f32> {
     let p = seams_phase(direction, uv);
     if pattern == SEAMS_LINES {
@@ -134,7 +137,8 @@ fn seams_crease(pattern: u32, direction: vec2<f32>, uv: vec2<f32>, widths: vec2<
     return vec3<f32>(1.0, 0.0, 0.0);
 }
 
-// The variances of the slopes along both directions that a pixel of these widths in phases does not resolve: `Seams::removed_slopes`.
+// The variances of the unresolved slopes along both directions, for a pixel of these widths in
+// phases: `Seams::removed_slopes`.
 fn seams_removed_slopes(pattern: u32, widths: vec2<f32>) -> vec2<f32> {
     let w = sqrt(widths * widths + vec2<f32>(SEAMS_LEAST_SQUARED)) / SEAMS_PI;
     let left = 1.0 - min(w, vec2<f32>(1.0));

@@ -1,39 +1,41 @@
-// Flakes over pigment under a bumpy clear coat, what paints with sparkles and with counted flakes share: `asperity_shading::MetallicPaint`.
+// Flakes over pigment under a bumpy clearcoat, common to paints with sparkles and with counted
+// flakes: `asperity_shading::MetallicPaint`.
 
 struct MetallicPaint {
     orange_peel: Fbm,
     passive: Fbm,
-    // The keys of sparkles, for seven numbers of a flake.
+    // The keys of sparkles, for seven numbers per flake.
     keys: vec4<u32>,
     more_keys: vec4<u32>,
-    // The specular colour of the flakes, and their Beckmann's alpha.
+    // The specular color of the flakes, and their Beckmann alpha.
     specular: vec3<f32>,
     flake_roughness: f32,
-    // The colour of the pigment, and the strength of the orange peel.
+    // The color of the pigment, and the strength of the orange peel.
     pigment: vec3<f32>,
     peel_strength: f32,
-    // The target of a sparkle's colour, and its boost.
+    // The target of a sparkle's color, and its boost.
     boost_target: vec3<f32>,
     boost: f32,
-    // The width of a sparkle in pixels, its greatest width, its tilt, the share that is left out.
+    // The width of a sparkle in pixels, its maximum width, its tilt, and the fraction that is left
+    // out.
     pixel_size: f32,
     physical_size: f32,
     variation: f32,
     elimination: f32,
-    // The inverse of the unit by which fewer are left out from afar; 0 where as many are.
+    // The inverse of the unit of adaptive elimination; 0 without it.
     per_unit: f32,
     passive_strength: f32,
-    // The relative index of the coat, and its Beckmann's alpha, 0 for a smooth one.
+    // The relative IOR of the coat, and its Beckmann alpha, 0 for a smooth coat.
     coat_index: f32,
     coat_roughness: f32,
 }
 
-// The flakes' reflectance of a colour at directions in their frame.
+// The reflectance of flakes of a color for directions in their frame.
 fn metallic_paint_flakes(paint: MetallicPaint, colour: vec3<f32>, wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
     return cook_torrance_beckmann(vec2<f32>(paint.flake_roughness), wi, wo).x * math_shares(colour);
 }
 
-// The clear coat with its orange peel, as the pixel sees it.
+// The clearcoat with its orange peel, filtered over the pixel.
 fn metallic_paint_coat(paint: MetallicPaint, point: SurfacePoint) -> Coat {
     let footprint = point.pixel.widths.x;
     let slope = fbm_sample(paint.orange_peel, point.position, footprint).gradient;
@@ -44,13 +46,14 @@ fn metallic_paint_coat(paint: MetallicPaint, point: SurfacePoint) -> Coat {
     return coat_varnish(paint.coat_index, paint.coat_roughness, normal, variance);
 }
 
-// The specular colour of the flakes at a point, with passive flakes; in [0, 1].
+// The specular color of the flakes at a point, including passive flakes; in [0, 1].
 fn metallic_paint_specular(paint: MetallicPaint, point: SurfacePoint) -> vec3<f32> {
     let noise = fbm_sample(paint.passive, point.position, point.pixel.widths.x).value;
     return min(paint.specular * max(1.0 + paint.passive_strength * noise, 0.0), vec3<f32>(1.0));
 }
 
-// Reflectance times cosine of flakes of this reflectance over the pigment, under the coat; for directions above the surface.
+// Reflectance times cosine of flakes with this reflectance over the pigment, under the coat; for
+// directions above the surface.
 fn metallic_paint_coated(
     paint: MetallicPaint,
     point: SurfacePoint,
@@ -63,7 +66,8 @@ fn metallic_paint_coated(
     return coat_over(metallic_paint_coat(paint, point), (flakes + pigment) * wi.z, wo, wi);
 }
 
-// What a smooth coat mirrors, by a facet that uniform numbers choose: the first of `Bsdf::deltas`; dark for a rough one.
+// Reflection of a smooth coat at a facet chosen by uniform numbers, the first of `Bsdf::deltas`; 0
+// for a rough coat.
 fn metallic_paint_mirrored(paint: MetallicPaint, point: SurfacePoint, wo: vec3<f32>, u: vec2<f32>) -> CoatDelta {
     return coat_deltas(metallic_paint_coat(paint, point), wo, u).mirrored;
 }

@@ -1,4 +1,4 @@
-// Metallic paint whose flakes are counted: `asperity_shading::MetallicPaint` of `PaintFlakes::Counted`.
+// Metallic paint with counted flakes: `asperity_shading::MetallicPaint` of `PaintFlakes::Counted`.
 
 struct CountedFlakes {
     // The paint without its sparkles.
@@ -6,8 +6,8 @@ struct CountedFlakes {
     flakes: GlintField,
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame, `surface_point_frame`. What a smooth coat mirrors
-// is `metallic_paint_mirrored`.
+// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame,
+// `surface_point_frame`. The reflection of a smooth coat is `metallic_paint_mirrored`.
 fn counted_flakes_scattered(
     counted: CountedFlakes,
     point: SurfacePoint,
@@ -25,7 +25,7 @@ fn counted_flakes_scattered(
     return metallic_paint_coated(paint, point, specular, flakes, wo, wi);
 }
 
-// Of the material in the uniform.
+// The material in the uniform.
 fn counted_flakes(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     return counted_flakes_scattered(counted_flakes_uniform, point, wo, wi);
 }

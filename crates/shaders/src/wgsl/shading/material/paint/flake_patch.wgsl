@@ -1,4 +1,4 @@
-// Patches of space, one to a flake: `asperity_shading::material::flake_patch`.
+// Patches of space, one per flake: `asperity_shading::material::flake_patch`.
 
 struct FlakePatch {
     // Whether there is a flake at the point.
@@ -9,7 +9,7 @@ struct FlakePatch {
     tilt: vec3<f32>,
 }
 
-// A number in [0, 1) of 24 bits of the hash of a cell.
+// A number in [0, 1) from 24 bits of the hash of a cell.
 fn flake_patch_random(terms: u32, key: u32) -> f32 {
     return f32(integer_hash_word(terms, key) >> 8u) / 16777216.0;
 }
@@ -20,7 +20,8 @@ struct FlakePatchNearest {
     off: vec3<f32>,
 }
 
-// Keys are those of seed ^ k * 0x9e3779b9, for k = 0 to 3 and 4 to 6. There is no flake where cells cannot be told apart.
+// Keys are the keys of seed ^ k * 0x9e3779b9, for k = 0 to 3 and 4 to 6. There is no flake where
+// cells cannot be resolved.
 fn flake_patch_nearest(
     position: vec3<f32>,
     cell: f32,
@@ -54,7 +55,7 @@ fn flake_patch_nearest(
     return FlakePatchNearest(FlakePatch(true, flake_patch_random(terms, keys.x), tilt), off);
 }
 
-// The flake that a point lies in.
+// The flake at a point.
 fn flake_patch(
     position: vec3<f32>,
     cell: f32,
@@ -70,13 +71,13 @@ fn flake_patch(
     return FlakePatch(false, 0.0, vec3<f32>(0.0));
 }
 
-// The flake of the cell of a point, and the share of a pixel on the point that it covers.
+// The flake in the cell of a point, and the fraction of a pixel at the point that it covers.
 struct FlakePatchCovered {
     flake: FlakePatch,
     cover: f32,
 }
 
-// The cover along one axis, of a flake as wide as the cell where the edge is 0.
+// The coverage along one axis, for a flake as wide as the cell where the edge is 0.
 fn flake_patch_cover(width: f32, edge: f32, off: f32) -> f32 {
     if edge > 0.0 {
         return math_clamped((0.5 * width - off) / edge + 0.5, 1.0);
@@ -84,7 +85,8 @@ fn flake_patch_cover(width: f32, edge: f32, off: f32) -> f32 {
     return select(0.0, 1.0, width > 0.0);
 }
 
-// Scattered over the cell, with edges as wide as the pixel, at most as the flake and as what is left of the cell.
+// Flakes are scattered over the cell. Their edges are as wide as the pixel, but at most as wide as
+// the flake and the rest of the cell.
 fn flake_patch_covered(
     position: vec3<f32>,
     cell: f32,

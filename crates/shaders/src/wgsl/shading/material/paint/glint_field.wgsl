@@ -1,7 +1,9 @@
-// Flakes that are counted by hashes, with a density of normals for their mean: `asperity_shading::material::GlintField`.
+// Flakes counted by hashes, with a normal distribution as their mean:
+// `asperity_shading::material::GlintField`.
 
 struct GlintField {
-    // The distance between flakes, and the deviations of their tilt over which a lamp is mirrored.
+    // The distance between flakes, and the standard deviations of their tilt that mirror a light
+    // source.
     spacing: f32,
     bin: f32,
     // Keys of the lattice, and of the two coordinates of flakes' normals.
@@ -11,7 +13,7 @@ struct GlintField {
     more: vec2<u32>,
 }
 
-// A flake: its cell, and its centre in cells.
+// A flake: its cell, and its center in cells.
 struct GlintFieldFlake {
     cell: vec3<i32>,
     centre: vec3<f32>,
@@ -23,29 +25,30 @@ fn glint_field_word(cell: vec3<i32>, key: u32) -> u32 {
     return integer_hash_word(terms, key);
 }
 
-// The jittered centre of a cell, in cells.
+// The jittered center of a cell, in cells.
 fn glint_field_centre(cell: vec3<i32>, key: u32) -> vec3<f32> {
     let word = glint_field_word(cell, key);
     let jitter = vec3<f32>(vec3<u32>(word & 1023u, (word >> 10u) & 1023u, (word >> 20u) & 1023u)) / 2048.0;
     return vec3<f32>(cell) + (jitter + 0.25);
 }
 
-// One of three numbers.
+// Selects one of three numbers.
 fn glint_field_of(k: u32, first: f32, second: f32, third: f32) -> f32 {
     return select(select(third, second, k == 1u), first, k == 0u);
 }
 
-// Whether cells can be told apart at a place in cells.
+// Whether cells can be resolved at a position in cells.
 fn glint_field_is_near(place: vec3<f32>) -> bool {
     return direction_is_finite(place) && max(abs(place.x), max(abs(place.y), abs(place.z))) < 8388608.0;
 }
 
-// The flake whose centre is nearest to a place in cells where they can be told apart.
+// The flake with the center nearest to a position in cells, where cells can be resolved.
 fn glint_field_nearest(field: GlintField, place: vec3<f32>) -> GlintFieldFlake {
     let corner = floor(place);
     let base = vec3<i32>(corner);
     let own = place - glint_field_centre(base, field.key);
-    // No other centre is nearer where all that its cell may have are farther than that of the point's own; far out centres are rounded.
+    // No other center is nearer if all possible centers of its cell are farther than the center of
+    // the point's own cell. Centers far from the origin are rounded.
     let bound = dot(own, own) * 1.0001;
     let slack = max(abs(place.x), max(abs(place.y), abs(place.z))) * 1.1920929e-7 + 1e-6;
     let within = place - corner;
@@ -72,7 +75,7 @@ fn glint_field_nearest(field: GlintField, place: vec3<f32>) -> GlintFieldFlake {
     return best;
 }
 
-// A Gaussian number of 32 bits, from the tail that the word is in.
+// A Gaussian number of 32 bits, computed from the tail that contains the word.
 fn glint_field_gaussian(word: u32) -> f32 {
     let is_high = word > 0x7fffffffu;
     let tail = (f32(select(word, ~word, is_high)) + 0.5) / 4294967296.0;
@@ -80,7 +83,8 @@ fn glint_field_gaussian(word: u32) -> f32 {
     return select(quantile, -quantile, is_high);
 }
 
-// The Gaussian coordinates of the normal of a cell's flake: `from_gaussian` of the density makes the normal of them.
+// The Gaussian coordinates of the normal of a cell's flake; `from_gaussian` of the distribution
+// maps them to the normal.
 fn glint_field_tilt(field: GlintField, cell: vec3<i32>) -> vec2<f32> {
     return vec2<f32>(
         glint_field_gaussian(glint_field_word(cell, field.tilt_keys.x)),
@@ -93,13 +97,14 @@ fn glint_field_chance(word: u32) -> f32 {
     return (f32(word) + 0.5) / 4294967296.0;
 }
 
-// The flakes of a cell of a level.
+// The number of flakes in a cell of a level.
 fn glint_field_flakes(level: i32) -> f32 {
     let size = f32(1u << u32(level));
     return size * size;
 }
 
-// A number of successes of n trials of probability q, for a uniform number in (0, 1): `binomial`.
+// A binomial number of successes of n trials with probability q, from a uniform number in (0, 1):
+// `binomial`.
 fn glint_field_binomial(n: f32, q: f32, chance: f32) -> f32 {
     let mean = n * q;
     if mean > 16.0 {
@@ -110,7 +115,7 @@ fn glint_field_binomial(n: f32, q: f32, chance: f32) -> f32 {
     }
     let log = elementary_ln_1p(-q);
     let t = -(n * log);
-    // The chance of more than k, from above: small chances keep their digits.
+    // The probability of more than k, which preserves the digits of small probabilities.
     var above = t * elementary_one_minus_exp_ratio(t, elementary_exp(-0.5 * t));
     var exactly = mean * elementary_exp((n - 1.0) * log);
     var k = 0.0;
@@ -122,7 +127,7 @@ fn glint_field_binomial(n: f32, q: f32, chance: f32) -> f32 {
     return k;
 }
 
-// How many of the flakes in a bin, `count` of n, are in one of the four quarters: `quarter`.
+// The number of flakes in one of four quarters, given `count` of n in a bin: `quarter`.
 fn glint_field_quarter(count: f32, n: f32, word: u32) -> f32 {
     let mean = 0.25 * count;
     if mean > 16.0 {
@@ -130,7 +135,7 @@ fn glint_field_quarter(count: f32, n: f32, word: u32) -> f32 {
         let deviation = sqrt(max(0.75 * mean * (1.0 - count / n), 0.0)) / 147.801;
         return mean + deviation * (f32(bytes) - 510.0);
     }
-    // Twelve bits for the one, twenty for the other.
+    // Twelve bits for rounding, twenty for the deviation.
     let whole = floor(count + (f32(word & 0xfffu) + 0.5) / 4096.0);
     if !(whole > 0.0) {
         return 0.0;
@@ -138,7 +143,7 @@ fn glint_field_quarter(count: f32, n: f32, word: u32) -> f32 {
     return glint_field_binomial(whole, 0.25, (f32(word >> 12u) + 0.5) / 1048576.0);
 }
 
-// The probability of a standard Gaussian number from k to k + 1 widths: `mass`.
+// The probability that a standard Gaussian number is between k and k + 1 widths: `mass`.
 fn glint_field_mass(k: f32, width: f32) -> f32 {
     let middle = (k + 0.5) * width;
     if width * (abs(middle) + 2.0) <= 1.0 {
@@ -158,10 +163,11 @@ fn glint_field_exponent(x: f32) -> i32 {
     return i32(bitcast<u32>(x) >> 23u) - 127;
 }
 
-// The number of a bin over its mean, in the cells of this level and of the next around that of a single flake: `relative_counts`.
+// The count of a bin divided by its mean, in the cells of this level and of the next, around the
+// cell of a single flake: `relative_counts`.
 fn glint_field_counts(field: GlintField, base: vec3<i32>, bin: vec2<i32>, q: f32, level: i32) -> vec2<f32> {
     let seed = integer_hash_word(integer_hash_term(0u, bin.x) ^ integer_hash_term(1u, bin.y), field.key);
-    // From a level where the number is nearly certain.
+    // Starts at a level where the count is nearly certain.
     let start = clamp((glint_field_exponent(256.0 / q) >> 1u) + 1, level, 14);
     let first = glint_field_word(base >> vec3<u32>(u32(start)), lattice_key(seed + u32(start)));
     var count = glint_field_binomial(glint_field_flakes(start), q, glint_field_chance(first));
@@ -183,15 +189,16 @@ fn glint_field_counts(field: GlintField, base: vec3<i32>, bin: vec2<i32>, q: f32
     return vec2<f32>(count / (glint_field_flakes(level) * q), coarse);
 }
 
-// How many flakes within a pixel have these Gaussian coordinates, over their mean: times the density of the half vector it is
-// `GlintField::density`, for the coordinates `to_gaussian` of it. 1 where single cells cannot be told apart, and from afar.
+// The number of flakes within a pixel with these Gaussian coordinates, divided by its mean. Times
+// the density of the half vector it is `GlintField::density`, for the coordinates `to_gaussian` of
+// the half vector. It is 1 where single cells cannot be resolved, and in the far field.
 fn glint_field_relative(field: GlintField, z: vec2<f32>, position: vec3<f32>, footprint: f32) -> f32 {
     let place = position / field.spacing;
     let ratio = max(footprint / field.spacing, 1.0);
     if !(ratio < 16384.0 && glint_field_is_near(place)) {
         return 1.0;
     }
-    // Level and the share of the next: the logarithm of the width.
+    // Level and weight of the next level, from the logarithm of the width.
     let level = glint_field_exponent(ratio);
     let mantissa = bitcast<f32>((bitcast<u32>(ratio) & 0x7fffffu) | 0x3f800000u);
     let upper_share = elementary_ln(mantissa) * 1.442695;
@@ -210,7 +217,7 @@ fn glint_field_relative(field: GlintField, z: vec2<f32>, position: vec3<f32>, fo
         let q = glint_field_mass(low.x + by.x, field.bin) * glint_field_mass(low.y + by.y, field.bin);
         let weight = select(1.0 - upper.x, upper.x, k > 1u) * select(1.0 - upper.y, upper.y, (k & 1u) == 1u);
         let bin = vec2<i32>(low) + vec2<i32>(by);
-        // A bin that no flake will ever be in counts by its mean.
+        // A bin that never contains a flake is replaced by its mean.
         var relative = 1.0;
         if q > 1e-25 {
             var counts = vec2<f32>(0.0);

@@ -1,4 +1,4 @@
-// Metallic paint whose flakes sparkle, under a bumpy clear coat: `asperity_shading::MetallicPaint`.
+// Metallic paint with sparkling flakes, under a bumpy clearcoat: `asperity_shading::MetallicPaint`.
 
 // The sparkle of a cell at a point.
 struct MetallicPaintSparkle {
@@ -9,7 +9,7 @@ struct MetallicPaintSparkle {
     mean_weight: f32,
 }
 
-// The flake that sparkles around a point whose pixel is so wide: `Sparkles::flake`.
+// The sparkling flake around a point whose pixel has this width: `Sparkles::flake`.
 fn metallic_paint_sparkle(
     paint: MetallicPaint,
     position: vec3<f32>,
@@ -22,7 +22,7 @@ fn metallic_paint_sparkle(
     if !(fade > 0.0) {
         return none;
     }
-    // As long along the axis nearest to the normal as a cell.
+    // As long as a cell along the axis nearest to the normal.
     let m = abs(n);
     let across = min(pixel, paint.physical_size);
     var width = vec3<f32>(across);
@@ -51,8 +51,9 @@ fn metallic_paint_sparkle(
     );
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point of paint whose flakes sparkle; wo and wi are in its frame,
-// `surface_point_frame`. What a smooth coat mirrors is `metallic_paint_mirrored`.
+// Reflectance times cosine, `Bsdf::scattered` of a point of paint with sparkling flakes; wo and wi
+// are in its frame, `surface_point_frame`. The reflection of a smooth coat is
+// `metallic_paint_mirrored`.
 fn metallic_paint_scattered(paint: MetallicPaint, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {
         return vec3<f32>(0.0);
@@ -71,16 +72,16 @@ fn metallic_paint_scattered(paint: MetallicPaint, point: SurfacePoint, wo: vec3<
         let own = frame_from_normal(flake);
         let i = frame_to_local(own, wi);
         let boosted = specular + (paint.boost_target - specular) * math_clamped(paint.boost, 1.0);
-        // The cosine with the flake instead of the surface.
+        // Uses the cosine to the flake instead of to the surface.
         let bright = metallic_paint_flakes(paint, boosted, i, frame_to_local(own, wo)) * min(max(i.z, 0.0) / max(wi.z, 0.001), 4.0);
-        // The points around give at most half of their light.
+        // The points around contribute at most half of their light.
         let most = flakes * (0.5 / max(sparkle.mean_weight, 1e-6));
         flakes += min(max(bright - flakes, vec3<f32>(0.0)), most) * (sparkle.weight - sparkle.mean_weight);
     }
     return metallic_paint_coated(paint, point, specular, flakes, wo, wi);
 }
 
-// Of the material in the uniform.
+// The material in the uniform.
 fn metallic_paint(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     return metallic_paint_scattered(metallic_paint_uniform, point, wo, wi);
 }

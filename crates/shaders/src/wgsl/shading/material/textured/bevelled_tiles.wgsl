@@ -1,7 +1,7 @@
 // Square tiles with a ridge along their edges: `asperity_shading::material::BevelledTiles`.
 
 struct BevelledTiles {
-    // The ridge, of tiles of the side 1.
+    // The ridge, for tiles of side 1.
     bevel: Bevel,
     colour: vec3<f32>,
     roughness: f32,
@@ -9,7 +9,7 @@ struct BevelledTiles {
     side: f32,
 }
 
-// Light by way of the facets of a ridge between two distances, which fall `away` from its edge.
+// Light from the facets of a ridge between two distances, which fall `away` from its edge.
 fn bevelled_tiles_ridge(
     surface: TexturedSlopes,
     facets: BevelFacets,
@@ -29,7 +29,7 @@ fn bevelled_tiles_ridge(
     return sum;
 }
 
-// Light of whole tiles, in rings about their middles.
+// Light of whole tiles, in rings around their middles.
 fn bevelled_tiles_far(bevel: Bevel, surface: TexturedSlopes, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     var sum = vec3<f32>(0.0);
     var flat = 0.0;
@@ -49,8 +49,8 @@ fn bevelled_tiles_far(bevel: Bevel, surface: TexturedSlopes, wo: vec3<f32>, wi: 
     return sum + textured_slopes_light(surface, flat, vec2<f32>(0.0), wo, wi);
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame, `surface_point_frame`. All facets are lit, where
-// the crate joins those beyond the 32nd.
+// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame, `surface_point_frame`. All facets are lit, while
+// the Rust crate merges facets beyond the 32nd.
 fn bevelled_tiles_scattered(tiles: BevelledTiles, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {
         return vec3<f32>(0.0);
@@ -64,7 +64,7 @@ fn bevelled_tiles_scattered(tiles: BevelledTiles, point: SurfacePoint, wo: vec3<
         let edge = bevel_tile_edge(at - floor(at));
         let low = edge.distance - 0.5 * width;
         let high = edge.distance + 0.5 * width;
-        // What lies beyond the edge is the next tile's ridge.
+        // Beyond the edge is the next tile's ridge.
         var beyond = 0.0;
         if width > 0.0 {
             beyond = max(-low / width, 0.0);
@@ -82,7 +82,7 @@ fn bevelled_tiles_scattered(tiles: BevelledTiles, point: SurfacePoint, wo: vec3<
     return brdf_finite_channels(sum);
 }
 
-// Of the material in the uniform.
+// The material in the uniform.
 fn bevelled_tiles(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     return bevelled_tiles_scattered(bevelled_tiles_uniform, point, wo, wi);
 }

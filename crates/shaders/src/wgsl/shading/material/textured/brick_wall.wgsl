@@ -1,20 +1,20 @@
-// A wall of bricks whose mortar lies deeper: `asperity_shading::material::BrickWall`.
+// A wall of bricks with recessed mortar: `asperity_shading::material::BrickWall`.
 
 struct BrickWall {
     bricks: Brick,
-    // The colour of bricks, and its variation from brick to brick.
+    // The color of bricks, and its variation from brick to brick.
     clay: vec3<f32>,
     variation: f32,
     // The colour of the mortar, and its depth in texture coordinates.
     mortar: vec3<f32>,
     depth: f32,
     roughness: f32,
-    // The key of the lattice that bricks have their brightness from.
+    // The key of the lattice of the bricks' brightness.
     key: u32,
     reserved: vec2<u32>,
 }
 
-// The mean colour of a pixel of these sides in texture coordinates.
+// The mean color of a pixel with these sides in texture coordinates.
 fn brick_wall_colour(wall: BrickWall, uv: vec2<f32>, pixel: PixelEllipse) -> vec3<f32> {
     let share = brick_filtered(wall.bricks, uv, pixel_ellipse_sides(pixel)).brick;
     let cell = brick_sample(wall.bricks, uv).cell;
@@ -25,8 +25,8 @@ fn brick_wall_colour(wall: BrickWall, uv: vec2<f32>, pixel: PixelEllipse) -> vec
     return wall.mortar * (1.0 - share) + clay * share;
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame, `surface_point_frame`. All facets are lit, where
-// the crate joins those beyond the 32nd.
+// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame, `surface_point_frame`. All facets are lit, while
+// the Rust crate merges facets beyond the 32nd.
 fn brick_wall_scattered(wall: BrickWall, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {
         return vec3<f32>(0.0);
@@ -47,7 +47,7 @@ fn brick_wall_scattered(wall: BrickWall, point: SurfacePoint, wo: vec3<f32>, wi:
     return brdf_finite_channels(sum);
 }
 
-// Of the material in the uniform.
+// The material in the uniform.
 fn brick_wall(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     return brick_wall_scattered(brick_wall_uniform, point, wo, wi);
 }

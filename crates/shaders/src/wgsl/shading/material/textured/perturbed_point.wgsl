@@ -1,6 +1,8 @@
-// A point of a surface whose texture coordinates run: any material there is `asperity_shading::material::Perturbed`.
+// A surface point with displaced texture coordinates, for materials of
+// `asperity_shading::material::Perturbed`.
 
-// The point where the texture's noise moves its coordinates to, with a pixel that is as wide as what the pixel does not resolve of it.
+// The point with texture coordinates displaced by noise, and a pixel as wide as the unresolved
+// displacement.
 fn perturbed_point(texture: PerturbedTexture, point: SurfacePoint) -> SurfacePoint {
     let width = point.pixel.widths.x;
     let there = perturbed_look_up(texture, point.position, point.uv, width);

@@ -1,8 +1,8 @@
-// Blue marble under a polish of the relative index 1.5: `asperity_shading::material::PolishedMarble`.
+// Blue marble under a polish of relative IOR 1.5: `asperity_shading::material::PolishedMarble`.
 
 struct PolishedMarble {
     marble: Marble,
-    // The factor of its colours; Beckmann's alpha of the polish, 0 for stone without.
+    // The factor of its colors; Beckmann's alpha of the polish, 0 for none.
     tint: vec3<f32>,
     polish: f32,
 }
@@ -21,7 +21,7 @@ fn polished_marble_scattered(stone: PolishedMarble, point: SurfacePoint, wo: vec
     return brdf_finite_channels(light);
 }
 
-// Of the material in the uniform.
+// The material in the uniform.
 fn polished_marble(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     return polished_marble_scattered(polished_marble_uniform, point, wo, wi);
 }

@@ -19,7 +19,7 @@ fn starry_wallpaper_scattered(paper: Wallpaper, point: SurfacePoint, wo: vec3<f3
     return brdf_finite_channels(energy_preserving_value(colour, paper.roughness, wi, wo) * wi.z);
 }
 
-// Of the material in the uniform.
+// The material in the uniform.
 fn starry_wallpaper(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     return starry_wallpaper_scattered(starry_wallpaper_uniform, point, wo, wi);
 }

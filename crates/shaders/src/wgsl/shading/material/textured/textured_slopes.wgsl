@@ -22,7 +22,7 @@ fn textured_slopes(point: SurfacePoint, colour: vec3<f32>, roughness: f32) -> Te
     );
 }
 
-// Light by way of a facet of this share and slope, times the cosine.
+// Light from a facet of this weight and slope, times the cosine.
 fn textured_slopes_light(
     surface: TexturedSlopes,
     share: f32,

@@ -1,17 +1,18 @@
-// Small variations of colour and normal: `asperity_shading::material::Blemishes`.
+// Small variations of color and normal: `asperity_shading::material::Blemishes`.
 
-// A colour that noise varies without leaving [0, 1].
+// A color varied by noise without leaving [0, 1].
 fn blemishes_varied(colour: f32, noise: f32, variation: f32) -> f32 {
     let room = select(1.0 - colour, colour, noise < 0.0);
     return colour + noise * variation * room;
 }
 
-// The share of the first octave that the pixel cannot resolve.
+// The fraction of the first octave that the pixel cannot resolve.
 fn blemishes_removed(fbm: Fbm, footprint: f32) -> f32 {
     return frequency_clamp_removed_share(footprint, fbm.frequency);
 }
 
-// The colour with blemishes, as a pixel of this width sees it: `Blemishes::colour`; with half the mean of the noise's magnitude.
+// The color with blemishes, filtered over a pixel of this width, given half the mean of the noise's
+// magnitude: `Blemishes::colour`.
 fn blemishes_colour(
     fbm: Fbm,
     half_mean: f32,

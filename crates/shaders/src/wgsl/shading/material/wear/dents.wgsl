@@ -1,6 +1,8 @@
-// Dents, noise from whose lattice a share of all gradients is dropped: `asperity_shading::material::Dents`.
+// Dents, noise with a fraction of the gradients of its lattice dropped:
+// `asperity_shading::material::Dents`.
 
-// One octave of simplex noise without the gradients whose other word is below `dropped`; the octave's key is its seed.
+// One octave of simplex noise without the gradients whose second word is below `dropped`. The
+// octave's key is its seed.
 fn dents_octave(q: vec3<f32>, seed: u32, dropped: u32) -> Sample3d {
     if !simplex_is_within(vec4<f32>(q, 0.0)) {
         return Sample3d(0.0, vec3<f32>(0.0));
@@ -12,7 +14,8 @@ fn dents_octave(q: vec3<f32>, seed: u32, dropped: u32) -> Sample3d {
     return simplex_corner_sum_3d(at, g, select(vec4<f32>(0.0), vec4<f32>(SIMPLEX_SCALE.y), is_kept), 0.5);
 }
 
-// The value, and the gradient by cells of the first octave, with the octaves that the pixel cannot resolve faded to 0: `Dents::sample`.
+// The value, and the gradient in cells of the first octave, with unresolved octaves faded to 0:
+// `Dents::sample`.
 fn dents_sample(fbm: Fbm, dropped: u32, position: vec3<f32>, footprint: f32) -> Sample3d {
     let p = position * fbm.frequency;
     var total = octaves_total_3d(fbm.octaves, fbm_footprint(fbm, footprint), fbm.sum);

@@ -2,10 +2,11 @@
 
 struct Scratches {
     segments: Segments,
-    // The specular colour of the metal, and half the width of a scratch in texture coordinates.
+    // The specular color of the metal, and half the width of a scratch in texture coordinates.
     specular: vec3<f32>,
     half_width: f32,
-    // The mean squares of slopes across from afar: along u, along both, along v; the share that scratches cover there.
+    // The far-field mean squares of slopes across: along u, mixed, along v; and the fraction
+    // covered by scratches.
     removed_far: vec3<f32>,
     covered_far: f32,
     // The depth of a scratch over half its width; Beckmann's alpha of the metal.
@@ -14,14 +15,15 @@ struct Scratches {
     reserved: vec2<u32>,
 }
 
-// What a pixel sees of scratches: mean slope, the share that they cover, the mean squares of the slopes that are not resolved.
+// Scratches filtered over a pixel: mean slope, covered fraction, and mean squares of the unresolved
+// slopes.
 struct ScratchesGrooves {
     slope: vec2<f32>,
     covered: f32,
     removed: vec3<f32>,
 }
 
-// The share of a pixel that a groove at this distance covers.
+// The fraction of a pixel covered by a groove at this distance.
 fn scratches_overlap(d: f32, half_width: f32, width: f32) -> f32 {
     if width > 0.0001 * half_width {
         let low = max(d - 0.5 * width, -half_width);
@@ -31,7 +33,7 @@ fn scratches_overlap(d: f32, half_width: f32, width: f32) -> f32 {
     return select(0.0, 1.0, abs(d) < half_width);
 }
 
-// The grooves that a pixel of this width in texture coordinates sees.
+// The grooves filtered over a pixel of this width in texture coordinates.
 fn scratches_grooves(scratches: Scratches, uv: vec2<f32>, width: f32) -> ScratchesGrooves {
     let kept = 1.0 - frequency_clamp_removed_share(width, 1.0 / scratches.segments.cell);
     let far = ScratchesGrooves(vec2<f32>(0.0), scratches.covered_far, scratches.removed_far);
@@ -46,7 +48,7 @@ fn scratches_grooves(scratches: Scratches, uv: vec2<f32>, width: f32) -> Scratch
     var bare = 1.0;
     var slope = vec2<f32>(0.0);
     var removed = vec3<f32>(0.0);
-    // As far as a groove's own width overlaps the pixel.
+    // Includes grooves whose own width overlaps the pixel.
     let place = segments_place(scratches.segments, uv, half_width + 0.5 * width);
     for (var i = 0u; i < 9u; i++) {
         if !segments_reaches(place, i) {
@@ -80,8 +82,8 @@ fn scratches_grooves(scratches: Scratches, uv: vec2<f32>, width: f32) -> Scratch
     );
 }
 
-// The first of the principal axes of a matrix of second moments, of the length of its deviation; that to its left is
-// `scratches_minor_axis`.
+// The first principal axis of a matrix of second moments, with the deviation as its length.
+// `scratches_minor_axis` is the axis to its left.
 fn scratches_axes(moments: vec3<f32>) -> vec4<f32> {
     let middle = 0.5 * (moments.x + moments.z);
     let half_difference = 0.5 * (moments.x - moments.z);
@@ -95,10 +97,10 @@ fn scratches_axes(moments: vec3<f32>) -> vec4<f32> {
     return vec4<f32>(unit * sqrt(middle + apart), direction_left_2d(unit) * sqrt(max(middle - apart, 0.0)));
 }
 
-// What a pixel sees of the metal, whatever the light.
+// The metal filtered over a pixel, independent of the light.
 struct ScratchesSurface {
     frame: Frame,
-    // The mean normal, and the share that grooves cover, with the slopes in them that are not resolved.
+    // The mean normal, and the fraction covered by grooves, with the unresolved slopes in them.
     normal: vec3<f32>,
     covered: f32,
     facets: SlopeFacets,
@@ -117,7 +119,7 @@ fn scratches_surface(scratches: Scratches, point: SurfacePoint) -> ScratchesSurf
     return ScratchesSurface(surface_point_frame(point), normal, grooves.covered, facets);
 }
 
-// Reflectance times cosine of such a surface; wo and wi are in its frame.
+// Reflectance times cosine of the filtered surface; wo and wi are in its frame.
 fn scratches_lit(scratches: Scratches, surface: ScratchesSurface, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {
         return vec3<f32>(0.0);
@@ -146,7 +148,7 @@ fn scratches_scattered(scratches: Scratches, point: SurfacePoint, wo: vec3<f32>,
     return scratches_lit(scratches, scratches_surface(scratches, point), wo, wi);
 }
 
-// Of the material in the uniform.
+// The material in the uniform.
 fn scratches(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     return scratches_scattered(scratches_uniform, point, wo, wi);
 }

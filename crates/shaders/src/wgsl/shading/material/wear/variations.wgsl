@@ -1,4 +1,4 @@
-// A material of any kind with small variations, blemishes and dents: `asperity_shading::Variations`.
+// Any material with small variations, blemishes and dents: `asperity_shading::Variations`.
 
 struct Variations {
     blemishes: Fbm,
@@ -8,19 +8,20 @@ struct Variations {
     roughness: f32,
     specular: vec3<f32>,
     gloss_roughness: f32,
-    // Tilt by blemishes, their variation of the colour, tilt by dents, the share of their gradients that is kept.
+    // Tilt by blemishes, their variation of the color, tilt by dents, and the fraction of their
+    // gradients that is kept.
     blemish_bump: f32,
     blemish_colour: f32,
     dent_strength: f32,
     dent_cover: f32,
-    // Words below this are dropped gradients of dents.
+    // Gradients of dents whose words are below this are dropped.
     dropped: u32,
     // Half the mean of the noise's magnitude.
     half_mean: f32,
     reserved: vec2<u32>,
 }
 
-// What a pixel sees of the surface, whatever the light.
+// The surface filtered over a pixel, independent of the light.
 fn variations_surface(variations: Variations, point: SurfacePoint) -> Glossy {
     let at = point.position;
     let n = point.normal;
@@ -53,7 +54,7 @@ fn variations_scattered(variations: Variations, point: SurfacePoint, wo: vec3<f3
     );
 }
 
-// Of the material in the uniform.
+// The material in the uniform.
 fn variations(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     return variations_scattered(variations_uniform, point, wo, wi);
 }

@@ -1,6 +1,6 @@
-// The energy-preserving form of Oren and Nayar's reflectance, 1/sr: `asperity_shading::EnergyPreservingOrenNayar`.
+// Energy-preserving Oren-Nayar reflectance, in 1/sr: `asperity_shading::EnergyPreservingOrenNayar`.
 
-// k - G(theta)/pi: what single scattering keeps of the light in a direction less than at the normal.
+// k - G(theta)/pi: the loss of single scattering in a direction compared with the normal.
 fn energy_preserving_lacking(w: vec3<f32>) -> f32 {
     let s = rough_sine(w);
     let sc = s * w.z;
@@ -9,7 +9,7 @@ fn energy_preserving_lacking(w: vec3<f32>) -> f32 {
     return max(0.2877934 - g * 0.31830987, 0.0);
 }
 
-// f_r of the albedo of the facets and the roughness, both in [0, 1]; what is not is moved there, as by `clamped`.
+// f_r from the albedo of the facets and the roughness, both clamped to [0, 1] as by `clamped`.
 fn energy_preserving_value(albedo: vec3<f32>, roughness: f32, wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {
         return vec3<f32>(0.0);

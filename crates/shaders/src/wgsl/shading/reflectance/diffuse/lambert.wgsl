@@ -1,4 +1,4 @@
-// Lambert's reflectance: `asperity_shading::Lambert`.
+// Lambertian reflectance: `asperity_shading::Lambert`.
 
 // f_r = albedo/pi above the horizon; 1/sr.
 fn lambert_value(albedo: vec3<f32>, wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {

@@ -1,6 +1,6 @@
-// Oren and Nayar's rough diffuse reflectance in its three forms, 1/sr: `asperity_shading::reflectance::OrenNayar`.
+// Oren-Nayar reflectance in three forms, in 1/sr: `asperity_shading::reflectance::OrenNayar`.
 
-// The full model, one interreflection included; sigma in [0, pi/2] rad.
+// The full model, including one interreflection; sigma in [0, pi/2] rad.
 fn oren_nayar_full(albedo: vec3<f32>, sigma: f32, wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {
         return vec3<f32>(0.0);
@@ -42,7 +42,7 @@ fn oren_nayar_qualitative(albedo: vec3<f32>, sigma: f32, wi: vec3<f32>, wo: vec3
     return brdf_finite_channels(albedo * (0.31830987 * (a + b * max(rough_stretched(wi, wo), 0.0))));
 }
 
-// Fujii's form, whose albedo is that of its facets; sigma in [0, 1].
+// Fujii's form, whose albedo is the albedo of its facets; sigma in [0, 1].
 fn oren_nayar_fujii(albedo: vec3<f32>, sigma: f32, wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {
         return vec3<f32>(0.0);

@@ -1,6 +1,7 @@
-// Fresnel's reflectance of a metal for unpolarised light: `asperity_shading::Conductor`.
+// Fresnel reflectance of a metal for unpolarized light: `asperity_shading::Conductor`.
 
-// The share of light that is reflected, for the index `eta` > 0 and the extinction coefficient k >= 0 relative to the incident side.
+// The reflected fraction of light, for the index `eta` > 0 and the extinction coefficient k >= 0
+// relative to the incident side.
 fn conductor_reflectance(eta: f32, k: f32, cos_theta: f32) -> f32 {
     if eta == 1.0 && k == 0.0 {
         return 0.0;
@@ -10,7 +11,7 @@ fn conductor_reflectance(eta: f32, k: f32, cos_theta: f32) -> f32 {
     let real = (eta - k) * (eta + k) - sin_squared;
     let half_imaginary = eta * k;
     let modulus = sqrt(real * real + 4.0 * half_imaginary * half_imaginary);
-    // Of both squares of the root one cancels; it follows from their product.
+    // One of the squares of the root cancels, so it is computed from their product.
     let large = 0.5 * (modulus + abs(real));
     var small = 0.0;
     if large > 0.0 {

@@ -1,6 +1,7 @@
-// Fresnel's reflectance of a dielectric for unpolarised light: `asperity_shading::Dielectric`.
+// Fresnel reflectance of a dielectric for unpolarized light: `asperity_shading::Dielectric`.
 
-// The share of light that is reflected, for the relative index `eta` > 0 of the transmitted side to the incident one.
+// The reflected fraction of light, for the relative IOR `eta` > 0 of the transmitted side to the
+// incident side.
 fn dielectric_reflectance(eta: f32, cos_theta: f32) -> f32 {
     if eta == 1.0 {
         return 0.0;
@@ -16,11 +17,11 @@ fn dielectric_reflectance(eta: f32, cos_theta: f32) -> f32 {
     let r_s = difference / sum;
     let r_p = r_s * (c * sum - 1.0) / (c * difference + 1.0);
     let f = 0.5 * (r_s * r_s + r_p * r_p);
-    // What overflowed is the limit of a perfect mirror.
+    // An overflow is the limit of a perfect mirror.
     return select(1.0, min(f, 1.0), f >= 0.0);
 }
 
-// The index seen from the other side: `Dielectric::reversed`.
+// The relative IOR from the other side: `Dielectric::reversed`.
 fn dielectric_reversed(eta: f32) -> f32 {
     return clamp(1.0 / eta, 1.1754944e-38, MATH_LARGEST);
 }

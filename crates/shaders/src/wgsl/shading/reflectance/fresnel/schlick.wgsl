@@ -1,5 +1,6 @@
-// Schlick's approximation of Fresnel's reflectance, and the one with a tint near 82 degrees: `asperity_shading::Schlick`,
-// `asperity_shading::reflectance::SchlickF82`. A cosine that is no number is the horizon's.
+// Schlick's approximation of Fresnel reflectance, and the variant with a tint near 82 degrees:
+// `asperity_shading::Schlick`, `asperity_shading::reflectance::SchlickF82`. A NaN cosine is taken
+// as 0.
 
 // F = normal_incidence + (1 - normal_incidence) (1 - cos)^5, for each channel; normal_incidence in [0, 1].
 fn schlick_reflectance(normal_incidence: vec3<f32>, cos_theta: f32) -> vec3<f32> {
@@ -8,7 +9,7 @@ fn schlick_reflectance(normal_incidence: vec3<f32>, cos_theta: f32) -> vec3<f32>
     return min(normal_incidence + (1.0 - normal_incidence) * (square * square * x), vec3<f32>(1.0));
 }
 
-// The same less `dip` cos (1 - cos)^6, where `dip` is that of `SchlickF82`.
+// The same minus `dip` cos (1 - cos)^6, where `dip` is the dip of `SchlickF82`.
 fn schlick_tinted_reflectance(normal_incidence: vec3<f32>, dip: vec3<f32>, cos_theta: f32) -> vec3<f32> {
     let c = math_clamped(cos_theta, 1.0);
     let x = 1.0 - c;
