@@ -140,7 +140,8 @@ fn times(a: f64, b: f64) -> f64 {
     if a == 0.0 || b == 0.0 { 0.0 } else { a * b }
 }
 
-/// Written `[lo, hi]`, with the precision of the format: `{:.3}` rounds both ends to the nearest, not outward.
+/// Written `[lo, hi]`, with the precision of the format: `{:.3}` rounds both ends to the nearest,
+/// not outward.
 impl fmt::Display for Interval {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("[")?;

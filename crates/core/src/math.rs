@@ -1,6 +1,7 @@
 //! Float functions of the standard library or of `libm`, which takes precedence.
 //!
-//! With `libm` the results have the same bits on every platform. Names with `_f64` take `f64`, all others `f32`.
+//! With `libm` the results have the same bits on every platform. Names with `_f64` take `f64`, all
+//! others `f32`.
 
 macro_rules! back_ends {
     ($($(#[$doc:meta])* $name:ident($first:ident $(, $other:ident)?: $type:ty) = $libm:ident, $std:ident;)*) => {$(

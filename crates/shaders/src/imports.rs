@@ -12,7 +12,8 @@ use crate::{
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Imports {
-    /// `naga_oil`, the preprocessor of Bevy: `#define_import_path asperity::…` and `#import asperity::…::{…}`.
+    /// `naga_oil`, the preprocessor of Bevy: `#define_import_path asperity::…` and
+    /// `#import asperity::…::{…}`.
     NagaOil,
     /// WESL: `import package::asperity::…::{…};`, for files under a folder `asperity`.
     Wesl,

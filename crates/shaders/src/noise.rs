@@ -84,7 +84,8 @@ pub static PERLIN_1985: Part = part!("noise/kinds/perlin_1985", INTEGER_HASH, CE
 /// Perlin noise of 2002, [`Perlin2002`](asperity_noise::Perlin2002), in two to four dimensions.
 pub static PERLIN_2002: Part = part!("noise/kinds/perlin_2002", INTEGER_HASH, CELL, FADE, EDGES, COLUMNS);
 
-/// Value-gradient noise, [`ValueGradient`](asperity_noise::ValueGradient), in two and three dimensions.
+/// Value-gradient noise, [`ValueGradient`](asperity_noise::ValueGradient), in two and three
+/// dimensions.
 pub static VALUE_GRADIENT: Part =
     part!("noise/kinds/value_gradient", INTEGER_HASH, CELL, FADE, VARIATES, CORNERS);
 
@@ -114,8 +115,8 @@ pub static GAUSSIAN_VARIATES: Part = part!("noise/lattice/gaussian_variates", IN
         width: GAUSSIAN_LEVELS_WIDTH,
     }]);
 
-/// Exactly Gaussian noise, [`Gaussian`](asperity_noise::Gaussian), in two and three dimensions: one channel, or
-/// [two](asperity_noise::Gaussian::pair).
+/// Exactly Gaussian noise, [`Gaussian`](asperity_noise::Gaussian), in two and three dimensions: one
+/// channel, or [two](asperity_noise::Gaussian::pair).
 pub static GAUSSIAN: Part =
     part!("noise/kinds/gaussian", INTEGER_HASH, CELL, FADE, CORNERS, GAUSSIAN_VARIATES);
 

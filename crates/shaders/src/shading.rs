@@ -19,7 +19,8 @@ pub mod texture;
 /// Clamps that replace NaN, and angles of vectors.
 pub static MATH: Part = part!("shading/math");
 
-/// Unit vectors, [half vectors](fn@asperity_shading::half_vector), [mirrored directions](fn@asperity_shading::reflect).
+/// Unit vectors, [half vectors](fn@asperity_shading::half_vector),
+/// [mirrored directions](fn@asperity_shading::reflect).
 pub static DIRECTION: Part = part!("shading/direction", MATH);
 
 /// Exact and fractal rule of level of detail: [`LevelOfDetail`](asperity_shading::LevelOfDetail).

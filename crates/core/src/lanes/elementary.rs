@@ -11,7 +11,8 @@ const ROUND: f32 = 12_582_912.0;
 
 /// `exp(x)` for `x ≤ 0`; 0 for NaN and below −87, where the result would be subnormal.
 ///
-/// `x = k ln 2 + r` with |r| ≤ ½ ln 2; the series ends at r⁷/7!, 6e-9 relative. Accuracy: 2e-7 relative.
+/// `x = k ln 2 + r` with |r| ≤ ½ ln 2; the series ends at r⁷/7!, 6e-9 relative. Accuracy: 2e-7
+/// relative.
 #[inline(always)]
 pub fn exp<S: Arithmetic>(s: S, x: S::F) -> S::F {
     let shifted = x * s.float(core::f32::consts::LOG2_E) + s.float(ROUND);
@@ -29,7 +30,8 @@ pub fn exp<S: Arithmetic>(s: S, x: S::F) -> S::F {
 
 /// `(1 − exp(−t))/t` for `t ≥ 0`, 1 at 0.
 ///
-/// Up to t = 1 as `exp(−t/2) sinh(t/2)/(t/2)`, whose series ends at (t/2)⁸/9!. Accuracy: 3e-7 relative.
+/// Up to t = 1 as `exp(−t/2) sinh(t/2)/(t/2)`, whose series ends at (t/2)⁸/9!. Accuracy: 3e-7
+/// relative.
 #[inline(always)]
 pub fn one_minus_exp_ratio<S: Arithmetic>(s: S, t: S::F, root: S::F) -> S::F {
     let x2 = t * t * s.float(0.25);
@@ -42,9 +44,9 @@ pub fn one_minus_exp_ratio<S: Arithmetic>(s: S, t: S::F, root: S::F) -> S::F {
 
 /// `ln(1 + x)` for finite `x > −1`; NaN is not propagated.
 ///
-/// `1 + x = 2ᵏ m` with m in √½ … √2, and `ln m = 2 artanh(f/(2 + f))`, `f = m − 1`, by its series to the ninth power, 5e-9 relative.
-/// For k = 0, f is x itself, so that the rounding of `1 + x` does not matter. Accuracy: 3e-7
-/// relative.
+/// `1 + x = 2ᵏ m` with m in √½ … √2, and `ln m = 2 artanh(f/(2 + f))`, `f = m − 1`, by its series
+/// to the ninth power, 5e-9 relative. For k = 0, f is x itself, so that the rounding of `1 + x`
+/// does not matter. Accuracy: 3e-7 relative.
 #[inline(always)]
 pub fn ln_1p<S: Arithmetic>(s: S, x: S::F) -> S::F {
     let one = s.float(1.0);

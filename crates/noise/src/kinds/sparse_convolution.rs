@@ -102,7 +102,7 @@ struct Section<S: Lanes, const N: usize> {
     place: [S::F; N],
 }
 
-/// The terms of a cell and its neighbours along an axis.
+/// The terms of a cell and its neighbors along an axis.
 #[inline(always)]
 fn terms<S: Lanes, L: Lattice>(s: S, lattice: &L, axis: usize, cell: S::U) -> [S::U; 3] {
     let mut terms = [cell; 3];

@@ -323,7 +323,8 @@ mod tests {
             for i in 0..N {
                 let mean = words().map(|w| f64::from(edge_gradient::<N>(w)[i])).sum::<f64>() / 1e4;
                 let second = words().map(|w| f64::from(edge_gradient::<N>(w)[i]).powi(2)).sum::<f64>() / 1e4;
-                // 5 standard errors: of a mean at most √square/100, of a square at most √3 square/100.
+                // 5 standard errors: of a mean at most √square/100, of a square at most √3
+                // square/100.
                 assert_abs_diff_eq!(mean, 0.0, epsilon = 0.05 * square.sqrt());
                 assert_abs_diff_eq!(second, square, epsilon = 0.09 * square);
             }

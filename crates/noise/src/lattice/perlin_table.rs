@@ -57,7 +57,8 @@ impl Lattice for PerlinTable {
 /// The words from which [`edge_gradient`](crate::lattice::edge_gradient) makes the gradients of the
 /// reference.
 const WORDS: [u32; 16] = {
-    // The axis along which the gradient is 0, and the axes with a minus sign as bits from the lowest.
+    // The axis along which the gradient is 0, and the axes with a minus sign as bits from the
+    // lowest.
     const GRADIENTS: [(u32, u32); 16] = [
         (2, 0b000),
         (2, 0b001),

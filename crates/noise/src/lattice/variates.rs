@@ -40,7 +40,8 @@ fn turn<S: Lanes, const BITS: u32>(s: S, word: S::U) -> [S::F; 2] {
     [s.flip(a, (word ^ s.shl::<1>(word)) & s.word(SIGN)), s.flip(b, word & s.word(SIGN))]
 }
 
-/// A direction of length `length`, uniform on the circle, the sphere or the sphere in 4-D; ±`length` in 1-D.
+/// A direction of length `length`, uniform on the circle, the sphere or the sphere in 4-D;
+/// ±`length` in 1-D.
 ///
 /// In 3-D z = 1 − 2u and the angle is 2πv, as in Ebert (ed.) 1994, with 16 bits each.
 ///
@@ -356,7 +357,8 @@ mod tests {
             for i in 0..N {
                 let mean: f64 = words().map(|w| f64::from(draw(w)[i])).sum::<f64>() / n;
                 let second: f64 = words().map(|w| f64::from(draw(w)[i]).powi(2)).sum::<f64>() / n;
-                // 5 standard errors: of a mean at most √square/100, of a square at most √3 square/100.
+                // 5 standard errors: of a mean at most √square/100, of a square at most √3
+                // square/100.
                 assert!(
                     abs_diff_eq!(mean, 0.0, epsilon = 0.05 * square.sqrt()),
                     "{N}-D, axis {i}: mean {mean}"

@@ -1,4 +1,5 @@
-//! The noises of Ebert (ed.) 1994 with their tables, for reproduction: `vnoise`, `gnoise` and `vgnoise`.
+//! The noises of Ebert (ed.) 1994 with their tables, for reproduction: `vnoise`, `gnoise` and
+//! `vgnoise`.
 
 use asperity_core::math;
 
@@ -34,7 +35,8 @@ use crate::{
 /// rounded to `f32` where the originals round. Sine and cosine are within an ulp of the exact
 /// values and have the same bits everywhere.
 ///
-/// Ebert (ed.) 1994, "Texturing and Modeling", noise by D. Peachey; Cohen's lecture "Procedural Bump Mapping and Noise".
+/// Ebert (ed.) 1994, "Texturing and Modeling", noise by D. Peachey; Cohen's lecture "Procedural
+/// Bump Mapping and Noise".
 ///
 /// ```
 /// use asperity_noise::{lattice::PermutationTable, printed::LectureTables};

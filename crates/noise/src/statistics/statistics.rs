@@ -1,6 +1,7 @@
 //! The measured statistics of a kind of noise in one dimension.
 
-/// Standard deviation, excess kurtosis, range and distribution of a kind of noise, measured over points and seeds.
+/// Standard deviation, excess kurtosis, range and distribution of a kind of noise, measured over
+/// points and seeds.
 ///
 /// The distribution G is the distribution of the sum of eight octaves with gain 0.5, divided by its
 /// standard deviation. Knot k of K is at r = −4 + 8 k/(K − 1). G(−r) = 1 − G(r), except for

@@ -29,7 +29,7 @@ pub(crate) struct Passes<'a, K, const N: usize, T> {
     pub(crate) shape: T,
     pub(crate) layers: &'a Layers<N>,
     pub(crate) amplitudes: &'a [f32],
-    /// A constant that is added to the sum before it is normalised.
+    /// A constant that is added to the sum before it is normalized.
     pub(crate) constant: f32,
     pub(crate) factor: f32,
 }

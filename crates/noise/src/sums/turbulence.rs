@@ -15,7 +15,8 @@ use crate::sums::shape::Shape;
 /// t(p) = Σ wᵢ aᵢ |nᵢ| / Σ wᵢ aᵢ,   ∇|n| = sign(n) ∇n,   sign(0) = 0
 /// ```
 ///
-/// - **Range:** [0, 1] under [`Normalisation::Range`](crate::Normalisation::Range), for kinds of range 1.
+/// - **Range:** [0, 1] under [`Normalisation::Range`](crate::Normalisation::Range), for kinds of
+///   range 1.
 ///
 /// Perlin 1985; Nilsson 2008, section 4.1.5.
 ///
@@ -40,7 +41,8 @@ pub struct Turbulence;
 /// With [`Spectrum::THREADS`](crate::Spectrum::THREADS) and the seventh [`Power`](crate::Power) it
 /// is the thread pattern of Nilsson 2008, section 4.2.2.
 ///
-/// - **Range:** [0, 1] under [`Normalisation::Range`](crate::Normalisation::Range), for kinds of range 1.
+/// - **Range:** [0, 1] under [`Normalisation::Range`](crate::Normalisation::Range), for kinds of
+///   range 1.
 ///
 /// Nilsson 2008, section 4.1.5.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -50,7 +52,8 @@ pub struct Plasma;
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/pictures/billow.md"))]
 ///
-/// - **Range:** [−1, 1] under [`Normalisation::Range`](crate::Normalisation::Range), for kinds of range 1.
+/// - **Range:** [−1, 1] under [`Normalisation::Range`](crate::Normalisation::Range), for kinds of
+///   range 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Billow;
 
@@ -61,7 +64,8 @@ pub struct Billow;
 /// Octaves are added independently. In a [`RidgedMultifractal`](crate::RidgedMultifractal) ridges
 /// carry smaller ridges.
 ///
-/// - **Range:** [0, 1] under [`Normalisation::Range`](crate::Normalisation::Range), for kinds of range 1.
+/// - **Range:** [0, 1] under [`Normalisation::Range`](crate::Normalisation::Range), for kinds of
+///   range 1.
 ///
 /// Musgrave in Ebert (ed.) 1994.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -124,8 +124,8 @@ fn cellular_moments_at_any_jitter() {
         let measured = measure::<V, N>(noise);
         let [_, _, third, fourth] = Noise::<V>::absolute_moments(noise);
         let shipped = [Noise::<V>::mean(noise), Noise::<V>::standard_deviation(noise), third, fourth];
-        // Standard errors over 20,000 points are at most 0.007 σ, 0.7 % of σ, and 1.2 and 2 % of the higher moments; five of them
-        // for 108 comparisons.
+        // Standard errors over 20,000 points are at most 0.007 σ, 0.7 % of σ, and 1.2 and 2 % of
+        // the higher moments; five of them for 108 comparisons.
         let sigma = measured[1];
         let tolerances = [0.036 * sigma, 0.036 * sigma, 0.06 * measured[2], 0.1 * measured[3]];
         for (k, tolerance) in tolerances.into_iter().enumerate() {

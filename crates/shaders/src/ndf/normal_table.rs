@@ -14,7 +14,8 @@ pub static NORMAL_TABLE_LAYOUT: Part = part!("ndf/normal_table/layout", ELEMENTA
 
 /// Table L: nearest and interpolated normal, with the bits of [`NormalTableRef`].
 ///
-/// Bound to [`NormalTableUniform`] as `normal_table_grid`, and to the entries, two floats each, as the table `normal_table_number`.
+/// Bound to [`NormalTableUniform`] as `normal_table_grid`, and to the entries, two floats each, as
+/// the table `normal_table_number`.
 pub static NORMAL_TABLE: Part = part!("ndf/normal_table/table", NORMAL_TABLE_LAYOUT).with_bindings(&[
     Binding::Uniform { name: "normal_table_grid", of: "NormalTableGrid" },
     Binding::Table { name: "normal_table_number", element: Element::Float, width: NormalTableUniform::WIDTH },

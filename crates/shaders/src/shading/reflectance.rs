@@ -57,7 +57,8 @@ pub static WARD: Part = part!("shading/reflectance/ward", BRDF, DIRECTION, ELEME
 /// Light from a facet of a surface, as summed by [`Bsdf`](asperity_shading::Bsdf).
 pub static FACET: Part = part!("shading/reflectance/facet", SURFACE_GRADIENT, FRAME, BRDF);
 
-/// Frosted glass, walls and bodies, [`RoughDielectric`](asperity_shading::reflectance::RoughDielectric).
+/// Frosted glass, walls and bodies,
+/// [`RoughDielectric`](asperity_shading::reflectance::RoughDielectric).
 pub static ROUGH_DIELECTRIC: Part =
     part!("shading/reflectance/rough_dielectric", BRDF, DIRECTION, DIELECTRIC, BECKMANN, ELEMENTARY);
 

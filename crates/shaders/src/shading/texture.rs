@@ -222,7 +222,8 @@ impl GasUniform {
 uniform! {
     /// Texture coordinates displaced by noise as the words of the structure `PerturbedTexture`.
     ///
-    /// Strengths in texture coordinates, cells of noise per unit of length, its standard deviation; two keys, 0, 0.
+    /// Strengths in texture coordinates, cells of noise per unit of length, its standard deviation;
+    /// two keys, 0, 0.
     ///
     /// ```
     /// use asperity_shaders::shading::texture::PerturbedUniform;

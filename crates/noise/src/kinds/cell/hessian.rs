@@ -19,7 +19,8 @@ use crate::{
 };
 
 impl<K: CellNoise<N>, const N: usize> CurvedKernel<N> for K {
-    /// ∂ᵢⱼ Σ W f = Σ (Wᵢⱼ f + Wᵢ gⱼ + Wⱼ gᵢ) over the corners, f = value + g·d and W the product of the axes' weights.
+    /// ∂ᵢⱼ Σ W f = Σ (Wᵢⱼ f + Wᵢ gⱼ + Wⱼ gᵢ) over the corners, f = value + g·d and W the product of
+    /// the axes' weights.
     #[inline]
     fn near_jet(&self, p: [f32; N], seed: u32) -> Jet<N> {
         #[cfg(feature = "simd")]

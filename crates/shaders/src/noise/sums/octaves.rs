@@ -37,7 +37,8 @@ const fn word<'a>(text: &'a [u8], i: usize, words: &[(u8, &'a str)]) -> &'a [u8]
     text.split_at(i).1.split_at(1).0
 }
 
-/// A part from a template: `#` is the dimension, `~` describes it, `@` and `%` are the cell and the key of a layer.
+/// A part from a template: `#` is the dimension, `~` describes it, `@` and `%` are the cell and the
+/// key of a layer.
 macro_rules! octave_part {
     ([$digit:literal, $place:literal, $cell:literal, $key:literal], $file:expr, [$($template:literal),*],
      [$($mark:literal => $word:expr),*], [$($need:path),*]) => {{

@@ -3,8 +3,4 @@
 use super::UNIFORM_4D;
 use super::octaves::{octave_part, octaves};
 
-octaves!(
-    ["4", "in 4-D", "layer.cell", "layer.key"],
-    UNIFORM_4D,
-    [VALUE, PERLIN_2002, SIMPLEX, SIMPLEX_WIDE]
-);
+octaves!(["4", "in 4-D", "layer.cell", "layer.key"], UNIFORM_4D, [VALUE, PERLIN_2002, SIMPLEX, SIMPLEX_WIDE]);

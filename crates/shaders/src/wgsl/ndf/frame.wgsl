@@ -1,4 +1,5 @@
-// Orthonormal tangent frames, by the minimal rotation from (0, 0, 1): `asperity_ndf_sampling::Frame`.
+// Orthonormal tangent frames, by the minimal rotation from (0, 0, 1):
+// `asperity_ndf_sampling::Frame`.
 
 struct Frame {
     tangent: vec3<f32>,

@@ -1,4 +1,5 @@
-// Directions of reflection: `direction.rs` of asperity-shading. Directions are unit vectors that point away from the surface.
+// Directions of reflection: `direction.rs` of asperity-shading. Directions are unit vectors that
+// point away from the surface.
 
 // Whether all components are finite. Compares bits, as compilers may assume that every float is
 // finite.

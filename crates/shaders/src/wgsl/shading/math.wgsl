@@ -27,7 +27,8 @@ fn math_arctangent(x: f32) -> f32 {
     return select(0.0, 0.7853982, far) + (series * square * t + t);
 }
 
-// The angle of (x, y) in [-pi, pi] from the x axis; 0 for (0, 0). 3e-7 absolute and, for x > 0, relative.
+// The angle of (x, y) in [-pi, pi] from the x axis; 0 for (0, 0). 3e-7 absolute and, for x > 0,
+// relative.
 fn math_angle(y: f32, x: f32) -> f32 {
     let across = abs(y);
     let along = abs(x);

@@ -1,4 +1,5 @@
-// The height field f(x) g(y) of two smooth functions, and its gradient: `asperity_fif::HeightField`.
+// The height field f(x) g(y) of two smooth functions, and its gradient:
+// `asperity_fif::HeightField`.
 
 struct HeightField {
     x: FifTable,

@@ -39,7 +39,8 @@ fn ashikhmin_shirley_from_gaussian(n: vec2<f32>, z: vec2<f32>) -> vec3<f32> {
     return ashikhmin_shirley_tilted(n, vec2<f32>(elementary_bounded(z.x, 13.0), elementary_bounded(z.y, 13.0)));
 }
 
-// The inverse of T: the Gaussian coordinates of the normal m, whose slope alone is used; finite for every m.
+// The inverse of T: the Gaussian coordinates of the normal m, whose slope alone is used; finite for
+// every m.
 fn ashikhmin_shirley_to_gaussian(n: vec2<f32>, m: vec3<f32>) -> vec2<f32> {
     if !(abs(m.x) <= ELEMENTARY_LARGEST && abs(m.y) <= ELEMENTARY_LARGEST) {
         return vec2<f32>(0.0, 0.0);

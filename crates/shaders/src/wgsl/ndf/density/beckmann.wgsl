@@ -38,7 +38,8 @@ fn beckmann_from_gaussian(alpha: vec2<f32>, z: vec2<f32>) -> vec3<f32> {
     return roughness_unit(vec3<f32>(x, y, 1.0));
 }
 
-// The inverse of T: the Gaussian coordinates of the normal m, whose slope alone is used; finite for every m.
+// The inverse of T: the Gaussian coordinates of the normal m, whose slope alone is used; finite for
+// every m.
 fn beckmann_to_gaussian(alpha: vec2<f32>, m: vec3<f32>) -> vec2<f32> {
     let up = 1.4142135 / select(ELEMENTARY_LEAST_NORMAL, m.z, m.z > ELEMENTARY_LEAST_NORMAL);
     let x = (m.x / alpha.x) * up;
@@ -46,7 +47,8 @@ fn beckmann_to_gaussian(alpha: vec2<f32>, m: vec3<f32>) -> vec2<f32> {
     return vec2<f32>(elementary_bounded(x, 13.0), elementary_bounded(y, 13.0));
 }
 
-// A normal with the density D over the macro surface, from uniform u in the unit square: `Beckmann::sample`.
+// A normal with the density D over the macro surface, from uniform u in the unit square:
+// `Beckmann::sample`.
 fn beckmann_from_uniform(alpha: vec2<f32>, u: vec2<f32>) -> vec3<f32> {
     let bounded = elementary_probabilities(u);
     let slope = sqrt(-elementary_ln_1p(-bounded.x));
@@ -59,7 +61,8 @@ fn beckmann_conditional_density(alpha: vec2<f32>, h: vec3<f32>, split: GaussianS
     return beckmann_lobe(alpha, split.z_b * (split.root * 0.70710677), split.rest, h);
 }
 
-// Smith's Lambda(v), for |v| < 1e12; the largest float where it is infinite, at and below the horizon.
+// Smith's Lambda(v), for |v| < 1e12; the largest float where it is infinite, at and below the
+// horizon.
 fn beckmann_lambda(alpha: vec2<f32>, v: vec3<f32>) -> f32 {
     let spread = roughness_spread(alpha, v);
     if !(v.z > 0.0 && spread <= ELEMENTARY_LARGEST) {

@@ -22,7 +22,8 @@ fn ggx_from_gaussian(alpha: vec2<f32>, z: vec2<f32>) -> vec3<f32> {
     return roughness_unit(vec3<f32>(x * scale * alpha.x, y * scale * alpha.y, up));
 }
 
-// The inverse of T: the Gaussian coordinates of the normal m, whose slope alone is used; finite for every m.
+// The inverse of T: the Gaussian coordinates of the normal m, whose slope alone is used; finite for
+// every m.
 fn ggx_to_gaussian(alpha: vec2<f32>, m: vec3<f32>) -> vec2<f32> {
     let up = select(ELEMENTARY_LEAST_NORMAL, m.z, m.z > ELEMENTARY_LEAST_NORMAL);
     let x = m.x / alpha.x;
@@ -39,7 +40,8 @@ fn ggx_to_gaussian(alpha: vec2<f32>, m: vec3<f32>) -> vec2<f32> {
     return clamp(vec2<f32>(x * per_lateral, y * per_lateral), vec2<f32>(-13.0), vec2<f32>(13.0));
 }
 
-// A normal with the density D over the macro surface, from uniform u in the unit square: `Ggx::sample`.
+// A normal with the density D over the macro surface, from uniform u in the unit square:
+// `Ggx::sample`.
 fn ggx_from_uniform(alpha: vec2<f32>, u: vec2<f32>) -> vec3<f32> {
     let bounded = elementary_probabilities(u);
     let slope = sqrt(bounded.x);

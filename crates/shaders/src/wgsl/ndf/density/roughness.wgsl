@@ -1,5 +1,5 @@
-// Roughness along x and y, and vectors stretched by it: `density/roughness.rs` and `density/closed_form.rs` of
-// asperity-ndf-sampling.
+// Roughness along x and y, and vectors stretched by it: `density/roughness.rs` and
+// `density/closed_form.rs` of asperity-ndf-sampling.
 
 const ROUGHNESS_LEAST: f32 = 1e-6;
 const ROUGHNESS_LARGEST: f32 = 1e6;

@@ -64,7 +64,8 @@ fn student_distribution_centre(t: StudentDistribution, z: f32, density: f32) -> 
     return z * density * sum;
 }
 
-// k of 1/(1 + k), the tail times nu z/((nu + z^2) density), by Gauss's continued fraction and Steed's algorithm.
+// k of 1/(1 + k), the tail times nu z/((nu + z^2) density), by Gauss's continued fraction and
+// Steed's algorithm.
 fn student_distribution_fraction(t: StudentDistribution, z: f32) -> f32 {
     let c = 0.5 * t.freedom;
     let ratio = t.freedom / (z * z);

@@ -44,7 +44,8 @@ fn student_t_from_gaussian(alpha: vec2<f32>, gamma: f32, z: vec2<f32>) -> vec3<f
     return student_t_tilted(alpha, gamma, vec2<f32>(elementary_bounded(z.x, 13.0), elementary_bounded(z.y, 13.0)));
 }
 
-// The inverse of T: the Gaussian coordinates of the normal m, whose slope alone is used; finite for every m.
+// The inverse of T: the Gaussian coordinates of the normal m, whose slope alone is used; finite for
+// every m.
 fn student_t_to_gaussian(alpha: vec2<f32>, gamma: f32, m: vec3<f32>) -> vec2<f32> {
     let up = select(ELEMENTARY_LEAST_NORMAL, m.z, m.z > ELEMENTARY_LEAST_NORMAL);
     let slope = vec2<f32>(m.x / alpha.x / up, m.y / alpha.y / up);

@@ -1,4 +1,5 @@
-// Gaussian slopes along a view: `visible_slope` of `density/gaussian_lanes.rs` of asperity-ndf-sampling.
+// Gaussian slopes along a view: `visible_slope` of `density/gaussian_lanes.rs` of
+// asperity-ndf-sampling.
 
 // Mills' ratio to 1e-4 relative, for an intermediate step.
 fn visible_slopes_rough_mills_ratio(x: f32) -> f32 {

@@ -30,7 +30,8 @@ fn conditional_table_coordinates(stretch: vec2<f32>, h: vec3<f32>) -> vec2<f32> 
     return vec2<f32>(conditional_table_coordinate(x, sum), conditional_table_coordinate(y, sum));
 }
 
-// p_s(h | z_b) in 1/sr from the entry of a half vector, its coordinates and the fourth root of its density.
+// p_s(h | z_b) in 1/sr from the entry of a half vector, its coordinates and the fourth root of its
+// density.
 fn conditional_table_weigh(entry: vec3<f32>, h: vec3<f32>, split: GaussianSplit) -> f32 {
     let density = (entry.z * entry.z) * (entry.z * entry.z);
     if !(h.z > 0.0 && density > 0.0) {
@@ -44,7 +45,8 @@ fn conditional_table_entry(entry: u32) -> vec3<f32> {
     return vec3<f32>(conditional_table_number(at), conditional_table_number(at + 1u), conditional_table_number(at + 2u));
 }
 
-// The entry interpolated between the four around a half vector: Gaussian coordinates and the fourth root of the density.
+// The entry interpolated between the four around a half vector: Gaussian coordinates and the fourth
+// root of the density.
 fn conditional_table_interpolated(h: vec3<f32>) -> vec3<f32> {
     let size = conditional_table_grid.size;
     if size < 2u {

@@ -1,4 +1,5 @@
-// Gaussian slopes of any mean and covariance: `asperity_ndf_sampling::level_of_detail::OffsetBeckmann`.
+// Gaussian slopes of any mean and covariance:
+// `asperity_ndf_sampling::level_of_detail::OffsetBeckmann`.
 
 struct OffsetBeckmann {
     // The mean of the slopes.

@@ -365,7 +365,8 @@ fn packed_map_inverse(u: vec2<f32>) -> vec2<f32> {
     return vec2<f32>(x, packed_map_inside(column, t, x, y));
 }
 
-// A normal with the density D over the macro surface, from uniform u in the unit square: `PackedMapRef::sample`.
+// A normal with the density D over the macro surface, from uniform u in the unit square:
+// `PackedMapRef::sample`.
 fn packed_map_from_uniform(u: vec2<f32>) -> vec3<f32> {
     let n = packed_map_inverse(u);
     return vec3<f32>(n.x, n.y, sqrt(max(1.0 - n.x * n.x - n.y * n.y, 1e-15)));

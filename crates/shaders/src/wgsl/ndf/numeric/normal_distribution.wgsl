@@ -19,14 +19,16 @@ fn normal_distribution_mills_ratio(x: f32) -> f32 {
     return t * (low + fourth * (middle + fourth * high));
 }
 
-// The probability that a standard Gaussian is at most x. 2.5e-7 absolute, for x < 0 also 5e-7 + 6e-8 x^2 relative.
+// The probability that a standard Gaussian is at most x. 2.5e-7 absolute, for x < 0 also 5e-7 +
+// 6e-8 x^2 relative.
 fn normal_distribution_phi(x: f32) -> f32 {
     let tail = normal_distribution_density(x) * normal_distribution_mills_ratio(min(abs(x), 40.0));
     // Exactly one half at 0.
     return select(select(tail, 1.0 - tail, x > 0.0), 0.5, abs(x) < 1e-7);
 }
 
-// The quantile of a standard Gaussian, for u in [2^-32, 1 - 2^-24]. 1e-6 relative to 1 + |quantile|.
+// The quantile of a standard Gaussian, for u in [2^-32, 1 - 2^-24]. 1e-6 relative to 1 +
+// |quantile|.
 fn normal_distribution_inverse_phi(u: f32) -> f32 {
     let x = (u + u) - 1.0;
     let w = -elementary_ln(u * (1.0 - u) * 4.0);
@@ -44,7 +46,8 @@ fn normal_distribution_inverse_phi(u: f32) -> f32 {
     return sum * x * 1.4142135;
 }
 
-// The mean excess E[max(0, X - z)] of a standard Gaussian X, for z >= 0; 0 beyond 13.1. 1e-6 + 6e-8 z^2 relative.
+// The mean excess E[max(0, X - z)] of a standard Gaussian X, for z >= 0; 0 beyond 13.1. 1e-6 + 6e-8
+// z^2 relative.
 //
 // The density times 1 - z M(z), with Mills' ratio M, by a polynomial in t = 1/(1 + 0.33 z), as the
 // difference itself would cancel.

@@ -35,7 +35,8 @@ fn perlin_2002_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, key: u32) -> Sample3d {
     return Sample3d(plane.value, vec3<f32>(plane.gradient, columns_value(derivative, t.xy, w.xy)));
 }
 
-// Sums over the corners of the ends of the third and the fourth axis, with their derivatives along both.
+// Sums over the corners of the ends of the third and the fourth axis, with their derivatives along
+// both.
 struct Perlin2002Columns4d {
     value: Columns,
     dz: Columns,

@@ -1,4 +1,5 @@
-// Value noise through the 4^n lattice points around a point, `asperity_noise::ValueCatmullRom`. Values are in [-1, 1].
+// Value noise through the 4^n lattice points around a point, `asperity_noise::ValueCatmullRom`.
+// Values are in [-1, 1].
 //
 // Numbers are blended along all axes but the first, which gives four columns, one per lane. A cubic
 // interpolates between them.

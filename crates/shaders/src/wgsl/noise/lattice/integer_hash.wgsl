@@ -40,7 +40,8 @@ fn integer_hash_ends_3d(cell: vec3<i32>) -> IntegerHashEnds {
     return integer_hash_ends(vec4<i32>(cell, 0));
 }
 
-// The exclusive or of the terms of the four ends of the first two axes: low and low, high and low, low and high, high and high.
+// The exclusive or of the terms of the four ends of the first two axes: low and low, high and low,
+// low and high, high and high.
 fn integer_hash_joined(ends: IntegerHashEnds) -> vec4<u32> {
     return vec4<u32>(ends.low.x, ends.high.x, ends.low.x, ends.high.x)
         ^ vec4<u32>(ends.low.y, ends.low.y, ends.high.y, ends.high.y);

@@ -1,4 +1,5 @@
-// Shapes of octaves, functions of |n| with creases: asperity_noise::Shape of Signed, Turbulence, Plasma, Billow and Ridged.
+// Shapes of octaves, functions of |n| with creases: asperity_noise::Shape of Signed, Turbulence,
+// Plasma, Billow and Ridged.
 
 const OCTAVES_SIGNED: u32 = 0u;
 const OCTAVES_TURBULENCE: u32 = 1u;

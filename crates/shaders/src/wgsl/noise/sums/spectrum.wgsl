@@ -13,7 +13,7 @@ struct OctavesSpectrum {
     // Mean and standard deviation of one octave of amplitude 1.
     mean: f32,
     deviation: f32,
-    // 0 for Normalisation::Range, 1 for Normalisation::Variance.
+    // 0 for Normalization::Range, 1 for Normalization::Variance.
     normalisation: u32,
     // One of the shapes of octaves.
     shape: u32,

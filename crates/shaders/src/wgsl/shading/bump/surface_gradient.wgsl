@@ -23,7 +23,8 @@ fn surface_gradient_tangential(n: vec3<f32>, g: vec3<f32>) -> vec3<f32> {
     return surface_gradient_finite(g - n * dot(n, g));
 }
 
-// The surface gradient that tilts the normal of a frame to the unit normal m of a normal map: `gradient_of_normal`.
+// The surface gradient that tilts the normal of a frame to the unit normal m of a normal map:
+// `gradient_of_normal`.
 fn surface_gradient_of_normal(tangent: vec3<f32>, bitangent: vec3<f32>, m: vec3<f32>) -> vec3<f32> {
     if (bitcast<u32>(m.z) & 0x7fffffffu) > 0x7f800000u {
         return vec3<f32>(0.0);

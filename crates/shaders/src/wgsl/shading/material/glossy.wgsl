@@ -2,7 +2,7 @@
 // `material/glossy.rs` of asperity-shading.
 
 struct Glossy {
-    // Colours, in [0, 1].
+    // Colors, in [0, 1].
     diffuse: vec3<f32>,
     specular: vec3<f32>,
     // The unit normal with bumps.
@@ -14,7 +14,8 @@ struct Glossy {
     ridges: vec3<f32>,
 }
 
-// Reflectance times cosine, for directions in the frame of the surface: facets of a roughness under a gloss of Beckmann's alpha.
+// Reflectance times cosine, for directions in the frame of the surface: facets of a roughness under
+// a gloss of Beckmann's alpha.
 fn glossy_scattered(
     surface: Glossy,
     frame: Frame,

@@ -2,7 +2,8 @@
 
 struct NormalMapped {
     map: SlopePyramid,
-    // The reflectance of the facets, and Beckmann's alpha of the surface between the slopes of the map.
+    // The reflectance of the facets, and Beckmann's alpha of the surface between the slopes of the
+    // map.
     colour: vec3<f32>,
     alpha_x: f32,
     alpha_y: f32,
@@ -10,7 +11,8 @@ struct NormalMapped {
     more_reserved: vec2<u32>,
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame, `surface_point_frame`.
+// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame,
+// `surface_point_frame`.
 fn normal_mapped_scattered(stone: NormalMapped, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {
         return vec3<f32>(0.0);

@@ -136,7 +136,8 @@ fn slope_pyramid_level(map: SlopePyramid, uv: vec2<f32>, level: u32, group: u32)
     return slope_pyramid_mixed(mixture);
 }
 
-// A group within a round pixel of this width around a point, in the unit of texture coordinates: `SlopePyramidRef::sample`.
+// A group within a round pixel of this width around a point, in the unit of texture coordinates:
+// `SlopePyramidRef::sample`.
 fn slope_pyramid_sample(map: SlopePyramid, uv: vec2<f32>, width: f32, group: u32) -> SlopeLobe {
     if !(width < 1.0) {
         return slope_pyramid_mixed(slope_pyramid_with(

@@ -28,7 +28,8 @@ fn phong_blinn_value(exponent: f32, factor: f32, wi: vec3<f32>, wo: vec3<f32>) -
     return brdf_finite(factor * elementary_exp(-0.5 * exponent * elementary_ln_1p(square)));
 }
 
-// The factor for an albedo of at most 1: (n + 2)(n + 4)/(8 pi (2^(-n/2) + n)), `BlinnPhongFactor::Albedo`.
+// The factor for an albedo of at most 1: (n + 2)(n + 4)/(8 pi (2^(-n/2) + n)),
+// `BlinnPhongFactor::Albedo`.
 fn phong_blinn_factor(exponent: f32) -> f32 {
     let n = exponent;
     return (n + 2.0) * (n + 4.0) / (elementary_exp(n * -0.3465736) + n) * 0.039788734;

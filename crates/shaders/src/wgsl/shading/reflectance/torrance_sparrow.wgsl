@@ -1,6 +1,7 @@
 // The microfacet model of Torrance and Sparrow over V-grooves: `asperity_shading::TorranceSparrow`.
 
-// Half vector, and the factor of its density D(h): min(1, 2 h_z cos_o/(wo.h), 2 h_z cos_i/(wo.h))/(4 cos_i cos_o).
+// Half vector, and the factor of its density D(h): min(1, 2 h_z cos_o/(wo.h), 2 h_z
+// cos_i/(wo.h))/(4 cos_i cos_o).
 struct TorranceSparrow {
     h: vec3<f32>,
     factor: f32,

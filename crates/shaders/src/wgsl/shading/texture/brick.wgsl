@@ -9,7 +9,8 @@ struct Brick {
 struct BrickSample {
     // 1 in a brick, 0 in the mortar; as a mean, the fraction of the pixel.
     brick: f32,
-    // The height over the depth of the grooves, in [0, 1], and its derivatives in texture coordinates.
+    // The height over the depth of the grooves, in [0, 1], and its derivatives in texture
+    // coordinates.
     height: f32,
     slope: vec2<f32>,
     // Column and row.

@@ -1,4 +1,5 @@
-// Simplex noise, `asperity_noise::Simplex`: gradient noise on the simplicial lattice. Values are clamped to [-1, 1].
+// Simplex noise, `asperity_noise::Simplex`: gradient noise on the simplicial lattice. Values are
+// clamped to [-1, 1].
 //
 // `simplex_*` have kernels of r^2 = 1/2, which are continuous. `simplex_wide_*` have the customary
 // r^2 = 0.6, which is discontinuous at the faces of simplices, like

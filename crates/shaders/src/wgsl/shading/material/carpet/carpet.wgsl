@@ -12,7 +12,8 @@ struct Carpet {
     fibre_strength: f32,
     fibre_bump: f32,
     seams_pattern: u32,
-    // The direction across the seams in texture coordinates, their frequency in rad, the darkening and the slope at a seam.
+    // The direction across the seams in texture coordinates, their frequency in rad, the darkening
+    // and the slope at a seam.
     seams_direction: vec2<f32>,
     seams_frequency: f32,
     seams_amplitude: f32,
@@ -146,7 +147,8 @@ fn carpet_surface(carpet: Carpet, point: SurfacePoint) -> Glossy {
     );
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame, `surface_point_frame`.
+// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame,
+// `surface_point_frame`.
 fn carpet_scattered(carpet: Carpet, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     let surface = carpet_surface(carpet, point);
     return glossy_scattered(surface, surface_point_frame(point), carpet.roughness, carpet.specular_roughness, wo, wi);

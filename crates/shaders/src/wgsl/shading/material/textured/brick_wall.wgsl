@@ -5,7 +5,7 @@ struct BrickWall {
     // The color of bricks, and its variation from brick to brick.
     clay: vec3<f32>,
     variation: f32,
-    // The colour of the mortar, and its depth in texture coordinates.
+    // The color of the mortar, and its depth in texture coordinates.
     mortar: vec3<f32>,
     depth: f32,
     roughness: f32,
@@ -25,8 +25,8 @@ fn brick_wall_colour(wall: BrickWall, uv: vec2<f32>, pixel: PixelEllipse) -> vec
     return wall.mortar * (1.0 - share) + clay * share;
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame, `surface_point_frame`. All facets are lit, while
-// the Rust crate merges facets beyond the 32nd.
+// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame,
+// `surface_point_frame`. All facets are lit, while the Rust crate merges facets beyond the 32nd.
 fn brick_wall_scattered(wall: BrickWall, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {
         return vec3<f32>(0.0);

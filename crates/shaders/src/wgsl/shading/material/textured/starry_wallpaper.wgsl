@@ -2,14 +2,15 @@
 
 struct Wallpaper {
     stars: StarWallpaper,
-    // The colour of the paper, and the roughness of its facets.
+    // The color of the paper, and the roughness of its facets.
     paper: vec3<f32>,
     roughness: f32,
     star: vec3<f32>,
     reserved: u32,
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame, `surface_point_frame`.
+// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame,
+// `surface_point_frame`.
 fn starry_wallpaper_scattered(paper: Wallpaper, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {
         return vec3<f32>(0.0);

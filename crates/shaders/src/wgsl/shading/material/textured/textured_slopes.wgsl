@@ -1,4 +1,5 @@
-// Rough diffuse surfaces with slopes in texture coordinates, facet by facet: `of_slopes` in `material/textured.rs` of asperity-shading.
+// Rough diffuse surfaces with slopes in texture coordinates, facet by facet: `of_slopes` in
+// `material/textured.rs` of asperity-shading.
 
 struct TexturedSlopes {
     // The unit normal, the gradients of the texture coordinates, and the frame of directions.

@@ -2,7 +2,8 @@
 // `asperity_shading::Schlick`, `asperity_shading::reflectance::SchlickF82`. A NaN cosine is taken
 // as 0.
 
-// F = normal_incidence + (1 - normal_incidence) (1 - cos)^5, for each channel; normal_incidence in [0, 1].
+// F = normal_incidence + (1 - normal_incidence) (1 - cos)^5, for each channel; normal_incidence in
+// [0, 1].
 fn schlick_reflectance(normal_incidence: vec3<f32>, cos_theta: f32) -> vec3<f32> {
     let x = 1.0 - math_clamped(cos_theta, 1.0);
     let square = x * x;
