@@ -205,9 +205,8 @@ pub mod curl {
 
 /// SIMD levels, and the interface over lanes that the kinds of noise are written in.
 ///
-/// A first program needs none of it: fields take the best level by themselves.
-/// [`Batch`](simd::Batch) is for tests and benchmarks that choose one. The traits are sealed and
-/// may change in any release.
+/// Most programs do not need this module, as fields use the best level. [`Batch`](simd::Batch)
+/// selects a level in tests and benchmarks. The traits are sealed and may change in any release.
 pub mod simd {
     pub use crate::contract::batch::Batch;
     pub use crate::contract::hessian::CurvedKernel;

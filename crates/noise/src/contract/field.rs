@@ -25,7 +25,7 @@ use crate::{
 /// ```
 /// use asperity_noise::{Add, Field, Grid, Octaves, Perlin2002, Sample, Spectrum, glam::Vec2};
 ///
-/// /// A field of one's own: dunes along x.
+/// /// A custom field: dunes along x.
 /// struct Dunes;
 ///
 /// impl Field<Vec2> for Dunes {

@@ -35,8 +35,8 @@ use crate::{
 /// centers and between, in 1 to 4 dimensions. v ranges from 0.75 to 1.07 in 2-D and from 0.5 to
 /// 1.09 in 3-D, with the minimum in cell centers.
 ///
-/// - **Variates:** values have 32 bits, and their tails are normal up to 5.5 deviations, with P(|s|
-///   > x) within 0.6 % of the normal distribution. Gradients have 4096 equally likely levels with
+/// - **Variates:** values have 32 bits, and their tails are normal up to 5.5 deviations, with
+///   P(|s| > x) within 0.6 % of the normal distribution. Gradients have 4096 equally likely levels with
 ///   second and fourth moment 1 and 3.
 /// - **Tails:** at lattice points they are the tails of the values. Elsewhere the bounded levels
 ///   reduce P(|z| > 4) by up to 0.4 % and P(|z| > 5) by up to 3 %. The loss is largest in the
