@@ -11,7 +11,7 @@ use asperity_shaders::{Binding, Bindings, Part, compose, ndf, ordered};
 /// A custom part, with the parts whose functions it calls.
 static BUMPS: Part = Part::new(
     "bumps",
-    "// The normal of a rough surface at p, which counts from the focus, with as many octaves as a pixel resolves.
+    "// The normal of a rough surface at p, relative to the anchor, with the octaves that a pixel resolves.
 fn bumps(p: vec3<f32>, octaves: f32) -> vec3<f32> {
     return ggx_from_gaussian(vec2<f32>(0.2, 0.4), gaussian_octaves_3d(p, octaves, 0u).pair.value);
 }
