@@ -8,7 +8,7 @@ use crate::{
     contract::noise::{kind, measured, noise},
     kinds::cell::at_ends::by_corners,
     kinds::cell::corner::{CellNoise, Corner, normalised},
-    kinds::cell::corners::Place,
+    kinds::cell::corners::CellPosition,
     kinds::cell::kernel::{of_lane, parts},
     lanes::level::run_at_point,
     lanes::{LaneSample, Lanes, Scalar},
@@ -125,7 +125,7 @@ impl<L: Lattice> Gaussian<L> {
     /// Both channels at a point whose coordinates all have a cell.
     #[inline(always)]
     fn near_channels<const N: usize>(&self, p: [f32; N], seed: u32) -> [LaneSample<Scalar, N>; 2] {
-        let place = Place::new(Scalar, self, &p, 0);
+        let place = CellPosition::new(Scalar, self, &p, 0);
         // Each channel draws separately. Returning pairs costs more than the words that the
         // compiler reuses.
         let nothing = Corner::nothing(Scalar);

@@ -4,7 +4,7 @@ use crate::{
     kinds::cell::blend::lerp,
     kinds::cell::column::Plane,
     kinds::cell::corner::{CellNoise, normalised},
-    kinds::cell::corners::{CORNERS, Place},
+    kinds::cell::corners::{CORNERS, CellPosition},
     kinds::cell::variance::axis_variance,
     lanes::{Arithmetic, LANES, LaneSample, Lanes, Scalar},
     lattice::fade::Along,
@@ -51,7 +51,7 @@ fn along_second<K: CellNoise<N>, S: Lanes, const N: usize>(
 /// holds n, and v if the noise is normalized.
 pub(crate) struct Ends<S: Lanes, const N: usize> {
     #[cfg(feature = "simd")]
-    pub(crate) place: Place<S, N>,
+    pub(crate) place: CellPosition<S, N>,
     #[cfg(feature = "simd")]
     pub(crate) words: [S::U; 4],
     pub(crate) parts: (LaneSample<S, N>, LaneSample<S, N>),
@@ -91,7 +91,7 @@ pub(crate) fn at_ends_of<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIE
     axes[..N].copy_from_slice(&p);
     let (cells, places) = cell(s, s.load(&axes));
     let all = Along::new(s, K::FADE, places);
-    let mut place = Place { terms: [[s.word(0); 2]; N], along: [all; N] };
+    let mut place = CellPosition { terms: [[s.word(0); 2]; N], along: [all; N] };
     for axis in 0..N {
         place.along[axis] = Along {
             place: s.float(s.lane(all.place, axis)),

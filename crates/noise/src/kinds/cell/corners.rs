@@ -17,20 +17,20 @@ pub(crate) const CORNERS: [usize; 5] = [0, 1, 1, 2, 4];
 
 /// The cell of a point, and the point's position in it.
 #[derive(Clone, Copy)]
-pub(crate) struct Place<S: Lanes, const N: usize> {
+pub(crate) struct CellPosition<S: Lanes, const N: usize> {
     /// The lattice's terms of the lower and the upper ends.
     pub(crate) terms: [[S::U; 2]; N],
     pub(crate) along: [Along<S>; N],
 }
 
-impl<const N: usize> Place<Scalar, N> {
+impl<const N: usize> CellPosition<Scalar, N> {
     pub(crate) const NOWHERE: Self =
         Self { terms: [[Wrapping(0); 2]; N], along: [Along { place: 0.0, weight: 0.0, slope: 0.0 }; N] };
 
     /// This position in every lane.
     #[inline(always)]
-    pub(crate) fn splat<S: Lanes>(&self, s: S) -> Place<S, N> {
-        let mut place = Place { terms: [[s.word(0); 2]; N], along: [self.along[0].splat(s); N] };
+    pub(crate) fn splat<S: Lanes>(&self, s: S) -> CellPosition<S, N> {
+        let mut place = CellPosition { terms: [[s.word(0); 2]; N], along: [self.along[0].splat(s); N] };
         for axis in 0..N {
             let [low, high] = self.terms[axis];
             place.terms[axis] = [s.word(low.0), s.word(high.0)];
@@ -44,7 +44,7 @@ impl<const N: usize> Place<Scalar, N> {
 /// an index.
 pub(crate) type Corners<T> = [[[T; 4]; 2]; 2];
 
-impl<S: Lanes, const N: usize> Place<S, N> {
+impl<S: Lanes, const N: usize> CellPosition<S, N> {
     /// The position of a point along the axes from `first` on; earlier axes are unused.
     #[inline(always)]
     pub(crate) fn new<K: CellNoise<N>>(s: S, noise: &K, p: &[S::F; N], first: usize) -> Self {

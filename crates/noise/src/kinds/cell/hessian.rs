@@ -4,7 +4,7 @@ use crate::{
     contract::hessian::{CurvedKernel, Jet, mirror},
     kinds::cell::blend::ends,
     kinds::cell::corner::{CellNoise, Corner, normalised},
-    kinds::cell::corners::Place,
+    kinds::cell::corners::CellPosition,
     kinds::cell::variance::axis_variance,
     lanes::{LaneSample, Lanes, Scalar},
     lattice::fade::{Along, Fade},
@@ -36,7 +36,7 @@ impl<K: CellNoise<N>, const N: usize> CurvedKernel<N> for K {
 /// The jet of a point, corner by corner.
 #[inline(always)]
 fn one_by_one<K: CellNoise<N>, const N: usize>(noise: &K, p: [f32; N], seed: u32) -> Jet<N> {
-    let place = Place::<Scalar, N>::new(Scalar, noise, &p, 0);
+    let place = CellPosition::<Scalar, N>::new(Scalar, noise, &p, 0);
     let corners =
         place.corners(Scalar, noise, seed, Corner::nothing(Scalar), |word| noise.corner(Scalar, word));
     let (sample, variance) = place.parts::<K, true>(Scalar, &place.drawn_edges(Scalar, noise, seed));
@@ -85,7 +85,7 @@ fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize>(s: S, noise: &K, p: [f3
             e += 1;
         }
     }
-    let mut first = Place::<Scalar, N>::NOWHERE;
+    let mut first = CellPosition::<Scalar, N>::NOWHERE;
     for axis in 0..N {
         let along = &place.along[axis];
         first.along[axis] = Along {
@@ -101,7 +101,7 @@ fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize>(s: S, noise: &K, p: [f3
 /// The jet of n, or of n/√v if the noise is normalized.
 #[inline(always)]
 fn jet<K: CellNoise<N>, const N: usize>(
-    place: &Place<Scalar, N>,
+    place: &CellPosition<Scalar, N>,
     sample: LaneSample<Scalar, N>,
     variance: LaneSample<Scalar, N>,
     mut hessian: [[f32; N]; N],
@@ -186,7 +186,7 @@ fn add_bends<K: CellNoise<N>, S: Lanes, const N: usize>(
 ///
 /// P + εQ = Π (pᵢ + ε qᵢ) with ε² = 0, so that derivatives are products of the derivatives of the
 /// axes. v = P + 4Q.
-fn variance_hessian<const N: usize>(fade: Fade, place: &Place<Scalar, N>) -> [[f32; N]; N] {
+fn variance_hessian<const N: usize>(fade: Fade, place: &CellPosition<Scalar, N>) -> [[f32; N]; N] {
     // p and q of every axis and their first and second derivatives.
     let mut factors = [[[0.0; 2]; 3]; N];
     for axis in 0..N {

@@ -4,8 +4,8 @@ use crate::{
     contract::compiled::on_lattice,
     contract::kernel::Kernel,
     kinds::cell::corner::{CellNoise, normalised},
-    kinds::cell::corners::Place,
-    kinds::cell::rows::Stretch,
+    kinds::cell::corners::CellPosition,
+    kinds::cell::rows::EdgeCache,
     lanes::{LaneSample, Lanes, Scalar},
     lattice::lattice::Lattice,
     row::row::{Row, Strip},
@@ -22,7 +22,7 @@ pub(crate) fn parts<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: 
     p: [S::F; N],
     seed: u32,
 ) -> (LaneSample<S, N>, LaneSample<S, N>) {
-    let place = Place::new(s, noise, &p, 0);
+    let place = CellPosition::new(s, noise, &p, 0);
     place.parts::<K, GRADIENTS>(s, &place.drawn_edges(s, noise, seed))
 }
 
@@ -55,7 +55,7 @@ impl<K: CellNoise<N>, const N: usize> Kernel<N> for K {
     // Variates are looked up lane by lane.
     const WIDE: bool = !K::NORMALISED;
 
-    type RowScratch = Stretch<N>;
+    type RowScratch = EdgeCache<N>;
 
     on_lattice!();
 
@@ -87,7 +87,7 @@ impl<K: CellNoise<N>, const N: usize> Kernel<N> for K {
     fn rows<S: Lanes, const GRADIENTS: bool>(
         &self,
         s: S,
-        stretch: &mut Stretch<N>,
+        stretch: &mut EdgeCache<N>,
         strip: Strip<'_, N, GRADIENTS>,
     ) -> usize {
         stretch.rows(s, self, strip)

@@ -8,7 +8,7 @@
 use crate::{
     kinds::cell::blend::{blend, edge, ends},
     kinds::cell::corner::{CellNoise, normalised},
-    kinds::cell::corners::Place,
+    kinds::cell::corners::CellPosition,
     kinds::cell::row_edges::{Columns, Edges},
     kinds::cell::variance::axis_variance,
     lanes::{LANES, Lanes, Scalar},
@@ -37,24 +37,24 @@ struct Key<const N: usize> {
 /// Two edges of the cells that an interval of a row crosses, and the data that they are computed
 /// from.
 #[derive(Clone)]
-pub struct Stretch<const N: usize> {
+pub struct EdgeCache<const N: usize> {
     plan: Plan,
     key: Option<Key<N>>,
     /// The position of the row along all axes but the first, and its cell along the second.
-    place: Place<Scalar, N>,
+    place: CellPosition<Scalar, N>,
     second: i32,
     columns: Columns<N>,
     edges: [Edges<N>; 2],
 }
 
-impl<const N: usize> Default for Stretch<N> {
+impl<const N: usize> Default for EdgeCache<N> {
     /// Not a constant, because copying a constant takes longer than writing zeros.
     #[inline(always)]
     fn default() -> Self {
         Self {
             plan: Plan::empty(),
             key: None,
-            place: Place::NOWHERE,
+            place: CellPosition::NOWHERE,
             second: 0,
             columns: Columns::empty(),
             edges: [Edges::empty(), Edges::empty()],
@@ -62,7 +62,7 @@ impl<const N: usize> Default for Stretch<N> {
     }
 }
 
-impl<const N: usize> Stretch<N> {
+impl<const N: usize> EdgeCache<N> {
     /// The values along a row, and the gradients if `GRADIENTS`.
     #[inline(always)]
     pub(crate) fn rows<K: CellNoise<N>, S: Lanes, const GRADIENTS: bool>(
@@ -117,7 +117,7 @@ impl<const N: usize> Stretch<N> {
         self.key = key;
         self.edges[0].second = None;
         self.edges[1].second = None;
-        self.place = Place::new(Scalar, noise, origin, 2);
+        self.place = CellPosition::new(Scalar, noise, origin, 2);
     }
 
     /// Computes the edges below and above the row unless they are present.
@@ -252,7 +252,7 @@ fn copy(from: &[f32; LANES], to: &mut [f32], start: usize) {
 fn draw<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
     noise: &K,
-    place: &Place<S, N>,
+    place: &CellPosition<S, N>,
     term: S::U,
     run: &Run,
     seed: u32,

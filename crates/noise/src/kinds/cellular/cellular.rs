@@ -9,7 +9,7 @@ use crate::{
     kinds::cell::blend::splat,
     kinds::cellular::metric::Metric,
     kinds::cellular::rows::{Columns, LONG_STEP},
-    kinds::cellular::search::{Features, Place, number},
+    kinds::cellular::search::{CellPosition, Features, number},
     lanes::{LaneSample, Lanes},
     lattice::integer_hash::IntegerHash,
     lattice::lattice::Lattice,
@@ -164,7 +164,7 @@ impl<L: Lattice, const N: usize> Kernel<N> for Cellular<L> {
 
     #[inline(always)]
     fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
-        let (features, place) = (self.features(seed), Place::<S, N>::new(s, p));
+        let (features, place) = (self.features(seed), CellPosition::<S, N>::new(s, p));
         if !GRADIENTS && self.basis != Basis::Cell {
             let nearest = features.nearest::<S, N, false>(s, &place, self.takes_second());
             return self.of_measures::<S, N>(s, nearest.measures);

@@ -23,10 +23,10 @@ const COLUMNS: usize = 64;
 /// Chebyshev metric.
 const SECTIONS: usize = 27;
 /// The maximum number of feature points of the columns around a cell.
-const MOST: usize = SECTIONS * 5;
+const MAX_SEEN: usize = SECTIONS * 5;
 /// The maximum number of feature points stored for the cells of a row; 60 cells in 3-D have some
 /// 600 candidates.
-const ROOM: usize = 1024;
+const MAX_STORED: usize = 1024;
 /// Slabs of a cell along an axis: a power of two, so that their borders are exact.
 const SLABS: f32 = 4.0;
 
@@ -59,12 +59,12 @@ pub struct Columns<const N: usize> {
     /// The number of cells whose feature points fit.
     pub(super) cells: usize,
     /// For each cell the columns and sections of its candidate feature points, and their number.
-    lists: [[u8; MOST]; COLUMNS],
+    lists: [[u8; MAX_SEEN]; COLUMNS],
     counts: [u8; COLUMNS],
     /// The index after the last feature point of each cell, in the order of the points of the row.
     ends: [u16; COLUMNS],
-    points: [[f32; N]; ROOM],
-    point_numbers: [f32; ROOM],
+    points: [[f32; N]; MAX_STORED],
+    point_numbers: [f32; MAX_STORED],
 }
 
 /// Everything that the words of columns depend on.
@@ -102,11 +102,11 @@ impl<const N: usize> Default for Columns<N> {
             gaps: [numbers; 2],
             bounds: [0.0; COLUMNS],
             cells: 0,
-            lists: [[0; MOST]; COLUMNS],
+            lists: [[0; MAX_SEEN]; COLUMNS],
             counts: [0; COLUMNS],
             ends: [0; COLUMNS],
-            points: [[0.0; N]; ROOM],
-            point_numbers: [0.0; ROOM],
+            points: [[0.0; N]; MAX_STORED],
+            point_numbers: [0.0; MAX_STORED],
         }
     }
 }
@@ -267,7 +267,7 @@ impl<const N: usize> Columns<N> {
                         let k = i + seeing.trailing_zeros() as usize;
                         seeing &= seeing - 1;
                         let count = &mut self.counts[k % COLUMNS];
-                        self.lists[k % COLUMNS][usize::from(*count) % MOST] = (c << 5 | j) as u8;
+                        self.lists[k % COLUMNS][usize::from(*count) % MAX_SEEN] = (c << 5 | j) as u8;
                         *count += 1;
                     }
                 }

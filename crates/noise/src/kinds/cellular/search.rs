@@ -28,12 +28,12 @@ pub(super) struct Features<'a, L> {
 }
 
 /// The cells of points, and the positions of the points in them.
-pub(super) struct Place<S: Lanes, const N: usize> {
+pub(super) struct CellPosition<S: Lanes, const N: usize> {
     pub(super) cell: [S::U; N],
     pub(super) t: [S::F; N],
 }
 
-impl<S: Lanes, const N: usize> Place<S, N> {
+impl<S: Lanes, const N: usize> CellPosition<S, N> {
     #[inline(always)]
     pub(super) fn new(s: S, p: [S::F; N]) -> Self {
         let mut place = Self { cell: [s.word(0); N], t: p };
@@ -126,7 +126,7 @@ impl<L: Lattice> Features<'_, L> {
     fn ways<S: Lanes, const N: usize>(
         &self,
         s: S,
-        place: &Place<S, N>,
+        place: &CellPosition<S, N>,
         axes: &[Axis<S>; N],
         word: S::U,
     ) -> [S::F; N] {
@@ -151,7 +151,7 @@ impl<L: Lattice> Features<'_, L> {
     fn visit<S: Lanes, const N: usize, const RANKED: bool>(
         &self,
         s: S,
-        place: &Place<S, N>,
+        place: &CellPosition<S, N>,
         axes: &[Axis<S>; N],
         nearest: &mut Nearest<S>,
     ) {
@@ -175,7 +175,7 @@ impl<L: Lattice> Features<'_, L> {
     pub(super) fn nearest<S: Lanes, const N: usize, const RANKED: bool>(
         &self,
         s: S,
-        place: &Place<S, N>,
+        place: &CellPosition<S, N>,
         second: bool,
     ) -> Nearest<S> {
         let mut nearest = Nearest::none(s);
@@ -245,7 +245,13 @@ impl<L: Lattice> Features<'_, L> {
     }
 
     #[inline(always)]
-    fn axis<S: Lanes, const N: usize>(&self, s: S, place: &Place<S, N>, axis: usize, step: S::F) -> Axis<S> {
+    fn axis<S: Lanes, const N: usize>(
+        &self,
+        s: S,
+        place: &CellPosition<S, N>,
+        axis: usize,
+        step: S::F,
+    ) -> Axis<S> {
         Axis { term: self.lattice.term(s, axis, place.cell[axis] + s.integer(step)), step }
     }
 
@@ -254,7 +260,7 @@ impl<L: Lattice> Features<'_, L> {
     pub(super) fn of_rank<S: Lanes, const N: usize>(
         &self,
         s: S,
-        place: &Place<S, N>,
+        place: &CellPosition<S, N>,
         rank: S::F,
     ) -> (S::U, [S::F; N]) {
         let weights = RANKS[N - 1];
