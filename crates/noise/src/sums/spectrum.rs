@@ -247,10 +247,10 @@ error_enum! {
         OctavesOutOfRange { max_octaves: u32 } => "`max_octaves` must be from 1 to 16, got {max_octaves}";
         /// The lacunarity is so large that the frequency of the highest octave is infinite.
         FrequencyOverflow { lacunarity: f32 } =>
-            "`lacunarity` must leave the last frequency finite, got {lacunarity}";
+            "`lacunarity` is too large: {lacunarity} (the highest frequency must be finite)";
         /// The gain is so large that the sum of the fourth powers of the amplitudes is infinite.
         AmplitudeOverflow { gain: f32 } =>
-            "`gain` must leave the fourth powers of amplitudes finite, got {gain}";
+            "`gain` is too large: {gain} (fourth powers of amplitudes must be finite)";
     }
 }
 
