@@ -15,10 +15,10 @@ use glam::{Vec2, Vec3, Vec4};
 /// assert_eq!(Vec3::from_coordinates([1.0, 2.0, 3.0]).coordinates(), [1.0, 2.0, 3.0]);
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a point that noise is evaluated at",
-    label = "neither `f32` nor `Vec2`, `Vec3` or `Vec4` of `asperity_noise::glam`",
-    note = "make a vector of an array: `Vec3::from(array)`",
-    note = "a vector of another version of glam is another type: use `asperity_noise::glam`, or `Vec3::from(v.to_array())`"
+    message = "`{Self}` is not a point type of noise",
+    label = "expected `f32`, `Vec2`, `Vec3` or `Vec4` of `asperity_noise::glam`",
+    note = "convert an array with `Vec3::from(array)`",
+    note = "vectors of another glam version are another type: use `asperity_noise::glam` or `Vec3::from(v.to_array())`"
 )]
 pub trait Point: Copy + Debug + Default + PartialEq + 'static {
     /// N numbers in N dimensions.

@@ -53,7 +53,7 @@ use crate::{
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a field over points `{V}`",
     note = "kinds, sums and transforms are fields over `f32` and over `Vec2`, `Vec3` and `Vec4` of `asperity_noise::glam`",
-    note = "an array becomes such a vector by `Vec3::from(array)`, a vector of another version of glam by `Vec3::from(v.to_array())`",
+    note = "convert an array with `Vec3::from(array)`, a vector of another glam version with `Vec3::from(v.to_array())`",
     note = "a field of your own implements `fn sample(&self, p: V) -> Sample<V>`"
 )]
 pub trait Field<V: Point> {

@@ -56,8 +56,8 @@ pub trait Measured<const N: usize> {
 /// for a point. This trait is sealed. Implement [`Field`](crate::Field) for custom noise.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a kind of noise in {N} dimensions",
-    note = "octaves are summed of the kinds of this crate, `Perlin2002` for instance; any field can be added, multiplied, \
-            blended, clamped, mapped and warped"
+    note = "octaves sum kinds of this crate, for instance `Perlin2002`; any field can be added, multiplied, blended, clamped, \
+            mapped and warped"
 )]
 pub trait Kernel<const N: usize>: Measured<N> {
     /// The sum Σ |xᵢ| from which on the noise is 0.

@@ -399,8 +399,7 @@ impl<K: Kernel<N>, const N: usize> Octaves<K, N> {
         Terms { noise, spectrum, normalisation, rotation, seed, layers, shape: Signed }.all()
     }
 
-    /// Creates the sum of octaves of a tileable noise with the periods of the noise, with variance
-    /// 1.
+    /// Creates the sum of octaves of a tileable noise with its periods, with variance 1.
     ///
     /// Octave i has periods ℓⁱ times as long in its own cells, so that no octave repeats within the
     /// tile. Octaves are not rotated. Points are moved into the first tile by whole periods,
