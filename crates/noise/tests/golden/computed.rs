@@ -107,14 +107,14 @@ fn batched<V: Point<Coordinates = [f32; N]>, const N: usize>(field: &dyn Field<V
 }
 
 /// A kind in every dimension.
-fn kind<K>(name: &'static str, noise: &K, tell: &mut impl FnMut(&'static str, Golden))
+fn kind<K>(name: &'static str, noise: &K, emit: &mut impl FnMut(&'static str, Golden))
 where
     K: Field<f32> + Field<Vec2> + Field<Vec3> + Field<Vec4>,
 {
-    tell(name, golden(&|p: f32| noise.sample(p)));
-    tell(name, golden(&|p: Vec2| noise.sample(p)));
-    tell(name, golden(&|p: Vec3| noise.sample(p)));
-    tell(name, golden(&|p: Vec4| noise.sample(p)));
+    emit(name, golden(&|p: f32| noise.sample(p)));
+    emit(name, golden(&|p: Vec2| noise.sample(p)));
+    emit(name, golden(&|p: Vec3| noise.sample(p)));
+    emit(name, golden(&|p: Vec4| noise.sample(p)));
 }
 
 /// A sum of octaves in every dimension. The bits of a sum of unit variance depend on the measured
@@ -123,7 +123,7 @@ fn sum(
     name: &'static str,
     normalisation: Normalisation,
     rotation: Rotation,
-    tell: &mut impl FnMut(&'static str, Golden),
+    emit: &mut impl FnMut(&'static str, Golden),
 ) {
     fn octaves<V: Point<Coordinates = [f32; N]>, const N: usize>(
         normalisation: Normalisation,
@@ -137,64 +137,64 @@ fn sum(
         let noise = noise.with_rotation(rotation);
         golden(&|p: V| noise.detail(6.5).sample(p))
     }
-    tell(name, octaves::<f32, 1>(normalisation, rotation));
-    tell(name, octaves::<Vec2, 2>(normalisation, rotation));
-    tell(name, octaves::<Vec3, 3>(normalisation, rotation));
-    tell(name, octaves::<Vec4, 4>(normalisation, rotation));
+    emit(name, octaves::<f32, 1>(normalisation, rotation));
+    emit(name, octaves::<Vec2, 2>(normalisation, rotation));
+    emit(name, octaves::<Vec3, 3>(normalisation, rotation));
+    emit(name, octaves::<Vec4, 4>(normalisation, rotation));
 }
 
 fn gaussian_sum<V: Point<Coordinates = [f32; N]>, const N: usize>(
-    tell: &mut impl FnMut(&'static str, Golden),
+    emit: &mut impl FnMut(&'static str, Golden),
 ) {
     let noise = GaussianOctaves::<N>::new(Gaussian::new(17), Spectrum::default());
-    tell("Gaussian octaves", golden(&|p: V| noise.detail(6.5).sample(p)));
-    tell("Gaussian octaves, second channel", golden(&|p: V| noise.detail(6.5).pair(p)[1]));
-    tell("Gaussian, second channel", golden(&|p: V| Gaussian::new(17).pair(p)[1]));
-    tell("Gaussian, not normalised", golden(&|p: V| Gaussian::new(17).unnormalised(p)));
-    tell("variance of Gaussian", golden(&|p: V| Gaussian::new(17).variance(p)));
+    emit("Gaussian octaves", golden(&|p: V| noise.detail(6.5).sample(p)));
+    emit("Gaussian octaves, second channel", golden(&|p: V| noise.detail(6.5).pair(p)[1]));
+    emit("Gaussian, second channel", golden(&|p: V| Gaussian::new(17).pair(p)[1]));
+    emit("Gaussian, not normalised", golden(&|p: V| Gaussian::new(17).unnormalised(p)));
+    emit("variance of Gaussian", golden(&|p: V| Gaussian::new(17).variance(p)));
 }
 
-/// Passes the golden bits of every kind and sum in every dimension to `tell`.
-pub(crate) fn fields(tell: &mut impl FnMut(&'static str, Golden)) {
+/// Passes the golden bits of every kind and sum in every dimension to `emit`.
+pub(crate) fn fields(emit: &mut impl FnMut(&'static str, Golden)) {
     let table = PermutationTable::new(17);
-    kind("Perlin 1985", &Perlin1985::new(17), tell);
-    kind("Perlin 2002", &Perlin2002::new(17), tell);
-    kind("Perlin 2002 by permutation", &Perlin2002::new(17).with_lattice(table), tell);
-    kind("simplex", &Simplex::new(17), tell);
-    kind("wide simplex", &Simplex::wide(17), tell);
-    kind("wide simplex by permutation", &Simplex::wide(17).with_lattice(table), tell);
-    kind("Gaussian", &Gaussian::new(17), tell);
-    kind("white", &White::new(17), tell);
-    kind("value", &Value::new(17), tell);
-    kind("value, Catmull-Rom", &ValueCatmullRom::new(17), tell);
-    kind("value-gradient", &ValueGradient::new(17), tell);
-    kind("sparse", &Sparse::new(17), tell);
+    kind("Perlin 1985", &Perlin1985::new(17), emit);
+    kind("Perlin 2002", &Perlin2002::new(17), emit);
+    kind("Perlin 2002 by permutation", &Perlin2002::new(17).with_lattice(table), emit);
+    kind("simplex", &Simplex::new(17), emit);
+    kind("wide simplex", &Simplex::wide(17), emit);
+    kind("wide simplex by permutation", &Simplex::wide(17).with_lattice(table), emit);
+    kind("Gaussian", &Gaussian::new(17), emit);
+    kind("white", &White::new(17), emit);
+    kind("value", &Value::new(17), emit);
+    kind("value, Catmull-Rom", &ValueCatmullRom::new(17), emit);
+    kind("value-gradient", &ValueGradient::new(17), emit);
+    kind("sparse", &Sparse::new(17), emit);
     let cellular = Cellular::new(17);
-    kind("cellular, F₁", &cellular, tell);
+    kind("cellular, F₁", &cellular, emit);
     kind(
         "cellular, F₂ − F₁, Manhattan",
         &cellular.with_basis(Basis::F2MinusF1).with_metric(Metric::Manhattan),
-        tell,
+        emit,
     );
-    kind("cellular, F₂, Chebyshev", &cellular.with_basis(Basis::F2).with_metric(Metric::Chebyshev), tell);
-    kind("cellular, cell", &cellular.with_basis(Basis::Cell), tell);
-    sum("octaves, range", Normalisation::Range, Rotation::Random, tell);
-    sum("octaves, variance", Normalisation::Variance, Rotation::Random, tell);
-    sum("octaves, aligned", Normalisation::Range, Rotation::Aligned, tell);
-    gaussian_sum::<f32, 1>(tell);
-    gaussian_sum::<Vec2, 2>(tell);
-    gaussian_sum::<Vec3, 3>(tell);
-    gaussian_sum::<Vec4, 4>(tell);
+    kind("cellular, F₂, Chebyshev", &cellular.with_basis(Basis::F2).with_metric(Metric::Chebyshev), emit);
+    kind("cellular, cell", &cellular.with_basis(Basis::Cell), emit);
+    sum("octaves, range", Normalisation::Range, Rotation::Random, emit);
+    sum("octaves, variance", Normalisation::Variance, Rotation::Random, emit);
+    sum("octaves, aligned", Normalisation::Range, Rotation::Aligned, emit);
+    gaussian_sum::<f32, 1>(emit);
+    gaussian_sum::<Vec2, 2>(emit);
+    gaussian_sum::<Vec3, 3>(emit);
+    gaussian_sum::<Vec4, 4>(emit);
 }
 
-/// Passes the golden bits of batches to `tell`; they equal the bits of the same kinds and sums
+/// Passes the golden bits of batches to `emit`; they equal the bits of the same kinds and sums
 /// above.
-pub(crate) fn batches(tell: &mut impl FnMut(&'static str, Golden)) {
-    tell("Perlin 2002", batched::<Vec3, 3>(&Perlin2002::new(17)));
-    tell("simplex", batched::<Vec2, 2>(&Simplex::new(17)));
-    tell("Gaussian", batched::<Vec2, 2>(&Gaussian::new(17)));
+pub(crate) fn batches(emit: &mut impl FnMut(&'static str, Golden)) {
+    emit("Perlin 2002", batched::<Vec3, 3>(&Perlin2002::new(17)));
+    emit("simplex", batched::<Vec2, 2>(&Simplex::new(17)));
+    emit("Gaussian", batched::<Vec2, 2>(&Gaussian::new(17)));
     let sum = GaussianOctaves::<2>::new(Gaussian::new(17), Spectrum::default());
-    tell("Gaussian octaves", batched::<Vec2, 2>(&sum.first(6.5)));
+    emit("Gaussian octaves", batched::<Vec2, 2>(&sum.first(6.5)));
 }
 
 /// The digest of the variates of words.
@@ -202,23 +202,23 @@ fn drawn(components: impl IntoIterator<Item = f32>) -> u32 {
     components.into_iter().map(f32::to_bits).fold(START, digest)
 }
 
-/// Passes the digests of words, of their variates, and of the numbers of a spectrum to `tell`.
-pub(crate) fn numbers(tell: &mut impl FnMut(&'static str, u32)) {
+/// Passes the digests of words, of their variates, and of the numbers of a spectrum to `emit`.
+pub(crate) fn numbers(emit: &mut impl FnMut(&'static str, u32)) {
     let hash = |words: &mut dyn FnMut(i32) -> u32| (0..256).map(words).fold(START, digest);
     let cell = |i: i32| [i % 7 - 3, i / 7 - 18, i * 1_000_003, -i];
     let table = PermutationTable::new(17);
-    tell("integer hash", hash(&mut |i| IntegerHash.word(cell(i), 17)));
-    tell("integer hash, plane", hash(&mut |i| IntegerHash.word([i - 128, 5 * i], i as u32)));
-    tell("permutation", hash(&mut |i| u32::from(table.entries()[i as usize])));
-    tell("permutation, words", hash(&mut |i| table.word(cell(i), 17)));
+    emit("integer hash", hash(&mut |i| IntegerHash.word(cell(i), 17)));
+    emit("integer hash, plane", hash(&mut |i| IntegerHash.word([i - 128, 5 * i], i as u32)));
+    emit("permutation", hash(&mut |i| u32::from(table.entries()[i as usize])));
+    emit("permutation, words", hash(&mut |i| table.word(cell(i), 17)));
     let word = |i: i32| IntegerHash.word([i], 1);
-    tell("unit gradients", hash(&mut |i| drawn(unit_gradient::<2>(word(i)))));
-    tell("unit gradients, 3-D", hash(&mut |i| drawn(unit_gradient::<3>(word(i)))));
-    tell("unit gradients, 4-D", hash(&mut |i| drawn(unit_gradient::<4>(word(i)))));
-    tell("edge gradients", hash(&mut |i| drawn(edge_gradient::<2>(word(i)))));
-    tell("edge gradients, 3-D", hash(&mut |i| drawn(edge_gradient::<3>(word(i)))));
-    tell("edge gradients, 4-D", hash(&mut |i| drawn(edge_gradient::<4>(word(i)))));
-    tell(
+    emit("unit gradients", hash(&mut |i| drawn(unit_gradient::<2>(word(i)))));
+    emit("unit gradients, 3-D", hash(&mut |i| drawn(unit_gradient::<3>(word(i)))));
+    emit("unit gradients, 4-D", hash(&mut |i| drawn(unit_gradient::<4>(word(i)))));
+    emit("edge gradients", hash(&mut |i| drawn(edge_gradient::<2>(word(i)))));
+    emit("edge gradients, 3-D", hash(&mut |i| drawn(edge_gradient::<3>(word(i)))));
+    emit("edge gradients, 4-D", hash(&mut |i| drawn(edge_gradient::<4>(word(i)))));
+    emit(
         "Gaussian corners",
         hash(&mut |i| {
             let [(a, [ax, ay, az, aw]), (b, [bx, by, bz, bw])] = gaussian_corner::<4>(word(i));
@@ -226,7 +226,7 @@ pub(crate) fn numbers(tell: &mut impl FnMut(&'static str, u32)) {
         }),
     );
     let spectrum = Spectrum::default();
-    tell(
+    emit(
         "spectrum",
         hash(&mut |i| {
             let (octave, count) = (i as u32 % 10, i as f32 / 20.0);
