@@ -32,7 +32,7 @@ pub(crate) fn edge_column<S: Lanes, const N: usize>(
             plane.slopes[slope] = added(plane.slopes[slope], edge.times(s, slope, u), k);
         }
         for axis in 2..N {
-            let part = edge.times(s, axis, way(s, along, k, axis) * u);
+            let part = edge.times(s, axis, offset(s, along, k, axis) * u);
             plane.value = added(plane.value, part, k + axis - 2);
         }
         for derived in 2..N {
@@ -42,7 +42,7 @@ pub(crate) fn edge_column<S: Lanes, const N: usize>(
                 derivative.slopes[slope] = added(derivative.slopes[slope], edge.times(s, slope, du), k);
             }
             for axis in 2..N {
-                let rise = way(s, along, k, axis) * du;
+                let rise = offset(s, along, k, axis) * du;
                 let part = edge.times(s, axis, if axis == derived { u + rise } else { rise });
                 derivative.value = added(derivative.value, part, k + axis - 2);
             }
@@ -59,7 +59,7 @@ fn added<F: core::ops::Add<Output = F>>(sum: F, part: F, number: usize) -> F {
 
 /// The offset from corner k along an axis.
 #[inline(always)]
-fn way<S: Lanes, const N: usize>(s: S, along: &[Along<S>; N], k: usize, axis: usize) -> S::F {
+fn offset<S: Lanes, const N: usize>(s: S, along: &[Along<S>; N], k: usize, axis: usize) -> S::F {
     let t = along[axis].place;
     if k >> (axis - 2) & 1 == 0 { t } else { t - s.float(1.0) }
 }

@@ -124,12 +124,12 @@ fn jet<K: CellNoise<N>, const N: usize>(
 /// the weight.
 #[derive(Clone, Copy)]
 struct End<S: Lanes> {
-    way: S::F,
+    offset: S::F,
     weights: [S::F; 3],
 }
 
 impl End<Scalar> {
-    const NOWHERE: Self = Self { way: 0.0, weights: [0.0; 3] };
+    const NOWHERE: Self = Self { offset: 0.0, weights: [0.0; 3] };
 }
 
 impl<S: Lanes> End<S> {
@@ -140,7 +140,7 @@ impl<S: Lanes> End<S> {
         let sign = s.words(|lane| u32::from(!high(lane)) << 31);
         let bend = fade.curvature(s, along.place);
         Self {
-            way: along.place - s.floats(|lane| f32::from(u8::from(high(lane)))),
+            offset: along.place - s.floats(|lane| f32::from(u8::from(high(lane)))),
             weights: [one + s.flip(along.weight, sign), s.flip(along.slope, sign), s.flip(bend, sign)],
         }
     }
@@ -156,7 +156,7 @@ fn add_bends<K: CellNoise<N>, S: Lanes, const N: usize>(
 ) {
     let mut f = corner.value;
     for axis in 0..if K::HAS_GRADIENT { N } else { 0 } {
-        f = f + corner.gradient[axis] * ends[axis].way;
+        f = f + corner.gradient[axis] * ends[axis].offset;
     }
     // The product of the weights, differentiated along the axes i and j; N stands for no axis.
     let product = |i: usize, j: usize| {

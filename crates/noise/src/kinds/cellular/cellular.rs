@@ -170,15 +170,15 @@ impl<L: Lattice, const N: usize> Kernel<N> for Cellular<L> {
             return self.of_measures::<S, N>(s, nearest.measures);
         }
         let nearest = features.nearest::<S, N, true>(s, &place, self.takes_second());
-        let (word, ways) = features.of_rank::<S, N>(s, &place, nearest.ranks[0]);
+        let (word, offsets) = features.of_rank::<S, N>(s, &place, nearest.ranks[0]);
         if self.basis == Basis::Cell {
             return (number(s, word), [s.float(0.0); N]);
         }
-        let mut both = [ways; 2];
+        let mut both = [offsets; 2];
         if self.takes_second() {
             both[1] = features.of_rank::<S, N>(s, &place, nearest.ranks[1]).1;
         }
-        self.of_ways(s, nearest.measures, both)
+        self.of_offsets(s, nearest.measures, both)
     }
 
     #[inline(always)]
@@ -240,18 +240,18 @@ impl<L> Cellular<L> {
 
     /// Value and gradient for the offsets from the nearest and the second nearest feature point.
     #[inline(always)]
-    pub(super) fn of_ways<S: Lanes, const N: usize>(
+    pub(super) fn of_offsets<S: Lanes, const N: usize>(
         &self,
         s: S,
         measures: [S::F; 2],
-        ways: [[S::F; N]; 2],
+        offsets: [[S::F; N]; 2],
     ) -> LaneSample<S, N> {
         let (value, mut gradient) = self.of_measures::<S, N>(s, measures);
         if self.basis != Basis::F2 {
-            gradient = self.metric.slopes(s, ways[0], self.metric.distance(s, measures[0]));
+            gradient = self.metric.slopes(s, offsets[0], self.metric.distance(s, measures[0]));
         }
         if self.takes_second() {
-            let second = self.metric.slopes(s, ways[1], self.metric.distance(s, measures[1]));
+            let second = self.metric.slopes(s, offsets[1], self.metric.distance(s, measures[1]));
             for axis in 0..N {
                 gradient[axis] = second[axis] - gradient[axis];
             }

@@ -25,28 +25,28 @@ impl Metric {
     /// A measure with one more offset: Σ d² of the Euclidean metric, the distance itself of the
     /// others. No measure is −0.
     #[inline(always)]
-    pub(super) fn joined<S: Lanes>(self, s: S, measure: S::F, way: S::F) -> S::F {
+    pub(super) fn joined<S: Lanes>(self, s: S, measure: S::F, offset: S::F) -> S::F {
         match self {
-            Self::Euclidean => measure + way * way,
-            Self::Manhattan => measure + s.abs(way),
-            Self::Chebyshev => s.max(measure, s.abs(way)),
+            Self::Euclidean => measure + offset * offset,
+            Self::Manhattan => measure + s.abs(offset),
+            Self::Chebyshev => s.max(measure, s.abs(offset)),
         }
     }
 
     /// The measure of the offsets along all axes but the first.
     #[inline(always)]
-    pub(super) fn rest<S: Lanes, const N: usize>(self, s: S, ways: [S::F; N]) -> S::F {
+    pub(super) fn rest<S: Lanes, const N: usize>(self, s: S, offsets: [S::F; N]) -> S::F {
         let mut measure = s.float(0.0);
         for axis in 1..N {
-            measure = self.joined(s, measure, ways[axis]);
+            measure = self.joined(s, measure, offsets[axis]);
         }
         measure
     }
 
     /// The measure of offsets, with the first axis last because it changes along a row.
     #[inline(always)]
-    pub(super) fn measure<S: Lanes, const N: usize>(self, s: S, ways: [S::F; N]) -> S::F {
-        self.joined(s, self.rest(s, ways), ways[0])
+    pub(super) fn measure<S: Lanes, const N: usize>(self, s: S, offsets: [S::F; N]) -> S::F {
+        self.joined(s, self.rest(s, offsets), offsets[0])
     }
 
     /// The distance of a measure.
@@ -62,20 +62,25 @@ impl Metric {
     ///
     /// If axes tie for the largest offset, the first axis is used.
     #[inline(always)]
-    pub(super) fn slopes<S: Lanes, const N: usize>(self, s: S, ways: [S::F; N], distance: S::F) -> [S::F; N] {
+    pub(super) fn slopes<S: Lanes, const N: usize>(
+        self,
+        s: S,
+        offsets: [S::F; N],
+        distance: S::F,
+    ) -> [S::F; N] {
         let (zero, one) = (s.float(0.0), s.float(1.0));
         let sign = |x| s.select(s.less(zero, x), one, s.select(s.less(x, zero), s.float(-1.0), zero));
         let mut slopes = [zero; N];
         let mut taken = zero;
         for axis in 0..N {
             slopes[axis] = match self {
-                Self::Euclidean => s.select(s.less(zero, distance), ways[axis] / distance, zero),
-                Self::Manhattan => sign(ways[axis]),
+                Self::Euclidean => s.select(s.less(zero, distance), offsets[axis] / distance, zero),
+                Self::Manhattan => sign(offsets[axis]),
                 Self::Chebyshev => {
                     // The largest offset is the distance, bit for bit.
-                    let shorter = s.less(s.abs(ways[axis]), distance);
+                    let shorter = s.less(s.abs(offsets[axis]), distance);
                     let slope =
-                        s.select(s.less(zero, taken), zero, s.select(shorter, zero, sign(ways[axis])));
+                        s.select(s.less(zero, taken), zero, s.select(shorter, zero, sign(offsets[axis])));
                     taken = s.select(shorter, taken, one);
                     slope
                 }

@@ -207,9 +207,9 @@ impl<const N: usize> Columns<N> {
                     let place = s.load(&self.places[axis][j][i..]);
                     let (below, above) = (place - s.float(low[axis]), place - s.float(high[axis]));
                     let gap = s.max(s.max(above, -below), s.float(0.0));
-                    let ways = [gap, s.max(s.abs(below), s.abs(above))];
+                    let offsets = [gap, s.max(s.abs(below), s.abs(above))];
                     for k in 0..2 {
-                        gaps[k] = metric.joined(s, gaps[k], ways[k]);
+                        gaps[k] = metric.joined(s, gaps[k], offsets[k]);
                     }
                 }
                 for k in 0..2 {
@@ -259,8 +259,8 @@ impl<const N: usize> Columns<N> {
                 }
                 for i in (0..cells).step_by(S::LEN) {
                     let x = s.float(step) + s.load(&self.places[0][j][i + c..]);
-                    let way = s.max(s.max(x - s.float(1.0), -x), s.float(0.0));
-                    let measure = metric.joined(s, s.load(&self.gaps[0][j][i + c..]), way);
+                    let offset = s.max(s.max(x - s.float(1.0), -x), s.float(0.0));
+                    let measure = metric.joined(s, s.load(&self.gaps[0][j][i + c..]), offset);
                     let beyond = s.bitmask(s.less(s.load(&self.bounds[i..]), measure));
                     let mut seeing = !beyond & ((1 << S::LEN.min(cells - i)) - 1);
                     while seeing != 0 {

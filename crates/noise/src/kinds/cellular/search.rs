@@ -123,7 +123,7 @@ impl<L: Lattice> Features<'_, L> {
 
     /// The offsets from feature points to points.
     #[inline(always)]
-    fn ways<S: Lanes, const N: usize>(
+    fn offsets<S: Lanes, const N: usize>(
         &self,
         s: S,
         place: &CellPosition<S, N>,
@@ -131,11 +131,11 @@ impl<L: Lattice> Features<'_, L> {
         word: S::U,
     ) -> [S::F; N] {
         let places = self.places::<S, N>(s, word);
-        let mut ways = places;
+        let mut offsets = places;
         for axis in 0..N {
-            ways[axis] = place.t[axis] - (axes[axis].step + places[axis]);
+            offsets[axis] = place.t[axis] - (axes[axis].step + places[axis]);
         }
-        ways
+        offsets
     }
 
     #[inline(always)]
@@ -155,14 +155,14 @@ impl<L: Lattice> Features<'_, L> {
         axes: &[Axis<S>; N],
         nearest: &mut Nearest<S>,
     ) {
-        let ways = self.ways(s, place, axes, self.word(s, axes));
+        let offsets = self.offsets(s, place, axes, self.word(s, axes));
         let mut rank = s.float(0.0);
         if RANKED {
             for axis in 0..N {
                 rank = rank + axes[axis].step * s.float(RANKS[N - 1][axis]);
             }
         }
-        nearest.take::<RANKED>(s, self.metric.measure(s, ways), rank);
+        nearest.take::<RANKED>(s, self.metric.measure(s, offsets), rank);
     }
 
     /// The nearest feature point and, if `second`, the second nearest, which is otherwise
@@ -275,6 +275,6 @@ impl<L: Lattice> Features<'_, L> {
             axes[axis] = self.axis(s, place, axis, step);
         }
         let word = self.word(s, &axes);
-        (word, self.ways(s, place, &axes, word))
+        (word, self.offsets(s, place, &axes, word))
     }
 }

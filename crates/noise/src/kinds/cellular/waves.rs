@@ -81,15 +81,15 @@ impl<L> Cellular<L> {
     #[inline(always)]
     fn at<S: Lanes, const N: usize>(&self, s: S, places: [S::F; N], seen: Seen<'_, N>) -> (S::F, [S::F; N]) {
         let mut measures = [s.float(f32::INFINITY); 2];
-        let mut ways = [[s.float(0.0); N]; 2];
+        let mut offsets = [[s.float(0.0); N]; 2];
         let mut numbers = s.float(0.0);
         let second = self.takes_second();
         for (point, &number) in seen.points.iter().zip(seen.numbers) {
-            let mut way = places;
+            let mut offset = places;
             for axis in 0..N {
-                way[axis] = places[axis] - s.float(point[axis]);
+                offset[axis] = places[axis] - s.float(point[axis]);
             }
-            let measure = self.metric.measure(s, way);
+            let measure = self.metric.measure(s, offset);
             // At equal distance the first feature point, which has the lower rank, is nearer.
             let nearest = s.less(measure, measures[0]);
             if self.basis == Basis::Cell {
@@ -98,19 +98,19 @@ impl<L> Cellular<L> {
                 let nearer = s.less(measure, measures[1]);
                 let next = |first, second, new| s.select(nearest, first, s.select(nearer, new, second));
                 for axis in 0..N {
-                    ways[1][axis] = next(ways[0][axis], ways[1][axis], way[axis]);
+                    offsets[1][axis] = next(offsets[0][axis], offsets[1][axis], offset[axis]);
                 }
                 measures[1] = next(measures[0], measures[1], measure);
             }
             for axis in 0..N {
-                ways[0][axis] = s.select(nearest, way[axis], ways[0][axis]);
+                offsets[0][axis] = s.select(nearest, offset[axis], offsets[0][axis]);
             }
             measures[0] = s.select(nearest, measure, measures[0]);
         }
         if self.basis == Basis::Cell {
             return (numbers, [s.float(0.0); N]);
         }
-        self.of_ways(s, measures, ways)
+        self.of_offsets(s, measures, offsets)
     }
 }
 
@@ -126,11 +126,11 @@ fn nearest<S: Lanes, const N: usize, const V: usize, const SECOND: bool>(
 ) -> [[S::F; 2]; V] {
     let mut measures = [[s.float(f32::INFINITY); 2]; V];
     for point in seen.points {
-        let mut ways = places;
+        let mut offsets = places;
         for axis in 1..N {
-            ways[axis] = places[axis] - s.float(point[axis]);
+            offsets[axis] = places[axis] - s.float(point[axis]);
         }
-        let rest = metric.rest(s, ways);
+        let rest = metric.rest(s, offsets);
         let x = s.float(point[0]);
         for v in 0..V {
             let [first, second] = measures[v];
