@@ -41,7 +41,7 @@ fn largest<const N: usize>(
 
 /// The errors that the page states for a kind.
 fn stated(name: &str) -> Option<[f64; 2]> {
-    let section = PAGE.split("//! # Precision").nth(1)?.split("//! # ").next()?;
+    let section = PAGE.split("//! # Accuracy").nth(1)?.split("//! # ").next()?;
     let row = section.lines().find_map(|line| line.strip_prefix(&format!("//! | {name} | ")))?;
     let mut cells = row.split(" | ").map(|cell| cell.trim_end_matches(" |").parse().ok());
     Some([cells.next()??, cells.next()??])
