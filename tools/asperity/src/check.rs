@@ -1,4 +1,4 @@
-//! `asperity check-ndf`: property tests of a density of normals, printed.
+//! `asperity check-ndf`: runs property tests of normal distributions and prints the report.
 
 use asperity_ndf_sampling::check::{Settings, ndf};
 
@@ -7,7 +7,7 @@ use asperity::failure::Failure;
 use asperity::input::density::Density;
 use asperity::progress;
 
-/// Checks each density that is asked for.
+/// Checks each given distribution.
 pub(crate) fn check(wanted: &cli::CheckNdf) -> Result<(), Failure> {
     let settings = Settings { seed: wanted.seed, ..Settings::default() };
     let mut failed = 0;
@@ -17,8 +17,8 @@ pub(crate) fn check(wanted: &cli::CheckNdf) -> Result<(), Failure> {
         progress::say(&format!("{}\n{report}", density.name()));
         if !report.passed() && density.is_in_steps() {
             progress::note(
-                "an image is a density in steps, whose map has a kink at the edge of every texel; \
-                 `--reconstruction bilinear` has none",
+                "an image is a piecewise constant density, whose map T has a kink at every texel edge; \
+                 `--reconstruction bilinear` avoids the kinks",
             );
         }
         failed += report.failures().count();

@@ -1,8 +1,8 @@
-//! The frame of the pages that programs write: style, title, heading, no network, no script.
+//! The frame of generated pages: style, title and heading, without scripts or network access.
 
 const STYLE: &str = include_str!("page.css");
 
-/// A colour of the page by its name, as it is in the light and in the dark.
+/// Returns a named color of the page for the light and the dark theme.
 pub fn colour(name: &str) -> [&'static str; 2] {
     let name = format!("--{name}: ");
     let value = |rest: &'static str| rest.split(';').next();
@@ -10,12 +10,12 @@ pub fn colour(name: &str) -> [&'static str; 2] {
     [(); 2].map(|()| values.next().unwrap_or("currentColor"))
 }
 
-/// Text made safe for element content and quoted attributes.
+/// Escapes text for element content and quoted attributes.
 pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// A whole page that the builder writes: its title, its heading with a few words, and what follows.
+/// Returns a whole page: title, heading with an introduction, and body.
 pub fn page(title: &str, heading: &str, about: &str, rest: &str) -> String {
     format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
@@ -33,7 +33,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_colour_has_a_light_and_a_dark_value() {
+    fn color_has_light_and_dark_value() {
         assert_eq!(colour("card"), ["#ffffff", "#1b1d1f"]);
         assert_eq!(colour("series-4"), ["#8a3b8f", "#d394dc"]);
     }

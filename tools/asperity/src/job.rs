@@ -1,5 +1,5 @@
-//! Templates of Open Job Description, the format in which farms of machines take work: steps, each with a task for every number of a
-//! range, every task one call of this program.
+//! Job templates in the Open Job Description format, which render farms accept. A job has steps.
+//! Each step has one task per number of a range, and every task is one call of this program.
 
 use std::path::Path;
 
@@ -8,50 +8,61 @@ use serde_json::{Value, json};
 use asperity::failure::{Failure, Result};
 use asperity::output::Output;
 
-/// The version of the format.
+/// Version of the format.
 const VERSION: &str = "jobtemplate-2023-09";
 
-/// A step of a job: one call, or one for every number of a range.
+/// A step of a job: one call, or one call per number of a range.
 pub(crate) struct Step {
     pub(crate) name: &'static str,
-    /// Name and numbers of the parameter, `1-24`, which stands in the arguments as [`number`] has it.
+    /// Name and range of the task parameter, e.g. `1-24`. Arguments refer to the parameter with
+    /// [`number`].
     pub(crate) tasks: Option<(&'static str, String)>,
     pub(crate) arguments: Vec<String>,
-    /// The step that must be done before.
+    /// The step that must finish first.
     pub(crate) after: Option<&'static str>,
 }
 
-/// The number of a task in the arguments of a step.
+/// Returns the reference to a task parameter in the arguments of a step.
 pub(crate) fn number(parameter: &str) -> String {
     format!("{{{{Task.Param.{parameter}}}}}")
 }
 
-/// Writes the template of a job, in YAML or, by the file's ending, JSON; its one parameter is the place of this program.
+/// Writes the job template as YAML or JSON, chosen by the file extension. The only parameter is the
+/// path of this program.
 pub(crate) fn write(file: &Path, name: &str, steps: &[Step]) -> Result<String> {
     let place = std::path::absolute(file)?;
     let (Some(folder), Some(of)) = (place.parent(), place.file_name()) else {
-        return Err(format!("job `{}`: it must be a file", file.display()).into());
+        return Err(format!("job `{}`: is a directory (expected a file)", file.display()).into());
     };
     refuse_braces(steps)?;
     let template = template(name, &std::env::current_exe()?, steps);
     let text = match place.extension().and_then(|ending| ending.to_str()) {
         Some("yaml" | "yml") => yaml(&template),
         Some("json") => serde_json::to_string_pretty(&template)? + "\n",
-        _ => return Err(format!("job `{}`: its name must end in .yaml or .json", file.display()).into()),
+        _ => {
+            return Err(format!(
+                "job `{}`: unsupported file extension (expected .yaml or .json)",
+                file.display()
+            )
+            .into());
+        }
     };
     let output = Output::new(folder)?;
     output.write(&of.to_string_lossy(), text.as_bytes())?;
     Ok(output.place(&of.to_string_lossy()))
 }
 
-/// Refuses arguments that the format would take for parameters; it has no way to escape them.
+/// Returns an error for arguments that the format would parse as parameters. The format has no
+/// escape syntax.
 fn refuse_braces(steps: &[Step]) -> Result<()> {
     for step in steps {
         let own = step.tasks.as_ref().map(|(parameter, _)| number(parameter));
         let braces = |text: &&String| text.contains("{{") || text.contains("}}");
         let found = step.arguments.iter().filter(|text| Some(*text) != own.as_ref()).find(braces);
         if let Some(argument) = found {
-            return Err(format!("argument `{argument}`: a job cannot have `{{{{` or `}}}}` in a name").into());
+            return Err(
+                format!("argument `{argument}`: jobs do not support `{{{{` or `}}}}` in arguments").into()
+            );
         }
     }
     Ok(())
@@ -73,17 +84,17 @@ fn template(name: &str, program: &Path, steps: &[Step]) -> Value {
             value
         })
         .collect();
-    // The format wants defaults of paths to be relative to the template.
+    // The format resolves default paths relative to the template.
     let program = json!({
         "name": "Program",
         "type": "STRING",
-        "description": "The builder of Asperity on the machine that runs a task.",
+        "description": "The `asperity` program on the machine that runs a task.",
         "default": program.display().to_string(),
     });
     json!({ "specificationVersion": VERSION, "name": name, "parameterDefinitions": [program], "steps": steps })
 }
 
-/// A value in YAML's block style: strings as in JSON, which YAML reads too.
+/// Formats a value in YAML block style. Strings are quoted as in JSON, which YAML accepts.
 fn yaml(value: &Value) -> String {
     fn lines(value: &Value, indent: usize, text: &mut String) {
         let pad = " ".repeat(indent);
@@ -118,8 +129,9 @@ fn yaml(value: &Value) -> String {
     text
 }
 
-/// The arguments that this program was called with, for a call on another machine in another folder: files that are there by their whole
-/// path, without the options `without`, each of which has a value.
+/// Returns the arguments of this process for a call on another machine in another folder. Paths of
+/// existing files become absolute. The options in `without`, each of which has a value, are
+/// removed.
 pub(crate) fn arguments(
     given: impl Iterator<Item = String>,
     without: &[&str],
@@ -162,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn a_template_has_its_steps_tasks_and_order() {
+    fn template_has_steps_tasks_and_order() {
         let template = template("asperity", Path::new("/bin/asperity"), &steps());
         assert_eq!(template["specificationVersion"], VERSION);
         let [first, second] = [0, 1].map(|k| &template["steps"][k]);
@@ -188,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn yaml_is_nested_by_two_spaces_and_quotes_as_json_does() {
+    fn yaml_indents_by_two_and_quotes_as_json() {
         let value = json!({ "name": "a", "steps": [{ "args": ["x: 1", "{{y}}"], "b": { "c": [] } }] });
         let lines = [
             "name: \"a\"",
@@ -203,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn arguments_lose_what_is_another_task_s_and_keep_whole_paths() {
+    fn arguments_drop_task_options_and_make_paths_absolute() {
         let given = [
             "render",
             "--job",

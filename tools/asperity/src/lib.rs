@@ -1,4 +1,5 @@
-//! The modules that the programs share: input, exported tables, progress, pages, command line.
+//! The modules shared by the programs of this repository: input, exported tables, progress, pages,
+//! command line.
 #![expect(
     missing_docs,
     clippy::missing_errors_doc,

@@ -1,4 +1,4 @@
-//! The program `asperity`: renders meshes, bakes textures, exports tables, checks densities.
+//! The program `asperity`: renders meshes, bakes textures, exports tables and checks densities.
 
 mod bake;
 mod check;
@@ -51,7 +51,7 @@ fn perform(command: Command, interrupted: &AtomicBool) -> Result<(), Failure> {
             }
             let output = Output::new(&wanted.out)?;
             tables::build(&sets, &output, interrupted)?;
-            progress::say(&format!("the tables: {}", output.place("index.html")));
+            progress::say(&format!("tables written to {}", output.place("index.html")));
             Ok(())
         }
     }
@@ -66,7 +66,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_command_explains_itself() {
+    fn help_lists_every_command() {
         let said = Cli::command().render_help().to_string();
         for command in ["render", "bake", "tables", "check-ndf"] {
             assert!(said.contains(&format!("\n  {command} ")), "{command} is missing in:\n{said}");
@@ -75,7 +75,7 @@ mod tests {
     }
 
     #[test]
-    fn commands_of_the_readme_and_the_guide_are_understood() {
+    fn commands_of_readme_and_guide_parse() {
         let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
         let guides = fs::read_dir(root.join("docs/guide")).unwrap().map(|entry| entry.unwrap().path());
         let mut commands = 0;
@@ -92,10 +92,10 @@ mod tests {
     }
 
     #[test]
-    fn a_command_that_cannot_be_done_says_in_one_line_why() {
+    fn errors_are_one_line() {
         let refused = [
-            ("tables --ndf velvet", "density `velvet`: neither `ggx:AX[,AY]`, "),
-            ("check-ndf --ndf velvet", "density `velvet`: neither `ggx:AX[,AY]`, "),
+            ("tables --ndf velvet", "density `velvet`: expected `ggx:AX[,AY]`, "),
+            ("check-ndf --ndf velvet", "density `velvet`: expected `ggx:AX[,AY]`, "),
             ("tables --ndf ggx:0", "density `ggx:0`: `alpha_x` must be "),
             (
                 "tables --normal-map nowhere.png",
@@ -104,20 +104,23 @@ mod tests {
             ("tables --fif nowhere.json", "system `nowhere.json`: "),
             ("tables --fif Cargo.toml", "system `Cargo.toml`: "),
             ("tables --out Cargo.toml/x", "cannot write Cargo.toml/x: "),
-            ("render --mesh nowhere.3ds", "mesh `nowhere.3ds`: the name of a mesh file ends in "),
+            ("render --mesh nowhere.3ds", "mesh `nowhere.3ds`: unsupported file extension "),
             ("render --light nowhere.exr", "light `nowhere.exr`: the file cannot be read: "),
-            ("render --light lamps --scene car", "lamps light the teapot, the sphere and the plane only; "),
-            ("render --out src", "`src` is a folder; "),
-            ("render --out a.gif", "picture `a.gif`: its name must end in .png, .jpg, .webp or .exr"),
+            ("render --light lamps --scene car", "`--light lamps` supports "),
+            ("render --out src", "`src` is a directory ("),
+            (
+                "render --out a.gif",
+                "image `a.gif`: unsupported file extension (expected .png, .jpg, .webp or .exr)",
+            ),
             ("render --out Cargo.toml/a.png", "cannot write "),
             ("bake --out Cargo.toml/x", "cannot write Cargo.toml/x: "),
-            ("bake --tiles 2", "tile 2: the last one is 1"),
-            ("bake --job rock.txt", "job `rock.txt`: its name must end in .yaml or .json"),
-            ("bake --size 1000", "`--size` must be a power of two from 64 on, got 1000"),
+            ("bake --tiles 2", "tile 2 is out of range (there are 1 tiles)"),
+            ("bake --job rock.txt", "job `rock.txt`: unsupported file extension (expected .yaml or .json)"),
+            ("bake --size 1000", "`--size` must be a power of two and at least 64, got 1000"),
             ("bake --samples 3", "`--samples` must be 1 or even, got 3"),
             ("bake --tileable --lacunarity 2.17", "`--tileable`: `periods[0]` times `lacunarity` "),
             ("bake --tileable --noise simplex", "`--tileable`: `periods[0]` must be a multiple of 3, got 8"),
-            ("bake --ndf velvet", "density `velvet`: neither `ggx:AX[,AY]`, "),
+            ("bake --ndf velvet", "density `velvet`: expected `ggx:AX[,AY]`, "),
             ("bake --fractal torus --factor 0.5", "`factor` must be under 0.447"),
         ];
         for (line, said) in refused {

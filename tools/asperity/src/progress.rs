@@ -1,11 +1,11 @@
-//! Progress bars, on a terminal only, and the lines that stay.
+//! Progress bars, shown only on a terminal, and permanent output lines.
 
 use std::io::{self, IsTerminal, Write};
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// A bar with an open length; hidden unless standard error is a terminal.
+/// Returns a bar without a fixed length. The bar is hidden unless standard error is a terminal.
 pub fn bar(label: &str) -> ProgressBar {
     let terminal = io::stderr().is_terminal();
     let target = if terminal { ProgressDrawTarget::stderr_with_hz(8) } else { ProgressDrawTarget::hidden() };
@@ -19,18 +19,18 @@ pub fn bar(label: &str) -> ProgressBar {
     bar
 }
 
-/// Prints one line to standard error: what was done with a file that others would do otherwise.
+/// Prints a note to standard error, about a choice the program made for an input file.
 pub fn note(line: &str) {
     let _ = writeln!(io::stderr().lock(), "note: {}", one_line(line));
 }
 
-/// A text in one line: names of files may have any characters, those that end lines and steer terminals among them.
+/// Escapes control characters, so that file names cannot break a line or control the terminal.
 pub fn one_line(text: &str) -> String {
     let shown = |c: char| if c.is_control() { c.escape_default().to_string() } else { c.to_string() };
     text.chars().map(shown).collect()
 }
 
-/// Prints one line to standard output; a reader that has gone away is no error.
+/// Prints one line to standard output and ignores a closed pipe.
 pub fn say(line: &str) {
     let _ = writeln!(io::stdout().lock(), "{line}");
 }
@@ -40,7 +40,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_name_with_a_line_in_it_is_one_line() {
+    fn one_line_escapes_control_characters() {
         assert_eq!(one_line("mesh `a\nb\u{1b}[31m.obj`: é"), "mesh `a\\nb\\u{1b}[31m.obj`: é");
     }
 }

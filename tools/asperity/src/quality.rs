@@ -1,38 +1,38 @@
-//! Fineness of pictures: a draft, what a screen shows, what is printed.
+//! Quality levels of images: draft, screen, print.
 
 use asperity_render::image::tone::{filmic, srgb};
 use asperity_render::integrator::adaptive::{Detail, Goal};
 use clap::ValueEnum;
 
-/// Fineness of all pictures of a run.
+/// Quality of all images of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Quality {
-    /// Small and grainy, to see what there is.
+    /// Small and noisy, for previews.
     Draft,
     /// For a screen.
     #[default]
     Default,
-    /// For paper: hours.
+    /// For print. Takes hours.
     Book,
 }
 
-/// The numbers of a quality.
+/// The parameters of a quality level.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fineness {
-    /// Side of a square panel of the gallery in pixels.
+    /// Side of a square gallery panel in pixels.
     pub size: u32,
-    /// Samples of a pixel of its plain pictures.
+    /// Samples per pixel of ordinary gallery images.
     pub samples_per_pixel: u32,
-    /// Relative standard error of the pixels of its still lifes, in the median.
+    /// Median relative standard error of the pixels of still lifes.
     pub error: f32,
-    /// Side of a single picture in pixels.
+    /// Side of a single image in pixels.
     pub side: u32,
-    /// Grain of a single picture, and the most samples of a pixel.
+    /// Target noise of a single image, and the maximum samples per pixel.
     pub grain: (f32, u32),
 }
 
 impl Quality {
-    /// The numbers of this quality.
+    /// Returns the parameters of this quality level.
     #[must_use]
     pub const fn fineness(self) -> Fineness {
         match self {
@@ -50,9 +50,10 @@ impl Quality {
 }
 
 impl Fineness {
-    /// The grain of a still life: errors of what is darker than a tenth of white are told over that.
+    /// Returns the noise target of a still life. Errors of pixels darker than a tenth of white are
+    /// relative to that value.
     pub const fn goal(&self) -> Goal {
-        // Two tell the error of a pixel; most of a picture needs few more.
+        // Two samples estimate the error of a pixel. Most of an image needs few more.
         let samples = [self.samples_per_pixel.div_ceil(2), 10 * self.samples_per_pixel];
         Goal {
             error: self.error,

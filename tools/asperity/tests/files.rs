@@ -1,9 +1,11 @@
-//! Files after whole runs that are killed, find no room, may not write, or meet another run: each the old one or the new one, never a
-//! half.
+//! Output files of runs that are killed, run out of disk space, lack write permission, or run
+//! concurrently. Each file is either the old or the new version, never a partial file.
 //!
-//! `ASPERITY_KILLS=200 cargo test --release -p asperity --test files -- --include-ignored --nocapture` is the long form and prints what it found.
-//! `ASPERITY_GALLERY`, `ASPERITY_SHADERS` and `ASPERITY_WEB` name the programs of `tools/gallery`, `tests/gpu` and `web/builder` where they are built, and `ASPERITY_MODULE`
-//! the page's module; without them they are left out. `ASPERITY_CASES=web,shaders` runs these alone.
+//! `ASPERITY_KILLS=200 cargo test --release -p asperity --test files -- --include-ignored --nocapture`
+//! runs the long form and prints the results. `ASPERITY_GALLERY`, `ASPERITY_SHADERS` and
+//! `ASPERITY_WEB` are the paths of the programs of `tools/gallery`, `tests/gpu` and `web/builder`,
+//! and `ASPERITY_MODULE` is the page's module. Programs without a path are skipped.
+//! `ASPERITY_CASES=web,shaders` runs only these cases.
 #![cfg(target_os = "linux")]
 #![expect(clippy::unwrap_used, reason = "a test that cannot run a command has failed")]
 
@@ -18,7 +20,7 @@ use asperity_render::image::content::Content;
 use asperity_render::image::read::ImageFile;
 use asperity_render::sampling::random::Random;
 
-/// Files by their path in a folder.
+/// Files by path relative to a folder.
 type Files = BTreeMap<String, Vec<u8>>;
 
 /// A command that writes files into a folder, `{}` in its words.
@@ -74,7 +76,7 @@ impl Case {
         self.start(folder).wait_with_output().unwrap()
     }
 
-    /// Runs it where it must succeed; returns the seconds.
+    /// Runs a command that must succeed, and returns the seconds it took.
     fn done(&self, folder: &Path) -> f64 {
         let begun = Instant::now();
         let output = self.run(folder);
@@ -83,12 +85,12 @@ impl Case {
     }
 }
 
-/// Whether a run left it for the next one: a temporary file, or tiles of a bake.
+/// Whether a path is left over for the next run: a temporary file, or tiles of a bake.
 fn is_leftover(path: &str) -> bool {
     path.split('/').any(|part| part.starts_with(".asperity-") || part.starts_with(".tiles-"))
 }
 
-/// Every file in a folder and in those inside.
+/// Returns every file in a folder, recursively.
 fn files(folder: &Path) -> Files {
     fn collect(root: &Path, folder: &Path, found: &mut Files) {
         for entry in fs::read_dir(folder).into_iter().flatten() {
@@ -106,7 +108,7 @@ fn files(folder: &Path) -> Files {
     found
 }
 
-/// The files of a run as they are compared: without the seconds that a figure took, which its record and its page tell.
+/// Returns the files of a run for comparison, without the render times in records and pages.
 fn whole(folder: &Path) -> Files {
     let timeless = |(name, bytes): (String, Vec<u8>)| {
         let text = String::from_utf8(bytes);
@@ -124,7 +126,7 @@ fn whole(folder: &Path) -> Files {
     files(folder).into_iter().filter(|(name, _)| !is_leftover(name)).map(timeless).collect()
 }
 
-/// Puts files into an empty folder.
+/// Writes files into an empty folder.
 fn lay(files: &Files, folder: &Path) {
     let _ = fs::remove_dir_all(folder);
     fs::create_dir_all(folder).unwrap();
@@ -135,17 +137,17 @@ fn lay(files: &Files, folder: &Path) {
     }
 }
 
-/// Another version of the same files.
+/// Returns another version of the same files.
 fn aged(files: &Files) -> Files {
     let old =
         |(name, bytes): (&String, &Vec<u8>)| (name.clone(), [bytes.as_slice(), b" from before"].concat());
     files.iter().map(old).collect()
 }
 
-/// Says which file is neither the old nor the new one.
+/// Asserts that every file is the old or the new version.
 fn assert_whole(case: &Case, found: &Files, versions: &[&Files], what: &str) {
     for (name, bytes) in found {
-        // A picture is written anew as it grows finer.
+        // `render` overwrites its image after every pass.
         let coarse = case.name == "render" && ImageFile::decode(bytes, Content::Colors).is_ok();
         let right = coarse || versions.iter().any(|files| files.get(name) == Some(bytes));
         assert!(right, "{}, {what}: {name} of {} bytes is half a file", case.name, bytes.len());
@@ -154,10 +156,10 @@ fn assert_whole(case: &Case, found: &Files, versions: &[&Files], what: &str) {
 
 fn assert_clean(case: &Case, folder: &Path, what: &str) {
     let left: Vec<String> = files(folder).into_keys().filter(|name| is_leftover(name)).collect();
-    assert!(left.is_empty(), "{}, {what}: {left:?} are left", case.name);
+    assert!(left.is_empty(), "{}, {what}: {left:?} remain", case.name);
 }
 
-/// One line that begins as errors do; notes are of their own.
+/// Asserts that the run printed one error line. Notes do not count.
 fn assert_one_line(case: &Case, output: &Output, what: &str) {
     let said = String::from_utf8_lossy(&output.stderr);
     let lines: Vec<&str> = said.lines().filter(|line| !line.starts_with("note: ")).collect();
@@ -190,7 +192,7 @@ fn a_killed_run_leaves_old_or_new_files_and_the_next_one_clears_up() {
             }
             hits += 1;
             let found = whole(&folder);
-            assert_eq!(found.len(), old.len(), "{}: files are missing, or more", case.name);
+            assert_eq!(found.len(), old.len(), "{}: files are missing or unexpected", case.name);
             assert_whole(case, &found, &[&old, &wanted], "killed");
             changed += usize::from(found != old);
             left += usize::from(files(&folder).keys().any(|name| is_leftover(name)));
@@ -199,7 +201,7 @@ fn a_killed_run_leaves_old_or_new_files_and_the_next_one_clears_up() {
             assert_eq!(whole(&folder), wanted, "{}", case.name);
         }
         println!(
-            "| {} | {} files | {seconds:.2} s | {hits} killed, {late} had ended | {changed} had new files | {left} left temporaries |",
+            "| {} | {} files | {seconds:.2} s | {hits} killed, {late} had ended | {changed} have new files | {left} left temporaries |",
             case.name,
             new.len()
         );
@@ -229,7 +231,7 @@ fn two_runs_at_once_leave_whole_files_and_both_succeed() {
     }
 }
 
-/// A file system in memory; none where this user may not mount one.
+/// A file system in memory, or `None` if this user may not mount one.
 struct Mount(PathBuf);
 
 impl Mount {
@@ -248,7 +250,7 @@ impl Drop for Mount {
 }
 
 #[test]
-fn a_full_disk_is_one_line_of_error_and_leaves_no_half() {
+fn full_disk_is_one_error_line_without_partial_files() {
     let scratch = tempfile::tempdir().unwrap();
     for case in Case::all() {
         let [reference, disk] = ["all", "disk"].map(|name| scratch.path().join(case.name).join(name));
@@ -257,7 +259,7 @@ fn a_full_disk_is_one_line_of_error_and_leaves_no_half() {
         let bytes: usize = new.values().map(Vec::len).sum();
         let (mut refused, mut kept) = (0, 0);
         for room in [0.02, 0.1, 0.3, 0.6, 0.9] {
-            // Whole pages of memory.
+            // Whole memory pages.
             let pages = 1.max((room * bytes as f64 / 4096.0) as usize);
             let Some(mount) = Mount::new(disk.clone(), &format!("size={}k", 4 * pages)) else {
                 println!("skipped: this user may not mount a file system");
@@ -283,7 +285,7 @@ fn a_full_disk_is_one_line_of_error_and_leaves_no_half() {
 }
 
 #[test]
-fn a_folder_to_read_only_is_one_line_of_error() {
+fn read_only_directory_is_one_error_line() {
     let scratch = tempfile::tempdir().unwrap();
     for case in Case::all() {
         let place = scratch.path().join(case.name);
@@ -291,6 +293,6 @@ fn a_folder_to_read_only_is_one_line_of_error() {
             println!("skipped: this user may not mount a file system");
             return;
         };
-        assert_one_line(&case, &case.run(&mount.0), "a folder to read only");
+        assert_one_line(&case, &case.run(&mount.0), "a read-only directory");
     }
 }

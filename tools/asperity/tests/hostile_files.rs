@@ -1,4 +1,5 @@
-//! Files that attack: each is refused in one line, within limits of memory and of time that the system keeps.
+//! Malicious input files: each fails with one error line, within limits of memory and time enforced
+//! by the system.
 #![cfg(unix)]
 #![expect(clippy::unwrap_used, reason = "a test that cannot write its own file has failed")]
 
@@ -11,15 +12,15 @@ use std::time::{Duration, Instant};
 use asperity_render::image::{Format, Image, formats::exr};
 use serde_json::{Value, json};
 
-/// Address space in KiB: the program, its threads, and 256 MiB. No file here has more than 8 MiB.
+/// Address space in KiB: the program, its threads, and 256 MiB. No file here is larger than 8 MiB.
 const MEMORY: u64 = 640 << 10;
-/// Seconds of processor time for a program that is not optimised.
+/// Seconds of CPU time for an unoptimized program.
 const SECONDS: u64 = 10;
 
-/// Seconds on the clock, for what waits and takes no processor time; many times what any file here takes.
+/// Wall-clock seconds, for waits that use no CPU time; far more than any file here needs.
 const WAITED: u64 = 120;
 
-/// The builder under limits that end it.
+/// The program under these limits.
 fn limited(folder: &Path, words: &[&str]) -> Output {
     let limits = format!("ulimit -v {MEMORY} && ulimit -t {SECONDS} && exec \"$0\" \"$@\"");
     let builder = env!("CARGO_BIN_EXE_asperity");
@@ -37,7 +38,7 @@ fn limited(folder: &Path, words: &[&str]) -> Output {
     child.wait_with_output().unwrap()
 }
 
-/// Asserts that the words are refused in one line that has `said`.
+/// Asserts that the command fails with one error line that contains `said`.
 fn refused(folder: &Path, words: &[&str], said: &str) {
     let output = limited(folder, words);
     let line = String::from_utf8_lossy(&output.stderr);
@@ -46,7 +47,7 @@ fn refused(folder: &Path, words: &[&str], said: &str) {
     assert!(line.starts_with("error: ") && line.contains(said) && line.len() < 600, "{words:?}: {line}");
 }
 
-/// Refusals of files, each with its name, its bytes and what is said.
+/// Asserts an error for each file: name, bytes, expected message.
 fn all_refused(command: &[&str], files: &[(&str, Vec<u8>, &str)]) {
     let folder = tempfile::tempdir().unwrap();
     for (name, bytes, said) in files {
@@ -65,7 +66,7 @@ fn mesh(files: &[(&str, Vec<u8>, &str)]) {
     all_refused(&["render", "--mesh"], files);
 }
 
-/// A chunk of a PNG.
+/// Encodes a PNG chunk.
 fn chunk(kind: &[u8; 4], data: &[u8]) -> Vec<u8> {
     let crc = [kind, data].concat().iter().fold(u32::MAX, |crc, &byte| {
         (0..8).fold(crc ^ u32::from(byte), |crc, _| (crc >> 1) ^ (0xedb8_8320 * (crc & 1)))
@@ -73,13 +74,13 @@ fn chunk(kind: &[u8; 4], data: &[u8]) -> Vec<u8> {
     [&(data.len() as u32).to_be_bytes(), &kind[..], data, &(!crc).to_be_bytes()].concat()
 }
 
-/// A grey PNG of this size with these chunks behind its header.
+/// Encodes a gray PNG of this size with these chunks after its header.
 fn png(width: u32, height: u32, chunks: &[u8]) -> Vec<u8> {
     let header = [&width.to_be_bytes()[..], &height.to_be_bytes(), &[8, 0, 0, 0, 0]].concat();
     [b"\x89PNG\r\n\x1a\n", &*chunk(b"IHDR", &header), chunks, &chunk(b"IEND", &[])].concat()
 }
 
-/// The chunk of pixels that are black, so many bytes.
+/// Encodes a chunk of this many black pixel bytes.
 fn black(bytes: usize) -> Vec<u8> {
     let mut file = Vec::new();
     let mut encoder = png::Encoder::new(&mut file, 4096, (bytes / 4096) as u32);
@@ -87,7 +88,7 @@ fn black(bytes: usize) -> Vec<u8> {
     encoder.write_header().unwrap().write_image_data(&vec![0; bytes]).unwrap();
     let at = file.windows(4).position(|name| name == b"IDAT").unwrap();
     let end = file.windows(4).position(|name| name == b"IEND").unwrap() - 4;
-    // One chunk of all.
+    // A single chunk.
     let (mut data, mut rest) = (Vec::new(), &file[at - 4..end]);
     while let Some((length, behind)) = rest.split_first_chunk::<4>() {
         let length = u32::from_be_bytes(*length) as usize;
@@ -98,7 +99,7 @@ fn black(bytes: usize) -> Vec<u8> {
 }
 
 #[test]
-fn pictures_that_claim_or_hold_too_much() {
+fn image_with_excessive_size_is_an_error() {
     let zeros = black(1 << 24);
     let text = [b"Comment\0\0", &*zeros].concat();
     light(&[
@@ -107,13 +108,13 @@ fn pictures_that_claim_or_hold_too_much() {
         ("text.png", png(8, 8, &chunk(b"zTXt", &text).repeat(64)), "the PNG cannot be decoded"),
         ("claim.hdr", b"#?RGBE\n\n-Y 2147483647 +X 2147483647\n".into(), "an image must have 1 to"),
         (
-            // A colour and four digits of how often it is repeated.
+            // A color, then its repeat count in four digits.
             "run.hdr",
             b"#?RGBE\n\n-Y 1 +X 134217728\n\x80\x80\x80\x80\x01\x01\x01\xff\x01\x01\x01\xff\x01\x01\x01\xff\x01\x01\x01\x07".into(),
             "cannot hold the 134217728 × 1 pixels",
         ),
         (
-            // A lossless one, which could have one colour for ever.
+            // A lossless file, which could repeat one color indefinitely.
             "claim.webp",
             b"RIFF\x16\0\0\0WEBPVP8L\x0a\0\0\0\x2f\xfe\xff\xff\x07\0\0\0\0\0".into(),
             "cannot hold the 16383 × 8192 pixels",
@@ -122,10 +123,12 @@ fn pictures_that_claim_or_hold_too_much() {
     ]);
 }
 
-/// Zeros as deflate packs them at its simplest: blocks of 12 bytes with 1549 zeros each. It says as many as there are.
+/// Encodes zeros in minimal deflate blocks of 12 bytes with 1549 zeros each. The header states the
+/// count.
 fn deflated_zeros(at_least: usize) -> Vec<u8> {
     let matched = [1, 1, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0];
-    // No last block, of fixed codes; the literal 0; six times 258 bytes from one byte ago; the end.
+    // Non-final blocks with fixed codes: the literal 0, six copies of 258 bytes at distance 1, end
+    // of block.
     let bits = [&[0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 0][..], &matched.repeat(6), &[0; 7]].concat();
     let block: Vec<u8> =
         bits.chunks(8).map(|byte| byte.iter().rev().fold(0, |all, bit| all << 1 | bit)).collect();
@@ -135,14 +138,14 @@ fn deflated_zeros(at_least: usize) -> Vec<u8> {
 }
 
 #[test]
-fn pixels_that_inflate_beyond_the_picture() {
+fn image_that_inflates_beyond_its_size() {
     let folder = tempfile::tempdir().unwrap();
     let zeros = deflated_zeros(700 << 20);
     // Two rows of 16 bytes, each behind its number and its length; the second grows.
     let mut rows = exr(4, 2, [("Y", vec![0.5; 8])]).unwrap();
     let name = b"compression\0compression\0";
     let at = rows.windows(name.len()).position(|bytes| bytes == name).unwrap() + name.len() + 4;
-    // Deflated, a row a block; one that would not shrink stays as it is.
+    // Deflated, one row per block. A row that would not shrink is stored unchanged.
     rows[at] = 2;
     rows.truncate(rows.len() - 20);
     rows.extend((zeros.len() as u32).to_le_bytes());
@@ -151,13 +154,13 @@ fn pixels_that_inflate_beyond_the_picture() {
     let words =
         |name: &'static str| ["render", "--scene", "sphere", "--size", "16", "--spp", "1", "--light", name];
     refused(folder.path(), &words("row.exr"), "the OpenEXR file cannot be decoded");
-    // Of a PNG nothing is inflated beyond its rows.
+    // PNG data beyond the last row is not inflated.
     std::fs::write(folder.path().join("pixels.png"), png(8, 8, &chunk(b"IDAT", &zeros))).unwrap();
     let output = limited(folder.path(), &words("pixels.png"));
     assert!(output.status.success(), "{:?}: {}", output.status, String::from_utf8_lossy(&output.stderr));
 }
 
-/// The head of a JPEG, with the tables that it must have, and no pixels.
+/// Encodes the header and the required tables of a JPEG without pixels.
 fn jpeg(width: u16, height: u16) -> Vec<u8> {
     let mut file = Image::from_fn(16, 16, |_, _| glam::Vec3::ONE).encode(Format::Jpeg).unwrap();
     let at =
@@ -168,7 +171,7 @@ fn jpeg(width: u16, height: u16) -> Vec<u8> {
 }
 
 #[test]
-fn textures_that_claim_too_much() {
+fn texture_with_excessive_size_is_an_error() {
     let channels: Vec<_> = (0..64).map(|k| (format!("c{k}"), vec![0.5; 8])).collect();
     let named: Vec<_> = channels.iter().map(|(name, samples)| (name.as_str(), samples.clone())).collect();
     let good = exr(4, 2, named).unwrap();
@@ -189,7 +192,7 @@ fn textures_that_claim_too_much() {
 }
 
 #[test]
-fn meshes_that_claim_too_much() {
+fn mesh_with_excessive_size_is_an_error() {
     let head = |vertices: u64, faces: u64, format: &str| {
         let xyz = "property float x\nproperty float y\nproperty float z";
         let list = "property list uint int vertex_indices";
@@ -225,7 +228,7 @@ fn meshes_that_claim_too_much() {
     ]);
 }
 
-/// A glTF of nodes, of which the first is in the scene, with a mesh of a triangle.
+/// Encodes a glTF with these nodes, the first of which is in the scene, and a mesh of one triangle.
 fn gltf(nodes: &Value, change: impl FnOnce(&mut Value)) -> Vec<u8> {
     let mut file = json!({
         "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": nodes,
@@ -239,7 +242,7 @@ fn gltf(nodes: &Value, change: impl FnOnce(&mut Value)) -> Vec<u8> {
 }
 
 #[test]
-fn scenes_without_end_or_from_elsewhere() {
+fn gltf_with_cycles_or_external_buffers_is_an_error() {
     let one = json!([{"mesh": 0}]);
     let buffer = |uri: &'static str| gltf(&one, move |file| file["buffers"][0]["uri"] = uri.into());
     let deep: Vec<Value> = (0..100_000).map(|k| json!({"children": [k + 1]})).chain([json!({})]).collect();
@@ -293,7 +296,7 @@ fn scenes_without_end_or_from_elsewhere() {
 }
 
 #[test]
-fn systems_and_devices() {
+fn systems_and_devices_are_an_error() {
     let nested = format!("{{\"knots\":{}{}}}", "[".repeat(100_000), "]".repeat(100_000));
     all_refused(
         &["tables", "--out", "tables", "--fif"],
@@ -315,7 +318,7 @@ fn systems_and_devices() {
     ] {
         refused(folder.path(), &words, "this is not a file");
     }
-    // A pipe that nobody writes to would be waited for without an end.
+    // A named pipe without a writer would block forever.
     for name in
         ["pipe.png", "pipe.exr", "pipe.json", "pipe.obj", "pipe.ply", "pipe.stl", "pipe.gltf", "buffer"]
     {

@@ -1,7 +1,9 @@
-//! Command lines at random, valid and broken: every run ends, with 0, 1 or 2, without a panic, and says in one line what was wrong.
+//! Random command lines, valid and broken. Every run exits with 0, 1 or 2, without a panic, and
+//! reports errors in one line.
 //!
-//! Options and their words are those that `--help` of each command tells. `ASPERITY_LINES=900` makes lines for so many seconds in place
-//! of a few, `ASPERITY_SEED` others. A run that works for long is stopped as by Ctrl-C and has to end then.
+//! Options and their values are parsed from `--help` of each command. `ASPERITY_LINES=900` tests
+//! for 900 seconds instead of a few, and `ASPERITY_SEED` changes the seed. A run that takes long is
+//! interrupted as by Ctrl-C and must then exit.
 #![cfg(unix)]
 #![expect(clippy::unwrap_used, reason = "a test that cannot run a command has failed")]
 
@@ -13,12 +15,12 @@ use std::time::{Duration, Instant};
 
 use asperity_render::sampling::random::Random;
 
-/// Commands that compute by themselves; the others build programs.
+/// Commands that compute. The others only build programs.
 const COMMANDS: [&str; 4] = ["render", "bake", "tables", "check-ndf"];
-/// Options that write into the source tree, or compare what it ships.
+/// Options that write into the source tree, or compare with committed files.
 const NEVER: [&str; 2] = ["--ship", "--check"];
 
-// Words of options, with bars between them.
+// Option values, separated by bars.
 const NUMBERS: &str = "\
     0|-0|1|-1|2|16|64|100|0.5|0.25|1.5|1e-45|1e-39|1e-7|3e38|1e39|-1e39|1e400|nan|-nan|inf|-inf|\
     16777217|2147483648|4294967295|4294967296|18446744073709551616|1_000|0x10|+1|.5|1.|٣|1e";
@@ -36,7 +38,7 @@ const PATHS: &str = "\
     nowhere/a.png|a.png|b.exr|c.jpg|d.webp|e.gif|frame-##.png|/proc/version/x.png|job.yaml|\
     x/../y.png";
 
-/// An option as `--help` tells it.
+/// An option parsed from `--help`.
 struct OptionOf {
     name: String,
     /// The name of its value, if it takes one.
@@ -48,7 +50,7 @@ fn run(folder: &Path, words: &[String]) -> Option<Output> {
     let mut command =
         Command::new(std::env::var("ASPERITY_PROGRAM").unwrap_or(env!("CARGO_BIN_EXE_asperity").into()));
     command.args(words).current_dir(folder).env("RUST_BACKTRACE", "0").stdin(Stdio::null());
-    // Files in place of pipes, which a run could fill.
+    // Files instead of pipes, which a run could fill.
     let [out, err] = ["said.out", "said.err"].map(|name| folder.join(name));
     let [out_file, err_file] = [&out, &err].map(|path| fs::File::create(path).unwrap());
     let mut child = command.stdout(out_file).stderr(err_file).spawn().unwrap();
@@ -99,13 +101,13 @@ fn options(folder: &Path, command: &str) -> Vec<OptionOf> {
     options
 }
 
-/// One of the words between bars.
+/// Picks one of the words between bars.
 fn any<'a>(random: &mut Random, of: &'a str) -> &'a str {
     let words: Vec<&str> = of.split('|').collect();
     words[(random.bits() % words.len() as u64) as usize]
 }
 
-/// A value, mostly of the kind that the option takes.
+/// Picks a value, mostly of the type that the option takes.
 fn value(random: &mut Random, option: &OptionOf) -> String {
     let kind = option.value.as_deref().unwrap_or_default();
     match random.bits() % 20 {
@@ -133,7 +135,7 @@ fn value(random: &mut Random, option: &OptionOf) -> String {
 fn line(random: &mut Random, all: &[(&str, Vec<OptionOf>)]) -> Vec<String> {
     let (command, options) = &all[(random.bits() % all.len() as u64) as usize];
     let mut words = vec![(*command).to_owned()];
-    // Small, unless another number is drawn.
+    // Small sizes, unless another value is drawn.
     match *command {
         "render" if !random.bits().is_multiple_of(8) => {
             words.extend(["--size", "16", "--spp", "1"].map(str::to_owned));
@@ -148,7 +150,7 @@ fn line(random: &mut Random, all: &[(&str, Vec<OptionOf>)]) -> Vec<String> {
             continue;
         }
         words.push(option.name.clone());
-        // Rarely its value is missing.
+        // Rarely the value is omitted.
         if option.value.is_some() && !random.bits().is_multiple_of(30) {
             words.push(value(random, option));
         }
@@ -203,7 +205,7 @@ fn every_line_ends_in_0_1_or_2_with_at_most_one_line_of_error() {
         let _ = fs::remove_dir_all(&folder);
         let short: Vec<String> = words.iter().map(|word| word.chars().take(80).collect()).collect();
         let Some(output) = output else {
-            faults.push(format!("line {number}: {short:?} does not end"));
+            faults.push(format!("line {number}: {short:?} does not exit"));
             continue;
         };
         let said = String::from_utf8_lossy(&output.stderr);
@@ -211,7 +213,7 @@ fn every_line_ends_in_0_1_or_2_with_at_most_one_line_of_error() {
         let right = match output.status.code() {
             Some(0) => lines.is_empty(),
             Some(1) => matches!(lines[..], [line] if line.starts_with("error: ")),
-            // The usage follows.
+            // The usage text follows.
             Some(2) => lines.first().is_some_and(|line| line.starts_with("error: ")),
             _ => false,
         };

@@ -1,6 +1,7 @@
-//! Memory, threads and files of runs that do the same again and again: flat, and none left.
+//! Memory, threads and files of repeated runs: memory stays constant, and nothing is left behind.
 //!
-//! `ASPERITY_REPEATS=100 cargo test --release -p asperity --test load -- --ignored --nocapture` is the long form and prints what it measured.
+//! `ASPERITY_REPEATS=100 cargo test --release -p asperity --test load -- --ignored --nocapture`
+//! runs the long form and prints the measurements.
 #![cfg(target_os = "linux")]
 #![expect(clippy::unwrap_used, reason = "a test that cannot run a command has failed")]
 
@@ -21,7 +22,7 @@ fn start(words: &str, folder: &Path) -> Child {
     command.args(words).stdin(Stdio::null()).stdout(Stdio::null()).spawn().unwrap()
 }
 
-/// The most memory that a process had so far, in kB, and its threads, by the kernel.
+/// Returns the peak memory of a process in kB and its thread count, from the kernel.
 fn status(child: &Child) -> Option<[usize; 2]> {
     let text = fs::read_to_string(format!("/proc/{}/status", child.id())).ok()?;
     let number = |field: &str| {
@@ -30,7 +31,7 @@ fn status(child: &Child) -> Option<[usize; 2]> {
     Some([number("VmHWM:")?, number("Threads:")?])
 }
 
-/// Runs to the end; returns the last that was told of the process.
+/// Runs a command to its end, and returns the last status that was read.
 fn peak(words: &str, folder: &Path) -> [usize; 2] {
     let mut child = start(words, folder);
     let mut last = [0; 2];
@@ -56,12 +57,14 @@ fn names(folder: &Path) -> BTreeSet<PathBuf> {
     names
 }
 
-/// In one process: the most memory once a tenth is done, and at the end, with the threads then.
+/// Within one process: peak memory after a tenth of the work and at the end, with the thread
+/// counts.
 fn grown(words: &str, folder: &Path, tenth: impl Fn() -> bool) -> [[usize; 2]; 2] {
     let mut child = start(words, folder);
     let (mut early, mut last) = (None, [0; 2]);
     loop {
-        // Looked for before it is read what the process has: what is read is of then or later.
+        // Check the progress before reading the status, so that the status is from that moment or
+        // later.
         let done = early.is_none() && tenth();
         last = status(&child).unwrap_or(last);
         if done {
@@ -91,7 +94,8 @@ fn frames_in_one_process_keep_no_memory_and_no_thread() {
         early[1],
         last[1]
     );
-    // Half of what would be kept if every frame after that left one image of three floats a pixel behind.
+    // Half of the memory that would accumulate if every later frame leaked one image of three
+    // floats per pixel.
     let image = 256 * 256 * 12 / 1024;
     assert!(
         last[0].saturating_sub(early[0]) < (frames - frames / 10) * image / 2,
@@ -116,7 +120,7 @@ fn a_picture_needs_the_memory_of_its_pixels() {
         println!(
             "render, {side}² as {ending}: {all} kB, of which the program has {least} kB and the image {image} kB"
         );
-        // Once the image; what else grows with it would be another one of it.
+        // The image once. Any other growth would be another copy of the image.
         assert!(all - least < image * 3 / 2, "{ending}: {all} kB, {least} kB for a small one");
     }
 }
@@ -137,7 +141,8 @@ fn tiles_in_one_process_keep_no_memory_and_no_thread() {
         "bake, tile 25 of 256 and the end: {} kB and {} kB, {} and {} threads",
         early[0], last[0], early[1], last[1]
     );
-    // Half of what would be kept if every tile after that stayed: 20 bytes a texel, and a third for its levels.
+    // Half of the memory that would accumulate if every later tile stayed: 20 bytes per texel, plus
+    // a third for the levels.
     assert!(
         last[0].saturating_sub(early[0]) < 231 * 64 * 64 * 20 * 4 / 3 / 1024 / 2,
         "{early:?} and {last:?} kB"

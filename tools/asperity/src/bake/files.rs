@@ -1,4 +1,4 @@
-//! The files of a set: each map in each format, and the documents that name them.
+//! Writes the files of a set: each map in each format, and the documents that reference them.
 
 use rayon::prelude::*;
 
@@ -9,7 +9,7 @@ use asperity::cli::BakedFormat as Format;
 use asperity::failure::Result;
 use asperity::output::Output;
 
-/// Writes all files, each whole or not at all.
+/// Writes all files, each atomically.
 pub(super) fn write(set: &Set<'_>, output: &Output) -> Result<()> {
     let maps = set.maps();
     let files: Vec<_> =

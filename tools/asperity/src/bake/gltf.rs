@@ -1,4 +1,4 @@
-//! A glTF scene of one square with the material, which viewers open and engines read the material from.
+//! A glTF scene of a square with the material, for viewers and engines.
 
 use asperity_render::image::tone::linear;
 use base64::Engine;
@@ -14,7 +14,7 @@ use asperity::output::Output;
 /// Writes `material.gltf`.
 pub(super) fn write(set: &Set<'_>, output: &Output) -> Result<()> {
     if !set.formats.contains(&Format::Png) {
-        // The core of the format takes no other of ours.
+        // Core glTF supports no other format of this program.
         return Ok(());
     }
     let text = serde_json::to_vec_pretty(&document(set)?)?;
@@ -82,7 +82,7 @@ fn document(set: &Set<'_>) -> Result<Value> {
     Ok(document)
 }
 
-/// The unit square in the plane z = 0: its bytes, accessors and views.
+/// Returns the unit square in the plane z = 0: bytes, accessors and views.
 fn square() -> (Vec<u8>, Value, Value) {
     const CORNERS: [[f32; 2]; 4] = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]];
     let mut bytes = Vec::new();

@@ -1,4 +1,5 @@
-//! A bake for many machines: parts as tasks, or tiles, and the set when all of them are there.
+//! Splits a bake into a job for several machines: parts as tasks, or tiles followed by an assembly
+//! step.
 
 use crate::bake::options;
 use crate::bake::plan::Plan;
@@ -7,7 +8,8 @@ use asperity::cli::Bake;
 use asperity::failure::Result;
 use asperity::progress;
 
-/// Writes the job: a task for every part, or one for every tile and the step that joins them, in a folder that all machines share.
+/// Writes the job: a task per part, or a task per tile and a step that assembles them. All machines
+/// share the output folder.
 pub(super) fn write(wanted: &Bake, plan: &Plan, file: &std::path::Path) -> Result<()> {
     if plan.part.of > 1 {
         return parts(wanted, file);
@@ -26,7 +28,7 @@ pub(super) fn write(wanted: &Bake, plan: &Plan, file: &std::path::Path) -> Resul
     let set = Step { name: "Set", tasks: None, arguments, after: Some("Tiles") };
     let place = job::write(file, "asperity-bake", &[tiles, set])?;
     progress::say(&format!(
-        "the job: {place} ({} of {all} tiles, then the set; `openjd run` or a farm carries it out)",
+        "job written to {place} ({} of {all} tiles, then the set; run it with `openjd run` or on a farm)",
         last - first + 1
     ));
     Ok(())
@@ -39,13 +41,13 @@ fn parts(wanted: &Bake, file: &std::path::Path) -> Result<()> {
     let tasks = Some(("Part", format!("{first}-{last}")));
     let place = job::write(file, "asperity-bake", &[Step { name: "Parts", tasks, arguments, after: None }])?;
     progress::say(&format!(
-        "the job: {place} ({} parts; `openjd run` or a farm carries it out)",
+        "job written to {place} ({} parts; run it with `openjd run` or on a farm)",
         last - first + 1
     ));
     Ok(())
 }
 
-/// The arguments that all tasks have.
+/// Returns the arguments common to all tasks.
 fn arguments(wanted: &Bake) -> Result<Vec<String>> {
     let mut arguments = job::arguments(std::env::args().skip(1), &["--job", "--tiles", "--part", "--out"])?;
     arguments.extend(["--out".into(), std::path::absolute(&wanted.out)?.display().to_string()]);

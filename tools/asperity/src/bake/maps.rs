@@ -1,18 +1,18 @@
-//! Maps of a set: their names, and texels as the scratch keeps them.
+//! Maps of a set: names, and texels as stored in scratch files.
 
 use asperity_render::image::tone::srgb;
 
 use crate::bake::source::{Source, Varies};
 use crate::bake::texel::Texel;
 
-/// A property of the surface, as the scratch keeps it.
+/// A property of the surface as stored in scratch files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Plane {
-    /// Base colour: three numbers of 16 bits along the sRGB curve.
+    /// Base color: three 16-bit numbers, sRGB encoded.
     Colour,
-    /// The normal's x and y, each from −1 to 1, in 16 bits.
+    /// The normal's x and y, each within [−1, 1], in 16 bits.
     Normal,
-    /// The height in sides, `f32`.
+    /// The height in units of the side, `f32`.
     Height,
     /// √α, 16 bits.
     Roughness,
@@ -26,7 +26,7 @@ impl Plane {
     pub(crate) const ALL: [Self; 6] =
         [Self::Colour, Self::Normal, Self::Height, Self::Roughness, Self::Metallic, Self::Occlusion];
 
-    /// Bytes of a texel.
+    /// Bytes per texel.
     pub(crate) const fn bytes(self) -> usize {
         match self {
             Self::Colour => 6,
@@ -35,7 +35,7 @@ impl Plane {
         }
     }
 
-    /// Whether it differs from texel to texel.
+    /// Whether the property varies between texels.
     pub(crate) const fn differs(self, varies: Varies) -> bool {
         match self {
             Self::Colour => varies.colour,
@@ -45,7 +45,7 @@ impl Plane {
         }
     }
 
-    /// The bytes of a texel.
+    /// Appends the bytes of a texel.
     pub(crate) fn write(self, source: &dyn Source, texel: &Texel, out: &mut Vec<u8>) {
         let mut unit = |x: f32| out.extend_from_slice(&unorm(x).to_le_bytes());
         match self {
@@ -62,7 +62,7 @@ impl Plane {
     }
 }
 
-/// A share in 16 bits.
+/// Quantizes a number within [0, 1] to 16 bits.
 pub(crate) fn unorm(x: f32) -> u16 {
     (x.clamp(0.0, 1.0) * 65_535.0).round() as u16
 }
@@ -71,16 +71,16 @@ pub(crate) fn unorm(x: f32) -> u16 {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Map {
     BaseColour,
-    /// Green up the image.
+    /// Green points up the image.
     NormalOpenGl,
-    /// Green down the image.
+    /// Green points down the image.
     NormalDirectX,
-    /// From the lowest to the highest point.
+    /// Normalized from the lowest to the highest point.
     Height,
     Roughness,
     Metallic,
     Occlusion,
-    /// Occlusion, roughness and metallic as red, green and blue: the packing of glTF.
+    /// Occlusion, roughness and metallic in red, green and blue: the packing of glTF.
     Packed,
 }
 
@@ -96,7 +96,7 @@ impl Map {
         Self::Packed,
     ];
 
-    /// The name of its files.
+    /// Returns the name of its files.
     pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::BaseColour => "base_color",
@@ -110,7 +110,7 @@ impl Map {
         }
     }
 
-    /// The properties that it shows.
+    /// Returns the properties that the map contains.
     pub(crate) const fn planes(self) -> &'static [Plane] {
         match self {
             Self::BaseColour => &[Plane::Colour],
@@ -123,7 +123,7 @@ impl Map {
         }
     }
 
-    /// Channels of its texels.
+    /// Returns the number of channels.
     pub(crate) const fn channels(self) -> usize {
         match self {
             Self::BaseColour | Self::NormalOpenGl | Self::NormalDirectX | Self::Packed => 3,
@@ -131,7 +131,8 @@ impl Map {
         }
     }
 
-    /// Texels in 16 bits a channel from those of its planes; `range` is that of heights.
+    /// Converts the bytes of its planes to texels with 16 bits per channel. `range` is the range of
+    /// heights.
     pub(crate) fn texels(self, planes: &[&[u8]], range: [f32; 2], out: &mut Vec<u16>) {
         let words = |bytes: &'_ [u8]| {
             bytes.chunks_exact(2).map(|b| u16::from_le_bytes([b[0], b[1]])).collect::<Vec<_>>()
@@ -160,12 +161,12 @@ impl Map {
     }
 }
 
-/// Heights of the scratch.
+/// Decodes heights from scratch bytes.
 pub(crate) fn heights(bytes: &[u8]) -> impl Iterator<Item = f32> {
     bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]]))
 }
 
-/// The normal's z from its x and y.
+/// Computes the normal's z from x and y.
 fn third(x: u16, y: u16) -> u16 {
     let [x, y] = [x, y].map(|word| f32::from(word) / 32_767.5 - 1.0);
     unorm(0.5 + 0.5 * (1.0 - x * x - y * y).max(0.0).sqrt())
@@ -176,7 +177,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn directions_of_green_are_each_other_s_mirror() {
+    fn normal_green_directions_are_mirrored() {
         let xy: Vec<u8> = [40_000_u16, 20_000].into_iter().flat_map(u16::to_le_bytes).collect();
         let texel = |map: Map| {
             let mut out = Vec::new();
@@ -192,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn heights_run_from_the_lowest_to_the_highest() {
+    fn height_spans_lowest_to_highest() {
         let bytes: Vec<u8> = [-2.0_f32, 0.0, 2.0].into_iter().flat_map(f32::to_le_bytes).collect();
         let mut out = Vec::new();
         Map::Height.texels(&[&bytes], [-2.0, 2.0], &mut out);

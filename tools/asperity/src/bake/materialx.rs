@@ -1,4 +1,4 @@
-//! A MaterialX document of the material, for renderers and painters.
+//! A MaterialX document of the material, for renderers and painting tools.
 
 use asperity_render::image::tone::linear;
 
@@ -8,7 +8,8 @@ use asperity::cli::BakedFormat as Format;
 use asperity::failure::Result;
 use asperity::output::Output;
 
-/// Writes `material.mtlx`, of the PNG files where there are any, else of the OpenEXR files.
+/// Writes `material.mtlx`, which references the PNG files if there are any, and the OpenEXR files
+/// otherwise.
 pub(super) fn write(set: &Set<'_>, output: &Output) -> Result<()> {
     let Some(format) = [Format::Png, Format::Exr].into_iter().find(|format| set.formats.contains(format))
     else {
@@ -74,7 +75,8 @@ fn document(set: &Set<'_>, format: Format) -> Result<String> {
          nodename=\"normal_opengl_image\"/>\n  </normalmap>\n",
     );
     if set.plan.source.varies().height {
-        // From a share of the range back to sides; of a file that has sides, as they are.
+        // PNG: from a fraction of the range to units of the side. OpenEXR: already in units of the
+        // side.
         let [low, high] = if format == Format::Png { set.levels.tops.range } else { [0.0, 1.0] };
         nodes.push_str(&format!(
             "  <multiply name=\"height_scaled\" type=\"float\">\n    <input name=\"in1\" type=\"float\" \

@@ -1,4 +1,4 @@
-//! `asperity bake`: a surface as textures for engines, tile by tile.
+//! `asperity bake`: bakes a surface to engine textures, tile by tile.
 
 mod files;
 mod formats;
@@ -28,7 +28,7 @@ use asperity::failure::{Interrupted, Result};
 use asperity::output::Output;
 use asperity::progress;
 
-/// Bakes what was asked for and tells where it lies.
+/// Bakes the request and prints the output path.
 pub(crate) fn bake(wanted: &Bake, interrupted: &AtomicBool) -> Result<()> {
     let [first, last] = options::parts(wanted)?;
     let plan = options::plan(wanted, first)?;
@@ -38,13 +38,16 @@ pub(crate) fn bake(wanted: &Bake, interrupted: &AtomicBool) -> Result<()> {
     part(wanted, &plan, interrupted)?;
     for number in first + 1..=last {
         part(wanted, &options::plan(wanted, number)?, interrupted).inspect_err(|_| {
-            progress::say(&format!("{} parts are done; `--part {number}-{last}` goes on", number - first));
+            progress::say(&format!(
+                "{} parts are done; resume with `--part {number}-{last}`",
+                number - first
+            ));
         })?;
     }
     Ok(())
 }
 
-/// Bakes a part, or the texture that is whole.
+/// Bakes one part, or the whole texture.
 fn part(wanted: &Bake, plan: &Plan, interrupted: &AtomicBool) -> Result<()> {
     let some = plan.some(wanted.tiles)?;
     let output = Output::new(&wanted.out)?;
@@ -64,24 +67,20 @@ fn part(wanted: &Bake, plan: &Plan, interrupted: &AtomicBool) -> Result<()> {
     write(plan, scratch, &output, &wanted.format, interrupted)?;
     let seconds = started.elapsed().as_secs_f64();
     let megatexels = f64::from(plan.size) * f64::from(plan.size) / 1e6;
-    let kept = if fresh < 1.0 {
-        format!(", {:.0} % of it from before", 100.0 * (1.0 - fresh))
-    } else {
-        String::new()
-    };
+    let kept = if fresh < 1.0 { format!(", {:.0} % reused", 100.0 * (1.0 - fresh)) } else { String::new() };
     if !plan.source.varies().height {
         progress::say(
-            "no height, and all of the light: the surface is flat, or its normals are those of no height",
+            "surface is flat, or its normals do not derive from a height: height map omitted, ambient occlusion is white",
         );
     }
     progress::say(&format!(
-        "the set: {} ({megatexels:.1} megatexels in {seconds:.1} s{kept})",
+        "texture set written to {} ({megatexels:.1} megatexels in {seconds:.1} s{kept})",
         output.place("provenance.json")
     ));
     Ok(())
 }
 
-/// Bakes the tiles of a range that are missing, and returns the share of them that were.
+/// Bakes the missing tiles of a range, and returns the fraction of tiles that were missing.
 fn fill(
     plan: &Plan,
     scratch: &Scratch<'_>,
@@ -97,7 +96,7 @@ fn fill(
             let (kept, all) = (wanted as usize + done - missing.len(), plan.tiles() * plan.tiles());
             let of = if wanted == all { format!("{all}") } else { format!("these {wanted}") };
             if error.is::<Interrupted>() {
-                format!("interrupted; {kept} of {of} tiles are kept, run the same command to go on").into()
+                format!("interrupted: {kept} of {of} tiles are done (run the same command to resume)").into()
             } else {
                 error
             }
@@ -108,7 +107,7 @@ fn fill(
     Ok(missing.len() as f64 / f64::from(wanted))
 }
 
-/// Writes the set from all tiles, and removes them.
+/// Writes the set from all tiles, then removes the tiles.
 fn write(
     plan: &Plan,
     scratch: Scratch<'_>,

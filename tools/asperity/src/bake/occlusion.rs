@@ -1,4 +1,5 @@
-//! Ambient occlusion of a height field: the share of an even sky's light that its horizons let through.
+//! Ambient occlusion of a height field: the fraction of uniform sky light that its horizons let
+//! through.
 
 use std::f32::consts::FRAC_PI_2;
 
@@ -7,17 +8,17 @@ use glam::{Vec2, Vec3};
 /// Slices of the sky, each with two horizons.
 const SLICES: usize = 4;
 
-/// Heights around a tile, in sides of the texture.
+/// Heights around a tile, in units of the texture's side.
 pub(super) struct Surroundings {
     pub(super) heights: Vec<f32>,
-    /// Texels along a side of `heights`, and how many of them lie before the tile.
+    /// Texels along a side of `heights`, and the number of texels before the tile.
     pub(super) side: usize,
     pub(super) margin: usize,
     /// The side of a texel.
     pub(super) texel: f32,
 }
 
-/// Places where the horizon is looked for: along eight directions, further and further apart.
+/// Horizon sample positions: along eight directions, at increasing distances.
 pub(super) struct Places([Vec<Place>; 2 * SLICES]);
 
 #[derive(Clone, Copy)]
@@ -27,7 +28,7 @@ struct Place {
 }
 
 impl Places {
-    /// Places up to `margin` texels away in surroundings of this side.
+    /// Positions at most `margin` texels away, for surroundings of this side.
     pub(super) fn new(around: &Surroundings) -> Self {
         let mut distances = vec![1];
         while let Some(next) = distances.last().map(|&last: &usize| (last + 1).max(last * 3 / 2))
@@ -46,7 +47,7 @@ impl Places {
                 .collect();
             places.dedup();
             let place = |(x, y): (isize, isize)| Place {
-                // Rows run down.
+                // Rows run downward.
                 step: x - y * around.side as isize,
                 inverse_distance: 1.0 / (Vec2::new(x as f32, y as f32).length() * around.texel),
             };
@@ -54,14 +55,16 @@ impl Places {
         }))
     }
 
-    /// The share of light from an even sky that reaches a texel with this normal.
+    /// Returns the fraction of uniform sky light that reaches a texel with this normal.
     ///
     /// ```text
     /// A = Σ |n_p| (a(h₀) + a(h₁)) / Σ |n_p| (a(γ − π/2) + a(γ + π/2)),   a(h) = ¼ (−cos(2h − γ) + cos γ + 2h sin γ)
     /// ```
     ///
-    /// over slices of the sky, γ the angle of the normal's part n_p in a slice and h its two horizons, within π/2 of it: Jimenez, Wu,
-    /// Pesce, Jarabo 2016, *Practical Real-Time Strategies for Accurate Indirect Occlusion*, eq. 7, over what an open sky would give.
+    /// over slices of the sky. γ is the angle of the normal's projection n_p in a slice, and h are
+    /// the slice's two horizons, within π/2 of γ. Source: Jimenez, Wu, Pesce, Jarabo 2016,
+    /// *Practical Real-Time Strategies for Accurate Indirect Occlusion*, eq. 7, divided by the
+    /// value of an open sky.
     pub(super) fn occlusion(&self, around: &Surroundings, [column, row]: [usize; 2], normal: Vec3) -> f32 {
         let index = (row + around.margin) * around.side + column + around.margin;
         let own = around.heights[index];
@@ -100,25 +103,25 @@ mod tests {
     }
 
     #[test]
-    fn an_open_plane_is_lit_whole_even_if_it_is_inclined() {
+    fn occlusion_of_inclined_plane_is_one() {
         let flat = around(|_, _| 0.25);
         assert!((Places::new(&flat).occlusion(&flat, [0, 0], Vec3::Z) - 1.0).abs() < 1e-6);
         let inclined = around(|x, y| 0.5 * x - 0.25 * y);
         let normal = Vec3::new(-0.5, 0.25, 1.0).normalize();
         assert!((Places::new(&inclined).occlusion(&inclined, [0, 0], normal) - 1.0).abs() < 1e-3);
-        // The other way up, that the axes are not mirrored.
+        // Flip the slope, to check that the axes are not mirrored.
         let wrong = Vec3::new(-0.5, -0.25, 1.0).normalize();
         assert!(Places::new(&inclined).occlusion(&inclined, [0, 0], wrong) < 0.99);
     }
 
     #[test]
-    fn a_wall_takes_half_of_the_sky_and_a_cone_its_share() {
-        // A high wall beside the texel hides a half of every slice but the one along it.
+    fn occlusion_of_wall_and_cone() {
+        // A high wall next to the texel hides half of every slice except the slice along the wall.
         let wall = around(|x, _| if x > 0.5 { 1e4 } else { 0.0 });
         let lit = Places::new(&wall).occlusion(&wall, [0, 0], Vec3::Z);
-        // 3 of 4 slices are half hidden, of the integral over azimuth a half is.
+        // 3 of 4 slices are half hidden, and half of the integral over azimuth is.
         assert!((lit - 0.625).abs() < 1e-3, "{lit}");
-        // At the bottom of a cone of 45° the sky is a cap: sin² 45° of the light.
+        // At the bottom of a 45° cone, the visible sky is a cap with sin² 45° of the light.
         let cone = around(f32::hypot);
         let lit = Places::new(&cone).occlusion(&cone, [0, 0], Vec3::Z);
         assert!((lit - 0.5).abs() < 1e-3, "{lit}");

@@ -1,4 +1,4 @@
-//! The plan that a command line asks for.
+//! Builds a bake plan from command-line options.
 
 use asperity_render::image::tone::hex;
 
@@ -10,22 +10,26 @@ use asperity::cli::{Bake, BakedFractal, BakedNoise, Material};
 use asperity::failure::Result;
 use asperity::input::density::Density;
 
-/// The first and the last of the wanted parts, counted from 1; that of a whole texture is the only one.
+/// Returns the first and the last requested part, counted from 1. A whole texture has one part.
 pub(super) fn parts(wanted: &Bake) -> Result<[u32; 2]> {
     let side = wanted.parts.unwrap_or(1);
     let all = side * side;
     match wanted.part {
-        Some([_, last]) if last > all => Err(format!("part {last}: the last one is {all}").into()),
+        Some([_, last]) if last > all => {
+            Err(format!("part {last} is out of range (there are {all} parts)").into())
+        }
         part => Ok(part.unwrap_or([1, all])),
     }
 }
 
-/// The plan of a part of what a command line asks for.
+/// Returns the plan of one part of the request.
 pub(super) fn plan(wanted: &Bake, part: u32) -> Result<Plan> {
     let (size, tile) = (wanted.size, wanted.tile.min(wanted.size));
     for (name, number) in [("--size", size), ("--tile", wanted.tile)] {
         if !number.is_power_of_two() || number < LEAST_TILE {
-            return Err(format!("`{name}` must be a power of two from {LEAST_TILE} on, got {number}").into());
+            return Err(
+                format!("`{name}` must be a power of two and at least {LEAST_TILE}, got {number}").into()
+            );
         }
     }
     if wanted.samples != 1 && !wanted.samples.is_multiple_of(2) {
@@ -34,7 +38,7 @@ pub(super) fn plan(wanted: &Bake, part: u32) -> Result<Plan> {
     let part = Part::numbered(part, wanted.parts.unwrap_or(1));
     if size.checked_mul(part.of).is_none_or(|whole| whole > MOST_TEXELS) {
         return Err(format!(
-            "`--parts`: {} × {size} texels along a side, places are told apart up to {MOST_TEXELS}",
+            "`--parts`: {} × {size} texels along a side are too many (at most {MOST_TEXELS})",
             part.of
         )
         .into());
@@ -56,7 +60,7 @@ fn source(wanted: &Bake) -> Result<Box<dyn Source>> {
         alpha: roughness.unwrap_or(usual).powi(2),
         metallic: wanted.metallic.unwrap_or(0.0),
     };
-    // Octaves that tile have whole periods; those that need not are turned against one another.
+    // Tileable octaves have integer periods. Others are rotated against each other.
     let lacunarity = wanted.lacunarity.unwrap_or(if wanted.tileable { 2.0 } else { 2.17 });
     let (cells, octaves) = (wanted.cells.unwrap_or(8), wanted.octaves.unwrap_or(6));
     let (gain, height) = (wanted.gain.unwrap_or(0.5), wanted.height.unwrap_or(0.01));
@@ -84,7 +88,7 @@ fn source(wanted: &Bake) -> Result<Box<dyn Source>> {
     Ok(Box::new(noise::Noise::new(parameters, finish(0.6))?))
 }
 
-/// Refuses options that are not of the surface: they would change nothing.
+/// Returns an error for options that have no effect on this surface.
 fn used(wanted: &Bake, surface: &str, options: &[&str]) -> Result<()> {
     let given = [
         ("--cells", wanted.cells.is_some()),
@@ -98,16 +102,16 @@ fn used(wanted: &Bake, surface: &str, options: &[&str]) -> Result<()> {
         ("--metallic", wanted.metallic.is_some()),
     ];
     match given.iter().find(|(option, given)| *given && !options.contains(option)) {
-        Some((option, _)) => Err(format!("{option} would change nothing of {surface}").into()),
+        Some((option, _)) => Err(format!("{option} has no effect on {surface}").into()),
         None => Ok(()),
     }
 }
 
-/// A material of `render`.
+/// Builds a material of `render` as a source.
 fn of_material(wanted: &Bake, material: Material) -> Result<Box<dyn Source>> {
     let name = format!("{material:?}").to_lowercase();
     if material == Material::Bumps {
-        return Err("bumps are baked by `--ndf`".into());
+        return Err("`--material bumps` is not supported: use `--ndf`".into());
     }
     let Bake { tint, roughness, seed, .. } = *wanted;
     let parameters = Parameters::chosen(material, &Chosen { tint, roughness, seed, set: &wanted.set })?;
@@ -117,7 +121,10 @@ fn of_material(wanted: &Bake, material: Material) -> Result<Box<dyn Source>> {
     used(wanted, &name, if relief { &["--occlusion"] } else { &[] })
         .map_err(|error| format!("{error}; see `asperity render --help-material {name}`"))?;
     if made.body.is_some() {
-        return Err(format!("{name} is no surface that has a base colour: light goes through it").into());
+        return Err(format!(
+            "`--material {name}` is not supported: transmissive materials have no base color"
+        )
+        .into());
     }
     let flat = Flat::new(name, values, made.surface, wanted.side)?;
     Ok(Box::new(flat))

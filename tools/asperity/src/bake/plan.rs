@@ -1,4 +1,4 @@
-//! The plan of a bake: sizes and the source, and the name by which a later run knows its tiles.
+//! The plan of a bake: sizes, source, and the key that identifies its tiles in later runs.
 
 use serde_json::{Value, json};
 
@@ -7,38 +7,39 @@ use crate::bake::source::{Row, Source};
 use asperity::failure::Result;
 use asperity::output::sha256;
 
-/// The least side of a tile in texels.
+/// Minimum side of a tile in texels.
 pub(crate) const LEAST_TILE: u32 = 64;
 
-/// Texels along the side of all parts, at most: a place in `f32` is then a sixteenth of a texel.
+/// Maximum texels along the side of all parts: a position in `f32` then has a resolution of a
+/// sixteenth of a texel.
 pub(crate) const MOST_TEXELS: u32 = 1 << 20;
 
-/// Format of the tiles' files; another number for another one.
+/// Version of the tile file format.
 const FORMAT: u32 = 1;
 
-/// Which of the parts that a texture is cut into.
+/// Position of a part within a texture that is split into parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Part {
-    /// Parts along a side of the texture; 1 of one that is whole.
+    /// Parts along a side of the texture; 1 for a whole texture.
     pub(crate) of: u32,
     /// Column and row, from the upper left.
     pub(crate) at: [u32; 2],
 }
 
 impl Part {
-    /// The part of a number, counted from 1 row by row.
+    /// Returns the part of a number, counted from 1 row by row.
     pub(crate) const fn numbered(number: u32, of: u32) -> Self {
         Self { of, at: [(number - 1) % of, (number - 1) / of] }
     }
 
-    /// The name of its folder: `u1_v1` is the one at the lower left.
+    /// Returns the folder name: `u1_v1` is the lower left part.
     pub(crate) fn folder(self) -> Option<String> {
         let [column, row] = self.at;
         (self.of > 1).then(|| format!("u{}_v{}", column + 1, self.of - row))
     }
 }
 
-/// All that the texels follow from.
+/// Everything that determines the texels.
 pub(crate) struct Plan {
     pub(crate) source: Box<dyn Source>,
     pub(crate) part: Part,
@@ -48,9 +49,9 @@ pub(crate) struct Plan {
     pub(crate) tile: u32,
     /// Samples along the side of a texel.
     pub(crate) samples: u32,
-    /// The distance up to which horizons are looked for, in texels.
+    /// Maximum distance of horizon samples, in texels.
     pub(crate) reach: u32,
-    /// Whether the texture continues on its other side.
+    /// Whether the texture is periodic.
     pub(crate) tileable: bool,
 }
 
@@ -65,7 +66,7 @@ impl Plan {
         self.tile.ilog2()
     }
 
-    /// The planes that the tiles have.
+    /// The planes stored in the tiles.
     pub(crate) fn planes(&self) -> impl Iterator<Item = Plane> + use<> {
         let varies = self.source.varies();
         Plane::ALL.into_iter().filter(move |plane| plane.differs(varies))
@@ -81,28 +82,30 @@ impl Plan {
         self.part.at.map(|k| i64::from(k) * i64::from(self.size))
     }
 
-    /// A row of texels from a column on, both of the part.
+    /// A row of texels from a column on, in coordinates of the part.
     pub(crate) fn row(&self, row: i64, column: i64) -> Row {
         let [first_column, first_row] = self.origin();
         let (row, column) = (first_row + row, first_column + column);
         Row { size: self.whole(), samples: self.samples, row, column }
     }
 
-    /// The lowest and the highest point that all parts share, of one that is cut into them.
+    /// The range of heights shared by all parts, for a texture that is split.
     pub(crate) fn shared_range(&self) -> Option<[f32; 2]> {
         self.source.range().filter(|_| self.part.of > 1)
     }
 
-    /// The first and the last of the wanted tiles, counted from 1; all if none are named.
+    /// Returns the first and the last requested tile, counted from 1, or all tiles by default.
     pub(crate) fn some(&self, wanted: Option<[u32; 2]>) -> Result<[u32; 2]> {
         let all = self.tiles() * self.tiles();
         match wanted {
-            Some([_, last]) if last > all => Err(format!("tile {last}: the last one is {all}").into()),
+            Some([_, last]) if last > all => {
+                Err(format!("tile {last} is out of range (there are {all} tiles)").into())
+            }
             wanted => Ok(wanted.unwrap_or([1, all])),
         }
     }
 
-    /// Parameters of everything that the texels follow from, whatever the tiles.
+    /// Describes everything that determines the texels, independent of tiling.
     pub(crate) fn describe(&self) -> Value {
         let mut all = json!({
             "source": self.source.describe(),
@@ -118,14 +121,14 @@ impl Plan {
         all
     }
 
-    /// A name that the plan shares with no other, nor with another build of the program.
+    /// Returns a key unique to the plan and the build of the program.
     pub(crate) fn key(&self, program: &[u8]) -> String {
         let all = json!({ "plan": self.describe(), "tile": self.tile, "format": FORMAT, "program": sha256(program) });
         sha256(all.to_string().as_bytes())[..16].into()
     }
 
-    /// The greatest difference between opposite edges, at as many points as an edge has texels, up to 4096: of heights, colours and
-    /// other values, and of slopes.
+    /// Returns the maximum difference between opposite edges, of values (heights, colors and
+    /// others) and of slopes. Each edge is sampled at one point per texel, up to 4096 points.
     pub(crate) fn seam(&self) -> [f32; 2] {
         let points = self.whole().min(4096);
         let (mut value, mut slope) = (0.0_f32, 0.0_f32);
@@ -142,17 +145,21 @@ impl Plan {
         [value, slope]
     }
 
-    /// Refuses parts that would not fit together, and a square that does not continue on its other side.
+    /// Returns an error for parts that would not fit together, and for a tileable square whose
+    /// opposite edges differ.
     pub(crate) fn checked(self) -> Result<Self> {
         if self.part.of > 1 && self.source.varies().height && self.source.range().is_none() {
-            return Err("`--parts`: the lowest and the highest point of all parts are not known beforehand of this surface".into());
+            return Err(
+                "`--parts`: not supported for this surface, because its height range is not known in advance"
+                    .into(),
+            );
         }
         if self.tileable {
             let seam = self.seam();
             if seam != [0.0; 2] {
                 let ([value, slope], why) = (seam, self.source.why_not());
                 return Err(format!(
-                    "`--tileable`: opposite edges differ by {value} in value, {slope} in slope: {why}"
+                    "`--tileable`: opposite edges differ by {value} in value and {slope} in slope ({why})"
                 )
                 .into());
             }

@@ -1,4 +1,4 @@
-//! The record beside a set: parameters of everything in it, its maps and its measures.
+//! The provenance record of a set: parameters, maps and measurements.
 
 use serde_json::{Value, json};
 
@@ -29,7 +29,7 @@ fn document(set: &Set<'_>) -> Value {
         "program": concat!("asperity ", env!("CARGO_PKG_VERSION"), ", asperity bake"),
         "surface": set.plan.describe(),
         "maps": maps,
-        "levels": "means of 2 × 2 texels; roughness from α² plus the variance of slopes that a level does not resolve",
+        "levels": "means of 2 × 2 texels; roughness includes the variance of slopes that a level does not resolve",
     });
     if set.plan.source.varies().height {
         record["height_range_in_sides"] = json!(set.levels.tops.range);
@@ -44,16 +44,16 @@ fn document(set: &Set<'_>) -> Value {
     record
 }
 
-/// Meaning of a map's numbers.
+/// Returns the meaning of a map's numbers.
 const fn meaning(map: Map) -> &'static str {
     match map {
-        Map::BaseColour => "base colour, sRGB; linear in OpenEXR",
+        Map::BaseColour => "base color, sRGB; linear in OpenEXR",
         Map::NormalOpenGl => "tangent-space normal, (n + 1)/2, green up the image",
         Map::NormalDirectX => "tangent-space normal, (n + 1)/2, green down the image",
-        Map::Height => "height: 0 the lowest point, 1 the highest; in sides in OpenEXR",
+        Map::Height => "height: 0 lowest, 1 highest; in units of the side in OpenEXR",
         Map::Roughness => "roughness r = √α of a GGX lobe",
         Map::Metallic => "metallic",
-        Map::Occlusion => "share of an even sky's light within the reach",
+        Map::Occlusion => "fraction of uniform sky light within the occlusion reach",
         Map::Packed => "red: occlusion, green: roughness, blue: metallic",
     }
 }

@@ -1,4 +1,4 @@
-//! Tiles on disk: each is written whole, so that a bake that was stopped goes on where it was.
+//! Tiles on disk. Each is written atomically, so that an interrupted bake can resume.
 
 use std::fs::{self, File};
 use std::io::{Read, Seek, SeekFrom};
@@ -12,7 +12,7 @@ use crate::bake::tile::{self, Tile};
 use asperity::failure::Result;
 use asperity::output::{Output, Shared};
 
-/// Rows of texels that are handed on at once; a multiple of the 4 rows of a compressed block.
+/// Rows of texels per call; a multiple of the 4 rows of a compressed block.
 pub(super) const BAND: usize = 64;
 
 /// The folder of a bake's tiles.
@@ -20,12 +20,12 @@ pub(super) struct Scratch<'a> {
     plan: &'a Plan,
     output: Output,
     folder: PathBuf,
-    /// Other runs may read and write the same tiles.
+    /// A shared lock: other runs may read and write the same tiles.
     held: Shared,
 }
 
 impl<'a> Scratch<'a> {
-    /// The folder of the plan's tiles, in that of the set.
+    /// Creates the folder of the plan's tiles, inside the folder of the set.
     pub(super) fn new(plan: &'a Plan, output: &Output, program: &[u8]) -> Result<Self> {
         let name = format!(".tiles-{}", plan.key(program));
         let held = Shared::new(output, &format!("{name}.lock"))?;
@@ -36,7 +36,8 @@ impl<'a> Scratch<'a> {
         format!("{column}-{row}.tile")
     }
 
-    /// A line that names tiles of other bakes in the folder of the set, which no run of this plan goes on with.
+    /// Returns a line that lists tiles of other bakes in the folder of the set. This plan does not
+    /// use them.
     pub(super) fn others(&self, output: &Output) -> Option<String> {
         let folders = fs::read_dir(output.path("")).ok()?.filter_map(Result::ok);
         let others: Vec<_> = folders
@@ -52,18 +53,18 @@ impl<'a> Scratch<'a> {
         let megabytes = others.iter().map(bytes).sum::<u64>() as f64 / 1e6;
         let more = if others.len() > 1 { format!(" and {} more", others.len() - 1) } else { String::new() };
         Some(format!(
-            "{megabytes:.1} MB of tiles of other bakes, which go on by their own command and program or can be removed: {}{more}",
+            "found {megabytes:.1} MB of unfinished tiles from other bakes (delete them if unneeded): {}{more}",
             first.display()
         ))
     }
 
-    /// Whether a tile is there, whole.
+    /// Whether a complete tile exists.
     fn has(&self, at: [u32; 2]) -> bool {
         let found = fs::metadata(self.folder.join(Self::name(at)));
         found.is_ok_and(|found| found.len() == tile::length(self.plan) as u64)
     }
 
-    /// Tiles of a range, counted from 1 row by row, that are not there yet.
+    /// Returns the missing tiles of a range, counted from 1 row by row.
     pub(super) fn missing(&self, [first, last]: [u32; 2]) -> Vec<[u32; 2]> {
         let tiles = self.plan.tiles();
         let all = (first - 1..last).map(|k| [k % tiles, k / tiles]);
@@ -76,7 +77,7 @@ impl<'a> Scratch<'a> {
         Ok(self.output.write(&Self::name(at), &bytes)?)
     }
 
-    /// Removes the tiles, if no other run needs them any more.
+    /// Removes the tiles unless another run uses them.
     pub(super) fn remove(self) {
         self.held.release(|| {
             let _ = fs::remove_dir_all(self.folder);
@@ -93,7 +94,7 @@ impl<'a> Scratch<'a> {
         read().map_err(|cause| format!("cannot read {}: {cause}", path.display()).into())
     }
 
-    /// All tiles' ends: the lowest and highest point of all, and the texels at the top of the tiles.
+    /// Reads the tails of all tiles: the range of heights, and the top texel of each tile.
     pub(super) fn tops(&self) -> Result<Tops> {
         let tiles = self.plan.tiles();
         let (mut range, mut texels) = ([f32::INFINITY, f32::NEG_INFINITY], Vec::new());
@@ -118,20 +119,20 @@ impl<'a> Scratch<'a> {
 
 /// Levels above the tiles.
 pub(super) struct Tops {
-    /// The lowest and the highest point of the surface; of parts, those that all share.
+    /// The lowest and the highest point of the surface. Parts share a common range.
     pub(super) range: [f32; 2],
-    /// From that of one texel a tile to that of one texel.
+    /// From the level with one texel per tile to the level with a single texel.
     levels: Vec<Vec<Texel>>,
 }
 
 impl Tops {
-    /// The mean of all.
+    /// The mean of all texels.
     pub(super) fn whole(&self) -> Texel {
         self.levels.last().and_then(|level| level.first()).copied().unwrap_or_default()
     }
 }
 
-/// Rows of every level, put together from tiles.
+/// Rows of every level, assembled from tiles.
 pub(super) struct Levels<'a> {
     pub(super) scratch: &'a Scratch<'a>,
     pub(super) tops: &'a Tops,
@@ -143,7 +144,7 @@ impl Levels<'_> {
         (self.scratch.plan.size >> level) as usize
     }
 
-    /// Rows of a plane that differs from texel to texel, from `first` on.
+    /// Returns rows of a varying plane, starting at `first`.
     pub(super) fn band(&self, plane: Plane, level: u32, first: usize, rows: usize) -> Result<Vec<u8>> {
         let (plan, side) = (self.scratch.plan, self.side(level));
         let width = plane.bytes();
@@ -158,7 +159,7 @@ impl Levels<'_> {
         }
         let tile_side = plan.tile as usize >> level;
         let mut bytes = vec![0; rows * side * width];
-        // A level may have several rows of tiles in a band.
+        // A band of a level may span several rows of tiles.
         let mut row = first;
         while row < first + rows {
             let (tile_row, within) = (row / tile_side, row % tile_side);

@@ -1,4 +1,4 @@
-//! A set: its maps with their levels, put together from tiles.
+//! A set: its maps with all levels, assembled from tiles.
 
 use std::sync::atomic::AtomicBool;
 
@@ -11,10 +11,10 @@ use crate::bake::scratch::Levels;
 use asperity::cli::BakedFormat as Format;
 use asperity::failure::{Interrupted, Result};
 
-/// Side of a map that is the same everywhere: that of a compressed block.
+/// Side of a uniform map: the side of a compressed block.
 const UNIFORM: usize = 4;
 
-/// Everything that files are written from.
+/// The data from which all files are written.
 pub(super) struct Set<'a> {
     pub(super) plan: &'a Plan,
     pub(super) levels: &'a Levels<'a>,
@@ -24,26 +24,26 @@ pub(super) struct Set<'a> {
 }
 
 impl Set<'_> {
-    /// The maps of the set: those of heights where there are any.
+    /// Returns the maps of the set, including height maps if the surface has heights.
     pub(super) fn maps(&self) -> Vec<MapLevels<'_>> {
         let all = Map::ALL.into_iter().map(|map| MapLevels { map, set: self });
         all.filter(|map| map.map != Map::Height || self.plan.source.varies().height).collect()
     }
 }
 
-/// A map of the set, with its levels.
+/// A map of the set with its levels.
 pub(super) struct MapLevels<'a> {
     pub(super) map: Map,
     pub(super) set: &'a Set<'a>,
 }
 
 impl MapLevels<'_> {
-    /// The name of its file in a format.
+    /// Returns the name of its file in a format.
     pub(super) fn file(&self, format: Format) -> String {
         format!("{}.{}", self.map.name(), ending(format))
     }
 
-    /// Whether it differs from texel to texel.
+    /// Whether the map varies between texels.
     pub(super) fn differs(&self) -> bool {
         self.map.planes().iter().any(|plane| plane.differs(self.set.plan.source.varies()))
     }
@@ -53,18 +53,18 @@ impl MapLevels<'_> {
         if self.differs() { self.set.levels.side(level) } else { UNIFORM >> level }
     }
 
-    /// The level of one texel.
+    /// The level with a single texel.
     pub(super) fn last(&self) -> u32 {
         self.side(0).ilog2()
     }
 
-    /// Texels that a file has, for progress.
+    /// Texels in a file, for progress.
     pub(super) fn texels_of(&self, format: Format) -> u64 {
         let levels = if has_levels(format) { self.last() } else { 0 };
         (0..=levels).map(|level| self.side(level).pow(2) as u64).sum()
     }
 
-    /// Rows of a level, 16 bits a channel.
+    /// Returns rows of a level, with 16 bits per channel.
     pub(super) fn rows(&self, level: u32, first: usize, rows: usize) -> Result<Vec<u16>> {
         let planes = self.planes(level, first, rows)?;
         let planes: Vec<&[u8]> = planes.iter().map(Vec::as_slice).collect();
@@ -73,7 +73,7 @@ impl MapLevels<'_> {
         Ok(texels)
     }
 
-    /// Rows of the planes of the map, the bytes of the scratch.
+    /// Returns rows of the map's planes as scratch bytes.
     pub(super) fn planes(&self, level: u32, first: usize, rows: usize) -> Result<Vec<Vec<u8>>> {
         Interrupted::check(self.set.interrupted)?;
         let (side, source) = (self.side(level), self.set.plan.source.as_ref());
@@ -89,7 +89,7 @@ impl MapLevels<'_> {
         self.map.planes().iter().map(plane).collect()
     }
 
-    /// The texel of a map that is the same everywhere.
+    /// Returns the texel of a uniform map.
     pub(super) fn uniform(&self) -> Result<Vec<u16>> {
         self.rows(self.last(), 0, 1)
     }

@@ -1,4 +1,5 @@
-//! The interface of what can be baked: a surface over the unit square, with the mean of all that a texel covers.
+//! The interface of bakeable surfaces: a surface over the unit square that returns means over
+//! texels.
 
 use asperity_shading::normal_map::SlopeMoments;
 use glam::Vec3;
@@ -6,16 +7,18 @@ use serde_json::Value;
 
 use crate::bake::texel::Texel;
 
-/// A row of texels, or a part of one.
+/// A row of texels, or a part of a row.
 ///
-/// The surface lies over the unit square, x to the right and y up; the first row of texels is the uppermost.
+/// The surface covers the unit square, x to the right and y up. The first row of texels is the top
+/// row.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Row {
     /// Texels along the side of the square.
     pub(crate) size: u32,
     /// Samples along the side of a texel: 1, or an even number.
     pub(crate) samples: u32,
-    /// The row and the first column; beyond the square where the surroundings of a texel count.
+    /// The row and the first column. Both may lie outside the square, for the surroundings of a
+    /// texel.
     pub(crate) row: i64,
     pub(crate) column: i64,
 }
@@ -26,17 +29,18 @@ impl Row {
         1.0 / self.size as f32
     }
 
-    /// The side of the square that a sample stands for.
+    /// The side of the square that a sample represents.
     pub(crate) fn sample(&self) -> f32 {
         self.texel() / self.samples as f32
     }
 
-    /// The middle of a texel.
+    /// The center of a texel.
     pub(crate) fn middle(&self, index: usize) -> [f64; 2] {
         self.at(index, [0.5; 2])
     }
 
-    /// The points of a texel whose mean is its mean: of polynomials of the third degree in each quarter exactly.
+    /// Sample points whose mean approximates the mean over the texel. For polynomials of degree
+    /// three in each quarter the result is exact.
     pub(crate) fn points(&self, index: usize) -> impl Iterator<Item = [f64; 2]> + use<> {
         let (row, samples) = (*self, self.samples);
         (0..samples * samples)
@@ -50,7 +54,8 @@ impl Row {
     }
 }
 
-/// The place of a sample along the side of a texel: Gauss's rule of two points, as often as there are pairs.
+/// Position of a sample along the side of a texel: the two-point Gauss rule on each pair of
+/// samples.
 fn place_of(k: u32, samples: u32) -> f64 {
     if samples == 1 {
         return 0.5;
@@ -60,12 +65,12 @@ fn place_of(k: u32, samples: u32) -> f64 {
     (f64::from(k / 2) + within) / f64::from(samples / 2)
 }
 
-/// Properties of a surface that differ from texel to texel; the others are the same everywhere.
+/// Which properties of a surface vary between texels. The others are uniform.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Varies {
     pub(crate) colour: bool,
     pub(crate) metallic: bool,
-    /// Whether there are heights, and with them the occlusion of light.
+    /// Whether the surface has heights, and therefore ambient occlusion.
     pub(crate) height: bool,
 }
 
@@ -74,15 +79,15 @@ pub(crate) trait Source: Sync {
     /// Parameters, for the record.
     fn describe(&self) -> Value;
 
-    /// Properties that differ from texel to texel.
+    /// Properties that vary between texels.
     fn varies(&self) -> Varies;
 
-    /// Why opposite edges differ, where they do.
+    /// The reason why opposite edges differ, if they do.
     fn why_not(&self) -> &'static str {
-        "the surface has no period"
+        "the surface is not periodic"
     }
 
-    /// The lowest and the highest point that there may be, in sides, where they are known.
+    /// Bounds of the height in units of the side, if known.
     fn range(&self) -> Option<[f32; 2]> {
         None
     }
@@ -92,18 +97,19 @@ pub(crate) trait Source: Sync {
         None
     }
 
-    /// The means over texels, but for the occlusion of light.
+    /// Computes the means over texels, except ambient occlusion.
     fn texels(&self, row: &Row, texels: &mut [Texel]);
 
-    /// Heights in the middle of texels.
+    /// Computes the heights at texel centers.
     fn heights(&self, _row: &Row, heights: &mut [f32]) {
         heights.fill(0.0);
     }
 
-    /// The surface at a point, to compare the edges with.
+    /// The surface at a point, used to compare opposite edges.
     fn point(&self, at: [f64; 2]) -> Texel;
 
-    /// The unit normal of a texel, and the α² of all that it does not resolve.
+    /// Returns the unit normal of a texel, and the α² of everything that the texel does not
+    /// resolve.
     ///
     /// ```text
     /// α² = mean α² + tr Σ,   Σ the covariance of slopes: Beckmann's α² is twice the variance along each axis
@@ -119,7 +125,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn samples_have_the_moments_of_a_texel() {
+    fn points_have_the_moments_of_a_texel() {
         for samples in [2, 4, 6] {
             let row = Row { size: 4, samples, row: 1, column: 2 };
             let (mut mean, mut square) = ([0.0; 2], [0.0; 2]);

@@ -1,4 +1,4 @@
-//! Whole bakes of small sets: bytes, seams, levels against references, stops.
+//! Whole bakes of small sets: bytes, seams, levels compared with references, interruption.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -19,11 +19,11 @@ static GO: AtomicBool = AtomicBool::new(false);
 
 fn planned(line: &str) -> Result<Plan> {
     let cli = Cli::try_parse_from(["asperity", "bake"].into_iter().chain(line.split_whitespace())).unwrap();
-    let Command::Bake(wanted) = cli.command else { panic!("another command") };
+    let Command::Bake(wanted) = cli.command else { panic!("not a bake command") };
     options::plan(&wanted, options::parts(&wanted)?[0])
 }
 
-/// Files of a set, without its tiles.
+/// Returns the files of a set, without its tiles.
 fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     entries
@@ -33,7 +33,7 @@ fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
         .collect()
 }
 
-/// Bakes what is missing and writes the set; the share that was missing.
+/// Bakes what is missing, writes the set, and returns the fraction that was missing.
 fn whole(plan: &Plan, output: &Output, flag: &AtomicBool) -> Result<f64> {
     let scratch = Scratch::new(plan, output, b"program")?;
     let fresh = fill(plan, &scratch, plan.some(None)?, flag)?;
@@ -48,7 +48,7 @@ fn baked(line: &str, folder: &Path) -> BTreeMap<String, Vec<u8>> {
 
 const ALL: [BakedFormat; 3] = [BakedFormat::Png, BakedFormat::Exr, BakedFormat::Ktx2];
 
-/// Texels of a PNG, with its size and its channels.
+/// Decodes a PNG to its size, channel count and texels.
 fn png(bytes: &[u8]) -> (usize, usize, Vec<u16>) {
     let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
     let mut data = vec![0; reader.output_buffer_size().unwrap()];
@@ -62,7 +62,7 @@ const SMALL: &str =
     "--size 128 --noise perlin --cells 4 --octaves 3 --height 0.02 --low-tint 204060 --tileable";
 
 #[test]
-fn bytes_are_those_of_any_tiles_and_any_threads() {
+fn bake_is_independent_of_tiles_and_threads() {
     let scratch = tempfile::tempdir().unwrap();
     let whole = baked(&format!("{SMALL} --tile 128"), &scratch.path().join("whole"));
     let tiles = baked(&format!("{SMALL} --tile 64"), &scratch.path().join("tiles"));
@@ -73,55 +73,58 @@ fn bytes_are_those_of_any_tiles_and_any_threads() {
         assert!(tiles[name] == *bytes && threads[name] == *bytes, "{name} differs");
     }
     assert_eq!(whole.len(), tiles.len());
-    // Nothing else is left.
+    // Nothing else remains.
     assert_eq!(fs::read_dir(scratch.path().join("tiles")).unwrap().count(), tiles.len());
 }
 
 #[test]
-fn a_bake_that_was_stopped_goes_on_to_the_same_bytes() {
+fn bake_resumes_to_the_same_bytes() {
     let scratch = tempfile::tempdir().unwrap();
     let line = format!("{SMALL} --tile 64");
     let expected = baked(&line, &scratch.path().join("whole"));
     let (plan, output) = (planned(&line).unwrap(), Output::new(scratch.path().join("stopped")).unwrap());
     let tiles = Scratch::new(&plan, &output, b"program").unwrap();
     assert_eq!(tiles.missing([1, 4]).len(), 4);
-    // As the tasks of a job do: the second and the third.
+    // Like the tasks of a job: the second and the third tile.
     assert_eq!(fill(&plan, &tiles, [2, 3], &GO).unwrap(), 1.0);
     assert_eq!(fill(&plan, &tiles, [3, 3], &GO).unwrap(), 0.0);
     let stopped = whole(&plan, &output, &AtomicBool::new(true)).unwrap_err().to_string();
-    assert_eq!(stopped, "interrupted; 2 of 4 tiles are kept, run the same command to go on");
+    assert_eq!(stopped, "interrupted: 2 of 4 tiles are done (run the same command to resume)");
     assert!(files(&scratch.path().join("stopped")).is_empty(), "a file of an unfinished set");
-    // A tile that was cut off is baked again.
+    // A truncated tile is baked again.
     let cut = output.path(&format!(".tiles-{}", plan.key(b"program"))).join("1-0.tile");
     let bytes = fs::read(&cut).unwrap();
     fs::write(&cut, &bytes[..bytes.len() / 2]).unwrap();
     assert_eq!(tiles.missing([1, 4]), [[0, 0], [1, 0], [1, 1]]);
     assert_eq!(whole(&plan, &output, &GO).unwrap(), 0.75);
     assert!(files(&scratch.path().join("stopped")) == expected);
-    // The last run that needs the tiles removes them.
+    // The last run that uses the tiles removes them.
     assert!(cut.exists());
     tiles.remove();
     assert!(!cut.exists());
-    // Tiles that are left behind are named.
+    // Leftover tiles are listed.
     let left = Scratch::new(&plan, &output, b"older").unwrap();
     fill(&plan, &left, [1, 1], &GO).unwrap();
     let own = Scratch::new(&plan, &output, b"program").unwrap();
     let said = own.others(&output).unwrap();
     own.remove();
-    assert!(said.starts_with("0.1 MB of tiles of other bakes") && said.contains("/.tiles-"), "{said}");
+    assert!(
+        said.starts_with("found 0.1 MB of unfinished tiles from other bakes") && said.contains("/.tiles-"),
+        "{said}"
+    );
     assert_eq!((said.lines().count(), left.others(&output)), (1, None));
     left.remove();
-    // Other parameters, and another program, share no tile.
+    // Other parameters or another program use different tiles.
     let other = planned(&line.replace("0.02", "0.03")).unwrap();
     assert!(other.key(b"program") != plan.key(b"program") && plan.key(b"newer") != plan.key(b"program"));
 }
 
 #[test]
-fn parts_are_the_texels_of_the_whole() {
+fn parts_equal_the_whole_texture() {
     let scratch = tempfile::tempdir().unwrap();
     for (k, all) in [SMALL.replace(" --tileable", ""), SMALL.to_owned()].iter().enumerate() {
         let folder = scratch.path().join(k.to_string());
-        // As far in texels.
+        // The same distance in texels.
         let together = baked(&format!("{all} --occlusion 0.0625"), &folder.join("together"));
         let record = |set: &BTreeMap<String, Vec<u8>>| -> Value {
             serde_json::from_slice(&set["provenance.json"]).unwrap()
@@ -130,7 +133,7 @@ fn parts_are_the_texels_of_the_whole() {
         for number in 1..=4_u32 {
             let cli =
                 Cli::try_parse_from(["asperity", "bake"].into_iter().chain(line.split_whitespace())).unwrap();
-            let Command::Bake(wanted) = cli.command else { panic!("another command") };
+            let Command::Bake(wanted) = cli.command else { panic!("not a bake command") };
             let plan = options::plan(&wanted, number).unwrap();
             let [column, row] = [(number - 1) % 2, (number - 1) / 2].map(|k| k as usize);
             assert_eq!(plan.part.folder().unwrap(), format!("u{}_v{}", column + 1, 2 - row));
@@ -146,19 +149,19 @@ fn parts_are_the_texels_of_the_whole() {
                     assert!(texels == &of[at..at + width], "{map}, part {number}, row {k}");
                 }
             }
-            // Heights of all parts are on one scale, which has room for all.
+            // Heights of all parts are scaled to one range that contains them all.
             let range = |of: &Value| [0, 1].map(|end| of["height_range_in_sides"][end].as_f64().unwrap());
             let ([low, high], [lowest, highest]) = (range(&record(&set)), range(&record(&together)));
             assert!(low == -high && low < lowest && highest < high, "{low} to {high}");
         }
     }
     for (line, said) in [
-        ("--fractal torus --parts 2", "`--parts`: the lowest and the highest point"),
+        ("--fractal torus --parts 2", "`--parts`: not supported for this surface, "),
         (
             "--size 65536 --parts 32",
-            "`--parts`: 32 × 65536 texels along a side, places are told apart up to 1048576",
+            "`--parts`: 32 × 65536 texels along a side are too many (at most 1048576)",
         ),
-        ("--size 64 --parts 3 --part 9-10", "part 10: the last one is 9"),
+        ("--size 64 --parts 3 --part 9-10", "part 10 is out of range (there are 9 parts)"),
     ] {
         let error = planned(line).err().map(|error| error.to_string()).unwrap_or_default();
         assert!(error.starts_with(said) && error.lines().count() == 1, "{line}: {error}");
@@ -166,7 +169,7 @@ fn parts_are_the_texels_of_the_whole() {
 }
 
 #[test]
-fn opposite_edges_meet() {
+fn tileable_edges_match() {
     for line in [
         SMALL,
         "--size 64 --noise gaussian --tileable",
@@ -179,13 +182,14 @@ fn opposite_edges_meet() {
     ] {
         let plan = planned(line).unwrap();
         assert_eq!(plan.seam(), [0.0; 2], "{line}");
-        // What a horizon beyond the edge sees is, to the bit, the texels of the other side.
+        // Texels beyond the edge, which horizons sample, equal the texels of the opposite side bit
+        // for bit.
         let around = tile::surroundings(&plan, [0, 0]);
         let (size, before) = (plan.size as usize, around.margin.min(plan.size as usize));
         for row in around.heights.chunks_exact(around.side) {
             assert_eq!(row[..before], row[size..size + before], "{line}");
         }
-        // The light that reaches the texels at an edge is that of the surface beyond it: one of a moved surface.
+        // Occlusion at an edge includes the surface beyond it: compare with a shifted surface.
         let mut here = vec![Texel::default(); 8];
         plan.source.texels(&plan.row(3, 0), &mut here);
         let mut there = here.clone();
@@ -201,7 +205,7 @@ fn opposite_edges_meet() {
     assert!(seam[0] > 1e-3 && seam[1] > 1e-2, "{seam:?}");
 }
 
-/// Mean slopes and variance in a square of texels, by so many samples along its side.
+/// Returns mean slopes and variance in a square of texels, from `side`² samples.
 fn reference(source: &dyn Source, plan: &Plan, level: u32, at: [i64; 2], side: u32) -> (glam::Vec2, f32) {
     let texel = f64::from(1 << level) / f64::from(plan.size);
     let (mut mean, mut square) = (glam::DVec2::ZERO, 0.0);
@@ -216,7 +220,7 @@ fn reference(source: &dyn Source, plan: &Plan, level: u32, at: [i64; 2], side: u
 }
 
 #[test]
-fn roughness_of_every_level_is_that_of_a_thousand_samples() {
+fn roughness_of_every_level_matches_a_thousand_samples() {
     let plan =
         planned("--size 256 --tile 256 --noise gaussian --cells 4 --octaves 3 --height 0.03 --roughness 0.3")
             .unwrap();
@@ -245,21 +249,21 @@ fn roughness_of_every_level_is_that_of_a_thousand_samples() {
 }
 
 #[test]
-fn a_density_from_afar_is_as_rough_as_it_is() {
+fn density_at_top_level_has_its_roughness() {
     for (spec, alpha) in [("ggx:0.3", 0.3), ("ggx:0.1,0.4", (0.5_f32 * (0.01 + 0.16)).sqrt())] {
         let plan = planned(&format!("--size 64 --ndf {spec} --cells 64 --tileable")).unwrap();
         let mut row = vec![Texel::default(); 64];
         plan.source.texels(&plan.row(5, 0), &mut row);
         let all = Texel::mixed(row.iter().map(|texel| (1.0 / 64.0, *texel)));
         let (normal, alpha2) = plan.source.shown(&all);
-        // A row of 64 cells has a mean and a variance of its own.
+        // A row of 64 cells has a sample mean and variance.
         assert!((alpha2.sqrt() / alpha - 1.0).abs() < 0.1, "{spec}: {} and {alpha}", alpha2.sqrt());
         assert!(normal.z > 0.99, "{normal}");
     }
 }
 
 #[test]
-fn maps_show_the_surface() {
+fn maps_match_the_surface() {
     let scratch = tempfile::tempdir().unwrap();
     let set = baked(&format!("{SMALL} --tile 64"), scratch.path());
     let plan = planned(&format!("{SMALL} --tile 64")).unwrap();
@@ -272,8 +276,9 @@ fn maps_show_the_surface() {
     let (mut row, mut middles) = (vec![Texel::default(); 128], vec![0.0; 128]);
     for j in [0, 63, 64, 127] {
         plan.source.texels(&plan.row(j as i64, 0), &mut row);
-        // What occludes is the same surface, in the middle of texels. Of 8 texels a wave, as the last octave has, means are off by
-        // (2π/8)²/24 an axis, and that octave is a seventh of all.
+        // Occlusion uses the same surface, at texel centers. With 8 texels per wave, as in the last
+        // octave, means differ by (2π/8)²/24 per axis, and the last octave is a seventh of the
+        // total.
         plan.source.heights(&plan.row(j as i64, 0), &mut middles);
         let apart = row.iter().zip(&middles).map(|(texel, middle)| (texel.height - middle).abs());
         assert!(apart.fold(0.0, f32::max) < 0.02 * (range[1] - range[0]), "{j}");
@@ -288,13 +293,13 @@ fn maps_show_the_surface() {
             }
         }
     }
-    // Up the image is up: where heights grow from row to row upwards, green is under its middle.
+    // Up the image is up: where heights grow from row to row upward, green is below its mean.
     let up = (1..127).flat_map(|j| (0..128).map(move |i| j * 128 + i)).map(|k| {
         let rise = f64::from(heights[k - 128]) - f64::from(heights[k + 128]);
         rise * (f64::from(normals[3 * k + 1]) - 32_767.5)
     });
     assert!(up.sum::<f64>() < 0.0);
-    // The same everywhere: one block.
+    // Uniform: one block.
     assert_eq!(png(&set["metallic.png"]), (4, 1, vec![0; 16]));
     let (_, _, light) = png(&set["ambient_occlusion.png"]);
     let (least, most) = (light.iter().min().unwrap(), light.iter().max().unwrap());
@@ -303,7 +308,7 @@ fn maps_show_the_surface() {
         (png(&set["roughness.png"]), png(&set["occlusion_roughness_metallic.png"]));
     assert!(packed.chunks_exact(3).eq(light.iter().zip(&rough).map(|(&light, &rough)| [light, rough, 0])));
     assert!(!set.contains_key("albedo.png"));
-    // Heights of a density: none.
+    // A density has no heights.
     let bumps = baked("--size 64 --ndf ggx:0.2 --cells 4", &scratch.path().join("bumps"));
     assert!(!bumps.contains_key("height.png") && bumps.contains_key("normal_directx.png"));
     assert_eq!(Plane::Normal.bytes(), 4);
@@ -311,10 +316,10 @@ fn maps_show_the_surface() {
 
 #[cfg(unix)]
 #[test]
-fn a_folder_that_cannot_be_written_to_is_named() {
+fn write_failure_reports_the_path() {
     let scratch = tempfile::tempdir().unwrap();
     let output = Output::new(scratch.path()).unwrap();
-    // A folder in the place of a file: it cannot be renamed onto it.
+    // A directory in place of a file: a file cannot be renamed onto it.
     fs::create_dir_all(scratch.path().join("height.png/in")).unwrap();
     let plan = planned(&format!("{SMALL} --tile 64")).unwrap();
     let said = whole(&plan, &output, &GO).unwrap_err().to_string();
@@ -325,7 +330,7 @@ fn a_folder_that_cannot_be_written_to_is_named() {
 }
 
 #[test]
-fn levels_of_every_format_are_the_levels_of_the_surface() {
+fn levels_of_every_format_match_the_surface() {
     let scratch = tempfile::tempdir().unwrap();
     let line = format!("{SMALL} --tile 64");
     let (set, plan) = (baked(&line, scratch.path()), planned(&line).unwrap());
@@ -368,14 +373,14 @@ fn levels_of_every_format_are_the_levels_of_the_surface() {
             side /= 2;
         }
     }
-    // Half floats, which loaders for the web read.
+    // Half floats, which web loaders read.
     let height = ktx2::Reader::new(set["height.ktx2"].as_slice()).unwrap();
     assert_eq!(height.header().format, Some(ktx2::Format::R16_SFLOAT));
     let halves = height.levels().next().unwrap().data.chunks_exact(2);
     let halves = halves.map(|bytes| exr::prelude::f16::from_le_bytes([bytes[0], bytes[1]]).to_f32());
     let (low, high) = heights[0].iter().fold((f32::MAX, f32::MIN), |(l, h), &x| (l.min(x), h.max(x)));
     for (half, height) in halves.zip(&heights[0]) {
-        // Half a step of half floats below 1, and one of 16 bits.
+        // Half a step of half floats below 1, and one 16-bit step.
         assert!((half - (height - low) / (high - low)).abs() < 2.6e-4, "{half}");
     }
     let base = ktx2::Reader::new(set["base_color.ktx2"].as_slice()).unwrap();
@@ -385,7 +390,7 @@ fn levels_of_every_format_are_the_levels_of_the_surface() {
     assert_eq!(ktx2::Reader::new(set["metallic.ktx2"].as_slice()).unwrap().header().level_count, 3);
 }
 
-/// The levels of a channel of an OpenEXR file.
+/// Returns the levels of a channel of an OpenEXR file.
 fn channel(bytes: &[u8], name: &str) -> Vec<Vec<f32>> {
     use exr::prelude::{ReadChannels, ReadLayers, read};
     let image =
@@ -401,7 +406,7 @@ fn channel(bytes: &[u8], name: &str) -> Vec<Vec<f32>> {
 }
 
 #[test]
-fn documents_name_the_files_that_there_are() {
+fn documents_reference_existing_files() {
     let scratch = tempfile::tempdir().unwrap();
     let painted = "--size 64 --material paint --side 0.02";
     for (k, line) in [
@@ -432,7 +437,7 @@ fn documents_name_the_files_that_there_are() {
 }
 
 #[test]
-fn materials_have_the_heights_that_their_normals_are_of() {
+fn material_heights_match_normals() {
     for (line, occluded) in [
         ("--material brick --side 0.1 --set depth=0.01 --size 256 --occlusion 0.05", true),
         ("--material plastic --side 0.05 --set dent_size=0.02 --set dent_strength=0.4 --size 256", false),
@@ -453,7 +458,8 @@ fn materials_have_the_heights_that_their_normals_are_of() {
             plan.source.texels(&plan.row(row, 0), &mut texels);
             texels
         });
-        // Rises over two texels, of the mean slopes over the one between with a half of those beside it.
+        // The height difference over two texels, compared with the mean slope of the texel between
+        // them plus half of each neighbor's.
         let (mut error, mut all) = (0.0, 0.0);
         for (k, texel) in rows[1].iter().enumerate().take(side - 1).skip(1) {
             assert!((low..=high).contains(&texel.height), "{line}: {}", texel.height);
@@ -468,7 +474,7 @@ fn materials_have_the_heights_that_their_normals_are_of() {
         }
         println!("{line}: {error} of {all}");
         assert!(all > 0.0 && error < 0.1 * all, "{line}: {error} of {all}");
-        // The heights that occlude are those of the texels.
+        // Occlusion uses the heights of the texels.
         let mut heights = vec![0.0; side];
         plan.source.heights(&plan.row(101, 0), &mut heights);
         let differ = heights.iter().zip(&rows[1]).map(|(height, texel)| (height - texel.height).abs());
@@ -490,7 +496,7 @@ fn materials_have_the_heights_that_their_normals_are_of() {
 }
 
 #[test]
-fn materials_have_their_colours_and_those_without_a_period_are_refused() {
+fn material_colors_and_tileable_errors() {
     let clay = planned("--material brick --side 0.52 --set variation=0 --set clay=0.4,0.2,0.1").unwrap();
     let (mut row, mut found) = (vec![Texel::default(); 1024], false);
     clay.source.texels(&clay.row(100, 0), &mut row);
@@ -499,7 +505,8 @@ fn materials_have_their_colours_and_those_without_a_period_are_refused() {
         assert_eq!((texel.metallic, texel.alpha2), (0.0, 1.0));
     }
     assert!(found, "no clay in a row of bricks");
-    // Flanks of the mortar as steep as they are: 1.5 · 6 mm over half of 5 mm is 3.6, a texel's mean a little less.
+    // Flanks of the mortar have their true slope: 1.5 · 6 mm over half of 5 mm is 3.6, and a
+    // texel's mean is slightly less.
     let steep = |side: f32| row.iter().map(|texel| side * texel.slopes.mean.x).fold(0.0, f32::max);
     assert!(
         (steep(1.0) - 3.45).abs() < 0.2 && (steep(-1.0) - 3.45).abs() < 0.2,
@@ -515,16 +522,22 @@ fn materials_have_their_colours_and_those_without_a_period_are_refused() {
         ("--material carpet --tileable", "`--tileable`: opposite edges differ by "),
         ("--material paint --tileable", "`--tileable`: opposite edges differ by "),
         ("--noise gaussian", ""),
-        ("--material glass", "glass is no surface that has a base colour: light goes through it"),
-        ("--material frosted", "frosted is no surface that has a base colour: light goes through it"),
-        ("--material bumps", "bumps are baked by `--ndf`"),
+        (
+            "--material glass",
+            "`--material glass` is not supported: transmissive materials have no base color",
+        ),
+        (
+            "--material frosted",
+            "`--material frosted` is not supported: transmissive materials have no base color",
+        ),
+        ("--material bumps", "`--material bumps` is not supported: use `--ndf`"),
         ("--material brick --parts 2 --occlusion 0.1", ""),
-        ("--material chrome --occlusion 0.1", "--occlusion would change nothing of chrome; see "),
-        ("--material chrome --low-tint 000000", "--low-tint would change nothing of chrome; see "),
-        ("--material brick --height 0.1", "--height would change nothing of brick; see "),
-        ("--ndf ggx:0.2 --occlusion 0.1", "--occlusion would change nothing of bumps of a density"),
-        ("--fractal torus --octaves 3", "--octaves would change nothing of a fractal surface"),
-        ("--noise perlin --factor 0.3", "--factor would change nothing of noise"),
+        ("--material chrome --occlusion 0.1", "--occlusion has no effect on chrome; see "),
+        ("--material chrome --low-tint 000000", "--low-tint has no effect on chrome; see "),
+        ("--material brick --height 0.1", "--height has no effect on brick; see "),
+        ("--ndf ggx:0.2 --occlusion 0.1", "--occlusion has no effect on bumps of a density"),
+        ("--fractal torus --octaves 3", "--octaves has no effect on a fractal surface"),
+        ("--noise perlin --factor 0.3", "--factor has no effect on noise"),
     ] {
         match planned(line) {
             Ok(_) => assert_eq!(said, "", "{line}"),

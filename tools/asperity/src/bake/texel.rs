@@ -1,35 +1,35 @@
-//! Means over the square of a texel: what a level of a texture is made of, and what the level above joins.
+//! Moments over the square of a texel, from which texture levels are made and combined.
 
 use asperity_shading::normal_map::SlopeMoments;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
-/// Numbers of a texel in a file.
+/// Numbers per texel in a file.
 const NUMBERS: usize = 12;
 
-/// Bytes of a texel in a file.
+/// Bytes per texel in a file.
 pub(crate) const BYTES: usize = 4 * NUMBERS;
 
 /// Means of a surface over a square.
 ///
-/// Slopes are `(n_x, n_y)/n_z` of the normals, or the Gaussian coordinates that a density's normals come from: whatever its source
-/// says, first and second moments, which are all that levels join.
+/// Slopes are `(n_x, n_y)/n_z` of the normals, or the Gaussian coordinates of a density's normals,
+/// depending on the source. Levels combine only their first and second moments.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Texel {
     pub(crate) slopes: SlopeMoments,
     /// The mean of α² of the surface between the slopes.
     pub(crate) alpha2: f32,
-    /// In sides of the texture.
+    /// In units of the texture's side.
     pub(crate) height: f32,
-    /// Base colour, linear.
+    /// Base color, linear.
     pub(crate) colour: Vec3,
     pub(crate) metallic: f32,
-    /// The share of even light that reaches the surface.
+    /// The fraction of uniform sky light that reaches the surface.
     pub(crate) occlusion: f32,
 }
 
 impl Texel {
-    /// The mean of parts with shares of the square.
+    /// Returns the weighted mean of parts of the square.
     pub(crate) fn mixed(parts: impl IntoIterator<Item = (f32, Self)>) -> Self {
         let (mut all, mut mixed) = (0.0, Self::default());
         for (share, part) in parts {
@@ -44,7 +44,7 @@ impl Texel {
         mixed
     }
 
-    /// The texel above four.
+    /// Returns the parent of four texels.
     pub(crate) fn above(four: [Self; 4]) -> Self {
         Self::mixed(four.map(|part| (0.25, part)))
     }
@@ -72,7 +72,7 @@ impl Texel {
     }
 }
 
-/// A square of texels, half as wide: level by level up to a single one.
+/// Halves a square of texels repeatedly, down to a single texel.
 pub(crate) fn halved(texels: &[Texel], side: usize) -> Vec<Texel> {
     let half = side / 2;
     (0..half * half)
@@ -100,15 +100,16 @@ mod tests {
     }
 
     #[test]
-    fn bytes_keep_every_number() {
+    fn bytes_round_trip() {
         assert_eq!(Texel::from_bytes(&some(0.7).to_bytes()), some(0.7));
     }
 
     #[test]
-    fn variance_that_a_level_loses_is_kept_as_covariance() {
+    fn above_keeps_lost_variance_as_covariance() {
         let level = halved(&[0.0, 1.0, 2.0, 3.0].map(some), 2);
         assert_eq!(level.len(), 1);
-        // The mean of (0, 0.1, 0.2, 0.3), and its variance beside that of the parts.
+        // The mean of (0, 0.1, 0.2, 0.3), and its variance in addition to the variance of the
+        // parts.
         let [xx, ..] = level[0].slopes.covariance;
         assert!((level[0].slopes.mean.x - 0.15).abs() < 1e-6 && (xx - 0.2125).abs() < 1e-6, "{level:?}");
         assert!((level[0].alpha2 - 1.8).abs() < 1e-6 && (level[0].height + 1.5).abs() < 1e-6, "{level:?}");

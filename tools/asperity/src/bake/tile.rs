@@ -1,4 +1,4 @@
-//! One tile: its texels, the light that reaches them, and all levels up to one texel.
+//! One tile: its texels, their ambient occlusion, and all levels up to one texel.
 
 use std::sync::atomic::AtomicBool;
 
@@ -9,15 +9,16 @@ use crate::bake::plan::Plan;
 use crate::bake::texel::{Texel, halved};
 use asperity::failure::{Interrupted, Result};
 
-/// A finished tile as its file has it: planes of all levels, heights from lowest to highest, the texel of the whole.
+/// A finished tile in file layout: planes of all levels, range of heights, top texel.
 pub(super) struct Tile {
     pub(super) bytes: Vec<u8>,
 }
 
-/// Bytes behind the planes: the lowest and the highest point, and the texel at the top.
+/// Bytes after the planes: the range of heights, and the top texel.
 pub(super) const TAIL: usize = 8 + crate::bake::texel::BYTES;
 
-/// Place of a plane's level within a tile's file; of the level beyond the last, the end of all planes.
+/// Returns the offset of a plane's level within a tile's file. For a level past the last, the end
+/// of all planes.
 pub(super) fn offset(plan: &Plan, plane: usize, level: u32) -> usize {
     let texels = |level: u32| (plan.tile as usize >> level).pow(2);
     let level_bytes = |level| plan.planes().map(super::maps::Plane::bytes).sum::<usize>() * texels(level);
@@ -25,7 +26,7 @@ pub(super) fn offset(plan: &Plan, plane: usize, level: u32) -> usize {
     before + plan.planes().take(plane).map(|plane| plane.bytes() * texels(level)).sum::<usize>()
 }
 
-/// Length of a tile's file.
+/// Returns the length of a tile's file.
 pub(super) fn length(plan: &Plan) -> usize {
     offset(plan, 0, plan.top() + 1) + TAIL
 }
@@ -80,7 +81,7 @@ impl Tile {
     }
 }
 
-/// Heights of the tile and of what its horizons reach.
+/// Returns the heights of the tile and of everything within reach of its horizons.
 pub(super) fn surroundings(plan: &Plan, [column, row]: [i64; 2]) -> Surroundings {
     let (margin, whole, origin) = (plan.reach as usize, i64::from(plan.whole()), plan.origin());
     let side = plan.tile as usize + 2 * margin;
@@ -90,7 +91,7 @@ pub(super) fn surroundings(plan: &Plan, [column, row]: [i64; 2]) -> Surroundings
         if !plan.tileable {
             return plan.source.heights(&plan.row(row, first), heights);
         }
-        // In pieces that lie in the square, where every number is that of the texel itself.
+        // In pieces inside the square, where every number equals the number of the texel itself.
         let mut done = 0;
         while done < heights.len() {
             let [column, row] = [(first + done as i64, origin[0]), (row, origin[1])]

@@ -1,4 +1,5 @@
-//! Densities from the outside: `ggx:0.2,0.4` and its like, `painted`, an image file, or the density of a normal map.
+//! Densities given on the command line: a formula such as `ggx:0.2,0.4`, `painted`, an image file,
+//! or a normal map.
 
 use std::{path::Path, sync::Arc};
 
@@ -17,13 +18,13 @@ use crate::input::images::Images;
 use crate::output::sha256;
 use crate::progress;
 
-/// Texels per side of the maps that are made from functions.
+/// Texels per side of maps computed from formulas.
 pub const SIZE: usize = 256;
 
 /// Prefix of the file of a normal map.
 pub const NORMAL_MAP: &str = "normal-map:";
 
-/// The formulas: the word before the colon, the name, and what the numbers are.
+/// The formulas: word before the colon, display name, parameters.
 const FORMULAS: [(&str, &str, &str); 6] = [
     ("ggx", "GGX", "AX[,AY]"),
     ("beckmann", "Beckmann", "AX[,AY]"),
@@ -33,18 +34,18 @@ const FORMULAS: [(&str, &str, &str); 6] = [
     ("ashikhmin-shirley", "Ashikhmin\u{2013}Shirley", "NU,NV"),
 ];
 
-/// A density of normals with the words that asked for it.
+/// A normal density and its specification.
 pub struct Density {
-    /// The specification it was read from.
+    /// The specification that was parsed.
     pub spec: String,
     /// The density.
     pub ndf: Arc<SharedNdf>,
-    /// The map that it is, where it is no formula.
+    /// The map, if the density is not a formula.
     map: Option<NdfMap>,
 }
 
 impl Density {
-    /// Reads a specification; an image is read from the file of that name.
+    /// Parses a specification; any other text is the path of an image file.
     pub fn parse(text: &str, reading: Images) -> Result<Self, Failure> {
         let read = || -> Result<(Arc<SharedNdf>, Option<NdfMap>), Failure> {
             let map = match text.split_once(':') {
@@ -63,7 +64,7 @@ impl Density {
         Ok(Self { spec: text.into(), ndf, map })
     }
 
-    /// The densities that the gallery shows.
+    /// The densities shown in the gallery.
     pub fn of_the_gallery() -> Result<Vec<Self>, Failure> {
         ["ggx:0.2,0.4", "beckmann:0.3", "painted"]
             .iter()
@@ -71,18 +72,19 @@ impl Density {
             .collect()
     }
 
-    /// The density on the (x, y) map: the image's own texels, or a function's at [`SIZE`]².
+    /// Returns the density on the (x, y) map: the image's texels, or a formula's values at
+    /// [`SIZE`]².
     pub fn map(&self) -> Result<NdfMap, Failure> {
         let from_ndf = || NdfMap::from_ndf(SIZE, SIZE, Reconstruction::Bilinear, self.ndf.as_ref());
         Ok(self.map.clone().map_or_else(from_ndf, Ok)?)
     }
 
-    /// Whether it is constant on each texel of its map.
+    /// Whether the density is constant on each texel of its map.
     pub fn is_in_steps(&self) -> bool {
         self.map.as_ref().is_some_and(|map| map.view().reconstruction() == Reconstruction::Constant)
     }
 
-    /// For people: `GGX 0.2, 0.4`.
+    /// Returns the display name, e.g. `GGX 0.2, 0.4`.
     pub fn name(&self) -> String {
         let file = |path: &str| {
             Path::new(path).file_name().map_or(path.to_owned(), |name| name.to_string_lossy().into())
@@ -98,7 +100,8 @@ impl Density {
         }
     }
 
-    /// For folders: `ggx-0.2-0.4`; two images of one name in different folders get different ones.
+    /// Returns the folder name, e.g. `ggx-0.2-0.4`. Equally named images in different folders get
+    /// different names.
     pub fn slug(&self) -> String {
         let (_, name) = self.spec.rsplit_once(['/', '\\']).unwrap_or(("", &self.spec));
         let clean: String =
@@ -112,7 +115,8 @@ impl Density {
     }
 }
 
-/// Two lobes and a diffuse floor, as a painter would have it: a density that no formula of the literature gives.
+/// Two lobes and a diffuse floor, as an artist could paint them. No standard formula has this
+/// shape.
 ///
 /// ```text
 /// D ∝ exp(−|n − (−0.38, 0.22)|²/0.020) + 0.6 exp(−|n − (0.35, −0.30)|²/0.045) + 0.02
@@ -126,7 +130,7 @@ pub fn painted() -> Result<NdfMap, Failure> {
     Ok(NdfMap::from_fn(SIZE, SIZE, Measure::Normals, Reconstruction::Bilinear, paint)?)
 }
 
-/// The density of a formula's word and its numbers.
+/// Builds the density of a formula from its word and parameters.
 fn formula(word: &str, text: &str) -> Result<Arc<SharedNdf>, Failure> {
     let parse = |text: &str| {
         text.trim().parse::<f32>().map_err(|_| Failure::from(format!("`{}` is not a number", text.trim())))
@@ -142,28 +146,29 @@ fn formula(word: &str, text: &str) -> Result<Arc<SharedNdf>, Failure> {
         ("student-t", &[x, y, gamma], _) => Arc::new(StudentT::new(x, y, gamma)?),
         ("blinn-phong", &[exponent], _) => Arc::new(BlinnPhong::new(exponent)?),
         ("ashikhmin-shirley", &[n_u, n_v], _) => Arc::new(AshikhminShirley::new(n_u, n_v)?),
-        _ => return Err(format!("got {} numbers, write `{form}`", numbers.len()).into()),
+        _ => return Err(format!("got {} numbers (expected `{form}`)", numbers.len()).into()),
     })
 }
 
-/// The density of an image; the error names the formulas, for a mistyped one is taken for a file.
+/// Reads the density of an image. The error lists the formulas, because a mistyped formula is taken
+/// for a file name.
 fn image_density(path: &Path, reading: Images) -> Result<NdfMap, Failure> {
     let image = ImageFile::open(path, Content::Colors).map_err(|error| match error {
         ImageFileError::Unreadable { error } => {
             let formulas = FORMULAS.map(|(word, _, numbers)| format!("`{word}:{numbers}`")).join(", ");
-            format!("neither {formulas} nor `painted`, and as an image file it cannot be read: {error}")
-                .into()
+            format!("expected {formulas}, `painted` or a readable image file: {error}").into()
         }
         error => Failure::from(error),
     })?;
-    // Rows from the bottom up: an image's first row is its top, a map's first row has n_y = −1.
+    // Rows run from the bottom up: an image's first row is its top, a map's first row has n_y = −1.
     let texels: Vec<f32> = image.grey().chunks(image.width.max(1)).rev().flatten().copied().collect();
     let measure = reading.measure.unwrap_or(Measure::Normals);
     let reconstruction = reading.reconstruction.unwrap_or(Reconstruction::Constant);
     Ok(NdfMap::from_texels(image.width, image.height, &texels, measure, reconstruction)?)
 }
 
-/// The density of a normal map's normals: integers unsigned, floats signed.
+/// Estimates the density of the normals of a normal map. Integer channels are unsigned, floats are
+/// signed.
 fn estimated(path: &Path, reading: Images) -> Result<NdfMap, Failure> {
     let note = |text: &str| progress::note(&format!("normal map `{}`: {text}", path.display()));
     let image = ImageFile::open(path, Content::Normals)?;
@@ -172,11 +177,11 @@ fn estimated(path: &Path, reading: Images) -> Result<NdfMap, Failure> {
         Some([value(0)?, value(1)?, value(2).unwrap_or(0.0)])
     };
     let texels: Option<Vec<[f32; 3]>> = (0..image.width * image.height).map(texel).collect();
-    let mut texels = texels.ok_or("a normal map needs the channels R, G, B or X, Y, Z, got gray")?;
+    let mut texels = texels.ok_or("a normal map needs channels R, G, B or X, Y, Z, got a gray image")?;
     let signed =
         |texels: &[[f32; 3]]| texels.iter().map(|texel| texel.map(|c| 2.0 * c - 1.0)).collect::<Vec<_>>();
     if image.floats {
-        // No normals, such as outside the data of an OpenEXR file.
+        // Texels without a normal, e.g. outside the data window of an OpenEXR file.
         texels.retain(|texel| image.planes.len() == 2 || *texel != [0.0; 3]);
         let unsigned = texels.as_flattened().iter().all(|c| (0.0..=1.0).contains(c));
         if unsigned
@@ -184,7 +189,7 @@ fn estimated(path: &Path, reading: Images) -> Result<NdfMap, Failure> {
             && off_unit(&signed(&texels)) < LENGTH
             && off_unit(&texels) > LENGTH
         {
-            note("its floats are from 0 to 1, so 0.5 stands for 0");
+            note("float channels are within [0, 1], so 0.5 is read as 0");
             texels = signed(&texels);
         }
     } else {
@@ -193,20 +198,20 @@ fn estimated(path: &Path, reading: Images) -> Result<NdfMap, Failure> {
         let off = off_unit(&texels) > LENGTH;
         let gray = texels.iter().all(|[x, y, z]| x == y && y == z);
         if off && (gray && green[1] > 0.0 || red[1] < CONSTANT && red[0].abs() > 0.9 && green[1] > blue[1]) {
-            return Err("x is not in red: maps with x in alpha (DXT5nm) are not supported".into());
+            return Err("red channel is constant: maps with x in alpha (DXT5nm) are not supported".into());
         }
     }
     let blue = match reading.blue {
         Some(blue) => blue,
         None if image.planes.len() == 2 => Blue::Reconstructed,
         None if spread(&texels, 2)[1] < CONSTANT && off_unit(&texels) > LENGTH => {
-            note("blue is constant, so z follows from x and y; --blue sets it");
+            note("blue is constant, so z is computed from x and y (override with --blue)");
             Blue::Reconstructed
         }
         None => Blue::Read,
     };
     if blue == Blue::Read && off_unit(&texels) > 0.25 {
-        note("its vectors are far from unit length; is it a normal map?");
+        note("vectors are far from unit length, so this may not be a normal map");
     }
     let tangent_space = reading.tangent_space.unwrap_or_default();
     let format = NormalMapFormat { tangent_space, blue, ..NormalMapFormat::default() };
@@ -214,19 +219,20 @@ fn estimated(path: &Path, reading: Images) -> Result<NdfMap, Failure> {
     Ok(estimate_ndf(&normals)?)
 }
 
-/// The mean error of length from which on vectors are not unit normals: 8 bits alone move a length by at most 0.007.
+/// Mean length error above which vectors do not count as unit normals. Quantization to 8 bits alone
+/// changes a length by at most 0.007.
 const LENGTH: f32 = 0.02;
 
-/// The standard deviation of a channel that is constant, by the noise of JPEG and WebP.
+/// Standard deviation below which a channel counts as constant, given the noise of JPEG and WebP.
 const CONSTANT: f32 = 0.04;
 
-/// The mean of | |n| − 1 |.
+/// Returns the mean of | |n| − 1 |.
 fn off_unit(texels: &[[f32; 3]]) -> f32 {
     let off = |&[x, y, z]: &[f32; 3]| f64::from(((x * x + y * y + z * z).sqrt() - 1.0).abs());
     (texels.iter().map(off).sum::<f64>() / texels.len().max(1) as f64) as f32
 }
 
-/// Mean and standard deviation of a channel.
+/// Returns the mean and standard deviation of a channel.
 fn spread(texels: &[[f32; 3]], channel: usize) -> [f32; 2] {
     let mean = |of: &dyn Fn(f64) -> f64| {
         texels.iter().map(|texel| of(texel[channel].into())).sum::<f64>() / texels.len().max(1) as f64
@@ -257,21 +263,21 @@ mod tests {
         path.to_str().unwrap().into()
     }
 
-    /// A PNG with a colour for every row.
+    /// Returns a PNG with one color per row.
     fn png(width: u32, rows: &[u32]) -> Vec<u8> {
         Image::from_fn(width, rows.len() as u32, |_, y| hex(rows[y as usize])).encode(Format::Png).unwrap()
     }
 
     #[test]
-    fn bad_roughness_is_named() {
+    fn formula_errors_name_the_parameter() {
         for (text, word) in [
             ("ggx:0", "alpha_x"),
             ("ggx:0.2,-1", "alpha_y"),
             ("ggx:nan", "alpha_x"),
             ("beckmann:0.3,inf", "alpha_y"),
             ("ggx:", "not a number"),
-            ("ggx:0.1,0.2,0.3", "got 3 numbers, write `ggx:AX[,AY]`"),
-            ("student-t:0.1,0.2", "write `student-t:AX,AY,GAMMA`"),
+            ("ggx:0.1,0.2,0.3", "got 3 numbers (expected `ggx:AX[,AY]`)"),
+            ("student-t:0.1,0.2", "(expected `student-t:AX,AY,GAMMA`)"),
             ("student-t:0.1,0.2,1.2", "gamma"),
             ("blinn-phong:-1", "exponent"),
             ("ashikhmin-shirley:1,nan", "n_v"),
@@ -283,14 +289,14 @@ mod tests {
     }
 
     #[test]
-    fn images_of_no_density_are_refused() {
+    fn image_black_or_empty_is_an_error() {
         let folder = tempfile::tempdir().unwrap();
         assert!(refused(&file(&folder, "black.png", &png(8, &[0; 8]))).contains("black"));
         assert!(refused(&file(&folder, "empty.png", b"")).contains("empty"));
     }
 
     #[test]
-    fn one_pixel_is_a_density_and_rows_run_downwards() {
+    fn image_of_one_pixel_and_row_order() {
         let folder = tempfile::tempdir().unwrap();
         let one = file(&folder, "one.png", &png(1, &[0x09_0909]));
         let density = Density::parse(&one, Images::USUAL).unwrap();
@@ -303,9 +309,10 @@ mod tests {
     }
 
     #[test]
-    fn a_normal_map_is_read_in_both_tangent_spaces() {
+    fn normal_map_in_both_tangent_spaces() {
         let folder = tempfile::tempdir().unwrap();
-        // Both texels lean to the top of the image, where the green channel grows in OpenGL's sense.
+        // Both texels tilt toward the top of the image, where the green channel is larger in the
+        // OpenGL convention.
         let spec = format!("{NORMAL_MAP}{}", file(&folder, "leaning.png", &png(2, &[0x80_cce6])));
         let up = Vec3::new(0.0, 0.6, 0.8);
         let down = Vec3::new(0.0, -0.6, 0.8);
@@ -317,7 +324,7 @@ mod tests {
             assert!(density.ndf.density(high) > 1.0 && density.ndf.density(low) == 0.0);
             assert_eq!(density.name(), "Normals of leaning.png");
         }
-        // Without blue, in a PNG and as two channels, and with a blue that is not z.
+        // Without blue, as a PNG and as two channels, and with a blue channel that is not z.
         let lean = Density::parse(&spec, Images::USUAL).unwrap().ndf.density(up);
         let flat = [0x80_cc00, 0x80_80_00, 0x80_cc00, 0x80_80_00];
         for (name, bytes) in [
@@ -333,13 +340,13 @@ mod tests {
             let rim = Density::parse(&spec, read).unwrap().ndf.density(up);
             assert!(name == "half.png" || rim != got, "{name}: {rim}");
         }
-        // Lossy compression leaves a blue that is nearly constant.
+        // Lossy compression leaves a nearly constant blue channel.
         let noisy = Image::from_fn(64, 64, |_, y| hex(flat[y as usize / 16])).encode(Format::Jpeg).unwrap();
         let spec = format!("{NORMAL_MAP}{}", file(&folder, "noisy.jpg", &noisy));
         let got = Density::parse(&spec, Images::USUAL).unwrap().ndf.density(up);
         let read = Density::parse(&spec, Images { blue: Some(Blue::Read), ..Images::USUAL }).unwrap();
         assert!(got > 2.0 * read.ndf.density(up), "{got}");
-        // Floats from 0 to 1, and pixels outside the data.
+        // Floats from 0 to 1, and pixels outside the data window.
         let unsigned =
             [("R", vec![0.5; 4]), ("G", vec![0.8, 0.8, 0.5, 0.5]), ("B", vec![0.9, 0.9, 1.0, 1.0])];
         let signed = [("R", vec![0.0; 4]), ("G", vec![0.6, 0.6, 0.0, 0.0]), ("B", vec![0.8, 0.8, 1.0, 0.0])];
@@ -357,7 +364,7 @@ mod tests {
     }
 
     #[test]
-    fn names_and_folders_follow_the_words() {
+    fn density_name_and_slug() {
         let density = Density::parse("ggx:0.2,0.4", Images::USUAL).unwrap();
         assert_eq!((density.name(), density.slug()), ("GGX 0.2, 0.4".into(), "ggx-0.2-0.4".into()));
     }

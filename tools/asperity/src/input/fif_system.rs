@@ -1,4 +1,4 @@
-//! Fractal interpolation functions from the outside: a JSON file with `knots`, `alpha` and `q`.
+//! Fractal interpolation functions from JSON files with `knots`, `alpha` and `q`.
 
 use std::path::Path;
 
@@ -8,10 +8,10 @@ use serde::Deserialize;
 
 use crate::failure::Failure;
 
-/// The most coefficients of a polynomial in a file: degree 7.
+/// Maximum number of polynomial coefficients in a file: degree 7.
 pub const COEFFICIENTS: usize = 8;
 
-/// Of a system of a million maps, with all digits of its numbers.
+/// Large enough for a system of a million maps with full-precision numbers.
 const MOST_BYTES: u64 = 1 << 28;
 
 /// A validated system with its name.
@@ -21,7 +21,7 @@ pub struct System {
     pub fif: Fif<COEFFICIENTS>,
 }
 
-/// The file: numbers, or fractions in quotes such as `"17/20"`.
+/// The contents of the file: numbers, or fractions in quotes such as `"17/20"`.
 #[derive(Deserialize)]
 struct File {
     name: Option<String>,
@@ -29,7 +29,7 @@ struct File {
     alpha: Vec<Number>,
     /// Coefficients of q_j in ascending powers of x.
     q: Vec<Vec<Number>>,
-    /// Ordinates; they follow from the rest, and are compared with it where they are given.
+    /// Ordinates, which are redundant. If present, they are compared with the computed values.
     y: Option<Vec<Number>>,
 }
 
@@ -59,7 +59,7 @@ fn values(numbers: &[Number]) -> Result<Vec<f64>, String> {
 }
 
 impl System {
-    /// Reads a system from a file; every error names the file.
+    /// Reads a system from a file. Every error contains the file name.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let name = path.file_stem().map_or_else(|| "system".into(), |stem| stem.to_string_lossy());
         let read = || -> Result<Self, Failure> {
@@ -69,7 +69,7 @@ impl System {
         read().map_err(|error| format!("system `{}`: {error}", path.display()).into())
     }
 
-    /// The system of a file's text, with a name in case it has none.
+    /// Parses the text of a file. `name` is used if the text contains none.
     pub fn parse(text: &str, name: &str) -> Result<Self, Failure> {
         let file: File = serde_json::from_str(text)?;
         let mut q = Vec::new();
@@ -92,7 +92,7 @@ impl System {
         Ok(Self { name: file.name.unwrap_or_else(|| name.into()), fif })
     }
 
-    /// The functions f and g of the gallery.
+    /// The functions f and g shown in the gallery.
     pub fn of_the_gallery() -> Result<Vec<Self>, Failure> {
         // Cochran, Lewis, Hart 2000, eq. 18 to 23.
         let read = |(name, alpha)| {
@@ -102,17 +102,17 @@ impl System {
         [("f", "0.5, 0.5"), ("g", "0.85, -0.85")].into_iter().map(read).collect()
     }
 
-    /// For people.
+    /// Returns the display name.
     pub fn name(&self) -> String {
         format!("Fractal interpolation function {}", self.name)
     }
 
-    /// For folders.
+    /// Returns the folder name.
     pub fn slug(&self) -> String {
         self.name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect()
     }
 
-    /// Knots, ordinates, factors and polynomials as JSON.
+    /// Returns knots, ordinates, factors and polynomials as JSON.
     pub fn parameters<const C: usize>(pieces: &[Piece<C>]) -> serde_json::Value {
         let maps: Vec<&Map<C>> = pieces.iter().map(Piece::map).collect();
         let ends = |end: fn(&Piece<C>) -> [f64; 2]| -> Vec<f64> {
@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_of_fractions_is_read() {
+    fn parse_fractions() {
         let text = r#"{"knots": ["0", 1, 2], "alpha": ["17/20", "-17/20"], "q": [["0", "1/2"], [1, -0.5]]}"#;
         let system = System::parse(text, "g").unwrap();
         assert_abs_diff_eq!(system.fif.evaluate(1.0, 1e-12).value, 1.0, epsilon = 1e-12);
@@ -159,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn every_broken_rule_has_its_own_words() {
+    fn parse_errors_are_distinct() {
         let lines = "[[0, 0.5], [1, -0.5]]";
         let file = |knots: &str, alpha: &str, q: &str| {
             format!(r#"{{"knots": {knots}, "alpha": {alpha}, "q": {q}}}"#)

@@ -1,4 +1,4 @@
-//! Input from outside: densities of normals and fractal interpolation functions.
+//! Input from the command line and files: normal densities and fractal interpolation functions.
 
 pub mod density;
 pub mod fif_system;

@@ -1,4 +1,4 @@
-//! Meshes and light of files.
+//! Loads meshes and environment maps from files.
 
 use std::path::Path;
 
@@ -13,10 +13,10 @@ use asperity::cli::Render;
 use asperity::failure::{Failure, Result};
 use asperity::progress;
 
-/// Degrees between triangles from which on there is an edge.
+/// Minimum angle in degrees between triangles at which an edge stays sharp.
 const CREASE: f32 = 40.0;
 
-/// The mesh of a file, and whether it has texture coordinates.
+/// Loads a mesh, and returns whether it has texture coordinates.
 pub(super) fn opened(file: &Path, wanted: &Render, patterned: bool) -> Result<(TracedMesh, bool)> {
     let failed = |error: &dyn std::fmt::Display| Failure::from(format!("mesh `{}`: {error}", file.display()));
     let stl = file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("stl"));
@@ -25,35 +25,31 @@ pub(super) fn opened(file: &Path, wanted: &Render, patterned: bool) -> Result<(T
     let mesh_file::MeshFile { mesh, normals, uv, thin, left_out } =
         mesh_file::open(file, mesh_file::MeshReading { up, crease }).map_err(|error| failed(&error))?;
     if normals && wanted.crease.is_some() {
-        return Err(failed(&"it has normals of its own, so --crease would change nothing"));
+        return Err(failed(&"`--crease` has no effect because the mesh has normals"));
     }
     let name = file.display();
     if thin {
-        progress::note(&format!("mesh `{name}`: its points and lines are not drawn"));
+        progress::note(&format!("mesh `{name}`: points and lines are ignored"));
     }
     if left_out {
         progress::note(&format!(
-            "mesh `{name}`: incomplete triangles, or with vertices that do not exist, are not drawn"
+            "mesh `{name}`: ignored incomplete triangles or triangles with missing vertices"
         ));
     }
     if !normals {
         progress::note(&format!(
-            "mesh `{name}` has no normals: smooth up to edges of {crease}°; --crease sets it"
+            "mesh `{name}` has no normals: smoothed up to a crease angle of {crease}° (set with --crease)"
         ));
     }
     if patterned && uv {
-        progress::note(&format!(
-            "mesh `{name}`: the pattern follows its texture coordinates, at the scale of lengths"
-        ));
+        progress::note(&format!("mesh `{name}`: the pattern uses texture coordinates, scaled to lengths"));
     } else if patterned {
-        progress::note(&format!(
-            "mesh `{name}` has no texture coordinates: the pattern is laid on from three sides"
-        ));
+        progress::note(&format!("mesh `{name}` has no texture coordinates: using triplanar mapping"));
     }
     Ok((TracedMesh::new(mesh), uv))
 }
 
-/// The image of the surroundings in a file.
+/// Reads an environment map from an image file.
 pub(super) fn surroundings(file: &Path) -> Result<EnvironmentMap> {
     let name = file.display();
     let fail = |error: &dyn std::fmt::Display| Failure::from(format!("light `{name}`: {error}"));
@@ -62,10 +58,10 @@ pub(super) fn surroundings(file: &Path) -> Result<EnvironmentMap> {
     let (width, height) = (image.width, image.height);
     if width.abs_diff(2 * height) > height / 50 {
         progress::note(&format!(
-            "light `{name}`: its {width} × {height} pixels cover the whole sphere; latitude\u{2013}longitude images are 2 : 1"
+            "light `{name}`: {width} × {height} pixels are mapped to the whole sphere (latitude\u{2013}longitude images are 2 : 1)"
         ));
     }
-    // Numbers of an 8-bit image are those of a screen.
+    // 8-bit images are encoded for a screen.
     let light = |x: f32| if image.floats { x } else { linear(x) };
     let mut wrong = 0;
     let texels = (0..image.width * image.height).map(|i| {
@@ -79,7 +75,7 @@ pub(super) fn surroundings(file: &Path) -> Result<EnvironmentMap> {
     if wrong > 0 {
         let share = 100.0 * wrong as f32 / texels.len() as f32;
         progress::note(&format!(
-            "light `{name}`: {wrong} texels ({share:.3} %) that are NaN, below 0 or beyond 65504 were cut off"
+            "light `{name}`: clamped {wrong} texels ({share:.3} %) that were NaN, negative or above 65504"
         ));
     }
     EnvironmentMap::new(image.width, image.height, texels).map_err(|error| fail(&error))
@@ -94,7 +90,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn light_that_rings_below_0_is_cut_off_there() {
+    fn surroundings_clamp_negative_values() {
         let scratch = tempfile::tempdir().unwrap();
         let file = scratch.path().join("rings.exr");
         let ringing = Image::from_fn(16, 8, |x, _| match x {
@@ -111,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn an_image_of_the_surroundings_is_read_and_a_broken_one_named() {
+    fn surroundings_read_images_and_report_broken_files() {
         let scratch = tempfile::tempdir().unwrap();
         let sky = Image::from_fn(16, 8, |_, y| Vec3::new(3.0, 2.0, y as f32));
         let file = scratch.path().join("sky.exr");

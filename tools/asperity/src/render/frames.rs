@@ -1,4 +1,4 @@
-//! A sequence of pictures: the camera goes round the subject, or comes nearer.
+//! Frame sequences: the camera orbits the subject, or zooms in.
 
 use std::sync::atomic::AtomicBool;
 
@@ -10,31 +10,28 @@ use asperity::output::Output;
 use asperity::progress;
 use asperity_render::integrator::pixels::Watch;
 
-/// The way of a sequence.
+/// The camera path of a sequence.
 pub(crate) struct Frames {
     count: u32,
-    /// Degrees about the vertical, the last of which would be the first frame again.
+    /// Degrees about the vertical. The end of the range would repeat the first frame.
     turn: f32,
-    /// Magnification of the first and of the last frame.
+    /// Magnification of the first and the last frame.
     zoom: [f32; 2],
 }
 
 impl Frames {
-    /// The way that was asked for, if it was.
+    /// Returns the requested sequence, if any.
     pub(super) fn of(wanted: &Render) -> Result<Option<Self>> {
         let Some(count) = wanted.frames else { return Ok(None) };
         let turn = wanted.turn.unwrap_or(if wanted.zoom_to.is_some() { 0.0 } else { 360.0 });
         if turn != 0.0 && wanted.zoom != 1.0 {
-            return Err(
-                "--zoom leads to a point on the side that the camera sees first: take --turn 0 or --zoom-to"
-                    .into(),
-            );
+            return Err("`--zoom` cannot be combined with `--turn`: use `--turn 0` or `--zoom-to`".into());
         }
         let zoom = [wanted.zoom, wanted.zoom_to.unwrap_or(wanted.zoom)];
         Ok(Some(Self { count, turn, zoom }))
     }
 
-    /// Degrees and magnification of a frame, counted from 1.
+    /// Returns angle in degrees and magnification of a frame, counted from 1.
     fn seen(&self, frame: u32) -> (f32, f32) {
         let done = frame.saturating_sub(1) as f32;
         let share = done / self.count.saturating_sub(1).max(1) as f32;
@@ -43,7 +40,7 @@ impl Frames {
     }
 }
 
-/// The name of a frame: its number, with zeros before it, in place of the row of `#`.
+/// Returns the file name of a frame: the zero-padded number replaces the row of `#`.
 fn name(pattern: &str, frame: u32) -> Option<String> {
     let begin = pattern.find('#')?;
     let digits = pattern[begin..].bytes().take_while(|&byte| byte == b'#').count();
@@ -53,18 +50,18 @@ fn name(pattern: &str, frame: u32) -> Option<String> {
     (!after.contains('#')).then(|| format!("{before}{zeros}{number}{after}"))
 }
 
-/// Draws the frames that were asked for, each written whole, or writes them as a job.
+/// Renders the requested frames, each written atomically, or writes them as a job.
 pub(super) fn draw(wanted: &Render, frames: &Frames, interrupted: &AtomicBool) -> Result<()> {
     let mut picture = Picture::new(wanted)?;
     let pattern = picture.name.clone();
     let [first, last] = wanted.frame.unwrap_or([1, frames.count]);
     if last > frames.count {
-        return Err(format!("frame {last}: there are {} frames", frames.count).into());
+        return Err(format!("frame {last} is out of range (there are {} frames)", frames.count).into());
     }
     let name = |frame: u32| {
         name(&pattern, frame).ok_or_else(|| {
             format!(
-                "frames `{}`: the name needs one row of `#` for their numbers, such as frame-####.png",
+                "frames `{}`: file name must contain one row of `#` for the frame number, e.g. frame-####.png",
                 wanted.out.display()
             )
         })
@@ -78,7 +75,7 @@ pub(super) fn draw(wanted: &Render, frames: &Frames, interrupted: &AtomicBool) -
         let place =
             job::write(file, "asperity-frames", &[Step { name: "Frames", tasks, arguments, after: None }])?;
         progress::say(&format!(
-            "the job: {place} ({} tasks; `openjd run` or a farm carries it out)",
+            "job written to {place} ({} tasks; run it with `openjd run` or on a farm)",
             last - first + 1
         ));
         return Ok(());
@@ -99,7 +96,7 @@ pub(super) fn draw(wanted: &Render, frames: &Frames, interrupted: &AtomicBool) -
         match result {
             Err(error) if error.is::<Interrupted>() => {
                 progress::say(&format!(
-                    "{} frames are drawn; `--frame {frame}-{last}` goes on",
+                    "{} frames are done; resume with `--frame {frame}-{last}`",
                     frame - first
                 ));
                 return Err(error);
@@ -113,7 +110,7 @@ pub(super) fn draw(wanted: &Render, frames: &Frames, interrupted: &AtomicBool) -
     }
     let count = last - first + 1;
     let frames = if count == 1 { "1 frame".into() } else { format!("{count} frames") };
-    progress::say(&format!("{frames}: {}", output.place(&pattern)));
+    progress::say(&format!("{frames} written to {}", output.place(&pattern)));
     Ok(())
 }
 
@@ -122,16 +119,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn frames_are_named_by_their_row_of_signs() {
+    fn name_fills_the_row_of_number_signs() {
         assert_eq!(name("frame-####.png", 7).as_deref(), Some("frame-0007.png"));
         assert_eq!(name("#.png", 123).as_deref(), Some("123.png"));
         assert_eq!((name("a.png", 1), name("#-#.png", 1)), (None, None));
-        // More than the width of a formatted number may be.
+        // Longer than the maximum width of a formatted number.
         assert_eq!(name(&"#".repeat(70_000), 1).map(|name| name.len()), Some(70_000));
     }
 
     #[test]
-    fn a_turn_ends_before_it_begins_again_and_a_zoom_grows_by_a_factor() {
+    fn turn_excludes_its_end_and_zoom_is_exponential() {
         let frames = Frames { count: 4, turn: 360.0, zoom: [1.0, 8.0] };
         let seen = [1, 2, 3, 4].map(|frame| frames.seen(frame));
         assert_eq!(seen.map(|(turn, _)| turn), [0.0, 90.0, 180.0, 270.0]);

@@ -1,4 +1,4 @@
-//! The materials of `render`, and their parameters by name.
+//! The materials of `render`, and their named parameters.
 
 use asperity_render::image::tone::hex;
 use asperity_render::materials::{InMetres, Projected};
@@ -17,19 +17,19 @@ use serde_json::{Value, json};
 use asperity::cli::{Material, Render};
 use asperity::failure::Result;
 
-/// Names with what is said of them.
+/// Parameter names with descriptions.
 type Fields = &'static [(&'static str, &'static str)];
 
-/// A material's parameters, and those that the options for all materials set.
+/// A material's parameters, including those set by the options common to all materials.
 pub(crate) struct Parameters {
     values: Value,
     fields: Fields,
-    /// The parameters that have the tint, each with its factor.
+    /// Parameters multiplied by the tint, each with its factor.
     tint: &'static [(&'static str, f32)],
     roughness: &'static str,
 }
 
-/// Options for all materials, and parameters by name.
+/// Options common to all materials, and parameters by name.
 pub(crate) struct Chosen<'a> {
     pub(crate) tint: Option<u32>,
     pub(crate) roughness: Option<f32>,
@@ -40,12 +40,12 @@ pub(crate) struct Chosen<'a> {
 /// A material for a scene.
 pub(crate) struct Made<'a> {
     pub(crate) surface: Box<Surface<'a>>,
-    /// The inside of a body that refracts.
+    /// The absorption inside a refracting body.
     pub(crate) body: Option<Absorption>,
 }
 
 impl Parameters {
-    /// The usual ones of a material in the pictures here; bumps have none.
+    /// Returns the default parameters of a material in the gallery. Bumps have none.
     pub(crate) fn usual(material: Material) -> Result<Self> {
         fn of<P: Serialize>(values: P, fields: Fields) -> Result<(Value, Fields)> {
             Ok((serde_json::to_value(values)?, fields))
@@ -115,18 +115,18 @@ impl Parameters {
         Ok(Self { values, fields, tint, roughness })
     }
 
-    /// The parameters with those that are asked for of `render`.
+    /// Returns the parameters with the options of `render` applied.
     pub(crate) fn of(wanted: &Render, material: Material) -> Result<Self> {
         let Render { tint, roughness, seed, .. } = *wanted;
         Self::chosen(material, &Chosen { tint, roughness, seed, set: &wanted.set })
     }
 
-    /// The values by name.
+    /// Returns the values by name.
     pub(crate) const fn values(&self) -> &Value {
         &self.values
     }
 
-    /// The parameters with those that are asked for.
+    /// Returns the parameters with the chosen values applied.
     pub(crate) fn chosen(material: Material, wanted: &Chosen<'_>) -> Result<Self> {
         let mut own = Self::usual(material)?;
         if own.values.get("seed").is_some() {
@@ -145,7 +145,7 @@ impl Parameters {
             let Some(place) = place else {
                 let names: Vec<_> = own.fields.iter().map(|field| field.0).collect();
                 let there = if names.is_empty() { "none but its options".into() } else { names.join(", ") };
-                return Err(format!("{material:?} has no parameter `{name}`; there are {there}")
+                return Err(format!("{material:?} has no parameter `{name}` (available: {there})")
                     .to_lowercase()
                     .into());
             };
@@ -154,10 +154,10 @@ impl Parameters {
         Ok(own)
     }
 
-    /// A line of each parameter: its name, what it is and its value.
+    /// Returns a line per parameter: name, value and description.
     pub(crate) fn lines(&self) -> impl Iterator<Item = String> {
         self.fields.iter().map(|(name, about)| {
-            // Links and defaults are for readers of the crate's documentation.
+            // Strip links and defaults, which are meant for the crate's documentation.
             let about = about.split(" Default").next().unwrap_or(about);
             let (text, links) = about.split_once("](").unwrap_or((about, ""));
             let behind = links.split("](").map(|link| link.split_once(')').map_or("", |link| link.1));
@@ -167,7 +167,8 @@ impl Parameters {
         })
     }
 
-    /// The material, where a unit of the scene is so many metres; `projected` on what has no texture coordinates.
+    /// Builds the material, with the size of a scene unit in meters. `projected` maps patterns onto
+    /// objects without texture coordinates.
     pub(crate) fn make(self, material: Material, metres: f32, projected: bool) -> Result<Made<'static>> {
         fn read<P: DeserializeOwned>(values: &Value) -> Result<P> {
             serde_json::from_value(values.clone()).map_err(|error| format!("parameter: {error}").into())
@@ -191,7 +192,7 @@ impl Parameters {
         let seed = || read::<u32>(&values["seed"]);
         let mut body = None;
         let surface = match material {
-            Material::Bumps => return Err("bumps are made of their own options".into()),
+            Material::Bumps => return Err("the `bumps` material has no parameters to set by name".into()),
             Material::Carpet => laid(Carpet::new(read(values)?)?, metres, projected),
             Material::Paint | Material::Flakes => laid(MetallicPaint::new(read(values)?)?, metres, false),
             Material::Glass | Material::Frosted => {
@@ -236,37 +237,37 @@ impl Parameters {
 }
 
 const CHROME: Fields = &[
-    ("colour", "The share of light that is mirrored."),
-    ("roughness", "The roughness: Beckmann's α, within [0, 1]."),
+    ("colour", "Reflectance at normal incidence."),
+    ("roughness", "Roughness: Beckmann's α, within [0, 1]."),
 ];
 const BRICK: Fields = &[
-    ("width", "The width of a brick in metres."),
-    ("height", "The height of a brick."),
-    ("mortar", "The thickness of the mortar between bricks."),
-    ("clay", "The colour of bricks."),
-    ("mortar_colour", "The colour of the mortar."),
-    ("variation", "Variation of brightness from brick to brick, as a share."),
+    ("width", "Width of a brick in meters."),
+    ("height", "Height of a brick in meters."),
+    ("mortar", "Thickness of the mortar between bricks in meters."),
+    ("clay", "Color of the bricks."),
+    ("mortar_colour", "Color of the mortar."),
+    ("variation", "Relative variation of brightness between bricks."),
     ("depth", "Depth of the mortar."),
-    ("roughness", "The roughness of the facets, within [0, 1]."),
+    ("roughness", "Roughness of the facets, within [0, 1]."),
 ];
 const MARBLE: Fields = &[
-    ("tint", "Factor of the lecture's colours."),
-    ("veins", "Cells of the first octave of veins per 0.2 metres."),
-    ("polish", "The roughness of the polish: Beckmann's α; 0 is stone without polish."),
-    ("seed", "Which veins: any number."),
+    ("tint", "Factor for the colors of the lecture."),
+    ("veins", "Cells of the first octave of veins per 0.2 meters."),
+    ("polish", "Roughness of the polish: Beckmann's α; 0 is unpolished stone."),
+    ("seed", "Random seed."),
 ];
 const WALLPAPER: Fields = &[
-    ("paper", "The colour of the paper."),
-    ("star", "The colour of stars."),
-    ("points", "The number of a star's points."),
-    ("r_min", "The least radius of a star, in cells of 0.1 metres."),
-    ("r_max", "The greatest radius of a star."),
-    ("chance", "The share of cells that have a star."),
-    ("roughness", "The roughness of the facets, within [0, 1]."),
-    ("seed", "Which stars: any number."),
+    ("paper", "Color of the paper."),
+    ("star", "Color of the stars."),
+    ("points", "Number of points of a star."),
+    ("r_min", "Minimum radius of a star, in cells of 0.1 meters."),
+    ("r_max", "Maximum radius of a star, in cells of 0.1 meters."),
+    ("chance", "Fraction of cells with a star."),
+    ("roughness", "Roughness of the facets, within [0, 1]."),
+    ("seed", "Random seed."),
 ];
 
-/// A value as [`value`] reads it.
+/// Formats a value as [`value`] parses it.
 fn shown(value: &Value) -> String {
     match value {
         Value::Number(number) if number.is_f64() => (number.as_f64().unwrap_or_default() as f32).to_string(),
@@ -280,7 +281,7 @@ fn shown(value: &Value) -> String {
     }
 }
 
-/// The value of a parameter: a number, a word, a list `0.2,0.1,0.4`, or a colour `#d9a066`.
+/// Parses a parameter value: a number, a word, a list `0.2,0.1,0.4`, or a color `#d9a066`.
 fn value(text: &str) -> Value {
     let rgb = text.strip_prefix('#').filter(|digits| digits.len() == 6);
     if let Some(rgb) = rgb.and_then(|digits| u32::from_str_radix(digits, 16).ok()) {
@@ -300,7 +301,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_parameter_is_listed_with_a_value_that_it_takes() {
+    fn lines_list_every_parameter_with_a_valid_value() {
         for &material in Material::value_variants() {
             let own = Parameters::usual(material).unwrap();
             let fields = own.values.as_object().unwrap();
@@ -323,7 +324,7 @@ mod tests {
     }
 
     #[test]
-    fn words_lists_and_colours_are_values() {
+    fn value_parses_words_lists_and_colors() {
         assert_eq!(value("0.25"), json!(0.25));
         assert_eq!(value("grid"), json!("grid"));
         assert_eq!(value("1, 0.5,0"), json!([1, 0.5, 0]));

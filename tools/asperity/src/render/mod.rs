@@ -1,4 +1,4 @@
-//! `asperity render`: one picture of one object with chosen parameters.
+//! `asperity render`: renders one image of one object.
 
 mod files;
 mod frames;
@@ -17,7 +17,7 @@ use asperity::output::Output;
 use asperity::progress;
 use asperity_render::integrator::pixels::Watch;
 
-/// Draws what was asked for, over and over as it grows finer, and tells where it lies.
+/// Renders the image progressively, writes each pass, and prints the path.
 pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<()> {
     if let Some(material) = wanted.help_material {
         return help(material);
@@ -32,9 +32,9 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<()> {
     let result = picture.refined(Watch { progress: &bar, interrupted }, &mut |image, samples, noise| {
         let image = picture.developed(image);
         output.stream(&picture.name, |file| image.write(picture.format, file))?;
-        let grain = if noise.is_finite() { format!(", grain {noise:.4}") } else { String::new() };
+        let grain = if noise.is_finite() { format!(", noise {noise:.4}") } else { String::new() };
         let count = if samples == 1 { "1 sample".into() } else { format!("{samples} samples") };
-        let progress = format!("{count} a pixel{grain}");
+        let progress = format!("{count} per pixel{grain}");
         bar.set_prefix(progress.clone());
         bar.set_length(0);
         bar.set_position(0);
@@ -44,11 +44,11 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<()> {
     bar.finish_and_clear();
     let Some(progress) = drawn else { return result };
     match result {
-        // What was drawn until then is there.
+        // The last finished pass was already written.
         Err(error) if error.is::<Interrupted>() => {}
         result => result?,
     }
-    progress::say(&format!("the picture: {} ({progress})", output.place(&picture.name)));
+    progress::say(&format!("image written to {} ({progress})", output.place(&picture.name)));
     Ok(())
 }
 
@@ -65,7 +65,7 @@ fn help(material: Material) -> Result<()> {
     progress::say(&format!("options: {options}"));
     let mut lines = own.lines().peekable();
     if lines.peek().is_some() {
-        progress::say("parameters, as in --set name=value; colours are linear r,g,b or '#rrggbb':");
+        progress::say("parameters, set with --set name=value; colors are linear r,g,b or '#rrggbb':");
     }
     lines.for_each(|line| progress::say(&line));
     Ok(())

@@ -1,4 +1,4 @@
-//! Options that would change nothing of a picture.
+//! Options that have no effect on the image.
 
 use asperity_render::image::Format;
 use asperity_render::scenes::Set;
@@ -7,45 +7,58 @@ use asperity::cli::{Background, Material, Render};
 use asperity::failure::Result;
 use asperity::input::images::Images;
 
-/// Refuses options that would change nothing.
+/// Returns an error for options without effect.
 pub(super) fn refuse_idle(wanted: &Render, material: Material, lamps: bool, format: Format) -> Result<()> {
     let bumps = material == Material::Bumps;
     if lamps && !matches!(wanted.scene, Set::Teapot | Set::Sphere | Set::Plane) {
-        return Err("lamps light the teapot, the sphere and the plane only; take `--light studio`".into());
+        return Err(
+            "`--light lamps` supports only the scenes teapot, sphere and plane; use `--light studio`".into(),
+        );
     }
     if lamps && !bumps {
-        return Err("lamps light bumps only; take `--light studio`".into());
+        return Err("`--light lamps` supports only `--material bumps`; use `--light studio`".into());
     }
     let exr = format == Format::Exr;
     let image = wanted.ndf.as_ref().is_some_and(|ndf| ndf != "painted" && !ndf.contains(':'));
     let Images { measure, reconstruction, tangent_space, blue } = wanted.images;
     let given = [
-        ("--ndf", wanted.ndf.is_some(), bumps, "it is of bumps"),
-        ("--normal-map", wanted.normal_map.is_some(), bumps, "it is of bumps"),
-        ("--rule", wanted.rule.is_some(), bumps, "it is of bumps"),
-        ("--octaves", wanted.octaves.is_some(), bumps, "it is of bumps"),
-        ("--frequency", wanted.frequency.is_some(), bumps, "it is of bumps"),
-        ("--gain", wanted.gain.is_some(), bumps, "it is of bumps"),
-        ("--bump-noise", wanted.bump_noise.is_some(), bumps, "it is of bumps"),
-        ("--measure", measure.is_some(), bumps && image, "it is of an image given by --ndf"),
-        ("--reconstruction", reconstruction.is_some(), bumps && image, "it is of an image given by --ndf"),
-        ("--tangent-space", tangent_space.is_some(), wanted.normal_map.is_some(), "it is of --normal-map"),
-        ("--blue", blue.is_some(), wanted.normal_map.is_some(), "it is of --normal-map"),
-        ("--set", !wanted.set.is_empty(), !bumps, "bumps are set by options of their own"),
+        ("--ndf", wanted.ndf.is_some(), bumps, "it applies to bumps"),
+        ("--normal-map", wanted.normal_map.is_some(), bumps, "it applies to bumps"),
+        ("--rule", wanted.rule.is_some(), bumps, "it applies to bumps"),
+        ("--octaves", wanted.octaves.is_some(), bumps, "it applies to bumps"),
+        ("--frequency", wanted.frequency.is_some(), bumps, "it applies to bumps"),
+        ("--gain", wanted.gain.is_some(), bumps, "it applies to bumps"),
+        ("--bump-noise", wanted.bump_noise.is_some(), bumps, "it applies to bumps"),
+        ("--measure", measure.is_some(), bumps && image, "it applies to an image given by --ndf"),
+        (
+            "--reconstruction",
+            reconstruction.is_some(),
+            bumps && image,
+            "it applies to an image given by --ndf",
+        ),
+        (
+            "--tangent-space",
+            tangent_space.is_some(),
+            wanted.normal_map.is_some(),
+            "it applies to --normal-map",
+        ),
+        ("--blue", blue.is_some(), wanted.normal_map.is_some(), "it applies to --normal-map"),
+        ("--set", !wanted.set.is_empty(), !bumps, "bumps have separate options"),
         ("--scale", wanted.scale.is_some(), material != Material::Chrome, "chrome has no pattern"),
-        ("--tone", wanted.tone.is_some(), !exr, "an OpenEXR file has the radiance itself"),
-        ("--exposure", wanted.exposure.is_some(), !exr || lamps, "an OpenEXR file has the radiance itself"),
+        ("--tone", wanted.tone.is_some(), !exr, "OpenEXR files store linear radiance"),
+        ("--exposure", wanted.exposure.is_some(), !exr || lamps, "OpenEXR files store linear radiance"),
         (
             "--background",
             wanted.background == Some(Background::Light),
             !lamps,
-            "lamps are not seen; take a colour, or `--light studio`",
+            "lamps are invisible; use a color, or `--light studio`",
         ),
     ];
     let idle = given.iter().find(|(_, given, used, _)| *given && !*used);
     idle.map_or(Ok(()), |(option, .., why)| {
         let name = format!("{material:?}").to_lowercase();
-        Err(format!("{option} would change nothing of {name}: {why}; see `--help-material {name}`").into())
+        Err(format!("{option} has no effect with --material {name}: {why}; see `--help-material {name}`")
+            .into())
     })
 }
 
@@ -59,10 +72,10 @@ mod tests {
     use crate::render::picture::Picture;
     use asperity::cli::{Cli, Command};
 
-    /// The file of a command line.
+    /// Returns the file written by a command line.
     fn bytes(line: &str) -> Result<Vec<u8>> {
         let cli = Cli::try_parse_from(["asperity", "render"].into_iter().chain(line.split_whitespace()))?;
-        let Command::Render(wanted) = cli.command else { return Err("another command".into()) };
+        let Command::Render(wanted) = cli.command else { return Err("not a render command".into()) };
         let (picture, mut bytes) = (Picture::new(&wanted)?, Vec::new());
         picture.refined(Watch::unseen(), &mut |image, _, _| {
             bytes = picture.developed(image).encode(picture.format)?;
@@ -72,7 +85,7 @@ mod tests {
     }
 
     #[test]
-    fn every_option_changes_the_picture_of_every_material_or_is_refused() {
+    fn options_change_the_image_or_are_an_error() {
         let bumps_alone = [
             "--ndf ggx:0.5",
             "--rule fractal",
@@ -98,7 +111,7 @@ mod tests {
             "--scene teapot",
             "--out a.jpg",
         ];
-        // Of images and of meshes that are not there.
+        // These need an image or a normal map, which this test does not pass.
         let idle = ["--measure normals", "--reconstruction bilinear", "--tangent-space directx"];
         for (material, set) in [
             ("bumps", "gain=0.5"),
@@ -114,7 +127,7 @@ mod tests {
             ("marble", "veins=9"),
             ("wallpaper", "points=3"),
         ] {
-            // From afar bumps are too fine to be seen.
+            // From a distance bumps are too fine to be visible.
             let frequency = if material == "bumps" { "--frequency 1" } else { "" };
             let own = [
                 "--scene sphere",
@@ -132,7 +145,7 @@ mod tests {
             let set = format!("--set {set}");
             for option in all.iter().chain(&bumps_alone).chain(&idle).copied().chain([set.as_str()]) {
                 let word = option.split(' ').next().unwrap();
-                // An option is not given twice.
+                // An option must not be given twice.
                 let got = bytes(&format!("{} {option}", line(word)));
                 let refused = match material {
                     "bumps" => idle.contains(&option) || word == "--set",

@@ -1,4 +1,4 @@
-//! A picture as it was asked for, drawn in passes.
+//! Renders the requested image in passes.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -24,19 +24,19 @@ use asperity::input::density::{Density, NORMAL_MAP};
 use asperity::progress;
 use asperity::quality::Fineness;
 
-/// Exposure that suits the studio, and the mean radiance of what has it.
+/// Exposure that suits the studio, and the mean radiance that the studio has.
 const EXPOSURE: f32 = 1.45;
 const BRIGHTNESS: f32 = 0.5;
 /// Copper.
 const TINT: u32 = 0xf2_b184;
 
-/// Light of the picture.
+/// Light of the image.
 enum Lit {
     Lamps,
     Around(Box<dyn Surroundings>),
 }
 
-/// A request that was checked, with its files read.
+/// A validated request with its files loaded.
 pub(super) struct Picture<'a> {
     wanted: &'a Render,
     pub(super) folder: PathBuf,
@@ -45,11 +45,11 @@ pub(super) struct Picture<'a> {
     material: Material,
     density: Density,
     mesh: Option<Arc<Shape>>,
-    /// A pattern is laid on by position.
+    /// Whether a pattern is mapped by position.
     projected: bool,
     light: Lit,
     exposure: f32,
-    /// Degrees about the vertical.
+    /// Rotation about the vertical in degrees.
     turn: f32,
     zoom: f32,
 }
@@ -59,10 +59,13 @@ impl<'a> Picture<'a> {
         let path = std::path::absolute(&wanted.out)?;
         let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
         let (Some(folder), Some(name), false) = (path.parent(), name, path.is_dir()) else {
-            return Err(format!("`{}` is a folder; name a file in it", wanted.out.display()).into());
+            return Err(format!("`{}` is a directory (expected a file name)", wanted.out.display()).into());
         };
         let format = Format::of(&path).ok_or_else(|| {
-            format!("picture `{}`: its name must end in .png, .jpg, .webp or .exr", wanted.out.display())
+            format!(
+                "image `{}`: unsupported file extension (expected .png, .jpg, .webp or .exr)",
+                wanted.out.display()
+            )
         })?;
         let material = wanted.material.unwrap_or(match wanted.scene {
             Set::Teapot | Set::Sphere | Set::Plane => Material::Bumps,
@@ -101,7 +104,7 @@ impl<'a> Picture<'a> {
                 let exposure = if mean > 0.0 { EXPOSURE * BRIGHTNESS / mean } else { EXPOSURE };
                 if wanted.exposure.is_none() && format != Format::Exr {
                     progress::note(&format!(
-                        "light `{file}`: exposure {exposure:.3} by its mean; --exposure sets it"
+                        "light `{file}`: exposure {exposure:.3} from the mean radiance (set with --exposure)"
                     ));
                 }
                 (Lit::Around(Box::new(map)), exposure)
@@ -124,12 +127,12 @@ impl<'a> Picture<'a> {
         })
     }
 
-    /// Turns and moves the camera: degrees about the vertical, magnification.
+    /// Moves the camera: rotation about the vertical in degrees, and magnification.
     pub(super) fn from(&mut self, turn: f32, zoom: f32) {
         (self.turn, self.zoom) = (turn, zoom);
     }
 
-    /// Draws it in passes, each handed over with its samples of a pixel and its grain.
+    /// Renders in passes and hands over each pass with its samples per pixel and noise.
     pub(super) fn refined(
         &self,
         watch: Watch<'_>,
@@ -150,7 +153,7 @@ impl<'a> Picture<'a> {
         }
     }
 
-    /// Bumps by the source's shading, under lamps without shadows.
+    /// Renders bumps with the shading of the source, under lamps without shadows.
     fn by_lamps(
         &self,
         sampling: Sampling,
@@ -174,7 +177,7 @@ impl<'a> Picture<'a> {
         draw(&scene, request.camera())
     }
 
-    /// Any material in light from all around, with shadows.
+    /// Renders any material under an environment, with shadows.
     fn staged(
         &self,
         light: &dyn Surroundings,
@@ -188,10 +191,10 @@ impl<'a> Picture<'a> {
             None if !around => Some(backdrop()),
             _ => None,
         };
-        // A colour is that of the picture, whatever its exposure.
+        // The background color is independent of exposure.
         let colour = colour.map(|colour| colour * EXPOSURE / self.exposure);
         let behind = |direction: Vec3| colour.unwrap_or_else(|| light.radiance(direction));
-        // A mesh is as large as shows a pattern well.
+        // Size a mesh so that patterns are clearly visible.
         let metres = match (&self.mesh, self.material) {
             (None, _) => set.metres(),
             (_, Material::Brick) => 1.2,
@@ -204,13 +207,13 @@ impl<'a> Picture<'a> {
         };
         let view = view.turned(self.turn);
         let focus = view.focus.as_dvec3();
-        // Windows of the car are places of the world.
+        // The windows of the car are given in world coordinates.
         let world = self.material != Material::Bumps || self.mesh.is_none() && set == Set::Car;
         let anchor = if world { DVec3::ZERO } else { focus };
         let Made { surface, body } = self.subject(metres, anchor)?;
         let mut objects = match &self.mesh {
             Some(shape) => {
-                let Shape::Mesh(mesh) = shape.as_ref() else { return Err("no mesh".into()) };
+                let Shape::Mesh(mesh) = shape.as_ref() else { return Err("the scene has no mesh".into()) };
                 vec![Object::new(Arc::clone(shape), surface), ground(mesh.bottom(), &behind)?]
             }
             None => set.objects(surface, &behind)?,
@@ -234,7 +237,8 @@ impl<'a> Picture<'a> {
         }
     }
 
-    /// The material of the subject, where a unit of the scene is so many metres; bumps are told positions from an anchor on.
+    /// Builds the subject's material, with the size of a scene unit in meters. Bumps receive
+    /// positions relative to an anchor.
     fn subject(&self, metres: f32, anchor: DVec3) -> Result<Made<'_>> {
         let wanted = self.wanted;
         if self.material != Material::Bumps {
@@ -247,12 +251,12 @@ impl<'a> Picture<'a> {
         Ok(Made { surface: Box::new(BumpMapped { ndf, bumps, rule, colour }), body: None })
     }
 
-    /// The channel as a screen shows it.
+    /// Converts a channel for display.
     fn shown(&self, radiance: f32) -> f32 {
         let exposed = radiance * self.exposure;
         srgb(
             match (&self.light, self.wanted.tone) {
-                // The lamps' exposure is in their brightness.
+                // The brightness of the lamps already includes the exposure.
                 (Lit::Lamps, Some(Tone::Plain)) => radiance,
                 (Lit::Lamps, _) => filmic(radiance),
                 (Lit::Around(_), Some(Tone::Plain)) => exposed,
@@ -262,7 +266,7 @@ impl<'a> Picture<'a> {
         )
     }
 
-    /// The image as its file has it.
+    /// Converts the image for its file format.
     pub(super) fn developed(&self, image: Image) -> Image {
         match (&self.light, self.wanted.tone) {
             _ if self.format == Format::Exr => image,

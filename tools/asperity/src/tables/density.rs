@@ -1,4 +1,5 @@
-//! The tables of a density: the map, its distribution functions, and the normal table L with its frames.
+//! The tables of a density: the map, its distribution functions, and the normal table L with
+//! frames.
 
 use asperity_ndf_sampling::glam::{Mat3, Vec2, Vec3};
 use asperity_ndf_sampling::normal_table::{Chart, Deviation, Spacing, TableAccuracy, TableLayout};
@@ -18,7 +19,8 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
     let map = density.map()?;
     let view = map.view();
     let (width, height) = (view.width(), view.height());
-    // Textures have their first row at the top, where n_y is near +1; arrays follow the map, from n_y = −1 up.
+    // Textures have their first row at the top, where n_y is near +1. Arrays follow the map, from
+    // n_y = −1 up.
     let texture: Vec<f32> = (0..height)
         .rev()
         .flat_map(|j| (0..width).map(move |i| [i, j]))
@@ -36,7 +38,8 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
     let accuracy = table.accuracy(ndf);
     let seen = ConditionalTable::new(ndf, L_SIZE)?;
     let loss = seen.accuracy(ndf);
-    // Rows of both textures run from the bottom up, as the tables have them: with z2 from −4.5, with p_y from −1.
+    // Rows of both textures run from the bottom up, as in the tables: from z2 = −4.5, and from p_y
+    // = −1.
     let frames = table.frames().map(|f| Mat3::from_cols(f.normal, f.tangent, f.bitangent).to_cols_array());
     let names = ["n.X", "n.Y", "n.Z", "t.X", "t.Y", "t.Z", "b.X", "b.Y", "b.Z"];
     let half_vectors =
@@ -54,18 +57,18 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
     let picture = Image::from_fn(256, 256, |x, y| {
         let (i, j) = (x as usize * width / 256, y as usize * height / 256);
         let d = texture.get(j * width + i).copied().unwrap_or(0.0);
-        // A logarithm over four decades shows the tails too.
+        // A logarithm over four decades also shows the tails.
         ember(1.0 + (d / peak).max(1e-9).log10() / 4.0)
     });
     Ok(Made {
         text: format!(
-            "The density on the {width} × {height} hemispherical map (logarithmic in the picture, four decades), its marginal \
-             CDF M at the columns' edges and conditional CDFs C at the columns' middles, and L(z1, z2): {L_SIZE} × {L_SIZE} \
-             tangent frames over ±{} standard deviations. Its normals are off by {:.4}° in the root of the mean square, {:.2}° at \
-             most, when interpolated bilinearly, and by {:.2}° and {:.1}° when the nearest is taken; neighbouring frames are \
-             turned by up to {:.1}°. The errors of every other choice are in parameters.json. The texture of half vectors gives what a \
-             pixel does not resolve at every place and zoom, off by a total variation of {:.4}. packed_map.npy has the map itself, \
-             sampled and inverted to 1e-6 by `PackedMapRef` from one array of 32-bit floats: for flash and for a GPU's buffer.",
+            "The density on the {width} × {height} hemispherical map (the image shows four decades, logarithmic), its marginal \
+             CDF M at column edges, its conditional CDFs C at column centers, and L(z1, z2): {L_SIZE} × {L_SIZE} \
+             tangent frames over ±{} standard deviations. The error of its normals is {:.4}° RMS and {:.2}° at \
+             most with bilinear interpolation, and {:.2}° and {:.1}° with nearest lookup. Adjacent frames \
+             differ by up to {:.1}°. parameters.json lists the errors of all other layouts. The texture of half vectors contains the part that a \
+             pixel does not resolve, at every position and zoom, with a total variation error of {:.4}. packed_map.npy contains the map, \
+             which `PackedMapRef` samples and inverts to 1e-6 from one array of 32-bit floats, in flash or in a GPU buffer.",
             Spacing::RANGE,
             accuracy.bilinear.rms.to_degrees(),
             accuracy.bilinear.largest.to_degrees(),
@@ -101,7 +104,7 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
     })
 }
 
-/// Errors of look-ups in every layout that the crate offers, at the size of the table.
+/// Returns the lookup errors of every layout that the crate offers, at the size of the table.
 fn errors(ndf: &SharedNdf) -> Result<Value, Failure> {
     let deviation = |d: Deviation| json!({ "rms": d.rms, "largest": d.largest });
     let mut rows = Vec::new();
@@ -134,7 +137,7 @@ fn at_centre(map: &dyn Ndf, [i, j]: [usize; 2], [width, height]: [usize; 2]) -> 
     if z2 > 0.0 { map.density(Vec3::new(x as f32, y as f32, z2.sqrt() as f32)) } else { 0.0 }
 }
 
-/// A square texture with these channels.
+/// Encodes a square texture with these channels.
 fn channels<const N: usize>(
     size: usize,
     names: [&str; N],

@@ -1,4 +1,4 @@
-//! The tables of a fractal interpolation function: its system, its integrals, their bounds and values.
+//! The tables of a fractal interpolation function: system, integrals, bounds and values.
 
 use asperity_fif::Fif;
 use asperity_render::image::formats::{F64, npy};
@@ -9,10 +9,10 @@ use crate::failure::Failure;
 use crate::input::fif_system::{COEFFICIENTS, System};
 use asperity_render::{image::Image, image::tone::ember};
 
-/// Values of a function from end to end.
+/// Number of tabulated values.
 const POINTS: usize = 4097;
 
-/// Error of a value.
+/// Error tolerance of a value.
 const TOLERANCE: f64 = 1e-13;
 
 pub(super) fn tables(system: &System) -> Result<Made, Failure> {
@@ -57,7 +57,8 @@ fn describe<const C: usize>(f: &Fif<C>) -> Value {
     description
 }
 
-/// Every column's span of each curve, scaled to the picture; sampled ten times as densely as the columns.
+/// Draws every curve as the span of its values per column, scaled to the image and sampled at ten
+/// times the column density.
 fn picture(curves: &[Vec<[f64; 2]>]) -> Image {
     const SIDE: u32 = 256;
     let mut image = Image::from_fn(SIDE, SIDE, |_, _| ember(0.0));

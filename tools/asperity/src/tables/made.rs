@@ -3,9 +3,9 @@
 use asperity_render::image::Image;
 use serde_json::Value;
 
-/// The files of a set with their picture and words.
+/// The files of a set, with image and description.
 pub(super) struct Made {
-    /// Contents of the files, in a sentence or two.
+    /// A description of the files in one or two sentences.
     pub(super) text: String,
     pub(super) parameters: Value,
     pub(super) files: Vec<(String, Vec<u8>)>,

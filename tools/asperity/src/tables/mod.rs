@@ -1,4 +1,4 @@
-//! `asperity tables`: every table of the project, in formats that others read, each with a picture.
+//! `asperity tables`: exports every table in common formats, each with an image.
 
 mod density;
 mod fif;
@@ -21,16 +21,16 @@ use crate::output::{Output, sha256};
 use crate::progress;
 use made::Made;
 
-/// The tables of one thing: a density, a noise, a fractal interpolation function.
+/// The tables of one object: a density, a noise, or a fractal interpolation function.
 pub struct Set {
-    /// Its folder: `ndf/ggx-0.2-0.4`.
+    /// Output folder, e.g. `ndf/ggx-0.2-0.4`.
     folder: String,
-    /// A heading of a few words.
+    /// A short heading.
     title: String,
     make: Box<dyn Fn() -> Result<Made, Failure>>,
 }
 
-/// The tables that the gallery is drawn from.
+/// Returns the tables that the gallery uses.
 pub fn default_sets() -> Result<Vec<Set>, Failure> {
     let mut sets = vec![
         Set::new("noise/lattice".into(), "Noise lattice".into(), || noise::lattice(1)),
@@ -41,7 +41,7 @@ pub fn default_sets() -> Result<Vec<Set>, Failure> {
     Ok(sets)
 }
 
-/// The tables of what the user names; the default ones if that is nothing.
+/// Returns the tables of the given inputs, or the default tables if no input is given.
 pub fn chosen_sets(
     ndf: &[String],
     normal_map: &[PathBuf],
@@ -75,17 +75,18 @@ impl Set {
     }
 }
 
-/// Makes the sets, writes their files and the page over them.
+/// Computes the sets and writes their files and an index page.
 pub fn build(sets: &[Set], output: &Output, interrupted: &AtomicBool) -> Result<(), Failure> {
     each(sets, interrupted, |folder, name, bytes| {
         let into = if folder.is_empty() { output.clone() } else { output.inside(folder)? };
         Ok(into.write(name, bytes)?)
     })?;
-    progress::say(&format!("tables: {} sets", sets.len()));
+    progress::say(&format!("exporting {} table sets", sets.len()));
     Ok(())
 }
 
-/// Makes the sets anew, compares every file of theirs in a folder with them, byte by byte, and names those that differ.
+/// Recomputes the sets, compares them byte by byte with the files of a folder, and lists the files
+/// that differ.
 pub fn compare(sets: &[Set], place: &Path, interrupted: &AtomicBool) -> Result<(), Failure> {
     let mut others = Vec::new();
     each(sets, interrupted, |folder, name, bytes| {
@@ -98,11 +99,11 @@ pub fn compare(sets: &[Set], place: &Path, interrupted: &AtomicBool) -> Result<(
     if others.is_empty() {
         return Ok(());
     }
-    let hint = "the same command without `--check` makes them";
+    let hint = "run the same command without `--check` to write them";
     Err(format!("missing or out of date: {}; {hint}", others.join(", ")).into())
 }
 
-/// Hands on every file of the sets, and the page over them: its folder, its name, its bytes.
+/// Passes every file of the sets and the index page to `hand`: folder, name, bytes.
 fn each(
     sets: &[Set],
     interrupted: &AtomicBool,
@@ -117,13 +118,13 @@ fn each(
         bar.inc(1);
     }
     bar.finish_and_clear();
-    let about = "Textures are OpenEXR with 32-bit floats, arrays are NumPy's .npy, parameters and checksums are JSON. The \
-                 same inputs give the same bytes, on any number of threads.";
+    let about = "Textures are OpenEXR with 32-bit floats, arrays are NumPy .npy files, parameters and checksums are JSON. The \
+                 bytes depend only on the inputs, not on the number of threads.";
     let rest = format!("<main class=\"wide\">\n{rows}</main>\n");
     hand("", "index.html", html::page("Asperity tables", "Tables", about, &rest).as_bytes())
 }
 
-/// Hands on the files of a set; returns its row of the page.
+/// Passes on the files of a set, and returns its row of the index page.
 fn files(
     set: &Set,
     made: &Made,
@@ -169,7 +170,7 @@ mod tests {
     static GO: AtomicBool = AtomicBool::new(false);
 
     #[test]
-    fn a_flipped_byte_in_any_file_is_found() {
+    fn compare_finds_a_flipped_byte_in_any_file() {
         let scratch = tempfile::tempdir().unwrap();
         let sets = [
             Set::new("noise/lattice".into(), "Noise lattice".into(), || noise::lattice(1)),

@@ -1,4 +1,4 @@
-//! The tables of noise: the lattice of a seed, and the measured distributions G of the kinds.
+//! The tables of noise: the lattice of a seed, and the measured distributions G of each noise type.
 
 use asperity_noise::lattice::{PermutationTable, gaussian_corner};
 use asperity_noise::{Gaussian, IntegerHash, Lattice, Noise, Perlin1985, Perlin2002, Simplex, Statistics};
@@ -32,8 +32,8 @@ pub(super) fn lattice(seed: u32) -> Result<Made, Failure> {
         ember(0.5 + variates.get(index).map_or(0.0, |v| v[0]) / 6.0)
     });
     Ok(Made {
-        text: "The permutation of a seed, and of the integer hash the Gaussian value and gradient at the lattice points \
-               (x, y, 0), x and y from 0 to 127; the picture shows the values."
+        text: "The permutation of a seed, and the Gaussian value and gradient of the integer hash at the lattice points \
+               (x, y, 0), x and y from 0 to 127. The image shows the values."
             .into(),
         parameters: json!({ "kind": "noise lattice", "seed": seed, "order": "value, gradient x, y, z" }),
         files,
@@ -67,9 +67,9 @@ pub(super) fn distributions() -> Result<Made, Failure> {
         parameters.insert(name.clone(), numbers);
     }
     Ok(Made {
-        text: "G of each kind, measured over eight octaves with gain 0.5 and unit variance, at equal steps over ±4 standard \
-               deviations; standard deviation, excess kurtosis and range of one octave. The picture shows the slopes of G: \
-               each row is a kind."
+        text: "G of each noise, measured over eight octaves with gain 0.5 and unit variance, at equal steps over ±4 standard \
+               deviations; standard deviation, excess kurtosis and range of one octave. The image shows the slopes of G: \
+               one row per noise."
             .into(),
         parameters: json!({ "kind": "noise distribution", "range": 4.0, "kinds": parameters }),
         picture: slopes(&kinds),
@@ -77,7 +77,7 @@ pub(super) fn distributions() -> Result<Made, Failure> {
     })
 }
 
-/// The statistics of a kind in 1 to 4 dimensions.
+/// The statistics of a noise in 1 to 4 dimensions.
 fn statistics<K>(noise: &K) -> [&'static Statistics; 4]
 where
     K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4>,
@@ -90,7 +90,7 @@ where
     ]
 }
 
-/// The density of each kind as a band of colour.
+/// Draws the density of each noise as a band of color.
 fn slopes(kinds: &[(String, &'static Statistics)]) -> Image {
     Image::from_fn(256, 256, |x, y| {
         let Some((_, kind)) = kinds.get(y as usize * kinds.len() / 256) else { return ember(0.0) };

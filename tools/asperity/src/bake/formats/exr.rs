@@ -1,4 +1,4 @@
-//! OpenEXR in tiles with all levels, tile by tile.
+//! Tiled OpenEXR with all mip levels, written tile by tile.
 
 use std::io::{Seek, Write};
 
@@ -15,11 +15,11 @@ use crate::bake::scratch::BAND;
 use crate::bake::set::MapLevels;
 use asperity::failure::{Failure, Result};
 
-/// Writes all levels of a map: half floats, linear; heights in sides, in `f32`.
+/// Writes all levels of a map: linear half floats, and `f32` for heights in units of the side.
 pub(crate) fn write(file: &mut (impl Write + Seek), map: &MapLevels<'_>) -> Result<()> {
     let side = map.side(0);
     let sample = if map.map == Map::Height { SampleType::F32 } else { SampleType::F16 };
-    // The format wants them in the order of the alphabet.
+    // The format requires alphabetical order.
     let names: &[&str] = if map.map.channels() == 3 { &["B", "G", "R"] } else { &["Y"] };
     let channels: SmallVec<[ChannelDescription; 5]> = names
         .iter()
@@ -64,15 +64,15 @@ pub(crate) fn write(file: &mut (impl Write + Seek), map: &MapLevels<'_>) -> Resu
     }
 }
 
-/// Rows of a level as the file's numbers, channel after channel.
+/// Rows of a level in the file's number type, channel after channel.
 #[derive(Default)]
 struct Band {
     /// The level and the first row.
     place: Option<(u32, usize)>,
     side: usize,
-    /// For each channel all rows, in the bytes of the machine.
+    /// All rows of each channel, in native byte order.
     channels: Vec<Vec<u8>>,
-    /// Bytes of a number.
+    /// Bytes per number.
     width: usize,
 }
 
@@ -96,7 +96,7 @@ impl Band {
         Ok(Self { place, side, channels: (0..count).rev().map(channel).collect(), width: 2 })
     }
 
-    /// Bytes of a block: line by line the channels' numbers.
+    /// Returns the bytes of a block: line by line, the numbers of each channel.
     fn block(&self, column: usize, width: usize, channels: usize) -> Vec<u8> {
         let line = self.side * self.width;
         let rows = self.channels.first().map_or(0, |channel| channel.len() / line);

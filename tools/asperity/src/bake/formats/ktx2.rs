@@ -1,4 +1,4 @@
-//! KTX2 with all levels in compressed blocks, as graphics cards read them.
+//! KTX2 with all mip levels in GPU block compression.
 
 use std::io::Write;
 
@@ -14,22 +14,23 @@ use crate::bake::scratch::BAND;
 use crate::bake::set::MapLevels;
 use asperity::failure::Result;
 
-/// Numbers of a texel on a graphics card.
+/// The texel format on the GPU.
 #[derive(Clone, Copy)]
 enum Texels {
     /// Blocks of 4 × 4 texels.
     Blocks(CompressionVariant),
-    /// Half floats: in eight bits, slopes of heights would be stairs, and loaders for the web do not read `R16_UNORM`.
+    /// Half floats. Eight bits would quantize slopes of heights into steps, and web loaders do not
+    /// read `R16_UNORM`.
     Halves,
 }
 
-/// The format of a map, and its texels.
+/// Returns the format of a map, and its texels.
 fn form(map: Map) -> (Format, Texels) {
     let bc7 = CompressionVariant::BC7(BC7Settings::opaque_very_fast());
     match map {
         Map::BaseColour => (Format::BC7_SRGB_BLOCK, Texels::Blocks(bc7)),
         Map::Packed => (Format::BC7_UNORM_BLOCK, Texels::Blocks(bc7)),
-        // z follows from x and y.
+        // z is computed from x and y.
         Map::NormalOpenGl | Map::NormalDirectX => {
             (Format::BC5_UNORM_BLOCK, Texels::Blocks(CompressionVariant::BC5))
         }
@@ -41,7 +42,7 @@ fn form(map: Map) -> (Format, Texels) {
 }
 
 impl Texels {
-    /// Bytes of a level of this side.
+    /// Returns the bytes of a level of this side.
     fn bytes(self, side: usize) -> u64 {
         match self {
             Self::Blocks(variant) => {
@@ -52,7 +53,7 @@ impl Texels {
         }
     }
 
-    /// Places of levels are multiples of it: of 4, and of a block.
+    /// Returns the alignment of levels, a multiple of 4 and of the block size.
     fn alignment(self) -> u64 {
         match self {
             Self::Blocks(_) => self.bytes(4),
@@ -91,7 +92,7 @@ pub(crate) fn write(file: &mut impl Write, map: &MapLevels<'_>) -> Result<()> {
             sgd_byte_length: 0,
         },
     };
-    // The smallest level is the first in the file, and the last in the list.
+    // The smallest level comes first in the file and last in the index.
     let (mut places, mut at) = (Vec::new(), end);
     for level in (0..count).rev() {
         at = at.next_multiple_of(texels.alignment());
@@ -128,7 +129,7 @@ pub(crate) fn write(file: &mut impl Write, map: &MapLevels<'_>) -> Result<()> {
     Ok(())
 }
 
-/// A key with its value, padded to four bytes.
+/// Encodes a key and its value, padded to four bytes.
 fn note(key: &str, value: &str) -> Vec<u8> {
     let text = format!("{key}\0{value}\0");
     let mut bytes = (text.len() as u32).to_le_bytes().to_vec();
@@ -137,7 +138,7 @@ fn note(key: &str, value: &str) -> Vec<u8> {
     bytes
 }
 
-/// Blocks of rows of texels; what lies beyond a level smaller than a block is its last texel.
+/// Compresses rows of texels. Levels smaller than a block are padded with their last texel.
 fn compressed(words: &[u16], channels: usize, side: usize, variant: CompressionVariant) -> Vec<u8> {
     let rows = words.len() / channels / side;
     let width = side.next_multiple_of(4);

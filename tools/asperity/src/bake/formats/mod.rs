@@ -1,4 +1,4 @@
-//! Files of a map: what engines and painters load.
+//! The file formats of a map.
 
 pub(super) mod exr;
 pub(super) mod ktx2;
@@ -6,7 +6,7 @@ pub(super) mod png;
 
 use asperity::cli::BakedFormat as Format;
 
-/// The ending of a format's files.
+/// Returns the file extension of a format.
 pub(super) const fn ending(format: Format) -> &'static str {
     match format {
         Format::Png => "png",
@@ -15,7 +15,7 @@ pub(super) const fn ending(format: Format) -> &'static str {
     }
 }
 
-/// Whether a file of the format has all levels.
+/// Whether a file of the format contains all mip levels.
 pub(super) const fn has_levels(format: Format) -> bool {
     !matches!(format, Format::Png)
 }

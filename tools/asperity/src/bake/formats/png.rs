@@ -1,4 +1,4 @@
-//! PNG with 16 bits a channel, row by row.
+//! PNG with 16 bits per channel, written row by row.
 
 use std::io::Write;
 

@@ -1,4 +1,4 @@
-//! Bumps of a density of normals: two channels of Gaussian noise through the density's map, `m = T(z)`.
+//! Bumps of a normal density: two channels of Gaussian noise mapped by `m = T(z)`.
 
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ use asperity::failure::Result;
 
 /// Parameters of the bumps.
 pub(crate) struct Parameters {
-    /// The words that asked for the density.
+    /// The specification of the density.
     pub(crate) spec: String,
     pub(crate) ndf: Arc<SharedNdf>,
     /// Lattice cells of the first octave along a side.
@@ -32,25 +32,26 @@ pub(crate) struct Parameters {
 
 /// The bumps.
 ///
-/// Moments of texels are those of the Gaussian coordinates z, not of slopes: what a level resolves of z is its mean, and the density
-/// of the rest is as wide as z varies about it. From afar that is the density itself, exactly.
+/// The moments of texels are moments of the Gaussian coordinates z, not of slopes. A level resolves
+/// the mean of z. The density of the rest is as wide as the variation of z about that mean. In the
+/// limit of distance the result is the density itself, exactly.
 pub(crate) struct Bumps {
     parameters: Parameters,
     finish: Finish,
     channels: Channels,
     clamp: FrequencyClamp,
-    /// α along x and y of the GGX density whose slopes have the density's medians.
+    /// α along x and y of the GGX density with the same median slopes.
     alpha: [f32; 2],
 }
 
-/// Two independent channels of octaves of noise.
+/// Two independent channels of octave noise.
 enum Channels {
     Turned(Octaves<Gaussian, 2>),
     Tiled(Octaves<Gaussian<Tiled<IntegerHash, 2>>, 2>),
 }
 
 impl Bumps {
-    /// The bumps of these parameters.
+    /// Builds the bumps from their parameters.
     pub(crate) fn new(parameters: Parameters, finish: Finish) -> Result<Self> {
         let spectrum = Spectrum::new(parameters.lacunarity, parameters.gain, parameters.octaves)?;
         let noise = Gaussian::new(parameters.seed);
@@ -67,7 +68,8 @@ impl Bumps {
         Ok(Self { parameters, finish, channels, clamp, alpha })
     }
 
-    /// The coordinates at a point, with the share of octaves that a sample of this side resolves.
+    /// Returns the coordinates at a point, and the fraction of octaves that a sample of this side
+    /// resolves.
     fn coordinates(&self, at: [f64; 2], sample: f32) -> Coordinates {
         let p = Vec2::from(at.map(|x| (x * f64::from(self.parameters.cells)) as f32));
         let octaves = self.clamp.octaves(Footprint::from_width(sample));
@@ -76,13 +78,13 @@ impl Bumps {
             Channels::Tiled(noise) => (noise.detail(octaves).pair(p), noise.spectrum()),
         };
         let z = Vec2::new(pair[0].value, pair[1].value);
-        // Of all octaves that there are: beyond them nothing is left.
+        // Limited to the existing octaves: finer octaves contribute nothing.
         let share = spectrum.share(octaves) / spectrum.share(spectrum.max_octaves() as f32);
         Coordinates { z, share: share.min(1.0), fade: spectrum.weight(octaves, 0) }
     }
 }
 
-/// α along x and y of the GGX density whose slopes have the medians of this one's.
+/// Returns α along x and y of the GGX density with the median slopes of `ndf`.
 ///
 /// ```text
 /// median |s_x| = α_x/√3   of GGX, whose slopes along an axis have the distribution ½ + ½ s/√(α² + s²)

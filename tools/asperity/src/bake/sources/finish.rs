@@ -1,13 +1,13 @@
-//! The finish of a surface that is nothing but relief: its colours, its roughness, whether it is a metal.
+//! The finish of a relief surface: colors, roughness and metalness.
 
 use asperity_render::image::tone::srgb;
 use glam::Vec3;
 use serde_json::{Value, json};
 
-/// Colours and gloss of a surface.
+/// Colors and gloss of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Finish {
-    /// Linear colour of the highest and of the lowest parts.
+    /// Linear colors of the highest and the lowest areas.
     pub(crate) colours: [Vec3; 2],
     /// α of the surface between its slopes.
     pub(crate) alpha: f32,
@@ -15,12 +15,12 @@ pub(crate) struct Finish {
 }
 
 impl Finish {
-    /// Whether high and low parts differ in colour.
+    /// Whether high and low areas differ in color.
     pub(super) fn is_coloured(&self) -> bool {
         self.colours[0] != self.colours[1]
     }
 
-    /// The colour at a height in standard deviations: from one colour to the other between −2 and 2.
+    /// Returns the color at a height in standard deviations, interpolated between −2 and 2.
     pub(super) fn colour(&self, height: f32) -> Vec3 {
         self.colours[1].lerp(self.colours[0], (0.5 + 0.25 * height).clamp(0.0, 1.0))
     }

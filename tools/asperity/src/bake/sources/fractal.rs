@@ -1,4 +1,4 @@
-//! A fractal surface: the torus Hermite surface, periodic by its nature.
+//! A fractal surface: the torus Hermite surface, which is periodic by construction.
 
 use asperity_fif::{Torus, glam::DVec2};
 use asperity_shading::normal_map::SlopeMoments;
@@ -16,9 +16,9 @@ use asperity::output::sha256;
 pub(crate) struct Parameters {
     /// Nodes along a side.
     pub(crate) nodes: u32,
-    /// The vertical factor s, the roughness of the surface: |s| < 1/√5.
+    /// The vertical factor s, which controls the roughness: |s| < 1/√5.
     pub(crate) factor: f32,
-    /// Standard deviation of the heights, in sides.
+    /// Standard deviation of the heights, in units of the side.
     pub(crate) height: f32,
     pub(crate) seed: u32,
 }
@@ -28,20 +28,20 @@ pub(crate) struct Fractal {
     parameters: Parameters,
     finish: Finish,
     torus: Torus,
-    /// Mean and factor of its heights.
+    /// Offset and scale of its heights.
     mean: f64,
     scale: f64,
 }
 
-/// Heights along a side that tell their variance.
+/// Grid points per side for estimating the height variance.
 const GRID: usize = 128;
 
 impl Fractal {
-    /// The surface of these parameters.
+    /// Builds the surface from its parameters.
     pub(crate) fn new(parameters: Parameters, finish: Finish) -> Result<Self> {
         let Parameters { nodes, factor, height, seed } = parameters;
         let count = (nodes as usize).saturating_mul(nodes as usize).min(1 << 20);
-        // From −1 to 1, by the digest of seed and index.
+        // Uniform within [−1, 1], from the digest of seed and index.
         let random = |k: usize| {
             let digest = sha256(format!("{seed} {k}").as_bytes());
             let word = u32::from_str_radix(&digest[..8], 16).unwrap_or_default();
@@ -63,7 +63,7 @@ impl Fractal {
     }
 
     fn height(&self, [x, y]: [f64; 2]) -> f32 {
-        // A thousandth of a texel of 16 bits.
+        // A thousandth of a 16-bit texel step.
         (self.scale * (self.torus.evaluate(x, y, 1e-8).value - self.mean)) as f32
     }
 

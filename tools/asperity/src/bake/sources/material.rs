@@ -1,4 +1,4 @@
-//! A material on a flat square, through the metallic–roughness model.
+//! A material on a flat square, converted to the metallic–roughness model.
 
 use asperity_render::scene::Surface;
 use asperity_shading::material::MetallicRoughness;
@@ -10,23 +10,24 @@ use crate::bake::source::{Row, Source, Varies};
 use crate::bake::texel::Texel;
 use asperity::failure::Result;
 
-/// A material of `render` on a square of a side in metres.
+/// A material of `render` on a square with its side in meters.
 pub(crate) struct Flat {
     name: String,
     parameters: Value,
     surface: Box<Surface<'static>>,
     side: f32,
-    /// The lowest and the highest point that there may be, in sides.
+    /// Bounds of the height in units of the side.
     range: Option<[f32; 2]>,
     varies: Varies,
     coat: Option<f32>,
 }
 
-/// Places along a side that tell what varies; no period of patterns is a whole part of it.
+/// Grid points per side for detecting which properties vary. The number shares no factor with
+/// periods of patterns.
 const GRID: usize = 61;
 
 impl Flat {
-    /// The material on the square.
+    /// Builds the material on the square.
     pub(crate) fn new(
         name: String,
         parameters: Value,
@@ -41,7 +42,7 @@ impl Flat {
             let at = [k % GRID, k / GRID].map(|i| (i as f64 + 0.381_966) / GRID as f64);
             let Some(seen) = flat.seen(at, 0.0) else {
                 return Err(format!(
-                    "{} is no surface that has a base colour: light goes through it",
+                    "`--material {}` is not supported: transmissive materials have no base color",
                     flat.name
                 )
                 .into());
@@ -55,20 +56,21 @@ impl Flat {
         Ok(flat)
     }
 
-    /// A point of the square with the pixel that a sample of this side is.
+    /// Returns a point of the square, with a sample of this side as its pixel.
     fn place(&self, at: [f64; 2], sample: f32) -> SurfacePoint {
         let place = Vec2::from(at.map(|x| (x * f64::from(self.side)) as f32));
         let pixel = Footprint::from_width(sample * self.side);
         SurfacePoint::new(place.extend(0.0), Vec3::Z, pixel).with_uv(place, [Vec3::X, Vec3::Y])
     }
 
-    /// The surface at a point, as a sample of this side sees it.
+    /// Returns the surface at a point, filtered to a sample of this side.
     fn seen(&self, at: [f64; 2], sample: f32) -> Option<MetallicRoughness> {
-        // From below: from above facets steeper than 45° would be turned towards the eye, and lose their slope.
+        // Seen from below: from above, facets steeper than 45° would be turned toward the viewer
+        // and lose their slope.
         MetallicRoughness::of(&self.surface.bsdf(&self.place(at, sample), Vec3::NEG_Z))
     }
 
-    /// The height of a point in sides, as a sample of this side sees it.
+    /// Returns the height of a point in units of the side, filtered to a sample of this side.
     fn height(&self, at: [f64; 2], sample: f32) -> f32 {
         if self.varies.height { self.surface.height(&self.place(at, sample)) / self.side } else { 0.0 }
     }
@@ -96,7 +98,7 @@ impl Source for Flat {
     }
 
     fn why_not(&self) -> &'static str {
-        "the material's lattices have no period"
+        "the material's lattices are not periodic"
     }
 
     fn range(&self) -> Option<[f32; 2]> {

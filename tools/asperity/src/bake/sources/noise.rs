@@ -1,4 +1,4 @@
-//! A height field of octaves of noise.
+//! A height field of octave noise.
 
 use asperity_noise::{
     Cellular, Field, Gaussian, IntegerHash, Octaves, Perlin2002, Sample, Simplex, Sparse, Spectrum, Tiled,
@@ -23,7 +23,7 @@ pub(crate) struct Parameters {
     pub(crate) octaves: u32,
     pub(crate) lacunarity: f32,
     pub(crate) gain: f32,
-    /// Standard deviation of the heights, in sides.
+    /// Standard deviation of the heights, in units of the side.
     pub(crate) height: f32,
     pub(crate) seed: u32,
     pub(crate) tileable: bool,
@@ -37,7 +37,7 @@ pub(crate) struct Noise {
 }
 
 impl Noise {
-    /// The noise of these parameters.
+    /// Builds the height field from its parameters.
     pub(crate) fn new(parameters: Parameters, finish: Finish) -> Result<Self> {
         let field = field(&parameters).map_err(|error| match parameters.tileable {
             true => format!("`--tileable`: {error}"),
@@ -46,13 +46,13 @@ impl Noise {
         Ok(Self { parameters, finish, field })
     }
 
-    /// Values and gradients by the place in the lattice.
+    /// Returns values and gradients at a lattice position.
     fn sample(&self, at: [f64; 2]) -> Vec2 {
         Vec2::from(at.map(|x| (x * f64::from(self.parameters.cells)) as f32))
     }
 }
 
-/// Octaves of a noise in the plane, which repeat where that is asked for.
+/// Returns octave noise in the plane, periodic if requested.
 fn field(wanted: &Parameters) -> Result<Box<dyn Field<Vec2> + Send + Sync>> {
     let Parameters { kind, cells, seed, tileable, .. } = *wanted;
     let spectrum = Spectrum::new(wanted.lacunarity, wanted.gain, wanted.octaves)?;
@@ -73,7 +73,7 @@ fn field(wanted: &Parameters) -> Result<Box<dyn Field<Vec2> + Send + Sync>> {
         BakedNoise::Sparse => in_the_plane!(Sparse::new(seed)),
         BakedNoise::Cellular => in_the_plane!(Cellular::new(seed)),
         BakedNoise::Simplex if tileable => {
-            // In the plane the simplicial lattice does not repeat along the axes.
+            // In the plane, the simplicial lattice is not periodic along the axes.
             let noise = TiledSimplex::new(Simplex::new(seed), [cells; 3])?;
             Box::new(Slice(Octaves::<_, 3>::tiled(noise, spectrum)?))
         }
@@ -81,7 +81,7 @@ fn field(wanted: &Parameters) -> Result<Box<dyn Field<Vec2> + Send + Sync>> {
     })
 }
 
-/// A field in space, seen in the plane z = 0.
+/// A field in space, sliced at z = 0.
 struct Slice<F>(F);
 
 impl<F: Field<Vec3>> Field<Vec2> for Slice<F> {
@@ -118,7 +118,7 @@ impl Source for Noise {
         let points: Vec<Vec2> =
             (0..texels.len()).flat_map(|k| row.points(k)).map(|at| self.sample(at)).collect();
         let mut samples = vec![Sample { value: 0.0, gradient: Vec2::ZERO }; points.len()];
-        // As many as there are points.
+        // One value per point.
         let _ = self.field.samples(&points, &mut samples);
         let each = (row.samples * row.samples) as usize;
         for (texel, samples) in texels.iter_mut().zip(samples.chunks_exact(each)) {
