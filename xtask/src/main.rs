@@ -32,7 +32,7 @@ fn main() -> ExitCode {
 }
 
 fn perform(command: Command) -> Result<()> {
-    // The manifest's folder is that of this program; the workspace is the folder above it.
+    // The parent of this package's folder is the workspace.
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().ok_or("no workspace")?;
     match command {
         Command::Gallery(given) => program("asperity-gallery", &given.words),
@@ -67,13 +67,13 @@ fn perform(command: Command) -> Result<()> {
     }
 }
 
-/// A command of the program that builds for other machines.
+/// Runs a command of `asperity-platforms`, which builds for other targets.
 fn platforms(name: &str, words: &[OsString]) -> Result<()> {
     let folder = std::env::current_dir()?;
     cargo::run(cargo::cargo(&folder, "run --quiet --package asperity-platforms --").arg(name).args(words))
 }
 
-/// Builds and runs a program of this workspace in the folder of the call.
+/// Builds and runs a program of this workspace in the current folder.
 fn program(package: &str, words: &[OsString]) -> Result<()> {
     cargo::run(
         cargo::cargo(&std::env::current_dir()?, "run --profile tools --package")
@@ -121,9 +121,9 @@ mod tests {
     }
 
     #[test]
-    fn ci_lists_its_gates_when_none_matches() {
+    fn ci_lists_its_checks_when_none_matches() {
         let cli = Cli::try_parse_from(["xtask", "ci", "--only", "nowhere"]).unwrap();
         let error = perform(cli.command).unwrap_err().to_string();
-        assert!(error.starts_with("no gate's name contains `nowhere`; gates are format, tidy, "), "{error}");
+        assert!(error.starts_with("no check matches `nowhere` (available: format, tidy, "), "{error}");
     }
 }

@@ -43,19 +43,19 @@ pub(crate) struct Dependency {
     pub(crate) is_local: bool,
 }
 
-/// The members of a workspace.
+/// Returns the members of a workspace.
 pub(crate) fn members(root: &Path) -> Result<Vec<Package>> {
     read(root, "metadata --format-version 1 --locked --no-deps")
 }
 
-/// The members of a workspace that the registry takes.
+/// Returns the published members of a workspace.
 pub(crate) fn published(root: &Path) -> Result<Vec<Package>> {
     let mut packages = members(root)?;
     packages.retain(|package| package.is_published);
     Ok(packages)
 }
 
-/// Every package of a lockfile.
+/// Returns every package of a lockfile.
 pub(crate) fn all(folder: &Path) -> Result<Vec<Package>> {
     read(folder, "metadata --format-version 1 --locked --all-features")
 }

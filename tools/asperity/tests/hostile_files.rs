@@ -105,7 +105,7 @@ fn image_with_excessive_size_is_an_error() {
     light(&[
         ("claim.png", png(0x7fff_ffff, 0x7fff_ffff, &chunk(b"IDAT", &[])), "limits are exceeded"),
         ("empty.png", png(16_384, 8192, &chunk(b"IDAT", &[])), "cannot hold the 16384 × 8192 pixels"),
-        ("text.png", png(8, 8, &chunk(b"zTXt", &text).repeat(64)), "the PNG cannot be decoded"),
+        ("text.png", png(8, 8, &chunk(b"zTXt", &text).repeat(64)), "cannot decode the PNG"),
         ("claim.hdr", b"#?RGBE\n\n-Y 2147483647 +X 2147483647\n".into(), "an image must have 1 to"),
         (
             // A color, then its repeat count in four digits.
@@ -153,7 +153,7 @@ fn image_that_inflates_beyond_its_size() {
     std::fs::write(folder.path().join("row.exr"), rows).unwrap();
     let words =
         |name: &'static str| ["render", "--scene", "sphere", "--size", "16", "--spp", "1", "--light", name];
-    refused(folder.path(), &words("row.exr"), "the OpenEXR file cannot be decoded");
+    refused(folder.path(), &words("row.exr"), "cannot decode the OpenEXR file");
     // PNG data beyond the last row is not inflated.
     std::fs::write(folder.path().join("pixels.png"), png(8, 8, &chunk(b"IDAT", &zeros))).unwrap();
     let output = limited(folder.path(), &words("pixels.png"));
@@ -210,21 +210,25 @@ fn mesh_with_excessive_size_is_an_error() {
     }
     let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     mesh(&[
-        ("vertices.ply", head(4_000_000_000, 1, "ascii").into(), "cannot hold the 4000000000 of `vertex`"),
+        (
+            "vertices.ply",
+            head(4_000_000_000, 1, "ascii").into(),
+            "cannot hold the 4000000000 rows of `vertex`",
+        ),
         ("faces.ply", head(0, u64::MAX / 2, "binary_big_endian").into(), "cannot hold the"),
-        ("list.ply", list, "the PLY cannot be read"),
+        ("list.ply", list, "invalid PLY"),
         (
             "count.stl",
             [&[0; 80], &[0xff; 4][..], &[0; 50]].concat(),
-            "134 bytes hold 1 of the 4294967295 triangles",
+            "header claims 4294967295 triangles, but 134 bytes hold 1",
         ),
-        ("index.obj", format!("{triangle}f 1 2 9223372036854775807\n").into(), "does not exist, there are 3"),
-        ("digits.obj", format!("{triangle}f 1 2 {}\n", "9".repeat(100_000)).into(), "the OBJ cannot be read"),
         (
-            "star.obj",
-            format!("{corners}{star}\n").into(),
-            "a polygon that is not convex has at most 512 corners",
+            "index.obj",
+            format!("{triangle}f 1 2 9223372036854775807\n").into(),
+            "does not exist (there are 3)",
         ),
+        ("digits.obj", format!("{triangle}f 1 2 {}\n", "9".repeat(100_000)).into(), "invalid OBJ"),
+        ("star.obj", format!("{corners}{star}\n").into(), "a concave polygon has too many corners"),
     ]);
 }
 
@@ -255,7 +259,7 @@ fn gltf_with_cycles_or_external_buffers_is_an_error() {
             {"componentType": 5121, "count": 3, "type": "SCALAR"},
         ]);
     });
-    let elsewhere = "the buffers of a glTF must be in it or beside it";
+    let elsewhere = "glTF buffers must be embedded or in the glTF's folder";
     mesh(&[
         (
             "circle.gltf",
@@ -272,7 +276,7 @@ fn gltf_with_cycles_or_external_buffers_is_an_error() {
                 "]".repeat(100_000)
             )
             .into(),
-            "the glTF cannot be read",
+            "invalid glTF",
         ),
         ("up.gltf", buffer("../../../../../../etc/passwd"), elsewhere),
         ("below-and-up.gltf", buffer("a/../../secret"), elsewhere),
@@ -280,7 +284,7 @@ fn gltf_with_cycles_or_external_buffers_is_an_error() {
         ("absolute.gltf", buffer("/etc/passwd"), elsewhere),
         ("file.gltf", buffer("file:///etc/passwd"), elsewhere),
         ("web.gltf", buffer("https://127.0.0.1/a.bin"), elsewhere),
-        ("folder.gltf", buffer("."), "this is not a file"),
+        ("folder.gltf", buffer("."), "not a regular file"),
         (
             "claim.gltf",
             gltf(&one, |file| file["bufferViews"][0]["byteLength"] = json!(1_u64 << 62)),
@@ -291,7 +295,7 @@ fn gltf_with_cycles_or_external_buffers_is_an_error() {
             gltf(&one, |file| file["accessors"][0]["count"] = json!(4_000_000_000_u64)),
             "within its buffer",
         ),
-        ("zeros.gltf", zeros, "a mesh has at most"),
+        ("zeros.gltf", zeros, "the mesh is too large"),
     ]);
 }
 
@@ -316,7 +320,7 @@ fn systems_and_devices_are_an_error() {
         ["tables", "--out", "tables", "--ndf", "/dev/zero"],
         ["tables", "--out", "tables", "--normal-map", "/dev/zero"],
     ] {
-        refused(folder.path(), &words, "this is not a file");
+        refused(folder.path(), &words, "not a regular file");
     }
     // A named pipe without a writer would block forever.
     for name in
@@ -339,6 +343,6 @@ fn systems_and_devices_are_an_error() {
         &["check-ndf", "--ndf", "pipe.png"],
         &["bake", "--ndf", "pipe.png"],
     ] {
-        refused(folder.path(), words, "this is not a file");
+        refused(folder.path(), words, "not a regular file");
     }
 }

@@ -1,4 +1,4 @@
-//! Files from outside, read whole.
+//! Reads whole input files.
 
 use std::{
     borrow::Cow,
@@ -7,21 +7,22 @@ use std::{
     path::Path,
 };
 
-/// The bytes of a file of at most so many; what is no file, such as a pipe, would not come to an end.
+/// Reads a file of at most `most` bytes. Pipes and devices, which may not end, are an error.
 pub fn read(path: &Path, most: u64) -> io::Result<Vec<u8>> {
-    // Before it is opened: a pipe would be waited for.
+    // Checked before opening, because opening a pipe would block.
     if !fs::metadata(path)?.is_file() {
-        return Err(io::Error::other("this is not a file"));
+        return Err(io::Error::other("not a regular file"));
     }
     let mut bytes = Vec::new();
     File::open(path)?.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > most {
-        return Err(io::Error::other(format!("it is longer than {most} bytes")));
+        return Err(io::Error::other(format!("file is longer than {most} bytes")));
     }
     Ok(bytes)
 }
 
-/// The bytes as UTF-8 without a byte order mark; UTF-16 is converted, with or without a mark.
+/// Returns the bytes as UTF-8 without a byte order mark. UTF-16 is converted, with or without a
+/// mark.
 pub fn utf8(bytes: &[u8]) -> Cow<'_, [u8]> {
     let (order, rest): (fn([u8; 2]) -> u16, _) = match bytes {
         [0xef, 0xbb, 0xbf, rest @ ..] => return rest.into(),
@@ -36,7 +37,7 @@ pub fn utf8(bytes: &[u8]) -> Cow<'_, [u8]> {
     decoded.collect::<String>().into_bytes().into()
 }
 
-/// The bytes as text; names and comments may be in any encoding.
+/// Returns the bytes as text. Names and comments may be in any encoding.
 pub fn text(bytes: &[u8]) -> Cow<'_, str> {
     match utf8(bytes) {
         Cow::Borrowed(bytes) => String::from_utf8_lossy(bytes),
@@ -44,7 +45,7 @@ pub fn text(bytes: &[u8]) -> Cow<'_, str> {
     }
 }
 
-/// The number that a word stands for; NaN for what C libraries print where there is none, such as `-nan(ind)` and `1.#QNAN`.
+/// Parses a number; NaN for what C libraries print for NaN, such as `-nan(ind)` and `1.#QNAN`.
 pub fn number(word: &str) -> Option<f64> {
     let undefined = || {
         let lower = word.to_ascii_lowercase();
@@ -59,13 +60,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_long_or_no_file_is_refused() {
+    fn read_rejects_long_files_and_devices() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("three");
         fs::write(&path, "123").unwrap();
         assert_eq!(read(&path, 3).unwrap(), b"123");
         assert_eq!(read(&path, 2).unwrap_err().to_string(), "it is longer than 2 bytes");
-        assert_eq!(read(folder.path(), 3).unwrap_err().to_string(), "this is not a file");
+        assert_eq!(read(folder.path(), 3).unwrap_err().to_string(), "not a regular file");
         assert_eq!(read(&folder.path().join("none"), 3).unwrap_err().kind(), io::ErrorKind::NotFound);
     }
 

@@ -14,7 +14,8 @@ pub fn smootherstep(low: f32, high: f32, x: f32) -> f32 {
     t * t * t * (t * (6.0 * t - 15.0) + 10.0)
 }
 
-/// The place and the derivative at `t` of the Catmull–Rom segment from the second to the third of four points.
+/// Returns position and derivative at `t` of the Catmull–Rom segment between the second and third
+/// of four points.
 pub fn catmull_rom([a, b, c, d]: [Vec2; 4], t: f32) -> [Vec2; 2] {
     let linear = 0.5 * (c - a);
     let (square, cube) = (a - 2.5 * b + 2.0 * c - 0.5 * d, 1.5 * (b - c) + 0.5 * (d - a));
@@ -26,7 +27,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn steps_and_splines_pass_their_ends() {
+    fn steps_and_splines_interpolate_their_ends() {
         for step in [smoothstep, smootherstep] {
             assert_eq!([0.0, 1.0, 1.5, 2.0, 3.0].map(|x| step(1.0, 2.0, x)), [0.0, 0.0, 0.5, 1.0, 1.0]);
         }

@@ -1,4 +1,4 @@
-//! The renderer behind the pictures: shapes, light, materials, integrators.
+//! The renderer of the gallery and of `asperity render`: shapes, light, materials, integrators.
 
 #![allow(
     missing_docs,

@@ -1,6 +1,8 @@
-//! Documentation examples, compiled and run outside this workspace, with the features that a user has.
+//! Compiles and runs documentation examples outside this workspace, with the features of a
+//! downstream user.
 //!
-//! In this workspace cargo unifies features: an example that needs glam's `f64` compiles next to a crate that enables it.
+//! Inside this workspace cargo unifies features, so an example that needs glam's `f64` compiles
+//! next to a crate that enables it.
 
 use std::{collections::BTreeMap, fmt::Write, fs, path::Path};
 
@@ -12,15 +14,15 @@ use crate::report::say;
 /// The generated workspace.
 const FOLDER: &str = "target/blocks";
 
-/// Marks the feature that a block needs, at the end of a line that begins with `use asperity_`.
+/// Marks the feature that a block needs, at the end of a line that starts with `use asperity_`.
 const NEEDS: &str = "// feature `";
 
-/// Runs the examples of every crate with its default features, and every Rust block of the README, the guide and the
-/// crates' pages on the crates that it names.
+/// Runs the examples of every crate with its default features, and every Rust block of the README,
+/// the guide and the crate pages, with the crates used in the block.
 pub(crate) fn examples(root: &Path) -> Result<(), Failure> {
     let crates = metadata::published(root)?;
     let folder = root.join(FOLDER);
-    // Crates that have not changed are not compiled again.
+    // Unchanged crates are not recompiled.
     let pages_folder = folder.join("pages");
     if pages_folder.is_dir() {
         fs::remove_dir_all(&pages_folder)?;
@@ -47,20 +49,20 @@ pub(crate) fn examples(root: &Path) -> Result<(), Failure> {
     let manifest = fs::read_to_string(root.join("Cargo.toml"))?;
     fs::write(folder.join("Cargo.toml"), workspace_manifest(&manifest))?;
     fs::copy(root.join("Cargo.lock"), folder.join("Cargo.lock"))?;
-    // One package at a time: cargo unifies the features of those that it builds together.
+    // One package at a time, because cargo unifies the features of packages built together.
     let failed = packages.into_iter().filter(|package| {
         let mut test = cargo(&folder, &format!("test --quiet --doc --package {package}"));
         run(test.arg("--target-dir").arg(root.join("target"))).is_err()
     });
     let failed: Vec<String> = failed.collect();
     if !failed.is_empty() {
-        return Err(format!("examples of {} in {FOLDER} fail", failed.join(", ")).into());
+        return Err(format!("examples of {} fail (in {FOLDER})", failed.join(", ")).into());
     }
-    say(&format!("  the examples of {} crates and {count} blocks of pages", crates.len()));
+    say(&format!("  ran the examples of {} crates and {count} code blocks of pages", crates.len()));
     Ok(())
 }
 
-/// The pages whose blocks are run, relative to the root.
+/// Returns the pages whose blocks are run, relative to the root.
 fn pages(root: &Path, crates: &[Package]) -> Result<Vec<String>, Failure> {
     let mut pages = vec![String::from("README.md")];
     for entry in fs::read_dir(root.join("docs/guide"))? {
@@ -71,7 +73,7 @@ fn pages(root: &Path, crates: &[Package]) -> Result<Vec<String>, Failure> {
     Ok(pages)
 }
 
-/// The Rust blocks of a page that are not ignored, each with its line.
+/// Returns the Rust blocks of a page that are not ignored, with line numbers.
 fn blocks(page: &str) -> Vec<(usize, &str)> {
     let mut found = Vec::new();
     let (mut line, mut rest) = (1, page);
@@ -90,7 +92,7 @@ fn blocks(page: &str) -> Vec<(usize, &str)> {
     found
 }
 
-/// The crates that a block names, each with the features beyond the default ones, as entries of a manifest.
+/// Returns the crates used by a block, with their non-default features, as manifest entries.
 fn needed(block: &str) -> Vec<String> {
     let mut crates = BTreeMap::<String, Vec<&str>>::new();
     for line in block.lines() {
@@ -107,7 +109,7 @@ fn needed(block: &str) -> Vec<String> {
         .collect()
 }
 
-/// Appends a block as an example of a module that is named after its page and line.
+/// Appends a block as the example of a module named after its page and line.
 fn module(modules: &mut String, page: &str, line: usize, block: &str) -> Result<(), Failure> {
     let name = page.replace(['/', '-', '.'], "_").to_lowercase();
     writeln!(modules, "pub mod {name}_{line} {{\n    //! ```")?;
@@ -122,7 +124,7 @@ fn page_manifest(name: &str, needed: &[String]) -> String {
     format!("[package]\nname = \"{name}\"\nedition = \"2024\"\n\n[dependencies]\n{}\n", needed.join("\n"))
 }
 
-/// The workspace's packages and versions, without its members and lints.
+/// Returns the workspace manifest's packages and versions, without members and lints.
 fn workspace_manifest(manifest: &str) -> String {
     let tables = manifest
         .split("\n[")
@@ -134,7 +136,8 @@ fn workspace_manifest(manifest: &str) -> String {
     )
 }
 
-/// A crate's manifest without what only this workspace has: other targets, their dependencies and lints.
+/// Returns a crate's manifest without workspace-only parts: other targets, their dependencies and
+/// lints.
 fn crate_manifest(manifest: &str) -> String {
     let kept = ["package]", "features]", "dependencies]"];
     let tables = manifest.trim_start_matches('[').split("\n[");
@@ -160,7 +163,7 @@ fn write_crate(folder: &Path, member: &Package) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Copies a folder's files, except those that are the same already.
+/// Copies a folder's files, except unchanged files.
 fn copy(from: &Path, to: &Path) -> Result<(), Failure> {
     fs::create_dir_all(to)?;
     for entry in fs::read_dir(from)? {
@@ -182,7 +185,7 @@ fn write(place: &Path, manifest: &str, lib: &str) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The folder of a crate in `crates`.
+/// Returns the folder of a crate in `crates`.
 fn folder_name(member: &Package) -> &str {
     member.name.trim_start_matches("asperity-")
 }

@@ -1,4 +1,4 @@
-//! `cargo xtask ci`: every gate that stands between a change and `main`.
+//! `cargo xtask ci`: runs all CI checks.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -16,9 +16,11 @@ use crate::shaders;
 pub(crate) const CRATES: [&str; 4] =
     ["asperity-noise", "asperity-ndf-sampling", "asperity-fif", "asperity-shading"];
 
-/// The feature sets that `cargo test --workspace` does not have: there every feature of a crate is on, and `libm` wins.
+/// Feature sets not covered by `cargo test --workspace`, which enables every feature of a crate, so
+/// that `libm` wins.
 const SETS: [(&str, &[&str]); 5] = [
-    // The noise's bits must not depend on lanes either; the other crates own tables where they may allocate.
+    // The noise crate must give the same bits with and without SIMD. The other crates own tables
+    // when they may allocate.
     ("asperity-noise", &["std", "std,simd", "libm", "libm,check,simd"]),
     ("asperity-ndf-sampling", &["std,alloc,simd", "libm,check,simd", "libm"]),
     ("asperity-fif", &["std,alloc,simd", "libm,alloc,simd", "libm"]),
@@ -26,7 +28,8 @@ const SETS: [(&str, &[&str]); 5] = [
     ("asperity-shaders", &["std", "libm"]),
 ];
 
-/// The least of features with which a crate is linted: one backend, and the traits of `approx` and `serde` without std.
+/// The minimal features for linting a crate: one backend, and the `approx` and `serde` traits
+/// without std.
 const LEAST: [&str; 2] = ["std", "libm,approx,serde"];
 
 type Gate = (&'static str, fn(&Path) -> Result<(), Failure>);
@@ -51,7 +54,8 @@ const GATES: [Gate; 12] = [
     ("packages", packages::packages),
 ];
 
-/// Gates that take minutes: run every week, before a release, and by name when a change touches what they check.
+/// Checks that take minutes. They run weekly, before a release, and by name when a change affects
+/// them.
 const WEEKLY: [Gate; 10] = [
     ("slow tests", |root| run(&mut cargo(root, "test --quiet --workspace -- --ignored"))),
     ("tests under each feature set", tests),
@@ -68,8 +72,8 @@ const WEEKLY: [Gate; 10] = [
     }),
 ];
 
-/// Runs the gates whose names contain one of those wanted, or all that are not weekly, or all, in order, and stops at the first
-/// that fails.
+/// Runs the checks whose names contain one of the given texts, or all checks that are not weekly,
+/// or all. They run in order, and the first failure stops the run.
 pub(crate) fn gates(wanted: &Ci, root: &Path) -> Result<(), Failure> {
     let named = |name: &str| wanted.only.iter().any(|part| name.contains(part.as_str()));
     let mut gates: Vec<Gate> = GATES.into_iter().chain(WEEKLY).collect();
@@ -80,21 +84,19 @@ pub(crate) fn gates(wanted: &Ci, root: &Path) -> Result<(), Failure> {
     }
     if gates.is_empty() {
         let names = GATES.into_iter().chain(WEEKLY).map(|(name, _)| name).collect::<Vec<_>>().join(", ");
-        return Err(
-            format!("no gate's name contains `{}`; gates are {names}", wanted.only.join("` or `")).into()
-        );
+        return Err(format!("no check matches `{}` (available: {names})", wanted.only.join("` or `")).into());
     }
     let all = Instant::now();
     for (name, gate) in gates {
         let start = Instant::now();
-        gate(root).map_err(|error| format!("gate `{name}`: {error}"))?;
+        gate(root).map_err(|error| format!("check `{name}`: {error}"))?;
         say(&format!("ok {name:<38} {:6.1} s", start.elapsed().as_secs_f64()));
     }
-    say(&format!("every gate passed in {:.1} s", all.elapsed().as_secs_f64()));
+    say(&format!("all checks passed in {:.1} s", all.elapsed().as_secs_f64()));
     Ok(())
 }
 
-/// A command of the program that builds for other machines.
+/// Runs a command of `asperity-platforms`, which builds for other targets.
 fn platforms(root: &Path, command: &str) -> Result<(), Failure> {
     run(&mut cargo(root, &format!("run --quiet --package asperity-platforms -- {command}")))
 }
@@ -108,7 +110,8 @@ fn clippy(root: &Path) -> Result<(), Failure> {
     lint("--package asperity-shaders --no-default-features --features libm")
 }
 
-/// The features of a crate one by one on either backend, and two by two on one: none needs another that it does not bring.
+/// Lints the features of a crate one by one on either backend, and in pairs on one backend, so that
+/// no feature needs another that it does not enable.
 fn pairs_of_features(root: &Path) -> Result<(), Failure> {
     let mut sets = 0;
     for package in metadata::published(root)? {
@@ -118,11 +121,11 @@ fn pairs_of_features(root: &Path) -> Result<(), Failure> {
             sets += 1;
         }
     }
-    say(&format!("  {sets} sets of features"));
+    say(&format!("  linted {sets} feature sets"));
     Ok(())
 }
 
-/// Sets of at most two of these features beside a backend, commas between.
+/// Returns comma-separated sets of at most two of these features plus a backend.
 fn feature_sets<'a>(features: impl Iterator<Item = &'a str>) -> Vec<String> {
     let others: Vec<&str> = features.filter(|name| !["default", "std", "libm"].contains(name)).collect();
     let mut sets = vec![String::from("std"), "libm".into()];
@@ -139,20 +142,24 @@ fn neither_backend(root: &Path) -> Result<(), Failure> {
             cargo(root, &format!("check --quiet --package {name} --no-default-features")).output()?;
         let said = String::from_utf8_lossy(&output.stderr);
         if output.status.success() || !said.contains("needs a float backend") {
-            return Err(format!("{name} without `std` or `libm` must fail and name both").into());
+            return Err(
+                format!("{name} without `std` or `libm` must fail with an error that lists both").into()
+            );
         }
     }
     Ok(())
 }
 
-/// Tests and benches that are built many times and run once are not optimised, as a user's first build.
+/// Tests and benches that are built often and run once are not optimized, like a user's first
+/// build.
 fn test(root: &Path, name: &str, of: &str) -> Result<(), Failure> {
     let mut test = cargo(root, &format!("test --quiet --package {name} {of}"));
     test.env("CARGO_PROFILE_TEST_OPT_LEVEL", "0").env("CARGO_PROFILE_TEST_DEBUG_ASSERTIONS", "true");
     run(&mut test)
 }
 
-/// Unit and golden tests under each set, and all examples under the smallest: one that needs a feature says so.
+/// Runs unit and golden tests under each feature set, and all examples under the smallest set, so
+/// that an example must declare its required features.
 fn tests(root: &Path) -> Result<(), Failure> {
     for (name, sets) in SETS {
         for set in sets {
@@ -165,7 +172,7 @@ fn tests(root: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Every example runs, and every bench measures once, as `cargo test --workspace` builds them.
+/// Runs every example, and one measurement of every bench, as built by `cargo test --workspace`.
 fn examples_and_benches(root: &Path) -> Result<(), Failure> {
     let packages = metadata::published(root)?;
     let benches =
@@ -175,7 +182,7 @@ fn examples_and_benches(root: &Path) -> Result<(), Failure> {
     let mut build = cargo(root, "test --workspace --no-run --message-format json-render-diagnostics");
     let output = build.stderr(Stdio::inherit()).output()?;
     if !output.status.success() {
-        return Err("the examples cannot be built".into());
+        return Err("cannot build the examples".into());
     }
     for line in output.stdout.split(|&byte| byte == b'\n').filter(|line| line.starts_with(b"{")) {
         let artifact: serde_json::Value = serde_json::from_slice(line)?;
@@ -193,7 +200,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn features_are_taken_one_by_one_and_two_by_two() {
+    fn feature_sets_are_singles_and_pairs() {
         let sets = feature_sets(["alloc", "default", "libm", "serde", "simd", "std"].into_iter());
         assert_eq!(sets.len(), 2 + 2 * 3 + 3);
         for set in ["std,serde", "libm,alloc,simd", "libm"] {

@@ -1,4 +1,4 @@
-//! Dependencies: their registry, their licenses, and the page that justifies each.
+//! Checks dependencies: registry, licenses, and their justification in `docs/dependencies.md`.
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::metadata::{self, Package};
 use crate::report::{note, say};
 
-/// The only registry.
+/// The only allowed registry.
 const REGISTRY: &str = "registry+https://github.com/rust-lang/crates.io-index";
 
 /// Checks the packages of every lockfile of the repository.
@@ -31,7 +31,7 @@ pub(crate) fn dependencies(root: &Path) -> Result<(), Failure> {
     let rows =
         page.lines().filter_map(|line| line.strip_prefix("| `")?.split_once("` | ")).map(|(name, _)| name);
     let gone = rows.filter(|name| !direct.contains_key(*name) && !name.starts_with("asperity-"));
-    gone.for_each(|name| note(&format!("docs/dependencies.md has `{name}`, which nothing depends on")));
+    gone.for_each(|name| note(&format!("docs/dependencies.md lists `{name}`, which is not a dependency")));
     if !offences.is_empty() {
         return Err(offences.join("\n       ").into());
     }
@@ -39,7 +39,7 @@ pub(crate) fn dependencies(root: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The lockfiles below a folder.
+/// Returns the lockfiles below a folder.
 fn lockfiles(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder)? {
@@ -55,26 +55,27 @@ fn lockfiles(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     Ok(found)
 }
 
-/// The licenses that `deny.toml` allows.
+/// Returns the licenses allowed by `deny.toml`.
 fn allowed(deny: &str) -> BTreeSet<&str> {
     let list = deny.split("\nallow = [").nth(1).and_then(|rest| rest.split(']').next()).unwrap_or_default();
     list.split('"').skip(1).step_by(2).collect()
 }
 
-/// The rule that a package from elsewhere breaks.
+/// Returns the rule that an external package violates.
 fn foreign(package: &Package, allowed: &BTreeSet<&str>) -> Option<String> {
     let Package { name, version, license, .. } = package;
     let source = package.source.as_deref()?;
     if source != REGISTRY {
         Some(format!("{name} {version} comes from {source}"))
     } else if !meets(license, allowed) {
-        Some(format!("{name} {version} has the license `{license}`, which deny.toml does not allow"))
+        Some(format!("{name} {version} has the license `{license}` (not allowed in deny.toml)"))
     } else {
         None
     }
 }
 
-/// Whether a license leaves an allowed choice. `AND` binds weakest here, which refuses more than SPDX; cargo-deny reads it in full.
+/// Whether a license offers an allowed choice. `AND` binds weakest here, which is stricter than
+/// SPDX. cargo-deny evaluates the full expression.
 fn meets(license: &str, allowed: &BTreeSet<&str>) -> bool {
     let license = license.replace('/', " OR ");
     license
@@ -82,10 +83,11 @@ fn meets(license: &str, allowed: &BTreeSet<&str>) -> bool {
         .all(|part| part.split(" OR ").any(|one| allowed.contains(one.trim_matches(['(', ')', ' ']))))
 }
 
-/// Direct dependencies of the packages of this repository, with their licenses.
+/// Returns the direct dependencies of the packages of this repository, with their licenses.
 fn chosen(packages: &[Package]) -> BTreeMap<String, String> {
     let ours = packages.iter().filter(|package| package.source.is_none());
-    // Development dependencies of other workspaces' packages are in their own lockfiles.
+    // Development dependencies of packages in other workspaces are in the lockfiles of those
+    // workspaces.
     let names = ours.flat_map(|package| {
         package
             .dependencies
@@ -97,11 +99,11 @@ fn chosen(packages: &[Package]) -> BTreeMap<String, String> {
     found.map(|package| (package.name.clone(), package.license.clone())).collect()
 }
 
-/// Rows that the page lacks.
+/// Returns the rows missing from the page.
 fn missing(page: &str, direct: &BTreeMap<String, String>) -> Vec<String> {
     let rows = direct.iter().map(|(name, license)| format!("| `{name}` | {license} | "));
     rows.filter(|row| !page.contains(row.as_str()))
-        .map(|row| format!("docs/dependencies.md lacks a row that begins with {row}"))
+        .map(|row| format!("docs/dependencies.md lacks the row {row}"))
         .collect()
 }
 
@@ -121,7 +123,7 @@ mod tests {
         }
     }
 
-    /// Names of the packages that are compiled for a crate, without itself.
+    /// Returns the names of the packages compiled for a crate, without the crate.
     fn beneath(root: &Path, name: &str, features: &str) -> BTreeSet<String> {
         let words = format!(
             "tree --package {name} --edges normal,build --prefix none --no-dedupe --locked{features}"

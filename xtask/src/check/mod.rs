@@ -1,4 +1,4 @@
-//! Checks that stand between a change and `main`.
+//! CI checks.
 
 mod blocks;
 pub(crate) mod ci;

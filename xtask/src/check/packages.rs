@@ -1,4 +1,4 @@
-//! Packages as a stranger gets them: with licences, addresses, and a page whose links lead somewhere.
+//! Checks packages as published: licenses, metadata, and pages without broken links.
 
 use std::{collections::BTreeSet, fs, path::Path};
 
@@ -8,10 +8,11 @@ use crate::failure::Failure;
 use crate::metadata::{self, Package};
 use crate::report::say;
 
-/// Files that every package holds.
+/// Files required in every package.
 const FILES: [&str; 5] = ["Cargo.toml", "LICENSE-APACHE", "LICENSE-MIT", "README.md", "src/lib.rs"];
 
-/// Places that a package may hold: what builds, runs, is read or is a duty, and nothing of the repository's checks.
+/// Paths allowed in a package: sources, documentation and licenses, but not the repository's
+/// checks.
 const PLACES: [&str; 11] = [
     ".cargo_vcs_info.json",
     "Cargo.lock",
@@ -26,16 +27,18 @@ const PLACES: [&str; 11] = [
     "tests",
 ];
 
-/// Pages of a crate that its documentation includes.
+/// Pages included in a crate's documentation.
 const PAGES: &str = "docs/";
 
-/// The most bytes of a packed package: twice the largest of today, a twentieth of what the registry takes.
+/// Maximum bytes of a compressed package: twice the current largest, a twentieth of the registry's
+/// limit.
 const LARGEST: u64 = 500_000;
 
-/// The folder of packages as they are uploaded, and of what is built of them.
+/// The folder of packages as uploaded, and of their builds.
 const BUILDS: &str = "target/packages";
 
-/// Packs every package as it is uploaded, after a look at what is in it; [`of_a_stranger`] builds them.
+/// Checks the contents of every package and packs it as uploaded. [`of_a_stranger`] builds the
+/// packages.
 pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
     let members = metadata::published(root)?;
     let mut words = String::from("package --quiet --allow-dirty --locked --no-verify");
@@ -50,10 +53,10 @@ pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
         let listed: BTreeSet<&str> = listed.lines().collect();
         let missing: Vec<&str> = FILES.into_iter().filter(|file| !listed.contains(file)).collect();
         if !output.status.success() || !missing.is_empty() {
-            return Err(format!("the package of {name} lacks {}", missing.join(", ")).into());
+            return Err(format!("package {name} lacks {}", missing.join(", ")).into());
         }
         if let Some(file) = listed.iter().find(|file| !belongs(file)) {
-            return Err(format!("the package of {name} holds {file}, which nobody needs there").into());
+            return Err(format!("package {name} contains the unnecessary file {file}").into());
         }
         words += &format!(" --package {name}");
     }
@@ -64,7 +67,7 @@ pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
         let bytes = fs::metadata(&file)?.len();
         if bytes > LARGEST {
             return Err(
-                format!("the package of {} has {bytes} bytes, more than {LARGEST}", package.name).into()
+                format!("package {} is too large: {bytes} bytes (at most {LARGEST})", package.name).into()
             );
         }
         say(&format!("  {} {}: {} kB packed", package.name, package.version, bytes.div_ceil(1000)));
@@ -72,26 +75,28 @@ pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Builds documentation and an example of every package from its file alone, in an empty workspace.
+/// Clean-room build: builds documentation and an example of every package from its archive alone,
+/// in an empty workspace.
 pub(crate) fn of_a_stranger(root: &Path) -> Result<(), Failure> {
     packages(root)?;
     let members = metadata::published(root)?;
     stranger::builds(root, &root.join(BUILDS), &members)
 }
 
-/// Whether a file is among what a package may hold.
+/// Whether a file is allowed in a package.
 fn belongs(file: &str) -> bool {
     let place = file.split(['/', '\\']).next().unwrap_or(file);
     PLACES.contains(&place) || file.replace('\\', "/").starts_with(PAGES) && file.ends_with(".md")
 }
 
-/// Runs a program that names the oldest `glam` that the crates allow as its own, with the oldest of every other package.
+/// Runs a program that depends on the oldest `glam` that the crates allow, with the oldest version
+/// of every other package.
 pub(crate) fn oldest_packages(root: &Path) -> Result<(), Failure> {
     let folder = root.join("tests/oldest-glam");
     run(cargo(&folder, "run --quiet --locked --features all").env_remove("CARGO_TARGET_DIR"))
 }
 
-/// Rules that a package breaks.
+/// Returns the rules that a package violates.
 fn faults(root: &Path, package: &Package) -> Vec<String> {
     let mut faults = Vec::new();
     let mut must = |holds: bool, fault: &str| {
@@ -101,24 +106,24 @@ fn faults(root: &Path, package: &Package) -> Vec<String> {
     };
     let entry = &package.entry;
     must(entry["description"].is_string(), "has no description");
-    // Elsewhere crates.io does not resolve the links of a page.
+    // Otherwise crates.io does not resolve the links of a page.
     let hosted = |address: &str| address.starts_with("https://github.com/");
     must(entry["repository"].as_str().is_some_and(hosted), "has no repository on GitHub");
     must(entry["documentation"].is_string(), "has no documentation");
-    must(entry["metadata"]["docs"]["rs"]["all-features"] == true, "hides features on docs.rs");
+    must(entry["metadata"]["docs"]["rs"]["all-features"] == true, "does not set all-features for docs.rs");
     let folder = package.manifest_path.parent().unwrap_or(root);
     for file in ["LICENSE-APACHE", "LICENSE-MIT"] {
         let same = matches!((fs::read(folder.join(file)), fs::read(root.join(file))), (Ok(own), Ok(all)) if own == all);
-        must(same, &format!("has another {file} than the project"));
+        must(same, &format!("has a {file} that differs from the project's"));
     }
     let page = fs::read_to_string(folder.join("README.md")).unwrap_or_default();
     for link in links(&page) {
-        must(folder.join(link).exists(), &format!("links to {link}, which is not there"));
+        must(folder.join(link).exists(), &format!("links to {link}, which does not exist"));
     }
     faults
 }
 
-/// Relative links and pictures of a page, without their anchors.
+/// Returns relative links and images of a page, without anchors.
 pub(super) fn links(page: &str) -> impl Iterator<Item = &str> {
     let marked = page.split("](").skip(1).filter_map(|rest| rest.split(')').next());
     let tagged = page.split("src=\"").skip(1).filter_map(|rest| rest.split('"').next());
@@ -131,13 +136,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn links_are_found_and_addresses_passed_over() {
+    fn links_are_found_and_urls_skipped() {
         let page = "[a](docs/a.md#part) ![b](b.png) [c](https://c.org/c) [d](#d) <img src=\"e.png\">";
         assert_eq!(links(page).collect::<Vec<_>>(), ["docs/a.md", "b.png", "e.png"]);
     }
 
     #[test]
-    fn only_what_a_stranger_needs_belongs() {
+    fn belongs_rejects_repository_files() {
         for file in ["src/lib.rs", "README.md", "docs/pictures/white.md", "examples/zoom.rs"] {
             assert!(belongs(file), "{file}");
         }
@@ -147,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn the_oldest_packages_are_the_least_that_the_crates_ask_for() {
+    fn oldest_packages_are_the_minimum_versions() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("a workspace");
         let members = metadata::published(root).expect("metadata");
         let lock = fs::read_to_string(root.join("tests/oldest-glam/Cargo.lock")).expect("a lockfile");
@@ -167,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn packages_have_what_a_stranger_needs() {
+    fn packages_have_metadata_licenses_and_links() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("a workspace");
         let members = metadata::published(root).expect("metadata");
         assert_eq!(members.len(), 6);

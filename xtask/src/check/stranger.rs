@@ -1,4 +1,5 @@
-//! Packages in the hands of a stranger: each unpacked from its file, in an empty workspace, with its documentation and an example.
+//! Clean-room builds: each package is unpacked from its archive into an empty workspace, with its
+//! documentation and an example.
 
 use std::{
     fmt::Write,
@@ -12,10 +13,10 @@ use crate::failure::Failure;
 use crate::metadata::Package;
 use crate::report::say;
 
-/// Builds a program on every package, out of the sight of this workspace, and runs it.
+/// Builds and runs a program on every package, outside this workspace.
 ///
-/// The packages find one another where they were unpacked, as the registry does not have them yet; all others are those of this
-/// workspace's lockfile.
+/// The packages are patched to their unpacked folders, because the registry does not have them yet.
+/// All other packages come from this workspace's lockfile.
 pub(super) fn builds(root: &Path, packed: &Path, members: &[Package]) -> Result<(), Failure> {
     let away = std::env::temp_dir().join(format!("asperity-stranger-{}", std::process::id()));
     fs::create_dir_all(&away)?;
@@ -43,12 +44,12 @@ fn each(root: &Path, packed: &Path, members: &[Package], away: &Path) -> Result<
     Ok(())
 }
 
-/// The folder that a package's file unpacks to.
+/// Returns the folder that a package's archive unpacks to.
 fn unpacked(package: &Package) -> String {
     format!("{}-{}", package.name, package.version)
 }
 
-/// A package and those of this workspace that it needs, directly or not.
+/// Returns a package and its dependencies in this workspace, direct or not.
 fn beneath<'a>(package: &'a Package, members: &'a [Package]) -> Vec<&'a Package> {
     let mut found = vec![package];
     let mut at = 0;
@@ -62,7 +63,7 @@ fn beneath<'a>(package: &'a Package, members: &'a [Package]) -> Vec<&'a Package>
     found
 }
 
-/// Places of packages that the registry does not have.
+/// Folders of packages that the registry does not have.
 struct Patches<'a> {
     folder: &'a Path,
     needed: Vec<&'a Package>,
@@ -73,7 +74,7 @@ impl Patches<'_> {
         self.needed.iter().map(|package| (package.name.as_str(), self.folder.join(unpacked(package))))
     }
 
-    /// A command that is given them, but for the package that it is about.
+    /// Adds the patches to a command, except the patch for its own package.
     fn given<'c>(&self, command: &'c mut Command) -> &'c mut Command {
         for (name, place) in self.places().skip(1) {
             command.arg("--config").arg(format!("patch.crates-io.{name}.path='{}'", place.display()));
@@ -82,7 +83,8 @@ impl Patches<'_> {
     }
 }
 
-/// Writes a workspace with one program, the package's first example, and returns the example's name.
+/// Writes a workspace with one program, the package's first example, and returns the example's
+/// name.
 fn program(
     root: &Path,
     away: &Path,
@@ -112,7 +114,7 @@ fn program(
     }
     let folder = away.join(format!("on-{}", package.name));
     fs::create_dir_all(folder.join("src"))?;
-    // Where examples put their pictures.
+    // Where examples write their images.
     fs::create_dir_all(folder.join("target"))?;
     fs::write(folder.join("Cargo.toml"), manifest)?;
     fs::write(folder.join("src/main.rs"), text)?;

@@ -1,4 +1,4 @@
-//! Boxes about triangles: which triangles a ray may meet.
+//! A bounding volume hierarchy over triangles.
 
 use std::time::Duration;
 
@@ -10,19 +10,20 @@ use obvhs::{
     ray::{Ray, RayHit},
 };
 
-/// The most triangles of a leaf.
+/// Maximum number of triangles in a leaf.
 const MOST: u32 = 2;
 
-/// A tree of boxes.
+/// A tree of bounding boxes.
 pub(super) struct Boxes(Option<CwBvh>);
 
-/// A ray that is prepared for boxes.
+/// A ray prepared for box tests.
 #[derive(Clone, Copy)]
 pub(super) struct Line(Ray);
 
 impl Line {
     pub(super) fn new(origin: Vec3, direction: Vec3) -> Self {
-        // Finite, so that what lies on the side of a box is no 0 · ∞; of −0 positive, as the search takes it.
+        // Finite, so that a ray in the side of a box does not compute 0 · ∞. The reciprocal of −0
+        // is positive, as the traversal expects.
         let finite = |d: f32| if d < 0.0 { -1e30 } else { 1e30 };
         let inverse = direction.map(|d| if d.abs() < 1e-30 { finite(d) } else { 1.0 / d });
         Self(Ray {
@@ -43,19 +44,20 @@ impl Boxes {
     pub(super) fn new(triangles: &[[Vec3; 3]]) -> Self {
         let padded: Vec<Padded> = triangles.iter().map(|t| Padded(t.map(Vec3A::from))).collect();
         let config = BvhBuildParams { max_prims_per_leaf: MOST, ..BvhBuildParams::medium_build() };
-        // No tree at all: it would have no root.
+        // Empty: a tree without triangles would have no root.
         if padded.is_empty() {
             return Self(None);
         }
         Self(Some(build_cwbvh(&padded, config, &mut Duration::default())))
     }
 
-    /// The triangles in the order of the leaves.
+    /// Returns the triangles in leaf order.
     pub(super) fn order(&self) -> &[u32] {
         self.0.as_ref().map_or(&[], |tree| &tree.primitive_indices)
     }
 
-    /// The nearest meeting before `farthest`, by the distances of triangles in their order.
+    /// Returns the nearest intersection before `farthest`, from the distances of triangles in leaf
+    /// order.
     pub(super) fn nearest(
         &self,
         line: &Line,
@@ -69,14 +71,14 @@ impl Boxes {
         (hit.primitive_id != u32::MAX).then_some((hit.t, hit.primitive_id))
     }
 
-    /// Whether any triangle has a distance.
+    /// Whether any triangle is hit.
     pub(super) fn meets_any(&self, line: &Line, distance: impl Fn(usize) -> f32) -> bool {
         self.0.as_ref().is_some_and(|tree| !tree.ray_traverse_miss(line.0, |_, triangle| distance(triangle)))
     }
 }
 
-/// A triangle whose box is widened by 2⁻¹⁸ of its distance from the origin: the test of a box rounds, and a ray along a face of a
-/// box would slip past the triangle in it.
+/// A triangle whose box is enlarged by 2⁻¹⁸ of its distance from the origin. The box test rounds,
+/// and without the margin a ray along a face of a box could miss the triangle inside.
 struct Padded([Vec3A; 3]);
 
 impl Boundable for Padded {
@@ -92,8 +94,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_nearest_of_many_boxes_behind_one_another_is_found() {
-        // Sheets that a ray along x meets; their numbers do not follow their places.
+    fn nearest_of_many_boxes_in_line() {
+        // Sheets perpendicular to a ray along x, numbered in another order than their positions.
         let sheets = 5000_u32;
         let place = |k: u32| 1.0 + (k * 1777 % sheets) as f32;
         let triangles: Vec<_> = (0..sheets)
@@ -103,7 +105,7 @@ mod tests {
         let distance = |k: usize| place(boxes.order()[k]);
         for direction in [Vec3::X, Vec3::new(1.0, -0.0, 1e-7)] {
             let line = Line::new(Vec3::ZERO, direction);
-            // The last is the nearest once all others are out of the way.
+            // The last sheet becomes the nearest once all others are excluded.
             for least in [1.0, 17.0, 4999.0, 5000.0] {
                 let beyond = |k: usize| if distance(k) < least { f32::INFINITY } else { distance(k) };
                 assert_eq!(boxes.nearest(&line, f32::INFINITY, beyond).unwrap().0, least);

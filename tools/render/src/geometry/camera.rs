@@ -1,28 +1,29 @@
-//! Cameras: a pinhole, and parallel rays.
+//! Cameras: pinhole and orthographic.
 
 use glam::{DVec3, Vec3};
 
 use crate::geometry::ray::Ray;
 
-/// A pinhole camera, or one of parallel rays.
+/// A pinhole or orthographic camera.
 #[derive(Clone, Copy, Debug)]
 pub struct Camera {
     eye: DVec3,
     right: Vec3,
     up: Vec3,
     forward: Vec3,
-    /// Side of a pixel, of a pinhole at distance 1.
+    /// Side of a pixel; for a pinhole at distance 1.
     pixel: f32,
     centre: [f32; 2],
     parallel: bool,
 }
 
 impl Camera {
-    /// From `eye` towards `target`, z up, `height` pixels over the full angle `field` in radians.
+    /// Creates a camera at `eye` that looks at `target`, z up, with `height` pixels over the full
+    /// angle `field` in radians.
     pub fn new(eye: impl Into<DVec3>, target: impl Into<DVec3>, field: f32, width: u32, height: u32) -> Self {
         let eye = eye.into();
         let forward = (target.into() - eye).as_vec3().normalize_or(Vec3::NEG_Z);
-        // Straight down there is no "up" along z: y is up in the picture.
+        // Looking straight down there is no up direction along z: y is up in the image.
         let right = forward.cross(Vec3::Z).try_normalize().unwrap_or(Vec3::X);
         Self {
             eye,
@@ -35,25 +36,26 @@ impl Camera {
         }
     }
 
-    /// Parallel rays from about `eye` towards `target`, `height` pixels over the length `extent`.
+    /// Creates an orthographic camera that looks from `eye` at `target`, with `height` pixels over
+    /// the length `extent`.
     pub fn parallel(eye: Vec3, target: Vec3, extent: f32, width: u32, height: u32) -> Self {
         let pixel = extent / height as f32;
         Self { pixel, parallel: true, ..Self::new(eye, target, 1.0, width, height) }
     }
 
-    /// The camera as it is told from a place on.
+    /// Returns the camera with positions relative to `place`.
     pub fn about(self, place: DVec3) -> Self {
         Self { eye: self.eye - place, ..self }
     }
 
-    /// Unit direction through the picture's point `(x, y)`, in pixels from the top left.
+    /// Returns the unit direction through image point `(x, y)`, in pixels from the top left.
     pub fn direction(&self, x: f32, y: f32) -> Vec3 {
         let across = (x - self.centre[0]) * self.pixel;
         let above = (self.centre[1] - y) * self.pixel;
         (self.forward + self.right * across + self.up * above).normalize()
     }
 
-    /// The ray through the picture's point `(x, y)` with its derivatives by the pixel.
+    /// Returns the ray through image point `(x, y)` with its derivatives per pixel.
     pub fn ray(&self, x: f32, y: f32) -> Ray {
         if self.parallel {
             let (across, above) = (x - self.centre[0], self.centre[1] - y);
@@ -65,7 +67,7 @@ impl Camera {
             };
         }
         let direction = self.direction(x, y);
-        // The direction is a vector of depth 1 made unit.
+        // The direction is a vector of depth 1, normalized.
         let scale = self.pixel * direction.dot(self.forward);
         let by = |axis: Vec3| scale * (axis - direction * direction.dot(axis));
         Ray {
@@ -85,7 +87,7 @@ mod tests {
     use crate::geometry::shape::Shape;
 
     #[test]
-    fn the_footprint_is_the_distance_between_hits_of_neighbouring_pixels() {
+    fn footprint_is_distance_between_neighboring_hits() {
         let camera = Camera::new(Vec3::new(3.0, 0.0, 2.0), Vec3::ZERO, 0.6, 300, 200);
         let at = |x: f32, y: f32| {
             let ray = camera.ray(x, y);
@@ -100,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn straight_down_the_picture_has_x_to_the_right() {
+    fn looking_down_x_points_right() {
         let camera = Camera::new(Vec3::Z, Vec3::ZERO, 0.6, 100, 100);
         assert!(camera.direction(100.0, 50.0).x > 0.1);
         assert!(camera.direction(50.0, 0.0).y > 0.1);

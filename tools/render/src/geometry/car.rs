@@ -1,4 +1,4 @@
-//! A car-like body: one smooth surface, its wheels, and where its windows are.
+//! A car-like body: one smooth surface, its wheels, and the positions of its windows.
 
 use std::f32::consts::{PI, TAU};
 
@@ -13,28 +13,28 @@ use crate::{
     interpolation::smootherstep,
 };
 
-/// Half of the length in metres; the nose is at +x.
+/// Half of the length in meters; the front is at +x.
 const LENGTH: f32 = 2.15;
-/// Height of the line under the windows.
+/// Height of the line below the windows.
 const BELT: f32 = 0.86;
 /// Columns along the car and rows around it.
 const CELLS: [usize; 2] = [360, 220];
 
-/// The height of the roof line.
+/// Returns the height of the roof line.
 fn top(x: f32) -> f32 {
     let body = 0.72 + 0.15 * smootherstep(2.3, 0.6, x) + 0.06 * smootherstep(-0.9, -1.8, x);
     let cabin = smootherstep(1.15, 0.10, x) * smootherstep(-2.0, -0.80, x);
     body + 0.54 * cabin
 }
 
-/// Share of its breadth and height that the car has towards its ends.
+/// Returns the fraction of breadth and height that remains toward the ends of the car.
 fn end(x: f32) -> f32 {
     (1.0 - (x.abs() / LENGTH).powf(6.0)).max(0.0).powf(1.0 / 4.4)
 }
 
-/// The body at a place along it and an angle around it, 0 … 1 each.
+/// Returns a point of the body at a position along it and an angle around it, both within [0, 1].
 fn body(along: f32, around: f32) -> Vec3 {
-    // Dense at the ends, where the surface turns.
+    // Denser at the ends, where the surface curves.
     let x = LENGTH * (PI * (along - 0.5)).sin();
     let closing = end(x);
     let (sin, cos) = (TAU * around).sin_cos();
@@ -47,13 +47,13 @@ fn body(along: f32, around: f32) -> Vec3 {
     } else {
         middle + closing * (middle - lower) * round(sin, 0.42)
     };
-    // The cabin leans inwards.
+    // The cabin leans inward.
     let lean = 1.0 - 0.34 * smootherstep(BELT - 0.14, 1.38, z) - 0.05 * smootherstep(0.55, 0.2, z);
     let breadth = 0.84 - 0.09 * smootherstep(0.8, 2.2, x) - 0.05 * smootherstep(-0.9, -2.2, x);
     Vec3::new(x, closing.sqrt() * breadth * lean * round(cos, 0.5), z)
 }
 
-/// The body; its texture coordinates are metres along and about metres around.
+/// The body; its texture coordinates are meters along the car and approximate meters around it.
 pub fn car_body() -> Mesh {
     let [columns, rows] = CELLS;
     Mesh::grid(columns, rows, |i, j| {
@@ -67,12 +67,13 @@ pub fn car_body() -> Mesh {
     })
 }
 
-/// Depth of a point of the body within a window, in metres; negative outside of them.
+/// Returns the depth of a body point within a window in meters, negative outside the windows.
 pub fn window(position: Vec3, normal: Vec3) -> f32 {
     let Vec3 { x, z, .. } = position;
     let above = (z - BELT - 0.02).min(1.335 - z);
     if normal.y.abs() > 0.55 {
-        // Two side windows with a pillar between them; their ends lean with the screens.
+        // Two side windows with a pillar between them. Their ends are inclined like the
+        // windscreens.
         let front = 0.62 - 0.95 * (z - BELT) - x;
         let rear = x + 1.32 - 0.85 * (z - BELT);
         let pillar = (x + 0.42).abs() - 0.035;
@@ -83,17 +84,17 @@ pub fn window(position: Vec3, normal: Vec3) -> f32 {
     }
 }
 
-/// Half the width of the gaps between doors, bonnet and bumper, in metres.
+/// Half the width of the gaps between doors, bonnet and bumper, in meters.
 const GAP: f32 = 0.004;
 
-/// Whether a point of the body is in a gap between its sheets.
+/// Whether a point of the body is in a gap between panels.
 pub fn gap(position: Vec3, normal: Vec3) -> bool {
     let Vec3 { x, z, .. } = position;
     let aside = position.y.abs();
     let within = |x: f32, range: [f32; 2]| x > range[0] && x < range[1];
     let at = |x: f32, place: f32| (x - place).abs() < GAP;
     if normal.y.abs() > 0.55 {
-        // Two doors, whose front edge leans with the screen.
+        // Two doors, whose front edge is inclined like the windscreen.
         let front = 0.78 - 0.2 * (z - BELT);
         let upright = [front, -0.42, -1.04].iter().any(|&edge| at(x, edge)) && within(z, [0.33, BELT]);
         upright || at(z, 0.33) && within(x, [-1.04, front])
@@ -105,7 +106,7 @@ pub fn gap(position: Vec3, normal: Vec3) -> bool {
     }
 }
 
-/// Depth of a point of the body within a lamp of its nose, in metres; negative outside of them.
+/// Returns the depth of a body point within a headlamp in meters, negative outside the headlamps.
 pub fn headlamp(position: Vec3, normal: Vec3) -> f32 {
     let Vec3 { x, y, z } = position;
     let lower = 0.575 + 0.12 * (y.abs() - 0.45);
@@ -113,25 +114,25 @@ pub fn headlamp(position: Vec3, normal: Vec3) -> f32 {
     if normal.x > 0.1 && x > 1.6 { across.min(z - lower).min(lower + 0.085 - z) } else { -1.0 }
 }
 
-/// Whether a point of the body is in the dark of its grille.
+/// Whether a point of the body is in the dark part of the grille.
 pub fn grille(position: Vec3) -> bool {
     let Vec3 { x, y, z } = position;
-    // Bars across.
+    // Horizontal bars.
     x > 1.8
         && y.abs() < 0.46 - 0.5 * (z - 0.46).abs()
         && (z - 0.42).abs() < 0.065
         && (z * 32.0).fract() > 0.25
 }
 
-/// Places of the wheels along the car and above the ground, and their radius.
+/// Positions of the wheels along the car, and above the ground; also their radius.
 pub const WHEELS: [[f32; 2]; 2] = [[-1.28, 0.325], [1.32, 0.325]];
 
-/// Points of the body in the dark around a wheel.
+/// Whether a point of the body is in the dark wheel arch.
 pub fn arch(position: Vec3) -> bool {
     WHEELS.iter().any(|[x, z]| (position.x - x).hypot(position.z - z) < 0.375 && position.y.abs() > 0.4)
 }
 
-/// A tyre about the y axis, upright, with its outer side towards −y, and the disc inside it.
+/// Returns a tire about the y axis, upright, with its outer side toward −y, and the disc inside it.
 pub fn wheel(centre: Vec3) -> [Mesh; 2] {
     let turn = |mut mesh: Mesh| {
         let upright = |p: Vec3| Vec3::new(p.x, -p.z, p.y);
@@ -153,7 +154,7 @@ mod tests {
     use crate::geometry::checks::check;
 
     #[test]
-    fn normals_of_the_body_point_outwards() {
+    fn body_normals_point_outward() {
         let mesh = car_body();
         check("car", &mesh, 0.0);
         for v in &mesh.vertices {

@@ -1,4 +1,4 @@
-//! Properties of meshes, for tests.
+//! Mesh properties, for tests.
 
 use std::collections::HashMap;
 
@@ -6,7 +6,8 @@ use glam::Vec3;
 
 use crate::geometry::mesh::{Mesh, Vertex};
 
-/// Triangles of vertices that exist, each to the left of normals to within this cosine; unit normals with unit tangents across.
+/// Asserts that triangles have valid vertices, that each is oriented by its normals to within this
+/// cosine, and that normals and tangents are orthonormal.
 pub(crate) fn check(name: &str, mesh: &Mesh, least: f32) {
     assert!(!mesh.triangles.is_empty(), "{name}");
     for v in &mesh.vertices {
@@ -17,26 +18,28 @@ pub(crate) fn check(name: &str, mesh: &Mesh, least: f32) {
     for corners in triangles(mesh) {
         let [a, b, c] = corners.map(|v| v.position);
         let flat = (b - a).cross(c - a).normalize_or_zero();
-        // Slivers of rounded corners have no direction.
+        // Slivers at rounded corners have no direction.
         let sliver = (b - a).cross(c - a).length() < 1e-7;
         assert!(sliver || corners.iter().all(|v| flat.dot(v.normal) > least), "{name}: {flat}, {corners:?}");
     }
 }
 
-/// Corners of each triangle.
+/// Returns the corners of each triangle.
 pub(crate) fn triangles(mesh: &Mesh) -> impl Iterator<Item = [Vertex; 3]> {
     mesh.triangles.iter().map(|t| t.map(|i| mesh.vertices[i as usize]))
 }
 
-/// Six tetrahedra over the origin, signed: positive if triangles turn to the left from outside.
+/// Returns the signed volume from tetrahedra over the origin: positive if triangles are
+/// counterclockwise from outside.
 pub(crate) fn volume(mesh: &Mesh) -> f32 {
     let six = triangles(mesh).map(|t| t.map(|v| v.position)).map(|[a, b, c]| a.dot(b.cross(c)));
     six.sum::<f32>() / 6.0
 }
 
-/// The edges of a single triangle, from corner to corner; no edge has more than one on either side.
+/// Returns the directed edges that belong to a single triangle. Asserts that no edge has more than
+/// one triangle per side.
 pub(crate) fn open_edges(mesh: &Mesh) -> Vec<[Vec3; 2]> {
-    // Neighbours that evaluate a corner each in its own way differ in the last bits.
+    // Neighbors that evaluate a shared corner in different ways differ in the last bits.
     let key = |p: Vec3| (p * 1e4).round().as_ivec3();
     let mut edges = HashMap::new();
     for corners in triangles(mesh) {

@@ -1,4 +1,5 @@
-//! A fractal height field as a shape: any surface over two coordinates, raised, and seen from as near as `f64` allows.
+//! A fractal height field as a shape: any surface over two coordinates, scaled in height, visible
+//! at any zoom that `f64` allows.
 
 use asperity_fif::{
     FixedFif, HeightField, Intersect, Interval, Ray, SystemError,
@@ -8,55 +9,57 @@ use glam::{Mat3, Vec3};
 
 use crate::geometry::{mesh::Probe, ray::Hit};
 
-/// The surface `z = rise · (f(x, y) − base)`, of which the scene shows a neighbourhood.
+/// The surface `z = rise · (f(x, y) − base)`, of which the scene contains a neighborhood.
 pub struct Fractal {
     surface: Box<dyn Intersect + Send + Sync>,
     rise: f64,
     base: f64,
-    /// The place of the scene's origin, and the length of its unit.
+    /// The position of the scene's origin, and the length of its unit.
     place: DVec3,
     unit: f64,
-    /// Lengths that a ray may be wrong by.
+    /// Tolerated error of a hit along the ray.
     tolerance: f64,
 }
 
-/// A ray does not meet the surface where it starts.
+/// Rays ignore the surface closer than this to their start.
 const NEAR: f64 = 1e-5;
 
 impl Fractal {
-    /// The surface with heights above `base` multiplied by `rise`.
+    /// Creates the surface with heights above `base` multiplied by `rise`.
     pub fn new(surface: impl Intersect + Send + Sync + 'static, rise: f64, base: f64) -> Self {
-        // Errors along the ray: a tenth of `NEAR`, and far below the pixels.
+        // Errors along the ray: a tenth of `NEAR`, and far below the size of pixels.
         Self { surface: Box::new(surface), rise, base, place: DVec3::ZERO, unit: 1.0, tolerance: 1e-6 }
     }
 
-    /// The square `f̂(x) f̂(y)` of a function's integral, its heights multiplied by `rise`.
+    /// The square `f̂(x) f̂(y)` of a function's integral, with heights multiplied by `rise`.
     pub fn square<const N: usize>(slope: FixedFif<N, 2>, rise: f64) -> Result<Self, SystemError> {
         let curve: FixedFif<N, 3> = slope.integral(0.0)?;
         Ok(Self::new(HeightField::new(curve, curve).tabulated(), rise, 0.0))
     }
 
-    /// Hits that may be wrong by this length, where it is less than a pixel.
+    /// Sets the tolerated error of hits. It should be less than a pixel.
     pub fn within(self, tolerance: f64) -> Self {
         Self { tolerance, ..self }
     }
 
-    /// A scene about this place whose unit is so long: rays of `f32` are exact at every zoom.
+    /// Returns a scene around this position with this unit length. Rays in `f32` are exact at every
+    /// zoom.
     pub fn magnified(self, place: DVec3, unit: f64) -> Self {
         Self { place, unit, ..self }
     }
 
-    /// The surface as it is.
+    /// Returns the unscaled surface.
     pub fn surface(&self) -> &(dyn Intersect + Send + Sync) {
         self.surface.as_ref()
     }
 
-    /// The height at a point.
+    /// Returns the height at a point.
     pub fn height(&self, p: DVec2) -> f64 {
         (self.surface.evaluate(p.x, p.y, 1e-5).value - self.base) * self.rise
     }
 
-    /// The first hit of a probe; its normal points upwards, and is `z` where the surface has none.
+    /// Returns the first hit of a probe. Its normal points upward, and is `z` where the surface is
+    /// not differentiable.
     pub fn first_hit(&self, probe: &Probe) -> Option<Hit> {
         let ray = self.ray(probe);
         let hit = self.surface.first_hit_within(&ray, Interval::new(NEAR, f64::INFINITY), self.tolerance)?;
@@ -79,12 +82,12 @@ impl Fractal {
         })
     }
 
-    /// Any hit of a probe, for shadows.
+    /// Whether a probe hits the surface, for shadows.
     pub fn hides(&self, probe: &Probe) -> bool {
         self.surface.hits_any(&self.ray(probe), Interval::new(NEAR, f64::INFINITY))
     }
 
-    /// The ray beside the surface of heights as they are.
+    /// Converts a probe to a ray against the unscaled surface.
     fn ray(&self, probe: &Probe) -> Ray {
         let (p, d) = (self.place + self.unit * probe.eye(), self.unit * probe.direction().as_dvec3());
         Ray {
@@ -103,7 +106,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_normal_is_that_of_the_raised_surface() {
+    fn normal_of_raised_surface() {
         let surface = || Fractal::square(paper::f().unwrap(), 0.25).unwrap();
         let fractal = surface();
         let hit = fractal.first_hit(&Probe::new(Vec3::new(1.0, 1.0, 5.0), Vec3::NEG_Z)).unwrap();

@@ -1,4 +1,4 @@
-//! A triangle mesh and the first triangle that a ray meets.
+//! A triangle mesh and its nearest intersection with a ray.
 
 use glam::{DVec3, Mat3, Vec2, Vec3};
 
@@ -7,19 +7,19 @@ use crate::geometry::{
     ray::Hit,
 };
 
-/// A corner of triangles with its shading frame.
+/// A triangle corner with its shading frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Vertex {
     pub position: Vec3,
-    /// Unit, outwards.
+    /// Unit length, outward.
     pub normal: Vec3,
-    /// Unit, orthogonal to the normal.
+    /// Unit length, orthogonal to the normal.
     pub tangent: Vec3,
     /// Texture coordinates.
     pub uv: Vec2,
 }
 
-/// Triangles over shared vertices.
+/// Triangles with shared vertices.
 #[derive(Default)]
 pub struct Mesh {
     pub vertices: Vec<Vertex>,
@@ -27,7 +27,8 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// A parallelogram from a corner along two sides; its texture coordinates are lengths along them.
+    /// Creates a parallelogram from a corner and two sides. Its texture coordinates are lengths
+    /// along the sides.
     pub fn parallelogram(corner: Vec3, sides: [Vec3; 2]) -> Self {
         let [u, v] = sides;
         let normal = u.cross(v).normalize_or(Vec3::Z);
@@ -38,7 +39,8 @@ impl Mesh {
         })
     }
 
-    /// Two triangles in every cell between rows and columns of vertices, at 0 and at the last of each.
+    /// Creates two triangles in every cell of a grid of vertices, from index 0 to `rows` and
+    /// `columns` inclusive.
     pub fn grid(rows: usize, columns: usize, vertex: impl Fn(usize, usize) -> Vertex) -> Self {
         let stride = columns + 1;
         let vertices = (0..(rows + 1) * stride).map(|k| vertex(k / stride, k % stride)).collect();
@@ -62,14 +64,14 @@ impl Mesh {
     }
 }
 
-/// One coordinate of the three corners after the other; the fourth number is none.
+/// Coordinates of the three corners, one coordinate after the other; the fourth lane is unused.
 type Places = [[f32; 4]; 3];
 
-/// A mesh with its tree of boxes.
+/// A mesh with its bounding volume hierarchy.
 pub struct TracedMesh {
     mesh: Mesh,
     boxes: Boxes,
-    /// Corners of the triangles in the order of the boxes, by their coordinates.
+    /// Coordinates of the corners, in the leaf order of the hierarchy.
     places: Vec<Places>,
 }
 
@@ -82,27 +84,29 @@ impl TracedMesh {
         Self { mesh, boxes, places }
     }
 
-    /// Whether a triangle is in front of the probe's origin.
+    /// Whether any triangle is in front of the probe's origin.
     pub fn hides(&self, probe: &Probe) -> bool {
         self.boxes.meets_any(&probe.line, |k| probe.shear.distance(&self.places[k]))
     }
 
-    /// Distance and name of the nearest triangle that a probe meets, nearer than `farthest`.
+    /// Returns distance and index of the nearest triangle hit by a probe, if nearer than
+    /// `farthest`.
     pub fn meets(&self, probe: &Probe, farthest: f32) -> Option<(f32, u32)> {
         self.boxes.nearest(&probe.line, farthest, |k| probe.shear.distance(&self.places[k]))
     }
 
-    /// The nearest triangle in front of `origin`.
+    /// Returns the nearest triangle in front of `origin`.
     pub fn first_hit(&self, origin: Vec3, direction: Vec3) -> Option<Hit> {
         self.nearest(&Probe::new(origin, direction))
     }
 
-    /// The hit of the nearest triangle that a probe meets.
+    /// Returns the nearest hit of a probe.
     pub fn nearest(&self, probe: &Probe) -> Option<Hit> {
         self.meets(probe, f32::INFINITY).and_then(|(_, triangle)| self.hit(probe, triangle))
     }
 
-    /// The meeting of a probe with a triangle that it [`meets`](Self::meets): position on the triangle and interpolated frame.
+    /// Returns the hit of a probe on a triangle that [`meets`](Self::meets) returned: position on
+    /// the triangle and interpolated frame.
     pub fn hit(&self, probe: &Probe, triangle: u32) -> Option<Hit> {
         let corners = self.corners(self.boxes.order()[triangle as usize] as usize);
         let (t, exact) = probe.shear.intersect(&by_axis(corners.map(|v| v.position)))?;
@@ -117,21 +121,22 @@ impl TracedMesh {
         let flat = (b - a).cross(c - a).normalize_or(normal);
         let flat = if flat.dot(normal) < 0.0 { -flat } else { flat };
         let position = corners.iter().zip(exact).map(|(v, w)| v.position.as_dvec3() * w).sum::<DVec3>();
-        // To the mean of the planes through the corners, where the point is below them: Hanika 2021, "Hacking the Shadow
-        // Terminator".
+        // Move to the mean of the tangent planes at the corners, where the point is below them:
+        // Hanika 2021, "Hacking the Shadow Terminator".
         let above = corners.map(|v| (v.position.as_dvec3() - position).as_vec3().dot(v.normal));
         let lift = [f32::max, f32::min].map(|outwards| {
             let weighted = corners.iter().zip(weights).zip(above);
             weighted.fold(Vec3::ZERO, |sum, ((v, w), above)| sum + v.normal * (w * outwards(above, 0.0)))
         });
         let slopes = slopes(corners.map(|v| v.position));
-        // The gradient of what has these values at the corners.
+        // The gradient of a quantity with these values at the corners.
         let gradient = |values: [f32; 3]| {
             slopes.iter().zip(values).fold(Vec3::ZERO, |sum, (slope, value)| sum + *slope * value)
         };
         let [u, v] = [0, 1].map(|axis| gradient(corners.map(|corner| corner.uv[axis])));
         let [by_u, by_v] = inverse(u, v).unwrap_or([tangent, normal.cross(tangent)]);
-        // The tangent of the vertices is that of u without the edges between triangles.
+        // The tangent of the vertices is the tangent of u without discontinuities between
+        // triangles.
         let along_u = by_u.length();
         let by_u = if by_u.dot(tangent) > 0.9 * along_u { along_u * tangent } else { by_u };
         Some(Hit {
@@ -150,13 +155,13 @@ impl TracedMesh {
         })
     }
 
-    /// The corner of a triangle that is nearest to a point.
+    /// Returns the corner of a triangle that is nearest to a point.
     pub fn nearest_corner(&self, point: Vec3) -> Vec3 {
         let corners = self.mesh.triangles.iter().flatten().map(|&i| self.mesh.vertices[i as usize].position);
         corners.min_by(|a, b| a.distance(point).total_cmp(&b.distance(point))).unwrap_or_default()
     }
 
-    /// The least height of any corner; 0 of no mesh.
+    /// Returns the minimum height of all corners, or 0 for an empty mesh.
     pub fn bottom(&self) -> f32 {
         self.mesh.vertices.iter().map(|v| v.position.z).reduce(f32::min).unwrap_or(0.0)
     }
@@ -166,14 +171,16 @@ impl TracedMesh {
     }
 }
 
-/// Gradients of the barycentric weights along a triangle; zero for one without area.
+/// Returns the gradients of the barycentric weights on a triangle, or zero for a degenerate
+/// triangle.
 fn slopes([a, b, c]: [Vec3; 3]) -> [Vec3; 3] {
     let across = (b - a).cross(c - a);
     let square = across.length_squared();
     [c - b, a - c, b - a].map(|edge| if square > 0.0 { across.cross(edge) / square } else { Vec3::ZERO })
 }
 
-/// ∂P/∂u and ∂P/∂v of a plane on which u and v have these gradients; none where they are parallel.
+/// Returns ∂P/∂u and ∂P/∂v of a plane on which u and v have these gradients, or `None` if the
+/// gradients are parallel.
 fn inverse(u: Vec3, v: Vec3) -> Option<[Vec3; 2]> {
     let across = u.cross(v);
     let square = across.length_squared();
@@ -185,9 +192,10 @@ fn by_axis([a, b, c]: [Vec3; 3]) -> Places {
     [[a.x, b.x, c.x, 0.0], [a.y, b.y, c.y, 0.0], [a.z, b.z, c.z, 0.0]]
 }
 
-/// A ray that is prepared for the triangles of any mesh.
+/// A ray prepared for the triangles of any mesh.
 ///
-/// Its origin and its hits are told from a focus on: near it `f32` is exact wherever it is, for the rest is computed in `f64`.
+/// Its origin and its hits are relative to a focus. Near the focus `f32` is exact at any distance
+/// from the world origin, because the rest is computed in `f64`.
 pub struct Probe {
     focus: DVec3,
     origin: Vec3,
@@ -196,48 +204,48 @@ pub struct Probe {
 }
 
 impl Probe {
-    /// The ray from `origin` in a unit direction.
+    /// Creates the ray from `origin` in a unit direction.
     pub fn new(origin: Vec3, direction: Vec3) -> Self {
         Self::about(DVec3::ZERO, origin, direction)
     }
 
-    /// The ray from `origin`, told from a focus on, in a unit direction.
+    /// Creates the ray from `origin`, relative to a focus, in a unit direction.
     pub fn about(focus: DVec3, origin: Vec3, direction: Vec3) -> Self {
         let eye = focus + origin.as_dvec3();
         Self { focus, origin, line: Line::new(eye.as_vec3(), direction), shear: Shear::new(eye, direction) }
     }
 
-    /// Its origin from the focus on.
+    /// Returns the origin relative to the focus.
     pub const fn origin(&self) -> Vec3 {
         self.origin
     }
 
-    /// Its unit direction.
+    /// Returns the unit direction.
     pub fn direction(&self) -> Vec3 {
         self.line.direction()
     }
 
-    /// Its origin in the world.
+    /// Returns the origin in world coordinates.
     pub fn eye(&self) -> DVec3 {
         self.focus + self.origin.as_dvec3()
     }
 
-    /// A point of the world from the focus on.
+    /// Converts a world position to a position relative to the focus.
     pub fn place(&self, point: DVec3) -> Vec3 {
         (point - self.focus).as_vec3()
     }
 
-    /// The point of the world that is told from the focus on.
+    /// Converts a position relative to the focus to world coordinates.
     pub fn world(&self, place: Vec3) -> Vec3 {
         (self.focus + place.as_dvec3()).as_vec3()
     }
 }
 
-/// The ray's own coordinates, in which it is the z axis: edges that two triangles share are judged by the same
-/// rounding for both, so that no ray slips between them.
+/// Coordinates in which the ray is the z axis. An edge shared by two triangles is evaluated with
+/// the same rounding for both, so that no ray passes between them.
 ///
-/// Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection"; in `f64` throughout instead of the paper's
-/// fallback for edge functions that vanish.
+/// Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection"; in `f64` throughout instead of
+/// the paper's fallback for zero edge functions.
 struct Shear {
     axes: [usize; 3],
     origin: [f64; 3],
@@ -256,18 +264,18 @@ impl Shear {
         Self { axes: [x, y, z], origin, scale: [d[0] / d[2], d[1] / d[2], 1.0 / d[2]] }
     }
 
-    /// The ray parameter; infinite where the ray passes.
+    /// Returns the ray parameter, or infinity if the ray misses.
     fn distance(&self, corners: &Places) -> f32 {
         self.intersect(corners).map_or(f32::INFINITY, |(t, _)| t as f32)
     }
 
-    /// Ray parameter and barycentric weights, whichever side the ray comes from.
+    /// Returns ray parameter and barycentric weights, for rays from either side.
     #[inline(always)]
     fn intersect(&self, corners: &Places) -> Option<(f64, [f64; 3])> {
         let ([kx, ky, kz], [sx, sy, sz]) = (self.axes, self.scale);
         let (mut x, mut y, mut z) = ([0.0; 3], [0.0; 3], [0.0; 3]);
         for k in 0..3 {
-            // Both triangles at an edge see the same numbers.
+            // Both triangles at an edge use the same numbers.
             let up = f64::from(corners[kz][k]) - self.origin[2];
             x[k] = f64::from(corners[kx][k]) - self.origin[0] - sx * up;
             y[k] = f64::from(corners[ky][k]) - self.origin[1] - sy * up;
@@ -296,14 +304,14 @@ mod tests {
     use crate::geometry::{revolution::revolved, teapot::teapot};
 
     #[test]
-    fn no_ray_through_a_vertex_or_an_edge_of_the_belly_misses() {
+    fn rays_through_vertices_and_edges_hit() {
         let traced = TracedMesh::new(teapot());
         let inside = Vec3::new(0.01, -0.02, 1.0);
         let mut rays = 0;
         for triangle in 0..traced.mesh.triangles.len() {
             let [a, b, c] = traced.corners(triangle).map(|v| v.position);
             for target in [a, b, c, (a + b) * 0.5, (b + c) * 0.5, (c + a) * 0.5] {
-                // The tubes have open ends; the pot itself, lid and bottom included, is closed.
+                // The tubes have open ends. The pot itself, including lid and bottom, is closed.
                 if target.x.abs() + target.y.abs() < 2.9 && target.z < 2.3 && target.y.abs() > 0.7 {
                     rays += 1;
                     assert!(traced.first_hit(inside, (target - inside).normalize()).is_some(), "{target}");
@@ -314,7 +322,7 @@ mod tests {
     }
 
     #[test]
-    fn texture_coordinates_and_the_bend_of_normals_are_those_of_the_sphere() {
+    fn texture_coordinates_and_normal_bend_match_the_sphere() {
         let points: Vec<[f32; 2]> =
             (-16..=16).map(|k| (k as f32 / 32.0 * PI).sin_cos()).map(|(s, c)| [c, s]).collect();
         let traced = TracedMesh::new(revolved(&points));
@@ -325,7 +333,7 @@ mod tests {
             // Chords of 1/192 of the circle: 5e-4 of the radius.
             assert_abs_diff_eq!(hit.uv, Vec2::new(longitude, latitude + 0.5 * PI), epsilon = 1.4e-3);
             let east = Vec3::new(-sin, cos, 0.0) * latitude.cos();
-            // Triangles lie up to half of 1/192 of the circle askew: 0.0164.
+            // Triangles are inclined by up to half of 1/192 of the circle: 0.0164.
             assert_abs_diff_eq!(hit.tangents[0], east, epsilon = 0.017);
             assert_abs_diff_eq!(hit.tangents[1], out.cross(hit.tangent), epsilon = 0.017);
             for along in hit.tangents {
@@ -335,7 +343,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_hit_is_the_nearest_of_all_triangles() {
+    fn first_hit_is_the_nearest_triangle() {
         let traced = TracedMesh::new(teapot());
         let eye = Vec3::new(5.0, -6.0, 4.0);
         for i in 0..40_u8 {

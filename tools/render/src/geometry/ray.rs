@@ -1,22 +1,23 @@
-//! Rays that know how far apart the rays of neighbouring pixels are, and their hits: points of surfaces with their frames.
+//! Rays with differentials, and their hits: surface points with frames.
 
 use asperity_shading::{Footprint, PixelEllipse, SurfacePoint};
 use glam::{Mat3, Vec2, Vec3};
 
-/// A ray and its derivatives by one pixel to the right and one down.
+/// A ray and its derivatives per pixel, to the right and down.
 ///
 /// Igehy 1999, "Tracing Ray Differentials".
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
     pub origin: Vec3,
-    /// Unit.
+    /// Unit length.
     pub direction: Vec3,
     pub origin_by: [Vec3; 2],
     pub direction_by: [Vec3; 2],
 }
 
 impl Ray {
-    /// The derivatives of the point at a hit: what a pixel covers of the tangent plane there.
+    /// Returns the derivatives of the position at a hit: the pixel's footprint in the tangent
+    /// plane.
     pub fn spread(&self, hit: &Hit) -> [Vec3; 2] {
         let along = self.direction / self.direction.dot(hit.normal);
         let moved = |k: usize| self.origin_by[k] + hit.t * self.direction_by[k];
@@ -24,17 +25,20 @@ impl Ray {
         [spread(moved(0)), spread(moved(1))]
     }
 
-    /// The round footprint of a pixel at a hit: as wide as the ray's cone, drawn out by the slant.
+    /// Returns the round footprint of a pixel at a hit: as wide as the ray's cone, elongated by the
+    /// inclination.
     pub fn footprint(&self, hit: &Hit) -> Footprint {
         let [dx, dy] = [0, 1].map(|k| self.origin_by[k] + hit.t * self.direction_by[k]);
         let cone = Footprint::from_derivatives(dx, dy).width();
         Footprint::from_distance(1.0, cone, self.direction.dot(hit.normal))
     }
 
-    /// The ray that goes on in a direction behind a hit, from `origin`: straight on, or refracted by the ratio of the sines.
+    /// Returns the ray that continues from `origin` behind a hit: straight on, or refracted by the
+    /// ratio of the sines.
     pub fn transmitted(&self, hit: &Hit, direction: Vec3, origin: Vec3) -> Self {
         let [before, behind] = [self.direction, direction].map(|d| d.cross(hit.normal).length());
-        // Within half a degree of the normal the sines do not tell; there rays hardly bend.
+        // Within half a degree of the normal the sines are too imprecise, but rays hardly bend
+        // there.
         let eta = if before > 0.01 { (behind / before).clamp(0.25, 4.0) } else { 1.0 };
         let straight =
             Self { origin, direction, origin_by: self.spread(hit), direction_by: self.direction_by };
@@ -46,12 +50,15 @@ impl Ray {
         }
     }
 
-    /// The ray that a facet of normal `m` mirrors at a hit, from `origin`; it bends as the surface does.
+    /// Returns the ray reflected at a hit by a facet of normal `m`, from `origin`. Its
+    /// differentials include the surface's curvature.
     pub fn mirrored(&self, hit: &Hit, m: Vec3, origin: Vec3) -> Self {
         self.turned(hit, m, 1.0, [2.0 * self.direction.dot(m), 2.0], origin)
     }
 
-    /// The ray refracted at a facet of normal `m`, towards the ray; `eta` is the index before over that behind. None where all is mirrored.
+    /// Returns the ray refracted by a facet of normal `m`, which points toward the ray. `eta` is
+    /// the ratio of the index in front to the index behind. Returns `None` for total internal
+    /// reflection.
     pub fn refracted(&self, hit: &Hit, m: Vec3, eta: f32, origin: Vec3) -> Option<Self> {
         let cosine = self.direction.dot(m);
         let square = 1.0 - eta * eta * (1.0 - cosine * cosine);
@@ -63,7 +70,7 @@ impl Ray {
         Some(self.turned(hit, m, eta, mu, origin))
     }
 
-    /// The ray in the direction η D − μ m, with μ and its derivative by D·m.
+    /// Returns the ray in direction η D − μ m, given μ and its derivative by D·m.
     fn turned(&self, hit: &Hit, m: Vec3, eta: f32, [mu, by_cosine]: [f32; 2], origin: Vec3) -> Self {
         let spread = self.spread(hit);
         let by = |k: usize| {
@@ -77,7 +84,7 @@ impl Ray {
         Self { origin, direction, origin_by: spread, direction_by: [by(0), by(1)] }
     }
 
-    /// A ray from a hit into any direction whose neighbours spread by an angle as wide as its cone.
+    /// Returns a ray from a hit in any direction, with a cone of this angle.
     pub fn scattered(&self, hit: &Hit, direction: Vec3, angle: f32, origin: Vec3) -> Self {
         let (x, y) = direction.any_orthonormal_pair();
         Self { origin, direction, origin_by: self.spread(hit), direction_by: [angle * x, angle * y] }
@@ -87,29 +94,32 @@ impl Ray {
 /// Hit of a ray on a shape.
 #[derive(Clone, Copy, Debug)]
 pub struct Hit {
-    /// Ray parameter, the distance for a unit direction.
+    /// Ray parameter: the distance for a unit direction.
     pub t: f32,
-    /// From the focus of its [`Probe`](crate::geometry::mesh::Probe) on.
+    /// Relative to the focus of its [`Probe`](crate::geometry::mesh::Probe).
     pub position: Vec3,
-    /// Unit, outwards.
+    /// Unit length, outward.
     pub normal: Vec3,
-    /// Unit, outwards; of a triangle its own, whatever the normals of its corners are.
+    /// Unit length, outward; for a triangle the geometric normal, independent of the normals of its
+    /// corners.
     pub flat: Vec3,
-    /// From the triangle to the rounded surface that its normals are of, outwards and inwards: rays of light begin there.
+    /// Offsets from the triangle to the smooth surface implied by its normals, outward and inward.
+    /// Light rays start there.
     pub lift: [Vec3; 2],
-    /// Unit, orthogonal to the normal; the local x axis of an anisotropic density.
+    /// Unit length, orthogonal to the normal; the local x axis of an anisotropic density.
     pub tangent: Vec3,
     /// Texture coordinates.
     pub uv: Vec2,
     /// ∂P/∂u and ∂P/∂v.
     pub tangents: [Vec3; 2],
-    /// Curvature, by the turn of the normal along the surface: dn = bend · dP, before it is made unit.
+    /// Curvature as the derivative of the normal along the surface: dn = bend · dP, before
+    /// normalization.
     pub bend: Mat3,
 }
 
 impl Hit {
-    /// The point with its normals turned towards the eye of a ray in `direction`: the inside of a spout is
-    /// shaded like the outside.
+    /// Returns the hit with normals facing the origin of a ray in `direction`, so that the inside
+    /// of a spout is shaded like the outside.
     pub fn facing(self, direction: Vec3) -> Self {
         let mut hit = self.consistent(direction);
         if hit.flat.dot(direction) > 0.0 {
@@ -119,10 +129,11 @@ impl Hit {
         hit
     }
 
-    /// The point whose normal is on the side of the triangle's own, as a ray sees them: at outlines the mean of normals may point
-    /// away from an eye that sees the triangle, and would be lit from behind.
+    /// Returns the hit with its shading normal on the visible side of the geometric normal. At
+    /// silhouettes the interpolated normal may point away from a viewer who sees the triangle,
+    /// which would be lit from behind.
     pub fn consistent(mut self, direction: Vec3) -> Self {
-        /// Cosine of the normal that is barely seen.
+        /// Cosine at which a normal is barely visible.
         const GRAZING: f32 = 0.01;
         let side = self.flat.dot(direction).signum();
         let cosine = side * self.normal.dot(direction);
@@ -132,7 +143,7 @@ impl Hit {
         self
     }
 
-    /// The point at which a material is evaluated, with its pixel.
+    /// Returns the point for evaluating a material, with its pixel.
     pub fn point(&self, pixel: impl Into<PixelEllipse>) -> SurfacePoint {
         SurfacePoint::new(self.position, self.normal, pixel).with_uv(self.uv, self.tangents)
     }
@@ -143,7 +154,7 @@ mod tests {
     use super::*;
     use crate::geometry::{camera::Camera, shape::Shape};
 
-    /// The ray of the pixel's point behind the sphere.
+    /// Returns the ray of the pixel after the sphere.
     fn after(camera: &Camera, x: f32, y: f32, eta: Option<f32>) -> Ray {
         let ray = camera.ray(x, y);
         let hit = Shape::Sphere.first_hit(ray.origin, ray.direction).unwrap();
@@ -154,7 +165,7 @@ mod tests {
     }
 
     #[test]
-    fn derivatives_at_a_sphere_are_the_differences_of_neighbouring_rays() {
+    fn differentials_at_a_sphere_match_neighboring_rays() {
         let camera = Camera::new(Vec3::new(4.0, -1.0, 2.0), Vec3::ZERO, 0.6, 200, 200);
         for eta in [None, Some(1.0 / 1.5)] {
             for (x, y) in [(100.0, 100.0), (140.0, 80.0), (60.0, 120.0)] {
@@ -162,7 +173,7 @@ mod tests {
                 for (k, [dx, dy]) in [[0.5, 0.0], [0.0, 0.5]].into_iter().enumerate() {
                     let (a, b) = (after(&camera, x + dx, y + dy, eta), after(&camera, x - dx, y - dy, eta));
                     let (origin, direction) = (a.origin - b.origin, a.direction - b.direction);
-                    // Second derivatives over half a pixel of 3 mrad, seen at up to 50 degrees.
+                    // Second derivatives over half a pixel of 3 mrad, at up to 50 degrees.
                     assert!(
                         (ray.origin_by[k] - origin).length() < 0.002 * origin.length(),
                         "{eta:?}, {x}, {y}"
@@ -178,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ray_along_the_surface_from_within_glass_is_all_mirrored() {
+    fn grazing_ray_inside_glass_is_totally_reflected() {
         let camera = Camera::new(Vec3::new(4.0, -1.0, 2.0), Vec3::ZERO, 0.6, 200, 200);
         let ray = camera.ray(30.0, 100.0);
         let hit = Shape::Plane.first_hit(ray.origin, ray.direction).unwrap();

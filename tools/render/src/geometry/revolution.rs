@@ -1,4 +1,4 @@
-//! Meshes of things made on a wheel: profiles turned about the z axis, and rings for handles.
+//! Surfaces of revolution about the z axis, and rings for handles.
 
 use std::f32::consts::TAU;
 
@@ -9,18 +9,19 @@ use crate::{
     interpolation::catmull_rom,
 };
 
-/// Steps of a profile from one of its points to the next.
+/// Steps between consecutive profile points.
 const STEPS: usize = 16;
 
 /// Steps around the axis.
 const AROUND: usize = 192;
 
-/// The smooth profile through points `(radius, height)`, turned about the z axis; its outside is to the right of the way along it.
+/// Revolves the smooth profile through points `(radius, height)` about the z axis. The outside is
+/// to the right of the profile's direction.
 ///
 /// Texture coordinates are the angle and the length along the profile.
 pub fn revolved(points: &[[f32; 2]]) -> Mesh {
     let profile = smooth(points);
-    // The last column lies where the first does, with texture coordinates of its own.
+    // The last column coincides with the first, with separate texture coordinates.
     Mesh::grid(profile.len() - 1, AROUND, |row, column| {
         let angle = TAU * (AROUND - column) as f32 / AROUND as f32;
         let (sin, cos) = angle.sin_cos();
@@ -35,7 +36,7 @@ pub fn revolved(points: &[[f32; 2]]) -> Mesh {
     })
 }
 
-/// A ring of radius `ring` about `centre`, upright in the x–z plane, of a tube of radius `tube`.
+/// Creates a torus of radius `ring` about `centre` in the x–z plane, with tube radius `tube`.
 pub fn ring(centre: Vec3, ring: f32, tube: f32) -> Mesh {
     let (columns, rows) = (AROUND / 2, AROUND / 4);
     Mesh::grid(rows, columns, |row, column| {
@@ -51,7 +52,8 @@ pub fn ring(centre: Vec3, ring: f32, tube: f32) -> Mesh {
     })
 }
 
-/// Points of the Catmull–Rom spline through the given ones, with its unit directions and lengths up to there.
+/// Samples the Catmull–Rom spline through the given points: positions, unit directions and arc
+/// lengths.
 fn smooth(points: &[[f32; 2]]) -> Vec<(Vec2, Vec2, f32)> {
     let point = |k: isize| Vec2::from(points[k.clamp(0, points.len() as isize - 1) as usize]);
     let mut out: Vec<(Vec2, Vec2, f32)> = Vec::new();
@@ -75,18 +77,18 @@ mod tests {
     use crate::geometry::checks::{check, open_edges};
 
     #[test]
-    fn a_turned_quarter_circle_is_a_hemisphere() {
+    fn revolved_quarter_circle_is_a_hemisphere() {
         let points: Vec<[f32; 2]> =
             (0..=16).map(|k| (k as f32 / 16.0 * TAU / 4.0).sin_cos()).map(|(s, c)| [c, s]).collect();
         for vertex in revolved(&points).vertices {
             assert_abs_diff_eq!(vertex.position.length(), 1.0, epsilon = 1e-3);
-            // The spline's ends are a little flatter.
+            // The spline's ends are slightly flatter.
             assert!(vertex.normal.dot(vertex.position) > 0.99, "{} {}", vertex.position, vertex.normal);
         }
     }
 
     #[test]
-    fn a_ring_has_no_open_edge() {
+    fn ring_has_no_open_edges() {
         let ring = ring(Vec3::X, 0.3, 0.1);
         check("ring", &ring, 0.99);
         assert!(open_edges(&ring).is_empty());

@@ -1,4 +1,4 @@
-//! Shapes that rays meet: a sphere, a plane, a mesh or a fractal surface.
+//! Ray-traced shapes: a sphere, a plane, a mesh or a fractal surface.
 
 use std::sync::Arc;
 
@@ -8,11 +8,12 @@ use crate::geometry::fractal::Fractal;
 use crate::geometry::mesh::{Mesh, Probe, TracedMesh};
 use crate::geometry::ray::Hit;
 
-/// A shape in its own space, z up.
+/// A shape in local coordinates, z up.
 pub enum Shape {
-    /// Radius 1 about the origin; tangents go east around the z axis, texture coordinates are longitude and latitude.
+    /// Radius 1 about the origin. Tangents point east around the z axis, and texture coordinates
+    /// are longitude and latitude.
     Sphere,
-    /// z = 0, seen from above; tangents along x, texture coordinates are x and y.
+    /// z = 0, visible from above. Tangents point along x, and texture coordinates are x and y.
     Plane,
     /// Triangles.
     Mesh(TracedMesh),
@@ -29,13 +30,13 @@ impl From<Mesh> for Arc<Shape> {
 }
 
 impl Shape {
-    /// The first meeting in front of `origin`; `direction` is unit.
+    /// Returns the first hit in front of `origin`; `direction` is a unit vector.
     pub fn first_hit(&self, origin: Vec3, direction: Vec3) -> Option<Hit> {
         let probe = Probe::new(origin, direction);
         self.meets(&probe, f32::INFINITY).and_then(|met| self.hit(&probe, met))
     }
 
-    /// The first meeting of a probe, if it is nearer than `farthest`.
+    /// Returns the first intersection of a probe, if it is nearer than `farthest`.
     pub fn meets(&self, probe: &Probe, farthest: f32) -> Option<Met> {
         let world = |hit: &Hit| probe.world(hit.position);
         let hit = match self {
@@ -53,7 +54,7 @@ impl Shape {
         hit.filter(|hit| hit.t < farthest).map(Met::Whole)
     }
 
-    /// The hit of a meeting with this shape.
+    /// Returns the hit of an intersection with this shape.
     pub fn hit(&self, probe: &Probe, met: Met) -> Option<Hit> {
         match (self, met) {
             (Self::Mesh(mesh), Met::Triangle { triangle, .. }) => mesh.hit(probe, triangle),
@@ -62,7 +63,7 @@ impl Shape {
         }
     }
 
-    /// Any hit in front of a probe, for shadows.
+    /// Whether anything is in front of a probe, for shadows.
     pub fn hides(&self, probe: &Probe) -> bool {
         match self {
             Self::Mesh(mesh) => mesh.hides(probe),
@@ -72,7 +73,7 @@ impl Shape {
     }
 }
 
-/// The first thing that a ray meets, of which the rest is computed where nothing else is nearer.
+/// The first intersection of a ray. Its hit is computed only if nothing else is nearer.
 pub enum Met {
     /// A triangle.
     Triangle { t: f32, triangle: u32 },
@@ -81,7 +82,7 @@ pub enum Met {
 }
 
 impl Met {
-    /// The distance.
+    /// Returns the distance.
     pub const fn distance(&self) -> f32 {
         match self {
             Self::Triangle { t, .. } => *t,
@@ -90,7 +91,7 @@ impl Met {
     }
 }
 
-/// `f64`, because close to the surface the two roots nearly cancel.
+/// In `f64`, because close to the surface the two roots nearly cancel.
 fn sphere(probe: &Probe) -> Option<Hit> {
     let (o, d) = (probe.eye(), probe.direction().as_dvec3().normalize());
     let half = o.dot(d);
@@ -140,7 +141,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_sphere_is_met_on_its_near_side() {
+    fn sphere_is_hit_on_its_near_side() {
         let hit = Shape::Sphere.first_hit(Vec3::new(4.0, 0.1, 0.2), Vec3::NEG_X).unwrap();
         assert_abs_diff_eq!(hit.position.length(), 1.0, epsilon = 1e-6);
         assert!(hit.position.x > 0.9, "{hit:?}");
@@ -151,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn the_plane_is_met_from_above_and_not_along_it() {
+    fn plane_is_hit_from_above_and_not_along_it() {
         let hit = Shape::Plane.first_hit(Vec3::new(1.0, 2.0, 3.0), Vec3::NEG_Z).unwrap();
         assert_eq!((hit.t, hit.position), (3.0, Vec3::new(1.0, 2.0, 0.0)));
         assert!(Shape::Plane.first_hit(Vec3::Z, Vec3::X).is_none());

@@ -1,8 +1,9 @@
 //! The Utah teapot, tessellated from its 32 bicubic Bézier patches.
 //!
-//! The control points are M. Newell's of 1975, with F. Crow's bottom, in the form of the Standard Procedural
-//! Databases; the numbers are those of three.js' `TeapotGeometry` (MIT). The lid is widened by 14/13, so that its
-//! border at radius 1.3 meets the rim's at 1.4: with the original numbers one looks through the gap into the pot.
+//! The control points are M. Newell's of 1975 with F. Crow's bottom, in the form of the Standard
+//! Procedural Databases. The numbers come from three.js' `TeapotGeometry` (MIT). The lid is widened
+//! by 14/13, so that its border at radius 1.3 meets the rim at 1.4. With the original numbers a gap
+//! into the pot is visible.
 
 use glam::{DVec2, DVec3};
 use serde::Deserialize;
@@ -11,11 +12,12 @@ use crate::geometry::mesh::{Mesh, Vertex};
 
 /// Cells per patch around the axis (or around the tube of handle and spout) and along the profile.
 ///
-/// 32 patches of 16 × 17 cells of two triangles, less one of each pair at the poles of lid and bottom:
+/// 32 patches of 16 × 17 cells of two triangles, less one per pair at the poles of lid and bottom:
 /// 17,280 triangles.
 const CELLS: (usize, usize) = (16, 17);
 
-/// The patches of the handle and of the spout, whose tangents follow the tube; all others go around the axis.
+/// The patches of the handle and the spout, whose tangents follow the tube. All others go around
+/// the axis.
 const TUBES: std::ops::Range<usize> = 12..20;
 
 const LID: std::ops::Range<usize> = 20..28;
@@ -26,11 +28,11 @@ struct Data {
     vertices_xyz_z_up: Vec<[f64; 3]>,
 }
 
-/// The triangles of the teapot: z up, the axis of the body is the z axis, spout towards +x, the bottom at z = 0,
-/// the knob's top at z = 3.15.
+/// Returns the triangles of the teapot: z up, the body's axis on the z axis, spout toward +x,
+/// bottom at z = 0, top of the knob at z = 3.15.
 ///
-/// Handle, spout and body interpenetrate, and the only open borders are the two ends of the handle and the spout's
-/// ends (its base inside the body, its mouth); everywhere else each edge has two triangles.
+/// Handle, spout and body interpenetrate. The only open borders are the two ends of the handle and
+/// of the spout (its base inside the body, its mouth). Everywhere else each edge has two triangles.
 pub fn teapot() -> Mesh {
     let Ok(data) = serde_json::from_str::<Data>(include_str!("../../data/teapot.json")) else {
         return Mesh::default();
@@ -40,7 +42,7 @@ pub fn teapot() -> Mesh {
         let widen = if LID.contains(&index) { DVec3::new(14.0 / 13.0, 14.0 / 13.0, 1.0) } else { DVec3::ONE };
         let control =
             patch.map(|i| data.vertices_xyz_z_up.get(i).map_or(DVec3::ZERO, |&p| DVec3::from(p) * widen));
-        // Control points come by rows; u runs along a row, v across them.
+        // Control points are stored by rows; u runs along a row, v across rows.
         mesh.append(Mesh::grid(CELLS.1, CELLS.0, |j, i| {
             let (u, v) = (i as f64 / CELLS.0 as f64, j as f64 / CELLS.1 as f64);
             vertex(&control, u, v, TUBES.contains(&index))
@@ -49,9 +51,9 @@ pub fn teapot() -> Mesh {
     mesh
 }
 
-/// Position, normal and tangent from the analytic derivatives.
+/// Returns position, normal and tangent from the analytic derivatives.
 ///
-/// At a pole `∂P/∂u = 0`; there its direction is the limit, that of `∂²P/∂u∂v`.
+/// At a pole `∂P/∂u = 0`, and the tangent is its limit, the direction of `∂²P/∂u∂v`.
 fn vertex(control: &[DVec3; 16], u: f64, v: f64, tube: bool) -> Vertex {
     let (bu, bv) = (bernstein(u), bernstein(v));
     let (du, dv) = (bernstein_slope(u), bernstein_slope(v));
@@ -61,11 +63,12 @@ fn vertex(control: &[DVec3; 16], u: f64, v: f64, tube: bool) -> Vertex {
     if p_u.length() < 1e-9 {
         p_u = tensor(control, du, dv);
     }
-    // All around the axis in the same sense, although the bottom's patches turn the other way.
+    // The same orientation all around the axis, although the bottom's patches are reversed.
     let sense = DVec3::new(-p.y - p_v.y, p.x + p_v.x, 0.0).dot(p_u).signum();
     let (tangent, uv) = if tube { (p_v, DVec2::new(v, u)) } else { (p_u * sense, DVec2::new(u * sense, v)) };
     Vertex {
-        // The two patches at an edge evaluate it in opposite senses; what differs in the last bits of f64 is one f32.
+        // The two patches at an edge evaluate it in opposite order. Differences in the last bits of
+        // f64 give the same f32.
         position: p.as_vec3(),
         normal: p_u.cross(p_v).normalize_or_zero().as_vec3(),
         tangent: tangent.normalize_or_zero().as_vec3(),
@@ -97,12 +100,12 @@ mod tests {
     use crate::geometry::checks::{check, open_edges, volume};
 
     #[test]
-    fn it_is_closed_but_for_the_ends_of_handle_and_spout_and_seen_from_outside() {
+    fn teapot_is_closed_except_tube_ends() {
         let mesh = teapot();
         assert_eq!(mesh.triangles.len(), 32 * 2 * 16 * 17 - 8 * 16);
-        // Measured least cosine 0.75, where the spout's lip turns.
+        // Measured minimum cosine 0.75, where the spout's lip curves.
         check("teapot", &mesh, 0.7);
-        // The pot with its tubes is a little over 30.
+        // The pot with its tubes has a volume of slightly over 30.
         assert!((25.0..35.0).contains(&volume(&mesh)), "volume {}", volume(&mesh));
         let open = open_edges(&mesh);
         // Two tubes with two ends of two patch edges each.
@@ -123,7 +126,8 @@ mod tests {
         }
         let poles = |p: Vec3| p.x.abs() + p.y.abs() < 1e-3;
         for group in at.values().filter(|g| !poles(g[0].position)) {
-            // Where the handle's end touches the belly, normals differ; a crease between lid and rim is the same case.
+            // Where the handle's end touches the body, normals differ. The crease between lid and
+            // rim is the same case.
             for v in group.iter().filter(|v| v.normal.dot(group[0].normal) > 0.5) {
                 assert!(v.tangent.dot(group[0].tangent) > 0.95, "{v:?} against {:?}", group[0]);
             }

@@ -1,24 +1,26 @@
-//! The content of image files, and why one is refused.
+//! The content of image files, and errors of image files.
 
 use crate::failure::Failure;
 
-/// Pixels of surroundings of 16k by 8k.
+/// Pixels of an environment map of 16k × 8k.
 const MOST_PIXELS: usize = 1 << 27;
-/// No deflated data grows by more than this: a header that claims more than its file could hold is wrong. Other codings could
-/// repeat one colour for ever; what grows by more than this is taken for an attack, unless it is small.
+/// Maximum expansion ratio of deflate: a header that claims more than the file could hold is wrong.
+/// Other encodings could repeat one color indefinitely. Unless it is small, an image with a larger
+/// ratio counts as malicious.
 const MOST_INFLATED: usize = 1032;
 const SMALL: usize = 1 << 22;
 
-/// The content of an image: OpenEXR files have channels of both.
+/// The content of an image. OpenEXR files may have channels of both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Content {
     /// Red, green and blue, or gray.
     Colors,
-    /// Coordinates of normals: three, or x and y.
+    /// Components of normals: three, or x and y.
     Normals,
 }
 
-/// Refuses sizes beyond reason, and beyond what a file of so many `bytes` can hold in pixels of so many, before anything is allocated.
+/// Returns an error for sizes above the limit, or above the pixels that `bytes` can encode. The
+/// check precedes allocation.
 pub(super) fn check_size(
     width: usize,
     height: usize,
@@ -33,45 +35,41 @@ pub(super) fn check_size(
     Ok(())
 }
 
-/// Why a file is not an image of data.
+/// The reason why a file is not a supported image.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ImageFileError {
-    #[error("the file cannot be read: {error}")]
+    #[error("cannot read the file: {error}")]
     Unreadable {
         #[source]
         error: std::io::Error,
     },
     #[error("the file is empty")]
     Empty,
-    #[error("the file is none of PNG, JPEG, WebP, Radiance HDR and OpenEXR")]
+    #[error("unsupported image format (expected PNG, JPEG, WebP, Radiance HDR or OpenEXR)")]
     UnknownFormat,
     #[error("an image must have 1 to {MOST_PIXELS} pixels, got {width} × {height}")]
     Size { width: usize, height: usize },
     #[error("{bytes} bytes cannot hold the {width} × {height} pixels that the header claims")]
     Truncated { width: usize, height: usize, bytes: usize },
-    #[error("the image has no channel but alpha")]
+    #[error("the image has only an alpha channel")]
     OnlyAlpha,
-    #[error("the image has no colors: its channels are {channels}")]
+    #[error("the image has no color channels (found {channels})")]
     NoColors { channels: String },
-    #[error("a normal map needs the channels R, G, B or X, Y, Z, got {channels}")]
+    #[error("a normal map needs channels R, G, B or X, Y, Z, got {channels}")]
     NoNormals { channels: String },
-    #[error("the image has several layers and none is named as the picture: {layers}")]
+    #[error("cannot choose between the image's layers: {layers}")]
     SeveralLayers { layers: String },
-    #[error(
-        "its colors are luminance and chroma (Y, RY, BY), which are not supported: save it with R, G and B"
-    )]
+    #[error("luminance and chroma channels (Y, RY, BY) are not supported (save the image with R, G and B)")]
     LuminanceChroma,
-    #[error(
-        "its channels have fewer samples than pixels, which is not supported: save it without subsampling"
-    )]
+    #[error("subsampled channels are not supported (save the image without subsampling)")]
     Subsampled,
-    #[error("the file has deep data, which are not supported: save it flat")]
+    #[error("deep data is not supported (save the image flat)")]
     DeepData,
-    #[error("it is a cube map, which is not supported: convert it to latitude and longitude")]
+    #[error("cube maps are not supported (convert the image to latitude and longitude)")]
     CubeMap,
-    /// The file breaks its format, as the decoder has it.
-    #[error("the {format} cannot be decoded: {error}")]
+    /// The file violates its format, according to the decoder.
+    #[error("cannot decode the {format}: {error}")]
     Broken {
         format: &'static str,
         #[source]

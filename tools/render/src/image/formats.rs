@@ -1,4 +1,4 @@
-//! The files that others read: OpenEXR for textures, `.npy` for arrays.
+//! Exchange formats: OpenEXR for textures, `.npy` for arrays.
 
 use std::io::Cursor;
 
@@ -8,7 +8,8 @@ use exr::prelude::{
 
 use crate::failure::Failure;
 
-/// Named channels of 32-bit floats, row by row from the top, as an uncompressed OpenEXR file.
+/// Encodes named channels of 32-bit floats, row by row from the top, as an uncompressed OpenEXR
+/// file.
 pub fn exr<'a>(
     width: usize,
     height: usize,
@@ -25,12 +26,12 @@ pub fn exr<'a>(
     Ok(bytes.into_inner())
 }
 
-/// The numbers of arrays, as NumPy names them, and their little-endian bytes.
+/// Number types with NumPy's names, and their little-endian bytes.
 pub const U8: (&str, fn(u8) -> [u8; 1]) = ("|u1", u8::to_le_bytes);
 pub const F32: (&str, fn(f32) -> [u8; 4]) = ("<f4", f32::to_le_bytes);
 pub const F64: (&str, fn(f64) -> [u8; 8]) = ("<f8", f64::to_le_bytes);
 
-/// A C-ordered array in NumPy's format 1.0.
+/// Encodes a C-ordered array in NumPy's format 1.0.
 pub fn npy<T: Copy, const N: usize>(
     (descr, bytes_of): (&str, fn(T) -> [u8; N]),
     shape: &[usize],
@@ -38,7 +39,7 @@ pub fn npy<T: Copy, const N: usize>(
 ) -> Vec<u8> {
     let dimensions: String = shape.iter().map(|n| format!("{n}, ")).collect();
     let mut header = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': ({dimensions}), }}");
-    // Magic, version and length take 10 bytes; the header ends in a line feed on a multiple of 64.
+    // Magic, version and length take 10 bytes. The header ends in a line feed at a multiple of 64.
     header += &" ".repeat(63 - (header.len() + 10) % 64);
     header.push('\n');
     let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
@@ -53,7 +54,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_array_has_numpy_s_header() {
+    fn npy_header() {
         let bytes = npy(F32, &[2, 3], &[0.5_f32; 6]);
         assert_eq!(&bytes[..8], b"\x93NUMPY\x01\x00");
         let length = usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));

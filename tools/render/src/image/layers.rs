@@ -1,4 +1,5 @@
-//! OpenEXR: which part and which channels of a file are the picture, within its display window.
+//! OpenEXR: selects the part and the channels of a file that form the image, within its display
+//! window.
 
 use std::io::Cursor;
 
@@ -12,10 +13,10 @@ use exr::{
 
 use crate::image::content::{Content, ImageFileError, check_size};
 
-/// Pixels of a display window that a small file may fill with black around its data.
+/// Maximum pixels of a display window that a small file may fill with black around its data.
 const MOST_FRAME: usize = 1 << 24;
 
-/// A picture's width and height, and its planes.
+/// An image's width and height, and its planes.
 type Planes = ([usize; 2], Vec<Vec<f32>>);
 
 /// Reads the channels of a content, black outside the data window.
@@ -25,7 +26,7 @@ pub(super) fn decode(bytes: &[u8], content: Content) -> Result<Planes, ImageFile
     for header in &meta.headers {
         let (width, height) = (header.layer_size.0, header.layer_size.1);
         check_size(width, height, header.channels.bytes_per_pixel, bytes.len())?;
-        // Every chunk has its place in a table of eight bytes each.
+        // The offset table has eight bytes per chunk.
         if header.chunk_count.saturating_mul(8) > bytes.len() {
             return Err(ImageFileError::Truncated { width, height, bytes: bytes.len() });
         }
@@ -62,7 +63,7 @@ pub(super) fn decode(bytes: &[u8], content: Content) -> Result<Planes, ImageFile
     Ok(([width, height], planes.collect()))
 }
 
-/// A plane in its frame: 0 outside the data.
+/// Places a plane in its frame, with 0 outside the data.
 fn framed(samples: Vec<f32>, data: [usize; 2], offset: [i64; 2], frame: [usize; 2]) -> Vec<f32> {
     if offset == [0; 2] && data == frame {
         return samples;
@@ -98,24 +99,24 @@ impl<'s> ReadChannels<'s> for OnePart<'_> {
     }
 }
 
-/// Channels of a part that are a picture.
+/// Channels of a part that form an image.
 #[derive(Clone)]
 struct Candidate {
     part: usize,
-    /// The part's name, if there are several, and the layer's.
+    /// The names of the part, if there are several, and of the layer.
     layer: String,
-    /// Places in the part's list.
+    /// Indices into the part's channel list.
     channels: Vec<usize>,
 }
 
 impl Candidate {
-    /// The last word of the layer: `Combined` of `View Layer.Combined`.
+    /// Returns the last word of the layer: `Combined` of `View Layer.Combined`.
     fn name(&self) -> &str {
         self.layer.rsplit('.').next().unwrap_or_default()
     }
 }
 
-/// Names of channels, the best first.
+/// Channel names in order of preference.
 const COLORS: &[&[&str]] =
     &[&["r", "g", "b"], &["red", "green", "blue"], &["y"], &["l"], &["gray"], &["grey"], &["luminance"]];
 const NORMALS: &[&[&str]] = &[
@@ -128,7 +129,8 @@ const NORMALS: &[&[&str]] = &[
     &["r", "g"],
 ];
 
-/// Names of layers that renderers give to the picture, and to normals; the first view of a stereo pair is the left one.
+/// Names of layers that renderers use for the image and for normals. The first view of a stereo
+/// pair is the left view.
 const PICTURES: &[&str] = &[
     "",
     "rgba",
@@ -146,15 +148,15 @@ const PICTURES: &[&str] = &[
 ];
 const NORMAL_LAYERS: &[&str] = &["normal", "normals", "n", "nrm", "normalmap", "normal_map", ""];
 
-/// Layers of data, which are no picture: words in their names, and whole names.
+/// Layers of data that are not images: words in their names, and whole names.
 const DATA_WORDS: [&str; 9] =
     ["crypto", "depth", "mist", "motion", "normal", "position", "vector", "velocity", "object"];
 const DATA: [&str; 8] = ["id", "n", "nn", "p", "st", "uv", "world", "z"];
 
-/// Channels that are not shown.
+/// Channels that are not displayed.
 const HIDDEN: [&str; 9] = ["a", "alpha", "ar", "ag", "ab", "z", "zback", "depth", "id"];
 
-/// The part and the channels of a content.
+/// Chooses the part and the channels of a content.
 fn choose(headers: &[Header], content: Content) -> Result<Candidate, ImageFileError> {
     if headers.iter().any(|header| header.deep) {
         return Err(ImageFileError::DeepData);
@@ -182,7 +184,7 @@ fn choose(headers: &[Header], content: Content) -> Result<Candidate, ImageFileEr
         let whole = of_name.iter().find(|of| of.layer.eq_ignore_ascii_case(name));
         let composite = of_name.iter().find(|of| of.layer.to_ascii_lowercase().starts_with("composite"));
         let one = of_name.iter().all(|of| of.layer == first.layer).then_some(first);
-        // Of several layers of one name, none is the picture.
+        // Of several layers with the same name, none can be chosen.
         Some(whole.or(composite).copied().or(one).cloned())
     };
     let best = match layers.iter().find_map(named) {
@@ -205,7 +207,7 @@ fn choose(headers: &[Header], content: Content) -> Result<Candidate, ImageFileEr
     if content == Content::Normals {
         return Err(ImageFileError::NoNormals { channels: shown });
     }
-    // A single channel of any other name is a picture in gray.
+    // A single channel with any other name is a gray image.
     let mut others = headers.iter().enumerate().flat_map(|(part, header)| {
         let all = header.channels.list.iter().enumerate();
         let picture = all.filter(move |(_, channel)| {
@@ -223,13 +225,13 @@ fn choose(headers: &[Header], content: Content) -> Result<Candidate, ImageFileEr
     }
 }
 
-/// Whether a layer of this name holds depth, normals and such.
+/// Whether a layer of this name contains depth, normals or other data.
 fn is_data(name: &str) -> bool {
     let name = name.to_ascii_lowercase();
     DATA.contains(&&*name) || DATA_WORDS.iter().any(|word| name.contains(word))
 }
 
-/// Every layer of every part that has all channels of one of the sets, the sets in their order.
+/// Returns every layer of every part that has all channels of one of the sets, ordered by set.
 fn candidates(headers: &[Header], sets: &[&[&str]]) -> Vec<Candidate> {
     let several = headers.len() > 1;
     let mut found: Vec<Candidate> = Vec::new();
@@ -252,12 +254,12 @@ fn candidates(headers: &[Header], sets: &[&[&str]]) -> Vec<Candidate> {
     found
 }
 
-/// Whether the name's last word is this one, in any case.
+/// Whether the name's last word equals `suffix`, ignoring case.
 fn suffix_is(name: &str, suffix: &str) -> bool {
     name.rsplit('.').next().is_some_and(|last| last.eq_ignore_ascii_case(suffix))
 }
 
-/// The layer of a channel, behind the name of its part, if there are several.
+/// Returns the layer of a channel, after the name of its part if there are several.
 fn layer_of(header: &Header, several: bool, name: &str) -> String {
     let own = name.rsplit_once('.').map_or("", |(layer, _)| layer);
     let part = header.own_attributes.layer_name.as_ref().map(ToString::to_string);
@@ -268,7 +270,7 @@ fn layer_of(header: &Header, several: bool, name: &str) -> String {
     }
 }
 
-/// The place of a layer's channel in its part.
+/// Returns the index of a layer's channel in its part.
 fn channel(header: &Header, layer: &str, several: bool, suffix: &str) -> Option<usize> {
     header.channels.list.iter().position(|channel| {
         let name = channel.name.to_string();
@@ -301,7 +303,7 @@ mod tests {
         decode(bytes, content).unwrap_err().to_string()
     }
 
-    /// The channels of a text such as `R=1, G=2`, two pixels each.
+    /// Parses channels such as `R=1, G=2`, two pixels each.
     fn channels(text: &str) -> impl Iterator<Item = (&str, Vec<f32>)> {
         let channels = text.split(", ").filter_map(|channel| channel.split_once('='));
         channels.map(|(name, value)| (name, vec![value.parse().unwrap(); 2]))
@@ -311,7 +313,7 @@ mod tests {
         exr(2, 1, channels(text)).unwrap()
     }
 
-    /// A file of several parts.
+    /// Encodes a file of several parts.
     fn parts(parts: &[(&str, &str)]) -> Vec<u8> {
         let size = Vec2(2, 1);
         let layer = |&(name, text): &(&str, &str)| {
@@ -403,20 +405,20 @@ mod tests {
     #[test]
     fn exr_without_colors_is_refused() {
         for (channels, message) in [
-            ("Z=1", "the image has no colors: its channels are Z"),
-            ("R=1, G=1", "the image has no colors: its channels are G, R"),
-            ("A=1", "the image has no channel but alpha"),
-            ("Depth.V=1", "the image has no colors"),
-            ("Depth.R=1, Depth.G=1, Depth.B=1", "the image has no colors"),
-            ("X=1, Y=1, Z=1", "the image has no colors"),
-            ("P.X=1, P.Y=1, P.Z=1", "the image has no colors"),
-            ("UV.U=1, UV.V=1", "the image has no colors"),
-            ("H=1, S=1, V=1", "the image has no colors"),
+            ("Z=1", "the image has no color channels (found Z)"),
+            ("R=1, G=1", "the image has no color channels (found G, R)"),
+            ("A=1", "the image has only an alpha channel"),
+            ("Depth.V=1", "the image has no color channels"),
+            ("Depth.R=1, Depth.G=1, Depth.B=1", "the image has no color channels"),
+            ("X=1, Y=1, Z=1", "the image has no color channels"),
+            ("P.X=1, P.Y=1, P.Z=1", "the image has no color channels"),
+            ("UV.U=1, UV.V=1", "the image has no color channels"),
+            ("H=1, S=1, V=1", "the image has no color channels"),
             (
                 "A.Combined.R=1, A.Combined.G=1, A.Combined.B=1, B.Combined.R=1, B.Combined.G=1, B.Combined.B=1",
-                "none is named as the picture: A.Combined, B.Combined",
+                "cannot choose between the image's layers: A.Combined, B.Combined",
             ),
-            ("Y=1, RY=0, BY=0", "its colors are luminance and chroma"),
+            ("Y=1, RY=0, BY=0", "luminance and chroma channels"),
         ] {
             let got = refused(&file(channels), Content::Colors);
             assert!(got.contains(message), "{got}");
@@ -439,7 +441,7 @@ mod tests {
         let two = ImageFile::decode(&file("R=1, G=2"), Content::Normals).unwrap();
         assert_eq!(two.planes, [[1.0; 2], [2.0; 2]]);
         let gray = refused(&file("Y=1"), Content::Normals);
-        assert_eq!(gray, "a normal map needs the channels R, G, B or X, Y, Z, got Y");
+        assert_eq!(gray, "a normal map needs channels R, G, B or X, Y, Z, got Y");
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! An image of linear radiance, row by row from the top left, and its way to a file.
+//! An image of linear radiance, row by row from the top left, and its file encodings.
 
 pub mod content;
 pub mod formats;
@@ -20,7 +20,7 @@ use crate::{
     image::tone::{filmic, shoulder, srgb_byte},
 };
 
-/// Formats that pictures are written in.
+/// Output image formats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     Png,
@@ -30,7 +30,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// The format that the extension of a file's name stands for.
+    /// Returns the format of a file by its extension.
     pub fn of(file: &Path) -> Option<Self> {
         match file.extension()?.to_str()?.to_ascii_lowercase().as_str() {
             "png" => Some(Self::Png),
@@ -52,41 +52,41 @@ pub struct Image {
 }
 
 impl Image {
-    /// The image whose pixel in column `x` and row `y` is `f(x, y)`.
+    /// Creates the image whose pixel in column `x` and row `y` is `f(x, y)`.
     pub fn from_fn(width: u32, height: u32, mut f: impl FnMut(u32, u32) -> Vec3) -> Self {
         let pixels =
             (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| f(x, y)).collect();
         Self { width, height, pixels }
     }
 
-    /// Every pixel times `exposure`, then through [`shoulder`].
+    /// Multiplies every pixel by `exposure`, then applies [`shoulder`].
     pub fn exposed(self, exposure: f32) -> Self {
         self.map(|p| (p * exposure).map(shoulder))
     }
 
-    /// Every pixel times `exposure`, then through [`filmic`].
+    /// Multiplies every pixel by `exposure`, then applies [`filmic`].
     pub fn filmic(self, exposure: f32) -> Self {
         self.map(|p| (p * exposure).map(filmic))
     }
 
-    /// Every pixel through a function.
+    /// Applies a function to every pixel.
     pub fn map(mut self, of: impl Fn(Vec3) -> Vec3) -> Self {
         self.pixels.iter_mut().for_each(|pixel| *pixel = of(*pixel));
         self
     }
 
-    /// The bytes of a file of a format, as [`write`](Self::write) writes it.
+    /// Encodes the image, with the bytes that [`write`](Self::write) writes.
     pub fn encode(&self, format: Format) -> Result<Vec<u8>, Failure> {
         let mut bytes = Cursor::new(Vec::new());
         self.write(format, &mut bytes)?;
         Ok(bytes.into_inner())
     }
 
-    /// Writes a file of a format: OpenEXR of 32-bit floats, as they are, or sRGB of 8 bits, where values outside `[0, 1]` and NaN are
-    /// clamped.
+    /// Writes a file in a format: OpenEXR with unmodified 32-bit floats, or 8-bit sRGB, where NaN
+    /// and values outside `[0, 1]` are clamped.
     ///
-    /// JPEG has a quality of 95 without smaller planes of colour, WebP loses nothing. OpenEXR and PNG are written row by row and need no
-    /// memory but the image's.
+    /// JPEG has quality 95 without chroma subsampling, and WebP is lossless. OpenEXR and PNG are
+    /// written row by row and need no memory beyond the image.
     pub fn write(&self, format: Format, file: &mut (impl Write + Seek)) -> Result<(), Failure> {
         let &Self { width, height, ref pixels } = self;
         match format {
@@ -142,7 +142,7 @@ mod tests {
     use crate::image::read::ImageFile;
 
     #[test]
-    fn a_written_picture_reads_back_in_the_format_of_its_name() {
+    fn written_image_reads_back_in_the_format_of_its_extension() {
         let image = Image::from_fn(3, 2, |x, y| Vec3::new(x as f32 / 2.0, y as f32, f32::NAN));
         for (name, first, off) in [
             ("a.png", &b"\x89PNG"[..], 0.0),
@@ -155,7 +155,7 @@ mod tests {
             let planes = ImageFile::decode(&bytes, Content::Colors).unwrap().planes.into_iter().flatten();
             let expected =
                 [[0.0, 188.0, 255.0].repeat(2), [[0.0; 3], [255.0; 3]].concat(), vec![0.0; 6]].concat();
-            // libjpeg is off by 3 here at this quality.
+            // libjpeg differs by 3 here at this quality.
             for (value, expected) in planes.zip(expected) {
                 assert_abs_diff_eq!(value * 255.0, expected, epsilon = off + 1e-4);
             }

@@ -1,11 +1,11 @@
-//! Radiance HDR files, in every orientation, with both of their run lengths.
+//! Radiance HDR files, in every orientation, with both run-length encodings.
 //!
 //! Ward 1991, "Real Pixels", Graphics Gems II.
 
-/// Runs of the newer kind: scanlines of these widths, whose first bytes are 2 and 2.
+/// Scanline widths of the newer run-length encoding, whose first bytes are 2 and 2.
 const RUNS: std::ops::Range<usize> = 8..1 << 15;
 
-/// Width, height and linear RGB from the top left; or what is wrong.
+/// Returns width, height and linear RGB from the top left, or an error message.
 pub(super) fn decode(
     bytes: &[u8],
     check: impl FnOnce(usize, usize) -> bool,
@@ -13,14 +13,15 @@ pub(super) fn decode(
     let mut rest = bytes;
     let mut scale = [1.0; 3];
     loop {
-        let line = line(&mut rest).ok_or("the header has no end")?;
-        // Headers of the files that a picture was made of are indented.
+        let line = line(&mut rest).ok_or("header is not terminated")?;
+        // Headers of the files from which an image was made are indented.
         match line.split_once('=').map(|(name, value)| (name.trim_end(), value.trim())) {
             None if line.trim().is_empty() => break,
             Some(("FORMAT", format)) if !format.eq_ignore_ascii_case("32-bit_rle_rgbe") => {
-                return Err("its colours are not RGB: only 32-bit_rle_rgbe is read");
+                return Err("unsupported color format: only 32-bit_rle_rgbe is supported");
             }
-            // Every program on the way multiplied the picture by its own. FreeImage writes 0 where it knows none.
+            // Every program in the chain multiplied the image by its exposure. FreeImage writes 0
+            // for an unknown exposure.
             Some(("EXPOSURE", value)) => multiply(&mut scale, [first_number(value); 3]),
             Some(("COLORCORR", value)) => {
                 let mut words = value.split_whitespace().map(first_number);
@@ -29,20 +30,20 @@ pub(super) fn decode(
             _ => {}
         }
     }
-    let line = line(&mut rest).ok_or("the size is missing")?;
+    let line = line(&mut rest).ok_or("image size is missing")?;
     let words: Vec<&str> = line.split_whitespace().collect();
-    let &[slow, rows, fast, columns] = &words[..] else { return Err("the size is not four words") };
-    let (rows, columns) = rows.parse().ok().zip(columns.parse().ok()).ok_or("the size is no number")?;
+    let &[slow, rows, fast, columns] = &words[..] else { return Err("image size is not four words") };
+    let (rows, columns) = rows.parse().ok().zip(columns.parse().ok()).ok_or("image size is not a number")?;
     let turned = match (slow.trim_start_matches(['+', '-']), fast.trim_start_matches(['+', '-'])) {
         ("Y", "X") => false,
         ("X", "Y") => true,
-        _ => return Err("the size has other axes than X and Y"),
+        _ => return Err("image size has axes other than X and Y"),
     };
     let [width, height] = if turned { [rows, columns] } else { [columns, rows] };
     if !check(width, height) {
         return Ok(([width, height], Vec::new()));
     }
-    // Nothing is allocated for pixels that the bytes do not hold.
+    // The check precedes allocation: the bytes must be able to hold the pixels.
     let mut scanlines = Vec::new();
     for _ in 0..rows {
         scanlines.push(scanline(&mut rest, columns)?);
@@ -51,7 +52,7 @@ pub(super) fn decode(
     for (row, texels) in scanlines.into_iter().enumerate() {
         for (column, texel) in texels.into_iter().enumerate() {
             let [mut x, mut y] = if turned { [row, column] } else { [column, row] };
-            // X grows to the right and Y upwards; the first row of an image is its top.
+            // X points right and Y up. The first row of an image is its top.
             if slow == "-X" || fast == "-X" {
                 x = width - 1 - x;
             }
@@ -67,7 +68,7 @@ pub(super) fn decode(
     Ok(([width, height], pixels))
 }
 
-/// Multiplies by factors, if all of them and the products are positive and finite.
+/// Multiplies by factors if all factors and products are positive and finite.
 fn multiply(scale: &mut [f32; 3], by: [Option<f32>; 3]) {
     let products =
         [0, 1, 2].map(|k| by[k].filter(|factor| *factor > 0.0).map_or(0.0, |factor| scale[k] * factor));
@@ -76,13 +77,13 @@ fn multiply(scale: &mut [f32; 3], by: [Option<f32>; 3]) {
     }
 }
 
-/// The number at the beginning of a text, as C reads it.
+/// Parses the number at the beginning of a text, like C.
 fn first_number(text: &str) -> Option<f32> {
     let end = text.find(|c: char| !c.is_ascii_digit() && !"+-.eE".contains(c)).unwrap_or(text.len());
     text[..end].parse().ok()
 }
 
-/// Text up to the end of a line, which is taken off.
+/// Takes a line off the text and returns it.
 fn line<'a>(rest: &mut &'a [u8]) -> Option<std::borrow::Cow<'a, str>> {
     let end = rest.iter().position(|&byte| byte == b'\n')?;
     let (line, behind) = (&rest[..end], &rest[end + 1..]);
@@ -90,13 +91,13 @@ fn line<'a>(rest: &mut &'a [u8]) -> Option<std::borrow::Cow<'a, str>> {
     Some(String::from_utf8_lossy(line))
 }
 
-/// One scanline: four runs of bytes, or texels that may be repeated.
+/// Decodes a scanline: four runs of bytes, or texels with repetitions.
 fn scanline(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, &'static str> {
-    const SHORT: &str = "the file ends within its pixels";
+    const SHORT: &str = "file ends within the pixel data";
     let mut texels = Vec::new();
     if let ([2, 2, high @ ..=127, low, behind @ ..], true) = (*rest, RUNS.contains(&width)) {
         if usize::from(*high) << 8 | usize::from(*low) != width {
-            return Err("a scanline has another width than the image");
+            return Err("scanline width differs from the image width");
         }
         *rest = behind;
         texels.resize(width, [0; 4]);
@@ -108,7 +109,7 @@ fn scanline(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, &'static str
                     if count > 128 { (usize::from(count) - 128, 1) } else { (count.into(), count.into()) };
                 let (values, behind) = behind.split_at_checked(taken).ok_or(SHORT)?;
                 if run == 0 || at + run > width {
-                    return Err("a run leaves its scanline");
+                    return Err("a run extends beyond its scanline");
                 }
                 for (k, texel) in texels[at..at + run].iter_mut().enumerate() {
                     texel[channel] = values[k % taken];
@@ -123,7 +124,7 @@ fn scanline(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, &'static str
         let (&texel, behind) = rest.split_first_chunk::<4>().ok_or(SHORT)?;
         *rest = behind;
         if let [1, 1, 1, count] = texel {
-            // Counts behind one another are digits of one number.
+            // Consecutive counts are digits of one number.
             let count = usize::from(count).checked_shl(shift).unwrap_or(width).min(width - texels.len());
             let last = *texels.last().ok_or("a scanline begins with a repetition")?;
             texels.extend(std::iter::repeat_n(last, count));
@@ -157,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn a_texel_is_its_mantissas_times_a_power_of_two() {
+    fn texel_is_mantissa_times_power_of_two() {
         let (_, pixels) = read("-Y 1 +X 3", &[128, 64, 0, 129, 9, 9, 9, 0, 255, 1, 2, 60]).unwrap();
         let unit = 2.0_f32.powi(60 - 136);
         assert_eq!(
@@ -171,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn exposures_that_are_not_positive_are_ignored() {
+    fn exposure_that_is_not_positive_is_ignored() {
         let of = |exposure: &str| {
             let head = format!("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE={exposure}\n\n-Y 1 +X 1\n");
             decode(&[head.as_bytes(), &[128, 128, 128, 129]].concat(), |_, _| true).unwrap().1
@@ -189,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn runs_of_both_kinds_are_what_they_stand_for() {
+    fn both_run_length_encodings() {
         let plain: Vec<u8> = (0..9).flat_map(|k| [if k < 6 { 5 } else { k }, 0, 7, 130]).collect();
         let old = [[5, 0, 7, 130], [1, 1, 1, 5], [6, 0, 7, 130], [7, 0, 7, 130], [8, 0, 7, 130]].concat();
         let new = [&[2, 2, 0, 9, 128 + 6, 5, 3, 6, 7, 8][..], &[137, 0, 137, 7, 137, 130]].concat();
@@ -202,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn every_orientation_is_turned_upright() {
+    fn orientations_are_normalized() {
         let red = |k: u8| [k, 0, 0, 136];
         let upright = [red(1), red(2), red(3), red(4), red(5), red(6)].concat();
         let (_, expected) = read("-Y 2 +X 3", &upright).unwrap();
@@ -217,22 +218,22 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_picture_says_why() {
+    fn radiance_errors() {
         for (size, data, said) in [
-            ("-Y 1 +X 9", &[2, 2, 0, 9, 0][..], "a run leaves its scanline"),
-            ("-Y 1 +X 9", &[2, 2, 0, 9, 138, 1], "a run leaves its scanline"),
-            ("-Y 1 +X 9", &[2, 2, 0, 8], "a scanline has another width than the image"),
-            ("-Y 1 +X 9", &[2, 2, 0, 9, 5, 1], "the file ends within its pixels"),
+            ("-Y 1 +X 9", &[2, 2, 0, 9, 0][..], "a run extends beyond its scanline"),
+            ("-Y 1 +X 9", &[2, 2, 0, 9, 138, 1], "a run extends beyond its scanline"),
+            ("-Y 1 +X 9", &[2, 2, 0, 8], "scanline width differs from the image width"),
+            ("-Y 1 +X 9", &[2, 2, 0, 9, 5, 1], "file ends within the pixel data"),
             ("-Y 1 +X 2", &[1, 1, 1, 1], "a scanline begins with a repetition"),
-            ("-Y 1 +X", &[], "the size is not four words"),
-            ("-Y 1 +Y 2", &[], "the size has other axes than X and Y"),
-            ("-Y -1 +X 2", &[], "the size is no number"),
+            ("-Y 1 +X", &[], "image size is not four words"),
+            ("-Y 1 +Y 2", &[], "image size has axes other than X and Y"),
+            ("-Y -1 +X 2", &[], "image size is not a number"),
         ] {
             assert_eq!(read(size, data), Err(said), "{size}");
         }
         assert_eq!(
             decode(b"#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n", |_, _| true).unwrap_err().split(':').next(),
-            Some("its colours are not RGB")
+            Some("unsupported color format")
         );
     }
 }

@@ -1,4 +1,5 @@
-//! Images from files, PNG of 8 and 16 bits, JPEG, WebP, Radiance HDR and OpenEXR, as data: no transfer curve, alpha left out.
+//! Reads images as data: PNG of 8 and 16 bits, JPEG, WebP, Radiance HDR and OpenEXR, without a
+//! transfer curve or alpha.
 
 use std::{io::Cursor, path::Path};
 
@@ -14,16 +15,17 @@ use crate::{
     input_file,
 };
 
-/// A file of as many bytes as its greatest picture has as `f32`.
+/// The size of the largest image as `f32`.
 const MOST_BYTES: u64 = 1 << 31;
-/// An image by planes, each row by row from the top left.
+/// An image in planes, each row by row from the top left.
 #[derive(Debug, PartialEq)]
 pub struct ImageFile {
     pub width: usize,
     pub height: usize,
-    /// One plane of gray, two of x and y, or three; integers in [0, 1], floats as they are.
+    /// One plane of gray, two of x and y, or three. Integers are scaled to [0, 1], floats are
+    /// unchanged.
     pub planes: Vec<Vec<f32>>,
-    /// Samples are floats: light as it is, and signed coordinates of normals.
+    /// Whether samples are floats: linear light, or signed components of normals.
     pub floats: bool,
 }
 
@@ -34,7 +36,7 @@ impl ImageFile {
         Self::decode(&bytes.map_err(|error| ImageFileError::Unreadable { error })?, content)
     }
 
-    /// Decodes a file's bytes. Nothing is allocated for pixels that the bytes cannot hold.
+    /// Decodes a file. Nothing is allocated for pixels that the bytes cannot hold.
     pub fn decode(bytes: &[u8], content: Content) -> Result<Self, ImageFileError> {
         match *bytes {
             [] => Err(ImageFileError::Empty),
@@ -50,7 +52,7 @@ impl ImageFile {
         }
     }
 
-    /// An image of integers that are interleaved, so many bytes each, with the greatest first.
+    /// Converts interleaved integers of `step` bytes each, most significant byte first.
     fn of_integers(width: usize, height: usize, channels: usize, step: usize, bytes: &[u8]) -> Self {
         let top = if step == 2 { 65_535.0 } else { 255.0 };
         let value =
@@ -60,12 +62,12 @@ impl ImageFile {
         Self { width, height, planes, floats: false }
     }
 
-    /// Red, green and blue, which are the same of a gray image.
+    /// Returns red, green and blue, which are equal for a gray image.
     pub fn colors(&self) -> [&[f32]; 3] {
         [0, 1, 2].map(|k| self.planes.get(k).or(self.planes.first()).map_or(&[][..], Vec::as_slice))
     }
 
-    /// The mean of red, green and blue.
+    /// Returns the mean of red, green and blue.
     pub fn grey(&self) -> Vec<f32> {
         let [r, g, b] = self.colors();
         if self.planes.len() == 1 {
@@ -139,7 +141,7 @@ mod tests {
     use super::*;
     use crate::image::formats::exr;
 
-    /// A PNG; without samples its header alone tells a size.
+    /// Encodes a PNG. Without samples only the header is written.
     fn encode(size: [u32; 2], color: ColorType, depth: BitDepth, samples: &[u8]) -> Vec<u8> {
         let mut bytes = Vec::new();
         let mut encoder = png::Encoder::new(&mut bytes, size[0], size[1]);
@@ -156,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn grey_with_alpha_keeps_its_grey_and_colours_their_planes() {
+    fn png_gray_with_alpha_and_color_planes() {
         let grey = encode([2, 1], ColorType::GrayscaleAlpha, BitDepth::Eight, &[255, 0, 51, 9]);
         assert_eq!(ImageFile::decode(&grey, Content::Colors).unwrap().planes, [[1.0, 0.2]]);
         let rgba = [[255, 0], [0, 0], [0, 51], [7, 7]].concat();
@@ -168,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn light_of_a_radiance_file_is_linear() {
+    fn radiance_is_linear() {
         let bytes = b"#?RGBE\n\n-Y 1 +X 1\n\x80\x40\x00\x81".to_vec();
         let image = ImageFile::decode(&bytes, Content::Colors).unwrap();
         assert_eq!((image.floats, image.grey().len()), (true, 1));
@@ -176,11 +178,11 @@ mod tests {
     }
 
     #[test]
-    fn headers_without_data_are_refused_before_anything_is_allocated() {
+    fn png_headers_are_checked_before_allocation() {
         for (size, message) in [
             ([20_000, 20_000], "an image must have 1 to 134217728 pixels, got 20000 × 20000"),
             ([4096, 4096], "cannot hold the 4096 × 4096 pixels"),
-            ([8, 9], "the PNG cannot be decoded"),
+            ([8, 9], "cannot decode the PNG"),
         ] {
             let header = encode(size, ColorType::Grayscale, BitDepth::Eight, &[]);
             let error = ImageFile::decode(&header, Content::Colors).unwrap_err().to_string();
@@ -189,7 +191,7 @@ mod tests {
     }
 
     #[test]
-    fn textures_read_back_and_without_data_are_refused() {
+    fn images_read_back_and_errors() {
         let texels = vec![0.25, f32::MAX, 0.0, -1.0, 1.0, 2.0, 3.0, 4.0];
         let good = exr(4, 2, [("Y", texels.clone()), ("A", vec![1.0; 8])]).unwrap();
         let image = ImageFile::decode(&good.clone(), Content::Colors).unwrap();
@@ -207,15 +209,18 @@ mod tests {
         for (bytes, message) in [
             (claiming(20_000, 20_000), "an image must have 1 to 134217728 pixels"),
             (claiming(4, 4_000_000), "cannot hold the 4 × 4000000 pixels"),
-            (good[..20].to_vec(), "the OpenEXR file cannot be decoded"),
-            (alpha, "the image has no channel but alpha"),
-            (b"GIF89a".to_vec(), "the file is none of PNG, JPEG, WebP, Radiance HDR and OpenEXR"),
-            (vec![0xff, 0xd8, 0xff, 0xe0], "the JPEG cannot be decoded"),
-            (b"RIFF\x04\0\0\0WEBP".to_vec(), "the WebP cannot be decoded"),
+            (good[..20].to_vec(), "cannot decode the OpenEXR file"),
+            (alpha, "the image has only an alpha channel"),
+            (
+                b"GIF89a".to_vec(),
+                "unsupported image format (expected PNG, JPEG, WebP, Radiance HDR or OpenEXR)",
+            ),
+            (vec![0xff, 0xd8, 0xff, 0xe0], "cannot decode the JPEG"),
+            (b"RIFF\x04\0\0\0WEBP".to_vec(), "cannot decode the WebP"),
             (b"#?RGBE\n\n-Y 20000 +X 20000\n".to_vec(), "an image must have 1 to 134217728 pixels"),
             (
                 b"#?RGBE\n\n-Y 2 +X 2\n".to_vec(),
-                "the Radiance HDR cannot be decoded: the file ends within its pixels",
+                "cannot decode the Radiance HDR: file ends within the pixel data",
             ),
             (Vec::new(), "the file is empty"),
         ] {

@@ -1,4 +1,4 @@
-//! Samples where they are needed: every pixel until the standard error of its mean is small beside it.
+//! Adaptive sampling: every pixel is sampled until the standard error of its mean is small.
 
 use glam::Vec3;
 
@@ -14,32 +14,37 @@ use crate::{
     scene::Scene,
 };
 
-/// The grain at which a picture is done.
+/// The noise target of an image.
 #[derive(Clone, Copy, Debug)]
 pub struct Goal {
-    /// Standard error of what the samples of a pixel show of its luminance, over what is shown: the median over the pixels, and at most
-    /// twice that of any but for its number of samples; 1.25 times both where neighbours share them.
+    /// Standard error of a pixel's displayed luminance, relative to the displayed luminance. The
+    /// median over the pixels is at most this value, and any pixel is at most at twice this value,
+    /// unless it reaches the maximum number of samples. Both limits are 1.25 times as large where
+    /// neighbors are combined.
     pub error: f32,
-    /// The number that is shown of a linear luminance, by the tone curve and the screen's.
+    /// Maps linear luminance to displayed luminance, by the tone curve and the display's transfer
+    /// curve.
     pub shown: fn(f32) -> f32,
-    /// Shown luminance below which errors are told over it instead: what is darker is seen no better.
+    /// Displayed luminance below which errors are relative to this value, because darker errors are
+    /// not visible.
     pub dark: f32,
-    /// Numbers of samples that a pixel has at least and at most.
+    /// Minimum and maximum number of samples per pixel.
     pub samples: [u32; 2],
     pub detail: Detail,
 }
 
-/// The size of what there is to be seen.
+/// The size of visible detail.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Detail {
-    /// Larger than pixels, or of more contrast than the goal: noise within it is taken out by neighbours that look alike.
+    /// Larger than pixels, or with more contrast than the target: noise is removed by averaging
+    /// similar neighbors.
     Coarse,
-    /// Of the size of pixels, like that of fibres and points of light: pixels stay as their own samples are.
+    /// At the size of pixels, e.g. fibers and glints: pixels keep their own samples.
     Fine,
 }
 
 impl Goal {
-    /// The median of the error of the samples alone.
+    /// Returns the median error of the samples before smoothing.
     fn of_samples(&self) -> f32 {
         match self.detail {
             Detail::Coarse => SHARED * self.error,
@@ -47,44 +52,49 @@ impl Goal {
         }
     }
 
-    /// The error of samples that is so many times the median's, of a pixel that shows this.
+    /// Returns the target sample error at `lenience` times the median, for a pixel that displays
+    /// `shown`.
     fn at(&self, shown: f32, lenience: f32) -> f32 {
         lenience * self.of_samples() * shown.max(self.dark)
     }
 }
 
-/// The grain of a picture that is done.
+/// The noise of a finished image.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grain {
-    /// Standard error of what the picture shows of a pixel's luminance, over what it shows: the median over the pixels that have any.
+    /// Standard error of a pixel's displayed luminance, relative to it: the median over the pixels
+    /// with any.
     pub median: f32,
-    /// Mean number of samples of a pixel.
+    /// Mean number of samples per pixel.
     pub samples: f32,
 }
 
-/// Errors that every pixel is brought to, over the median that is the goal: the largest that brings it, or the goal itself.
+/// Candidates for the maximum error of a pixel relative to the target median. The largest that
+/// reaches the target is used, or else the target itself.
 const LENIENCE: [f32; 5] = [2.0, 1.7, 1.5, 1.3, 1.1];
 
-/// Errors of samples, over those of the goal, where neighbours share them.
+/// Sample errors relative to the target, where neighbors are combined.
 const SHARED: f32 = 1.25;
 
 /// Half the side of the square of pixels whose variances are pooled.
 const REACH: usize = 3;
 
-/// Factor by which the samples of a pixel grow in one pass at most: variances of few samples are told by few.
+/// Maximum growth factor of a pixel's samples per pass, because few samples estimate a variance
+/// poorly.
 const GROWTH: u32 = 2;
 
-/// Weights of a pixel and of its two neighbours along each axis: with the pixel's own square a filter of deviation 0.58 pixels, about
-/// that of a Gaussian as renderers have it.
+/// Weights of a pixel and of its two neighbors along each axis. Together with the pixel's own box
+/// this is a filter of deviation 0.58 pixels, similar to the usual Gaussian of renderers.
 const FILTER: [f32; 2] = [0.75, 0.125];
 
-/// The share of the variance of pixels that their filtered mean has.
+/// The fraction of the variance of pixels that remains in their filtered mean.
 const KEPT: f32 = {
     let along = FILTER[0] * FILTER[0] + 2.0 * FILTER[1] * FILTER[1];
     along * along
 };
 
-/// Samples of one pixel in two halves, each with points of its own, so that their difference tells the error of their mean.
+/// Samples of one pixel in two halves with independent points, so that their difference estimates
+/// the error of their mean.
 #[derive(Clone, Copy, Default)]
 struct Halves {
     sums: [Vec3; 2],
@@ -97,27 +107,29 @@ impl Halves {
         (self.sums[0] + self.sums[1]) / (2 * self.count).max(1) as f32
     }
 
-    /// Variance of one sample, of luminance: an estimate of one degree of freedom.
+    /// Returns the variance of one sample's luminance, an estimate with one degree of freedom.
     fn variance(&self) -> f32 {
         let difference = luminance(self.sums[0] - self.sums[1]);
         difference * difference / (2 * self.count).max(1) as f32
     }
 }
 
-/// Luminance of linear RGB of ITU-R BT.709.
+/// Returns the luminance of linear RGB, ITU-R BT.709.
 fn luminance(colour: Vec3) -> f32 {
     colour.dot(Vec3::new(0.2126, 0.7152, 0.0722))
 }
 
-/// The mean of `radiance` over the samples of each pixel, as many as bring their standard errors to the goal.
+/// Renders the mean of `radiance` per pixel, with as many samples as the error target requires.
 ///
-/// The samples of a pixel are two sequences of [`Sampler`] in turn, which are independent: a quarter of the square of the difference
-/// of their means is the variance of the mean of all, whatever order there is in each. Over squares of pixels these are averaged; a
-/// pixel that has met nothing bright by chance is judged by its neighbours as well. Rousselle, Knaus and Zwicker 2012, "Adaptive
-/// Rendering with Non-Local Means Filtering", has the two halves. From what noise the goal lets them have both are freed by each other,
-/// and the error of the picture is told by their difference after that.
+/// The samples of a pixel alternate between two independent sequences of [`Sampler`]. A quarter of
+/// the squared difference of their means is the variance of the overall mean, whatever structure
+/// each sequence has. These variances are averaged over squares of pixels, so that a pixel that
+/// missed all bright samples by chance is judged by its neighbors too. The two halves follow
+/// Rousselle, Knaus and Zwicker 2012, "Adaptive Rendering with Non-Local Means Filtering". Each
+/// half is denoised with weights from the other, to the extent that the target permits. The
+/// difference afterward estimates the error of the image.
 ///
-/// One image whatever the number of threads.
+/// The image does not depend on the number of threads.
 pub fn render_until(
     sampling: Sampling,
     goal: &Goal,
@@ -133,7 +145,7 @@ pub fn render_until(
     Ok((mean(&halves), grain))
 }
 
-/// The pictures of both halves.
+/// Returns the images of both halves.
 fn pictures(
     pixels: &[Halves],
     [width, height]: [u32; 2],
@@ -153,7 +165,8 @@ fn mean([first, second]: &[Image; 2]) -> Image {
     Image { pixels, ..*first }
 }
 
-/// The means of both halves; of coarse detail without most of the noise that the goal lets pixels have.
+/// Returns the means of both halves. For coarse detail, most of the noise that the target permits
+/// is removed.
 fn smoothed(
     pixels: &[Halves],
     columns: usize,
@@ -172,7 +185,8 @@ fn smoothed(
     let variance = |((pixel, shown), variance): ((&Halves, Shown), f32)| {
         let most = goal.at(shown.value, 2.0 * LENIENCE[0]);
         let count = pixel.count.max(1) as f32;
-        // What the most samples have left far above the goal are points of light, which smoothing would turn into squares.
+        // Pixels far above the target with the maximum samples are glints, which smoothing would
+        // turn into squares.
         if shown.variance / count > most * most { 0.0 } else { variance / count }
     };
     let about = shown_of(pixels, columns, goal.shown);
@@ -181,7 +195,7 @@ fn smoothed(
     non_local_means::Halves { columns, halves: &halves, variances: &variances }.smoothed(watch)
 }
 
-/// The samples of every pixel.
+/// Returns the samples of every pixel.
 fn sampled(
     Sampling { width, height, seed, .. }: Sampling,
     goal: &Goal,
@@ -215,7 +229,8 @@ fn sampled(
     Ok(pixels)
 }
 
-/// The numbers of samples in each half of every pixel that bring the picture to its goal, and no more than `most`.
+/// Returns the number of samples in each half of every pixel that reaches the target, at most
+/// `most`.
 fn enough(pixels: &[Halves], columns: usize, goal: &Goal, most: u32) -> Vec<u32> {
     let about = shown_of(pixels, columns, goal.shown);
     let counts = |lenience: f32| {
@@ -231,15 +246,15 @@ fn enough(pixels: &[Halves], columns: usize, goal: &Goal, most: u32) -> Vec<u32>
     counts(lenience).collect()
 }
 
-/// Luminance about a pixel, by the curve that shows it.
+/// Displayed luminance around a pixel.
 struct Shown {
     value: f32,
-    /// Variance of it with one sample in each half.
+    /// Its variance with one sample in each half.
     variance: f32,
 }
 
 impl Shown {
-    /// Standard error over what is shown, with so many samples in each half.
+    /// Returns the relative standard error with `count` samples in each half.
     fn error(&self, count: u32) -> f32 {
         (self.variance / count.max(1) as f32).sqrt() / self.value
     }
@@ -254,7 +269,7 @@ fn shown_of(pixels: &[Halves], columns: usize, curve: fn(f32) -> f32) -> Vec<Sho
     variances.into_iter().zip(means).map(shown).collect()
 }
 
-/// Standard errors of what the mean of two pictures shows of luminance, over what it shows.
+/// Returns the relative standard errors of the displayed luminance of the mean of two images.
 fn errors(halves: &[Image; 2], curve: fn(f32) -> f32) -> Vec<f32> {
     let pairs =
         || halves[0].pixels.iter().zip(&halves[1].pixels).map(|(a, b)| [luminance(*a), luminance(*b)]);
@@ -265,20 +280,21 @@ fn errors(halves: &[Image; 2], curve: fn(f32) -> f32) -> Vec<f32> {
     averaged(&variances, columns, REACH).into_iter().zip(averaged(&means, columns, 1)).map(error).collect()
 }
 
-/// The slope of a curve at a luminance, over a tenth of it: where light is cut off errors are not seen.
+/// Returns the slope of a curve at a luminance, over a tenth of it. Where the curve saturates,
+/// errors are invisible.
 fn slope(shown: fn(f32) -> f32, luminance: f32) -> f32 {
     let step = 0.05 * luminance.max(1e-4);
     (shown(luminance + step) - shown(luminance - step)) / (2.0 * step)
 }
 
-/// The median of the errors of pixels that have any.
+/// Returns the median of the nonzero errors.
 fn median(errors: impl Iterator<Item = f32>) -> f32 {
     let mut errors: Vec<f32> = errors.filter(|error| error.is_finite() && *error > 0.0).collect();
     let middle = errors.len() / 2;
     if errors.is_empty() { 0.0 } else { *errors.select_nth_unstable_by(middle, f32::total_cmp).1 }
 }
 
-/// The picture by its filter; beyond the border it goes on as it ends.
+/// Applies the reconstruction filter, with clamped borders.
 fn reconstructed(image: &Image) -> Image {
     let along = |image: &Image, [dx, dy]: [u32; 2]| {
         let at = |x: u32, y: u32| {
@@ -293,14 +309,14 @@ fn reconstructed(image: &Image) -> Image {
     along(&along(image, [1, 0]), [0, 1])
 }
 
-/// Variance of a sample and mean luminance about every pixel.
+/// Returns the variance of a sample and the mean luminance around every pixel.
 fn pooled(pixels: &[Halves], columns: usize) -> (Vec<f32>, Vec<f32>) {
     let variances = pixels.iter().map(Halves::variance).collect::<Vec<_>>();
     let means = pixels.iter().map(|pixel| luminance(pixel.mean())).collect::<Vec<_>>();
     (averaged(&variances, columns, REACH), averaged(&means, columns, 1))
 }
 
-/// The means over squares of pixels, of what of them is in the picture.
+/// Returns means over squares of pixels, clipped to the image.
 fn averaged(values: &[f32], columns: usize, reach: usize) -> Vec<f32> {
     let along = |values: &[f32], count: usize, step: usize, index: usize| {
         let place = index / step % count;
@@ -314,7 +330,7 @@ fn averaged(values: &[f32], columns: usize, reach: usize) -> Vec<f32> {
 }
 
 impl Scene<'_, '_> {
-    /// Draws it in linear radiance until it has the grain of a goal.
+    /// Renders linear radiance until the noise target is reached.
     pub fn draw_until(
         &self,
         sampling: Sampling,
@@ -346,9 +362,9 @@ mod tests {
 
     const SAMPLING: Sampling = Sampling { width: SIDE, height: SIDE, samples_per_pixel: 1024, seed: 3 };
 
-    /// Light that few samples meet on the left and all on the right, with a mean of 1 on both sides.
+    /// Light that few samples hit on the left and all on the right, with a mean of 1 on both sides.
     fn speckled(x: f32, _: f32, sampler: &mut Sampler) -> Vec3 {
-        // Without any order, as hashes of points are.
+        // Without stratification, like hashed points.
         let bits = sampler.point().to_array().map(f32::to_bits);
         let [u, v] = [0, 1].map(|k| (hash(bits[k] ^ hash(bits[1 - k])) >> 8) as f32 / 16_777_216.0);
         let share = if x < 20.0 { 0.02 } else { 1.0 };
@@ -365,7 +381,7 @@ mod tests {
     }
 
     #[test]
-    fn the_error_told_is_that_of_a_picture_against_its_limit() {
+    fn reported_error_matches_error_against_the_limit() {
         let studio = Studio::new(1.0);
         let chalk = Lambert::new(Vec3::splat(0.5)).unwrap();
         let objects = Set::Sphere.objects(Box::new(chalk), PLAIN).unwrap();
@@ -392,20 +408,21 @@ mod tests {
             let median = ratios[ratios.len() / 2];
             assert!((0.5..0.85).contains(&median), "{detail:?}: half are below {median} of what is told");
         }
-        // Neighbours do more than make up for fewer samples.
+        // Neighbors more than compensate for few samples.
         assert!(told_medians[1] < told_medians[0], "{told_medians:?}");
     }
 
     #[test]
-    fn no_more_samples_are_drawn_than_bring_the_median_to_the_goal() {
-        // Light of mean 1 whose deviation is the larger the further to the right.
+    fn sample_count_just_reaches_the_target() {
+        // Light of mean 1 whose deviation increases to the right.
         let rising = |scale: f32| {
             move |x: f32, y: f32, sampler: &mut Sampler| {
                 let deviation = scale * (x / SIDE as f32).powi(3);
                 Vec3::splat(1.0 + deviation * (speckled(x.max(20.0), y, sampler).x - 1.0) * 12.0_f32.sqrt())
             }
         };
-        // In the middle eight samples have a filtered error of 0.026 times the scale: half of the pixels need no more, or nearly all do.
+        // In the middle eight samples have a filtered error of 0.026 times the scale. Half of the
+        // pixels need no more, or nearly all do.
         for (scale, even) in [(1.5, false), (8.0, true)] {
             let goal =
                 Goal { error: 0.05, shown: |x| x, dark: 0.0, samples: [8, 1 << 16], detail: Detail::Fine };
@@ -414,18 +431,18 @@ mod tests {
             let errors = pixels.iter().zip(shown).map(|(pixel, shown)| shown.error(pixel.count));
             let mut errors: Vec<f32> = errors.filter(|error| *error > 0.0).collect();
             errors.sort_by(f32::total_cmp);
-            // Where pixels are the noisiest but for a few.
+            // Among the noisiest pixels except a few.
             let most = errors[errors.len() * 9 / 10] / goal.error;
             let median = errors[errors.len() / 2] / goal.error;
             let range = if even { 0.8..1.05 } else { 0.0..1.0 };
             assert!(range.contains(&median), "{median}, {most}");
-            // No less than a tenth of pixels have what all may have.
+            // At least a tenth of the pixels have the maximum number.
             assert!((1.65..2.2).contains(&most), "{median}, {most}");
         }
     }
 
     #[test]
-    fn samples_go_where_few_meet_light_and_pixels_that_met_none_are_not_taken_for_black() {
+    fn unlucky_dark_pixels_still_get_samples() {
         let goal = Goal { error: 0.25, shown: |x| x, dark: 0.0, samples: [4, 4096], detail: Detail::Fine };
         let pixels = sampled_by(&goal, 2, speckled);
         let counts = |left: bool| {
@@ -434,7 +451,8 @@ mod tests {
             own.map(|(pixel, _)| f64::from(2 * pixel.count)).collect::<Vec<_>>()
         };
         let [left, right] = [true, false].map(counts);
-        // A sample's variance is ((0.5 + v)² over v)/0.02 − 1 = 53: 16 times that for an error of a quarter, of which the filter keeps 0.35.
+        // A sample's variance is ((0.5 + v)² over v)/0.02 − 1 = 53: 16 times that for an error of a
+        // quarter, of which the filter keeps 0.35.
         let mean = left.iter().sum::<f64>() / left.len() as f64;
         assert!((200.0..500.0).contains(&mean), "{mean}");
         assert!(left.iter().all(|&count| count > 60.0), "{left:?}");
@@ -442,7 +460,7 @@ mod tests {
     }
 
     #[test]
-    fn points_of_light_stand_where_noise_is_taken_out_beside_them() {
+    fn glints_survive_next_to_smoothed_noise() {
         let goal = Goal { error: 0.05, shown: |x| x, dark: 0.0, samples: [8, 8], detail: Detail::Coarse };
         let pixels = sampled_by(&goal, 2, speckled);
         let [own, shared] = [Detail::Fine, Detail::Coarse].map(|detail| {
@@ -452,7 +470,7 @@ mod tests {
             let own = own.iter().zip(&shared).zip(0..).filter(move |(_, k)| range.contains(&(k % SIDE)));
             own.map(|(pair, _)| pair)
         };
-        // Errors are 1.5 on the left and 0.06 on the right; up to 0.25 they are taken out.
+        // Errors are 1.5 on the left and 0.06 on the right. Errors up to 0.25 are removed.
         assert!(columns(0..14).all(|(own, shared)| own == shared));
         let deviation = |of: fn(&([Vec3; 2], [Vec3; 2])) -> f32| {
             columns(24..SIDE).map(|(own, shared)| of(&(*own, *shared)).powi(2)).sum::<f32>().sqrt()
@@ -463,7 +481,7 @@ mod tests {
     }
 
     #[test]
-    fn the_filter_keeps_the_light_and_the_share_of_variance_that_is_told() {
+    fn filter_keeps_the_mean_and_its_variance_fraction() {
         let noise = |x: u32, y: u32| (hash(x ^ hash(y)) >> 8) as f32 / 16_777_216.0 - 0.5;
         let image = reconstructed(&Image::from_fn(128, 128, |x, y| Vec3::splat(noise(x, y))));
         let variance = image.pixels.iter().map(|p| p.x * p.x).sum::<f32>() / 16_384.0;
@@ -475,7 +493,7 @@ mod tests {
     }
 
     #[test]
-    fn the_number_of_threads_changes_no_bit_and_no_pixel_leaves_its_bounds() {
+    fn image_is_independent_of_threads_and_within_sample_bounds() {
         let goal = Goal { error: 0.1, shown: |x| x, dark: 0.0, samples: [6, 64], detail: Detail::Fine };
         let [one, three] = [1, 3].map(|threads| sampled_by(&goal, threads, speckled));
         assert!(one.iter().zip(&three).all(|(a, b)| a.sums == b.sums && a.count == b.count));

@@ -1,4 +1,4 @@
-//! Direct light of lamps, with their shadows.
+//! Direct light of lamps, with shadows.
 
 use std::f32::consts::PI;
 
@@ -7,7 +7,7 @@ use glam::Vec3;
 use crate::{integrator::Spot, light::lamps::Lamps, scene::Scene};
 
 impl Scene<'_, '_> {
-    /// `π Σ colour · f_r cos θ` over the lamps that are seen.
+    /// Returns `π Σ colour · f_r cos θ` over the visible lamps.
     pub(super) fn lit_by_lamps(&self, lamps: &[Lamps], spot: &Spot<'_>) -> Vec3 {
         let lit = lamps.iter().map(|lamps| match lamps {
             Lamps::Far { lights, shadow } => {

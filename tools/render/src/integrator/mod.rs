@@ -1,4 +1,4 @@
-//! Two integrators over one scene: direct light of lamps, and paths in light from all around.
+//! Two integrators for a scene: direct light of lamps, and path tracing under an environment.
 
 pub mod adaptive;
 pub mod direct;
@@ -29,22 +29,23 @@ use crate::{
     scene::{Light, Meeting, Scene},
 };
 
-/// The most round footprints of a pixel.
+/// Maximum number of round footprints per pixel.
 const TAPS: u32 = 16;
-/// Mirrors in mirrors.
+/// Maximum depth of specular reflections.
 const MIRRORS: u32 = 6;
-/// Places of a blurred mirror under lamps.
+/// Samples of a blurred reflection under lamps.
 const BLUR: u32 = 16;
 
 impl Scene<'_, '_> {
-    /// Draws it, in linear radiance.
+    /// Renders the scene in linear radiance.
     pub fn draw(&self, sampling: Sampling, camera: &Camera, watch: Watch<'_>) -> Result<Image, Failure> {
         let samples = 0..sampling.samples_per_pixel.max(1);
         Ok(self.and(&Sums::default(), samples, sampling, camera, watch)?.mean())
     }
 
-    /// Draws it in passes of ever more samples, and hands over each with its number of samples and its noise, until the noise of
-    /// what is `shown` of a channel is at most `goal` or all samples are drawn.
+    /// Renders in passes with increasing sample counts, and passes on each with its sample count
+    /// and noise. Stops when the noise of the displayed (`shown`) channel is at most `goal`, or at
+    /// the maximum number of samples.
     pub fn refine(
         &self,
         sampling: Sampling,
@@ -68,7 +69,7 @@ impl Scene<'_, '_> {
         }
     }
 
-    /// Sums with more samples.
+    /// Adds more samples to the sums.
     fn and(
         &self,
         sums: &Sums,
@@ -94,7 +95,7 @@ impl Scene<'_, '_> {
         })
     }
 
-    /// The radiance along a ray of the camera, through a place of the picture whose sides are 1.
+    /// Returns the radiance along a camera ray, through a position of the image with sides 1.
     pub fn seen(&self, ray: &Ray, place: [f32; 2], sampler: &mut Sampler) -> Sight {
         match self.first_hit(ray.origin, ray.direction) {
             Some(meeting) => {
@@ -104,7 +105,8 @@ impl Scene<'_, '_> {
         }
     }
 
-    /// The radiance from a hit along its ray, after so many mirrors and before so many bounces from object to object.
+    /// Returns the radiance from a hit along its ray, after `mirrors` specular reflections and with
+    /// `bounces` interreflections left.
     fn shade(
         &self,
         ray: &Ray,
@@ -117,7 +119,8 @@ impl Scene<'_, '_> {
         let step = self.start * hit.t.max(1e-3) * facing.flat;
         let (above, below) = (facing.position + facing.lift[0] + step, facing.position - step);
         let outside = facing.flat == hit.flat;
-        // A body is seen from inside; of anything else the inside of a spout is shaded like the outside.
+        // A body is visible from inside. For anything else, the inside of a spout is shaded like
+        // the outside.
         let hit = if object.body.is_some() { hit.consistent(ray.direction) } else { facing };
         let point = match self.light {
             Light::Around(_) => tap(&hit, ray.spread(&hit), sampler.point().x),
@@ -143,7 +146,8 @@ impl Scene<'_, '_> {
                 Light::Around(light) => self.lit_by_paths(*light, &spot, sampler, [mirrors, bounces]),
             };
         let u = sampler.point();
-        // Lamps are for pictures without noise: slopes too fine for the pixel are seen in several places at once.
+        // Lamp scenes are noise free: slopes too fine for the pixel are sampled at several points
+        // at once.
         let paths = matches!(self.light, Light::Around(_));
         let blurred = !paths && mirrors == 0 && bsdf.deltas(wo, u) != bsdf.deltas(wo, (u + 0.37).fract());
         let count = if blurred { BLUR } else { 1 };
@@ -159,7 +163,8 @@ impl Scene<'_, '_> {
         }
     }
 
-    /// Light that a smooth surface mirrors and transmits, each along a ray from its own side.
+    /// Returns the light that a smooth surface reflects and transmits, each along a ray from its
+    /// own side.
     fn smooth(
         &self,
         spot: &Spot<'_>,
@@ -171,7 +176,7 @@ impl Scene<'_, '_> {
         let Spot { ray, hit, frame, wo, .. } = *spot;
         let mut sum = Vec3::ZERO;
         let [share, rest] = [mirrored, transmitted].map(|delta| delta.weight.max_element());
-        // Both ways once; further in one of them, as likely as there is light in it.
+        // Both paths once, then only one of them, chosen in proportion to its light.
         if share > 0.0 && rest > 0.0 && mirrors > 0 && matches!(self.light, Light::Around(_)) {
             let (chosen, other, chance) = if sampler.point().x * (share + rest) < share {
                 (&mut mirrored, &mut transmitted, share / (share + rest))
@@ -182,7 +187,7 @@ impl Scene<'_, '_> {
             other.weight = Vec3::ZERO;
         }
         if mirrored.weight != Vec3::ZERO {
-            // What a bump mirrors into the surface would be mirrored out again.
+            // Light that a bump reflects into the surface would be reflected out again.
             let wi = mirrored.wi * Vec3::new(1.0, 1.0, (mirrored.wi.z * wo.z).signum());
             let next = ray.mirrored(hit, frame.to_world((mirrored.wi + wo).normalize_or_zero()), above);
             let next = Ray { direction: frame.to_world(wi).normalize(), ..next };
@@ -195,7 +200,8 @@ impl Scene<'_, '_> {
         sum
     }
 
-    /// The radiance along a ray from a smooth surface; a guess where there were many, or where it hardly counts.
+    /// Returns the radiance along a ray from a smooth surface, or an estimate at great depth or low
+    /// weight.
     fn followed(&self, ray: &Ray, weight: Vec3, sampler: &mut Sampler, mirrors: u32, bounces: u32) -> Vec3 {
         if mirrors < MIRRORS && weight.max_element() >= 0.004 {
             let met = self.first_hit(ray.origin, ray.direction);
@@ -209,51 +215,53 @@ impl Scene<'_, '_> {
     }
 }
 
-/// Radiance along a ray and the distance that it comes from, for a caller that puts something before it.
+/// Radiance along a ray, and the distance of its origin, for a caller that composites something in
+/// front.
 #[derive(Clone, Copy, Debug)]
 pub struct Sight {
     pub radiance: Vec3,
-    /// To the first hit; infinite where there is none.
+    /// Distance to the first hit, or infinity.
     pub distance: f32,
 }
 
-/// A point that is lit, as its material is.
+/// A lit point with its material.
 struct Spot<'a> {
     ray: &'a Ray,
     hit: &'a Hit,
     frame: Frame,
-    /// To the eye, in the frame.
+    /// Direction to the viewer, in the local frame.
     wo: Vec3,
     bsdf: &'a Bsdf<'a>,
-    /// Origins of rays that leave it, on the side of the eye and on the other.
+    /// Origins of rays that leave the point, on the viewer's side and on the other side.
     starts: [Vec3; 2],
-    /// Whether it is the surface of a body, whose inside is below.
+    /// Whether the point is on a body, whose inside is below the surface.
     body: bool,
 }
 
 impl Spot<'_> {
-    /// `f cos θ` for light from a direction in the world.
+    /// Returns `f cos θ` for light from a world direction.
     fn scattered(&self, direction: Vec3) -> Vec3 {
         self.bsdf.scattered(self.frame.to_local(direction), self.wo)
     }
 
-    /// Origin of a ray that leaves it in a direction in the frame.
+    /// Returns the origin of a ray that leaves in a local direction.
     fn start(&self, wi: Vec3) -> Vec3 {
         self.starts[usize::from(wi.z * self.wo.z < 0.0)]
     }
 
-    /// Whether a ray in this direction in the frame goes on inside of the body.
+    /// Whether a ray in this local direction continues inside the body.
     fn inside(&self, wi: Vec3) -> bool {
         self.body && wi.z < 0.0
     }
 }
 
-/// Point with one of the round footprints that cover the pixel, by a random number: each of the pixel's samples sees another.
+/// Returns the point with one of the round footprints that cover the pixel, chosen by a random
+/// number, so that each sample of the pixel uses another.
 fn tap(hit: &Hit, [dx, dy]: [Vec3; 2], u: f32) -> SurfacePoint {
     let point = hit.point(PixelEllipse::from_derivatives(dx, dy));
     let count = point.pixel.taps(TAPS).count();
     if count == 1 {
-        // The pixel itself, as a round one.
+        // The pixel itself, as a round footprint.
         return SurfacePoint { pixel: point.footprint().into(), ..point };
     }
     point.taps(TAPS).nth((u * count as f32) as usize).unwrap_or(point)
@@ -279,7 +287,7 @@ mod tests {
         scenes::{PLAIN, Set},
     };
 
-    /// The mean over a picture with 4096 samples.
+    /// Returns the mean over an image with 4096 samples.
     fn mean(scene: &Scene<'_, '_>, camera: &Camera) -> Vec3 {
         let sampling = Sampling { width: 16, height: 16, samples_per_pixel: 16, seed: 1 };
         let image = scene.draw(sampling, camera, Watch::unseen()).unwrap();
@@ -294,9 +302,9 @@ mod tests {
     }
 
     #[test]
-    fn nothing_white_is_seen_in_a_furnace() {
+    fn white_furnace() {
         let chalk = sphere(Lambert::new(Vec3::new(1.0, 0.5, 0.2)).unwrap(), None);
-        // Standard error of 4096 samples, half of them weighted away from the cosine: 0.01.
+        // Standard error of 4096 samples, half of them not cosine-weighted: 0.01.
         assert_abs_diff_eq!(chalk, Vec3::new(1.0, 0.5, 0.2), epsilon = 0.03);
         let glass = Dielectric::new(1.5).unwrap();
         for (coat, body) in [
@@ -306,7 +314,8 @@ mod tests {
         ] {
             assert_abs_diff_eq!(sphere(coat, body), Vec3::ONE, epsilon = 0.02);
         }
-        // Shadowing takes some 1 % at each surface, and what is mirrored inside more than six times is lost.
+        // Shadowing takes about 1 % at each surface, and light with more than six internal
+        // reflections is lost.
         for (coat, body) in [
             (Coat::pane(glass, Vec3::ONE).rough(0.1), None),
             (Coat::body(glass).rough(0.1), Some(Absorption::NONE)),
@@ -316,7 +325,7 @@ mod tests {
     }
 
     #[test]
-    fn a_lid_over_a_plane_takes_its_light() {
+    fn ball_over_a_plane_occludes_its_light() {
         let objects = vec![
             Object::new(Shape::Plane, Lambert::new(Vec3::splat(0.5)).unwrap()),
             Object::shaded(Shape::Sphere, |_, wo| Bsdf::new(wo)),
@@ -327,7 +336,8 @@ mod tests {
         scene.objects.truncate(1);
         let open = mean(&scene, &camera).x;
         assert_abs_diff_eq!(open, 0.5, epsilon = 0.01);
-        // The share of the sky, by the cosine, that a ball takes whose centre is on the plane, h of its radii away.
+        // The cosine-weighted fraction of the sky that a ball occludes, from a point on the plane
+        // at distance h of its radii.
         let h: f32 = 1.15;
         let root = (h * h - 1.0).sqrt();
         let hidden = ((1.0 / root).atan() - root / (h * h)) / PI;
@@ -335,8 +345,8 @@ mod tests {
     }
 
     #[test]
-    fn light_of_panels_is_the_light_of_the_same_room_without_them() {
-        /// Soft boxes that nothing knows to be such.
+    fn panel_sampling_matches_uniform_room() {
+        /// Soft boxes that are not exposed as panels.
         struct Unknown(Studio);
         impl Environment for Unknown {
             fn radiance(&self, direction: Vec3) -> Vec3 {
@@ -351,7 +361,7 @@ mod tests {
         }
         impl Surroundings for Unknown {}
         let studio = || Studio::new(1.0);
-        // Light by way of walls and of a ball of rough gloss is a good part of it.
+        // A large part of its light comes from walls and from a rough glossy ball.
         let mean = |light: &dyn Surroundings, samples_per_pixel| {
             let chalk = Lambert::new(Vec3::splat(0.9)).unwrap();
             let objects = Set::Room.objects(Box::new(chalk), PLAIN).unwrap();
@@ -362,8 +372,8 @@ mod tests {
             image.pixels.iter().sum::<Vec3>() / 1024.0
         };
         let (known, unknown) = (mean(&studio(), 16), mean(&Unknown(studio()), 64));
-        // Over sixteen seeds they differ by 0.26 %, which the noisier one loses where it is cut off as too bright; their deviations are
-        // 0.28 and 0.16 %.
+        // Over sixteen seeds they differ by 0.26 %, lost by the noisier estimate where it is
+        // clamped. Their deviations are 0.28 and 0.16 %.
         assert_abs_diff_eq!(known, unknown, epsilon = 0.008 * unknown.x);
     }
 }

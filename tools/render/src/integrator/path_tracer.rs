@@ -1,4 +1,5 @@
-//! Paths in light from all around: samples of the light and of the material, and one bounce from object to object.
+//! Path tracing under an environment: samples of the light and the material, and one
+//! interreflection.
 
 use asperity_shading::Brdf;
 use glam::Vec3;
@@ -10,16 +11,16 @@ use crate::{
     scene::Scene,
 };
 
-/// Light that comes by way of another object is cut off here: what is brighter would be speckles.
+/// Maximum radiance of interreflected light. Brighter samples would be fireflies.
 const BRIGHTEST: f32 = 2.5;
 
-/// Ways on from where a ray into a body meets its other side: at a roughness of 0.3 they vary nine times as much as
-/// the rays into it.
+/// Continuations where a ray inside a body reaches its other side. At roughness 0.3 their variance
+/// is nine times the variance of the rays into it.
 const WAYS: u32 = 4;
 
 impl Scene<'_, '_> {
-    /// Multiple importance sampling by the power heuristic: one sample of every panel, or of the light, and one of the layers, which
-    /// alone find the light between panels.
+    /// Multiple importance sampling with the power heuristic: one sample of every panel, or of the
+    /// light, and one of the layers. Only the layer sample finds the light between panels.
     ///
     /// Veach 1997, §9.2.
     pub(super) fn lit_by_paths(
@@ -60,7 +61,7 @@ impl Scene<'_, '_> {
             }
             Some(meeting) => {
                 let next = ray.scattered(hit, wi, (1.0 / density).sqrt().min(0.5), start);
-                // Behind rough glass, a body or a pane, light is on its way still.
+                // Behind rough glass, a body or a pane, light is not yet blocked.
                 let left = if local.z < 0.0 && mirrors < MIRRORS {
                     [mirrors + 1, bounces]
                 } else {
@@ -74,11 +75,11 @@ impl Scene<'_, '_> {
         }
     }
 
-    /// Light along one ray, which will do for what is seen by way of another object: to one of the panels or to the room between them,
-    /// as likely as there is light from it where nothing is in the way.
+    /// Returns the light along a single ray, sufficient for interreflections: to one of the panels
+    /// or to the room between them, in proportion to the unshadowed light.
     ///
-    /// One part of a sum in place of all, over the chance of that part: Talbot, Cline and Egbert 2005, "Importance Resampling for Global
-    /// Illumination".
+    /// One term of a sum replaces the whole sum, divided by its probability: Talbot, Cline and
+    /// Egbert 2005, "Importance Resampling for Global Illumination".
     fn lit_by_one(&self, light: &dyn Surroundings, spot: &Spot<'_>, sampler: &mut Sampler) -> Vec3 {
         let Spot { frame, wo, bsdf, .. } = spot;
         let panels = light.panels();
@@ -113,10 +114,10 @@ impl Scene<'_, '_> {
         if all > 0.0 { self.open(spot.start(frame.to_local(wi)), wi) * all * colour } else { Vec3::ZERO }
     }
 
-    /// The part of a radiance from a direction that is scattered where nothing is in its way.
+    /// Returns the scattered radiance from a direction, ignoring occlusion.
     fn unshadowed(spot: &Spot<'_>, wi: Vec3, radiance: Vec3) -> Vec3 {
         let local = spot.frame.to_local(wi);
-        // Light comes into a body through another place of its surface, not straight.
+        // Light enters a body at another point of its surface, not along a straight line.
         if spot.inside(local) || radiance == Vec3::ZERO {
             Vec3::ZERO
         } else {
@@ -124,7 +125,8 @@ impl Scene<'_, '_> {
         }
     }
 
-    /// The part of a radiance from a sampled direction that is scattered, weighted beside samples of the layers, if there are such.
+    /// Returns the scattered radiance of a sampled direction, weighted against samples of the
+    /// layers, if there are any.
     fn scattered_from(&self, spot: &Spot<'_>, wi: Vec3, radiance: Vec3, density: f32, layers: bool) -> Vec3 {
         let local = spot.frame.to_local(wi);
         let scattered = Self::unshadowed(spot, wi, radiance);
@@ -136,10 +138,11 @@ impl Scene<'_, '_> {
     }
 }
 
-/// The weight of a sample by the power heuristic with exponent 2, over the density that it was drawn with: `p / (p² + q²)` beside
-/// samples of density `q`.
+/// Returns the weight of a sample by the power heuristic with exponent 2, divided by its density:
+/// `p / (p² + q²)` against samples of density `q`.
 ///
-/// Samples of a matte surface that meet a small panel by chance hardly count, while by the balance heuristic they are speckles.
+/// Samples of a matte surface that hit a small panel by chance hardly contribute. With the balance
+/// heuristic they would be fireflies.
 fn weight(density: f32, other: f32) -> f32 {
     let ratio = other / density;
     1.0 / (density * (1.0 + ratio * ratio))

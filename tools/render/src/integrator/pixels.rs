@@ -1,4 +1,4 @@
-//! Pixels in parallel rows, with samples that depend on the pixel alone.
+//! Pixels in parallel rows. The samples of a pixel depend only on the pixel.
 
 use std::{
     ops::Range,
@@ -15,7 +15,7 @@ use crate::{
     sampling::{low_discrepancy::r2_from, sampler::hash},
 };
 
-/// The progress of a picture, and the flag that stops it.
+/// The progress of an image, and the flag that interrupts it.
 #[derive(Clone, Copy)]
 pub struct Watch<'a> {
     pub progress: &'a ProgressBar,
@@ -23,7 +23,7 @@ pub struct Watch<'a> {
 }
 
 impl Watch<'_> {
-    /// Shows nothing and never stops.
+    /// Shows no progress and never stops.
     pub fn unseen() -> Self {
         static PROGRESS: LazyLock<ProgressBar> = LazyLock::new(ProgressBar::hidden);
         static GO_ON: AtomicBool = AtomicBool::new(false);
@@ -31,7 +31,7 @@ impl Watch<'_> {
     }
 }
 
-/// Size and samples of a picture.
+/// Size and samples of an image.
 #[derive(Clone, Copy, Debug)]
 pub struct Sampling {
     pub width: u32,
@@ -40,10 +40,10 @@ pub struct Sampling {
     pub seed: u32,
 }
 
-/// The mean of `radiance` over each pixel, at points given in pixels from the top left.
+/// Returns the mean of `radiance` over each pixel, at points in pixels from the top left.
 ///
-/// One image whatever the number of threads: a pixel's samples come from a hash of its place, and are summed in
-/// order.
+/// The image does not depend on the number of threads: a pixel's samples come from a hash of its
+/// position, and are summed in order.
 pub fn render(
     sampling: Sampling,
     watch: Watch<'_>,
@@ -58,7 +58,7 @@ pub fn render(
     })
 }
 
-/// The mean of the samples that each pixel gives.
+/// Returns the mean of each pixel's samples.
 fn pixels<S: Fn(u32) -> Vec3>(
     sampling: Sampling,
     watch: Watch<'_>,
@@ -68,7 +68,7 @@ fn pixels<S: Fn(u32) -> Vec3>(
     Ok(Sums::default().and(sampling, samples, watch, pixel)?.mean())
 }
 
-/// Sums of the samples of pixels, to which more can be added: the same in one go and in several.
+/// Sums of pixel samples that can be extended. The result is the same in one call and in several.
 #[derive(Clone, Default)]
 pub(super) struct Sums {
     sums: Option<Image>,
@@ -76,7 +76,7 @@ pub(super) struct Sums {
 }
 
 impl Sums {
-    /// The sums with the samples of a range, which follows those that they have.
+    /// Adds the samples of a range, which follows the samples already summed.
     pub(super) fn and<S: Fn(u32) -> Vec3>(
         &self,
         Sampling { width, height, .. }: Sampling,
@@ -101,8 +101,8 @@ impl Sums {
         sums.map(|sum| sum / count)
     }
 
-    /// The standard error of the mean, in the root mean square over what pixels and channels show: by the difference of the samples
-    /// that another sum lacks from its own.
+    /// Returns the standard error of the mean: the root mean square over displayed pixels and
+    /// channels, from the difference to a sum of fewer samples.
     pub(super) fn noise(&self, fewer: &Self, shown: impl Fn(f32) -> f32) -> f32 {
         let (Some(all), Some(first)) = (&self.sums, &fewer.sums) else { return f32::INFINITY };
         let [n, m] = [fewer.samples, self.samples - fewer.samples].map(|count| count as f32);
@@ -115,7 +115,8 @@ impl Sums {
     }
 }
 
-/// Works on rows of so many pixels where they are, on all threads: of a large picture there is no room for another.
+/// Processes rows of `width` pixels in place, on all threads. A large image leaves no memory for a
+/// copy.
 pub(super) fn each_row<T: Send>(
     pixels: &mut [T],
     columns: usize,
@@ -132,7 +133,7 @@ pub(super) fn each_row<T: Send>(
     })
 }
 
-/// Rows one below the other, made on all threads, in their order whatever the number of threads.
+/// Computes rows on all threads and returns them in order.
 pub fn rows<T: Send, R: IntoIterator<Item = T>>(
     count: usize,
     watch: Watch<'_>,
@@ -145,13 +146,13 @@ pub fn rows<T: Send, R: IntoIterator<Item = T>>(
     Ok(rows.into_iter().flatten().collect())
 }
 
-/// The `k`-th point of the R₂ sequence, shifted on the torus.
+/// Returns the `k`-th point of the R₂ sequence, shifted on the torus.
 pub(super) fn sample(k: u32, shift: Vec2) -> Vec2 {
     let [x, y] = r2_from([0.0; 2], k).map(|x| x as f32);
     Vec2::new((x + shift.x).fract(), (y + shift.y).fract())
 }
 
-/// Two numbers in `[0, 1)` from a hash of the pixel, 24 bits each.
+/// Returns two numbers in `[0, 1)` from a hash of the pixel, 24 bits each.
 pub fn jitter(x: u32, y: u32, seed: u32) -> Vec2 {
     let first = pixel_hash(x, y, seed);
     let unit = |bits: u32| (bits >> 8) as f32 / 16_777_216.0;
@@ -178,14 +179,14 @@ mod tests {
     }
 
     #[test]
-    fn the_number_of_threads_changes_no_bit() {
+    fn render_is_independent_of_threads() {
         assert_eq!(draw(1), draw(3));
     }
 
     #[test]
-    fn sums_in_passes_are_the_mean_and_tell_its_standard_error() {
+    fn sums_in_passes_and_their_standard_error() {
         let sampling = Sampling { width: 64, height: 64, samples_per_pixel: 12, seed: 7 };
-        // Even over [0, 1]: a standard deviation of 1/√12.
+        // Uniform over [0, 1]: a standard deviation of 1/√12.
         let pixel = |x, y| move |k| Vec3::splat(jitter(hash(x ^ k << 8), y, k).x);
         let add = |sums: &Sums, samples| sums.and(sampling, samples, Watch::unseen(), pixel).unwrap();
         let first = add(&Sums::default(), 0..4);
@@ -208,7 +209,7 @@ mod tests {
     }
 
     #[test]
-    fn an_interruption_stops_it() {
+    fn render_can_be_interrupted() {
         let sampling = Sampling { width: 4, height: 4, samples_per_pixel: 1, seed: 0 };
         let stop = Watch { interrupted: &AtomicBool::new(true), ..Watch::unseen() };
         let stopped = render(sampling, stop, |_, _| Vec3::ZERO);

@@ -1,4 +1,4 @@
-//! Light from all around: soft boxes in a dim room, and a day out of doors.
+//! Environments: soft boxes in a dim room, and an outdoor day.
 
 use std::f32::consts::{PI, TAU};
 
@@ -7,14 +7,14 @@ use glam::{Vec2, Vec3};
 
 use crate::{image::tone::hex, interpolation::smoothstep, light::lamps::direction};
 
-/// Light from all around, of which a part may come from soft boxes.
+/// An environment, part of which may be soft boxes.
 pub trait Surroundings: Environment + Sync {
     /// The soft boxes.
     fn panels(&self) -> &[SoftPanel] {
         &[]
     }
 
-    /// The radiance without them.
+    /// Returns the radiance without the soft boxes.
     fn between(&self, direction: Vec3) -> Vec3 {
         self.radiance(direction)
     }
@@ -34,49 +34,51 @@ impl Surroundings for Studio {
     }
 }
 
-/// A room with soft boxes: area lights far away.
+/// A room with soft boxes: distant area lights.
 pub struct Studio {
     panels: Vec<SoftPanel>,
     floor: Vec3,
     ceiling: Vec3,
 }
 
-/// A rectangle of light whose border is soft.
+/// A rectangular light with soft borders.
 pub struct SoftPanel {
     centre: Vec3,
-    /// Directions of the width and of the height.
+    /// Directions of the width and the height.
     sides: [Vec3; 2],
-    /// Sines of half the angles.
+    /// Sines of the half angles.
     half: [f32; 2],
     radiance: Vec3,
-    /// The share of the samples, by its light.
+    /// The fraction of the samples, in proportion to its light.
     share: f32,
 }
 
-/// The share of a panel's half width that is its soft border.
+/// The fraction of a panel's half width that is its soft border.
 const BORDER: f32 = 0.12;
 
-/// The share of samples that go to the room instead of the panels.
+/// The fraction of samples for the room instead of the panels.
 const ROOM: f32 = 0.25;
 
-/// The share of those that go upwards; the others go all around.
+/// The fraction of the room's samples in the upper hemisphere. The others cover the sphere.
 const ABOVE: f32 = 0.85;
 
 impl SoftPanel {
-    /// A panel about an azimuth and an elevation, of two full angles, in degrees; a white matte surface that faces it has this colour.
+    /// Creates a panel at azimuth and elevation with two full angles, in degrees. A white matte
+    /// surface facing it has this color.
     fn new([azimuth, elevation]: [f32; 2], size: [f32; 2], colour: Vec3) -> Self {
         let centre = direction(azimuth, elevation);
         let right = Vec3::Z.cross(centre).normalize();
         let [width, height] = size.map(|angle| (0.5 * angle.to_radians()).tan());
-        // The border passes half of its light.
+        // The border transmits half of its light.
         let lit = 4.0 * width * height * (1.0 - 0.5 * BORDER) * (1.0 - 0.5 * BORDER);
         let half = size.map(|angle| (0.5 * angle.to_radians()).sin());
         let sides = [right, centre.cross(right)];
         Self { centre, sides, half, radiance: colour * (PI / lit), share: colour.element_sum() }
     }
 
-    /// The share of the panel's light from a direction, and the density of its samples by solid angle: each side's sine has the
-    /// density of the border, so that they differ by little more than a factor.
+    /// Returns the fraction of the panel's light from a direction, and the solid-angle density of
+    /// its samples. Each side's sine is distributed like the border, so that the two are nearly
+    /// proportional.
     fn seen(&self, direction: Vec3) -> Option<[f32; 2]> {
         let depth = direction.dot(self.centre);
         if depth <= 0.0 {
@@ -96,12 +98,13 @@ impl SoftPanel {
         Some([share, share * density])
     }
 
-    /// The radiance from a direction.
+    /// Returns the radiance from a direction.
     pub fn radiance(&self, direction: Vec3) -> Vec3 {
         self.seen(direction).map_or(Vec3::ZERO, |[share, _]| self.radiance * share)
     }
 
-    /// A direction to the panel with the density [`density`](Self::density), from a uniform point of the unit square.
+    /// Samples a direction to the panel with the density [`density`](Self::density), from a uniform
+    /// point of the unit square.
     pub fn sample(&self, u: Vec2) -> Vec3 {
         let aside = |k: usize| {
             let sin = self.half[k] * within_border(u[k]);
@@ -110,26 +113,27 @@ impl SoftPanel {
         (self.centre + aside(0) + aside(1)).normalize()
     }
 
-    /// Density of samples by solid angle.
+    /// Returns the solid-angle density of samples.
     pub fn density(&self, direction: Vec3) -> f32 {
         self.seen(direction).map_or(0.0, |[_, density]| density)
     }
 
-    /// The radiance from a direction by a weight that depends on the density of samples there.
+    /// Returns the radiance from a direction, times a weight that depends on the sample density.
     pub fn weighted(&self, direction: Vec3, weight: impl FnOnce(f32) -> f32) -> Vec3 {
         self.seen(direction).map_or(Vec3::ZERO, |[share, density]| self.radiance * (share * weight(density)))
     }
 }
 
-/// The share of light at a place of a panel from −1 to 1 along a side.
+/// Returns the fraction of light at a position within [−1, 1] along a side.
 fn border(x: f32) -> f32 {
     ((1.0 - x.abs()) / BORDER).clamp(0.0, 1.0)
 }
 
-/// A place from −1 to 1 with the density of the [`border`], from a uniform number.
+/// Samples a position within [−1, 1] with the density of the [`border`], from a uniform number.
 fn within_border(u: f32) -> f32 {
     let signed = 2.0 * u - 1.0;
-    // What is left of the half's area beyond the place: a triangle's within the border.
+    // The remaining fraction of the half's area beyond the position: within the border, a
+    // triangle's.
     let beyond = (1.0 - signed.abs()) * (1.0 - 0.5 * BORDER);
     let x = if beyond < 0.5 * BORDER {
         1.0 - (2.0 * BORDER * beyond).sqrt()
@@ -148,7 +152,8 @@ impl Studio {
         Self { panels, floor, ceiling }
     }
 
-    /// A warm key from the upper left, a cool fill from the right and a rim from behind, in a dim room.
+    /// A warm key from the upper left, a cool fill from the right and a rim from behind, in a dim
+    /// room.
     pub fn new(brightness: f32) -> Self {
         let panel = |place, size, colour: Vec3| SoftPanel::new(place, size, colour * brightness);
         let panels = vec![
@@ -159,7 +164,8 @@ impl Studio {
         Self::lit(panels, hex(0x4a_4642) * 0.35 * brightness, hex(0xb4_bcc8) * 0.55 * brightness)
     }
 
-    /// A hall for a car: a long sheet of light above it, a strip along its flank and one behind, over a dark floor.
+    /// A hall for a car: a long light sheet above, a strip along its flank and a strip behind, over
+    /// a dark floor.
     pub fn hall(brightness: f32) -> Self {
         let panel = |place, size, colour: Vec3| SoftPanel::new(place, size, colour * brightness);
         let panels = vec![
@@ -170,7 +176,7 @@ impl Studio {
         Self::lit(panels, hex(0x30_3236) * 0.15 * brightness, hex(0x8a_93a0) * 0.9 * brightness)
     }
 
-    /// The sky of a bright day behind a sun 3 degrees wide, for what lies out of doors.
+    /// A bright sky with a sun of 3 degrees, for outdoor subjects.
     pub fn day(brightness: f32) -> Self {
         let sun = SoftPanel::new([-140.0, 38.0], [3.0, 3.0], hex(0xff_f0d8) * 1.1 * brightness);
         Self::lit(vec![sun], hex(0x6b_645a) * 0.3 * brightness, hex(0x9c_bce8) * 0.8 * brightness)
@@ -188,7 +194,7 @@ impl Environment for Studio {
 
     fn sample(&self, u: Vec2) -> Vec3 {
         if u.x < ROOM {
-            // From above comes the most.
+            // The zenith is brightest.
             let x = u.x / ROOM;
             let z = if x < ABOVE { x / ABOVE } else { 1.0 - 2.0 * (x - ABOVE) / (1.0 - ABOVE) };
             let (sin, cos) = (TAU * u.y).sin_cos();
@@ -221,20 +227,21 @@ mod tests {
     use crate::sampling::sampler::Sampler;
 
     #[test]
-    fn samples_bring_the_light_of_all_directions() {
+    fn samples_integrate_all_light() {
         for studio in [Studio::new(1.0), Studio::hall(1.0), Studio::day(1.0)] {
             let irradiance = |by: &dyn Environment, seed| -> Vec3 {
                 let samples = (0..1 << 16).map(|index| by.sample(Sampler::new(index, seed).point()));
                 samples.map(|w| studio.radiance(w) * w.z.max(0.0) / by.density(w) / 65_536.0).sum()
             };
             let (by_light, all) = (irradiance(&studio, 3), irradiance(&Vec3::ONE, 4));
-            // 65536 even samples find about 70 times the sun of 3 degrees, a tenth of its light either way.
+            // 65536 stratified samples hit the sun of 3 degrees about 70 times, which gives its
+            // light to within a tenth.
             assert_abs_diff_eq!(by_light, all, epsilon = 0.12 * all.max_element());
         }
     }
 
     #[test]
-    fn a_panel_lights_what_faces_it_with_its_colour() {
+    fn panel_lights_a_facing_surface_with_its_color() {
         let colour = Vec3::new(0.2, 0.5, 1.0);
         let panel = SoftPanel::new([30.0, 20.0], [8.0, 12.0], colour);
         let count = 4096;
@@ -242,16 +249,16 @@ mod tests {
             let w = panel.sample(Sampler::new(index, 1).point());
             sum + panel.radiance(w) * w.dot(panel.centre) / (PI * panel.density(w)) / count as f32
         });
-        // Off its centre it is foreshortened: cos⁴ of 7 degrees.
+        // Off its center it is foreshortened: cos⁴ of 7 degrees.
         assert_abs_diff_eq!(light, colour, epsilon = 0.02);
     }
 
     #[test]
-    fn samples_of_a_panel_are_as_dense_as_told_and_bring_nearly_the_same_light() {
+    fn panel_sample_density_and_weights() {
         for studio in [Studio::new(1.0), Studio::hall(1.0), Studio::day(1.0)] {
             for panel in &studio.panels {
                 let count = 1 << 14;
-                // The mean over samples of 1 over their density is the solid angle of the panel.
+                // The mean over samples of the reciprocal density is the solid angle of the panel.
                 let (mut solid_angle, mut range) = (0.0, [f32::INFINITY, 0.0_f32]);
                 for index in 0..count {
                     let w = panel.sample(Sampler::new(index, 1).point());
@@ -262,7 +269,7 @@ mod tests {
                     solid_angle += share / density / count as f32;
                 }
                 let [x, y] = panel.half.map(|sin| sin / (1.0 - sin * sin).sqrt());
-                // By quadrature: a cell of the rectangle at depth 1 has depth³ of its area.
+                // By quadrature: a cell of the rectangle at depth 1 subtends depth³ of its area.
                 let side = 400;
                 let middle = |k: u32| (2.0 * k as f32 + 1.0) / side as f32 - 1.0;
                 let expected: f32 = (0..side * side)

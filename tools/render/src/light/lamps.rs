@@ -1,51 +1,55 @@
-//! Lamp from far away: single directions, and soft boxes made of them.
+//! Distant lamps: single directions, and soft boxes built from them.
 
 use glam::Vec3;
 
 use crate::image::tone::hex;
 
-/// A light that is far away.
+/// A distant light.
 #[derive(Clone, Copy, Debug)]
 pub struct Lamp {
-    /// Unit, towards the light.
+    /// Unit length, toward the light.
     pub direction: Vec3,
     pub colour: Vec3,
 }
 
 impl Lamp {
-    /// At an azimuth and an elevation, those of [`direction`].
+    /// Creates a lamp at an azimuth and an elevation, as in [`direction`].
     pub fn at(azimuth: f32, elevation: f32, colour: Vec3) -> Self {
         Self { direction: direction(azimuth, elevation), colour }
     }
 }
 
-/// Lamps that cast one shadow, or none.
+/// Lamps with one common shadow, or none.
 #[derive(Clone, Debug)]
 pub enum Lamps {
-    /// Far away: a white matte surface that faces one has its colour. An object in the direction of `shadow` hides all of them.
+    /// Distant: a white matte surface facing a lamp has its color. An object in the direction of
+    /// `shadow` hides all of them.
     Far { lights: Vec<Lamp>, shadow: Option<Vec3> },
-    /// A lamp at a place: a white matte surface that faces it at distance 1 has its colour.
+    /// A point light: a white matte surface facing it at distance 1 has its color.
     Near { place: Vec3, colour: Vec3 },
 }
 
 impl Lamps {
-    /// Lights without shadows.
+    /// Creates lights without shadows.
     pub fn open(lights: Vec<Lamp>) -> Self {
         Self::Far { lights, shadow: None }
     }
 
-    /// One lamp far away, with its shadow.
+    /// Creates one distant lamp with a shadow.
     pub fn one(direction: Vec3, colour: Vec3) -> Self {
         Self::Far { lights: vec![Lamp { direction, colour }], shadow: Some(direction) }
     }
 }
 
-/// A warm key from the upper left, a cool fill from the right and a rim from behind, all times `scale`.
+/// A warm key from the upper left, a cool fill from the right and a rim from behind, all times
+/// `scale`.
 ///
-/// Each is a rectangle in the sky of lights near enough to each other that a lobe of the widths in the figures spans several.
+/// Each is a rectangle of lights in the sky, so closely spaced that a lobe of the widths in the
+/// figures spans several.
 pub fn studio(scale: Vec3) -> Vec<Lamp> {
     let mut lamps = Vec::new();
-    // Azimuth and elevation of the centre and full angles in degrees, lights along and across, colour, brightness.
+    // Azimuth and elevation of the center and full angles in degrees, lights along and across,
+    // color, brightness.
     for ([azimuth, elevation], size, [columns, rows], colour, brightness) in [
         ([-132.0, 46.0], [26.0_f32, 26.0], [4, 4], 0xff_f2e2, 1.0),
         ([-18.0, 16.0], [16.0, 40.0], [2, 4], 0xb9_d0ff, 0.5),
@@ -65,7 +69,7 @@ pub fn studio(scale: Vec3) -> Vec<Lamp> {
     lamps
 }
 
-/// The unit vector at an azimuth about the z axis and an elevation, both in degrees.
+/// Returns the unit vector at an azimuth about the z axis and an elevation, both in degrees.
 pub fn direction(azimuth: f32, elevation: f32) -> Vec3 {
     let (sin_a, cos_a) = azimuth.to_radians().sin_cos();
     let (sin_e, cos_e) = elevation.to_radians().sin_cos();
@@ -79,7 +83,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_soft_box_sends_the_light_of_its_colour_from_around_its_centre() {
+    fn soft_box_has_its_color_and_center() {
         let (sum, middle) = studio(Vec3::ONE)[..16]
             .iter()
             .fold((Vec3::ZERO, Vec3::ZERO), |(c, d), light| (c + light.colour, d + light.direction));

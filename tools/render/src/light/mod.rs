@@ -1,4 +1,4 @@
-//! Light from lamps, from all around, and behind a picture.
+//! Lamps, environments, and backgrounds.
 
 pub mod environments;
 pub mod lamps;
@@ -7,8 +7,8 @@ use glam::Vec3;
 
 use crate::{image::tone::hex, interpolation::smoothstep};
 
-/// The studio behind every object, at the picture's point `(x, y)`, both in `[0, 1]` from the top left: a dark, neutral gradient that
-/// sits well on light and on dark paper.
+/// Returns the background at image point `(x, y)`, both in `[0, 1]` from the top left: a dark
+/// neutral gradient that suits light and dark paper.
 pub fn background(x: f32, y: f32) -> Vec3 {
     let (dx, dy) = (x - 0.5, y - 0.42);
     let distance = (dx * dx + dy * dy).sqrt() / 0.75;

@@ -1,4 +1,4 @@
-//! A surface whose bumps and shading come from a density of normals.
+//! A surface whose bumps and shading come from a normal density.
 
 use std::f32::consts::PI;
 
@@ -11,24 +11,24 @@ use glam::Vec3;
 
 use crate::{light::lamps::Lamp, materials::field::Field};
 
-/// A normal density function that rows of pixels may share.
+/// A normal density that threads can share.
 pub type SharedNdf = dyn Ndf + Send + Sync;
 
-/// Lamps that are shaded at once.
+/// Number of lamps shaded at once.
 const TOGETHER: usize = 32;
 
-/// Which facets a pixel is shaded with.
+/// The facets with which a pixel is shaded.
 #[derive(Clone, Copy)]
 pub enum Facets<'a> {
-    /// Drawn from the density itself, by one of the two rules.
+    /// Drawn from the density by one of the two rules.
     Consistent(LevelOfDetail),
-    /// Looked up in a table L, which may belong to another density, and each shaded with the whole density: the
+    /// Looked up in a table L, possibly of another density, and shaded with the whole density: the
     /// pipeline of the source. The table's entry at 0 must be the flat normal.
     Table(&'a NormalTable),
 }
 
 impl Facets<'_> {
-    /// The facet in the frame of the surface.
+    /// Returns the facet in the frame of the surface.
     fn facet(&self, ndf: &SharedNdf, coordinates: Coordinates) -> Frame {
         match self {
             Self::Consistent(rule) => Frame::from_normal(rule.normal(ndf, coordinates)),
@@ -37,33 +37,37 @@ impl Facets<'_> {
     }
 }
 
-/// The source's own shading under lamps without shadows, which is no reflectance: the density at the half-vector is shown as it is.
+/// The source's own shading under lamps without shadows. It is not a reflectance: the density at
+/// the half vector is displayed directly.
 ///
 /// ```text
 /// L = Σ_lamps colour · p(h) · max(0, n·l) + diffuse · sky(m)
 /// ```
 ///
-/// The cosine with the surface's own normal lets each light end at its horizon without an edge, and is constant over a flat
-/// patch. The diffuse term, of the bump normal `m` under a soft sky, is the source's own suggestion (§6); it keeps the shape
-/// readable where no facet mirrors a light.
+/// The cosine with the geometric normal lets each light fade smoothly at its horizon, and is
+/// constant over a flat patch. The diffuse term, of the bump normal `m` under a soft sky, follows
+/// the source's suggestion (§6). It keeps the shape readable where no facet mirrors a light.
 pub struct Printed<'a> {
     pub ndf: &'a SharedNdf,
     pub facets: Facets<'a>,
     pub bumps: BumpField<Field>,
     pub lamps: Vec<Lamp>,
-    /// The most of the variance that counts as resolved: facets closer to one another show one image of a lamp.
+    /// Maximum fraction of the variance that counts as resolved. Closer facets show the same image
+    /// of a lamp.
     pub most: f32,
     pub diffuse: Vec3,
 }
 
-/// The share of the variance that facets have which show different images of a lamp: the rest lies within the lamp's disc.
+/// Returns the fraction of variance of facets that show different images of a lamp. The rest lies
+/// within the lamp's disc.
 ///
 /// ```text
 /// s = 1 − p(n) π ρ²/8
 /// ```
 ///
-/// Half vectors of a disc of radius ρ fill π ρ²/4, which is 2π p(n) times that in Gaussian coordinates at their middle, and a disc has
-/// its area over 4π for its variance. The mean over the surface is that of all shares: p_s(h | z) has the mean p(h).
+/// Half vectors of a disc of radius ρ fill π ρ²/4. In Gaussian coordinates at their center, this is
+/// multiplied by 2π p(n), and a disc has a variance of its area over 4π. The mean over the surface
+/// is the same for every fraction: p_s(h | z) has the mean p(h).
 pub fn share_beyond(peak: f32, radius: f32) -> f32 {
     (1.0 - peak * PI * radius * radius / 8.0).max(0.0)
 }
@@ -100,7 +104,8 @@ impl Material for Printed<'_> {
     }
 }
 
-/// Irradiance of a soft sky, brightest in the upper left front, on a surface with normal `m`, over π.
+/// Returns the irradiance of a soft sky, brightest at the upper left front, on a surface with
+/// normal `m`, over π.
 pub fn sky(m: Vec3) -> Vec3 {
     const ZENITH: Vec3 = Vec3::new(-0.42, -0.47, 0.776);
     let t = 0.5 + 0.5 * m.dot(ZENITH);
@@ -117,7 +122,8 @@ mod tests {
     use super::*;
     use crate::materials::field::{Bumps, NoiseKind};
 
-    /// Mean and greatest radiance of a fine patch under a lamp that its flat normal mirrors, for lamps of this radius.
+    /// Returns mean and maximum radiance of a fine patch under a lamp mirrored by its flat normal,
+    /// for lamps of this radius.
     fn seen(radius: f32) -> (f32, f32) {
         const SIDE: u16 = 200;
         let ndf = Ggx::new(0.2, 0.4).unwrap();
@@ -141,10 +147,11 @@ mod tests {
     }
 
     #[test]
-    fn a_lamp_of_some_size_lights_as_much_as_a_point_and_blinds_less() {
+    fn lamp_radius_keeps_the_mean_and_lowers_the_peak() {
         let far = Ggx::new(0.2, 0.4).unwrap().density(Vec3::Z);
         let [(point, brightest), (disc, bright)] = [0.02, 0.14].map(seen);
-        // 40,000 points of 5500 cells, of a standard deviation of 4 means for the disc, of 30 for the point.
+        // 40,000 points of 5500 cells, with a standard deviation of 4 means for the disc and 30 for
+        // the point.
         assert_relative_eq!(disc, far, max_relative = 0.12);
         assert_relative_eq!(point, far, max_relative = 0.8);
         // p_s(h | z) is at most p(h)/(1 − s), here at the peak.

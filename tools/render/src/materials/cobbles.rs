@@ -1,11 +1,12 @@
-//! A bump map that stands for one that was there before: worn cobbles with mortar between them, periodic.
+//! A periodic bump map of worn cobbles with mortar, as a stand-in for an existing map.
 
 use glam::{Vec2, Vec3};
 
 /// Cobbles along a side of the map.
 const CELLS: i32 = 7;
 
-/// The unit normals of `size · size` texels, row by row from n_y's lower end; `n_y` grows with the row.
+/// Returns the unit normals of `size · size` texels, row by row from the lower end; `n_y` grows
+/// with the row.
 pub fn cobbles(size: usize) -> Vec<Vec3> {
     let step = 1.0 / size as f32;
     let height =
@@ -22,7 +23,7 @@ pub fn cobbles(size: usize) -> Vec<Vec3> {
         .collect()
 }
 
-/// The height at a point of the unit square, in its sides.
+/// Returns the height at a point of the unit square, in units of its side.
 fn height(p: Vec2) -> f32 {
     let cell = p * CELLS as f32;
     let (mut nearest, mut second) = (f32::MAX, f32::MAX);
@@ -47,7 +48,7 @@ fn height(p: Vec2) -> f32 {
     (0.17 * dome - 0.10 * from.dot(tilt) - 0.05 * from.length_squared()) / CELLS as f32
 }
 
-/// Four numbers in [0, 1) for a cell.
+/// Returns four numbers in [0, 1) for a cell.
 fn hash(x: u32, y: u32) -> [f32; 4] {
     let mut word = x.wrapping_mul(0x9E37_79B1) ^ y.wrapping_mul(0x85EB_CA77) ^ 0x27D4_EB2F;
     [(); 4].map(|()| {
@@ -67,7 +68,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_map_repeats_without_a_seam() {
+    fn cobbles_are_periodic() {
         for k in 0..64 {
             let t = (k as f32 + 0.5) / 64.0;
             assert_abs_diff_eq!(height(Vec2::new(0.0, t)), height(Vec2::new(1.0, t)), epsilon = 1e-5);
@@ -75,7 +76,7 @@ mod tests {
         }
         let normals = cobbles(64);
         assert!(normals.iter().all(|n| n.is_normalized() && n.z > 0.2));
-        // A height field's slopes have no mean.
+        // The mean slope of a height field is zero.
         let mean: Vec3 = normals.iter().map(|n| *n / n.z).sum::<Vec3>() / normals.len() as f32;
         assert_abs_diff_eq!(mean.truncate(), Vec2::ZERO, epsilon = 7e-4);
     }

@@ -1,4 +1,4 @@
-//! The noises that bumps are made of, by name.
+//! Noises for bumps, by name.
 
 use asperity_noise::{Gaussian, GaussianOctaves, Perlin2002, Simplex, Spectrum};
 use asperity_shading::BumpField;
@@ -7,7 +7,7 @@ use glam::{DVec3, Vec3};
 
 use crate::failure::Failure;
 
-/// The kind of a noise.
+/// The type of a noise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoiseKind {
     /// Exactly Gaussian at every point, for every number of octaves.
@@ -18,22 +18,23 @@ pub enum NoiseKind {
     Simplex,
 }
 
-/// The noise that the bumps are made of.
+/// Noise parameters of the bumps.
 #[derive(Clone, Copy, Debug)]
 pub struct Bumps {
     pub kind: NoiseKind,
     /// Lattice cells of the first octave per unit of length.
     pub frequency: f32,
-    /// The most octaves, up to 16.
+    /// Maximum number of octaves, up to 16.
     pub octaves: u32,
-    /// Each octave's amplitude over the last one's.
+    /// Ratio of successive octave amplitudes.
     pub gain: f32,
 }
 
 impl Bumps {
-    /// The bump map in space, of differences to an anchor, near which it is exact at any zoom.
+    /// Returns the bump map in space, in coordinates relative to an anchor. Near the anchor it is
+    /// exact at any zoom.
     pub fn field(&self, seed: u32, anchor: DVec3) -> Result<BumpField<Field>, Failure> {
-        /// No round number, so that the lattices of neighbouring octaves do not meet.
+        /// Not a round number, so that the lattices of neighboring octaves do not coincide.
         const LACUNARITY: f32 = 2.17;
         if self.octaves == 0 {
             return Ok(BumpField::new(Field(None), self.frequency)?);
@@ -57,7 +58,8 @@ impl Bumps {
 
 type Noise = dyn GaussianField + Send + Sync;
 
-/// Two independent channels of octaves of noise over space; without any octave the surface is seen from afar at every distance.
+/// Two independent channels of octave noise in space. Without octaves the surface looks distant at
+/// every distance.
 pub struct Field(Option<Box<Noise>>);
 
 impl GaussianField for Field {
@@ -81,7 +83,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn kinds_differ_and_no_octaves_are_flat() {
+    fn kinds_differ_and_zero_octaves_are_flat() {
         let p = Vec3::new(0.3, 0.7, -1.9);
         let at = |kind, octaves| {
             let bumps = Bumps { kind, frequency: 1.0, octaves, gain: 0.8 }.field(3, DVec3::ZERO).unwrap();

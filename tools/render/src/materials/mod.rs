@@ -1,4 +1,4 @@
-//! Materials of scenes: the crate's own in metres, and surfaces of figures.
+//! Materials of scenes: the crate's materials in meters, and surfaces of figures.
 
 mod bumped;
 pub mod cobbles;

@@ -1,33 +1,34 @@
-//! Textures on surfaces that have no texture coordinates: laid on along the three axes of space.
+//! Triplanar mapping for surfaces without texture coordinates.
 
 use asperity_shading::{SurfacePoint, material::Material, reflectance::Bsdf};
 use glam::{Vec2, Vec3};
 
 use crate::sampling::sampler::hash;
 
-/// A material of texture coordinates, which are those of the plane that the surface looks towards.
+/// A material with texture coordinates, taken from the plane that the surface faces.
 ///
-/// Each point takes one of the three planes by a hash of its position, as often as the share
+/// Each point uses one of the three planes, selected by a hash of its position with probability
 ///
 /// ```text
 /// |n_k|⁸ / Σ |n_k|⁸
 /// ```
 ///
-/// so that the samples of a pixel blend them. Up the picture is up in two of the three planes.
+/// so that the samples of a pixel blend the planes. The texture's up direction is up in two of the
+/// three planes.
 pub struct Projected<M>(pub M);
 
 impl<M> Projected<M> {
-    /// The point with the texture coordinates of its plane.
+    /// Returns the point with the texture coordinates of its plane.
     fn placed(point: &SurfacePoint) -> SurfacePoint {
         let shares = point.normal.abs().powf(8.0);
         let [x, y, z] = point.position.to_array().map(f32::to_bits);
         let u = (hash(x ^ hash(y ^ hash(z))) >> 8) as f32 / 16_777_216.0 * shares.element_sum();
         let axis = if u < shares.x { 0 } else { 1 + usize::from(u >= shares.x + shares.y) };
         let [across, up] = [[Vec3::Y, Vec3::Z], [Vec3::X, Vec3::Z], [Vec3::X, Vec3::Y]][axis];
-        // Along the surface, over a step of the plane.
+        // Along the surface, over a unit step of the plane.
         let along = |step: Vec3| step - Vec3::AXES[axis] * (point.normal.dot(step) / point.normal[axis]);
         let uv = Vec2::new(point.position.dot(across), point.position.dot(up));
-        // From behind the plane the picture would be mirrored.
+        // Behind the plane, the texture would be mirrored.
         let side = point.normal[axis].signum() * if axis == 1 { -1.0 } else { 1.0 };
         point.with_uv(Vec2::new(side * uv.x, uv.y), [side * along(across), along(up)])
     }
@@ -56,7 +57,7 @@ mod tests {
 
     use super::*;
 
-    /// Keeps the points that it is asked for.
+    /// Records the points at which it is evaluated.
     struct Kept(Mutex<Vec<SurfacePoint>>);
 
     impl Material for Kept {
@@ -67,7 +68,7 @@ mod tests {
     }
 
     #[test]
-    fn planes_are_taken_by_their_shares_and_run_along_the_surface() {
+    fn planes_have_their_probability_and_follow_the_surface() {
         for (normal, share) in
             [(Vec3::X, 1.0), (Vec3::NEG_Y, 0.0), (Vec3::Z, 0.0), (Vec3::new(0.8, -0.6, 0.0), 0.909)]
         {

@@ -1,4 +1,4 @@
-//! Materials that functions of a point give, and materials in other units.
+//! Materials defined by functions of a point, and materials in other units.
 
 use asperity_shading::{
     Brdf, Dielectric, EnergyPreservingOrenNayar, SurfacePoint,
@@ -8,7 +8,8 @@ use asperity_shading::{
 };
 use glam::Vec3;
 
-/// A material whose BSDF a function gives, at a point for the direction to the eye in the frame of the surface.
+/// A material whose BSDF is a function of a point and the direction to the viewer in the local
+/// frame.
 pub struct Shaded<F: Fn(&SurfacePoint, Vec3) -> Bsdf<'static>>(pub F);
 
 impl<F: Fn(&SurfacePoint, Vec3) -> Bsdf<'static>> Material for Shaded<F> {
@@ -17,7 +18,7 @@ impl<F: Fn(&SurfacePoint, Vec3) -> Bsdf<'static>> Material for Shaded<F> {
     }
 }
 
-/// Reflectances that are added, the same everywhere.
+/// Spatially constant reflectances that are added.
 pub struct Layers(pub Vec<Box<dyn Brdf + Sync>>);
 
 impl Material for Layers {
@@ -26,13 +27,13 @@ impl Material for Layers {
     }
 }
 
-/// A matte colour about a bump normal in the frame of the surface, and light that it sends besides.
+/// Returns a matte BSDF about a bump normal in the local frame, with additional emission.
 pub fn chalk(wo: Vec3, normal: Vec3, colour: Vec3, sent: Vec3) -> Bsdf<'static> {
     let diffuse = EnergyPreservingOrenNayar::clamped(colour, 0.0);
     Bsdf::new(wo).with([Facet::new(1.0, normal)], [diffuse.into()]).with_emitted(sent)
 }
 
-/// A material that is laid out in metres, in a scene whose unit is so many.
+/// A material defined in meters, in a scene whose unit is this many meters.
 pub struct InMetres<M>(pub M, pub f32);
 
 impl<M: Material> Material for InMetres<M> {
@@ -49,7 +50,7 @@ impl<M: Material> Material for InMetres<M> {
     }
 }
 
-/// A matte colour under a glaze of this roughness.
+/// Returns a matte color under a glaze of this roughness.
 pub fn glazed(roughness: f32, colour: Vec3) -> impl Material + Sync {
     let glaze = Coat::varnish(Dielectric::clamped(1.5)).rough(roughness);
     Shaded(move |_: &SurfacePoint, wo| chalk(wo, Vec3::Z, colour, Vec3::ZERO).with_coat(glaze))

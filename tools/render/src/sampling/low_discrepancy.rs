@@ -1,6 +1,6 @@
 //! Low-discrepancy sequences: points that fill the square evenly.
 
-/// Point `index` of Roberts's R₂ sequence, in [0, 1)².
+/// Returns point `index` of Roberts's R₂ sequence, in [0, 1)².
 ///
 /// ```text
 /// frac(½ + index · (1/g, 1/g²)),   g³ = g + 1
@@ -12,7 +12,7 @@ pub fn r2(index: u32) -> [f64; 2] {
     r2_from([0.5; 2], index)
 }
 
-/// The sequence from another start, moved on the torus.
+/// Returns the sequence with another start, shifted on the torus.
 #[must_use]
 pub fn r2_from(start: [f64; 2], index: u32) -> [f64; 2] {
     const G: f64 = 1.324_717_957_244_746;

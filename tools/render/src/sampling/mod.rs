@@ -1,4 +1,4 @@
-//! Numbers by which pictures are sampled: random, hashed, and of low discrepancy.
+//! Random, hashed, and low-discrepancy numbers for sampling.
 
 pub mod low_discrepancy;
 pub mod random;

@@ -1,11 +1,12 @@
-//! Points of the unit square for every random choice of a pixel's sample: Sobol' pairs, scrambled.
+//! Points of the unit square for every random decision of a pixel's sample: scrambled Sobol' pairs.
 
 use glam::Vec2;
 
-/// The points of one sample of a pixel, one for each choice along its path.
+/// The points of one sample of a pixel, one per decision along its path.
 ///
-/// Each choice has a (0, 2)-sequence of its own over the samples of the pixel: Sobol's first two dimensions under Owen's scrambling
-/// and in an order of their own, by the hashes of Burley 2020, "Practical Hash-based Owen Scrambling".
+/// Each decision uses a separate (0, 2)-sequence over the samples of the pixel: Sobol's first two
+/// dimensions with Owen scrambling and a shuffled order, with the hashes of Burley 2020, "Practical
+/// Hash-based Owen Scrambling".
 pub struct Sampler {
     index: u32,
     seed: u32,
@@ -13,12 +14,12 @@ pub struct Sampler {
 }
 
 impl Sampler {
-    /// Sample `index` of the pixel whose hash is `seed`.
+    /// Creates sample `index` of the pixel whose hash is `seed`.
     pub const fn new(index: u32, seed: u32) -> Self {
         Self { index, seed, choices: 0 }
     }
 
-    /// The point for the next choice.
+    /// Returns the point for the next decision.
     pub fn point(&mut self) -> Vec2 {
         self.choices += 1;
         let seed = hash(self.seed ^ hash(self.choices));
@@ -36,8 +37,8 @@ pub fn hash(mut x: u32) -> u32 {
     x ^ (x >> 16)
 }
 
-/// Digits after the point of Sobol's second dimension, the first in the lowest bit: digit j is the sum of C(k, j) times bit k of the
-/// index, which is even unless k has every bit of j.
+/// Fractional digits of Sobol's second dimension, the first in the lowest bit. Digit j is the sum
+/// of C(k, j) times bit k of the index, where C(k, j) is even unless k has every bit of j.
 const fn by_pascal(mut index: u32) -> u32 {
     index ^= (index >> 1) & 0x5555_5555;
     index ^= (index >> 2) & 0x3333_3333;
@@ -46,8 +47,8 @@ const fn by_pascal(mut index: u32) -> u32 {
     index ^ (index >> 16)
 }
 
-/// Owen's scrambling of the binary digits after the point, the first in the lowest bit, by a hash in which every bit acts on those
-/// above it only.
+/// Owen scrambling of the fractional binary digits, the first in the lowest bit, by a hash in which
+/// every bit affects only higher bits.
 const fn scrambled(mut x: u32, seed: u32) -> u32 {
     x ^= x.wrapping_mul(0x3d20_adea);
     x = x.wrapping_add(seed);
@@ -61,7 +62,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sixteen_samples_have_one_point_in_every_strip_and_every_square() {
+    fn sixteen_samples_fill_every_stratum() {
         for seed in 0..20 {
             for choice in 0..3 {
                 for [columns, rows] in [[16, 1], [4, 4], [1, 16], [8, 2]] {
@@ -79,9 +80,9 @@ mod tests {
     }
 
     #[test]
-    fn the_second_dimension_is_that_of_sobol() {
+    fn second_dimension_is_sobol() {
         for index in (0..2000).chain([0x8000_0000, 0xdead_beef, u32::MAX]) {
-            // Each direction number is the one before times 1 + x⁻¹.
+            // Each direction number is the previous one times 1 + x⁻¹.
             let (sum, _) = (0..32).fold((0_u32, 1_u32 << 31), |(sum, direction), bit| {
                 (if index >> bit & 1 == 1 { sum ^ direction } else { sum }, direction ^ (direction >> 1))
             });
@@ -90,14 +91,14 @@ mod tests {
     }
 
     #[test]
-    fn choices_do_not_hang_together() {
+    fn decisions_are_uncorrelated() {
         let mut sum = Vec2::ZERO;
         for index in 0..1024 {
             let mut sampler = Sampler::new(index, 9);
             let (a, b) = (sampler.point() - 0.5, sampler.point() - 0.5);
             sum += Vec2::new(a.x * b.x, a.x * b.y);
         }
-        // Of independent ones 1/12 of the root of their number: 2.7; four of that.
+        // For independent decisions 1/12 of the root of their number: 2.7; four times that.
         assert!(sum.abs().max_element() < 10.7, "{sum}");
     }
 }

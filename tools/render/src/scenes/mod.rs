@@ -1,4 +1,4 @@
-//! Scenes: objects in their places, and cameras that see them.
+//! Scenes: arranged objects, and cameras.
 
 mod portrait;
 mod sets;

@@ -1,4 +1,4 @@
-//! One picture of one object: everything that decides it, with defaults that look well.
+//! An image of one object: all parameters, with good defaults.
 
 use std::sync::Arc;
 
@@ -20,33 +20,34 @@ use crate::{
     scenes::sets::{Set, TEAPOT, View},
 };
 
-/// The share of the tint that is diffuse.
+/// The diffuse fraction of the tint.
 const DIFFUSE: f32 = 0.13;
 
-/// Radius of every lamp of the studio, twice their distance from one another.
+/// Radius of every studio lamp, twice the distance between lamps.
 const LAMP: f32 = 0.25;
 
-/// Direction of the point that pictures of the sphere come close to.
+/// Direction of the point into which images of the sphere zoom.
 const SPHERE_FOCUS: Vec3 = Vec3::new(-0.30, -0.80, 0.52);
 
-/// Request for one picture.
+/// A request for one image.
 #[derive(Clone, Copy)]
 pub struct RenderRequest<'a> {
     pub view: View,
     pub ndf: &'a SharedNdf,
     pub facets: Facets<'a>,
-    /// Magnification over the view of the whole object.
+    /// Magnification relative to the view of the whole object.
     pub zoom: f32,
     pub bumps: Bumps,
     /// Reflectance of the surface in linear RGB.
     pub tint: Vec3,
-    /// Multiplies the exposure at which the density's peak, under the key light alone, is just short of white.
+    /// Factor for the exposure at which the density's peak, under the key light alone, is just
+    /// below white.
     pub exposure: f32,
     pub sampling: Sampling,
 }
 
 impl<'a> RenderRequest<'a> {
-    /// A copper-coloured picture of the whole subject of a set by the `Exact` rule.
+    /// Creates a copper-colored image of the whole subject of a set, with the `Exact` rule.
     pub fn new(set: Set, ndf: &'a SharedNdf, sampling: Sampling) -> Self {
         let (view, frequency) = match set {
             Set::Sphere => {
@@ -67,7 +68,7 @@ impl<'a> RenderRequest<'a> {
         }
     }
 
-    /// The sphere, the teapot, or else the plane, to be shared between pictures.
+    /// Returns the sphere, the teapot, or otherwise the plane, for sharing between images.
     pub fn shape(set: Set) -> Arc<Shape> {
         match set {
             Set::Sphere => Arc::new(Shape::Sphere),
@@ -76,12 +77,12 @@ impl<'a> RenderRequest<'a> {
         }
     }
 
-    /// The camera of the picture.
+    /// Returns the camera of the image.
     pub fn camera(&self) -> Camera {
         self.view.camera(self.zoom, self.sampling)
     }
 
-    /// The object with its material under the lamps.
+    /// Returns the object with its material under the lamps.
     pub fn scene(&self, shape: &Arc<Shape>) -> Result<Scene<'a, 'a>, Failure> {
         let focus = self.view.focus.as_dvec3();
         let bumps = self.bumps.field(self.sampling.seed, focus)?;
@@ -95,7 +96,7 @@ impl<'a> RenderRequest<'a> {
     }
 }
 
-/// The greatest density on a fine grid over the unit disk.
+/// Returns the maximum density on a fine grid over the unit disk.
 pub fn peak(density: impl Fn(Vec3) -> f32) -> f32 {
     const SIDE: i32 = 160;
     let grid =

@@ -1,4 +1,4 @@
-//! The builder's scenes: what stands where, and from where it is seen.
+//! The built-in scenes: objects and views.
 
 use std::sync::{Arc, LazyLock};
 
@@ -34,19 +34,19 @@ pub enum Set {
     Sphere,
     /// The Utah teapot on the ground.
     Teapot,
-    /// A plane to the horizon.
+    /// A plane up to the horizon.
     Plane,
-    /// A car-like body on its wheels, in metres.
+    /// A car-like body on its wheels, in meters.
     Car,
     /// The corner of a room: the floor, a panel on the wall, a ball.
     Room,
-    /// A wall, seen along it.
+    /// A wall, viewed along its surface.
     Wall,
-    /// A turned vase on a table.
+    /// A vase on a table.
     Vase,
 }
 
-/// Place and angle of a camera, and its way from the whole to a point of a surface.
+/// Position and angle of a camera, and its path from the whole to a point of a surface.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
     pub eye: Vec3,
@@ -57,19 +57,20 @@ pub struct View {
 }
 
 impl View {
-    /// A view that comes closer to its target.
+    /// Creates a view that zooms into its target.
     pub const fn new(eye: [f32; 3], target: [f32; 3], field: f32) -> Self {
         let target = Vec3::from_array(target);
         Self { eye: Vec3::from_array(eye), target, focus: target, field }
     }
 
-    /// The view that comes closer to a point.
+    /// Returns the view that zooms into a point.
     pub const fn towards(self, focus: Vec3) -> Self {
         Self { focus, ..self }
     }
 
-    /// The unit ball from the front, a little from the right and from above, just inside the picture; nearby, the
-    /// point that is in its middle, or else the corner that is nearest to the eye.
+    /// Views the unit ball from the front, slightly from the right and above, just inside the
+    /// image. Zooming leads to the point at the image center, or to the corner nearest to the
+    /// viewer.
     pub fn of_mesh(mesh: &TracedMesh) -> Self {
         let (eye, field) = (Vec3::new(1.3, -4.0, 1.7), 27.0_f32);
         let eye = eye.normalize() / (0.48 * field.to_radians()).sin();
@@ -78,7 +79,8 @@ impl View {
         Self { eye, target: Vec3::ZERO, focus, field }
     }
 
-    /// The view from so many degrees further round the vertical through its target, counted from above against the clock.
+    /// Returns the view rotated by an angle in degrees about the vertical through its target,
+    /// counterclockwise from above.
     #[must_use]
     pub fn turned(self, degrees: f32) -> Self {
         if degrees == 0.0 {
@@ -90,11 +92,12 @@ impl View {
         Self { eye: self.target + round, ..self }
     }
 
-    /// The camera: towards the target at zoom 1, and from there straight to the focus.
+    /// Returns the camera: toward the target at zoom 1, and from there straight to the focus.
     pub fn camera(&self, zoom: f32, sampling: Sampling) -> Camera {
         let near = 1.0 / f64::from(zoom);
         let [whole, target, focus] = [self.eye, self.target, self.focus].map(Vec3::as_dvec3);
-        // The aim swings to the point faster than the eye comes closer, so that the point stays in the picture.
+        // The aim turns to the focus faster than the camera approaches, so that the focus stays in
+        // the image.
         let aim = focus + (target - focus) * near * near;
         let eye = focus + (whole - focus) * near;
         Camera::new(eye, aim, self.field.to_radians(), sampling.width, sampling.height)
@@ -117,26 +120,26 @@ const VASE_PROFILE: [[f32; 2]; 12] = [
     [0.34, 2.12],
 ];
 
-/// Shapes that many pictures share, made for the first of them.
+/// Shapes shared by many images, created on first use.
 static BALL: LazyLock<Arc<Shape>> = LazyLock::new(|| ball(Vec3::Z, 1.0).into());
 pub(super) static TEAPOT: LazyLock<Arc<Shape>> = LazyLock::new(|| teapot().into());
 static VASE: LazyLock<Arc<Shape>> = LazyLock::new(|| revolved(&VASE_PROFILE).into());
-/// At the height 0.
+/// At height 0.
 static DISC: LazyLock<Arc<Shape>> = LazyLock::new(|| disc(0.0).into());
 
-/// Colour behind everything.
+/// Background color.
 pub fn backdrop() -> Vec3 {
     hex(0x2a_2d33)
 }
 
-/// Radiance behind the objects in a direction: the ground fades into it.
+/// Background radiance in a direction; the ground fades into it.
 pub type Behind<'a> = &'a (dyn Fn(Vec3) -> Vec3 + Sync);
 
 /// The [`backdrop`] in every direction.
 pub const PLAIN: Behind<'static> = &|_| backdrop();
 
 impl Set {
-    /// Length of the scene's unit in metres.
+    /// Returns the length of the scene's unit in meters.
     pub const fn metres(self) -> f32 {
         match self {
             Self::Sphere => 0.15,
@@ -146,7 +149,7 @@ impl Set {
         }
     }
 
-    /// The view of the whole; nearby, that of a point of the subject's surface.
+    /// Returns the view of the whole, which zooms into a point of the subject's surface.
     pub const fn view(self) -> View {
         let (view, focus) = match self {
             Self::Sphere => {
@@ -170,7 +173,7 @@ impl Set {
         view.towards(Vec3::from_array(focus))
     }
 
-    /// The objects, of which the first has the subject's material.
+    /// Returns the objects. The first has the subject's material.
     pub fn objects<'a>(
         self,
         subject: Box<Surface<'a>>,
@@ -202,12 +205,12 @@ impl Set {
     }
 }
 
-/// A disc of cloth at this height that fades into what is behind.
+/// Creates a disc of cloth at this height that fades into the background.
 pub fn ground(height: f32, behind: Behind<'_>) -> Result<Object<'_>, Failure> {
     faded_disc(height, hex(0x8d_8377), [2.5, 6.0], behind)
 }
 
-/// A rough colour.
+/// Returns a rough color.
 fn cloth(colour: Vec3) -> Result<EnergyPreservingOrenNayar, ParameterError> {
     EnergyPreservingOrenNayar::new(colour, 0.8)
 }
@@ -216,7 +219,7 @@ fn disc(height: f32) -> Mesh {
     revolved(&[[60.0, height], [9.0, height], [0.0, height]])
 }
 
-/// A disc of cloth that fades into what is behind from one radius on, over another.
+/// Creates a disc of cloth that fades into the background over `over`, starting at a radius.
 fn faded_disc(
     height: f32,
     colour: Vec3,
@@ -229,7 +232,8 @@ fn faded_disc(
         let distance = point.position.truncate().length();
         let kept = (-((distance - from).max(0.0) / over).powi(2)).exp();
         let sent = Bsdf::new(wo).with_emitted((1.0 - kept) * behind(-point.frame().to_world(wo)));
-        // What is hardly there is not sampled: its weight is lost in the roundings of its density.
+        // Nearly transparent parts are not sampled, because their weight is within the rounding of
+        // the density.
         if kept < 1e-4 {
             sent
         } else {
@@ -238,7 +242,7 @@ fn faded_disc(
     }))
 }
 
-/// A ball.
+/// Creates a ball.
 fn ball(centre: Vec3, radius: f32) -> Mesh {
     let points: Vec<[f32; 2]> = (0..=12)
         .map(|k| ((k as f32 / 12.0 - 0.5) * std::f32::consts::PI).sin_cos())
@@ -246,7 +250,7 @@ fn ball(centre: Vec3, radius: f32) -> Mesh {
         .collect();
     let mut mesh = revolved(&points);
     for vertex in &mut mesh.vertices {
-        // The spline is a little off the circle.
+        // The spline deviates slightly from the circle.
         vertex.normal = vertex.position.normalize_or(vertex.normal);
         vertex.position = centre + radius * vertex.normal;
         vertex.uv *= Vec2::new(radius, 1.0);
@@ -254,12 +258,12 @@ fn ball(centre: Vec3, radius: f32) -> Mesh {
     mesh
 }
 
-/// The body of the car: paint, windows over the dark within, and seals.
+/// The body of the car: paint, windows over a dark interior, and seals.
 struct Body<'a> {
     paint: Box<Surface<'a>>,
     pane: TemperedGlass,
     seal: Lambert,
-    /// The inside of the lamps.
+    /// The inside of the headlamps.
     mirror: Lambert,
 }
 
@@ -283,7 +287,7 @@ impl Material for Body<'_> {
     }
 }
 
-/// The car: paint, windows and tyres.
+/// The car: paint, windows and tires.
 fn car<'a>(paint: Box<Surface<'a>>, behind: Behind<'a>) -> Result<Vec<Object<'a>>, Failure> {
     let dark = TemperedGlassParameters { tint: Vec3::ZERO, ..Default::default() };
     let body = Body {

@@ -1,26 +1,27 @@
-//! Small pictures of a material: a flat patch or a ball.
+//! Small images of a material: a flat patch or a ball.
 
 use glam::{Vec2, Vec3};
 
 use crate::geometry::{camera::Camera, shape::Shape};
 
-/// Form of a piece of a material; lengths are in metres.
+/// Shape of a swatch. Lengths are in meters.
 #[derive(Clone, Copy, Debug)]
 pub enum Form {
-    /// A patch of the plane z = 0 that fills the picture, as high as this, seen from straight above by an eye at this distance.
+    /// A patch of the plane z = 0 of this height that fills the image, seen from straight above at
+    /// this distance.
     Patch { height: f32, distance: f32 },
-    /// A ball of this diameter, of which so much fits the picture's height, seen along y by an eye far away.
+    /// A ball of this diameter, with this height visible in the image, seen along y from far away.
     Ball { diameter: f32, height: f32 },
 }
 
-/// Middle of a patch, off the lattices of noises.
+/// Center of a patch, off the lattices of noises.
 const CENTRE: Vec2 = Vec2::new(1.371, 0.843);
 
-/// Distance from which on an eye is infinitely far away.
+/// Distance from which the viewer counts as infinitely far.
 const FAR: f32 = 100.0;
 
 impl Form {
-    /// Length of the scene's unit in metres.
+    /// Returns the length of the scene's unit in meters.
     pub fn metres(self) -> f32 {
         match self {
             Self::Patch { .. } => 1.0,
@@ -28,7 +29,7 @@ impl Form {
         }
     }
 
-    /// The shape.
+    /// Returns the shape.
     pub fn shape(self) -> Shape {
         match self {
             Self::Patch { .. } => Shape::Plane,
@@ -36,7 +37,7 @@ impl Form {
         }
     }
 
-    /// The camera of a picture of so many columns and rows.
+    /// Returns the camera of an image with these columns and rows.
     pub fn camera(self, [width, height]: [u32; 2]) -> Camera {
         match self {
             Self::Patch { height: extent, distance } => {

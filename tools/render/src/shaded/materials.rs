@@ -1,4 +1,4 @@
-//! Materials that are measured at every zoom.
+//! Materials measured at every zoom.
 
 use asperity_shading::material::{BumpMapped, FibresParameters, GlassWaves, PaintFlakes, SeamPattern};
 use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
@@ -13,7 +13,7 @@ use crate::shaded::subject::Subject;
 
 pub(super) const VALID: &str = "parameters in range";
 
-/// A carpet of fibres without threads, dark areas and seams.
+/// A carpet of fibers without threads, dark areas and seams.
 #[must_use]
 pub fn fibres_alone() -> CarpetParameters {
     CarpetParameters {
@@ -42,7 +42,7 @@ pub fn materials() -> Vec<Subject> {
     };
     let paint =
         |name, parameters| Subject::of(name, 0.08, MetallicPaint::new(parameters).expect(VALID), |p| p);
-    // Without a coat, pigment, sparkles or passive flakes.
+    // Without coat, pigment, sparkles or passive flakes.
     let bare = MetallicPaintParameters {
         flake_sparkle_elimination: 1.0,
         passive_flake_strength: 0.0,
@@ -54,7 +54,8 @@ pub fn materials() -> Vec<Subject> {
     let peel =
         MetallicPaintParameters { coat_index: 1.5, orange_peel_strength: 0.03, specular: Vec3::ZERO, ..bare };
     let passive = MetallicPaintParameters { passive_flake_strength: 0.3, flake_roughness: 0.3, ..bare };
-    // Flakes are counted. Sparkles of a fixed width in pixels cover less of the surface from nearby.
+    // Flakes are counted. Sparkles of a fixed width in pixels cover less of the surface in close
+    // views.
     let counted = PaintFlakes::Counted { spacing: 4e-5, bin: 1.0 };
     let flakes = MetallicPaintParameters {
         specular: Vec3::splat(0.5),
@@ -108,6 +109,6 @@ fn bumps(name: &'static str, rule: LevelOfDetail) -> Subject {
     let spectrum = Spectrum::new(2.17, 0.8, 3).expect("three octaves");
     let bumps = BumpField::new(GaussianOctaves::<3>::new(Gaussian::new(7), spectrum), 20.0).expect(VALID);
     let material = BumpMapped { ndf: Ggx::new(0.3, 0.5).expect(VALID), bumps, rule, colour: Vec3::ONE };
-    // The mean over a pixel still shows octaves above the limit of its frequency.
+    // The mean over a pixel still shows octaves above its frequency limit.
     Subject::of(name, 0.8, material, |point| SurfacePoint { pixel: point.pixel.scaled(0.5), ..point })
 }

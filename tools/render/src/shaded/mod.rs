@@ -1,6 +1,6 @@
-//! Surfaces shaded in full, through a telephoto lens and to the horizon.
+//! Fully shaded surfaces, through a telephoto lens and up to the horizon.
 //!
-//! The tests measure them, and the gallery shows what the tests measure.
+//! The tests measure them, and the gallery shows the measurements.
 
 mod horizon;
 mod materials;

@@ -1,28 +1,30 @@
-//! Pixels of a plane: a sample with its derivatives and the eye.
+//! Pixels of a plane: a sample with its derivatives and the viewer.
 
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::{PixelEllipse, SurfacePoint};
 
-/// A point of the plane z = 0, whose coordinates are those of the texture as well, with its pixel and the eye.
+/// A point of the plane z = 0 with its pixel and the viewer. Its coordinates are also the texture
+/// coordinates.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pixel {
     pub(super) point: SurfacePoint,
-    /// The most taps that it is filtered by.
+    /// Maximum number of filter taps.
     pub(super) taps: u32,
     pub(super) eye: Eye,
 }
 
-/// Place of the eye.
+/// Position of the viewer.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Eye {
-    /// From infinity, in this unit direction.
+    /// At infinity, in this unit direction.
     Towards(Vec3),
-    /// From this point.
+    /// At this point.
     At(Vec3),
 }
 
 impl Pixel {
-    /// The point, and by how much it moves from one pixel to the next, to the right and down; zero for a sample without a filter.
+    /// Creates the point with its change from one pixel to the next, to the right and down; zero
+    /// for an unfiltered sample.
     pub(super) fn new(at: Vec2, derivatives: [Vec2; 2], taps: u32, eye: Eye) -> Self {
         let [dx, dy] = derivatives.map(|d| d.extend(0.0));
         let pixel = PixelEllipse::from_derivatives(dx, dy);
@@ -30,7 +32,7 @@ impl Pixel {
         Self { point, taps, eye }
     }
 
-    /// The unit direction from a point to the eye.
+    /// Returns the unit direction from a point to the viewer.
     pub(super) fn view(&self, from: &SurfacePoint) -> Vec3 {
         match self.eye {
             Eye::Towards(view) => view,
@@ -38,7 +40,8 @@ impl Pixel {
         }
     }
 
-    /// The means of radiances, which are added by the point and the direction to the eye, over the taps of the pixel.
+    /// Averages radiances over the taps of the pixel. `add` accumulates them from the point and the
+    /// direction to the viewer.
     pub(super) fn over(&self, means: &mut [Vec3], add: impl Fn(SurfacePoint, Vec3, &mut [Vec3])) {
         let point = self.point;
         means.fill(Vec3::ZERO);

@@ -1,4 +1,4 @@
-//! Surfaces with their reflectance, in the light of a lamp and a soft sky.
+//! Surfaces with their reflectance, under a lamp and a soft sky.
 
 use std::f32::consts::PI;
 
@@ -7,7 +7,7 @@ use glam::Vec3;
 
 use crate::{light::lamps::Lamp, shaded::pixel::Pixel};
 
-/// A lamp, and a soft sky of three more.
+/// A lamp, and a soft sky of three lamps.
 #[derive(Clone, Copy, Debug)]
 pub struct Sky {
     lamp: Lamp,
@@ -15,7 +15,7 @@ pub struct Sky {
 }
 
 impl Sky {
-    /// A sky about a lamp in this direction; half as bright as the lamp, straight up.
+    /// Creates a sky about a lamp in this direction. Straight up it is half as bright as the lamp.
     #[must_use]
     pub fn about(lamp: Vec3) -> Self {
         let sky = |k: u8, z: f32| {
@@ -26,7 +26,7 @@ impl Sky {
         Self { lamp, soft: [sky(1, 0.5), sky(2, 0.87), sky(3, 0.5)] }
     }
 
-    /// Adds the radiances of a surface of this BSDF along `view`, one under each sky; what is soft of them is the same.
+    /// Adds the radiances of a BSDF along `view`, one per sky. The soft part is the same for all.
     pub(super) fn add(skies: &[Self], bsdf: &Bsdf<'_>, view: Vec3, radiances: &mut [Vec3]) {
         let scattered = |lamp: &Lamp| PI * lamp.colour * bsdf.scattered(lamp.direction, view);
         let soft = skies.first().map(|sky| sky.soft.each_ref().map(scattered)).unwrap_or_default();
@@ -36,20 +36,21 @@ impl Sky {
     }
 }
 
-/// Writes the radiances of a sample, one under each sky.
+/// Writes the radiances of a sample, one per sky.
 type Radiance = dyn Fn(&Pixel, &[Sky], &mut [Vec3]) + Send + Sync;
 
-/// A surface, and how it is looked at.
+/// A surface and its viewing parameters.
 pub struct Subject {
     /// Its name.
     pub name: &'static str,
-    /// The width of a pixel that sees nothing of its details.
+    /// The width of a pixel that resolves no detail.
     pub width: f32,
     radiance: Box<Radiance>,
 }
 
 impl Subject {
-    /// A surface that writes its radiances, one under each sky, in positions of its own unit.
+    /// Creates a surface from a function that writes radiances, one per sky, at positions in the
+    /// surface's unit.
     pub(super) fn new(
         name: &'static str,
         width: f32,
@@ -58,7 +59,7 @@ impl Subject {
         Self { name, width, radiance: Box::new(radiance) }
     }
 
-    /// A surface of this material at points moved by a function: the mean over the taps of a pixel.
+    /// Creates a surface of this material at transformed points, averaged over the taps of a pixel.
     pub(super) fn of(
         name: &'static str,
         width: f32,
@@ -72,7 +73,8 @@ impl Subject {
         })
     }
 
-    /// The surface whose details come up one octave after another: every pixel is as wide as the next power of two.
+    /// Returns the surface with octaves that appear one after another: pixel widths are rounded up
+    /// to powers of two.
     #[must_use]
     pub fn in_steps(self) -> Self {
         Self::new(self.name, self.width, move |pixel, skies, radiances| {
@@ -83,7 +85,7 @@ impl Subject {
         })
     }
 
-    /// Radiances of a sample under skies.
+    /// Returns the radiances of a sample under these skies.
     pub(super) fn radiances<const K: usize>(&self, pixel: &Pixel, skies: &[Sky; K]) -> [Vec3; K] {
         let mut radiances = [Vec3::ZERO; K];
         (self.radiance)(pixel, skies, &mut radiances);

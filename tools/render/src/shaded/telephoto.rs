@@ -1,4 +1,4 @@
-//! A patch of a plane through a telephoto lens, nearer and nearer.
+//! A patch of a plane through a telephoto lens, at increasing zoom.
 
 use asperity_shading::glam::{Vec2, Vec3};
 use rayon::prelude::*;
@@ -9,21 +9,21 @@ use crate::shaded::{
     subject::{Sky, Subject},
 };
 
-/// Pixels along a side of the patch, as it is seen first.
+/// Pixels along a side of the patch at zoom 1.
 const SIDE: f32 = 16.0;
 
-/// A square patch of a plane, seen from far away in parallel rays, and how it is sampled.
+/// A square patch of a plane, seen from far away in parallel rays, and its sampling.
 ///
-/// At a zoom of 1 it is covered by 16² pixels. At a zoom of z it would be by z² times as many: a picture of the whole patch at ×10⁴
-/// would have 2.6·10¹⁰. A number of them is rendered, at hashed places of equal squares of the patch, so that the mean over them is a
-/// stratified estimate of the mean over the patch.
+/// At zoom 1 it covers 16² pixels, and at zoom z it covers z² times as many: an image of the whole
+/// patch at ×10⁴ would have 2.6·10¹⁰. A number of them is rendered, at hashed positions in equal
+/// squares of the patch, so that their mean is a stratified estimate of the mean over the patch.
 #[derive(Clone, Copy, Debug)]
 pub struct Patch {
-    /// The square root of the number of pixels that are rendered at most.
+    /// The square root of the maximum number of rendered pixels.
     pub pixels: u32,
-    /// Samples of a pixel, jittered.
+    /// Jittered samples per pixel.
     pub samples: u32,
-    /// The unit direction to the eye, with no component along x.
+    /// The unit direction to the viewer, without component along x.
     pub view: Vec3,
 }
 
@@ -32,7 +32,7 @@ pub struct Patch {
 pub struct Mean {
     /// The mean of the three channels.
     pub value: f64,
-    /// Its standard error, by the spread of the pixels.
+    /// Its standard error, from the variation between pixels.
     pub error: f64,
 }
 
@@ -41,17 +41,17 @@ pub struct Mean {
 pub struct Frame {
     /// The mean of the three channels.
     pub mean: f64,
-    /// The least and the greatest sample.
+    /// The minimum and the maximum sample.
     pub range: [f64; 2],
 }
 
 impl Patch {
-    /// The derivatives of the plane by a pixel of this width.
+    /// Returns the derivatives of the plane for a pixel of this width.
     fn derivatives(&self, width: f32) -> [Vec2; 2] {
         [Vec2::new(width, 0.0), Vec2::new(0.0, width / self.view.z)]
     }
 
-    /// A pixel of this width, under each sky.
+    /// Renders a pixel of this width under each sky.
     fn pixel<const K: usize>(
         &self,
         subject: &Subject,
@@ -74,7 +74,7 @@ impl Patch {
         frames.map(|frame| Frame { mean: frame.mean / f64::from(self.samples), ..frame })
     }
 
-    /// The mean radiances of the patch under some skies at a zoom.
+    /// Returns the mean radiances of the patch under several skies at a zoom.
     #[must_use]
     pub fn means<const K: usize>(&self, subject: &Subject, skies: &[Sky; K], zoom: f32) -> [Mean; K] {
         // Pixels do not overlap.
@@ -101,7 +101,8 @@ impl Patch {
         })
     }
 
-    /// Five slow zooms by 1 % a frame, of 200 frames each, into pixels of the patch: from ×1 to ×20,000 altogether.
+    /// Renders five slow zooms of 1 % per frame, with 200 frames each, into pixels of the patch:
+    /// from ×1 to ×20,000 overall.
     #[must_use]
     pub fn slow_zooms(&self, subject: &Subject, sky: &Sky) -> Vec<Vec<Frame>> {
         let zoom = |start: u8| {
@@ -118,8 +119,8 @@ impl Patch {
     }
 }
 
-/// The largest frame-to-frame change beside the trend, the median of the changes about it, over the range of all samples of all
-/// zooms.
+/// Returns the largest frame-to-frame change relative to the trend (the median of the changes
+/// around it), divided by the range of all samples of all zooms.
 #[must_use]
 pub fn largest_pop(zooms: &[Vec<Frame>]) -> f64 {
     let frames = zooms.iter().flatten();

@@ -1,4 +1,4 @@
-//! Textures of the lecture that are measured at the horizon.
+//! Textures of the lecture, measured at the horizon.
 
 use asperity_shading::material::{
     BevelledTiles, BrickWall, Material, Perturbed, PolishedMarble, SurfacePoint, Wallpaper,
@@ -28,7 +28,7 @@ pub fn textures() -> Vec<Subject> {
     // Square tiles with a ridge along their edges.
     let bevel = Bevel::new(0.03, 0.2, 0.2, 0.9).expect(VALID);
     let stars = StarWallpaper::new(5, [0.1, 0.3], 1.0, 0.55, 1).expect(VALID);
-    // A wall that runs.
+    // A wall in running bond.
     let by = PerturbedTexture { scale: 0.5, strength: Vec2::new(0.15, 0.08), ..Default::default() };
     let marble = PolishedMarble { marble: Marble::default(), tint: Vec3::ONE, polish: 0.0 };
     vec![
@@ -47,7 +47,7 @@ pub fn textures() -> Vec<Subject> {
     ]
 }
 
-/// A wall is filtered by the box about its pixel, without taps.
+/// A wall is filtered over the box around its pixel, without taps.
 fn wall(name: &'static str, wall: BrickWall) -> Subject {
     Subject::new(name, 8.0, move |pixel, skies, radiances| {
         let view = pixel.view(&pixel.point);
@@ -56,7 +56,7 @@ fn wall(name: &'static str, wall: BrickWall) -> Subject {
     })
 }
 
-/// The plane as a cut through space at 0.3, beside the planes of lattices.
+/// The plane as a slice through space at 0.3, away from lattice planes.
 fn raised(point: SurfacePoint) -> SurfacePoint {
     SurfacePoint { position: point.position + 0.3 * Vec3::Z, ..point }
 }

@@ -1,4 +1,4 @@
-//! Materials seen from afar to very near: means, aliasing, and positions about a focus.
+//! Materials from far to very close: means, aliasing, and positions about a focus.
 
 mod aliasing;
 mod zoom_focus;

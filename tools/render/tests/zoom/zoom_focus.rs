@@ -1,4 +1,5 @@
-//! Scenes seen ten thousand times nearer: bumps at hits that are told from a focus, against hits and octaves in `f64`.
+//! Scenes at ten thousandfold zoom: bumps at hits relative to a focus, against hits and octaves in
+//! `f64`.
 
 use asperity_render::{
     geometry::{
@@ -14,15 +15,15 @@ use asperity_render::{
 use asperity_shading::{Footprint, Lambert, SurfacePoint, reflectance::Bsdf};
 use glam::{DVec3, Vec3};
 
-/// Pixels along a side that are looked at, and the pixels whose width says how many octaves are seen.
+/// Image side in pixels, and the pixel count that determines the visible octaves.
 const SIDE: u16 = 24;
 const WIDTH: f32 = 512.0;
-/// Full angle of the picture in radians.
+/// Full angle of the image in radians.
 const FIELD: f32 = 0.4;
-/// Added to coordinates, which are of either sign, so that light can show them.
+/// Added to coordinates of either sign, so that radiance can encode them.
 const BIAS: f32 = 8.0;
 
-/// A surface, a point of it, the way from there to the eye at zoom 1, and where it is met exactly.
+/// A surface, a point on it, the vector to the viewer at zoom 1, and its exact intersection.
 struct Case {
     name: &'static str,
     shape: fn() -> Shape,
@@ -31,7 +32,7 @@ struct Case {
     met: fn(DVec3, DVec3) -> DVec3,
 }
 
-/// Corner and sides of a parallelogram, all in binary fractions, so that its triangles are in one plane.
+/// Corner and sides of a parallelogram in binary fractions, so that its triangles are coplanar.
 const CORNER: Vec3 = Vec3::new(1.25, -2.5, 0.75);
 const SIDES: [Vec3; 2] = [Vec3::new(0.5, 0.25, 0.125), Vec3::new(-0.25, 0.5, 0.25)];
 
@@ -70,7 +71,8 @@ fn cases() -> [Case; 3] {
     ]
 }
 
-/// The greatest error of the bumps' coordinates in a picture by a scene about `focus`, whose bumps are told from there on.
+/// Returns the maximum error of the bumps' coordinates in an image of a scene about `focus`, with
+/// bumps anchored there.
 fn error(case: &Case, zoom: f64, focus: DVec3) -> f32 {
     let bumps = Bumps { kind: NoiseKind::Gaussian, frequency: 16.0, octaves: 16, gain: 0.8 };
     let pixel = Footprint::from_width((case.away.length() / zoom) as f32 * FIELD / WIDTH);
@@ -97,13 +99,13 @@ fn error(case: &Case, zoom: f64, focus: DVec3) -> f32 {
         worst = worst.max((seen - exact).abs().max_element());
         hits += 1;
     }
-    // At ×1 rays pass beside the sphere and the parallelogram.
+    // At ×1 some rays miss the sphere and the parallelogram.
     assert!(hits > SIDE * SIDE / 8, "{}, ×{zoom}: {hits} hits", case.name);
     worst
 }
 
 #[test]
-fn every_set_is_looked_at_on_the_surface_of_its_subject() {
+fn every_set_focuses_on_its_subject() {
     for set in [Set::Sphere, Set::Teapot, Set::Plane, Set::Car, Set::Room, Set::Wall, Set::Vase] {
         let subject = Box::new(Lambert::new(Vec3::ONE).expect("white"));
         let objects = set.objects(subject, PLAIN).expect("a set of shapes");
@@ -111,7 +113,8 @@ fn every_set_is_looked_at_on_the_surface_of_its_subject() {
             (Scene::new(objects, Light::lamps(Vec::new()), Backdrop::Colour(Vec3::ZERO)), set.view());
         let met = scene.first_hit(view.eye, (view.focus - view.eye).normalize()).expect("a point in view");
         assert!(std::ptr::eq(met.object, &raw const scene.objects[0]), "{set:?}: another object");
-        // A digit of f32 over the distance to the eye, 13 at most; ten thousand times nearer that is a thousandth of it.
+        // A digit of f32 over the distance to the viewer, at most 13. At ten thousandfold zoom that
+        // is a thousandth of it.
         let off = met.hit.position.distance(view.focus);
         assert!(off < 2e-6, "{set:?}: {off}");
     }
@@ -123,10 +126,11 @@ fn bumps_about_a_focus_are_exact_at_any_zoom() {
         for zoom in [1.0, 1e2, 1e4, 1e5] {
             let [world, near] = [DVec3::ZERO, case.focus].map(|focus| error(&case, zoom, focus));
             println!("{}, ×{zoom}: {near:.1e} about the focus, {world:.1e} about the origin", case.name);
-            // Measured: 8e-5 at ×1, by the digits of hits far from the focus; 2e-5 and less nearer.
+            // Measured: 8e-5 at ×1, from the precision of hits far from the focus; at most 2e-5
+            // closer.
             let bound = if zoom == 1.0 { 2e-4 } else { 3e-5 };
             assert!(near < bound, "{}, ×{zoom}: {near}", case.name);
-            // In the world f32 has too few digits: measured 0.011 and more.
+            // In world coordinates f32 has too few digits: measured 0.011 and more.
             assert!(zoom < 1e4 || world > 5e-3, "{}, ×{zoom}: {world} about the origin", case.name);
         }
     }

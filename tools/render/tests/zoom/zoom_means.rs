@@ -1,4 +1,4 @@
-//! Zooming in on materials: what is seen of a patch keeps its mean radiance, and no pixel pops.
+//! Zooming into materials: the visible patch keeps its mean radiance, and no pixel pops.
 
 use asperity_render::shaded::{Patch, Sky, Subject, fractal_bumps, largest_pop, materials};
 use asperity_shading::glam::Vec3;
@@ -8,13 +8,13 @@ fn views() -> [Vec3; 2] {
     [Vec3::Z, Vec3::new(0.0, -0.75_f32.sqrt(), 0.5)]
 }
 
-/// A lamp on the other side, and one aside.
+/// A lamp on the opposite side, and a lamp to the side.
 fn skies() -> [Sky; 2] {
     [Vec3::new(-0.34, 0.42, 0.84), Vec3::new(0.5, 0.5, 0.6)].map(Sky::about)
 }
 
-/// The share by which the mean may change, and the pixels along a side at ×100, ×10³ and ×10⁴ that make its standard error less than
-/// a third of that.
+/// The relative tolerance of the mean, and the pixels along a side at ×100, ×10³ and ×10⁴ that keep
+/// its standard error below a third of the tolerance.
 fn demand(name: &str) -> (f64, [u32; 3]) {
     match name {
         "bumps" => (0.02, [240, 330, 330]),
@@ -28,9 +28,11 @@ fn demand(name: &str) -> (f64, [u32; 3]) {
     }
 }
 
-/// The largest change of the mean from ×1 and the largest standard error, over views, lamps and zooms, relative to the mean.
+/// Returns the largest change of the mean from ×1 and the largest standard error, over views, lamps
+/// and zooms, relative to the mean.
 ///
-/// The gallery has the same at 256 samples a pixel; here details that are finer than a pixel count by the number of pixels.
+/// The gallery has the same at 256 samples per pixel. Here the number of pixels averages details
+/// finer than a pixel.
 fn worst(subject: &Subject, pixels: [u32; 3]) -> [f64; 2] {
     let mut worst = [0.0_f64; 2];
     let zooms =
@@ -51,14 +53,15 @@ fn worst(subject: &Subject, pixels: [u32; 3]) -> [f64; 2] {
 
 #[test]
 #[ignore = "slow: weekly"]
-fn materials_keep_their_mean_radiance_from_afar_to_very_near() {
+fn materials_keep_their_mean_radiance_at_every_zoom() {
     for subject in materials() {
         let (bound, pixels) = demand(subject.name);
         let [change, error] = worst(&subject, pixels);
         println!("{}: {change:.4}, standard errors up to {error:.4}", subject.name);
         assert!(error < bound / 3.0, "{}: an error of {error} shows nothing", subject.name);
-        // Measured: 2.5 % of scratches, 2 % of carpets, 1.8 % of noisy glass, 1.4 % of flakes and less of the others, with errors of
-        // up to 1.3 %. Of the glass 1.3 % is left with an error of 0.1 %: half by its facets, half by the noise, whose slopes are no Gaussians.
+        // Measured: 2.5 % for scratches, 2 % for carpets, 1.8 % for noisy glass, 1.4 % for flakes
+        // and less for the others, with errors of up to 1.3 %. For the glass 1.3 % remain with an
+        // error of 0.1 %: half from its facets, half from the noise, whose slopes are not Gaussian.
         assert!(change < bound, "{}: {change}", subject.name);
     }
     // The paper's rule fails.
@@ -74,15 +77,17 @@ fn pop(subject: &Subject) -> f64 {
 #[test]
 #[ignore = "slow: weekly"]
 fn no_pixel_pops_in_a_slow_zoom() {
-    // A frame exchanges 2 % of the pixel's area, and moves the fade of an octave by 1 % of 0.6/0.4 · 1.5 = 2.3: of the range of
-    // all samples this much, if everything goes one way. Measured: 3.1 % of paint, 2.5 % of flakes, 1.9 % of fibres, whose edges are hard, 0.8 % and less of others.
+    // A frame exchanges 2 % of the pixel's area, and moves the fade of an octave by 1 % of 0.6/0.4
+    // · 1.5 = 2.3: at most this fraction of the range of all samples, if all changes add up.
+    // Measured: 3.1 % for paint, 2.5 % for flakes, 1.9 % for fibers, whose edges are hard, and at
+    // most 0.8 % for the others.
     const BOUND: f64 = 0.02 + 0.023;
     for subject in materials() {
         let pop = pop(&subject);
         println!("{}: largest pop {pop:.4}", subject.name);
         assert!(pop < BOUND, "{}: {pop}", subject.name);
         if ["carpet", "paint", "glass, noise", "bumps"].contains(&subject.name) {
-            // Details that come up one octave after another, for pixels of 1, ½, ¼, … are seen to pop.
+            // Octaves that appear one after another, for pixels of 1, ½, ¼, …, visibly pop.
             let name = subject.name;
             let pop = self::pop(&subject.in_steps());
             println!("{name}: largest pop in steps {pop:.4}");

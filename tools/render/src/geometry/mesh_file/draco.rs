@@ -1,4 +1,4 @@
-//! Meshes compressed by Draco, by `draco-core`.
+//! Meshes compressed with Draco, decoded by `draco-core`.
 
 use draco_core::{DecodeLimits, DecoderBuffer, Mesh, MeshDecoder};
 
@@ -20,18 +20,18 @@ impl DracoArrays {
         Ok(Self(mesh))
     }
 
-    /// The number of its points.
+    /// Returns the number of points.
     pub(super) fn count(&self) -> usize {
         self.0.num_points()
     }
 
-    /// Vectors of the attribute with this number, as stored.
+    /// Returns the vectors of the attribute with this id, as stored.
     pub(super) fn values<const N: usize>(&self, id: u32) -> Option<Vec<[f32; N]>> {
         let values = self.0.attribute_by_unique_id(id)?.read_f32s(self.count(), N);
         Some(values.as_chunks().0.to_vec())
     }
 
-    /// Corners of triangles, by threes.
+    /// Returns the corners of triangles, three per triangle.
     pub(super) fn corners(&self) -> Vec<u32> {
         self.0.faces().iter().flatten().map(|point| point.0).collect()
     }

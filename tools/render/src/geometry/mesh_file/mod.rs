@@ -1,4 +1,5 @@
-//! Meshes from files: Wavefront OBJ, PLY, STL and glTF, each centred on the origin and scaled into the unit ball.
+//! Meshes from Wavefront OBJ, PLY, STL and glTF files, each centered on the origin and scaled into
+//! the unit ball.
 
 mod draco;
 mod error;
@@ -20,29 +21,30 @@ pub use self::triangle_soup::{MeshFile, MeshReading, Up};
 use self::{error::MOST_BYTES, triangle_soup::TriangleSoup};
 use crate::input_file;
 
-/// Reads the mesh of a file by its extension, and turns what is up to z.
+/// Reads a mesh file by its extension, with the up axis rotated to z.
 ///
-/// Data that the file does not give are computed: normals by the angles of the triangles around a point that are no crease
-/// apart, tangents along ∂P/∂u. Triangles without area are left out. Texture coordinates are scaled so that their
-/// unit is a unit of length, in the mean over the surface.
+/// Missing data is computed. Normals are angle-weighted means of the triangles around a point that
+/// are within the crease angle, and tangents follow ∂P/∂u. Triangles of zero area are omitted.
+/// Texture coordinates are scaled so that their unit is a unit of length, averaged over the
+/// surface.
 pub fn open(path: &Path, reading: MeshReading) -> Result<MeshFile, MeshFileError> {
     let format = Format::of(path).ok_or(MeshFileError::UnknownExtension)?;
     let bytes = input_file::read(path, MOST_BYTES).map_err(|error| MeshFileError::Unreadable { error })?;
     decode(format, &bytes, path.parent().unwrap_or(Path::new("")), reading)
 }
 
-/// The formats.
+/// The supported formats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     Obj,
     Ply,
     Stl,
-    /// In one file or with its buffers beside it.
+    /// In one file, or with its buffers next to it.
     Gltf,
 }
 
 impl Format {
-    /// That of a file by its extension.
+    /// Returns the format of a file by its extension.
     fn of(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_string_lossy().to_ascii_lowercase();
         Some(match &*extension {
@@ -55,7 +57,7 @@ impl Format {
     }
 }
 
-/// [`open`] for the bytes of a file, beside which others are in `folder`.
+/// Decodes a mesh from bytes, like [`open`]. Other files it refers to are in `folder`.
 pub fn decode(
     format: Format,
     bytes: &[u8],

@@ -12,14 +12,16 @@ use crate::geometry::mesh_file::{
 };
 use crate::input_file::{number, text};
 
-/// Reads the faces of all objects. Materials, groups, vertex colors and weights are ignored, free-form surfaces are refused.
+/// Reads the faces of all objects. Materials, groups, vertex colors and weights are ignored.
+/// Free-form surfaces are an error.
 pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
     let text = text(bytes);
-    // A broken vertex matters only to the faces that use it, and broken or absent normals and texture coordinates to none.
+    // An invalid vertex affects only the faces that use it. Invalid or absent normals and texture
+    // coordinates affect none.
     let mut places: Vec<Result<DVec3, MeshFileError>> = Vec::new();
     let (mut uvs, mut normals): (Vec<Vec2>, Vec<Vec3>) = (Vec::new(), Vec::new());
     let mut soup = TriangleSoup::default();
-    // Indices are resolved at the end: a face may come before its vertices.
+    // Indices are resolved at the end, because a face may precede its vertices.
     let (mut faces, mut corners) = (Vec::new(), Vec::new());
     for (line, statement) in statements(&text) {
         let mut words = statement.split_whitespace();
@@ -43,7 +45,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
             }
             "l" | "p" => soup.thin = true,
             "surf" | "bzp" | "bsp" | "cdc" | "cdp" | "call" => {
-                return Err(broken(line, &format!("`{keyword}` is not supported, only polygons are")));
+                return Err(broken(line, &format!("`{keyword}` is not supported (polygons only)")));
             }
             _ => {}
         }
@@ -77,11 +79,11 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
     Ok(soup)
 }
 
-/// An index that a corner does not have.
+/// Index of an absent attribute.
 const ABSENT: u32 = u32::MAX;
 
-/// Statements with the numbers of their lines, without comments. Lines that end in a backslash are joined where the statement
-/// is read: names may be paths of Windows.
+/// Returns statements with line numbers, without comments. Lines that end in a backslash are joined
+/// only for statements that are parsed, because names may be Windows paths.
 fn statements(text: &str) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
     let lines = text.split('\n').flat_map(|line| line.strip_suffix('\r').unwrap_or(line).split('\r'));
     let mut lines = lines.map(trimmed).enumerate();
@@ -101,13 +103,14 @@ fn statements(text: &str) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
     })
 }
 
-/// The line up to a number sign, without blanks, zero bytes and byte order marks of files that were joined.
+/// Trims a line up to a number sign, without spaces, zero bytes and byte order marks of
+/// concatenated files.
 fn trimmed(line: &str) -> &str {
     let line = line.split('#').next().unwrap_or_default();
     line.trim_matches(|c: char| c.is_whitespace() || c == '\0' || c == '\u{feff}')
 }
 
-/// At least so many numbers of a statement, up to three; those that are not given are 0.
+/// Parses at least `least` numbers of a statement, up to three. Missing numbers are 0.
 fn numbers<'a>(
     line: usize,
     what: &str,
@@ -126,15 +129,16 @@ fn numbers<'a>(
     Ok(values)
 }
 
-/// The indices `v`, `v/vt`, `v//vn` or `v/vt/vn`, counted from 0, where so many are above. Texture coordinates and normals that
-/// do not exist are absent: many exporters number what they do not write.
+/// Parses the indices `v`, `v/vt`, `v//vn` or `v/vt/vn` to indices counted from 0, given the number
+/// of preceding elements. Missing texture coordinates and normals are treated as absent, because
+/// many exporters write indices without the elements.
 fn corner(line: usize, word: &str, above: [usize; 3]) -> Result<[u32; 3], MeshFileError> {
     let mut indices = [ABSENT; 3];
     for (k, text) in word.split('/').enumerate().take(3) {
         if text.is_empty() && k > 0 {
             continue;
         }
-        let index: i64 = text.parse().map_err(|_| broken(line, &format!("`{word}` is not a face corner")))?;
+        let index: i64 = text.parse().map_err(|_| broken(line, &format!("invalid face corner `{word}`")))?;
         let from_0 = if index < 0 { index.saturating_add(above[k] as i64) } else { index - 1 };
         match u32::try_from(from_0).ok().filter(|&found| found != ABSENT) {
             Some(found) => indices[k] = found,

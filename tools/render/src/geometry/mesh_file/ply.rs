@@ -1,4 +1,4 @@
-//! PLY: text and both binary kinds.
+//! PLY: text and both binary encodings.
 //!
 //! Format: Turk 1994, "The PLY Polygon File Format".
 
@@ -13,8 +13,9 @@ use crate::geometry::mesh_file::{
 };
 use crate::input_file::{number, utf8};
 
-/// Reads the element `vertex` with `x`, `y`, `z`, optionally normals and texture coordinates, and the element `face` with a
-/// list of corners and optionally a list `texcoord` for them, or `tristrips` with strips that −1 ends. Other elements are skipped.
+/// Reads the element `vertex` with `x`, `y`, `z`, and optional normals and texture coordinates.
+/// Faces come from the element `face` with a list of corners and an optional list `texcoord`, or
+/// from `tristrips` with strips terminated by −1. Other elements are skipped.
 pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
     let bytes = utf8(bytes);
     let (encoding, elements, rest) = header(&bytes)?;
@@ -34,13 +35,13 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
     if !matches!(encoding, Encoding::Text) {
         return body.read(encoding, rest);
     }
-    // With a line for each row, other programs' columns at its end do no harm; rows may also be wrapped.
+    // With one line per row, extra columns at the end are harmless. Rows may also be wrapped.
     let lines = rest.split(|byte| matches!(byte, b'\n' | b'\r')).filter(|line| !line.trim_ascii().is_empty());
     let rows = elements.iter().map(|element| element.count).fold(0, usize::saturating_add);
     let lines = lines.count();
     if lines < rows && lines > 1 {
         body.elements.iter().try_for_each(|element| element.check_count(rest.len()))?;
-        return Err(broken(format!("it has {lines} lines for the {rows} rows that its header claims")));
+        return Err(broken(format!("header claims {rows} rows, but there are {lines} lines")));
     }
     let by_lines = || body.read(Encoding::Lines, rest);
     if lines == rows {
@@ -50,12 +51,12 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
     }
 }
 
-/// The elements behind a header, and those that are read.
+/// The elements after the header, and the elements that are read.
 struct Body<'a> {
     elements: &'a [Element],
     vertices: &'a Element,
     faces: &'a Element,
-    /// The places of the lists of a face.
+    /// The positions of the lists of a face.
     of_corners: usize,
     per_corner: Option<usize>,
 }
@@ -114,19 +115,22 @@ const PLACES: [(&[&str], &str); 3] = [
     (&["z", "pz", "posz"], "property `z`"),
 ];
 
-/// The end of a strip.
+/// Terminator of a strip.
 const END: u32 = u32::MAX;
 
-/// A whole number; −1 ends a strip.
+/// Converts a number to an index; −1 terminates a strip.
 fn index(value: f64, strips: bool) -> Result<u32, MeshFileError> {
     if strips && value == -1.0 {
         return Ok(END);
     }
     let whole = value >= 0.0 && value < f64::from(END) && value.fract() == 0.0;
-    whole.then_some(value as u32).ok_or_else(|| broken(format!("a face has corner {value}")))
+    whole
+        .then_some(value as u32)
+        .ok_or_else(|| broken(format!("a face has the invalid vertex index {value}")))
 }
 
-/// The vertex with these texture coordinates: a vertex may have others in each of its faces.
+/// Returns the vertex with these texture coordinates. A vertex may have different ones in each
+/// face.
 fn with_uv(
     soup: &mut TriangleSoup,
     known: &mut HashMap<(u32, [u32; 2]), u32>,
@@ -178,13 +182,13 @@ fn corners(element: &Element, encoding: Encoding, rest: &mut &[u8]) -> Result<Ve
 #[derive(Clone, Copy)]
 enum Encoding {
     Text,
-    /// Text with a line for each row.
+    /// Text with one line per row.
     Lines,
     LittleEndian,
     BigEndian,
 }
 
-/// The types of numbers.
+/// Number types.
 #[derive(Clone, Copy)]
 enum Type {
     Signed(usize),
@@ -206,7 +210,7 @@ impl Type {
             "uint64" => Self::Unsigned(8),
             "float" | "float32" => Self::Float,
             "double" | "float64" => Self::Double,
-            _ => return Err(broken(format!("`{name}` is not a type of its header"))),
+            _ => return Err(broken(format!("unknown type `{name}` in the header"))),
         })
     }
 
@@ -218,7 +222,7 @@ impl Type {
         }
     }
 
-    /// A number off the front of the body.
+    /// Parses a number from the front of the body.
     fn take(self, encoding: Encoding, rest: &mut &[u8]) -> Option<f64> {
         if matches!(encoding, Encoding::Text | Encoding::Lines) {
             *rest = rest.trim_ascii_start();
@@ -246,7 +250,7 @@ impl Type {
 
 struct Property {
     name: String,
-    /// The type of the count, of a list.
+    /// The type of the count, for a list.
     count: Option<Type>,
     of: Type,
 }
@@ -262,17 +266,18 @@ impl Element {
         self.properties.iter().position(|p| names.contains(&&*p.name) && p.count.is_some() == list)
     }
 
-    /// The place of the first property of these names that is a number.
+    /// Returns the position of the first scalar property with one of these names.
     fn scalar(&self, names: &[&str]) -> Option<usize> {
         self.find(false, names)
     }
 
-    /// The place of the first property of these names that is a list.
+    /// Returns the position of the first list property with one of these names.
     fn list(&self, names: &[&str]) -> Option<usize> {
         self.find(true, names)
     }
 
-    /// Refuses a count that so many bytes cannot hold: each property takes at least one.
+    /// Returns an error for a count that the remaining bytes cannot hold: each property takes at
+    /// least one byte.
     fn check_count(&self, left: usize) -> Result<(), MeshFileError> {
         if self.count.saturating_mul(self.properties.len().max(1)) > left {
             let element = self.name.chars().take(40).collect();
@@ -281,7 +286,7 @@ impl Element {
         Ok(())
     }
 
-    /// Takes a row off the body and hands over the numbers of each property.
+    /// Parses a row, and passes on the numbers of each property.
     fn row(
         &self,
         row: usize,
@@ -293,14 +298,14 @@ impl Element {
         for (k, property) in self.properties.iter().enumerate() {
             let ends = || {
                 let (row, element, property) = (row + 1, &self.name, &property.name);
-                broken(format!("`{property}` of `{element}` {row} of {} is not in the file", self.count))
+                broken(format!("`{property}` of `{element}` {row} of {} is missing", self.count))
             };
             values.clear();
             let count = match property.count {
                 None => 1.0,
                 Some(count) => count.take(encoding, rest).ok_or_else(ends)?,
             };
-            // A byte at least for each.
+            // At least a byte each.
             if !(0.0..=rest.len() as f64).contains(&count) {
                 return Err(ends());
             }
@@ -317,13 +322,14 @@ impl Element {
     }
 }
 
-/// The encoding, the elements, and the bytes behind the header. Lines that are not of the format are ignored, as comments are.
+/// Returns the encoding, the elements, and the bytes after the header. Lines outside the format are
+/// ignored like comments.
 fn header(bytes: &[u8]) -> Result<(Encoding, Vec<Element>, &[u8]), MeshFileError> {
-    let mut rest = bytes.strip_prefix(b"ply").ok_or_else(|| broken("it does not begin with `ply`"))?;
+    let mut rest = bytes.strip_prefix(b"ply").ok_or_else(|| broken("file does not begin with `ply`"))?;
     let (mut encoding, mut elements) = (None, Vec::<Element>::new());
     loop {
         let length = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r'));
-        let length = length.ok_or_else(|| broken("its header has no line `end_header`"))?;
+        let length = length.ok_or_else(|| broken("header has no line `end_header`"))?;
         let line = String::from_utf8_lossy(&rest[..length]).into_owned();
         rest = rest[length..].strip_prefix(b"\r\n").unwrap_or(&rest[length + 1..]);
         let words: Vec<&str> = line.split_whitespace().collect();
@@ -333,11 +339,13 @@ fn header(bytes: &[u8]) -> Result<(Encoding, Vec<Element>, &[u8]), MeshFileError
                     "ascii" => Encoding::Text,
                     "binary_little_endian" => Encoding::LittleEndian,
                     "binary_big_endian" => Encoding::BigEndian,
-                    _ => return Err(broken(format!("its format `{name}` does not exist"))),
+                    _ => return Err(broken(format!("unknown format `{name}`"))),
                 });
             }
             ["element", name, count] => {
-                let count = count.parse().map_err(|_| broken(format!("`{name}` has `{count}` rows")))?;
+                let count = count
+                    .parse()
+                    .map_err(|_| broken(format!("invalid number of rows `{count}` of `{name}`")))?;
                 elements.push(Element { name: name.into(), count, properties: Vec::new() });
             }
             ["property", "list", count, of, name] => {
@@ -349,17 +357,17 @@ fn header(bytes: &[u8]) -> Result<(Encoding, Vec<Element>, &[u8]), MeshFileError
                 elements.last_mut().ok_or_else(|| out_of_place(name))?.properties.push(of);
             }
             ["element" | "property" | "format", ..] => {
-                return Err(broken(format!("its header has the line `{}`", line.trim())));
+                return Err(broken(format!("invalid header line `{}`", line.trim())));
             }
             ["end_header", ..] => break,
             _ => {}
         }
     }
-    Ok((encoding.ok_or_else(|| broken("its header has no line `format`"))?, elements, rest))
+    Ok((encoding.ok_or_else(|| broken("header has no line `format`"))?, elements, rest))
 }
 
 fn out_of_place(name: &str) -> MeshFileError {
-    broken(format!("property `{name}` comes before every element"))
+    broken(format!("property `{name}` precedes every element"))
 }
 
 fn broken(error: impl Into<String>) -> MeshFileError {

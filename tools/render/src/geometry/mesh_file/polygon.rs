@@ -1,19 +1,19 @@
-//! Polygons in space, cut into triangles.
+//! Polygon triangulation in space.
 
 use glam::{DVec2, DVec3};
 
 use crate::geometry::mesh_file::error::{MOST_CORNERS, MeshFileError};
 
-/// Triangles, as places in the list of corners, in the polygon's own sense: two fewer than corners that differ from the one
-/// before.
+/// Triangulates a polygon into index triples in the polygon's orientation. Their number is two
+/// fewer than the number of corners that differ from the previous corner.
 ///
-/// Convex polygons become a fan about the first corner; others lose one ear after the other (Meisters 1975, "Polygons
-/// have ears"), in the plane that the polygon is nearest to. Of one that crosses itself, there is always something to
-/// cut off, though not always an ear.
+/// Convex polygons become a fan around the first corner. Concave polygons are ear clipped (Meisters
+/// 1975, "Polygons have ears") in the plane that is nearest to the polygon. A self-intersecting
+/// polygon always loses a corner, though not always an ear.
 pub(super) fn triangulate(corners: &[DVec3]) -> Result<Vec<[usize; 3]>, MeshFileError> {
     let flat = flattened(corners);
     let turn = |[a, b, c]: [usize; 3]| (flat[b] - flat[a]).perp_dot(flat[c] - flat[b]);
-    // A corner given twice would hide which way the polygon turns there.
+    // A repeated corner would hide the turning direction there.
     let count = corners.len();
     let mut left: Vec<usize> = (0..count).filter(|&i| flat[i] != flat[(i + count - 1) % count]).collect();
     let n = left.len();
@@ -46,23 +46,23 @@ pub(super) fn triangulate(corners: &[DVec3]) -> Result<Vec<[usize; 3]>, MeshFile
     Ok(triangles)
 }
 
-/// The triangles of a strip, all in the sense of the first.
+/// Returns the triangles of a strip, all in the orientation of the first.
 pub(super) fn strip(corners: &[u32]) -> Vec<[u32; 3]> {
     let triangle = |(i, &[a, b, c]): (usize, &[u32; 3])| if i % 2 == 0 { [a, b, c] } else { [b, a, c] };
     corners.array_windows().enumerate().map(triangle).collect()
 }
 
-/// The triangles of a fan about the first corner.
+/// Returns the triangles of a fan around the first corner.
 pub(super) fn fan(corners: &[u32]) -> Vec<[u32; 3]> {
     let Some((&first, others)) = corners.split_first() else { return Vec::new() };
     others.array_windows().map(|&[b, c]| [b, c, first]).collect()
 }
 
-/// The corners along the axis that Newell's normal is longest on, turning to the left.
+/// Projects the corners along the dominant axis of Newell's normal, counterclockwise.
 fn flattened(corners: &[DVec3]) -> Vec<DVec2> {
     let next = corners.iter().cycle().skip(1);
     let normal = corners.iter().zip(next).fold(DVec3::ZERO, |sum, (&a, &b)| {
-        // Differences first: far from the origin the products would swamp the area.
+        // Differences first: far from the origin the products would cancel the area.
         sum + (a - corners[0]).cross(b - corners[0])
     });
     let axis = normal.abs().max_position();
@@ -84,7 +84,7 @@ mod tests {
     fn area(corners: &[DVec3]) -> DVec3 {
         let halves = triangulate(corners).unwrap().into_iter().map(|[a, b, c]| {
             let cross = (corners[b] - corners[a]).cross(corners[c] - corners[a]);
-            // In the sense of the whole.
+            // In the orientation of the whole.
             assert!(cross.dot(DVec3::new(1.0, -2.0, 3.0)) >= -1e-12, "{a} {b} {c}");
             0.5 * cross
         });
@@ -100,15 +100,15 @@ mod tests {
     const V: DVec3 = DVec3::new(-3.0, 6.0, 5.0);
 
     #[test]
-    fn triangles_of_a_polygon_cover_it_once() {
+    fn triangulate_covers_a_polygon_once() {
         let scale = U.cross(V).length();
         let cases: [(&[[f64; 2]], f64); 4] = [
             (&[[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]], 2.0),
-            // An arrow's head: a fan about the first corner would leave it.
+            // An arrowhead: a fan around the first corner would leave it.
             (&[[0.0, 0.0], [2.0, -1.0], [0.5, 0.0], [2.0, 1.0]], 0.5),
-            // A crown, with two corners that turn to the right.
+            // A crown, with two reflex corners.
             (&[[0.0, 0.0], [3.0, 0.0], [3.0, 3.0], [2.0, 1.0], [1.0, 1.0], [0.0, 3.0]], 5.0),
-            // A corner twice, and one on a straight edge.
+            // A repeated corner, and a corner on a straight edge.
             (&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 2.0], [1.0, 0.5], [1.0, 0.5], [0.0, 2.0]], 2.5),
         ];
         for (points, expected) in cases {
@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_simple_polygon_ends_too() {
+    fn triangulate_terminates_for_self_intersections() {
         let bow = [DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0), DVec3::X, DVec3::Y];
         for (corners, count) in [(&bow[..], 2), (&[DVec3::ONE; 7], 0), (&[DVec3::ONE; 2], 0), (&[], 0)] {
             assert_eq!(triangulate(corners).unwrap().len(), count);

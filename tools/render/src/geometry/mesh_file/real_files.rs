@@ -1,4 +1,5 @@
-//! Kinds of files that public bug reports of other loaders name: each must give the mesh that its plain form gives.
+//! File variants from public bug reports of other loaders: each must give the same mesh as its
+//! plain form.
 
 use std::fmt::Write as _;
 
@@ -16,7 +17,7 @@ fn read(parse: &Parser<'_>, bytes: &[u8]) -> MeshFile {
     mesh(parse, bytes, reading(Up::Z)).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Corners of all triangles.
+/// Returns the corners of all triangles.
 fn triangles(file: &MeshFile) -> Vec<[[f32; 3]; 3]> {
     let place = |&i: &u32| file.mesh.vertices[i as usize].position.to_array();
     file.mesh.triangles.iter().map(|t| [place(&t[0]), place(&t[1]), place(&t[2])]).collect()
@@ -88,7 +89,7 @@ fn obj_text_encodings_and_line_ends() {
     obj("joined files", format!("# a\n\u{feff}{CUBE}"));
     obj("zero bytes", format!("{}\0\0\0\n", CUBE.trim_end()));
     obj("latin-1", [b"o caf\xe9\n", CUBE.as_bytes()].concat());
-    // With an unused vertex, one that is lost would move all corners by one.
+    // With an unused vertex, a lost vertex would shift all indices by one.
     let one_more = CUBE.replacen("f ", "v 9 9 9\nf ", 1);
     obj("mark and unused vertex", format!("\u{feff}{one_more}"));
 }
@@ -119,13 +120,14 @@ fn obj_unused_vertices_may_be_broken() {
     assert!(!obj("vn nan", normals).normals);
 }
 
-/// The cube of a file with map coordinates must have edges of equal length, and the shape of the file in doubles.
+/// A cube in map coordinates must have edges of equal length, and the shape given by the doubles in
+/// the file.
 #[test]
-fn map_coordinates_keep_their_digits() {
+fn map_coordinates_keep_precision() {
     let expected = read(&ply::parse, include_bytes!("../../../tests/data/meshes/utm.ply"));
     let got = read(&obj::parse, include_bytes!("../../../tests/data/meshes/utm.obj"));
     same("utm.obj", &got, &expected, 1e-6);
-    // A triangle of side 1 in binary STL has no such digits to lose; in text it has.
+    // Binary STL cannot represent such coordinates of a triangle of side 1, but text can.
     let text = "solid\nfacet normal 0 0 1\nouter loop\nvertex 5000000.25 4000000 100\nvertex 5000001.25 4000000 100\nvertex 5000000.25 4000001 100\nendloop\nendfacet\nendsolid\n";
     let plain = text
         .replace("5000000.25", "0")
@@ -156,9 +158,7 @@ fn stl_keywords_in_any_case_and_names_of_any_words() {
     assert!(!read(&stl::parse, text.as_bytes()).left_out);
     assert!(read(&stl::parse, text.replace("endsolid", "").as_bytes()).left_out);
     for text in ["v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".repeat(9), format!("; made\n{text}")] {
-        assert!(
-            refusal(&stl::parse, text.as_bytes()).contains("it is text that does not begin with `solid`")
-        );
+        assert!(refusal(&stl::parse, text.as_bytes()).contains("text does not begin with `solid`"));
     }
     stl_as_cube("color", text.replacen("solid", "solid name\ncolor 1 0 0", 1).as_bytes());
     let twice = read(&stl::parse, format!("{text}\n{text}").as_bytes());
@@ -184,7 +184,7 @@ fn stl_binary_that_begins_with_solid() {
     let fewer = read(&stl::parse, &fewer);
     assert!(fewer.left_out && fewer.mesh.triangles.len() == 3);
     let got = refusal(&stl::parse, &binary[..binary.len() - 10]);
-    assert!(got.contains("674 bytes hold 11 of the 12 triangles that it claims"), "{got}");
+    assert!(got.contains("header claims 12 triangles, but 674 bytes hold 11"), "{got}");
     let file = include_bytes!("../../../tests/data/meshes/binary-solid-trailing.stl");
     assert_eq!(read(&stl::parse, file).mesh.triangles.len(), 12);
 }
@@ -227,7 +227,7 @@ fn ply_names_and_elements_of_other_programs() {
     assert_eq!(read(&ply::parse, strips.as_bytes()).mesh.triangles.len(), 1);
     let short = CUBE_PLY.replace("vertex 8", "vertex 9");
     let got = refusal(&ply::parse, short.as_bytes());
-    assert!(got.contains("it has 15 lines for the 16 rows that its header claims"), "{got}");
+    assert!(got.contains("header claims 16 rows, but there are 15 lines"), "{got}");
     let negative = CUBE_PLY.replace("4 0 4 6 2", "4 0 4 6 -1");
     assert!(refusal(&ply::parse, negative.as_bytes()).contains("a face has corner -1"));
 }
@@ -254,7 +254,7 @@ fn ply_unused_vertices_may_be_nan() {
     let file = read(&ply::parse, include_bytes!("../../../tests/data/meshes/nan-vertex.ply"));
     assert_eq!(file.mesh.triangles.len(), 12);
     let used = CUBE_PLY.replacen("-1 -1 -1 200", "-1 nan -1 200", 1);
-    assert_eq!(refusal(&ply::parse, used.as_bytes()), "vertex 0, counted from 0, is not finite");
+    assert_eq!(refusal(&ply::parse, used.as_bytes()), "vertex 0 (counted from 0) is not finite");
 }
 
 #[test]
@@ -277,7 +277,7 @@ fn plain() -> MeshFile {
     read(&gltf_alone, include_bytes!("../../../tests/data/meshes/plain.glb"))
 }
 
-/// JSON and buffer of `plain.glb`.
+/// Returns JSON and buffer of `plain.glb`.
 fn parts(bytes: &[u8]) -> (Value, Vec<u8>) {
     let length = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap()) as usize;
     let (json, behind) = bytes[20..].split_at(length(12));
@@ -288,7 +288,8 @@ fn parts(bytes: &[u8]) -> (Value, Vec<u8>) {
 fn gltf_skinned_mesh_ignores_the_transform_of_its_node() {
     let file = include_bytes!("../../../tests/data/meshes/skinned.glb");
     same("skinned.glb", &read(&gltf_alone, file), &plain(), 1e-6);
-    // The joint turns the cube a quarter about z, in which it is the same cube, with corners in another order.
+    // The joint rotates the cube by a quarter turn about z, which gives the same cube with permuted
+    // corners.
     let (mut json, bin) = parts(file);
     let joint = json["skins"][0]["joints"][0].as_u64().unwrap() as usize;
     json["nodes"][joint] = json!({"translation": [3, 4, 5], "scale": [2, 2, 2]});
@@ -297,7 +298,7 @@ fn gltf_skinned_mesh_ignores_the_transform_of_its_node() {
     let joints = json["skins"][0]["joints"].take();
     json["skins"][0]["joints"] = json!([]);
     let got = refusal(&gltf_alone, &glb(&json, &bin));
-    assert_eq!(got, "the glTF has no joint 0, counted from 0, there are 0", "of {count}");
+    assert_eq!(got, "the glTF has no joint 0 (it has 0, counted from 0)", "of {count}");
     json["skins"][0]["joints"] = joints;
     json["nodes"][joint] = json!({"scale": [1, 1, 4]});
     let tall = read(&gltf_alone, &glb(&json, &bin));
@@ -331,7 +332,8 @@ fn gltf_instances_are_all_drawn() {
 fn gltf_instances_rotate_and_scale() {
     let (mut json, mut bin) = parts(include_bytes!("../../../tests/data/meshes/plain.glb"));
     let offset = bin.len();
-    // A quarter about y as normalized shorts, and a scale of 1, 1, 3: along x after the turn.
+    // A quarter turn about y as normalized shorts, and a scale of 1, 1, 3: along x after the
+    // rotation.
     let half = (0.5_f64.sqrt() * 32_767.0).round() as i16;
     bin.extend([0, half, 0, half].into_iter().flat_map(i16::to_le_bytes));
     bin.extend([1.0_f32, 1.0, 3.0].into_iter().flat_map(f32::to_le_bytes));
@@ -364,16 +366,16 @@ fn gltf_unknown_required_extensions_are_refused() {
     same("used", &read(&gltf_alone, &glb(&json, &bin)), &plain(), 0.0);
     json["extensionsRequired"] = json!(["ACME_fur"]);
     let got = refusal(&gltf_alone, &glb(&json, &bin));
-    assert_eq!(got, "the glTF requires the extension ACME_fur, which is not supported");
+    assert_eq!(got, "the glTF requires the unsupported extension ACME_fur");
 }
 
 #[test]
-fn gltf_default_morph_weights_are_of_the_rest_pose() {
+fn gltf_default_morph_weights_apply() {
     let file = include_bytes!("../../../tests/data/meshes/morph-weights.glb");
     let (mut json, bin) = parts(file);
     let morphed = triangles(&read(&gltf_alone, file));
     assert_ne!(morphed, triangles(&plain()));
-    // Weights of the node take the place of those of the mesh.
+    // Weights of the node replace weights of the mesh.
     json["nodes"][0]["weights"] = json!([0.0]);
     same("node", &read(&gltf_alone, &glb(&json, &bin)), &plain(), 0.0);
     json["nodes"][0]["weights"] = json!([1.0]);
@@ -395,7 +397,7 @@ fn gltf_hidden_nodes_are_not_drawn() {
 }
 
 #[test]
-fn gltf_json_as_javascript_takes_it() {
+fn gltf_json_in_javascript_form() {
     let (json, bin) = parts(include_bytes!("../../../tests/data/meshes/plain.glb"));
     let with = |pointer: &str, name: &str, value: Value| {
         let mut json = json.clone();
@@ -435,7 +437,7 @@ fn gltf_parts_that_are_not_drawn_may_be_broken() {
     ] {
         same("nodes", &with(nodes), &plain(), 0.0);
     }
-    // A primitive of no vertices next to the cube.
+    // A primitive without vertices next to the cube.
     let mut empty = json.clone();
     let accessors = empty["accessors"].as_array_mut().unwrap();
     accessors.push(json!({"bufferView": 0, "componentType": 5126, "count": 0, "type": "VEC3"}));
@@ -484,7 +486,7 @@ fn gltf_triangles_that_do_not_exist_are_left_out() {
     bin[offset[0] + offset[1]..][..2].copy_from_slice(&900_u16.to_le_bytes());
     let file = read(&gltf_alone, &glb(&json, &bin));
     assert!(file.left_out);
-    // Two primitives name the accessor.
+    // Two primitives refer to the accessor.
     assert_eq!(file.mesh.triangles.len(), 10);
 }
 

@@ -10,31 +10,31 @@ use crate::input_file::{number, text};
 
 /// Bytes before the triangles of a binary file.
 const HEADER: usize = 84;
-/// Bytes of a triangle.
+/// Bytes per triangle.
 const TRIANGLE: usize = 50;
 
-/// Reads all facets; their normals are ignored, because they follow from the corners.
+/// Reads all facets. Their normals are ignored, because they follow from the corners.
 pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
     let count = bytes.get(80..HEADER).map_or(0, |n| n.iter().rev().fold(0, |n, &b| n << 8 | usize::from(b)));
     let holds = bytes.len().saturating_sub(HEADER) / TRIANGLE;
     let long_enough = bytes.len() >= HEADER && holds >= count;
-    // Many binary files begin with `solid`, and some have blanks behind their last triangle.
+    // Many binary files begin with `solid`, and some have spaces after their last triangle.
     let exact = long_enough && bytes.len() == HEADER + count * TRIANGLE;
     let as_text = text(bytes);
     if !exact && is_text(&as_text) {
         return facets(&as_text);
     }
-    // A header may have any bytes, but text goes on behind it.
+    // A binary header may contain any bytes, but text continues after it.
     let printed = |&byte: &u8| byte.is_ascii_graphic() || byte.is_ascii_whitespace();
     if bytes.len() > HEADER && !exact && bytes.iter().take(512).all(printed) {
-        return Err(MeshFileError::broken("STL", "it is text that does not begin with `solid`"));
+        return Err(MeshFileError::broken("STL", "text does not begin with `solid`"));
     }
     if bytes.len() < HEADER {
-        let error = "it neither begins with `solid` nor has a header of 84 bytes";
+        let error = "file neither begins with `solid` nor has a header of 84 bytes";
         return Err(MeshFileError::broken("STL", error));
     }
     if !long_enough {
-        let held = format!("{} bytes hold {holds} of the {count} triangles that it claims", bytes.len());
+        let held = format!("header claims {count} triangles, but {} bytes hold {holds}", bytes.len());
         return Err(MeshFileError::broken("STL", held));
     }
     // Streaming writers leave the count at 0.
@@ -51,7 +51,8 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
     Ok(soup)
 }
 
-/// Whether the file begins with the word `solid` and has no zero bytes, which numbers of binary files have, or words of facets.
+/// Whether the file begins with the word `solid`, and has either no zero bytes, which binary
+/// numbers contain, or the words of facets.
 fn is_text(text: &str) -> bool {
     let start = text.trim_start();
     let solid = start.get(..5).is_some_and(|word| word.eq_ignore_ascii_case("solid"));
@@ -59,7 +60,7 @@ fn is_text(text: &str) -> bool {
     solid && (!head.contains('\0') || head.contains("facet") && head.contains("vertex"))
 }
 
-/// The facets behind the name of a solid in the same line: the name may have every word.
+/// Returns the facets after the name of a solid on the same line. The name may contain any word.
 fn one_line(line: &str) -> Option<&str> {
     let lower = line.to_ascii_lowercase();
     lower.match_indices("facet").map(|(at, _)| at).find_map(|at| {
@@ -69,11 +70,11 @@ fn one_line(line: &str) -> Option<&str> {
     })
 }
 
-/// The facets of a text. Names of solids may contain every word.
+/// Parses the facets of a text. Names of solids may contain any word.
 fn facets(text: &str) -> Result<TriangleSoup, MeshFileError> {
     let mut soup = TriangleSoup::default();
     let (mut corners, mut vertices) = (Vec::new(), 0_usize);
-    // A file that was cut off has no end.
+    // A truncated file has no end.
     soup.left_out = true;
     for line in text.split(['\n', '\r']) {
         let first = line.split_whitespace().next().unwrap_or_default();
@@ -85,7 +86,7 @@ fn facets(text: &str) -> Result<TriangleSoup, MeshFileError> {
             if word.eq_ignore_ascii_case("vertex") {
                 let place = [(); 3].map(|()| words.next().and_then(number));
                 let [Some(x), Some(y), Some(z)] = place else {
-                    let error = format!("vertex {vertices}, counted from 0, is not three numbers");
+                    let error = format!("vertex {vertices} (counted from 0) does not have three numbers");
                     return Err(MeshFileError::broken("STL", error));
                 };
                 corners.push(DVec3::new(x, y, z));
@@ -99,7 +100,7 @@ fn facets(text: &str) -> Result<TriangleSoup, MeshFileError> {
     Ok(soup)
 }
 
-/// Appends a facet; some programs write polygons.
+/// Appends a facet. Some programs write polygons.
 fn finish(soup: &mut TriangleSoup, corners: &mut Vec<DVec3>) -> Result<(), MeshFileError> {
     match corners.len() {
         0 => Ok(()),

@@ -1,4 +1,4 @@
-//! Files that are right, cut off, and spoilt: each gives a right mesh or one clear line.
+//! Valid, truncated and corrupted files: each gives a valid mesh or a one-line error.
 
 use std::{fs, path::Path};
 
@@ -16,13 +16,13 @@ use crate::{
     sampling::random::Random,
 };
 
-/// The cube of side 2 with its faces turning to the left from outside.
+/// The cube of side 2, with faces counterclockwise from outside.
 const CUBE_OBJ: &str = include_str!("../../../tests/data/cube.obj");
 const CUBE_PLY: &str = include_str!("../../../tests/data/cube.ply");
-/// Six faces of four corners each, v downwards; two primitives of three faces, under two nodes.
+/// Six faces of four corners each, v down; two primitives of three faces, under two nodes.
 const CUBE_GLB: &[u8] = include_bytes!("../../../tests/data/cube.glb");
 
-/// The cube in a binary encoding.
+/// Returns the cube in a binary encoding.
 fn cube_ply(big_endian: bool) -> Vec<u8> {
     let number = |kind: &str, word: &str| -> Vec<u8> {
         let mut bytes = match kind {
@@ -61,14 +61,14 @@ pub(super) fn glb(json: &Value, bin: &[u8]) -> Vec<u8> {
     [b"glTF", &2_u32.to_le_bytes()[..], &(12 + chunks.len() as u32).to_le_bytes(), &chunks].concat()
 }
 
-/// The cube's JSON and its binary chunk.
+/// Returns the cube's JSON and its binary chunk.
 pub(super) fn cube_gltf() -> (Value, Vec<u8>) {
     let length = |at: usize| u32::from_le_bytes(CUBE_GLB[at..at + 4].try_into().unwrap()) as usize;
     let (json, behind) = CUBE_GLB[20..].split_at(length(12));
     (serde_json::from_slice(json).unwrap(), behind[8..8 + length(20 + length(12))].to_vec())
 }
 
-/// The cube as STL: text, or binary with a header that begins as text does.
+/// Returns the cube as STL: text, or binary with a header that begins like text.
 pub(super) fn cube_stl(binary: bool) -> Vec<u8> {
     let cube = soup_of(&obj::parse, CUBE_OBJ.as_bytes());
     let corner = |i: &u32| cube.corners[*i as usize].position.as_vec3();
@@ -92,7 +92,7 @@ pub(super) fn cube_stl(binary: bool) -> Vec<u8> {
     format!("solid\n{}endsolid\n", cube.triangles.iter().map(facet).collect::<String>()).into()
 }
 
-/// The cube as a `.gltf` with its buffer in itself.
+/// Returns the cube as a `.gltf` with an embedded buffer.
 pub(super) fn cube_gltf_text() -> Vec<u8> {
     let (mut json, bin) = cube_gltf();
     json["buffers"][0]["uri"] = data_uri(&bin).into();
@@ -128,13 +128,13 @@ pub(super) fn reading(up: Up) -> MeshReading {
     MeshReading { up, crease: 40.0 }
 }
 
-/// Properties of every mesh from a file, whatever the file gives for normals.
+/// Checks the properties of every mesh from a file, independent of the file's normals.
 fn check(name: &str, mesh: &Mesh) {
     checks::check(name, mesh, -1.1);
     assert!(mesh.vertices.iter().all(|v| v.position.length() < 1.0 + 1e-6), "{name}");
 }
 
-/// The mesh, if it is one and right, or else one clear line.
+/// Returns the valid mesh, or a one-line error.
 fn judged(name: &str, parse: &Parser<'_>, bytes: &[u8]) -> Result<Mesh, String> {
     let MeshFile { mesh, .. } = mesh(parse, bytes, reading(Up::Y)).map_err(|_| refusal(parse, bytes))?;
     check(name, &mesh);
@@ -149,7 +149,7 @@ pub(super) fn refusal(parse: &Parser<'_>, bytes: &[u8]) -> String {
 }
 
 #[test]
-fn a_cube_is_the_same_in_every_format() {
+fn cube_is_equal_in_every_format() {
     for (name, parse, bytes) in good() {
         for up in [Up::Y, Up::Z] {
             let MeshFile { mesh, normals, .. } = mesh(parse, &bytes, reading(up)).unwrap();
@@ -160,7 +160,8 @@ fn a_cube_is_the_same_in_every_format() {
             assert_abs_diff_eq!(volume(&mesh), (4.0_f32 / 3.0).powf(1.5), epsilon = 1e-5);
             for v in &mesh.vertices {
                 let along = v.normal.dot(v.position.normalize());
-                // Given or computed: of the face, whose neighbours are 90 degrees apart.
+                // From the file or computed: the normal of the face, whose neighbors are 90 degrees
+                // apart.
                 assert_abs_diff_eq!(along, 1.0 / 3.0_f32.sqrt(), epsilon = 1e-5);
             }
             TracedMesh::new(mesh);
@@ -169,7 +170,7 @@ fn a_cube_is_the_same_in_every_format() {
 }
 
 #[test]
-fn tangents_follow_u_and_v_goes_upwards() {
+fn tangents_follow_u_and_v_points_up() {
     let quad = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
     let plain = format!("{quad}f 1/1 2/2 3/3 4/4\n").into_bytes();
     let mirrored = format!("{quad}f 1/2 2/1 3/4 4/3\n").into_bytes();
@@ -184,7 +185,8 @@ fn tangents_follow_u_and_v_goes_upwards() {
             let [a, b, c] = triangle.map(|i| mesh.vertices[i as usize]);
             for [p, q] in [[a, b], [b, c], [c, a]] {
                 let (edge, uv) = (q.position - p.position, q.uv - p.uv);
-                // Two sides of the quad and the cube's faces: a unit of the coordinates is one of length.
+                // Two sides of the quad and the cube's faces: a unit of the coordinates is a unit
+                // of length.
                 if uv.x == 0.0 || uv.y == 0.0 {
                     assert_abs_diff_eq!(uv.length(), edge.length(), epsilon = 1e-5);
                 }
@@ -202,7 +204,7 @@ fn tangents_follow_u_and_v_goes_upwards() {
 }
 
 #[test]
-fn files_that_are_cut_off_are_refused_or_smaller() {
+fn truncated_files_are_an_error_or_smaller() {
     for (name, parse, bytes) in good() {
         for n in 0..bytes.len() {
             // Text may end early without a trace, or in the middle of a number.
@@ -213,7 +215,7 @@ fn files_that_are_cut_off_are_refused_or_smaller() {
 }
 
 #[test]
-fn spoilt_bytes_never_panic() {
+fn corrupted_bytes_never_panic() {
     const ROUNDS: usize = 4000;
     let mut random = Random(20_261_121);
     for (name, parse, bytes) in good() {
@@ -240,39 +242,36 @@ fn spoilt_bytes_never_panic() {
 const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
 #[test]
-fn texts_that_break_a_rule_are_told_so() {
+fn obj_errors() {
     for (text, message) in [
         ("", "the file is empty"),
         ("# nothing\n", "the file has no vertices"),
         ("v 0 0 0\nv 1 0 0\n", "the file has no triangles, only points or lines"),
-        ("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "no triangle has an area"),
-        ("TRIANGLE f 1 2 4\n", "line 4: vertex 4 does not exist, there are 3"),
-        ("TRIANGLE f 1 2 0\n", "line 4: vertex 0 does not exist, there are 3"),
-        ("v 0 0 0\nv 1 0 0\nf -1 -2 -3\nv 0 1 0\n", "line 3: vertex -3 does not exist, there are 2"),
+        ("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "all triangles have zero area"),
+        ("TRIANGLE f 1 2 4\n", "line 4: vertex 4 does not exist (there are 3)"),
+        ("TRIANGLE f 1 2 0\n", "line 4: vertex 0 does not exist (there are 3)"),
+        ("v 0 0 0\nv 1 0 0\nf -1 -2 -3\nv 0 1 0\n", "line 3: vertex -3 does not exist (there are 2)"),
         (
             "TRIANGLE f 1 2 9223372036854775807\n",
-            "line 4: vertex 9223372036854775807 does not exist, there are 3",
+            "line 4: vertex 9223372036854775807 does not exist (there are 3)",
         ),
-        (
-            "v 0 0 0\nv 1 0\nv 0 1 0\nf 1 2 3\n",
-            "the OBJ cannot be read: line 2: a vertex must have 3 numbers, got 2",
-        ),
-        ("v 0 0 0\nv 1 0 x\nv 0 1 0\nf 1 2 3\n", "the OBJ cannot be read: line 2: `x` is not a number"),
+        ("v 0 0 0\nv 1 0\nv 0 1 0\nf 1 2 3\n", "invalid OBJ: line 2: a vertex must have 3 numbers, got 2"),
+        ("v 0 0 0\nv 1 0 x\nv 0 1 0\nf 1 2 3\n", "invalid OBJ: line 2: `x` is not a number"),
         (
             "TRIANGLE surf 0 1 0 1 1 2 3\nf 1 2 3\n",
-            "the OBJ cannot be read: line 4: `surf` is not supported, only polygons are",
+            "invalid OBJ: line 4: `surf` is not supported (polygons only)",
         ),
         ("TRIANGLE l 1 2 3\np 1\n", "the file has no triangles, only points or lines"),
-        ("v 0 0 0\n\nv 1 0 0\nv 0 1 nan\nf 1 2 3\n", "vertex 2, counted from 0, is not finite"),
-        ("v 0 0 0\nv 1 0 0\nv 0 1 1e39\nf 1 2 3\n", "vertex 2, counted from 0, is not finite"),
-        ("TRIANGLE f 1 two 3", "the OBJ cannot be read: line 4: `two` is not a face corner"),
+        ("v 0 0 0\n\nv 1 0 0\nv 0 1 nan\nf 1 2 3\n", "vertex 2 (counted from 0) is not finite"),
+        ("v 0 0 0\nv 1 0 0\nv 0 1 1e39\nf 1 2 3\n", "vertex 2 (counted from 0) is not finite"),
+        ("TRIANGLE f 1 two 3", "invalid OBJ: line 4: invalid face corner `two`"),
     ] {
         assert_eq!(refusal(&obj::parse, text.replace("TRIANGLE ", TRIANGLE).as_bytes()), message);
     }
 }
 
 #[test]
-fn vertices_without_a_direction_get_one() {
+fn degenerate_vertices_get_a_normal() {
     for (name, corners, rest) in [
         ("tiny", TRIANGLE.replace('1', "1e-38"), "f 1 2 3"),
         ("huge", TRIANGLE.replace('1', "3e38"), "f 1 2 3"),
@@ -289,55 +288,55 @@ fn vertices_without_a_direction_get_one() {
 }
 
 #[test]
-fn headers_that_promise_too_much_are_refused_before_anything_is_allocated() {
+fn ply_headers_are_checked_before_allocation() {
     for (from, to, message) in [
-        ("vertex 8", "vertex 4000000000", "cannot hold the 4000000000 of `vertex`"),
-        ("face 6", "face 18446744073709551615", "cannot hold the 18446744073709551615 of `face`"),
+        ("vertex 8", "vertex 4000000000", "cannot hold the 4000000000 rows of `vertex`"),
+        ("face 6", "face 18446744073709551615", "cannot hold the 18446744073709551615 rows of `face`"),
         ("edge 1\nproperty int a", "edge 18446744073709551615", "of `edge`"),
         ("vertex 8", "vertices 8", "the file has no element `vertex`"),
         ("face 6", "faces 6", "the file has no element `face`"),
         ("double y", "double w", "the file has no property `y`"),
         ("vertex_indices", "corners", "the file has no property `vertex_indices`"),
-        ("4 0 4 6 2", "4 0 4 6 8", "a face has corner 8, counted from 0, but there are 8 vertices"),
-        ("4 0 4 6 2", "4 0 4 6 -2", "the PLY cannot be read: a face has corner -2"),
-        ("4 0 4 6 2", "4 0 4 6 0.5", "the PLY cannot be read: a face has corner 0.5"),
-        ("4 0 4 6 2", "4000000000 0 4 6 2", "`vertex_indices` of `face` 1 of 6 is not in the file"),
-        ("-1 -1 -1 200", "-1 -1 x 200", "`z` of `vertex` 1 of 8 is not in the file"),
-        ("format ascii", "format octal", "the PLY cannot be read: its format `octal` does not exist"),
-        ("format ascii 1.0\n", "", "the PLY cannot be read: its header has no line `format`"),
-        ("double y", "real y", "the PLY cannot be read: `real` is not a type of its header"),
-        ("vertex 8", "vertex eight", "the PLY cannot be read: `vertex` has `eight` rows"),
-        ("vertex 8", "vertex", "the PLY cannot be read: its header has the line `element vertex`"),
-        ("element vertex 8\n", "", "the PLY cannot be read: property `x` comes before every element"),
-        ("end_header", "end_head", "the PLY cannot be read: its header has no line `end_header`"),
+        ("4 0 4 6 2", "4 0 4 6 8", "a face refers to vertex 8, but there are 8 vertices (counted from 0)"),
+        ("4 0 4 6 2", "4 0 4 6 -2", "invalid PLY: a face has the invalid vertex index -2"),
+        ("4 0 4 6 2", "4 0 4 6 0.5", "invalid PLY: a face has the invalid vertex index 0.5"),
+        ("4 0 4 6 2", "4000000000 0 4 6 2", "`vertex_indices` of `face` 1 of 6 is missing"),
+        ("-1 -1 -1 200", "-1 -1 x 200", "`z` of `vertex` 1 of 8 is missing"),
+        ("format ascii", "format octal", "invalid PLY: unknown format `octal`"),
+        ("format ascii 1.0\n", "", "invalid PLY: header has no line `format`"),
+        ("double y", "real y", "invalid PLY: unknown type `real` in the header"),
+        ("vertex 8", "vertex eight", "invalid PLY: invalid number of rows `eight` of `vertex`"),
+        ("vertex 8", "vertex", "invalid PLY: invalid header line `element vertex`"),
+        ("element vertex 8\n", "", "invalid PLY: property `x` precedes every element"),
+        ("end_header", "end_head", "invalid PLY: header has no line `end_header`"),
     ] {
         assert!(CUBE_PLY.contains(from), "{from}");
         let got = refusal(&ply::parse, CUBE_PLY.replacen(from, to, 1).as_bytes());
         assert!(got.contains(message), "{from} -> {to}: {got}");
     }
-    assert_eq!(refusal(&ply::parse, b"solid cube"), "the PLY cannot be read: it does not begin with `ply`");
+    assert_eq!(refusal(&ply::parse, b"solid cube"), "invalid PLY: file does not begin with `ply`");
 }
 
 const POSITION: &str = "/meshes/0/primitives/0/attributes/POSITION";
 const NORMAL: &str = "/meshes/0/primitives/0/attributes/NORMAL";
 
 #[test]
-fn scenes_that_break_a_rule_are_told_so() {
+fn gltf_errors() {
     let (json, bin) = cube_gltf();
-    // Six indices are left behind the offset.
+    // Six indices remain after the offset.
     let sparse = |count: u32| {
         let indices = json!({"bufferView": 1, "byteOffset": 24, "componentType": 5123});
         json!({"count": count, "indices": indices, "values": {"bufferView": 0}})
     };
     for (pointer, value, message) in [
-        ("/scenes", json!([]), "the glTF has no scene 0, counted from 0, there are 0"),
+        ("/scenes", json!([]), "the glTF has no scene 0 (it has 0, counted from 0)"),
         ("/nodes/1/children", json!([0]), "node 0 of the glTF is in the scene more than once"),
         ("/nodes/0/children", json!([1, 1]), "node 1 of the glTF is in the scene more than once"),
-        ("/nodes/1/scale", json!([2, 0, 0]), "no triangle has an area"),
-        ("/nodes/1/mesh", json!(3), "the glTF has no mesh 3, counted from 0, there are 1"),
-        ("/nodes/1/children", json!([7]), "the glTF has no node 7, counted from 0, there are 2"),
-        ("/nodes/1/skin", json!(3), "the glTF has no skin 3, counted from 0, there are 0"),
-        (POSITION, json!(77), "the glTF has no accessor 77, counted from 0"),
+        ("/nodes/1/scale", json!([2, 0, 0]), "all triangles have zero area"),
+        ("/nodes/1/mesh", json!(3), "the glTF has no mesh 3 (it has 1, counted from 0)"),
+        ("/nodes/1/children", json!([7]), "the glTF has no node 7 (it has 2, counted from 0)"),
+        ("/nodes/1/skin", json!(3), "the glTF has no skin 3 (it has 0, counted from 0)"),
+        (POSITION, json!(77), "the glTF has no accessor 77 (it has"),
         (POSITION, json!(2), "accessor 2 of the glTF must be vectors of three"),
         (POSITION, json!(6), "accessor 6 of the glTF must be vectors of three"),
         (NORMAL, json!(2), "accessor 2 of the glTF must be vectors of three"),
@@ -347,26 +346,34 @@ fn scenes_that_break_a_rule_are_told_so() {
         ("/accessors/6/count", json!(0), "the file has no triangles"),
         ("/accessors/0/count", json!(u64::MAX), "accessor 0 of the glTF must be within its buffer"),
         ("/accessors/0/byteOffset", json!(u64::MAX), "accessor 0 of the glTF must be within its buffer"),
-        ("/accessors/0/count", json!(1), "a face has corner 1, counted from 0, but there are 1 vertices"),
-        ("/accessors/6/bufferView", json!(null), "no triangle has an area"),
+        (
+            "/accessors/0/count",
+            json!(1),
+            "a face refers to vertex 1, but there are 1 vertices (counted from 0)",
+        ),
+        ("/accessors/6/bufferView", json!(null), "all triangles have zero area"),
         ("/accessors/0/sparse", sparse(12), "accessor 0 of the glTF must be within its buffer"),
         ("/accessors/0/sparse", sparse(900), "accessor 0 of the glTF must be within its buffer"),
         ("/bufferViews/0/byteStride", json!(4), "must be within its buffer"),
         ("/bufferViews/0/byteLength", json!(u64::MAX), "must be within its buffer"),
         ("/bufferViews/0/byteOffset", json!(900), "must be within its buffer"),
-        ("/buffers/0/uri", json!("cube.bin"), "the glTF's buffer `cube.bin`, beside it, cannot be read: "),
-        ("/buffers/0/uri", json!("https://x/y"), "must be in it or beside it, got `https://x/y`"),
-        ("/buffers/0/uri", json!("/etc/hosts"), "must be in it or beside it, got `/etc/hosts`"),
-        ("/buffers/0/uri", json!("data:;base64,%%%"), "the glTF cannot be read: a data URI is not Base64: "),
+        ("/buffers/0/uri", json!("cube.bin"), "cannot read the glTF's buffer `cube.bin`: "),
+        (
+            "/buffers/0/uri",
+            json!("https://x/y"),
+            "must be embedded or in the glTF's folder, got `https://x/y`",
+        ),
+        ("/buffers/0/uri", json!("/etc/hosts"), "must be embedded or in the glTF's folder, got `/etc/hosts`"),
+        ("/buffers/0/uri", json!("data:;base64,%%%"), "invalid glTF: invalid Base64 in a data URI: "),
         (
             "/extensionsRequired",
             json!(["EXT_meshopt_compression"]),
-            "compressed by EXT_meshopt_compression, which is not supported: export it uncompressed",
+            "unsupported compression EXT_meshopt_compression (export the glTF uncompressed",
         ),
         (
             "/extensionsRequired",
             json!(["KHR_materials_unlit", "ACME_fur"]),
-            "the glTF requires the extension ACME_fur, which is not supported",
+            "the glTF requires the unsupported extension ACME_fur",
         ),
         ("/asset", json!(null), "the JSON has no `asset.version`, so it is not a glTF 2.0"),
         ("/asset", json!({"version": 1}), "glTF 1 is not supported: convert the file to glTF 2.0"),
@@ -382,12 +389,13 @@ fn scenes_that_break_a_rule_are_told_so() {
         let got = refusal(&gltf_alone, &glb(&broken, &bin));
         assert!(got.contains(message), "{pointer}: {got}");
     }
-    // Read as infinity or refused as a number: other packages that are built along decide on serde_json's features.
+    // Parsed as infinity or an error, depending on serde_json's features, which other packages in
+    // the build select.
     let mut broken = json.clone();
     broken["nodes"][1]["scale"] = json!([1e39, 1, 1]);
     let got = refusal(&gltf_alone, &glb(&broken, &bin));
     assert!(got.contains("is not finite") || got.contains("out of range"), "{got}");
-    // A container that is shorter than its own header, and other magic.
+    // A container shorter than its header, and another magic number.
     let mut bytes = glb(&json, &bin);
     bytes[8..12].copy_from_slice(&3_u32.to_le_bytes());
     assert!(refusal(&gltf_alone, &bytes).contains("glTF container cannot be read"));
@@ -404,7 +412,7 @@ fn scenes_that_break_a_rule_are_told_so() {
         ),
         (format!("{head}}}"), "the file has no scene"),
         ("{}".into(), "the JSON has no `asset.version`"),
-        ("ply".into(), "it is neither JSON nor a binary container"),
+        ("ply".into(), "neither JSON nor a binary container"),
     ] {
         let got = refusal(&gltf_alone, text.as_bytes());
         assert!(got.contains(message), "{text}: {got}");
@@ -415,7 +423,7 @@ fn scenes_that_break_a_rule_are_told_so() {
 }
 
 #[test]
-fn strips_fans_mirrors_and_flat_triangles_of_gltf() {
+fn gltf_strips_fans_mirrors_and_flat_triangles() {
     let (mut json, bin) = cube_gltf();
     json["nodes"][1]["scale"] = json!([2, 2, -2]);
     let mirrored = mesh(&gltf_alone, &glb(&json, &bin), reading(Up::Y)).unwrap().mesh;
@@ -438,7 +446,7 @@ fn strips_fans_mirrors_and_flat_triangles_of_gltf() {
 }
 
 #[test]
-fn a_scene_as_other_programs_write_it_is_the_same_cube() {
+fn gltf_variants_of_other_programs_are_the_same_cube() {
     let (json, bin) = cube_gltf();
     let cube = soup_of(&gltf_alone, CUBE_GLB);
     let same = |name: &str, json: &Value, bin: &[u8], tolerance: f64| {
@@ -448,7 +456,7 @@ fn a_scene_as_other_programs_write_it_is_the_same_cube() {
             assert_abs_diff_eq!(got.position, expected.position, epsilon = tolerance);
         }
     };
-    // No bounds, and materials, skins and required extensions that no reader of meshes needs.
+    // Without bounds, and with materials, skins and required extensions irrelevant to meshes.
     let mut plain = json.clone();
     for accessor in plain["accessors"].as_array_mut().unwrap() {
         accessor.as_object_mut().unwrap().retain(|name, _| name != "min" && name != "max");
@@ -458,7 +466,7 @@ fn a_scene_as_other_programs_write_it_is_the_same_cube() {
     plain["meshes"][0]["primitives"][0]["material"] = json!(7);
     plain["materials"] = json!([{ "alphaMode": "ODD" }]);
     same("foreign", &plain, &bin, 0.0);
-    // Positions as 16-bit shares, as quantised meshes have them.
+    // Positions as normalized 16-bit integers, as quantized meshes have them.
     let shares: Vec<u8> = (0..24)
         .flat_map(|k| [0, 4, 8].map(|at| f32::from_le_bytes(bin[32 * k + at..][..4].try_into().unwrap())))
         .flat_map(|x| ((x * 32_767.0).round() as i16).to_le_bytes())
@@ -473,9 +481,9 @@ fn a_scene_as_other_programs_write_it_is_the_same_cube() {
             "bufferView": 2, "byteOffset": offset, "componentType": 5122, "count": 12, "normalized": true, "type": "VEC3",
         });
     }
-    // A 32767th of what the scale of the node makes 2.
+    // A 32767th of the range that the node scales to 2.
     same("quantised", &quantised, &[&bin[..], &shares[..]].concat(), 1e-4);
-    // A corner that is moved by a sparse accessor, to where it is.
+    // A corner moved by a sparse accessor, to its own position.
     let mut sparse = json.clone();
     let indices = json!({"bufferView": 1, "byteOffset": 0, "componentType": 5123});
     sparse["accessors"][0]["sparse"] = json!({"count": 1, "indices": indices, "values": {"bufferView": 0}});
@@ -483,8 +491,8 @@ fn a_scene_as_other_programs_write_it_is_the_same_cube() {
 }
 
 #[test]
-fn a_mesh_that_draco_compressed_is_read() {
-    // Four corners of a tetrahedron, by the encoder of npm `draco3d` 1.5.9 with its defaults.
+fn gltf_draco_mesh() {
+    // Four corners of a tetrahedron, encoded by npm `draco3d` 1.5.9 with its defaults.
     let tetrahedron = include_bytes!("../../../tests/data/tetrahedron.drc");
     let json = json!({
         "asset": {"version": "2.0"}, "extensionsRequired": ["KHR_draco_mesh_compression"],
@@ -498,9 +506,9 @@ fn a_mesh_that_draco_compressed_is_read() {
     let MeshFile { mesh, .. } = mesh(&gltf_alone, &glb(&json, tetrahedron), reading(Up::Z)).unwrap();
     check("draco", &mesh);
     assert_eq!(mesh.triangles.len(), 4);
-    // Corners at every other corner of a cube of side 2/√3; floats are not quantised unless asked for.
+    // Corners at every other corner of a cube of side 2/√3. Floats are not quantized by default.
     assert_abs_diff_eq!(volume(&mesh).abs(), (2.0_f32 / 3.0_f32.sqrt()).powi(3) / 3.0, epsilon = 1e-5);
-    // A container is filled up to a multiple of four bytes.
+    // A container is padded to a multiple of four bytes.
     for n in 1..tetrahedron.len() - 4 {
         let got = refusal(&gltf_alone, &glb(&json, &tetrahedron[..n]));
         assert!(got.contains("buffer of its Draco mesh"), "{n}: {got}");
@@ -514,37 +522,37 @@ fn a_mesh_that_draco_compressed_is_read() {
 }
 
 #[test]
-fn a_binary_file_may_begin_as_text_and_text_may_have_no_name() {
+fn stl_binary_starting_as_text_and_text_without_name() {
     let [text, binary] = [false, true].map(cube_stl);
     assert!(text.starts_with(b"solid\n") && binary.starts_with(b"solid cube"));
     let [text, binary] = [text, binary].map(|bytes| soup_of(&stl::parse, &bytes).corners);
     assert!(text.iter().zip(&binary).all(|(a, b)| a.position == b.position) && text.len() == 36);
     for (bytes, message) in [
-        (&b"solid\nvertex 1 2\n"[..], "vertex 0, counted from 0, is not three numbers"),
-        (b"solid\nvertex 1 2 x\n", "vertex 0, counted from 0, is not three numbers"),
-        (b"solid\nvertex 1 2 3\n", "1 corners do not make whole triangles"),
+        (&b"solid\nvertex 1 2\n"[..], "vertex 0 (counted from 0) does not have three numbers"),
+        (b"solid\nvertex 1 2 x\n", "vertex 0 (counted from 0) does not have three numbers"),
+        (b"solid\nvertex 1 2 3\n", "1 corners are not a multiple of 3"),
         (b"solid\n", "the file has no triangles"),
-        (
-            b"PK\x03\x04",
-            "the STL cannot be read: it neither begins with `solid` nor has a header of 84 bytes",
-        ),
+        (b"PK\x03\x04", "invalid STL: file neither begins with `solid` nor has a header of 84 bytes"),
     ] {
         assert!(refusal(&stl::parse, bytes).contains(message), "{}", refusal(&stl::parse, bytes));
     }
 }
 
 #[test]
-fn triangle_strips_of_ply_are_read() {
+fn ply_triangle_strips() {
     let strips = "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n\
                   element tristrips 1\nproperty list int int vertex_indices\nend_header\n\
                   0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 2 0\n8 0 1 2 3 -1 1 4 3\n";
     assert_eq!(soup_of(&ply::parse, strips.as_bytes()).triangles, [[0, 1, 2], [2, 1, 3], [1, 4, 3]]);
-    assert!(refusal(&ply::parse, strips.replace("-1", "-2").as_bytes()).contains("a face has corner -2"));
+    assert!(
+        refusal(&ply::parse, strips.replace("-1", "-2").as_bytes())
+            .contains("a face has the invalid vertex index -2")
+    );
 }
 
 #[test]
-fn edges_are_hard_from_the_crease_on() {
-    // Two squares along the x axis, one of them turned up by 30 degrees.
+fn crease_angle_splits_normals() {
+    // Two squares along the x axis, one of them rotated up by 30 degrees.
     let fold =
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 -0.8660254 0.5\nv 1 -0.8660254 0.5\nf 1 2 3 4\nf 5 6 2 1\n";
     let normals = |crease| {
@@ -562,7 +570,7 @@ fn edges_are_hard_from_the_crease_on() {
 }
 
 #[test]
-fn buffers_beside_a_gltf_are_found() {
+fn gltf_external_buffers_are_found() {
     let folder = tempfile::tempdir().unwrap();
     let (mut json, bin) = cube_gltf();
     json["buffers"][0]["uri"] = json!("my%20parts/cube.bin");
@@ -574,15 +582,15 @@ fn buffers_beside_a_gltf_are_found() {
 }
 
 #[test]
-fn files_are_told_by_their_names() {
+fn file_format_is_chosen_by_extension() {
     let folder = tempfile::tempdir().unwrap();
     let cube = folder.path().join("Cube.OBJ");
     fs::write(&cube, CUBE_OBJ).unwrap();
     assert!(open(&cube, reading(Up::Y)).is_ok());
     for (name, message) in [
-        ("missing.ply", "the file cannot be read"),
-        ("cube.3ds", "the name of a mesh file ends in .obj, .ply, .stl, .glb or .gltf"),
-        ("cube", "the name of a mesh file ends in .obj, .ply, .stl, .glb or .gltf"),
+        ("missing.ply", "cannot read the file"),
+        ("cube.3ds", "unsupported file extension (expected .obj, .ply, .stl, .glb or .gltf)"),
+        ("cube", "unsupported file extension (expected .obj, .ply, .stl, .glb or .gltf)"),
     ] {
         let error =
             open(&folder.path().join(name), reading(Up::Y)).err().expect("must be refused").to_string();
@@ -591,5 +599,5 @@ fn files_are_told_by_their_names() {
     let folder_by_name = folder.path().join("folder.glb");
     fs::create_dir(&folder_by_name).unwrap();
     let error = open(&folder_by_name, reading(Up::Y)).err().unwrap().to_string();
-    assert_eq!(error, "the file cannot be read: this is not a file");
+    assert_eq!(error, "cannot read the file: not a regular file");
 }

@@ -1,4 +1,4 @@
-//! Triangles as a file has them, and the mesh that they make.
+//! Triangles as stored in a file, and their conversion to a mesh.
 
 use std::collections::HashMap;
 
@@ -13,37 +13,39 @@ use crate::{
     },
 };
 
-/// The axis that points up in a file.
+/// The up axis of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Up {
-    /// That of glTF and of most others.
+    /// The convention of glTF and most other formats.
     Y,
-    /// That of buildings and maps.
+    /// The convention of architecture and maps.
     Z,
 }
 
-/// Conventions that a file does not name.
+/// Conventions that files do not specify.
 #[derive(Clone, Copy, Debug)]
 pub struct MeshReading {
     pub up: Up,
-    /// The angle in degrees between triangles from which on there is an edge, where the file has no normals.
+    /// The minimum angle in degrees between triangles at which an edge stays sharp, for files
+    /// without normals.
     pub crease: f32,
 }
 
 /// A mesh from a file.
 pub struct MeshFile {
     pub mesh: Mesh,
-    /// Every vertex has a normal in the file.
+    /// Whether every vertex has a normal in the file.
     pub normals: bool,
-    /// Nine tenths of the surface have texture coordinates.
+    /// Whether nine tenths of the surface have texture coordinates.
     pub uv: bool,
-    /// The file also has points or lines, which are not drawn.
+    /// Whether the file also has points or lines, which are not rendered.
     pub thin: bool,
-    /// Some triangles are not drawn: the file is incomplete, or their corners do not exist.
+    /// Whether some triangles are not rendered, because the file is incomplete or their corners do
+    /// not exist.
     pub left_out: bool,
 }
 
-/// A vertex as read; zero stands for what is not given.
+/// A vertex as read; missing values are zero.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Corner {
     pub(super) position: DVec3,
@@ -51,19 +53,19 @@ pub(super) struct Corner {
     pub(super) uv: Vec2,
 }
 
-/// Triangles over vertices, as read.
+/// Triangles as read.
 #[derive(Debug, Default)]
 pub(super) struct TriangleSoup {
     pub(super) corners: Vec<Corner>,
     pub(super) triangles: Vec<[u32; 3]>,
-    /// The file also has points or lines.
+    /// Whether the file also has points or lines.
     pub(super) thin: bool,
-    /// The file has triangles that cannot be drawn.
+    /// Whether the file has invalid triangles.
     pub(super) left_out: bool,
 }
 
 impl TriangleSoup {
-    /// Appends a triangle of vertices that exist.
+    /// Appends a triangle of existing vertices.
     pub(super) fn push(&mut self, triangle: [u32; 3]) -> Result<(), MeshFileError> {
         triangle.iter().try_for_each(|&i| self.corner(i).map(drop))?;
         if self.triangles.len() >= MOST_TRIANGLES {
@@ -87,7 +89,7 @@ impl TriangleSoup {
         self.corners.get(index as usize).ok_or(MeshFileError::NoSuchVertex { index: index.into(), count })
     }
 
-    /// The mesh, turned so that `up` is z, and into the unit ball.
+    /// Converts to a mesh, rotated so that `up` is z, and scaled into the unit ball.
     pub(super) fn into_mesh(mut self, reading: MeshReading) -> Result<MeshFile, MeshFileError> {
         self.check_places()?;
         // Only patterns need texture coordinates.
@@ -138,14 +140,16 @@ impl TriangleSoup {
         Ok(MeshFile { mesh, normals, uv, thin: self.thin, left_out: self.left_out })
     }
 
-    /// Refuses positions that are not finite in corners of triangles; unused vertices may have any.
+    /// Returns an error for non-finite positions of triangle corners. Unused vertices may have any
+    /// position.
     fn check_places(&self) -> Result<(), MeshFileError> {
         let mut used = self.triangles.iter().flatten().map(|&i| i as usize);
         let broken = used.find(|&i| !self.corners[i].position.as_vec3().is_finite());
         broken.map_or(Ok(()), |index| Err(MeshFileError::NotFinite { index }))
     }
 
-    /// Center of the box around all triangles, and the distance of the farthest corner.
+    /// Returns the center of the bounding box of all triangles, and the distance of the farthest
+    /// corner.
     fn ball(&self) -> Option<(DVec3, f64)> {
         let corners = || self.triangles.iter().flatten().map(|&i| self.corners[i as usize].position);
         let low = corners().reduce(DVec3::min)?;
@@ -156,33 +160,34 @@ impl TriangleSoup {
     }
 }
 
-/// Whether corners are on a line, within the rounding of coordinates in `f32`: modelers hide parts by scaling them to 0.
+/// Whether the corners are collinear within the rounding of `f32` coordinates. Modeling programs
+/// hide parts by scaling them to 0.
 fn is_line([a, b, c]: [DVec3; 3]) -> bool {
     let edges = [b - a, c - b, a - c];
     let scale = edges.iter().map(|edge| edge.abs().max_element()).fold(0.0, f64::max);
-    // A part that was scaled to a point somewhere else, by the rounding of transforms.
+    // A part scaled to a point elsewhere, within the rounding of transforms.
     if scale <= 1e-11 * a.abs().max_element() {
         return true;
     }
     let edges = edges.map(|edge| edge / scale);
     let longest = edges.iter().map(|edge| edge.length_squared()).fold(0.0, f64::max);
     let height = edges[0].cross(edges[2]).length() / longest;
-    // All three in one place: NaN.
+    // All three coincide: NaN.
     height.is_nan() || height <= f64::from(f32::EPSILON)
 }
 
-/// The angle at the first of three points.
+/// Returns the angle at the first of three points.
 fn angle([a, b, c]: [DVec3; 3]) -> f64 {
     (b - a).cross(c - a).length().atan2((b - a).dot(c - a))
 }
 
-/// Gives each corner of a triangle whose vertex has no normal the mean of the triangles around its point that are at most
-/// `crease` degrees apart from its own, weighted by their angles there (Thürmer and Wüthrich 1998, "Computing Vertex
-/// Normals from Polygonal Facets"); a vertex whose corners differ is split.
+/// Computes missing normals. Each corner gets the angle-weighted mean of the triangles around its
+/// point that are within `crease` degrees of its own triangle (Thürmer and Wüthrich 1998,
+/// "Computing Vertex Normals from Polygonal Facets"). Vertices with differing corners are split.
 fn complete_normals(mesh: &mut Mesh, crease: f32) {
-    /// Each is compared with each other one; of more the mean is that of all.
+    /// Every pair of triangles is compared. With more triangles, the mean is over all of them.
     const MOST_AROUND: usize = 256;
-    // Plus zero: −0 is where 0 is.
+    // Adding zero turns −0 into 0.
     let bits = |v: Vec3| (v + Vec3::ZERO).to_array().map(f32::to_bits);
     let places = |t: [u32; 3], vertices: &[Vertex]| t.map(|i| vertices[i as usize].position.as_dvec3());
     let flat = |[a, b, c]: [DVec3; 3]| (b - a).cross(c - a).normalize_or_zero();
@@ -205,7 +210,7 @@ fn complete_normals(mesh: &mut Mesh, crease: f32) {
             let faces = around.get(&bits(vertex.position)).map_or(&[][..], Vec::as_slice);
             let one_sheet = |face: &&(DVec3, f64)| faces.len() > MOST_AROUND || face.0.dot(own) >= least;
             let sum: DVec3 = faces.iter().filter(one_sheet).map(|&(normal, angle)| normal * angle).sum();
-            // Two faces of one sheet, back to back, cancel.
+            // Two opposite faces of one sheet cancel.
             let normal = if sum.length() > 1e-6 { sum.normalize() } else { own }.as_vec3();
             let unset = mesh.vertices[*index as usize].normal == Vec3::ZERO;
             *index = *split.entry((*index, bits(normal))).or_insert_with(|| {
@@ -220,7 +225,8 @@ fn complete_normals(mesh: &mut Mesh, crease: f32) {
     }
 }
 
-/// Scales texture coordinates to a unit of length, in the mean over the surface; false where a tenth of it has none.
+/// Scales texture coordinates to a unit of length, averaged over the surface. Returns false if more
+/// than a tenth of the surface has none.
 fn scale_uv(mesh: &mut Mesh) -> bool {
     let (mut all, mut covered, mut flat) = (0.0, 0.0, 0.0);
     for triangle in &mesh.triangles {
@@ -242,11 +248,11 @@ fn scale_uv(mesh: &mut Mesh) -> bool {
     uv
 }
 
-/// Tangents along ∂P/∂u of the triangles around each vertex, weighted by their angles; where texture coordinates do
-/// not vary, those of the minimal rotation.
+/// Computes tangents along ∂P/∂u, as angle-weighted means of the triangles around each vertex.
+/// Where texture coordinates are constant, the tangents follow from the minimal rotation.
 fn lay_tangents(mesh: &mut Mesh) {
     let mut sums = vec![DVec3::ZERO; mesh.vertices.len()];
-    // ∂P/∂u times the determinant of the coordinates' differences.
+    // ∂P/∂u times the determinant of the coordinate differences.
     let along = |corners: [Vertex; 3]| {
         let [p, q, o] = corners.map(|v| v.position.as_dvec3());
         let [s, t, r] = corners.map(|v| v.uv.as_dvec2());
@@ -262,7 +268,7 @@ fn lay_tangents(mesh: &mut Mesh) {
         }
     }
     for (v, sum) in mesh.vertices.iter_mut().zip(sums) {
-        // Unit to the last bit of f64, for the sum may be nearly along it.
+        // Normalized in f64, because the sum may be nearly parallel to the normal.
         let normal = v.normal.as_dvec3().normalize();
         let across = sum - normal * normal.dot(sum);
         v.tangent = if across.length() > 1e-6 {

@@ -1,4 +1,4 @@
-//! Numbers of a glTF's accessors, and the bytes behind them.
+//! The data of a glTF's accessors.
 
 use std::{
     cell::Cell,
@@ -23,9 +23,10 @@ use crate::{
 pub(super) struct Gltf {
     pub(super) document: Document,
     buffers: Vec<Vec<u8>>,
-    /// Bytes of the document and its buffers: no accessor has as many items, be they zero.
+    /// Bytes of the document and its buffers. No accessor may have more items than this, even if
+    /// all are zero.
     bytes: usize,
-    /// Bytes that may still be read: any number of primitives may name the same accessor.
+    /// Bytes that may still be read. Any number of primitives may refer to the same accessor.
     left: Cell<usize>,
 }
 
@@ -36,7 +37,7 @@ const UNSIGNED_SHORT: u32 = 5123;
 const UNSIGNED_INT: u32 = 5125;
 const FLOAT: u32 = 5126;
 
-/// Bytes of a component.
+/// Returns the bytes per component.
 const fn size(component_type: u32) -> Option<usize> {
     match component_type {
         BYTE | UNSIGNED_BYTE => Some(1),
@@ -47,7 +48,7 @@ const fn size(component_type: u32) -> Option<usize> {
 }
 
 impl Gltf {
-    /// Reads a document in a container or alone, and its buffers.
+    /// Reads a document, with or without a binary container, and its buffers.
     pub(super) fn read(bytes: &[u8], folder: &Path) -> Result<Self, MeshFileError> {
         let (json, mut bin) = match bytes {
             [b'g', b'l', b'T', b'F', ..] => container(bytes)?,
@@ -57,7 +58,7 @@ impl Gltf {
         let end = json.iter().rposition(|byte| !matches!(byte, 0 | b' ' | b'\t' | b'\r' | b'\n'));
         let json = &json[..end.map_or(0, |end| end + 1)];
         if !json.trim_ascii_start().starts_with(b"{") {
-            return Err(MeshFileError::broken("glTF", "it is neither JSON nor a binary container"));
+            return Err(MeshFileError::broken("glTF", "neither JSON nor a binary container"));
         }
         let document = Document::parse(json)?;
         let (mut buffers, mut all) = (Vec::new(), bytes.len());
@@ -75,7 +76,7 @@ impl Gltf {
         Ok(Self { document, buffers, bytes: all, left: Cell::new(MOST_BYTES as usize) })
     }
 
-    /// Vectors of `N` numbers; normalized integers are fractions of their range.
+    /// Returns vectors of `N` numbers. Normalized integers are converted to fractions.
     pub(super) fn floats<const N: usize>(&self, index: usize) -> Result<Vec<[f32; N]>, MeshFileError> {
         let (dimensions, wanted) = match N {
             2 => ("VEC2", "vectors of two numbers"),
@@ -105,7 +106,7 @@ impl Gltf {
         Ok(self.items(index, accessor, size)?.chunks_exact(size).map(number).collect())
     }
 
-    /// The bytes of all items, one behind the other.
+    /// Returns the bytes of all items, tightly packed.
     fn items(&self, index: usize, accessor: &Accessor, size: usize) -> Result<Vec<u8>, MeshFileError> {
         let view = accessor.buffer_view.and_then(|view| self.document.buffer_views.get(view));
         let compressed =
@@ -136,13 +137,14 @@ impl Gltf {
         Ok(items)
     }
 
-    /// Takes so many bytes off those that may still be read.
+    /// Subtracts from the bytes that may still be read.
     pub(super) fn charge(&self, bytes: usize) -> Result<(), MeshFileError> {
         self.left.set(self.left.get().checked_sub(bytes).ok_or(MeshFileError::TooLarge)?);
         Ok(())
     }
 
-    /// So many items of this size from an offset in a view; none where they leave it.
+    /// Returns `count` items of this size from an offset in a view, or `None` if they exceed the
+    /// view.
     fn run(
         &self,
         view: usize,
@@ -160,42 +162,42 @@ impl Gltf {
         Ok(bytes().map(|bytes| bytes.chunks(stride).flat_map(|item| &item[..size]).copied().collect()))
     }
 
-    /// The bytes of a view, as far as they are there.
+    /// Returns the bytes of a view that exist.
     pub(super) fn within(&self, view: &BufferView) -> Option<&[u8]> {
         let end = view.byte_offset.checked_add(view.byte_length)?;
         self.buffers.get(view.buffer)?.get(view.byte_offset..end)
     }
 }
 
-/// The JSON of a binary container, and its buffer.
+/// Returns the JSON and the buffer of a binary container.
 fn container(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), MeshFileError> {
     let broken = |error: String| MeshFileError::broken("glTF container", error);
     let word = |at: usize| Some(number(bytes.get(at..at + 4)?));
     match word(4) {
         Some(2) => {}
         Some(version) => return Err(MeshFileError::GltfVersion { version: version.to_string() }),
-        None => return Err(broken("it ends within its header".into())),
+        None => return Err(broken("file ends within the header".into())),
     }
     let claimed = word(8).unwrap_or_default() as usize;
-    let all = bytes.get(..claimed).ok_or_else(|| {
-        broken(format!("the file has {} of the {claimed} bytes that its header claims", bytes.len()))
-    })?;
+    let all = bytes
+        .get(..claimed)
+        .ok_or_else(|| broken(format!("header claims {claimed} bytes, but the file has {}", bytes.len())))?;
     let (mut json, mut bin, mut rest) = (None, None, all.get(12..).unwrap_or_default());
     while let Some((head, behind)) = rest.split_first_chunk::<8>() {
         let chunk = behind.get(..number(&head[..4]) as usize);
-        let chunk = chunk.ok_or_else(|| broken("a chunk leaves the file".into()))?;
+        let chunk = chunk.ok_or_else(|| broken("a chunk extends beyond the file".into()))?;
         match &head[4..] {
             b"JSON" if json.is_none() => json = Some(chunk),
             b"BIN\0" if bin.is_none() => bin = Some(chunk),
             _ => {}
         }
-        // Chunks are padded to four bytes; their lengths say so already.
+        // Chunk lengths already include the padding to four bytes.
         rest = &behind[chunk.len()..];
     }
-    Ok((json.ok_or_else(|| broken("it has no JSON".into()))?, bin))
+    Ok((json.ok_or_else(|| broken("no JSON chunk".into()))?, bin))
 }
 
-/// The component of an accessor that has these bits.
+/// Decodes the component of an accessor from its bits.
 fn component(accessor: &Accessor, bits: u32) -> f32 {
     accessor.fraction(match accessor.component_type {
         FLOAT => f32::from_bits(bits),
@@ -206,7 +208,8 @@ fn component(accessor: &Accessor, bits: u32) -> f32 {
 }
 
 impl Accessor {
-    /// A number as stored, divided by the largest of its type if the accessor is normalized.
+    /// Returns the number as stored, divided by the maximum of its type if the accessor is
+    /// normalized.
     pub(super) fn fraction(&self, stored: f32) -> f32 {
         let largest = match self.component_type {
             BYTE => 127.0,
@@ -220,12 +223,12 @@ impl Accessor {
     }
 }
 
-/// The little-endian number of up to four bytes.
+/// Decodes a little-endian number of up to four bytes.
 fn number(bytes: &[u8]) -> u32 {
     bytes.iter().rev().fold(0, |sum, &byte| sum << 8 | u32::from(byte))
 }
 
-/// The bytes that a URI stands for: in itself (RFC 2397), or a file in the folder or below.
+/// Returns the bytes of a URI: a data URI (RFC 2397), or a file in or below the folder.
 fn fetched(uri: &str, folder: &Path) -> Result<Vec<u8>, MeshFileError> {
     let data = uri.get(..5).filter(|scheme| scheme.eq_ignore_ascii_case("data:"));
     if let Some((kind, data)) = data.and_then(|_| uri[5..].split_once(',')) {
@@ -233,13 +236,14 @@ fn fetched(uri: &str, folder: &Path) -> Result<Vec<u8>, MeshFileError> {
         if !kind.trim_end().to_ascii_lowercase().ends_with(";base64") {
             return Ok(bytes);
         }
-        return base64(bytes)
-            .map_err(|error| MeshFileError::broken("glTF", format!("a data URI is not Base64: {error}")));
+        return base64(bytes).map_err(|error| {
+            MeshFileError::broken("glTF", format!("invalid Base64 in a data URI: {error}"))
+        });
     }
     let is_below = |step: Component<'_>| matches!(step, Component::Normal(_) | Component::CurDir);
     let name = String::from_utf8(unescaped(uri))
         .ok()
-        // Windows programs write backslashes, which browsers turn.
+        // Windows programs write backslashes, which browsers convert.
         .map(|name| name.replace('\\', "/"))
         .filter(|name| !name.contains(':') && Path::new(name).components().all(is_below));
     let file =
@@ -247,7 +251,7 @@ fn fetched(uri: &str, folder: &Path) -> Result<Vec<u8>, MeshFileError> {
     input_file::read(&file, MOST_BYTES).map_err(|error| MeshFileError::Buffer { uri: shown(uri), error })
 }
 
-/// Base64 in either alphabet, with or without padding and blanks.
+/// Decodes Base64 in either alphabet, with or without padding and spaces.
 fn base64(mut text: Vec<u8>) -> Result<Vec<u8>, base64::DecodeError> {
     text.retain(|byte| !byte.is_ascii_whitespace());
     for byte in &mut text {
@@ -261,7 +265,7 @@ fn base64(mut text: Vec<u8>) -> Result<Vec<u8>, base64::DecodeError> {
     GeneralPurpose::new(&STANDARD, config).decode(text)
 }
 
-/// The bytes of a URI, `%20` being a space.
+/// Decodes percent escapes such as `%20`.
 fn unescaped(uri: &str) -> Vec<u8> {
     let mut rest = uri.as_bytes();
     let mut bytes = Vec::new();

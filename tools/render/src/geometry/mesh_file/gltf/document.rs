@@ -1,6 +1,6 @@
-//! The part of a glTF document that says where triangles are.
+//! The part of a glTF document that locates triangles.
 //!
-//! Field names are those of the glTF 2.0 specification, section 5.
+//! Field names follow the glTF 2.0 specification, section 5.
 
 use std::collections::BTreeMap;
 
@@ -23,7 +23,7 @@ pub(super) struct Document {
     pub(super) skins: Vec<Skin>,
 }
 
-/// Version and required extensions, read before the rest: files of other versions have other fields.
+/// Version and required extensions, read first because other versions have other fields.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase", expecting = "a glTF document")]
 struct Head {
@@ -171,11 +171,11 @@ pub(super) struct Buffer {
     pub(super) uri: Option<String>,
 }
 
-/// Extensions that are read.
+/// Supported extensions.
 const READ: [&str; 4] =
     ["EXT_mesh_gpu_instancing", "KHR_draco_mesh_compression", "KHR_mesh_quantization", "KHR_node_visibility"];
 
-/// Beginnings of the names of extensions that leave triangles where they are.
+/// Name prefixes of extensions that do not affect triangles.
 const OF_APPEARANCE: [&str; 23] = [
     "AGI_",
     "ADOBE_materials_",
@@ -203,7 +203,7 @@ const OF_APPEARANCE: [&str; 23] = [
 ];
 
 impl Document {
-    /// Reads a document of glTF 2 that requires no other extensions than those that are read.
+    /// Parses a glTF 2 document, and returns an error if it requires unsupported extensions.
     pub(super) fn parse(json: &[u8]) -> Result<Self, MeshFileError> {
         let Head { asset, extensions_required } = read(json)?;
         let version = match asset.and_then(|asset| asset.version) {
@@ -225,7 +225,7 @@ impl Document {
         read(json)
     }
 
-    /// The nodes of the default scene, or of the first.
+    /// Returns the nodes of the default scene, or of the first scene.
     pub(super) fn roots(&self) -> Result<&[usize], MeshFileError> {
         let scene = match self.scene {
             Some(index) => item(&self.scenes, "scene", index)?,
@@ -236,7 +236,7 @@ impl Document {
 }
 
 impl Node {
-    /// Its transform below its parent.
+    /// Returns the transform relative to the parent.
     pub(super) fn transform(&self) -> DMat4 {
         if let Some(matrix) = &self.matrix {
             return DMat4::from_cols_array(matrix);
@@ -249,19 +249,20 @@ impl Node {
     }
 }
 
-/// The matrix that scales, rotates and translates; a rotation of length 0 is none.
+/// Returns the matrix that scales, rotates and translates. A rotation of length 0 is the identity.
 pub(super) fn trs(translation: DVec3, rotation: DQuat, scale: DVec3) -> DMat4 {
     let length = rotation.length();
     let rotation = if length > 0.0 { rotation / length } else { DQuat::IDENTITY };
     DMat4::from_scale_rotation_translation(scale, rotation, translation)
 }
 
-/// An item of a list of the document.
+/// Returns an item of a list of the document.
 pub(super) fn item<'a, T>(list: &'a [T], what: &'static str, index: usize) -> Result<&'a T, MeshFileError> {
     list.get(index).ok_or(MeshFileError::NoSuchItem { what, index, count: list.len() })
 }
 
-/// Reads JSON, also such as JavaScript takes: null for what is absent, and whole numbers with a fraction of 0.
+/// Parses JSON, also in the form that JavaScript loaders accept: null for absent values, and
+/// integers with a fraction of 0.
 fn read<T: DeserializeOwned>(json: &[u8]) -> Result<T, MeshFileError> {
     serde_json::from_slice(json).or_else(|error| {
         let loose = || serde_json::from_value(tidied(serde_json::from_slice(json).ok()?)).ok();
@@ -269,7 +270,7 @@ fn read<T: DeserializeOwned>(json: &[u8]) -> Result<T, MeshFileError> {
     })
 }
 
-/// The value without nulls in objects, its whole numbers as integers.
+/// Removes nulls from objects and converts whole numbers to integers.
 fn tidied(value: Value) -> Value {
     match value {
         Value::Object(fields) => {
@@ -284,7 +285,7 @@ fn tidied(value: Value) -> Value {
     }
 }
 
-/// The words of the JSON reader, with types as JSON has them.
+/// Converts the JSON parser's message to JSON type names.
 fn broken(error: &serde_json::Error) -> MeshFileError {
     let named = [
         ("expected usize", "expected an index"),
@@ -300,7 +301,7 @@ fn broken(error: &serde_json::Error) -> MeshFileError {
     MeshFileError::broken("glTF", words)
 }
 
-/// The beginning of a name.
+/// Returns the beginning of a name.
 pub(super) fn shown(name: &str) -> String {
     name.chars().filter(|c| !c.is_control()).take(100).collect()
 }

@@ -9,8 +9,9 @@ use std::path::Path;
 
 use crate::geometry::mesh_file::{error::MeshFileError, gltf::buffers::Gltf, triangle_soup::TriangleSoup};
 
-/// Reads all triangles of the default scene, or of the first: morphed by their default weights, skinned in the pose of the
-/// nodes, and instanced. Animations, cameras and materials are ignored; v is turned upwards.
+/// Reads all triangles of the default scene, or of the first scene. Meshes are morphed by their
+/// default weights, skinned in the pose of the nodes, and instanced. Animations, cameras and
+/// materials are ignored. The v coordinate is flipped to point up.
 pub(super) fn parse(bytes: &[u8], folder: &Path) -> Result<TriangleSoup, MeshFileError> {
     scene::soup(&Gltf::read(bytes, folder)?)
 }

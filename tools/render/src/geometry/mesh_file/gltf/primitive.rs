@@ -1,4 +1,4 @@
-//! The vertices and triangles of a glTF primitive, before its node places them.
+//! The vertices and triangles of a glTF primitive, in local coordinates.
 
 use std::collections::BTreeMap;
 
@@ -19,25 +19,25 @@ pub(super) struct Geometry {
     pub(super) positions: Vec<Vec3>,
     pub(super) normals: Option<Vec<Vec3>>,
     pub(super) uv: Option<Vec<Vec2>>,
-    /// Joints of the skin with their weights, by fours.
+    /// Joints and weights of the skin, four per set.
     pub(super) influences: Vec<Influences>,
     pub(super) triangles: Vec<[u32; 3]>,
-    /// Corners were left over, or named vertices that do not exist.
+    /// Whether corners were left over, or referred to missing vertices.
     pub(super) left_out: bool,
 }
 
-/// A set `JOINTS_n`, `WEIGHTS_n`.
+/// An attribute set `JOINTS_n`, `WEIGHTS_n`.
 pub(super) struct Influences {
     pub(super) joints: Vec<[f32; 4]>,
     pub(super) weights: Vec<[f32; 4]>,
 }
 
-/// Whether the primitive is of points or lines.
+/// Whether the primitive consists of points or lines.
 pub(super) fn is_thin(primitive: &Primitive) -> bool {
     primitive.mode.is_some_and(|mode| mode < 4)
 }
 
-/// Reads a primitive, morphed by these weights; none has no positions.
+/// Reads a primitive, morphed by these weights. Returns `None` without positions.
 pub(super) fn geometry(
     gltf: &Gltf,
     primitive: &Primitive,
@@ -78,7 +78,7 @@ pub(super) fn geometry(
         Some(5) if compressed.is_none() => strip(&corners),
         Some(6) if compressed.is_none() => fan(&corners),
         Some(mode @ 7..) => {
-            return Err(MeshFileError::broken("glTF", format!("primitive mode {mode} does not exist")));
+            return Err(MeshFileError::broken("glTF", format!("invalid primitive mode {mode}")));
         }
         _ => {
             let (triangles, rest) = corners.as_chunks::<3>();
@@ -118,7 +118,7 @@ fn morph(
     Ok(())
 }
 
-/// Source of the attributes of a primitive.
+/// The source of a primitive's attributes.
 struct Source<'a> {
     gltf: &'a Gltf,
     attributes: &'a BTreeMap<String, usize>,
@@ -134,12 +134,12 @@ fn draco<'a>(gltf: &Gltf, mesh: &'a DracoMesh) -> Result<(DracoArrays, &'a Draco
 }
 
 impl Source<'_> {
-    /// Vectors of an attribute, where the primitive has it.
+    /// Returns the vectors of an attribute, if the primitive has it.
     fn attribute<const N: usize>(&self, name: &str) -> Result<Option<Vec<[f32; N]>>, MeshFileError> {
         let accessor = self.attributes.get(name).copied();
         let id = self.compressed.and_then(|(arrays, mesh)| Some((arrays, *mesh.attributes.get(name)?)));
         let Some((arrays, id)) = id else {
-            // What is not in the Draco mesh is in its accessor, if that has data.
+            // Attributes missing from the Draco mesh are in their accessor, if it has data.
             return accessor.map(|accessor| self.gltf.floats::<N>(accessor)).transpose();
         };
         let accessor = accessor.and_then(|accessor| self.gltf.document.accessors.get(accessor));

@@ -1,4 +1,4 @@
-//! The triangles of a glTF scene, where its nodes put them.
+//! The triangles of a glTF scene, transformed by its nodes.
 
 use glam::{DMat3, DMat4, DQuat, DVec3, Vec3, Vec4};
 
@@ -21,7 +21,7 @@ pub(super) fn soup(gltf: &Gltf) -> Result<TriangleSoup, MeshFileError> {
         let Some(mesh) = node.mesh.map(|mesh| item(&document.meshes, "mesh", mesh)).transpose()? else {
             continue;
         };
-        // The node's weights take the place of the mesh's, as far as there are any.
+        // The node's weights replace the mesh's weights, as far as there are any.
         let mut weights = mesh.weights.clone().unwrap_or_default();
         let own = node.weights.as_deref().unwrap_or_default();
         weights.resize(weights.len().max(own.len()), 0.0);
@@ -41,7 +41,7 @@ pub(super) fn soup(gltf: &Gltf) -> Result<TriangleSoup, MeshFileError> {
             for instance in &instances {
                 let place = placed.world[index] * *instance;
                 append(&mut soup, &geometry, |vertex| match &joints {
-                    // The node's own place does not count: glTF 2.0, section 3.7.3.3.
+                    // The transform of a skinned node is ignored: glTF 2.0, section 3.7.3.3.
                     Some(joints) => skinned(joints, &geometry, vertex).unwrap_or(place),
                     None => place,
                 })?;
@@ -51,11 +51,11 @@ pub(super) fn soup(gltf: &Gltf) -> Result<TriangleSoup, MeshFileError> {
     Ok(soup)
 }
 
-/// The nodes of a scene and the places of all nodes.
+/// The nodes of a scene and the transforms of all nodes.
 struct Placed {
-    /// Nodes of the scene that are not hidden, parents first.
+    /// Visible nodes of the scene, parents first.
     drawn: Vec<usize>,
-    /// From each node to the world; joints of a skin may be outside the scene.
+    /// From each node to the world. Joints of a skin may be outside the scene.
     world: Vec<DMat4>,
 }
 
@@ -75,14 +75,14 @@ impl Placed {
         }
         for node in (0..nodes.len()).filter(|&node| !is_child[node]) {
             if !seen[node] {
-                // A fault there breaks nothing that is drawn.
+                // An error there does not affect visible nodes.
                 let _ = placed.descend(nodes, vec![(node, DMat4::IDENTITY, false)], &mut seen);
             }
         }
         Ok(placed)
     }
 
-    /// Places the nodes below some, each with its parent's place and whether it is drawn.
+    /// Transforms descendants, given each parent's transform and visibility.
     fn descend(
         &mut self,
         nodes: &[Node],
@@ -91,7 +91,7 @@ impl Placed {
     ) -> Result<(), MeshFileError> {
         while let Some((index, above, drawn)) = open.pop() {
             let node = nodes.get(index).ok_or_else(|| no_node(index, nodes.len()))?;
-            // A node has at most one parent; without that rule the scene could be endless.
+            // A node has at most one parent. Without this rule the traversal could be infinite.
             if std::mem::replace(&mut seen[index], true) {
                 return Err(MeshFileError::NodeTwice { node: index });
             }
@@ -111,7 +111,7 @@ fn no_node(index: usize, count: usize) -> MeshFileError {
     MeshFileError::NoSuchItem { what: "node", index, count }
 }
 
-/// From a skinned mesh in its bind pose to the world, for each joint.
+/// For each joint, returns the transform from the bind pose to the world.
 fn joints(gltf: &Gltf, skin: usize, placed: &Placed) -> Result<Vec<DMat4>, MeshFileError> {
     let skin = item(&gltf.document.skins, "skin", skin)?;
     let binds = skin.inverse_bind_matrices.map(|accessor| gltf.floats::<16>(accessor)).transpose()?;
@@ -138,7 +138,7 @@ fn check_joints(count: usize, geometry: &Geometry) -> Result<(), MeshFileError> 
     Ok(())
 }
 
-/// The blend of joints at a vertex; none where no joint has a weight.
+/// Blends the joints at a vertex, or returns `None` if no joint has a weight.
 fn skinned(joints: &[DMat4], geometry: &Geometry, vertex: usize) -> Option<DMat4> {
     let (mut blend, mut sum) = (DMat4::ZERO, 0.0);
     for set in &geometry.influences {
@@ -151,7 +151,7 @@ fn skinned(joints: &[DMat4], geometry: &Geometry, vertex: usize) -> Option<DMat4
     (sum != 0.0).then(|| blend * sum.recip())
 }
 
-/// The places of a node's instances; one, where it has no list of them.
+/// Returns the transforms of a node's instances, or one identity without instancing.
 fn instances(gltf: &Gltf, node: &Node) -> Result<Vec<DMat4>, MeshFileError> {
     let Some(instancing) = &node.extensions.instancing else { return Ok(vec![DMat4::IDENTITY]) };
     let accessor = |name: &str| instancing.attributes.get(name).copied();
@@ -166,7 +166,7 @@ fn instances(gltf: &Gltf, node: &Node) -> Result<Vec<DMat4>, MeshFileError> {
     let mut counts = counts.into_iter().flatten();
     let count = counts.next().unwrap_or(1);
     if let Some(other) = counts.find(|&other| other != count) {
-        let error = format!("a node has {count} and {other} instances by different attributes");
+        let error = format!("instance attributes of a node differ in length: {count} and {other}");
         return Err(MeshFileError::broken("glTF", error));
     }
     let vector = |all: &Option<Vec<[f32; 3]>>, k: usize, usual| {
@@ -179,7 +179,7 @@ fn instances(gltf: &Gltf, node: &Node) -> Result<Vec<DMat4>, MeshFileError> {
     Ok((0..count).map(place).collect())
 }
 
-/// Appends a primitive whose vertices are where `place` puts them.
+/// Appends a primitive, with vertices transformed by `place`.
 fn append(
     soup: &mut TriangleSoup,
     geometry: &Geometry,
@@ -197,14 +197,14 @@ fn append(
         Corner {
             position: place.transform_point3(positions[i].as_dvec3()),
             normal: normal.map_or(Vec3::ZERO, |&normal| turned(place, normal)),
-            // v grows downwards in the file.
+            // v points down in the file.
             uv: uv
                 .as_ref()
                 .and_then(|all| all.get(i))
                 .map_or_else(Default::default, |uv| glam::Vec2::new(uv.x, 1.0 - uv.y)),
         }
     };
-    // A mirrored triangle turns the other way.
+    // A mirrored triangle reverses its orientation.
     let upright = |&[a, b, c]: &[u32; 3]| {
         let mirrored = DMat3::from_mat4(place(a as usize)).determinant() < 0.0;
         if mirrored { [a, c, b] } else { [a, b, c] }
@@ -213,7 +213,7 @@ fn append(
         soup.corners.extend((0..count).map(corner));
         return triangles.iter().map(upright).try_for_each(|t| soup.push(t.map(|i| first as u32 + i)));
     }
-    // Triangles without normals are flat, by the standard: each has corners of its own.
+    // Triangles without normals are flat by the specification, so each has separate corners.
     for triangle in triangles.iter().map(upright) {
         let corners = triangle.map(|i| corner(i as usize));
         let [a, b, c] = corners.map(|c| c.position);
@@ -225,10 +225,10 @@ fn append(
     Ok(())
 }
 
-/// A normal where a vertex is placed.
+/// Returns a transformed normal.
 fn turned(place: DMat4, normal: Vec3) -> Vec3 {
     let linear = DMat3::from_mat4(place);
-    // The inverse transpose, but for its length and sign, is the matrix of cofactors.
+    // Up to length and sign, the inverse transpose is the cofactor matrix.
     let cofactors = DMat3::from_cols(
         linear.y_axis.cross(linear.z_axis),
         linear.z_axis.cross(linear.x_axis),
