@@ -141,7 +141,7 @@ fn deflated_zeros(at_least: usize) -> Vec<u8> {
 fn image_that_inflates_beyond_its_size() {
     let folder = tempfile::tempdir().unwrap();
     let zeros = deflated_zeros(700 << 20);
-    // Two rows of 16 bytes, each behind its number and its length; the second grows.
+    // Two rows of 16 bytes, each after its number and its length. The second row grows.
     let mut rows = exr(4, 2, [("Y", vec![0.5; 8])]).unwrap();
     let name = b"compression\0compression\0";
     let at = rows.windows(name.len()).position(|bytes| bytes == name).unwrap() + name.len() + 4;

@@ -1,12 +1,12 @@
-//! The words of the gallery, read from `captions.md`: pages, their sections, titles, sources and captions.
+//! Texts of the gallery, read from `captions.md`: pages, sections, titles, sources and captions.
 
 use std::{collections::BTreeMap, sync::LazyLock};
 
 use asperity::failure::Result;
 
-/// One page of the gallery.
+/// A page of the gallery.
 pub(crate) struct Page {
-    /// The file beside the pictures.
+    /// The file next to the images.
     pub(crate) file: &'static str,
     pub(crate) title: &'static str,
     /// Link text on the other pages.
@@ -14,7 +14,7 @@ pub(crate) struct Page {
     pub(crate) about: String,
 }
 
-/// The words of one figure.
+/// The texts of one figure.
 pub(crate) struct Caption {
     /// The file of its page.
     pub(crate) page: &'static str,
@@ -23,27 +23,28 @@ pub(crate) struct Caption {
     pub(crate) title: &'static str,
     /// The figure of the source that it reproduces, or `Asperity`.
     pub(crate) source: &'static str,
-    /// Description of the picture; two to four sentences, plain text.
+    /// Plain-text description of two to four sentences.
     pub(crate) text: String,
 }
 
-/// All words.
+/// All texts.
 pub(crate) struct Captions {
     pub(crate) pages: Vec<Page>,
     pub(crate) figures: BTreeMap<&'static str, Caption>,
 }
 
-/// The words of the gallery.
+/// The texts of the gallery.
 pub(crate) static CAPTIONS: LazyLock<Captions> =
     LazyLock::new(|| Captions::read(include_str!("captions.md")));
 
 impl Captions {
-    /// The words of a figure.
+    /// Returns the texts of a figure.
     pub(crate) fn of(&self, figure: &str) -> Result<&Caption> {
-        self.figures.get(figure).ok_or_else(|| format!("captions.md has no words for `{figure}`").into())
+        self.figures.get(figure).ok_or_else(|| format!("captions.md has no text for `{figure}`").into())
     }
 
-    /// Reads `# file: title (name)`, `## section` and `### figure`, each with its lines.
+    /// Parses `# file: title (name)`, `## section` and `### figure`, each with the lines that
+    /// follow.
     fn read(text: &'static str) -> Self {
         let (mut pages, mut figures) = (Vec::<Page>::new(), BTreeMap::new());
         let mut section = "";
@@ -65,7 +66,7 @@ impl Captions {
     }
 }
 
-/// Lines as one paragraph.
+/// Joins lines to one paragraph.
 fn joined(lines: &str) -> String {
     lines.split_whitespace().collect::<Vec<_>>().join(" ")
 }

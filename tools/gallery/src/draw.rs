@@ -1,4 +1,4 @@
-//! Draws figures and writes the pages over all that were drawn.
+//! Renders figures and writes the gallery pages.
 
 use std::{sync::atomic::AtomicBool, time::Instant};
 
@@ -14,19 +14,19 @@ use asperity::output::{Output, sha256};
 use asperity::progress;
 use asperity::quality::Fineness;
 
-/// The figures whose names contain one of the words; every word must match one.
+/// Returns the figures whose names contain one of the words. Every word must match a figure.
 pub(crate) fn chosen<'a>(all: &[&'a Figure], only: &[String]) -> Result<Vec<&'a Figure>> {
     for word in only {
         if !all.iter().any(|figure| figure.name.contains(word.as_str())) {
             let names: Vec<_> = all.iter().map(|figure| figure.name).collect();
-            return Err(format!("no figure is called `{word}`; there are {}", names.join(", ")).into());
+            return Err(format!("no figure matches `{word}` (available: {})", names.join(", ")).into());
         }
     }
     let wanted = |figure: &&Figure| only.is_empty() || only.iter().any(|w| figure.name.contains(w.as_str()));
     Ok(all.iter().copied().filter(wanted).collect())
 }
 
-/// Says the name, the title and the source of the chosen figures.
+/// Prints name, title and source of the chosen figures.
 pub(crate) fn list(all: &[&Figure], only: &[String]) -> Result<()> {
     for figure in chosen(all, only)? {
         let words = CAPTIONS.of(figure.name)?;
@@ -35,7 +35,7 @@ pub(crate) fn list(all: &[&Figure], only: &[String]) -> Result<()> {
     Ok(())
 }
 
-/// Figures that are drawn first: quick, and from every source.
+/// Figures rendered first: fast ones from every source.
 const FIRST: [&str; 10] = [
     "kautz-2-ndf",
     "cochran-1-functions",
@@ -49,7 +49,7 @@ const FIRST: [&str; 10] = [
     "kautz-4-teapot",
 ];
 
-/// Splits the chosen figures into those that are drawn first and the rest.
+/// Splits the chosen figures into the figures rendered first and the rest.
 pub(crate) fn first_ten(figures: Vec<&Figure>) -> [Vec<&Figure>; 2] {
     let (mut first, rest): (Vec<&Figure>, Vec<&Figure>) =
         figures.into_iter().partition(|figure| FIRST.contains(&figure.name));
@@ -57,7 +57,7 @@ pub(crate) fn first_ten(figures: Vec<&Figure>) -> [Vec<&Figure>; 2] {
     [first, rest]
 }
 
-/// Draws figures into `output`.
+/// Renders figures into `output`.
 pub(crate) fn draw(
     figures: &[&Figure],
     wanted: &Gallery,
@@ -69,13 +69,13 @@ pub(crate) fn draw(
     let samples_per_pixel = wanted.spp.unwrap_or(usual.samples_per_pixel);
     let size = wanted.size.unwrap_or(usual.size);
     let goal = Fineness { samples_per_pixel, ..usual }.goal();
-    // A picture is up to date only if this very program drew it.
+    // An image is up to date only if the same program rendered it.
     let program = sha256(&std::fs::read(std::env::current_exe()?)?);
     let key = format!("{program} size {size} spp {samples_per_pixel} error {} seed {seed}", goal.error);
     for (index, figure) in figures.iter().enumerate() {
         let place = format!("{:>2}/{} {:<26}", index + 1, figures.len(), figure.name);
         if !wanted.force && recorded(figure, output).is_some_and(|r| r.key == key) {
-            progress::say(&format!("{place} already drawn"));
+            progress::say(&format!("{place} up to date"));
             continue;
         }
         let bar = progress::bar(&place);
@@ -100,7 +100,7 @@ pub(crate) fn draw(
     Ok(())
 }
 
-/// Writes the pages over all figures that were drawn, and prints the path of the first page.
+/// Writes the pages of all rendered figures, and prints the path of the first page.
 pub(crate) fn write_pages(all: &[&Figure], output: &Output) -> Result<()> {
     let records: Vec<_> = all.iter().filter_map(|figure| recorded(figure, output)).collect();
     let drawing = |file: &str| String::from_utf8(output.read(file).unwrap_or_default()).unwrap_or_default();
@@ -112,12 +112,12 @@ pub(crate) fn write_pages(all: &[&Figure], output: &Output) -> Result<()> {
     }
     if let Some(file) = first {
         let count = format!("{} of {}", records.len(), all.len());
-        progress::say(&format!("the gallery, {count} figures: {}", output.place(file)));
+        progress::say(&format!("gallery written to {} ({count} figures)", output.place(file)));
     }
     Ok(())
 }
 
-/// The record of an earlier run, if all of its pictures are still as they were.
+/// Returns the record of an earlier run, if all of its images are unchanged.
 fn recorded(figure: &Figure, output: &Output) -> Option<Record> {
     let record: Record = serde_json::from_slice(&output.read(&format!("{}.json", figure.name))?).ok()?;
     let is = |file: &str, hash: &str| output.read(file).is_some_and(|bytes| sha256(&bytes) == hash);
@@ -126,7 +126,7 @@ fn recorded(figure: &Figure, output: &Output) -> Option<Record> {
     record.drawn.panels.iter().all(|panel| whole(&panel.picture)).then_some(record)
 }
 
-/// Writes the pictures of a figure.
+/// Writes the images of a figure.
 fn store(figure: &Figure, drawn: Drawn, output: &Output) -> Result<Drawn<Stored>> {
     let write = |stem: &str, ending: &str, bytes: &[u8]| -> Result<(String, String)> {
         let file = format!("{}-{stem}.{ending}", figure.name);
@@ -137,7 +137,7 @@ fn store(figure: &Figure, drawn: Drawn, output: &Output) -> Result<Drawn<Stored>
         let ((file, sha256), light, pixels) = match picture {
             Picture::Raster(image) => {
                 let (png, jpeg) = (image.encode(Format::Png)?, image.encode(Format::Jpeg)?);
-                // Of few colours the one that loses nothing is the smaller one.
+                // With few colors, the lossless file is smaller.
                 let light = (2 * jpeg.len() < png.len()).then(|| write(&stem, "jpg", &jpeg)).transpose()?;
                 (write(&stem, "png", &png)?, light, Some((image.width, image.height)))
             }

@@ -1,4 +1,4 @@
-//! A figure of the gallery: its name, the function that draws it, and what that hands back.
+//! A figure of the gallery: its name, its function, and the result.
 
 use asperity_render::integrator::adaptive::{Goal, Grain, render_until};
 use asperity_render::integrator::pixels::{Sampling, Watch, render, rows};
@@ -9,36 +9,37 @@ use serde::{Deserialize, Serialize};
 
 use asperity::failure::{Interrupted, Result};
 
-/// One figure of the gallery.
+/// A figure of the gallery.
 #[derive(Clone, Copy)]
 pub(crate) struct Figure {
-    /// Name on the command line and stem of the files, `kautz-1-sphere`.
+    /// Name on the command line and stem of the files, e.g. `kautz-1-sphere`.
     pub(crate) name: &'static str,
-    /// Draws it.
+    /// Renders the figure.
     pub(crate) draw: fn(&Context<'_>) -> Result<Drawn>,
 }
 
-/// A figure of a name and the function that draws it.
+/// Creates a figure from a name and its function.
 pub(crate) const fn figure(name: &'static str, draw: fn(&Context<'_>) -> Result<Drawn>) -> Figure {
     Figure { name, draw }
 }
 
-/// A function of a place, of which a figure shows several.
+/// A function of position, of which a figure shows several.
 pub(crate) type Shown<'a, P, T> = &'a (dyn Fn(P) -> T + Sync);
 
 /// Settings of a figure, from the command line.
 pub(crate) struct Context<'a> {
-    /// Side in pixels of a square panel; other panels scale with it.
+    /// Side of a square panel in pixels; other panels scale with it.
     pub(crate) size: u32,
-    /// Samples per pixel; a figure may multiply it.
+    /// Samples per pixel; figures may multiply it.
     pub(crate) samples_per_pixel: u32,
-    /// Grain of still lifes.
+    /// Noise target of still lifes.
     pub(crate) goal: Goal,
-    /// Seed of every random choice.
+    /// Seed of all random decisions.
     pub(crate) seed: u32,
-    /// Whether shaders may be drawn by a driver, which builds a program for minutes.
+    /// Whether GPU drivers may render shaders, which compiles a program for minutes.
     pub(crate) drivers: bool,
-    /// The figure's progress, hidden when no terminal looks on, and the user's interruption: long loops call [`Context::checkpoint`] once a row.
+    /// The figure's progress, hidden without a terminal, and the interrupt flag. Long loops call
+    /// [`Context::checkpoint`] once per row.
     pub(crate) watch: Watch<'a>,
 }
 
@@ -48,12 +49,12 @@ impl Context<'_> {
         Interrupted::check(self.watch.interrupted)
     }
 
-    /// A square panel of the figure's size.
+    /// Returns a square panel of the figure's size.
     pub(crate) fn square(&self) -> Sampling {
         self.sampling([12, 12], 1)
     }
 
-    /// A panel of these shares of the figure's size, in twelfths, with so many times its samples.
+    /// Returns a panel of the figure's size, scaled in twelfths, with `times` its samples.
     pub(crate) fn sampling(&self, [width, height]: [u32; 2], times: u32) -> Sampling {
         Sampling {
             width: self.size * width / 12,
@@ -63,7 +64,7 @@ impl Context<'_> {
         }
     }
 
-    /// The mean of a radiance over each pixel, at points in pixels from the top left.
+    /// Renders the mean of a radiance over each pixel, at points in pixels from the top left.
     pub(crate) fn render(
         &self,
         sampling: Sampling,
@@ -72,12 +73,12 @@ impl Context<'_> {
         render(sampling, self.watch, radiance)
     }
 
-    /// A picture of a scene, in linear radiance.
+    /// Renders a scene in linear radiance.
     pub(crate) fn draw(&self, scene: &Scene<'_, '_>, sampling: Sampling, camera: &Camera) -> Result<Image> {
         scene.draw(sampling, camera, self.watch)
     }
 
-    /// A picture of a scene without grain, in linear radiance.
+    /// Renders a scene to the noise target, in linear radiance.
     pub(crate) fn still(
         &self,
         scene: &Scene<'_, '_>,
@@ -87,7 +88,8 @@ impl Context<'_> {
         scene.draw_until(sampling, &self.goal, camera, self.watch)
     }
 
-    /// The mean of a radiance over each pixel without grain, at points in pixels from the top left.
+    /// Renders the mean of a radiance over each pixel to the noise target, at points in pixels from
+    /// the top left.
     pub(crate) fn still_of(
         &self,
         sampling: Sampling,
@@ -96,7 +98,7 @@ impl Context<'_> {
         render_until(sampling, &self.goal, self.watch, radiance)
     }
 
-    /// A picture of a scene from an eye towards a target, over this angle in radians.
+    /// Renders a scene from an eye toward a target, with this field of view in radians.
     pub(crate) fn look(
         &self,
         scene: &Scene<'_, '_>,
@@ -107,7 +109,7 @@ impl Context<'_> {
         self.draw(scene, sampling, &Camera::new(eye, target, field, sampling.width, sampling.height))
     }
 
-    /// Rows one below the other, made on all threads, in their order whatever the number of threads.
+    /// Computes rows on all threads and returns them in order.
     pub(crate) fn rows<T: Send, R: IntoIterator<Item = T>>(
         &self,
         count: usize,
@@ -117,26 +119,26 @@ impl Context<'_> {
     }
 }
 
-/// A drawn figure: panels, parameters and a table.
+/// A rendered figure: panels, parameters and a table.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Drawn<P = Picture> {
-    /// Square panels side by side on a wide page.
+    /// Number of square panels per row on a wide page.
     pub(crate) columns: u32,
-    /// The pictures, in reading order.
+    /// The images, in reading order.
     pub(crate) panels: Vec<Panel<P>>,
-    /// Parameters by name, shown under the caption.
+    /// Named parameters, shown below the caption.
     pub(crate) parameters: Vec<(String, String)>,
-    /// Measured figures, shown as a table: header, then rows.
+    /// Measurements shown as a table: header, then rows.
     pub(crate) table: Option<(Vec<String>, Vec<Vec<String>>)>,
 }
 
 impl Drawn {
-    /// Panels in so many columns, without parameters and table.
+    /// Creates a figure with panels in columns, without parameters and table.
     pub(crate) fn new(columns: u32, panels: Vec<Panel>) -> Self {
         Self { columns, panels, parameters: Vec::new(), table: None }
     }
 
-    /// A picture of each case by its words, those of [`Panel::new`].
+    /// Creates an image per case, with the texts of [`Panel::new`].
     pub(crate) fn pictures<W: Into<String>, C>(
         columns: u32,
         cases: impl IntoIterator<Item = ([W; 3], C)>,
@@ -149,25 +151,25 @@ impl Drawn {
         Ok(Self::new(columns, panels))
     }
 
-    /// One more parameter.
-    #[expect(clippy::needless_pass_by_value, reason = "numbers are given as they are")]
+    /// Adds a parameter.
+    #[expect(clippy::needless_pass_by_value, reason = "numbers are passed by value")]
     pub(crate) fn fact(mut self, name: &str, value: impl ToString) -> Self {
         self.parameters.push((name.to_owned(), value.to_string()));
         self
     }
 
-    /// With the grain of its pictures, from the finest to the coarsest.
+    /// Adds the noise of the images, from lowest to highest.
     pub(crate) fn grain(self, grains: &[Grain]) -> Self {
         let range = |of: fn(&Grain) -> f32| {
             let ends = grains.iter().map(of).fold([f32::INFINITY, 0.0_f32], |[a, b], x| [a.min(x), b.max(x)]);
             let [low, high] = ends.map(|end| format!("{end:.1}"));
             if low == high { low } else { format!("{low} to {high}") }
         };
-        self.fact("relative error of a pixel as shown, median", range(|grain| 100.0 * grain.median) + " %")
+        self.fact("median relative error of a displayed pixel", range(|grain| 100.0 * grain.median) + " %")
             .fact("samples per pixel, mean", range(|grain| grain.samples))
     }
 
-    /// With a table of measured values.
+    /// Adds a table of measurements.
     pub(crate) fn table(
         self,
         head: impl IntoIterator<Item = impl Into<String>>,
@@ -178,24 +180,24 @@ impl Drawn {
     }
 }
 
-/// One picture of a figure.
+/// An image of a figure.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Panel<P = Picture> {
-    /// Stem of its file, unique in the figure: `zoom-4`.
+    /// Stem of its file, unique in the figure, e.g. `zoom-4`.
     pub(crate) stem: String,
-    /// A few words under the picture.
+    /// A short label below the image.
     pub(crate) label: String,
-    /// The picture in words, for those who cannot see it.
+    /// Alternative text.
     pub(crate) alt: String,
-    /// Relative width in its row: 1 for a square panel, 2 for twice as wide.
+    /// Relative width in its row: 1 for a square panel, 2 for twice the width.
     pub(crate) span: u32,
-    /// The picture itself.
+    /// The image.
     #[serde(flatten)]
     pub(crate) picture: P,
 }
 
 impl Panel {
-    /// A picture of one column with its words: the stem of its file, a few for all, and those for who cannot see it.
+    /// Creates an image of one column from file stem, label and alternative text.
     pub(crate) fn new(
         stem: impl Into<String>,
         label: impl Into<String>,
@@ -206,11 +208,11 @@ impl Panel {
     }
 }
 
-/// Pixels or curves.
+/// Pixels or vector graphics.
 pub(crate) enum Picture {
     /// Linear pixels, written as an sRGB PNG.
     Raster(Image),
-    /// A complete `<svg>` element whose colours are the page's custom properties.
+    /// A complete `<svg>` element whose colors are the page's custom properties.
     Vector(String),
 }
 

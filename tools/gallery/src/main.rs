@@ -1,4 +1,5 @@
-//! The program behind `cargo xtask gallery`: ten figures and a page, then the tables, the other figures and the whole pages.
+//! The program behind `cargo xtask gallery`: renders ten figures and a page, then the tables, the
+//! other figures and the complete pages.
 
 mod captions;
 mod cli;
@@ -66,9 +67,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn errors_are_one_line_that_names_the_cause() {
+    fn errors_are_one_line_with_the_cause() {
         for (line, said) in [
-            ("--only nowhere", "no figure is called `nowhere`; there are "),
+            ("--only nowhere", "no figure matches `nowhere` (available: "),
             ("--only kautz --out Cargo.toml/x", "cannot write Cargo.toml/x: "),
         ] {
             let wanted = Gallery::try_parse_from(["gallery"].into_iter().chain(line.split(' '))).unwrap();

@@ -1,4 +1,5 @@
-//! The gallery's pages: files beside their pictures, light and dark, no network, no script.
+//! The gallery's pages: files next to their images, light and dark themes, without network access
+//! or scripts.
 
 use asperity::html::{escape, page};
 use serde::{Deserialize, Serialize};
@@ -6,36 +7,36 @@ use serde::{Deserialize, Serialize};
 use crate::captions::{CAPTIONS, Caption, Page};
 use crate::figure::{Drawn, Panel};
 
-/// The page of the tables, seen from the gallery's.
+/// The page of the tables, relative to the gallery.
 pub(crate) const TABLES: &str = "../tables/index.html";
 
-/// The live page as the gallery links to it.
+/// The interactive web demo, relative to the gallery.
 pub(crate) const LIVE: &str = "../web/index.html";
 
-/// A drawn figure on disk, with its provenance.
+/// A rendered figure on disk, with its provenance.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Record {
     pub(crate) name: String,
     pub(crate) seed: u32,
     pub(crate) seconds: f64,
-    /// Names the program and the settings that drew it: equal keys give equal files.
+    /// Identifies the program and the settings: equal keys give equal files.
     pub(crate) key: String,
     #[serde(flatten)]
     pub(crate) drawn: Drawn<Stored>,
 }
 
-/// A picture on disk.
+/// An image on disk.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Stored {
     pub(crate) file: String,
     pub(crate) sha256: String,
-    /// The file that a page shows in its place, of fewer bytes, and its hash.
+    /// The smaller file that a page displays instead, and its hash.
     pub(crate) light: Option<(String, String)>,
-    /// Width and height of a raster picture; `None` for a drawing.
+    /// Width and height of a raster image; `None` for vector graphics.
     pub(crate) pixels: Option<(u32, u32)>,
 }
 
-/// A `<table>` in its scrolling box.
+/// Returns a `<table>` in its scrolling box.
 pub(crate) fn table(head: &[String], rows: &[Vec<String>]) -> String {
     let row = |tag: &str, cells: &[String]| {
         let cells = cells.iter().map(|cell| format!("<{tag}>{}</{tag}>", escape(cell)));
@@ -51,8 +52,9 @@ impl Page {
         records.iter().any(|record| CAPTIONS.of(&record.name).is_ok_and(|c| c.page == self.file))
     }
 
-    /// The page over its records, with links to other pages that show some, to `tables` if there are any and to the `live` page if it is there; `drawing` hands over the
-    /// text of an SVG file by its name.
+    /// Returns the page of its records. It links to other pages with records, to `tables` if there
+    /// are any, and to the `live` page if it exists. `drawing` returns the text of an SVG file by
+    /// name.
     pub(crate) fn gallery(
         &self,
         records: &[Record],
@@ -75,17 +77,17 @@ impl Page {
         });
         let rest = format!(
             "<nav><div class=\"wide\"><ol>\n{}</ol></div></nav>\n<main class=\"wide\">\n{}</main>\n\
-             <footer class=\"wide\">Asperity {}. The same settings and seeds give the same files, byte for byte, on \
-             any number of threads.{}{}</footer>\n",
+             <footer class=\"wide\">Asperity {}. The bytes of all files depend only on settings and seeds, not on \
+             the number of threads.{}{}</footer>\n",
             others.chain(links).collect::<String>(),
             sections.collect::<String>(),
             env!("CARGO_PKG_VERSION"),
             tables.map_or_else(String::new, |file| {
-                format!(" The tables behind the pictures: <a href=\"{file}\">tables</a>.")
+                format!(" Tables used by the figures: <a href=\"{file}\">tables</a>.")
             }),
             live.map_or_else(
-                || " <code>cargo xtask web</code> makes a page on which they move.".to_owned(),
-                |file| format!(" All of it under your hands: <a href=\"{file}\">the live page</a>.")
+                || " <code>cargo xtask web</code> builds an interactive page.".to_owned(),
+                |file| format!(" Interactive version: <a href=\"{file}\">live page</a>.")
             ),
         );
         page(&format!("{prefix}Asperity gallery"), self.title, &self.about, &rest)
@@ -112,7 +114,7 @@ fn article(words: &Caption, record: &Record, drawing: &impl Fn(&str) -> String) 
     let own = [
         ("seed".to_owned(), record.seed.to_string()),
         ("time".to_owned(), format!("{:.1} s", record.seconds)),
-        ("draw it alone".to_owned(), format!("cargo xtask gallery --only {}", record.name)),
+        ("render this figure".to_owned(), format!("cargo xtask gallery --only {}", record.name)),
     ];
     let fact = |(name, value): &(String, String)| {
         format!("<div><dt>{}</dt><dd>{}</dd></div>\n", escape(name), escape(value))
@@ -154,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn a_page_links_to_what_was_made_alone() {
+    fn page_links_only_to_existing_parts() {
         let sphere = [record("kautz-1-sphere")];
         let page = CAPTIONS.pages[0].gallery(&sphere, [None; 2], |_| String::new());
         assert!(page.contains("href=\"#kautz-1-sphere\"") && !page.contains(".html\""), "{page}");
@@ -164,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn the_page_is_safe_whole_and_needs_no_network_and_no_script() {
+    fn page_is_escaped_complete_and_without_network_or_scripts() {
         let page = page_of(0, &["kautz-1-sphere", "kautz-2-ndf"]);
         assert!(page.contains("A &lt;sphere&gt;") && page.contains("bumps &amp; &quot;zoom&quot;"));
         assert!(!page.contains("A <sphere>"));
@@ -180,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn a_figure_of_noise_is_on_the_page_of_noise_alone_and_pages_know_one_another() {
+    fn noise_figures_are_on_the_noise_page_and_pages_link_each_other() {
         let [sphere, noise] = ["kautz-1-sphere", "noise-kind-white"];
         for (index, own, foreign, other) in
             [(0, sphere, noise, "noise.html"), (1, noise, sphere, "index.html")]
@@ -192,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn every_picture_leads_to_its_file() {
+    fn every_image_links_to_its_file() {
         let (mut raster, mut vector) = (record("kautz-1-sphere"), record("kautz-2-ndf"));
         raster.drawn.panels[0].picture.light = Some(("far.jpg".into(), "00".into()));
         vector.drawn.panels[0].picture =
@@ -205,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn a_record_survives_its_file() {
+    fn record_round_trip() {
         let text = serde_json::to_string(&record("kautz-1-sphere")).unwrap();
         assert_eq!(serde_json::from_str::<Record>(&text).unwrap(), record("kautz-1-sphere"));
     }

@@ -1,4 +1,4 @@
-//! Panels of densities over the disk of normals and pictures side by side.
+//! Panels of densities over the disk of normals, and images side by side.
 
 use asperity_render::image::{Image, tone::ember, tone::hex};
 use asperity_render::{light::background, materials::SharedNdf, scenes::peak};
@@ -7,9 +7,10 @@ use glam::Vec3;
 use crate::figure::{Context, Panel};
 use asperity::failure::Result;
 
-/// A function over the disk of normals, `n_y` upwards, with `√(value/peak)` in the colours of [`ember`].
+/// Renders a function over the disk of normals, `n_y` up, with `√(value/peak)` in the colors of
+/// [`ember`].
 pub(crate) fn disk(context: &Context<'_>, peak: f32, value: impl Fn(Vec3) -> f32 + Sync) -> Result<Image> {
-    /// Radius of the disk, in halves of the picture.
+    /// Radius of the disk, relative to half of the image.
     const RADIUS: f32 = 0.86;
     let side = context.size as f32;
     let (half, rim) = (0.5 * side * RADIUS, hex(0x8b_8d96));
@@ -26,14 +27,14 @@ pub(crate) fn disk(context: &Context<'_>, peak: f32, value: impl Fn(Vec3) -> f32
     })
 }
 
-/// The density over the map of normals.
+/// Renders the density over the map of normals.
 pub(crate) fn density_panel(context: &Context<'_>, ndf: &SharedNdf, stem: &str, name: &str) -> Result<Panel> {
     let image = disk(context, peak(|m| ndf.density(m)), |m| ndf.density(m))?;
     let alt = format!("The density {name} over the disk of normals, brightest at its peak.");
     Ok(Panel::new(stem, format!("the NDF: {name}"), alt, image))
 }
 
-/// Pictures of equal heights in a row.
+/// Places images of equal height in a row.
 pub(crate) fn side_by_side(pictures: &[Image], gap: u32, between: Vec3) -> Image {
     let [width, height] = pictures.first().map_or([1, 1], |picture| [picture.width, picture.height]);
     let step = width + gap;
@@ -51,7 +52,7 @@ mod tests {
     use asperity_render::integrator::pixels::Watch;
 
     #[test]
-    fn the_disk_shows_n_y_upwards() {
+    fn disk_has_n_y_up() {
         let goal = Quality::Draft.fineness().goal();
         let context =
             Context { size: 64, samples_per_pixel: 1, goal, seed: 1, drivers: false, watch: Watch::unseen() };
@@ -61,7 +62,7 @@ mod tests {
     }
 
     #[test]
-    fn pictures_stand_side_by_side() {
+    fn side_by_side_places_images_in_a_row() {
         let plain = |value| Image::from_fn(2, 2, |_, _| Vec3::splat(value));
         let row = side_by_side(&[plain(1.0), plain(2.0)], 1, Vec3::ZERO);
         assert_eq!([row.width, row.height], [5, 2]);

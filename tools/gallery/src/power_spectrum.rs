@@ -1,31 +1,33 @@
-//! Power spectra of noise in the plane, by a Fourier transform of windowed samples.
+//! Power spectra of noise in the plane, from Fourier transforms of windowed samples.
 
 use std::f64::consts::TAU;
 
 use glam::DVec2;
 use rayon::prelude::*;
 
-/// The mean power spectrum of square samples: at each frequency the variance per unit of frequency space.
+/// The mean power spectrum of square samples: the variance per unit of frequency space at each
+/// frequency.
 pub(crate) struct PowerSpectrum {
     /// Samples along an axis, a power of two.
     size: usize,
     /// Frequency step along an axis, 1/(size · spacing).
     step: f64,
-    /// By row and column, the frequency 0 first and negative frequencies from the end.
+    /// By row and column, frequency 0 first and negative frequencies from the end.
     power: Vec<f64>,
 }
 
 impl PowerSpectrum {
-    /// The mean over `2 · pairs` samples of `size`² numbers (a power of two), `spacing` apart; `sample(k)` makes the k-th.
+    /// Computes the mean over `2 · pairs` samples of `size`² numbers (a power of two), `spacing`
+    /// apart; `sample(k)` returns the k-th.
     ///
-    /// Its bits do not depend on the number of threads: spectra are summed in the order of their pairs.
+    /// The bits do not depend on the number of threads, because spectra are summed in order.
     pub(crate) fn mean(
         size: usize,
         spacing: f64,
         pairs: usize,
         sample: impl Fn(usize) -> Vec<f32> + Sync,
     ) -> Self {
-        // Hann's window, ½ − ½ cos: of all leakage only that into the neighbours is left.
+        // Hann window, ½ − ½ cos: leakage is limited to neighboring frequencies.
         let hann = |k: usize| 0.5 - 0.5 * (TAU * (k as f64 + 0.5) / size as f64).cos();
         let window: Vec<f64> = (0..size).map(hann).collect();
         let gain: f64 = window.iter().map(|w| w * w).sum::<f64>().powi(2);
@@ -36,7 +38,8 @@ impl PowerSpectrum {
             };
             let mut z: Vec<_> = a.iter().zip(&b).enumerate().map(windowed).collect();
             transform_square(&mut z, size);
-            // Two real samples in one transform: the mean of a point and its mirror image holds the mean of both powers.
+            // Two real samples in one transform: the mean of a point and its mirror image contains
+            // the mean of both powers.
             let mirror = |i: usize| (size - i / size) % size * size + (size - i % size) % size;
             let power = |i: usize| 0.25 * (z[i].length_squared() + z[mirror(i)].length_squared());
             (0..z.len()).map(power).collect()
@@ -51,13 +54,14 @@ impl PowerSpectrum {
         Self { size, step: 1.0 / (size as f64 * spacing), power }
     }
 
-    /// The power at a whole multiple of the step along each axis.
+    /// Returns the power at an integer multiple of the step along each axis.
     fn entry(&self, kx: i64, ky: i64) -> f64 {
         let index = |k: i64| k.rem_euclid(self.size as i64) as usize;
         self.power[index(ky) * self.size + index(kx)]
     }
 
-    /// The density at a frequency, bilinear between its neighbours; periodic beyond the highest.
+    /// Returns the density at a frequency, with bilinear interpolation; periodic above the highest
+    /// frequency.
     pub(crate) fn at(&self, fx: f64, fy: f64) -> f64 {
         let (x, y) = (fx / self.step, fy / self.step);
         let (tx, ty) = (x - x.floor(), y - y.floor());
@@ -66,10 +70,11 @@ impl PowerSpectrum {
         along(ky) * (1.0 - ty) + along(ky + 1) * ty
     }
 
-    /// The mean density over rings, six to a doubling, from `range[0]` to `range[1]`: frequency and density.
+    /// Returns frequency and mean density over rings, six per doubling, from `range[0]` to
+    /// `range[1]`.
     ///
-    /// Only directions that `wanted` names count; it is given the cosine of four times the angle, 1 along the axes and −1 along the
-    /// diagonals.
+    /// Only directions accepted by `wanted` count. Its argument is the cosine of four times the
+    /// angle: 1 along the axes and −1 along the diagonals.
     pub(crate) fn rings(&self, range: [f64; 2], wanted: impl Fn(f64) -> bool) -> Vec<[f64; 2]> {
         const PER_DOUBLING: f64 = 6.0;
         let count = ((range[1] / range[0]).log2() * PER_DOUBLING).round().max(1.0) as usize;
@@ -90,7 +95,7 @@ impl PowerSpectrum {
     }
 }
 
-/// The discrete Fourier transform along both axes.
+/// Computes the discrete Fourier transform along both axes.
 fn transform_square(z: &mut [DVec2], size: usize) {
     let root = |k: usize| DVec2::from_angle(-TAU * k as f64 / size as f64);
     let roots: Vec<_> = (0..size / 2).map(root).collect();
@@ -104,7 +109,7 @@ fn transform_square(z: &mut [DVec2], size: usize) {
     }
 }
 
-/// Σ_j z_j exp(−2πi jk/n) for all k, in place: Cooley and Tukey 1965, radix 2.
+/// Computes Σ_j z_j exp(−2πi jk/n) for all k, in place: Cooley and Tukey 1965, radix 2.
 fn transform(z: &mut [DVec2], roots: &[DVec2]) {
     let n = z.len();
     let bits = n.trailing_zeros();
@@ -133,13 +138,13 @@ mod tests {
 
     use super::*;
 
-    /// A sample of numbers without pattern.
+    /// Returns numbers without a pattern.
     fn arbitrary(k: usize, count: usize) -> Vec<f32> {
         (0..count).map(|i| ((i * i * 37 + i * 11 + k * 101) % 997) as f32 / 498.5 - 1.0).collect()
     }
 
     #[test]
-    fn the_transform_is_the_sum_that_defines_it() {
+    fn transform_matches_its_definition() {
         const N: usize = 8;
         let mut z: Vec<_> =
             arbitrary(3, N * N).into_iter().map(|a| f64::from(a) * DVec2::new(1.0, 0.5)).collect();
@@ -153,16 +158,17 @@ mod tests {
     }
 
     #[test]
-    fn the_density_of_white_samples_integrates_to_their_variance() {
+    fn white_noise_density_integrates_to_the_variance() {
         const N: usize = 64;
         let spectrum = PowerSpectrum::mean(N, 0.25, 8, |k| arbitrary(k * k, N * N));
         let total: f64 = spectrum.power.iter().sum::<f64>() * spectrum.step * spectrum.step;
-        // Numbers uniform in (−1, 1); the window leaves 64²/4 independent ones of each of 16 samples: 1 % is 1.5 standard errors.
+        // Uniform numbers in (−1, 1). The window leaves 64²/4 independent numbers in each of 16
+        // samples: 1 % is 1.5 standard errors.
         assert_abs_diff_eq!(total, 1.0 / 3.0, epsilon = 0.02);
     }
 
     #[test]
-    fn a_wave_stands_at_its_frequency_and_on_its_ring() {
+    fn wave_is_at_its_frequency_and_ring() {
         const N: usize = 64;
         let wave = |i: usize| (TAU * (5 * (i % N) + 9 * (i / N)) as f64 / N as f64).cos() as f32;
         let spectrum = PowerSpectrum::mean(N, 1.0 / 8.0, 1, |_| (0..N * N).map(wave).collect());
@@ -177,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn the_number_of_threads_changes_no_bit() {
+    fn spectrum_is_independent_of_threads() {
         let power = |threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             pool.install(|| PowerSpectrum::mean(32, 0.1, 6, |k| arbitrary(k, 32 * 32)).power)

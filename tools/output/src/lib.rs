@@ -1,7 +1,9 @@
-//! Files that appear whole or not at all: written under a temporary name beside their own, brought to the disk, then renamed.
+//! Atomic file output: files are written under a temporary name next to their own, fsynced, then
+//! renamed.
 //!
-//! Every writer of the tools, of the live page and of the shaders goes through [`Output`]. A temporary file is locked while it is
-//! written, so that the next run that opens the folder knows what a killed one has left, and removes it.
+//! Every writer of the tools, the live page and the shaders uses [`Output`]. A temporary file is
+//! locked while it is written. The next run in the folder detects files left by a killed run, and
+//! removes them.
 
 pub mod cargo;
 
@@ -14,20 +16,22 @@ use tempfile::NamedTempFile;
 /// Names of temporary files: these around six letters and digits.
 const NAME: [&str; 2] = [".asperity-", ".part"];
 
-/// A folder that is known to be writable.
+/// A folder checked for write access.
 #[derive(Clone, Debug)]
 pub struct Output {
     folder: PathBuf,
 }
 
 impl Output {
-    /// Makes the folder if need be, proves that it can be written to, and removes temporary files that nobody writes any more.
+    /// Creates the folder if necessary, checks that it is writable, and removes abandoned temporary
+    /// files.
     ///
     /// # Errors
-    /// The folder and why it cannot be written to, in one line; so do all errors here.
+    ///
+    /// Returns the folder and the reason why it is not writable, in one line, like all errors here.
     pub fn new(folder: impl Into<PathBuf>) -> io::Result<Self> {
         let mut folder = folder.into();
-        // The folder of a bare name.
+        // The folder of a bare file name.
         if folder.as_os_str().is_empty() {
             folder.push(".");
         }
@@ -38,23 +42,24 @@ impl Output {
         Ok(Self { folder })
     }
 
-    /// The whole path of a file in it, for people.
+    /// Returns the absolute path of a file, for display.
     #[must_use]
     pub fn place(&self, name: &str) -> String {
         let path = self.folder.join(name);
         std::path::absolute(&path).unwrap_or(path).display().to_string()
     }
 
-    /// The path of a file in it.
+    /// Returns the path of a file.
     #[must_use]
     pub fn path(&self, name: &str) -> PathBuf {
         self.folder.join(name)
     }
 
-    /// A folder inside this one.
+    /// Returns a subfolder.
     ///
     /// # Errors
-    /// The errors of [`new`](Self::new).
+    ///
+    /// Same as [`new`](Self::new).
     pub fn inside(&self, name: &str) -> io::Result<Self> {
         Self::new(self.folder.join(name))
     }
@@ -62,15 +67,18 @@ impl Output {
     /// Writes `bytes` to `name`.
     ///
     /// # Errors
-    /// The file and why it cannot be written; then there is no file of the name, or the one from before.
+    ///
+    /// Returns the file and the reason why it cannot be written. The previous file, if any, is
+    /// unchanged.
     pub fn write(&self, name: &str, bytes: &[u8]) -> io::Result<()> {
         self.stream(name, |file| file.write_all(bytes))
     }
 
-    /// Writes `name` piece by piece.
+    /// Writes `name` incrementally.
     ///
     /// # Errors
-    /// The errors of [`write`](Self::write), and what `write` itself returns.
+    ///
+    /// Same as [`write`](Self::write), and errors of the `write` argument.
     pub fn stream<E: From<io::Error>>(
         &self,
         name: &str,
@@ -78,18 +86,18 @@ impl Output {
     ) -> Result<(), E> {
         let mut buffer = BufWriter::with_capacity(1 << 18, Part::new(&self.folder, name)?);
         write(&mut buffer)?;
-        // Where the disk is full it may be the last bytes that have no room.
+        // On a full disk the last bytes may fail.
         Ok(buffer.into_inner().map_err(io::IntoInnerError::into_error)?.finish()?)
     }
 
-    /// Reads `name` if it is there.
+    /// Reads `name` if it exists.
     #[must_use]
     pub fn read(&self, name: &str) -> Option<Vec<u8>> {
         fs::read(self.folder.join(name)).ok()
     }
 }
 
-/// A file that is being written under a temporary name, which is gone if it is never finished.
+/// A file written under a temporary name, which is removed unless finished.
 #[derive(Debug)]
 pub struct Part {
     file: NamedTempFile,
@@ -103,9 +111,9 @@ impl Part {
             let [before, after] = NAME;
             let file = tempfile::Builder::new().prefix(before).suffix(after).tempfile_in(folder);
             let file = file.map_err(unwritten(&path))?;
-            // Without locks in a file system nothing is swept from it either.
+            // On file systems without locks, nothing is removed either.
             let _ = file.as_file().lock();
-            // Another run may have swept it before it was locked.
+            // Another run may have removed it before it was locked.
             if !matches!(file.path().try_exists(), Ok(false)) {
                 return Ok(Self { file, path });
             }
@@ -115,7 +123,7 @@ impl Part {
     fn finish(self) -> io::Result<()> {
         let fail = unwritten(&self.path);
         open_to_readers(self.file.as_file()).map_err(fail)?;
-        // Else a rename may reach the disk before the bytes do.
+        // Otherwise a rename may reach the disk before the bytes do.
         self.file.as_file().sync_data().map_err(fail)?;
         self.file.persist(&self.path).map_err(|error| fail(error.error))?;
         Ok(())
@@ -138,14 +146,15 @@ impl Seek for Part {
     }
 }
 
-/// Removes temporary files whose writers have died; of what cannot be read or removed the next run will try again.
+/// Removes temporary files of dead writers. Files that cannot be read or removed are left for the
+/// next run.
 fn sweep(folder: &Path) {
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         let temporary = entry.file_name().to_str().is_some_and(is_temporary);
         if !temporary || !entry.file_type().is_ok_and(|kind| kind.is_file()) {
             continue;
         }
-        // The lock is held until the file is gone.
+        // The lock is held until the file is removed.
         let Ok(file) = File::options().write(true).open(entry.path()) else { continue };
         if file.try_lock().is_ok() {
             let _ = fs::remove_file(entry.path());
@@ -159,7 +168,7 @@ fn is_temporary(name: &str) -> bool {
     random.is_some_and(|random| random.len() == 6 && random.bytes().all(|byte| byte.is_ascii_alphanumeric()))
 }
 
-/// A lock on a name that several runs may hold, until the last of them removes what it stands for.
+/// A lock on a name that several runs can hold, until the last run removes the resource.
 #[derive(Debug)]
 pub struct Shared {
     file: File,
@@ -167,10 +176,12 @@ pub struct Shared {
 }
 
 impl Shared {
-    /// Takes the lock, of which a file of the name is left while it is held; waits while another run removes.
+    /// Acquires the lock, which keeps a file of this name while held. Waits while another run
+    /// removes the resource.
     ///
     /// # Errors
-    /// The file and why it cannot be written.
+    ///
+    /// Returns the file and the reason why it cannot be written.
     pub fn new(output: &Output, name: &str) -> io::Result<Self> {
         let path = output.path(name);
         loop {
@@ -183,7 +194,7 @@ impl Shared {
         }
     }
 
-    /// Gives the lock back; calls `remove` if no other run holds it.
+    /// Releases the lock, and calls `remove` if no other run holds it.
     pub fn release(self, remove: impl FnOnce()) {
         let _ = self.file.unlock();
         if !matches!(self.file.try_lock(), Err(TryLockError::WouldBlock)) {
@@ -193,12 +204,12 @@ impl Shared {
     }
 }
 
-/// Why a file or folder could not be written.
+/// Formats the reason why a file or folder could not be written.
 fn unwritten(path: &Path) -> impl Fn(io::Error) -> io::Error + Copy {
     move |cause| io::Error::new(cause.kind(), format!("cannot write {}: {cause}", path.display()))
 }
 
-// A temporary file is private to its owner; a finished one is as readable as any other.
+// A temporary file is private to its owner. A finished file has the default permissions.
 #[cfg(unix)]
 fn open_to_readers(file: &File) -> io::Result<()> {
     use std::os::unix::fs::PermissionsExt;
@@ -225,7 +236,7 @@ mod tests {
     }
 
     #[test]
-    fn a_write_replaces_the_file_and_leaves_no_other() {
+    fn write_replaces_the_file_and_leaves_no_temporary() {
         let scratch = tempfile::tempdir().unwrap();
         let output = Output::new(scratch.path().join("deep/er")).unwrap();
         output.write("a.txt", b"first").unwrap();
@@ -235,7 +246,7 @@ mod tests {
     }
 
     #[test]
-    fn what_fails_halfway_leaves_the_file_from_before_alone() {
+    fn failed_write_keeps_the_previous_file() {
         let scratch = tempfile::tempdir().unwrap();
         let output = Output::new(scratch.path()).unwrap();
         output.write("a.txt", b"first").unwrap();
@@ -253,7 +264,7 @@ mod tests {
     }
 
     #[test]
-    fn a_dead_run_s_temporary_is_swept_a_living_one_s_and_other_files_are_not() {
+    fn sweep_removes_only_abandoned_temporaries() {
         let scratch = tempfile::tempdir().unwrap();
         let kept = [
             ".asperity-notes",
@@ -279,7 +290,7 @@ mod tests {
     }
 
     #[test]
-    fn the_last_of_those_who_share_removes() {
+    fn last_shared_holder_removes() {
         let scratch = tempfile::tempdir().unwrap();
         let output = Output::new(scratch.path()).unwrap();
         let [first, last] = [(); 2].map(|()| Shared::new(&output, "held").unwrap());

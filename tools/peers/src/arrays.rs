@@ -1,4 +1,4 @@
-//! Forms of evaluation of a library that fills whole arrays of values.
+//! Evaluation forms for libraries that fill whole arrays.
 
 use std::hint::black_box;
 
@@ -8,8 +8,8 @@ use crate::{
     row::Row,
 };
 
-/// A library at a SIMD level. `fill` writes the values at the samples moved by a vector; where gradients are asked for it is
-/// called once more per axis, for differences.
+/// Returns a library at a SIMD level. `fill` writes the values at the samples, shifted by a vector.
+/// For gradients it is called once more per axis, for finite differences.
 pub(crate) fn contender<const N: usize>(
     library: &'static str,
     level: &'static str,
@@ -25,7 +25,7 @@ pub(crate) fn contender<const N: usize>(
     Contender { library, level, samples, pass }
 }
 
-/// The values, then their differences along each axis that has an array.
+/// Computes the values, then their differences along each axis with an array.
 fn differences<const N: usize>(arrays: &mut [Vec<f32>], fill: &mut impl FnMut([f32; N], &mut Vec<f32>)) {
     let Some((values, slopes)) = arrays.split_first_mut() else { return };
     fill([0.0; N], values);
@@ -42,7 +42,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_plane_has_its_own_slopes() {
+    fn gradient_of_a_plane() {
         let mut arrays = vec![vec![0.0; 3]; 3];
         differences(&mut arrays, &mut |[x, y], values| {
             for (i, value) in values.iter_mut().enumerate() {

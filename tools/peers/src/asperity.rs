@@ -1,4 +1,4 @@
-//! Asperity itself: batches at every SIMD level of this machine, and single calls.
+//! Asperity: batches at every SIMD level of this machine, and single calls.
 
 use std::hint::black_box;
 
@@ -53,7 +53,7 @@ where
     }
 }
 
-/// One contender per level, but one for single calls.
+/// Returns one contender per level, or one for single calls.
 fn of<V, const N: usize>(row: Row, step: f32, field: impl Field<V> + Copy + 'static) -> Vec<Contender>
 where
     V: Point<Coordinates = [f32; N]>,

@@ -1,4 +1,5 @@
-//! FastNoise2: C++ with SIMD, `f32`, hashes; fused multiply-add and relaxed floats where the level has them.
+//! FastNoise2: C++ with SIMD, `f32`, hashes; fused multiply-add and relaxed floats where the level
+//! supports them.
 #![expect(unsafe_code, reason = "a C interface")]
 
 use std::ffi::{CStr, c_void};
@@ -14,10 +15,12 @@ use crate::{
 
 const NAME: &str = "fastnoise2";
 
-/// The library's sets of features, one bit per extension, that this processor has; the library itself does not look.
+/// Returns the library's feature sets supported by this processor, one bit per extension. The
+/// library itself does not check.
 #[cfg(target_arch = "x86_64")]
 fn levels() -> Vec<(&'static str, u32)> {
-    // Bits 1 to 13: x86, SSE, SSE2, SSE3, SSSE3, SSE4.1, SSE4.2, AVX, AVX2 and four parts of AVX-512.
+    // Bits 1 to 13: x86, SSE, SSE2, SSE3, SSSE3, SSE4.1, SSE4.2, AVX, AVX2 and four parts of
+    // AVX-512.
     let up_to = |bit: u32| (2 << bit) - 2;
     let avx512 = is_x86_feature_detected!("avx512f")
         && is_x86_feature_detected!("avx512vl")
@@ -36,7 +39,7 @@ fn levels() -> Vec<(&'static str, u32)> {
     .collect()
 }
 
-/// The library's set of features where NEON is the baseline.
+/// Returns the library's feature set where NEON is the baseline.
 #[cfg(not(target_arch = "x86_64"))]
 fn levels() -> Vec<(&'static str, u32)> {
     // Bits 14 to 16: ARM, NEON, AArch64.
@@ -45,7 +48,8 @@ fn levels() -> Vec<(&'static str, u32)> {
 
 pub(crate) fn contenders(row: Row, step: f32) -> Vec<Contender> {
     match row.dimension {
-        // One call of this library walks a tree of virtual functions and fills a whole register.
+        // A single call of this library traverses a tree of virtual functions and fills a whole
+        // register.
         _ if row.order == Order::Calls => Vec::new(),
         2 => levels().into_iter().filter_map(|level| contender::<2>(row, step, level)).collect(),
         3 => levels().into_iter().filter_map(|level| contender::<3>(row, step, level)).collect(),
@@ -73,13 +77,14 @@ struct Node(*mut c_void);
 
 impl Drop for Node {
     fn drop(&mut self) {
-        // SAFETY: the handle came from the library and is given back once.
+        // SAFETY: the handle came from the library and is released once.
         unsafe { sys::fnDeleteNodeRef(self.0) }
     }
 }
 
 impl Node {
-    /// The generator at one level, or nothing where the processor or the library's build lacks it.
+    /// Returns the generator at one level, or `None` if the processor or the library's build does
+    /// not support it.
     fn of(kind: Kind, features: u32) -> Option<Self> {
         let generator = match kind {
             Kind::Perlin | Kind::Octaves => c"Perlin",
@@ -93,10 +98,11 @@ impl Node {
         if kind != Kind::Octaves {
             return Some(source);
         }
-        // Gain 0.5 and lacunarity 2 are what it starts with.
+        // Gain 0.5 and lacunarity 2 are its defaults.
         let sum = Self::named(c"Fractal FBm", features).or_else(|| Self::named(c"FractalFBm", features))?;
-        // SAFETY: both handles are alive; the source is handed over as the address of its handle, which is what a smart
-        // pointer of the library is, and the sum counts itself in.
+        // SAFETY: both handles are alive. The source is passed as the address of its handle, which
+        // is the library's smart pointer representation, and the sum increments its reference
+        // count.
         let done = unsafe { sys::fnSetNodeLookup(sum.0, 0, (&raw const source.0).cast()) };
         assert!(done, "FastNoise2: a sum of octaves takes a source");
         sum.set_int("Octaves", 5);
@@ -108,14 +114,15 @@ impl Node {
         // SAFETY: names of the library are strings that live as long as the program.
         let id = (0..unsafe { sys::fnGetMetadataCount() })
             .find(|&id| unsafe { CStr::from_ptr(sys::fnGetMetadataName(id)) } == name)?;
-        // SAFETY: the number is one of the library's.
+        // SAFETY: the number is a valid index of the library.
         let node = Self(unsafe { sys::fnNewFromMetadata(id, features) });
         // SAFETY: the handle is alive where it is not null.
         (!node.0.is_null() && unsafe { sys::fnGetSIMDLevel(node.0) } == features).then_some(node)
     }
 
     fn variable(&self, name: &str) -> i32 {
-        // SAFETY: the handle is alive, the indices are below the count, the names live as long as the program.
+        // SAFETY: the handle is alive, the indices are below the count, and the names live as long
+        // as the program.
         unsafe {
             let id = sys::fnGetMetadataID(self.0);
             (0..sys::fnGetMetadataVariableCount(id))
@@ -128,7 +135,7 @@ impl Node {
 
     fn set(&self, name: &str, value: f32) {
         let variable = self.variable(name);
-        // SAFETY: the handle is alive and the variable is one of its own.
+        // SAFETY: the handle is alive and the variable belongs to it.
         let done = unsafe { sys::fnSetVariableFloat(self.0, variable, value) };
         assert!(done, "FastNoise2 does not take {value} for `{name}`");
     }
@@ -145,7 +152,7 @@ impl Node {
         let size = grid.size.map(|side| side as i32);
         let (o, step, seed, none) = (grid.origin, grid.step, SEED as i32, std::ptr::null_mut());
         let out = values.as_mut_ptr();
-        // SAFETY: the array holds the whole grid, and no range is asked for.
+        // SAFETY: the array holds the whole grid, and no range is requested.
         unsafe {
             if N == 2 {
                 sys::fnGenUniformGrid2D(self.0, out, o[0], o[1], size[0], size[1], step, step, seed, none);
@@ -162,7 +169,7 @@ impl Node {
         let (count, seed, none) = (values.len() as i32, SEED as i32, std::ptr::null_mut());
         let out = values.as_mut_ptr();
         let at = |axis: usize| points[axis].as_ptr();
-        // SAFETY: all arrays hold `count` floats, and no range is asked for.
+        // SAFETY: all arrays hold `count` floats, and no range is requested.
         unsafe {
             if N == 2 {
                 sys::fnGenPositionArray2D(self.0, out, count, at(0), at(1), moved[0], moved[1], seed, none);

@@ -1,4 +1,4 @@
-//! Inputs of every contender of a row: one grid, one set of points.
+//! Inputs common to all contenders of a row: one grid, one set of points.
 
 use std::hint::black_box;
 
@@ -7,16 +7,16 @@ use crate::row::Order;
 /// The seed of every noise.
 pub(crate) const SEED: u32 = 1;
 
-/// Points per pass over arbitrary points and over calls.
+/// Points per pass over arbitrary points and single calls.
 pub(crate) const POINTS: usize = 1 << 14;
 
-/// The difference that stands for a derivative where a library has none, in lattice cells.
+/// Step of finite differences for libraries without derivatives, in lattice cells.
 pub(crate) const DIFFERENCE: f32 = 1.0 / 1024.0;
 
-/// Side of a cube around the origin that arbitrary points lie in.
+/// Side of the cube around the origin that contains arbitrary points.
 const CUBE: f32 = 2000.0;
 
-/// A grid in lattice cells: `size[0]` runs fastest.
+/// A grid in lattice cells; axis 0 varies fastest.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Grid<const N: usize> {
     pub(crate) origin: [f32; N],
@@ -25,7 +25,8 @@ pub(crate) struct Grid<const N: usize> {
 }
 
 impl<const N: usize> Grid<N> {
-    /// 512 × 512 or 64 × 64 × 64 samples; both are 2¹⁸. It lies across the origin, on both sides of every axis.
+    /// Creates a grid of 512 × 512 or 64 × 64 × 64 samples, both 2¹⁸. It contains the origin, with
+    /// points on both sides of every axis.
     pub(crate) fn new(step: f32) -> Self {
         let side = if N == 2 { 512 } else { 64 };
         let mut origin = [0.0; N];
@@ -35,23 +36,23 @@ impl<const N: usize> Grid<N> {
         Self { origin: black_box(origin), step: black_box(step), size: black_box([side; N]) }
     }
 
-    /// Samples of the whole grid.
+    /// Returns the number of samples of the grid.
     pub(crate) fn samples(&self) -> usize {
         self.size.iter().product()
     }
 
-    /// This grid moved by a vector.
+    /// Returns this grid shifted by a vector.
     pub(crate) fn moved(self, by: [f32; N]) -> Self {
         Self { origin: std::array::from_fn(|axis| self.origin[axis] + by[axis]), ..self }
     }
 }
 
-/// Samples of one pass.
+/// Returns the number of samples of one pass.
 pub(crate) fn samples<const N: usize>(order: Order) -> usize {
     if order == Order::Grid { Grid::<N>::new(1.0).samples() } else { POINTS }
 }
 
-/// Arbitrary points, one array per coordinate.
+/// Returns arbitrary points, one array per coordinate.
 pub(crate) fn points<const N: usize>() -> [Vec<f32>; N] {
     let mut state = 0x9E37_79B9_7F4A_7C15_u64;
     let mut next = move || {
@@ -66,7 +67,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn both_grids_hold_as_many_samples_and_lie_across_the_origin() {
+    fn grids_have_equal_sample_counts_and_contain_the_origin() {
         let (plane, space) = (Grid::<2>::new(0.05), Grid::<3>::new(0.05));
         assert_eq!((plane.samples(), space.samples()), (1 << 18, 1 << 18));
         for axis in 0..3 {

@@ -1,4 +1,4 @@
-//! The libraries that give one value a call.
+//! The libraries that return one value per call.
 
 use bevy_math::{Vec2, Vec3, Vec4};
 
@@ -13,7 +13,7 @@ use crate::{
 pub(crate) const ALL: [fn(Row, f32) -> Option<Contender>; 7] =
     [noise, noise_functions, fastnoise_lite, libnoise, noiz, opensimplex2, bracket_noise];
 
-/// An expression in which the constant of this name is the row's dimension.
+/// An expression in which this constant is the row's dimension.
 macro_rules! in_dimension {
     ($row:expr, $n:ident, $of:expr) => {
         in_dimension!($row, $n, $of, 2 3 4)
@@ -29,7 +29,7 @@ macro_rules! in_dimension {
     };
 }
 
-/// The oldest of the Rust libraries: `f64` and permutation tables; its simplex noise has derivatives.
+/// The oldest Rust library: `f64` and permutation tables; its simplex noise has derivatives.
 fn noise(row: Row, step: f32) -> Option<Contender> {
     use noise::{
         Fbm, MultiFractal, NoiseFn, Perlin, Simplex, Value, Worley,
@@ -71,7 +71,7 @@ fn noise(row: Row, step: f32) -> Option<Contender> {
     })
 }
 
-/// `f32`, hashes and small tables, no state.
+/// `f32`, hashes and small tables, stateless.
 fn noise_functions(row: Row, step: f32) -> Option<Contender> {
     use noise_functions::{CellDistance, Noise, Perlin, Sample, Simplex, Value};
 
@@ -144,7 +144,7 @@ fn libnoise(row: Row, step: f32) -> Option<Contender> {
     )
 }
 
-/// `f32`, hashes, gradients of its own for all but sums.
+/// `f32`, hashes, analytic gradients except for sums.
 fn noiz(row: Row, step: f32) -> Option<Contender> {
     use noiz::{
         cells::WithGradient,

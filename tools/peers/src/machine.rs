@@ -1,8 +1,9 @@
-//! The machine that times were taken on.
+//! The machine on which times were measured.
 
 use std::{fs, path::Path, process::Command, thread};
 
-/// Facts about this machine and the compilers, each a line; `library` is the static library of FastNoise2, if it is measured.
+/// Returns one line per fact about this machine and the compilers; `library` is the static library
+/// of FastNoise2, if measured.
 pub(crate) fn facts(library: Option<&Path>) -> [String; 4] {
     let cpuinfo = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let cores = thread::available_parallelism().map_or(1, usize::from);
@@ -14,7 +15,7 @@ pub(crate) fn facts(library: Option<&Path>) -> [String; 4] {
             std::env::consts::OS
         ),
         format!("Instructions: {}", instructions().join(", ")),
-        format!("Rust: {}, for the target's baseline unless the code asks for more", rustc()),
+        format!("Rust: {}, for the target's baseline unless the code selects more", rustc()),
         library.map_or("FastNoise2: not measured".to_owned(), |path| {
             let compiler = compiler(&fs::read(path).unwrap_or_default());
             format!("FastNoise2: compiled with {}", compiler.as_deref().unwrap_or("unknown compiler"))
@@ -22,7 +23,7 @@ pub(crate) fn facts(library: Option<&Path>) -> [String; 4] {
     ]
 }
 
-/// The processor's name in `/proc/cpuinfo`.
+/// Returns the processor's name in `/proc/cpuinfo`.
 fn processor(cpuinfo: &str) -> Option<&str> {
     cpuinfo
         .lines()
@@ -30,7 +31,7 @@ fn processor(cpuinfo: &str) -> Option<&str> {
         .map(|(_, name)| name.trim())
 }
 
-/// Families of instructions that matter here.
+/// Relevant instruction sets.
 #[cfg(target_arch = "x86_64")]
 fn instructions() -> Vec<&'static str> {
     macro_rules! detected {
@@ -52,7 +53,7 @@ fn rustc() -> String {
     text.ok().filter(|text| !text.is_empty()).unwrap_or_else(|| "unknown rustc".to_owned())
 }
 
-/// The mark that GCC and Clang leave in every object file.
+/// Returns the compiler identification that GCC and Clang write to every object file.
 fn compiler(library: &[u8]) -> Option<String> {
     const MARKS: [&[u8]; 2] = [b"clang version ", b"GCC: ("];
     let found =
@@ -66,14 +67,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_processor_is_named_once() {
+    fn processor_name_is_read_once() {
         let text = "processor\t: 0\nvendor_id\t: X\nmodel name\t: Some CPU @ 3 GHz\nprocessor\t: 1\nmodel name\t: other\n";
         assert_eq!(processor(text), Some("Some CPU @ 3 GHz"));
         assert_eq!(processor("Features : neon"), None);
     }
 
     #[test]
-    fn a_library_tells_its_compiler() {
+    fn library_compiler_is_read() {
         let library = b"\x7fELF\0\0Debian clang version 19.1.7 (3)\0\x01";
         assert_eq!(compiler(library).unwrap(), "clang version 19.1.7 (3)");
         assert_eq!(

@@ -1,4 +1,4 @@
-//! Times Asperity's noises and those of other libraries side by side, and prints a table.
+//! Times Asperity's noises and other libraries side by side, and prints a table.
 
 mod arrays;
 mod asperity;
@@ -23,20 +23,20 @@ use measure::Contender;
 use row::Row;
 use times::Times;
 
-/// Times noises side by side and prints the ratios.
+/// Measure noises of several libraries side by side and print the ratios.
 #[derive(Debug, Parser)]
 #[command(name = "cargo xtask peers", bin_name = "cargo xtask peers")]
 struct Cli {
-    /// Measure only the rows whose name contains NAME; may be given again.
+    /// Measure only the rows whose names contain NAME. Repeatable.
     #[arg(long, value_name = "NAME")]
     only: Vec<String>,
-    /// List the rows and stop.
+    /// List the rows and exit.
     #[arg(long)]
     list: bool,
-    /// Turns that every contender has.
+    /// Rounds per contender.
     #[arg(long, default_value_t = 21, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     rounds: u32,
-    /// Lattice cells between neighbours on a grid.
+    /// Distance of grid points in lattice cells.
     #[arg(long, default_value_t = 0.05)]
     step: f32,
     /// Write all times to this Markdown file.
@@ -64,7 +64,7 @@ fn run(cli: &Cli) -> Result<(), Box<dyn Error>> {
         return Ok(());
     }
     if !(cli.step.is_finite() && cli.step > 0.0) {
-        return Err(format!("the step {} is not a number above 0", cli.step).into());
+        return Err(format!("step must be a positive number, got {}", cli.step).into());
     }
     let mut measured = Vec::new();
     for (index, &row) in rows.iter().enumerate() {
@@ -92,12 +92,12 @@ fn chosen(only: &[String]) -> Result<Vec<Row>, String> {
     let fits = |word: &String, row: &Row| row.to_string().contains(word.as_str());
     if let Some(word) = only.iter().find(|word| !rows.iter().any(|row| fits(word, row))) {
         let names: Vec<_> = rows.iter().map(Row::to_string).collect();
-        return Err(format!("no row is called `{word}`; there are {}", names.join(", ")));
+        return Err(format!("no row matches `{word}` (available: {})", names.join(", ")));
     }
     Ok(rows.into_iter().filter(|row| only.is_empty() || only.iter().any(|word| fits(word, row))).collect())
 }
 
-/// Everybody who has something to offer for a row.
+/// Returns every contender that supports a row.
 fn contenders(row: Row, step: f32) -> Vec<Contender> {
     let mut all = asperity::contenders(row, step);
     #[cfg(feature = "fastnoise2")]
@@ -108,14 +108,14 @@ fn contenders(row: Row, step: f32) -> Vec<Contender> {
     all
 }
 
-/// The static library of FastNoise2, if it is measured.
+/// Returns the static library of FastNoise2, if it is measured.
 fn library() -> Option<PathBuf> {
     let folder =
         PathBuf::from(std::env::var_os("FASTNOISE2_LIB_DIR").filter(|_| cfg!(feature = "fastnoise2"))?);
     ["libFastNoise.a", "FastNoise.lib"].map(|name| folder.join(name)).into_iter().find(|file| file.is_file())
 }
 
-/// The version that the lockfile holds.
+/// Returns the version in the lockfile.
 fn version(library: &str) -> &'static str {
     let package = match library {
         "asperity" => "asperity-noise",
@@ -132,7 +132,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_word_chooses_the_rows_that_contain_it() {
+    fn word_selects_rows_that_contain_it() {
         assert_eq!(chosen(&[]).unwrap(), row::all());
         let some = chosen(&["fill_grid/2-d".into()]).unwrap();
         assert_eq!(some.len(), 5, "{some:?}");
@@ -140,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn every_row_has_contenders_of_known_versions_and_all_of_them_run() {
+    fn every_row_has_running_contenders_with_versions() {
         for row in row::all() {
             let mut all = contenders(row, 0.05);
             assert!(all.len() >= 3, "{row}");

@@ -1,34 +1,35 @@
-//! Rounds over all contenders of a row in turn, so that none has the machine's good minutes to itself.
+//! Rounds over all contenders of a row in turn, so that changes of machine load affect all of them.
 
 use std::{
     hint::black_box,
     time::{Duration, Instant},
 };
 
-/// Shortest time that is measured at once: far above the clock's own cost and grain.
+/// Shortest measured duration: far above the cost and the resolution of the clock.
 const SHORTEST: Duration = Duration::from_micros(300);
 
-/// Depths of the stack that rounds go through, about a page together.
+/// Stack depths used by the rounds, about a page in total.
 const DEPTHS: u32 = 32;
 
-/// One library at one SIMD level, ready to work off a row's samples once.
+/// A library at a SIMD level, with a function that computes a row's samples once.
 pub(crate) struct Contender {
     pub(crate) library: &'static str,
-    /// `scalar`, what the compiler makes of plain code for the target's baseline, or the set of instructions as the
-    /// processor's makers name it, in lower case.
+    /// `scalar`, i.e. plain code compiled for the target's baseline, or the lower-case name of the
+    /// instruction set.
     pub(crate) level: &'static str,
     /// Samples of one pass.
     pub(crate) samples: usize,
     pub(crate) pass: Box<dyn FnMut()>,
 }
 
-/// Nanoseconds per sample, by contender and round.
+/// Returns nanoseconds per sample, by contender and round.
 pub(crate) fn rounds(contenders: &mut [Contender], rounds: u32) -> Vec<Vec<f64>> {
     let repeats: Vec<_> = contenders.iter_mut().map(|c| repeats(&mut c.pass)).collect();
     let mut times = vec![Vec::with_capacity(rounds as usize); contenders.len()];
     for round in 0..rounds {
         for turn in 0..contenders.len() {
-            // Another one goes first each round, so that nobody always follows the same neighbour's cache.
+            // The first contender changes each round, so that the cache state left by a neighbor
+            // varies.
             let index = (round as usize + turn) % contenders.len();
             let contender = &mut contenders[index];
             let mut took = Duration::ZERO;
@@ -39,7 +40,7 @@ pub(crate) fn rounds(contenders: &mut [Contender], rounds: u32) -> Vec<Vec<f64>>
     times
 }
 
-/// Passes that take long enough together, after one to warm up.
+/// Returns a number of passes that take long enough, after one warm-up pass.
 fn repeats(pass: &mut dyn FnMut()) -> u32 {
     pass();
     let mut repeats = 1;
@@ -49,8 +50,9 @@ fn repeats(pass: &mut dyn FnMut()) -> u32 {
     repeats
 }
 
-/// Calls from further down the stack. Where spilled registers lie relative to constants and arrays, modulo a page, was
-/// worth up to a factor of two to one and the same function; a process has one such place, the median over rounds has many.
+/// Calls from a greater stack depth. The position of spilled registers relative to constants and
+/// arrays, modulo a page, changed the time of one function by up to a factor of two. A process has
+/// one position, but the median over rounds covers many.
 #[inline(never)]
 fn deeper(frames: u32, call: &mut dyn FnMut()) {
     let frame = black_box([0_u8; 80]);
@@ -79,7 +81,7 @@ mod tests {
     use std::{cell::RefCell, rc::Rc};
 
     #[test]
-    fn time_is_shared_out_among_passes_and_samples() {
+    fn time_is_divided_by_passes_and_samples() {
         assert_eq!(per_sample(Duration::from_nanos(6000), 3, 1000), 2.0);
     }
 
@@ -92,13 +94,13 @@ mod tests {
         };
         let places: Vec<_> = (0..DEPTHS).map(place).collect();
         assert!(places.windows(2).all(|pair| pair[1] < pair[0]), "{places:?}");
-        // Frames of a build without optimisation are larger.
+        // Frames of an unoptimized build are larger.
         let reach = places[0] - places[DEPTHS as usize - 1];
         assert!((2048..=16384).contains(&reach), "{reach}");
     }
 
     #[test]
-    fn everybody_has_a_turn_in_every_round() {
+    fn every_contender_runs_in_every_round() {
         let log = Rc::new(RefCell::new(Vec::new()));
         let mut contenders: Vec<_> = (0..3)
             .map(|name| {
@@ -112,7 +114,8 @@ mod tests {
             .collect();
         let times = rounds(&mut contenders, 4);
         assert!(times.iter().all(|of_one| of_one.len() == 4));
-        // Two passes of each before the first round: one to warm up, one that is long enough.
+        // Two passes of each before the first round: a warm-up pass, and a pass that is long
+        // enough.
         assert_eq!(log.borrow()[6..], [0, 1, 2, 1, 2, 0, 2, 0, 1, 0, 1, 2]);
     }
 }

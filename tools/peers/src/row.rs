@@ -1,19 +1,19 @@
-//! The rows of the comparison: a form of evaluation, a dimension, a kind of noise.
+//! The rows of the comparison: evaluation form, dimension, noise.
 
 use std::fmt;
 
 /// Order of evaluation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Order {
-    /// A grid at once.
+    /// A whole grid per call.
     Grid,
-    /// Arbitrary points at once, structure of arrays.
+    /// Arbitrary points per call, structure of arrays.
     Points,
-    /// Arbitrary points, one per call.
+    /// One arbitrary point per call.
     Calls,
 }
 
-/// The kind of noise.
+/// The type of noise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// Gradient noise of 2002.
@@ -28,11 +28,11 @@ pub(crate) enum Kind {
     Cellular,
 }
 
-/// One line of the comparison.
+/// A row of the comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Row {
     pub(crate) order: Order,
-    /// Gradients beside the values.
+    /// Whether gradients are computed in addition to the values.
     pub(crate) gradients: bool,
     pub(crate) dimension: u8,
     pub(crate) kind: Kind,
@@ -59,7 +59,7 @@ impl fmt::Display for Row {
     }
 }
 
-/// Every row, in the order of the table.
+/// Returns every row, in table order.
 pub(crate) fn all() -> Vec<Row> {
     let mut rows = Vec::new();
     for (order, dimensions, kinds) in [
@@ -81,7 +81,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_row_has_a_name_of_its_own() {
+    fn row_names_are_unique() {
         let mut names: Vec<_> = all().iter().map(Row::to_string).collect();
         assert!(names.contains(&"fill_grid/3-d/perlin-2002".to_owned()), "{names:?}");
         names.sort_unstable();

@@ -1,4 +1,4 @@
-//! Makes every form of evaluation out of a function of one point, as a user of the library would.
+//! Builds every evaluation form from a function of one point, as a user of the library would.
 
 use std::{hint::black_box, ops::Add};
 
@@ -8,13 +8,13 @@ use crate::{
     row::{Order, Row},
 };
 
-/// The float that a library computes in.
+/// The float type of a library.
 pub(crate) trait Real: Copy + From<f32> + Add<Output = Self> + 'static {}
 
 impl Real for f32 {}
 impl Real for f64 {}
 
-/// A library that has values only; where gradients are asked for, forward differences of N + 1 calls.
+/// Contender for a library without derivatives; gradients are forward differences of N + 1 calls.
 pub(crate) fn values<T: Real, const N: usize>(
     library: &'static str,
     row: Row,
@@ -36,7 +36,7 @@ pub(crate) fn values<T: Real, const N: usize>(
     contender(library, row, step, f, move |index, value| values[index] = value)
 }
 
-/// A library that has gradients of its own.
+/// Contender for a library with derivatives.
 pub(crate) fn derivatives<T: Real, const N: usize>(
     library: &'static str,
     row: Row,
@@ -60,7 +60,7 @@ fn contender<T: Real, R, const N: usize>(
     f: impl Fn([T; N]) -> R + 'static,
     mut store: impl FnMut(usize, R) + 'static,
 ) -> Contender {
-    // What a library is set up with is not known to the optimiser, as it would not be in a program.
+    // Hide the configuration from the optimizer, because it is not constant in a real program.
     let f = black_box(f);
     let points = points::<N>();
     let at = move |index: usize| std::array::from_fn(|axis| T::from(points[axis][index]));
@@ -76,7 +76,7 @@ fn contender<T: Real, R, const N: usize>(
             (0..POINTS).for_each(|index| store(index, f(at(index))));
             black_box(&mut store);
         }),
-        // One call after the other: the result of each goes through memory, so that no two are computed together.
+        // Sequential calls: each result goes through memory, so that calls do not overlap.
         Order::Calls => {
             let points: Vec<[T; N]> = (0..POINTS).map(at).collect();
             Box::new(move || {
@@ -113,7 +113,7 @@ mod tests {
     use std::{cell::Cell, rc::Rc};
 
     #[test]
-    fn a_grid_is_visited_once_with_its_first_axis_fastest() {
+    fn grid_is_visited_once_first_axis_fastest() {
         let grid = Grid { origin: [1.0, 2.0, 3.0], step: 0.5, size: [2, 3, 4] };
         let mut seen = Vec::new();
         over(&grid, |index, p| seen.push((index, p)));
@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn differences_take_one_call_more_than_there_are_axes() {
+    fn differences_take_n_plus_one_calls() {
         for row in crate::row::all().into_iter().filter(|row| row.dimension == 3) {
             let count = Rc::new(Cell::new(0));
             let counted = Rc::clone(&count);

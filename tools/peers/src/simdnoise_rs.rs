@@ -1,4 +1,5 @@
-//! `simdnoise`: simplex and cellular noise for SSE2, SSE4.1 and AVX2; a block of values is a new vector each time.
+//! `simdnoise`: simplex and cellular noise for SSE2, SSE4.1 and AVX2; every block allocates a new
+//! vector.
 #![expect(unsafe_code, reason = "its functions for one instruction set are unsafe to call")]
 
 use std::arch::x86_64;
@@ -38,7 +39,7 @@ fn levels() -> impl Iterator<Item = &'static str> {
 fn calls(row: Row, step: f32) -> Option<Contender> {
     match row.dimension {
         2 => Some(values(NAME, row, step, |[x, y]: [f32; 2]| {
-            // SAFETY: plain arithmetic on floats; nothing of the processor is asked for.
+            // SAFETY: plain arithmetic on floats, without special instructions.
             unsafe { scalar::simplex_2d(x, y, SEED as i32) }
         })),
         3 => Some(values(NAME, row, step, |[x, y, z]: [f32; 3]| {
@@ -61,7 +62,8 @@ fn contender<const N: usize>(row: Row, step: f32, level: &'static str) -> Conten
         });
     }
     let points = inputs::points::<N>();
-    // SAFETY: `levels` offers only what this processor has; the arrays of points and values are equally long.
+    // SAFETY: `levels` contains only levels of this processor, and the arrays of points and values
+    // have equal lengths.
     arrays::contender(NAME, level, row, move |moved, values| unsafe {
         match level {
             "avx2" => fill_avx2(&points, moved, values),
@@ -71,11 +73,11 @@ fn contender<const N: usize>(row: Row, step: f32, level: &'static str) -> Conten
     })
 }
 
-/// Its grids step by 1 and are scaled by the frequency afterwards.
+/// Its grids have step 1 and are scaled by the frequency afterward.
 fn settings<const N: usize>(kind: Kind, grid: &Grid<N>) -> NoiseType {
     let at = |axis: usize| grid.origin[axis] / grid.step;
     if kind == Kind::Cellular {
-        // The square of the Euclidean distance, which it calls Euclidean.
+        // The squared Euclidean distance, which the library calls Euclidean.
         let mut settings = if N == 2 {
             NoiseBuilder::cellular_2d_offset(at(0), grid.size[0], at(1), grid.size[1])
         } else {
@@ -94,7 +96,7 @@ fn settings<const N: usize>(kind: Kind, grid: &Grid<N>) -> NoiseType {
 }
 
 fn block<const N: usize>(level: &str, settings: &NoiseType) -> Vec<f32> {
-    // SAFETY: `levels` offers only what this processor has.
+    // SAFETY: `levels` contains only levels of this processor.
     unsafe {
         match (level, N) {
             ("avx2", 2) => avx2::get_2d_noise(settings).0,
@@ -109,11 +111,13 @@ fn block<const N: usize>(level: &str, settings: &NoiseType) -> Vec<f32> {
 
 macro_rules! fill {
     ($name:ident, $feature:literal, $module:ident, $load:ident, $add:ident, $splat:ident, $store:ident, $lanes:literal) => {
-        /// Loads, moves, evaluates and stores a register at a time; `POINTS` is a multiple of its width.
+        /// Loads, shifts, evaluates and stores a register at a time; `POINTS` is a multiple of its
+        /// width.
         #[target_feature(enable = $feature)]
         unsafe fn $name<const N: usize>(points: &[Vec<f32>; N], moved: [f32; N], values: &mut [f32]) {
             for start in (0..values.len()).step_by($lanes) {
-                // SAFETY: `start` is a multiple of the width and below the length, which is one too.
+                // SAFETY: `start` is a multiple of the width and less than the length, which is
+                // also a multiple of the width.
                 unsafe {
                     let at = |axis: usize| {
                         x86_64::$add(

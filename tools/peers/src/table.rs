@@ -4,14 +4,14 @@ use std::collections::BTreeSet;
 
 use crate::times::{Contender, OURS, Row, Times};
 
-/// The whole text of `peers.md`.
+/// Returns the whole text of `peers.md`.
 pub(crate) fn markdown(machine: &[String], times: &Times) -> String {
     let forms = times.rows.chunk_by(|a, b| a.form() == b.form());
     let tables: String = forms.map(form_table).collect();
     format!(
-        "# Asperity beside its peers\n\n- {}\n\
-         - Medians of {} rounds in which all contenders of a row took turns, in one process; grids have a step of {} \
-         cells. `tools/peers/README.md` says what is measured and how.\n\n{}{tables}",
+        "# Asperity compared with other libraries\n\n- {}\n\
+         - Medians of {} rounds with all contenders of a row interleaved in one process; grids have a step of {} \
+         cells. See `tools/peers/README.md` for the method.\n\n{}{tables}",
         machine.join("\n- "),
         times.rounds,
         times.step,
@@ -19,7 +19,7 @@ pub(crate) fn markdown(machine: &[String], times: &Times) -> String {
     )
 }
 
-/// One line per row and level of ours; a peer counts at its level and at those above it.
+/// Returns one line per row and Asperity level. A peer counts at its level and at higher levels.
 pub(crate) fn ratios(times: &Times) -> String {
     let mut lines =
         vec![["row", "level", "Asperity, ns", "fastest peer, ns", "which", "ratio"].map(str::to_owned)];
@@ -39,7 +39,8 @@ pub(crate) fn ratios(times: &Times) -> String {
     format!("## Ratios\n\nThe fastest peer at the same SIMD level or below, over Asperity.\n\n{lines}")
 }
 
-/// The times of rows of one form: a column each, and a line for every contender, ours first.
+/// Returns the times of rows of one form: a column per row, and a line per contender, Asperity
+/// first.
 fn form_table(rows: &[Row]) -> String {
     let key = |contender: &Contender| (contender.library.clone(), contender.level.clone());
     let mut contenders: Vec<&Contender> = rows.iter().flat_map(|row| &row.contenders).collect();
@@ -59,17 +60,17 @@ fn form_table(rows: &[Row]) -> String {
     }));
     let form = rows.first().map_or("", Row::form);
     format!(
-        "\n## `{form}`\n\nNanoseconds per sample, ± half the distance between the quartiles.\n\n{}",
+        "\n## `{form}`\n\nNanoseconds per sample, ± half the interquartile range.\n\n{}",
         table(&lines)
     )
 }
 
-/// Nanoseconds with the digits that mean something.
+/// Formats nanoseconds with significant digits.
 pub(super) fn number(value: f64) -> String {
     if value < 10.0 { format!("{value:.2}") } else { format!("{value:.1}") }
 }
 
-/// Columns of equal width under the first line, the first to the left.
+/// Aligns columns, the first to the left.
 pub(super) fn table(lines: &[impl AsRef<[String]>]) -> String {
     let mut widths: Vec<usize> = Vec::new();
     for line in lines {
@@ -107,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn ratios_are_lines_of_equal_width() {
+    fn ratio_lines_have_equal_width() {
         let text = ratios(&times());
         let lines: Vec<_> = text.lines().skip(4).collect();
         assert_eq!(lines.len(), 2 + 3, "{text}");
@@ -120,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn every_form_has_a_table_and_every_contender_a_line() {
+    fn every_form_has_a_table_with_all_contenders() {
         let machine = ["Processor: Some CPU".to_owned(), "FastNoise2: not measured".to_owned()];
         let text = markdown(&machine, &times());
         for part in ["Some CPU", "FastNoise2: not measured", "## `fill_grid`", "## `value`"] {

@@ -1,28 +1,28 @@
 //! Times of all contenders, their medians and ratios.
 
-/// Name of our own contenders.
+/// Name of Asperity's contenders.
 pub(crate) const OURS: &str = "asperity";
 
-/// The SIMD levels of each processor family, each holding the ones before it.
+/// The SIMD levels of each processor family, in increasing order.
 const LEVELS: [&str; 8] = ["scalar", "sse2", "sse4.1", "sse4.2", "avx2", "avx512", "neon", "wasm128"];
 
 /// The whole measurement.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Times {
-    /// Lattice cells between neighbours on a grid.
+    /// Distance of grid points in lattice cells.
     pub(crate) step: f32,
     pub(crate) rounds: u32,
     pub(crate) rows: Vec<Row>,
 }
 
-/// One form, dimension and kind, and everybody who was measured at it.
+/// A form, dimension and noise, with all measured contenders.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Row {
     pub(crate) name: String,
     pub(crate) contenders: Vec<Contender>,
 }
 
-/// One library at one SIMD level.
+/// A library at a SIMD level.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Contender {
     pub(crate) library: String,
@@ -32,7 +32,7 @@ pub(crate) struct Contender {
     pub(crate) nanoseconds: Vec<f64>,
 }
 
-/// Ours at one level against the fastest peer at that level or below.
+/// Asperity at a level compared with the fastest peer at that level or below.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Ratio<'a> {
     pub(crate) ours: &'a Contender,
@@ -40,12 +40,12 @@ pub(crate) struct Ratio<'a> {
 }
 
 impl Contender {
-    /// Half of the rounds took less.
+    /// Returns the median.
     pub(crate) fn median(&self) -> f64 {
         quantile(&self.nanoseconds, 0.5)
     }
 
-    /// Half the distance between the quartiles.
+    /// Returns half the interquartile range.
     pub(crate) fn spread(&self) -> f64 {
         (quantile(&self.nanoseconds, 0.75) - quantile(&self.nanoseconds, 0.25)) / 2.0
     }
@@ -56,12 +56,12 @@ impl Contender {
 }
 
 impl Row {
-    /// The beginning of its name, up to the dimension.
+    /// Returns the beginning of its name, up to the dimension.
     pub(crate) fn form(&self) -> &str {
         self.name.split('/').next().unwrap_or_default()
     }
 
-    /// One ratio per level of ours, in the order of measurement.
+    /// Returns one ratio per Asperity level, in the order of measurement.
     pub(crate) fn ratios(&self) -> Vec<Ratio<'_>> {
         let (ours, peers): (Vec<_>, Vec<_>) = self.contenders.iter().partition(|c| c.library == OURS);
         ours.into_iter()
@@ -75,13 +75,13 @@ impl Row {
 }
 
 impl Ratio<'_> {
-    /// Speed of ours over the peer's.
+    /// Returns the speed of Asperity relative to the peer.
     pub(crate) fn value(&self) -> f64 {
         self.peer.median() / self.ours.median()
     }
 }
 
-/// The value below which a share of all values lies, with straight lines between neighbours; NaN of none.
+/// Returns the quantile of the values with linear interpolation, or NaN without values.
 fn quantile(values: &[f64], share: f64) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
@@ -116,7 +116,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn a_median_does_not_see_the_outlier() {
+    fn median_ignores_an_outlier() {
         assert_eq!(contender("", "", &[3.0, 900.0, 1.0]).median(), 3.0);
         assert_eq!(contender("", "", &[4.0, 1.0, 3.0, 2.0]).median(), 2.5);
         assert_eq!(contender("", "", &[1.0, 2.0, 3.0, 4.0, 5.0]).spread(), 1.0);
@@ -124,7 +124,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn a_peer_competes_at_its_level_and_above() {
+    fn peer_counts_at_its_level_and_above() {
         let row = row();
         let found: Vec<_> = row
             .ratios()
@@ -136,7 +136,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn without_ours_or_without_a_peer_there_is_no_ratio() {
+    fn no_ratio_without_asperity_or_a_peer() {
         let mut row = row();
         row.contenders.retain(|c| c.library == OURS);
         assert_eq!(row.ratios(), []);

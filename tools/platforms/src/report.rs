@@ -1,4 +1,4 @@
-//! Lines for the reader, and files for the repository.
+//! Prints messages and writes files of the repository.
 
 use std::fs;
 use std::io::{self, Write};

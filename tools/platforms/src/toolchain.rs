@@ -1,33 +1,34 @@
-//! Toolchains that can build for other machines.
+//! Toolchains for other targets.
 
 use std::{ffi::OsString, path::Path, path::PathBuf, process::Command};
 
 use asperity_output::cargo::cargo_program;
 
-/// A machine that is emulated.
+/// An emulated machine.
 pub(crate) struct Emulated {
     pub(crate) target: &'static str,
     /// The emulator and its arguments, before the program.
     pub(crate) runner: &'static str,
 }
 
-/// Arm's board MPS2 with the image AN386: a Cortex-M4 with a unit for single precision.
+/// Arm's board MPS2 with the image AN386: a Cortex-M4 with a single-precision FPU.
 pub(crate) const CORTEX_M4: Emulated = Emulated {
     target: "thumbv7em-none-eabihf",
     runner: "qemu-system-arm -cpu cortex-m4 -machine mps2-an386 -nographic -semihosting-config enable=on,target=native -kernel",
 };
 
-/// A cargo and a rustc that can build for a target.
+/// A cargo and a rustc for a target.
 pub(crate) struct Toolchain {
     pub(crate) cargo: OsString,
     rustc: OsString,
-    /// Without libraries for the target, but with their sources.
+    /// Whether core must be built from sources.
     pub(crate) builds_core: bool,
 }
 
 impl Toolchain {
-    /// The toolchain that runs this program, or the system's, whichever has the libraries of a target; or else their sources, if a
-    /// linker is at hand.
+    /// Returns the toolchain that runs this program or the system's toolchain, whichever has the
+    /// libraries of a target. Otherwise returns a toolchain with the sources, if a linker is
+    /// available.
     pub(crate) fn of(target: &str, has_linker: bool) -> Option<Self> {
         let candidates = [own(), ("/usr/bin/cargo".into(), "/usr/bin/rustc".into())];
         candidates.into_iter().find_map(|(cargo, rustc)| {
@@ -41,12 +42,14 @@ impl Toolchain {
         })
     }
 
-    /// A build in a folder for a target, which builds these libraries of Rust itself where there are only their sources.
+    /// Returns a build command in a folder for a target. These Rust libraries are built if only
+    /// their sources exist.
     pub(crate) fn build(&self, folder: &Path, target: &str, libraries: &str) -> Command {
         self.command("build", folder, target, libraries)
     }
 
-    /// A check in a folder for a target, like [`build`](Self::build) but without a linker.
+    /// Returns a check command in a folder for a target, like [`build`](Self::build) without a
+    /// linker.
     pub(crate) fn check(&self, folder: &Path, target: &str, libraries: &str) -> Command {
         self.command("check", folder, target, libraries)
     }
@@ -66,20 +69,20 @@ impl Toolchain {
     }
 }
 
-/// The linker that toolchains of rustup bring along, for every target that needs no other.
+/// Returns the linker included in rustup toolchains, for targets that need no other.
 pub(crate) fn rust_lld() -> Option<PathBuf> {
     let linker = tools()?.join(format!("rust-lld{}", std::env::consts::EXE_SUFFIX));
     linker.is_file().then_some(linker)
 }
 
-/// The folder of the tools that this program's toolchain brings along.
+/// Returns the folder of tools included in this program's toolchain.
 pub(crate) fn tools() -> Option<PathBuf> {
     let rustc = rustc();
     let (sysroot, host) = (print(&rustc, &["sysroot"])?, print(&rustc, &["host-tuple"])?);
     Some(Path::new(&sysroot).join(format!("lib/rustlib/{host}/bin")))
 }
 
-/// The rustc of the cargo that runs this program.
+/// Returns the rustc of the cargo that runs this program.
 pub(crate) fn rustc() -> OsString {
     own().1
 }
@@ -89,13 +92,13 @@ pub(crate) fn is_there(program: &str) -> bool {
     output(Command::new(program).arg("--version")).is_some()
 }
 
-/// The output of a command, if it can be run and succeeds.
+/// Returns the output of a command, if it runs and succeeds.
 pub(crate) fn output(command: &mut Command) -> Option<String> {
     let output = command.output().ok()?;
     output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }
 
-/// The cargo that runs this program, and its rustc.
+/// Returns the cargo that runs this program, and its rustc.
 fn own() -> (OsString, OsString) {
     let cargo = cargo_program();
     let rustc = Path::new(&cargo).with_file_name("rustc").into_os_string();

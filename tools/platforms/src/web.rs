@@ -1,4 +1,5 @@
-//! `cargo xtask web`: the live page, of the crates as a WebAssembly module and of their shaders.
+//! `cargo xtask web`: builds the live page from the crates as a WebAssembly module and from their
+//! shaders.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -16,11 +17,11 @@ const LINKER: &str = "CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER";
 const FOLDER: &str = "web";
 const TARGETS: &str = "target/module";
 
-/// Builds the page, and serves it where that is asked for.
+/// Builds the page, and serves it if requested.
 pub(crate) fn run(wanted: &Web, root: &Path) -> Result<(), Failure> {
     let out = folder(&wanted.out)?;
     let module = module(root)?;
-    say("the page's shaders in both languages");
+    say("building the page's shaders in both languages");
     let mut build = builder(root, "build");
     cargo::run(build.arg("--wasm").arg(module).arg("--out").arg(&out))?;
     let Some(port) = wanted.serve else { return Ok(()) };
@@ -29,9 +30,10 @@ pub(crate) fn run(wanted: &Web, root: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The gate: the page is built and no larger than it may be; in headless Chromium it draws, by both ways to the graphics card alike, as
-/// the crates do, and stands wrong input; the programs it gives to copy run; the gallery's drawings are alone what they are in its pages;
-/// one line of what there is, or lacks.
+/// CI check: builds the page and checks its size. In headless Chromium the page renders with both
+/// GPU interfaces, matches the crates and tolerates invalid input. The code snippets of the page
+/// run. Gallery drawings look the same alone and in the pages. Prints one line per result or
+/// missing tool.
 pub(crate) fn in_browsers(root: &Path) -> Result<(), Failure> {
     let tell = |line: &str| say(&format!("  {line}"));
     cargo::run(&mut cargo(&root.join(FOLDER), "test --quiet --locked"))?;
@@ -49,7 +51,7 @@ pub(crate) fn in_browsers(root: &Path) -> Result<(), Failure> {
         || output(Command::new("npm").args(["ci", "--no-audit", "--no-fund"]).current_dir(&browser))
             .is_some();
     if !installed || output(Command::new("node").arg("--version")).is_none() {
-        tell("skipped: node is missing, or what web/browser/package.json names and `npm ci` cannot install");
+        tell("skipped: node or the packages of web/browser/package.json are missing, and `npm ci` failed");
         return Ok(());
     }
     let screens = out.join("screens");
@@ -70,7 +72,8 @@ pub(crate) fn in_browsers(root: &Path) -> Result<(), Failure> {
     told(node("others.mjs").arg(&out).arg(&screens))?.lines().for_each(tell);
     told(shaders(root, "page").arg(&screens))?.lines().for_each(tell);
     let gallery = root.join("target/asperity/drawings");
-    // As small as may be, drawings are as large as ever. Means over zooms take as long as all others together; the rest have none.
+    // Minimal renders; drawings keep their size. Means over zooms take as long as all others
+    // together, so the rest omit them.
     let mut draw = cargo(root, "run --quiet --profile tools --package asperity-gallery --");
     draw.args(["--quality", "draft", "--size", "32", "--spp", "1", "--out"]).arg(&gallery);
     for figures in ["asperity-mean-radiance", "cochran", "ndf", "noise"] {
@@ -84,37 +87,38 @@ pub(crate) fn in_browsers(root: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Output of a command; an error with all of it where it fails.
+/// Returns the output of a command, or an error with its output.
 fn told(command: &mut Command) -> Result<String, Failure> {
     let output = command.stderr(Stdio::inherit()).output()?;
     let said = String::from_utf8_lossy(&output.stdout).into_owned();
     if output.status.success() {
         Ok(said)
     } else {
-        Err(format!("the live page, or a drawing of the gallery, is not what it should be:\n{said}").into())
+        Err(format!("the live page or a gallery drawing failed its check:\n{said}").into())
     }
 }
 
-/// The crates' module, built by a toolchain that can.
+/// Builds the crates' module with a toolchain for the target.
 fn module(root: &Path) -> Result<PathBuf, Failure> {
     let linker = rust_lld();
     let Some(toolchain) = Toolchain::of(TARGET, linker.is_some()) else {
         return Err(format!(
-            "no toolchain has the libraries for {TARGET}; `rustup target add {TARGET}` adds them"
+            "no toolchain has the libraries for {TARGET} (install with `rustup target add {TARGET}`)"
         )
         .into());
     };
-    say("the crates as a WebAssembly module, some minutes the first time");
+    say("building the crates as a WebAssembly module (some minutes the first time)");
     let folder = root.join(FOLDER);
     let mut build = toolchain.build(&folder, TARGET, "core,alloc");
     build
         .args(["--package", "asperity-web-tables", "--lib", "--target-dir", TARGETS])
-        // Panics name files: the page is the same wherever it was built.
+        // Panic messages contain file names. Remapped, the page does not depend on the build
+        // folder.
         .env(
             "CARGO_ENCODED_RUSTFLAGS",
             format!("-Ctarget-feature=+simd128\u{1f}--remap-path-prefix={}=", root.display()),
         )
-        // Small, and of one piece: builds of the page's builder are neither.
+        // Optimized for size in one codegen unit, unlike builds of the page builder.
         .env("CARGO_PROFILE_RELEASE_LTO", "true")
         .env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "1")
         .env("CARGO_PROFILE_RELEASE_STRIP", "true")
@@ -126,7 +130,7 @@ fn module(root: &Path) -> Result<PathBuf, Failure> {
     Ok(folder.join(TARGETS).join(TARGET).join("release/asperity_web_tables.wasm"))
 }
 
-/// The page's builder with a command.
+/// Returns a command of the page builder.
 fn builder(root: &Path, command: impl AsRef<OsStr>) -> Command {
     let mut run = cargo(&root.join(FOLDER), "run --quiet --locked --package asperity-web --");
     run.arg(command);

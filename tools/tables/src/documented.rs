@@ -18,7 +18,7 @@ fn printed(x: f32, digits: usize) -> String {
     format!("{x:.digits$}").replace('-', "−")
 }
 
-/// A page as one line of words, without the marks of doc comments.
+/// Returns a page as one line of words, without doc comment markers.
 fn page(path: &str) -> String {
     let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     let text = fs::read_to_string(root.join(path)).expect("a page");

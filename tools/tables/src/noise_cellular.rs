@@ -1,4 +1,4 @@
-//! The measured statistics of cellular noise: moments by jitter, and the distribution of its sums.
+//! Measures the statistics of cellular noise: moments by jitter, and the distribution of its sums.
 
 use std::fmt::Write;
 
@@ -11,7 +11,8 @@ use rayon::prelude::*;
 
 use crate::noise_means::{POINTS, list_values};
 
-/// Knots of G; odd, so that one stands at 0. Linear interpolation of Φ between them errs by at most 5e-4.
+/// Knots of G; odd, so that one knot is at 0. Linear interpolation of Φ between them has an error
+/// of at most 5e-4.
 const KNOTS: usize = 65;
 /// The outermost knots, in standard deviations.
 const REACH: f64 = 4.0;
@@ -21,7 +22,8 @@ const SEEDS: u32 = 256;
 const BASES: [Basis; 3] = [Basis::F1, Basis::F2, Basis::F2MinusF1];
 const METRICS: [Metric; 3] = [Metric::Euclidean, Metric::Manhattan, Metric::Chebyshev];
 
-/// The Rust source of `crates/noise/src/statistics/cellular.rs`, the same whatever the number of threads.
+/// Returns the Rust source of `crates/noise/src/statistics/cellular.rs`, independent of the number
+/// of threads.
 pub(crate) fn cellular_statistics_source() -> String {
     let mut statistics = String::new();
     let mut moments = String::new();
@@ -65,7 +67,7 @@ pub(crate) fn cellular_statistics_source() -> String {
     )
 }
 
-/// The rows of the tables that are written.
+/// The rows of the written tables.
 struct Tables<'a> {
     moments: &'a mut String,
     statistics: Option<&'a mut String>,
@@ -86,7 +88,7 @@ impl Tables<'_> {
     }
 }
 
-/// A field's values at the random points of a seed.
+/// Returns a field's values at the random points of a seed.
 fn values<V: Point>(field: &impl Field<V>, seed: u32) -> Vec<f32> {
     let mut random = Random(u64::from(seed) << 32);
     let mut points = V::array(|_| [0.0; POINTS]);
@@ -96,7 +98,7 @@ fn values<V: Point>(field: &impl Field<V>, seed: u32) -> Vec<f32> {
     values
 }
 
-/// E nᵏ, k = 1 … 4, and the largest of their relative standard errors.
+/// Returns E nᵏ, k = 1 … 4, and the largest of their relative standard errors.
 fn mean_powers<K: Noise<V> + Copy + Sync, V: Point>(noise: K) -> ([f64; 4], f64) {
     let of_seed = |seed: u32| -> [f64; 4] {
         let mut sums = [0.0; 4];
@@ -120,7 +122,7 @@ fn mean_powers<K: Noise<V> + Copy + Sync, V: Point>(noise: K) -> ([f64; 4], f64)
     (powers, worst)
 }
 
-/// One entry of the statistics, from the mean powers.
+/// Writes one entry of the statistics, from the mean powers.
 fn measured<K, V, const N: usize>(text: &mut String, noise: K, [mean, second, third, fourth]: [f64; 4])
 where
     K: Noise<V> + Kernel<N> + Copy + Sync,

@@ -1,4 +1,5 @@
-//! The levels of the lattice's Gaussian variates, 4096 equally likely values with the moments of N(0, 1), and the lines of their tails.
+//! Computes the levels of the lattice's Gaussian variates: 4096 equally likely values with the
+//! moments of N(0, 1), and the line segments of their tails.
 
 use std::fmt::Write;
 
@@ -6,19 +7,21 @@ use asperity_ndf_sampling::inverse_phi;
 
 use crate::noise_cdf::numbers;
 
-/// Half as many levels as a 12-bit index has values; the other half are their negatives.
+/// Half of the values of a 12-bit index. The other half are their negatives.
 const HALF: usize = 2048;
-/// Powers of two of the probability that the tails are given for, from 2⁻³² on.
+/// Powers of two of the tabulated tail probabilities, from 2⁻³² on.
 const POWERS: usize = 23;
-/// Lines between two powers.
+/// Line segments between two powers.
 const LINES: usize = 32;
 
-/// The Rust source of `crates/noise/src/lattice/gaussian_levels.rs`.
+/// Returns the Rust source of `crates/noise/src/lattice/gaussian_levels.rs`.
 ///
-/// Level k stands at c·Φ⁻¹(½ + (k + ½)/4096). The outermost level t and the scale c are set so that the second and
-/// the fourth moment are 1 and 3: medians alone cut the tails (excess kurtosis −0.005).
+/// Level k is c·Φ⁻¹(½ + (k + ½)/4096). The outermost level t and the scale c are chosen so that the
+/// second and the fourth moment are 1 and 3. Medians alone truncate the tails (excess kurtosis
+/// −0.005).
 ///
-/// Lines go through the ends of z(m 2ᵉ⁻³²) over the 32nds of m from 1 to 2, moved by the mean of what they miss there.
+/// Line segments connect the ends of z(m 2ᵉ⁻³²) over the 32nds of m from 1 to 2, shifted by the
+/// mean error there.
 pub(crate) fn noise_levels_source() -> String {
     let mut quantiles: Vec<f64> =
         (0..HALF).map(|k| inverse_phi(0.5 + (k as f64 + 0.5) / (2 * HALF) as f64)).collect();
@@ -63,12 +66,13 @@ pub(crate) fn noise_levels_source() -> String {
     text
 }
 
-/// a and b over the 32nd `i` of the probabilities from 2ᵉ⁻³² on.
+/// Returns a and b over the 32nd `i` of the probabilities from 2ᵉ⁻³² on.
 fn line(e: usize, i: usize) -> [f64; 2] {
     let z = |m: f64| -inverse_phi(m * 2.0_f64.powi(e as i32 - 32));
     let [from, to] = [i, i + 1].map(|k| 1.0 + k as f64 / LINES as f64);
     let b = (z(to) - z(from)) / (to - from);
-    // The mean of z by Simpson's rule less that of the chord: two thirds of what the chord misses in the middle.
+    // The mean of z by Simpson's rule minus the mean of the chord: two thirds of the chord's error
+    // at the center.
     let middle = z(0.5 * (from + to)) - 0.5 * (z(from) + z(to));
     [z(from) - b * from + middle * (2.0 / 3.0), b]
 }

@@ -1,6 +1,8 @@
-//! The small pictures of the noise crate's pages: a PNG for the README, and the same within a line of Markdown for rustdoc.
+//! The small images of the noise crate's pages: a PNG for the README, and the same PNG in a line of
+//! Markdown for rustdoc.
 //!
-//! The documentation of a crate can show only what lies in its own text, so the lines hold their PNG as a data URL.
+//! A crate's documentation can only display images embedded in its text, so the lines contain the
+//! PNG as a data URL.
 
 use asperity_noise::{
     Billow, Cellular, Field, Gaussian, IntegerHash, Normalisation, Octaves, Perlin1985, Perlin2002, Plasma,
@@ -17,10 +19,11 @@ const SIDE: u32 = 128;
 const SEED: u32 = 1;
 const OCTAVES: f32 = 6.0;
 
-/// A file by its name.
+/// A file with its name.
 type File = (String, Vec<u8>);
 
-/// Every generated file, the same on every platform: values have the same bits, and grey needs no library function.
+/// Returns every generated file, identical on every platform: values have the same bits, and gray
+/// needs no library function.
 pub(crate) fn noise_pictures() -> Result<Vec<File>, Failure> {
     let tiled = Perlin2002::new(SEED).with_lattice(Tiled::new(IntegerHash, [3, 3])?);
     let sum = |spectrum| {
@@ -57,7 +60,7 @@ pub(crate) fn noise_pictures() -> Result<Vec<File>, Failure> {
     Ok(pictures.into_iter().flatten().collect())
 }
 
-/// The files of a function over 4 × 4 cells, in grey between what is black and what is white.
+/// Renders a function over 4 × 4 cells in gray, between the values of black and white.
 fn picture(stem: &str, [black, white]: [f32; 2], value: &dyn Fn(Vec2) -> f32) -> Result<[File; 2], Failure> {
     let step = 4.0 / SIDE as f32;
     let mut pixels = Vec::new();
@@ -65,7 +68,7 @@ fn picture(stem: &str, [black, white]: [f32; 2], value: &dyn Fn(Vec2) -> f32) ->
         for x in 0..SIDE {
             let p = Vec2::new((x as f32 + 0.5) * step, 4.0 - (y as f32 + 0.5) * step);
             let share = (value(p) - black) / (white - black);
-            // 64 shades: half the bytes, and no band to be seen.
+            // 64 shades: half the bytes, without visible bands.
             pixels.push((share * 63.0 + 0.5).clamp(0.0, 63.0) as u8 * 4);
         }
     }

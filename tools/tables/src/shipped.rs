@@ -1,5 +1,5 @@
-//! The tables that a crate without allocator ships as constants and the pictures of its pages, and the check that they have
-//! not drifted.
+//! The tables committed as constants of a crate without allocator, the images of its pages, and the
+//! check that they are up to date.
 
 use std::io::{self, Write};
 use std::{fs, path::Path};
@@ -11,7 +11,7 @@ use crate::{
 use asperity_output::Output;
 use asperity_render::failure::Failure;
 
-/// One generated file: its folder and name in the source tree, and what makes its text.
+/// A generated file: folder and name in the source tree, and the function that returns its text.
 type Shipped = (&'static str, &'static str, fn() -> String);
 
 const SHIPPED: [Shipped; 4] = [
@@ -21,7 +21,7 @@ const SHIPPED: [Shipped; 4] = [
     ("crates/noise/src/statistics", "tables.rs", noise_statistics_source),
 ];
 
-/// Folder of the pictures of the noise crate's pages.
+/// Folder of the images of the noise crate's pages.
 const PICTURES: &str = "crates/noise/docs/pictures";
 
 /// Writes every generated file into the source tree at `root`.
@@ -34,8 +34,8 @@ pub(crate) fn ship(root: &Path) -> Result<(), Failure> {
         say(&format!("wrote {folder}/{name}"));
     }
     if changed {
-        // This program still has the constants from before.
-        say("constants have changed: run it once more, and the pictures are drawn with them");
+        // This program still contains the previous constants.
+        say("constants have changed: run this command again to update the images");
         return Ok(());
     }
     let folder = Output::new(root.join(PICTURES))?;
@@ -46,7 +46,8 @@ pub(crate) fn ship(root: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Compares every generated file in the source tree at `root` with a newly made one, and names those that differ.
+/// Compares every generated file in the source tree at `root` with a new one, and lists the files
+/// that differ.
 pub(crate) fn check(root: &Path) -> Result<(), Failure> {
     let sources = SHIPPED.map(|(folder, name, make)| (folder, name.to_owned(), make().into_bytes()));
     let pictures = noise_pictures()?.into_iter().map(|(name, bytes)| (PICTURES, name, bytes));
@@ -56,7 +57,7 @@ pub(crate) fn check(root: &Path) -> Result<(), Failure> {
     if others.is_empty() {
         return Ok(());
     }
-    let hint = "`cargo xtask tables` writes them";
+    let hint = "run `cargo xtask tables` to write them";
     Err(format!("missing or drifted: {}; {hint}", others.join(", ")).into())
 }
 
@@ -68,7 +69,7 @@ pub(crate) fn say(line: &str) {
 fn is_there(path: &Path, made: &[u8]) -> bool {
     let Ok(mut there) = fs::read(path) else { return false };
     if path.extension().is_none_or(|ending| ending != "png") {
-        // A checkout may have turned the line ends.
+        // A checkout may have converted the line endings.
         there.retain(|&byte| byte != b'\r');
     }
     there == made
@@ -79,7 +80,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_flipped_bit_is_found_and_turned_line_ends_are_none() {
+    fn compare_finds_every_flipped_bit_and_ignores_line_endings() {
         let scratch = tempfile::tempdir().unwrap();
         let (text, path) = (b"const A: [u8; 2] = [1, 2];\n// M\n", scratch.path().join("a.rs"));
         fs::write(&path, "const A: [u8; 2] = [1, 2];\r\n// M\r\n").unwrap();

@@ -1,4 +1,4 @@
-//! The program with `--check`, which the gate `generated tables` runs on every change.
+//! The program with `--check`, which the CI check `generated tables` runs on every change.
 
 use std::process::Command;
 

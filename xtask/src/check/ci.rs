@@ -32,9 +32,9 @@ const SETS: [(&str, &[&str]); 5] = [
 /// without std.
 const LEAST: [&str; 2] = ["std", "libm,approx,serde"];
 
-type Gate = (&'static str, fn(&Path) -> Result<(), Failure>);
+type Check = (&'static str, fn(&Path) -> Result<(), Failure>);
 
-const GATES: [Gate; 12] = [
+const GATES: [Check; 12] = [
     ("format", |root| run(&mut cargo(root, "fmt --all --check"))),
     ("tidy", |_| tidy::report()?.verdict()),
     ("dependencies", dependencies::dependencies),
@@ -56,7 +56,7 @@ const GATES: [Gate; 12] = [
 
 /// Checks that take minutes. They run weekly, before a release, and by name when a change affects
 /// them.
-const WEEKLY: [Gate; 10] = [
+const WEEKLY: [Check; 10] = [
     ("slow tests", |root| run(&mut cargo(root, "test --quiet --workspace -- --ignored"))),
     ("tests under each feature set", tests),
     ("shaders on drivers", shaders::on_drivers),
@@ -65,7 +65,7 @@ const WEEKLY: [Gate; 10] = [
     ("firmware", |root| platforms(root, "firmware")),
     ("bits of every platform", |root| platforms(root, "bits")),
     ("pairs of features", pairs_of_features),
-    ("packages of a stranger", packages::of_a_stranger),
+    ("packages of a stranger", packages::clean_room_builds),
     ("attacks", |root| {
         run(cargo(&root.join("tests/fuzz"), "test --quiet --locked --test withstood")
             .env_remove("CARGO_TARGET_DIR"))
@@ -76,7 +76,7 @@ const WEEKLY: [Gate; 10] = [
 /// or all. They run in order, and the first failure stops the run.
 pub(crate) fn gates(wanted: &Ci, root: &Path) -> Result<(), Failure> {
     let named = |name: &str| wanted.only.iter().any(|part| name.contains(part.as_str()));
-    let mut gates: Vec<Gate> = GATES.into_iter().chain(WEEKLY).collect();
+    let mut gates: Vec<Check> = GATES.into_iter().chain(WEEKLY).collect();
     if !wanted.only.is_empty() {
         gates.retain(|(name, _)| named(name));
     } else if !wanted.weekly {

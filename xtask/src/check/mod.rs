@@ -2,8 +2,8 @@
 
 mod blocks;
 pub(crate) mod ci;
+mod clean_room;
 mod dependencies;
 pub(crate) mod fuzz;
 pub(crate) mod packages;
-mod stranger;
 pub(crate) mod tidy;

@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeSet, fs, path::Path};
 
-use super::stranger;
+use super::clean_room;
 use crate::cargo::{cargo, run};
 use crate::failure::Failure;
 use crate::metadata::{self, Package};
@@ -37,7 +37,7 @@ const LARGEST: u64 = 500_000;
 /// The folder of packages as uploaded, and of their builds.
 const BUILDS: &str = "target/packages";
 
-/// Checks the contents of every package and packs it as uploaded. [`of_a_stranger`] builds the
+/// Checks the contents of every package and packs it as uploaded. [`clean_room_builds`] builds the
 /// packages.
 pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
     let members = metadata::published(root)?;
@@ -77,10 +77,10 @@ pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
 
 /// Clean-room build: builds documentation and an example of every package from its archive alone,
 /// in an empty workspace.
-pub(crate) fn of_a_stranger(root: &Path) -> Result<(), Failure> {
+pub(crate) fn clean_room_builds(root: &Path) -> Result<(), Failure> {
     packages(root)?;
     let members = metadata::published(root)?;
-    stranger::builds(root, &root.join(BUILDS), &members)
+    clean_room::builds(root, &root.join(BUILDS), &members)
 }
 
 /// Whether a file is allowed in a package.

@@ -1,4 +1,4 @@
-//! Every figure of the gallery, in the order of the page.
+//! Every figure of the gallery, in page order.
 
 mod asperity;
 mod cochran;
@@ -11,7 +11,7 @@ mod scenes;
 
 use crate::figure::{Figure, figure};
 
-/// The figures in the order of their pages; lists of one kind stand in files of their own.
+/// The figures in page order. Lists of figures of one type are in separate files.
 const FIGURES: &[&[Figure]] = &[
     &[
         figure("kautz-1-sphere", kautz::objects::draw_sphere),
@@ -78,7 +78,7 @@ const FIGURES: &[&[Figure]] = &[
     ],
 ];
 
-/// Every figure, in the order of the pages.
+/// Returns every figure, in page order.
 pub(crate) fn figures() -> Vec<&'static Figure> {
     FIGURES.iter().copied().flatten().collect()
 }
@@ -89,7 +89,7 @@ mod tests {
     use crate::captions::CAPTIONS;
 
     #[test]
-    fn every_figure_has_its_words_and_no_words_are_left_over() {
+    fn every_figure_has_texts_and_no_text_is_unused() {
         for figure in figures() {
             let caption = CAPTIONS.of(figure.name).unwrap();
             let texts = [caption.page, caption.section, caption.title, caption.source, &caption.text];
@@ -100,14 +100,14 @@ mod tests {
         assert!(CAPTIONS.pages.iter().all(|page| page.about.ends_with('.')));
     }
 
-    /// The words in backticks of the last cell of every row of a page's tables.
+    /// Returns the words in backticks of the last cell, for every row of a page's tables.
     fn last_names(page: &str) -> Vec<&str> {
         let rows = page.lines().filter(|line| line.starts_with('|'));
         let cells = rows.filter_map(|row| row.trim_matches('|').rsplit('|').next());
         cells.flat_map(|cell| cell.split('`').skip(1).step_by(2)).collect()
     }
 
-    /// Whether a name, or a family with a star in its name, is a figure's.
+    /// Whether a name, or a pattern with a star, matches a figure.
     fn is_of(name: &str, figure: &Figure) -> bool {
         name.split_once('*').map_or(figure.name == name, |(start, end)| {
             figure.name.starts_with(start) && figure.name.ends_with(end)

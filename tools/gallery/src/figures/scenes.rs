@@ -1,4 +1,4 @@
-//! The materials on things: a car, a room, walls, and the teapot in each of them.
+//! The materials on objects: a car, a room, walls, and teapots.
 
 use asperity_render::image::{Image, tone::hex};
 use asperity_render::integrator::adaptive::{Detail, Goal, Grain};
@@ -24,7 +24,7 @@ use asperity::quality::EXPOSURE;
 
 type Subject = Box<Surface<'static>>;
 
-/// Pictures of objects in the studio, of which the grain is kept.
+/// Still-life renders of objects, with their noise.
 struct Stills<'a> {
     context: &'a Context<'a>,
     studio: Studio,
@@ -58,7 +58,7 @@ pub(crate) fn draw_car(context: &Context<'_>) -> Result<Drawn> {
     let counted = MetallicPaintParameters { flakes, ..paint };
     let whole = View { field: 21.0, ..Set::Car.view() };
     let door = View::new([-0.21, -0.93, 0.66], [-0.25, -0.82, 0.63], 34.0);
-    let from_nearby = "Blue paint from nearby with points of light";
+    let from_nearby = "Blue paint close up with glints";
     let flaked = "The same with counted flakes, 0.3 mm apart";
     let pictures = [
         (
@@ -96,7 +96,7 @@ pub(crate) fn draw_car(context: &Context<'_>) -> Result<Drawn> {
 pub(crate) fn draw_room(context: &Context<'_>) -> Result<Drawn> {
     let lines = CarpetParameters {
         diffuse: Vec3::new(0.24, 0.21, 0.19),
-        // So wide and faint that they are threads which lean another way, not stains.
+        // So wide and faint that they look like threads with another orientation, not like stains.
         dark_area_strength: 0.16,
         dark_area_size: 1.6,
         fake_rim_light_colour: Vec3::splat(0.5),
@@ -135,7 +135,7 @@ pub(crate) fn draw_walls(context: &Context<'_>) -> Result<Drawn> {
     let stars = StarWallpaper::new(5, [0.1, 0.3], 1.0, 0.55, context.seed)?;
     let stars =
         InMetres(Wallpaper { stars, paper: hex(0x2c_3a5e), star: hex(0xe8_d9a8), roughness: 0.0 }, 10.0);
-    let (away, pale) = ("A brick wall that runs away to the right", "Dark blue wallpaper with pale stars");
+    let (away, pale) = ("A brick wall that recedes to the right", "Dark blue wallpaper with pale stars");
     let pictures: [([&str; 3], Subject); 2] = [
         (["bricks", "Bricks of 25 by 8 cm", away], Box::new(BrickWall::default())),
         (["stars", "Stars in cells of 10 cm", pale], Box::new(stars)),

@@ -2,16 +2,16 @@
 
 /// A range of values and its ticks.
 pub(crate) struct Axis {
-    /// The quantity, with its unit; may be empty.
+    /// The quantity with its unit; may be empty.
     pub(super) label: String,
-    /// A value's place along it: itself, or its logarithm.
+    /// Maps a value to its position: the identity or the logarithm.
     pub(super) place: fn(f64) -> f64,
     pub(super) range: [f64; 2],
     pub(super) ticks: Vec<(f64, String)>,
 }
 
 impl Axis {
-    /// An evenly divided axis with a tick at every multiple of `step`.
+    /// Creates a linear axis with a tick at every multiple of `step`.
     pub(crate) fn linear(label: &str, range: [f64; 2], step: f64) -> Self {
         let whole = |value: f64| (value - value.round()).abs() < 1e-9;
         let decimals = (0..6).find(|&d| whole(step * 10f64.powi(d))).unwrap_or(6) as usize;
@@ -20,7 +20,7 @@ impl Axis {
         Self { label: label.to_owned(), place: |value| value, range, ticks }
     }
 
-    /// An axis of doublings, with a tick at every power of two; the range must be positive.
+    /// Creates a logarithmic axis with a tick at every power of two. The range must be positive.
     pub(crate) fn log2(label: &str, range: [f64; 2]) -> Self {
         let tick = |k: i64| {
             let power = 2f64.powi(k as i32);
@@ -30,19 +30,19 @@ impl Axis {
         Self { label: label.to_owned(), place: f64::log2, range, ticks }
     }
 
-    /// With ticks of one's own choice.
+    /// Sets custom ticks.
     pub(crate) fn with_ticks(mut self, ticks: &[(f64, &str)]) -> Self {
         self.ticks = ticks.iter().map(|&(v, t)| (v, t.to_owned())).collect();
         self
     }
 }
 
-/// Numbers whose multiples of a step lie in a range.
+/// Returns the integers whose multiples of a step lie in a range.
 fn multiples(range: [f64; 2], step: f64) -> impl Iterator<Item = i64> {
     (range[0] / step - 1e-9).ceil() as i64..=(range[1] / step + 1e-9).floor() as i64
 }
 
-/// A decimal with a true minus sign and no negative zero.
+/// Formats a decimal with a true minus sign and without negative zero.
 pub(crate) fn decimal(value: f64, decimals: usize) -> String {
     let text = format!("{:.decimals$}", value.abs());
     let sign = value < 0.0 && text.bytes().any(|b| matches!(b, b'1'..=b'9'));

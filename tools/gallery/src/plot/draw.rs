@@ -13,14 +13,14 @@ use crate::plot::ink::{Ink, Stroke, colour};
 use crate::plot::place::{LETTERS, UNIT, spread, units, width_of};
 use crate::plot::{Mark, Names, Plot};
 
-/// Length of a legend's sample in CSS pixels.
+/// Length of a legend's line sample in CSS pixels.
 const SAMPLE: f64 = 22.0;
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
-/// Last finite point of a line, its stroke, its name.
+/// Last finite point of a line, stroke, name.
 type Named<'a> = ([f64; 2], Stroke, &'a str);
-/// A place in whole units of the drawing.
+/// A position in integer drawing units.
 type Place = (i32, i32);
 type Drawing = Result<(), Box<dyn std::error::Error + Send + Sync>>;
 
@@ -28,7 +28,7 @@ impl Plot {
     pub(super) fn draw(&self, area: &Area<'_>) -> Drawing {
         let named: Vec<_> = self.named().collect();
         let longest = named.iter().map(|(_, _, n)| width_of(n)).fold(0.0, f64::max);
-        // Half of the last tick's text lies beyond the axis.
+        // Half of the last tick's text extends beyond the axis.
         let beyond = self.x.ticks.last().map_or(0.0, |(_, text)| 0.5 * width_of(text) + 4.0);
         let right = if self.names == Names::AtEnds { longest + 10.0 } else { beyond.max(12.0) };
         let left = self.y.ticks.iter().map(|(_, t)| width_of(t)).fold(0.0, f64::max) + 12.0;
@@ -53,7 +53,7 @@ impl Plot {
         }
     }
 
-    /// Lines that have a name: last finite point, stroke, name.
+    /// Returns the named lines: last finite point, stroke, name.
     fn named(&self) -> impl Iterator<Item = Named<'_>> {
         self.marks.iter().filter_map(|mark| match mark {
             Mark::Line { points, stroke, name } if !name.is_empty() => {
@@ -63,7 +63,7 @@ impl Plot {
         })
     }
 
-    /// Left edge in CSS pixels and row of each sample of the legend, in rows as wide as the plot.
+    /// Returns left edge in CSS pixels and row of each legend entry, in rows of the plot's width.
     fn legend(&self, named: &[Named<'_>], left: f64) -> Vec<(f64, u32)> {
         let (mut x, mut row) = (left, 0);
         let mut places = Vec::with_capacity(named.len());
@@ -79,7 +79,7 @@ impl Plot {
     }
 }
 
-/// A plot with the area and the chart that it is drawn on.
+/// A plot with the area and the chart it is drawn on.
 struct Canvas<'a, 'b> {
     plot: &'a Plot,
     area: &'a Area<'b>,
@@ -96,7 +96,7 @@ impl Canvas<'_, '_> {
     }
 
     fn words(&self, text: &str, place: Place, ink: Ink, h: HPos, v: VPos) -> Drawing {
-        // The backend divides the size by 1.24, its guess of a font's line height.
+        // The backend divides the size by 1.24, its estimate of a font's line height.
         let font = FontDesc::new(FontFamily::Name("system-ui"), LETTERS * UNIT * 1.24, FontStyle::Normal);
         let mut style = TextStyle::from(font).pos(Pos::new(h, v));
         style.color = colour(ink, false).to_backend_color();
@@ -200,7 +200,7 @@ fn is_finite(point: &[f64; 2]) -> bool {
     point.iter().all(|x| x.is_finite())
 }
 
-/// Runs of two and more finite points.
+/// Returns runs of two or more finite points.
 fn finite_runs(points: &[[f64; 2]]) -> impl Iterator<Item = &[[f64; 2]]> {
     points.split(|p| !is_finite(p)).filter(|run| run.len() > 1)
 }

@@ -1,22 +1,22 @@
-//! Colours and strokes of a plot, those of the page that shows it.
+//! Colors and strokes of a plot, which are the colors of its page.
 
 use plotters::style::{Color, RGBAColor, RGBColor, ShapeStyle};
 
 use crate::plot::place::units;
 use asperity::html::{self, escape};
 
-/// A colour of the page.
+/// A color of the page.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Ink {
-    /// Of the page's text.
+    /// The page's text.
     Text,
-    /// Text of the second rank, axes.
+    /// Secondary text and axes.
     Muted,
     /// Hairlines.
     Rule,
-    /// The background of the picture.
+    /// The background of the image.
     Card,
-    /// Data, 1 to 4; a higher number starts again.
+    /// Data, 1 to 4, repeated for higher numbers.
     Series(u8),
 }
 
@@ -26,7 +26,7 @@ impl From<u8> for Ink {
     }
 }
 
-/// Colour, width and dash of a line.
+/// Color, width and dash of a line.
 #[derive(Clone, Copy)]
 pub(crate) struct Stroke {
     pub(crate) ink: Ink,
@@ -36,17 +36,17 @@ pub(crate) struct Stroke {
 }
 
 impl Stroke {
-    /// An unbroken line of the usual width.
+    /// A solid line of the usual width.
     pub(crate) fn solid(ink: impl Into<Ink>) -> Self {
         Self { ink: ink.into(), width: 1.6, dashed: false }
     }
 
-    /// A broken line of the usual width.
+    /// A dashed line of the usual width.
     pub(crate) fn dashed(ink: impl Into<Ink>) -> Self {
         Self { dashed: true, ..Self::solid(ink) }
     }
 
-    /// In another width.
+    /// Changes the width.
     pub(crate) fn wide(self, width: f64) -> Self {
         Self { width, ..self }
     }
@@ -56,7 +56,8 @@ impl Stroke {
     }
 }
 
-/// The backend writes fixed colours: each ink, dashed or not, gets one of its own, exchanged in [`dress`].
+/// The backend writes fixed colors. Each ink, dashed or not, gets a unique placeholder, replaced in
+/// [`dress`].
 pub(super) fn colour(ink: Ink, dashed: bool) -> RGBAColor {
     let index = match ink {
         Ink::Text => 0,
@@ -68,8 +69,8 @@ pub(super) fn colour(ink: Ink, dashed: bool) -> RGBAColor {
     RGBColor(0xA5, dashed.into(), index).to_rgba()
 }
 
-/// Exchanges the placeholders for the page's colours, which turn dark by the picture's own style: it looks alike in the page, alone
-/// and where no style is read.
+/// Replaces the placeholders by the page's colors, with dark variants in the image's own style. The
+/// image looks the same in the page, alone, and where styles are ignored.
 pub(super) fn dress(svg: &str, title: &str, size: [f64; 2]) -> String {
     const NAMES: [&str; 8] = ["ink", "muted", "rule", "card", "series-1", "series-2", "series-3", "series-4"];
     const DASHES: [&str; 2] = ["", " stroke-dasharray=\"55 45\""];

@@ -1,4 +1,4 @@
-//! Small plots as SVG: thin lines, few ticks, names beside the curves, colours of the page, which each carries along.
+//! Small SVG plots: thin lines, few ticks, direct labels, and embedded page colors.
 
 mod axis;
 mod draw;
@@ -16,9 +16,9 @@ use asperity::failure::Result;
 use ink::dress;
 use place::units;
 
-/// A plot: two axes and what is drawn between them, first mark lowest.
+/// A plot: two axes and marks between them, drawn in order.
 pub(crate) struct Plot {
-    /// Width and height in CSS pixels at natural size; the picture scales with its column.
+    /// Width and height in CSS pixels at natural size. The image scales with its column.
     size: [f64; 2],
     x: Axis,
     y: Axis,
@@ -26,18 +26,18 @@ pub(crate) struct Plot {
     marks: Vec<Mark>,
 }
 
-/// Place of the lines' names.
+/// Position of the lines' names.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Names {
-    /// At the right end of each line, moved apart where they would touch.
+    /// At the right end of each line, moved apart where they would overlap.
     AtEnds,
     /// In rows above the plot, with a sample of each line.
     Above,
-    /// Nowhere.
+    /// Hidden.
     Hidden,
 }
 
-/// Something drawn in the plot's coordinates. Points that are not finite are left out and break a line.
+/// A mark in plot coordinates. Non-finite points are skipped and break a line.
 enum Mark {
     Line { points: Vec<[f64; 2]>, stroke: Stroke, name: String },
     Area { points: Vec<[f64; 2]>, ink: Ink, opacity: f64 },
@@ -47,7 +47,7 @@ enum Mark {
 }
 
 impl Plot {
-    /// An empty plot of a size in CSS pixels.
+    /// Creates an empty plot of a size in CSS pixels.
     pub(crate) fn new(size: [f64; 2], x: Axis, y: Axis, names: Names) -> Self {
         Self { size, x, y, names, marks: Vec::new() }
     }
@@ -57,12 +57,12 @@ impl Plot {
         self
     }
 
-    /// A line through points, without a name.
+    /// Adds a line without a name.
     pub(crate) fn line(self, points: impl IntoIterator<Item = [f64; 2]>, stroke: Stroke) -> Self {
         self.curve("", points, stroke)
     }
 
-    /// A line through points, with a name for the legend.
+    /// Adds a line with a name for the legend.
     pub(crate) fn curve(
         self,
         name: impl Into<String>,
@@ -72,17 +72,17 @@ impl Plot {
         self.with(Mark::Line { points: points.into_iter().collect(), stroke, name: name.into() })
     }
 
-    /// The area between a curve and the height 0.
+    /// Adds the area between a curve and height 0.
     pub(crate) fn area(self, points: Vec<[f64; 2]>, ink: impl Into<Ink>, opacity: f64) -> Self {
         self.with(Mark::Area { points, ink: ink.into(), opacity })
     }
 
-    /// A rectangle, filled with this opacity and framed by a border in CSS pixels; 0 leaves out either.
+    /// Adds a rectangle with this fill opacity and a border width in CSS pixels; 0 omits either.
     pub(crate) fn frame(self, x: [f64; 2], y: [f64; 2], ink: impl Into<Ink>, fill: f64, width: f64) -> Self {
         self.with(Mark::Frame { x, y, ink: ink.into(), fill, width })
     }
 
-    /// Round dots with a halo in the background's colour; the radius in CSS pixels.
+    /// Adds round dots with a halo in the background color; the radius is in CSS pixels.
     pub(crate) fn dots(
         self,
         points: impl IntoIterator<Item = [f64; 2]>,
@@ -92,12 +92,12 @@ impl Plot {
         self.with(Mark::Dots { points: points.into_iter().collect(), ink: ink.into(), radius })
     }
 
-    /// A few words that begin right behind a point, or end right before it.
+    /// Adds text to the right or left of a point.
     pub(crate) fn words(self, side: HPos, at: [f64; 2], text: impl Into<String>) -> Self {
         self.with(Mark::Words { at, text: text.into(), side })
     }
 
-    /// The plot as a panel; its title is the picture in words.
+    /// Renders the plot as a panel. The title is the alternative text.
     pub(crate) fn panel(
         self,
         stem: impl Into<String>,
@@ -109,10 +109,11 @@ impl Plot {
         Ok(Panel::new(stem, label, alt, picture))
     }
 
-    /// The picture as a complete `<svg>` element with a title, which screen readers say.
+    /// Renders a complete `<svg>` element with a title for screen readers.
     ///
     /// # Errors
-    /// Everything that the drawing backend reports; it writes to memory, so none is expected.
+    ///
+    /// Returns errors of the drawing backend. None is expected, because it writes to memory.
     pub(crate) fn svg(&self, title: &str) -> Result<String> {
         let mut text = String::new();
         {
@@ -140,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn colours_come_along_light_and_dark_and_texts_are_escaped() {
+    fn svg_has_light_and_dark_colors_and_escaped_text() {
         for names in [Names::AtEnds, Names::Above, Names::Hidden] {
             let svg = plot(names, vec![[0.25, -1.0], [1.0, 0.5], [4.0, 1.0]]).svg("a < b & c").unwrap();
             assert!(!svg.contains("var(") && !svg.contains("#A5") && !svg.contains("rgb"), "{svg}");
@@ -158,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn points_that_are_not_finite_break_the_line() {
+    fn non_finite_points_break_the_line() {
         let (nan, inf) = (f64::NAN, f64::INFINITY);
         let (x, y) = ([0.25, 0.5, nan, 1.0, 2.0, 4.0, nan], [0.0, 0.5, 0.0, inf, 0.0, 0.5, nan]);
         let points = x.into_iter().zip(y).map(<[f64; 2]>::from).collect();

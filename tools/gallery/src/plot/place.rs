@@ -1,23 +1,24 @@
-//! Layout: units of the drawing, widths of words, labels moved apart.
+//! Layout: drawing units, text widths, label placement.
 
-/// Units of the drawing per CSS pixel: the backend draws in whole units.
+/// Drawing units per CSS pixel; the backend uses integer units.
 pub(super) const UNIT: f64 = 10.0;
 
 /// Height of the letters in CSS pixels.
 pub(super) const LETTERS: f64 = 13.0;
 
-/// CSS pixels as units of the drawing.
+/// Converts CSS pixels to drawing units.
 pub(super) fn units(pixels: f64) -> u32 {
     (pixels * UNIT).round().max(0.0) as u32
 }
 
-/// Rough width of a text in CSS pixels; the page's font is not known here.
+/// Estimates the width of a text in CSS pixels, because the page's font is unknown here.
 pub(super) fn width_of(text: &str) -> f64 {
     let letters = text.chars().filter(|c| !('\u{300}'..='\u{36f}').contains(c)).count();
     0.56 * LETTERS * letters as f64
 }
 
-/// Moves heights apart to at least `gap`, each as little as its group allows: groups that touch merge and keep their mean.
+/// Moves heights at least `gap` apart with minimal displacement: groups that touch merge and keep
+/// their mean.
 pub(super) fn spread(heights: &[f64], gap: f64) -> Vec<f64> {
     let mut order: Vec<usize> = (0..heights.len()).collect();
     order.sort_by(|&a, &b| heights[a].total_cmp(&heights[b]));
@@ -49,7 +50,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn labels_move_apart_no_further_than_needed() {
+    fn labels_move_apart_minimally() {
         assert_eq!(spread(&[0.0, 20.0], 10.0), [0.0, 20.0]);
         assert_eq!(spread(&[4.0, 0.0], 10.0), [7.0, -3.0]);
         // The pair pushes into the third, so all three share one mean.

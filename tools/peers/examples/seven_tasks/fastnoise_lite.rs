@@ -1,4 +1,4 @@
-//! `fastnoise-lite` 1.1: `f32`; one generator, which is configured by its setters.
+//! `fastnoise-lite` 1.1: `f32`; one generator, configured by setters.
 
 use std::array::from_fn;
 
@@ -12,7 +12,7 @@ pub(crate) fn heightmap(heights: &mut [f32; 64 * 64]) {
     *heights = from_fn(|i| noise.get_noise_2d((i % 64) as f32, (i / 64) as f32));
 }
 
-/// It has neither periods nor 4-D noise, so four copies are blended by hand.
+/// It has neither periods nor 4-D noise, so four copies are blended manually.
 pub(crate) fn tileable_fbm() -> impl Fn(f32, f32) -> f32 {
     let mut noise = FastNoiseLite::with_seed(42);
     noise.set_frequency(Some(1.0));
@@ -24,7 +24,7 @@ pub(crate) fn tileable_fbm() -> impl Fn(f32, f32) -> f32 {
     }
 }
 
-/// Two generators, because a warp of several octaves is a fractal type of its own.
+/// Two generators, because a warp with several octaves is a separate fractal type.
 pub(crate) fn domain_warp() -> impl Fn(f32, f32) -> f32 {
     let mut warp = FastNoiseLite::with_seed(100);
     warp.set_frequency(Some(1.0));
@@ -46,7 +46,7 @@ pub(crate) fn ridged() -> FastNoiseLite {
     noise
 }
 
-/// It has no 4-D noise, so one way through 3-D noise is faded into another.
+/// It has no 4-D noise, so one path through 3-D noise is faded into another.
 pub(crate) fn loop_in_4d([x, y]: [f32; 2], turn: f32) -> f32 {
     let mut noise = FastNoiseLite::with_seed(42);
     noise.set_frequency(Some(1.0));
@@ -54,7 +54,7 @@ pub(crate) fn loop_in_4d([x, y]: [f32; 2], turn: f32) -> f32 {
     noise.get_noise_3d(x, y, turn) * (1.0 - turn) + noise.get_noise_3d(x, y, turn - 1.0) * turn
 }
 
-/// It has no derivatives, so they are differences.
+/// It has no derivatives, so finite differences are used.
 pub(crate) fn normals(normals: &mut [Vec3; 32 * 32]) {
     let mut noise = FastNoiseLite::with_seed(42);
     noise.set_frequency(Some(1.0));

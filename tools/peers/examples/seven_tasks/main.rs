@@ -1,5 +1,6 @@
-//! The seven tasks of `crates/noise/examples/seven_tasks.rs` with three peers: `cargo run --example seven_tasks` prints
-//! how many lines each body has, and what each function gives.
+//! The seven tasks of `crates/noise/examples/seven_tasks.rs` with three other libraries.
+//! `cargo run --example seven_tasks` prints the number of lines of each body, and the result of
+//! each function.
 
 mod fastnoise_lite;
 mod noise_functions;
@@ -19,7 +20,8 @@ const SOURCES: [(&str, &str); 4] = [
     ("noise-functions", include_str!("noise_functions.rs")),
 ];
 
-/// The lines of a function's body that are not blank: those between its signature and the brace below its `fn`.
+/// Returns the number of nonblank lines of a function's body, between its signature and the brace
+/// below its `fn`.
 fn body_lines(source: &str, function: &str) -> usize {
     let signature = format!("fn {function}(");
     let body = source.lines().skip_while(|line| !line.contains(&signature)).skip(1);

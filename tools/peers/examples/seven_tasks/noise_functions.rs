@@ -1,4 +1,4 @@
-//! `noise-functions` 0.8: `f32`; methods chained onto noises without state.
+//! `noise-functions` 0.8: `f32`; methods chained on stateless noises.
 
 use std::{array::from_fn, f32::consts::TAU};
 
@@ -10,7 +10,7 @@ pub(crate) fn heightmap(heights: &mut [f32; 64 * 64]) {
     *heights = from_fn(|i| noise.sample2([(i % 64) as f32, (i / 64) as f32]));
 }
 
-/// 4-D noise on two circles, each twice as long as the tile, so that what it shows is half as large.
+/// 4-D noise on two circles, each twice as long as the tile, so that features are half as large.
 pub(crate) fn tileable_fbm() -> impl Sample<2> {
     Perlin.fbm(6, 0.5, 2.0).tileable(8.0, 8.0).seed(42)
 }
@@ -29,7 +29,7 @@ pub(crate) fn loop_in_4d([x, y]: [f32; 2], turn: f32) -> f32 {
     Simplex.seed(42).sample4([x, y, cos, sin])
 }
 
-/// It has no derivatives, so they are differences.
+/// It has no derivatives, so finite differences are used.
 pub(crate) fn normals(normals: &mut [Vec3; 32 * 32]) {
     *normals = from_fn(|i| {
         let (x, y, h) = ((i % 32) as f32 * 0.1, (i / 32) as f32 * 0.1, 0.01);

@@ -1,4 +1,4 @@
-//! `noise` 0.9: `f64`; generators nested into one another.
+//! `noise` 0.9: `f64`; nested generators.
 
 use std::{array::from_fn, f64::consts::TAU};
 
@@ -13,7 +13,8 @@ pub(crate) fn heightmap(heights: &mut [f64; 64 * 64]) {
     *heights = from_fn(|i| noise.get([(i % 64) as f64 * 0.05, (i / 64) as f64 * 0.05]));
 }
 
-/// A map, not a field: four copies blended, so that the middle of the tile has half the contrast of its corners.
+/// A map, not a field: four copies are blended, so the center of the tile has half the contrast of
+/// its corners.
 pub(crate) fn tileable_fbm() -> NoiseMap {
     let map = PlaneMapBuilder::<_, 3>::new(Fbm::<Perlin>::new(42)).set_is_seamless(true);
     map.set_x_bounds(0.0, 8.0).set_y_bounds(0.0, 8.0).build()
@@ -32,7 +33,8 @@ pub(crate) fn loop_in_4d([x, y]: [f64; 2], turn: f64) -> f64 {
     Simplex::new(42).get([x, y, cos, sin])
 }
 
-/// By differences: simplex noise has derivatives in the module `core`, but in 0.9.0 the 2-D ones are not those of its values.
+/// Finite differences. Simplex noise has derivatives in the module `core`, but in 0.9.0 the 2-D
+/// derivatives do not match its values.
 pub(crate) fn normals(normals: &mut [Vec3; 32 * 32]) {
     let noise = Perlin::new(42);
     *normals = from_fn(|i| {

@@ -1,4 +1,4 @@
-//! The dozen functions of Embree 3 and 4 that one mesh and `rtcIntersect1` take.
+//! The dozen functions of Embree 3 and 4 required by a mesh and `rtcIntersect1`.
 
 use std::{
     ffi::{c_char, c_int, c_uint, c_void},
@@ -27,7 +27,7 @@ struct RayHit {
     instance_primitive: c_uint,
 }
 
-/// Embree 3 wants one with every ray.
+/// Embree 3 requires a context for every ray.
 #[cfg(embree3)]
 #[repr(C)]
 struct Context {
@@ -74,11 +74,12 @@ pub(crate) struct Mesh {
 }
 
 impl Mesh {
-    /// Two triangles to each of `side²` cells of the square `[0, 2]²`, built with one thread.
+    /// Creates two triangles for each of `side²` cells of the square `[0, 2]²`, built with one
+    /// thread.
     pub(crate) fn new(side: usize, height: impl Fn(usize, usize) -> f64) -> Self {
         let nodes = side + 1;
-        // SAFETY: the calls are those of Embree's manual, in its order; both buffers are Embree's own, large enough for what
-        // is written, and not used after the scene is committed.
+        // SAFETY: the calls follow Embree's manual, in its order. Embree owns both buffers, which
+        // are large enough for the writes and not used after the scene is committed.
         unsafe {
             let device = rtcNewDevice(c"threads=1".as_ptr());
             let scene = rtcNewScene(device);
@@ -105,7 +106,7 @@ impl Mesh {
         }
     }
 
-    /// `t` of the first hit, infinite for none.
+    /// Returns `t` of the first hit, or infinity.
     #[inline]
     pub(crate) fn first_hit(&self, origin: [f32; 3], direction: [f32; 3]) -> f32 {
         let mut ray = RayHit {
@@ -120,12 +121,13 @@ impl Mesh {
             instance_primitive: NONE,
             ..RayHit::default()
         };
-        // SAFETY: the scene is committed, the ray is laid out and aligned as Embree's `RTCRayHit`.
+        // SAFETY: the scene is committed, and the ray has the layout and alignment of Embree's
+        // `RTCRayHit`.
         #[cfg(not(embree3))]
         unsafe {
             rtcIntersect1(self.scene, &raw mut ray, ptr::null_mut());
         }
-        // SAFETY: as above, and the context is laid out as `RTCIntersectContext`.
+        // SAFETY: as above, and the context has the layout of `RTCIntersectContext`.
         #[cfg(embree3)]
         unsafe {
             let mut context = Context { flags: 0, filter: ptr::null_mut(), instance: [NONE] };

@@ -1,6 +1,8 @@
-//! Rays per second against fractal height fields: Asperity's and Embree's on meshes of comparable error, in turn.
+//! Rays per second against fractal height fields: Asperity compared with Embree on meshes of
+//! similar error, interleaved.
 //!
-//! `cargo run --release -- [--rounds N] [--largest SIDE] [--ship FILE]` prints a table in Markdown; ../README.md describes it.
+//! `cargo run --release -- [--rounds N] [--largest SIDE] [--ship FILE]` prints a Markdown table,
+//! explained in ../README.md.
 
 mod embree;
 
@@ -33,7 +35,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut costs = String::from("\n| | build | memory |\n|---|---|---|\n");
     for (name, curve) in [("f̂×f̂", paper::f_hat()?), ("ĝ×ĝ", paper::g_hat()?)] {
         let plain = HeightField::new(curve, curve);
-        // Often enough for the clock of a thread, which counts milliseconds.
+        // Repeated for the resolution of the thread clock, which is milliseconds.
         const BUILDS: u32 = 32;
         let surface = plain.clone().tabulated();
         let build = |_| drop(black_box(black_box(plain.clone()).tabulated()));
@@ -91,7 +93,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     text += &costs;
     println!("{text}");
     if let Some(file) = option("--ship") {
-        // Written beside and renamed, so that a table is whole or the old one.
+        // Written to a temporary file and renamed, so that the table is always complete.
         let part = PathBuf::from(&file).with_extension("part");
         fs::write(&part, text)?;
         fs::rename(part, file)?;
@@ -99,7 +101,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A camera that looks down at the middle of the square; six rays in seven hit f̂×f̂.
+/// A camera that looks down at the center of the square. Six rays in seven hit f̂×f̂.
 fn primary() -> Vec<Ray> {
     let origin = DVec3::new(-2.5, -3.25, 4.9);
     let forward = DVec3::new(3.5, 4.25, -4.3).normalize();
@@ -111,7 +113,7 @@ fn primary() -> Vec<Ray> {
         .collect()
 }
 
-/// From above the square towards a larger one on the ground.
+/// From above the square toward a larger square on the ground.
 fn random() -> Vec<Ray> {
     let mut state = 7_u64;
     let mut next = || {
@@ -130,12 +132,12 @@ fn random() -> Vec<Ray> {
         .collect()
 }
 
-/// The nearest ray with components in single precision, the same for both.
+/// Rounds a ray to single precision, so that both use the same ray.
 fn single(origin: DVec3, direction: DVec3) -> Ray {
     Ray { origin: origin.as_vec3().as_dvec3(), direction: direction.as_vec3().as_dvec3() }
 }
 
-/// `t` of every ray on the mesh, and the seconds they took.
+/// Returns `t` of every ray on the mesh, and the seconds taken.
 fn intersect(mesh: &Mesh, rays: &[Ray]) -> (Vec<f32>, f64) {
     let single = |ray: &Ray| [ray.origin, ray.direction].map(|v| v.as_vec3().to_array());
     let rays: Vec<[[f32; 3]; 2]> = rays.iter().map(single).collect();
@@ -148,7 +150,7 @@ fn intersect(mesh: &Mesh, rays: &[Ray]) -> (Vec<f32>, f64) {
     (black_box(found), took)
 }
 
-/// The hits, one ray by itself, and the seconds they took.
+/// Returns the hits, ray by ray, and the seconds taken.
 fn trace(surface: &Surface, rays: &[Ray], tolerance: f64) -> (Vec<Option<Hit>>, f64) {
     let mut hits = vec![None; rays.len()];
     let ((), took) = timed(|| {
@@ -159,7 +161,7 @@ fn trace(surface: &Surface, rays: &[Ray], tolerance: f64) -> (Vec<Option<Hit>>, 
     (black_box(hits), took)
 }
 
-/// The seconds for all of them together.
+/// Returns the seconds for all rays in a batch.
 fn batch(surface: &Surface, rays: &[Ray], tolerance: f64) -> f64 {
     let mut hits = vec![None; rays.len()];
     let (done, took) = timed(|| surface.first_hits(rays, ALL, tolerance, &mut hits));
@@ -168,7 +170,7 @@ fn batch(surface: &Surface, rays: &[Ray], tolerance: f64) -> f64 {
     took
 }
 
-/// The 99th percentile of the distance to the exact hit, over rays that hit both.
+/// Returns the 99th percentile of the distance to the exact hit, over rays that hit both.
 fn percentile(rays: &[Ray], exact: &[Option<Hit>], t: impl Fn(usize) -> f64) -> f64 {
     let mut errors: Vec<f64> = rays
         .iter()
@@ -188,7 +190,8 @@ fn median(mut times: Vec<f64>) -> f64 {
     times.get(times.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// Value of a function, and the seconds of this thread, where Linux counts them (to some milliseconds), so that other programs take none.
+/// Returns a function's result and this thread's CPU seconds. Linux counts them with a resolution
+/// of milliseconds, excluding other programs.
 fn timed<T>(run: impl FnOnce() -> T) -> (T, f64) {
     let thread = || {
         let times = fs::read_to_string("/proc/thread-self/schedstat").ok()?;
@@ -200,7 +203,7 @@ fn timed<T>(run: impl FnOnce() -> T) -> (T, f64) {
     (given, took.unwrap_or_else(|| start.elapsed().as_secs_f64()))
 }
 
-/// Memory of this process in MB.
+/// Returns the memory of this process in MB.
 fn resident() -> f64 {
     let kilobytes = line("/proc/self/status", "VmRSS:");
     let kilobytes = kilobytes.and_then(|text| text.split_whitespace().next()?.parse::<f64>().ok());
@@ -213,7 +216,7 @@ fn processor() -> String {
     name.unwrap_or_else(|| "an unknown processor".into())
 }
 
-/// The rest of the first line of a file that begins with a word.
+/// Returns the rest of the first line of a file that begins with a word.
 fn line(file: &str, word: &str) -> Option<String> {
     fs::read_to_string(file).ok()?.lines().find_map(|line| line.strip_prefix(word)).map(str::to_owned)
 }

@@ -1,4 +1,4 @@
-//! Times one row after another on demand: reads names of rows, answers with nanoseconds per sample.
+//! Times rows on demand: reads names of rows, and prints nanoseconds per sample.
 
 use std::{
     error::Error,
@@ -17,7 +17,7 @@ use rand_distr::{Distribution, weighted::WeightedAliasIndex};
 const SIDE: usize = 256;
 const ALPHA: [f32; 2] = [0.2, 0.4];
 
-/// A name, samples of one pass, and the pass.
+/// A name, samples per pass, and the pass.
 type Row = (String, usize, Box<dyn FnMut()>);
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -29,12 +29,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     for line in std::io::stdin().lock().lines() {
         let line = line?;
         let Some((name, samples, pass)) = rows.iter_mut().find(|row| row.0 == line.trim()) else {
-            return Err(format!("there is no row `{line}`").into());
+            return Err(format!("no row `{line}`").into());
         };
         let start = Instant::now();
         pass();
         let took = start.elapsed().as_secs_f64();
-        // Building is one sample, and is told in microseconds.
+        // Building counts as one sample, and is reported in microseconds.
         let scale = if name.contains("build") { 1e6 } else { 1e9 };
         writeln!(out, "{}", took * scale / *samples as f64)?;
         out.flush()?;
@@ -42,12 +42,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Uniform numbers.
+/// Returns uniform numbers.
 fn uniforms(seed: u64, count: usize) -> Vec<f32> {
     SmallRng::seed_from_u64(seed).random_iter().take(count).collect()
 }
 
-/// `rand_distr`'s alias table over the same texels: points uniform in a texel, which it cannot invert.
+/// `rand_distr`'s alias table over the same texels: uniform points within a texel. It is not
+/// invertible.
 fn alias(samples: usize) -> Result<Row, Box<dyn Error>> {
     let table = WeightedAliasIndex::new(texels())?;
     let mut random = SmallRng::seed_from_u64(5);
@@ -64,7 +65,7 @@ fn alias(samples: usize) -> Result<Row, Box<dyn Error>> {
     Ok(("alias_table".into(), samples, Box::new(pass)))
 }
 
-/// The density on the map's texels, 0 outside the disk.
+/// Returns the density on the map's texels, 0 outside the disk.
 fn texels() -> Vec<f32> {
     let centre = |k: usize| (k as f32 + 0.5) / SIDE as f32 * 2.0 - 1.0;
     let texel = |k: usize| {
@@ -76,7 +77,7 @@ fn texels() -> Vec<f32> {
     (0..SIDE * SIDE).map(texel).collect()
 }
 
-/// A row from arrays into arrays.
+/// Creates a row that maps arrays to arrays.
 fn row<const I: usize, const O: usize, E: std::fmt::Debug>(
     name: impl Into<String>,
     inputs: [&[f32]; I],
@@ -92,7 +93,7 @@ fn row<const I: usize, const O: usize, E: std::fmt::Debug>(
     (name.into(), samples, Box::new(run))
 }
 
-/// A row of single calls.
+/// Creates a row of single calls.
 fn calls(name: &str, points: &[Vec2], mut call: impl FnMut(Vec2) -> Vec3 + 'static) -> Row {
     let (samples, points) = (points.len(), points.to_vec());
     let mut normals = vec![Vec3::ZERO; samples];
@@ -105,7 +106,7 @@ fn calls(name: &str, points: &[Vec2], mut call: impl FnMut(Vec2) -> Vec3 + 'stat
     (name.into(), samples, Box::new(run))
 }
 
-/// Every row that can be asked for.
+/// Returns every available row.
 fn rows(samples: usize) -> Result<Vec<Row>, Box<dyn Error>> {
     let [u1, u2, up, azimuth] = [1, 2, 3, 4].map(|seed| uniforms(seed, samples));
     let uniform: Vec<Vec2> = u1.iter().zip(&u2).map(|(&x, &y)| Vec2::new(x, y)).collect();
@@ -140,7 +141,7 @@ fn rows(samples: usize) -> Result<Vec<Row>, Box<dyn Error>> {
     for (kind, name) in [(Reconstruction::Bilinear, "bilinear"), (Reconstruction::Constant, "constant")] {
         let values = texels();
         let map = NdfMap::from_texels(SIDE, SIDE, &values, Measure::Normals, kind)?;
-        // As in flash: for the whole run.
+        // Static for the whole run, as in flash.
         let packed = PackedMapRef::new(map.into_array().leak())?;
         let mut points = [vec![0.0; samples], vec![0.0; samples]];
         packed.inverses(u, points.each_mut().map(Vec::as_mut_slice))?;

@@ -1,4 +1,4 @@
-//! The platforms, and how the probe gets there: by this machine, by an emulator, by node.
+//! The platforms on which the bit probe runs: this machine, an emulator, or Node.js.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -8,14 +8,14 @@ use crate::failure::Result;
 use crate::toolchain::{CORTEX_M4, Toolchain, is_there, rust_lld};
 use asperity_output::cargo::{cargo, run};
 
-/// A platform, and its digests or why there are none.
+/// A platform with its digests, or the reason why there are none.
 pub(super) struct Column {
     pub(super) title: &'static str,
     pub(super) how: String,
     pub(super) report: Result<Report, String>,
 }
 
-/// Lanes of x86-64 from the least on, as people and as the crates call them, and a processor of them that can be emulated.
+/// Widths of x86-64 SIMD in increasing order: display name, crate name, and an emulated processor.
 const LANES: [(&str, &str, Option<&str>); 4] = [
     ("x86-64, SSE2", "sse2", Some("qemu64")),
     ("x86-64, SSE4.2", "sse2", Some("Nehalem")),
@@ -24,33 +24,33 @@ const LANES: [(&str, &str, Option<&str>); 4] = [
 ];
 const X86: &str = "qemu-x86_64";
 
-/// A platform that another compiler builds for.
+/// A platform of a cross compiler.
 struct Foreign {
     title: &'static str,
     target: &'static str,
     level: &'static str,
     flags: &'static str,
     linker: Linker,
-    /// A program and its arguments, before the probe.
+    /// Program and arguments before the probe.
     runner: &'static str,
     /// Folder of its builds.
     folder: &'static str,
-    /// Among those that the gate runs.
+    /// Whether the CI check runs this platform.
     often: bool,
 }
 
-/// The linker, and when it must be there.
+/// The linker, and when it is required.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Linker {
-    /// Toolchains with the target's libraries have one; with their sources alone it is this.
+    /// Toolchains with target libraries include a linker. With sources only, this one is required.
     Lld(&'static str),
-    /// The one that toolchains of rustup bring along.
+    /// The linker included in rustup toolchains.
     RustLld,
-    /// Always this, with another system's C library.
+    /// Always this one, with another system's C library.
     Gcc(&'static str),
 }
 
-/// Linked with the C library that the linker knows.
+/// Linked with the C library of the linker.
 const HOSTED: &str = "-C default-linker-libraries=yes";
 
 const FOREIGN: [Foreign; 5] = [
@@ -75,7 +75,8 @@ const FOREIGN: [Foreign; 5] = [
         often: false,
     },
     Foreign {
-        // Not s390x: qemu 7.2 multiplies two single numbers to a double one wrongly there (MDEBR).
+        // Not s390x: qemu 7.2 computes the product of two single-precision numbers to double
+        // precision incorrectly there (MDEBR).
         title: "PowerPC, big-endian",
         target: "powerpc64-unknown-linux-gnu",
         level: "scalar",
@@ -107,7 +108,8 @@ const FOREIGN: [Foreign; 5] = [
     },
 ];
 
-/// Every platform in order, or those of the gate. What is missing here is told in its column; what is there and fails is an error.
+/// Runs every platform in order, or only those of the CI check. A missing tool is noted in its
+/// column. A failure of an available platform is an error.
 pub(super) fn columns(folder: &Path, all: bool) -> Result<Vec<Column>> {
     let mut columns = here(folder)?;
     for platform in FOREIGN.iter().filter(|platform| all || platform.often) {
@@ -116,7 +118,7 @@ pub(super) fn columns(folder: &Path, all: bool) -> Result<Vec<Column>> {
     Ok(columns)
 }
 
-/// This machine with its lanes and lesser ones.
+/// Runs this machine at its SIMD width and at smaller widths.
 fn here(folder: &Path) -> Result<Vec<Column>> {
     let mut build = cargo(folder, "build --quiet --release --locked --bin bits --features std,libm");
     build.args(["--target-dir", "target/libm"]).env_remove("RUSTFLAGS");
@@ -128,7 +130,7 @@ fn here(folder: &Path) -> Result<Vec<Column>> {
     for (title, level, processor) in LANES {
         let (how, report) = match processor {
             _ if cfg!(not(target_arch = "x86_64")) => {
-                (String::new(), Err("this machine is no x86-64".to_owned()))
+                (String::new(), Err("this machine is not x86-64".to_owned()))
             }
             _ if own.level == level => ("on this machine".into(), Ok(own.clone())),
             Some(processor) if emulated => {
@@ -137,7 +139,7 @@ fn here(folder: &Path) -> Result<Vec<Column>> {
                 (format!("{X86} as a {processor}"), Ok(report))
             }
             Some(_) => (String::new(), Err(format!("{X86} is not installed"))),
-            None => (String::new(), Err("neither this machine nor an emulator has it".to_owned())),
+            None => (String::new(), Err("not available on this machine or in an emulator".to_owned())),
         };
         columns.push(Column { title, how, report });
     }
@@ -174,13 +176,11 @@ impl Foreign {
         Toolchain::of(self.target, has_linker)
     }
 
-    /// The first thing that is not installed, in words.
+    /// Returns the first missing tool, for display.
     fn missing(&self, program: &str) -> Option<String> {
         if self.toolchain().is_none() {
             let target = self.target;
-            return Some(format!(
-                "no toolchain has the libraries of {target}, or their sources and a linker; `rustup target add {target}` adds them"
-            ));
+            return Some(format!("no toolchain for {target} (install with `rustup target add {target}`)"));
         }
         let gcc = if let Linker::Gcc(name) = self.linker { Some(name) } else { None };
         if let Some(name) = [Some(program), gcc].into_iter().flatten().find(|name| !is_there(name)) {
@@ -211,35 +211,36 @@ impl Foreign {
     }
 }
 
-/// Whether a compiler of C finds the file that programs start with: packages have it apart.
+/// Whether a C compiler finds the startup file, which is packaged separately.
 fn has_c_library(gcc: &str) -> bool {
     let said = Command::new(gcc).arg("-print-file-name=crt1.o").output();
     said.is_ok_and(|said| is_found(&String::from_utf8_lossy(&said.stdout)))
 }
 
-/// Of a file that a compiler does not find it says the name alone.
+/// For a file that a compiler does not find, it prints only the name.
 fn is_found(said: &str) -> bool {
     let path = Path::new(said.trim());
     path.is_absolute() && path.is_file()
 }
 
-/// The answer of the probe.
+/// Returns the output of the probe.
 fn said(title: &str, command: &mut Command) -> Result<Report> {
     let output = command.output()?;
     if !output.status.success() {
         let why = String::from_utf8_lossy(&output.stderr);
-        let last = why.trim().lines().last().unwrap_or("it says nothing").to_owned();
+        let last = why.trim().lines().last().unwrap_or("no output").to_owned();
         return Err(format!("the probe of bits on {title} ended with {}: {last}", output.status).into());
     }
     Report::read(&String::from_utf8_lossy(&output.stdout))
 }
 
-/// That a platform has the lanes that its column stands for.
+/// Checks that a platform has the SIMD width of its column.
 fn expect(title: &str, report: &Report, level: &str) -> Result<()> {
     if report.level == level {
         return Ok(());
     }
-    Err(format!("the probe of bits on {title} found the lanes {}, not {level}", report.level).into())
+    Err(format!("the probe of bits on {title} reported SIMD level {} (expected {level})", report.level)
+        .into())
 }
 
 #[cfg(test)]
@@ -247,7 +248,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_compiler_without_a_c_library_is_seen() {
+    fn missing_c_library_is_detected() {
         let own = std::env::current_exe().unwrap();
         assert!(is_found(&format!("{}\n", own.display())));
         assert!(!is_found("crt1.o\n") && !is_found("") && !has_c_library("no-such-compiler"));

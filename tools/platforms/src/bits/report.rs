@@ -1,4 +1,4 @@
-//! The probe's answer: a digest for every function, and the lanes that it found.
+//! The probe's output: a digest per function, and the SIMD level.
 
 use crate::failure::Result;
 
@@ -13,13 +13,13 @@ pub(super) struct Row {
 /// A machine's digests.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Report {
-    /// The widest lanes of the machine.
+    /// The SIMD level of the machine.
     pub(super) level: String,
     pub(super) rows: Vec<Row>,
 }
 
 impl Report {
-    /// Reads the probe's lines; one line of the golden file may differ: that of the lanes.
+    /// Parses the probe's lines. Only the line of the SIMD level may differ from the golden file.
     pub(super) fn read(text: &str) -> Result<Self> {
         let (mut level, mut rows) = (String::new(), Vec::new());
         for line in text.lines() {
@@ -29,28 +29,32 @@ impl Report {
                 [group, name, digest] => {
                     rows.push(Row { group: group.into(), name: name.into(), digest: digest.into() });
                 }
-                _ => return Err(format!("digests: the line `{line}` is not group, name, digest").into()),
+                _ => {
+                    return Err(
+                        format!("digests: invalid line `{line}` (expected group, name, digest)").into()
+                    );
+                }
             }
         }
         if rows.is_empty() {
-            return Err("digests: there are none".into());
+            return Err("digests: empty".into());
         }
         Ok(Self { level, rows })
     }
 
-    /// The lines, without the lanes.
+    /// Returns the lines without the SIMD level.
     pub(super) fn text(&self) -> String {
         self.rows.iter().map(|Row { group, name, digest }| format!("{group}\t{name}\t{digest}\n")).collect()
     }
 
-    /// The groups, in order.
+    /// Returns the groups, in order.
     pub(super) fn groups(&self) -> Vec<&str> {
         let mut groups: Vec<_> = self.rows.iter().map(|row| row.group.as_str()).collect();
         groups.dedup();
         groups
     }
 
-    /// The rows that are not those of `golden` at the same place, in words.
+    /// Returns the rows that differ from `golden`, for display.
     pub(super) fn differences<'a>(&'a self, golden: &'a Self) -> impl Iterator<Item = (&'a str, String)> {
         let longest = self.rows.len().max(golden.rows.len());
         (0..longest).filter_map(|k| match (self.rows.get(k), golden.rows.get(k)) {
@@ -72,7 +76,7 @@ mod tests {
         "level\tneon\nnoise: kinds\tPerlin, 2-D\t01\nnoise: kinds\tvalue\t02\nfif: rays\ttorus\t03\n";
 
     #[test]
-    fn a_report_comes_back_without_its_lanes() {
+    fn report_round_trip_without_simd_level() {
         let report = Report::read(TEXT).unwrap();
         assert_eq!((report.level.as_str(), report.groups()), ("neon", vec!["noise: kinds", "fif: rays"]));
         assert_eq!(Report::read(&report.text()).unwrap().rows, report.rows);
@@ -80,7 +84,7 @@ mod tests {
     }
 
     #[test]
-    fn a_row_that_differs_is_missing_or_new_is_named() {
+    fn differences_lists_changed_missing_and_new_rows() {
         let golden = Report::read(TEXT).unwrap();
         let named = |text: &str| {
             let report = Report::read(text).unwrap();

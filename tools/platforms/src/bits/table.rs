@@ -1,15 +1,15 @@
-//! The table: groups of functions downwards, platforms across.
+//! The result table: groups of functions by platforms.
 
 use std::fmt::Write;
 
 use super::platform::Column;
 use super::report::Report;
 
-/// Why another platform that could be emulated has no column.
+/// The reason why s390x has no column.
 const OTHER_BIG_ENDIAN: &str = "- **s390x**, big-endian too: not run: `qemu-s390x` 7.2 computes the product of two single numbers as a \
                                 double one (MDEBR) wrongly,\n  1.5 × 1.5 as 0.1875.\n";
 
-/// Digests that are not golden, in words.
+/// Returns the digests that differ from the golden digests, for display.
 pub(super) fn differences(columns: &[Column], golden: &Report) -> Vec<String> {
     let of = |column: &Column| -> Vec<String> {
         let Ok(report) = &column.report else { return Vec::new() };
@@ -19,7 +19,8 @@ pub(super) fn differences(columns: &[Column], golden: &Report) -> Vec<String> {
     columns.iter().flat_map(of).collect()
 }
 
-/// A line of the platforms that have every golden digest, and one for each that could not run.
+/// Returns a line of the platforms with every golden digest, and a line per platform that could not
+/// run.
 pub(super) fn in_short(columns: &[Column], golden: &Report) -> Vec<String> {
     let ran: Vec<_> =
         columns.iter().filter(|column| column.report.is_ok()).map(|column| column.title).collect();
@@ -31,7 +32,7 @@ pub(super) fn in_short(columns: &[Column], golden: &Report) -> Vec<String> {
     lines
 }
 
-/// The page.
+/// Returns the page.
 pub(super) fn markdown(columns: &[Column], golden: &Report) -> String {
     let mut rows = vec![vec!["functions".to_owned(), "number".to_owned()]];
     rows[0].extend(columns.iter().map(|column| column.title.to_owned()));
@@ -67,7 +68,7 @@ fn cell(column: &Column, golden: &Report, group: &str, count: usize) -> String {
     }
 }
 
-/// A table whose columns are as wide as their widest cell.
+/// Aligns the columns of a table.
 fn aligned(rows: &[Vec<String>], text: &mut String) {
     let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
     let widths: Vec<usize> = (0..rows[0].len()).map(width).collect();
@@ -91,13 +92,13 @@ mod tests {
     fn column(report: Result<&str, &str>) -> Column {
         Column {
             title: "Z80",
-            how: "by hand".into(),
+            how: "manually".into(),
             report: report.map(|text| Report::read(text).unwrap()).map_err(str::to_owned),
         }
     }
 
     #[test]
-    fn what_differs_is_named_and_counted() {
+    fn differences_are_listed_and_counted() {
         let golden = Report::read(GOLDEN).unwrap();
         let columns = [column(Ok(&GOLDEN.replace("03", "04")))];
         assert_eq!(differences(&columns, &golden), ["`Ggx` of ndf: maps on Z80"]);
@@ -109,12 +110,12 @@ mod tests {
     }
 
     #[test]
-    fn what_could_not_run_says_why() {
-        let page = markdown(&[column(Err("no Z80 is at hand"))], &Report::read(GOLDEN).unwrap());
-        let why = "- **Z80**: not run: no Z80 is at hand.\n";
+    fn platforms_that_could_not_run_give_the_reason() {
+        let page = markdown(&[column(Err("no Z80 available"))], &Report::read(GOLDEN).unwrap());
+        let why = "- **Z80**: not run: no Z80 available.\n";
         assert!(page.contains("| not run |") && page.contains(why), "{page}");
         let golden = Report::read(GOLDEN).unwrap();
-        let lines = in_short(&[column(Ok(GOLDEN)), column(Err("no Z80 is at hand"))], &golden);
+        let lines = in_short(&[column(Ok(GOLDEN)), column(Err("no Z80 available"))], &golden);
         assert_eq!(lines, ["2 functions have the golden bits on Z80", "not run: Z80: no Z80 is at hand"]);
     }
 }

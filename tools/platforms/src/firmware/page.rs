@@ -1,19 +1,19 @@
-//! Code size, constants and stack of each function of the firmware, as a table, and its picture as a PNG.
+//! The table of code size, constants and stack of the firmware's functions, and its image as PNG.
 
 use std::fmt::Write;
 
 use super::program::{Cost, Drawn};
 use crate::failure::Result;
 
-/// A function that is measured alone.
+/// A function measured separately.
 pub(super) struct Function {
-    /// The feature of the probe, which is its name too.
+    /// The feature of the probe, which is also its name.
     pub(super) feature: &'static str,
     crate_name: &'static str,
     what: &'static str,
 }
 
-/// The functions that are measured, in the order of the crates.
+/// The measured functions, in crate order.
 pub(super) const FUNCTIONS: [Function; 13] = [
     Function { feature: "perlin", crate_name: "noise", what: "`Perlin2002`, 3-D, value and gradient" },
     Function { feature: "simplex", crate_name: "noise", what: "`Simplex`, 3-D, value and gradient" },
@@ -54,7 +54,8 @@ pub(super) const FUNCTIONS: [Function; 13] = [
     },
 ];
 
-/// The table; `floor` is the program without any function, `costs` are in the order of [`FUNCTIONS`].
+/// Returns the table. `floor` is the cost of the program without any function; `costs` are in the
+/// order of [`FUNCTIONS`].
 pub(super) fn markdown(drawn: &Drawn, floor: &Cost, costs: &[Cost]) -> String {
     let Drawn { hash, stack, program, .. } = drawn;
     let mut text = format!(
@@ -75,11 +76,13 @@ pub(super) fn markdown(drawn: &Drawn, floor: &Cost, costs: &[Cost]) -> String {
     text
 }
 
-/// A portable grey map as a PNG.
+/// Converts a portable gray map to PNG.
 pub(super) fn png(map: &[u8]) -> Result<Vec<u8>> {
-    let header = map.iter().position(|&byte| byte == b'\n').ok_or("the picture has no header")?;
+    let header = map.iter().position(|&byte| byte == b'\n').ok_or("the image has no header")?;
     let words = std::str::from_utf8(&map[..header])?.split(' ').collect::<Vec<_>>();
-    let ["P5", width, height, "255"] = words[..] else { return Err("the picture is no grey map".into()) };
+    let ["P5", width, height, "255"] = words[..] else {
+        return Err("the image is not a portable gray map".into());
+    };
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, width.parse()?, height.parse()?);
     encoder.set_color(png::ColorType::Grayscale);
@@ -92,7 +95,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_grey_map_becomes_a_picture() {
+    fn gray_map_becomes_png() {
         let bytes = png(b"P5 2 1 255\n\x00\xff").unwrap();
         let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
         let mut pixels = [7; 2];

@@ -1,4 +1,4 @@
-//! Programs for the microcontroller: built, run in the emulator, and looked into.
+//! Programs for the microcontroller: built, emulated and inspected.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -15,7 +15,7 @@ pub(super) struct Device<'a> {
     toolchain: Toolchain,
 }
 
-/// The firmware's picture, its hash, the depth of its stack and its program.
+/// The firmware's image, its hash, its stack depth and its program.
 pub(super) struct Drawn {
     pub(super) picture: Vec<u8>,
     pub(super) hash: String,
@@ -42,16 +42,16 @@ pub(super) struct Cost {
     pub(super) stack: u64,
 }
 
-/// Parts of the names of functions that a program has only if something in it may panic, as compilers mangle them; the handler itself is
-/// the program's.
+/// Parts of mangled names of functions that a program contains only if something in it may panic.
+/// The handler itself belongs to the program.
 const PANICS: [&str; 4] = ["9panicking", "unwrap_failed", "expect_failed", "slice_index_fail"];
 
 impl<'a> Device<'a> {
-    /// Those at hand, or the name of one that is missing.
+    /// Returns the device, or the name of a missing tool.
     pub(super) fn find(folder: &'a Path) -> Result<Self, String> {
         let target = CORTEX_M4.target;
         let toolchain = Toolchain::of(target, is_there("ld.lld")).ok_or_else(|| {
-            format!("no toolchain has a core library for {target}, or its sources and ld.lld; `rustup target add {target}` adds it")
+            format!("no toolchain for {target} (install with `rustup target add {target}`)")
         })?;
         let emulator = CORTEX_M4.runner.split(' ').next().unwrap_or_default();
         if is_there(emulator) {
@@ -61,7 +61,7 @@ impl<'a> Device<'a> {
         }
     }
 
-    /// The file of a program with a feature.
+    /// Builds a program with a feature and returns its path.
     pub(super) fn build(&self, name: &str, feature: &str) -> Result<PathBuf> {
         let mut build = self.toolchain.build(self.folder, CORTEX_M4.target, "core");
         build.args(["--bin", name, "--features", feature]);
@@ -79,13 +79,13 @@ impl<'a> Device<'a> {
         let output = emulator.args(words).arg(program).output()?;
         let errors = String::from_utf8_lossy(&output.stderr).into_owned();
         if !output.status.success() {
-            let last = errors.trim().lines().last().unwrap_or("it says nothing");
+            let last = errors.trim().lines().last().unwrap_or("no output");
             return Err(format!("the firmware ended with {}: {last}", output.status).into());
         }
         Ok(Said { picture: output.stdout, errors })
     }
 
-    /// The cost of a feature's function.
+    /// Measures the cost of a feature's function.
     pub(super) fn cost(&self, feature: &str) -> Result<Cost> {
         let program = self.build("cost", feature)?;
         let said = self.run(&program)?;
@@ -95,7 +95,7 @@ impl<'a> Device<'a> {
 }
 
 impl Program {
-    /// Its sections; an error for a symbol that only panics need.
+    /// Reads the sections. Returns an error for symbols that only panics need.
     pub(super) fn read(path: &Path) -> Result<Self> {
         let bytes = std::fs::read(path)?;
         let file = object::File::parse(&*bytes).map_err(|error| format!("{}: {error}", path.display()))?;
@@ -109,7 +109,7 @@ impl Program {
             file.symbols().filter_map(|symbol| symbol.name().ok()).filter(|name| is_of_panics(name));
         if let Some(first) = panics.next() {
             let count = 1 + panics.count();
-            return Err(format!("{}: {count} symbols of panics, `{first}` first", path.display()).into());
+            return Err(format!("{}: {count} panic symbols, first `{first}`", path.display()).into());
         }
         Ok(Self { code: size(&[".text"]), constants: size(&[".rodata"]), statics: size(&[".data", ".bss"]) })
     }
@@ -119,10 +119,10 @@ fn is_of_panics(symbol: &str) -> bool {
     PANICS.iter().any(|part| symbol.contains(part))
 }
 
-/// The word after a name, in lines of names and words.
+/// Returns the word after a name, in lines of names and words.
 pub(super) fn word<'a>(lines: &'a str, name: &str) -> Result<&'a str> {
     let words = lines.lines().find_map(|line| line.strip_prefix(name));
-    words.map(str::trim).ok_or_else(|| format!("the firmware says no {name}: {lines}").into())
+    words.map(str::trim).ok_or_else(|| format!("the firmware did not print {name}: {lines}").into())
 }
 
 #[cfg(test)]
@@ -130,21 +130,21 @@ mod tests {
     use super::*;
 
     #[test]
-    fn words_are_found_by_their_names() {
+    fn word_finds_values_by_name() {
         assert_eq!(word("hash  0f\nstack 10\n", "stack").unwrap(), "10");
         assert!(word("hash 0f\n", "stack").is_err());
     }
 
     #[test]
-    fn symbols_of_panics_are_known_and_the_handler_is_none() {
+    fn panic_symbols_are_recognized_except_the_handler() {
         assert!(is_of_panics("_ZN4core9panicking18panic_bounds_check17h0E"));
         assert!(is_of_panics("_RNvNtCs_4core9panicking9panic_fmt"));
         assert!(!is_of_panics("rust_begin_unwind") && !is_of_panics("_ZN8asperity4draw17h0E"));
     }
 
     #[test]
-    fn a_program_that_may_panic_is_seen_to() {
-        // This one: tests fail by panics.
+    fn program_that_may_panic_is_an_error() {
+        // This test program panics on failure.
         let error = Program::read(&std::env::current_exe().unwrap()).err().unwrap().to_string();
         assert!(error.contains("symbols of panics"), "{error}");
     }

@@ -1,4 +1,4 @@
-//! The shaders on the graphics card that there is, beside the crates.
+//! The shaders on the available GPU, compared with the crates.
 
 use std::path::Path;
 
@@ -13,27 +13,28 @@ use asperity::progress;
 use asperity_output::cargo::{SHADERS, cargo, shaders};
 
 pub(crate) fn draw_teapot(context: &Context<'_>) -> Result<Drawn> {
-    let alt = "A copper teapot, from the whole of it to single bumps, twice the same.";
+    let alt = "A copper teapot, from the whole to single bumps, rendered twice with equal results.";
     draw(context, "teapot", "×1, ×10, ×100, ×10⁴", alt)
 }
 
 pub(crate) fn draw_plane(context: &Context<'_>) -> Result<Drawn> {
     let alt =
-        "A copper plane to the horizon with a broad highlight that dissolves into bumps, twice the same.";
+        "A copper plane up to the horizon with a broad highlight that breaks up into bumps, rendered twice.";
     draw(context, "plane", "×1, ×10, ×100, ×10⁴", alt)
 }
 
 pub(crate) fn draw_textured(context: &Context<'_>) -> Result<Drawn> {
-    let alt = "A teapot and a plane at two zooms; below the same with bumps that are a little sharper.";
+    let alt = "A teapot and a plane at two zooms; below, the same with slightly sharper bumps.";
     draw(context, "textured", "teapot and plane at ×1, then at ×10", alt)
 }
 
 pub(crate) fn draw_materials(context: &Context<'_>) -> Result<Drawn> {
-    let alt = "Floors of carpet, paint, scratched and dented metal, glass, brick, tiles and bumps, each twice the same.";
-    draw(context, "materials", "by the shader, and below it by the crates", alt)
+    let alt = "Floors of carpet, paint, scratched and dented metal, glass, brick, tiles and bumps, each rendered twice.";
+    draw(context, "materials", "by the shader; below, by the crates", alt)
 }
 
-/// The program's picture and table; where it cannot be built or finds no adapter, the picture that comes with the sources.
+/// Returns the program's image and table. If the program cannot be built or finds no adapter,
+/// returns the image in the repository.
 fn draw(context: &Context<'_>, subject: &str, label: &str, alt: &str) -> Result<Drawn> {
     let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     let folder = tempfile::tempdir()?;
@@ -47,8 +48,8 @@ fn draw(context: &Context<'_>, subject: &str, label: &str, alt: &str) -> Result<
     let (path, said) = match &found {
         Ok(said) => (folder.path().join(&file), said.as_str()),
         Err(why) => {
-            progress::say(&format!("  {file} is the one that comes with the sources: {why}"));
-            (root.join("docs/pictures").join(&file), "drawn before, by llvmpipe")
+            progress::say(&format!("  using {file} from the repository: {why}"));
+            (root.join("docs/pictures").join(&file), "rendered earlier, by llvmpipe")
         }
     };
     let picture = image(&path)?;
@@ -63,7 +64,7 @@ fn draw(context: &Context<'_>, subject: &str, label: &str, alt: &str) -> Result<
     })
 }
 
-/// The program's words on a picture; or why there is no picture to be had.
+/// Returns the program's output about an image, or the reason why there is no image.
 fn on_adapter(
     context: &Context<'_>,
     root: &Path,
@@ -90,7 +91,7 @@ fn cells(row: &str) -> Vec<String> {
     row.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect()
 }
 
-/// The linear light of an sRGB picture.
+/// Returns the linear radiance of an sRGB image.
 fn image(path: &Path) -> Result<Image> {
     let file =
         ImageFile::open(path, Content::Colors).map_err(|error| format!("{}: {error}", path.display()))?;
@@ -109,12 +110,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rows_of_the_program_are_cells() {
+    fn table_rows_become_cells() {
         assert_eq!(cells("| teapot-1 | 0.001 % | 0.00 | 227 |"), ["teapot-1", "0.001 %", "0.00", "227"]);
     }
 
     #[test]
-    fn pictures_that_come_with_the_sources_keep_their_bytes() {
+    fn images_in_the_repository_keep_their_bytes() {
         let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
         for subject in ["teapot", "plane", "textured", "materials"] {
             let path = root.join("docs/pictures").join(format!("gpu-{subject}.png"));

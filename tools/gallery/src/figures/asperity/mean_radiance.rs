@@ -1,4 +1,4 @@
-//! The mean radiance of a patch against zoom, for both rules of level of detail.
+//! The mean radiance of a patch against zoom, for both level-of-detail rules.
 
 use asperity_ndf_sampling::{Beckmann, Ggx};
 use asperity_render::materials::field::{Bumps, Field, NoiseKind};
@@ -11,28 +11,29 @@ use crate::plot::{Axis, Names, Plot, Stroke};
 use asperity::failure::Result;
 use asperity::input::density::painted;
 
-/// Lattice cells of the first octave along the patch, and pixels drawn from it, one per cell and more.
+/// Lattice cells of the first octave along the patch, and pixels sampled from it, at least one per
+/// cell.
 const CELLS: f32 = 320.0;
 const PIXELS: u32 = 400;
 const GAIN: f32 = 0.8;
-/// Doublings of the zoom, dense where the first octave fades in.
+/// Doublings of the zoom, denser where the first octave fades in.
 const DOUBLINGS: [f64; 11] = [0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0];
 
 /// Zooms of the table, in doublings.
 const SHOWN: [f64; 6] = [0.0, 0.5, 1.0, 2.0, 4.0, 6.0];
 
-/// A density under a rule, seen and lit from a half-vector.
+/// A density and a rule, for a half vector of view and light.
 struct Case<'a> {
     density: [&'static str; 2],
     ndf: &'a SharedNdf,
     look: &'static str,
     h: Vec3,
     rule: LevelOfDetail,
-    /// Mean over far field at each zoom.
+    /// Ratio of mean to far field at each zoom.
     ratios: Vec<f64>,
 }
 
-/// A half-vector by its name and its first two coordinates.
+/// A half vector: name and first two coordinates.
 type Look = (&'static str, f32, f32);
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
@@ -70,10 +71,10 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         .table(["density", "half-vector", "rule"].map(str::to_owned).into_iter().chain(zooms), rows))
 }
 
-/// Appends the mean of every case over the patch at one zoom, over the far field.
+/// Appends the mean of every case over the patch at one zoom, divided by the far field.
 fn measure(context: &Context<'_>, cases: &mut [Case<'_>], bumps: &BumpField<Field>, zoom: f32) -> Result<()> {
     let footprint = Footprint::from_width(0.5 / zoom);
-    // Slanted, so that no plane of the lattice is sampled alone.
+    // Tilted, so that a single plane of the lattice is not sampled.
     let (across, along) = (Vec3::new(0.8, 0.36, -0.48), Vec3::new(0.0, 0.8, 0.6));
     let rows = context.rows(PIXELS as usize, |y| {
         let (y, mut sums) = (y as u32, vec![0.0; cases.len()]);
@@ -95,7 +96,7 @@ fn measure(context: &Context<'_>, cases: &mut [Case<'_>], bumps: &BumpField<Fiel
     Ok(())
 }
 
-/// The cases of one density.
+/// Plots the cases of one density.
 fn panel(cases: &[Case<'_>]) -> Result<Panel> {
     let (x, y) = (Axis::log2("zoom", [1.0, 64.0]), Axis::log2("", [1.0 / 32.0, 16.0]));
     let mut plot = Plot::new([420.0, 380.0], x, y, Names::Above);
@@ -107,6 +108,6 @@ fn panel(cases: &[Case<'_>]) -> Result<Panel> {
     }
     let [stem, name] = cases[0].density;
     let label = format!("{name}: mean over the patch / p(h)");
-    let alt = format!("{label}, against zoom: flat at 1 by the exact rule, off by the fractal rule");
+    let alt = format!("{label}, against zoom: flat at 1 by the exact rule, deviating by the fractal rule");
     plot.panel(stem, label, alt)
 }

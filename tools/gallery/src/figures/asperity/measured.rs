@@ -1,5 +1,6 @@
-//! The mean radiance of every material from afar to very near, from renders, and the pops of slow zooms; and every texture and
-//! material on a plane to the horizon: one sample a pixel, plain and filtered, against 256.
+//! Measurements from renders: the mean radiance of every material at all zooms, and pops in slow
+//! zooms. Every texture and material on a plane up to the horizon: one sample per pixel, unfiltered
+//! and filtered, against 256 samples.
 
 use asperity_render::image::Image;
 use asperity_render::shaded::{
@@ -48,10 +49,10 @@ pub(crate) fn draw_means(context: &Context<'_>) -> Result<Drawn> {
         }
     }
     let head =
-        ["material", "seen at", "mean at ×1", "×10", "×100", "×1000", "×10,000", "largest pop of the range"];
+        ["material", "view angle", "mean at ×1", "×10", "×100", "×1000", "×10,000", "largest pop / range"];
     Ok(Drawn::new(4, panels)
         .fact("samples per pixel", SAMPLES.to_string())
-        .fact("pixels", "576 of each picture; where details are wider than a pixel 10,816 of 8 samples")
+        .fact("pixels", "576 per image; 10,816 with 8 samples where details are wider than a pixel")
         .fact("slow zoom", "1000 frames of 1 % from ×1 to ×20,000, in five pixels of 64 samples")
         .table(head, rows))
 }
@@ -64,7 +65,8 @@ fn measure(context: &Context<'_>, subject: &Subject, sky: &Sky) -> Result<Means>
             let from_afar = ["glass", "glass, noise", "orange peel", "bumps"].contains(&subject.name);
             let from_near = ["flakes", "paint", "carpet", "carpet, grid", "fibres"].contains(&subject.name);
             let fine = from_afar || (from_near && zoom > 500.0);
-            // Where a pixel sees one flake, one fibre or one wave, so do all of its samples: more pixels of fewer.
+            // If a pixel shows one flake, one fiber or one wave, all of its samples do: use more
+            // pixels with fewer samples.
             let (pixels, samples) = match zoom {
                 zoom if zoom < 50.0 => (8, 4 * SAMPLES),
                 _ if fine => (104, SAMPLES / 8),
@@ -93,7 +95,7 @@ fn panel(subject: &Subject, means: &Means) -> Result<Panel> {
     let mut plot = Plot::new([300.0, 220.0], x, y, Names::Above).frame(zooms, within, 3, 0.12, 0.0);
     for ((k, means), (angle, _)) in means.iter().enumerate().zip(VIEWS) {
         let series = k as u8 + 1;
-        // Beside one another, so that bars do not hide bars.
+        // Offset horizontally, so that error bars do not overlap.
         let aside = if k == 0 { 0.94 } else { 1.06 };
         let first = means[0].value;
         let point = |(zoom, mean): (f32, &Mean)| [f64::from(zoom) * aside, mean.value / first];
@@ -105,11 +107,11 @@ fn panel(subject: &Subject, means: &Means) -> Result<Panel> {
         }
         plot = plot.curve(angle, points.clone(), Stroke::solid(series)).dots(points, series, 2.5);
     }
-    let alt = format!("{}: mean radiance over that from afar, against zoom", subject.name);
+    let alt = format!("{}: mean radiance relative to the far view, against zoom", subject.name);
     plot.panel(format!("mean-{}", stem(subject.name)), subject.name, alt)
 }
 
-/// A pixel in a slow zoom, smoothly and in steps.
+/// Plots a pixel during a slow zoom, smooth and stepped.
 fn followed(subject: Subject, sky: &Sky) -> Result<Panel> {
     let name = subject.name;
     let smooth = curve(&slow(&subject, sky));
@@ -117,11 +119,13 @@ fn followed(subject: Subject, sky: &Sky) -> Result<Panel> {
     let most = smooth.iter().chain(&steps).fold(0.0_f64, |most, point| most.max(point[1]));
     let ticks = [(60.0, "60"), (120.0, "120"), (240.0, "240")];
     let x = Axis::log2("zoom", [FROM, FROM * 7.3]).with_ticks(&ticks);
-    let (label, alt) =
-        (format!("one pixel of {name}, slowly"), format!("The radiance of a pixel of {name} in a slow zoom"));
+    let (label, alt) = (
+        format!("one pixel of {name}, slow zoom"),
+        format!("The radiance of a pixel of {name} in a slow zoom"),
+    );
     Plot::new([300.0, 220.0], x, Axis::linear("", [0.0, 1.1 * most], tick(most)), Names::Above)
-        .curve("octaves at once", steps, Stroke::solid(2))
-        .curve("as they are", smooth, Stroke::solid(1))
+        .curve("octaves switched on", steps, Stroke::solid(2))
+        .curve("octaves faded in", smooth, Stroke::solid(1))
         .panel(format!("slow-{}", stem(name)), label, alt)
 }
 
@@ -133,7 +137,7 @@ fn curve(zooms: &[Vec<Frame>]) -> Vec<[f64; 2]> {
     frames.enumerate().map(|(k, frame)| [FROM * 1.01_f64.powi(k as i32), frame.mean]).collect()
 }
 
-/// A step of about a third of a range: one, two or five times a power of ten.
+/// Returns a tick step of about a third of a range: one, two or five times a power of ten.
 fn tick(range: f64) -> f64 {
     let power = 10f64.powf((range / 3.0).log10().floor());
     [1.0, 2.0, 5.0, 10.0].map(|k| k * power).into_iter().find(|step| step * 4.0 > range).unwrap_or(power)
@@ -141,7 +145,7 @@ fn tick(range: f64) -> f64 {
 
 const PICTURE: Horizon = Horizon { width: 60, height: 40, samples: 256 };
 
-/// Pixels of the page for each of the picture's, and between its parts.
+/// Screen pixels per image pixel, and gap between parts.
 const SIDE: u32 = 6;
 const GAP: u32 = 8;
 
@@ -156,24 +160,24 @@ pub(crate) fn draw_horizon(context: &Context<'_>) -> Result<Drawn> {
         let ratio = format!("{:.2}", filtered / plain);
         let near = format!("{:.2}", grain(&seen, PICTURE.width));
         let name = subject.name;
-        let alt = format!("A plane of {name} to the horizon, plain, filtered, and by 256 samples");
+        let alt = format!("A plane of {name} up to the horizon: unfiltered, filtered, and with 256 samples");
         panels.push(Panel::new(stem(name), format!("{name}: {ratio}"), alt, triple(&seen)));
         rows.push([name.to_owned(), format!("{plain:.4}"), format!("{filtered:.4}"), ratio, near]);
     }
     let picture =
         format!("{} × {} pixels, {} samples in the mean", PICTURE.width, PICTURE.height, PICTURE.samples);
     Ok(Drawn::new(2, panels)
-        .fact("picture", picture)
-        .fact("filter", "exact boxes, or up to 32 taps along the pixel's ellipse")
-        .table(["surface", "error of a plain sample", "of a filtered one", "ratio", "grain near by"], rows))
+        .fact("image", picture)
+        .fact("filter", "exact box filters, or up to 32 taps along the pixel's ellipse")
+        .table(["surface", "error, unfiltered", "error, filtered", "ratio", "near noise"], rows))
 }
 
-/// A name as a part of a file's.
+/// Converts a name to a part of a file name.
 fn stem(name: &str) -> String {
     name.replace(", ", "-").replace(' ', "-")
 }
 
-/// The three pictures side by side, as bright as their mean allows, with visible pixels.
+/// Places the three images side by side, exposed by their mean, with visible pixels.
 fn triple(seen: &[Seen]) -> Image {
     let mut light: Vec<f32> = seen.iter().map(|pixel| pixel.mean.max_element()).collect();
     light.sort_by(f32::total_cmp);

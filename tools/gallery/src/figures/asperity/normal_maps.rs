@@ -1,4 +1,5 @@
-//! A wet street of cobbles to the horizon: a normal map made by hand, filtered by the slopes within each pixel.
+//! A wet cobblestone street up to the horizon: a hand-made normal map, filtered by the slopes
+//! within each pixel.
 
 use std::f32::consts::PI;
 
@@ -17,14 +18,14 @@ use glam::{Vec2, Vec3};
 use crate::figure::{Context, Drawn, Panel};
 use asperity::failure::Result;
 
-/// Texels along the map, which covers a square of this many metres.
+/// Texels along the map, which covers a square of this many meters.
 const SIZE: usize = 256;
 const TILE: f32 = 1.3;
-/// Groups of slopes.
+/// Number of slope clusters.
 const GROUPS: usize = 16;
 /// Samples of the reference.
 const SAMPLES: u32 = 256;
-/// Round footprints of a long pixel, at most.
+/// Maximum number of round footprints for an elongated pixel.
 const TAPS: u32 = 16;
 /// Roughness of the wet stone.
 const ALPHA: f32 = 0.2;
@@ -60,15 +61,15 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         street.grouped(&street.groups.as_ref().sample_along(uv, pixel, TAPS), wo)
     };
     let ways: [(&str, &str, Sampling, &Way<'_>); 5] = [
-        ("plain", "One sample a pixel", once, &plain),
+        ("plain", "One sample per pixel", once, &plain),
         ("averaged", "One sample, averaged normals", once, &averaged),
-        ("one", "One sample, one group of slopes", once, &one),
-        ("groups", "One sample, sixteen groups of slopes", once, &groups),
-        ("reference", "256 samples a pixel", many, &plain),
+        ("one", "One sample, one slope cluster", once, &one),
+        ("groups", "One sample, sixteen slope clusters", once, &groups),
+        ("reference", "256 samples per pixel", many, &plain),
     ];
     let draw = |(stem, label, sampling, seen): (_, _, Sampling, &Way<'_>)| {
         let image = context.render(sampling, |x, y| {
-            // One sample is the pixel's middle.
+            // A single sample is at the pixel's center.
             let (x, y) =
                 if sampling.samples_per_pixel == 1 { (x.floor() + 0.5, y.floor() + 0.5) } else { (x, y) };
             let ray = view.ray(x, y);
@@ -83,20 +84,21 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         Panel::new(stem, label, alt, image.exposed(1.0))
     };
     let shown = pictures.into_iter().filter(|picture| picture.0 != "one");
-    let head = ["street", "mean radiance over that of 256 samples", "RMSE", "RMSE over that of one sample"];
+    let head = ["street", "mean radiance relative to 256 samples", "RMSE", "RMSE relative to one sample"];
     Ok(Drawn::new(2, shown.map(panel).collect())
         .fact("normal map", format!("{SIZE} × {SIZE} texels on {TILE} m"))
         .fact("roughness of the wet stone", ALPHA)
-        .fact("footprints of a pixel", format!("at most {TAPS}"))
+        .fact("footprints per pixel", format!("at most {TAPS}"))
         .table(head, rows))
 }
 
-/// Light from a place of the street, over a pixel, to the eye.
+/// Radiance from a point of the street, over a pixel, to the viewer.
 type Way<'a> = dyn Fn(Vec2, &PixelEllipse, Vec3) -> Vec3 + Sync + 'a;
-/// A picture with its stem and its label.
+/// An image with its stem and its label.
 type Picture = (&'static str, &'static str, Image);
 
-/// Each picture's street beside the last one's: mean radiance, and root mean square error over that of the first.
+/// Compares each image's street with the last image: mean radiance, and root mean square error
+/// relative to the first.
 fn compare(pictures: &[Picture], view: &View) -> Vec<[String; 4]> {
     let street = |(.., image): &Picture| -> Vec<Vec3> {
         let rows = image.pixels.chunks_exact(image.width as usize).enumerate();
@@ -117,28 +119,30 @@ fn compare(pictures: &[Picture], view: &View) -> Vec<[String; 4]> {
     pictures.iter().zip(&streets).map(row).collect()
 }
 
-/// A camera at the height of the eyes that looks along +y, a little down.
+/// A camera at eye height that looks along +y, slightly downward.
 struct View {
     width: f32,
     height: f32,
 }
 
 impl View {
-    /// Unit, through a point of the picture in pixels from the top left.
+    /// Returns the unit direction through an image point in pixels from the top left.
     fn ray(&self, x: f32, y: f32) -> Vec3 {
         let (across, down) = ((x - 0.5 * self.width) / self.height, y / self.height - 0.27);
         Vec3::new(1.1 * across, 1.0, -1.1 * down).normalize()
     }
 
-    /// The meeting of a ray with the street, in tiles; nothing at the horizon and above.
+    /// Returns the intersection of a ray with the street, in tiles, or `None` at and above the
+    /// horizon.
     fn ground(&self, x: f32, y: f32) -> Option<Vec2> {
         let ray = self.ray(x, y);
         (ray.z < -1e-4).then(|| Vec2::new(ray.x, ray.y) * (1.2 / -ray.z / TILE) + Vec2::new(0.3, 0.1))
     }
 
-    /// The pixel on the street, in tiles.
+    /// Returns the pixel on the street, in tiles.
     fn pixel(&self, x: f32, y: f32) -> PixelEllipse {
-        // Rows at the horizon have no end: half a pixel down is twice as far from there as up.
+        // Rows at the horizon are infinite: half a pixel down is twice as far from it as half a
+        // pixel up.
         let at = |x, y| self.ground(x, y).map_or(Vec3::INFINITY, |uv| uv.extend(0.0));
         let (dx, dy) = (at(x + 0.5, y) - at(x - 0.5, y), at(x, y - 0.5) - at(x, y + 0.5));
         PixelEllipse::from_derivatives(dx, dy)
@@ -163,7 +167,7 @@ struct Street {
 }
 
 impl Street {
-    /// One slope.
+    /// Shades a single slope.
     fn alone(&self, slope: SlopeMoments, wo: Vec3) -> Vec3 {
         let facets = slope.beckmann(ALPHA, ALPHA);
         self.shade(slope, wo, |h| facets.density(h))
@@ -173,7 +177,8 @@ impl Street {
         self.shade(seen.moments(), wo, |h| seen.density(self.wet, Coordinates::FAR, h))
     }
 
-    /// Stone under water, with a density of facets and the mean of their slopes: the model of Torrance and Sparrow.
+    /// Shades stone under water from a facet density and the mean slope: the Torrance–Sparrow
+    /// model.
     fn shade(&self, slopes: SlopeMoments, wo: Vec3, density: impl Fn(Vec3) -> f32) -> Vec3 {
         let water = TorranceSparrow::new(Facets(density), self.water);
         let street = chalk(wo, slopes.mean_normal(), hex(0x4e_4c50), Vec3::ZERO)
@@ -183,7 +188,7 @@ impl Street {
     }
 }
 
-/// A density of normals that is looked up and never sampled.
+/// A normal density that is evaluated but never sampled.
 struct Facets<F>(F);
 
 impl<F: Fn(Vec3) -> f32> Ndf for Facets<F> {

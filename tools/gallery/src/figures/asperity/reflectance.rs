@@ -53,7 +53,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         ("grooves", "Torrance–Sparrow, a table, gold", vec![Box::new(grooves)]),
         ("glass", "Rough glass, GGX 0.05", frosted(0.05)?),
         ("frosted", "Rough glass, GGX 0.3", frosted(0.3)?),
-        ("thin", "A thin wall, GGX 0.3", vec![Box::new(sheet)]),
+        ("thin", "Thin wall, GGX 0.3", vec![Box::new(sheet)]),
     ];
     let inside = Absorption::of_colour(Vec3::new(0.86, 0.95, 0.92), 1.0)?;
     let words = |label| format!("A sphere in a room with three lamps: {label}");
@@ -67,7 +67,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         let ball = Object { body, passes: if body.is_some() { 1.0 } else { 0.0 }, ..ball };
         let scene = Scene::new(vec![ball], Light::Around(&studio), Backdrop::Studio);
         let camera = Camera::new(Vec3::new(0.0, -6.0, 1.6), Vec3::ZERO, 0.4, sampling.width, sampling.height);
-        // Light that is bent twice by rough glass is met by few samples.
+        // Few samples hit light refracted twice by rough glass.
         let [least, most] = context.goal.samples;
         let samples = [least, if body.is_some() { 2 * most } else { most }];
         let context = Context { goal: Goal { samples, ..context.goal }, ..*context };

@@ -1,4 +1,4 @@
-//! Area means of a fractal surface in closed form: what a pixel sees of its slopes.
+//! Area means of a fractal surface in closed form: the slopes within a pixel.
 
 use asperity_fif::{AreaMeans, HeightField, Interval, SlopeMeans, paper};
 use asperity_render::image::{Image, tone::hex};
@@ -22,13 +22,13 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
             Interval::new(middle - 0.5 * share * cell, middle + 0.5 * share * cell)
         };
         let AreaMeans { slopes, .. } = surface.area_means(side(x), side(SIDE - 1 - y))?;
-        Ok(slopes.ok_or("a surface without slopes")?)
+        Ok(slopes.ok_or("the surface has no slopes")?)
     };
     let (mut points, mut means, mut spreads) = (Vec::new(), Vec::new(), Vec::new());
     for y in 0..SIDE {
         context.checkpoint()?;
         for x in 0..SIDE {
-            // A rectangle without area is a point.
+            // A rectangle of zero area is a point.
             points.push(over(x, y, 0.0)?.slope[0].value);
             let pixel = over(x, y, 1.0)?;
             let slope = pixel.slope[0].value;
@@ -46,10 +46,10 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     };
     let slopes = |x: f64| hex(0x17_2a45).lerp(hex(0xf2_e2b8), ((x - low) / (high - low)) as f32);
     let widths = |x: f64| hex(0x1d_1f23).lerp(hex(0xe8_6a4a), (x / top) as f32);
-    let (middle, mean) = ("The slope in the middle of each pixel", "Its mean over the pixel");
-    let (bars, fewer) = ("Upright bars of many shades", "Bars of the same colours, fewer extremes");
+    let (middle, mean) = ("Slope at the pixel center", "Mean slope over the pixel");
+    let (bars, fewer) = ("Vertical bars of many shades", "Bars of the same colors, with fewer extremes");
     let (deviation, bands) =
-        ("Its standard deviation within the pixel", "Bands, brightest where slopes change most");
+        ("Standard deviation within the pixel", "Bands, brightest where slopes change the most");
     let panels = vec![
         Panel::new("point", middle, bars, picture(&points, &slopes)),
         Panel::new("mean", mean, fewer, picture(&means, &slopes)),

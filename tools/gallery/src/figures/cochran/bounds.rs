@@ -1,5 +1,5 @@
-//! Rigorous boxes over the cells of a function, those that a ray opens, and contractions that close in on a point: figures 4 and 2
-//! of Cochran, Lewis and Hart.
+//! Rigorous boxes over the cells of a function, boxes opened by a ray, and contractions toward a
+//! point: figures 4 and 2 of Cochran, Lewis and Hart.
 
 use asperity_fif::{FixedFif, Interval, Map, paper};
 
@@ -11,7 +11,7 @@ use asperity::failure::Result;
 /// The levels shown.
 const LEVELS: [u32; 3] = [2, 4, 6];
 
-/// Brackets of extrema are searched down to this width.
+/// Brackets of extrema are refined to this width.
 const WIDTH: f64 = 1e-9;
 
 /// A function with its name and the range of its plots.
@@ -32,9 +32,9 @@ pub(crate) fn draw_bounds(context: &Context<'_>) -> Result<Drawn> {
             let (mut highest, mut opened, mut outlined) = (0.0_f64, 0.0, 0.0);
             for digits in cells(level) {
                 let x = place(&digits);
-                let mapped = mapped(fif, &digits).ok_or("a cell without bounds")?;
+                let mapped = mapped(fif, &digits).ok_or("the cell has no bounds")?;
                 let searched =
-                    fif.extrema_over(x[0], x[1], WIDTH).ok_or("a cell without extrema")?.enclosure();
+                    fif.extrema_over(x[0], x[1], WIDTH).ok_or("the cell has no extrema")?.enclosure();
                 plot = plot.frame(x, [searched.lo, searched.hi], 1, 0.22, 0.0);
                 plot = plot.frame(x, [mapped.lo, mapped.hi], 1, 0.0, border);
                 highest = highest.max(searched.width());
@@ -59,18 +59,18 @@ pub(crate) fn draw_bounds(context: &Context<'_>) -> Result<Drawn> {
     Ok(Drawn::new(3, panels).fact("brackets of extrema", "1e-9 wide").table(head, rows))
 }
 
-/// The digits of every cell of a level, from left to right.
+/// Returns the digits of every cell of a level, from left to right.
 fn cells(level: u32) -> impl Iterator<Item = Vec<usize>> {
     (0..1_usize << level).map(move |cell| (0..level).rev().map(|bit| cell >> bit & 1).collect())
 }
 
-/// The interval of a cell of a system with the knots 0, 1, 2.
+/// Returns the interval of a cell, for a system with knots 0, 1, 2.
 fn place(digits: &[usize]) -> [f64; 2] {
     let left = digits.iter().rev().fold(0.0, |left, &digit| 0.5 * left + digit as f64);
     [left, left + 2.0 / f64::from(1_u32 << digits.len())]
 }
 
-/// The image of the whole range in a cell.
+/// Returns the image of the whole range in a cell.
 fn mapped(fif: &FixedFif<2, 2>, digits: &[usize]) -> Option<Interval> {
     Some(fif.value_at_address(digits.iter().copied(), 0.0)?.interval())
 }
@@ -102,7 +102,7 @@ pub(crate) fn draw_descent(_: &Context<'_>) -> Result<Drawn> {
                 .panel(
                     *name,
                     format!("A ray and the graph of {name}"),
-                    format!("A ray that sinks towards the graph of {name}, with the boxes around its way"),
+                    format!("A ray that descends toward the graph of {name}, with the boxes along its path"),
                 )?,
         );
         rows.push([
@@ -118,7 +118,7 @@ pub(crate) fn draw_descent(_: &Context<'_>) -> Result<Drawn> {
     Ok(Drawn::new(2, panels).fact("levels", DEEPEST).table(head, rows))
 }
 
-/// A box that the ray was tried against.
+/// A box tested against the ray.
 #[derive(Clone, Copy)]
 struct Tried {
     x: [f64; 2],
@@ -127,7 +127,8 @@ struct Tried {
     opened: bool,
 }
 
-/// The first box of the last level that a ray to the right meets beneath the cell, and all that are tried on the way.
+/// Returns the first box of the last level below the cell that a ray to the right hits, and all
+/// boxes tested.
 fn descend(
     fif: &FixedFif<2, 2>,
     ray: &impl Fn(f64) -> [f64; 2],
@@ -153,7 +154,7 @@ fn descend(
 /// L2∘L1∘L2∘L1∘L2∘L2, indices from 0.
 const ADDRESS: [usize; 6] = [1, 0, 1, 0, 1, 1];
 
-/// The point with [`ADDRESS`] repeated for ever: `x = a x + b` with `a = 1/64` and `b = 43/32`.
+/// The point with [`ADDRESS`] repeated infinitely: `x = a x + b` with `a = 1/64` and `b = 43/32`.
 const POINT: f64 = 86.0 / 63.0;
 
 const SIZE: [f64; 2] = [360.0, 330.0];
@@ -183,12 +184,14 @@ pub(crate) fn draw_contractions(_: &Context<'_>) -> Result<Drawn> {
         .table(head, rows))
 }
 
-/// The value at [`POINT`]: the nearest number in f64 is not that point; its address is.
+/// Returns the value at [`POINT`], computed from its address. The nearest f64 number is a different
+/// point.
 fn exact(fif: &FixedFif<2, 2>) -> f64 {
     fif.value_at_address(ADDRESS.into_iter().cycle(), 1e-12).map_or(f64::NAN, |v| v.value)
 }
 
-/// Bound and true error of the value after `level` steps, with the middle of the range for the rest.
+/// Returns bound and true error of the value after `level` steps, with the center of the range for
+/// the rest.
 fn estimate(fif: &FixedFif<2, 2>, maps: &[Map<2>; 2], level: usize) -> [f64; 2] {
     let map = ADDRESS[..level].iter().fold(Map::IDENTITY, |outer, &j| outer.compose(&maps[j]));
     let (_, value) = map.apply((POINT - map.b) / map.a, fif.range().middle());
@@ -209,7 +212,7 @@ fn ladder() -> Result<Panel> {
             plot = plot.words(HPos::Right, [place(&ADDRESS[..=level])[0], y - 1.0], NAMES[next]);
         }
     }
-    let alt = "Seven bars, each half as long as the one above, closing in on 86/63";
+    let alt = "Seven bars, each half as long as the one above, converging to 86/63";
     plot.panel("intervals", "The intervals, by the maps of the address", alt)
 }
 
@@ -231,7 +234,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_ray_is_above_the_graph_before_its_box() {
+    fn ray_is_above_the_graph_before_its_box() {
         for ((_, fif, _), [height, slope]) in subjects().unwrap().iter().zip(RAYS) {
             let (ray, mut tried) = (|x: f64| [x, height + slope * x], Vec::new());
             let first = descend(fif, &ray, &mut Vec::new(), &mut tried).unwrap();
@@ -243,7 +246,7 @@ mod tests {
     }
 
     #[test]
-    fn intervals_nest_and_errors_stay_within_their_bounds() {
+    fn intervals_nest_and_errors_stay_within_bounds() {
         let functions = [(paper::f().unwrap(), &paper::F_MAPS), (paper::g().unwrap(), &paper::G_MAPS)];
         for level in 0..=ADDRESS.len() {
             let [lo, hi] = place(&ADDRESS[..level]);

@@ -1,4 +1,5 @@
-//! Figure 7 of Cochran, Lewis and Hart: a fractal object in the corner of a room, with one sample per pixel and with sixteen.
+//! Figure 7 of Cochran, Lewis and Hart: a fractal object in the corner of a room, with one and with
+//! sixteen samples per pixel.
 
 use asperity_fif::paper;
 use asperity_render::geometry::{camera::Camera, fractal::Fractal, mesh::Mesh, ray::Ray, shape::Shape};
@@ -19,7 +20,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let camera = Camera::new(EYE, TARGET, FIELD, sampling.width, sampling.height);
     let smooth = "The same corner, smooth: bricks, tiles and their reflections";
     let pictures = [
-        (["one-sample", "1 sample per pixel", "The corner with its object in hard, grainy pixels"], 1),
+        (["one-sample", "1 sample per pixel", "The corner with its object, aliased and noisy"], 1),
         (["jittered", "4 × 4 jittered samples per pixel", smooth], 4),
     ];
     let drawn = Drawn::pictures(2, pictures, |grid| {
@@ -31,7 +32,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         })?;
         Ok(image.exposed(EXPOSURE))
     })?;
-    Ok(drawn.fact("heights times", RISE).fact("reflectance at normal incidence", GLOSS))
+    Ok(drawn.fact("height scale", RISE).fact("reflectance at normal incidence", GLOSS))
 }
 
 const RISE: f64 = 0.3;
@@ -41,7 +42,8 @@ const EYE: Vec3 = Vec3::new(-2.3, -1.9, 2.0);
 const TARGET: Vec3 = Vec3::new(1.15, 1.2, 0.55);
 const FIELD: f32 = 0.62;
 
-/// Points of a pixel, one in each cell of a square grid, by a hash of the pixel and the cell; the middle for a single one.
+/// Returns sample points of a pixel, one per cell of a square grid, jittered by a hash of the pixel
+/// and the cell. A single sample is at the center.
 fn jittered(pixel: [u32; 2], grid: u32, seed: u32) -> impl Iterator<Item = [f32; 2]> {
     let unit = |bits: u32| (bits >> 8) as f32 / 16_777_216.0;
     (0..grid * grid).map(move |cell| {
@@ -52,14 +54,14 @@ fn jittered(pixel: [u32; 2], grid: u32, seed: u32) -> impl Iterator<Item = [f32;
     })
 }
 
-/// Side of the object's square, at whose far sides the walls stand.
+/// Side of the object's square; the walls are at its far sides.
 const SIDE: f32 = 2.0;
 const CEILING: f32 = 4.0;
 const LAMP: Vec3 = Vec3::new(-1.1, 0.1, 3.0);
 
 fn corner() -> Result<Scene<'static, 'static>> {
     let gloss = Schlick::new(GLOSS)?;
-    // Schlick's reflectance is also that of a metal of this colour.
+    // A metal of this color also has Schlick's reflectance.
     let mirror = Coat::metal(Vec3::splat(GLOSS));
     let object = move |point: &SurfacePoint, wo: Vec3| {
         let own = (1.0 - gloss.reflectance(wo.z)) * hex(0x2a_7d8c);
@@ -88,7 +90,7 @@ fn corner() -> Result<Scene<'static, 'static>> {
     Ok(Scene::new(objects, Light::Lamps { lamps, room: &skylight }, Backdrop::Light))
 }
 
-/// Light from the open side of the room, which is bright; deep in the corner less of it is seen.
+/// Light from the bright open side of the room, partly occluded deep in the corner.
 fn around(point: &SurfacePoint) -> Vec3 {
     let open = point.normal.dot(Vec3::new(-0.5, -0.5, 0.707));
     let depth = (point.position.truncate() - SIDE).length().min(2.0);
@@ -102,7 +104,7 @@ fn bricks(wall: &Brick, p: Vec2) -> Vec3 {
     hex(0xee_e9e0).lerp(hex(0xa5_7f6b).lerp(hex(0xcf_b29c), tone), sample.brick)
 }
 
-/// The light that a ray sees which leaves the corner: a window of panes overhead, a pale wall elsewhere.
+/// Light along a ray that leaves the corner: a paned window overhead, a pale wall elsewhere.
 fn skylight(ray: &Ray) -> Vec3 {
     let p = ray.origin + ray.direction * ((CEILING - ray.origin.z) / ray.direction.z);
     if ray.direction.z <= 0.0 || p.x.abs().max(p.y.abs()) > 6.0 {
@@ -123,7 +125,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn one_jittered_ray_passes_each_cell_and_the_same_each_time() {
+    fn jittered_has_one_reproducible_point_per_cell() {
         let rays = || jittered([7, 9], 4, 1);
         for (cell, ray) in (0_u8..).zip(rays()) {
             let place = [7.0 + f32::from(cell % 4) / 4.0, 9.0 + f32::from(cell / 4) / 4.0];

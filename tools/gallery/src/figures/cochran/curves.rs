@@ -1,5 +1,6 @@
-//! Figures 1 and 3 of Cochran, Lewis and Hart: two fractal functions and their integrals; their second integrals, whose
-//! curvature is fractal; and the dimension of graphs against their vertical factor, by the formula and by counting boxes.
+//! Figures 1 and 3 of Cochran, Lewis and Hart: two fractal functions and their integrals, their
+//! second integrals with fractal curvature, and the dimension of graphs against their vertical
+//! factor, by the formula and by box counting.
 
 use asperity_fif::{FixedFif, SystemError, paper};
 
@@ -7,15 +8,15 @@ use crate::figure::{Context, Drawn, Panel};
 use crate::plot::{Axis, Ink, Names, Plot, Stroke};
 use asperity::failure::Result;
 
-/// Absolute error of every value drawn, far below a pixel.
+/// Absolute error of every plotted value, far below a pixel.
 const TOLERANCE: f64 = 1e-6;
 
-/// A plot over the domain of these functions.
+/// Creates a plot over the domain of these functions.
 pub(super) fn plot(size: [f64; 2], y: Axis, names: Names) -> Plot {
     Plot::new(size, Axis::linear("x", [0.0, 2.0], 0.5), y, names)
 }
 
-/// Of a plot that takes half of the page's width.
+/// Size of a plot that takes half of the page's width.
 pub(super) const HALF: [f64; 2] = [520.0, 330.0];
 
 pub(crate) fn draw_functions(_: &Context<'_>) -> Result<Drawn> {
@@ -29,8 +30,8 @@ pub(crate) fn draw_functions(_: &Context<'_>) -> Result<Drawn> {
             .dots(knots, 2, 3.5)
             .panel(name, label, alt)
     };
-    let f = "Graph of f: a symmetric mound with bumps on bumps, 4/3 high";
-    let g = "Graph of g: jagged peaks up to almost 2 on the left, and a hanging copy of them on the right";
+    let f = "Graph of f: a symmetric mound of height 4/3, with bumps on bumps";
+    let g = "Graph of g: jagged peaks up to almost 2 on the left, and an inverted copy on the right";
     let panels = vec![
         panel("f", &paper::f()?, [0.0, 1.5], "f, vertical factors 1/2 and 1/2", f)?,
         panel("g", &paper::g()?, [-1.0, 2.0], "g, vertical factors 17/20 and −17/20", g)?,
@@ -51,8 +52,8 @@ pub(crate) fn draw_integrals(_: &Context<'_>) -> Result<Drawn> {
             .curve(name, outline(&integral), Stroke::solid(1).wide(2.0));
         touching(curves, touched, 1.0).panel(stem, format!("{name} and its derivative {rough}"), alt)
     };
-    let f = "The integral of f rises from 0 to 2 like a soft step; f is drawn thin";
-    let g = "The integral of g rises with many small undulations to 1; g, drawn thin, is jagged";
+    let f = "The integral of f rises from 0 to 2 like a soft step; f is the thin line";
+    let g = "The integral of g rises with many small undulations to 1; g, the thin line, is jagged";
     let panels = vec![
         panel(["f-hat", "f\u{302}", "f"], &paper::f()?, [0.0, 2.0], f)?,
         panel(["g-hat", "ĝ", "g"], &paper::g()?, [-1.0, 2.0], g)?,
@@ -96,10 +97,11 @@ pub(crate) fn draw_second_integrals(_: &Context<'_>) -> Result<Drawn> {
         .fact("tolerance", "1e-9"))
 }
 
-/// A point, the value and two derivatives there, and the distance to which their Taylor polynomial is drawn.
+/// A point, the value and two derivatives there, and the distance to which their Taylor polynomial
+/// is plotted.
 type Taylor = (f64, [f64; 3], f64);
 
-/// A plot with tangents or parabolas that touch a curve, and dots where they do.
+/// Adds tangents or parabolas that touch a curve, and dots where they do.
 fn touching(mut plot: Plot, touched: [Taylor; 4], width: f64) -> Plot {
     for &(x, [value, slope, bend], reach) in &touched {
         let steps = if bend == 0.0 { 1 } else { 16 };
@@ -110,10 +112,12 @@ fn touching(mut plot: Plot, touched: [Taylor; 4], width: f64) -> Plot {
     plot.dots(touched.map(|(x, [value, ..], _)| [x, value]), Ink::Text, 2.6)
 }
 
-/// The graph as it looks at the plot's resolution: of every narrow column the lowest and the highest of some points.
+/// Returns the graph at the plot's resolution: the minimum and the maximum of several points per
+/// narrow column.
 ///
-/// A rough function drawn through equally spaced points would miss its peaks. A column is a cell of these functions, over
-/// which they repeat themselves; f has its maximum at 1/3 of the domain, g its extrema at 3/14 and 5/7: all are 126ths.
+/// Equally spaced points of a rough function would miss its peaks. A column is a cell of these
+/// functions, over which they repeat themselves. f has its maximum at 1/3 of the domain, and g its
+/// extrema at 3/14 and 5/7: all are multiples of 1/126.
 pub(super) fn outline<const C: usize>(fif: &FixedFif<2, C>) -> Vec<[f64; 2]> {
     const COLUMNS: u32 = 512;
     const POINTS: u32 = 126;
@@ -136,10 +140,10 @@ pub(super) fn outline<const C: usize>(fif: &FixedFif<2, C>) -> Vec<[f64; 2]> {
     points
 }
 
-/// Vertical factors whose boxes are counted.
+/// Vertical factors for box counting.
 const COUNTED: [f64; 7] = [0.3, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95];
 
-/// Vertical factors whose graphs are drawn.
+/// Vertical factors of the plotted graphs.
 const DRAWN: [f64; 3] = [0.3, 0.7, 0.95];
 
 /// Levels between which boxes are counted.
@@ -149,7 +153,7 @@ pub(crate) fn draw_dimension(context: &Context<'_>) -> Result<Drawn> {
     context.watch.progress.inc_length(COUNTED.len() as u64);
     let mut dots = Vec::new();
     for alpha in COUNTED {
-        dots.push([alpha, counted(&symmetric(1.0, alpha)?).ok_or("a cell without bounds")?]);
+        dots.push([alpha, counted(&symmetric(1.0, alpha)?).ok_or("the cell has no bounds")?]);
         context.watch.progress.inc(1);
         context.checkpoint()?;
     }
@@ -164,7 +168,7 @@ fn symmetric(middle: f64, alpha: f64) -> Result<FixedFif<2, 2>, SystemError> {
     FixedFif::affine(&[paper::KNOTS[0], middle, paper::KNOTS[2]], &[0.0, 1.0, 0.0], &[alpha; 2])
 }
 
-/// The slope of the logarithm of the number of boxes between the two levels.
+/// Returns the slope of the logarithm of the number of boxes between the two levels.
 fn counted(fif: &FixedFif<2, 2>) -> Option<f64> {
     let logs = LEVELS.map(|level| {
         let side = 2.0 / f64::from(1_u32 << level);
@@ -188,7 +192,7 @@ fn by_factor(dots: Vec<[f64; 2]>) -> Result<Panel> {
         .curve("knots 0, 1/2, 2", curve(0.5)?, Stroke::dashed(2))
         .curve("knots 0, 1, 2", curve(1.0)?, Stroke::solid(1).wide(2.0))
         .dots(dots, 1, 3.2)
-        .panel("plot", "Dimension by the formula; dots: boxes counted", alt)
+        .panel("plot", "Dimension by the formula; dots: box counting", alt)
 }
 
 fn graph(alpha: f64) -> Result<Panel> {
@@ -210,11 +214,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_outline_finds_the_peaks_that_knots_miss() {
+    fn outline_finds_peaks_between_knots() {
         let (f, g) = (paper::f().unwrap(), paper::g().unwrap());
         let top = |points: Vec<[f64; 2]>| points.iter().fold(f64::MIN, |top, p| top.max(p[1]));
         assert_abs_diff_eq!(top(outline(&f)), 4.0 / 3.0, epsilon = 1e-5);
-        // Exact maximum 41969/21609 at 3/7; one unit in the last place of x changes g by 5e-4.
+        // Exact maximum 41969/21609 at 3/7. One unit in the last place of x changes g by 5e-4.
         assert_abs_diff_eq!(top(outline(&g)), 41969.0 / 21609.0, epsilon = 1e-3);
         assert!(outline(&g).windows(2).all(|w| w[0][0] <= w[1][0]));
     }

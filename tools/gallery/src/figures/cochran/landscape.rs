@@ -1,4 +1,5 @@
-//! A landscape that is no product of curves beside one that is, with the grain of both measured.
+//! A landscape that is not a product of curves, next to one that is, with the measured anisotropy
+//! of both.
 
 use asperity_fif::{Fif, HeightField, Intersect, Surface, Tabulated, Torus, glam::DVec2};
 use asperity_render::geometry::mesh::{Mesh, Vertex};
@@ -19,13 +20,13 @@ const NODES: [usize; 2] = [4, 8];
 const FACTOR: f64 = 0.4;
 /// Magnitude of the vertical factors of the curves' slopes.
 const ROUGHNESS: f64 = 0.7;
-/// Standard deviation of the heights, over the side.
+/// Standard deviation of the heights, relative to the side.
 const RELIEF: f64 = 0.062;
-/// The ground under the block.
+/// The ground below the block.
 const FLOOR: f32 = -0.22;
-/// Lengths that a ray may be wrong by: less than half a pixel.
+/// Tolerated error of a hit along the ray: less than half a pixel.
 const TOLERANCE: f64 = 5e-4;
-/// Periods per side of the waves whose grain is measured.
+/// Periods per side of the waves whose anisotropy is measured.
 const RING: [f64; 2] = [8.0, 128.0];
 
 const EYE: Vec3 = Vec3::new(-0.50, -0.86, 0.78);
@@ -66,7 +67,7 @@ fn torus(random: &impl Fn(usize) -> f64) -> Result<Torus> {
     Ok(Torus::new(NODES[0], [[2, -1], [1, 2]], FACTOR, &z, &d)?.narrowed())
 }
 
-/// The integral of a rough function of mean 0 on the unit interval.
+/// Returns the integral of a rough function of mean 0 on the unit interval.
 fn curve(random: &impl Fn(usize) -> f64, row: usize) -> Result<Fif<3>> {
     let knots: Vec<f64> = (0..=NODES[1]).map(|k| k as f64 / NODES[1] as f64).collect();
     let alpha: Vec<f64> = (0..NODES[1]).map(|k| ROUGHNESS.copysign(random(row + 100 + k))).collect();
@@ -76,7 +77,7 @@ fn curve(random: &impl Fn(usize) -> f64, row: usize) -> Result<Fif<3>> {
     Ok(Fif::affine(&knots, &y, &alpha)?.integral(0.05)?)
 }
 
-/// Heights of mean 0 and the standard deviation [`RELIEF`], as measured on a grid.
+/// Returns heights of mean 0 and the standard deviation [`RELIEF`], as measured on a grid.
 fn ground(surface: impl Intersect + Send + Sync + 'static) -> Fractal {
     const SIDE: usize = 96;
     let at = |k: usize| (k as f64 + 0.5) / SIDE as f64;
@@ -88,7 +89,7 @@ fn ground(surface: impl Intersect + Send + Sync + 'static) -> Fractal {
     Fractal::new(surface, RELIEF / variance.sqrt(), mean).within(TOLERANCE)
 }
 
-/// A block of ground over the unit square, on a table.
+/// Returns a block of ground over the unit square, on a table.
 fn block(ground: Fractal) -> Scene<'static, 'static> {
     let sides = [Vec2::X, Vec2::Y].map(|along| Object::shaded(side(&ground, along), stone));
     let [table, wide] = [Vec3::new(-20.0, -20.0, FLOOR), Vec3::splat(41.0)];
@@ -102,7 +103,8 @@ fn block(ground: Fractal) -> Scene<'static, 'static> {
     scene
 }
 
-/// The side of the block below an edge of the square; its texture coordinates are lengths along and below the surface.
+/// Returns the side of the block below an edge of the square. Its texture coordinates are lengths
+/// along and below the surface.
 fn side(ground: &Fractal, along: Vec2) -> Mesh {
     const STEPS: u32 = 1024;
     let mut mesh = Mesh::default();
@@ -144,12 +146,12 @@ fn stone(point: &SurfacePoint, wo: Vec3) -> Bsdf<'static> {
     let layer = (at.z * 140.0 + 3.0 * (at.x * 9.0 + at.y * 7.0).sin()).sin();
     let stone = hex(0x6f_6256).lerp(hex(0x87_7767), 0.3 + 0.3 * layer);
     let ground = hex(0x4c_3f33).lerp(stone, (depth * 60.0).clamp(0.0, 1.0));
-    // Duller in the sun than the land.
+    // Duller in sunlight than the land.
     let dull = Vec3::new(1.3, 1.2, 1.02) / SUNLIGHT;
     hazy(point, wo, ground * dull, Vec3::new(0.36, 0.38, 0.42) / dull)
 }
 
-/// The table on which the block stands, with its shadow.
+/// The table below the block, with its shadow.
 fn cloth(point: &SurfacePoint, wo: Vec3) -> Bsdf<'static> {
     let p = point.position;
     let beside = ((p.truncate() - 0.5).abs() - 0.5).max(Vec2::ZERO).length();
@@ -160,7 +162,7 @@ fn cloth(point: &SurfacePoint, wo: Vec3) -> Bsdf<'static> {
     chalk(wo, Vec3::Z, kept * colour / sun, sky.lerp(0.62 * colour, kept))
 }
 
-/// A matte colour in light from around; far things fade into the air.
+/// A matte color under ambient light, with distance haze.
 fn hazy(point: &SurfacePoint, wo: Vec3, colour: Vec3, around: Vec3) -> Bsdf<'static> {
     let kept = (-0.07 * (point.position.distance(EYE) - 0.4).max(0.0)).exp();
     chalk(wo, Vec3::Z, kept * colour, hex(0xd9_dfe4).lerp(colour * around, kept))
@@ -170,7 +172,7 @@ fn sky(direction: Vec3) -> Vec3 {
     hex(0xe9_e4da).lerp(hex(0x9f_bdd6), (direction.z * 2.2 + 0.75).clamp(0.0, 1.0))
 }
 
-/// The mean density of the slopes' power within 5° of the axes over that in all directions.
+/// Returns the mean power density of the slopes within 5° of the axes, relative to all directions.
 fn grain(context: &Context<'_>, surface: &(dyn Surface + Send + Sync)) -> Result<f64> {
     const SIDE: usize = 512;
     let at = |k: usize| (k as f64 + 0.5) / SIDE as f64;
@@ -184,7 +186,7 @@ fn grain(context: &Context<'_>, surface: &(dyn Surface + Send + Sync)) -> Result
         let rings = spectrum.rings(RING, wanted);
         rings.iter().map(|[frequency, density]| frequency * frequency * density).sum()
     };
-    // Within 5° of an axis the cosine of four times the angle is over cos 20°.
+    // Within 5° of an axis, the cosine of four times the angle exceeds cos 20°.
     Ok(energy(|cos_4| cos_4 > 20_f64.to_radians().cos()) / energy(|_| true))
 }
 
@@ -195,7 +197,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn heights_have_the_relief_that_is_asked_for() {
+    fn heights_have_the_given_relief() {
         let random = |k: usize| f64::from(hash(k as u32)) / f64::from(u32::MAX) - 0.5;
         let ground = ground(torus(&random).unwrap());
         let at = |k: u32| DVec2::new(f64::from(k % 64), f64::from(k / 64)) / 64.0;

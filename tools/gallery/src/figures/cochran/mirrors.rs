@@ -13,12 +13,13 @@ use crate::figure::{Context, Drawn};
 use asperity::failure::Result;
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
-    // Heights, which reach 4 and 1.02, are multiplied so that reflections stay within the room; the right mirror is flatter.
+    // Heights, which reach 4 and 1.02, are scaled so that reflections stay within the room. The
+    // right mirror is flatter.
     let tent = [Vec3::new(-2.5, -2.5, 2.7), Vec3::new(1.0, 1.0, 0.5)];
     let low = [Vec3::new(-2.1, -2.1, 2.55), Vec3::new(1.0, 1.0, 0.2)];
     let alts = [
-        "A tent-shaped mirror; red and blue lines run over it in frayed arcs",
-        "A low mirror that scatters the red and blue lines into grain",
+        "A tent-shaped mirror that reflects red and blue lines as frayed arcs",
+        "A flat mirror that scatters the red and blue lines into noise",
     ];
     let mirrors = [
         (["f-hat", "f\u{302} × f\u{302}", alts[0]], (paper::f()?, 0.3, 4, tent)),
@@ -29,21 +30,21 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         context.look(&scene, context.sampling([18, 18], times), view, FIELD)
     })?;
     let samples = format!("{} and {}", 4 * context.samples_per_pixel, 16 * context.samples_per_pixel);
-    Ok(drawn.fact("heights times", "0.3 and 0.1").fact("samples per pixel", samples).fact("metal", "silver"))
+    Ok(drawn.fact("height scale", "0.3 and 0.1").fact("samples per pixel", samples).fact("metal", "silver"))
 }
 
-/// Angle of view in radians.
+/// Field of view in radians.
 const FIELD: f32 = 0.56;
 
-/// Complex refractive indices at about 650, 550 and 450 nm, from Johnson and Christy 1972, "Optical Constants of the
-/// Noble Metals".
+/// Complex refractive indices at about 650, 550 and 450 nm, from Johnson and Christy 1972, "Optical
+/// Constants of the Noble Metals".
 fn silver() -> Result<[Conductor; 3]> {
     Ok([Conductor::new(0.159, 3.93)?, Conductor::new(0.145, 3.19)?, Conductor::new(0.135, 2.38)?])
 }
 
 /// A silver mirror in the ruled room.
 fn mirror(surface: Fractal) -> Result<Scene<'static, 'static>> {
-    // At normal incidence, from where it grows as Schlick has it.
+    // Reflectance at normal incidence, from which Schlick's approximation increases.
     let silver = Coat::metal(silver()?.reflectance_rgb(1.0));
     let light = Light::Lamps { lamps: Vec::new(), room: &room };
     Ok(Scene::new(vec![Object::new(Shape::Fractal(surface), silver)], light, Backdrop::Light))
@@ -55,11 +56,11 @@ const ROOM: [Vec3; 2] = [Vec3::new(-6.0, -6.0, 0.0), Vec3::new(8.0, 8.0, 9.0)];
 /// Distance between the lines on the walls.
 const SPACING: f32 = 2.0;
 
-/// The light that a ray sees which starts within the room: ruled walls and ceiling, a tiled floor.
+/// Light along a ray that starts inside the room: ruled walls and ceiling, a tiled floor.
 fn room(ray: &Ray) -> Vec3 {
     let Ray { origin, direction, .. } = *ray;
     let far = Vec3::select(direction.cmpgt(Vec3::ZERO), ROOM[1], ROOM[0]);
-    // A direction along a wall divides by zero, of either sign: that wall is infinitely far ahead.
+    // A direction along a wall divides by zero of either sign: the wall is infinitely far ahead.
     let t = ((far - origin) / direction).abs();
     let p = origin + direction * t.min_element();
     let ruled = |u: f32, v: f32, paper: u32, light: f32| {
@@ -90,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn directions_along_the_walls_see_the_wall_ahead() {
+    fn rays_along_walls_hit_the_wall_ahead() {
         let origin = Vec3::new(1.5, 1.6, 0.9);
         for zero in [0.0, -0.0] {
             for [x, y, z] in [[zero, -0.02, 1.0], [zero, zero, 1.0], [1.0, zero, 0.3]] {
@@ -102,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mirror_of_no_height_shows_the_mirrored_room() {
+    fn flat_mirror_shows_the_mirrored_room() {
         let scene = mirror(Fractal::square(paper::f().unwrap(), 1e-9).unwrap()).unwrap();
         let (origin, direction) = (Vec3::new(0.2, 0.3, 1.0), Vec3::new(0.4, 0.5, -1.0));
         let mut sampler = asperity_render::sampling::sampler::Sampler::new(0, 0);

@@ -1,4 +1,5 @@
-//! Fractal objects under the illumination models of Cochran, Lewis and Hart: matte, Phong, Torrance–Sparrow, transparent.
+//! Fractal objects with the illumination models of Cochran, Lewis and Hart: matte, Phong,
+//! Torrance–Sparrow, transparent.
 
 use std::{f32::consts::PI, sync::Arc};
 
@@ -22,7 +23,7 @@ use asperity::failure::Result;
 /// Vertical factors of the slopes.
 const FACTORS: [f64; 2] = [0.25, 0.5];
 
-/// Heights are multiplied by this; they reach 1/4.
+/// Height scale; unscaled heights reach 1/4.
 const RISE: f64 = 3.4;
 
 const EYE: Vec3 = Vec3::new(3.6, -3.0, 3.3);
@@ -45,7 +46,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let drawn = Drawn::pictures(4, pictures, |object| {
         let floor = Object::shaded(Shape::Plane, |point, wo| matte(point, wo, tiles(point)));
         let mut key = studio(Vec3::splat(POWER / PI));
-        // The middle of the key light, the first 16, casts its shadow; the others cast none.
+        // The center of the key light, the first 16 lamps, casts a shadow. The others do not.
         let others = Lamps::open(key.split_off(16));
         let key = Lamps::Far { lights: key, shadow: Some(direction(-132.0, 46.0)) };
         let light = Light::Lamps { lamps: vec![key, others], room: &room };
@@ -54,7 +55,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     })?;
     Ok(drawn
         .fact("slope through", "(0, 0), (1/2, 1), (1, 0), (3/2, −1), (2, 0)")
-        .fact("heights times", RISE)
+        .fact("height scale", RISE)
         .fact("Phong exponent", PHONG)
         .fact("roughness of the copper", format!("{ROUGHNESS}, Beckmann"))
         .fact("index of the glass", GLASS)
@@ -65,12 +66,13 @@ const PHONG: f32 = 60.0;
 const ROUGHNESS: f32 = 0.42;
 const GLASS: f32 = 1.5;
 
-/// A slope that rises and falls and integrates to zero: its integral is a hump that touches the ground without an edge.
+/// A slope that rises and falls and integrates to zero. Its integral is a hump that meets the
+/// ground smoothly.
 fn slope(factor: f64) -> Result<FixedFif<4, 2>, SystemError> {
     FixedFif::affine(&[0.0, 0.5, 1.0, 1.5, 2.0], &[0.0, 1.0, 0.0, -1.0, 0.0], &[factor; 4])
 }
 
-/// Name, label, and the object of this shape.
+/// Name, label, and an object of this shape.
 type Model = (&'static str, &'static str, Object<'static>);
 
 fn models(shape: &Arc<Shape>) -> Result<[Model; 4]> {
@@ -78,7 +80,8 @@ fn models(shape: &Arc<Shape>) -> Result<[Model; 4]> {
     let matte = |colour| Shaded(move |point, wo| matte(point, wo, colour));
     let lacquer =
         Glossy { lobe: Phong::new(Vec3::splat(0.16), PHONG)?, base: hex(0x9c_2b22), room: Vec3::splat(0.08) };
-    // Indices at about 650, 550 and 450 nm, from Johnson and Christy 1972, "Optical Constants of the Noble Metals".
+    // Indices at about 650, 550 and 450 nm, from Johnson and Christy 1972, "Optical Constants of
+    // the Noble Metals".
     let copper = [Conductor::new(0.21, 3.67)?, Conductor::new(1.02, 2.59)?, Conductor::new(1.17, 2.36)?];
     let facets = TorranceSparrow::new(Beckmann::isotropic(ROUGHNESS)?, copper);
     let copper = Glossy { lobe: facets, base: Vec3::ZERO, room: 0.3 * copper.reflectance_rgb(1.0) };
@@ -93,7 +96,7 @@ fn models(shape: &Arc<Shape>) -> Result<[Model; 4]> {
     ])
 }
 
-/// A lobe over a matte base, in a room as bright as this.
+/// A lobe over a matte base, in a room of this brightness.
 struct Glossy<B> {
     lobe: B,
     base: Vec3,
@@ -109,7 +112,7 @@ impl<B: Brdf> Material for Glossy<B> {
     }
 }
 
-/// Of all lamps together.
+/// Factor for all lamps.
 const POWER: f32 = 2.2;
 
 fn matte(point: &SurfacePoint, wo: Vec3, colour: Vec3) -> Bsdf<'static> {
@@ -117,14 +120,14 @@ fn matte(point: &SurfacePoint, wo: Vec3, colour: Vec3) -> Bsdf<'static> {
     chalk(wo, Vec3::Z, colour, colour * around)
 }
 
-/// The colour of the floor, paler far away.
+/// The color of the floor, paler far away.
 fn tiles(point: &SurfacePoint) -> Vec3 {
     let p = point.position.truncate() / 0.4;
     let tile = hex(0xe6_e1d6).lerp(hex(0x76_8592), checker(p)).lerp(hex(0xa9_a49a), grid(p, 0.05, 0.01));
     tile / (1.0 + (point.position - TARGET).truncate().length_squared() / 30.0)
 }
 
-/// A pale room with a bright ceiling, and the key light as a mirror shows it.
+/// A pale room with a bright ceiling, and the reflection of the key light.
 fn room(ray: &Ray) -> Vec3 {
     let key = ((ray.direction.dot(direction(-132.0, 46.0)) - 0.98) / 0.012).clamp(0.0, 1.0);
     sky(ray.direction) + 6.0 * key
@@ -141,7 +144,7 @@ mod tests {
     use approx::assert_abs_diff_eq;
 
     #[test]
-    fn the_object_touches_the_floor_without_an_edge() {
+    fn object_meets_the_floor_smoothly() {
         for slope in FACTORS.map(|factor| slope(factor).unwrap()) {
             let hump: FixedFif<4, 3> = slope.integral(0.0).unwrap();
             assert_abs_diff_eq!(hump.end_values()[1], 0.0, epsilon = 1e-15);

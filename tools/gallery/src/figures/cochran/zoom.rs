@@ -1,4 +1,4 @@
-//! A fractal surface at seven zooms, each ten times the last.
+//! A fractal surface at seven zooms, each ten times the previous.
 
 use asperity_fif::glam::{DVec2, DVec3};
 use asperity_fif::{HeightField, Table, paper};
@@ -22,11 +22,12 @@ use glam::Vec3;
 use crate::figure::{Context, Drawn};
 use asperity::failure::Result;
 
-/// Heights are multiplied by this; f(x) f(y) reaches 16/9.
+/// Height scale; f(x) f(y) reaches 16/9.
 const RISE: f64 = 0.4;
 
-/// The point that the camera approaches. 19/63 and 35/63 of the domain have the binary digits 010011 and 100011, repeated:
-/// the rises and falls of all levels cancel there, and neither the camera's way nor the light's is ever blocked.
+/// The point that the camera approaches. 19/63 and 35/63 of the domain have the repeating binary
+/// digits 010011 and 100011. The rises and falls of all levels cancel there, and neither the
+/// camera's path nor the light's is ever blocked.
 const POINT: DVec2 = DVec2::new(38.0 / 63.0, 10.0 / 9.0);
 
 /// From the point to the camera at zoom 1, in the surface's units.
@@ -41,7 +42,8 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     // Seven panels side by side are small.
     let side = context.size - context.size / 4;
     let sampling = Sampling { width: side, height: side, ..context.square() };
-    // Mean slopes are smooth already: many samples are for edges of the surface and of its shadows.
+    // Mean slopes are already smooth: the many samples are for edges of the surface and its
+    // shadows.
     let samples = [context.goal.samples[0].div_ceil(2), context.goal.samples[1].div_ceil(4)];
     let goal =
         Goal { shown: |x| srgb(shoulder(EXPOSURE * x)), samples, detail: Detail::Fine, ..context.goal };
@@ -54,7 +56,8 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let target = POINT.extend(height(&values, POINT));
     let mut grains = Vec::new();
     let drawn = Drawn::pictures(4, pictures, |scale| {
-        // Rays meet it about the point, in lengths of the zoom: directions and colours stay what they are.
+        // Rays are relative to the point, in units of the zoom, so that directions and colors are
+        // unaffected.
         let shape = Fractal::new(HeightField::new(paper::f()?, paper::f()?).tabulated(), RISE, 0.0);
         // A tenth of a pixel.
         let shape = shape.within(0.1 * f64::from(pixel * AWAY.length()));
@@ -80,7 +83,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         Ok(image.exposed(EXPOSURE))
     })?;
     Ok(drawn
-        .fact("heights times", RISE)
+        .fact("height scale", RISE)
         .fact("point", "(38/63, 10/9)")
         .fact("distance at ×1", format!("{:.2}", AWAY.length()))
         .grain(&grains))
@@ -90,14 +93,14 @@ fn height(values: &Table<2>, p: DVec2) -> f64 {
     RISE * values.value(p.x) * values.value(p.y)
 }
 
-/// The upward unit normal of the mean slope over a square of side `2 reach`.
+/// Returns the upward unit normal of the mean slope over a square of side `2 reach`.
 fn normal(values: &Table<2>, p: DVec2, reach: f64) -> DVec3 {
     let across = |step: DVec2| (height(values, p + step) - height(values, p - step)) / (2.0 * reach);
     let slope = DVec2::new(across(DVec2::new(reach, 0.0)), across(DVec2::new(0.0, reach)));
     DVec3::new(-slope.x, -slope.y, 1.0).normalize()
 }
 
-/// The table that the surface stands on, and the room behind it.
+/// The table below the surface, and the room behind it.
 fn ground(eye: DVec3, towards: DVec3) -> Vec3 {
     let p = eye.truncate() - towards.truncate() * (eye.z / towards.z.min(-1e-9));
     let away = ((p - 1.0).length() / 5.0).min(1.0) as f32;
@@ -109,7 +112,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_relief_is_as_steep_at_every_zoom() {
+    fn relief_is_equally_steep_at_every_zoom() {
         let values = paper::f().unwrap().table(1e-14).unwrap();
         for side in (0..=6).map(|power| 10.0_f64.powi(-power)) {
             let mut square = 0.0;

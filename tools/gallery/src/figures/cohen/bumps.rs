@@ -1,5 +1,5 @@
-//! Bump mapping three ways, beside the surface that is really displaced; bump-mapped brick, close by and to the horizon; and
-//! bevels along the edges of a plate.
+//! Bump mapping by three methods, next to the displaced surface; bump-mapped brick, close and up to
+//! the horizon; and bevels along the edges of a plate.
 
 use std::f32::consts::PI;
 
@@ -21,7 +21,7 @@ use asperity::failure::Result;
 
 const HEIGHT: f32 = 0.055;
 const FREQUENCY: f32 = 3.2;
-/// Between neighbours, in radians.
+/// Between neighbors, in radians.
 const STEP: f32 = 2e-3;
 
 type Noise = Octaves<Perlin2002, 3>;
@@ -29,13 +29,13 @@ type Noise = Octaves<Perlin2002, 3>;
 /// The shading normal at a point.
 type Normal<'a> = dyn Fn(&SurfacePoint) -> Vec3 + Sync + 'a;
 
-/// The height over the sphere, and its gradient in space.
+/// Returns the height over the sphere, and its gradient in space.
 fn height(noise: &Noise, p: Vec3) -> (f32, Vec3) {
     let Sample { value, gradient } = noise.detail(3.0).sample(p * FREQUENCY);
     (HEIGHT * value, HEIGHT * FREQUENCY * gradient)
 }
 
-/// The point of the sphere at a longitude and a latitude, with its derivatives by both.
+/// Returns the point of the sphere at a longitude and a latitude, with its derivatives.
 fn sphere(uv: Vec2) -> (Vec3, [Vec3; 2]) {
     let ((sx, cx), (sy, cy)) = (uv.x.sin_cos(), uv.y.sin_cos());
     (Vec3::new(cy * cx, cy * sx, sy), [Vec3::new(-cy * sx, cy * cx, 0.0), Vec3::new(-sy * cx, -sy * sx, cy)])
@@ -66,9 +66,9 @@ pub(crate) fn draw_bumps(context: &Context<'_>) -> Result<Drawn> {
     };
     let alt = "A sphere with hills and dales";
     let ways: [([&str; 3], (Shape, &Normal<'_>)); 3] = [
-        (["gradient", "The noise's gradient along the surface", alt], (Shape::Sphere, &by_gradient)),
-        (["neighbours", "Heights of four neighbours", alt], (Shape::Sphere, &by_neighbours)),
-        (["displaced", "Displaced, with its own normal", alt], (displaced, &of_displaced)),
+        (["gradient", "Tangential gradient of the noise", alt], (Shape::Sphere, &by_gradient)),
+        (["neighbours", "Heights of four neighbors", alt], (Shape::Sphere, &by_neighbours)),
+        (["displaced", "Displaced surface with its normal", alt], (displaced, &of_displaced)),
     ];
     let drawn = Drawn::pictures(3, ways, |(shape, normal)| {
         let clay = |point: &SurfacePoint, wo: Vec3| {
@@ -83,7 +83,7 @@ pub(crate) fn draw_bumps(context: &Context<'_>) -> Result<Drawn> {
     Ok(drawn
         .fact("height", format!("{HEIGHT} of the radius"))
         .fact("noise", format!("Perlin 2002, three octaves, {FREQUENCY} cells per radius"))
-        .fact("step between neighbours", format!("{STEP} radians")))
+        .fact("step between neighbors", format!("{STEP} radians")))
 }
 
 pub(crate) fn draw_brick(context: &Context<'_>) -> Result<Drawn> {
@@ -93,17 +93,17 @@ pub(crate) fn draw_brick(context: &Context<'_>) -> Result<Drawn> {
     let image = context.render(wide, |x, y| {
         shade(&wall, Vec2::new(x, wide.height as f32 - y) * scale + Vec2::new(0.04, 0.02), Vec2::ZERO)
     })?;
-    let alt = "A brick wall whose mortar lies deeper than the bricks";
+    let alt = "A brick wall with recessed mortar";
     let mut panels = vec![Panel { span: 3, ..Panel::new("wall", "The wall", alt, image.exposed(1.0)) }];
     for (stem, label, samples, filtered) in [
-        ("plain", "One sample a pixel", 1, false),
-        ("filtered", "One filtered sample a pixel", 1, true),
-        ("mean", "256 samples a pixel", 256, false),
+        ("plain", "One sample per pixel", 1, false),
+        ("filtered", "One filtered sample per pixel", 1, true),
+        ("mean", "256 samples per pixel", 256, false),
     ] {
         let sampling = Sampling { samples_per_pixel: samples, ..context.sampling([12, 8], 1) };
         let (half, height) = (0.5 * sampling.width as f32, sampling.height as f32);
         let image = context.render(sampling, |x, y| {
-            // One sample is the pixel's middle.
+            // A single sample is at the pixel's center.
             let (x, y) = if samples == 1 { (x.floor() + 0.5, y.floor() + 0.5) } else { (x, y) };
             let at = |x: f32, y: f32| {
                 let distance = 0.35 * height / (y + 0.02 * height).max(0.02);
@@ -121,12 +121,12 @@ pub(crate) fn draw_brick(context: &Context<'_>) -> Result<Drawn> {
 
 const DEPTH: f32 = 0.004;
 
-/// The wall under one lamp and a sky, with a colour of its own for every brick that a pixel resolves.
+/// Shades the wall under one lamp and a sky, with a separate color per brick that a pixel resolves.
 fn shade(wall: &Brick, uv: Vec2, widths: Vec2) -> Vec3 {
     let sun = direction(126.0, 34.0);
     let [column, row] = wall.sample(uv).cell;
     let own = hash(column as u32 ^ hash(row as u32)) as f32 / 4_294_967_296.0 - 0.5;
-    // Several bricks in a pixel have their mean colour.
+    // Several bricks in a pixel are averaged.
     let resolved = (1.0 - widths.x.max(3.0 * widths.y) / 0.25).clamp(0.0, 1.0);
     let clay = hex(0xa5_4f3c) * (1.0 + 0.5 * own * resolved);
     let mut light = Vec3::ZERO;
@@ -189,7 +189,7 @@ impl Material for Plate {
     }
 }
 
-/// By the parity of the edges to the right of the point.
+/// Tests by the parity of edges to the right of the point.
 fn inside(corners: &[Vec2], p: Vec2) -> bool {
     let before = corners.iter().cycle().skip(corners.len() - 1);
     let crosses = |(a, b): &(&Vec2, &Vec2)| {
@@ -203,7 +203,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn points_are_found_inside_a_square() {
+    fn inside_a_square() {
         let square = [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
         assert!(inside(&square, Vec2::new(0.5, 0.2)));
         assert!(!inside(&square, Vec2::new(1.5, 0.2)) && !inside(&square, Vec2::new(0.5, -0.2)));

@@ -1,4 +1,4 @@
-//! Star wallpaper, and images that run.
+//! Star wallpaper, and images with drips.
 
 use asperity_render::image::tone::hex;
 use asperity_shading::texture::{PerturbedTexture, StarWallpaper};
@@ -30,7 +30,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
             ground.lerp(star, share(Vec2::new(x, sampling.height as f32 - y) * pixel))
         })
     })?;
-    Ok(drawn.fact("share of stars", format!("{:.1} %", 100.0 * wallpaper.mean())))
+    Ok(drawn.fact("coverage of stars", format!("{:.1} %", 100.0 * wallpaper.mean())))
 }
 
 pub(crate) fn draw_marble(context: &Context<'_>) -> Result<Drawn> {
@@ -43,12 +43,12 @@ pub(crate) fn draw_marble(context: &Context<'_>) -> Result<Drawn> {
     };
     let (bands, veins) = ("Bands of pale and dark blue", "Veins of pale and dark blue");
     let colours: [([&str; 3], Shown<'_, Vec2, Vec3>); 4] = [
-        (["spline", "The spline of colours", bands], &|p| Marble::<Perlin2002>::spline(1.0 - p.y / side)),
-        (["slab", "A slab, four units wide", veins], &|p| slab(p, 0.0)),
+        (["spline", "The color spline", bands], &|p| Marble::<Perlin2002>::spline(1.0 - p.y / side)),
+        (["slab", "A slab of width four", veins], &|p| slab(p, 0.0)),
         (["pixels-10", "Pixels of 0.1", veins], &|p| slab(p, 0.1)),
         (["pixels-60", "Pixels of 0.6", veins], &|p| slab(p, 0.6)),
     ];
     let drawn =
         Drawn::pictures(4, colours, |colour| context.render(sampling, |x, y| colour(Vec2::new(x, y)) * 2.2))?;
-    Ok(drawn.fact("colours times", "2.2"))
+    Ok(drawn.fact("color scale", "2.2"))
 }

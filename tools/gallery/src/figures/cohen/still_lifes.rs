@@ -45,7 +45,7 @@ pub(crate) fn draw_vase(context: &Context<'_>) -> Result<Drawn> {
     let alt = "A tall vase with blue veins on a table";
     let views = [
         (["vase", "The vase", alt], [Vec3::new(0.0, -7.2, 2.6), Vec3::new(0.0, 0.0, 1.12)]),
-        (["neck", "Its neck, from nearby", alt], [Vec3::new(0.7, -2.6, 3.1), Vec3::new(0.0, 0.0, 1.95)]),
+        (["neck", "Its neck, close up", alt], [Vec3::new(0.7, -2.6, 3.1), Vec3::new(0.0, 0.0, 1.95)]),
     ];
     let mut grains = Vec::new();
     let drawn = Drawn::pictures(2, views, |[eye, target]| {
@@ -88,14 +88,14 @@ pub(crate) fn draw_cup(context: &Context<'_>) -> Result<Drawn> {
             if share <= 0.0 {
                 return 0.0;
             }
-            // Steam rises in streaks: its noise is drawn out upwards.
+            // Steam rises in streaks: the noise is stretched vertically.
             3.2 * share * share * gas.density(p * Vec3::new(1.5, 1.5, 0.8)).min(3.0)
         };
         let (image, grain) = context.still_of(sampling, |x, y, sampler| {
             let ray = camera.ray(x, y);
             let behind = scene.seen(&ray, [0.0; 2], sampler);
             let [near, far] = steam.interval(ray.origin, ray.direction);
-            // A step more at both ends: nothing changes.
+            // One extra step at both ends, without effect.
             let range = [(near - STEP).max(3.0), (far + STEP).min(behind.distance.min(10.0))];
             let seen = march(ray.origin, ray.direction, range, STEP, sampler.point().x, extinction, |_| {
                 Vec3::new(0.78, 0.8, 0.82)

@@ -1,4 +1,4 @@
-//! A density drawn as a map, as a relief over the map, and as a lobe.
+//! A density displayed as a map, as a relief over the map, and as a lobe.
 
 use std::f32::consts::FRAC_PI_2;
 
@@ -30,13 +30,13 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
     let top = peak(|m| ndf.density(m));
     let share = |x: f32, y: f32| {
-        // At the horizon itself a density is 0 by definition; the rim shows its limit.
+        // At the horizon a density is 0 by definition. The rim shows its limit.
         let z = (1.0 - x * x - y * y).max(1e-6).sqrt();
         ndf.density(Vec3::new(x, y, z)) / top
     };
     let hill = relief(|t, phi| {
-        // Denser rings near the peak, where the relief is steep; the last ones are the wall below its rim, for a GGX
-        // has some facets that face the horizon.
+        // Denser rings near the peak, where the relief is steep. The last rings are the wall below
+        // its rim, because a GGX has some facets that face the horizon.
         let t = t / 0.98;
         let r = (t * (0.4 + 0.6 * t)).min(1.0);
         let (x, y) = (r * phi.cos(), r * phi.sin());
@@ -44,7 +44,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         Vec3::new(x, y, HEIGHT * share(x, y) * wall)
     });
     let view = [Vec3::new(3.3, -4.1, 3.0), Vec3::new(0.0, 0.0, 0.36)];
-    let alt = "A steep ridge over a round map, longer in one direction.";
+    let alt = "A steep elongated ridge over a round map.";
     let panels = vec![
         density_panel(context, &ndf, "density", "GGX 0.25, 0.5")?,
         Panel::new("relief", "as a relief", alt, picture(context, hill, view, |p| p.z / HEIGHT)?),
@@ -53,21 +53,22 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     Ok(Drawn::new(3, panels).fact("density", ggx(ALPHA)))
 }
 
-/// The density as a lobe: in each direction as far from the centre as there are facets that face there.
+/// Displays the density as a lobe: the distance from the center in each direction is the density.
 pub(crate) fn lobe_panel(context: &Context<'_>, ndf: &SharedNdf, alt: &str) -> Result<Panel> {
     let top = peak(|m| ndf.density(m));
     let lobe = relief(|t, phi| {
         let (sin, cos) = (t * FRAC_PI_2).sin_cos();
         let m = Vec3::new(sin * phi.cos(), sin * phi.sin(), cos);
         let share = ndf.density(m) / top;
-        // Thousands of triangles too small to be seen, at one point, take the hierarchy of boxes half a minute.
+        // Thousands of invisibly small triangles at one point would take the hierarchy half a
+        // minute.
         m * if share < 1e-3 { 0.0 } else { LENGTH * share }
     });
     let view = [Vec3::new(3.9, -4.6, 2.1), Vec3::new(0.0, 0.0, 0.72)];
     Ok(Panel::new("lobe", "as a lobe", alt, picture(context, lobe, view, |p| p.length() / LENGTH)?))
 }
 
-/// A surface over the unit disk, in the colours of the density at its points over its peak.
+/// Renders a surface over the unit disk, colored by density relative to its peak.
 fn picture(
     context: &Context<'_>,
     mesh: Mesh,
@@ -82,12 +83,12 @@ fn picture(
     };
     let lamps = vec![Lamps::one(direction(-122.0, 48.0), Vec3::splat(0.95))];
     let mut scene = Scene::new(vec![Object::shaded(shape, finish)], Light::lamps(lamps), Backdrop::Studio);
-    // The rim and its wall, a cell away, would shade themselves.
+    // The rim and its wall, a cell apart, would shadow themselves.
     scene.start = 4e-3;
     Ok(context.look(&scene, context.sampling([12, 12], 4), view, 0.39)?.exposed(1.0))
 }
 
-/// The colour of a density with lines where it is equal, of one width on the surface whatever its slope.
+/// Returns the color of a density with contour lines of constant width on the surface.
 fn shade(value: f32, normal: Vec3) -> Vec3 {
     let base = ember(value.max(0.0).sqrt());
     let steep = (1.0 - normal.z * normal.z).sqrt().max(0.05);

@@ -1,4 +1,5 @@
-//! Objects with the bumps of a density, at several zooms, by several rules, and the steps of the method.
+//! Objects with bumps of a density, at several zooms and with several rules, and the steps of the
+//! method.
 
 use std::sync::Arc;
 
@@ -15,7 +16,7 @@ use crate::figure::{Context, Drawn, Panel};
 use crate::panels::{density_panel, disk};
 use asperity::failure::Result;
 
-/// One picture of an object.
+/// Renders an object.
 fn object(
     context: &Context<'_>,
     request: &RenderRequest<'_>,
@@ -26,12 +27,12 @@ fn object(
     Ok(Panel::new(stem, label, alt, image))
 }
 
-/// A density in words.
+/// Formats a density.
 pub(super) fn ggx([alpha_x, alpha_y]: [f32; 2]) -> String {
     format!("GGX, α = {alpha_x}, {alpha_y}")
 }
 
-/// With the rule of a picture.
+/// Adds the rule of an image.
 fn ruled(drawn: Drawn, request: &RenderRequest<'_>) -> Drawn {
     let rule = match request.facets {
         Facets::Consistent(rule) => format!("{rule:?}"),
@@ -40,7 +41,7 @@ fn ruled(drawn: Drawn, request: &RenderRequest<'_>) -> Drawn {
     described(drawn.fact("rule", rule), request)
 }
 
-/// With the parameters that every picture has.
+/// Adds the parameters common to all images.
 fn described(drawn: Drawn, request: &RenderRequest<'_>) -> Drawn {
     let bumps = request.bumps;
     let noise =
@@ -48,7 +49,7 @@ fn described(drawn: Drawn, request: &RenderRequest<'_>) -> Drawn {
     drawn.fact("noise", noise).fact("samples per pixel", request.sampling.samples_per_pixel)
 }
 
-/// A sphere at four zooms beside its density, by both rules of level of detail.
+/// A sphere at four zooms next to its density, with both level-of-detail rules.
 pub(crate) fn draw_sphere(context: &Context<'_>) -> Result<Drawn> {
     const ALPHA: [f32; 2] = [0.18, 0.5];
     const ZOOMS: [f32; 4] = [1.0, 4.0, 16.0, 64.0];
@@ -67,26 +68,27 @@ pub(crate) fn draw_sphere(context: &Context<'_>) -> Result<Drawn> {
         for zoom in ZOOMS {
             request.zoom = zoom;
             let (label, alt) =
-                (format!("{name}, ×{zoom}"), format!("The sphere at zoom {zoom} by the rule {name}."));
+                (format!("{name}, ×{zoom}"), format!("The sphere at zoom {zoom} with the rule {name}."));
             panels.push(object(context, &request, &shape, [&format!("{stem}-{zoom}"), &label, &alt])?);
         }
     }
     Ok(described(Drawn::new(5, panels).fact("density", ggx(ALPHA)), &request))
 }
 
-/// The conditional density below one resolved facet, by the exact rule.
+/// The conditional density below one resolved facet, with the exact rule.
 fn remaining(context: &Context<'_>, ndf: &Ggx) -> Result<Panel> {
-    /// The facet, and the share of the variance resolved.
+    /// The facet, and the resolved fraction of the variance.
     const FACET: (Vec2, f32) = (Vec2::new(0.9, -1.1), 0.8);
     let (z, share) = FACET;
-    // Its own peak is 1/(1 − s) times higher; on the scale of the whole density it would be a white spot.
+    // Its peak is 1/(1 − s) times higher. On the scale of the whole density it would be a white
+    // spot.
     let image =
         disk(context, peak(|m| ndf.density(m)) / (1.0 - share), |h| conditional_density(ndf, h, z, share))?;
     let alt = "A small part of the density, around the normal of one facet.";
-    Ok(Panel::new("remaining", "what is left of it below one facet", alt, image))
+    Ok(Panel::new("remaining", "the remaining density below one facet", alt, image))
 }
 
-/// The steps of the method: noise, look-up, shading.
+/// The steps of the method: noise, lookup, shading.
 pub(crate) fn draw_pipeline(context: &Context<'_>) -> Result<Drawn> {
     const ALPHA: [f32; 2] = [0.22, 0.44];
     let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
@@ -97,7 +99,7 @@ pub(crate) fn draw_pipeline(context: &Context<'_>) -> Result<Drawn> {
     request.bumps.frequency = 4.0;
     request.exposure *= 1.5;
     let noise = step(context, &request, &shape, pair_colour)?;
-    // As normal maps have it, in sRGB: (x, y, z) from ±1 to 0 … 255.
+    // Encoded like normal maps, in sRGB: (x, y, z) from ±1 to 0 … 255.
     let normal = |z| table.bilinear(z).normal.map(|c| linear(0.5 + 0.5 * c));
     let normals = step(context, &request, &shape, normal)?;
     let square = Image::from_fn(context.size, context.size, |x, y| {
@@ -105,23 +107,18 @@ pub(crate) fn draw_pipeline(context: &Context<'_>) -> Result<Drawn> {
         normal(Vec2::new(place(x), -place(y)))
     });
     let deviations = "the table L, over ±4.5 standard deviations";
-    let alt = "A square of smoothly changing normals; the flat normal in its centre.";
+    let alt = "A square of smoothly changing normals; the flat normal in its center.";
     let words = ["shaded", "shaded with the density", "The teapot as embossed copper."];
     let panels = vec![
         Panel::new("noise", "two channels of noise", "The teapot, mottled in four hues.", noise),
         Panel::new("table", deviations, alt, square),
-        Panel::new(
-            "normals",
-            "the normals that L gives",
-            "The teapot, coloured by its bump normals.",
-            normals,
-        ),
+        Panel::new("normals", "the normals from L", "The teapot, colored by its bump normals.", normals),
         object(context, &request, &shape, words)?,
     ];
     Ok(ruled(Drawn::new(4, panels).fact("density", ggx(ALPHA)), &request))
 }
 
-/// The object with each point in the colour of its noise pair.
+/// Renders the object with each point colored by its noise pair.
 fn step(
     context: &Context<'_>,
     request: &RenderRequest<'_>,
@@ -131,7 +128,7 @@ fn step(
     let bumps = request.bumps.field(context.seed, DVec3::ZERO)?;
     let colours = |point: &SurfacePoint, wo: Vec3| {
         let coordinates = bumps.coordinates(point.position, point.footprint());
-        // Some light from the sky, so that the shape stays readable.
+        // Some sky light keeps the shape readable.
         let light = 0.35 + 0.65 * sky(point.normal);
         Bsdf::new(wo).with_emitted(colour(coordinates.z * coordinates.fade) * light)
     };
@@ -140,21 +137,23 @@ fn step(
     Ok(context.draw(&scene, request.sampling, &request.camera())?.exposed(1.0))
 }
 
-/// A pair of Gaussian numbers, made uniform, between four colours at the corners of the unit square.
+/// Maps a pair of Gaussian numbers to uniform numbers, and interpolates four colors at the corners
+/// of the unit square.
 fn pair_colour(z: Vec2) -> Vec3 {
     let (u, v) = (phi(f64::from(z.x)) as f32, phi(f64::from(z.y)) as f32);
     let low = hex(0x1f_4e79).lerp(hex(0xe8_6a4a), u);
     low.lerp(hex(0x2f_9e8f).lerp(hex(0xf8_e3a1), u), v)
 }
 
-/// The teapot with an anisotropic density at three distances, and with normals that do not follow it.
+/// The teapot with an anisotropic density at three distances, and with normals of another
+/// distribution.
 pub(crate) fn draw_teapot(context: &Context<'_>) -> Result<Drawn> {
     const ALPHA: [f32; 2] = [0.14, 0.56];
     const ZOOMS: [(f32, &str); 3] = [(1.0, "far"), (3.0, "three times closer"), (9.0, "nine times closer")];
     let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
     let shape = RenderRequest::shape(Set::Teapot);
     let mut request = RenderRequest::new(Set::Teapot, &ndf, context.sampling([12, 12], 2));
-    // So fine that the view of the whole pot resolves next to nothing.
+    // So fine that the view of the whole pot resolves almost nothing.
     request.bumps.frequency = 27.0;
     let mut panels = vec![density_panel(context, &ndf, "density", "GGX 0.14, 0.56")?];
     for (zoom, label) in ZOOMS {
@@ -166,7 +165,7 @@ pub(crate) fn draw_teapot(context: &Context<'_>) -> Result<Drawn> {
     let mut strange = request;
     (strange.facets, strange.zoom) = (Facets::Table(&uniform), ZOOMS[1].0);
     let alt = "The same view with bumps from uniform normals: a grainy surface without a highlight.";
-    let words = ["uniform", "three times closer, normals spread evenly", alt];
+    let words = ["uniform", "three times closer, uniform normals", alt];
     panels.push(object(context, &strange, &shape, words)?);
     Ok(ruled(Drawn::new(5, panels).fact("density", ggx(ALPHA)), &request))
 }

@@ -1,4 +1,5 @@
-//! Existing normal maps: detail that keeps their density, and their density estimated and given back.
+//! Existing normal maps: added detail that preserves their density, and bump maps from their
+//! estimated density.
 
 use std::f32::consts::PI;
 
@@ -18,14 +19,14 @@ use asperity::failure::Result;
 
 /// Texels along a side of the normal map.
 const SIZE: usize = 256;
-/// Strength of the noise once all octaves are resolved.
+/// Strength of the noise with all octaves resolved.
 const AMOUNT: f32 = 0.35;
 const ZOOMS: [f32; 3] = [1.0, 4.0, 16.0];
-/// Lattice cells of the first octave of detail for each texel.
+/// Lattice cells of the first octave of detail per texel.
 const CELLS_PER_TEXEL: f32 = 0.35;
 const LACUNARITY: f32 = 2.17;
 
-/// A normal map of 8 bits and its density.
+/// An 8-bit normal map and its density.
 struct NormalMap {
     normals: Vec<Vec3>,
     ndf: NdfMap,
@@ -40,7 +41,7 @@ impl NormalMap {
         Ok(Self { normals, ndf })
     }
 
-    /// The blended normal at a point of the unit square, periodic.
+    /// Returns the blended normal at a point of the unit square, periodic.
     fn at(&self, p: Vec2) -> Vec3 {
         let place = p * SIZE as f32 - Vec2::splat(0.5);
         let (cell, t) = (place.floor(), place - place.floor());
@@ -56,7 +57,7 @@ impl NormalMap {
 pub(crate) fn draw_detail(context: &Context<'_>) -> Result<Drawn> {
     let map = NormalMap::cobbles()?;
     let noise = GaussianOctaves::<2>::new(Gaussian::new(context.seed), Spectrum::new(LACUNARITY, 0.8, 8)?);
-    let pictures = [("plain", "as it is"), ("detail", "with detail")].into_iter().flat_map(|(stem, word)| {
+    let pictures = [("plain", "original"), ("detail", "with detail")].into_iter().flat_map(|(stem, word)| {
         ZOOMS.map(|zoom| {
             let alt = format!("Worn cobbles at a magnification of {zoom}, {word}.");
             ([format!("{stem}-{zoom}"), format!("×{zoom}, {word}"), alt], (stem == "detail", zoom))
@@ -87,7 +88,7 @@ pub(crate) fn draw_detail(context: &Context<'_>) -> Result<Drawn> {
         .fact("first octave", format!("{CELLS_PER_TEXEL} cells per texel")))
 }
 
-/// A normal under one lamp and a sky, seen from above: a matt surface with a faint gloss.
+/// Shades a normal under one lamp and a sky, seen from above: matte with a faint gloss.
 fn lit(n: Vec3) -> Vec3 {
     let (lamp, colour) = (direction(135.0, 42.0), hex(0xb0_9a84));
     let gloss = CookTorrance::new(Ggx::clamped(0.3, 0.3), Vec3::splat(0.045));
@@ -133,18 +134,18 @@ pub(crate) fn draw_estimate(context: &Context<'_>) -> Result<Drawn> {
         .table(["", "deviation of n_x", "deviation of n_y", "mean of n_z"], rows))
 }
 
-/// Normals as the colours of a normal map.
+/// Displays normals as the colors of a normal map.
 fn texels(stem: &str, label: &str, normals: &[Vec3]) -> Panel {
     let format = NormalMapFormat::default();
     let image = Image::from_fn(SIZE as u32, SIZE as u32, |x, y| {
-        // The first row of the map is the lowest of the image.
+        // The first row of the map is the lowest row of the image.
         let n = normals[(SIZE - 1 - y as usize) * SIZE + x as usize];
         Vec3::from(format.encode_u8(n).map(|byte| linear(f32::from(byte) / 255.0)))
     });
     Panel::new(stem, label, "A normal map in its usual blue and violet colours.", image)
 }
 
-/// The densities of two bump maps along both axes.
+/// Plots the densities of two bump maps along both axes.
 fn cuts(first: &NdfMap, second: &NdfMap) -> Result<Panel> {
     let top = f64::from(first.density(Vec3::Z).max(second.density(Vec3::Z)));
     let curve = |ndf: &NdfMap, axis: Vec3| -> Vec<[f64; 2]> {
@@ -163,7 +164,7 @@ fn cuts(first: &NdfMap, second: &NdfMap) -> Result<Panel> {
         .panel("cuts", "both densities along x and y", alt)
 }
 
-/// The total variation between two sets of normals in 32 × 32 bins.
+/// Returns the total variation between two sets of normals in 32 × 32 bins.
 fn variation(first: &[Vec3], second: &[Vec3]) -> f64 {
     const BINS: usize = 32;
     let shares = |normals: &[Vec3]| {

@@ -1,4 +1,4 @@
-//! Conditional densities: the part of a density that a pixel does not resolve, share by share.
+//! Conditional densities: the unresolved part of a density within a pixel, by resolved fraction.
 
 use asperity_ndf_sampling::{Ggx, conditional_density};
 use asperity_render::{materials::SharedNdf, scenes::peak};
@@ -10,7 +10,7 @@ use asperity::failure::Result;
 use asperity::input::density::painted;
 
 const SHARES: [f32; 5] = [0.0, 0.25, 0.5, 0.75, 0.95];
-/// The facet that is found.
+/// The resolved facet.
 const FACET: Vec2 = Vec2::new(-0.9, 0.7);
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
@@ -25,8 +25,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         for s in SHARES {
             let seen = |m: Vec3| conditional_density(ndf, m, FACET, s);
             let label = format!("{name}, s = {s}");
-            let alt =
-                format!("The density {name} given a facet, with the share {s} of the variance resolved.");
+            let alt = format!("The density {name} given a facet, with {s} of the variance resolved.");
             let image = disk(context, peak(seen), seen)?;
             panels.push(Panel::new(format!("{stem}-{s}"), label, alt, image));
             row.push(format!("{:.5}", mean(ndf, h, s)));
@@ -42,7 +41,8 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         .table(head, rows))
 }
 
-/// `∫∫ p_s(h | z_b) N(z_b) dz_b` by the trapezoidal rule, whose error is far below the digits shown.
+/// Computes `∫∫ p_s(h | z_b) N(z_b) dz_b` by the trapezoidal rule, with an error far below the
+/// digits shown.
 fn mean(ndf: &SharedNdf, h: Vec3, s: f32) -> f64 {
     const REACH: f64 = 7.0;
     const POINTS: i32 = 420;

@@ -1,4 +1,5 @@
-//! Every density of normals: its map, its lobe, its slopes, and what is left between it and the normals drawn from it.
+//! Every normal density: its map, its lobe, its slopes, and the residual of normals sampled from
+//! it.
 
 use std::f64::consts::FRAC_2_PI;
 
@@ -16,7 +17,7 @@ use crate::plot::{Axis, Names, Plot, Stroke};
 use asperity::failure::Result;
 use asperity::input::density::painted;
 
-/// One figure for each density; a new one is one entry here.
+/// One figure per density.
 pub(crate) const DENSITIES: &[Figure] = &[
     figure("ndf-density-ggx", |context| draw(context, "GGX 0.2, 0.4", &Ggx::new(0.2, 0.4)?)),
     figure("ndf-density-beckmann", |context| draw(context, "Beckmann 0.2, 0.4", &Beckmann::new(0.2, 0.4)?)),
@@ -44,7 +45,7 @@ pub(crate) const DENSITIES: &[Figure] = &[
     figure("ndf-density-painted", |context| draw(context, "painted, 256 × 256", &painted()?)),
 ];
 
-/// Normals that are drawn for the residual.
+/// Normals sampled for the residual.
 const NORMALS: u32 = 1 << 22;
 /// Bins along a side of the square around the disk.
 const BINS: usize = 64;
@@ -62,18 +63,19 @@ fn draw(context: &Context<'_>, name: &str, ndf: &SharedNdf) -> Result<Drawn> {
     let sum = |term: fn([f64; 2]) -> f64| bins.iter().flatten().map(|&bin| term(bin)).sum::<f64>();
     let chi_square = sum(|[count, expected]| (count - expected).powi(2) / expected);
     let freedom = bins.iter().flatten().count().max(1) as f64;
-    // Half the sum of the differences, as shares of all normals; of random numbers alone ½ Σ √(2/π) √expected.
+    // Half the sum of the differences, relative to the number of normals. Random numbers alone give
+    // ½ Σ √(2/π) √expected.
     let variation = 0.5 * sum(|[count, expected]| (count - expected).abs()) / f64::from(NORMALS);
     let floor = 0.5 * sum(|[_, expected]| (expected * FRAC_2_PI).sqrt()) / f64::from(NORMALS);
     Ok(Drawn::new(4, panels)
         .fact("density", name)
-        .fact("normals drawn", format!("{} million", NORMALS >> 20))
+        .fact("sampled normals", format!("{} million", NORMALS >> 20))
         .fact("χ² per degree of freedom", format!("{:.3}", chi_square / freedom))
         .fact("total variation", format!("{variation:.5}"))
-        .fact("of which the sampling's", format!("{floor:.5}")))
+        .fact("expected from sampling alone", format!("{floor:.5}")))
 }
 
-/// The slope density along both axes, in decades.
+/// Plots the slope density along both axes, in decades.
 fn slopes(ndf: &SharedNdf) -> Result<Panel> {
     const REACH: f64 = 2.0;
     const DECADES: f64 = 5.0;
@@ -98,10 +100,11 @@ fn slopes(ndf: &SharedNdf) -> Result<Panel> {
         .panel("slopes", "slopes, along both axes", alt)
 }
 
-/// Counted and expected normals in bins of the disk; `None` for those that the rim crosses or that expect too few.
+/// Counted and expected normals in bins of the disk; `None` for bins that the rim crosses or with a
+/// low expected count.
 type Bins = Vec<Option<[f64; 2]>>;
 
-/// Draws normals by pseudo-random Gaussian numbers and counts them.
+/// Samples normals with pseudorandom Gaussian numbers and counts them.
 fn counted(context: &Context<'_>, ndf: &SharedNdf) -> Result<Bins> {
     const PARTS: u32 = 64;
     let place = |n: f32| (((n * 0.5 + 0.5) * BINS as f32) as usize).min(BINS - 1);
@@ -119,13 +122,13 @@ fn counted(context: &Context<'_>, ndf: &SharedNdf) -> Result<Bins> {
     context.checkpoint()?;
     let bin = |(bin, count)| {
         let expected = f64::from(NORMALS) * integral(ndf, bin % BINS, bin / BINS)?;
-        // Fewer would not be near to Gaussian.
+        // Smaller counts would not be approximately Gaussian.
         (expected >= 10.0).then_some([f64::from(count), expected])
     };
     Ok(counts.into_par_iter().enumerate().map(bin).collect())
 }
 
-/// The differences over their standard deviations, on the disk.
+/// Displays the differences over their standard deviations, on the disk.
 fn residual(context: &Context<'_>, bins: &Bins) -> Result<Panel> {
     const RADIUS: f32 = 0.86;
     let sampling = context.square();
@@ -143,12 +146,12 @@ fn residual(context: &Context<'_>, bins: &Bins) -> Result<Panel> {
         let deviation = ((count - expected) / expected.sqrt() / CONTRAST).clamp(-1.0, 1.0) as f32;
         middle.lerp(if deviation < 0.0 { low } else { high }, deviation.abs())
     })?;
-    let label = format!("drawn less expected, ±{CONTRAST} deviations");
+    let label = format!("sampled minus expected, ±{CONTRAST} deviations");
     let alt = "Blue and orange specks without a pattern over the disk of normals.";
     Ok(Panel::new("residual", label, alt, image))
 }
 
-/// The share of normals in a bin; nothing where the rim crosses it.
+/// Returns the fraction of normals in a bin, or `None` if the rim crosses it.
 fn integral(ndf: &SharedNdf, i: usize, j: usize) -> Option<f64> {
     const POINTS: usize = 24;
     let edge = |k: usize| 2.0 * k as f64 / BINS as f64 - 1.0;

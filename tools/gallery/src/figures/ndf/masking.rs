@@ -1,4 +1,4 @@
-//! Smith's masking, and the normals that are seen from a direction.
+//! Smith masking, and the visible normals from a direction.
 
 use asperity_ndf_sampling::{AshikhminShirley, Beckmann, BlinnPhong, Ggx, Microfacet, StudentT};
 use asperity_render::{sampling::low_discrepancy::r2, scenes::peak};
@@ -24,7 +24,8 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
             .map(|u| ggx.sample_visible(v, u).truncate())
             .collect();
         let seen = |m: Vec3| ggx.visible_density(v, m);
-        // Over the map, where a direction near the horizon takes less room: D_v/cos θ would be infinite there.
+        // Over the map, where a direction near the horizon takes less area: D_v/cos θ would be
+        // infinite there.
         let peak = peak(seen);
         let radius = 2.2 / (0.43 * context.size as f32);
         let image = disk(context, 1.0, |m| {
@@ -32,19 +33,19 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
             let line = (m.dot(v) / sin.max(1e-3)).abs() < 0.006 && angle > 0.0;
             if dot || line { 1.0 } else { 0.7 * seen(m) / peak }
         })?;
-        let alt = format!("Visible normals from {angle} degrees, with dots where normals were drawn.");
+        let alt = format!("Visible normals from {angle} degrees, with dots at sampled normals.");
         panels.push(Panel::new(format!("visible-{angle}"), format!("seen from {angle}°"), alt, image));
     }
     Ok(Drawn::new(5, panels).fact("roughness", ALPHA))
 }
 
-/// `G₁` against the angle of view.
+/// Plots `G₁` against the view angle.
 fn shares() -> Result<Panel> {
     let (beckmann, ggx) = (Beckmann::isotropic(ALPHA)?, Ggx::isotropic(ALPHA)?);
     let student = StudentT::new(ALPHA, ALPHA, 1.6)?;
     let phong = BlinnPhong::from_roughness(ALPHA)?;
     let ashikhmin = AshikhminShirley::new(2.0 / (ALPHA * ALPHA) - 2.0, 60.0)?;
-    let (x, y) = (Axis::linear("angle of view, °", [0.0, 90.0], 30.0), Axis::linear("G₁", [0.0, 1.0], 0.25));
+    let (x, y) = (Axis::linear("view angle, °", [0.0, 90.0], 30.0), Axis::linear("G₁", [0.0, 1.0], 0.25));
     let mut plot = Plot::new([330.0, 330.0], x, y, Names::Above);
     let curves: [(&str, &dyn Microfacet, Stroke); 5] = [
         ("Student-t 1.6", &student, Stroke::dashed(1)),
@@ -60,6 +61,6 @@ fn shares() -> Result<Panel> {
         });
         plot = plot.curve(name, points, stroke);
     }
-    let alt = "The visible share of facets against the angle of view";
-    plot.panel("masking", "G₁, against the angle of view", alt)
+    let alt = "The visible fraction of facets against the view angle";
+    plot.panel("masking", "G₁ against the view angle", alt)
 }

@@ -1,4 +1,4 @@
-//! Figures of the densities of normals.
+//! Figures of the normal densities.
 
 pub(super) mod bump_maps;
 pub(super) mod conditional;

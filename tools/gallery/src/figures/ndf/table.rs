@@ -1,4 +1,4 @@
-//! Table L: what its look-ups lose, by spacing, chart and interpolation.
+//! Table L: lookup errors by spacing, chart and interpolation.
 
 use asperity_ndf_sampling::normal_table::{Chart, Spacing, TableLayout};
 use asperity_ndf_sampling::{Ggx, Ndf, NormalTable};
@@ -25,7 +25,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let default = NormalTable::standard(&ggx);
     let layout = TableLayout { spacing: Spacing::Quantiles, ..TableLayout::default() };
     let by_u = NormalTable::with_layout(&ggx, SIZE, layout)?;
-    let alt = "Errors of a look-up over the square of coordinates.";
+    let alt = "Errors of a lookup over the square of coordinates.";
     let looks: [([&str; 3], Shown<'_, Vec2, Vec3>); 4] = [
         (["nearest", "by z, nearest", alt], &|z| default.nearest(z).normal),
         (["bilinear", "by z, bilinear", alt], &|z| default.bilinear(z).normal),
@@ -37,7 +37,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         context.render(context.square(), |x, y| {
             let z = Vec2::new(x / side * 2.0 - 1.0, 1.0 - y / side * 2.0) * Spacing::RANGE;
             let (found, exact) = (look_up(z), ggx.from_gaussian(z));
-            // The sine of small angles keeps what their cosine has lost.
+            // The sine of small angles retains the precision that their cosine loses.
             let angle = found.cross(exact).length().min(1.0).asin().to_degrees();
             ember((angle / BRIGHTEST).sqrt())
         })
@@ -60,7 +60,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         "bilinear, rms °",
         "largest °",
         "half floats, rms °",
-        "between neighbours, °",
+        "between neighbors, °",
     ];
     Ok(drawn
         .fact("density", "GGX 0.2, 0.4")

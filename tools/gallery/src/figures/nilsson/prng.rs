@@ -1,4 +1,4 @@
-//! Random numbers of the cells of a lattice: the thesis's texture, a permutation and a hash.
+//! Random numbers of lattice cells: the thesis's texture, a permutation and a hash.
 
 use asperity_render::image::{Image, tone::hex};
 use asperity_shading::noise::lattice::{ChainedTable, PermutationTable};
@@ -19,7 +19,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         |pixel: UVec2| pixel.to_array().map(|k| (f64::from(k) + 0.5) as f32 * CELLS as f32 / side as f32);
     let cell = |pixel| place(pixel).map(|k| k as i32);
     let word = |w: u32| w as f32 / 4_294_967_296.0;
-    let columns = "Cells of random brightness in columns that are shifted against one another";
+    let columns = "Cells of random brightness in columns shifted against each other";
     let square = "Square cells of random brightness";
     let numbers: [([&str; 3], Shown<'_, UVec2, f32>); 3] = [
         (["printed", "The texture, once for each axis, as printed", columns], &|pixel| {

@@ -1,4 +1,4 @@
-//! The thesis's materials, and bumps of a density, from afar down to their smallest details.
+//! The thesis's materials, and bumps of a density, from a distance down to their smallest details.
 
 use std::f32::consts::PI;
 
@@ -20,31 +20,32 @@ use glam::{Vec2, Vec3};
 use crate::figure::{Context, Drawn};
 use asperity::failure::Result;
 
-/// Radius of the lamp on bumps, a window nearby: facets closer to one another than it show one image of it.
+/// Radius of the lamp on bumps, like a nearby window. Facets closer to each other show the same
+/// image of it.
 const LAMP: f32 = 0.35;
 
-/// The share of the bumps' colour that a dim sky lights.
+/// The fraction of the bumps' color lit by a dim sky.
 const SKY: f32 = 0.25;
 
-/// Near the middle of every picture, off the lattices of noises.
+/// Near the center of every image, off the lattices of noises.
 const ANCHOR: Vec2 = Vec2::new(1.371, 0.843);
 
-/// Cells of the bumps in a metre.
+/// Cells of the bumps per meter.
 const CELLS: f32 = 60.0;
 
-/// A material with its exposure and the half vector of the eye and its lamp.
+/// A material with its exposure, and the half vector of viewer and lamp.
 struct Surface {
     name: &'static str,
     exposure: f32,
     half: Vec3,
-    /// Widths of its pictures in metres, down to its smallest detail.
+    /// Widths of its images in meters, down to its smallest detail.
     widths: [f32; 5],
-    /// Whether its material is told positions from [`ANCHOR`] on.
+    /// Whether its material receives positions relative to [`ANCHOR`].
     anchored: bool,
     material: Box<dyn Material + Sync>,
 }
 
-/// The direction to the eye.
+/// Returns the direction to the viewer.
 fn eye() -> Vec3 {
     Vec3::new(0.1, -0.25, 0.96).normalize()
 }
@@ -93,12 +94,13 @@ fn surfaces() -> Result<[Surface; 6]> {
     })?;
     let glass = TemperedGlass::new(TemperedGlassParameters { wave_amplitude: 6e-4, ..Default::default() })?;
     let noise = GaussianOctaves::<3>::new(Gaussian::new(5), Spectrum::new(2.17, 0.8, 16)?);
-    // Octaves so fine that f32 has no digits left for them at the middle.
+    // Octaves so fine that f32 has no precision left for them at the center.
     let noise = noise.anchored(ANCHOR.extend(0.0).as_dvec3() * f64::from(CELLS));
     let (ndf, bumps, rule) = (Ggx::new(0.2, 0.4)?, BumpField::new(noise, CELLS)?, LevelOfDetail::Exact);
     let most = share_beyond(ndf.density(Vec3::Z), LAMP);
     let bumps = UnderLamp { bumps: BumpMapped { ndf, bumps, rule, colour: hex(0xf2_b184) }, most };
-    // Of all but scratches the lamp is near the highlight; they catch the light that the surface mirrors past the eye.
+    // For all but scratches the lamp is near the highlight. Scratches reflect light that the
+    // surface mirrors past the viewer.
     Ok([
         surface("carpet", 2.4, [-0.134, 0.094], [4.0, 0.4, 0.04, 0.01, 0.0025], Box::new(carpet)),
         surface("paint", 1.0, [-0.134, 0.094], [4.0, 0.4, 0.04, 0.004, 0.0004], Box::new(paint)),
@@ -112,10 +114,10 @@ fn surfaces() -> Result<[Surface; 6]> {
     ])
 }
 
-/// Bumps under a lamp that has a size, and a dim sky.
+/// Bumps under an area lamp and a dim sky.
 struct UnderLamp<F> {
     bumps: BumpMapped<Ggx, F>,
-    /// The most of the variance that counts as resolved.
+    /// Maximum fraction of the variance that counts as resolved.
     most: f32,
 }
 
@@ -131,7 +133,8 @@ impl<F: GaussianField> Material for UnderLamp<F> {
 }
 
 impl Surface {
-    /// Light of the one lamp, and of tubes that a smooth surface mirrors, so far from the anchor.
+    /// Returns the radiance from the lamp, and from tubes reflected by a smooth surface, at a
+    /// position relative to the anchor.
     fn radiance(&self, from: Vec2, pixel: Footprint) -> Vec3 {
         const DIRECTIONS: u32 = 4;
         let (wo, wi) = (eye(), reflect(eye(), self.half));
@@ -141,7 +144,7 @@ impl Surface {
         let bsdf = self.material.bsdf(&point, wo);
         let deltas = (0..DIRECTIONS).flat_map(|k| bsdf.deltas(wo, Vec2::from(r2(k).map(|u| u as f32))));
         let mirrored = deltas.filter(|delta| delta.wi.z > 0.0).fold(Vec3::ZERO, |sum, delta| {
-            // Tubes askew, seen at the distance of a few metres.
+            // Tilted tubes, at a distance of a few meters.
             let place = delta.wi.truncate() + 0.06 * p;
             let tube = (3.0 * (place.dot(Vec2::new(0.5, 0.87)) * 55.0).sin()).tanh();
             sum + delta.weight * Vec3::new(0.50, 0.56, 0.60) * (0.55 + 0.42 * tube)
@@ -149,10 +152,10 @@ impl Surface {
         self.exposure * (PI * bsdf.scattered(wi, wo) + bsdf.emitted() + mirrored / DIRECTIONS as f32)
     }
 
-    /// The place about the anchor where the nearest picture has the most to show: of all tried, the one with the greatest spread of
-    /// radiances.
+    /// Returns the position near the anchor where the closest image has the most detail: among all
+    /// candidates, the position with the greatest variation of radiance.
     fn liveliest(&self) -> Vec2 {
-        /// Places, and points of each along its sides.
+        /// Candidates, and points per side of each.
         const TRIED: (u32, u16) = (512, 8);
         let width = self.widths[4];
         let pixel = Footprint::from_width(width / f32::from(TRIED.1));
@@ -165,14 +168,14 @@ impl Surface {
             let (sum, square) = points.fold((0.0, 0.0), |(sum, square), x| (sum + x, square + x * x));
             square - sum * sum / f32::from(TRIED.1).powi(2)
         };
-        // As near as keeps the middle in the picture before.
+        // Close enough to stay at the center of the previous image.
         let middle = |k| (Vec2::from(r2(k).map(|u| u as f32)) - 0.5) * (0.8 * self.widths[2]);
         let spreads = (0..TRIED.0).map(|k| (spread(middle(k)), middle(k)));
         spreads.max_by(|a, b| a.0.total_cmp(&b.0)).map_or(Vec2::ZERO, |(_, middle)| middle)
     }
 }
 
-/// A length in words.
+/// Formats a length.
 fn words(metres: f32) -> String {
     let (value, unit) = match metres {
         m if m >= 1.0 => (m, "m"),
@@ -203,5 +206,5 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         Ok(image.filmic(1.0))
     })?;
     let lamp = format!("{:.0}°", 2.0 * LAMP.to_degrees());
-    Ok(drawn.fact("the lamp on bumps", lamp).fact("samples per pixel", sampling.samples_per_pixel))
+    Ok(drawn.fact("lamp size for bumps", lamp).fact("samples per pixel", sampling.samples_per_pixel))
 }

@@ -1,4 +1,5 @@
-//! Cellular noise in three metrics: the distance to the nearest feature point, to the borders between regions, and the regions.
+//! Cellular noise in three metrics: the distance to the nearest feature point, to the borders
+//! between regions, and the regions.
 
 use asperity_noise::{Basis, Cellular, Field, Metric};
 use glam::Vec2;
@@ -7,7 +8,7 @@ use crate::figure::{Context, Drawn, Panel};
 use crate::figures::noise::plane::{Window, grey};
 use asperity::failure::Result;
 
-/// Cells along a side of each picture.
+/// Cells along a side of each image.
 const CELLS: f32 = 8.0;
 
 const PANELS: [(Basis, Metric, [f32; 2], [&str; 3]); 6] = [
@@ -27,9 +28,14 @@ const PANELS: [(Basis, Metric, [f32; 2], [&str; 3]); 6] = [
         Basis::F2MinusF1,
         Metric::Euclidean,
         [0.0, 0.8],
-        ["f2-f1", "F₂ − F₁", "Bright irregular polygons parted by thin black lines."],
+        ["f2-f1", "F₂ − F₁", "Bright irregular polygons separated by thin black lines."],
     ),
-    (Basis::Cell, Metric::Euclidean, [-1.0, 1.0], ["cell", "cell", "Irregular polygons, each of one grey."]),
+    (
+        Basis::Cell,
+        Metric::Euclidean,
+        [-1.0, 1.0],
+        ["cell", "cell", "Irregular polygons, each a uniform gray."],
+    ),
     (
         Basis::F2MinusF1,
         Metric::Manhattan,
@@ -44,7 +50,7 @@ const PANELS: [(Basis, Metric, [f32; 2], [&str; 3]); 6] = [
         Basis::F1,
         Metric::Chebyshev,
         [0.0, 0.9],
-        ["chebyshev", "F₁, Chebyshev", "Dark square pyramids that cut one another."],
+        ["chebyshev", "F₁, Chebyshev", "Dark intersecting square pyramids."],
     ),
 ];
 
@@ -55,5 +61,5 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         Window::new(context, CELLS).draw(context, words, shade)
     };
     let panels: Vec<Panel> = PANELS.into_iter().map(panel).collect::<Result<_>>()?;
-    Ok(Drawn::new(3, panels).fact("picture", format!("{CELLS} × {CELLS} cells, jitter 1")))
+    Ok(Drawn::new(3, panels).fact("image", format!("{CELLS} × {CELLS} cells, jitter 1")))
 }

@@ -1,4 +1,4 @@
-//! Curl noise: streamlines, and dye that is carried along and keeps its area.
+//! Curl noise: streamlines, and area-preserving advection of dye.
 
 use asperity_noise::{Curved, Field, Octaves, Simplex, Spectrum, White, curl::Curl2};
 use asperity_render::image::tone::hex;
@@ -11,12 +11,12 @@ use asperity::failure::Result;
 
 const CELLS: f32 = 3.0;
 const OCTAVES: f32 = 2.0;
-/// Points of a streamline to each side of a pixel, a pixel apart.
+/// Points of a streamline on each side of a pixel, a pixel apart.
 const REACH: usize = 22;
-/// Way of the dye: cells at the root mean square speed, and steps.
+/// Advection distance of the dye: cells at the root mean square speed, and steps.
 const WAY: f32 = 0.4;
 const STEPS: usize = 24;
-/// Fields of the dye per cell.
+/// Dye squares per cell.
 const FIELDS: f32 = 3.0;
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
@@ -27,10 +27,11 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let time = WAY / speed;
     let curl = |p| carried(p, time, |p| flow.velocity(p));
     let gradient = |p| carried(p, time, |p| -flow.0.sample(p).gradient);
-    let stirred = "A chequerboard stirred into spirals.";
-    let squeezed = "A chequerboard squeezed into thin lines around a few blown-up fields.";
+    let stirred = "A checkerboard stirred into spirals.";
+    let squeezed = "A checkerboard squeezed into thin lines around a few enlarged squares.";
     let words = ["streamlines", "streamlines of the curl", "Closed swirling lines, tinted by direction."];
-    // Cabral, Leedom 1993, "Imaging Vector Fields Using Line Integral Convolution": white noise smeared along the flow.
+    // Cabral, Leedom 1993, "Imaging Vector Fields Using Line Integral Convolution": white noise
+    // blurred along the flow.
     let streamlines = window.draw(context, words, |p| {
         let smeared = |sign: f32| {
             let (mut p, mut sum) = (p, 0.0);
@@ -45,8 +46,8 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     })?;
     let panels = vec![
         streamlines,
-        window.draw(context, ["dye", "dye carried by the curl", stirred], |p| dye(curl(p)))?,
-        window.draw(context, ["gradient", "dye carried by the gradient", squeezed], |p| dye(gradient(p)))?,
+        window.draw(context, ["dye", "dye advected by the curl", stirred], |p| dye(curl(p)))?,
+        window.draw(context, ["gradient", "dye advected by the gradient", squeezed], |p| dye(gradient(p)))?,
     ];
     let row = |name: &str, divergence: f32, areas: &[f32]| {
         let share = |t: f32| format!("{:.3}", areas[(t * (areas.len() - 1) as f32) as usize]);
@@ -57,13 +58,13 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let noise = format!("simplex, r² = 0.5, {OCTAVES} octaves, lacunarity 2, gain 0.5, of variance 1");
     Ok(Drawn::new(3, panels)
         .fact("noise", noise)
-        .fact("picture", format!("{CELLS} × {CELLS} cells"))
-        .fact("way", format!("{WAY} cells at the root mean square speed, {STEPS} midpoint steps"))
-        .fact("area before", "of what fills a unit of area afterwards")
-        .table(["carried by", "greatest divergence", "area before, 5 %", "median", "95 %"], rows))
+        .fact("image", format!("{CELLS} × {CELLS} cells"))
+        .fact("advection", format!("{WAY} cells at the root mean square speed, {STEPS} midpoint steps"))
+        .fact("area before", "area before advection of a unit of area")
+        .table(["advected by", "max. divergence", "area before, 5 %", "median", "95 %"], rows))
 }
 
-/// Origin of the fluid at a point, by the midpoint rule backwards in time.
+/// Returns the origin of the fluid at a point, by the midpoint rule backward in time.
 fn carried(mut p: Vec2, time: f32, velocity: impl Fn(Vec2) -> Vec2) -> Vec2 {
     let step = time / STEPS as f32;
     for _ in 0..STEPS {
@@ -73,7 +74,7 @@ fn carried(mut p: Vec2, time: f32, velocity: impl Fn(Vec2) -> Vec2) -> Vec2 {
     p
 }
 
-/// A chequerboard with a second, coarser one in another tint.
+/// A checkerboard with a second, coarser pattern in another tint.
 fn dye(origin: Vec2) -> Vec3 {
     let odd = |p: Vec2| p.floor().element_sum().rem_euclid(2.0) >= 1.0;
     let place = origin * FIELDS;
@@ -81,9 +82,9 @@ fn dye(origin: Vec2) -> Vec3 {
     hex(if odd(place) { dark } else { light })
 }
 
-/// The area that a unit of area came from, at points of a grid, in order of size.
+/// Returns the area from which a unit of area came, at points of a grid, sorted.
 fn areas(window: Window, origin: impl Fn(Vec2) -> Vec2) -> Vec<f32> {
-    /// Half the distance of the differences: wide enough for `f32`, narrow enough for the folds.
+    /// Half the finite-difference distance: wide enough for `f32`, narrow enough for the folds.
     const H: f32 = 1.0 / 1024.0;
     let area = |p| {
         let difference = |d: Vec2| (origin(p + d) - origin(p - d)) / (2.0 * H);
@@ -94,13 +95,13 @@ fn areas(window: Window, origin: impl Fn(Vec2) -> Vec2) -> Vec<f32> {
     areas
 }
 
-/// Points of a grid over the window.
+/// Returns points of a grid over the window.
 fn places(window: Window) -> impl Iterator<Item = Vec2> {
     let row = (0..window.side).step_by(6);
     row.clone().flat_map(move |y| row.clone().map(move |x| window.point(x, y)))
 }
 
-/// The greatest divergence of the curl and of the gradient over a grid of points.
+/// Returns the maximum divergence of the curl and of the gradient over a grid of points.
 fn divergences<F: Curved<Vec2>>(window: Window, flow: &Curl2<F>) -> [f32; 2] {
     places(window).fold([0.0_f32; 2], |[curl, gradient], p| {
         let [[xx, _], [_, yy]] = flow.velocity_and_jacobian(p).jacobian;
@@ -116,7 +117,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn areas_are_determinants_of_the_map() {
+    fn areas_are_jacobian_determinants() {
         let window = Window { corner: Vec2::ZERO, cells: 2.0, side: 8 };
         for area in areas(window, |p| Vec2::new(2.0 * p.x + 0.7 * p.y, 1.5 * p.y)) {
             assert_abs_diff_eq!(area, 3.0, epsilon = 1e-2);
@@ -124,8 +125,9 @@ mod tests {
     }
 
     #[test]
-    fn a_rotation_carries_points_around() {
-        // A quarter of a turn at unit angular speed; the midpoint rule lags by h²/6 per unit of time, 1.1e-3 in all.
+    fn rotation_moves_points_in_a_circle() {
+        // A quarter turn at unit angular speed. The midpoint rule lags by h²/6 per unit of time,
+        // 1.1e-3 in total.
         let origin = carried(Vec2::X, std::f32::consts::FRAC_PI_2, |p| Vec2::new(-p.y, p.x));
         assert_abs_diff_eq!(origin, Vec2::new(0.0, -1.0), epsilon = 1.2e-3);
     }

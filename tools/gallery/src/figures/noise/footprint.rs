@@ -1,4 +1,4 @@
-//! Frequency clamping on a plane to the horizon.
+//! Frequency clamping on a plane up to the horizon.
 
 use asperity_noise::{
     Field, Normalisation, Octaves, Shape, Simplex, Spectrum, Turbulence, pixel_footprint, removed_share,
@@ -14,14 +14,14 @@ use asperity::failure::Result;
 const OCTAVES: f32 = 8.0;
 /// Samples along each side of a pixel of the reference.
 const FINE: usize = 8;
-/// Height of the eye over the plane, in cells of the first octave.
+/// Height of the viewer above the plane, in cells of the first octave.
 const EYE: f32 = 2.2;
-/// Half the width of the picture over its distance from the eye.
+/// Half the width of the image, relative to its distance from the viewer.
 const ZOOM: f32 = 0.8;
-/// The horizon's place, as a share of the picture's height from the top.
+/// The horizon's position, as a fraction of the image height from the top.
 const HORIZON: f32 = 0.12;
 
-/// A plane seen through a camera that looks to the horizon.
+/// A plane, viewed by a camera that looks to the horizon.
 #[derive(Clone, Copy)]
 struct View {
     width: usize,
@@ -29,14 +29,16 @@ struct View {
 }
 
 impl View {
-    /// Distance and width of a pixel's row: the point of the plane at `(x, y)` pixels is `(step · (x − width/2), z)`.
+    /// Returns distance and pixel width of a row: the plane point at `(x, y)` pixels is
+    /// `(step · (x − width/2), z)`.
     fn row(&self, y: f32) -> Option<(f32, f32)> {
         let down = (y - HORIZON * self.height as f32) * ZOOM / (0.5 * self.width as f32);
         let z = EYE / down;
         (down > 0.0 && z < 1e5).then(|| (z * ZOOM / (0.5 * self.width as f32), z))
     }
 
-    /// The footprint of the pixel around a point: how far the plane's point moves from pixel to pixel, at most.
+    /// Returns the footprint of the pixel around a point: the maximum change of the plane point
+    /// between pixels.
     fn footprint(&self, x: f32, y: f32) -> Option<f32> {
         let (step, z) = self.row(y)?;
         // z = EYE/down, so dz = −z²/EYE · d(down).
@@ -45,7 +47,8 @@ impl View {
         Some(pixel_footprint(Vec2::new(step, 0.0), Vec2::new(dx, dz)))
     }
 
-    /// Means over `fine`² samples of each pixel of a value at a point for the pixel's footprint; none over the horizon.
+    /// Returns the mean over `fine`² samples per pixel of a value at a point with the pixel's
+    /// footprint; `None` above the horizon.
     fn pixels(
         &self,
         context: &Context<'_>,
@@ -71,10 +74,10 @@ impl View {
     }
 }
 
-/// Values by pixel; none over the horizon.
+/// Values by pixel; `None` above the horizon.
 type Pixels = Vec<Option<f32>>;
 
-/// The share of the sum's amplitudes that clamping removes.
+/// Returns the fraction of the sum's amplitudes that clamping removes.
 fn removed(footprint: f32) -> f32 {
     let spectrum = Spectrum::CLOUD;
     let octaves = 0..OCTAVES as u32;
@@ -94,12 +97,12 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     Ok(Drawn::new(2, panels)
         .fact("noise", format!("simplex, r² = 0.5, {OCTAVES} octaves, lacunarity 2, gain 0.5"))
         .fact("footprint", "largest change of a coordinate from pixel to pixel")
-        .fact("near the horizon", "the sixth of the picture below it")
+        .fact("near the horizon", "the sixth of the image below the horizon")
         .fact("mean of turbulence", format!("{mean:.4}"))
         .table(["sum", "pixels", "rms error", "near the horizon", "mean near the horizon"], rows))
 }
 
-/// The panels and rows of one sum, which has the mean `mean`, in greys between two values.
+/// Returns the panels and rows of one sum with mean `mean`, in gray between two values.
 fn panels<T: Shape + Sync>(
     context: &Context<'_>,
     name: &str,
@@ -117,12 +120,12 @@ fn panels<T: Shape + Sync>(
     ];
     if mean != 0.0 {
         let towards_zero = |p, footprint| clamped(p, footprint) - mean * removed(footprint);
-        ways.push(("zero", "one sample, clamped towards 0", view.pixels(context, 1, towards_zero)?));
+        ways.push(("zero", "one sample, clamped toward 0", view.pixels(context, 1, towards_zero)?));
     }
     ways.push(("reference", "64 samples", reference.clone()));
     let (mut panels, mut rows) = (Vec::new(), Vec::new());
     for (stem, label, pixels) in ways {
-        let alt = format!("A plane with the pattern {name} running to the horizon, {label}.");
+        let alt = format!("A plane with the pattern {name} up to the horizon, {label}.");
         let image = Image::from_fn(view.width as u32, view.height as u32, |x, y| {
             let sky = (y as f32 / (HORIZON * view.height as f32)).min(1.0);
             pixels[y as usize * view.width + x as usize].map_or_else(
@@ -138,7 +141,8 @@ fn panels<T: Shape + Sync>(
     Ok((panels, rows))
 }
 
-/// The root mean square difference over a share of the picture from the horizon down, and the mean there.
+/// Returns the root mean square difference over a fraction of the image below the horizon, and the
+/// mean there.
 fn compare(view: &View, pixels: &Pixels, reference: &Pixels, share: f32) -> [f64; 2] {
     let last = ((HORIZON + share) * view.height as f32) as usize * view.width;
     let (mut count, mut square, mut sum) = (0.0, 0.0, 0.0);
@@ -157,7 +161,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_footprint_is_the_difference_of_neighbouring_pixels() {
+    fn footprint_is_the_difference_of_neighboring_pixels() {
         let view = View { width: 640, height: 400 };
         let point = |x: f32, y: f32| {
             let (step, z) = view.row(y).unwrap();

@@ -1,4 +1,5 @@
-//! Exact gradients: as arrows over the values, as colours, and as light on a relief; and domains warped by them.
+//! Exact gradients: as arrows over the values, as colors, and for lighting a relief; and warped
+//! domains.
 
 use asperity_noise::{Field, Gaussian, Octaves, Sample, Simplex, Spectrum, Warp};
 use asperity_render::image::tone::hex;
@@ -11,7 +12,7 @@ use asperity::failure::Result;
 const CELLS: f32 = 5.0;
 /// Arrows along a side.
 const ARROWS: usize = 20;
-/// Length of the arrow of the mean square slope, in distances of arrows.
+/// Length of an arrow for the root mean square slope, in arrow spacings.
 const LENGTH: f32 = 0.62;
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
@@ -23,12 +24,12 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let arrow = |column: usize, row: usize| {
         let centre = Vec2::new(column as f32 + 0.5, row as f32 + 0.5) * spacing;
         let gradient = samples[centre.y as usize * window.side + centre.x as usize].gradient;
-        // Pixels count downwards.
+        // Pixels count downward.
         let along = Vec2::new(gradient.x, -gradient.y) * (LENGTH * spacing / slope);
         (centre, along.clamp_length_max(1.25 * spacing))
     };
-    let alt = "Grey blobs with arrows that point to the bright ones.";
-    let words = ["arrows", "the value in grey, the gradient as arrows", alt];
+    let alt = "Gray blobs with arrows that point toward the bright blobs.";
+    let words = ["arrows", "values in gray, gradients as arrows", alt];
     let arrows = window.panel(words, |i| {
         let pixel = Vec2::new((i % window.side) as f32 + 0.5, (i / window.side) as f32 + 0.5);
         let (column, row) = ((pixel.x / spacing) as usize, (pixel.y / spacing) as usize);
@@ -42,7 +43,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         grey(0.5 + 0.16 * samples[i].value).lerp(hex(0xff_d9a0), ink)
     });
 
-    let alt = "Coloured fans that meet in dark points.";
+    let alt = "Colored fans that meet in dark points.";
     let words = ["colours", "the gradient: direction as hue, length as strength", alt];
     let colours = window.panel(words, |i| hue(samples[i].gradient / (2.0 * slope)));
 
@@ -54,26 +55,28 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     })?;
     Ok(Drawn::new(3, vec![arrows, colours, lit])
         .fact("noise", "Gaussian")
-        .fact("picture", format!("{CELLS} × {CELLS} cells"))
+        .fact("image", format!("{CELLS} × {CELLS} cells"))
         .fact("root mean square slope", format!("{slope:.2} per cell")))
 }
 
-/// Height of the relief over a cell's width.
+/// Height of the relief relative to a cell's width.
 const RELIEF: f32 = 0.2;
-/// Its gain, smaller than the usual one: the slopes of an octave grow with its frequency.
+/// Its gain, smaller than usual because slopes of an octave grow with its frequency.
 const RELIEF_GAIN: f32 = 0.38;
 
-/// The cosine of the light with the upward normal of a relief of this slope, if it is lit.
+/// Returns the cosine between the light and the upward normal of a relief of this slope, clamped at
+/// 0.
 fn lambert(slope: Vec2, light: Vec3) -> f32 {
     (-slope).extend(1.0).normalize().dot(light).max(0.0)
 }
 
-/// The root mean square of the gradients' lengths.
+/// Returns the root mean square length of the gradients.
 pub(super) fn steepness(samples: &[Sample<Vec2>]) -> f32 {
     (samples.iter().map(|s| s.gradient.length_squared()).sum::<f32>() / samples.len() as f32).sqrt()
 }
 
-/// Coverage of the pixel at `p` from an arrow's middle; `unit` is a pixel of the usual size.
+/// Returns the coverage of the pixel at `p`, relative to an arrow's center; `unit` is a pixel of
+/// the usual size.
 fn coverage(p: Vec2, along: Vec2, unit: f32) -> f32 {
     let length = along.length();
     if length < 0.5 * unit {
@@ -83,14 +86,16 @@ fn coverage(p: Vec2, along: Vec2, unit: f32) -> f32 {
     let (x, y) = (p.dot(direction), p.dot(Vec2::new(-direction.y, direction.x)).abs());
     let (half, head) = (0.5 * length, (0.5 * length).min(5.0 * unit));
     let shaft = (0.5 * unit - y).min(x + half).min(half - head - x);
-    // The head narrows from the width of its length to the tip.
+    // The head narrows from its length to the tip.
     let tip = (0.5 * (half - x) - y).min(x - (half - head));
     (shaft.max(tip) + 0.5).clamp(0.0, 1.0)
 }
 
-/// A direction as hue and a length from 0 to 1 as strength, of one lightness for the eye at each length.
+/// Maps a direction to hue and a length within [0, 1] to strength, with constant perceived
+/// lightness at each length.
 ///
-/// The circle lies in the plane of OKLab (Ottosson 2020, "A perceptual color space for image processing").
+/// The circle lies in the plane of OKLab (Ottosson 2020, "A perceptual color space for image
+/// processing").
 pub(super) fn hue(v: Vec2) -> Vec3 {
     let strength = v.length().min(1.0);
     let (lightness, chroma) = (0.22 + 0.56 * strength.sqrt(), 0.11 * strength.sqrt());
@@ -106,14 +111,14 @@ pub(super) fn hue(v: Vec2) -> Vec3 {
     )
 }
 
-/// Domain warping: a sum of octaves seen through others.
+/// Domain warping: octave noise evaluated at points displaced by other octave noise.
 pub(crate) fn draw_warp(context: &Context<'_>) -> Result<Drawn> {
     const CELLS: f32 = 3.0;
     const OCTAVES: f32 = 6.0;
     const STRENGTH: f32 = 0.22;
-    /// Octaves of the fields that move the points.
+    /// Octaves of the displacement fields.
     const MOVING: f32 = 3.0;
-    /// Height of the relief over a cell's width.
+    /// Height of the relief relative to a cell's width.
     const RELIEF: f32 = 0.05;
     let window = Window::new(context, CELLS);
     let sums: [_; 5] = std::array::from_fn(|k| {
@@ -139,7 +144,7 @@ pub(crate) fn draw_warp(context: &Context<'_>) -> Result<Drawn> {
     })?;
     let panels = vec![
         shown(["plain", "f(p)", "Soft clouds."], &|p| first.value(p))?,
-        shown(["once", "f(p + s w(p))", "The clouds drawn out into streaks and folds."], &|p| once.value(p))?,
+        shown(["once", "f(p + s w(p))", "The clouds stretched into streaks and folds."], &|p| once.value(p))?,
         shown(["twice", "w warped too", "Marbled streaks with eddies and sharp folds."], &|p| {
             twice.value(p)
         })?,
@@ -157,7 +162,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn hues_are_in_gamut_and_grow_lighter_with_the_length() {
+    fn hues_are_in_gamut_and_lighten_with_length() {
         let lightness = |c: Vec3| c.dot(Vec3::new(0.2126, 0.7152, 0.0722));
         for k in 0..24_u8 {
             let direction = Vec2::from_angle(f32::from(k) * std::f32::consts::TAU / 24.0);
@@ -172,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn an_arrow_covers_its_shaft_and_narrows_to_its_tip() {
+    fn arrow_covers_its_shaft_and_narrows_to_its_tip() {
         let covered = |x, y| coverage(Vec2::new(x, y), Vec2::new(20.0, 0.0), 1.0);
         assert_eq!([covered(0.0, 0.0), covered(0.0, 3.0), covered(12.0, 0.0)], [1.0, 0.0, 0.0]);
         assert!(covered(6.0, 1.0) > covered(9.0, 1.0));

@@ -1,4 +1,4 @@
-//! Every kind of noise in the plane: its look, its power spectrum and its distribution.
+//! Every noise in the plane: its appearance, power spectrum and distribution.
 
 use asperity_noise::{
     Field, Gaussian, Noise, Octaves, Perlin1985, Perlin2002, Simplex, Sparse, Spectrum, Value,
@@ -14,7 +14,7 @@ use crate::plot::{Axis, Ink, Names, Plot, Stroke};
 use crate::power_spectrum::PowerSpectrum;
 use asperity::failure::Result;
 
-/// One figure for each kind; a new kind is one entry here.
+/// One figure per noise.
 pub(crate) const KINDS: &[Figure] = &[
     figure("noise-kind-white", |context| draw(context, White::default())),
     figure("noise-kind-value", |context| draw(context, Value::default())),
@@ -28,22 +28,22 @@ pub(crate) const KINDS: &[Figure] = &[
     figure("noise-kind-gaussian", |context| draw(context, Gaussian::default())),
 ];
 
-/// Cells along a side of the picture.
+/// Cells along a side of the image.
 const CELLS: f32 = 8.0;
 /// Values of black and white, in standard deviations.
 const CONTRAST: f32 = 2.5;
-/// Octaves of the distribution, as many as G was measured for.
+/// Octaves of the distribution, equal to the number for which G was measured.
 const OCTAVES: f32 = 8.0;
 
-/// Samples of the spectrum along an axis, per cell, and how many pairs of them.
+/// Spectrum samples along an axis, per cell, and number of sample pairs.
 const SAMPLES: usize = 512;
 const SAMPLES_PER_CELL: f32 = 8.0;
 const PAIRS: usize = 6;
-/// The picture of the spectrum: cycles per cell at its border, decibels from its darkest to its brightest.
+/// The spectrum image: cycles per cell at its border, decibels from darkest to brightest.
 const BORDER: f64 = 2.5;
 const DECIBELS: f64 = 60.0;
 
-/// Seeds of the histogram, and points along a side of the grid that is laid out for each.
+/// Seeds of the histogram, and grid points per side for each seed.
 const SEEDS: u32 = 64;
 const POINTS: usize = 128;
 
@@ -51,7 +51,7 @@ fn draw<K: Kernel<2> + Noise<Vec2> + Copy + Sync>(context: &Context<'_>, noise: 
     let statistics = Noise::<Vec2>::statistics(&noise);
     let sigma = statistics.standard_deviation;
     let window = Window::new(context, CELLS);
-    let words = ["value", "the noise", "The noise in grey, dark and bright blobs about a cell wide."];
+    let words = ["value", "the noise", "The noise in gray: dark and bright blobs about a cell wide."];
     let seeded = noise.with_seed(context.seed);
     let look =
         window.draw(context, words, |p: Vec2| grey(0.5 + 0.5 * seeded.value(p) / (CONTRAST * sigma)))?;
@@ -70,8 +70,9 @@ fn draw<K: Kernel<2> + Noise<Vec2> + Copy + Sync>(context: &Context<'_>, noise: 
     let (octaves, one) = (octaves?, one?);
     let g: Vec<f64> = statistics.cdf.iter().copied().map(f64::from).collect();
     let apart = octaves.iter().zip(&g).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    let power = format!("power, ±{BORDER} cycles per cell; the ring is 1");
-    let alt = "The power spectrum in the plane of frequencies, brightest where the noise has its variance.";
+    let power = format!("power, ±{BORDER} cycles per cell; ring at 1");
+    let alt =
+        "The power spectrum in the plane of frequencies, brightest where the noise has the most variance.";
     let panels = vec![
         look,
         Panel::new("spectrum", power, alt, spectrum_picture(context, &spectrum)),
@@ -79,14 +80,14 @@ fn draw<K: Kernel<2> + Noise<Vec2> + Copy + Sync>(context: &Context<'_>, noise: 
         distribution(&octaves, &one, &g)?,
     ];
     Ok(Drawn::new(4, panels)
-        .fact("picture", format!("{CELLS} × {CELLS} cells, black to white ±{CONTRAST} σ₁"))
+        .fact("image", format!("{CELLS} × {CELLS} cells, black to white ±{CONTRAST} σ₁"))
         .fact("σ₁", format!("{sigma:.4}"))
         .fact("κ₁", format!("{:+.3}", statistics.excess_kurtosis).replace('-', "\u{2212}"))
         .fact("range", format!("±{:.3}", statistics.range))
         .fact("KS to G, 8 octaves", format!("{apart:.4}")))
 }
 
-/// The plane of frequencies in decibels, with a ring at the lattice's frequency.
+/// Renders the frequency plane in decibels, with a ring at the lattice frequency.
 fn spectrum_picture(context: &Context<'_>, spectrum: &PowerSpectrum) -> Image {
     let scale = 2.0 * BORDER / f64::from(context.size);
     let place = |x: u32| (f64::from(x) + 0.5) * scale - BORDER;
@@ -103,7 +104,7 @@ fn spectrum_picture(context: &Context<'_>, spectrum: &PowerSpectrum) -> Image {
     })
 }
 
-/// The mean density over rings, and along the axes and the diagonals alone.
+/// Plots the mean density over rings, and along the axes and the diagonals alone.
 fn radial(spectrum: &PowerSpectrum, variance: f64) -> Result<Panel> {
     const RANGE: [f64; 2] = [1.0 / 16.0, 4.0];
     const FLOOR: f64 = 80.0;
@@ -123,7 +124,7 @@ fn radial(spectrum: &PowerSpectrum, variance: f64) -> Result<Panel> {
 
 const SIZE: [f64; 2] = [330.0, 330.0];
 
-/// Gaps between the knots of G, which run evenly from −4 to 4.
+/// Gaps between the knots of G, spaced evenly from −4 to 4.
 const GAPS: usize = 256;
 /// The outermost knots, in standard deviations.
 const REACH: f64 = 4.0;
@@ -132,12 +133,12 @@ fn knot(k: usize) -> f64 {
     REACH * (2.0 * k as f64 / GAPS as f64 - 1.0)
 }
 
-/// The share of the values of many fields below each knot.
+/// Returns the fraction of the values of many fields below each knot.
 fn measured<F: Fn(Vec2) -> f32 + Sync>(
     context: &Context<'_>,
     field: impl Fn(u32) -> F + Sync,
 ) -> Result<Vec<f64>> {
-    // Wide enough that neighbours hardly know of one another.
+    // So far apart that neighbors are nearly independent.
     let window = Window { corner: Vec2::new(-171.3, -209.2), cells: 2.618 * POINTS as f32, side: POINTS };
     let count = |k| -> Result<Vec<u64>> {
         let mut bins = vec![0; GAPS + 2];
@@ -153,7 +154,8 @@ fn measured<F: Fn(Vec2) -> f32 + Sync>(
     Ok((0..=GAPS).map(|k| bins[..=k].iter().sum::<u64>() as f64 / total).collect())
 }
 
-/// The measured density of eight octaves under that of G, with the normal one and that of one octave.
+/// Plots the measured density of eight octaves and the density of G, with the normal density and
+/// one octave.
 fn distribution(octaves: &[f64], one: &[f64], g: &[f64]) -> Result<Panel> {
     const STEP: usize = 4;
     const TOP: f64 = 0.6;
@@ -164,8 +166,8 @@ fn distribution(octaves: &[f64], one: &[f64], g: &[f64]) -> Result<Panel> {
     let normal = |k| [knot(k), (-0.5 * knot(k).powi(2)).exp() / std::f64::consts::TAU.sqrt()];
     let steps = (0..=GAPS).step_by(STEP);
     let (x, y) = (Axis::linear("r = n/σ", [-REACH, REACH], 2.0), Axis::linear("", [0.0, TOP], 0.2));
-    let label = "distribution, and the shipped G of eight octaves";
-    let alt = "Histogram of eight octaves under the density of the shipped G, with one octave and the normal density";
+    let label = "distribution, with the tabulated G of eight octaves";
+    let alt = "Histogram of eight octaves under the density of the tabulated G, with one octave and the normal density";
     Plot::new(SIZE, x, y, Names::Above)
         .area(stairs(octaves), 1, 0.16)
         .curve("1 octave", stairs(one), Stroke::solid(3).wide(0.9))

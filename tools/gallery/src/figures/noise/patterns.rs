@@ -1,4 +1,5 @@
-//! The basic noise patterns of Nilsson's thesis, and two of Musgrave's; and noises that repeat, laid out two by two.
+//! The basic noise patterns of Nilsson's thesis and two of Musgrave's, and 2 × 2 copies of periodic
+//! noises.
 
 use asperity_noise::{
     Billow, Field, Gaussian, IntegerHash, Normalisation, Octaves, Perlin2002, Plasma, Power,
@@ -12,15 +13,16 @@ use asperity::failure::Result;
 
 /// Cells of the first octave along a side.
 const CELLS: f32 = 4.0;
-/// Cells along a side of the threads, which have three octaves only.
+/// Cells along a side of the threads, which have only three octaves.
 const THREAD_CELLS: f32 = 8.0;
 const OCTAVES: f32 = 8.0;
 
 const CLOUD: [&str; 3] = ["cloud", "cloud: Σ aᵢ nᵢ", "Soft light and dark patches at all sizes."];
-const TURBULENCE: [&str; 3] = ["turbulence", "turbulence: Σ aᵢ |nᵢ|", "Bright billows parted by dark veins."];
+const TURBULENCE: [&str; 3] =
+    ["turbulence", "turbulence: Σ aᵢ |nᵢ|", "Bright billows separated by dark veins."];
 const PLASMA: [&str; 3] =
     ["plasma", "plasma: 1 − turbulence", "Bright branching veins on dark ground, like discharges."];
-const PILE: [&str; 3] = ["pile", "pile: cloud with gain 1", "A rough, even surface, as of tufts of wool."];
+const PILE: [&str; 3] = ["pile", "pile: cloud with gain 1", "A rough, even surface like tufts of wool."];
 const ENTANGLED: [&str; 3] = ["entangled", "plasma with gain 1", "Dense entangled light veins."];
 const SEVENTH: [&str; 3] = ["threads", "threads: its seventh power", "Single light threads on black."];
 const BILLOW: [&str; 3] =
@@ -55,11 +57,11 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         panel(CELLS, &|p| ridges.value(p), [0.0, 0.8], RIDGED)?,
     ];
     Ok(Drawn::new(4, panels)
-        .fact("noise", "simplex, r² = 0.6, on a slanted plane through space")
+        .fact("noise", "simplex, r² = 0.6, on a tilted plane through space")
         .fact("octaves", format!("{OCTAVES}, gain 0.5; threads 3, gain 1; lacunarity 2"))
         .fact(
             "picture",
-            format!("{CELLS} cells a side, threads {THREAD_CELLS}; grey stretched over the values"),
+            format!("{CELLS} cells per side, threads {THREAD_CELLS}; gray scaled to the range of values"),
         ))
 }
 
@@ -85,7 +87,7 @@ pub(crate) fn draw_tiles(context: &Context<'_>) -> Result<Drawn> {
         }))
     };
     let panels = vec![
-        panel("seams", "Perlin 2002, not tiled", &|p| seams.value(p), 0.76)?,
+        panel("seams", "Perlin 2002, not periodic", &|p| seams.value(p), 0.76)?,
         panel("perlin-2002", "Perlin 2002, tiled", &|p| perlin.value(p), 0.76)?,
         panel("value", "value, tiled", &|p| Value::new(seed).with_lattice(lattice).value(p), 0.9)?,
         panel("sparse", "sparse convolution, tiled", &|p| sparse.value(p), 2.5)?,
@@ -93,5 +95,5 @@ pub(crate) fn draw_tiles(context: &Context<'_>) -> Result<Drawn> {
         panel("simplex", "simplex in space, tiled, a slice", &|p| space.value(p.extend(0.4)), 1.0)?,
     ];
     let period = format!("{PERIOD} × {PERIOD} cells, {PERIOD} × {PERIOD} × {PERIOD} in space");
-    Ok(Drawn::new(3, panels).fact("period", period).fact("picture", "2 × 2 copies of one tile"))
+    Ok(Drawn::new(3, panels).fact("period", period).fact("image", "2 × 2 copies of one tile"))
 }

@@ -1,4 +1,4 @@
-//! Windows into the plane for figures of noises, and values as grey.
+//! Windows into the plane for noise figures, and values as gray.
 
 use asperity_render::image::{Image, tone::linear};
 use glam::{Vec2, Vec3};
@@ -7,7 +7,7 @@ use crate::figure::{Context, Panel};
 use crate::power_spectrum::PowerSpectrum;
 use asperity::failure::Result;
 
-/// A square window into the plane, y upwards, and its pixels.
+/// A square window into the plane, y up, and its pixels.
 #[derive(Clone, Copy)]
 pub(super) struct Window {
     /// The lower left corner.
@@ -19,27 +19,28 @@ pub(super) struct Window {
 }
 
 impl Window {
-    /// A window of the figure's size, away from the origin.
+    /// Creates a window of the figure's size, away from the origin.
     pub(super) fn new(context: &Context<'_>, cells: f32) -> Self {
         Self { corner: Vec2::new(13.4, -7.7), cells, side: context.size as usize }
     }
 
-    /// The distance of neighbouring pixels.
+    /// Returns the distance between neighboring pixels.
     pub(super) fn step(&self) -> f32 {
         self.cells / self.side as f32
     }
 
-    /// The centre of the pixel in column `x` and row `y`, counted from the top left.
+    /// Returns the center of the pixel in column `x` and row `y`, counted from the top left.
     pub(super) fn point(&self, x: usize, y: usize) -> Vec2 {
         self.corner + self.step() * Vec2::new(x as f32 + 0.5, (self.side - y) as f32 - 0.5)
     }
 
-    /// `f` at every pixel, row by row from the top; the same whatever the number of threads.
+    /// Evaluates `f` at every pixel, row by row from the top, independent of the number of threads.
     pub(super) fn map<T: Send>(&self, context: &Context<'_>, f: impl Fn(Vec2) -> T + Sync) -> Result<Vec<T>> {
         context.rows(self.side, |y| (0..self.side).map(|x| f(self.point(x, y))).collect::<Vec<_>>())
     }
 
-    /// The mean power spectrum of `2 · pairs` fields over the window, of which `field` makes the k-th.
+    /// Returns the mean power spectrum of `2 · pairs` fields over the window; `field` returns the
+    /// k-th.
     pub(super) fn spectrum<F: Fn(Vec2) -> f32 + Sync>(
         &self,
         context: &Context<'_>,
@@ -54,7 +55,7 @@ impl Window {
         Ok(spectrum)
     }
 
-    /// A panel of the window in the colours of its points.
+    /// Renders a panel of the window from the colors of its points.
     pub(super) fn draw(
         &self,
         context: &Context<'_>,
@@ -65,19 +66,20 @@ impl Window {
         Ok(self.panel(words, |i| colours[i]))
     }
 
-    /// A panel of the window, one colour per pixel.
+    /// Renders a panel of the window, one color per pixel.
     pub(super) fn panel(&self, [stem, label, alt]: [&str; 3], colour: impl Fn(usize) -> Vec3) -> Panel {
         let side = self.side as u32;
         Panel::new(stem, label, alt, Image::from_fn(side, side, |x, y| colour((y * side + x) as usize)))
     }
 }
 
-/// A point of the plane on a slanted plane through space, which meets no plane of the lattice along a line.
+/// Maps a point of the plane to a tilted plane in space, which intersects no lattice plane along a
+/// line.
 pub(super) fn slanted(p: Vec2) -> Vec3 {
     Vec3::new(0.3, 5.2, -8.6) + Vec3::new(0.6, -0.48, 0.64) * p.x + Vec3::new(0.0, 0.8, 0.6) * p.y
 }
 
-/// The grey that looks `t` bright: 0 is black, 1 white.
+/// Returns the gray of perceived brightness `t`: 0 is black, 1 white.
 pub(super) fn grey(t: f32) -> Vec3 {
     Vec3::splat(linear(t.clamp(0.0, 1.0)))
 }
@@ -87,7 +89,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rows_run_downwards() {
+    fn rows_run_downward() {
         let window = Window { corner: Vec2::new(1.0, 2.0), cells: 4.0, side: 16 };
         assert_eq!(window.point(0, 0), Vec2::new(1.125, 5.875));
         assert_eq!(window.point(15, 15), Vec2::new(4.875, 2.125));

@@ -1,4 +1,4 @@
-//! The slope of a fractal sum's spectrum against gain and lacunarity.
+//! The spectral slope of fractal sums against gain and lacunarity.
 
 use asperity_noise::{Field, Octaves, Perlin2002, Spectrum};
 use glam::Vec2;
@@ -8,11 +8,12 @@ use crate::figures::noise::plane::Window;
 use crate::plot::{Axis, Names, Plot, Stroke, decimal};
 use asperity::failure::Result;
 
-/// Cells of the first octave along a sample, and numbers along it.
+/// Cells of the first octave along a sample, and values along it.
 const CELLS: f64 = 12.0;
 const SAMPLES: usize = 1024;
 const PAIRS: usize = 2;
-/// Range of the fitted slope, in cycles per cell of the first octave: within the octaves, short of the highest frequency.
+/// Range of the fitted slope, in cycles per cell of the first octave: within the octaves, below the
+/// highest frequency.
 const FITTED: [f64; 2] = [1.0, 21.0];
 /// Range of the plots.
 const SHOWN: [f64; 2] = [0.25, 32.0];
@@ -33,7 +34,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         .table(["lacunarity", "gain", "H", "exponent in theory", "measured"], rows))
 }
 
-/// A plot of three spectra, and their rows of the table.
+/// Plots three spectra, and returns their table rows.
 fn panel(
     context: &Context<'_>,
     settings: &[(f32, f32); 3],
@@ -64,15 +65,15 @@ fn panel(
         rows.push([lacunarity.to_string(), gain.to_string(), format!("{hurst:.2}"), exponent, slope]);
     }
     let alt = format!(
-        "Power of the sum against frequency, by {title}: three falling curves along dashed lines, the steeper the smaller \
-         the {stem}"
+        "Power of the sum against frequency, by {title}: three falling curves along dashed lines, steeper for smaller \
+         {stem}"
     );
     Ok((plot.panel(stem, format!("by {stem}"), alt)?, rows))
 }
 
 fn rings(context: &Context<'_>, lacunarity: f32, gain: f32) -> Result<Vec<[f64; 2]>> {
     let window = Window { corner: Vec2::new(0.2, 0.9), cells: CELLS as f32, side: SAMPLES };
-    // Enough octaves that the last one shown does not end the spectrum.
+    // Enough octaves that the spectrum extends beyond the displayed range.
     let octaves = ((2.0 * SHOWN[1]).log2() / f64::from(lacunarity).log2()).ceil().clamp(1.0, 16.0);
     let spectrum = Spectrum::new(lacunarity, gain, 16)?;
     let power = window.spectrum(context, PAIRS, |k| {

@@ -1,8 +1,8 @@
-//! The fields of a struct in words, by its `Debug`.
+//! Formats the fields of a struct from its `Debug` output.
 
 use std::fmt::Debug;
 
-/// Values in words: of structs what differs between them.
+/// Formats values. For structs, only the differing fields are listed.
 pub(super) fn varied(values: &[String]) -> Vec<String> {
     let inner: Vec<_> = values.iter().map(|value| parts(value)).collect();
     let differs = |k: usize| inner.iter().any(|fields| fields.get(k) != inner[0].get(k));
@@ -16,12 +16,12 @@ pub(super) fn varied(values: &[String]) -> Vec<String> {
     values.iter().zip(&inner).map(words).collect()
 }
 
-/// The names and values of a struct's fields, as its `Debug` writes them.
+/// Returns the names and values of a struct's fields, as in its `Debug` output.
 pub(super) fn fields(parameters: &impl Debug) -> Vec<(String, String)> {
     parts(&format!("{parameters:?}").replace("Vec2(", "(").replace("Vec3(", "("))
 }
 
-/// The names and values of the fields of a struct that is written in one line.
+/// Returns the names and values of the fields of a struct on one line.
 fn parts(text: &str) -> Vec<(String, String)> {
     let text = text.split_once(" { ").map_or("", |(_, fields)| fields);
     let mut fields = Vec::<String>::new();
@@ -37,7 +37,7 @@ fn parts(text: &str) -> Vec<(String, String)> {
     named.map(|(name, value)| (name.to_owned(), rounded(value))).collect()
 }
 
-/// Numbers without a fraction of zero.
+/// Removes zero fractions of numbers.
 fn rounded(value: &str) -> String {
     let whole = value.replace(".0,", ",").replace(".0)", ")").replace(".0 ", " ");
     whole.strip_suffix(".0").unwrap_or(&whole).to_owned()
@@ -50,7 +50,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn fields_are_read_with_their_values() {
+    fn fields_are_parsed_with_their_values() {
         let parameters = Sphere { centre: Vec3::new(0.5, 1.0, 0.0), radius: Some(2.0) };
         let expected = [("centre", "(0.5, 1, 0)"), ("radius", "Some(2)")];
         assert_eq!(fields(&parameters), expected.map(|(a, b)| (a.to_owned(), b.to_owned())));
@@ -64,7 +64,7 @@ mod tests {
     }
 
     #[test]
-    fn of_structs_only_what_differs_is_said() {
+    fn varied_lists_only_differing_fields() {
         let values = ["A { b: 1, c: 2 }", "A { b: 1, c: 3 }"].map(str::to_owned);
         assert_eq!(varied(&values), ["c 2", "c 3"]);
         let values = ["None", "Some { unit: 3 }"].map(str::to_owned);

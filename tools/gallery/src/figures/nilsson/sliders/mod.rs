@@ -1,4 +1,4 @@
-//! A strip for every parameter of the thesis's materials: one varied, all others kept.
+//! A strip per parameter of the thesis's materials, with only this parameter varied.
 
 mod fields;
 mod parameters;
@@ -12,7 +12,7 @@ use crate::figure::{Figure, figure};
 use crate::figures::nilsson::sliders::parameters::{carpet, fibres, glass, paint, scratches, variations};
 use crate::figures::nilsson::sliders::strip::draw;
 
-/// One figure for each material.
+/// One figure per material.
 pub(crate) const SLIDERS: &[Figure] = &[
     figure("nilsson-carpet-sliders", |context| draw(context, &carpet(), Carpet::new)),
     figure("nilsson-paint-sliders", |context| draw(context, &paint(), MetallicPaint::new)),

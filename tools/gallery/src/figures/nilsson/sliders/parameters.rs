@@ -1,4 +1,4 @@
-//! Every parameter of the materials: what it is varied over, beside what, and from where it is seen.
+//! Every parameter of the materials: its values, other non-default parameters, and the view.
 
 use asperity_render::light::{environments::Studio, lamps::Lamp};
 use asperity_render::{geometry::ray::Ray, image::tone::hex, materials::pattern::grid, scenes::Form};
@@ -13,7 +13,7 @@ use glam::{Vec2, Vec3};
 
 use crate::figures::nilsson::sliders::strip::{Strip, View};
 
-/// Strips of fields, each by its view, the parameters beside it, its name and its values.
+/// Strips of fields, each with its view, the other parameters, its name and its values.
 macro_rules! strips {
     ($($view:ident $base:ident $field:ident: $values:expr;)*) => {
         vec![$({
@@ -104,9 +104,10 @@ pub(super) fn paint() -> Vec<Strip<MetallicPaintParameters>> {
     let bead = View { mirrored: studio, ..View::ball(0.02, 0.013) }.lit(0.5);
     let sparkling =
         MetallicPaintParameters { flake_sparkle_boost: 0.8, flake_sparkle_elimination: 0.0, ..base };
-    // So large that each is seen, in the light of one lamp.
+    // Large enough to be visible, under one lamp.
     let large = MetallicPaintParameters { flake_sparkle_pixel_size: 3.0, ..sparkling };
-    // Smooth flakes shine about the lamp's image alone, and tilted ones as far from it as they are tilted.
+    // Smooth flakes shine only near the lamp's reflection. Tilted flakes shine at a distance
+    // proportional to their tilt.
     let polished = MetallicPaintParameters { flake_roughness: 0.12, ..sparkling };
     let moon = View::ball(0.02, 0.0215).lit_from_the_eye().lit(0.3);
     let tilted = View::ball(0.016, 0.008).lit_from_the_eye().lit(0.5);
@@ -148,16 +149,16 @@ pub(super) fn paint() -> Vec<Strip<MetallicPaintParameters>> {
     }
 }
 
-/// Bright sky between bars that are 0.06 apart on a plane at distance 1, askew.
+/// Bright sky between tilted bars 0.06 apart on a plane at distance 1.
 fn lattice(ray: &Ray) -> Vec3 {
     let w = ray.direction;
     if w.z <= 0.0 {
-        // Straight behind the pane.
+        // Directly behind the pane.
         return hex(0x4a_4642);
     }
     let place = w.truncate() / w.z.max(1e-3) / 0.06;
     let bars = grid(Vec2::from_angle(0.45).rotate(place) + 0.5, 0.16, 0.03);
-    // As bright as lets four percent of it fill the range.
+    // So bright that four percent of it fills the range.
     10.0 * hex(0xb9_d0ec).lerp(hex(0x24_2830), bars)
 }
 
@@ -172,7 +173,7 @@ pub(super) fn glass() -> Vec<Strip<TemperedGlassParameters>> {
     };
     let form = Form::Patch { height: 1.0, distance: 4.0 };
     let view = View { form, lamps: Vec::new(), mirrored: lattice, exposure: 1.0 };
-    // A lamp whose image is in the pane: what a rough one blurs.
+    // A lamp reflected in the pane, which roughness blurs.
     let lit = View { lamps: vec![Lamp::at(90.0, 86.0, Vec3::splat(0.6))], ..view.clone() };
     let directions =
         [Vec3::X, Vec3::new(1.0, 1.0, 0.0), Vec3::Y, Vec3::new(-1.0, 2.0, 0.0), Vec3::new(0.0, 1.0, 1.0)];
@@ -225,7 +226,7 @@ pub(super) fn scratches() -> Vec<Strip<ScratchesParameters>> {
         roughness: 0.2,
         ..Default::default()
     };
-    // Half vectors a little beside the normal.
+    // Half vectors slightly off the normal.
     let lamp = |x, y, colour| {
         let h = Vec3::new(x, y, 1.0).normalize();
         Lamp { direction: 2.0 * h.z * h - Vec3::Z, colour }

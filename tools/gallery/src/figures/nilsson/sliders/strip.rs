@@ -1,4 +1,4 @@
-//! A strip: one parameter of a material varied, all others kept.
+//! A strip: one parameter of a material varied, all others fixed.
 
 use std::{fmt::Debug, sync::Arc};
 
@@ -14,14 +14,14 @@ use crate::figures::nilsson::sliders::fields::{fields, varied};
 use crate::panels::side_by_side;
 use asperity::failure::Result;
 
-/// A parameter that is varied.
+/// A varied parameter.
 pub(super) struct Strip<P> {
     pub(super) field: &'static str,
     pub(super) options: Vec<P>,
     pub(super) view: View,
 }
 
-/// From where and in what light a material is seen.
+/// View and lighting of a material.
 #[derive(Clone)]
 pub(super) struct View {
     pub(super) form: Form,
@@ -31,25 +31,26 @@ pub(super) struct View {
 }
 
 impl View {
-    /// A form in the light of lamps alone.
+    /// A form lit by lamps only.
     fn lamps(form: Form, lamps: &[(f32, f32, Vec3)]) -> Self {
         let lamps = lamps.iter().map(|&(azimuth, elevation, colour)| Lamp::at(azimuth, elevation, colour));
         Self { form, lamps: lamps.collect(), mirrored: |_| Vec3::ZERO, exposure: 1.0 }
     }
 
-    /// A patch so high, lit from the upper left, where bumps show, and a little from the right.
+    /// A patch of this height, lit from the upper left to show bumps, and weakly from the right.
     pub(super) fn patch(height: f32) -> Self {
         let lamps = [(128.0, 42.0, hex(0xff_f2e2) * 1.1), (-20.0, 60.0, hex(0xb9_d0ff) * 0.35)];
         Self::lamps(Form::Patch { height, distance: 1e3 }, &lamps)
     }
 
-    /// A patch so high from nearby, lit from both sides of the eye, where gloss shows.
+    /// A close patch of this height, lit from both sides of the viewer to show gloss.
     pub(super) fn glossy(height: f32) -> Self {
         let lamps = [(125.0, 68.0, hex(0xff_f2e2) * 0.9), (-30.0, 40.0, hex(0xb9_d0ff) * 0.3)];
         Self::lamps(Form::Patch { height, distance: 2.2 * height }, &lamps)
     }
 
-    /// A ball of this diameter, of which so much is seen, lit from the upper left, from the right and from behind.
+    /// A ball of this diameter, visible to this extent, lit from the upper left, from the right and
+    /// from behind.
     pub(super) fn ball(diameter: f32, height: f32) -> Self {
         let (cool, rim) = (hex(0xb9_d0ff) * 0.4, hex(0xff_d6a8) * 0.5);
         let lamps = [(-132.0, 46.0, hex(0xff_f2e2)), (-18.0, 22.0, cool), (100.0, 40.0, rim)];
@@ -60,7 +61,7 @@ impl View {
         Self { exposure, ..self }
     }
 
-    /// With lamps so many times as bright.
+    /// Multiplies the brightness of the lamps.
     pub(super) fn lit(mut self, brightness: f32) -> Self {
         for lamp in &mut self.lamps {
             lamp.colour *= brightness;
@@ -68,12 +69,12 @@ impl View {
         self
     }
 
-    /// With one lamp beside the eye of a ball: a full moon, nearly.
+    /// Places one lamp next to the viewer of a ball, almost like a full moon.
     pub(super) fn lit_from_the_eye(self) -> Self {
         Self { lamps: vec![Lamp::at(-104.0, 14.0, hex(0xff_f2e2))], ..self }
     }
 
-    /// Height of the visible part in words.
+    /// Formats the height of the visible part.
     fn words(&self) -> String {
         let (Form::Patch { height, .. } | Form::Ball { height, .. }) = self.form;
         match (height * 1e3).round() {
@@ -84,7 +85,7 @@ impl View {
     }
 }
 
-/// All strips of a material.
+/// Renders all strips of a material.
 pub(super) fn draw<P: Copy + Debug + Default, M: Material + Sync>(
     context: &Context<'_>,
     strips: &[Strip<P>],
@@ -94,7 +95,7 @@ pub(super) fn draw<P: Copy + Debug + Default, M: Material + Sync>(
     let (across, gap) = (context.size * 3 / 2, (context.size / 96).max(1));
     let words = strips.iter().map(Strip::words);
     let drawn = Drawn::pictures(2, words.zip(strips), |Strip { options, view, .. }| {
-        // As high as one of five is wide.
+        // The height is the width of one of five images.
         let height = (across - 4 * gap) / 5;
         let count = options.len() as u32;
         let width = (across - (count - 1) * gap) / count;
@@ -115,7 +116,8 @@ pub(super) fn draw<P: Copy + Debug + Default, M: Material + Sync>(
 }
 
 impl<P: Copy + Debug + Default> Strip<P> {
-    /// The stem; the name of the field, its values, what else is not the default, and how much is seen; and the picture.
+    /// Returns stem, label and alternative text. The label has the field's name, its values, other
+    /// non-default values, and the visible size.
     fn words(&self) -> [String; 3] {
         let value = |fields: &[(String, String)]| {
             fields

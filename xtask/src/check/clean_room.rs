@@ -18,7 +18,7 @@ use crate::report::say;
 /// The packages are patched to their unpacked folders, because the registry does not have them yet.
 /// All other packages come from this workspace's lockfile.
 pub(super) fn builds(root: &Path, packed: &Path, members: &[Package]) -> Result<(), Failure> {
-    let away = std::env::temp_dir().join(format!("asperity-stranger-{}", std::process::id()));
+    let away = std::env::temp_dir().join(format!("asperity-clean-room-{}", std::process::id()));
     fs::create_dir_all(&away)?;
     let built = each(root, packed, members, &away);
     fs::remove_dir_all(&away)?;
@@ -26,7 +26,7 @@ pub(super) fn builds(root: &Path, packed: &Path, members: &[Package]) -> Result<
 }
 
 fn each(root: &Path, packed: &Path, members: &[Package], away: &Path) -> Result<(), Failure> {
-    let target = packed.join("stranger");
+    let target = packed.join("clean-room");
     for package in members {
         let file = packed.join(format!("package/{}.crate", unpacked(package)));
         run(Command::new("tar").arg("-xzf").arg(file).arg("-C").arg(away))?;
@@ -98,7 +98,7 @@ fn program(
     let name = *examples.first().ok_or_else(|| format!("{} has no example", package.name))?;
     let text = fs::read_to_string(source.join(format!("examples/{name}.rs")))?;
     let mut manifest = String::from(
-        "[workspace]\n[package]\nname = \"stranger\"\nedition = \"2024\"\n[profile.dev]\nopt-level = 1\n[dependencies]\n",
+        "[workspace]\n[package]\nname = \"clean-room\"\nedition = \"2024\"\n[profile.dev]\nopt-level = 1\n[dependencies]\n",
     );
     for (own, _) in patches.places().filter(|(own, _)| text.contains(&format!("{}::", own.replace('-', "_"))))
     {
