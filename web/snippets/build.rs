@@ -1,9 +1,10 @@
-//! Takes the programs that `browser/snippets.mjs` wrote, where the variable `ASPERITY_SNIPPETS` names their file.
+//! Includes the programs written by `browser/snippets.mjs`, if `ASPERITY_SNIPPETS` is the path of
+//! their file.
 
 use std::path::Path;
 use std::{env, fs};
 
-/// No program at all, where none is named.
+/// No programs, if there is no file.
 const NONE: &str = "const SNIPPETS: &[(&str, fn() -> Result<(), Box<dyn std::error::Error>>)] = &[];\n";
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

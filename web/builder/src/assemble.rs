@@ -1,4 +1,4 @@
-//! The page as a folder to host, and as one file that opens anywhere.
+//! Assembles the page as a folder to host, and as a single file.
 
 use std::fs;
 use std::io::{self, Write};
@@ -15,11 +15,11 @@ use crate::{programs, scripts, shaders};
 
 const INDEX: &str = include_str!("../../page/index.html");
 const STYLE: &str = include_str!("../../page/style.css");
-/// What a browser without graphics shows: the page's first scene as the page drew it.
+/// Image for browsers without graphics: the page's first scene, rendered by the page.
 const PICTURE: &[u8] = include_bytes!("../../page/bumps.webp");
 const TEAPOT: &str = include_str!("../../../tools/render/data/teapot.json");
 
-/// Modules in the order of their needs; names at their top level are unique, since one file holds all in one scope.
+/// Modules in dependency order. Top-level names are unique, because the single file has one scope.
 const MODULES: &[(&str, &str)] = &[
     ("data.mjs", include_str!("../../page/data.mjs")),
     ("rust.mjs", include_str!("../../page/rust.mjs")),
@@ -40,23 +40,25 @@ const MODULES: &[(&str, &str)] = &[
     ("main.mjs", include_str!("../../page/main.mjs")),
 ];
 
-/// Script of the one file, which unpacks the others.
+/// Script of the single file, which unpacks the others.
 const UNPACK: &str = include_str!("../../page/lzma.mjs");
 
-/// What neither scripts nor shaders hold.
+/// Separator that occurs neither in scripts nor in shaders.
 const BETWEEN_TEXTS: &str = "\u{1}";
 const BETWEEN_PIECES: &str = "\u{2}";
 
 /// Levels of either sign.
 const HALF: usize = 2048;
 
-/// The most that the file may have, compressed here; other programs that write gzip make up to 1 % more of it, and 250,000 are wanted.
+/// Maximum size of the file, compressed with this program. Other gzip programs give up to 1 % more,
+/// and the limit is 250,000.
 const MOST: usize = 247_500;
 
-/// Writes `index.html`, which holds everything, and `hosted`, where files are apart; says how large they are.
+/// Writes `index.html`, which contains everything, and the folder `hosted` with separate files.
+/// Prints their sizes.
 pub(crate) fn build(wasm: &Path, out: &Path) -> Result<(), String> {
     let wasm = fs::read(wasm).map_err(|error| format!("{}: {error}", wasm.display()))?;
-    let wasm = without_custom_sections(&wasm).ok_or("the module ends in the middle of a section")?;
+    let wasm = without_custom_sections(&wasm).ok_or("the module ends within a section")?;
     let mut data = shaders::data(programs::all())?;
     let teapot: Value = serde_json::from_str(TEAPOT).map_err(|error| error.to_string())?;
     data["teapot"] = serde_json::json!({
@@ -90,14 +92,14 @@ pub(crate) fn build(wasm: &Path, out: &Path) -> Result<(), String> {
         sent / 1000,
         wasm.len() / 1000,
     );
-    println!("to host it: {}", page.path("hosted").display());
+    println!("files for hosting: {}", page.path("hosted").display());
     if sent > MOST {
-        return Err(format!("the page has {sent} bytes compressed, {MOST} at most"));
+        return Err(format!("the page is too large: {sent} bytes compressed (at most {MOST})"));
     }
     Ok(())
 }
 
-/// A module without sections that nothing runs: names of functions are as long as all its code.
+/// Removes sections that are not executed. Function names take as much space as all the code.
 fn without_custom_sections(module: &[u8]) -> Option<Vec<u8>> {
     let (head, mut rest) = module.split_at_checked(8)?;
     let mut kept = head.to_vec();
@@ -114,8 +116,9 @@ fn without_custom_sections(module: &[u8]) -> Option<Vec<u8>> {
     Some(kept)
 }
 
-/// Puts second differences in the place of a Gaussian variate's levels, 0 in that of the negative half, and tells where they begin:
-/// one differs little from the next, which no packer of bytes sees. `lzma.mjs` puts them back.
+/// Replaces a Gaussian variate's levels by second differences and its negative half by 0, and
+/// returns their position. Consecutive levels differ little, which byte-oriented compression does
+/// not detect. `lzma.mjs` restores the levels.
 fn differenced(module: &mut [u8]) -> Option<usize> {
     let levels: Vec<u32> = gaussian_levels().take(2 * HALF).map(f32::to_bits).collect();
     let bytes: Vec<u8> = levels.iter().flat_map(|level| level.to_le_bytes()).collect();
@@ -130,13 +133,13 @@ fn differenced(module: &mut [u8]) -> Option<usize> {
     Some(at)
 }
 
-/// Everything in one file: style, data and module inline, scripts joined.
+/// Builds a single file: style, data and module inline, scripts joined.
 fn single_file(mut data: Value, wasm: &[u8]) -> Result<String, String> {
     let mut wasm = wasm.to_vec();
     data["levels"] = json!(differenced(&mut wasm));
     let style = format!("<style>\n{}</style>", without_margins(STYLE));
     let scripts: String = MODULES.iter().map(|(_, source)| without_imports(source)).collect();
-    // In base 64 nothing can be compressed any more, and this packs closer than what servers send.
+    // Base64 prevents further compression, and LZMA compresses more than the encodings of servers.
     let scripts = format!(
         "<script type=\"text/plain\" id=\"asperity-texts\">{}</script>\n\
          <script type=\"text/plain\" id=\"asperity-tables\">{}</script>\n\
@@ -157,7 +160,8 @@ fn single_file(mut data: Value, wasm: &[u8]) -> Result<String, String> {
     Ok(INDEX.replacen(link, &style, 1).replacen(picture, &inline, 1).replacen(script, &scripts, 1))
 }
 
-/// Scripts, the data without sources, pieces of GLSL and sources of parts as `lzma.mjs` takes them apart: within JSON they are longer.
+/// Joins scripts, data without sources, pieces of GLSL and sources of parts in the format that
+/// `lzma.mjs` splits. Within JSON they would be longer.
 fn texts(scripts: &str, mut data: Value) -> String {
     let [glsl, parts] = ["glsl", "parts"].map(|field| data[field].take());
     let joined = |texts: &mut dyn Iterator<Item = &Value>| {
@@ -169,7 +173,8 @@ fn texts(scripts: &str, mut data: Value) -> String {
     [scripts, &data.to_string(), &glsl, &joined(&mut parts.values())].join(BETWEEN_TEXTS)
 }
 
-/// A module's own text: imports are lines, and exports begin them; comments of a line to themselves are in the folder alone.
+/// Returns a module's text without imports, `export` keywords and full-line comments, which remain
+/// in the hosted folder.
 fn without_imports(source: &str) -> String {
     let is_comment = |line: &str| {
         let line = line.trim_start();
@@ -181,7 +186,7 @@ fn without_imports(source: &str) -> String {
     lines.map(|line| line.strip_prefix("export ").unwrap_or(line).to_owned() + "\n").collect()
 }
 
-/// A text whose lines begin at the margin.
+/// Removes the indentation of all lines.
 fn without_margins(text: &str) -> String {
     text.lines().map(|line| line.trim_start().to_owned() + "\n").collect()
 }
@@ -191,7 +196,8 @@ fn compressed(data: &[u8]) -> Result<Vec<u8>, String> {
     encoder.write_all(data).and_then(|()| encoder.finish()).map_err(|error| error.to_string())
 }
 
-/// Bytes in LZMA with a header that tells their number, as `lzma.mjs` unpacks them; words of `2^alignment` bytes begin at their multiples.
+/// Compresses bytes with LZMA, with a header that contains their number, as `lzma.mjs` expects.
+/// Words of `2^alignment` bytes are aligned.
 fn packed(data: &[u8], alignment: u32) -> Result<Vec<u8>, String> {
     let options =
         LzmaOptions { pb: alignment, nice_len: LzmaOptions::NICE_LEN_MAX, ..LzmaOptions::with_preset(9) };
@@ -205,14 +211,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_module_loses_its_imports_exports_and_comments_alone() {
+    fn without_imports_removes_imports_exports_and_comments() {
         let source =
             "import { a } from './a.mjs';\n/** B. */\nexport const b = a;\n// C.\nconst c = 'export ';\n";
         assert_eq!(without_imports(source), "const b = a;\nconst c = 'export ';\n");
     }
 
     #[test]
-    fn texts_are_joined_apart_from_what_describes_them() {
+    fn texts_are_joined_after_their_description() {
         let data = serde_json::json!({ "glsl": ["a", "b"], "parts": { "p": "c", "q": "d" }, "heads": [] });
         assert_eq!(
             texts("s", data),
@@ -221,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn a_module_keeps_all_but_its_custom_sections() {
+    fn without_custom_sections_keeps_the_rest() {
         let module = b"\0asm\x01\0\0\0\x01\x01\0\0\x83\0abc\x02\x02xy";
         assert_eq!(
             without_custom_sections(module).as_deref(),
@@ -231,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn levels_are_put_back_from_their_differences() {
+    fn differenced_levels_are_restored() {
         let levels: Vec<f32> = gaussian_levels().take(2 * HALF).collect();
         let whole: Vec<u8> = levels.iter().flat_map(|level| level.to_le_bytes()).collect();
         let mut module = [&b"abc"[..], &whole, b"xyz"].concat();
@@ -252,7 +258,7 @@ mod tests {
     }
 
     #[test]
-    fn names_at_the_top_of_modules_are_unique() {
+    fn top_level_names_are_unique() {
         let mut names = std::collections::BTreeMap::new();
         for (module, source) in MODULES {
             for line in without_imports(source).lines() {

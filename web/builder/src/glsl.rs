@@ -1,8 +1,8 @@
-//! GLSL as the page keeps it: in pieces that programs share, short, read by nobody.
+//! Shortens GLSL for the page: pieces shared by programs, not meant for readers.
 
 use std::collections::BTreeMap;
 
-/// A text in pieces: functions, structures, constants each to itself.
+/// Splits a text into pieces: each function, structure and constant is one.
 pub(crate) fn pieces_of(text: &str) -> impl Iterator<Item = &str> {
     let ends = text.split_inclusive("\n}\n").flat_map(|piece| piece.split_inclusive("\n};\n"));
     ends.flat_map(|piece| {
@@ -13,7 +13,7 @@ pub(crate) fn pieces_of(text: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// A text with other names; fields keep theirs.
+/// Renames identifiers, except fields.
 pub(crate) fn renamed(text: &str, names: &BTreeMap<&str, String>) -> String {
     let words = words_of(text);
     let renamed = words.iter().enumerate().map(|(k, word)| match names.get(word) {
@@ -23,15 +23,17 @@ pub(crate) fn renamed(text: &str, names: &BTreeMap<&str, String>) -> String {
     renamed.collect()
 }
 
-/// A piece without indentation and without variables that are used once and at once; its others are named by their kind and the order
-/// of their declarations: a function is the same in every program.
+/// Removes a piece's indentation and its variables used only once and immediately. The other
+/// variables are named by type and declaration order, so that a function has the same text in every
+/// program.
 ///
-/// naga gives every load and call a variable, and numbers names that several functions use by the order in which it meets them.
+/// naga creates a variable for every load and call, and numbers names common to several functions
+/// in the order of first use.
 pub(crate) fn shortened(piece: &str) -> String {
     let mut lines: Vec<Vec<&str>> =
         piece.lines().map(|line| words_of(line.trim_start())).filter(|line| !line.is_empty()).collect();
     let mut names = BTreeMap::new();
-    // Structures, blocks, globals and stages' inputs keep their names.
+    // Structures, blocks, globals and stage inputs keep their names.
     if piece.contains(") {\n") && !piece.contains("uniform ") && !piece.contains("void main() {") {
         put_in_place(&mut lines);
         let mut counts = BTreeMap::new();
@@ -56,7 +58,7 @@ pub(crate) fn shortened(piece: &str) -> String {
     lines.iter().map(|line| renamed(&line.concat(), &names) + "\n").collect()
 }
 
-/// Kinds and names of the variables that a line declares, parameters too.
+/// Returns types and names of the variables that a line declares, including parameters.
 fn declared<'a>(line: &[&'a str]) -> Vec<(&'a str, &'a str)> {
     let places = 0..line.len().saturating_sub(3);
     let pairs = places.filter_map(|k| match line[k..] {
@@ -66,9 +68,10 @@ fn declared<'a>(line: &[&'a str]) -> Vec<(&'a str, &'a str)> {
     pairs.filter(|(kind, name)| is_word(kind) && is_word(name) && *kind != "return").collect()
 }
 
-/// Puts what a variable begins as where the variable is used, if that is once, and nothing is stored before.
+/// Substitutes a variable's initial value for the variable, if it is used once and nothing is
+/// stored before.
 ///
-/// Functions must be without effects: `shaders` refuses parts that could have them.
+/// Functions must be free of side effects: `shaders` rejects parts that could have them.
 fn put_in_place(lines: &mut Vec<Vec<&str>>) {
     loop {
         let before = lines.len();
@@ -86,7 +89,7 @@ fn put_in_place(lines: &mut Vec<Vec<&str>>) {
     }
 }
 
-/// The variable that a line declares with a value, and the value.
+/// Returns the variable that a line declares with a value, and the value.
 fn begun<'a, 'b>(line: &'b [&'a str]) -> Option<(&'a str, &'b [&'a str])> {
     match line {
         [kind, " ", name, " ", "=", " ", value @ .., ";"] if is_word(kind) && is_word(name) => {
@@ -96,7 +99,8 @@ fn begun<'a, 'b>(line: &'b [&'a str]) -> Option<(&'a str, &'b [&'a str])> {
     }
 }
 
-/// Line and place of the only use of a variable, where lines before it only begin other variables.
+/// Returns line and position of the only use of a variable, if the lines before only initialize
+/// other variables.
 fn only_use(later: &[Vec<&str>], name: &str, value: &[&str]) -> Option<(usize, usize)> {
     let mut uses = later.iter().enumerate().flat_map(|(line, words)| {
         let places = (0..words.len()).filter(|&k| words[k] == name && !is_field(words, k));
@@ -106,7 +110,7 @@ fn only_use(later: &[Vec<&str>], name: &str, value: &[&str]) -> Option<(usize, u
     let straight = later[..line].iter().all(|line| begun(line).is_some());
     let words = &later[line];
     let once = !matches!(words.first(), Some(&("while" | "for" | "do" | "}")));
-    // What is called stays called, and in the same order as its neighbours' derivatives.
+    // Calls remain calls, in the same order relative to derivatives.
     let always = !calls(value) || !words.iter().any(|word| matches!(*word, "?" | "&" | "|"));
     (straight && once && always).then_some((line, at))
 }
@@ -115,7 +119,7 @@ fn calls(value: &[&str]) -> bool {
     value.windows(2).any(|pair| is_word(pair[0]) && pair[1] == "(")
 }
 
-/// Whether a value needs no parentheses: a path, a call, or what is in parentheses already.
+/// Whether a value needs no parentheses: a path, a call, or a parenthesized expression.
 fn stands_alone(value: &[&str]) -> bool {
     let is_path = value.iter().all(|word| is_word(word) || matches!(*word, "." | "[" | "]"));
     let inner = value.strip_prefix(&["("]).or_else(|| match value {
@@ -133,7 +137,7 @@ fn stands_alone(value: &[&str]) -> bool {
     is_path || inner.is_some_and(closed_at_end)
 }
 
-/// A text as words, and as single characters between them.
+/// Splits a text into words and the single characters between them.
 pub(crate) fn words_of(text: &str) -> Vec<&str> {
     let mut words = Vec::new();
     let mut rest = text;
@@ -163,7 +167,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_function_is_the_same_text_whatever_its_variables_are_called() {
+    fn shortened_is_independent_of_variable_names() {
         let a = "float lobe(vec2 x_3, float t) {\n    float _e4 = (x_3.x * t);\n    return (_e4 + (_e4 * lobe_at.x));\n}\n";
         let b = "float lobe(vec2 x_17, float t_2) {\n    float _e9 = (x_17.x * t_2);\n    return (_e9 + (_e9 * lobe_at.x));\n}\n";
         assert_eq!(shortened(a), shortened(b));
@@ -174,13 +178,13 @@ mod tests {
     }
 
     #[test]
-    fn a_value_that_is_used_once_stands_where_it_is_used() {
+    fn shortened_inlines_a_value_used_once() {
         let piece = "float lobe(vec2 x) {\n    float a = x.x;\n    float b = x.y;\n    float c = -1.0;\n    return ((a + b) * c);\n}\n";
         assert_eq!(shortened(piece), "float lobe(vec2 d1) {\nreturn ((d1.x + d1.y) * (-1.0));\n}\n");
     }
 
     #[test]
-    fn a_value_stays_where_something_is_stored_or_may_not_happen_before_its_use() {
+    fn shortened_keeps_values_around_stores_and_branches() {
         for body in [
             "float f2 = f1;\nf1 = 3.0;\nreturn f2;",
             "float f2 = f1;\nwhile((f2 < 3.0)) {\nf1 = 4.0;\n}\nreturn f1;",
@@ -193,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn constants_are_pieces_of_their_own() {
+    fn constants_are_separate_pieces() {
         let text = "const float A = 1.0;\nconst float B = 2.0;\n\nfloat f() {\n    return A;\n}\n";
         let pieces: Vec<_> = pieces_of(text).collect();
         assert_eq!(
@@ -203,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn what_belongs_to_all_functions_keeps_its_name() {
+    fn shortened_keeps_shared_names() {
         let block = "layout(std140) uniform view_block { View view_; };\nconst float LEAST = 1e-3;\n";
         assert_eq!(shortened(block), block);
     }

@@ -1,4 +1,4 @@
-//! The builder of the live page.
+//! Builds the live page.
 
 mod assemble;
 mod glsl;
@@ -13,7 +13,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 #[derive(Parser)]
-#[command(about = "Writes the live page, and serves it")]
+#[command(about = "Build and serve the live page")]
 struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -21,20 +21,20 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Write the page as one file and as a folder.
+    /// Build the page as a single file and as a folder.
     Build {
-        /// The module of the page's tables.
+        /// The WebAssembly module.
         #[arg(long)]
         wasm: PathBuf,
-        /// Folder of the page.
+        /// Output folder.
         #[arg(long)]
         out: PathBuf,
     },
-    /// Serve a folder on 127.0.0.1 until it is interrupted.
+    /// Serve a folder on 127.0.0.1 until interrupted.
     Serve {
         /// The folder.
         folder: PathBuf,
-        /// Port; 0 is any that is free.
+        /// Port; 0 selects a free port.
         #[arg(long, default_value_t = 0)]
         port: u16,
     },

@@ -1,10 +1,10 @@
-//! The page's programs: parts of the crate joined with the page's own.
+//! The page's programs: parts of the crate combined with parts of the page.
 
 mod materials;
 
 use asperity_shaders::{Binding, Part, fif, ndf, noise as noise_parts, shading};
 
-/// A vertex and a fragment entry of one composition.
+/// A vertex and a fragment entry point of one composition.
 pub(crate) struct Program {
     pub(crate) name: &'static str,
     pub(crate) part: &'static Part,

@@ -1,4 +1,4 @@
-//! The page's scripts as one short text.
+//! Minifies the page's scripts.
 
 use oxc_allocator::Allocator;
 use oxc_codegen::{Codegen, CodegenOptions};
@@ -6,11 +6,12 @@ use oxc_mangler::Mangler;
 use oxc_parser::Parser;
 use oxc_span::SourceType;
 
-/// A module's text without spaces and comments, its own names short, those at its top too; properties and globals keep theirs.
+/// Removes spaces and comments from a module and shortens its names, including top-level names.
+/// Properties and globals keep their names.
 ///
 /// # Errors
 ///
-/// The first thing in which the text is no script.
+/// Returns the first syntax error.
 pub(crate) fn minified(module: &str) -> Result<String, String> {
     let allocator = Allocator::default();
     let parsed = Parser::new(&allocator, module, SourceType::mjs()).parse();
@@ -31,7 +32,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_are_short_but_those_of_properties_and_globals() {
+    fn minified_keeps_properties_and_globals() {
         let module = "const picture = { width: 3 };\n// A comment.\nfunction drawn(size) {\n  return size * picture.width;\n}\nglobalThis.asperity = drawn;\n";
         let short = minified(module).expect("a script");
         assert!(short.contains("globalThis.asperity="), "{short}");
@@ -43,7 +44,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_script_is_refused() {
+    fn minified_reports_syntax_errors() {
         assert!(minified("const = 3;").is_err_and(|error| error.starts_with("the page's scripts: ")));
     }
 }

@@ -1,18 +1,18 @@
-//! The page on this machine's own address.
+//! Serves the page on the loopback address.
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use tiny_http::{Header, Response, Server};
 
-/// Serves a folder until the program is interrupted.
+/// Serves a folder until interrupted.
 pub(crate) fn serve(folder: &Path, port: u16) -> Result<(), String> {
     let server = Server::http(("127.0.0.1", port)).map_err(|error| format!("port {port}: {error}"))?;
     let address = server.server_addr();
     println!("http://{address}/ until Ctrl-C");
     for request in server.incoming_requests() {
         let file = named(folder, request.url());
-        // Whoever asked may have gone.
+        // The client may have disconnected.
         let _ = match fs::read(&file) {
             Ok(data) => request.respond(Response::from_data(data).with_header(content_type(&file))),
             Err(_) => request.respond(Response::from_string("not found").with_status_code(404)),
@@ -21,7 +21,7 @@ pub(crate) fn serve(folder: &Path, port: u16) -> Result<(), String> {
     Ok(())
 }
 
-/// The file of an address, never outside the folder.
+/// Returns the file of a URL, never outside the folder.
 fn named(folder: &Path, url: &str) -> PathBuf {
     let path = url.split(['?', '#']).next().unwrap_or_default();
     let inside = Path::new(path).components().filter(|part| matches!(part, Component::Normal(_)));
@@ -49,7 +49,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_address_leaves_the_folder() {
+    fn urls_stay_inside_the_folder() {
         let folder = Path::new("page");
         assert_eq!(named(folder, "/main.mjs?x=1"), Path::new("page/main.mjs"));
         assert_eq!(named(folder, "/../../etc/passwd"), Path::new("page/etc/passwd"));

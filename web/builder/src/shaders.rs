@@ -1,4 +1,4 @@
-//! The programs as data of the page: WGSL by parts, GLSL ES 3.00 by pieces, each once.
+//! The programs as page data: WGSL by parts, GLSL ES 3.00 by pieces, without duplicates.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use crate::glsl::{pieces_of, renamed, shortened, words_of};
 use crate::programs::{COPIED, Program};
 
-/// Pieces of text, each once, in the order of their first use.
+/// Deduplicated pieces of text, in order of first use.
 #[derive(Default)]
 struct Pieces {
     texts: Vec<String>,
@@ -29,7 +29,7 @@ impl Pieces {
     }
 }
 
-/// Sources of all parts, pieces of GLSL, and for each program its parts, bindings and stages.
+/// Returns the sources of all parts, pieces of GLSL, and each program's parts, bindings and stages.
 pub(crate) fn data(programs: impl Iterator<Item = &'static Program>) -> Result<Value, String> {
     let mut sources = BTreeMap::new();
     let mut heads = Pieces::default();
@@ -49,7 +49,10 @@ pub(crate) fn data(programs: impl Iterator<Item = &'static Program>) -> Result<V
         for part in &parts {
             let source = uncommented(part.source());
             if ["ptr<", "var<private>", "var<workgroup>"].iter().any(|word| source.contains(word)) {
-                return Err(format!("{}: functions without effects only, see `put_in_place`", part.name()));
+                return Err(format!(
+                    "{}: functions must have no side effects (see `put_in_place`)",
+                    part.name()
+                ));
             }
             sources.insert(part.name(), source);
         }
@@ -82,7 +85,7 @@ pub(crate) fn data(programs: impl Iterator<Item = &'static Program>) -> Result<V
     Ok(json!({ "parts": sources, "heads": heads.texts, "glsl": pieces.texts, "programs": described }))
 }
 
-/// A part with all that it needs: as parts, as one text, and what stands before the first part there.
+/// A part with all its dependencies: as parts, as one text, and the text before the first part.
 struct Composed {
     parts: Vec<&'static Part>,
     head: String,
@@ -97,25 +100,26 @@ fn composed(part: &'static Part) -> Composed {
     Composed { parts, head, wgsl }
 }
 
-/// A function with its attributes, or lines between functions.
+/// A function with its attributes, or the lines between functions.
 struct Item<'a>(&'a str);
 
 impl<'a> Item<'a> {
-    /// The name of a function.
+    /// Returns the name of a function.
     fn name(&self) -> Option<&'a str> {
         let line = self.0.lines().find(|line| !line.starts_with('@') && !line.is_empty())?;
         line.strip_prefix("fn ")?.split('(').next()
     }
 }
 
-/// The functions of a source, and what is between them: each ends with a line that closes a block at the margin.
+/// Returns the functions of a source and the text between them. A function ends with an unindented
+/// line that closes a block.
 fn items(source: &str) -> impl Iterator<Item = Item<'_>> {
     let ends = source.match_indices("\n}\n").map(|(at, end)| at + end.len()).chain([source.len()]);
     let mut from = 0;
     ends.flat_map(move |end| {
         let piece = &source[from..end];
         from = end;
-        // Constants and the like stand before the next function.
+        // Constants and similar items precede the next function.
         let starts = [piece.find("\n@"), piece.find("\nfn ")].into_iter().flatten().min();
         let begins = piece.starts_with('@') || piece.starts_with("fn ");
         let cut = if begins { 0 } else { starts.map_or(piece.len(), |at| at + 1) };
@@ -124,7 +128,8 @@ fn items(source: &str) -> impl Iterator<Item = Item<'_>> {
     })
 }
 
-/// Functions that the entries call, and that those call; of parts that stand for one another, as densities do, all.
+/// Returns functions called by the entry points, transitively. Of interchangeable parts such as
+/// densities, all are followed.
 fn called<'a>(sources: &BTreeMap<&str, String>, entries: impl Iterator<Item = &'a str>) -> BTreeSet<String> {
     let mut functions: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
     for item in sources.values().flat_map(|source| items(source)) {
@@ -144,7 +149,8 @@ fn called<'a>(sources: &BTreeMap<&str, String>, entries: impl Iterator<Item = &'
     called
 }
 
-/// A binding for the page: `u` a uniform; `f` and `w` tables of floats and words, with their widths; `t` a texture, `s` a sampler.
+/// Describes a binding for the page: `u` uniform; `f` and `w` tables of floats and words, with
+/// widths; `t` texture, `s` sampler.
 fn described_binding(binding: &Binding) -> Value {
     match *binding {
         Binding::Uniform { name, .. } => json!([name, "u"]),
@@ -156,7 +162,7 @@ fn described_binding(binding: &Binding) -> Value {
     }
 }
 
-/// Short names of functions, structures and constants: nobody reads the GLSL.
+/// Returns short names of functions, structures and constants, because nobody reads the GLSL.
 fn short_names(programs: &[&Program]) -> BTreeMap<&'static str, String> {
     let parts = programs.iter().flat_map(|program| ordered(&[program.part]));
     let entries: Vec<&str> = programs.iter().flat_map(|program| [program.vertex, program.fragment]).collect();
@@ -165,13 +171,13 @@ fn short_names(programs: &[&Program]) -> BTreeMap<&'static str, String> {
     names.into_iter().enumerate().map(|(k, name)| (name, format!("q{k}"))).collect()
 }
 
-/// WGSL without its comments, which stand in the repository.
+/// Removes the comments from WGSL. They are in the repository.
 fn uncommented(source: &str) -> String {
     let lines = source.lines().filter(|line| !line.trim_start().starts_with("//"));
     lines.map(|line| line.trim_end().to_owned() + "\n").collect::<String>().trim_start().to_owned()
 }
 
-/// A text with one empty line at most between others.
+/// Reduces runs of empty lines to one.
 fn without_gaps(text: &str) -> String {
     let lines: Vec<&str> = text.trim_start().lines().collect();
     let kept =
@@ -179,7 +185,8 @@ fn without_gaps(text: &str) -> String {
     kept.map(|(_, line)| format!("{line}\n")).collect()
 }
 
-/// Both stages in GLSL ES 3.00, in which resources have their own names, and uniform blocks those of their variables.
+/// Returns both stages in GLSL ES 3.00. Resources keep their names, and uniform blocks are named
+/// after their variables.
 fn stages(program: &Program, wgsl: &str) -> Result<[String; 2], String> {
     let module = naga::front::wgsl::parse_str(wgsl).map_err(|error| error.emit_to_string(wgsl))?;
     let stage = |stage: ShaderStage, entry: &str, suffix: &str| -> Result<String, String> {
@@ -188,7 +195,7 @@ fn stages(program: &Program, wgsl: &str) -> Result<[String; 2], String> {
         compact(&mut module, KeepUnused::No);
         let mut validator = Validator::new(ValidationFlags::all(), Capabilities::empty());
         let info = validator.validate(&module).map_err(|error| error.emit_to_string(wgsl))?;
-        // Clip coordinates stay as they are written: the page knows where WebGL's differ.
+        // Clip coordinates are unchanged, because the page handles WebGL's convention.
         let options = glsl::Options {
             version: glsl::Version::Embedded { version: 300, is_webgl: true },
             writer_flags: glsl::WriterFlags::empty(),
@@ -223,7 +230,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn functions_of_parts_that_stand_for_one_another_are_all_followed() {
+    fn called_follows_all_interchangeable_parts() {
         let part = |callee: &str| format!("fn lobe() {{\n    {callee}();\n}}\n\nfn {callee}() {{\n}}\n");
         let sources = BTreeMap::from([("ggx", part("smooth")), ("beckmann", part("rough"))]);
         let called = called(&sources, ["lobe"].into_iter());
@@ -231,7 +238,7 @@ mod tests {
     }
 
     #[test]
-    fn functions_that_nothing_calls_are_left_out() {
+    fn unused_functions_are_removed() {
         let source = "const LEAST: f32 = 1e-3;\nfn a() -> f32 {\n    return b();\n}\n\nfn unused() {\n}\n\nstruct S {\n    x: f32,\n}\n\n\
                       fn b() -> f32 {\n    return LEAST;\n}\n\n@fragment\nfn entry() {\n    let x = a();\n}\n";
         let sources = BTreeMap::from([("part", source.to_owned())]);

@@ -1,4 +1,4 @@
-//! The programs that the live page gives to copy, one after the other; each by the scene and the settings it was given for.
+//! Runs the code snippets of the live page one by one. Each is named by its scene and settings.
 #![deny(warnings)]
 
 use std::process::ExitCode;

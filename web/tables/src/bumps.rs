@@ -9,12 +9,13 @@ use asperity_shaders::noise::{self, sums::OctavesUniform};
 
 use crate::{float, number};
 
-/// The levels that Gaussian variates are made of.
+/// Returns the levels of Gaussian variates.
 pub(crate) fn gaussian_levels(_: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
     Ok(noise::gaussian_levels().map(f32::to_bits).collect())
 }
 
-/// The uniform of a sum about up to eight foci, of lacunarity, gain, octaves, seed and the foci in cells.
+/// Returns the uniform of a sum about up to eight foci, from lacunarity, gain, octaves, seed and
+/// the foci in cells.
 pub(crate) fn gaussian_anchors(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
     let sum = sum(numbers)?;
     let foci = numbers.get(4..).unwrap_or_default().chunks_exact(3);
@@ -28,7 +29,8 @@ fn sum(numbers: &[f64]) -> Result<GaussianOctaves<3>, String> {
     Ok(GaussianOctaves::new(Gaussian::new(number(numbers, 3) as u32), spectrum))
 }
 
-/// The uniform of a painted density, 24 words, and its table, of the painting's side and its texels in bulk.
+/// Returns the uniform of a painted density (24 words) and its table, from the painting's side and
+/// its texels in `bulk`.
 pub(crate) fn painted_map(numbers: &[f64], bulk: &[u32]) -> Result<Vec<u32>, String> {
     let side = number(numbers, 0) as usize;
     let texels: Vec<f32> = bulk.iter().map(|&word| f32::from_bits(word)).collect();
@@ -44,7 +46,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_black_painting_is_refused_in_one_sentence() {
+    fn painted_map_of_black_is_one_sentence() {
         let error = painted_map(&[4.0], &[0; 16]).unwrap_err();
         assert!(error.starts_with("The painting is no density: ") && error.lines().count() == 1, "{error}");
         assert_eq!(painted_map(&[4.0], &[1.0_f32.to_bits(); 16]).map(|words| words.len() > 24), Ok(true));

@@ -1,6 +1,7 @@
 //! Fractal interpolation functions as curves with bounds.
 //!
-//! A function is the number of its knots, their abscissas, their ordinates and the vertical factors.
+//! A function is encoded as the number of its knots, their abscissas, their ordinates and the
+//! vertical factors.
 
 use alloc::{string::String, string::ToString, vec::Vec};
 
@@ -8,12 +9,12 @@ use asperity_fif::Fif;
 
 use crate::number;
 
-/// Rules that data break, in the crate's words.
+/// Converts an error to the crate's message.
 pub(crate) fn told(error: impl ToString) -> String {
     error.to_string()
 }
 
-/// A function through knots, with what follows it.
+/// Parses a function through knots, and returns the numbers that follow.
 pub(crate) fn knots(numbers: &[f64]) -> ([&[f64]; 3], &[f64]) {
     let count = number(numbers, 0) as usize;
     let lists = numbers.get(1..).unwrap_or_default();
@@ -23,7 +24,7 @@ pub(crate) fn knots(numbers: &[f64]) -> ([&[f64]; 3], &[f64]) {
     ([x, y, factors], rest)
 }
 
-/// The function, or its integral from 0.
+/// Returns the function, or its integral from 0.
 pub(crate) fn function(order: f64, [x, y, factors]: [&[f64]; 3]) -> Result<Fif<3>, String> {
     let f = Fif::<2>::affine(x, y, factors).map_err(told)?;
     if order > 0.0 {
@@ -34,13 +35,14 @@ pub(crate) fn function(order: f64, [x, y, factors]: [&[f64]; 3]) -> Result<Fif<3
     Fif::with_ordinates(x, y, factors, &parabolas).map_err(told)
 }
 
-/// The words of numbers in 64 bits.
+/// Encodes 64-bit numbers as words.
 pub(crate) fn words(numbers: &[f64]) -> Vec<u32> {
     numbers.iter().flat_map(|x| [x.to_bits() as u32, (x.to_bits() >> 32) as u32]).collect()
 }
 
-/// The least and the greatest of some values in each column of an interval: of the order of integration, the interval's ends, the
-/// number of columns, a tolerance, and the function. What is outside the domain is no number.
+/// Returns the minimum and the maximum of several values in each column of an interval. Arguments:
+/// order of integration, ends of the interval, number of columns, tolerance, function. Values
+/// outside the domain are NaN.
 pub(crate) fn fractal_curve(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
     const SAMPLES: u32 = 6;
     let lists = knots(numbers.get(5..).unwrap_or_default()).0;
@@ -49,7 +51,8 @@ pub(crate) fn fractal_curve(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, Stri
     let at = |k: u32| from + (to - from) * (f64::from(k) / (columns * f64::from(SAMPLES)));
     let mut answer = Vec::new();
     for column in 0..columns as u32 {
-        // Columns share the values between them; a rough curve has its knots on spikes that are narrower than samples.
+        // Columns share the values between them. A rough curve has its knots on spikes that are
+        // narrower than the sample distance.
         let ends = at(SAMPLES * column)..=at(SAMPLES * (column + 1));
         let spikes = lists[0].iter().copied().filter(|x| ends.contains(x));
         let samples = (0..=SAMPLES).map(|k| at(SAMPLES * column + k));
@@ -61,16 +64,16 @@ pub(crate) fn fractal_curve(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, Stri
     Ok(words(&answer))
 }
 
-/// An enclosure of the values over an interval, each end this near to the best one: of the order of integration, the interval's
-/// ends, that width, and the function.
+/// Returns an enclosure of the values over an interval, with each end within a width of the
+/// optimum. Arguments: order of integration, ends of the interval, width, function.
 pub(crate) fn fractal_bounds(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
     let f = function(number(numbers, 0), knots(numbers.get(4..).unwrap_or_default()).0)?;
     let range = f.enclosure(number(numbers, 1), number(numbers, 2), number(numbers, 3));
     Ok(range.map_or_else(Vec::new, |range| words(&[range.lo, range.hi])))
 }
 
-/// What is known of a function: brackets of the least and the greatest value with the places of both, the integral, a bracket of
-/// the dimension; of the order of integration and the function.
+/// Returns properties of a function: brackets of minimum and maximum with their positions, the
+/// integral, a bracket of the dimension. Arguments: order of integration, function.
 pub(crate) fn fractal_facts(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
     let f = function(number(numbers, 0), knots(numbers.get(1..).unwrap_or_default()).0)?;
     let size = f.range().magnitude();
@@ -100,7 +103,7 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn the_columns_of_a_curve_hold_its_values() {
+    fn curve_columns_contain_its_values() {
         let numbers = [&[0.0, -0.5, 2.0, 250.0, 1e-6], F.as_slice()].concat();
         let ends = doubles(&fractal_curve(&numbers, &[]).unwrap());
         assert!(ends[0].is_nan() && ends.len() == 500);
@@ -111,7 +114,7 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn a_rough_curve_reaches_its_knots() {
+    fn rough_curve_reaches_its_knots() {
         let rough = [4.0, 0.0, 1.0, 2.0, 3.0, 0.0, 1.0, 0.0, 1.0, 0.7, 0.7, 0.7];
         let numbers = [&[0.0, -0.0101, 3.0499, 50.0, 1e-9], rough.as_slice()].concat();
         let ends = doubles(&fractal_curve(&numbers, &[]).unwrap());
@@ -123,7 +126,7 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn a_factor_of_1_is_refused_in_the_crates_sentence() {
+    fn factor_of_1_returns_the_crate_message() {
         let mut steep = F;
         steep[8] = 1.0;
         let error = fractal_facts(&[&[0.0], steep.as_slice()].concat(), &[]).unwrap_err();

@@ -1,6 +1,8 @@
-//! What the live page asks of the crates: words of uniforms and tables, curves, surfaces, statistics.
+//! Queries of the live page to the crates: words of uniforms and tables, curves, surfaces,
+//! statistics.
 //!
-//! Every question is a function of numbers and of words in bulk, whose answer is words, or one sentence that says what was wrong.
+//! Each query is a function of numbers and of words in bulk. It returns words, or an error
+//! sentence.
 #![cfg_attr(target_family = "wasm", no_std)]
 
 extern crate alloc;
@@ -16,10 +18,10 @@ mod surfaces;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-/// A question: numbers, words in bulk.
+/// A query: numbers, words in bulk.
 type Question = fn(&[f64], &[u32]) -> Result<Vec<u32>, String>;
 
-/// Every question by its name.
+/// Every query by name.
 pub const QUESTIONS: &[(&str, Question)] = &[
     ("gaussian_levels", bumps::gaussian_levels),
     ("gaussian_anchors", bumps::gaussian_anchors),
@@ -43,12 +45,12 @@ pub const QUESTIONS: &[(&str, Question)] = &[
     ("noise_samples", noise::noise_samples),
 ];
 
-/// The number at a place; 0 where there is none.
+/// Returns the number at an index, or 0 if there is none.
 fn number(numbers: &[f64], at: usize) -> f64 {
     numbers.get(at).copied().unwrap_or(0.0)
 }
 
-/// The number at a place in 32 bits.
+/// Returns the number at an index in 32 bits.
 fn float(numbers: &[f64], at: usize) -> f32 {
     number(numbers, at) as f32
 }

@@ -1,5 +1,6 @@
-//! Uniforms of materials: for each a question of its parameters in the order of the page's controls, whose answer is the number of words
-//! of its own uniform, that uniform, and the uniform of sums of octaves.
+//! Uniforms of materials. Each query takes the parameters in the order of the page's controls. It
+//! returns the number of words of the material's uniform, that uniform, and the uniform of sums of
+//! octaves.
 
 use alloc::{string::String, string::ToString, vec::Vec};
 
@@ -20,7 +21,7 @@ use asperity_shading::{
     Scratches, ScratchesParameters, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters,
 };
 
-/// Numbers in turn; 0 where there are no more.
+/// Consecutive numbers; 0 at the end.
 struct Turn<'a>(core::slice::Iter<'a, f64>);
 
 impl<'a> Turn<'a> {
@@ -229,7 +230,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn parameters_out_of_range_are_refused_in_the_crates_sentence() {
+    fn parameters_out_of_range_return_the_crate_message() {
         let mut numbers = [20.0, 1e-4, 0.0, 1.0, 0.0, 0.0, 0.0, 1.52, 1.0, 1.0, 1.0, 0.0, 1.0];
         assert_eq!(glass(&numbers, &[]).map(|words| words[0]), Ok(TemperedGlassUniform::WORDS as u32));
         numbers[7] = 0.5;
@@ -237,7 +238,7 @@ mod tests {
     }
 
     #[test]
-    fn missing_numbers_are_refused_or_taken_as_nothing() {
+    fn missing_numbers_are_an_error_or_zero() {
         for question in [paint, carpet, glass, scratches, variations, brick, marble, steam] {
             let answer = question(&[], &[]);
             assert!(

@@ -1,7 +1,7 @@
-//! The module's exports, and its needs in place of std.
+//! The module's exports, and its replacements for std.
 //!
-//! A caller asks for room, writes numbers and words there, calls `ask` with the number of a question, and reads words where
-//! `answer` says, or bytes of a sentence where `ask` returned 1.
+//! A caller allocates room, writes numbers and words there, and calls `ask` with the number of a
+//! query. It then reads words at `answer`, or the bytes of a sentence if `ask` returned 1.
 
 use alloc::{string::String, vec::Vec};
 use core::cell::RefCell;
@@ -16,7 +16,7 @@ fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
     core::arch::wasm32::unreachable()
 }
 
-/// What is kept between calls.
+/// State between calls.
 struct Kept {
     numbers: Vec<f64>,
     bulk: Vec<u32>,
@@ -26,7 +26,7 @@ struct Kept {
 
 struct Alone(RefCell<Kept>);
 
-// SAFETY: a module without threads.
+// SAFETY: the module has no threads.
 unsafe impl Sync for Alone {}
 
 static KEPT: Alone = Alone(RefCell::new(Kept {
@@ -36,7 +36,7 @@ static KEPT: Alone = Alone(RefCell::new(Kept {
     sentence: String::new(),
 }));
 
-/// Room for so many numbers.
+/// Allocates room for `count` numbers.
 #[unsafe(no_mangle)]
 pub extern "C" fn numbers(count: usize) -> *mut f64 {
     let mut kept = KEPT.0.borrow_mut();
@@ -45,7 +45,7 @@ pub extern "C" fn numbers(count: usize) -> *mut f64 {
     kept.numbers.as_mut_ptr()
 }
 
-/// Room for so many words.
+/// Allocates room for `count` words.
 #[unsafe(no_mangle)]
 pub extern "C" fn bulk(count: usize) -> *mut u32 {
     let mut kept = KEPT.0.borrow_mut();
@@ -54,7 +54,7 @@ pub extern "C" fn bulk(count: usize) -> *mut u32 {
     kept.bulk.as_mut_ptr()
 }
 
-/// The name of a question: its address; the length is that of the sentence.
+/// Returns the address of a query's name. The length is returned by `sentence_length`.
 #[unsafe(no_mangle)]
 pub extern "C" fn question(number: usize) -> usize {
     let mut kept = KEPT.0.borrow_mut();
@@ -62,7 +62,7 @@ pub extern "C" fn question(number: usize) -> usize {
     kept.sentence.len()
 }
 
-/// Answers a question: 0 and words, or 1 and a sentence.
+/// Runs a query: 0 and words, or 1 and a sentence.
 #[unsafe(no_mangle)]
 pub extern "C" fn ask(number: usize) -> u32 {
     let mut kept = KEPT.0.borrow_mut();
@@ -79,25 +79,25 @@ pub extern "C" fn ask(number: usize) -> u32 {
     }
 }
 
-/// The address of the answer.
+/// Returns the address of the answer.
 #[unsafe(no_mangle)]
 pub extern "C" fn answer() -> *const u32 {
     KEPT.0.borrow().answer.as_ptr()
 }
 
-/// Words of the answer.
+/// Returns the number of words of the answer.
 #[unsafe(no_mangle)]
 pub extern "C" fn answer_length() -> usize {
     KEPT.0.borrow().answer.len()
 }
 
-/// The address of the sentence.
+/// Returns the address of the sentence.
 #[unsafe(no_mangle)]
 pub extern "C" fn sentence() -> *const u8 {
     KEPT.0.borrow().sentence.as_ptr()
 }
 
-/// Bytes of the sentence.
+/// Returns the number of bytes of the sentence.
 #[unsafe(no_mangle)]
 pub extern "C" fn sentence_length() -> usize {
     KEPT.0.borrow().sentence.len()

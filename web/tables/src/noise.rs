@@ -1,6 +1,7 @@
-//! Noise of every kind, dimension and sum, by numbers: words of uniforms, values and gradients at points.
+//! Noise of every type, dimension and sum, by numbers: words of uniforms, values and gradients at
+//! points.
 //!
-//! A field is told by the numbers of [`Spec`]; what a question asks of it follows them.
+//! A field is encoded by the numbers of [`Spec`], followed by the other arguments of the query.
 
 use alloc::{string::String, string::ToString, vec::Vec};
 
@@ -15,9 +16,9 @@ use asperity_shaders::noise::sums::{OctavesUniform, SUMS};
 
 use crate::{float, number};
 
-/// A kind that is chosen while the page runs.
+/// A noise chosen at run time.
 ///
-/// One type for all, so that sums, warps and batches are compiled once in each dimension.
+/// A single type, so that sums, warps and batches are compiled once per dimension.
 #[derive(Clone, Copy, Debug)]
 enum Kind {
     White(White),
@@ -72,7 +73,7 @@ impl<const N: usize> Measured<N> for Kind {
         }
     }
 
-    /// None that the page asks for: it shows what it measures.
+    /// Unbounded: the page displays measured ranges.
     fn bounds(&self) -> [f32; 2] {
         [-1.0, 1.0]
     }
@@ -89,7 +90,8 @@ impl<const N: usize> Measured<N> for Kind {
 }
 
 impl Kind {
-    /// Standard deviation and absolute moments in two to four dimensions, the crate's numbers without its tables of distributions.
+    /// Returns standard deviation and absolute moments in two to four dimensions: the crate's
+    /// numbers without its distribution tables.
     fn moments(&self, dimension: usize) -> [f32; 5] {
         let row = match self {
             Self::White(_) | Self::Cellular(_) => 0,
@@ -112,7 +114,7 @@ impl Kind {
     }
 }
 
-/// Numbers of [`Kind::moments`] by kind and dimension.
+/// Numbers of [`Kind::moments`] by noise and dimension.
 const MOMENTS: [[[f32; 5]; 3]; 10] = [
     [
         [0.5773919, 0.5, 0.33333334, 0.25, 0.2],
@@ -166,7 +168,7 @@ const MOMENTS: [[[f32; 5]; 3]; 10] = [
     ],
 ];
 
-/// Keeps kinds apart.
+/// Prevents inlining between noises.
 #[inline(never)]
 fn apart<T>(of: impl FnOnce() -> T) -> T {
     of()
@@ -202,7 +204,7 @@ kernel!(2:);
 kernel!(3: Perlin2002);
 kernel!(4:);
 
-/// A shape that is chosen while the page runs, by its number in shaders.
+/// A shape chosen at run time, by its number in shaders.
 #[derive(Clone, Copy, Debug)]
 struct AnyShape(u32);
 
@@ -251,7 +253,7 @@ impl Shape for AnyShape {
     }
 }
 
-/// What a field is made of.
+/// The encoding of a field.
 struct Spec {
     dimension: u32,
     kind: u32,
@@ -268,7 +270,7 @@ struct Spec {
     jitter: f32,
 }
 
-/// Sums of a shader's uniform: the field, those that warp it, and the second field of a flow in space.
+/// Sums in a shader's uniform: the field, its warp fields, and the second field of a flow in space.
 const FLOW: u32 = 4;
 
 impl Spec {
@@ -327,7 +329,7 @@ impl Spec {
         Ok(sum.with_shape(shape).clamped(self.footprint))
     }
 
-    /// The shape of the field itself: that of sums; those that warp it have none.
+    /// Returns the shape of the field itself, which is the shape of its sum. Warp fields have none.
     fn shape(&self) -> AnyShape {
         if self.sum == 1 { self.shape } else { AnyShape(0) }
     }
@@ -352,7 +354,7 @@ macro_rules! uniform {
     }};
 }
 
-/// The uniform of a field's sums.
+/// Returns the uniform of a field's sums.
 pub(crate) fn noise_uniform(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
     let spec = Spec::new(numbers)?;
     Ok(match spec.dimension {
@@ -362,7 +364,7 @@ pub(crate) fn noise_uniform(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, Stri
     })
 }
 
-/// The mean and the deviation of one octave, in 32 bits.
+/// Returns mean and deviation of one octave, in 32 bits.
 pub(crate) fn noise_moments(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
     fn moments<const N: usize>(kind: Kind) -> Vec<u32> {
         [Measured::<N>::mean(&kind), Measured::<N>::standard_deviation(&kind)].map(f32::to_bits).to_vec()
@@ -376,9 +378,10 @@ pub(crate) fn noise_moments(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, Stri
     })
 }
 
-/// The value of a field and its slopes at each of the points in bulk: of sums of Perlin noise in space, not warped.
+/// Returns the value and the slopes of a field at each of the points in bulk, for unwarped sums of
+/// Perlin noise in space.
 ///
-/// All the others, which the graphics card has, would be a quarter of the page.
+/// All other fields, which the GPU evaluates, would take a quarter of the page.
 pub(crate) fn noise_samples(numbers: &[f64], bulk: &[u32]) -> Result<Vec<u32>, String> {
     fn samples<V: Point<Coordinates = [f32; N]>, const N: usize>(sum: Sum<N>, points: &[f32]) -> Vec<u32>
     where
@@ -416,7 +419,7 @@ mod tests {
     }
 
     #[test]
-    fn moments_are_the_crate_s() {
+    fn moments_match_the_crate() {
         fn moments<const N: usize>(kind: u32) -> [f32; 5]
         where
             Kind: Kernel<N>,
@@ -433,7 +436,7 @@ mod tests {
     }
 
     #[test]
-    fn a_field_is_the_crate_s_own() {
+    fn field_matches_the_crate() {
         let p = Vec3::new(0.3, -1.2, 4.5);
         let spectrum = Spectrum::new(2.17, 0.5, 16).unwrap();
         let sum =
@@ -446,7 +449,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_that_no_field_has_are_refused_in_one_sentence() {
+    fn invalid_numbers_are_one_sentence() {
         for (at, x) in [(5, 0.5), (6, f64::NAN), (14, 2.0)] {
             for kind in 0..KINDS {
                 let mut spec = spec(2, kind, 2);

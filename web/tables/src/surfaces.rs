@@ -1,4 +1,5 @@
-//! Surfaces of fractal interpolation functions, and their rays: products, and one that is none.
+//! Surfaces of fractal interpolation functions and their rays: products, and a surface that is not
+//! a product.
 
 use alloc::{boxed::Box, string::String, vec::Vec};
 use core::ptr;
@@ -10,18 +11,18 @@ use asperity_fif::{Folded, HeightField, Intersect, Interval, Ray, Tabulated};
 use crate::fractals::{function, knots, told, words};
 use crate::number;
 
-/// A surface and the numbers that it was made of.
+/// A surface and the numbers from which it was built.
 struct Built {
     numbers: Vec<f64>,
     surface: Box<dyn Intersect>,
 }
 
-/// The last surface: its tables serve all rays of a picture.
+/// The last surface, whose tables serve all rays of an image.
 static LAST: AtomicPtr<Built> = AtomicPtr::new(ptr::null_mut());
 
 fn taken() -> Option<Box<Built>> {
     let last = LAST.swap(ptr::null_mut(), Ordering::AcqRel);
-    // SAFETY: what is there came from a box, and whoever swaps it out is alone to have it.
+    // SAFETY: the pointer came from a box, and the thread that swaps it out owns it.
     (!last.is_null()).then(|| unsafe { Box::from_raw(last) })
 }
 
@@ -31,9 +32,10 @@ fn put_back(built: Box<Built>) {
     drop((!other.is_null()).then(|| unsafe { Box::from_raw(other) }));
 }
 
-/// No product, on the grid of the knots: heights of the knots along diagonals, there and back, slopes from neighbour to neighbour. The
-/// factor is three quarters of the mean of the function's times the share of the narrowest cell, with which slopes converge soon, whatever
-/// they are.
+/// Builds a surface that is not a product, on the grid of the knots. Heights follow the knots along
+/// diagonals, forward and backward, and slopes are the differences of neighbors. The factor is
+/// three quarters of the function's mean factor times the fraction of the narrowest cell, with
+/// which slopes always converge quickly.
 fn folded([x, y, factors]: [&[f64]; 3]) -> Result<Folded, String> {
     let last = x.len().saturating_sub(1);
     let at = |list: &[f64], k: usize| number(list, k);
@@ -53,8 +55,8 @@ fn folded([x, y, factors]: [&[f64]; 3]) -> Result<Folded, String> {
     Folded::new(x, x, factor, &heights, &slopes).map_err(told)
 }
 
-/// The surface of numbers, and what follows them: 0 or 1 for the product of a function or of its integral, 2 for the folded one, and the
-/// function.
+/// Calls `answer` with a surface and the numbers after it. The encoding is 0 or 1 for the product
+/// of a function or of its integral, 2 for the folded surface, and the function.
 fn with_surface<T>(numbers: &[f64], answer: impl FnOnce(&dyn Intersect, &[f64]) -> T) -> Result<T, String> {
     let (lists, rest) = knots(numbers.get(1..).unwrap_or_default());
     let own = numbers.get(..numbers.len() - rest.len()).unwrap_or_default();
@@ -63,7 +65,7 @@ fn with_surface<T>(numbers: &[f64], answer: impl FnOnce(&dyn Intersect, &[f64]) 
         None => {
             let kind = number(own, 0);
             let surface: Box<dyn Intersect> = if kind > 1.0 {
-                // Hands change a surface faster than finer tables are made.
+                // Dragging changes a surface faster than finer tables can be built.
                 Box::new(Tabulated::with_levels(folded(lists)?.narrowed(), 5))
             } else {
                 let f = function(kind, lists)?;
@@ -77,7 +79,7 @@ fn with_surface<T>(numbers: &[f64], answer: impl FnOnce(&dyn Intersect, &[f64]) 
     Ok(answered)
 }
 
-/// The ends of the domain and of the heights.
+/// Returns the ends of the domain and of the heights.
 pub(crate) fn fractal_ground(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
     with_surface(numbers, |surface, _| {
         let ([x, y], z) = (surface.domain(), surface.range());
@@ -89,8 +91,8 @@ fn vector(numbers: &[f64], at: usize) -> DVec3 {
     DVec3::new(number(numbers, at), number(numbers, at + 1), number(numbers, at + 2))
 }
 
-/// Where a ray first meets the surface, nothing where it does not: of the surface, what its heights are multiplied by, the ray's
-/// origin and direction, a tolerance.
+/// Returns the first intersection of a ray with the surface, or nothing. Arguments: surface, height
+/// factor, origin and direction of the ray, tolerance.
 pub(crate) fn fractal_hit(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
     with_surface(numbers, |surface, rest| {
         let heights = number(rest, 0);
@@ -102,12 +104,13 @@ pub(crate) fn fractal_hit(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String
 
 const ALL: Interval = Interval { lo: 0.0, hi: f64::INFINITY };
 
-/// Rays through pixels, column and row in a word of bulk each: 5 words a pixel, what it shows, the normal, the height over the focus
-/// in units of the eye's distance.
+/// Traces rays through pixels, with column and row in a word of bulk each. Returns 5 words per
+/// pixel: flags, normal, and the height above the focus in units of the viewer's distance.
 ///
-/// What it shows is 0 for nothing, else 1, with 2 where the hit is not certain to be the first, 4 in shadow.
-/// Numbers are those of the surface, what its heights are multiplied by, the focus, the eye from there, the axes to the right, up
-/// and forward, the lamp's direction, whether it casts shadows, pixels along a side.
+/// The flags are 0 for no hit, otherwise 1, plus 2 if the hit is not certain to be the first, plus
+/// 4 in shadow. The arguments are the surface, the height factor, the focus, the viewer relative to
+/// it, the axes to the right, up and forward, the lamp's direction, whether it casts shadows, and
+/// pixels along a side.
 pub(crate) fn fractal_rays(numbers: &[f64], pixels: &[u32]) -> Result<Vec<u32>, String> {
     with_surface(numbers, |surface, rest| {
         let heights = number(rest, 0);
@@ -125,7 +128,7 @@ pub(crate) fn fractal_rays(numbers: &[f64], pixels: &[u32]) -> Result<Vec<u32>, 
                 answer.extend([0; 5]);
                 continue;
             };
-            // Where there is no slope, the mean one over the pixel.
+            // Without a slope, use the mean slope over the pixel.
             let reach = 0.75 * pixel * hit.t;
             let across = |step: DVec2| {
                 let [up, down] = [step, -step]
@@ -157,7 +160,7 @@ mod tests {
     use crate::fractals::tests::{F, doubles};
 
     #[test]
-    fn surfaces_are_met_where_they_are() {
+    fn rays_hit_surfaces_at_their_height() {
         for surface in [0.0, 1.0, 2.0].map(|kind| [&[kind], &F[..]].concat()) {
             let kind = surface[0];
             let ground = doubles(&fractal_ground(&surface, &[]).unwrap());
@@ -170,19 +173,19 @@ mod tests {
             let rays = [&surface[..], &[0.5], &focus, &axes].concat();
             let seen = fractal_rays(&rays, &[0]).unwrap();
             assert!(seen[0] & 1 == 1 && f32::from_bits(seen[3]) > 0.0, "{kind}: {seen:?}");
-            // Hits are told to a quarter of a pixel.
+            // Hits have a tolerance of a quarter of a pixel.
             assert!(f32::from_bits(seen[4]).abs() < 5e-4, "{kind}: {seen:?}");
         }
     }
 
-    /// Height of a folded surface at a point.
+    /// Returns the height of a folded surface at a point.
     fn height(function: &[f64], [x, y]: [f64; 2]) -> f64 {
         let down = [&[2.0], function, &[1.0, x, y, 99.0, 0.0, 0.0, -1.0, 0.0]].concat();
         doubles(&fractal_hit(&down, &[]).unwrap())[2]
     }
 
     #[test]
-    fn the_folded_surface_has_the_knots_along_diagonals_and_is_no_product() {
+    fn folded_surface_has_diagonal_knots_and_is_not_a_product() {
         let function = [4.0, 0.0, 1.0, 2.5, 3.0, 0.5, 2.0, -1.0, 1.0, 0.5, -0.25, 0.75];
         let ([x, y], at) = ([&function[1..5], &function[5..9]], |i: usize, j: usize| {
             height(&function, [function[1 + i], function[1 + j]])
@@ -191,17 +194,17 @@ mod tests {
             let knot = y[(i + j).min(6 - i - j)];
             assert!((at(i, j) - knot).abs() < 1e-12, "({i}, {j}): {} for {knot}", at(i, j));
         }
-        // A product has nothing left here.
+        // A product would give zero here.
         assert!((at(0, 0) * at(1, 1) - at(0, 1) * at(1, 0)).abs() > 0.5);
-        // From the first neighbour's height to the second one's; slopes change by about ten times the distance, which is 3e-10 of the
-        // domain, to the power ln 4/ln 6.
+        // From the first neighbor's height to the second's. Slopes change by about ten times the
+        // distance, which is 3e-10 of the domain, to the power ln 4/ln 6.
         let step = 1e-9;
         let slope = (height(&function, [x[1] + step, x[1]]) - at(1, 1)) / step;
         assert!((slope - (y[3] - y[1]) / (x[2] - x[0])).abs() < 1e-4, "{slope}");
     }
 
     #[test]
-    fn factors_near_one_leave_a_folded_surface_smooth() {
+    fn factors_near_one_keep_folded_surfaces_smooth() {
         let steep = [3.0, 0.0, 0.01, 2.0, 0.0, 1.0, 0.0, 0.999, 0.999];
         assert!(height(&steep, [0.005, 1.0]).is_finite());
         let unordered = [3.0, 0.0, 2.0, 1.0, 0.0, 1.0, 0.0, 0.5, 0.5];

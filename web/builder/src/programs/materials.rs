@@ -1,4 +1,4 @@
-//! Programs of the scene of materials.
+//! Programs of the materials scene.
 
 use asperity_shaders::shading::{DIRECTION, MATH, bump, material, pixel, reflectance, texture};
 use asperity_shaders::{Binding, Element, Part, ndf};

@@ -1,4 +1,5 @@
-//! Slices of noise: a program for each kind in each dimension, which differ in one function, the octave.
+//! Noise slices: a program per noise and dimension. The programs differ only in the octave
+//! function.
 
 use asperity_shaders::noise::sums::{self, octaves_2d, octaves_3d, octaves_4d};
 use asperity_shaders::noise::{self, transforms};
@@ -10,7 +11,8 @@ const VIEW: &[Binding] = &[Binding::Uniform { name: "noise_view", of: "NoiseView
 
 static SEEN: Part = page_part!("noise_view",).with_bindings(VIEW);
 
-/// The function of an octave in WGSL: the kind's at its cell and the place in it, or, of simplex noise, at its own coordinates.
+/// The octave function in WGSL: the noise at its cell and the position within the cell. Simplex
+/// noise uses its own coordinates.
 macro_rules! octave {
     ($dimension:literal, $n:literal, $cell:literal, $key:literal, cell $function:literal $further:literal) => {
         octave!(@ $dimension, $n, concat!("    let at = cell_place_", $dimension, "(octaves_point_", $dimension, "(layer, p));
@@ -29,7 +31,7 @@ macro_rules! octave {
     };
 }
 
-/// Programs of a dimension: each of a name, a part of the crate, and how an octave is told.
+/// Programs of a dimension: name, part of the crate, and octave function.
 macro_rules! slices {
     ($module:ident, $dimension:literal, $n:literal, $cell:literal, $key:literal, $sums:ident, $uniform:path,
      $warp:path, $curl:path, $($name:literal $kind:path { $($octave:tt)* })*) => {
@@ -92,7 +94,7 @@ slices!(time, "4d", "4", "layer.cell", "layer.key", octaves_4d, sums::UNIFORM_4D
     "simplex-wide" noise::SIMPLEX { simplex "simplex_wide" }
 );
 
-/// The scene's programs.
+/// Returns the scene's programs.
 pub(super) fn programs() -> impl Iterator<Item = &'static Program> {
     plane::PROGRAMS.iter().chain(space::PROGRAMS).chain(time::PROGRAMS)
 }
