@@ -1,6 +1,7 @@
-//! Assertions of `approx` that also say which case failed.
+//! Assertions of `approx` that also report which case failed.
 
-/// `approx::assert_abs_diff_eq!` with a message behind the tolerance, which that one cannot have.
+/// `approx::assert_abs_diff_eq!` with a message after the tolerance, which the original does not
+/// support.
 ///
 /// ```
 /// use asperity_tests::assert_abs_diff_eq;

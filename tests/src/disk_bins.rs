@@ -1,10 +1,10 @@
-//! Bins over the disk of normals: counting samples, and integrating a density over each bin.
+//! Bins over the disk of normals: counts samples, and integrates a density over each bin.
 
 use approx::assert_abs_diff_eq;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
-/// Nodes and weights of Gauss and Legendre on [0, 1].
+/// Nodes and weights of Gauss–Legendre quadrature on [0, 1].
 const GAUSS: [(f64, f64); 4] = [
     (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
     (0.330_009_478_207_571_87, 0.326_072_577_431_273_07),
@@ -22,22 +22,23 @@ pub struct DiskBins {
 }
 
 impl DiskBins {
-    /// The bin of a normal, row by row; nothing outside the rectangle.
+    /// Returns the bin of a normal, row by row, or `None` outside the rectangle.
     #[must_use]
     pub fn index(&self, nx: f64, ny: f64) -> Option<usize> {
         let bin = |n: f64, extent: f64| {
             let k = ((n / extent * 0.5 + 0.5) * self.size as f64).floor();
-            // The normals at the disk's outermost point belong to the last bin.
+            // Normals at the disk's outermost point belong to the last bin.
             let k = if n == extent { k - 1.0 } else { k };
             (k >= 0.0 && k < self.size as f64).then_some(k as usize)
         };
         Some(bin(ny, self.extent[1])? * self.size + bin(nx, self.extent[0])?)
     }
 
-    /// Counts of normals by their bins; those outside the rectangle are in none.
+    /// Counts normals per bin, ignoring normals outside the rectangle.
     ///
     /// # Panics
-    /// If one is no unit vector above the horizon.
+    ///
+    /// If a vector is not a unit vector above the horizon.
     #[must_use]
     pub fn count(&self, normals: impl Iterator<Item = Vec3>) -> Vec<u64> {
         let mut counts = vec![0; self.size * self.size];
@@ -51,7 +52,7 @@ impl DiskBins {
         counts
     }
 
-    /// The integral over each bin's part inside the disk of `density`, per `dn_x dn_y`.
+    /// Returns the integral of `density`, per `dn_x dn_y`, over each bin's part inside the disk.
     ///
     /// Four Gauss–Legendre nodes on each of `pieces` pieces, along y and then along x.
     #[must_use]
@@ -59,7 +60,7 @@ impl DiskBins {
         self.projected(DVec3::Z, pieces, density)
     }
 
-    /// The integral over each bin's part inside the disk of `density(m) max(0, v·m) dω`.
+    /// Returns the integral of `density(m) max(0, v·m) dω` over each bin's part inside the disk.
     #[must_use]
     pub fn projected(&self, v: DVec3, pieces: usize, density: impl Fn(f64, f64) -> f64 + Sync) -> Vec<f64> {
         (0..self.size * self.size)
@@ -73,7 +74,7 @@ impl DiskBins {
                 let mut cuts = vec![x0.asin(), x1.asin()];
                 let mut cut = |x: f64| cuts.push(x.clamp(x0, x1).asin());
                 for y in [y0, y1] {
-                    // Kinks are where the rim meets the edges at y₀ and y₁,
+                    // Kinks are where the rim intersects the edges at y₀ and y₁,
                     let chord = (1.0 - y * y).max(0.0).sqrt();
                     [-chord, chord].into_iter().for_each(&mut cut);
                     // and where the terminator v·m = 0 does: (v_x x + v_y y)² = v_z² (1 − x² − y²).
@@ -84,7 +85,7 @@ impl DiskBins {
                         [-root.sqrt(), root.sqrt()].into_iter().for_each(|root| cut((root - half) / a));
                     }
                 }
-                // It ends at the rim and has its extremes in x.
+                // It ends at the rim, with its extremes in x.
                 let (steepest, end) = (v.y.hypot(v.z), v.y / v.x.hypot(v.y).max(f64::MIN_POSITIVE));
                 [-steepest, steepest, -end, end].into_iter().for_each(cut);
                 cuts.sort_by(f64::total_cmp);
@@ -112,7 +113,7 @@ impl DiskBins {
     }
 }
 
-/// The integral of `f` by four Gauss–Legendre nodes on each of `pieces` equal pieces.
+/// Returns the integral of `f` with four Gauss–Legendre nodes on each of `pieces` equal pieces.
 fn composite(from: f64, to: f64, pieces: usize, f: impl Fn(f64) -> f64 + Copy) -> f64 {
     if to <= from {
         return 0.0;
@@ -128,21 +129,22 @@ mod tests {
     use super::*;
 
     #[test]
-    fn bins_of_a_constant_add_up_to_the_disk() {
+    fn bins_of_a_constant_sum_to_the_disk() {
         let bins = DiskBins { size: 9, extent: [1.0, 1.0] };
         let area: f64 = bins.integrate(2, |_, _| 1.0).iter().sum();
         assert_abs_diff_eq!(area, core::f64::consts::PI, epsilon = 1e-9);
     }
 
     #[test]
-    fn normals_seen_from_the_side_are_half_of_the_sphere_s_shadow() {
+    fn projected_areas_sum_to_the_silhouette() {
         // ∫ max(0, v·m) dω over the hemisphere is π (1 + cos θ)/2: the half disk in front and the ellipse behind it.
         let bins = DiskBins { size: 12, extent: [1.0, 1.0] };
         for v in
             [DVec3::Z, DVec3::new(0.6, 0.0, 0.8), DVec3::new(0.48, -0.64, 0.6), DVec3::new(0.0, 1.0, 0.0)]
         {
             let seen: f64 = bins.projected(v, 2, |_, _| 1.0).iter().sum();
-            // Where the terminator touches a bin's side the integral along it grows by the power 3/2: measured 6e-5.
+            // Where the terminator touches a bin's side, the integral along it grows with power
+            // 3/2: measured 6e-5.
             assert_abs_diff_eq!(seen, core::f64::consts::PI * 0.5 * (1.0 + v.z), epsilon = 1e-4);
         }
     }

@@ -1,4 +1,5 @@
-//! The parametric densities by their textbooks, in f64 and apart from the crate, and integrals over them.
+//! Textbook formulas of the parametric densities in f64, independent of the crate, and integrals
+//! over them.
 
 use core::f64::consts::{PI, TAU};
 
@@ -7,19 +8,19 @@ use asperity_ndf_sampling::{
 };
 use glam::{DVec3, Vec2, Vec3};
 
-/// A density of the crate with its textbook.
+/// A density of the crate with its textbook formula.
 pub struct Facets {
     /// The density and its parameters.
     pub name: String,
-    /// Width along x and y: the slopes of the bins and of the quadrature are counted in it.
+    /// Width along x and y, the unit of slopes in bins and quadrature.
     pub width: [f64; 2],
-    /// The density by the textbook.
+    /// The textbook density.
     pub density: Box<dyn Fn(DVec3) -> f64 + Sync + Send>,
-    /// The crate's.
+    /// The crate's density.
     pub crate_density: Box<dyn Fn(Vec3) -> f32 + Sync + Send>,
-    /// The map from the square.
+    /// The map from the unit square.
     pub sample: Box<dyn Fn(Vec2) -> Vec3 + Sync + Send>,
-    /// The map from Gaussian coordinates, if there is one.
+    /// The map from Gaussian coordinates, if any.
     pub from_gaussian: Option<Box<dyn Fn(Vec2) -> Vec3 + Sync + Send>>,
     /// Its visible normals.
     pub sample_visible: Box<dyn Fn(Vec3, Vec2) -> Vec3 + Sync + Send>,
@@ -27,11 +28,11 @@ pub struct Facets {
     pub visible_density: Box<dyn Fn(Vec3, Vec3) -> f32 + Sync + Send>,
     /// Its projected area and Λ.
     pub area: Box<dyn Fn(Vec3) -> [f32; 2] + Sync + Send>,
-    /// Whether a visible normal costs microseconds.
+    /// Whether sampling a visible normal takes microseconds.
     pub slow: bool,
-    /// The angle that it is turned by.
+    /// Its rotation angle.
     turn: f64,
-    /// The pieces of the quadrature along the slope's length and around.
+    /// Quadrature pieces along the slope's length and its angle.
     pieces: [usize; 2],
 }
 
@@ -61,10 +62,11 @@ impl Facets {
         }
     }
 
-    /// Every density at every roughness that it has.
+    /// Returns every density at every valid roughness.
     ///
     /// # Panics
-    /// If the crate refuses one.
+    ///
+    /// If the crate returns an error.
     #[must_use]
     pub fn all() -> Vec<Self> {
         let mut all = Vec::new();
@@ -132,7 +134,7 @@ impl Facets {
         all
     }
 
-    /// The normal whose slope is `q` widths towards the angle `psi` between the axes that the density is turned to.
+    /// Returns the normal whose slope is `q` widths at angle `psi` relative to the rotated axes.
     #[must_use]
     pub fn normal(&self, q: f64, psi: f64) -> DVec3 {
         let ((sin, cos), (sin_turn, cos_turn)) = (psi.sin_cos(), self.turn.sin_cos());
@@ -140,18 +142,20 @@ impl Facets {
         DVec3::new(cos_turn * x - sin_turn * y, sin_turn * x + cos_turn * y, 1.0).normalize()
     }
 
-    /// `x` and `y` in the axes that the density is turned to.
+    /// Returns `x` and `y` in the rotated axes.
     fn unturned(&self, x: f64, y: f64) -> [f64; 2] {
         let (sin, cos) = self.turn.sin_cos();
         [cos * x + sin * y, cos * y - sin * x]
     }
 
-    /// `∫ f(m) max(0, v·m) dω` over all normals, to 1e-6 for `f` the density.
+    /// Returns `∫ f(m) max(0, v·m) dω` over all normals, with an error of 1e-6 if `f` is the
+    /// density.
     pub fn projected(&self, v: DVec3, f: impl Fn(DVec3) -> f64) -> f64 {
         let [x, y] = self.unturned(v.x, v.y);
         let stretched = [self.width[0] * x, self.width[1] * y];
         let (steep, towards) = (stretched[0].hypot(stretched[1]), stretched[1].atan2(stretched[0]));
-        // Slopes beyond q₀ face the view at some azimuths only; x = q/(1 + q) = 1 − y⁶ brings in the tails.
+        // Slopes beyond q₀ face the view only at some azimuths. x = q/(1 + q) = 1 − y⁶ covers the
+        // tails.
         let q0 = if steep > 0.0 { v.z.abs() / steep } else { f64::INFINITY };
         let bend = |q: f64| (1.0 / (1.0 + q)).powf(1.0 / 6.0);
         let ring = |y: f64| {
@@ -173,14 +177,14 @@ impl Facets {
         };
         let kink = bend(q0);
         let near = composite(kink, 1.0, self.pieces[0], ring);
-        // The azimuths that face the view change like a root at the kink.
+        // The azimuths that face the view change like a square root at the kink.
         let far = composite(0.0, if kink > 0.0 { 1.0 } else { 0.0 }, self.pieces[0], |s| {
             2.0 * s * kink * ring(kink * (1.0 - s * s))
         });
         self.width[0] * self.width[1] * (near + far)
     }
 
-    /// The probabilities of the bins of [`bin`](Self::bin) under `f` over solid angle.
+    /// Returns the probabilities of the bins of [`bin`](Self::bin) under `f` over solid angle.
     pub fn probabilities(&self, f: impl Fn(DVec3) -> f64) -> Vec<f64> {
         let area = self.width[0] * self.width[1];
         (0..BINS * BINS)
@@ -199,7 +203,8 @@ impl Facets {
             .collect()
     }
 
-    /// The bin of a normal: by the length of its slope in widths, then by the slope's angle.
+    /// Returns the bin of a normal: by the length of its slope in widths, then by the slope's
+    /// angle.
     #[must_use]
     pub fn bin(&self, m: Vec3) -> Option<usize> {
         let m = m.as_dvec3();
@@ -212,7 +217,7 @@ impl Facets {
     }
 }
 
-/// Bins along the slope's length and along its angle.
+/// Number of bins along the slope's length and its angle.
 pub const BINS: usize = 24;
 /// Slopes are binned up to 9 widths.
 const REACH: f64 = 0.9;
@@ -238,17 +243,17 @@ pub fn student([ax, ay]: [f64; 2], gamma: f64, m: DVec3) -> f64 {
     (1.0 + q2 / (gamma - 1.0)).powf(-gamma) / (PI * ax * ay * z2 * z2)
 }
 
-/// Ashikhmin and Shirley 2000, normalised to `∫ D cos θ dω = 1`; Blinn–Phong for equal exponents.
+/// Ashikhmin and Shirley 2000, normalized to `∫ D cos θ dω = 1`; Blinn–Phong for equal exponents.
 #[must_use]
 pub fn ashikhmin_shirley([nu, nv]: [f64; 2], m: DVec3) -> f64 {
     let (x2, y2) = (m.x * m.x, m.y * m.y);
     let exponent = if x2 + y2 > 0.0 { (nu * x2 + nv * y2) / (x2 + y2) } else { 0.0 };
-    // cos θ by the slope, for it is near 1.
+    // cos θ from the slope, because it is near 1.
     let ln_cos = -0.5 * ((x2 + y2) / (m.z * m.z)).ln_1p();
     ((nu + 2.0) * (nv + 2.0)).sqrt() / TAU * (exponent * ln_cos).exp()
 }
 
-/// Nodes and weights of Gauss and Legendre on [0, 1].
+/// Nodes and weights of Gauss–Legendre quadrature on [0, 1].
 const GAUSS: [(f64, f64); 5] = [
     (0.046_910_077_030_668, 0.118_463_442_528_094_54),
     (0.230_765_344_947_158_45, 0.239_314_335_249_683_23),
@@ -257,7 +262,7 @@ const GAUSS: [(f64, f64); 5] = [
     (0.953_089_922_969_332, 0.118_463_442_528_094_54),
 ];
 
-/// The integral of `f` by five Gauss–Legendre nodes on each of `pieces` equal pieces.
+/// Returns the integral of `f` with five Gauss–Legendre nodes on each of `pieces` equal pieces.
 fn composite(from: f64, to: f64, pieces: usize, f: impl Fn(f64) -> f64) -> f64 {
     if to <= from {
         return 0.0;

@@ -1,4 +1,4 @@
-//! The reference systems of `tests/data/fif`, read into systems of the crate.
+//! The reference systems of `tests/data/fif`, built with the crate.
 #![expect(
     clippy::unwrap_used,
     clippy::missing_panics_doc,
@@ -10,13 +10,13 @@ use serde_json::Value;
 
 use crate::reference;
 
-/// A file of the reference.
+/// Returns a file of the reference.
 #[must_use]
 pub fn read(name: &str) -> Value {
     reference::read(&format!("fif/{name}.json"))
 }
 
-/// `"p/q"` or `"p"`, correctly rounded while p and q are doubles.
+/// Parses `"p/q"` or `"p"`, correctly rounded if p and q are doubles.
 #[must_use]
 pub fn ratio(text: &str) -> f64 {
     match text.split_once('/') {
@@ -25,19 +25,19 @@ pub fn ratio(text: &str) -> f64 {
     }
 }
 
-/// A list of ratios.
+/// Parses a list of ratios.
 #[must_use]
 pub fn ratios(value: &Value) -> Vec<f64> {
     value.as_array().unwrap().iter().map(|v| ratio(v.as_str().unwrap())).collect()
 }
 
-/// A decimal number given as text.
+/// Parses a decimal number given as text.
 #[must_use]
 pub fn decimal(value: &Value) -> f64 {
     value.as_str().unwrap().parse().unwrap()
 }
 
-/// `p/q` as small integers.
+/// Parses `p/q` to small integers.
 #[must_use]
 pub fn integers(text: &str) -> (i64, i64) {
     match text.split_once('/') {
@@ -46,7 +46,7 @@ pub fn integers(text: &str) -> (i64, i64) {
     }
 }
 
-/// Text such as `-0x1.a476310a1a7bep-2`.
+/// Parses text such as `-0x1.a476310a1a7bep-2`.
 #[must_use]
 pub fn hexadecimal(text: &str) -> f64 {
     let (sign, text) = text.strip_prefix('-').map_or((1.0, text), |rest| (-1.0, rest));
@@ -71,7 +71,7 @@ pub struct Reference<const C: usize> {
 pub struct Point {
     prefix: Vec<usize>,
     period: Vec<usize>,
-    /// The point, as a ratio.
+    /// The point as a ratio.
     pub x: String,
     /// The value.
     pub y_dec: f64,
@@ -79,14 +79,14 @@ pub struct Point {
     pub int1_dec: f64,
     /// The second integral.
     pub int2_dec: f64,
-    /// The slope, if there is one.
+    /// The slope, if it exists.
     pub dy_dec: Option<f64>,
 }
 
 impl Point {
-    /// Its address, indices from 0, without end.
+    /// Returns its infinite address, indices from 0.
     pub fn address(&self) -> impl Iterator<Item = usize> + '_ {
-        // An empty period stands for x_0, whose address is the first map for ever.
+        // An empty period means x_0, whose address is the first map repeated.
         let period: &[usize] = if self.period.is_empty() { &[1] } else { &self.period };
         self.prefix.iter().chain(period.iter().cycle()).map(|j| j - 1)
     }
@@ -100,12 +100,12 @@ pub struct Double {
     pub y: f64,
     /// The integral from the left end.
     pub int1: f64,
-    /// The slope, if there is one.
+    /// The slope, if it exists.
     pub dy: Option<f64>,
 }
 
 impl<const C: usize> Reference<C> {
-    /// Reads a system and builds it.
+    /// Reads and builds a system.
     #[must_use]
     pub fn load(name: &str) -> Self {
         let json = read(name);
@@ -130,13 +130,13 @@ impl<const C: usize> Reference<C> {
         Self { name: name.to_owned(), json, system }
     }
 
-    /// The largest value of the function.
+    /// Returns the maximum of the function.
     #[must_use]
     pub fn scale(&self) -> f64 {
         self.system.range().magnitude()
     }
 
-    /// The points given by address.
+    /// Returns the points given by address.
     #[must_use]
     pub fn points(&self) -> Vec<Point> {
         let indices =
@@ -157,7 +157,7 @@ impl<const C: usize> Reference<C> {
             .collect()
     }
 
-    /// `(x, f, ∫f, address)` for easy rationals on equally spaced knots.
+    /// Returns `(x, f, ∫f, address)` for easy rationals on equally spaced knots.
     #[must_use]
     pub fn simple(&self) -> Vec<(String, f64, f64, Vec<usize>)> {
         let maps = self.system.pieces().len() as i128;
@@ -169,7 +169,7 @@ impl<const C: usize> Reference<C> {
             .map(|s| {
                 let x = s["x"].as_str().unwrap();
                 let (p, q) = integers(x);
-                // x as a fraction of the domain, then one digit to the base N per step.
+                // x as a fraction of the domain, then one base-N digit per step.
                 let (mut p, q) = (i128::from(p - p0 * q), i128::from(q * (p1 - p0)));
                 let mut address = Vec::new();
                 for _ in 0..200 {
@@ -182,7 +182,7 @@ impl<const C: usize> Reference<C> {
             .collect()
     }
 
-    /// The random doubles.
+    /// Returns the random doubles.
     #[must_use]
     pub fn doubles(&self) -> Vec<Double> {
         self.json["f64_points"]
@@ -201,7 +201,7 @@ impl<const C: usize> Reference<C> {
             .collect()
     }
 
-    /// `(l, r, ∫ from l to r)`.
+    /// Returns `(l, r, ∫ from l to r)`.
     #[must_use]
     pub fn integrals(&self) -> Vec<(f64, f64, f64)> {
         let all = self.json["integrals"].as_array().unwrap().iter();
@@ -209,13 +209,13 @@ impl<const C: usize> Reference<C> {
             .collect()
     }
 
-    /// `∫ xᵏ f`.
+    /// Returns `∫ xᵏ f`.
     #[must_use]
     pub fn moment(&self, k: usize) -> f64 {
         decimal(&self.json["moments_dec"][k])
     }
 
-    /// Compares a map of an integral with the reference's.
+    /// Compares a map of an integral with the reference.
     pub fn check_integral(&self, key: &str, j: usize, alpha: f64, q: &[f64], y: [f64; 2]) {
         let system = &self.json[key];
         let close = |got: f64, want: f64, what: &str| {
@@ -238,8 +238,8 @@ impl<const C: usize> Reference<C> {
     }
 }
 
-/// The address of a double on the exact rational knots, in fixed point with 2048 fractional bits: each step loses at
-/// most log₂(1/a) ≤ 4.4 bits, so 200 digits stand beyond doubt.
+/// Returns the address of a double on the exact rational knots, in fixed point with 2048 fractional
+/// bits. Each step loses at most log₂(1/a) ≤ 4.4 bits, so 200 digits are certain.
 #[must_use]
 pub fn digits_of_double<const C: usize>(reference: &Reference<C>, x: f64) -> Vec<usize> {
     let knots: Vec<(i64, i64)> =
@@ -250,7 +250,7 @@ pub fn digits_of_double<const C: usize>(reference: &Reference<C>, x: f64) -> Vec
     let width = x1.0 - x0.0;
     let mut digits = Vec::new();
     for _ in 0..200 {
-        // The last map whose left knot is not right of the point.
+        // The last map whose left knot is not to the right of the point.
         let mut j = knots.len() - 2;
         while j > 0
             && point.compare_ratio(knots[j].0 - x0.0 * knots[j].1, knots[j].1) == std::cmp::Ordering::Less
@@ -270,12 +270,13 @@ pub fn digits_of_double<const C: usize>(reference: &Reference<C>, x: f64) -> Vec
     digits
 }
 
-/// A nonnegative fixed-point number: one whole word, then 64 words of fraction, the most significant first.
+/// A nonnegative fixed-point number: an integer word, then 64 fractional words, most significant
+/// first.
 #[derive(Clone)]
 struct Fixed([u32; 65]);
 
 impl Fixed {
-    /// `x − x0`, exactly.
+    /// Returns `x − x0`, exactly.
     fn from_f64(x: f64, x0: i64) -> Self {
         let mut words = [0; 65];
         let mut add = |mut value: f64| {
@@ -285,7 +286,7 @@ impl Fixed {
                 value = (value - whole) * 4_294_967_296.0;
             }
         };
-        // Split off the whole part first, so that no difference rounds.
+        // Separate the integer part first, so that no difference rounds.
         let whole = x.floor();
         add(x - whole);
         let mut out = Self(words);
@@ -335,7 +336,8 @@ impl Fixed {
     }
 }
 
-/// Applies one function to the reference systems on equally spaced knots; an array of the results.
+/// Applies a function to the reference systems on equally spaced knots, and returns an array of the
+/// results.
 #[macro_export]
 macro_rules! even_systems {
     ($check:ident $(, $more:expr)*) => {
@@ -353,7 +355,8 @@ macro_rules! even_systems {
     };
 }
 
-/// Applies one function to every reference system, with its number of coefficients; an array of the results.
+/// Applies a function to every reference system with its number of coefficients, and returns an
+/// array of the results.
 #[macro_export]
 macro_rules! systems {
     ($check:ident) => {

@@ -1,4 +1,4 @@
-//! Shared statistics of the tests.
+//! Helpers of the tests.
 
 pub use approx;
 

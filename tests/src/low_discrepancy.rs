@@ -1,6 +1,6 @@
 //! Low-discrepancy sequences: points that fill the square evenly.
 
-/// Point `index` of Roberts's R₂ sequence, in [0, 1)².
+/// Returns point `index` of Roberts's R₂ sequence, in [0, 1)².
 ///
 /// ```text
 /// frac(½ + index · (1/g, 1/g²)),   g³ = g + 1

@@ -1,4 +1,5 @@
-//! Every kind of noise behind one type per dimension, so that a test is compiled once per dimension and not once per kind.
+//! Type-erased noise, one type per dimension, so that a test is compiled once per dimension instead
+//! of once per noise.
 
 use std::any::Any;
 
@@ -9,34 +10,34 @@ use asperity_noise::{
 
 use crate::noise_kinds::{AnyKind, Testable, Visit, every_dimension, every_kind, every_variant};
 
-/// Value and gradient at coordinates.
+/// Value and gradient as arrays.
 pub type At<const N: usize> = Sample<[f32; N]>;
 
-/// A kind of noise at single points.
+/// A noise evaluated at single points.
 pub trait AnyNoise<const N: usize>: Sync {
-    /// Value and gradient.
+    /// Returns value and gradient.
     fn sample(&self, p: [f32; N], seed: u32) -> At<N>;
-    /// The value alone.
+    /// Returns the value.
     fn value(&self, p: [f32; N], seed: u32) -> f32;
-    /// The shipped statistics.
+    /// Returns the tabulated statistics.
     fn statistics(&self) -> &'static Statistics;
-    /// σ₁ of this very noise.
+    /// Returns σ₁ of this noise.
     fn standard_deviation(&self) -> f32;
-    /// E|n|ᵏ, k = 1 … 4.
+    /// Returns E|n|ᵏ, k = 1 … 4.
     fn absolute_moments(&self) -> [f32; 4];
-    /// A sum of its octaves.
+    /// Returns a sum of its octaves.
     fn octaves(&self, normalisation: Normalisation, rotation: Rotation, seed: u32) -> Box<dyn AnySum<N>>;
 }
 
-/// A sum of octaves with the default spectrum at single points.
+/// A sum of octaves with the default spectrum, evaluated at single points.
 pub trait AnySum<const N: usize> {
-    /// Value and gradient of the first octaves.
+    /// Returns value and gradient of the first octaves.
     fn sample(&self, p: [f32; N], octaves: f32) -> At<N>;
-    /// The value alone.
+    /// Returns the value.
     fn value(&self, p: [f32; N], octaves: f32) -> f32;
 }
 
-/// A sample at coordinates.
+/// Converts a sample to arrays.
 #[must_use]
 pub fn at<V: Point<Coordinates = [f32; N]>, const N: usize>(sample: Sample<V>) -> At<N> {
     Sample { value: sample.value, gradient: sample.gradient.coordinates() }
@@ -85,7 +86,7 @@ impl<V: Point<Coordinates = [f32; N]>, K: Testable<V, N>, const N: usize> AnySum
     }
 }
 
-/// Any kind as a kind, for sums of it that are compiled once.
+/// A type-erased noise, for sums that are compiled once.
 #[derive(Clone, Copy)]
 pub struct AnyKernel<'a, const N: usize>(pub &'a dyn AnyNoise<N>);
 
@@ -121,7 +122,8 @@ impl<const N: usize> Kernel<N> for AnyKernel<'_, N> {
     }
 }
 
-/// The words of any lattice by cells of 1 to 4 coordinates, so that a kind is compiled once for all lattices without terms of their own.
+/// The words of any lattice by cells of 1 to 4 coordinates, so that a noise is compiled once for
+/// all lattices without additional terms.
 #[derive(Clone, Copy)]
 pub struct AnyLattice<'a>(pub &'a dyn Fn(&[i32], u32) -> u32);
 
@@ -160,8 +162,8 @@ impl<const N: usize> Point for Coordinates<N> {
     }
 }
 
-/// The factor by which a kind gets fewer points than others: those that visit 3ⁿ or 4ⁿ cells are slow in
-/// space and in 4-D.
+/// Returns the factor by which the number of points is reduced for slow noises, which visit 3ⁿ or
+/// 4ⁿ cells in 3-D and 4-D.
 #[must_use]
 pub fn thinning<const N: usize>(name: &str) -> u32 {
     match N {
@@ -171,10 +173,10 @@ pub fn thinning<const N: usize>(name: &str) -> u32 {
     }
 }
 
-/// A kind with its name, `Perlin 2002 3-D` for instance.
+/// A noise with its name, e.g. `Perlin 2002 3-D`.
 struct Named<const N: usize>(String, Box<dyn AnyNoise<N>>);
 
-/// Kinds of all dimensions.
+/// Noises of all dimensions.
 #[derive(Default)]
 pub struct Collection(Vec<Box<dyn Any>>);
 
@@ -190,10 +192,11 @@ impl Visit for Collection {
 }
 
 impl Collection {
-    /// Names and kinds in N dimensions.
+    /// Returns names and noises in N dimensions.
     ///
     /// # Panics
-    /// If there is none: a test of it would test nothing.
+    ///
+    /// If there is none, because the test would be empty.
     pub fn of<const N: usize>(&self) -> impl Iterator<Item = (&str, &dyn AnyNoise<N>)> {
         let mut named = self.0.iter().filter_map(|kind| kind.downcast_ref::<Named<N>>()).peekable();
         assert!(named.peek().is_some(), "no kind has {N} dimensions");
@@ -201,7 +204,8 @@ impl Collection {
     }
 }
 
-/// Calls a function of a name, a noise and further arguments, which is generic over the dimension, for every kind of a [`Collection`].
+/// Calls a function generic over the dimension, with a name, a noise and further arguments, for
+/// every noise of a [`Collection`].
 #[macro_export]
 macro_rules! in_every_dimension {
     ($collection:expr, $test:ident $(, $more:expr)?) => {{
@@ -213,7 +217,7 @@ macro_rules! in_every_dimension {
     }};
 }
 
-/// One kind of the test's own.
+/// Returns a collection of one noise.
 #[must_use]
 pub fn dimensions<K: AnyKind>(name: &str, noise: K) -> Collection {
     let mut collection = Collection::default();
@@ -221,9 +225,9 @@ pub fn dimensions<K: AnyKind>(name: &str, noise: K) -> Collection {
     collection
 }
 
-// Not generic, so that the kinds are compiled with this crate and not with every test.
+// Not generic, so that the noises are compiled with this crate and not with every test.
 
-/// Every kind on the integer hash in 1 to 4 dimensions.
+/// Returns every noise on the integer hash in 1 to 4 dimensions.
 #[must_use]
 pub fn kinds() -> Collection {
     let mut collection = Collection::default();
@@ -231,7 +235,7 @@ pub fn kinds() -> Collection {
     collection
 }
 
-/// The kinds that have parameters with other parameters than the default ones.
+/// Returns the parametric noises with non-default parameters.
 #[must_use]
 pub fn variants() -> Collection {
     let mut collection = Collection::default();

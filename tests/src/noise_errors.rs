@@ -1,4 +1,4 @@
-//! Errors of a noise beside its reference.
+//! Errors of a noise relative to its reference.
 
 use asperity_noise::{
     IntegerHash, Lattice, Noise, Point, Sample,
@@ -11,12 +11,14 @@ use crate::{
     random::Random,
 };
 
-/// A coordinate in ±4096 with twelve bits of fraction, so that `f32` holds it and moves no point off a face.
+/// Returns a coordinate within ±4096 with twelve fractional bits, which `f32` represents exactly,
+/// so that no point moves across a face.
 fn coordinate(random: &mut Random) -> f32 {
     ((random.uniform() - 0.5) * 8192.0 * 4096.0).round() as f32 / 4096.0
 }
 
-/// The worst errors of value and gradient of a noise in 1 to 4 dimensions, at points of ±4096 divided by a power of two.
+/// Returns the maximum errors of value and gradient of a noise in 1 to 4 dimensions, at points
+/// within ±4096 divided by a power of two.
 #[must_use]
 pub fn errors_by_dimension<K>(noise: K, lattice: &impl Lattice, kind: Kind, divisor: f32) -> [[f64; 2]; 4]
 where
@@ -40,7 +42,8 @@ where
     ]
 }
 
-/// The worst errors of value and gradient at points of ±4096 divided by a power of two.
+/// Returns the maximum errors of value and gradient at points within ±4096 divided by a power of
+/// two.
 #[must_use]
 pub fn errors<V: Point<Coordinates = [f32; N]>, const N: usize>(
     kind: Kind,
@@ -51,10 +54,12 @@ pub fn errors<V: Point<Coordinates = [f32; N]>, const N: usize>(
     errors_on(&|cell, seed| kind.word(&IntegerHash, cell, seed), kind, divisor, &noise)
 }
 
-/// The worst errors on a lattice, by pointers, so that they are compiled once a dimension.
+/// Returns the maximum errors on a lattice, type-erased, so that the code is compiled once per
+/// dimension.
 ///
 /// # Panics
-/// If nearly no gradient could be compared.
+///
+/// If hardly any gradient could be compared.
 #[must_use]
 pub fn errors_on<const N: usize>(
     words: Words<'_, N>,
@@ -63,7 +68,7 @@ pub fn errors_on<const N: usize>(
     noise: &dyn Fn([f32; N], u32) -> At<N>,
 ) -> [f64; 2] {
     let scale = kind.scales()[N - 1];
-    // Splines and impulses of 4-D have hundreds of parts each.
+    // Splines and impulses in 4-D have hundreds of parts each.
     let points = if N == 4 { 800 } else { 3000 };
     let mut random = Random(2);
     let mut worst = [0.0_f64; 2];

@@ -1,4 +1,4 @@
-//! Every kind of noise in every dimension, for tests that hold for all of them.
+//! Every noise in every dimension, for tests of common properties.
 
 use asperity_noise::{
     Gaussian, Noise, Perlin1985, Perlin2002, Point, Simplex, Sparse, Value, ValueCatmullRom, ValueGradient,
@@ -7,19 +7,19 @@ use asperity_noise::{
     simd::Kernel,
 };
 
-/// A kind of noise that can be tested at points `V` in N dimensions.
+/// A noise that can be tested at points `V` in N dimensions.
 pub trait Testable<V: Point, const N: usize>: Kernel<N> + Noise<V> + Copy + Sync + 'static {}
 
 impl<K: Kernel<N> + Noise<V> + Copy + Sync + 'static, V: Point, const N: usize> Testable<V, N> for K {}
 
-/// A kind of noise that can be tested in 1 to 4 dimensions.
+/// A noise that can be tested in 1 to 4 dimensions.
 pub trait AnyKind: Testable<f32, 1> + Testable<Vec2, 2> + Testable<Vec3, 3> + Testable<Vec4, 4> {}
 
 impl<K: Testable<f32, 1> + Testable<Vec2, 2> + Testable<Vec3, 3> + Testable<Vec4, 4>> AnyKind for K {}
 
-/// A test of each kind in each dimension.
+/// A test of each noise in each dimension.
 pub trait Visit {
-    /// One kind in one dimension.
+    /// Visits one noise in one dimension.
     fn visit<V: Point<Coordinates = [f32; N]>, K: Testable<V, N>, const N: usize>(
         &mut self,
         name: &str,
@@ -27,7 +27,7 @@ pub trait Visit {
     );
 }
 
-/// Visits one kind in 1 to 4 dimensions.
+/// Visits one noise in 1 to 4 dimensions.
 pub fn every_dimension<K: AnyKind>(visitor: &mut impl Visit, name: &str, noise: K) {
     visitor.visit::<f32, K, 1>(&format!("{name} 1-D"), noise);
     visitor.visit::<Vec2, K, 2>(&format!("{name} 2-D"), noise);
@@ -35,7 +35,7 @@ pub fn every_dimension<K: AnyKind>(visitor: &mut impl Visit, name: &str, noise: 
     visitor.visit::<Vec4, K, 4>(&format!("{name} 4-D"), noise);
 }
 
-/// Visits every kind on the integer hash in 1 to 4 dimensions.
+/// Visits every noise on the integer hash in 1 to 4 dimensions.
 pub fn every_kind(visitor: &mut impl Visit) {
     every_dimension(visitor, "white", White::default());
     every_dimension(visitor, "value", Value::default());
@@ -49,9 +49,10 @@ pub fn every_kind(visitor: &mut impl Visit) {
     every_dimension(visitor, "Gaussian", Gaussian::default());
 }
 
-/// Visits the kinds that have parameters in 1 to 4 dimensions, with other parameters than the default ones.
+/// Visits the parametric noises in 1 to 4 dimensions with non-default parameters.
 ///
 /// # Panics
+///
 /// Never: the parameters are in range.
 pub fn every_variant(visitor: &mut impl Visit) {
     for weight in [0.0, 0.25, 0.6, 1.0] {

@@ -1,4 +1,5 @@
-//! Every kind of noise once more, in plain `f64` and in any dimension: slow, literal, and sharing only the lattice's words.
+//! Reference implementation of every noise in plain `f64` and in any dimension: slow, literal, with
+//! only the lattice words in common.
 
 use asperity_noise::{
     IntegerHash, Lattice,
@@ -6,45 +7,45 @@ use asperity_noise::{
 };
 use statrs::function::gamma::gamma;
 
-/// A kind of noise, before the scaling to its range.
+/// A noise before scaling to its range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
     /// A number per cell.
     White,
     /// Numbers at the corners, quintic weights.
     Value,
-    /// Numbers at 4ⁿ points, the weights of Catmull and Rom.
+    /// Numbers at 4ⁿ points, Catmull–Rom weights.
     CatmullRom,
     /// Unit gradients, cubic weights.
     Perlin1985,
     /// Edge directions, quintic weights.
     Perlin2002,
-    /// Numbers and, with this weight, unit gradients scaled to the same range; quintic weights.
+    /// Numbers plus unit gradients with this weight, scaled to the same range; quintic weights.
     ValueGradient(f64),
     /// Simplex noise with this r².
     Simplex(f64),
-    /// Radial kernels around so many impulses per cell, scaled to unit variance.
+    /// Radial kernels around this many impulses per cell, scaled to unit variance.
     Sparse(u32),
-    /// A channel of value-gradient noise over its standard deviation.
+    /// A channel of value-gradient noise divided by its standard deviation.
     Gaussian(usize),
 }
 
 /// The words of a lattice, by cell and seed.
 pub type Words<'a, const D: usize> = &'a dyn Fn([i32; D], u32) -> u32;
 
-/// A lattice point that a value comes from: its cell, its weight, the way from it.
+/// A contributing lattice point: its cell, its weight, the offset from it.
 type Part<const D: usize> = ([i32; D], f64, [f64; D]);
 
-/// The draw of a lattice point.
+/// The random contribution of a lattice point.
 enum Drawn<const D: usize> {
-    /// A number, and a slope.
+    /// A number and a slope.
     Line(f64, [f64; D]),
-    /// Impulses at places of the cell, and their weights.
+    /// Impulses at positions in the cell, with weights.
     Impulses(Vec<([f64; D], f64)>),
 }
 
 impl<const D: usize> Drawn<D> {
-    /// The value at a way `d` from the lattice point.
+    /// Returns the value at offset `d` from the lattice point.
     fn at(&self, d: &[f64; D]) -> f64 {
         match self {
             Self::Line(value, slope) => value + dot(slope, d),
@@ -64,13 +65,14 @@ impl<const D: usize> Drawn<D> {
 }
 
 impl Kind {
-    /// The unscaled value at `p`.
+    /// Returns the unscaled value at `p`.
     #[must_use]
     pub fn value<const D: usize>(self, p: [f64; D], seed: u32) -> f64 {
         self.value_on(&|cell, seed| self.word(&IntegerHash, cell, seed), p, seed)
     }
 
-    /// The word that the kind draws at a lattice point: the upper one where it reads the upper bits alone.
+    /// Returns the word that the noise uses at a lattice point. If only the upper bits are used, it
+    /// is the upper word.
     #[must_use]
     pub fn word<const D: usize>(self, lattice: &impl Lattice, cell: [i32; D], seed: u32) -> u32 {
         match self {
@@ -79,19 +81,19 @@ impl Kind {
         }
     }
 
-    /// The unscaled value at `p` on a lattice.
+    /// Returns the unscaled value at `p` on a lattice.
     #[must_use]
     pub fn value_on<const D: usize>(self, words: Words<'_, D>, p: [f64; D], seed: u32) -> f64 {
         let parts = self.parts(p);
         self.sum(&self.drawn(words, &parts, seed), &parts)
     }
 
-    /// The draws of the lattice points of parts.
+    /// Returns the contributions of the lattice points of parts.
     fn drawn<const D: usize>(self, words: Words<'_, D>, parts: &[Part<D>], seed: u32) -> Vec<Drawn<D>> {
         parts.iter().map(|part| self.draw(words(part.0, seed))).collect()
     }
 
-    /// The unscaled value from parts, of which every lattice point has drawn something.
+    /// Returns the unscaled value from parts and the contributions of their lattice points.
     fn sum<const D: usize>(self, drawn: &[Drawn<D>], parts: &[Part<D>]) -> f64 {
         let (mut n, mut v) = (0.0, 0.0);
         for k in 0..drawn.len() {
@@ -102,13 +104,13 @@ impl Kind {
         if matches!(self, Self::Gaussian(_)) { n / v.sqrt() } else { n }
     }
 
-    /// The part that a lattice point with a word adds at a way `d` from it, where it has the weight `w`.
+    /// Returns the contribution of a lattice point with a word at offset `d`, with weight `w`.
     #[must_use]
     pub fn part<const D: usize>(self, word: u32, w: f64, d: [f64; D]) -> f64 {
         w * self.draw(word).at(&d)
     }
 
-    /// The draw of a lattice point by its word.
+    /// Returns the contribution of a lattice point from its word.
     fn draw<const D: usize>(self, word: u32) -> Drawn<D> {
         let (value, slope) = match self {
             Self::Value => (f64::from(word as i32) / 2_147_483_648.0, [0.0; D]),
@@ -132,7 +134,7 @@ impl Kind {
         Drawn::Line(value, slope)
     }
 
-    /// The lattice points that the value at `p` comes from.
+    /// Returns the lattice points that contribute to the value at `p`.
     #[must_use]
     pub fn parts<const D: usize>(self, p: [f64; D]) -> Vec<Part<D>> {
         match self {
@@ -155,9 +157,11 @@ impl Kind {
         }
     }
 
-    /// The gradient at `p` on a lattice by central differences of fourth order, exact to about 1e-9 of the noise's range.
+    /// Returns the gradient at `p` on a lattice by fourth-order central differences, exact to about
+    /// 1e-9 of the noise's range.
     ///
-    /// None where a difference would reach into another cell or simplex, where some kinds have a kink.
+    /// Returns `None` if a difference would reach into another cell or simplex, where some noises
+    /// have a kink.
     #[must_use]
     pub fn gradient_on<const D: usize>(
         self,
@@ -167,7 +171,7 @@ impl Kind {
     ) -> Option<[f64; D]> {
         const H: f64 = 1e-4;
         let here = self.lattice_points(p);
-        // The same lattice points all along the differences.
+        // The same lattice points for all differences.
         let drawn = self.drawn(words, &self.parts(p), seed);
         let mut gradient = [0.0; D];
         for (k, slope) in gradient.iter_mut().enumerate() {
@@ -184,7 +188,7 @@ impl Kind {
         Some(gradient)
     }
 
-    /// The factors in 1 to 4 dimensions by which the noise is scaled to its range.
+    /// Returns the factors in 1 to 4 dimensions that scale the noise to its range.
     #[must_use]
     pub fn scales(self) -> [f64; 4] {
         let greatest = match self {
@@ -199,7 +203,8 @@ impl Kind {
         greatest.map(|greatest| (1.0 - 2e-6) / greatest)
     }
 
-    /// Points that tell the cell or simplex of `p`, in an order that only another cell or simplex changes.
+    /// Returns points that identify the cell or simplex of `p`, in an order that changes only
+    /// between cells or simplices.
     #[must_use]
     pub fn lattice_points<const D: usize>(self, p: [f64; D]) -> Vec<[i32; D]> {
         match self {
@@ -208,7 +213,7 @@ impl Kind {
         }
     }
 
-    /// The greatest value that words can give at `p`, if each lattice point draws the best one.
+    /// Returns the maximum value at `p` over all words.
     #[must_use]
     pub fn greatest<const D: usize>(self, p: [f64; D]) -> f64 {
         let best = |(_, w, d): Part<D>| match self {
@@ -218,7 +223,7 @@ impl Kind {
             Self::ValueGradient(weight) => {
                 w * (1.0 - weight + weight * 2.0 / (D as f64).sqrt() * dot(&d, &d).sqrt())
             }
-            // The nearest place of the lattice point's cell.
+            // The nearest position in the lattice point's cell.
             Self::Sparse(impulses) => w * f64::from(impulses) * kernel(d.map(|d| d - d.clamp(0.0, 1.0))),
             Self::Gaussian(_) => f64::INFINITY,
         };
@@ -226,25 +231,25 @@ impl Kind {
     }
 }
 
-/// f′(0) by differences of fourth order.
+/// Returns f′(0) by fourth-order differences.
 #[must_use]
 pub fn difference(h: f64, f: impl Fn(f64) -> f64) -> f64 {
     (8.0 * (f(h) - f(-h)) - (f(2.0 * h) - f(-2.0 * h))) / (12.0 * h)
 }
 
-/// The upper 24 bits of a word as a number in (−1, 1).
+/// Returns the upper 24 bits of a word as a number in (−1, 1).
 fn uniform(word: u32) -> f64 {
     (f64::from(word >> 8) + 0.5) / 8_388_608.0 - 1.0
 }
 
-/// A further word of a lattice point.
+/// Returns another word of a lattice point.
 fn further(word: u32, k: u32) -> u32 {
     let h = word.wrapping_add(k.wrapping_mul(0x9e37_79b9));
     let h = (h ^ h >> 15).wrapping_mul(0x846c_a68b);
     h ^ h >> 16
 }
 
-/// The impulse of a word: its place in the cell and its weight.
+/// Returns the impulse of a word: its position in the cell and its weight.
 fn impulse<const D: usize>(word: u32) -> ([f64; D], f64) {
     let second = further(word, 1);
     let fields = [word >> 16, word & 0xffff, second >> 16, second & 0xffff];
@@ -252,7 +257,7 @@ fn impulse<const D: usize>(word: u32) -> ([f64; D], f64) {
     (place, uniform(if D < 3 { second } else { further(word, 2) }))
 }
 
-/// (1 − r²)³ inside the unit ball.
+/// Returns (1 − r²)³ inside the unit ball.
 fn kernel<const D: usize>(d: [f64; D]) -> f64 {
     (1.0 - dot(&d, &d)).max(0.0).powi(3)
 }
@@ -265,7 +270,7 @@ fn quintic(t: f64) -> f64 {
     6.0 * t.powi(5) - 15.0 * t.powi(4) + 10.0 * t.powi(3)
 }
 
-/// The spline's weight of a point at a distance, as Keys writes the kernel with a = −½.
+/// Returns the spline weight of a point at a distance: Keys' kernel with a = −½.
 fn catmull_rom(d: f64) -> f64 {
     let r = d.abs();
     if r < 1.0 {
@@ -283,7 +288,8 @@ fn dot<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
     sum
 }
 
-/// max g·d over the edge directions: ±1 and less on the line, eight of length √2 in the plane, then all but one axis.
+/// Returns max g·d over the edge directions: ±1 and smaller on the line, eight of length √2 in the
+/// plane, all but one axis in higher dimensions.
 fn best_edge<const D: usize>(d: [f64; D]) -> f64 {
     let mut sizes = d.map(f64::abs);
     sizes.sort_by(f64::total_cmp);
@@ -299,14 +305,15 @@ fn best_edge<const D: usize>(d: [f64; D]) -> f64 {
     }
 }
 
-/// The lattice points in a range of at most four around the cell of `p` along every axis, with the product of the axes' weights.
+/// Returns the lattice points in a range of at most four around the cell of `p` along every axis,
+/// with the product of the axes' weights.
 fn around<const D: usize>(
     p: [f64; D],
     range: std::ops::RangeInclusive<i32>,
     weight: impl Fn(f64) -> f64,
 ) -> Vec<Part<D>> {
     let (first, count) = (*range.start(), (range.end() - range.start() + 1) as usize);
-    // Coordinate, weight and way along every axis.
+    // Coordinate, weight and offset along every axis.
     let mut axes = [[(0, 0.0, 0.0); 4]; D];
     for (k, axis) in axes.iter_mut().enumerate() {
         for (step, along) in (first..).zip(axis.iter_mut()).take(count) {
@@ -327,10 +334,10 @@ fn around<const D: usize>(
     parts
 }
 
-/// The corners of the simplex around `p`, with the kernel of a radius as the weight.
+/// Returns the corners of the simplex around `p`, with the kernel of a radius as weight.
 fn simplex<const D: usize>(p: [f64; D], radius_squared: f64) -> Vec<Part<D>> {
     let n = D as f64;
-    // On the line there is nothing to shear.
+    // In 1-D there is nothing to shear.
     let skew = if D == 1 { 0.0 } else { ((n + 1.0).sqrt() - 1.0) / n };
     let unskew = if D == 1 { 0.0 } else { (1.0 - 1.0 / (n + 1.0).sqrt()) / n };
     let sum: f64 = p.iter().sum();

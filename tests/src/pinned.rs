@@ -1,13 +1,13 @@
-//! Values that stay: comparison with what a function returned when it was pinned.
+//! Pinned values: comparison with recorded results.
 
 use glam::{Vec2, Vec3};
 
-/// Some units in the last place of `f32`.
+/// A few units in the last place of `f32`.
 pub const SINGLE: f64 = 1e-6;
 
-/// Numbers that are pinned: one, those of a vector or of an array.
+/// Pinned numbers: a number, or the components of a vector or an array.
 pub trait Numbers<const N: usize> {
-    /// The numbers in `f64`.
+    /// Returns the numbers in `f64`.
     fn numbers(self) -> [f64; N];
 }
 
@@ -35,19 +35,21 @@ impl<T: Into<f64>, const N: usize> Numbers<N> for [T; N] {
     }
 }
 
-/// Compares with pinned values, each within [`SINGLE`].
+/// Asserts that values equal the pinned values within [`SINGLE`].
 ///
 /// # Panics
-/// If one is not.
+///
+/// If a value differs.
 #[track_caller]
 pub fn single<const N: usize>(what: &str, got: impl Numbers<N>, expected: [f64; N]) {
     pinned(what, got, expected, SINGLE);
 }
 
-/// Compares with pinned values, each within the relative `tolerance`.
+/// Asserts that values equal the pinned values within the relative `tolerance`.
 ///
 /// # Panics
-/// If one is not.
+///
+/// If a value differs.
 #[track_caller]
 pub fn pinned<const N: usize>(what: &str, got: impl Numbers<N>, expected: [f64; N], tolerance: f64) {
     let got = got.numbers();
@@ -56,13 +58,13 @@ pub fn pinned<const N: usize>(what: &str, got: impl Numbers<N>, expected: [f64; 
     assert!(close, "{what}: {got:?} is pinned to {expected:?}");
 }
 
-/// The components.
+/// Returns the components.
 #[must_use]
 pub fn vec3(v: Vec3) -> [f64; 3] {
     v.as_dvec3().to_array()
 }
 
-/// The components.
+/// Returns the components.
 #[must_use]
 pub fn vec2(v: Vec2) -> [f64; 2] {
     v.as_dvec2().to_array()

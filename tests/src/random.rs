@@ -5,7 +5,7 @@
 pub struct Random(pub u64);
 
 impl Random {
-    /// The next 64 bits.
+    /// Returns the next 64 bits.
     pub const fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut bits = self.0;
@@ -14,17 +14,17 @@ impl Random {
         bits ^ (bits >> 31)
     }
 
-    /// Uniform in [0, 1), of 53 bits.
+    /// Returns a uniform number in [0, 1) with 53 bits.
     pub fn uniform(&mut self) -> f64 {
         (self.bits() >> 11) as f64 * (-53f64).exp2()
     }
 
-    /// Uniform in a box of 128 cells a side.
+    /// Returns a uniform number in a box of 128 cells per side.
     pub const fn coordinate(&mut self) -> f32 {
         (self.bits() >> 40) as f32 / 131_072.0 - 64.0
     }
 
-    /// Two independent standard Gaussians, by the transformation of Box and Muller.
+    /// Returns two independent standard Gaussians, by the Box–Muller transform.
     pub fn gaussians(&mut self) -> [f64; 2] {
         let radius = (-2.0 * (1.0 - self.uniform()).ln()).sqrt();
         let (sin, cos) = (core::f64::consts::TAU * self.uniform()).sin_cos();

@@ -1,11 +1,12 @@
-//! Reading the reference values in `tests/data`.
+//! Reads the reference values in `tests/data`.
 
 use serde_json::Value;
 
-/// The JSON file `name` of `tests/data`, as in `reference::read("ndf/gaussian.json")`.
+/// Returns the JSON file `name` of `tests/data`, as in `reference::read("ndf/gaussian.json")`.
 ///
 /// # Panics
-/// If there is no such file or it is not JSON.
+///
+/// If the file does not exist or is not JSON.
 #[must_use]
 pub fn read(name: &str) -> Value {
     let path = format!("{}/data/{name}", env!("CARGO_MANIFEST_DIR"));
@@ -13,7 +14,7 @@ pub fn read(name: &str) -> Value {
     serde_json::from_str(&text).unwrap_or_else(|error| panic!("{path}: {error}"))
 }
 
-/// The numbers of a JSON array.
+/// Returns the numbers of a JSON array.
 ///
 /// # Panics
 /// If the value is not an array of numbers.
@@ -22,7 +23,7 @@ pub fn numbers(value: &Value) -> Vec<f64> {
     value.as_array().expect("an array").iter().map(|v| v.as_f64().expect("a number")).collect()
 }
 
-/// The rows of a JSON array of arrays of numbers.
+/// Returns the rows of a JSON array of arrays of numbers.
 ///
 /// # Panics
 /// If the value is not an array of arrays of numbers.

@@ -1,28 +1,31 @@
-//! Bins over the sphere of directions: counting samples, and integrating a density over each bin.
+//! Bins over the sphere of directions: counts samples, and integrates a density over each bin.
 
 use std::f64::consts::{PI, TAU};
 
 use glam::{DVec3, Vec3};
 
-/// By how much the integral over a part of a bin may change when the part is cut into four, before those are.
+/// Maximum change of the integral over a part of a bin when it is split into four, before these are
+/// split further.
 ///
-/// A bin of 200 of 40,000 samples may be off by 1e-4 of all before χ² feels it, which is 50 parts.
+/// With 200 of 40,000 samples in a bin, χ² tolerates an error of 1e-4 of the total, which is 50
+/// parts.
 const TOLERANCE: f64 = 2e-6;
 
-/// Cuts of a bin's parts at most: edges are followed to 1/1024 of a bin.
+/// Maximum number of splits of a bin: edges are resolved to 1/1024 of a bin.
 const DEEPEST: u32 = 9;
 
-/// Three nodes of Gauss and Legendre on [0, 1], with their weights.
+/// Three nodes of Gauss–Legendre quadrature on [0, 1], with weights.
 const GAUSS: [(f64, f64); 3] =
     [(0.112_701_665_379_258_31, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)];
 
 /// The ranges of θ and φ.
 type Part = [[f64; 2]; 2];
 
-/// Bins over the sphere, rows of equal angles from the zenith down: lobes are as narrow near the poles as anywhere.
+/// Bins over the sphere, in rows of equal angle from the zenith down. Lobes are as narrow near the
+/// poles as elsewhere.
 #[derive(Clone, Copy, Debug)]
 pub struct SphereBins {
-    /// The number of rows; that of the hemisphere's is half of it.
+    /// The number of rows. The hemisphere has half of them.
     pub rows: usize,
     /// The number of columns around.
     pub columns: usize,
@@ -33,7 +36,7 @@ impl SphereBins {
         [PI / self.rows as f64, TAU / self.columns as f64]
     }
 
-    /// The bin of a direction, row by row.
+    /// Returns the bin of a direction, row by row.
     #[must_use]
     pub fn index(&self, w: Vec3) -> usize {
         let [x, y, z] = w.to_array().map(f64::from);
@@ -42,7 +45,7 @@ impl SphereBins {
         row.min(self.rows - 1) * self.columns + column.min(self.columns - 1)
     }
 
-    /// Counts of directions by their bins; zero vectors are in none.
+    /// Counts directions per bin, ignoring zero vectors.
     #[must_use]
     pub fn count(&self, directions: impl Iterator<Item = Vec3>) -> Vec<u64> {
         let mut counts = vec![0; self.rows * self.columns];
@@ -52,10 +55,10 @@ impl SphereBins {
         counts
     }
 
-    /// The integral of a density over each bin's solid angle, cut finer where it changes.
+    /// Returns the integral of a density over each bin's solid angle, adaptively subdivided.
     ///
-    /// A rule of fixed nodes is not enough: densities of refracted light fall to 0 within a degree of the horizon and of the
-    /// critical angle, and grow within as little.
+    /// Fixed nodes are insufficient: densities of refracted light fall to 0 within a degree of the
+    /// horizon and of the critical angle, and grow within as little.
     #[must_use]
     pub fn integrate(&self, density: impl Fn(Vec3) -> f64) -> Vec<f64> {
         let [step, turn] = self.steps();
@@ -63,7 +66,8 @@ impl SphereBins {
             .map(|bin| {
                 let [row, column] = [bin / self.columns, bin % self.columns].map(|k| k as f64);
                 let part = [[row, row + 1.0].map(|k| k * step), [column, column + 1.0].map(|k| k * turn)];
-                // Cut at least twice, for what lies between the nodes; 16 by 12 bins miss no corner of refracted light so, 12 by 8 do.
+                // Split at least twice, to cover features between the nodes. With 16 by 12 bins no
+                // corner of refracted light is missed; with 12 by 8 some are.
                 let parts = quarters(part).into_iter();
                 parts.map(|part| adaptive(part, gauss(part, &density), DEEPEST - 1, &density)).sum()
             })
@@ -104,10 +108,10 @@ mod tests {
     use approx::assert_abs_diff_eq;
 
     #[test]
-    fn edges_and_narrow_peaks_are_found() {
+    fn edges_and_narrow_peaks_are_resolved() {
         let bins = SphereBins { rows: 8, columns: 6 };
         let middle = Vec3::new(0.36, -0.48, 0.8);
-        // A cap of the height 0.01, and a peak of von Mises and Fisher 2° wide.
+        // A cap of height 0.01, and a von Mises–Fisher peak 2° wide.
         let cap = bins.integrate(|w| if w.dot(middle) > 0.99 { 1.0 } else { 0.0 });
         assert_abs_diff_eq!(cap.iter().sum::<f64>(), TAU * 0.01, epsilon = 2e-4);
         let peak = bins.integrate(|w| 800.0 / TAU * f64::from(800.0 * (w.dot(middle) - 1.0)).exp());

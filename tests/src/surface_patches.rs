@@ -1,4 +1,4 @@
-//! Means over patches of a surface in a random field, with their standard errors.
+//! Means over patches of a surface in a random field, with standard errors.
 
 use glam::Vec3;
 use rayon::prelude::*;
@@ -8,9 +8,10 @@ use crate::low_discrepancy::r2;
 /// Points on each side of a patch.
 const SIDE: u32 = 128;
 
-/// The points of one patch, `128²/stride` of them: one in each stratum of a slanted plane.
+/// Returns the points of one patch, `128²/stride` of them: one in each stratum of a tilted plane.
 ///
-/// They are at least 1.5 apart, more than a cell of the first octave, so that each counts nearly as an independent one.
+/// They are at least 1.5 apart, more than a cell of the first octave, so that they are nearly
+/// independent.
 fn points(stride: usize) -> impl Iterator<Item = Vec3> {
     let strata = (0..SIDE).flat_map(move |i| (0..SIDE).step_by(stride).map(move |j| (i, j)));
     strata.map(|(i, j)| {
@@ -20,9 +21,10 @@ fn points(stride: usize) -> impl Iterator<Item = Vec3> {
     })
 }
 
-/// For every seed the means of `N` quantities over its own patch; `field` makes the field, `add` adds a point's values.
+/// Returns, for every seed, the means of `N` quantities over its own patch. `field` creates the
+/// field, `add` adds a point's values.
 ///
-/// The patches are measured in parallel; the order of every sum is fixed.
+/// The patches are measured in parallel. The order of every sum is fixed.
 pub fn patch_means<F, const N: usize>(
     seeds: u32,
     stride: usize,
@@ -42,7 +44,8 @@ pub fn patch_means<F, const N: usize>(
     (0..seeds).into_par_iter().map(patch).collect()
 }
 
-/// The mean of quantity `index` over the patches, and its standard error from the patches' spread.
+/// Returns the mean of quantity `index` over the patches, and its standard error from their
+/// variation.
 #[must_use]
 pub fn mean_and_error<const N: usize>(patches: &[[f64; N]], index: usize) -> (f64, f64) {
     let n = patches.len() as f64;

@@ -1,4 +1,4 @@
-//! Means over rectangles of height fields against exact rationals, and the distribution of their normals.
+//! Means over rectangles of height fields against exact rationals, and the distribution of normals.
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its reference has failed")]
 
 use asperity_fif::glam::DVec3;
@@ -10,7 +10,8 @@ use serde_json::Value;
 
 use crate::properties::{f, f_hat};
 
-/// Compares the means over all rectangles; returns the worst error relative to the value and its conditioning.
+/// Compares the means over all rectangles, and returns the maximum error relative to the value and
+/// its conditioning.
 fn rectangles<F: Function, G: Function>(surface: &HeightField<F, G>, json: &Value) -> f64 {
     let mut worst = 0.0_f64;
     for rectangle in json["rectangles"].as_array().unwrap() {
@@ -37,7 +38,7 @@ fn rectangles<F: Function, G: Function>(surface: &HeightField<F, G>, json: &Valu
 }
 
 #[test]
-fn means_over_rectangles_equal_the_exact_rationals() {
+fn rectangle_means_match_exact_rationals() {
     let (f, g) = (Reference::<2>::load("paper_f").system, Reference::<2>::load("paper_g").system);
     let [f_hat, g_hat] = [&f, &g].map(|slope| slope.integral::<Vec<_>, 3>(0.0).unwrap());
     let (f, g, f_hat, g_hat) = (f.view(), g.view(), f_hat.view(), g_hat.view());
@@ -60,7 +61,7 @@ fn means_over_rectangles_equal_the_exact_rationals() {
 }
 
 #[test]
-fn rectangles_without_area_give_values() {
+fn rectangle_of_zero_area_returns_values() {
     let surface = HeightField::new(f_hat(), f_hat());
     let point = surface.area_means(Interval::new(0.7, 0.7), Interval::new(1.2, 1.2)).unwrap();
     let (height, slope) = (surface.height(0.7, 1.2), surface.gradient(0.7, 1.2).unwrap());
@@ -73,12 +74,12 @@ fn rectangles_without_area_give_values() {
     assert!(nan.height.value.is_nan() && nan.slopes.unwrap().product.value.is_nan());
 }
 
-/// A surface's normals become a density that can be sampled: their mean and the moments of the slopes agree.
+/// A surface's normals form a density that can be sampled, with matching mean and slope moments.
 #[test]
-fn the_distribution_of_normals_feeds_a_map_of_normals() {
+fn normal_distribution_builds_an_ndf_map() {
     let f_hat = f_hat();
     let low: Fif<3> = paper::f().unwrap().scaled(0.5).unwrap().integral(0.0).unwrap();
-    // A low relief of different axes, so that rows and columns cannot be mixed up.
+    // A low relief with different axes, so that rows and columns cannot be confused.
     let surface = HeightField::new(low.view(), f_hat);
     let (x, y) = (Interval::new(0.25, 1.75), Interval::new(0.5, 2.0));
     let (width, height) = (128, 96);
@@ -88,7 +89,7 @@ fn the_distribution_of_normals_feeds_a_map_of_normals() {
     assert_abs_diff_eq!(texels.iter().sum::<f32>() * texel_area, 1.0, epsilon = 1e-4);
     let map =
         NdfMap::from_texels(width, height, &texels, Measure::Normals, Reconstruction::Constant).unwrap();
-    // The mean of the slopes, in closed form, against the mean over the texels' centres.
+    // The mean slope in closed form, against the mean over the texel centers.
     let exact = surface.area_means(x, y).unwrap().slopes.unwrap();
     let (mut mean, mut square, mut weight) = ([0.0; 2], [0.0; 2], 0.0);
     for (k, &texel) in texels.iter().enumerate() {
@@ -98,7 +99,8 @@ fn the_distribution_of_normals_feeds_a_map_of_normals() {
         if texel > 0.0 && nz > 0.0 {
             let normal = DVec3::new(nx, ny, nz);
             let density = map.density(normal.as_vec3());
-            // Every texel inside the disk is the map's density, up to its scale: texels at the rim count in part.
+            // Every texel inside the disk matches the map's density up to scale. Texels at the rim
+            // count partially.
             let share = density / texel;
             assert_abs_diff_eq!(share, 1.0, epsilon = 0.01, "{nx} {ny}: {density} != {texel}");
             let weighted = f64::from(texel);
@@ -119,7 +121,7 @@ fn the_distribution_of_normals_feeds_a_map_of_normals() {
 }
 
 #[test]
-fn distributions_that_cannot_be_are_refused() {
+fn normal_distribution_errors() {
     let (smooth, rough) = (HeightField::new(f_hat(), f_hat()), HeightField::new(f_hat(), f()));
     let whole = Interval::new(0.0, 2.0);
     let mut texels = [0.0; 12];

@@ -1,4 +1,5 @@
-//! Extrema and their places, enclosures, moduli, conditioning and dimension, up to systems that hardly contract.
+//! Extrema and their positions, enclosures, moduli, conditioning and dimension, up to nearly
+//! non-contracting systems.
 
 use asperity_fif::{Fif, Interval, Modulus, System, paper, system::Piece};
 use asperity_tests::assert_abs_diff_eq;
@@ -8,20 +9,22 @@ use proptest::prelude::*;
 
 use crate::properties::{affine_over, seeded};
 
-/// Random affine systems: 2 to `maps` maps, cells from `smallest` of one another, factors up to `steepest` in size.
+/// Random affine systems: 2 to `maps` maps, cells of relative size at least `smallest`, factors of
+/// magnitude up to `steepest`.
 fn affine(maps: usize, smallest: f64, steepest: f64) -> impl Strategy<Value = Fif<2>> {
     let gap = (smallest.ln()..=0.0_f64).prop_map(f64::exp);
     affine_over(2..=maps, -5.0..5.0, gap, -steepest..=steepest)
 }
 
-/// Hardly contracting: up to 64 maps, cells down to a billionth, every factor from 0.9 to 0.999 in size.
+/// Nearly non-contracting: up to 64 maps, cells down to a billionth, every factor of magnitude 0.9
+/// to 0.999.
 fn near_critical() -> impl Strategy<Value = Fif<2>> {
     let gap = (1e-9_f64.ln()..=0.0).prop_map(f64::exp);
     let factor = (0.9..=0.999_f64, prop::bool::ANY).prop_map(|(size, up)| if up { size } else { -size });
     affine_over(2..=64, 0.0..1e-9, gap, factor)
 }
 
-/// `(x, f(x))` at `count` knots of deep levels at least, by the functional equation alone.
+/// Returns `(x, f(x))` for at least `count` knots of deep levels, by the functional equation alone.
 fn samples<S: AsRef<[Piece<C>]>, const C: usize>(f: &System<S, C>, count: usize) -> Vec<(f64, f64)> {
     let mut points = vec![(f.domain().lo, f.end_values()[0]), (f.domain().hi, f.end_values()[1])];
     while points.len() < count {
@@ -30,7 +33,8 @@ fn samples<S: AsRef<[Piece<C>]>, const C: usize>(f: &System<S, C>, count: usize)
     points
 }
 
-/// Error of a sample: 16 roundings of the polynomial a level, and those of `x` by its steepest slope.
+/// Returns the error of a sample: 16 roundings of the polynomial per level, and the rounding of `x`
+/// times its maximum slope.
 fn rounding<S: AsRef<[Piece<2>]>>(f: &System<S, 2>) -> f64 {
     let (mut scale, mut steepest) = (f.range().magnitude(), 0.0_f64);
     for piece in f.pieces() {
@@ -42,7 +46,7 @@ fn rounding<S: AsRef<[Piece<2>]>>(f: &System<S, 2>) -> f64 {
 }
 
 #[test]
-fn the_reference_extrema_are_contained_and_within_a_millionth() {
+fn extrema_contain_the_reference_within_a_millionth() {
     fn check<const C: usize>(name: &str) {
         let r = Reference::<C>::load(name);
         let json = &r.json["extrema"];
@@ -61,7 +65,7 @@ fn the_reference_extrema_are_contained_and_within_a_millionth() {
             ("max", e.maximum, e.at_maximum, e.maximum_within),
         ] {
             let end = |end: &str| json[format!("{key}_{end}")].as_f64().expect("a number");
-            // The exact extremum lies in the reference's bracket and in ours.
+            // The exact extremum lies in the reference's bracket and in the crate's.
             assert!(
                 got.lo <= end("hi") && end("lo") <= got.hi && got.width() <= 1e-6,
                 "{name} {key}: {got:?}"
@@ -73,7 +77,7 @@ fn the_reference_extrema_are_contained_and_within_a_millionth() {
                 let place = ratio(candidate["x"].as_str().expect("a ratio"));
                 assert!(within.inflated(1e-15).contains(place), "{name} {key}: {place} not in {within:?}");
             }
-            // The certificate is what it says.
+            // The certificate is consistent.
             let taken = r.system.enclosure(at.lo, at.hi, 1e-12).expect("a place in the domain");
             let good = if key == "max" { taken.hi >= got.lo } else { taken.lo <= got.hi };
             assert!(good && at.lo <= at.hi && at.width() < 1e-13, "{name} {key}: {at:?} {taken:?} {got:?}");
@@ -84,7 +88,7 @@ fn the_reference_extrema_are_contained_and_within_a_millionth() {
 }
 
 #[test]
-fn dimensions_of_the_reference_systems_are_the_closed_ones() {
+fn dimension_of_reference_systems_matches_closed_form() {
     fn dimension<const C: usize>(name: &str) -> Interval {
         Reference::<C>::load(name).system.dimension()
     }
@@ -95,7 +99,7 @@ fn dimensions_of_the_reference_systems_are_the_closed_ones() {
     assert_eq!(dimension::<2>("parabola").hi, 1.0);
     let g = dimension::<2>("paper_g");
     assert!(g.contains(1.0 + 1.7_f64.log2()) && g.width() < 1e-13, "{g:?}");
-    // Σ |α_j| a_j^{D−1} = 1 changes its sign across the bracket.
+    // Σ |α_j| a_j^{D−1} = 1 changes sign across the bracket.
     for (name, d) in [("nonuni3", dimension::<2>("nonuni3")), ("cubic5", dimension::<4>("cubic5"))] {
         let json = read(name);
         let list = |key: &str| ratios(&json[key]);
@@ -108,7 +112,7 @@ fn dimensions_of_the_reference_systems_are_the_closed_ones() {
 }
 
 #[test]
-fn the_dimension_is_what_boxes_count() {
+fn dimension_matches_box_counting() {
     // Oscillation over 4^k cells grows like 4^{k (2 − D)}: the slope of its logarithm, over 4⁴ to 4⁸ cells.
     let x = [0.0, 1.0, 2.0, 3.0, 4.0];
     let f = Fif::affine(&x, &[0.0, 1.0, -0.5, 0.7, 0.2], &[0.6, -0.7, 0.8, -0.5]).expect("data in order");
@@ -129,7 +133,7 @@ fn the_dimension_is_what_boxes_count() {
 }
 
 #[test]
-fn one_unit_in_the_last_place_moves_the_rough_function_by_its_conditioning() {
+fn conditioning_is_the_change_for_one_ulp() {
     let g = paper::g().expect("a valid system");
     let mut worst = 0.0_f64;
     for k in 1..200 {
@@ -147,8 +151,8 @@ fn one_unit_in_the_last_place_moves_the_rough_function_by_its_conditioning() {
 }
 
 #[test]
-fn two_hundred_thousand_maps_are_searched_in_bounded_time() {
-    // More maps than the budget of cells: each is still seen once.
+fn extrema_of_200000_maps_in_bounded_time() {
+    // More maps than the cell budget: each is still visited once.
     let n = 200_000;
     let x: Vec<f64> = (0..=n).map(f64::from).collect();
     let y: Vec<f64> = (0..=n).map(|k| f64::from(k % 7)).collect();
@@ -179,7 +183,7 @@ proptest! {
                 prop_assert!(short.inflated(slack).contains(y), "{x} {y} {short:?}");
                 (top, bottom) = (top.max(y), bottom.min(y));
             }
-            // What is larger than the attained value lies in the place of the maximum.
+            // Points above the attained value lie in the position of the maximum.
             let near = 1e-13 * f.domain().magnitude();
             if y > whole.maximum.lo + slack {
                 prop_assert!(whole.maximum_within.inflated(near).contains(x), "{x} {y} {whole:?}");
@@ -188,7 +192,7 @@ proptest! {
                 prop_assert!(whole.minimum_within.inflated(near).contains(x), "{x} {y} {whole:?}");
             }
         }
-        // Measured: 0.075 of the range where the cells run out, 1e-7 in most cases.
+        // Measured: 0.075 of the range where the cell budget is exhausted, 1e-7 in most cases.
         let most = f64::max(1e-4, 0.1 * f.range().width());
         prop_assert!(whole.maximum.width() <= most && whole.minimum.width() <= most, "{whole:?}");
         prop_assert!(part.maximum.hi >= top - slack && part.minimum.lo <= bottom + slack);
@@ -198,7 +202,7 @@ proptest! {
     fn the_modulus_bounds_every_difference(
         gentle in 0.1..1.4_f64, f in affine(8, 1e-2, 0.9), pairs in prop::collection::vec((0.0..1.0_f64, -40.0..0.0_f64), 200),
     ) {
-        // The same knots with factors in proportion to the cells: Lipschitz up to 1, Hölder beyond.
+        // The same knots with factors proportional to the cells: Lipschitz up to 1, Hölder beyond.
         let knots: Vec<f64> = f.pieces().iter().map(|p| p.x()[0]).chain([f.domain().hi]).collect();
         let y: Vec<f64> = f.pieces().iter().map(|p| p.y()[0]).chain([f.end_values()[1]]).collect();
         let share = |gentle: f64| -> Fif<2> {
@@ -234,7 +238,8 @@ proptest! {
         let (outer, _) = map.apply(x, 0.0);
         let [inner, image] = [x, outer].map(|x| f.evaluate(x, 1e-9));
         let want = map.apply(x, inner.value).1;
-        // What the bound leaves out is the conditioning, which is reported, and the rounding of the right-hand side.
+        // The bound excludes the conditioning, which is reported, and the rounding of the
+        // right-hand side.
         let terms = inner.value.abs() + map.q[0].abs() + (map.q[1] * x).abs();
         let bound = image.bound + f.conditioning(outer)
             + map.alpha.abs() * (inner.bound + f.conditioning(x)) + 8.0 * f64::EPSILON * terms;
@@ -268,7 +273,7 @@ proptest! {
 }
 
 #[test]
-fn intervals_that_end_beside_a_knot_are_bracketed_to_the_requested_width() {
+fn interval_ending_next_to_a_knot_is_bracketed_to_the_width() {
     let f = paper::f_hat().unwrap();
     for k in 1..512 {
         let knot = f64::from(k) / 256.0;
@@ -276,7 +281,7 @@ fn intervals_that_end_beside_a_knot_are_bracketed_to_the_requested_width() {
         for (before, after) in [(2e-9, 1e-14), (cell + 1e-14, 1e-14), (1e-14, cell + 1e-14)] {
             let (l, r) = (knot - before, knot + after);
             let got = f.extrema_over(l, r, 0.5 * (r - l)).unwrap();
-            // No knot of few maps lies surely inside; the slope is at most 2.
+            // No knot of few maps is certain to lie inside; the slope is at most 2.
             assert!(got.enclosure().width() < 4.0 * (r - l), "[{l}, {r}]: {got:?}");
         }
     }

@@ -8,11 +8,13 @@ use proptest::prelude::*;
 
 use super::properties::{affine, config, hermite};
 
-/// Largest relative error allowed, times the reported conditioning; the worst measured is written beside each test.
+/// Maximum allowed relative error, times the reported conditioning. The maximum measured is noted
+/// next to each test.
 const EXACT: f64 = 1e-12;
 
-/// Compares with the exact value; returns the error in units of `|want|` and of the conditioning. `ends` is what the
-/// rounding of rational ends of the interval to doubles may be worth, within the bound and in these units.
+/// Compares with the exact value, and returns the error relative to `|want|` and the conditioning.
+/// `ends` is the effect of rounding rational ends of the interval to doubles, included in the
+/// bound, in these units.
 fn close(name: &str, got: Estimate, want: f64, ends: f64) -> f64 {
     let full = (got.value - want).abs();
     let error = (full - ends).max(0.0);
@@ -36,7 +38,7 @@ fn moments<const C: usize>(name: &str) -> f64 {
 }
 
 #[test]
-fn moments_and_powers_equal_the_exact_rationals() {
+fn moments_and_powers_match_exact_rationals() {
     let worst = systems!(moments);
     println!("{worst:?}");
     assert!(worst.iter().all(|&worst| worst <= EXACT), "{worst:?}");
@@ -72,13 +74,13 @@ fn cumulative<const C: usize>(name: &str) -> f64 {
 }
 
 #[test]
-fn cumulative_moments_equal_the_exact_rationals() {
+fn cumulative_moments_match_exact_rationals() {
     let worst = systems!(cumulative);
     println!("{worst:?}");
     assert!(worst.iter().all(|&worst| worst <= EXACT), "{worst:?}");
 }
 
-/// Runs `$with` with the system of this name, whatever its number of coefficients.
+/// Runs `$with` on the system of this name, for any number of coefficients.
 macro_rules! with_system {
     ($name:expr, $system:ident => $with:expr) => {
         match $name {
@@ -95,7 +97,7 @@ macro_rules! with_system {
 }
 
 #[test]
-fn inner_products_equal_the_exact_rationals() {
+fn inner_products_match_exact_rationals() {
     let pairs = read("inner_products");
     let mut worst = 0.0_f64;
     for pair in pairs.as_array().unwrap() {
@@ -166,7 +168,7 @@ proptest! {
         let [l, r] = s.map(|s| domain.lo + s * domain.width());
         let integral = slope.integral_over(l, r);
         let [low, high] = [l, r].map(|x| f.evaluate(x, 0.0));
-        // The points of the values are rounded too.
+        // The points of the values are also rounded.
         let points = 32.0 * f64::EPSILON * domain.magnitude() * slope.range().magnitude();
         let bound = integral.bound + low.bound + high.bound + points;
         prop_assert!((integral.value - (high.value - low.value)).abs() <= bound, "{integral:?} {low:?} {high:?}");
@@ -195,8 +197,9 @@ proptest! {
 }
 
 #[test]
-fn means_of_short_intervals_lose_no_digits() {
-    // f = x on uneven maps, as a fractal function with steep factors: the mean of an interval is its middle.
+fn mean_of_short_interval_keeps_precision() {
+    // f = x on uneven maps, as a fractal function with steep factors: the mean of an interval is
+    // its center.
     let x = [0.0, 0.25, 1.0];
     let q = [[0.0, -0.25], [0.25, 0.0]];
     let straight: Fif<2> = Fif::new(&x, &[0.5, 0.75], &q).unwrap();
@@ -210,7 +213,7 @@ fn means_of_short_intervals_lose_no_digits() {
 }
 
 #[test]
-fn empty_and_undefined_intervals_have_integrals_too() {
+fn integral_of_empty_and_undefined_intervals() {
     let f = Reference::<4>::load("cubic5").system;
     assert_eq!(f.integral_over(0.3, 0.3).value, 0.0);
     assert_eq!(f.integral_over(-9.0, -3.0).value, 0.0);
@@ -226,9 +229,10 @@ fn empty_and_undefined_intervals_have_integrals_too() {
     assert!(f.moment(usize::MAX, 8).is_err() && f.nth_integral(99, 1.0).is_err());
 }
 
-/// 64 maps, factors 0.999, cells from 10⁻⁹ of the domain: every bound holds, everything ends.
+/// 64 maps, factors 0.999, cells from 10⁻⁹ of the domain: every bound holds, and everything
+/// terminates.
 #[test]
-fn integrals_of_near_critical_systems_are_honest() {
+fn integral_bounds_of_near_critical_systems_hold() {
     let mut x = vec![0.0];
     for j in 0..63 {
         x.push(x[j] + if j % 2 == 0 { 1e-9 } else { 1.0 });

@@ -1,4 +1,4 @@
-//! Fractions of hits that are certain, and how far hits are from the height of their ray.
+//! Fractions of certain hits, and distances of hits from the height of their ray.
 #![expect(clippy::unwrap_used, reason = "a test that cannot build its surface has failed")]
 
 use asperity_fif::{Folded, HeightField, Intersect, Interval, RoughFolded, Surface, Torus};
@@ -15,7 +15,8 @@ fn rough_folded(seed: u64, steepest: f64) -> RoughFolded {
     RoughFolded::new(&X, &Y, &factors, &z, &[[0.0; 2]; 12]).unwrap()
 }
 
-/// Certain hits, all hits, and the greatest distance between a hit's height and its ray's, in units of the range.
+/// Returns certain hits, all hits, and the maximum distance between a hit's height and its ray's,
+/// relative to the range.
 fn seen<S: Intersect>(surface: &S, count: usize) -> ([usize; 2], f64) {
     let (mut hits, mut farthest) = ([0; 2], 0.0_f64);
     for ray in random_rays(surface, count) {
@@ -65,11 +66,11 @@ fn hit_height_rough_product_within_modulus() {
     let g = g();
     let surface = HeightField::new(g, g).tabulated();
     let (hits, farthest) = seen(&surface, 600);
-    // Along the ray and across the stretch, both ends of which are rounded.
+    // Along the ray and across the interval, both ends of which are rounded.
     let moved = g.modulus().at(4e-12 * g.domain().width());
     let most = 2.0 * moved * g.range().magnitude() / Surface::range(&surface).width();
     println!("{hits:?} {farthest:e} {most:e}");
-    // Heights were measured 3.8e-4 off.
+    // Heights were measured to differ by 3.8e-4.
     assert!(hits[0] * 100 >= 35 * hits[1], "{hits:?}");
     assert!((1e-6..most).contains(&farthest), "{farthest:e} {most:e}");
 }
@@ -87,7 +88,8 @@ fn first_hit_certain_rough_product() {
     }
 }
 
-/// No root of a rough folded surface lies before a certain hit: its brackets by enclosures alone.
+/// No root of a rough folded surface lies before a certain hit, according to brackets from
+/// enclosures alone.
 #[test]
 fn certain_hits_rough_folded_are_first() {
     for seed in [4, 5] {

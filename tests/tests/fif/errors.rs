@@ -1,4 +1,5 @@
-//! Every refusal names the parameter, its rule and the value that broke it, and leads to the refusal behind it.
+//! Every error contains the parameter, its rule and the invalid value, and has the underlying error
+//! as its source.
 
 use asperity_fif::glam::DVec3;
 use asperity_fif::{
@@ -10,7 +11,7 @@ use std::error::Error;
 use crate::properties::f;
 
 #[test]
-fn errors_name_the_parameter_and_its_value() {
+fn errors_contain_parameter_and_value() {
     let torus = |side, matrix, z: &[f64]| Torus::new(side, matrix, 0.3, z, &[[0.0; 2]; 4]).unwrap_err();
     let folded = |x: &[f64], z: &[f64]| {
         Folded::new(x, &[0.0, 1.0, 2.0], 0.1, z, &[[0.0; 2]; 9]).unwrap_err().to_string()
@@ -54,7 +55,7 @@ fn errors_name_the_parameter_and_its_value() {
 }
 
 #[test]
-fn a_broken_rule_of_every_system_is_the_source_of_a_refusal() {
+fn error_source_is_the_violated_rule() {
     let (x, y) = ([0.0, 1.0, 2.0, 3.0], [0.0, 1.0, 0.0, 1.0]);
     let fitted = fit::affine(&x, &y[..3], &[0, 1, 3]).unwrap_err();
     let recurrent = Recurrent::affine(&x, &y, &[0.5; 2], &[[0, 3]; 3]).unwrap_err();
@@ -70,7 +71,7 @@ fn a_broken_rule_of_every_system_is_the_source_of_a_refusal() {
     ];
     assert!(own.iter().all(|error| error.source().is_none()));
 
-    // A sum of numbers that overflow.
+    // A sum of overflowing numbers.
     let large = paper::f().unwrap().scaled(5e307).unwrap();
     let error = large.sum(&large).unwrap_err();
     let CombineError::System { error: rule } = error else { panic!("{error}") };

@@ -1,4 +1,4 @@
-//! Exact integrals of fractal interpolation functions, in fixed point with 576 bits behind the point.
+//! Exact integrals of fractal interpolation functions, in fixed point with 576 fractional bits.
 #![expect(clippy::unwrap_used, reason = "a test that cannot build its system has failed")]
 
 use std::cmp::Ordering;
@@ -6,7 +6,8 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 const LIMBS: usize = 10;
 
-/// A number under 2⁶⁴ in magnitude; the last limb is the integer part. Every `f64` from 2⁻⁵²⁰ on is exact.
+/// A number of magnitude below 2⁶⁴; the last limb is the integer part. Every `f64` that is a
+/// multiple of 2⁻⁵²⁰ is exact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Big {
     negative: bool,
@@ -28,7 +29,7 @@ impl Big {
         Self { negative: false, ..self }
     }
 
-    /// Toward 0; parts under 2⁻¹⁰⁷⁴ are left out.
+    /// Rounds toward 0; parts below 2⁻¹⁰⁷⁴ are dropped.
     pub(super) fn approx(self) -> f64 {
         let Some(top) = self.limbs.iter().rposition(|&limb| limb != 0) else { return 0.0 };
         let low = if top > 0 { self.limbs[top - 1] } else { 0 };
@@ -42,7 +43,7 @@ impl Big {
         if self.negative { -size } else { size }
     }
 
-    /// Newton's iteration for the reciprocal.
+    /// Divides, by Newton's iteration for the reciprocal.
     pub(super) fn over(self, divisor: Self) -> Self {
         // 2^shift times the divisor is near one.
         let top = divisor.limbs.iter().rposition(|&limb| limb != 0).expect("the divisor is not 0");
@@ -57,7 +58,7 @@ impl Big {
         (self * inverse).scaled(shift)
     }
 
-    /// Times a power of two.
+    /// Multiplies by a power of two.
     pub(super) fn scaled(self, power: i32) -> Self {
         let mut limbs = [0; LIMBS];
         let (whole, part) = (power.div_euclid(64), power.rem_euclid(64));
@@ -142,7 +143,7 @@ impl Mul for Big {
 /// A system over the unit interval: `f(s_j + a_j u) = α_j f(u) + q_j(u)`.
 #[derive(Clone, Debug)]
 pub(super) struct Exact {
-    /// Knots as they were given, and in units of the domain.
+    /// Knots as given, and in units of the domain.
     x: Vec<f64>,
     s: Vec<Big>,
     alpha: Vec<Big>,
@@ -150,7 +151,7 @@ pub(super) struct Exact {
     equal: bool,
 }
 
-/// `Σ_k c_k u^k` times the same.
+/// Returns the product of two polynomials `Σ_k c_k u^k`.
 fn product(a: &[Big], b: &[Big]) -> Vec<Big> {
     let mut out = vec![Big::ZERO; a.len() + b.len() - 1];
     for (i, &a) in a.iter().enumerate() {
@@ -170,7 +171,7 @@ fn binomial(n: usize, k: usize) -> Big {
 }
 
 impl Exact {
-    /// `equal` puts the inner knots where the crate puts those of equal spacing.
+    /// `equal` rounds the inner knots to the crate's positions for equal spacing.
     fn over(x: &[f64], alpha: &[f64], equal: bool) -> Self {
         let (first, last) = (Big::from(x[0]), Big::from(*x.last().unwrap()));
         let maps = x.len() - 1;
@@ -231,7 +232,7 @@ impl Exact {
         Big::from(*self.x.last().unwrap()) - Big::from(self.x[0])
     }
 
-    /// The map that a place lies in, and the place in the domain that it is the image of.
+    /// Returns the map that contains a position, and the position's preimage in the domain.
     fn step(&self, t: Big) -> (usize, Big) {
         let right = |s: &Big| !(t - *s).negative || (t - *s) == Big::ZERO;
         let j = self.s.iter().take(self.alpha.len()).rposition(right).unwrap_or(0);
@@ -239,7 +240,7 @@ impl Exact {
     }
 
     fn place(&self, x: f64) -> Big {
-        // A knot of equal spacing stands for the place that the crate gives it.
+        // An equally spaced knot represents the position that the crate assigns to it.
         match self.x.iter().position(|&knot| knot == x) {
             Some(j) if !self.equal => self.s[j],
             _ => (Big::from(x) - Big::from(self.x[0])).over(self.width()),
@@ -257,8 +258,8 @@ impl Exact {
         sum
     }
 
-    /// The integrals of `v^m f^n` over `[0, t]` for every `n ≤ p` and `m ≤ k + degree (p − n)`: of one over a map in
-    /// those of all over its source.
+    /// Returns the integrals of `v^m f^n` over `[0, t]` for every `n ≤ p` and
+    /// `m ≤ k + degree (p − n)`. An integral over a map follows from the integrals over its source.
     fn rows(&self, k: usize, p: usize) -> Vec<(usize, usize)> {
         let degree = self.q[0].len() - 1;
         (0..=p).flat_map(|n| (0..=k + degree * (p - n)).map(move |m| (m, n))).collect()
@@ -290,7 +291,7 @@ impl Exact {
         let maps: Vec<Vec<Vec<Big>>> = (0..self.alpha.len())
             .map(|j| rows.iter().map(|&row| self.expand(&rows, row, j)).collect())
             .collect();
-        // Over the whole domain, where lower powers are known before higher ones.
+        // Over the whole domain, where lower powers are computed before higher ones.
         let mut whole = vec![Big::ZERO; rows.len()];
         for (i, &(m, n)) in rows.iter().enumerate() {
             if n == 0 {
@@ -323,7 +324,7 @@ impl Exact {
     }
 }
 
-/// `Σ_i a_i b_i`; zeros among the first cost nothing.
+/// Returns `Σ_i a_i b_i`, skipping zeros of `a`.
 fn dot(a: &[Big], b: &[Big]) -> Big {
     a.iter().zip(b).fold(Big::ZERO, |all, (&a, &b)| all + a * b)
 }
@@ -331,7 +332,7 @@ fn dot(a: &[Big], b: &[Big]) -> Big {
 /// Integrals of `x^k f^p`.
 pub(super) struct Moments<'a> {
     exact: &'a Exact,
-    /// For each map its rows, and the integrals of all over the maps before it.
+    /// For each map its rows, and the integrals over all previous maps.
     maps: Vec<Vec<Vec<Big>>>,
     before: Vec<Vec<Big>>,
     weights: Vec<Big>,

@@ -1,4 +1,4 @@
-//! Values from tables of composites: against exact rationals, and against the evaluation map by map.
+//! Values from tables of composites, against exact rationals and against map-by-map evaluation.
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its reference has failed")]
 
 use asperity_fif::{Fif, SystemError};
@@ -39,14 +39,16 @@ fn check_doubles<const C: usize>(name: &str) -> [f64; 2] {
 }
 
 #[test]
-fn values_at_doubles_equal_the_exact_ones() {
-    // Worst errors measured: f 6.1e-13, takagi 3.0e-13, f integrated 1.2e-13, g and its integral 4.4e-16; bounds to 6.7e-13.
+fn table_values_match_exact_rationals() {
+    // Maximum measured errors: f 6.1e-13, takagi 3.0e-13, f integrated 1.2e-13, g and its integral
+    // 4.4e-16; bounds up to 6.7e-13.
     for [bound, least] in even_systems!(check_doubles) {
         assert!(bound <= 1e-12 && least <= bound, "bounds {bound:e} {least:e}");
     }
 }
 
-/// Affine systems on 2 to 64 equally spaced knots of `[0, 1]`, factors up to `steepest` in size.
+/// Affine systems on 2 to 64 equally spaced knots of `[0, 1]`, factors of magnitude up to
+/// `steepest`.
 fn affine(steepest: f64) -> impl Strategy<Value = Fif<2>> {
     (2_usize..=64)
         .prop_flat_map(move |maps| {
@@ -60,12 +62,13 @@ fn affine(steepest: f64) -> impl Strategy<Value = Fif<2>> {
         })
 }
 
-/// Affine systems on 2 to 64 unequal knots, gaps up to 1 : 100 000, factors up to `steepest` in size.
+/// Affine systems on 2 to 64 unequal knots, gaps up to 1 : 100 000, factors of magnitude up to
+/// `steepest`.
 fn uneven(steepest: f64) -> impl Strategy<Value = Fif<2>> {
     affine_over(2..=64, -3.0..3.0, (-5.0..0.0_f64).prop_map(|gap| 10_f64.powf(gap)), -steepest..steepest)
 }
 
-/// Whether a value is one that the function takes within sixteen units in the last place of the point.
+/// Whether the function takes a value within sixteen units in the last place of the point.
 fn taken_nearby(f: &Fif<2>, x: f64, value: f64, bound: f64) -> Result<(), TestCaseError> {
     let near = 16.0 * f64::EPSILON * f.domain().magnitude();
     let taken = f.extrema_over(x - near, x + near, 1e-9).unwrap().enclosure().inflated(bound);
@@ -121,7 +124,7 @@ proptest! {
         x in prop::collection::vec(0.0..1.0_f64, 16),
         tolerance in prop::sample::select(vec![1e-3, 1e-6, 1e-12]),
     ) {
-        // 64 steps leave more than the tolerance only where there are so many maps that one makes a composite.
+        // 64 steps exceed the tolerance only with so many maps that a single map makes a composite.
         let fast = match f.table(tolerance) {
             Ok(fast) => fast,
             Err(error) => {

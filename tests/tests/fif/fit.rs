@@ -1,4 +1,4 @@
-//! Fits to data: factors that come back, errors that are measured, noise, knots, refinement.
+//! Fits to data: recovered factors, reported errors, noise, knots, refinement.
 
 use asperity_fif::{Fif, fit};
 use asperity_tests::random::Random;
@@ -6,7 +6,8 @@ use proptest::prelude::*;
 
 use crate::properties::{knots, seeded};
 
-/// A system whose knots are points of a grid that all maps send into itself, and its samples there.
+/// Returns a system whose knots are points of a grid invariant under all maps, and its samples
+/// there.
 fn samples(y: &[f64], alpha: &[f64], each: usize) -> (Fif<2>, Vec<f64>, Vec<f64>, Vec<usize>) {
     let maps = alpha.len();
     let knots: Vec<f64> = (0..=maps).map(|k| k as f64 / maps as f64).collect();
@@ -14,7 +15,7 @@ fn samples(y: &[f64], alpha: &[f64], each: usize) -> (Fif<2>, Vec<f64>, Vec<f64>
     let points = maps * each;
     let x: Vec<f64> = (0..=points).map(|k| k as f64 / points as f64).collect();
     let at = |k: usize| {
-        // By its digits: the float nearest to k/points is another point.
+        // By its digits, because the float nearest to k/points is another point.
         let mut rest = k;
         let address = std::iter::from_fn(move || {
             rest *= maps;
@@ -38,17 +39,17 @@ proptest! {
     ) {
         let (f, x, values, knots) = samples(&y[..=maps], &alpha[..maps], maps.pow(level));
         let fit = fit::affine(&x, &values, &knots).expect("the data are in order");
-        // With v all but 0 nothing is to be had from the data.
+        // If v is nearly 0, the data determines nothing.
         let spread = f.range().width();
         prop_assume!(spread > 0.1);
         for (got, want) in fit.system.pieces().iter().zip(f.pieces()) {
             prop_assert!((got.map().alpha - want.map().alpha).abs() < 1e-9, "{got:?} {want:?}");
         }
-        // Where the samples are at doubles, nothing remains but rounding.
+        // If the samples are at doubles, only rounding remains.
         if maps == 2 || maps == 4 {
             prop_assert!(fit.rms < 1e-9 && fit.error < 1e-8, "{} {}", fit.rms, fit.error);
         }
-        // Nor does refinement lead away.
+        // Refinement does not diverge either.
         let refined = fit::refined(&x, &values, &knots, 3).expect("the data are in order");
         prop_assert!(refined.rms <= fit.rms);
     }
@@ -70,7 +71,7 @@ proptest! {
             }
             prop_assert!(fit.error >= worst && fit.error <= worst * (1.0 + 1e-6) + 1e-9, "{} {worst}", fit.error);
             prop_assert!((fit.rms - (squares / 25.0).sqrt()).abs() < 1e-6 * (1.0 + worst), "{}", fit.rms);
-            // The collage theorem, at the data and between them.
+            // The collage theorem, at the data and between.
             prop_assert!(fit.error <= fit.bound * (1.0 + 1e-6) + 1e-9, "{} {}", fit.error, fit.bound);
             for k in 0..100 {
                 let s = x[0] + (x[24] - x[0]) * f64::from(k) / 99.0;
@@ -105,7 +106,7 @@ proptest! {
 }
 
 #[test]
-fn noise_moves_the_factors_by_its_share() {
+fn noise_perturbs_factors_proportionally() {
     let alpha = [0.6, -0.5, 0.4, 0.7];
     let (f, x, clean, knots) = samples(&[0.0, 1.0, -1.0, 0.8, 0.3], &alpha, 256);
     let noise = 0.01;
@@ -113,26 +114,27 @@ fn noise_moves_the_factors_by_its_share() {
     let noisy: Vec<f64> = clean
         .iter()
         .enumerate()
-        // The knots are interpolated, so they are taken without noise.
+        // The knots are interpolated, so they are noise free.
         .map(|(k, y)| if k % 256 == 0 { *y } else { y + noise * 12.0_f64.sqrt() * (random.uniform() - 0.5) })
         .collect();
     let collage = fit::affine(&x, &noisy, &knots).expect("the data are in order");
     let refined = fit::refined(&x, &noisy, &knots, 10).expect("the data are in order");
     for fit in [&collage, &refined] {
         for (piece, want) in fit.system.pieces().iter().zip(f.pieces()) {
-            // Deviation of a factor: about noise √2/√(255 ⟨v²⟩), ⟨v²⟩ > 0.25: 1.8e-3. Five of them.
+            // Deviation of a factor: about noise √2/√(255 ⟨v²⟩), ⟨v²⟩ > 0.25: 1.8e-3. Five times
+            // that.
             let off = (piece.map().alpha - want.map().alpha).abs();
             assert!(off < 9e-3, "{off}: {} {}", piece.map().alpha, want.map().alpha);
         }
-        // What remains is the noise.
+        // The residual is the noise.
         assert!(fit.rms > 0.9 * noise && fit.rms < 1.2 * noise, "{}", fit.rms);
     }
     assert!(refined.rms <= collage.rms);
 }
 
 #[test]
-fn the_knots_of_a_function_are_found() {
-    // The farthest point that fits is the end of a true part, and each part is found in turn.
+fn fit_finds_the_knots() {
+    // The farthest point that fits is the end of a true segment, and each segment is found in turn.
     for (y, alpha) in [
         (&[0.0, 1.0, -1.0, 0.5][..], &[0.5, -0.4, 0.6][..]),
         (&[0.2, 1.0, 0.0, -0.7, 0.4], &[0.7, 0.3, -0.6, 0.5]),
@@ -141,10 +143,10 @@ fn the_knots_of_a_function_are_found() {
         let (_, x, values, knots) = samples(y, alpha, maps * maps);
         let found = fit::knots(&x, &values, 1e-9, usize::MAX).expect("the data are in order");
         assert_eq!(found, knots);
-        // The conditioning at thirds, an ulp to the Hölder exponent of 0.46.
+        // The conditioning at thirds: an ulp to the power of the Hölder exponent 0.46.
         assert!(fit::affine(&x, &values, &found).expect("the data are in order").error < 1e-6);
     }
-    // Other data: every tolerance is kept at the data, and more knots come with a smaller one.
+    // Other data: every tolerance holds at the data, and smaller tolerances give more knots.
     let x: Vec<f64> = (0..=300).map(|k| f64::from(k) / 300.0).collect();
     let y: Vec<f64> = x.iter().map(|x| (9.0 * x).sin() + 0.2 * (50.0 * x * x).sin()).collect();
     let mut last = 0;

@@ -1,4 +1,5 @@
-//! The folded surface: exact references, interpolation, its equation, continuity, bounds, grain.
+//! The folded surface: exact references, interpolation, functional equation, continuity, bounds,
+//! anisotropy.
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its reference has failed")]
 
 use asperity_tests::assert_abs_diff_eq;
@@ -14,7 +15,7 @@ use crate::properties::config;
 use crate::surface_rays::numbers;
 use crate::surfaces::{bounds_hold, exact_at, extrema_hold_a_grid, grain, tolerances_hold};
 
-/// Both reference surfaces and what is known of them.
+/// Returns both reference surfaces with their exact values.
 fn references() -> Vec<(Folded, Value)> {
     let json = read("fis_folded");
     let surfaces = json["surfaces"].as_array().unwrap();
@@ -32,7 +33,7 @@ fn references() -> Vec<(Folded, Value)> {
 }
 
 #[test]
-fn folded_values_and_gradients_equal_the_exact_ones() {
+fn folded_values_and_gradients_match_exact_rationals() {
     let mut worst = [[0.0_f64; 2]; 2];
     for ((surface, json), worst) in references().iter().zip(&mut worst) {
         for point in json["points"].as_array().unwrap() {
@@ -49,12 +50,13 @@ fn folded_values_and_gradients_equal_the_exact_ones() {
         let mean = surface.mean();
         assert!((mean.value - decimal(&json["mean"])).abs() <= mean.bound && mean.bound < 1e-13, "{mean:?}");
     }
-    // Measured 2e-15 and 2e-13 of the ranges, 4e-14 and 6e-9: the rough one changes by that over the rounding of a point.
+    // Measured 2e-15 and 2e-13 of the ranges, 4e-14 and 6e-9: the rough surface changes by this
+    // much over the rounding of a point.
     let [smooth, rough] = worst;
     assert!(smooth[0] <= 1e-12 && smooth[1] <= 1e-12 && rough[0] <= 1e-12, "{worst:?}");
 }
 
-/// Knots of both axes, a share of the greatest factor, heights and gradients.
+/// Knots of both axes, a fraction of the maximum factor, heights and gradients.
 type Given = (Vec<f64>, Vec<f64>, f64, Vec<f64>, Vec<[f64; 2]>);
 
 /// Grids of unequal cells with data.
@@ -71,7 +73,7 @@ fn surfaces() -> impl Strategy<Value = Given> {
     })
 }
 
-/// The narrowest cell of both axes over its domain.
+/// Returns the narrowest cell of both axes, relative to its domain.
 fn narrowest(axes: [&[f64]; 2]) -> f64 {
     let least = |knots: &[f64]| {
         let width = knots[knots.len() - 1] - knots[0];
@@ -131,7 +133,8 @@ proptest! {
         (x, y, share, z, d) in surfaces(),
         at in prop::array::uniform2(0.0..1.0_f64),
     ) {
-        // f − H with factor s is s w∘Φ, and w = f − G does not depend on the cell: compare two points with one image.
+        // f − H with factor s is s w∘Φ, and w = f − G does not depend on the cell: compare two
+        // points with the same image.
         let factor = share * narrowest([&x, &y]);
         let surface = Folded::new(&x, &y, factor, &z, &d).unwrap();
         let smooth = Folded::new(&x, &y, 0.0, &z, &d).unwrap();
@@ -164,7 +167,7 @@ proptest! {
 }
 
 #[test]
-fn extrema_of_a_folded_surface_hold_what_a_grid_finds() {
+fn folded_extrema_contain_grid_samples() {
     for (surface, _) in references() {
         let grid = extrema_hold_a_grid(&surface, surface.domain(), 150, 0.05);
         // The midpoint rule on 150² points; measured 3e-5.
@@ -173,7 +176,7 @@ fn extrema_of_a_folded_surface_hold_what_a_grid_finds() {
 }
 
 #[test]
-fn points_of_a_folded_surface_that_are_outside_or_no_numbers_are_answered() {
+fn folded_surface_outside_the_domain_and_nan() {
     for (surface, _) in references() {
         let [x, y] = surface.domain();
         assert!(surface.evaluate(f64::NAN, y.lo, 0.0).value.is_nan());
@@ -195,7 +198,7 @@ fn points_of_a_folded_surface_that_are_outside_or_no_numbers_are_answered() {
 }
 
 #[test]
-fn folded_data_that_break_a_rule_are_refused_by_name() {
+fn folded_errors_name_the_parameter() {
     let (z, d) = ([0.5; 9], [[0.0; 2]; 9]);
     let (x, y) = ([0.0, 1.0, 4.0], [0.0, 1.0, 2.0]);
     let new = |x: &[f64], y: &[f64], factor, z: &[f64], d: &[[f64; 2]]| Folded::new(x, y, factor, z, d).err();
@@ -239,8 +242,9 @@ fn folded_data_that_break_a_rule_are_refused_by_name() {
 }
 
 #[test]
-fn the_grain_of_a_folded_surface_is_less_than_that_of_a_product() {
-    // Eight unequal cells along each side: equal ones have their waves on the axes of the spectrum's own grid.
+fn folded_anisotropy_is_below_a_product() {
+    // Eight unequal cells along each side: equal cells have their waves on the axes of the
+    // spectrum's grid.
     let knots: Vec<f64> = (0..=8_u32)
         .map(|k| f64::from(k) / 8.0 + if k % 8 == 0 { 0.0 } else { 0.019 * (f64::from(k % 2) - 0.5) })
         .collect();
@@ -250,6 +254,6 @@ fn the_grain_of_a_folded_surface_is_less_than_that_of_a_product() {
     let surface = Folded::new(&knots, &knots, 0.9 * narrowest([&knots; 2]), &z, &d).unwrap();
     let slopes = |x: f64, y: f64| surface.evaluate_gradient(x, y, 1e-3).map(|slope| slope.value);
     let folded = grain(slopes, |t| (PI * t).sin().powi(2));
-    // Measured 1.1, where a product has 6.57 and a torus 0.19; with equal cells 3.9.
+    // Measured 1.1, compared with 6.57 for a product and 0.19 for a torus. With equal cells 3.9.
     assert!(1.0 < folded && folded < 2.0, "{folded}");
 }

@@ -1,4 +1,4 @@
-//! Pinned bits: a change here is value-breaking and belongs in the change log.
+//! Pinned bits: a change here is value-breaking and belongs in the changelog.
 
 use std::array;
 
@@ -12,7 +12,7 @@ fn pinned(name: &str, got: f64, want: u64) {
 }
 
 #[test]
-fn values_have_the_pinned_bits() {
+fn values_have_pinned_bits() {
     let (f, g) = (paper::f().unwrap(), paper::g().unwrap());
     pinned("f", f.evaluate(0.7, 1e-12).value, 0x3ff5_5555_5555_5222);
     pinned("f bound", f.evaluate(0.7, 1e-12).bound, 0x3d57_e5f2_a312_db83);
@@ -32,7 +32,7 @@ fn values_have_the_pinned_bits() {
 }
 
 #[test]
-fn surfaces_have_the_pinned_bits() {
+fn surfaces_have_pinned_bits() {
     let surface = HeightField::new(g_hat(), g_hat()).tabulated();
     pinned("height", surface.height(0.7, 1.6), 0x3fe3_78dd_5f90_5280);
     pinned("normal", surface.normal(0.7, 1.6).unwrap().x, 0x3f80_b3ca_503a_26ff);
@@ -41,7 +41,7 @@ fn surfaces_have_the_pinned_bits() {
 }
 
 #[test]
-fn tables_have_the_pinned_bits() {
+fn tables_have_pinned_bits() {
     let (f, g) = (paper::f().unwrap(), paper::g().unwrap());
     let fast = g.table(1e-12).unwrap();
     pinned("fast", fast.value(1.3), 0x3fe7_aa7a_7cb5_dcef);
@@ -65,7 +65,7 @@ fn tables_have_the_pinned_bits() {
 }
 
 #[test]
-fn jets_have_the_pinned_bits() {
+fn jets_have_pinned_bits() {
     let jet = paper::g_hat().unwrap().table(1e-12).unwrap().evaluate_jet(0.7);
     pinned("value of a jet", jet.value.value, 0x3fe4_99b6_d997_bfb7);
     pinned("slope of a jet", jet.slope.value, 0xbf85_4e97_9326_221b);
@@ -88,7 +88,7 @@ fn jets_have_the_pinned_bits() {
 }
 
 #[test]
-fn recurrent_systems_have_the_pinned_bits() {
+fn recurrent_systems_have_pinned_bits() {
     let (x, y) = ([0.0, 1.0, 2.0, 3.5, 4.0], [0.25, 1.0, -0.5, 1.0, 0.3]);
     let f = Recurrent::affine(&x, &y, &[0.7, -0.3, 0.9, -0.8], &[[0, 2], [1, 4], [1, 4], [2, 4]]).unwrap();
     pinned("recurrent value", f.evaluate(2.9, 1e-9).value, 0xbff2_0378_6656_014b);
@@ -98,7 +98,7 @@ fn recurrent_systems_have_the_pinned_bits() {
 }
 
 #[test]
-fn sums_have_the_pinned_bits() {
+fn sums_have_pinned_bits() {
     let (f, g) = (paper::f().unwrap(), paper::g().unwrap());
     pinned("moment", g.moment(2, 1).unwrap().value, 0x3fdf_d3a0_6d3a_06d0);
     pinned("second power", g.moment(0, 2).unwrap().value, 0x3ff1_9c0f_6018_99c0);
@@ -111,7 +111,7 @@ fn sums_have_the_pinned_bits() {
 }
 
 #[test]
-fn tori_have_the_pinned_bits() {
+fn tori_have_pinned_bits() {
     let z: [f64; 16] = array::from_fn(|k| f64::from((7 * k as u32) % 16) / 16.0);
     let d: [[f64; 2]; 16] =
         array::from_fn(|k| [f64::from((5 * k as u32) % 16) / 8.0 - 1.0, 0.25 * z[15 - k]]);

@@ -1,7 +1,8 @@
-//! Rays at rough surfaces that are hard to decide, against exact arithmetic: along axes, through nodes, grazing.
+//! Rays at rough surfaces that are hard to decide, against exact arithmetic: along axes, through
+//! nodes, grazing.
 //!
-//! `HARD_RAYS=100000 cargo test --release -p asperity-tests --test fif hard_rays` takes as many, and ten times the boxes for
-//! the exact arithmetic to decide.
+//! `HARD_RAYS=100000 cargo test --release -p asperity-tests --test fif hard_rays` tests this many
+//! rays, with ten times as many boxes for exact arithmetic.
 #![expect(clippy::unwrap_used, reason = "a test that cannot build its surface has failed")]
 
 use std::mem::swap;
@@ -15,7 +16,7 @@ use crate::properties::g;
 
 const ALL: Interval = Interval::new(0.0, f64::INFINITY);
 
-/// An interval between multiples of 2⁻¹¹², under 32 in magnitude; products are rounded outward.
+/// An interval between multiples of 2⁻¹¹², of magnitude below 32; products are rounded outward.
 #[derive(Clone, Copy, Debug)]
 struct Exact {
     lo: i128,
@@ -56,7 +57,7 @@ impl Exact {
         Self { lo: self.lo >> 1, hi: (self.hi + 1) >> 1 }
     }
 
-    /// With three units of room for what the halves of the factors leave out.
+    /// Includes a margin of three units for the omitted halves of the factors.
     fn times(self, other: Self) -> Self {
         let product = |a: i128, b: i128| {
             const HALF: i32 = BITS / 2;
@@ -80,7 +81,7 @@ struct Halves {
     deviation: Exact,
 }
 
-/// Over it f is the line between its ends and the product times the deviation.
+/// Over a cell, f is the line between its ends plus the product times the deviation.
 #[derive(Clone, Copy, Debug)]
 struct Cell {
     left: i128,
@@ -126,7 +127,7 @@ impl Halves {
         cell.ends[0].hull(cell.ends[1]).plus(cell.product.times(self.deviation))
     }
 
-    /// Over `[a, b]`, which meets the cell.
+    /// Returns the enclosure over `[a, b]`, which intersects the cell.
     fn over(&self, cell: &Cell, [a, b]: [i128; 2]) -> Exact {
         let (right, middle) = (cell.left + cell.width, cell.left + (cell.width >> 1));
         if a == b && (a == cell.left || a == right) {
@@ -145,22 +146,22 @@ impl Halves {
     }
 }
 
-/// Truth about a ray.
+/// The exact result for a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Verdict {
     /// The first root lies between these.
     Hit(f64, f64),
     Miss,
-    /// For more boxes than are taken.
+    /// Undecided within the box limit.
     Open,
 }
 
-/// The walk of a ray with `|d_x| = 1` through the cells along x.
+/// Traverses cells along x, for a ray with `|d_x| = 1`.
 struct Walk {
     axes: [Halves; 2],
     origin: [i128; 3],
     direction: [i128; 3],
-    /// g where the ray keeps to one y.
+    /// g, if the ray has constant y.
     across: Option<Exact>,
     side: i32,
     known_to: i128,
@@ -189,7 +190,7 @@ impl Walk {
         self.across.unwrap_or_else(|| self.axes[1].over(&self.axes[1].root(), [a.min(b), a.max(b)]))
     }
 
-    /// Whether the walk ends within a cell, from `a` to `b`.
+    /// Returns whether the traversal ends within a cell, from `a` to `b`.
     fn visit(&mut self, cell: &Cell, a: i128, b: i128, depth: u32) -> bool {
         self.boxes += 1;
         let f = self.axes[0];
@@ -215,7 +216,7 @@ impl Walk {
                 return true;
             }
         }
-        // Along the axis a cell needs no place, and can be smaller than any number.
+        // Along the axis a cell needs no position, and can be arbitrarily small.
         let level = self.direction[1] == 0 && self.direction[2] == 0;
         if depth == if level { 190 } else { 100 } || self.boxes > self.most {
             self.found = Some(Verdict::Open);
@@ -233,7 +234,7 @@ impl Walk {
 fn verdict(halves: Halves, ray: &Ray, boxes: u32) -> Verdict {
     let (mut origin, mut direction) = (ray.origin.to_array(), ray.direction.to_array());
     if direction[0].abs() != 1.0 {
-        // Both axes have one function.
+        // Both axes use the same function.
         let ([x, y, _], [u, v, _]) = (&mut origin, &mut direction);
         swap(x, y);
         swap(u, v);
@@ -260,7 +261,8 @@ fn verdict(halves: Halves, ray: &Ray, boxes: u32) -> Verdict {
     walk.found.unwrap_or(Verdict::Miss)
 }
 
-/// Along an axis, level or not, or askew, to a node of a dyadic grid, at its height or a little off.
+/// A ray along an axis, level or inclined, or oblique, toward a node of a dyadic grid, at its
+/// height or slightly off.
 fn hard_ray(random: &mut Random, surface: &impl Intersect) -> Ray {
     let mut below = |n: u32| (random.uniform() * f64::from(n)) as u32;
     let unit = 2f64.powi(-4 - below(14) as i32);
@@ -276,7 +278,7 @@ fn hard_ray(random: &mut Random, surface: &impl Intersect) -> Ray {
         2 => (0.0, slope(below(2049))),
         _ => (slope(below(2049)), slope(below(2049))),
     };
-    // Within the domain all along.
+    // Within the domain everywhere.
     while dy.abs() * from.max(2.0 - from) > y.min(2.0 - y) {
         dy = (dy * 512.0).trunc() / 1024.0;
     }
@@ -293,11 +295,11 @@ fn hard_ray(random: &mut Random, surface: &impl Intersect) -> Ray {
     Ray { origin: DVec3::new(at[0], at[1], z - dz * start), direction: DVec3::new(to[0], to[1], dz) }
 }
 
-/// Hits that are certain, hits, misses that are proven, misses, open.
+/// Counts certain hits, hits, proven misses, misses, undecided.
 fn judged(halves: Halves, surface: &(dyn Intersect + Sync), rays: &[Ray], boxes: u32) -> [usize; 5] {
     let judge = |ray: &Ray| {
         let hit: Option<Hit> = surface.first_hit(ray);
-        // That there is none is a proof; that there is one need not be.
+        // A miss is proven. A hit is not necessarily.
         assert!(surface.hits_any(ray, ALL) || hit.is_none(), "{ray:?}");
         match (verdict(halves, ray, boxes), hit) {
             (Verdict::Hit(lo, hi), Some(hit)) => {
@@ -341,7 +343,7 @@ fn hard_rays_are_neither_missed_nor_invented() {
                 assert!(open <= rays.len() / 20 && none == misses && certain * 100 >= 95 * hits, "{seen:?}");
             }
         }
-        // By squares and stretches nothing is missed either; more is left uncertain.
+        // With squares and intervals nothing is missed either, but more hits are uncertain.
         let squares = Tabulated::with_levels(&surface, 5);
         judged(halves, &squares, &rays[..rays.len().min(10)], boxes);
     }

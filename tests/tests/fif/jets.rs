@@ -1,4 +1,5 @@
-//! Value, slope and integral of one address: against exact rationals, and against systems of their own.
+//! Value, slope and integral of one address, against exact rationals and against the systems of
+//! derivative and integral.
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its reference has failed")]
 
 use asperity_fif::{Fif, FixedFif, Jet, Table, paper};
@@ -7,7 +8,7 @@ use proptest::prelude::*;
 
 use crate::properties::seeded;
 
-/// The worst errors of value, slope and integral.
+/// Returns the maximum errors of value, slope and integral.
 fn check_doubles<const C: usize>(name: &str) -> [f64; 3] {
     let r = Reference::<C>::load(name);
     let mut worst = [0.0_f64; 3];
@@ -31,13 +32,13 @@ fn check_doubles<const C: usize>(name: &str) -> [f64; 3] {
 }
 
 #[test]
-fn jets_at_doubles_equal_the_exact_ones() {
+fn jets_match_exact_rationals() {
     let worst = [
         check_doubles::<3>("paper_f_int"),
         check_doubles::<4>("paper_f_int2"),
         check_doubles::<3>("paper_g_int"),
     ];
-    // Measured: 1.2e-13, 6.1e-13 and 8.6e-14 at most.
+    // Measured: at most 1.2e-13, 6.1e-13 and 8.6e-14.
     for errors in worst {
         for error in errors {
             assert!(error <= 1e-12, "{worst:?}");
@@ -45,7 +46,8 @@ fn jets_at_doubles_equal_the_exact_ones() {
     }
 }
 
-/// Cubic systems through 3 to 17 equally spaced knots of `[0, 2]`, twice integrated: six coefficients, three derivatives.
+/// Cubic systems through 3 to 17 equally spaced knots of `[0, 2]`, integrated twice: six
+/// coefficients, three derivatives.
 pub(super) fn smooth() -> impl Strategy<Value = Vec<Fif<6>>> {
     (2_usize..=16)
         .prop_flat_map(|maps| {
@@ -59,7 +61,7 @@ pub(super) fn smooth() -> impl Strategy<Value = Vec<Fif<6>>> {
             let f = Fif::hermite(&x, &y, &slopes, &alpha).expect("the data are in order");
             let first: Fif<5> = f.integral(0.5).expect("the integral of a system is one");
             let second: Fif<6> = first.integral(-0.25).expect("the integral of a system is one");
-            // Zero data may round to derivatives that join up no more.
+            // Zero data may round to discontinuous derivatives.
             let mut all = vec![second];
             while let Some(Ok(next)) = all.last().filter(|_| all.len() < 4).map(Fif::derivative) {
                 all.push(next);
@@ -162,11 +164,11 @@ fn same_bits<const C: usize>(jets: &Table<C>, x: &[f64]) {
 }
 
 #[test]
-fn the_papers_functions_have_the_same_bits_in_lanes() {
+fn jets_of_paper_functions_are_equal_in_simd() {
     let edges = [0.0, 1.0, 2.0, 0.5, 1.0_f64.next_down(), 1.0_f64.next_up(), 1e-5, 9e-4, 1.953e-3, -1.0, 3.0];
     let spread = (1..4000).map(|k| 2.0 * (f64::from(k) * 0.618_033_988_749_895).fract());
     let dyadic = (0..400).map(|k| f64::from(k * 41) / 8192.0);
-    // Many bits left of the first digit.
+    // Many bits to the left of the first digit.
     let low = (1..9000).map(|k| (f64::from(k) * 0.754_877_666_246_692_7).fract() / 200.0);
     let x: Vec<f64> = spread.chain(edges).chain(low).chain(dyadic).chain([f64::NAN, f64::INFINITY]).collect();
     for tolerance in [1e-3, 1e-12, 0.0] {
@@ -179,7 +181,7 @@ fn the_papers_functions_have_the_same_bits_in_lanes() {
 }
 
 #[test]
-fn ends_knots_and_nan() {
+fn jets_at_ends_knots_and_nan() {
     let f = paper::g_hat().unwrap().table(1e-12).unwrap();
     let g = paper::g().unwrap();
     for x in [f64::NEG_INFINITY, -1.0, 0.0] {
@@ -203,8 +205,9 @@ fn ends_knots_and_nan() {
 }
 
 #[test]
-fn jets_without_rows_are_evaluated() {
-    // Slopes whose factors are near to one, and 64 digits that are no power of two: values have rows, jets have none.
+fn jets_without_tables() {
+    // Slopes with factors near one, and 64 digits with a radix that is not a power of two: values
+    // have tables, jets do not.
     let x: Vec<f64> = (0..=3).map(f64::from).collect();
     let steep = Fif::hermite(&x, &[0.0, 1.0, -1.0, 0.0], &[1.0, 0.5, -0.5, 0.25], &[0.333; 3]).unwrap();
     let (table, slope) = (steep.table(1e-9).unwrap(), steep.derivative::<Vec<_>, 3>().unwrap());
@@ -216,7 +219,7 @@ fn jets_without_rows_are_evaluated() {
 }
 
 #[test]
-fn constants_and_polynomials_have_jets() {
+fn jets_of_constants_and_polynomials() {
     let x = [0.0, 0.5, 1.0];
     let flat = Fif::<1>::new(&x, &[0.0; 2], &[[0.75]; 2]).unwrap();
     let jet = flat.table(1e-12).unwrap().evaluate_jet(0.3);

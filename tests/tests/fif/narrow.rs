@@ -6,14 +6,14 @@ use asperity_tests::random::Random;
 
 use super::exact::{Big, Exact};
 
-/// A system with its exact twin.
+/// A system and its exact counterpart.
 struct Pair<const C: usize> {
     name: String,
     fif: Fif<C>,
     exact: Exact,
 }
 
-/// The number of failures is counted, so that one run shows the kinds.
+/// Collects failures, so that one run shows all of them.
 #[derive(Default)]
 struct Report(Vec<String>, usize);
 
@@ -43,7 +43,8 @@ fn next(x: f64, ulps: u64) -> f64 {
     (0..ulps).fold(x, |x, _| x.next_up())
 }
 
-/// Intervals of one to some units in the last place: anywhere, at knots, at both ends of the domain.
+/// Intervals of one to several units in the last place: anywhere, at knots, at both ends of the
+/// domain.
 fn intervals(x: &[f64], random: &mut Random, count: usize) -> Vec<[f64; 2]> {
     let (first, last) = (x[0], x[x.len() - 1]);
     (0..count)
@@ -216,7 +217,7 @@ fn area_means_over_few_ulps() {
             let at = |what: &str| format!("{} × {}, {what} over {over_x:?} × {over_y:?}", f.name, g.name);
             report.estimate(|| at("height"), means.height, a[0] * b[0]);
             report.estimate(|| at("height_squared"), means.height_squared, a[1] * b[1]);
-            // Narrow cells may have slopes that do not join up within the tolerance.
+            // Narrow cells may have slopes that are discontinuous within the tolerance.
             let Some(slopes) = means.slopes else { continue };
             report.estimate(|| at("slope x"), slopes.slope[0], a[2] * b[0]);
             report.estimate(|| at("slope y"), slopes.slope[1], a[0] * b[2]);

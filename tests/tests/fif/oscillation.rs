@@ -1,4 +1,5 @@
-//! Dimension and spectrum of data against the formula of systems, Takagi's function and fractional Brownian motion.
+//! Dimension and spectrum of data, against the formula of systems, Takagi's function and fractional
+//! Brownian motion.
 
 use asperity_fif::{Fif, HeightField, box_dimension, fit, oscillation_exponent, paper};
 use asperity_tests::assert_abs_diff_eq;
@@ -6,7 +7,8 @@ use asperity_tests::random::Random;
 
 use crate::properties::g;
 
-/// Fractional Brownian motion of Hurst exponent `hurst`, by the recursion of Hosking (1984) for its increments.
+/// Fractional Brownian motion of Hurst exponent `hurst`, by the recursion of Hosking (1984) for its
+/// increments.
 fn brownian(hurst: f64, count: usize, seed: u64) -> Vec<f64> {
     let mut random = Random(seed);
     let mut normal = || (0..12).map(|_| random.uniform()).sum::<f64>() - 6.0;
@@ -44,7 +46,7 @@ fn samples<const C: usize>(f: &Fif<C>, count: usize) -> Vec<f64> {
 }
 
 #[test]
-fn the_dimension_of_samples_is_that_of_the_system() {
+fn dimension_of_samples_matches_the_system() {
     let sevenths: Vec<f64> = (0..8).map(f64::from).collect();
     let y = [0.0, 1.0, -0.5, 0.25, 1.5, -1.0, 0.0, 0.5];
     for (factor, count) in [(0.3, 16_808), (0.5, 16_808), (0.8, 16_808), (0.8, 5_000)] {
@@ -60,7 +62,7 @@ fn the_dimension_of_samples_is_that_of_the_system() {
 }
 
 #[test]
-fn the_dimension_of_fractional_brownian_motion_is_two_less_its_exponent() {
+fn dimension_of_fractional_brownian_motion() {
     for hurst in [0.3, 0.5, 0.7] {
         let measured: Vec<f64> =
             (1..=8).map(|seed| box_dimension(&brownian(hurst, 4096, seed), 4097).unwrap().value).collect();
@@ -72,7 +74,7 @@ fn the_dimension_of_fractional_brownian_motion_is_two_less_its_exponent() {
 }
 
 #[test]
-fn the_spectrum_is_that_of_the_factors_and_straight_for_one_exponent() {
+fn spectrum_matches_the_factors() {
     // Σ |α|^q a^{−τ} = 1 on halves: τ = −log₂ Σ |α|^q.
     let f = Fif::<2>::affine(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0], &[0.9, -0.4]).unwrap();
     let data = samples(&f, 4097);
@@ -88,7 +90,7 @@ fn the_spectrum_is_that_of_the_factors_and_straight_for_one_exponent() {
 }
 
 #[test]
-fn the_dimension_of_an_image_is_that_of_the_surface() {
+fn dimension_of_an_image_matches_the_surface() {
     let surface = HeightField::new(g(), g());
     let at = |i: usize| i as f64 / 128.0;
     let image: Vec<f64> = (0..257 * 257).map(|k| surface.height(at(k / 257), at(k % 257))).collect();
@@ -98,7 +100,7 @@ fn the_dimension_of_an_image_is_that_of_the_surface() {
 }
 
 #[test]
-fn a_fit_is_compared_with_its_data() {
+fn fit_is_compared_with_its_data() {
     let data = brownian(0.4, 1024, 5);
     let x: Vec<f64> = (0..data.len()).map(|k| k as f64).collect();
     let knots: Vec<usize> = (0..=1024).step_by(16).collect();
@@ -106,7 +108,7 @@ fn a_fit_is_compared_with_its_data() {
     let [of_data, of_fit] = [data, samples(&system, 1025)].map(|y| box_dimension(&y, 1025).unwrap());
     println!("{of_data:?} {of_fit:?} {:?}", system.dimension());
     assert_abs_diff_eq!(of_data.value, 1.6, epsilon = 0.15);
-    // Factors by least squares leave out what they cannot follow, and the fit is smoother.
+    // Least-squares factors omit what they cannot follow, so the fit is smoother.
     assert_abs_diff_eq!(of_fit.value, system.dimension().middle(), epsilon = 0.1);
     assert!(of_fit.value < of_data.value, "{of_fit:?}");
 }

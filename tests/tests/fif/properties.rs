@@ -1,4 +1,4 @@
-//! Properties of random fractal interpolation functions and of surfaces made of them.
+//! Properties of random fractal interpolation functions, and of surfaces built from them.
 
 use std::ops::{Range, RangeInclusive};
 use std::sync::LazyLock;
@@ -7,7 +7,8 @@ use asperity_fif::glam::DVec3;
 use asperity_fif::{Fif, FifRef, FixedFif, HeightField, Intersect, Ray, paper};
 use proptest::prelude::*;
 
-/// The functions of the source, as axes of one type: rays are compiled once for every number of coefficients.
+/// The functions of the source as axes of one type, because ray code is compiled for every number
+/// of coefficients.
 macro_rules! axes {
     ($($name:ident: $coefficients:literal;)+) => {$(
         pub(super) fn $name() -> FifRef<'static, $coefficients> {
@@ -18,7 +19,7 @@ macro_rules! axes {
 }
 axes! { f: 2; g: 2; f_hat: 3; g_hat: 3; }
 
-/// Affine systems of so many maps from `start`, their cells and factors drawn one by one.
+/// Affine systems with this many maps from `start`, with random cells and factors.
 pub(super) fn affine_over(
     maps: RangeInclusive<usize>,
     start: Range<f64>,
@@ -36,7 +37,7 @@ pub(super) fn affine_over(
         })
 }
 
-/// Knots from the first one and the cells' widths.
+/// Returns knots from the first knot and the cell widths.
 pub(super) fn knots(start: f64, gaps: &[f64]) -> Vec<f64> {
     let rest = gaps.iter().scan(start, |at, gap| {
         *at += gap;
@@ -45,12 +46,12 @@ pub(super) fn knots(start: f64, gaps: &[f64]) -> Vec<f64> {
     std::iter::once(start).chain(rest).collect()
 }
 
-/// Random affine systems: 2 to 64 maps, gaps up to 1 : 100, factors up to `steepest` in size.
+/// Random affine systems: 2 to 64 maps, gaps up to 1 : 100, factors of magnitude up to `steepest`.
 pub(super) fn affine(steepest: f64) -> impl Strategy<Value = Fif<2>> {
     affine_over(2..=64, -5.0..5.0, 0.01..1.0_f64, -steepest..steepest)
 }
 
-/// Random Hermite systems on 2 to 6 even or uneven maps.
+/// Random Hermite systems on 2 to 6 equal or unequal maps.
 pub(super) fn hermite() -> impl Strategy<Value = Fif<4>> {
     (2_usize..=6)
         .prop_flat_map(|maps| {
@@ -69,7 +70,7 @@ pub(super) fn hermite() -> impl Strategy<Value = Fif<4>> {
         })
 }
 
-/// A number of cases from a seed.
+/// Returns a configuration with a number of cases and a seed.
 pub(super) fn seeded(seed: u64, cases: u32) -> ProptestConfig {
     let rng_seed = proptest::test_runner::RngSeed::Fixed(seed);
     ProptestConfig { cases, rng_seed, failure_persistence: None, ..ProptestConfig::default() }
@@ -91,7 +92,7 @@ proptest! {
         let maps = f.pieces().len();
         let digits: Vec<usize> = digits.into_iter().map(|j| j % maps).collect();
         let first = first % maps;
-        // x = L_i(L_j(…(x_0))), then the left end for ever.
+        // x = L_i(L_j(…(x_0))), then the left end repeated.
         let x = digits.iter().rev().fold(f.domain().lo, |x, &j| f.pieces()[j].map().apply(x, 0.0).0);
         let address = || digits.iter().copied().chain(std::iter::repeat(0));
         let inner = f.value_at_address(address(), 1e-12).unwrap();
@@ -186,7 +187,8 @@ proptest! {
 proptest! {
     #![proptest_config(config(12))]
 
-    /// Factors up to 0.999 and up to 64 maps: everything ends, nothing panics, bounds are honest about themselves.
+    /// Factors up to 0.999 and up to 64 maps: everything terminates, nothing panics, and bounds are
+    /// consistent.
     #[test]
     fn near_critical_systems_end(f in affine(0.999), g in affine(0.999), o in prop::array::uniform3(-3.0..3.0_f64)) {
         let surface = HeightField::new(f.view(), g.view()).tabulated();
@@ -204,8 +206,9 @@ proptest! {
 }
 
 #[test]
-fn the_slowest_system_reports_the_depth_it_reached() {
-    // Both factors 0.999: 4096 steps leave 0.999^4096 = 0.017 of the range, and the bound says so.
+fn slowest_system_reports_its_depth() {
+    // Both factors 0.999: 4096 steps leave 0.999^4096 = 0.017 of the range, and the bound reports
+    // it.
     let f = Fif::affine(&[0.0, 0.4, 1.0], &[0.0, 1.0, 0.0], &[0.999, 0.999]).unwrap();
     let got = f.evaluate(0.123, 1e-12);
     let left = 0.999_f64.powi(4096) * 0.5 * f.range().width();

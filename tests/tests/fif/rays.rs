@@ -1,4 +1,4 @@
-//! First hits, heights and normals against rigorous brackets and exact rationals.
+//! First hits, heights and normals, against rigorous brackets and exact rationals.
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its reference has failed")]
 
 use asperity_fif::glam::DVec3;
@@ -9,7 +9,7 @@ use serde_json::Value;
 
 use crate::properties::{f, f_hat};
 
-/// A ray of the reference.
+/// Parses a ray of the reference.
 pub(super) fn half_line(json: &Value) -> Ray {
     let [origin, direction] = ["o", "d"].map(|key| {
         let component = |k: usize| json[key][k].as_f64().unwrap();
@@ -18,7 +18,7 @@ pub(super) fn half_line(json: &Value) -> Ray {
     Ray { origin, direction }
 }
 
-/// `(hits, wide brackets, worst distance outside a narrow bracket)`.
+/// Returns `(hits, wide brackets, maximum distance outside a narrow bracket)`.
 fn check_rays(file: &str, surface: &impl Intersect) -> (usize, usize, f64) {
     let json = read(file);
     let (mut hits, mut wide, mut worst) = (0, 0, 0.0_f64);
@@ -54,7 +54,7 @@ fn check_rays(file: &str, surface: &impl Intersect) -> (usize, usize, f64) {
 }
 
 #[test]
-fn first_hits_agree_with_the_brackets() {
+fn first_hits_match_the_brackets() {
     fn check<F: Function>(file: &str, axis: F, hits: usize, wide: usize) {
         let surface = HeightField::new(axis.clone(), axis);
         let (plain, table) = (check_rays(file, &surface), check_rays(file, &surface.clone().tabulated()));
@@ -62,13 +62,13 @@ fn first_hits_agree_with_the_brackets() {
         assert_eq!([plain.0, plain.1, table.0, table.1], [hits, wide, hits, wide]);
     }
     check("rays_fhat_fhat", f_hat(), 124, 0);
-    // Eight brackets are wider than 1e-6; there the hit only has to lie within.
+    // Eight brackets are wider than 1e-6. For these, the hit only has to be inside.
     check("rays_f_f", f(), 162, 8);
 }
 
 #[test]
-fn heights_and_normals_equal_the_exact_ones() {
-    /// The range of a function within an ulp of the rational that the double stands for.
+fn heights_and_normals_match_exact_rationals() {
+    /// Returns the range of a function within an ulp of the rational represented by the double.
     fn spread<const C: usize>(f: &Fif<C>, x: f64) -> f64 {
         let near = f64::EPSILON * x.abs();
         f.extrema_over(x - near, x + near, 1e-12).unwrap().enclosure().width()

@@ -1,4 +1,5 @@
-//! Recurrent systems: the functional equation, and what they share with systems whose sources are the whole domain.
+//! Recurrent systems: the functional equation, and agreement with systems whose sources are the
+//! whole domain.
 
 use asperity_fif::{Fif, Recurrent, RecurrentError, System};
 use asperity_tests::assert_abs_diff_eq;
@@ -33,7 +34,7 @@ fn dyadic(steepest: f64) -> impl Strategy<Value = Recurrent<3>> {
     )
 }
 
-/// Recurrent systems on any knots.
+/// Recurrent systems on arbitrary knots.
 fn uneven(steepest: f64) -> impl Strategy<Value = (Recurrent<2>, Vec<f64>)> {
     (affine(steepest), prop::collection::vec((0.0..1.0_f64, 0.0..1.0_f64), 64)).prop_map(|(f, choices)| {
         let (x, y, alpha) = data(&f);
@@ -43,7 +44,7 @@ fn uneven(steepest: f64) -> impl Strategy<Value = (Recurrent<2>, Vec<f64>)> {
             .take(maps)
             .enumerate()
             .map(|(j, (l, r))| {
-                // At least two maps, and the map itself among them: wider than its image.
+                // At least two maps, including the map itself: wider than its image.
                 let from = ((j as f64 + 1.0) * l) as usize;
                 let to = (j + 1 + ((maps - j) as f64 * r) as usize).min(maps);
                 if to - from > 1 { [from, to] } else { [0, maps] }
@@ -132,7 +133,7 @@ proptest! {
                 prop_assert!((rough.value - fine.value).abs() <= rough.bound + fine.bound);
                 prop_assert!(fine.bound < 1e-8, "{fine:?}");
                 prop_assert!(range.inflated(fine.bound).contains(fine.value), "{x}: {fine:?} {range:?}");
-                // Bounds of an integral by those of the values.
+                // Bounds of an integral from the bounds of the values.
                 let sum = f.integral(x).value - f.integral(piece.x()[0]).value;
                 let wide = x - piece.x()[0];
                 let error = f.integral(x).bound + f.integral(piece.x()[0]).bound;
@@ -154,7 +155,7 @@ proptest! {
 }
 
 #[test]
-fn a_half_that_copies_itself_is_the_plain_system_of_that_half() {
+fn self_copying_half_equals_the_plain_system() {
     let (x, y) = ([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.0, 0.0, 1.0, 0.0]);
     let f = Recurrent::affine(&x, &y, &[0.5, 0.5, 0.0, 0.25], &[[0, 2], [0, 2], [0, 4], [2, 4]]).unwrap();
     let takagi = System::<Vec<_>, 2>::affine(&x[..3], &y[..3], &[0.5, 0.5]).unwrap();
@@ -175,7 +176,7 @@ fn a_half_that_copies_itself_is_the_plain_system_of_that_half() {
 }
 
 #[test]
-fn wrong_recurrent_systems_are_refused_by_name() {
+fn recurrent_errors_name_the_parameter() {
     let (x, y) = ([0.0, 1.0, 2.0, 3.0], [0.0, 1.0, 0.0, 1.0]);
     let whole = [[0, 3]; 3];
     let says = |alpha: &[f64], sources: &[[usize; 2]], message: &str| {

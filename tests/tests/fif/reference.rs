@@ -5,7 +5,8 @@ use asperity_fif::Fif;
 use asperity_tests::fif_systems::{Reference, digits_of_double, ratio};
 use asperity_tests::{assert_abs_diff_eq, even_systems};
 
-/// Largest error allowed where the address is exact; the worst measured is written beside each test.
+/// Maximum allowed error where the address is exact. The maximum measured is noted next to each
+/// test.
 const EXACT: f64 = 1e-12;
 
 fn check_points<const C: usize, const K: usize, const L: usize>(name: &str) -> [f64; 4] {
@@ -39,7 +40,7 @@ fn check_points<const C: usize, const K: usize, const L: usize>(name: &str) -> [
         assert_abs_diff_eq!(got.value, integral, epsilon = EXACT, "{name} ∫ to {x}: {got:?}");
     }
     for p in r.doubles() {
-        // The address of the very double, by exact arithmetic on the rational knots.
+        // The address of the same double, by exact arithmetic on the rational knots.
         let digits = digits_of_double(&r, p.x);
         let got = f.value_at_address(digits.iter().copied(), 1e-14).unwrap();
         let error = (got.value - p.y).abs();
@@ -67,8 +68,9 @@ fn check_points<const C: usize, const K: usize, const L: usize>(name: &str) -> [
 }
 
 #[test]
-fn values_and_integrals_equal_the_exact_rationals() {
-    // Worst measured: f 8e-15, first integral 1e-14, second integral 2e-14, doubles by their exact address 2e-14.
+fn values_and_integrals_match_exact_rationals() {
+    // Maximum measured: f 8e-15, first integral 1e-14, second integral 2e-14, doubles by their
+    // exact address 2e-14.
     let worst = [
         check_points::<1, 2, 3>("cantor"),
         check_points::<4, 5, 6>("cubic5"),
@@ -97,8 +99,9 @@ fn check_doubles<const C: usize>(name: &str) -> f64 {
 }
 
 #[test]
-fn values_at_doubles_equal_the_exact_ones() {
-    // On equally spaced knots the address of a double is exact; the worst error measured is 5e-14, the worst bound 2e-13.
+fn values_at_doubles_match_exact_rationals() {
+    // On equally spaced knots the address of a double is exact. The maximum measured error is
+    // 5e-14, and the maximum bound 2e-13.
     for bound in even_systems!(check_doubles) {
         assert!(bound <= EXACT, "bound {bound:e}");
     }
@@ -106,9 +109,9 @@ fn values_at_doubles_equal_the_exact_ones() {
     backward_stable::<4>("cubic5");
 }
 
-/// Knots such as 1/5 and −1/3 are no doubles, so the system itself is another one, and so is the point of the float
-/// orbit, by a few units in the last place: the exact value must be one that f takes that near. The address of the
-/// same doubles, on the exact knots, gives 1e-12 (above).
+/// Knots such as 1/5 and −1/3 are not doubles, so both the system and the point of the float orbit
+/// differ by a few units in the last place. The exact value must be a value that f takes within
+/// this distance. The address of the same doubles, on the exact knots, gives 1e-12 (above).
 fn backward_stable<const C: usize>(name: &str) {
     let r = Reference::<C>::load(name);
     let mut worst = 0.0_f64;
@@ -124,12 +127,13 @@ fn backward_stable<const C: usize>(name: &str) {
         );
         worst = worst.max((got.value - p.y).abs());
     }
-    // Measured: 3e-10 and 6e-9, 38 and 37 of 40 points over 1e-12. That is the conditioning, not the sum.
+    // Measured: 3e-10 and 6e-9, 38 and 37 of 40 points above 1e-12. The cause is the conditioning,
+    // not the sum.
     assert!(worst < 1e-8, "{name}: worst {worst:e}");
 }
 
 #[test]
-fn derivatives_equal_the_exact_ones() {
+fn derivatives_match_exact_rationals() {
     fn check<const C: usize, const D: usize>(name: &str) {
         let r = Reference::<C>::load(name);
         let slope: Fif<D> = r.system.derivative().unwrap();
@@ -155,7 +159,7 @@ fn derivatives_equal_the_exact_ones() {
 }
 
 #[test]
-fn ratios_are_read_exactly() {
+fn ratios_are_parsed_exactly() {
     assert_eq!(ratio("-1/3"), -1.0 / 3.0);
     assert_eq!(ratio("2"), 2.0);
 }

@@ -1,4 +1,4 @@
-//! The folded surface with a factor at every node: its nodes, its equation, its edges, bounds, rays.
+//! The folded surface with a factor per node: nodes, functional equation, edges, bounds, rays.
 #![expect(clippy::unwrap_used, reason = "a test that cannot build its surface has failed")]
 
 use std::cell::Cell;
@@ -44,7 +44,7 @@ impl Given {
 }
 
 #[test]
-fn rough_surfaces_pass_through_their_nodes_and_are_continuous_over_the_lines_of_the_grid() {
+fn rough_folded_interpolates_and_is_continuous() {
     let mut random = Random(21);
     for _ in 0..40 {
         let given = Given::new(&mut random, 0.6);
@@ -67,7 +67,7 @@ fn rough_surfaces_pass_through_their_nodes_and_are_continuous_over_the_lines_of_
                     for end in ends {
                         assert!(bounds.inflated(end.bound).contains(end.value), "{end:?} {bounds:?}");
                     }
-                    // Factors of 0.6 to the powers that make `near` a cell.
+                    // Powers of the factor 0.6 that make `near` a cell.
                     let widths = lines.windows(2).map(|pair| pair[1] - pair[0]);
                     let least = widths.fold(f64::INFINITY, f64::min);
                     let share = least / (lines[lines.len() - 1] - lines[0]);
@@ -83,7 +83,7 @@ fn rough_surfaces_pass_through_their_nodes_and_are_continuous_over_the_lines_of_
 }
 
 #[test]
-fn a_rough_surface_with_one_factor_is_the_folded_one() {
+fn rough_folded_with_one_factor_is_folded() {
     let mut random = Random(22);
     for round in 0..60 {
         let given = Given { factors: vec![], ..Given::new(&mut random, 0.0) };
@@ -104,9 +104,10 @@ fn a_rough_surface_with_one_factor_is_the_folded_one() {
     }
 }
 
-/// On dyadic cells with all zero on the border but heights between corners, G is 0 and places are exact.
+/// On dyadic cells with all data zero on the border except heights between corners, G is 0 and
+/// positions are exact.
 #[test]
-fn the_equation_of_a_rough_surface_holds() {
+fn rough_folded_functional_equation() {
     let knots = [0.0, 0.25, 0.5, 0.75, 1.0];
     let mut random = Random(23);
     for _ in 0..20 {
@@ -137,7 +138,7 @@ fn the_equation_of_a_rough_surface_holds() {
 }
 
 #[test]
-fn bounds_and_tolerances_of_a_rough_surface_hold() {
+fn rough_folded_bounds_and_tolerances() {
     let mut random = Random(24);
     for _ in 0..40 {
         let surface = Given::new(&mut random, 0.9).surface();
@@ -170,7 +171,7 @@ fn bounds_and_tolerances_of_a_rough_surface_hold() {
 }
 
 #[test]
-fn it_is_rough_where_its_factors_are() {
+fn rough_folded_is_rough_where_its_factors_are() {
     // Factors 0 in the west, 0.8 in the east, on cells of a quarter.
     let knots = [0.0, 0.25, 0.5, 0.75, 1.0];
     let factors: Vec<f64> = (0..25).map(|k| [0.0, 0.0, 0.0, 0.8, 0.8][k / 5]).collect();
@@ -185,7 +186,7 @@ fn it_is_rough_where_its_factors_are() {
     assert!(east > 20.0 * west, "{east} {west}");
 }
 
-/// Counts what a ray asks of a surface.
+/// Counts the surface evaluations of a ray.
 struct Counted<'a> {
     surface: &'a RoughFolded,
     evaluations: Cell<u32>,
@@ -221,7 +222,7 @@ impl Intersect for Counted<'_> {}
 #[test]
 fn a_ray_ends_at_its_limit_on_the_roughest_surface() {
     const LIMIT: u32 = 1 << 16;
-    // All squares of five levels, and two heights to their rounding at every smallest one.
+    // All squares of five levels, and two heights with their rounding at every smallest square.
     const AFTER: u32 = 2 * (1 + 4 + 16 + 64 + 256 + 1024) + 6 * 1024;
     let mut random = Random(4);
     let z: Vec<f64> = (0..9).map(|_| 4.0 * random.uniform() - 2.0).collect();
@@ -240,7 +241,7 @@ fn a_ray_ends_at_its_limit_on_the_roughest_surface() {
 }
 
 #[test]
-fn rough_data_that_break_a_rule_are_refused_by_name() {
+fn rough_folded_errors_name_the_parameter() {
     let (knots, z, d) = ([0.0, 1.0, 2.0], [0.5; 9], [[0.0; 2]; 9]);
     let new = |factors: &[f64], z: &[f64]| RoughFolded::new(&knots, &knots, factors, z, &d).err();
     assert_eq!(new(&[0.999; 9], &z), None);

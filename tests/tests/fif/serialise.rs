@@ -17,12 +17,12 @@ fn read_back<S: AsRef<[Piece<C>]>, const C: usize>(system: &System<S, C>) -> Fif
 }
 
 #[test]
-fn systems_are_read_back_with_the_same_bits() {
+fn systems_round_trip_bit_exactly() {
     let system = Reference::<4>::load("cubic5").system;
     assert_eq!(read_back(&system).pieces(), system.pieces());
     assert_eq!(read_back(&paper::g_hat().unwrap()).pieces(), paper::g_hat().unwrap().pieces());
     assert_eq!(serde_json::to_string(&paper::f().unwrap()).unwrap(), PAPER_F);
-    // Into an array, and with room for a higher degree.
+    // Into an array, and with capacity for a higher degree.
     let fixed: FixedFif<2, 3> = serde_json::from_str(PAPER_F).unwrap();
     assert_eq!(fixed.pieces()[1].map().q, [1.0, -0.5, 0.0]);
 }
@@ -41,7 +41,7 @@ proptest! {
 }
 
 #[test]
-fn invalid_systems_are_refused_when_read() {
+fn deserialize_rejects_invalid_systems() {
     let refuse = |from: &str, to: &str, message: &str| {
         assert!(PAPER_F.contains(from));
         let error =
@@ -70,7 +70,7 @@ fn invalid_systems_are_refused_when_read() {
     assert!(error.to_string().starts_with("`storage` must have 3 elements, got 2"), "{error}");
 }
 
-/// Data in memory, a format that holds NaN.
+/// Data in memory: a format that can represent NaN.
 enum Memory {
     Number(f64),
     List(Vec<Self>),
@@ -101,7 +101,7 @@ impl IntoDeserializer<'_, Error> for Memory {
 }
 
 #[test]
-fn numbers_that_are_not_finite_are_refused_when_read() {
+fn deserialize_rejects_non_finite_numbers() {
     let read = |x: f64, y: f64, alpha: f64, c: f64| {
         let list = |numbers: &[f64]| Memory::List(numbers.iter().map(|&x| Memory::Number(x)).collect());
         let data = [

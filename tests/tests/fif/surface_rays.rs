@@ -1,4 +1,5 @@
-//! Rays against any surface: independent brackets, agreement with products of curves, tolerances, and edge cases.
+//! Rays against any surface: independent brackets, agreement with products of curves, tolerances,
+//! and edge cases.
 #![expect(clippy::unwrap_used, reason = "a test that cannot build its surface has failed")]
 
 use asperity_fif::glam::DVec3;
@@ -17,12 +18,12 @@ const ALL: Interval = Interval::new(0.0, f64::INFINITY);
 pub(crate) const X: [f64; 4] = [-0.5, 0.0, 0.25, 1.0];
 pub(crate) const Y: [f64; 3] = [0.0, 0.3, 1.0];
 
-/// A number of numbers around 0, over a width.
+/// Returns random numbers around 0 within a width.
 pub(crate) fn numbers(random: &mut Random, count: usize, width: f64) -> Vec<f64> {
     (0..count).map(|_| width * (random.uniform() - 0.5)).collect()
 }
 
-/// Heights over a width, and gradients, at as many nodes.
+/// Returns heights within a width, and gradients, at `count` nodes.
 pub(crate) fn nodes(seed: u64, count: usize, width: f64) -> (Vec<f64>, Vec<[f64; 2]>) {
     let mut random = Random(seed);
     let z = numbers(&mut random, count, width);
@@ -39,7 +40,7 @@ fn folded() -> Folded {
     Folded::new(&X, &Y, -0.1, &z, &d).unwrap().narrowed()
 }
 
-/// Smooth on one side, of factors to 0.8 on the other.
+/// Smooth on one side, with factors up to 0.8 on the other.
 fn rough_folded() -> RoughFolded {
     let mut random = Random(4);
     let z = numbers(&mut random, 12, 0.6);
@@ -56,7 +57,7 @@ fn ray(o: [f64; 3], d: [f64; 3]) -> Ray {
     Ray { origin: DVec3::from_array(o), direction: DVec3::from_array(d) }
 }
 
-/// Down onto the domain and past it, from inside the box, nearly level.
+/// Rays down onto the domain and past it, from inside the box, and nearly level.
 pub(super) fn random_rays<S: Surface>(surface: &S, count: usize) -> Vec<Ray> {
     let mut random = Random(17);
     let ([x, y], z) = (surface.domain(), surface.range());
@@ -84,7 +85,7 @@ pub(super) fn random_rays<S: Surface>(surface: &S, count: usize) -> Vec<Ray> {
         .collect()
 }
 
-/// No root lies before `lo`; one lies in `[lo, hi]` if `root` is set.
+/// No root lies before `lo`. If `root` is set, one lies in `[lo, hi]`.
 #[derive(Clone, Copy)]
 struct Bracket {
     lo: f64,
@@ -92,8 +93,8 @@ struct Bracket {
     root: bool,
 }
 
-/// To stretches of `finest`, by bisection of the ray and enclosures of heights alone, with no slope, no square and no
-/// search for a root.
+/// Refines to intervals of `finest`, by bisection of the ray and enclosures of heights alone,
+/// without slopes, squares or root finding.
 fn bracket<S: Surface>(surface: &S, ray: &Ray, finest: f64) -> Option<Bracket> {
     let over = |lo: f64, hi: f64| Interval::new(lo.min(hi) - 1e-14, lo.max(hi) + 1e-14);
     let above = |t: f64| {
@@ -130,7 +131,7 @@ fn bracket<S: Surface>(surface: &S, ray: &Ray, finest: f64) -> Option<Bracket> {
     None
 }
 
-/// Numbers of rays that hit and miss a surface for certain, by each of these forms of it.
+/// Counts rays that certainly hit or miss a surface, for each form of the surface.
 fn compare_with_brackets<S: Surface>(
     surface: &S,
     forms: &[&dyn Intersect],
@@ -154,7 +155,7 @@ fn compare_with_brackets<S: Surface>(
                     assert_abs_diff_eq!(height, hit.height, epsilon = 1e-12, "{hit:?}");
                     seen[0] += 1;
                 }
-                // A ray that grazes may hit or not; nothing lies before.
+                // A grazing ray may hit or miss, but nothing lies before.
                 Some(Bracket { lo, .. }) => assert!(found.is_none_or(|hit| hit.t >= lo - 1e-12), "{ray:?}"),
             }
         }
@@ -163,7 +164,7 @@ fn compare_with_brackets<S: Surface>(
 }
 
 #[test]
-fn no_hit_of_a_surface_is_missed_and_none_invented() {
+fn surface_hits_are_neither_missed_nor_invented() {
     fn any<S: Intersect>(surface: &S, count: usize) -> [usize; 2] {
         let (fast, rays) = (Tabulated::with_levels(surface, 5), random_rays(surface, count));
         compare_with_brackets(surface, &[surface as &dyn Intersect, &fast], rays, 1e-6)
@@ -181,7 +182,7 @@ fn no_hit_of_a_surface_is_missed_and_none_invented() {
 }
 
 #[test]
-fn any_surface_and_a_product_of_curves_have_the_same_hits() {
+fn generic_surface_and_product_have_equal_hits() {
     let surface = mirror();
     let [plain, fast] = [0, 6].map(|levels| Tabulated::with_levels(&surface, levels));
     let (mut hits, mut worst) = (0, 0.0_f64);
@@ -196,12 +197,12 @@ fn any_surface_and_a_product_of_curves_have_the_same_hits() {
             }
         }
     }
-    // Measured 5e-13: the generic search ends at stretches of 10⁻¹² of the domain.
+    // Measured 5e-13: the generic search ends at intervals of 10⁻¹² of the domain.
     assert!(hits >= 300 && worst < 1e-11, "{hits}, {worst:e}");
 }
 
 #[test]
-fn hits_within_a_tolerance_are_near_and_all_forms_agree() {
+fn hits_within_a_tolerance_agree_between_forms() {
     let torus = Tabulated::with_levels(torus(), 6);
     let rays = random_rays(&torus, 300);
     let exact: Vec<Option<Hit>> = rays.iter().map(|ray| torus.first_hit(ray)).collect();
@@ -219,13 +220,13 @@ fn hits_within_a_tolerance_are_near_and_all_forms_agree() {
             };
             off += u32::from(!near);
         }
-        // Rays that dip into the surface for less than the tolerance may miss it there.
+        // Rays that enter the surface for less than the tolerance may miss it there.
         assert!(off <= if tolerance > 1e-3 { 6 } else { 0 }, "{tolerance}: {off}");
     }
 }
 
 #[test]
-fn rays_at_nodes_start_end_and_run_as_they_should() {
+fn rays_at_nodes() {
     let surface = torus();
     let fast = Tabulated::with_levels(&surface, 4);
     let node = |i: u32, j: u32| {
@@ -239,7 +240,7 @@ fn rays_at_nodes_start_end_and_run_as_they_should() {
                 assert!(hit.t.abs() < 1e-11, "({x}, {y}) {d:?}: {hit:?}");
             }
         }
-        // Straight down and nearly so onto a node; straight up from under it.
+        // Straight down and nearly so onto a node; straight up from below it.
         for d in [[0.0, 0.0, -2.0], [1e-9, 0.0, -2.0], [0.0, 1e-12, -2.0]] {
             let hit = fast.first_hit(&ray([x, y, z + 4.0], d)).unwrap();
             assert_abs_diff_eq!(hit.t, 2.0, epsilon = 1e-8, "{hit:?}");
@@ -247,7 +248,7 @@ fn rays_at_nodes_start_end_and_run_as_they_should() {
             assert_eq!(fast.first_hit(&ray([x, y, z + 4.0], [d[0], d[1], 2.0])), None);
         }
         assert!(fast.first_hit(&ray([x, y, z - 4.0], [0.0, 0.0, 1.0])).is_some());
-        // The ends of the stretch belong to it.
+        // The ends of the interval belong to it.
         let down = ray([x, y, z + 1.0], [0.0, 0.0, -1.0]);
         assert!(fast.first_hit_within(&down, Interval::new(0.0, 1.0), 0.0).is_some());
         assert_eq!(fast.first_hit_within(&down, Interval::new(0.0, 0.999), 0.0), None);
@@ -255,7 +256,7 @@ fn rays_at_nodes_start_end_and_run_as_they_should() {
         assert_eq!(fast.first_hit_within(&down, Interval::new(0.0, f64::NAN), 0.0), None);
         assert!(fast.first_hit_within(&down, Interval::new(f64::NAN, 9.0), f64::NAN).is_some());
     }
-    // Along a line of the grid, and level within the range.
+    // Along a grid line, and level within the range.
     let z = node(2, 1)[2];
     for [o, d] in [[[-1.0, 0.25, z], [1.0, 0.0, 0.0]], [[0.5, 3.0, z], [0.0, -1.0, 0.0]]] {
         let (plain, fast) = (surface.first_hit(&ray(o, d)), fast.first_hit(&ray(o, d)));
@@ -263,13 +264,13 @@ fn rays_at_nodes_start_end_and_run_as_they_should() {
         assert_abs_diff_eq!(plain.t, fast.t, epsilon = 1e-10, "{plain:?} {fast:?}");
         assert_abs_diff_eq!(plain.height, z, epsilon = 1e-10, "{plain:?} {fast:?}");
     }
-    // One period, and no more.
+    // One period only.
     assert!(fast.first_hit(&ray([0.5, 0.5, 9.0], [0.0, 0.0, -1.0])).is_some());
     assert!(fast.first_hit(&ray([1.5, 0.5, 9.0], [0.0, 0.0, -1.0])).is_none());
     assert!(fast.first_hit(&ray([1.5, 0.5, 9.0], [0.01, 0.0, -1.0])).is_none());
 }
 
-/// The rays that are none hit nothing, and those of any length of direction end and hit where they should.
+/// Invalid rays hit nothing. Directions of any length terminate and hit as expected.
 fn check_extreme_rays(surface: &dyn Intersect, [x, y]: [f64; 2], from: [f64; 3], along: [f64; 3]) {
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for k in 0..3 {
@@ -298,7 +299,7 @@ fn check_extreme_rays(surface: &dyn Intersect, [x, y]: [f64; 2], from: [f64; 3],
 }
 
 #[test]
-fn rays_that_are_none_hit_no_surface_and_extreme_ones_end() {
+fn invalid_and_extreme_rays() {
     let fast = Tabulated::with_levels(folded(), 4);
     check_extreme_rays(&fast, [0.25; 2], [-1.0, -1.0, 2.0], [1.0, 1.0, -1.5]);
     check_extreme_rays(&rough_folded(), [0.25; 2], [-1.0, -1.0, 2.0], [1.0, 1.0, -1.5]);
@@ -308,7 +309,7 @@ fn rays_that_are_none_hit_no_surface_and_extreme_ones_end() {
 }
 
 #[test]
-fn a_level_surface_is_hit_and_grazed() {
+fn level_surface_is_hit_and_grazed() {
     let level = Folded::new(&[0.0, 1.0, 2.0], &[0.0, 1.0, 2.0], 0.4, &[1.0; 9], &[[0.0; 2]; 9]).unwrap();
     // Constants with factors of 1/2 and constant polynomials.
     let one = FixedFif::<2, 1>::new(&[0.0, 1.0, 2.0], &[0.5, 0.5], &[[0.5], [0.5]]).unwrap();

@@ -1,4 +1,4 @@
-//! Surfaces that are no products: exact references, interpolation, continuity, bounds, grain.
+//! Surfaces that are not products: exact references, interpolation, continuity, bounds, anisotropy.
 
 use asperity_fif::glam::DVec2;
 use asperity_fif::surface::Fold;
@@ -14,7 +14,8 @@ use crate::properties::{config, f_hat};
 
 const ROTATING: [[i32; 2]; 2] = [[2, -1], [1, 2]];
 
-/// Compares values to `[value, slope]` tolerances with exact ones; the errors of height and gradient.
+/// Compares with exact values to `[value, slope]` tolerances, and returns the errors of height and
+/// gradient.
 pub(crate) fn exact_at(
     point: &Value,
     value: impl Fn(f64) -> Bounded,
@@ -33,7 +34,7 @@ pub(crate) fn exact_at(
     errors
 }
 
-/// The reference surface and its file.
+/// Returns the reference surface and its file.
 fn reference_torus() -> (Torus, Value) {
     let json = reference::read("fif/fis_torus.json");
     let grid = |key: &str| -> Vec<f64> {
@@ -50,7 +51,7 @@ fn reference_torus() -> (Torus, Value) {
 }
 
 #[test]
-fn torus_values_and_gradients_equal_the_exact_ones() {
+fn torus_values_and_gradients_match_exact_rationals() {
     let (surface, json) = reference_torus();
     let points = json["points"].as_array().unwrap();
     assert!(points.len() >= 40, "only {} points", points.len());
@@ -77,7 +78,7 @@ fn torus_values_and_gradients_equal_the_exact_ones() {
 }
 
 #[test]
-fn torus_data_are_interpolated_exactly() {
+fn torus_data_is_interpolated_exactly() {
     let (surface, json) = reference_torus();
     let entry = |key: &str, i: usize, j: usize| ratio(json[key][i][j].as_str().unwrap());
     for i in 0..4 {
@@ -97,9 +98,9 @@ fn torus_data_are_interpolated_exactly() {
 }
 
 #[test]
-fn the_torus_is_continuous_with_its_gradient_across_patches_and_the_seam() {
+fn torus_is_smooth_across_patches_and_seam() {
     let (surface, _) = reference_torus();
-    // Far under the modulus of a visible jump, far over the rounding of coordinates next to 1.
+    // Far below the modulus of a visible jump, far above the rounding of coordinates near 1.
     let step = 2f64.powi(-40);
     let steepest = surface.slope_range().map(Interval::magnitude);
     for line in [0.0, 0.25, 0.5, 0.75, 1.0] {
@@ -110,19 +111,20 @@ fn the_torus_is_continuous_with_its_gradient_across_patches_and_the_seam() {
                 assert!(change <= 2.0 * step * (steepest[0] + steepest[1]) + 1e-14, "{a:?} {b:?}: {change}");
                 let change = (surface.gradient(a[0], a[1]) - surface.gradient(b[0], b[1])).length();
                 let most = surface.gradient_modulus(step);
-                // Measured 0.11 at most, where |∇f| is up to 20.
+                // Measured at most 0.11, where |∇f| is up to 20.
                 assert!(change <= most.min(0.2), "{a:?} {b:?}: {change} over {most}");
             }
             let (on, over) = (surface.height(line, along), surface.height(line + 2.0, along - 5.0));
-            // along − 5 is rounded to half a unit in its last place.
+            // along − 5 is rounded to half a unit in the last place.
             assert_abs_diff_eq!(on, over, epsilon = 1e-14, "({line}, {along}): {on} and {over}");
         }
     }
 }
 
 #[test]
-fn the_gradient_is_the_slope_of_the_heights() {
-    // With a contraction of 0.22 the gradient is Hölder with the exponent 1: f is nearly as smooth as p.
+fn gradient_is_the_slope_of_heights() {
+    // With a contraction of 0.22 the gradient is Hölder with exponent 1: f is nearly as smooth as
+    // p.
     let (rough, json) = reference_torus();
     let z: Vec<f64> = (0..16).map(|k| ratio(json["z"][k / 4][k % 4].as_str().unwrap())).collect();
     let smooth = Torus::new(4, ROTATING, -0.1, &z, &[[1.0, -2.0]; 16]).unwrap();
@@ -142,7 +144,7 @@ fn the_gradient_is_the_slope_of_the_heights() {
 }
 
 #[test]
-fn torus_coordinates_that_are_no_numbers_or_tiny_are_answered() {
+fn torus_at_nan_and_tiny_coordinates() {
     let (surface, _) = reference_torus();
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         assert!(surface.evaluate(bad, 0.5, 0.0).value.is_nan());
@@ -168,7 +170,7 @@ fn torus_coordinates_that_are_no_numbers_or_tiny_are_answered() {
 }
 
 #[test]
-fn a_torus_without_contraction_and_other_wrong_data_are_refused_by_name() {
+fn torus_errors_name_the_parameter() {
     let new = |side, matrix, factor, z: &[f64], d: &[[f64; 2]]| Torus::new(side, matrix, factor, z, d).err();
     let (z, d) = ([0.5; 16], [[0.0; 2]; 16]);
     assert_eq!(new(4, ROTATING, 0.447, &z, &d), None);
@@ -200,13 +202,14 @@ fn a_torus_without_contraction_and_other_wrong_data_are_refused_by_name() {
 }
 
 #[test]
-fn extrema_and_means_of_the_torus_hold_what_a_grid_finds() {
+fn torus_extrema_and_means_contain_grid_samples() {
     let (surface, _) = reference_torus();
     for [x, y] in [
         [Interval::new(0.0, 1.0), Interval::new(0.0, 1.0)],
         [Interval::new(0.2, 0.55), Interval::new(-0.1, 0.3)],
     ] {
-        // A grid of this step misses the extrema by slope times step at most, in truth by far less.
+        // A grid of this step misses the extrema by at most slope times step, in practice by far
+        // less.
         let grid = extrema_hold_a_grid(&surface, [x, y], 120, 0.1);
         let mean = surface.mean_over(x, y, 64);
         assert!((mean.value - grid).abs() <= mean.bound + 1e-3 && mean.bound < 0.2, "{mean:?} {grid}");
@@ -216,7 +219,8 @@ fn extrema_and_means_of_the_torus_hold_what_a_grid_finds() {
     }
 }
 
-/// Brackets of the extrema over a rectangle hold what a grid finds, and miss it by `most` at most; the grid's mean.
+/// Asserts that brackets of the extrema over a rectangle contain grid samples within `most`, and
+/// returns the grid's mean.
 pub(crate) fn extrema_hold_a_grid<F: Fold>(
     surface: &SelfAffine<F>,
     [x, y]: [Interval; 2],
@@ -240,7 +244,7 @@ pub(crate) fn extrema_hold_a_grid<F: Fold>(
     sum / f64::from(count * count)
 }
 
-/// Values and gradients to any tolerance lie within their bounds.
+/// Asserts that values and gradients for any tolerance are within their bounds.
 pub(crate) fn tolerances_hold<F: Fold>(surface: &SelfAffine<F>, x: f64, y: f64) -> Result<(), TestCaseError> {
     let all = |tolerance: f64| {
         let [along, across] = surface.evaluate_gradient(x, y, tolerance);
@@ -258,7 +262,8 @@ pub(crate) fn tolerances_hold<F: Fold>(surface: &SelfAffine<F>, x: f64, y: f64) 
     Ok(())
 }
 
-/// Bounds and extrema over a rectangle hold samples of heights, and bounds those of slopes within `slack` or their own bound.
+/// Asserts that bounds and extrema over a rectangle contain samples of heights, and bounds of
+/// slopes within `slack` or their own bound.
 pub(crate) fn bounds_hold<F: Fold>(
     surface: &SelfAffine<F>,
     [x, y]: [Interval; 2],
@@ -279,13 +284,13 @@ pub(crate) fn bounds_hold<F: Fold>(
             prop_assert!(range.inflated(slack).contains(slope.value), "{slope:?} {range:?}");
         }
     }
-    // The reported bound is no excuse for wide rectangles: a point is known to the modulus of the slope.
+    // The reported bound does not excuse wide rectangles: a point has the modulus of the slope.
     let point = surface.bounds(Interval::new(x.lo, x.lo), Interval::new(y.lo, y.lo));
     prop_assert!(point.height.width() < 1e-8 * (1.0 + surface.range().magnitude()), "{point:?}");
     Ok(())
 }
 
-/// A matrix, a factor that contracts with it, and data on a grid of 2, 4 or 8 nodes along a side.
+/// A matrix, a factor that contracts with it, and data on a grid of 2, 4 or 8 nodes per side.
 fn tori() -> impl Strategy<Value = Torus> {
     let matrix = prop::array::uniform2(prop::array::uniform2(-4..=4_i32));
     let matrix = matrix.prop_filter("two replicas", |[[a, b], [c, d]]| (a * d - b * c).abs() >= 2);
@@ -329,19 +334,20 @@ proptest! {
     }
 }
 
-/// Points along a side where slopes are taken for their spectrum.
+/// Points along a side for the spectrum of slopes.
 const SIDE: usize = 128;
 
-/// The energy of slopes in waves within 5° of the axes, over what a surface without any direction has there.
+/// Returns the energy of slopes in waves within 5° of the axes, relative to an isotropic surface.
 ///
-/// Waves of 8 to 64 periods per side count, those beyond the data; `window` takes off the ends of what is not periodic.
+/// Waves of 8 to 64 periods per side count, beyond the data. `window` fades the ends of nonperiodic
+/// surfaces.
 pub(crate) fn grain(gradient: impl Fn(f64, f64) -> [f64; 2], window: impl Fn(f64) -> f64) -> f64 {
     let place = |k: usize| (k as f64 + 0.37) / SIDE as f64;
     let turns: Vec<[f64; 2]> = (0..SIDE)
         .map(|k| (std::f64::consts::TAU * k as f64 / SIDE as f64).sin_cos())
         .map(|(sin, cos)| [cos, -sin])
         .collect();
-    // The transform along rows, then columns become rows.
+    // The transform along rows, followed by a transposition.
     let transform = |z: &[[f64; 2]]| -> Vec<[f64; 2]> {
         let mut out = vec![[0.0; 2]; SIDE * SIDE];
         for (j, row) in z.chunks_exact(SIDE).enumerate() {
@@ -380,14 +386,14 @@ pub(crate) fn grain(gradient: impl Fn(f64, f64) -> [f64; 2], window: impl Fn(f64
 }
 
 #[test]
-fn the_torus_has_no_grain_and_a_product_of_curves_has() {
+fn torus_is_isotropic_and_product_is_not() {
     let (torus, _) = reference_torus();
     let slopes = |x: f64, y: f64| torus.evaluate_gradient(x, y, 1e-3).map(|slope| slope.value);
     let torus = grain(slopes, |_| 1.0);
     let product = HeightField::new(f_hat(), f_hat());
     let slopes = |x: f64, y: f64| product.gradient(2.0 * x, 2.0 * y).unwrap().to_array();
     let product = grain(slopes, |t| (std::f64::consts::PI * t).sin().powi(2));
-    // A random number for every point: white.
+    // A random number per point: white noise.
     let mix = |x: u64| Random(x).bits();
     let isotropic = grain(
         |x, y| {
@@ -396,7 +402,8 @@ fn the_torus_has_no_grain_and_a_product_of_curves_has() {
         },
         |_| 1.0,
     );
-    // Measured: 0.19, 6.57 and 0.97; five replicas turned by an irrational angle leave most of the axes out.
+    // Measured: 0.19, 6.57 and 0.97. Five replicas rotated by an irrational angle leave most of the
+    // axes out.
     assert_abs_diff_eq!(isotropic, 1.0, epsilon = 0.1, "{isotropic}");
     assert!(torus < 1.0 && product > 2.0, "torus {torus}, product {product}");
 }

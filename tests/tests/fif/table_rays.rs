@@ -1,4 +1,5 @@
-//! Rays against surfaces with tables of values: tolerances, brackets, batches, and rays that try to slip through.
+//! Rays against surfaces with tables of values: tolerances, brackets, batches, and adversarial
+//! rays.
 
 use asperity_fif::glam::DVec3;
 use asperity_fif::{FifRef, HeightField, Hit, Intersect, Interval, Ray};
@@ -40,7 +41,7 @@ fn reference_hits_stay_within_any_tolerance() {
 }
 
 #[test]
-fn tolerances_change_no_decision_and_batches_no_hit() {
+fn tolerance_changes_no_decision_and_batch_no_hit() {
     for axis in [f_hat(), g_hat()] {
         let (surface, plain) = (cached(axis), HeightField::new(axis, axis));
         let rays = random_rays(&plain, 3000);
@@ -58,7 +59,7 @@ fn tolerances_change_no_decision_and_batches_no_hit() {
                 }
             }
         }
-        // The plain descent of boxes, which has no tables.
+        // The plain descent of boxes, without tables.
         for (ray, exact) in rays.iter().zip(&exact).step_by(5) {
             let hit = plain.first_hit(ray);
             assert_eq!(hit.is_some(), exact.is_some(), "{ray:?}");
@@ -66,7 +67,8 @@ fn tolerances_change_no_decision_and_batches_no_hit() {
             if let (Some(hit), Some(exact)) = (hit, exact) {
                 assert_abs_diff_eq!(hit.t, exact.t, epsilon = 1e-10, "{ray:?}: {hit:?}, {exact:?}");
                 let (got, want) = (exact.gradient.unwrap(), hit.gradient.unwrap());
-                // The hits are some units in the last place apart, and what the rough slopes take between them is slack.
+                // The hits differ by some units in the last place, and the rough slopes between
+                // them add slack.
                 let spread = |a: f64, b: f64| {
                     let (lo, hi) = (a.min(b) - 1e-14, a.max(b) + 1e-14);
                     axis.derivative::<Vec<_>, 2>()
@@ -86,13 +88,14 @@ fn tolerances_change_no_decision_and_batches_no_hit() {
 }
 
 #[test]
-fn rays_that_try_to_slip_through_are_decided_like_without_tables() {
+fn adversarial_rays_are_decided_as_without_tables() {
     let ray =
         |o: [f64; 3], d: [f64; 3]| Ray { origin: DVec3::from_array(o), direction: DVec3::from_array(d) };
     for axis in [f_hat(), g_hat()] {
         let (surface, plain) = (cached(axis), HeightField::new(axis, axis));
         let mut rays = vec![
-            // From the surface, along every way; along the border; parallel to axes, and nearly so.
+            // From the surface, in all directions; along the border; parallel to axes, and nearly
+            // parallel.
             ray([1.0, 1.0, 1.0], [0.0, 0.0, 1.0]),
             ray([1.0, 1.0, 1.0], [0.0, 0.0, -1.0]),
             ray([1.0, 1.0, 1.0], [1.0, 0.5, 0.3]),
@@ -112,7 +115,7 @@ fn rays_that_try_to_slip_through_are_decided_like_without_tables() {
             ray([0.0, 0.0, 1.0], [1.0, f64::INFINITY, -1.0]),
             ray([0.5, 0.5, 1.0], [0.0; 3]),
         ];
-        // Tangents at knots and elsewhere, raised and lowered by little.
+        // Tangents at knots and elsewhere, slightly raised and lowered.
         for (x, y) in [(1.0, 1.0), (0.5, 1.25), (0.7, 1.6), (1.5, 0.5)] {
             let gradient = surface.gradient(x, y).unwrap();
             for way in [[1.0, 0.3], [-0.4, 1.0], [1.0, -1.0]] {
@@ -149,8 +152,9 @@ fn rays_that_try_to_slip_through_are_decided_like_without_tables() {
 }
 
 #[test]
-fn a_value_that_tables_know_coarsely_decides_nothing() {
-    // The first place that is looked at lies so near to the surface that one step of the table cannot tell on which side.
+fn coarse_table_value_decides_nothing() {
+    // The first position tested is so near to the surface that one step of the table cannot
+    // determine the side.
     let directions = [
         [0.595_129_907_131_195_1, 0.456_805_974_245_071_4, -0.688_720_583_915_710_4],
         [0.347_619_444_131_851_2, 0.668_113_648_891_449, -0.681_331_992_149_353],

@@ -1,4 +1,4 @@
-//! Bad input: each gets one clear line, which names the culprit and its value.
+//! Invalid input: each gives a one-line error with the parameter and its value.
 
 use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, Blend, BlinnPhong, ConditionalTable, ConditionalTableRef, GaussianNoise, Ggx,
@@ -8,7 +8,7 @@ use asperity_ndf_sampling::{
 };
 use glam::{Vec2, Vec3};
 
-/// Asserts that the refusal is `line`, which is lower case and without a full stop.
+/// Asserts that the error is `line`, which is lower case and has no period.
 #[track_caller]
 fn refused<T, E: core::error::Error>(result: Result<T, E>, line: &str) {
     let error = result.err().map(|error| error.to_string());
@@ -34,7 +34,7 @@ fn roughness() {
         refused(Beckmann::isotropic(value), &lines[0]);
         refused(Ward::new(value, 0.5), &lines[0]);
         refused(StudentT::new(0.5, value, 2.0), &lines[1]);
-        // What a constructor refuses, the repair accepts.
+        // `clamped` accepts what the constructor rejects.
         for repaired in [Ggx::clamped(value, value).alpha_x(), Beckmann::clamped(value, value).alpha_y()] {
             assert!(Ggx::new(repaired, repaired).is_ok(), "{value} became {repaired}");
         }
@@ -55,7 +55,7 @@ fn facets() {
         refused(BlinnPhong::from_roughness(value), &line("roughness", "1e-6 and 1"));
         refused(AshikhminShirley::new(value, 1.0), &line("n_u", "0 and 2e12"));
         refused(AshikhminShirley::new(1.0, value), &line("n_v", "0 and 2e12"));
-        // What a constructor refuses, the repair accepts.
+        // `clamped` accepts what the constructor rejects.
         assert!(BlinnPhong::new(BlinnPhong::clamped(value).exponent()).is_ok(), "{value}");
         let repaired = AshikhminShirley::clamped(value, value);
         assert!(AshikhminShirley::new(repaired.n_u(), repaired.n_v()).is_ok(), "{value}");
@@ -125,7 +125,7 @@ fn images() {
         let map = NdfMap::from_fn(4, 4, Measure::Normals, Reconstruction::Constant, painted);
         refused(map, &format!("texel 3 must be finite and not negative, got {name}"));
     }
-    // One pixel, the largest and the smallest values are densities.
+    // One pixel, and the largest and smallest values, are valid densities.
     for value in [1.0, f32::MAX, f32::MIN_POSITIVE, 1e-45] {
         for (size, measure) in [(1, Measure::Normals), (2, Measure::SolidAngle)] {
             let texels = [value; 4];

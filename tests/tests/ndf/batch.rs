@@ -1,11 +1,11 @@
-//! Batches of normals: equal to the calls, which take one lane, bit for bit.
+//! Batches of normals: equal to single calls, which use one lane, bit for bit.
 
 use asperity_ndf_sampling::{Beckmann, ClosedForm, Ggx, Microfacet};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
 use glam::{Vec2, Vec3};
 
-/// One more than a whole number of registers, so that the last one is filled in part.
+/// One more than a multiple of the register width, so that the last register is partially filled.
 const LEN: usize = 4097;
 const ALPHAS: [[f32; 2]; 5] = [[1e-4, 1e-4], [0.02, 0.2], [0.3, 0.3], [1.0, 0.1], [1.0, 1.0]];
 
@@ -36,7 +36,7 @@ fn inputs() -> Inputs {
     let (mut z, mut u, mut v) = (empty(), empty(), empty());
     for k in 0..LEN {
         let [z1, z2] = random.gaussians();
-        // Some far from the origin and some next to it.
+        // Some far from the origin and some near it.
         let scale = [1.0, 3.0, 1e-4][k % 3];
         (z[0][k], z[1][k]) = (z1 as f32 * scale, z2 as f32 * scale);
         (u[0][k], u[1][k]) = (random.uniform() as f32, random.uniform() as f32);
@@ -53,8 +53,8 @@ fn at<const I: usize>(arrays: &Arrays<I>, k: usize) -> [f32; I] {
     std::array::from_fn(|i| arrays[i][k])
 }
 
-/// Fills arrays and compares them with the calls, bit for bit; but for visible normals, of which the largest difference is
-/// returned, in units of u.
+/// Fills arrays and compares them with single calls, bit for bit. For visible normals the maximum
+/// difference is returned, in units of u.
 fn compare<N: ClosedForm + Microfacet>(ndf: &N, alpha: [f32; 2], Inputs { z, u, v }: &Inputs) -> f32 {
     let (mut normals, mut coordinates, mut densities) = (empty(), empty(), empty::<1>());
     let (mut samples, mut visible) = (empty(), empty());
@@ -77,7 +77,8 @@ fn compare<N: ClosedForm + Microfacet>(ndf: &N, alpha: [f32; 2], Inputs { z, u, 
         let filled = [coordinates[0][k], coordinates[1][k], densities[0][k]];
         let called = ndf.to_gaussian(m).extend(ndf.density(m));
         assert_eq!(filled.map(f32::to_bits), bits3(called), "{alpha:?}: T⁻¹ and D of {m}");
-        // In the space where the roughness is 1, times the root of u, for there the distribution starts like a square.
+        // In the space with roughness 1, times the square root of u, because the distribution
+        // starts like a square there.
         let called = ndf.sample_visible(v, u);
         let slope = |m: Vec3| m.truncate() / m.z / Vec2::from(alpha);
         let edge = u.x.min(1.0 - u.x).min(u.y).min(1.0 - u.y);
@@ -88,19 +89,19 @@ fn compare<N: ClosedForm + Microfacet>(ndf: &N, alpha: [f32; 2], Inputs { z, u, 
 }
 
 #[test]
-fn batches_agree_with_the_calls() {
+fn batches_equal_single_calls() {
     let inputs = inputs();
     for alpha in ALPHAS {
         let ggx = compare(&Ggx::new(alpha[0], alpha[1]).expect("valid"), alpha, &inputs);
         assert_eq!(ggx, 0.0, "{alpha:?}: visible normals of GGX");
-        // The calls invert in f64.
+        // Single calls invert in f64.
         let beckmann = compare(&Beckmann::new(alpha[0], alpha[1]).expect("valid"), alpha, &inputs);
         assert!(beckmann < 1e-6, "{alpha:?}: visible normals of Beckmann differ by {beckmann:e}");
     }
 }
 
 #[test]
-fn batches_are_total_on_every_input() {
+fn batches_accept_every_input() {
     let mut inputs = inputs();
     let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, 1e-40, 1e38, -1.0, 1.0];
     for (k, (x, y)) in bad.into_iter().flat_map(|x| bad.map(|y| (x, y))).enumerate() {

@@ -1,4 +1,5 @@
-//! The public checks: right densities pass, faulty ones are caught by the checks of what is wrong with them.
+//! The public property tests: valid densities pass, and each fault is detected by the corresponding
+//! checks.
 
 use asperity_ndf_sampling::check::{Settings, microfacet, ndf};
 use asperity_ndf_sampling::{
@@ -14,7 +15,7 @@ fn quick(seed: u32) -> Settings {
 }
 
 #[test]
-fn right_densities_pass() {
+fn valid_densities_pass() {
     let mixture =
         Mixture::new(Beckmann::isotropic(0.02).unwrap(), BlinnPhong::new(0.0).unwrap(), 0.6).unwrap();
     let hills = |n: Vec3| (9.0 * n.x).sin() * (7.0 * n.y + 1.0).cos() + 1.1;
@@ -46,7 +47,7 @@ fn right_densities_pass() {
 }
 
 #[test]
-fn a_right_density_passes_whatever_the_seed() {
+fn valid_density_passes_for_every_seed() {
     let (ggx, beckmann) = (Ggx::new(0.2, 0.4).unwrap(), Beckmann::new(0.3, 0.1).unwrap());
     (0..100).into_par_iter().for_each(|seed| {
         let settings = Settings { samples: 4096, ..quick(seed) };
@@ -55,13 +56,13 @@ fn a_right_density_passes_whatever_the_seed() {
     });
 }
 
-/// A density whose parts are changed one by one.
+/// A density whose parts are modified one by one.
 #[derive(Clone, Copy)]
 struct Faulty {
     of: Beckmann,
     /// Factor of the density.
     bright: f32,
-    /// Power of `m_z` by which the density is off.
+    /// Power of `m_z` by which the density is wrong.
     cosines: i32,
     sample: fn(Vec2) -> Vec2,
     map: fn(Vec2) -> Vec2,
@@ -100,7 +101,7 @@ impl Microfacet for Faulty {
 }
 
 #[test]
-fn faulty_densities_are_caught() {
+fn faulty_densities_are_detected() {
     let right = Faulty {
         of: Beckmann::clamped(0.4, 0.3),
         bright: 1.0,
@@ -112,7 +113,7 @@ fn faulty_densities_are_caught() {
         masking: 1.0,
         view: |v| v,
     };
-    // E[m_z], by which the density integrates to one without its Jacobian.
+    // E[m_z], with which the density integrates to one without its Jacobian.
     let cells = (0..40_000_u16).map(|k| Vec2::new(f32::from(k % 200), f32::from(k / 200)));
     let up = cells.map(|cell| right.of.sample((cell + 0.5) / 200.0).z).sum::<f32>() / 40_000.0;
     let cases: [(&str, Faulty, &[&str]); 11] = [
@@ -177,7 +178,7 @@ fn faulty_densities_are_caught() {
 }
 
 #[test]
-fn tables_of_ggx_have_its_masking() {
+fn ggx_tables_have_ggx_masking() {
     let ggx = Ggx::new(0.3, 0.6).unwrap();
     let masked = Masked::new(NdfMap::from_ndf(256, 256, Reconstruction::Bilinear, &ggx).unwrap());
     let mut worst = [0.0_f32; 2];

@@ -1,4 +1,4 @@
-//! Comparisons of values by `approx`: by the numbers that they are made of.
+//! Comparisons of values with `approx`, by their components.
 
 use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, BlinnPhong, Frame, GaussianNoise, GaussianSplit, Ggx, KurtoticNoise,
@@ -9,7 +9,8 @@ use asperity_ndf_sampling::{
 use asperity_tests::approx::{RelativeEq, UlpsEq};
 use glam::{Vec2, Vec3};
 
-/// Two values that differ by 1e-3 of a number near 1 in one place are equal within 2e-3 and not within 5e-4.
+/// Asserts that two values that differ by 1e-3 in a component near 1 are equal within 2e-3 but not
+/// within 5e-4.
 #[track_caller]
 fn differ<T: RelativeEq<Epsilon = f32> + UlpsEq>(of: impl Fn(f32) -> T) {
     let (a, b) = (of(1.0), of(1.001));
@@ -20,7 +21,7 @@ fn differ<T: RelativeEq<Epsilon = f32> + UlpsEq>(of: impl Fn(f32) -> T) {
 }
 
 #[test]
-fn values_are_compared_by_their_numbers() {
+fn approx_compares_components() {
     differ(|x| Frame { bitangent: Vec3::new(0.0, x, 0.0), ..Frame::IDENTITY });
     differ(|x| Ggx::new(0.2, x).unwrap());
     differ(|x| Beckmann::new(x, 0.2).unwrap());

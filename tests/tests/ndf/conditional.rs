@@ -1,4 +1,5 @@
-//! Exact level of detail: the mean over the surface is the far field, and resolving more keeps the mean.
+//! Exact level of detail: the mean over the surface is the far field, and resolving more preserves
+//! the mean.
 
 use asperity_ndf_sampling::check::p_value;
 use asperity_ndf_sampling::{
@@ -30,7 +31,7 @@ fn ndfs() -> Vec<Named> {
     ndfs
 }
 
-/// Every parametric density.
+/// Returns every parametric density.
 fn parametric() -> Vec<Named> {
     let lobes = [Ggx::isotropic(0.1), Ggx::isotropic(0.7)].map(|ggx| ggx.expect("valid"));
     let mixture = Mixture::new(lobes[0], lobes[1], 0.4).expect("radial densities");
@@ -50,7 +51,7 @@ fn parametric() -> Vec<Named> {
     ]
 }
 
-/// Images that are hard to invert.
+/// Returns images that are hard to invert.
 fn images(reconstruction: Reconstruction) -> Vec<Named> {
     let image = move |name, size: usize, texel: fn(f64, f64) -> f64| -> Named {
         let at = |k: usize| 2.0 * (k as f64 + 0.5) / size as f64 - 1.0;
@@ -77,7 +78,7 @@ fn images(reconstruction: Reconstruction) -> Vec<Named> {
     ]
 }
 
-/// Half-vectors at these Gaussian coordinates, out to the tail.
+/// Half vectors at these Gaussian coordinates, out to the tail.
 const COORDINATES: [Vec2; 5] = [
     Vec2::new(0.0, 0.0),
     Vec2::new(0.6, -0.3),
@@ -86,8 +87,9 @@ const COORDINATES: [Vec2; 5] = [
     Vec2::new(-3.0, -2.0),
 ];
 
-/// The mean of `f` over two standard Gaussians, by the trapezoidal rule with steps of `1/fineness`: for Gaussian integrands of
-/// the width `w` its error is below `2 exp(−2 (π w fineness)²)`, and what is beyond ±8 is below 1e-14.
+/// Returns the mean of `f` over two standard Gaussians, by the trapezoidal rule with steps of
+/// `1/fineness`. For Gaussian integrands of width `w` its error is below
+/// `2 exp(−2 (π w fineness)²)`, and the part beyond ±8 is below 1e-14.
 fn gaussian_mean(fineness: i32, f: impl Fn(Vec2) -> f32 + Sync) -> f64 {
     let step = 1.0 / f64::from(fineness);
     let reach = 8 * fineness;
@@ -114,7 +116,8 @@ fn mean_over_the_surface_is_the_far_field() {
         for z in COORDINATES {
             let h = ndf.from_gaussian(z);
             let far = f64::from(ndf.density(h));
-            // The middle of the ring is the inner edge of what a bilinear map holds, where the density is 0 or next to it.
+            // The center of the ring is at the inner edge of a bilinear map, where the density is 0
+            // or nearly 0.
             assert!(far > 0.0 || name == "ring", "{name} at {h}");
             for (s, fineness) in [(0.0, 4), (0.1, 4), (0.5, 4), (0.9, 8), (0.99, 16)] {
                 let mean = gaussian_mean(fineness, |z_b| ConditionalNdf::new(&*ndf, z_b, s).density(h));
@@ -129,7 +132,7 @@ fn mean_over_the_surface_is_the_far_field() {
 }
 
 #[test]
-fn samples_of_what_is_left_have_its_density() {
+fn samples_of_the_rest_have_its_density() {
     const SAMPLES: u64 = 100_000;
     let cases = [(0.1_f32, Vec2::new(0.5, 1.0)), (0.5, Vec2::new(-0.7, 0.4)), (0.9, Vec2::new(1.5, -1.0))];
     let ndfs = ndfs();
@@ -137,7 +140,7 @@ fn samples_of_what_is_left_have_its_density() {
     for (name, ndf) in ndfs.iter().filter(|(name, _)| *name != "GGX 0.001") {
         for (seed, (s, z_b)) in (0..).zip(cases) {
             let seen = ConditionalNdf::new(&**ndf, z_b, s);
-            // The texels of the painted density, whose edges a quadrature must know.
+            // The texels of the painted density, whose edges the quadrature must resolve.
             let bins = DiskBins { size: 64, extent: [1.0, 1.0] };
             let expected = bins.integrate(2, |x, y| {
                 let z2 = (1.0 - x * x - y * y).max(1e-14);
@@ -154,7 +157,8 @@ fn samples_of_what_is_left_have_its_density() {
 
 #[test]
 fn resolving_more_keeps_the_mean() {
-    // z_b′ = √(s/s′) z_b + √(1 − s/s′) η resolves the share s′ > s; its mean over η is what was seen with s.
+    // z_b′ = √(s/s′) z_b + √(1 − s/s′) η resolves the fraction s′ > s; its mean over η is the value
+    // with s.
     let mut worst = 0.0_f64;
     for (name, ndf) in ndfs() {
         for (s, finer) in [(0.25_f32, 0.5_f32), (0.25, 0.9), (0.5, 0.75), (0.75, 0.9), (0.0, 0.25)] {
@@ -188,16 +192,17 @@ fn density_of_the_rest_integrates_to_one() {
 
 #[test]
 fn beckmann_equals_the_split_of_its_slopes() {
-    // In slope space a Beckmann of roughness α√w carries residual lobes of roughness α√(1 − w); the file gives their density
-    // over slopes, and D is that over cos⁴ θ. The file's split of GGX is another one (a joint density of both slopes), which
-    // is not the split of Gaussian coordinates: nothing to compare.
+    // In slope space a Beckmann of roughness α√w carries residual lobes of roughness α√(1 − w). The
+    // file contains their density over slopes, and D is that density over cos⁴ θ. The file splits
+    // GGX differently (a joint density of both slopes), not in Gaussian coordinates, so it is not
+    // compared.
     let reference = reference::read("ndf/lod_split.json");
     let (mut worst, mut worst_of_slopes, mut compared) = (0.0_f64, 0.0_f64, 0);
     for row in rows(&reference["rows"]) {
         let [alpha, w, b_x, b_y, r_x, r_y, _, _, expected] = row[..] else { panic!("nine columns") };
         let beckmann = Beckmann::isotropic(alpha as f32).unwrap();
         let z_b = [b_x, b_y].map(|slope| (slope * 2f64.sqrt() / (alpha * w.sqrt())) as f32);
-        // Farther than the bound of the Gaussian coordinates the crate answers for the bound.
+        // Beyond the bound of the Gaussian coordinates the crate returns the value at the bound.
         if z_b.iter().any(|z| z.abs() > 13.0) || expected < 1e-30 {
             continue;
         }
@@ -205,7 +210,8 @@ fn beckmann_equals_the_split_of_its_slopes() {
         let cos2 = 1.0 / (1.0 + x * x + y * y);
         let h = Vec3::new((x * cos2.sqrt()) as f32, (y * cos2.sqrt()) as f32, cos2.sqrt() as f32);
         let got = f64::from(conditional_density(&beckmann, h, Vec2::from(z_b), w as f32)) * cos2 * cos2;
-        // In f32 the exponents of far z cancel: their sum is 1e-7 of |z|²/2, which is up to 100 here.
+        // In f32 the exponents of distant z cancel: their sum has an error of 1e-7 of |z|²/2, which
+        // is up to 100 here.
         let error = (got / expected - 1.0).abs();
         println!("{row:?}: {error:e}");
         worst = worst.max(error);
@@ -214,7 +220,7 @@ fn beckmann_equals_the_split_of_its_slopes() {
         let slopes = OffsetBeckmann::conditional(beckmann, Vec2::from(z_b), w as f32);
         let error = f64::from(slopes.density(h)) * cos2 * cos2 / expected - 1.0;
         worst_of_slopes = worst_of_slopes.max(error.abs());
-        // Nothing cancels but the slopes themselves, rounded to f32.
+        // Only the slopes themselves cancel, rounded to f32.
         assert_abs_diff_eq!(error, 0.0, epsilon = 3e-5, "{row:?}: {error:e}");
     }
     println!(
@@ -224,12 +230,12 @@ fn beckmann_equals_the_split_of_its_slopes() {
 }
 
 #[test]
-fn share_near_one_is_a_narrow_lobe_on_the_facet() {
+fn fraction_near_one_is_a_narrow_lobe_at_the_facet() {
     let ggx = Ggx::new(0.2, 0.4).unwrap();
     let z_b = Vec2::new(0.7, -1.1);
     let facet = ggx.from_gaussian(z_b);
     let at = |s: f32, h: Vec3| conditional_density(&ggx, h, z_b, s);
-    // Its peak grows like 1/(1 − s) while the ratio N(z_b)/N(0) stays.
+    // Its peak grows like 1/(1 − s), while the ratio N(z_b)/N(0) stays constant.
     let expected = ggx.density(facet) * (0.5 * z_b.length_squared()).exp();
     for s in [0.99_f32, 0.999, 0.9999] {
         let peak = at(s, ggx.from_gaussian(z_b * s.sqrt()));

@@ -1,4 +1,5 @@
-//! The look-up of what a pixel does not resolve: its distance from the exact density, and its mean over the surface.
+//! The lookup table of the unresolved part of a pixel: its distance from the exact density, and its
+//! mean over the surface.
 
 use asperity_ndf_sampling::{
     Beckmann, ConditionalNdf, ConditionalTable, GaussianSplit, Ggx, Measure, Ndf, NdfMap, Reconstruction,
@@ -18,7 +19,7 @@ fn ndfs() -> Vec<(&'static str, Box<dyn Ndf + Sync>, f64)> {
     let painted = |n: Vec3| lobe(n, -0.38, 0.22, 0.02) + 0.6 * lobe(n, 0.35, -0.3, 0.045) + 0.02;
     let mask =
         |n: Vec3| f32::from(u8::from(((5.0 * n.x).floor() + (5.0 * n.y).floor()).rem_euclid(2.0) == 0.0));
-    // The last number: the largest total variation that is accepted.
+    // The last number is the maximum accepted total variation.
     vec![
         ("GGX 0.2, 0.4", Box::new(Ggx::new(0.2, 0.4).expect("valid")), 0.005),
         ("GGX 0.001", Box::new(Ggx::isotropic(1e-3).expect("valid")), 0.005),
@@ -44,7 +45,7 @@ fn ndfs() -> Vec<(&'static str, Box<dyn Ndf + Sync>, f64)> {
 }
 
 #[test]
-fn look_up_is_near_the_exact_density() {
+fn lookup_is_close_to_the_exact_density() {
     const POINTS: u32 = 4096;
     const PLACES: u32 = 12;
     for (name, ndf, most) in ndfs() {
@@ -72,8 +73,8 @@ fn look_up_is_near_the_exact_density() {
 }
 
 #[test]
-fn mean_of_the_look_up_over_the_surface_is_its_far_field() {
-    // A trapezoidal rule with a step of 1/8: see the test of the exact density.
+fn mean_of_lookup_over_the_surface_is_the_far_field() {
+    // A trapezoidal rule with step 1/8: see the test of the exact density.
     for (name, ndf, _) in ndfs() {
         let table = ConditionalTable::new(&*ndf, 64).unwrap();
         for k in 0..3 {

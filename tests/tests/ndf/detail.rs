@@ -1,4 +1,5 @@
-//! Existing normal maps: their density, their indices, and the way back through table L; detail keeps the density.
+//! Existing normal maps: density, indices, and inversion through table L; added detail preserves
+//! the density.
 
 use asperity_ndf_sampling::{
     Beckmann, Ggx, Ndf, NdfEstimator, NdfMap, NoiseCdfRef, NormalTable, Reconstruction, detailed_normal,
@@ -17,7 +18,7 @@ use rayon::prelude::*;
 /// Texels along a side of the normal maps.
 const SIDE: usize = 256;
 
-/// The unit normals of a height field over the torus, by its gradient.
+/// Returns the unit normals of a height field over the torus, from its gradient.
 fn normals(gradient: impl Fn(f64, f64) -> [f64; 2] + Sync) -> Vec<Vec3> {
     (0..SIDE * SIDE)
         .into_par_iter()
@@ -30,7 +31,8 @@ fn normals(gradient: impl Fn(f64, f64) -> [f64; 2] + Sync) -> Vec<Vec3> {
         .collect()
 }
 
-/// Rolling ground: 160 waves of random direction and phase, whose slopes fall off with the frequency.
+/// Rolling ground: 160 waves of random direction and phase, with slopes that decrease with
+/// frequency.
 fn ground() -> Vec<Vec3> {
     let mut random = Random(41);
     let waves: Vec<[f64; 4]> = (0..160)
@@ -50,7 +52,7 @@ fn ground() -> Vec<Vec3> {
     })
 }
 
-/// Cobbles: flat-topped domes at jittered places, flat ground between them, fine waves on top of both.
+/// Cobbles: flat-topped domes at jittered positions, flat ground between them, fine waves on both.
 fn cobbles() -> Vec<Vec3> {
     let mut random = Random(42);
     let stones: Vec<[f64; 3]> = (0..64)
@@ -79,7 +81,7 @@ fn cobbles() -> Vec<Vec3> {
     })
 }
 
-/// Tiles: flat nearly everywhere, with bevels in four directions.
+/// Tiles: mostly flat, with bevels in four directions.
 fn tiles() -> Vec<Vec3> {
     normals(|x, y| {
         let bevel = |t: f64| {
@@ -94,7 +96,7 @@ fn maps() -> [(&'static str, Vec<Vec3>); 3] {
     [("ground", ground()), ("cobbles", cobbles()), ("tiles", tiles())]
 }
 
-/// Mean and largest angle, in degrees.
+/// Returns mean and maximum angle in degrees.
 fn angles(normals: &[Vec3], back: impl Fn(Vec3) -> Vec3 + Sync) -> [f64; 2] {
     let angle = |n: &Vec3| f64::from((*n - back(*n)).length() * 0.5).min(1.0).asin().to_degrees() * 2.0;
     let sum: f64 = normals.par_iter().map(angle).sum();
@@ -103,7 +105,7 @@ fn angles(normals: &[Vec3], back: impl Fn(Vec3) -> Vec3 + Sync) -> [f64; 2] {
 }
 
 #[test]
-fn indices_of_a_normal_map_give_it_back_through_table_l() {
+fn normal_map_indices_invert_through_table_l() {
     for (name, exact) in maps() {
         let formats = [("exact", None), ("8 bits", Some(NormalMapFormat::default()))];
         for (bits, format) in formats {
@@ -119,14 +121,14 @@ fn indices_of_a_normal_map_give_it_back_through_table_l() {
             let looked_up = angles(&normals, |n| table.bilinear(ndf.to_gaussian(n)).normal);
             println!("{name}, {bits}: {size}², h = {width:.4}: T {direct:.5?}°, L {looked_up:.4?}°");
             assert!(direct[0] < 0.01, "{name}, {bits}: {direct:?}");
-            // Half a degree is asked for; measured 0.015.
+            // Half a degree is required; measured 0.015.
             assert!(looked_up[0] < 0.05, "{name}, {bits}: {looked_up:?}");
         }
     }
 }
 
 #[test]
-fn normals_of_closed_forms_come_back_through_table_l() {
+fn closed_form_normals_invert_through_table_l() {
     let ggx = Ggx::new(0.2, 0.4).unwrap();
     let beckmann = Beckmann::isotropic(0.5).unwrap();
     let ndfs: [(&str, &(dyn Ndf + Sync)); 2] = [("GGX", &ggx), ("Beckmann", &beckmann)];
@@ -142,9 +144,9 @@ fn normals_of_closed_forms_come_back_through_table_l() {
 }
 
 #[test]
-fn noise_values_of_a_normal_map_give_it_back() {
-    // The whole chain of the paper, n → u → r → u → n, with a table that is indexed by the noise values, for the measured
-    // distributions of classic noises (standard deviations over ±4).
+fn noise_values_of_a_normal_map_invert() {
+    // The whole chain of the paper, n → u → r → u → n, with a table indexed by the noise values,
+    // for the measured distributions of classic noises (standard deviations over ±4).
     let normals = ground();
     let ndf = estimate_ndf(&normals).unwrap();
     let distributions = [
@@ -164,7 +166,8 @@ fn noise_values_of_a_normal_map_give_it_back() {
     }
 }
 
-/// Total variation between normals and a density over 32 × 32 bins of the projected normals.
+/// Returns the total variation between normals and a density over 32 × 32 bins of the projected
+/// normals.
 fn variation(normals: &[Vec3], ndf: &NdfMap) -> f64 {
     let bins = DiskBins { size: 32, extent: [1.0, 1.0] };
     let expected = bins.integrate(8, |x, y| {
@@ -180,7 +183,7 @@ fn variation(normals: &[Vec3], ndf: &NdfMap) -> f64 {
 }
 
 #[test]
-fn estimate_of_drawn_normals_is_their_density() {
+fn estimate_from_samples_is_their_density() {
     let beckmann = Beckmann::new(0.3, 0.5).unwrap();
     let exact = NdfMap::from_ndf(256, 256, Reconstruction::Constant, &beckmann).unwrap();
     let mut before = 1.0;
@@ -212,14 +215,15 @@ fn detail_keeps_the_density_of_the_map() {
             normals.iter().map(|&n| ndf.from_gaussian(ndf.to_gaussian(n) + noise() * amount)).collect();
         let (kept, grown) = (variation(&with, &ndf), variation(&without_root, &ndf));
         println!("{amount}: total variation {kept:.4} of {floor:.4}, without the root {grown:.4}");
-        // Of as many normals in some 500 bins chance alone differs by 0.5 √(2 · 500/(π 65536)) = 0.035.
+        // With as many normals in some 500 bins, chance alone differs by 0.5 √(2 · 500/(π 65536)) =
+        // 0.035.
         assert!(kept < 0.04, "{amount}: {kept} of {floor}");
         assert!(grown > 1.5 * kept, "{amount}: {grown}");
     }
 }
 
 #[test]
-fn both_tangent_spaces_mean_the_same_normals() {
+fn both_tangent_spaces_describe_the_same_normals() {
     let normals = cobbles();
     let read = |space| {
         let format = NormalMapFormat { tangent_space: space, ..NormalMapFormat::default() };
@@ -227,14 +231,14 @@ fn both_tangent_spaces_mean_the_same_normals() {
     };
     let (open_gl, directx) = (read(TangentSpace::OpenGl), read(TangentSpace::DirectX));
     assert!(open_gl.iter().zip(&directx).all(|(a, b)| a.abs_diff_eq(*b, 4e-5)));
-    // Read as the other, the density is the mirror image.
+    // Read with the other convention, the density is mirrored.
     let format = NormalMapFormat::default();
     let other = NormalMapFormat { tangent_space: TangentSpace::DirectX, ..format };
     let misread: Vec<Vec3> = normals.iter().map(|&n| other.decode_u16(format.encode_u16(n))).collect();
     let (right, wrong) = (estimate_ndf(&normals).unwrap(), estimate_ndf(&misread).unwrap());
     for n in normals.iter().step_by(997) {
         let mirrored = wrong.density(Vec3::new(n.x, -n.y, n.z));
-        // A step of 16 bits moves the kernel by 10⁻³ of its width.
+        // A 16-bit step moves the kernel by 10⁻³ of its width.
         assert_abs_diff_eq!(mirrored / right.density(*n), 1.0, epsilon = 0.02, "{n}");
     }
 }

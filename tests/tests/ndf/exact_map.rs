@@ -1,9 +1,9 @@
-//! The distribution functions of a map in `f64`, by quadrature: the oracle of maps in `f32`.
+//! Reference distribution functions of a map in `f64`, by quadrature, for testing maps in `f32`.
 
 use asperity_ndf_sampling::{Measure, NdfMap, Reconstruction};
 use core::f64::consts::PI;
 
-/// Nodes and weights of Gauss's rule on [0, 1].
+/// Nodes and weights of Gauss quadrature on [0, 1].
 const GAUSS: [(f64, f64); 5] = [
     (0.046_910_077_030_668, 0.118_463_442_528_094_55),
     (0.230_765_344_947_158_45, 0.239_314_335_249_683_24),
@@ -16,9 +16,11 @@ const GAUSS: [(f64, f64); 5] = [
 pub(crate) struct ExactMap {
     size: [usize; 2],
     kind: Reconstruction,
-    /// Column by column, those outside the disk replaced by the nearest inside of their column.
+    /// Column by column. Texels outside the disk are replaced by the nearest texel inside in their
+    /// column.
     columns: Vec<Vec<f64>>,
-    /// Angles `φ` of `n_x = −cos φ` between which the marginal is smooth, and the integral of the density up to there.
+    /// Angles `φ` of `n_x = −cos φ` between which the marginal is smooth, and the integral of the
+    /// density up to each.
     knots: Vec<f64>,
     sums: Vec<f64>,
 }
@@ -52,13 +54,13 @@ impl ExactMap {
         map
     }
 
-    /// The map of texels, exact and in `f32`.
+    /// Returns the map of texels, exact and in `f32`.
     pub(crate) fn both(width: usize, height: usize, texels: &[f32], kind: Reconstruction) -> (Self, NdfMap) {
         let map = NdfMap::from_texels(width, height, texels, Measure::Normals, kind).expect("valid");
         (Self::new(width, height, texels, kind), map)
     }
 
-    /// The cell of a coordinate, as its two texels and the place between them.
+    /// Returns the cell of a coordinate: its two texels and the position between them.
     fn cell(&self, axis: usize, n: f64) -> (usize, usize, f64) {
         let size = self.size[axis];
         let at = (0.5 * (n + 1.0) * size as f64).clamp(0.0, size as f64);
@@ -70,14 +72,14 @@ impl ExactMap {
         }
     }
 
-    /// The density at a place, before normalization.
+    /// Returns the density at a position, before normalization.
     fn value(&self, x: f64, y: f64) -> f64 {
         let ((left, right, s), (below, above, t)) = (self.cell(0, x), self.cell(1, y));
         let along = |column: usize| (1.0 - t) * self.columns[column][below] + t * self.columns[column][above];
         (1.0 - s) * along(left) + s * along(right)
     }
 
-    /// The integral along y.
+    /// Returns the integral along y.
     fn integral(&self, x: f64, from: f64, to: f64) -> f64 {
         let (height, offset) =
             (self.size[1] as f64, if self.kind == Reconstruction::Bilinear { 0.5 } else { 0.0 });
@@ -102,25 +104,25 @@ impl ExactMap {
         self.sums[self.sums.len() - 1]
     }
 
-    /// `D` inside the disk.
+    /// Returns `D` inside the disk.
     pub(crate) fn density(&self, x: f64, y: f64) -> f64 {
         self.value(x, y) / self.total()
     }
 
-    /// The marginal density of `n_x`.
+    /// Returns the marginal density of `n_x`.
     pub(crate) fn marginal(&self, x: f64) -> f64 {
         let c = (1.0 - x * x).max(0.0).sqrt();
         self.integral(x, -c, c) / self.total()
     }
 
-    /// The largest density with this `n_x`, over the marginal.
+    /// Returns the maximum density at this `n_x`, over the marginal.
     pub(crate) fn peak(&self, x: f64) -> f64 {
         let c = (1.0 - x * x).max(0.0).sqrt();
         let most = (0..=256).map(|k| self.value(x, c * (f64::from(k) / 128.0 - 1.0))).fold(0.0, f64::max);
         most / self.integral(x, -c, c).max(1e-300)
     }
 
-    /// `(M, C)` of a normal.
+    /// Returns `(M, C)` of a normal.
     pub(crate) fn forward(&self, x: f64, y: f64) -> [f64; 2] {
         let phi = (-x.clamp(-1.0, 1.0)).acos();
         let k = self.knots.partition_point(|&knot| knot <= phi).clamp(1, self.knots.len() - 1) - 1;

@@ -1,4 +1,5 @@
-//! Every density, roughness and map against the integrals of the textbook's density: χ² at 0.001 over the number of cases.
+//! Every density, roughness and map against integrals of the textbook density: χ² at significance
+//! 0.001 divided by the number of cases.
 
 use asperity_ndf_sampling::check::p_value;
 use asperity_ndf_sampling::{Beckmann, Ggx, Isotropic, Microfacet, Ndf, StudentT};
@@ -10,9 +11,9 @@ use asperity_tests::reference::{self, rows};
 use glam::{DVec3, Vec2, Vec3};
 use rayon::prelude::*;
 
-/// Angles of the views from the normal, in degrees; the last grazes.
+/// Angles of the views from the normal in degrees; the last is grazing.
 const ANGLES: [f64; 4] = [0.0, 40.0, 75.0, 89.5];
-/// 40 densities by 6 maps, less one that the sum of two densities lacks.
+/// 40 densities by 6 maps, minus one map missing for the sum of two densities.
 const CASES: f64 = 239.0;
 const LEAST_P: f64 = 0.001 / CASES;
 
@@ -21,7 +22,7 @@ fn view(angle: f64) -> Vec3 {
     DVec3::new(sin * 0.6, sin * -0.8, cos).as_vec3()
 }
 
-/// Counts of normals by their bins.
+/// Counts normals per bin.
 fn count(facets: &Facets, seed: u64, samples: u64, sample: impl Fn(&mut Random) -> Vec3) -> Vec<u64> {
     let (mut counts, mut random) = (vec![0; BINS * BINS], Random(seed));
     for _ in 0..samples {
@@ -43,13 +44,13 @@ fn gaussian(random: &mut Random) -> Vec2 {
     Vec2::from(random.gaussians().map(|z| z as f32))
 }
 
-/// The p-value of a sampler of the density `D cos θ` over solid angle.
+/// Returns the p-value of a sampler of the density `D cos θ` over solid angle.
 fn macro_p(facets: &Facets, seed: u64, samples: u64, sample: impl Fn(&mut Random) -> Vec3) -> f64 {
     let probabilities = facets.probabilities(|m| (facets.density)(m) * m.z);
     p_value(&count(facets, seed, samples, sample), &probabilities, samples)
 }
 
-/// The p-value of a sampler of visible normals.
+/// Returns the p-value of a sampler of visible normals.
 fn visible_p(facets: &Facets, v: Vec3, seed: u64, samples: u64, sample: impl Fn(Vec2) -> Vec3) -> f64 {
     let towards = v.as_dvec3();
     let area = facets.projected(towards, &facets.density);
@@ -59,7 +60,7 @@ fn visible_p(facets: &Facets, v: Vec3, seed: u64, samples: u64, sample: impl Fn(
 }
 
 #[test]
-fn every_map_of_every_density_samples_it() {
+fn every_map_samples_its_density() {
     let results: Vec<(String, f64)> = Facets::all()
         .into_par_iter()
         .enumerate()
@@ -100,7 +101,7 @@ fn ggx_samples_the_reference_bins() {
     assert_eq!(item["model"], "ggx");
     let [x, y] = ["alpha_x", "alpha_y"].map(|name| item[name].as_f64().unwrap() as f32);
     let ggx = Ggx::new(x, y).unwrap();
-    // The file's first index runs along x, the bins' along y.
+    // The file's first index runs along x, the bins' first index along y.
     let columns = rows(&item["P"]);
     let probabilities: Vec<f64> = (0..32 * 32).map(|bin| columns[bin % 32][bin / 32]).collect();
     let (mut random, samples) = (Random(99), 200_000);
@@ -111,7 +112,7 @@ fn ggx_samples_the_reference_bins() {
 }
 
 #[test]
-fn tables_over_the_cosine_sample_their_density() {
+fn cosine_tables_sample_their_density() {
     // A ring, a peak over a floor, and two nodes.
     let tables: [&[f32]; 3] = [&[0.0, 0.0, 2.0, 1.0, 0.0, 0.0, 0.5], &[0.2, 0.2, 0.2, 0.2, 9.0], &[0.0, 1.0]];
     for (seed, values) in tables.into_iter().enumerate() {
@@ -122,7 +123,8 @@ fn tables_over_the_cosine_sample_their_density() {
             let (low, high) = (f64::from(values[k]), f64::from(values[k + 1]));
             low + (high - low) * (c * cells - k as f64)
         };
-        // Bins of the cosine that end at the nodes, by Simpson's rule, exact for these cubics; azimuths are uniform.
+        // Bins of the cosine that end at the nodes, by Simpson's rule, exact for these cubics.
+        // Azimuths are uniform.
         let parts = 12;
         let fine = parts * (values.len() - 1);
         let masses: Vec<f64> = (0..fine)
@@ -191,6 +193,6 @@ fn distorted_samplers_are_rejected() {
         println!("{name}: p = {p:e}");
         assert!(p < 1e-9, "{name}: p = {p:e}");
     }
-    // The same test passes the right sampler.
+    // The same test passes the correct sampler.
     assert!(visible_p(ggx, v, 1, samples, |u| (ggx.sample_visible)(v, u)) > LEAST_P);
 }

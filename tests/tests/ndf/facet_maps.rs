@@ -7,7 +7,8 @@ use asperity_tests::assert_abs_diff_eq;
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
 
-/// Densities with the roughnesses `x` and `y`, at most 1, and how far `T⁻¹(T(z))` may be from `z` for |z| ≤ 6.
+/// Densities with roughnesses `x` and `y`, at most 1, and the tolerance of `T⁻¹(T(z))` relative to
+/// `z` for |z| ≤ 6.
 fn facets(x: f32, y: f32, gamma: f32, angle: f32) -> Vec<(&'static str, Box<dyn Microfacet>, f32)> {
     let [nu, nv] = [x, y].map(|alpha| 2.0 / (alpha * alpha) - 2.0);
     let isotropic = Beckmann::isotropic(x).expect("valid");
@@ -21,7 +22,7 @@ fn facets(x: f32, y: f32, gamma: f32, angle: f32) -> Vec<(&'static str, Box<dyn 
         ("Blinn–Phong", Box::new(BlinnPhong::clamped(nu)), 1e-5),
         ("Ashikhmin–Shirley", Box::new(AshikhminShirley::clamped(nu, nv)), 1e-5),
         ("mixture", Box::new(mixture), 1e-5),
-        // The rounding of the longer slope is turned into the shorter.
+        // The rounding of the longer slope leaks into the shorter slope.
         ("turned", Box::new(turned), 1e-5 + 4e-7 * (x / y).max(y / x)),
     ]
 }
@@ -46,7 +47,8 @@ proptest! {
     fn density_follows_from_the_map(
         x in 0.05_f32..1.0, y in 0.05_f32..1.0, gamma in 1.6_f32..50.0, turn in -4.0_f32..4.0, z1 in -3.0_f32..3.0, z2 in -3.0_f32..3.0,
     ) {
-        // D dn_x dn_y = N(z) dz: central differences in f32 limit this to some per mille, more where the mixture bends.
+        // D dn_x dn_y = N(z) dz: central differences in f32 limit the accuracy to a few per mille,
+        // or less near the mixture's bend.
         for (name, ndf, _) in facets(x, y, gamma, turn) {
             let e = 0.01;
             let at = |dx: f32, dy: f32| {
@@ -85,7 +87,7 @@ proptest! {
         for (name, ndf, _) in facets(10f32.powf(log_x), 10f32.powf(log_y), gamma, turn) {
             let (m, area) = (ndf.sample_visible(v, Vec2::new(u1, u2)), ndf.projected_area(v));
             prop_assert!((m.length() - 1.0).abs() < 4e-7 && m.z > 0.0, "{name}: {m}");
-            // The edge of what is visible is rounded.
+            // The boundary of visibility is rounded.
             prop_assert!(v.dot(m) > -1e-6, "{name}: {v} sees {m} at {}", v.dot(m));
             prop_assert!(area >= v.z * 0.999_999 && area.is_finite(), "{name}: {v} {area}");
         }

@@ -14,7 +14,7 @@ fn alpha(item: &Value) -> [f32; 2] {
     [number(item, "alpha_x") as f32, number(item, "alpha_y") as f32]
 }
 
-/// The density of an item.
+/// Returns the density of an item.
 pub(crate) fn ndf(item: &Value) -> Box<dyn Microfacet + Sync> {
     match item["model"].as_str().expect("a model") {
         "ggx" => Box::new(Ggx::new(alpha(item)[0], alpha(item)[1]).expect("valid")),
@@ -36,10 +36,11 @@ fn vector(row: &[f64]) -> DVec3 {
     DVec3::from_slice(row)
 }
 
-/// The file's Λ of Beckmann are differences of 30 digits, some even negative: at 60 digits they differ by up to 2e-32.
+/// The file's Λ of Beckmann are differences of 30-digit numbers, some even negative. With 60 digits
+/// they differ by up to 2e-32.
 const LOST: f64 = 3e-32;
 
-/// Half the distance of `f32` numbers, relative.
+/// Half the spacing of `f32` numbers, relative.
 const ROUNDING: f64 = 0.5 * f32::EPSILON as f64;
 
 #[test]
@@ -52,7 +53,8 @@ fn densities() {
         for (direction, expected) in directions.iter().zip(numbers(&item["D"])) {
             let m = vector(direction);
             let got = f64::from(ndf.density(m.as_vec3()));
-            // Densities that fall like exp(−a) multiply the rounding of the two slopes, and of α, by a and by 2.
+            // Densities that fall like exp(−a) amplify the rounding of the two slopes, and of α, by
+            // a and by 2.
             let peak = f64::from(ndf.density(Vec3::Z));
             let fall = match item["model"].as_str() {
                 Some("ggx") => 0.0,
@@ -64,7 +66,7 @@ fn densities() {
                 _ => 0.0,
             };
             let relative = 1e-6 + 8.0 * ROUNDING * fall;
-            // Below 1e-37 f32 has no digits left.
+            // Below 1e-37 f32 has no significant digits left.
             let tolerance = relative * expected + 1e-37;
             assert_abs_diff_eq!(got, expected, epsilon = tolerance, "{} at {m}", item["model"]);
             if fall < 14.0 && expected > 0.0 {
@@ -94,7 +96,8 @@ fn smith_terms() {
                 [ndf.lambda(v32), ndf.g1(v32), ndf.g1(w32), ndf.g2_separable(v32, w32), ndf.g2(v32, w32)]
                     .map(f64::from);
             let expected: Vec<f64> = columns.iter().map(|column| column[k]).collect();
-            // Beckmann's Λ falls like exp(−a²), which multiplies the rounding of v and α by 2a² and of 1/a by 1.
+            // Beckmann's Λ falls like exp(−a²), which amplifies the rounding of v and α by 2a² and
+            // of 1/a by 1.
             let a2 = (v.z * v.z / ((ax * v.x).powi(2) + (ay * v.y).powi(2))).min(1e3);
             let fall = if item["model"] == "beckmann" { 2.0 * a2 } else { 2.0 };
             let error = (got[0] - expected[0]).abs();
@@ -122,16 +125,17 @@ fn smith_terms() {
     assert!(compared == 7 * 150 * 5 && worst_lambda < 1e-5, "{compared}");
 }
 
-/// The distance of a normal from the expected in the plane, over that one's tilt, or else along z.
+/// Returns the distance of a normal from the expected normal in the plane, relative to the expected
+/// tilt, or along z.
 fn off(got: Vec3, expected: DVec3) -> f64 {
     let off = got.as_dvec3() - expected;
     (off.truncate().length() / expected.truncate().length().max(1e-9)).max(off.z.abs())
 }
 
-/// That distance, less what the rounding of `u` may explain.
+/// Returns this distance minus the part explained by the rounding of `u`.
 fn error(got: Vec3, expected: DVec3, u: [f64; 2]) -> f64 {
     let distance = off(got, expected);
-    // Slopes are at most powers of −2/3 of either rest of u, and odd about ½; turns are by 2π.
+    // Slopes are at most powers of −2/3 of either rest of u, and odd about ½; rotations are by 2π.
     let rest = |u: f64| ROUNDING / u.min(1.0 - u).min((u - 0.5).abs() + if u == 0.5 { 1.0 } else { 0.0 });
     let rest = u.iter().map(|&u| rest(u)).sum::<f64>();
     distance - rest - 2.0 * core::f64::consts::PI * ROUNDING
@@ -160,7 +164,8 @@ fn sampling_maps() {
             let error = off(got, expected);
             assert!(error < 1e-6, "{} radial at {z:?}: {got} != {expected} {error:e}", item["model"]);
             worst[1] = worst[1].max(error);
-            // Every component to its own relative error: small slopes and small cosines keep their digits.
+            // Every component to its own relative error: small slopes and small cosines keep their
+            // precision.
             for (got, expected) in got.to_array().into_iter().zip(expected.as_vec3().to_array()) {
                 let error = if expected == 0.0 { got.abs() } else { (got / expected - 1.0).abs() };
                 assert!(error < 2e-6, "{} radial at {z:?}: {got:e} != {expected:e}", item["model"]);
@@ -173,7 +178,8 @@ fn sampling_maps() {
         if item["slope_rosenblatt"].is_null() {
             continue;
         }
-        // Seen from the zenith every normal is visible as often as it is, and the slope along x is drawn before that along y.
+        // From the zenith every normal is visible with its own frequency, and the slope along x is
+        // sampled before the slope along y.
         let slopes: Box<dyn Microfacet> = match item["model"].as_str().unwrap() {
             "ggx" => Box::new(StudentT::new(alpha(item)[0], alpha(item)[1], 2.0).unwrap()),
             _ => ndf,
@@ -222,7 +228,7 @@ fn lobes_of_older_models() {
         })
         .collect();
     let mut worst = [0.0_f64; 2];
-    // The rounding grows with the exponent, which is that of the fall from the peak.
+    // The rounding grows with the exponent of the decay from the peak.
     let mut compare = |k: usize, [wi, wo]: [DVec3; 2], got: f64, peak: f64, expected: f64| {
         let (fall, error) = ((peak / expected.max(1e-300)).ln(), (got - expected).abs());
         assert!(
@@ -259,18 +265,19 @@ fn marginals() {
         for (x, expected) in numbers(&item["x"]).into_iter().zip(numbers(&item["m"])) {
             let nx = 2.0 * x - 1.0;
             let chord = (1.0 - nx * nx).sqrt();
-            // m = ∫ 4 D dy along the chord, with n_y = chord sin t and 4000 midpoints, exact for periodic integrands.
+            // m = ∫ 4 D dy along the chord, with n_y = chord sin t and 4000 midpoints, exact for
+            // periodic integrands.
             let steps = 4000;
             let sum: f64 = (0..steps)
                 .map(|k| {
                     let (sin, cos) =
                         ((f64::from(k) + 0.5) / f64::from(steps) * core::f64::consts::PI).sin_cos();
-                    // n_y runs from −chord to chord as the cosine does.
+                    // n_y runs from −chord to chord like the cosine.
                     sin * f64::from(ndf.density(DVec3::new(nx, chord * cos, chord * sin).as_vec3()))
                 })
                 .sum();
             let got = 2.0 * chord * sum * core::f64::consts::PI / f64::from(steps);
-            // Below 1e-37 f32 has no digits left.
+            // Below 1e-37 f32 has no significant digits left.
             let error = (got - expected).abs() / (expected + 1e-32);
             assert!(error < 1e-5, "{} at {x}: {got} != {expected} {error:e}", item["model"]);
             worst = worst.max(error);

@@ -4,7 +4,7 @@ use asperity_ndf_sampling::Frame;
 use glam::{Mat3, Quat, Vec3};
 use proptest::prelude::*;
 
-/// The largest departure of the frame's matrix from a rotation.
+/// Returns the maximum deviation of the frame's matrix from a rotation.
 fn departure(frame: Frame) -> f32 {
     let m = Mat3::from_cols(frame.tangent, frame.bitangent, frame.normal);
     let defect = m.transpose() * m - Mat3::IDENTITY;
@@ -13,7 +13,7 @@ fn departure(frame: Frame) -> f32 {
 }
 
 #[test]
-fn orthonormal_everywhere_even_at_the_opposite_pole() {
+fn orthonormal_everywhere_including_the_opposite_pole() {
     let mut worst = 0.0_f32;
     for exponent in 0..24 {
         let tilt = 10f32.powi(-exponent);

@@ -6,7 +6,7 @@ use asperity_tests::reference::{self, numbers};
 use glam::Vec2;
 
 #[test]
-fn phi_and_its_inverse_equal_the_reference() {
+fn phi_and_its_inverse_match_the_reference() {
     let reference = reference::read("ndf/gaussian.json");
     let pairs = |x: &str, y: &str| numbers(&reference[x]).into_iter().zip(numbers(&reference[y]));
     let mut worst = [0.0_f64; 2];
@@ -23,7 +23,7 @@ fn phi_and_its_inverse_equal_the_reference() {
     println!("worst errors of Φ and Φ⁻¹: {worst:?}");
 }
 
-/// Both densities of the roughnesses.
+/// Returns both densities of the roughnesses.
 fn both(alpha_x: f32, alpha_y: f32) -> [Box<dyn Ndf>; 2] {
     [
         Box::new(Ggx::new(alpha_x, alpha_y).expect("valid")),
@@ -31,7 +31,7 @@ fn both(alpha_x: f32, alpha_y: f32) -> [Box<dyn Ndf>; 2] {
     ]
 }
 
-/// The distance that `T⁻¹(T(z))` may keep from `z`: measured 1.9e-6 at |z| = 6.
+/// Tolerance of `T⁻¹(T(z))` relative to `z`: measured 1.9e-6 at |z| = 6.
 const ROUND_TRIP: f32 = 4e-6;
 
 #[test]
@@ -55,7 +55,7 @@ fn inverse_undoes_the_map_for_every_roughness() {
 
 #[test]
 fn smooth_at_the_origin() {
-    // No seam and no pole: the map is linear there, with the slope α/√2 for both densities.
+    // No seam and no pole: the map is linear there, with slope α/√2 for both densities.
     for ndf in both(0.3, 0.6) {
         for k in 0..64 {
             let (sin, cos) = (k as f32 * 0.1).sin_cos();

@@ -1,7 +1,7 @@
-//! Pinned values of every public function of the crate: a change of one is value-breaking.
+//! Pinned values of every public function of the crate: a change is value-breaking.
 //!
-//! They are pinned to a few units in the last place, not to the bit: the float functions of `std` round differently from
-//! platform to platform, and `libm`'s differently again.
+//! Values are pinned to a few units in the last place, not to the bit, because the float functions
+//! of `std` and of `libm` round differently on different platforms.
 
 use asperity_ndf_sampling::{
     Beckmann, Frame, GaussianSplit, Ggx, Measure, Ndf, NdfMap, NoiseCdfRef, NoiseDistribution, NormalTable,
@@ -10,7 +10,7 @@ use asperity_ndf_sampling::{
 use asperity_tests::pinned::{SINGLE, pinned, single};
 use glam::{Vec2, Vec3};
 
-/// Some units in the last place of `f64`.
+/// A few units in the last place of `f64`.
 const DOUBLE: f64 = 1e-14;
 
 pub(crate) const Z: Vec2 = Vec2::new(0.7, -1.2);
@@ -38,7 +38,7 @@ fn closed_forms() {
 fn level_of_detail() {
     let ggx = Ggx::new(0.2, 0.4).unwrap();
     let seen = [0.25, 0.75, 0.99].map(|s| f64::from(conditional_density(&ggx, direction(), Z, s)));
-    // The exponent of the last is −29, which magnifies the rounding of its terms.
+    // The exponent of the last value is −29, which magnifies the rounding of its terms.
     pinned("conditional_density", seen, [0.681_554_79, 1.257_120_7, 1.372_429_5e-11], 30.0 * SINGLE);
     let split = GaussianSplit::new(Z, 0.5);
     single("GaussianSplit", [split.share(), split.weigh(1.0, -Z)], [0.5, 0.018_943_675]);

@@ -1,6 +1,7 @@
-//! Pinned values of the parametric densities, in `tests/data/ndf/golden_facets.json`: a change of one is value-breaking.
+//! Pinned values of the parametric densities, in `tests/data/ndf/golden_facets.json`: a change is
+//! value-breaking.
 //!
-//! They are pinned to a few units in the last place, as the other densities' are.
+//! Values are pinned to a few units in the last place, like the values of the other densities.
 
 use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, Blend, BlinnPhong, Ggx, Isotropic, Microfacet, Mixture, Ndf, Radial, Rotated,
@@ -14,7 +15,7 @@ use super::golden::{Z, direction};
 
 const U: Vec2 = Vec2::new(0.3, 0.8);
 const V: Vec3 = Vec3::new(0.8, -0.36, 0.48);
-/// Some units in the last place of `f32`, after some steps.
+/// A few units in the last place of `f32`, after several steps.
 const TOLERANCE: f64 = 3e-6;
 
 fn within<const N: usize>(what: &str, got: impl Numbers<N>, expected: [f64; N]) {

@@ -1,5 +1,5 @@
-//! Pinned values of tables of normals, bump maps, distributions of noise and what pixels do not resolve: a change of one is
-//! value-breaking. As in `golden.rs`, pinned to a few units in the last place.
+//! Pinned values of normal tables, bump maps, noise distributions and unresolved parts: a change is
+//! value-breaking. As in `golden.rs`, values are pinned to a few units in the last place.
 
 use asperity_ndf_sampling::{
     Beckmann, ConditionalNdf, ConditionalTable, GaussianNoise, GaussianSplit, Ggx, KurtoticNoise, Ndf,
@@ -119,7 +119,7 @@ fn distributions_of_noise() {
 }
 
 #[test]
-fn what_is_not_resolved() {
+fn unresolved_parts() {
     let ggx = Ggx::new(0.2, 0.4).unwrap();
     let seen = ConditionalNdf::new(ggx, Z, 0.75);
     pinned("ConditionalNdf::density", seen.density(direction()).numbers(), [1.2571207], 5.0 * SINGLE);

@@ -1,4 +1,4 @@
-//! Densities of normals: properties, references, statistics and pinned values.
+//! Normal densities: properties, references, statistics and pinned values.
 
 mod bad_input;
 mod batch;

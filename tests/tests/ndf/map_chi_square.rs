@@ -1,4 +1,5 @@
-//! Normals sampled from images, and visible ones, against their density: χ² with pooled bins, significance 0.001 over the number of cases.
+//! Normals and visible normals sampled from images, against their density: χ² with pooled bins,
+//! significance 0.001 divided by the number of cases.
 
 use asperity_ndf_sampling::check::p_value;
 use asperity_ndf_sampling::{Masked, Measure, Microfacet, Ndf, NdfMap, Reconstruction};
@@ -15,7 +16,8 @@ const LEAST_P: f64 = 0.001 / CASES;
 
 const KINDS: [Reconstruction; 2] = [Reconstruction::Constant, Reconstruction::Bilinear];
 
-/// An image and how many bins a side resolve it: each bin lies in one texel, in one quarter of a texel for bilinear maps.
+/// An image and the bins per side that resolve it. Each bin lies in one texel, or in one quarter of
+/// a texel for bilinear maps.
 struct Image {
     name: &'static str,
     width: usize,
@@ -24,13 +26,13 @@ struct Image {
     texels: Vec<f32>,
 }
 
-/// The density inside the disk, else 0.
+/// Returns the density inside the disk, and 0 outside.
 fn density(map: &NdfMap, x: f64, y: f64) -> f64 {
     if x * x + y * y <= 1.0 { f64::from(map.density(Vec3::new(x as f32, y as f32, 1.0))) } else { 0.0 }
 }
 
 impl Image {
-    /// The image of a function of the column and the row.
+    /// Creates the image of a function of column and row.
     fn new(
         name: &'static str,
         [width, height, bins]: [usize; 3],
@@ -44,7 +46,7 @@ impl Image {
         NdfMap::from_texels(self.width, self.height, &self.texels, measure, reconstruction).expect("valid")
     }
 
-    /// The probabilities of the bins, by the density that the map states.
+    /// Returns the probabilities of the bins from the map's density.
     fn probabilities(&self, map: &NdfMap) -> Vec<f64> {
         let bins = DiskBins { size: self.bins, extent: [1.0, 1.0] };
         let probabilities = bins.integrate(2, |x, y| density(map, x, y));
@@ -53,7 +55,7 @@ impl Image {
         probabilities
     }
 
-    /// The areas of normals that a view sees in the bins, by the density that the map states.
+    /// Returns the projected areas of visible normals in the bins, from the map's density.
     fn areas(&self, map: &NdfMap, view: DVec3) -> Vec<f64> {
         let bins = DiskBins { size: self.bins, extent: [1.0, 1.0] };
         bins.projected(view, 1, |x, y| density(map, x, y))
@@ -65,10 +67,12 @@ impl Image {
         DiskBins { size: self.bins, extent: [1.0, 1.0] }.count((0..samples).map(|_| draw()))
     }
 
-    /// A normal that is over the border of a texel with weight by rounding, moved back into it.
+    /// Returns a normal moved back into its texel, if rounding placed it across the border of a
+    /// texel with weight.
     ///
-    /// The density looks up the texel at `n·size/2 + size/2` in `f32`. With ε = 2⁻²⁴ the product rounds by at most `ε·size/2`, the
-    /// sum, at most `size`, by `ε·size`: together 3ε = 1.8e-7 of `n`. A step of 4ε, after whose own rounding 3.5ε are left, is enough.
+    /// The density looks up the texel at `n·size/2 + size/2` in `f32`. With ε = 2⁻²⁴ the product
+    /// rounds by at most `ε·size/2`, and the sum, at most `size`, by `ε·size`: together 3ε = 1.8e-7
+    /// of `n`. A step of 4ε, which is at least 3.5ε after its own rounding, is enough.
     fn off_border(&self, m: Vec3) -> Vec3 {
         const STEP: f32 = 2.0 * f32::EPSILON;
         const NEAR: [f32; 3] = [0.0, -STEP, STEP];
@@ -82,9 +86,9 @@ impl Image {
     }
 }
 
-/// The images that inversion has gone wrong on before, somewhere.
+/// Returns images on which inversion has failed in the past.
 fn images() -> Vec<Image> {
-    // Of the texel's centre, in normal coordinates.
+    // Of the texel's center, in normal coordinates.
     let at = |k: usize, n: usize| (2.0 * k as f32 + 1.0) / n as f32 - 1.0;
     let lobe = |x: f32, y: f32| (-30.0 * (x * x + y * y)).exp();
     vec![
@@ -109,7 +113,7 @@ fn images() -> Vec<Image> {
     ]
 }
 
-/// Every image in both reconstructions, and two of them in both measures.
+/// Returns every image in both reconstructions, and two of them in both measures.
 fn cases() -> Vec<(Image, Measure, Reconstruction)> {
     let cases: Vec<_> = [Measure::Normals, Measure::SolidAngle]
         .into_iter()
@@ -135,7 +139,7 @@ fn images_sample_their_density() {
     });
 }
 
-/// A view at so many degrees from the normal.
+/// Returns a view at an angle from the normal in degrees.
 fn view(degrees: f64, azimuth: f64) -> Vec3 {
     let ((sin, cos), (y, x)) = (degrees.to_radians().sin_cos(), azimuth.sin_cos());
     DVec3::new(sin * x, sin * y, cos).as_vec3()
@@ -153,7 +157,8 @@ fn images_sample_their_visible_normals() {
             let mut probabilities = image.areas(masked.density(), v.as_dvec3());
             let area: f64 = probabilities.iter().sum();
             let case = format!("{}, {measure:?}, {kind:?} from {degrees}°", image.name);
-            // Measured 1.7e-3 of far islands in steps, and 1e-5 where hardly a facet is seen.
+            // Measured 1.7e-3 for distant islands in steps, and 1e-5 where hardly a facet is
+            // visible.
             let table = f64::from(masked.projected_area(v));
             assert!((table - area).abs() < 2e-3 * area + 2e-5, "{case}: an area of {table} for {area}");
             if area < 1e-6 {
@@ -165,7 +170,7 @@ fn images_sample_their_visible_normals() {
             let p = p_value(&image.counts(seed as u64, SAMPLES, place), &probabilities, SAMPLES);
             println!("{case}: σ {area:.4} ({:.0e}), p = {p:.4}", table / area - 1.0);
             assert!(p > least_p, "{case}: p = {p:e}");
-            // What a reflectance divides by is the same density.
+            // The density by which a reflectance divides is the same.
             for m in (0..50_u16).map(|k| sample(Vec2::new(f32::from(k) / 50.0, f32::from(k * 7 % 50) / 50.0)))
             {
                 let exact = f64::from(masked.density().density(m)) * f64::from(v.dot(m).max(0.0)) / table;
@@ -202,7 +207,8 @@ fn the_largest_map_samples_its_density() {
 fn constant_per_solid_angle_is_uniform_on_the_hemisphere() {
     let map = NdfMap::from_fn(128, 128, Measure::SolidAngle, Reconstruction::Constant, |_| 3.0).unwrap();
     for n in [Vec3::Z, Vec3::new(0.6, 0.0, 0.8), Vec3::new(-0.5, -0.5, 0.5_f32.sqrt())] {
-        // D cos θ is the density per solid angle: 1/(2π). The texel's mean of 1/cos θ differs by its width; measured 1.2 %.
+        // D cos θ is the density per solid angle: 1/(2π). The texel's mean of 1/cos θ differs by
+        // its width; measured 1.2 %.
         let per_solid_angle = map.density(n) * n.z * std::f32::consts::TAU;
         assert_abs_diff_eq!(per_solid_angle, 1.0, epsilon = 0.02, "{n}: {per_solid_angle}");
     }

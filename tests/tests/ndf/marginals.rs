@@ -1,4 +1,5 @@
-//! Marginal and conditional distribution functions of maps: reference values, inversion, and every edge.
+//! Marginal and conditional distribution functions of maps: reference values, inversion, and edge
+//! cases.
 
 use asperity_ndf_sampling::{Ggx, Measure, Ndf, NdfMap, Reconstruction};
 use asperity_tests::reference::{self, numbers, rows};
@@ -10,14 +11,15 @@ use super::exact_map::ExactMap;
 use super::facet_reference::ndf;
 use super::packed_map::check_sample;
 
-/// First coordinates of the normal at a place of the unit square.
+/// Returns the projected normal at a position of the unit square.
 fn normal(x: f64, y: f64) -> Vec2 {
     Vec2::new((2.0 * x - 1.0) as f32, (2.0 * y - 1.0) as f32)
 }
 
 #[test]
-fn marginals_of_a_fine_map_equal_the_reference() {
-    // The bilinear map of a function errs by its curvature times the square of a texel: 1.8e-5 at 1536.
+fn marginals_of_a_fine_map_match_the_reference() {
+    // The error of a bilinear map is the curvature of the function times the square of a texel:
+    // 1.8e-5 at 1536.
     const SIZE: usize = 2304;
     let reference = reference::read("ndf/marginals.json");
     let items = reference["items"].as_array().unwrap();
@@ -49,7 +51,7 @@ fn marginals_of_a_fine_map_equal_the_reference() {
 }
 
 #[test]
-fn marginals_of_narrow_lobes_err_by_the_square_of_a_texel() {
+fn marginals_of_narrow_lobes_have_second_order_error() {
     // m over n_x of isotropic GGX, whose D is α²/(π (α² + (1 − α²) r²)²), in closed form; M by Simpson's rule in asinh(n_x/α).
     let marginal = |alpha: f64, x: f64| {
         let (a, b) = (alpha * alpha + (1.0 - alpha * alpha) * x * x, 1.0 - alpha * alpha);
@@ -77,14 +79,14 @@ fn marginals_of_narrow_lobes_err_by_the_square_of_a_texel() {
     }
 }
 
-/// Uniform numbers at which inversion has gone wrong before, somewhere.
+/// Uniform numbers for which inversion has failed in the past.
 const EDGES: [f64; 9] =
     [0.0, 1e-300, 1e-17, 1e-9, 0.25, 0.5, 0.999_999, 1.0 - 5.960_464_477_539_063e-8, 1.0 - 1e-15];
 
 const KINDS: [Reconstruction; 2] = [Reconstruction::Constant, Reconstruction::Bilinear];
 
 #[test]
-fn normals_keep_their_coordinates_to_the_rounding_of_f32() {
+fn normals_keep_their_coordinates_to_f32_rounding() {
     let ggx = Ggx::new(0.3, 0.6).unwrap();
     let map = NdfMap::from_ndf(256, 256, Reconstruction::Constant, &ggx).unwrap();
     let mut worst = 0.0_f32;
@@ -98,7 +100,7 @@ fn normals_keep_their_coordinates_to_the_rounding_of_f32() {
 }
 
 #[test]
-fn distribution_functions_never_decrease() {
+fn distribution_functions_are_monotone() {
     let texels: Vec<f32> = (0..31 * 31)
         .map(|k| (k % 31, k / 31))
         .map(|(i, j)| if (i * j) % 7 < 2 { 0.0 } else { ((i * 3 + j) % 5) as f32 })
@@ -110,7 +112,7 @@ fn distribution_functions_never_decrease() {
             let t = k as f32 / 5000.0 - 1.0;
             let next =
                 Vec2::new(map.view().forward(Vec2::new(t, x)).x, map.view().forward(Vec2::new(x, t)).y);
-            // Root and quotient of a row may round against one another.
+            // Root and quotient of a row may round in opposite directions.
             assert!(next.cmpge(last - 1.2e-7).all(), "{x} {t}: {next} after {last}");
             last = next;
         }
@@ -125,7 +127,7 @@ proptest! {
     #[test]
     fn samples_of_random_texels_match_exact_map(
         width in 1_usize..12, height in 1_usize..12, kind in prop::sample::select(&KINDS[..]),
-        // Zeros, common weights, and twelve decades of contrast.
+        // Zeros, ordinary weights, and twelve decades of contrast.
         weights in prop::collection::vec(
             prop_oneof![Just(0.0_f32), 0.01_f32..10.0, (-40.0_f32..0.0).prop_map(f32::exp2)], 121,
         ),
@@ -141,7 +143,7 @@ proptest! {
         }
         let texels = &weights[..width * height];
         let Ok(map) = NdfMap::from_texels(width, height, texels, Measure::Normals, kind) else {
-            // Only black maps are refused.
+            // Only black maps are an error.
             prop_assert!(texels.iter().zip(0..).all(|(&t, k)| t == 0.0 || !in_disk(k, width, height)));
             return Ok(());
         };

@@ -1,4 +1,4 @@
-//! G: monotone, total, inverse to itself, and right for a noise whose distribution is known.
+//! G: monotone, total, self-inverse, and correct for a noise with a known distribution.
 
 use asperity_ndf_sampling::{KurtoticNoise, NoiseCdfRef, NoiseDistribution, phi};
 use asperity_noise::{Noise, Point};
@@ -7,7 +7,7 @@ use asperity_tests::noise_kinds::{Testable, Visit, every_kind, every_variant};
 use asperity_tests::random::Random;
 use proptest::prelude::*;
 
-/// G of the mean of two numbers uniform on ±1: a triangle.
+/// G of the mean of two uniform numbers within ±1: a triangle.
 fn triangle(r: f64) -> f64 {
     if r < 0.0 { 0.5 * (1.0 + r).max(0.0).powi(2) } else { 1.0 - 0.5 * (1.0 - r).max(0.0).powi(2) }
 }
@@ -29,7 +29,7 @@ fn known_noise_becomes_gaussian() {
     assert!(distance < 1.95 / f64::from(samples).sqrt(), "{distance}");
 }
 
-/// Measured tables of the noise crate, of each kind.
+/// Measured tables of each noise of the noise crate.
 #[derive(Default)]
 struct Measured {
     rows: Vec<String>,
@@ -48,14 +48,14 @@ impl Visit for Measured {
             let (u, z) = (g.uniform(r), g.gaussian(r));
             assert_abs_diff_eq!(phi(f64::from(z)), f64::from(u), epsilon = 1e-6, "{name} at {r}");
             assert!(z.is_finite(), "{name} at {r}");
-            // Where the noise has values at all they come back.
+            // Where the noise has values, they are recovered.
             if u > 1e-4 && u < 0.9999 {
                 let density = (g.uniform(r + 0.02) - g.uniform(r - 0.02)) / 0.04;
                 let tolerance = 1e-6 + 3e-7 / density.max(1e-3);
                 assert_abs_diff_eq!(g.from_gaussian(z), r, epsilon = tolerance, "{name}");
             }
         }
-        // The tables are of eight octaves with gain ½: Σ a⁴/(Σ a²)² = (16/15)/(16/9), but for 10⁻⁵.
+        // The tables are for eight octaves with gain ½: Σ a⁴/(Σ a²)² = (16/15)/(16/9), up to 10⁻⁵.
         let kurtosis = 0.6 * statistics.excess_kurtosis;
         let fitted = KurtoticNoise::new(1.0, kurtosis).expect("in range");
         let gaussian = KurtoticNoise::new(1.0, 0.0).expect("valid");
@@ -66,16 +66,18 @@ impl Visit for Measured {
                 .fold(0.0, f32::max)
         };
         let (plain, bent) = (distance(gaussian), distance(fitted));
-        // Perlin's noise of 1985 in 1-D has two gradients only: its distribution is uneven, and kurtosis says nothing of it.
+        // Perlin noise of 1985 in 1-D has only two gradients. Its distribution is uneven, and its
+        // kurtosis does not describe it.
         assert!(bent < plain + 1e-3, "{name}: {bent} {plain}");
-        // The kurtosis is exact; the worst of these distances, 4.3e-3, is that of sparse noise of two impulses.
+        // The kurtosis is exact. The largest of these distances, 4.3e-3, is for sparse noise with
+        // two impulses.
         assert!(N != 3 || kurtosis.abs() > 0.5 || bent < 4.5e-3, "{name}: {bent}");
         self.rows.push(format!("| {name} | {kurtosis:.2} | {plain:.4} | {bent:.4} |"));
     }
 }
 
 #[test]
-fn every_measured_distribution_is_mapped_and_inverted() {
+fn every_measured_distribution_maps_and_inverts() {
     let mut measured = Measured::default();
     every_kind(&mut measured);
     every_variant(&mut measured);
@@ -100,7 +102,8 @@ proptest! {
         prop_assert!(g.uniform(low) <= g.uniform(high));
         prop_assert!(g.gaussian(low) <= g.gaussian(high));
         prop_assert!(g.gaussian(low).is_finite() && g.gaussian(high).is_finite());
-        // The steepness of the inverse is at most the number of entries over the least weight.
+        // The steepness of the inverse is at most the number of entries divided by the minimum
+        // weight.
         let r = a.clamp(-1.0, 1.0) * range;
         let steep = 2.0 * range * total / 0.01 / weights.len() as f32;
         prop_assert!((g.inverse(g.uniform(r)) - r).abs() < 3e-7 * (steep + range), "{} {r}", g.inverse(g.uniform(r)));

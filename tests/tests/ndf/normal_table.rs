@@ -1,4 +1,4 @@
-//! Table L: what the look-ups lose at a point, and their frames.
+//! Table L: lookup errors at a point, and frames.
 
 use asperity_ndf_sampling::{
     Beckmann, Frame, Ggx, Ndf, NormalTable, NormalTableRef, inverse_phi,
@@ -13,7 +13,7 @@ const CHARTS: [Chart; 3] = [Chart::Projected, Chart::Slopes, Chart::Stereographi
 
 #[test]
 fn quantile_error_of_the_slopes() {
-    // The slope along x at z = (Φ⁻¹(u), 0) is its quantile of the line z₂ = 0.
+    // The slope along x at z = (Φ⁻¹(u), 0) is its quantile on the line z₂ = 0.
     let ggx = Ggx::new(0.2, 0.4).unwrap();
     let table = NormalTable::standard(&ggx);
     let (mut nearest, mut bilinear) = (0.0_f32, 0.0_f32);
@@ -27,7 +27,8 @@ fn quantile_error_of_the_slopes() {
     println!(
         "largest error of (n_x, n_y) for u in [0.0005, 0.9995]: nearest {nearest:.2e}, bilinear {bilinear:.2e}"
     );
-    // Half a texel is 0.0176 deviations in each coordinate; interpolation errs by its square, most at |z| = 3.3.
+    // Half a texel is 0.0176 deviations in each coordinate. The interpolation error is its square,
+    // largest at |z| = 3.3.
     assert!(nearest < 0.02, "{nearest}");
     assert!(bilinear < 2e-4, "{bilinear}");
 }

@@ -1,4 +1,4 @@
-//! Packed maps: the same density as the map's, the same samples, and every edge.
+//! Packed maps: density, samples and edge cases, compared with the map.
 
 use asperity_ndf_sampling::{Ggx, Ndf, NdfMap, PackedMapRef, Reconstruction};
 use asperity_tests::assert_abs_diff_eq;
@@ -20,7 +20,7 @@ fn image(
     ExactMap::both(width, height, &texels, kind)
 }
 
-/// The normal at the middle of a texel of 256².
+/// Returns the normal at the center of a texel of 256².
 fn middle(i: usize, j: usize) -> Vec3 {
     let [x, y] = [i, j].map(|k| (k as f32 + 0.5) / 128.0 - 1.0);
     Vec3::new(x, y, (1.0 - x * x - y * y).max(1e-6).sqrt())
@@ -50,7 +50,7 @@ fn maps() -> Vec<(String, (ExactMap, NdfMap))> {
         .collect()
 }
 
-/// Uniform numbers, those at the ends among them.
+/// Returns uniform numbers, including the ends of the range.
 fn uniforms(count: usize) -> Vec<Vec2> {
     let mut random = Random(4);
     let edges = [0.0, f32::MIN_POSITIVE, 1e-7, 0.5, 1.0 - f32::EPSILON, 1.0 - f32::EPSILON / 2.0];
@@ -59,7 +59,8 @@ fn uniforms(count: usize) -> Vec<Vec2> {
     all
 }
 
-/// Checks that a sample is inside the disk and has its uniform numbers, exactly and in `f32`; the errors over the allowed ones.
+/// Asserts that a sample is inside the disk and maps back to its uniform numbers, exactly and in
+/// `f32`. Returns the errors relative to the tolerance.
 pub(crate) fn check_sample(name: &str, exact: &ExactMap, map: PackedMapRef<'_>, u: Vec2) -> [f64; 2] {
     let n = map.inverse(u);
     assert!(n.length_squared() <= 1.0, "{name} {u}: {n} is not inside");
@@ -67,10 +68,10 @@ pub(crate) fn check_sample(name: &str, exact: &ExactMap, map: PackedMapRef<'_>, 
     let (expected, back) = (exact.forward(x, y), map.forward(n).to_array());
     // The last bit of a coordinate, 6e-8, times the slope of the distribution function.
     let (marginal, peak) = (2.0 * exact.marginal(x).max(1e-300), 2.0 * exact.peak(x));
-    // Along x the ends of the chord move, the faster the shorter it is.
+    // Along x the ends of the chord move, faster for shorter chords.
     let steep = peak.max(1.0) / (0.25 * (1.0 - x * x)).sqrt().max(1e-9);
     let slack = [marginal, peak + steep].map(|slope| 1e-6 + 2.4e-7 * slope);
-    // The rim of the map is a polygon, 1.43e-6 of the radius inside the circle at most.
+    // The rim of the map is a polygon, at most 1.43e-6 of the radius inside the circle.
     let rim = [1.91e-6 * marginal, 7.2e-7 * steep];
     let mut worst = [0.0_f64; 2];
     for k in 0..2 {
@@ -94,13 +95,14 @@ pub(crate) fn check_sample(name: &str, exact: &ExactMap, map: PackedMapRef<'_>, 
 }
 
 #[test]
-fn samples_match_exact_distribution() {
+fn samples_match_the_exact_distribution() {
     maps().par_iter().for_each(|(name, (exact, map))| {
         let mut worst = [0.0_f64; 2];
         for u in uniforms(4000) {
             let errors = check_sample(name, exact, map.view(), u);
             worst = [worst[0].max(errors[0]), worst[1].max(errors[1])];
-            // Touching zeros the density may vanish at a sample; a constant one does not.
+            // Where it touches zeros the density may vanish at a sample. A constant density does
+            // not.
             assert!(map.density(map.sample(u)) > 0.0 || name.contains("Bilinear"), "{name} {u}: no density");
         }
         println!("{name}: worst errors of u over what is allowed {worst:?}");
@@ -108,7 +110,7 @@ fn samples_match_exact_distribution() {
 }
 
 #[test]
-fn samples_follow_their_uniform_numbers_in_order() {
+fn samples_are_ordered_like_their_uniform_numbers() {
     for (name, (_, map)) in maps() {
         let packed = map.view();
         let steps: Vec<f32> = (0..1 << 14).map(|k| (k as f32 + 0.5) / 16384.0).collect();
@@ -120,7 +122,7 @@ fn samples_follow_their_uniform_numbers_in_order() {
             let [x, y] = &mut n;
             packed.inverses(u, [x, y]).unwrap();
             for (k, pair) in n[axis].windows(2).enumerate() {
-                // Root and quotient of a row may round against one another.
+                // Root and quotient of a row may round in opposite directions.
                 assert!(pair[0] <= pair[1] + 1.2e-7, "{name}, axis {axis}, {other}: {pair:?} at {k}");
             }
         }
@@ -128,12 +130,12 @@ fn samples_follow_their_uniform_numbers_in_order() {
 }
 
 #[test]
-fn densities_match_exact_map() {
+fn densities_match_the_exact_map() {
     for (name, (exact, map)) in maps() {
         let packed = map.view();
         for u in uniforms(3000) {
             let n = (u * 2.0 - 1.0) * 0.999;
-            // A texel's border may be crossed by the rounding of the place.
+            // Rounding of the position may cross a texel border.
             let near = [-2e-6, 0.0, 2e-6].map(|d| {
                 if n.length() < 1.0 {
                     exact.density(f64::from(n.x) + 2.0 * d, f64::from(n.y) + 2.0 * d)
@@ -154,7 +156,7 @@ fn densities_match_exact_map() {
 }
 
 #[test]
-fn arrays_are_filled_with_single_results() {
+fn batches_equal_single_results() {
     for (name, (_, map)) in maps() {
         let packed = map.view();
         // Not a multiple of a block.
@@ -196,7 +198,7 @@ fn total_on_every_input() {
 }
 
 #[test]
-fn other_arrays_are_refused() {
+fn invalid_storage_is_an_error() {
     let (_, map) = image(8, 4, Reconstruction::Bilinear, |i, j| (i + j) as f32);
     let array = map.into_array();
     let refused = |array: &[f32]| PackedMapRef::new(array).unwrap_err().to_string();
@@ -212,7 +214,7 @@ fn other_arrays_are_refused() {
             }
         }
     }
-    // Changed numbers behind a sound header give other normals, and nothing worse.
+    // Modified numbers after a valid header give other normals, and nothing worse.
     let mut random = Random(1);
     for _ in 0..300 {
         let mut other = array.clone();

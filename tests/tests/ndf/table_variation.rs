@@ -1,5 +1,5 @@
-//! Total variation between generated normals and their target over 32 × 32 bins of radius and azimuth: the closed forms, and
-//! every choice that table L offers.
+//! Total variation between generated normals and their target over 32 × 32 bins of radius and
+//! azimuth: closed forms, and all variants of table L.
 
 use asperity_tests::assert_abs_diff_eq;
 use std::sync::LazyLock;
@@ -12,26 +12,27 @@ use asperity_tests::low_discrepancy::r2;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
-/// Low-discrepancy points, as the Gaussian coordinates of normals: 6.3 million.
+/// Low-discrepancy points, used as Gaussian coordinates of normals: 6.3 million.
 static POINTS: LazyLock<Vec<Vec2>> = LazyLock::new(|| {
     (0..3_u32 << 21).into_par_iter().map(|k| Vec2::from(r2(k).map(|u| inverse_phi(u) as f32))).collect()
 });
 
-/// Bins along the radius and the azimuth; every bin holds the same share of the target.
+/// Bins along the radius and the azimuth. Every bin has the same probability under the target.
 const BINS: usize = 32;
 
-/// The share of the exact normals that counts as the tail.
+/// The fraction of the exact normals that counts as the tail.
 const BEYOND: f64 = 1e-3;
 
-/// The points as `sample` maps them.
+/// The points mapped by `sample`.
 #[derive(Clone, Copy, Debug)]
 struct Measured {
     variation: f64,
-    /// The share beyond the target's 99.9 % quantile of the radius, in units of the expected share.
+    /// The fraction beyond the target's 99.9 % quantile of the radius, relative to the expected
+    /// fraction.
     tail: f64,
 }
 
-/// Counts where `quantile`, the share of the target within the radius, and the azimuth (both of a normal) fall.
+/// Counts `quantile`, the target's probability within the radius, and the azimuth of each normal.
 fn measure(
     points: &[Vec2],
     sample: impl Fn(Vec2) -> Vec3 + Sync,
@@ -62,8 +63,8 @@ fn measure(
     Measured { variation, tail: share(counts.iter().map(|part| part.1).sum()) / BEYOND }
 }
 
-/// Which of the 32 equal sectors of the plane, in an order of no meaning: by comparisons, an arctangent takes as long as all
-/// else.
+/// Returns the sector of the plane out of 32 equal sectors, in arbitrary order. It uses
+/// comparisons, because an arctangent would take as long as everything else.
 fn sector(x: f32, y: f32) -> usize {
     // Tangents of the multiples of 11.25°.
     const EDGES: [f32; 3] = [0.198_912_37, 0.414_213_57, 0.668_178_6];
@@ -73,7 +74,7 @@ fn sector(x: f32, y: f32) -> usize {
     4 * octant + within
 }
 
-/// The share of GGX whose slopes have a squared length of at most `t2`, in units of the roughness.
+/// Returns the fraction of GGX with squared slope length at most `t2`, in units of the roughness.
 fn ggx_quantile(t2: f64) -> f64 {
     1.0 - 1.0 / (1.0 + t2)
 }
@@ -82,7 +83,7 @@ fn beckmann_quantile(t2: f64) -> f64 {
     -(-t2).exp_m1()
 }
 
-/// Difference of the points themselves: they are Beckmann slopes in `f64` up to a scale.
+/// Variation of the points themselves: they are Beckmann slopes in `f64` up to a scale.
 static FLOOR: LazyLock<Measured> = LazyLock::new(|| {
     let slopes = |z: Vec2| Vec3::new(z.x, z.y, std::f32::consts::SQRT_2);
     measure(&POINTS, slopes, beckmann_quantile, [1.0, 1.0])
@@ -102,7 +103,8 @@ fn closed_forms_are_at_the_sampling_floor() {
         ];
         for (name, measured) in forms {
             println!("{name} {alpha}: {measured:.6?}");
-            // Rounding moves a point across an edge where it is within 10⁻⁶ of one: 64 edges, 10⁻⁶ of the points each.
+            // Rounding moves a point across an edge if it is within 10⁻⁶: 64 edges, 10⁻⁶ of the
+            // points each.
             let Measured { variation, tail } = measured;
             assert_abs_diff_eq!(variation, floor.variation, epsilon = 5e-5, "{name} {alpha}");
             assert_abs_diff_eq!(tail / floor.tail, 1.0, epsilon = 1e-3, "{name} {alpha}");
@@ -111,7 +113,7 @@ fn closed_forms_are_at_the_sampling_floor() {
 }
 
 #[test]
-fn every_choice_of_table_l() {
+fn every_variant_of_table_l() {
     const ALPHA: [f32; 2] = [0.2, 0.4];
     let ggx = Ggx::new(ALPHA[0], ALPHA[1]).unwrap();
     let floor = *FLOOR;
@@ -122,7 +124,8 @@ fn every_choice_of_table_l() {
         let mut nearest = None;
         for chart in [Chart::Projected, Chart::Slopes, Chart::Stereographic] {
             let table = NormalTable::with_layout(&ggx, 256, TableLayout { spacing, chart }).unwrap();
-            // Which entry is nearest does not depend on the chart; it errs so much that fewer points show it.
+            // The nearest entry does not depend on the chart. Its error is so large that fewer
+            // points suffice.
             let nearest = *nearest.get_or_insert_with(|| {
                 measure(&POINTS[..1 << 20], |z| table.view().nearest_normal(z), ggx_quantile, ALPHA)
             });
@@ -132,7 +135,7 @@ fn every_choice_of_table_l() {
                 nearest.variation, nearest.tail, bilinear.variation, bilinear.tail
             );
             if spacing == Spacing::Quantiles {
-                // The paper's index cuts the tail whatever is interpolated.
+                // The paper's index truncates the tail with any interpolation.
                 assert!(bilinear.tail < 0.3 && bilinear.variation > 1.5 * floor.variation, "{chart:?}");
                 assert!(nearest.tail < 0.3 && nearest.variation > 0.01, "{chart:?}");
             } else {
@@ -145,7 +148,7 @@ fn every_choice_of_table_l() {
 }
 
 #[test]
-fn recommended_table_keeps_every_roughness() {
+fn recommended_table_preserves_every_roughness() {
     fn check<E: TableEntry + Sync>(
         name: &str,
         table: NormalTableRef<'_, E>,

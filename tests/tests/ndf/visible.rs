@@ -1,11 +1,12 @@
-//! Projected areas, Λ and the densities of visible normals against integrals of the textbooks' densities.
+//! Projected areas, Λ and densities of visible normals, against integrals of the textbook
+//! densities.
 
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::facets::Facets;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
-/// Angles of the views from the normal, in degrees; the last two graze.
+/// Angles of the views from the normal in degrees; the last two are grazing.
 const ANGLES: [f64; 6] = [0.0, 20.0, 50.0, 75.0, 88.0, 90.0];
 
 fn view(angle: f64) -> Vec3 {
@@ -14,7 +15,7 @@ fn view(angle: f64) -> Vec3 {
 }
 
 #[test]
-fn projected_areas_equal_their_integrals() {
+fn projected_areas_match_their_integrals() {
     let worst: Vec<_> = Facets::all()
         .into_par_iter()
         .map(|facets| {
@@ -22,17 +23,19 @@ fn projected_areas_equal_their_integrals() {
             for angle in ANGLES {
                 let v = view(angle);
                 let (exact, towards) = (facets.projected(v.as_dvec3(), &facets.density), v.as_dvec3());
-                // What faces away, for Λ without a difference.
+                // The back-facing part, for Λ without cancellation.
                 let hidden = facets.projected(-towards, &facets.density);
                 let [area, lambda] = (facets.area)(v).map(f64::from);
                 let error = (area / exact - 1.0).abs();
-                // Measured 6e-7, the quadrature's in the tails of Student-t 1.7; 2e-7 for the others.
+                // Measured 6e-7, from the quadrature in the tails of Student-t 1.7; 2e-7 for the
+                // others.
                 assert!(error < 2e-6, "{} at {angle}°: {area:e} != {exact:e}", facets.name);
                 worst = worst.max(error);
                 if v.z > 0.0 {
                     let exact = hidden / towards.z;
                     let error = (lambda - exact).abs() / (exact + 1e-12);
-                    // Measured 8e-7 for the same reason; below 1e-12 only the magnitude is compared.
+                    // Measured 8e-7 for the same reason. Below 1e-12 only the magnitude is
+                    // compared.
                     assert!(error < 2e-6, "{} at {angle}°: Λ {lambda:e} != {exact:e}", facets.name);
                     worst_lambda = worst_lambda.max(error);
                 }
@@ -50,7 +53,7 @@ fn densities_integrate_to_one() {
     let worst: Vec<_> = Facets::all()
         .into_par_iter()
         .map(|facets| {
-            // The projected area of the view from the zenith is the area of the macro surface.
+            // From the zenith the projected area is the area of the macrosurface.
             let density = |m: DVec3| f64::from((facets.crate_density)(m.as_vec3()));
             let total = facets.projected(DVec3::Z, density);
             assert_abs_diff_eq!(total, 1.0, epsilon = 1e-5, "{}: ∫ D cos θ = {total}", facets.name);

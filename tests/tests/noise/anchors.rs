@@ -1,4 +1,5 @@
-//! Sums seen from anchors far from the origin: the same noise, told to a thousandth of a cell at 10¹².
+//! Sums with anchors far from the origin: the same noise, accurate to a thousandth of a cell at
+//! 10¹².
 
 use asperity_noise::{
     Field, Gaussian, IntegerHash, Lattice, Octaves, Perlin2002, Point, Sample, Simplex, Sparse, Spectrum,
@@ -18,7 +19,8 @@ fn point<const N: usize>(random: &mut Random) -> [f32; N] {
     std::array::from_fn(|_| (random.uniform() * 4.0 - 2.0) as f32)
 }
 
-/// A kind's sum with anchors, against itself without, with other anchors, and its gradient against differences.
+/// Compares a noise's anchored sum with the unanchored sum, with other anchors, and its gradient
+/// with differences.
 fn check<K, V, const N: usize>(name: &str, noise: K)
 where
     K: Anchor<N> + Copy,
@@ -38,12 +40,14 @@ where
         let p: [f32; N] = point(&mut random);
         assert_eq!(origin.sample(at(p)), sum.sample(at(p)), "{name}");
         let q = std::array::from_fn::<f32, N, _>(|axis| p[axis] + near[axis] as f32);
-        // Octave i sees 100 · 2.17ⁱ rounded to 2⁻²⁴ of itself, and has an amplitude of 2⁻ⁱ; slopes are up to 4.
+        // Octave i is evaluated at 100 · 2.17ⁱ, rounded to a relative 2⁻²⁴, and has amplitude 2⁻ⁱ.
+        // Slopes are up to 4.
         assert_abs_diff_eq!(beside.value(at(p)), sum.value(at(q)), epsilon = 0.01, "{name}");
-        // The finest octave has a frequency of 1060: what `f32` loses of p is a thousandth of its cells.
+        // The finest octave has frequency 1060: the `f32` rounding of p is a thousandth of its
+        // cells.
         let q = std::array::from_fn::<f32, N, _>(|axis| p[axis] + step[axis] as f32);
         assert_abs_diff_eq!(here.value(at(q)), there.value(at(p)), epsilon = 0.002, "{name}");
-        // A thousandth of a cell of the first octave on.
+        // A thousandth of a cell of the first octave further on.
         let mut q = p;
         q[N - 1] += 1.0 / 1024.0;
         moved += u32::from(here.value(at(p)) != here.value(at(q)));
@@ -62,7 +66,7 @@ where
 }
 
 #[test]
-fn anchored_sums_are_the_sums_there() {
+fn anchored_sum_equals_the_sum() {
     check::<_, f32, 1>("Perlin, line", Perlin2002::new(3));
     check::<_, Vec2, 2>("Perlin, plane", Perlin2002::new(3));
     check::<_, Vec3, 3>("Gaussian, space", Gaussian::new(3));
@@ -75,12 +79,12 @@ fn anchored_sums_are_the_sums_there() {
 }
 
 #[test]
-fn a_thousandth_of_a_cell_is_told_at_a_trillion_against_the_reference() {
+fn anchored_sum_at_1e12_matches_the_reference() {
     let cells = [1_000_000_000_000_i64, -999_999_999_999, 2_147_483_648 + 17];
     let mut random = Random(5);
     let noise = Octaves::single(Gaussian::new(11));
     for i in 0..200 {
-        // Places in eighths of a thousandth, which f64 holds to 1.2e-4 there.
+        // Positions in eighths of a thousandth, which f64 represents to 1.2e-4 there.
         let place: [f64; 3] = std::array::from_fn(|_| (random.uniform() * 8192.0).floor() / 8192.0);
         let anchor = DVec3::from(std::array::from_fn::<f64, 3, _>(|axis| cells[axis] as f64 + place[axis]));
         let step = Vec3::new(1e-3, -2e-3, 1e-3) * (i % 3) as f32;
@@ -91,16 +95,16 @@ fn a_thousandth_of_a_cell_is_told_at_a_trillion_against_the_reference() {
             IntegerHash.word(far, seed)
         };
         let expected = Kind::Gaussian(0).value_on(&around, p, 11);
-        // As near the origin, and rounding of the place.
+        // As near the origin, plus the rounding of the position.
         assert_abs_diff_eq!(f64::from(value), expected, epsilon = 6e-6, "{anchor}");
     }
-    // The plain path sees one value in a whole cell there.
+    // The plain path returns the same value within a whole cell there.
     let far = Vec2::splat(1e12);
     assert_eq!(Perlin2002::new(1).value(far), Perlin2002::new(1).value(far + Vec2::new(0.5, 0.25)));
 }
 
 #[test]
-fn batches_of_anchored_sums_have_the_bits_of_single_points() {
+fn anchored_batches_have_the_bits_of_single_points() {
     let sum = Octaves::new(Simplex::new(2), Spectrum::CLOUD).first(3.5).anchored(DVec2::new(FAR[0], FAR[1]));
     let grid = asperity_noise::Grid { origin: Vec2::splat(-1.7), step: Vec2::splat(0.13), size: [40, 20] };
     let mut values = [0.0; 800];
@@ -111,7 +115,7 @@ fn batches_of_anchored_sums_have_the_bits_of_single_points() {
 }
 
 #[test]
-fn anchors_that_are_none_leave_nothing() {
+fn invalid_anchors_remove_the_octaves() {
     fn nothing<K: Kernel<2>>(sum: &Octaves<K, 2>) {
         assert_eq!(sum.sample(Vec2::new(0.3, 0.4)), Sample::default());
     }
@@ -119,6 +123,6 @@ fn anchors_that_are_none_leave_nothing() {
     for x in [f64::NAN, f64::INFINITY, -1e300] {
         nothing(&sum.anchored(DVec2::new(x, 0.0)));
     }
-    // Octaves within the domain go on without the others.
+    // Octaves within the domain are unaffected by the others.
     assert_ne!(sum.anchored(DVec2::new(1e17, 0.0)).value(Vec2::new(0.3, 0.4)), 0.0);
 }

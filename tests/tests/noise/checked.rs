@@ -1,4 +1,5 @@
-//! The public checks: right noises pass, faulty ones are caught by the checks of what is wrong with them.
+//! The public property tests: valid noises pass, and each fault is detected by the corresponding
+//! checks.
 
 use asperity_noise::{
     Cellular, Curved, Field, Gaussian, IntegerHash, Noise, Octaves, Perlin2002, Sample, SecondOrder, Simplex,
@@ -11,19 +12,19 @@ fn quick() -> Settings {
     Settings { samples: 1 << 14, ..Settings::default() }
 }
 
-/// A noise with one fault, which has one instance for every kind.
+/// A noise with one fault, one type for all faults.
 #[derive(Clone)]
 struct Faulty {
     of: Perlin2002,
     /// Factor of the second component of the gradient.
     steep: f32,
-    /// Factor of everything, of which the range knows nothing.
+    /// Factor of everything, not reflected in the range.
     large: f32,
     /// Added to every value.
     higher: f32,
-    /// Value of points that are not finite.
+    /// Value at non-finite points.
     lost: f32,
-    /// Factor of lists.
+    /// Factor in batches.
     listed: f32,
     /// Factor of the last entry of the Hessian.
     curved: f32,
@@ -81,11 +82,11 @@ const RIGHT: Faulty = Faulty {
 };
 
 #[test]
-fn faulty_noises_are_caught() {
+fn faulty_noises_are_detected() {
     let cases: [(&str, Faulty, &[&str]); 7] = [
         ("right", RIGHT, &[]),
         ("a component of the gradient 1 % off", Faulty { steep: 1.01, ..RIGHT }, &["gradient"]),
-        // The range is 1, at places that are hardly ever met; 0.8 is.
+        // The range is 1, at positions that are hardly ever sampled; 0.8 is sampled.
         (
             "a range that is overstepped",
             Faulty { large: 1.5, ..RIGHT },
@@ -108,7 +109,7 @@ fn faulty_noises_are_caught() {
 }
 
 #[test]
-fn right_noises_pass() {
+fn valid_noises_pass() {
     let passes = |name: &str, report: Report| assert!(report.passed(), "{name}\n{report}");
     passes("white", check::noise::<Vec2, _>(&White::new(3), quick()));
     passes("wide simplex", check::noise::<Vec2, _>(&Simplex::wide(3), quick()));
@@ -118,7 +119,7 @@ fn right_noises_pass() {
 }
 
 #[test]
-fn a_right_noise_passes_whatever_the_seed() {
+fn valid_noise_passes_for_every_seed() {
     for seed in 0..40 {
         let report =
             check::noise::<Vec2, _>(&Gaussian::new(seed), Settings { seed, samples: 4096, ..quick() });
@@ -127,7 +128,7 @@ fn a_right_noise_passes_whatever_the_seed() {
 }
 
 #[test]
-fn tiles_that_do_not_meet_are_caught() {
+fn mismatched_tiles_are_detected() {
     let noise = Perlin2002::new(1).with_lattice(Tiled::new(IntegerHash, [8, 5]).expect("in range"));
     let tile = Octaves::<_, 2>::tiled(noise, Spectrum::CLOUD).expect("whole periods");
     let period = Vec2::new(8.0, 5.0);

@@ -1,4 +1,5 @@
-//! Values and gradients are continuous across cell borders and the faces of simplices, on both sides of the origin.
+//! Values and gradients are continuous across cell borders and simplex faces, on both sides of the
+//! origin.
 
 use asperity_noise::{
     Field, Simplex,
@@ -12,12 +13,13 @@ use asperity_tests::{
 };
 
 const STEP: f32 = 1.0 / 1024.0;
-/// The most that a step, 1.37/1024 long, may add beyond the mean of the two gradients: h²/4 times the jump of
-/// the second derivative (at most 24) and rounding. Worst seen 5.5e-6, for Gaussian noise, and 1.6e-6 for the
-/// others.
+/// Maximum deviation of a step of length 1.37/1024 from the mean of the two gradients: h²/4 times
+/// the jump of the second derivative (at most 24), plus rounding. Maximum seen 5.5e-6 for Gaussian
+/// noise, and 1.6e-6 for the others.
 const LEAP: f32 = 1.1e-5;
 
-/// Whether a kind leaps by its definition: white noise at the borders of cells, wide simplex noise at the faces of simplices.
+/// Whether a noise is discontinuous by definition: white noise at cell borders, wide simplex noise
+/// at simplex faces.
 fn leaps<const N: usize>(name: &str) -> bool {
     name.starts_with("white") || name.starts_with("wide") && N > 1
 }
@@ -50,15 +52,15 @@ fn walk<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
 }
 
 #[test]
-fn fields_follow_their_gradients_across_cells_on_both_sides_of_the_origin() {
+fn fields_follow_their_gradients_across_cells() {
     in_every_dimension!(kinds(), walk);
     in_every_dimension!(variants(), walk);
 }
 
-/// Half the way across a border; floats are 2⁻²² apart or less there.
+/// Half the step across a border, where floats are at most 2⁻²² apart.
 const HALF: f64 = 1.0 / 262_144.0;
 
-/// A random point in ±4 on a border of a cell, or of a simplex, and a direction across it.
+/// Returns a random point within ±4 on a border of a cell or simplex, and a direction across it.
 fn border<const N: usize>(simplicial: bool, random: &mut Random) -> ([f64; N], [f64; N]) {
     let mut p = [(); N].map(|()| ((random.uniform() - 0.5) * 8.0 * 4096.0).round() / 4096.0);
     let mut across = [0.0; N];
@@ -67,7 +69,8 @@ fn border<const N: usize>(simplicial: bool, random: &mut Random) -> ([f64; N], [
         p[axis] = p[axis].round();
         across[axis] = 1.0;
     } else if random.bits().is_multiple_of(2) {
-        // Where two skewed coordinates have the same place in their cells: they differ by an integer, skewed or not.
+        // Where two skewed coordinates have the same position in their cells: they differ by an
+        // integer, skewed or not.
         let other = (axis + 1) % N;
         p[axis] = p[other] + (p[axis] - p[other]).round();
         (across[axis], across[other]) = (0.5, -0.5);
@@ -83,8 +86,8 @@ fn border<const N: usize>(simplicial: bool, random: &mut Random) -> ([f64; N], [
     (p, across)
 }
 
-/// A step of 2⁻¹⁷ changes a gradient by at most 90 times that, 7e-4, and a value only as the gradients say, up to rounding.
-/// Worst seen: 3.3e-4 and 1.3e-6, for sparse noise.
+/// A step of 2⁻¹⁷ changes a gradient by at most 90 times that, 7e-4, and a value only according to
+/// the gradients, up to rounding. Maximum seen: 3.3e-4 and 1.3e-6, for sparse noise.
 fn borders<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
     let simplicial = name.contains("simplex");
     if leaps::<N>(name) {
@@ -120,12 +123,12 @@ fn borders<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
 }
 
 #[test]
-fn values_and_gradients_meet_at_every_border() {
+fn values_and_gradients_match_at_borders() {
     in_every_dimension!(kinds(), borders);
     in_every_dimension!(variants(), borders);
 }
 
-/// White noise has one value and no gradient in a cell, and leaps at every border.
+/// White noise has one value and no gradient in a cell, and is discontinuous at every border.
 fn cells<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
     if !name.starts_with("white") {
         return;
@@ -144,11 +147,11 @@ fn cells<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
 }
 
 #[test]
-fn white_noise_is_constant_in_cells_and_leaps_at_every_border() {
+fn white_noise_is_constant_in_cells_and_jumps_at_borders() {
     in_every_dimension!(kinds(), cells);
 }
 
-/// The greatest leap of the wide simplex noise beyond its gradient, over walks of many seeds.
+/// Returns the largest jump of wide simplex noise beyond its gradient, over paths of many seeds.
 fn greatest_leap(field: impl Fn(f32, u32) -> (f32, f32)) -> f32 {
     let mut greatest = 0.0_f32;
     for seed in 0..400 {
@@ -164,7 +167,7 @@ fn greatest_leap(field: impl Fn(f32, u32) -> (f32, f32)) -> f32 {
 }
 
 #[test]
-fn the_wide_simplex_kernel_leaps_at_faces() {
+fn wide_simplex_noise_jumps_at_faces() {
     let planar = greatest_leap(|t, seed| {
         let direction = Vec2::new(0.8, 0.6);
         let sample = Simplex::wide(seed).sample(direction * t);

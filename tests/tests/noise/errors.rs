@@ -1,4 +1,4 @@
-//! Every error of a constructor or batch names the parameter, its rule and the value that broke it.
+//! Every error of a constructor or batch contains the parameter, its rule and the invalid value.
 
 use asperity_noise::{
     Cellular, Field, IntegerHash, Octaves, Perlin2002, RidgedMultifractal, Simplex, Sparse, Spectrum, Tiled,
@@ -6,13 +6,13 @@ use asperity_noise::{
 };
 use std::error::Error;
 
-/// The sentence of a refusal.
+/// Returns the error message.
 fn says<T, E: Error>(result: Result<T, E>) -> String {
     result.map(|_| ()).expect_err("a refusal").to_string()
 }
 
 #[test]
-fn errors_name_the_parameter_and_its_value() {
+fn errors_contain_parameter_and_value() {
     let noise = Perlin2002::new(1);
     let spectrum = |lacunarity, gain, octaves| says(Spectrum::new(lacunarity, gain, octaves));
     let mut entries: [u8; 256] = std::array::from_fn(|i| i as u8);

@@ -1,4 +1,5 @@
-//! Gaussian noise is N(0, 1): over space for every count of octaves, at every place of the cell, in both channels.
+//! Gaussian noise is N(0, 1): over space for every number of octaves, at every position of the
+//! cell, in both channels.
 
 use asperity_noise::{
     Field, Gaussian, GaussianOctaves, Point, Spectrum,
@@ -9,7 +10,7 @@ use asperity_tests::random::Random;
 use rayon::prelude::*;
 use statrs::function::erf::erf;
 
-/// A multiple of 1/8 in ±2¹⁶, nearly always in a cell of its own.
+/// Returns a multiple of 1/8 within ±2¹⁶, nearly always in a different cell.
 fn coordinate(random: &mut Random) -> f32 {
     (random.bits() >> 44) as f32 / 8.0 - 65_536.0
 }
@@ -22,11 +23,11 @@ fn phi(x: f64) -> f64 {
     0.5 + 0.5 * erf(x * std::f64::consts::FRAC_1_SQRT_2)
 }
 
-/// Bins of the distribution; KS is read at their edges.
+/// Bins of the distribution; KS is evaluated at their edges.
 const BINS: usize = 8192;
 const REACH: f64 = 6.0;
 
-/// The KS distance of values to N(0, 1).
+/// Measures the KS distance of values to N(0, 1).
 #[derive(Clone)]
 struct Histogram(Vec<u64>);
 
@@ -61,10 +62,10 @@ impl Histogram {
     }
 }
 
-/// Points of one seed.
+/// Points per seed.
 const POINTS: usize = 2048;
 
-/// The values of sums at 4.2 million points, of 2048 seeds, a histogram for each count of octaves.
+/// Returns a histogram for each number of octaves, from sums at 4.2 million points with 2048 seeds.
 fn histograms<V: Point<Coordinates = [f32; N]>, const N: usize>(counts: &[f32]) -> Vec<Histogram> {
     let empty = || vec![Histogram::new(); counts.len()];
     (0..2048_u32)
@@ -84,7 +85,8 @@ fn histograms<V: Point<Coordinates = [f32; N]>, const N: usize>(counts: &[f32]) 
         .reduce(empty, |a, b| a.into_iter().zip(&b).map(|(a, b)| a.join(b)).collect())
 }
 
-/// The distance of sums with counts of octaves; at n = 4.2 million its floor is 2.3/√n = 0.0011 at significance 0.001/7.
+/// Asserts the distance of sums with these numbers of octaves. At n = 4.2 million its floor is
+/// 2.3/√n = 0.0011 at significance 0.001/7.
 fn assert_gaussian<V: Point<Coordinates = [f32; N]>, const N: usize>(counts: &[f32]) {
     for (octaves, histogram) in counts.iter().zip(histograms::<V, N>(counts)) {
         let distance = histogram.distance();
@@ -93,7 +95,7 @@ fn assert_gaussian<V: Point<Coordinates = [f32; N]>, const N: usize>(counts: &[f
 }
 
 #[test]
-fn every_count_of_octaves_and_every_blend_is_gaussian() {
+fn gaussian_for_every_number_of_octaves() {
     assert_gaussian::<f32, 1>(&[1.1]);
     assert_gaussian::<Vec2, 2>(&[2.5, 8.0]);
     assert_gaussian::<Vec3, 3>(&[1.0, 1.5, 2.75]);
@@ -101,7 +103,7 @@ fn every_count_of_octaves_and_every_blend_is_gaussian() {
 }
 
 #[test]
-fn the_second_channel_is_gaussian_too() {
+fn second_channel_is_gaussian() {
     let histogram = (0..2048_u32)
         .into_par_iter()
         .fold(Histogram::new, |mut histogram, seed| {
@@ -117,7 +119,8 @@ fn the_second_channel_is_gaussian_too() {
     assert!(distance <= 0.001, "{distance}");
 }
 
-/// Mean, variance, mean fourth power, and the channels' correlation and correlation of squares.
+/// Returns mean, variance, mean fourth power, and the channels' correlation and correlation of
+/// squares.
 fn moments<V: Point<Coordinates = [f32; N]> + Sync + Send, const N: usize>(place: V) -> [f64; 5] {
     const SEEDS: u32 = 100_000;
     let sums = (0..SEEDS / 1000)
@@ -150,7 +153,7 @@ fn assert_standard(name: &str, [mean, variance, fourth, product, squares]: [f64;
 }
 
 #[test]
-fn every_place_of_the_cell_has_the_same_moments_and_independent_channels() {
+fn moments_are_equal_at_every_position_and_channels_independent() {
     for x in [-3.0, -2.5, 0.125, 0.8] {
         assert_standard(&format!("1-D at {x}"), moments(x));
     }
@@ -165,7 +168,7 @@ fn every_place_of_the_cell_has_the_same_moments_and_independent_channels() {
     }
 }
 
-/// The bin of sixteen equally likely ones under N(0, 1).
+/// Returns the bin out of sixteen equally likely bins under N(0, 1).
 fn sixteenth(value: f32) -> usize {
     const EDGES: [f32; 7] =
         [0.157_310_7, 0.318_639_36, 0.488_776_4, 0.674_489_76, 0.887_146_6, 1.150_349_4, 1.534_120_6];
@@ -173,7 +176,8 @@ fn sixteenth(value: f32) -> usize {
     if value < 0.0 { 7 - outside } else { 8 + outside }
 }
 
-/// χ² per degree of freedom of 16 × 16 bins over a million pairs, a thousand from each field, against independence.
+/// Returns χ² per degree of freedom of 16 × 16 bins over a million pairs, a thousand from each
+/// field, against independence.
 fn chi_square<F: FnMut(u32) -> [f32; 2]>(field: impl Fn(u32) -> F + Sync) -> f64 {
     let table = (0..1000_u32)
         .into_par_iter()
@@ -219,7 +223,7 @@ fn channels_are_independent_bin_by_bin() {
     let (lattice_point, centre) = (Vec3::new(1.0, -2.0, 3.0), Vec2::new(0.5, -2.5));
     let noise = Gaussian::default();
     for (name, ratio) in [
-        // There single words show.
+        // Single words are visible there.
         (
             "at a lattice point",
             chi_square(|block| {
@@ -233,7 +237,8 @@ fn channels_are_independent_bin_by_bin() {
         ("one octave", octaves(1.0)),
         ("three octaves", octaves(2.5)),
     ] {
-        // The 0.999 quantile with 225 degrees of freedom is 1.31; all of these are below 1.2 for their seeds.
+        // The 0.999 quantile with 225 degrees of freedom is 1.31. All of these are below 1.2 for
+        // their seeds.
         assert!(ratio <= 1.2, "{name}: {ratio}");
     }
 }

@@ -1,4 +1,4 @@
-//! The tails of Gaussian noise: of its variates, word by word, and at every place of the cell.
+//! The tails of Gaussian noise: of its variates, word by word, and at every position of the cell.
 
 use std::f64::consts::{PI, SQRT_2};
 
@@ -13,15 +13,15 @@ fn upper(x: f64) -> f64 {
 }
 
 #[test]
-fn values_have_the_normal_tail_to_five_and_a_half_deviations() {
-    // All words that draw |s| > 3.2: the values of others are between the inner levels.
+fn variates_have_the_normal_tail_to_5_5_deviations() {
+    // All words with |s| > 3.2. The values of others are between the inner levels.
     let (first, count) = (0_u32.wrapping_sub(5 << 20), 10_u32 << 20);
     let values: Vec<f32> =
         (0..count).into_par_iter().map(|i| gaussian_corner::<1>(first.wrapping_add(i))[0].0.abs()).collect();
     for x in [3.2, 3.5, 4.0, 4.5, 5.0, 5.5_f32] {
         let beyond = values.par_iter().filter(|&&value| value > x).count() as f64;
         let ratio = beyond / 4_294_967_296.0 / (2.0 * upper(f64::from(x)));
-        // Beyond 5.5 are 163 words. Worst seen below 5.5: 7e-4, at 5.
+        // 163 words are beyond 5.5. Maximum seen below 5.5: 7e-4, at 5.
         let tolerance = if x < 5.5 { 2e-3 } else { 8e-3 };
         assert_abs_diff_eq!(ratio, 1.0, epsilon = tolerance, "beyond {x}");
     }
@@ -31,7 +31,7 @@ fn values_have_the_normal_tail_to_five_and_a_half_deviations() {
 
 #[test]
 fn lattice_points_have_the_normal_tail() {
-    // 8.4 million seeds; beyond 4 and 4.5 are 530 and 57 of them.
+    // 8.4 million seeds, of which 530 and 57 are beyond 4 and 4.5.
     let beyond: [u64; 2] = (0..1 << 23_u32)
         .into_par_iter()
         .map(|seed| {
@@ -41,12 +41,13 @@ fn lattice_points_have_the_normal_tail() {
         .reduce(|| [0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
     for (x, beyond) in [4.0, 4.5].into_iter().zip(beyond) {
         let expected = 2.0 * upper(x) * f64::from(1 << 23_u32);
-        // Four standard errors. Two levels over √2 had 0.967 and 0.88 of them.
+        // Four standard errors. Two levels over √2 gave 0.967 and 0.88 of them.
         assert_abs_diff_eq!(beyond as f64, expected, epsilon = 4.0 * expected.sqrt(), "beyond {x}");
     }
 }
 
-/// The weights of values and gradients at a place of a cell in N dimensions, over the root of their squares.
+/// Returns the weights of values and gradients at a position of a cell in N dimensions, divided by
+/// their norm.
 fn weights<const N: usize>(place: [f64; N]) -> (Vec<f64>, Vec<f64>) {
     let (mut values, mut slopes) = (Vec::new(), Vec::new());
     for corner in 0..1_usize << N {
@@ -88,8 +89,9 @@ fn beyond(levels: &[f64], (values, slopes): &(Vec<f64>, Vec<f64>), x: f64) -> f6
 }
 
 #[test]
-fn every_place_of_the_cell_has_the_normal_tail() {
-    // The positive levels of a part of the gradient; the upper bits of its word are those of a product with an odd number.
+fn every_cell_position_has_the_normal_tail() {
+    // The positive levels of a gradient component. The upper bits of its word come from a product
+    // with an odd number.
     let mut levels: Vec<f64> = (0..1_u32 << 18)
         .map(|i| f64::from(gaussian_corner::<1>(i.wrapping_mul(0x4001_3a67))[0].1[0]))
         .filter(|g| *g > 0.0)
@@ -108,7 +110,7 @@ fn every_place_of_the_cell_has_the_normal_tail() {
         weights([0.3, 0.3, 0.3]),
     ];
     for place in places {
-        // Worst seen: 0.9966 and 0.9695, both in the middle of a cell's edge.
+        // Extremes seen: 0.9966 and 0.9695, both in the middle of a cell's edge.
         for (x, least) in [(4.0, 0.996), (5.0, 0.969)] {
             let ratio = beyond(&levels, &place, x) / upper(x);
             assert!(ratio > least && ratio < 1.001, "beyond {x} with {place:?}: {ratio}");
@@ -118,7 +120,7 @@ fn every_place_of_the_cell_has_the_normal_tail() {
 
 #[test]
 fn planes_have_the_normal_tail() {
-    // 8.4 million points, most in cells of their own; beyond 4 are 531 of them.
+    // 8.4 million points, mostly in different cells; 531 of them are beyond 4.
     let beyond: usize = (0..2048_u32)
         .into_par_iter()
         .map(|seed| {
@@ -131,6 +133,7 @@ fn planes_have_the_normal_tail() {
         })
         .sum();
     let expected = 2.0 * upper(4.0) * f64::from(1 << 23_u32);
-    // Four standard errors, as neighbours share cells half again as large as those of independent points.
+    // Four standard errors. Because neighbors share cells, they are 1.5 times the errors of
+    // independent points.
     assert_abs_diff_eq!(beyond as f64, expected, epsilon = 6.0 * expected.sqrt());
 }

@@ -1,4 +1,5 @@
-//! Values and analytic gradients against a plain `f64` evaluation and its central differences; ranges.
+//! Values and analytic gradients against a plain `f64` evaluation and its central differences;
+//! ranges.
 
 use asperity_noise::{
     Field, Gaussian, IntegerHash, Perlin1985, Perlin2002, Simplex, Sparse, Value, ValueCatmullRom,
@@ -18,7 +19,7 @@ const NEAR: f32 = 64.0;
 const NEAREST: f32 = 1024.0;
 const FAR: f32 = 1.0;
 
-/// Asserts the errors of a kind in every dimension.
+/// Asserts the errors of a noise in every dimension.
 fn close<K: AnyKind>(name: &str, noise: K, kind: Kind, divisor: f32, tolerances: [[f64; 2]; 4]) {
     fn close<const N: usize>(
         name: &str,
@@ -33,10 +34,10 @@ fn close<K: AnyKind>(name: &str, noise: K, kind: Kind, divisor: f32, tolerances:
     in_every_dimension!(dimensions(name, noise), close, (kind, divisor, tolerances));
 }
 
-/// [`close`] for a kind that is scaled to its range.
+/// [`close`] for a noise that is scaled to its range.
 ///
-/// A noise that equals the reference at this scale, derived anew here, has the bound |n| ≤ 1, and it is tight. Scales have seven
-/// digits; worst seen 2.1e-7.
+/// A noise that equals the reference with the scale derived here has the tight bound |n| ≤ 1.
+/// Scales have seven digits; maximum seen 2.1e-7.
 fn tight<K: AnyKind>(name: &str, noise: K, kind: Kind, divisor: f32, tolerances: [[f64; 2]; 4]) {
     let bounds = [greatest::<1>(kind), greatest::<2>(kind), greatest::<3>(kind), greatest::<4>(kind)];
     for (bound, scale) in bounds.into_iter().zip(kind.scales()) {
@@ -45,10 +46,10 @@ fn tight<K: AnyKind>(name: &str, noise: K, kind: Kind, divisor: f32, tolerances:
     close(name, noise, kind, divisor, tolerances);
 }
 
-/// The greatest value that a kind can reach, by search from the best points of a grid.
+/// Returns the maximum value of a noise, by local search from the best grid points.
 fn greatest<const D: usize>(kind: Kind) -> f64 {
     let steps: usize = [2000, 160, 36, 14][D - 1];
-    // The grid covers every shape of simplex: they hang over the unit cube by a third.
+    // The grid covers every shape of simplex, which extend beyond the unit cube by a third.
     let coordinate = |index: usize, k: u32| (index / steps.pow(k) % steps) as f64 * 1.5 / steps as f64 - 0.4;
     let mut grid: Vec<(f64, [f64; D])> = (0..steps.pow(D as u32))
         .map(|index| std::array::from_fn(|k| coordinate(index, k as u32)))
@@ -77,12 +78,12 @@ fn greatest<const D: usize>(kind: Kind) -> f64 {
     grid.into_iter().take(24).map(climb).fold(0.0, f64::max)
 }
 
-// Tolerances of value and gradient are about twice the worst errors seen, which stand beside them. They are roundings of sums
-// of 2ⁿ products: half a unit of 2⁻²³ for each of some ten operations on numbers of at most the noise's range, and
-// on slopes of at most 4, for Gaussian noise 20.
+// Tolerances of value and gradient are about twice the maximum errors seen, noted next to each.
+// They are roundings of sums of 2ⁿ products: half a unit of 2⁻²³ for each of about ten operations
+// on numbers up to the noise's range, and on slopes of at most 4, or 20 for Gaussian noise.
 
 #[test]
-fn gradient_noises_equal_the_reference_scaled_to_their_range() {
+fn gradient_noises_match_the_reference() {
     let kind = Kind::Perlin1985;
     // 2.0e-7, 3.6e-7, 1.8e-7, 1.5e-7; 5.6e-7, 5.9e-7, 4.9e-7, 3.8e-7.
     let tolerances = [[5e-7, 1.2e-6], [6e-7, 1.4e-6], [5e-7, 1.2e-6], [4e-7, 1e-6]];
@@ -94,8 +95,8 @@ fn gradient_noises_equal_the_reference_scaled_to_their_range() {
 }
 
 #[test]
-fn value_noises_equal_the_reference_scaled_to_their_range() {
-    // A number per cell, which is not rounded.
+fn value_noises_match_the_reference() {
+    // One number per cell, which is not rounded.
     close("white", White::default(), Kind::White, NEAR, [[1e-30; 2]; 4]);
     let kind = Kind::Value;
     // 6.0e-7, 8.1e-7, 1.0e-6, 7.5e-7; 5.0e-7, 2.0e-6, 1.9e-6, 2.5e-6.
@@ -115,7 +116,7 @@ fn value_noises_equal_the_reference_scaled_to_their_range() {
 }
 
 #[test]
-fn sparse_noises_equal_the_reference_of_unit_variance() {
+fn sparse_noises_match_the_reference() {
     for impulses in 1..=Sparse::MAX_IMPULSES {
         let noise = Sparse::default().with_impulses(impulses).unwrap();
         // 5.3e-7, 6.7e-7, 6.5e-7, 1.0e-6; 1.1e-6, 2.6e-6, 1.8e-6, 2.1e-6.
@@ -125,8 +126,9 @@ fn sparse_noises_equal_the_reference_of_unit_variance() {
 }
 
 #[test]
-fn simplex_noises_equal_the_reference_scaled_to_their_range() {
-    // Corners are rounded by up to 8·2⁻²² = 2e-6 there, and second derivatives reach 30. Worst seen 1.8e-6 and 1.3e-5.
+fn simplex_noises_match_the_reference() {
+    // Corners are rounded by up to 8·2⁻²² = 2e-6 there, and second derivatives reach 30. Maximum
+    // seen 1.8e-6 and 1.3e-5.
     let tolerances = [[4e-6, 3e-5]; 4];
     let kind = Kind::Simplex(0.5);
     tight("simplex", Simplex::new(0), kind, NEAREST, tolerances);
@@ -135,7 +137,7 @@ fn simplex_noises_equal_the_reference_scaled_to_their_range() {
 }
 
 #[test]
-fn both_channels_of_gaussian_noise_equal_the_reference() {
+fn gaussian_channels_match_the_reference() {
     // 2.1e-6, 3.8e-6, 2.1e-6, 2.8e-6; 2.3e-6, 8.9e-6, 7.4e-6, 8.1e-6.
     let tolerances = [[5e-6, 6e-6], [8e-6, 2e-5], [6e-6, 2e-5], [6e-6, 2e-5]];
     close("Gaussian", Gaussian::default(), Kind::Gaussian(0), NEAR, tolerances);
@@ -151,7 +153,7 @@ fn both_channels_of_gaussian_noise_equal_the_reference() {
 }
 
 #[test]
-fn far_from_the_origin_noises_equal_the_reference_still() {
+fn noises_far_from_the_origin_match_the_reference() {
     let (gaussian, simplex) = (Kind::Gaussian(0), Kind::Simplex(0.5));
     let worst = errors::<Vec3, 3>(gaussian, FAR, |p, seed| Gaussian::new(seed).sample(p));
     assert!(worst[0] < 6e-6 && worst[1] < 2e-5, "Gaussian: {worst:?}");

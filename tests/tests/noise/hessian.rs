@@ -1,4 +1,5 @@
-//! Hessians against differences of a plain `f64` evaluation, and those of sums against differences of gradients.
+//! Hessians against differences of a plain `f64` evaluation, and Hessians of sums against
+//! differences of gradients.
 
 use asperity_noise::{
     Curved, Gaussian, GaussianOctaves, Noise, Octaves, Perlin1985, Perlin2002, Point, Rotation, Sample,
@@ -11,15 +12,16 @@ use asperity_tests::{
     random::Random,
 };
 
-/// Coordinates in ±32 with twelve bits of fraction.
+/// Returns coordinates within ±32 with twelve fractional bits.
 fn point<const N: usize>(random: &mut Random) -> [f32; N] {
     [(); N].map(|()| ((random.uniform() - 0.5) * 262_144.0).round() as f32 / 4096.0)
 }
 
-/// Value and gradient of the Hessian's evaluation, those of the sample, and the Hessian.
+/// Value and gradient of the Hessian evaluation, the same of `sample`, and the Hessian.
 type Jet<const N: usize> = ([At<N>; 2], [[f32; N]; N]);
 
-/// The worst error of the Hessian in a dimension, whatever the kind; value and gradient have the sample's bits.
+/// Returns the maximum error of the Hessian in a dimension. Value and gradient must have the bits
+/// of the sample.
 fn error<V, K, const N: usize>(noise: K, kind: Kind) -> f64
 where
     V: Point<Coordinates = [f32; N], Matrix = [[f32; N]; N]>,
@@ -32,7 +34,7 @@ where
     })
 }
 
-/// The worst error of a Hessian, relative to the greatest entry seen.
+/// Returns the maximum error of a Hessian, relative to the largest entry seen.
 fn relative_error<const N: usize>(kind: Kind, jet: &dyn Fn([f32; N], u32) -> Jet<N>) -> f64 {
     const H: f64 = 1e-4;
     let mut random = Random(7);
@@ -72,7 +74,7 @@ fn relative_error<const N: usize>(kind: Kind, jet: &dyn Fn([f32; N], u32) -> Jet
     worst / greatest
 }
 
-/// Errors in 1 to 4 dimensions, asserted.
+/// Asserts the errors in 1 to 4 dimensions.
 fn close<K>(name: &str, noise: K, kind: Kind, tolerance: f64)
 where
     K: Curved<f32> + Curved<Vec2> + Curved<Vec3> + Curved<Vec4>,
@@ -89,10 +91,11 @@ where
 
 #[test]
 fn hessians_are_second_derivatives() {
-    // The differences err by 1e-16/H² = 1e-8 of the values, `f32` by some ten roundings of 6e-8. Worst seen 1.3e-6.
+    // The differences have errors of 1e-16/H² = 1e-8 of the values, and `f32` about ten roundings
+    // of 6e-8. Maximum seen 1.3e-6.
     const CELLS: f64 = 3e-6;
-    // Offsets from corners err by 2e-7, and third derivatives are up to fifty times second ones: the kernels are narrow.
-    // Worst seen 1.3e-5.
+    // Offsets from corners have errors of 2e-7, and third derivatives are up to fifty times second
+    // derivatives, because the kernels are narrow. Maximum seen 1.3e-5.
     const SIMPLICES: f64 = 3e-5;
     close("Perlin 1985", Perlin1985::default(), Kind::Perlin1985, CELLS);
     close("Perlin 2002", Perlin2002::default(), Kind::Perlin2002, CELLS);
@@ -109,7 +112,8 @@ fn hessians_are_second_derivatives() {
     }
 }
 
-/// The Hessian of a sum against central differences of its gradient, relative to its greatest entry.
+/// Returns the error of a sum's Hessian against central differences of its gradient, relative to
+/// its largest entry.
 fn sum_error<F: Curved<Vec3>>(field: &F) -> f64 {
     const H: f32 = 1.0 / 2048.0;
     let mut random = Random(8);
@@ -134,8 +138,9 @@ fn sum_error<F: Curved<Vec3>>(field: &F) -> f64 {
 
 #[test]
 fn hessians_of_sums_are_differences_of_gradients() {
-    // At the borders of cells third derivatives leap, by up to 120, times 2.17³/2 in the second octave: H/4 of that is 0.07, of
-    // entries that reach 30. Gradients are rounded by 3e-6, over H. Worst seen 2.4e-3.
+    // At cell borders third derivatives jump by up to 120, times 2.17³/2 in the second octave: H/4
+    // of that is 0.07, for entries up to 30. Gradients are rounded by 3e-6, over H. Maximum seen
+    // 2.4e-3.
     for rotation in [Rotation::Random, Rotation::Aligned] {
         let octaves = Octaves::new(Perlin2002::new(5), Spectrum::default());
         let error = sum_error(&octaves.with_rotation(rotation).first(2.5));

@@ -1,4 +1,4 @@
-//! Fields that should have nothing to do with one another: other seeds, swapped axes, mirror images, other octaves.
+//! Fields that should be independent: other seeds, swapped axes, mirror images, other octaves.
 
 use asperity_noise::{Normalisation, Rotation, Spectrum};
 use asperity_tests::{
@@ -7,19 +7,20 @@ use asperity_tests::{
     random::Random,
 };
 
-/// Points that are mostly in cells of their own, and so independent.
+/// Returns points mostly in different cells, and therefore independent.
 fn points<const N: usize>(name: &str) -> Vec<[f32; N]> {
     let mut random = Random(11);
     let mut point = || [(); N].map(|()| ((random.uniform() - 0.5) * 200_000.0) as f32);
     (0..20_000 / thinning::<N>(name)).map(|_| point()).collect()
 }
 
-/// The values of a field at points.
+/// Returns the values of a field at points.
 fn values<const N: usize>(points: &[[f32; N]], field: &dyn Fn([f32; N]) -> f32) -> Vec<f32> {
     points.iter().map(|&p| field(p)).collect()
 }
 
-/// The correlation of two fields and of their squares by their values at the same points, in standard errors.
+/// Returns the correlation of two fields and of their squares from their values at the same points,
+/// in standard errors.
 fn correlations(a: &[f32], b: &[f32]) -> [f64; 2] {
     let count = a.len() as f64;
     let correlation = |f: fn(f64) -> f64| {
@@ -33,7 +34,8 @@ fn correlations(a: &[f32], b: &[f32]) -> [f64; 2] {
     [correlation(|x| x), correlation(|x| x * x)]
 }
 
-/// Whether a correlation is 0, within 4.9 standard errors: significance 0.001 over some 400 cases.
+/// Asserts that a correlation is 0 within 4.9 standard errors: significance 0.001 over about 400
+/// cases.
 fn assert_uncorrelated(correlation: f64, case: &str) {
     assert_abs_diff_eq!(correlation, 0.0, epsilon = 4.9, "{case}, in standard errors");
 }
@@ -68,19 +70,19 @@ fn others<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
         correlations(&first, &values(&points, &|p| noise.value(map(p), seed)))
     };
     for (how, map, seed) in others {
-        // A line has one axis.
+        // In 1-D there is one axis.
         if N == 1 && how.ends_with("axes") {
             continue;
         }
         let [plain, squares] = with(&map, seed);
         assert_uncorrelated(plain, &format!("{name} and {how}"));
-        // Other kinds have a variance that depends on the place in the cell.
+        // For other noises the variance depends on the position in the cell.
         if ["white", "sparse", "Gaussian"].iter().any(|kind| name.starts_with(kind)) {
             assert_uncorrelated(squares, &format!("squares of {name} and {how}"));
         }
     }
-    // Two reflected axes and no others; and so many cells apart that no lattice point is shared, of which splines take
-    // four along an axis.
+    // Exactly two reflected axes, and an offset so large that no lattice point is shared; splines
+    // use four lattice points along an axis.
     if N > 2 {
         let reflected = |mut p: [f32; N]| {
             (p[0], p[N - 1]) = (-p[0], -p[N - 1]);
@@ -102,7 +104,7 @@ fn others<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
 }
 
 #[test]
-fn seeds_axes_and_mirror_images_are_decorrelated() {
+fn seeds_axes_and_mirror_images_are_uncorrelated() {
     in_every_dimension!(kinds(), others);
 }
 
@@ -113,7 +115,7 @@ fn octaves_apart<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
         let sum = noise.octaves(Normalisation::Range, rotation, 9);
         let wholes = [0.0, 1.0, 2.0, 3.0]
             .map(|k| values(&points, &|p| sum.value(p, k) * spectrum.sum_of_amplitudes(k)));
-        // Octave k is what it adds to the sum of those before it.
+        // Octave k is the difference between consecutive sums.
         let octave = |k: usize| -> Vec<f32> {
             wholes[k].iter().zip(&wholes[k - 1]).map(|(whole, before)| whole - before).collect()
         };
@@ -121,7 +123,7 @@ fn octaves_apart<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
             let [plain, squares] = correlations(&octave(first), &octave(second));
             let case = format!("{name} {rotation:?}, octaves {first} and {second}");
             assert_uncorrelated(plain, &case);
-            // Lattices apart, even the variances that depend on the place do.
+            // With different lattices, even the position-dependent variances are uncorrelated.
             if rotation == Rotation::Random && N > 1 {
                 assert_uncorrelated(squares, &format!("squares of {case}"));
             }
@@ -130,7 +132,7 @@ fn octaves_apart<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
 }
 
 #[test]
-fn octaves_are_decorrelated() {
+fn octaves_are_uncorrelated() {
     in_every_dimension!(kinds(), octaves_apart);
 }
 
@@ -146,6 +148,6 @@ fn sums_apart<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
 }
 
 #[test]
-fn sums_of_other_seeds_are_decorrelated() {
+fn sums_of_other_seeds_are_uncorrelated() {
     in_every_dimension!(kinds(), sums_apart);
 }

@@ -1,4 +1,5 @@
-//! Noise on lattices other than the default, tables and those that repeat, against the reference on the same words.
+//! Noise on nondefault lattices, tables and periodic lattices, against the reference on the same
+//! words.
 
 use asperity_noise::{
     Field, Gaussian, IntegerHash, Lattice, Noise, Perlin1985, Perlin2002, Simplex, Sparse, Tiled,
@@ -31,7 +32,8 @@ impl Lattice for Wrapped {
     }
 }
 
-/// The integer hash of the corners of simplices in space, told by six times their coordinates modulo six periods.
+/// The integer hash of the corners of simplices in space, identified by six times their coordinates
+/// modulo six periods.
 struct WrappedCorners([i32; 3]);
 
 impl WrappedCorners {
@@ -51,11 +53,13 @@ impl Lattice for WrappedCorners {
     }
 }
 
-/// Points are in ±16, several periods.
+/// Points are within ±16, several periods.
 const DIVISOR: f32 = 256.0;
-/// Of value and gradient, about twice the worst seen: 2.9e-6 and 6.6e-6 for Gaussian noise, 1.1e-6 and 2.4e-6 for others.
+/// For value and gradient, about twice the maximum seen: 2.9e-6 and 6.6e-6 for Gaussian noise,
+/// 1.1e-6 and 2.4e-6 for others.
 const TOLERANCE: [f64; 2] = [6e-6, 1.5e-5];
-/// Corners of simplices are rounded by up to 28·2⁻²² = 7e-6 there; second derivatives reach 30. Worst seen 2.8e-6 and 2.1e-5.
+/// Corners of simplices are rounded by up to 28·2⁻²² = 7e-6 there; second derivatives reach 30.
+/// Maximum seen 2.8e-6 and 2.1e-5.
 const TOLERANCE_SIMPLEX: [f64; 2] = [6e-6, 5e-5];
 
 fn assert_close(name: &str, dimension: usize, [value, gradient]: [f64; 2]) {
@@ -63,7 +67,7 @@ fn assert_close(name: &str, dimension: usize, [value, gradient]: [f64; 2]) {
     assert!(value < tolerance[0] && gradient < tolerance[1], "{name} {dimension}-D: {value:e}, {gradient:e}");
 }
 
-/// The errors of a kind in every dimension, asserted.
+/// Asserts the errors of a noise in every dimension.
 fn close<K>(name: &str, noise: K, lattice: &impl Lattice, kind: Kind)
 where
     K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy,
@@ -72,7 +76,8 @@ where
     (1..).zip(errors).for_each(|(dimension, errors)| assert_close(name, dimension, errors));
 }
 
-/// Every kind that is blended on the integer lattice, on one lattice for the noise and one for the reference.
+/// Asserts every noise on the integer lattice, on one lattice for the noise and one for the
+/// reference.
 fn every_kind(name: &str, lattice: AnyLattice<'_>, reference: &impl Lattice) {
     let named = |kind: &str| format!("{kind} {name}");
     close(&named("white"), White::default().with_lattice(lattice), reference, Kind::White);
@@ -88,10 +93,11 @@ fn every_kind(name: &str, lattice: AnyLattice<'_>, reference: &impl Lattice) {
 }
 
 #[test]
-fn kinds_tile_with_the_words_of_the_first_tile() {
+fn noises_tile_with_the_words_of_the_first_tile() {
     let lattice = Tiled::new(IntegerHash, [5, 3, 7, 2]).unwrap();
     let reference = Wrapped([5, 3, 7, 2]);
-    // One for each way to look at cells: alone, at corners (as value, Perlin and Gaussian noise do), at 4ⁿ neighbours, at 3ⁿ.
+    // One for each way to use cells: alone, at corners (like value, Perlin and Gaussian noise), at
+    // 4ⁿ neighbors, at 3ⁿ.
     close("white, tiled", White::default().with_lattice(lattice), &reference, Kind::White);
     close("Perlin 1985, tiled", Perlin1985::default().with_lattice(lattice), &reference, Kind::Perlin1985);
     let noise = ValueCatmullRom::default().with_lattice(lattice);
@@ -100,7 +106,7 @@ fn kinds_tile_with_the_words_of_the_first_tile() {
 }
 
 #[test]
-fn simplex_noise_tiles_on_the_line_and_in_space() {
+fn simplex_noise_tiles_in_1d_and_3d() {
     for noise in [Simplex::new(0), Simplex::wide(0)] {
         let kind = Kind::Simplex(noise.radius_squared().into());
         let tiled = noise.with_lattice(Tiled::new(IntegerHash, [5]).unwrap());
@@ -114,7 +120,7 @@ fn simplex_noise_tiles_on_the_line_and_in_space() {
     }
 }
 
-/// The word of a cell of 1 to 4 coordinates.
+/// Returns the word of a cell with 1 to 4 coordinates.
 fn word(lattice: &impl Lattice, cell: &[i32], seed: u32) -> u32 {
     match *cell {
         [x] => lattice.word([x], seed),
@@ -126,7 +132,7 @@ fn word(lattice: &impl Lattice, cell: &[i32], seed: u32) -> u32 {
 }
 
 #[test]
-fn tables_take_the_place_of_the_hash() {
+fn tables_replace_the_hash() {
     let table = PermutationTable::new(1);
     let words = |cell: &[i32], seed| word(&table, cell, seed);
     every_kind("by permutation", AnyLattice(&words), &table);

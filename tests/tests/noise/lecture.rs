@@ -1,4 +1,5 @@
-//! The noises of Ebert (ed.) 1994 and the chained look-ups of Nilsson 2008 against transcriptions of their listings.
+//! The noises of Ebert (ed.) 1994 and the chained lookups of Nilsson 2008, against transcriptions
+//! of their listings.
 
 use asperity_noise::{
     Field, Lattice, Perlin1985, Sample,
@@ -11,11 +12,12 @@ use asperity_tests::random::Random;
 
 const POINTS: usize = 10_000;
 
-/// Worst errors seen: `gnoise` 1.8e-7, `vnoise` 4.4e-7, `Perlin1985` 2.5e-7.
+/// Maximum errors seen: `gnoise` 1.8e-7, `vnoise` 4.4e-7, `Perlin1985` 2.5e-7.
 const VALUE_TOLERANCE: f64 = 1e-6;
-/// A central difference errs by h² max |n‴|/6, with h = 1e-5 and n‴ ≤ 40 by 7e-10, and by 1e-11 of rounding; but the
-/// spline's second derivative leaps at borders by up to 20, and where the difference straddles one it errs by h/2 of that,
-/// 1e-4. Worst seen 7.7e-7, so no point straddles.
+/// The error of a central difference is h² max |n‴|/6, 7e-10 with h = 1e-5 and n‴ ≤ 40, plus 1e-11
+/// of rounding. The spline's second derivative jumps at borders by up to 20. A difference across a
+/// border has an error of h/2 of that, 1e-4. Maximum seen 7.7e-7, so no difference crosses a
+/// border.
 const GRADIENT_TOLERANCE: f64 = 3e-6;
 
 /// The listings in `f64`, with their tables of floats.
@@ -87,7 +89,7 @@ impl Listing {
     }
 }
 
-/// RenderMan's `spline` over four knots: Catmull and Rom's matrix, by Horner's rule.
+/// RenderMan's `spline` over four knots: the Catmull–Rom matrix, by Horner's rule.
 fn spline(x: f64, knots: [f64; 4]) -> f64 {
     const MATRIX: [[f64; 4]; 4] =
         [[-0.5, 1.5, -1.5, 0.5], [1.0, -2.5, 2.0, -0.5], [-0.5, 0.0, 0.5, 0.0], [0.0, 1.0, 0.0, 0.0]];
@@ -101,7 +103,7 @@ fn tables(seed: u64) -> (LectureTables, Listing) {
     (tables, Listing::new(*permutation.entries(), seed))
 }
 
-/// Points in ±512, two periods, with sixteen bits of fraction less what `f32` cannot hold.
+/// Returns points within ±512, two periods, with sixteen fractional bits as far as `f32` permits.
 fn points() -> impl Iterator<Item = Vec3> {
     let mut random = Random(1994);
     std::iter::repeat_with(move || {
@@ -110,7 +112,7 @@ fn points() -> impl Iterator<Item = Vec3> {
     .take(POINTS)
 }
 
-/// The worst errors of values and gradients.
+/// Returns the maximum errors of values and gradients.
 fn errors(sample: impl Fn(Vec3) -> Sample<Vec3>, expected: impl Fn([f64; 3]) -> f64) -> [f64; 2] {
     let h = 1e-5;
     let mut worst = [0.0_f64; 2];
@@ -135,12 +137,13 @@ fn close(name: &str, [value, gradient]: [f64; 2]) {
 }
 
 #[test]
-fn the_tables_are_the_listings() {
+fn tables_match_the_listings() {
     let (tables, listing) = tables(665);
     for i in 0..256 {
         assert_eq!(f64::from(tables.values()[i]), listing.value_tab[i]);
         for axis in 0..3 {
-            // Sine and cosine rounded from `f64` on either side: an ulp at most where they lie halfway. Worst seen 0.
+            // Sine and cosine are rounded from `f64` on both sides: at most an ulp if they are
+            // halfway. Maximum seen 0.
             let error = f64::from(tables.gradients()[i][axis]) - listing.gradient_tab[3 * i + axis];
             assert_abs_diff_eq!(error, 0.0, epsilon = 1.2e-7, "{i}, axis {axis}: {error:e}");
         }
@@ -148,26 +151,27 @@ fn the_tables_are_the_listings() {
 }
 
 #[test]
-fn gnoise_is_the_listing() {
+fn gnoise_matches_the_listing() {
     let (tables, listing) = tables(665);
     close("gnoise", errors(|p| Gnoise(&tables).sample(p), |p| listing.gnoise(p)));
 }
 
 #[test]
-fn vnoise_is_the_listing() {
+fn vnoise_matches_the_listing() {
     let (tables, listing) = tables(665);
     close("vnoise", errors(|p| Vnoise(&tables).sample(p), |p| listing.vnoise(p)));
 }
 
 #[test]
-fn vgnoise_is_the_weighted_sum_of_both() {
+fn vgnoise_is_the_weighted_sum() {
     let (tables, listing) = tables(666);
     let noise = Vgnoise::new(&tables, 0.6).expect("a weight");
     let expected = |p| f64::from(0.4_f32) * listing.vnoise(p) + f64::from(0.6_f32) * listing.gnoise(p);
     close("vgnoise", errors(|p| noise.sample(p), expected));
 }
 
-/// Gradient noise of 1985 on a permutation is the lecture's, with gradients drawn otherwise, times 2/√3.
+/// Gradient noise of 1985 on a permutation equals the lecture's times 2/√3, with differently
+/// selected gradients.
 #[test]
 fn perlin_1985_on_a_permutation_is_gnoise() {
     let (_, mut listing) = tables(665);
@@ -180,13 +184,13 @@ fn perlin_1985_on_a_permutation_is_gnoise() {
             *to = f64::from(from);
         }
     }
-    // The noise is short of the bound by 2e-6, against rounding.
+    // The noise is below the bound by 2e-6, against rounding.
     let scale = 2.0 / 3.0_f64.sqrt() * (1.0 - 2e-6);
     let noise = Perlin1985::default().with_lattice(permutation);
     close("Perlin 1985", errors(|p| noise.with_seed(seed).sample(p), |p| scale * listing.gnoise(p)));
 }
 
-/// The thesis's listing in `f32`, with a texture of bytes that is sampled at points and repeats.
+/// The thesis's listing in `f32`, with a repeating byte texture and point sampling.
 fn prng(texture: &[u8; 256], pos: [f32; 3], size: f32) -> f32 {
     let tex2d = |u: f32| {
         let texel = (f64::from(u - u.floor()) * 256.0).floor() as usize % 256;
@@ -201,7 +205,7 @@ fn prng(texture: &[u8; 256], pos: [f32; 3], size: f32) -> f32 {
 }
 
 #[test]
-fn the_chained_table_is_the_thesis_s_listing_bit_for_bit() {
+fn chained_table_matches_the_thesis_listing() {
     let permutation = PermutationTable::new(2008);
     let table = ChainedTable(permutation);
     let mut random = Random(2008);

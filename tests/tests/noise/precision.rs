@@ -1,4 +1,5 @@
-//! The table "Precision" of the crate page: largest errors of value and gradient against an `f64` evaluation.
+//! The table "Precision" of the crate page: maximum errors of value and gradient against an `f64`
+//! evaluation.
 
 use asperity_noise::{
     Gaussian, IntegerHash, Perlin1985, Perlin2002, Simplex, Sparse, Value, ValueCatmullRom, ValueGradient,
@@ -16,7 +17,7 @@ const PAGE: &str = include_str!("../../../crates/noise/src/lib.rs");
 /// Points in each dimension.
 const POINTS: u32 = 100_000;
 
-/// Raises the errors to the largest ones of a kind in N dimensions.
+/// Raises the errors to the maximum errors of a noise in N dimensions.
 fn largest<const N: usize>(
     _: &str,
     noise: &dyn AnyNoise<N>,
@@ -24,7 +25,7 @@ fn largest<const N: usize>(
 ) {
     let (scale, mut random) = (kind.scales()[N - 1], Random(7));
     let words = |cell: [i32; N], seed| kind.word(&IntegerHash, cell, seed);
-    // The reference takes 3ⁿ or 4ⁿ lattice points a dozen times for a gradient.
+    // The reference evaluates 3ⁿ or 4ⁿ lattice points a dozen times for a gradient.
     let many = matches!(kind, Kind::CatmullRom | Kind::Sparse(_));
     let points = if many && N > 2 { POINTS / [3, 30][N - 3] } else { POINTS };
     for seed in 0..points {
@@ -39,7 +40,7 @@ fn largest<const N: usize>(
     }
 }
 
-/// The errors that the page states for a kind.
+/// Returns the errors stated on the page for a noise.
 fn stated(name: &str) -> Option<[f64; 2]> {
     let section = PAGE.split("//! # Accuracy").nth(1)?.split("//! # ").next()?;
     let row = section.lines().find_map(|line| line.strip_prefix(&format!("//! | {name} | ")))?;
@@ -48,7 +49,7 @@ fn stated(name: &str) -> Option<[f64; 2]> {
 }
 
 #[test]
-fn precision_table_of_the_page_bounds_the_errors_of_every_kind() {
+fn precision_table_bounds_the_errors_of_every_noise() {
     fn measured<K: AnyKind>(noise: K, kind: Kind, reach: f64) -> [f64; 2] {
         let mut errors = [0.0; 2];
         in_every_dimension!(dimensions("", noise), largest, (kind, reach, &mut errors));
@@ -67,7 +68,8 @@ fn precision_table_of_the_page_bounds_the_errors_of_every_kind() {
     ];
     let mut wrong = Vec::new();
     for (name, errors) in rows {
-        // Points, seeds and bits are fixed, so that an error is at most the stated one, which is rounded up to two digits.
+        // Points, seeds and bits are fixed, so that an error is at most the stated error, which is
+        // rounded up to two digits.
         let holds = |stated: [f64; 2]| {
             stated.into_iter().zip(errors).all(|(stated, error)| error <= stated && stated < 1.15 * error)
         };

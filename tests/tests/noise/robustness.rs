@@ -1,4 +1,5 @@
-//! Every kind and sum is defined everywhere: huge points, points beyond all cells, points that are not finite.
+//! Every noise and sum is defined everywhere: huge points, points beyond all cells, non-finite
+//! points.
 
 use asperity_noise::{
     Field, Gaussian, GaussianOctaves, Normalisation, Octaves, Perlin2002, Point, Rotation, Sample, Simplex,
@@ -12,7 +13,7 @@ use asperity_tests::{
     random::Random,
 };
 
-/// Points one of whose coordinates is not finite.
+/// Points with a non-finite coordinate.
 fn not_finite<const N: usize>() -> impl Iterator<Item = [f32; N]> {
     (0..4 * N).map(|i| {
         let mut p = [0.3; N];
@@ -32,7 +33,7 @@ fn zero_where_not_finite<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
 }
 
 #[test]
-fn points_that_are_not_finite_give_zero() {
+fn non_finite_points_return_zero() {
     in_every_dimension!(kinds(), zero_where_not_finite);
     in_every_dimension!(variants(), zero_where_not_finite);
     let permuted = Perlin2002::default().with_lattice(PermutationTable::new(1));
@@ -73,7 +74,7 @@ fn huge<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
         let p = huge_point(&mut random);
         let sample = noise.sample(p, seed);
         assert_abs_diff_eq!(sample.value, 0.0, epsilon = range, "{name} at {p:?}: {sample:?}");
-        // The steepest is Gaussian noise with all variates at their greatest: 6 times its range.
+        // The steepest is Gaussian noise with all variates at their maximum: 6 times its range.
         let steep = |x: f32| x.is_finite() && x.abs() < 8.0 * range;
         assert!(sample.gradient.into_iter().all(steep), "{name} at {p:?}: {sample:?}");
         let sample = sum.sample(p, 10.0);
@@ -82,7 +83,7 @@ fn huge<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
 }
 
 #[test]
-fn huge_points_give_finite_samples_in_range() {
+fn huge_points_return_finite_samples_in_range() {
     in_every_dimension!(kinds(), huge);
     in_every_dimension!(variants(), huge);
     let permuted = Perlin2002::default().with_lattice(PermutationTable::new(1));
@@ -125,23 +126,24 @@ fn wraps<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
         };
         let mut other = 0;
         for seed in 0..64 {
-            // 2³² + 1024 is the cell 1024 again, and 2³¹ the cell −2³¹.
+            // 2³² + 1024 is cell 1024 again, and 2³¹ is cell −2³¹.
             assert_eq!(at(1024.0, seed), at(4_294_968_320.0, seed), "{name}, axis {axis}");
             assert_eq!(at(2_147_483_648.0, seed), at(-2_147_483_648.0, seed), "{name}, axis {axis}");
             assert_eq!(at(2_147_483_904.0, seed), at(-2_147_483_392.0, seed), "{name}, axis {axis}");
             other += u32::from(at(2_147_483_648.0, seed) != at(2_147_483_904.0, seed));
         }
-        // The cells beside one another there have words of their own.
+        // Adjacent cells have different words there.
         assert!(other > 20, "{name}, axis {axis}: {other} of 64 differ");
     }
 }
 
 #[test]
-fn cells_wrap_around_at_two_to_the_thirty_first() {
+fn cells_wrap_around_at_2_31() {
     in_every_dimension!(kinds(), wraps);
 }
 
-/// Simplex noise is in range up to Σ |xᵢ| = 2²² but for the rounding of its corners, and 0 from there on.
+/// Simplex noise is in range up to Σ |xᵢ| = 2²² except for the rounding of its corners, and 0
+/// beyond.
 fn fades_out<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
     if !name.contains("simplex") {
         return;
@@ -149,7 +151,7 @@ fn fades_out<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
     let mut random = Random(7);
     let mut not_zero = 0;
     for seed in 0..20_000 {
-        // Up to 2²² in all, at every order of magnitude from 2¹⁶ on.
+        // Up to 2²² in total, at every order of magnitude from 2¹⁶.
         let reach = 2.0_f64.powf(16.0 + 6.0 * random.uniform()) / N as f64;
         let near: [f32; N] = std::array::from_fn(|_| ((random.uniform() * 2.0 - 1.0) * reach * 0.999) as f32);
         let sample = noise.sample(near, seed);
@@ -169,7 +171,7 @@ fn simplex_noise_is_in_range_until_it_ends() {
     in_every_dimension!(kinds(), fades_out);
 }
 
-/// Value and gradient as one vector.
+/// Returns value and gradient as one vector.
 fn vector<const N: usize>(noise: &dyn AnyNoise<N>, x: f32) -> [f64; 5] {
     let mut p = [3.0; N];
     p[0] = x;
@@ -181,8 +183,8 @@ fn vector<const N: usize>(noise: &dyn AnyNoise<N>, x: f32) -> [f64; 5] {
     vector
 }
 
-/// Statistics of values and gradients around a place on the first axis: mean square, its standard error, and correlation of
-/// neighbours in standard errors.
+/// Returns statistics of values and gradients around a position on the first axis: mean square, its
+/// standard error, and correlation of neighbors in standard errors.
 fn around<const N: usize>(noise: &dyn AnyNoise<N>, place: f32, step: f32) -> [f64; 3] {
     const COUNT: i16 = 20_000;
     let vectors: Vec<_> =
@@ -198,8 +200,9 @@ fn around<const N: usize>(noise: &dyn AnyNoise<N>, place: f32, step: f32) -> [f6
 }
 
 fn seams<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
-    // At lattice points, 256 apart, as floats are at 2³¹; elsewhere is 2²⁶. Integers are not the lattice points of simplices,
-    // and far out it is 0: there neighbours 3.3 apart share no corner.
+    // At lattice points 256 apart, like floats at 2³¹; elsewhere 2²⁶. Integers are not the lattice
+    // points of simplices, and far out simplex noise is 0, so there the neighbors are 3.3 apart and
+    // share no corner.
     let (step, far, places) = match name.contains("simplex") {
         true => (3.3125, 131_072.0, &[0.0][..]),
         false => (256.0, 67_108_864.0, &[0.0, 2_147_483_648.0, -2_147_483_648.0][..]),
@@ -207,7 +210,7 @@ fn seams<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
     let [elsewhere, error, _] = around(noise, far, step);
     for &place in places {
         let [here, there, correlation] = around(noise, place, step);
-        // 4.6 standard errors: significance 0.001 over some 200 cases.
+        // 4.6 standard errors: significance 0.001 over about 200 cases.
         let error = 4.6 * error.hypot(there);
         assert_abs_diff_eq!(here, elsewhere, epsilon = error, "{name} around {place}");
         assert_abs_diff_eq!(correlation, 0.0, epsilon = 4.6, "neighbours of {name} around {place}");
@@ -215,12 +218,12 @@ fn seams<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
 }
 
 #[test]
-fn nothing_shows_at_the_origin_or_where_cells_wrap() {
+fn origin_and_wraparound_are_inconspicuous() {
     in_every_dimension!(kinds(), seams);
 }
 
 #[test]
-fn octaves_take_any_count_and_stay_in_range() {
+fn sums_accept_any_octave_count_and_stay_in_range() {
     let noise = Octaves::new(Simplex::new(1), Spectrum::default()).with_normalisation(Normalisation::Range);
     let mut random = Random(12);
     for i in 0..2000_u16 {
@@ -235,7 +238,7 @@ fn octaves_take_any_count_and_stay_in_range() {
 }
 
 #[test]
-fn a_lone_octave_stays_as_it_is_however_small_its_weight() {
+fn single_octave_is_independent_of_its_weight() {
     let p = Vec3::new(0.3, -1.7, 2.4);
     for normalisation in [Normalisation::Range, Normalisation::Variance] {
         let noise = Octaves::new(Perlin2002::new(3), Spectrum::default()).with_normalisation(normalisation);

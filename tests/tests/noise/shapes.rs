@@ -1,4 +1,4 @@
-//! Turbulence and its like: against their octaves, against differences, their measured means, the clamp.
+//! Turbulence and other shapes: against their octaves, differences, measured means, and clamping.
 
 use asperity_noise::{
     Billow, Field, Normalisation, Octaves, Perlin2002, Plasma, Point, Power, Ridged, RidgedMultifractal,
@@ -12,15 +12,15 @@ use asperity_tests::{
     random::Random,
 };
 
-/// Coordinates in ±8 with twelve bits of fraction.
+/// Returns coordinates within ±8 with twelve fractional bits.
 fn point<V: Point<Coordinates = [f32; N]>, const N: usize>(random: &mut Random) -> V {
     V::from_coordinates([(); N].map(|()| ((random.uniform() - 0.5) * 65_536.0).round() as f32 / 4096.0))
 }
 
-/// φ and φ′ once more.
+/// An independent implementation of φ and φ′.
 type Phi = fn(f64) -> [f64; 2];
 
-/// Value and gradient of octave i at a point, from the signed sums of i and i + 1 octaves.
+/// Returns value and gradient of octave i at a point, from the signed sums of i and i + 1 octaves.
 fn octave<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize>(
     signed: &Octaves<K, N>,
     p: V,
@@ -39,10 +39,10 @@ fn octave<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize>(
     ((above.0 - below.0) / amplitude, std::array::from_fn(slope))
 }
 
-/// Signed octaves, or those of a shape.
+/// Signed octaves, or octaves of a shape.
 type Signs<'a, const N: usize> = Octaves<AnyKernel<'a, N>, N>;
 
-/// Sums of four octaves of a shape, the last at half weight, against φ of their octaves.
+/// Asserts that sums of four octaves of a shape, the last at half weight, are φ of their octaves.
 fn follows<T: Shape, const N: usize>(name: &str, noise: &dyn AnyNoise<N>, shape: T, phi: Phi) {
     follows_phi(&format!("{shape:?} {name}"), noise, phi, &|signed, p| {
         signed.with_shape(shape).detail(3.5).sample(p)
@@ -57,7 +57,8 @@ fn follows_phi<const N: usize>(
 ) {
     let spectrum = Spectrum::default();
     let mut random = Random(11);
-    // Octaves come out of sums by differences: a few roundings of values under twice the range and of gradients under 30.
+    // Octaves are differences of sums: a few roundings of values below twice the range and of
+    // gradients below 30.
     let range = f64::from(noise.statistics().range).max(1.0);
     for rotation in [Rotation::Random, Rotation::Aligned] {
         for seed in 0..40 / thinning::<N>(name) {
@@ -104,7 +105,8 @@ fn shaped_sums_are_sums_of_shaped_octaves() {
     in_every_dimension!(kinds(), every_shape_follows);
 }
 
-/// The greatest difference of a field's gradient and central differences, over points where no crease is near.
+/// Returns the maximum difference between a field's gradient and central differences, over points
+/// away from creases.
 fn by_differences<V: Point<Coordinates = [f32; N]>, F: Field<V>, const N: usize>(field: &F) -> f64 {
     const H: f32 = 1.0 / 512.0;
     let mut random = Random(5);
@@ -129,14 +131,14 @@ fn by_differences<V: Point<Coordinates = [f32; N]>, F: Field<V>, const N: usize>
     }
     assert!(errors.len() > 150 * N, "{} slopes of {}", errors.len(), 300 * N);
     errors.sort_by(f64::total_cmp);
-    // Some creases are slight enough to pass; nine of ten points have none.
+    // Some creases are slight enough to pass. Nine of ten points have none.
     errors[errors.len() * 9 / 10]
 }
 
 #[test]
 fn gradients_are_limits_of_differences() {
-    // Rounding of values, 4e-7, over H = 1/512, and H²/6 times third derivatives, which reach 3000 for the third octave.
-    // Worst seen 1.6e-3, for ridged simplex noise.
+    // Rounding of values, 4e-7, over H = 1/512, plus H²/6 times third derivatives, which reach 3000
+    // for the third octave. Maximum seen 1.6e-3, for ridged simplex noise.
     fn check<V: Point<Coordinates = [f32; N]>, F: Field<V>, const N: usize>(name: &str, field: &F) {
         let error = by_differences::<V, F, N>(field);
         println!("{name}: {error:.1e}");
@@ -155,7 +157,7 @@ fn gradients_are_limits_of_differences() {
     check::<Vec3, _, 3>("ridged multifractal", &ridges.first(2.5));
 }
 
-/// Whether the mean and deviation of a sum of three octaves are the stated ones, clamped or not.
+/// Asserts that mean and deviation of a sum of three octaves are as stated, clamped or not.
 fn has_moments<T: Shape, const N: usize>(name: &str, noise: &dyn AnyNoise<N>, shape: T) {
     has_stated_moments(&format!("{shape:?} {name}"), &|normalisation, seed| {
         let sum = Octaves::new(AnyKernel(noise), Spectrum::THREADS).with_seed(seed);
@@ -166,7 +168,7 @@ fn has_moments<T: Shape, const N: usize>(name: &str, noise: &dyn AnyNoise<N>, sh
     });
 }
 
-/// The stated mean and deviation of a sum, and its value at a point, whole and clamped.
+/// The stated mean and deviation of a sum, and its value at a point, unclamped and clamped.
 type Stated<'a, const N: usize> = ([f32; 2], Box<dyn Fn(Coordinates<N>) -> [f32; 2] + 'a>);
 
 fn has_stated_moments<'a, const N: usize>(name: &str, sum: &dyn Fn(Normalisation, u32) -> Stated<'a, N>) {
@@ -191,8 +193,9 @@ fn has_stated_moments<'a, const N: usize>(name: &str, sum: &dyn Fn(Normalisation
             squares.push(square);
             clamped.push(mean_clamped);
         }
-        // 4 kinds and dimensions, 5 shapes, 2 normalisations, 3 numbers: 5 standard errors are 7e-5 for all of them
-        // together; the stated moments have errors of a sixth of these.
+        // 4 noises and dimensions, 5 shapes, 2 normalizations, 3 numbers: 5 standard errors
+        // correspond to 7e-5 for all of them together. The stated moments have errors of a sixth of
+        // these.
         let agrees = |what: &str, samples: &[f64], expected: f64| {
             let count = samples.len() as f64;
             let mean = samples.iter().sum::<f64>() / count;
@@ -226,18 +229,19 @@ fn sums_have_their_means_and_deviations() {
 }
 
 #[test]
-fn clamping_takes_the_finest_octaves_first() {
+fn clamping_removes_the_finest_octaves_first() {
     let octaves =
         Octaves::<_, 2>::new(Perlin2002::new(2), Spectrum::CLOUD).with_normalisation(Normalisation::Range);
     let sum = octaves.with_shape(Turbulence);
     let p = Vec2::new(0.3, 5.25);
-    // Frequencies 1, 2, 4: at 0.15 the third is removed altogether, the second by smoothstep(0.3) = 0.15625, the first not.
+    // Frequencies 1, 2, 4: at 0.15 the third is removed entirely, the second by smoothstep(0.3) =
+    // 0.15625, the first not at all.
     let parts: Vec<f64> = (0..3).map(|i| octave(&octaves, p, i).0.abs()).collect();
     let mean = f64::from(sum.first(3.0).mean());
     let expected = (parts[0] + 0.5 * (parts[1] + 0.15625 * (mean - parts[1])) + 0.25 * mean) / 1.75;
     let clamped = sum.first(3.0).clamped(0.15).sample(p);
     assert_abs_diff_eq!(f64::from(clamped.value), expected, epsilon = 1e-6);
-    // Without a footprint nothing changes, not a bit; with an endless one the mean remains.
+    // A zero footprint changes no bit. With an infinite footprint the mean remains.
     for footprint in [0.0, -1.0, f32::NAN] {
         assert_eq!(sum.first(3.0).clamped(footprint).sample(p), sum.detail(3.0).sample(p), "{footprint}");
     }

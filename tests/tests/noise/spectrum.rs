@@ -1,4 +1,4 @@
-//! The power spectrum of sums of octaves falls as gain and lacunarity say.
+//! The power spectrum of octave sums decreases according to gain and lacunarity.
 
 use asperity_tests::assert_abs_diff_eq;
 use std::f64::consts::TAU;
@@ -28,9 +28,9 @@ fn transform(x: &[[f64; 2]]) -> Vec<[f64; 2]> {
     result
 }
 
-/// The slope of the log of the power spectrum over the log of the frequency, along lines through sums of all octaves.
+/// Returns the log–log slope of the power spectrum, along lines through sums of all octaves.
 ///
-/// From the power in bands as wide as the lacunarity, in which the octaves' own spectra repeat.
+/// It uses the power in bands as wide as the lacunarity, in which the octaves' own spectra repeat.
 fn slope(spectrum: Spectrum, octaves: f32, bands: i32) -> f64 {
     let mut power = vec![0.0; LENGTH / 2];
     for line in 0..LINES {
@@ -53,7 +53,7 @@ fn slope(spectrum: Spectrum, octaves: f32, bands: i32) -> f64 {
     let logs: Vec<f64> = (0..bands)
         .map(|band| {
             let (low, high) = (bin(first * lacunarity.powi(band)), bin(first * lacunarity.powi(band + 1)));
-            // By the trapezoid rule: bins are wide where few of them make a band.
+            // By the trapezoidal rule, because a band may consist of a few wide bins.
             let sum = power[low..=high].iter().sum::<f64>() - 0.5 * (power[low] + power[high]);
             (sum / (high - low) as f64).ln()
         })
@@ -69,9 +69,10 @@ fn slope(spectrum: Spectrum, octaves: f32, bands: i32) -> f64 {
 }
 
 #[test]
-fn the_spectral_slope_follows_gain_and_lacunarity() {
-    // The lowest band has twelve bins, of 128 lines and correlated in twos by the window: its power errs by 4 %, the next one's
-    // by 3 %, the slope by 0.013. Four times that, and 0.01 for the trapezoids. Worst seen 0.053.
+fn spectral_slope_follows_gain_and_lacunarity() {
+    // The lowest band has twelve bins, from 128 lines and correlated pairwise by the window: its
+    // power has an error of 4 %, the next band's 3 %, the slope 0.013. Four times that, plus 0.01
+    // for the trapezoids. Maximum seen 0.053.
     for (lacunarity, gain, octaves, bands) in
         [(2.0, 0.5, 9, 5), (2.17, 0.5, 8, 4), (2.0, 0.7, 9, 5), (2.0, 0.35, 9, 5)]
     {

@@ -1,4 +1,5 @@
-//! The shipped statistics of each kind against a fresh measurement, the sums normalised by them, and how tight ranges are.
+//! The tabulated statistics of each noise against a new measurement, sums normalized by them, and
+//! tightness of ranges.
 
 use asperity_noise::{
     Field, Gaussian, IntegerHash, Lattice, Noise, Normalisation, Octaves, Perlin1985, Perlin2002, Point,
@@ -20,7 +21,7 @@ const POINTS: u32 = 32;
 /// A field at coordinates.
 type Values<'a, const N: usize> = Box<dyn Fn([f32; N]) -> f32 + 'a>;
 
-/// Values at random points of a box of 128 cells a side, a list for each seed.
+/// Returns values at random points of a box of 128 cells per side, one list per seed.
 fn values<'a, const N: usize>(
     seeds: u32,
     field: &(dyn Fn(u32) -> Values<'a, N> + Sync + 'a),
@@ -36,10 +37,12 @@ fn lists(seeds: u32, list: &(dyn Fn(u32) -> Vec<f64> + Sync)) -> Vec<Vec<f64>> {
     (0..seeds).into_par_iter().map(list).collect()
 }
 
-/// 5 standard errors: significance 0.001 over some 400 cases, with as much again for means over seeds that are skewed.
+/// 5 standard errors: significance 0.001 over about 400 cases, with a margin for skewed means over
+/// seeds.
 const ERRORS: f64 = 5.0;
 
-/// Whether the mean of a function of the values is the expected one. Points of one seed share cells; seeds are independent.
+/// Asserts the mean of a function of the values. Points of one seed share cells; seeds are
+/// independent.
 fn assert_mean(name: &str, values: &[Vec<f64>], f: &dyn Fn(f64) -> f64, expected: f64) {
     let n = values.len() as f64;
     let mean = |list: &[f64]| list.iter().map(|&x| f(x)).sum::<f64>() / list.len() as f64;
@@ -54,7 +57,7 @@ fn mean_of(numbers: &[f64]) -> f64 {
     numbers.iter().sum::<f64>() / numbers.len() as f64
 }
 
-/// The moments of a kind's values over so many seeds are those that it states, and the range is kept.
+/// Asserts that the moments of a noise over these seeds are as stated, and that the range holds.
 fn assert_stated<const N: usize>(name: &str, noise: &dyn AnyNoise<N>, seeds: u32) -> Vec<Vec<f64>> {
     let values = values(seeds, &|seed| Box::new(move |p| noise.value(p, seed)));
     assert_mean(&format!("{name}: mean"), &values, &|x| x, 0.0);
@@ -69,7 +72,7 @@ fn assert_stated<const N: usize>(name: &str, noise: &dyn AnyNoise<N>, seeds: u32
     values
 }
 
-/// The first, second and fourth moment are those of σ and κ.
+/// Asserts that the first, second and fourth moment match σ and κ.
 fn assert_moments(name: &str, values: &[Vec<f64>], sigma: f32, excess: f32) {
     let (sigma, excess) = (f64::from(sigma), f64::from(excess));
     assert_mean(&format!("{name}: mean"), values, &|x| x, 0.0);
@@ -106,13 +109,14 @@ fn shipped<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
             (below - f64::from(g)).abs()
         })
         .fold(0.0, f64::max);
-    // KS at significance 0.001/40 is 2.4/√n, 0.0077 for most, if points are independent; the table's own error is 0.0004.
+    // KS at significance 0.001/40 is 2.4/√n, 0.0077 for most, if points are independent. The
+    // table's own error is 0.0004.
     let floor = 2.4 / (sums.len() as f64).sqrt() + 4e-4;
     assert!(worst < floor, "{name}: KS {worst}");
 }
 
 #[test]
-fn shipped_statistics_are_those_of_the_noise() {
+fn tabulated_statistics_match_the_noise() {
     in_every_dimension!(kinds(), shipped);
 }
 
@@ -138,7 +142,7 @@ fn gaussian_table<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
 }
 
 #[test]
-fn the_gaussian_table_is_phi() {
+fn gaussian_table_is_phi() {
     in_every_dimension!(kinds(), gaussian_table);
 }
 
@@ -160,7 +164,7 @@ fn sums_have_the_stated_deviation_and_kurtosis() {
     }
 }
 
-/// A lattice that gives each point the word that makes the noise greatest at one place.
+/// A lattice with the words that maximize the noise at one position.
 struct Best(Vec<(Vec<i32>, u32)>);
 
 impl Best {
@@ -177,7 +181,7 @@ impl Best {
     }
 }
 
-/// The place where a kind can be greatest, by search.
+/// Returns the position of a noise's possible maximum, by search.
 fn greatest_place<const D: usize>(kind: Kind) -> [f64; D] {
     let mut random = Random(D as u64);
     let mut best = (0.0, [0.5; D]);
@@ -201,12 +205,12 @@ fn greatest_place<const D: usize>(kind: Kind) -> [f64; D] {
     best.1
 }
 
-/// A noise over its range.
+/// Returns a noise divided by its range.
 fn share<V: Point>(noise: &impl Noise<V>, p: V) -> f32 {
     noise.value(p) / noise.statistics().range
 }
 
-/// Value of a noise at its greatest place, if the words of the lattice happen to be the best ones.
+/// Returns the value of a noise at its maximum position, for the best words of the lattice.
 fn reached<const D: usize>(kind: Kind, words: u32, noise: &dyn Fn(AnyLattice<'_>, [f32; D]) -> f32) -> f32 {
     let place = greatest_place::<D>(kind).map(|x| f64::from(x as f32));
     let words: Vec<u32> = (0..words as i32).map(|i| IntegerHash.word([i], 1)).collect();
@@ -227,14 +231,14 @@ macro_rules! assert_reached {
 }
 
 #[test]
-fn ranges_are_reached() {
+fn ranges_are_attained() {
     assert_reached!("white", Kind::White, White::new(0), 20_000);
     assert_reached!("value", Kind::Value, Value::new(0), 20_000);
     assert_reached!("value, Catmull-Rom", Kind::CatmullRom, ValueCatmullRom::new(0), 20_000);
     assert_reached!("Perlin 1985", Kind::Perlin1985, Perlin1985::new(0), 20_000);
     assert_reached!("Perlin 2002", Kind::Perlin2002, Perlin2002::new(0), 20_000);
     let even = ValueGradient::default();
-    // Few words have both the greatest number and the best gradient.
+    // Few words have both the maximum number and the best gradient.
     assert_reached!("value-gradient", Kind::ValueGradient(0.5), even, 400_000);
     let gradients = ValueGradient::default().with_weight(1.0).unwrap();
     assert_reached!("gradient part", Kind::ValueGradient(1.0), gradients, 20_000);
@@ -244,12 +248,13 @@ fn ranges_are_reached() {
 }
 
 #[test]
-fn the_gaussian_range_is_that_of_the_outermost_variates() {
+fn gaussian_range_is_from_the_outermost_variates() {
     fn bound<V: Point<Coordinates = [f32; N]>, const N: usize>() -> (f64, f64)
     where
         Gaussian: Noise<V>,
     {
-        // In the cell's centre every weight is 2⁻ⁿ and every distance ½ an axis; near it are no greater values.
+        // In the cell's center every weight is 2⁻ⁿ and every distance ½ per axis. Values nearby are
+        // not greater.
         let corners = f64::from(1_u32 << N);
         let (greatest, outermost) = (6.230_2, 3.776_028);
         let sum = greatest + outermost * N as f64;

@@ -1,4 +1,5 @@
-//! Sums of octaves, values and gradients, against an `f64` sum of the reference's octaves and its differences.
+//! Sums of octaves, values and gradients, against an `f64` sum of the reference's octaves and its
+//! differences.
 
 use std::cell::RefCell;
 
@@ -15,7 +16,7 @@ use asperity_tests::{
     random::Random,
 };
 
-/// A noise that is 0 and notes where an octave asks for it, and with which seed.
+/// A noise that returns 0 and records position and seed of every octave evaluation.
 struct Notes<'a, const N: usize>(&'a RefCell<Vec<(u32, [f32; N])>>);
 
 impl<const N: usize> Measured<N> for Notes<'_, N> {
@@ -37,14 +38,14 @@ impl<const N: usize> Kernel<N> for Notes<'_, N> {
     }
 }
 
-/// An octave's seed and map into its lattice, found from outside.
+/// An octave's seed and map into its lattice, determined from outside.
 struct Octave<const N: usize> {
     seed: u32,
     matrix: [[f64; N]; N],
     offset: [f64; N],
 }
 
-/// The octaves of a sum, without an error in their matrices.
+/// Returns the octaves of a sum, with exact matrices.
 fn octaves<const N: usize>(
     spectrum: Spectrum,
     rotation: Rotation,
@@ -63,7 +64,7 @@ fn octaves<const N: usize>(
     })
 }
 
-/// Octaves from the seeds and places that they look up for a point.
+/// Returns octaves from the recorded seeds and positions for a point.
 fn noted_octaves<const N: usize>(
     count: usize,
     noted: &dyn Fn([f32; N]) -> Vec<(u32, [f32; N])>,
@@ -81,7 +82,7 @@ fn noted_octaves<const N: usize>(
         if near == 0.0 {
             return 0.0;
         }
-        // At 2²⁴ and above floats are even, and the offset, which is under 1, is rounded away.
+        // At 2²⁴ and above floats are even, and the offset, which is below 1, is rounded away.
         let scale = (24.0 - f64::from(near.abs()).log2().floor()).exp2();
         f64::from(along(column, scale as f32)[octave].1[row]) / scale
     };
@@ -94,7 +95,7 @@ fn noted_octaves<const N: usize>(
         .collect()
 }
 
-/// Amplitudes with the weight of the last octave, and what a sum over them is divided by.
+/// Returns amplitudes including the weight of the last octave, and the divisor of their sum.
 fn amplitudes(spectrum: &Spectrum, count: f32, normalisation: Normalisation, sigma: f64) -> (Vec<f64>, f64) {
     let amplitudes: Vec<f64> = (0..count.ceil() as u32)
         .map(|i| f64::from(spectrum.amplitude(i)) * f64::from(spectrum.weight(count, i)))
@@ -106,7 +107,8 @@ fn amplitudes(spectrum: &Spectrum, count: f32, normalisation: Normalisation, sig
     (amplitudes, norm)
 }
 
-/// The worst errors of value and gradient of a sum; gradients are relative to the greatest.
+/// Returns the maximum errors of value and gradient of a sum. Gradients are relative to the
+/// maximum.
 fn errors<const N: usize>(
     octaves: &[Octave<N>],
     (amplitudes, norm): &(Vec<f64>, f64),
@@ -141,12 +143,13 @@ fn errors<const N: usize>(
     [worst[0], worst[1] / greatest]
 }
 
-/// Coordinates of the fifth octave err by 1e-6, a part in 2²⁴ of 22·2; the slope of a term there is at most 0.6, that of its
-/// gradient 30, where gradients reach 4. Worst seen 6e-6 and 1e-5.
+/// Coordinates of the fifth octave have errors of 1e-6, i.e. 2⁻²⁴ of 22·2. The slope of a term
+/// there is at most 0.6, and the slope of its gradient 30, where gradients reach 4. Maximum seen
+/// 6e-6 and 1e-5.
 const TOLERANCE: [f64; 2] = [2e-5, 4e-5];
 
 fn assert_close(name: &str, [value, gradient]: [f64; 2]) {
-    // The corners of simplices are rounded too, by |p|·2⁻²².
+    // The corners of simplices are also rounded, by |p|·2⁻²².
     let times = if name.starts_with("simplex") { 8.0 } else { 1.0 };
     assert!(
         value < times * TOLERANCE[0] && gradient < times * TOLERANCE[1],
@@ -154,7 +157,7 @@ fn assert_close(name: &str, [value, gradient]: [f64; 2]) {
     );
 }
 
-/// Checks the sums of a kind of one of these names, and counts them.
+/// Checks the sums of a noise with one of these names, and counts them.
 fn sums<const N: usize>(
     name: &str,
     noise: &dyn AnyNoise<N>,
@@ -177,7 +180,8 @@ fn sums<const N: usize>(
     }
 }
 
-/// Checks the sums of kinds in 1 to 4 dimensions, of two rotations, normalisations and seeds each.
+/// Checks the sums of noises in 1 to 4 dimensions, with two rotations, normalizations and seeds
+/// each.
 fn assert_sums(named: &[(&str, Kind)]) {
     let mut compared = 0;
     in_every_dimension!(kinds(), sums, (named, &mut compared));
@@ -185,12 +189,12 @@ fn assert_sums(named: &[(&str, Kind)]) {
 }
 
 #[test]
-fn sums_of_gradient_noise_equal_the_reference() {
+fn sums_of_gradient_noise_match_the_reference() {
     assert_sums(&[("Perlin 1985", Kind::Perlin1985), ("Perlin 2002", Kind::Perlin2002)]);
 }
 
 #[test]
-fn sums_of_simplex_and_gaussian_noise_equal_the_reference() {
+fn sums_of_simplex_and_gaussian_noise_match_the_reference() {
     assert_sums(&[("simplex", Kind::Simplex(0.5)), ("Gaussian", Kind::Gaussian(0))]);
 }
 
@@ -212,7 +216,7 @@ fn gaussian_sum<V: Point<Coordinates = [f32; N]>, const N: usize>() {
 }
 
 #[test]
-fn both_channels_of_gaussian_sums_equal_the_reference() {
+fn both_channels_of_gaussian_sums_match_the_reference() {
     gaussian_sum::<f32, 1>();
     gaussian_sum::<Vec2, 2>();
     gaussian_sum::<Vec3, 3>();

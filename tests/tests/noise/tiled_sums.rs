@@ -1,4 +1,4 @@
-//! Sums of octaves of every kind that repeat: their edges, what lies between, and grids in lanes.
+//! Periodic octave sums of every noise: edges, interior, and SIMD grids.
 
 use asperity_noise::{
     Cellular, Field, Gaussian, IntegerHash, Octaves, Perlin1985, Perlin2002, RidgedMultifractal, Sample,
@@ -11,11 +11,13 @@ use asperity_tests::assert_abs_diff_eq;
 use rayon::prelude::*;
 
 fn spectrum(octaves: u32) -> Spectrum {
-    // Octaves as strong as the first: with a gain of 0.7 the edges of white noise are as many in few coarse cells as in many fine.
+    // All octaves are as strong as the first. With a gain of 0.7 the few edges of coarse
+    // white-noise cells count as much as the many edges of fine cells.
     Spectrum::new(2.0, 1.0, octaves).expect("in range")
 }
 
-/// The autocorrelation of periodic samples at a shift along the axis of this stride and of so many points.
+/// Returns the autocorrelation of periodic samples at a shift along the axis with this stride and
+/// number of points.
 fn correlation(samples: &[f32], stride: usize, size: usize, shift: usize) -> f64 {
     let (mut product, mut square) = (0.0, 0.0);
     for (i, &sample) in samples.iter().enumerate() {
@@ -27,9 +29,10 @@ fn correlation(samples: &[f32], stride: usize, size: usize, shift: usize) -> f64
     product / square
 }
 
-/// Asserts that what is finer than two steps does not repeat at an eighth, a quarter and half of the tile, along each axis.
+/// Asserts that details finer than two steps do not repeat at an eighth, a quarter and half of the
+/// tile, along each axis.
 fn assert_no_repeats(name: &str, samples: &[f32], axes: u32, size: usize) {
-    // The second differences along all axes, mean 0.
+    // The second differences along all axes, with mean 0.
     let strides: Vec<usize> = (0..axes).map(|axis| size.pow(axis)).collect();
     let at = |i: usize, stride: usize, step: usize| {
         let along = i / stride % size;
@@ -43,7 +46,8 @@ fn assert_no_repeats(name: &str, samples: &[f32], axes: u32, size: usize) {
     for stride in strides {
         for share in [8, 4, 2] {
             let correlation = correlation(&high, stride, size, size / share);
-            // The finest octave has some 16 000 cells: 6 standard errors. With one period for all octaves it was 0.98.
+            // The finest octave has about 16 000 cells: 6 standard errors. With one period for all
+            // octaves it was 0.98.
             assert_abs_diff_eq!(correlation, 0.0, epsilon = 0.05, "{name}, 1/{share} of the tile");
         }
     }
@@ -51,7 +55,7 @@ fn assert_no_repeats(name: &str, samples: &[f32], axes: u32, size: usize) {
 
 const PERIOD: f32 = 8.0;
 
-/// A kind's tile in the plane: edges equal to the bit, and nothing repeated between.
+/// Asserts a noise's tile in the plane: bit-identical edges, and no repetition inside.
 fn plane<K: Kernel<2> + Sync>(name: &str, noise: K) {
     const SIZE: usize = 384;
     let sum = Octaves::tiled(noise, spectrum(5)).expect("periods that lacunarity keeps");
@@ -67,14 +71,14 @@ fn plane<K: Kernel<2> + Sync>(name: &str, noise: K) {
             let [here, there]: [Sample<Vec2>; 2] = [low, low + PERIOD * axis].map(|p| sum.sample(p));
             assert_eq!(here, there, "{name} at {low}");
         }
-        // Inside too, where both points are exact.
+        // Also inside, where both points are exact.
         let p = Vec2::new(f32::from(i) / 16.0, 2.5 - f32::from(i) / 32.0);
         assert_eq!(sum.sample(p), sum.sample(p + Vec2::new(-3.0 * PERIOD, 1000.0 * PERIOD)), "{name} at {p}");
     }
 }
 
 #[test]
-fn sums_of_every_kind_in_the_plane_tile_and_repeat_nothing_between() {
+fn tiled_sums_in_2d_are_periodic_without_inner_repeats() {
     let lattice = Tiled::new(IntegerHash, [8, 8]).expect("in range");
     plane("white", White::new(3).with_lattice(lattice));
     plane("value", Value::new(3).with_lattice(lattice));
@@ -88,7 +92,7 @@ fn sums_of_every_kind_in_the_plane_tile_and_repeat_nothing_between() {
 }
 
 #[test]
-fn sums_of_simplex_noise_tile_on_the_line() {
+fn tiled_simplex_sums_in_1d() {
     const LINE: usize = 1 << 16;
     let noise = Simplex::new(3).with_lattice(Tiled::new(IntegerHash, [1024]).expect("in range"));
     let sum = Octaves::<_, 1>::tiled(noise, spectrum(5)).expect("a period");
@@ -98,7 +102,7 @@ fn sums_of_simplex_noise_tile_on_the_line() {
 }
 
 #[test]
-fn sums_of_simplex_noise_tile_in_space() {
+fn tiled_simplex_sums_in_3d() {
     const SIZE: usize = 96;
     let noise = TiledSimplex::new(Simplex::new(3), [6; 3]).expect("multiples of three");
     let sum = Octaves::tiled(noise, spectrum(3)).expect("periods");
@@ -111,7 +115,8 @@ fn sums_of_simplex_noise_tile_in_space() {
     }
 }
 
-/// Fields whose grids and lists have the bits of single points, across tiles and at every level.
+/// Asserts that grids and lists have the bits of single points, across tiles and at every SIMD
+/// level.
 fn assert_same_bits(name: &str, field: &dyn Field<Vec2>) {
     const WIDTH: usize = 61;
     let grid =
@@ -142,7 +147,7 @@ fn grids_of_tiled_sums_have_the_bits_of_single_points() {
 }
 
 #[test]
-fn what_lacunarity_cannot_keep_is_refused_with_the_rule() {
+fn fractional_periods_are_an_error() {
     let tiled =
         |period| Perlin2002::new(5).with_lattice(Tiled::new(IntegerHash, [period; 2]).expect("in range"));
     let sum = |period, lacunarity, octaves| {
@@ -159,7 +164,7 @@ fn what_lacunarity_cannot_keep_is_refused_with_the_rule() {
         "`periods[0]` times `lacunarity` to the power 4 must be a whole number up to 2097152, got 8 · 1.5^4"
     );
     assert!(matches!(sum(1 << 21, 2.0, 2), Err(TiledError::NoOctavePeriod { octave: 1, .. })));
-    // A noise that does not repeat, or not along all axes.
+    // A noise that is not periodic, or not along all axes.
     let short = Perlin2002::new(5).with_lattice(Tiled::new(IntegerHash, [8]).expect("in range"));
     assert_eq!(Octaves::<_, 2>::tiled(short, Spectrum::CLOUD).map(|_| ()), Err(TiledError::NoPeriod));
     assert_eq!(

@@ -1,4 +1,5 @@
-//! Domain warping and curl noise: gradients and Jacobians against differences, and no divergence but rounding.
+//! Domain warping and curl noise: gradients and Jacobians against differences, and zero divergence
+//! up to rounding.
 
 use asperity_noise::{
     Curved, Field, Gaussian, GaussianOctaves, Octaves, Perlin2002, Point, Rotation, Simplex, Spectrum,
@@ -12,12 +13,13 @@ const H: f32 = 1.0 / 512.0;
 /// Half the spacing of `f32` at 1.
 const U: f64 = f64::EPSILON * 268_435_456.0;
 
-/// Coordinates in ±8 with twelve bits of fraction.
+/// Returns coordinates within ±8 with twelve fractional bits.
 fn point<V: Point<Coordinates = [f32; N]>, const N: usize>(random: &mut Random) -> V {
     V::from_coordinates([(); N].map(|()| ((random.uniform() - 0.5) * 65_536.0).round() as f32 / 4096.0))
 }
 
-/// The worst difference of a Jacobian, row by row, and central differences of a map, relative to the greatest entry.
+/// Returns the maximum difference between a Jacobian, row by row, and central differences of a map,
+/// relative to the largest entry.
 fn jacobian_error<V: Point<Coordinates = [f32; N]>, const N: usize, const M: usize>(
     map: impl Fn(V) -> [f32; M],
     jacobian: impl Fn(V) -> [[f32; N]; M],
@@ -43,8 +45,8 @@ fn jacobian_error<V: Point<Coordinates = [f32; N]>, const N: usize, const M: usi
     worst / greatest
 }
 
-/// H²/6 times a third derivative, which is a few hundred times the first one for octaves up to frequency 2.17, and the rounding of
-/// values, 4e-7, over H. Worst seen 1.7e-3.
+/// H²/6 times a third derivative, which is a few hundred times the first for octaves up to
+/// frequency 2.17, plus the rounding of values, 4e-7, over H. Maximum seen 1.7e-3.
 const TOLERANCE: f64 = 4e-3;
 
 fn assert_close(name: &str, error: f64) {
@@ -70,7 +72,7 @@ fn warps_have_exact_gradients_and_jacobians() {
 }
 
 #[test]
-fn a_warp_looks_up_the_displaced_point() {
+fn warp_evaluates_the_displaced_point() {
     let octaves = Octaves::<_, 2>::new(Perlin2002::new(4), Spectrum::CLOUD);
     let field = octaves.with_shape(Turbulence);
     let by = [1, 2].map(Simplex::new);
@@ -85,7 +87,7 @@ fn a_warp_looks_up_the_displaced_point() {
 }
 
 #[test]
-fn flows_in_the_plane_have_no_divergence() {
+fn curl_2d_has_zero_divergence() {
     let octaves = Octaves::<_, 2>::new(Perlin2002::new(4), Spectrum::default());
     let flow = Curl2(octaves.first(1.5));
     let jacobian = |p: Vec2| flow.velocity_and_jacobian(p).jacobian;
@@ -97,7 +99,8 @@ fn flows_in_the_plane_have_no_divergence() {
     }
 }
 
-/// Whether traces stay under a bound, and some are not 0, so that the bound means something. They reach a third of it.
+/// Asserts that traces are below a bound, and that some are nonzero, so that the bound is
+/// meaningful. They reach a third of it.
 fn traces(name: &str, jacobian: impl Fn(Vec3) -> [[f32; 3]; 3], bound: impl Fn(Vec3) -> f64) {
     let mut random = Random(3);
     let (mut greatest, mut rounded) = (0.0_f64, 0);
@@ -115,8 +118,9 @@ fn cross_product_has_no_divergence<A: Curved<Vec3>, B: Curved<Vec3>>(name: &str,
     let flow = Curl3(a, b);
     let jacobian = |p: Vec3| flow.velocity_and_jacobian(p).jacobian;
     assert_close(name, jacobian_error(|p: Vec3| flow.velocity(p).to_array(), jacobian));
-    // The trace is a sum of twelve rounded products that cancel in pairs, bit for bit. What is left is the rounding of at most
-    // four sums over each of them: the difference of a cross product, the sum of two, and the trace's own two.
+    // The trace is a sum of twelve rounded products that cancel in pairs, bit for bit. The
+    // remainder is the rounding of at most four sums over each of them: the difference of a cross
+    // product, the sum of two, and the trace's own two.
     let bound = |p: Vec3| {
         let (a, b) = (flow.0.second_order(p), flow.1.second_order(p));
         let mut sum = 0.0;
@@ -133,7 +137,7 @@ fn cross_product_has_no_divergence<A: Curved<Vec3>, B: Curved<Vec3>>(name: &str,
 }
 
 #[test]
-fn flows_in_space_have_no_divergence_but_rounding() {
+fn curl_of_pairs_has_zero_divergence_up_to_rounding() {
     let [a, b] = [1, 2].map(|seed| Octaves::<_, 3>::new(Perlin2002::new(seed), Spectrum::default()));
     cross_product_has_no_divergence(
         "pair of octaves",
@@ -146,7 +150,7 @@ fn flows_in_space_have_no_divergence_but_rounding() {
 }
 
 #[test]
-fn curls_of_potentials_have_no_divergence_but_rounding() {
+fn curl_of_potentials_has_zero_divergence_up_to_rounding() {
     let potential = [1, 2, 3].map(|seed| Octaves::<_, 3>::new(Perlin2002::new(seed), Spectrum::default()));
     let flow = CurlPotential(potential.each_ref().map(|octaves| octaves.first(1.5)));
     let jacobian = |p: Vec3| flow.velocity_and_jacobian(p).jacobian;

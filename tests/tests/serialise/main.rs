@@ -1,4 +1,4 @@
-//! Parameters written to files and read back through the constructors that check them.
+//! Parameters written to files and read back through their validating constructors.
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its own file has failed")]
 
 use std::fmt::Debug;
@@ -15,14 +15,14 @@ use asperity_shading::{
 };
 use serde::{Serialize, de::DeserializeOwned};
 
-/// Reads a value back, and compares what is written with the text.
+/// Reads a value back, and compares the serialized form with the text.
 fn stands<T: Serialize + DeserializeOwned + PartialEq + Debug>(value: &T, text: &str) {
     let written = serde_json::to_string(value).unwrap();
     assert_eq!(written, text);
     assert_eq!(&serde_json::from_str::<T>(&written).unwrap(), value, "{written}");
 }
 
-/// The message with which a text is refused.
+/// Returns the error message for a text.
 #[track_caller]
 fn refused<T: DeserializeOwned + Debug>(text: &str, message: &str) {
     let error = serde_json::from_str::<T>(text).unwrap_err().to_string();
@@ -30,7 +30,7 @@ fn refused<T: DeserializeOwned + Debug>(text: &str, message: &str) {
 }
 
 #[test]
-fn spectra_and_grids_are_read_back() {
+fn spectra_and_grids_round_trip() {
     stands(&Spectrum::default(), r#"{"lacunarity":2.17,"gain":0.5,"max_octaves":10}"#);
     let grid = Grid { origin: Vec3::X, step: Vec3::splat(0.5), size: [4, 3, 2] };
     stands(&grid, r#"{"origin":[1.0,0.0,0.0],"step":[0.5,0.5,0.5],"size":[4,3,2]}"#);
@@ -43,7 +43,7 @@ fn spectra_and_grids_are_read_back() {
 }
 
 #[test]
-fn densities_are_read_through_their_constructors() {
+fn densities_are_deserialized_by_their_constructors() {
     stands(&Ggx::new(0.1, 0.3).unwrap(), r#"{"alpha_x":0.1,"alpha_y":0.3}"#);
     stands(&Beckmann::isotropic(0.7).unwrap(), r#"{"alpha_x":0.7,"alpha_y":0.7}"#);
     stands(&Ward::new(0.1, 0.3).unwrap(), r#"{"alpha_x":0.1,"alpha_y":0.3}"#);
@@ -60,7 +60,7 @@ fn densities_are_read_through_their_constructors() {
     assert_eq!(serde_json::from_str::<NormalMapFormat>(&written).unwrap(), directx);
 }
 
-/// Reads back parameters and no parameters at all; a name that is none is refused.
+/// Reads back parameters and empty parameters. An unknown name is an error.
 fn parameters<T: Serialize + DeserializeOwned + PartialEq + Debug + Default>(some: &T) {
     assert_ne!(some, &T::default());
     let written = serde_json::to_string(some).unwrap();
@@ -70,7 +70,7 @@ fn parameters<T: Serialize + DeserializeOwned + PartialEq + Debug + Default>(som
 }
 
 #[test]
-fn parameters_of_materials_are_read_back_and_default_where_they_are_not_there() {
+fn material_parameters_round_trip_with_defaults() {
     parameters(&CarpetParameters { roughness: 0.3, ..Default::default() });
     let flakes = PaintFlakes::Counted { spacing: 0.01, bin: 0.1 };
     parameters(&MetallicPaintParameters { flakes, ..Default::default() });

@@ -1,5 +1,5 @@
-//! Surfaces and reflectances of any parameters in range, at any point, seen from anywhere: what they promise holds for NaN,
-//! infinities, degenerate tangents and directions as well.
+//! Surfaces and reflectances with any valid parameters, at any point, from any direction:
+//! invariants also hold for NaN, infinities, degenerate tangents and directions.
 
 use asperity_shading::bump::*;
 use asperity_shading::glam::{Vec2, Vec3};
@@ -19,7 +19,7 @@ fn config(cases: u32) -> ProptestConfig {
     ProptestConfig { cases, rng_seed, failure_persistence: None, ..ProptestConfig::default() }
 }
 
-/// Mostly ordinary numbers, some of any bits, some that are known for trouble.
+/// Mostly ordinary numbers, some with arbitrary bits, some known to be problematic.
 fn number() -> impl Strategy<Value = f32> {
     let odd = vec![
         0.0,
@@ -55,7 +55,7 @@ pub(crate) fn unit() -> impl Strategy<Value = Vec3> {
     })
 }
 
-/// A unit vector, along the horizon too, or what has no direction.
+/// A unit vector, including along the horizon, or a vector without direction.
 fn direction() -> impl Strategy<Value = Vec3> {
     let along = vector().prop_map(|v| {
         let unit = v.as_dvec3().normalize_or_zero().as_vec3();
@@ -72,7 +72,7 @@ fn point() -> impl Strategy<Value = SurfacePoint> {
     )
 }
 
-/// Any size in range, at its ends too.
+/// Any valid size, including the ends of the range.
 fn size() -> impl Strategy<Value = f32> {
     prop_oneof![8 => (-6.0..6.0_f32).prop_map(|e| 10.0_f32.powf(e)), 1 => Just(1e-6), 1 => Just(1e6)]
 }
@@ -89,7 +89,7 @@ fn heading() -> impl Strategy<Value = Vec2> {
     (0.0..std::f32::consts::TAU, size()).prop_map(|(turn, length)| Vec2::from_angle(turn) * length)
 }
 
-/// A unit normal on the side of the surface's own.
+/// Whether a normal is a unit vector on the side of the surface's own normal.
 fn is_normal(n: Vec3, bumped: Vec3) -> bool {
     (bumped.length() - 1.0).abs() < 1e-5 && bumped.dot(n) > 0.0
 }
@@ -98,7 +98,8 @@ fn is_colour(colour: Vec3) -> bool {
     colour.to_array().iter().all(|c| (0.0..=1.0).contains(c))
 }
 
-/// Whether all that a BSDF tells is finite and not negative, and its samples are directions with a density.
+/// Asserts that a BSDF returns finite nonnegative numbers, and that its samples are directions with
+/// a density.
 fn is_bsdf(material: &dyn Material, point: &SurfacePoint, wo: Vec3, wi: Vec3) -> Result<(), TestCaseError> {
     let is_light = |c: Vec3| c.is_finite() && c.cmpge(Vec3::ZERO).all();
     let bsdf = material.bsdf(point, wo);
@@ -318,7 +319,7 @@ proptest! {
     }
 }
 
-/// Colour, roughness, widths of the density, exponent, refractive index.
+/// Color, roughness, widths of the density, exponent, refractive index.
 type Looks = (Vec3, f32, [f32; 2], f32, [f32; 2]);
 
 fn looks() -> impl Strategy<Value = Looks> {
@@ -395,16 +396,16 @@ proptest! {
     }
 }
 
-/// The name of the parameter that was refused.
+/// Returns the name of the invalid parameter.
 fn refused<T>(constructed: Result<T, ParameterError>) -> Option<&'static str> {
     constructed.err().map(|error| error.parameter())
 }
 
-/// The name of a parameter, and what was refused with a value for it.
+/// The name of a parameter, and the error for a value.
 type Constructor<'a> = (&'static str, &'a dyn Fn(f32) -> Option<&'static str>);
 
 #[test]
-fn what_is_no_number_or_negative_is_refused_by_its_name() {
+fn nan_and_negative_parameters_are_named() {
     let field = || GaussianOctaves::<3>::new(Gaussian::new(0), Spectrum::default());
     let turbulence = || Octaves::new(Perlin2002::new(0), Spectrum::default()).with_shape(Turbulence);
     let beckmann = Beckmann::isotropic(0.3).unwrap();
@@ -467,7 +468,7 @@ fn what_is_no_number_or_negative_is_refused_by_its_name() {
     }
 }
 
-/// The name of the parameter that was refused of the default ones with a change.
+/// Returns the name of the invalid parameter for modified default parameters.
 fn refused_of<P: Default, M>(
     new: fn(P) -> Result<M, ParameterError>,
     change: fn(&mut P),
@@ -478,7 +479,7 @@ fn refused_of<P: Default, M>(
 }
 
 #[test]
-fn what_is_just_out_of_range_is_refused_by_its_name() {
+fn parameters_just_out_of_range_are_named() {
     let (carpet, paint) = (|p| refused_of(Carpet::new, p), |p| refused_of(MetallicPaint::new, p));
     let (glass, panel) = (|p| refused_of(TemperedGlass::new, p), |p| refused_of(Variations::new, p));
     let (scratches, fibres) = (|p| refused_of(Scratches::new, p), |p| refused_of(Fibres::new, p));

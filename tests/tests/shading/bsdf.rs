@@ -1,4 +1,5 @@
-//! BSDFs of all materials: the public checks, energy to the horizon, reciprocity, and light through coats.
+//! BSDFs of all materials: public property tests, energy up to the horizon, reciprocity, and light
+//! through coats.
 
 use std::f32::consts::PI;
 
@@ -24,7 +25,7 @@ use crate::reflectance::{albedo, direction};
 
 type Boxed = Box<dyn Material>;
 
-/// Every material, as white as it gets, with the width of a pixel that sees some of it and some not.
+/// Every material at maximum albedo, with the width of a pixel that resolves only some of it.
 fn materials() -> Vec<(&'static str, Boxed, f32)> {
     const VALID: &str = "parameters in range";
     let white = Vec3::ONE;
@@ -98,7 +99,7 @@ fn point(at: Vec2, width: f32) -> SurfacePoint {
     SurfacePoint::new(at.extend(0.3), Vec3::Z, Footprint::from_width(width)).with_uv(at, [Vec3::X, Vec3::Y])
 }
 
-/// Albedo of the smooth coat, the mean over its facets.
+/// Returns the albedo of the smooth coat, averaged over its facets.
 fn coat(bsdf: &Bsdf<'_>, wo: Vec3) -> f64 {
     let sum: f32 = (0..256_u16)
         .map(|k| {
@@ -112,7 +113,7 @@ fn coat(bsdf: &Bsdf<'_>, wo: Vec3) -> f64 {
 const PLACES: [Vec2; 3] = [Vec2::new(0.304, 0.17), Vec2::new(0.131, 0.292), Vec2::new(0.711, 0.053)];
 
 #[test]
-fn no_material_sends_more_light_than_it_gets() {
+fn albedo_is_at_most_one() {
     for (name, material, width) in materials() {
         let mut most = [0.0_f64; 4];
         for (k, theta) in [0.05, 0.6, 1.2, 1.5].into_iter().enumerate() {
@@ -121,7 +122,7 @@ fn no_material_sends_more_light_than_it_gets() {
                 let bsdf = material.bsdf(&point(at, width), wo);
                 let (coarse, fine) = (albedo(&bsdf, wo, 48), albedo(&bsdf, wo, 96));
                 let all = fine + coat(&bsdf, wo);
-                // A rule of second order errs by a third of the difference.
+                // The error of a second-order rule is a third of the difference.
                 assert!(all - (fine - coarse).abs() <= 1.0 + 1e-5, "{name}, {theta}, {width}: {all}");
                 most[k] = most[k].max(all);
             }
@@ -131,7 +132,7 @@ fn no_material_sends_more_light_than_it_gets() {
 }
 
 #[test]
-fn counted_flakes_send_no_more_light_than_they_get_on_average() {
+fn mean_albedo_of_counted_flakes_is_at_most_one() {
     let flakes = PaintFlakes::Counted { spacing: 1e-3, bin: 1.0 };
     let paint = MetallicPaintParameters {
         specular: Vec3::ONE,
@@ -144,7 +145,7 @@ fn counted_flakes_send_no_more_light_than_they_get_on_average() {
     let wo = direction(0.5, 0.4);
     let places = (0..400_u16).map(|k| Vec2::new(f32::from(k) * 0.0173, f32::from(k) * 0.0291));
     let mean = places.map(|at| albedo(&paint.bsdf(&point(at, 2e-3), wo), wo, 24)).sum::<f64>() / 400.0;
-    // The lobe of all flakes sends 0.96; the mean of 400 places has a standard error of 0.01.
+    // The lobe of all flakes reflects 0.96. The mean of 400 points has a standard error of 0.01.
     assert_abs_diff_eq!(mean, 0.96, epsilon = 0.04);
 }
 
@@ -170,7 +171,7 @@ fn materials_without_tilted_facets_are_reciprocal() {
 }
 
 #[test]
-fn coats_mirror_and_refract() {
+fn coats_reflect_and_refract() {
     let wo = direction(0.7, 0.4);
     let u = Vec2::splat(0.3);
     let at = point(Vec2::ZERO, 0.0);
@@ -184,17 +185,17 @@ fn coats_mirror_and_refract() {
     // And back again from inside.
     let [_, back] = bsdf.deltas(refracted.wi, u);
     assert!((back.wi - wo).length() < 1e-5 && (back.weight - refracted.weight).length() < 1e-5, "{back:?}");
-    // Beyond the critical angle all is mirrored.
+    // Beyond the critical angle everything is reflected.
     let [inside, outside] = bsdf.deltas(Vec3::new(0.8, 0.0, -0.6), u);
     assert_eq!((inside.weight, outside.weight), (Vec3::ONE, Vec3::ZERO));
-    // Waves tilt the mirrored image, and leave what is seen straight through a pane as it is.
+    // Waves tilt the reflection, and do not affect the straight view through a pane.
     let glass = TemperedGlassParameters { wave_amplitude: 0.01, body: GlassBody::Pane, ..Default::default() };
     let glass = TemperedGlass::new(glass).unwrap();
     let bsdf = glass.bsdf(&at, wo);
     let [tilted, straight] = bsdf.deltas(wo, u);
     assert!((tilted.wi - mirrored.wi).length() > 0.1 && straight.wi == -wo, "{tilted:?}");
     assert_eq!(bsdf.value(mirrored.wi, wo), Vec3::ZERO);
-    // Where the pixel resolves none, facets by chance do.
+    // Where the pixel resolves none, random facets do.
     let far = glass.bsdf(&point(Vec2::ZERO, 100.0), wo);
     let [a, b] = [0.1, 0.4].map(|x| far.deltas(wo, Vec2::splat(x))[0].wi);
     assert!((a - b).length() > 0.1, "{a} {b}");
@@ -203,7 +204,7 @@ fn coats_mirror_and_refract() {
     }
 }
 
-/// The unit square, each side in so many parts, at their middles: Gaussian slopes of the deviation 1.
+/// Returns Gaussian slopes of deviation 1, from the centers of a subdivided unit square.
 fn gaussian_slopes(rings: u16, sectors: u16) -> Vec<Vec2> {
     let at = |k: u16, n: u16| (f32::from(k) + 0.5) / f32::from(n);
     let ring = |i| (-2.0 * (1.0 - at(i, rings)).ln()).sqrt();
@@ -212,10 +213,11 @@ fn gaussian_slopes(rings: u16, sectors: u16) -> Vec<Vec2> {
 }
 
 #[test]
-fn slopes_too_fine_for_the_pixel_leave_the_mean_of_what_they_send() {
+fn unresolved_slopes_give_their_mean_reflection() {
     let glass = Dielectric::new(1.52).unwrap();
     let (metal, body, pane) = (Coat::metal(Vec3::ONE), Coat::body(glass), Coat::pane(glass, Vec3::ONE));
-    // The roughness and the deviation of the slopes, and how much of the peak may be off: measured 0.2 % and 8 %.
+    // The roughness and the deviation of the slopes, and the tolerance relative to the peak:
+    // measured 0.2 % and 8 %.
     let cases = [
         ("metal", metal, [0.2, 0.105], 0.005),
         ("body", body, [0.2, 0.105], 0.005),
@@ -234,7 +236,7 @@ fn slopes_too_fine_for_the_pixel_leave_the_mean_of_what_they_send() {
                 .map(|slope| bumped_normal(Vec3::Z, deviation * slope.extend(0.0)))
                 .map(|normal| Bsdf::new(wo).with_coat(coat.bumped(normal, 0.0)))
                 .collect();
-            // Of what is mirrored and of what is transmitted.
+            // For reflection and for transmission.
             let (mut worst, mut peaks) = ([0.0_f32; 2], [0.0_f32; 2]);
             for (theta, phi) in (0..24_u8).flat_map(|i| (0..12_u8).map(move |j| (i, j))) {
                 let [theta, phi] = [(f32::from(theta) + 0.5) / 24.0, f32::from(phi) / 6.0];

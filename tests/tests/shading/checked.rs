@@ -1,4 +1,5 @@
-//! The public checks: right reflectances and materials pass, faulty ones are caught by the checks of what is wrong with them.
+//! The public property tests: valid reflectances and materials pass, and each fault is detected by
+//! the corresponding checks.
 
 use asperity_shading::check::{self, Settings};
 use asperity_shading::glam::{Vec2, Vec3};
@@ -22,23 +23,23 @@ struct Faulty<'a> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Fault {
     None,
-    /// A hundredth of light more than there is.
+    /// One percent too much light.
     Bright,
-    /// A hundredth of light more one way than the other.
+    /// One percent more light in one direction than in the reverse direction.
     OneWay,
-    /// A density that is 1 % too great.
+    /// A density that is 1 % too large.
     Density,
-    /// The density of facets in place of that of directions: without 1/(4 ωo·h).
+    /// The density of facets instead of directions: without 1/(4 ωo·h).
     Jacobian,
     /// The density of another sampler.
     Other,
-    /// No samples where x > 0.2, though the density says that there are.
+    /// No samples where x > 0.2, although the density is positive.
     Hole,
-    /// No samples and no density where x > 0.2, though there is light.
+    /// Neither samples nor density where x > 0.2, although there is light.
     Bare,
-    /// Less than no light next to the horizon.
+    /// Negative light near the horizon.
     Negative,
-    /// NaN for what is not finite.
+    /// NaN for non-finite input.
     Partial,
 }
 
@@ -75,7 +76,7 @@ impl Brdf for Faulty<'_> {
 }
 
 #[test]
-fn faulty_reflectances_are_caught() {
+fn faulty_reflectances_are_detected() {
     let gloss = CookTorrance::new(Ggx::new(0.3, 0.4).expect(VALID), Vec3::splat(0.9));
     let chalk = Lambert::new(Vec3::ONE).expect(VALID);
     let cases: [(&(dyn Brdf + Sync), Fault, &[&str]); 12] = [
@@ -99,10 +100,10 @@ fn faulty_reflectances_are_caught() {
 }
 
 #[test]
-fn right_reflectances_pass() {
+fn valid_reflectances_pass() {
     let failed = cases().into_par_iter().filter_map(|Case { name, brdf, albedo }| {
         let report = check::brdf(&*brdf, quick(3));
-        // Of the older models some send more than they get, as their docs say.
+        // Some of the older models reflect more than they receive, as documented.
         let right = report.failures().all(|failure| failure == "energy" && albedo > 1.0);
         (!right).then(|| format!("{name}\n{report}"))
     });
@@ -111,7 +112,7 @@ fn right_reflectances_pass() {
 }
 
 #[test]
-fn a_right_reflectance_passes_whatever_the_seed() {
+fn valid_reflectance_passes_for_every_seed() {
     let gloss = CookTorrance::new(Ggx::new(0.3, 0.4).expect(VALID), Vec3::splat(0.9));
     (0..40).into_par_iter().for_each(|seed| {
         let report = check::brdf(&gloss, Settings { samples: 4096, ..quick(seed) });

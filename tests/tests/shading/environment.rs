@@ -15,14 +15,14 @@ pub(crate) fn smooth(w: Vec3) -> Vec3 {
         + Vec3::new(0.6, 0.4, 0.1) * (0.5 + 0.5 * w.x).powi(4)
 }
 
-/// A sky with a sun of 6° across, a thousand times as bright.
+/// A sky with a sun of 6° diameter, a thousand times as bright.
 pub(crate) fn hard(w: Vec3) -> Vec3 {
     let sun = Vec3::new(0.48, -0.36, 0.8);
     smooth(w)
         + if w.dot(sun) > 3.0_f32.to_radians().cos() { Vec3::new(1000.0, 900.0, 700.0) } else { Vec3::ZERO }
 }
 
-/// Black but for one texel, beside the seam.
+/// Black except for one texel next to the seam.
 fn lamp(width: usize, height: usize, row: usize) -> EnvironmentMap {
     let mut texels = vec![Vec3::ZERO; width * height];
     texels[row * width] = Vec3::new(0.0, 0.0, 7.0);
@@ -43,14 +43,14 @@ fn maps() -> Vec<(&'static str, EnvironmentMap)> {
     ]
 }
 
-/// The unit direction of a height and a turn in [0, 1).
+/// Returns the unit direction of a height and a rotation in [0, 1).
 pub(crate) fn direction(z: f64, turn: f64) -> Vec3 {
     let (rho, (sin, cos)) = ((1.0 - z * z).max(0.0).sqrt(), (TAU * turn).sin_cos());
     Vec3::new((rho * cos) as f32, (rho * sin) as f32, z as f32)
 }
 
 #[test]
-fn directions_follow_their_density_whose_integral_is_one() {
+fn directions_follow_their_normalized_density() {
     const ROWS: usize = 24;
     const COLUMNS: usize = 36;
     const FINE: usize = 32;
@@ -67,7 +67,8 @@ fn directions_follow_their_density_whose_integral_is_one() {
             }
         }
         let integral: f64 = probabilities.iter().sum();
-        // The midpoint rule errs by the curvature of what it sums; measured 1.2e-4 for the sun and 2e-5 for the rest.
+        // The error of the midpoint rule is the curvature of the integrand; measured 1.2e-4 for the
+        // sun and 2e-5 for the rest.
         assert_abs_diff_eq!(integral, 1.0, epsilon = 3e-4, "{name}");
 
         let (mut random, mut counts) = (Random(5), vec![0; ROWS * COLUMNS]);
@@ -87,8 +88,9 @@ fn directions_follow_their_density_whose_integral_is_one() {
 }
 
 #[test]
-fn brightness_over_density_is_even() {
-    // What is left is that rows are joined in z for the density and in angle for the look-up; measured 4e-4 and 7e-3.
+fn brightness_over_density_is_constant() {
+    // The remaining difference: rows are interpolated in z for the density and in angle for
+    // lookups; measured 4e-4 and 7e-3.
     for (name, most) in [("smooth", 0.001), ("hard", 0.015)] {
         let (_, map) = maps().into_iter().find(|map| map.0 == name).expect("a map");
         let (mut random, mut squares) = (Random(3), 0.0);

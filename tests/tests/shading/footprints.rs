@@ -1,4 +1,5 @@
-//! Light of every material as the pixel grows: no jump at a point, and the same mean over the surface.
+//! Radiance of every material against pixel size: continuous at a point, with a constant mean over
+//! the surface.
 
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::material::{
@@ -14,10 +15,10 @@ use asperity_shading::{
 };
 use asperity_tests::random::Random;
 
-/// Light at 37°, seen from straight above.
+/// Light at 37°, viewed from straight above.
 const LIGHT: Vec3 = Vec3::new(0.6, 0.0, 0.8);
 
-/// Every material with its default parameters.
+/// Returns every material with its default parameters.
 fn materials() -> Vec<(&'static str, Box<dyn Material>)> {
     let carpet = |seams_pattern| {
         Box::new(Carpet::new(CarpetParameters { seams_pattern, ..Default::default() }).expect("a carpet"))
@@ -71,7 +72,7 @@ fn materials() -> Vec<(&'static str, Box<dyn Material>)> {
     ]
 }
 
-/// The brightness of a point in a pixel of this width.
+/// Returns the brightness of a point for a pixel of this width.
 fn light(material: &dyn Material, uv: Vec2, width: f32) -> f32 {
     let point = SurfacePoint::new(uv.extend(0.37), Vec3::Z, Footprint::from_width(width))
         .with_uv(uv, [Vec3::X, Vec3::Y]);
@@ -82,13 +83,13 @@ fn light(material: &dyn Material, uv: Vec2, width: f32) -> f32 {
 const STEP: f32 = 0.02 + 0.023;
 
 #[test]
-fn material_light_is_continuous_in_the_footprint() {
+fn material_radiance_is_continuous_in_the_footprint() {
     for (name, material) in materials() {
         let mut random = Random(5);
         let (mut range, mut worst, mut at) = (0.0_f32, 0.0_f32, 0.0);
         for _ in 0..200 {
             let uv = Vec2::new(random.uniform() as f32, random.uniform() as f32);
-            // From a micrometer to a meter, each 1 % wider.
+            // From a micrometer to a meter, in steps of 1 %.
             let widths = (0..=1389).map(|k| 1e-6 * 1.01_f32.powi(k));
             let seen: Vec<f32> = widths.map(|width| light(&*material, uv, width)).collect();
             let [low, high] = [f32::min, f32::max].map(|f| seen.iter().copied().reduce(f).unwrap_or(0.0));
@@ -101,15 +102,15 @@ fn material_light_is_continuous_in_the_footprint() {
             }
         }
         println!("{name}: largest step {:.4} of the range, at {at:.1e}", worst / range);
-        // Measured: 2.5 % of paint, 4 % of sine waves in glass, 3.4 % of scratches, 2.5 % and less of others; of bricks 6.2 %, where
-        // a pixel of less than a thousandth of a brick is a point.
+        // Measured: 2.5 % for paint, 4 % for sine waves in glass, 3.4 % for scratches, at most 2.5
+        // % for others; for bricks 6.2 %, because a pixel below a thousandth of a brick is a point.
         let bound = if name == "bricks" { 0.07 } else { STEP };
         assert!(worst < bound * range, "{name}: {worst} of {range} at {at}");
     }
 }
 
 #[test]
-fn material_mean_is_the_same_at_every_footprint() {
+fn material_mean_is_equal_at_every_footprint() {
     means_agree(128, 0.008);
 }
 
@@ -119,12 +120,13 @@ fn material_mean_is_the_same_at_every_footprint_to_a_third_of_a_percent() {
     means_agree(320, 0.003);
 }
 
-/// Compares means over `side`² points with those of points; the standard errors of paint and carpets must be below `power`.
+/// Compares means over `side`² points with means of points. The standard errors of paint and
+/// carpets must be below `power`.
 fn means_agree(side: u32, power: f64) {
     const WIDTHS: [f32; 8] = [3e-5, 1e-4, 2e-4, 5e-4, 2e-3, 7e-3, 0.02, 1.0];
     for (name, material) in materials() {
         let mut random = Random(3);
-        // Sums over sixteen bands of the surface, whose spread is the error.
+        // Sums over sixteen bands of the surface, whose variation gives the error.
         let mut sums = [[[0.0_f64; 2]; 16]; WIDTHS.len()];
         for k in 0..side * side {
             let cell = [k % side, k / side].map(f64::from);
@@ -142,11 +144,11 @@ fn means_agree(side: u32, power: f64) {
             let of =
                 |band: &[f64; 2]| 16.0 * (band[1] / total[0] - band[0] * total[1] / (total[0] * total[0]));
             let error = (sums.iter().map(|band| of(band) * of(band)).sum::<f64>() / (16.0 * 15.0)).sqrt();
-            // Measured: 0.02 % of paint, 0.4 % of carpets.
+            // Measured: 0.02 % for paint, 0.4 % for carpets.
             if name == "paint" || name.starts_with("carpet") {
                 assert!(error < power, "{name}, {width}: an error of {error} shows nothing");
             }
-            // The quantile of 120 cases at a significance of 0.001 together.
+            // The quantile of 120 cases at a combined significance of 0.001.
             assert!(mean.abs() < 0.005 + 4.5 * error, "{name}, {width}: {mean} ± {error}");
         }
     }

@@ -1,4 +1,4 @@
-//! Fresnel reflectances against references of 20 digits (Born and Wolf's formulas, unpolarised).
+//! Fresnel reflectances against references with 20 digits (Born and Wolf's formulas, unpolarized).
 
 use asperity_shading::reflectance::SchlickF82;
 use asperity_shading::{Conductor, Dielectric, Fresnel, Schlick};
@@ -6,7 +6,7 @@ use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::reference::{numbers, read};
 use serde_json::Value;
 
-/// The textbook's formula in `f64`, with Snell's law written out.
+/// The textbook formula in `f64`, with Snell's law written out.
 fn plain_dielectric(eta: f64, c: f64) -> f64 {
     let sin_squared = (1.0 - c * c) / (eta * eta);
     if sin_squared > 1.0 {
@@ -22,7 +22,7 @@ fn plain_dielectric(eta: f64, c: f64) -> f64 {
 type Interface<'a> = (&'a str, &'a dyn Fn(&[f32]) -> Box<dyn Fresnel>, &'a [&'a str]);
 
 #[test]
-fn reflectances_equal_their_references() {
+fn reflectances_match_their_references() {
     let file = read("ndf/fresnel.json");
     let cosines = numbers(&file["cos_theta"]);
     let number = |case: &Value, name: &str| case[name].as_f64().expect("a number");
@@ -38,8 +38,9 @@ fn reflectances_equal_their_references() {
             let fresnel = new(&parameters.iter().map(|&x| x as f32).collect::<Vec<_>>());
             for (&c, expected) in cosines.iter().zip(numbers(&case["F"])) {
                 let what = format!("{interface}, {parameters:?}, cos = {c}");
-                // Near eta = 1 and the critical angle, rounding the inputs to `f32` moves F by up to 2e-5. So the reference
-                // checks the plain formula, and that is evaluated at the rounded inputs.
+                // Near eta = 1 and the critical angle, rounding the inputs to `f32` changes F by up
+                // to 2e-5. The reference therefore checks the plain formula, which is evaluated at
+                // the rounded inputs.
                 let expected = if interface == "dielectric" {
                     assert_abs_diff_eq!(
                         plain_dielectric(parameters[0], c),
@@ -51,7 +52,7 @@ fn reflectances_equal_their_references() {
                 } else {
                     expected
                 };
-                // Measured worst cases: dielectric 2.6e-7, conductor 2.2e-7, Schlick 1.0e-7.
+                // Maximum measured: dielectric 2.6e-7, conductor 2.2e-7, Schlick 1.0e-7.
                 assert_abs_diff_eq!(
                     f64::from(fresnel.reflectance_rgb(c as f32).x),
                     expected,

@@ -1,7 +1,8 @@
-//! Pinned values of the crate's functions: a change of one is value-breaking.
+//! Pinned values of the crate's functions: a change is value-breaking.
 //!
-//! They are pinned to a few units in the last place, not to the bit: the float functions of `std` round differently from
-//! platform to platform, and `libm`'s, which are the same everywhere, differently again.
+//! Values are pinned to a few units in the last place, not to the bit. The float functions of `std`
+//! round differently on different platforms, and those of `libm`, which are the same everywhere,
+//! round differently again.
 
 use asperity_shading::bump::{
     bumped_normal, differences, displace, facing, gradient_of_normal, surface_gradient, tangential,
@@ -57,7 +58,7 @@ fn directions_and_bumps() {
         facing(Vec3::Z, Vec3::new(0.8, 0.0, 0.6), Vec3::new(-0.8, 0.0, 0.6)),
         [0.316227764, 0.0, 0.948683321],
     );
-    // Sevenths of differences of a square: some ten units of the last place.
+    // Sevenths of differences of a square: about ten units of the last place.
     pinned(
         "differences",
         differences(|uv| uv.x * uv.x - uv.x * uv.y, UV, 0.125),
@@ -129,7 +130,8 @@ type Golden = (&'static str, Box<dyn Brdf>, [f64; 2], [f64; 3]);
 
 #[test]
 fn reflectances() {
-    /// Density of the golden direction, and the x and z of a sample: by the cosine, by the peak of Blinn and Phong, by the slopes of Ward.
+    /// Density of the golden direction, and x and z of a sample: cosine-weighted, by the
+    /// Blinn–Phong peak, by the slopes of Ward.
     const COSINE: [f64; 3] = [0.272837043, 0.0147572653, 0.62209326];
     const POWER: [f64; 3] = [0.320843667, 0.607002139, 0.702558458];
     const SLOPES: [f64; 3] = [0.354659081, 0.605087936, 0.585240424];

@@ -1,4 +1,4 @@
-//! Pinned values of the materials with their default parameters: a change of one is value-breaking.
+//! Pinned values of the materials with their default parameters: a change is value-breaking.
 
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::material::{
@@ -16,7 +16,7 @@ use asperity_tests::pinned::{SINGLE, pinned, single};
 const P: Vec3 = Vec3::new(0.37, -1.21, 2.83);
 const N: Vec3 = Vec3::new(0.36, 0.48, 0.8);
 const UV: Vec2 = Vec2::new(0.613, 0.247);
-/// Sums of noises, and slopes of noises at up to hundreds of cells per unit.
+/// Sums of noises, and slopes of noises with up to hundreds of cells per unit.
 const LOOSE: f64 = 100.0 * SINGLE;
 
 fn point(width: f32) -> SurfacePoint {
@@ -28,7 +28,7 @@ fn point(width: f32) -> SurfacePoint {
 const WI: Vec3 = Vec3::new(0.48, 0.36, 0.8);
 const WO: Vec3 = Vec3::new(-0.6, 0.0, 0.8);
 
-/// Pins the light of a lamp that a material scatters.
+/// Pins the radiance that a material scatters from a lamp.
 fn lit(name: &str, material: &dyn Material, width: f32, expected: [f64; 3]) {
     pinned(name, material.bsdf(&point(width), WO).scattered(WI, WO), expected, LOOSE);
 }

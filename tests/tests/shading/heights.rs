@@ -1,4 +1,5 @@
-//! Heights of materials: their slopes are those of the facets, their means those from afar, and their bounds hold.
+//! Heights of materials: their slopes match the facets, their means match the far view, and their
+//! bounds hold.
 
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::material::{BevelledTiles, BrickWall, MetallicRoughness, PolishedMarble, SeamPattern};
@@ -11,7 +12,8 @@ use asperity_shading::{
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
 
-/// Materials with heights: a name, the width of the smallest detail, and the most that near slopes were seen to differ.
+/// Materials with heights: name, width of the smallest detail, and maximum difference of close
+/// slopes.
 fn reliefs() -> Vec<(&'static str, f32, f32, Box<dyn Material>)> {
     let carpet = |seams_pattern, seam_crossover_strength| {
         let parameters =
@@ -26,11 +28,13 @@ fn reliefs() -> Vec<(&'static str, f32, f32, Box<dyn Material>)> {
         ("bricks", 0.005, 0.01, Box::new(BrickWall::default())),
         ("pits in place of mortar", 0.005, 0.01, Box::new(BrickWall { depth: -0.01, ..Default::default() })),
         ("tiles", 0.004, 0.02, Box::new(tiles)),
-        // A step of a fibre's end that is not left out, and the rounding of heights, which is a hundredth of so small a rise.
+        // A step at a fiber's end that is not excluded, and the rounding of heights, which is a
+        // hundredth of such a small rise.
         ("carpet", 2.4e-4, 0.03, carpet(SeamPattern::Lines, 0.0)),
         ("carpet with a grid", 2.4e-4, 0.03, carpet(SeamPattern::Grid, 0.0)),
-        // A seam's depth of 0.4 · 0.02/π times what the share of leaning threads, ½ · (N + 1) · ½, changes over its size of 0.05:
-        // ∇N has a component of 3.08^½ in the mean square, and was seen up to three times that.
+        // A seam's depth of 0.4 · 0.02/π times the change of the fraction of leaning threads, ½ ·
+        // (N + 1) · ½, over its size of 0.05: a component of ∇N has a root mean square of 3.08^½,
+        // and was seen up to three times that.
         ("carpet with threads over its seams", 2.4e-4, 0.08, carpet(SeamPattern::Lines, 0.5)),
         ("plastic", 0.003, 0.01, Box::new(Variations::new(dents).expect("plastic"))),
         ("scratches", 2.5e-4, 0.01, Box::new(Scratches::new(scratches).expect("scratches"))),
@@ -49,7 +53,7 @@ fn facets_have_the_slopes_of_the_height() {
         for _ in 0..4000 {
             let uv = Vec2::new(random.uniform() as f32, random.uniform() as f32) * 0.2;
             let middle = material.height(&point(uv, 0.0));
-            // What is left of rounding and of the step is each a few thousandths.
+            // The remainders of rounding and of the step are a few thousandths each.
             let sides = [Vec2::X, Vec2::Y].map(|axis| {
                 let ends = [1.0, -1.0].map(|sign| uv + sign * 0.004 * detail * axis);
                 let rise =
@@ -57,11 +61,11 @@ fn facets_have_the_slopes_of_the_height() {
                 [0.5 * (rise[0] + rise[1]), (rise[0] - rise[1]).abs()]
             });
             let slope = Vec2::from(sides.map(|side| side[0]));
-            // Fibres end in steps, and tiles and seams have creases.
+            // Fibers end in steps, and tiles and seams have creases.
             if sides.iter().any(|side| side[1] > 0.03) {
                 continue;
             }
-            // From below: no facet is turned towards the eye, as those steeper than 45° are from above.
+            // From below, because from above facets steeper than 45° are turned toward the viewer.
             let seen = MetallicRoughness::of(&material.bsdf(&point(uv, 0.0), Vec3::NEG_Z)).unwrap();
             worst = worst.max((seen.slopes.mean + slope).abs().max_element());
             steep = steep.max(slope.length());
@@ -74,7 +78,7 @@ fn facets_have_the_slopes_of_the_height() {
 }
 
 #[test]
-fn a_wide_pixel_sees_the_mean_height_and_bounds_hold() {
+fn wide_pixel_has_the_mean_height_and_bounds_hold() {
     const POINTS: u16 = 20_000;
     for (name, detail, _, material) in reliefs() {
         let [low, high] = material.height_range().unwrap();
@@ -98,7 +102,8 @@ fn a_wide_pixel_sees_the_mean_height_and_bounds_hold() {
         assert!(variance > 0.0, "{name}");
         for width in [0.3 * detail, detail, 10.0 * detail, 0.05, 1.0, 1e4] {
             let (mean, scatter) = heights(width);
-            // Five standard errors of independent points; of fibres the mean is measured to 1 %, 1.2e-7 here.
+            // Five standard errors of independent points. For fibers the mean is measured to 1 %,
+            // here 1.2e-7.
             let tolerance = 5.0 * (variance + scatter).sqrt() + 2e-7;
             assert_abs_diff_eq!(mean, near, epsilon = tolerance, "{name}, {width}");
         }
@@ -106,7 +111,7 @@ fn a_wide_pixel_sees_the_mean_height_and_bounds_hold() {
 }
 
 #[test]
-fn what_is_flat_has_no_heights() {
+fn flat_materials_have_no_heights() {
     let marble = PolishedMarble { marble: Marble::default(), tint: Vec3::ONE, polish: 0.1 };
     let paint = MetallicPaint::new(MetallicPaintParameters::default()).unwrap();
     let flat: [(&str, Box<dyn Material>); 3] = [

@@ -1,4 +1,4 @@
-//! Image-based light: sampled, against quadrature; filtered beforehand, against sampled.
+//! Image-based light: sampling against quadrature, and prefiltering against sampling.
 
 use std::f64::consts::PI;
 
@@ -14,7 +14,7 @@ use asperity_tests::random::Random;
 
 use crate::environment::{direction, hard, smooth};
 
-/// Directions spread evenly over the sphere.
+/// Returns directions spread evenly over the sphere.
 fn spiral(count: u32) -> impl Iterator<Item = Vec3> {
     (0..count).map(move |k| {
         let turn = 0.618_033_988_75 * f64::from(k);
@@ -22,7 +22,7 @@ fn spiral(count: u32) -> impl Iterator<Item = Vec3> {
     })
 }
 
-/// `∫ f_r L cos θ dω` by the midpoint rule in z and longitude.
+/// Returns `∫ f_r L cos θ dω` by the midpoint rule in z and longitude.
 fn quadrature(brdf: &dyn Brdf, map: &dyn Environment, frame: &Frame, wo: Vec3, rows: u32) -> Vec3 {
     let wo = frame.to_local(wo);
     let mut sum = [0.0_f64; 3];
@@ -51,7 +51,7 @@ fn brdfs() -> Vec<(&'static str, Box<dyn Brdf>)> {
 }
 
 #[test]
-fn sampled_light_is_the_integral() {
+fn sampled_light_matches_the_integral() {
     const POINTS: u32 = 2_000;
     let maps = [("smooth", smooth as fn(Vec3) -> Vec3), ("hard", hard)];
     let frame = Frame::from_normal(Vec3::new(0.3, -0.5, 0.8).normalize());
@@ -72,9 +72,9 @@ fn sampled_light_is_the_integral() {
                 }
                 let error = ((squares - sum * sum) / f64::from(POINTS)).sqrt();
                 let deviation = (sum - f64::from(expected)) / error;
-                // 20 cases at a significance of 0.001 together: 4.06 standard errors.
+                // 20 cases at a combined significance of 0.001: 4.06 standard errors.
                 assert!(deviation.abs() < 4.06, "{light}, {name}, {wo}: {sum} for {expected}, {deviation}");
-                // Many points, evenly spread, come nearer than random ones.
+                // Many evenly spread points are more accurate than random points.
                 let even = reflected_radiance(&*brdf, &map, &frame, wo, low_discrepancy_points(POINTS)).x;
                 println!(
                     "{light}, {name}: {deviation:.2} standard errors, one sample ± {:.3}, even {:.4}",
@@ -88,7 +88,7 @@ fn sampled_light_is_the_integral() {
 }
 
 #[test]
-fn even_light_is_sent_on_by_the_albedo() {
+fn uniform_light_is_reflected_by_the_albedo() {
     let furnace = EnvironmentMap::from_fn(8, 4, |_| Vec3::ONE).expect("an image");
     for (name, brdf) in brdfs() {
         for frame in [Frame::IDENTITY, Frame::from_normal(Vec3::new(-0.6, 0.3, -0.4).normalize())] {
@@ -96,7 +96,7 @@ fn even_light_is_sent_on_by_the_albedo() {
                 let wo = frame.to_world(wo);
                 let albedo = quadrature(&*brdf, &Vec3::ONE, &frame, wo, 200).x;
                 let sent = reflected_radiance(&*brdf, &furnace, &frame, wo, low_discrepancy_points(2048)).x;
-                // Measured: 0.003 for the rough one, whose samples are those of the cosine.
+                // Measured: 0.003 for the rough reflectance, whose samples are cosine-weighted.
                 assert_abs_diff_eq!(sent / albedo, 1.0, epsilon = 6e-3, "{name}, {wo}");
                 assert!(sent <= 1.004, "{name}: {sent}");
             }
@@ -108,7 +108,7 @@ fn even_light_is_sent_on_by_the_albedo() {
     }
 }
 
-/// The root mean square and the greatest of the differences, by the mean of what was expected.
+/// Returns the root mean square and the maximum of the differences, relative to the expected mean.
 fn deviation(pairs: impl Iterator<Item = (Vec3, Vec3)>) -> [f64; 2] {
     let (mut square, mut worst, mut mean, mut count) = (0.0, 0.0_f64, 0.0, 0.0);
     for (got, expected) in pairs {
@@ -123,7 +123,7 @@ fn deviation(pairs: impl Iterator<Item = (Vec3, Vec3)>) -> [f64; 2] {
 }
 
 #[test]
-fn irradiance_is_near_the_sampled_one() {
+fn irradiance_is_close_to_sampling() {
     let lambert = Lambert::new(Vec3::ONE).expect("in range");
     for (name, f, most) in
         [("smooth", smooth as fn(Vec3) -> Vec3, [0.007, 0.012]), ("hard", hard, [0.07, 0.16])]
@@ -136,7 +136,7 @@ fn irradiance_is_near_the_sampled_one() {
             (irradiance.at(n) / PI as f32, sampled)
         }));
         println!("{name}: {found:.4?}");
-        // Measured: 0.0051 and 0.0096, with a sun 0.055 and 0.127.
+        // Measured: 0.0051 and 0.0096; with a sun 0.055 and 0.127.
         assert!(found[0] < most[0] && found[1] < most[1], "{name}: {found:?}");
     }
 }
@@ -175,14 +175,15 @@ fn prefiltered_light_converges() {
                 deviation(pairs.zip(reference.iter().copied()))
             });
             println!("{name}, {alpha}: {found:.4?}");
-            // Measured: 0.0065 and 0.0040 of the mean, with a sun 0.22 and 0.051, where the peak is a hundred times the mean.
+            // Measured: 0.0065 and 0.0040 of the mean; with a sun 0.22 and 0.051, where the peak is
+            // a hundred times the mean.
             assert!(found[0][0] < most[0] && found[1][0] < most[1], "{name}, {alpha}: {found:?}");
         }
     }
 }
 
 #[test]
-fn split_sum_is_near_the_sampled_light() {
+fn split_sum_is_close_to_sampled_light() {
     let table = SplitSum::new();
     let f0 = Vec3::splat(0.6);
     let bounds =
@@ -206,7 +207,8 @@ fn split_sum_is_near_the_sampled_light() {
                 }))
             });
             println!("{name}, {alpha}: {found:.3?}");
-            // Measured: 0.018, 0.141, 0.201, with a sun 0.29, 2.6, 2.4: there highlights are stretched, and the stack's are round.
+            // Measured: 0.018, 0.141, 0.201; with a sun 0.29, 2.6, 2.4: there highlights are
+            // stretched, but the prefiltered lobes are round.
             for (found, most) in found.iter().zip(most) {
                 assert!(found[0] < most, "{name}, {alpha}: {found:?}");
             }

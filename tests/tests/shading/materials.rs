@@ -1,4 +1,4 @@
-//! Materials: the thesis's values, corrected, and means that do not depend on the distance.
+//! Materials: corrected values of the thesis, and means that do not depend on distance.
 
 use asperity_shading::bump::bumped_normal;
 use asperity_shading::glam::{Vec2, Vec3};
@@ -22,7 +22,7 @@ fn close(got: f32, expected: f64, tolerance: f64, case: &impl std::fmt::Debug) {
 }
 
 #[test]
-fn fading_and_rim_meet_the_references() {
+fn fading_and_rim_match_the_references() {
     for row in rows(&file()["fadeout"]["rows"]) {
         let [signal, average, size, footprint, out] = row[..] else { panic!("five columns") };
         let share = f64::from(removed_share(footprint as f32, (1.0 / size) as f32));
@@ -36,7 +36,7 @@ fn fading_and_rim_meet_the_references() {
 }
 
 #[test]
-fn seams_meet_the_references() {
+fn seams_match_the_references() {
     let seams = &file()["seams"];
     for (input, out) in rows(&seams["inputs"]).iter().zip(rows(&seams["corrected_amount_dx_dy"])) {
         let pattern = [SeamPattern::None, SeamPattern::Lines, SeamPattern::Grid][input[2] as usize];
@@ -44,8 +44,8 @@ fn seams_meet_the_references() {
         let distance = std::f64::consts::PI / input[6];
         let seams = Seams::new(align, pattern, distance as f32, input[5] as f32).unwrap();
         let got = seams.sample(Vec2::new(input[3] as f32, input[4] as f32));
-        // Phases go up to 30: rounding of position, distance and product each 2⁻²⁴ of it, 6e-6 in all, and the slope is f times
-        // as steep.
+        // Phases reach 30. Position, distance and product are each rounded by a relative 2⁻²⁴, 6e-6
+        // in total, and the slope is f times as steep.
         close(got.amount, out[0], 1e-5, input);
         close(got.slope.x, out[1], 1e-5 * input[6], input);
         close(got.slope.y, out[2], 1e-5 * input[6], input);
@@ -68,7 +68,7 @@ fn seen(point: SurfacePoint, width: f32) -> SurfacePoint {
     SurfacePoint { pixel: Footprint::from_width(width).into(), ..point }
 }
 
-/// Mean and its standard error.
+/// Returns the mean and its standard error.
 fn mean(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let (mut n, mut sum, mut squares) = (0.0, 0.0, 0.0);
     for x in values {
@@ -87,18 +87,19 @@ fn single_threads_keep_their_mean_at_every_distance() {
         let values =
             points(3, 60_000).map(|p| f64::from(threads.value(p.position, Footprint::from_width(width))));
         let [mean, error] = mean(values);
-        // Five standard errors of a mean over independent points, and the error of the measured moments, 0.2 %.
+        // Five standard errors of a mean over independent points, plus the error of the measured
+        // moments, 0.2 %.
         let tolerance = 5.0 * error + 0.002 * mean;
         println!("width {width}: {mean} ± {error}, from afar {}", threads.mean());
         assert_abs_diff_eq!(mean, f64::from(threads.mean()), epsilon = tolerance, "width {width}");
     }
-    // What fading inside of the power would leave: (1 − E|N|)⁷.
+    // The result of fading inside the power would be (1 − E|N|)⁷.
     let inside = (1.0 - 0.313_86_f64).powi(7);
     assert!(inside < 0.8 * f64::from(threads.mean()), "{inside}");
 }
 
 #[test]
-fn flat_carpets_keep_their_mean_colour_at_every_distance() {
+fn flat_carpets_keep_their_mean_color_at_every_distance() {
     for pattern in [SeamPattern::Lines, SeamPattern::Grid] {
         let carpet = Carpet::new(CarpetParameters {
             seams_pattern: pattern,
@@ -116,14 +117,15 @@ fn flat_carpets_keep_their_mean_colour_at_every_distance() {
         for width in [0.0, 0.001, 0.003, 0.01, 0.03, 0.1] {
             let [near, error] = colour(width);
             println!("{pattern:?}, {width}: {near} ± {error}, from afar {far}");
-            // Dark areas of 0.15 over 4 × 4 are some 700 independent ones: of deviation 0.12, a standard error of 0.5 %.
+            // Dark areas of 0.15 over 4 × 4 are about 700 independent areas of deviation 0.12: a
+            // standard error of 0.5 %.
             assert_abs_diff_eq!(near / far, 1.0, epsilon = 0.02 + 4.0 * error / far, "{pattern:?}, {width}");
         }
     }
 }
 
 #[test]
-fn ridges_of_seams_keep_their_mean_radiance_from_aside() {
+fn seam_ridges_keep_their_mean_radiance_at_grazing_light() {
     let carpet = Carpet::new(CarpetParameters {
         diffuse_thread_strength: 0.0,
         diffuse_thread_bump_strength: 0.0,
@@ -144,13 +146,13 @@ fn ridges_of_seams_keep_their_mean_radiance_from_aside() {
         };
         let ([near, error], [far, _]) = (light(1e-5), light(1e3));
         println!("{wi}: {near} ± {error}, from afar {far}");
-        // Measured 0.2 %, with 0.05 % of error. Slopes that were alike along both axes were 1 % off.
+        // Measured 0.2 %, with an error of 0.05 %. Equal slopes along both axes were 1 % off.
         assert_abs_diff_eq!(near / far, 1.0, epsilon = 0.004 + 4.0 * error / far, "{wi}");
     }
 }
 
 #[test]
-fn colours_and_waves_meet_the_references() {
+fn colors_and_waves_match_the_references() {
     for row in rows(&file()["colour_variation"]["rows"]) {
         let [colour, variation, noise, _, _, fixed] = row[..] else { panic!("six columns") };
         close(varied(colour as f32, noise as f32, variation as f32), fixed, 1e-6, &row);
@@ -177,7 +179,7 @@ fn colours_and_waves_meet_the_references() {
 }
 
 #[test]
-fn dents_have_the_variance_and_the_tails_of_dropped_gradients() {
+fn dents_have_the_variance_and_tails_of_dropped_gradients() {
     let moments = |cover: f32| {
         let dents = Dents::new(0.02, cover, 1, 11).unwrap();
         let (mut n, mut second, mut fourth) = (0.0, 0.0, 0.0);
@@ -194,7 +196,8 @@ fn dents_have_the_variance_and_the_tails_of_dropped_gradients() {
     for dropped in [0.0, 0.3, 0.5, 0.7, 0.9] {
         let [variance, kurtosis] = moments(1.0 - dropped);
         println!("dropped {dropped}: variance {}, excess kurtosis {kurtosis}", variance / all);
-        // Of 40000 cells: the standard error of the share is √(dropped/(1 − dropped)/40000) and that of the variance itself 1 %.
+        // For 40000 cells: the standard error of the fraction is √(dropped/(1 − dropped)/40000),
+        // and of the variance itself 1 %.
         assert_abs_diff_eq!(variance / all / f64::from(1.0 - dropped), 1.0, epsilon = 0.06);
         assert!(kurtosis > last, "{dropped}: {kurtosis} after {last}");
         last = kurtosis;
@@ -213,8 +216,8 @@ fn passive_flakes_keep_their_mean() {
 }
 
 #[test]
-fn flakes_are_tilted_to_all_sides_alike() {
-    // Tilts steeper than 0.8, in directions of 45° and of 0° about z: as many by the solid angle they cover.
+fn flakes_tilt_isotropically() {
+    // Tilts steeper than 0.8, in directions of 45° and of 0° about z: equally many per solid angle.
     let (mut axes, mut diagonals) = (0.0, 0.0);
     let mut random = Random(8);
     for _ in 0..400_000 {
@@ -226,12 +229,12 @@ fn flakes_are_tilted_to_all_sides_alike() {
             *(if octant % 2 == 0 { &mut axes } else { &mut diagonals }) += 1.0;
         }
     }
-    // About 20000 each: four standard errors of the ratio of two of them.
+    // About 20000 each: four standard errors of their ratio.
     let ratio: f64 = axes / diagonals;
     assert_abs_diff_eq!(ratio, 1.0, epsilon = 4.0 * (2.0_f64 / diagonals).sqrt(), "{axes} and {diagonals}");
 }
 
-/// Mean of D̂/D over places, and its standard deviation.
+/// Returns the mean of D̂/D over positions, and its standard deviation.
 fn glints<N: Ndf>(field: &GlintField<N>, h: Vec3, width: f32, count: usize) -> [f64; 2] {
     let mut random = Random(17);
     let density = f64::from(field.ndf().density(h));
@@ -244,7 +247,7 @@ fn glints<N: Ndf>(field: &GlintField<N>, h: Vec3, width: f32, count: usize) -> [
 }
 
 #[test]
-fn glints_stay_where_they_are_as_one_comes_nearer() {
+fn glints_stay_in_place_when_zooming_in() {
     let field = GlintField::new(Ggx::new(0.2, 0.4).unwrap(), 1.0, 0.2, 5).unwrap();
     let h = Vec3::new(0.2, 0.1, 1.0).normalize();
     let places = || points(9, 20_000).map(|p| p.position * 3000.0);
@@ -260,13 +263,14 @@ fn glints_stay_where_they_are_as_one_comes_nearer() {
         let correlation =
             product(&near, m, &far, n) / (product(&near, m, &near, m) * product(&far, n, &far, n)).sqrt();
         println!("{width}: {correlation}");
-        // A mean over four parts and one of them: ½. Of independent ones it would be 0 ± 0.007.
+        // Correlation of a mean over four parts and one of them: ½. For independent parts it would
+        // be 0 ± 0.007.
         assert_abs_diff_eq!(correlation, 0.5, epsilon = 0.07, "{width}");
     }
 }
 
 #[test]
-fn counted_flakes_have_the_density_for_their_mean_at_every_distance() {
+fn counted_flakes_have_the_mean_density_at_every_distance() {
     fn check<N: Ndf>(name: &str, ndf: N) {
         let field = GlintField::new(ndf, 1.0, 0.25, 5).unwrap();
         for h in [Vec3::Z, Vec3::new(0.2, 0.1, 1.0).normalize(), Vec3::new(-0.25, 0.2, 1.0).normalize()] {
@@ -275,7 +279,7 @@ fn counted_flakes_have_the_density_for_their_mean_at_every_distance() {
                 let count = 20_000;
                 let [mean, deviation] = glints(&field, h, width, count);
                 println!("{name} {h} width {width}: {mean} ± {deviation}");
-                // Five standard errors: two sides of 54 cases at a significance of 0.001.
+                // Five standard errors: 54 two-sided cases at a significance of 0.001.
                 let error = deviation / (count as f64).sqrt();
                 assert_abs_diff_eq!(mean, 1.0, epsilon = 5.0 * error.max(1e-6), "{name} {h} width {width}");
                 assert!(deviation < 1.1 * last, "{name} {h} width {width}: {deviation} after {last}");

@@ -1,4 +1,5 @@
-//! The mean radiance of a surface at every zoom, measured from the real noise: `Exact` keeps it, `Fractal` does not.
+//! The mean radiance of a surface at every zoom, measured with the real noise: `Exact` preserves
+//! it, `Fractal` does not.
 
 use asperity_shading::glam::Vec3;
 use asperity_shading::level_of_detail::GaussianField;
@@ -8,25 +9,26 @@ use asperity_shading::{Beckmann, Ggx, LevelOfDetail, Ndf, far_field};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::surface_patches::{mean_and_error, patch_means};
 
-/// Patches, each with a seed of its own; the standard errors come from their spread.
+/// Patches, each with its own seed. The standard errors come from their variation.
 const SEEDS: u32 = 128;
 
-/// Octaves that the pixel resolves, with every how many-th point of a patch that is enough of.
+/// Resolved octaves, and the sufficient stride of points of a patch.
 ///
-/// The shares of the variance are 0.188, 0.75, 0.797, 0.938 and 0.949. The more is resolved, the narrower the lobes
-/// and the more points their mean takes.
+/// The fractions of the variance are 0.188, 0.75, 0.797, 0.938 and 0.949. With more resolved
+/// variance the lobes are narrower, and their mean needs more points.
 const ZOOMS: [(f32, usize); 5] = [(0.5, 16), (1.0, 4), (1.5, 4), (2.0, 2), (2.5, 2)];
 
-/// Every how many-th point is enough for the ratios of the `Fractal` rule, which are of no precise interest.
+/// The sufficient stride for the ratios of the `Fractal` rule, which need less precision.
 const FRACTAL_STRIDE: usize = 32;
 
-/// Tolerance on the ratio of the mean to p(h). The worst of the 75 cases measures 0.011, at a standard error of 0.0052.
+/// Tolerance of the ratio of the mean to p(h). The maximum of the 75 cases is 0.011, with a
+/// standard error of 0.0052.
 const TOLERANCE: f64 = 0.02;
 
-/// The largest standard error that lets the tolerance mean something. The worst measured is 0.0063.
+/// Maximum standard error for a meaningful tolerance. The maximum measured is 0.0063.
 const LARGEST_ERROR: f64 = TOLERANCE / 3.0;
 
-/// The normal quantile of 75 two-sided cases at a significance of 0.001 together: 1 − 0.001/150.
+/// The normal quantile of 75 two-sided cases at a combined significance of 0.001: 1 − 0.001/150.
 const QUANTILE: f64 = 4.35;
 
 struct Case {
@@ -37,9 +39,9 @@ struct Case {
 
 /// Three densities, each with a half vector at its peak, three in its bulk and one in its tail.
 ///
-/// Half vectors of the closed forms are given by their slopes, those of the painted one by n_x and n_y: its
-/// two lobes, the valley at the flat normal, a flank, and the saddle. In the tails `p` is a twelfth (GGX) and
-/// a quarter (Beckmann) of its peak.
+/// Half vectors of the closed forms are given as slopes. For the painted density they are given as
+/// n_x and n_y: its two lobes, the valley at the flat normal, a flank, and the saddle. In the tails
+/// `p` is a twelfth (GGX) and a quarter (Beckmann) of its peak.
 fn cases() -> [Case; 3] {
     let slopes = |slopes: [[f32; 2]; 5]| slopes.map(|[x, y]| Vec3::new(x, y, 1.0).normalize());
     let on_map = |points: [[f32; 2]; 5]| points.map(|[x, y]| Vec3::new(x, y, (1.0 - x * x - y * y).sqrt()));
@@ -67,7 +69,7 @@ fn cases() -> [Case; 3] {
     ]
 }
 
-/// The 15 ratios of mean radiance to p(h) at one zoom, each with its standard error.
+/// Returns the 15 ratios of mean radiance to p(h) at one zoom, with standard errors.
 fn ratios(rule: LevelOfDetail, octaves: f32, stride: usize) -> Vec<(f64, f64)> {
     let cases = cases();
     let far: Vec<f64> = cases
@@ -94,7 +96,7 @@ fn ratios(rule: LevelOfDetail, octaves: f32, stride: usize) -> Vec<(f64, f64)> {
 }
 
 #[test]
-fn exact_rule_keeps_the_mean_at_every_zoom_and_fractal_does_not() {
+fn exact_rule_keeps_the_mean_and_fractal_rule_does_not() {
     let exact = ZOOMS.map(|(octaves, stride)| ratios(LevelOfDetail::Exact, octaves, stride));
     let fractal = ZOOMS.map(|(octaves, _)| ratios(LevelOfDetail::Fractal, octaves, FRACTAL_STRIDE));
 
@@ -120,7 +122,7 @@ fn exact_rule_keeps_the_mean_at_every_zoom_and_fractal_does_not() {
             assert_abs_diff_eq!(mean, 1.0, epsilon = TOLERANCE, "{case}");
             assert_abs_diff_eq!(mean, 1.0, epsilon = QUANTILE * error, "{case}");
         }
-        // From the first whole octave on, the paper's rule has spread the density by itself.
+        // From the first whole octave on, the paper's rule spreads the density by itself.
         for (fractal, (octaves, _)) in fractal.iter().zip(ZOOMS).skip(1) {
             let (mean, _) = fractal[index];
             match index {

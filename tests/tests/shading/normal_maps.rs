@@ -1,4 +1,5 @@
-//! Normal maps made by hand: their mean radiance at every zoom, by moments, by averaged normals and point by point.
+//! Hand-made normal maps: their mean radiance at every zoom, from moments, averaged normals and
+//! individual points.
 
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::level_of_detail::Coordinates;
@@ -10,7 +11,7 @@ use asperity_shading::{Beckmann, BumpField, Footprint, Ndf, SlopePyramid};
 /// Texels along a side.
 const SIZE: usize = 128;
 
-/// Rounded bricks in running bond, each tilted a little, with mortar between them; periodic.
+/// Rounded bricks in running bond, each slightly tilted, with mortar between; periodic.
 fn bricks() -> Vec<Vec3> {
     let height = |x: f32, y: f32| {
         let row = (y * 8.0).floor();
@@ -40,8 +41,8 @@ fn bricks() -> Vec<Vec3> {
         .collect()
 }
 
-/// Panels with seams of two texels, whose sides have slopes of ±0.9, along every 16th column, and every 16th row too; of slopes up to
-/// `tilt` between.
+/// Panels with seams two texels wide, with side slopes of ±0.9, along every 16th column and
+/// optionally every 16th row; slopes up to `tilt` between.
 fn panels(rows: bool, tilt: f32) -> Vec<Vec3> {
     let slope = |k: usize, turn: f32| match k % 16 {
         3 => 0.9,
@@ -62,12 +63,12 @@ fn half_vectors() -> Vec<Vec3> {
     slopes.map(|(x, y)| Vec3::new(x, y, 1.0).normalize()).to_vec()
 }
 
-/// Points spread evenly over the map, in step with nothing on it.
+/// Points spread evenly over the map, incommensurate with its features.
 fn places(count: u32) -> impl Iterator<Item = Vec2> {
     (0..count).map(|k| asperity_tests::low_discrepancy::r2(k).map(|x| x as f32).into())
 }
 
-/// The mean over the map of what pixels see of each half vector, by the density at a place.
+/// Returns the mean over the map of the density at pixels, for each half vector.
 fn means<D: Fn(Vec3) -> f32>(at: impl Fn(Vec2) -> D, count: u32) -> Vec<f64> {
     let half_vectors = half_vectors();
     let mut sums = vec![0.0; half_vectors.len()];
@@ -80,13 +81,13 @@ fn means<D: Fn(Vec3) -> f32>(at: impl Fn(Vec2) -> D, count: u32) -> Vec<f64> {
     sums
 }
 
-/// The root mean square of the differences over half vectors, by the mean.
+/// Returns the root mean square of the differences over half vectors, relative to the mean.
 fn apart(got: &[f64], expected: &[f64]) -> f64 {
     let squares: f64 = got.iter().zip(expected).map(|(g, e)| (g - e) * (g - e)).sum();
     (squares * expected.len() as f64).sqrt() / expected.iter().sum::<f64>()
 }
 
-/// Mips of the normals themselves: the mean of a square of texels around a point, not normalised.
+/// Mip levels of the normals: the mean of a square of texels around a point, not normalized.
 fn averaged(normals: &[Vec3], uv: Vec2, width: f32) -> Vec3 {
     let texels = ((width * SIZE as f32) as usize).max(1);
     let start = (uv * SIZE as f32 - 0.5 * texels as f32).floor();
@@ -102,14 +103,14 @@ fn averaged(normals: &[Vec3], uv: Vec2, width: f32) -> Vec3 {
     sum / count
 }
 
-/// A Beckmann surface about a normal.
+/// Returns a Beckmann surface about a normal.
 fn about(normal: Vec3, alpha: f32) -> OffsetBeckmann {
     let variance = 0.5 * alpha * alpha;
     let slope = Vec2::new(normal.x, normal.y) / normal.z;
     OffsetBeckmann::new(slope, [variance, 0.0, variance]).expect("in range")
 }
 
-/// The density of a point with this slope.
+/// Returns the density of a point with this slope.
 fn point_by_point(slope: Vec2, alpha: f32) -> impl Fn(Vec3) -> f32 {
     let point = SlopeMoments::point(slope).beckmann(alpha, alpha);
     move |h| point.density(h)
@@ -118,13 +119,13 @@ fn point_by_point(slope: Vec2, alpha: f32) -> impl Fn(Vec3) -> f32 {
 /// Widths of pixels, in texels.
 const WIDTHS: [f32; 7] = [0.0, 0.5, 1.0, 3.0, 8.0, 16.0, 128.0];
 
-/// Greatest error of pixels that see slopes in `K` groups, from points to the whole map.
+/// Returns the maximum error of pixels with slopes in `K` clusters, from points to the whole map.
 fn worst_of_groups<const K: usize>(normals: &[Vec3], alpha: f32, resolved: &[f64]) -> f64 {
     let map = SlopePyramid::<K>::from_normals(SIZE, SIZE, normals).expect("a map");
     let stone = Beckmann::isotropic(alpha).expect("in range");
     let off = WIDTHS.map(|width| {
         let pixel = Footprint::from_width(width / SIZE as f32);
-        // From afar, where one pixel is as another, few are enough.
+        // In the far view, where pixels are alike, a few suffice.
         let count = if width > 40.0 { 20 } else { 3000 };
         let seen = |uv| {
             let sample = map.as_ref().sample(uv, pixel);
@@ -136,18 +137,19 @@ fn worst_of_groups<const K: usize>(normals: &[Vec3], alpha: f32, resolved: &[f64
 }
 
 #[test]
-fn mean_radiance_is_kept_by_groups_of_slopes_and_lost_by_averaged_normals() {
+fn slope_clusters_keep_the_mean_and_averaged_normals_lose_it() {
     let normals = bricks();
     let map = SlopePyramid::<1>::from_normals(SIZE, SIZE, &normals).expect("a map");
-    // Of averaged normals, by Toksvig, in 1, 4, 8 and 16 groups; measured 1.30, 0.64, 0.63, 0.38, 0.039 and 0.010 for the
-    // roughness 0.2, and 0.60, 0.18, 0.13, 0.07, 0.005 and 0.002 for 0.4.
+    // With averaged normals, Toksvig, and 1, 4, 8 and 16 clusters; measured 1.30, 0.64, 0.63, 0.38,
+    // 0.039 and 0.010 for roughness 0.2, and 0.60, 0.18, 0.13, 0.07, 0.005 and 0.002 for 0.4.
     let bounds = [(0.2, [1.2, 0.55, 0.7, 0.42, 0.045, 0.02]), (0.4, [0.5, 0.16, 0.15, 0.08, 0.01, 0.01])];
     for (alpha, [averaged_least, toksvig_least, one, four, eight, sixteen]) in bounds {
         let resolved = means(|uv| point_by_point(map.as_ref().slope(uv), alpha), 20_000);
         let mut mips = [0.0_f64; 2];
         for width in WIDTHS {
             let at = |uv| averaged(&normals, uv, width / SIZE as f32);
-            // Toksvig 2005: the length of the mean normal says how far the normals are apart, σ² = (1 − |n|)/|n|.
+            // Toksvig 2005: the length of the mean normal measures the variation of the normals, σ²
+            // = (1 − |n|)/|n|.
             let toksvig = |n: Vec3| (alpha * alpha + 2.0 * (1.0 - n.length()) / n.length()).sqrt();
             let of = |surface: OffsetBeckmann| move |h| surface.density(h);
             let plain = means(|uv| of(about(at(uv), alpha)), 1000);

@@ -5,7 +5,7 @@ use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::ndf_sampling::{Isotropic, Microfacet};
 use asperity_shading::{Brdf, CookTorrance};
 
-/// Paintings: smooth, with edges, of one texel, not level on the whole; and a ring of tilts.
+/// Paintings: smooth, with edges, of one texel, with nonzero mean; and a ring of tilts.
 fn painted() -> Vec<(&'static str, Box<dyn Microfacet>)> {
     let map = |kind, f: fn(Vec3) -> f32| {
         Box::new(Masked::new(NdfMap::from_fn(32, 32, Measure::Normals, kind, f).expect("a painting")))
@@ -32,7 +32,7 @@ fn painted() -> Vec<(&'static str, Box<dyn Microfacet>)> {
 const SIDE: u32 = 40;
 
 #[test]
-fn painted_metals_make_no_energy() {
+fn painted_metals_conserve_energy() {
     for (name, density) in painted() {
         let metal = CookTorrance::new(&*density, Vec3::ONE);
         for up in [0.02_f32, 0.2, 0.6, 0.95, 1.0] {

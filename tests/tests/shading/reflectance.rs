@@ -1,4 +1,4 @@
-//! Reflectances: reference values, reciprocity to rounding, and energy to the horizon.
+//! Reflectances: reference values, reciprocity up to rounding, and energy up to the horizon.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -23,7 +23,7 @@ pub(crate) fn direction(theta: f64, phi: f64) -> Vec3 {
     Vec3::new((sin * phi.cos()) as f32, (sin * phi.sin()) as f32, cos as f32)
 }
 
-/// Asserts that `got` is `expected` to a share of 1e-5.
+/// Asserts that `got` equals `expected` within a relative 1e-5.
 fn close(worst: &mut f64, got: f32, expected: f64, case: impl Fn() -> String) {
     let error = (f64::from(got) - expected).abs() / expected.abs().max(1e-6);
     assert!(error < 1e-5, "{}: {got} for {expected}", case());
@@ -31,7 +31,7 @@ fn close(worst: &mut f64, got: f32, expected: f64, case: impl Fn() -> String) {
 }
 
 #[test]
-fn rough_diffuse_surfaces_meet_the_references() {
+fn rough_diffuse_surfaces_match_the_references() {
     let file = read("ndf/oren_nayar.json");
     let angles = rows(&file["theta_i_theta_r_dphi"]);
     let mut worst = [0.0; 4];
@@ -54,7 +54,7 @@ fn rough_diffuse_surfaces_meet_the_references() {
 }
 
 #[test]
-fn lobes_meet_the_references() {
+fn lobes_match_the_references() {
     let file = read("ndf/ward_blinn_phong.json");
     let vector = |row: &[f64]| Vec3::new(row[0] as f32, row[1] as f32, row[2] as f32);
     let pairs: Vec<[Vec3; 2]> = file["pairs"]
@@ -93,7 +93,7 @@ fn lobes_meet_the_references() {
     println!("Ward {ward:.1e}, Blinn-Phong {blinn:.1e}");
 }
 
-/// A reflectance by name, with the greatest albedo that its docs promise.
+/// A reflectance by name, with its documented maximum albedo.
 pub(crate) struct Case {
     pub(crate) name: String,
     pub(crate) brdf: Box<dyn Brdf + Send + Sync>,
@@ -163,7 +163,7 @@ pub(crate) fn cases() -> Vec<Case> {
     cases
 }
 
-/// The albedo by the midpoint rule in θ and φ, of the brightest channel.
+/// Returns the albedo of the brightest channel, by the midpoint rule in θ and φ.
 pub(crate) fn albedo(brdf: &dyn Brdf, wo: Vec3, rows: u32) -> f64 {
     let (step, turn) = (FRAC_PI_2 / f64::from(rows), TAU / f64::from(2 * rows));
     let mut sum = [0.0; 3];
@@ -181,12 +181,13 @@ pub(crate) fn albedo(brdf: &dyn Brdf, wo: Vec3, rows: u32) -> f64 {
 }
 
 #[test]
-fn no_surface_sends_more_light_than_it_gets() {
+fn albedo_is_at_most_the_documented_maximum() {
     for Case { name, brdf, albedo: most } in cases() {
         let albedos = [0.05, 0.6, 1.2, 1.56].map(|theta| {
             let wo = direction(theta, 0.4);
             let (coarse, fine) = (albedo(&*brdf, wo, 96), albedo(&*brdf, wo, 192));
-            // The rule is of second order, so that the fine one errs by a third of the difference, or less.
+            // The rule is of second order, so that the error of the fine rule is at most a third of
+            // the difference.
             let error = (fine - coarse).abs();
             assert!(fine - error <= most + 1e-5, "{name}, {theta}: {fine} ± {error}");
             if name.starts_with("energy-preserving") {
@@ -199,9 +200,10 @@ fn no_surface_sends_more_light_than_it_gets() {
 }
 
 #[test]
-fn wards_albedo_grows_without_bound_at_the_horizon() {
+fn ward_albedo_is_unbounded_at_the_horizon() {
     let ward = WardReflection::new(Vec3::ONE, 0.2, 0.2, WardForm::Ward).expect("in range");
-    // By an integral in f64 over 1200 × 2400 directions: it falls to 85° and then grows as 1/√cos θ.
+    // By an integral in f64 over 1200 × 2400 directions: it decreases up to 85° and then grows as
+    // 1/√cos θ.
     for (degrees, expected) in [(85.0_f64, 0.1816), (89.9, 0.6702), (89.999, 6.602)] {
         let albedo = albedo(&ward, direction(degrees.to_radians(), 0.0), 768);
         assert_abs_diff_eq!(albedo / expected, 1.0, epsilon = 2e-3, "{degrees}");
@@ -218,7 +220,8 @@ proptest! {
         for Case { name, brdf, .. } in cases() {
             let (there, back) = (brdf.value(wi, wo), brdf.value(wo, wi));
             prop_assert!(there.is_finite() && there.min_element() >= 0.0, "{name}: {there}");
-            // The exponent of a Gaussian or a power carries the rounding of h, which is not the same both ways.
+            // The exponent of a Gaussian or a power amplifies the rounding of h, which differs
+            // between the two directions.
             let apart = (there - back).abs().max_element();
             prop_assert!(apart <= 2e-5 * there.max_element().max(1e-3), "{name}: {there}, {back}");
             let density = brdf.density(wi, wo);

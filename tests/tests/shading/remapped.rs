@@ -1,4 +1,5 @@
-//! Classic noise through its measured distribution: nearly Gaussian, so that the exact rule nearly keeps the mean.
+//! Classic noise mapped through its measured distribution: nearly Gaussian, so that the exact rule
+//! nearly preserves the mean.
 
 use asperity_shading::glam::Vec3;
 use asperity_shading::level_of_detail::{GaussianField, RemappedOctaves};
@@ -6,7 +7,8 @@ use asperity_shading::noise::{Perlin2002, Simplex, Spectrum, simd::Kernel};
 use asperity_shading::{Beckmann, LevelOfDetail, far_field};
 use asperity_tests::surface_patches::{mean_and_error, patch_means};
 
-/// Mean, variance and correlation of the coordinates, then the ratios of the mean radiance to p(h) at two half vectors.
+/// Returns mean, variance and correlation of the coordinates, then the ratios of the mean radiance
+/// to p(h) at two half vectors.
 fn measured<K: Kernel<3> + Copy + Sync>(noise: K, octaves: f32) -> [(f64, f64); 6] {
     let ndf = Beckmann::isotropic(0.3).expect("roughness in range");
     let half_vectors = [Vec3::Z, Vec3::new(0.24, 0.0, 1.0).normalize()];
@@ -26,10 +28,11 @@ fn measured<K: Kernel<3> + Copy + Sync>(noise: K, octaves: f32) -> [(f64, f64); 
 
 #[test]
 fn classic_noise_nearly_keeps_the_mean() {
-    // The normal quantile of 24 two-sided cases at a significance of 0.001 together.
+    // The normal quantile of 24 two-sided cases at a combined significance of 0.001.
     const QUANTILE: f64 = 4.1;
-    // By how much each quantity may be off beside its statistical error, with one octave and with two. One octave has
-    // another distribution than the eight for which G is measured: the mean radiance measures 0.965 and 1.017.
+    // Tolerances in addition to the statistical error, for one octave and for two. One octave has a
+    // different distribution than the eight octaves for which G is measured: the mean radiance is
+    // measured as 0.965 and 1.017.
     const ALLOWED: [(f32, [f64; 6]); 2] =
         [(1.0, [0.0, 0.01, 0.0, 0.0, 0.04, 0.04]), (2.0, [0.0, 0.01, 0.0, 0.0, 0.015, 0.015])];
     const QUANTITIES: [(&str, f64); 6] = [

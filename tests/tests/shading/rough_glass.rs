@@ -1,4 +1,5 @@
-//! Rough glass: the public checks, energy, reciprocity, and the values of another renderer.
+//! Rough glass: public property tests, energy, reciprocity, and reference values of another
+//! renderer.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -36,7 +37,7 @@ fn densities() -> [(&'static str, Box<Facets>); 5] {
     ]
 }
 
-/// Surfaces of bodies, of bubbles in them, and thin walls.
+/// Surfaces of bodies, of bubbles inside bodies, and thin walls.
 fn surfaces(density: &Facets) -> [(&'static str, Glass<'_>); 3] {
     let glass = |index| Dielectric::new(index).expect(VALID);
     [
@@ -46,14 +47,14 @@ fn surfaces(density: &Facets) -> [(&'static str, Glass<'_>); 3] {
     ]
 }
 
-/// A view from above or, where the angle is more than a right one, from below.
+/// Views from above or, for angles beyond a right angle, from below.
 fn views() -> [Vec3; 4] {
     [direction(0.3, 0.7), direction(1.3, -2.0), direction(2.7, 1.0), direction(2.2, 0.2)]
 }
 
-/// The values of Mitsuba 3.9.1.
+/// Reference values of Mitsuba 3.9.1.
 #[test]
-fn values_meet_another_renderer_s() {
+fn values_match_mitsuba() {
     let file = read("ndf/rough_glass.json");
     for item in file["items"].as_array().expect("an array") {
         let alpha = numbers(&item["alpha"]).iter().map(|&a| a as f32).collect::<Vec<_>>();
@@ -70,7 +71,8 @@ fn values_meet_another_renderer_s() {
             let vector = |k: usize| Vec3::new(row[k] as f32, row[k + 1] as f32, row[k + 2] as f32);
             let (wo, wi) = (vector(0), vector(3));
             let error = (f64::from(glass.value(wi, wo).x) / row[6] - 1.0).abs();
-            // Both are in f32; its masking of Beckmann's density errs by 0.35 % for either direction.
+            // Both are in f32. Mitsuba's masking of the Beckmann density has an error of 0.35 % for
+            // either direction.
             let tolerance = if ggx { 2e-4 } else { 7e-3 };
             assert!(error < tolerance, "{item:.60} {wi} {wo}: {} for {}", glass.value(wi, wo).x, row[6]);
             worst = worst.max(error);
@@ -79,7 +81,7 @@ fn values_meet_another_renderer_s() {
     }
 }
 
-/// Reflectance of a facet of glass seen from inside, in `f64`.
+/// Returns the reflectance of a glass facet from inside, in `f64`.
 fn inner_reflectance(index: f64, wi: DVec3, wo: DVec3) -> f64 {
     let c = wi.dot((wi + wo).normalize()).abs();
     let left = 1.0 / (index * index) - 1.0 + c * c;
@@ -101,7 +103,7 @@ fn rough_dielectric_value_next_to_the_critical_angle() {
         let [mut near, mut elsewhere] = [0.0_f64; 2];
         let critical = (1.0 - 1.0 / f64::from(index).powi(2)).sqrt();
         for k in 0..200_000 {
-            // Mirrored by a facet at an angle from near the critical one to any.
+            // Reflected by a facet at any angle from near the critical angle on.
             let h = ggx.sample(Vec2::new(random.uniform() as f32, random.uniform() as f32)).as_dvec3();
             let off = 10.0_f64.powf(-7.0 * random.uniform()) * if k % 2 == 0 { 1.0 } else { -1.0 };
             let c = (critical + off).clamp(0.05, 0.999);
@@ -127,7 +129,7 @@ fn rough_dielectric_value_next_to_the_critical_angle() {
     }
 }
 
-/// `∫ f |cos θ_i|` over the half spheres above and below.
+/// Returns `∫ f |cos θ_i|` over the hemispheres above and below.
 fn albedos(brdf: &dyn Brdf, wo: Vec3, rows: u32) -> [f64; 2] {
     let (step, turn) = (FRAC_PI_2 / f64::from(rows), TAU / f64::from(2 * rows));
     let mut sums = [0.0; 2];
@@ -145,7 +147,8 @@ fn albedos(brdf: &dyn Brdf, wo: Vec3, rows: u32) -> [f64; 2] {
     sums
 }
 
-/// Expectations over visible normals of what is mirrored and transmitted and not shadowed: Snell's and Fresnel's laws in `f64`.
+/// Returns expectations over visible normals of unshadowed reflection and transmission: Snell's and
+/// Fresnel's laws in `f64`.
 fn expected(name: &str, density: &Facets, index: f64, wo: Vec3) -> [f64; 2] {
     const SIDE: u16 = 240;
     let v = if wo.z < 0.0 { -wo } else { wo };
@@ -164,7 +167,7 @@ fn expected(name: &str, density: &Facets, index: f64, wo: Vec3) -> [f64; 2] {
         let share = if name == "wall" { 2.0 * once / (1.0 + once) } else { once };
         let g1 = |w: DVec3| if w.z > 0.0 { f64::from(density.g1(w.as_vec3())) } else { 0.0 };
         let mirrored = 2.0 * cosine * h - v;
-        // The way of refracted light, reversed: facets are seen from below as from above.
+        // The path of refracted light, reversed: facets are visible from below as from above.
         let on = if name == "wall" { mirrored } else { v / eta - (cosine / eta - refracted) * h };
         sums[0] += share * g1(mirrored);
         sums[1] += (1.0 - share) * g1(on);
@@ -174,7 +177,7 @@ fn expected(name: &str, density: &Facets, index: f64, wo: Vec3) -> [f64; 2] {
 }
 
 #[test]
-fn all_light_is_sent_on_but_for_what_shadowing_takes() {
+fn energy_is_conserved_except_for_shadowing() {
     for (density_name, density) in densities() {
         for (name, glass) in surfaces(density.as_ref()) {
             for wo in views() {
@@ -182,8 +185,9 @@ fn all_light_is_sent_on_but_for_what_shadowing_takes() {
                 let index = f64::from(glass.fresnel().relative_index());
                 let expected = expected(name, density.as_ref(), index, wo);
                 for side in 0..2 {
-                    // GGX has facets up to the horizon, where the integrand has an edge: for α = 0.7 the rule of 128 rows is within 2.8e-3,
-                    // one of 800 within 3e-4. That over visible normals is within 1e-4.
+                    // GGX has facets up to the horizon, where the integrand has an edge. For α =
+                    // 0.7 the rule with 128 rows is within 2.8e-3, and with 800 rows within 3e-4.
+                    // The rule over visible normals is within 1e-4.
                     let epsilon = (fine[side] - coarse[side]).abs() + 4e-3;
                     let case = format!("{density_name}, {name}, {wo}, side {side}");
                     assert_abs_diff_eq!(fine[side], expected[side], epsilon = epsilon, "{case}");
@@ -200,7 +204,7 @@ fn all_light_is_sent_on_but_for_what_shadowing_takes() {
 }
 
 #[test]
-fn light_goes_both_ways_alike_but_for_the_index() {
+fn transport_is_reciprocal_up_to_the_index() {
     let mut random = Random(5);
     let mut any = move || {
         let [x, y] = [random.uniform(), random.uniform()];
@@ -216,7 +220,8 @@ fn light_goes_both_ways_alike_but_for_the_index() {
                 let there = glass.value(wi, wo).x * side(wo);
                 let back = glass.value(wo, wi).x * side(wi);
                 seen[usize::from(wi.z * wo.z < 0.0)] += u32::from(there > 0.0);
-                // The refracting facet is found to 1e-7/|η − 1|, and its density to that over its deviation.
+                // The refracting facet is accurate to 1e-7/|η − 1|, and its density to that over
+                // its deviation.
                 let tolerance = 2e-5 * there.max(1e-3);
                 assert!(
                     (there - back).abs() <= tolerance,
@@ -228,7 +233,7 @@ fn light_goes_both_ways_alike_but_for_the_index() {
     }
 }
 
-/// Significance of 40,000 samples in bins of both half spheres.
+/// Returns the p-value of 40,000 samples in bins of both hemispheres.
 fn samples_fit(name: &str, brdf: &dyn Brdf, wo: Vec3) -> f64 {
     const BINS: SphereBins = SphereBins { rows: 16, columns: 12 };
     const SAMPLES: u64 = 40_000;
@@ -248,7 +253,8 @@ fn samples_follow_their_density_on_both_sides() {
     let painted = NdfMap::from_fn(24, 24, Measure::Normals, Reconstruction::Bilinear, hills).expect("hills");
     let mut all = densities().into_iter().filter(|(name, _)| *name != "Beckmann 0.7").collect::<Vec<_>>();
     all.push(("painted", Box::new(Masked::new(painted))));
-    // From outside and from inside, along the normal and up to grazing. Walls are the same from both sides.
+    // From outside and from inside, along the normal and up to grazing. Walls are the same from
+    // both sides.
     let angles = [0.0, 45.0, 80.0, 100.0, 135.0, 180.0_f64];
     let cases: Vec<_> = all
         .iter()
@@ -278,7 +284,7 @@ fn bodies_and_walls_pass_the_public_checks() {
     }
 }
 
-/// Chalk dust on a wavy sheet of frosted glass, whose facets lean to one side.
+/// Chalk dust on a wavy sheet of frosted glass, with facets that lean to one side.
 struct Dusty {
     sheet: RoughDielectric<Beckmann>,
     dust: Lambert,
@@ -301,7 +307,7 @@ fn layers_of_rough_glass_pass_the_public_checks() {
     };
     let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(1e-3));
     let report = check::material(&dusty, &point, quick(5));
-    // Both layers are there in full.
+    // Both layers are fully present.
     assert!(report.failures().all(|failure| failure == "energy"), "{report}");
     let coat = Coat::body(glass).rough(0.4);
     let report = check::material(&coat, &point, quick(6));
@@ -315,7 +321,7 @@ fn layers_of_rough_glass_pass_the_public_checks() {
 }
 
 #[test]
-fn weights_of_samples_are_at_most_the_share_over_its_chance() {
+fn sample_weights_are_bounded() {
     let mut random = Random(3);
     for (density_name, density) in densities() {
         for (name, glass) in surfaces(density.as_ref()) {
@@ -331,7 +337,7 @@ fn weights_of_samples_are_at_most_the_share_over_its_chance() {
                     }
                 }
                 println!("{density_name}, {name}, {wo:.2}: mean {sum:.3}, most {most:.2}");
-                // 1/0.03, where light that is all but never mirrored is.
+                // 1/0.03, for light that is almost never reflected.
                 assert!(most < 34.0 && sum < 1.05, "{density_name}, {name}, {wo}: {most}, {sum}");
             }
         }
@@ -347,7 +353,8 @@ fn tinted_walls_are_darker_at_an_angle() {
         let wo = direction(theta, 0.4);
         let share = through(Vec3::splat(0.3), wo) / through(Vec3::ONE, wo);
         let longer = 1.0 / (1.0 - (theta.sin() / 1.5).powi(2)).sqrt();
-        // Facets of α = 0.03 see the angle ± 0.03, which the way's length has in the second order.
+        // Facets with α = 0.03 see the angle ± 0.03, which affects the path length only in second
+        // order.
         assert_abs_diff_eq!(share, 0.3_f64.powf(longer), epsilon = 2e-3, "{theta}");
     }
 }
@@ -385,7 +392,7 @@ fn directions_without_a_side_are_dark() {
             }
         }
     }
-    // No interface at all, and one without measure.
+    // No interface, and a degenerate interface.
     for index in [1.0, 0.999_999, f32::MIN_POSITIVE, f32::MAX] {
         let glass = RoughDielectric::new(Ggx::isotropic(0.3).expect(VALID), Dielectric::clamped(index));
         for (wi, wo) in [(good, good), (-good, good), (good, -good), (-good, -good)] {

@@ -1,4 +1,5 @@
-//! Bumps and facets do not depend on how a surface is parametrised: turned, stretched, sheared and mirrored.
+//! Bumps and facets do not depend on the parametrization of a surface: rotated, stretched, sheared
+//! and mirrored.
 
 use asperity_shading::bump::{bumped_normal, displace, gradient_of_normal, surface_gradient, tangential};
 use asperity_shading::glam::{Mat2, Vec2, Vec3};
@@ -28,7 +29,7 @@ fn plane() -> impl Strategy<Value = Vec2> {
     [-3.0..3.0_f32, -3.0..3.0_f32].prop_map(Vec2::from)
 }
 
-/// A linear map of the plane that is far from singular, turning it over or not.
+/// A linear map of the plane far from singular, with or without reflection.
 fn linear() -> impl Strategy<Value = Mat2> {
     (angle(), angle(), 0.2..3.0_f32, 0.2..3.0_f32, any::<bool>()).prop_map(|(a, b, x, y, over)| {
         let y = if over { -y } else { y };
@@ -36,20 +37,22 @@ fn linear() -> impl Strategy<Value = Mat2> {
     })
 }
 
-/// The derivatives of the position by (u′, v′), where (u, v) = map (u′, v′).
+/// Returns the derivatives of the position by (u′, v′), where (u, v) = map (u′, v′).
 fn mapped([p_u, p_v]: [Vec3; 2], map: Mat2) -> [Vec3; 2] {
     [map.x_axis, map.y_axis].map(|by| p_u * by.x + p_v * by.y)
 }
 
-/// A direction in a frame that is turned about its normal.
+/// Returns a direction in a frame rotated about its normal.
 fn turned(v: Vec3, by: f32) -> Vec3 {
     Vec2::from_angle(-by).rotate(v.truncate()).extend(v.z)
 }
 
-/// Two spans of three at most (a length) over sides of a fifth at least, and the rounding of some ten operations.
+/// Two spans of at most three (a length) over sides of at least a fifth, and the rounding of about
+/// ten operations.
 const ROUNDING: f32 = 3e-5;
 
-/// Light of a lamp aside of the normal that a material scatters along it; directions in space.
+/// Returns the radiance that a material scatters along the normal from a lamp to the side;
+/// directions in space.
 fn lit(material: &dyn Material, point: &SurfacePoint) -> Vec3 {
     let (frame, n) = (point.frame(), point.normal);
     let aside = n.any_orthonormal_vector();
@@ -84,7 +87,8 @@ proptest! {
         let m = Vec3::new(m.x, m.y, m.z.abs() + 0.1).normalize();
         let [a, b] = [gradient_of_normal(&frame, m), gradient_of_normal(&other, turned(m, by))];
         prop_assert!(a.distance(b) < ROUNDING * (1.0 + a.length()), "{a} {b}");
-        // What is left of a gradient in space is what it is along any two tangents.
+        // The tangential part of a spatial gradient depends only on the gradient along any two
+        // tangents.
         let [a, b] = [tangential(frame.normal, g), other.tangent * other.tangent.dot(g) + other.bitangent * other.bitangent.dot(g)];
         prop_assert!(a.distance(b) < ROUNDING, "{a} {b}");
     }
@@ -106,7 +110,7 @@ proptest! {
                 let [a, b] = [rule.normal(ndf, one), rule.normal(ndf, other)];
                 prop_assert!(turned(a, by).distance(b) < ROUNDING, "{rule:?}: {a} {b}");
                 let [a, b] = [rule.radiance(ndf, h, one), rule.radiance(ndf, turned(h, by), other)];
-                // An exponent of e has the rounding of e times that of its terms.
+                // An exponent e amplifies the rounding of its terms by e.
                 let tolerance = 1e-4 * (1.0 + (a.max(1e-30) / ndf.density(Vec3::Z)).ln().abs());
                 prop_assert!((a - b).abs() <= tolerance * a.max(1e-6), "{rule:?}: {a} {b}");
             }
@@ -151,7 +155,7 @@ proptest! {
 }
 
 proptest! {
-    // Each case measures the fibres of two carpets.
+    // Each case measures the fibers of two carpets.
     #![proptest_config(ProptestConfig { cases: 40, ..config() })]
 
     #[test]
@@ -159,7 +163,7 @@ proptest! {
         n in unit(), position in unit(), uv in plane(), by in angle(), scale in 0.2..3.0_f32, grid in any::<bool>(),
     ) {
         let seams_pattern = if grid { SeamPattern::Grid } else { SeamPattern::Lines };
-        // Fibres are hashed from texture coordinates: other coordinates are other fibres.
+        // Fibers are hashed from texture coordinates, so other coordinates give other fibers.
         let parameters = CarpetParameters {
             seams_pattern,
             seam_distance: 0.5,
@@ -180,7 +184,8 @@ proptest! {
         };
         let [a, b] = [(parameters, one), (same, other)]
             .map(|(parameters, point)| lit(&Carpet::new(parameters).unwrap(), &point));
-        // Phases of up to 27 are rounded by 4e-6, and the bend of a rounded crease is 1/(π/20) of that.
+        // Phases of up to 27 are rounded by 4e-6, and the curvature of a rounded crease is 1/(π/20)
+        // of that.
         prop_assert!(a.distance(b) < 1e-4, "{a} {b}");
     }
 }

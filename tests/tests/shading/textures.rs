@@ -1,4 +1,4 @@
-//! Textures: what a pixel sees is the mean of its points.
+//! Textures: a pixel has the mean of its points.
 
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::texture::StarWallpaper;
@@ -28,7 +28,7 @@ fn filtered_wall_is_the_mean_of_its_points() {
                 }
             }
             let count = f64::from(n * n);
-            // The sharp pulses' ends are met to a row of points, 1/600 a side and end.
+            // The ends of sharp pulses are resolved to a row of points, 1/600 per side and end.
             assert_abs_diff_eq!(f64::from(got.brick), brick / count, epsilon = 0.015, "{uv} {widths}");
             assert_abs_diff_eq!(f64::from(got.height), bump / count, epsilon = 3e-3, "{uv} {widths}");
         }
@@ -36,7 +36,7 @@ fn filtered_wall_is_the_mean_of_its_points() {
 }
 
 #[test]
-fn area_of_stars_is_the_mean() {
+fn star_coverage_matches_the_mean() {
     let (mut sum, n) = (0.0_f64, 700);
     let wall = StarWallpaper::default();
     for i in 0..n {
@@ -70,13 +70,13 @@ fn pixels_keep_the_mean_of_their_points() {
     let sharp = mean(0.0);
     for width in [0.002, 0.005, 0.01, 0.02, 0.04] {
         let smooth = mean(width);
-        // Ramps at the notches and the points, and the mean that leaves out overlaps. Measured: 3.1 %.
+        // Ramps at the notches and the points, and a mean that ignores overlaps. Measured: 3.1 %.
         assert_abs_diff_eq!(smooth / sharp, 1.0, epsilon = 0.035, "{width}");
     }
 }
 
 #[test]
-fn colour_keeps_its_mean_at_every_footprint() {
+fn color_keeps_its_mean_at_every_footprint() {
     let marble = Marble::default();
     let mean = |width: f32| {
         let n = 120_000;
@@ -96,7 +96,8 @@ fn colour_keeps_its_mean_at_every_footprint() {
     for width in [0.03, 0.05, 0.08, 0.12, 0.2, 1.0] {
         let seen = mean(width);
         for (seen, near) in seen.into_iter().zip(near) {
-            // Measured: 2.4 % where the first octave is half removed, 0.6 % from afar; the colour of the mean sum is 25 % off.
+            // Measured: 2.4 % where the first octave is half removed, 0.6 % in the far view. The
+            // color of the mean sum is 25 % off.
             assert_abs_diff_eq!(seen / near, 1.0, epsilon = 0.026, "{width}");
         }
     }

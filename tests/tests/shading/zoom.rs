@@ -1,4 +1,5 @@
-//! Zooming in: no pop, nothing seen from afar becomes untrue, and the far field where the pixel resolves nothing.
+//! Zooming in: no pops, consistency with the far view, and the far field where the pixel resolves
+//! nothing.
 
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::level_of_detail::{Coordinates, GaussianField, facet_coordinates, shade_facet};
@@ -13,16 +14,17 @@ fn half_vector() -> Vec3 {
     Vec3::new(0.1, 0.3, 1.0).normalize()
 }
 
-/// Which of eight parts of the plane of Gaussian coordinates, of equal probability.
+/// Returns which of eight equally likely parts of the plane of Gaussian coordinates contains z.
 fn part(z: Vec2) -> usize {
     let outer = z.length_squared() > 2.0 * std::f32::consts::LN_2;
     usize::from(z.x > 0.0) + 2 * usize::from(z.y > 0.0) + 4 * usize::from(outer)
 }
 
-/// Octaves that are resolved.
+/// Resolved octaves.
 const RESOLVED: [f32; 4] = [1.0, 1.4, 2.0, 2.5];
 
-/// A rule, and two of [`RESOLVED`] by their index: before and after a zoom. The last one is the paper's rule, which is no martingale.
+/// A rule, and two indices into [`RESOLVED`]: before and after a zoom. The last is the paper's
+/// rule, which is not a martingale.
 const ZOOMS: [(LevelOfDetail, usize, usize); 4] = [
     (LevelOfDetail::Exact, 0, 1),
     (LevelOfDetail::Exact, 0, 2),
@@ -30,9 +32,10 @@ const ZOOMS: [(LevelOfDetail, usize, usize); 4] = [
     (LevelOfDetail::Fractal, 0, 2),
 ];
 
-/// Mean of what an octave that has just been resolved changes, by zoom and in each part of what was resolved before.
+/// Returns the mean change from a newly resolved octave, by zoom and in each part of the previously
+/// resolved coordinates.
 ///
-/// In units of p(h), with the standard error.
+/// In units of p(h), with standard errors.
 fn changes() -> [[(f64, f64); 8]; 4] {
     let ndf = Ggx::new(0.2, 0.4).expect("roughness in range");
     let h = half_vector();
@@ -46,7 +49,7 @@ fn changes() -> [[(f64, f64); 8]; 4] {
                 LevelOfDetail::Exact => exact[k],
                 LevelOfDetail::Fractal => rule.radiance(&ndf, h, seen[k]),
             };
-            // Each part holds an eighth of the surface.
+            // Each part contains an eighth of the surface.
             let change = f64::from(radiance(after) - radiance(before));
             sums[8 * zoom + part(seen[before].z)] += 8.0 * change / far;
         }
@@ -56,7 +59,7 @@ fn changes() -> [[(f64, f64); 8]; 4] {
 
 #[test]
 fn exact_rule_is_a_martingale_in_zoom() {
-    // The normal quantile of 24 two-sided cases at a significance of 0.001 together.
+    // The normal quantile of 24 two-sided cases at a combined significance of 0.001.
     const QUANTILE: f64 = 4.1;
     // In units of p(h).
     const UNSEEN: f64 = 1e-3;
@@ -65,23 +68,27 @@ fn exact_rule_is_a_martingale_in_zoom() {
         let [before, after] = [before, after].map(|k| RESOLVED[k]);
         for (part, (mean, error)) in changes.into_iter().enumerate() {
             println!("{before} to {after} octaves, part {part}: {mean:.4} ± {error:.4}");
-            // Measured: standard errors up to 0.023, for a change of the mean of 0.4 under the other rule.
+            // Measured: standard errors up to 0.023, compared with a change of the mean of 0.4
+            // under the other rule.
             assert!(
                 error < 0.04,
                 "{before} to {after} octaves, part {part}: an error of {error} shows nothing"
             );
-            // Parts that face away show so little that 500,000 points miss the peaks which make up its mean.
+            // Parts that face away contribute so little that 500,000 points miss the peaks of their
+            // mean.
             let allowed = QUANTILE * error + UNSEEN;
             assert!(mean.abs() < allowed, "{before} to {after} octaves, part {part}: {mean} ± {error}");
         }
     }
-    // The paper's rule is none: what a part of the surface shows changes as the next octave appears.
+    // The paper's rule is not a martingale: the radiance of a part of the surface changes as the
+    // next octave appears.
     let largest = fractal.into_iter().map(|(mean, _)| mean.abs()).fold(0.0, f64::max);
     println!("largest change under the fractal rule: {largest:.3}");
     assert!(largest > 0.05, "{largest}");
 }
 
-/// The largest change of the radiance between neighbouring footprints, over `steps` of them and a few points.
+/// Returns the largest change of the radiance between adjacent footprints, over `steps` of them and
+/// a few points.
 fn largest_jump(rule: LevelOfDetail, steps: u32) -> f32 {
     let ndf = Beckmann::isotropic(0.3).expect("roughness in range");
     let bumps = BumpField::new(GaussianOctaves::new(Gaussian::new(11), Spectrum::default()), 3.0)
@@ -90,7 +97,7 @@ fn largest_jump(rule: LevelOfDetail, steps: u32) -> f32 {
     for k in 0..8 {
         let p = Vec3::new(0.37, -1.21, 0.83) * k as f32;
         let radiance = |step: u32| {
-            // From a pixel that resolves nothing to one that resolves five octaves.
+            // From a pixel that resolves nothing to a pixel that resolves five octaves.
             let width = 0.25 * 0.01_f32.powf(step as f32 / steps as f32);
             rule.radiance(&ndf, half_vector(), bumps.coordinates(p, Footprint::from_width(width)))
         };
@@ -104,14 +111,15 @@ fn largest_jump(rule: LevelOfDetail, steps: u32) -> f32 {
 fn radiance_is_continuous_in_the_footprint() {
     for rule in RULES {
         let (coarse, fine) = (largest_jump(rule, 500), largest_jump(rule, 4000));
-        // A jump stays as it is when the steps get finer; a slope makes an eighth of it. Measured: 0.13 for both.
+        // A jump is unaffected by finer steps, whereas a slope becomes an eighth. Measured: 0.13
+        // for both.
         println!("{rule:?}: largest jump {coarse}, with eight times as many steps {fine}");
         assert!(fine < 0.25 * coarse && coarse > 0.0, "{rule:?}: {fine} after {coarse}");
     }
 }
 
 #[test]
-fn pixel_above_the_first_octave_shows_the_far_field_to_the_bit() {
+fn pixel_above_the_first_octave_is_the_far_field_bit_for_bit() {
     let ndf = Ggx::new(0.2, 0.4).unwrap();
     let bumps = BumpField::new(GaussianOctaves::new(Gaussian::new(5), Spectrum::default()), 10.0).unwrap();
     for width in [0.05, 0.0501, 1.0, f32::INFINITY, f32::NAN] {
@@ -131,7 +139,7 @@ fn pixel_above_the_first_octave_shows_the_far_field_to_the_bit() {
 }
 
 #[test]
-fn table_of_normals_serves_the_fractal_rule() {
+fn normal_table_supports_the_fractal_rule() {
     let ndf = Ggx::new(0.2, 0.4).unwrap();
     let table = NormalTable::standard(&ndf);
     let field = GaussianOctaves::<3>::new(Gaussian::new(2), Spectrum::default());
@@ -143,7 +151,7 @@ fn table_of_normals_serves_the_fractal_rule() {
         let direct = LevelOfDetail::Fractal.radiance(&ndf, half_vector(), coordinates);
         worst = worst.max((looked_up - direct).abs() / ndf.density(Vec3::Z));
     }
-    // Of the peak; measured 1.3e-4.
+    // Relative to the peak; measured 1.3e-4.
     println!("worst of the table: {worst:.1e}");
     assert!(worst < 5e-4, "{worst}");
 }
