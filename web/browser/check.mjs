@@ -183,18 +183,18 @@ for (const api of ['webgpu', 'webgl2']) {
     const spread = deviation(await pixelsOf(page));
     tell(`${api}: the page goes on after it`, spread > 5, `deviation ${spread.toFixed(1)}`);
   };
-  await wrong('a text as OBJ', /is no OBJ file/, () => givenTo(page, '#bumps-mesh', 'a.obj', 'text/plain', Buffer.from('Hello, world\n')));
-  await wrong('a text as GLB', /is no binary glTF file/, () => givenTo(page, '#bumps-mesh', 'a.glb', 'text/plain', Buffer.from('Hello, world, this is a text\n')));
-  await wrong('an OBJ that names a vertex that is not there', /names a vertex that is not there/, () =>
+  await wrong('a text as OBJ', /is not an OBJ file/, () => givenTo(page, '#bumps-mesh', 'a.obj', 'text/plain', Buffer.from('Hello, world\n')));
+  await wrong('a text as GLB', /is not a binary glTF file/, () => givenTo(page, '#bumps-mesh', 'a.glb', 'text/plain', Buffer.from('Hello, world, this is a text\n')));
+  await wrong('an OBJ with a missing vertex', /refers to a missing or invalid vertex/, () =>
     givenTo(page, '#bumps-mesh', 'b.obj', 'text/plain', Buffer.from('v 0 0 0\nv 1 0 0\nf 1 2 9\n')));
-  await wrong('a picture of 0 by 0', /no picture that this browser reads/, () => givenTo(page, '#painting-file', 'empty.png', 'image/png', Buffer.alloc(0)));
-  await wrong('a black painting', /The painting is no density/, async () => {
+  await wrong('a picture of 0 by 0', /not an image that this browser supports/, () => givenTo(page, '#painting-file', 'empty.png', 'image/png', Buffer.alloc(0)));
+  await wrong('a black painting', /The painting is not a density/, async () => {
     await set(page, { density: 'painted' });
     await page.selectOption('#painting-start', 'black');
     await page.waitForTimeout(200);
     await page.evaluate(() => globalThis.asperity.rest());
   });
-  await wrong('a lost graphics card', /was lost, and opened again/, async () => {
+  await wrong('a lost GPU', /was lost, and opened again/, async () => {
     await page.evaluate(() => globalThis.asperity.gpu.destroy());
     await page.waitForFunction(() => document.getElementById('state').textContent.includes('opened again'), null, { timeout: 20000 });
     await page.evaluate(() => globalThis.asperity.rest());

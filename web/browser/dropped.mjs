@@ -53,15 +53,15 @@ export async function drops(browser, api, address, tell) {
   await on('bumps', [
     ['an OBJ', { name: 'a.obj', text: OBJ }, drawn],
     ['a GLB', { name: 'a.glb', base64: glb() }, drawn],
-    ['a GLB cut off', { name: 'b.glb', base64: glb().slice(0, 400) }, ({ state }) => /b\.glb (ends|is no|has a)/.test(state)],
-    ['a text', { name: 'a.txt', text: 'Hello' }, ({ state }) => /neither OBJ nor GLB, nor a picture/.test(state)],
+    ['a GLB cut off', { name: 'b.glb', base64: glb().slice(0, 400) }, ({ state }) => /b\.glb (is truncated|is not|contains|has )/.test(state)],
+    ['a text', { name: 'a.txt', text: 'Hello' }, ({ state }) => /is not an OBJ, GLB or image file/.test(state)],
     ['a picture', { name: 'a.png', type: 'image/png', painted: '[200 * x, 200 * x, 200 * x]' }, painted],
     ['a normal map', { name: 'n.png', type: 'image/png', painted: '[128 + 60 * Math.sin(20 * x), 128 + 30 * Math.cos(20 * y), 250]' }, painted],
-    ['a mesh of 300 MB', { name: 'c.obj', text: OBJ, size: 3e8 }, ({ state }) => /c\.obj has 300 MB; 200 at most/.test(state)],
+    ['a mesh of 300 MB', { name: 'c.obj', text: OBJ, size: 3e8 }, ({ state }) => /c\.obj has 300 MB \(at most 200\)/.test(state)],
   ]);
   await on('materials', [
-    ['a picture of light', { name: 'light.png', type: 'image/png', painted: '[255 * y, 40, 255 * x]' }, ({ state, settings }) => settings.light === 'own' && !/no picture yet/.test(state)],
-    ['a text', { name: 'a.hdr', text: 'Hello' }, ({ state }) => /is no Radiance picture/.test(state)],
+    ['a picture of light', { name: 'light.png', type: 'image/png', painted: '[255 * y, 40, 255 * x]' }, ({ state, settings }) => settings.light === 'own' && !/no image yet/.test(state)],
+    ['a text', { name: 'a.hdr', text: 'Hello' }, ({ state }) => /is not a Radiance image/.test(state)],
   ]);
-  for (const scene of ['noise', 'fractals']) await on(scene, [['a text', { name: 'a.txt', text: 'Hello' }, ({ state }) => /a\.txt: this scene takes no files/.test(state)]]);
+  for (const scene of ['noise', 'fractals']) await on(scene, [['a text', { name: 'a.txt', text: 'Hello' }, ({ state }) => /a\.txt: this scene does not accept files/.test(state)]]);
 }

@@ -33,7 +33,7 @@ export async function open(browser, url, options = {}) {
   page.on('request', request => { if (!request.url().startsWith('data:') && !request.url().startsWith('blob:')) said.requests.push(request.url()); });
   said.requests = [];
   await page.goto(url, { timeout: 120000 });
-  await page.waitForFunction(() => globalThis.asperity || document.getElementById('state').textContent.includes('could not begin'), null, { timeout: 120000 });
+  await page.waitForFunction(() => globalThis.asperity || document.getElementById('state').textContent.includes('could not start'), null, { timeout: 120000 });
   await page.evaluate(() => globalThis.asperity?.rest());
   return { page, said };
 }

@@ -20,7 +20,7 @@ const ASKED = `
   const done = arguments[arguments.length - 1];
   const wait = () => {
     const page = globalThis.asperity, state = document.getElementById('state').textContent;
-    if (!page && !state.includes('could not begin')) return setTimeout(wait, 50);
+    if (!page && !state.includes('could not start')) return setTimeout(wait, 50);
     if (!page?.gpu) return done(JSON.stringify({ name: 'nothing: ' + state }));
     page.pixels().then(({ data }) => {
       let text = '';

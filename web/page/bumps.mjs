@@ -1,4 +1,5 @@
-// Bumps from a density of normals at every zoom: Kautz, Heidrich, Seidel 2001, by the exact and by the fractal rule.
+// Bumps from a normal density at every zoom: Kautz, Heidrich, Seidel 2001, with the exact and the
+// fractal rule.
 
 import { floats } from './rust.mjs';
 import { direction, towards } from './vector.mjs';
@@ -11,24 +12,24 @@ const MAX_OCTAVES = 16;
 const ZOOMS = [1, 10, 100, 1000, 10000];
 const analytic = ({ density }) => density !== 'painted';
 
-/** The scene, opened on a page. */
+/** The scene on a page. */
 export const bumps = {
   id: 'bumps',
   short: 'Bumps',
   title: 'Bumps at every zoom',
-  about: 'One density of normals shades the surface from afar and makes its bumps near by. Come ten thousand times nearer: the exact rule keeps the mean brightness, the rule of 2001 does not.',
-  keys: 'Drag or use the arrow keys to turn, Shift with them to move along the surface, scroll, pinch or use plus and minus to come nearer, double-click to look at a place.',
+  about: 'A single normal density shades the distant surface and shapes its bumps in close views. Zoom in ten thousand times: the exact rule preserves the mean brightness, the rule of 2001 does not.',
+  keys: 'Drag or use the arrow keys to turn, Shift with them to move along the surface, scroll, pinch or use plus and minus to zoom in, double-click to focus on a point.',
   controls: [
     { kind: 'group', label: 'View' },
-    { name: 'shape', kind: 'choice', label: 'Shape', value: 'teapot', options: [['teapot', 'Teapot'], ['sphere', 'Sphere'], ['plane', 'Plane to the horizon'], ['own', 'Your own file']] },
+    { name: 'shape', kind: 'choice', label: 'Shape', value: 'teapot', options: [['teapot', 'Teapot'], ['sphere', 'Sphere'], ['plane', 'Plane up to the horizon'], ['own', 'Your own file']] },
     { kind: 'file', name: 'mesh', label: 'Your own OBJ or GLB', accept: '.obj,.glb' },
-    { name: 'zoom', kind: 'range', label: 'Nearer', min: 0, max: 4, step: 0.01, value: 0, says: z => times(10 ** z) },
-    { name: 'turn', kind: 'range', label: 'Turn', min: -180, max: 180, step: 0.1, value: -66.8, says: x => `${Math.round(x)}°` },
+    { name: 'zoom', kind: 'range', label: 'Zoom', min: 0, max: 4, step: 0.01, value: 0, says: z => times(10 ** z) },
+    { name: 'turn', kind: 'range', label: 'Rotation', min: -180, max: 180, step: 0.1, value: -66.8, says: x => `${Math.round(x)}°` },
     { name: 'height', kind: 'range', label: 'Height', min: -89, max: 89, step: 0.1, value: 17.9, says: x => `${Math.round(x)}°` },
-    { name: 'at', kind: 'place', label: 'Place', value: '', axes: 3 },
-    { name: 'lamp', kind: 'range', label: 'Lamp, around', min: -180, max: 180, step: 1, value: -132.5, says: x => `${Math.round(x)}°` },
-    { name: 'lampHeight', kind: 'range', label: 'Lamp, height', min: 0, max: 90, step: 1, value: 42.6, says: x => `${Math.round(x)}°` },
-    { kind: 'group', label: 'Density of normals' },
+    { name: 'at', kind: 'place', label: 'Position', value: '', axes: 3 },
+    { name: 'lamp', kind: 'range', label: 'Lamp azimuth', min: -180, max: 180, step: 1, value: -132.5, says: x => `${Math.round(x)}°` },
+    { name: 'lampHeight', kind: 'range', label: 'Lamp elevation', min: 0, max: 90, step: 1, value: 42.6, says: x => `${Math.round(x)}°` },
+    { kind: 'group', label: 'Normal density' },
     { name: 'density', kind: 'choice', label: 'Density', value: 'ggx', options: [['ggx', 'GGX'], ['beckmann', 'Beckmann'], ['student-t', 'Student’s t'], ['painted', 'Painted below']] },
     { name: 'alphaX', kind: 'range', label: 'Roughness α along', min: 0.01, max: 1, step: 0.01, value: 0.2, when: analytic },
     { name: 'alphaY', kind: 'range', label: 'and across', min: 0.01, max: 1, step: 0.01, value: 0.4, when: analytic },
@@ -37,12 +38,12 @@ export const bumps = {
     { kind: 'own', element: () => bumps.painting.element() },
     { kind: 'group', label: 'Bumps' },
     { name: 'rule', kind: 'choice', label: 'Level of detail', value: 'exact', options: [['exact', 'Exact'], ['fractal', 'Fractal, as in 2001'], ['both', 'Exact at the left, fractal at the right']] },
-    { name: 'strip', kind: 'check', label: 'Strip of a flat piece, × 1 to × 10,000, with its mean brightness', value: false },
+    { name: 'strip', kind: 'check', label: 'Strip of a flat patch, × 1 to × 10,000, with its mean brightness', value: false },
     { name: 'frequency', kind: 'range', label: 'Cells per unit', min: 0.5, max: 20, step: 0.1, value: 3 },
     { name: 'gain', kind: 'range', label: 'Gain', min: 0.3, max: 0.95, step: 0.01, value: 0.8 },
     { name: 'lacunarity', kind: 'range', label: 'Lacunarity', min: 1.5, max: 4, step: 0.01, value: 2.17 },
     { name: 'seed', kind: 'range', label: 'Seed', min: 0, max: 99, step: 1, value: 7 },
-    { name: 'share', kind: 'range', label: 'Resolved at most', min: 0.5, max: 0.999, step: 0.001, value: 0.97 },
+    { name: 'share', kind: 'range', label: 'Maximum resolved fraction', min: 0.5, max: 0.999, step: 0.001, value: 0.97 },
     { name: 'exposure', kind: 'range', label: 'Exposure', min: 0.2, max: 6, step: 0.1, value: 1.4 },
   ],
   painting: null,
@@ -72,14 +73,14 @@ class Bumps extends Looking {
     this.strip?.element.remove();
   }
 
-  /** A file of the visitor's: a mesh, or a picture as density. */
+  /** A user file: a mesh, or an image as density. */
   async drop(file) {
     try {
       const name = fitting(file).name.toLowerCase();
       if (name.endsWith('.obj')) this.shapes.set('own', readObj(await file.text(), file.name));
       else if (name.endsWith('.glb')) this.shapes.set('own', readGlb(await file.arrayBuffer(), file.name));
       else if (file.type.startsWith('image/')) return await bumps.painting.read(file);
-      else throw new Error(`${file.name} is neither OBJ nor GLB, nor a picture.`);
+      else throw new Error(`${file.name} is not an OBJ, GLB or image file.`);
       this.page.set({ shape: 'own', at: '', zoom: 0 });
     } catch (error) {
       this.page.complain(error);
@@ -103,7 +104,7 @@ class Bumps extends Looking {
     ]);
   }
 
-  /** What the density's shader is bound to. */
+  /** Resources of the density's shader. */
   resources(settings, focus) {
     const { rust } = this.page;
     const cells = focus.map(x => x * settings.frequency);
@@ -142,10 +143,10 @@ class Bumps extends Looking {
 
   alt(settings) {
     const names = Object.fromEntries(bumps.controls.find(({ name }) => name === 'density').options);
-    return `A copper ${settings.shape === 'own' ? 'object of yours' : settings.shape} with bumps of a ${names[settings.density]} density, ${times(10 ** settings.zoom)} nearer. ${bumps.keys}`;
+    return `A copper ${settings.shape === 'own' ? 'object of yours' : settings.shape} with bumps of a ${names[settings.density]} density, at zoom ${times(10 ** settings.zoom)}. ${bumps.keys}`;
   }
 
-  /** The picture at rest is there: the strip beneath it. */
+  /** Called when the final image is rendered: updates the strip below it. */
   async after(settings, stop) {
     if (!settings.strip) {
       this.strip?.element.remove();
@@ -156,7 +157,7 @@ class Bumps extends Looking {
     await this.strip.draw(this, settings, stop);
   }
 
-  /** What a comparison needs to draw the same picture by other means. */
+  /** Returns the data for rendering the same image by other means. */
   described(settings) {
     const camera = this.camera(settings);
     return { ...camera, shape: settings.shape, settings };
@@ -185,10 +186,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 ${painted}    let density = ${density};
     let spectrum = Spectrum::new(${number(settings.lacunarity)}, ${number(settings.gain)}, ${MAX_OCTAVES})?;
     let octaves = GaussianOctaves::<3>::new(Gaussian::new(${settings.seed}), spectrum);
-    // Everything is seen from a focus, so that it can be ten thousand times nearer.
+    // Everything is relative to a focus, so that the zoom can be ten thousand.
     let focus = DVec3::new(${this.focus(settings).map(x => number(x)).join(', ')});
     let bumps = BumpField::new(octaves.anchored(focus * ${number(settings.frequency)}), ${number(settings.frequency)})?;
-    // A point of the surface from the focus on, and the width of a pixel there.
+    // A surface point relative to the focus, and the width of a pixel there.
     let coordinates = bumps.coordinates(Vec3::new(1e-3, 2e-3, 0.0), Footprint::from_width(1e-3));
     let half_vector = Vec3::new(0.1, 0.05, 1.0).normalize();
     println!("{}", LevelOfDetail::${rule}.radiance(&density, half_vector, coordinates));
@@ -198,13 +199,15 @@ ${painted}    let density = ${density};
   }
 }
 
-/** A number as Rust writes it. */
+/** Formats a number as a Rust literal. */
 export function number(x) {
   const text = String(+x.toPrecision(9));
   return /[.e]/.test(text) ? text : `${text}.0`;
 }
 
-/** Flat pieces at five zooms by both rules, with the mean brightness over the whole surface beneath each. */
+/**
+ * Flat patches at five zooms with both rules, each with the mean brightness over the whole surface.
+ */
 class Strip {
   constructor(page) {
     this.page = page;
@@ -219,7 +222,7 @@ class Strip {
       const cells = ZOOMS.map(zoom => {
         const cell = document.createElement('div'), canvas = document.createElement('canvas'), text = document.createElement('output');
         canvas.setAttribute('role', 'img');
-        canvas.setAttribute('aria-label', `A flat piece ${times(zoom)} nearer by the ${rule} rule`);
+        canvas.setAttribute('aria-label', `A flat patch at zoom ${times(zoom)} with the ${rule} rule`);
         cell.append(canvas, text);
         row.append(cell);
         return { zoom, canvas, text };
@@ -228,7 +231,7 @@ class Strip {
       return { rule: rule === 'exact' ? 0 : 1, cells };
     });
     const caption = document.createElement('figcaption');
-    caption.textContent = 'Flat pieces × 1 to × 10,000 nearer; beneath, the lamp’s mean brightness over the whole surface, in parts of what the density has, ± its standard error.';
+    caption.textContent = 'Flat patches at zoom × 1 to × 10,000. Below: the lamp’s mean brightness over the whole surface, relative to the density’s, ± its standard error.';
     this.element.append(caption);
     page.extra.append(this.element);
   }
@@ -241,12 +244,12 @@ class Strip {
     const [patch, points] = [gpu.target(SIDE, SIDE), gpu.target(POINTS, POINTS)];
     const resources = scene.resources(settings, [0, 0, 0.3]);
     const flat = { eye: [0, 0, 0.1], forward: wo, light, half: 0.5 };
-    // The density itself: nothing is resolved where a pixel is as wide as the surface.
+    // The density itself: nothing is resolved if a pixel is as wide as the surface.
     const far = await this.mean(scene, settings, points, resources, { ...flat, zoom: 1 }, 1e4, 0);
     for (const { zoom, index } of ZOOMS.map((zoom, index) => ({ zoom, index }))) {
       for (const { rule, cells } of this.rows) {
         if (stop()) { patch.free(); points.free(); return; }
-        // From afar all bumps are smaller than a pixel.
+        // In the far view all bumps are smaller than a pixel.
         const side = 90 / settings.frequency / zoom, width = 2 * side / SIDE, { canvas, text } = cells[index];
         const camera = { ...flat, zoom, right: [side, 0, 0], up: [0, side, 0] };
         const view = scene.view(settings, camera, SIDE, { pixelAngle: width, rules: [rule, rule] });
@@ -264,12 +267,16 @@ class Strip {
     this.drawn = key;
   }
 
-  /** The mean of the lamp's light at places all over the surface under pixels of a width, and its standard error. */
+  /**
+   * Returns the mean radiance of the lamp over the surface for pixels of a width, with its standard
+   * error.
+   */
   async mean(scene, settings, points, resources, camera, width, rule) {
     const { gpu, rust } = this.page, side = points.width, BANDS = 32;
     const axes = { right: [1, 0, 0], up: [0, 1, 0], ...camera };
     const view = scene.view(settings, axes, side, { pixelAngle: width, rules: [rule, rule] });
-    // Far from its anchor a sum loses digits, and near it all places are alike: many anchors.
+    // Far from its anchor a sum loses precision, and near it all positions are alike, so use many
+    // anchors.
     let state = 1;
     const random = () => (state = (state * 48271) % 2147483647) / 2147483647;
     for (let band = 0; band < BANDS; band++) {
@@ -284,13 +291,14 @@ class Strip {
       const k = Math.floor(i / 4 / side * BANDS / side);
       bands[k] = (bands[k] ?? 0) + decoded(pixels[i], pixels[i + 1], pixels[i + 2]) * BANDS / (side * side);
     }
-    // Places of one anchor are alike, those of one band are not of another's anchors.
+    // Positions of one anchor are alike. Positions of one band differ from other anchors'
+    // positions.
     const mean = bands.reduce((a, b) => a + b, 0) / BANDS;
     return { mean, error: Math.sqrt(bands.reduce((sum, x) => sum + (x - mean) ** 2, 0) / (BANDS * (BANDS - 1))) };
   }
 }
 
-/** The number in three bytes that `display_encoded` wrote. */
+/** Decodes the number in three bytes written by `display_encoded`. */
 export function decoded(r, g, b) {
   return 2 ** (((r << 16) + (g << 8) + b) / 262144 - 30);
 }

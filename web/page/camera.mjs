@@ -1,9 +1,10 @@
-// A camera that looks at a place of a surface, from the whole object to ten thousand times nearer. Everything is told from that place.
+// A camera that looks at a point of a surface, from the whole object to ten thousandfold zoom.
+// Positions are relative to this point.
 
 import { add, cross, direction, scale, towards } from './vector.mjs';
 import { plane } from './mesh.mjs';
 
-/** What zooms are called. */
+/** Formats a zoom. */
 export const times = zoom => `× ${zoom < 10 ? zoom.toFixed(1) : Math.round(zoom).toLocaleString('en')}`;
 
 /**
@@ -30,7 +31,9 @@ export class Looking {
     return this.shapes.get(settings.shape);
   }
 
-  /** Where the camera looks: the place of the link, or the one in the middle of the whole object. */
+  /**
+   * The camera's target: the position in the link, or the point at the center of the whole object.
+   */
   focus(settings) {
     if (settings.at) return settings.at.split(',').map(Number);
     if (settings.shape === 'plane') return [0.3, 0.7, 0];
@@ -43,12 +46,12 @@ export class Looking {
     return this.middle.p;
   }
 
-  /** The direction from the focus to the eye. */
+  /** The direction from the focus to the camera. */
   away({ turn, height, shape }) {
     return towards(turn, shape === 'plane' ? Math.max(height, 2) : height);
   }
 
-  /** The camera in the shaders' form: everything from the focus on. */
+  /** The camera in shader layout, relative to the focus. */
   camera(settings) {
     const zoom = 10 ** settings.zoom, forward = scale(this.away(settings), -1), { field, distance } = this.subject(settings);
     const half = Math.tan(field / 2), right = direction(cross(forward, [0, 0, 1]));
@@ -58,7 +61,7 @@ export class Looking {
     };
   }
 
-  /** A mesh on the graphics card, from the focus on; kept for its role until another is wanted. */
+  /** A mesh on the GPU, relative to the focus; cached per role. */
   placed(role, shape, focus) {
     const { gpu } = this.page, key = String(focus), known = this.kept.get(role);
     if (known?.key === key && known.shape === shape && known.gpu === gpu) return known.mesh;
@@ -87,7 +90,7 @@ export class Looking {
     return this.looking(add(camera.eye, add(scale(camera.right, -2 * dx), scale(camera.up, 2 * dy))), camera, settings);
   }
 
-  /** The settings to look at what a ray from the eye at `eye` along the axis meets. */
+  /** The settings to look at the intersection of a ray from `eye` along the axis. */
   looking(eye, camera, settings, along = camera.forward) {
     const from = add(camera.focus, eye);
     if (settings.shape === 'plane') {

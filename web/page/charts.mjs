@@ -1,4 +1,4 @@
-// Small charts of measured curves in the page's colours, and the transform that spectra are measured by.
+// Small charts in the page's colors, and the Fourier transform for spectra.
 
 const NAMESPACE = 'http://www.w3.org/2000/svg';
 
@@ -11,7 +11,10 @@ export const drawn = (tag, attributes = {}, ...children) => {
 
 const BOX = { width: 360, height: 210, left: 44, right: 8, top: 8, bottom: 34 };
 
-/** A chart: curves of points, filled or lines, with ticks along both axes; `label` says in words what it shows. */
+/**
+ * A chart: curves of points, filled or lines, with ticks along both axes; `label` is the
+ * alternative text.
+ */
 export function chart({ label, across, up, xs, ys, curves }) {
   const { width, height, left, right, top, bottom } = BOX;
   const x = v => left + (v - xs.from) / (xs.to - xs.from) * (width - left - right);
@@ -37,7 +40,7 @@ export function chart({ label, across, up, xs, ys, curves }) {
   return svg;
 }
 
-/** Round numbers, some in a range. */
+/** Round numbers within a range. */
 export function ticksOf(from, to, count = 4) {
   const rough = (to - from) / count, ten = 10 ** Math.floor(Math.log10(rough));
   const step = [1, 2, 5, 10].map(k => k * ten).find(step => step >= rough) ?? ten;
@@ -46,7 +49,7 @@ export function ticksOf(from, to, count = 4) {
   return ticks;
 }
 
-/** The transform of complex numbers in place: radix 2, from `start` on, `stride` apart. */
+/** Transforms complex numbers in place: radix 2, from `start`, with a stride. */
 function transform(re, im, start, stride, count) {
   for (let i = 1, j = 0; i < count; i++) {
     let bit = count >> 1;
@@ -85,7 +88,7 @@ export function radialSpectrum(values, side, extent) {
   for (let k = 0; k < re.length; k++) re[k] = (values[k] - mean) * window[k % side] * window[Math.floor(k / side)];
   for (let k = 0; k < side; k++) transform(re, im, k * side, 1, side);
   for (let k = 0; k < side; k++) transform(re, im, k, side, side);
-  // The squares of the window have the mean 9/4.
+  // The mean square of the window is 9/4.
   const scale = (extent / (side * side)) ** 2 / 2.25, perOctave = 6, rings = new Map();
   for (let k = 0; k < re.length; k++) {
     const signed = i => i < side / 2 ? i : i - side;

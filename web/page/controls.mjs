@@ -1,11 +1,13 @@
-// A scene's settings as native inputs with labels, and as the words of a link.
+// A scene's settings as native inputs with labels, and as parameters of a link.
 
-/** Values of all settings as they begin. */
+/** The initial values of all settings. */
 export function defaults(scene) {
   return Object.fromEntries(scene.controls.filter(({ name }) => name).map(({ name, value }) => [name, value]));
 }
 
-/** A value as a setting can hold it: numbers within their range, choices that there are; what is neither is the default. */
+/**
+ * Sanitizes a value: numbers are clamped, choices must exist, anything else becomes the default.
+ */
 export function settled(control, text) {
   if (text === null || text === undefined) return control.value;
   if (control.kind === 'range') {
@@ -23,7 +25,7 @@ export function settled(control, text) {
   return control.value;
 }
 
-/** The link's words of all settings that are not the default. */
+/** Returns link parameters of all non-default settings. */
 export function linkOf(scene, settings) {
   const words = new URLSearchParams();
   for (const { name, value } of scene.controls) {
@@ -32,15 +34,15 @@ export function linkOf(scene, settings) {
   return `#${scene.id}${words.size ? '?' + words : ''}`;
 }
 
-/** The scene's settings that a link's words hold. */
+/** Returns the scene's settings from link parameters. */
 export function settingsOf(scene, words) {
   const known = new URLSearchParams(words);
   return Object.fromEntries(scene.controls.filter(({ name }) => name).map(c => [c.name, settled(c, known.get(c.name))]));
 }
 
-/** A file of the visitor's, unless it is larger than this page reads. */
+/** Returns a user file, unless it exceeds the size limit. */
 export function fitting(file) {
-  if (file.size > 2e8) throw new Error(`${file.name} has ${Math.round(file.size / 1e6)} MB; 200 at most.`);
+  if (file.size > 2e8) throw new Error(`${file.name} has ${Math.round(file.size / 1e6)} MB (at most 200).`);
   return file;
 }
 

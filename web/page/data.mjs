@@ -1,6 +1,6 @@
-// Shaders and the module: handed over by the page itself where it is one file, or beside it.
+// Shaders and the WebAssembly module: embedded in the single-file page, or next to it.
 
-/** What the builder wrote: sources of shaders, the teapot, the module of tables. */
+/** The builder's output: shader sources, the teapot, the WebAssembly module. */
 export async function loadData() {
   const { asperityParts: parts } = globalThis;
   if (parts) return parts;

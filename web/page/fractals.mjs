@@ -1,4 +1,5 @@
-// Fractal functions: Cochran, Lewis, Hart 2000. A curve to pull, and the surface that it makes, ray traced in 64 bits.
+// Fractal functions: Cochran, Lewis, Hart 2000. An editable curve, and its surface, ray traced in
+// 64 bits.
 
 import { element } from './controls.mjs';
 import { CURVES, KnotFields, Plot, doubles, functionOf, numbersOf } from './plot.mjs';
@@ -6,17 +7,17 @@ import { add, cross, direction, dot, scale, towards } from './vector.mjs';
 import { floats } from './rust.mjs';
 
 const SURFACE_FIELD = 0.62;
-/** From the eye to what it looks at, in halves of the domain's width. */
+/** From the viewer to the target, in halves of the domain's width. */
 const FAR = 5;
-/** The longest that the module may keep the page waiting, in ms. */
+/** Maximum time that the module may block the page, in ms. */
 const TURN = 30;
-/** Pixels are told in this order: every eighth of every eighth row first. */
+/** Pixel order: every eighth of every eighth row first. */
 const COARSEST = 8;
 
 const zoomed = power => `× ${power < 1 ? (10 ** power).toFixed(1) : Math.round(10 ** power).toLocaleString('en')}`;
 const degrees = x => `${Math.round(x)}°`;
 
-/** Functions to start from: knots, factors, which curves, which surface. */
+/** Initial functions: knots, factors, visible curves, surface. */
 const STARTS = {
   f: ['f of the paper', '0,0;1,1;2,0', '0.5,0.5', 'f', 'f'],
   g: ['g of the paper', '0,0;1,1;2,0', '0.85,-0.85', 'f', 'f'],
@@ -26,13 +27,13 @@ const STARTS = {
   ground: ['Rough ground', '0,1.675;1,0.075;2,1.175;3,-0.125;4,1.775;5,0.475;6,1.375;7,-0.025;8,1.475', '0.5,0.5,0.5,0.5,0.5,0.5,0.5,0.5', 'f,integral', 'integral'],
   parabola: ['A parabola, as a fractal', '0,0;1,1;2,0', '0.25,0.25', 'f', 'f'],
 };
-/** Surfaces by their kind in the module. */
+/** Surfaces by their type in the module. */
 const SURFACES = {
   integral: [1, 'f̂(x) f̂(y), smooth'],
   f: [0, 'f(x) f(y), rough'],
-  folded: [2, 'Folded, smooth, no product'],
+  folded: [2, 'Folded, smooth, not a product'],
 };
-/** The folded surface in Rust, as the module makes it. */
+/** The folded surface in Rust, as in the module. */
 const FOLDED = `// Heights of the knots along diagonals, there and back; slopes from neighbour to neighbour.
     let last = x.len() - 1;
     let height = |i: usize, j: usize| y[(i + j).min(2 * last - i - j)];
@@ -46,20 +47,21 @@ const FOLDED = `// Heights of the knots along diagonals, there and back; slopes 
             (height(i, far) - height(i, near)) / (x[far] - x[near]),
         ]);
     }
-    // Slopes converge for factors less than the share of the narrowest cell, soon for three quarters of it.
+    // Slopes converge for factors below the fraction of the narrowest cell, quickly for three
+    // quarters of it.
     let narrowest = x.windows(2).map(|ends| ends[1] - ends[0]).fold(f64::INFINITY, f64::min);
     let mean = factors.iter().sum::<f64>() / last as f64;
     let factor = 0.75 * mean * narrowest / (x[last] - x[0]);
     let surface = Folded::new(&x, &x, factor, &heights, &slopes)?.tabulated();`;
 const LISTS = /^[-+.\deE,;]{0,900}$/;
 
-/** The scene, opened on a page. */
+/** The scene on a page. */
 export const fractals = {
   id: 'fractals',
   short: 'Fractals',
   title: 'Fractal functions',
-  about: 'A curve through a few points that is made of smaller copies of itself; its integrals are exact and smooth, and so are the normals of the surfaces that they make. Come a million times nearer.',
-  keys: 'Curve: drag knots and factors, or reach them with Tab and use the arrow keys, Shift for larger steps; Insert and Delete add and remove knots; drag or scroll beside them to move and come nearer, double-click to add a knot. Surface: drag or use the arrow keys to turn, Shift with them to move along it, scroll, pinch or plus and minus to come nearer, double-click to look at a place.',
+  about: 'A curve through a few points, made of smaller copies of itself. Its integrals are exact and smooth, and so are the normals of the resulting surfaces. Zoom in a million times.',
+  keys: 'Curve: drag knots and factors, or reach them with Tab and use the arrow keys, Shift for larger steps; Insert and Delete add and remove knots; drag or scroll elsewhere to move and zoom, double-click to add a knot. Surface: drag or use the arrow keys to turn, Shift with them to move along it, scroll, pinch or plus and minus to zoom in, double-click to focus on a point.',
   controls: [
     { kind: 'group', label: 'Function' },
     { kind: 'own', element: () => started() },
@@ -70,18 +72,18 @@ export const fractals = {
     { name: 'f', kind: 'check', label: 'f', value: true },
     { name: 'integral', kind: 'check', label: 'f̂, its integral', value: true },
     { name: 'bounds', kind: 'check', label: 'Proven bounds between knots', value: false },
-    { name: 'nearer', kind: 'range', label: 'Nearer', min: 0, max: 6, step: 0.01, value: 0, says: zoomed },
-    { name: 'at', kind: 'place', label: 'Place', value: '', axes: 1 },
+    { name: 'nearer', kind: 'range', label: 'Zoom', min: 0, max: 6, step: 0.01, value: 0, says: zoomed },
+    { name: 'at', kind: 'place', label: 'Position', value: '', axes: 1 },
     { kind: 'group', label: 'Surface' },
     { name: 'surface', kind: 'choice', label: 'Surface', value: 'integral', options: [...Object.entries(SURFACES).map(([value, [, text]]) => [value, text]), ['none', 'None']] },
     { name: 'relief', kind: 'range', label: 'Height', min: 0.05, max: 2, step: 0.05, value: 0.7 },
-    { name: 'zoom', kind: 'range', label: 'Nearer', min: 0, max: 6, step: 0.01, value: 0, says: zoomed },
-    { name: 'turn', kind: 'range', label: 'Turn', min: -180, max: 180, step: 0.1, value: -62, says: degrees },
-    { name: 'height', kind: 'range', label: 'Height of the eye', min: 5, max: 89, step: 0.1, value: 34, says: degrees },
-    { name: 'place', kind: 'place', label: 'Place', value: '', axes: 2 },
-    { name: 'colours', kind: 'choice', label: 'Colours', value: 'light', options: [['light', 'Lamp and sky'], ['normals', 'Normals'], ['contrast', 'Normals, their differences enlarged'], ['heights', 'Bands of height'], ['proof', 'Hits that are proven to be first']] },
-    { name: 'lamp', kind: 'range', label: 'Lamp, around', min: -180, max: 180, step: 1, value: -130, says: degrees },
-    { name: 'lampHeight', kind: 'range', label: 'Lamp, height', min: 1, max: 90, step: 1, value: 32, says: degrees },
+    { name: 'zoom', kind: 'range', label: 'Zoom', min: 0, max: 6, step: 0.01, value: 0, says: zoomed },
+    { name: 'turn', kind: 'range', label: 'Rotation', min: -180, max: 180, step: 0.1, value: -62, says: degrees },
+    { name: 'height', kind: 'range', label: 'Camera elevation', min: 5, max: 89, step: 0.1, value: 34, says: degrees },
+    { name: 'place', kind: 'place', label: 'Position', value: '', axes: 2 },
+    { name: 'colours', kind: 'choice', label: 'Colors', value: 'light', options: [['light', 'Lamp and sky'], ['normals', 'Normals'], ['contrast', 'Normals, differences amplified'], ['heights', 'Height bands'], ['proof', 'Hits proven to be first']] },
+    { name: 'lamp', kind: 'range', label: 'Lamp azimuth', min: -180, max: 180, step: 1, value: -130, says: degrees },
+    { name: 'lampHeight', kind: 'range', label: 'Lamp elevation', min: 1, max: 90, step: 1, value: 32, says: degrees },
     { name: 'shadows', kind: 'check', label: 'Shadows', value: true },
   ],
   async open(page) {
@@ -89,7 +91,7 @@ export const fractals = {
   },
 };
 
-/** The choice of a function to start from. */
+/** The choice of an initial function. */
 function started() {
   const id = 'fractals-start', select = element('select', { id },
     element('option', { value: '' }, 'Start from …'), ...Object.entries(STARTS).map(([value, [text]]) => element('option', { value }, text)));
@@ -159,7 +161,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let f_hat: Fif<3> = f.integral(0.0)?;
     println!("{:?}", f_hat.extrema(1e-9));
     ${surface}
-    // The ray through the middle of the picture, in the units of the heights.
+    // The ray through the image center, in the units of the heights.
     let origin = ${vector(origin)};
     let ray = Ray { origin, direction: ${vector(along)} };
     println!("{:?}", surface.first_hit(&ray));
@@ -169,7 +171,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
   }
 }
 
-/** The surface, told by the module ray after ray, coarse first. */
+/** The surface, ray traced by the module, coarse first. */
 class Traced {
   constructor(page) {
     this.page = page;
@@ -178,7 +180,7 @@ class Traced {
     page.hands(this.canvas, this);
   }
 
-  /** The surface as rays see it: its numbers, domain, what its heights are multiplied by, the place looked at. */
+  /** The surface for rays: its numbers, domain, height factor, target. */
   ground(settings) {
     const key = JSON.stringify([settings.surface, settings.knots, settings.factors, settings.relief, settings.place]);
     if (this.known?.key === key) return this.known;
@@ -207,7 +209,7 @@ class Traced {
     const { page, canvas } = this, ground = this.ground(settings), view = this.view(settings, ground), size = page.full(canvas);
     const lamp = towards(settings.lamp, settings.lampHeight);
     this.camera = { ray: [add(ground.focus, view.eye), view.forward].map(([x, y, z]) => [x, y, z / ground.rise]) };
-    canvas.setAttribute('aria-label', `The surface, ${zoomed(settings.zoom)} nearer, ray traced. Arrow keys turn, Shift with them moves along it, plus and minus come nearer.`);
+    canvas.setAttribute('aria-label', `The ray traced surface at zoom ${zoomed(settings.zoom)}. Arrow keys turn, Shift with them moves along it, plus and minus zoom.`);
     const numbers = [...ground.numbers, ground.rise, ...ground.focus, ...view.eye, ...view.right, ...view.up, ...view.forward, ...lamp, +settings.shadows, size];
     const key = JSON.stringify(settings.shadows ? numbers : numbers.map((x, k) => k > numbers.length - 6 && k < numbers.length - 2 ? 0 : x));
     if (this.key !== key) Object.assign(this, { key, numbers, size, done: 0, words: new Uint32Array(5 * size * size), order: inOrder(size), busy: 0 });
@@ -243,7 +245,7 @@ class Traced {
     this.said = `${size} × ${size} rays in ${Math.round(this.busy)} ms, ${Math.round(this.done / Math.max(this.busy, 0.1)).toLocaleString('en')} thousand a second`;
   }
 
-  /** The mean of the normals and how far they are from it, for colours that enlarge that. */
+  /** The mean of the normals and their spread, for colors that amplify it. */
   enlarged({ colours }) {
     if (colours !== 'contrast') return false;
     const values = floats(this.words), mean = [0, 0, 0], every = [0, 1, 2];
@@ -256,7 +258,7 @@ class Traced {
     return true;
   }
 
-  /** Pixels from one number of the order to another as squares of what is not told yet. */
+  /** Draws a range of pixels as squares that cover pixels not computed yet. */
   fill(from, to, colour) {
     const { size } = this, pixels = new Uint32Array(this.image.data.buffer), values = floats(this.words);
     for (let k = from; k < to; k++) {
@@ -266,7 +268,7 @@ class Traced {
     }
   }
 
-  /** The colour of what a ray has met, as a word of a picture. */
+  /** Returns the color of a ray's hit as an image word. */
   colour({ colours }, lamp) {
     const word = (r, g, b) => (255 << 24 | Math.round(b) << 16 | Math.round(g) << 8 | Math.round(r)) >>> 0;
     const shown = light => 255 * (1 - Math.exp(-light)) ** (1 / 2.2);
@@ -316,7 +318,7 @@ class Traced {
   }
 }
 
-/** All pixels of a picture, column and row in one word, coarse ones first. */
+/** Returns all pixels of an image, column and row in one word, coarse first. */
 function inOrder(size) {
   const order = new Uint32Array(size * size);
   let count = 0;

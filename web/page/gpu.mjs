@@ -1,8 +1,9 @@
-// One way to draw for WebGPU and WebGL 2: programs by name, tables as textures, targets that are shown or read.
+// One rendering interface for WebGPU and WebGL 2: programs by name, tables as textures, targets
+// that are displayed or read.
 
 import { bits } from './rust.mjs';
 
-/** Numbers of a corner's attributes: position, plane, normal, tangent, texture coordinates. */
+/** Numbers of a vertex's attributes: position, plane, normal, tangent, texture coordinates. */
 const ATTRIBUTES = [3, 4, 3, 3, 2];
 const CORNER = 15;
 
@@ -11,12 +12,12 @@ const joined = (data, name) => {
   return data.heads[head] + parts.map(part => `\n// ${part}\n\n${data.parts[part]}`).join('');
 };
 
-/** The WGSL of a program, with all that it needs. */
+/** Returns the WGSL of a program with its dependencies. */
 export function wgslOf(data, name) {
   return joined(data, name);
 }
 
-/** Texels of a table in rows, filled up with zeros. */
+/** Returns the texels of a table in rows, padded with zeros. */
 function rowsOf(array, width) {
   const height = Math.max(1, Math.ceil(array.length / width));
   if (array.length === width * height) return [array, height];
@@ -25,7 +26,10 @@ function rowsOf(array, width) {
   return [filled, height];
 }
 
-/** Opens WebGPU, or WebGL 2 where that is missing or `api` asks for it; nothing where there is neither. */
+/**
+ * Opens WebGPU, or WebGL 2 if it is unavailable or requested by `api`; returns nothing without
+ * either.
+ */
 export async function openGpu(data, canvas, api) {
   if (api !== 'webgl2') {
     const gpu = await openWebGpu(data, canvas);
@@ -111,7 +115,7 @@ async function openWebGpu(data, canvas) {
       device.queue.writeBuffer(buffer, 0, corners);
       return { buffer, count: corners.length / CORNER, free: () => buffer.destroy() };
     },
-    /** Frees a table that is not drawn from any more. */
+    /** Frees an unused table. */
     forget(array) {
       tables.get(array)?.destroy();
       tables.delete(array);
@@ -301,7 +305,8 @@ function openWebGl(data, canvas) {
       gl.drawArrays(gl.TRIANGLES, 0, mesh ? mesh.count : 3);
     },
     async done() {
-      // WebKit tells that a fence is passed before it is, and loses what is drawn meanwhile; a pixel that is read is waited for.
+      // WebKit signals a fence before it is passed, and loses draws meanwhile. Reading back a pixel
+      // waits reliably.
       gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
       await new Promise(resolve => setTimeout(resolve));
     },

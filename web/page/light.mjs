@@ -1,10 +1,11 @@
-// Light from everywhere: a studio, a day, a picture of the visitor's; as a map, lamps by median cut, and harmonics of the rest.
+// Environment light: a studio, a day, a user's image; as a map, lamps by median cut, and spherical
+// harmonics of the rest.
 
 import { direction, dot, towards } from './vector.mjs';
 
 const [WIDE, HIGH] = [256, 128];
 
-/** The direction of a texel's middle, z up. */
+/** Returns the direction of a texel's center, z up. */
 const directionAt = (x, y) => {
   const [a, b] = [(x + 0.5) / WIDE * 2 * Math.PI, (y + 0.5) / HIGH * Math.PI];
   return [Math.cos(a) * Math.sin(b), Math.sin(a) * Math.sin(b), Math.cos(b)];
@@ -15,14 +16,14 @@ const smooth = (low, high, x) => {
   return t * t * (3 - 2 * t);
 };
 
-/** Radiance of a map from a function of the direction. */
+/** Returns the radiance of a map from a function of direction. */
 function mapOf(radiance) {
   const map = new Float32Array(3 * WIDE * HIGH);
   for (let y = 0; y < HIGH; y++) for (let x = 0; x < WIDE; x++) map.set(radiance(directionAt(x, y)), 3 * (y * WIDE + x));
   return map;
 }
 
-/** Soft boxes about a dim room: where their middles are, half their breadth and height as tangents, their radiance. */
+/** Soft boxes in a dim room: centers, half width and height as tangents, radiance. */
 function studio(turn) {
   const boxes = [
     [-60, 58, 0.75, 0.4, 9], [50, 22, 0.16, 0.75, 11], [165, 25, 0.5, 0.35, 3.5], [-150, 35, 0.12, 0.7, 6],
@@ -48,7 +49,8 @@ function day(turn, height) {
   const bright = 0.35 + 0.65 * smooth(-4, 30, height);
   return mapOf(d => {
     const c = dot(d, sun), glow = Math.max(c, 0) ** 24, up = Math.max(d[2], 0), haze = (1 - up) ** 4;
-    // Three degrees wide instead of half a degree, so that the map shows it; as bright in all.
+    // Three degrees wide instead of half a degree, so that the map resolves it; with the same total
+    // brightness.
     const disc = smooth(Math.cos(0.032), Math.cos(0.02), c) * 4000 * smooth(-3, 3, height);
     const sky = [0.16 + 0.55 * haze, 0.33 + 0.5 * haze, 0.75 + 0.15 * haze], ground = [0.3, 0.27, 0.22];
     const share = smooth(-0.02, 0.02, d[2]);
@@ -56,7 +58,7 @@ function day(turn, height) {
   });
 }
 
-/** A picture of light all around, from above the left edge at +x, turned. */
+/** An environment image, from the upper left at +x, rotated. */
 function turned({ width, height, data }, turn) {
   const map = new Float32Array(3 * WIDE * HIGH), shift = turn / 360 * width;
   for (let y = 0; y < HIGH; y++) {
@@ -65,7 +67,7 @@ function turned({ width, height, data }, turn) {
       const first = Math.floor(x * width / WIDE - shift), count = Math.max(1, Math.ceil(width / WIDE)), sum = [0, 0, 0];
       for (let j = rows[0]; j < rows[1]; j++) {
         for (let i = first; i < first + count; i++) {
-          // Azimuths run to the left in a picture seen from within.
+          // Azimuth increases to the left in an image viewed from inside.
           const column = width - 1 - (((i % width) + width) % width);
           for (let k = 0; k < 3; k++) sum[k] += data[3 * (j * width + column) + k];
         }
@@ -76,7 +78,7 @@ function turned({ width, height, data }, turn) {
   return map;
 }
 
-/** Texels of a map in words: nine bits of each colour, five of the exponent. */
+/** Packs texels of a map: nine bits per color, five of the exponent. */
 function packed(map) {
   const words = new Uint32Array(WIDE * HIGH);
   for (let i = 0; i < words.length; i++) {
@@ -90,7 +92,10 @@ function packed(map) {
 
 const luminance = (r, g, b) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 
-/** The map's light for the shaders: words of the map, and a uniform of harmonics and at most `most` lamps. */
+/**
+ * Returns the map's light for the shaders: words of the map, and a uniform of harmonics and at most
+ * `most` lamps.
+ */
 function lightOf(map, most) {
   const cells = WIDE * HIGH, energy = new Float64Array(cells);
   const area = y => 2 * Math.PI / WIDE * (Math.cos(y / HIGH * Math.PI) - Math.cos((y + 1) / HIGH * Math.PI));
@@ -102,7 +107,7 @@ function lightOf(map, most) {
     const lamp = l > limit ? 1 - limit / l : 0, d = directionAt(i % WIDE, y);
     rest.set([r * lamp, g * lamp, b * lamp], 3 * i);
     energy[i] = l * lamp * dw;
-    // Higher bands are damped, so that no direction is darker than nothing.
+    // Higher bands are damped, so that no direction is negative.
     const basis = [
       0.2820948, 0.4886025 * d[1], 0.4886025 * d[2], 0.4886025 * d[0], 1.0925484 * d[0] * d[1], 1.0925484 * d[1] * d[2],
       0.31539157 * (3 * d[2] * d[2] - 1), 1.0925484 * d[0] * d[2], 0.54627422 * (d[0] * d[0] - d[1] * d[1])];
@@ -114,7 +119,7 @@ function lightOf(map, most) {
     const wide = (x1 - x0) * Math.sin((y0 + y1) / 2 / HIGH * Math.PI), worth = Math.max(wide, y1 - y0) > 5 ? total * Math.max(wide, y1 - y0) : 0;
     return { x0, y0, x1, y1, total, wide, worth };
   };
-  // The region of the most light times its breadth is cut where half of its light is on either side.
+  // The region with the largest product of light and width is split at half of its light.
   const regions = [regionOf(0, 0, WIDE, HIGH)];
   while (regions.length < most) {
     regions.sort((a, b) => b.worth - a.worth);
@@ -150,35 +155,35 @@ function lightOf(map, most) {
   return { words: packed(map), uniform, lamps: lamps.length, mean };
 }
 
-/** The light of settings; `own` is the visitor's picture, if there is one. */
+/** Returns the light of settings; `own` is the user's image, if any. */
 export function lightFor(settings, own) {
   const { light, lightTurn, lightHeight, lamps } = settings;
   const map = light === 'own' && own ? turned(own, lightTurn) : light === 'day' ? day(lightTurn, lightHeight) : studio(lightTurn);
   return lightOf(map, +lamps);
 }
 
-/** A Radiance picture (.hdr) as floats, from the top. */
+/** Decodes a Radiance image (.hdr) as floats, from the top. */
 export function readRadiance(buffer, name) {
   const bytes = new Uint8Array(buffer), bad = what => new Error(`${name} ${what}.`);
   let at = 0;
   const line = () => {
     const end = bytes.indexOf(10, at);
-    if (end < 0 || end - at > 4096) throw bad('is no Radiance picture');
+    if (end < 0 || end - at > 4096) throw bad('is not a Radiance image');
     const text = new TextDecoder().decode(bytes.subarray(at, end));
     at = end + 1;
     return text;
   };
-  if (!line().startsWith('#?')) throw bad('is no Radiance picture');
+  if (!line().startsWith('#?')) throw bad('is not a Radiance image');
   for (let text = line(); text !== ''; text = line()) {
-    if (text.startsWith('FORMAT=') && text !== 'FORMAT=32-bit_rle_rgbe') throw bad(`is stored as ${text.slice(7)}, which this page does not read`);
+    if (text.startsWith('FORMAT=') && text !== 'FORMAT=32-bit_rle_rgbe') throw bad(`has the unsupported format ${text.slice(7)}`);
   }
   const size = /^-Y (\d+) \+X (\d+)$/.exec(line().trim());
-  if (!size) throw bad('is turned or mirrored in a way that this page does not read');
+  if (!size) throw bad('has an unsupported orientation');
   const [height, width] = [+size[1], +size[2]];
   if (!(width > 0 && height > 0 && width * height <= 4e7)) throw bad(`has ${width} by ${height} pixels`);
   const data = new Float32Array(3 * width * height), row = new Uint8Array(4 * width);
   const next = () => {
-    if (at >= bytes.length) throw bad('ends before its last row');
+    if (at >= bytes.length) throw bad('is truncated');
     return bytes[at++];
   };
   for (let y = 0; y < height; y++) {
@@ -202,14 +207,14 @@ export function readRadiance(buffer, name) {
   return { width, height, data };
 }
 
-/** A picture of light all around: Radiance, or any that the browser reads. */
+/** Reads an environment image: Radiance, or any format that the browser supports. */
 export async function readLight(file) {
   if (/\.(hdr|pic|rgbe)$/i.test(file.name)) return readRadiance(await file.arrayBuffer(), file.name);
   let picture;
   try {
     picture = await createImageBitmap(file);
   } catch {
-    throw new Error(`${file.name} is no picture that this browser reads: Radiance (.hdr), PNG and JPEG are.`);
+    throw new Error(`${file.name} is not a supported image (Radiance .hdr, PNG or JPEG).`);
   }
   const width = Math.min(picture.width, 1024), height = Math.min(picture.height, 512);
   const context = new OffscreenCanvas(width, height).getContext('2d');
@@ -219,8 +224,8 @@ export async function readLight(file) {
   return { width, height, data };
 }
 
-/** Light of an sRGB value, 0 to 1. */
+/** Converts an sRGB value, 0 to 1, to linear. */
 export const linear = x => x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;
 
-/** The sRGB value of light. */
+/** Converts a linear value to sRGB. */
 export const encoded = x => x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055;

@@ -1,6 +1,6 @@
-// Unpacks LZMA with a header that tells the length: Pavlov, LZMA specification, 2015.
+// Unpacks LZMA with a header that contains the length: Pavlov, LZMA specification, 2015.
 
-/** What bytes have packed. */
+/** Unpacks bytes. */
 export function unpacked(from) {
   const header = new DataView(from.buffer, from.byteOffset), properties = from[0];
   const lc = properties % 9, literalMask = (1 << Math.floor(properties / 9) % 5) - 1, positionMask = (1 << Math.floor(properties / 45)) - 1;
@@ -105,14 +105,14 @@ export function unpacked(from) {
   return to;
 }
 
-// The page of one file: unpacks its parts, and begins its scripts.
+// The single-file page: unpacks its parts, and starts its scripts.
 const inside = id => unpacked(Uint8Array.from(atob(document.getElementById(id).textContent), c => c.charCodeAt(0)));
 const [scripts, described, glsl, sources] = new TextDecoder().decode(inside('asperity-texts')).split('\x01');
 const data = JSON.parse(described), parts = sources.split('\x02');
 data.glsl = glsl.split('\x02');
 data.parts = Object.fromEntries(data.parts.map((name, k) => [name, parts[k]]));
 const tables = inside('asperity-tables'), words = new DataView(tables.buffer, data.levels ?? 0);
-// Levels are packed as second differences, the negative half not at all.
+// Levels are packed as second differences, without the negative half.
 for (let k = 0, level = 0, slope = 0; data.levels && k < 2048; k++) {
   slope = slope + words.getInt32(8192 + 4 * k, true) | 0;
   level = level + slope | 0;

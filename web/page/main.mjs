@@ -1,4 +1,4 @@
-// The page: scenes, their settings in the link, drawing on change only.
+// The page: scenes, settings in the link, rendering on change only.
 
 import { loadData } from './data.mjs';
 import { loadRust } from './rust.mjs';
@@ -11,24 +11,24 @@ import { materials } from './materials.mjs';
 
 const SCENES = [bumps, noise, fractals, materials];
 const PAPER = [236 / 255, 234 / 255, 228 / 255];
-/** The longest that a frame may take while something moves, in ms. */
+/** Maximum time of a frame during movement, in ms. */
 const FRAME = 25;
-/** The longest that a band of a picture at rest may take. */
+/** Maximum time of a band of a final image. */
 const BAND = 120;
-/** The longest that a picture may take that is finer than the screen. */
+/** Maximum time of a supersampled image. */
 const REST = 500;
 
 const by = id => document.getElementById(id);
 const asked = new URLSearchParams(location.search);
 
-/** What scenes are given: the graphics card, the crates, the settings. */
+/** The interface of scenes: the GPU, the crates, the settings. */
 class Page {
   constructor(data, rust) {
     Object.assign(this, { data, rust, extra: by('extra'), form: by('settings'), perPixel: 1e-3, change: 0 });
     this.strip = asked.has('strip') ? +asked.get('strip') : undefined;
   }
 
-  /** Opens the graphics card on a new canvas; the old one's context cannot be had again. */
+  /** Opens the GPU on a new canvas, because the old canvas's context cannot be replaced. */
   async openGpu() {
     const canvas = by('view').cloneNode();
     by('view').replaceWith(canvas);
@@ -44,7 +44,7 @@ class Page {
     mine.lost.then(async () => {
       if (this.gpu !== mine) return;
       await this.openGpu();
-      this.complain(new Error('The graphics card was lost, and opened again.'));
+      this.complain(new Error('The GPU was lost, and opened again.'));
       await this.show(this.scene, this.settings);
     });
   }
@@ -73,7 +73,7 @@ class Page {
     this.changed();
   }
 
-  /** Takes new settings, from a field or from a hand on the picture. */
+  /** Applies new settings, from a control or from dragging the image. */
   set(values, fromField = false) {
     Object.assign(this.settings, values);
     if (!fromField) this.setFields(this.settings);
@@ -90,13 +90,13 @@ class Page {
     this.draw();
   }
 
-  /** One plain sentence. */
+  /** Displays one sentence. */
   complain(error) {
     this.complaint = String(error.message ?? error).split('\n')[0];
     by('state').textContent = this.complaint;
   }
 
-  /** Draws what has changed, small at first where the whole would take too long, then whole; in turn. */
+  /** Renders changes, small at first if the whole would take too long, then whole. */
   async draw() {
     if (this.drawing) return;
     this.drawing = true;
@@ -122,7 +122,8 @@ class Page {
       const quick = Math.min(full, Math.max(64, 32 * Math.floor(Math.sqrt(FRAME / this.perPixel) / 32)));
       await this.picture(quick, quick, stop);
       for (const size of [full, fine]) {
-        // Nothing has changed for a while: the whole picture, in bands; edges are smooth where twice as many pixels are quick.
+        // Idle: render the whole image in bands, antialiased if twice as many pixels are fast
+        // enough.
         if (size <= this.target.width || (size > full && size * size * this.perPixel > REST)) continue;
         if (!stop()) await new Promise(resolve => setTimeout(resolve, 150));
         if (!stop()) await this.picture(size, Math.max(16, Math.floor(BAND / this.perPixel / size)), stop);
@@ -135,7 +136,7 @@ class Page {
     this.drawn = { scene: scene.id, change };
   }
 
-  /** Side of the picture at rest, in pixels. */
+  /** Side of the final image in pixels. */
   full(canvas = this.canvas) {
     if (asked.has('size')) return +asked.get('size');
     const side = canvas.getBoundingClientRect().width * Math.min(devicePixelRatio, 2);
@@ -170,15 +171,15 @@ class Page {
     by('state').textContent = this.complaint || [this.instance.element ? 'WebAssembly' : this.gpu?.name, text, more].filter(Boolean).join(' · ');
   }
 
-  /** Hands on an element of a scene's own. */
+  /** Pointer handling of a scene's element. */
   hands(canvas, acts) { listen(this, canvas, () => acts); }
 
-  /** When everything is drawn. */
+  /** Resolves when everything is rendered. */
   rest() {
     return this.drawing ? new Promise(resolve => this.resting.push(resolve)) : Promise.resolve();
   }
 
-  /** The pixels of the picture at rest, from the top. */
+  /** Returns the pixels of the final image, from the top. */
   async pixels() {
     await this.rest();
     if (this.instance.pixels) return this.instance.pixels();
@@ -187,7 +188,7 @@ class Page {
   }
 }
 
-/** Hands on the picture: drag, pinch, wheel, keys. */
+/** Pointer and keyboard handling of the image: drag, pinch, wheel, keys. */
 function listen(page, canvas, acts = () => page.instance) {
   const pointers = new Map();
   const act = values => { if (values && Object.keys(values).length) page.set(values); };
@@ -230,7 +231,7 @@ function listen(page, canvas, acts = () => page.instance) {
 async function copied(text, what) {
   try {
     await navigator.clipboard.writeText(text);
-    by('state').textContent = `${what} is on the clipboard.`;
+    by('state').textContent = `${what} copied to the clipboard.`;
   } catch {
     by('text').value = text;
     by('copy').showModal();
@@ -238,7 +239,7 @@ async function copied(text, what) {
   }
 }
 
-/** The scene and settings of the address. */
+/** Returns scene and settings of the URL. */
 function addressed() {
   const [id, words] = location.hash.slice(1).split('?');
   const scene = SCENES.find(scene => scene.id === id) ?? SCENES[0];
@@ -263,7 +264,7 @@ async function begin() {
     event.preventDefault();
     const file = event.dataTransfer.files[0];
     if (file && page.instance.drop) page.instance.drop(file);
-    else if (file) page.complain(new Error(`${file.name}: this scene takes no files.`));
+    else if (file) page.complain(new Error(`${file.name}: this scene does not accept files.`));
   });
   const copies = {
     link: ['The link', () => location.href.split('#')[0] + linkOf(page.scene, page.settings)],
@@ -296,5 +297,5 @@ async function begin() {
 }
 
 begin().catch(error => {
-  by('state').textContent = `The page could not begin: ${String(error.message ?? error).split('\n')[0]}`;
+  by('state').textContent = `The page could not start: ${String(error.message ?? error).split('\n')[0]}`;
 });

@@ -1,4 +1,5 @@
-// Materials with all parameters of the thesis, on a car, a room, the teapot, under light from everywhere: Nilsson 2008, Cohen.
+// Materials with all parameters of the thesis, on a car, a room, the teapot, under environment
+// light: Nilsson 2008, Cohen.
 
 import { Mesh, sphere, teapot } from './mesh.mjs';
 import { Looking, times } from './camera.mjs';
@@ -6,7 +7,7 @@ import { fitting } from './controls.mjs';
 import { carBody, cup, ground, room, sky, wheels } from './scenery.mjs';
 import { encoded, lightFor, linear, readLight } from './light.mjs';
 
-/** A length, in the unit that fits. */
+/** Formats a length with a suitable unit. */
 const metres = x => x < 1e-3 ? `${+(x * 1e6).toPrecision(3)} µm` : x < 0.1 ? `${+(x * 1e3).toPrecision(3)} mm` : `${+x.toPrecision(3)} m`;
 const rustNumber = x => {
   const text = String(+x.toPrecision(4));
@@ -16,13 +17,13 @@ const colourOf = hex => [1, 3, 5].map(k => linear(parseInt(hex.slice(k, k + 2), 
 const hexOf = colour => `#${colour.map(x => Math.round(encoded(x) * 255).toString(16).padStart(2, '0')).join('')}`;
 const turnOf = degrees => [Math.cos(degrees * Math.PI / 180), Math.sin(degrees * Math.PI / 180)];
 
-// Parameters: how a setting is shown, what numbers the crate is told, how Rust writes it.
+// Parameters: how a setting is displayed, which numbers the crate receives, how Rust writes it.
 const share = (field, label, value, most = 1) =>
   ({ field, label, kind: 'range', min: 0, max: most, value, numbers: x => [x], rust: rustNumber });
 const between = (field, label, value, min, max) => ({ ...share(field, label, value, max), min });
 const whole = (field, label, value, min, max) =>
   ({ field, label, kind: 'range', min, max, step: 1, value, numbers: x => [x], rust: x => String(Math.round(x)) });
-const seed = (value = 1) => whole('seed', 'Which one', value, 0, 99);
+const seed = (value = 1) => whole('seed', 'Random seed', value, 0, 99);
 const size = (field, label, value, min, max, says = metres) => ({
   field, label, kind: 'range', min: Math.log10(min), max: Math.log10(max), value: +Math.log10(value).toFixed(4),
   says: x => says(10 ** x), numbers: x => [10 ** x], rust: x => rustNumber(10 ** x),
@@ -41,7 +42,10 @@ const choice = (field, label, options, words) => ({
 });
 const check = (field, label, value) => ({ field, label, kind: 'check', value, numbers: x => [x ? 1 : 0], rust: String });
 
-/** Code of a material whose parameters are a structure: `less` are fields that it does not have, `more` are its other ones. */
+/**
+ * Code of a material with a parameter structure: `less` are fields that it lacks, `more` are its
+ * additional fields.
+ */
 const structure = (name, uses, less = [], more = () => []) => ({
   uses,
   code(rust, fields) {
@@ -52,21 +56,24 @@ const structure = (name, uses, less = [], more = () => []) => ({
 
 const FIBRES = ['fibre_length', 'fibre_width', 'fibre_bend', 'fibre_direction', 'fibre_spread', 'fibre_contrast'];
 
-/** Materials: parameters in the order of the crate's questions. `view` are the settings that show one best. */
+/**
+ * Materials: parameters in the order of the crate's queries. `view` has settings that show a
+ * material best.
+ */
 const MATERIALS = {
   paint: {
     title: 'Metallic paint', view: { shape: 'car', size: 0 },
     parameters: [
-      colour('specular', 'Specular colour of flakes', [0.25, 0.35, 0.6]),
+      colour('specular', 'Specular color of flakes', [0.25, 0.35, 0.6]),
       colour('pigment', 'Pigment', [0.02, 0.05, 0.14]),
       between('flake_roughness', 'Roughness α of the flakes', 0.32, 0.01, 1),
       between('flake_sparkle_pixel_size', 'Sparkles: width in pixels', 2, 0.2, 10),
-      size('flake_sparkle_physical_size', 'Sparkles: greatest width', 0.001, 1e-5, 0.1),
+      size('flake_sparkle_physical_size', 'Sparkles: maximum width', 0.001, 1e-5, 0.1),
       share('flake_sparkle_variation', 'Sparkles: variation', 0.5),
       share('flake_sparkle_boost', 'Sparkles: boost', 0.3),
       colour('flake_sparkle_boost_target', 'Sparkles: target of the boost', [1, 1, 1]),
       share('flake_sparkle_elimination', 'Sparkles: elimination', 0.4),
-      check('smart', 'Smart: fewer are left out from afar', true),
+      check('smart', 'Smart: fewer omitted at a distance', true),
       size('unit', 'Smart: unit', 0.002, 1e-5, 1),
       size('passive_flake_size', 'Passive flakes: size', 0.004, 1e-4, 0.5),
       share('passive_flake_strength', 'Passive flakes: strength', 0.3),
@@ -83,10 +90,10 @@ const MATERIALS = {
   carpet: {
     title: 'Carpet', view: { shape: 'room', on: 'floor', size: 0, zoom: 0.6, height: 30 },
     parameters: [
-      colour('diffuse', 'Diffuse colour', [0.34, 0.08, 0.06]),
-      colour('specular', 'Specular colour', [0, 0, 0]),
+      colour('diffuse', 'Diffuse color', [0.34, 0.08, 0.06]),
+      colour('specular', 'Specular color', [0, 0, 0]),
       share('roughness', 'Roughness', 0.8),
-      between('specular_roughness', 'Roughness α of shining threads', 0.45, 0.01, 1),
+      between('specular_roughness', 'Roughness α of specular threads', 0.45, 0.01, 1),
       size('diffuse_thread_size', 'Diffuse threads: size', 0.006, 1e-4, 0.5),
       share('diffuse_thread_strength', 'Diffuse threads: strength', 0.12),
       share('diffuse_thread_bump_strength', 'Diffuse threads: bumps', 0.12),
@@ -101,17 +108,17 @@ const MATERIALS = {
       share('seams_bump_strength', 'Seams: bumps', 0.4),
       size('seam_crossover_size', 'Crossover of seams: size', 0.05, 0.001, 5),
       share('seam_crossover_strength', 'Crossover of seams: strength', 0.5),
-      share('fibre_strength', 'Fibres: share of the colours', 0.8),
-      share('fibre_bump_strength', 'Fibres: bumps', 0.3),
-      size('fibre_length', 'Fibres: length', 0.004, 1e-4, 0.1),
-      between('fibre_width', 'Fibres: width over length', 0.12, 0.01, 0.3),
-      share('fibre_bend', 'Fibres: bend', 0.15, 0.3),
-      angle('fibre_direction', 'Fibres: direction'),
-      share('fibre_spread', 'Fibres: spread', 0.6),
-      share('fibre_contrast', 'Fibres: contrast', 0.6),
+      share('fibre_strength', 'Fibers: fraction of the colors', 0.8),
+      share('fibre_bump_strength', 'Fibers: bumps', 0.3),
+      size('fibre_length', 'Fibers: length', 0.004, 1e-4, 0.1),
+      between('fibre_width', 'Fibers: width over length', 0.12, 0.01, 0.3),
+      share('fibre_bend', 'Fibers: bend', 0.15, 0.3),
+      angle('fibre_direction', 'Fibers: direction'),
+      share('fibre_spread', 'Fibers: spread', 0.6),
+      share('fibre_contrast', 'Fibers: contrast', 0.6),
       share('fake_rim_light', 'Rim light: strength', 0.15),
       share('fake_rim_light_width', 'Rim light: width', 0.4),
-      colour('fake_rim_light_colour', 'Rim light: colour', [1, 1, 1]),
+      colour('fake_rim_light_colour', 'Rim light: color', [1, 1, 1]),
       seed(),
     ],
     ...structure('Carpet', 'Carpet, CarpetParameters, glam::Vec2, material::{FibresParameters, SeamPattern}', FIBRES, rust =>
@@ -120,9 +127,9 @@ const MATERIALS = {
   glass: {
     title: 'Tempered glass', view: { shape: 'teapot', size: 0, behind: 'dark' },
     parameters: [
-      size('wave_frequency', 'Waves: frequency, radians to a metre', 20, 1, 1000, plainly),
+      size('wave_frequency', 'Waves: frequency, radians per meter', 20, 1, 1000, plainly),
       size('wave_amplitude', 'Waves: amplitude', 1e-4, 1e-7, 0.05),
-      { ...angle('around', 'Waves: direction around'), value: 90, max: 180, min: -180, numbers: x => turnOf(x) },
+      { ...angle('around', 'Waves: azimuth'), value: 90, max: 180, min: -180, numbers: x => turnOf(x) },
       { ...angle('up', 'Waves: slope of the direction, up'), numbers: x => [Math.tan(x * Math.PI / 180)], min: -85, max: 85 },
       choice('waves', 'Waves', ['a sine', 'noise'], ['GlassWaves::Sine', 'GlassWaves::Noise']),
       choice('body', 'Thickness', ['a pane', 'a body'], ['GlassBody::Pane', 'GlassBody::Solid']),
@@ -141,10 +148,10 @@ const MATERIALS = {
       between('scratch_length', 'Length, in cells', 1, 0.01, 1),
       size('scratch_width', 'Width, in cells', 0.01, 1e-4, 0.5, plainly),
       share('scratch_strength', 'Strength', 0.5),
-      share('scratch_cover', 'Cover: scratches to a cell', 2, 4),
+      share('scratch_cover', 'Cover: scratches per cell', 2, 4),
       angle('scratch_direction', 'Direction'),
       share('scratch_spread', 'Spread', 1),
-      colour('specular', 'Specular colour', [0.7, 0.7, 0.7]),
+      colour('specular', 'Specular color', [0.7, 0.7, 0.7]),
       between('roughness', 'Roughness α', 0.3, 0.01, 1),
       seed(),
     ],
@@ -153,13 +160,13 @@ const MATERIALS = {
   variations: {
     title: 'Variations: blemishes, dents', view: { shape: 'teapot', size: 0 },
     parameters: [
-      colour('diffuse', 'Diffuse colour', [0.3, 0.28, 0.25]),
-      colour('specular', 'Specular colour', [0.2, 0.2, 0.2]),
+      colour('diffuse', 'Diffuse color', [0.3, 0.28, 0.25]),
+      colour('specular', 'Specular color', [0.2, 0.2, 0.2]),
       share('roughness', 'Roughness', 0.3),
       between('gloss_roughness', 'Roughness α of the gloss', 0.25, 0.01, 1),
       size('small_blemish_size', 'Blemishes: size', 0.003, 1e-4, 0.5),
       share('small_blemish_bump_strength', 'Blemishes: bumps', 0.03),
-      share('small_blemish_colour_strength', 'Blemishes: colour', 0.4),
+      share('small_blemish_colour_strength', 'Blemishes: color', 0.4),
       share('dent_strength', 'Dents: strength', 0.05),
       size('dent_size', 'Dents: size', 0.1, 0.001, 5),
       share('dent_cover', 'Dents: cover', 0.3),
@@ -175,9 +182,9 @@ const MATERIALS = {
       size('height', 'Brick: height', 0.065, 0.01, 1),
       size('mortar', 'Mortar: width', 0.01, 0.001, 0.2),
       size('depth', 'Mortar: depth', 0.006, 1e-4, 0.1),
-      colour('clay', 'Colour of bricks', [0.38, 0.08, 0.045]),
-      share('variation', 'Variation from brick to brick', 0.25),
-      colour('mortar_colour', 'Colour of the mortar', [0.46, 0.42, 0.37]),
+      colour('clay', 'Color of bricks', [0.38, 0.08, 0.045]),
+      share('variation', 'Variation between bricks', 0.25),
+      colour('mortar_colour', 'Color of the mortar', [0.46, 0.42, 0.37]),
       share('roughness', 'Roughness', 0.7),
     ],
     uses: 'Brick, material::BrickWall',
@@ -193,7 +200,7 @@ const MATERIALS = {
   marble: {
     title: 'Marble', view: { shape: 'teapot', size: 0.7 },
     parameters: [
-      size('scale', 'Cells of the veins to a metre', 2.5, 0.1, 100, plainly),
+      size('scale', 'Cells of the veins per meter', 2.5, 0.1, 100, plainly),
       seed(0),
       colour('tint', 'Tint', [1, 1, 1]),
       share('polish', 'Polish: roughness α, 0 for none', 0.05),
@@ -212,26 +219,26 @@ const MATERIALS = {
       between('gain', 'Noise: gain', 0.5, 0.05, 1),
       seed(0),
       between('octaves', 'Noise: octaves', 5, 1, 8),
-      between('max_density', 'Greatest density', 2, 0.1, 4),
+      between('max_density', 'Maximum density', 2, 0.1, 4),
       between('exponent', 'Exponent', 3, 0.5, 8),
       check('veins', 'Veins: the sine of the turbulence', false),
       size('radius', 'Steam: radius', 0.05, 0.01, 0.2),
       size('height', 'Steam: height', 0.16, 0.02, 0.5),
-      size('cells', 'Cells of the noise to a metre', 40, 2, 500, plainly),
-      size('extinction', 'Extinction to a cell', 3, 0.01, 30, plainly),
-      share('albedo', 'Share of light that is scattered', 0.9),
+      size('cells', 'Cells of the noise per meter', 40, 2, 500, plainly),
+      size('extinction', 'Extinction per cell', 3, 0.01, 30, plainly),
+      share('albedo', 'Scattering albedo', 0.9),
     ],
   },
 };
 const OF = Object.keys(MATERIALS);
 
-/** The scene, opened on a page. */
+/** The scene on a page. */
 export const materials = {
   id: 'materials',
   short: 'Materials',
   title: 'Materials',
-  about: 'Car paint, carpet, tempered glass, wear and tear with all parameters of Nilsson’s thesis; a wall, marble and steam of Cohen’s lectures. Each fades to its own mean with the width of a pixel: come nearer.',
-  keys: 'Drag or use the arrow keys to turn, Shift with them to move along the surface, scroll, pinch or use plus and minus to come nearer, double-click to look at a place.',
+  about: 'Car paint, carpet, tempered glass, wear and tear with all parameters of Nilsson’s thesis; a wall, marble and steam of Cohen’s lectures. Each fades to its mean as pixels grow: zoom in.',
+  keys: 'Drag or use the arrow keys to turn, Shift with them to move along the surface, scroll, pinch or use plus and minus to zoom in, double-click to focus on a point.',
   controls: [
     { kind: 'group', label: 'Material' },
     {
@@ -246,31 +253,31 @@ export const materials = {
       name: 'on', kind: 'choice', label: 'In the room, on', value: 'all', options: [['all', 'floor and walls'], ['floor', 'the floor'], ['walls', 'the walls']],
       when: ({ material, shape }) => shape === 'room' && material !== 'steam',
     },
-    { name: 'size', kind: 'range', label: 'How large, as against nature', min: -1, max: 1.5, step: 0.01, value: 0, says: x => `× ${plainly(10 ** x)}` },
+    { name: 'size', kind: 'range', label: 'Size relative to reality', min: -1, max: 1.5, step: 0.01, value: 0, says: x => `× ${plainly(10 ** x)}` },
     ...OF.flatMap(id => [
       { kind: 'group', label: MATERIALS[id].title, when: ({ material }) => material === id },
       ...MATERIALS[id].parameters.map(({ field, ...control }) => ({ ...control, name: `${id}.${field}` })),
     ]),
     { kind: 'group', label: 'Light' },
-    { name: 'light', kind: 'choice', label: 'Light', value: 'studio', options: [['studio', 'Studio'], ['day', 'Day'], ['own', 'Your own picture']] },
-    { kind: 'file', name: 'picture', label: 'Your own picture of light all around (HDR, PNG, JPEG)', accept: '.hdr,.png,.jpg,.jpeg,image/*' },
-    { name: 'lightTurn', kind: 'range', label: 'Turn of the light', min: -180, max: 180, step: 1, value: 0, says: x => `${x}°` },
-    { name: 'lightHeight', kind: 'range', label: 'Height of the sun', min: 0, max: 90, step: 1, value: 38, says: x => `${x}°`, when: ({ light }) => light === 'day' },
-    { name: 'lamps', kind: 'choice', label: 'Lamps that the light is cut into', value: '8', options: [['4', '4'], ['8', '8'], ['16', '16']] },
+    { name: 'light', kind: 'choice', label: 'Light', value: 'studio', options: [['studio', 'Studio'], ['day', 'Day'], ['own', 'Your own image']] },
+    { kind: 'file', name: 'picture', label: 'Your own environment image (HDR, PNG, JPEG)', accept: '.hdr,.png,.jpg,.jpeg,image/*' },
+    { name: 'lightTurn', kind: 'range', label: 'Light azimuth', min: -180, max: 180, step: 1, value: 0, says: x => `${x}°` },
+    { name: 'lightHeight', kind: 'range', label: 'Sun elevation', min: 0, max: 90, step: 1, value: 38, says: x => `${x}°`, when: ({ light }) => light === 'day' },
+    { name: 'lamps', kind: 'choice', label: 'Number of lamps for the light', value: '8', options: [['4', '4'], ['8', '8'], ['16', '16']] },
     { name: 'behind', kind: 'choice', label: 'Behind', value: 'bright', options: [['bright', 'Bright paper'], ['dark', 'Dark paper'], ['light', 'The light']] },
     { name: 'exposure', kind: 'range', label: 'Exposure', min: -3, max: 3, step: 0.1, value: 0, says: x => `${x > 0 ? '+' : ''}${x} stops` },
     { kind: 'group', label: 'View' },
-    { name: 'zoom', kind: 'range', label: 'Nearer', min: 0, max: 4, step: 0.01, value: 0, says: z => times(10 ** z) },
-    { name: 'turn', kind: 'range', label: 'Turn', min: -180, max: 180, step: 0.1, value: -52, says: x => `${Math.round(x)}°` },
+    { name: 'zoom', kind: 'range', label: 'Zoom', min: 0, max: 4, step: 0.01, value: 0, says: z => times(10 ** z) },
+    { name: 'turn', kind: 'range', label: 'Rotation', min: -180, max: 180, step: 0.1, value: -52, says: x => `${Math.round(x)}°` },
     { name: 'height', kind: 'range', label: 'Height', min: -89, max: 89, step: 0.1, value: 14, says: x => `${Math.round(x)}°` },
-    { name: 'at', kind: 'place', label: 'Place', value: '', axes: 3 },
+    { name: 'at', kind: 'place', label: 'Position', value: '', axes: 3 },
   ],
   async open(page) {
     return new Materials(page);
   },
 };
 
-/** Texture coordinates in units of length, where a mesh knows them. */
+/** Texture coordinates in units of length, if a mesh has them. */
 const metric = mesh => new Mesh(mesh.corners.map(corner => ({ ...corner, uv: corner.metric ?? corner.uv })), mesh.name);
 
 class Materials extends Looking {
@@ -287,7 +294,7 @@ class Materials extends Looking {
     materials.controls.find(({ name }) => name === 'picture').read = file => this.drop(file);
   }
 
-  /** A picture of light, of the visitor's. */
+  /** Reads a user's environment image. */
   async drop(file) {
     try {
       this.own = await readLight(fitting(file));
@@ -301,7 +308,7 @@ class Materials extends Looking {
     return this.subjects[settings.material === 'steam' ? 'cup' : settings.shape];
   }
 
-  /** What a ray hits. */
+  /** Returns a ray's hit. */
   shape(settings) {
     const kind = settings.material === 'steam' ? 'cup' : settings.shape;
     return kind === 'room' ? this.room(settings).all : super.shape({ ...settings, shape: kind });
@@ -313,18 +320,18 @@ class Materials extends Looking {
     return this.shapes.get(key);
   }
 
-  /** A mesh that is not the subject, made once. */
+  /** Returns a mesh other than the subject, created once. */
   thing(name, made) {
     if (!this.shapes.has(name)) this.shapes.set(name, made());
     return this.shapes.get(name);
   }
 
-  /** The value of a parameter in the settings. */
+  /** Returns the value of a parameter in the settings. */
   numbers({ material, ...settings }) {
     return MATERIALS[material].parameters.flatMap(({ field, numbers }) => numbers(settings[`${material}.${field}`]));
   }
 
-  /** What the material's shader is bound to; parameters that the crate refuses leave the last ones. */
+  /** Resources of the material's shader. Parameters rejected by the crate keep the last ones. */
   uniforms(settings) {
     const { material } = settings, key = [material, this.numbers(settings)].join();
     if (this.uniformsOf !== key) {
@@ -343,7 +350,7 @@ class Materials extends Looking {
     return this.bound;
   }
 
-  /** The light of the settings, cut anew where it has changed. */
+  /** The light of the settings, recomputed on change. */
   lit(settings) {
     const key = [settings.light, settings.lightTurn, settings.lightHeight, settings.lamps].join();
     if (this.lights?.key !== key || this.lights.own !== this.own) {
@@ -372,7 +379,7 @@ class Materials extends Looking {
     const { words, uniform } = this.lit(settings);
     const { kind: seenAs } = this.subject(settings), lighting = { light: uniform, light_word: words };
     const resources = { ...own, ...lighting, materials_view: this.view(settings, camera, size, seenAs) };
-    // Only a room is not seen from behind, and only the body of a car has windows.
+    // Only a room is invisible from behind, and only a car body has windows.
     const about = { ...resources, materials_view: this.view(settings, camera, size, seenAs === 2 ? 3 : 0) };
     const placed = (role, shape) => this.placed(role, shape, focus), passes = [];
     const add = (of, mesh, bound = about) => passes.push({ program: of, resources: bound, mesh });
@@ -395,12 +402,12 @@ class Materials extends Looking {
   }
 
   say(settings) {
-    return `${this.lit(settings).lamps} lamps · ${this.triangles} triangles${settings.light === 'own' && !this.own ? ' · no picture yet: the studio' : ''}`;
+    return `${this.lit(settings).lamps} lamps · ${this.triangles} triangles${settings.light === 'own' && !this.own ? ' · no image yet, using the studio' : ''}`;
   }
 
   alt(settings) {
     const { title } = MATERIALS[settings.material], on = { car: 'a car', room: 'a room', teapot: 'a teapot', sphere: 'a sphere', cup: 'a cup' }[settings.shape];
-    return `${title}${settings.material === 'steam' ? '' : ` on ${on}`}, ${times(10 ** settings.zoom)} nearer. ${materials.keys}`;
+    return `${title}${settings.material === 'steam' ? '' : ` on ${on}`}, at zoom ${times(10 ** settings.zoom)}. ${materials.keys}`;
   }
 
   described(settings) {
@@ -421,7 +428,7 @@ use asperity_shading::{Footprint, Material, SurfacePoint, ${uses}};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let material = ${code(rust, parameters.map(({ field }) => field))};
-    // A point of the surface in metres, and the width of a pixel there.
+    // A surface point in meters, and the width of a pixel there.
     let at = Vec3::new(${at.map(rustNumber).join(', ')});
     let point = SurfacePoint::new(at, Vec3::Z, Footprint::from_width(1e-3)).with_uv(at.truncate(), [Vec3::X, Vec3::Y]);
     let (light, eye) = (Vec3::new(0.48, 0.6, 0.64), Vec3::Z);

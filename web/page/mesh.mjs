@@ -1,8 +1,9 @@
-// Triangles: the teapot, a sphere, planes, the visitor's own files. Positions are in 64 bits until they are seen from a focus.
+// Triangles: the teapot, a sphere, planes, user files. Positions are in 64 bits until they are
+// relative to a focus.
 
 import { add, cross, direction, dot, length, scale, subtract } from './vector.mjs';
 
-/** A mesh of positions, normals, tangents and texture coordinates, three corners to a triangle. */
+/** A mesh of positions, normals, tangents and texture coordinates, three vertices per triangle. */
 export class Mesh {
   constructor(corners, name) {
     this.corners = corners;
@@ -11,7 +12,10 @@ export class Mesh {
 
   get triangles() { return this.corners.length / 3; }
 
-  /** Numbers of the corners for a shader, positions from the focus on: position, plane, normal, tangent, texture coordinates. */
+  /**
+   * Returns vertex data for a shader, relative to the focus: position, plane, normal, tangent,
+   * texture coordinates.
+   */
   from(focus) {
     const data = new Float32Array(15 * this.corners.length);
     for (let i = 0; i < this.corners.length; i += 3) {
@@ -26,7 +30,7 @@ export class Mesh {
     return data;
   }
 
-  /** The nearest point that a ray hits, or nothing. */
+  /** Returns the nearest hit of a ray, or nothing. */
   hit(eye, along) {
     let [nearest, found] = [Infinity, null];
     for (let i = 0; i < this.corners.length; i += 3) {
@@ -55,7 +59,9 @@ const bernsteinSlope = t => {
 };
 const rounded = v => v.map(Math.fround);
 
-/** Triangles of a grid of corners, `columns` cells by `rows`, without those that have no area. */
+/**
+ * Returns triangles of a grid of vertices, `columns` by `rows` cells, without degenerate triangles.
+ */
 export function grid(columns, rows, corner) {
   const all = [];
   for (let j = 0; j <= rows; j++) for (let i = 0; i <= columns; i++) all.push(corner(i / columns, j / rows));
@@ -74,7 +80,7 @@ export function grid(columns, rows, corner) {
   return corners;
 }
 
-/** The Utah teapot from its patches, in the corners of the renderer's: z up, its bottom at 0. */
+/** The Utah teapot from its patches, in the renderer's coordinates: z up, bottom at 0. */
 export function teapot({ patches, vertices }) {
   const corners = patches.flatMap((patch, index) => {
     const widen = index >= 20 && index < 28 ? 14 / 13 : 1, tube = index >= 12 && index < 20;
@@ -106,7 +112,7 @@ export function sphere() {
   return new Mesh(corners, 'sphere');
 }
 
-/** A plane to the horizon about a point, whose lines are at distances from it that double from `least` on. */
+/** A plane up to the horizon about a point, with lines at distances that double from `least`. */
 export function plane([x, y], least) {
   const half = [];
   for (let d = least; d < 1e4; d *= 2) half.push(d);
@@ -119,16 +125,19 @@ export function plane([x, y], least) {
   return new Mesh(corners, 'plane');
 }
 
-/** Triangles of positions and their corners' numbers: normals weighted by area where there are none, tangents around z, scaled to 3 units. */
+/**
+ * Triangles of positions and vertex indices: area-weighted normals if missing, tangents around z,
+ * scaled to 3 units.
+ */
 function fromTriangles(positions, indices, normals, uvs, name) {
-  if (!indices.length) throw new Error(`${name} holds no triangles.`);
-  if (indices.length > 3e6) throw new Error(`${name} has ${indices.length / 3} triangles; 1,000,000 at most.`);
+  if (!indices.length) throw new Error(`${name} has no triangles.`);
+  if (indices.length > 3e6) throw new Error(`${name} has ${indices.length / 3} triangles (at most 1,000,000).`);
   const bad = indices.find(i => !(i >= 0 && i < positions.length) || !positions[i].every(Number.isFinite));
-  if (bad !== undefined) throw new Error(`${name} names a vertex that is not there, or is no number.`);
+  if (bad !== undefined) throw new Error(`${name} refers to a missing or invalid vertex.`);
   const low = [0, 1, 2].map(k => indices.reduce((m, i) => Math.min(m, positions[i][k]), Infinity));
   const high = [0, 1, 2].map(k => indices.reduce((m, i) => Math.max(m, positions[i][k]), -Infinity));
   const size = Math.max(...subtract(high, low));
-  if (!(size > 0)) throw new Error(`${name} has no size.`);
+  if (!(size > 0)) throw new Error(`${name} has zero size.`);
   const middle = scale(add(low, high), 0.5), place = p => add(scale(subtract(p, middle), 4 / size), [0, 0, 1.3]);
   const placed = positions.map(place);
   const n = normals ?? placed.map(() => [0, 0, 0]);
@@ -147,7 +156,7 @@ function fromTriangles(positions, indices, normals, uvs, name) {
   return new Mesh(corners, name);
 }
 
-/** A Wavefront OBJ file: polygons as fans, y up turned to z up. */
+/** Reads a Wavefront OBJ file: polygons as fans, y up converted to z up. */
 export function readObj(text, name) {
   const [positions, indices] = [[], []];
   for (const line of text.split(/\r?\n/)) {
@@ -160,32 +169,32 @@ export function readObj(text, name) {
       for (let k = 2; k < of.length; k++) indices.push(of[0], of[k - 1], of[k]);
     }
   }
-  if (!indices.length) throw new Error(`${name} is no OBJ file: it has no line of a face.`);
+  if (!indices.length) throw new Error(`${name} is not an OBJ file with faces.`);
   return fromTriangles(positions, indices, null, null, name);
 }
 
-/** A binary glTF file: the triangles of all its meshes, as their nodes place them. */
+/** Reads a binary glTF file: the triangles of all its meshes, transformed by their nodes. */
 export function readGlb(buffer, name) {
   const view = new DataView(buffer);
-  if (view.byteLength < 20 || view.getUint32(0, true) !== 0x46546c67) throw new Error(`${name} is no binary glTF file.`);
+  if (view.byteLength < 20 || view.getUint32(0, true) !== 0x46546c67) throw new Error(`${name} is not a binary glTF file.`);
   const jsonLength = view.getUint32(12, true);
-  if (20 + jsonLength > view.byteLength) throw new Error(`${name} ends in the middle of its description.`);
+  if (20 + jsonLength > view.byteLength) throw new Error(`${name} is truncated.`);
   let gltf;
   try {
     gltf = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 20, jsonLength)));
   } catch {
-    throw new Error(`${name} has a description that is no JSON.`);
+    throw new Error(`${name} contains invalid JSON.`);
   }
-  if (gltf.extensionsRequired?.length) throw new Error(`${name} needs ${gltf.extensionsRequired.join(', ')}, which this page does not read.`);
+  if (gltf.extensionsRequired?.length) throw new Error(`${name} requires unsupported extensions: ${gltf.extensionsRequired.join(', ')}.`);
   const binaryAt = 20 + jsonLength + 8;
   const sizes = { 5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4 }, widths = { SCALAR: 1, VEC2: 2, VEC3: 3 };
   const readers = { 5121: 'getUint8', 5123: 'getUint16', 5125: 'getUint32', 5126: 'getFloat32' };
   const accessor = index => {
     const a = gltf.accessors?.[index], b = gltf.bufferViews?.[a?.bufferView];
-    if (!a || !b || b.buffer || !readers[a.componentType]) throw new Error(`${name} stores numbers in a way that this page does not read.`);
+    if (!a || !b || b.buffer || !readers[a.componentType]) throw new Error(`${name} has an unsupported accessor.`);
     const width = widths[a.type], size = sizes[a.componentType], stride = b.byteStride ?? width * size;
     const start = binaryAt + (b.byteOffset ?? 0) + (a.byteOffset ?? 0);
-    if (!(a.count >= 0) || start + stride * (a.count - 1) + width * size > view.byteLength) throw new Error(`${name} ends before its numbers do.`);
+    if (!(a.count >= 0) || start + stride * (a.count - 1) + width * size > view.byteLength) throw new Error(`${name} is truncated.`);
     return Array.from({ length: a.count }, (_, i) =>
       Array.from({ length: width }, (_, k) => view[readers[a.componentType]](start + i * stride + k * size, true)));
   };
@@ -201,7 +210,7 @@ export function readGlb(buffer, name) {
   const times = (a, b) => Array.from({ length: 16 }, (_, i) => [0, 1, 2, 3].reduce((s, k) => s + a[k * 4 + i % 4] * b[(i >> 2) * 4 + k], 0));
   const visit = (index, parent, depth) => {
     const node = gltf.nodes?.[index];
-    if (!node || depth > 64) throw new Error(`${name} nests its nodes in a circle, or names one that is not there.`);
+    if (!node || depth > 64) throw new Error(`${name} has cyclic or missing nodes.`);
     const matrix = times(parent, matrixOf(node));
     for (const primitive of gltf.meshes?.[node.mesh]?.primitives ?? []) {
       if ((primitive.mode ?? 4) !== 4) continue;

@@ -1,11 +1,14 @@
-// Noise of every kind, dimension and sum: its picture, gradients, distribution, spectrum and speed.
+// Noise of every type, dimension and sum: its image, gradients, distribution, spectrum and speed.
 
 import { floats } from './rust.mjs';
 import { element } from './controls.mjs';
 import { number } from './bumps.mjs';
 import { chart, drawn, radialSpectrum, ticksOf } from './charts.mjs';
 
-/** Kinds by their names in links and programs: number in the module, name, how Rust makes them, whether there is a fourth dimension. */
+/**
+ * Noises by their names in links and programs: number in the module, name, Rust constructor,
+ * whether there is a fourth dimension.
+ */
 const KINDS = {
   white: [0, 'White', 'White', false],
   value: [1, 'Value', 'Value', true],
@@ -14,7 +17,7 @@ const KINDS = {
   'perlin-2002': [4, 'Perlin, 2002', 'Perlin2002', true],
   'value-gradient': [5, 'Value and gradient', 'ValueGradient', false],
   simplex: [6, 'Simplex', 'Simplex', true],
-  'simplex-wide': [7, 'Simplex, customary wide kernel', 'Simplex', true],
+  'simplex-wide': [7, 'Simplex, usual wide kernel', 'Simplex', true],
   sparse: [8, 'Sparse convolution', 'Sparse', false],
   gaussian: [9, 'Exactly Gaussian', 'Gaussian', false],
   cellular: [10, 'Cellular', 'Cellular', false],
@@ -33,19 +36,22 @@ const BASES = ['F1', 'F2', 'F2MinusF1', 'Cell'], METRICS = ['Euclidean', 'Manhat
 const NOISE_OCTAVES = 16;
 const summed = ({ sum }) => sum !== 'one', moving = ({ dimension }) => dimension !== '4';
 const ARROWS = 17;
-/** Points along a side of the squares that are measured; the step between points that see every place of a cell alike; cells of a spectrum. */
+/**
+ * Points per side of measured squares; step between points that samples cells uniformly; cells of a
+ * spectrum.
+ */
 const MEASURED_SIDE = 256, MEASURED_STEP = 2.618034, SPECTRUM_CELLS = 32;
 
 const titled = names => Object.entries(names).map(([value, of]) => [value, of.find((text, k) => k > 0 && typeof text === 'string')]);
 const signed = x => (Math.abs(x) < 0.005 ? 0 : x).toFixed(2).replace('-', '−');
 
-/** The scene, opened on a page. */
+/** The scene on a page. */
 export const noise = {
   id: 'noise',
   short: 'Noise',
   title: 'Noise',
-  about: 'Functions that are random and smooth: every kind, in two, three and four dimensions, alone, summed in octaves, warped, as a flow; with what they are in figures.',
-  keys: 'Drag or use the arrow keys to move, Shift with them to move along the third and fourth axis, scroll, pinch or use plus and minus to come nearer.',
+  about: 'Smooth random functions: every noise in two, three and four dimensions, alone, summed in octaves, warped, or as a flow, with statistics.',
+  keys: 'Drag or use the arrow keys to move, Shift with them to move along the third and fourth axis, scroll, pinch or use plus and minus to zoom in.',
   controls: [
     { kind: 'group', label: 'Noise' },
     { name: 'kind', kind: 'choice', label: 'Kind', value: 'perlin-2002', options: titled(KINDS) },
@@ -53,26 +59,26 @@ export const noise = {
     { name: 'seed', kind: 'range', label: 'Seed', min: 0, max: 99, step: 1, value: 7 },
     { kind: 'group', label: 'Sum' },
     { name: 'sum', kind: 'choice', label: 'Octaves', value: 'octaves', options: titled(SUMS) },
-    { name: 'octaves', kind: 'range', label: 'How many, a real number', min: 0, max: 12, step: 0.05, value: 6, when: summed },
+    { name: 'octaves', kind: 'range', label: 'Number, may be fractional', min: 0, max: 12, step: 0.05, value: 6, when: summed },
     { name: 'lacunarity', kind: 'range', label: 'Lacunarity', min: 1.5, max: 4, step: 0.01, value: 2.17, when: summed },
     { name: 'gain', kind: 'range', label: 'Gain', min: 0.2, max: 1, step: 0.01, value: 0.5, when: summed },
     { name: 'feedback', kind: 'range', label: 'Feedback of the multifractal', min: 0, max: 8, step: 0.1, value: 2, when: ({ sum }) => sum === 'multifractal' },
-    { name: 'normalised', kind: 'choice', label: 'Divided so that it has', value: 'variance', options: [['variance', 'variance 1'], ['range', 'the range of one octave']], when: summed },
-    { name: 'clamp', kind: 'check', label: 'Leave out what is finer than a pixel', value: false },
-    { name: 'warp', kind: 'range', label: 'Warp by sums like it, in cells', min: 0, max: 2, step: 0.01, value: 0, when: moving },
-    { name: 'show', kind: 'choice', label: 'Shown', value: 'value', options: [['value', 'Value'], ['flow', 'Flow without divergence, its curl']], when: moving },
-    { kind: 'group', label: 'Place' },
+    { name: 'normalised', kind: 'choice', label: 'Normalized to', value: 'variance', options: [['variance', 'variance 1'], ['range', 'the range of one octave']], when: summed },
+    { name: 'clamp', kind: 'check', label: 'Omit details finer than a pixel', value: false },
+    { name: 'warp', kind: 'range', label: 'Warp by similar sums, in cells', min: 0, max: 2, step: 0.01, value: 0, when: moving },
+    { name: 'show', kind: 'choice', label: 'Shown', value: 'value', options: [['value', 'Value'], ['flow', 'Divergence-free flow (curl)']], when: moving },
+    { kind: 'group', label: 'Position' },
     { name: 'near', kind: 'range', label: 'Cells across', min: -2, max: 8, step: 0.01, value: 3, says: x => String(+(2 ** x).toPrecision(3)) },
     { name: 'at', kind: 'place', label: 'Middle', value: '0,0', axes: 2 },
-    { name: 'third', kind: 'range', label: 'Place along the third axis', min: -4, max: 4, step: 0.01, value: 0.5, when: ({ dimension }) => dimension !== '2' },
+    { name: 'third', kind: 'range', label: 'Position along the third axis', min: -4, max: 4, step: 0.01, value: 0.5, when: ({ dimension }) => dimension !== '2' },
     { name: 'time', kind: 'range', label: 'Time, the fourth axis', min: -4, max: 4, step: 0.01, value: 0.5, when: ({ dimension }) => dimension === '4' },
     { name: 'contrast', kind: 'range', label: 'Contrast', min: 0.2, max: 4, step: 0.05, value: 1 },
     { kind: 'group', label: 'Measured' },
-    { name: 'arrows', kind: 'check', label: 'Gradients as arrows, of a flow its velocities', value: false },
+    { name: 'arrows', kind: 'check', label: 'Gradients (or velocities) as arrows', value: false },
     { name: 'charts', kind: 'check', label: 'Distribution and spectrum', value: true },
     { kind: 'group', label: 'Of cellular noise', when: ({ kind }) => kind === 'cellular' },
-    { name: 'basis', kind: 'choice', label: 'Shown is', value: 'F1', options: [['F1', 'F₁, the distance to the nearest point'], ['F2', 'F₂, to the second nearest'], ['F2MinusF1', 'F₂ − F₁, their difference'], ['Cell', 'a number of the nearest']] },
-    { name: 'metric', kind: 'choice', label: 'Distances are', value: 'Euclidean', options: METRICS.map(name => [name, name]) },
+    { name: 'basis', kind: 'choice', label: 'Displayed value', value: 'F1', options: [['F1', 'F₁, the distance to the nearest point'], ['F2', 'F₂, to the second nearest'], ['F2MinusF1', 'F₂ − F₁, their difference'], ['Cell', 'a number of the nearest']] },
+    { name: 'metric', kind: 'choice', label: 'Metric', value: 'Euclidean', options: METRICS.map(name => [name, name]) },
     { name: 'jitter', kind: 'range', label: 'Jitter', min: 0, max: 1, step: 0.01, value: 1 },
   ],
   async open(page) {
@@ -89,7 +95,7 @@ class Noise {
     page.canvas.after(this.overlay);
     this.distribution = element('figure');
     this.spectrum = element('figure');
-    const button = element('button', { type: 'button' }, 'Measure the speed here');
+    const button = element('button', { type: 'button' }, 'Measure speed');
     this.speed = element('output', { class: 'small' });
     button.addEventListener('click', () => this.measure(button));
     page.extra.append(element('div', { class: 'charts' }, this.distribution, this.spectrum), element('p', {}, button, ' ', this.speed));
@@ -97,7 +103,10 @@ class Noise {
 
   close() { this.overlay.remove(); }
 
-  /** What there is of the settings: not every kind has a fourth dimension, and that has neither warp nor flow. */
+  /**
+   * Returns valid settings: not every noise has a fourth dimension, which supports neither warp nor
+   * flow.
+   */
   told(settings) {
     const [kind, , , inTime] = KINDS[settings.kind], [sum, shape] = SUMS[settings.sum];
     const dimension = settings.dimension === '4' && !inTime ? 3 : +settings.dimension;
@@ -109,7 +118,7 @@ class Noise {
 
   program(settings) { return this.name(settings); }
 
-  /** The numbers of the module's field. */
+  /** Returns the numbers of the module's field. */
   spec(settings, size) {
     const told = this.told(settings);
     return [
@@ -121,27 +130,27 @@ class Noise {
 
   footprint(settings, size) { return Math.fround(2 ** settings.near / size); }
 
-  /** An answer of the module that holds as long as the question does. */
+  /** Caches an answer of the module while the query is unchanged. */
   kept(question, numbers, made = words => words) {
     const key = numbers.join();
     if (this.answers.get(question)?.key !== key) this.answers.set(question, { key, answer: made(this.page.rust[question](numbers)) });
     return this.answers.get(question).answer;
   }
 
-  /** The middle of the picture and the ways to its right and upper border, in four dimensions. */
+  /** Returns the image center and the vectors to its right and upper border, in four dimensions. */
   place(settings) {
     const [x, y] = settings.at.split(',').map(Number), half = 2 ** settings.near / 2, { dimension } = this.told(settings);
     const further = [dimension > 2 ? settings.third : 0, dimension > 3 ? settings.time : 0];
     return { centre: [x, y, ...further], right: [half, 0, 0, 0], up: [0, half, 0, 0] };
   }
 
-  /** The values that are black and white: about what the field has. */
+  /** Returns the values of black and white: approximately the field's range. */
   shades(settings) {
     const { sum, shape, kind, octaves } = this.told(settings);
     let [low, high] = sum === 1 && settings.normalised === 'variance' ? [-2.3, 2.3]
       : shape ? [0, 1] : kind === 10 ? [settings.basis === 'Cell' ? -1 : 0, 1.1] : kind === 9 || kind === 8 ? [-2.3, 2.3] : [-0.9, 0.9];
     if (kind === 10 && sum === 1 && !shape && settings.normalised === 'variance') {
-      // Distances have a mean, and so have their sums.
+      // Distances have a nonzero mean, and so do their sums.
       const [mean, deviation] = this.kept('noise_moments', this.spec(settings, 1), floats), own = Array.from({ length: Math.ceil(octaves) }, (_, k) => settings.gain ** k * Math.min(1, octaves - k));
       const middle = mean / deviation * own.reduce((sum, a) => sum + a, 0) / (Math.hypot(...own) || 1);
       [low, high] = [middle + low, middle + high];
@@ -150,7 +159,7 @@ class Noise {
     return [middle - half, middle + half];
   }
 
-  /** The uniform of the shaders; `asked` is what a pixel tells, 0 a colour. */
+  /** The uniform of the shaders; `asked` selects a pixel's output, 0 is a color. */
   view(settings, size, place = this.place(settings), asked = 0) {
     const told = this.told(settings), spec = this.spec(settings, size), { centre, right, up } = place;
     const [black, white] = this.shades(settings), fast = settings.normalised === 'variance' || !told.sum ? 3 : 1.5;
@@ -171,7 +180,10 @@ class Noise {
     return [{ program: this.name(settings), resources: this.resources(settings, size) }];
   }
 
-  /** Numbers of a square of points by the graphics card, to the bit, the top row first: 1 asks for values, 2 and 3 for slopes or the flow. */
+  /**
+   * Returns bit-exact numbers at a square of points from the GPU, top row first: 1 for values, 2
+   * and 3 for slopes or the flow.
+   */
   async numbers(settings, place, side, asked) {
     const { gpu } = this.page, target = gpu.target(side, side), ROWS = 32;
     const pass = { program: this.name(settings), resources: this.resources(settings, this.page.full(), place, asked) };
@@ -184,7 +196,7 @@ class Noise {
     return new Float32Array(pixels.buffer);
   }
 
-  /** Slopes, or velocities, over the picture. */
+  /** Slopes, or velocities, over the image. */
   async arrows(settings, stop) {
     const { canvas } = this.page;
     this.overlay.style.cssText = `left:${canvas.offsetLeft}px;top:${canvas.offsetTop}px;width:${canvas.offsetWidth}px;height:${canvas.offsetHeight}px`;
@@ -213,14 +225,17 @@ class Noise {
     return `${KINDS[settings.kind][1]} noise in ${told.dimension} dimensions, ${SUMS[settings.sum][2].toLowerCase()}${told.warp ? ', warped' : ''}, ${told.flow ? 'as a flow in colours of its direction' : 'in grey'}, ${across} cells across. ${noise.keys}`;
   }
 
-  /** Values all over the noise: the square leans, as a slice would see some places of a cell alone. */
+  /**
+   * Values throughout the noise: the square is tilted, because a slice would sample only some
+   * positions of cells.
+   */
   everywhere(settings) {
     const half = MEASURED_SIDE * MEASURED_STEP / 2, { centre } = this.place(settings);
     const right = [half, 0, 0.317 * half, 0.239 * half], up = [0, half, 0.211 * half, 0.421 * half];
     return this.numbers(settings, { centre: [0, 0, ...centre.slice(2)], right, up }, MEASURED_SIDE, 1);
   }
 
-  /** Arrows, distribution and spectrum, when the picture rests. */
+  /** Updates arrows, distribution and spectrum when the image is final. */
   async after(settings, stop) {
     this.distribution.hidden = this.spectrum.hidden = !settings.charts;
     if (!this.page.gpu) return;
@@ -237,23 +252,23 @@ class Noise {
     this.charted = key;
   }
 
-  /** Whether the module tells the field's values, too. */
+  /** Whether the module also evaluates the field. */
   hasValues({ kind, sum, dimension, warp }) { return kind === 4 && sum < 2 && dimension === 3 && !warp; }
 
-  /** Values and slopes of the module at points of the picture, x and y from −1 to 1. */
+  /** Returns values and slopes from the module at points of the image, x and y from −1 to 1. */
   samples(settings, size, places) {
     const spec = this.spec(settings, size), { centre, right, up } = this.place(settings);
     const points = places.flatMap(([x, y]) => centre.map((c, k) => c + x * right[k] + y * up[k]).slice(0, spec[0]));
     return floats(this.page.rust.noise_samples(spec, new Float32Array(points)));
   }
 
-  /** Values a second of this field by the graphics card, and by the crate in WebAssembly. */
+  /** Measures values per second of this field, on the GPU and with the crate in WebAssembly. */
   async measure(button) {
     const { page } = this, { settings, gpu } = page, said = [];
     button.disabled = true;
     const tell = (name, rate) => {
       said.push(`${name} ${rate >= 1e9 ? `${(rate / 1e9).toPrecision(3)} billion` : `${(rate / 1e6).toPrecision(3)} million`}`);
-      this.speed.textContent = `Values a second: ${said.join('; ')}.`;
+      this.speed.textContent = `Values per second: ${said.join('; ')}.`;
     };
     this.speed.textContent = 'Measuring …';
     await new Promise(resolve => setTimeout(resolve, 20));
@@ -303,7 +318,10 @@ class Noise {
     return { near: Math.min(8, Math.max(-2, +(settings.near - Math.log2(factor)).toFixed(3))) };
   }
 
-  /** Values and slopes of the graphics card beside the module's, where that has them: the most that they differ. */
+  /**
+   * Compares values and slopes of the GPU with the module's, if available, and returns the maximum
+   * difference.
+   */
   async compared(side = 32) {
     const { settings } = this.page, told = this.told(settings), place = this.place(settings);
     if (!this.hasValues(told)) return null;
@@ -317,7 +335,7 @@ class Noise {
   rustCode(settings) { return rustOf(settings, this.told(settings), this.place(settings).centre, this.spec(settings, this.page.full())[9]); }
 }
 
-/** A histogram with the Gaussian curve of its mean and variance, and what it says. */
+/** A histogram with the Gaussian curve of its mean and variance, and its statistics. */
 function distributionOf(values) {
   const count = values.length, mean = values.reduce((sum, x) => sum + x, 0) / count;
   const [second, third, fourth] = [2, 3, 4].map(k => values.reduce((sum, x) => sum + (x - mean) ** k, 0) / count);
@@ -336,7 +354,7 @@ function distributionOf(values) {
     const x = from + 8 * deviation * k / 120;
     return [x, Math.exp(-((x - mean) ** 2) / (2 * second)) / (deviation * Math.sqrt(2 * Math.PI))];
   });
-  // A single value, as of an octave that is 0 in places, would leave nothing of the rest to see.
+  // A single value, such as an octave that is 0 in places, would hide the rest.
   const most = Math.min(bars.reduce((a, b) => Math.max(a, b), 0), 3 * curve[60][1]) * 1.06;
   const svg = chart({
     label: caption.textContent, across: 'value', up: 'density', curves: [{ points: steps, kind: 'area' }, { points: curve, kind: 'line' }],
@@ -345,14 +363,14 @@ function distributionOf(values) {
   return [svg, caption];
 }
 
-/** Power by frequency, both in powers of ten, and where most of it is. */
+/** Power by frequency, both logarithmic, and the frequency of maximum power. */
 function spectrumOf(rings) {
   const known = rings.filter(([, power]) => power > 1e-14), logs = known.map(ring => ring.map(Math.log10));
   const powers = logs.map(([, power]) => power), top = powers.reduce((a, b) => Math.max(a, b), -14);
   const peak = known[powers.indexOf(top)], ends = [known[0], known.at(-1)];
   const text = peak
     ? `Power spectrum of ${MEASURED_SIDE}² values of a slice ${SPECTRUM_CELLS} cells wide, mean over all directions. The greatest power is at ${peak[0].toPrecision(2)} waves a cell; at ${ends[1][0].toPrecision(2)} it is ${(top - powers.at(-1)).toFixed(1)} powers of ten lower.`
-    : 'There is no power: the slice has one value alone.';
+    : 'No power: the slice is constant.';
   const caption = element('figcaption', {}, text);
   if (!peak) return [caption];
   const power = k => `10${[...String(k)].map(c => '⁰¹²³⁴⁵⁶⁷⁸⁹'[+c] ?? '⁻').join('')}`;
@@ -363,7 +381,7 @@ function spectrumOf(rings) {
   return [chart({ label: text, across: 'waves a cell', up: 'power', xs, ys: { from: bottom, to: high, ticks }, curves: [{ points: logs, kind: 'line' }] }), caption];
 }
 
-/** A program of the crate that has the same values. */
+/** A program of the crate with the same values. */
 function rustOf(settings, { sum, dimension, warp, flow, octaves }, centre, footprint) {
   const [, , type] = KINDS[settings.kind], shape = SUMS[settings.sum][3], names = new Set([type]);
   const use = name => { names.add(name); return name; };
@@ -375,7 +393,7 @@ function rustOf(settings, { sum, dimension, warp, flow, octaves }, centre, footp
   const clamped = footprint > 0 ? `.clamped(${number(footprint)})` : '';
   const lines = [`let noise = ${made};`];
   const vector = `Vec${dimension}`, seeds = from => Array.from({ length: dimension }, (_, k) => settings.seed + from + k).join(', ');
-  // A sum of a seed, before its shape; what warps has none.
+  // The sum of a seed, before its shape. Warp fields have no shape.
   const needsSums = sum === 1 || sum && warp;
   if (sum) lines.push(`let spectrum = ${use('Spectrum')}::new(${number(settings.lacunarity)}, ${number(settings.gain)}, ${NOISE_OCTAVES})?;`);
   if (needsSums) {

@@ -1,4 +1,5 @@
-// A density that is painted: a square of texels over the disk of normals, by pointer, by keys, from a picture.
+// A painted density: a square of texels over the disk of normals, edited by pointer, keys, or from
+// an image.
 
 import { element } from './controls.mjs';
 
@@ -6,7 +7,10 @@ const SIDE = 40;
 const LEVELS = 15;
 const ALPHABET = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_';
 
-/** The editor of a painted density; `onchange(text)` hears of strokes, `onerror(error)` of pictures that cannot be read. */
+/**
+ * The editor of a painted density; `onchange(text)` is called for strokes, `onerror(error)` for
+ * unreadable images.
+ */
 export class Painting {
   constructor() {
     this.side = SIDE;
@@ -16,7 +20,7 @@ export class Painting {
     this.initial = this.text();
   }
 
-  /** Texels as a density, the bottom row first as the crate counts. */
+  /** Returns texels as a density, bottom row first as in the crate. */
   density() {
     const texels = new Float32Array(SIDE * SIDE);
     for (let j = 0; j < SIDE; j++) {
@@ -25,7 +29,7 @@ export class Painting {
     return { side: SIDE, texels };
   }
 
-  /** The painting in a link: three texels are two letters. */
+  /** Encodes the painting in a link: three texels in two letters. */
   text() {
     let text = '';
     for (let k = 0; k < SIDE * SIDE; k += 3) {
@@ -35,7 +39,7 @@ export class Painting {
     return text;
   }
 
-  /** Shows a link's painting; the first one where it holds none. */
+  /** Displays a link's painting, or the default painting. */
   show(text) {
     const wanted = text || this.initial;
     if (wanted === this.text()) return;
@@ -57,7 +61,7 @@ export class Painting {
     this.fill((x, y) => kinds[kind](x, y));
   }
 
-  /** Texels from a function of the normal's x and y, its greatest value the brightest. */
+  /** Sets texels from a function of the normal's x and y, scaled to its maximum. */
   fill(value) {
     const at = k => (2 * k + 1) / SIDE - 1, values = [];
     for (let j = 0; j < SIDE; j++) for (let i = 0; i < SIDE; i++) values.push(Math.hypot(at(i), at(j)) < 1 ? value(at(i), -at(j)) : 0);
@@ -80,9 +84,9 @@ export class Painting {
     this.onchange(this.text());
   }
 
-  /** A picture's grey values as the density, or the normals of a normal map counted. */
+  /** Sets the density from an image's gray values, or from the normals of a normal map. */
   async read(file) {
-    const picture = await createImageBitmap(file).catch(() => { throw new Error(`${file.name} is no picture that this browser reads.`); });
+    const picture = await createImageBitmap(file).catch(() => { throw new Error(`${file.name} is not an image that this browser supports.`); });
     if (!picture.width || !picture.height) throw new Error(`${file.name} has no pixels.`);
     const size = Math.min(512, Math.max(picture.width, picture.height)), canvas = new OffscreenCanvas(size, size), context = canvas.getContext('2d');
     context.drawImage(picture, 0, 0, size, size);
@@ -92,7 +96,7 @@ export class Painting {
     const cells = new Float32Array(SIDE * SIDE);
     for (let k = 0; k < data.length; k += 4) {
       const at = k / 4;
-      // Most pixels of a normal map are blue: the normals lean little.
+      // Most pixels of a normal map are blue, because normals are tilted little.
       const [i, j, weight] = coloured > 0.8 * count
         ? [Math.floor(data[k] / 256 * SIDE), Math.floor((255 - data[k + 1]) / 256 * SIDE), 1]
         : [Math.floor(at % size / size * SIDE), Math.floor(Math.floor(at / size) / size * SIDE), data[k] + data[k + 1] + data[k + 2]];
@@ -117,7 +121,7 @@ export class Painting {
   element() {
     this.canvas = element('canvas', {
       id: 'painting', width: SIDE, height: SIDE, tabindex: 0, role: 'application',
-      'aria-label': 'The density of normals as a painting. Paint with the pointer; or move with the arrow keys, paint with Space, take away with Delete.',
+      'aria-label': 'The normal density as a painting. Paint with the pointer, or move with the arrow keys, paint with Space, erase with Delete.',
     });
     const at = event => {
       const box = this.canvas.getBoundingClientRect();
@@ -149,6 +153,6 @@ export class Painting {
     queueMicrotask(() => this.draw());
     return element('div', { class: 'painting' }, this.canvas,
       element('div', { class: 'field' }, element('label', { for: 'painting-start' }, 'Painting'), start),
-      element('div', { class: 'field' }, element('label', { for: 'painting-file' }, 'A picture, or a normal map, as density'), picture));
+      element('div', { class: 'field' }, element('label', { for: 'painting-file' }, 'An image or a normal map as density'), picture));
   }
 }

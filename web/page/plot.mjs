@@ -1,14 +1,14 @@
-// A fractal interpolation function as a curve with bounds, whose knots and factors are under one's hands.
+// A fractal interpolation function as a curve with bounds and draggable knots and factors.
 
 import { drawn } from './charts.mjs';
 import { element } from './controls.mjs';
 
 const MOST_KNOTS = 24;
 const EDGE = { left: 52, right: 10, top: 10, bottom: 24 };
-/** The functions that are drawn: setting, order of integration, name. */
+/** The plotted functions: setting, order of integration, name. */
 export const CURVES = [['f', 0, 'f'], ['integral', 1, 'f̂']];
 
-/** Knots and factors as a link holds them, and back. */
+/** Converts knots and factors to link text, and back. */
 export function functionOf({ knots, factors }) {
   const points = knots.split(';').map(point => point.split(',').map(word => word === '' ? NaN : Number(word)));
   return { x: points.map(([x]) => x), y: points.map(([, y]) => y ?? NaN), d: factors.split(',').map(Number) };
@@ -18,16 +18,16 @@ export function settingsOfFunction({ x, y, d }) {
   return { knots: x.map((x, k) => `${x},${y[k]}`).join(';'), factors: d.join(',') };
 }
 
-/** The function as the module reads it. */
+/** The function in the module's encoding. */
 export const numbersOf = ({ x, y, d }) => [x.length, ...x, ...y, ...d];
 
 export const doubles = words => new Float64Array(words.buffer, 0, words.length >> 1);
 
-/** A number that is as exact as a thousandth of a span is worth. */
+/** Rounds a number to about a thousandth of a span. */
 const sharpened = (x, span) => +x.toFixed(Math.max(0, Math.min(15, Math.ceil(3 - Math.log10(span)))));
 const numeral = (x, span = 0) => String(Math.abs(x) < 1e-9 * span ? 0 : +x.toPrecision(6)).replaceAll('-', '−');
 
-/** The curve: a drawing with handles. `change(values)` hears what hands do. */
+/** The curve: a drawing with handles. `change(values)` is called for edits. */
 export class Plot {
   constructor(page, change) {
     Object.assign(this, { page, change, selected: 1, handles: [] });
@@ -47,7 +47,7 @@ export class Plot {
     });
   }
 
-  /** The function of the settings, drawn already or not. */
+  /** The function of the settings, plotted already or not. */
   get shape() { return functionOf(this.page.settings); }
 
   inside() { return this.width - EDGE.left - EDGE.right; }
@@ -65,7 +65,7 @@ export class Plot {
     return doubles(this.page.rust.fractal_bounds([order, from, to, width, ...numbersOf(this.shape)]));
   }
 
-  /** The settings with one more knot, on the curve. */
+  /** Returns the settings with one more knot, on the curve. */
   added(place) {
     const { x, y, d } = this.shape, k = x.findIndex(knot => knot > place);
     if (k < 1 || x.length >= MOST_KNOTS) return null;
@@ -77,7 +77,7 @@ export class Plot {
     });
   }
 
-  /** The settings without the knot that was last in one's hands. */
+  /** Returns the settings without the last edited knot. */
   removed(k = this.selected) {
     const { x, y, d } = this.shape;
     if (x.length <= 3 || k >= x.length) return null;
@@ -85,7 +85,7 @@ export class Plot {
     return settingsOfFunction({ x: x.toSpliced(k, 1), y: y.toSpliced(k, 1), d: d.toSpliced(Math.min(k, d.length - 1), 1) });
   }
 
-  /** Draws the settings; the crate's sentence is thrown where it refuses them. */
+  /** Plots the settings; throws the crate's error for invalid settings. */
   draw(settings) {
     const { x, y } = this.shape, finite = x.every(Number.isFinite) && Math.max(...x) > Math.min(...x);
     const [first, last] = finite ? [Math.min(...x), Math.max(...x)] : [0, 1];
@@ -96,14 +96,14 @@ export class Plot {
     const span = 1.06 * (last - first) / 10 ** settings.nearer;
     this.window = { middle: settings.at === '' ? (first + last) / 2 : Math.min(Math.max(+settings.at, first), last), span };
     const spread = Math.max(...y) - Math.min(...y);
-    /** How far a factor of 1 is from its chord. */
+    /** Distance of a factor of 1 from its chord. */
     this.rise = spread > 0 && spread < Infinity ? spread / 2 : 1;
     const shown = CURVES.filter(([name]) => settings[name]);
     const [from, to] = [-1, 1].map(side => this.window.middle + side / 2 * span);
     let error = null, curves = [];
     try {
       const rough = shown.map(([, order]) => this.bounds(order, from, to, 2e-3 * this.rise / 10 ** settings.nearer));
-      // Near by, curves are far from one another: the first one fills the drawing.
+      // At high zoom curves are far apart: the first curve fills the drawing.
       if (!this.held) this.fit(settings.nearer > 0.3 ? rough.slice(0, 1) : rough, settings.nearer > 0.3);
       const step = (this.top - this.bottom) / this.height / 3, columns = Math.round(this.inside() * 1.5);
       curves = shown.map(([, order]) => this.ask(order, from, to, columns, step));
@@ -118,7 +118,7 @@ export class Plot {
     if (error) throw error;
   }
 
-  /** The heights that are drawn: all that the curves have here, and handles. */
+  /** The plotted range of heights: all curves in view, and handles. */
   fit(ranges, isNear) {
     const { x, y, d } = this.shape, within = at => Math.abs(at - this.window.middle) < this.window.span / 2;
     const here = y.filter((_, k) => within(x[k]));
@@ -172,7 +172,7 @@ export class Plot {
       shown.map(([name, , letter], k) => `<text class="name ${name}" x="${right - 14 - 26 * (shown.length - 1 - k)}" y="${EDGE.top + 18}">${letter}</text>`).join('');
   }
 
-  /** What is known of the functions, in words. */
+  /** Describes the functions in words. */
   tell(shown, bounds) {
     const key = JSON.stringify([this.shape, shown, bounds]), { x } = this.shape, unit = 10 ** (Math.floor(Math.log10(this.rise)) - 3);
     if (this.told === key && this.facts.children.length) return;
@@ -180,7 +180,7 @@ export class Plot {
     this.facts.replaceChildren(...shown.map(([, order, name]) => {
       const [least, , leastAt, , most, mostAt, total, rough, rougher] = doubles(this.page.rust.fractal_facts([order, ...numbersOf(this.shape)]));
       const dimension = rougher - rough < 1e-6 ? numeral(rough) : `${numeral(rough)} to ${numeral(rougher)}`;
-      // What is proven is rounded outwards.
+      // Proven bounds are rounded outward.
       const outwards = (end, round) => String(+(round(end / unit) * unit).toPrecision(12)).replace('-', '−');
       const ends = k => { const [lo, hi] = this.bounds(order, x[k - 1], x[k], 1e-3 * this.rise); return `${outwards(lo, Math.floor)} to ${outwards(hi, Math.ceil)}`; };
       const between = bounds ? ` Proven between knots: ${x.slice(1).map((_, k) => ends(k + 1)).join('; ')}.` : '';
@@ -248,7 +248,7 @@ export class Plot {
     return handle;
   }
 
-  /** The settings with a handle moved, in units of the drawing. */
+  /** Returns the settings with a handle moved, in units of the drawing. */
   pulled(at, dx, dy) {
     const { x, y, d } = this.shape, k = at >> 1;
     if (at > 2 * x.length - 2) return null;
@@ -264,7 +264,7 @@ export class Plot {
     return settingsOfFunction({ x: x.with(k, moved), y: dy === 0 ? y : y.with(k, sharpened(y[k] + up, high)), d });
   }
 
-  /** The drawing as pixels, with the colours that it has. */
+  /** Returns the drawing as pixels, in its current colors. */
   async pixels() {
     const copy = this.svg.cloneNode(true), [mine, theirs] = [this.svg, copy].map(svg => [svg, ...svg.querySelectorAll('*')]);
     mine.forEach((part, k) => {
@@ -284,7 +284,7 @@ export class Plot {
   }
 }
 
-/** Fields of all knots and factors; `change(values)` hears of input. */
+/** Fields of all knots and factors; `change(values)` is called for input. */
 export class KnotFields {
   constructor(plot, change) {
     Object.assign(this, { plot, change, inputs: [] });

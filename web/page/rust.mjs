@@ -1,6 +1,9 @@
-// The crates as a module: questions of numbers and words, answered in words.
+// The crates as a module: queries of numbers and words, answered in words.
 
-/** The module's questions as functions: `rust.painted_map(numbers, words)` gives a Uint32Array, or throws the crate's sentence. */
+/**
+ * The module's queries as functions: `rust.painted_map(numbers, words)` returns a Uint32Array, or
+ * throws the crate's error.
+ */
 export async function loadRust(bytes) {
   const { instance: { exports } } = await WebAssembly.instantiate(bytes, {});
   const sentence = () =>
@@ -20,12 +23,12 @@ export async function loadRust(bytes) {
   return rust;
 }
 
-/** The bits of numbers in 32 bits, as whole numbers. */
+/** Returns the bits of 32-bit floats as integers. */
 export function bits(array) {
   return array instanceof Float32Array ? new Uint32Array(array.buffer, array.byteOffset, array.length) : array;
 }
 
-/** Words as numbers in 32 bits. */
+/** Returns words as 32-bit floats. */
 export function floats(words) {
   return new Float32Array(words.buffer, words.byteOffset, words.length);
 }

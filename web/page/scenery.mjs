@@ -1,4 +1,4 @@
-// What materials are seen on: a car, a room, a cup; lengths in metres, z up.
+// Objects for materials: a car, a room, a cup; lengths in meters, z up.
 
 import { Mesh, grid } from './mesh.mjs';
 import { add, cross, direction, dot, length, scale, subtract } from './vector.mjs';
@@ -11,7 +11,7 @@ const rise = (low, high, x) => {
 const LENGTH = 2.15;
 const BELT = 0.86;
 
-/** A place of the car's body, along it and around it from 0 to 1. */
+/** Returns a point of the car's body, at positions along it and around it from 0 to 1. */
 function body(along, around) {
   const x = LENGTH * Math.sin(Math.PI * (along - 0.5)), a = 2 * Math.PI * around, [sin, cos] = [Math.sin(a), Math.cos(a)];
   const closing = Math.max(1 - (Math.abs(x) / LENGTH) ** 6, 0) ** (1 / 4.4);
@@ -26,7 +26,10 @@ function body(along, around) {
   return [x, Math.sqrt(closing) * breadth * lean * round(cos, 0.5), z];
 }
 
-/** The body of a car, nose at +x; texture coordinates are metres along it and about metres around. */
+/**
+ * The body of a car, front at +x; texture coordinates are meters along it and approximate meters
+ * around it.
+ */
 export function carBody() {
   const step = 1.5e-3;
   return new Mesh(grid(180, 110, (along, around) => {
@@ -40,7 +43,10 @@ export function carBody() {
   }), 'car');
 }
 
-/** A profile of radii and heights, turned about the z axis, its outside to the right of the way along it. */
+/**
+ * A surface of revolution about the z axis from radii and heights, outside to the right of the
+ * profile.
+ */
 function turnedProfile(points, steps, place = p => p, palette = 0) {
   const corner = (u, v) => {
     const k = Math.min(Math.floor(u * (points.length - 1)), points.length - 2), part = u * (points.length - 1) - k;
@@ -65,7 +71,10 @@ export function wheels() {
   return new Mesh(corners, 'wheels');
 }
 
-/** A flat piece from a corner along two sides, with texture coordinates in metres, or in a colour of the palette. */
+/**
+ * A flat piece from a corner and two sides, with texture coordinates in meters, or in a palette
+ * color.
+ */
 function flat(from, along, up, palette) {
   const [w, h] = [length(along), length(up)], n = direction(cross(along, up)), t = direction(along);
   return grid(1, 1, (u, v) => ({
@@ -73,7 +82,7 @@ function flat(from, along, up, palette) {
   }));
 }
 
-/** Flat pieces whose texture coordinates are told from a focus too. */
+/** Flat pieces whose texture coordinates are also relative to a focus. */
 class Room extends Mesh {
   from(focus) {
     return new Mesh(this.corners.map(({ p, n, t, uv }) => {
@@ -83,7 +92,10 @@ class Room extends Mesh {
   }
 }
 
-/** A room of four by four metres: the floor and a block on it, and the walls; each of the material, or painted. */
+/**
+ * A room of four by four meters: the floor and a block on it, and the walls; each of the material,
+ * or painted.
+ */
 export function room(of) {
   const [floor, walls] = [of === 'walls' ? 4 : undefined, of === 'floor' ? 3 : undefined];
   const pieces = { floor: [], walls: [] };
@@ -95,13 +107,13 @@ export function room(of) {
   });
   pieces.floor.push(...flat([a[0], a[1], h], [1, 0, 0], [0, 1, 0], floor));
   for (const [p, along] of [[[2, -2, 0], [0, 4, 0]], [[-2, 2, 0], [0, -4, 0]], [[2, 2, 0], [-4, 0, 0]], [[-2, -2, 0], [4, 0, 0]]]) {
-    // Inwards is to the left of the way around.
+    // Inward is to the left of the path around.
     const end = add(p, along);
     pieces.walls.push(...flat(end, scale(along, -1), [0, 0, 2.5], walls));
   }
   const own = [...(floor === undefined ? pieces.floor : []), ...(walls === undefined ? pieces.walls : [])];
   const other = [...(floor === undefined ? [] : pieces.floor), ...(walls === undefined ? [] : pieces.walls)];
-  // Rays pass through walls from behind, as eyes do.
+  // Rays pass through walls from behind, like views.
   const all = Object.assign(new Mesh([...own, ...other], 'room'), { oneSided: true });
   return { own: new Room(own, 'room'), other: new Mesh(other, 'other'), all };
 }
@@ -118,12 +130,12 @@ export function cup() {
   return new Mesh([...handle, ...turnedProfile(outside, 64, undefined, 5), ...turnedProfile(plate, 64, undefined, 5), ...turnedProfile(tea, 64, undefined, 6)], 'cup');
 }
 
-/** A square of ground about the origin, at the height 0. */
+/** A square of ground about the origin, at height 0. */
 export function ground(half) {
   return new Mesh(flat([-half, -half, 0], [2 * half, 0, 0], [0, 2 * half, 0], 0), 'ground');
 }
 
-/** A box about everything, seen from within, in the palette's sky. */
+/** A box around everything, seen from inside, in the palette's sky. */
 export function sky(half) {
   const corners = [];
   for (let axis = 0; axis < 3; axis++) {

@@ -1,4 +1,4 @@
-//! Digests of floats, and the points to take them at.
+//! Digests of floats, and the points at which they are taken.
 
 use alloc::{format, string::String};
 use core::fmt::Write;
@@ -6,7 +6,7 @@ use core::fmt::Write;
 use asperity_noise::simd::Level;
 use asperity_shading::glam::{DVec2, DVec3, Vec2, Vec3};
 
-/// Lines of groups, names and digests, with tabs between.
+/// Tab-separated lines of groups, names and digests.
 pub(crate) struct Report {
     pub(crate) text: String,
     group: &'static str,
@@ -19,12 +19,12 @@ impl Default for Report {
 }
 
 impl Report {
-    /// The lines that follow are of this group.
+    /// Starts a group for the lines that follow.
     pub(crate) fn group(&mut self, name: &'static str) {
         self.group = name;
     }
 
-    /// A line for what is pushed.
+    /// Adds a line for the pushed values.
     pub(crate) fn row(&mut self, name: &str, push: impl FnOnce(&mut Digest)) {
         let mut digest = Digest(0xcbf2_9ce4_8422_2325);
         push(&mut digest);
@@ -42,7 +42,8 @@ impl Digest {
 
     fn word(&mut self, bits: u64) {
         self.0 = (self.0 ^ bits).wrapping_mul(0x0100_0000_01b3);
-        // Sign and exponent are the highest bits, which a product alone carries out of the word.
+        // Sign and exponent are the highest bits, which a product alone would shift out of the
+        // word.
         self.0 ^= self.0 >> 29;
     }
 }
@@ -54,7 +55,7 @@ pub(crate) trait Bits {
 
 impl Bits for f32 {
     fn push_to(self, digest: &mut Digest) {
-        // WebAssembly leaves the bits of a NaN open.
+        // WebAssembly does not specify the bits of NaN.
         digest.word(if self.is_nan() { 1 << 40 } else { self.to_bits().into() });
     }
 }
@@ -98,7 +99,7 @@ macro_rules! vectors {
 
 vectors! { Vec2 Vec3 DVec2 DVec3 }
 
-/// Number `axis` of point `i`, in [0, 1).
+/// Returns number `axis` of point `i`, in [0, 1).
 pub(crate) fn unit(i: u32, axis: u32) -> f32 {
     let mut word = i.wrapping_mul(0x9e37_79b9) ^ axis.wrapping_mul(0x85eb_ca6b) ^ 0x27d4_eb2f;
     for _ in 0..2 {
@@ -107,22 +108,23 @@ pub(crate) fn unit(i: u32, axis: u32) -> f32 {
     (word >> 8) as f32 / 16_777_216.0
 }
 
-/// Point `i` of the unit square.
+/// Returns point `i` of the unit square.
 pub(crate) fn square(i: u32) -> Vec2 {
     Vec2::new(unit(i, 0), unit(i, 1))
 }
 
-/// Point `i` of a square about the origin: places on a surface, pairs of Gaussian numbers.
+/// Returns point `i` of a square about the origin: positions on a surface, pairs of Gaussian
+/// numbers.
 pub(crate) fn plane(i: u32) -> Vec2 {
     (square(i) - 0.5) * 6.0
 }
 
-/// Point `i` of a cube about the origin.
+/// Returns point `i` of a cube about the origin.
 pub(crate) fn space(i: u32) -> Vec3 {
     (square(i).extend(unit(i, 2)) - 0.5) * 9.0
 }
 
-/// Direction `i` of the upper hemisphere.
+/// Returns direction `i` of the upper hemisphere.
 pub(crate) fn direction(i: u32) -> Vec3 {
     (square(i) - 0.5).extend(0.01 + 0.5 * unit(i, 3)).normalize()
 }

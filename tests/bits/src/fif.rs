@@ -29,7 +29,7 @@ impl Bits for Hit {
     }
 }
 
-/// Abscissa `i` in an interval.
+/// Returns abscissa `i` in an interval.
 fn within(domain: Interval, i: u32) -> f64 {
     domain.lo + (domain.hi - domain.lo) * f64::from(unit(i, 0))
 }
@@ -115,7 +115,7 @@ fn surfaces(report: &mut Report) -> Option<()> {
 pub(crate) fn tell(report: &mut Report) {
     for part in [curves, surfaces] {
         if part(report).is_none() {
-            report.row("a system is refused", |_| ());
+            report.row("invalid system", |_| ());
         }
     }
 }

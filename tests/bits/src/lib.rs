@@ -13,7 +13,8 @@ use alloc::string::String;
 
 use digest::Report;
 
-/// A line with the SIMD level, then one line a function: its group, its name and a digest of its values at many points.
+/// Returns a line with the SIMD level, then a line per function: group, name and digest of its
+/// values at many points.
 #[must_use]
 pub fn report() -> String {
     let mut report = Report::default();

@@ -1,4 +1,4 @@
-//! The report of the machine that this program runs on.
+//! Prints the report of the machine that runs this program.
 #![cfg_attr(feature = "freestanding", no_std, no_main)]
 
 #[cfg(not(feature = "freestanding"))]

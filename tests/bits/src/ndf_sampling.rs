@@ -5,8 +5,8 @@ use alloc::{format, vec::Vec};
 use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, Blend, BlinnPhong, ClosedForm, ConditionalNdf, ConditionalTable, Frame,
     GaussianSplit, Ggx, Isotropic, KurtoticNoise, Measure, Microfacet, Mixture, Ndf, NdfMap, NoiseCdfRef,
-    NoiseDistribution, NormalTable, OffsetBeckmann, Reconstruction, Rotated, StudentT, Ward,
-    estimate_ndf, inverse_phi, phi,
+    NoiseDistribution, NormalTable, OffsetBeckmann, Reconstruction, Rotated, StudentT, Ward, estimate_ndf,
+    inverse_phi, phi,
 };
 use asperity_shading::glam::{Vec2, Vec3};
 
@@ -33,7 +33,7 @@ fn masking(bits: &mut Digest, ndf: &dyn Microfacet) {
     }
 }
 
-/// Coordinates of points, axis by axis.
+/// Returns coordinates of points, axis by axis.
 fn lists<const N: usize>(of: impl Fn(u32) -> [f32; N]) -> [Vec<f32>; N] {
     core::array::from_fn(|axis| (0..POINTS).map(|i| of(i)[axis]).collect())
 }
@@ -163,7 +163,7 @@ fn distributions(report: &mut Report) -> Option<()> {
 pub(crate) fn tell(report: &mut Report) {
     for part in [densities, tables, distributions] {
         if part(report).is_none() {
-            report.row("a density is refused", |_| ());
+            report.row("invalid density", |_| ());
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Golden bits of noise: the values that its own test has pinned too.
+//! Golden bits of noise: the same values as pinned in the crate's own test.
 
 #[path = "../../../crates/noise/tests/golden/computed.rs"]
 mod computed;

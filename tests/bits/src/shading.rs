@@ -118,7 +118,7 @@ fn images(report: &mut Report) -> Option<()> {
 pub(crate) fn tell(report: &mut Report) {
     for part in [reflectances, materials, images] {
         if part(report).is_none() {
-            report.row("a material is refused", |_| ());
+            report.row("invalid material", |_| ());
         }
     }
 }

@@ -1,4 +1,5 @@
-//! A bump-mapped patch above a fractal curve, drawn row by row from tables in flash, without an allocator.
+//! A bump-mapped patch above a fractal curve, rendered row by row from tables in flash, without an
+//! allocator.
 #![no_std]
 
 #[cfg(feature = "device")]
@@ -17,10 +18,10 @@ pub const WIDTH: usize = 128;
 const PATCH: usize = 96;
 /// Rows of the curve.
 const CURVE: usize = 48;
-/// The bytes before the pixels of a portable grey map.
+/// The header of a portable gray map.
 pub const HEADER: &[u8] = b"P5 128 144 255\n";
 
-/// The density that the table in flash holds: steeper along x than along y.
+/// The density of the table in flash: steeper along x than along y.
 #[must_use]
 pub fn density(m: Vec3) -> f32 {
     let (x, y) = (m.x * 3.0, m.y * 7.0);
@@ -33,32 +34,32 @@ static KNOTS: [f64; 6] = [0.0, 1.0, 2.5, 4.0, 4.75, 6.0];
 static ORDINATES: [f64; 6] = [0.1, 0.75, 0.3, 0.95, 0.5, 0.2];
 static FACTORS: [f64; 5] = [0.3, -0.35, 0.4, 0.25, -0.3];
 
-/// The normals of the table in flash.
+/// Returns the density of the table in flash.
 #[must_use]
 pub fn normals() -> Option<PackedMapRef<'static>> {
     PackedMapRef::new(&tables::DENSITY).ok()
 }
 
-/// The curve of the tables in flash.
+/// Returns the curve of the tables in flash.
 #[must_use]
 pub fn curve() -> Option<FixedFif<5, 2>> {
     FixedFif::affine(&KNOTS, &ORDINATES, &FACTORS).ok()
 }
 
-/// The bump map: exactly Gaussian noise of five octaves.
+/// Returns the bump map: exactly Gaussian noise with five octaves.
 #[must_use]
 pub fn bumps() -> Option<BumpField<GaussianOctaves<3>>> {
     let spectrum = Spectrum::new(2.17, 0.6, 5).ok()?;
     BumpField::new(GaussianOctaves::new(Gaussian::new(19), spectrum), 5.0).ok()
 }
 
-/// The reflectance of the patch.
+/// Returns the reflectance of the patch.
 #[must_use]
 pub fn clay() -> Option<OrenNayar> {
     OrenNayar::new(Vec3::splat(0.9), 0.3, OrenNayarForm::Full).ok()
 }
 
-/// Tells the rows of the picture from the top down; false if a table is refused.
+/// Passes on the rows of the image from the top down. Returns false if a table is invalid.
 pub fn draw(tell: &mut dyn FnMut(&[u8; WIDTH])) -> bool {
     patch(tell).is_some() && graph(tell).is_some()
 }
@@ -94,7 +95,7 @@ fn graph(tell: &mut dyn FnMut(&[u8; WIDTH])) -> Option<()> {
         let top = 1.3 - 1.5 * y as f32 / CURVE as f32;
         let bottom = top - 1.5 / CURVE as f32;
         for (grey, height) in row.iter_mut().zip(heights) {
-            // The part of the pixel that is under the curve.
+            // The fraction of the pixel below the curve.
             let part = ((height - bottom) / (top - bottom)).clamp(0.0, 1.0);
             *grey = level(0.95 - 0.8 * part);
         }
@@ -107,16 +108,16 @@ fn level(x: f32) -> u8 {
     (x.clamp(0.0, 1.0) * 255.0 + 0.5) as u8
 }
 
-/// The FNV-1a hash of bytes (Fowler, Noll, Vo).
+/// Returns the FNV-1a hash of bytes (Fowler, Noll, Vo).
 #[must_use]
 pub fn hash(from: u32, bytes: &[u8]) -> u32 {
     bytes.iter().fold(from, |hash, &byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
 }
 
-/// The hash of nothing.
+/// The hash of empty input.
 pub const START: u32 = 0x811c_9dc5;
 
-/// A word in hexadecimal, as `{:08x}` without the machinery of formatting.
+/// Formats a word in hexadecimal, like `{:08x}` without the formatting machinery.
 #[must_use]
 pub fn hexadecimal(word: u32) -> [u8; 8] {
     core::array::from_fn(|k| {

@@ -1,4 +1,5 @@
-//! The packed map of [`density`](crate::density) in flash; `cargo xtask firmware --ship` writes its file.
+//! The packed map of [`density`](crate::density) in flash. `cargo xtask firmware --ship` writes its
+//! file.
 
 const BYTES: &[u8] = include_bytes!("density.bin");
 const LEN: usize = BYTES.len() / 4;

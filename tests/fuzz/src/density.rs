@@ -1,4 +1,5 @@
-//! Every density: parameters are taken or refused, and all that it tells is finite, for any numbers and directions.
+//! Every density: parameters are accepted or rejected, and all results are finite, for any numbers
+//! and directions.
 
 use asperity_ndf_sampling::level_of_detail::{ConditionalNdf, OffsetBeckmann};
 use asperity_ndf_sampling::normal_map::NormalMapFormat;
@@ -11,7 +12,7 @@ use asperity_ndf_sampling::{
 
 use crate::numbers::Numbers;
 
-/// The promises of every density.
+/// Checks the invariants of every density.
 pub(crate) fn ndf(ndf: &dyn Ndf, numbers: &mut Numbers<'_>) {
     let (z, u, m) = (numbers.pair(), numbers.pair(), numbers.direction());
     for normal in [ndf.from_gaussian(z), ndf.sample(u)] {
@@ -44,7 +45,7 @@ fn density(density: f32) {
     assert!(density >= 0.0 && density.is_finite(), "{density}");
 }
 
-/// The promises of densities with masking.
+/// Checks the invariants of densities with masking.
 pub(crate) fn microfacet(facets: &impl Microfacet, numbers: &mut Numbers<'_>) {
     let (v, w, u) = (numbers.direction(), numbers.direction(), numbers.pair());
     assert!(facets.lambda(v) >= 0.0, "{v}");
@@ -63,7 +64,7 @@ fn refused(error: &RangeError) {
     assert_eq!(error.to_string().lines().count(), 1);
 }
 
-/// A density with masking, if it is one.
+/// Checks a density with masking, if it is valid.
 fn both<N: Microfacet + Copy>(made: Result<N, RangeError>, numbers: &mut Numbers<'_>) {
     match made {
         Ok(facets) => {
@@ -166,7 +167,7 @@ fn distributions(numbers: &mut Numbers<'_>) {
     assert!(!inverse_phi(u).is_nan() || u.is_nan() || !(0.0..=1.0).contains(&u), "{u}");
 }
 
-/// The promises of every distribution of a noise.
+/// Checks the invariants of every noise distribution.
 pub(crate) fn distribution(noise: &dyn NoiseDistribution, numbers: &mut Numbers<'_>) {
     let (r, z, u) = (numbers.float(), numbers.float(), numbers.float());
     assert!(noise.gaussian(r).is_finite(), "{r}");

@@ -1,4 +1,5 @@
-//! Light from images and slopes from normal maps: any texels are taken or refused, and every look-up is finite.
+//! Environments from images and slopes from normal maps: any texels are accepted or rejected, and
+//! every lookup is finite.
 
 use asperity_shading::environment::{
     LatitudeLongitude, PrefilteredMap, light_samples, prefiltered_radiance, split_sum,
@@ -15,7 +16,7 @@ fn light(colour: Vec3) {
     assert!(colour.is_finite() && colour.min_element() >= 0.0, "{colour}");
 }
 
-/// The promises of every environment.
+/// Checks the invariants of every environment.
 fn environment(environment: &dyn Environment, numbers: &mut Numbers<'_>) {
     let sampled = environment.sample(numbers.pair());
     assert!((sampled.length() - 1.0).abs() < 1e-4, "{sampled}");

@@ -1,10 +1,11 @@
-//! Fractal interpolation functions: any data are refused or make a function whose bounds are honest about themselves.
+//! Fractal interpolation functions: any data is rejected, or gives a function with consistent
+//! bounds.
 
 use asperity_fif::{Fif, FixedFif, Interval, Recurrent, box_dimension, fit, oscillation_exponent};
 
 use crate::numbers::Numbers;
 
-/// Knots, mostly in order.
+/// Returns knots, mostly in order.
 fn knots(numbers: &mut Numbers<'_>) -> Vec<f64> {
     let mut x = numbers.list(8, Numbers::double);
     if numbers.byte() < 220 {
@@ -21,7 +22,7 @@ fn factor(numbers: &mut Numbers<'_>) -> f64 {
     }
 }
 
-/// A promise of every system.
+/// Checks an invariant of every system.
 fn system<const C: usize>(f: &Fif<C>, numbers: &mut Numbers<'_>) {
     let (domain, range) = (f.domain(), f.range());
     assert!(
@@ -121,7 +122,7 @@ fn table<const C: usize>(f: &Fif<C>, numbers: &mut Numbers<'_>) {
     }
 }
 
-/// A promise of an affine system, or of its integral.
+/// Checks an invariant of an affine system, or of its integral.
 fn affine(f: &Fif<2>, numbers: &mut Numbers<'_>) {
     if numbers.byte() < 192 {
         system(f, numbers);

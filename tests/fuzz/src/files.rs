@@ -1,4 +1,5 @@
-//! Readers of pictures and meshes: a right result or one line, and no more memory than the file is worth.
+//! Readers of images and meshes: a valid result or a one-line error, with memory in proportion to
+//! the file.
 
 use std::path::Path;
 
@@ -10,10 +11,10 @@ use crate::within;
 
 const MIB: usize = 1 << 20;
 
-/// An image, for which its reader may allocate so many samples whatever the file's size.
+/// Reads an image. The reader may allocate `least` samples for any file size.
 fn image(bytes: Vec<u8>, least: usize) {
-    // The samples that a reader admits, once as bytes, once as planes, and once as the decoder has them in between; a sample of a
-    // byte becomes four.
+    // The samples accepted by a reader: once as bytes, once as planes, and once in the decoder's
+    // intermediate form. A one-byte sample becomes four bytes.
     let most = 16 * MIB + 12 * (1032 * bytes.len()).max(least);
     match within(most, || ImageFile::decode(&bytes, Content::Colors)) {
         Ok(image) => {
@@ -34,7 +35,7 @@ fn one_line(error: &str) {
     assert!(!error.is_empty() && error.lines().count() == 1 && error.len() < 1000, "{error:?}");
 }
 
-/// The file with the first bytes of its format.
+/// Prepends the magic bytes of a format.
 fn beginning(magic: &[u8], data: &[u8]) -> Vec<u8> {
     let mut bytes = data.to_vec();
     bytes.resize(bytes.len().max(magic.len()), 0);
@@ -47,17 +48,18 @@ pub(crate) fn png(data: &[u8]) {
 }
 
 pub(crate) fn exr(data: &[u8]) {
-    // The frame of a display window, of which the file fills a part.
+    // The display window, of which the file fills a part.
     image(beginning(b"\x76\x2f\x31\x01\x02\0\0", data), 16 * MIB);
 }
 
-/// JPEG, WebP and Radiance HDR, and what is none of them.
+/// JPEG, WebP, Radiance HDR, and other data.
 pub(crate) fn picture(data: &[u8]) {
     image(data.to_vec(), 4 * MIB);
 }
 
 fn mesh_of(format: Format, bytes: &[u8], up: Up) {
-    // A triangle of a strip takes a byte, and more than half a kilobyte until its corners have normals.
+    // A triangle of a strip takes a byte in the file, and more than half a kilobyte until its
+    // corners have normals.
     let most = 64 * MIB + 4096 * bytes.len();
     let reading = MeshReading { up, crease: 40.0 };
     match within(most, || mesh_file::decode(format, bytes, Path::new("/nowhere"), reading)) {
@@ -78,7 +80,7 @@ fn mesh_of(format: Format, bytes: &[u8], up: Up) {
     }
 }
 
-/// OBJ, PLY and STL; the first byte chooses.
+/// OBJ, PLY and STL, selected by the first byte.
 pub(crate) fn mesh(data: &[u8]) {
     let Some((&first, bytes)) = data.split_first() else { return };
     let format = [Format::Obj, Format::Ply, Format::Stl][usize::from(first) % 3];

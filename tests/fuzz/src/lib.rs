@@ -1,27 +1,28 @@
-//! Attacks: each takes any bytes, and panics where a promise of a crate or of the builder is broken.
+//! Fuzz targets: each takes any bytes, and panics if an invariant of a crate or of a tool is
+//! violated.
 
-#![expect(clippy::missing_panics_doc, clippy::unwrap_used, reason = "an attack that succeeds is a failure")]
+#![expect(clippy::missing_panics_doc, clippy::unwrap_used, reason = "a panic is the failure")]
 
 #[path = "../../../tools/asperity/src/cli.rs"]
-#[allow(dead_code, reason = "the builder's own, of which the parsers are called")]
+#[allow(dead_code, reason = "part of the tool; only the parsers are called")]
 mod cli;
 #[path = "../../../tools/asperity/src/failure.rs"]
-#[allow(unused, reason = "the builder's own, of which the parsers are called")]
+#[allow(unused, reason = "part of the tool; only the parsers are called")]
 mod failure;
 mod input;
-/// A function of the output that the input needs.
+/// A function of the output module that the input module needs.
 mod output {
     pub fn sha256(bytes: &[u8]) -> String {
         use sha2::{Digest, Sha256};
         Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
     }
 }
-/// Notes are not printed.
+/// Discards notes.
 mod progress {
     pub const fn note(_: &str) {}
 }
 #[path = "../../../tools/asperity/src/quality.rs"]
-#[allow(dead_code, reason = "the builder's own, of which the parsers are called")]
+#[allow(dead_code, reason = "part of the tool; only the parsers are called")]
 mod quality;
 
 mod density;
@@ -41,15 +42,15 @@ mod text;
 
 use numbers::Numbers;
 
-/// The heap, which ends the program where an attack takes more than it may.
+/// The heap, which aborts the program if a fuzz target allocates too much.
 #[cfg(feature = "limits")]
 #[global_allocator]
 static HEAP: cap::Cap<std::alloc::System> = cap::Cap::new(std::alloc::System, usize::MAX);
 
-/// An attack by its name.
+/// A fuzz target with its name.
 pub type Attack = (&'static str, fn(&[u8]));
 
-/// All attacks.
+/// All fuzz targets.
 pub const ATTACKS: [Attack; 17] = [
     ("png", files::png),
     ("exr", files::exr),
@@ -70,15 +71,16 @@ pub const ATTACKS: [Attack; 17] = [
     ("material", |data| material::attack(&mut Numbers::new(data))),
 ];
 
-/// Runs an attack.
+/// Runs a fuzz target.
 ///
 /// # Panics
-/// If there is none of this name, or a promise is broken.
+///
+/// If no target has this name, or an invariant is violated.
 pub fn attack(name: &str, data: &[u8]) {
-    ATTACKS.iter().find(|attack| attack.0 == name).expect("an attack has this name").1(data);
+    ATTACKS.iter().find(|attack| attack.0 == name).expect("a fuzz target of this name").1(data);
 }
 
-/// The result of a reader, with at most so many bytes of memory more than before.
+/// Runs a reader that may allocate at most `most` more bytes.
 #[cfg(feature = "limits")]
 fn within<T>(most: usize, read: impl FnOnce() -> T) -> T {
     HEAP.set_limit(HEAP.allocated() + most).expect("more than is taken");
@@ -87,7 +89,7 @@ fn within<T>(most: usize, read: impl FnOnce() -> T) -> T {
     result
 }
 
-/// The result of a reader.
+/// Runs a reader.
 #[cfg(not(feature = "limits"))]
 fn within<T>(_: usize, read: impl FnOnce() -> T) -> T {
     read()

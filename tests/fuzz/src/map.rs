@@ -1,4 +1,5 @@
-//! Densities from images, normals and lists: any texels are taken or refused, and what is made of them is a density.
+//! Densities from images, normals and lists: any texels are accepted or rejected, and accepted
+//! texels give a density.
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::{
@@ -18,7 +19,7 @@ fn texel(numbers: &mut Numbers<'_>) -> f32 {
     }
 }
 
-/// A promise of every map: as a density or as an array.
+/// Checks an invariant of every map: as a density or as an array.
 fn check(map: &NdfMap, numbers: &mut Numbers<'_>) {
     match numbers.byte() % 4 {
         0 | 1 => ndf(map, numbers),
@@ -34,7 +35,7 @@ fn packed(map: &NdfMap, numbers: &mut Numbers<'_>) {
     assert!(packed.inverse(u).length() < 1.0 + 1e-5, "{u}");
     let back = packed.forward(n);
     assert!(back.cmpge(Vec2::ZERO).all() && back.cmple(Vec2::ONE).all(), "{n}");
-    // The array may come from a file that was spoilt: what it says is then any number, but it says something.
+    // The array may come from a corrupted file: results are then arbitrary numbers.
     let mut spoilt = array;
     for _ in 0..numbers.count(3) {
         let at = numbers.count(spoilt.len() - 1);

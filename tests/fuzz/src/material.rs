@@ -1,4 +1,4 @@
-//! Materials and textures of any parameters, at any point, from anywhere.
+//! Materials and textures with any parameters, at any point, from any direction.
 
 use asperity_shading::glam::Vec3;
 use asperity_shading::level_of_detail::{RemappedOctaves, facet_coordinates, shade_facet};
@@ -17,7 +17,7 @@ use asperity_shading::{
 
 use crate::numbers::Numbers;
 
-/// A size, mostly in range.
+/// Returns a size, mostly in range.
 fn size(numbers: &mut Numbers<'_>) -> f32 {
     if numbers.byte() < 250 { numbers.between(1e-6, 1e6) } else { numbers.float() }
 }
@@ -33,7 +33,7 @@ fn point(numbers: &mut Numbers<'_>) -> SurfacePoint {
         .with_uv(numbers.pair(), [numbers.vector(), numbers.vector()])
 }
 
-/// The promises of every material.
+/// Checks the invariants of every material.
 fn material<M: Material>(made: Result<M, ParameterError>, numbers: &mut Numbers<'_>) {
     let material = match made {
         Ok(material) => material,
@@ -264,7 +264,7 @@ fn bumps(numbers: &mut Numbers<'_>) {
 }
 
 pub(crate) fn attack(numbers: &mut Numbers<'_>) {
-    // Its fibres are measured at 16384 points.
+    // Its fibers are measured at 16384 points.
     if numbers.is_one_in(1024) {
         return carpet(numbers);
     }

@@ -1,4 +1,5 @@
-//! Every kind of noise, sum and transform, at every point: finite, in range, and with the same bits in lists and grids.
+//! Every noise, sum and transform, at every point: finite, in range, and with the same bits in
+//! lists and grids.
 
 use asperity_noise::glam::{Vec2, Vec3, Vec4};
 use asperity_noise::simd::Kernel;
@@ -16,12 +17,12 @@ fn point<V: Point>(numbers: &mut Numbers<'_>) -> V {
     V::from_axes(|_| numbers.float())
 }
 
-/// Whether samples are finite, in the range that the field tells, and the same as values.
+/// Checks that samples are finite, within the field's range, and equal to values.
 fn field<V: Point>(field: &impl Field<V>, slack: f32, numbers: &mut Numbers<'_>) {
     checked(&|p| (field.sample(p), field.value(p)), field.range(), slack, numbers);
 }
 
-/// [`field`], compiled once for each dimension.
+/// [`field`], compiled once per dimension.
 fn checked<V: Point>(
     at: &dyn Fn(V) -> (Sample<V>, f32),
     [low, high]: [f32; 2],
@@ -44,7 +45,7 @@ fn checked<V: Point>(
     }
 }
 
-/// A field of lists and grids, which have the bits of single points.
+/// Checks lists and grids of a field, which have the bits of single points.
 fn many(numbers: &mut Numbers<'_>) {
     let field = Octaves::<_, 3>::new(Perlin2002::new(numbers.word()), Spectrum::CLOUD).first(numbers.float());
     let points: Vec<Vec3> = (0..1 + numbers.count(17)).map(|_| numbers.vector()).collect();
@@ -73,12 +74,13 @@ fn spectrum(numbers: &mut Numbers<'_>) -> Spectrum {
     })
 }
 
-/// The share that rounding adds to the range, in its width: far out that of the corners of simplices up to all of it.
+/// Returns the relative rounding error of the range. Far from the origin the corners of simplices
+/// contribute up to all of it.
 const fn slack(simplicial: bool) -> f32 {
     if simplicial { 1.0 } else { 1e-4 }
 }
 
-/// A kind.
+/// Checks a noise.
 fn kind<V: Point<Coordinates = [f32; N]>, K: Kernel<N> + Noise<V>, const N: usize>(
     noise: K,
     numbers: &mut Numbers<'_>,
@@ -86,7 +88,7 @@ fn kind<V: Point<Coordinates = [f32; N]>, K: Kernel<N> + Noise<V>, const N: usiz
     field::<V>(&noise, slack(K::SIMPLICIAL), numbers);
 }
 
-/// A sum and transforms of a kind.
+/// Checks a sum and transforms of a noise.
 fn transformed<V: Point<Coordinates = [f32; N]>, const N: usize>(numbers: &mut Numbers<'_>) {
     let noise = Perlin2002::new(numbers.word());
     let (low, high, power) = (numbers.share(), numbers.share(), numbers.byte() % 9);
@@ -109,7 +111,7 @@ fn transformed<V: Point<Coordinates = [f32; N]>, const N: usize>(numbers: &mut N
     }
 }
 
-/// The sum of a kind's octaves, unless its gradients may leave the range of floats.
+/// Returns the sum of a noise's octaves, unless its gradients may overflow.
 fn sum<K: Kernel<N> + Copy, const N: usize>(noise: K, numbers: &mut Numbers<'_>) -> Option<Octaves<K, N>> {
     let (spectrum, octaves) = (spectrum(numbers), numbers.float());
     for share in [spectrum.share(octaves), spectrum.weight(octaves, numbers.word() % 20)] {
@@ -122,7 +124,7 @@ fn sum<K: Kernel<N> + Copy, const N: usize>(noise: K, numbers: &mut Numbers<'_>)
     (spectrum.frequency(spectrum.max_octaves() - 1) < 1e30).then(|| sum.first(octaves))
 }
 
-/// Octaves through shapes.
+/// Checks octaves with shapes.
 fn shaped<V: Point<Coordinates = [f32; N]>, const N: usize>(numbers: &mut Numbers<'_>) {
     let Some(sum) = sum::<_, N>(Perlin2002::new(numbers.word()), numbers) else { return };
     match numbers.byte() % 5 {
@@ -138,7 +140,7 @@ fn shaped<V: Point<Coordinates = [f32; N]>, const N: usize>(numbers: &mut Number
     }
 }
 
-/// A kind with second derivatives.
+/// Checks a noise with second derivatives.
 fn curved<V: Point>(noise: &impl Curved<V>, numbers: &mut Numbers<'_>)
 where
     V::Matrix: AsRef<[V::Coordinates]>,

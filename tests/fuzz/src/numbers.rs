@@ -1,12 +1,13 @@
-//! Numbers of every class from the bytes of an attack: ordinary ones, any bits, and neighbours of those that are known for trouble.
+//! Numbers of every class from fuzz input: ordinary numbers, arbitrary bits, and neighbors of
+//! problematic numbers.
 
 use arbitrary::Unstructured;
 use glam::{Vec2, Vec3};
 
-/// The bytes, which give zeros when they are used up.
+/// The bytes, followed by zeros when they are used up.
 pub(crate) struct Numbers<'a>(Unstructured<'a>, &'a [u8]);
 
-/// Places where formulas change, overflow, or lose all digits.
+/// Values at which formulas change, overflow, or lose all precision.
 const SPECIAL: [f64; 32] = [
     0.0,
     1e-45,
@@ -47,9 +48,9 @@ impl<'a> Numbers<'a> {
         Self(Unstructured::new(bytes), bytes)
     }
 
-    /// Whether this is one of the few inputs that may do what takes long: one in so many.
+    /// Whether this is one of the few inputs, one in `many`, that may run expensive checks.
     ///
-    /// All bytes decide together, so that a fuzzer, which keeps what reaches much, does not learn to be slow.
+    /// All bytes decide together, so that a coverage-guided fuzzer does not learn to be slow.
     pub(crate) fn is_one_in(&self, many: u32) -> bool {
         let mixed = |hash: u32, byte: &u8| (hash ^ u32::from(*byte)).wrapping_mul(0x0100_0193);
         (self.1.iter().fold(0x811c_9dc5, mixed) >> 8).is_multiple_of(many)
@@ -59,7 +60,7 @@ impl<'a> Numbers<'a> {
         self.0.is_empty()
     }
 
-    /// The bytes that are left.
+    /// Returns the remaining bytes.
     pub(crate) fn rest(&mut self) -> &'a [u8] {
         self.0.bytes(self.0.len()).unwrap_or_default()
     }
@@ -72,7 +73,7 @@ impl<'a> Numbers<'a> {
         self.0.arbitrary().unwrap_or_default()
     }
 
-    /// A count from 0 to `most`.
+    /// Returns a count from 0 to `most`.
     pub(crate) fn count(&mut self, most: usize) -> usize {
         self.0.int_in_range(0..=most).unwrap_or_default()
     }
@@ -121,7 +122,7 @@ impl<'a> Numbers<'a> {
         Vec3::new(self.float(), self.float(), self.float())
     }
 
-    /// A number from 0 to 1, both ends among them.
+    /// Returns a number from 0 to 1, including both ends.
     pub(crate) fn share(&mut self) -> f32 {
         match self.byte() {
             0 => 0.0,
@@ -132,7 +133,7 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// A number of any order of magnitude between two that are positive.
+    /// Returns a number of any magnitude between two positive numbers.
     pub(crate) fn between(&mut self, low: f32, high: f32) -> f32 {
         match self.byte() {
             0 => low,
@@ -145,14 +146,14 @@ impl<'a> Numbers<'a> {
         Vec3::new(self.share(), self.share(), self.share())
     }
 
-    /// A unit vector, along the horizon too.
+    /// Returns a unit vector, including along the horizon.
     pub(crate) fn unit(&mut self) -> Vec3 {
         let (z, turn) = (2.0 * self.share() - 1.0, std::f32::consts::TAU * self.share());
         let r = (1.0 - z * z).sqrt();
         Vec3::new(r * turn.cos(), r * turn.sin(), z).normalize()
     }
 
-    /// A unit vector, or what has no direction or no length of one.
+    /// Returns a unit vector, or a vector without direction or of another length.
     pub(crate) fn direction(&mut self) -> Vec3 {
         match self.byte() {
             0..=127 => self.unit(),
@@ -165,7 +166,8 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// A tolerance of a function this wide: mostly one that is soon reached, or any.
+    /// Returns a tolerance for a function of this range: mostly one that is reached quickly, or
+    /// any.
     pub(crate) fn tolerance(&mut self, width: f64) -> f64 {
         match self.byte() {
             0..=249 => width * f64::from(self.between(1e-4, 1.0)),
@@ -173,7 +175,7 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// At most so many things, as long as there are bytes.
+    /// Returns at most `most` items, as long as there are bytes.
     pub(crate) fn list<T>(&mut self, most: usize, mut make: impl FnMut(&mut Self) -> T) -> Vec<T> {
         let count = self.count(most);
         (0..count).map_while(|_| (!self.is_empty()).then(|| make(self))).collect()

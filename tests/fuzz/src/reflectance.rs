@@ -1,4 +1,5 @@
-//! Reflectances of any parameters: light that leaves is finite and not negative, samples have a direction and a density.
+//! Reflectances with any parameters: values are finite and nonnegative, and samples have a
+//! direction and a density.
 
 use asperity_shading::bump::{
     bumped_normal, displace, facing, gradient_of_normal, slope_facets, surface_gradient, tangential,
@@ -14,7 +15,7 @@ use asperity_shading::{Beckmann, Footprint, Frame, Ggx, ParameterError, PixelEll
 
 use crate::numbers::Numbers;
 
-/// The promises of every reflectance.
+/// Checks the invariants of every reflectance.
 fn brdf<B: Brdf>(made: Result<B, ParameterError>, numbers: &mut Numbers<'_>) {
     let brdf = match made {
         Ok(brdf) => brdf,
@@ -32,7 +33,7 @@ fn brdf<B: Brdf>(made: Result<B, ParameterError>, numbers: &mut Numbers<'_>) {
     }
 }
 
-/// A number that is mostly in a range.
+/// Returns a number, mostly in a range.
 fn number(numbers: &mut Numbers<'_>, low: f32, high: f32) -> f32 {
     if numbers.byte() < 230 { numbers.between(low, high) } else { numbers.float() }
 }

@@ -1,4 +1,4 @@
-//! Seeds: small right files of every format and words of every command, for attacks to begin with.
+//! Seeds: small valid files of every format and arguments of every command, as initial fuzz input.
 
 use std::io::Cursor;
 use std::path::PathBuf;
@@ -9,10 +9,11 @@ use exr::prelude::{
 };
 use png::{BitDepth, ColorType};
 
-/// Writes the seeds of an attack into the folder that the variable `SEEDS` names, if there is one.
+/// Writes the seeds of a fuzz target into the folder of the variable `SEEDS`, if it is set.
 ///
 /// # Panics
-/// If it cannot be written to.
+///
+/// If the folder is not writable.
 pub fn write(attack: &str) {
     let Some(folder) = env::var_os("SEEDS").map(PathBuf::from) else { return };
     fs::create_dir_all(&folder).expect("a folder for seeds");
@@ -21,13 +22,13 @@ pub fn write(attack: &str) {
     }
 }
 
-/// The seeds of an attack.
+/// Returns the seeds of a fuzz target.
 #[must_use]
 pub fn of(attack: &str) -> Vec<Vec<u8>> {
     all().into_iter().filter(|seed| seed.0 == attack).map(|seed| seed.1).collect()
 }
 
-/// A seed: the attack and the bytes.
+/// A seed: fuzz target and bytes.
 type Seed = (&'static str, Vec<u8>);
 
 const CUBE_OBJ: &[u8] = include_bytes!("../../../tools/render/tests/data/cube.obj");
@@ -84,7 +85,7 @@ fn all() -> Vec<Seed> {
     add("gltf", TRIANGLE.into());
     JSON.into_iter().for_each(|text| add("json", text.into()));
     LINES.into_iter().for_each(|line| add("words", line.replace(' ', "\n").into()));
-    // What takes numbers takes any bytes: some that are short, long, and of every kind.
+    // Targets that take numbers accept any bytes: short, long, and of every class.
     for attack in [
         "table",
         "shader",
@@ -145,7 +146,7 @@ fn binary_stl() -> Vec<u8> {
     [0; 80].into_iter().chain(1_u32.to_le_bytes()).chain(triangle).collect()
 }
 
-/// A triangle whose buffer is in itself.
+/// A triangle with an embedded buffer.
 const TRIANGLE: &str = r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
 "nodes":[{"children":[1],"scale":[1,2,3]},{"mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}],
 "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"mode":4}]}],

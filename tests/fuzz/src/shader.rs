@@ -1,4 +1,4 @@
-//! The composer: any parts, with needs in circles, are joined, each once.
+//! The shader composer: any parts, including circular dependencies, are joined without duplicates.
 
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
@@ -9,7 +9,7 @@ use asperity_shaders::{
 
 use crate::numbers::Numbers;
 
-/// Parts of one's own that need one another in circles.
+/// Custom parts with circular dependencies.
 static FIRST: Part = Part::new("first", "fn first() {}\n", &[&SECOND, &noise::INTEGER_HASH]);
 static SECOND: Part = Part::new("second", "fn second() {}\n", &[&THIRD, &SECOND]);
 static THIRD: Part = Part::new("first", "const THIRD = 1;\n", &[&FIRST]);

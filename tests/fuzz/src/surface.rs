@@ -1,4 +1,4 @@
-//! Fractal surfaces and rays: heights are within their bounds, and every ray ends.
+//! Fractal surfaces and rays: heights are within their bounds, and every ray terminates.
 
 use asperity_fif::{Curvature, Fif, Folded, HeightField, Intersect, Interval, Ray, RoughFolded, Torus};
 use glam::DVec3;
@@ -12,7 +12,7 @@ fn direction(numbers: &mut Numbers<'_>) -> DVec3 {
     }
 }
 
-/// A promise of every surface: of its heights, of its bounds, or of a ray.
+/// Checks an invariant of every surface: its heights, its bounds, or a ray.
 fn check(surface: &impl Intersect, numbers: &mut Numbers<'_>) {
     let ([x, y], range) = (surface.domain(), surface.range());
     assert!(x.lo < x.hi && y.lo < y.hi);
@@ -33,7 +33,7 @@ fn check(surface: &impl Intersect, numbers: &mut Numbers<'_>) {
             let box_ = [(); 2].map(|()| Interval::new(numbers.double(), numbers.double()));
             let _ = surface.bounds(box_[0], box_[1]);
         }
-        // On a surface that is nearly as rough as can be, 2¹⁶ evaluations.
+        // On an almost maximally rough surface, 2¹⁶ evaluations.
         kind if numbers.is_one_in(512) => ray(surface, kind == 14, numbers),
         _ => {}
     }
@@ -56,7 +56,7 @@ fn ray(surface: &impl Intersect, first: bool, numbers: &mut Numbers<'_>) {
     }
 }
 
-/// A system of three maps with slopes, whose data are ordinary, or any.
+/// Returns a system of three maps with slopes, from ordinary or arbitrary data.
 fn curve(numbers: &mut Numbers<'_>) -> Option<Fif<4>> {
     let width = if numbers.byte() < 200 { 1.0 } else { numbers.between(1e-9, 1e9).into() };
     let x = [0.0, 0.3 * width, 0.6 * width, width];
@@ -89,7 +89,7 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
                 check(&surface.tabulated_with(16), numbers);
             }
         }
-        // Of which ranges take long.
+        // Its ranges are expensive.
         1 if numbers.is_one_in(256) => {
             let (z, d) = nodes::<4>(numbers);
             let matrix = [(); 2].map(|()| {

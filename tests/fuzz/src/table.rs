@@ -1,4 +1,4 @@
-//! Tables that others keep: arrays of any numbers are refused, or answer every question.
+//! Externally stored tables: arrays of any numbers are rejected, or answer every query.
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::level_of_detail::ConditionalTableRef;
@@ -12,8 +12,8 @@ fn floats(bytes: &[u8]) -> Vec<f32> {
     bytes.as_chunks().0.iter().map(|&bytes| f32::from_le_bytes(bytes)).collect()
 }
 
-/// A packed map of any numbers. Its header and its length are checked, its numbers are not: they may be any, and answers
-/// as well, but there is an answer.
+/// Checks a packed map of any numbers. Its header and its length are validated, but its numbers are
+/// not: results may be arbitrary, but there is a result.
 pub(crate) fn packed(array: &[f32], numbers: &mut Numbers<'_>) {
     match PackedMapRef::new(array) {
         Ok(map) => {
@@ -30,7 +30,7 @@ pub(crate) fn packed(array: &[f32], numbers: &mut Numbers<'_>) {
     }
 }
 
-/// An isotropic table of any numbers.
+/// Checks an isotropic table of any numbers.
 pub(crate) fn isotropic(array: &[f32], numbers: &mut Numbers<'_>) {
     match IsotropicRef::new(array) {
         Ok(table) => ndf(&table, numbers),
@@ -70,7 +70,7 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
                 Ok(table) => {
                     let density = table.density(h, split);
                     assert!(density >= 0.0 && density.is_finite(), "{density}");
-                    // Between entries of any numbers.
+                    // Between entries of arbitrary numbers.
                     let _ = table.to_gaussian(h);
                 }
                 Err(error) => assert_eq!(error.to_string().lines().count(), 1),

@@ -1,4 +1,4 @@
-//! Text from outside: systems and parameters in JSON, words of the command line.
+//! External text: systems and parameters in JSON, and command lines.
 
 use std::cell::RefCell;
 
@@ -19,7 +19,7 @@ use serde::de::DeserializeOwned;
 use crate::cli::Cli;
 use crate::input::{density::Density, fif_system::System, images::Images};
 
-/// A value of the text, which is the same when it is written and read again, or words why there is none.
+/// Returns the parsed value, which must round-trip, or `None` with an error message.
 fn read<T: DeserializeOwned + Serialize>(text: &[u8]) -> Option<T> {
     match serde_json::from_slice::<T>(text) {
         Ok(value) => {
@@ -29,7 +29,8 @@ fn read<T: DeserializeOwned + Serialize>(text: &[u8]) -> Option<T> {
             Some(value)
         }
         Err(error) => {
-            // It quotes names of the text as they are, line ends too; the builder escapes what it prints.
+            // It quotes names of the text verbatim, including newlines. The tool escapes what it
+            // prints.
             assert!(!error.to_string().is_empty());
             None
         }
@@ -80,11 +81,11 @@ pub(crate) fn json(data: &[u8]) {
 }
 
 thread_local! {
-    /// Made once: that takes longer than to parse a line.
+    /// Created once, because this takes longer than parsing a line.
     static COMMAND: RefCell<clap::Command> = RefCell::new(Cli::command());
 }
 
-/// Words of the command line, one a line, and of densities.
+/// Parses command line arguments, one per line, and densities.
 pub(crate) fn words(data: &[u8]) {
     let text = String::from_utf8_lossy(data);
     let words = text.split('\n').map(str::to_owned);
@@ -96,7 +97,7 @@ pub(crate) fn words(data: &[u8]) {
         }
     });
     for word in text.split('\n').filter(|word| word.contains(':') && !word.starts_with("normal-map:")) {
-        // A word that is no formula would be the name of a file.
+        // A word that is not a formula would be a file name.
         let formula = ["ggx:", "beckmann:", "ward:", "student-t:", "blinn-phong:", "ashikhmin-shirley:"];
         if !formula.iter().any(|name| word.starts_with(name)) {
             continue;

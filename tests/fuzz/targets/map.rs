@@ -1,4 +1,4 @@
-//! The attack `map`.
+//! The fuzz target `map`.
 #![no_main]
 
 libfuzzer_sys::fuzz_target!(init: asperity_fuzz::seeds::write("map"), |data: &[u8]| asperity_fuzz::attack("map", data));

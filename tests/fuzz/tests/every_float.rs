@@ -1,7 +1,8 @@
-//! Functions of one number at every number there is: all 2³² floats, infinities and every NaN among them.
+//! Functions of one number at every float: all 2³², including infinities and every NaN.
 //!
-//! `ASPERITY_EVERY_FLOAT=1 cargo test --manifest-path tests/fuzz/Cargo.toml --test every_float -- --nocapture` visits all,
-//! some seconds to minutes a function; without it every 65537th is visited.
+//! `ASPERITY_EVERY_FLOAT=1 cargo test --manifest-path tests/fuzz/Cargo.toml --test every_float -- --nocapture`
+//! tests all, which takes seconds to minutes per function. Without the variable every 65537th float
+//! is tested.
 
 use std::ops::RangeInclusive;
 use std::time::Instant;
@@ -17,7 +18,7 @@ use asperity_shading::texture::{Bevel, Marble};
 
 const UNIT: RangeInclusive<f32> = 0.0..=1.0;
 
-/// Asserts a promise at every number, in as many threads as there are processors.
+/// Asserts an invariant at every number, on all cores.
 fn everywhere(name: &str, holds: impl Fn(f32) -> bool + Sync) {
     let step = if std::env::var_os("ASPERITY_EVERY_FLOAT").is_some() { 1 } else { 65_537 };
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
@@ -41,7 +42,7 @@ fn finite(v: Vec3) -> bool {
 }
 
 #[test]
-fn reflectances_are_shares() {
+fn reflectances_are_within_0_and_1() {
     let (glass, dense) =
         (Dielectric::new(1.5).expect("glass"), Dielectric::new(1.0 / 2.4).expect("from within"));
     everywhere("`Dielectric::reflectance`, 1.5", |x| UNIT.contains(&glass.reflectance(x)));
@@ -60,7 +61,7 @@ fn reflectances_are_shares() {
 }
 
 #[test]
-fn footprints_and_textures_are_total() {
+fn footprints_and_textures_accept_every_float() {
     everywhere("`Footprint::from_width`", |x| Footprint::from_width(x).width() >= 0.0);
     let pixel = Footprint::from_width(0.01);
     everywhere("`Footprint::kept`", |x| UNIT.contains(&pixel.kept(x)));
@@ -68,7 +69,7 @@ fn footprints_and_textures_are_total() {
     everywhere("`FrequencyClamp::octaves`", |x| {
         (0.0..=6.0).contains(&clamp.octaves(Footprint::from_width(x)))
     });
-    // A library's power of two may round the other way between neighbours.
+    // A library's power of two may round either way between neighbors.
     let [finest, widest] = [(6.0, 1.0 - 1e-6), (0.0, 1.0 + 1e-6)]
         .map(|(octaves, slack)| slack * clamp.footprint(octaves).width());
     everywhere("`FrequencyClamp::footprint`", |x| (finest..=widest).contains(&clamp.footprint(x).width()));
@@ -81,7 +82,7 @@ fn footprints_and_textures_are_total() {
 }
 
 #[test]
-fn distributions_are_monotonic_between_their_ends() {
+fn distributions_are_bounded_and_finite() {
     fn distribution(name: &str, noise: &(impl NoiseDistribution + Sync)) {
         everywhere(&format!("`{name}::gaussian`"), |x| noise.gaussian(x).abs() <= 13.0);
         everywhere(&format!("`{name}::uniform`"), |x| UNIT.contains(&noise.uniform(x)));
@@ -94,7 +95,7 @@ fn distributions_are_monotonic_between_their_ends() {
 }
 
 #[test]
-fn spectra_take_any_number_of_octaves() {
+fn spectra_accept_any_octave_count() {
     let cloud = Spectrum::CLOUD;
     everywhere("`Spectrum::share`", |x| (0.0..1.0).contains(&cloud.share(x)));
     everywhere("`Spectrum::kurtosis_ratio`", |x| UNIT.contains(&cloud.kurtosis_ratio(x)));
@@ -103,10 +104,10 @@ fn spectra_take_any_number_of_octaves() {
 }
 
 #[test]
-fn noises_of_one_number_stay_in_their_range() {
+fn noise_stays_in_range() {
     fn noise(name: &str, noise: &(impl Field<f32> + Sync)) {
         let [low, high] = noise.range();
-        // Far out corners of cells round to others.
+        // Far from the origin, corners of cells round to other corners.
         let slack = 1e-4 * (high - low);
         everywhere(&format!("`{name}::sample`"), |x| {
             let sample = noise.sample(x);
@@ -121,7 +122,7 @@ fn noises_of_one_number_stay_in_their_range() {
 }
 
 #[test]
-fn tables_of_fractal_functions_hold_their_range() {
+fn fif_tables_stay_in_range() {
     for (name, f) in [("f", paper::f()), ("g", paper::g())] {
         let table = f.expect("a system").table(1e-4).expect("a table");
         let range = table.system().range();

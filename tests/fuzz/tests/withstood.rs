@@ -1,8 +1,9 @@
-//! Every attack with its seeds, with seeds that are spoilt, and with numbers of every class: a fuzzer's work for a minute.
+//! Every fuzz target with its seeds, corrupted seeds, and numbers of every class: a short fuzzing
+//! run.
 
 use asperity_fuzz::{ATTACKS, attack, seeds};
 
-/// PCG, of which a byte is taken.
+/// A PCG generator of bytes.
 struct Bytes(u64);
 
 impl Bytes {
@@ -15,7 +16,7 @@ impl Bytes {
         self.next() as usize % most.max(1)
     }
 
-    /// A file with some bytes changed, left out, doubled or cut off.
+    /// Returns a file with some bytes changed, removed, duplicated or truncated.
     fn spoilt(&mut self, file: &[u8]) -> Vec<u8> {
         let mut file = file.to_vec();
         for _ in 0..=self.below(4) {
@@ -34,7 +35,7 @@ impl Bytes {
     }
 }
 
-/// All attacks whose input is a file or text, or else numbers.
+/// Runs all fuzz targets with file or text input, or all with numeric input.
 fn withstood(files: bool, rounds: usize) {
     for (name, _) in ATTACKS {
         let mut bytes = Bytes(2026);

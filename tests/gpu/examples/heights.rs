@@ -1,6 +1,7 @@
-//! Heights and normals by a compute shader, as two pictures: `cargo run --release --example heights -- FOLDER`.
+//! Computes heights and normals with a compute shader, and writes two images:
+//! `cargo run --release --example heights -- FOLDER`.
 //!
-//! Needs wgpu, pollster, bytemuck and png.
+//! Requires wgpu, pollster, bytemuck and png.
 
 use std::error::Error;
 use std::fs::File;
@@ -13,7 +14,7 @@ use wgpu::util::DeviceExt;
 
 const SIDE: u32 = 512;
 
-/// A square of eight cells of Perlin's noise: the height, and the slopes along x and y.
+/// A square of eight cells of Perlin noise: the height, and the slopes along x and y.
 static HEIGHTS: Part = Part::new(
     "heights",
     "
@@ -22,7 +23,7 @@ static HEIGHTS: Part = Part::new(
 @compute @workgroup_size(8, 8)
 fn fill(@builtin(global_invocation_id) id: vec3<u32>) {
     let p = vec2<f32>(id.xy) * (8.0 / 512.0);
-    // As many octaves as a pixel resolves, and no more.
+    // Exactly the octaves that a pixel resolves.
     let height = perlin_2002_octaves_3d(vec3<f32>(p, 0.0), 5.0, 0.0, 0u);
     heights[id.y * 512u + id.x] = vec4<f32>(height.value, height.gradient);
 }
@@ -35,7 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all(&folder)?;
     let heights = pollster::block_on(heights())?;
 
-    // The sum is normalised to a variance of 1 at most, so six deviations are black to white.
+    // The sum is normalized to a variance of at most 1, so six deviations span black to white.
     let grey =
         heights.iter().flat_map(|[h, ..]| (((h / 6.0 + 0.5).clamp(0.0, 1.0) * 65535.0) as u16).to_be_bytes());
     write(
@@ -56,11 +57,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         png::BitDepth::Eight,
         &normals.collect::<Vec<_>>(),
     )?;
-    println!("heights.png and normals.png are in {folder}");
+    println!("wrote heights.png and normals.png to {folder}");
     Ok(())
 }
 
-/// Height, and slopes in three directions, of every pixel.
+/// Returns height, and slopes in three directions, of every pixel.
 async fn heights() -> Result<Vec<[f32; 4]>, Box<dyn Error>> {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
     let adapter = instance.request_adapter(&wgpu::RequestAdapterOptions::default()).await?;
@@ -69,7 +70,7 @@ async fn heights() -> Result<Vec<[f32; 4]>, Box<dyn Error>> {
     let descriptor = wgpu::DeviceDescriptor { required_limits: limits, ..Default::default() };
     let (device, queue) = adapter.request_device(&descriptor).await?;
 
-    // What the parts are bound to: the words of a sum of octaves, by the crate's own value.
+    // Resources of the parts: the words of a sum of octaves, from the crate.
     let sum = Octaves::<_, 3>::new(Perlin2002::new(42), Spectrum::new(2.0, 0.5, 8)?).anchored(DVec3::ZERO);
     let words = OctavesUniform::<3>::uniform(&[OctavesUniform::new(&sum)]);
     let uniform = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {

@@ -8,7 +8,7 @@ use crate::{
     resources::{bound, buffer, bytes, group, layout, stored},
 };
 
-/// An entry of a module of parts: their resources in group 0; in group 1 its input, and its output.
+/// An entry point of a module of parts: resources in group 0, input and output in group 1.
 pub(crate) struct Kernel {
     name: String,
     parts: Vec<&'static Part>,
@@ -55,7 +55,7 @@ impl Kernel {
         }
     }
 
-    /// The words that `groups` of work write.
+    /// Runs `groups` workgroups and returns the words they write.
     pub(crate) fn run(
         &self,
         gpu: &Gpu,

@@ -2,31 +2,32 @@
 
 use wgpu::{Adapter, Backends, Instance, InstanceDescriptor};
 
-/// An adapter that has been opened.
+/// An opened adapter.
 #[derive(Clone)]
 pub(crate) struct Gpu {
     pub(crate) name: String,
-    /// Less for those that are likely faster.
+    /// Lower for adapters that are probably faster.
     pub(crate) rank: (usize, bool),
     pub(crate) device: wgpu::Device,
     pub(crate) queue: wgpu::Queue,
 }
 
-/// Every adapter of the primary APIs whose name contains a text, opened; the error says that there is none.
+/// Opens every adapter of the primary APIs whose name contains a text. Returns an error if there is
+/// none.
 pub(crate) fn open(named: Option<&str>) -> Result<Vec<Gpu>, String> {
     let gpus = find(named, Backends::PRIMARY);
     if gpus.is_empty() { Err(none(named)) } else { Ok(gpus) }
 }
 
-/// The sentence that there is no adapter, or none of a name.
+/// Returns the message that there is no adapter, or none with a name.
 pub(crate) fn none(named: Option<&str>) -> String {
     let named = named.map_or(String::new(), |name| format!(" whose name contains `{name}`"));
     format!(
-        "no adapter{named} was found; on Debian `apt-get install mesa-vulkan-drivers libvulkan1` brings one in software"
+        "no adapter{named} found (on Debian, `apt-get install mesa-vulkan-drivers libvulkan1` installs a software adapter)"
     )
 }
 
-/// Every adapter whose name contains a text, opened.
+/// Opens every adapter whose name contains a text.
 pub(crate) fn find(named: Option<&str>, backends: Backends) -> Vec<Gpu> {
     let mut descriptor = InstanceDescriptor::new_without_display_handle();
     descriptor.backends = backends;
@@ -36,7 +37,7 @@ pub(crate) fn find(named: Option<&str>, backends: Backends) -> Vec<Gpu> {
     };
     let mut gpus = Vec::new();
     for adapter in adapters.iter().filter(|adapter| named(adapter)) {
-        // Two layers of a loader may find one device.
+        // Two layers of a loader may find the same device.
         if gpus.iter().any(|gpu: &Gpu| gpu.name == name(adapter)) {
             continue;
         }
@@ -47,7 +48,7 @@ pub(crate) fn find(named: Option<&str>, backends: Backends) -> Vec<Gpu> {
             Ok((device, queue)) => {
                 gpus.push(Gpu { name: name(adapter), rank: rank(adapter), device, queue });
             }
-            Err(error) => println!("{} is left out: {error}", name(adapter)),
+            Err(error) => println!("skipped {}: {error}", name(adapter)),
         }
     }
     gpus
@@ -56,7 +57,7 @@ pub(crate) fn find(named: Option<&str>, backends: Backends) -> Vec<Gpu> {
 fn rank(adapter: &Adapter) -> (usize, bool) {
     use wgpu::DeviceType::{Cpu, DiscreteGpu, IntegratedGpu, VirtualGpu};
     let kind = adapter.get_info().device_type;
-    // Of those in software Mesa's takes a third of the time of SwiftShader.
+    // Among software adapters, Mesa's takes a third of SwiftShader's time.
     let slow = !name(adapter).contains("llvmpipe");
     ([DiscreteGpu, IntegratedGpu, VirtualGpu, Cpu].iter().position(|of| *of == kind).unwrap_or(4), slow)
 }

@@ -1,6 +1,6 @@
-//! Entry points around the function `evaluate` of a case.
+//! Entry points for the function `evaluate` of a case.
 
-/// `run_case`, a compute shader: inputs and outcomes in buffers of group 1.
+/// `run_case`, a compute shader with inputs and outcomes in buffers of group 1.
 pub(crate) const COMPUTE: &str = "
 @group(1) @binding(0) var<storage, read> case_inputs: array<vec4<u32>>;
 @group(1) @binding(1) var<storage, read_write> case_outcomes: array<Outcome>;
@@ -17,7 +17,8 @@ fn run_case(@builtin(global_invocation_id) id: vec3<u32>) {
 }
 ";
 
-/// `show_case`, a fragment shader: inputs from a vertex stage, outcomes to four targets of whole numbers, which GLSL ES 3.00 has too.
+/// `show_case`, a fragment shader with inputs from the vertex stage and outcomes in four integer
+/// targets, which GLSL ES 3.00 supports too.
 pub(crate) const FRAGMENT: &str = "
 struct CaseInput {
     @location(0) a: vec4<f32>,

@@ -1,4 +1,4 @@
-//! Files of every case in every language, and of every part.
+//! Exports every case in every language, and every part.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -14,10 +14,10 @@ use rayon::prelude::*;
 use crate::dialect::{Checked, Dialect};
 use crate::entry;
 
-/// A validator and the files that it reads.
+/// A validator and the files it reads.
 struct Tool {
     program: &'static str,
-    /// Debian's package.
+    /// Debian package.
     package: &'static str,
     reads: &'static [(Dialect, &'static [&'static str])],
 }
@@ -40,15 +40,15 @@ const TOOLS: [Tool; 2] = [
     },
 ];
 
-/// The place where files go, or are compared with.
+/// The output folder, or the folder to compare.
 struct Folder<'a> {
     out: &'a Path,
-    /// Compare with what is there in place of writing.
+    /// Compare with existing files instead of writing.
     check: bool,
     refusals: Mutex<Vec<String>>,
 }
 
-/// A module with the entry that is written of it, and its folder.
+/// A module, its entry point, and its folder.
 type Shader = (String, String, &'static str);
 
 impl Folder<'_> {
@@ -69,7 +69,8 @@ impl Folder<'_> {
         crate::write(&path, data)
     }
 
-    /// Writes a shader in the languages, and has what is written read by the validators that are installed.
+    /// Writes a shader in the given languages, and validates the output with the installed
+    /// validators.
     fn shader(&self, (folder, wgsl, entry): &Shader, dialects: &[Dialect]) -> Result<(), String> {
         let checked = match Checked::new(wgsl, entry) {
             Ok(checked) => checked,
@@ -94,8 +95,8 @@ impl Folder<'_> {
     }
 }
 
-/// Writes the cases in the languages with the words of their bindings, and the parts as modules for Bevy, and runs the installed
-/// validators on them; with a check, compares the files with those on the disk.
+/// Writes the cases in the languages with the words of their bindings, and the parts as modules for
+/// Bevy, and runs the installed validators. With `check`, compares with the files on disk.
 pub(crate) fn run(cases: &[Case], dialects: &[Dialect], out: &Path, check: bool) -> Result<(), String> {
     let dialects = if dialects.is_empty() { Dialect::value_variants() } else { dialects };
     let folder = Folder { out, check, refusals: Mutex::default() };
@@ -104,7 +105,7 @@ pub(crate) fn run(cases: &[Case], dialects: &[Dialect], out: &Path, check: bool)
         for (name, words) in &case.resources {
             folder.put(&format!("{place}/{name}.bin"), bytemuck::cast_slice(words))?;
         }
-        // Engines that take a compute shader's SPIR-V expect this name.
+        // Engines that load compute SPIR-V expect this name.
         let compute = wgsl.clone() + &entry::COMPUTE.replace("run_case", "main");
         let compute = Checked::new(&compute, "main").and_then(|checked| Dialect::Spirv.write(&checked));
         match compute {
@@ -116,10 +117,10 @@ pub(crate) fn run(cases: &[Case], dialects: &[Dialect], out: &Path, check: bool)
     let parts: BTreeMap<&str, &'static Part> = cases
         .iter()
         .flat_map(|case| ordered(&case.parts))
-        // Their samplers are beyond the interpreter of cases.
+        // The interpreter does not support their samplers.
         .chain([&noise::sums::MIP_MAPPED, &ndf::NORMAL_TABLE_FILTERED])
         .map(|part| (part.name(), part))
-        // Parts that only a case uses are not exported.
+        // Parts used only by a case are not exported.
         .filter(|(name, part)| !part.source().is_empty() && !name.starts_with("case/"))
         .collect();
     for (name, part) in &parts {
@@ -132,15 +133,11 @@ pub(crate) fn run(cases: &[Case], dialects: &[Dialect], out: &Path, check: bool)
         refusals.iter().for_each(|line| println!("{line}"));
         return match refusals.len() {
             0 => {
-                println!(
-                    "{} functions and {count} parts are as they are written in {}",
-                    cases.len(),
-                    out.display()
-                );
+                println!("{} functions and {count} parts are up to date in {}", cases.len(), out.display());
                 Ok(())
             }
             faults => {
-                Err(format!("{faults} files are not what they should be: `cargo xtask shaders` writes them"))
+                Err(format!("{faults} files are missing or stale (run `cargo xtask shaders` to write them)"))
             }
         };
     }
@@ -152,17 +149,17 @@ pub(crate) fn run(cases: &[Case], dialects: &[Dialect], out: &Path, check: bool)
     );
     say_who_read(dialects);
     refusals.iter().for_each(|line| println!("{line}"));
-    if refusals.is_empty() { Ok(()) } else { Err(format!("{} shaders are refused", refusals.len())) }
+    if refusals.is_empty() { Ok(()) } else { Err(format!("{} shaders are invalid", refusals.len())) }
 }
 
-/// A part with all that it needs as a module for `naga_oil`, which Bevy imports.
+/// Returns a part with its dependencies as a module for `naga_oil`, which Bevy imports.
 fn bevy(part: &'static Part) -> String {
     let import = format!("#define_import_path asperity::{}\n", part.name().replace('/', "::"));
     let module = compose(&[part], Bindings::Textures { group: 0 });
     import + &module.replace("@group(0)", "@group(#{MATERIAL_BIND_GROUP})")
 }
 
-/// A line for each validator, and for what has none.
+/// Prints a line for each validator, and for each language without one.
 fn say_who_read(dialects: &[Dialect]) {
     for tool in &TOOLS {
         let read: Vec<&str> = tool
@@ -177,16 +174,16 @@ fn say_who_read(dialects: &[Dialect]) {
             if tool.is_here() {
                 println!("{program} read {files}");
             } else {
-                println!("skipped: {program} is not installed (Debian's {package}); nothing read {files}");
+                println!("skipped {files}: {program} is not installed (Debian package {package})");
             }
         }
     }
     if dialects.contains(&Dialect::Msl) {
-        println!("untested: only Apple's compiler reads {}", Dialect::Msl.file());
+        println!("untested: {} requires Apple's compiler", Dialect::Msl.file());
     }
 }
 
-/// A path of letters, digits, `_` and `/`; hyphens for all else.
+/// Returns a path of letters, digits, `_` and `/`; other characters become hyphens.
 fn folder_of(name: &str) -> String {
     let words = name.split(|c: char| !(c.is_ascii_alphanumeric() || "_/".contains(c)));
     words.filter(|word| !word.is_empty()).collect::<Vec<_>>().join("-")
@@ -197,19 +194,19 @@ impl Tool {
         Command::new(self.program).arg("--version").output().is_ok()
     }
 
-    /// Complaints about files that it does not accept; none where it is not installed.
+    /// Returns errors for files that the validator rejects, or nothing if it is not installed.
     fn refusals(&self, folder: &Path, entry: &str, dialects: &[Dialect]) -> Vec<String> {
         let mut refusals = vec![];
         for (dialect, options) in self.reads.iter().filter(|(dialect, _)| dialects.contains(dialect)) {
             let file = folder.join(dialect.file());
-            // The last option of HLSL takes the entry's name.
+            // The last HLSL option takes the entry point's name.
             let entry = (*dialect == Dialect::Hlsl).then_some(entry);
             let mut read = Command::new(self.program);
             let Ok(output) = read.args(*options).args(entry).arg(&file).output() else { continue };
             if file.is_file() && !output.status.success() {
                 let said = [output.stdout, output.stderr].concat();
                 let said = String::from_utf8_lossy(&said);
-                refusals.push(format!("{} refuses {}: {said}", self.program, file.display()));
+                refusals.push(format!("{} rejects {}: {said}", self.program, file.display()));
             }
         }
         refusals
@@ -221,7 +218,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn folders_have_plain_names() {
+    fn folder_names_are_plain() {
         assert_eq!(folder_of("noise/sums/octaves, zoom 1 and 10⁴"), "noise/sums/octaves-zoom-1-and-10");
     }
 }

@@ -1,4 +1,4 @@
-//! The shaders on whatever drivers there are.
+//! The shaders on all available drivers.
 
 use std::{
     path::{Path, PathBuf},
@@ -23,7 +23,7 @@ mod resources;
 use dialect::Dialect;
 use picture::Subject;
 
-/// The shaders of Asperity on drivers.
+/// Test and export the shaders of Asperity on GPU drivers.
 #[derive(Parser)]
 #[command(name = "asperity-gpu")]
 struct Cli {
@@ -33,72 +33,77 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Every function beside the crate's, interpreted and on each adapter: equal bits, or the largest error beside its bound.
+    /// Compare every function with the crates, interpreted and on each adapter: equal bits, or the
+    /// largest error and its bound.
     Parity {
-        /// Adapters whose names contain this; all without it.
+        /// Adapters whose names contain this text [default: all].
         #[arg(long)]
         adapter: Option<String>,
-        /// Functions whose names, or those of the parts they need, contain this; all without it.
+        /// Functions whose names, or names of required parts, contain this text [default: all].
         #[arg(long, visible_alias = "part")]
         only: Option<String>,
-        /// File for the table.
+        /// Output file for the table.
         #[arg(long)]
         out: Option<PathBuf>,
     },
-    /// Every function with an entry point in every shading language, read by the validators that are installed, with the words of its
-    /// bindings, and every part as a module for Bevy.
+    /// Export every function with an entry point in every shading language, with the words of its
+    /// bindings, and every part as a module for Bevy. Installed validators check the files.
     Export {
-        /// Functions whose names, or those of the parts they need, contain this; all without it.
+        /// Functions whose names, or names of required parts, contain this text [default: all].
         #[arg(long, visible_alias = "part")]
         only: Option<String>,
-        /// Languages; all without it.
+        /// Languages [default: all].
         #[arg(long, value_enum)]
         dialect: Vec<Dialect>,
-        /// Folder for the shaders.
+        /// Output folder.
         #[arg(long, default_value = "target/shaders")]
         out: PathBuf,
-        /// Say what is missing or stale in the folder, and write nothing.
+        /// Report missing or stale files in the folder without writing.
         #[arg(long)]
         check: bool,
     },
-    /// The mean radiance over a surface by the exact rule, at five zooms and half vectors, over the density.
+    /// Measure the mean radiance over a surface with the exact rule, at five zooms and half
+    /// vectors, relative to the density.
     Means {
-        /// Adapters whose names contain this; all without it.
+        /// Adapters whose names contain this text [default: all].
         #[arg(long)]
         adapter: Option<String>,
     },
-    /// Operations of every function, octave and pixel, and milliseconds of a frame on each adapter.
+    /// Report operations of every function, octave and pixel, and milliseconds per frame on each
+    /// adapter.
     Costs {
-        /// Adapters whose names contain this; all without it.
+        /// Adapters whose names contain this text [default: all].
         #[arg(long)]
         adapter: Option<String>,
         /// Side of a frame in pixels.
         #[arg(long, default_value_t = 512, value_parser = clap::value_parser!(u32).range(16..=4096))]
         size: u32,
-        /// File for the page.
+        /// Output file for the page.
         #[arg(long)]
         out: Option<PathBuf>,
     },
-    /// The live page's pictures of the teapot beside the crates': `*.rgba` in a folder, each with its camera in a file `*.json`.
+    /// Compare the live page's images of the teapot with the crates: `*.rgba` in a folder, each
+    /// with its camera in a file `*.json`.
     Page {
         /// The folder.
         folder: PathBuf,
     },
-    /// The teapot and a plane to the horizon at four zooms, and the materials, by the shader and by the crates beside each other.
+    /// Render the teapot and a plane up to the horizon at four zooms, and the materials, by the
+    /// shaders and by the crates side by side.
     Pictures {
-        /// Adapters whose names contain this; all without it.
+        /// Adapters whose names contain this text [default: all].
         #[arg(long)]
         adapter: Option<String>,
-        /// Of all adapters the one that is likely the fastest.
+        /// Use only the adapter that is probably the fastest.
         #[arg(long)]
         fastest: bool,
-        /// This picture alone.
+        /// Render only this image.
         #[arg(long, value_enum)]
         only: Option<Subject>,
-        /// Side of a picture in pixels.
+        /// Side of an image in pixels.
         #[arg(long, default_value_t = 512, value_parser = clap::value_parser!(u32).range(16..=4096))]
         size: u32,
-        /// Folder for the pictures.
+        /// Output folder.
         #[arg(long, default_value = "target/pictures")]
         out: PathBuf,
     },
@@ -128,14 +133,14 @@ fn main() -> ExitCode {
     }
 }
 
-/// Writes a file whole or not at all, and its folder if need be.
+/// Writes a file atomically, and creates its folder if necessary.
 fn write(path: &Path, data: &[u8]) -> Result<(), String> {
     let (folder, name) = (path.parent().unwrap_or(Path::new("")), path.file_name().unwrap_or_default());
     let written = Output::new(folder).and_then(|folder| folder.write(&name.to_string_lossy(), data));
     written.map_err(|error| error.to_string())
 }
 
-/// Cases whose names, or those of the parts they need, contain a text; all without it.
+/// Returns cases whose names, or names of required parts, contain a text, or all cases.
 fn chosen(only: Option<String>) -> Result<Vec<Case>, String> {
     let mut cases = cases::all();
     let Some(text) = only else { return Ok(cases) };
@@ -143,5 +148,5 @@ fn chosen(only: Option<String>) -> Result<Vec<Case>, String> {
         let parts = asperity_shaders::ordered(&case.parts);
         case.name.contains(&text) || parts.iter().any(|part| part.name().contains(&text))
     });
-    if cases.is_empty() { Err(format!("no function has or needs `{text}`")) } else { Ok(cases) }
+    if cases.is_empty() { Err(format!("no function or part matches `{text}`")) } else { Ok(cases) }
 }

@@ -1,4 +1,4 @@
-//! The mean radiance over a surface, by the exact rule on an adapter, beside the density.
+//! The mean radiance over a surface with the exact rule on an adapter, relative to the density.
 
 use asperity_shaders::noise::sums::OctavesUniform;
 use asperity_shaders::{Binding, Bindings, Part, compose, noise, shading};
@@ -20,7 +20,8 @@ const POINTS: u32 = 1 << 21;
 const OCTAVES: [f32; 5] = [0.5, 1.0, 1.5, 2.0, 3.0];
 const ALPHA: [f32; 2] = [0.2, 0.4];
 
-/// Prints means over the density for five zooms and half vectors, and fails where one is off by more than 1 % and four standard errors.
+/// Prints means relative to the density for five zooms and half vectors. Fails if one deviates by
+/// more than 1 % and four standard errors.
 pub(crate) fn run(adapter: Option<&str>) -> Result<(), String> {
     let ggx = Ggx::new(ALPHA[0], ALPHA[1]).map_err(|error| error.to_string())?;
     let halves = [[0.0, 0.0], [0.1, 0.0], [0.0, 0.2], [0.15, 0.25], [-0.2, 0.1]]
@@ -28,7 +29,7 @@ pub(crate) fn run(adapter: Option<&str>) -> Result<(), String> {
     let mut off = 0;
     for gpu in device::open(adapter)? {
         println!(
-            "\n{}\n\n| octaves | mean over density, at five half vectors | standard error at most |\n|---|---|---|",
+            "\n{}\n\n| octaves | mean over density, at five half vectors | max. standard error |\n|---|---|---|",
             gpu.name
         );
         for octaves in OCTAVES {
@@ -48,7 +49,7 @@ pub(crate) fn run(adapter: Option<&str>) -> Result<(), String> {
             println!("| {octaves} |{row} | {greatest:.4} |");
         }
     }
-    if off == 0 { Ok(()) } else { Err(format!("{off} means are off by more than 1 %")) }
+    if off == 0 { Ok(()) } else { Err(format!("{off} means deviate by more than 1 %")) }
 }
 
 fn radiances(gpu: &Gpu, halves: &[Vec3], octaves: f32) -> Result<Vec<f32>, String> {

@@ -12,7 +12,7 @@ use crate::{
     entry,
 };
 
-/// Source of a column's outcomes: the interpreter with one arithmetic or the other, or an adapter.
+/// Source of a column's outcomes: the interpreter with either arithmetic, or an adapter.
 enum Column {
     Interpreter(Arithmetic),
     Adapter(Gpu),
@@ -46,16 +46,17 @@ impl Column {
     }
 }
 
-/// Prints the table of functions and adapters, writes it where that is asked for, and fails where a bound is broken.
+/// Prints the table of functions and adapters, writes it if requested, and fails if a bound is
+/// exceeded.
 ///
-/// Without any adapter that is said in a line, and the interpreter is tried alone.
+/// Without an adapter, prints a note and runs only the interpreter.
 pub(crate) fn run(cases: &[Case], adapter: Option<&str>, out: Option<&Path>) -> Result<(), String> {
     let mut columns = vec![Column::Interpreter(Arithmetic::Written), Column::Interpreter(Arithmetic::Fused)];
     let gpus = device::find(adapter, Backends::all());
     if gpus.is_empty() {
         match adapter {
             Some(_) => return Err(device::none(adapter)),
-            None => println!("no driver is tried: {}", device::none(None)),
+            None => println!("no driver tested: {}", device::none(None)),
         }
     }
     columns.extend(gpus.into_iter().map(Column::Adapter));
@@ -95,9 +96,9 @@ pub(crate) fn run(cases: &[Case], adapter: Option<&str>, out: Option<&Path>) -> 
     if let Some(path) = out {
         let text = format!("{HEAD}{table}");
         crate::write(path, text.as_bytes())?;
-        println!("the table: {}", path.display());
+        println!("table written to {}", path.display());
     }
-    if broken.is_empty() { Ok(()) } else { Err(format!("bounds are broken:\n{}", broken.join("\n"))) }
+    if broken.is_empty() { Ok(()) } else { Err(format!("bounds exceeded:\n{}", broken.join("\n"))) }
 }
 
 const HEAD: &str = "\
@@ -110,7 +111,7 @@ is added fused with the sum.
 
 ";
 
-/// A bound in few letters.
+/// Formats a bound compactly.
 fn bound(bound: Bound) -> String {
     match bound {
         Bound::Equal => "=".into(),
@@ -122,7 +123,7 @@ fn bound(bound: Bound) -> String {
 /// Outcomes of the crates for an input.
 struct Expected {
     written: [u32; OUTPUTS],
-    /// For the input with 0 in place of its denormal numbers, where it has any: WGSL allows a card to take them for 0.
+    /// For the input with denormals replaced by 0, if it has any: WGSL allows a GPU to flush them.
     flushed: Option<[u32; OUTPUTS]>,
 }
 
@@ -134,7 +135,8 @@ impl Expected {
         Self { written: (case.reference)(*input), flushed: has_denormal.then(|| (case.reference)(flushed)) }
     }
 
-    /// The error of an output's words; on an adapter that of the nearer one.
+    /// Returns the error of an output's words. On an adapter, the smaller error with or without
+    /// flushed denormals.
     fn error(&self, output: &Output, got: &[u32; OUTPUTS], bound: Bound, on_adapter: bool) -> f32 {
         let of = |expected: &[u32; OUTPUTS]| {
             output.words.clone().map(|k| bound.error(got[k], expected[k])).fold(0.0, f32::max)
@@ -144,11 +146,11 @@ impl Expected {
     }
 }
 
-/// Nearness of an output.
+/// Accuracy of an output.
 struct Found {
     equal: f64,
     largest: f32,
-    /// The input that is farthest beyond its bound, and its error.
+    /// The input that exceeds its bound the most, and its error.
     broken: Option<(usize, f32)>,
 }
 
@@ -177,7 +179,7 @@ impl Found {
     }
 }
 
-/// Outcomes of a case on an adapter.
+/// Returns the outcomes of a case on an adapter.
 pub(crate) fn outcomes(
     gpu: &Gpu,
     case: &Case,

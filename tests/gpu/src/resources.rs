@@ -1,4 +1,4 @@
-//! Words of uniforms and tables as what parts of shaders are bound to.
+//! Converts words of uniforms and tables to GPU resources.
 
 use asperity_shaders::{Binding, Element, Part, ordered};
 use wgpu::util::{BufferInitDescriptor, DeviceExt, TextureDataOrder};
@@ -28,7 +28,8 @@ impl Resource {
     }
 }
 
-/// A texture of two channels that hardware filters: `texel` of every level, column and row.
+/// Creates a filterable texture with two channels; `texel` is called for every level, column and
+/// row.
 pub(crate) fn filtered(gpu: &Gpu, sizes: &[u32], texel: impl Fn(u32, u32, u32) -> [f32; 2]) -> Resource {
     let texels = (0..).zip(sizes).flat_map(|(level, &size)| {
         let texel = &texel;
@@ -54,7 +55,7 @@ pub(crate) fn filtered(gpu: &Gpu, sizes: &[u32], texel: impl Fn(u32, u32, u32) -
     Resource::View(texture.create_view(&wgpu::TextureViewDescriptor::default()))
 }
 
-/// A sampler that is linear between texels and levels.
+/// Creates a sampler that is linear between texels and levels.
 pub(crate) fn linear(gpu: &Gpu, at_ends: wgpu::AddressMode) -> Resource {
     Resource::Sampler(gpu.device.create_sampler(&wgpu::SamplerDescriptor {
         address_mode_u: at_ends,
@@ -66,7 +67,8 @@ pub(crate) fn linear(gpu: &Gpu, at_ends: wgpu::AddressMode) -> Resource {
     }))
 }
 
-/// The resources of a composition in the order of its bindings: those that are made already, and others of words.
+/// Returns the resources of a composition in binding order: existing resources, and new ones from
+/// words.
 pub(crate) fn bound(
     gpu: &Gpu,
     parts: &[&'static Part],
@@ -82,12 +84,13 @@ pub(crate) fn bound(
                 return Ok(resource.clone());
             }
             let words = words.iter().find(|(of, _)| *of == name).map(|(_, words)| words.as_slice());
-            resource(gpu, binding, words.ok_or_else(|| format!("nothing is bound to `{name}`"))?)
+            resource(gpu, binding, words.ok_or_else(|| format!("no resource for `{name}`"))?)
         })
         .collect()
 }
 
-/// The layout of a composition's bindings: an adapter would leave out those that an entry does not read.
+/// Returns the layout of a composition's bindings. An automatic layout would omit bindings that an
+/// entry point does not read.
 pub(crate) fn layout(gpu: &Gpu, parts: &[&'static Part], visibility: ShaderStages) -> BindGroupLayout {
     let parts = ordered(parts);
     let bindings = (0..).zip(parts.iter().flat_map(|part| part.bindings()));
@@ -145,17 +148,17 @@ fn resource(gpu: &Gpu, binding: &Binding, words: &[u32]) -> Result<Resource, Str
             );
             Ok(Resource::View(texture.create_view(&wgpu::TextureViewDescriptor::default())))
         }
-        _ => Err(format!("`{}` is of a kind that no case has", binding.name())),
+        _ => Err(format!("`{}` has an unsupported binding type", binding.name())),
     }
 }
 
-/// A buffer of words.
+/// Creates a buffer of words.
 pub(crate) fn buffer(gpu: &Gpu, words: &[u32], usage: BufferUsages) -> wgpu::Buffer {
     let contents = bytemuck::cast_slice(words);
     gpu.device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
 }
 
-/// Resources bound in their order.
+/// Binds resources in order.
 pub(crate) fn group(
     gpu: &Gpu,
     layout: &BindGroupLayout,
@@ -168,7 +171,7 @@ pub(crate) fn group(
     gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
 }
 
-/// The bytes of a buffer that can be mapped, once the work that writes it is done.
+/// Returns the bytes of a mappable buffer, after the work that writes it.
 pub(crate) fn bytes(gpu: &Gpu, buffer: &wgpu::Buffer) -> Result<Vec<u8>, String> {
     buffer.slice(..).map_async(wgpu::MapMode::Read, |_| ());
     gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| error.to_string())?;

@@ -1,4 +1,4 @@
-//! Modules that the workspace's tests share, for the test of every kind at every SIMD level.
+//! Modules shared by the workspace's tests, for testing every noise at every SIMD level.
 
 #[path = "../../../crates/noise/tests/lanes/compare.rs"]
 pub mod compare;

@@ -1,4 +1,5 @@
-//! Equal bits at every SIMD level: batches against single points, for every kind, dimension and sum.
+//! Equal bits at every SIMD level: batches against single points, for every noise, dimension and
+//! sum.
 
 use std::{panic, thread};
 
@@ -14,7 +15,7 @@ use asperity_noise::{
     simd::Kernel,
 };
 
-/// Checks that every kind goes through.
+/// Checks applied to every noise.
 enum Check {
     Near,
     Far,
@@ -42,7 +43,7 @@ fn every_point<V: Point>(name: &str, field: &dyn Field<V>) {
     for count in 0..20 {
         points(name, field, count);
     }
-    // The value alone is the sample's.
+    // The value equals the value of the sample.
     let mut random = Random(5);
     for _ in 0..1000 {
         let p = V::from_axes(|_| coordinate(&mut random));
@@ -51,7 +52,8 @@ fn every_point<V: Point>(name: &str, field: &dyn Field<V>) {
     }
 }
 
-/// Runs a test on a stack that holds the frames of unoptimised registers of 64 bytes, which 2 MiB do not.
+/// Runs a test on a stack large enough for the frames of unoptimized 64-byte registers. 2 MiB is
+/// too small.
 fn on_a_large_stack(test: impl FnOnce() + Send + 'static) {
     let thread = thread::Builder::new().stack_size(64 << 20).spawn(test).expect("a thread");
     if let Err(failure) = thread.join() {
@@ -91,7 +93,7 @@ fn cellular_noise_has_the_scalar_bits() {
     });
 }
 
-/// Lattices share all code but the hash, whose look-ups no register does.
+/// Lattices share all code except the hash, whose lookups are scalar.
 #[test]
 fn other_lattices_have_the_scalar_bits() {
     on_a_large_stack(|| {

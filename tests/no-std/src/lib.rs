@@ -1,27 +1,31 @@
-//! Calls into every crate, each compared with a value that can be told by hand.
+//! Calls every crate, and compares each result with a value derived by hand.
 #![no_std]
 
 use asperity_fif::FixedFif;
 use asperity_ndf_sampling::{Ggx, Ndf};
 use asperity_noise::{Field, Gaussian, GaussianOctaves, Perlin2002, Spectrum};
 use asperity_shading::level_of_detail::Coordinates;
-use asperity_shading::{LevelOfDetail, far_field, glam::{Vec2, Vec3}};
+use asperity_shading::{
+    LevelOfDetail, far_field,
+    glam::{Vec2, Vec3},
+};
 
-/// Takes the part of libc that a freestanding program lacks.
+/// Provides the part of libc that a freestanding program lacks.
 #[cfg(not(test))]
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
     loop {}
 }
 
-/// 0 if every crate's call gives what it must, else the number of the first that does not.
+/// Returns 0 if every crate's call gives the expected result, or the number of the first that does
+/// not.
 #[must_use]
 pub fn run() -> i32 {
     let wrong = [noise, ndf_sampling, fif, shading, shaders].iter().position(|agrees| !agrees());
     wrong.map_or(0, |index| index as i32 + 1)
 }
 
-/// Perlin noise is 0 at lattice points; unresolved Gaussian noise is 0, resolved it is not.
+/// Perlin noise is 0 at lattice points. Unresolved Gaussian noise is 0, resolved noise is not.
 fn noise() -> bool {
     let Ok(spectrum) = Spectrum::new(2.17, 0.5, 8) else { return false };
     let field = GaussianOctaves::new(Gaussian::new(1), spectrum);
@@ -33,7 +37,7 @@ fn noise() -> bool {
         && a.value.is_finite()
 }
 
-/// The coordinates of a normal come back, and the peak of GGX is 1/(π αx αy).
+/// The coordinates of a normal round-trip, and the peak of GGX is 1/(π αx αy).
 fn ndf_sampling() -> bool {
     let Ok(ggx) = Ggx::new(0.2, 0.4) else { return false };
     let z = Vec2::new(0.7, -1.1);
@@ -44,12 +48,14 @@ fn ndf_sampling() -> bool {
 
 /// Takagi's function at one third of its period: f(2/3) = 4/3.
 fn fif() -> bool {
-    let Ok(f) = FixedFif::<2, 2>::affine(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0], &[0.5, 0.5]) else { return false };
+    let Ok(f) = FixedFif::<2, 2>::affine(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0], &[0.5, 0.5]) else {
+        return false;
+    };
     let value = f.evaluate(2.0 / 3.0, 1e-12).value - 4.0 / 3.0;
     value.abs() < 1e-9
 }
 
-/// From afar both rules are the density itself.
+/// In the far field both rules equal the density.
 fn shading() -> bool {
     let Ok(ggx) = Ggx::new(0.2, 0.4) else { return false };
     let h = Vec3::new(0.0, 0.6, 0.8);
@@ -58,7 +64,7 @@ fn shading() -> bool {
     far > 0.0 && rules.into_iter().all(|rule| rule.radiance(&ggx, h, Coordinates::FAR) == far)
 }
 
-/// Sources are constants: a part names what it needs, and defines what it is named for.
+/// Sources are constants: a part lists its dependencies and defines its functions.
 fn shaders() -> bool {
     let part = asperity_shaders::noise::INTEGER_HASH;
     part.needs().is_empty() && part.names().any(|name| name == "integer_hash_word")

@@ -1,10 +1,11 @@
-//! The probe as a static program: no std, no allocator, no C runtime; its exit code is [`asperity_no_std::run`]'s.
+//! The probe as a static program without std, allocator and C runtime. Its exit code is the result
+//! of [`asperity_no_std::run`].
 #![no_std]
 #![no_main]
 
 use core::arch::asm;
 
-/// The entry point: the stack is aligned, the probe runs, the kernel ends the process.
+/// The entry point: aligns the stack, runs the probe, exits the process.
 #[unsafe(no_mangle)]
 #[unsafe(naked)]
 extern "C" fn _start() -> ! {
@@ -17,16 +18,17 @@ extern "C" fn main() -> ! {
     unsafe { asm!("syscall", in("rax") 231, in("rdi") code, options(noreturn)) }
 }
 
-/// Named by the precompiled core library; never called, because a panic aborts.
+/// Required by the precompiled core library; never called, because a panic aborts.
 #[unsafe(no_mangle)]
 extern "C" fn rust_eh_personality() {}
 
 macro_rules! bytes {
     ($($name:ident($($argument:ident: $type:ty),*) -> $result:ty $body:block)*) => {$(
-        /// A memory function that compiled code may call, byte by byte.
+        /// A byte-wise memory function that compiled code may call.
         ///
         /// # Safety
-        /// The conditions of C's function of this name.
+        ///
+        /// Same as for the C function of this name.
         #[unsafe(no_mangle)]
         unsafe extern "C" fn $name($($argument: $type),*) -> $result { unsafe { $body } }
     )*};

@@ -1,4 +1,5 @@
-//! A user's own glam, of the oldest version that Asperity allows, is the one that Asperity computes with.
+//! Checks that a user's glam, in the oldest version that Asperity allows, is the version used by
+//! Asperity.
 
 use asperity_ndf_sampling::{Ggx, Ndf};
 use asperity_noise::{Field, Perlin2002};

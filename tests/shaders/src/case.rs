@@ -1,4 +1,4 @@
-//! WGSL functions beside the crates': inputs, references and bounds, for whatever computes shaders.
+//! WGSL functions compared with the crates: inputs, references and bounds, for any shader backend.
 
 use std::ops::Range;
 
@@ -6,12 +6,12 @@ use asperity_shaders::{Binding, Bindings, Part, compose, ordered};
 
 use asperity_wgsl::Interpreter;
 
-/// Words that a case takes.
+/// Input words of a case.
 pub const INPUTS: usize = 16;
-/// Words that a case gives.
+/// Output words of a case.
 pub const OUTPUTS: usize = 16;
 
-/// One WGSL function, or a few that share their inputs, beside the crates'.
+/// One WGSL function, or several with the same inputs, compared with the crates.
 pub struct Case {
     /// Concept and dimension: `noise/kinds/value, 3-D`.
     pub name: String,
@@ -21,11 +21,12 @@ pub struct Case {
     pub body: String,
     /// Words of uniforms and tables, by the names of the parts' bindings.
     pub resources: Vec<(&'static str, Vec<u32>)>,
-    /// The i-th input: the words of a, b, c and d. Those of every case are at least [`Case::COUNT`], the first few of them bad ones.
+    /// The i-th input: the words of a, b, c and d. Every case has at least [`Case::COUNT`] inputs,
+    /// the first few of which are invalid.
     pub input: Box<dyn Fn(u32) -> [u32; INPUTS] + Send + Sync>,
-    /// Outputs that the crates give.
+    /// Outputs of the crates.
     pub reference: Box<dyn Fn([u32; INPUTS]) -> [u32; OUTPUTS] + Send + Sync>,
-    /// Names of the output words, and how near they must be.
+    /// Names of the output words, and their tolerances.
     pub outputs: Vec<Output>,
 }
 
@@ -35,25 +36,26 @@ pub struct Output {
     pub name: &'static str,
     /// Its words.
     pub words: Range<usize>,
-    /// Bound where every operation is computed as it is written.
+    /// Bound if every operation is computed as written.
     pub written: Bound,
-    /// On any adapter: products and sums may be fused, division and roots be off by a few units of the last place.
+    /// Bound on any adapter: products and sums may be fused, and divisions and roots may be off by
+    /// a few units in the last place.
     pub adapter: Bound,
 }
 
-/// Nearness that is asked of floats.
+/// Required accuracy of floats.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Bound {
-    /// Equal bits; −0 is 0.
+    /// Equal bits; −0 equals 0.
     Equal,
     /// |got − expected| at most this.
     Absolute(f32),
-    /// |got − expected| at most this times |expected|, or 10⁻³⁰ if that is less.
+    /// |got − expected| at most this times |expected|, or at most 10⁻³⁰ if that is larger.
     Relative(f32),
 }
 
 impl Output {
-    /// Some words with their bounds.
+    /// Creates an output from words and bounds.
     #[must_use]
     pub const fn new(name: &'static str, words: Range<usize>, written: Bound, adapter: Bound) -> Self {
         Self { name, words, written, adapter }
@@ -61,10 +63,10 @@ impl Output {
 }
 
 impl Case {
-    /// Inputs that are tried.
+    /// Number of tested inputs.
     pub const COUNT: u32 = 10_000;
 
-    /// The module with `evaluate`.
+    /// Returns the module with `evaluate`.
     #[must_use]
     pub fn wgsl(&self) -> String {
         format!(
@@ -80,20 +82,20 @@ impl Case {
 }
 
 impl Case {
-    /// The module with its resources, without a driver.
+    /// Returns an interpreter of the module with its resources.
     ///
     /// # Errors
     ///
-    /// If the module is not valid, or the words of a resource are missing or of another number.
+    /// If the module is invalid, or the words of a resource are missing or have the wrong number.
     pub fn interpreter(&self) -> Result<Interpreter, String> {
         self.bound(Interpreter::new(&self.wgsl())?)
     }
 
-    /// A module of the same names with the case's resources.
+    /// Binds the case's resources to a module with the same names.
     ///
     /// # Errors
     ///
-    /// If the words of a resource are missing or of another number.
+    /// If the words of a resource are missing or have the wrong number.
     pub fn bound(&self, mut shader: Interpreter) -> Result<Interpreter, String> {
         for binding in ordered(&self.parts).iter().flat_map(|part| part.bindings()) {
             let name = binding.name();
@@ -114,27 +116,28 @@ impl Case {
 }
 
 impl Bound {
-    /// The error by the bound's measure: 0 for equal bits; NaN against a number is ∞. Unless bits must be equal, 0 too for two NaN
-    /// and for 0 in place of a denormal, which WGSL allows.
+    /// Returns the error in the bound's measure: 0 for equal bits, and ∞ for NaN against a number.
+    /// Unless bits must be equal, two NaN values, and 0 in place of a denormal, which WGSL allows,
+    /// are also 0.
     #[must_use]
     pub fn error(self, got: u32, expected: u32) -> f32 {
         let [g, e] = [got, expected].map(f32::from_bits);
         if got == expected || g == e {
             return 0.0;
         }
-        // No number is another; and a denormal result may be taken for 0.
+        // NaN differs from every number, and a denormal result may be flushed to 0.
         if self != Self::Equal && (g.is_nan() && e.is_nan() || g == 0.0 && e.is_subnormal()) {
             return 0.0;
         }
         let error = match self {
-            // A product whose factors hardware took for 0 may be missing in the least of numbers.
+            // A product whose factors were flushed to 0 may be missing in the smallest numbers.
             Self::Relative(_) => (g - e).abs() / e.abs().max(1e-30),
             Self::Equal | Self::Absolute(_) => (g - e).abs(),
         };
         if error.is_nan() { f32::INFINITY } else { error }
     }
 
-    /// The greatest error allowed.
+    /// Returns the maximum allowed error.
     #[must_use]
     pub fn limit(self) -> f32 {
         match self {
@@ -144,7 +147,7 @@ impl Bound {
     }
 }
 
-/// Whole words, the k-th number of the i-th input.
+/// Returns random words, the k-th number of the i-th input.
 #[must_use]
 pub fn any(i: u32, k: u32) -> u32 {
     let mut h = i.wrapping_mul(0x9e37_79b9) ^ k.wrapping_mul(0x85eb_ca6b).wrapping_add(0x1234_5678);
@@ -155,16 +158,16 @@ pub fn any(i: u32, k: u32) -> u32 {
     h ^ h >> 16
 }
 
-/// Numbers uniform in [low, high), the k-th of the i-th input.
+/// Returns uniform numbers in [low, high), the k-th of the i-th input.
 #[must_use]
 pub fn between(i: u32, k: u32, low: f32, high: f32) -> f32 {
     low + (high - low) * (any(i, k) >> 8) as f32 * (1.0 / 16_777_216.0)
 }
 
-/// A denormal number, the one among all inputs: a card may take it for 0.
+/// A denormal number, the only one among all inputs: a GPU may flush it to 0.
 pub const DENORMAL: f32 = 1e-40;
 
-/// Coordinates that no function may stumble over.
+/// Coordinates that every function must handle.
 pub const BAD: [f32; 10] = [
     f32::NAN,
     f32::INFINITY,

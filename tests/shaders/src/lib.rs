@@ -1,5 +1,5 @@
-//! The functions of the shaders beside those of the crates: an interpreter that needs no driver, and cases for it and for
-//! drivers.
+//! Shader functions compared with the crates: an interpreter that needs no driver, and cases for
+//! the interpreter and for drivers.
 
 pub mod case;
 pub mod cases;

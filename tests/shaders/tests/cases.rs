@@ -1,4 +1,4 @@
-//! The functions of the shaders in the interpreter beside those of the crates.
+//! Shader functions in the interpreter, compared with the crates.
 
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::sync::LazyLock;
@@ -10,18 +10,19 @@ use asperity_shader_tests::{
 };
 use asperity_shaders::{Binding, Bindings, Imports, Part, module, ordered};
 
-/// Beginnings of the names of cases.
+/// Name prefixes of cases.
 const ROOMS: [&str; 7] =
     ["noise/lattice", "noise/kinds", "noise/sums", "noise/transforms", "ndf/", "shading/", "fif/"];
 
-/// One of so many inputs is tried with fused sums: bounds are wide, and all adapters are asked for every input in `tests/gpu`.
+/// One of this many inputs is tested with fused sums, because bounds are wide and `tests/gpu` tests
+/// every input on all adapters.
 const FUSED: usize = 8;
 
-/// All cases, made once for all tests.
+/// All cases, created once for all tests.
 static CASES: LazyLock<Vec<Case>> = LazyLock::new(cases::all);
 
-/// Outcomes of a case with one arithmetic beside its references: the first input at which an output is beyond its bound, and light that is
-/// wrong in the mean.
+/// Compares the outcomes of a case with its references. Returns the first input with an output
+/// beyond its bound, or a wrong mean radiance.
 fn broken(
     case: &Case,
     shader: &Interpreter,
@@ -47,18 +48,18 @@ fn broken(
                 light += expected.abs();
             }
         }
-        // Of materials over points, pixels and directions.
+        // For materials, the mean over points, pixels and directions.
         if output.name == "light"
             && case.name.starts_with("shading/material")
             && (apart > 0.01 * light || apart.is_nan())
         {
-            return Err(format!("light is wrong in the mean by {:e}", apart / light));
+            return Err(format!("mean radiance differs by {:e}", apart / light));
         }
     }
     Ok(())
 }
 
-/// Inputs of a case with what the crates give.
+/// Returns inputs of a case with the crates' outputs.
 fn given(case: &Case, count: u32) -> Vec<([u32; INPUTS], [u32; OUTPUTS])> {
     (0..count)
         .map(|i| {
@@ -68,9 +69,10 @@ fn given(case: &Case, count: u32) -> Vec<([u32; INPUTS], [u32; OUTPUTS])> {
         .collect()
 }
 
-/// A case as written and fused.
+/// Tests a case as written and fused.
 fn failures(case: &Case) -> Vec<String> {
-    // Cases that call the same functions with other tables or parameters share the number.
+    // Cases that call the same functions with other tables or parameters split the number of
+    // inputs.
     let alike = CASES.iter().filter(|other| other.body == case.body).count();
     let given = given(case, Case::COUNT.div_ceil(alike as u32));
     let shader = match case.interpreter() {
@@ -86,7 +88,7 @@ fn failures(case: &Case) -> Vec<String> {
         .collect()
 }
 
-/// All cases of a room.
+/// Tests all cases of a prefix.
 fn hold(room: &str) {
     let cases = CASES.iter().filter(|case| case.name.starts_with(room));
     let failures: Vec<String> = cases.flat_map(failures).collect();
@@ -128,8 +130,9 @@ fn fractal_interpolation() {
     hold(ROOMS[6]);
 }
 
-/// Coordinates from the middle of a sphere of 40 cells lose what its finer octaves need where products and sums are fused; differences
-/// to an anchor do not, as one of the cases shows.
+/// Coordinates relative to the center of a sphere of 40 cells lack the precision for its finer
+/// octaves if products and sums are fused. Differences to an anchor have it, as one of the cases
+/// shows.
 #[test]
 fn absolute_coordinates_fail_where_anchors_hold() {
     for zoom in [100.0, 1e4] {
@@ -141,16 +144,16 @@ fn absolute_coordinates_fail_where_anchors_hold() {
     }
 }
 
-/// Words of a source, without its comments.
+/// Returns the words of a source, without comments.
 fn words(source: &str) -> HashSet<&str> {
     let code = source.lines().map(|line| line.split("//").next().unwrap_or_default());
     code.flat_map(|line| line.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'))).collect()
 }
 
-/// WGSL's own names that end in a digit.
+/// WGSL built-in names that end in a digit.
 const OWN: [&str; 8] = ["f32", "u32", "i32", "vec2", "vec3", "vec4", "log2", "exp2"];
 
-/// naga would write them otherwise, and naga_oil refuses them.
+/// naga would rename them, and naga_oil rejects them.
 #[test]
 fn no_name_ends_in_a_digit() {
     let is_number = |word: &str| word.starts_with(|c: char| c.is_ascii_digit());
@@ -163,7 +166,7 @@ fn no_name_ends_in_a_digit() {
     assert!(wrong.is_empty(), "{wrong:?}");
 }
 
-/// Parts of all cases that are the crate's, by what they define.
+/// Returns the crate's parts of all cases, by the names they define.
 fn homes(parts: &[&'static Part]) -> BTreeMap<&'static str, BTreeSet<&'static str>> {
     let mut homes = BTreeMap::<_, BTreeSet<_>>::new();
     for part in parts {
@@ -175,9 +178,9 @@ fn homes(parts: &[&'static Part]) -> BTreeMap<&'static str, BTreeSet<&'static st
     homes
 }
 
-/// Any parts may be in one module, and those who import a part get all that it names.
+/// Any parts may be in one module, and importing a part provides everything it refers to.
 #[test]
-fn names_have_one_home_that_is_imported() {
+fn names_are_defined_once_and_imported() {
     let parts: Vec<_> = CASES.iter().flat_map(|case| ordered(&case.parts)).collect();
     let parts: Vec<_> = parts.into_iter().filter(|part| !part.name().starts_with("case/")).collect();
     let homes = homes(&parts);
@@ -202,7 +205,7 @@ fn names_have_one_home_that_is_imported() {
 }
 
 #[test]
-fn every_case_is_in_a_room() {
+fn every_case_has_a_known_prefix() {
     for case in &*CASES {
         assert_eq!(ROOMS.iter().filter(|room| case.name.starts_with(**room)).count(), 1, "{}", case.name);
     }

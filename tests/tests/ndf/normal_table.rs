@@ -59,8 +59,9 @@ fn frames_are_orthonormal_in_every_layout() {
 }
 
 #[test]
-fn frames_turn_little_between_neighbours() {
-    // The steps of 256² entries; the largest are next to the horizon, or at the border of an island.
+fn adjacent_frames_differ_little() {
+    // The steps of 256² entries. The largest are next to the horizon, or at the border of an
+    // island.
     for (name, ndf, most) in [
         ("GGX 0.2 0.4", &Ggx::new(0.2, 0.4).unwrap() as &dyn Ndf, 2.5),
         ("GGX 1", &Ggx::isotropic(1.0).unwrap(), 2.5),

@@ -1,21 +1,22 @@
-//! Rounding that WGSL leaves to an implementation.
+//! Rounding that WGSL leaves to the implementation.
 
 /// Rounding of a sum of products.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Arithmetic {
-    /// Every operation is rounded, in the order that is written.
+    /// Every operation is rounded, in source order.
     #[default]
     Written,
-    /// A product that only one sum or difference uses is one `mul_add` with it, the left one of two.
+    /// A product used only by one sum or difference is fused with it to one `mul_add`; of two
+    /// products, the left one.
     Fused,
 }
 
-/// Everything that an implementation may choose.
+/// All implementation choices.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Rounding {
     pub(super) arithmetic: Arithmetic,
     /// Added to the bits of every quotient and square root.
     pub(super) division_ulps: i32,
-    /// Denormals are zero.
+    /// Whether denormals are flushed to zero.
     pub(super) flush_denormals: bool,
 }

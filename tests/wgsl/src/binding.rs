@@ -1,4 +1,4 @@
-//! Resources that the names of a module are bound to.
+//! Resources bound to the names of a module.
 
 use naga::proc::Layouter;
 use naga::{
@@ -8,7 +8,7 @@ use naga::{
 
 use super::layout;
 
-/// A texture of one component.
+/// A texture with one component.
 #[derive(Debug)]
 pub(super) struct Texture {
     pub(super) width: u32,
@@ -16,7 +16,7 @@ pub(super) struct Texture {
     pub(super) words: Vec<u32>,
 }
 
-/// Everything that is bound, by the index of naga.
+/// All bound resources, by naga's index.
 #[derive(Debug)]
 pub(super) struct Bindings {
     names: Vec<String>,
@@ -25,7 +25,7 @@ pub(super) struct Bindings {
 }
 
 impl Bindings {
-    /// Nothing yet.
+    /// Creates an empty set.
     pub(super) fn new(module: &Module) -> Self {
         let names: Vec<String> = module
             .global_variables
@@ -55,11 +55,11 @@ impl Bindings {
             }
         );
         if !is_table {
-            return Err(format!("`{name}` is no texture_2d"));
+            return Err(format!("`{name}` is not a texture_2d"));
         }
         let length = words.len() as u32;
         if width == 0 || length == 0 || !length.is_multiple_of(width) {
-            return Err(format!("`{name}`: {length} words do not make up rows of {width}"));
+            return Err(format!("`{name}`: {length} words are not a multiple of the row width {width}"));
         }
         self.textures[handle.index()] = Some(Texture { width, height: length / width, words });
         Ok(())
@@ -77,10 +77,10 @@ impl Bindings {
         let own = match global.space {
             AddressSpace::Uniform => "uniform",
             AddressSpace::Storage { access } if !access.contains(StorageAccess::STORE) => "storage buffer",
-            _ => "something else",
+            _ => "another resource",
         };
         if own != sort {
-            return Err(format!("`{name}` is no {sort} to be read but {own}"));
+            return Err(format!("`{name}` is not a readable {sort} but {own}"));
         }
         let mut layouter = Layouter::default();
         layouter.update(module.to_ctx()).map_err(|error| error.to_string())?;
@@ -102,28 +102,28 @@ impl Bindings {
         Ok(())
     }
 
-    /// The words of a buffer without padding.
+    /// Returns the words of a buffer without padding.
     pub(super) fn buffer_words(&self, index: usize) -> Result<&[u32], String> {
         self.buffers[index].as_deref().ok_or_else(|| self.unbound(index))
     }
 
-    /// A texture.
+    /// Returns a texture.
     pub(super) fn texture_at(&self, index: usize) -> Result<&Texture, String> {
         let texture = self.textures.get(index).ok_or("no such texture")?;
         texture.as_ref().ok_or_else(|| self.unbound(index))
     }
 
-    /// The name of a global variable.
+    /// Returns the name of a global variable.
     pub(super) fn name(&self, index: usize) -> &str {
         self.names.get(index).map_or("", String::as_str)
     }
 
     fn unbound(&self, index: usize) -> String {
-        format!("nothing is bound to `{}`", self.name(index))
+        format!("no resource for `{}`", self.name(index))
     }
 }
 
-/// Bytes from element to element where the global variable is an array without an end.
+/// Returns the stride of a runtime-sized array.
 fn runtime_stride(module: &Module, global: &GlobalVariable) -> Option<u32> {
     match module.types[global.ty].inner {
         TypeInner::Array { size: ArraySize::Dynamic, stride, .. } => Some(stride),
@@ -131,10 +131,10 @@ fn runtime_stride(module: &Module, global: &GlobalVariable) -> Option<u32> {
     }
 }
 
-/// The global variable of a name.
+/// Returns the global variable of a name.
 fn named<'m>(module: &'m Module, name: &str) -> Result<(Handle<GlobalVariable>, &'m GlobalVariable), String> {
     let mut globals = module.global_variables.iter();
     globals
         .find(|(_, global)| global.name.as_deref() == Some(name))
-        .ok_or_else(|| format!("no global variable is called `{name}`"))
+        .ok_or_else(|| format!("no global variable `{name}`"))
 }

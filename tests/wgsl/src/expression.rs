@@ -16,12 +16,12 @@ use super::operators::{LANES, Lanes, Term, Words, converted, select};
 const ONE: u32 = 0x3f80_0000;
 
 impl<'m> Machine<'m> {
-    /// The type of an expression.
+    /// Returns the type of an expression.
     pub(super) fn inner(&self, frame: &Frame<'m>, handle: Handle<Expression>) -> &'m TypeInner {
         frame.info[handle].ty.inner_with(&self.module().types)
     }
 
-    /// The type of an expression, or of what it points to.
+    /// Returns the type of an expression, or of its pointee.
     fn pointee(&self, frame: &Frame<'m>, handle: Handle<Expression>) -> &'m TypeInner {
         match *self.inner(frame, handle) {
             TypeInner::Pointer { base, .. } => &self.module().types[base].inner,
@@ -29,46 +29,47 @@ impl<'m> Machine<'m> {
         }
     }
 
-    /// The kind of the scalars of an expression.
+    /// Returns the scalar type of an expression.
     pub(super) fn kind(&self, frame: &Frame<'m>, handle: Handle<Expression>) -> Result<Kind, String> {
         match *self.inner(frame, handle) {
             TypeInner::Scalar(scalar)
             | TypeInner::Vector { scalar, .. }
             | TypeInner::Matrix { scalar, .. } => layout::kind(scalar),
-            ref other => Err(format!("{other:?} has no scalars of one kind")),
+            ref other => Err(format!("{other:?} has no single scalar type")),
         }
     }
 
-    /// The words of an expression.
+    /// Returns the words of an expression.
     pub(super) fn words(&mut self, frame: &Frame<'m>, handle: Handle<Expression>) -> Result<Words, String> {
         match self.operand(frame, handle)? {
             Operand::Words(words) => Ok(words),
-            other => Err(format!("a {} where a value is wanted", kind_name(&other))),
+            other => Err(format!("expected a value, got a {}", kind_name(&other))),
         }
     }
 
-    /// The word of an expression that is a scalar.
+    /// Returns the word of a scalar expression.
     pub(super) fn word(&mut self, frame: &Frame<'m>, handle: Handle<Expression>) -> Result<Lanes, String> {
         let words = self.words(frame, handle)?;
-        words.first().copied().ok_or_else(|| "no words where a scalar is wanted".into())
+        words.first().copied().ok_or_else(|| "expected a scalar, got no words".into())
     }
 
-    /// Target of an expression that is a pointer.
+    /// Returns the target of a pointer expression.
     pub(super) fn place(&mut self, frame: &Frame<'m>, handle: Handle<Expression>) -> Result<Place, String> {
         match self.operand(frame, handle)? {
             Operand::Place(place) => Ok(place),
-            _ => Err("a value where a pointer is wanted".into()),
+            _ => Err("expected a pointer, got a value".into()),
         }
     }
 
     fn texture(&mut self, frame: &Frame<'m>, handle: Handle<Expression>) -> Result<usize, String> {
         match self.operand(frame, handle)? {
             Operand::Texture(index) => Ok(index),
-            _ => Err("a value where a texture is wanted".into()),
+            _ => Err("expected a texture, got a value".into()),
         }
     }
 
-    /// Result of an expression; what naga never emits is evaluated where it is used.
+    /// Returns the result of an expression. Expressions that naga never emits are evaluated where
+    /// they are used.
     pub(super) fn operand(
         &mut self,
         frame: &Frame<'m>,
@@ -109,7 +110,7 @@ impl<'m> Machine<'m> {
                 match self.operand(frame, base)? {
                     Operand::Place(place) => return Ok(Operand::Place(place.plus(before))),
                     Operand::Words(words) => words[before as usize..(before + own) as usize].into(),
-                    Operand::Texture(_) => return Err("textures have no parts".into()),
+                    Operand::Texture(_) => return Err("textures have no components".into()),
                 }
             }
             Expression::Splat { size, value } => vec![self.word(frame, value)?; size as usize].into(),
@@ -132,7 +133,7 @@ impl<'m> Machine<'m> {
                 let at = self.words(frame, coordinate)?;
                 let level = level.map(|level| self.word(frame, level)).transpose()?.unwrap_or([0; LANES]);
                 let [x, y] = &*at else { return Err("only textures in the plane are known".into()) };
-                // What a format of one component has in the others.
+                // The values of the missing components of a one-component format.
                 let one = if self.kind(frame, handle)? == Kind::Float { ONE } else { 1 };
                 [self.texel(texture, [x, y, &level], frame.mask)?, [0; LANES], [0; LANES], [one; LANES]]
                     .into()
@@ -156,7 +157,7 @@ impl<'m> Machine<'m> {
                 let fold = match fun {
                     RelationalFunction::All => BinaryOperator::And,
                     RelationalFunction::Any => BinaryOperator::InclusiveOr,
-                    _ => return Err(format!("the function {fun:?} is not known")),
+                    _ => return Err(format!("unsupported function {fun:?}")),
                 };
                 let words = self.words(frame, argument)?;
                 let fold = |all: Words, word: &Lanes| {
@@ -186,7 +187,7 @@ impl<'m> Machine<'m> {
                 let words = self.shader.bindings.buffer_words(buffer)?.len() as u32;
                 [[words.saturating_sub(place.base) / stride.max(1); LANES]].into()
             }
-            ref other => return Err(format!("expressions of kind `{}` are not known", kind_name(other))),
+            ref other => return Err(format!("unsupported expression `{}`", kind_name(other))),
         };
         Ok(Operand::Words(words))
     }
@@ -210,12 +211,12 @@ impl<'m> Machine<'m> {
             }
             space => {
                 let name = variable.name.as_deref().unwrap_or_default();
-                return Err(format!("`{name}` lies in the space {space:?}, which is not known"));
+                return Err(format!("`{name}` is in the unsupported address space {space:?}"));
             }
         })
     }
 
-    /// An element at an index.
+    /// Returns an element at an index.
     fn access(
         &mut self,
         frame: &Frame<'m>,
@@ -253,7 +254,7 @@ impl<'m> Machine<'m> {
         })
     }
 
-    /// Component x of texels.
+    /// Returns component x of texels.
     fn texel(&self, index: usize, [x, y, level]: [&Lanes; 3], mask: Mask) -> Result<Lanes, String> {
         let bindings = &self.shader.bindings;
         let &Texture { width, height, ref words } = bindings.texture_at(index)?;
@@ -296,7 +297,7 @@ impl<'m> Machine<'m> {
         Ok(rounding.binary(operator, kind, &a, &b))
     }
 
-    /// An operand of a sum: both factors of a product that is fused with it, or its words.
+    /// Returns an operand of a sum: both factors of a product that is fused with it, or its words.
     fn factors(
         &mut self,
         frame: &Frame<'m>,

@@ -1,8 +1,8 @@
-//! Words of types: packed without padding in memory, with it in buffers.
+//! Words of types: packed without padding in memory, with padding in buffers.
 
 use naga::{ArraySize, Handle, Module, Scalar, ScalarKind, Type, TypeInner};
 
-/// Kinds of scalars, each in one word.
+/// Scalar types, each in one word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Float,
@@ -11,18 +11,18 @@ pub(super) enum Kind {
     Bool,
 }
 
-/// The kind of a scalar.
+/// Returns the type of a scalar.
 pub(super) fn kind(scalar: Scalar) -> Result<Kind, String> {
     match (scalar.kind, scalar.width) {
         (ScalarKind::Float, 4) => Ok(Kind::Float),
         (ScalarKind::Sint, 4) => Ok(Kind::Signed),
         (ScalarKind::Uint, 4) => Ok(Kind::Unsigned),
         (ScalarKind::Bool, _) => Ok(Kind::Bool),
-        _ => Err(format!("scalars of kind {:?} and {} bytes are not known", scalar.kind, scalar.width)),
+        _ => Err(format!("unsupported scalar type {:?} with {} bytes", scalar.kind, scalar.width)),
     }
 }
 
-/// Number of words of a type, without padding; of an array without an end none.
+/// Returns the number of words of a type without padding; 0 for a runtime-sized array.
 pub(super) fn words(module: &Module, inner: &TypeInner) -> Result<u32, String> {
     match *inner {
         TypeInner::Scalar(scalar) => kind(scalar).map(|_| 1),
@@ -33,7 +33,9 @@ pub(super) fn words(module: &Module, inner: &TypeInner) -> Result<u32, String> {
             match size {
                 ArraySize::Constant(size) => Ok(words * size.get()),
                 ArraySize::Dynamic => Ok(0),
-                ArraySize::Pending(_) => Err("arrays with an override as their length are not known".into()),
+                ArraySize::Pending(_) => {
+                    Err("arrays with an override as their length are not supported".into())
+                }
             }
         }
         TypeInner::Struct { ref members, .. } => {
@@ -41,16 +43,16 @@ pub(super) fn words(module: &Module, inner: &TypeInner) -> Result<u32, String> {
         }
         // An address, or the number of a texture.
         TypeInner::Pointer { .. } | TypeInner::ValuePointer { .. } | TypeInner::Image { .. } => Ok(1),
-        ref other => Err(format!("values of type {other:?} are not known")),
+        ref other => Err(format!("unsupported value type {other:?}")),
     }
 }
 
-/// Number of words of a type of the module.
+/// Returns the number of words of a type of the module.
 pub(super) fn words_of(module: &Module, of: Handle<Type>) -> Result<u32, String> {
     words(module, &module.types[of].inner)
 }
 
-/// Part `index` of a value: the words before it, and its own number.
+/// Returns part `index` of a value: the words before it, and its number of words.
 pub(super) fn part(module: &Module, inner: &TypeInner, index: u32) -> Result<(u32, u32), String> {
     if let TypeInner::Struct { ref members, .. } = *inner {
         let (before, own) = members.split_at(index as usize);
@@ -62,7 +64,8 @@ pub(super) fn part(module: &Module, inner: &TypeInner, index: u32) -> Result<(u3
     Ok((index * stride, stride))
 }
 
-/// Words of an element, and the number of elements; of an array without an end as many as there may be.
+/// Returns words per element, and the number of elements; for a runtime-sized array the maximum
+/// number.
 pub(super) fn elements(module: &Module, inner: &TypeInner) -> Result<(u32, u32), String> {
     match *inner {
         TypeInner::Vector { size, .. } | TypeInner::ValuePointer { size: Some(size), .. } => {
@@ -80,7 +83,7 @@ pub(super) fn elements(module: &Module, inner: &TypeInner) -> Result<(u32, u32),
     }
 }
 
-/// Appends the words of a value at a byte of a buffer, padding left out.
+/// Appends the words of a value at a byte offset of a buffer, without padding.
 pub(super) fn unpad(
     module: &Module,
     of: Handle<Type>,
@@ -91,14 +94,14 @@ pub(super) fn unpad(
     let mut run = |byte: u32, count: u32| -> Result<(), String> {
         let first = byte as usize / 4;
         let run = words.get(first..first + count as usize);
-        unpadded.extend(run.ok_or_else(|| format!("word {first} lies behind the end"))?);
+        unpadded.extend(run.ok_or_else(|| format!("word {first} is out of bounds"))?);
         Ok(())
     };
     match module.types[of].inner {
         TypeInner::Scalar(_) => run(byte, 1),
         TypeInner::Vector { size, .. } => run(byte, size as u32),
         TypeInner::Matrix { columns, rows, .. } => {
-            // A column lies as a vector does: two words, or four for three and four.
+            // A column is laid out like a vector: two words, or four for three and four.
             let stride = if rows as u32 == 2 { 8 } else { 16 };
             (0..columns as u32).try_for_each(|column| run(byte + column * stride, rows as u32))
         }
@@ -112,6 +115,6 @@ pub(super) fn unpad(
         TypeInner::Struct { ref members, .. } => members
             .iter()
             .try_for_each(|member| unpad(module, member.ty, words, byte + member.offset, unpadded)),
-        ref other => Err(format!("buffers of type {other:?} are not known")),
+        ref other => Err(format!("unsupported buffer type {other:?}")),
     }
 }

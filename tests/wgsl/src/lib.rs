@@ -1,4 +1,4 @@
-//! An interpreter of WGSL: every `f32` operation is Rust's, in the order that is written.
+//! A WGSL interpreter that evaluates every `f32` operation in Rust, in source order.
 
 mod arithmetic;
 mod binding;
@@ -21,7 +21,7 @@ use self::operators::LANES;
 use self::shader::Shader;
 pub use self::value::Value;
 
-/// A validated module of WGSL, what its names are bound to, and how its sums and quotients are rounded.
+/// A validated WGSL module with bound resources and rounding options.
 ///
 /// ```
 /// use asperity_wgsl::Interpreter;
@@ -34,10 +34,11 @@ pub use self::value::Value;
 pub struct Interpreter(Shader);
 
 impl Interpreter {
-    /// Parses and validates.
+    /// Parses and validates a module.
     ///
     /// # Errors
-    /// Error as naga prints it, with the line of the source.
+    ///
+    /// Returns naga's error with the source line.
     pub fn new(wgsl: &str) -> Result<Self, String> {
         let module = naga::front::wgsl::parse_str(wgsl).map_err(|error| error.emit_to_string(wgsl))?;
         let info = Validator::new(ValidationFlags::all(), Capabilities::empty())
@@ -47,47 +48,52 @@ impl Interpreter {
         Ok(Self(Shader { module, info, bindings, rounding: Rounding::default() }))
     }
 
-    /// Rounds sums of products as `arithmetic` says.
+    /// Sets the rounding of sums of products.
     #[must_use]
     pub fn arithmetic(mut self, arithmetic: Arithmetic) -> Self {
         self.0.rounding.arithmetic = arithmetic;
         self
     }
 
-    /// Moves every quotient and every square root by so many units in the last place: WGSL allows 2.5 of them.
+    /// Moves every quotient and every square root by `ulps` units in the last place; WGSL allows
+    /// 2.5.
     #[must_use]
     pub fn division_ulps(mut self, ulps: i32) -> Self {
         self.0.rounding.division_ulps = ulps;
         self
     }
 
-    /// Takes denormals for zero, as operands and as results of `f32` operations, which WGSL allows.
+    /// Flushes denormals to zero, as operands and as results of `f32` operations, as WGSL allows.
     #[must_use]
     pub fn flush_denormals(mut self, flush: bool) -> Self {
         self.0.rounding.flush_denormals = flush;
         self
     }
 
-    /// Binds a `texture_2d<f32>` by bits, a `texture_2d<u32>` or a `texture_2d<i32>`, row after row: component x.
+    /// Binds a `texture_2d<f32>` by bits, a `texture_2d<u32>` or a `texture_2d<i32>`, row by row:
+    /// component x.
     ///
     /// # Errors
-    /// No such texture, or rows that are not full.
+    ///
+    /// If the texture does not exist, or a row is incomplete.
     pub fn texture(&mut self, name: &str, width: u32, words: Vec<u32>) -> Result<(), String> {
         self.0.bindings.texture(&self.0.module, name, width, words)
     }
 
-    /// Binds a uniform by its words as they lie in memory, padding included.
+    /// Binds a uniform by its words in memory layout, including padding.
     ///
     /// # Errors
-    /// No such uniform, or not as many words as naga lays out.
+    ///
+    /// If the uniform does not exist, or the number of words differs from naga's layout.
     pub fn uniform(&mut self, name: &str, words: &[u32]) -> Result<(), String> {
         self.0.bindings.buffer(&self.0.module, name, words, "uniform")
     }
 
-    /// Binds a buffer that is read only, by its words as they lie in memory, padding included.
+    /// Binds a read-only buffer by its words in memory layout, including padding.
     ///
     /// # Errors
-    /// No such buffer, or words that do not make up its type.
+    ///
+    /// If the buffer does not exist, or the words do not fit its type.
     #[expect(clippy::needless_pass_by_value, reason = "a large table is handed over, as to `texture`")]
     pub fn storage(&mut self, name: &str, words: Vec<u32>) -> Result<(), String> {
         self.0.bindings.buffer(&self.0.module, name, &words, "storage buffer")
@@ -96,8 +102,9 @@ impl Interpreter {
     /// Calls a function at one point.
     ///
     /// # Errors
-    /// No such function, other arguments, nothing bound, an index outside, an expression that is not known, or a loop
-    /// without an end.
+    ///
+    /// If the function does not exist, the arguments do not match, a resource is missing, an index
+    /// is out of bounds, an expression is unsupported, or a loop does not end.
     pub fn call(&self, function: &str, arguments: &[Value]) -> Result<Value, String> {
         let (called, wanted) = self.function(function)?;
         let given: Vec<usize> = arguments.iter().map(|value| value.words().len()).collect();
@@ -109,7 +116,8 @@ impl Interpreter {
         values.pop().ok_or_else(|| format!("function `{function}` was not called"))
     }
 
-    /// Calls a function at many points, over all cores; an input is the words of all arguments, one after the other.
+    /// Calls a function at many points on all cores. An input is the concatenated words of all
+    /// arguments.
     ///
     /// # Errors
     /// If [`Self::call`] fails for one of the inputs.
@@ -124,7 +132,7 @@ impl Interpreter {
             let given = other.as_ref().len();
             return Err(format!("function `{function}` has arguments of {wanted} words, got {given}"));
         }
-        // Of many points at once, so that a machine is made once for all of them.
+        // Many points per batch, so that a machine is created once for all of them.
         let chunks: Vec<Vec<Value>> = inputs
             .par_chunks(32 * LANES)
             .map_init(
@@ -142,11 +150,11 @@ impl Interpreter {
         Ok(chunks.into_iter().flatten().collect())
     }
 
-    /// A function and the numbers of words of its arguments.
+    /// Returns a function and the numbers of words of its arguments.
     fn function(&self, name: &str) -> Result<(Handle<Function>, Vec<usize>), String> {
         let mut functions = self.0.module.functions.iter();
         let found = functions.find(|(_, function)| function.name.as_deref() == Some(name));
-        let (handle, function) = found.ok_or_else(|| format!("no function is called `{name}`"))?;
+        let (handle, function) = found.ok_or_else(|| format!("no function `{name}`"))?;
         let words = |of| layout::words_of(&self.0.module, of).map(|words| words as usize);
         let words = function.arguments.iter().map(|argument| words(argument.ty)).collect::<Result<_, _>>()?;
         Ok((handle, words))

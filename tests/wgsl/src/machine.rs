@@ -1,4 +1,4 @@
-//! Runs functions as naga has them, at several points at once: lanes that took another way wait behind a mask.
+//! Runs naga functions at several points at once. Lanes in another branch wait behind a mask.
 
 use std::rc::Rc;
 
@@ -14,13 +14,13 @@ use super::operators::{LANES, Lanes, Words};
 use super::shader::Shader;
 use super::value::Value;
 
-/// A bit for each lane that goes on.
+/// A bit for each active lane.
 pub(super) type Mask = u64;
 
-/// Rounds of loops that one call may take.
+/// Maximum loop iterations of one call.
 const MOST_ROUNDS: u64 = 1_000_000;
 
-/// The lanes of a mask, from the lowest bit on.
+/// The lanes of a mask, from the lowest bit.
 #[derive(Clone)]
 pub(super) struct LanesOf(Mask);
 
@@ -34,12 +34,12 @@ impl Iterator for LanesOf {
     }
 }
 
-/// The lanes of a mask.
+/// Returns the lanes of a mask.
 pub(super) const fn lanes(mask: Mask) -> LanesOf {
     LanesOf(mask)
 }
 
-/// The lanes where a truth is 1.
+/// Returns the lanes where a boolean is 1.
 fn truth(word: &Lanes) -> Mask {
     word.iter().enumerate().fold(0, |mask, (lane, word)| mask | Mask::from(word & 1) << lane)
 }
@@ -57,27 +57,27 @@ fn write(to: &mut Lanes, from: &Lanes, mask: Mask) {
 pub(super) enum Operand {
     Words(Words),
     Place(Place),
-    /// The index of naga.
+    /// naga's index.
     Texture(usize),
 }
 
 /// Target of a pointer, `base + index` in words.
 #[derive(Clone, Debug)]
 pub(super) struct Place {
-    /// The index of naga of a uniform or storage buffer; none in memory.
+    /// naga's index of a uniform or storage buffer, or `None` in memory.
     pub(super) buffer: Option<usize>,
     pub(super) base: u32,
     pub(super) index: Option<Rc<Lanes>>,
 }
 
 impl Place {
-    /// So many words further.
+    /// Returns the position shifted by words.
     pub(super) fn plus(self, words: u32) -> Self {
         Self { base: self.base.saturating_add(words), ..self }
     }
 }
 
-/// A function while it runs.
+/// A function call in progress.
 pub(super) struct Frame<'m> {
     pub(super) handle: Handle<Function>,
     pub(super) function: &'m Function,
@@ -86,7 +86,7 @@ pub(super) struct Frame<'m> {
     pub(super) arguments: Vec<Operand>,
     /// Addresses of variables.
     pub(super) locals: Vec<u32>,
-    /// Results of expressions that statements evaluated, by the index of naga.
+    /// Results of evaluated expressions, by naga's index.
     pub(super) values: Vec<Option<Operand>>,
     result: Vec<Lanes>,
     /// Lanes that left the innermost loop or switch.
@@ -95,13 +95,13 @@ pub(super) struct Frame<'m> {
     continued: Mask,
 }
 
-/// A shader with memory to run in.
+/// A shader with memory for execution.
 pub(super) struct Machine<'m> {
     pub(super) shader: &'m Shader,
     pub(super) memory: Vec<Lanes>,
-    /// Addresses of private variables, by the index of naga.
+    /// Addresses of private variables, by naga's index.
     pub(super) privates: Vec<u32>,
-    /// Constant expressions that were read, by the indices of naga of the function and the expression.
+    /// Evaluated constant expressions, by naga's indices of function and expression.
     pub(super) constants: Vec<Vec<Option<Words>>>,
     rounds: u64,
 }
@@ -200,7 +200,7 @@ impl<'m> Machine<'m> {
         Ok(frame.result)
     }
 
-    /// Runs statements; the lanes that come to their end.
+    /// Runs statements, and returns the lanes that reach their end.
     fn block(&mut self, frame: &mut Frame<'m>, block: &'m Block, mask: Mask) -> Result<Mask, String> {
         let mut active = mask;
         for statement in block {
@@ -222,7 +222,7 @@ impl<'m> Machine<'m> {
         match statement {
             Statement::Emit(range) => {
                 for handle in range.clone() {
-                    // A sum computes it.
+                    // Computed by a sum.
                     if !self.is_fused_product(frame, handle) {
                         frame.values[handle.index()] = Some(self.expression(frame, handle)?);
                     }
@@ -268,7 +268,7 @@ impl<'m> Machine<'m> {
                     frame.values[result.index()] = Some(Operand::Words(words.into()));
                 }
             }
-            other => return Err(format!("statements of kind `{}` are not known", kind_name(other))),
+            other => return Err(format!("unsupported statement `{}`", kind_name(other))),
         }
         Ok(active)
     }
@@ -300,7 +300,7 @@ impl<'m> Machine<'m> {
         Ok(left | through | std::mem::replace(&mut frame.broken, outer))
     }
 
-    /// Runs a loop; the lanes that left it otherwise than by a return.
+    /// Runs a loop, and returns the lanes that left it without a return.
     fn repeat(
         &mut self,
         frame: &mut Frame<'m>,
@@ -314,7 +314,7 @@ impl<'m> Machine<'m> {
         while active != 0 {
             self.rounds += 1;
             if self.rounds > MOST_ROUNDS {
-                return Err(format!("loops take more than {MOST_ROUNDS} rounds"));
+                return Err(format!("loops exceed {MOST_ROUNDS} iterations"));
             }
             active = self.block(frame, body, active)? | std::mem::take(&mut frame.continued);
             active = self.block(frame, continuing, active)?;
@@ -332,7 +332,7 @@ impl<'m> Machine<'m> {
 
     fn store(&mut self, place: &Place, words: &[Lanes], mask: Mask) -> Result<(), String> {
         if place.buffer.is_some() {
-            return Err("only variables can be written".into());
+            return Err("only variables are writable".into());
         }
         for (address, from) in (place.base as usize..).zip(words) {
             match &place.index {
@@ -346,7 +346,7 @@ impl<'m> Machine<'m> {
         Ok(())
     }
 
-    /// Reads so many words.
+    /// Reads `count` words.
     pub(super) fn load(&self, place: &Place, count: u32, mask: Mask) -> Result<Words, String> {
         let bindings = &self.shader.bindings;
         let buffer = place.buffer.map(|buffer| Ok((buffer, bindings.buffer_words(buffer)?)));
@@ -356,7 +356,7 @@ impl<'m> Machine<'m> {
             Some((buffer, words)) => words
                 .get(address as usize)
                 .copied()
-                .ok_or_else(|| format!("word {address} is behind the end of `{}`", bindings.name(buffer))),
+                .ok_or_else(|| format!("word {address} is out of bounds of `{}`", bindings.name(buffer))),
         };
         let read = |address: u32| match (&place.index, buffer) {
             (None, None) => Ok(self.memory[address as usize]),
@@ -372,7 +372,7 @@ impl<'m> Machine<'m> {
         (0..count).map(|at| read(place.base.saturating_add(at))).collect()
     }
 
-    /// Whether an expression is a product that one sum alone uses, of an arithmetic that fuses them.
+    /// Whether an expression is a product used by a single sum, with fusing arithmetic.
     pub(super) fn is_fused_product(&self, frame: &Frame<'m>, handle: Handle<Expression>) -> bool {
         if self.shader.rounding.arithmetic == Arithmetic::Written {
             return false;
@@ -390,12 +390,12 @@ impl<'m> Machine<'m> {
     }
 }
 
-/// The name of the kind of an expression or a statement.
+/// Returns the name of the variant of an expression or a statement.
 pub(super) fn kind_name(of: &impl std::fmt::Debug) -> String {
     format!("{of:?}").chars().take_while(|letter| letter.is_alphanumeric()).collect()
 }
 
-/// The words of an expression that does not depend on anything.
+/// Returns the words of a constant expression.
 pub(super) fn constant_words(
     module: &Module,
     expressions: &Arena<Expression>,
@@ -417,6 +417,6 @@ pub(super) fn constant_words(
         Expression::Splat { size, value } => {
             Ok(constant_words(module, expressions, value)?.repeat(size as usize))
         }
-        ref other => Err(format!("constants such as {other:?} are not known")),
+        ref other => Err(format!("unsupported constant {other:?}")),
     }
 }

@@ -1,4 +1,5 @@
-//! Operators and builtin functions on words, each an operation of Rust. Builtins have the formulas of WGSL's specification.
+//! Operators and built-in functions on words, each a Rust operation. Built-ins follow the formulas
+//! of the WGSL specification.
 
 use std::rc::Rc;
 
@@ -7,7 +8,7 @@ use naga::{BinaryOperator, MathFunction, TypeInner, UnaryOperator};
 use super::arithmetic::{Arithmetic, Rounding};
 use super::layout::Kind;
 
-/// Number of points that run together: values of a function that is not small fit the first cache.
+/// Number of points that run together: values of a typical function fit the first-level cache.
 pub(super) const LANES: usize = 64;
 
 /// A word at all points.
@@ -19,20 +20,20 @@ pub(super) type Words = Rc<[Lanes]>;
 /// An operand of a sum.
 #[derive(Clone, Copy)]
 pub(super) enum Term<'a> {
-    /// A product that nothing else uses.
+    /// A product without other uses.
     Product(&'a [Lanes], &'a [Lanes]),
     Value(&'a [Lanes]),
 }
 
-/// A function of words, word by word; a scalar goes with every word.
+/// Applies a function word by word; scalars are broadcast.
 #[inline(always)]
 fn zip<const K: usize>(operands: [&[Lanes]; K], f: impl Fn([u32; K]) -> u32) -> Words {
     let count = operands.iter().map(|operand| operand.len()).max().unwrap_or(0);
     let mut result: Words = std::iter::repeat_n([0; LANES], count).collect();
-    // In place: nothing else has it yet.
+    // In place, because nothing else refers to it yet.
     for (at, to) in Rc::get_mut(&mut result).into_iter().flatten().enumerate() {
         let from = operands.map(|operand| &operand[if operand.len() == 1 { 0 } else { at }]);
-        // Loops in place of `map`: closures over arrays are not inlined here.
+        // Loops instead of `map`, because closures over arrays are not inlined here.
         for (lane, to) in to.iter_mut().enumerate() {
             let mut words = [0; K];
             for (k, word) in words.iter_mut().enumerate() {
@@ -44,22 +45,22 @@ fn zip<const K: usize>(operands: [&[Lanes]; K], f: impl Fn([u32; K]) -> u32) -> 
     result
 }
 
-/// A function of two signed numbers, word by word.
+/// Applies a function of two signed numbers, word by word.
 fn signed(operands: [&[Lanes]; 2], f: impl Fn(i32, i32) -> i32) -> Words {
     zip(operands, |[a, b]| f(a.cast_signed(), b.cast_signed()).cast_unsigned())
 }
 
-/// Denormals as zero of the same sign.
+/// Flushes denormals to zero of the same sign.
 fn flushed(word: u32) -> u32 {
     if f32::from_bits(word).is_subnormal() { word & 0x8000_0000 } else { word }
 }
 
-/// `accept` where the condition is true, else `reject`.
+/// Returns `accept` where the condition is true, otherwise `reject`.
 pub(super) fn select(condition: &[Lanes], accept: &[Lanes], reject: &[Lanes]) -> Words {
     zip([condition, accept, reject], |[condition, a, b]| if condition != 0 { a } else { b })
 }
 
-/// Scalars of one kind from scalars of another.
+/// Converts scalars between types.
 pub(super) fn converted(words: &[Lanes], from: Kind, to: Kind) -> Words {
     use Kind::{Bool, Float, Signed, Unsigned};
     let words = [words];
@@ -74,13 +75,13 @@ pub(super) fn converted(words: &[Lanes], from: Kind, to: Kind) -> Words {
     }
 }
 
-/// Words of the columns of a matrix.
+/// Returns the words of the columns of a matrix.
 fn columns(matrix: &[Lanes], rows: usize) -> impl Iterator<Item = &[Lanes]> {
     matrix.chunks(rows.max(1))
 }
 
 impl Rounding {
-    /// A function of floats.
+    /// Applies a function of floats.
     #[inline(always)]
     fn float<const K: usize>(self, operands: [&[Lanes]; K], f: impl Fn([f32; K]) -> f32) -> Words {
         let floats = |words: [u32; K], bits: fn(u32) -> u32| {
@@ -102,7 +103,8 @@ impl Rounding {
         zip(operands, |[a, b]| f(operand(a), operand(b)).into())
     }
 
-    /// A quotient or root, farther from zero by the units that it is off; zero, infinities and NaN stay.
+    /// Moves a quotient or root away from zero by the configured units. Zero, infinities and NaN
+    /// are unchanged.
     fn nudged(self, x: f32) -> f32 {
         if self.division_ulps == 0 || x == 0.0 || !x.is_finite() {
             return x;
@@ -137,7 +139,7 @@ impl Rounding {
             (Op::Add, _) => zip(ab, |[a, b]| a.wrapping_add(b)),
             (Op::Subtract, _) => zip(ab, |[a, b]| a.wrapping_sub(b)),
             (Op::Multiply, _) => zip(ab, |[a, b]| a.wrapping_mul(b)),
-            // As WGSL has it: `x / 0 = x` and `x % 0 = 0`.
+            // As in WGSL: `x / 0 = x` and `x % 0 = 0`.
             (Op::Divide, Kind::Signed) => signed(ab, |a, b| if b == 0 { a } else { a.wrapping_div(b) }),
             (Op::Divide, _) => zip(ab, |[a, b]| a.checked_div(b).unwrap_or(a)),
             (Op::Modulo, Kind::Signed) => signed(ab, |a, b| if b == 0 { 0 } else { a.wrapping_rem(b) }),
@@ -157,8 +159,8 @@ impl Rounding {
         }
     }
 
-    /// `left + right` or, with `minus`, `left − right`, of floats: with fused arithmetic one rounding for the sum and one of its products, the
-    /// left one of two.
+    /// Returns `left + right` or, with `minus`, `left − right`, of floats. Fused arithmetic rounds
+    /// the sum and one of its products once; of two products, the left one.
     pub(super) fn sum(self, left: Term<'_>, minus: bool, right: Term<'_>) -> Words {
         let value = |term| match term {
             Term::Product(a, b) => self.binary(BinaryOperator::Multiply, Kind::Float, a, b),
@@ -177,7 +179,7 @@ impl Rounding {
         }
     }
 
-    /// The sum of products, from the first component to the last.
+    /// Returns the sum of products, from the first component to the last.
     fn dot(self, kind: Kind, a: &[Lanes], b: &[Lanes]) -> Words {
         let product = |k: usize| self.binary(BinaryOperator::Multiply, kind, &a[k..=k], &b[k..=k]);
         if kind != Kind::Float {
@@ -193,14 +195,14 @@ impl Rounding {
         }
     }
 
-    /// A product of linear algebra; none where words are multiplied one by one.
+    /// Returns a linear algebra product, or `None` for component-wise multiplication.
     pub(super) fn matrix_product(
         self,
         [left, right]: [&TypeInner; 2],
         a: &[Lanes],
         b: &[Lanes],
     ) -> Option<Words> {
-        // The sum of a matrix's columns, each by a component of the vector.
+        // The sum of a matrix's columns, each times a component of the vector.
         let times = |rows: usize, vector: &[Lanes]| {
             let row = |row: usize| a.iter().skip(row).step_by(rows).copied().collect::<Vec<Lanes>>();
             (0..rows).map(|at| self.dot(Kind::Float, &row(at), vector)[0]).collect::<Vec<Lanes>>()
@@ -242,7 +244,7 @@ impl Rounding {
         }
     }
 
-    /// A builtin function; those of analysis are the standard library's.
+    /// Evaluates a built-in function. Transcendental functions are from the standard library.
     pub(super) fn math(
         self,
         function: MathFunction,
@@ -265,7 +267,7 @@ impl Rounding {
             (Fn::Abs, Kind::Unsigned) => return Ok(a.into()),
             (Fn::Sign, Kind::Signed) => return Ok(signed([a, a], |x, _| x.signum())),
             (_, Kind::Float) => {}
-            _ => return Err(format!("the builtin {function:?} of {kind:?} numbers is not known")),
+            _ => return Err(format!("unsupported built-in {function:?} of {kind:?} numbers")),
         }
         let multiply = |a: &[Lanes], b: &[Lanes]| self.binary(BinaryOperator::Multiply, kind, a, b);
         let subtract = |a: &[Lanes], b: &[Lanes]| self.binary(BinaryOperator::Subtract, kind, a, b);
@@ -306,7 +308,7 @@ impl Rounding {
                 let rest = self.sum(Term::Value(&[THREE]), true, Term::Product(&[TWO], &t));
                 multiply(&multiply(&t, &t), &rest)
             }
-            other => return Err(format!("the builtin {other:?} of {kind:?} numbers is not known")),
+            other => return Err(format!("unsupported built-in {other:?} of {kind:?} numbers")),
         })
     }
 }

@@ -1,11 +1,11 @@
-//! A module with all that it is run with.
+//! A module with its execution environment.
 
 use naga::valid::ModuleInfo;
 
 use super::arithmetic::Rounding;
 use super::binding::Bindings;
 
-/// A validated module, what its names are bound to, and how it rounds.
+/// A validated module, its bound resources, and its rounding.
 #[derive(Debug)]
 pub(super) struct Shader {
     pub(super) module: naga::Module,

@@ -1,35 +1,36 @@
-//! Values that go into functions and come out of them.
+//! Arguments and results of functions.
 
-/// The 32-bit words of a scalar, a vector, a matrix by columns, an array or a struct, without padding.
+/// The 32-bit words of a scalar, a vector, a matrix by columns, an array or a struct, without
+/// padding.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Value(Vec<u32>);
 
 impl Value {
-    /// All words, one for a scalar; a truth is 0 or 1.
+    /// Returns all words, one for a scalar; booleans are 0 or 1.
     #[must_use]
     pub fn words(&self) -> &[u32] {
         &self.0
     }
 
-    /// All words as floats.
+    /// Returns all words as floats.
     #[must_use]
     pub fn f32s(&self) -> Vec<f32> {
         self.0.iter().copied().map(f32::from_bits).collect()
     }
 
-    /// The first word as a float, NaN where there is none.
+    /// Returns the first word as a float, or NaN if there is none.
     #[must_use]
     pub fn f32(&self) -> f32 {
         self.0.first().map_or(f32::NAN, |word| f32::from_bits(*word))
     }
 
-    /// The first word, 0 where there is none.
+    /// Returns the first word, or 0 if there is none.
     #[must_use]
     pub fn u32(&self) -> u32 {
         self.0.first().copied().unwrap_or_default()
     }
 
-    /// The first word as a signed number, 0 where there is none.
+    /// Returns the first word as a signed number, or 0 if there is none.
     #[must_use]
     pub fn i32(&self) -> i32 {
         self.u32().cast_signed()

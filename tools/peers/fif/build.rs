@@ -5,8 +5,7 @@ use std::{env, error::Error, fs, path::PathBuf};
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo:rerun-if-env-changed=EMBREE_LIB_DIR");
     println!("cargo:rustc-check-cfg=cfg(embree3)");
-    let folder =
-        env::var("EMBREE_LIB_DIR").map_err(|_| "EMBREE_LIB_DIR is not set (see README.md)")?;
+    let folder = env::var("EMBREE_LIB_DIR").map_err(|_| "EMBREE_LIB_DIR is not set (see README.md)")?;
     let folder = PathBuf::from(folder).canonicalize()?;
     let mut found: Vec<String> = fs::read_dir(&folder)?
         .filter_map(|entry| entry.ok()?.file_name().into_string().ok())

@@ -59,10 +59,7 @@ fn form_table(rows: &[Row]) -> String {
         [name, contender.level.clone()].into_iter().chain(times).collect()
     }));
     let form = rows.first().map_or("", Row::form);
-    format!(
-        "\n## `{form}`\n\nNanoseconds per sample, ± half the interquartile range.\n\n{}",
-        table(&lines)
-    )
+    format!("\n## `{form}`\n\nNanoseconds per sample, ± half the interquartile range.\n\n{}", table(&lines))
 }
 
 /// Formats nanoseconds with significant digits.

@@ -87,7 +87,7 @@ static OF_BUMPS: &[Program] = &[
     program("scattered-painted", &bumps::PAINTED, SCATTERED),
 ];
 
-/// What is copied alone, as the page draws it by the module: its name, its part, the functions to call.
+/// Code snippets for copying, equal to the module's computation: name, part, functions to call.
 pub(crate) static COPIED: &[(&str, &Part, &[&str])] = &[
     ("fractals", &FIRST_HIT, &["height_field_first_hit", "height_field_height", "upward_normal"]),
     ("fractals-folded", &FOLDED, &["folded_height", "folded_jet", "upward_normal"]),
@@ -97,7 +97,7 @@ pub(crate) static COPIED: &[(&str, &Part, &[&str])] = &[
 static FIRST_HIT: Part = Part::new("page/first_hit", "", &[&fif::FIRST_HIT, &fif::NORMAL]);
 static FOLDED: Part = Part::new("page/folded", "", &[&fif::FOLDED, &fif::NORMAL]);
 
-/// Every program of the page.
+/// Returns every program of the page.
 pub(crate) fn all() -> impl Iterator<Item = &'static Program> {
     OF_BUMPS.iter().chain(noise::programs()).chain(&materials::ALL)
 }

@@ -35,7 +35,7 @@ pub(crate) fn painted_map(numbers: &[f64], bulk: &[u32]) -> Result<Vec<u32>, Str
     let side = number(numbers, 0) as usize;
     let texels: Vec<f32> = bulk.iter().map(|&word| f32::from_bits(word)).collect();
     let map = NdfMap::from_texels(side, side, &texels, Measure::Normals, Reconstruction::Bilinear)
-        .map_err(|error| format!("The painting is no density: {error}."))?;
+        .map_err(|error| format!("The painting is not a density: {error}."))?;
     let mut words = PackedMapUniform::new(&map.view()).words().to_vec();
     words.extend(map.array().iter().map(|x| x.to_bits()));
     Ok(words)
@@ -48,7 +48,10 @@ mod tests {
     #[test]
     fn painted_map_of_black_is_one_sentence() {
         let error = painted_map(&[4.0], &[0; 16]).unwrap_err();
-        assert!(error.starts_with("The painting is no density: ") && error.lines().count() == 1, "{error}");
+        assert!(
+            error.starts_with("The painting is not a density: ") && error.lines().count() == 1,
+            "{error}"
+        );
         assert_eq!(painted_map(&[4.0], &[1.0_f32.to_bits(); 16]).map(|words| words.len() > 24), Ok(true));
     }
 }

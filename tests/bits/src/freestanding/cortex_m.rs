@@ -1,4 +1,4 @@
-//! On a Cortex-M: the report goes to the debugger's output.
+//! On a Cortex-M: writes the report to the debugger's output.
 
 use core::{fmt::Write, panic::PanicInfo};
 

@@ -1,4 +1,4 @@
-//! On Linux without std: C's library starts the program and writes.
+//! On Linux without std: the C library starts the program and writes its output.
 
 use core::{
     ffi::{c_int, c_void},
@@ -14,7 +14,7 @@ unsafe extern "C" {
 extern "C" fn main() -> c_int {
     let mut rest = super::report().as_bytes();
     while !rest.is_empty() {
-        // The pointer and the count are those of a slice.
+        // The pointer and the count belong to a slice.
         let written = unsafe { write(1, rest.as_ptr().cast(), rest.len()) };
         match usize::try_from(written) {
             Ok(written @ 1..) => rest = &rest[written..],
@@ -29,6 +29,6 @@ fn panic(_: &PanicInfo<'_>) -> ! {
     unsafe { abort() }
 }
 
-/// Named by a precompiled core library; never called, because a panic aborts.
+/// Required by a precompiled core library; never called, because a panic aborts.
 #[unsafe(no_mangle)]
 extern "C" fn rust_eh_personality() {}

@@ -1,4 +1,4 @@
-//! Means of a program without std: a heap, an end for panics, a way in and a way out.
+//! Runtime of a program without std: heap, panic handler, entry and exit.
 
 #[cfg(target_os = "none")]
 mod cortex_m;
@@ -11,16 +11,16 @@ use core::mem::MaybeUninit;
 
 use linked_list_allocator::LockedHeap;
 
-/// More than twice what the report takes at once.
+/// More than twice the peak memory of the report.
 const BYTES: usize = 8 << 20;
 
 #[global_allocator]
 static HEAP: LockedHeap = LockedHeap::empty();
 
-/// The report; to be called once.
+/// Returns the report. Call once.
 fn report() -> &'static str {
     static mut REGION: [MaybeUninit<u8>; BYTES] = [MaybeUninit::uninit(); BYTES];
-    // The region has no other user, because this runs once.
+    // Nothing else uses the region, because this runs once.
     unsafe { HEAP.lock().init((&raw mut REGION).cast(), BYTES) };
     asperity_bits::report().leak()
 }

@@ -1,4 +1,4 @@
-//! A module of WebAssembly: one function, which tells where the report is.
+//! A WebAssembly module with one function, which returns the address of the report.
 
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
@@ -7,7 +7,7 @@ fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
 
 static mut REPORT: [usize; 2] = [0; 2];
 
-/// The address of the address and the length of the report; to be called once.
+/// Returns the address of address and length of the report. Call once.
 #[unsafe(no_mangle)]
 pub extern "C" fn report() -> *const [usize; 2] {
     let text = super::report();

@@ -1,4 +1,4 @@
-//! The functions that features choose, one alone or every one, with the stack that their calls take.
+//! The functions selected by features, alone or all together, with the stack used by their calls.
 #![no_std]
 #![no_main]
 #![allow(dead_code, unused_imports, reason = "those of other features")]

@@ -1,4 +1,5 @@
-//! The picture on a Cortex-M4: as a portable grey map to the debugger's output, its hash and the depth of the stack to its errors.
+//! Renders the image on a Cortex-M4: a portable gray map to the debugger's output, hash and stack
+//! depth to its error output.
 #![no_std]
 #![no_main]
 

@@ -1,4 +1,5 @@
-//! The picture on this machine, or with the argument `tables` the table of the density.
+//! Renders the image on this machine, or writes the table of the density with the argument
+//! `tables`.
 
 use std::io::{self, Write};
 

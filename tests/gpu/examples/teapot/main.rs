@@ -1,6 +1,7 @@
-//! A rough teapot from afar, and from 10, 100 and 10⁴ times nearer, as pictures: `cargo run --release --example teapot -- FOLDER`.
+//! Renders a rough teapot at zooms 1, 10, 100 and 10⁴:
+//! `cargo run --release --example teapot -- FOLDER`.
 //!
-//! Needs wgpu, pollster, bytemuck, glam and png, and a mesh with normals and tangents.
+//! Requires wgpu, pollster, bytemuck, glam and png, and a mesh with normals and tangents.
 
 use std::error::Error;
 use std::fs::File;
@@ -16,13 +17,13 @@ use wgpu::util::{DeviceExt, TextureDataOrder};
 
 const SIZE: u32 = 512;
 const FREQUENCY: f32 = 3.0;
-/// The eye from afar, and what it looks at: the middle between spout and handle.
+/// The camera position at zoom 1, and its target between spout and handle.
 const EYE: DVec3 = DVec3::new(4.4, -9.8, 4.8);
 const TARGET: DVec3 = DVec3::new(0.25, 0.0, 1.35);
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
-/// The shader with the parts that it calls: bindings 0 and 1 are those of the octaves, 2 is its own.
+/// The shader and the parts that it calls. Bindings 0 and 1 belong to the octaves, 2 is its own.
 static SURFACE: Part = Part::new(
     "surface",
     include_str!("surface.wgsl"),
@@ -43,7 +44,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let octaves = GaussianOctaves::<3>::new(Gaussian::new(7), Spectrum::new(2.17, 0.8, 16)?);
     let focus = focus();
     for zoom in [1.0, 10.0, 100.0, 10_000.0] {
-        // Places in f64 as far as the focus, in f32 from there on.
+        // Positions in f64 up to the focus, in f32 from there.
         let words = OctavesUniform::<3>::uniform(&[OctavesUniform::new(
             &octaves.anchored(focus * f64::from(FREQUENCY)),
         )]);
@@ -58,7 +59,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The place where the ray from the eye through the body's middle meets the mesh.
+/// Returns the intersection of the mesh and the ray from the camera through the body's center.
 fn focus() -> DVec3 {
     let direction = (TARGET - EYE).normalize();
     let mesh = teapot();
@@ -73,7 +74,8 @@ fn focus() -> DVec3 {
     EYE + hits.fold(f64::INFINITY, f64::min) * direction
 }
 
-/// Corners of all triangles: position from the focus, normal, tangent, and the triangle's plane.
+/// Returns corners of all triangles: position relative to the focus, normal, tangent, and the
+/// triangle's plane.
 fn corners(focus: DVec3) -> Vec<f32> {
     let mesh = teapot();
     let of = |triangle: &[u32; 3]| {
@@ -93,7 +95,7 @@ fn corners(focus: DVec3) -> Vec<f32> {
     mesh.triangles.iter().flat_map(of).collect()
 }
 
-/// The structure `View` in words.
+/// Returns the structure `View` as words.
 fn view(eye: DVec3, spectrum: &Spectrum) -> Vec<f32> {
     let half = (0.5 * 0.62_f64).tan();
     let forward = -eye.normalize();
@@ -163,7 +165,7 @@ impl Painter {
             cache: None,
         });
 
-        // The table of Gaussian levels, 64 texels in a row.
+        // The table of Gaussian levels, 64 texels per row.
         let levels: Vec<f32> = gaussian_levels().collect();
         let levels = device.create_texture_with_data(
             &queue,
@@ -188,7 +190,7 @@ impl Painter {
         Ok(Self { device, queue, pipeline, levels })
     }
 
-    /// Four bytes a pixel.
+    /// Renders an image with four bytes per pixel.
     fn paint(&self, corners: &[f32], octaves: &[u32], view: &[f32]) -> Result<Vec<u8>, Box<dyn Error>> {
         let Self { device, queue, pipeline, levels } = self;
         let buffer = |contents, usage| {
@@ -261,7 +263,7 @@ impl Painter {
             picture.as_image_copy(),
             wgpu::TexelCopyBufferInfo {
                 buffer: &back,
-                // Rows of 512 pixels are whole multiples of 256 bytes, as they must be.
+                // Rows of 512 pixels are multiples of 256 bytes, as required.
                 layout: wgpu::TexelCopyBufferLayout {
                     offset: 0,
                     bytes_per_row: Some(4 * SIZE),

@@ -1,4 +1,4 @@
-//! The page of costs: operations of every function, and milliseconds of a frame.
+//! The cost page: operations of every function, and milliseconds per frame.
 
 mod spirv;
 
@@ -12,7 +12,7 @@ use asperity_shaders::{Bindings, Part, compose, ordered};
 use self::spirv::{Cost, Operations, costs};
 use crate::{dialect, picture};
 
-/// Prints the page, and writes it where that is asked for.
+/// Prints the page, and writes it if requested.
 pub(crate) fn run(adapter: Option<&str>, size: u32, out: Option<&Path>) -> Result<(), String> {
     let mut page = String::from(HEAD);
     let parts = parts();
@@ -67,7 +67,7 @@ fn cells(operations: Operations) -> String {
     format!("{floats} | {special} | {integers} | {texels}")
 }
 
-/// Parts of all cases, each once, those that they need before them.
+/// Returns the parts of all cases without duplicates, dependencies first.
 fn parts() -> Vec<&'static Part> {
     let of_cases: Vec<&'static Part> = cases::all().iter().flat_map(|case| case.parts.clone()).collect();
     let mut names = HashSet::new();
@@ -76,7 +76,7 @@ fn parts() -> Vec<&'static Part> {
     parts
 }
 
-/// Costs of all functions of parts and of what they need.
+/// Returns the costs of all functions of parts and their dependencies.
 fn counted(parts: &[&'static Part]) -> Result<HashMap<String, Cost>, String> {
     let words = dialect::counted(&compose(parts, Bindings::Textures { group: 0 }))?;
     Ok(costs(&words))

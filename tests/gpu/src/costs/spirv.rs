@@ -5,14 +5,15 @@ use std::ops::{Add, AddAssign};
 
 const HEADER: usize = 5;
 
-/// Operations on scalars, and reads of texels.
+/// Operations on scalars, and texel reads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Operations {
-    /// Sums, products, comparisons, roundings, least and greatest of floats; a fused pair is two.
+    /// Sums, products, comparisons, roundings, min and max of floats; a fused pair is two.
     pub(crate) floats: u32,
-    /// Quotients, roots and transcendental functions, which cards compute at a quarter of the rate or below.
+    /// Quotients, roots and transcendental functions, which GPUs compute at a quarter of the rate
+    /// or less.
     pub(crate) special: u32,
-    /// Operations on whole numbers, conversions and choices.
+    /// Integer operations, conversions and selections.
     pub(crate) integers: u32,
     /// Texels fetched or filtered.
     pub(crate) texels: u32,
@@ -27,12 +28,12 @@ impl AddAssign for Operations {
     }
 }
 
-/// Operations of a function and of all that it calls, both branches of every choice among them.
+/// Operations of a function and everything it calls, including both branches of every selection.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Cost {
-    /// Outside of loops.
+    /// Outside loops.
     pub(crate) once: Operations,
-    /// In the bodies of loops, each body once.
+    /// In loop bodies, each body once.
     pub(crate) turn: Operations,
 }
 
@@ -46,7 +47,7 @@ impl Cost {
         self.turn += other.turn;
     }
 
-    /// All operations, each body of a loop once.
+    /// Returns all operations, each loop body once.
     pub(crate) fn total(self) -> Operations {
         self.once + self.turn
     }
@@ -61,12 +62,12 @@ impl Add for Operations {
     }
 }
 
-/// Costs of the functions that have a name. Functions stand behind those that they call, as naga writes them.
+/// Returns the costs of named functions. Functions follow their callees in naga's output.
 pub(crate) fn costs(words: &[u32]) -> HashMap<String, Cost> {
     let mut names: HashMap<u32, String> = HashMap::new();
-    // Components of vectors; columns and the components of one of matrices.
+    // Number of components of vectors; columns, and components per column, of matrices.
     let mut shapes: HashMap<u32, [u32; 2]> = HashMap::new();
-    // The type of every value: of a product by a matrix the operand's shape is asked.
+    // The type of every value, because the cost of a matrix product depends on the operand's shape.
     let mut types: HashMap<u32, u32> = HashMap::new();
     let mut costs: HashMap<u32, Cost> = HashMap::new();
     let (mut function, mut cost, mut loops) = (0, Cost::default(), vec![]);
@@ -91,7 +92,7 @@ pub(crate) fn costs(words: &[u32]) -> HashMap<String, Cost> {
             // OpFunction, OpFunctionEnd
             54 => (function, cost) = (operand(1), Cost::default()),
             56 => drop(costs.insert(function, cost)),
-            // OpLoopMerge, and the label behind the loop
+            // OpLoopMerge, and the label after the loop.
             246 => loops.push(operand(0)),
             248 if loops.last() == Some(&operand(0)) => drop(loops.pop()),
             // OpFunctionCall
@@ -110,7 +111,7 @@ pub(crate) fn costs(words: &[u32]) -> HashMap<String, Cost> {
     costs.into_iter().filter_map(|(function, cost)| Some((names.remove(&function)?, cost))).collect()
 }
 
-/// Operations of one instruction with a result of so many columns of so many components.
+/// Returns the operations of one instruction whose result has these columns and components.
 fn operations(
     code: u32,
     [columns, rows]: [u32; 2],
@@ -166,7 +167,7 @@ mod tests {
     use crate::dialect;
 
     #[test]
-    fn operations_are_counted_per_component_and_those_of_loops_apart() {
+    fn operations_are_counted_per_component_and_loop() {
         let wgsl = "
             @group(0) @binding(0) var table: texture_2d<f32>;
             fn texel(x: i32) -> f32 { return textureLoad(table, vec2<i32>(x, 0), 0).x; }
@@ -190,7 +191,8 @@ mod tests {
         assert_eq!(of("length_of"), [[5, 2, 0, 0], [0; 4]]);
         assert_eq!(of("turned"), [[15, 0, 0, 0], [0; 4]]);
         assert_eq!(of("word"), [[0, 0, 3, 0], [0; 4]]);
-        // In the loop: the comparison, a bit of logic, the counter and the conversion of whole numbers, one sum of floats.
+        // In the loop: the comparison, a logic operation, the counter and the integer conversion,
+        // one float sum.
         let [once, turn] = of("sum");
         assert_eq!(once, [0, 0, 1, 0]);
         assert_eq!([turn[0], turn[1], turn[3]], [1, 0, 1]);

@@ -1,4 +1,4 @@
-//! Materials as floors that recede under the sun, by the shader and by `Material::bsdf`.
+//! Materials as receding floors under the sun, by the shader and by `Material::bsdf`.
 
 use std::path::Path;
 
@@ -11,7 +11,7 @@ use crate::parity;
 use crate::picture::reference::encoded;
 use crate::picture::{difference, png};
 
-/// Cases of materials, and how far away the middle of the floor is, in units of the surface: metres.
+/// Cases of materials, and the distance of the floor's center in meters.
 const FLOORS: [(&str, f32); 16] = [
     ("carpet/carpet, lines", 0.12),
     ("carpet/carpet, grid", 1.2),
@@ -31,10 +31,11 @@ const FLOORS: [(&str, f32); 16] = [
     ("normal_mapped", 2.0),
 ];
 
-/// Half the angle of view's tangent.
+/// Tangent of half the field of view.
 const FIELD: f32 = 0.32;
 
-/// Draws every floor, prints how far the shader's light is from the crates', and writes one picture: above by the shader.
+/// Renders every floor, prints the difference between the shader and the crates, and writes one
+/// image with the shader on top.
 pub(crate) fn run(gpu: &Gpu, size: u32, out: &Path) -> Result<(), String> {
     let cases = cases::all();
     println!(
@@ -44,8 +45,7 @@ pub(crate) fn run(gpu: &Gpu, size: u32, out: &Path) -> Result<(), String> {
     let mut broken = vec![];
     for (name, distance) in FLOORS {
         let full = format!("shading/material/{name}");
-        let case =
-            cases.iter().find(|case| case.name == full).ok_or_else(|| format!("no case is called {full}"))?;
+        let case = cases.iter().find(|case| case.name == full).ok_or_else(|| format!("no case `{full}`"))?;
         let inputs = floor(distance, size);
         let ours = light(&parity::outcomes(gpu, case, &inputs)?);
         let theirs: Vec<_> = inputs.iter().map(|input| (case.reference)(*input)).collect();
@@ -58,7 +58,7 @@ pub(crate) fn run(gpu: &Gpu, size: u32, out: &Path) -> Result<(), String> {
         if error > 0.01 || error.is_nan() {
             broken.push(name);
         }
-        // Middle grey for the mean.
+        // Middle gray for the mean.
         let exposure = (0.35 * 3.0 * theirs.len() as f64 / total) as f32;
         let tones = [ours, theirs]
             .map(|light| light.iter().map(|light| encoded(*light * exposure)).collect::<Vec<_>>());
@@ -75,16 +75,16 @@ pub(crate) fn run(gpu: &Gpu, size: u32, out: &Path) -> Result<(), String> {
     if broken.is_empty() {
         Ok(())
     } else {
-        Err(format!("{} differ by more than 1 % in the mean", broken.join(", ")))
+        Err(format!("{}: mean differs by more than 1 %", broken.join(", ")))
     }
 }
 
-/// The inputs of a case of a material at every pixel of a floor that recedes from an eye.
+/// Returns the inputs of a material case at every pixel of a receding floor.
 fn floor(distance: f32, size: u32) -> Vec<[u32; INPUTS]> {
     let eye = Vec3::new(0.0, -0.8, 0.6) * distance;
     let forward = -eye.normalize();
     let up = Vec3::X.cross(forward);
-    // The sun's mirror image stands in the upper half.
+    // The sun's reflection is in the upper half.
     let wi = (Vec3::new(0.15, 0.8, 0.45)).normalize();
     let angle = 2.0 * FIELD / size as f32;
     let pixels = (0..size).flat_map(|y| (0..size).map(move |x| [x, y]));

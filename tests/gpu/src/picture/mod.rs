@@ -1,4 +1,4 @@
-//! Pictures of bump-mapped surfaces by the shaders and by the crates, beside each other.
+//! Images of bump-mapped surfaces by the shaders and by the crates, side by side.
 
 mod materials;
 pub(crate) mod page;
@@ -27,19 +27,19 @@ use crate::{
     resources::{Resource, filtered, linear},
 };
 
-/// Look of the surface.
+/// Appearance of the surface.
 pub(crate) struct Look {
     pub(crate) alpha: Vec2,
     /// Cells of the first octave per unit.
     pub(crate) frequency: f32,
-    /// The greatest share of the bumps' variance that is resolved: the light has a size.
+    /// Maximum fraction of the bumps' variance that is resolved, because the light has a size.
     pub(crate) share: f32,
     pub(crate) exposure: f32,
 }
 
 const LOOK: Look = Look { alpha: Vec2::new(0.2, 0.4), frequency: 3.0, share: 0.97, exposure: 1.4 };
 
-/// Parts of the ways that bumps are made.
+/// Parts of the bump methods.
 pub(crate) const BUMPS: [(&Part, &str); 2] = [
     (&render::PROCEDURAL, "noise in space, anchored"),
     (&render::TEXTURED, "a mip-mapped texture and table L"),
@@ -47,12 +47,12 @@ pub(crate) const BUMPS: [(&Part, &str); 2] = [
 
 const ZOOMS: [f64; 4] = [1.0, 10.0, 100.0, 10_000.0];
 
-/// Pictures that can be drawn.
+/// Available images.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Subject {
     /// A teapot at four zooms
     Teapot,
-    /// A plane to the horizon at four zooms
+    /// A plane up to the horizon at four zooms
     Plane,
     /// Both with bumps from a texture
     Textured,
@@ -60,8 +60,8 @@ pub(crate) enum Subject {
     Materials,
 }
 
-/// Draws the teapot and the plane at four zooms on each adapter and by the crates, and the materials, and fails where they differ; and
-/// twice more with bumps from a texture, which may.
+/// Renders the teapot and the plane at four zooms on each adapter and by the crates, and the
+/// materials. Fails if they differ. Two further images with bumps from a texture may differ.
 pub(crate) fn run(
     adapter: Option<&str>,
     fastest: bool,
@@ -95,11 +95,12 @@ pub(crate) fn run(
             materials::run(&gpu, size / 2, out)?;
         }
     }
-    println!("\npictures, by the shader left or above and by the crates right or below: {}", out.display());
-    if worst <= 1e-3 { Ok(()) } else { Err(format!("{:.2} % of a picture's pixels differ", 100.0 * worst)) }
+    println!("\nimages written to {} (shader left or above, crates right or below)", out.display());
+    if worst <= 1e-3 { Ok(()) } else { Err(format!("{:.2} % of an image's pixels differ", 100.0 * worst)) }
 }
 
-/// A table of the milliseconds of a frame: scenes and ways in rows, adapters in columns; a line where there is no adapter.
+/// Returns a table of milliseconds per frame: scenes and methods in rows, adapters in columns.
+/// Without an adapter, returns a line.
 pub(crate) fn times(adapter: Option<&str>, size: u32) -> Result<String, String> {
     let gpus = match device::open(adapter) {
         Ok(gpus) => gpus,
@@ -144,18 +145,19 @@ pub(crate) fn times(adapter: Option<&str>, size: u32) -> Result<String, String> 
     Ok(table)
 }
 
-/// The scenes of a zoom.
+/// Returns the scenes of a zoom.
 fn scenes(zoom: f64, size: u32) -> Result<[(&'static str, Scene); 2], String> {
     Ok([("teapot", scene::teapot_scene(zoom, size)?), ("plane", scene::plane_scene(zoom, size))])
 }
 
-/// Bumps by noise in space, anchored at the focus: the share of pixels that differ in each picture.
+/// Bumps from noise in space, anchored at the focus: returns the fraction of differing pixels per
+/// image.
 fn procedural(gpu: &Gpu, look: &Look, wanted: [bool; 2], size: u32, out: &Path) -> Result<Vec<f64>, String> {
     let octaves = sum()?;
     let spectrum = *octaves.spectrum();
     let renderer = Renderer::new(gpu, &render::PROCEDURAL, size)?;
     let mut shares = Vec::new();
-    // A strip for each scene: the zooms from left to right, by the shader above and by the crates below.
+    // One strip per scene: zooms from left to right, shader above and crates below.
     let mut strips: [(&str, Strip); 2] = Default::default();
     for zoom in ZOOMS {
         for (((name, scene), strip), wanted) in scenes(zoom, size)?.into_iter().zip(&mut strips).zip(wanted) {
@@ -179,22 +181,22 @@ fn procedural(gpu: &Gpu, look: &Look, wanted: [bool; 2], size: u32, out: &Path) 
     Ok(shares)
 }
 
-/// The pictures of a scene, by the shader and by the crates, a zoom after the other.
+/// The images of a scene, by the shader and by the crates, in order of zoom.
 type Strip = [Vec<Vec<[u8; 3]>>; 2];
 
-/// Writes the pictures of a scene, by the shader above and by the crates below.
+/// Writes the images of a scene, shader above and crates below.
 fn write_strip(name: &str, strip: &Strip, size: u32, out: &Path) -> Result<(), String> {
     let rows: Vec<Vec<_>> = strip.iter().map(|row| row.iter().map(Vec::as_slice).collect()).collect();
     png(&out.join(format!("gpu-{name}.png")), size, &rows)
 }
 
-/// The sum of the bumps.
+/// Returns the sum of the bumps.
 fn sum() -> Result<GaussianOctaves<3>, String> {
     let spectrum = Spectrum::new(2.17, 0.8, 16).map_err(|error| error.to_string())?;
     Ok(GaussianOctaves::new(Gaussian::new(7), spectrum))
 }
 
-/// A sum as it is seen from a scene's focus, and its words.
+/// Returns a sum anchored at a scene's focus, and its words.
 fn at_focus(
     octaves: &GaussianOctaves<3>,
     scene: &Scene,
@@ -206,10 +208,10 @@ fn at_focus(
     (anchored, ("octaves_uniform_3d", words.to_vec()))
 }
 
-/// Cells of the texture of noise to its period.
+/// Period of the noise texture in cells.
 const PERIOD: u16 = 8;
 
-/// A texture of noise with one of normals, and the renderer that reads them.
+/// A noise texture and a normal texture, and the renderer that reads them.
 struct Textured {
     texture: MipMapped,
     renderer: Renderer,
@@ -241,7 +243,7 @@ impl Textured {
     }
 }
 
-/// Bumps by a mip-mapped texture of noise and table L, beside the noise that the texture is made of.
+/// Bumps from a mip-mapped noise texture and table L, compared with the noise of the texture.
 fn textured(gpu: &Gpu, look: &Look, size: u32, out: &Path) -> Result<(), String> {
     let made = Textured::new(gpu, look, size)?;
     let mut strip: Strip = Default::default();
@@ -267,7 +269,8 @@ fn textured(gpu: &Gpu, look: &Look, size: u32, out: &Path) -> Result<(), String>
     write_strip("textured", &strip, size, out)
 }
 
-/// Prints how a picture differs from the crates', writes both, and tells the share of pixels that differ by more than 2.
+/// Prints the difference of an image to the crates, writes both, and returns the fraction of pixels
+/// that differ by more than 2.
 fn report(
     name: &str,
     ours: &[[u8; 3]],
@@ -289,7 +292,7 @@ fn difference(a: [u8; 3], b: [u8; 3]) -> u8 {
     a.into_iter().zip(b).map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)
 }
 
-/// Writes pictures beside each other, row below row.
+/// Writes images side by side, row below row.
 fn png(path: &Path, size: u32, rows: &[Vec<&[[u8; 3]]>]) -> Result<(), String> {
     let stride = size as usize;
     let lines = rows.iter().flat_map(|row| {

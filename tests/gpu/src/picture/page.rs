@@ -1,4 +1,5 @@
-//! Pictures of the live page beside the crates': what a browser drew of the teapot, and the camera that it says it had.
+//! Images of the live page compared with the crates: a browser's render of the teapot and its
+//! reported camera.
 
 use std::fs;
 use std::path::Path;
@@ -14,7 +15,7 @@ use crate::picture::{
     scene::{Corner, Scene, View},
 };
 
-/// Camera, lamp and look of a picture.
+/// Camera, lamp and appearance of an image.
 #[derive(Deserialize)]
 struct Described {
     eye: DVec3,
@@ -43,10 +44,11 @@ struct Settings {
     exposure: f32,
 }
 
-/// The largest share of pixels that may differ by more than 2 of 255.
+/// Maximum fraction of pixels that may differ by more than 2 of 255.
 const SHARE: f64 = 1e-3;
 
-/// Compares every picture `*.rgba` in a folder with what the crates draw of the `*.json` beside it, and writes both as PNG.
+/// Compares every image `*.rgba` in a folder with the crates' render of its `*.json`, and writes
+/// both as PNG.
 pub(crate) fn run(folder: &Path) -> Result<(), String> {
     let failed = |error: &dyn std::fmt::Display| format!("{}: {error}", folder.display());
     let mut files: Vec<_> = fs::read_dir(folder)
@@ -56,7 +58,7 @@ pub(crate) fn run(folder: &Path) -> Result<(), String> {
         .collect();
     files.sort();
     if files.is_empty() {
-        return Err(failed(&"no picture ends in .rgba"));
+        return Err(failed(&"no .rgba files"));
     }
     println!("| picture | pixels that differ by more than 2 of 255 |\n|---|---|");
     let mut broken = vec![];
@@ -68,20 +70,16 @@ pub(crate) fn run(folder: &Path) -> Result<(), String> {
             broken.push(name);
         }
     }
-    if broken.is_empty() {
-        Ok(())
-    } else {
-        Err(format!("{} are not the crates' pictures", broken.join(", ")))
-    }
+    if broken.is_empty() { Ok(()) } else { Err(format!("{} differ from the crates", broken.join(", "))) }
 }
 
-/// The share of pixels of a picture that differ from the crates' by more than 2 of 255.
+/// Returns the fraction of pixels of an image that differ from the crates by more than 2 of 255.
 fn compared(file: &Path) -> Result<f64, String> {
     let bytes = fs::read(file).map_err(|error| error.to_string())?;
     let theirs: Vec<[u8; 3]> = bytes.chunks_exact(4).map(|rgba| [rgba[0], rgba[1], rgba[2]]).collect();
     let size = theirs.len().isqrt() as u32;
     if (size * size) as usize != theirs.len() || size == 0 {
-        return Err(format!("{} pixels are no square", theirs.len()));
+        return Err(format!("{} pixels do not form a square", theirs.len()));
     }
     let text = fs::read_to_string(file.with_extension("json")).map_err(|error| error.to_string())?;
     let described: Described = serde_json::from_str(&text).map_err(|error| error.to_string())?;
@@ -89,7 +87,7 @@ fn compared(file: &Path) -> Result<f64, String> {
     let asked = [settings.shape.as_str(), &settings.density, &settings.rule];
     if asked != ["teapot", "ggx", "exact"] {
         return Err(format!(
-            "only the teapot with GGX by the exact rule is compared, got {}",
+            "only the teapot with GGX and the exact rule is supported, got {}",
             asked.join(", ")
         ));
     }

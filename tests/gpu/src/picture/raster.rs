@@ -1,10 +1,10 @@
-//! Which triangle a pixel shows, in `f64`.
+//! Rasterization in `f64`: the visible triangle of a pixel.
 
 use glam::{DMat3, DVec2, DVec3};
 
 use crate::picture::scene::{Corner, Scene};
 
-/// View of a pixel: the triangle and the weights of its corners.
+/// The visible triangle of a pixel and the weights of its corners.
 #[derive(Clone, Copy)]
 pub(crate) struct Seen {
     pub(crate) triangle: usize,
@@ -13,7 +13,7 @@ pub(crate) struct Seen {
 }
 
 impl Seen {
-    /// The surface's point there, its normal and tangent of any length.
+    /// Returns the surface point, with unnormalized normal and tangent.
     pub(crate) fn corner(&self, scene: &Scene) -> Corner {
         let corners = &scene.triangles[self.triangle];
         let sum = |of: fn(&Corner) -> DVec3| {
@@ -24,15 +24,16 @@ impl Seen {
     }
 }
 
-/// The middle of a pixel, the picture's sides at −1 and 1, y up.
+/// Returns the center of a pixel, with the image sides at ±1 and y up.
 pub(crate) fn middle(x: u32, y: u32, size: u32) -> DVec2 {
     let at = |i: u32| (f64::from(i) + 0.5) / f64::from(size) * 2.0 - 1.0;
     DVec2::new(at(x), -at(y))
 }
 
-/// Triangles that the middles of pixels show, row by row.
+/// Returns the triangles visible at pixel centers, row by row.
 ///
-/// Edge functions are rows of the inverse of the corners' homogeneous coordinates, so nothing is clipped: Olano, Greer 1997.
+/// Edge functions are rows of the inverse of the corners' homogeneous coordinates, so nothing is
+/// clipped: Olano, Greer 1997.
 pub(crate) fn seen(scene: &Scene, size: u32) -> Vec<Option<Seen>> {
     let mut pixels: Vec<Option<Seen>> = vec![None; (size * size) as usize];
     for (triangle, corners) in scene.triangles.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Pictures by the crates.
+//! Images rendered by the crates.
 
 use asperity_shading::ndf_sampling::{Frame, Ggx};
 use asperity_shading::{Footprint, LevelOfDetail, half_vector, level_of_detail::Coordinates};
@@ -9,9 +9,9 @@ use crate::picture::{
     scene::{Corner, Scene},
 };
 
-/// 8-bit sRGB of every pixel.
+/// Returns the 8-bit sRGB color of every pixel.
 ///
-/// `bumps` is what a pixel resolves at a corner of the surface.
+/// `bumps` returns the resolved bumps at a surface point.
 pub(crate) fn picture(
     scene: &Scene,
     look: &Look,
@@ -44,22 +44,22 @@ pub(crate) fn picture(
         .collect())
 }
 
-/// A sky by the height of a direction, with a broad glow about the light.
+/// A sky by the elevation of a direction, with a broad glow about the light.
 fn sky(direction: Vec3, light: Vec3) -> f32 {
     let square = direction.dot(light).max(0.0).powi(2);
     0.05 + 0.1 * direction.z.max(0.0) + 0.5 * square * square * square
 }
 
-/// Colour beside the surface.
+/// Background color.
 pub(crate) const BACKGROUND: [u8; 3] = [236, 234, 228];
 
-/// sRGB of light, compressed into [0, 1), as the shader has it.
+/// Returns sRGB of radiance compressed into [0, 1), as in the shader.
 fn tone(light: f32) -> [u8; 3] {
     let linear = light * Vec3::new(1.0, 0.62, 0.36) + Vec3::new(0.012, 0.009, 0.008);
     encoded(linear)
 }
 
-/// sRGB of light, compressed into [0, 1).
+/// Returns sRGB of radiance compressed into [0, 1).
 pub(super) fn encoded(light: Vec3) -> [u8; 3] {
     (light / (1.0 + light)).to_array().map(|x| {
         let encoded = if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 };

@@ -1,4 +1,4 @@
-//! The scene's triangles drawn by the shader.
+//! Renders the scene's triangles with the shader.
 
 use std::time::{Duration, Instant};
 
@@ -17,11 +17,11 @@ use crate::{
     resources::{Resource, bound, buffer, bytes, group, layout},
 };
 
-/// Bumps by noise, the words of whose sum the renderer is given.
+/// Bumps from noise. The renderer receives the words of its sum.
 pub(crate) static PROCEDURAL: Part =
     Part::new("procedural", include_str!("procedural.wgsl"), &[&noise::sums::GAUSSIAN_OCTAVES_3D, &SURFACE]);
 
-/// Bumps by a texture of noise and one of normals.
+/// Bumps from a noise texture and a normal texture.
 pub(crate) static TEXTURED: Part = Part::new(
     "textured",
     include_str!("textured.wgsl"),
@@ -38,10 +38,10 @@ static SURFACE: Part = Part::new(
 const COLOUR: TextureFormat = TextureFormat::Rgba8Unorm;
 const DEPTH: TextureFormat = TextureFormat::Depth32Float;
 
-/// Floats of a corner: position, normal, tangent, the plane of its triangle, texture coordinates.
+/// Floats per corner: position, normal, tangent, the plane of its triangle, texture coordinates.
 const FLOATS: u64 = 15;
 
-/// The pipeline, and what it draws into.
+/// The pipeline and its render targets.
 pub(crate) struct Renderer {
     bumps: &'static Part,
     pipeline: wgpu::RenderPipeline,
@@ -115,7 +115,7 @@ impl Renderer {
         }
     }
 
-    /// 8-bit colours of every pixel, and the time from the command to the picture.
+    /// Renders 8-bit colors of every pixel, and returns the time from command to image.
     pub(crate) fn draw(
         &self,
         gpu: &Gpu,
@@ -206,7 +206,7 @@ fn vector(v: DVec3) -> [f32; 3] {
     v.as_vec3().to_array()
 }
 
-/// The words of `SurfaceView`.
+/// Returns the words of `SurfaceView`.
 fn view_words(scene: &Scene, look: &Look, spectrum: &Spectrum, size: u32) -> Vec<u32> {
     let view = &scene.view;
     let rows = [
@@ -220,7 +220,7 @@ fn view_words(scene: &Scene, look: &Look, spectrum: &Spectrum, size: u32) -> Vec
     rows.chain([look.alpha.x, look.alpha.y, look.exposure, size as f32]).map(f32::to_bits).collect()
 }
 
-/// The corners of a triangle with its plane, which `f64` tells from the focus on.
+/// Returns the corners of a triangle with its plane, computed in `f64` relative to the focus.
 fn corner_words(corners: &[Corner; 3]) -> Vec<u32> {
     let [a, b, c] = corners.map(|corner| corner.position);
     let normal = (b - a).cross(c - a).normalize_or_zero();

@@ -1,36 +1,36 @@
-//! Scenes: triangles about a focus, and a camera that comes near it.
+//! Scenes: triangles about a focus, and a camera that zooms in.
 
 use asperity_render::geometry::{mesh::TracedMesh, teapot::teapot};
 use glam::{DVec2, DVec3, Vec3};
 
-/// A corner of a triangle, its position from the focus on.
+/// A triangle corner, positioned relative to the focus.
 #[derive(Clone, Copy)]
 pub(crate) struct Corner {
     pub(crate) position: DVec3,
     pub(crate) normal: DVec3,
     pub(crate) tangent: DVec3,
-    /// Texture coordinates, which repeat from 1 on.
+    /// Texture coordinates with period 1.
     pub(crate) uv: DVec2,
 }
 
-/// A pinhole camera and a light, seen from the focus.
+/// A pinhole camera and a light, relative to the focus.
 pub(crate) struct View {
     pub(crate) eye: DVec3,
-    /// Half the picture's width and height at distance 1, along its sides.
+    /// Half the image's width and height at distance 1, along its sides.
     pub(crate) right: DVec3,
     pub(crate) up: DVec3,
     pub(crate) forward: DVec3,
-    /// Angle of a pixel in the middle, in radians.
+    /// Angle of a center pixel in radians.
     pub(crate) pixel_angle: f64,
     /// The direction to the light.
     pub(crate) light: DVec3,
 }
 
-/// Triangles, a camera, and where in the world their origin is.
+/// Triangles, a camera, and the world position of the origin.
 pub(crate) struct Scene {
     pub(crate) triangles: Vec<[Corner; 3]>,
     pub(crate) view: View,
-    /// The point that the camera looks at, in the world.
+    /// The camera's target, in world coordinates.
     pub(crate) focus: DVec3,
 }
 
@@ -44,7 +44,8 @@ impl View {
         Self { eye, right: right * half, up, forward, pixel_angle, light: light.normalize() }
     }
 
-    /// Coordinates of a point across, up and along the axis, the first two in halves of the picture.
+    /// Projects a point: coordinates across, up and along the axis, the first two in half image
+    /// sizes.
     pub(crate) fn project(&self, p: DVec3) -> DVec3 {
         let v = p - self.eye;
         DVec3::new(
@@ -55,7 +56,7 @@ impl View {
     }
 }
 
-/// The teapot, from so many times nearer to the point of its body that the picture's middle shows.
+/// Returns the teapot, zoomed into the point of its body at the image center.
 pub(crate) fn teapot_scene(zoom: f64, size: u32) -> Result<Scene, String> {
     let mesh = teapot();
     let (eye, target) = (DVec3::new(4.4, -9.8, 4.8), DVec3::new(0.25, 0.0, 1.35));
@@ -74,12 +75,13 @@ pub(crate) fn teapot_scene(zoom: f64, size: u32) -> Result<Scene, String> {
     Ok(Scene { triangles: triangles.collect(), view, focus })
 }
 
-/// Repetitions of the plane's texture along a unit: 8 cells of its first octave are one.
+/// Periods of the plane's texture per unit: 8 cells of its first octave are one period.
 const PER_UNIT: f64 = 0.375;
 
-/// A plane to the horizon, from so many times lower above it.
+/// Returns a plane up to the horizon, viewed from a height divided by the zoom.
 ///
-/// Its lines are at distances that double, or a triangle's corners would be too far from the eye for the digits of `f32`.
+/// Its lines are at doubling distances. Otherwise a triangle's corners would be too far from the
+/// camera for `f32` precision.
 pub(crate) fn plane_scene(zoom: f64, size: u32) -> Scene {
     const FARTHEST: f64 = 1e4;
     let focus = DVec3::new(0.3, 0.7, 0.0);
@@ -108,7 +110,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn all_of_the_teapot_is_in_its_picture() {
+    fn teapot_is_inside_its_image() {
         let scene = teapot_scene(1.0, 256).unwrap();
         for corner in scene.triangles.iter().flatten() {
             let p = scene.view.project(corner.position);

@@ -12,7 +12,7 @@ pub(super) fn cases() -> Vec<Case> {
     vec![values(), jets(), height_field(), folded(), first_hit()]
 }
 
-/// Functions of the case of values, and of that of jets.
+/// Functions for the cases of values and of jets.
 static FUNCTIONS: Part = Part::new("case/fif/functions", "", &[&fif::JET])
     .with_bindings(&[Binding::Uniform { name: "fif_functions", of: "array<FifTable, 4>" }]);
 
@@ -22,7 +22,7 @@ static FIELD: Part = Part::new("case/fif/field", "", &[&fif::FIRST_HIT, &fif::NO
     Binding::Uniform { name: "field_ranges", of: "HeightFieldRanges" },
 ]);
 
-/// Surfaces that are no products.
+/// Surfaces that are not products.
 static SURFACES: Part = Part::new("case/fif/surfaces", "", &[&fif::FOLDED])
     .with_bindings(&[Binding::Uniform { name: "fif_surfaces", of: "array<FoldedSurface, 2>" }]);
 
@@ -55,7 +55,8 @@ fn float(word: u32) -> f32 {
     f32::from_bits(word)
 }
 
-/// Points in [0, 2] and near it, the first ones bad, many next to the left end or at knots of composites; and a word below `count`.
+/// Returns points in [0, 2] and near it, the first invalid, many next to the left end or at knots
+/// of composites; and a word below `count`.
 fn place(i: u32, count: u32) -> [u32; INPUTS] {
     let bad = |k: u32| BAD.get(k as usize).copied();
     let mut words = [0; INPUTS];
@@ -97,7 +98,7 @@ fn values() -> Case {
     outcome.b = vec4<u32>(fif_table_digit(c.yz, c.w), 0u);"
             .into(),
         resources: vec![("fif_rows", tables.rows), ("fif_functions", tables.uniforms)],
-        // A fraction and a radix, for a third of which the product carries over or nearly so.
+        // A fraction and a radix. For a third of them the product carries over or nearly so.
         input: Box::new(|i| {
             let mut words = place(i, 4);
             let radix = any(i, 5) >> 16 | 1;
@@ -169,7 +170,7 @@ fn jets() -> Case {
 
 type Field = HeightField<Smooth, Smooth>;
 
-/// The source's f̂(x) times a function on quarters, their tables and resources.
+/// The source's f̂(x) times a function on quarters, with tables and resources.
 fn field() -> (Field, Vec<(&'static str, Vec<u32>)>) {
     let (f, g) = (
         smooth(&[0.0, 1.0, 0.0], &[0.5, 0.5]),
@@ -207,7 +208,7 @@ fn height_field() -> Case {
     outcome.b = bits(vec4<f32>(normal, 0.0));"
             .into(),
         resources,
-        // What is no number gives no number, but not one whose bits are told.
+        // NaN input gives NaN, whose bits are unspecified.
         input: Box::new(|i| place(i + 2, 1)),
         reference: Box::new(move |words| {
             let [x, y] = [0, 1].map(|k| f64::from(float(words[k])));
@@ -230,7 +231,8 @@ fn height_field() -> Case {
     }
 }
 
-/// Surfaces over [0, 2]²: on unequal cells, and on equal ones with a falling factor, whose border has slopes.
+/// Surfaces over [0, 2]²: on unequal cells, and on equal cells with a decreasing factor and slopes
+/// at the border.
 fn surfaces() -> [Folded; 2] {
     let (x, y) = ([0.0, 0.7, 1.3, 2.0], [0.0, 0.9, 2.0]);
     let z = [0.0, 1.0, 0.5, -0.5, 0.75, 1.5, 1.0, -1.0, 0.25, 0.5, 0.0, 1.25];
@@ -269,7 +271,7 @@ fn folded() -> Case {
             outputs.iter_mut().zip(floats).for_each(|(word, float)| *word = (float as f32).to_bits());
             outputs
         }),
-        // The crate computes in f64: 4e-7 and 2e-6 are the worst, alike on all drivers.
+        // The crate computes in f64. Maximum errors are 4e-7 and 2e-6 on all drivers.
         outputs: vec![
             Output::new("height", 0..1, Bound::Absolute(8e-7), Bound::Absolute(2e-6)),
             Output::new("gradient", 1..3, Bound::Absolute(4e-6), Bound::Absolute(8e-6)),
@@ -278,10 +280,10 @@ fn folded() -> Case {
     }
 }
 
-/// Nearness of a ray to grazing, as a length in the heights' unit: rays that much lower or higher must agree.
+/// A ray counts as grazing if rays shifted up or down by this height differ.
 const GRAZING: f64 = 1e-4;
 
-/// Rays from around the field to a point near it; some from below, level or vertical ones too.
+/// Rays from around the field to a point near it, including from below, level and vertical.
 fn ray(i: u32) -> [f32; 6] {
     let at = |k: u32, low: f32, high: f32| between(i, k, low, high);
     let from = [at(0, -3.0, 5.0), at(1, -3.0, 5.0), at(2, -1.0, 4.0)];
@@ -316,8 +318,8 @@ fn first_hit() -> Case {
     }"
         .into(),
         resources,
-        // The last word but three tells of grazing rays, which may hit or miss, here or there. Others hit or miss alike, for certain
-        // or not.
+        // The fourth-to-last word marks grazing rays, which may hit or miss at different points.
+        // Other rays must agree on hit or miss, certain or not.
         input: Box::new(move |i| {
             let ray = ray(i);
             let mut words = [0; INPUTS];
@@ -355,7 +357,7 @@ fn first_hit() -> Case {
     }
 }
 
-/// Whether hits are not of one kind, or far apart.
+/// Whether hits and misses are mixed, or hits are far apart.
 fn grazes(t: [Option<f64>; 3]) -> bool {
     match t {
         [Some(a), Some(b), Some(c)] => (a - b).abs().max((b - c).abs()) > 100.0 * GRAZING,
@@ -369,7 +371,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn few_rays_graze_and_both_outcomes_are_many() {
+    fn grazing_rays_are_few_and_both_outcomes_frequent() {
         let case = first_hit();
         let inputs: Vec<_> = (0..Case::COUNT).map(|i| (case.input)(i)).collect();
         let grazing = inputs.iter().filter(|words| words[12] == 1).count();

@@ -1,4 +1,4 @@
-//! Every function of the shaders as a case.
+//! Every shader function as a case.
 
 use crate::case::Case;
 
@@ -8,7 +8,7 @@ mod noise;
 mod shading;
 pub mod sums;
 
-/// All cases.
+/// Returns all cases.
 #[must_use]
 pub fn all() -> Vec<Case> {
     [noise::cases(), ndf::cases(), shading::cases(), sums::cases(), fif::cases()]

@@ -1,4 +1,4 @@
-//! Parts of values and of variables.
+//! Access to parts of values and of variables.
 
 use asperity_wgsl::Value;
 
@@ -69,7 +69,7 @@ fn arrays_of_constants_and_of_values() {
 }
 
 #[test]
-fn pointers_are_handed_over() {
+fn pointers_as_arguments() {
     let wgsl = "
         fn add(to: ptr<function, f32>, x: f32) { *to += x; }
         fn put(to: ptr<function, vec3<f32>>, at: u32) { (*to)[at] = 8.0; }
@@ -88,7 +88,7 @@ fn pointers_are_handed_over() {
 }
 
 #[test]
-fn private_variables_begin_anew_with_every_call() {
+fn private_variables_are_reset_per_call() {
     let wgsl = "
         var<private> count: u32 = 3u;
         fn step() { count += 1u; }

@@ -5,7 +5,7 @@ use asperity_wgsl::Value;
 use crate::interpreter;
 
 #[test]
-fn uniforms_have_the_padding_of_wgsl() {
+fn uniforms_have_wgsl_padding() {
     let wgsl = "
         struct Light { direction: vec3<f32>, power: f32, colour: vec3<f32> }
         struct Scene { count: u32, lights: array<Light, 2>, turn: mat3x3<f32>, flat: mat2x2<f32>, last: f32 }
@@ -34,7 +34,7 @@ fn uniforms_have_the_padding_of_wgsl() {
 }
 
 #[test]
-fn storage_buffers_end_where_their_words_do() {
+fn storage_buffer_length_follows_its_words() {
     let wgsl = "
         @group(0) @binding(0) var<storage, read> table: array<f32>;
         @group(0) @binding(1) var<storage, read> points: array<vec3<f32>>;
@@ -54,7 +54,7 @@ fn storage_buffers_end_where_their_words_do() {
     assert_eq!(shader.call("word", &[1_u32.into(), 2_u32.into()]).unwrap(), 16_u32.into());
     assert_eq!(shader.call("lengths", &[]).unwrap(), [5_u32, 3].into());
     let outside = shader.call("at", &[5_u32.into()]).unwrap_err();
-    assert_eq!(outside, "word 5 is behind the end of `table`, in `at`");
+    assert_eq!(outside, "word 5 is out of bounds of `table`, in `at`");
     let outside = shader.call("row", &[2_u32.into()]).unwrap_err();
     assert_eq!(outside, "index 2 is outside 2 elements, in `row`");
     let wrong = shader.storage("points", vec![0; 9]).unwrap_err();
@@ -62,7 +62,7 @@ fn storage_buffers_end_where_their_words_do() {
 }
 
 #[test]
-fn textures_are_read_by_bits() {
+fn textures_are_read_bit_exactly() {
     let wgsl = "
         @group(0) @binding(0) var floats: texture_2d<f32>;
         @group(0) @binding(1) var words: texture_2d<u32>;
@@ -72,10 +72,10 @@ fn textures_are_read_by_bits() {
         fn entry(table: texture_2d<u32>, at: i32) -> u32 { return textureLoad(table, vec2<i32>(at, 1), 0).x; }
         fn handed(at: i32) -> u32 { return entry(words, at); }";
     let mut shader = interpreter(wgsl);
-    // A denormal and a NaN with a payload stay what they are.
+    // A denormal and a NaN with a payload are preserved.
     shader.texture("floats", 3, vec![1, 0x7fc0_1234, 2, 3, 4, 5]).unwrap();
     let unbound = shader.call("handed", &[0.into()]).unwrap_err();
-    assert_eq!(unbound, "nothing is bound to `words`, in `entry`, in `handed`");
+    assert_eq!(unbound, "no resource for `words`, in `entry`, in `handed`");
     shader.texture("words", 2, vec![7, 8, 9, 10]).unwrap();
     let one = 1.0_f32.to_bits();
     assert_eq!(shader.call("float", &[1.into(), 0.into()]).unwrap(), [0x7fc0_1234, 0, 0, one].into());

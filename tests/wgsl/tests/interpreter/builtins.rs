@@ -1,4 +1,4 @@
-//! Builtin functions at their edges; shaders try the others beside the crates.
+//! Edge cases of built-in functions. Shaders test the others against the crates.
 
 use asperity_wgsl::Value;
 

@@ -1,8 +1,8 @@
-//! Branches and loops, at points that take different ways side by side.
+//! Branches and loops with diverging points.
 
 use crate::interpreter;
 
-/// Calls a function of one number at 0 to 99 at once, and at each alone.
+/// Calls a function of one number at 0 to 99 together, and at each alone.
 #[track_caller]
 fn agree(wgsl: &str, expected: impl Fn(i32) -> i32) {
     let shader = interpreter(wgsl);
@@ -74,7 +74,7 @@ fn loops_with_breaks_and_continues() {
 }
 
 #[test]
-fn loops_that_end_in_their_continuing_block() {
+fn loops_with_continuing_block() {
     let wgsl = "
         fn f(x: i32) -> i32 {
             var n = x;
@@ -131,7 +131,7 @@ fn switches() {
 }
 
 #[test]
-fn functions_that_are_called_from_several_ways() {
+fn functions_called_from_several_branches() {
     let wgsl = "
         fn root(x: i32) -> i32 {
             var r = 0;
@@ -151,7 +151,7 @@ fn functions_that_are_called_from_several_ways() {
 }
 
 #[test]
-fn a_loop_without_an_end_is_given_up() {
+fn infinite_loop_is_an_error() {
     let shader = interpreter("fn f() -> i32 { var x = 0; loop { x++; if x < 0 { x = 0; } } return x; }");
     assert!(shader.call("f", &[]).unwrap_err().contains("more than 1000000 rounds, in `f`"));
 }

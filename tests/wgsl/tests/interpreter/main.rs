@@ -1,4 +1,4 @@
-//! The interpreter of WGSL against Rust.
+//! The WGSL interpreter compared with Rust.
 
 mod access;
 mod binding;
@@ -10,19 +10,19 @@ mod rounding;
 
 use asperity_wgsl::{Interpreter, Value};
 
-/// The module, or a panic that shows what is wrong with it.
+/// Returns the module, or panics with its error.
 #[track_caller]
 fn interpreter(wgsl: &str) -> Interpreter {
     Interpreter::new(wgsl).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// The value of a function of a module.
+/// Returns the value of a module's function.
 #[track_caller]
 fn value(wgsl: &str, function: &str, arguments: &[Value]) -> Value {
     interpreter(wgsl).call(function, arguments).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Bits, with one word for everything that is not a number.
+/// Returns the bits, with one word for every NaN.
 fn bits(value: f32) -> u32 {
     if value.is_nan() { u32::MAX } else { value.to_bits() }
 }

@@ -1,4 +1,5 @@
-//! Operators where WGSL differs from other languages: integers by zero, shifts, conversions.
+//! Operators for which WGSL differs from other languages: integer division by zero, shifts,
+//! conversions.
 
 use crate::{interpreter, value};
 
@@ -6,10 +7,10 @@ const FLOATS: [f32; 12] =
     [0.0, -0.0, 1.0, -1.5, 0.1, 1e-40, 16_777_217.0, 3e38, -3e38, f32::INFINITY, f32::NEG_INFINITY, f32::NAN];
 const SIGNED: [i32; 8] = [0, 1, -1, 7, -13, 33, i32::MAX, i32::MIN];
 
-/// An operator of Rust.
+/// A Rust operator.
 type Operator<T, R> = fn(T, T) -> R;
 
-/// Calls `a operator b` at all pairs.
+/// Calls `a operator b` for all pairs.
 fn at_all_pairs<const N: usize>(
     of: &str,
     operator: &str,
@@ -23,7 +24,7 @@ fn at_all_pairs<const N: usize>(
 }
 
 #[test]
-fn integers_wrap_and_have_quotients_by_zero() {
+fn integers_wrap_and_divide_by_zero() {
     let unsigned: [(&str, Operator<u32, u32>); 8] = [
         ("+", u32::wrapping_add),
         ("-", u32::wrapping_sub),
@@ -58,7 +59,7 @@ fn integers_wrap_and_have_quotients_by_zero() {
 }
 
 #[test]
-fn shifts_take_the_last_five_bits_of_their_amount() {
+fn shifts_use_the_last_five_bits() {
     let wgsl = "
         fn left(a: u32, b: u32) -> u32 { return a << b; }
         fn right(a: u32, b: u32) -> u32 { return a >> b; }

@@ -1,10 +1,10 @@
-//! Implementations that round otherwise.
+//! Implementations with other rounding.
 
 use asperity_wgsl::{Arithmetic, Value};
 
 use crate::{bits, interpreter};
 
-/// Value of a function of three floats when its sums are fused.
+/// Returns the value of a function of three floats with fused sums.
 fn fused(expression: &str, [a, b, c]: [f32; 3]) -> f32 {
     let wgsl = format!("fn f(a: f32, b: f32, c: f32) -> f32 {{ {expression} }}");
     let shader = interpreter(&wgsl).arithmetic(Arithmetic::Fused);
@@ -12,8 +12,8 @@ fn fused(expression: &str, [a, b, c]: [f32; 3]) -> f32 {
 }
 
 #[test]
-fn sums_of_products_are_fused_where_the_product_is_used_once() {
-    // Products that lose bits: rounding them shows.
+fn products_used_once_are_fused() {
+    // Products that lose bits, so that rounding is visible.
     let [a, b, c] = [1.0 + f32::EPSILON, 1.0 + 3.0 * f32::EPSILON, -1.0];
     let written = a * b + c;
     let once = a.mul_add(b, c);
@@ -26,7 +26,7 @@ fn sums_of_products_are_fused_where_the_product_is_used_once() {
         ("return -c - a * b;", -once),
         ("return a * b + c * a;", a.mul_add(b, c * a)),
         ("return dot(vec2(a, c), vec2(b, a));", a.mul_add(b, c * a)),
-        // The product has another use, or is no operand of a sum.
+        // The product has another use, or is not an operand of a sum.
         ("let p = a * b; return p + c * p;", c.mul_add(a * b, a * b)),
         ("let p = a * b; return min(p, 9.0) + c;", written),
         ("let p = a * b; return (p + c) / p;", written / (a * b)),
@@ -37,7 +37,7 @@ fn sums_of_products_are_fused_where_the_product_is_used_once() {
 }
 
 #[test]
-fn written_is_what_the_interpreter_begins_with() {
+fn written_arithmetic_is_the_default() {
     let wgsl = "fn f(a: f32, b: f32, c: f32) -> f32 { return a * b + c; }";
     let numbers = [1.0 + f32::EPSILON, 1.0 + 3.0 * f32::EPSILON, -1.0];
     let [a, b, c] = numbers;
@@ -49,7 +49,7 @@ fn written_is_what_the_interpreter_begins_with() {
 }
 
 #[test]
-fn quotients_and_roots_are_off_by_as_many_units() {
+fn quotients_and_roots_are_off_by_configured_units() {
     let wgsl = "
         fn divided(a: f32, b: f32) -> f32 { return a / b; }
         fn root(a: f32, b: f32) -> f32 { return sqrt(a) + b; }
@@ -83,6 +83,6 @@ fn denormals_are_flushed_as_operands_and_results() {
     assert_eq!(call("product", -small, 0.5), [(-0.0).into(), (-small * 0.5).into()]);
     assert_eq!(call("product", small * 0.5, 4.0), [0.0.into(), (small * 2.0).into()]);
     assert_eq!(call("is_zero", small * 0.5, 1.0), [true.into(), false.into()]);
-    // Whole numbers are no denormals.
+    // Integers are not denormals.
     assert_eq!(call("word", f32::from_bits(3), f32::from_bits(4)), [7_u32.into(), 7_u32.into()]);
 }

@@ -1,4 +1,4 @@
-//! GGX and Beckmann with both rules of level of detail.
+//! GGX and Beckmann with both level-of-detail rules.
 
 use asperity_ndf_sampling::{
     Beckmann, ClosedForm, GaussianSplit, Ggx, Microfacet,
@@ -16,7 +16,8 @@ use super::{floats, gaussian, number, words};
 use crate::case::{Bound, Case, INPUTS, Output, between};
 
 pub(super) fn cases() -> Vec<Case> {
-    // Beckmann's masking is in f64 in the crate: Λ, σ and D_v to 32 bits. Its exponential takes the rounding of the exponent.
+    // The crate's Beckmann masking is in f64: Λ, σ and D_v to 32 bits. Its exponential amplifies
+    // the rounding of the exponent.
     let ggx =
         Density { name: "ggx", part: &GGX, of: Ggx::clamped, density: 1e-6, masking: [Bound::Equal; 4] };
     let beckmann = Density {
@@ -29,7 +30,8 @@ pub(super) fn cases() -> Vec<Case> {
     vec![ggx.normals(), ggx.visible_normals(), beckmann.normals(), beckmann.visible_normals()]
 }
 
-/// A density with its parts, and bounds of its density on adapters and, as written, of Λ, of G₁ and G₂, of σ, of D_v.
+/// A density with its parts. Bounds: of its density on adapters, and as written of Λ, of G₁ and G₂,
+/// of σ, of D_v.
 #[derive(Clone, Copy)]
 struct Density<N> {
     name: &'static str,
@@ -39,7 +41,8 @@ struct Density<N> {
     masking: [Bound; 4],
 }
 
-/// Densities beneath it are compared as it: drivers may flush what is not normal, and no sum of lights feels them.
+/// Smaller densities are treated as this value: drivers may flush denormals, which are invisible in
+/// sums of lights.
 const FAINT: f32 = 1e-34;
 
 impl<N: ClosedForm + Microfacet + 'static> Density<N> {
@@ -73,7 +76,7 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
                 let alpha = [0, 1].map(|k| number(i, k, 10.0_f32.powf(between(i, k, -3.0, 0.0))));
                 let z = Vec2::new(gaussian(i, 2), gaussian(i, 3));
                 let s = number(i, 7, if i % 8 == 0 { 0.0 } else { between(i, 7, 0.0, 0.999) });
-                // Where the density is not faint, with and without regard to what is resolved.
+                // Where the density is not negligible, with and without the resolved part.
                 let xi = Vec2::new(gaussian(i, 4), gaussian(i, 5));
                 let rest = if i % 3 == 0 { xi } else { z * s.sqrt() + xi * (1.0 - s).sqrt() };
                 // Some next to the pole.
@@ -86,7 +89,7 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
                 for ((input, good), k) in inputs.iter_mut().zip(good).zip(0..) {
                     *input = number(i, k, good).to_bits();
                 }
-                // Every other point gives other functions.
+                // Every other point tests other functions.
                 inputs[12] = i % 2;
                 inputs
             }),
@@ -128,7 +131,7 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
                 equal("sample, far field", 11..12, Bound::Relative(self.density)),
                 equal("exact rule", 12..13, Bound::Relative(5e-4)),
                 equal("fractal rule", 13..14, Bound::Relative(5e-4)),
-                // At share 1 the rest is what is left over 10⁻³.
+                // With the fraction 1 the rest is divided by 10⁻³.
                 equal("join and rest", 14..16, Bound::Absolute(2e-3)),
             ],
         }
@@ -167,12 +170,12 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
                 for ((input, good), k) in inputs.iter_mut().zip(good).zip(0..) {
                     *input = number(i, k, good).to_bits();
                 }
-                // Views without a direction, and below.
+                // Views without a direction, and from below.
                 if let 40..44 = i {
                     inputs[2..5].fill(0);
                     inputs[2 + i as usize % 4] = [-1.0_f32, f32::NAN][i as usize % 2].to_bits();
                 }
-                // Not where v is at a right angle with m: their product cancels.
+                // Not where v is perpendicular to m, because their product cancels.
                 inputs[13] = u32::from(v.dot(m) > 0.05);
                 inputs
             }),
@@ -181,7 +184,7 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
                 let [alpha_x, alpha_y, vx, vy, vz, mx, my, mz, wx, wy, wz, u1, u2] = floats(inputs, 0);
                 let ndf = (self.of)(alpha_x, alpha_y);
                 let [v, m, w] = [[vx, vy, vz], [mx, my, mz], [wx, wy, wz]].map(Vec3::from);
-                // Plural calls: Beckmann's single ones are in f64.
+                // Batch calls, because Beckmann's single calls are in f64.
                 let ([mut x], [mut y], [mut z]) = ([0.0; 1], [0.0; 1], [0.0; 1]);
                 let arrays = [&mut x, &mut y, &mut z].map(core::slice::from_mut);
                 let (view, u) = ([&[vx][..], &[vy], &[vz]], [&[u1][..], &[u2]]);
@@ -223,7 +226,7 @@ fn equal(name: &'static str, words: std::ops::Range<usize>, adapter: Bound) -> O
     Output { name, words, written: Bound::Equal, adapter }
 }
 
-/// A view above the horizon, as [`Microfacet`] documents it.
+/// A view above the horizon, as documented by [`Microfacet`].
 fn above(v: Vec3) -> Vec3 {
     if v.z > 0.0 && (0.25..=4.0).contains(&v.length_squared()) {
         return v;

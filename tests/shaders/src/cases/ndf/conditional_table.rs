@@ -17,7 +17,7 @@ fn table(size: usize) -> Case {
     let entries: &'static [[f32; 3]] = table.view().entries().to_vec().leak();
     let table = ConditionalTableRef::new(size, table.view().stretch(), entries).expect("as many entries");
     let mut numbers: Vec<u32> = entries.as_flattened().iter().map(|x| x.to_bits()).collect();
-    // Behind the entries is no number: of a single one nothing else may be read.
+    // NaN after the entries: with a single entry nothing else may be read.
     numbers
         .resize(numbers.len().next_multiple_of(ConditionalTableUniform::WIDTH as usize), f32::NAN.to_bits());
     Case {
@@ -50,7 +50,7 @@ fn table(size: usize) -> Case {
         }),
         outputs: vec![
             Output::new("T⁻¹", 0..2, Bound::Equal, Bound::Absolute(1e-5)),
-            // The crate's exponential is that of its backend.
+            // The crate's exponential comes from its backend.
             Output::new("exact rule", 2..3, Bound::Relative(1e-6), Bound::Relative(5e-3)),
         ],
     }

@@ -1,4 +1,4 @@
-//! Elementary functions and the Gaussian distribution, beside those of `f64`.
+//! Elementary functions and the Gaussian distribution, compared with `f64`.
 
 use asperity_ndf_sampling::{inverse_phi, phi};
 use asperity_shaders::ndf::{ELEMENTARY, NORMAL_DISTRIBUTION};
@@ -10,9 +10,10 @@ pub(super) fn cases() -> Vec<Case> {
     vec![functions()]
 }
 
-/// The crate's own are private; their bits are shown by the densities that are made of them.
+/// The crate's own functions are private. Their bits are tested through the densities that use
+/// them.
 fn functions() -> Case {
-    // Quotients that are two units off come on top of what is measured.
+    // Quotients off by two units add to the measured errors.
     let output = |name, words, bound: Bound| {
         let adapter = match bound {
             Bound::Relative(limit) => Bound::Relative(2.0 * limit),
@@ -44,7 +45,7 @@ fn functions() -> Case {
                 between(i, 0, -60.0, 60.0),
                 power(1, -10.0, 30.0),
                 power(2, -20.0, 7.0),
-                // A difference in the shader would be joined with what is added there.
+                // A difference in the shader would be combined with the addition there.
                 power(1, -10.0, 30.0) - 0.999,
                 between(i, 4, -2.0, 2.0),
                 between(i, 5, -6.0, 6.0),

@@ -1,4 +1,5 @@
-//! Densities of facets of older models: Student's t, Blinn–Phong, Ward, Ashikhmin–Shirley, in 64 bits in the crate.
+//! Facet densities of older models: Student's t, Blinn–Phong, Ward, Ashikhmin–Shirley, in 64 bits
+//! in the crate.
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::{AshikhminShirley, BlinnPhong, Microfacet, Ndf, StudentT, Ward};
@@ -42,7 +43,7 @@ fn log(i: u32, k: u32, low: f32, high: f32) -> f32 {
     10.0_f32.powf(between(i, k, low, high))
 }
 
-/// Densities beneath it are compared as it.
+/// Smaller densities are treated as this value.
 const FAINT: f32 = 1e-30;
 
 /// A density with the WGSL of its parameters, and the first arguments of its functions.
@@ -148,7 +149,7 @@ fn masking() -> Case {
             for ((input, good), k) in inputs.iter_mut().zip(good).zip(0..) {
                 *input = number(i, k, good).to_bits();
             }
-            // Not where v is at a right angle with m: their product cancels.
+            // Not where v is perpendicular to m, because their product cancels.
             inputs[12] = u32::from(v.dot(m) > 0.05);
             inputs[13..15]
                 .copy_from_slice(&[13, 14].map(|k| number(i, k, between(i, k, 0.001, 0.999)).to_bits()));

@@ -31,7 +31,7 @@ fn frames() -> Case {
             for (k, input) in (0..6).zip(&mut inputs) {
                 *input = number(i, k, between(i, k, -1.0, 1.0)).to_bits();
             }
-            // At the pole and near both.
+            // At the pole and near both poles.
             if let 40..44 = i {
                 inputs[..2].fill(0);
                 inputs[2] = [-1.0_f32, -3.0, 1.0, 1e-12][i as usize % 4].to_bits();

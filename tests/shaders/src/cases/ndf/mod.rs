@@ -1,4 +1,4 @@
-//! Densities of normals: elementary functions, closed forms, maps, tables, level of detail.
+//! Normal densities: elementary functions, closed forms, maps, tables, level of detail.
 
 use crate::case::{Case, DENORMAL, INPUTS, OUTPUTS, between};
 
@@ -25,7 +25,7 @@ pub(super) fn cases() -> Vec<Case> {
     .collect()
 }
 
-/// Numbers that no function may stumble over, as many as the first inputs.
+/// Numbers that every function must handle, one per initial input.
 const BAD: [f32; 16] = [
     f32::NAN,
     f32::INFINITY,
@@ -45,17 +45,18 @@ const BAD: [f32; 16] = [
     2.0,
 ];
 
-/// The k-th number of the i-th input: a bad one for the first inputs, of which each number meets each value, else `good`.
+/// Returns the k-th number of the i-th input: an invalid number for the first inputs, in all
+/// combinations, otherwise `good`.
 fn number(i: u32, k: u32, good: f32) -> f32 {
     match i {
-        // One bad number at a time, then all.
+        // One invalid number at a time, then all.
         0..16 if k == i / 2 => BAD[(3 * i as usize + 7) % 16],
         16..40 => BAD[(i + 5 * k) as usize % 16],
         _ => good,
     }
 }
 
-/// Standard Gaussian numbers, the k-th of the i-th input.
+/// Returns standard Gaussian numbers, the k-th of the i-th input.
 fn gaussian(i: u32, k: u32) -> f32 {
     asperity_ndf_sampling::inverse_phi(f64::from(between(i, k, 1e-6, 0.999_999))) as f32
 }
@@ -64,7 +65,7 @@ fn floats<const N: usize>(words: [u32; INPUTS], from: usize) -> [f32; N] {
     std::array::from_fn(|k| f32::from_bits(words[from + k]))
 }
 
-/// Words of so many floats and zeros after them.
+/// Returns the words of floats, padded with zeros.
 fn words(floats: &[f32]) -> [u32; OUTPUTS] {
     std::array::from_fn(|k| floats.get(k).map_or(0, |x| x.to_bits()))
 }

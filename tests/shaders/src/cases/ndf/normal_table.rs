@@ -1,4 +1,4 @@
-//! Tables of normals in every spacing and chart.
+//! Normal tables in every spacing and chart.
 
 use asperity_ndf_sampling::glam::Vec2;
 use asperity_ndf_sampling::normal_table::{Chart, Spacing, TableLayout};
@@ -22,7 +22,7 @@ fn table(spacing: Spacing, chart: Chart, size: usize) -> Case {
     let ggx = Ggx::new(0.2, 0.6).expect("valid roughnesses");
     let mut entries =
         NormalTable::with_layout(&ggx, size, layout).expect("a small table").view().entries().to_vec();
-    // An entry that is no point of the chart.
+    // An entry outside the chart.
     if let Some(entry) = entries.get_mut(5) {
         *entry = [3e9, 2e9];
     }
@@ -30,7 +30,7 @@ fn table(spacing: Spacing, chart: Chart, size: usize) -> Case {
     let table = NormalTableRef::new(size, layout, entries).expect("as many entries");
     let mut numbers: Vec<u32> = entries.as_flattened().iter().map(|x| x.to_bits()).collect();
     numbers.resize(numbers.len().next_multiple_of(NormalTableUniform::WIDTH as usize), 0);
-    // Φ is in f64 in the crate: a place may round to the entry beside.
+    // Φ is in f64 in the crate: a position may round to the adjacent entry.
     let (written, adapter) = match spacing {
         Spacing::Quantiles => (Bound::Absolute(8e-7), 1e-4),
         _ => (Bound::Equal, 1e-5),
@@ -54,7 +54,7 @@ fn table(spacing: Spacing, chart: Chart, size: usize) -> Case {
             for (k, input) in (0..4).zip(&mut inputs) {
                 *input = number(i, k, gaussian(i, k)).to_bits();
             }
-            // Not where two entries are as near, but for bad numbers.
+            // Not where two entries are equally near, except for invalid numbers.
             let z = floats::<2>(inputs, 0);
             let place = z.map(|z| spacing.place(z) * size as f32);
             if i >= 40 && place.iter().any(|place| (place - place.round()).abs() < 1e-4) {

@@ -1,4 +1,4 @@
-//! Packed maps of both reconstructions.
+//! Packed maps with both reconstructions.
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::{GaussianSplit, Measure, Ndf, NdfMap, PackedMapRef, Reconstruction};
@@ -8,7 +8,7 @@ use super::{floats, gaussian, number, words};
 use crate::case::{Bound, Case, INPUTS, Output, between};
 
 pub(super) fn cases() -> Vec<Case> {
-    // Lobes beside one another on a ground of facets, and lobes with gaps between them.
+    // Adjacent lobes on a uniform background, and lobes separated by gaps.
     let painting =
         |n: Vec3| (-40.0 * (n.truncate() - Vec2::new(0.3, 0.2)).length_squared()).exp() + 0.05 * n.z;
     let gaps = |n: Vec3| f32::from(n.x.abs() > 0.2) * (0.1 + n.y).max(0.0);
@@ -20,7 +20,7 @@ pub(super) fn cases() -> Vec<Case> {
     ]
 }
 
-/// With the bound of T, which beside gaps has none: what is beyond a gap is a rounding of Φ away.
+/// The bound applies to T. Next to gaps there is none, because a rounding of Φ moves across a gap.
 fn packed(
     name: &str,
     kind: Reconstruction,
@@ -37,7 +37,8 @@ fn packed(
     let mut outputs = vec![
         output("D", 0..1, Bound::Equal, 5e-6),
         output("(M, C)", 1..3, Bound::Equal, 2e-6),
-        // In f64 in the crate. A rounding of M is much of a coordinate far out: 0.13 at 5.4, where u ends.
+        // In f64 in the crate. A rounding of M is a large part of a distant coordinate: 0.13 at
+        // 5.4, where u ends.
         output("T⁻¹", 3..5, Bound::Absolute(3e-6), 0.15),
         output("T⁻¹ within 3", 12..14, Bound::Absolute(1.4e-6), 2e-4),
         output("sample", 5..7, Bound::Equal, 1e-4),

@@ -6,7 +6,7 @@ use asperity_shaders::noise;
 use super::{body, case, number, outputs, outputs_of, sample, seed};
 use crate::case::{Bound, Case};
 
-/// Of values in [−1, 1] whose gradients are some units.
+/// For values in [−1, 1] with gradients of a few units.
 const BOUNDS: [Bound; 2] = [Bound::Absolute(4e-6), Bound::Absolute(1e-5)];
 
 pub(super) fn cases() -> Vec<Case> {

@@ -6,14 +6,14 @@ use asperity_shaders::noise;
 use super::{body, case, number, outputs_of, seed};
 use crate::case::{Bound, Case};
 
-/// Distances are of the order of 1, and ways are divided by them.
+/// Distances are of order 1, and offsets are divided by them.
 const BOUNDS: [Bound; 2] = [Bound::Absolute(1e-6), Bound::Absolute(1e-4)];
 
 const BASES: [Basis; 4] = [Basis::F1, Basis::F2, Basis::F2MinusF1, Basis::Cell];
 const METRICS: [Metric; 3] = [Metric::Euclidean, Metric::Manhattan, Metric::Chebyshev];
 
 pub(super) fn cases() -> Vec<Case> {
-    // A tenth of the points have their feature points in the middle of cells.
+    // A tenth of the points have their feature points at cell centers.
     let parameters = "u32(b.x * 4.0), u32(b.y * 3.0), select(b.z, 0.0, b.w < 0.1), ";
     vec![case(&noise::CELLULAR, body("cellular", parameters, false), BOUNDS, |words| {
         let [basis, metric, jitter, centred] = [4, 5, 6, 7].map(|k| number(words, k));

@@ -1,4 +1,4 @@
-//! Noise: hash, kinds.
+//! Noise: hash and noise types.
 
 use asperity_noise::{
     Field, Point, Sample,
@@ -29,20 +29,21 @@ pub(super) fn cases() -> Vec<Case> {
     .collect()
 }
 
-/// A point in four dimensions in `a`, numbers in [0, 1) in `b`, key and seed in `d`: the first points are bad or huge, then some are
-/// next to lattice points and some far out, where every coordinate is still told to a sixteenth of a cell.
+/// A point in four dimensions in `a`, numbers in [0, 1) in `b`, key and seed in `d`. The first
+/// points are invalid or huge. Some others are next to lattice points, and some so far out that
+/// coordinates have a resolution of a sixteenth of a cell.
 fn input(i: u32) -> [u32; INPUTS] {
     input_within(1e6, i)
 }
 
-/// Simplex noise by another radius, but for how far out is far.
+/// Input with another far distance, as for simplex noise.
 fn input_within(far: f32, i: u32) -> [u32; INPUTS] {
     let mut words = [0; INPUTS];
     for k in 0..4 {
         let x = match (i, i % 8) {
             (0..40, _) if i % 4 == k => BAD[(i / 4) as usize],
             (40..60, _) => BAD[(i + 3 * k) as usize % BAD.len()],
-            // Where cells leave the integers of 32 bits, and where none are left.
+            // Where cells exceed 32-bit integers, and where no cells remain.
             (60..200, _) if i % 4 == k => f32::from_bits(any(i, k) & 0x807f_ffff | (149 + i / 4 % 36) << 23),
             (_, 0) => between(i, k, -9.0, 9.0).round() + between(i, 4 + k, -1e-3, 1e-3),
             (_, 1) => between(i, k, -far, far),
@@ -71,7 +72,7 @@ fn sample<V: Point<Coordinates = [f32; N]>, const N: usize>(
     field.sample(V::from_coordinates(std::array::from_fn(|axis| number(words, axis))))
 }
 
-/// Value and gradient in two, three and four dimensions, as [`body`] gives them.
+/// Returns value and gradient in two, three and four dimensions, in the layout of [`body`].
 fn outputs(plane: Sample<Vec2>, space: Sample<Vec3>, hyperspace: Sample<Vec4>) -> [u32; OUTPUTS] {
     let (a, b) = (plane.gradient, space.gradient);
     let [x, y, z, w] = hyperspace.gradient.to_array();
@@ -80,12 +81,13 @@ fn outputs(plane: Sample<Vec2>, space: Sample<Vec3>, hyperspace: Sample<Vec4>) -
         .map(f32::to_bits)
 }
 
-/// In the plane and in space.
+/// Returns outputs in 2-D and 3-D.
 fn outputs_of(field: &(impl Field<Vec2> + Field<Vec3>), words: [u32; INPUTS]) -> [u32; OUTPUTS] {
     outputs(sample(field, words), sample(field, words), Sample::default())
 }
 
-/// Samples of `{name}_noise_2d` and so on, which have further parameters between point and key.
+/// Returns WGSL that samples `{name}_noise_2d` and so on, with additional parameters between point
+/// and key.
 fn body(name: &str, parameters: &str, has_4d: bool) -> String {
     let of = |dimension: &str, point: &str| format!("{name}_noise_{dimension}({point}, {parameters}d.x)");
     let mut body = format!(
@@ -105,7 +107,7 @@ fn body(name: &str, parameters: &str, has_4d: bool) -> String {
     body
 }
 
-/// A kind of noise whose bits are those of the crate.
+/// A noise whose bits equal the crate's.
 fn case(
     part: &'static Part,
     body: String,

@@ -6,10 +6,10 @@ use asperity_shaders::noise;
 use super::{body, case, input_within, outputs, sample, seed};
 use crate::case::{Bound, Case};
 
-/// Within 100 cells. Were the skew's product with a sum of 350 fused, corners would be 8e-6 off; the gradient is up to 7, its own up
-/// to 100.
+/// Within 100 cells. If the skew's product were fused with a sum of 350, corners would differ by
+/// 8e-6. The gradient is up to 7, and its gradient up to 100.
 const NEAR: [Bound; 2] = [Bound::Absolute(1e-4), Bound::Absolute(1e-3)];
-/// Up to 10⁶ cells away corners are as far off as f32 tells points, and values are in range.
+/// Up to 10⁶ cells away corners differ by the `f32` resolution of points, and values are in range.
 const FAR: [Bound; 2] = [Bound::Absolute(4.0), Bound::Absolute(32.0)];
 
 pub(super) fn cases() -> Vec<Case> {

@@ -1,4 +1,4 @@
-//! Sparse convolution noise, of one to four impulses.
+//! Sparse convolution noise with one to four impulses.
 
 use asperity_noise::Sparse;
 use asperity_shaders::noise;
@@ -9,7 +9,7 @@ use crate::case::{Bound, Case};
 const BOUNDS: [Bound; 2] = [Bound::Absolute(4e-6), Bound::Absolute(1e-5)];
 
 pub(super) fn cases() -> Vec<Case> {
-    // 0 counts as 1, 5 as 4.
+    // 0 is treated as 1, 5 as 4.
     let count = "u32(b.x * 6.0), ";
     vec![case(&noise::SPARSE, body("sparse", count, false), BOUNDS, |words| {
         let sparse = Sparse::new(seed(words));

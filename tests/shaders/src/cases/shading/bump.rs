@@ -79,7 +79,7 @@ fn gradients() -> Case {
         resources: vec![],
         input: Box::new(|i| {
             let (n, m) = (direction(i, 0), direction(i, 2));
-            // Tangents that do not lie along one another, so that the rounding of their area is bounded.
+            // Tangents that are not nearly parallel, so that the rounding of their area is bounded.
             let frame = Frame::from_normal(n);
             let [u, v] = [4, 7].map(|k| 0.3 * vector(i, k, 1.0));
             let (p_u, p_v) = (2.0 * frame.tangent + u, frame.bitangent + v);
@@ -115,7 +115,7 @@ fn normals() -> Case {
         resources: vec![],
         input: Box::new(|i| {
             let (n, wo) = (direction(i, 0), direction(i, 2));
-            // Squares of a short view leave the range.
+            // Squares of a short view underflow.
             let wo = if i % 16 == 5 { 1e-21 * wo } else { wo };
             let gradient = vector(i, 4, if i % 8 == 0 { 1e5 } else { 1.5 });
             inputs(i, &[n.x, n.y, n.z, 0.0, gradient.x, gradient.y, gradient.z, 0.0, wo.x, wo.y, wo.z])
@@ -159,7 +159,7 @@ fn facets() -> Case {
             let [deviation, x, y, z] = floats(inputs, 3);
             let bumped = Vec3::new(x, y, z);
             let none = Facet { share: 0.0, normal: bumped };
-            // Of the square the root is the deviation, but for rounding.
+            // The root of the square is the deviation, up to rounding.
             let facet = slope_facets(Vec3::Z, bumped, deviation * deviation).nth(inputs[8] as usize);
             let facet = facet.unwrap_or(none);
             let along = asperity_shading::bump::facets_along(

@@ -1,4 +1,4 @@
-//! Coats of every kind.
+//! Coats of every type.
 
 use asperity_shaders::shading::reflectance::{COAT, CoatUniform};
 use asperity_shading::glam::{Vec2, Vec3};
@@ -12,7 +12,7 @@ pub(super) fn cases() -> Vec<Case> {
     vec![over(), deltas()]
 }
 
-/// The coat of an input: its kind, normal, variance of slopes and roughness.
+/// Returns the coat of an input: type, normal, variance of slopes and roughness.
 fn coat(inputs: [u32; INPUTS]) -> Coat {
     let ([x, y, variance, roughness], kind) = (floats(inputs, 0), inputs[15] % 5);
     let (fresnel, colour) = (Dielectric::clamped(1.5), Vec3::new(0.9, 0.7, 0.5));
@@ -26,7 +26,8 @@ fn coat(inputs: [u32; INPUTS]) -> Coat {
     coat.rough(roughness).bumped(Vec3::new(x, y, (1.0 - x * x - y * y).sqrt()), variance)
 }
 
-/// Words of both directions, behind slopes, their variance and a roughness; directions may be bad.
+/// Returns words of both directions, after slopes, their variance and a roughness. Directions may
+/// be invalid.
 fn input(i: u32, roughness: f32, u: [f32; 2]) -> [u32; INPUTS] {
     let (wi, wo) = (direction(i, 0), direction(i, 2));
     let tilt = [4, 5].map(|k| number(i, k, [-0.3, 0.3]));
@@ -34,7 +35,7 @@ fn input(i: u32, roughness: f32, u: [f32; 2]) -> [u32; INPUTS] {
     let mut all =
         [tilt[0], tilt[1], variance, roughness, wo.x, wo.y, wo.z, 0.0, wi.x, wi.y, wi.z, 0.0, u[0], u[1]];
     if i % 5 == 1 || i % 5 == 2 {
-        // Light from behind, and views from there.
+        // Light from behind, and views from behind.
         all[10] *= if i % 2 == 1 { -1.0 } else { 1.0 };
         all[6] *= if i % 3 == 1 { -1.0 } else { 1.0 };
     }
@@ -44,7 +45,7 @@ fn input(i: u32, roughness: f32, u: [f32; 2]) -> [u32; INPUTS] {
     words
 }
 
-/// The structure `Coat` of the words of an input.
+/// Returns WGSL of the structure `Coat` for an input.
 fn structure() -> String {
     let of = |make: fn(Dielectric, Vec3) -> Coat| {
         let words = CoatUniform::new(&make(Dielectric::clamped(1.5), Vec3::new(0.9, 0.7, 0.5))).words();
@@ -60,7 +61,7 @@ fn structure() -> String {
     ];
     let choices: Vec<String> =
         (0..).zip(&rows).map(|(kind, row)| format!("    if kind == {kind}u {{ row = {row}; }}\n")).collect();
-    // Lists that a variable indexes are what glslang cannot read in HLSL.
+    // glslang cannot read arrays with variable indices in HLSL.
     format!(
         "\
     let kind = d.w % 5u;
@@ -93,7 +94,7 @@ fn over() -> Case {
             let bsdf = Bsdf::new(wo).with([Facet::FLAT], [(&below as &dyn asperity_shading::Brdf).into()]);
             words(&bsdf.with_coat(coat(inputs)).scattered(wi, wo).to_array())
         }),
-        // Masking is in 64 bits in the crate, exponentials of absorption are the library's.
+        // Masking is in 64 bits in the crate, and exponentials of absorption come from the library.
         outputs: vec![Output::new("light", 0..3, Bound::Absolute(8e-6), Bound::Absolute(1e-3))],
     }
 }
@@ -118,7 +119,7 @@ fn deltas() -> Case {
             words(&[mirrored, transmitted].concat())
         }),
         outputs: vec![
-            // A facet is chosen by the library's logarithm and cosine in the crate.
+            // In the crate a facet is chosen with the library's logarithm and cosine.
             Output::new("mirrored", 0..4, Bound::Absolute(6e-5), Bound::Absolute(2e-3)),
             Output::new("transmitted", 4..8, Bound::Absolute(4e-5), Bound::Absolute(2e-3)),
         ],

@@ -16,7 +16,7 @@ pub(super) fn cases() -> Vec<Case> {
 }
 
 fn angle() -> Case {
-    // The crate's angle is `atan2` of the library.
+    // The crate's angle is the library's `atan2`.
     let bound = Bound::Absolute(8e-7);
     Case {
         name: "shading/math".into(),
@@ -50,7 +50,7 @@ fn angle() -> Case {
 }
 
 fn diffuse() -> Case {
-    // The angles of the full and the energy-preserving form are the library's.
+    // The angles of the full and the energy-preserving form come from the library.
     let bound = Bound::Absolute(2.4e-7);
     Case {
         name: "shading/reflectance/diffuse".into(),

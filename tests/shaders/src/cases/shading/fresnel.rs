@@ -1,4 +1,4 @@
-//! Fresnel's reflectances.
+//! Fresnel reflectances.
 
 use asperity_shaders::shading::reflectance::{CONDUCTOR, DIELECTRIC, SCHLICK};
 use asperity_shading::glam::Vec3;
@@ -23,14 +23,14 @@ fn fresnel() -> Case {
     outcome.c = bits(vec4<f32>(dielectric_reversed(b.x), 0.0, 0.0, 0.0));"
             .into(),
         resources: vec![],
-        // Parameters are valid ones, those that constructors pass.
+        // Parameters are valid, as accepted by constructors.
         input: Box::new(|i| {
             let f0 = [0, 1, 2].map(|k| share(i, k));
             let tint = [3, 4, 5].map(|k| share(i, k));
             let index = match i % 32 {
                 0 => 1.0,
                 1 => f32::MAX,
-                // A card may take a denormal one for 0, which is none.
+                // A GPU may flush a denormal to 0, which is invalid.
                 2 => f32::MIN_POSITIVE,
                 _ => number(i, 6, [-1.5, 1.5]).exp(),
             };

@@ -1,4 +1,4 @@
-//! Flakes that are counted.
+//! Counted flakes.
 
 use asperity_shaders::shading::material::{
     COUNTED_FLAKES, CountedFlakesUniform, GLINT_FIELD, GlintFieldUniform, MetallicPaintUniform,
@@ -60,7 +60,8 @@ fn glint_field() -> Case {
         }),
         outputs: vec![
             Output::new("centre", 0..3, Bound::Equal, Bound::Absolute(1e-2)),
-            // Quantiles are of 64 bits in the crate; a tilt at the border of a bin is in another one by a rounding.
+            // Quantiles are in 64 bits in the crate. A tilt at the border of a bin may round into
+            // another bin.
             Output::new("relative count", 3..4, Bound::Absolute(4e-4), Bound::Absolute(1e-2)),
             Output::new("tilt", 4..6, Bound::Absolute(2e-6), Bound::Absolute(1e-3)),
         ],

@@ -17,10 +17,11 @@ pub(super) fn cases() -> Vec<Case> {
     vec![microfacets(), lobes()]
 }
 
-/// Values beneath it are compared as it: drivers may flush what is not normal, and no sum of lights feels them.
+/// Smaller values are treated as this value: drivers may flush denormals, which are invisible in
+/// sums of lights.
 const FAINT: f32 = 1e-30;
 
-/// Two directions at words 8 to 13, bad ones first, now and then near the mirrored one.
+/// Two directions in words 8 to 13, invalid ones first, sometimes near the mirror direction.
 fn directions(i: u32, good: [f32; 8]) -> [u32; INPUTS] {
     let (wi, wo) = (direction(i, 8), direction(i, 10));
     let mirrored = Vec3::new(-wo.x, -wo.y, wo.z) + 0.1 * (wi - Vec3::Z);
@@ -73,7 +74,7 @@ fn microfacets() -> Case {
         }),
         outputs: vec![
             equal("Cook–Torrance, GGX", 0..3, Bound::Relative(1e-2)),
-            // The crate's masking of Beckmann's density is in 64 bits.
+            // The crate's masking of the Beckmann density is in 64 bits.
             Output::new("Cook–Torrance, Beckmann", 4..7, Bound::Relative(2e-5), Bound::Relative(1e-2)),
             equal("Torrance–Sparrow, GGX", 8..11, Bound::Relative(1e-2)),
         ],
@@ -81,7 +82,7 @@ fn microfacets() -> Case {
 }
 
 fn lobes() -> Case {
-    // Exponentials and logarithms are the library's in the crate.
+    // Exponentials and logarithms come from the library in the crate.
     let (written, adapter) = (Bound::Relative(4e-5), Bound::Relative(1e-3));
     Case {
         name: "shading/reflectance, lobes".into(),

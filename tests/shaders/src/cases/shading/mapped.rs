@@ -1,4 +1,4 @@
-//! Bump maps of a density, and normal maps made by hand.
+//! Bump maps of a density, and hand-made normal maps.
 
 use asperity_shaders::noise;
 use asperity_shaders::noise::sums::OctavesUniform;
@@ -62,13 +62,13 @@ fn bump_mapped(
         &BUMP_MAPPED,
         resources,
         [2.0, 3e-3, 0.3],
-        // The logarithm that counts octaves is the library's in the crate.
+        // The logarithm that counts octaves comes from the library in the crate.
         [Bound::Absolute(8e-7), Bound::Absolute(1e-2)],
         of,
     )
 }
 
-/// Bumps of stone, 12 × 20 texels in four groups: a flat with ridges and a slope of its own here and there.
+/// Stone bumps, 12 × 20 texels in four clusters: flat with ridges and occasional slopes.
 fn map() -> SlopePyramidRef<'static, 4> {
     let slope = |k: usize| {
         let (column, row) = (k % 12, k / 12);
@@ -96,13 +96,14 @@ fn stone() -> Case {
         &NORMAL_MAPPED,
         vec![("normal_mapped_uniform", uniform), numbers(&stone.map)],
         [1.5, 1e-3, 2.0],
-        // The root of a covariance is made in 64 bits in the crate; exponential and logarithm are the library's.
+        // The root of a covariance is computed in 64 bits in the crate. Exponential and logarithm
+        // come from the library.
         [Bound::Absolute(4e-7), Bound::Absolute(1e-4)],
         stone,
     )
 }
 
-/// Weight, mean and covariance of a lobe; those of a lobe without weight are nothing.
+/// Returns weight, mean and covariance of a lobe, or zeros for a lobe without weight.
 fn lobe_words(lobe: SlopeLobe) -> [f32; 6] {
     if lobe.weight > 0.0 {
         let [xx, xy, yy] = lobe.moments.covariance;
@@ -154,7 +155,7 @@ fn pyramid() -> Case {
         outputs: vec![
             equal("a level", 0..6, Bound::Absolute(1e-5)),
             equal("slope", 6..8, Bound::Absolute(1e-5)),
-            // The logarithm that tells the level is the library's in the crate.
+            // The logarithm that selects the level comes from the library in the crate.
             Output::new("a long pixel", 8..14, Bound::Absolute(2e-7), Bound::Absolute(1e-4)),
         ],
     }
@@ -192,9 +193,9 @@ fn moments() -> Case {
             let share = super::share(i, 11);
             let mut words =
                 inputs(i, &[mean[0], mean[1], xx, xy, yy, alpha[0], alpha[1], h.x, z[0], z[1], share, 0.0, h.y, h.z]);
-            // Roughnesses are valid ones.
+            // Roughnesses are valid.
             words[5..7].copy_from_slice(&alpha.map(f32::to_bits));
-            // A half vector is one, or none at all.
+            // A half vector is normalized, or zero.
             for (word, good) in [7, 12, 13].into_iter().zip(h.to_array()) {
                 if f32::from_bits(words[word]).is_finite() {
                     words[word] = good.to_bits();
@@ -217,7 +218,7 @@ fn moments() -> Case {
         }),
         outputs: vec![
             equal("mean", 0..2, Bound::Absolute(1e-5)),
-            // The root of the covariance is made in 64 bits in the crate.
+            // The root of the covariance is computed in 64 bits in the crate.
             Output::new("covariance", 4..7, Bound::Relative(6e-7), Bound::Relative(1e-4)),
             Output::new("density", 7..8, Bound::Relative(2e-5), Bound::Relative(1e-3)),
             equal("normal", 8..11, Bound::Absolute(1e-6)),

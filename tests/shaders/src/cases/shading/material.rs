@@ -1,4 +1,4 @@
-//! Materials beside `Material::bsdf`.
+//! Materials compared with `Material::bsdf`.
 
 use asperity_shaders::Part;
 use asperity_shaders::noise::sums::{OctavesUniform, SUMS};
@@ -33,7 +33,8 @@ pub(super) fn cases() -> Vec<Case> {
     ]
 }
 
-/// Words whose directions, at 4 to 6 and 8 to 10, are no numbers or infinite, but not just long.
+/// Returns words whose directions, in 4 to 6 and 8 to 10, are NaN or infinite, but not merely
+/// unnormalized.
 pub(super) fn units(mut words: [u32; INPUTS]) -> [u32; INPUTS] {
     for word in [4, 5, 6, 8, 9, 10] {
         let x = f32::from_bits(words[word]);
@@ -44,8 +45,8 @@ pub(super) fn units(mut words: [u32; INPUTS]) -> [u32; INPUTS] {
     words
 }
 
-/// A material in a uniform beside the crate's, at points of texture coordinates and positions within `extent`, seen by pixels from
-/// `widths[0]` to `widths[1]` wide.
+/// A material in a uniform, compared with the crate at points of texture coordinates and positions
+/// within `extent`, for pixels from `widths[0]` to `widths[1]` wide.
 pub(super) fn material(
     name: &str,
     part: &'static Part,
@@ -90,7 +91,7 @@ pub(super) fn material(
             }
             let mut words = inputs(i, &all);
             if name_of_glass {
-                // Waves far out have no phase.
+                // Distant waves have no phase.
                 for word in &mut words[..3] {
                     let x = f32::from_bits(*word);
                     *word = if x.is_finite() { x.clamp(-2.0, 2.0) } else { x }.to_bits();
@@ -137,7 +138,7 @@ fn scratches() -> Case {
     )
 }
 
-/// The words of the uniform of sums.
+/// Returns the words of the uniform of sums.
 pub(super) fn sums(sums: &[OctavesUniform<3>]) -> (&'static str, Vec<u32>) {
     let mut words: Vec<u32> = sums.iter().flat_map(OctavesUniform::<3>::words).collect();
     words.resize(SUMS * OctavesUniform::<3>::WORDS, 0);
@@ -161,7 +162,7 @@ pub(super) fn paint_parameters() -> MetallicPaintParameters {
     MetallicPaintParameters::default()
 }
 
-/// Paint with a coat that is not a mirror, and more orange peel.
+/// Paint with a rough coat and more orange peel.
 fn rough_paint() -> MetallicPaintParameters {
     MetallicPaintParameters { coat_roughness: 0.1, orange_peel_strength: 0.05, ..Default::default() }
 }
@@ -179,13 +180,13 @@ fn paint(name: &str, parameters: MetallicPaintParameters) -> Case {
     )
 }
 
-/// A frosted pane with waves of a sine.
+/// A frosted pane with sine waves.
 fn pane() -> TemperedGlassParameters {
     let tint = [0.5, 0.8, 0.9].into();
     TemperedGlassParameters { roughness: 0.2, wave_amplitude: 0.01, tint, ..Default::default() }
 }
 
-/// A frosted body with waves of noise.
+/// A frosted body with noise waves.
 fn body() -> TemperedGlassParameters {
     let (waves, body) = (GlassWaves::Noise, GlassBody::Solid);
     TemperedGlassParameters { roughness: 0.15, wave_amplitude: 0.005, waves, body, ..Default::default() }
@@ -209,7 +210,7 @@ fn smooth(parameters: TemperedGlassParameters) -> TemperedGlassParameters {
     TemperedGlassParameters { roughness: 0.0, ..parameters }
 }
 
-/// Light that smooth glass, and the clear coat of paint, send from single directions.
+/// Light in single directions from smooth glass and from the clear coat of paint.
 fn delta(name: &str, parameters: TemperedGlassParameters) -> Case {
     let glass = TemperedGlass::new(parameters).expect("valid parameters");
     let paint = MetallicPaint::new(paint_parameters()).expect("valid parameters");
@@ -242,7 +243,7 @@ fn delta(name: &str, parameters: TemperedGlassParameters) -> Case {
             let p = [4, 5, 6].map(|k| number(i, k, [-1.0, 1.0]));
             let width = if i % 8 == 0 { 0.0 } else { number(i, 9, [-8.0, 0.0]).exp() };
             let u = [7, 8].map(|k| number(i, k, [0.0, 1.0]));
-            // Bad numbers stand alone: directions are checked, what waves there are far out is not.
+            // Invalid numbers occur alone: directions are checked, but distant waves are not.
             let mut words = inputs(i, &[p[0], p[1], p[2], width, wo.x, wo.y, wo.z, 0.0, u[0], u[1]]);
             words[..3].copy_from_slice(&p.map(f32::to_bits));
             units(words)
@@ -279,13 +280,13 @@ fn carpet(name: &str, seams_pattern: SeamPattern) -> Case {
         &CARPET,
         vec![("carpet_uniform", uniform.words().to_vec()), sums(&uniform.sums())],
         [0.5, 1e-6, 1.0],
-        // At the border of a fibre a rounding more or less is the one beneath.
+        // At the border of a fiber, rounding may select the fiber below.
         [Bound::Absolute(3e-7), Bound::Absolute(1e-1)],
         carpet,
     )
 }
 
-/// The light along the rim of a carpet.
+/// The rim light of a carpet.
 fn rim() -> Case {
     let carpet = Carpet::new(CarpetParameters::default()).expect("defaults");
     let uniform = CarpetUniform::new(&carpet, 0);

@@ -37,7 +37,8 @@ pub(super) fn cases() -> Vec<Case> {
     .collect()
 }
 
-/// The words of the i-th input: these numbers, and bad ones for the first inputs, one at a time and then all.
+/// Returns the words of the i-th input: these numbers, with invalid numbers in the first inputs,
+/// one at a time and then all.
 fn inputs(i: u32, good: &[f32]) -> [u32; INPUTS] {
     std::array::from_fn(|k| {
         let k32 = k as u32;
@@ -47,12 +48,12 @@ fn inputs(i: u32, good: &[f32]) -> [u32; INPUTS] {
     })
 }
 
-/// A number, the k-th of the i-th input.
+/// Returns a number, the k-th of the i-th input.
 fn number(i: u32, k: u32, [low, high]: [f32; 2]) -> f32 {
     between(i, k, low, high)
 }
 
-/// A share, the k-th of the i-th input: now and then 0 and 1.
+/// Returns a number within [0, 1], the k-th of the i-th input, sometimes 0 and 1.
 fn share(i: u32, k: u32) -> f32 {
     match (i + k) % 16 {
         0 => 0.0,
@@ -61,7 +62,8 @@ fn share(i: u32, k: u32) -> f32 {
     }
 }
 
-/// A unit direction above the horizon from the k-th number of the i-th input and the next; now and then straight up or grazing.
+/// Returns a unit direction above the horizon from the k-th number of the i-th input and the next,
+/// sometimes straight up or grazing.
 fn direction(i: u32, k: u32) -> Vec3 {
     let (up, turn) = (between(i, k, 0.0, 1.0), between(i, k + 1, 0.0, std::f32::consts::TAU));
     let up = match (i + k) % 32 {
@@ -73,32 +75,32 @@ fn direction(i: u32, k: u32) -> Vec3 {
     Vec3::new(across * turn.cos(), across * turn.sin(), up)
 }
 
-/// A vector with components up to a bound, from three numbers of the i-th input.
+/// Returns a vector with bounded components from three numbers of the i-th input.
 fn vector(i: u32, k: u32, most: f32) -> Vec3 {
     Vec3::from([0, 1, 2].map(|axis| between(i, k + axis, -most, most)))
 }
 
-/// The floats of an input from one on.
+/// Returns the floats of an input starting at one.
 fn floats<const N: usize>(words: [u32; INPUTS], from: usize) -> [f32; N] {
     std::array::from_fn(|k| f32::from_bits(words[from + k]))
 }
 
-/// The vector of an input from one number on.
+/// Returns the 3-D vector of an input at an index.
 fn vec3(words: [u32; INPUTS], from: usize) -> Vec3 {
     Vec3::from(floats::<3>(words, from))
 }
 
-/// The vector in the plane of an input from one number on.
+/// Returns the 2-D vector of an input at an index.
 fn vec2(words: [u32; INPUTS], from: usize) -> Vec2 {
     Vec2::from(floats::<2>(words, from))
 }
 
-/// Words of so many floats and zeros after them.
+/// Returns the words of floats, padded with zeros.
 fn words(floats: &[f32]) -> [u32; OUTPUTS] {
     std::array::from_fn(|k| floats.get(k).map_or(0, |x| x.to_bits()))
 }
 
-/// An output of equal bits as written.
+/// An output with equal bits as written.
 fn equal(name: &'static str, words: std::ops::Range<usize>, adapter: Bound) -> Output {
     Output { name, words, written: Bound::Equal, adapter }
 }

@@ -1,4 +1,4 @@
-//! Textures of noise and of hashes.
+//! Textures from noise and from hashes.
 
 use asperity_shaders::Part;
 use asperity_shaders::shading::texture::{
@@ -17,8 +17,8 @@ pub(super) fn cases() -> Vec<Case> {
     vec![stars(), marble(), gas(false), gas(true), gas_march(), perturbed()]
 }
 
-/// A texture whose words the body makes a structure of, at points within `extent` seen by pixels up to `widest` wide: p, the width, u and
-/// v are `a.xyz`, `a.w` and `b.xy`.
+/// A texture whose structure the body builds from words, at points within `extent`, for pixels up
+/// to `widest` wide. p, the width, u and v are `a.xyz`, `a.w` and `b.xy`.
 fn texture(
     name: String,
     part: &'static Part,
@@ -37,7 +37,7 @@ fn texture(
             let p = [0, 1, 2, 3, 4].map(|k| number(i, k, [-extent, extent]));
             let width = if i % 4 == 0 { 0.0 } else { widest * number(i, 5, [-9.0, 0.0]).exp() };
             let mut words = inputs(i, &[p[0], p[1], p[2], width, p[3], p[4]]);
-            // Far out a rounding more or less is another cell.
+            // Far from the origin, a rounding selects another cell.
             for word in &mut words[4..6] {
                 let x = f32::from_bits(*word);
                 *word = if x.is_finite() { x.clamp(-20.0, 20.0) } else { x }.to_bits();
@@ -54,7 +54,7 @@ fn texture(
     }
 }
 
-/// Words as WGSL writes them, in a list.
+/// Returns words as a WGSL list.
 fn written(words: &[u32]) -> String {
     words.iter().map(|word| format!("{word}u")).collect::<Vec<_>>().join(", ")
 }
@@ -77,7 +77,7 @@ fn stars() -> Case {
         ),
         [2.0, 0.1],
         move |_, width, uv| words(&[stars.coverage(uv, Footprint::from_width(width))]),
-        // Angles are the library's in the crate.
+        // Angles come from the library in the crate.
         vec![Output::new("coverage", 0..1, Bound::Absolute(1.4e-5), Bound::Absolute(2e-3))],
     )
 }
@@ -116,7 +116,7 @@ fn gas(has_veins: bool) -> Case {
     let steam = Steam::new(Vec3::new(0.5, -0.5, 0.0), 1.5, 2.0).expect("positive");
     let uniform = GasUniform::new(&gas, 0);
     let [a, b] = [&uniform.words()[..4], &uniform.words()[4..]].map(written);
-    // The sine of veins is the library's in the crate.
+    // The sine of veins comes from the library in the crate.
     let bound = if has_veins { Bound::Absolute(5e-6) } else { Bound::Equal };
     texture(
         format!("shading/texture/gas{}", if has_veins { " with veins" } else { "" }),
@@ -141,7 +141,7 @@ fn gas(has_veins: bool) -> Case {
     )
 }
 
-/// Rays through steam, and through fog whose extinction and light are not alike everywhere.
+/// Rays through steam, and through fog with varying extinction and emission.
 fn gas_march() -> Case {
     const STEP: f32 = 0.4;
     let gas = Gas::default();
@@ -173,7 +173,7 @@ fn gas_march() -> Case {
         resources: vec![sums(&[uniform.sum()])],
         input: Box::new(|i| {
             let origin = [0, 1, 2].map(|k| number(i, k, [-3.0, 3.0]));
-            // Now and then upwards, or level.
+            // Sometimes upward, or level.
             let direction = match i % 16 {
                 0 => [0.0, 0.0, -1.0],
                 1 => [0.6, 0.8, 0.0],
@@ -185,13 +185,13 @@ fn gas_march() -> Case {
             let [d, e, f] = direction;
             let all = [a, b, c, number(i, 9, [0.0, 1.0]), d, e, f, width, near, near + length, 0.5];
             let mut words = inputs(i, &all);
-            // From far away a rounding more or less is another place in the steam.
+            // From far away, a rounding moves the position in the steam.
             for word in &mut words[..11] {
                 let x = f32::from_bits(*word);
                 *word = if x.is_finite() { x.clamp(-20.0, 20.0) } else { x }.to_bits();
             }
             words[7] = Footprint::from_width(f32::from_bits(words[7])).width().min(f32::MAX).to_bits();
-            // Tens of thousands of steps are for one input.
+            // Tens of thousands of steps for a single input.
             let step = f32::from_bits(words[10]);
             words[10] = if i == 22 || step.is_nan() { step } else { step.abs().max(0.1) }.to_bits();
             words
@@ -215,7 +215,7 @@ fn gas_march() -> Case {
         }),
         outputs: vec![
             Output::new("interval", 0..2, Bound::Equal, Bound::Absolute(1e-2)),
-            // Exponentials are the library's in the crate, of 65,536 steps of one input.
+            // Exponentials come from the library in the crate, with 65,536 steps of one input.
             Output::new("transmittance", 2..4, Bound::Absolute(2e-5), Bound::Absolute(2e-3)),
             Output::new("light", 4..7, Bound::Absolute(2e-5), Bound::Absolute(2e-3)),
         ],

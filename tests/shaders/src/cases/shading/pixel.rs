@@ -11,7 +11,7 @@ pub(super) fn cases() -> Vec<Case> {
     vec![footprint(), ellipse(), taps()]
 }
 
-/// The width in a shader, whose largest number it is where the crate's is infinite.
+/// Returns the width in a shader, where infinity is the largest number.
 fn width(footprint: Footprint) -> f32 {
     footprint.width().min(f32::MAX)
 }
@@ -52,7 +52,7 @@ fn footprint() -> Case {
     }
 }
 
-/// Derivatives of a position by a pixel to the right and one down, of the i-th input.
+/// Returns derivatives of a position per pixel, to the right and down, of the i-th input.
 fn derivatives(i: u32) -> (Vec3, Vec3) {
     let scale = number(i, 9, [-9.0, 3.0]).exp();
     let (dx, dy) = (vector(i, 0, scale), vector(i, 3, scale));
@@ -79,7 +79,7 @@ fn ellipse() -> Case {
         input: Box::new(|i| {
             let (dx, dy) = derivatives(i);
             let words = inputs(i, &[dx.x, dx.y, dx.z, 0.0, dy.x, dy.y, dy.z]);
-            // A quotient that is off by its last bit makes the largest number infinite.
+            // A quotient off by its last bit would overflow the largest number.
             words.map(|word| if f32::from_bits(word).abs() == f32::MAX { 1e30_f32.to_bits() } else { word })
         }),
         reference: Box::new(|inputs| {
@@ -131,7 +131,7 @@ fn taps() -> Case {
         }),
         reference: Box::new(|inputs| {
             let ([u, v], gradient) = (floats(inputs, 0), vec3(inputs, 4));
-            // As wide as shaders may have it.
+            // The maximum width in shaders.
             let pixel = PixelEllipse::aligned(Vec2::new(u, v).map(|w| width(Footprint::from_width(w))));
             let round = PixelEllipse::from(Footprint::from_width(width(Footprint::from_width(u))));
             let taps: Vec<_> = pixel.taps(inputs[8]).collect();

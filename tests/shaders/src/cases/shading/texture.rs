@@ -52,18 +52,18 @@ fn brick() -> Case {
         }),
         outputs: vec![
             equal("wall", 0..2, Bound::Absolute(2e-3)),
-            // Of flanks 0.006 wide: their slopes are steep.
+            // For flanks of width 0.006, whose slopes are steep.
             equal("slope", 2..4, Bound::Absolute(0.5)),
             equal("filtered wall", 4..6, Bound::Absolute(2e-3)),
             equal("mean slope", 6..8, Bound::Absolute(0.5)),
-            // Far out a quotient that is off by its last bit is another cell.
+            // Far from the origin a quotient off by its last bit is another cell.
             equal("cells", 8..12, Bound::Relative(1e-4)),
             equal("mean", 12..13, Bound::Relative(5e-7)),
         ],
     }
 }
 
-/// The wall of the i-th input.
+/// Returns the wall of the i-th input.
 pub(super) fn wall(i: u32) -> Brick {
     match i % 3 {
         0 => Brick::default(),
@@ -91,7 +91,7 @@ fn bevel() -> Case {
             let low = number(i, 2, [0.0, 0.3]);
             let high = if i % 8 == 0 { low } else { low + number(i, 3, [0.0, 0.3]) };
             let mut words = inputs(i, &[0.0, 0.0, 0.0, 0.0, at[0], at[1], low, high]);
-            // A place in the tile.
+            // A position in the tile.
             words[4..6].copy_from_slice(&at.map(f32::to_bits));
             words[..4].copy_from_slice(&BevelUniform::new(&ridge(i)).words());
             words[8] = i;
@@ -101,7 +101,7 @@ fn bevel() -> Case {
             let (bevel, at, [low, high]) = (ridge(inputs[8]), vec2(inputs, 4), floats(inputs, 6));
             let tile = [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
             let edge = Edge::nearest(&tile, at).expect("a tile has edges");
-            // Nearer to the edge the rounding of the place turns the direction.
+            // Closer to the edge, the rounding of the position rotates the direction.
             let away = if edge.distance > 0.01 { edge.away } else { Vec2::ZERO };
             let [height, slope] = bevel.profile(low);
             let mut seen = vec![];
@@ -128,7 +128,7 @@ fn bevel() -> Case {
     }
 }
 
-/// The ridge of the i-th input.
+/// Returns the ridge of the i-th input.
 fn ridge(i: u32) -> Bevel {
     let plateau = if i.is_multiple_of(4) { 0.0 } else { number(i, 4, [0.0, 0.1]) };
     let slopes = [6, 7].map(|k| number(i, k, [-2.0, 2.0]));

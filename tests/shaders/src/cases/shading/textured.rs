@@ -20,7 +20,7 @@ pub(super) fn cases() -> Vec<Case> {
     vec![brick_facets(), brick_wall(), bevelled_tiles(), wallpaper(), perturbed_wallpaper(), marble()]
 }
 
-/// Sums over the facets of a wall: shares, those of brick, slopes, and squares of slopes.
+/// Sums over the facets of a wall: fractions, fractions of brick, slopes, and squares of slopes.
 fn brick_facets() -> Case {
     Case {
         name: "shading/texture/brick_facets".into(),
@@ -65,7 +65,7 @@ fn brick_facets() -> Case {
         }),
         outputs: vec![
             equal("shares", 0..2, Bound::Absolute(2e-3)),
-            // Of flanks 0.006 wide: their slopes are steep.
+            // For flanks of width 0.006, whose slopes are steep.
             equal("slope", 2..4, Bound::Absolute(1e-2)),
             equal("its square", 4..5, Bound::Relative(1e-3)),
         ],
@@ -79,7 +79,8 @@ fn brick_wall() -> Case {
         &BRICK_WALL,
         vec![("brick_wall_uniform", BrickWallUniform::new(&wall).words().to_vec())],
         [0.5, 1e-4, 1.0],
-        // Up to 32 facets by the arc tangents of the crate alone; beyond them the crate joins some.
+        // Up to 32 facets differ only by the crate's arc tangents. Beyond that, the crate merges
+        // some.
         [Bound::Absolute(1.6e-4), Bound::Absolute(1e-3)],
         wall,
     )
@@ -93,7 +94,7 @@ fn bevelled_tiles() -> Case {
         &BEVELLED_TILES,
         vec![("bevelled_tiles_uniform", BevelledTilesUniform::new(&tiles).words().to_vec())],
         [1.0, 1e-4, 1.0],
-        // Of the hundred facets of whole tiles the crate joins those beyond the 32nd.
+        // Of the hundred facets of whole tiles, the crate merges all beyond the 32nd.
         [Bound::Absolute(5.4e-3), Bound::Absolute(1e-2)],
         tiles,
     )
@@ -111,7 +112,7 @@ fn wallpaper() -> Case {
         &WALLPAPER,
         vec![("starry_wallpaper_uniform", WallpaperUniform::new(&paper).words().to_vec())],
         [1.0, 1e-4, 0.1],
-        // Angles are the library's in the crate.
+        // Angles come from the library in the crate.
         [Bound::Absolute(1e-6), Bound::Absolute(1e-2)],
         paper,
     )

@@ -1,4 +1,5 @@
-//! A sphere of 40 cells from far and near, by its sum's octaves at a focus and by absolute coordinates.
+//! A sphere of 40 cells, far and near, from its sum's octaves at a focus and from absolute
+//! coordinates.
 
 use asperity_noise::{
     Gaussian, GaussianOctaves, Sample, Spectrum,
@@ -13,21 +14,21 @@ pub(super) fn cases() -> Vec<Case> {
     vec![anchored()]
 }
 
-/// Cells of the first octave from the middle of the sphere to its surface.
+/// Cells of the first octave from the sphere's center to its surface.
 const RADIUS: f64 = 40.0;
 
-/// The point of the sphere that is looked at.
+/// The focus on the sphere.
 fn focus() -> DVec3 {
     DVec3::new(0.36, -0.48, 0.8) * RADIUS
 }
 
-/// A view of 512 pixels on the sphere: all of it at zoom 1, and so many times nearer.
+/// Views the sphere with 512 pixels: all of it at zoom 1.
 fn seen(i: u32, zoom: f64) -> (DVec3, f32) {
     let [u, v] = [0, 1].map(|k| f64::from(between(i, k, -0.7, 0.7)) * RADIUS / zoom);
     let towards = focus() / RADIUS;
     let (right, up) = towards.any_orthonormal_pair();
     let depth = RADIUS - (RADIUS * RADIUS - u * u - v * v).sqrt();
-    // As many octaves as a pixel resolves.
+    // The number of octaves that a pixel resolves.
     let octaves = (zoom * 512.0 / (4.0 * RADIUS)).ln() / f64::from(sum().spectrum().lacunarity()).ln();
     (right * u + up * v - towards * depth, octaves as f32)
 }
@@ -36,7 +37,7 @@ fn sum() -> GaussianOctaves<3> {
     GaussianOctaves::new(Gaussian::new(12), Spectrum::new(2.17, 0.5, 16).expect("a spectrum"))
 }
 
-/// The sphere at zoom 1, 100 and 10⁴, points as differences to the focus.
+/// The sphere at zoom 1, 100 and 10⁴, with points relative to the focus.
 fn anchored() -> Case {
     let sum = sum().anchored(focus());
     let uniform = OctavesUniform::new(&sum);
@@ -44,7 +45,8 @@ fn anchored() -> Case {
     view(name, vec![1.0, 100.0, 1e4], DVec3::ZERO, &uniform, move |p, octaves| sum.detail(octaves).pair(p))
 }
 
-/// The sphere at one zoom, points as coordinates from its middle: what anchors are for, and none of the cases that hold.
+/// The sphere at one zoom, with points relative to its center. This is the failure that anchors
+/// avoid, and is not a passing case.
 #[must_use]
 pub fn absolute(zoom: f64) -> Case {
     let sum = sum();

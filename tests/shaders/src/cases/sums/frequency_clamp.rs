@@ -37,7 +37,8 @@ fn octaves() -> Case {
             outputs
         }),
         outputs: vec![
-            // The built-in logarithm and the crate's are each a unit of the last place off, 2e-6 where it is 16 and above.
+            // The built-in logarithm and the crate's are each a unit in the last place off, 2e-6
+            // for values of 16 and above.
             Output::new("octaves", 0..1, Bound::Absolute(4e-6), Bound::Absolute(6e-6)),
             Output::new("removed share", 1..2, Bound::Equal, Bound::Absolute(1e-6)),
         ],

@@ -9,7 +9,7 @@ use asperity_shaders::noise::sums::{self, OctavesUniform};
 use super::{EXACT, exact_spectrum, float, input, levels, output, plane, put, space};
 use crate::case::{Case, OUTPUTS};
 
-/// Four sums: plain; from an anchor; of a gain above 1; and parallel ones, in [−1, 1].
+/// Four sums: plain, anchored, with gain above 1, and parallel octaves within [−1, 1].
 macro_rules! case {
     ($n:literal, $part:expr, $body:literal, $anchor:expr, $point:ident) => {{
         let of = |seed, spectrum| GaussianOctaves::<$n>::new(Gaussian::new(seed), spectrum);
@@ -85,7 +85,8 @@ pub(super) fn cases() -> Vec<Case> {
     vec![in_space, in_plane]
 }
 
-/// The pair; share of the spectrum's variance and weight of the first octave, as bump maps take them.
+/// The pair, the fraction of the spectrum's variance and the weight of the first octave, as used by
+/// bump maps.
 fn resolved<L: Lattice, V: Point<Coordinates = [f32; N]>, const N: usize>(
     sum: &Octaves<Gaussian<L>, N>,
     p: V,

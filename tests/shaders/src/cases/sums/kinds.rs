@@ -1,4 +1,4 @@
-//! Octaves of every kind, all shapes, and ridges that bear ridges.
+//! Octaves of every noise, all shapes, and ridged multifractals.
 
 use asperity_noise::{
     Billow, Field, Gaussian, Normalisation, Octaves, Perlin1985, Perlin2002, Plasma, Point, Ridged,
@@ -46,11 +46,12 @@ pub(super) fn cases() -> Vec<Case> {
     ]
 }
 
-/// Bound of a multifractal's gradient: it leaps where the weight of an octave is cut off at 1, and rounding decides on the side. The
-/// largest leap seen where products and sums are fused is 0.064.
+/// Bound of a multifractal's gradient. It is discontinuous where the weight of an octave is clamped
+/// at 1, and rounding decides the side. The largest jump seen with fused products and sums is
+/// 0.064.
 const CUT_OFF: f32 = 0.13;
 
-/// Sums of one kind, clamped to footprints: two from anchors, and one of parallel octaves.
+/// Sums of one noise, clamped to footprints: two anchored, and one with parallel octaves.
 fn of<K>(name: &str, noise: K, parts: [&'static Part; 2]) -> Case
 where
     K: Anchor<3> + Anchor<2> + Copy,
@@ -105,7 +106,7 @@ where
     }
 }
 
-/// The kind of one's own that the module's documentation sums.
+/// The custom noise of the module's documentation.
 static STEEP: Part = Part::new(
     "case/steep",
     "fn steep(p: vec3<f32>, octaves: f32, sum: u32) -> Sample3d {
@@ -147,7 +148,7 @@ fn own() -> Case {
     }
 }
 
-/// Sums and multifractals of one kind in four dimensions, the fourth coordinate in word 6.
+/// Sums and multifractals of one noise in four dimensions, the fourth coordinate in word 6.
 fn in_4d<K>(name: &str, noise: K, part: &'static Part) -> Case
 where
     K: Anchor<4> + Copy,
@@ -195,7 +196,7 @@ where
     }
 }
 
-/// Sums of the shapes that are not the noise itself.
+/// Sums of all nontrivial shapes.
 struct Shapes<K, const N: usize> {
     turbulence: Octaves<K, N, Turbulence>,
     plasma: Octaves<K, N, Plasma>,
@@ -215,7 +216,7 @@ impl<K: Kernel<N> + Copy, const N: usize> Shapes<K, N> {
         }
     }
 
-    /// The sum of a number, and the multifractal of its octaves.
+    /// Returns the sum of a number, and the multifractal of its octaves.
     fn samples<V: Point<Coordinates = [f32; N]>>(&self, words: &[u32; INPUTS], p: V) -> [Sample<V>; 2] {
         let [octaves, footprint, feedback] = [3, 4, 5].map(|k| float(words, k));
         let of = |field: &dyn Field<V>| field.sample(p);
@@ -232,7 +233,7 @@ impl<K: Kernel<N> + Copy, const N: usize> Shapes<K, N> {
 }
 
 fn shapes() -> Case {
-    // From anchors, which are compiled without lanes.
+    // Anchored, which compiles without SIMD.
     let turned = Octaves::<_, 3>::new(Perlin2002::new(6), Spectrum::default()).anchored([0.0; 3]);
     let exact = Octaves::<_, 3>::new(Perlin2002::new(7), exact_spectrum()).with_rotation(Rotation::Aligned);
     let solid = Shapes::of(turned, exact.anchored([0.0; 3]));

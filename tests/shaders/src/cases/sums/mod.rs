@@ -1,4 +1,4 @@
-//! Sums of octaves: Gaussian pairs, octaves of every kind, and what transforms make of them.
+//! Sums of octaves: Gaussian pairs, octaves of every noise, and transforms.
 
 pub mod anchors;
 mod frequency_clamp;
@@ -23,16 +23,17 @@ pub(super) fn cases() -> Vec<Case> {
         .collect()
 }
 
-/// The sum of every module whose octaves are parallel and twice as fine each: products with its matrix are exact, fused or not, so
-/// that huge coordinates have one cell everywhere.
+/// The sum in every module with parallel octaves of doubling frequency: products with its matrix
+/// are exact, fused or not, so that huge coordinates have the same cell everywhere.
 const EXACT: u32 = 3;
 
-/// Octaves twice as fine each.
+/// Octaves of doubling frequency.
 fn exact_spectrum() -> Spectrum {
     Spectrum::new(2.0, 0.6, 4).expect("a spectrum")
 }
 
-/// A point in words 0 to 2 with coordinates up to `reach`, octaves in 3, a footprint in 4, a feedback in 5, the sum's number in 8.
+/// A point in words 0 to 2 with coordinates up to `reach`, octaves in 3, a footprint in 4, a
+/// feedback in 5, the sum's number in 8.
 fn input(i: u32, reach: f32, octaves: f32) -> [u32; INPUTS] {
     let mut words = [0; INPUTS];
     let p = array::from_fn::<f32, 3, _>(|k| between(i, k as u32, -reach, reach));
@@ -77,12 +78,12 @@ fn in_plane(sample: Sample<Vec2>) -> [f32; 3] {
     [sample.value, sample.gradient.x, sample.gradient.y]
 }
 
-/// The table of Gaussian levels.
+/// Returns the table of Gaussian levels.
 fn levels() -> Vec<u32> {
     noise::gaussian_levels().map(f32::to_bits).collect()
 }
 
-/// Equal bits as written, and this near on an adapter.
+/// Equal bits as written, and this tolerance on an adapter.
 fn output(name: &'static str, words: Range<usize>, adapter: f32) -> Output {
     Output { name, words, written: Bound::Equal, adapter: Bound::Absolute(adapter) }
 }

@@ -1,4 +1,4 @@
-//! Warps and flows of sums of octaves: several sums in one module.
+//! Warps and flows of octave sums: several sums in one module.
 
 use asperity_noise::{
     Field, Octaves, Perlin2002, Spectrum, Warp,
@@ -17,10 +17,10 @@ pub(super) fn cases() -> Vec<Case> {
     vec![in_3d(), in_2d()]
 }
 
-/// Octaves of the sums here: few, as a warp multiplies what rounding does to gradients.
+/// Octaves of these sums: few, because a warp amplifies rounding by gradients.
 const OCTAVES: f32 = 1.5;
 
-/// Four sums, from an anchor at the origin, which are compiled without lanes.
+/// Four sums, anchored at the origin, which compile without SIMD.
 fn four<const N: usize>() -> [Octaves<<Perlin2002 as Anchor<N>>::Shifted, N>; 4]
 where
     Perlin2002: Anchor<N>,
@@ -104,8 +104,8 @@ fn in_2d() -> Case {
     }
 }
 
-/// A point, and a strength in word 6. Huge coordinates, where octaves that are turned have another cell by each rounding, are
-/// left to the sums.
+/// A point, with a strength in word 6. Huge coordinates, for which rotated octaves round to other
+/// cells, are tested with the sums.
 fn strongly(i: u32) -> [u32; INPUTS] {
     let mut words = input(i, 10.0, 4.0);
     for word in &mut words[..3] {
