@@ -116,6 +116,6 @@ mod tests {
         assert!(page.contains("| not run |") && page.contains(why), "{page}");
         let golden = Report::read(GOLDEN).unwrap();
         let lines = in_short(&[column(Ok(GOLDEN)), column(Err("no Z80 available"))], &golden);
-        assert_eq!(lines, ["2 functions have the golden bits on Z80", "not run: Z80: no Z80 is at hand"]);
+        assert_eq!(lines, ["2 functions have the golden bits on Z80", "not run: Z80: no Z80 available"]);
     }
 }

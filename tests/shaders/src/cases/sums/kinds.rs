@@ -131,7 +131,7 @@ fn own() -> Case {
         Octaves::<_, 3>::new(kind, exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 3]);
     let sums = [&there, &there, &there, &exact].map(OctavesUniform::new);
     Case {
-        name: "noise/sums/octaves of a kind of one's own, 3-D".into(),
+        name: "noise/sums/octaves of a custom noise, 3-D".into(),
         parts: vec![&STEEP],
         body: "\
     let sum = steep(a.xyz, a.w, c.x);
