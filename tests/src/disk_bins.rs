@@ -137,7 +137,8 @@ mod tests {
 
     #[test]
     fn projected_areas_sum_to_the_silhouette() {
-        // ∫ max(0, v·m) dω over the hemisphere is π (1 + cos θ)/2: the half disk in front and the ellipse behind it.
+        // ∫ max(0, v·m) dω over the hemisphere is π (1 + cos θ)/2: the front half of the disk and
+        // the ellipse behind it.
         let bins = DiskBins { size: 12, extent: [1.0, 1.0] };
         for v in
             [DVec3::Z, DVec3::new(0.6, 0.0, 0.8), DVec3::new(0.48, -0.64, 0.6), DVec3::new(0.0, 1.0, 0.0)]

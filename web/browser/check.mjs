@@ -1,6 +1,7 @@
-// The live page in headless Chromium, by WebGPU and by WebGL 2: `node check.mjs FOLDER [OUT] [--times]`, where FOLDER holds the page's
-// index.html. Prints a line for each check, writes screenshots to OUT, and fails where a check does; with --times only what takes time and
-// memory.
+// Tests the live page in headless Chromium, with WebGPU and with WebGL 2:
+// `node check.mjs FOLDER [OUT] [--times]`, where FOLDER contains the page's index.html. Prints a
+// line per check, writes screenshots to OUT, and fails if a check fails. With --times it only
+// measures time and memory.
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
@@ -21,7 +22,7 @@ if (!program) {
 }
 mkdirSync(out, { recursive: true });
 
-/** What is drawn by both: links of scenes. */
+/** Scenes rendered with both interfaces, as links. */
 const PICTURES = {
   'bumps': '#bumps',
   'bumps-near': '#bumps?zoom=2&density=beckmann',
@@ -43,7 +44,7 @@ const PICTURES = {
   'materials-marble': '#materials?material=marble&shape=teapot&size=0.7',
   'materials-steam': '#materials?material=steam&behind=dark',
 };
-/** What is timed: each scene, and each material. */
+/** Timed scenes: each scene, and each material. */
 const TIMED = Object.fromEntries(Object.entries(PICTURES).filter(([name]) => !/nearest|near$|plane|curve/.test(name)));
 const SCENES = ['bumps', 'noise', 'fractals', 'materials'];
 
@@ -63,7 +64,7 @@ const pixelsOf = async page => {
   return { width, height, data: Buffer.from(data, 'base64') };
 };
 
-/** The share of pixels with a channel that differs by more than `most`. */
+/** Returns the fraction of pixels with a channel that differs by more than `most`. */
 function differing(a, b, most) {
   if (a.data.length !== b.data.length) return 1;
   let count = 0;
@@ -73,7 +74,7 @@ function differing(a, b, most) {
   return count / (a.data.length / 4);
 }
 
-/** The deviation of the green channel: 0 where nothing is drawn. */
+/** Returns the deviation of the green channel: 0 for a blank image. */
 function deviation({ data }) {
   let [sum, squares, count] = [0, 0, 0];
   for (let i = 1; i < data.length; i += 4) { sum += data[i]; squares += data[i] ** 2; count++; }
@@ -103,18 +104,18 @@ for (const api of ['webgpu', 'webgl2']) {
   for (const [name, link] of Object.entries(PICTURES)) {
     const { page, said } = await open(browser, address(api, 256, link));
     const name2 = await page.evaluate(() => globalThis.asperity?.gpu?.api ?? document.getElementById('state').textContent);
-    tell(`${api}: ${name} is drawn`, name2 === { webgpu: 'WebGPU', webgl2: 'WebGL 2' }[api], name2);
+    tell(`${api}: ${name} renders`, name2 === { webgpu: 'WebGPU', webgl2: 'WebGL 2' }[api], name2);
     const pixels = await pixelsOf(page);
     (drawn[name] ??= []).push(pixels);
     const spread = deviation(pixels);
-    tell(`${api}: ${name} is a picture`, spread > 5, `deviation ${spread.toFixed(1)} of 255`);
-    tell(`${api}: ${name} says nothing`, said.length === 0, said.join(' | '));
-    tell(`${api}: ${name} asks for nothing`, said.requests.length === 1, `${said.requests.length} request`);
+    tell(`${api}: ${name} is not blank`, spread > 5, `deviation ${spread.toFixed(1)} of 255`);
+    tell(`${api}: ${name} logs nothing to the console`, said.length === 0, said.join(' | '));
+    tell(`${api}: ${name} makes no further request`, said.requests.length === 1, `${said.requests.length} request`);
     await page.screenshot({ path: join(out, `${name}-${api}.png`) });
     await page.context().close();
   }
 
-  // What the crates are to draw too.
+  // Images that the crates render too.
   for (const zoom of [0, 2, 4]) {
     const { page } = await open(browser, address(api, 256, `#bumps?zoom=${zoom}`));
     const name = join(out, `teapot-${10 ** zoom}-${api}`);
@@ -134,18 +135,18 @@ for (const api of ['webgpu', 'webgl2']) {
   await page.evaluate(() => globalThis.asperity.rest());
   const after = await pixelsOf(page);
   const changed = differing(before, after, 2);
-  tell(`${api}: painting changes the picture`, changed > 0.02, `${(100 * changed).toFixed(1)} % of pixels`);
+  tell(`${api}: painting changes the image`, changed > 0.02, `${(100 * changed).toFixed(1)} % of pixels`);
 
-  // What a link restores.
+  // State restored by a link.
   await set(page, { zoom: 1.3, alphaX: 0.11, seed: 21, rule: 'both', lamp: -90 });
   await page.waitForTimeout(200);
   const wanted = await pixelsOf(page), link = await page.evaluate(() => location.href);
   const again = await open(browser, link);
   const restored = differing(wanted, await pixelsOf(again.page), 0);
-  tell(`${api}: a link restores the picture`, restored === 0, `${link.split('#')[1].slice(0, 60)}…, ${(100 * restored).toFixed(2)} % of pixels differ`);
+  tell(`${api}: a link restores the image`, restored === 0, `${link.split('#')[1].slice(0, 60)}…, ${(100 * restored).toFixed(2)} % of pixels differ`);
   await again.page.context().close();
 
-  // A fractal function by hand: a knot dragged, one added, a factor that there cannot be.
+  // Editing a fractal function: a dragged knot, an added knot, an invalid factor.
   {
     const { page } = await open(browser, address(api, 64, '#fractals'));
     const shape = () => page.evaluate(() => [globalThis.asperity.settings.knots, globalThis.asperity.settings.factors].join(' '));
@@ -168,20 +169,20 @@ for (const api of ['webgpu', 'webgl2']) {
     tell(`${api}: keys pull factors, add and remove knots`, added.split(';').length === 6 && removed.split(';').length === 5 && removed.split(' ')[1] !== pulled.split(' ')[1], `${added}, then ${removed}`);
     await set(page, { factors: '0.5,0.5,0.5,1.5' });
     const text = await state(page);
-    tell(`${api}: a factor of 1.5 is refused in the crate's sentence`, /`alpha` of map 4 must be in \(-1, 1\), got 1.5/.test(text), text);
+    tell(`${api}: a factor of 1.5 shows the crate's error`, /`alpha` of map 4 must be in \(-1, 1\), got 1.5/.test(text), text);
     await set(page, { factors: '0.5,0.5,0.5,0.3' });
-    tell(`${api}: the curve goes on after it`, !(await state(page)).includes('alpha'), await state(page));
+    tell(`${api}: the curve recovers`, !(await state(page)).includes('alpha'), await state(page));
     await page.context().close();
   }
 
-  // Wrong files and lost devices.
+  // Invalid files and lost devices.
   const wrong = async (name, expected, act) => {
     await act();
     const text = await state(page), lines = text.trim().split('\n').length;
     tell(`${api}: ${name}`, lines === 1 && expected.test(text), text);
     await set(page, { zoom: 0, density: 'ggx', at: '' });
     const spread = deviation(await pixelsOf(page));
-    tell(`${api}: the page goes on after it`, spread > 5, `deviation ${spread.toFixed(1)}`);
+    tell(`${api}: the page recovers`, spread > 5, `deviation ${spread.toFixed(1)}`);
   };
   await wrong('a text as OBJ', /is not an OBJ file/, () => givenTo(page, '#bumps-mesh', 'a.obj', 'text/plain', Buffer.from('Hello, world\n')));
   await wrong('a text as GLB', /is not a binary glTF file/, () => givenTo(page, '#bumps-mesh', 'a.glb', 'text/plain', Buffer.from('Hello, world, this is a text\n')));
@@ -199,7 +200,7 @@ for (const api of ['webgpu', 'webgl2']) {
     await page.waitForFunction(() => document.getElementById('state').textContent.includes('opened again'), null, { timeout: 20000 });
     await page.evaluate(() => globalThis.asperity.rest());
   });
-  tell(`${api}: wrong input says nothing on the console`, said.every(line => /lost|Destroyed|destroyed/i.test(line)), said.join(' | '));
+  tell(`${api}: invalid input logs nothing to the console`, said.every(line => /lost|Destroyed|destroyed/i.test(line)), said.join(' | '));
   await page.context().close();
   if (api === 'webgpu') await copies(browser, address, tell);
   await browser.close();
@@ -220,7 +221,7 @@ for (const [name, [a, b]] of Object.entries(drawn)) {
       tell(`axe: ${scene}, ${colorScheme}`, found.length === 0, found.map(v => v.join(' ')).join(' | '));
       await page.context().close();
     }
-    // Keys alone: Tab reaches every control, and each of them is seen to be reached.
+    // Keyboard only: Tab reaches every control with a visible focus.
     const { page } = await open(browser, address('webgl2', 64, `#${scene}`));
     const all = await page.evaluate(() => [...document.querySelectorAll('a[href], button, input, select, [tabindex]')]
       .filter(e => e.offsetParent !== null && !e.closest('dialog')).map(e => e.id || e.textContent || e.tagName));
@@ -236,7 +237,7 @@ for (const [name, [a, b]] of Object.entries(drawn)) {
     const missed = all.filter(name => !reached.has(name));
     tell(`keys: Tab reaches all ${all.length} controls of ${scene}`, missed.length === 0, missed.join(', '));
     await page.context().close();
-    // A phone held upright: nothing is wider than the screen.
+    // A phone in portrait orientation: nothing is wider than the screen.
     const phone = await open(browser, address('webgl2', 64, `#${scene}`), { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true });
     const wide = await phone.page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     tell(`phone: ${scene} is no wider than the screen`, wide <= 0, `${wide} px`);
@@ -270,7 +271,7 @@ for (const [name, [a, b]] of Object.entries(drawn)) {
 }
 
 {
-  // A browser without graphics: a picture and a sentence, and what needs none.
+  // A browser without graphics: a static image with a message, and the scenes that need no GPU.
   const browser = await launch('neither');
   const { page, said } = await open(browser, `${file}?size=64#bumps`);
   const image = page.locator('.missing img');
@@ -289,7 +290,7 @@ for (const [name, [a, b]] of Object.entries(drawn)) {
     const spread = deviation(await pixelsOf(page));
     tell(`neither: ${scene} is a picture`, spread > 5, `deviation ${spread.toFixed(1)} of 255`);
   }
-  // Chromium says by itself that it has no adapter.
+  // Chromium itself reports that it has no adapter.
   tell('neither: nothing on the console', said.every(line => /No available adapters/.test(line)), said.join(' | '));
   await browser.close();
 }

@@ -1,6 +1,7 @@
-// Drawings of the gallery alone and in its pages, in the light and in the dark: `node drawings.mjs FOLDER`, where FOLDER holds the pages and the
-// SVG files. Each is shown in its own size, so that every pixel of one is a pixel of the other, and must be the same in both; a line for each
-// that differs, and one for all.
+// Compares drawings of the gallery alone and in its pages, in light and dark themes:
+// `node drawings.mjs FOLDER`, where FOLDER contains the pages and the SVG files. Each is displayed
+// at its natural size, so that pixels correspond and must be equal. Prints a line per difference,
+// and a summary.
 
 import { readdirSync } from 'node:fs';
 import { join, resolve } from 'node:path';
@@ -16,7 +17,7 @@ const address = file => pathToFileURL(join(folder, file)).href;
 const files = readdirSync(folder);
 const [pages, drawings] = ['.html', '.svg'].map(ending => files.filter(file => file.endsWith(ending)).sort());
 
-/** The greatest difference of a channel, and the share of pixels that differ. */
+/** Returns the maximum channel difference, and the fraction of differing pixels. */
 const difference = (page, pictures) => page.evaluate(async pictures => {
   const [a, b] = await Promise.all(pictures.map(async picture => {
     const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${picture}`)).blob());
@@ -46,7 +47,7 @@ for (const colorScheme of ['light', 'dark']) {
     for (const { name, width, height } of shown) {
       const size = { width: Math.ceil(width), height: Math.ceil(height) };
       await Promise.all([page, alone].map(page => page.setViewportSize(size)));
-      // In the corner of the window as it is alone, above all else, without the frame that the page has about it.
+      // At the window corner as when alone, above everything else, without the page's frame.
       const svg = await page.$(`a[href="${name}"] > svg`);
       await svg.evaluate((svg, { width, height }) => svg.setAttribute('style',
         `${svg.getAttribute('style')}; position: fixed; inset: 0 auto auto 0; z-index: 9; border: 0; border-radius: 0; width: ${width}px; height: ${height}px`),

@@ -1,8 +1,10 @@
-// Files that are dropped on the page: what it reads, and what it says of what it does not.
+// Files dropped on the page: supported files, and errors for others.
 
 import { open } from './launch.mjs';
 
-/** A file dropped on the page, of text, of bytes in base 64, or of a picture that is painted by a function's text. */
+/**
+ * Drops a file on the page: text, Base64 bytes, or an image computed by a function given as text.
+ */
 const dropped = async ({ name, type = '', text, base64, painted, size }) => {
   let data = text ?? (base64 && Uint8Array.from(atob(base64), c => c.charCodeAt(0)));
   if (painted) {
@@ -36,7 +38,7 @@ function glb() {
   return Buffer.concat([words(0x46546c67, 2, 28 + json.length + 60, json.length, 0x4e4f534a), json, words(60, 0x004e4942), binary]).toString('base64');
 }
 
-/** Meshes, pictures and others, dropped on each scene. */
+/** Meshes, images and other files, dropped on each scene. */
 export async function drops(browser, api, address, tell) {
   const on = async (scene, cases) => {
     const { page, said } = await open(browser, address(api, 64, `#${scene}`));

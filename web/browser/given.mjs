@@ -1,8 +1,11 @@
-// What the page gives to copy, what it makes of nonsense in links, and how fine it draws at rest.
+// Copied code, invalid links, and the resolution of final images.
 
 import { open } from './launch.mjs';
 
-/** The WGSL of every program that a scene's choices lead to, as its button gives it; a text for each that Chromium refuses. */
+/**
+ * Returns the WGSL of every program reachable by a scene's choices, from its button, and the errors
+ * of Chromium.
+ */
 const refusedOf = async () => {
   const page = globalThis.asperity, { controls } = page.scene, refused = [], seen = new Set();
   const device = await (await navigator.gpu.requestAdapter()).requestDevice();
@@ -24,7 +27,7 @@ const refusedOf = async () => {
   return { count: seen.size, refused };
 };
 
-/** Every scene gives WGSL that compiles. */
+/** Every scene copies WGSL that compiles. */
 export async function copies(browser, address, tell) {
   for (const scene of ['bumps', 'noise', 'fractals', 'materials']) {
     const { page } = await open(browser, address('webgpu', 64, `#${scene}?charts=false`));
@@ -35,7 +38,7 @@ export async function copies(browser, address, tell) {
   }
 }
 
-/** Links whose words are no settings: those are as they begin, and the scene is drawn. */
+/** Links with invalid parameters: the defaults apply, and the scene renders. */
 export async function nonsense(browser, api, address, tell, spreadOf) {
   const links = {
     'bumps': 'zoom=NaN&turn=1e999&at=e,-,.&density=no&alphaX=-7&seed=&painting=!&strip=maybe',
@@ -53,10 +56,13 @@ export async function nonsense(browser, api, address, tell, spreadOf) {
   }
 }
 
-/** Where that is quick, the picture at rest has twice the screen's pixels a side, for smooth edges; where it is not, those of the screen. */
+/**
+ * If rendering is fast, the final image has twice the screen's resolution for antialiasing,
+ * otherwise the screen's resolution.
+ */
 export async function smooth(browser, file, tell) {
   const { page } = await open(browser, `${file}?api=webgl2#noise?kind=white&sum=one&charts=false`, { viewport: { width: 340, height: 400 } });
-  // A clock that says how long a picture takes, whatever else the machine does.
+  // A fake clock that determines the render time independent of load.
   const drawnIn = ms => page.evaluate(async ms => {
     let now = 0;
     performance.now = () => now += ms;

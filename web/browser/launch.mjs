@@ -1,9 +1,12 @@
-// Headless Chromium with WebGPU and WebGL 2 in software, and what pages say.
+// Headless Chromium with WebGPU and WebGL 2 in software, and the output of pages.
 
 import { existsSync } from 'node:fs';
 import { chromium } from 'playwright-core';
 
-/** Drivers in software: for a canvas of WebGPU the whole of Chromium must draw by Vulkan, where WebGL finds no driver. */
+/**
+ * Software drivers. For a WebGPU canvas all of Chromium must render with Vulkan, where WebGL finds
+ * no driver.
+ */
 const SOFTWARE = {
   webgpu: [
     '--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader', '--use-vulkan=swiftshader', '--enable-features=Vulkan',
@@ -14,16 +17,19 @@ const SOFTWARE = {
 };
 const QUIET = ['--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--disable-quic'];
 
-/** The browser's program: of the variable CHROMIUM, or where Debian has it. */
+/** The browser's executable: the variable CHROMIUM, or Debian's path. */
 export const program = [process.env.CHROMIUM, '/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome']
   .find(path => path && existsSync(path));
 
-/** A browser with one of the two, or with neither. */
+/** Launches a browser with one of the two interfaces, or with neither. */
 export async function launch(api) {
   return chromium.launch({ executablePath: program, args: ['--no-sandbox', ...QUIET, ...SOFTWARE[api]] });
 }
 
-/** A page at an address, when its first picture is drawn; `said` fills with console messages, errors and requests. */
+/**
+ * Opens a page and waits for its first image; `said` collects console messages, errors and
+ * requests.
+ */
 export async function open(browser, url, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
   const page = await context.newPage();

@@ -1,11 +1,14 @@
-// What moves: from afar to ten thousand times nearer without a seam, by two fingers, and nothing unasked.
+// Motion: seamless zoom to ten thousand, pinch gestures, no unrequested changes.
 
 import { open } from './launch.mjs';
 
-/** Frames in a tenth of a zoom's power of ten. */
+/** Frames per tenth of a power of ten. */
 const FINE = 4;
 
-/** The middle of the picture of bumps, all the way from × 1 to × 10,000: its mean brightness, and its correlation with the frame before. */
+/**
+ * The center of the image of bumps from × 1 to × 10,000: its mean brightness, and its correlation
+ * with the previous frame.
+ */
 async function walked(page) {
   return page.evaluate(async steps => {
     const page = globalThis.asperity, SIZE = 96, frames = [];
@@ -28,8 +31,9 @@ async function walked(page) {
 }
 
 /**
- * Bumps have no seam: the mean changes less by a quarter of a step of the zoom than by the step, where a jump would be as large, and what
- * a frame shows is for more than half of its variance in the next one too, where other bumps would not be.
+ * Bumps zoom without a seam: a quarter of a zoom step changes the mean by less than the step,
+ * whereas a jump would change it equally. More than half of the variance of a frame is in the next
+ * frame, whereas other bumps would be uncorrelated.
  */
 export async function seams(browser, api, address, tell) {
   const { page } = await open(browser, address(api, 96, '#bumps'));
@@ -40,7 +44,10 @@ export async function seams(browser, api, address, tell) {
   await page.context().close();
 }
 
-/** The means that are printed under the strip: those of the exact rule are 1 within their errors at every zoom, those of 2001 are not. */
+/**
+ * The means printed below the strip: with the exact rule they are 1 within their errors at every
+ * zoom, with the rule of 2001 they are not.
+ */
 export async function strip(browser, api, address, tell) {
   const { page } = await open(browser, address(api, 64, '#bumps?strip=true'));
   const rows = await page.evaluate(() => [...document.querySelectorAll('.strip .row')].map(row => [...row.querySelectorAll('output')].map(o => o.textContent)));
@@ -54,7 +61,7 @@ export async function strip(browser, api, address, tell) {
   await page.context().close();
 }
 
-/** Two fingers that move apart to three times their distance. */
+/** Two fingers that move to three times their distance. */
 async function pinched(page, selector) {
   await page.locator(selector).scrollIntoViewIfNeeded();
   const box = await page.locator(selector).boundingBox(), session = await page.context().newCDPSession(page);
@@ -69,7 +76,7 @@ async function pinched(page, selector) {
   return page.evaluate(() => globalThis.asperity.settings);
 }
 
-/** Pinching on a phone comes as much nearer as the fingers move apart. */
+/** A pinch on a phone zooms by the ratio of finger distances. */
 export async function pinches(browser, address, tell) {
   const scenes = { bumps: ['#view', s => 10 ** s.zoom], noise: ['#view', s => 2 ** (3 - s.near)], fractals: ['.traced', s => 10 ** s.zoom], materials: ['#view', s => 10 ** s.zoom] };
   for (const [scene, [selector, nearer]] of Object.entries(scenes)) {
@@ -80,7 +87,7 @@ export async function pinches(browser, address, tell) {
   }
 }
 
-/** Nothing is drawn where nobody asks for it, by whoever wants less motion and by others. */
+/** Nothing is rendered without a request, with and without reduced motion. */
 export async function rests(browser, address, tell) {
   for (const scene of ['bumps', 'noise', 'fractals', 'materials']) {
     for (const reducedMotion of ['reduce', 'no-preference']) {

@@ -1,8 +1,12 @@
-// Noise of every kind, dimension, sum, warp and view: that it draws, and that it has the mean and the deviation that the crate states.
+// Noise of every type, dimension, sum, warp and view: it renders, with the mean and the deviation
+// that the crate states.
 
 import { open } from './launch.mjs';
 
-/** Every kind, dimension and sum drawn on 64², of octaves or of all sums warped and as a flow too: names of those without a picture. */
+/**
+ * Renders every type, dimension and sum at 64², single octaves and all warped sums, also as a flow;
+ * returns the names of blank images.
+ */
 const drawnAll = async all => {
   const page = globalThis.asperity, { controls } = page.scene, SIZE = 64;
   const options = name => controls.find(control => control.name === name).options.map(([value]) => value);
@@ -28,7 +32,10 @@ const drawnAll = async all => {
   return { count, empty };
 };
 
-/** Mean and deviation of one octave and of sums of each kind beside what the crate states, in standard errors. */
+/**
+ * Returns mean and deviation of one octave and of sums of each type, relative to the crate's
+ * statement, in standard errors.
+ */
 const measuredAll = async () => {
   const page = globalThis.asperity, { controls } = page.scene, rows = [];
   const options = name => controls.find(control => control.name === name).options.map(([value]) => value);
@@ -41,7 +48,7 @@ const measuredAll = async () => {
         const mean = moment(x => x), variance = moment(x => (x - mean) ** 2), deviation = Math.sqrt(variance);
         const fourth = moment(x => (x - mean) ** 4) / variance ** 2;
         const moments = page.rust.noise_moments(page.instance.spec(settings, 1)), own = [...new Float32Array(moments.buffer)];
-        // A sum has variance 1, and the mean 0 where its octaves have: cellular ones are distances.
+        // A sum has variance 1, and mean 0 if its octaves do. Cellular octaves are distances.
         const stated = sum === 'one' ? own : [kind === 'cellular' && sum === 'octaves' ? mean : 0, 1];
         const errors = [deviation, deviation * Math.sqrt((fourth - 1) / 4)].map(x => x / Math.sqrt(values.length));
         rows.push({ name: `${kind} ${dimension} ${sum}`, off: [mean, deviation].map((x, k) => (x - stated[k]) / errors[k]), mean, deviation, stated });
@@ -51,7 +58,7 @@ const measuredAll = async () => {
   return rows;
 };
 
-/** Noise of every kind, measured and drawn. */
+/** Measures and renders noise of every type. */
 export async function noises(browser, api, address, tell, all = false) {
   const { page, said } = await open(browser, address(api, 64, '#noise?charts=false'));
   const rows = await page.evaluate(measuredAll), far = ({ off }) => Math.max(...off.map(Math.abs));
@@ -61,7 +68,7 @@ export async function noises(browser, api, address, tell, all = false) {
   tell(`${api}: noise has the mean and deviation that the crate states`, wrong.length === 0 && rows.length > 50, wrong.length ? wrong.map(told).join(' | ') : text);
   const { count, empty } = await page.evaluate(drawnAll, all);
   tell(`${api}: noise of every kind, dimension, sum, warp and view is drawn`, empty.length === 0 && count > 200, `${count} pictures${empty.map(name => `, not ${name}`).join('')}`);
-  // A driver's remark on speed, as there is of many pictures that are read.
+  // A driver's performance note about reading many images.
   const complaints = said.filter(line => !/GL_CLOSE_PATH_NV/.test(line));
   tell(`${api}: and says nothing`, complaints.length === 0, complaints.slice(0, 3).join(' | '));
   await page.context().close();

@@ -1,6 +1,7 @@
-// The live page in Firefox and in WebKit, where they are installed: `node others.mjs FOLDER SCREENS`. Their pictures stand beside those
-// of Chromium that `check.mjs` left in SCREENS, and Firefox's are left there for the crates to draw too; WebGL 2 on a driver in software,
-// on a screen that Xvfb makes.
+// Tests the live page in Firefox and WebKit, if installed: `node others.mjs FOLDER SCREENS`.
+// Compares their images with Chromium's images that `check.mjs` left in SCREENS, and writes
+// Firefox's images there for comparison with the crates. Uses WebGL 2 with a software driver on an
+// Xvfb screen.
 
 import { spawn } from 'node:child_process';
 import { copyFileSync, existsSync, readFileSync, writeFileSync } from 'node:fs';
@@ -15,7 +16,7 @@ const firefox = found(['/usr/bin/firefox', '/usr/bin/firefox-esr']);
 const webkit = found(['/usr/bin/WebKitWebDriver']);
 const miniBrowser = found(['4.1', '4.0', '6.0'].map(version => `/usr/lib/x86_64-linux-gnu/webkit2gtk-${version}/MiniBrowser`));
 
-/** The page's state and pixels, as a text that any protocol carries. */
+/** Returns the page's state and pixels as text, which any protocol supports. */
 const ASKED = `
   const done = arguments[arguments.length - 1];
   const wait = () => {
@@ -30,7 +31,7 @@ const ASKED = `
   };
   wait();`;
 
-/** Answers of Firefox, by WebDriver BiDi. */
+/** Runs Firefox with WebDriver BiDi. */
 async function inFirefox(links) {
   const { default: puppeteer } = await import('puppeteer-core');
   const extraPrefsFirefox = { 'webgl.force-enabled': true, 'security.sandbox.content.level': 0 };
@@ -46,7 +47,7 @@ async function inFirefox(links) {
   return answers;
 }
 
-/** Answers of WebKit, by WebDriver. */
+/** Runs WebKit with WebDriver. */
 async function inWebKit(links) {
   const port = 4455, driver = spawn(webkit, [`--port=${port}`], { stdio: 'ignore' });
   const send = async (method, path, body) => {
@@ -100,7 +101,8 @@ for (const [name, is, answer, packages] of [
     answers.forEach(({ name: drawn, data }, k) => {
       if (!data) throw new Error(drawn);
       const picture = join(screens, `teapot-${10 ** zooms[k]}-`), theirs = Buffer.from(data, 'base64'), ours = readFileSync(`${picture}webgl2.rgba`);
-      // WebKitGTK 2.50 loses a band of a picture now and then beside busy cores: that is said, and fails nothing.
+      // WebKitGTK 2.50 sometimes loses a band of an image under load. This is reported, but is not
+      // a failure.
       writeFileSync(`${picture}${name.toLowerCase()}.${name === 'WebKit' ? 'bin' : 'rgba'}`, theirs);
       if (name !== 'WebKit') copyFileSync(`${picture}webgl2.json`, `${picture}${name.toLowerCase()}.json`);
       let off = 0;

@@ -1,5 +1,6 @@
-// The Rust that the page gives, of every scene by many settings, as modules of one program: `node snippets.mjs FOLDER FILE`, where FOLDER
-// holds the page's index.html. The program runs all of them and names those that fail.
+// Collects the Rust code of the page, for every scene with many settings, as modules of one
+// program: `node snippets.mjs FOLDER FILE`, where FOLDER contains the page's index.html. The
+// program runs all of them and lists failures.
 
 import { writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
@@ -12,7 +13,10 @@ if (!program) {
   process.exit(0);
 }
 
-/** Texts of the scene that is shown: of all pairs of choices, and of ranges at their ends by each choice. */
+/**
+ * Returns the code of the current scene: for all pairs of choices, and for ranges at their ends
+ * with each choice.
+ */
 async function snippets() {
   const page = globalThis.asperity, { scene } = page, texts = new Map();
   const give = (values, name = JSON.stringify(values)) => {

@@ -1,13 +1,14 @@
-// Milliseconds of frames and of the module's map, and what a thousand strokes of the brush leave behind.
+// Measures milliseconds per frame and of the module's map, and memory after a thousand brush
+// strokes.
 
 import { open } from './launch.mjs';
 
-/** Strokes between two looks at what is held. */
+/** Strokes between two memory measurements. */
 const STROKES = 250;
 
 const middle = times => times.sort((a, b) => a - b)[times.length >> 1];
 
-/** A picture of 512² of each link, drawn in bands while the page is opened. */
+/** Renders an image of 512² per link, in bands while the page is open. */
 async function frames(browser, api, address, links) {
   for (const [name, link] of Object.entries(links)) {
     const { page } = await open(browser, address(api, 512, link));
@@ -20,7 +21,7 @@ async function frames(browser, api, address, links) {
   }
 }
 
-/** Counts what the graphics card is asked to hold from here on. */
+/** Starts counting GPU allocations. */
 const counted = () => {
   const held = globalThis.held = { textures: 0, buffers: 0, others: 0 };
   const wrap = (owner, name, kind, by) => {
@@ -44,7 +45,7 @@ const counted = () => {
   }
 };
 
-/** Memory after 250, 500, 750 and 1,000 strokes, each of them drawn. */
+/** Memory after 250, 500, 750 and 1,000 rendered strokes. */
 async function strokes(browser, api, address, tell) {
   const { page } = await open(browser, address(api, 64, '#bumps?shape=sphere&density=painted'));
   const session = await page.context().newCDPSession(page), rows = [];
@@ -71,13 +72,14 @@ async function strokes(browser, api, address, tell) {
   tell(`${api}: memory of the module does not grow by strokes`, last.module === first.module, `${megabytes('module')} MB`);
   const objects = ['textures', 'buffers', 'others'];
   tell(`${api}: nothing more is held on the graphics card`, objects.every(name => last[name] === first[name]), objects.map(name => `${name} ${all(name).join(', ')}`).join('; '));
-  // A map that each stroke left behind would be as much every time; a hundredth of that is less than one in a hundred strokes leaves.
+  // If each stroke leaked a map, growth would be a map per stroke. A hundredth of that is a leak of
+  // one map per hundred strokes.
   const most = 3 * STROKES * map / 100;
   tell(`${api}: memory of the scripts does not grow by strokes`, last.script - first.script < most, `${megabytes('script')} MB; a map has ${(map / 1e3).toFixed(0)} kB`);
   await page.context().close();
 }
 
-/** All of it. */
+/** Runs all measurements. */
 export async function times(browser, api, address, links, tell) {
   await frames(browser, api, address, links);
   const { page } = await open(browser, address(api, 64, '#bumps?density=painted'));

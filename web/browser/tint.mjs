@@ -1,5 +1,5 @@
-// Whether Chromium's compiler takes WGSL: `node tint.mjs FOLDER` compiles every file that ends in .wgsl beneath the folder, but Bevy's
-// modules, which import others by a line that is not WGSL's.
+// Tests whether Chromium's compiler accepts WGSL: `node tint.mjs FOLDER` compiles every .wgsl file
+// below the folder, except Bevy's modules, whose import lines are not WGSL.
 
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -10,7 +10,7 @@ const folder = process.argv[2];
 const files = readdirSync(folder, { recursive: true }).filter(name => name.endsWith('.wgsl') && !name.endsWith('bevy.wgsl')).sort();
 const browser = await launch('webgpu');
 const page = await (await browser.newContext()).newPage();
-// WebGPU is there for files and for secure addresses only.
+// WebGPU is only available for files and secure origins.
 await page.goto(pathToFileURL(join(import.meta.dirname, '../page/index.html')).href, { waitUntil: 'commit' });
 const refused = [];
 for (const name of files) {

@@ -113,7 +113,8 @@ fn dimension_of_reference_systems_matches_closed_form() {
 
 #[test]
 fn dimension_matches_box_counting() {
-    // Oscillation over 4^k cells grows like 4^{k (2 − D)}: the slope of its logarithm, over 4⁴ to 4⁸ cells.
+    // Oscillation over 4^k cells grows like 4^{k (2 − D)}: the slope of its logarithm, over 4⁴ to
+    // 4⁸ cells.
     let x = [0.0, 1.0, 2.0, 3.0, 4.0];
     let f = Fif::affine(&x, &[0.0, 1.0, -0.5, 0.7, 0.2], &[0.6, -0.7, 0.8, -0.5]).expect("data in order");
     let deep = samples(&f, 1 << 20);

@@ -1,4 +1,5 @@
-//! Φ and Φ⁻¹ against reference values; maps from and to Gaussian coordinates over a grid, and at the origin.
+//! Φ and Φ⁻¹ against reference values; maps from and to Gaussian coordinates over a grid, and at
+//! the origin.
 
 use asperity_ndf_sampling::{Beckmann, Ggx, Ndf, inverse_phi, phi};
 use asperity_tests::assert_abs_diff_eq;

@@ -52,7 +52,8 @@ fn marginals_of_a_fine_map_match_the_reference() {
 
 #[test]
 fn marginals_of_narrow_lobes_have_second_order_error() {
-    // m over n_x of isotropic GGX, whose D is α²/(π (α² + (1 − α²) r²)²), in closed form; M by Simpson's rule in asinh(n_x/α).
+    // m over n_x of isotropic GGX, whose D is α²/(π (α² + (1 − α²) r²)²), in closed form; M by
+    // Simpson's rule in asinh(n_x/α).
     let marginal = |alpha: f64, x: f64| {
         let (a, b) = (alpha * alpha + (1.0 - alpha * alpha) * x * x, 1.0 - alpha * alpha);
         let y = (1.0 - x * x).max(0.0).sqrt();

@@ -157,7 +157,8 @@ fn noises_far_from_the_origin_match_the_reference() {
     let (gaussian, simplex) = (Kind::Gaussian(0), Kind::Simplex(0.5));
     let worst = errors::<Vec3, 3>(gaussian, FAR, |p, seed| Gaussian::new(seed).sample(p));
     assert!(worst[0] < 6e-6 && worst[1] < 2e-5, "Gaussian: {worst:?}");
-    // Corners are rounded by up to 7100·2⁻²² = 0.0017 there, where slopes reach 4 and second derivatives 30.
+    // Corners are rounded by up to 7100·2⁻²² = 0.0017 there, where slopes reach 4 and second
+    // derivatives 30.
     let worst = errors::<Vec3, 3>(simplex, FAR, |p, seed| Simplex::new(seed).sample(p));
     assert!(worst[0] < 0.007 && worst[1] < 0.05, "simplex: {worst:?}");
 }

@@ -122,7 +122,8 @@ fn rough_dielectric_value_next_to_the_critical_angle() {
             *worst = worst.max(error);
         }
         println!("{index}: {near:.1e} within 1e-4 of the critical cosine, {elsewhere:.1e} elsewhere");
-        // 1 − F is 4 √(2 δ/c) next to the critical cosine c for s-polarized light. A few roundings of the cosine make δ = 3e-7.
+        // 1 − F is 4 √(2 δ/c) next to the critical cosine c for s-polarized light. A few roundings
+        // of the cosine make δ = 3e-7.
         let bound = 4.0 * (6e-7 / critical).sqrt();
         assert!(near < bound && near > elsewhere, "{index}: {near}, {elsewhere}");
         assert!(elsewhere < 2e-4, "{index}: {elsewhere}");

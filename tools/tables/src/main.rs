@@ -1,4 +1,5 @@
-//! The program behind `cargo xtask tables`: writes the tables and pictures that the crates ship, or compares them.
+//! The program behind `cargo xtask tables`: writes the tables and images committed in the crates,
+//! or compares them.
 
 #[cfg(test)]
 mod documented;

@@ -123,7 +123,8 @@ fn operations(
     let special = |special| Operations { special, ..Operations::default() };
     let integers = |integers| Operations { integers, ..Operations::default() };
     match code {
-        // Negation, sum, difference, product; products with scalars, outer products; comparisons, tests for NaN.
+        // Negation, sum, difference, product; products with scalars, outer products; comparisons,
+        // NaN tests.
         127 | 129 | 131 | 133 | 142 | 143 | 147 | 156..=158 | 180..=191 => floats(count),
         // Quotient, remainders.
         136 | 140 | 141 => special(count),
