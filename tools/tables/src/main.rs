@@ -18,12 +18,12 @@ use asperity_render::failure::Failure;
 
 use shipped::say;
 
-const HELP: &str = "Writes the tables and pictures that the crates ship into the source tree.
+const HELP: &str = "Write the generated tables and images of the crates into the source tree.
 
 Usage: cargo xtask tables [--check]
 
 Options:
-      --check  Write nothing: compare the files in the source tree with newly made ones
+      --check  Compare the files in the source tree with newly generated ones without writing
   -h, --help   Print help";
 
 fn main() -> ExitCode {
