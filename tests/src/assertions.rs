@@ -31,7 +31,7 @@ macro_rules! assert_abs_diff_eq {
 mod tests {
     #[test]
     #[should_panic(expected = "case 3: 1.0 is not 1.25 within 0.125")]
-    fn a_failure_names_its_case_both_sides_and_the_tolerance() {
+    fn failure_prints_case_both_sides_and_tolerance() {
         assert_abs_diff_eq!(1.0, 1.25, epsilon = 0.125, "case {}", 3);
     }
 

@@ -155,7 +155,7 @@ const OWN: [&str; 8] = ["f32", "u32", "i32", "vec2", "vec3", "vec4", "log2", "ex
 
 /// naga would rename them, and naga_oil rejects them.
 #[test]
-fn no_name_ends_in_a_digit() {
+fn names_do_not_end_in_a_digit() {
     let is_number = |word: &str| word.starts_with(|c: char| c.is_ascii_digit());
     let mut wrong = BTreeSet::new();
     for part in CASES.iter().flat_map(|case| ordered(&case.parts)) {

@@ -200,7 +200,7 @@ proptest! {
     }
 
     #[test]
-    fn the_modulus_bounds_every_difference(
+    fn modulus_bounds_every_difference(
         gentle in 0.1..1.4_f64, f in affine(8, 1e-2, 0.9), pairs in prop::collection::vec((0.0..1.0_f64, -40.0..0.0_f64), 200),
     ) {
         // The same knots with factors proportional to the cells: Lipschitz up to 1, Hölder beyond.
@@ -231,7 +231,7 @@ proptest! {
     #![proptest_config(seeded(0x000B_07D5, 24))]
 
     #[test]
-    fn near_critical_systems_obey_the_functional_equation_to_the_reported_bound(
+    fn near_critical_functional_equation_within_bound(
         f in near_critical(), j in 0_usize..64, s in 0.0..1.0_f64,
     ) {
         let map = *f.pieces()[j % f.pieces().len()].map();
@@ -249,7 +249,7 @@ proptest! {
     }
 
     #[test]
-    fn near_critical_systems_hit_their_knots_and_have_honest_brackets(f in near_critical(), width in 1e-9..1.0_f64) {
+    fn near_critical_knots_and_brackets(f in near_critical(), width in 1e-9..1.0_f64) {
         for piece in f.pieces() {
             for (x, y) in piece.x().into_iter().zip(piece.y()) {
                 let got = f.evaluate(x, 1e-12);

@@ -163,7 +163,7 @@ proptest! {
     }
 
     #[test]
-    fn the_integral_of_the_derivative_is_the_function(f in hermite(), s in prop::array::uniform2(0.0..1.0_f64)) {
+    fn integral_of_the_derivative_is_the_function(f in hermite(), s in prop::array::uniform2(0.0..1.0_f64)) {
         let (domain, slope): (_, Fif<3>) = (f.domain(), f.derivative().unwrap());
         let [l, r] = s.map(|s| domain.lo + s * domain.width());
         let integral = slope.integral_over(l, r);

@@ -55,7 +55,7 @@ proptest! {
     }
 
     #[test]
-    fn the_reported_errors_are_the_measured_ones(
+    fn reported_errors_match_measured_errors(
         gaps in prop::collection::vec(0.05..1.0_f64, 24), y in prop::collection::vec(-2.0..2.0_f64, 25),
         a in 1_usize..12, b in 12_usize..24,
     ) {

@@ -118,7 +118,7 @@ proptest! {
     }
 
     #[test]
-    fn a_coarser_tolerance_of_a_folded_surface_stays_within_its_bound(
+    fn folded_tolerance_is_within_bound(
         (x, y, share, z, d) in surfaces(),
         at in prop::array::uniform2(-0.1..1.1_f64),
     ) {
@@ -129,7 +129,7 @@ proptest! {
     }
 
     #[test]
-    fn the_equation_of_a_folded_surface_holds(
+    fn folded_functional_equation(
         (x, y, share, z, d) in surfaces(),
         at in prop::array::uniform2(0.0..1.0_f64),
     ) {

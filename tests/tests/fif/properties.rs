@@ -84,7 +84,7 @@ proptest! {
     #![proptest_config(config(96))]
 
     #[test]
-    fn the_functional_equation_holds_to_the_reported_bound(
+    fn functional_equation_within_bound(
         f in affine(0.999),
         digits in prop::collection::vec(0_usize..64, 24),
         first in 0_usize..64,
@@ -142,7 +142,7 @@ proptest! {
     }
 
     #[test]
-    fn a_coarser_tolerance_stays_within_its_bound(f in affine(0.95), s in 0.0..1.0_f64) {
+    fn tolerance_is_within_bound(f in affine(0.95), s in 0.0..1.0_f64) {
         let x = f.domain().lo + s * f.domain().width();
         let fine = f.evaluate(x, 0.0);
         for tolerance in [1e-1, 1e-4, 1e-8] {
@@ -153,7 +153,7 @@ proptest! {
     }
 
     #[test]
-    fn nothing_of_the_surface_lies_before_the_first_hit(
+    fn no_surface_before_the_first_hit(
         f in hermite(), g in hermite(),
         from in prop::array::uniform3(-2.0..2.0_f64), to in prop::array::uniform2(0.0..1.0_f64),
     ) {

@@ -69,7 +69,7 @@ proptest! {
     #![proptest_config(config(96))]
 
     #[test]
-    fn the_functional_equation_holds(f in dyadic(0.95), at in 0_u32..1 << 20, tolerance in -14.0..-2.0_f64) {
+    fn recurrent_functional_equation(f in dyadic(0.95), at in 0_u32..1 << 20, tolerance in -14.0..-2.0_f64) {
         let tolerance = 10_f64.powf(tolerance);
         let s = f64::from(at) / f64::from(1 << 20);
         for (piece, [from, to]) in f.pieces().zip(f.sources()) {

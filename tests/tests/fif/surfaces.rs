@@ -313,7 +313,7 @@ proptest! {
     #![proptest_config(config(24))]
 
     #[test]
-    fn a_coarser_tolerance_stays_within_its_bound(
+    fn torus_tolerance_is_within_bound(
         surface in tori(),
         x in 0..1_u32 << 20,
         y in 0..1_u32 << 20,

@@ -186,7 +186,7 @@ fn images_sample_their_visible_normals() {
 }
 
 #[test]
-fn the_largest_map_samples_its_density() {
+fn largest_map_samples_its_density() {
     const SIZE: usize = 4096;
     let density = |x: f64, y: f64| 1.0 + 0.9 * (9.0 * x).sin() * (7.0 * y).cos();
     let at = |k: usize| (2.0 * k as f64 + 1.0) / SIZE as f64 - 1.0;

@@ -116,7 +116,7 @@ fn material_mean_is_equal_at_every_footprint() {
 
 #[test]
 #[ignore = "slow: weekly"]
-fn material_mean_is_the_same_at_every_footprint_to_a_third_of_a_percent() {
+fn material_mean_is_equal_at_every_footprint_within_0_33_percent() {
     means_agree(320, 0.003);
 }
 

@@ -64,7 +64,7 @@ proptest! {
     #![proptest_config(config())]
 
     #[test]
-    fn a_height_has_one_gradient_in_all_parametrisations(n in unit(), first in linear(), map in linear(), slope in plane()) {
+    fn height_gradient_is_independent_of_parametrization(n in unit(), first in linear(), map in linear(), slope in plane()) {
         let frame = Frame::from_normal(n);
         let p = mapped([frame.tangent, frame.bitangent], first);
         let slopes = map.transpose() * slope;
@@ -159,7 +159,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 40, ..config() })]
 
     #[test]
-    fn seams_stay_where_they_are_when_the_texture_is_turned_or_scaled(
+    fn seams_are_independent_of_texture_rotation_and_scale(
         n in unit(), position in unit(), uv in plane(), by in angle(), scale in 0.2..3.0_f32, grid in any::<bool>(),
     ) {
         let seams_pattern = if grid { SeamPattern::Grid } else { SeamPattern::Lines };

@@ -169,7 +169,7 @@ fn assert_one_line(case: &Case, output: &Output, what: &str) {
 
 #[test]
 #[ignore = "slow: weekly"]
-fn a_killed_run_leaves_old_or_new_files_and_the_next_one_clears_up() {
+fn killed_run_leaves_whole_files_and_next_run_cleans_up() {
     let kills: usize = std::env::var("ASPERITY_KILLS").map_or(10, |text| text.parse().unwrap());
     let (cases, scratch, mut random) = (Case::all(), tempfile::tempdir().unwrap(), Random(4));
     let [reference, folder] = ["new", "killed"].map(|name| scratch.path().join(name));
@@ -210,7 +210,7 @@ fn a_killed_run_leaves_old_or_new_files_and_the_next_one_clears_up() {
 
 #[test]
 #[ignore = "slow: weekly"]
-fn two_runs_at_once_leave_whole_files_and_both_succeed() {
+fn concurrent_runs_succeed_and_leave_whole_files() {
     let times: usize = std::env::var("ASPERITY_KILLS").map_or(1, |_| 10);
     let scratch = tempfile::tempdir().unwrap();
     for case in Case::all() {

@@ -107,7 +107,7 @@ fn frames_in_one_process_keep_no_memory_and_no_thread() {
 
 #[test]
 #[ignore = "slow: weekly"]
-fn a_picture_needs_the_memory_of_its_pixels() {
+fn render_memory_is_one_image() {
     let scratch = tempfile::tempdir().unwrap();
     let run = |side: usize, ending: &str| {
         let words = format!("--jobs 2 render --scene plane --size {side} --spp 1 --out {{}}/a.{ending}");
@@ -152,7 +152,7 @@ fn tiles_in_one_process_keep_no_memory_and_no_thread() {
 
 #[test]
 #[ignore = "slow: weekly"]
-fn a_run_after_many_needs_what_the_first_did_and_leaves_the_same_files() {
+fn repeated_runs_have_constant_memory_and_files() {
     let scratch = tempfile::tempdir().unwrap();
     for (name, words) in [
         ("render", "--jobs 2 render --scene sphere --size 128 --spp 2 --out {}/a.png"),

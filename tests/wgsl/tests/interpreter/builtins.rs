@@ -5,7 +5,7 @@ use asperity_wgsl::Value;
 use crate::{bits, interpreter, value};
 
 #[test]
-fn of_one_float() {
+fn builtins_of_one_float() {
     type One = fn(f32) -> f32;
     let builtins: [(&str, One); 4] = [
         ("abs", f32::abs),
@@ -23,7 +23,7 @@ fn of_one_float() {
 }
 
 #[test]
-fn of_vectors() {
+fn builtins_of_vectors() {
     let [a, n] = [[0.3_f32, -1.7, 2.9], [0.6, 0.0, 0.8]];
     let dot = |a: [f32; 3], b: [f32; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let from = |f: &dyn Fn(usize) -> f32| Value::from([f(0), f(1), f(2)]);

@@ -403,7 +403,7 @@ mod tests {
     }
 
     #[test]
-    fn exr_without_colors_is_refused() {
+    fn exr_without_colors_is_an_error() {
         for (channels, message) in [
             ("Z=1", "the image has no color channels (found Z)"),
             ("R=1, G=1", "the image has no color channels (found G, R)"),

@@ -76,7 +76,7 @@ fn pop(subject: &Subject) -> f64 {
 
 #[test]
 #[ignore = "slow: weekly"]
-fn no_pixel_pops_in_a_slow_zoom() {
+fn slow_zoom_does_not_pop() {
     // A frame exchanges 2 % of the pixel's area, and moves the fade of an octave by 1 % of 0.6/0.4
     // · 1.5 = 2.3: at most this fraction of the range of all samples, if all changes add up.
     // Measured: 3.1 % for paint, 2.5 % for flakes, 1.9 % for fibers, whose edges are hard, and at

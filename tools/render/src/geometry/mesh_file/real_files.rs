@@ -196,7 +196,7 @@ fn ply_as_cube(name: &str, bytes: &[u8]) {
 }
 
 #[test]
-fn ply_header_lines_that_are_not_of_the_format_are_ignored() {
+fn ply_unknown_header_lines_are_ignored() {
     for line in ["comment caf\u{e9}", "obj_info 1", "Created by hand", "", "comment"] {
         ply_as_cube(line, CUBE_PLY.replacen("comment a cube", line, 1).as_bytes());
     }
@@ -233,7 +233,7 @@ fn ply_names_and_elements_of_other_programs() {
 }
 
 #[test]
-fn texture_coordinates_that_are_not_finite_are_0() {
+fn non_finite_texture_coordinates_are_0() {
     let file = obj("vt nan", CUBE.replace("f 1 4 3 2", "vt nan inf\nf 1/1 4/1 3/1 2/1"));
     assert!(!file.uv && file.mesh.vertices.iter().all(|v| v.uv == Vec2::ZERO));
 }
@@ -357,7 +357,7 @@ fn gltf_instances_rotate_and_scale() {
 }
 
 #[test]
-fn gltf_unknown_required_extensions_are_refused() {
+fn gltf_unknown_required_extensions_are_an_error() {
     let (mut json, bin) = parts(include_bytes!("../../../tests/data/meshes/plain.glb"));
     json["extensionsRequired"] = json!(["KHR_texture_transform", "KHR_node_selectability"]);
     same("harmless", &read(&gltf_alone, &glb(&json, &bin)), &plain(), 0.0);
@@ -387,7 +387,7 @@ fn gltf_default_morph_weights_apply() {
 }
 
 #[test]
-fn gltf_hidden_nodes_are_not_drawn() {
+fn gltf_hidden_nodes_are_skipped() {
     let (mut json, bin) = parts(include_bytes!("../../../tests/data/meshes/plain.glb"));
     json["scenes"][0]["nodes"] = json!([0, 1]);
     let hidden = json!({"KHR_node_visibility": {"visible": false}});
@@ -423,7 +423,7 @@ fn gltf_json_in_javascript_form() {
 }
 
 #[test]
-fn gltf_parts_that_are_not_drawn_may_be_broken() {
+fn gltf_unused_parts_may_be_invalid() {
     let (json, bin) = parts(include_bytes!("../../../tests/data/meshes/plain.glb"));
     let with = |nodes: Value| {
         let mut json = json.clone();
