@@ -111,7 +111,7 @@ mod tests {
             ),
             ("render --out Cargo.toml/a.png", "cannot write "),
             ("bake --out Cargo.toml/x", "cannot write Cargo.toml/x: "),
-            ("bake --tiles 2", "tile 2 is out of range (there are 1 tiles)"),
+            ("bake --tiles 2", "tile 2 is out of range (expected 1 to 1)"),
             ("bake --job rock.txt", "job `rock.txt`: unsupported file extension (expected .yaml or .json)"),
             ("bake --size 1000", "`--size` must be a power of two and at least 64, got 1000"),
             ("bake --samples 3", "`--samples` must be 1 or even, got 3"),

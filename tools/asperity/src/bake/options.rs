@@ -16,7 +16,7 @@ pub(super) fn parts(wanted: &Bake) -> Result<[u32; 2]> {
     let all = side * side;
     match wanted.part {
         Some([_, last]) if last > all => {
-            Err(format!("part {last} is out of range (there are {all} parts)").into())
+            Err(format!("part {last} is out of range (expected 1 to {all})").into())
         }
         part => Ok(part.unwrap_or([1, all])),
     }

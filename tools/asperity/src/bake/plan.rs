@@ -99,7 +99,7 @@ impl Plan {
         let all = self.tiles() * self.tiles();
         match wanted {
             Some([_, last]) if last > all => {
-                Err(format!("tile {last} is out of range (there are {all} tiles)").into())
+                Err(format!("tile {last} is out of range (expected 1 to {all})").into())
             }
             wanted => Ok(wanted.unwrap_or([1, all])),
         }

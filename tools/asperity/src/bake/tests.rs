@@ -161,7 +161,7 @@ fn parts_equal_the_whole_texture() {
             "--size 65536 --parts 32",
             "`--parts`: 32 × 65536 texels along a side are too many (at most 1048576)",
         ),
-        ("--size 64 --parts 3 --part 9-10", "part 10 is out of range (there are 9 parts)"),
+        ("--size 64 --parts 3 --part 9-10", "part 10 is out of range (expected 1 to 9)"),
     ] {
         let error = planned(line).err().map(|error| error.to_string()).unwrap_or_default();
         assert!(error.starts_with(said) && error.lines().count() == 1, "{line}: {error}");

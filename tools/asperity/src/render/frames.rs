@@ -56,7 +56,7 @@ pub(super) fn draw(wanted: &Render, frames: &Frames, interrupted: &AtomicBool) -
     let pattern = picture.name.clone();
     let [first, last] = wanted.frame.unwrap_or([1, frames.count]);
     if last > frames.count {
-        return Err(format!("frame {last} is out of range (there are {} frames)", frames.count).into());
+        return Err(format!("frame {last} is out of range (expected 1 to {})", frames.count).into());
     }
     let name = |frame: u32| {
         name(&pattern, frame).ok_or_else(|| {
