@@ -119,7 +119,7 @@ fn point_by_point(slope: Vec2, alpha: f32) -> impl Fn(Vec3) -> f32 {
 /// Widths of pixels, in texels.
 const WIDTHS: [f32; 7] = [0.0, 0.5, 1.0, 3.0, 8.0, 16.0, 128.0];
 
-/// Returns the maximum error of pixels with slopes in `K` clusters, from points to the whole map.
+/// Returns the maximum error of pixels with slopes in `K` groups, from points to the whole map.
 fn worst_of_groups<const K: usize>(normals: &[Vec3], alpha: f32, resolved: &[f64]) -> f64 {
     let map = SlopePyramid::<K>::from_normals(SIZE, SIZE, normals).expect("a map");
     let stone = Beckmann::isotropic(alpha).expect("in range");
@@ -137,10 +137,10 @@ fn worst_of_groups<const K: usize>(normals: &[Vec3], alpha: f32, resolved: &[f64
 }
 
 #[test]
-fn slope_clusters_keep_the_mean_and_averaged_normals_lose_it() {
+fn slope_groups_keep_the_mean_and_averaged_normals_lose_it() {
     let normals = bricks();
     let map = SlopePyramid::<1>::from_normals(SIZE, SIZE, &normals).expect("a map");
-    // With averaged normals, Toksvig, and 1, 4, 8 and 16 clusters; measured 1.30, 0.64, 0.63, 0.38,
+    // With averaged normals, Toksvig, and 1, 4, 8 and 16 groups; measured 1.30, 0.64, 0.63, 0.38,
     // 0.039 and 0.010 for roughness 0.2, and 0.60, 0.18, 0.13, 0.07, 0.005 and 0.002 for 0.4.
     let bounds = [(0.2, [1.2, 0.55, 0.7, 0.42, 0.045, 0.02]), (0.4, [0.5, 0.16, 0.15, 0.08, 0.01, 0.01])];
     for (alpha, [averaged_least, toksvig_least, one, four, eight, sixteen]) in bounds {
@@ -173,7 +173,7 @@ fn slope_clusters_keep_the_mean_and_averaged_normals_lose_it() {
 
 #[test]
 fn slope_pyramid_error_with_edges_of_one_texel() {
-    // With 1, 4, 8 and 16 clusters; measured 0.54, 0.014, 0.006 and 0.006 for roughness 0.2 and
+    // With 1, 4, 8 and 16 groups; measured 0.54, 0.014, 0.006 and 0.006 for roughness 0.2 and
     // seams in one direction, 0.82, 0.62, 0.022 and 0.015 in two directions; 0.12, 0.002, 0.002,
     // 0.002 and 0.19, 0.12, 0.004, 0.003 for 0.4.
     let bounds = [

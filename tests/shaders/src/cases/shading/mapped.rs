@@ -68,7 +68,7 @@ fn bump_mapped(
     )
 }
 
-/// Stone bumps, 12 × 20 texels in four clusters: flat with ridges and occasional slopes.
+/// Stone bumps, 12 × 20 texels in four groups: flat with ridges and occasional slopes.
 fn map() -> SlopePyramidRef<'static, 4> {
     let slope = |k: usize| {
         let (column, row) = (k % 12, k / 12);

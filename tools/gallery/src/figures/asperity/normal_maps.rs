@@ -21,7 +21,7 @@ use asperity::failure::Result;
 /// Texels along the map, which covers a square of this many meters.
 const SIZE: usize = 256;
 const TILE: f32 = 1.3;
-/// Number of slope clusters.
+/// Number of slope groups.
 const GROUPS: usize = 16;
 /// Samples of the reference.
 const SAMPLES: u32 = 256;
@@ -63,8 +63,8 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let ways: [(&str, &str, Sampling, &Way<'_>); 5] = [
         ("plain", "One sample per pixel", once, &plain),
         ("averaged", "One sample, averaged normals", once, &averaged),
-        ("one", "One sample, one slope cluster", once, &one),
-        ("groups", "One sample, sixteen slope clusters", once, &groups),
+        ("one", "One sample, one slope group", once, &one),
+        ("groups", "One sample, sixteen slope groups", once, &groups),
         ("reference", "256 samples per pixel", many, &plain),
     ];
     let draw = |(stem, label, sampling, seen): (_, _, Sampling, &Way<'_>)| {
