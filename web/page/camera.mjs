@@ -8,8 +8,9 @@ import { plane } from './mesh.mjs';
 export const times = zoom => `× ${zoom < 10 ? zoom.toFixed(1) : Math.round(zoom).toLocaleString('en')}`;
 
 /**
- * A scene that looks at a surface; scenes extend it. A subject has a field of view in radians, a distance of the eye and a target, from
- * whose direction the place in the middle of the whole object is found; `made` is its mesh, and there is none of a plane to the horizon.
+ * Base class of scenes that look at a surface. A subject has a field of view in radians, a camera
+ * distance and a target. Its view direction determines the point at the center of the whole object.
+ * `made` is its mesh; a plane up to the horizon has none.
  */
 export class Looking {
   constructor(page, subjects, deepest) {

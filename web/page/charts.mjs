@@ -78,8 +78,9 @@ function transform(re, im, start, stride, count) {
 }
 
 /**
- * The power at frequencies of a square of values: [frequency, power] of rings of equal ratio, frequencies in cycles per unit of which
- * the square is `extent` wide, powers per squared unit of frequency. The mean is taken away, and the borders fade by Hann's window.
+ * Returns the power spectrum of a square of values: [frequency, power] of rings of equal ratio.
+ * Frequencies are in cycles per unit, and the square is `extent` units wide. Powers are per squared
+ * unit of frequency. The mean is subtracted, and a Hann window fades the borders.
  */
 export function radialSpectrum(values, side, extent) {
   const mean = values.reduce((sum, x) => sum + x, 0) / values.length;

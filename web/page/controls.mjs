@@ -56,8 +56,9 @@ export const element = (tag, attributes = {}, ...children) => {
 };
 
 /**
- * Fields of a scene's settings in a form; `heard(name, value)` hears of each input. The result sets the fields to settings. A control
- * with `when(settings)` is shown where that holds; `also(value)` of a choice are settings that go with it.
+ * Creates controls of a scene's settings in a form; `heard(name, value)` is called for each input.
+ * The returned function sets the controls to settings. A control with `when(settings)` is visible
+ * where it holds; `also(value)` of a choice returns additional settings.
  */
 export function fields(scene, form, settings, heard) {
   form.replaceChildren();

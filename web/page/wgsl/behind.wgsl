@@ -1,4 +1,4 @@
-// What is behind everything.
+// The background.
 
 @fragment
 fn behind_pixel(screen: Screen) -> @location(0) vec4<f32> {

@@ -1,4 +1,5 @@
-// A bump-mapped surface under one lamp and a sky. Everything is seen from the focus, so that it can be ten thousand times nearer.
+// A bump-mapped surface under one lamp and a sky. Everything is relative to the focus, for ten
+// thousandfold zoom.
 
 struct BumpsView {
     eye: vec3<f32>,
@@ -12,20 +13,20 @@ struct BumpsView {
     forward: vec3<f32>,
     max_octaves: f32,
     light: vec3<f32>,
-    // The greatest share: what the lamp's disc covers is not resolved.
+    // Maximum resolved fraction: what the lamp's disc covers is not resolved.
     share: f32,
     alpha: vec2<f32>,
     exposure: f32,
-    // Side of the picture in pixels.
+    // Side of the image in pixels.
     size: f32,
-    // Rules at the left and at the right of `divide`: 0 is exact, 1 fractal.
+    // Rules to the left and to the right of `divide`: 0 is exact, 1 fractal.
     rule: vec2<f32>,
     divide: f32,
-    // Freedom of Student's t.
+    // Shape parameter of Student's t.
     gamma: f32,
-    // The clip depth of what is `depth.x` near: depth.x + depth.y w.
+    // Clip depth with near plane `depth.x`: depth.x + depth.y w.
     depth: vec2<f32>,
-    // 1 where rows of pixels count from the bottom, -1 from the top.
+    // 1 if pixel rows count from the bottom, -1 from the top.
     rows: f32,
     padding: f32,
 }
@@ -51,14 +52,15 @@ fn bumps_corner(
     return BumpsCorner(vec4<f32>(x, y, bumps_view.depth.x + bumps_view.depth.y * w, w), normal, tangent, plane);
 }
 
-// A sky by the height of a direction, with a broad glow about the lamp.
+// A sky by the elevation of a direction, with a broad glow about the lamp.
 fn bumps_sky(direction: vec3<f32>) -> f32 {
     let glow = max(frame_product(direction, bumps_view.light), 0.0);
     let square = glow * glow;
     return 0.05 + 0.1 * max(direction.z, 0.0) + 0.5 * square * square * square;
 }
 
-// Light by the exact rule: the lamp's, and the sky's in the facet in the middle of what is not resolved.
+// Radiance with the exact rule: of the lamp, and of the sky reflected by the mean facet of the
+// unresolved part.
 fn bumps_exact(seen: GaussianOctaves3d, frame: Frame, wo: vec3<f32>, h: vec3<f32>, cos_light: f32) -> f32 {
     let share = min(seen.share, bumps_view.share);
     let z = seen.pair.value;
@@ -67,7 +69,7 @@ fn bumps_exact(seen: GaussianOctaves3d, frame: Frame, wo: vec3<f32>, h: vec3<f32
     return lamp + bumps_sky(m * (2.0 * frame_product(m, wo)) - wo);
 }
 
-// Light by the fractal rule of 2001: the whole density about every facet.
+// Radiance with the fractal rule of 2001: the whole density about every facet.
 fn bumps_fractal(seen: GaussianOctaves3d, frame: Frame, wo: vec3<f32>, h: vec3<f32>, cos_light: f32) -> f32 {
     var facet = vec3<f32>(0.0, 0.0, 1.0);
     if seen.fade > 0.0 {
@@ -78,7 +80,7 @@ fn bumps_fractal(seen: GaussianOctaves3d, frame: Frame, wo: vec3<f32>, h: vec3<f
     return lamp + bumps_sky(m * (2.0 * frame_product(m, wo)) - wo);
 }
 
-// Light of a point under a footprint, in units.
+// Radiance of a point for a footprint, in units.
 fn bumps_light(p: vec3<f32>, frame: Frame, wo: vec3<f32>, footprint: f32, rule: f32) -> f32 {
     let limits = FrequencyClamp(bumps_view.frequency, bumps_view.log_lacunarity, bumps_view.max_octaves);
     let seen = gaussian_octaves_3d(p * bumps_view.frequency, frequency_clamp_octaves(footprint, limits), 0u);
@@ -109,7 +111,7 @@ fn bumps_pixel(corner: BumpsCorner) -> @location(0) vec4<f32> {
     return display_colour(light * bumps_view.exposure * vec3<f32>(1.0, 0.62, 0.36) + vec3<f32>(0.012, 0.009, 0.008));
 }
 
-// A flat piece of the surface, seen and lit from one direction each, by the left rule.
+// A flat patch of the surface, with constant view and light directions, and the left rule.
 @fragment
 fn bumps_patch(screen: Screen) -> @location(0) vec4<f32> {
     let p = bumps_view.eye + screen.at.x * bumps_view.right + screen.at.y * bumps_view.up;
@@ -118,8 +120,8 @@ fn bumps_patch(screen: Screen) -> @location(0) vec4<f32> {
     return display_colour(light * bumps_view.exposure * vec3<f32>(1.0, 0.62, 0.36) + vec3<f32>(0.012, 0.009, 0.008));
 }
 
-// The lamp's light alone at a place of its own for every pixel, within some cells of eight anchors all over the surface: its mean is
-// the mean brightness.
+// The lamp's radiance alone at a different position per pixel, within some cells of eight anchors
+// all over the surface. Its mean is the mean brightness.
 @fragment
 fn bumps_scattered(screen: Screen) -> @location(0) vec4<f32> {
     let pixel = vec2<u32>((screen.at * 0.5 + 0.5) * bumps_view.size);

@@ -1,17 +1,20 @@
-// Coats under light from everywhere, by one facet: slopes that a pixel does not resolve make the lobe wider.
+// Coats under environment light with one facet: slopes that a pixel does not resolve widen the
+// lobe.
 
-// Beckmann's alpha of what a coat mirrors of lamps, as wide as these are apart.
+// Beckmann's alpha of a coat's reflection of lamps, as wide as the distance between lamps.
 fn material_coat_alpha(coat: Coat) -> f32 {
     return sqrt(coat.roughness * coat.roughness + 2.0 * coat.slope_variance + 0.01);
 }
 
-// Layers under a varnish, and what the varnish mirrors of a lamp by a lobe about a facet; a smooth one mirrors the light's map instead.
+// Layers under a varnish, and the varnish's reflection of a lamp by a lobe about a facet. A smooth
+// varnish reflects the light's map instead.
 fn material_varnished(coat: Coat, below: vec3<f32>, lobe: vec2<f32>, factor: f32, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     let mirrored = lobe.x * dielectric_reflectance(coat.index, lobe.y) * factor;
     return brdf_finite_channels(below * coat_through(coat, wi) * coat_through(coat, wo) + mirrored);
 }
 
-// Layers of a diffuse and a glossy colour under a varnish, and what that mirrors, without the lamps' light unless the coat is smooth.
+// Layers of a diffuse and a glossy color under a varnish, and the varnish's reflection, which
+// includes lamps only if the coat is smooth.
 fn material_under_coat(coat: Coat, hit: MaterialsHit, diffuse: vec3<f32>, specular: vec3<f32>, alpha: f32) -> vec3<f32> {
     let up = vec3<f32>(0.0, 0.0, 1.0);
     let mirrors = 1.0 - coat_through(coat, hit.wo);

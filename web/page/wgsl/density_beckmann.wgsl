@@ -1,4 +1,4 @@
-// What bumps ask of their density: Beckmann.
+// Density functions for bumps: Beckmann.
 
 fn bumps_density(m: vec3<f32>) -> f32 {
     return beckmann_density(bumps_view.alpha, m);

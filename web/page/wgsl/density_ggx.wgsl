@@ -1,4 +1,4 @@
-// What bumps ask of their density: GGX.
+// Density functions for bumps: GGX.
 
 fn bumps_density(m: vec3<f32>) -> f32 {
     return ggx_density(bumps_view.alpha, m);

@@ -1,4 +1,4 @@
-// What bumps ask of their density: a painted map.
+// Density functions for bumps: a painted map.
 
 fn bumps_density(m: vec3<f32>) -> f32 {
     return packed_map_density(m);

@@ -1,4 +1,4 @@
-// What bumps ask of their density: Student's t.
+// Density functions for bumps: Student's t.
 
 fn bumps_density(m: vec3<f32>) -> f32 {
     return student_t_density(bumps_view.alpha, bumps_view.gamma, m);

@@ -1,5 +1,5 @@
-// A rough diffuse surface with gloss under a lamp and the rest of the light, by one facet: slopes that a pixel does not resolve make the
-// gloss wider.
+// A rough diffuse surface with gloss under a lamp and the rest of the light, with one facet: slopes
+// that a pixel does not resolve widen the gloss.
 
 fn material_glossy(s: Glossy, frame: Frame, roughness: f32, alpha: f32, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     if !(wi.z > 0.0) {

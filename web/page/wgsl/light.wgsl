@@ -1,20 +1,21 @@
-// Light from everywhere: a map of 256 by 128 texels for what mirrors, sixteen lamps for what is bright, harmonics for the rest.
+// Environment light: a map of 256 by 128 texels for reflections, sixteen lamps for bright areas,
+// harmonics for the rest.
 
 struct LightLamp {
     direction: vec3<f32>,
     padding: f32,
-    // On a surface across the light.
+    // On a surface perpendicular to the light.
     irradiance: vec3<f32>,
     more: f32,
 }
 
 struct Light {
-    // Radiance of all but the lamps in spherical harmonics of the first three bands.
+    // Radiance of everything except the lamps, in spherical harmonics of the first three bands.
     harmonics: array<vec4<f32>, 9>,
     lamps: array<LightLamp, 16>,
 }
 
-// A texel: nine bits of each colour over one exponent.
+// A texel: nine bits per color over one exponent.
 fn light_texel(x: i32, y: i32) -> vec3<f32> {
     let word = light_word(u32(y * 256 + (x & 255)));
     let colour = vec3<f32>(vec3<u32>(word & 511u, (word >> 9u) & 511u, (word >> 18u) & 511u));
@@ -38,7 +39,8 @@ fn light_seen(direction: vec3<f32>) -> vec3<f32> {
     return mix(above, mix(light_texel(x, high), light_texel(x + 1, high), part.x), part.y);
 }
 
-// The mean radiance about a direction: `bands` are the shares of the three bands that are kept, (1, 2/3, 1/4) for what a diffuse surface sees.
+// The mean radiance about a direction. `bands` are the factors of the three bands, (1, 2/3, 1/4)
+// for a diffuse surface.
 fn light_mean(n: vec3<f32>, bands: vec3<f32>) -> vec3<f32> {
     let first = light.harmonics[1].xyz * n.y + light.harmonics[2].xyz * n.z + light.harmonics[3].xyz * n.x;
     let second = light.harmonics[4].xyz * (1.0925484 * n.x * n.y)
@@ -50,7 +52,7 @@ fn light_mean(n: vec3<f32>, bands: vec3<f32>) -> vec3<f32> {
     return max(sum, vec3<f32>(0.0));
 }
 
-// The mean radiance that a lobe of Beckmann's alpha sees about the mirrored direction.
+// The mean radiance over a lobe of Beckmann's alpha about the mirror direction.
 fn light_glossy(direction: vec3<f32>, alpha: f32) -> vec3<f32> {
     let spread = alpha * alpha;
     return light_mean(direction, vec3<f32>(1.0, exp(-spread), exp(-3.0 * spread)));

@@ -1,8 +1,9 @@
-// A wall of bricks, to a pixel.
+// A brick wall for a pixel.
 
 struct MaterialSeen {
     surface: TexturedSlopes,
-    // Of each pair of signs of a slope its sum and its share: a pixel from afar has fifty facets.
+    // The sum and the weight of each pair of signs of a slope: a pixel in the far view has fifty
+    // facets.
     facets: array<vec3<f32>, 9>,
     normal: vec3<f32>,
 }

@@ -1,4 +1,4 @@
-// Carpet, to a pixel.
+// Carpet for a pixel.
 
 struct MaterialSeen {
     surface: Glossy,

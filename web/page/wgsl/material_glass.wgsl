@@ -1,4 +1,4 @@
-// Tempered glass, to a pixel. What is behind it is the light itself.
+// Tempered glass for a pixel, with the environment behind it.
 
 struct MaterialSeen {
     coat: Coat,
@@ -9,7 +9,7 @@ fn material_seen(point: SurfacePoint, frame: Frame, wo: vec3<f32>) -> MaterialSe
 }
 
 fn material_lamp(seen: MaterialSeen, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
-    // What a rough body transmits of lamps is in the mean of the light.
+    // The transmission of lamps by a rough body is included in the mean light.
     let crosses = wi.z < 0.0;
     let glass = tempered_glass_uniform;
     if !(seen.coat.roughness > 0.0) || (crosses && glass.is_solid != 0u) {
@@ -29,7 +29,7 @@ fn material_lamp(seen: MaterialSeen, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> 
 fn material_ambience(seen: MaterialSeen, hit: MaterialsHit) -> vec3<f32> {
     var smooth_coat = seen.coat;
     smooth_coat.roughness = 0.0;
-    // In the middle of the slopes that the pixel does not resolve.
+    // At the mean of the slopes that the pixel does not resolve.
     let deltas = coat_deltas(smooth_coat, hit.wo, vec2<f32>(0.0, 0.25));
     let mirrored = frame_to_world(hit.frame, deltas.mirrored.wi);
     let through = frame_to_world(hit.frame, deltas.transmitted.wi);

@@ -1,4 +1,4 @@
-// Polished marble, to a pixel.
+// Polished marble for a pixel.
 
 struct MaterialSeen {
     colour: vec3<f32>,

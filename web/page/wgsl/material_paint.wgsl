@@ -1,4 +1,4 @@
-// Metallic paint whose flakes sparkle, to a pixel.
+// Metallic paint with sparkling flakes for a pixel.
 
 struct MaterialSeen {
     specular: vec3<f32>,
@@ -37,7 +37,8 @@ fn material_lamp(seen: MaterialSeen, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> 
         // The cosine with the flake instead of the surface.
         factor = min(max(i.z, 0.0) / max(wi.z, 0.001), 4.0);
     }
-    // The lobes of the flakes and of a rough coat in a loop: a function is compiled at every place that calls it.
+    // The lobes of the flakes and of a rough coat in a loop, because a function is compiled at
+    // every call.
     let light = facet_light(1.0, seen.coat.normal, wi, wo);
     let is_rough = seen.coat.roughness > 0.0;
     var flakes = 0.0;

@@ -1,10 +1,11 @@
-// What stands about the material: ground, tyres, painted walls, china, in the palette's colours. The first texture coordinate tells which.
+// Objects around the material: ground, tires, painted walls, china, in the palette's colors. The
+// first texture coordinate selects the color.
 
 struct MaterialSeen {
     diffuse: vec3<f32>,
     specular: f32,
     alpha: f32,
-    // Shade of what stands on the ground, and how much of the ground there is.
+    // Shade of objects on the ground, and the opacity of the ground.
     shade: f32,
     ground: f32,
 }

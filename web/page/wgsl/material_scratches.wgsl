@@ -1,4 +1,4 @@
-// Scratched metal, to a pixel.
+// Scratched metal for a pixel.
 
 struct MaterialSeen {
     surface: ScratchesSurface,

@@ -1,4 +1,4 @@
-// A material with blemishes and dents, to a pixel.
+// A material with blemishes and dents for a pixel.
 
 struct MaterialSeen {
     surface: Glossy,

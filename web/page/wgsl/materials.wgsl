@@ -1,26 +1,29 @@
-// A surface of a material under light from everywhere, seen from its focus. A material says what it is to a pixel, `material_seen`, and
-// what that sends to the eye of a lamp's light and of the rest.
+// A surface of a material under environment light, relative to its focus. A material defines its
+// appearance for a pixel, `material_seen`, and its reflection of a lamp and of the rest of the
+// light.
 
 struct MaterialsView {
     eye: vec3<f32>,
     pixel_angle: f32,
     right: vec3<f32>,
-    // Side of the picture in pixels.
+    // Side of the image in pixels.
     size: f32,
     up: vec3<f32>,
     exposure: f32,
     forward: vec3<f32>,
-    // Metres to a unit of length.
+    // Meters per unit of length.
     metres: f32,
     focus: vec3<f32>,
     lamps: f32,
-    // The clip depth of what is `depth.x` near: depth.x + depth.y w.
+    // Clip depth with near plane `depth.x`: depth.x + depth.y w.
     depth: vec2<f32>,
-    // 1 where rows of pixels count from the bottom, -1 from the top.
+    // 1 if pixel rows count from the bottom, -1 from the top.
     rows: f32,
-    // 1 for a car, which has windows; 2 for a room, whose walls are not seen from behind; 3 for what is painted in a room.
+    // 1 for a car, which has windows; 2 for a room, whose walls are invisible from behind; 3 for
+    // painted objects in a room.
     kind: f32,
-    // Radius of the ground that is drawn, half of what stands there along and across; what is behind: 0 paper, -1 dark, 1 the light.
+    // Radius of the visible ground, half of the object's extent along and across; background: 0
+    // bright paper, -1 dark, 1 the light.
     ground: vec4<f32>,
 }
 
@@ -47,19 +50,19 @@ fn materials_corner(
     return MaterialsCorner(vec4<f32>(x, y, materials_view.depth.x + materials_view.depth.y * w, w), normal, tangent, plane, uv);
 }
 
-// The direction of a pixel from the eye, one unit along the axis.
+// The direction of a pixel from the camera, one unit along the axis.
 fn materials_ray(position: vec4<f32>) -> vec3<f32> {
     let x = position.x / materials_view.size * 2.0 - 1.0;
     let y = (position.y / materials_view.size * 2.0 - 1.0) * materials_view.rows;
     return materials_view.forward + x * materials_view.right + y * materials_view.up;
 }
 
-// Light on the screen, by the response of Naka and Rushton.
+// Display mapping of radiance: the Naka–Rushton response.
 fn materials_colour(radiance: vec3<f32>) -> vec4<f32> {
     return display_colour(pow(max(radiance * materials_view.exposure, vec3<f32>(0.0)), vec3<f32>(1.3)));
 }
 
-// What is behind everything: the light itself, or paper, bright or dark.
+// The background: the environment, or bright or dark paper.
 fn materials_behind(direction: vec3<f32>) -> vec3<f32> {
     if materials_view.ground.w > 0.0 {
         return light_seen(direction);
@@ -70,12 +73,12 @@ fn materials_behind(direction: vec3<f32>) -> vec3<f32> {
     return select(bright, dark, materials_view.ground.w < 0.0) / materials_view.exposure;
 }
 
-// A pixel's place on a surface.
+// A pixel's position on a surface.
 struct MaterialsHit {
     point: SurfacePoint,
-    // From the focus on, in units of the mesh.
+    // Relative to the focus, in units of the mesh.
     p: vec3<f32>,
-    // To the eye, in the frame of the point, never quite along the surface.
+    // Direction to the viewer in the local frame, never quite tangential.
     wo: vec3<f32>,
     frame: Frame,
     direction: vec3<f32>,
@@ -89,34 +92,35 @@ fn materials_hit(corner: MaterialsCorner) -> MaterialsHit {
     let p = materials_view.eye + t * ray;
     let long = sqrt(dot(ray, ray));
     let direction = ray / long;
-    // Whichever way a triangle's corners go around.
+    // For either orientation of a triangle's corners.
     let is_back = dot(plane.xyz, direction) * dot(plane.xyz, corner.normal) > 0.0;
     let normal = frame_direction(corner.normal) * select(1.0, -1.0, is_back);
     let frame = frame_from_normal_tangent(normal, corner.tangent);
     var wo = frame_to_local(frame, -direction);
     wo = frame_direction(vec3<f32>(wo.xy, max(wo.z, 0.03)));
-    // The pixel's width across, and its length where the surface recedes.
+    // The pixel's width, and its length on an inclined surface.
     let width = t * long * materials_view.pixel_angle * materials_view.metres;
     let along = frame_to_world(frame, vec3<f32>(direction_unit_or_2d(wo.xy, vec2<f32>(1.0, 0.0)), 0.0));
     let pixel = pixel_ellipse_from_derivatives(along * (width / wo.z), cross(normal, along) * width);
     let position = (p + materials_view.focus) * materials_view.metres;
     var uv = corner.uv;
     if materials_view.kind == 2.0 {
-        // Coordinates of the focus: what is interpolated over so great triangles has few digits.
+        // Coordinates of the focus, because interpolation over such large triangles is imprecise.
         uv += vec2<f32>(dot(p, corner.tangent), dot(p, cross(corner.normal, corner.tangent)));
     }
     let point = SurfacePoint(position, normal, uv * materials_view.metres, frame.tangent, frame.bitangent, pixel);
     return MaterialsHit(point, p, wo, frame, direction, is_back);
 }
 
-// The share of light that comes through a coat of the index of glass and back, for what does not matter much.
+// The approximate fraction of light that passes through a glass coat and back.
 fn materials_fresnel(cosine: f32) -> f32 {
     let left = 1.0 - clamp(cosine, 0.0, 1.0);
     let square = left * left;
     return 0.04 + 0.96 * square * square * left;
 }
 
-// What is lit of a diffuse and a glossy colour by all but the lamps; the normal is that with bumps, in the frame.
+// Reflection of a diffuse and a glossy color, except of the lamps; the normal includes bumps, in
+// the local frame.
 fn materials_ambient(hit: MaterialsHit, normal: vec3<f32>, diffuse: vec3<f32>, specular: vec3<f32>, alpha: f32) -> vec3<f32> {
     let m = surface_gradient_facing(vec3<f32>(0.0, 0.0, 1.0), normal, hit.wo);
     let world = frame_to_world(hit.frame, m);
@@ -124,7 +128,8 @@ fn materials_ambient(hit: MaterialsHit, normal: vec3<f32>, diffuse: vec3<f32>, s
     return light_diffuse(world) * diffuse + light_glossy(mirrored, alpha) * specular;
 }
 
-// Dark glass of a car's windows, and what is black about its wheels; the last number says whether there is either.
+// Dark glass of a car's windows, and the black wheel arches. The last number is whether there is
+// either.
 fn materials_of_car(hit: MaterialsHit) -> vec4<f32> {
     let at = hit.p + materials_view.focus;
     let n = hit.point.normal;
@@ -143,23 +148,23 @@ fn materials_of_car(hit: MaterialsHit) -> vec4<f32> {
     if depth < 0.0 {
         return vec4<f32>(0.0);
     }
-    // A black edge is printed around panes.
+    // Panes have a black printed edge.
     let mirrored = direction_reflect(-hit.direction, n);
     let within = select(0.0, 0.03, depth > 0.025);
     return vec4<f32>(light_seen(mirrored) * materials_fresnel(hit.wo.z) + light_diffuse(n) * within, 1.0);
 }
 
-// How open a place of the room is to the light: less so in its edges and about the block.
+// Ambient visibility of a position in the room: lower in its edges and around the block.
 fn materials_open(at: vec3<f32>, n: vec3<f32>) -> f32 {
     let walls = 2.0 - abs(at.xy) + 9.0 * abs(n.xy);
     let apart = max(abs(at - vec3<f32>(0.7, 0.9, 0.25)) - vec3<f32>(0.5, 0.5, 0.25), vec3<f32>(0.0));
-    // What is on the block itself is next to it.
+    // Points on the block itself count as next to it.
     let block = sqrt(dot(apart, apart)) + select(0.0, 9.0, dot(apart, apart) < 1e-6);
     let near = exp(vec4<f32>(walls, at.z + 9.0 * abs(n.z), block) * -vec4<f32>(3.5, 3.5, 5.0, 5.0));
     return (1.0 - 0.35 * near.x) * (1.0 - 0.35 * near.y) * (1.0 - 0.35 * near.z) * (1.0 - 0.45 * near.w);
 }
 
-// Whether the block in the room shades a place from a direction.
+// Whether the block in the room shades a position from a direction.
 fn materials_shaded(at: vec3<f32>, direction: vec3<f32>) -> bool {
     let safe = select(direction, vec3<f32>(1e-6), abs(direction) < vec3<f32>(1e-6));
     let low = (vec3<f32>(0.2, 0.4, -1.0) - at) / safe;

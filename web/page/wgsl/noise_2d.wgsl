@@ -1,6 +1,6 @@
-// A slice of noise in the plane: octaves of the kind that `noise_octave_2d` gives, summed, warped and shown.
+// A slice of noise in 2-D: octaves from `noise_octave_2d`, summed, warped and displayed.
 
-// Sum 0 is the field, 1 to 2 are those that warp it.
+// Sum 0 is the field, 1 to 2 are its warp fields.
 fn noise_sum_2d(p: vec2<f32>, sum: u32) -> Sample2d {
     let ridged = noise_view.ridged == 1u && sum % 4u == 0u;
     var total = octaves_total_2d(noise_view.octaves, noise_view.footprint, sum);
@@ -26,7 +26,7 @@ fn noise_sum_2d(p: vec2<f32>, sum: u32) -> Sample2d {
     return octaves_divided_2d(total);
 }
 
-// In turn the sums that warp, and the field where they have moved the point to.
+// First the warp sums, then the field at the displaced point.
 @fragment
 fn noise_pixel_2d(screen: Screen) -> @location(0) vec4<f32> {
     let p = noise_point(screen.at).xy;

@@ -1,6 +1,6 @@
-// A slice of noise in space: octaves of the kind that `noise_octave_3d` gives, summed, warped and shown.
+// A slice of noise in 3-D: octaves from `noise_octave_3d`, summed, warped and displayed.
 
-// Sum 0 is the field, 1 to 3 are those that warp it, and 4 is the second field of a flow in space.
+// Sum 0 is the field, 1 to 3 are its warp fields, and 4 is the second field of a flow in space.
 fn noise_sum_3d(p: vec3<f32>, sum: u32) -> Sample3d {
     let ridged = noise_view.ridged == 1u && sum % 4u == 0u;
     var total = octaves_total_3d(noise_view.octaves, noise_view.footprint, sum);
@@ -26,7 +26,7 @@ fn noise_sum_3d(p: vec3<f32>, sum: u32) -> Sample3d {
     return octaves_divided_3d(total);
 }
 
-// In turn the sums that warp, the field where they have moved the point to, and the second field of a flow.
+// First the warp sums, then the field at the displaced point, and the second field of a flow.
 @fragment
 fn noise_pixel_3d(screen: Screen) -> @location(0) vec4<f32> {
     let p = noise_point(screen.at).xyz;

@@ -1,4 +1,4 @@
-// A slice of noise in four dimensions: octaves of the kind that `noise_octave_4d` gives, summed and shown.
+// A slice of noise in 4-D: octaves from `noise_octave_4d`, summed and displayed.
 
 // Sum 0 is the field.
 fn noise_sum_4d(p: vec4<f32>, sum: u32) -> Sample4d {

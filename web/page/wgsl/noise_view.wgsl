@@ -1,29 +1,31 @@
-// What a slice of noise is seen by, and its colours.
+// View parameters and colors of a slice of noise.
 
 struct NoiseView {
-    // The point in the middle of the picture, and the ways from it to the right border and to the upper one, in cells.
+    // The center of the image, and the vectors to its right and upper border, in cells.
     centre: vec4<f32>,
     right: vec4<f32>,
     up: vec4<f32>,
-    // The number of octaves, a real one, and the footprint that they are clamped to; 0 clamps nothing.
+    // The number of octaves, which may be fractional, and the footprint to which they are clamped;
+    // 0 disables clamping.
     octaves: f32,
     footprint: f32,
-    // Of a ridged multifractal.
+    // Feedback of a ridged multifractal.
     feedback: f32,
-    // Of the warp.
+    // Strength of the warp.
     strength: f32,
-    // The value that is black, and 1 over that from there to white.
+    // The value of black, and 1 over the range from black to white.
     black: f32,
     contrast: f32,
-    // 1 over the velocity that is shown in full colour; 0 shows values.
+    // 1 over the velocity of full color; 0 displays values.
     flow: f32,
-    // Of cellular noise.
+    // Parameters of cellular noise.
     jitter: f32,
     basis: u32,
     metric: u32,
-    // 1 where the field is a ridged multifractal.
+    // 1 if the field is a ridged multifractal.
     ridged: u32,
-    // What a pixel tells: 0 a colour, 1 the value's bits, 2 and 3 those of the slopes to the right and up, or of the flow.
+    // Output of a pixel: 0 a color, 1 the value's bits, 2 and 3 bits of the slopes to the right and
+    // up, or of the flow.
     told: u32,
 }
 
@@ -38,7 +40,8 @@ fn noise_bits(x: f32) -> vec4<f32> {
     return vec4<f32>(vec4<u32>(bits & 255u, (bits >> 8u) & 255u, (bits >> 16u) & 255u, bits >> 24u)) / 255.0;
 }
 
-// What is asked of a point: a value as grey, or a velocity as a colour, red to the right, green up, blue towards the eye.
+// Output at a point: a value as gray, or a velocity as a color: red right, green up, blue toward
+// the viewer.
 fn noise_shown(value: f32, way: vec2<f32>, velocity: vec3<f32>) -> vec4<f32> {
     if noise_view.told > 0u {
         return noise_bits(select(select(way.y, way.x, noise_view.told == 2u), value, noise_view.told == 1u));

@@ -1,4 +1,4 @@
-// A triangle over the whole picture, and where a pixel is: x to the right and y up, from -1 to 1.
+// A triangle that covers the image, and the position of a pixel: x right and y up, from -1 to 1.
 
 struct Screen {
     @builtin(position) position: vec4<f32>,

@@ -1,11 +1,11 @@
-// Steam over a cup: what is behind it through it, and the light that it scatters.
+// Steam over a cup: the transmitted background and the scattered light.
 
 struct SteamView {
-    // The middle of its ground, in metres; radius and height of its room.
+    // The center of its base, in meters; radius and height of its volume.
     centre: vec3<f32>,
     radius: f32,
     height: f32,
-    // Cells of the noise to a metre, extinction per cell and density, share of the light that it scatters.
+    // Cells of the noise per meter, extinction per cell and density, scattering albedo.
     cells: f32,
     extinction: f32,
     albedo: f32,
@@ -14,7 +14,7 @@ struct SteamView {
 @fragment
 fn steam_pixel(corner: MaterialsCorner) -> @location(0) vec4<f32> {
     let hit = materials_hit(corner);
-    // What is far away is the light itself.
+    // The environment is the distant background.
     var sum = vec3<f32>(0.0);
     let distance = hit.p - materials_view.eye;
     let far = sqrt(dot(distance, distance)) * materials_view.metres;
@@ -40,12 +40,12 @@ fn steam_pixel(corner: MaterialsCorner) -> @location(0) vec4<f32> {
         var extinction = 0.0;
         if share > 0.0 {
             let width = march.next * march.step * materials_view.pixel_angle;
-            // Steam that rises is drawn out.
+            // Rising steam is stretched.
             extinction = steam_view.extinction * share * gas_density(steam_gas, p * vec3<f32>(1.0, 1.0, 0.5), width);
         }
         march = gas_march_added(march, extinction, vec3<f32>(0.0));
     }
-    // Droplets scatter forwards: Henyey and Greenstein, g = 0.6.
+    // Droplets scatter forward: Henyey–Greenstein, g = 0.6.
     var scattered = light.harmonics[0].xyz * 0.2820948;
     for (var k = 0u; k < u32(materials_view.lamps); k++) {
         let spread = 1.36 - 1.2 * dot(light.lamps[k].direction, hit.direction);

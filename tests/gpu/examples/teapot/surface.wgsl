@@ -1,4 +1,5 @@
-// A rough surface under one lamp. All places count from the focus, a point of the surface that the host anchors the octaves at.
+// A rough surface under one lamp. All positions are relative to the focus, a surface point that
+// anchors the octaves.
 
 struct View {
     eye: vec3<f32>,
@@ -8,7 +9,7 @@ struct View {
     // Cells of the first octave per unit of length.
     frequency: f32,
     up: vec3<f32>,
-    // Side of the picture in pixels.
+    // Side of the image in pixels.
     size: f32,
     forward: vec3<f32>,
     log_lacunarity: f32,
@@ -32,13 +33,14 @@ fn corner(
 ) -> Corner {
     let v = p - view.eye;
     let across = vec2<f32>(dot(v, view.right) / dot(view.right, view.right), dot(v, view.up) / dot(view.up, view.up));
-    // Depth is 1 at the eye and 0 at infinity.
+    // Depth is 1 at the camera and 0 at infinity.
     return Corner(vec4<f32>(across, 1e-9, dot(v, view.forward)), normal, tangent, plane);
 }
 
 @fragment
 fn pixel(at: Corner) -> @location(0) vec4<f32> {
-    // A triangle's corners may be ten thousand pictures away: the point is where the ray meets its plane.
+    // A triangle's corners may be ten thousand image widths away, so intersect the ray with its
+    // plane.
     let x = at.position.x / view.size * 2.0 - 1.0;
     let y = 1.0 - at.position.y / view.size * 2.0;
     let direction = view.forward + x * view.right + y * view.up;
@@ -49,7 +51,8 @@ fn pixel(at: Corner) -> @location(0) vec4<f32> {
     let cos_eye = dot(wo, frame.normal);
     let cos_light = max(dot(view.light, frame.normal), 0.0);
 
-    // As many octaves as the pixel resolves become bumps; the rest stays in the density, so nothing flickers or gets duller.
+    // Octaves that the pixel resolves become bumps. The rest stays in the density, so nothing
+    // flickers or gets duller.
     let footprint = t * length(direction) * view.pixel_angle / max(cos_eye, 1e-3);
     let limits = FrequencyClamp(view.frequency, view.log_lacunarity, view.max_octaves);
     let seen = gaussian_octaves_3d(p * view.frequency, frequency_clamp_octaves(footprint, limits), 0u);
@@ -59,7 +62,7 @@ fn pixel(at: Corner) -> @location(0) vec4<f32> {
     let h = frame_to_local(frame, normalize(view.light + wo));
     let lamp = level_of_detail_exact_ggx(alpha, h, z, share) * cos_light;
 
-    // A sky with a glow about the lamp, seen in the facet in the middle of what is not resolved.
+    // A sky with a glow about the lamp, reflected by the mean facet of the unresolved part.
     let m = frame_to_world(frame, ggx_from_gaussian(alpha, level_of_detail_exact_coordinates(z, share)));
     let mirrored = m * (2.0 * dot(m, wo)) - wo;
     let glow = pow(max(dot(mirrored, view.light), 0.0), 6.0);

@@ -1,4 +1,5 @@
-// A bump-mapped surface under one light, from afar to ten thousand times nearer. Everything is seen from the focus.
+// A bump-mapped surface under one light, up to ten thousandfold zoom. Everything is relative to the
+// focus.
 
 struct SurfaceView {
     eye: vec3<f32>,
@@ -12,11 +13,11 @@ struct SurfaceView {
     forward: vec3<f32>,
     max_octaves: f32,
     light: vec3<f32>,
-    // The greatest share: what the light's disc covers is not resolved.
+    // Maximum resolved fraction: what the light's disc covers is not resolved.
     share: f32,
     alpha: vec2<f32>,
     exposure: f32,
-    // Side of the picture in pixels.
+    // Side of the image in pixels.
     size: f32,
 }
 
@@ -39,18 +40,19 @@ fn surface_corner(
     let v = p - surface_view.eye;
     let x = dot(v, surface_view.right) / dot(surface_view.right, surface_view.right);
     let y = dot(v, surface_view.up) / dot(surface_view.up, surface_view.up);
-    // Depth runs from 1 at the eye to 0 at infinity.
+    // Depth runs from 1 at the camera to 0 at infinity.
     return SurfaceCorner(vec4<f32>(x, y, 1e-9, dot(v, surface_view.forward)), normal, tangent, plane, uv);
 }
 
-// A sky by the height of a direction, with a broad glow about the light.
+// A sky by the elevation of a direction, with a broad glow about the light.
 fn surface_sky(direction: vec3<f32>) -> f32 {
     let glow = max(frame_product(direction, surface_view.light), 0.0);
     let square = glow * glow;
     return 0.05 + 0.1 * max(direction.z, 0.0) + 0.5 * square * square * square;
 }
 
-// Light that is seen of a surface: the lamp's by the exact rule, the sky's in the facet in the middle of what is not resolved.
+// Radiance of a surface: the lamp with the exact rule, the sky reflected by the mean facet of the
+// unresolved part.
 fn surface_light(p: vec3<f32>, uv: vec2<f32>, frame: Frame, wo: vec3<f32>, distance: f32) -> f32 {
     let cos_eye = frame_product(wo, frame.normal);
     let cos_light = frame_product(surface_view.light, frame.normal);
@@ -69,7 +71,7 @@ fn surface_light(p: vec3<f32>, uv: vec2<f32>, frame: Frame, wo: vec3<f32>, dista
     return lamp + surface_sky(m * (2.0 * frame_product(m, wo)) - wo);
 }
 
-// sRGB of light, compressed into [0, 1).
+// sRGB of radiance compressed into [0, 1).
 fn surface_tone(light: f32) -> vec3<f32> {
     let linear = light * vec3<f32>(1.0, 0.62, 0.36) + vec3<f32>(0.012, 0.009, 0.008);
     let bounded = linear / (1.0 + linear);
