@@ -102,11 +102,11 @@ pub(crate) fn run(cases: &[Case], adapter: Option<&str>, out: Option<&Path>) -> 
 }
 
 const HEAD: &str = "\
-# The shaders beside the crates
+# Shaders compared with the crates
 
-Every function on ten thousand inputs, bad ones among them: \"=\" where all bits are equal; else the share of equal ones and the largest
-error, absolute or relative as the bound. Without a driver an interpreter computes each operation as it is written, or every product that
-is added fused with the sum.
+Every function on ten thousand inputs, including invalid ones. \"=\": all bits are equal. Otherwise: the fraction of
+equal results and the largest error, absolute or relative like the bound. Without a driver, an interpreter computes each
+operation as written, or with every product that is added fused with the sum.
 `cargo xtask shaders --check` writes this page.
 
 ";

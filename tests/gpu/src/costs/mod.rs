@@ -17,7 +17,7 @@ pub(crate) fn run(adapter: Option<&str>, size: u32, out: Option<&Path>) -> Resul
     let mut page = String::from(HEAD);
     let parts = parts();
     let functions = counted(&parts)?;
-    page += "\n## An octave\n\n| sum | floats | special | integers | texels |\n|---|---|---|---|---|\n";
+    page += "\n## Per octave\n\n| sum | floats | special | integers | texels |\n|---|---|---|---|---|\n";
     let sums =
         parts.iter().filter(|part| part.name().starts_with("noise/sums/")).flat_map(|part| part.names());
     for sum in sums.filter(|name| !name.starts_with("octaves_") && name.contains("_octaves_")) {
@@ -25,18 +25,18 @@ pub(crate) fn run(adapter: Option<&str>, size: u32, out: Option<&Path>) -> Resul
             let _ = writeln!(page, "| `{sum}` | {} |", cells(cost.turn));
         }
     }
-    page += "\n## A pixel\n\nA teapot under a lamp and a sky, see `picture/surface.wgsl`.\n\n";
-    page += "| bumps | floats | special | integers | texels | and for every octave | | | |\n|---|---|---|---|---|---|---|---|---|\n";
+    page += "\n## Per pixel\n\nA teapot lit by a lamp and a sky, see `picture/surface.wgsl`.\n\n";
+    page += "| bumps | floats | special | integers | texels | per octave | | | |\n|---|---|---|---|---|---|---|---|---|\n";
     for (part, name) in picture::BUMPS {
         let Cost { once, turn } = counted(&[part])?["surface_pixel"];
         let _ = writeln!(page, "| {name} | {} | {} |", cells(once), cells(turn));
     }
     let _ = writeln!(
         page,
-        "\n## A frame\n\nMilliseconds of {size}² pixels, from the command to the bytes: medians of five.\n"
+        "\n## Per frame\n\nMilliseconds per frame of {size}² pixels, from the submitted command to the bytes: medians of five.\n"
     );
     page += &picture::times(adapter, size)?;
-    page += "\n## Every function\n\n| part | function | floats | special | integers | texels | of these in loops | | | |\n";
+    page += "\n## All functions\n\n| part | function | floats | special | integers | texels | in loops | | | |\n";
     page += "|---|---|---|---|---|---|---|---|---|---|\n";
     for part in &parts {
         let names = part.names().filter_map(|name| Some((name, functions.get(name)?)));
@@ -48,18 +48,19 @@ pub(crate) fn run(adapter: Option<&str>, size: u32, out: Option<&Path>) -> Resul
     print!("{page}");
     if let Some(path) = out {
         crate::write(path, page.as_bytes())?;
-        println!("the page: {}", path.display());
+        println!("costs written to {}", path.display());
     }
     Ok(())
 }
 
 const HEAD: &str = "\
-# What the shaders cost
+# Costs of the shaders
 
-Operations on scalars, counted in the SPIR-V that naga writes: a sum of vectors of three is three; a function has those of all that it
-calls; both branches of every choice are counted, and the body of a loop once. *Floats* are sums, products, comparisons, roundings, least
-and greatest; *special* are quotients, roots and transcendental functions; *integers* are operations on whole numbers, conversions and
-choices; *texels* are fetched or filtered. `cargo xtask shaders --costs` makes this page.
+Scalar operations, counted in the SPIR-V that naga writes. A sum of three-dimensional vectors counts as three. The
+operations of called functions are included. Both branches of every condition are counted, and the body of a loop once.
+*Floats* are sums, products, comparisons, rounding, minimum and maximum. *Special* are quotients, roots and
+transcendental functions. *Integers* are integer operations, conversions and selections. *Texels* are fetched or
+filtered. `cargo xtask shaders --costs` writes this page.
 ";
 
 fn cells(operations: Operations) -> String {

@@ -24,11 +24,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let rounds: usize = option("--rounds").map_or(Ok(5), |text| text.parse())?;
     let largest: usize = option("--largest").map_or(Ok(2048), |text| text.parse())?;
     let mut text = format!(
-        "# Rays against fractal height fields, side by side\n\nOne thread of {}; {RAYS} different rays in one turn, {rounds} turns of \
-         everybody, interleaved; medians of the thread's own time. Errors are the 99th percentile of the distance of hits along the ray, \
-         in units of the square's side; the mesh is the smallest of the powers of two that reaches the wanted one, or the largest that was tried. \
-         Asperity's tolerance is the wanted error, certified for every ray. `xtask/peers/fif` makes this table.\n\n\
-         | surface | rays | error wanted | mesh | its error | Embree, M rays/s | Asperity's error | one by one | in a batch | ratio, better of both | wanted |\n\
+        "# Rays against fractal height fields\n\nOne thread of {}. Each round traces {RAYS} different rays with each library, {rounds} \
+         interleaved rounds, medians of the thread's CPU time. Errors are the 99th percentile of the distance of hits along the ray, \
+         in units of the square's side. The side of the mesh is the smallest power of two that reaches the target error, or the largest \
+         that was tried. Asperity's tolerance is the target error, certified for every ray. `tools/peers/fif` prints this table.\n\n\
+         | surface | rays | target error | mesh | mesh error | Embree, M rays/s | Asperity's error | single rays | batch | best ratio | target ratio |\n\
          |---|---|---|---|---|---|---|---|---|---|---|\n",
         processor()
     );

@@ -6,8 +6,8 @@ use super::platform::Column;
 use super::report::Report;
 
 /// The reason why s390x has no column.
-const OTHER_BIG_ENDIAN: &str = "- **s390x**, big-endian too: not run: `qemu-s390x` 7.2 computes the product of two single numbers as a \
-                                double one (MDEBR) wrongly,\n  1.5 × 1.5 as 0.1875.\n";
+const OTHER_BIG_ENDIAN: &str = "- **s390x**, big-endian too: not run: `qemu-s390x` 7.2 computes the double-precision \
+                                product of two single-precision numbers (MDEBR) wrongly,\n  1.5 × 1.5 as 0.1875.\n";
 
 /// Returns the digests that differ from the golden digests, for display.
 pub(super) fn differences(columns: &[Column], golden: &Report) -> Vec<String> {
@@ -25,7 +25,7 @@ pub(super) fn in_short(columns: &[Column], golden: &Report) -> Vec<String> {
     let ran: Vec<_> =
         columns.iter().filter(|column| column.report.is_ok()).map(|column| column.title).collect();
     let mut lines =
-        vec![format!("{} functions have the golden bits on {}", golden.rows.len(), ran.join("; "))];
+        vec![format!("{} functions equal the golden bits on {}", golden.rows.len(), ran.join("; "))];
     for column in columns {
         lines.extend(column.report.as_ref().err().map(|why| format!("not run: {}: {why}", column.title)));
     }
@@ -43,12 +43,12 @@ pub(super) fn markdown(columns: &[Column], golden: &Report) -> String {
         rows.push(row);
     }
     let mut text = format!(
-        "# The same bits\n\nDigests of {} functions of all four crates under `libm`, each of its values at some hundred points, NaN taken as \
-         one value. **same**: all of them are those of `tests/bits/golden.tsv`.\n\n",
+        "# Bit equality\n\nDigests of {} functions of all four crates under `libm`, each of its values at some hundred points, with all NaN \
+         treated as equal. **same**: all digests equal those of `tests/bits/golden.tsv`.\n\n",
         golden.rows.len()
     );
     aligned(&rows, &mut text);
-    text += "\n## How each was run\n\n";
+    text += "\n## Methods\n\n";
     for column in columns {
         let how = column.report.as_ref().map_or_else(
             |why| format!("not run: {why}"),
@@ -105,7 +105,7 @@ mod tests {
         let page = markdown(&columns, &golden);
         assert!(page.contains("| ndf: maps    | 1      | 1 of 1 differ |"), "{page}");
         assert!(page.contains("| noise: kinds | 1      | same          |"), "{page}");
-        assert!(page.contains("- **Z80**: by hand; lanes: neon.\n"), "{page}");
+        assert!(page.contains("- **Z80**: manually; lanes: neon.\n"), "{page}");
         assert!(differences(&[column(Ok(GOLDEN))], &golden).is_empty());
     }
 
@@ -116,6 +116,6 @@ mod tests {
         assert!(page.contains("| not run |") && page.contains(why), "{page}");
         let golden = Report::read(GOLDEN).unwrap();
         let lines = in_short(&[column(Ok(GOLDEN)), column(Err("no Z80 available"))], &golden);
-        assert_eq!(lines, ["2 functions have the golden bits on Z80", "not run: Z80: no Z80 available"]);
+        assert_eq!(lines, ["2 functions equal the golden bits on Z80", "not run: Z80: no Z80 available"]);
     }
 }
