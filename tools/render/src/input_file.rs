@@ -65,7 +65,7 @@ mod tests {
         let path = folder.path().join("three");
         fs::write(&path, "123").unwrap();
         assert_eq!(read(&path, 3).unwrap(), b"123");
-        assert_eq!(read(&path, 2).unwrap_err().to_string(), "it is longer than 2 bytes");
+        assert_eq!(read(&path, 2).unwrap_err().to_string(), "file is longer than 2 bytes");
         assert_eq!(read(folder.path(), 3).unwrap_err().to_string(), "not a regular file");
         assert_eq!(read(&folder.path().join("none"), 3).unwrap_err().kind(), io::ErrorKind::NotFound);
     }

@@ -153,5 +153,5 @@ fn functions_called_from_several_branches() {
 #[test]
 fn infinite_loop_is_an_error() {
     let shader = interpreter("fn f() -> i32 { var x = 0; loop { x++; if x < 0 { x = 0; } } return x; }");
-    assert!(shader.call("f", &[]).unwrap_err().contains("more than 1000000 rounds, in `f`"));
+    assert!(shader.call("f", &[]).unwrap_err().contains("loops exceed 1000000 iterations, in `f`"));
 }

@@ -146,6 +146,6 @@ mod tests {
     fn program_that_may_panic_is_an_error() {
         // This test program panics on failure.
         let error = Program::read(&std::env::current_exe().unwrap()).err().unwrap().to_string();
-        assert!(error.contains("symbols of panics"), "{error}");
+        assert!(error.contains("panic symbols"), "{error}");
     }
 }
