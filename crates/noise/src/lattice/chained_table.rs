@@ -1,8 +1,8 @@
 //! The chained lookups of Nilsson 2008: a permutation in a texture, read once per axis.
 
-use crate::{
-    lattice::integer_hash::mix, lattice::lattice::Lattice, lattice::permutation_table::PermutationTable,
-};
+use asperity_core::SplitMix64;
+
+use crate::{lattice::lattice::Lattice, lattice::permutation_table::PermutationTable};
 
 /// A random permutation in a texture of 256 texels, read once per axis.
 ///
@@ -84,7 +84,7 @@ impl ChainedTable {
 impl Lattice for ChainedTable {
     #[inline]
     fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
-        (mix((u64::from(seed) << 8) | u64::from(self.index(cell))) >> 32) as u32
+        (SplitMix64::nth((u64::from(seed) << 8) | u64::from(self.index(cell))) >> 32) as u32
     }
 }
 

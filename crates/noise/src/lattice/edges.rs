@@ -205,9 +205,9 @@ pub fn edge_gradient<const N: usize>(word: u32) -> [f32; N] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity_core::lanes::Task;
+    use asperity_core::{SplitMix64, lanes::Task};
 
-    use crate::{lanes::level::Level, lattice::integer_hash::mix};
+    use crate::lanes::level::Level;
     use approx::assert_abs_diff_eq;
 
     /// Runs the `const` functions at run time.
@@ -254,7 +254,7 @@ mod tests {
         let ends = thirds.flat_map(|third| {
             (0..8).flat_map(move |signs| [0, 1].map(|k| ((third >> 3) + k) | (signs << 29)))
         });
-        ends.chain((0..10_000).map(|counter| mix(counter) as u32)).chain([0, u32::MAX])
+        ends.chain((0..10_000).map(|counter| SplitMix64::nth(counter) as u32)).chain([0, u32::MAX])
     }
 
     fn scalar_product<const N: usize>(a: [f32; N], b: [f32; N]) -> f64 {
@@ -319,7 +319,7 @@ mod tests {
     #[test]
     fn directions_have_mean_zero_and_no_preferred_axis() {
         fn moments<const N: usize>(square: f64) {
-            let words = || (0..10_000).map(|counter| mix(counter) as u32);
+            let words = || (0..10_000).map(|counter| SplitMix64::nth(counter) as u32);
             for i in 0..N {
                 let mean = words().map(|w| f64::from(edge_gradient::<N>(w)[i])).sum::<f64>() / 1e4;
                 let second = words().map(|w| f64::from(edge_gradient::<N>(w)[i]).powi(2)).sum::<f64>() / 1e4;

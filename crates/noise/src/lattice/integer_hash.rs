@@ -1,5 +1,7 @@
 //! An integer hash of cell and seed without a visible period, the default lattice.
 
+use asperity_core::SplitMix64;
+
 use crate::{
     lanes::Lanes,
     lattice::lattice::{IS_FULL, Lattice, words_by_terms},
@@ -73,7 +75,7 @@ impl Lattice for IntegerHash {
     /// SplitMix64's finalizer of the seed.
     #[inline(always)]
     fn key(&self, seed: u32) -> u32 {
-        (mix(u64::from(seed)) >> 32) as u32
+        (SplitMix64::nth(u64::from(seed)) >> 32) as u32
     }
 
     #[inline(always)]
@@ -116,15 +118,6 @@ impl Lattice for IntegerHash {
 #[inline(always)]
 fn folded<S: Lanes>(s: S, t: S::U) -> S::U {
     t ^ s.shr::<16>(t)
-}
-
-/// SplitMix64's output for the state `counter`·γ: a bijection with full avalanche.
-#[inline(always)]
-pub(crate) fn mix(counter: u64) -> u64 {
-    let z = counter.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
 }
 
 /// Another word of a lattice point, for noises that need more than 32 bits of it.

@@ -1,10 +1,9 @@
 //! The lattice of Perlin's reference implementation of 2002: its permutation, lookup order and
 //! gradients.
 
-use crate::{
-    lattice::edges::EDGE_MAXIMUM, lattice::integer_hash::mix, lattice::lattice::Lattice,
-    lattice::variates::MARGIN,
-};
+use asperity_core::SplitMix64;
+
+use crate::{lattice::edges::EDGE_MAXIMUM, lattice::lattice::Lattice, lattice::variates::MARGIN};
 
 /// The lattice of Perlin's reference implementation of 2002, with period 256 along each axis.
 ///
@@ -50,7 +49,7 @@ impl Lattice for PerlinTable {
             *x = x.wrapping_add(seed as i32);
         }
         let byte = self.index(cell);
-        if N == 3 { WORDS[usize::from(byte) & 15] } else { (mix(u64::from(byte)) >> 32) as u32 }
+        if N == 3 { WORDS[usize::from(byte) & 15] } else { (SplitMix64::nth(u64::from(byte)) >> 32) as u32 }
     }
 }
 

@@ -1,8 +1,8 @@
 //! The permutation table of 256 entries of Ebert (ed.) 1994, the classic lattice with its period.
 
-use asperity_core::error_enum;
+use asperity_core::{SplitMix64, error_enum};
 
-use crate::{lattice::integer_hash::mix, lattice::lattice::Lattice};
+use crate::lattice::lattice::Lattice;
 
 /// A random permutation of 0…255 that hashes a cell to a byte, with period 256 along each axis.
 ///
@@ -38,7 +38,7 @@ impl PermutationTable {
             *entry = value;
         }
         for last in (1..256_usize).rev() {
-            let random = mix((u64::from(seed) << 8) | last as u64) >> 32;
+            let random = SplitMix64::nth((u64::from(seed) << 8) | last as u64) >> 32;
             entries.swap(last, ((random * (last as u64 + 1)) >> 32) as usize);
         }
         Self { entries }
@@ -95,7 +95,7 @@ impl Lattice for PermutationTable {
         let [x, y, z, w] = [(); 4].map(|()| coordinates.next().unwrap_or(0));
         // Below 4-D w is 0, and the inner lookup of the formula is omitted.
         let z = if N > 3 { z.wrapping_add(i32::from(self.entries[(w & 255) as usize])) } else { z };
-        (mix((u64::from(seed) << 8) | u64::from(self.index(x, y, z))) >> 32) as u32
+        (SplitMix64::nth((u64::from(seed) << 8) | u64::from(self.index(x, y, z))) >> 32) as u32
     }
 }
 

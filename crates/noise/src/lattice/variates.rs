@@ -262,8 +262,8 @@ pub fn gaussian_tail_lines() -> &'static [[f32; 2]; 736] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lattice::integer_hash::mix;
     use approx::{abs_diff_eq, assert_abs_diff_eq};
+    use asperity_core::SplitMix64;
 
     #[test]
     fn levels_have_the_moments_of_the_normal_distribution() {
@@ -327,7 +327,7 @@ mod tests {
 
     fn words() -> impl Iterator<Item = core::num::Wrapping<u32>> {
         (0..10_000)
-            .map(|counter| Scalar.word(mix(counter) as u32))
+            .map(|counter| Scalar.word(SplitMix64::nth(counter) as u32))
             .chain([0, 1, u32::MAX].map(|w| Scalar.word(w)))
     }
 

@@ -1,9 +1,10 @@
 //! The affine map of one octave: seed, offset, and rotation times frequency.
 
+use asperity_core::SplitMix64;
+
 use crate::{
     contract::kernel::{Kernel, OctavesAt},
     lanes::{Arithmetic, LaneSample, Lanes, Scalar},
-    lattice::integer_hash::mix,
     lattice::variates::{gaussian_quaternion, unit_direction},
     sums::spectrum::{MAX_OCTAVES, Spectrum},
 };
@@ -44,7 +45,7 @@ impl<const N: usize> Layer<N> {
     pub(crate) fn all(spectrum: &Spectrum, rotation: Rotation, seed: u32) -> [Self; MAX_OCTAVES as usize] {
         let mut i = 0;
         [(); MAX_OCTAVES as usize].map(|()| {
-            let word = |k: u64| mix((u64::from(seed) << 32) | u64::from(i) << 3 | k);
+            let word = |k: u64| SplitMix64::nth((u64::from(seed) << 32) | u64::from(i) << 3 | k);
             let frequency = if i < spectrum.max_octaves() { spectrum.frequency(i) } else { 0.0 };
             let matrix = match rotation {
                 Rotation::Random => random_rotation([word(1), word(2)].map(|word| (word >> 32) as u32)),

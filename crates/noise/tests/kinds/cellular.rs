@@ -1,12 +1,11 @@
 //! Cellular noise: settings, points that are not finite, gradients, ranges and moments.
 
 use approx::assert_abs_diff_eq;
+use asperity_core::SplitMix64;
 use asperity_noise::{
     Basis, Cellular, CellularError, Field, Metric, Noise, Octaves, Point, Spectrum, Unit,
     glam::{Vec2, Vec3, Vec4},
 };
-
-use super::words::mix;
 
 const BASES: [Basis; 4] = [Basis::F1, Basis::F2, Basis::F2MinusF1, Basis::Cell];
 const METRICS: [Metric; 3] = [Metric::Euclidean, Metric::Manhattan, Metric::Chebyshev];
@@ -106,7 +105,7 @@ fn measure<V: Point<Coordinates = [f32; N]>, const N: usize>(noise: &Cellular) -
     for seed in 0..COUNT {
         let p = V::from_axes(|_| {
             counter += 1;
-            (mix(counter) >> 40) as f32 / 131_072.0 - 64.0
+            (SplitMix64::nth(counter) >> 40) as f32 / 131_072.0 - 64.0
         });
         let value = f64::from(noise.with_seed(seed).value(p));
         let powers = [value, value * value, value * value * value, value * value * value * value];

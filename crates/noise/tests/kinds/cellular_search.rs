@@ -3,13 +3,14 @@
 use core::array::from_fn;
 
 use approx::assert_abs_diff_eq;
+use asperity_core::SplitMix64;
 use asperity_noise::{
     Basis, Cellular, Field, Grid, IntegerHash, Lattice, Metric, Point,
     glam::{Vec2, Vec3, Vec4},
     simd::{Batch, Level},
 };
 
-use super::words::{further, mix, uniform};
+use super::words::{further, uniform};
 
 const METRICS: [Metric; 3] = [Metric::Euclidean, Metric::Manhattan, Metric::Chebyshev];
 
@@ -109,7 +110,7 @@ where
 fn random_point<const N: usize>(counter: &mut u64) -> [f32; N] {
     from_fn(|_| {
         *counter += 1;
-        let word = mix(*counter);
+        let word = SplitMix64::nth(*counter);
         let t = (word >> 40) as f32 / 16_777_216.0;
         let t = match word % 6 {
             0 => 1e-3 * t,
@@ -217,7 +218,7 @@ fn compare_with_planted<V: Point<Coordinates = [f32; N]>, const N: usize>(count:
             let cells = from_fn(|k| {
                 let mut next = |bound: u64| {
                     counter += 1;
-                    (mix(counter) >> 20) % bound
+                    (SplitMix64::nth(counter) >> 20) % bound
                 };
                 let axis = next(N as u64) as usize;
                 let far = next(N as u64 + 1) as i32 + 1;
@@ -228,7 +229,7 @@ fn compare_with_planted<V: Point<Coordinates = [f32; N]>, const N: usize>(count:
             });
             let p = from_fn(|_| {
                 counter += 1;
-                let t = (mix(counter) >> 40) as f32 / 16_777_216.0;
+                let t = (SplitMix64::nth(counter) >> 40) as f32 / 16_777_216.0;
                 if i % 4 == 0 { t - 0.5 } else { 0.02 * t - 0.01 }
             });
             let lattice = Planted { words: &words, cells };

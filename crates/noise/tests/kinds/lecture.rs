@@ -1,5 +1,6 @@
 //! The printed noises at points that are not finite, and far from the origin.
 
+use asperity_core::SplitMix64;
 use asperity_noise::{
     Field, Sample,
     glam::Vec3,
@@ -7,14 +8,12 @@ use asperity_noise::{
     printed::{Gnoise, LectureTables, Vnoise},
 };
 
-use super::words::mix;
-
 fn tables() -> LectureTables {
     let stream = |start: u64| {
         let mut counter = start;
         move || {
             counter += 1;
-            (mix(counter) >> 11) as f64 / 9_007_199_254_740_992.0
+            (SplitMix64::nth(counter) >> 11) as f64 / 9_007_199_254_740_992.0
         }
     };
     LectureTables::new(PermutationTable::new(4), stream(0), stream(1000))

@@ -1,12 +1,4 @@
-//! Words of lattice points and numbers drawn from them, as documented, and random numbers.
-
-/// SplitMix64's output for the state `counter`·γ.
-pub(crate) fn mix(counter: u64) -> u64 {
-    let z = counter.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
-}
+//! Words of lattice points and numbers drawn from them, as documented.
 
 /// Further word k of a lattice point.
 pub(crate) fn further(word: u32, k: u32) -> u32 {
