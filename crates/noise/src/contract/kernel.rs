@@ -6,7 +6,7 @@ use asperity_core::lanes::Task;
 
 use crate::{
     lanes::level::{Instructions, has_values_alone, run_at_point},
-    lanes::{LANES, LaneSample, Lanes, Scalar},
+    lanes::{LANES, LaneSample, Lanes, Scalar, lane_of, splat},
     lattice::lattice::{REACH, is_within, wrapped},
     point::Point,
     row::cells::{POINTS, has_columns},
@@ -83,7 +83,7 @@ pub trait Kernel<const N: usize>: Measured<N> {
     /// Intermediate results that successive rows of a grid reuse.
     type RowScratch: Default;
 
-    /// The period along an axis, 0 if there is none.
+    /// The period along an axis, or 0 for an axis without a period.
     fn period(&self, _axis: usize) -> u32 {
         0
     }
@@ -310,11 +310,7 @@ pub(crate) fn evaluate<K: Kernel<N>, S: Lanes, const N: usize, const GRADIENTS: 
     if !is_within(s, &p, K::REACH) {
         let mut lanes = [None; LANES];
         for lane in 0..S::LEN {
-            let mut point = [0.0; N];
-            for axis in 0..N {
-                point[axis] = s.lane(p[axis], lane);
-            }
-            lanes[lane % LANES] = evaluated_far(point, K::REACH);
+            lanes[lane % LANES] = evaluated_far(lane_of(s, &p, lane), K::REACH);
         }
         for axis in 0..N {
             p[axis] = s.floats(|lane| lanes[lane % LANES].map_or(0.0, |p| p[axis]));
@@ -366,16 +362,8 @@ fn in_lanes<K: Kernel<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     if S::LEN > 1 {
         return kernel.evaluate::<S, GRADIENTS>(s, p, seed);
     }
-    let mut point = [0.0; N];
-    for axis in 0..N {
-        point[axis] = s.lane(p[axis], 0);
-    }
-    let (value, gradient) = kernel.lone::<GRADIENTS>(point, seed);
-    let mut slopes = [s.float(0.0); N];
-    for axis in 0..N {
-        slopes[axis] = s.float(gradient[axis]);
-    }
-    (s.float(value), slopes)
+    let (value, gradient) = kernel.lone::<GRADIENTS>(lane_of(s, &p, 0), seed);
+    (s.float(value), splat(s, gradient))
 }
 
 /// A row of a kind, or of one of its octaves.

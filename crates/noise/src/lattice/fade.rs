@@ -56,6 +56,16 @@ impl<S: Lanes> Along<S> {
     pub(crate) fn new(s: S, fade: Fade, t: S::F) -> Self {
         Self { place: t, weight: fade.weight(s, t), slope: fade.slope(s, t) }
     }
+
+    /// The position in one lane.
+    #[inline(always)]
+    pub(crate) fn lane(&self, s: S, lane: usize) -> Along<Scalar> {
+        Along {
+            place: s.lane(self.place, lane),
+            weight: s.lane(self.weight, lane),
+            slope: s.lane(self.slope, lane),
+        }
+    }
 }
 
 impl Along<Scalar> {

@@ -52,7 +52,7 @@ pub trait Lattice {
     #[doc(hidden)]
     const TILED: bool = false;
 
-    /// The period along an axis, 0 if there is none.
+    /// The period along an axis, or 0 for an axis without a period.
     #[doc(hidden)]
     #[inline(always)]
     fn period(&self, _axis: usize) -> u32 {

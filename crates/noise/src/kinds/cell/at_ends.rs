@@ -93,11 +93,7 @@ pub(crate) fn at_ends_of<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIE
     let all = Along::new(s, K::FADE, places);
     let mut place = CellPosition { terms: [[s.word(0); 2]; N], along: [all; N] };
     for axis in 0..N {
-        place.along[axis] = Along {
-            place: s.float(s.lane(all.place, axis)),
-            weight: s.float(s.lane(all.weight, axis)),
-            slope: s.float(s.lane(all.slope, axis)),
-        };
+        place.along[axis] = all.lane(s, axis).splat(s);
     }
     let (mut ends, mut words) = ([[0; 2]; N], [s.word(0); 4]);
     for axis in 0..N {

@@ -12,15 +12,6 @@ pub(crate) fn lerp<S: Lanes>(a: S::F, b: S::F, w: S::F) -> S::F {
     a + w * (b - a)
 }
 
-#[inline(always)]
-pub(crate) fn splat<S: Lanes, const N: usize>(s: S, x: [f32; N]) -> [S::F; N] {
-    let mut lanes = [s.float(0.0); N];
-    for axis in 0..N {
-        lanes[axis] = s.float(x[axis]);
-    }
-    lanes
-}
-
 /// e + f y.
 #[derive(Clone, Copy)]
 pub(crate) struct Line<S: Lanes> {

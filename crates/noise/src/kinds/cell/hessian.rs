@@ -87,12 +87,7 @@ fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize>(s: S, noise: &K, p: [f3
     }
     let mut first = CellPosition::<Scalar, N>::NOWHERE;
     for axis in 0..N {
-        let along = &place.along[axis];
-        first.along[axis] = Along {
-            place: s.lane(along.place, 0),
-            weight: s.lane(along.weight, 0),
-            slope: s.lane(along.slope, 0),
-        };
+        first.along[axis] = place.along[axis].lane(s, 0);
     }
     let (sample, variance) = (of_lane::<S, N, true>(s, sample, 0), of_lane::<S, N, true>(s, variance, 0));
     jet::<K, N>(&first, sample, variance, hessian)
@@ -243,19 +238,20 @@ fn normalised_hessian<const N: usize>(
 #[cfg(all(test, feature = "simd"))]
 mod tests {
     use super::*;
+    use asperity_core::SplitMix64;
+
     use crate::{
         kinds::gaussian::Gaussian,
         kinds::perlin::{Perlin1985, Perlin2002},
         kinds::value::Value,
         kinds::value_gradient::ValueGradient,
-        lattice::integer_hash::mix,
     };
 
     fn same<K: CellNoise<N>, const N: usize>(noise: &K) {
         for i in 0..200 {
             let mut p = [0.0; N];
             for axis in 0..N {
-                let word = mix(i * 4 + axis as u64) as i32;
+                let word = SplitMix64::nth(i * 4 + axis as u64) as i32;
                 // Lattice points, halves, and coordinates near and far.
                 p[axis] = match i % 8 {
                     0 => (word >> 28) as f32,

@@ -6,7 +6,7 @@ use crate::{
     kinds::cell::corner::{CellNoise, normalised},
     kinds::cell::corners::CellPosition,
     kinds::cell::rows::EdgeCache,
-    lanes::{LaneSample, Lanes, Scalar},
+    lanes::{LaneSample, Lanes, Scalar, lane_of},
     lattice::lattice::Lattice,
     row::row::{Row, Strip},
 };
@@ -33,10 +33,7 @@ pub(crate) fn of_lane<S: Lanes, const N: usize, const GRADIENTS: bool>(
     (value, gradient): LaneSample<S, N>,
     lane: usize,
 ) -> LaneSample<Scalar, N> {
-    let mut slopes = [0.0; N];
-    for axis in 0..if GRADIENTS { N } else { 0 } {
-        slopes[axis] = s.lane(gradient[axis], lane);
-    }
+    let slopes = if GRADIENTS { lane_of(s, &gradient, lane) } else { [0.0; N] };
     (s.lane(value, lane), slopes)
 }
 

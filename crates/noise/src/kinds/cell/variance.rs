@@ -1,8 +1,7 @@
 //! The variance of a sum of Gaussian variates at a point, by axes.
 
 use crate::{
-    kinds::cell::blend::splat,
-    lanes::{LaneSample, Lanes, Scalar},
+    lanes::{LaneSample, Lanes, Scalar, splat},
     lattice::fade::Along,
 };
 

@@ -92,10 +92,10 @@ impl Metric {
     /// Maximum distance of a cell, in cells along one axis, for its feature point to be the nearest
     /// or the second nearest of a point.
     ///
-    /// Let the point lie in its cell with m as the maximum of mᵢ = max(tᵢ, 1 − tᵢ). The feature
-    /// point of its own cell is within |m|. The feature point of the cell across the border next to
-    /// it along the axis of m is within |m| with 2 − m in place of m. A cell k along an axis is at
-    /// least k − mᵢ away.
+    /// Let tᵢ be the position of the point in its cell, mᵢ = max(tᵢ, 1 − tᵢ), and m the maximum of
+    /// the mᵢ. The feature point of this cell is within |m|, the length of the vector of the mᵢ. The
+    /// next cell along the axis of m, across the closer border, has its feature point within the
+    /// same length with 2 − m as that component. A cell k along axis i is at least k − mᵢ away.
     ///
     /// In 1-D neither bound exceeds that distance for k = 2. In the Chebyshev metric neither does
     /// for any k ≥ 2, where the second bound is 2 − m. The Euclidean bounds are √n and at most 2.
