@@ -306,9 +306,9 @@ mod tests {
         for tolerance in [1e-6, 0.0, f64::NAN] {
             let error = f.table(tolerance).unwrap_err();
             assert_eq!([error.alpha, f64::from(error.steps)], [0.999, 64.0]);
-            assert!(
-                error.to_string().starts_with("`alpha` is too close to 1 for the tolerance: 0.999 leaves ")
-            );
+            let message = error.to_string();
+            assert!(message.starts_with("`alpha` is too close to 1 for the tolerance: 0.999 leaves "));
+            assert!(message.ends_with(" after 64 composites"), "{message}");
         }
         assert!(f.table(1e6).is_ok());
         let uneven = Fif::affine(&[0.0, 0.4, 1.0], &[0.0, 1.0, 0.0], &[0.999, 0.999]).unwrap();
