@@ -58,7 +58,7 @@ fn perform(command: Command) -> Result<()> {
             report.lines.iter().for_each(|line| say(line));
             report.verdict().map(|()| say("tidy"))
         }
-        Command::Ci(wanted) => ci::gates(&wanted, root),
+        Command::Ci(wanted) => ci::run_checks(&wanted, root),
         Command::Fuzz(wanted) => fuzz::fuzz(&wanted, root),
         Command::NoStd(given) => platforms("no-std", &given.words),
         Command::Firmware(given) => platforms("firmware", &given.words),

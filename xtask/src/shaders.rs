@@ -40,8 +40,8 @@ pub(crate) fn run(wanted: &Shaders, root: &Path) -> Result<(), Failure> {
     cargo::run(&mut export)
 }
 
-/// The gate: every bound on every adapter, every file read by the validators, and the examples' pictures; a line each of what there is, or
-/// lacks.
+/// The weekly check: bounds on every adapter, validators, and the examples' pictures. Prints one line
+/// for each tool that ran or is missing.
 pub(crate) fn on_drivers(root: &Path) -> Result<(), Failure> {
     let mut export = program(root, "export");
     export.arg("--out").arg(folder(&root.join(REPORTS))?);

@@ -34,7 +34,7 @@ const LEAST: [&str; 2] = ["std", "libm,approx,serde"];
 
 type Check = (&'static str, fn(&Path) -> Result<(), Failure>);
 
-const GATES: [Check; 12] = [
+const CHECKS: [Check; 12] = [
     ("format", |root| run(&mut cargo(root, "fmt --all --check"))),
     ("tidy", |_| tidy::report()?.verdict()),
     ("dependencies", dependencies::dependencies),
@@ -65,8 +65,8 @@ const WEEKLY: [Check; 10] = [
     ("firmware", |root| platforms(root, "firmware")),
     ("bits of every platform", |root| platforms(root, "bits")),
     ("pairs of features", pairs_of_features),
-    ("packages of a stranger", packages::clean_room_builds),
-    ("attacks", |root| {
+    ("clean-room packages", packages::clean_room_builds),
+    ("fuzz targets", |root| {
         run(cargo(&root.join("tests/fuzz"), "test --quiet --locked --test withstood")
             .env_remove("CARGO_TARGET_DIR"))
     }),
@@ -74,22 +74,22 @@ const WEEKLY: [Check; 10] = [
 
 /// Runs the checks whose names contain one of the given texts, or all checks that are not weekly,
 /// or all. They run in order, and the first failure stops the run.
-pub(crate) fn gates(wanted: &Ci, root: &Path) -> Result<(), Failure> {
+pub(crate) fn run_checks(wanted: &Ci, root: &Path) -> Result<(), Failure> {
     let named = |name: &str| wanted.only.iter().any(|part| name.contains(part.as_str()));
-    let mut gates: Vec<Check> = GATES.into_iter().chain(WEEKLY).collect();
+    let mut checks: Vec<Check> = CHECKS.into_iter().chain(WEEKLY).collect();
     if !wanted.only.is_empty() {
-        gates.retain(|(name, _)| named(name));
+        checks.retain(|(name, _)| named(name));
     } else if !wanted.weekly {
-        gates.truncate(GATES.len());
+        checks.truncate(CHECKS.len());
     }
-    if gates.is_empty() {
-        let names = GATES.into_iter().chain(WEEKLY).map(|(name, _)| name).collect::<Vec<_>>().join(", ");
+    if checks.is_empty() {
+        let names = CHECKS.into_iter().chain(WEEKLY).map(|(name, _)| name).collect::<Vec<_>>().join(", ");
         return Err(format!("no check matches `{}` (available: {names})", wanted.only.join("` or `")).into());
     }
     let all = Instant::now();
-    for (name, gate) in gates {
+    for (name, check) in checks {
         let start = Instant::now();
-        gate(root).map_err(|error| format!("check `{name}`: {error}"))?;
+        check(root).map_err(|error| format!("check `{name}`: {error}"))?;
         say(&format!("ok {name:<38} {:6.1} s", start.elapsed().as_secs_f64()));
     }
     say(&format!("all checks passed in {:.1} s", all.elapsed().as_secs_f64()));

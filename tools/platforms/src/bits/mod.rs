@@ -22,7 +22,7 @@ pub(crate) fn table(root: &Path) -> Result<String> {
     Ok(table::markdown(&columns, &golden))
 }
 
-/// The gate: the platforms that take little time, and a line of what ran and what did not.
+/// The quick check: the platforms that build fast. Prints which platforms ran and which are missing.
 pub(crate) fn gate(root: &Path) -> Result<()> {
     let (columns, golden) = compared(root, false)?;
     table::in_short(&columns, &golden).iter().for_each(|line| say(&format!("  {line}")));

@@ -71,7 +71,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn base_crates_are_strangers_nothing_uses_the_tops_and_third_parties_are_listed() {
+    fn dependency_rules() {
         let base = ["asperity-noise", "asperity-ndf-sampling", "asperity-fif"];
         for (from, to) in base.iter().flat_map(|from| base.iter().map(move |to| (from, to))) {
             assert!(
