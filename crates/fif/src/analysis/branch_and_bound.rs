@@ -276,7 +276,7 @@ impl<'a, const C: usize> Search<'a, C> {
         while let Some(frame) = height.checked_sub(1).and_then(|last| stack.get_mut(last)) {
             let (parent, upper) = (frame.place, frame.upper);
             if self.left == 0 {
-                // Cells that are no longer visited are bounded by the cell that contains them.
+                // The bound of this cell also holds for its unvisited children.
                 self.close(upper);
                 height -= 1;
                 continue;

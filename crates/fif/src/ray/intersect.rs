@@ -32,9 +32,9 @@ pub trait Intersect: Surface {
     /// smallest t ≥ 0 with o_z + t d_z = f(o_x + t d_x, o_y + t d_y) over the closed domain
     /// ```
     ///
-    /// `None` proves that there is no hit. If a hit is [`certain`](Hit::certain), no earlier
-    /// intersection exists beyond rounding error, which is 10⁻¹² of the domain before the hit.
-    /// Otherwise an earlier one may have been missed. A ray with a zero or non-finite component
+    /// Returns `None` only if the ray misses the surface. If [`Hit::certain`] is true, the surface
+    /// has no intersection before the hit, except within 10⁻¹² of the domain. If it is false, an
+    /// earlier intersection may exist. A ray with a zero or non-finite component
     /// where none is allowed returns `None`.
     #[must_use]
     fn first_hit(&self, ray: &Ray) -> Option<Hit> {
@@ -51,9 +51,9 @@ pub trait Intersect: Surface {
     ///
     /// Rigorous boxes are visited in the order of the ray. Within a box, bounds of the slopes give
     /// a minimum distance of the nearest root from both ends. If they exclude 0, two evaluations
-    /// decide, and an interval Newton search finds the root. The rest is split and bounded again,
-    /// until an interval is no longer than the tolerance, where a change of sign is a hit. An
-    /// interval without a change of sign is split further, down to 10⁻¹² of the domain, until its
+    /// decide, and an interval Newton search finds the root. The rest is split and bounded again. If
+    /// an interval is at most as long as the tolerance, a change of sign is a hit. An interval
+    /// without a change of sign is split further, down to 10⁻¹² of the domain, until its
     /// bounds exclude that the ray dips in and out again. Over a surface without slopes every half
     /// is bounded again, down to 1.6·10⁻¹⁴ of the domain. If the bounds do not exclude a dip, a hit
     /// more than 10⁻¹² of the domain behind is not certain, or the interval itself is an uncertain

@@ -1,4 +1,4 @@
-//! The first hit of a ray on any surface `z = f(x, y)`, with proof that there is none before it.
+//! The first hit of a ray on any surface `z = f(x, y)`, and a proof that it is the first.
 //!
 //! A [`Context`] contains the constants of a surface, and a [`Traversal`] the state of one ray. The
 //! search finds roots of `r(t)`, the height of the ray above the surface at the distance t:

@@ -162,7 +162,7 @@ fn sort(places: &mut [[f64; 2]], axis: usize) {
     places.sort_unstable_by(|a, b| a[axis].total_cmp(&b[axis]));
 }
 
-/// The bounding rectangle of points; from ∞ to −∞ if there are none.
+/// The bounding rectangle of points. Without points it is empty, from ∞ to −∞.
 fn spanned(places: &[[f64; 2]]) -> Rectangle {
     [0, 1].map(|axis| {
         let of = places.iter().map(|place| place[axis]);

@@ -21,8 +21,8 @@ use crate::ndf::Ndf;
 /// does not subtract two large values of `|z|²`, and at `s = 0` the exponent is exactly 0.
 ///
 /// Because `∫ N(z; √s z_b, 1 − s) N(z_b; 0, 1) dz_b = N(z; 0, 1)`, **the mean over the surface is
-/// `D(h)`, for every NDF and every `s`**. Resolving more octaves keeps the mean of the previous
-/// view (a martingale in `s`), so there is no popping.
+/// `D(h)`, for every NDF and every `s`**. The rule is a martingale in `s`: when more octaves are
+/// resolved, the mean of the new view is the previous view, without popping.
 ///
 /// - **Domain:** unit `h` in the frame of the macro surface; 0 for `h.z ≤ 0` and NaN. `s` is
 ///   clamped to `0..=`[`MAX_SHARE`](crate::level_of_detail::MAX_SHARE), NaN is read as 0. `z_b` is

@@ -20,7 +20,7 @@ struct CellPosition<B> {
 
 /// Enclosures of the values and slopes over the part of an interval inside the domain.
 ///
-/// If there is no such part, over the whole domain.
+/// An interval outside the domain returns the enclosures over the whole domain.
 pub(crate) fn covered<F: Function>(axis: &Curve<F>, over: Interval) -> [Interval; 2] {
     let domain = axis.domain();
     let cut = over.intersection(domain);

@@ -13,7 +13,7 @@ error_enum! {
         /// The matrix of a torus creates fewer than two replicas, `|det M| < 2`.
         Determinant { determinant: i64 } =>
             "`matrix` must have a determinant of magnitude at least 2, got {determinant}";
-        /// An axis of a folded surface has fewer than three knots, so there is no fold.
+        /// An axis of a folded surface has fewer than three knots and therefore no fold.
         TooFewKnots { axis: usize, knots: usize } =>
             "`{}` must have at least 3 knots, got {knots}", ["x", "y"][axis & 1];
         /// A knot is NaN or infinite, or not greater than the previous one by more than the

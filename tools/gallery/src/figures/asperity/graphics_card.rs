@@ -13,7 +13,7 @@ use asperity::progress;
 use asperity_output::cargo::{SHADERS, cargo, shaders};
 
 pub(crate) fn draw_teapot(context: &Context<'_>) -> Result<Drawn> {
-    let alt = "A copper teapot, from the whole to single bumps, rendered twice with equal results.";
+    let alt = "A copper teapot, from the whole to single bumps, rendered twice.";
     draw(context, "teapot", "×1, ×10, ×100, ×10⁴", alt)
 }
 

@@ -19,7 +19,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let low = [Vec3::new(-2.1, -2.1, 2.55), Vec3::new(1.0, 1.0, 0.2)];
     let alts = [
         "A tent-shaped mirror that reflects red and blue lines as frayed arcs",
-        "A flat mirror that scatters the red and blue lines into noise",
+        "A low mirror that scatters the red and blue lines into noise",
     ];
     let mirrors = [
         (["f-hat", "f\u{302} × f\u{302}", alts[0]], (paper::f()?, 0.3, 4, tent)),
