@@ -21,11 +21,11 @@ pub struct Facets {
     /// The map from the unit square.
     pub sample: Box<dyn Fn(Vec2) -> Vec3 + Sync + Send>,
     /// The map from Gaussian coordinates, if any.
-    pub from_gaussian: Option<Box<dyn Fn(Vec2) -> Vec3 + Sync + Send>>,
+    pub warp_gaussian: Option<Box<dyn Fn(Vec2) -> Vec3 + Sync + Send>>,
     /// Its visible normals.
     pub sample_visible: Box<dyn Fn(Vec3, Vec2) -> Vec3 + Sync + Send>,
     /// Its density of visible normals.
-    pub visible_density: Box<dyn Fn(Vec3, Vec3) -> f32 + Sync + Send>,
+    pub visible_pdf: Box<dyn Fn(Vec3, Vec3) -> f32 + Sync + Send>,
     /// Its projected area and Λ.
     pub area: Box<dyn Fn(Vec3) -> [f32; 2] + Sync + Send>,
     /// Whether sampling a visible normal takes microseconds.
@@ -52,9 +52,9 @@ impl Facets {
             density: Box::new(density),
             crate_density: Box::new(move |m| ndf.density(m)),
             sample: Box::new(move |u| ndf.sample(u)),
-            from_gaussian: Some(Box::new(move |z| ndf.from_gaussian(z))),
+            warp_gaussian: Some(Box::new(move |z| ndf.warp_gaussian(z))),
             sample_visible: Box::new(move |v, u| ndf.sample_visible(v, u)),
-            visible_density: Box::new(move |v, m| ndf.visible_density(v, m)),
+            visible_pdf: Box::new(move |v, m| ndf.visible_pdf(v, m)),
             area: Box::new(move |v| [ndf.projected_area(v), ndf.lambda(v)]),
             slow: false,
             turn: 0.0,
@@ -121,9 +121,9 @@ impl Facets {
                     density: Box::new(density),
                     crate_density: Box::new(move |m| blend.density(m)),
                     sample: Box::new(move |u| blend.sample(u)),
-                    from_gaussian: None,
+                    warp_gaussian: None,
                     sample_visible: Box::new(move |v, u| blend.sample_visible(v, u)),
-                    visible_density: Box::new(move |v, m| blend.visible_density(v, m)),
+                    visible_pdf: Box::new(move |v, m| blend.visible_pdf(v, m)),
                     area: Box::new(move |v| [blend.projected_area(v), blend.lambda(v)]),
                     slow: false,
                     turn: 0.0,

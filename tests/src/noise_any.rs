@@ -4,7 +4,7 @@
 use std::any::Any;
 
 use asperity_noise::{
-    Field, Lattice, Noise, Normalisation, Octaves, Point, Rotation, Sample, Spectrum, Statistics,
+    Fbm, FbmSpectrum, Field, Lattice, Noise, Normalization, Point, Rotation, Sample, Statistics,
     simd::{Kernel, LaneSample, Lanes, Measured},
 };
 
@@ -26,7 +26,7 @@ pub trait AnyNoise<const N: usize>: Sync {
     /// Returns E|n|ᵏ, k = 1 … 4.
     fn absolute_moments(&self) -> [f32; 4];
     /// Returns a sum of its octaves.
-    fn octaves(&self, normalisation: Normalisation, rotation: Rotation, seed: u32) -> Box<dyn AnySum<N>>;
+    fn octaves(&self, normalisation: Normalization, rotation: Rotation, seed: u32) -> Box<dyn AnySum<N>>;
 }
 
 /// A sum of octaves with the default spectrum, evaluated at single points.
@@ -67,16 +67,14 @@ impl<V: Point<Coordinates = [f32; N]>, K: Testable<V, N>, const N: usize> AnyNoi
         Noise::<V>::absolute_moments(&self.0)
     }
 
-    fn octaves(&self, normalisation: Normalisation, rotation: Rotation, seed: u32) -> Box<dyn AnySum<N>> {
-        let octaves = Octaves::<K, N>::new(self.0.with_seed(seed), Spectrum::default());
-        let octaves = octaves.with_normalisation(normalisation).with_rotation(rotation);
+    fn octaves(&self, normalisation: Normalization, rotation: Rotation, seed: u32) -> Box<dyn AnySum<N>> {
+        let octaves = Fbm::<K, N>::new(self.0.with_seed(seed), FbmSpectrum::default());
+        let octaves = octaves.with_normalization(normalisation).with_rotation(rotation);
         Box::new(Points::<_, V>(octaves, std::marker::PhantomData))
     }
 }
 
-impl<V: Point<Coordinates = [f32; N]>, K: Testable<V, N>, const N: usize> AnySum<N>
-    for Points<Octaves<K, N>, V>
-{
+impl<V: Point<Coordinates = [f32; N]>, K: Testable<V, N>, const N: usize> AnySum<N> for Points<Fbm<K, N>, V> {
     fn sample(&self, p: [f32; N], octaves: f32) -> At<N> {
         at(self.0.detail(octaves).sample(V::from_coordinates(p)))
     }

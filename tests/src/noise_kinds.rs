@@ -1,8 +1,8 @@
 //! Every noise in every dimension, for tests of common properties.
 
 use asperity_noise::{
-    Gaussian, Noise, Perlin1985, Perlin2002, Point, Simplex, Sparse, Value, ValueCatmullRom, ValueGradient,
-    White,
+    GaussianNoise, Noise, Perlin, PerlinClassic, Point, Simplex, SparseConvolution, ValueCatmullRom,
+    ValueGradient, ValueNoise, WhiteNoise,
     glam::{Vec2, Vec3, Vec4},
     simd::Kernel,
 };
@@ -37,16 +37,16 @@ pub fn every_dimension<K: AnyKind>(visitor: &mut impl Visit, name: &str, noise: 
 
 /// Visits every noise on the integer hash in 1 to 4 dimensions.
 pub fn every_kind(visitor: &mut impl Visit) {
-    every_dimension(visitor, "white", White::default());
-    every_dimension(visitor, "value", Value::default());
+    every_dimension(visitor, "white", WhiteNoise::default());
+    every_dimension(visitor, "value", ValueNoise::default());
     every_dimension(visitor, "value, Catmull-Rom", ValueCatmullRom::default());
-    every_dimension(visitor, "Perlin 1985", Perlin1985::default());
-    every_dimension(visitor, "Perlin 2002", Perlin2002::default());
+    every_dimension(visitor, "Perlin 1985", PerlinClassic::default());
+    every_dimension(visitor, "Perlin 2002", Perlin::default());
     every_dimension(visitor, "value-gradient", ValueGradient::default());
     every_dimension(visitor, "simplex", Simplex::new(0));
     every_dimension(visitor, "wide simplex", Simplex::wide(0));
-    every_dimension(visitor, "sparse", Sparse::default());
-    every_dimension(visitor, "Gaussian", Gaussian::default());
+    every_dimension(visitor, "sparse", SparseConvolution::default());
+    every_dimension(visitor, "Gaussian", GaussianNoise::default());
 }
 
 /// Visits the parametric noises in 1 to 4 dimensions with non-default parameters.
@@ -59,8 +59,8 @@ pub fn every_variant(visitor: &mut impl Visit) {
         let noise = ValueGradient::default().with_weight(weight).expect("a weight in [0, 1]");
         every_dimension(visitor, &format!("value-gradient of weight {weight}"), noise);
     }
-    for impulses in 2..=Sparse::MAX_IMPULSES {
-        let noise = Sparse::default().with_impulses(impulses).expect("a count in range");
+    for impulses in 2..=SparseConvolution::MAX_IMPULSES {
+        let noise = SparseConvolution::default().with_impulses(impulses).expect("a count in range");
         every_dimension(visitor, &format!("sparse of {impulses}"), noise);
     }
 }

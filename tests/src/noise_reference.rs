@@ -17,9 +17,9 @@ pub enum Kind {
     /// Numbers at 4ⁿ points, Catmull–Rom weights.
     CatmullRom,
     /// Unit gradients, cubic weights.
-    Perlin1985,
+    PerlinClassic,
     /// Edge directions, quintic weights.
-    Perlin2002,
+    Perlin,
     /// Numbers plus unit gradients with this weight, scaled to the same range; quintic weights.
     ValueGradient(f64),
     /// Simplex noise with this r².
@@ -76,7 +76,7 @@ impl Kind {
     #[must_use]
     pub fn word<const D: usize>(self, lattice: &impl Lattice, cell: [i32; D], seed: u32) -> u32 {
         match self {
-            Self::Value | Self::Perlin2002 | Self::Simplex(_) => lattice.upper_word(cell, seed),
+            Self::Value | Self::Perlin | Self::Simplex(_) => lattice.upper_word(cell, seed),
             _ => lattice.word(cell, seed),
         }
     }
@@ -115,8 +115,8 @@ impl Kind {
         let (value, slope) = match self {
             Self::Value => (f64::from(word as i32) / 2_147_483_648.0, [0.0; D]),
             Self::White | Self::CatmullRom => (uniform(word), [0.0; D]),
-            Self::Perlin1985 => (0.0, unit_gradient(word).map(f64::from)),
-            Self::Perlin2002 | Self::Simplex(_) => (0.0, edge_gradient(word).map(f64::from)),
+            Self::PerlinClassic => (0.0, unit_gradient(word).map(f64::from)),
+            Self::Perlin | Self::Simplex(_) => (0.0, edge_gradient(word).map(f64::from)),
             Self::ValueGradient(weight) => {
                 let rise = weight * 2.0 / (D as f64).sqrt();
                 let slope = unit_gradient(word).map(|slope| rise * f64::from(slope));
@@ -140,8 +140,8 @@ impl Kind {
         match self {
             Self::White => around(p, 0..=0, |_| 1.0),
             Self::CatmullRom => around(p, -1..=2, catmull_rom),
-            Self::Perlin1985 => around(p, 0..=1, |d| cubic(1.0 - d.abs())),
-            Self::Value | Self::Perlin2002 | Self::ValueGradient(_) | Self::Gaussian(_) => {
+            Self::PerlinClassic => around(p, 0..=1, |d| cubic(1.0 - d.abs())),
+            Self::Value | Self::Perlin | Self::ValueGradient(_) | Self::Gaussian(_) => {
                 around(p, 0..=1, |d| quintic(1.0 - d.abs()))
             }
             Self::Simplex(radius_squared) => simplex(p, radius_squared),
@@ -195,8 +195,8 @@ impl Kind {
             Self::White | Self::Sparse(_) | Self::Gaussian(_) => return [1.0; 4],
             Self::Value | Self::ValueGradient(_) => [1.0; 4],
             Self::CatmullRom => [1, 2, 3, 4].map(|n| 1.25_f64.powi(n)),
-            Self::Perlin1985 => [1.0, 2.0, 3.0, 4.0].map(|n| f64::sqrt(n) / 2.0),
-            Self::Perlin2002 => [0.5, 0.934_535_6, 1.036_353_8, 1.536_582_3],
+            Self::PerlinClassic => [1.0, 2.0, 3.0, 4.0].map(|n| f64::sqrt(n) / 2.0),
+            Self::Perlin => [0.5, 0.934_535_6, 1.036_353_8, 1.536_582_3],
             Self::Simplex(0.5) => [0.009_196_735, 0.014_136_467, 0.013_007_157, 0.015_929_222],
             Self::Simplex(_) => [0.020_895_276, 0.040_496_275, 0.030_584_887, 0.036_730_024],
         };
@@ -218,8 +218,8 @@ impl Kind {
     pub fn greatest<const D: usize>(self, p: [f64; D]) -> f64 {
         let best = |(_, w, d): Part<D>| match self {
             Self::White | Self::Value | Self::CatmullRom => w.abs(),
-            Self::Perlin1985 => w * dot(&d, &d).sqrt(),
-            Self::Perlin2002 | Self::Simplex(_) => w * best_edge(d),
+            Self::PerlinClassic => w * dot(&d, &d).sqrt(),
+            Self::Perlin | Self::Simplex(_) => w * best_edge(d),
             Self::ValueGradient(weight) => {
                 w * (1.0 - weight + weight * 2.0 / (D as f64).sqrt() * dot(&d, &d).sqrt())
             }

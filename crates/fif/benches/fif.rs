@@ -2,7 +2,7 @@
 
 use asperity_fif::glam::DVec3;
 use asperity_fif::{
-    Fif, FixedFif, HeightField, Intersect, Interval, Jet, Ray, System, Torus, paper, system::Piece,
+    Fif, FixedFif, HeightField, Intersect, Interval, Jet, PeriodicSurface, Ray, System, paper, system::Piece,
 };
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
@@ -149,7 +149,7 @@ fn rays(c: &mut Criterion) {
     let all = Interval::new(0.0, f64::INFINITY);
     let z: [f64; 16] = core::array::from_fn(|k| ((7 * k) % 16) as f64 / 16.0);
     let d: [[f64; 2]; 16] = core::array::from_fn(|k| [((5 * k) % 16) as f64 / 8.0 - 1.0, 0.25 * z[15 - k]]);
-    let torus = Torus::new(4, [[2, -1], [1, 2]], 0.375, &z, &d).expect("valid").tabulated();
+    let torus = PeriodicSurface::new(4, [[2, -1], [1, 2]], 0.375, &z, &d).expect("valid").tabulated();
     let halved = |ray: &Ray| Ray { origin: 0.5 * ray.origin, direction: 0.5 * ray.direction };
     let onto_torus: Vec<Ray> = rays.iter().step_by(16).map(halved).collect();
     let mut hits = vec![None; rays.len()];

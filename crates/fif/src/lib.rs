@@ -37,7 +37,7 @@
 //! |---|---|
 //! | `std` (default) | roots, powers and logarithms of the standard library |
 //! | `libm` | roots, powers and logarithms of `libm`, for targets without a standard library; takes precedence over `std` |
-//! | `alloc` (default) | [`Fif`], [`Table`], [`Torus`], [`Folded`], [`RoughFolded`], [`Tabulated`], [`Recurrent`], [`fit`], and the tables of `tabulated()` |
+//! | `alloc` (default) | [`Fif`], [`Table`], [`PeriodicSurface`], [`FoldedSurface`], [`RoughFoldedSurface`], [`Tabulated`], [`RecurrentFif`], [`fit`], and the tables of `tabulated()` |
 //! | `serde` | serialization of systems, validated by [`Fif::with_ordinates`]; needs `alloc` |
 //! | `approx` | comparisons of intervals, values with bounds, jets, rays and hits to a tolerance |
 //! | `simd` (default) | batches of [`Table32`] and of jets with SIMD, with the same bits |
@@ -90,7 +90,7 @@ pub use ray::ray::{Hit, Ray};
 #[cfg(feature = "alloc")]
 pub use ray::tabulated::Tabulated;
 #[cfg(feature = "alloc")]
-pub use recurrent::recurrent::{Recurrent, RecurrentError};
+pub use recurrent::recurrent::{RecurrentFif, RecurrentFifError};
 pub use surface::bounds::{Surface, SurfaceBounds};
 pub use surface::height_field::area::{AreaMeans, SlopeMeans};
 pub use surface::height_field::{curvature::Curvature, height_field::HeightField};
@@ -99,8 +99,8 @@ pub use surface::{
     extrema::SurfaceExtrema,
     height_field::normal_distribution::NormalDistributionError,
     self_affine::{
-        error::SelfAffineError, folded::Folded, rough_folded::RoughFolded, self_affine::SelfAffine,
-        torus::Torus,
+        error::SelfAffineError, folded::FoldedSurface, rough_folded::RoughFoldedSurface,
+        self_affine::SelfAffine, torus::PeriodicSurface,
     },
 };
 #[cfg(feature = "alloc")]

@@ -7,10 +7,10 @@ use std::hint::black_box;
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::{
     AshikhminShirley, BatchError, Beckmann, BlinnPhong, ConditionalTable, Frame, GaussianSplit, Ggx,
-    Isotropic, Microfacet, Mixture, Ndf, NdfMap, NormalTable, NormalTableRef, Radial, Reconstruction,
-    StudentT, conditional_density, inverse_phi,
+    Isotropic, Microfacet, Mixture, Ndf, NdfMap, NormalLut, NormalLutRef, Radial, Reconstruction, StudentT,
+    inverse_phi,
     normal_table::{Spacing, TableLayout},
-    phi,
+    phi, residual_ndf,
 };
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
@@ -37,10 +37,10 @@ fn views() -> Vec<Vec3> {
 fn maps(c: &mut Criterion, name: &str, ndf: impl Ndf) {
     let uniforms = uniforms();
     let normals: Vec<Vec3> = uniforms.iter().map(|&u| ndf.sample(u)).collect();
-    let coordinates: Vec<Vec2> = normals.iter().map(|&m| ndf.to_gaussian(m)).collect();
+    let coordinates: Vec<Vec2> = normals.iter().map(|&m| ndf.invert(m)).collect();
     each(c, &format!("density/{name}"), &normals, |m| ndf.density(m));
-    each(c, &format!("from_gaussian/{name}"), &coordinates, |z| ndf.from_gaussian(z));
-    each(c, &format!("to_gaussian/{name}"), &normals, |m| ndf.to_gaussian(m));
+    each(c, &format!("from_gaussian/{name}"), &coordinates, |z| ndf.warp_gaussian(z));
+    each(c, &format!("to_gaussian/{name}"), &normals, |m| ndf.invert(m));
     each(c, &format!("sample/{name}"), &uniforms, |u| ndf.sample(u));
 }
 
@@ -76,7 +76,7 @@ fn tabulated(c: &mut Criterion) {
     for (name, ndf) in [("ggx", &ggx as &dyn Ndf), ("map_256", &map)] {
         let normals: Vec<Vec3> = uniforms().iter().map(|&u| ndf.sample(u)).collect();
         each(c, &format!("conditional_density/{name}"), &normals, |h| {
-            conditional_density(ndf, h, Vec2::new(0.3, -0.8), 0.75)
+            residual_ndf(ndf, h, Vec2::new(0.3, -0.8), 0.75)
         });
     }
     maps(c, "map_256", map);
@@ -85,8 +85,8 @@ fn tabulated(c: &mut Criterion) {
 fn look_ups(c: &mut Criterion) {
     let coordinates = coordinates();
     let ggx = Ggx::new(0.2, 0.4).expect("roughness in range");
-    let table = NormalTable::standard(&ggx);
-    let normals: Vec<Vec3> = coordinates.iter().map(|&z| ggx.from_gaussian(z)).collect();
+    let table = NormalLut::standard(&ggx);
+    let normals: Vec<Vec3> = coordinates.iter().map(|&z| ggx.warp_gaussian(z)).collect();
     each(c, "normal_table/nearest", &coordinates, |z| table.nearest(z));
     each(c, "normal_table/bilinear", &coordinates, |z| table.bilinear(z));
     let seen = ConditionalTable::new(&ggx, 256).expect("size in range");
@@ -107,11 +107,11 @@ fn look_ups_of_many(c: &mut Criterion) {
     let (z1, z2): (Vec<f32>, Vec<f32>) = coordinates.iter().map(|z| (z.x, z.y)).unzip();
     let mut normals = [(); 3].map(|()| vec![0.0; coordinates.len()]);
     let ggx = Ggx::new(0.2, 0.4).expect("roughness in range");
-    let table = NormalTable::standard(&ggx);
+    let table = NormalLut::standard(&ggx);
     let layout = TableLayout { spacing: Spacing::Warped, ..TableLayout::default() };
-    let warped = NormalTable::with_layout(&ggx, 256, layout).expect("size in range");
+    let warped = NormalLut::with_layout(&ggx, 256, layout).expect("size in range");
     let halves = table.halves();
-    let halves = NormalTableRef::new(256, table.layout(), &halves).expect("size in range");
+    let halves = NormalLutRef::new(256, table.layout(), &halves).expect("size in range");
     let mut group = c.benchmark_group("normals_of_many");
     group.throughput(Throughput::Elements(coordinates.len() as u64));
     let mut bench = |name: &str, look_up: &LookUp<'_>| {
@@ -133,7 +133,7 @@ fn construction(c: &mut Criterion) {
     let ggx = Ggx::new(0.2, 0.4).expect("roughness in range");
     let mut group = c.benchmark_group("build");
     group.sample_size(10);
-    group.bench_function("normal_table_256", |b| b.iter(|| NormalTable::standard(black_box(&ggx))));
+    group.bench_function("normal_table_256", |b| b.iter(|| NormalLut::standard(black_box(&ggx))));
     group.finish();
 }
 

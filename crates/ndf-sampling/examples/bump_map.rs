@@ -3,7 +3,7 @@
 
 use std::{array, env, error::Error, fs::File};
 
-use asperity_ndf_sampling::{Ggx, KurtoticNoise, glam::Vec2, normal_map::NoiseChain};
+use asperity_ndf_sampling::{Ggx, KurtoticDistribution, glam::Vec2, normal_map::NoiseChain};
 
 const SIZE: u32 = 256;
 
@@ -31,7 +31,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     // The noise is not quite Gaussian. Its kurtosis corrects this, so the normals have the exact
     // distribution.
     let [m2, m4] = [2, 4].map(|n| values.iter().map(|r| r[0].powi(n)).sum::<f32>() / values.len() as f32);
-    let noise = KurtoticNoise::new(m2.sqrt(), m4 / (m2 * m2) - 3.0)?;
+    let noise = KurtoticDistribution::new(m2.sqrt(), m4 / (m2 * m2) - 3.0)?;
     let chain = NoiseChain { ndf: Ggx::new(0.3, 0.5)?, noise };
     let rgb = values.iter().flat_map(|&r| (chain.normal(r) * 127.5 + 127.5).round().to_array());
     let pixels: Vec<u8> = rgb.map(|c| c as u8).collect();

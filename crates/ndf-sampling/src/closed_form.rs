@@ -21,7 +21,7 @@ use asperity_core::lanes::{Arithmetic, Kernel, map};
 /// let (ggx, z) = (Ggx::new(0.2, 0.4)?, [[0.7, -0.1, 2.0], [-1.2, 0.0, 0.3]]);
 /// let [mut x, mut y, mut up] = [[0.0; 3]; 3];
 /// ggx.normals([&z[0], &z[1]], [&mut x, &mut y, &mut up])?;
-/// assert_eq!(Vec3::new(x[0], y[0], up[0]), ggx.from_gaussian(Vec2::new(0.7, -1.2)));
+/// assert_eq!(Vec3::new(x[0], y[0], up[0]), ggx.warp_gaussian(Vec2::new(0.7, -1.2)));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[diagnostic::on_unimplemented(
@@ -44,7 +44,7 @@ pub trait ClosedForm: Ndf + Sized {
     #[doc(hidden)]
     fn visible<S: Arithmetic>(&self, s: S, view: [S::F; 5]) -> [S::F; 3];
 
-    /// Computes normals `T(z)` of Gaussian coordinates, like [`from_gaussian`](Ndf::from_gaussian).
+    /// Computes normals `T(z)` of Gaussian coordinates, like [`warp_gaussian`](Ndf::from_gaussian).
     ///
     /// # Errors
     /// Arrays of different lengths. Nothing is written in this case.
@@ -53,7 +53,7 @@ pub trait ClosedForm: Ndf + Sized {
         BatchError::check_all(&[("z", &z)], ("m", &m)).map(|()| map(&Normal(self), z, m))
     }
 
-    /// Computes Gaussian coordinates `T⁻¹(m)` of normals, like [`to_gaussian`](Ndf::to_gaussian).
+    /// Computes Gaussian coordinates `T⁻¹(m)` of normals, like [`invert`](Ndf::to_gaussian).
     ///
     /// # Errors
     /// Arrays of different lengths. Nothing is written in this case.
@@ -141,7 +141,7 @@ pub(crate) fn conditional_densities<N: ClosedForm>(
     const BLOCK: usize = 32;
     // SIMD does not pay off for a single half vector.
     if let ([h], [density, ..]) | ([h, ..], [density]) = (h, &mut *densities) {
-        *density = ndf.conditional_density(*h, split);
+        *density = ndf.residual_ndf(*h, split);
         return;
     }
     for (h, densities) in h.chunks(BLOCK).zip(densities.chunks_mut(BLOCK)) {

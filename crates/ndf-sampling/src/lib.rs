@@ -7,17 +7,17 @@
 //! a pixel still sees when it resolves a part of the bump map.
 //!
 //! ```
-//! use asperity_ndf_sampling::{Ggx, Ndf, conditional_density, glam::{Vec2, Vec3}};
+//! use asperity_ndf_sampling::{Ggx, Ndf, residual_ndf, glam::{Vec2, Vec3}};
 //!
 //! let ggx = Ggx::new(0.2, 0.4)?;
-//! // Two independent standard Gaussian numbers at a point of the surface, from any noise.
+//! // Two independent standard GaussianNoise numbers at a point of the surface, from any noise.
 //! let z = Vec2::new(0.7, -1.2);
-//! let facet = ggx.from_gaussian(z);
-//! assert!(ggx.to_gaussian(facet).abs_diff_eq(z, 1e-5));
+//! let facet = ggx.warp_gaussian(z);
+//! assert!(ggx.invert(facet).abs_diff_eq(z, 1e-5));
 //!
 //! // The density of the half vector for a pixel that resolves 3/4 of the variance of the noise.
 //! let h = Vec3::new(0.1, -0.2, 0.97).normalize();
-//! assert!(conditional_density(&ggx, h, z, 0.75) > ggx.density(h));
+//! assert!(residual_ndf(&ggx, h, z, 0.75) > ggx.density(h));
 //! # Ok::<(), asperity_ndf_sampling::RangeError>(())
 //! ```
 //!
@@ -31,16 +31,16 @@
 //! | [`NdfMap`], [`PackedMapRef`] | NDF painted or computed on the hemispherical map; the same as a single array for flash or a GPU |
 //! | [`Masked`], [`Bounded`] | masking and visible normals of maps and tables, for BRDFs |
 //! | [`Measure`], [`Reconstruction`] | interpretation of texel values; interpolation between them |
-//! | [`NoiseDistribution`], [`NoiseCdfRef`], [`GaussianNoise`], [`KurtoticNoise`] | G: from noise values to Gaussian numbers and back; measured, Gaussian, or from the kurtosis |
-//! | [`NormalTable`], [`NormalTableRef`], [`normal_table`] | table L: tangent frames by lookup; its layouts, accuracy and half floats |
-//! | [`estimate_ndf`], [`NdfEstimator`], [`detailed`], [`detailed_normal`], [`normal_map`] | existing normal maps: estimate their NDF, decode their texels, add noise to them |
-//! | [`ConditionalNdf`], [`conditional_density`], [`GaussianSplit`], [`level_of_detail`] | exact level of detail |
+//! | [`NoiseDistribution`], [`NoiseCdfRef`], [`GaussianDistribution`], [`KurtoticDistribution`] | G: from noise values to Gaussian numbers and back; measured, Gaussian, or from the kurtosis |
+//! | [`NormalLut`], [`NormalLutRef`], [`normal_table`] | table L: tangent frames by lookup; its layouts, accuracy and half floats |
+//! | [`estimate_ndf`], [`NdfEstimator`], [`add_detail`], [`add_detail_normal`], [`normal_map`] | existing normal maps: estimate their NDF, decode their texels, add noise to them |
+//! | [`ConditionalNdf`], [`residual_ndf`], [`GaussianSplit`], [`level_of_detail`] | exact level of detail |
 //! | [`ConditionalTable`], [`ConditionalTableRef`] | exact level of detail by one lookup, for any NDF |
 //! | [`check`] (feature `check`) | property tests for any [`Ndf`] or [`Microfacet`], with a printable report |
 //! | [`Frame`], [`phi`], [`inverse_phi`] | tangent frames; the Gaussian CDF and its inverse |
 //!
 //! Methods with plural names fill arrays with SIMD: the methods of [`ClosedForm`] for [`Ggx`] and
-//! [`Beckmann`], [`NormalTableRef::bilinear_normals`], [`PackedMapRef::inverses`].
+//! [`Beckmann`], [`NormalLutRef::bilinear_normals`], [`PackedMapRef::inverses`].
 //!
 //! # Conventions
 //!
@@ -70,7 +70,7 @@
 //! | `check` | property tests for any NDF, including your own: module [`check`] |
 //! | `serde` | serialization of the parameters of [`Ggx`], [`Beckmann`], [`StudentT`], [`Ward`], [`BlinnPhong`] and [`AshikhminShirley`], validated by `new`; formats and layouts |
 //! | `rand` | NDFs as [`Distribution`](https://docs.rs/rand/latest/rand/distr/trait.Distribution.html)s of normals: `rng.sample(&ggx)` |
-//! | `alloc` (default) | [`NdfMap`], [`Masked`], [`NdfEstimator`] and [`NormalTable`], which own their tables; [`NormalTableRef`] does not need it |
+//! | `alloc` (default) | [`NdfMap`], [`Masked`], [`NdfEstimator`] and [`NormalLut`], which own their tables; [`NormalLutRef`] does not need it |
 
 #![no_std]
 
@@ -124,7 +124,7 @@ pub use frame::Frame;
 pub use level_of_detail::ConditionalTable;
 pub use level_of_detail::{
     ConditionalNdf, ConditionalTableIn, ConditionalTableRef, GaussianSplit, OffsetBeckmann,
-    OffsetBeckmannError, conditional_density,
+    OffsetBeckmannError, residual_ndf,
 };
 pub use map::packed::error::PackedMapError;
 pub use map::packed::packed_map::PackedMapRef;
@@ -139,15 +139,15 @@ pub use map::{
 pub use masked::{bounded::Bounded, masked::Masked, wedge::Wedge};
 pub use microfacet::Microfacet;
 pub use ndf::Ndf;
-pub use noise_distribution::distribution::{GaussianNoise, NoiseDistribution};
-pub use noise_distribution::kurtotic_noise::KurtoticNoise;
+pub use noise_distribution::distribution::{GaussianDistribution, NoiseDistribution};
+pub use noise_distribution::kurtotic_noise::KurtoticDistribution;
 pub use noise_distribution::noise_cdf::{NoiseCdfError, NoiseCdfRef};
 #[cfg(feature = "alloc")]
 pub use normal_map::{NdfEstimator, estimate_ndf};
-pub use normal_map::{detailed, detailed_normal};
+pub use normal_map::{add_detail, add_detail_normal};
 #[cfg(feature = "alloc")]
-pub use normal_table::NormalTable;
-pub use normal_table::{NormalTableError, NormalTableIn, NormalTableRef};
+pub use normal_table::NormalLut;
+pub use normal_table::{NormalLutError, NormalLutIn, NormalLutRef};
 pub use numeric::normal_distribution::{inverse_phi, phi};
 pub use radial::Radial;
 pub use range_error::RangeError;

@@ -27,7 +27,7 @@ use crate::ndf::{Ndf, forward};
 /// let ggx = Ggx::new(0.2, 0.4)?;
 /// let v = Vec3::new(0.6, 0.0, 0.8);
 /// let m = ggx.sample_visible(v, Vec2::new(0.3, 0.8));
-/// assert!(v.dot(m) > 0.0 && ggx.visible_density(v, m) > 0.0);
+/// assert!(v.dot(m) > 0.0 && ggx.visible_pdf(v, m) > 0.0);
 /// assert!((ggx.projected_area(v) - v.z / ggx.g1(v)).abs() < 1e-6);
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
@@ -53,7 +53,7 @@ pub trait Microfacet: Ndf {
 
     /// Samples a visible normal, for a uniform `u` in `[0, 1)²`.
     ///
-    /// The density over solid angle is [`visible_density`](Self::visible_density).
+    /// The density over solid angle is [`visible_pdf`](Self::visible_density).
     #[must_use]
     #[doc(alias = "vndf")]
     fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3;
@@ -62,7 +62,7 @@ pub trait Microfacet: Ndf {
     #[inline]
     #[must_use]
     #[doc(alias = "vndf")]
-    fn visible_density(&self, v: Vec3, m: Vec3) -> f32 {
+    fn visible_pdf(&self, v: Vec3, m: Vec3) -> f32 {
         let v = above(v);
         let density = self.density(m) * v.dot(m).max(0.0) / self.projected_area(v);
         if density >= 0.0 { density.min(f32::MAX) } else { 0.0 }
@@ -95,7 +95,7 @@ impl<N: Microfacet + ?Sized> Microfacet for &N {
         lambda(v: Vec3) -> f32;
         projected_area(v: Vec3) -> f32;
         sample_visible(v: Vec3, u: Vec2) -> Vec3;
-        visible_density(v: Vec3, m: Vec3) -> f32;
+        visible_pdf(v: Vec3, m: Vec3) -> f32;
     }
 }
 
@@ -154,7 +154,7 @@ pub(crate) mod totality {
             let (u, v) = (Vec2::new(x, y), Vec3::new(x, 0.3, y));
             facet(ndf.sample_visible(v, u), v);
             assert!(ndf.lambda(v) >= 0.0 && ndf.projected_area(v) >= 0.0, "{v}");
-            assert!(ndf.visible_density(v, v).is_finite(), "{v}");
+            assert!(ndf.visible_pdf(v, v).is_finite(), "{v}");
         }
     }
 }

@@ -26,9 +26,9 @@ use asperity_core::math;
 /// let beckmann = Beckmann::isotropic(0.3)?;
 /// for ndf in [&ggx as &dyn Ndf, &beckmann] {
 ///     let z = Vec2::new(0.7, -1.2);
-///     let m = ndf.from_gaussian(z);
+///     let m = ndf.warp_gaussian(z);
 ///     assert!((m.length() - 1.0).abs() < 1e-6 && m.z > 0.0);
-///     assert!(ndf.to_gaussian(m).abs_diff_eq(z, 1e-5));
+///     assert!(ndf.invert(m).abs_diff_eq(z, 1e-5));
 /// }
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
@@ -45,7 +45,6 @@ use asperity_core::math;
 )]
 #[doc(alias = "normal distribution function")]
 #[doc(alias = "importance sampling")]
-#[doc(alias = "pdf")]
 pub trait Ndf {
     /// The density `D(m)` of facet normals, in sr⁻¹, with `∫ D cos θ dω = 1`.
     #[must_use]
@@ -53,11 +52,11 @@ pub trait Ndf {
 
     /// `T(z)`: a normal with the density `D` over the macro surface, for standard Gaussian `z`.
     #[must_use]
-    fn from_gaussian(&self, z: Vec2) -> Vec3;
+    fn warp_gaussian(&self, z: Vec2) -> Vec3;
 
     /// `T⁻¹(m)`: the Gaussian coordinates of the normal `m`.
     #[must_use]
-    fn to_gaussian(&self, m: Vec3) -> Vec2;
+    fn invert(&self, m: Vec3) -> Vec2;
 
     /// The density of slopes `(m_x, m_y)/m_z`: `P(s) = D(m) m_z⁴` with `m = (s, 1)/√(1 + |s|²)`, `∫
     /// P ds = 1`.
@@ -75,7 +74,7 @@ pub trait Ndf {
     /// Samples a normal with the density `D` over the macro surface, for a uniform `u` in `[0,
     /// 1)²`.
     ///
-    /// The density over solid angle is [`sample_density`](Self::sample_density).
+    /// The density over solid angle is [`pdf`](Self::sample_density).
     ///
     /// The default is `T(Φ⁻¹(u))`. NDFs with a cheaper map document it. Numbers outside the square
     /// are clamped to it. NaN is read as 0.
@@ -84,14 +83,13 @@ pub trait Ndf {
     #[doc(alias = "importance sampling")]
     fn sample(&self, u: Vec2) -> Vec3 {
         let z = unit_square(u).to_array().map(|u| inverse_phi(f64::from(u)) as f32);
-        self.from_gaussian(Vec2::from(z))
+        self.warp_gaussian(Vec2::from(z))
     }
 
     /// The density `D(m) m_z` of [`sample`](Self::sample) over solid angle, in sr⁻¹.
     #[inline]
     #[must_use]
-    #[doc(alias = "pdf")]
-    fn sample_density(&self, m: Vec3) -> f32 {
+    fn pdf(&self, m: Vec3) -> f32 {
         // The density is 0 below the horizon and for NaN. `max` drops NaN, and 0 · ∞ is read as 0.
         let density = self.density(m) * m.z.max(0.0);
         if density >= 0.0 { density.min(f32::MAX) } else { 0.0 }
@@ -99,18 +97,18 @@ pub trait Ndf {
 
     /// The density `p_s(h | z_b)` of the unresolved facets, in sr⁻¹.
     ///
-    /// See [`conditional_density`](crate::conditional_density).
+    /// See [`residual_ndf`](crate::conditional_density).
     ///
     /// The default is [`GaussianSplit::weigh`] of `D(h)` and `T⁻¹(h)`. NDFs with their own form
     /// document it.
     #[inline]
     #[must_use]
-    fn conditional_density(&self, h: Vec3, split: GaussianSplit) -> f32 {
+    fn residual_ndf(&self, h: Vec3, split: GaussianSplit) -> f32 {
         let density = self.density(h);
-        if density > 0.0 { split.weigh(density, self.to_gaussian(h)) } else { 0.0 }
+        if density > 0.0 { split.weigh(density, self.invert(h)) } else { 0.0 }
     }
 
-    /// Evaluates [`conditional_density`](Self::conditional_density) at one point for many half
+    /// Evaluates [`residual_ndf`](Self::conditional_density) at one point for many half
     /// vectors.
     ///
     /// Processes as many as the shorter slice has. Results are bit-identical to single calls.
@@ -119,7 +117,7 @@ pub trait Ndf {
     #[inline]
     fn conditional_densities(&self, h: &[Vec3], split: GaussianSplit, densities: &mut [f32]) {
         for (density, &h) in densities.iter_mut().zip(h) {
-            *density = self.conditional_density(h, split);
+            *density = self.residual_ndf(h, split);
         }
     }
 }
@@ -141,12 +139,12 @@ macro_rules! forward_ndf {
     (|$this:ident| $to:expr) => {
         $crate::ndf::forward! { |$this| $to;
             density(m: glam::Vec3) -> f32;
-            from_gaussian(z: glam::Vec2) -> glam::Vec3;
-            to_gaussian(m: glam::Vec3) -> glam::Vec2;
+            warp_gaussian(z: glam::Vec2) -> glam::Vec3;
+            invert(m: glam::Vec3) -> glam::Vec2;
             slope_density(slope: glam::Vec2) -> f32;
             sample(u: glam::Vec2) -> glam::Vec3;
-            sample_density(m: glam::Vec3) -> f32;
-            conditional_density(h: glam::Vec3, split: $crate::coordinates::GaussianSplit) -> f32;
+            pdf(m: glam::Vec3) -> f32;
+            residual_ndf(h: glam::Vec3, split: $crate::coordinates::GaussianSplit) -> f32;
         }
 
         #[inline]
@@ -184,7 +182,7 @@ mod tests {
         let (ggx, beckmann) = (crate::Ggx::new(0.2, 0.4).unwrap(), crate::Beckmann::new(0.2, 0.4).unwrap());
         for ndf in [&ggx as &dyn Ndf, &beckmann] {
             for m in [Vec3::new(0.0, 0.0, f32::INFINITY), Vec3::INFINITY, Vec3::new(1.0, f32::NAN, 1.0)] {
-                assert_eq!(ndf.sample_density(m), 0.0, "{m}");
+                assert_eq!(ndf.pdf(m), 0.0, "{m}");
             }
         }
     }
@@ -197,12 +195,12 @@ mod tests {
             self.0.density(m)
         }
 
-        fn from_gaussian(&self, z: Vec2) -> Vec3 {
-            self.0.from_gaussian(z)
+        fn warp_gaussian(&self, z: Vec2) -> Vec3 {
+            self.0.warp_gaussian(z)
         }
 
-        fn to_gaussian(&self, m: Vec3) -> Vec2 {
-            self.0.to_gaussian(m)
+        fn invert(&self, m: Vec3) -> Vec2 {
+            self.0.invert(m)
         }
     }
 
@@ -219,7 +217,7 @@ mod tests {
                 let mut densities = [f32::NAN; 40];
                 ndf.conditional_densities(&halves[..len], split, &mut densities[..room]);
                 for k in 0..40 {
-                    let expected = ndf.conditional_density(halves[k], split);
+                    let expected = ndf.residual_ndf(halves[k], split);
                     let written = k < len.min(room);
                     assert!(if written { densities[k] == expected } else { densities[k].is_nan() }, "{k}");
                 }
@@ -227,10 +225,10 @@ mod tests {
         }
         // p_s(h | z_b) = D(h) weighted at T⁻¹(h).
         for h in halves {
-            let expected = split.weigh(ggx.density(h), ggx.to_gaussian(h));
+            let expected = split.weigh(ggx.density(h), ggx.invert(h));
             assert!(expected > 0.0);
-            assert_eq!(plain.conditional_density(h, split), expected);
-            assert_abs_diff_eq!(ggx.conditional_density(h, split), expected, epsilon = 2e-5 * expected);
+            assert_eq!(plain.residual_ndf(h, split), expected);
+            assert_abs_diff_eq!(ggx.residual_ndf(h, split), expected, epsilon = 2e-5 * expected);
         }
     }
 
@@ -258,13 +256,13 @@ pub(crate) mod totality {
     pub(crate) fn check(ndf: &impl Ndf) {
         for (x, y) in BAD.into_iter().flat_map(|x| BAD.map(|y| (x, y))) {
             let z = Vec2::new(x, y);
-            facet(ndf.from_gaussian(z), z);
+            facet(ndf.warp_gaussian(z), z);
             facet(ndf.sample(z), z);
             for m in BAD.map(|up| z.extend(up)) {
                 let density = ndf.density(m);
                 assert!((0.0..=f32::MAX).contains(&density), "{m}: {density}");
                 assert!(m.z > 0.0 || density == 0.0, "below the horizon at {m}: {density}");
-                assert!(ndf.to_gaussian(m).is_finite(), "{m}: {}", ndf.to_gaussian(m));
+                assert!(ndf.invert(m).is_finite(), "{m}: {}", ndf.invert(m));
             }
         }
     }

@@ -7,8 +7,9 @@
 use std::{hint::black_box, time::Duration};
 
 use asperity_noise::{
-    Cellular, Field, Gaussian, Grid, IntegerHash, Octaves, Perlin1985, Perlin2002, Point, RidgedMultifractal,
-    Rotation, Simplex, Sparse, Spectrum, Tiled, Turbulence, Value, ValueCatmullRom, ValueGradient, White,
+    Cellular, Fbm, FbmSpectrum, Field, GaussianNoise, Grid, IntegerHash, Perlin, PerlinClassic, Point,
+    RidgedMultifractal, Rotation, Simplex, SparseConvolution, Tiled, Turbulence, ValueCatmullRom,
+    ValueGradient, ValueNoise, WhiteNoise,
     glam::{Vec2, Vec3, Vec4},
     lattice::{ChainedTable, PermutationTable},
     simd::Batch,
@@ -25,17 +26,17 @@ const STEP: f32 = 0.05;
 const POINTS: usize = 4096;
 
 fn kinds(criterion: &mut Criterion) {
-    every_dimension(criterion, "white", White::new(SEED));
-    every_dimension(criterion, "value", Value::new(SEED));
+    every_dimension(criterion, "white", WhiteNoise::new(SEED));
+    every_dimension(criterion, "value", ValueNoise::new(SEED));
     every_dimension(criterion, "value-catmull-rom", ValueCatmullRom::new(SEED));
-    every_dimension(criterion, "perlin-1985", Perlin1985::new(SEED));
-    every_dimension(criterion, "perlin-2002", Perlin2002::new(SEED));
+    every_dimension(criterion, "perlin-1985", PerlinClassic::new(SEED));
+    every_dimension(criterion, "perlin-2002", Perlin::new(SEED));
     every_dimension(criterion, "value-gradient", ValueGradient::new(SEED));
     every_dimension(criterion, "simplex", Simplex::new(SEED));
     every_dimension(criterion, "simplex-wide", Simplex::wide(SEED));
-    every_dimension(criterion, "sparse", Sparse::new(SEED));
+    every_dimension(criterion, "sparse", SparseConvolution::new(SEED));
     every_dimension(criterion, "cellular", Cellular::new(SEED));
-    every_dimension(criterion, "gaussian", Gaussian::new(SEED));
+    every_dimension(criterion, "gaussian", GaussianNoise::new(SEED));
 }
 
 fn every_dimension<K>(criterion: &mut Criterion, name: &str, noise: K)
@@ -53,14 +54,14 @@ fn sums(criterion: &mut Criterion) {
         criterion: &mut Criterion,
         size: fn() -> V::Array<usize>,
     ) where
-        Perlin2002: asperity_noise::simd::Kernel<N>,
+        Perlin: asperity_noise::simd::Kernel<N>,
     {
-        let rotated = Octaves::<_, N>::new(Perlin2002::new(1), Spectrum::default()).first(8.0);
+        let rotated = Fbm::<_, N>::new(Perlin::new(1), FbmSpectrum::default()).first(8.0);
         field::<V>(criterion, "perlin-2002-octaves-8-rotated", &rotated, size());
         let aligned = rotated.with_rotation(Rotation::Aligned);
         field::<V>(criterion, "perlin-2002-octaves-8", &aligned, size());
         field::<V>(criterion, "perlin-2002-turbulence-8", &aligned.with_shape(Turbulence), size());
-        let ridged = RidgedMultifractal::<_, N>::new(Perlin2002::new(1), Spectrum::default(), 2.0);
+        let ridged = RidgedMultifractal::<_, N>::new(Perlin::new(1), FbmSpectrum::default(), 2.0);
         let ridged = ridged.expect("a feedback in range").first(8.0);
         field::<V>(criterion, "perlin-2002-ridged-multifractal-8", &ridged, size());
     }
@@ -74,22 +75,22 @@ fn sums(criterion: &mut Criterion) {
 /// image.
 fn lines(criterion: &mut Criterion) {
     let line = |i: usize| Vec3::new(0.3, -7.0, 2.0) + Vec3::new(0.21, 0.17, -0.13) * i as f32;
-    let noise = Gaussian::new(1);
+    let noise = GaussianNoise::new(1);
     calls(criterion, "pair/3-d/gaussian", |i| noise.pair(line(i)));
-    let sum = Octaves::<_, 3>::new(noise, Spectrum::default()).first(8.0);
+    let sum = Fbm::<_, 3>::new(noise, FbmSpectrum::default()).first(8.0);
     calls(criterion, "sample/3-d/gaussian-octaves-8", |i| sum.sample(line(i)));
     calls(criterion, "detail/3-d/gaussian-octaves-8", |i| sum.detail(8.0).sample(line(i)));
     calls(criterion, "pair/3-d/gaussian-octaves-8", |i| sum.pair(line(i)));
     calls(criterion, "pair/3-d/gaussian-octaves-4", |i| sum.detail(4.0).pair(line(i)));
     let table = PermutationTable::new(1);
     let tiled = Tiled::new(IntegerHash, [16; 3]).expect("periods in range");
-    let noise = Perlin2002::new(1);
+    let noise = Perlin::new(1);
     calls(criterion, "value/3-d/perlin-2002-integer-hash", |i| noise.value(line(i)));
-    let noise = Perlin2002::new(1).with_lattice(table);
+    let noise = Perlin::new(1).with_lattice(table);
     calls(criterion, "value/3-d/perlin-2002-permutation-table", |i| noise.value(line(i)));
-    let noise = Perlin2002::new(1).with_lattice(ChainedTable(table));
+    let noise = Perlin::new(1).with_lattice(ChainedTable(table));
     calls(criterion, "value/3-d/perlin-2002-chained-table", |i| noise.value(line(i)));
-    let noise = Perlin2002::new(1).with_lattice(tiled);
+    let noise = Perlin::new(1).with_lattice(tiled);
     calls(criterion, "value/3-d/perlin-2002-tiled", |i| noise.value(line(i)));
 }
 

@@ -2,15 +2,15 @@
 //! `cargo run --example heightmap [path]`.
 
 use asperity_noise::{
-    Affine, Field, Grid, Octaves, Perlin2002, Spectrum, Warp,
+    Fbm, FbmSpectrum, Field, Grid, Perlin, ScaleBias, Warp,
     glam::{Vec2, Vec3},
 };
 
 const SIDE: usize = 256;
 
 fn hills(seed: u32) -> impl Field<Vec2> {
-    let fbm = |k| Octaves::new(Perlin2002::new(seed + k), Spectrum::default());
-    Warp::new(Affine(fbm(0), 0.3, 0.0), [fbm(1), fbm(2)], 0.2).expect("a finite strength")
+    let fbm = |k| Fbm::new(Perlin::new(seed + k), FbmSpectrum::default());
+    Warp::new(ScaleBias(fbm(0), 0.3, 0.0), [fbm(1), fbm(2)], 0.2).expect("a finite strength")
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

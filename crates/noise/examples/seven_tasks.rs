@@ -3,28 +3,28 @@
 #![expect(clippy::print_stdout, reason = "an example prints its result")]
 
 use asperity_noise::{
-    Field, Grid, IntegerHash, Octaves, Perlin2002, Ridged, Sample, Simplex, Spectrum, Tiled, Unit, Warp,
+    Fbm, FbmSpectrum, Field, Grid, IntegerHash, Perlin, Ridged, Sample, Simplex, Tiled, Unit, Warp,
     glam::{Vec2, Vec3, Vec4},
 };
 
 fn heightmap(heights: &mut [f32; 64 * 64]) {
-    let noise = Octaves::new(Perlin2002::new(42), Spectrum::default());
+    let noise = Fbm::new(Perlin::new(42), FbmSpectrum::default());
     let grid = Grid { origin: Vec2::ZERO, step: Vec2::splat(0.05), size: [64, 64] };
     noise.grid_values(&grid, heights).expect("a height for each point");
 }
 
 fn tileable_fbm() -> impl Field<Vec2> {
-    let noise = Perlin2002::new(42).with_lattice(Tiled::new(IntegerHash, [8, 8]).expect("short periods"));
-    Octaves::tiled(noise, Spectrum::CLOUD).expect("periods that lacunarity 2 keeps")
+    let noise = Perlin::new(42).with_lattice(Tiled::new(IntegerHash, [8, 8]).expect("short periods"));
+    Fbm::tiled(noise, FbmSpectrum::CLOUD).expect("periods that lacunarity 2 keeps")
 }
 
 fn domain_warp() -> impl Field<Vec2> {
-    let fbm = |seed| Octaves::new(Perlin2002::new(seed), Spectrum::default());
+    let fbm = |seed| Fbm::new(Perlin::new(seed), FbmSpectrum::default());
     Warp::new(fbm(1), [fbm(2), fbm(3)], 0.3).expect("a finite strength")
 }
 
 fn ridged() -> impl Field<Vec2> {
-    Octaves::new(Simplex::new(42), Spectrum::default()).with_shape(Ridged)
+    Fbm::new(Simplex::new(42), FbmSpectrum::default()).with_shape(Ridged)
 }
 
 fn loop_in_4d(p: Vec2, turn: f32) -> f32 {
@@ -35,12 +35,12 @@ fn loop_in_4d(p: Vec2, turn: f32) -> f32 {
 fn normals(normals: &mut [Vec3; 32 * 32]) {
     let points: [Vec2; 32 * 32] = std::array::from_fn(|i| Vec2::new((i % 32) as f32, (i / 32) as f32) * 0.1);
     let mut samples = [Sample::default(); 32 * 32];
-    Perlin2002::new(42).samples(&points, &mut samples).expect("a sample for each point");
+    Perlin::new(42).samples(&points, &mut samples).expect("a sample for each point");
     *normals = samples.map(|sample| (-sample.gradient).extend(1.0).normalize());
 }
 
 fn unit_value(p: Vec2) -> f32 {
-    Unit(Octaves::new(Perlin2002::new(42), Spectrum::default())).value(p)
+    Unit(Fbm::new(Perlin::new(42), FbmSpectrum::default())).value(p)
 }
 
 fn main() {

@@ -5,26 +5,26 @@
 //! return the same bits. Fields own their parts. They can be added, blended, warped, returned from
 //! functions and boxed as `Box<dyn Field<Vec3>>`.
 //!
-//! Use [`GaussianOctaves`] when the statistics matter: its values are N(0, 1) at every point, for
+//! Use [`GaussianFbm`] when the statistics matter: its values are N(0, 1) at every point, for
 //! every real number of octaves. Fields do not allocate and have no state. Their bits are the same
 //! on every machine.
 //!
 //! ```
-//! use asperity_noise::{Field, GaussianOctaves, Gaussian, Grid, Octaves, Perlin2002, Spectrum, Warp, glam::{Vec2, Vec3}};
+//! use asperity_noise::{Field, GaussianFbm, GaussianNoise, Grid, Fbm, Perlin, FbmSpectrum, Warp, glam::{Vec2, Vec3}};
 //!
 //! // A point: value and gradient.
-//! let sample = Perlin2002::new(42).sample(Vec3::new(0.3, -1.2, 4.5));
+//! let sample = Perlin::new(42).sample(Vec3::new(0.3, -1.2, 4.5));
 //! assert!(sample.value.abs() <= 1.0);
 //!
 //! // A picture of fractional Brownian motion, warped by itself.
-//! let fbm = |seed| Octaves::new(Perlin2002::new(seed), Spectrum::default());
+//! let fbm = |seed| Fbm::new(Perlin::new(seed), FbmSpectrum::default());
 //! let warped = Warp::new(fbm(1), [fbm(2), fbm(3)], 0.3)?;
 //! let grid = Grid { origin: Vec2::ZERO, step: Vec2::splat(0.05), size: [64, 48] };
 //! let mut heights = [0.0; 64 * 48];
 //! warped.grid_values(&grid, &mut heights)?;
 //!
-//! // Two independent Gaussian channels of 6½ octaves.
-//! let noise = GaussianOctaves::new(Gaussian::new(42), Spectrum::default()).first(6.5);
+//! // Two independent GaussianNoise channels of 6½ octaves.
+//! let noise = GaussianFbm::new(GaussianNoise::new(42), FbmSpectrum::default()).first(6.5);
 //! let [first, second] = noise.pair(Vec3::new(0.3, -1.2, 4.5));
 //! assert_ne!(first, second);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -34,31 +34,31 @@
 //!
 //! | kind | is | dimensions | Hessian | tiles |
 //! |---|---|---|---|---|
-//! | [`White`] | one value per cell | 1–4 | – | by [`Tiled`] |
-//! | [`Value`], [`ValueCatmullRom`] | lattice values, blended by quintic weights or by a spline over 4ⁿ points | 1–4 | `Value` | by [`Tiled`] |
-//! | [`Perlin1985`], [`Perlin2002`] | unit gradients and cubic weights; edge directions and quintic weights | 1–4 | yes | by [`Tiled`] |
+//! | [`WhiteNoise`] | one value per cell | 1–4 | – | by [`Tiled`] |
+//! | [`ValueNoise`], [`ValueCatmullRom`] | lattice values, blended by quintic weights or by a spline over 4ⁿ points | 1–4 | `ValueNoise` | by [`Tiled`] |
+//! | [`PerlinClassic`], [`Perlin`] | unit gradients and cubic weights; edge directions and quintic weights | 1–4 | yes | by [`Tiled`] |
 //! | [`ValueGradient`] | a weighted sum of both on one lattice | 1–4 | yes | by [`Tiled`] |
 //! | [`Simplex`] | gradient noise on simplices, r² = 0.5 (continuous) or 0.6 (customary) | 1–4 | yes | by [`Tiled`] in 1-D, [`TiledSimplex`] in 3-D; nothing can in 2-D and 4-D, where the lattice is irrational along the axes |
-//! | [`Sparse`] | impulses at random places, convolved with a radial kernel | 1–4 | – | by [`Tiled`] |
+//! | [`SparseConvolution`] | impulses at random places, convolved with a radial kernel | 1–4 | – | by [`Tiled`] |
 //! | [`Cellular`] | distances to the nearest of random feature points, or the number of the nearest, in three metrics | 1–4 | – | by [`Tiled`] |
-//! | [`Gaussian`] | value-gradient noise over its standard deviation at the point: N(0, 1) everywhere | 1–4 | yes | by [`Tiled`] |
+//! | [`GaussianNoise`] | value-gradient noise over its standard deviation at the point: N(0, 1) everywhere | 1–4 | yes | by [`Tiled`] |
 //! | [`printed`] | the algorithms of Ebert (ed.) 1994 with tables as they are filled there | 3 | – | period 256 |
 //!
 //! | other items | are |
 //! |---|---|
-//! | [`Field`], [`Noise`], [`Curved`] | functions with gradients; kinds with measured statistics; functions with Hessians |
-//! | [`Sample`], [`SecondOrder`] | value and gradient; value, gradient and Hessian |
+//! | [`Field`], [`Noise`], [`HasHessian`] | functions with gradients; kinds with measured statistics; functions with Hessians |
+//! | [`Sample`], [`SampleHessian`] | value and gradient; value, gradient and Hessian |
 //! | [`Grid`] | regular points, for images and volumes |
-//! | [`Spectrum`], [`Octaves`], [`Rotation`], [`Normalisation`] | lacunarity, gain and a real number of octaves; sums of any kind |
+//! | [`FbmSpectrum`], [`Fbm`], [`Rotation`], [`Normalization`] | lacunarity, gain and a real number of octaves; sums of any kind |
 //! | [`Turbulence`], [`Plasma`], [`Billow`], [`Ridged`], [`RidgedMultifractal`] | creased sums |
-//! | [`Octaves::tiled`] | tileable sums, in which each octave has its own periods |
+//! | [`Fbm::tiled`] | tileable sums, in which each octave has its own periods |
 //! | [`Octave`] | the affine map, cell and key of an octave, for evaluation elsewhere |
-//! | [`Octaves::anchored`] | fBm far from the origin, accurate to 1/1000 cell at 10¹² |
-//! | [`Octaves::clamped`], [`removed_share`], [`pixel_footprint`] | frequency clamping to a pixel |
-//! | [`GaussianOctaves`] | sums that are N(0, 1) at every point |
-//! | [`Add`], [`Multiply`], [`Blend`], [`Clamp`], [`Map`], [`Affine`], [`Power`], [`Unit`] | fields composed of fields, by value |
+//! | [`Fbm::anchored`] | fBm far from the origin, accurate to 1/1000 cell at 10¹² |
+//! | [`Fbm::clamped`], [`filtered_fraction`], [`pixel_footprint`] | frequency clamping to a pixel |
+//! | [`GaussianFbm`] | sums that are N(0, 1) at every point |
+//! | [`Add`], [`Multiply`], [`Blend`], [`Clamp`], [`Map`], [`ScaleBias`], [`Power`], [`Unit`] | fields composed of fields, by value |
 //! | [`Warp`], [`curl`] | domain warping with its Jacobian; divergence-free velocities |
-//! | [`Basis`], [`Metric`] | output and metric of cellular noise |
+//! | [`CellularOutput`], [`Metric`] | output and metric of cellular noise |
 //! | [`Lattice`], [`IntegerHash`], [`lattice`] | sources of the random bits of lattice points, and the variates made of them |
 //! | [`Statistics`] | measured standard deviation, kurtosis, range and distribution of a kind |
 //! | [`simd`] | SIMD levels, and the interface over lanes that kinds implement |
@@ -110,7 +110,7 @@
 //! Kinds with quintic weights are least accurate next to the upper border of a cell, where the
 //! weight is rounded by up to 1.2e-6. A coordinate x itself has a spacing of |x|·2⁻²³, and octave i
 //! of a sum is evaluated at fᵢ x. Keep fᵢ |x| under about 10⁵, or place an `f64` anchor near the
-//! points with [`Octaves::anchored`]. [`Field`] documents values far from the origin and at
+//! points with [`Fbm::anchored`]. [`Field`] documents values far from the origin and at
 //! non-finite points.
 //!
 //! # Limitations
@@ -125,9 +125,9 @@
 //! | `alloc` | [`Field`] for `Box`, `Rc` and, on targets with atomic pointers, `Arc` |
 //! | `simd` (default) | SIMD through `fearless_simd`; without `std` only the levels that the program is compiled for |
 //! | `libm` | √ of `libm`, without `std`; takes precedence if both are enabled; the same bits |
-//! | `approx` | the traits of `approx` for [`Sample`] and [`SecondOrder`] |
+//! | `approx` | the traits of `approx` for [`Sample`] and [`SampleHessian`] |
 //! | `check` | property tests for any field, including custom fields: module [`check`] |
-//! | `serde` | serialization of [`Spectrum`], [`Grid`], [`Normalisation`] and [`Rotation`]; a spectrum is deserialized through [`Spectrum::new`] |
+//! | `serde` | serialization of [`FbmSpectrum`], [`Grid`], [`Normalization`] and [`Rotation`]; a spectrum is deserialized through [`FbmSpectrum::new`] |
 //!
 //! # Compile time
 //!
@@ -167,33 +167,33 @@ mod transforms;
 pub use asperity_core::BatchError;
 pub use glam;
 
-pub use contract::field::{Curved, Field};
+pub use contract::field::{Field, HasHessian};
 pub use contract::noise::Noise;
-pub use kinds::cellular::cellular::{Basis, Cellular, CellularError};
+pub use kinds::cellular::cellular::{Cellular, CellularError, CellularOutput};
 pub use kinds::cellular::metric::Metric;
-pub use kinds::gaussian::Gaussian;
-pub use kinds::perlin::{Perlin1985, Perlin2002};
+pub use kinds::gaussian::GaussianNoise;
+pub use kinds::perlin::{Perlin, PerlinClassic};
 pub use kinds::simplex::simplex::Simplex;
 pub use kinds::simplex::tiled::TiledSimplex;
-pub use kinds::sparse_convolution::{Sparse, SparseError};
-pub use kinds::value::{Value, ValueCatmullRom};
+pub use kinds::sparse_convolution::{SparseConvolution, SparseConvolutionError};
+pub use kinds::value::{ValueCatmullRom, ValueNoise};
 pub use kinds::value_gradient::{ValueGradient, ValueGradientError};
-pub use kinds::white::White;
+pub use kinds::white::WhiteNoise;
 pub use lattice::integer_hash::IntegerHash;
 pub use lattice::lattice::Lattice;
 pub use lattice::tiled::{Tiled, TiledError};
 pub use point::Point;
 pub use row::grid::Grid;
-pub use sample::{Sample, SecondOrder};
+pub use sample::{Sample, SampleHessian};
 pub use statistics::statistics::Statistics;
-pub use sums::frequency_clamp::{pixel_footprint, removed_share};
+pub use sums::frequency_clamp::{filtered_fraction, pixel_footprint};
 pub use sums::octave::{Octave, Rotation};
-pub use sums::octaves::{Detail, GaussianOctaves, Normalisation, Octaves};
+pub use sums::octaves::{Detail, Fbm, GaussianFbm, Normalization};
 pub use sums::ridged_multifractal::{FeedbackError, RidgedMultifractal};
 pub use sums::shape::{Shape, Signed};
-pub use sums::spectrum::{Spectrum, SpectrumError};
+pub use sums::spectrum::{FbmSpectrum, FbmSpectrumError};
 pub use sums::turbulence::{Billow, Plasma, Ridged, Turbulence};
-pub use transforms::arithmetic::{Add, Affine, Blend, Clamp, Map, Multiply};
+pub use transforms::arithmetic::{Add, Blend, Clamp, Map, Multiply, ScaleBias};
 pub use transforms::power::Power;
 pub use transforms::unit::Unit;
 pub use transforms::warp::{Displacement, Warp, WarpError};
@@ -209,7 +209,7 @@ pub mod curl {
 /// selects a level in tests and benchmarks. The traits are sealed and may change in any release.
 pub mod simd {
     pub use crate::contract::batch::Batch;
-    pub use crate::contract::hessian::CurvedKernel;
+    pub use crate::contract::hessian::HessianKernel;
     #[doc(hidden)]
     pub use crate::contract::kernel::Measured;
     pub use crate::contract::kernel::{Anchor, Kernel};

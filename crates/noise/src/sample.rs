@@ -16,7 +16,7 @@ pub struct Sample<V> {
 
 /// Value, gradient and Hessian of a field at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SecondOrder<V: Point> {
+pub struct SampleHessian<V: Point> {
     /// The value, dimensionless.
     pub value: f32,
     /// ∂value/∂p, per unit length of the input.
@@ -61,7 +61,7 @@ mod approximately {
         }
     }
 
-    impl<V: Point + AbsDiffEq<Epsilon = f32>> super::SecondOrder<V>
+    impl<V: Point + AbsDiffEq<Epsilon = f32>> super::SampleHessian<V>
     where
         V::Matrix: AsRef<[V::Coordinates]>,
     {
@@ -74,7 +74,7 @@ mod approximately {
         }
     }
 
-    impl<V: Point + AbsDiffEq<Epsilon = f32>> AbsDiffEq for super::SecondOrder<V>
+    impl<V: Point + AbsDiffEq<Epsilon = f32>> AbsDiffEq for super::SampleHessian<V>
     where
         V::Matrix: AsRef<[V::Coordinates]>,
     {
@@ -88,7 +88,7 @@ mod approximately {
         }
     }
 
-    impl<V: Point + RelativeEq<Epsilon = f32>> RelativeEq for super::SecondOrder<V>
+    impl<V: Point + RelativeEq<Epsilon = f32>> RelativeEq for super::SampleHessian<V>
     where
         V::Matrix: AsRef<[V::Coordinates]>,
     {
@@ -107,16 +107,16 @@ mod tests {
     #[cfg(feature = "approx")]
     #[test]
     fn approx_compares_every_entry() {
-        use super::{Sample, SecondOrder};
+        use super::{Sample, SampleHessian};
         use approx::{abs_diff_eq, relative_eq, ulps_eq};
         use glam::Vec2;
 
         let second = |numbers: [f32; 7]| {
             let [value, x, y, xx, xy, yx, yy] = numbers;
-            SecondOrder { value, gradient: Vec2::new(x, y), hessian: [[xx, xy], [yx, yy]] }
+            SampleHessian { value, gradient: Vec2::new(x, y), hessian: [[xx, xy], [yx, yy]] }
         };
         let first = |numbers| {
-            let SecondOrder { value, gradient, .. } = second(numbers);
+            let SampleHessian { value, gradient, .. } = second(numbers);
             Sample { value, gradient }
         };
         let numbers = [4.0; 7];

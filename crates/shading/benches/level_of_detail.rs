@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::level_of_detail::{Coordinates, GaussianField, RemappedOctaves};
-use asperity_shading::noise::{Gaussian, GaussianOctaves, Perlin2002, Spectrum};
+use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise, Perlin};
 use asperity_shading::{
     Beckmann, Conductor, Dielectric, Ggx, LevelOfDetail, Ndf, Schlick, far_field, half_vector,
 };
@@ -29,7 +29,7 @@ fn rules(c: &mut Criterion) {
 
 /// A pixel of a bump map by either rule: noise of four octaves, and a number of lights.
 fn pixels(c: &mut Criterion) {
-    let field = GaussianOctaves::<3>::new(Gaussian::new(1), Spectrum::default());
+    let field = GaussianFbm::<3>::new(GaussianNoise::new(1), FbmSpectrum::default());
     let ndf: &dyn Ndf = &Ggx::new(0.2, 0.4).expect("roughness in range");
     let wo = Vec3::new(-0.1, 0.2, 1.0).normalize();
     for lights in [1_u8, 8, 32] {
@@ -51,8 +51,8 @@ fn pixels(c: &mut Criterion) {
 }
 
 fn fields(c: &mut Criterion) {
-    let gaussian = GaussianOctaves::<3>::new(Gaussian::new(1), Spectrum::default());
-    let perlin = RemappedOctaves::new(Perlin2002::default(), Spectrum::default(), 1).expect("a distribution");
+    let gaussian = GaussianFbm::<3>::new(GaussianNoise::new(1), FbmSpectrum::default());
+    let perlin = RemappedOctaves::new(Perlin::default(), FbmSpectrum::default(), 1).expect("a distribution");
     let fields: [(&str, &dyn GaussianField); 2] = [("gaussian", &gaussian), ("perlin_2002", &perlin)];
     for (name, field) in fields {
         let mut k = 0.0_f32;

@@ -5,7 +5,7 @@ use std::hint::black_box;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::material::{BrickWall, GlintField, Material};
 use asperity_shading::reflectance::{
-    BlinnPhongFactor, BlinnPhongLobe, OrenNayar, OrenNayarForm, WardForm, WardReflection,
+    BlinnPhongBrdf, BlinnPhongFactor, OrenNayar, OrenNayarForm, WardBrdf, WardForm,
 };
 use asperity_shading::texture::{Gas, StarWallpaper};
 use asperity_shading::{
@@ -74,8 +74,8 @@ fn reflectances(c: &mut Criterion) {
     let grey = Vec3::splat(0.5);
     let ggx = Ggx::new(0.2, 0.4).expect("roughness in range");
     let glass = Dielectric::new(1.5).expect("index in range");
-    let lobe = BlinnPhongLobe::new(grey, 30.0, BlinnPhongFactor::Albedo).expect("parameters in range");
-    let ward = WardReflection::new(grey, 0.2, 0.4, WardForm::Bounded).expect("parameters in range");
+    let lobe = BlinnPhongBrdf::new(grey, 30.0, BlinnPhongFactor::Albedo).expect("parameters in range");
+    let ward = WardBrdf::new(grey, 0.2, 0.4, WardForm::Bounded).expect("parameters in range");
     let full = OrenNayar::new(grey, 0.6, OrenNayarForm::Full).expect("parameters in range");
     let all: [(&str, &dyn Brdf); 8] = [
         ("lambert", &Lambert::new(grey).expect("albedo in range")),

@@ -3,13 +3,14 @@
 
 use asperity_shading::environment::low_discrepancy_points;
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
+use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::{Brdf, BumpField, BumpMapped, Footprint, Ggx, LevelOfDetail, Material, SurfacePoint};
 
 const SIDE: u32 = 224;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let bumps = BumpField::new(GaussianOctaves::new(Gaussian::new(1), Spectrum::new(2.17, 0.6, 8)?), 5.0)?;
+    let bumps =
+        BumpField::new(GaussianFbm::new(GaussianNoise::new(1), FbmSpectrum::new(2.17, 0.6, 8)?), 5.0)?;
     let (ndf, colour) = (Ggx::new(0.3, 0.3)?, Vec3::new(0.95, 0.64, 0.54));
     let copper = BumpMapped { ndf, bumps, rule: LevelOfDetail::Exact, colour };
     // A sky that is bright above and to the left, over a dim ground.

@@ -9,11 +9,11 @@
 //!
 //! ```
 //! use asperity_shading::glam::Vec3;
-//! use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
+//! use asperity_shading::noise::{GaussianNoise, GaussianFbm, FbmSpectrum};
 //! use asperity_shading::{BumpField, Footprint, Frame, Ggx, LevelOfDetail, far_field, half_vector};
 //!
 //! let ndf = Ggx::new(0.2, 0.4)?;
-//! let bumps = BumpField::new(GaussianOctaves::new(Gaussian::new(1), Spectrum::default()), 20.0)?;
+//! let bumps = BumpField::new(GaussianFbm::new(GaussianNoise::new(1), FbmSpectrum::default()), 20.0)?;
 //!
 //! // A point of the surface, its normal and ∂P/∂u, the directions to the light and to the eye.
 //! let (p, frame) = (Vec3::new(0.3, 0.1, 0.8), Frame::from_normal_tangent(Vec3::Z, Vec3::X));

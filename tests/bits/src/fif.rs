@@ -3,7 +3,8 @@
 use alloc::format;
 
 use asperity_fif::{
-    Bounded, Fif, HeightField, Hit, Intersect, Interval, Ray, Recurrent, Torus, glam::DVec3, paper,
+    Bounded, Fif, HeightField, Hit, Intersect, Interval, PeriodicSurface, Ray, RecurrentFif, glam::DVec3,
+    paper,
 };
 
 use crate::digest::{Bits, Digest, Report, plane, square, unit};
@@ -68,7 +69,7 @@ fn curves(report: &mut Report) -> Option<()> {
         }
     });
     let (x, y) = ([0.0, 1.0, 2.0, 3.5, 4.0], [0.25, 1.0, -0.5, 1.0, 0.3]);
-    let f = Recurrent::affine(&x, &y, &[0.7, -0.3, 0.9, -0.8], &[[0, 2], [1, 4], [1, 4], [2, 4]]).ok()?;
+    let f = RecurrentFif::affine(&x, &y, &[0.7, -0.3, 0.9, -0.8], &[[0, 2], [1, 4], [1, 4], [2, 4]]).ok()?;
     report.row("recurrent", |bits| {
         (0..POINTS).for_each(|i| bits.push(f.evaluate(within(f.domain(), i), 1e-9)))
     });
@@ -100,7 +101,7 @@ fn surfaces(report: &mut Report) -> Option<()> {
     let z: [f64; 16] = core::array::from_fn(|k| f64::from((7 * k as u32) % 16) / 16.0);
     let d: [[f64; 2]; 16] =
         core::array::from_fn(|k| [f64::from((5 * k as u32) % 16) / 8.0 - 1.0, 0.25 * z[15 - k]]);
-    let torus = Torus::new(4, [[2, -1], [1, 2]], 0.375, &z, &d).ok()?;
+    let torus = PeriodicSurface::new(4, [[2, -1], [1, 2]], 0.375, &z, &d).ok()?;
     report.row("torus", |bits| {
         for i in 0..POINTS {
             let [x, y] = square(i).as_dvec2().to_array();

@@ -4,9 +4,9 @@ use alloc::{format, vec::Vec};
 
 use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, Blend, BlinnPhong, ClosedForm, ConditionalNdf, ConditionalTable, Frame,
-    GaussianSplit, Ggx, Isotropic, KurtoticNoise, Measure, Microfacet, Mixture, Ndf, NdfMap, NoiseCdfRef,
-    NoiseDistribution, NormalTable, OffsetBeckmann, Reconstruction, Rotated, StudentT, Ward, estimate_ndf,
-    inverse_phi, phi,
+    GaussianSplit, Ggx, Isotropic, KurtoticDistribution, Measure, Microfacet, Mixture, Ndf, NdfMap,
+    NoiseCdfRef, NoiseDistribution, NormalLut, OffsetBeckmann, Reconstruction, Rotated, StudentT, Ward,
+    estimate_ndf, inverse_phi, phi,
 };
 use asperity_shading::glam::{Vec2, Vec3};
 
@@ -17,9 +17,9 @@ const POINTS: u32 = 200;
 fn maps(bits: &mut Digest, ndf: &dyn Ndf) {
     for i in 0..POINTS {
         let m = direction(i);
-        bits.push([ndf.density(m), ndf.slope_density(0.3 * plane(i)), ndf.sample_density(m)]);
-        bits.push([ndf.from_gaussian(plane(i)), ndf.sample(square(i))]);
-        bits.push(ndf.to_gaussian(m));
+        bits.push([ndf.density(m), ndf.slope_density(0.3 * plane(i)), ndf.pdf(m)]);
+        bits.push([ndf.warp_gaussian(plane(i)), ndf.sample(square(i))]);
+        bits.push(ndf.invert(m));
     }
 }
 
@@ -29,7 +29,7 @@ fn masking(bits: &mut Digest, ndf: &dyn Microfacet) {
         let (v, w, u) = (direction(i), direction(i + POINTS), square(i));
         bits.push([ndf.lambda(v), ndf.projected_area(v), ndf.g1(v), ndf.g2(v, w), ndf.g2_separable(v, w)]);
         bits.push(ndf.sample_visible(v, u));
-        bits.push(ndf.visible_density(v, w));
+        bits.push(ndf.visible_pdf(v, w));
     }
 }
 
@@ -80,7 +80,7 @@ fn tables(report: &mut Report) -> Option<()> {
             bits.push(out);
         });
     }
-    let table = NormalTable::new(&ggx, 16).ok()?;
+    let table = NormalLut::new(&ggx, 16).ok()?;
     report.row("NormalTable", |bits| {
         for i in 0..POINTS {
             let Frame { tangent, bitangent, normal } = table.bilinear(plane(i));
@@ -147,13 +147,13 @@ fn distributions(report: &mut Report) -> Option<()> {
         }
     });
     let cdf = NoiseCdfRef::new(1.5, &[0.0, 0.1, 0.6, 1.0]).ok()?;
-    let kurtotic = KurtoticNoise::new(0.7, -0.5).ok()?;
+    let kurtotic = KurtoticDistribution::new(0.7, -0.5).ok()?;
     let noises: [(&str, &dyn NoiseDistribution); 2] = [("NoiseCdfRef", &cdf), ("KurtoticNoise", &kurtotic)];
     for (name, noise) in noises {
         report.row(name, |bits| {
             for i in 0..POINTS {
                 let (x, u) = (unit(i, 0) * 4.0 - 2.0, unit(i, 1));
-                bits.push([noise.gaussian(x), noise.uniform(x), noise.from_gaussian(x), noise.inverse(u)]);
+                bits.push([noise.gaussian(x), noise.uniform(x), noise.warp_gaussian(x), noise.inverse(u)]);
             }
         });
     }

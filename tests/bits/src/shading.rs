@@ -4,8 +4,8 @@ use alloc::{boxed::Box, vec::Vec};
 
 use asperity_shading::glam::Vec3;
 use asperity_shading::ndf_sampling::{Beckmann, Ggx};
-use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
-use asperity_shading::reflectance::{OrenNayar, OrenNayarForm, WardForm, WardReflection};
+use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
+use asperity_shading::reflectance::{OrenNayar, OrenNayarForm, WardBrdf, WardForm};
 use asperity_shading::texture::{Gas, StarWallpaper};
 use asperity_shading::{
     Brdf, Brick, BumpField, Carpet, Conductor, CookTorrance, Dielectric, EnergyPreservingOrenNayar,
@@ -31,7 +31,7 @@ fn reflectances(report: &mut Report) -> Option<()> {
         ("CookTorrance, Beckmann", Box::new(CookTorrance::new(beckmann, gold))),
         ("TorranceSparrow", Box::new(TorranceSparrow::new(beckmann, glass))),
         ("Phong", Box::new(Phong::new(albedo, 30.0).ok()?)),
-        ("WardReflection", Box::new(WardReflection::new(albedo, 0.2, 0.4, WardForm::Bounded).ok()?)),
+        ("WardReflection", Box::new(WardBrdf::new(albedo, 0.2, 0.4, WardForm::Bounded).ok()?)),
     ];
     for (name, brdf) in all {
         report.row(name, |bits| {
@@ -71,7 +71,8 @@ fn materials(report: &mut Report) -> Option<()> {
         });
     }
     let ggx = Ggx::new(0.2, 0.4).ok()?;
-    let bumps = BumpField::new(GaussianOctaves::<3>::new(Gaussian::new(1), Spectrum::default()), 7.0).ok()?;
+    let bumps =
+        BumpField::new(GaussianFbm::<3>::new(GaussianNoise::new(1), FbmSpectrum::default()), 7.0).ok()?;
     report.row("BumpField", |bits| {
         for i in 0..POINTS {
             let seen = bumps.coordinates(space(i), Footprint::from_width(unit(i, 4)));

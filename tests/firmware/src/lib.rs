@@ -8,7 +8,7 @@ mod tables;
 
 use asperity_fif::FixedFif;
 use asperity_ndf_sampling::{Frame, PackedMapRef};
-use asperity_noise::{Gaussian, GaussianOctaves, Spectrum};
+use asperity_noise::{GaussianNoise, GaussianFbm, FbmSpectrum};
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::reflectance::{OrenNayar, OrenNayarForm};
 use asperity_shading::{Brdf, BumpField, Footprint, LevelOfDetail};
@@ -48,9 +48,9 @@ pub fn curve() -> Option<FixedFif<5, 2>> {
 
 /// Returns the bump map: exactly Gaussian noise with five octaves.
 #[must_use]
-pub fn bumps() -> Option<BumpField<GaussianOctaves<3>>> {
-    let spectrum = Spectrum::new(2.17, 0.6, 5).ok()?;
-    BumpField::new(GaussianOctaves::new(Gaussian::new(19), spectrum), 5.0).ok()
+pub fn bumps() -> Option<BumpField<GaussianFbm<3>>> {
+    let spectrum = FbmSpectrum::new(2.17, 0.6, 5).ok()?;
+    BumpField::new(GaussianFbm::new(GaussianNoise::new(19), spectrum), 5.0).ok()
 }
 
 /// Returns the reflectance of the patch.

@@ -5,9 +5,9 @@ use asperity_ndf_sampling::level_of_detail::{ConditionalNdf, OffsetBeckmann};
 use asperity_ndf_sampling::normal_map::NormalMapFormat;
 use asperity_ndf_sampling::normal_table::{Chart, Spacing};
 use asperity_ndf_sampling::{
-    AshikhminShirley, Beckmann, Blend, BlinnPhong, Frame, GaussianNoise, GaussianSplit, Ggx, KurtoticNoise,
-    Microfacet, Mixture, Ndf, NoiseDistribution, RangeError, Rotated, StudentT, Ward, detailed,
-    detailed_normal, inverse_phi, phi,
+    AshikhminShirley, Beckmann, Blend, BlinnPhong, Frame, GaussianDistribution, GaussianSplit, Ggx,
+    KurtoticDistribution, Microfacet, Mixture, Ndf, NoiseDistribution, RangeError, Rotated, StudentT, Ward,
+    add_detail, add_detail_normal, inverse_phi, phi,
 };
 
 use crate::numbers::Numbers;
@@ -15,28 +15,28 @@ use crate::numbers::Numbers;
 /// Checks the invariants of every density.
 pub(crate) fn ndf(ndf: &dyn Ndf, numbers: &mut Numbers<'_>) {
     let (z, u, m) = (numbers.pair(), numbers.pair(), numbers.direction());
-    for normal in [ndf.from_gaussian(z), ndf.sample(u)] {
+    for normal in [ndf.warp_gaussian(z), ndf.sample(u)] {
         assert!((normal.length() - 1.0).abs() < 1e-5 && normal.z >= 0.0, "{normal} from {z} {u}");
-        let back = ndf.to_gaussian(normal);
+        let back = ndf.invert(normal);
         assert!(back.is_finite(), "{back} of {normal}");
         density(ndf.density(normal));
-        density(ndf.sample_density(normal));
+        density(ndf.pdf(normal));
     }
-    assert!(ndf.to_gaussian(m).is_finite(), "{m}");
+    assert!(ndf.invert(m).is_finite(), "{m}");
     density(ndf.density(m));
-    density(ndf.sample_density(m));
+    density(ndf.pdf(m));
     density(ndf.slope_density(numbers.pair()));
     let split = GaussianSplit::new(numbers.pair(), numbers.float());
     assert!((0.0..=1.0).contains(&split.share()), "{split:?}");
-    density(ndf.conditional_density(m, split));
+    density(ndf.residual_ndf(m, split));
     let many = [m, numbers.direction(), numbers.vector()];
     let mut densities = [0.0; 3];
     ndf.conditional_densities(&many, split, &mut densities);
     for (m, got) in many.into_iter().zip(densities) {
-        assert_eq!(got.to_bits(), ndf.conditional_density(m, split).to_bits(), "{m} {split:?}");
+        assert_eq!(got.to_bits(), ndf.residual_ndf(m, split).to_bits(), "{m} {split:?}");
         density(got);
     }
-    let bumped = detailed_normal(&ndf, m, z, numbers.float());
+    let bumped = add_detail_normal(&ndf, m, z, numbers.float());
     assert!((bumped.length() - 1.0).abs() < 1e-5, "{bumped}");
 }
 
@@ -56,8 +56,8 @@ pub(crate) fn microfacet(facets: &impl Microfacet, numbers: &mut Numbers<'_>) {
     let m = facets.sample_visible(v, u);
     let name = std::any::type_name_of_val(facets);
     assert!((m.length() - 1.0).abs() < 1e-4 && m.z >= 0.0, "{name}: {m} from {v} {u}");
-    density(facets.visible_density(v, m));
-    density(facets.visible_density(v, w));
+    density(facets.visible_pdf(v, m));
+    density(facets.visible_pdf(v, w));
 }
 
 fn refused(error: &RangeError) {
@@ -133,7 +133,7 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
                     density(blend.projected_area(v));
                     let m = blend.sample_visible(v, numbers.pair());
                     assert!(m.is_finite());
-                    density(blend.visible_density(v, m));
+                    density(blend.visible_pdf(v, m));
                 }
                 Err(error) => refused(&error),
             }
@@ -154,10 +154,10 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
 }
 
 fn distributions(numbers: &mut Numbers<'_>) {
-    if let Ok(noise) = GaussianNoise::new(numbers.float()) {
+    if let Ok(noise) = GaussianDistribution::new(numbers.float()) {
         distribution(&noise, numbers);
     }
-    match KurtoticNoise::new(numbers.float(), numbers.float()) {
+    match KurtoticDistribution::new(numbers.float(), numbers.float()) {
         Ok(noise) => distribution(&noise, numbers),
         Err(error) => refused(&error),
     }
@@ -171,7 +171,7 @@ fn distributions(numbers: &mut Numbers<'_>) {
 pub(crate) fn distribution(noise: &dyn NoiseDistribution, numbers: &mut Numbers<'_>) {
     let (r, z, u) = (numbers.float(), numbers.float(), numbers.float());
     assert!(noise.gaussian(r).is_finite(), "{r}");
-    assert!(!noise.from_gaussian(z).is_nan(), "{z}");
+    assert!(!noise.warp_gaussian(z).is_nan(), "{z}");
     assert!((0.0..=1.0).contains(&noise.uniform(r)), "{r}");
     assert!(!noise.inverse(u).is_nan(), "{u}");
 }
@@ -180,7 +180,7 @@ fn rest(numbers: &mut Numbers<'_>) {
     let frame = Frame::from_normal(numbers.direction());
     orthonormal(&frame);
     orthonormal(&Frame::from_normal_tangent(numbers.direction(), numbers.vector()));
-    assert!(detailed(numbers.pair(), numbers.pair(), numbers.float()).is_finite());
+    assert!(add_detail(numbers.pair(), numbers.pair(), numbers.float()).is_finite());
     let texel = [numbers.byte(), numbers.byte(), numbers.byte()];
     let n = NormalMapFormat::default().decode_u8(texel);
     assert!((n.length() - 1.0).abs() < 1e-5, "{n}");

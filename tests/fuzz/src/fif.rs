@@ -1,7 +1,7 @@
 //! Fractal interpolation functions: any data is rejected, or gives a function with consistent
 //! bounds.
 
-use asperity_fif::{Fif, FixedFif, Interval, Recurrent, box_dimension, fit, oscillation_exponent};
+use asperity_fif::{Fif, FixedFif, Interval, RecurrentFif, box_dimension, fit, oscillation_exponent};
 
 use crate::numbers::Numbers;
 
@@ -137,7 +137,7 @@ fn recurrent(numbers: &mut Numbers<'_>) {
     let y = numbers.list(8, Numbers::double);
     let alpha = numbers.list(8, factor);
     let sources = numbers.list(8, |numbers| [numbers.count(8), numbers.count(8)]);
-    match Recurrent::affine(&x, &y, &alpha, &sources) {
+    match RecurrentFif::affine(&x, &y, &alpha, &sources) {
         Ok(f) => {
             let x = numbers.double();
             let got = f.evaluate(x, numbers.double());

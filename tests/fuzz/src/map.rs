@@ -3,8 +3,8 @@
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::{
-    ConditionalTable, GaussianSplit, Ggx, Isotropic, Measure, NdfEstimator, NdfMap, NormalTable,
-    PackedMapRef, Reconstruction, estimate_ndf,
+    ConditionalTable, GaussianSplit, Ggx, Isotropic, Measure, NdfEstimator, NdfMap, NormalLut, PackedMapRef,
+    Reconstruction, estimate_ndf,
 };
 
 use crate::density::ndf;
@@ -82,7 +82,7 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
                 Err(error) => assert_eq!(error.to_string().lines().count(), 1),
             }
             let Ok(ggx) = Ggx::new(numbers.between(1e-6, 1e6), numbers.between(1e-6, 1e6)) else { return };
-            if let Ok(table) = NormalTable::new(&ggx, 1 + numbers.count(7)) {
+            if let Ok(table) = NormalLut::new(&ggx, 1 + numbers.count(7)) {
                 let (z, m) = (numbers.pair(), table.nearest(numbers.pair()).normal);
                 assert!((m.length() - 1.0).abs() < 1e-5 && table.bilinear(z).normal.is_finite(), "{z}");
             }

@@ -6,7 +6,7 @@ use asperity_shading::material::{
     Elimination, Fibres, FibresParameters, GlassBody, GlassWaves, GlintField, PaintFlakes, SeamPattern,
     Seams, flake_patch, sparkle_width,
 };
-use asperity_shading::noise::{Gaussian, GaussianOctaves, Perlin2002, Spectrum};
+use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise, Perlin};
 use asperity_shading::texture::{Bevel, Edge, Gas, PerturbedTexture, StarWallpaper, Steam, march};
 use asperity_shading::{
     Beckmann, Brdf, Brick, BumpField, BumpMapped, Carpet, CarpetParameters, Footprint, Frame, Ggx,
@@ -202,7 +202,7 @@ fn textures(numbers: &mut Numbers<'_>) {
         assert!((0.0..=1.0).contains(&covered) && (0.0..=1.0).contains(&stars.mean()), "{covered}");
         let _ = stars.as_listed(uv);
     }
-    if let Ok(marble) = Marble::new(Perlin2002::default(), size(numbers), 1) {
+    if let Ok(marble) = Marble::new(Perlin::default(), size(numbers), 1) {
         let colour = marble.colour(p, footprint);
         assert!(colour.min_element() >= 0.0 && colour.max_element() <= 1.0, "{colour}");
     }
@@ -240,9 +240,10 @@ fn textures(numbers: &mut Numbers<'_>) {
 
 fn bumps(numbers: &mut Numbers<'_>) {
     let ndf = Ggx::clamped(numbers.float(), numbers.float());
-    let spectrum = Spectrum::new(2.0 + numbers.share(), numbers.between(0.1, 1.0), 1 + numbers.word() % 16);
+    let spectrum =
+        FbmSpectrum::new(2.0 + numbers.share(), numbers.between(0.1, 1.0), 1 + numbers.word() % 16);
     let spectrum = spectrum.unwrap_or_default();
-    let Ok(field) = BumpField::new(GaussianOctaves::<3>::new(Gaussian::new(3), spectrum), size(numbers))
+    let Ok(field) = BumpField::new(GaussianFbm::<3>::new(GaussianNoise::new(3), spectrum), size(numbers))
     else {
         return;
     };
@@ -260,7 +261,7 @@ fn bumps(numbers: &mut Numbers<'_>) {
     assert!(facet_coordinates(&ndf, seen).is_finite());
     let shaded = shade_facet(&ndf, &Frame::from_normal(numbers.direction()), numbers.direction());
     assert!(shaded >= 0.0 && shaded.is_finite(), "{shaded}");
-    let _ = RemappedOctaves::new(Perlin2002::new(1), spectrum, numbers.word());
+    let _ = RemappedOctaves::new(Perlin::new(1), spectrum, numbers.word());
 }
 
 pub(crate) fn attack(numbers: &mut Numbers<'_>) {

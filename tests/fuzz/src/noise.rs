@@ -4,11 +4,11 @@
 use asperity_noise::glam::{Vec2, Vec3, Vec4};
 use asperity_noise::simd::Kernel;
 use asperity_noise::{
-    Add, Affine, Basis, Billow, Blend, Cellular, Clamp, Curved, Field, Gaussian, GaussianOctaves, Grid,
-    IntegerHash, Metric, Multiply, Noise, Normalisation, Octaves, Perlin1985, Perlin2002, Plasma, Point,
-    Power, Ridged, RidgedMultifractal, Rotation, Sample, Simplex, Sparse, Spectrum, Tiled, TiledSimplex,
-    Turbulence, Unit, Value, ValueCatmullRom, ValueGradient, Warp, White, curl, pixel_footprint,
-    removed_share,
+    Add, Billow, Blend, Cellular, CellularOutput, Clamp, Fbm, FbmSpectrum, Field, GaussianFbm, GaussianNoise,
+    Grid, HasHessian, IntegerHash, Metric, Multiply, Noise, Normalization, Perlin, PerlinClassic, Plasma,
+    Point, Power, Ridged, RidgedMultifractal, Rotation, Sample, ScaleBias, Simplex, SparseConvolution, Tiled,
+    TiledSimplex, Turbulence, Unit, ValueCatmullRom, ValueGradient, ValueNoise, Warp, WhiteNoise, curl,
+    filtered_fraction, pixel_footprint,
 };
 
 use crate::numbers::Numbers;
@@ -47,7 +47,7 @@ fn checked<V: Point>(
 
 /// Checks lists and grids of a field, which have the bits of single points.
 fn many(numbers: &mut Numbers<'_>) {
-    let field = Octaves::<_, 3>::new(Perlin2002::new(numbers.word()), Spectrum::CLOUD).first(numbers.float());
+    let field = Fbm::<_, 3>::new(Perlin::new(numbers.word()), FbmSpectrum::CLOUD).first(numbers.float());
     let points: Vec<Vec3> = (0..1 + numbers.count(17)).map(|_| numbers.vector()).collect();
     let mut values = vec![0.0; points.len()];
     field.values(&points, &mut values).expect("as many");
@@ -66,11 +66,11 @@ fn many(numbers: &mut Numbers<'_>) {
     }
 }
 
-fn spectrum(numbers: &mut Numbers<'_>) -> Spectrum {
-    let given = Spectrum::new(numbers.float(), numbers.float(), numbers.word() % 20);
+fn spectrum(numbers: &mut Numbers<'_>) -> FbmSpectrum {
+    let given = FbmSpectrum::new(numbers.float(), numbers.float(), numbers.word() % 20);
     given.unwrap_or_else(|error| {
         assert_eq!(error.to_string().lines().count(), 1);
-        Spectrum::default()
+        FbmSpectrum::default()
     })
 }
 
@@ -90,11 +90,11 @@ fn kind<V: Point<Coordinates = [f32; N]>, K: Kernel<N> + Noise<V>, const N: usiz
 
 /// Checks a sum and transforms of a noise.
 fn transformed<V: Point<Coordinates = [f32; N]>, const N: usize>(numbers: &mut Numbers<'_>) {
-    let noise = Perlin2002::new(numbers.word());
+    let noise = Perlin::new(numbers.word());
     let (low, high, power) = (numbers.share(), numbers.share(), numbers.byte() % 9);
     let (unit, slack) = (Unit(noise), slack(false));
     match numbers.byte() % 4 {
-        0 => field::<V>(&Clamp(Affine(unit, low, high), -1.0, high), slack, numbers),
+        0 => field::<V>(&Clamp(ScaleBias(unit, low, high), -1.0, high), slack, numbers),
         1 => {
             field::<V>(&Blend(Add(noise, noise), Multiply(noise, noise), Power(unit, power)), slack, numbers)
         }
@@ -104,7 +104,7 @@ fn transformed<V: Point<Coordinates = [f32; N]>, const N: usize>(numbers: &mut N
             }
         }
         _ => {
-            if let Some(sum) = sum::<_, N>(Gaussian::new(numbers.word()), numbers) {
+            if let Some(sum) = sum::<_, N>(GaussianNoise::new(numbers.word()), numbers) {
                 field::<V>(&sum, slack, numbers);
             }
         }
@@ -112,21 +112,21 @@ fn transformed<V: Point<Coordinates = [f32; N]>, const N: usize>(numbers: &mut N
 }
 
 /// Returns the sum of a noise's octaves, unless its gradients may overflow.
-fn sum<K: Kernel<N> + Copy, const N: usize>(noise: K, numbers: &mut Numbers<'_>) -> Option<Octaves<K, N>> {
+fn sum<K: Kernel<N> + Copy, const N: usize>(noise: K, numbers: &mut Numbers<'_>) -> Option<Fbm<K, N>> {
     let (spectrum, octaves) = (spectrum(numbers), numbers.float());
     for share in [spectrum.share(octaves), spectrum.weight(octaves, numbers.word() % 20)] {
         assert!((0.0..=1.0).contains(&share), "{share}");
     }
-    let sum = Octaves::<K, N>::new(noise, spectrum)
+    let sum = Fbm::<K, N>::new(noise, spectrum)
         .with_rotation(numbers.pick(&[Rotation::Aligned, Rotation::Random]))
         .with_seed(numbers.word())
-        .with_normalisation(numbers.pick(&[Normalisation::Range, Normalisation::Variance]));
+        .with_normalization(numbers.pick(&[Normalization::UnitRange, Normalization::UnitVariance]));
     (spectrum.frequency(spectrum.max_octaves() - 1) < 1e30).then(|| sum.first(octaves))
 }
 
 /// Checks octaves with shapes.
 fn shaped<V: Point<Coordinates = [f32; N]>, const N: usize>(numbers: &mut Numbers<'_>) {
-    let Some(sum) = sum::<_, N>(Perlin2002::new(numbers.word()), numbers) else { return };
+    let Some(sum) = sum::<_, N>(Perlin::new(numbers.word()), numbers) else { return };
     match numbers.byte() % 5 {
         0 => field::<V>(&sum.with_shape(Turbulence), 1e-4, numbers),
         1 => field::<V>(&sum.with_shape(Plasma), 1e-4, numbers),
@@ -141,12 +141,12 @@ fn shaped<V: Point<Coordinates = [f32; N]>, const N: usize>(numbers: &mut Number
 }
 
 /// Checks a noise with second derivatives.
-fn curved<V: Point>(noise: &impl Curved<V>, numbers: &mut Numbers<'_>)
+fn curved<V: Point>(noise: &impl HasHessian<V>, numbers: &mut Numbers<'_>)
 where
     V::Matrix: AsRef<[V::Coordinates]>,
 {
     let p = point(numbers);
-    let (second, first) = (noise.second_order(p), noise.sample(p));
+    let (second, first) = (noise.sample_with_hessian(p), noise.sample(p));
     assert_eq!((second.value, second.gradient), (first.value, first.gradient), "{p:?}");
     let finite = |row: &V::Coordinates| row.as_ref().iter().all(|x| x.is_finite());
     assert!(second.hessian.as_ref().iter().all(finite), "{second:?} at {p:?}");
@@ -157,25 +157,30 @@ macro_rules! dimension {
         fn $name(numbers: &mut Numbers<'_>) {
             let seed = numbers.word();
             match numbers.byte() % 15 {
-                0 => kind::<$vector, _, $n>(White::new(seed), numbers),
-                1 => kind::<$vector, _, $n>(Value::new(seed), numbers),
+                0 => kind::<$vector, _, $n>(WhiteNoise::new(seed), numbers),
+                1 => kind::<$vector, _, $n>(ValueNoise::new(seed), numbers),
                 2 => kind::<$vector, _, $n>(ValueCatmullRom::new(seed), numbers),
-                3 => kind::<$vector, _, $n>(Perlin1985::new(seed), numbers),
-                4 => kind::<$vector, _, $n>(Perlin2002::new(seed), numbers),
-                5 => kind::<$vector, _, $n>(Gaussian::new(seed), numbers),
+                3 => kind::<$vector, _, $n>(PerlinClassic::new(seed), numbers),
+                4 => kind::<$vector, _, $n>(Perlin::new(seed), numbers),
+                5 => kind::<$vector, _, $n>(GaussianNoise::new(seed), numbers),
                 6 => match ValueGradient::new(seed).with_weight(numbers.float()) {
                     Ok(noise) => kind::<$vector, _, $n>(noise, numbers),
                     Err(error) => assert_eq!(error.to_string().lines().count(), 1),
                 },
                 7 => kind::<$vector, _, $n>(Simplex::new(seed), numbers),
                 8 => kind::<$vector, _, $n>(Simplex::wide(seed), numbers),
-                9 => match Sparse::new(seed).with_impulses(numbers.word() % 7) {
+                9 => match SparseConvolution::new(seed).with_impulses(numbers.word() % 7) {
                     Ok(noise) => kind::<$vector, _, $n>(noise, numbers),
                     Err(error) => assert_eq!(error.to_string().lines().count(), 1),
                 },
                 10 => {
                     let noise = Cellular::new(seed)
-                        .with_basis(numbers.pick(&[Basis::F1, Basis::F2, Basis::F2MinusF1, Basis::Cell]))
+                        .with_output(numbers.pick(&[
+                            CellularOutput::F1,
+                            CellularOutput::F2,
+                            CellularOutput::F2MinusF1,
+                            CellularOutput::Cell,
+                        ]))
                         .with_metric(numbers.pick(&[Metric::Euclidean, Metric::Manhattan, Metric::Chebyshev]))
                         .with_jitter(numbers.float());
                     match noise {
@@ -184,14 +189,17 @@ macro_rules! dimension {
                     }
                 }
                 11 => {
-                    curved::<$vector>(&Perlin2002::new(seed), numbers);
+                    curved::<$vector>(&Perlin::new(seed), numbers);
                     curved::<$vector>(&Simplex::new(seed), numbers);
-                    curved::<$vector>(&Gaussian::new(seed), numbers);
-                    curved::<$vector>(&Octaves::<_, $n>::new(Value::new(seed), Spectrum::CLOUD), numbers);
-                    let sum = GaussianOctaves::<$n>::new(Gaussian::new(seed), Spectrum::default());
+                    curved::<$vector>(&GaussianNoise::new(seed), numbers);
+                    curved::<$vector>(&Fbm::<_, $n>::new(ValueNoise::new(seed), FbmSpectrum::CLOUD), numbers);
+                    let sum = GaussianFbm::<$n>::new(GaussianNoise::new(seed), FbmSpectrum::default());
                     let p: $vector = point(numbers);
-                    for sample in
-                        sum.detail(numbers.float()).pair(p).into_iter().chain(Gaussian::new(seed).pair(p))
+                    for sample in sum
+                        .detail(numbers.float())
+                        .pair(p)
+                        .into_iter()
+                        .chain(GaussianNoise::new(seed).pair(p))
                     {
                         let finite = sample.gradient.coordinates().iter().all(|x| x.is_finite());
                         assert!(sample.value.is_finite() && finite, "{sample:?} at {p:?}");
@@ -203,9 +211,9 @@ macro_rules! dimension {
                     let periods =
                         core::array::from_fn(|_| numbers.pick(&[0, 1, 3, 5, 8, 2_097_152, u32::MAX]));
                     let Ok(lattice) = Tiled::<_, $n>::new(IntegerHash, periods) else { return };
-                    let noise = Perlin2002::new(seed).with_lattice(lattice);
+                    let noise = Perlin::new(seed).with_lattice(lattice);
                     field::<$vector>(&noise, 1e-5, numbers);
-                    if let Ok(sum) = Octaves::<_, $n>::tiled(noise, spectrum(numbers)) {
+                    if let Ok(sum) = Fbm::<_, $n>::tiled(noise, spectrum(numbers)) {
                         field::<$vector>(&sum, 1e-4, numbers);
                     }
                 }
@@ -225,10 +233,10 @@ fn rest(numbers: &mut Numbers<'_>) {
     if let Ok(noise) = TiledSimplex::new(Simplex::new(seed), periods) {
         field::<Vec3>(&noise, slack(true), numbers);
     }
-    let share = removed_share(numbers.float(), numbers.float());
+    let share = filtered_fraction(numbers.float(), numbers.float());
     assert!((0.0..=1.0).contains(&share), "{share}");
     assert!(pixel_footprint(numbers.vector(), numbers.vector()) >= 0.0);
-    let noise = Octaves::new(Perlin2002::new(seed), Spectrum::CLOUD);
+    let noise = Fbm::new(Perlin::new(seed), FbmSpectrum::CLOUD);
     if let Ok(warp) = Warp::new(noise, [Simplex::new(1), Simplex::new(2), Simplex::new(3)], numbers.share()) {
         field::<Vec3>(&warp, 1e-4, numbers);
     }
@@ -240,8 +248,8 @@ fn rest(numbers: &mut Numbers<'_>) {
     assert!(flow.velocity.is_finite() && flow.jacobian.as_flattened().iter().all(|x| x.is_finite()), "{p}");
 }
 
-fn noise_2(seed: u32) -> Octaves<Perlin2002, 2> {
-    Octaves::new(Perlin2002::new(seed), Spectrum::CLOUD)
+fn noise_2(seed: u32) -> Fbm<Perlin, 2> {
+    Fbm::new(Perlin::new(seed), FbmSpectrum::CLOUD)
 }
 
 pub(crate) fn attack(numbers: &mut Numbers<'_>) {

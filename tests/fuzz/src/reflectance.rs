@@ -2,14 +2,15 @@
 //! direction and a density.
 
 use asperity_shading::bump::{
-    bumped_normal, displace, facing, gradient_of_normal, slope_facets, surface_gradient, tangential,
+    bumped_normal, displace, flip_to_visible, gradient_of_normal, project_to_tangent_plane, slope_facets,
+    surface_gradient,
 };
 use asperity_shading::glam::Vec3;
 use asperity_shading::pixel::FrequencyClamp;
 use asperity_shading::reflectance::{
-    Absorption, BlinnPhongFactor, BlinnPhongLobe, Brdf, Conductor, CookTorrance, Dielectric,
+    Absorption, BlinnPhongBrdf, BlinnPhongFactor, Brdf, Conductor, CookTorrance, Dielectric,
     EnergyPreservingOrenNayar, Fresnel, Lambert, Masking, OrenNayar, OrenNayarForm, Phong, RoughDielectric,
-    Schlick, SchlickF82, TorranceSparrow, WardForm, WardReflection,
+    Schlick, SchlickF82, TorranceSparrow, WardBrdf, WardForm,
 };
 use asperity_shading::{Beckmann, Footprint, Frame, Ggx, ParameterError, PixelEllipse, half_vector, reflect};
 
@@ -65,11 +66,11 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
                 BlinnPhongFactor::Approximate,
                 BlinnPhongFactor::Density,
             ]);
-            brdf(BlinnPhongLobe::new(colour(numbers), number(numbers, 1e-6, 1e7), factor), numbers);
+            brdf(BlinnPhongBrdf::new(colour(numbers), number(numbers, 1e-6, 1e7), factor), numbers);
         }
         5 => {
             let form = numbers.pick(&[WardForm::Ward, WardForm::Dur, WardForm::Bounded]);
-            brdf(WardReflection::new(colour(numbers), x, y, form), numbers);
+            brdf(WardBrdf::new(colour(numbers), x, y, form), numbers);
         }
         6 => {
             let (Ok(ggx), Ok(glass)) = (Ggx::new(x, y), Dielectric::new(number(numbers, 1e-3, 1e3))) else {
@@ -131,10 +132,12 @@ fn bumps(numbers: &mut Numbers<'_>) {
     let n = numbers.unit();
     let (g, slope, p) = (numbers.vector(), numbers.pair(), [numbers.vector(), numbers.vector()]);
     let frame = Frame::from_normal(n);
-    for gradient in [g, surface_gradient(n, p, slope), tangential(n, g), gradient_of_normal(&frame, p[0])] {
+    for gradient in
+        [g, surface_gradient(n, p, slope), project_to_tangent_plane(n, g), gradient_of_normal(&frame, p[0])]
+    {
         let bumped = bumped_normal(n, gradient);
         assert!((bumped.length() - 1.0).abs() < 1e-5 && bumped.dot(n) > 0.0, "{bumped} of {n} {gradient}");
-        let seen = facing(n, bumped, p[1]);
+        let seen = flip_to_visible(n, bumped, p[1]);
         assert!((seen.length() - 1.0).abs() < 1e-5, "{seen}");
         let mut shares = 0.0;
         for facet in slope_facets(n, bumped, numbers.float()) {

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
-use asperity_shaders::{
+use asperity_wgsl::{
     Binding, Bindings, Element, Imports, Part, compose, fif, module, ndf, noise, ordered, shading,
 };
 

@@ -1,6 +1,8 @@
 //! Fractal surfaces and rays: heights are within their bounds, and every ray terminates.
 
-use asperity_fif::{Curvature, Fif, Folded, HeightField, Intersect, Interval, Ray, RoughFolded, Torus};
+use asperity_fif::{
+    Curvature, Fif, FoldedSurface, HeightField, Intersect, Interval, PeriodicSurface, Ray, RoughFoldedSurface,
+};
 use glam::DVec3;
 
 use crate::numbers::Numbers;
@@ -97,7 +99,7 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
                     if numbers.byte() < 220 { numbers.count(4) as i32 - 2 } else { numbers.word() as i32 }
                 })
             });
-            match Torus::new(2, matrix, factor, &z, &d) {
+            match PeriodicSurface::new(2, matrix, factor, &z, &d) {
                 Ok(torus) => {
                     check(&torus, numbers);
                     let _ = torus.evaluate_ratio(
@@ -114,7 +116,7 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
             let (z, d) = nodes::<9>(numbers);
             let knots =
                 [(); 2].map(|()| [0.0, 0.5, if numbers.byte() < 220 { 1.0 } else { numbers.double() }]);
-            match Folded::new(&knots[0], &knots[1], factor, &z, &d) {
+            match FoldedSurface::new(&knots[0], &knots[1], factor, &z, &d) {
                 Ok(folded) => check(&folded, numbers),
                 Err(error) => assert_eq!(error.to_string().lines().count(), 1),
             }
@@ -122,7 +124,7 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
         _ => {
             let (z, d) = nodes::<9>(numbers);
             let factors: [f64; 9] = std::array::from_fn(|_| 1.8 * f64::from(numbers.share()) - 0.9);
-            match RoughFolded::new(&[0.0, 0.4, 1.0], &[0.0, 0.5, 1.0], &factors, &z, &d) {
+            match RoughFoldedSurface::new(&[0.0, 0.4, 1.0], &[0.0, 0.5, 1.0], &factors, &z, &d) {
                 Ok(folded) => check(&folded, numbers),
                 Err(error) => assert_eq!(error.to_string().lines().count(), 1),
             }

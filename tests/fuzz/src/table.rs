@@ -2,7 +2,7 @@
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::level_of_detail::ConditionalTableRef;
-use asperity_ndf_sampling::normal_table::{Chart, NormalTableRef, Spacing, TableLayout};
+use asperity_ndf_sampling::normal_table::{Chart, NormalLutRef, Spacing, TableLayout};
 use asperity_ndf_sampling::{GaussianSplit, IsotropicRef, Ndf, NoiseCdfRef, PackedMapRef};
 
 use crate::density::{distribution, ndf};
@@ -18,8 +18,8 @@ pub(crate) fn packed(array: &[f32], numbers: &mut Numbers<'_>) {
     match PackedMapRef::new(array) {
         Ok(map) => {
             let (u, m) = (numbers.pair(), numbers.direction());
-            let _ = (map.inverse(u), map.forward(u), map.sample(u), map.from_gaussian(u));
-            let _ = (map.density(m), map.to_gaussian(m), map.grid_and_parts());
+            let _ = (map.inverse(u), map.forward(u), map.sample(u), map.warp_gaussian(u));
+            let _ = (map.density(m), map.invert(m), map.grid_and_parts());
             let points = [0.1, -0.3, 0.9, u.x, u.y, m.x, m.y, 0.0, 2.0];
             let (mut x, mut y) = ([0.0; 9], [0.0; 9]);
             map.inverses([&points, &points], [&mut x, &mut y]).expect("as many");
@@ -57,12 +57,12 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
         }
         2 => {
             let array = floats(numbers.rest());
-            unit(NormalTableRef::new(size, layout, array.as_chunks::<2>().0), z);
+            unit(NormalLutRef::new(size, layout, array.as_chunks::<2>().0), z);
         }
         3 => {
             let halves: Vec<u16> =
                 numbers.rest().as_chunks().0.iter().map(|&bytes| u16::from_le_bytes(bytes)).collect();
-            unit(NormalTableRef::new(size, layout, halves.as_chunks::<2>().0), z);
+            unit(NormalLutRef::new(size, layout, halves.as_chunks::<2>().0), z);
         }
         4 => {
             let array = floats(numbers.rest());
@@ -71,7 +71,7 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
                     let density = table.density(h, split);
                     assert!(density >= 0.0 && density.is_finite(), "{density}");
                     // Between entries of arbitrary numbers.
-                    let _ = table.to_gaussian(h);
+                    let _ = table.invert(h);
                 }
                 Err(error) => assert_eq!(error.to_string().lines().count(), 1),
             }
@@ -92,7 +92,7 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
 }
 
 fn unit<E: asperity_ndf_sampling::normal_table::TableEntry>(
-    table: Result<NormalTableRef<'_, E>, asperity_ndf_sampling::NormalTableError>,
+    table: Result<NormalLutRef<'_, E>, asperity_ndf_sampling::NormalLutError>,
     z: Vec2,
 ) {
     match table {

@@ -6,7 +6,7 @@ use asperity_fif::{Fif, FixedFif};
 use asperity_ndf_sampling::normal_map::NormalMapFormat;
 use asperity_ndf_sampling::normal_table::TableLayout;
 use asperity_ndf_sampling::{AshikhminShirley, Beckmann, BlinnPhong, Ggx, Measure, Ndf, StudentT, Ward};
-use asperity_noise::{Grid, Normalisation, Rotation, Spectrum};
+use asperity_noise::{FbmSpectrum, Grid, Normalization, Rotation};
 use asperity_shading::{
     Carpet, CarpetParameters, LevelOfDetail, MetallicPaint, MetallicPaintParameters, Scratches,
     ScratchesParameters, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters,
@@ -39,7 +39,7 @@ fn read<T: DeserializeOwned + Serialize>(text: &[u8]) -> Option<T> {
 
 fn density<N: Ndf + DeserializeOwned + Serialize>(text: &[u8]) {
     if let Some(ndf) = read::<N>(text) {
-        let m = ndf.from_gaussian(Vec2::new(0.3, -0.8));
+        let m = ndf.warp_gaussian(Vec2::new(0.3, -0.8));
         assert!(m.is_finite() && ndf.density(m) >= 0.0);
     }
 }
@@ -54,9 +54,9 @@ pub(crate) fn json(data: &[u8]) {
     read::<Measure>(data);
     read::<TableLayout>(data);
     read::<NormalMapFormat>(data);
-    read::<Spectrum>(data);
+    read::<FbmSpectrum>(data);
     read::<Grid<Vec3>>(data);
-    read::<(Normalisation, Rotation)>(data);
+    read::<(Normalization, Rotation)>(data);
     read::<LevelOfDetail>(data);
     let _ = read::<CarpetParameters>(data).map(Carpet::new);
     let _ = read::<MetallicPaintParameters>(data).map(MetallicPaint::new);
@@ -104,7 +104,7 @@ pub(crate) fn words(data: &[u8]) {
         }
         match Density::parse(word, Images::USUAL) {
             Ok(density) => {
-                let m = density.ndf.from_gaussian(Vec2::new(0.3, -0.8));
+                let m = density.ndf.warp_gaussian(Vec2::new(0.3, -0.8));
                 assert!(m.is_finite() && density.ndf.density(m) >= 0.0, "{word}");
                 let slug = density.slug();
                 assert!(!slug.is_empty() && !slug.starts_with('.') && !slug.contains(['/', '\\']), "{slug}");

@@ -8,8 +8,8 @@ use std::ops::RangeInclusive;
 use std::time::Instant;
 
 use asperity_fif::paper;
-use asperity_ndf_sampling::{GaussianNoise, KurtoticNoise, NoiseCdfRef, NoiseDistribution};
-use asperity_noise::{Field, Gaussian, Perlin2002, Simplex, Spectrum, Value, ValueCatmullRom};
+use asperity_ndf_sampling::{GaussianDistribution, KurtoticDistribution, NoiseCdfRef, NoiseDistribution};
+use asperity_noise::{FbmSpectrum, Field, GaussianNoise, Perlin, Simplex, ValueCatmullRom, ValueNoise};
 use asperity_shading::Footprint;
 use asperity_shading::glam::Vec3;
 use asperity_shading::pixel::FrequencyClamp;
@@ -86,17 +86,17 @@ fn distributions_are_bounded_and_finite() {
     fn distribution(name: &str, noise: &(impl NoiseDistribution + Sync)) {
         everywhere(&format!("`{name}::gaussian`"), |x| noise.gaussian(x).abs() <= 13.0);
         everywhere(&format!("`{name}::uniform`"), |x| UNIT.contains(&noise.uniform(x)));
-        everywhere(&format!("`{name}::from_gaussian`"), |x| noise.from_gaussian(x).is_finite());
+        everywhere(&format!("`{name}::from_gaussian`"), |x| noise.warp_gaussian(x).is_finite());
         everywhere(&format!("`{name}::inverse`"), |x| noise.inverse(x).is_finite());
     }
-    distribution("GaussianNoise", &GaussianNoise::new(0.4).expect("a deviation"));
-    distribution("KurtoticNoise", &KurtoticNoise::new(0.4, -0.46).expect("moments"));
+    distribution("GaussianNoise", &GaussianDistribution::new(0.4).expect("a deviation"));
+    distribution("KurtoticNoise", &KurtoticDistribution::new(0.4, -0.46).expect("moments"));
     distribution("NoiseCdfRef", &NoiseCdfRef::new(1.0, &[0.0, 0.2, 0.8, 1.0]).expect("a distribution"));
 }
 
 #[test]
 fn spectra_accept_any_octave_count() {
-    let cloud = Spectrum::CLOUD;
+    let cloud = FbmSpectrum::CLOUD;
     everywhere("`Spectrum::share`", |x| (0.0..1.0).contains(&cloud.share(x)));
     everywhere("`Spectrum::kurtosis_ratio`", |x| UNIT.contains(&cloud.kurtosis_ratio(x)));
     everywhere("`Spectrum::sum_of_amplitudes`", |x| (0.0..=2.0).contains(&cloud.sum_of_amplitudes(x)));
@@ -114,11 +114,11 @@ fn noise_stays_in_range() {
             (low - slack..=high + slack).contains(&sample.value) && sample.gradient.is_finite()
         });
     }
-    noise("Value", &Value::new(1));
+    noise("Value", &ValueNoise::new(1));
     noise("ValueCatmullRom", &ValueCatmullRom::new(1));
-    noise("Perlin2002", &Perlin2002::new(1));
+    noise("Perlin2002", &Perlin::new(1));
     noise("Simplex", &Simplex::new(1));
-    noise("Gaussian", &Gaussian::new(1));
+    noise("Gaussian", &GaussianNoise::new(1));
 }
 
 #[test]

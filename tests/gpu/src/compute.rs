@@ -1,6 +1,6 @@
 //! Compute shaders: resources and words in, words out.
 
-use asperity_shaders::Part;
+use asperity_wgsl::Part;
 use wgpu::{BufferUsages, ShaderSource, ShaderStages};
 
 use crate::{

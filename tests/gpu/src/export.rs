@@ -7,7 +7,7 @@ use std::process::Command;
 use std::sync::{Mutex, PoisonError};
 
 use asperity_shader_tests::case::Case;
-use asperity_shaders::{Bindings, Part, compose, ndf, noise, ordered};
+use asperity_wgsl::{Bindings, Part, compose, ndf, noise, ordered};
 use clap::ValueEnum;
 use rayon::prelude::*;
 

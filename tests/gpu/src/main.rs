@@ -145,7 +145,7 @@ fn chosen(only: Option<String>) -> Result<Vec<Case>, String> {
     let mut cases = cases::all();
     let Some(text) = only else { return Ok(cases) };
     cases.retain(|case| {
-        let parts = asperity_shaders::ordered(&case.parts);
+        let parts = asperity_wgsl::ordered(&case.parts);
         case.name.contains(&text) || parts.iter().any(|part| part.name().contains(&text))
     });
     if cases.is_empty() { Err(format!("no function or part matches `{text}`")) } else { Ok(cases) }

@@ -1,9 +1,9 @@
 //! The mean radiance over a surface with the exact rule on an adapter, relative to the density.
 
-use asperity_shaders::noise::sums::OctavesUniform;
-use asperity_shaders::{Binding, Bindings, Part, compose, noise, shading};
 use asperity_shading::ndf_sampling::{Ggx, Ndf};
-use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
+use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
+use asperity_wgsl::noise::sums::OctavesUniform;
+use asperity_wgsl::{Binding, Bindings, Part, compose, noise, shading};
 use glam::Vec3;
 
 use crate::compute::Kernel;
@@ -53,8 +53,8 @@ pub(crate) fn run(adapter: Option<&str>) -> Result<(), String> {
 }
 
 fn radiances(gpu: &Gpu, halves: &[Vec3], octaves: f32) -> Result<Vec<f32>, String> {
-    let spectrum = Spectrum::new(2.17, 0.5, 10).map_err(|error| error.to_string())?;
-    let sum = GaussianOctaves::<3>::new(Gaussian::new(7), spectrum);
+    let spectrum = FbmSpectrum::new(2.17, 0.5, 10).map_err(|error| error.to_string())?;
+    let sum = GaussianFbm::<3>::new(GaussianNoise::new(7), spectrum);
     let job = halves.iter().flat_map(|h| [h.x, h.y, h.z, 0.0]).chain(ALPHA).chain([octaves, 4096.0]);
     let words = [
         ("gaussian_level", noise::gaussian_levels().map(f32::to_bits).collect()),

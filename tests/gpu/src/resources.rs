@@ -1,6 +1,6 @@
 //! Converts words of uniforms and tables to GPU resources.
 
-use asperity_shaders::{Binding, Element, Part, ordered};
+use asperity_wgsl::{Binding, Element, Part, ordered};
 use wgpu::util::{BufferInitDescriptor, DeviceExt, TextureDataOrder};
 use wgpu::{
     BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BufferBindingType,

@@ -8,8 +8,8 @@ use asperity_lanes::{
     noise_kinds::{Testable, Visit, every_dimension, every_kind},
 };
 use asperity_noise::{
-    Basis, Cellular, Field, Gaussian, Grid, IntegerHash, Metric, Normalisation, Octaves, Perlin2002, Point,
-    Rotation, Simplex, Sparse, Spectrum, Tiled, TiledSimplex, ValueCatmullRom,
+    Cellular, CellularOutput, Fbm, FbmSpectrum, Field, GaussianNoise, Grid, IntegerHash, Metric,
+    Normalization, Perlin, Point, Rotation, Simplex, SparseConvolution, Tiled, TiledSimplex, ValueCatmullRom,
     glam::{Vec2, Vec3, Vec4},
     lattice::PermutationTable,
     simd::Kernel,
@@ -80,12 +80,12 @@ fn rows_of_any_length_have_the_scalar_bits() {
 fn cellular_noise_has_the_scalar_bits() {
     on_a_large_stack(|| {
         for (basis, metric) in [
-            (Basis::F1, Metric::Euclidean),
-            (Basis::F2MinusF1, Metric::Manhattan),
-            (Basis::F2, Metric::Chebyshev),
-            (Basis::Cell, Metric::Euclidean),
+            (CellularOutput::F1, Metric::Euclidean),
+            (CellularOutput::F2MinusF1, Metric::Manhattan),
+            (CellularOutput::F2, Metric::Chebyshev),
+            (CellularOutput::Cell, Metric::Euclidean),
         ] {
-            let noise = Cellular::default().with_basis(basis).with_metric(metric);
+            let noise = Cellular::default().with_output(basis).with_metric(metric);
             for check in [&mut Check::Near, &mut Check::Far, &mut Check::Points] {
                 every_dimension(check, &format!("{basis:?} {metric:?}"), noise);
             }
@@ -99,12 +99,12 @@ fn other_lattices_have_the_scalar_bits() {
     on_a_large_stack(|| {
         let near = |name: &str, field: &dyn Field<Vec2>| grids(name, field, &near_cases());
         let table = PermutationTable::new(1);
-        near("Perlin 2002 by permutation 2-D", &Perlin2002::new(7).with_lattice(table));
+        near("Perlin 2002 by permutation 2-D", &Perlin::new(7).with_lattice(table));
         every_point::<Vec3>("simplex by permutation 3-D", &Simplex::wide(7).with_lattice(table));
         let tiled = Tiled::new(IntegerHash, [5, 3]).expect("periods in range");
-        near("Perlin 2002 tiled 2-D", &Perlin2002::new(7).with_lattice(tiled));
+        near("Perlin 2002 tiled 2-D", &Perlin::new(7).with_lattice(tiled));
         near("Catmull-Rom tiled 2-D", &ValueCatmullRom::new(7).with_lattice(tiled));
-        near("sparse tiled 2-D", &Sparse::new(7).with_lattice(tiled));
+        near("sparse tiled 2-D", &SparseConvolution::new(7).with_lattice(tiled));
         let tiled = TiledSimplex::new(Simplex::new(7), [3, 9, 6]).expect("multiples of three");
         grids::<Vec3>("simplex tiled 3-D", &tiled, &near_cases());
         every_point::<Vec3>("simplex tiled 3-D", &tiled);
@@ -118,9 +118,9 @@ fn points_have_the_scalar_bits() {
 
 fn sum<V: Point<Coordinates = [f32; N]>, K: Kernel<N> + Copy, const N: usize>(name: &str, noise: K) {
     for rotation in [Rotation::Random, Rotation::Aligned] {
-        for normalisation in [Normalisation::Range, Normalisation::Variance] {
-            let octaves = Octaves::<K, N>::new(noise, Spectrum::default()).with_seed(3);
-            let octaves = octaves.with_normalisation(normalisation).with_rotation(rotation);
+        for normalisation in [Normalization::UnitRange, Normalization::UnitVariance] {
+            let octaves = Fbm::<K, N>::new(noise, FbmSpectrum::default()).with_seed(3);
+            let octaves = octaves.with_normalization(normalisation).with_rotation(rotation);
             let name = format!("{name} {N}-D {rotation:?} {normalisation:?}");
             let first = |count| Box::new(octaves.first(count)) as Box<dyn Field<V>>;
             for count in [3.4, 1.0, 0.0] {
@@ -147,8 +147,8 @@ fn sums<K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4> + Copy>(name: &str, noi
 #[test]
 fn sums_have_the_scalar_bits() {
     on_a_large_stack(|| {
-        sums("Perlin 2002", Perlin2002::default());
-        sums("Gaussian", Gaussian::default());
+        sums("Perlin 2002", Perlin::default());
+        sums("Gaussian", GaussianNoise::default());
         sum::<Vec3, _, 3>("simplex", Simplex::default());
     });
 }

@@ -3,7 +3,7 @@
 
 use asperity_fif::FixedFif;
 use asperity_ndf_sampling::{Ggx, Ndf};
-use asperity_noise::{Field, Gaussian, GaussianOctaves, Perlin2002, Spectrum};
+use asperity_noise::{Field, GaussianNoise, GaussianFbm, Perlin, FbmSpectrum};
 use asperity_shading::level_of_detail::Coordinates;
 use asperity_shading::{
     LevelOfDetail, far_field,
@@ -27,11 +27,11 @@ pub fn run() -> i32 {
 
 /// Perlin noise is 0 at lattice points. Unresolved Gaussian noise is 0, resolved noise is not.
 fn noise() -> bool {
-    let Ok(spectrum) = Spectrum::new(2.17, 0.5, 8) else { return false };
-    let field = GaussianOctaves::new(Gaussian::new(1), spectrum);
+    let Ok(spectrum) = FbmSpectrum::new(2.17, 0.5, 8) else { return false };
+    let field = GaussianFbm::new(GaussianNoise::new(1), spectrum);
     let p = Vec3::new(0.3, -4.2, 7.9);
     let [a, b] = field.detail(4.5).pair(p);
-    Perlin2002::new(1).sample(Vec3::new(3.0, -2.0, 5.0)).value == 0.0
+    Perlin::new(1).sample(Vec3::new(3.0, -2.0, 5.0)).value == 0.0
         && field.detail(0.0).sample(p).value == 0.0
         && a.value != b.value
         && a.value.is_finite()
@@ -41,7 +41,7 @@ fn noise() -> bool {
 fn ndf_sampling() -> bool {
     let Ok(ggx) = Ggx::new(0.2, 0.4) else { return false };
     let z = Vec2::new(0.7, -1.1);
-    let back = ggx.to_gaussian(ggx.from_gaussian(z)) - z;
+    let back = ggx.invert(ggx.warp_gaussian(z)) - z;
     let peak = ggx.density(Vec3::Z) * core::f32::consts::PI * 0.08 - 1.0;
     back.x.abs() < 1e-4 && back.y.abs() < 1e-4 && peak.abs() < 1e-5
 }
@@ -66,6 +66,6 @@ fn shading() -> bool {
 
 /// Sources are constants: a part lists its dependencies and defines its functions.
 fn shaders() -> bool {
-    let part = asperity_shaders::noise::INTEGER_HASH;
+    let part = asperity_wgsl::noise::INTEGER_HASH;
     part.needs().is_empty() && part.names().any(|name| name == "integer_hash_word")
 }

@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use asperity_shaders::{Binding, Bindings, Part, compose, ordered};
+use asperity_wgsl::{Binding, Bindings, Part, compose, ordered};
 
-use asperity_wgsl::Interpreter;
+use asperity_interpreter::Interpreter;
 
 /// Input words of a case.
 pub const INPUTS: usize = 16;

@@ -4,4 +4,4 @@
 pub mod case;
 pub mod cases;
 
-pub use asperity_wgsl as interpreter;
+pub use asperity_interpreter as interpreter;

@@ -8,7 +8,7 @@ use asperity_shader_tests::{
     cases,
     interpreter::{Arithmetic, Interpreter},
 };
-use asperity_shaders::{Binding, Bindings, Imports, Part, module, ordered};
+use asperity_wgsl::{Binding, Bindings, Imports, Part, module, ordered};
 
 /// Name prefixes of cases.
 const ROOMS: [&str; 7] =

@@ -1,18 +1,20 @@
 //! Fractions of certain hits, and distances of hits from the height of their ray.
 #![expect(clippy::unwrap_used, reason = "a test that cannot build its surface has failed")]
 
-use asperity_fif::{Folded, HeightField, Intersect, Interval, RoughFolded, Surface, Torus};
+use asperity_fif::{
+    FoldedSurface, HeightField, Intersect, Interval, PeriodicSurface, RoughFoldedSurface, Surface,
+};
 use asperity_tests::random::Random;
 
 use crate::properties::{f, g};
 
 use super::surface_rays::{X, Y, nodes, numbers, random_rays};
 
-fn rough_folded(seed: u64, steepest: f64) -> RoughFolded {
+fn rough_folded(seed: u64, steepest: f64) -> RoughFoldedSurface {
     let mut random = Random(seed);
     let z = numbers(&mut random, 12, 0.6);
     let factors = numbers(&mut random, 12, 2.0 * steepest);
-    RoughFolded::new(&X, &Y, &factors, &z, &[[0.0; 2]; 12]).unwrap()
+    RoughFoldedSurface::new(&X, &Y, &factors, &z, &[[0.0; 2]; 12]).unwrap()
 }
 
 /// Returns certain hits, all hits, and the maximum distance between a hit's height and its ray's,
@@ -47,8 +49,8 @@ fn first_hit_certain_rough_folded() {
 #[test]
 fn first_hit_certain_smooth_surfaces() {
     let (z, d) = nodes(4, 12, 0.6);
-    let folded = Folded::new(&X, &Y, -0.1, &z, &d).unwrap().tabulated();
-    let torus = Torus::new(2, [[2, -1], [1, 2]], 0.375, &[0.0, 1.0, -0.5, 0.25], &[[3.0, -1.0]; 4]);
+    let folded = FoldedSurface::new(&X, &Y, -0.1, &z, &d).unwrap().tabulated();
+    let torus = PeriodicSurface::new(2, [[2, -1], [1, 2]], 0.375, &[0.0, 1.0, -0.5, 0.25], &[[3.0, -1.0]; 4]);
     let f = HeightField::new(f(), f()).tabulated();
     for (name, (hits, farthest)) in [
         ("folded", seen(&folded, 900)),

@@ -3,8 +3,8 @@
 
 use asperity_fif::glam::DVec3;
 use asperity_fif::{
-    CombineError, FixedFif, Folded, HeightField, Intersect, Interval, Ray, Recurrent, RecurrentError,
-    SystemError, Torus, fit, paper,
+    CombineError, FixedFif, FoldedSurface, HeightField, Intersect, Interval, PeriodicSurface, Ray,
+    RecurrentFif, RecurrentFifError, SystemError, fit, paper,
 };
 use std::error::Error;
 
@@ -12,9 +12,10 @@ use crate::properties::f;
 
 #[test]
 fn errors_contain_parameter_and_value() {
-    let torus = |side, matrix, z: &[f64]| Torus::new(side, matrix, 0.3, z, &[[0.0; 2]; 4]).unwrap_err();
+    let torus =
+        |side, matrix, z: &[f64]| PeriodicSurface::new(side, matrix, 0.3, z, &[[0.0; 2]; 4]).unwrap_err();
     let folded = |x: &[f64], z: &[f64]| {
-        Folded::new(x, &[0.0, 1.0, 2.0], 0.1, z, &[[0.0; 2]; 9]).unwrap_err().to_string()
+        FoldedSurface::new(x, &[0.0, 1.0, 2.0], 0.1, z, &[[0.0; 2]; 9]).unwrap_err().to_string()
     };
     let (knots, turning, mut dented) = ([0.0, 1.0, 2.0], [[2, -1], [1, 2]], [0.5; 9]);
     dented[5] = f64::NAN;
@@ -58,7 +59,7 @@ fn errors_contain_parameter_and_value() {
 fn error_source_is_the_violated_rule() {
     let (x, y) = ([0.0, 1.0, 2.0, 3.0], [0.0, 1.0, 0.0, 1.0]);
     let fitted = fit::affine(&x, &y[..3], &[0, 1, 3]).unwrap_err();
-    let recurrent = Recurrent::affine(&x, &y, &[0.5; 2], &[[0, 3]; 3]).unwrap_err();
+    let recurrent = RecurrentFif::affine(&x, &y, &[0.5; 2], &[[0, 3]; 3]).unwrap_err();
     let lengths = [("y", 4, 3), ("alpha", 3, 2)];
     for (error, (parameter, expected, got)) in [&fitted as &dyn Error, &recurrent].into_iter().zip(lengths) {
         let rule = SystemError::Length { parameter, expected, got };
@@ -67,7 +68,7 @@ fn error_source_is_the_violated_rule() {
     }
     let own = [
         &fit::affine(&x, &y, &[0, 3]).unwrap_err() as &dyn Error,
-        &Recurrent::affine(&x, &y, &[0.5; 3], &[[0, 3], [2, 2], [0, 3]]).unwrap_err(),
+        &RecurrentFif::affine(&x, &y, &[0.5; 3], &[[0, 3], [2, 2], [0, 3]]).unwrap_err(),
     ];
     assert!(own.iter().all(|error| error.source().is_none()));
 
@@ -76,5 +77,5 @@ fn error_source_is_the_violated_rule() {
     let error = large.sum(&large).unwrap_err();
     let CombineError::System { error: rule } = error else { panic!("{error}") };
     assert_eq!(error.to_string(), rule.to_string());
-    assert_eq!(RecurrentError::from(rule), RecurrentError::System { error: rule });
+    assert_eq!(RecurrentFifError::from(rule), RecurrentFifError::System { error: rule });
 }

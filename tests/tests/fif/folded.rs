@@ -5,7 +5,7 @@
 use asperity_tests::assert_abs_diff_eq;
 use std::f64::consts::PI;
 
-use asperity_fif::{Folded, Interval, SelfAffineError};
+use asperity_fif::{FoldedSurface, Interval, SelfAffineError};
 use asperity_tests::fif_systems::{decimal, hexadecimal, ratio, ratios, read};
 use asperity_tests::random::Random;
 use proptest::prelude::*;
@@ -16,7 +16,7 @@ use crate::surface_rays::numbers;
 use crate::surfaces::{bounds_hold, exact_at, extrema_hold_a_grid, grain, tolerances_hold};
 
 /// Returns both reference surfaces with their exact values.
-fn references() -> Vec<(Folded, Value)> {
+fn references() -> Vec<(FoldedSurface, Value)> {
     let json = read("fis_folded");
     let surfaces = json["surfaces"].as_array().unwrap();
     surfaces
@@ -27,7 +27,7 @@ fn references() -> Vec<(Folded, Value)> {
             let d: Vec<[f64; 2]> = grid("zx").into_iter().zip(grid("zy")).map(|(x, y)| [x, y]).collect();
             let factor = ratio(json["s"].as_str().unwrap());
             let (x, y) = (ratios(&json["x"]), ratios(&json["y"]));
-            (Folded::new(&x, &y, factor, &grid("z"), &d).unwrap(), json.clone())
+            (FoldedSurface::new(&x, &y, factor, &grid("z"), &d).unwrap(), json.clone())
         })
         .collect()
 }
@@ -91,7 +91,7 @@ proptest! {
         along in 0.0..1.0_f64,
     ) {
         let factor = share * narrowest([&x, &y]);
-        let surface = Folded::new(&x, &y, factor, &z, &d).unwrap();
+        let surface = FoldedSurface::new(&x, &y, factor, &z, &d).unwrap();
         for (i, &px) in x.iter().enumerate() {
             for (j, &py) in y.iter().enumerate() {
                 prop_assert_eq!(surface.height(px, py), z[i * y.len() + j]);
@@ -122,7 +122,7 @@ proptest! {
         (x, y, share, z, d) in surfaces(),
         at in prop::array::uniform2(-0.1..1.1_f64),
     ) {
-        let surface = Folded::new(&x, &y, share * narrowest([&x, &y]), &z, &d).unwrap();
+        let surface = FoldedSurface::new(&x, &y, share * narrowest([&x, &y]), &z, &d).unwrap();
         let [wide, deep] = surface.domain();
         let (px, py) = (wide.lo + at[0] * wide.width(), deep.lo + at[1] * deep.width());
         tolerances_hold(&surface, px, py)?;
@@ -136,8 +136,8 @@ proptest! {
         // f − H with factor s is s w∘Φ, and w = f − G does not depend on the cell: compare two
         // points with the same image.
         let factor = share * narrowest([&x, &y]);
-        let surface = Folded::new(&x, &y, factor, &z, &d).unwrap();
-        let smooth = Folded::new(&x, &y, 0.0, &z, &d).unwrap();
+        let surface = FoldedSurface::new(&x, &y, factor, &z, &d).unwrap();
+        let smooth = FoldedSurface::new(&x, &y, 0.0, &z, &d).unwrap();
         let mirrored = |i: usize| if i.is_multiple_of(2) { at[0] } else { 1.0 - at[0] };
         let py = y[0] + at[1] * (y[1] - y[0]);
         let rest = |i: usize| {
@@ -156,7 +156,7 @@ proptest! {
         size in prop::array::uniform2(-12.0..0.2_f64),
         samples in prop::collection::vec(prop::array::uniform2(0.0..=1.0_f64), 60),
     ) {
-        let surface = Folded::new(&x, &y, share * narrowest([&x, &y]), &z, &d).unwrap();
+        let surface = FoldedSurface::new(&x, &y, share * narrowest([&x, &y]), &z, &d).unwrap();
         let [wide, deep] = surface.domain();
         let part = |side: Interval, k: usize| {
             let lo = side.lo + corner[k] * side.width();
@@ -201,7 +201,9 @@ fn folded_surface_outside_the_domain_and_nan() {
 fn folded_errors_name_the_parameter() {
     let (z, d) = ([0.5; 9], [[0.0; 2]; 9]);
     let (x, y) = ([0.0, 1.0, 4.0], [0.0, 1.0, 2.0]);
-    let new = |x: &[f64], y: &[f64], factor, z: &[f64], d: &[[f64; 2]]| Folded::new(x, y, factor, z, d).err();
+    let new = |x: &[f64], y: &[f64], factor, z: &[f64], d: &[[f64; 2]]| {
+        FoldedSurface::new(x, y, factor, z, d).err()
+    };
     assert_eq!(new(&x, &y, 0.249, &z, &d), None);
     for factor in [0.25, -0.3, f64::NAN, f64::INFINITY] {
         let error = new(&x, &y, factor, &z, &d).unwrap();
@@ -251,7 +253,7 @@ fn folded_anisotropy_is_below_a_product() {
     let mut random = Random(5);
     let z = numbers(&mut random, 81, 2.0);
     let d = numbers(&mut random, 162, 12.0).as_chunks().0.to_vec();
-    let surface = Folded::new(&knots, &knots, 0.9 * narrowest([&knots; 2]), &z, &d).unwrap();
+    let surface = FoldedSurface::new(&knots, &knots, 0.9 * narrowest([&knots; 2]), &z, &d).unwrap();
     let slopes = |x: f64, y: f64| surface.evaluate_gradient(x, y, 1e-3).map(|slope| slope.value);
     let folded = grain(slopes, |t| (PI * t).sin().powi(2));
     // Measured 1.1, compared with 6.57 for a product and 0.19 for a torus. With equal cells 3.9.

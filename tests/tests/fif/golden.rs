@@ -3,7 +3,7 @@
 use std::array;
 
 use asperity_fif::glam::DVec3;
-use asperity_fif::{Fif, HeightField, Intersect, Interval, Ray, Recurrent, Torus, paper};
+use asperity_fif::{Fif, HeightField, Intersect, Interval, PeriodicSurface, Ray, RecurrentFif, paper};
 
 use crate::properties::g_hat;
 
@@ -90,7 +90,7 @@ fn jets_have_pinned_bits() {
 #[test]
 fn recurrent_systems_have_pinned_bits() {
     let (x, y) = ([0.0, 1.0, 2.0, 3.5, 4.0], [0.25, 1.0, -0.5, 1.0, 0.3]);
-    let f = Recurrent::affine(&x, &y, &[0.7, -0.3, 0.9, -0.8], &[[0, 2], [1, 4], [1, 4], [2, 4]]).unwrap();
+    let f = RecurrentFif::affine(&x, &y, &[0.7, -0.3, 0.9, -0.8], &[[0, 2], [1, 4], [1, 4], [2, 4]]).unwrap();
     pinned("recurrent value", f.evaluate(2.9, 1e-9).value, 0xbff2_0378_6656_014b);
     pinned("recurrent bound", f.evaluate(2.9, 1e-9).bound, 0x3df8_b98a_8fd2_e2e2);
     pinned("recurrent integral", f.integral(3.1).value, 0x3fed_e0c8_3539_70ea);
@@ -115,7 +115,7 @@ fn tori_have_pinned_bits() {
     let z: [f64; 16] = array::from_fn(|k| f64::from((7 * k as u32) % 16) / 16.0);
     let d: [[f64; 2]; 16] =
         array::from_fn(|k| [f64::from((5 * k as u32) % 16) / 8.0 - 1.0, 0.25 * z[15 - k]]);
-    let torus = Torus::new(4, [[2, -1], [1, 2]], 0.375, &z, &d).unwrap();
+    let torus = PeriodicSurface::new(4, [[2, -1], [1, 2]], 0.375, &z, &d).unwrap();
     pinned("height of a torus", torus.height(0.3, 0.7), 0x3fb5_bc6e_bf5c_1927);
     pinned("gradient of a torus", torus.gradient(0.3, 0.7).x, 0x3ffb_4fd1_8476_c08f);
     pinned("normal of a torus", torus.normal(0.3, 0.7).y, 0x3fbb_22fb_138f_58cb);

@@ -1,7 +1,7 @@
 //! Bounds over intervals of a few units in the last place, against exact arithmetic.
 #![expect(clippy::unwrap_used, reason = "a test that cannot build its system has failed")]
 
-use asperity_fif::{Estimate, Fif, HeightField, Interval, Recurrent};
+use asperity_fif::{Estimate, Fif, HeightField, Interval, RecurrentFif};
 use asperity_tests::random::Random;
 
 use super::exact::{Big, Exact};
@@ -240,7 +240,7 @@ fn integrals_from_the_left_end_over_few_ulps() {
             fif.pieces().iter().map(|p| p.y()[0]).chain([fif.end_values()[1]]).collect(),
             fif.pieces().iter().map(|p| p.map().alpha).collect(),
         );
-        let recurrent = Recurrent::affine(&x, &y, &alpha, &vec![[0, alpha.len()]; alpha.len()]).unwrap();
+        let recurrent = RecurrentFif::affine(&x, &y, &alpha, &vec![[0, alpha.len()]; alpha.len()]).unwrap();
         let (table, [whole, first]) = (fif.table(1e-6).ok(), [0, 1].map(|k| exact.moments(k, 1)));
         for [l, r] in intervals(&x, &mut random, 8) {
             for end in [l, r] {

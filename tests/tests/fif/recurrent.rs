@@ -1,14 +1,14 @@
 //! Recurrent systems: the functional equation, and agreement with systems whose sources are the
 //! whole domain.
 
-use asperity_fif::{Fif, Recurrent, RecurrentError, System};
+use asperity_fif::{Fif, RecurrentFif, RecurrentFifError, System};
 use asperity_tests::assert_abs_diff_eq;
 use proptest::prelude::*;
 
 use crate::properties::{affine, config};
 
 /// Knots 0 to 8, sources of 2, 4 or 8 maps: every orbit of a double with few bits is exact.
-fn dyadic(steepest: f64) -> impl Strategy<Value = Recurrent<3>> {
+fn dyadic(steepest: f64) -> impl Strategy<Value = RecurrentFif<3>> {
     let source = (1_u32..=3, 0_usize..7).prop_map(|(bits, from)| {
         let wide = 1 << bits;
         let from = from.min(8 - wide);
@@ -29,13 +29,13 @@ fn dyadic(steepest: f64) -> impl Strategy<Value = Recurrent<3>> {
                     [ends[0] - slope * l + bend[j] * l * r, slope - bend[j] * (l + r), bend[j]]
                 })
                 .collect();
-            Recurrent::new(&x, &y, &alpha, &q, &sources).expect("the data are in order")
+            RecurrentFif::new(&x, &y, &alpha, &q, &sources).expect("the data are in order")
         },
     )
 }
 
 /// Recurrent systems on arbitrary knots.
-fn uneven(steepest: f64) -> impl Strategy<Value = (Recurrent<2>, Vec<f64>)> {
+fn uneven(steepest: f64) -> impl Strategy<Value = (RecurrentFif<2>, Vec<f64>)> {
     (affine(steepest), prop::collection::vec((0.0..1.0_f64, 0.0..1.0_f64), 64)).prop_map(|(f, choices)| {
         let (x, y, alpha) = data(&f);
         let maps = alpha.len();
@@ -50,7 +50,7 @@ fn uneven(steepest: f64) -> impl Strategy<Value = (Recurrent<2>, Vec<f64>)> {
                 if to - from > 1 { [from, to] } else { [0, maps] }
             })
             .collect();
-        (Recurrent::affine(&x, &y, &alpha, &sources).expect("the data are in order"), y)
+        (RecurrentFif::affine(&x, &y, &alpha, &sources).expect("the data are in order"), y)
     })
 }
 
@@ -104,7 +104,7 @@ proptest! {
     fn whole_sources_make_the_plain_system(f in affine(0.9), s in 0.0..1.0_f64) {
         let (x, y, alpha) = data(&f);
         let maps = alpha.len();
-        let recurrent = Recurrent::affine(&x, &y, &alpha, &vec![[0, maps]; maps]).unwrap();
+        let recurrent = RecurrentFif::affine(&x, &y, &alpha, &vec![[0, maps]; maps]).unwrap();
         let (domain, x) = (f.domain(), f.domain().lo + s * f.domain().width());
         let got = recurrent.evaluate(x, 1e-9);
         let near = 64.0 * f64::EPSILON * (domain.magnitude() + domain.width());
@@ -157,7 +157,7 @@ proptest! {
 #[test]
 fn self_copying_half_equals_the_plain_system() {
     let (x, y) = ([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.0, 0.0, 1.0, 0.0]);
-    let f = Recurrent::affine(&x, &y, &[0.5, 0.5, 0.0, 0.25], &[[0, 2], [0, 2], [0, 4], [2, 4]]).unwrap();
+    let f = RecurrentFif::affine(&x, &y, &[0.5, 0.5, 0.0, 0.25], &[[0, 2], [0, 2], [0, 4], [2, 4]]).unwrap();
     let takagi = System::<Vec<_>, 2>::affine(&x[..3], &y[..3], &[0.5, 0.5]).unwrap();
     for k in 0..=200 {
         let x = f64::from(k) / 128.0;
@@ -180,7 +180,7 @@ fn recurrent_errors_name_the_parameter() {
     let (x, y) = ([0.0, 1.0, 2.0, 3.0], [0.0, 1.0, 0.0, 1.0]);
     let whole = [[0, 3]; 3];
     let says = |alpha: &[f64], sources: &[[usize; 2]], message: &str| {
-        let error: RecurrentError = Recurrent::affine(&x, &y, alpha, sources).unwrap_err();
+        let error: RecurrentFifError = RecurrentFif::affine(&x, &y, alpha, sources).unwrap_err();
         assert_eq!(error.to_string(), message);
     };
     let alpha = [0.5; 3];
@@ -191,8 +191,8 @@ fn recurrent_errors_name_the_parameter() {
     says(&[0.5, 1.0, 0.5], &whole, "`alpha` of map 2 must be in (-1, 1), got 1");
     says(&[0.5; 2], &whole, "`alpha` must have 3 elements, got 2");
     let q = [[0.0, 1.0 / 3.0], [1.0, -1.0 / 3.0], [0.0, 0.5]];
-    let error = Recurrent::new(&x, &y, &[0.0; 3], &q, &whole).unwrap_err();
+    let error = RecurrentFif::new(&x, &y, &[0.0; 3], &q, &whole).unwrap_err();
     assert_eq!(error.to_string(), "`q` of map 3 must send the right end to 1, got 1.5");
-    let nan = Recurrent::new(&x, &y, &[0.0; 3], &[[f64::NAN]; 3], &whole).unwrap_err();
+    let nan = RecurrentFif::new(&x, &y, &[0.0; 3], &[[f64::NAN]; 3], &whole).unwrap_err();
     assert_eq!(nan.to_string(), "`q` of map 1 must have a finite coefficient of x^0, got NaN");
 }

@@ -5,7 +5,7 @@ use std::cell::Cell;
 
 use asperity_fif::glam::DVec2;
 use asperity_fif::{
-    Bounded, Folded, Intersect, Interval, RoughFolded, SelfAffineError, Surface, SurfaceBounds,
+    Bounded, FoldedSurface, Intersect, Interval, RoughFoldedSurface, SelfAffineError, Surface, SurfaceBounds,
 };
 use asperity_tests::random::Random;
 
@@ -38,8 +38,8 @@ impl Given {
         Self { x, y, factors, z, d: slopes.iter().map(|&s| [s, 0.5 - s]).collect() }
     }
 
-    fn surface(&self) -> RoughFolded {
-        RoughFolded::new(&self.x, &self.y, &self.factors, &self.z, &self.d).unwrap()
+    fn surface(&self) -> RoughFoldedSurface {
+        RoughFoldedSurface::new(&self.x, &self.y, &self.factors, &self.z, &self.d).unwrap()
     }
 }
 
@@ -89,8 +89,8 @@ fn rough_folded_with_one_factor_is_folded() {
         let given = Given { factors: vec![], ..Given::new(&mut random, 0.0) };
         let Given { x, y, z, d, .. } = &given;
         let factor = if round == 0 { 0.0 } else { 0.13 * (random.uniform() - 0.5) };
-        let rough = RoughFolded::new(x, y, &vec![factor; z.len()], z, d).unwrap();
-        let folded = Folded::new(x, y, factor, z, d).unwrap();
+        let rough = RoughFoldedSurface::new(x, y, &vec![factor; z.len()], z, d).unwrap();
+        let folded = FoldedSurface::new(x, y, factor, z, d).unwrap();
         for _ in 0..50 {
             let [px, py] = [x, y].map(|knots| {
                 let (lo, hi) = (knots[0], knots[knots.len() - 1]);
@@ -119,8 +119,8 @@ fn rough_folded_functional_equation() {
         };
         let (factors, z) = (list(0.95, &|_| true), list(1.0, &|k| !corner(k)));
         let d: Vec<[f64; 2]> = list(2.0, &inner).into_iter().map(|s| [s, -0.5 * s]).collect();
-        let surface = RoughFolded::new(&knots, &knots, &factors, &z, &d).unwrap();
-        let smooth = RoughFolded::new(&knots, &knots, &[0.0; 25], &z, &d).unwrap();
+        let surface = RoughFoldedSurface::new(&knots, &knots, &factors, &z, &d).unwrap();
+        let smooth = RoughFoldedSurface::new(&knots, &knots, &[0.0; 25], &z, &d).unwrap();
         for _ in 0..100 {
             let place = [(); 2].map(|()| (random.uniform() * 1_048_576.0).floor() / 1_048_576.0);
             let [(i, u), (j, v)] = place.map(|t| ((4.0 * t) as usize, (4.0 * t).fract()));
@@ -176,7 +176,7 @@ fn rough_folded_is_rough_where_its_factors_are() {
     let knots = [0.0, 0.25, 0.5, 0.75, 1.0];
     let factors: Vec<f64> = (0..25).map(|k| [0.0, 0.0, 0.0, 0.8, 0.8][k / 5]).collect();
     let z: Vec<f64> = (0..25).map(|k| f64::from(k * 7 % 5) / 5.0).collect();
-    let surface = RoughFolded::new(&knots, &knots, &factors, &z, &[[0.0; 2]; 25]).unwrap();
+    let surface = RoughFoldedSurface::new(&knots, &knots, &factors, &z, &[[0.0; 2]; 25]).unwrap();
     let sway = |from: f64| {
         let steps = (0..1000).map(|k| from + 0.2 * f64::from(k) / 1000.0);
         let heights: Vec<f64> = steps.map(|x| surface.height(x, 0.37)).collect();
@@ -188,7 +188,7 @@ fn rough_folded_is_rough_where_its_factors_are() {
 
 /// Counts the surface evaluations of a ray.
 struct Counted<'a> {
-    surface: &'a RoughFolded,
+    surface: &'a RoughFoldedSurface,
     evaluations: Cell<u32>,
     bounds: Cell<u32>,
 }
@@ -227,7 +227,8 @@ fn a_ray_ends_at_its_limit_on_the_roughest_surface() {
     let mut random = Random(4);
     let z: Vec<f64> = (0..9).map(|_| 4.0 * random.uniform() - 2.0).collect();
     let factors: Vec<f64> = (0..9).map(|_| if random.uniform() < 0.5 { 0.9 } else { -0.9 }).collect();
-    let surface = RoughFolded::new(&[0.0, 0.4, 1.0], &[0.0, 0.5, 1.0], &factors, &z, &[[0.0; 2]; 9]).unwrap();
+    let surface =
+        RoughFoldedSurface::new(&[0.0, 0.4, 1.0], &[0.0, 0.5, 1.0], &factors, &z, &[[0.0; 2]; 9]).unwrap();
     let mut most = 0;
     for ray in random_rays(&surface, 12) {
         let counted = Counted { surface: &surface, evaluations: Cell::new(0), bounds: Cell::new(0) };
@@ -243,7 +244,7 @@ fn a_ray_ends_at_its_limit_on_the_roughest_surface() {
 #[test]
 fn rough_folded_errors_name_the_parameter() {
     let (knots, z, d) = ([0.0, 1.0, 2.0], [0.5; 9], [[0.0; 2]; 9]);
-    let new = |factors: &[f64], z: &[f64]| RoughFolded::new(&knots, &knots, factors, z, &d).err();
+    let new = |factors: &[f64], z: &[f64]| RoughFoldedSurface::new(&knots, &knots, factors, z, &d).err();
     assert_eq!(new(&[0.999; 9], &z), None);
     for bad in [1.0, -1.5, f64::NAN, f64::INFINITY, 1.0 - f64::EPSILON] {
         let mut factors = [0.5; 9];

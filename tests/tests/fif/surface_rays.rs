@@ -4,8 +4,8 @@
 
 use asperity_fif::glam::DVec3;
 use asperity_fif::{
-    FifRef, FixedFif, Folded, HeightField, Hit, Intersect, Interval, Ray, RoughFolded, Surface, Tabulated,
-    Torus,
+    FifRef, FixedFif, FoldedSurface, HeightField, Hit, Intersect, Interval, PeriodicSurface, Ray,
+    RoughFoldedSurface, Surface, Tabulated,
 };
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
@@ -30,23 +30,23 @@ pub(crate) fn nodes(seed: u64, count: usize, width: f64) -> (Vec<f64>, Vec<[f64;
     (z, numbers(&mut random, 2 * count, 2.0).as_chunks().0.to_vec())
 }
 
-fn torus() -> Torus {
+fn torus() -> PeriodicSurface {
     let (z, d) = nodes(3, 16, 0.5);
-    Torus::new(4, [[2, -1], [1, 2]], 0.3, &z, &d).unwrap().narrowed()
+    PeriodicSurface::new(4, [[2, -1], [1, 2]], 0.3, &z, &d).unwrap().narrowed()
 }
 
-fn folded() -> Folded {
+fn folded() -> FoldedSurface {
     let (z, d) = nodes(4, 12, 0.6);
-    Folded::new(&X, &Y, -0.1, &z, &d).unwrap().narrowed()
+    FoldedSurface::new(&X, &Y, -0.1, &z, &d).unwrap().narrowed()
 }
 
 /// Smooth on one side, with factors up to 0.8 on the other.
-fn rough_folded() -> RoughFolded {
+fn rough_folded() -> RoughFoldedSurface {
     let mut random = Random(4);
     let z = numbers(&mut random, 12, 0.6);
     let factors: Vec<f64> =
         numbers(&mut random, 12, 0.53).iter().zip(0_u8..).map(|(f, k)| f64::from(k / 3) * f).collect();
-    RoughFolded::new(&X, &Y, &factors, &z, &[[0.0; 2]; 12]).unwrap()
+    RoughFoldedSurface::new(&X, &Y, &factors, &z, &[[0.0; 2]; 12]).unwrap()
 }
 
 fn mirror() -> HeightField<FifRef<'static, 3>, FifRef<'static, 3>> {
@@ -310,7 +310,8 @@ fn invalid_and_extreme_rays() {
 
 #[test]
 fn level_surface_is_hit_and_grazed() {
-    let level = Folded::new(&[0.0, 1.0, 2.0], &[0.0, 1.0, 2.0], 0.4, &[1.0; 9], &[[0.0; 2]; 9]).unwrap();
+    let level =
+        FoldedSurface::new(&[0.0, 1.0, 2.0], &[0.0, 1.0, 2.0], 0.4, &[1.0; 9], &[[0.0; 2]; 9]).unwrap();
     // Constants with factors of 1/2 and constant polynomials.
     let one = FixedFif::<2, 1>::new(&[0.0, 1.0, 2.0], &[0.5, 0.5], &[[0.5], [0.5]]).unwrap();
     let product = HeightField::new(one, one);

@@ -2,7 +2,7 @@
 
 use asperity_fif::glam::DVec2;
 use asperity_fif::surface::Fold;
-use asperity_fif::{Bounded, HeightField, Interval, SelfAffine, SelfAffineError, Torus};
+use asperity_fif::{Bounded, HeightField, Interval, PeriodicSurface, SelfAffine, SelfAffineError};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::fif_systems::{decimal, integers, ratio};
 use asperity_tests::random::Random;
@@ -35,7 +35,7 @@ pub(crate) fn exact_at(
 }
 
 /// Returns the reference surface and its file.
-fn reference_torus() -> (Torus, Value) {
+fn reference_torus() -> (PeriodicSurface, Value) {
     let json = reference::read("fif/fis_torus.json");
     let grid = |key: &str| -> Vec<f64> {
         let rows = json[key].as_array().expect("an array");
@@ -45,8 +45,9 @@ fn reference_torus() -> (Torus, Value) {
             .collect()
     };
     let d: Vec<[f64; 2]> = grid("zx").into_iter().zip(grid("zy")).map(|(x, y)| [x, y]).collect();
-    let surface = Torus::new(4, ROTATING, ratio(json["s"].as_str().expect("a ratio")), &grid("z"), &d)
-        .expect("contractive");
+    let surface =
+        PeriodicSurface::new(4, ROTATING, ratio(json["s"].as_str().expect("a ratio")), &grid("z"), &d)
+            .expect("contractive");
     (surface, json)
 }
 
@@ -127,7 +128,7 @@ fn gradient_is_the_slope_of_heights() {
     // p.
     let (rough, json) = reference_torus();
     let z: Vec<f64> = (0..16).map(|k| ratio(json["z"][k / 4][k % 4].as_str().unwrap())).collect();
-    let smooth = Torus::new(4, ROTATING, -0.1, &z, &[[1.0, -2.0]; 16]).unwrap();
+    let smooth = PeriodicSurface::new(4, ROTATING, -0.1, &z, &[[1.0, -2.0]; 16]).unwrap();
     for (surface, step) in [(&rough, 1e-5), (&smooth, 1e-6)] {
         for k in 0..40 {
             let (x, y) = (0.618 * f64::from(k) % 1.0, 0.414 * f64::from(k) % 1.0);
@@ -171,7 +172,9 @@ fn torus_at_nan_and_tiny_coordinates() {
 
 #[test]
 fn torus_errors_name_the_parameter() {
-    let new = |side, matrix, factor, z: &[f64], d: &[[f64; 2]]| Torus::new(side, matrix, factor, z, d).err();
+    let new = |side, matrix, factor, z: &[f64], d: &[[f64; 2]]| {
+        PeriodicSurface::new(side, matrix, factor, z, d).err()
+    };
     let (z, d) = ([0.5; 16], [[0.0; 2]; 16]);
     assert_eq!(new(4, ROTATING, 0.447, &z, &d), None);
     for factor in [0.448, -0.448, f64::NAN, f64::INFINITY] {
@@ -291,7 +294,7 @@ pub(crate) fn bounds_hold<F: Fold>(
 }
 
 /// A matrix, a factor that contracts with it, and data on a grid of 2, 4 or 8 nodes per side.
-fn tori() -> impl Strategy<Value = Torus> {
+fn tori() -> impl Strategy<Value = PeriodicSurface> {
     let matrix = prop::array::uniform2(prop::array::uniform2(-4..=4_i32));
     let matrix = matrix.prop_filter("two replicas", |[[a, b], [c, d]]| (a * d - b * c).abs() >= 2);
     (1..=3_u32, matrix, -0.95..0.95_f64).prop_flat_map(|(bits, matrix, part)| {
@@ -300,11 +303,11 @@ fn tori() -> impl Strategy<Value = Torus> {
         let d = prop::collection::vec(prop::array::uniform2(-8.0..8.0_f64), count);
         (z, d).prop_map(move |(z, d)| {
             let SelfAffineError::Factor { most, .. } =
-                Torus::new(1 << bits, matrix, 1.0, &z, &d).expect_err("a factor of 1")
+                PeriodicSurface::new(1 << bits, matrix, 1.0, &z, &d).expect_err("a factor of 1")
             else {
                 panic!("{matrix:?} with factor 1")
             };
-            Torus::new(1 << bits, matrix, part * most, &z, &d).expect("contractive")
+            PeriodicSurface::new(1 << bits, matrix, part * most, &z, &d).expect("contractive")
         })
     })
 }

@@ -1,10 +1,10 @@
 //! Invalid input: each gives a one-line error with the parameter and its value.
 
 use asperity_ndf_sampling::{
-    AshikhminShirley, Beckmann, Blend, BlinnPhong, ConditionalTable, ConditionalTableRef, GaussianNoise, Ggx,
-    Isotropic, IsotropicRef, KurtoticNoise, Measure, Mixture, NdfEstimator, NdfMap, NoiseCdfRef, NormalTable,
-    NormalTableRef, RangeError, Reconstruction, Rotated, StudentT, Ward, estimate_ndf,
-    level_of_detail::OffsetBeckmann, normal_table::TableLayout,
+    AshikhminShirley, Beckmann, Blend, BlinnPhong, ConditionalTable, ConditionalTableRef,
+    GaussianDistribution, Ggx, Isotropic, IsotropicRef, KurtoticDistribution, Measure, Mixture, NdfEstimator,
+    NdfMap, NoiseCdfRef, NormalLut, NormalLutRef, RangeError, Reconstruction, Rotated, StudentT, Ward,
+    estimate_ndf, level_of_detail::OffsetBeckmann, normal_table::TableLayout,
 };
 use glam::{Vec2, Vec3};
 
@@ -148,13 +148,13 @@ fn tables() {
     let ggx = Ggx::isotropic(0.5).unwrap();
     for size in [0, 4097, usize::MAX] {
         let line = format!("`size` must be between 1 and 4096, got {size}");
-        refused(NormalTable::new(&ggx, size), &line);
-        refused(NormalTableRef::new(size, TableLayout::default(), &[[0.0_f32; 2]; 3]), &line);
+        refused(NormalLut::new(&ggx, size), &line);
+        refused(NormalLutRef::new(size, TableLayout::default(), &[[0.0_f32; 2]; 3]), &line);
         refused(ConditionalTable::new(&ggx, size), &line);
         refused(ConditionalTableRef::new(size, Vec2::ONE, &[[0.0; 3]; 3]), &line);
     }
     let line = "`entries` must have 4 elements, got 3";
-    refused(NormalTableRef::new(2, TableLayout::default(), &[[0.0_f32; 2]; 3]), line);
+    refused(NormalLutRef::new(2, TableLayout::default(), &[[0.0_f32; 2]; 3]), line);
     refused(ConditionalTableRef::new(2, Vec2::ONE, &[[0.0; 3]; 3]), line);
 }
 
@@ -180,9 +180,9 @@ fn distributions_of_noise() {
     assert!(between(-3e38, 3e38).is_err());
     let deviation = "`deviation` must be between 1.1754944e-38 and 3.4028235e38, got";
     for (value, name) in [(-1.0, "-1"), (f32::NAN, "NaN"), (f32::INFINITY, "inf")] {
-        refused(GaussianNoise::new(value), &format!("{deviation} {name}"));
-        refused(KurtoticNoise::new(value, 0.0), &format!("{deviation} {name}"));
+        refused(GaussianDistribution::new(value), &format!("{deviation} {name}"));
+        refused(KurtoticDistribution::new(value, 0.0), &format!("{deviation} {name}"));
     }
-    refused(KurtoticNoise::new(1.0, 2.5), "`kurtosis` must be between -1.5 and 2, got 2.5");
-    refused(KurtoticNoise::new(1.0, f32::NAN), "`kurtosis` must be between -1.5 and 2, got NaN");
+    refused(KurtoticDistribution::new(1.0, 2.5), "`kurtosis` must be between -1.5 and 2, got 2.5");
+    refused(KurtoticDistribution::new(1.0, f32::NAN), "`kurtosis` must be between -1.5 and 2, got NaN");
 }

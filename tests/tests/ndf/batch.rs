@@ -72,10 +72,10 @@ fn compare<N: ClosedForm + Microfacet>(ndf: &N, alpha: [f32; 2], Inputs { z, u, 
             assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-6, "{alpha:?}, {k}: {m}");
             assert!(m.z > 0.0, "{alpha:?}, {k}: {m}");
         }
-        assert_eq!(bits3(m), bits3(ndf.from_gaussian(z)), "{alpha:?}: T({z})");
+        assert_eq!(bits3(m), bits3(ndf.warp_gaussian(z)), "{alpha:?}: T({z})");
         assert_eq!(bits3(drawn), bits3(ndf.sample(u)), "{alpha:?}: sample of {u}");
         let filled = [coordinates[0][k], coordinates[1][k], densities[0][k]];
-        let called = ndf.to_gaussian(m).extend(ndf.density(m));
+        let called = ndf.invert(m).extend(ndf.density(m));
         assert_eq!(filled.map(f32::to_bits), bits3(called), "{alpha:?}: T⁻¹ and D of {m}");
         // In the space with roughness 1, times the square root of u, because the distribution
         // starts like a square there.

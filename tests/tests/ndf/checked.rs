@@ -77,11 +77,11 @@ impl Ndf for Faulty {
         let cosines = if self.cosines == 0 { 1.0 } else { m.z.max(0.0).powi(self.cosines) };
         if m.is_nan() { self.on_nan } else { (self.of.density(m) * self.bright * cosines).min(f32::MAX) }
     }
-    fn from_gaussian(&self, z: Vec2) -> Vec3 {
-        self.of.from_gaussian((self.map)(z))
+    fn warp_gaussian(&self, z: Vec2) -> Vec3 {
+        self.of.warp_gaussian((self.map)(z))
     }
-    fn to_gaussian(&self, m: Vec3) -> Vec2 {
-        (self.back)(self.of.to_gaussian(m))
+    fn invert(&self, m: Vec3) -> Vec2 {
+        (self.back)(self.of.invert(m))
     }
     fn sample(&self, u: Vec2) -> Vec3 {
         self.of.sample((self.sample)(u))

@@ -1,8 +1,8 @@
 //! Comparisons of values with `approx`, by their components.
 
 use asperity_ndf_sampling::{
-    AshikhminShirley, Beckmann, BlinnPhong, Frame, GaussianNoise, GaussianSplit, Ggx, KurtoticNoise,
-    StudentT, Ward,
+    AshikhminShirley, Beckmann, BlinnPhong, Frame, GaussianDistribution, GaussianSplit, Ggx,
+    KurtoticDistribution, StudentT, Ward,
     level_of_detail::{ConditionalAccuracy, OffsetBeckmann},
     normal_table::Deviation,
 };
@@ -31,8 +31,8 @@ fn approx_compares_components() {
     differ(|x| AshikhminShirley::new(3.0, x).unwrap());
     differ(|x| GaussianSplit::new(Vec2::new(x, 0.3), 0.5));
     differ(|x| OffsetBeckmann::new(Vec2::new(0.3, x), [0.09, 0.0, 0.04]).unwrap());
-    differ(|x| GaussianNoise::new(x).unwrap());
-    differ(|x| KurtoticNoise::new(x, 0.3).unwrap());
+    differ(|x| GaussianDistribution::new(x).unwrap());
+    differ(|x| KurtoticDistribution::new(x, 0.3).unwrap());
     differ(|x| Deviation { largest: x, rms: 0.1 });
     differ(|x| ConditionalAccuracy { variation: 0.1, coordinates: x });
 }

@@ -4,8 +4,7 @@
 use asperity_ndf_sampling::check::p_value;
 use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, BlinnPhong, ConditionalNdf, GaussianSplit, Ggx, Isotropic, Measure, Mixture,
-    Ndf, NdfMap, Reconstruction, Rotated, StudentT, Ward, conditional_density,
-    level_of_detail::OffsetBeckmann,
+    Ndf, NdfMap, Reconstruction, Rotated, StudentT, Ward, level_of_detail::OffsetBeckmann, residual_ndf,
 };
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::disk_bins::DiskBins;
@@ -114,7 +113,7 @@ fn mean_over_the_surface_is_the_far_field() {
     let maps = [Reconstruction::Constant, Reconstruction::Bilinear].into_iter().flat_map(images);
     for (name, ndf) in parametric().into_iter().chain(maps) {
         for z in COORDINATES {
-            let h = ndf.from_gaussian(z);
+            let h = ndf.warp_gaussian(z);
             let far = f64::from(ndf.density(h));
             // The center of the ring is at the inner edge of a bilinear map, where the density is 0
             // or nearly 0.
@@ -165,11 +164,10 @@ fn resolving_more_keeps_the_mean() {
             for (z, z_b) in
                 COORDINATES.into_iter().zip([(0.0, 0.0), (1.0, -0.5), (-1.0, 2.0), (0.3, 1.9), (-2.0, -1.0)])
             {
-                let (h, z_b) = (ndf.from_gaussian(z), Vec2::from(z_b));
+                let (h, z_b) = (ndf.warp_gaussian(z), Vec2::from(z_b));
                 let (kept, new) = ((s / finer).sqrt(), (1.0 - s / finer).sqrt());
-                let mean =
-                    gaussian_mean(8, |eta| conditional_density(&*ndf, h, z_b * kept + eta * new, finer));
-                let seen = f64::from(conditional_density(&*ndf, h, z_b, s));
+                let mean = gaussian_mean(8, |eta| residual_ndf(&*ndf, h, z_b * kept + eta * new, finer));
+                let seen = f64::from(residual_ndf(&*ndf, h, z_b, s));
                 worst = worst.max((mean / seen - 1.0).abs());
                 assert_abs_diff_eq!(mean / seen, 1.0, epsilon = 2e-5, "{name} at {h}, {s} to {finer}");
             }
@@ -209,7 +207,7 @@ fn beckmann_equals_the_split_of_its_slopes() {
         let (x, y) = (b_x + r_x, b_y + r_y);
         let cos2 = 1.0 / (1.0 + x * x + y * y);
         let h = Vec3::new((x * cos2.sqrt()) as f32, (y * cos2.sqrt()) as f32, cos2.sqrt() as f32);
-        let got = f64::from(conditional_density(&beckmann, h, Vec2::from(z_b), w as f32)) * cos2 * cos2;
+        let got = f64::from(residual_ndf(&beckmann, h, Vec2::from(z_b), w as f32)) * cos2 * cos2;
         // In f32 the exponents of distant z cancel: their sum has an error of 1e-7 of |z|²/2, which
         // is up to 100 here.
         let error = (got / expected - 1.0).abs();
@@ -233,17 +231,17 @@ fn beckmann_equals_the_split_of_its_slopes() {
 fn fraction_near_one_is_a_narrow_lobe_at_the_facet() {
     let ggx = Ggx::new(0.2, 0.4).unwrap();
     let z_b = Vec2::new(0.7, -1.1);
-    let facet = ggx.from_gaussian(z_b);
-    let at = |s: f32, h: Vec3| conditional_density(&ggx, h, z_b, s);
+    let facet = ggx.warp_gaussian(z_b);
+    let at = |s: f32, h: Vec3| residual_ndf(&ggx, h, z_b, s);
     // Its peak grows like 1/(1 − s), while the ratio N(z_b)/N(0) stays constant.
     let expected = ggx.density(facet) * (0.5 * z_b.length_squared()).exp();
     for s in [0.99_f32, 0.999, 0.9999] {
-        let peak = at(s, ggx.from_gaussian(z_b * s.sqrt()));
+        let peak = at(s, ggx.warp_gaussian(z_b * s.sqrt()));
         let z = z_b * s.sqrt();
-        let there = ggx.density(ggx.from_gaussian(z)) * (0.5 * z.length_squared()).exp() / (1.0 - s);
+        let there = ggx.density(ggx.warp_gaussian(z)) * (0.5 * z.length_squared()).exp() / (1.0 - s);
         assert_abs_diff_eq!(peak / there, 1.0, epsilon = 1e-3, "s = {s}: {peak} != {there}");
         assert_abs_diff_eq!(there * (1.0 - s) / expected, 1.0, epsilon = 0.05);
     }
     assert!(at(1.0, facet).is_finite() && at(1.0, facet) > 1e5 * ggx.density(facet));
-    assert_eq!(at(1.0, ggx.from_gaussian(-z_b)), 0.0);
+    assert_eq!(at(1.0, ggx.warp_gaussian(-z_b)), 0.0);
 }

@@ -58,7 +58,7 @@ fn lookup_is_close_to_the_exact_density() {
                 .map(|place| {
                     let seen = ConditionalNdf::new(&*ndf, gaussian(7 * place + 3), s);
                     let ratio = |k| {
-                        let h = seen.from_gaussian(gaussian(k));
+                        let h = seen.warp_gaussian(gaussian(k));
                         f64::from(table.view().density(h, seen.split())) / f64::from(seen.density(h)) - 1.0
                     };
                     (0..POINTS).map(|k| 0.5 * ratio(k).abs()).sum::<f64>() / f64::from(POINTS)
@@ -78,7 +78,7 @@ fn mean_of_lookup_over_the_surface_is_the_far_field() {
     for (name, ndf, _) in ndfs() {
         let table = ConditionalTable::new(&*ndf, 64).unwrap();
         for k in 0..3 {
-            let h = ndf.from_gaussian(gaussian(11 * k + 5));
+            let h = ndf.warp_gaussian(gaussian(11 * k + 5));
             let far = f64::from(table.view().density(h, GaussianSplit::new(Vec2::ZERO, 0.0)));
             for s in [0.1, 0.5, 0.9] {
                 let mean: f64 = (-64..=64)

@@ -2,12 +2,12 @@
 //! the density.
 
 use asperity_ndf_sampling::{
-    Beckmann, Ggx, Ndf, NdfEstimator, NdfMap, NoiseCdfRef, NormalTable, Reconstruction, detailed_normal,
+    Beckmann, Ggx, Ndf, NdfEstimator, NdfMap, NoiseCdfRef, NormalLut, Reconstruction, add_detail_normal,
     estimate_ndf,
     normal_map::{NoiseChain, NormalMapFormat, TangentSpace},
     normal_table::TableLayout,
 };
-use asperity_noise::{Gaussian, Noise, Perlin2002, Simplex};
+use asperity_noise::{GaussianNoise, Noise, Perlin, Simplex};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::disk_bins::DiskBins;
 use asperity_tests::low_discrepancy::r2;
@@ -116,9 +116,9 @@ fn normal_map_indices_invert_through_table_l() {
             let estimator = NdfEstimator::suited(&normals);
             let (size, width) = (estimator.size(), estimator.width());
             let ndf = estimate_ndf(&normals).unwrap();
-            let table = NormalTable::standard(&ndf);
-            let direct = angles(&normals, |n| detailed_normal(&ndf, n, Vec2::ONE, 0.0));
-            let looked_up = angles(&normals, |n| table.bilinear(ndf.to_gaussian(n)).normal);
+            let table = NormalLut::standard(&ndf);
+            let direct = angles(&normals, |n| add_detail_normal(&ndf, n, Vec2::ONE, 0.0));
+            let looked_up = angles(&normals, |n| table.bilinear(ndf.invert(n)).normal);
             println!("{name}, {bits}: {size}², h = {width:.4}: T {direct:.5?}°, L {looked_up:.4?}°");
             assert!(direct[0] < 0.01, "{name}, {bits}: {direct:?}");
             // Half a degree is required; measured 0.015.
@@ -135,8 +135,8 @@ fn closed_form_normals_invert_through_table_l() {
     for (name, ndf) in ndfs {
         let normals: Vec<Vec3> =
             (0..1 << 16).map(|k| ndf.sample(Vec2::from(r2(k).map(|u| u as f32)))).collect();
-        let table = NormalTable::standard(ndf);
-        let back = angles(&normals, |n| table.bilinear(ndf.to_gaussian(n)).normal);
+        let table = NormalLut::standard(ndf);
+        let back = angles(&normals, |n| table.bilinear(ndf.invert(n)).normal);
         println!("{name}: L {back:.4?}°");
         // Measured 0.0016° and 0.0005°.
         assert!(back[0] < 0.01, "{name}: {back:?}");
@@ -150,14 +150,13 @@ fn noise_values_of_a_normal_map_invert() {
     let normals = ground();
     let ndf = estimate_ndf(&normals).unwrap();
     let distributions = [
-        ("Perlin 2002", Noise::<Vec3>::statistics(&Perlin2002::default()).cdf),
+        ("Perlin 2002", Noise::<Vec3>::statistics(&Perlin::default()).cdf),
         ("simplex", Noise::<Vec3>::statistics(&Simplex::new(0)).cdf),
-        ("Gaussian", Noise::<Vec3>::statistics(&Gaussian::default()).cdf),
+        ("Gaussian", Noise::<Vec3>::statistics(&GaussianNoise::default()).cdf),
     ];
     for (name, cdf) in distributions {
         let chain = NoiseChain { ndf: &ndf, noise: NoiseCdfRef::new(4.0, cdf).unwrap() };
-        let table =
-            NormalTable::from_fn(256, TableLayout::default(), |r| chain.normal(r.to_array())).unwrap();
+        let table = NormalLut::from_fn(256, TableLayout::default(), |r| chain.normal(r.to_array())).unwrap();
         let direct = angles(&normals, |n| chain.normal(chain.noise_values(n)));
         let looked_up = angles(&normals, |n| table.bilinear(Vec2::from(chain.noise_values(n))).normal);
         println!("{name}: G {direct:.4?}°, L {looked_up:.4?}°");
@@ -210,9 +209,9 @@ fn detail_keeps_the_density_of_the_map() {
     for amount in [0.5_f32, 1.0] {
         let mut random = Random(7);
         let mut noise = || Vec2::from(random.gaussians().map(|z| z as f32));
-        let with: Vec<Vec3> = normals.iter().map(|&n| detailed_normal(&ndf, n, noise(), amount)).collect();
+        let with: Vec<Vec3> = normals.iter().map(|&n| add_detail_normal(&ndf, n, noise(), amount)).collect();
         let without_root: Vec<Vec3> =
-            normals.iter().map(|&n| ndf.from_gaussian(ndf.to_gaussian(n) + noise() * amount)).collect();
+            normals.iter().map(|&n| ndf.warp_gaussian(ndf.invert(n) + noise() * amount)).collect();
         let (kept, grown) = (variation(&with, &ndf), variation(&without_root, &ndf));
         println!("{amount}: total variation {kept:.4} of {floor:.4}, without the root {grown:.4}");
         // With as many normals in some 500 bins, chance alone differs by 0.5 √(2 · 500/(π 65536)) =

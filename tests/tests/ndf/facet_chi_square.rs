@@ -69,7 +69,7 @@ fn every_map_samples_its_density() {
             let samples = 40_000;
             let mut results =
                 vec![("square", macro_p(&facets, seed, samples, |random| (facets.sample)(square(random))))];
-            if let Some(map) = &facets.from_gaussian {
+            if let Some(map) = &facets.warp_gaussian {
                 results
                     .push(("Gaussian", macro_p(&facets, seed + 1, 200_000, |random| map(gaussian(random)))));
             }
@@ -105,7 +105,7 @@ fn ggx_samples_the_reference_bins() {
     let columns = rows(&item["P"]);
     let probabilities: Vec<f64> = (0..32 * 32).map(|bin| columns[bin % 32][bin / 32]).collect();
     let (mut random, samples) = (Random(99), 200_000);
-    let normals = (0..samples).map(|_| ggx.from_gaussian(gaussian(&mut random)));
+    let normals = (0..samples).map(|_| ggx.warp_gaussian(gaussian(&mut random)));
     let counts = DiskBins { size: 32, extent: [1.0, 1.0] }.count(normals);
     let p = p_value(&counts, &probabilities, samples);
     assert!(p > 0.001, "p = {p:e}");
@@ -143,7 +143,7 @@ fn cosine_tables_sample_their_density() {
             let mut counts = vec![0; probabilities.len()];
             for _ in 0..60_000 {
                 let m = if by_gaussian == 1 {
-                    table.from_gaussian(gaussian(&mut random))
+                    table.warp_gaussian(gaussian(&mut random))
                 } else {
                     table.sample(square(&mut random))
                 };
@@ -172,7 +172,7 @@ fn distorted_samplers_are_rejected() {
     let heavier = StudentT::new(0.1, 0.1, 3.5).unwrap();
     let (oval, swapped) = (find("GGX (0.4, 0.04)"), Ggx::new(0.04, 0.4).unwrap());
     let (right, another) = (Ggx::isotropic(0.3).unwrap(), Beckmann::isotropic(0.3).unwrap());
-    let clamped = |z: Vec2| right.from_gaussian(z.clamp(Vec2::splat(-2.5), Vec2::splat(2.5)));
+    let clamped = |z: Vec2| right.warp_gaussian(z.clamp(Vec2::splat(-2.5), Vec2::splat(2.5)));
     for (name, p) in [
         ("all normals as visible", visible_p(ggx, v, 1, samples, |u| (ggx.sample)(u))),
         ("the view two degrees off", visible_p(ggx, v, 2, samples, |u| (ggx.sample_visible)(view(77.0), u))),
@@ -186,8 +186,8 @@ fn distorted_samplers_are_rejected() {
             "visible normals as all",
             macro_p(ggx, 6, samples, |random| (ggx.sample_visible)(v, square(random))),
         ),
-        ("axes swapped", macro_p(oval, 7, samples, |random| swapped.from_gaussian(gaussian(random)))),
-        ("another model", macro_p(ggx, 8, samples, |random| another.from_gaussian(gaussian(random)))),
+        ("axes swapped", macro_p(oval, 7, samples, |random| swapped.warp_gaussian(gaussian(random)))),
+        ("another model", macro_p(ggx, 8, samples, |random| another.warp_gaussian(gaussian(random)))),
         ("tails clamped at 2.5 deviations", macro_p(ggx, 9, samples, |random| clamped(gaussian(random)))),
     ] {
         println!("{name}: p = {p:e}");

@@ -37,9 +37,9 @@ proptest! {
     ) {
         let z = Vec2::from_angle(angle) * radius;
         for (name, ndf, tolerance) in facets(10f32.powf(log_x), 10f32.powf(log_y), gamma, turn) {
-            let m = ndf.from_gaussian(z);
+            let m = ndf.warp_gaussian(z);
             prop_assert!((m.length() - 1.0).abs() < 4e-7 && m.z > 0.0, "{name}: {m}");
-            prop_assert!((ndf.to_gaussian(m) - z).length() < tolerance, "{name}: {z} -> {m} -> {}", ndf.to_gaussian(m));
+            prop_assert!((ndf.invert(m) - z).length() < tolerance, "{name}: {z} -> {m} -> {}", ndf.invert(m));
         }
     }
 
@@ -52,14 +52,14 @@ proptest! {
         for (name, ndf, _) in facets(x, y, gamma, turn) {
             let e = 0.01;
             let at = |dx: f32, dy: f32| {
-                let m = ndf.from_gaussian(Vec2::new(z1 + dx, z2 + dy)).as_dvec3();
+                let m = ndf.warp_gaussian(Vec2::new(z1 + dx, z2 + dy)).as_dvec3();
                 [m.x, m.y]
             };
             let d = |a: [f64; 2], b: [f64; 2]| [0, 1].map(|k| (a[k] - b[k]) / (2.0 * f64::from(e)));
             let ([xx, yx], [xy, yy]) = (d(at(e, 0.0), at(-e, 0.0)), d(at(0.0, e), at(0.0, -e)));
             let jacobian = xx * yy - xy * yx;
             let gaussian = (-0.5 * f64::from(z1 * z1 + z2 * z2)).exp() / std::f64::consts::TAU;
-            let density = f64::from(ndf.density(ndf.from_gaussian(Vec2::new(z1, z2))));
+            let density = f64::from(ndf.density(ndf.warp_gaussian(Vec2::new(z1, z2))));
             let ratio = density * jacobian / gaussian;
             let tolerance = if matches!(name, "GGX" | "Beckmann") { 0.01 } else { 0.02 };
             prop_assert!((ratio - 1.0).abs() < tolerance, "{name} at {z1} {z2}: {ratio}");
@@ -70,11 +70,11 @@ proptest! {
     fn tables_are_inverted(values in proptest::collection::vec(0.001_f32..1.0, 2..60), radius in 0.0_f32..6.0, angle in 0.0_f32..6.3) {
         let table = Isotropic::new(&values).unwrap();
         let z = Vec2::from_angle(angle) * radius;
-        let m = table.from_gaussian(z);
+        let m = table.warp_gaussian(z);
         prop_assert!((m.length() - 1.0).abs() < 4e-7 && m.z > 0.0, "{m}");
-        prop_assert!((table.to_gaussian(m) - z).length() < 2e-5, "{z} -> {m} -> {}", table.to_gaussian(m));
+        prop_assert!((table.invert(m) - z).length() < 2e-5, "{z} -> {m} -> {}", table.invert(m));
         // Monotone in the radius.
-        prop_assert!(table.from_gaussian(z * 1.001).z <= m.z + 1e-7);
+        prop_assert!(table.warp_gaussian(z * 1.001).z <= m.z + 1e-7);
     }
 
     #[test]

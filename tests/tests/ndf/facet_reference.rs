@@ -160,7 +160,7 @@ fn sampling_maps() {
         }
         for (z, expected) in z.iter().zip(rows(&item["radial_from_gaussian"])) {
             let expected = vector(&expected);
-            let got = ndf.from_gaussian(Vec2::new(z[0] as f32, z[1] as f32));
+            let got = ndf.warp_gaussian(Vec2::new(z[0] as f32, z[1] as f32));
             let error = off(got, expected);
             assert!(error < 1e-6, "{} radial at {z:?}: {got} != {expected} {error:e}", item["model"]);
             worst[1] = worst[1].max(error);
@@ -170,7 +170,7 @@ fn sampling_maps() {
                 let error = if expected == 0.0 { got.abs() } else { (got / expected - 1.0).abs() };
                 assert!(error < 2e-6, "{} radial at {z:?}: {got:e} != {expected:e}", item["model"]);
             }
-            let (back, z) = (ndf.to_gaussian(expected.as_vec3()), Vec2::new(z[0] as f32, z[1] as f32));
+            let (back, z) = (ndf.invert(expected.as_vec3()), Vec2::new(z[0] as f32, z[1] as f32));
             let tolerance = if item["model"] == "blinn_phong" { 1e-5 } else { 4e-6 };
             assert_abs_diff_eq!(back, z, epsilon = tolerance, "{}", item["model"]);
         }

@@ -43,7 +43,7 @@ fn inverse_undoes_the_map_for_every_roughness() {
             for (j, k) in (-48..=48).flat_map(|j| (-48..=48).map(move |k| (j, k))) {
                 let z = Vec2::new(j as f32, k as f32) * 0.125;
                 if z.length() <= 6.0 {
-                    let back = ndf.to_gaussian(ndf.from_gaussian(z));
+                    let back = ndf.invert(ndf.warp_gaussian(z));
                     // Roughness above 1 magnifies the rounding of m_z.
                     worst = worst.max((back - z).length() / if alpha > 1.0 { 2.0 } else { 1.0 });
                 }
@@ -61,7 +61,7 @@ fn smooth_at_the_origin() {
         for k in 0..64 {
             let (sin, cos) = (k as f32 * 0.1).sin_cos();
             for radius in [1e-8_f32, 1e-6, 1e-5, 1.1e-5, 1e-3] {
-                let m = ndf.from_gaussian(Vec2::new(cos, sin) * radius);
+                let m = ndf.warp_gaussian(Vec2::new(cos, sin) * radius);
                 let slope = Vec2::new(m.x / m.z / 0.3, m.y / m.z / 0.6) * std::f32::consts::SQRT_2 / radius;
                 assert_abs_diff_eq!(slope, Vec2::new(cos, sin), epsilon = 2e-6, "{k} {radius}: {slope}");
             }

@@ -4,8 +4,8 @@
 //! of `std` and of `libm` round differently on different platforms.
 
 use asperity_ndf_sampling::{
-    Beckmann, Frame, GaussianSplit, Ggx, Measure, Ndf, NdfMap, NoiseCdfRef, NoiseDistribution, NormalTable,
-    PackedMapRef, Reconstruction, conditional_density, inverse_phi, level_of_detail::MAX_SHARE, phi,
+    Beckmann, Frame, GaussianSplit, Ggx, Measure, Ndf, NdfMap, NoiseCdfRef, NoiseDistribution, NormalLut,
+    PackedMapRef, Reconstruction, inverse_phi, level_of_detail::MAX_SHARE, phi, residual_ndf,
 };
 use asperity_tests::pinned::{SINGLE, pinned, single};
 use glam::{Vec2, Vec3};
@@ -25,11 +25,11 @@ fn closed_forms() {
     let beckmann = Beckmann::new(0.2, 0.4).unwrap();
     let h = direction();
     single("Ggx::density", ggx.density(h), [0.258_475_57]);
-    single("Ggx::from_gaussian", ggx.from_gaussian(Z), [0.116_753_96, -0.400_299_28, 0.908_916_35]);
-    single("Ggx::to_gaussian", ggx.to_gaussian(h), [1.464_361_8, -1.098_271_4]);
+    single("Ggx::from_gaussian", ggx.warp_gaussian(Z), [0.116_753_96, -0.400_299_28, 0.908_916_35]);
+    single("Ggx::to_gaussian", ggx.invert(h), [1.464_361_8, -1.098_271_4]);
     single("Beckmann::density", beckmann.density(h), [0.096_070_141]);
-    single("Beckmann::from_gaussian", beckmann.from_gaussian(Z), [0.093_333_341, -0.320_000_02, 0.942_809_1]);
-    single("Beckmann::to_gaussian", beckmann.to_gaussian(h), [2.357_022_8, -1.767_767]);
+    single("Beckmann::from_gaussian", beckmann.warp_gaussian(Z), [0.093_333_341, -0.320_000_02, 0.942_809_1]);
+    single("Beckmann::to_gaussian", beckmann.invert(h), [2.357_022_8, -1.767_767]);
     let clamped = Ggx::clamped(f32::NAN, -1.0);
     single("clamped", [f64::from(clamped.alpha_x()), f64::from(clamped.alpha_y())], [1.0, 1e-6]);
 }
@@ -37,7 +37,7 @@ fn closed_forms() {
 #[test]
 fn level_of_detail() {
     let ggx = Ggx::new(0.2, 0.4).unwrap();
-    let seen = [0.25, 0.75, 0.99].map(|s| f64::from(conditional_density(&ggx, direction(), Z, s)));
+    let seen = [0.25, 0.75, 0.99].map(|s| f64::from(residual_ndf(&ggx, direction(), Z, s)));
     // The exponent of the last value is −29, which magnifies the rounding of its terms.
     pinned("conditional_density", seen, [0.681_554_79, 1.257_120_7, 1.372_429_5e-11], 30.0 * SINGLE);
     let split = GaussianSplit::new(Z, 0.5);
@@ -57,11 +57,11 @@ fn maps() {
     .unwrap();
     assert_eq!((map.view().width(), map.view().height()), (24, 16));
     single("NdfMap::density", map.density(direction()), [0.103_214_55]);
-    single("NdfMap::from_gaussian", map.from_gaussian(Z), [0.632_519_13, -0.645_998_66, 0.427_323_4]);
-    single("NdfMap::to_gaussian", map.to_gaussian(direction()), [0.257_028_73, -0.914_421_2]);
+    single("NdfMap::from_gaussian", map.warp_gaussian(Z), [0.632_519_13, -0.645_998_66, 0.427_323_4]);
+    single("NdfMap::to_gaussian", map.invert(direction()), [0.257_028_73, -0.914_421_2]);
     let map =
         NdfMap::from_texels(2, 2, &[1.0, 2.0, 3.0, 4.0], Measure::Normals, Reconstruction::Constant).unwrap();
-    single("NdfMap::from_texels", map.from_gaussian(Z), [0.488_912_43, -0.571_194_89, 0.659_318_63]);
+    single("NdfMap::from_texels", map.warp_gaussian(Z), [0.488_912_43, -0.571_194_89, 0.659_318_63]);
 }
 
 #[test]
@@ -82,13 +82,13 @@ fn packed_maps() {
 
 #[test]
 fn tables() {
-    let table = NormalTable::new(&Ggx::new(0.2, 0.4).unwrap(), 16).unwrap();
+    let table = NormalLut::new(&Ggx::new(0.2, 0.4).unwrap(), 16).unwrap();
     assert_eq!((table.size(), table.view().entries().len()), (16, 256));
     let (nearest, bilinear) = (table.nearest(Z), table.bilinear(Z));
     single("NormalTable::nearest", nearest.normal, [0.148_413_45, -0.494_711_52, 0.856_290_82]);
     single("NormalTable::bilinear", bilinear.tangent, [0.992_469_9, 0.025_873_253, -0.119_724_96]);
     let g = NoiseCdfRef::new(1.5, &[0.0, 0.1, 0.6, 1.0]).unwrap();
-    let got = [g.uniform(0.2), g.gaussian(0.2), g.inverse(0.3), g.from_gaussian(0.7)];
+    let got = [g.uniform(0.2), g.gaussian(0.2), g.inverse(0.3), g.warp_gaussian(0.7)];
     single("NoiseCdfRef", got, [0.450_000_02, -0.125_661_3, -0.099_999_994, 0.895_090_76]);
 }
 

@@ -2,9 +2,9 @@
 //! value-breaking. As in `golden.rs`, values are pinned to a few units in the last place.
 
 use asperity_ndf_sampling::{
-    Beckmann, ConditionalNdf, ConditionalTable, GaussianNoise, GaussianSplit, Ggx, KurtoticNoise, Ndf,
-    NdfEstimator, NoiseCdfRef, NoiseDistribution, NormalTable, NormalTableRef, detailed, detailed_normal,
-    estimate_ndf,
+    Beckmann, ConditionalNdf, ConditionalTable, GaussianDistribution, GaussianSplit, Ggx,
+    KurtoticDistribution, Ndf, NdfEstimator, NoiseCdfRef, NoiseDistribution, NormalLut, NormalLutRef,
+    add_detail, add_detail_normal, estimate_ndf,
     level_of_detail::OffsetBeckmann,
     normal_map::{NoiseChain, NormalMapFormat, TangentSpace, Zero},
     normal_table::{Chart, Spacing, TableLayout, from_half, to_half},
@@ -42,7 +42,7 @@ fn charts_and_spacings() {
 fn tables_of_normals() {
     let ggx = Ggx::new(0.2, 0.4).unwrap();
     let layout = TableLayout { spacing: Spacing::Warped, chart: Chart::Slopes };
-    let table = NormalTable::with_layout(&ggx, 16, layout).unwrap();
+    let table = NormalLut::with_layout(&ggx, 16, layout).unwrap();
     single("bilinear, warped slopes", table.view().bilinear_normal(Z), [0.11860554, -0.40503016, 0.90657783]);
     single("nearest, warped slopes", table.view().nearest_normal(Z), [0.13651079, -0.39627129, 0.90792835]);
     let accuracy = table.accuracy(&ggx);
@@ -62,7 +62,7 @@ fn tables_of_normals() {
     );
     single("TableAccuracy::beyond", [accuracy.beyond], [0.000368133]);
     let halves = table.halves();
-    let packed = NormalTableRef::new(16, layout, &halves).unwrap();
+    let packed = NormalLutRef::new(16, layout, &halves).unwrap();
     single("bilinear, half floats", packed.bilinear_normal(Z), [0.11863048, -0.4050467, 0.90656716]);
 }
 
@@ -86,11 +86,11 @@ fn bump_maps() {
     single("NdfEstimator::suited", [suited.size() as f64, f64::from(suited.width())], [512.0, 0.015686275]);
     let estimate = estimate_ndf(&normals).unwrap();
     pinned("estimate_ndf", estimate.density(normals[40]).numbers(), [121.53986], 10.0 * SINGLE);
-    single("detailed", detailed(Z, Vec2::new(-0.3, 1.0), 0.5), [0.4919349, -0.62609905]);
+    single("detailed", add_detail(Z, Vec2::new(-0.3, 1.0), 0.5), [0.4919349, -0.62609905]);
     let ggx = Ggx::new(0.2, 0.4).unwrap();
     single(
         "detailed_normal",
-        detailed_normal(&ggx, direction(), Z, 0.5),
+        add_detail_normal(&ggx, direction(), Z, 0.5),
         [0.33640453, -0.62975997, 0.70016748],
     );
     let chain = NoiseChain { ndf: ggx, noise: NoiseCdfRef::new(1.5, &[0.0, 0.1, 0.6, 1.0]).unwrap() };
@@ -103,8 +103,8 @@ fn bump_maps() {
 fn distributions_of_noise() {
     let turbulence = NoiseCdfRef::between(0.5, 2.0, &[0.0, 0.3, 0.9, 1.0]).unwrap();
     single("NoiseCdfRef::between", turbulence.gaussian(0.8), [-0.91536504]);
-    let gaussian = GaussianNoise::new(0.7).unwrap();
-    let kurtotic = KurtoticNoise::new(0.7, -0.5).unwrap();
+    let gaussian = GaussianDistribution::new(0.7).unwrap();
+    let kurtotic = KurtoticDistribution::new(0.7, -0.5).unwrap();
     for (name, noise, expected) in [
         (
             "GaussianNoise",
@@ -113,7 +113,7 @@ fn distributions_of_noise() {
         ),
         ("KurtoticNoise", &kurtotic, [1.24364984, 0.805968285, 0.299737692, -0.629065633]),
     ] {
-        let got = [noise.gaussian(0.9), noise.from_gaussian(1.1), noise.uniform(-0.4), noise.inverse(0.2)];
+        let got = [noise.gaussian(0.9), noise.warp_gaussian(1.1), noise.uniform(-0.4), noise.inverse(0.2)];
         single(name, got, expected);
     }
 }
@@ -123,23 +123,23 @@ fn unresolved_parts() {
     let ggx = Ggx::new(0.2, 0.4).unwrap();
     let seen = ConditionalNdf::new(ggx, Z, 0.75);
     pinned("ConditionalNdf::density", seen.density(direction()).numbers(), [1.2571207], 5.0 * SINGLE);
-    single("ConditionalNdf::from_gaussian", seen.from_gaussian(-Z), [0.037107747, -0.12722658, 0.99117923]);
-    single("ConditionalNdf::to_gaussian", seen.to_gaussian(direction()), [1.7162881, -0.11808181]);
+    single("ConditionalNdf::from_gaussian", seen.warp_gaussian(-Z), [0.037107747, -0.12722658, 0.99117923]);
+    single("ConditionalNdf::to_gaussian", seen.invert(direction()), [1.7162881, -0.11808181]);
     let offset = OffsetBeckmann::new(Vec2::new(0.3, -0.2), [0.04, -0.01, 0.09]).unwrap();
     single("OffsetBeckmann::density", offset.density(direction()), [3.0229151]);
-    single("OffsetBeckmann::from_gaussian", offset.from_gaussian(Z), [0.35437137, -0.47515145, 0.80538946]);
+    single("OffsetBeckmann::from_gaussian", offset.warp_gaussian(Z), [0.35437137, -0.47515145, 0.80538946]);
     pinned(
         "OffsetBeckmann::to_gaussian",
-        offset.to_gaussian(direction()).numbers(),
+        offset.invert(direction()).numbers(),
         [0.16666666, -0.98601335],
         10.0 * SINGLE,
     );
     let beckmann = OffsetBeckmann::conditional(Beckmann::new(0.2, 0.4).unwrap(), Z, 0.9);
-    single("OffsetBeckmann::conditional", beckmann.from_gaussian(-Z), [0.061101012, -0.20948918, 0.97590011]);
+    single("OffsetBeckmann::conditional", beckmann.warp_gaussian(-Z), [0.061101012, -0.20948918, 0.97590011]);
     let table = ConditionalTable::new(&ggx, 32).unwrap();
     let density = table.view().density(direction(), GaussianSplit::new(Z, 0.75));
     pinned("ConditionalTable::density", density.numbers(), [1.2619957], 5.0 * SINGLE);
-    single("ConditionalTableRef::to_gaussian", table.view().to_gaussian(direction()), [1.465818, -1.0993671]);
+    single("ConditionalTableRef::to_gaussian", table.view().invert(direction()), [1.465818, -1.0993671]);
     single("GaussianSplit::rest", GaussianSplit::new(Z, 0.3).rest(Vec2::ONE), [0.73697102, 1.980813]);
     single("GaussianSplit::join", GaussianSplit::new(Z, 0.3).join(Vec2::ONE), [1.2200658, 0.17939293]);
 }

@@ -175,7 +175,7 @@ fn images_sample_their_visible_normals() {
             {
                 let exact = f64::from(masked.density().density(m)) * f64::from(v.dot(m).max(0.0)) / table;
                 assert_abs_diff_eq!(
-                    f64::from(masked.visible_density(v, m)) / exact,
+                    f64::from(masked.visible_pdf(v, m)) / exact,
                     1.0,
                     epsilon = 1e-3,
                     "{case}: {m}"

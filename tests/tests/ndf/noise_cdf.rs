@@ -1,6 +1,6 @@
 //! G: monotone, total, self-inverse, and correct for a noise with a known distribution.
 
-use asperity_ndf_sampling::{KurtoticNoise, NoiseCdfRef, NoiseDistribution, phi};
+use asperity_ndf_sampling::{KurtoticDistribution, NoiseCdfRef, NoiseDistribution, phi};
 use asperity_noise::{Noise, Point};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::noise_kinds::{Testable, Visit, every_kind, every_variant};
@@ -52,14 +52,14 @@ impl Visit for Measured {
             if u > 1e-4 && u < 0.9999 {
                 let density = (g.uniform(r + 0.02) - g.uniform(r - 0.02)) / 0.04;
                 let tolerance = 1e-6 + 3e-7 / density.max(1e-3);
-                assert_abs_diff_eq!(g.from_gaussian(z), r, epsilon = tolerance, "{name}");
+                assert_abs_diff_eq!(g.warp_gaussian(z), r, epsilon = tolerance, "{name}");
             }
         }
         // The tables are for eight octaves with gain ½: Σ a⁴/(Σ a²)² = (16/15)/(16/9), up to 10⁻⁵.
         let kurtosis = 0.6 * statistics.excess_kurtosis;
-        let fitted = KurtoticNoise::new(1.0, kurtosis).expect("in range");
-        let gaussian = KurtoticNoise::new(1.0, 0.0).expect("valid");
-        let distance = |of: KurtoticNoise| {
+        let fitted = KurtoticDistribution::new(1.0, kurtosis).expect("in range");
+        let gaussian = KurtoticDistribution::new(1.0, 0.0).expect("valid");
+        let distance = |of: KurtoticDistribution| {
             (-400..=400)
                 .map(|k| k as f32 * 0.01)
                 .map(|r| (of.uniform(r) - g.uniform(r)).abs())
@@ -108,7 +108,7 @@ proptest! {
         let steep = 2.0 * range * total / 0.01 / weights.len() as f32;
         prop_assert!((g.inverse(g.uniform(r)) - r).abs() < 3e-7 * (steep + range), "{} {r}", g.inverse(g.uniform(r)));
         let z = 3.0 * a;
-        let back = g.uniform(g.from_gaussian(z));
+        let back = g.uniform(g.warp_gaussian(z));
         let u = (phi(f64::from(z)) as f32).clamp(table[0], table[table.len() - 1]);
         prop_assert!((back - u).abs() < 1e-5, "{back} {u}");
     }

@@ -1,7 +1,7 @@
 //! Table L: lookup errors at a point, and frames.
 
 use asperity_ndf_sampling::{
-    Beckmann, Frame, Ggx, Ndf, NormalTable, NormalTableRef, inverse_phi,
+    Beckmann, Frame, Ggx, Ndf, NormalLut, NormalLutRef, inverse_phi,
     normal_table::{Chart, Spacing, TableLayout},
 };
 use asperity_tests::assert_abs_diff_eq;
@@ -15,11 +15,11 @@ const CHARTS: [Chart; 3] = [Chart::Projected, Chart::Slopes, Chart::Stereographi
 fn quantile_error_of_the_slopes() {
     // The slope along x at z = (Φ⁻¹(u), 0) is its quantile on the line z₂ = 0.
     let ggx = Ggx::new(0.2, 0.4).unwrap();
-    let table = NormalTable::standard(&ggx);
+    let table = NormalLut::standard(&ggx);
     let (mut nearest, mut bilinear) = (0.0_f32, 0.0_f32);
     for k in 1..2000 {
         let z = Vec2::new(inverse_phi(f64::from(k) / 2000.0) as f32, 0.0);
-        let exact = ggx.from_gaussian(z);
+        let exact = ggx.warp_gaussian(z);
         let error = |m: Vec3| (m.x - exact.x).hypot(m.y - exact.y);
         nearest = nearest.max(error(table.nearest(z).normal));
         bilinear = bilinear.max(error(table.bilinear(z).normal));
@@ -45,9 +45,9 @@ fn frames_are_orthonormal_in_every_layout() {
     for (spacing, chart) in SPACINGS.into_iter().flat_map(|spacing| CHARTS.map(|chart| (spacing, chart))) {
         for alpha in [0.01, 0.3, 1.0] {
             let ggx = Ggx::new(alpha, 0.5).unwrap();
-            let table = NormalTable::with_layout(&ggx, 64, TableLayout { spacing, chart }).unwrap();
+            let table = NormalLut::with_layout(&ggx, 64, TableLayout { spacing, chart }).unwrap();
             let halves = table.halves();
-            let packed = NormalTableRef::new(64, table.layout(), &halves).unwrap();
+            let packed = NormalLutRef::new(64, table.layout(), &halves).unwrap();
             for k in 0..1000 {
                 let z = Vec2::from(r2(k).map(|u| u as f32)) * 12.0 - 6.0;
                 for frame in [table.nearest(z), table.bilinear(z), packed.nearest(z), packed.bilinear(z)] {
@@ -67,7 +67,7 @@ fn adjacent_frames_differ_little() {
         ("GGX 1", &Ggx::isotropic(1.0).unwrap(), 2.5),
         ("Beckmann 0.3", &Beckmann::isotropic(0.3).unwrap(), 0.5),
     ] {
-        let step = NormalTable::standard(ndf).accuracy(ndf).largest_step.to_degrees();
+        let step = NormalLut::standard(ndf).accuracy(ndf).largest_step.to_degrees();
         println!("{name}: {step:.2}°");
         assert!(step < most, "{name}: {step}");
     }

@@ -186,12 +186,12 @@ fn total_on_every_input() {
             let m = packed.sample(Vec2::new(x, y));
             assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-6, "{name} {x} {y}: {m}");
             assert!(m.z > 0.0, "{name} {x} {y}: {m}");
-            assert!(packed.from_gaussian(Vec2::new(x, y)).z > 0.0, "{name} {x} {y}");
+            assert!(packed.warp_gaussian(Vec2::new(x, y)).z > 0.0, "{name} {x} {y}");
             let u = packed.forward(Vec2::new(x, y));
             assert!((0.0..=1.0).contains(&u.x) && (0.0..=1.0).contains(&u.y), "{name} {x} {y}: {u}");
             for z in bad {
                 let m = Vec3::new(x, y, z);
-                assert!(packed.density(m) >= 0.0 && packed.to_gaussian(m).is_finite(), "{name} {m}");
+                assert!(packed.density(m) >= 0.0 && packed.invert(m).is_finite(), "{name} {m}");
             }
         }
     }

@@ -5,7 +5,7 @@ use asperity_tests::assert_abs_diff_eq;
 use std::sync::LazyLock;
 
 use asperity_ndf_sampling::{
-    Beckmann, Ggx, Ndf, NormalTable, NormalTableRef, inverse_phi,
+    Beckmann, Ggx, Ndf, NormalLut, NormalLutRef, inverse_phi,
     normal_table::{Chart, Spacing, TableEntry, TableLayout},
 };
 use asperity_tests::low_discrepancy::r2;
@@ -98,8 +98,8 @@ fn closed_forms_are_at_the_sampling_floor() {
         let ggx = Ggx::isotropic(alpha).unwrap();
         let beckmann = Beckmann::isotropic(alpha).unwrap();
         let forms = [
-            ("GGX", measure(&POINTS, |z| ggx.from_gaussian(z), ggx_quantile, [alpha; 2])),
-            ("Beckmann", measure(&POINTS, |z| beckmann.from_gaussian(z), beckmann_quantile, [alpha; 2])),
+            ("GGX", measure(&POINTS, |z| ggx.warp_gaussian(z), ggx_quantile, [alpha; 2])),
+            ("Beckmann", measure(&POINTS, |z| beckmann.warp_gaussian(z), beckmann_quantile, [alpha; 2])),
         ];
         for (name, measured) in forms {
             println!("{name} {alpha}: {measured:.6?}");
@@ -123,7 +123,7 @@ fn every_variant_of_table_l() {
     for spacing in [Spacing::Coordinates, Spacing::Quantiles, Spacing::Warped] {
         let mut nearest = None;
         for chart in [Chart::Projected, Chart::Slopes, Chart::Stereographic] {
-            let table = NormalTable::with_layout(&ggx, 256, TableLayout { spacing, chart }).unwrap();
+            let table = NormalLut::with_layout(&ggx, 256, TableLayout { spacing, chart }).unwrap();
             // The nearest entry does not depend on the chart. Its error is so large that fewer
             // points suffice.
             let nearest = *nearest.get_or_insert_with(|| {
@@ -151,7 +151,7 @@ fn every_variant_of_table_l() {
 fn recommended_table_preserves_every_roughness() {
     fn check<E: TableEntry + Sync>(
         name: &str,
-        table: NormalTableRef<'_, E>,
+        table: NormalLutRef<'_, E>,
         quantile: fn(f64) -> f64,
         alpha: f32,
     ) {
@@ -161,13 +161,13 @@ fn recommended_table_preserves_every_roughness() {
         assert_abs_diff_eq!(measured.tail, 1.0, epsilon = 0.05, "{name} {alpha}: {measured:?}");
     }
     for alpha in [0.001, 1.0] {
-        let ggx = NormalTable::standard(&Ggx::isotropic(alpha).unwrap());
+        let ggx = NormalLut::standard(&Ggx::isotropic(alpha).unwrap());
         check("GGX", ggx.view(), ggx_quantile, alpha);
     }
-    let ggx = NormalTable::standard(&Ggx::isotropic(0.3).unwrap());
+    let ggx = NormalLut::standard(&Ggx::isotropic(0.3).unwrap());
     let halves = ggx.halves();
-    let packed = NormalTableRef::new(ggx.size(), ggx.layout(), &halves).unwrap();
+    let packed = NormalLutRef::new(ggx.size(), ggx.layout(), &halves).unwrap();
     check("GGX in half floats", packed, ggx_quantile, 0.3);
-    let beckmann = NormalTable::standard(&Beckmann::isotropic(0.1).unwrap());
+    let beckmann = NormalLut::standard(&Beckmann::isotropic(0.1).unwrap());
     check("Beckmann", beckmann.view(), beckmann_quantile, 0.1);
 }

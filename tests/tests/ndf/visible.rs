@@ -65,7 +65,7 @@ fn densities_integrate_to_one() {
                 // D_v over max(0, v·m), which the integral multiplies again.
                 let total = facets.projected(v.as_dvec3(), |m| {
                     let cos = v.as_dvec3().dot(m);
-                    if cos > 0.0 { f64::from((facets.visible_density)(v, m.as_vec3())) / cos } else { 0.0 }
+                    if cos > 0.0 { f64::from((facets.visible_pdf)(v, m.as_vec3())) / cos } else { 0.0 }
                 });
                 let error = (total - 1.0).abs();
                 assert!(error < 1e-5, "{} at {angle}°: ∫ D_v = {total}", facets.name);

@@ -2,8 +2,8 @@
 //! 10¹².
 
 use asperity_noise::{
-    Field, Gaussian, IntegerHash, Lattice, Octaves, Perlin2002, Point, Sample, Simplex, Sparse, Spectrum,
-    Value,
+    Fbm, FbmSpectrum, Field, GaussianNoise, IntegerHash, Lattice, Perlin, Point, Sample, Simplex,
+    SparseConvolution, ValueNoise,
     glam::{DVec2, DVec3, Vec2, Vec3, Vec4},
     simd::{Anchor, Kernel},
 };
@@ -26,7 +26,7 @@ where
     K: Anchor<N> + Copy,
     V: Point<Coordinates = [f32; N]>,
 {
-    let sum = Octaves::<K, N>::new(noise, Spectrum::default()).first(10.0);
+    let sum = Fbm::<K, N>::new(noise, FbmSpectrum::default()).first(10.0);
     let mut random = Random(1);
     let at = |p: [f32; N]| V::from_coordinates(p);
     let origin = sum.anchored([0.0; N]);
@@ -67,11 +67,11 @@ where
 
 #[test]
 fn anchored_sum_equals_the_sum() {
-    check::<_, f32, 1>("Perlin, line", Perlin2002::new(3));
-    check::<_, Vec2, 2>("Perlin, plane", Perlin2002::new(3));
-    check::<_, Vec3, 3>("Gaussian, space", Gaussian::new(3));
-    check::<_, Vec4, 4>("value, 4-D", Value::new(3));
-    check::<_, Vec2, 2>("sparse, plane", Sparse::new(3));
+    check::<_, f32, 1>("Perlin, line", Perlin::new(3));
+    check::<_, Vec2, 2>("Perlin, plane", Perlin::new(3));
+    check::<_, Vec3, 3>("Gaussian, space", GaussianNoise::new(3));
+    check::<_, Vec4, 4>("value, 4-D", ValueNoise::new(3));
+    check::<_, Vec2, 2>("sparse, plane", SparseConvolution::new(3));
     check::<_, f32, 1>("simplex, line", Simplex::new(3));
     check::<_, Vec2, 2>("simplex, plane", Simplex::new(3));
     check::<_, Vec3, 3>("simplex, space", Simplex::new(3));
@@ -82,7 +82,7 @@ fn anchored_sum_equals_the_sum() {
 fn anchored_sum_at_1e12_matches_the_reference() {
     let cells = [1_000_000_000_000_i64, -999_999_999_999, 2_147_483_648 + 17];
     let mut random = Random(5);
-    let noise = Octaves::single(Gaussian::new(11));
+    let noise = Fbm::single(GaussianNoise::new(11));
     for i in 0..200 {
         // Positions in eighths of a thousandth, which f64 represents to 1.2e-4 there.
         let place: [f64; 3] = std::array::from_fn(|_| (random.uniform() * 8192.0).floor() / 8192.0);
@@ -100,12 +100,12 @@ fn anchored_sum_at_1e12_matches_the_reference() {
     }
     // The plain path returns the same value within a whole cell there.
     let far = Vec2::splat(1e12);
-    assert_eq!(Perlin2002::new(1).value(far), Perlin2002::new(1).value(far + Vec2::new(0.5, 0.25)));
+    assert_eq!(Perlin::new(1).value(far), Perlin::new(1).value(far + Vec2::new(0.5, 0.25)));
 }
 
 #[test]
 fn anchored_batches_have_the_bits_of_single_points() {
-    let sum = Octaves::new(Simplex::new(2), Spectrum::CLOUD).first(3.5).anchored(DVec2::new(FAR[0], FAR[1]));
+    let sum = Fbm::new(Simplex::new(2), FbmSpectrum::CLOUD).first(3.5).anchored(DVec2::new(FAR[0], FAR[1]));
     let grid = asperity_noise::Grid { origin: Vec2::splat(-1.7), step: Vec2::splat(0.13), size: [40, 20] };
     let mut values = [0.0; 800];
     sum.grid_values(&grid, &mut values).expect("one number per point");
@@ -116,10 +116,10 @@ fn anchored_batches_have_the_bits_of_single_points() {
 
 #[test]
 fn invalid_anchors_remove_the_octaves() {
-    fn nothing<K: Kernel<2>>(sum: &Octaves<K, 2>) {
+    fn nothing<K: Kernel<2>>(sum: &Fbm<K, 2>) {
         assert_eq!(sum.sample(Vec2::new(0.3, 0.4)), Sample::default());
     }
-    let sum = Octaves::new(Perlin2002::new(2), Spectrum::default());
+    let sum = Fbm::new(Perlin::new(2), FbmSpectrum::default());
     for x in [f64::NAN, f64::INFINITY, -1e300] {
         nothing(&sum.anchored(DVec2::new(x, 0.0)));
     }

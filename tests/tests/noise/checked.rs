@@ -2,8 +2,8 @@
 //! checks.
 
 use asperity_noise::{
-    Cellular, Curved, Field, Gaussian, IntegerHash, Noise, Octaves, Perlin2002, Sample, SecondOrder, Simplex,
-    Spectrum, Statistics, Tiled, White,
+    Cellular, Fbm, FbmSpectrum, Field, GaussianNoise, HasHessian, IntegerHash, Noise, Perlin, Sample,
+    SampleHessian, Simplex, Statistics, Tiled, WhiteNoise,
     check::{self, Report, Settings},
     glam::Vec2,
 };
@@ -15,7 +15,7 @@ fn quick() -> Settings {
 /// A noise with one fault, one type for all faults.
 #[derive(Clone)]
 struct Faulty {
-    of: Perlin2002,
+    of: Perlin,
     /// Factor of the second component of the gradient.
     steep: f32,
     /// Factor of everything, not reflected in the range.
@@ -63,23 +63,16 @@ impl Noise<Vec2> for Faulty {
     }
 }
 
-impl Curved<Vec2> for Faulty {
-    fn second_order(&self, p: Vec2) -> SecondOrder<Vec2> {
-        let [[xx, xy], [yx, yy]] = self.of.second_order(p).hessian;
+impl HasHessian<Vec2> for Faulty {
+    fn sample_with_hessian(&self, p: Vec2) -> SampleHessian<Vec2> {
+        let [[xx, xy], [yx, yy]] = self.of.sample_with_hessian(p).hessian;
         let Sample { value, gradient } = self.sample(p);
-        SecondOrder { value, gradient, hessian: [[xx, xy], [yx, self.curved * yy]] }
+        SampleHessian { value, gradient, hessian: [[xx, xy], [yx, self.curved * yy]] }
     }
 }
 
-const RIGHT: Faulty = Faulty {
-    of: Perlin2002::new(1),
-    steep: 1.0,
-    large: 1.0,
-    higher: 0.0,
-    lost: 0.0,
-    listed: 1.0,
-    curved: 1.0,
-};
+const RIGHT: Faulty =
+    Faulty { of: Perlin::new(1), steep: 1.0, large: 1.0, higher: 0.0, lost: 0.0, listed: 1.0, curved: 1.0 };
 
 #[test]
 fn faulty_noises_are_detected() {
@@ -111,10 +104,10 @@ fn faulty_noises_are_detected() {
 #[test]
 fn valid_noises_pass() {
     let passes = |name: &str, report: Report| assert!(report.passed(), "{name}\n{report}");
-    passes("white", check::noise::<Vec2, _>(&White::new(3), quick()));
+    passes("white", check::noise::<Vec2, _>(&WhiteNoise::new(3), quick()));
     passes("wide simplex", check::noise::<Vec2, _>(&Simplex::wide(3), quick()));
     passes("cellular", check::noise::<Vec2, _>(&Cellular::new(3), quick()));
-    let sum: &dyn Curved<Vec2> = &Octaves::<_, 2>::new(Perlin2002::new(3), Spectrum::default());
+    let sum: &dyn HasHessian<Vec2> = &Fbm::<_, 2>::new(Perlin::new(3), FbmSpectrum::default());
     passes("sum", check::curved(sum, quick()));
 }
 
@@ -122,18 +115,18 @@ fn valid_noises_pass() {
 fn valid_noise_passes_for_every_seed() {
     for seed in 0..40 {
         let report =
-            check::noise::<Vec2, _>(&Gaussian::new(seed), Settings { seed, samples: 4096, ..quick() });
+            check::noise::<Vec2, _>(&GaussianNoise::new(seed), Settings { seed, samples: 4096, ..quick() });
         assert!(report.passed(), "{seed}\n{report}");
     }
 }
 
 #[test]
 fn mismatched_tiles_are_detected() {
-    let noise = Perlin2002::new(1).with_lattice(Tiled::new(IntegerHash, [8, 5]).expect("in range"));
-    let tile = Octaves::<_, 2>::tiled(noise, Spectrum::CLOUD).expect("whole periods");
+    let noise = Perlin::new(1).with_lattice(Tiled::new(IntegerHash, [8, 5]).expect("in range"));
+    let tile = Fbm::<_, 2>::tiled(noise, FbmSpectrum::CLOUD).expect("whole periods");
     let period = Vec2::new(8.0, 5.0);
     assert!(check::tiled(&tile, period, quick()).passed());
-    assert!(check::tiled(&Perlin2002::new(1), Vec2::ZERO, quick()).passed());
+    assert!(check::tiled(&Perlin::new(1), Vec2::ZERO, quick()).passed());
     for wrong in [Vec2::new(4.0, 5.0), Vec2::new(8.0, 1.0), Vec2::splat(8.0)] {
         assert!(check::tiled(&tile, wrong, quick()).failures().eq(["tile"]), "{wrong}");
     }

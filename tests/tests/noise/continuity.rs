@@ -93,7 +93,7 @@ fn borders<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
     if leaps::<N>(name) {
         return;
     }
-    let kind = if simplicial { Kind::Simplex(0.5) } else { Kind::Perlin2002 };
+    let kind = if simplicial { Kind::Simplex(0.5) } else { Kind::Perlin };
     let mut random = Random(N as u64);
     let (mut leap, mut kink, mut crossed, mut negative) = (0.0_f64, 0.0_f64, 0, 0);
     for seed in 0..3000 {

@@ -1,8 +1,8 @@
 //! Every error of a constructor or batch contains the parameter, its rule and the invalid value.
 
 use asperity_noise::{
-    Cellular, Field, IntegerHash, Octaves, Perlin2002, RidgedMultifractal, Simplex, Sparse, Spectrum, Tiled,
-    TiledError, TiledSimplex, ValueGradient, Warp, glam::Vec2, lattice::PermutationTable,
+    Cellular, Fbm, FbmSpectrum, Field, IntegerHash, Perlin, RidgedMultifractal, Simplex, SparseConvolution,
+    Tiled, TiledError, TiledSimplex, ValueGradient, Warp, glam::Vec2, lattice::PermutationTable,
 };
 use std::error::Error;
 
@@ -13,18 +13,18 @@ fn says<T, E: Error>(result: Result<T, E>) -> String {
 
 #[test]
 fn errors_contain_parameter_and_value() {
-    let noise = Perlin2002::new(1);
-    let spectrum = |lacunarity, gain, octaves| says(Spectrum::new(lacunarity, gain, octaves));
+    let noise = Perlin::new(1);
+    let spectrum = |lacunarity, gain, octaves| says(FbmSpectrum::new(lacunarity, gain, octaves));
     let mut entries: [u8; 256] = std::array::from_fn(|i| i as u8);
     entries[9] = 3;
-    let untiled = Octaves::<_, 2>::tiled(noise, Spectrum::CLOUD);
+    let untiled = Fbm::<_, 2>::tiled(noise, FbmSpectrum::CLOUD);
     let cases = [
         (spectrum(1.0, 0.5, 8), "`lacunarity` must be a finite number above 1, got 1"),
         (spectrum(2.0, -1.5, 8), "`gain` must be a finite number above 0, got -1.5"),
         (spectrum(2.0, 0.5, 17), "`max_octaves` must be from 1 to 16, got 17"),
         (spectrum(1e4, 0.5, 16), "`lacunarity` is too large: 10000 (the highest frequency must be finite)"),
         (spectrum(2.0, 1e3, 8), "`gain` is too large: 1000 (fourth powers of amplitudes must be finite)"),
-        (says(Sparse::new(0).with_impulses(5)), "`impulses` must be from 1 to 4, got 5"),
+        (says(SparseConvolution::new(0).with_impulses(5)), "`impulses` must be from 1 to 4, got 5"),
         (says(Cellular::new(0).with_jitter(1.5)), "`jitter` must be in [0, 1], got 1.5"),
         (says(ValueGradient::new(0).with_weight(-0.5)), "`weight` must be in [0, 1], got -0.5"),
         (says(Warp::new(noise, [noise; 2], f32::INFINITY)), "`strength` must be finite, got inf"),
@@ -40,7 +40,7 @@ fn errors_contain_parameter_and_value() {
             "`periods[1]` times `lacunarity` to the power 3 must be a whole number up to 2097152, got 5 · 2.5^3",
         ),
         (
-            says(RidgedMultifractal::<_, 2>::new(noise, Spectrum::CLOUD, -1.0)),
+            says(RidgedMultifractal::<_, 2>::new(noise, FbmSpectrum::CLOUD, -1.0)),
             "`feedback` must be finite and at least 0, got -1",
         ),
         (

@@ -2,7 +2,7 @@
 //! cell, in both channels.
 
 use asperity_noise::{
-    Field, Gaussian, GaussianOctaves, Point, Spectrum,
+    FbmSpectrum, Field, GaussianFbm, GaussianNoise, Point,
     glam::{Vec2, Vec3, Vec4},
 };
 use asperity_tests::assert_abs_diff_eq;
@@ -71,7 +71,7 @@ fn histograms<V: Point<Coordinates = [f32; N]>, const N: usize>(counts: &[f32]) 
     (0..2048_u32)
         .into_par_iter()
         .fold(empty, |mut histograms, seed| {
-            let noise = GaussianOctaves::<N>::new(Gaussian::new(seed), Spectrum::default());
+            let noise = GaussianFbm::<N>::new(GaussianNoise::new(seed), FbmSpectrum::default());
             let mut random = Random(u64::from(seed) << 32 | 7);
             let lists: [Vec<f32>; N] =
                 std::array::from_fn(|_| (0..POINTS).map(|_| coordinate(&mut random) / 100.0).collect());
@@ -107,7 +107,7 @@ fn second_channel_is_gaussian() {
     let histogram = (0..2048_u32)
         .into_par_iter()
         .fold(Histogram::new, |mut histogram, seed| {
-            let (noise, mut random) = (Gaussian::default(), Random(u64::from(seed) << 32 | 8));
+            let (noise, mut random) = (GaussianNoise::default(), Random(u64::from(seed) << 32 | 8));
             for _ in 0..POINTS {
                 let p = Vec2::new(coordinate(&mut random), coordinate(&mut random)) / 512.0;
                 histogram.add(noise.with_seed(seed).pair(p)[1].value);
@@ -128,7 +128,7 @@ fn moments<V: Point<Coordinates = [f32; N]> + Sync + Send, const N: usize>(place
         .map(|block| {
             let mut sums = [0.0; 5];
             for seed in block * 1000..(block + 1) * 1000 {
-                let [a, b] = Gaussian::new(seed).pair(place).map(|channel| f64::from(channel.value));
+                let [a, b] = GaussianNoise::new(seed).pair(place).map(|channel| f64::from(channel.value));
                 let terms =
                     [a + b, a * a + b * b, a.powi(4) + b.powi(4), 2.0 * a * b, (a * a - 1.0) * (b * b - 1.0)];
                 for (sum, term) in sums.iter_mut().zip(terms) {
@@ -215,13 +215,13 @@ fn chi_square<F: FnMut(u32) -> [f32; 2]>(field: impl Fn(u32) -> F + Sync) -> f64
 fn channels_are_independent_bin_by_bin() {
     let octaves = |count: f32| {
         chi_square(move |seed| {
-            let noise = GaussianOctaves::<3>::new(Gaussian::new(seed), Spectrum::default());
+            let noise = GaussianFbm::<3>::new(GaussianNoise::new(seed), FbmSpectrum::default());
             let mut random = Random(u64::from(seed) << 32 | 10);
             move |_| noise.detail(count).pair(point3(&mut random)).map(|channel| channel.value)
         })
     };
     let (lattice_point, centre) = (Vec3::new(1.0, -2.0, 3.0), Vec2::new(0.5, -2.5));
-    let noise = Gaussian::default();
+    let noise = GaussianNoise::default();
     for (name, ratio) in [
         // Single words are visible there.
         (

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, SQRT_2};
 
-use asperity_noise::{Field, Gaussian, glam::Vec2, lattice::gaussian_corner};
+use asperity_noise::{Field, GaussianNoise, glam::Vec2, lattice::gaussian_corner};
 use asperity_tests::assert_abs_diff_eq;
 use rayon::prelude::*;
 use statrs::function::erf::erfc;
@@ -35,7 +35,7 @@ fn lattice_points_have_the_normal_tail() {
     let beyond: [u64; 2] = (0..1 << 23_u32)
         .into_par_iter()
         .map(|seed| {
-            let value = Gaussian::new(seed).value(3.0_f32).abs();
+            let value = GaussianNoise::new(seed).value(3.0_f32).abs();
             [4.0, 4.5].map(|x| u64::from(value > x))
         })
         .reduce(|| [0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
@@ -128,7 +128,7 @@ fn planes_have_the_normal_tail() {
                 .map(|i| Vec2::new(f32::from(i) * 1.618, f32::from(i) * 0.4142 - 800.0))
                 .collect();
             let mut values = vec![0.0; points.len()];
-            Gaussian::new(seed).values(&points, &mut values).expect("one number per point");
+            GaussianNoise::new(seed).values(&points, &mut values).expect("one number per point");
             values.iter().filter(|value| value.abs() > 4.0).count()
         })
         .sum();

@@ -2,8 +2,8 @@
 //! ranges.
 
 use asperity_noise::{
-    Field, Gaussian, IntegerHash, Perlin1985, Perlin2002, Simplex, Sparse, Value, ValueCatmullRom,
-    ValueGradient, White,
+    Field, GaussianNoise, IntegerHash, Perlin, PerlinClassic, Simplex, SparseConvolution, ValueCatmullRom,
+    ValueGradient, ValueNoise, WhiteNoise,
     glam::{Vec2, Vec3, Vec4},
 };
 use asperity_tests::{
@@ -84,24 +84,24 @@ fn greatest<const D: usize>(kind: Kind) -> f64 {
 
 #[test]
 fn gradient_noises_match_the_reference() {
-    let kind = Kind::Perlin1985;
+    let kind = Kind::PerlinClassic;
     // 2.0e-7, 3.6e-7, 1.8e-7, 1.5e-7; 5.6e-7, 5.9e-7, 4.9e-7, 3.8e-7.
     let tolerances = [[5e-7, 1.2e-6], [6e-7, 1.4e-6], [5e-7, 1.2e-6], [4e-7, 1e-6]];
-    tight("Perlin 1985", Perlin1985::default(), kind, NEAR, tolerances);
-    let kind = Kind::Perlin2002;
+    tight("Perlin 1985", PerlinClassic::default(), kind, NEAR, tolerances);
+    let kind = Kind::Perlin;
     // 9.0e-7, 9.5e-7, 7.7e-7, 6.6e-7; 1.7e-6, 2.1e-6, 3.1e-6, 1.4e-6.
     let tolerances = [[2e-6, 4e-6], [2e-6, 5e-6], [2e-6, 6e-6], [1.2e-6, 4e-6]];
-    tight("Perlin 2002", Perlin2002::default(), kind, NEAR, tolerances);
+    tight("Perlin 2002", Perlin::default(), kind, NEAR, tolerances);
 }
 
 #[test]
 fn value_noises_match_the_reference() {
     // One number per cell, which is not rounded.
-    close("white", White::default(), Kind::White, NEAR, [[1e-30; 2]; 4]);
+    close("white", WhiteNoise::default(), Kind::White, NEAR, [[1e-30; 2]; 4]);
     let kind = Kind::Value;
     // 6.0e-7, 8.1e-7, 1.0e-6, 7.5e-7; 5.0e-7, 2.0e-6, 1.9e-6, 2.5e-6.
     let tolerances = [[1.2e-6, 1e-6], [2e-6, 4e-6], [2e-6, 5e-6], [2e-6, 5e-6]];
-    tight("value", Value::default(), kind, NEAR, tolerances);
+    tight("value", ValueNoise::default(), kind, NEAR, tolerances);
     let kind = Kind::CatmullRom;
     // 2.9e-7, 2.1e-7, 2.1e-7, 1.3e-7; 6.3e-7, 5.3e-7, 4.8e-7, 2.9e-7.
     let tolerances = [[6e-7, 1.2e-6], [5e-7, 1.2e-6], [5e-7, 1e-6], [3e-7, 6e-7]];
@@ -117,8 +117,8 @@ fn value_noises_match_the_reference() {
 
 #[test]
 fn sparse_noises_match_the_reference() {
-    for impulses in 1..=Sparse::MAX_IMPULSES {
-        let noise = Sparse::default().with_impulses(impulses).unwrap();
+    for impulses in 1..=SparseConvolution::MAX_IMPULSES {
+        let noise = SparseConvolution::default().with_impulses(impulses).unwrap();
         // 5.3e-7, 6.7e-7, 6.5e-7, 1.0e-6; 1.1e-6, 2.6e-6, 1.8e-6, 2.1e-6.
         let tolerances = [[1.2e-6, 2.5e-6], [1.5e-6, 5e-6], [1.5e-6, 4e-6], [2e-6, 5e-6]];
         close(&format!("sparse {impulses}"), noise, Kind::Sparse(impulses), NEAR, tolerances);
@@ -140,8 +140,8 @@ fn simplex_noises_match_the_reference() {
 fn gaussian_channels_match_the_reference() {
     // 2.1e-6, 3.8e-6, 2.1e-6, 2.8e-6; 2.3e-6, 8.9e-6, 7.4e-6, 8.1e-6.
     let tolerances = [[5e-6, 6e-6], [8e-6, 2e-5], [6e-6, 2e-5], [6e-6, 2e-5]];
-    close("Gaussian", Gaussian::default(), Kind::Gaussian(0), NEAR, tolerances);
-    let (noise, second) = (Gaussian::default(), Kind::Gaussian(1));
+    close("Gaussian", GaussianNoise::default(), Kind::Gaussian(0), NEAR, tolerances);
+    let (noise, second) = (GaussianNoise::default(), Kind::Gaussian(1));
     for worst in [
         errors::<f32, 1>(second, NEAR, |p, seed| noise.with_seed(seed).pair(p)[1]),
         errors::<Vec2, 2>(second, NEAR, |p, seed| noise.with_seed(seed).pair(p)[1]),
@@ -155,7 +155,7 @@ fn gaussian_channels_match_the_reference() {
 #[test]
 fn noises_far_from_the_origin_match_the_reference() {
     let (gaussian, simplex) = (Kind::Gaussian(0), Kind::Simplex(0.5));
-    let worst = errors::<Vec3, 3>(gaussian, FAR, |p, seed| Gaussian::new(seed).sample(p));
+    let worst = errors::<Vec3, 3>(gaussian, FAR, |p, seed| GaussianNoise::new(seed).sample(p));
     assert!(worst[0] < 6e-6 && worst[1] < 2e-5, "Gaussian: {worst:?}");
     // Corners are rounded by up to 7100·2⁻²² = 0.0017 there, where slopes reach 4 and second
     // derivatives 30.

@@ -2,8 +2,8 @@
 //! differences of gradients.
 
 use asperity_noise::{
-    Curved, Gaussian, GaussianOctaves, Noise, Octaves, Perlin1985, Perlin2002, Point, Rotation, Sample,
-    Simplex, Spectrum, Value, ValueGradient,
+    Fbm, FbmSpectrum, GaussianFbm, GaussianNoise, HasHessian, Noise, Perlin, PerlinClassic, Point, Rotation,
+    Sample, Simplex, ValueGradient, ValueNoise,
     glam::{Vec2, Vec3, Vec4},
 };
 use asperity_tests::{
@@ -25,11 +25,11 @@ type Jet<const N: usize> = ([At<N>; 2], [[f32; N]; N]);
 fn error<V, K, const N: usize>(noise: K, kind: Kind) -> f64
 where
     V: Point<Coordinates = [f32; N], Matrix = [[f32; N]; N]>,
-    K: Curved<V> + Noise<V> + Copy,
+    K: HasHessian<V> + Noise<V> + Copy,
 {
     relative_error(kind, &|p, seed| {
         let (noise, p) = (noise.with_seed(seed), V::from_coordinates(p));
-        let jet = noise.second_order(p);
+        let jet = noise.sample_with_hessian(p);
         ([at(Sample { value: jet.value, gradient: jet.gradient }), at(noise.sample(p))], jet.hessian)
     })
 }
@@ -77,7 +77,7 @@ fn relative_error<const N: usize>(kind: Kind, jet: &dyn Fn([f32; N], u32) -> Jet
 /// Asserts the errors in 1 to 4 dimensions.
 fn close<K>(name: &str, noise: K, kind: Kind, tolerance: f64)
 where
-    K: Curved<f32> + Curved<Vec2> + Curved<Vec3> + Curved<Vec4>,
+    K: HasHessian<f32> + HasHessian<Vec2> + HasHessian<Vec3> + HasHessian<Vec4>,
     K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy,
 {
     let errors = [
@@ -97,14 +97,14 @@ fn hessians_are_second_derivatives() {
     // Offsets from corners have errors of 2e-7, and third derivatives are up to fifty times second
     // derivatives, because the kernels are narrow. Maximum seen 1.3e-5.
     const SIMPLICES: f64 = 3e-5;
-    close("Perlin 1985", Perlin1985::default(), Kind::Perlin1985, CELLS);
-    close("Perlin 2002", Perlin2002::default(), Kind::Perlin2002, CELLS);
+    close("Perlin 1985", PerlinClassic::default(), Kind::PerlinClassic, CELLS);
+    close("Perlin 2002", Perlin::default(), Kind::Perlin, CELLS);
     for noise in [Simplex::new(0), Simplex::wide(0)] {
         let r2 = noise.radius_squared();
         close(&format!("simplex {r2}"), noise, Kind::Simplex(r2.into()), SIMPLICES);
     }
-    close("Gaussian", Gaussian::default(), Kind::Gaussian(0), CELLS);
-    close("value", Value::default(), Kind::Value, CELLS);
+    close("Gaussian", GaussianNoise::default(), Kind::Gaussian(0), CELLS);
+    close("value", ValueNoise::default(), Kind::Value, CELLS);
     for weight in [0.0, 0.5, 1.0] {
         let (noise, kind) =
             (ValueGradient::default().with_weight(weight).unwrap(), Kind::ValueGradient(weight.into()));
@@ -114,13 +114,13 @@ fn hessians_are_second_derivatives() {
 
 /// Returns the error of a sum's Hessian against central differences of its gradient, relative to
 /// its largest entry.
-fn sum_error<F: Curved<Vec3>>(field: &F) -> f64 {
+fn sum_error<F: HasHessian<Vec3>>(field: &F) -> f64 {
     const H: f32 = 1.0 / 2048.0;
     let mut random = Random(8);
     let (mut worst, mut greatest) = (0.0_f64, 0.0_f64);
     for _ in 0..200 {
         let p = Vec3::from(point(&mut random));
-        let jet = field.second_order(p);
+        let jet = field.sample_with_hessian(p);
         for (axis, row) in jet.hessian.iter().enumerate() {
             let [ahead, behind] = [H, -H].map(|h| {
                 let mut q = p;
@@ -142,12 +142,12 @@ fn hessians_of_sums_are_differences_of_gradients() {
     // of that is 0.07, for entries up to 30. Gradients are rounded by 3e-6, over H. Maximum seen
     // 2.4e-3.
     for rotation in [Rotation::Random, Rotation::Aligned] {
-        let octaves = Octaves::new(Perlin2002::new(5), Spectrum::default());
+        let octaves = Fbm::new(Perlin::new(5), FbmSpectrum::default());
         let error = sum_error(&octaves.with_rotation(rotation).first(2.5));
         println!("{rotation:?}: {error:.1e}");
         assert!(error < 4e-3, "{rotation:?}: {error:e}");
     }
-    let error = sum_error(&GaussianOctaves::<3>::new(Gaussian::new(5), Spectrum::default()).first(2.5));
+    let error = sum_error(&GaussianFbm::<3>::new(GaussianNoise::new(5), FbmSpectrum::default()).first(2.5));
     println!("Gaussian: {error:.1e}");
     assert!(error < 4e-3, "Gaussian: {error:e}");
 }

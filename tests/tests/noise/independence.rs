@@ -1,6 +1,6 @@
 //! Fields that should be independent: other seeds, swapped axes, mirror images, other octaves.
 
-use asperity_noise::{Normalisation, Rotation, Spectrum};
+use asperity_noise::{FbmSpectrum, Normalization, Rotation};
 use asperity_tests::{
     assert_abs_diff_eq, in_every_dimension,
     noise_any::{AnyNoise, kinds, thinning},
@@ -109,10 +109,10 @@ fn seeds_axes_and_mirror_images_are_uncorrelated() {
 }
 
 fn octaves_apart<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
-    let spectrum = Spectrum::default();
+    let spectrum = FbmSpectrum::default();
     let points = points::<N>(name);
     for rotation in [Rotation::Random, Rotation::Aligned] {
-        let sum = noise.octaves(Normalisation::Range, rotation, 9);
+        let sum = noise.octaves(Normalization::UnitRange, rotation, 9);
         let wholes = [0.0, 1.0, 2.0, 3.0]
             .map(|k| values(&points, &|p| sum.value(p, k) * spectrum.sum_of_amplitudes(k)));
         // Octave k is the difference between consecutive sums.
@@ -137,7 +137,7 @@ fn octaves_are_uncorrelated() {
 }
 
 fn sums_apart<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
-    let sums = [1, 2].map(|seed| noise.octaves(Normalisation::Variance, Rotation::Random, seed));
+    let sums = [1, 2].map(|seed| noise.octaves(Normalization::UnitVariance, Rotation::Random, seed));
     let points = points::<N>(name);
     let [a, b] = sums.each_ref().map(|sum| values(&points, &|p| sum.value(p, 2.5)));
     let [plain, squares] = correlations(&a, &b);

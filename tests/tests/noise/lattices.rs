@@ -2,8 +2,8 @@
 //! words.
 
 use asperity_noise::{
-    Field, Gaussian, IntegerHash, Lattice, Noise, Perlin1985, Perlin2002, Simplex, Sparse, Tiled,
-    TiledSimplex, Value, ValueCatmullRom, ValueGradient, White,
+    Field, GaussianNoise, IntegerHash, Lattice, Noise, Perlin, PerlinClassic, Simplex, SparseConvolution,
+    Tiled, TiledSimplex, ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise,
     glam::{Vec2, Vec3, Vec4},
     lattice::{ChainedTable, PermutationTable},
 };
@@ -80,16 +80,21 @@ where
 /// reference.
 fn every_kind(name: &str, lattice: AnyLattice<'_>, reference: &impl Lattice) {
     let named = |kind: &str| format!("{kind} {name}");
-    close(&named("white"), White::default().with_lattice(lattice), reference, Kind::White);
-    close(&named("value"), Value::default().with_lattice(lattice), reference, Kind::Value);
+    close(&named("white"), WhiteNoise::default().with_lattice(lattice), reference, Kind::White);
+    close(&named("value"), ValueNoise::default().with_lattice(lattice), reference, Kind::Value);
     let noise = ValueCatmullRom::default().with_lattice(lattice);
     close(&named("Catmull-Rom"), noise, reference, Kind::CatmullRom);
     let noise = ValueGradient::default().with_lattice(lattice);
     close(&named("value-gradient"), noise, reference, Kind::ValueGradient(0.5));
-    close(&named("Perlin 1985"), Perlin1985::default().with_lattice(lattice), reference, Kind::Perlin1985);
-    close(&named("Perlin 2002"), Perlin2002::default().with_lattice(lattice), reference, Kind::Perlin2002);
-    close(&named("sparse"), Sparse::default().with_lattice(lattice), reference, Kind::Sparse(1));
-    close(&named("Gaussian"), Gaussian::default().with_lattice(lattice), reference, Kind::Gaussian(0));
+    close(
+        &named("Perlin 1985"),
+        PerlinClassic::default().with_lattice(lattice),
+        reference,
+        Kind::PerlinClassic,
+    );
+    close(&named("Perlin 2002"), Perlin::default().with_lattice(lattice), reference, Kind::Perlin);
+    close(&named("sparse"), SparseConvolution::default().with_lattice(lattice), reference, Kind::Sparse(1));
+    close(&named("Gaussian"), GaussianNoise::default().with_lattice(lattice), reference, Kind::Gaussian(0));
 }
 
 #[test]
@@ -98,11 +103,16 @@ fn noises_tile_with_the_words_of_the_first_tile() {
     let reference = Wrapped([5, 3, 7, 2]);
     // One for each way to use cells: alone, at corners (like value, Perlin and Gaussian noise), at
     // 4ⁿ neighbors, at 3ⁿ.
-    close("white, tiled", White::default().with_lattice(lattice), &reference, Kind::White);
-    close("Perlin 1985, tiled", Perlin1985::default().with_lattice(lattice), &reference, Kind::Perlin1985);
+    close("white, tiled", WhiteNoise::default().with_lattice(lattice), &reference, Kind::White);
+    close(
+        "Perlin 1985, tiled",
+        PerlinClassic::default().with_lattice(lattice),
+        &reference,
+        Kind::PerlinClassic,
+    );
     let noise = ValueCatmullRom::default().with_lattice(lattice);
     close("Catmull-Rom, tiled", noise, &reference, Kind::CatmullRom);
-    close("sparse, tiled", Sparse::default().with_lattice(lattice), &reference, Kind::Sparse(1));
+    close("sparse, tiled", SparseConvolution::default().with_lattice(lattice), &reference, Kind::Sparse(1));
 }
 
 #[test]
@@ -138,6 +148,6 @@ fn tables_replace_the_hash() {
     every_kind("by permutation", AnyLattice(&words), &table);
     let chained = ChainedTable(table);
     let words = |cell: &[i32], seed| word(&chained, cell, seed);
-    let noise = Perlin1985::default().with_lattice(AnyLattice(&words));
-    close("Perlin 1985, chained", noise, &chained, Kind::Perlin1985);
+    let noise = PerlinClassic::default().with_lattice(AnyLattice(&words));
+    close("Perlin 1985, chained", noise, &chained, Kind::PerlinClassic);
 }

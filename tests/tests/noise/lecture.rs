@@ -2,7 +2,7 @@
 //! of their listings.
 
 use asperity_noise::{
-    Field, Lattice, Perlin1985, Sample,
+    Field, Lattice, PerlinClassic, Sample,
     glam::Vec3,
     lattice::{ChainedTable, PermutationTable, unit_gradient},
     printed::{Gnoise, LectureTables, Vgnoise, Vnoise},
@@ -12,7 +12,7 @@ use asperity_tests::random::Random;
 
 const POINTS: usize = 10_000;
 
-/// Maximum errors seen: `gnoise` 1.8e-7, `vnoise` 4.4e-7, `Perlin1985` 2.5e-7.
+/// Maximum errors seen: `gnoise` 1.8e-7, `vnoise` 4.4e-7, `PerlinClassic` 2.5e-7.
 const VALUE_TOLERANCE: f64 = 1e-6;
 /// The error of a central difference is h² max |n‴|/6, 7e-10 with h = 1e-5 and n‴ ≤ 40, plus 1e-11
 /// of rounding. The spline's second derivative jumps at borders by up to 20. A difference across a
@@ -186,7 +186,7 @@ fn perlin_1985_on_a_permutation_is_gnoise() {
     }
     // The noise is below the bound by 2e-6, against rounding.
     let scale = 2.0 / 3.0_f64.sqrt() * (1.0 - 2e-6);
-    let noise = Perlin1985::default().with_lattice(permutation);
+    let noise = PerlinClassic::default().with_lattice(permutation);
     close("Perlin 1985", errors(|p| noise.with_seed(seed).sample(p), |p| scale * listing.gnoise(p)));
 }
 

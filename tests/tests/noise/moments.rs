@@ -1,6 +1,6 @@
 //! Variance and excess kurtosis of octave sums against exact moments.
 
-use asperity_noise::Spectrum;
+use asperity_noise::FbmSpectrum;
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::reference::{read, rows};
 
@@ -9,7 +9,7 @@ fn moments_of_blended_sums_match_the_reference() {
     let mut compared = 0;
     for row in rows(&read("ndf/fbm_moments.json")["rows"]) {
         let [gain, octaves, weight, variance, kurtosis] = row[..] else { panic!("{row:?}") };
-        let spectrum = Spectrum::new(2.0, gain as f32, octaves as u32).unwrap();
+        let spectrum = FbmSpectrum::new(2.0, gain as f32, octaves as u32).unwrap();
         let count = (octaves - 1.0 + weight) as f32;
         let deviation = f64::from(spectrum.root_sum_of_squares(count));
         // The weight is recovered from octaves − 1 + weight with the rounding of a number below 8:

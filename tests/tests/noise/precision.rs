@@ -2,7 +2,8 @@
 //! evaluation.
 
 use asperity_noise::{
-    Gaussian, IntegerHash, Perlin1985, Perlin2002, Simplex, Sparse, Value, ValueCatmullRom, ValueGradient,
+    GaussianNoise, IntegerHash, Perlin, PerlinClassic, Simplex, SparseConvolution, ValueCatmullRom,
+    ValueGradient, ValueNoise,
 };
 use asperity_tests::{
     in_every_dimension,
@@ -56,15 +57,15 @@ fn precision_table_bounds_the_errors_of_every_noise() {
         errors
     }
     let rows = [
-        ("Perlin 1985", measured(Perlin1985::new(0), Kind::Perlin1985, 64.0)),
-        ("Perlin 2002", measured(Perlin2002::new(0), Kind::Perlin2002, 64.0)),
-        ("value, quintic", measured(Value::new(0), Kind::Value, 64.0)),
+        ("Perlin 1985", measured(PerlinClassic::new(0), Kind::PerlinClassic, 64.0)),
+        ("Perlin 2002", measured(Perlin::new(0), Kind::Perlin, 64.0)),
+        ("value, quintic", measured(ValueNoise::new(0), Kind::Value, 64.0)),
         ("value, Catmull–Rom", measured(ValueCatmullRom::new(0), Kind::CatmullRom, 64.0)),
         ("value-gradient, equal weights", measured(ValueGradient::new(0), Kind::ValueGradient(0.5), 64.0)),
         ("simplex, r² = 0.5", measured(Simplex::new(0), Kind::Simplex(0.5), 4.0)),
         ("simplex, r² = 0.6", measured(Simplex::wide(0), Kind::Simplex(f64::from(0.6_f32)), 4.0)),
-        ("sparse, one impulse", measured(Sparse::new(0), Kind::Sparse(1), 64.0)),
-        ("Gaussian", measured(Gaussian::new(0), Kind::Gaussian(0), 64.0)),
+        ("sparse, one impulse", measured(SparseConvolution::new(0), Kind::Sparse(1), 64.0)),
+        ("Gaussian", measured(GaussianNoise::new(0), Kind::Gaussian(0), 64.0)),
     ];
     let mut wrong = Vec::new();
     for (name, errors) in rows {

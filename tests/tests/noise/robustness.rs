@@ -2,8 +2,8 @@
 //! points.
 
 use asperity_noise::{
-    Field, Gaussian, GaussianOctaves, Normalisation, Octaves, Perlin2002, Point, Rotation, Sample, Simplex,
-    Spectrum,
+    Fbm, FbmSpectrum, Field, GaussianFbm, GaussianNoise, Normalization, Perlin, Point, Rotation, Sample,
+    Simplex,
     glam::{Vec2, Vec3, Vec4},
     lattice::PermutationTable,
 };
@@ -23,7 +23,7 @@ fn not_finite<const N: usize>() -> impl Iterator<Item = [f32; N]> {
 }
 
 fn zero_where_not_finite<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
-    let sum = noise.octaves(Normalisation::Variance, Rotation::Random, 1);
+    let sum = noise.octaves(Normalization::UnitVariance, Rotation::Random, 1);
     let zero = Sample { value: 0.0, gradient: [0.0; N] };
     for p in not_finite() {
         assert_eq!(noise.sample(p, 1), zero, "{name} at {p:?}");
@@ -36,7 +36,7 @@ fn zero_where_not_finite<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
 fn non_finite_points_return_zero() {
     in_every_dimension!(kinds(), zero_where_not_finite);
     in_every_dimension!(variants(), zero_where_not_finite);
-    let permuted = Perlin2002::default().with_lattice(PermutationTable::new(1));
+    let permuted = Perlin::default().with_lattice(PermutationTable::new(1));
     in_every_dimension!(dimensions("Perlin 2002 by permutation", permuted), zero_where_not_finite);
 }
 
@@ -68,7 +68,7 @@ fn huge_point<const N: usize>(random: &mut Random) -> [f32; N] {
 
 fn huge<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
     let range = noise.statistics().range;
-    let sum = noise.octaves(Normalisation::Range, Rotation::Random, 1);
+    let sum = noise.octaves(Normalization::UnitRange, Rotation::Random, 1);
     let mut random = Random(3);
     for seed in 0..200 {
         let p = huge_point(&mut random);
@@ -86,15 +86,15 @@ fn huge<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
 fn huge_points_return_finite_samples_in_range() {
     in_every_dimension!(kinds(), huge);
     in_every_dimension!(variants(), huge);
-    let permuted = Perlin2002::default().with_lattice(PermutationTable::new(1));
+    let permuted = Perlin::default().with_lattice(PermutationTable::new(1));
     in_every_dimension!(dimensions("Perlin 2002 by permutation", permuted), huge);
 }
 
 #[test]
 fn both_channels_are_defined_everywhere() {
     fn defined<V: Point<Coordinates = [f32; N]>, const N: usize>() {
-        let noise = Gaussian::new(1);
-        let octaves = GaussianOctaves::<N>::new(noise, Spectrum::default());
+        let noise = GaussianNoise::new(1);
+        let octaves = GaussianFbm::<N>::new(noise, FbmSpectrum::default());
         for p in not_finite().map(V::from_coordinates) {
             let zero = Sample { value: 0.0, gradient: V::default() };
             assert_eq!([octaves.detail(3.5).pair(p), noise.pair(p)], [[zero; 2]; 2], "{p:?}");
@@ -224,7 +224,8 @@ fn origin_and_wraparound_are_inconspicuous() {
 
 #[test]
 fn sums_accept_any_octave_count_and_stay_in_range() {
-    let noise = Octaves::new(Simplex::new(1), Spectrum::default()).with_normalisation(Normalisation::Range);
+    let noise =
+        Fbm::new(Simplex::new(1), FbmSpectrum::default()).with_normalization(Normalization::UnitRange);
     let mut random = Random(12);
     for i in 0..2000_u16 {
         let p = Vec3::from_array([(); 3].map(|()| ((random.uniform() - 0.5) * 50.0) as f32));
@@ -240,8 +241,8 @@ fn sums_accept_any_octave_count_and_stay_in_range() {
 #[test]
 fn single_octave_is_independent_of_its_weight() {
     let p = Vec3::new(0.3, -1.7, 2.4);
-    for normalisation in [Normalisation::Range, Normalisation::Variance] {
-        let noise = Octaves::new(Perlin2002::new(3), Spectrum::default()).with_normalisation(normalisation);
+    for normalisation in [Normalization::UnitRange, Normalization::UnitVariance] {
+        let noise = Fbm::new(Perlin::new(3), FbmSpectrum::default()).with_normalization(normalisation);
         for octaves in [1e-45, 1e-40, 1e-39, 1e-30, 3e-23, 0.5] {
             assert_eq!(
                 noise.detail(octaves).sample(p),

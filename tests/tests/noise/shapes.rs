@@ -1,8 +1,8 @@
 //! Turbulence and other shapes: against their octaves, differences, measured means, and clamping.
 
 use asperity_noise::{
-    Billow, Field, Normalisation, Octaves, Perlin2002, Plasma, Point, Power, Ridged, RidgedMultifractal,
-    Rotation, Sample, Shape, Signed, Simplex, Spectrum, Turbulence,
+    Billow, Fbm, FbmSpectrum, Field, Normalization, Perlin, Plasma, Point, Power, Ridged, RidgedMultifractal,
+    Rotation, Sample, Shape, Signed, Simplex, Turbulence,
     glam::{Vec2, Vec3},
     simd::Kernel,
 };
@@ -22,7 +22,7 @@ type Phi = fn(f64) -> [f64; 2];
 
 /// Returns value and gradient of octave i at a point, from the signed sums of i and i + 1 octaves.
 fn octave<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize>(
-    signed: &Octaves<K, N>,
+    signed: &Fbm<K, N>,
     p: V,
     i: u8,
 ) -> (f64, [f64; N]) {
@@ -40,7 +40,7 @@ fn octave<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize>(
 }
 
 /// Signed octaves, or octaves of a shape.
-type Signs<'a, const N: usize> = Octaves<AnyKernel<'a, N>, N>;
+type Signs<'a, const N: usize> = Fbm<AnyKernel<'a, N>, N>;
 
 /// Asserts that sums of four octaves of a shape, the last at half weight, are φ of their octaves.
 fn follows<T: Shape, const N: usize>(name: &str, noise: &dyn AnyNoise<N>, shape: T, phi: Phi) {
@@ -55,16 +55,16 @@ fn follows_phi<const N: usize>(
     phi: Phi,
     shaped: &dyn Fn(Signs<'_, N>, Coordinates<N>) -> Sample<Coordinates<N>>,
 ) {
-    let spectrum = Spectrum::default();
+    let spectrum = FbmSpectrum::default();
     let mut random = Random(11);
     // Octaves are differences of sums: a few roundings of values below twice the range and of
     // gradients below 30.
     let range = f64::from(noise.statistics().range).max(1.0);
     for rotation in [Rotation::Random, Rotation::Aligned] {
         for seed in 0..40 / thinning::<N>(name) {
-            let signed = Octaves::new(AnyKernel(noise), spectrum)
+            let signed = Fbm::new(AnyKernel(noise), spectrum)
                 .with_seed(seed)
-                .with_normalisation(Normalisation::Range);
+                .with_normalization(Normalization::UnitRange);
             let signed = signed.with_rotation(rotation);
             let p: Coordinates<N> = point(&mut random);
             let octaves: Vec<_> = (0..4).map(|i| octave(&signed, p, i)).collect();
@@ -144,24 +144,24 @@ fn gradients_are_limits_of_differences() {
         println!("{name}: {error:.1e}");
         assert!(error < 3e-3, "{name}: {error:e}");
     }
-    let spectrum = Spectrum::CLOUD;
-    let octaves = Octaves::<_, 2>::new(Simplex::new(1), spectrum).with_normalisation(Normalisation::Range);
+    let spectrum = FbmSpectrum::CLOUD;
+    let octaves = Fbm::<_, 2>::new(Simplex::new(1), spectrum).with_normalization(Normalization::UnitRange);
     check::<Vec2, _, 2>("turbulence", &octaves.with_shape(Turbulence).first(2.5));
     check::<Vec2, _, 2>("clamped turbulence", &octaves.with_shape(Turbulence).first(2.5).clamped(0.2));
     check::<Vec2, _, 2>("ridged", &octaves.with_shape(Ridged).first(2.5));
-    let octaves = Octaves::<_, 3>::new(Perlin2002::new(1), spectrum).with_normalisation(Normalisation::Range);
+    let octaves = Fbm::<_, 3>::new(Perlin::new(1), spectrum).with_normalization(Normalization::UnitRange);
     check::<Vec3, _, 3>("plasma", &octaves.with_shape(Plasma).first(2.5));
     check::<Vec3, _, 3>("billow", &octaves.with_shape(Billow).first(2.5));
     check::<Vec3, _, 3>("threads", &Power(octaves.with_shape(Plasma).first(2.5), 7));
-    let ridges = RidgedMultifractal::<_, 3>::new(Perlin2002::new(1), spectrum, 0.8).unwrap();
+    let ridges = RidgedMultifractal::<_, 3>::new(Perlin::new(1), spectrum, 0.8).unwrap();
     check::<Vec3, _, 3>("ridged multifractal", &ridges.first(2.5));
 }
 
 /// Asserts that mean and deviation of a sum of three octaves are as stated, clamped or not.
 fn has_moments<T: Shape, const N: usize>(name: &str, noise: &dyn AnyNoise<N>, shape: T) {
     has_stated_moments(&format!("{shape:?} {name}"), &|normalisation, seed| {
-        let sum = Octaves::new(AnyKernel(noise), Spectrum::THREADS).with_seed(seed);
-        let whole = sum.with_normalisation(normalisation).with_shape(shape).first(3.0);
+        let sum = Fbm::new(AnyKernel(noise), FbmSpectrum::THREADS).with_seed(seed);
+        let whole = sum.with_normalization(normalisation).with_shape(shape).first(3.0);
         let part = whole.clamped(0.15);
         let values = move |p: Coordinates<N>| [whole.value(p), part.value(p)];
         ([whole.mean(), whole.standard_deviation()], Box::new(values))
@@ -171,11 +171,11 @@ fn has_moments<T: Shape, const N: usize>(name: &str, noise: &dyn AnyNoise<N>, sh
 /// The stated mean and deviation of a sum, and its value at a point, unclamped and clamped.
 type Stated<'a, const N: usize> = ([f32; 2], Box<dyn Fn(Coordinates<N>) -> [f32; 2] + 'a>);
 
-fn has_stated_moments<'a, const N: usize>(name: &str, sum: &dyn Fn(Normalisation, u32) -> Stated<'a, N>) {
+fn has_stated_moments<'a, const N: usize>(name: &str, sum: &dyn Fn(Normalization, u32) -> Stated<'a, N>) {
     const SEEDS: u32 = 600;
     const POINTS: usize = 48;
     let mut random = Random(3);
-    for normalisation in [Normalisation::Range, Normalisation::Variance] {
+    for normalisation in [Normalization::UnitRange, Normalization::UnitVariance] {
         let (mut means, mut squares, mut clamped) = (Vec::new(), Vec::new(), Vec::new());
         let mut stated = [0.0; 2];
         for seed in 0..SEEDS {
@@ -231,7 +231,7 @@ fn sums_have_their_means_and_deviations() {
 #[test]
 fn clamping_removes_the_finest_octaves_first() {
     let octaves =
-        Octaves::<_, 2>::new(Perlin2002::new(2), Spectrum::CLOUD).with_normalisation(Normalisation::Range);
+        Fbm::<_, 2>::new(Perlin::new(2), FbmSpectrum::CLOUD).with_normalization(Normalization::UnitRange);
     let sum = octaves.with_shape(Turbulence);
     let p = Vec2::new(0.3, 5.25);
     // Frequencies 1, 2, 4: at 0.15 the third is removed entirely, the second by smoothstep(0.3) =
@@ -255,10 +255,10 @@ fn clamping_removes_the_finest_octaves_first() {
 fn ranges_hold_for_every_gain() {
     let mut random = Random(9);
     for (gain, lacunarity) in [(0.5, 2.0), (1.0, 2.0), (2.7, 2.4)] {
-        let spectrum = Spectrum::new(lacunarity, gain, 6).unwrap();
+        let spectrum = FbmSpectrum::new(lacunarity, gain, 6).unwrap();
         for seed in 0..200 {
-            let sum = Octaves::<_, 2>::new(Perlin2002::new(seed), spectrum)
-                .with_normalisation(Normalisation::Range);
+            let sum =
+                Fbm::<_, 2>::new(Perlin::new(seed), spectrum).with_normalization(Normalization::UnitRange);
             let p: Vec2 = point(&mut random);
             assert_abs_diff_eq!(sum.detail(5.5).value(p), 0.0, epsilon = 1.0);
             for value in

@@ -3,7 +3,7 @@
 use asperity_tests::assert_abs_diff_eq;
 use std::f64::consts::TAU;
 
-use asperity_noise::{Field, Gaussian, GaussianOctaves, Spectrum, glam::Vec2};
+use asperity_noise::{FbmSpectrum, Field, GaussianFbm, GaussianNoise, glam::Vec2};
 
 const LENGTH: usize = 4096;
 /// Points per cell of the first octave.
@@ -31,10 +31,10 @@ fn transform(x: &[[f64; 2]]) -> Vec<[f64; 2]> {
 /// Returns the log–log slope of the power spectrum, along lines through sums of all octaves.
 ///
 /// It uses the power in bands as wide as the lacunarity, in which the octaves' own spectra repeat.
-fn slope(spectrum: Spectrum, octaves: f32, bands: i32) -> f64 {
+fn slope(spectrum: FbmSpectrum, octaves: f32, bands: i32) -> f64 {
     let mut power = vec![0.0; LENGTH / 2];
     for line in 0..LINES {
-        let noise = GaussianOctaves::<2>::new(Gaussian::new(line), spectrum);
+        let noise = GaussianFbm::<2>::new(GaussianNoise::new(line), spectrum);
         let sum = noise.first(octaves);
         let windowed: Vec<[f64; 2]> = (0..LENGTH)
             .map(|i| {
@@ -76,7 +76,7 @@ fn spectral_slope_follows_gain_and_lacunarity() {
     for (lacunarity, gain, octaves, bands) in
         [(2.0, 0.5, 9, 5), (2.17, 0.5, 8, 4), (2.0, 0.7, 9, 5), (2.0, 0.35, 9, 5)]
     {
-        let spectrum = Spectrum::new(lacunarity, gain, octaves).unwrap();
+        let spectrum = FbmSpectrum::new(lacunarity, gain, octaves).unwrap();
         let hurst = -f64::from(gain).ln() / f64::from(lacunarity).ln();
         let expected = -(2.0 * hurst + 1.0);
         let got = slope(spectrum, octaves as f32, bands);

@@ -2,8 +2,8 @@
 //! tightness of ranges.
 
 use asperity_noise::{
-    Field, Gaussian, IntegerHash, Lattice, Noise, Normalisation, Octaves, Perlin1985, Perlin2002, Point,
-    Rotation, Simplex, Spectrum, Value, ValueCatmullRom, ValueGradient, White,
+    Fbm, FbmSpectrum, Field, GaussianNoise, IntegerHash, Lattice, Noise, Normalization, Perlin,
+    PerlinClassic, Point, Rotation, Simplex, ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise,
     glam::{Vec2, Vec3, Vec4},
 };
 use asperity_tests::{
@@ -95,7 +95,7 @@ fn shipped<const N: usize>(name: &str, noise: &dyn AnyNoise<N>) {
         assert_abs_diff_eq!(low + high, 1.0, epsilon = 1e-7, "{name}");
     }
     let mut sums: Vec<f64> = values(seeds, &|seed| {
-        let sum = noise.octaves(Normalisation::Variance, Rotation::Random, seed);
+        let sum = noise.octaves(Normalization::UnitVariance, Rotation::Random, seed);
         Box::new(move |p| sum.value(p, 8.0))
     })
     .concat();
@@ -149,10 +149,9 @@ fn gaussian_table_is_phi() {
 #[test]
 fn sums_have_the_stated_deviation_and_kurtosis() {
     for count in [0.4, 1.0, 1.25, 2.5, 8.0] {
-        for normalisation in [Normalisation::Range, Normalisation::Variance] {
+        for normalisation in [Normalization::UnitRange, Normalization::UnitVariance] {
             let build = |seed| {
-                Octaves::<_, 3>::new(Perlin2002::new(seed), Spectrum::default())
-                    .with_normalisation(normalisation)
+                Fbm::<_, 3>::new(Perlin::new(seed), FbmSpectrum::default()).with_normalization(normalisation)
             };
             let sums = values(SEEDS, &|seed| {
                 let sum = build(seed);
@@ -232,11 +231,11 @@ macro_rules! assert_reached {
 
 #[test]
 fn ranges_are_attained() {
-    assert_reached!("white", Kind::White, White::new(0), 20_000);
-    assert_reached!("value", Kind::Value, Value::new(0), 20_000);
+    assert_reached!("white", Kind::White, WhiteNoise::new(0), 20_000);
+    assert_reached!("value", Kind::Value, ValueNoise::new(0), 20_000);
     assert_reached!("value, Catmull-Rom", Kind::CatmullRom, ValueCatmullRom::new(0), 20_000);
-    assert_reached!("Perlin 1985", Kind::Perlin1985, Perlin1985::new(0), 20_000);
-    assert_reached!("Perlin 2002", Kind::Perlin2002, Perlin2002::new(0), 20_000);
+    assert_reached!("Perlin 1985", Kind::PerlinClassic, PerlinClassic::new(0), 20_000);
+    assert_reached!("Perlin 2002", Kind::Perlin, Perlin::new(0), 20_000);
     let even = ValueGradient::default();
     // Few words have both the maximum number and the best gradient.
     assert_reached!("value-gradient", Kind::ValueGradient(0.5), even, 400_000);
@@ -251,7 +250,7 @@ fn ranges_are_attained() {
 fn gaussian_range_is_from_the_outermost_variates() {
     fn bound<V: Point<Coordinates = [f32; N]>, const N: usize>() -> (f64, f64)
     where
-        Gaussian: Noise<V>,
+        GaussianNoise: Noise<V>,
     {
         // In the cell's center every weight is 2⁻ⁿ and every distance ½ per axis. Values nearby are
         // not greater.
@@ -259,7 +258,7 @@ fn gaussian_range_is_from_the_outermost_variates() {
         let (greatest, outermost) = (6.230_2, 3.776_028);
         let sum = greatest + outermost * N as f64;
         let variance = (1.0 + N as f64) / corners;
-        (sum / variance.sqrt(), f64::from(Noise::<V>::statistics(&Gaussian::default()).range))
+        (sum / variance.sqrt(), f64::from(Noise::<V>::statistics(&GaussianNoise::default()).range))
     }
     for (centre, range) in [bound::<f32, 1>(), bound::<Vec2, 2>(), bound::<Vec3, 3>(), bound::<Vec4, 4>()] {
         assert!(centre <= range && centre > 0.99 * range, "{centre} in the centre, range {range}");

@@ -4,7 +4,7 @@
 use std::cell::RefCell;
 
 use asperity_noise::{
-    Field, Gaussian, GaussianOctaves, Noise, Normalisation, Octaves, Perlin2002, Point, Rotation, Spectrum,
+    Fbm, FbmSpectrum, Field, GaussianFbm, GaussianNoise, Noise, Normalization, Perlin, Point, Rotation,
     Statistics,
     glam::{Vec2, Vec3, Vec4},
     simd::{Kernel, LaneSample, Lanes, Measured},
@@ -25,7 +25,7 @@ impl<const N: usize> Measured<N> for Notes<'_, N> {
     }
 
     fn statistics(&self) -> &'static Statistics {
-        Noise::<f32>::statistics(&Perlin2002::default())
+        Noise::<f32>::statistics(&Perlin::default())
     }
 }
 
@@ -47,15 +47,15 @@ struct Octave<const N: usize> {
 
 /// Returns the octaves of a sum, with exact matrices.
 fn octaves<const N: usize>(
-    spectrum: Spectrum,
+    spectrum: FbmSpectrum,
     rotation: Rotation,
     seed: u32,
     count: usize,
 ) -> Vec<Octave<N>> {
     let notes = RefCell::new(Vec::new());
-    let sum = Octaves::new(Notes(&notes), spectrum)
+    let sum = Fbm::new(Notes(&notes), spectrum)
         .with_seed(seed)
-        .with_normalisation(Normalisation::Range)
+        .with_normalization(Normalization::UnitRange)
         .with_rotation(rotation);
     noted_octaves(count, &|p| {
         notes.borrow_mut().clear();
@@ -96,13 +96,18 @@ fn noted_octaves<const N: usize>(
 }
 
 /// Returns amplitudes including the weight of the last octave, and the divisor of their sum.
-fn amplitudes(spectrum: &Spectrum, count: f32, normalisation: Normalisation, sigma: f64) -> (Vec<f64>, f64) {
+fn amplitudes(
+    spectrum: &FbmSpectrum,
+    count: f32,
+    normalisation: Normalization,
+    sigma: f64,
+) -> (Vec<f64>, f64) {
     let amplitudes: Vec<f64> = (0..count.ceil() as u32)
         .map(|i| f64::from(spectrum.amplitude(i)) * f64::from(spectrum.weight(count, i)))
         .collect();
     let norm = match normalisation {
-        Normalisation::Range => amplitudes.iter().sum::<f64>(),
-        Normalisation::Variance => sigma * amplitudes.iter().map(|a| a * a).sum::<f64>().sqrt(),
+        Normalization::UnitRange => amplitudes.iter().sum::<f64>(),
+        Normalization::UnitVariance => sigma * amplitudes.iter().map(|a| a * a).sum::<f64>().sqrt(),
     };
     (amplitudes, norm)
 }
@@ -164,10 +169,10 @@ fn sums<const N: usize>(
     (named, compared): (&[(&str, Kind)], &mut usize),
 ) {
     let Some(&(_, kind)) = named.iter().find(|(kind, _)| name == format!("{kind} {N}-D")) else { return };
-    let spectrum = Spectrum::default();
+    let spectrum = FbmSpectrum::default();
     let sigma = f64::from(noise.statistics().standard_deviation);
     for rotation in [Rotation::Random, Rotation::Aligned] {
-        for normalisation in [Normalisation::Range, Normalisation::Variance] {
+        for normalisation in [Normalization::UnitRange, Normalization::UnitVariance] {
             for (seed, count) in [(3, 4.5), (4, 1.0)] {
                 let sum = noise.octaves(normalisation, rotation, seed);
                 let octaves = octaves::<N>(spectrum, rotation, seed, f32::ceil(count) as usize);
@@ -190,7 +195,7 @@ fn assert_sums(named: &[(&str, Kind)]) {
 
 #[test]
 fn sums_of_gradient_noise_match_the_reference() {
-    assert_sums(&[("Perlin 1985", Kind::Perlin1985), ("Perlin 2002", Kind::Perlin2002)]);
+    assert_sums(&[("Perlin 1985", Kind::PerlinClassic), ("Perlin 2002", Kind::Perlin)]);
 }
 
 #[test]
@@ -199,11 +204,11 @@ fn sums_of_simplex_and_gaussian_noise_match_the_reference() {
 }
 
 fn gaussian_sum<V: Point<Coordinates = [f32; N]>, const N: usize>() {
-    let spectrum = Spectrum::default();
+    let spectrum = FbmSpectrum::default();
     for (seed, count) in [(3, 4.5), (4, 1.0), (5, 2.25)] {
-        let sum = GaussianOctaves::<N>::new(Gaussian::new(seed), spectrum);
+        let sum = GaussianFbm::<N>::new(GaussianNoise::new(seed), spectrum);
         let octaves = octaves::<N>(spectrum, Rotation::Random, seed, f32::ceil(count) as usize);
-        let amplitudes = amplitudes(&spectrum, count, Normalisation::Variance, 1.0);
+        let amplitudes = amplitudes(&spectrum, count, Normalization::UnitVariance, 1.0);
         let worst = errors(&octaves, &amplitudes, Kind::Gaussian(0), &|p| {
             at(sum.detail(count).sample(V::from_coordinates(p)))
         });

@@ -1,19 +1,19 @@
 //! Periodic octave sums of every noise: edges, interior, and SIMD grids.
 
 use asperity_noise::{
-    Cellular, Field, Gaussian, IntegerHash, Octaves, Perlin1985, Perlin2002, RidgedMultifractal, Sample,
-    Simplex, Sparse, Spectrum, Tiled, TiledError, TiledSimplex, Turbulence, Value, ValueCatmullRom,
-    ValueGradient, White,
+    Cellular, Fbm, FbmSpectrum, Field, GaussianNoise, IntegerHash, Perlin, PerlinClassic, RidgedMultifractal,
+    Sample, Simplex, SparseConvolution, Tiled, TiledError, TiledSimplex, Turbulence, ValueCatmullRom,
+    ValueGradient, ValueNoise, WhiteNoise,
     glam::{Vec2, Vec3},
     simd::{Batch, Kernel, Level},
 };
 use asperity_tests::assert_abs_diff_eq;
 use rayon::prelude::*;
 
-fn spectrum(octaves: u32) -> Spectrum {
+fn spectrum(octaves: u32) -> FbmSpectrum {
     // All octaves are as strong as the first. With a gain of 0.7 the few edges of coarse
     // white-noise cells count as much as the many edges of fine cells.
-    Spectrum::new(2.0, 1.0, octaves).expect("in range")
+    FbmSpectrum::new(2.0, 1.0, octaves).expect("in range")
 }
 
 /// Returns the autocorrelation of periodic samples at a shift along the axis with this stride and
@@ -58,7 +58,7 @@ const PERIOD: f32 = 8.0;
 /// Asserts a noise's tile in the plane: bit-identical edges, and no repetition inside.
 fn plane<K: Kernel<2> + Sync>(name: &str, noise: K) {
     const SIZE: usize = 384;
-    let sum = Octaves::tiled(noise, spectrum(5)).expect("periods that lacunarity keeps");
+    let sum = Fbm::tiled(noise, spectrum(5)).expect("periods that lacunarity keeps");
     let step = PERIOD / SIZE as f32;
     let samples: Vec<f32> = (0..SIZE * SIZE)
         .into_par_iter()
@@ -80,14 +80,14 @@ fn plane<K: Kernel<2> + Sync>(name: &str, noise: K) {
 #[test]
 fn tiled_sums_in_2d_are_periodic_without_inner_repeats() {
     let lattice = Tiled::new(IntegerHash, [8, 8]).expect("in range");
-    plane("white", White::new(3).with_lattice(lattice));
-    plane("value", Value::new(3).with_lattice(lattice));
+    plane("white", WhiteNoise::new(3).with_lattice(lattice));
+    plane("value", ValueNoise::new(3).with_lattice(lattice));
     plane("Catmull-Rom", ValueCatmullRom::new(3).with_lattice(lattice));
-    plane("Perlin 1985", Perlin1985::new(3).with_lattice(lattice));
-    plane("Perlin 2002", Perlin2002::new(3).with_lattice(lattice));
+    plane("Perlin 1985", PerlinClassic::new(3).with_lattice(lattice));
+    plane("Perlin 2002", Perlin::new(3).with_lattice(lattice));
     plane("value-gradient", ValueGradient::new(3).with_lattice(lattice));
-    plane("sparse", Sparse::new(3).with_lattice(lattice));
-    plane("Gaussian", Gaussian::new(3).with_lattice(lattice));
+    plane("sparse", SparseConvolution::new(3).with_lattice(lattice));
+    plane("Gaussian", GaussianNoise::new(3).with_lattice(lattice));
     plane("cellular", Cellular::new(3).with_lattice(lattice));
 }
 
@@ -95,7 +95,7 @@ fn tiled_sums_in_2d_are_periodic_without_inner_repeats() {
 fn tiled_simplex_sums_in_1d() {
     const LINE: usize = 1 << 16;
     let noise = Simplex::new(3).with_lattice(Tiled::new(IntegerHash, [1024]).expect("in range"));
-    let sum = Octaves::<_, 1>::tiled(noise, spectrum(5)).expect("a period");
+    let sum = Fbm::<_, 1>::tiled(noise, spectrum(5)).expect("a period");
     let samples: Vec<f32> = (0..LINE).map(|i| sum.value((i as f32 + 0.4) / 64.0)).collect();
     assert_no_repeats("simplex, line", &samples, 1, LINE);
     assert_eq!(sum.sample(0.0), sum.sample(1024.0));
@@ -105,7 +105,7 @@ fn tiled_simplex_sums_in_1d() {
 fn tiled_simplex_sums_in_3d() {
     const SIZE: usize = 96;
     let noise = TiledSimplex::new(Simplex::new(3), [6; 3]).expect("multiples of three");
-    let sum = Octaves::tiled(noise, spectrum(3)).expect("periods");
+    let sum = Fbm::tiled(noise, spectrum(3)).expect("periods");
     let place = |i: usize| Vec3::new((i % SIZE) as f32, (i / SIZE % SIZE) as f32, (i / SIZE / SIZE) as f32);
     let samples: Vec<f32> = (0..SIZE.pow(3)).into_par_iter().map(|i| sum.value(place(i) / 16.0)).collect();
     assert_no_repeats("simplex, space", &samples, 3, SIZE);
@@ -139,8 +139,8 @@ fn assert_same_bits(name: &str, field: &dyn Field<Vec2>) {
 
 #[test]
 fn grids_of_tiled_sums_have_the_bits_of_single_points() {
-    let noise = Perlin2002::new(5).with_lattice(Tiled::new(IntegerHash, [8, 3]).expect("in range"));
-    let sum = Octaves::tiled(noise, spectrum(4)).expect("periods");
+    let noise = Perlin::new(5).with_lattice(Tiled::new(IntegerHash, [8, 3]).expect("in range"));
+    let sum = Fbm::tiled(noise, spectrum(4)).expect("periods");
     assert_same_bits("signed", &sum);
     assert_same_bits("turbulence", &sum.with_shape(Turbulence).first(2.5));
     assert_same_bits("ridged", &RidgedMultifractal::of(sum, 2.0).expect("a feedback"));
@@ -148,11 +148,10 @@ fn grids_of_tiled_sums_have_the_bits_of_single_points() {
 
 #[test]
 fn fractional_periods_are_an_error() {
-    let tiled =
-        |period| Perlin2002::new(5).with_lattice(Tiled::new(IntegerHash, [period; 2]).expect("in range"));
+    let tiled = |period| Perlin::new(5).with_lattice(Tiled::new(IntegerHash, [period; 2]).expect("in range"));
     let sum = |period, lacunarity, octaves| {
-        let spectrum = Spectrum::new(lacunarity, 0.5, octaves).expect("in range");
-        Octaves::<_, 2>::tiled(tiled(period), spectrum).map(|_| ())
+        let spectrum = FbmSpectrum::new(lacunarity, 0.5, octaves).expect("in range");
+        Fbm::<_, 2>::tiled(tiled(period), spectrum).map(|_| ())
     };
     assert_eq!(sum(7, 2.0, 10), Ok(()));
     assert_eq!(sum(7, 3.0, 10), Ok(()));
@@ -165,12 +164,9 @@ fn fractional_periods_are_an_error() {
     );
     assert!(matches!(sum(1 << 21, 2.0, 2), Err(TiledError::NoOctavePeriod { octave: 1, .. })));
     // A noise that is not periodic, or not along all axes.
-    let short = Perlin2002::new(5).with_lattice(Tiled::new(IntegerHash, [8]).expect("in range"));
-    assert_eq!(Octaves::<_, 2>::tiled(short, Spectrum::CLOUD).map(|_| ()), Err(TiledError::NoPeriod));
-    assert_eq!(
-        Octaves::<_, 2>::tiled(Perlin2002::new(5), Spectrum::CLOUD).map(|_| ()),
-        Err(TiledError::NoPeriod)
-    );
+    let short = Perlin::new(5).with_lattice(Tiled::new(IntegerHash, [8]).expect("in range"));
+    assert_eq!(Fbm::<_, 2>::tiled(short, FbmSpectrum::CLOUD).map(|_| ()), Err(TiledError::NoPeriod));
+    assert_eq!(Fbm::<_, 2>::tiled(Perlin::new(5), FbmSpectrum::CLOUD).map(|_| ()), Err(TiledError::NoPeriod));
     let simplex = Simplex::new(5).with_lattice(Tiled::new(IntegerHash, [8; 2]).expect("in range"));
-    assert_eq!(Octaves::<_, 2>::tiled(simplex, Spectrum::CLOUD).map(|_| ()), Err(TiledError::NoPeriod));
+    assert_eq!(Fbm::<_, 2>::tiled(simplex, FbmSpectrum::CLOUD).map(|_| ()), Err(TiledError::NoPeriod));
 }

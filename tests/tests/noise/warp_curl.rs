@@ -2,7 +2,7 @@
 //! up to rounding.
 
 use asperity_noise::{
-    Curved, Field, Gaussian, GaussianOctaves, Octaves, Perlin2002, Point, Rotation, Simplex, Spectrum,
+    Fbm, FbmSpectrum, Field, GaussianFbm, GaussianNoise, HasHessian, Perlin, Point, Rotation, Simplex,
     Turbulence, Warp,
     curl::{Curl2, Curl3, CurlPotential},
     glam::{Vec2, Vec3},
@@ -55,15 +55,15 @@ fn assert_close(name: &str, error: f64) {
 
 #[test]
 fn warps_have_exact_gradients_and_jacobians() {
-    let by = [1, 2, 3].map(|seed| Octaves::<_, 3>::new(Simplex::new(seed), Spectrum::CLOUD));
-    let field = Perlin2002::new(4);
+    let by = [1, 2, 3].map(|seed| Fbm::<_, 3>::new(Simplex::new(seed), FbmSpectrum::CLOUD));
+    let field = Perlin::new(4);
     let warp = Warp::new(field, by.each_ref().map(|octaves| octaves.first(1.0)), 0.2).unwrap();
     let gradient = |p: Vec3| [warp.sample(p).gradient.to_array()];
     assert_close("warp", jacobian_error(|p: Vec3| [warp.value(p)], gradient));
     let place = |p: Vec3| warp.displacement(p).point.to_array();
     assert_close("displacement", jacobian_error(place, |p: Vec3| warp.displacement(p).jacobian));
 
-    let by = [5, 6].map(Perlin2002::new);
+    let by = [5, 6].map(Perlin::new);
     let inner = Warp::new(Simplex::new(7), by, 0.3).unwrap();
     let twice = Warp::new(inner, by, 0.3).unwrap();
     let gradient = |p: Vec2| [twice.sample(p).gradient.to_array()];
@@ -73,7 +73,7 @@ fn warps_have_exact_gradients_and_jacobians() {
 
 #[test]
 fn warp_evaluates_the_displaced_point() {
-    let octaves = Octaves::<_, 2>::new(Perlin2002::new(4), Spectrum::CLOUD);
+    let octaves = Fbm::<_, 2>::new(Perlin::new(4), FbmSpectrum::CLOUD);
     let field = octaves.with_shape(Turbulence);
     let by = [1, 2].map(Simplex::new);
     let warp = Warp::new(field.first(3.0), by, 0.7).unwrap();
@@ -88,7 +88,7 @@ fn warp_evaluates_the_displaced_point() {
 
 #[test]
 fn curl_2d_has_zero_divergence() {
-    let octaves = Octaves::<_, 2>::new(Perlin2002::new(4), Spectrum::default());
+    let octaves = Fbm::<_, 2>::new(Perlin::new(4), FbmSpectrum::default());
     let flow = Curl2(octaves.first(1.5));
     let jacobian = |p: Vec2| flow.velocity_and_jacobian(p).jacobian;
     assert_close("flow in the plane", jacobian_error(|p: Vec2| flow.velocity(p).to_array(), jacobian));
@@ -114,7 +114,7 @@ fn traces(name: &str, jacobian: impl Fn(Vec3) -> [[f32; 3]; 3], bound: impl Fn(V
     assert!(greatest <= 1.0 && rounded > 0, "{name}: {greatest}");
 }
 
-fn cross_product_has_no_divergence<A: Curved<Vec3>, B: Curved<Vec3>>(name: &str, a: A, b: B) {
+fn cross_product_has_no_divergence<A: HasHessian<Vec3>, B: HasHessian<Vec3>>(name: &str, a: A, b: B) {
     let flow = Curl3(a, b);
     let jacobian = |p: Vec3| flow.velocity_and_jacobian(p).jacobian;
     assert_close(name, jacobian_error(|p: Vec3| flow.velocity(p).to_array(), jacobian));
@@ -122,7 +122,7 @@ fn cross_product_has_no_divergence<A: Curved<Vec3>, B: Curved<Vec3>>(name: &str,
     // remainder is the rounding of at most four sums over each of them: the difference of a cross
     // product, the sum of two, and the trace's own two.
     let bound = |p: Vec3| {
-        let (a, b) = (flow.0.second_order(p), flow.1.second_order(p));
+        let (a, b) = (flow.0.sample_with_hessian(p), flow.1.sample_with_hessian(p));
         let mut sum = 0.0;
         for (hessian, gradient) in [(a.hessian, b.gradient), (b.hessian, a.gradient)] {
             for (j, row) in hessian.iter().enumerate() {
@@ -138,26 +138,26 @@ fn cross_product_has_no_divergence<A: Curved<Vec3>, B: Curved<Vec3>>(name: &str,
 
 #[test]
 fn curl_of_pairs_has_zero_divergence_up_to_rounding() {
-    let [a, b] = [1, 2].map(|seed| Octaves::<_, 3>::new(Perlin2002::new(seed), Spectrum::default()));
+    let [a, b] = [1, 2].map(|seed| Fbm::<_, 3>::new(Perlin::new(seed), FbmSpectrum::default()));
     cross_product_has_no_divergence(
         "pair of octaves",
         a.first(1.5),
         b.with_rotation(Rotation::Aligned).first(1.5),
     );
-    let [a, b] = [1, 2].map(|seed| GaussianOctaves::<3>::new(Gaussian::new(seed), Spectrum::default()));
+    let [a, b] = [1, 2].map(|seed| GaussianFbm::<3>::new(GaussianNoise::new(seed), FbmSpectrum::default()));
     cross_product_has_no_divergence("pair of Gaussian octaves", a.first(1.5), b.first(1.5));
-    cross_product_has_no_divergence("pair of noises", Perlin2002::new(1), Simplex::new(2));
+    cross_product_has_no_divergence("pair of noises", Perlin::new(1), Simplex::new(2));
 }
 
 #[test]
 fn curl_of_potentials_has_zero_divergence_up_to_rounding() {
-    let potential = [1, 2, 3].map(|seed| Octaves::<_, 3>::new(Perlin2002::new(seed), Spectrum::default()));
+    let potential = [1, 2, 3].map(|seed| Fbm::<_, 3>::new(Perlin::new(seed), FbmSpectrum::default()));
     let flow = CurlPotential(potential.each_ref().map(|octaves| octaves.first(1.5)));
     let jacobian = |p: Vec3| flow.velocity_and_jacobian(p).jacobian;
     assert_close("potential", jacobian_error(|p: Vec3| flow.velocity(p).to_array(), jacobian));
     // Six entries that cancel in pairs, each rounded in its difference and in the trace's two sums.
     let bound = |p: Vec3| {
-        let [a, b, c] = flow.0.each_ref().map(|field| field.second_order(p).hessian);
+        let [a, b, c] = flow.0.each_ref().map(|field| field.sample_with_hessian(p).hessian);
         let entries = [c[0][1], b[0][2], a[1][2], c[1][0], b[2][0], a[2][1]];
         3.001 * U * entries.iter().map(|&x| f64::from(x.abs())).sum::<f64>()
     };

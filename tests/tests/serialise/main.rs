@@ -6,7 +6,7 @@ use std::fmt::Debug;
 use asperity_ndf_sampling::normal_map::{NormalMapFormat, TangentSpace};
 use asperity_ndf_sampling::normal_table::{Chart, Spacing, TableLayout};
 use asperity_ndf_sampling::{AshikhminShirley, Beckmann, BlinnPhong, Ggx, Measure, StudentT, Ward};
-use asperity_noise::{Grid, Normalisation, Rotation, Spectrum};
+use asperity_noise::{FbmSpectrum, Grid, Normalization, Rotation};
 use asperity_shading::glam::Vec3;
 use asperity_shading::material::{GlassWaves, PaintFlakes};
 use asperity_shading::{
@@ -31,15 +31,15 @@ fn refused<T: DeserializeOwned + Debug>(text: &str, message: &str) {
 
 #[test]
 fn spectra_and_grids_round_trip() {
-    stands(&Spectrum::default(), r#"{"lacunarity":2.17,"gain":0.5,"max_octaves":10}"#);
+    stands(&FbmSpectrum::default(), r#"{"lacunarity":2.17,"gain":0.5,"max_octaves":10}"#);
     let grid = Grid { origin: Vec3::X, step: Vec3::splat(0.5), size: [4, 3, 2] };
     stands(&grid, r#"{"origin":[1.0,0.0,0.0],"step":[0.5,0.5,0.5],"size":[4,3,2]}"#);
-    stands(&(Normalisation::Variance, Rotation::Aligned), r#"["variance","aligned"]"#);
-    refused::<Spectrum>(
+    stands(&(Normalization::UnitVariance, Rotation::Aligned), r#"["variance","aligned"]"#);
+    refused::<FbmSpectrum>(
         r#"{"lacunarity":0.9,"gain":0.5,"max_octaves":10}"#,
         "`lacunarity` must be a finite number above 1, got 0.9",
     );
-    refused::<Spectrum>(r#"{"lacunarity":2.0,"gain":0.5,"octaves":10}"#, "unknown field `octaves`");
+    refused::<FbmSpectrum>(r#"{"lacunarity":2.0,"gain":0.5,"octaves":10}"#, "unknown field `octaves`");
 }
 
 #[test]

@@ -4,7 +4,7 @@
 use asperity_shading::bump::*;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::material::*;
-use asperity_shading::noise::{Gaussian, GaussianOctaves, Octaves, Perlin2002, Spectrum, Turbulence};
+use asperity_shading::noise::{Fbm, FbmSpectrum, GaussianFbm, GaussianNoise, Perlin, Turbulence};
 use asperity_shading::pixel::{FrequencyClamp, PixelEllipse};
 use asperity_shading::reflectance::*;
 use asperity_shading::texture::{
@@ -258,7 +258,7 @@ proptest! {
             let share = stars.coverage(uv, Footprint::from_width(footprint));
             prop_assert!((0.0..=1.0).contains(&share), "{share}");
         }
-        let marble = Marble::new(Perlin2002::default(), width, 1).unwrap();
+        let marble = Marble::new(Perlin::default(), width, 1).unwrap();
         let colour = marble.colour(p, Footprint::from_width(footprint));
         prop_assert!(is_colour(colour), "{colour}");
         prop_assert!(marble.sum(p).is_finite());
@@ -289,7 +289,7 @@ proptest! {
     #[test]
     fn bumps(n in unit(), (g, m, wo) in (vector(), vector(), vector()), p in [vector(), vector()], slope in pair()) {
         let frame = Frame::from_normal(n);
-        for gradient in [surface_gradient(n, p, slope), tangential(n, g), gradient_of_normal(&frame, m)] {
+        for gradient in [surface_gradient(n, p, slope), project_to_tangent_plane(n, g), gradient_of_normal(&frame, m)] {
             prop_assert!(gradient.is_finite(), "{gradient}");
             prop_assert!(is_normal(n, bumped_normal(n, gradient)), "{gradient}");
         }
@@ -299,7 +299,7 @@ proptest! {
         prop_assert!((normal.length() - 1.0).abs() < 1e-5);
         let rim = rim_light(n, wo, slope.x);
         prop_assert!((0.0..=1.0).contains(&rim), "{rim}");
-        let seen = facing(n, bumped_normal(n, g), wo);
+        let seen = flip_to_visible(n, bumped_normal(n, g), wo);
         prop_assert!((seen.length() - 1.0).abs() < 1e-5, "{seen} {wo}");
     }
 }
@@ -359,10 +359,10 @@ fn reflectances(
         all.push(("Oren-Nayar", Box::new(OrenNayar::new(albedo, roughness, form).expect("in range"))));
     }
     for factor in FACTORS {
-        all.push(("Blinn-Phong", Box::new(BlinnPhongLobe::new(albedo, exponent, factor).expect("in range"))));
+        all.push(("Blinn-Phong", Box::new(BlinnPhongBrdf::new(albedo, exponent, factor).expect("in range"))));
     }
     for form in [WardForm::Ward, WardForm::Dur, WardForm::Bounded] {
-        all.push(("Ward", Box::new(WardReflection::new(albedo, ax, ay, form).expect("in range"))));
+        all.push(("Ward", Box::new(WardBrdf::new(albedo, ax, ay, form).expect("in range"))));
     }
     all
 }
@@ -406,8 +406,8 @@ type Constructor<'a> = (&'static str, &'a dyn Fn(f32) -> Option<&'static str>);
 
 #[test]
 fn nan_and_negative_parameters_are_named() {
-    let field = || GaussianOctaves::<3>::new(Gaussian::new(0), Spectrum::default());
-    let turbulence = || Octaves::new(Perlin2002::new(0), Spectrum::default()).with_shape(Turbulence);
+    let field = || GaussianFbm::<3>::new(GaussianNoise::new(0), FbmSpectrum::default());
+    let turbulence = || Fbm::new(Perlin::new(0), FbmSpectrum::default()).with_shape(Turbulence);
     let beckmann = Beckmann::isotropic(0.3).unwrap();
     let adaptive = |unit| Sparkles::new(2.0, 1.0, 0.3, 0.7, Elimination::Adaptive { unit }, 1);
     let stars = |radii, cells, chance| refused(StarWallpaper::new(5, radii, cells, chance, 1));
@@ -424,9 +424,9 @@ fn nan_and_negative_parameters_are_named() {
         ("roughness", &|x| refused(EnergyPreservingOrenNayar::new(Vec3::ONE, x))),
         ("specular", &|x| refused(Phong::new(Vec3::splat(x), 1.0))),
         ("exponent", &|x| refused(Phong::new(Vec3::ONE, x))),
-        ("exponent", &|x| refused(BlinnPhongLobe::new(Vec3::ONE, x, BlinnPhongFactor::Albedo))),
-        ("specular", &|x| refused(WardReflection::new(Vec3::splat(x), 0.1, 0.3, WardForm::Ward))),
-        ("alpha_x", &|x| refused(WardReflection::new(Vec3::ONE, x, 0.3, WardForm::Ward))),
+        ("exponent", &|x| refused(BlinnPhongBrdf::new(Vec3::ONE, x, BlinnPhongFactor::Albedo))),
+        ("specular", &|x| refused(WardBrdf::new(Vec3::splat(x), 0.1, 0.3, WardForm::Ward))),
+        ("alpha_x", &|x| refused(WardBrdf::new(Vec3::ONE, x, 0.3, WardForm::Ward))),
         ("frequency", &|x| refused(FrequencyClamp::new(x, 2.0, 8.0))),
         ("lacunarity", &|x| refused(FrequencyClamp::new(1.0, x, 8.0))),
         ("max_octaves", &|x| refused(FrequencyClamp::new(1.0, 2.0, x))),
@@ -440,7 +440,7 @@ fn nan_and_negative_parameters_are_named() {
         ("r_max", &|x| stars([0.01, x], 10.0, 0.5)),
         ("cells", &|x| stars([0.01, 0.03], x, 0.5)),
         ("chance", &|x| stars([0.01, 0.03], 10.0, x)),
-        ("scale", &|x| refused(Marble::new(Perlin2002::default(), x, 0))),
+        ("scale", &|x| refused(Marble::new(Perlin::default(), x, 0))),
         ("max_density", &|x| refused(Gas::new(turbulence(), 5.0, x, 1.0))),
         ("exponent", &|x| refused(Gas::new(turbulence(), 5.0, 1.0, x))),
         ("radius", &|x| refused(Steam::new(Vec3::ZERO, x, 1.0))),
@@ -491,7 +491,7 @@ fn parameters_just_out_of_range_are_named() {
         ("roughness", refused(OrenNayar::new(Vec3::ONE, 1.6, OrenNayarForm::Full))),
         ("roughness", refused(OrenNayar::new(Vec3::ONE, 1.1, OrenNayarForm::Fujii))),
         ("exponent", refused(Phong::new(Vec3::ONE, 1e7))),
-        ("alpha_x", refused(WardReflection::new(Vec3::ONE, 0.0, 0.3, WardForm::Ward))),
+        ("alpha_x", refused(WardBrdf::new(Vec3::ONE, 0.0, 0.3, WardForm::Ward))),
         ("lacunarity", refused(FrequencyClamp::new(1.0, 1.0, 8.0))),
         ("width", refused(Brick::new(0.0, 1.0, 0.1))),
         ("plateau", refused(Bevel::new(1.0, 1.0, 0.0, 1.0))),

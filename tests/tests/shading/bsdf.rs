@@ -13,7 +13,7 @@ use asperity_shading::material::{
     SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters, Wallpaper,
 };
 use asperity_shading::ndf_sampling::{Beckmann, Ggx};
-use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
+use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::normal_map::SlopePyramid;
 use asperity_shading::pixel::Footprint;
 use asperity_shading::reflectance::{Brdf, Bsdf, Coat, Delta, Dielectric, Lambert};
@@ -64,7 +64,7 @@ fn materials() -> Vec<(&'static str, Boxed, f32)> {
     let tiles = BevelledTiles { bevel, side: 0.2, colour: white, roughness: 0.5 };
     let stars = Wallpaper { stars: StarWallpaper::default(), paper: white, star: white, roughness: 0.0 };
     let marble = PolishedMarble { marble: Marble::default(), tint: Vec3::splat(100.0), polish: 0.3 };
-    let field = GaussianOctaves::<3>::new(Gaussian::new(7), Spectrum::new(2.17, 0.8, 3).expect(VALID));
+    let field = GaussianFbm::<3>::new(GaussianNoise::new(7), FbmSpectrum::new(2.17, 0.8, 3).expect(VALID));
     let bumps = |rule| BumpMapped {
         ndf: Ggx::new(0.3, 0.5).expect(VALID),
         bumps: BumpField::new(field, 20.0).expect(VALID),

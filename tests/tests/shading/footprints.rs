@@ -6,7 +6,7 @@ use asperity_shading::material::{
     BevelledTiles, BrickWall, BumpMapped, GlassWaves, NormalMapped, PaintFlakes, PolishedMarble, SeamPattern,
     Wallpaper,
 };
-use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
+use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::texture::{Bevel, StarWallpaper};
 use asperity_shading::{
     Beckmann, BumpField, Carpet, CarpetParameters, Footprint, Ggx, LevelOfDetail, Marble, Material,
@@ -33,7 +33,8 @@ fn materials() -> Vec<(&'static str, Box<dyn Material>)> {
     let bevel = Bevel::new(0.02, 0.1, 0.1, 0.8).expect("a ridge");
     let stars = StarWallpaper::default();
     let (paper, star) = (Vec3::splat(0.7), Vec3::new(0.1, 0.1, 0.4));
-    let octaves = GaussianOctaves::<3>::new(Gaussian::new(7), Spectrum::new(2.17, 0.8, 3).expect("octaves"));
+    let octaves =
+        GaussianFbm::<3>::new(GaussianNoise::new(7), FbmSpectrum::new(2.17, 0.8, 3).expect("octaves"));
     let bumps = BumpField::new(octaves, 20.0).expect("a frequency");
     let normals: Vec<Vec3> =
         (0..64 * 64).map(|k| Vec3::new(if k % 16 < 4 { 0.4 } else { 0.0 }, 0.0, 1.0).normalize()).collect();

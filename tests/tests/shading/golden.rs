@@ -5,17 +5,18 @@
 //! round differently again.
 
 use asperity_shading::bump::{
-    bumped_normal, differences, displace, facing, gradient_of_normal, surface_gradient, tangential,
+    bumped_normal, differences, displace, flip_to_visible, gradient_of_normal, project_to_tangent_plane,
+    surface_gradient,
 };
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::level_of_detail::{
     Coordinates, GaussianField, RemappedOctaves, facet_coordinates, shade_facet,
 };
-use asperity_shading::noise::{Gaussian, GaussianOctaves, Perlin2002, Spectrum};
+use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise, Perlin};
 use asperity_shading::pixel::FrequencyClamp;
 use asperity_shading::pixel::Tap;
 use asperity_shading::reflectance::{
-    BlinnPhongFactor, BlinnPhongLobe, Masking, OrenNayar, OrenNayarForm, SchlickF82, WardForm, WardReflection,
+    BlinnPhongBrdf, BlinnPhongFactor, Masking, OrenNayar, OrenNayarForm, SchlickF82, WardBrdf, WardForm,
 };
 use asperity_shading::texture::{Bevel, Edge, Gas, PerturbedTexture, StarWallpaper, Steam, march};
 use asperity_shading::{
@@ -46,7 +47,7 @@ fn directions_and_bumps() {
     single("reflect", reflect(wi(), N), [0.133942902, 0.988114357, 0.0754286647]);
     let gradient = surface_gradient(N, TANGENTS, SLOPE);
     single("surface_gradient", gradient, [0.333558947, -0.376835942, 0.0759999976]);
-    single("tangential", tangential(N, P), [-0.283904016, -2.08187199, 1.37687993]);
+    single("tangential", project_to_tangent_plane(N, P), [-0.283904016, -2.08187199, 1.37687993]);
     single("bumped_normal", bumped_normal(N, gradient), [0.0235645268, 0.763620257, 0.645235538]);
     single(
         "gradient_of_normal",
@@ -55,7 +56,7 @@ fn directions_and_bumps() {
     );
     single(
         "facing",
-        facing(Vec3::Z, Vec3::new(0.8, 0.0, 0.6), Vec3::new(-0.8, 0.0, 0.6)),
+        flip_to_visible(Vec3::Z, Vec3::new(0.8, 0.0, 0.6), Vec3::new(-0.8, 0.0, 0.6)),
         [0.316227764, 0.0, 0.948683321],
     );
     // Sevenths of differences of a square: about ten units of the last place.
@@ -104,11 +105,11 @@ fn levels_of_detail() {
         [4.52618408, 0.0166085176],
     );
     let field =
-        BumpField::new(GaussianOctaves::<3>::new(Gaussian::new(1), Spectrum::default()), 7.0).unwrap();
+        BumpField::new(GaussianFbm::<3>::new(GaussianNoise::new(1), FbmSpectrum::default()), 7.0).unwrap();
     let seen = field.coordinates(P, footprint);
     single("BumpField", seen.z, [0.282017171, 0.832412899]);
     single("BumpField, share and fade", [seen.share, seen.fade], [0.97624445, 1.0]);
-    let classic = RemappedOctaves::new(Perlin2002::default(), Spectrum::default(), 1).unwrap();
+    let classic = RemappedOctaves::new(Perlin::default(), FbmSpectrum::default(), 1).unwrap();
     pinned("RemappedOctaves", classic.coordinates(P, 4.3).z, [-0.813406944, -1.30235529], 10.0 * SINGLE);
 }
 
@@ -139,8 +140,8 @@ fn reflectances() {
     let (ggx, beckmann) = (Ggx::new(0.2, 0.4).unwrap(), Beckmann::new(0.2, 0.4).unwrap());
     let (glass, gold) = (Dielectric::new(1.5).unwrap(), Conductor::new(0.2, 3.0).unwrap());
     let oren_nayar = |form| Box::new(OrenNayar::new(albedo, 0.6, form).unwrap());
-    let blinn_phong = |factor| Box::new(BlinnPhongLobe::new(albedo, 30.0, factor).unwrap());
-    let ward = |form| Box::new(WardReflection::new(albedo, 0.2, 0.4, form).unwrap());
+    let blinn_phong = |factor| Box::new(BlinnPhongBrdf::new(albedo, 30.0, factor).unwrap());
+    let ward = |form| Box::new(WardBrdf::new(albedo, 0.2, 0.4, form).unwrap());
     let all: [Golden; 16] = [
         ("Lambert", Box::new(Lambert::new(albedo).unwrap()), [0.254647911, 0.0318309888], COSINE),
         (

@@ -6,7 +6,7 @@ use asperity_shading::material::{
     Dents, GlintField, PassiveFlakes, SeamPattern, Seams, SpecularThreads, flake_patch, rim_light, varied,
     wave_gradient,
 };
-use asperity_shading::noise::removed_share;
+use asperity_shading::noise::filtered_fraction;
 use asperity_shading::{Beckmann, Carpet, CarpetParameters, Footprint, Ggx, Material, Ndf, SurfacePoint};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
@@ -25,7 +25,7 @@ fn close(got: f32, expected: f64, tolerance: f64, case: &impl std::fmt::Debug) {
 fn fading_and_rim_match_the_references() {
     for row in rows(&file()["fadeout"]["rows"]) {
         let [signal, average, size, footprint, out] = row[..] else { panic!("five columns") };
-        let share = f64::from(removed_share(footprint as f32, (1.0 / size) as f32));
+        let share = f64::from(filtered_fraction(footprint as f32, (1.0 / size) as f32));
         close((signal + share * (average - signal)) as f32, out, 1e-5, &row);
     }
     for row in rows(&file()["rim_light"]["rows"]) {

@@ -4,7 +4,7 @@
 use asperity_shading::glam::Vec3;
 use asperity_shading::level_of_detail::GaussianField;
 use asperity_shading::ndf_sampling::{Measure, NdfMap, Reconstruction};
-use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
+use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::{Beckmann, Ggx, LevelOfDetail, Ndf, far_field};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::surface_patches::{mean_and_error, patch_means};
@@ -76,7 +76,7 @@ fn ratios(rule: LevelOfDetail, octaves: f32, stride: usize) -> Vec<(f64, f64)> {
         .iter()
         .flat_map(|case| case.half_vectors.map(|h| f64::from(far_field(&*case.ndf, h))))
         .collect();
-    let field = |seed| GaussianOctaves::<3>::new(Gaussian::new(seed), Spectrum::default());
+    let field = |seed| GaussianFbm::<3>::new(GaussianNoise::new(seed), FbmSpectrum::default());
     let patches = patch_means(SEEDS, stride, field, |field, p, sums: &mut [f64; 15]| {
         let coordinates = field.coordinates(p, octaves);
         let radiances = cases

@@ -4,7 +4,7 @@
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::level_of_detail::Coordinates;
 use asperity_shading::ndf_sampling::{estimate_ndf, level_of_detail::OffsetBeckmann};
-use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
+use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::normal_map::SlopeMoments;
 use asperity_shading::{Beckmann, BumpField, Footprint, Ndf, SlopePyramid};
 
@@ -230,7 +230,7 @@ fn added_noise_keeps_the_far_density_of_the_map() {
     let map = SlopePyramid::<16>::from_normals(SIZE, SIZE, &normals).expect("a map");
     let fine = Beckmann::new(0.3, 0.4).expect("in range");
     // Octaves that start at the size of a texel.
-    let octaves = GaussianOctaves::new(Gaussian::new(3), Spectrum::default());
+    let octaves = GaussianFbm::new(GaussianNoise::new(3), FbmSpectrum::default());
     let noise = BumpField::new(octaves, SIZE as f32).expect("a frequency");
     // The density of the map itself, computed differently, with the finer bumps added.
     let own = estimate_ndf(&normals).expect("normals");

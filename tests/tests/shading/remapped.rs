@@ -3,7 +3,7 @@
 
 use asperity_shading::glam::Vec3;
 use asperity_shading::level_of_detail::{GaussianField, RemappedOctaves};
-use asperity_shading::noise::{Perlin2002, Simplex, Spectrum, simd::Kernel};
+use asperity_shading::noise::{FbmSpectrum, Perlin, Simplex, simd::Kernel};
 use asperity_shading::{Beckmann, LevelOfDetail, far_field};
 use asperity_tests::surface_patches::{mean_and_error, patch_means};
 
@@ -12,7 +12,7 @@ use asperity_tests::surface_patches::{mean_and_error, patch_means};
 fn measured<K: Kernel<3> + Copy + Sync>(noise: K, octaves: f32) -> [(f64, f64); 6] {
     let ndf = Beckmann::isotropic(0.3).expect("roughness in range");
     let half_vectors = [Vec3::Z, Vec3::new(0.24, 0.0, 1.0).normalize()];
-    let field = |seed| RemappedOctaves::new(noise, Spectrum::default(), seed).expect("a distribution");
+    let field = |seed| RemappedOctaves::new(noise, FbmSpectrum::default(), seed).expect("a distribution");
     let patches = patch_means(64, 4, field, |field, p, sums: &mut [f64; 6]| {
         let coordinates = field.coordinates(p, octaves);
         let (x, y) = (f64::from(coordinates.z.x), f64::from(coordinates.z.y));
@@ -44,7 +44,7 @@ fn classic_noise_nearly_keeps_the_mean() {
         ("ratio in the bulk", 1.0),
     ];
     for (octaves, allowed) in ALLOWED {
-        let perlin = measured(Perlin2002::default(), octaves);
+        let perlin = measured(Perlin::default(), octaves);
         let simplex = measured(Simplex::new(0), octaves);
         for (noise, measured) in [("Perlin 2002", perlin), ("simplex", simplex)] {
             for (((mean, error), allowed), (quantity, expected)) in

@@ -1,12 +1,14 @@
 //! Bumps and facets do not depend on the parametrization of a surface: rotated, stretched, sheared
 //! and mirrored.
 
-use asperity_shading::bump::{bumped_normal, displace, gradient_of_normal, surface_gradient, tangential};
+use asperity_shading::bump::{
+    bumped_normal, displace, gradient_of_normal, project_to_tangent_plane, surface_gradient,
+};
 use asperity_shading::glam::{Mat2, Vec2, Vec3};
 use asperity_shading::level_of_detail::Coordinates;
 use asperity_shading::material::SeamPattern;
 use asperity_shading::ndf_sampling::BlinnPhong;
-use asperity_shading::reflectance::{BlinnPhongFactor, BlinnPhongLobe, OrenNayar, OrenNayarForm};
+use asperity_shading::reflectance::{BlinnPhongBrdf, BlinnPhongFactor, OrenNayar, OrenNayarForm};
 use asperity_shading::{
     Beckmann, Brdf, Carpet, CarpetParameters, CookTorrance, Dielectric, EnergyPreservingOrenNayar, Footprint,
     Frame, Ggx, LevelOfDetail, Material, MetallicPaint, MetallicPaintParameters, Ndf, Phong, SurfacePoint,
@@ -89,7 +91,7 @@ proptest! {
         prop_assert!(a.distance(b) < ROUNDING * (1.0 + a.length()), "{a} {b}");
         // The tangential part of a spatial gradient depends only on the gradient along any two
         // tangents.
-        let [a, b] = [tangential(frame.normal, g), other.tangent * other.tangent.dot(g) + other.bitangent * other.bitangent.dot(g)];
+        let [a, b] = [project_to_tangent_plane(frame.normal, g), other.tangent * other.tangent.dot(g) + other.bitangent * other.bitangent.dot(g)];
         prop_assert!(a.distance(b) < ROUNDING, "{a} {b}");
     }
 
@@ -127,7 +129,7 @@ proptest! {
             ("GGX", Box::new(CookTorrance::new(Ggx::isotropic(0.3).unwrap(), Dielectric::new(1.5).unwrap()))),
             ("Beckmann", Box::new(CookTorrance::new(Beckmann::isotropic(0.3).unwrap(), Dielectric::new(1.5).unwrap()))),
             ("Phong", Box::new(Phong::new(grey, 20.0).unwrap())),
-            ("Blinn-Phong", Box::new(BlinnPhongLobe::new(grey, 20.0, BlinnPhongFactor::Albedo).unwrap())),
+            ("Blinn-Phong", Box::new(BlinnPhongBrdf::new(grey, 20.0, BlinnPhongFactor::Albedo).unwrap())),
         ];
         for (name, brdf) in all {
             let [a, b] = [brdf.value(wi, wo).x, brdf.value(turned(wi, by), turned(wo, by)).x];

@@ -3,8 +3,8 @@
 
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::level_of_detail::{Coordinates, GaussianField, facet_coordinates, shade_facet};
-use asperity_shading::ndf_sampling::NormalTable;
-use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
+use asperity_shading::ndf_sampling::NormalLut;
+use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::{Beckmann, BumpField, Footprint, Ggx, LevelOfDetail, Ndf, far_field};
 use asperity_tests::surface_patches::{mean_and_error, patch_means};
 
@@ -40,7 +40,7 @@ fn changes() -> [[(f64, f64); 8]; 4] {
     let ndf = Ggx::new(0.2, 0.4).expect("roughness in range");
     let h = half_vector();
     let far = f64::from(far_field(&ndf, h));
-    let field = |seed| GaussianOctaves::<3>::new(Gaussian::new(seed), Spectrum::default());
+    let field = |seed| GaussianFbm::<3>::new(GaussianNoise::new(seed), FbmSpectrum::default());
     let patches = patch_means(128, 4, field, |field, p, sums: &mut [f64; 32]| {
         let seen = RESOLVED.map(|octaves| field.coordinates(p, octaves));
         let exact = seen.map(|seen| LevelOfDetail::Exact.radiance(&ndf, h, seen));
@@ -91,7 +91,7 @@ fn exact_rule_is_a_martingale_in_zoom() {
 /// a few points.
 fn largest_jump(rule: LevelOfDetail, steps: u32) -> f32 {
     let ndf = Beckmann::isotropic(0.3).expect("roughness in range");
-    let bumps = BumpField::new(GaussianOctaves::new(Gaussian::new(11), Spectrum::default()), 3.0)
+    let bumps = BumpField::new(GaussianFbm::new(GaussianNoise::new(11), FbmSpectrum::default()), 3.0)
         .expect("frequency in range");
     let mut largest = 0.0_f32;
     for k in 0..8 {
@@ -121,7 +121,8 @@ fn radiance_is_continuous_in_the_footprint() {
 #[test]
 fn pixel_above_the_first_octave_is_the_far_field_bit_for_bit() {
     let ndf = Ggx::new(0.2, 0.4).unwrap();
-    let bumps = BumpField::new(GaussianOctaves::new(Gaussian::new(5), Spectrum::default()), 10.0).unwrap();
+    let bumps =
+        BumpField::new(GaussianFbm::new(GaussianNoise::new(5), FbmSpectrum::default()), 10.0).unwrap();
     for width in [0.05, 0.0501, 1.0, f32::INFINITY, f32::NAN] {
         let coordinates = bumps.coordinates(Vec3::new(0.3, 0.9, -2.0), Footprint::from_width(width));
         assert_eq!(coordinates, Coordinates::FAR, "width = {width}");
@@ -141,8 +142,8 @@ fn pixel_above_the_first_octave_is_the_far_field_bit_for_bit() {
 #[test]
 fn normal_table_supports_the_fractal_rule() {
     let ndf = Ggx::new(0.2, 0.4).unwrap();
-    let table = NormalTable::standard(&ndf);
-    let field = GaussianOctaves::<3>::new(Gaussian::new(2), Spectrum::default());
+    let table = NormalLut::standard(&ndf);
+    let field = GaussianFbm::<3>::new(GaussianNoise::new(2), FbmSpectrum::default());
     let mut worst = 0.0_f32;
     for k in 0..2000 {
         let coordinates = field.coordinates(Vec3::new(1.9, -0.7, 1.3) * k as f32, 0.02 * (k % 200) as f32);

@@ -335,7 +335,7 @@ const RULES: &Words<LevelOfDetail> = &[
 
 const NOISES: &Words<NoiseKind> = &[
     ("gaussian", "Exactly Gaussian value-gradient noise", NoiseKind::Gaussian),
-    ("perlin", "Perlin noise (2002) through its measured CDF", NoiseKind::Perlin2002),
+    ("perlin", "Perlin noise (2002) through its measured CDF", NoiseKind::Perlin),
     ("simplex", "Simplex noise through its measured CDF", NoiseKind::Simplex),
 ];
 
@@ -377,7 +377,7 @@ pub enum BakedFormat {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum BakedFractal {
     /// The torus surface, periodic and without grain.
-    Torus,
+    PeriodicSurface,
 }
 
 /// The materials of `render`.

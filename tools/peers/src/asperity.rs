@@ -3,8 +3,8 @@
 use std::hint::black_box;
 
 use asperity_noise::{
-    self as ours, Cellular, Field, Normalisation, Octaves, Perlin2002, Point, Rotation, Simplex, Spectrum,
-    Value,
+    self as ours, Cellular, Fbm, FbmSpectrum, Field, Normalization, Perlin, Point, Rotation, Simplex,
+    ValueNoise,
     glam::{Vec2, Vec3, Vec4},
     simd::{Batch, Kernel, Level},
 };
@@ -31,23 +31,23 @@ pub(crate) fn contenders(row: Row, step: f32) -> Vec<Contender> {
 fn of_dimension<V, const N: usize>(row: Row, step: f32) -> Vec<Contender>
 where
     V: Point<Coordinates = [f32; N]>,
-    Perlin2002: Kernel<N> + Field<V>,
+    Perlin: Kernel<N> + Field<V>,
     Simplex: Field<V>,
     Cellular: Field<V>,
-    Value: Field<V>,
+    ValueNoise: Field<V>,
 {
     match row.kind {
-        Kind::Perlin => of::<V, N>(row, step, Perlin2002::new(SEED)),
+        Kind::Perlin => of::<V, N>(row, step, Perlin::new(SEED)),
         Kind::Simplex => of::<V, N>(row, step, Simplex::new(SEED)),
-        Kind::Value => of::<V, N>(row, step, Value::new(SEED)),
+        Kind::Value => of::<V, N>(row, step, ValueNoise::new(SEED)),
         Kind::Cellular => of::<V, N>(row, step, Cellular::new(SEED)),
-        Kind::Octaves => {
-            let spectrum = Spectrum::new(2.0, 0.5, 5).expect("five octaves");
-            let sum = Octaves::<_, N>::new(Perlin2002::new(SEED), spectrum);
+        Kind::Fbm => {
+            let spectrum = FbmSpectrum::new(2.0, 0.5, 5).expect("five octaves");
+            let sum = Fbm::<_, N>::new(Perlin::new(SEED), spectrum);
             of::<V, N>(
                 row,
                 step,
-                sum.with_normalisation(Normalisation::Range).with_rotation(Rotation::Aligned),
+                sum.with_normalization(Normalization::UnitRange).with_rotation(Rotation::Aligned),
             )
         }
     }

@@ -87,7 +87,7 @@ impl Node {
     /// not support it.
     fn of(kind: Kind, features: u32) -> Option<Self> {
         let generator = match kind {
-            Kind::Perlin | Kind::Octaves => c"Perlin",
+            Kind::Perlin | Kind::Fbm => c"Perlin",
             Kind::Value => c"Value",
             Kind::Simplex => c"Simplex",
             Kind::Cellular => c"Cellular Distance",
@@ -95,7 +95,7 @@ impl Node {
         let source = Self::named(generator, features)
             .or_else(|| (kind == Kind::Cellular).then(|| Self::named(c"CellularDistance", features))?)?;
         source.set("Feature Scale", 1.0);
-        if kind != Kind::Octaves {
+        if kind != Kind::Fbm {
             return Some(source);
         }
         // Gain 0.5 and lacunarity 2 are its defaults.

@@ -57,7 +57,7 @@ fn noise(row: Row, step: f32) -> Option<Contender> {
                 Kind::Perlin => of::<N>(row, step, Perlin::new(SEED)),
                 Kind::Value => of::<N>(row, step, Value::new(SEED)),
                 Kind::Simplex => of::<N>(row, step, Simplex::new(SEED)),
-                Kind::Octaves => of::<N>(row, step, sum()),
+                Kind::Fbm => of::<N>(row, step, sum()),
                 Kind::Cellular => of::<N>(row, step, nearest()),
             }
         );
@@ -86,7 +86,7 @@ fn noise_functions(row: Row, step: f32) -> Option<Contender> {
             Kind::Perlin => of::<N>(row, step, Perlin),
             Kind::Value => of::<N>(row, step, Value),
             Kind::Simplex => of::<N>(row, step, Simplex),
-            Kind::Octaves => of::<N>(row, step, Perlin.fbm(5, 0.5, 2.0)),
+            Kind::Fbm => of::<N>(row, step, Perlin.fbm(5, 0.5, 2.0)),
             Kind::Cellular => of::<N>(row, step, CellDistance::default()),
         }
     )
@@ -102,14 +102,14 @@ fn fastnoise_lite(row: Row, step: f32) -> Option<Contender> {
     let mut noise = FastNoiseLite::with_seed(SEED as i32);
     noise.set_frequency(Some(1.0));
     noise.set_noise_type(Some(match row.kind {
-        Kind::Perlin | Kind::Octaves => NoiseType::Perlin,
+        Kind::Perlin | Kind::Fbm => NoiseType::Perlin,
         Kind::Value => NoiseType::Value,
         Kind::Simplex => NoiseType::OpenSimplex2,
         Kind::Cellular => NoiseType::Cellular,
     }));
     noise.set_cellular_return_type(Some(CellularReturnType::Distance));
     noise.set_cellular_distance_function(Some(CellularDistanceFunction::Euclidean));
-    if row.kind == Kind::Octaves {
+    if row.kind == Kind::Fbm {
         noise.set_fractal_type(Some(FractalType::FBm));
         noise.set_fractal_octaves(Some(5));
         noise.set_fractal_lacunarity(Some(2.0));
@@ -138,7 +138,7 @@ fn libnoise(row: Row, step: f32) -> Option<Contender> {
             Kind::Perlin => of(row, step, Source::<N>::improved_perlin(seed)),
             Kind::Value => of(row, step, Source::<N>::value(seed)),
             Kind::Simplex => of(row, step, Source::<N>::simplex(seed)),
-            Kind::Octaves => of(row, step, Source::<N>::improved_perlin(seed).fbm(5, 1.0, 2.0, 0.5)),
+            Kind::Fbm => of(row, step, Source::<N>::improved_perlin(seed).fbm(5, 1.0, 2.0, 0.5)),
             Kind::Cellular => of(row, step, Source::<N>::worley(seed)),
         }
     )
@@ -178,7 +178,7 @@ fn noiz(row: Row, step: f32) -> Option<Contender> {
                 }};
             }
             match row.kind {
-                Kind::Octaves => {
+                Kind::Fbm => {
                     let layer = Octave(common_noise::Perlin::default());
                     let layers = FractalLayers { layer, lacunarity: 2.0, amount: 5 };
                     value!(LayeredNoise::new(Normed::<f32>::default(), Persistence(0.5), layers))
@@ -239,7 +239,7 @@ fn bracket_noise(row: Row, step: f32) -> Option<Contender> {
         Kind::Perlin => NoiseType::Perlin,
         Kind::Value => NoiseType::Value,
         Kind::Simplex => NoiseType::Simplex,
-        Kind::Octaves => NoiseType::PerlinFractal,
+        Kind::Fbm => NoiseType::PerlinFractal,
         Kind::Cellular => NoiseType::Cellular,
     });
     noise.set_cellular_return_type(CellularReturnType::Distance);

@@ -23,7 +23,7 @@ pub(crate) enum Kind {
     /// Simplex noise.
     Simplex,
     /// Five unrotated octaves of gradient noise, lacunarity 2, gain 0.5.
-    Octaves,
+    Fbm,
     /// Cellular noise: the Euclidean distance to the nearest feature point.
     Cellular,
 }
@@ -52,7 +52,7 @@ impl fmt::Display for Row {
             Kind::Perlin => "perlin-2002",
             Kind::Value => "value-quintic",
             Kind::Simplex => "simplex-continuous",
-            Kind::Octaves => "perlin-2002-octaves-5",
+            Kind::Fbm => "perlin-2002-octaves-5",
             Kind::Cellular => "cellular-f1",
         };
         write!(f, "{form}/{}-d/{kind}", self.dimension)
@@ -63,7 +63,7 @@ impl fmt::Display for Row {
 pub(crate) fn all() -> Vec<Row> {
     let mut rows = Vec::new();
     for (order, dimensions, kinds) in [
-        (Order::Grid, 2..=3, &[Kind::Perlin, Kind::Value, Kind::Simplex, Kind::Octaves, Kind::Cellular][..]),
+        (Order::Grid, 2..=3, &[Kind::Perlin, Kind::Value, Kind::Simplex, Kind::Fbm, Kind::Cellular][..]),
         (Order::Points, 2..=3, &[Kind::Perlin, Kind::Simplex]),
         (Order::Calls, 2..=4, &[Kind::Value, Kind::Perlin, Kind::Simplex]),
     ] {

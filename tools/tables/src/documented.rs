@@ -3,7 +3,8 @@
 use std::{fs, path::Path};
 
 use asperity_noise::{
-    Noise, Perlin1985, Perlin2002, Simplex, Sparse, Value, ValueCatmullRom, ValueGradient, White,
+    Noise, Perlin, PerlinClassic, Simplex, SparseConvolution, ValueCatmullRom, ValueGradient, ValueNoise,
+    WhiteNoise,
     glam::{Vec2, Vec3},
 };
 
@@ -34,13 +35,13 @@ fn statistics_tables_of_the_docs_match_the_code() {
     ]
     .map(page);
     let simplex = [Simplex::new(0), Simplex::wide(0)].map(|noise| statistics(&noise));
-    let sparse = statistics(&Sparse::new(0));
+    let sparse = statistics(&SparseConvolution::new(0));
     let rows = [
-        ("white", "", "", statistics(&White::new(0))),
-        ("value, quintic", "`Value`", "value", statistics(&Value::new(0))),
+        ("white", "", "", statistics(&WhiteNoise::new(0))),
+        ("value, quintic", "`Value`", "value", statistics(&ValueNoise::new(0))),
         ("value, Catmull–Rom", "", "", statistics(&ValueCatmullRom::new(0))),
-        ("Perlin 1985", "", "Perlin 1985", statistics(&Perlin1985::new(0))),
-        ("Perlin 2002", "`Perlin2002`", "Perlin 2002", statistics(&Perlin2002::new(0))),
+        ("Perlin 1985", "", "Perlin 1985", statistics(&PerlinClassic::new(0))),
+        ("Perlin 2002", "`Perlin2002`", "Perlin 2002", statistics(&Perlin::new(0))),
         ("value-gradient, equal weights", "", "value-gradient", statistics(&ValueGradient::new(0))),
         ("simplex, r² = 0.5", "`Simplex`", "", simplex[0]),
         ("simplex, r² = 0.6", "", "", simplex[1]),

@@ -5,8 +5,8 @@ use std::{f64::consts::PI, fmt::Write};
 
 use asperity_ndf_sampling::phi;
 use asperity_noise::{
-    Field, Noise, Normalisation, Octaves, Perlin1985, Perlin2002, Point, Simplex, Sparse, Spectrum, Value,
-    ValueCatmullRom, ValueGradient, White, simd::Kernel,
+    Fbm, FbmSpectrum, Field, Noise, Normalization, Perlin, PerlinClassic, Point, Simplex, SparseConvolution,
+    ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise, simd::Kernel,
 };
 use asperity_render::sampling::random::Random;
 use glam::{Vec2, Vec3, Vec4};
@@ -38,16 +38,16 @@ pub(crate) fn noise_statistics_source() -> String {
          //! mean, from the spread over seeds, for the worst of the four.\n\n\
          use crate::statistics::statistics::{Statistics, mirrored};\n",
     );
-    measure(&mut text, "PERLIN_1985", Perlin1985::default());
-    measure(&mut text, "PERLIN_2002", Perlin2002::default());
+    measure(&mut text, "PERLIN_1985", PerlinClassic::default());
+    measure(&mut text, "PERLIN_2002", Perlin::default());
     measure(&mut text, "SIMPLEX_CONTINUOUS", Simplex::new(0));
     measure(&mut text, "SIMPLEX_WIDE", Simplex::wide(0));
-    measure(&mut text, "WHITE", White::default());
-    measure(&mut text, "VALUE", Value::default());
+    measure(&mut text, "WHITE", WhiteNoise::default());
+    measure(&mut text, "VALUE", ValueNoise::default());
     measure(&mut text, "VALUE_CATMULL_ROM", ValueCatmullRom::default());
     measure(&mut text, "VALUE_GRADIENT", ValueGradient::default());
-    for impulses in 1..=Sparse::MAX_IMPULSES {
-        if let Ok(noise) = Sparse::default().with_impulses(impulses) {
+    for impulses in 1..=SparseConvolution::MAX_IMPULSES {
+        if let Ok(noise) = SparseConvolution::default().with_impulses(impulses) {
             measure(&mut text, &format!("SPARSE_{impulses}"), noise);
         }
     }
@@ -115,14 +115,14 @@ where
     let variance = second / count;
     let excess = fourth / count / (variance * variance) - 3.0;
 
-    let spectrum = Spectrum::default();
+    let spectrum = FbmSpectrum::default();
     let sigma = variance.sqrt() * f64::from(spectrum.root_sum_of_squares(8.0));
     let unnormalise = f64::from(spectrum.sum_of_amplitudes(8.0));
     let histogram = (0..CDF_SEEDS / share)
         .into_par_iter()
         .map(|seed| {
-            let octaves = Octaves::<K, N>::new(noise.with_seed(seed), spectrum)
-                .with_normalisation(Normalisation::Range);
+            let octaves = Fbm::<K, N>::new(noise.with_seed(seed), spectrum)
+                .with_normalization(Normalization::UnitRange);
             let mut bins = [0_u64; BINS + 1];
             for value in values::<V>(&octaves.first(8.0), seed) {
                 let r = f64::from(value).abs() * unnormalise / sigma;

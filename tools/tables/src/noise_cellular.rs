@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use asperity_noise::{
-    Basis, Cellular, Field, Metric, Noise, Normalisation, Octaves, Point, Spectrum, simd::Kernel,
+    Cellular, CellularOutput, Fbm, FbmSpectrum, Field, Metric, Noise, Normalization, Point, simd::Kernel,
 };
 use asperity_render::sampling::random::Random;
 use glam::{Vec2, Vec3, Vec4};
@@ -19,7 +19,7 @@ const REACH: f64 = 4.0;
 /// Seeds of the moments of one octave, and of G: a quarter of a million points each.
 const SEEDS: u32 = 256;
 
-const BASES: [Basis; 3] = [Basis::F1, Basis::F2, Basis::F2MinusF1];
+const BASES: [CellularOutput; 3] = [CellularOutput::F1, CellularOutput::F2, CellularOutput::F2MinusF1];
 const METRICS: [Metric; 3] = [Metric::Euclidean, Metric::Manhattan, Metric::Chebyshev];
 
 /// Returns the Rust source of `crates/noise/src/statistics/cellular.rs`, independent of the number
@@ -33,7 +33,7 @@ pub(crate) fn cellular_statistics_source() -> String {
             moments.push_str("        [\n");
             statistics.push_str(if quarters == 4 { "    [\n" } else { "" });
             for metric in METRICS {
-                let noise = Cellular::default().with_basis(basis).with_metric(metric);
+                let noise = Cellular::default().with_output(basis).with_metric(metric);
                 // A quarter of each number is in [0, 1].
                 let Ok(noise) = noise.with_jitter(f32::from(quarters) / 4.0) else { continue };
                 let statistics = if quarters == 4 { Some(&mut statistics) } else { None };
@@ -132,7 +132,7 @@ where
     let central = fourth - 4.0 * mean * third + 6.0 * mean * mean * second - 3.0 * mean.powi(4);
     let excess = central / (variance * variance) - 3.0;
 
-    let spectrum = Spectrum::default();
+    let spectrum = FbmSpectrum::default();
     let sigma = variance.sqrt() * f64::from(spectrum.root_sum_of_squares(8.0));
     let unnormalise = f64::from(spectrum.sum_of_amplitudes(8.0));
     let bin = |value: f32| {
@@ -142,8 +142,8 @@ where
     let histogram = (0..SEEDS)
         .into_par_iter()
         .map(|seed| {
-            let octaves = Octaves::<K, N>::new(noise.with_seed(seed), spectrum)
-                .with_normalisation(Normalisation::Range);
+            let octaves = Fbm::<K, N>::new(noise.with_seed(seed), spectrum)
+                .with_normalization(Normalization::UnitRange);
             let mut bins = [0_u64; KNOTS + 1];
             for value in values::<V>(&octaves.first(8.0), seed) {
                 bins[bin(value)] += 1;

@@ -5,9 +5,9 @@
 //! PNG as a data URL.
 
 use asperity_noise::{
-    Billow, Cellular, Field, Gaussian, IntegerHash, Normalisation, Octaves, Perlin1985, Perlin2002, Plasma,
-    Power, Ridged, RidgedMultifractal, Simplex, Sparse, Spectrum, Tiled, Turbulence, Value, ValueCatmullRom,
-    ValueGradient, Warp, White,
+    Billow, Cellular, Fbm, FbmSpectrum, Field, GaussianNoise, IntegerHash, Normalization, Perlin,
+    PerlinClassic, Plasma, Power, Ridged, RidgedMultifractal, Simplex, SparseConvolution, Tiled, Turbulence,
+    ValueCatmullRom, ValueGradient, ValueNoise, Warp, WhiteNoise,
 };
 use glam::Vec2;
 use png::{BitDepth, ColorType, Compression, Encoder};
@@ -25,28 +25,29 @@ type File = (String, Vec<u8>);
 /// Returns every generated file, identical on every platform: values have the same bits, and gray
 /// needs no library function.
 pub(crate) fn noise_pictures() -> Result<Vec<File>, Failure> {
-    let tiled = Perlin2002::new(SEED).with_lattice(Tiled::new(IntegerHash, [3, 3])?);
+    let tiled = Perlin::new(SEED).with_lattice(Tiled::new(IntegerHash, [3, 3])?);
     let sum = |spectrum| {
-        Octaves::<_, 2>::new(Simplex::new(SEED), spectrum).with_normalisation(Normalisation::Range)
+        Fbm::<_, 2>::new(Simplex::new(SEED), spectrum).with_normalization(Normalization::UnitRange)
     };
-    let (clouds, threads) = (sum(Spectrum::CLOUD).first(OCTAVES), sum(Spectrum::THREADS));
+    let (clouds, threads) = (sum(FbmSpectrum::CLOUD).first(OCTAVES), sum(FbmSpectrum::THREADS));
     let threads = threads.with_shape(Plasma);
-    let ridges = RidgedMultifractal::<_, 2>::new(Simplex::new(SEED), Spectrum::CLOUD, 2.0)?;
+    let ridges = RidgedMultifractal::<_, 2>::new(Simplex::new(SEED), FbmSpectrum::CLOUD, 2.0)?;
     let by = [1, 2].map(|k| {
-        Octaves::<_, 2>::new(Simplex::new(SEED + k), Spectrum::CLOUD).with_normalisation(Normalisation::Range)
+        Fbm::<_, 2>::new(Simplex::new(SEED + k), FbmSpectrum::CLOUD)
+            .with_normalization(Normalization::UnitRange)
     });
     let warp = Warp::new(clouds, by.map(|by| by.first(3.0)), 0.45)?;
     let pictures = [
-        picture("white", [-1.2, 1.2], &|p| White::new(SEED).value(p))?,
-        picture("value", [-1.0, 1.0], &|p| Value::new(SEED).value(p))?,
+        picture("white", [-1.2, 1.2], &|p| WhiteNoise::new(SEED).value(p))?,
+        picture("value", [-1.0, 1.0], &|p| ValueNoise::new(SEED).value(p))?,
         picture("value_catmull_rom", [-0.7, 0.7], &|p| ValueCatmullRom::new(SEED).value(p))?,
-        picture("perlin_1985", [-0.75, 0.75], &|p| Perlin1985::new(SEED).value(p))?,
-        picture("perlin_2002", [-0.75, 0.75], &|p| Perlin2002::new(SEED).value(p))?,
+        picture("perlin_1985", [-0.75, 0.75], &|p| PerlinClassic::new(SEED).value(p))?,
+        picture("perlin_2002", [-0.75, 0.75], &|p| Perlin::new(SEED).value(p))?,
         picture("value_gradient", [-0.6, 0.6], &|p| ValueGradient::new(SEED).value(p))?,
         picture("simplex", [-1.0, 1.0], &|p| Simplex::new(SEED).value(p))?,
-        picture("sparse", [-2.5, 2.5], &|p| Sparse::new(SEED).value(p))?,
+        picture("sparse", [-2.5, 2.5], &|p| SparseConvolution::new(SEED).value(p))?,
         picture("cellular", [0.0, 1.1], &|p| Cellular::new(SEED).value(p))?,
-        picture("gaussian", [-2.5, 2.5], &|p| Gaussian::new(SEED).value(p))?,
+        picture("gaussian", [-2.5, 2.5], &|p| GaussianNoise::new(SEED).value(p))?,
         picture("tiled", [-0.75, 0.75], &|p| tiled.value(p * 1.5))?,
         picture("octaves", [-0.6, 0.6], &|p| clouds.value(p))?,
         picture("turbulence", [0.0, 0.8], &|p| clouds.with_shape(Turbulence).value(p))?,

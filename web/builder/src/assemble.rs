@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use asperity_output::Output;
-use asperity_shaders::noise::gaussian_levels;
+use asperity_wgsl::noise::gaussian_levels;
 use base64::{Engine, prelude::BASE64_STANDARD};
 use flate2::{Compression, write::GzEncoder};
 use lzma_rust2::{LzmaOptions, LzmaWriter};

@@ -2,7 +2,7 @@
 
 mod materials;
 
-use asperity_shaders::{Binding, Part, fif, ndf, noise as noise_parts, shading};
+use asperity_wgsl::{Binding, Part, fif, ndf, noise as noise_parts, shading};
 
 /// A vertex and a fragment entry point of one composition.
 pub(crate) struct Program {

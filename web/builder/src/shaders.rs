@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use asperity_shaders::{Binding, Bindings, Element, Part, compose, ordered};
+use asperity_wgsl::{Binding, Bindings, Element, Part, compose, ordered};
 use naga::ShaderStage;
 use naga::back::glsl;
 use naga::compact::{KeepUnused, compact};

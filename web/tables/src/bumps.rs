@@ -3,9 +3,9 @@
 use alloc::{format, string::String, string::ToString, vec::Vec};
 
 use asperity_ndf_sampling::{Measure, NdfMap, Reconstruction};
-use asperity_noise::{Gaussian, GaussianOctaves, Spectrum};
-use asperity_shaders::ndf::PackedMapUniform;
-use asperity_shaders::noise::{self, sums::OctavesUniform};
+use asperity_noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
+use asperity_wgsl::ndf::PackedMapUniform;
+use asperity_wgsl::noise::{self, sums::OctavesUniform};
 
 use crate::{float, number};
 
@@ -23,10 +23,10 @@ pub(crate) fn gaussian_anchors(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, S
     Ok(OctavesUniform::<3>::uniform(&sums).to_vec())
 }
 
-fn sum(numbers: &[f64]) -> Result<GaussianOctaves<3>, String> {
-    let spectrum = Spectrum::new(float(numbers, 0), float(numbers, 1), number(numbers, 2) as u32)
+fn sum(numbers: &[f64]) -> Result<GaussianFbm<3>, String> {
+    let spectrum = FbmSpectrum::new(float(numbers, 0), float(numbers, 1), number(numbers, 2) as u32)
         .map_err(|error| error.to_string())?;
-    Ok(GaussianOctaves::new(Gaussian::new(number(numbers, 3) as u32), spectrum))
+    Ok(GaussianFbm::new(GaussianNoise::new(number(numbers, 3) as u32), spectrum))
 }
 
 /// Returns the uniform of a painted density (24 words) and its table, from the painting's side and

@@ -4,13 +4,7 @@
 
 use alloc::{string::String, string::ToString, vec::Vec};
 
-use asperity_noise::{Normalisation, Octaves, Perlin2002, Spectrum, Turbulence};
-use asperity_shaders::noise::sums::OctavesUniform;
-use asperity_shaders::shading::material::{
-    BrickWallUniform, CarpetUniform, MetallicPaintUniform, PolishedMarbleUniform, ScratchesUniform,
-    TemperedGlassUniform, VariationsUniform,
-};
-use asperity_shaders::shading::texture::GasUniform;
+use asperity_noise::{Fbm, FbmSpectrum, Normalization, Perlin, Turbulence};
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::material::{
     BrickWall, Elimination, FibresParameters, GlassBody, GlassWaves, PolishedMarble, SeamPattern,
@@ -20,6 +14,12 @@ use asperity_shading::{
     Brick, Carpet, CarpetParameters, Marble, MetallicPaint, MetallicPaintParameters, ParameterError,
     Scratches, ScratchesParameters, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters,
 };
+use asperity_wgsl::noise::sums::OctavesUniform;
+use asperity_wgsl::shading::material::{
+    BrickWallUniform, CarpetUniform, MetallicPaintUniform, PolishedMarbleUniform, ScratchesUniform,
+    TemperedGlassUniform, VariationsUniform,
+};
+use asperity_wgsl::shading::texture::GasUniform;
 
 /// Consecutive numbers; 0 at the end.
 struct Turn<'a>(core::slice::Iter<'a, f64>);
@@ -207,16 +207,16 @@ pub(crate) fn brick(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
 
 pub(crate) fn marble(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
     let mut next = Turn::new(numbers);
-    let marble = Marble::new(Perlin2002::default(), next.float(), next.whole()).map_err(said)?;
+    let marble = Marble::new(Perlin::default(), next.float(), next.whole()).map_err(said)?;
     let stone = PolishedMarble { marble, tint: next.space(), polish: next.float() };
     Ok(answer(&PolishedMarbleUniform::new(&stone).words(), &[]))
 }
 
 pub(crate) fn steam(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
     let mut next = Turn::new(numbers);
-    let spectrum = Spectrum::new(next.float(), next.float(), 8).map_err(|error| error.to_string())?;
-    let octaves = Octaves::new(Perlin2002::new(next.whole()), spectrum)
-        .with_normalisation(Normalisation::Range)
+    let spectrum = FbmSpectrum::new(next.float(), next.float(), 8).map_err(|error| error.to_string())?;
+    let octaves = Fbm::new(Perlin::new(next.whole()), spectrum)
+        .with_normalization(Normalization::UnitRange)
         .with_shape(Turbulence);
     let gas = Gas::new(octaves, next.float(), next.float(), next.float()).map_err(said)?;
     let gas = if next.is() { gas.with_veins() } else { gas };

@@ -8,11 +8,11 @@ use alloc::{string::String, string::ToString, vec::Vec};
 use asperity_noise::glam::Vec3;
 use asperity_noise::simd::{Kernel, LaneSample, Lanes, Measured};
 use asperity_noise::{
-    Basis, Billow, Cellular, Field, Gaussian, IntegerHash, Lattice, Metric, Normalisation, Octaves,
-    Perlin1985, Perlin2002, Plasma, Point, Ridged, Shape, Signed, Simplex, Sparse, Spectrum, Statistics,
-    Turbulence, Value, ValueCatmullRom, ValueGradient, White,
+    Billow, Cellular, CellularOutput, Fbm, FbmSpectrum, Field, GaussianNoise, IntegerHash, Lattice, Metric,
+    Normalization, Perlin, PerlinClassic, Plasma, Point, Ridged, Shape, Signed, Simplex, SparseConvolution,
+    Statistics, Turbulence, ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise,
 };
-use asperity_shaders::noise::sums::{OctavesUniform, SUMS};
+use asperity_wgsl::noise::sums::{OctavesUniform, SUMS};
 
 use crate::{float, number};
 
@@ -21,15 +21,15 @@ use crate::{float, number};
 /// A single type, so that sums, warps and batches are compiled once per dimension.
 #[derive(Clone, Copy, Debug)]
 enum Kind {
-    White(White),
-    Value(Value),
+    White(WhiteNoise),
+    Value(ValueNoise),
     CatmullRom(ValueCatmullRom),
-    Perlin1985(Perlin1985),
-    Perlin2002(Perlin2002),
+    PerlinClassic(PerlinClassic),
+    Perlin(Perlin),
     ValueGradient(ValueGradient),
     Simplex(Simplex),
-    Sparse(Sparse),
-    Gaussian(Gaussian),
+    Sparse(SparseConvolution),
+    Gaussian(GaussianNoise),
     Cellular(Cellular),
 }
 
@@ -39,8 +39,8 @@ macro_rules! each {
             Kind::White($noise) => $value,
             Kind::Value($noise) => $value,
             Kind::CatmullRom($noise) => $value,
-            Kind::Perlin1985($noise) => $value,
-            Kind::Perlin2002($noise) => $value,
+            Kind::PerlinClassic($noise) => $value,
+            Kind::Perlin($noise) => $value,
             Kind::ValueGradient($noise) => $value,
             Kind::Simplex($noise) => $value,
             Kind::Sparse($noise) => $value,
@@ -97,8 +97,8 @@ impl Kind {
             Self::White(_) | Self::Cellular(_) => 0,
             Self::Value(_) => 1,
             Self::CatmullRom(_) => 2,
-            Self::Perlin1985(_) => 3,
-            Self::Perlin2002(_) => 4,
+            Self::PerlinClassic(_) => 3,
+            Self::Perlin(_) => 4,
             Self::ValueGradient(_) => 5,
             Self::Simplex(noise) => {
                 if noise.radius_squared() > 0.5 {
@@ -201,7 +201,7 @@ macro_rules! kernel {
 }
 
 kernel!(2:);
-kernel!(3: Perlin2002);
+kernel!(3: Perlin);
 kernel!(4:);
 
 /// A shape chosen at run time, by its number in shaders.
@@ -261,11 +261,11 @@ struct Spec {
     /// 0 is one octave, 1 a sum, 2 the octaves of a ridged multifractal.
     sum: u32,
     shape: AnyShape,
-    spectrum: Spectrum,
+    spectrum: FbmSpectrum,
     octaves: f32,
-    normalisation: Normalisation,
+    normalisation: Normalization,
     footprint: f32,
-    basis: Basis,
+    basis: CellularOutput,
     metric: Metric,
     jitter: f32,
 }
@@ -276,7 +276,7 @@ const FLOW: u32 = 4;
 impl Spec {
     fn new(numbers: &[f64]) -> Result<Self, String> {
         let word = |at| number(numbers, at) as u32;
-        let spectrum = Spectrum::new(float(numbers, 5), float(numbers, 6), Spectrum::MAX_OCTAVES)
+        let spectrum = FbmSpectrum::new(float(numbers, 5), float(numbers, 6), FbmSpectrum::MAX_OCTAVES)
             .map_err(|error| error.to_string())?;
         Ok(Self {
             dimension: word(0),
@@ -286,9 +286,10 @@ impl Spec {
             shape: AnyShape(word(4)),
             spectrum,
             octaves: float(numbers, 7),
-            normalisation: if word(8) == 0 { Normalisation::Range } else { Normalisation::Variance },
+            normalisation: if word(8) == 0 { Normalization::UnitRange } else { Normalization::UnitVariance },
             footprint: float(numbers, 9),
-            basis: [Basis::F1, Basis::F2, Basis::F2MinusF1, Basis::Cell][word(12).min(3) as usize],
+            basis: [CellularOutput::F1, CellularOutput::F2, CellularOutput::F2MinusF1, CellularOutput::Cell]
+                [word(12).min(3) as usize],
             metric: [Metric::Euclidean, Metric::Manhattan, Metric::Chebyshev][word(13).min(2) as usize],
             jitter: float(numbers, 14),
         })
@@ -296,19 +297,19 @@ impl Spec {
 
     fn noise(&self, seed: u32) -> Result<Kind, String> {
         Ok(match self.kind {
-            0 => Kind::White(White::new(seed)),
-            1 => Kind::Value(Value::new(seed)),
+            0 => Kind::White(WhiteNoise::new(seed)),
+            1 => Kind::Value(ValueNoise::new(seed)),
             2 => Kind::CatmullRom(ValueCatmullRom::new(seed)),
-            3 => Kind::Perlin1985(Perlin1985::new(seed)),
-            4 => Kind::Perlin2002(Perlin2002::new(seed)),
+            3 => Kind::PerlinClassic(PerlinClassic::new(seed)),
+            4 => Kind::Perlin(Perlin::new(seed)),
             5 => Kind::ValueGradient(ValueGradient::new(seed)),
             6 => Kind::Simplex(Simplex::new(seed)),
             7 => Kind::Simplex(Simplex::wide(seed)),
-            8 => Kind::Sparse(Sparse::new(seed)),
-            9 => Kind::Gaussian(Gaussian::new(seed)),
+            8 => Kind::Sparse(SparseConvolution::new(seed)),
+            9 => Kind::Gaussian(GaussianNoise::new(seed)),
             _ => Kind::Cellular(
                 Cellular::new(seed)
-                    .with_basis(self.basis)
+                    .with_output(self.basis)
                     .with_metric(self.metric)
                     .with_jitter(self.jitter)
                     .map_err(|error| error.to_string())?,
@@ -322,9 +323,9 @@ impl Spec {
     {
         let noise = self.noise(seed)?;
         let sum = if self.sum == 0 {
-            Octaves::single(noise)
+            Fbm::single(noise)
         } else {
-            Octaves::new(noise, self.spectrum).with_normalisation(self.normalisation).first(self.octaves)
+            Fbm::new(noise, self.spectrum).with_normalization(self.normalisation).first(self.octaves)
         };
         Ok(sum.with_shape(shape).clamped(self.footprint))
     }
@@ -335,7 +336,7 @@ impl Spec {
     }
 }
 
-type Sum<const N: usize> = Octaves<Kind, N, AnyShape>;
+type Sum<const N: usize> = Fbm<Kind, N, AnyShape>;
 
 macro_rules! uniform {
     ($spec:expr, $dimension:literal) => {{
@@ -398,7 +399,7 @@ pub(crate) fn noise_samples(numbers: &[f64], bulk: &[u32]) -> Result<Vec<u32>, S
     let spec = Spec::new(numbers)?;
     let points: Vec<f32> = bulk.iter().map(|&word| f32::from_bits(word)).collect();
     match (spec.noise(spec.seed)?, spec.dimension, spec.sum) {
-        (Kind::Perlin2002(_), 3, 0 | 1) => {
+        (Kind::Perlin(_), 3, 0 | 1) => {
             Ok(samples::<Vec3, 3>(spec.octaves(spec.seed, spec.shape())?, &points))
         }
         _ => Err("This noise is drawn here, but not told by the module.".to_string()),
@@ -438,9 +439,8 @@ mod tests {
     #[test]
     fn field_matches_the_crate() {
         let p = Vec3::new(0.3, -1.2, 4.5);
-        let spectrum = Spectrum::new(2.17, 0.5, 16).unwrap();
-        let sum =
-            Octaves::<_, 3>::new(Perlin2002::new(7), spectrum).with_shape(Billow).first(4.5).clamped(0.02);
+        let spectrum = FbmSpectrum::new(2.17, 0.5, 16).unwrap();
+        let sum = Fbm::<_, 3>::new(Perlin::new(7), spectrum).with_shape(Billow).first(4.5).clamped(0.02);
         let sample = noise_samples(&spec(3, 4, 1), &p.to_array().map(f32::to_bits)).unwrap();
         assert_eq!(sample[0], sum.sample(p).value.to_bits());
         assert_eq!(sample[1], sum.sample(p).gradient.x.to_bits());

@@ -6,7 +6,7 @@ use core::ptr;
 use core::sync::atomic::{AtomicPtr, Ordering};
 
 use asperity_fif::glam::{DVec2, DVec3};
-use asperity_fif::{Folded, HeightField, Intersect, Interval, Ray, Tabulated};
+use asperity_fif::{FoldedSurface, HeightField, Intersect, Interval, Ray, Tabulated};
 
 use crate::fractals::{function, knots, told, words};
 use crate::number;
@@ -36,7 +36,7 @@ fn put_back(built: Box<Built>) {
 /// diagonals, forward and backward, and slopes are the differences of neighbors. The factor is
 /// three quarters of the function's mean factor times the fraction of the narrowest cell, with
 /// which slopes always converge quickly.
-fn folded([x, y, factors]: [&[f64]; 3]) -> Result<Folded, String> {
+fn folded([x, y, factors]: [&[f64]; 3]) -> Result<FoldedSurface, String> {
     let last = x.len().saturating_sub(1);
     let at = |list: &[f64], k: usize| number(list, k);
     let height = |i: usize, j: usize| at(y, (i + j).min(2 * last - i - j));
@@ -52,7 +52,7 @@ fn folded([x, y, factors]: [&[f64]; 3]) -> Result<Folded, String> {
     let narrowest = x.windows(2).map(|ends| at(ends, 1) - at(ends, 0)).fold(f64::INFINITY, f64::min);
     let mean = factors.iter().sum::<f64>() / last as f64;
     let factor = 0.75 * mean * narrowest / (at(x, last) - at(x, 0));
-    Folded::new(x, x, factor, &heights, &slopes).map_err(told)
+    FoldedSurface::new(x, x, factor, &heights, &slopes).map_err(told)
 }
 
 /// Calls `answer` with a surface and the numbers after it. The encoding is 0 or 1 for the product

@@ -25,7 +25,7 @@ const SETS: [(&str, &[&str]); 5] = [
     ("asperity-ndf-sampling", &["std,alloc,simd", "libm,check,simd", "libm"]),
     ("asperity-fif", &["std,alloc,simd", "libm,alloc,simd", "libm"]),
     ("asperity-shading", &["std,alloc,simd", "libm,check", "libm"]),
-    ("asperity-shaders", &["std", "libm"]),
+    ("asperity-wgsl", &["std", "libm"]),
 ];
 
 /// The minimal features for linting a crate: one backend, and the `approx` and `serde` traits
@@ -107,7 +107,7 @@ fn clippy(root: &Path) -> Result<(), Failure> {
     CRATES.iter().flat_map(|name| LEAST.map(|features| (name, features))).try_for_each(
         |(name, features)| lint(&format!("--package {name} --no-default-features --features {features}")),
     )?;
-    lint("--package asperity-shaders --no-default-features --features libm")
+    lint("--package asperity-wgsl --no-default-features --features libm")
 }
 
 /// Lints the features of a crate one by one on either backend, and in pairs on one backend, so that

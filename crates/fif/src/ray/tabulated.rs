@@ -9,7 +9,7 @@ use crate::ray::intersect::Intersect;
 use crate::ray::ray::{Hit, Ray};
 use crate::ray::traversal::{Context, Square, Squares};
 use crate::surface::bounds::{Surface, SurfaceBounds};
-use crate::surface::self_affine::rough_folded::RoughFolded;
+use crate::surface::self_affine::rough_folded::RoughFoldedSurface;
 use crate::surface::self_affine::self_affine::{Fold, SelfAffine};
 
 /// A surface with bounds over a quadtree of its domain, for several times faster ray intersection.
@@ -18,9 +18,9 @@ use crate::surface::self_affine::self_affine::{Fold, SelfAffine};
 /// [`Tabulated::new`].
 ///
 /// ```
-/// use asperity_fif::{Intersect, Ray, Torus, glam::DVec3};
+/// use asperity_fif::{Intersect, Ray, PeriodicSurface, glam::DVec3};
 /// let z = [0.0, 1.0, -0.5, 0.25];
-/// let surface = Torus::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
+/// let surface = PeriodicSurface::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
 /// let ray = Ray { origin: DVec3::new(0.1, 0.2, 4.0), direction: DVec3::new(0.1, 0.15, -1.0) };
 /// let plain = surface.first_hit(&ray).unwrap();
 /// let fast = surface.tabulated().first_hit(&ray).unwrap();
@@ -92,9 +92,9 @@ impl<F: Fold> SelfAffine<F> {
     }
 }
 
-impl Intersect for RoughFolded {}
+impl Intersect for RoughFoldedSurface {}
 
-impl RoughFolded {
+impl RoughFoldedSurface {
     /// Adds a table of bounds, for faster hits.
     #[must_use]
     pub fn tabulated(self) -> Tabulated<Self> {
@@ -179,11 +179,11 @@ fn rounded(range: Interval) -> [f32; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Torus;
+    use crate::PeriodicSurface;
 
-    fn torus() -> Torus {
+    fn torus() -> PeriodicSurface {
         let z = [0.0, 1.0, -0.5, 0.25];
-        Torus::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4]).unwrap()
+        PeriodicSurface::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4]).unwrap()
     }
 
     #[test]

@@ -14,7 +14,7 @@ const SWEEPS: usize = 64;
 
 #[doc = include_str!("../../docs/recurrent-systems.md")]
 #[derive(Clone, Debug)]
-pub struct Recurrent<const C: usize> {
+pub struct RecurrentFif<const C: usize> {
     pub(crate) links: Vec<Link<C>>,
     range: Interval,
     /// Error of one polynomial, at any point of its source.
@@ -25,20 +25,20 @@ pub struct Recurrent<const C: usize> {
     pub(crate) means: Means,
 }
 
-impl Recurrent<2> {
+impl RecurrentFif<2> {
     /// Creates an affine interpolation with vertical scalings `alpha` and the source intervals
     /// `sources`.
     ///
     /// A source `[from, to]` goes from knot `from` to knot `to`, counted from 0.
     ///
     /// # Errors
-    /// See [`RecurrentError`].
+    /// See [`RecurrentFifError`].
     pub fn affine(
         x: &[f64],
         y: &[f64],
         alpha: &[f64],
         sources: &[[usize; 2]],
-    ) -> Result<Self, RecurrentError> {
+    ) -> Result<Self, RecurrentFifError> {
         let maps = check_sources(x, sources)?;
         check_data(maps, y, alpha)?;
         let lines = sources.iter().zip(alpha).zip(y.windows(2)).map(|((&[from, to], alpha), ends)| {
@@ -52,12 +52,12 @@ impl Recurrent<2> {
     }
 }
 
-impl<const C: usize> Recurrent<C> {
+impl<const C: usize> RecurrentFif<C> {
     /// Creates a recurrent system from knots, their ordinates, vertical scalings, polynomials and
     /// sources.
     ///
     /// # Errors
-    /// See [`RecurrentError`]; both ends of every map must match the ordinates within
+    /// See [`RecurrentFifError`]; both ends of every map must match the ordinates within
     /// [`JOIN_TOLERANCE`](crate::system::JOIN_TOLERANCE).
     pub fn new(
         x: &[f64],
@@ -65,7 +65,7 @@ impl<const C: usize> Recurrent<C> {
         alpha: &[f64],
         q: &[[f64; C]],
         sources: &[[usize; 2]],
-    ) -> Result<Self, RecurrentError> {
+    ) -> Result<Self, RecurrentFifError> {
         let maps = check_sources(x, sources)?;
         check_data(maps, y, alpha)?;
         check_length("q", maps, q.len())?;
@@ -76,7 +76,7 @@ impl<const C: usize> Recurrent<C> {
             let source = [value(x, from), value(x, to)];
             let (image, width) = (value(x, j + 1) - value(x, j), source[1] - source[0]);
             if image >= width {
-                return Err(RecurrentError::Expansion { map: j + 1, source: width, image });
+                return Err(RecurrentFifError::Expansion { map: j + 1, source: width, image });
             }
             let a = image / width;
             let (ends, values) = ([value(x, j), value(x, j + 1)], [value(y, j), value(y, j + 1)]);
@@ -137,12 +137,12 @@ impl<const C: usize> Recurrent<C> {
 }
 
 /// The number of maps.
-fn check_sources(x: &[f64], sources: &[[usize; 2]]) -> Result<usize, RecurrentError> {
+fn check_sources(x: &[f64], sources: &[[usize; 2]]) -> Result<usize, RecurrentFifError> {
     let maps = check_knots(x)?;
     check_length("sources", maps, sources.len())?;
     let wrong = sources.iter().enumerate().find(|(_, [from, to])| from >= to || *to > maps);
     match wrong {
-        Some((j, &[from, to])) => Err(RecurrentError::Source { map: j + 1, from, to, last: maps }),
+        Some((j, &[from, to])) => Err(RecurrentFifError::Source { map: j + 1, from, to, last: maps }),
         None => Ok(maps),
     }
 }
@@ -294,7 +294,7 @@ pub(crate) fn primitive<const C: usize>(c: &[f64; C], s: f64) -> f64 {
 error_enum! {
     /// Error for an invalid recurrent system. Maps are counted from 1, as in the literature, knots
     /// from 0.
-    pub enum RecurrentError from SystemError {
+    pub enum RecurrentFifError from SystemError {
         /// A source does not go from a knot to a later knot; `last` is the last knot.
         Source { map: usize, from: usize, to: usize, last: usize } =>
             "`sources` of map {map} must increase within 0 to {last}, got {from} to {to}";
@@ -313,7 +313,10 @@ mod tests {
         // x³ over [0, 10²⁰⁰] has coefficients of ∞ and of 0 · ∞; the second polynomial is finite.
         let (x, cubic) = ([0.0, 1e200, 2e200], [0.0, 0.0, 0.0, 1.0]);
         let error =
-            Recurrent::new(&x, &[0.0; 3], &[0.1; 2], &[cubic, [0.0; 4]], &[[0, 2], [0, 2]]).unwrap_err();
-        assert!(matches!(error, RecurrentError::System { error: SystemError::Unbounded { .. } }), "{error}");
+            RecurrentFif::new(&x, &[0.0; 3], &[0.1; 2], &[cubic, [0.0; 4]], &[[0, 2], [0, 2]]).unwrap_err();
+        assert!(
+            matches!(error, RecurrentFifError::System { error: SystemError::Unbounded { .. } }),
+            "{error}"
+        );
     }
 }

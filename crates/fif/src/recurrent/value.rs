@@ -3,12 +3,12 @@
 use crate::evaluate::value::MAX_DEPTH;
 use crate::numeric::estimate::Bounded;
 use crate::numeric::polynomial::{UNIT, horner};
-use crate::recurrent::recurrent::{Link, Means, Recurrent, primitive};
+use crate::recurrent::recurrent::{Link, Means, RecurrentFif, primitive};
 
 /// Maximum number of maps that one integral composes.
 const DEPTH: usize = 1024;
 
-impl<const C: usize> Recurrent<C> {
+impl<const C: usize> RecurrentFif<C> {
     /// `f(x)` with an error bound, which is at most `tolerance` if `f64` permits.
     ///
     /// Like [`System::evaluate`](crate::System::evaluate), where the inverse of each map ends in

@@ -59,15 +59,16 @@ pub fn microfacet<N: Microfacet + ?Sized>(density: &N, settings: Settings) -> Re
         let place = || format!("seen from {v}");
         let samples = Density::new(settings, 2 * stream, |u: Vec2| density.sample_visible(v, u));
         let integrals = samples.cells.integrate_all(|m| {
-            let facing = f64::from(density.density(m)) * f64::from(v.dot(m).max(0.0));
-            [facing, f64::from(density.visible_density(v, m))]
+            let flip_to_visible = f64::from(density.density(m)) * f64::from(v.dot(m).max(0.0));
+            [flip_to_visible, f64::from(density.visible_pdf(v, m))]
         });
-        let facing: f64 = integrals.iter().map(|[facing, _]| facing).sum();
+        let flip_to_visible: f64 = integrals.iter().map(|[flip_to_visible, _]| flip_to_visible).sum();
         let masses: Vec<f64> = integrals.iter().map(|[_, visible]| *visible).collect();
         let (sigma, up) = (f64::from(density.projected_area(v)), f64::from(v.z));
-        area.note((sigma / facing - 1.0).abs(), place);
-        let seen = f64::from(density.g1(v)) * facing / up - 1.0;
-        masking.note(if facing >= up * (1.0 - INTEGRAL) { seen.abs() } else { seen.max(0.0) }, place);
+        area.note((sigma / flip_to_visible - 1.0).abs(), place);
+        let seen = f64::from(density.g1(v)) * flip_to_visible / up - 1.0;
+        masking
+            .note(if flip_to_visible >= up * (1.0 - INTEGRAL) { seen.abs() } else { seen.max(0.0) }, place);
         norm.note((masses.iter().sum::<f64>() - 1.0).abs(), place);
         let p = samples.p_value(&masses, 2 * stream + 1, |u| density.sample_visible(v, u));
         if p < least.0 || p.is_nan() {
@@ -120,7 +121,7 @@ fn add_totality<N: Microfacet + ?Sized>(report: &mut Report, density: &N) {
         let m = density.sample_visible(v, u);
         broken.unless(is_facet(m), || format!("sample_visible({v}, {u}) = {m}"));
         let (lambda, sigma, visible) =
-            (density.lambda(v), density.projected_area(v), density.visible_density(v, v));
+            (density.lambda(v), density.projected_area(v), density.visible_pdf(v, v));
         broken.unless(lambda >= 0.0 && (v.z > 0.0 || lambda == f32::INFINITY), || {
             format!("lambda({v}) = {lambda}")
         });

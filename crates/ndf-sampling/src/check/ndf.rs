@@ -32,7 +32,7 @@ const PLACES: usize = 4096;
 /// ```
 ///
 /// - The integral is 1 within 1e-3.
-/// - `sample` and `from_gaussian` draw from `D`, by χ² over 256 cells, each at half of the
+/// - `sample` and `warp_gaussian` draw from `D`, by χ² over 256 cells, each at half of the
 ///   significance of the settings.
 /// - `D` is consistent with the derivative of `T`, by finite differences: within 0.2 % at nine of
 ///   ten normals, which permits kinks.
@@ -48,8 +48,8 @@ const PLACES: usize = 4096;
 /// struct Bright(asperity_ndf_sampling::Beckmann);
 /// impl Ndf for Bright {
 ///     fn density(&self, m: Vec3) -> f32 { (1.01 * self.0.density(m)).min(f32::MAX) }
-///     fn from_gaussian(&self, z: Vec2) -> Vec3 { self.0.from_gaussian(z) }
-///     fn to_gaussian(&self, m: Vec3) -> Vec2 { self.0.to_gaussian(m) }
+///     fn warp_gaussian(&self, z: Vec2) -> Vec3 { self.0.warp_gaussian(z) }
+///     fn invert(&self, m: Vec3) -> Vec2 { self.0.invert(m) }
 /// }
 ///
 /// let bright = Bright(asperity_ndf_sampling::Beckmann::new(0.2, 0.4)?);
@@ -72,7 +72,7 @@ pub(super) fn shared<N: Ndf + ?Sized>(ndf: &N, settings: Settings, significance:
     let limit = Limit::AtLeast(significance);
     let p = density.p_value(&masses, 1, |u| ndf.sample(u));
     report.add("samples", "p of χ²", p, limit, "");
-    let p = density.p_value(&masses, 2, |u| ndf.from_gaussian(gaussian(u)));
+    let p = density.p_value(&masses, 2, |u| ndf.warp_gaussian(gaussian(u)));
     report.add("map from Gaussian coordinates", "p of χ²", p, limit, "");
     add_jacobian(&mut report, ndf, settings.points(3));
     add_inverses(&mut report, ndf, settings.points(4));
@@ -116,12 +116,12 @@ fn add_jacobian<N: Ndf + ?Sized>(report: &mut Report, ndf: &N, points: impl Iter
         .map(|u| {
             let z = Vec2::from(gaussian(u).to_array().map(|x| ((x * 65_536.0) as i32) as f32 / 65_536.0));
             let along = |step: Vec2| {
-                let moved = ndf.from_gaussian(z + step) - ndf.from_gaussian(z - step);
+                let moved = ndf.warp_gaussian(z + step) - ndf.warp_gaussian(z - step);
                 [moved.x, moved.y].map(|x| f64::from(x) / f64::from(2.0 * H))
             };
             let ([a, b], [c, d]) = (along(H * Vec2::X), along(H * Vec2::Y));
             let area = (a * d - b * c).abs();
-            let density = f64::from(ndf.density(ndf.from_gaussian(z)));
+            let density = f64::from(ndf.density(ndf.warp_gaussian(z)));
             let phi = math::exp_f64(-0.5 * f64::from(z.length_squared())) / core::f64::consts::TAU;
             ((density * area / phi - 1.0).abs(), z)
         })
@@ -141,23 +141,23 @@ fn add_inverses<N: Ndf + ?Sized>(report: &mut Report, ndf: &N, points: impl Iter
     for u in points.take(PLACES) {
         // Uniform over the square, which includes the tails.
         let z = (u - 0.5) * (8.0 * core::f32::consts::FRAC_1_SQRT_2);
-        let m = ndf.from_gaussian(z);
-        let again = ndf.to_gaussian(m);
+        let m = ndf.warp_gaussian(z);
+        let again = ndf.invert(m);
         // The effect of a unit in the last place of each component.
         let nudged = |k: usize| {
             let mut near = m.to_array();
             near[k] *= 1.0 + f32::EPSILON;
-            (ndf.to_gaussian(near.into()) - again).length()
+            (ndf.invert(near.into()) - again).length()
         };
         let rounding = nudged(0) + nudged(1) + nudged(2);
         there.note(f64::from((again - z).length() - 4.0 * rounding), || format!("at z = {z}"));
 
         let m = ndf.sample(u);
-        let z = ndf.to_gaussian(m);
-        let again = ndf.from_gaussian(z);
+        let z = ndf.invert(m);
+        let again = ndf.warp_gaussian(z);
         // The effect of a thousandth of a standard deviation, to either side.
         let from_there = |n: Vec3| (n - again).truncate().length();
-        let moved = |step: Vec2| from_there(ndf.from_gaussian(z + step));
+        let moved = |step: Vec2| from_there(ndf.warp_gaussian(z + step));
         let width: f32 = [Vec2::X, Vec2::Y, -Vec2::X, -Vec2::Y].map(|axis| moved(1e-3 * axis)).iter().sum();
         let off = from_there(m) - 4.0 * f32::EPSILON * m.truncate().length();
         back.note(if off <= 0.0 { 0.0 } else { f64::from(1e-3 * off / width) }, || format!("at m = {m}"));
@@ -218,12 +218,12 @@ impl Broken {
 fn add_totality<N: Ndf + ?Sized>(report: &mut Report, ndf: &N) {
     let mut broken = Broken::default();
     for z in ODD.into_iter().flat_map(|x| ODD.map(|y| Vec2::new(x, y))) {
-        let (from, sample, slopes) = (ndf.from_gaussian(z), ndf.sample(z), ndf.slope_density(z));
+        let (from, sample, slopes) = (ndf.warp_gaussian(z), ndf.sample(z), ndf.slope_density(z));
         broken.unless(is_facet(from), || format!("from_gaussian({z}) = {from}"));
         broken.unless(is_facet(sample), || format!("sample({z}) = {sample}"));
         broken.unless(slopes >= 0.0, || format!("slope_density({z}) = {slopes}"));
         for m in ODD.map(|up| z.extend(up)) {
-            let (density, back) = (ndf.density(m), ndf.to_gaussian(m));
+            let (density, back) = (ndf.density(m), ndf.invert(m));
             let kept = (0.0..=f32::MAX).contains(&density) && (m.z > 0.0 || density == 0.0);
             broken.unless(kept, || format!("density({m}) = {density}"));
             broken.unless(back.is_finite(), || format!("to_gaussian({m}) = {back}"));

@@ -160,11 +160,11 @@ impl Ndf for AshikhminShirley {
     }
 
     #[inline]
-    fn from_gaussian(&self, z: Vec2) -> Vec3 {
+    fn warp_gaussian(&self, z: Vec2) -> Vec3 {
         self.tilted(bounded(z))
     }
 
-    fn to_gaussian(&self, m: Vec3) -> Vec2 {
+    fn invert(&self, m: Vec3) -> Vec2 {
         let up = f64::from(m.z.max(f32::MIN_POSITIVE));
         let (x, y) = (f64::from(m.x) / up, f64::from(m.y) / up);
         let s2 = x * x + y * y;
@@ -251,9 +251,9 @@ mod tests {
                 let (got, expected) = (equal.projected_area(v), phong.projected_area(v));
                 assert_abs_diff_eq!(got / expected, 1.0, epsilon = 1e-6, "{n} {k}");
                 let z = Vec2::new(k as f32 / 15.0, 1.0 - k as f32 / 20.0);
-                let m = phong.from_gaussian(z);
-                assert_abs_diff_eq!(equal.from_gaussian(z), m, epsilon = 1e-6);
-                assert_abs_diff_eq!(equal.to_gaussian(m), z, epsilon = 5e-6);
+                let m = phong.warp_gaussian(z);
+                assert_abs_diff_eq!(equal.warp_gaussian(z), m, epsilon = 1e-6);
+                assert_abs_diff_eq!(equal.invert(m), z, epsilon = 5e-6);
             }
         }
         assert!(worst < 1e-5, "{worst:e}");

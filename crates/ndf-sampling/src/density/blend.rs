@@ -109,9 +109,9 @@ impl<A: Microfacet, B: Microfacet> Blend<A, B> {
         self.choose(share, u, |a, u| a.sample_visible(v, u), |b, u| b.sample_visible(v, u))
     }
 
-    /// The density of visible normals, see [`Microfacet::visible_density`].
+    /// The density of visible normals, see [`Microfacet::visible_pdf`].
     #[must_use]
-    pub fn visible_density(&self, v: Vec3, m: Vec3) -> f32 {
+    pub fn visible_pdf(&self, v: Vec3, m: Vec3) -> f32 {
         let v = above(v);
         let density = self.density(m) * v.dot(m).max(0.0) / self.projected_area(v);
         if density >= 0.0 { density.min(f32::MAX) } else { 0.0 }

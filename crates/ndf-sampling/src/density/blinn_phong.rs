@@ -125,8 +125,8 @@ mod tests {
     fn exponent_zero_is_diffuse_and_ggx_of_roughness_one() {
         let (diffuse, ggx) = (BlinnPhong::new(0.0).unwrap(), Ggx::isotropic(1.0).unwrap());
         for z in [Vec2::new(0.7, -1.2), Vec2::ZERO, Vec2::new(-3.0, 0.1)] {
-            let m = diffuse.from_gaussian(z);
-            assert_abs_diff_eq!(m, ggx.from_gaussian(z), epsilon = 1e-6, "{m}");
+            let m = diffuse.warp_gaussian(z);
+            assert_abs_diff_eq!(m, ggx.warp_gaussian(z), epsilon = 1e-6, "{m}");
             assert_abs_diff_eq!(diffuse.density(m) * core::f32::consts::PI, 1.0, epsilon = 1e-6);
         }
         assert_eq!(diffuse.density(Vec3::NEG_Z), 0.0);

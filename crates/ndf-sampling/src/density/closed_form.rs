@@ -38,12 +38,12 @@ macro_rules! closed_form {
             }
 
             #[inline]
-            fn from_gaussian(&self, z: glam::Vec2) -> glam::Vec3 {
+            fn warp_gaussian(&self, z: glam::Vec2) -> glam::Vec3 {
                 self.normal(asperity_core::lanes::Scalar, z.to_array()).into()
             }
 
             #[inline]
-            fn to_gaussian(&self, m: glam::Vec3) -> glam::Vec2 {
+            fn invert(&self, m: glam::Vec3) -> glam::Vec2 {
                 self.gaussian(asperity_core::lanes::Scalar, m.to_array()).into()
             }
 
@@ -53,7 +53,7 @@ macro_rules! closed_form {
             }
 
             #[inline]
-            fn conditional_density(&self, h: glam::Vec3, split: crate::coordinates::GaussianSplit) -> f32 {
+            fn residual_ndf(&self, h: glam::Vec3, split: crate::coordinates::GaussianSplit) -> f32 {
                 let [density] = self.conditional(asperity_core::lanes::Scalar, split, h.to_array());
                 density
             }

@@ -54,7 +54,7 @@ pub struct IsotropicIn<S> {
 ///
 /// let table = Isotropic::new(&[0.0, 0.5, 2.0])?;
 /// let z = Vec2::new(0.7, -1.2);
-/// assert!(table.to_gaussian(table.from_gaussian(z)).abs_diff_eq(z, 1e-5));
+/// assert!(table.invert(table.warp_gaussian(z)).abs_diff_eq(z, 1e-5));
 /// # Ok::<(), asperity_ndf_sampling::IsotropicError>(())
 /// ```
 #[cfg(feature = "alloc")]
@@ -97,7 +97,7 @@ impl IsotropicIn<Vec<Node>> {
 /// let mut storage = [0.0; 3 * 3];
 /// let table = IsotropicRef::pack(&[0.0, 0.5, 2.0], &mut storage)?;
 /// let z = Vec2::new(0.7, -1.2);
-/// assert!(table.to_gaussian(table.from_gaussian(z)).abs_diff_eq(z, 1e-5));
+/// assert!(table.invert(table.warp_gaussian(z)).abs_diff_eq(z, 1e-5));
 /// # Ok::<(), asperity_ndf_sampling::IsotropicError>(())
 /// ```
 pub type IsotropicRef<'a> = IsotropicIn<&'a [Node]>;
@@ -217,7 +217,7 @@ impl<S: Deref<Target = [Node]>> Ndf for IsotropicIn<S> {
     }
 
     #[inline]
-    fn from_gaussian(&self, z: Vec2) -> Vec3 {
+    fn warp_gaussian(&self, z: Vec2) -> Vec3 {
         let z = bounded(z);
         let (x, y) = (f64::from(z.x), f64::from(z.y));
         let exponent = 0.5 * (x * x + y * y);
@@ -244,7 +244,7 @@ impl<S: Deref<Target = [Node]>> Ndf for IsotropicIn<S> {
     }
 
     #[inline]
-    fn to_gaussian(&self, m: Vec3) -> Vec2 {
+    fn invert(&self, m: Vec3) -> Vec2 {
         untilted(m, |slope| self.exponent(slope).unwrap_or(0.0))
     }
 }
@@ -319,12 +319,12 @@ mod tests {
         let (table, diffuse) = (Isotropic::new(&[3.0; 5]).unwrap(), crate::BlinnPhong::new(0.0).unwrap());
         for k in 0..=240 {
             let z = Vec2::new(0.6, -0.8) * (k as f32 * 0.05);
-            let m = diffuse.from_gaussian(z);
-            assert_abs_diff_eq!(table.from_gaussian(z), m, epsilon = 1e-6, "T({z})");
-            assert_abs_diff_eq!(table.to_gaussian(m), z, epsilon = 2e-5, "T⁻¹({m})");
+            let m = diffuse.warp_gaussian(z);
+            assert_abs_diff_eq!(table.warp_gaussian(z), m, epsilon = 1e-6, "T({z})");
+            assert_abs_diff_eq!(table.invert(m), z, epsilon = 2e-5, "T⁻¹({m})");
             assert_abs_diff_eq!(table.density(m) * core::f32::consts::PI, 1.0, epsilon = 1e-6, "{z}");
         }
-        let m = table.from_gaussian(Vec2::new(1e-5, 0.0));
+        let m = table.warp_gaussian(Vec2::new(1e-5, 0.0));
         assert_abs_diff_eq!(m.x / (1e-5 * 0.5_f32.sqrt()), 1.0, epsilon = 1e-5);
     }
 
@@ -337,10 +337,10 @@ mod tests {
             let mut last = 1.0;
             for k in 0..=150 {
                 let z = Vec2::new(0.6, -0.8) * (k as f32 * 0.03 + 1e-3);
-                let m = table.from_gaussian(z);
+                let m = table.warp_gaussian(z);
                 assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-6, "{z}");
                 assert!(m.z <= last, "{z}: {m}");
-                assert_abs_diff_eq!(table.to_gaussian(m), z, epsilon = 2e-4, "T⁻¹({m})");
+                assert_abs_diff_eq!(table.invert(m), z, epsilon = 2e-4, "T⁻¹({m})");
                 last = m.z;
             }
         }

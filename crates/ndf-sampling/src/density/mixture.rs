@@ -29,7 +29,7 @@ use crate::range_error::RangeError;
 /// // A glossy lobe on a third of the surface, a diffuse one on the rest.
 /// let mixture = Mixture::new(Ggx::isotropic(0.1)?, BlinnPhong::new(0.0)?, 1.0 / 3.0)?;
 /// let z = Vec2::new(0.7, -1.2);
-/// assert!(mixture.to_gaussian(mixture.from_gaussian(z)).abs_diff_eq(z, 1e-5));
+/// assert!(mixture.invert(mixture.warp_gaussian(z)).abs_diff_eq(z, 1e-5));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 ///
@@ -124,7 +124,7 @@ const MOST_STEPS: u32 = 100;
 
 /// The slope of the normal that `ndf` returns at `ρ`.
 fn own_slope(ndf: &impl Ndf, rho: f32) -> f64 {
-    let m = ndf.from_gaussian(Vec2::new(rho, 0.0));
+    let m = ndf.warp_gaussian(Vec2::new(rho, 0.0));
     f64::from(m.x.abs()) / f64::from(m.z.max(f32::MIN_POSITIVE))
 }
 
@@ -150,7 +150,7 @@ pub(crate) fn untilted(m: Vec3, exponent: impl Fn(f64) -> f64) -> Vec2 {
 impl<A: Radial, B: Radial> Ndf for Mixture<A, B> {
     forward! { |mixture| mixture.blend; density(m: Vec3) -> f32; sample(u: Vec2) -> Vec3; }
 
-    fn from_gaussian(&self, z: Vec2) -> Vec3 {
+    fn warp_gaussian(&self, z: Vec2) -> Vec3 {
         let z = bounded(z);
         let (x, y) = (f64::from(z.x), f64::from(z.y));
         let exponent = 0.5 * (x * x + y * y);
@@ -164,7 +164,7 @@ impl<A: Radial, B: Radial> Ndf for Mixture<A, B> {
         tilted(z, slope)
     }
 
-    fn to_gaussian(&self, m: Vec3) -> Vec2 {
+    fn invert(&self, m: Vec3) -> Vec2 {
         untilted(m, |slope| self.sum(slope))
     }
 }
@@ -206,9 +206,9 @@ mod tests {
         for weight in [0.0, 0.3, 1.0] {
             let mixture = Mixture::new(ggx, ggx, weight).unwrap();
             for z in [Vec2::new(0.7, -1.2), Vec2::ZERO, Vec2::new(-9.0, 9.0), Vec2::new(1e-6, 1e-7)] {
-                let m = ggx.from_gaussian(z);
-                assert_abs_diff_eq!(mixture.from_gaussian(z), m, epsilon = 1e-6, "{weight} {z}");
-                assert_abs_diff_eq!(mixture.to_gaussian(m), z, epsilon = 4e-6, "{weight} {z}");
+                let m = ggx.warp_gaussian(z);
+                assert_abs_diff_eq!(mixture.warp_gaussian(z), m, epsilon = 1e-6, "{weight} {z}");
+                assert_abs_diff_eq!(mixture.invert(m), z, epsilon = 4e-6, "{weight} {z}");
             }
         }
     }
@@ -221,11 +221,11 @@ mod tests {
         for k in 1..=240 {
             let z = Vec2::new(0.6, -0.8) * (k as f32 * 0.05);
             for ndf in [&mixture as &dyn Ndf, &nested] {
-                let back = ndf.to_gaussian(ndf.from_gaussian(z));
+                let back = ndf.invert(ndf.warp_gaussian(z));
                 assert_abs_diff_eq!(back, z, epsilon = 2e-5, "{z}");
             }
-            let (m, z1) = (mixture.from_gaussian(z).z, narrow.from_gaussian(z).z);
-            assert!(m <= z1 + 1e-6 && m >= wide.from_gaussian(z).z - 1e-6, "{z}");
+            let (m, z1) = (mixture.warp_gaussian(z).z, narrow.warp_gaussian(z).z);
+            assert!(m <= z1 + 1e-6 && m >= wide.warp_gaussian(z).z - 1e-6, "{z}");
         }
     }
 }

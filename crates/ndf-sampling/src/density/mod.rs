@@ -51,7 +51,7 @@ mod tests {
     #[test]
     fn to_gaussian_of_the_zenith_is_zero() {
         for ndf in [&Ggx::new(0.2, 0.4).unwrap() as &dyn Ndf, &Beckmann::new(0.2, 0.4).unwrap()] {
-            assert_eq!((ndf.from_gaussian(Vec2::ZERO), ndf.to_gaussian(Vec3::Z)), (Vec3::Z, Vec2::ZERO));
+            assert_eq!((ndf.warp_gaussian(Vec2::ZERO), ndf.invert(Vec3::Z)), (Vec3::Z, Vec2::ZERO));
         }
     }
 

@@ -67,15 +67,15 @@ impl<N: Ndf> Ndf for Rotated<N> {
     }
 
     #[inline]
-    fn from_gaussian(&self, z: Vec2) -> Vec3 {
+    fn warp_gaussian(&self, z: Vec2) -> Vec3 {
         // Clamped before, because ∞ − ∞ is NaN.
         let z = crate::coordinates::bounded(z);
-        self.turn3(self.ndf.from_gaussian(self.back(z.x, z.y)))
+        self.turn3(self.ndf.warp_gaussian(self.back(z.x, z.y)))
     }
 
     #[inline]
-    fn to_gaussian(&self, m: Vec3) -> Vec2 {
-        let z = self.ndf.to_gaussian(self.back3(m));
+    fn invert(&self, m: Vec3) -> Vec2 {
+        let z = self.ndf.invert(self.back3(m));
         self.turn(z.x, z.y)
     }
 

@@ -138,11 +138,11 @@ impl Ndf for StudentT {
     }
 
     #[inline]
-    fn from_gaussian(&self, z: Vec2) -> Vec3 {
+    fn warp_gaussian(&self, z: Vec2) -> Vec3 {
         self.tilted(bounded(z))
     }
 
-    fn to_gaussian(&self, m: Vec3) -> Vec2 {
+    fn invert(&self, m: Vec3) -> Vec2 {
         let up = m.z.max(f32::MIN_POSITIVE);
         let q = Vec2::new(m.x / self.alpha.x / up, m.y / self.alpha.y / up);
         let (x, y) = (f64::from(q.x), f64::from(q.y));
@@ -229,9 +229,9 @@ mod tests {
         for (gamma, other) in [(2.0, &ggx as &dyn Microfacet), (1e10, &beckmann)] {
             let student = StudentT::new(0.2, 0.4, gamma).unwrap();
             for z in [Vec2::new(0.7, -1.2), Vec2::ZERO, Vec2::new(-3.0, 0.1)] {
-                let (m, v) = (other.from_gaussian(z), Vec3::new(z.y, z.x, 0.8).normalize());
-                assert_abs_diff_eq!(student.from_gaussian(z), m, epsilon = 1e-6);
-                assert_abs_diff_eq!(student.to_gaussian(m), z, epsilon = 4e-6);
+                let (m, v) = (other.warp_gaussian(z), Vec3::new(z.y, z.x, 0.8).normalize());
+                assert_abs_diff_eq!(student.warp_gaussian(z), m, epsilon = 1e-6);
+                assert_abs_diff_eq!(student.invert(m), z, epsilon = 4e-6);
                 assert_abs_diff_eq!(
                     student.density(m) / other.density(m),
                     1.0,

@@ -6,7 +6,7 @@ use crate::coordinates::GaussianSplit;
 use crate::level_of_detail::table::ConditionalTable;
 use crate::ndf::Ndf;
 use crate::normal_table::chart::Chart;
-use crate::normal_table::error::NormalTableError;
+use crate::normal_table::error::NormalLutError;
 use crate::numeric::normal_distribution::inverse_phi;
 use asperity_core::math;
 
@@ -42,12 +42,12 @@ impl ConditionalTable {
     ///
     /// # Errors
     /// A `size` of 0 or above 4096.
-    pub fn new<N: Ndf + ?Sized>(ndf: &N, size: usize) -> Result<Self, NormalTableError> {
-        NormalTableError::check(size, None)?;
+    pub fn new<N: Ndf + ?Sized>(ndf: &N, size: usize) -> Result<Self, NormalLutError> {
+        NormalLutError::check(size, None)?;
         let stretch = deviation(ndf);
         let entry = |column: usize, row: usize| {
             let at = |x: f64, y: f64| entry_half_vector([column as f64 + x, row as f64 + y], size, stretch);
-            let z = ndf.to_gaussian(at(0.5, 0.5));
+            let z = ndf.invert(at(0.5, 0.5));
             let mut sum = 0.0;
             for (k, l) in (0..POINTS).flat_map(|k| (0..POINTS).map(move |l| (k, l))) {
                 let place = |k: usize| (k as f64 + 0.5) / POINTS as f64;
@@ -67,12 +67,12 @@ impl ConditionalTable {
         let quantile = |k: usize| inverse_phi((k as f64 + 0.5) / QUANTILES as f64) as f32;
         let (mut ratios, mut squares, mut weight) = (0.0, 0.0, 0.0);
         for (k, l) in (0..QUANTILES).flat_map(|k| (0..QUANTILES).map(move |l| (k, l))) {
-            let h = ndf.from_gaussian(Vec2::new(quantile(k), quantile(l)));
+            let h = ndf.warp_gaussian(Vec2::new(quantile(k), quantile(l)));
             let exact = f64::from(ndf.density(h));
             // Rounding of a normal at a border may leave the support of the NDF.
             if exact > 0.0 {
                 let got = f64::from(self.density(h, GaussianSplit::new(Vec2::ZERO, 0.0)));
-                let z = self.to_gaussian(h) - ndf.to_gaussian(h);
+                let z = self.invert(h) - ndf.invert(h);
                 ratios += 0.5 * (got / exact - 1.0).abs();
                 squares += f64::from(z.x * z.x + z.y * z.y);
                 weight += 1.0;
@@ -90,7 +90,7 @@ impl ConditionalTable {
 ///
 /// At most 1, where the map needs no stretching.
 fn deviation<N: Ndf + ?Sized>(ndf: &N) -> Vec2 {
-    let slope = |z: Vec2| Chart::Slopes.to_point(ndf.from_gaussian(z));
+    let slope = |z: Vec2| Chart::Slopes.to_point(ndf.warp_gaussian(z));
     let x = slope(Vec2::new(MEDIAN, 0.0)).x - slope(Vec2::new(-MEDIAN, 0.0)).x;
     let y = slope(Vec2::new(0.0, MEDIAN)).y - slope(Vec2::new(0.0, -MEDIAN)).y;
     let bounded = |c: f32| (0.5 * c.abs()).clamp(LEAST_STRETCH, 1.0);

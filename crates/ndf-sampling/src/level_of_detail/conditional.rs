@@ -33,13 +33,13 @@ use crate::ndf::Ndf;
 ///   contributes `|√s z − z_b|/(1 − s)` times the error of `T⁻¹(h)`.
 ///
 /// ```
-/// use asperity_ndf_sampling::{Ggx, Ndf, conditional_density, glam::{Vec2, Vec3}};
+/// use asperity_ndf_sampling::{Ggx, Ndf, residual_ndf, glam::{Vec2, Vec3}};
 ///
 /// let ggx = Ggx::new(0.2, 0.4)?;
 /// let (h, z_b) = (Vec3::new(0.1, -0.2, 0.97).normalize(), Vec2::new(0.5, 1.5));
-/// assert_eq!(conditional_density(&ggx, h, z_b, 0.0), ggx.density(h));
-/// let facet = ggx.from_gaussian(z_b);
-/// assert!(conditional_density(&ggx, facet, z_b, 0.9) > 5.0 * ggx.density(facet));
+/// assert_eq!(residual_ndf(&ggx, h, z_b, 0.0), ggx.density(h));
+/// let facet = ggx.warp_gaussian(z_b);
+/// assert!(residual_ndf(&ggx, facet, z_b, 0.9) > 5.0 * ggx.density(facet));
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
@@ -51,8 +51,8 @@ use crate::ndf::Ndf;
 #[doc(alias = "lean")]
 #[doc(alias = "filtering")]
 #[doc(alias = "antialiasing")]
-pub fn conditional_density<N: Ndf + ?Sized>(ndf: &N, h: Vec3, z_b: Vec2, s: f32) -> f32 {
-    ndf.conditional_density(h, GaussianSplit::new(z_b, s))
+pub fn residual_ndf<N: Ndf + ?Sized>(ndf: &N, h: Vec3, z_b: Vec2, s: f32) -> f32 {
+    ndf.residual_ndf(h, GaussianSplit::new(z_b, s))
 }
 
 #[cfg(test)]
@@ -65,8 +65,8 @@ mod tests {
         let ggx = Ggx::new(0.2, 0.4).unwrap();
         let h = Vec3::new(0.3, -0.2, 0.9).normalize();
         for z_b in [Vec2::ZERO, Vec2::new(1.3, -0.7), Vec2::new(1e9, f32::NAN)] {
-            assert_eq!(conditional_density(&ggx, h, z_b, 0.0).to_bits(), ggx.density(h).to_bits());
-            assert_eq!(conditional_density(&ggx, h, z_b, f32::NAN).to_bits(), ggx.density(h).to_bits());
+            assert_eq!(residual_ndf(&ggx, h, z_b, 0.0).to_bits(), ggx.density(h).to_bits());
+            assert_eq!(residual_ndf(&ggx, h, z_b, f32::NAN).to_bits(), ggx.density(h).to_bits());
         }
     }
 
@@ -103,9 +103,9 @@ mod tests {
             let z_b = 3.0 * Vec2::new(2.0 * turn(0.819_172_5) - 1.0, 2.0 * turn(0.671_043_6) - 1.0);
             let s = [0.1, 0.5, 0.75, 0.97][usize::from(k % 4)];
             for (ndf, ggx) in ndfs {
-                let h = ndf.from_gaussian(z);
+                let h = ndf.warp_gaussian(z);
                 let [expected, bound] = reference([0.2_f32, 0.4].map(f64::from), ggx, h, z_b, s);
-                let got = f64::from(conditional_density(ndf, h, z_b, s));
+                let got = f64::from(residual_ndf(ndf, h, z_b, s));
                 // Smaller densities are irrelevant to any sum of lights, and are subnormal.
                 if expected > 1e-20 && bound < 0.01 {
                     assert!(

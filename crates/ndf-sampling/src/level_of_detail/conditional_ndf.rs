@@ -14,13 +14,13 @@ use crate::ndf::Ndf;
 /// ```
 ///
 /// Here `T` and `D` are those of any [`Ndf`]. See
-/// [`conditional_density`](crate::conditional_density) for the formula and its limits.
-/// [`Ndf::sample`] draws the remaining facets, with the density [`Ndf::sample_density`]. A
+/// [`residual_ndf`](crate::conditional_density) for the formula and its limits.
+/// [`Ndf::sample`] draws the remaining facets, with the density [`Ndf::pdf`]. A
 /// `ConditionalNdf` of a `ConditionalNdf` resolves more of the remainder.
 ///
 /// - **Mean over the surface:** for standard Gaussian `z_b` the mean of `D` is the original
 ///   density, for every `s`.
-/// - **Domain:** as for [`conditional_density`](crate::conditional_density) and [`Ndf`]. `T_s` at
+/// - **Domain:** as for [`residual_ndf`](crate::conditional_density) and [`Ndf`]. `T_s` at
 ///   `s → 1` is `T(z_b)` except for 10⁻³ ξ.
 /// - **Accuracy:** `T_s⁻¹(T_s(ξ)) = ξ` within the accuracy of `T⁻¹ ∘ T` over `√(1 − s)`.
 ///
@@ -30,11 +30,11 @@ use crate::ndf::Ndf;
 /// let ggx = Ggx::new(0.2, 0.4)?;
 /// let seen = ConditionalNdf::new(ggx, Vec2::new(0.5, 1.5), 0.75);
 /// let facet = seen.sample(Vec2::new(0.3, 0.8));
-/// assert!(seen.density(facet) > 1.2 * ggx.density(facet) && seen.sample_density(facet) > 0.0);
+/// assert!(seen.density(facet) > 1.2 * ggx.density(facet) && seen.pdf(facet) > 0.0);
 /// // With nothing resolved it is the far field, exactly.
 /// let far = ConditionalNdf::new(ggx, Vec2::new(0.5, 1.5), 0.0);
 /// assert_eq!(far.density(facet), ggx.density(facet));
-/// assert_eq!(far.from_gaussian(Vec2::ONE), ggx.from_gaussian(Vec2::ONE));
+/// assert_eq!(far.warp_gaussian(Vec2::ONE), ggx.warp_gaussian(Vec2::ONE));
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,17 +66,17 @@ impl<N: Ndf> ConditionalNdf<N> {
 impl<N: Ndf> Ndf for ConditionalNdf<N> {
     #[inline]
     fn density(&self, m: Vec3) -> f32 {
-        self.ndf.conditional_density(m, self.split)
+        self.ndf.residual_ndf(m, self.split)
     }
 
     #[inline]
-    fn from_gaussian(&self, z: Vec2) -> Vec3 {
-        self.ndf.from_gaussian(self.split.join(z))
+    fn warp_gaussian(&self, z: Vec2) -> Vec3 {
+        self.ndf.warp_gaussian(self.split.join(z))
     }
 
     #[inline]
-    fn to_gaussian(&self, m: Vec3) -> Vec2 {
-        self.split.rest(self.ndf.to_gaussian(m))
+    fn invert(&self, m: Vec3) -> Vec2 {
+        self.split.rest(self.ndf.invert(m))
     }
 }
 
@@ -84,7 +84,7 @@ impl<N: Ndf> Ndf for ConditionalNdf<N> {
 mod tests {
     use super::*;
     use crate::ndf::totality;
-    use crate::{Beckmann, Ggx, conditional_density, level_of_detail::MAX_SHARE};
+    use crate::{Beckmann, Ggx, level_of_detail::MAX_SHARE, residual_ndf};
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
@@ -94,7 +94,7 @@ mod tests {
             let seen = ConditionalNdf::new(ggx, Vec2::new(0.7, -1.4), s);
             for k in -12..=12 {
                 let xi = Vec2::new(k as f32 * 0.25, 1.0 - k as f32 * 0.2);
-                let back = seen.to_gaussian(seen.from_gaussian(xi));
+                let back = seen.invert(seen.warp_gaussian(xi));
                 assert_abs_diff_eq!(back, xi, epsilon = 4e-6 / (1.0 - s).sqrt(), "{s}");
             }
         }
@@ -109,8 +109,8 @@ mod tests {
             assert_eq!(seen.split().share(), MAX_SHARE);
             for xi in [Vec2::ZERO, Vec2::ONE, Vec2::new(-3.0, 2.0)] {
                 // At most 4 · 10⁻³ standard deviations of slope.
-                let facet = seen.from_gaussian(xi);
-                assert_abs_diff_eq!(facet, beckmann.from_gaussian(z_b), epsilon = 1.5e-3, "{s} {xi}");
+                let facet = seen.warp_gaussian(xi);
+                assert_abs_diff_eq!(facet, beckmann.warp_gaussian(z_b), epsilon = 1.5e-3, "{s} {xi}");
                 assert!(seen.density(facet).is_finite());
             }
         }
@@ -125,8 +125,8 @@ mod tests {
         let s = 1.0 - (1.0 - s1) * (1.0 - s2);
         let z = (z1 * s1.sqrt() + z2 * ((1.0 - s1) * s2).sqrt()) / s.sqrt();
         for k in 0..20 {
-            let h = ggx.from_gaussian(Vec2::new(0.1 * k as f32 - 1.0, 0.5 - 0.07 * k as f32));
-            let (got, expected) = (twice.density(h), conditional_density(&ggx, h, z, s));
+            let h = ggx.warp_gaussian(Vec2::new(0.1 * k as f32 - 1.0, 0.5 - 0.07 * k as f32));
+            let (got, expected) = (twice.density(h), residual_ndf(&ggx, h, z, s));
             assert_abs_diff_eq!(got / expected, 1.0, epsilon = 1e-4, "{h}");
         }
     }

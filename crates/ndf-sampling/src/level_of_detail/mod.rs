@@ -10,7 +10,7 @@ pub(crate) mod table;
 pub use crate::coordinates::{GaussianSplit, MAX_SHARE};
 #[cfg(feature = "alloc")]
 pub use build::ConditionalAccuracy;
-pub use conditional::conditional_density;
+pub use conditional::residual_ndf;
 pub use conditional_ndf::ConditionalNdf;
 pub use offset_beckmann::{OffsetBeckmann, OffsetBeckmannError};
 #[cfg(feature = "alloc")]

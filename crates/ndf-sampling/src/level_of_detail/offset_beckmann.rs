@@ -26,20 +26,20 @@ use asperity_core::math;
 ///
 /// a Beckmann NDF of the roughness `α√(1 − s)` around the resolved slope. As `s → 1` nothing
 /// cancels, because the exponent is a difference of slopes.
-/// [`conditional_density`](crate::conditional_density) weights `D(h)` by a ratio instead.
+/// [`residual_ndf`](crate::conditional_density) weights `D(h)` by a ratio instead.
 ///
 /// - **Domain:** unit `m`, used as given; `D = 0` for `m.z ≤ 0` and NaN. Coordinates as in [`Ndf`].
 /// - **Accuracy:** `D` 2e-6 relative plus the slope of the exponent times the rounding of `m`:
 ///   1.2e-7 |s| |s − μ|/σ².
 ///
 /// ```
-/// use asperity_ndf_sampling::{Beckmann, Ndf, conditional_density, glam::Vec2, level_of_detail::OffsetBeckmann};
+/// use asperity_ndf_sampling::{Beckmann, Ndf, residual_ndf, glam::Vec2, level_of_detail::OffsetBeckmann};
 ///
 /// let beckmann = Beckmann::new(0.2, 0.4)?;
 /// let (z_b, s) = (Vec2::new(0.5, 1.5), 0.75);
 /// let seen = OffsetBeckmann::conditional(beckmann, z_b, s);
-/// let h = beckmann.from_gaussian(Vec2::new(0.3, 1.1));
-/// assert!((seen.density(h) / conditional_density(&beckmann, h, z_b, s) - 1.0).abs() < 1e-5);
+/// let h = beckmann.warp_gaussian(Vec2::new(0.3, 1.1));
+/// assert!((seen.density(h) / residual_ndf(&beckmann, h, z_b, s) - 1.0).abs() < 1e-5);
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
@@ -87,7 +87,7 @@ impl OffsetBeckmann {
 
     /// Creates the conditional NDF of a Beckmann surface for resolved `z_b` with the fraction `s`.
     ///
-    /// Accepts every input and equals [`conditional_density`](crate::conditional_density).
+    /// Accepts every input and equals [`residual_ndf`](crate::conditional_density).
     #[inline]
     #[must_use]
     pub fn conditional(beckmann: Beckmann, z_b: Vec2, s: f32) -> Self {
@@ -138,7 +138,7 @@ impl Ndf for OffsetBeckmann {
     }
 
     #[inline]
-    fn from_gaussian(&self, z: Vec2) -> Vec3 {
+    fn warp_gaussian(&self, z: Vec2) -> Vec3 {
         let (z, [a, b, c]) = (bounded(z), self.lower);
         let (x, y) = (self.mean.x + a * z.x, self.mean.y + b * z.x + c * z.y);
         let up = 1.0 / math::sqrt(x * x + y * y + 1.0);
@@ -146,7 +146,7 @@ impl Ndf for OffsetBeckmann {
     }
 
     #[inline]
-    fn to_gaussian(&self, m: Vec3) -> Vec2 {
+    fn invert(&self, m: Vec3) -> Vec2 {
         let up = m.z.max(f32::MIN_POSITIVE);
         bounded(self.coordinates(Vec2::new(m.x / up, m.y / up)))
     }
@@ -175,8 +175,8 @@ mod tests {
         let same = OffsetBeckmann::new(Vec2::ZERO, [0.02, 0.0, 0.18]).unwrap();
         for k in 0..60 {
             let z = Vec2::new(0.2 * k as f32 - 6.0, 3.0 - 0.1 * k as f32);
-            let m = beckmann.from_gaussian(z);
-            assert_abs_diff_eq!(same.from_gaussian(z), m, epsilon = 1e-6);
+            let m = beckmann.warp_gaussian(z);
+            assert_abs_diff_eq!(same.warp_gaussian(z), m, epsilon = 1e-6);
             assert_abs_diff_eq!(same.density(m) / beckmann.density(m), 1.0, epsilon = 5e-5, "{z}");
         }
     }
@@ -191,7 +191,7 @@ mod tests {
         }
         for k in 0..40 {
             let z = Vec2::new(0.2 * k as f32 - 4.0, 0.1 * k as f32 - 1.0);
-            assert_abs_diff_eq!(ndf.to_gaussian(ndf.from_gaussian(z)), z, epsilon = 3e-5);
+            assert_abs_diff_eq!(ndf.invert(ndf.warp_gaussian(z)), z, epsilon = 3e-5);
         }
         // The peak over slopes is 1/(2π √|Σ|).
         let peak = ndf.slope_density(ndf.mean()) * TAU * (0.09_f32 * 0.04 - 0.0025).sqrt();

@@ -7,7 +7,7 @@ use core::ops::Deref;
 use glam::{Vec2, Vec3, Vec3A};
 
 use crate::coordinates::GaussianSplit;
-use crate::normal_table::error::NormalTableError;
+use crate::normal_table::error::NormalLutError;
 use asperity_core::math;
 
 /// `T⁻¹(h)` and `D(h)` of half vectors as a texture, the data that `p_s(h | z_b)` needs.
@@ -58,12 +58,12 @@ pub struct ConditionalTableIn<S> {
 /// A [texture of half vectors](ConditionalTableIn) that owns its entries.
 ///
 /// ```
-/// use asperity_ndf_sampling::{ConditionalTable, GaussianSplit, Ggx, Ndf, conditional_density, glam::Vec2};
+/// use asperity_ndf_sampling::{ConditionalTable, GaussianSplit, Ggx, Ndf, residual_ndf, glam::Vec2};
 ///
 /// let ggx = Ggx::new(0.02, 0.4)?;
 /// let table = ConditionalTable::new(&ggx, 256)?;
-/// let (h, z_b) = (ggx.from_gaussian(Vec2::new(0.3, -1.0)), Vec2::new(0.5, -0.8));
-/// let exact = conditional_density(&ggx, h, z_b, 0.75);
+/// let (h, z_b) = (ggx.warp_gaussian(Vec2::new(0.3, -1.0)), Vec2::new(0.5, -0.8));
+/// let exact = residual_ndf(&ggx, h, z_b, 0.75);
 /// assert!((table.density(h, GaussianSplit::new(z_b, 0.75)) / exact - 1.0).abs() < 0.01);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
@@ -81,7 +81,7 @@ pub type ConditionalTable = ConditionalTableIn<Vec<[f32; 3]>>;
 /// static FLASH: [[f32; 3]; 1] = [[0.0, 0.0, 2.0]];
 /// let table = ConditionalTableRef::new(1, Vec2::ONE, &FLASH)?;
 /// assert_eq!(table.density(Vec3::Z, GaussianSplit::new(Vec2::ONE, 0.0)), 16.0);
-/// # Ok::<(), asperity_ndf_sampling::NormalTableError>(())
+/// # Ok::<(), asperity_ndf_sampling::NormalLutError>(())
 /// ```
 pub type ConditionalTableRef<'a> = ConditionalTableIn<&'a [[f32; 3]]>;
 
@@ -92,9 +92,9 @@ impl<'a> ConditionalTableIn<&'a [[f32; 3]]> {
     ///
     /// # Errors
     /// A `size` of 0 or above 4096; another number of entries.
-    pub fn new(size: usize, stretch: Vec2, entries: &'a [[f32; 3]]) -> Result<Self, NormalTableError> {
+    pub fn new(size: usize, stretch: Vec2, entries: &'a [[f32; 3]]) -> Result<Self, NormalLutError> {
         let positive = |c: f32| if c > 0.0 && c.is_finite() { c } else { 1.0 };
-        NormalTableError::check(size, Some(entries.len()))?;
+        NormalLutError::check(size, Some(entries.len()))?;
         Ok(Self { size, stretch: Vec2::new(positive(stretch.x), positive(stretch.y)), entries })
     }
 
@@ -144,7 +144,7 @@ impl<S: Deref<Target = [[f32; 3]]>> ConditionalTableIn<S> {
     /// `T⁻¹(h)`, interpolated.
     #[inline]
     #[must_use]
-    pub fn to_gaussian(&self, h: Vec3) -> Vec2 {
+    pub fn invert(&self, h: Vec3) -> Vec2 {
         let [z1, z2, _] = self.interpolated(h);
         Vec2::new(z1, z2)
     }

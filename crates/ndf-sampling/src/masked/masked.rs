@@ -53,7 +53,7 @@ const MOST_TRIES: u32 = 1024;
 /// let facets = Masked::new(painted);
 /// let v = Vec3::new(0.8, 0.0, 0.6);
 /// let m = facets.sample_visible(v, Vec2::new(0.3, 0.6));
-/// assert!(v.dot(m) > 0.0 && facets.visible_density(v, m) > 0.0);
+/// assert!(v.dot(m) > 0.0 && facets.visible_pdf(v, m) > 0.0);
 /// assert!(facets.g1(v) < facets.g1(Vec3::Z));
 /// # Ok::<(), asperity_ndf_sampling::NdfMapError>(())
 /// ```
@@ -87,11 +87,11 @@ struct Cell {
 impl Cell {
     /// An upper bound of its visible fraction.
     fn share(&self, v: Vec3) -> f32 {
-        self.weight * self.facing(v)
+        self.weight * self.flip_to_visible(v)
     }
 
     /// An upper bound of `v·m` over its directions.
-    fn facing(&self, v: Vec3) -> f32 {
+    fn flip_to_visible(&self, v: Vec3) -> f32 {
         (v.dot(self.centre) + self.reach).max(0.0)
     }
 }
@@ -193,7 +193,7 @@ impl<N: Ndf> Microfacet for Masked<N> {
             // No facet in a wedge faces the view.
             let Some((cell, s)) = found else { return self.ndf.sample(u) };
             let m = direction(cell.tilt[0] + cell.tilt[1] * s, cell.turn[0] + cell.turn[1] * u.y);
-            let share = self.ndf.density(m) * v.dot(m).max(0.0) / (cell.most * cell.facing(v));
+            let share = self.ndf.density(m) * v.dot(m).max(0.0) / (cell.most * cell.flip_to_visible(v));
             let chance = random.uniform();
             if chance < share {
                 return m;
@@ -244,7 +244,7 @@ mod tests {
             assert!(masked.g1(v) <= 1.0 && masked.g1(v) * masked.projected_area(v) <= v.z * 1.000_01, "{v}");
         }
         assert_eq!(masked.projected_area(Vec3::NEG_X), 0.0);
-        assert_eq!(masked.visible_density(Vec3::NEG_X, Vec3::Z), 0.0);
+        assert_eq!(masked.visible_pdf(Vec3::NEG_X, Vec3::Z), 0.0);
         totality::check(&Masked::new(Isotropic::new(&[0.0, 0.0, f32::MAX, 0.0]).unwrap()));
     }
 }

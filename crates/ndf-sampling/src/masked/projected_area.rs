@@ -23,7 +23,7 @@ const SECTORS: usize = 512;
 /// `σ` along the lines from the horizon to the zenith.
 ///
 /// ```text
-/// v(q) = (1 − q) e_φ + q e_z,    F(q) = σ(v(q)) = Σ w max(0, (1 − q) m·e_φ + q m_z),    F′ = Σ_{facing} w (m_z − m·e_φ)
+/// v(q) = (1 − q) e_φ + q e_z,    F(q) = σ(v(q)) = Σ w max(0, (1 − q) m·e_φ + q m_z),    F′ = Σ_{flip_to_visible} w (m_z − m·e_φ)
 /// ```
 ///
 /// `σ` is homogeneous in the length of `v`, so these lines represent all views. Between the nodes,

@@ -43,12 +43,12 @@ use asperity_core::math::sqrt_f64;
 /// | sparse convolution | 0.85 | 0.0272 | 0.0127 |
 ///
 /// ```
-/// use asperity_ndf_sampling::{KurtoticNoise, NoiseDistribution};
+/// use asperity_ndf_sampling::{KurtoticDistribution, NoiseDistribution};
 ///
-/// // Perlin noise of 2002 has thinner tails than a Gaussian: two deviations are rarer.
-/// let g = KurtoticNoise::new(1.0, -0.46)?;
+/// // Perlin noise of 2002 has thinner tails than a GaussianNoise: two deviations are rarer.
+/// let g = KurtoticDistribution::new(1.0, -0.46)?;
 /// assert!(g.gaussian(2.5) > 2.6);
-/// assert!(KurtoticNoise::new(1.0, 3.0).is_err());
+/// assert!(KurtoticDistribution::new(1.0, 3.0).is_err());
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
@@ -56,7 +56,7 @@ use asperity_core::math::sqrt_f64;
 /// fourth cumulant. The normalizing form is used for `κ ≤ 0` and the quantile form for `κ ≥ 0`,
 /// since each is monotone only there.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct KurtoticNoise {
+pub struct KurtoticDistribution {
     deviation: f32,
     kurtosis: f32,
     /// `a`, not negative.
@@ -66,9 +66,9 @@ pub struct KurtoticNoise {
 }
 
 #[cfg(feature = "approx")]
-asperity_core::impl_approx! { f32; KurtoticNoise: noise => noise.deviation, noise.kurtosis; }
+asperity_core::impl_approx! { f32; KurtoticDistribution: noise => noise.deviation, noise.kurtosis; }
 
-impl KurtoticNoise {
+impl KurtoticDistribution {
     /// The smallest excess kurtosis.
     pub const MIN_KURTOSIS: f32 = -1.5;
 
@@ -88,14 +88,14 @@ impl KurtoticNoise {
     }
 }
 
-impl NoiseDistribution for KurtoticNoise {
+impl NoiseDistribution for KurtoticDistribution {
     fn gaussian(&self, r: f32) -> f32 {
         let x = bounded_coordinate(r / self.scale);
         let z = if self.kurtosis <= 0.0 { cubic(x, self.bend) } else { inverse_cubic(x, self.bend) };
         bounded_coordinate(z)
     }
 
-    fn from_gaussian(&self, z: f32) -> f32 {
+    fn warp_gaussian(&self, z: f32) -> f32 {
         let z = bounded_coordinate(z);
         let x = if self.kurtosis <= 0.0 { inverse_cubic(z, self.bend) } else { cubic(z, self.bend) };
         x * self.scale
@@ -175,7 +175,7 @@ mod tests {
     #[test]
     fn both_forms_increase_and_round_trip() {
         for kurtosis in [-1.5, -0.65, 0.0, 0.4, 2.0] {
-            let g = KurtoticNoise::new(0.3, kurtosis).unwrap();
+            let g = KurtoticDistribution::new(0.3, kurtosis).unwrap();
             let mut before = f32::NEG_INFINITY;
             // Fewer than 13 scales.
             for k in -385..=385 {
@@ -185,7 +185,7 @@ mod tests {
                 assert!(z > before || z.abs() == 13.0, "κ = {kurtosis}, r = {r}");
                 before = z;
                 if z.abs() < 13.0 {
-                    let back = g.from_gaussian(z);
+                    let back = g.warp_gaussian(z);
                     assert_abs_diff_eq!(back, r, epsilon = 1e-6 * (1.0 + r.abs()), "κ = {kurtosis}, r =");
                 }
             }
@@ -197,13 +197,13 @@ mod tests {
     fn moments_match_the_parameters() {
         // Means over the Gaussian, by a fine sum.
         for kurtosis in [-1.5_f32, -1.2, -0.46, -0.05, 0.0, 0.05, 0.3, 0.85, 1.4, 2.0] {
-            let g = KurtoticNoise::new(1.7, kurtosis).unwrap();
+            let g = KurtoticDistribution::new(1.7, kurtosis).unwrap();
             let (mut second, mut fourth) = (0.0, 0.0);
             for k in -3000..=3000 {
                 let z = f64::from(k) * 0.003;
                 let weight =
                     asperity_core::math::exp_f64(-0.5 * z * z) * 0.003 / sqrt_f64(core::f64::consts::TAU);
-                let x = f64::from(g.from_gaussian(z as f32)) / 1.7;
+                let x = f64::from(g.warp_gaussian(z as f32)) / 1.7;
                 second += weight * x * x;
                 fourth += weight * (x * x) * (x * x);
             }
@@ -216,9 +216,9 @@ mod tests {
     #[test]
     fn accepts_every_input() {
         for kurtosis in [-1.5, 0.5] {
-            let g = KurtoticNoise::new(1e-30, kurtosis).unwrap();
+            let g = KurtoticDistribution::new(1e-30, kurtosis).unwrap();
             for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e38, -1e38, 1e-40] {
-                assert!(g.gaussian(bad).is_finite() && g.from_gaussian(bad).is_finite(), "{bad}");
+                assert!(g.gaussian(bad).is_finite() && g.warp_gaussian(bad).is_finite(), "{bad}");
                 assert!((0.0..=1.0).contains(&g.uniform(bad)) && g.inverse(bad).is_finite(), "{bad}");
             }
         }

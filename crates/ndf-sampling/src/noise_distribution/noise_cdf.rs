@@ -15,7 +15,7 @@ use asperity_core::error_enum;
 /// both ends.
 ///
 /// If the table is correct, `G(noise)` is uniform on [0, 1] and `Φ⁻¹(G(noise))` is standard
-/// Gaussian, the argument of [`Ndf::from_gaussian`](crate::Ndf::from_gaussian).
+/// Gaussian, the argument of [`Ndf::warp_gaussian`](crate::Ndf::from_gaussian).
 ///
 /// - **Domain:** all reals. Below `low` the first entry is used, above `high` the last. NaN is read
 ///   as 0, or as the end nearest to 0.
@@ -132,7 +132,7 @@ impl NoiseDistribution for NoiseCdfRef<'_> {
     }
 
     #[inline]
-    fn from_gaussian(&self, z: f32) -> f32 {
+    fn warp_gaussian(&self, z: f32) -> f32 {
         // In f64, because Φ rounded to f32 would end at z = 5.4 and be coarse long before.
         self.quantile(phi(f64::from(z)))
     }
@@ -177,7 +177,7 @@ mod tests {
         assert_eq!((g.inverse(0.5), g.inverse(1.0), g.inverse(0.0)), (1.0, 2.5, 0.5));
         for k in 1..80 {
             let r = 0.5 + 0.025 * k as f32;
-            assert_abs_diff_eq!(g.from_gaussian(g.gaussian(r)), r, epsilon = 2e-6);
+            assert_abs_diff_eq!(g.warp_gaussian(g.gaussian(r)), r, epsilon = 2e-6);
         }
     }
 

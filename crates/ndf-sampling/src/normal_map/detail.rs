@@ -23,40 +23,40 @@ use asperity_core::math;
 /// - **Limits:** `ε = 0` returns `z_b`, bit for bit.
 ///
 /// ```
-/// use asperity_ndf_sampling::{detailed, glam::Vec2};
+/// use asperity_ndf_sampling::{add_detail, glam::Vec2};
 ///
-/// assert_eq!(detailed(Vec2::new(1.0, -0.5), Vec2::new(9.0, 9.0), 0.0), Vec2::new(1.0, -0.5));
-/// assert!(detailed(Vec2::X, Vec2::Y, 1.0).abs_diff_eq(Vec2::splat(0.5_f32.sqrt()), 1e-7));
+/// assert_eq!(add_detail(Vec2::new(1.0, -0.5), Vec2::new(9.0, 9.0), 0.0), Vec2::new(1.0, -0.5));
+/// assert!(add_detail(Vec2::X, Vec2::Y, 1.0).abs_diff_eq(Vec2::splat(0.5_f32.sqrt()), 1e-7));
 /// ```
 ///
 /// Kautz, Heidrich, Seidel 2001, section 7, adds noise to the indices without the root.
 #[inline]
 #[must_use]
-pub fn detailed(z_b: Vec2, z_n: Vec2, amount: f32) -> Vec2 {
+pub fn add_detail(z_b: Vec2, z_n: Vec2, amount: f32) -> Vec2 {
     let amount = if amount.is_nan() { 0.0 } else { amount.abs().min(1e18) };
     let root = math::sqrt(1.0 + amount * amount);
     bounded((bounded(z_b) + bounded(z_n) * amount) / root)
 }
 
-/// Adds noise to a normal of a bump map: `T(detailed(T⁻¹(n), z_n, ε))`.
+/// Adds noise to a normal of a bump map: `T(add_detail(T⁻¹(n), z_n, ε))`.
 ///
 /// `ndf` is the NDF of the bump map, e.g. from [`estimate_ndf`](crate::estimate_ndf). Without noise
 /// the normal is returned up to the accuracy of `T ∘ T⁻¹`. If a bump map is evaluated often, store
-/// `T⁻¹(n)` as its texels and look up `T` in a [`NormalTable`](crate::NormalTable).
+/// `T⁻¹(n)` as its texels and look up `T` in a [`NormalLut`](crate::NormalTable).
 ///
 /// ```
-/// use asperity_ndf_sampling::{Ggx, detailed_normal, glam::{Vec2, Vec3}};
+/// use asperity_ndf_sampling::{Ggx, add_detail_normal, glam::{Vec2, Vec3}};
 ///
 /// let ggx = Ggx::new(0.2, 0.4)?;
 /// let n = Vec3::new(0.1, -0.3, 0.95).normalize();
-/// assert!(detailed_normal(&ggx, n, Vec2::ONE, 0.0).abs_diff_eq(n, 1e-6));
-/// assert!(detailed_normal(&ggx, n, Vec2::ONE, 0.3).dot(n) < 0.9999);
+/// assert!(add_detail_normal(&ggx, n, Vec2::ONE, 0.0).abs_diff_eq(n, 1e-6));
+/// assert!(add_detail_normal(&ggx, n, Vec2::ONE, 0.3).dot(n) < 0.9999);
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 #[inline]
 #[must_use]
-pub fn detailed_normal<N: Ndf + ?Sized>(ndf: &N, n: Vec3, z_n: Vec2, amount: f32) -> Vec3 {
-    ndf.from_gaussian(detailed(ndf.to_gaussian(n), z_n, amount))
+pub fn add_detail_normal<N: Ndf + ?Sized>(ndf: &N, n: Vec3, z_n: Vec2, amount: f32) -> Vec3 {
+    ndf.warp_gaussian(add_detail(ndf.invert(n), z_n, amount))
 }
 
 /// Conversion from noise values through uniform numbers to normals, and back.
@@ -67,7 +67,7 @@ pub fn detailed_normal<N: Ndf + ?Sized>(ndf: &N, n: Vec3, z_n: Vec2, amount: f32
 ///
 /// The second converts an existing bump map to noise values. More noise can be added to these
 /// before the first is applied. A sum of two noises does not have the distribution of one noise,
-/// unless they are Gaussian. To keep the NDF, add them in Gaussian coordinates with [`detailed`].
+/// unless they are Gaussian. To keep the NDF, add them in Gaussian coordinates with [`add_detail`].
 ///
 /// ```
 /// use asperity_ndf_sampling::{Beckmann, NoiseCdfRef, glam::Vec3, normal_map::NoiseChain};
@@ -95,7 +95,7 @@ impl<N: Ndf, G: NoiseDistribution> NoiseChain<N, G> {
     #[inline]
     #[must_use]
     pub fn normal(&self, r: [f32; 2]) -> Vec3 {
-        self.ndf.from_gaussian(Vec2::from(r.map(|r| self.noise.gaussian(r))))
+        self.ndf.warp_gaussian(Vec2::from(r.map(|r| self.noise.gaussian(r))))
     }
 
     /// `n → u`, the uniform numbers of a normal, in `f64`, whose precision the upper tail near 1
@@ -103,14 +103,14 @@ impl<N: Ndf, G: NoiseDistribution> NoiseChain<N, G> {
     #[inline]
     #[must_use]
     pub fn uniform(&self, n: Vec3) -> [f64; 2] {
-        self.ndf.to_gaussian(n).to_array().map(|z| phi(f64::from(z)))
+        self.ndf.invert(n).to_array().map(|z| phi(f64::from(z)))
     }
 
     /// `n → r`, the noise values of a normal.
     #[inline]
     #[must_use]
     pub fn noise_values(&self, n: Vec3) -> [f32; 2] {
-        self.ndf.to_gaussian(n).to_array().map(|z| self.noise.from_gaussian(z))
+        self.ndf.invert(n).to_array().map(|z| self.noise.warp_gaussian(z))
     }
 }
 
@@ -126,8 +126,8 @@ mod tests {
         let ggx = Ggx::isotropic(0.3).unwrap();
         for (a, b) in bad.into_iter().flat_map(|a| bad.map(|b| (a, b))) {
             for amount in bad {
-                assert!(detailed(Vec2::new(a, b), Vec2::new(b, a), amount).is_finite(), "{a} {b} {amount}");
-                let n = detailed_normal(&ggx, Vec3::new(a, b, amount), Vec2::splat(a), b);
+                assert!(add_detail(Vec2::new(a, b), Vec2::new(b, a), amount).is_finite(), "{a} {b} {amount}");
+                let n = add_detail_normal(&ggx, Vec3::new(a, b, amount), Vec2::splat(a), b);
                 assert_abs_diff_eq!(n.length(), 1.0, epsilon = 1e-6, "{a} {b} {amount}");
             }
         }
@@ -136,8 +136,8 @@ mod tests {
     #[test]
     fn detailed_tends_to_pure_noise_for_large_amounts() {
         let z_n = Vec2::new(0.3, -1.2);
-        assert_abs_diff_eq!(detailed(Vec2::new(5.0, -9.0), z_n, f32::INFINITY), z_n, epsilon = 1e-6);
-        assert_abs_diff_eq!(detailed(Vec2::ZERO, z_n, -1.0), z_n * 0.5_f32.sqrt(), epsilon = 1e-7);
+        assert_abs_diff_eq!(add_detail(Vec2::new(5.0, -9.0), z_n, f32::INFINITY), z_n, epsilon = 1e-6);
+        assert_abs_diff_eq!(add_detail(Vec2::ZERO, z_n, -1.0), z_n * 0.5_f32.sqrt(), epsilon = 1e-7);
     }
 
     #[test]

@@ -6,7 +6,7 @@ use glam::{Vec2, Vec3};
 
 use crate::frame::Frame;
 use crate::ndf::Ndf;
-use crate::normal_table::table::{NormalTable, NormalTableRef, entry_coordinate};
+use crate::normal_table::table::{NormalLut, NormalLutRef, entry_coordinate};
 use crate::numeric::normal_distribution::phi;
 use asperity_core::math;
 
@@ -22,20 +22,20 @@ pub struct Deviation {
 #[cfg(feature = "approx")]
 asperity_core::impl_approx! { f32; Deviation: deviation => deviation.largest, deviation.rms; }
 
-/// Accuracy of a [`NormalTable`], measured at the midpoints of four entries, where it is worst.
+/// Accuracy of a [`NormalLut`], measured at the midpoints of four entries, where it is worst.
 ///
 /// ```text
-/// largest = max ∠(looked up, T(z)),   rms² = Σ w ∠²/Σ w,   w = Gaussian weight of the cell between the entries
+/// largest = max ∠(looked up, T(z)),   rms² = Σ w ∠²/Σ w,   w = GaussianNoise weight of the cell between the entries
 /// ```
 ///
 /// Over all positions of a cell the mean square is smaller: a third for a nearest entry, about half
 /// for a bilinear one.
 ///
 /// ```
-/// use asperity_ndf_sampling::{Beckmann, NormalTable};
+/// use asperity_ndf_sampling::{Beckmann, NormalLut};
 ///
 /// let beckmann = Beckmann::isotropic(0.3)?;
-/// let accuracy = NormalTable::standard(&beckmann).accuracy(&beckmann);
+/// let accuracy = NormalLut::standard(&beckmann).accuracy(&beckmann);
 /// assert!(accuracy.bilinear.rms < 2e-5 && accuracy.nearest.rms > 100.0 * accuracy.bilinear.rms);
 /// assert!(accuracy.beyond < 2e-5);
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
@@ -55,12 +55,12 @@ pub struct TableAccuracy {
     pub largest_step: f32,
 }
 
-impl NormalTable {
+impl NormalLut {
     /// Accuracy of the lookups compared with `ndf`.
     #[must_use]
     pub fn accuracy<N: Ndf + ?Sized>(&self, ndf: &N) -> TableAccuracy {
         let (size, spacing, halves) = (self.size(), self.layout().spacing, self.halves());
-        let halves = NormalTableRef { size, layout: self.layout(), entries: &halves };
+        let halves = NormalLutRef { size, layout: self.layout(), entries: &halves };
         let entries: Vec<f32> = (0..size).map(|k| entry_coordinate(spacing, k, size)).collect();
         // Between two neighboring entries along one coordinate: the midpoint and the weight.
         let cells: Vec<(f32, f64)> = (1..size)
@@ -73,7 +73,7 @@ impl NormalTable {
         for &(y, across) in &cells {
             for &(x, along) in &cells {
                 let (z, weight) = (Vec2::new(x, y), along * across);
-                let n = ndf.from_gaussian(z);
+                let n = ndf.warp_gaussian(z);
                 let found = [self.nearest_normal(z), self.bilinear_normal(z), halves.bilinear_normal(z)];
                 sums.iter_mut().zip(found).for_each(|(sum, found)| sum.add(angle(found, n), weight));
             }
@@ -126,7 +126,7 @@ fn squared_distance(a: Vec3, b: Vec3) -> f64 {
 /// ```text
 /// |A − B|² = 8 sin²(angle/2),   the sum of the squares of all nine differences
 /// ```
-fn largest_step(table: &NormalTable) -> f64 {
+fn largest_step(table: &NormalLut) -> f64 {
     let frames: Vec<Frame> = table.frames().collect();
     let step = |a: &Frame, b: &Frame| {
         squared_distance(a.tangent, b.tangent)
@@ -152,7 +152,7 @@ mod tests {
     fn slopes_of_beckmann_are_interpolated_exactly() {
         let beckmann = Beckmann::new(0.1, 0.4).unwrap();
         let layout = TableLayout { chart: Chart::Slopes, spacing: Spacing::Coordinates };
-        let accuracy = NormalTable::with_layout(&beckmann, 32, layout).unwrap().accuracy(&beckmann);
+        let accuracy = NormalLut::with_layout(&beckmann, 32, layout).unwrap().accuracy(&beckmann);
         assert!(accuracy.bilinear.largest < 5e-7, "{accuracy:?}");
         // The nearest entry is half a texel off along both axes: 0.14 α/√2 each.
         assert_abs_diff_eq!(accuracy.nearest.rms / 0.041, 1.0, epsilon = 0.1);
@@ -160,7 +160,7 @@ mod tests {
 
     #[test]
     fn frame_steps_are_at_most_sqrt_two_normal_steps() {
-        let table = NormalTable::new(&Ggx::isotropic(1.0).unwrap(), 64).unwrap();
+        let table = NormalLut::new(&Ggx::isotropic(1.0).unwrap(), 64).unwrap();
         let normals: Vec<Vec3> = table.frames().map(|frame| frame.normal).collect();
         let rows = normals.chunks(64).flat_map(|row| row.windows(2).map(|pair| angle(pair[0], pair[1])));
         let columns = normals.iter().zip(normals.iter().skip(64)).map(|(a, b)| angle(*a, *b));
@@ -172,9 +172,9 @@ mod tests {
     #[test]
     fn accuracy_of_a_single_entry() {
         let ggx = Ggx::isotropic(0.3).unwrap();
-        let table = NormalTable::new(&ggx, 1).unwrap();
+        let table = NormalLut::new(&ggx, 1).unwrap();
         let accuracy = table.accuracy(&ggx);
         assert_eq!(accuracy, TableAccuracy { beyond: 1.0, ..TableAccuracy::default() });
-        assert_eq!(table.bilinear(Vec2::ONE).normal, ggx.from_gaussian(Vec2::ZERO));
+        assert_eq!(table.bilinear(Vec2::ONE).normal, ggx.warp_gaussian(Vec2::ZERO));
     }
 }

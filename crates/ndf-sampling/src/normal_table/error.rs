@@ -8,7 +8,7 @@ const MAX_SIZE: usize = 4096;
 error_enum! {
     /// Error for an invalid square table.
     #[derive(Eq)]
-    pub enum NormalTableError {
+    pub enum NormalLutError {
         /// The size is 0 or above 4096.
         Size { value: usize } => "`size` must be between 1 and {MAX_SIZE}, got {value}";
         /// The length of the slice is not `size · size`.
@@ -16,7 +16,7 @@ error_enum! {
     }
 }
 
-impl NormalTableError {
+impl NormalLutError {
     /// Checks that a table may have `size · size` entries and that `len` matches.
     pub(crate) const fn check(size: usize, len: Option<usize>) -> Result<(), Self> {
         match (size, len) {

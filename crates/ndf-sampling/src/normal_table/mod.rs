@@ -12,11 +12,11 @@ pub(crate) mod table;
 #[cfg(feature = "alloc")]
 pub use accuracy::{Deviation, TableAccuracy};
 pub use chart::Chart;
-pub use error::NormalTableError;
+pub use error::NormalLutError;
 pub use layout::{TableEntry, TableLayout};
 pub use spacing::Spacing;
 #[cfg(feature = "alloc")]
-pub use table::NormalTable;
-pub use table::{NormalTableIn, NormalTableRef};
+pub use table::NormalLut;
+pub use table::{NormalLutIn, NormalLutRef};
 
 pub use crate::numeric::binary16::{MAX_HALF, from_half, to_half};

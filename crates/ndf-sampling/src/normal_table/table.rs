@@ -9,7 +9,7 @@ use glam::{Vec2, Vec3, Vec4, Vec4Swizzles};
 use crate::frame::Frame;
 #[cfg(feature = "alloc")]
 use crate::ndf::Ndf;
-use crate::normal_table::error::NormalTableError;
+use crate::normal_table::error::NormalLutError;
 use crate::normal_table::layout::{TableEntry, TableLayout};
 #[cfg(feature = "alloc")]
 use crate::normal_table::spacing::Spacing;
@@ -24,8 +24,8 @@ use crate::numeric::binary16::{MAX_HALF, to_half};
 /// ```
 ///
 /// The position of a coordinate is defined by the [`Spacing`], and the two numbers `p` of a normal
-/// by the [`Chart`](crate::normal_table::Chart) of the layout. [`NormalTable`] owns its entries.
-/// [`NormalTableRef`] borrows floats or half floats, in flash or in the bytes of a file.
+/// by the [`Chart`](crate::normal_table::Chart) of the layout. [`NormalLut`] owns its entries.
+/// [`NormalLutRef`] borrows floats or half floats, in flash or in the bytes of a file.
 ///
 /// - **Any input:** coordinates are clamped to the outermost entries, NaN is read as 0. Entries
 ///   outside the chart are clamped to it. Results are unit vectors with `n.z ≥ 0`.
@@ -57,10 +57,10 @@ use crate::numeric::binary16::{MAX_HALF, to_half};
 ///
 /// Kautz, Heidrich, Seidel 2001, section 4. The paper indexes by the noise value with G inside the
 /// table, and does not specify values between entries. This table is indexed by `z`, so that one
-/// table serves every noise, and interpolated. [`NormalTable::from_fn`] creates the table of the
+/// table serves every noise, and interpolated. [`NormalLut::from_fn`] creates the table of the
 /// paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NormalTableIn<S> {
+pub struct NormalLutIn<S> {
     pub(crate) size: usize,
     pub(crate) layout: TableLayout,
     pub(crate) entries: S,
@@ -69,13 +69,13 @@ pub struct NormalTableIn<S> {
 /// A [table `L`](NormalTableIn) that owns its entries.
 ///
 /// ```
-/// use asperity_ndf_sampling::{Ggx, Ndf, NormalTable, glam::Vec2};
+/// use asperity_ndf_sampling::{Ggx, Ndf, NormalLut, glam::Vec2};
 ///
 /// let ggx = Ggx::new(0.2, 0.4)?;
-/// let table = NormalTable::new(&ggx, 65)?;
-/// assert!(table.nearest(Vec2::ZERO).normal.abs_diff_eq(ggx.from_gaussian(Vec2::ZERO), 1e-6));
+/// let table = NormalLut::new(&ggx, 65)?;
+/// assert!(table.nearest(Vec2::ZERO).normal.abs_diff_eq(ggx.warp_gaussian(Vec2::ZERO), 1e-6));
 /// let z = Vec2::new(0.4, -1.1);
-/// assert!(table.bilinear(z).normal.abs_diff_eq(ggx.from_gaussian(z), 1e-3));
+/// assert!(table.bilinear(z).normal.abs_diff_eq(ggx.warp_gaussian(z), 1e-3));
 /// // The maximum error is 0.08°.
 /// assert!(table.accuracy(&ggx).bilinear.largest < 0.0014);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
@@ -83,35 +83,35 @@ pub struct NormalTableIn<S> {
 #[cfg(feature = "alloc")]
 #[doc(alias = "lut")]
 #[doc(alias = "texture")]
-pub type NormalTable = NormalTableIn<Vec<[f32; 2]>>;
+pub type NormalLut = NormalLutIn<Vec<[f32; 2]>>;
 
 /// A [table `L`](NormalTableIn) in borrowed storage, of floats or half floats.
 ///
 /// ```
-/// use asperity_ndf_sampling::{NormalTableRef, glam::{Vec2, Vec3}, normal_table::{TableLayout, to_half}};
+/// use asperity_ndf_sampling::{NormalLutRef, glam::{Vec2, Vec3}, normal_table::{TableLayout, to_half}};
 ///
 /// // Four entries in read-only memory, with n_x of 0.6, 0.0 and below −0.6.
 /// static FLASH: [[f32; 2]; 4] = [[-0.5, 0.0], [0.5, 0.0], [-0.5, 0.0], [0.5, 0.0]];
-/// let table = NormalTableRef::new(2, TableLayout::default(), &FLASH)?;
+/// let table = NormalLutRef::new(2, TableLayout::default(), &FLASH)?;
 /// assert_eq!(table.bilinear(Vec2::ZERO).normal, Vec3::Z);
 /// assert_eq!(table.nearest(Vec2::ONE).normal, Vec3::new(0.8, 0.0, 0.6));
 ///
 /// let halves = FLASH.map(|p| p.map(to_half));
-/// let table = NormalTableRef::new(2, TableLayout::default(), &halves)?;
+/// let table = NormalLutRef::new(2, TableLayout::default(), &halves)?;
 /// assert_eq!(table.nearest(Vec2::ONE).normal, Vec3::new(0.8, 0.0, 0.6));
-/// # Ok::<(), asperity_ndf_sampling::NormalTableError>(())
+/// # Ok::<(), asperity_ndf_sampling::NormalLutError>(())
 /// ```
 ///
 /// `as_chunks` converts a flat slice `&[f32]` or `&[u16]` to a slice of pairs.
-pub type NormalTableRef<'a, E = [f32; 2]> = NormalTableIn<&'a [E]>;
+pub type NormalLutRef<'a, E = [f32; 2]> = NormalLutIn<&'a [E]>;
 
-impl<'a, E> NormalTableIn<&'a [E]> {
+impl<'a, E> NormalLutIn<&'a [E]> {
     /// Creates the table from `size · size` entries.
     ///
     /// # Errors
     /// A `size` of 0 or above 4096; another number of entries.
-    pub const fn new(size: usize, layout: TableLayout, entries: &'a [E]) -> Result<Self, NormalTableError> {
-        match NormalTableError::check(size, Some(entries.len())) {
+    pub const fn new(size: usize, layout: TableLayout, entries: &'a [E]) -> Result<Self, NormalLutError> {
+        match NormalLutError::check(size, Some(entries.len())) {
             Ok(()) => Ok(Self { size, layout, entries }),
             Err(error) => Err(error),
         }
@@ -125,7 +125,7 @@ impl<'a, E> NormalTableIn<&'a [E]> {
     }
 }
 
-impl<S> NormalTableIn<S> {
+impl<S> NormalLutIn<S> {
     /// The number of entries along a side.
     #[inline]
     #[must_use]
@@ -141,12 +141,12 @@ impl<S> NormalTableIn<S> {
     }
 }
 
-impl<E: TableEntry, S: Deref<Target = [E]>> NormalTableIn<S> {
+impl<E: TableEntry, S: Deref<Target = [E]>> NormalLutIn<S> {
     /// The table in borrowed form.
     #[inline]
     #[must_use]
-    pub fn view(&self) -> NormalTableRef<'_, E> {
-        NormalTableIn { size: self.size, layout: self.layout, entries: &self.entries }
+    pub fn view(&self) -> NormalLutRef<'_, E> {
+        NormalLutIn { size: self.size, layout: self.layout, entries: &self.entries }
     }
 
     /// The frames of the entries, row by row.
@@ -234,7 +234,7 @@ impl<E: TableEntry, S: Deref<Target = [E]>> NormalTableIn<S> {
 }
 
 #[cfg(feature = "alloc")]
-impl NormalTableIn<Vec<[f32; 2]>> {
+impl NormalLutIn<Vec<[f32; 2]>> {
     /// The usual size of a side.
     pub const SIZE: usize = 256;
 
@@ -242,26 +242,26 @@ impl NormalTableIn<Vec<[f32; 2]>> {
     ///
     /// # Errors
     /// A `size` of 0 or above 4096. At 4096 the table takes 128 MB.
-    pub fn new<N: Ndf + ?Sized>(ndf: &N, size: usize) -> Result<Self, NormalTableError> {
+    pub fn new<N: Ndf + ?Sized>(ndf: &N, size: usize) -> Result<Self, NormalLutError> {
         Self::with_layout(ndf, size, TableLayout::default())
     }
 
     /// Creates the table of `ndf` with `size · size` entries in this layout.
     ///
     /// # Errors
-    /// See [`NormalTable::new`].
+    /// See [`NormalLut::new`].
     pub fn with_layout<N: Ndf + ?Sized>(
         ndf: &N,
         size: usize,
         layout: TableLayout,
-    ) -> Result<Self, NormalTableError> {
-        Self::from_fn(size, layout, |z| ndf.from_gaussian(z))
+    ) -> Result<Self, NormalLutError> {
+        Self::from_fn(size, layout, |z| ndf.warp_gaussian(z))
     }
 
     /// Creates the table of `ndf` of the usual size, 256 × 256, in the default layout.
     #[must_use]
     pub fn standard<N: Ndf + ?Sized>(ndf: &N) -> Self {
-        Self::build(Self::SIZE, TableLayout::default(), |z| ndf.from_gaussian(z))
+        Self::build(Self::SIZE, TableLayout::default(), |z| ndf.warp_gaussian(z))
     }
 
     /// Creates the table of any normals: `f` maps the coordinates of entries, row by row, to
@@ -271,13 +271,13 @@ impl NormalTableIn<Vec<[f32; 2]>> {
     /// which is indexed by the noise values in units of their standard deviation `σ`.
     ///
     /// # Errors
-    /// See [`NormalTable::new`].
+    /// See [`NormalLut::new`].
     pub fn from_fn(
         size: usize,
         layout: TableLayout,
         f: impl FnMut(Vec2) -> Vec3,
-    ) -> Result<Self, NormalTableError> {
-        NormalTableError::check(size, None).map(|()| Self::build(size, layout, f))
+    ) -> Result<Self, NormalLutError> {
+        NormalLutError::check(size, None).map(|()| Self::build(size, layout, f))
     }
 
     fn build(size: usize, layout: TableLayout, mut f: impl FnMut(Vec2) -> Vec3) -> Self {
@@ -292,7 +292,7 @@ impl NormalTableIn<Vec<[f32; 2]>> {
 
     /// The entries as pairs of half floats, e.g. for an interpolated texture of format RG16F.
     ///
-    /// For lookups on the CPU pass the result to [`NormalTableRef::new`]. Rounding rotates normals
+    /// For lookups on the CPU pass the result to [`NormalLutRef::new`]. Rounding rotates normals
     /// by at most 4.9e-4 rad in the default chart, and by 2⁻¹¹ of their tilt where it is small. In
     /// the projected chart it rotates them by 0.03 rad near the horizon. Slopes are clamped to
     /// [`MAX_HALF`].
@@ -327,7 +327,7 @@ mod tests {
     #[test]
     fn nearest_and_bilinear_agree_on_the_entries() {
         for layout in LAYOUTS {
-            let table = NormalTable::with_layout(&Ggx::new(0.2, 0.6).unwrap(), 9, layout).unwrap();
+            let table = NormalLut::with_layout(&Ggx::new(0.2, 0.6).unwrap(), 9, layout).unwrap();
             let at = |k| entry_coordinate(layout.spacing, k, 9);
             for (k, frame) in table.frames().enumerate() {
                 let z = Vec2::new(at(k % 9), at(k / 9));
@@ -344,16 +344,16 @@ mod tests {
     #[test]
     fn even_table_tilts_the_nearest_flat_normal_by_half_a_texel() {
         let ggx = Ggx::isotropic(0.3).unwrap();
-        let table = NormalTable::standard(&ggx);
+        let table = NormalLut::standard(&ggx);
         assert_abs_diff_eq!(table.bilinear(Vec2::ZERO).normal, Vec3::Z, epsilon = 1e-7);
         let half = Spacing::RANGE / 256.0;
-        let expected = ggx.from_gaussian(Vec2::splat(half));
+        let expected = ggx.warp_gaussian(Vec2::splat(half));
         assert_abs_diff_eq!(table.nearest(Vec2::ZERO).normal, expected, epsilon = 1e-6);
     }
 
     #[test]
     fn half_floats_rotate_normals_by_their_rounding() {
-        let table = NormalTable::new(&Ggx::new(0.2, 1.0).unwrap(), 64).unwrap();
+        let table = NormalLut::new(&Ggx::new(0.2, 1.0).unwrap(), 64).unwrap();
         let halves = table.halves();
         for (half, frame) in halves.iter().zip(table.frames()) {
             let rounded = table.layout.chart.to_normal(half.point());
@@ -364,7 +364,7 @@ mod tests {
     #[test]
     fn table_is_const_constructible() {
         static FLASH: [[u16; 2]; 1] = [[0x3800, 0]];
-        const TABLE: NormalTableRef<'static, [u16; 2]> = match NormalTableRef::new(
+        const TABLE: NormalLutRef<'static, [u16; 2]> = match NormalLutRef::new(
             1,
             TableLayout { spacing: Spacing::Warped, chart: Chart::Projected },
             &FLASH,
@@ -387,7 +387,7 @@ mod tests {
         ] {
             for size in [1, 2] {
                 let entries = points.get(..size * size).unwrap();
-                let table = NormalTableRef::new(size, TableLayout { spacing, chart }, entries).unwrap();
+                let table = NormalLutRef::new(size, TableLayout { spacing, chart }, entries).unwrap();
                 for (x, y) in bad.into_iter().flat_map(|x| bad.map(|y| (x, y))) {
                     for n in [table.nearest_normal(Vec2::new(x, y)), table.bilinear_normal(Vec2::new(x, y))] {
                         assert_abs_diff_eq!(n.length(), 1.0, epsilon = 1e-6, "{chart:?} {size} {x} {y}");

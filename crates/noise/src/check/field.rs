@@ -9,7 +9,7 @@ use crate::{
         difference::{REACH, root_mean_square, slope},
         settings::points,
     },
-    contract::field::{Curved, Field},
+    contract::field::{Field, HasHessian},
     point::Point,
     row::grid::Grid,
     sample::Sample,
@@ -43,10 +43,10 @@ const RANGE: f64 = 1e-6;
 /// bound: an error of a gradient that is smaller everywhere is not detected.
 ///
 /// ```
-/// use asperity_noise::{Field, Perlin2002, Sample, check, glam::Vec2};
+/// use asperity_noise::{Field, Perlin, Sample, check, glam::Vec2};
 ///
 /// /// A custom field whose gradient is wrong by a hundredth along y.
-/// struct Off(Perlin2002);
+/// struct Off(Perlin);
 /// impl Field<Vec2> for Off {
 ///     fn sample(&self, p: Vec2) -> Sample<Vec2> {
 ///         let Sample { value, gradient } = self.0.sample(p);
@@ -54,7 +54,7 @@ const RANGE: f64 = 1e-6;
 ///     }
 /// }
 ///
-/// let report = check::field(&Off(Perlin2002::new(1)), check::Settings::default());
+/// let report = check::field(&Off(Perlin::new(1)), check::Settings::default());
 /// assert!(report.failures().eq(["gradient"]), "{report}");
 /// ```
 #[must_use]
@@ -69,9 +69,9 @@ pub fn field<V: Point, F: Field<V> + ?Sized>(field: &F, settings: Settings) -> R
     report
 }
 
-/// Checks of a [`Curved`] field: the checks of [`field`](field()), and Hessians.
+/// Checks of a [`HasHessian`] field: the checks of [`field`](field()), and Hessians.
 ///
-/// - **bits:** value and gradient of [`Curved::second_order`] equal the sample, and the Hessian is
+/// - **bits:** value and gradient of [`HasHessian::sample_with_hessian`] equal the sample, and the Hessian is
 ///   symmetric, bit for bit.
 /// - **Hessian:** its rows match finite differences of the gradient, with the same limits as
 ///   gradients.
@@ -83,14 +83,14 @@ pub fn field<V: Point, F: Field<V> + ?Sized>(field: &F, settings: Settings) -> R
 /// assert!(report.passed(), "{report}");
 /// ```
 #[must_use]
-pub fn curved<V: Point, F: Curved<V> + ?Sized>(of: &F, settings: Settings) -> Report
+pub fn curved<V: Point, F: HasHessian<V> + ?Sized>(of: &F, settings: Settings) -> Report
 where
     V::Matrix: AsRef<[V::Coordinates]>,
 {
     let mut report = field(of, settings);
     let (mut point, mut broken) = (points(settings, 2, REACH), Broken::default());
     for p in (0..POINTS).map(|_| point()) {
-        let (there, sample) = (of.second_order(p), of.sample(p));
+        let (there, sample) = (of.sample_with_hessian(p), of.sample(p));
         let entry = |i: usize, j: usize| there.hessian.as_ref()[i].as_ref()[j];
         let symmetric =
             (0..axes::<V>()).all(|i| (0..i).all(|j| entry(i, j).to_bits() == entry(j, i).to_bits()));
@@ -101,7 +101,7 @@ where
     let hessians = Slopes {
         functions: axes::<V>(),
         f: &|i, p| of.sample(p).gradient.coordinates().as_ref()[i],
-        slope: &|i, p| V::from_coordinates(of.second_order(p).hessian.as_ref()[i]),
+        slope: &|i, p| V::from_coordinates(of.sample_with_hessian(p).hessian.as_ref()[i]),
     };
     hessians.add(&mut report, "Hessian", "|H − differences|/|H|, exceeded at a tenth", settings);
     report

@@ -5,9 +5,9 @@
 //! its own fields:
 //!
 //! ```
-//! use asperity_noise::{Perlin2002, check::{self, Settings}, glam::Vec3};
+//! use asperity_noise::{Perlin, check::{self, Settings}, glam::Vec3};
 //!
-//! let report = check::noise::<Vec3, _>(&Perlin2002::new(1), Settings::default());
+//! let report = check::noise::<Vec3, _>(&Perlin::new(1), Settings::default());
 //! println!("{report}");
 //! assert!(report.passed());
 //! ```

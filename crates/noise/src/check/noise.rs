@@ -38,9 +38,9 @@ const TABLE: f64 = 3e-3;
 ///   0.003, in units of σ₁.
 ///
 /// ```
-/// use asperity_noise::{Gaussian, check, glam::Vec2};
+/// use asperity_noise::{GaussianNoise, check, glam::Vec2};
 ///
-/// let report = check::noise::<Vec2, _>(&Gaussian::new(1), check::Settings::default());
+/// let report = check::noise::<Vec2, _>(&GaussianNoise::new(1), check::Settings::default());
 /// assert!(report.passed() && report.checks.len() == 7, "{report}");
 /// ```
 ///

@@ -20,10 +20,10 @@ use crate::{
 /// ±4: periods up to 1024 in steps of 2⁻¹² move them without rounding.
 ///
 /// ```
-/// use asperity_noise::{IntegerHash, Octaves, Perlin2002, Spectrum, Tiled, check, glam::Vec2};
+/// use asperity_noise::{IntegerHash, Fbm, Perlin, FbmSpectrum, Tiled, check, glam::Vec2};
 ///
-/// let noise = Perlin2002::new(1).with_lattice(Tiled::new(IntegerHash, [8, 5])?);
-/// let tile = Octaves::<_, 2>::tiled(noise, Spectrum::CLOUD)?;
+/// let noise = Perlin::new(1).with_lattice(Tiled::new(IntegerHash, [8, 5])?);
+/// let tile = Fbm::<_, 2>::tiled(noise, FbmSpectrum::CLOUD)?;
 /// assert!(check::tiled(&tile, Vec2::new(8.0, 5.0), check::Settings::default()).passed());
 /// assert!(!check::tiled(&tile, Vec2::new(4.0, 5.0), check::Settings::default()).passed());
 /// # Ok::<(), asperity_noise::TiledError>(())

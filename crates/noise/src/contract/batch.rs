@@ -13,9 +13,9 @@ use crate::{
 /// level.
 ///
 /// ```
-/// use asperity_noise::{Field, Perlin2002, glam::Vec2, simd::{Batch, Level}};
+/// use asperity_noise::{Field, Perlin, glam::Vec2, simd::{Batch, Level}};
 ///
-/// let (noise, points) = (Perlin2002::new(1), [Vec2::new(0.3, 1.7), Vec2::new(-2.4, 0.1)]);
+/// let (noise, points) = (Perlin::new(1), [Vec2::new(0.3, 1.7), Vec2::new(-2.4, 0.1)]);
 /// let mut values = [0.0; 2];
 /// Batch::with_level(Level::Scalar).values(&noise, &points, &mut values)?;
 /// assert_eq!(values, points.map(|p| noise.value(p)));

@@ -8,7 +8,7 @@ use crate::{
     point::Point,
     row::grid::Grid,
     row::points::{Points, Target},
-    sample::{Sample, SecondOrder},
+    sample::{Sample, SampleHessian},
 };
 
 /// A function of points `V` with its gradient: a noise, a sum of octaves, a warp, or your own.
@@ -23,7 +23,7 @@ use crate::{
 /// points only. From 2³¹ on, cells wrap modulo 2³².
 ///
 /// ```
-/// use asperity_noise::{Add, Field, Grid, Octaves, Perlin2002, Sample, Spectrum, glam::Vec2};
+/// use asperity_noise::{Add, Field, Grid, Fbm, Perlin, Sample, FbmSpectrum, glam::Vec2};
 ///
 /// /// A custom field: dunes along x.
 /// struct Dunes;
@@ -36,7 +36,7 @@ use crate::{
 /// }
 ///
 /// fn land(seed: u32, rough: bool) -> Box<dyn Field<Vec2>> {
-///     let noise = Octaves::new(Perlin2002::new(seed), Spectrum::default());
+///     let noise = Fbm::new(Perlin::new(seed), FbmSpectrum::default());
 ///     if rough { Box::new(Add(Dunes, noise)) } else { Box::new(Dunes) }
 /// }
 ///
@@ -109,9 +109,9 @@ pub trait Field<V: Point> {
     /// `gradients` has one slice per component.
     ///
     /// ```
-    /// use asperity_noise::{Field, Grid, Perlin2002, glam::Vec2};
+    /// use asperity_noise::{Field, Grid, Perlin, glam::Vec2};
     ///
-    /// let noise = Perlin2002::new(1);
+    /// let noise = Perlin::new(1);
     /// let grid = Grid { origin: Vec2::new(-3.0, 5.0), step: Vec2::splat(0.05), size: [100, 80] };
     /// let (mut values, mut dx, mut dy) = ([0.0; 8000], [0.0; 8000], [0.0; 8000]);
     /// noise.grid_samples(&grid, &mut values, [&mut dx, &mut dy])?;
@@ -158,8 +158,8 @@ pub trait Field<V: Point> {
 
 /// A field with second derivatives.
 ///
-/// Implemented for [`Perlin1985`](crate::Perlin1985), [`Perlin2002`](crate::Perlin2002),
-/// [`Simplex`](crate::Simplex), [`Gaussian`](crate::Gaussian), [`Value`](crate::Value) and
+/// Implemented for [`PerlinClassic`](crate::Perlin1985), [`Perlin`](crate::Perlin2002),
+/// [`Simplex`](crate::Simplex), [`GaussianNoise`](crate::Gaussian), [`ValueNoise`](crate::Value) and
 /// [`ValueGradient`](crate::ValueGradient) in 1 to 4 dimensions, and for the sums of their octaves.
 /// Value and gradient have the bits of [`Field::sample`].
 ///
@@ -169,16 +169,16 @@ pub trait Field<V: Point> {
 ///
 /// - **Continuity:** quintic weights are C², so the Hessians of Perlin noise of 2002 and of
 ///   Gaussian noise are continuous. The Hessian of simplex noise with r² = ½ is smooth. Cubic
-///   weights are only C¹: the Hessian of [`Perlin1985`](crate::Perlin1985) is discontinuous at cell
+///   weights are only C¹: the Hessian of [`PerlinClassic`](crate::Perlin1985) is discontinuous at cell
 ///   borders, where w″ jumps from −6 to 6. On a border it is the Hessian of the cell above. Wide
 ///   simplex noise is itself discontinuous.
 /// - **NaN and ∞:** points that are not finite give 0.
 ///
 /// ```
-/// use asperity_noise::{Curved, Field, Perlin2002, glam::Vec2};
+/// use asperity_noise::{HasHessian, Field, Perlin, glam::Vec2};
 ///
-/// let (noise, p, h) = (Perlin2002::new(1), Vec2::new(0.4, -2.7), 1e-3);
-/// let there = noise.second_order(p);
+/// let (noise, p, h) = (Perlin::new(1), Vec2::new(0.4, -2.7), 1e-3);
+/// let there = noise.sample_with_hessian(p);
 /// assert_eq!(there.gradient, noise.sample(p).gradient);
 ///
 /// let [ahead, behind] = [h, -h].map(|h| noise.sample(p + Vec2::new(h, 0.0)).gradient);
@@ -186,10 +186,10 @@ pub trait Field<V: Point> {
 /// assert!((there.hessian[0][0] - difference.x).abs() < 0.01 && (there.hessian[0][1] - difference.y).abs() < 0.01);
 /// ```
 #[doc(alias("hessian", "second derivative"))]
-pub trait Curved<V: Point>: Field<V> {
+pub trait HasHessian<V: Point>: Field<V> {
     /// Returns value, gradient and Hessian at a point.
     #[must_use]
-    fn second_order(&self, p: V) -> SecondOrder<V>;
+    fn sample_with_hessian(&self, p: V) -> SampleHessian<V>;
 }
 
 macro_rules! pointer {
@@ -213,10 +213,10 @@ macro_rules! pointer {
         }
 
         $(#[$attribute])*
-        impl<V: Point, F: Curved<V> + ?Sized> Curved<V> for $pointer {
+        impl<V: Point, F: HasHessian<V> + ?Sized> HasHessian<V> for $pointer {
             #[inline]
-            fn second_order(&self, p: V) -> SecondOrder<V> {
-                (**self).second_order(p)
+            fn sample_with_hessian(&self, p: V) -> SampleHessian<V> {
+                (**self).sample_with_hessian(p)
             }
         }
     };

@@ -3,7 +3,7 @@
 use crate::{
     contract::kernel::{Kernel, evaluated},
     point::Point,
-    sample::SecondOrder,
+    sample::SampleHessian,
 };
 
 /// Value, gradient and Hessian by coordinates.
@@ -17,20 +17,24 @@ pub struct Jet<const N: usize> {
 impl<const N: usize> Jet<N> {
     pub(crate) const ZERO: Self = Self { value: 0.0, gradient: [0.0; N], hessian: [[0.0; N]; N] };
 
-    pub(crate) fn at<V: Point<Coordinates = [f32; N], Matrix = [[f32; N]; N]>>(self) -> SecondOrder<V> {
-        SecondOrder { value: self.value, gradient: V::from_coordinates(self.gradient), hessian: self.hessian }
+    pub(crate) fn at<V: Point<Coordinates = [f32; N], Matrix = [[f32; N]; N]>>(self) -> SampleHessian<V> {
+        SampleHessian {
+            value: self.value,
+            gradient: V::from_coordinates(self.gradient),
+            hessian: self.hessian,
+        }
     }
 }
 
 /// A kind with second derivatives.
-pub trait CurvedKernel<const N: usize>: Kernel<N> {
+pub trait HessianKernel<const N: usize>: Kernel<N> {
     /// Value, gradient and Hessian at a point whose coordinates are at most 2³¹ in magnitude.
     fn near_jet(&self, p: [f32; N], seed: u32) -> Jet<N>;
 }
 
 /// Value, gradient and Hessian at any point.
 #[inline]
-pub(crate) fn at<K: CurvedKernel<N> + ?Sized, const N: usize>(kernel: &K, p: [f32; N], seed: u32) -> Jet<N> {
+pub(crate) fn at<K: HessianKernel<N> + ?Sized, const N: usize>(kernel: &K, p: [f32; N], seed: u32) -> Jet<N> {
     evaluated(p, K::REACH).map_or(Jet::ZERO, |p| kernel.near_jet(p, seed))
 }
 

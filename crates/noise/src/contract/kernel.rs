@@ -56,7 +56,7 @@ pub trait Measured<const N: usize> {
 /// for a point. This trait is sealed. Implement [`Field`](crate::Field) for custom noise.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a kind of noise in {N} dimensions",
-    note = "octaves sum kinds of this crate, for instance `Perlin2002`; any field can be added, multiplied, blended, clamped, \
+    note = "octaves sum kinds of this crate, for instance `Perlin`; any field can be added, multiplied, blended, clamped, \
             mapped and warped"
 )]
 pub trait Kernel<const N: usize>: Measured<N> {
@@ -163,7 +163,7 @@ pub trait Kernel<const N: usize>: Measured<N> {
     /// next row.
     ///
     /// `wide` is set if lists have sixteen lanes. Rows have at most eight. Where few points are in
-    /// a cell, sixteen lanes make `Perlin2002` faster by a fifth and `Perlin1985` by two fifths.
+    /// a cell, sixteen lanes make `Perlin` faster by a fifth and `PerlinClassic` by two fifths.
     #[inline(always)]
     fn shares(&self, row: &Row<N>, count: usize, _wide: bool) -> bool {
         has_columns(row, count, Self::LONG_STEP)

@@ -5,9 +5,9 @@ use crate::{contract::field::Field, point::Point, statistics::statistics::Statis
 /// A kind of noise: a random field selected by a seed, with measured statistics.
 ///
 /// ```
-/// use asperity_noise::{Field, Noise, Perlin2002, glam::Vec3};
+/// use asperity_noise::{Field, Noise, Perlin, glam::Vec3};
 ///
-/// let noise = Perlin2002::new(1);
+/// let noise = Perlin::new(1);
 /// let sample = noise.sample(Vec3::new(0.3, -4.2, 7.9));
 /// assert!(sample.value.abs() <= Noise::<Vec3>::statistics(&noise).range);
 /// assert_eq!(noise.value(Vec3::new(f32::NAN, 0.0, 0.0)), 0.0);
@@ -147,13 +147,13 @@ macro_rules! noise {
     ($kind:ident, curved) => {
         noise!($kind);
 
-        impl<V, L, const N: usize> $crate::contract::field::Curved<V> for $kind<L>
+        impl<V, L, const N: usize> $crate::contract::field::HasHessian<V> for $kind<L>
         where
             V: $crate::point::Point<Coordinates = [f32; N], Matrix = [[f32; N]; N]>,
             L: $crate::lattice::lattice::Lattice,
         {
             #[inline]
-            fn second_order(&self, p: V) -> $crate::sample::SecondOrder<V> {
+            fn sample_with_hessian(&self, p: V) -> $crate::sample::SampleHessian<V> {
                 $crate::contract::hessian::at(self, p.coordinates(), self.seed).at()
             }
         }

@@ -45,22 +45,22 @@ use crate::{
 /// - **Range:** all of ℝ up to the variates' bits: |s| ≤ 6.24, |g| ≤ 3.78.
 ///
 /// ```
-/// use asperity_noise::{Field, Gaussian, glam::Vec3};
+/// use asperity_noise::{Field, GaussianNoise, glam::Vec3};
 ///
-/// let mean_square = (0..10_000).map(|seed| Gaussian::new(seed).value(Vec3::ZERO).powi(2)).sum::<f32>() / 10_000.0;
+/// let mean_square = (0..10_000).map(|seed| GaussianNoise::new(seed).value(Vec3::ZERO).powi(2)).sum::<f32>() / 10_000.0;
 /// assert!((mean_square - 1.0).abs() < 0.05);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Gaussian<L = IntegerHash> {
+pub struct GaussianNoise<L = IntegerHash> {
     seed: u32,
     lattice: L,
 }
 
-kind!(Gaussian);
-measured!(Gaussian, |self| &tables::GAUSSIAN);
-noise!(Gaussian, curved);
+kind!(GaussianNoise);
+measured!(GaussianNoise, |self| &tables::GAUSSIAN);
+noise!(GaussianNoise, curved);
 
-impl<L: Lattice> Gaussian<L> {
+impl<L: Lattice> GaussianNoise<L> {
     /// Evaluates two independent channels in one pass over the lattice.
     ///
     /// The first channel is [`sample`](crate::Field::sample). The second has its own variates at
@@ -144,7 +144,7 @@ impl<L: Lattice> Gaussian<L> {
     }
 }
 
-impl<L: Lattice> Gaussian<L> {
+impl<L: Lattice> GaussianNoise<L> {
     /// Both channels of octaves at a point; `None` if there is only one lane.
     pub(crate) fn pairs_at<const N: usize>(
         &self,
@@ -169,8 +169,8 @@ impl<L: Lattice> Gaussian<L> {
 
 /// The evaluations of both channels, compiled once like the evaluations of one channel.
 struct PairForms<const N: usize> {
-    pair: fn(&Gaussian, [f32; N]) -> [LaneSample<Scalar, N>; 2],
-    octaves: fn(&Gaussian, OctavesAt<'_, N>, &mut [OctaveSamples<N>; 2]) -> Option<()>,
+    pair: fn(&GaussianNoise, [f32; N]) -> [LaneSample<Scalar, N>; 2],
+    octaves: fn(&GaussianNoise, OctavesAt<'_, N>, &mut [OctaveSamples<N>; 2]) -> Option<()>,
 }
 
 impl<const N: usize> PairForms<N> {
@@ -193,11 +193,11 @@ fn forms<const N: usize>() -> &'static PairForms<N> {
     in_dimension::<_, N>([&LINE, &PLANE, &SPACE]).unwrap_or(const { &PairForms::NONE })
 }
 
-impl<L: Lattice, const N: usize> CellNoise<N> for Gaussian<L> {
-    type Standard = Gaussian;
+impl<L: Lattice, const N: usize> CellNoise<N> for GaussianNoise<L> {
+    type Standard = GaussianNoise;
 
     #[inline(always)]
-    fn standard(&self) -> Gaussian {
+    fn standard(&self) -> GaussianNoise {
         Self::standard(self)
     }
 
@@ -216,7 +216,7 @@ pub(crate) const BOTH: usize = 8;
 ///
 /// Lanes of the lower half have the first channel, the others the second.
 struct Pairs<'a, L, const N: usize> {
-    noise: &'a Gaussian<L>,
+    noise: &'a GaussianNoise<L>,
     octaves: OctavesAt<'a, N>,
     samples: &'a mut [OctaveSamples<N>; 2],
 }
@@ -268,7 +268,7 @@ impl<L: Lattice, const N: usize> Task for Pairs<'_, L, N> {
 }
 
 struct Lone<'a, L, const N: usize> {
-    noise: &'a Gaussian<L>,
+    noise: &'a GaussianNoise<L>,
     p: [f32; N],
     pair: &'a mut [LaneSample<Scalar, N>; 2],
 }
@@ -283,7 +283,7 @@ impl<L: Lattice, const N: usize> Task for Lone<'_, L, N> {
 }
 
 /// Both channels at once: lanes of the lower half have the first channel, the others the second.
-pub(crate) struct Channels<'a, L>(pub(crate) &'a Gaussian<L>);
+pub(crate) struct Channels<'a, L>(pub(crate) &'a GaussianNoise<L>);
 
 impl<L: Lattice> OnLattice for Channels<'_, L> {
     type Lattice = L;
@@ -305,9 +305,9 @@ impl<L: Lattice, const N: usize> Measured<N> for Channels<'_, L> {
 }
 
 impl<L: Lattice, const N: usize> CellNoise<N> for Channels<'_, L> {
-    type Standard = Gaussian;
+    type Standard = GaussianNoise;
 
-    fn standard(&self) -> Gaussian {
+    fn standard(&self) -> GaussianNoise {
         self.0.standard()
     }
 

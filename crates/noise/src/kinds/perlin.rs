@@ -32,12 +32,12 @@ use crate::{
 /// Perlin 1985, "An Image Synthesizer"; Ebert (ed.) 1994, "Texturing and Modeling".
 ///
 /// ```
-/// use asperity_noise::{Field, Perlin1985, glam::Vec2};
+/// use asperity_noise::{Field, PerlinClassic, glam::Vec2};
 ///
-/// assert_eq!(Perlin1985::new(9).value(Vec2::new(3.0, -2.0)), 0.0);
+/// assert_eq!(PerlinClassic::new(9).value(Vec2::new(3.0, -2.0)), 0.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Perlin1985<L = IntegerHash> {
+pub struct PerlinClassic<L = IntegerHash> {
     seed: u32,
     lattice: L,
 }
@@ -46,7 +46,7 @@ pub struct Perlin1985<L = IntegerHash> {
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/pictures/perlin_2002.md"))]
 ///
-/// The sum of [`Perlin1985`] with w(t) = 6t⁵ − 15t⁴ + 10t³ and other gradients. In 3-D they are the
+/// The sum of [`PerlinClassic`] with w(t) = 6t⁵ − 15t⁴ + 10t³ and other gradients. In 3-D they are the
 /// twelve (±1, ±1, 0) and its rotations, in 4-D the 32 of the form (0, ±1, ±1, ±1). In 2-D they are
 /// the eight of length √2 at odd multiples of 22.5°, and in 1-D ±⅛ … ±1.
 ///
@@ -58,24 +58,24 @@ pub struct Perlin1985<L = IntegerHash> {
 /// noise equals Perlin's up to its scale.
 ///
 /// ```
-/// use asperity_noise::{Field, Perlin2002, glam::Vec3};
+/// use asperity_noise::{Field, Perlin, glam::Vec3};
 ///
-/// let sample = Perlin2002::new(2).sample(Vec3::new(0.5, 0.5, 0.5));
+/// let sample = Perlin::new(2).sample(Vec3::new(0.5, 0.5, 0.5));
 /// assert!(sample.value.abs() <= 1.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Perlin2002<L = IntegerHash> {
+pub struct Perlin<L = IntegerHash> {
     seed: u32,
     lattice: L,
 }
 
-kind!(Perlin1985);
-measured!(Perlin1985, |self| &tables::PERLIN_1985);
-noise!(Perlin1985, curved);
+kind!(PerlinClassic);
+measured!(PerlinClassic, |self| &tables::PERLIN_1985);
+noise!(PerlinClassic, curved);
 
-kind!(Perlin2002);
-measured!(Perlin2002, |self| &tables::PERLIN_2002);
-noise!(Perlin2002, curved);
+kind!(Perlin);
+measured!(Perlin, |self| &tables::PERLIN_2002);
+noise!(Perlin, curved);
 
 /// The inverse of the searched maximum.
 const SCALE_2002: [f32; 4] =
@@ -88,11 +88,11 @@ static LENGTHS_2002: [Lengths; 4] = [
     Lengths::new(SCALE_2002[3]),
 ];
 
-impl<L: Lattice, const N: usize> CellNoise<N> for Perlin1985<L> {
-    type Standard = Perlin1985;
+impl<L: Lattice, const N: usize> CellNoise<N> for PerlinClassic<L> {
+    type Standard = PerlinClassic;
 
     #[inline(always)]
-    fn standard(&self) -> Perlin1985 {
+    fn standard(&self) -> PerlinClassic {
         Self::standard(self)
     }
 
@@ -105,11 +105,11 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Perlin1985<L> {
     }
 }
 
-impl<L: Lattice, const N: usize> CellNoise<N> for Perlin2002<L> {
-    type Standard = Perlin2002;
+impl<L: Lattice, const N: usize> CellNoise<N> for Perlin<L> {
+    type Standard = Perlin;
 
     #[inline(always)]
-    fn standard(&self) -> Perlin2002 {
+    fn standard(&self) -> Perlin {
         Self::standard(self)
     }
 

@@ -39,38 +39,38 @@ use crate::{
 /// is fixed instead of Poisson-distributed, which avoids empty regions.
 ///
 /// ```
-/// use asperity_noise::{Field, Sparse, glam::Vec3};
+/// use asperity_noise::{Field, SparseConvolution, glam::Vec3};
 ///
-/// let mean_square = (0..4000).map(|seed| Sparse::new(seed).value(Vec3::splat(0.3)).powi(2)).sum::<f32>() / 4000.0;
+/// let mean_square = (0..4000).map(|seed| SparseConvolution::new(seed).value(Vec3::splat(0.3)).powi(2)).sum::<f32>() / 4000.0;
 /// assert!((mean_square - 1.0).abs() < 0.1);
-/// assert!(Sparse::new(1).with_impulses(0).is_err());
+/// assert!(SparseConvolution::new(1).with_impulses(0).is_err());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Sparse<L = IntegerHash> {
+pub struct SparseConvolution<L = IntegerHash> {
     seed: u32,
     impulses: u8,
     lattice: L,
 }
 
-impl Sparse {
+impl SparseConvolution {
     /// The maximum number of impulses per cell.
     pub const MAX_IMPULSES: u32 = 4;
 }
 
-kind!(Sparse { impulses: 1 }, "of one impulse per cell");
-noise!(Sparse);
+kind!(SparseConvolution { impulses: 1 }, "of one impulse per cell");
+noise!(SparseConvolution);
 
-impl<L> Sparse<L> {
+impl<L> SparseConvolution<L> {
     /// Sets the number of impulses per cell; more are slower and closer to Gaussian.
     ///
     /// # Errors
     ///
     /// If the number is not in 1..=[`MAX_IMPULSES`](Sparse::MAX_IMPULSES).
-    pub fn with_impulses(self, impulses: u32) -> Result<Self, SparseError> {
-        if (1..=Sparse::MAX_IMPULSES).contains(&impulses) {
+    pub fn with_impulses(self, impulses: u32) -> Result<Self, SparseConvolutionError> {
+        if (1..=SparseConvolution::MAX_IMPULSES).contains(&impulses) {
             Ok(Self { impulses: impulses as u8, ..self })
         } else {
-            Err(SparseError::ImpulsesOutOfRange { impulses })
+            Err(SparseConvolutionError::ImpulsesOutOfRange { impulses })
         }
     }
 
@@ -189,7 +189,7 @@ fn add<S: Lanes, const N: usize, const GRADIENTS: bool>(
     }
 }
 
-impl<L: Lattice> Sparse<L> {
+impl<L: Lattice> SparseConvolution<L> {
     #[inline(always)]
     fn amplitude<const N: usize>(&self) -> f32 {
         AMPLITUDE[N - 1][usize::from(self.impulses - 1) & 3]
@@ -227,7 +227,7 @@ impl<const N: usize> Columns<N> {
     fn fill<L: Lattice, S: Lanes>(
         &mut self,
         s: S,
-        noise: &Sparse<L>,
+        noise: &SparseConvolution<L>,
         section: &Section<S, N>,
         leftmost: i32,
         count: usize,
@@ -281,7 +281,7 @@ impl<const N: usize> Columns<N> {
     }
 }
 
-impl<L: Lattice, const N: usize> Kernel<N> for Sparse<L> {
+impl<L: Lattice, const N: usize> Kernel<N> for SparseConvolution<L> {
     type RowScratch = ();
 
     on_lattice!();
@@ -361,7 +361,7 @@ impl<L: Lattice, const N: usize> Kernel<N> for Sparse<L> {
     }
 }
 
-impl<L, const N: usize> Measured<N> for Sparse<L> {
+impl<L, const N: usize> Measured<N> for SparseConvolution<L> {
     fn seed(&self) -> u32 {
         self.seed
     }
@@ -373,9 +373,9 @@ impl<L, const N: usize> Measured<N> for Sparse<L> {
 }
 
 error_enum! {
-    /// Error returned for invalid parameters of [`Sparse`].
-    pub enum SparseError {
-        /// The number of impulses per cell is not in 1..=[`Sparse::MAX_IMPULSES`].
+    /// Error returned for invalid parameters of [`SparseConvolution`].
+    pub enum SparseConvolutionError {
+        /// The number of impulses per cell is not in 1..=[`SparseConvolution::MAX_IMPULSES`].
         ImpulsesOutOfRange { impulses: u32 } => "`impulses` must be from 1 to 4, got {impulses}";
     }
 }

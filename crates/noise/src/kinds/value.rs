@@ -32,14 +32,14 @@ use crate::{
 /// Ebert (ed.) 1994, "Texturing and Modeling"; weights of Perlin 2002.
 ///
 /// ```
-/// use asperity_noise::{Field, Value, glam::Vec3};
+/// use asperity_noise::{Field, ValueNoise, glam::Vec3};
 ///
-/// let sample = Value::new(2).sample(Vec3::new(4.0, -1.0, 7.0));
+/// let sample = ValueNoise::new(2).sample(Vec3::new(4.0, -1.0, 7.0));
 /// assert!(sample.value.abs() <= 1.0);
 /// assert_eq!(sample.gradient, Vec3::ZERO);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Value<L = IntegerHash> {
+pub struct ValueNoise<L = IntegerHash> {
     seed: u32,
     lattice: L,
 }
@@ -74,9 +74,9 @@ pub struct ValueCatmullRom<L = IntegerHash> {
     lattice: L,
 }
 
-kind!(Value);
-measured!(Value, |self| &tables::VALUE);
-noise!(Value, curved);
+kind!(ValueNoise);
+measured!(ValueNoise, |self| &tables::VALUE);
+noise!(ValueNoise, curved);
 
 kind!(ValueCatmullRom);
 measured!(ValueCatmullRom, |self| &tables::VALUE_CATMULL_ROM);
@@ -85,11 +85,11 @@ noise!(ValueCatmullRom);
 /// (4/5)ⁿ.
 const SCALE_CATMULL_ROM: [f32; 4] = [MARGIN * 0.8, MARGIN * 0.64, MARGIN * 0.512, MARGIN * 0.4096];
 
-impl<L: Lattice, const N: usize> CellNoise<N> for Value<L> {
-    type Standard = Value;
+impl<L: Lattice, const N: usize> CellNoise<N> for ValueNoise<L> {
+    type Standard = ValueNoise;
 
     #[inline(always)]
-    fn standard(&self) -> Value {
+    fn standard(&self) -> ValueNoise {
         Self::standard(self)
     }
 

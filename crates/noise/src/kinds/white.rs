@@ -27,23 +27,23 @@ use crate::{
 /// Ebert (ed.) 1994, "Texturing and Modeling".
 ///
 /// ```
-/// use asperity_noise::{Field, White, glam::Vec2};
+/// use asperity_noise::{Field, WhiteNoise, glam::Vec2};
 ///
-/// let noise = White::new(3);
+/// let noise = WhiteNoise::new(3);
 /// assert_eq!(noise.sample(Vec2::new(0.1, -0.1)), noise.sample(Vec2::new(0.9, -0.9)));
 /// assert_ne!(noise.value(Vec2::new(0.1, 0.1)), noise.value(Vec2::new(0.1, -0.1)));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct White<L = IntegerHash> {
+pub struct WhiteNoise<L = IntegerHash> {
     seed: u32,
     lattice: L,
 }
 
-kind!(White);
-measured!(White, |self| &tables::WHITE);
-noise!(White);
+kind!(WhiteNoise);
+measured!(WhiteNoise, |self| &tables::WHITE);
+noise!(WhiteNoise);
 
-impl<L: Lattice, const N: usize> Kernel<N> for White<L> {
+impl<L: Lattice, const N: usize> Kernel<N> for WhiteNoise<L> {
     type RowScratch = ();
 
     on_lattice!();

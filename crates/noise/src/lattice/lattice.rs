@@ -17,7 +17,7 @@ pub(crate) const IS_FULL: bool = cfg!(not(any(debug_assertions, test)));
 /// implementations.
 ///
 /// ```
-/// use asperity_noise::{Field, IntegerHash, Lattice, Perlin2002, glam::Vec2};
+/// use asperity_noise::{Field, IntegerHash, Lattice, Perlin, glam::Vec2};
 ///
 /// /// Only the row of cells matters.
 /// struct Stripes;
@@ -28,7 +28,7 @@ pub(crate) const IS_FULL: bool = cfg!(not(any(debug_assertions, test)));
 ///     }
 /// }
 ///
-/// let noise = Perlin2002::new(1).with_lattice(Stripes);
+/// let noise = Perlin::new(1).with_lattice(Stripes);
 /// assert_eq!(noise.value(Vec2::new(0.4, 0.25)), noise.value(Vec2::new(0.4, 7.25)));
 /// ```
 pub trait Lattice {

@@ -13,7 +13,7 @@ use crate::{lattice::edges::EDGE_MAXIMUM, lattice::lattice::Lattice, lattice::va
 /// h = p[p[p[x] + y] + z] mod 16,   gradient h of his listing
 /// ```
 ///
-/// With this lattice [`Perlin2002`](crate::Perlin2002) in 3-D is the reference noise divided by
+/// With this lattice [`Perlin`](crate::Perlin2002) in 3-D is the reference noise divided by
 /// [`SCALE`](Self::SCALE). Seed 0 gives the seedless reference. Another seed moves the lattice by
 /// that number of cells along x. The reference does not define other dimensions. There, words are
 /// drawn from the last of one lookup per axis.
@@ -21,16 +21,16 @@ use crate::{lattice::edges::EDGE_MAXIMUM, lattice::lattice::Lattice, lattice::va
 /// Perlin 2002, "Improved Noise reference implementation", <https://mrl.cs.nyu.edu/~perlin/noise/>.
 ///
 /// ```
-/// use asperity_noise::{Affine, Field, Perlin2002, glam::Vec3, lattice::PerlinTable};
+/// use asperity_noise::{ScaleBias, Field, Perlin, glam::Vec3, lattice::PerlinTable};
 ///
-/// let noise = Affine(Perlin2002::new(0).with_lattice(PerlinTable), PerlinTable::SCALE, 0.0);
+/// let noise = ScaleBias(Perlin::new(0).with_lattice(PerlinTable), PerlinTable::SCALE, 0.0);
 /// assert!((noise.value(Vec3::new(3.14, 42.0, 7.0)) - 0.136_919_95).abs() < 3e-7);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PerlinTable;
 
 impl PerlinTable {
-    /// Scale of the reference noise relative to [`Perlin2002`](crate::Perlin2002), whose range is
+    /// Scale of the reference noise relative to [`Perlin`](crate::Perlin2002), whose range is
     /// [−1, 1].
     pub const SCALE: f32 = EDGE_MAXIMUM[2] / MARGIN;
 

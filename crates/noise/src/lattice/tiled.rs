@@ -20,7 +20,7 @@ use crate::{
 /// and p + period are both exact in `f32`, values and gradients have the same bits. From |x| = 2³¹
 /// on cells wrap modulo 2³², and only periods that are powers of two continue.
 ///
-/// Use [`Octaves::tiled`](crate::Octaves::tiled) for sums, in which each octave has its own
+/// Use [`Fbm::tiled`](crate::Octaves::tiled) for sums, in which each octave has its own
 /// periods.
 ///
 /// [`Simplex`](crate::Simplex) noise is tileable with it in 1-D only. Use
@@ -28,9 +28,9 @@ use crate::{
 /// simplicial lattice onto itself, since its shear is irrational.
 ///
 /// ```
-/// use asperity_noise::{Field, IntegerHash, Perlin2002, Tiled, glam::Vec2};
+/// use asperity_noise::{Field, IntegerHash, Perlin, Tiled, glam::Vec2};
 ///
-/// let noise = Perlin2002::new(1).with_lattice(Tiled::new(IntegerHash, [8, 3])?);
+/// let noise = Perlin::new(1).with_lattice(Tiled::new(IntegerHash, [8, 3])?);
 /// let p = Vec2::new(1.25, -0.5);
 /// assert_eq!(noise.sample(p), noise.sample(p + Vec2::new(8.0, -3.0)));
 /// # Ok::<(), asperity_noise::TiledError>(())

@@ -8,7 +8,7 @@ use crate::{
     contract::kernel::{self, Kernel, Measured},
     kinds::catmull_rom::{LONG_STEP, SplineNoise, spline, spline_rows},
     kinds::cell::corner::{CellNoise, Corner},
-    kinds::perlin::Perlin1985,
+    kinds::perlin::PerlinClassic,
     kinds::value_gradient::ValueGradientError,
     lanes::{LaneSample, Lanes},
     lattice::fade::Fade,
@@ -159,7 +159,7 @@ pub struct Vnoise<'a>(
 
 /// `gnoise`: gradient noise in 3-D with the gradients of the table and the weights 3t² − 2t³; C¹.
 ///
-/// It is 0 at lattice points. It is [`Perlin1985`] before the division by √3/2, on the table.
+/// It is 0 at lattice points. It is [`PerlinClassic`] before the division by √3/2, on the table.
 ///
 /// - **Range:** ±√3/2.
 /// - **Period:** 256 along each axis.
@@ -291,10 +291,10 @@ impl Kernel<3> for Splines<'_> {
 struct Gradients<'a>(&'a LectureTables);
 
 impl CellNoise<3> for Gradients<'_> {
-    type Standard = Perlin1985;
+    type Standard = PerlinClassic;
 
-    fn standard(&self) -> Perlin1985 {
-        Perlin1985::default()
+    fn standard(&self) -> PerlinClassic {
+        PerlinClassic::default()
     }
 
     const HAS_VALUE: bool = false;

@@ -8,9 +8,9 @@
 /// [`Cellular`](crate::Cellular) noise, whose mean is subtracted first.
 ///
 /// ```
-/// use asperity_noise::{Noise, Perlin2002, glam::Vec3};
+/// use asperity_noise::{Noise, Perlin, glam::Vec3};
 ///
-/// let statistics = Noise::<Vec3>::statistics(&Perlin2002::default());
+/// let statistics = Noise::<Vec3>::statistics(&Perlin::default());
 /// assert!(statistics.cdf.windows(2).all(|knots| knots[0] <= knots[1]));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

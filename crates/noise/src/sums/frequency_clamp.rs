@@ -16,13 +16,13 @@ use crate::point::Point;
 /// Nilsson 2008, section 4.1.6, `fadeout` with the item size 1/frequency.
 ///
 /// ```
-/// use asperity_noise::removed_share;
+/// use asperity_noise::filtered_fraction;
 ///
-/// assert_eq!([0.2, 0.6].map(|footprint| removed_share(footprint, 1.0)), [0.0, 1.0]);
-/// assert!((removed_share(0.1, 4.0) - 0.5).abs() < 1e-6);
+/// assert_eq!([0.2, 0.6].map(|footprint| filtered_fraction(footprint, 1.0)), [0.0, 1.0]);
+/// assert!((filtered_fraction(0.1, 4.0) - 0.5).abs() < 1e-6);
 /// ```
 #[must_use]
-pub fn removed_share(footprint: f32, frequency: f32) -> f32 {
+pub fn filtered_fraction(footprint: f32, frequency: f32) -> f32 {
     const LOW: f32 = 0.2;
     const HIGH: f32 = 0.6;
     let x = footprint * frequency;
@@ -68,18 +68,18 @@ mod tests {
 
     #[test]
     fn removed_share_rises_from_0_to_1() {
-        let shares = core::array::from_fn::<f32, 101, _>(|i| removed_share(i as f32 / 100.0, 1.0));
+        let shares = core::array::from_fn::<f32, 101, _>(|i| filtered_fraction(i as f32 / 100.0, 1.0));
         assert!(shares.windows(2).all(|pair| pair[0] <= pair[1] && pair[1] - pair[0] < 0.04));
         assert_eq!((shares[20], shares[60], shares[100]), (0.0, 1.0, 1.0));
-        assert_eq!(removed_share(0.05, 8.0), removed_share(0.4, 1.0));
+        assert_eq!(filtered_fraction(0.05, 8.0), filtered_fraction(0.4, 1.0));
     }
 
     #[test]
     fn removed_share_is_0_for_invalid_footprints() {
         for footprint in [0.0, -0.0, -3.0, f32::NEG_INFINITY, f32::NAN] {
-            assert_eq!(removed_share(footprint, 2.0), 0.0, "{footprint}");
+            assert_eq!(filtered_fraction(footprint, 2.0), 0.0, "{footprint}");
         }
-        assert_eq!(removed_share(f32::INFINITY, 2.0), 1.0);
+        assert_eq!(filtered_fraction(f32::INFINITY, 2.0), 1.0);
         assert_eq!(pixel_footprint(Vec3::NAN, Vec3::new(0.0, -2.0, 1.0)), 2.0);
         assert_eq!(pixel_footprint(0.25_f32, -0.5_f32), 0.5);
     }

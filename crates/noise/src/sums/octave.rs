@@ -6,7 +6,7 @@ use crate::{
     contract::kernel::{Kernel, OctavesAt},
     lanes::{Arithmetic, LaneSample, Lanes, Scalar},
     lattice::variates::{gaussian_quaternion, unit_direction},
-    sums::spectrum::{MAX_OCTAVES, Spectrum},
+    sums::spectrum::{FbmSpectrum, MAX_OCTAVES},
 };
 
 /// Whether octaves are rotated relative to each other.
@@ -42,7 +42,7 @@ pub(crate) struct Layer<const N: usize> {
 
 impl<const N: usize> Layer<N> {
     /// All layers of a spectrum.
-    pub(crate) fn all(spectrum: &Spectrum, rotation: Rotation, seed: u32) -> [Self; MAX_OCTAVES as usize] {
+    pub(crate) fn all(spectrum: &FbmSpectrum, rotation: Rotation, seed: u32) -> [Self; MAX_OCTAVES as usize] {
         let mut i = 0;
         [(); MAX_OCTAVES as usize].map(|()| {
             let word = |k: u64| SplitMix64::nth((u64::from(seed) << 32) | u64::from(i) << 3 | k);
@@ -185,9 +185,9 @@ impl<S: Lanes, const N: usize> Map<S, N> {
 /// own periods, which are not part of this struct.
 ///
 /// ```
-/// use asperity_noise::{Octaves, Perlin2002, Spectrum};
+/// use asperity_noise::{Fbm, Perlin, FbmSpectrum};
 ///
-/// let sum = Octaves::new(Perlin2002::new(5), Spectrum::default()).first(1.0);
+/// let sum = Fbm::new(Perlin::new(5), FbmSpectrum::default()).first(1.0);
 /// let octave = sum.octave(0);
 /// // The first octave is rotated and not scaled, so it keeps lengths.
 /// let [x, y] = octave.matrix.map(|[x, y]| 3.0 * x - 4.0 * y);
@@ -402,7 +402,7 @@ mod tests {
 
     fn is_rotation<const N: usize>() {
         for seed in 0..32 {
-            for layer in Layer::<N>::all(&Spectrum::default(), Rotation::Random, seed).iter().take(3) {
+            for layer in Layer::<N>::all(&FbmSpectrum::default(), Rotation::Random, seed).iter().take(3) {
                 let (m, square) = (layer.matrix, layer.matrix[0].iter().map(|x| x * x).sum::<f32>());
                 for i in 0..N {
                     for j in 0..N {
@@ -429,7 +429,7 @@ mod tests {
 
     #[test]
     fn aligned_layers_are_scaled() {
-        let [first, second, ..] = Layer::<3>::all(&Spectrum::default(), Rotation::Aligned, 1);
+        let [first, second, ..] = Layer::<3>::all(&FbmSpectrum::default(), Rotation::Aligned, 1);
         assert_eq!(first.matrix, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
         assert_eq!(second.matrix[1], [0.0, 2.17, 0.0]);
         assert_ne!((first.seed, first.offset), (second.seed, second.offset));

@@ -5,36 +5,36 @@ use core::array;
 use asperity_core::math;
 
 use crate::{
-    contract::field::{Curved, Field},
-    contract::hessian::{self, CurvedKernel, Jet, mirror},
+    contract::field::{Field, HasHessian},
+    contract::hessian::{self, HessianKernel, Jet, mirror},
     contract::kernel::{Anchor, Kernel},
-    kinds::gaussian::Gaussian,
+    kinds::gaussian::GaussianNoise,
     lanes::{LaneSample, Scalar},
     lattice::lattice::Lattice,
     lattice::tiled::{TiledError, in_first_tile},
     point::Point,
     row::points::{Points, Target},
-    sample::{Sample, SecondOrder},
+    sample::{Sample, SampleHessian},
     sums::anchor::anchored,
-    sums::frequency_clamp::removed_share,
+    sums::frequency_clamp::filtered_fraction,
     sums::octave::{Layer, Layers, Octave, Rotation},
     sums::pass::Passes,
     sums::point::AtPoint,
     sums::shape::{Shape, Signed},
-    sums::spectrum::{MAX_OCTAVES, Spectrum},
+    sums::spectrum::{FbmSpectrum, MAX_OCTAVES},
 };
 
 /// The divisor of a sum of octaves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
-pub enum Normalisation {
+pub enum Normalization {
     /// Σ wᵢ aᵢ: the sum stays in [−1, 1]. Its variance shrinks as octaves are added.
-    Range,
+    UnitRange,
     /// σ₁ √Σ (wᵢ aᵢ)²: the sum has variance 1 for every number of octaves. It is not bounded by 1.
     ///
     /// The mean of a kind or a [`Shape`] is subtracted first, so that the sum has mean 0.
     #[default]
-    Variance,
+    UnitVariance,
 }
 
 /// Fractional Brownian motion: a sum of octaves of one kind of noise.
@@ -47,7 +47,7 @@ pub enum Normalisation {
 /// n(p) = Σ wᵢ aᵢ φ(nᵢ(fᵢ Rᵢ p + oᵢ)) / N
 /// ```
 ///
-/// The [`Spectrum`] defines weights, amplitudes and frequencies, and [`Normalisation`] defines N.
+/// The [`FbmSpectrum`] defines weights, amplitudes and frequencies, and [`Normalization`] defines N.
 /// Every octave has its own seed, offset oᵢ and rotation Rᵢ, so that octaves and sums of different
 /// seeds have no lattice points in common. φ is the identity unless set by
 /// [`with_shape`](Self::with_shape).
@@ -59,15 +59,15 @@ pub enum Normalisation {
 /// Nilsson 2008, "Procedural Generation of Natural Variations"; lacunarity after Ebert (ed.) 1994.
 ///
 /// ```
-/// use asperity_noise::{Field, Normalisation, Octaves, Perlin2002, Spectrum, glam::Vec3};
+/// use asperity_noise::{Field, Normalization, Fbm, Perlin, FbmSpectrum, glam::Vec3};
 ///
-/// let noise = Octaves::new(Perlin2002::new(5), Spectrum::default()).with_normalisation(Normalisation::Range);
+/// let noise = Fbm::new(Perlin::new(5), FbmSpectrum::default()).with_normalization(Normalization::UnitRange);
 /// let sample = noise.first(4.5).sample(Vec3::new(0.4, 0.1, -3.0));
 /// assert!(sample.value.abs() <= 1.0);
 /// ```
 #[doc(alias("fbm", "fractal", "terrain", "clouds"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Octaves<K, const N: usize, T = Signed> {
+pub struct Fbm<K, const N: usize, T = Signed> {
     terms: Terms<K, N, T>,
     active: Active,
 }
@@ -82,17 +82,17 @@ pub struct Octaves<K, const N: usize, T = Signed> {
 /// at every point, wᵢ² aᵢ² / Σ wⱼ² aⱼ².
 ///
 /// ```
-/// use asperity_noise::{Field, Gaussian, GaussianOctaves, Spectrum, glam::Vec3};
+/// use asperity_noise::{Field, GaussianNoise, GaussianFbm, FbmSpectrum, glam::Vec3};
 ///
-/// let noise = GaussianOctaves::new(Gaussian::new(42), Spectrum::default()).first(6.5);
+/// let noise = GaussianFbm::new(GaussianNoise::new(42), FbmSpectrum::default()).first(6.5);
 /// let [first, second] = noise.pair(Vec3::new(0.1, 0.2, 0.3));
 /// assert_eq!(first, noise.sample(Vec3::new(0.1, 0.2, 0.3)));
 /// assert!(first != second && noise.share() < 1.0);
 /// ```
 #[doc(alias("fbm", "fractal"))]
-pub type GaussianOctaves<const N: usize> = Octaves<Gaussian, N>;
+pub type GaussianFbm<const N: usize> = Fbm<GaussianNoise, N>;
 
-/// A sum with another number of octaves, returned by [`Octaves::detail`].
+/// A sum with another number of octaves, returned by [`Fbm::detail`].
 #[derive(Clone, Copy, Debug)]
 pub struct Detail<'a, K, const N: usize, T = Signed> {
     terms: &'a Terms<K, N, T>,
@@ -103,8 +103,8 @@ pub struct Detail<'a, K, const N: usize, T = Signed> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Terms<K, const N: usize, T> {
     noise: K,
-    spectrum: Spectrum,
-    normalisation: Normalisation,
+    spectrum: FbmSpectrum,
+    normalisation: Normalization,
     rotation: Rotation,
     seed: u32,
     layers: Layers<N>,
@@ -150,7 +150,7 @@ impl Active {
     ///
     /// The variance is 1 if there are `moments`, the mean and deviation of one octave. `bounds` are
     /// the bounds of one octave.
-    fn new(spectrum: &Spectrum, octaves: f32, bounds: [f32; 2], moments: Option<[f32; 2]>) -> Self {
+    fn new(spectrum: &FbmSpectrum, octaves: f32, bounds: [f32; 2], moments: Option<[f32; 2]>) -> Self {
         let mut active = Self {
             octaves: if octaves > 0.0 { octaves } else { 0.0 },
             amplitudes: [0.0; MAX_OCTAVES as usize],
@@ -185,7 +185,7 @@ impl Active {
     fn clamped(mut self, footprint: f32, lacunarity: f32, mean: f32, bounds: [f32; 2]) -> Self {
         let mut frequency = 1.0;
         for amplitude in self.amplitudes.iter_mut().take(self.count) {
-            let removed = removed_share(footprint, frequency);
+            let removed = filtered_fraction(footprint, frequency);
             self.constant += *amplitude * removed * mean;
             *amplitude *= 1.0 - removed;
             frequency *= lacunarity;
@@ -212,7 +212,7 @@ fn scaled<const N: usize>(mut g: [f32; N], factor: f32) -> [f32; N] {
 impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
     #[inline]
     fn active(&self, octaves: f32) -> Active {
-        let moments = (self.normalisation == Normalisation::Variance).then(|| self.moments());
+        let moments = (self.normalisation == Normalization::UnitVariance).then(|| self.moments());
         Active::new(&self.spectrum, octaves, self.bounds(), moments)
     }
 
@@ -309,7 +309,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
 
     fn mean(&self, active: &Active) -> f32 {
         match self.normalisation {
-            Normalisation::Range if active.octaves > 0.0 => self.moments()[0],
+            Normalization::UnitRange if active.octaves > 0.0 => self.moments()[0],
             _ => 0.0,
         }
     }
@@ -329,7 +329,7 @@ fn periods<K: Kernel<N>, const N: usize>(noise: &K) -> [f32; N] {
     periods
 }
 
-impl<K: CurvedKernel<N>, const N: usize, T> Terms<K, N, T> {
+impl<K: HessianKernel<N>, const N: usize, T> Terms<K, N, T> {
     /// factor · Σ amplitude · octave.
     fn jet(&self, active: &Active, p: [f32; N]) -> Jet<N> {
         let (p, mut own) = (in_first_tile(Scalar, p, &periods(&self.noise)), None);
@@ -360,7 +360,7 @@ impl<K: CurvedKernel<N>, const N: usize, T> Terms<K, N, T> {
     }
 }
 
-impl<L: Lattice, const N: usize> Terms<Gaussian<L>, N, Signed> {
+impl<L: Lattice, const N: usize> Terms<GaussianNoise<L>, N, Signed> {
     #[inline]
     fn pair<V: Point<Coordinates = [f32; N]>>(&self, active: &Active, p: V) -> [Sample<V>; 2] {
         let mut sums = [(0.0, [0.0; N]); 2];
@@ -381,20 +381,20 @@ impl<L: Lattice, const N: usize> Terms<Gaussian<L>, N, Signed> {
     }
 }
 
-impl<K: Kernel<N>, const N: usize> Octaves<K, N> {
+impl<K: Kernel<N>, const N: usize> Fbm<K, N> {
     /// Creates the sum of octaves of `noise`, each randomly rotated, with variance 1.
     ///
     /// Tileable noises do not compile here. With one period for all, the octaves would repeat
-    /// within it. With rotations, they would not repeat at all. [`Octaves::tiled`] gives each
+    /// within it. With rotations, they would not repeat at all. [`Fbm::tiled`] gives each
     /// octave its own period.
     #[must_use]
-    pub fn new(noise: K, spectrum: Spectrum) -> Self {
+    pub fn new(noise: K, spectrum: FbmSpectrum) -> Self {
         const { assert!(!K::TILED, "use `Octaves::tiled` for octaves of a tileable noise") };
         Self::with_layers(noise, spectrum, Rotation::Random)
     }
 
-    fn with_layers(noise: K, spectrum: Spectrum, rotation: Rotation) -> Self {
-        let (seed, normalisation) = (noise.seed(), Normalisation::Variance);
+    fn with_layers(noise: K, spectrum: FbmSpectrum, rotation: Rotation) -> Self {
+        let (seed, normalisation) = (noise.seed(), Normalization::UnitVariance);
         let layers = Layers::of(&noise, &Layer::all(&spectrum, rotation, seed));
         Terms { noise, spectrum, normalisation, rotation, seed, layers, shape: Signed }.all()
     }
@@ -414,20 +414,20 @@ impl<K: Kernel<N>, const N: usize> Octaves<K, N> {
     /// period. Lacunarity 1.5 accepts powers of 2 for a limited number of octaves.
     ///
     /// ```
-    /// use asperity_noise::{Field, IntegerHash, Octaves, Perlin2002, Spectrum, Tiled, TiledError, glam::Vec2};
+    /// use asperity_noise::{Field, IntegerHash, Fbm, Perlin, FbmSpectrum, Tiled, TiledError, glam::Vec2};
     ///
-    /// let noise = Perlin2002::new(1).with_lattice(Tiled::new(IntegerHash, [8, 5])?);
-    /// let tile = Octaves::tiled(noise, Spectrum::CLOUD)?;
+    /// let noise = Perlin::new(1).with_lattice(Tiled::new(IntegerHash, [8, 5])?);
+    /// let tile = Fbm::tiled(noise, FbmSpectrum::CLOUD)?;
     /// let p = Vec2::new(1.25, -0.5);
     /// assert_eq!(tile.sample(p), tile.sample(p + Vec2::new(8.0, -5.0)));
     /// assert_ne!(tile.value(p), tile.value(p + Vec2::new(4.0, 0.0)));
     ///
     /// // The default lacunarity is 2.17, and 8 · 2.17 is not an integer.
-    /// assert!(matches!(Octaves::<_, 2>::tiled(noise, Spectrum::default()), Err(TiledError::NoOctavePeriod { octave: 1, .. })));
+    /// assert!(matches!(Fbm::<_, 2>::tiled(noise, FbmSpectrum::default()), Err(TiledError::NoOctavePeriod { octave: 1, .. })));
     /// # Ok::<(), TiledError>(())
     /// ```
     #[doc(alias("seamless", "tileable", "periodic"))]
-    pub fn tiled(noise: K, spectrum: Spectrum) -> Result<Self, TiledError> {
+    pub fn tiled(noise: K, spectrum: FbmSpectrum) -> Result<Self, TiledError> {
         let lacunarity = spectrum.lacunarity();
         for axis in 0..N {
             let period = noise.period(axis);
@@ -449,25 +449,25 @@ impl<K: Kernel<N>, const N: usize> Octaves<K, N> {
     /// Creates a sum of one octave, the noise itself, for use with [`anchored`](Self::anchored).
     ///
     /// ```
-    /// use asperity_noise::{Field, Octaves, Perlin2002, glam::Vec2};
+    /// use asperity_noise::{Field, Fbm, Perlin, glam::Vec2};
     ///
-    /// let (noise, p) = (Perlin2002::new(3), Vec2::new(0.3, 1.4));
-    /// assert_eq!(Octaves::single(noise).sample(p), noise.sample(p));
+    /// let (noise, p) = (Perlin::new(3), Vec2::new(0.3, 1.4));
+    /// assert_eq!(Fbm::single(noise).sample(p), noise.sample(p));
     /// ```
     #[must_use]
     pub fn single(noise: K) -> Self {
-        let (seed, spectrum) = (noise.seed(), Spectrum::SINGLE);
+        let (seed, spectrum) = (noise.seed(), FbmSpectrum::SINGLE);
         let mut layers = Layer::all(&spectrum, Rotation::Aligned, seed);
         for layer in &mut layers {
             (layer.seed, layer.offset) = (seed, [0.0; N]);
         }
         let layers = Layers::of(&noise, &layers);
-        let (normalisation, rotation) = (Normalisation::Range, Rotation::Aligned);
+        let (normalisation, rotation) = (Normalization::UnitRange, Rotation::Aligned);
         Terms { noise, spectrum, normalisation, rotation, seed, layers, shape: Signed }.all()
     }
 }
 
-impl<K: Anchor<N>, const N: usize, T: Shape> Octaves<K, N, T> {
+impl<K: Anchor<N>, const N: usize, T: Shape> Fbm<K, N, T> {
     /// Moves the origin of the sum to an anchor, without loss of precision far from the origin.
     ///
     /// The value at p is the value of the original sum at anchor + p. The cell of the anchor in
@@ -489,9 +489,9 @@ impl<K: Anchor<N>, const N: usize, T: Shape> Octaves<K, N, T> {
     /// Tileable noises do not compile here: move their anchor by whole periods instead.
     ///
     /// ```
-    /// use asperity_noise::{Field, Octaves, Simplex, Spectrum, glam::Vec3};
+    /// use asperity_noise::{Field, Fbm, Simplex, FbmSpectrum, glam::Vec3};
     ///
-    /// let sum = Octaves::new(Simplex::new(7), Spectrum::default());
+    /// let sum = Fbm::new(Simplex::new(7), FbmSpectrum::default());
     /// let [here, there] = [1e12, 1e12 + 1.0].map(|x| sum.anchored([x, -3e11, 5e10]));
     /// // Both anchors give the same point. A point 1/1000 of a cell away has another value.
     /// let p = Vec3::new(0.25, 0.5, 0.75);
@@ -500,7 +500,7 @@ impl<K: Anchor<N>, const N: usize, T: Shape> Octaves<K, N, T> {
     /// ```
     #[doc(alias("floating origin", "large world", "double precision", "f64"))]
     #[must_use]
-    pub fn anchored(self, at: impl Into<[f64; N]>) -> Octaves<K::Shifted, N, T> {
+    pub fn anchored(self, at: impl Into<[f64; N]>) -> Fbm<K::Shifted, N, T> {
         const { assert!(!K::TILED, "move the anchor of a tileable sum by whole periods instead") };
         let at = at.into();
         let Terms { noise, spectrum, normalisation, rotation, seed, layers, shape } = self.terms;
@@ -512,19 +512,19 @@ impl<K: Anchor<N>, const N: usize, T: Shape> Octaves<K, N, T> {
         let noise = noise.shifted();
         let layers = Layers::of(&noise, &layers);
         let terms = Terms { noise, spectrum, normalisation, rotation, seed, layers, shape };
-        Octaves { terms, active: self.active }
+        Fbm { terms, active: self.active }
     }
 }
 
 impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
     /// The sum of all octaves.
-    fn all(self) -> Octaves<K, N, T> {
+    fn all(self) -> Fbm<K, N, T> {
         let octaves = self.spectrum.max_octaves() as f32;
-        Octaves { active: self.active(octaves), terms: self }
+        Fbm { active: self.active(octaves), terms: self }
     }
 }
 
-impl<K: Kernel<N>, const N: usize, T: Shape> Octaves<K, N, T> {
+impl<K: Kernel<N>, const N: usize, T: Shape> Fbm<K, N, T> {
     /// Sets whether octaves are rotated.
     ///
     /// Tileable noises do not compile here, since their octaves are never rotated.
@@ -547,7 +547,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Octaves<K, N, T> {
     /// Sets the normalization and keeps the number of octaves; call before
     /// [`clamped`](Self::clamped).
     #[must_use]
-    pub fn with_normalisation(self, normalisation: Normalisation) -> Self {
+    pub fn with_normalization(self, normalisation: Normalization) -> Self {
         Terms { normalisation, ..self.terms }.all().first(self.active.octaves)
     }
 
@@ -555,7 +555,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Octaves<K, N, T> {
     ///
     /// Shapes include [`Turbulence`](crate::Turbulence) and [`Plasma`](crate::Plasma).
     #[must_use]
-    pub fn with_shape<U: Shape>(self, shape: U) -> Octaves<K, N, U> {
+    pub fn with_shape<U: Shape>(self, shape: U) -> Fbm<K, N, U> {
         let Terms { noise, spectrum, normalisation, rotation, seed, layers, .. } = self.terms;
         Terms { noise, spectrum, normalisation, rotation, seed, layers, shape }
             .all()
@@ -565,9 +565,9 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Octaves<K, N, T> {
     /// Limits the sum to the first `octaves` octaves; a fraction reduces the amplitude of the last.
     ///
     /// ```
-    /// use asperity_noise::{Field, Grid, Octaves, Perlin2002, Spectrum, glam::Vec2};
+    /// use asperity_noise::{Field, Grid, Fbm, Perlin, FbmSpectrum, glam::Vec2};
     ///
-    /// let noise = Octaves::new(Perlin2002::new(5), Spectrum::default()).first(6.5);
+    /// let noise = Fbm::new(Perlin::new(5), FbmSpectrum::default()).first(6.5);
     /// let grid = Grid { origin: Vec2::new(0.0, 0.7), step: Vec2::splat(0.125), size: [100, 3] };
     /// let mut values = [0.0; 300];
     /// noise.grid_values(&grid, &mut values)?;
@@ -589,7 +589,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Octaves<K, N, T> {
     }
 }
 
-/// Methods of [`Octaves`] and [`Detail`].
+/// Methods of [`Fbm`] and [`Detail`].
 macro_rules! sum {
     ($sum:ty) => {
         impl<K: Kernel<N>, const N: usize, T: Shape> $sum {
@@ -601,19 +601,19 @@ macro_rules! sum {
 
             /// Returns the spectrum of the sum.
             #[must_use]
-            pub const fn spectrum(&self) -> &Spectrum {
+            pub const fn spectrum(&self) -> &FbmSpectrum {
                 &self.terms.spectrum
             }
 
             /// Returns the divisor of the sum.
             #[must_use]
-            pub const fn normalisation(&self) -> Normalisation {
+            pub const fn normalisation(&self) -> Normalization {
                 self.terms.normalisation
             }
 
             /// Returns octave i of the spectrum, whether it is active or not.
             ///
-            /// Numbers from [`Spectrum::MAX_OCTAVES`] on wrap.
+            /// Numbers from [`FbmSpectrum::MAX_OCTAVES`] on wrap.
             #[must_use]
             pub fn octave(&self, i: u32) -> Octave<N> {
                 self.terms.layers.octave(i as usize)
@@ -642,16 +642,16 @@ macro_rules! sum {
             /// shapes. The sum keeps its mean and loses the variance of the removed octaves. The
             /// normalization stays the normalization of all octaves. Octaves that are removed
             /// completely are not evaluated. The gradient assumes that the footprint is the same at
-            /// all points, see [`removed_share`] and [`pixel_footprint`](crate::pixel_footprint).
+            /// all points, see [`filtered_fraction`] and [`pixel_footprint`](crate::pixel_footprint).
             ///
             /// Frequency clamping after Nilsson 2008, section 4.1.6, with the measured means of
             /// these noises. 0 is the mean of signed noise only.
             ///
             /// ```
-            /// use asperity_noise::{Field, Normalisation, Octaves, Simplex, Spectrum, Turbulence, glam::Vec2};
+            /// use asperity_noise::{Field, Normalization, Fbm, Simplex, FbmSpectrum, Turbulence, glam::Vec2};
             ///
-            /// let noise = Octaves::new(Simplex::new(5), Spectrum::CLOUD).with_shape(Turbulence);
-            /// let noise = noise.with_normalisation(Normalisation::Range).first(6.0);
+            /// let noise = Fbm::new(Simplex::new(5), FbmSpectrum::CLOUD).with_shape(Turbulence);
+            /// let noise = noise.with_normalization(Normalization::UnitRange).first(6.0);
             /// let p = Vec2::new(0.3, 4.1);
             /// assert_eq!(noise.clamped(1e-3).sample(p), noise.sample(p));
             ///
@@ -665,7 +665,7 @@ macro_rules! sum {
             }
 
             /// Returns the mean of the sum: the measured mean of the shape under
-            /// [`Normalisation::Range`], otherwise 0.
+            /// [`Normalization::UnitRange`], otherwise 0.
             ///
             /// Without octaves the mean is 0.
             #[must_use]
@@ -676,14 +676,14 @@ macro_rules! sum {
             /// Returns the measured standard deviation of the sum before it is
             /// [`clamped`](Self::clamped).
             ///
-            /// It is 1 under [`Normalisation::Variance`], and 0 without octaves.
+            /// It is 1 under [`Normalization::UnitVariance`], and 0 without octaves.
             #[must_use]
             pub fn standard_deviation(&self) -> f32 {
                 self.terms.standard_deviation(&self.active)
             }
 
             /// Returns the fraction in
-            /// [0, 1) of the spectrum's variance that the octaves resolve, [`Spectrum::share`].
+            /// [0, 1) of the spectrum's variance that the octaves resolve, [`FbmSpectrum::share`].
             #[must_use]
             #[inline]
             pub fn share(&self) -> f32 {
@@ -719,7 +719,7 @@ macro_rules! sum {
     };
 }
 
-sum!(Octaves<K, N, T>);
+sum!(Fbm<K, N, T>);
 sum!(Detail<'_, K, N, T>);
 
 macro_rules! signed_sum {
@@ -732,7 +732,7 @@ macro_rules! signed_sum {
             }
         }
 
-        impl<L: Lattice, const N: usize> $sum<$($lifetime,)? Gaussian<L>, N> {
+        impl<L: Lattice, const N: usize> $sum<$($lifetime,)? GaussianNoise<L>, N> {
             /// Evaluates two independent channels in one pass over the lattices.
             ///
             /// The first channel is [`sample`](Field::sample).
@@ -743,22 +743,22 @@ macro_rules! signed_sum {
             }
         }
 
-        impl<V, K, const N: usize> Curved<V> for $sum<$($lifetime,)? K, N>
+        impl<V, K, const N: usize> HasHessian<V> for $sum<$($lifetime,)? K, N>
         where
             V: Point<Coordinates = [f32; N], Matrix = [[f32; N]; N]>,
-            K: CurvedKernel<N>,
+            K: HessianKernel<N>,
         {
-            fn second_order(&self, p: V) -> SecondOrder<V> {
+            fn sample_with_hessian(&self, p: V) -> SampleHessian<V> {
                 self.terms.jet(&self.active, p.coordinates()).at()
             }
         }
     };
 }
 
-signed_sum!(Octaves);
+signed_sum!(Fbm);
 signed_sum!(Detail, '_);
 
-impl<K: Kernel<N>, const N: usize, T: Shape> Octaves<K, N, T> {
+impl<K: Kernel<N>, const N: usize, T: Shape> Fbm<K, N, T> {
     /// The active octaves, for sums with other weights.
     pub(crate) fn parts(&self) -> Passes<'_, K, N, T> {
         self.terms.passes(&self.active)

@@ -5,7 +5,7 @@
 
 use crate::{
     contract::kernel::{Kernel, OctaveSamples},
-    kinds::gaussian::Gaussian,
+    kinds::gaussian::GaussianNoise,
     lanes::{LaneSample, Scalar},
     lattice::lattice::Lattice,
     sums::octave::Layers,
@@ -52,7 +52,11 @@ impl<const N: usize> AtPoint<'_, N> {
     /// Adds both channels of the octaves to their sums; `None` if there are fewer lanes than two
     /// points fill.
     #[inline(always)]
-    pub(crate) fn add_pair<L: Lattice>(&self, noise: &Gaussian<L>, sums: &mut [Sum<N>; 2]) -> Option<()> {
+    pub(crate) fn add_pair<L: Lattice>(
+        &self,
+        noise: &GaussianNoise<L>,
+        sums: &mut [Sum<N>; 2],
+    ) -> Option<()> {
         let points = self.layers.points(self.p);
         let octaves = self.layers.octaves_at(&points, self.count);
         let mut samples = [OctaveSamples::ZERO; 2];

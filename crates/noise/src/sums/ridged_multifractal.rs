@@ -14,10 +14,10 @@ use crate::{
     row::points::{Points, Target},
     sample::Sample,
     sums::octave::Layer,
-    sums::octaves::{Normalisation, Octaves},
+    sums::octaves::{Fbm, Normalization},
     sums::pass::{Lists, copy_out},
     sums::shape::Shape,
-    sums::spectrum::Spectrum,
+    sums::spectrum::FbmSpectrum,
     sums::turbulence::Ridged,
 };
 
@@ -37,9 +37,9 @@ use crate::{
 /// Musgrave in Ebert (ed.) 1994, the ridged multifractal with offset 1, divided here by Σ wᵢ aᵢ.
 ///
 /// ```
-/// use asperity_noise::{Field, Perlin2002, RidgedMultifractal, Spectrum, glam::Vec2};
+/// use asperity_noise::{Field, Perlin, RidgedMultifractal, FbmSpectrum, glam::Vec2};
 ///
-/// let mountains = RidgedMultifractal::new(Perlin2002::new(1), Spectrum::CLOUD, 2.0)?;
+/// let mountains = RidgedMultifractal::new(Perlin::new(1), FbmSpectrum::CLOUD, 2.0)?;
 /// let sample = mountains.first(7.5).sample(Vec2::new(0.3, 0.8));
 /// assert!((0.0..=1.0).contains(&sample.value));
 /// # Ok::<(), asperity_noise::FeedbackError>(())
@@ -47,7 +47,7 @@ use crate::{
 #[doc(alias("ridged", "terrain", "mountains"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RidgedMultifractal<K, const N: usize> {
-    octaves: Octaves<K, N, Ridged>,
+    octaves: Fbm<K, N, Ridged>,
     feedback: f32,
 }
 
@@ -57,8 +57,8 @@ impl<K: Kernel<N>, const N: usize> RidgedMultifractal<K, N> {
     /// # Errors
     ///
     /// If `feedback` is negative or not finite.
-    pub fn new(noise: K, spectrum: Spectrum, feedback: f32) -> Result<Self, FeedbackError> {
-        Self::of(Octaves::new(noise, spectrum), feedback)
+    pub fn new(noise: K, spectrum: FbmSpectrum, feedback: f32) -> Result<Self, FeedbackError> {
+        Self::of(Fbm::new(noise, spectrum), feedback)
     }
 
     /// Creates a ridged multifractal from the octaves of another sum.
@@ -68,11 +68,11 @@ impl<K: Kernel<N>, const N: usize> RidgedMultifractal<K, N> {
     /// # Errors
     ///
     /// If `feedback` is negative or not finite.
-    pub fn of(octaves: Octaves<K, N>, feedback: f32) -> Result<Self, FeedbackError> {
+    pub fn of(octaves: Fbm<K, N>, feedback: f32) -> Result<Self, FeedbackError> {
         if !(feedback >= 0.0 && feedback.is_finite()) {
             return Err(FeedbackError { feedback });
         }
-        let octaves = octaves.with_normalisation(Normalisation::Range).with_shape(Ridged);
+        let octaves = octaves.with_normalization(Normalization::UnitRange).with_shape(Ridged);
         Ok(Self { octaves, feedback })
     }
 

@@ -9,7 +9,7 @@ use core::fmt::Debug;
 /// Shapes are zero-sized and cost only their arithmetic.
 ///
 /// ```
-/// use asperity_noise::{Field, Octaves, Shape, Simplex, Spectrum, glam::Vec2};
+/// use asperity_noise::{Field, Fbm, Shape, Simplex, FbmSpectrum, glam::Vec2};
 ///
 /// /// n², dark where an octave is 0, without a crease.
 /// #[derive(Clone, Copy, Debug)]
@@ -24,7 +24,7 @@ use core::fmt::Debug;
 ///     }
 /// }
 ///
-/// let sum = Octaves::new(Simplex::new(5), Spectrum::CLOUD).with_shape(Squares);
+/// let sum = Fbm::new(Simplex::new(5), FbmSpectrum::CLOUD).with_shape(Squares);
 /// assert!(sum.value(Vec2::new(0.4, 0.1)).is_finite());
 /// ```
 pub trait Shape: Copy + Debug {
@@ -49,7 +49,7 @@ pub trait Shape: Copy + Debug {
 
 /// Fractional Brownian motion, φ(n) = n.
 ///
-/// With [`Spectrum::CLOUD`](crate::Spectrum::CLOUD) it is the cloud pattern of Nilsson 2008,
+/// With [`FbmSpectrum::CLOUD`](crate::Spectrum::CLOUD) it is the cloud pattern of Nilsson 2008,
 /// section 4.1.5.
 #[doc(alias = "fbm")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -2,8 +2,8 @@
 
 use asperity_core::error_enum;
 
-/// [`Spectrum::MAX_OCTAVES`].
-pub(crate) const MAX_OCTAVES: u32 = Spectrum::MAX_OCTAVES;
+/// [`FbmSpectrum::MAX_OCTAVES`].
+pub(crate) const MAX_OCTAVES: u32 = FbmSpectrum::MAX_OCTAVES;
 
 /// Lacunarity, gain and maximum number of octaves of a sum of noises.
 ///
@@ -20,16 +20,16 @@ pub(crate) const MAX_OCTAVES: u32 = Spectrum::MAX_OCTAVES;
 /// 0, and numbers above the maximum as the maximum.
 ///
 /// ```
-/// use asperity_noise::Spectrum;
+/// use asperity_noise::FbmSpectrum;
 ///
-/// let spectrum = Spectrum::default();
+/// let spectrum = FbmSpectrum::default();
 /// assert_eq!(spectrum.share(1.0), 0.75);
-/// assert!(Spectrum::new(2.17, -1.5, 8).is_err());
+/// assert!(FbmSpectrum::new(2.17, -1.5, 8).is_err());
 /// ```
 #[doc(alias("hurst", "fbm"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(try_from = "Arguments"))]
-pub struct Spectrum {
+pub struct FbmSpectrum {
     lacunarity: f32,
     gain: f32,
     max_octaves: u32,
@@ -46,15 +46,15 @@ struct Arguments {
 }
 
 #[cfg(feature = "serde")]
-impl TryFrom<Arguments> for Spectrum {
-    type Error = SpectrumError;
+impl TryFrom<Arguments> for FbmSpectrum {
+    type Error = FbmSpectrumError;
 
-    fn try_from(read: Arguments) -> Result<Self, SpectrumError> {
+    fn try_from(read: Arguments) -> Result<Self, FbmSpectrumError> {
         Self::new(read.lacunarity, read.gain, read.max_octaves)
     }
 }
 
-impl Default for Spectrum {
+impl Default for FbmSpectrum {
     /// Lacunarity 2.17, gain 0.5, ten octaves.
     ///
     /// The lacunarity is not a round number, so that the lattices of neighboring octaves do not
@@ -64,7 +64,7 @@ impl Default for Spectrum {
     }
 }
 
-impl Spectrum {
+impl FbmSpectrum {
     /// The maximum number of octaves of a sum.
     pub const MAX_OCTAVES: u32 = 16;
 
@@ -93,23 +93,23 @@ impl Spectrum {
     /// If `lacunarity` is not above 1 or overflows the highest frequency, if `gain` is not positive
     /// and finite or overflows the fourth powers of the amplitudes, or if `max_octaves` is not in
     /// 1..=[`MAX_OCTAVES`](Self::MAX_OCTAVES).
-    pub fn new(lacunarity: f32, gain: f32, max_octaves: u32) -> Result<Self, SpectrumError> {
+    pub fn new(lacunarity: f32, gain: f32, max_octaves: u32) -> Result<Self, FbmSpectrumError> {
         if !(lacunarity > 1.0 && lacunarity.is_finite()) {
-            return Err(SpectrumError::LacunarityNotAboveOne { lacunarity });
+            return Err(FbmSpectrumError::LacunarityNotAboveOne { lacunarity });
         }
         if !(gain > 0.0 && gain.is_finite()) {
-            return Err(SpectrumError::GainNotPositive { gain });
+            return Err(FbmSpectrumError::GainNotPositive { gain });
         }
         if !(1..=MAX_OCTAVES).contains(&max_octaves) {
-            return Err(SpectrumError::OctavesOutOfRange { max_octaves });
+            return Err(FbmSpectrumError::OctavesOutOfRange { max_octaves });
         }
         let spectrum = Self { lacunarity, gain, max_octaves };
         if !spectrum.frequency(max_octaves - 1).is_finite() {
-            return Err(SpectrumError::FrequencyOverflow { lacunarity });
+            return Err(FbmSpectrumError::FrequencyOverflow { lacunarity });
         }
         let squares = spectrum.sum_of_squares(max_octaves as f32);
         if !(squares * squares).is_finite() {
-            return Err(SpectrumError::AmplitudeOverflow { gain });
+            return Err(FbmSpectrumError::AmplitudeOverflow { gain });
         }
         Ok(spectrum)
     }
@@ -236,14 +236,14 @@ fn power(base: f32, i: u32) -> f32 {
 }
 
 error_enum! {
-    /// Error returned for invalid parameters of a [`Spectrum`].
-    pub enum SpectrumError {
+    /// Error returned for invalid parameters of a [`FbmSpectrum`].
+    pub enum FbmSpectrumError {
         /// The lacunarity is not a finite number above 1.
         LacunarityNotAboveOne { lacunarity: f32 } =>
             "`lacunarity` must be a finite number above 1, got {lacunarity}";
         /// The gain is not a finite number above 0.
         GainNotPositive { gain: f32 } => "`gain` must be a finite number above 0, got {gain}";
-        /// The number of octaves is not in 1..=[`Spectrum::MAX_OCTAVES`].
+        /// The number of octaves is not in 1..=[`FbmSpectrum::MAX_OCTAVES`].
         OctavesOutOfRange { max_octaves: u32 } => "`max_octaves` must be from 1 to 16, got {max_octaves}";
         /// The lacunarity is so large that the frequency of the highest octave is infinite.
         FrequencyOverflow { lacunarity: f32 } =>
@@ -261,25 +261,37 @@ mod tests {
     #[test]
     fn broken_rules_are_named() {
         for lacunarity in [1.0, 0.5, 0.0, -2.0, f32::INFINITY] {
-            let error = SpectrumError::LacunarityNotAboveOne { lacunarity };
-            assert_eq!(Spectrum::new(lacunarity, 0.5, 8), Err(error));
+            let error = FbmSpectrumError::LacunarityNotAboveOne { lacunarity };
+            assert_eq!(FbmSpectrum::new(lacunarity, 0.5, 8), Err(error));
         }
-        assert!(matches!(Spectrum::new(f32::NAN, 0.5, 8), Err(SpectrumError::LacunarityNotAboveOne { .. })));
+        assert!(matches!(
+            FbmSpectrum::new(f32::NAN, 0.5, 8),
+            Err(FbmSpectrumError::LacunarityNotAboveOne { .. })
+        ));
         for gain in [0.0, -0.5, f32::INFINITY] {
-            assert_eq!(Spectrum::new(2.0, gain, 8), Err(SpectrumError::GainNotPositive { gain }));
+            assert_eq!(FbmSpectrum::new(2.0, gain, 8), Err(FbmSpectrumError::GainNotPositive { gain }));
         }
-        assert!(matches!(Spectrum::new(2.0, f32::NAN, 8), Err(SpectrumError::GainNotPositive { .. })));
-        assert_eq!(Spectrum::new(2.0, 1e3, 8), Err(SpectrumError::AmplitudeOverflow { gain: 1e3 }));
-        assert!(Spectrum::new(2.0, 1e3, 4).is_ok() && Spectrum::new(1.5, 2.7, MAX_OCTAVES).is_ok());
-        assert_eq!(Spectrum::new(2.0, 0.5, 0), Err(SpectrumError::OctavesOutOfRange { max_octaves: 0 }));
-        assert_eq!(Spectrum::new(2.0, 0.5, 17), Err(SpectrumError::OctavesOutOfRange { max_octaves: 17 }));
-        assert_eq!(Spectrum::new(1e4, 0.5, 16), Err(SpectrumError::FrequencyOverflow { lacunarity: 1e4 }));
-        assert!(Spectrum::new(1e4, 0.5, 9).is_ok());
+        assert!(matches!(FbmSpectrum::new(2.0, f32::NAN, 8), Err(FbmSpectrumError::GainNotPositive { .. })));
+        assert_eq!(FbmSpectrum::new(2.0, 1e3, 8), Err(FbmSpectrumError::AmplitudeOverflow { gain: 1e3 }));
+        assert!(FbmSpectrum::new(2.0, 1e3, 4).is_ok() && FbmSpectrum::new(1.5, 2.7, MAX_OCTAVES).is_ok());
+        assert_eq!(
+            FbmSpectrum::new(2.0, 0.5, 0),
+            Err(FbmSpectrumError::OctavesOutOfRange { max_octaves: 0 })
+        );
+        assert_eq!(
+            FbmSpectrum::new(2.0, 0.5, 17),
+            Err(FbmSpectrumError::OctavesOutOfRange { max_octaves: 17 })
+        );
+        assert_eq!(
+            FbmSpectrum::new(1e4, 0.5, 16),
+            Err(FbmSpectrumError::FrequencyOverflow { lacunarity: 1e4 })
+        );
+        assert!(FbmSpectrum::new(1e4, 0.5, 9).is_ok());
     }
 
     #[test]
     fn the_last_octave_fades_in() {
-        let spectrum = Spectrum::default();
+        let spectrum = FbmSpectrum::default();
         assert_eq!([0, 1, 2, 3].map(|i| spectrum.weight(2.25, i)), [1.0, 1.0, 0.25, 0.0]);
         assert_eq!(spectrum.sum_of_amplitudes(2.5), 1.0 + 0.5 + 0.125);
         assert_eq!(spectrum.root_sum_of_squares(1.0), 1.0);
@@ -290,11 +302,11 @@ mod tests {
 
     #[test]
     fn shares_rise_from_zero_and_stay_below_one() {
-        let shares = [0.0, 0.5, 1.0, 2.0].map(|octaves| Spectrum::default().share(octaves));
+        let shares = [0.0, 0.5, 1.0, 2.0].map(|octaves| FbmSpectrum::default().share(octaves));
         assert_eq!(shares, [0.0, 0.1875, 0.75, 0.9375]);
         for percent in 1..100_u8 {
             let gain = f32::from(percent) / 100.0;
-            let spectrum = Spectrum::new(2.0, gain, MAX_OCTAVES).unwrap();
+            let spectrum = FbmSpectrum::new(2.0, gain, MAX_OCTAVES).unwrap();
             let mut last = 0.0;
             for step in 1..=160_u8 {
                 let share = spectrum.share(f32::from(step) / 10.0);
@@ -306,9 +318,9 @@ mod tests {
 
     #[test]
     fn shares_of_gains_from_one_on_are_those_of_the_octaves_there_are() {
-        let equal = Spectrum::new(2.0, 1.0, 4).unwrap();
+        let equal = FbmSpectrum::new(2.0, 1.0, 4).unwrap();
         assert_eq!([0.0, 1.0, 2.5, 3.0].map(|octaves| equal.share(octaves)), [0.0, 0.25, 0.5625, 0.75]);
-        let rising = Spectrum::new(2.4, 2.0, 3).unwrap();
+        let rising = FbmSpectrum::new(2.4, 2.0, 3).unwrap();
         assert_eq!([1.0, 2.0].map(|octaves| rising.share(octaves)), [1.0 / 21.0, 5.0 / 21.0]);
         for spectrum in [equal, rising] {
             assert_eq!(spectrum.share(9.0), 1.0 - f32::EPSILON / 2.0);
@@ -317,14 +329,14 @@ mod tests {
 
     #[test]
     fn the_named_spectra_keep_the_rules() {
-        for Spectrum { lacunarity, gain, max_octaves } in [Spectrum::CLOUD, Spectrum::THREADS] {
-            assert!(Spectrum::new(lacunarity, gain, max_octaves).is_ok());
+        for FbmSpectrum { lacunarity, gain, max_octaves } in [FbmSpectrum::CLOUD, FbmSpectrum::THREADS] {
+            assert!(FbmSpectrum::new(lacunarity, gain, max_octaves).is_ok());
         }
     }
 
     #[test]
     fn any_count_of_octaves_is_taken() {
-        let spectrum = Spectrum::default();
+        let spectrum = FbmSpectrum::default();
         for nothing in [0.0, -0.0, -3.0, f32::NEG_INFINITY, f32::NAN] {
             assert_eq!(spectrum.share(nothing), 0.0, "{nothing}");
             assert_eq!(spectrum.weight(nothing, 0), 0.0, "{nothing}");

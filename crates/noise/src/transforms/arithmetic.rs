@@ -52,9 +52,9 @@ pub(crate) use combined;
 /// - **Range:** the sum of the ranges.
 ///
 /// ```
-/// use asperity_noise::{Add, Field, Perlin2002, Simplex, glam::Vec3};
+/// use asperity_noise::{Add, Field, Perlin, Simplex, glam::Vec3};
 ///
-/// let (a, b, p) = (Perlin2002::new(1), Simplex::new(2), Vec3::new(0.3, 1.4, -0.2));
+/// let (a, b, p) = (Perlin::new(1), Simplex::new(2), Vec3::new(0.3, 1.4, -0.2));
 /// assert_eq!(Add(a, b).value(p), a.value(p) + b.value(p));
 /// assert_eq!(Add(a, b).sample(p).gradient, a.sample(p).gradient + b.sample(p).gradient);
 /// ```
@@ -87,9 +87,9 @@ combined!([A, B] Add<A, B>, |self| self.0, [self.1], {
 /// - **Gradient:** b ∇a + a ∇b.
 ///
 /// ```
-/// use asperity_noise::{Field, Multiply, Perlin2002, Simplex, glam::Vec2};
+/// use asperity_noise::{Field, Multiply, Perlin, Simplex, glam::Vec2};
 ///
-/// let (a, b, p) = (Perlin2002::new(1), Simplex::new(2), Vec2::new(0.3, 1.4));
+/// let (a, b, p) = (Perlin::new(1), Simplex::new(2), Vec2::new(0.3, 1.4));
 /// assert_eq!(Multiply(a, b).value(p), a.value(p) * b.value(p));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -129,9 +129,9 @@ fn product([a, b]: [f32; 2], [c, d]: [f32; 2]) -> [f32; 2] {
 ///   [`Clamp`] or [`Unit`](crate::Unit).
 ///
 /// ```
-/// use asperity_noise::{Blend, Field, Perlin2002, Simplex, Unit, Value, glam::Vec2};
+/// use asperity_noise::{Blend, Field, Perlin, Simplex, Unit, ValueNoise, glam::Vec2};
 ///
-/// let land = Blend(Perlin2002::new(1), Simplex::new(2), Unit(Value::new(3)));
+/// let land = Blend(Perlin::new(1), Simplex::new(2), Unit(ValueNoise::new(3)));
 /// assert!(land.value(Vec2::new(0.3, 1.4)).abs() <= 1.0);
 /// ```
 #[doc(alias("mix", "lerp"))]
@@ -175,9 +175,9 @@ combined!([A, B, T] Blend<A, B, T>, |self| self.0, [self.1, self.2], {
 /// A field clamped to two bounds; its gradient is 0 where it is clamped.
 ///
 /// ```
-/// use asperity_noise::{Clamp, Field, Perlin2002, glam::Vec2};
+/// use asperity_noise::{Clamp, Field, Perlin, glam::Vec2};
 ///
-/// let (noise, p) = (Perlin2002::new(1), Vec2::new(0.3, 1.4));
+/// let (noise, p) = (Perlin::new(1), Vec2::new(0.3, 1.4));
 /// assert_eq!(Clamp(noise, -0.1, 0.1).value(p), noise.value(p).clamp(-0.1, 0.1));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -206,14 +206,14 @@ combined!([F] Clamp<F>, |self| self.0, [], self.0.range().map(|bound| Combine::c
 /// A field scaled and offset, factor · f + offset.
 ///
 /// ```
-/// use asperity_noise::{Affine, Field, Perlin2002, glam::Vec2};
+/// use asperity_noise::{ScaleBias, Field, Perlin, glam::Vec2};
 ///
-/// let hills = Affine(Perlin2002::new(1), 30.0, 100.0);
+/// let hills = ScaleBias(Perlin::new(1), 30.0, 100.0);
 /// assert!((70.0..=130.0).contains(&hills.value(Vec2::new(0.3, 1.4))));
 /// ```
 #[doc(alias("scale", "bias"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Affine<F>(
+pub struct ScaleBias<F>(
     /// f.
     pub F,
     /// The factor.
@@ -222,7 +222,7 @@ pub struct Affine<F>(
     pub f32,
 );
 
-impl<F> Combine<0> for Affine<F> {
+impl<F> Combine<0> for ScaleBias<F> {
     #[inline(always)]
     fn combined(&self, x: f32, _: [f32; 0]) -> f32 {
         self.1 * x + self.2
@@ -233,7 +233,7 @@ impl<F> Combine<0> for Affine<F> {
     }
 }
 
-combined!([F] Affine<F>, |self| self.0, [], {
+combined!([F] ScaleBias<F>, |self| self.0, [], {
     let [low, high] = product(self.0.range(), [self.1, self.1]);
     [low + self.2, high + self.2]
 });
@@ -244,9 +244,9 @@ combined!([F] Affine<F>, |self| self.0, [], {
 /// - **Range:** unknown.
 ///
 /// ```
-/// use asperity_noise::{Field, Map, Perlin2002, glam::Vec2};
+/// use asperity_noise::{Field, Map, Perlin, glam::Vec2};
 ///
-/// let steep = Map(Perlin2002::new(1), |n: f32| n * n, |n: f32| 2.0 * n);
+/// let steep = Map(Perlin::new(1), |n: f32| n * n, |n: f32| 2.0 * n);
 /// assert!(steep.value(Vec2::new(0.3, 1.4)) >= 0.0);
 /// ```
 #[doc(alias("curve", "remap"))]

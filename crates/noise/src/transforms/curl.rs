@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 
 use crate::{
-    contract::field::{Curved, Field},
+    contract::field::{Field, HasHessian},
     point::Point,
 };
 
@@ -28,9 +28,9 @@ pub struct Velocity<V: Point> {
 /// Bridson, Hourihan, Nordenstam 2007, "Curl-Noise for Procedural Fluid Flow".
 ///
 /// ```
-/// use asperity_noise::{Perlin2002, curl::Curl2, glam::Vec2};
+/// use asperity_noise::{Perlin, curl::Curl2, glam::Vec2};
 ///
-/// let flow = Curl2(Perlin2002::new(1)).velocity_and_jacobian(Vec2::new(0.3, 1.4));
+/// let flow = Curl2(Perlin::new(1)).velocity_and_jacobian(Vec2::new(0.3, 1.4));
 /// assert_eq!(flow.jacobian[0][0] + flow.jacobian[1][1], 0.0);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -49,12 +49,12 @@ impl<F: Field<Vec2>> Curl2<F> {
     }
 }
 
-impl<F: Curved<Vec2>> Curl2<F> {
+impl<F: HasHessian<Vec2>> Curl2<F> {
     /// Returns velocity and Jacobian at a point.
     #[must_use]
     #[inline]
     pub fn velocity_and_jacobian(&self, p: Vec2) -> Velocity<Vec2> {
-        let psi = self.0.second_order(p);
+        let psi = self.0.sample_with_hessian(p);
         let [[xx, xy], [_, yy]] = psi.hessian;
         Velocity { velocity: Vec2::new(psi.gradient.y, -psi.gradient.x), jacobian: [[xy, yy], [-xx, -xy]] }
     }
@@ -73,9 +73,9 @@ impl<F: Curved<Vec2>> Curl2<F> {
 /// DeWolf 2005, "Divergence-Free Noise".
 ///
 /// ```
-/// use asperity_noise::{Octaves, Simplex, Spectrum, curl::Curl3, glam::Vec3};
+/// use asperity_noise::{Fbm, Simplex, FbmSpectrum, curl::Curl3, glam::Vec3};
 ///
-/// let [a, b] = [1, 2].map(|seed| Octaves::new(Simplex::new(seed), Spectrum::CLOUD).first(2.0));
+/// let [a, b] = [1, 2].map(|seed| Fbm::new(Simplex::new(seed), FbmSpectrum::CLOUD).first(2.0));
 /// let flow = Curl3(a, b).velocity_and_jacobian(Vec3::new(0.3, 1.4, -0.2));
 /// let divergence = flow.jacobian[0][0] + flow.jacobian[1][1] + flow.jacobian[2][2];
 /// assert!(divergence.abs() < 1e-4);
@@ -97,12 +97,12 @@ impl<A: Field<Vec3>, B: Field<Vec3>> Curl3<A, B> {
     }
 }
 
-impl<A: Curved<Vec3>, B: Curved<Vec3>> Curl3<A, B> {
+impl<A: HasHessian<Vec3>, B: HasHessian<Vec3>> Curl3<A, B> {
     /// Returns velocity and Jacobian at a point.
     #[must_use]
     #[inline]
     pub fn velocity_and_jacobian(&self, p: Vec3) -> Velocity<Vec3> {
-        let (a, b) = (self.0.second_order(p), self.1.second_order(p));
+        let (a, b) = (self.0.sample_with_hessian(p), self.1.sample_with_hessian(p));
         let (da, db) = (a.gradient.to_array(), b.gradient.to_array());
         let mut jacobian = [[0.0; 3]; 3];
         for j in 0..3 {
@@ -127,9 +127,9 @@ impl<A: Curved<Vec3>, B: Curved<Vec3>> Curl3<A, B> {
 /// Bridson, Hourihan, Nordenstam 2007, "Curl-Noise for Procedural Fluid Flow".
 ///
 /// ```
-/// use asperity_noise::{Octaves, Simplex, Spectrum, curl::CurlPotential, glam::Vec3};
+/// use asperity_noise::{Fbm, Simplex, FbmSpectrum, curl::CurlPotential, glam::Vec3};
 ///
-/// let potential = [1, 2, 3].map(|seed| Octaves::new(Simplex::new(seed), Spectrum::CLOUD).first(2.0));
+/// let potential = [1, 2, 3].map(|seed| Fbm::new(Simplex::new(seed), FbmSpectrum::CLOUD).first(2.0));
 /// let flow = CurlPotential(potential);
 /// assert!(flow.velocity(Vec3::new(0.3, 1.4, -0.2)).is_finite());
 /// ```
@@ -149,12 +149,12 @@ impl<F: Field<Vec3>> CurlPotential<F> {
     }
 }
 
-impl<F: Curved<Vec3>> CurlPotential<F> {
+impl<F: HasHessian<Vec3>> CurlPotential<F> {
     /// Returns velocity and Jacobian at a point.
     #[must_use]
     #[inline]
     pub fn velocity_and_jacobian(&self, p: Vec3) -> Velocity<Vec3> {
-        let [a, b, c] = self.0.each_ref().map(|field| field.second_order(p));
+        let [a, b, c] = self.0.each_ref().map(|field| field.sample_with_hessian(p));
         let velocity =
             Vec3::new(c.gradient.y - b.gradient.z, a.gradient.z - c.gradient.x, b.gradient.x - a.gradient.y);
         let [a, b, c] = [a.hessian, b.hessian, c.hessian];

@@ -17,11 +17,11 @@ use crate::{
 /// means, the power does not fade to its mean.
 ///
 /// ```
-/// use asperity_noise::{Field, Normalisation, Octaves, Plasma, Power, Simplex, Spectrum, glam::Vec2};
+/// use asperity_noise::{Field, Normalization, Fbm, Plasma, Power, Simplex, FbmSpectrum, glam::Vec2};
 ///
 /// // Threads: plasma of three equal octaves to the seventh power (Nilsson 2008, section 4.2.2).
-/// let plasma = Octaves::new(Simplex::new(3), Spectrum::THREADS).with_shape(Plasma);
-/// let threads = Power(plasma.with_normalisation(Normalisation::Range), 7);
+/// let plasma = Fbm::new(Simplex::new(3), FbmSpectrum::THREADS).with_shape(Plasma);
+/// let threads = Power(plasma.with_normalization(Normalization::UnitRange), 7);
 /// assert!((0.0..=1.0).contains(&threads.value(Vec2::new(0.2, 0.7))));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -24,13 +24,13 @@ use crate::{
 /// Ebert (ed.) 1994, "Texturing and Modeling": textures perturbed by noise.
 ///
 /// ```
-/// use asperity_noise::{Field, Octaves, Perlin2002, Simplex, Spectrum, Warp, glam::Vec2};
+/// use asperity_noise::{Field, Fbm, Perlin, Simplex, FbmSpectrum, Warp, glam::Vec2};
 ///
-/// let by = [1, 2].map(|seed| Octaves::new(Simplex::new(seed), Spectrum::CLOUD).first(4.0));
-/// let warp = Warp::new(Perlin2002::new(3), by, 0.25)?;
+/// let by = [1, 2].map(|seed| Fbm::new(Simplex::new(seed), FbmSpectrum::CLOUD).first(4.0));
+/// let warp = Warp::new(Perlin::new(3), by, 0.25)?;
 ///
 /// let p = Vec2::new(0.4, -1.7);
-/// let [q, f] = [warp.displacement(p).point, p].map(|p| Perlin2002::new(3).value(p));
+/// let [q, f] = [warp.displacement(p).point, p].map(|p| Perlin::new(3).value(p));
 /// assert!(warp.value(p) == q && q != f);
 /// # Ok::<(), asperity_noise::WarpError>(())
 /// ```

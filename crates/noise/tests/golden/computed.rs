@@ -3,9 +3,9 @@
 //! Needs neither std nor an allocator.
 
 use asperity_noise::{
-    Basis, Cellular, Field, Gaussian, GaussianOctaves, IntegerHash, Lattice, Metric, Normalisation, Octaves,
-    Perlin1985, Perlin2002, Point, Rotation, Sample, Simplex, Sparse, Spectrum, Value, ValueCatmullRom,
-    ValueGradient, White,
+    Cellular, CellularOutput, Fbm, FbmSpectrum, Field, GaussianFbm, GaussianNoise, IntegerHash, Lattice,
+    Metric, Normalization, Perlin, PerlinClassic, Point, Rotation, Sample, Simplex, SparseConvolution,
+    ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise,
     glam::{Vec2, Vec3, Vec4},
     lattice::{PermutationTable, edge_gradient, gaussian_corner, unit_gradient},
     simd::{Batch, Kernel, Level},
@@ -121,19 +121,19 @@ where
 /// statistics.
 fn sum(
     name: &'static str,
-    normalisation: Normalisation,
+    normalisation: Normalization,
     rotation: Rotation,
     emit: &mut impl FnMut(&'static str, Golden),
 ) {
     fn octaves<V: Point<Coordinates = [f32; N]>, const N: usize>(
-        normalisation: Normalisation,
+        normalisation: Normalization,
         rotation: Rotation,
     ) -> Golden
     where
-        Perlin2002: Kernel<N>,
+        Perlin: Kernel<N>,
     {
         let noise =
-            Octaves::<_, N>::new(Perlin2002::new(17), Spectrum::default()).with_normalisation(normalisation);
+            Fbm::<_, N>::new(Perlin::new(17), FbmSpectrum::default()).with_normalization(normalisation);
         let noise = noise.with_rotation(rotation);
         golden(&|p: V| noise.detail(6.5).sample(p))
     }
@@ -146,41 +146,45 @@ fn sum(
 fn gaussian_sum<V: Point<Coordinates = [f32; N]>, const N: usize>(
     emit: &mut impl FnMut(&'static str, Golden),
 ) {
-    let noise = GaussianOctaves::<N>::new(Gaussian::new(17), Spectrum::default());
+    let noise = GaussianFbm::<N>::new(GaussianNoise::new(17), FbmSpectrum::default());
     emit("Gaussian octaves", golden(&|p: V| noise.detail(6.5).sample(p)));
     emit("Gaussian octaves, second channel", golden(&|p: V| noise.detail(6.5).pair(p)[1]));
-    emit("Gaussian, second channel", golden(&|p: V| Gaussian::new(17).pair(p)[1]));
-    emit("Gaussian, not normalised", golden(&|p: V| Gaussian::new(17).unnormalised(p)));
-    emit("variance of Gaussian", golden(&|p: V| Gaussian::new(17).variance(p)));
+    emit("Gaussian, second channel", golden(&|p: V| GaussianNoise::new(17).pair(p)[1]));
+    emit("Gaussian, not normalised", golden(&|p: V| GaussianNoise::new(17).unnormalised(p)));
+    emit("variance of Gaussian", golden(&|p: V| GaussianNoise::new(17).variance(p)));
 }
 
 /// Passes the golden bits of every kind and sum in every dimension to `emit`.
 pub(crate) fn fields(emit: &mut impl FnMut(&'static str, Golden)) {
     let table = PermutationTable::new(17);
-    kind("Perlin 1985", &Perlin1985::new(17), emit);
-    kind("Perlin 2002", &Perlin2002::new(17), emit);
-    kind("Perlin 2002 by permutation", &Perlin2002::new(17).with_lattice(table), emit);
+    kind("Perlin 1985", &PerlinClassic::new(17), emit);
+    kind("Perlin 2002", &Perlin::new(17), emit);
+    kind("Perlin 2002 by permutation", &Perlin::new(17).with_lattice(table), emit);
     kind("simplex", &Simplex::new(17), emit);
     kind("wide simplex", &Simplex::wide(17), emit);
     kind("wide simplex by permutation", &Simplex::wide(17).with_lattice(table), emit);
-    kind("Gaussian", &Gaussian::new(17), emit);
-    kind("white", &White::new(17), emit);
-    kind("value", &Value::new(17), emit);
+    kind("Gaussian", &GaussianNoise::new(17), emit);
+    kind("white", &WhiteNoise::new(17), emit);
+    kind("value", &ValueNoise::new(17), emit);
     kind("value, Catmull-Rom", &ValueCatmullRom::new(17), emit);
     kind("value-gradient", &ValueGradient::new(17), emit);
-    kind("sparse", &Sparse::new(17), emit);
+    kind("sparse", &SparseConvolution::new(17), emit);
     let cellular = Cellular::new(17);
     kind("cellular, F₁", &cellular, emit);
     kind(
         "cellular, F₂ − F₁, Manhattan",
-        &cellular.with_basis(Basis::F2MinusF1).with_metric(Metric::Manhattan),
+        &cellular.with_output(CellularOutput::F2MinusF1).with_metric(Metric::Manhattan),
         emit,
     );
-    kind("cellular, F₂, Chebyshev", &cellular.with_basis(Basis::F2).with_metric(Metric::Chebyshev), emit);
-    kind("cellular, cell", &cellular.with_basis(Basis::Cell), emit);
-    sum("octaves, range", Normalisation::Range, Rotation::Random, emit);
-    sum("octaves, variance", Normalisation::Variance, Rotation::Random, emit);
-    sum("octaves, aligned", Normalisation::Range, Rotation::Aligned, emit);
+    kind(
+        "cellular, F₂, Chebyshev",
+        &cellular.with_output(CellularOutput::F2).with_metric(Metric::Chebyshev),
+        emit,
+    );
+    kind("cellular, cell", &cellular.with_output(CellularOutput::Cell), emit);
+    sum("octaves, range", Normalization::UnitRange, Rotation::Random, emit);
+    sum("octaves, variance", Normalization::UnitVariance, Rotation::Random, emit);
+    sum("octaves, aligned", Normalization::UnitRange, Rotation::Aligned, emit);
     gaussian_sum::<f32, 1>(emit);
     gaussian_sum::<Vec2, 2>(emit);
     gaussian_sum::<Vec3, 3>(emit);
@@ -190,10 +194,10 @@ pub(crate) fn fields(emit: &mut impl FnMut(&'static str, Golden)) {
 /// Passes the golden bits of batches to `emit`; they equal the bits of the same kinds and sums
 /// above.
 pub(crate) fn batches(emit: &mut impl FnMut(&'static str, Golden)) {
-    emit("Perlin 2002", batched::<Vec3, 3>(&Perlin2002::new(17)));
+    emit("Perlin 2002", batched::<Vec3, 3>(&Perlin::new(17)));
     emit("simplex", batched::<Vec2, 2>(&Simplex::new(17)));
-    emit("Gaussian", batched::<Vec2, 2>(&Gaussian::new(17)));
-    let sum = GaussianOctaves::<2>::new(Gaussian::new(17), Spectrum::default());
+    emit("Gaussian", batched::<Vec2, 2>(&GaussianNoise::new(17)));
+    let sum = GaussianFbm::<2>::new(GaussianNoise::new(17), FbmSpectrum::default());
     emit("Gaussian octaves", batched::<Vec2, 2>(&sum.first(6.5)));
 }
 
@@ -225,7 +229,7 @@ pub(crate) fn numbers(emit: &mut impl FnMut(&'static str, u32)) {
             drawn([a, ax, ay, az, aw, b, bx, by, bz, bw])
         }),
     );
-    let spectrum = Spectrum::default();
+    let spectrum = FbmSpectrum::default();
     emit(
         "spectrum",
         hash(&mut |i| {

@@ -3,16 +3,17 @@
 use approx::assert_abs_diff_eq;
 use asperity_core::SplitMix64;
 use asperity_noise::{
-    Basis, Cellular, CellularError, Field, Metric, Noise, Octaves, Point, Spectrum, Unit,
+    Cellular, CellularError, CellularOutput, Fbm, FbmSpectrum, Field, Metric, Noise, Point, Unit,
     glam::{Vec2, Vec3, Vec4},
 };
 
-const BASES: [Basis; 4] = [Basis::F1, Basis::F2, Basis::F2MinusF1, Basis::Cell];
+const BASES: [CellularOutput; 4] =
+    [CellularOutput::F1, CellularOutput::F2, CellularOutput::F2MinusF1, CellularOutput::Cell];
 const METRICS: [Metric; 3] = [Metric::Euclidean, Metric::Manhattan, Metric::Chebyshev];
 
 fn every_noise() -> impl Iterator<Item = Cellular> {
     let noises = BASES.into_iter().flat_map(|basis| METRICS.map(|metric| (basis, metric)));
-    noises.map(|(basis, metric)| Cellular::default().with_basis(basis).with_metric(metric))
+    noises.map(|(basis, metric)| Cellular::default().with_output(basis).with_metric(metric))
 }
 
 #[test]
@@ -73,7 +74,7 @@ fn cellular_at_feature_points() {
 #[test]
 fn cellular_range_is_the_supremum() {
     let range = |metric, basis, jitter| {
-        let noise = Cellular::default().with_metric(metric).with_basis(basis).with_jitter(jitter).unwrap();
+        let noise = Cellular::default().with_metric(metric).with_output(basis).with_jitter(jitter).unwrap();
         [
             Field::<f32>::range(&noise)[1],
             Field::<Vec2>::range(&noise)[1],
@@ -87,14 +88,14 @@ fn cellular_range_is_the_supremum() {
         }
     };
     let root = f32::sqrt;
-    close(range(Metric::Euclidean, Basis::F1, 1.0), [1.0, root(2.0), root(3.0), 2.0]);
-    close(range(Metric::Manhattan, Basis::F1, 1.0), [1.0, 2.0, 3.0, 4.0]);
-    close(range(Metric::Chebyshev, Basis::F1, 1.0), [1.0; 4]);
-    close(range(Metric::Euclidean, Basis::F2, 1.0), [1.5, root(2.5), root(3.0), 2.0]);
-    close(range(Metric::Manhattan, Basis::F2MinusF1, 1.0), [1.5, 2.0, 3.0, 4.0]);
-    close(range(Metric::Chebyshev, Basis::F2, 1.0), [1.5; 4]);
-    close(range(Metric::Euclidean, Basis::F1, 0.0), [0.5, root(0.5), root(0.75), 1.0]);
-    close(range(Metric::Chebyshev, Basis::F2, 0.0), [1.0; 4]);
+    close(range(Metric::Euclidean, CellularOutput::F1, 1.0), [1.0, root(2.0), root(3.0), 2.0]);
+    close(range(Metric::Manhattan, CellularOutput::F1, 1.0), [1.0, 2.0, 3.0, 4.0]);
+    close(range(Metric::Chebyshev, CellularOutput::F1, 1.0), [1.0; 4]);
+    close(range(Metric::Euclidean, CellularOutput::F2, 1.0), [1.5, root(2.5), root(3.0), 2.0]);
+    close(range(Metric::Manhattan, CellularOutput::F2MinusF1, 1.0), [1.5, 2.0, 3.0, 4.0]);
+    close(range(Metric::Chebyshev, CellularOutput::F2, 1.0), [1.5; 4]);
+    close(range(Metric::Euclidean, CellularOutput::F1, 0.0), [0.5, root(0.5), root(0.75), 1.0]);
+    close(range(Metric::Chebyshev, CellularOutput::F2, 0.0), [1.0; 4]);
 }
 
 /// Mean, deviation and higher moments over `COUNT` points, one seed each.
@@ -146,7 +147,7 @@ fn cellular_octaves_and_unit() {
     let noise = Cellular::new(1).with_metric(Metric::Manhattan);
     let (mut sum, mut square) = (0.0, 0.0);
     for seed in 0..4000_u16 {
-        let octaves = Octaves::<_, 2>::new(noise.with_seed(u32::from(seed)), Spectrum::default());
+        let octaves = Fbm::<_, 2>::new(noise.with_seed(u32::from(seed)), FbmSpectrum::default());
         let value = octaves.value(Vec2::new(0.3, -0.7) * f32::from(seed % 89));
         sum += value;
         square += value * value;

@@ -5,7 +5,7 @@ use core::array::from_fn;
 use approx::assert_abs_diff_eq;
 use asperity_core::SplitMix64;
 use asperity_noise::{
-    Basis, Cellular, Field, Grid, IntegerHash, Lattice, Metric, Point,
+    Cellular, CellularOutput, Field, Grid, IntegerHash, Lattice, Metric, Point,
     glam::{Vec2, Vec3, Vec4},
     simd::{Batch, Level},
 };
@@ -66,8 +66,12 @@ where
     let nearest = wide_search(&noise, words, p, window);
     let [first, second, third] = nearest.map(|found| found.distance);
     let what = || format!("{:?} {p:?} of jitter {}", noise.metric(), noise.jitter());
-    for (basis, expected) in [(Basis::F1, first), (Basis::F2, second), (Basis::F2MinusF1, second - first)] {
-        let noise = noise.with_basis(basis);
+    for (basis, expected) in [
+        (CellularOutput::F1, first),
+        (CellularOutput::F2, second),
+        (CellularOutput::F2MinusF1, second - first),
+    ] {
+        let noise = noise.with_output(basis);
         let sample = noise.sample(V::from_coordinates(p));
         // Offsets are rounded by up to 2.4e-7 each, and their roots by little. The largest error
         // was 7e-7.
@@ -87,12 +91,12 @@ where
             let ties = (0..N).any(|i| (0..i).any(|j| (ways[i] - ways[j]).abs() < 1e-5));
             ways.iter().all(|&way| way > 1e-3) && !(noise.metric() == Metric::Chebyshev && ties)
         };
-        let clear = second - first > 1e-5 && (basis == Basis::F1 || third - second > 1e-5);
+        let clear = second - first > 1e-5 && (basis == CellularOutput::F1 || third - second > 1e-5);
         if clear && nearest[..2].iter().all(apart) {
             for (axis, slope_here) in sample.gradient.coordinates().into_iter().enumerate() {
                 let expected = match basis {
-                    Basis::F1 => slope(&nearest[0], axis),
-                    Basis::F2 => slope(&nearest[1], axis),
+                    CellularOutput::F1 => slope(&nearest[0], axis),
+                    CellularOutput::F2 => slope(&nearest[1], axis),
                     _ => slope(&nearest[1], axis) - slope(&nearest[0], axis),
                 };
                 // An offset of 1e-3 is rounded by 2.4e-7.
@@ -101,7 +105,7 @@ where
         }
     }
     if second - first > 1e-5 {
-        let cell = noise.with_basis(Basis::Cell).value(V::from_coordinates(p));
+        let cell = noise.with_output(CellularOutput::Cell).value(V::from_coordinates(p));
         assert_eq!(cell, uniform(further(nearest[0].word, 2)), "{}", what());
     }
 }
@@ -143,8 +147,8 @@ fn cellular_search_at_random_points() {
 /// Grids, whose rows find their feature points together, compared with a wide search.
 fn compare_grids<V: Point<Coordinates = [f32; N]>, const N: usize>(size: &V::Array<usize>, window: i32) {
     for (metric, step) in METRICS.into_iter().zip([0.05, -0.031, 0.12]) {
-        for basis in [Basis::F1, Basis::F2] {
-            let noise = Cellular::new(7).with_metric(metric).with_basis(basis);
+        for basis in [CellularOutput::F1, CellularOutput::F2] {
+            let noise = Cellular::new(7).with_metric(metric).with_output(basis);
             let grid = Grid {
                 origin: V::from_axes(|axis| 0.31 - 1.4 * axis as f32),
                 step: V::from_axes(|axis| if axis == 0 { step } else { 0.07 }),
@@ -160,7 +164,7 @@ fn compare_grids<V: Point<Coordinates = [f32; N]>, const N: usize>(size: &V::Arr
                     along
                 }));
                 let nearest = wide_search(&noise, (&IntegerHash, 7), p.coordinates(), window);
-                let expected = nearest[usize::from(basis == Basis::F2)].distance;
+                let expected = nearest[usize::from(basis == CellularOutput::F2)].distance;
                 // As above.
                 assert!((f64::from(value) - expected).abs() < 1.5e-6, "{noise:?} {p:?}");
             }

@@ -2,14 +2,14 @@
 
 use approx::abs_diff_eq;
 use asperity_noise::{
-    Field, Perlin2002, Simplex,
+    Field, Perlin, Simplex,
     curl::{Curl2, Curl3, CurlPotential},
     glam::{Vec2, Vec3},
 };
 
 #[test]
 fn curl_is_perpendicular_to_gradients() {
-    let fields = [1, 2, 3].map(Perlin2002::new);
+    let fields = [1, 2, 3].map(Perlin::new);
     for i in 0..20_u8 {
         let p = Vec3::new(0.31 * f32::from(i), 1.7, -0.4 * f32::from(i));
         let [a, b, _] = fields.map(|field| field.sample(p).gradient);

@@ -2,7 +2,7 @@
 
 use approx::assert_abs_diff_eq;
 use asperity_noise::{
-    Field, IntegerHash, Lattice, Perlin2002,
+    Field, IntegerHash, Lattice, Perlin,
     glam::Vec3,
     lattice::{PerlinTable, edge_gradient},
 };
@@ -24,6 +24,6 @@ fn perlin_2002_matches_printed_formula() {
     for i in 0..1000_u16 {
         let p = Vec3::new(0.37, -0.21, 0.83) * f32::from(i);
         // Twice the error that the crate page states.
-        assert_abs_diff_eq!(Perlin2002::new(7).value(p), improved_noise(p, 7), epsilon = 3.4e-6);
+        assert_abs_diff_eq!(Perlin::new(7).value(p), improved_noise(p, 7), epsilon = 3.4e-6);
     }
 }

@@ -1,7 +1,7 @@
 //! Perlin's reference implementation of 2002 compared with `PerlinTable`.
 
 use approx::assert_abs_diff_eq;
-use asperity_noise::{Affine, Field, Grid, Perlin2002, glam::Vec3, lattice::PerlinTable};
+use asperity_noise::{Field, Grid, Perlin, ScaleBias, glam::Vec3, lattice::PerlinTable};
 
 /// The reference implementation in `f64`.
 fn reference(p: [f64; 3]) -> f64 {
@@ -32,7 +32,7 @@ fn reference(p: [f64; 3]) -> f64 {
 #[expect(clippy::approx_constant, reason = "the point of a published value of the reference noise")]
 fn perlin_table_matches_reference() {
     assert_abs_diff_eq!(reference([3.14, 42.0, 7.0]), 0.136_919_958_784, epsilon = 1e-9);
-    let noise = Affine(Perlin2002::new(0).with_lattice(PerlinTable), PerlinTable::SCALE, 0.0);
+    let noise = ScaleBias(Perlin::new(0).with_lattice(PerlinTable), PerlinTable::SCALE, 0.0);
     let classic = Vec3::new(3.14, 42.0, 7.0);
     let step = Vec3::new(0.04, 0.75, 0.5);
     let grid = Grid { origin: classic - step * Vec3::new(11.0, 2.0, 3.0), step, size: [32, 4, 5] };
@@ -56,6 +56,6 @@ fn perlin_table_matches_reference() {
         }
     }
     // Another seed is a translation.
-    let moved = Affine(Perlin2002::new(5).with_lattice(PerlinTable), PerlinTable::SCALE, 0.0);
+    let moved = ScaleBias(Perlin::new(5).with_lattice(PerlinTable), PerlinTable::SCALE, 0.0);
     assert_abs_diff_eq!(moved.value(classic - Vec3::X * 5.0), 0.136_92, epsilon = 1e-6);
 }

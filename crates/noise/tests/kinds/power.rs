@@ -1,10 +1,10 @@
 //! Powers of a field.
 
-use asperity_noise::{Field, Perlin2002, Power, glam::Vec2};
+use asperity_noise::{Field, Perlin, Power, glam::Vec2};
 
 #[test]
 fn power_matches_products() {
-    let (field, p) = (Perlin2002::new(3), Vec2::new(0.3, 1.8));
+    let (field, p) = (Perlin::new(3), Vec2::new(0.3, 1.8));
     let n = field.sample(p);
     let [one, itself, cube] = [0, 1, 3].map(|k| Power(field, k).sample(p));
     assert_eq!((one.value, one.gradient), (1.0, Vec2::ZERO));

@@ -2,10 +2,10 @@
 
 use asperity_core::SplitMix64;
 use asperity_noise::{
-    Add, Affine, Basis, Billow, Blend, Cellular, Clamp, Field, Gaussian, Grid, Lattice, Metric, Multiply,
-    Normalisation, Octaves, Perlin1985, Perlin2002, Plasma, Point, Power, Ridged, RidgedMultifractal, Sample,
-    Shape, Signed, Simplex, Sparse, Spectrum, Turbulence, Unit, Value, ValueCatmullRom, ValueGradient, Warp,
-    White,
+    Add, Billow, Blend, Cellular, CellularOutput, Clamp, Fbm, FbmSpectrum, Field, GaussianNoise, Grid,
+    Lattice, Metric, Multiply, Normalization, Perlin, PerlinClassic, Plasma, Point, Power, Ridged,
+    RidgedMultifractal, Sample, ScaleBias, Shape, Signed, Simplex, SparseConvolution, Turbulence, Unit,
+    ValueCatmullRom, ValueGradient, ValueNoise, Warp, WhiteNoise,
     glam::{Vec2, Vec3, Vec4},
 };
 
@@ -109,27 +109,28 @@ macro_rules! search {
 #[test]
 fn range_of_every_kind_holds_near_and_far() {
     let (mut random, mut found) = (Random(SplitMix64 { state: 1 }), Vec::new());
-    search!(random, found, "white", |w| White::new(0).with_lattice(Chosen(w)));
-    search!(random, found, "value", |w| Value::new(0).with_lattice(Chosen(w)));
+    search!(random, found, "white", |w| WhiteNoise::new(0).with_lattice(Chosen(w)));
+    search!(random, found, "value", |w| ValueNoise::new(0).with_lattice(Chosen(w)));
     search!(random, found, "value, Catmull–Rom", |w| ValueCatmullRom::new(0).with_lattice(Chosen(w)));
-    search!(random, found, "Perlin 1985", |w| Perlin1985::new(0).with_lattice(Chosen(w)));
-    search!(random, found, "Perlin 2002", |w| Perlin2002::new(0).with_lattice(Chosen(w)));
+    search!(random, found, "Perlin 1985", |w| PerlinClassic::new(0).with_lattice(Chosen(w)));
+    search!(random, found, "Perlin 2002", |w| Perlin::new(0).with_lattice(Chosen(w)));
     for weight in [0.0, 1e-6, 0.5, 1.0] {
         let noise = ValueGradient::new(0).with_weight(weight).unwrap();
         search!(random, found, format!("value-gradient {weight}"), |w| noise.with_lattice(Chosen(w)));
     }
     search!(random, found, "simplex", |w| Simplex::new(0).with_lattice(Chosen(w)));
     search!(random, found, "wide simplex", |w| Simplex::wide(0).with_lattice(Chosen(w)));
-    search!(random, found, "Gaussian", |w| Gaussian::new(0).with_lattice(Chosen(w)));
-    for impulses in [1, Sparse::MAX_IMPULSES] {
-        let noise = Sparse::new(0).with_impulses(impulses).unwrap();
+    search!(random, found, "Gaussian", |w| GaussianNoise::new(0).with_lattice(Chosen(w)));
+    for impulses in [1, SparseConvolution::MAX_IMPULSES] {
+        let noise = SparseConvolution::new(0).with_impulses(impulses).unwrap();
         search!(random, found, format!("sparse {impulses}"), |w| noise.with_lattice(Chosen(w)));
     }
     for metric in [Metric::Euclidean, Metric::Manhattan, Metric::Chebyshev] {
-        for basis in [Basis::F1, Basis::F2, Basis::F2MinusF1, Basis::Cell] {
+        for basis in [CellularOutput::F1, CellularOutput::F2, CellularOutput::F2MinusF1, CellularOutput::Cell]
+        {
             for jitter in [0.0, 1.0] {
                 let noise =
-                    Cellular::new(0).with_metric(metric).with_basis(basis).with_jitter(jitter).unwrap();
+                    Cellular::new(0).with_metric(metric).with_output(basis).with_jitter(jitter).unwrap();
                 let name = format!("{metric:?} {basis:?} of jitter {jitter}");
                 search!(random, found, name, |w| noise.with_lattice(Chosen(w)));
             }
@@ -144,14 +145,14 @@ fn sums<T: Shape>(random: &mut Random, found: &mut Vec<String>, shape: T) {
         let word = [0, u32::MAX][random.below(2)];
         let gain = 0.3 + 0.6 * (f64::from(random.word()) / 4_294_967_296.0) as f32;
         let octaves = 1.0 + 9.0 * (f64::from(random.word()) / 4_294_967_296.0) as f32;
-        let normalisation = [Normalisation::Range, Normalisation::Variance][random.below(2)];
+        let normalisation = [Normalization::UnitRange, Normalization::UnitVariance][random.below(2)];
         let footprint = [0.0, 0.05, 0.3][random.below(3)];
-        let sum = Octaves::<_, 2>::new(
-            White::new(0).with_lattice(Chosen([word; 256])),
-            Spectrum::new(2.0, gain, 10).expect("a gain below 1"),
+        let sum = Fbm::<_, 2>::new(
+            WhiteNoise::new(0).with_lattice(Chosen([word; 256])),
+            FbmSpectrum::new(2.0, gain, 10).expect("a gain below 1"),
         )
         .with_shape(shape)
-        .with_normalisation(normalisation)
+        .with_normalization(normalisation)
         .first(octaves)
         .clamped(footprint);
         let ([low, high], value) = (Field::<Vec2>::range(&sum), sum.value(Vec2::new(0.3, 0.7)));
@@ -169,13 +170,13 @@ fn range_of_octaves_holds_with_all_octaves_at_a_bound() {
     sums(&mut random, &mut found, Plasma);
     sums(&mut random, &mut found, Billow);
     sums(&mut random, &mut found, Ridged);
-    let spectrum = Spectrum::default();
+    let spectrum = FbmSpectrum::default();
     search!(random, found, "fBm of simplex", |w| {
-        Octaves::new(Simplex::new(0).with_lattice(Chosen(w)), spectrum)
-            .with_normalisation(Normalisation::Range)
+        Fbm::new(Simplex::new(0).with_lattice(Chosen(w)), spectrum)
+            .with_normalization(Normalization::UnitRange)
     });
     search!(random, found, "ridged multifractal", |w| {
-        RidgedMultifractal::new(Value::new(0).with_lattice(Chosen(w)), spectrum, 2.0).unwrap()
+        RidgedMultifractal::new(ValueNoise::new(0).with_lattice(Chosen(w)), spectrum, 2.0).unwrap()
     });
     // A kind with a range smaller than 1, so that a ridged octave is never 0 and a weak octave is
     // smaller.
@@ -219,7 +220,7 @@ fn range_of_transforms_holds_for_constants() {
             Box::new(Blend(Constant(a), Constant(b), Constant(c))),
             Box::new(Blend(Constant(a), Constant(b), Constant(c.abs()))),
             Box::new(Clamp(Constant(a), b.min(c), b.max(c))),
-            Box::new(Affine(Constant(a), b, c)),
+            Box::new(ScaleBias(Constant(a), b, c)),
             Box::new(Power(Constant(a), power)),
         ];
         for (k, field) in fields.iter().enumerate() {

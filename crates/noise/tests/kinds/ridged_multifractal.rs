@@ -2,12 +2,12 @@
 
 use approx::assert_abs_diff_eq;
 use asperity_noise::{
-    Field, Normalisation, Octaves, Perlin2002, Ridged, RidgedMultifractal, Spectrum, glam::Vec3,
+    Fbm, FbmSpectrum, Field, Normalization, Perlin, Ridged, RidgedMultifractal, glam::Vec3,
 };
 
 #[test]
 fn ridged_multifractal_rejects_invalid_feedback() {
-    let new = |feedback| RidgedMultifractal::<_, 2>::new(Perlin2002::new(1), Spectrum::default(), feedback);
+    let new = |feedback| RidgedMultifractal::<_, 2>::new(Perlin::new(1), FbmSpectrum::default(), feedback);
     for feedback in [-1.0, f32::INFINITY] {
         assert_eq!(new(feedback).map_err(|error| error.feedback), Err(feedback));
     }
@@ -16,9 +16,9 @@ fn ridged_multifractal_rejects_invalid_feedback() {
 
 #[test]
 fn ridged_multifractal_of_one_octave_is_ridged() {
-    let ridges = RidgedMultifractal::new(Perlin2002::new(1), Spectrum::default(), 1.0).unwrap();
+    let ridges = RidgedMultifractal::new(Perlin::new(1), FbmSpectrum::default(), 1.0).unwrap();
     let octaves =
-        Octaves::new(Perlin2002::new(1), Spectrum::default()).with_normalisation(Normalisation::Range);
+        Fbm::new(Perlin::new(1), FbmSpectrum::default()).with_normalization(Normalization::UnitRange);
     let octaves = octaves.with_shape(Ridged);
     let p = Vec3::new(0.2, 7.1, -3.4);
     assert_eq!(ridges.first(1.0).sample(p), octaves.first(1.0).sample(p));
@@ -28,7 +28,7 @@ fn ridged_multifractal_of_one_octave_is_ridged() {
 
 #[test]
 fn ridged_multifractal_without_feedback_is_its_first_octave() {
-    let ridges = RidgedMultifractal::new(Perlin2002::new(1), Spectrum::default(), 0.0).unwrap();
+    let ridges = RidgedMultifractal::new(Perlin::new(1), FbmSpectrum::default(), 0.0).unwrap();
     let p = Vec3::new(0.2, 7.1, -3.4);
     let [one, three] = [1.0, 3.0].map(|octaves| ridges.first(octaves).value(p));
     assert_abs_diff_eq!(three * 1.75, one, epsilon = 1e-6);

@@ -1,7 +1,7 @@
 //! Rows of kinds with their own column code, compared with single points.
 
 use asperity_noise::{
-    Field, Grid, Sparse, ValueCatmullRom,
+    Field, Grid, SparseConvolution, ValueCatmullRom,
     glam::Vec2,
     simd::{Batch, Level},
 };
@@ -39,7 +39,7 @@ fn check(noise: &impl Field<Vec2>) {
 #[test]
 fn rows_match_points() {
     for impulses in [1, 3] {
-        check(&Sparse::new(5).with_impulses(impulses).unwrap());
+        check(&SparseConvolution::new(5).with_impulses(impulses).unwrap());
     }
     check(&ValueCatmullRom::new(5));
 }

@@ -2,7 +2,7 @@
 
 use approx::assert_abs_diff_eq;
 use asperity_noise::{
-    Field, Lattice, Sparse, SparseError,
+    Field, Lattice, SparseConvolution, SparseConvolutionError,
     glam::{Vec2, Vec3, Vec4},
 };
 
@@ -11,12 +11,12 @@ use super::words::{further, uniform};
 #[test]
 fn sparse_rejects_invalid_impulses() {
     for impulses in 1..=4 {
-        assert_eq!(Sparse::default().with_impulses(impulses).unwrap().impulses(), impulses);
+        assert_eq!(SparseConvolution::default().with_impulses(impulses).unwrap().impulses(), impulses);
     }
     for impulses in [0, 5, 256, 257, u32::MAX] {
         assert_eq!(
-            Sparse::default().with_impulses(impulses),
-            Err(SparseError::ImpulsesOutOfRange { impulses })
+            SparseConvolution::default().with_impulses(impulses),
+            Err(SparseConvolutionError::ImpulsesOutOfRange { impulses })
         );
     }
 }
@@ -24,7 +24,7 @@ fn sparse_rejects_invalid_impulses() {
 #[test]
 fn sparse_variance_is_1_everywhere_in_a_cell() {
     for impulses in [1, 3] {
-        let noise = Sparse::default().with_impulses(impulses).unwrap();
+        let noise = SparseConvolution::default().with_impulses(impulses).unwrap();
         let square = |f: &dyn Fn(u32) -> f32| (0..4000).map(|seed| f(seed) * f(seed)).sum::<f32>() / 4000.0;
         let squares = [
             square(&|seed| noise.with_seed(seed).value(0.0)),
@@ -53,7 +53,7 @@ impl Lattice for Heap {
 #[test]
 fn sparse_kernel_reaches_its_radius() {
     // One impulse lies at −2⁻¹⁷, one at 2⁻¹⁷, and so on at ±1.
-    let noise = Sparse::new(0).with_impulses(1).unwrap().with_lattice(Heap);
+    let noise = SparseConvolution::new(0).with_impulses(1).unwrap().with_lattice(Heap);
     let (here, there) = (noise.value(0.0), noise.value(1.0));
     // √(3/∫h²) in 1-D.
     let weight = |word: u32| uniform(further(word, 1)) * 2.097_361_6;

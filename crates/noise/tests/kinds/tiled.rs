@@ -1,8 +1,8 @@
 //! Kinds on a tileable lattice.
 
 use asperity_noise::{
-    Basis, Cellular, Field, Gaussian, IntegerHash, Perlin1985, Perlin2002, Point, Simplex, Sparse, Tiled,
-    Value, ValueCatmullRom, ValueGradient, White,
+    Cellular, CellularOutput, Field, GaussianNoise, IntegerHash, Perlin, PerlinClassic, Point, Simplex,
+    SparseConvolution, Tiled, ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise,
     glam::{Vec2, Vec3, Vec4},
     lattice::{ChainedTable, PermutationTable},
 };
@@ -41,19 +41,19 @@ fn tiled_repeats_every_kind_on_the_integer_lattice() {
         tiles::<Vec4, 4>(noise, [7, 1, 12, 2]);
     }
     let lattice = Tiled::new(IntegerHash, [7, 1, 12, 2]).unwrap();
-    kind(&White::new(4).with_lattice(lattice));
-    kind(&Value::new(4).with_lattice(lattice));
+    kind(&WhiteNoise::new(4).with_lattice(lattice));
+    kind(&ValueNoise::new(4).with_lattice(lattice));
     kind(&ValueCatmullRom::new(4).with_lattice(lattice));
     kind(&ValueGradient::new(4).with_lattice(lattice));
-    kind(&Perlin1985::new(4).with_lattice(lattice));
-    kind(&Perlin2002::new(4).with_lattice(lattice));
-    kind(&Gaussian::new(4).with_lattice(lattice));
-    kind(&Sparse::new(4).with_lattice(lattice));
+    kind(&PerlinClassic::new(4).with_lattice(lattice));
+    kind(&Perlin::new(4).with_lattice(lattice));
+    kind(&GaussianNoise::new(4).with_lattice(lattice));
+    kind(&SparseConvolution::new(4).with_lattice(lattice));
     kind(&Cellular::new(4).with_lattice(lattice));
-    kind(&Cellular::new(4).with_basis(Basis::Cell).with_lattice(lattice));
+    kind(&Cellular::new(4).with_output(CellularOutput::Cell).with_lattice(lattice));
     let table = PermutationTable::new(1);
-    kind(&Perlin2002::new(4).with_lattice(Tiled::new(table, [7, 1, 12, 2]).unwrap()));
-    kind(&Perlin2002::new(4).with_lattice(Tiled::new(ChainedTable(table), [7, 1, 12, 2]).unwrap()));
+    kind(&Perlin::new(4).with_lattice(Tiled::new(table, [7, 1, 12, 2]).unwrap()));
+    kind(&Perlin::new(4).with_lattice(Tiled::new(ChainedTable(table), [7, 1, 12, 2]).unwrap()));
 }
 
 #[test]

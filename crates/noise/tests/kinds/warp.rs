@@ -1,13 +1,13 @@
 //! Warps of a field.
 
 use asperity_noise::{
-    Field, Perlin2002, Simplex, Warp,
+    Field, Perlin, Simplex, Warp,
     glam::{Vec2, Vec3},
 };
 
 #[test]
 fn warp_of_strength_0_is_the_field() {
-    let field = Perlin2002::new(1);
+    let field = Perlin::new(1);
     let warp = Warp::new(field, [2, 3, 4].map(Simplex::new), 0.0).unwrap();
     let p = Vec3::new(0.3, -4.1, 7.7);
     assert_eq!(warp.sample(p), field.sample(p));
@@ -16,7 +16,7 @@ fn warp_of_strength_0_is_the_field() {
 
 #[test]
 fn warp_with_nonfinite_strength_or_points() {
-    let field = Perlin2002::new(1);
+    let field = Perlin::new(1);
     for strength in [f32::INFINITY, f32::NEG_INFINITY] {
         assert_eq!(Warp::new(field, [field; 2], strength).map_err(|error| error.strength), Err(strength));
     }

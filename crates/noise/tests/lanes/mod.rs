@@ -7,8 +7,8 @@ mod octaves;
 mod shapes;
 
 use asperity_noise::{
-    Basis, Cellular, Field, Gaussian, Grid, Metric, Normalisation, Octaves, Perlin2002, Rotation, Simplex,
-    Spectrum,
+    Cellular, CellularOutput, Fbm, FbmSpectrum, Field, GaussianNoise, Grid, Metric, Normalization, Perlin,
+    Rotation, Simplex,
     glam::{Vec2, Vec3},
     simd::{Batch, Level},
 };
@@ -16,7 +16,7 @@ use compare::{far_cases, grid, grids, lengths, near_cases, points};
 
 #[test]
 fn grids_of_gradient_noise_match_scalar() {
-    let field: &dyn Field<Vec2> = &Gaussian::new(7);
+    let field: &dyn Field<Vec2> = &GaussianNoise::new(7);
     grids("Gaussian 2-D", field, &near_cases());
     grids("Gaussian 2-D", field, &far_cases());
     lengths("Gaussian 2-D", field);
@@ -59,14 +59,14 @@ fn end_of_a_wide_row_matches_scalar() {
 
 #[test]
 fn grids_in_3d_match_scalar() {
-    grids("Perlin 2002 3-D", &Perlin2002::new(7) as &dyn Field<Vec3>, &near_cases());
+    grids("Perlin 2002 3-D", &Perlin::new(7) as &dyn Field<Vec3>, &near_cases());
 }
 
 #[test]
 fn grids_of_cellular_noise_match_scalar() {
-    for basis in [Basis::F1, Basis::F2MinusF1, Basis::Cell] {
+    for basis in [CellularOutput::F1, CellularOutput::F2MinusF1, CellularOutput::Cell] {
         for metric in [Metric::Euclidean, Metric::Manhattan, Metric::Chebyshev] {
-            let noise = Cellular::new(7).with_basis(basis).with_metric(metric);
+            let noise = Cellular::new(7).with_output(basis).with_metric(metric);
             let name = format!("{basis:?} {metric:?} 2-D");
             grids(&name, &noise as &dyn Field<Vec2>, &near_cases()[..3]);
             // Four feature points are equally near everywhere on these grids.
@@ -78,7 +78,7 @@ fn grids_of_cellular_noise_match_scalar() {
             }
         }
     }
-    let field: &dyn Field<Vec2> = &Cellular::new(7).with_basis(Basis::F2);
+    let field: &dyn Field<Vec2> = &Cellular::new(7).with_output(CellularOutput::F2);
     grids("F2 2-D", field, &near_cases());
     grids("F2 2-D", field, &far_cases());
     lengths("F2 2-D", field);
@@ -94,8 +94,8 @@ fn points_of_simplex_noise_match_scalar() {
 
 #[test]
 fn aligned_sums_match_scalar() {
-    let sum = Octaves::<_, 2>::new(Simplex::new(3), Spectrum::default()).first(3.4);
-    let sum = sum.with_normalisation(Normalisation::Range).with_rotation(Rotation::Aligned);
+    let sum = Fbm::<_, 2>::new(Simplex::new(3), FbmSpectrum::default()).first(3.4);
+    let sum = sum.with_normalization(Normalization::UnitRange).with_rotation(Rotation::Aligned);
     let field: &dyn Field<Vec2> = &sum;
     grids("octaves 2-D", field, &near_cases()[..4]);
     grids("octaves 2-D", field, &far_cases());

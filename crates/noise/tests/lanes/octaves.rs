@@ -1,7 +1,8 @@
 //! Octaves of a point in lanes compared with the same octaves one by one, bit by bit.
 
 use asperity_noise::{
-    Field, Gaussian, IntegerHash, Lattice, Octaves, Perlin2002, Sample, Simplex, Spectrum, Turbulence, Value,
+    Fbm, FbmSpectrum, Field, GaussianNoise, IntegerHash, Lattice, Perlin, Sample, Simplex, Turbulence,
+    ValueNoise,
     glam::{Vec2, Vec3},
 };
 
@@ -33,8 +34,8 @@ fn space() -> impl Iterator<Item = Vec3> {
     near.chain(far).chain(none)
 }
 
-fn spectrum() -> Spectrum {
-    Spectrum::new(2.17, 0.5, 16).expect("a spectrum in range")
+fn spectrum() -> FbmSpectrum {
+    FbmSpectrum::new(2.17, 0.5, 16).expect("a spectrum in range")
 }
 
 fn bits(sample: &Sample<Vec3>) -> [u32; 4] {
@@ -56,8 +57,8 @@ fn same(name: &str, in_lanes: At<'_>, one_by_one: At<'_>) {
 fn octaves_in_lanes_match_octaves_one_by_one() {
     macro_rules! kinds {
         ($($kind:expr),+) => {$(
-            let in_lanes = Octaves::<_, 3>::new($kind, spectrum());
-            let one_by_one = Octaves::<_, 3>::new($kind.with_lattice(OneByOne), spectrum());
+            let in_lanes = Fbm::<_, 3>::new($kind, spectrum());
+            let one_by_one = Fbm::<_, 3>::new($kind.with_lattice(OneByOne), spectrum());
             for count in COUNTS {
                 let name = format!("{count} octaves of {:?}", $kind);
                 let (sum, expected) = (in_lanes.first(count), one_by_one.first(count));
@@ -68,15 +69,15 @@ fn octaves_in_lanes_match_octaves_one_by_one() {
             }
         )+};
     }
-    kinds!(Gaussian::new(7), Perlin2002::new(8), Value::new(9), Simplex::new(10));
+    kinds!(GaussianNoise::new(7), Perlin::new(8), ValueNoise::new(9), Simplex::new(10));
 }
 
 #[test]
 fn channels_in_lanes_match_octaves_one_by_one() {
-    let in_lanes = Octaves::<_, 3>::new(Gaussian::new(7), spectrum());
-    let one_by_one = Octaves::<_, 3>::new(Gaussian::new(7).with_lattice(OneByOne), spectrum());
-    let flat = Octaves::<_, 2>::new(Gaussian::new(7), spectrum());
-    let flat_one_by_one = Octaves::<_, 2>::new(Gaussian::new(7).with_lattice(OneByOne), spectrum());
+    let in_lanes = Fbm::<_, 3>::new(GaussianNoise::new(7), spectrum());
+    let one_by_one = Fbm::<_, 3>::new(GaussianNoise::new(7).with_lattice(OneByOne), spectrum());
+    let flat = Fbm::<_, 2>::new(GaussianNoise::new(7), spectrum());
+    let flat_one_by_one = Fbm::<_, 2>::new(GaussianNoise::new(7).with_lattice(OneByOne), spectrum());
     for count in COUNTS {
         for p in space() {
             let (pair, expected) = (in_lanes.detail(count).pair(p), one_by_one.detail(count).pair(p));

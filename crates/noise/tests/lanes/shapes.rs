@@ -2,8 +2,8 @@
 
 use super::compare::{far_cases, grids, lengths, near_cases, points};
 use asperity_noise::{
-    Add, Affine, Blend, Clamp, Field, Map, Multiply, Octaves, Power, RidgedMultifractal, Rotation, Sample,
-    Simplex, Spectrum, Turbulence, Unit, Warp, glam::Vec2,
+    Add, Blend, Clamp, Fbm, FbmSpectrum, Field, Map, Multiply, Power, RidgedMultifractal, Rotation, Sample,
+    ScaleBias, Simplex, Turbulence, Unit, Warp, glam::Vec2,
 };
 
 /// Grids, rows of many lengths and lists, at every level.
@@ -16,7 +16,7 @@ fn same_bits(name: &str, field: &dyn Field<Vec2>) {
 
 #[test]
 fn batches_of_shaped_sums_match_points() {
-    let octaves = Octaves::<_, 2>::new(Simplex::new(4), Spectrum::default()).first(3.5);
+    let octaves = Fbm::<_, 2>::new(Simplex::new(4), FbmSpectrum::default()).first(3.5);
     for rotation in [Rotation::Random, Rotation::Aligned] {
         let turbulence = octaves.with_rotation(rotation).with_shape(Turbulence);
         for footprint in [0.0, 0.1, 9.0] {
@@ -30,7 +30,7 @@ fn batches_of_shaped_sums_match_points() {
 
 #[test]
 fn batches_of_ridged_multifractal_match_points() {
-    let ridges = RidgedMultifractal::<_, 2>::new(Simplex::new(1), Spectrum::CLOUD, 2.0).unwrap();
+    let ridges = RidgedMultifractal::<_, 2>::new(Simplex::new(1), FbmSpectrum::CLOUD, 2.0).unwrap();
     same_bits("ridged multifractal, squared", &Power(ridges.first(3.5), 2));
 }
 
@@ -45,7 +45,7 @@ impl Field<Vec2> for Wave {
 
 /// Fields that own their parts, selected at run time.
 fn composed(which: usize) -> Box<dyn Field<Vec2>> {
-    let by = [1, 2].map(|seed| Octaves::new(Simplex::new(seed), Spectrum::CLOUD).first(2.0));
+    let by = [1, 2].map(|seed| Fbm::new(Simplex::new(seed), FbmSpectrum::CLOUD).first(2.0));
     let noise = || Simplex::new(7);
     match which {
         0 => Box::new(Add(noise(), Wave)),
@@ -53,7 +53,7 @@ fn composed(which: usize) -> Box<dyn Field<Vec2>> {
         2 => Box::new(Blend(noise(), Wave, Unit(Simplex::new(5)))),
         3 => Box::new(Clamp(noise(), -0.2, 0.1)),
         4 => Box::new(Map(noise(), |n: f32| n * n * n, |n: f32| 3.0 * (n * n))),
-        5 => Box::new(Affine(noise(), -2.0, 3.0)),
+        5 => Box::new(ScaleBias(noise(), -2.0, 3.0)),
         6 => Box::new(Warp::new(noise(), by, 0.3).expect("a finite amplitude")),
         7 => Box::new(Warp::new(composed(6), [composed(0), composed(3)], 0.2).expect("a finite amplitude")),
         _ => Box::new(Add(composed(6), Multiply(composed(2), composed(4)))),

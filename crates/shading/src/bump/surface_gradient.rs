@@ -54,13 +54,13 @@ pub fn surface_gradient(n: Vec3, p: [Vec3; 2], slope: Vec2) -> Vec3 {
 /// - **Range:** a vector perpendicular to `n`; zero for NaN and infinity.
 ///
 /// ```
-/// use asperity_shading::bump::tangential;
+/// use asperity_shading::bump::project_to_tangent_plane;
 /// use asperity_shading::glam::Vec3;
 ///
-/// assert_eq!(tangential(Vec3::Z, Vec3::new(0.3, -0.2, 5.0)), Vec3::new(0.3, -0.2, 0.0));
+/// assert_eq!(project_to_tangent_plane(Vec3::Z, Vec3::new(0.3, -0.2, 5.0)), Vec3::new(0.3, -0.2, 0.0));
 /// ```
 #[must_use]
-pub fn tangential(n: Vec3, g: Vec3) -> Vec3 {
+pub fn project_to_tangent_plane(n: Vec3, g: Vec3) -> Vec3 {
     let gradient = g - n * n.dot(g);
     if gradient.is_finite() { gradient } else { Vec3::ZERO }
 }
@@ -163,15 +163,15 @@ pub fn differences(height: impl Fn(Vec2) -> f32, uv: Vec2, step: f32) -> Vec2 {
 /// - **Range:** a unit vector; `n` if the bumped normal is not finite.
 ///
 /// ```
-/// use asperity_shading::bump::facing;
+/// use asperity_shading::bump::flip_to_visible;
 /// use asperity_shading::{glam::Vec3, reflect};
 ///
 /// let (wo, bumped) = (Vec3::new(0.96, 0.0, 0.28), Vec3::new(-0.6, 0.0, 0.8));
-/// let seen = facing(Vec3::Z, bumped, wo);
+/// let seen = flip_to_visible(Vec3::Z, bumped, wo);
 /// assert!(reflect(wo, bumped).z < 0.0 && reflect(wo, seen).z > -1e-6);
 /// ```
 #[must_use]
-pub fn facing(n: Vec3, bumped: Vec3, wo: Vec3) -> Vec3 {
+pub fn flip_to_visible(n: Vec3, bumped: Vec3, wo: Vec3) -> Vec3 {
     if !bumped.is_finite() {
         return n;
     }
@@ -182,7 +182,7 @@ pub fn facing(n: Vec3, bumped: Vec3, wo: Vec3) -> Vec3 {
         return bumped;
     }
     // Squares of a view much shorter than 1 would underflow.
-    let level = near_one(tangential(n, mirrored));
+    let level = near_one(project_to_tangent_plane(n, mirrored));
     let length = sqrt(level.dot(level));
     let level = if length > 0.0 { level / length } else { Vec3::ZERO };
     along(wo + level).unwrap_or(n)
@@ -212,12 +212,12 @@ mod tests {
         let bad = Vec3::new(f32::NAN, 0.0, 1.0);
         assert_eq!(surface_gradient(Vec3::Z, [Vec3::X, 2.0 * Vec3::X], Vec2::ONE), Vec3::ZERO);
         assert_eq!(surface_gradient(Vec3::Z, [Vec3::X, bad], Vec2::ONE), Vec3::ZERO);
-        assert_eq!(tangential(Vec3::Z, bad), Vec3::ZERO);
+        assert_eq!(project_to_tangent_plane(Vec3::Z, bad), Vec3::ZERO);
         assert_eq!(gradient_of_normal(&Frame::from_normal(Vec3::Z), bad), Vec3::ZERO);
         assert_eq!(gradient_of_normal(&Frame::from_normal(Vec3::Z), Vec3::NAN), Vec3::ZERO);
         assert_eq!(differences(|_| f32::NAN, Vec2::ZERO, 0.1), Vec2::ZERO);
         assert_eq!(differences(|uv| uv.x, Vec2::ZERO, 0.0), Vec2::ZERO);
-        assert_eq!(facing(Vec3::Z, bad, Vec3::Z), Vec3::Z);
+        assert_eq!(flip_to_visible(Vec3::Z, bad, Vec3::Z), Vec3::Z);
     }
 
     #[test]
@@ -228,7 +228,7 @@ mod tests {
             let wo = Vec3::new(b.cos() * a.cos().abs(), b.sin() * a.cos().abs(), a.sin().abs().max(1e-3))
                 .normalize();
             let bumped = Vec3::new((2.3 * a).sin(), (1.7 * b).cos(), 0.3).normalize();
-            let seen = facing(n, bumped, wo);
+            let seen = flip_to_visible(n, bumped, wo);
             assert!((seen.length() - 1.0).abs() < 1e-5 && seen.dot(wo) >= -1e-6, "{wo}, {bumped}: {seen}");
             // In the worst case the sum of view and mirrored view is as short as the height of the
             // view, 1e-3, and errs by 1e-7 of 1.
@@ -246,7 +246,7 @@ mod tests {
         let bumped = Vec3::new(-0.8, 0.0, 0.6);
         for length in [f32::from_bits(9), 1e-40, 1e-23, 1e-21, 1e-11, 1.0, 1e11, 1e18] {
             let wo = length * Vec3::new(0.8, 0.0, 0.6);
-            let seen = facing(Vec3::Z, bumped, wo);
+            let seen = flip_to_visible(Vec3::Z, bumped, wo);
             assert!(seen != bumped && (seen.length() - 1.0).abs() < 1e-6, "{wo}: {seen}");
         }
     }

@@ -78,7 +78,7 @@ impl Brdf for Lobe {
     }
 
     fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
-        mirrored_density(wi, wo, |h| self.0.sample_density(h))
+        mirrored_density(wi, wo, |h| self.0.pdf(h))
     }
 }
 

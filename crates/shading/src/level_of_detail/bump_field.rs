@@ -60,11 +60,11 @@ impl<F: GaussianField> BumpField<F> {
 mod tests {
     use super::*;
     use asperity_core::assert_abs_diff_eq;
-    use asperity_noise::{Gaussian, GaussianOctaves, Spectrum};
+    use asperity_noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 
     #[test]
     fn bump_field_resolves_octaves_by_footprint() {
-        let field = GaussianOctaves::new(Gaussian::new(4), Spectrum::new(3.0, 0.6, 5).unwrap());
+        let field = GaussianFbm::new(GaussianNoise::new(4), FbmSpectrum::new(3.0, 0.6, 5).unwrap());
         let bumps = BumpField::new(field, 8.0).unwrap();
         let p = Vec3::new(0.21, -1.3, 0.77);
         // Two octaves above 8 cells per unit: 8 · 3² = 72 at the Nyquist frequency.
@@ -76,7 +76,7 @@ mod tests {
 
     #[test]
     fn anchored_field_equals_the_field_at_the_anchor() {
-        let field = GaussianOctaves::new(Gaussian::new(4), Spectrum::default());
+        let field = GaussianFbm::new(GaussianNoise::new(4), FbmSpectrum::default());
         let anchor = Vec3::new(0.625, -1.5, 0.25);
         let bumps = BumpField::new(field, 4.0).unwrap();
         let near =

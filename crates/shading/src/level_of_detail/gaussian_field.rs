@@ -1,6 +1,6 @@
 //! Two Gaussian coordinates at every point of space, the basis of a bump map.
 
-use asperity_noise::{Gaussian, Lattice, Octaves};
+use asperity_noise::{Fbm, GaussianNoise, Lattice};
 use glam::{Vec2, Vec3};
 
 /// The resolved part of a bump map at a point, the input of both level-of-detail rules.
@@ -52,9 +52,9 @@ pub trait GaussianField {
 /// ```
 /// use asperity_shading::level_of_detail::{Coordinates, GaussianField};
 /// use asperity_shading::glam::Vec3;
-/// use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
+/// use asperity_shading::noise::{GaussianNoise, GaussianFbm, FbmSpectrum};
 ///
-/// let field = GaussianOctaves::<3>::new(Gaussian::new(7), Spectrum::default());
+/// let field = GaussianFbm::<3>::new(GaussianNoise::new(7), FbmSpectrum::default());
 /// let p = Vec3::new(0.3, 1.7, -2.2);
 /// assert_eq!(field.coordinates(p, 0.0), Coordinates::FAR);
 /// assert_eq!(field.coordinates(p, 1.0).share, 0.75);
@@ -62,7 +62,7 @@ pub trait GaussianField {
 /// ```
 /// On any lattice, including an [anchored](Octaves::anchored) sum, with differences from its
 /// anchor.
-impl<L: Lattice> GaussianField for Octaves<Gaussian<L>, 3> {
+impl<L: Lattice> GaussianField for Fbm<GaussianNoise<L>, 3> {
     fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates {
         let [x, y] = self.detail(octaves).pair(p);
         Coordinates {
@@ -99,7 +99,7 @@ impl<F: GaussianField + ?Sized> GaussianField for &F {
 mod tests {
     use super::*;
     use crate::level_of_detail::RemappedOctaves;
-    use asperity_noise::{GaussianOctaves, Simplex, Spectrum};
+    use asperity_noise::{FbmSpectrum, GaussianFbm, Simplex};
 
     #[test]
     fn octave_limits_and_references_of_fields() {
@@ -112,8 +112,8 @@ mod tests {
             assert_eq!(field.coordinates(p, 7.0), field.coordinates(p, 6.0));
             assert_ne!(field.coordinates(p, 6.0), field.coordinates(p, 5.5));
         }
-        let spectrum = Spectrum::new(2.5, 0.6, 6).unwrap();
-        let gaussian = GaussianOctaves::<3>::new(Gaussian::new(1), spectrum);
+        let spectrum = FbmSpectrum::new(2.5, 0.6, 6).unwrap();
+        let gaussian = GaussianFbm::<3>::new(GaussianNoise::new(1), spectrum);
         let remapped = RemappedOctaves::new(Simplex::new(0), spectrum, 3).unwrap();
         compared(gaussian, &gaussian as &dyn GaussianField);
         compared(remapped, &remapped as &dyn GaussianField);

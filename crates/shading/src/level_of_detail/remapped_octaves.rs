@@ -2,7 +2,7 @@
 
 use asperity_ndf_sampling::{NoiseCdfError, NoiseCdfRef, NoiseDistribution};
 use asperity_noise::{
-    Field, Octaves, Spectrum,
+    Fbm, FbmSpectrum, Field,
     simd::{Anchor, Kernel},
 };
 use glam::{Vec2, Vec3};
@@ -25,7 +25,7 @@ const SECOND: u32 = 0x9E37_79B9;
 /// variance while octaves are added. `G` is measured for eight octaves. It is correct on average
 /// over a surface and for several octaves, and approximate for one or two. The mean of the `Exact`
 /// rule over a surface is off by up to 4 % with one octave of Perlin noise, and by about 1 % with
-/// two (measured, Beckmann 0.3, at the peak). [`GaussianOctaves`](asperity_noise::GaussianOctaves)
+/// two (measured, Beckmann 0.3, at the peak). [`GaussianFbm`](asperity_noise::GaussianOctaves)
 /// has no such error and evaluates both channels in one lattice traversal instead of two.
 ///
 /// The channels have separate seeds, offsets and rotations in every octave, so their lattices are
@@ -34,16 +34,16 @@ const SECOND: u32 = 0x9E37_79B9;
 /// ```
 /// use asperity_shading::level_of_detail::{GaussianField, RemappedOctaves};
 /// use asperity_shading::glam::Vec3;
-/// use asperity_shading::noise::{Perlin2002, Spectrum};
+/// use asperity_shading::noise::{Perlin, FbmSpectrum};
 ///
-/// let field = RemappedOctaves::new(Perlin2002::default(), Spectrum::default(), 3)?;
+/// let field = RemappedOctaves::new(Perlin::default(), FbmSpectrum::default(), 3)?;
 /// let coordinates = field.coordinates(Vec3::new(0.3, 1.7, -2.2), 4.0);
 /// assert!(coordinates.z.is_finite() && coordinates.z.x != coordinates.z.y);
 /// # Ok::<(), asperity_shading::ndf_sampling::NoiseCdfError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RemappedOctaves<K> {
-    channels: [Octaves<K, 3>; 2],
+    channels: [Fbm<K, 3>; 2],
     cdf: NoiseCdfRef<'static>,
 }
 
@@ -53,16 +53,16 @@ impl<K: Kernel<3> + Clone> RemappedOctaves<K> {
     /// # Errors
     /// [`NoiseCdfError`] if the measured distribution of the noise is invalid; those of
     /// `asperity-noise` are valid.
-    pub fn new(noise: K, spectrum: Spectrum, seed: u32) -> Result<Self, NoiseCdfError> {
+    pub fn new(noise: K, spectrum: FbmSpectrum, seed: u32) -> Result<Self, NoiseCdfError> {
         let cdf = NoiseCdfRef::new(RANGE, noise.statistics().cdf)?;
-        let first = Octaves::new(noise.clone(), spectrum).with_seed(seed);
-        let second = Octaves::new(noise, spectrum).with_seed(seed.wrapping_add(SECOND));
+        let first = Fbm::new(noise.clone(), spectrum).with_seed(seed);
+        let second = Fbm::new(noise, spectrum).with_seed(seed.wrapping_add(SECOND));
         Ok(Self { channels: [first, second], cdf })
     }
 
     /// The frequencies and amplitudes of the octaves.
     #[must_use]
-    pub fn spectrum(&self) -> &Spectrum {
+    pub fn spectrum(&self) -> &FbmSpectrum {
         let [first, _] = &self.channels;
         first.spectrum()
     }
@@ -71,14 +71,14 @@ impl<K: Kernel<3> + Clone> RemappedOctaves<K> {
 impl<K: Anchor<3>> RemappedOctaves<K> {
     /// The pair as seen from an anchor: its value at p is that of the original at anchor + p.
     ///
-    /// Each octave is in its own cell there, see [`Octaves::anchored`].
+    /// Each octave is in its own cell there, see [`Fbm::anchored`].
     ///
     /// ```
     /// use asperity_shading::glam::Vec3;
     /// use asperity_shading::level_of_detail::{GaussianField, RemappedOctaves};
-    /// use asperity_shading::noise::{Simplex, Spectrum};
+    /// use asperity_shading::noise::{Simplex, FbmSpectrum};
     ///
-    /// let field = RemappedOctaves::new(Simplex::new(0), Spectrum::default(), 3)?;
+    /// let field = RemappedOctaves::new(Simplex::new(0), FbmSpectrum::default(), 3)?;
     /// let [here, there] = [0.0, 1.0].map(|x| field.anchored([1e9 + x, -2e8, 0.5]));
     /// let p = Vec3::new(0.3, 0.7, -0.2);
     /// let [a, b] = [here.coordinates(p + Vec3::X, 4.0).z, there.coordinates(p, 4.0).z];
@@ -117,12 +117,12 @@ impl<K: Kernel<3> + Clone> GaussianField for RemappedOctaves<K> {
 mod tests {
     use super::*;
     use asperity_core::assert_abs_diff_eq;
-    use asperity_noise::{Gaussian, GaussianOctaves, Perlin2002, Simplex};
+    use asperity_noise::{GaussianFbm, GaussianNoise, Perlin, Simplex};
 
     #[test]
     fn coordinates_are_finite_for_every_input() {
-        let perlin = RemappedOctaves::new(Perlin2002::default(), Spectrum::default(), 1).unwrap();
-        let gaussian = GaussianOctaves::<3>::new(Gaussian::new(1), Spectrum::default());
+        let perlin = RemappedOctaves::new(Perlin::default(), FbmSpectrum::default(), 1).unwrap();
+        let gaussian = GaussianFbm::<3>::new(GaussianNoise::new(1), FbmSpectrum::default());
         for field in [&perlin as &dyn GaussianField, &gaussian] {
             for octaves in [f32::NAN, f32::NEG_INFINITY, -1.0, 0.0, 1e-30, 0.5, 3.7, 1e9, f32::INFINITY] {
                 for x in [0.0, 0.3, f32::NAN, f32::INFINITY, -1e30] {
@@ -137,7 +137,7 @@ mod tests {
 
     #[test]
     fn octaves_add_up_and_a_single_octave_is_unchanged() {
-        let field = RemappedOctaves::new(Perlin2002::default(), Spectrum::default(), 1).unwrap();
+        let field = RemappedOctaves::new(Perlin::default(), FbmSpectrum::default(), 1).unwrap();
         let at = |octaves| field.coordinates(Vec3::new(0.3, 1.7, -2.2), octaves);
         assert_eq!(at(0.25).z, at(1.0).z);
         assert_eq!((at(0.25).fade, at(1.0).fade), (0.25, 1.0));
@@ -147,7 +147,7 @@ mod tests {
 
     #[test]
     fn anchored_pair_equals_the_pair_at_the_anchor() {
-        let field = RemappedOctaves::new(Simplex::new(0), Spectrum::default(), 3).unwrap();
+        let field = RemappedOctaves::new(Simplex::new(0), FbmSpectrum::default(), 3).unwrap();
         let (at, p) = (Vec3::new(17.0, -4.5, 0.25), Vec3::new(0.3, 0.7, -0.2));
         let there = field.anchored(at.to_array().map(f64::from)).coordinates(p, 4.0);
         let expected = field.coordinates(at + p, 4.0);
@@ -160,7 +160,7 @@ mod tests {
     fn channels_and_seeds_differ() {
         let p = Vec3::new(0.3, 1.7, -2.2);
         let at = |seed| {
-            RemappedOctaves::new(Simplex::new(0), Spectrum::default(), seed).unwrap().coordinates(p, 3.0).z
+            RemappedOctaves::new(Simplex::new(0), FbmSpectrum::default(), seed).unwrap().coordinates(p, 3.0).z
         };
         let values = [at(0).x, at(0).y, at(1).x, at(1).y];
         for (i, a) in values.iter().enumerate() {

@@ -1,6 +1,6 @@
 //! The two rules for the transition from bump map to BRDF with distance.
 
-use asperity_ndf_sampling::{Frame, GaussianSplit, Ndf, conditional_density};
+use asperity_ndf_sampling::{Frame, GaussianSplit, Ndf, residual_ndf};
 use glam::{Vec2, Vec3};
 
 use crate::level_of_detail::gaussian_field::Coordinates;
@@ -56,7 +56,7 @@ pub fn facet_coordinates<N: Ndf + ?Sized>(ndf: &N, coordinates: Coordinates) -> 
     if fade >= 1.0 {
         return z;
     }
-    let flat = ndf.to_gaussian(Vec3::Z);
+    let flat = ndf.invert(Vec3::Z);
     flat + clamp_to(fade, 1.0) * (z - flat)
 }
 
@@ -89,7 +89,7 @@ pub enum LevelOfDetail {
     /// ```
     ///
     /// It is a martingale in zoom as well: its mean over a newly resolved octave is the previous
-    /// value. See [`conditional_density`].
+    /// value. See [`residual_ndf`].
     #[default]
     Exact,
     /// Every facet is shaded with the whole NDF `p`, as if it consisted of facets itself.
@@ -117,7 +117,7 @@ impl LevelOfDetail {
     pub fn radiance<N: Ndf + ?Sized>(self, ndf: &N, h: Vec3, coordinates: Coordinates) -> f32 {
         match self {
             Self::Exact if h.z > 0.0 && h.is_finite() => {
-                conditional_density(ndf, h, coordinates.z, coordinates.share)
+                residual_ndf(ndf, h, coordinates.z, coordinates.share)
             }
             Self::Exact => 0.0,
             Self::Fractal => shade_facet(ndf, &Frame::from_normal(self.normal(ndf, coordinates)), h),
@@ -182,8 +182,8 @@ impl LevelOfDetail {
     #[must_use]
     pub fn normal<N: Ndf + ?Sized>(self, ndf: &N, coordinates: Coordinates) -> Vec3 {
         match self {
-            Self::Exact => ndf.from_gaussian(sqrt(clamp_to(coordinates.share, 1.0)) * coordinates.z),
-            Self::Fractal if coordinates.fade > 0.0 => ndf.from_gaussian(facet_coordinates(ndf, coordinates)),
+            Self::Exact => ndf.warp_gaussian(sqrt(clamp_to(coordinates.share, 1.0)) * coordinates.z),
+            Self::Fractal if coordinates.fade > 0.0 => ndf.warp_gaussian(facet_coordinates(ndf, coordinates)),
             // Bit for bit, since an inversion need not return to the flat normal exactly.
             Self::Fractal => Vec3::Z,
         }
@@ -220,7 +220,7 @@ mod tests {
         let ndf = Ggx::new(0.2, 0.4).unwrap();
         let coordinates = near(0.8, -1.1, 0.75, 1.0);
         let m = LevelOfDetail::Fractal.normal(&ndf, coordinates);
-        assert_eq!(m, ndf.from_gaussian(coordinates.z));
+        assert_eq!(m, ndf.warp_gaussian(coordinates.z));
         // Straight at the facet the peak of the whole NDF is visible.
         let peak = LevelOfDetail::Fractal.radiance(&ndf, m, coordinates);
         assert_abs_diff_eq!(peak / ndf.density(Vec3::Z), 1.0, epsilon = 1e-4);
@@ -251,11 +251,11 @@ mod tests {
             2.0 + m.x
         }
 
-        fn from_gaussian(&self, z: Vec2) -> Vec3 {
+        fn warp_gaussian(&self, z: Vec2) -> Vec3 {
             Vec3::new(z.x, z.y, 1.0).normalize()
         }
 
-        fn to_gaussian(&self, _: Vec3) -> Vec2 {
+        fn invert(&self, _: Vec3) -> Vec2 {
             Vec2::new(0.01, 0.0)
         }
     }

@@ -21,10 +21,10 @@ use crate::reflectance::{Bsdf, Lobe};
 ///
 /// ```
 /// use asperity_shading::material::{BumpMapped, Material};
-/// use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
+/// use asperity_shading::noise::{GaussianNoise, GaussianFbm, FbmSpectrum};
 /// use asperity_shading::{Brdf, BumpField, Footprint, Ggx, LevelOfDetail, SurfacePoint, glam::Vec3};
 ///
-/// let bumps = BumpField::new(GaussianOctaves::new(Gaussian::new(1), Spectrum::default()), 20.0)?;
+/// let bumps = BumpField::new(GaussianFbm::new(GaussianNoise::new(1), FbmSpectrum::default()), 20.0)?;
 /// let copper = BumpMapped { ndf: Ggx::new(0.2, 0.4)?, bumps, rule: LevelOfDetail::Exact, colour: Vec3::new(0.9, 0.6, 0.5) };
 /// let seen = |width| {
 ///     let point = SurfacePoint::new(Vec3::new(0.3, 0.1, 0.8), Vec3::Z, Footprint::from_width(width));

@@ -1,8 +1,8 @@
 //! fBm of simplex noise by position, filtered by the footprint.
 
 use asperity_noise::{
-    Detail, Field, Noise, Normalisation, Octaves, Sample, Simplex, Spectrum, SpectrumError, removed_share,
-    simd::Kernel,
+    Detail, Fbm, FbmSpectrum, FbmSpectrumError, Field, Noise, Normalization, Sample, Simplex,
+    filtered_fraction, simd::Kernel,
 };
 use glam::Vec3;
 
@@ -21,10 +21,10 @@ pub(crate) fn spectrum(
     parameter: &'static str,
     [lacunarity, gain]: [f32; 2],
     detail: u32,
-) -> Result<Spectrum, ParameterError> {
+) -> Result<FbmSpectrum, ParameterError> {
     // Octaves are few, so the cast is exact; invalid counts are rejected anyway.
     let value = within(parameter, detail as f32, DETAIL)?;
-    Spectrum::new(lacunarity, gain, detail).map_err(|_: SpectrumError| ParameterError::Outside {
+    FbmSpectrum::new(lacunarity, gain, detail).map_err(|_: FbmSpectrumError| ParameterError::Outside {
         parameter,
         value,
         least: DETAIL[0],
@@ -35,31 +35,31 @@ pub(crate) fn spectrum(
 /// A sum of octaves Σ aᵢ N(fᵢ p/size)/Σ aᵢ of continuous simplex noise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[doc(hidden)]
-pub struct Fbm<K = Simplex> {
+pub struct SizedFbm<K = Simplex> {
     /// The whole sum.
-    octaves: Octaves<K, 3>,
+    octaves: Fbm<K, 3>,
     frequency: f32,
     /// The frequency of the last octave over the frequency of the first.
     highest: f32,
 }
 
-impl Fbm {
+impl SizedFbm {
     /// Creates the sum of all octaves of a spectrum, the first of this size.
-    pub(crate) fn new(spectrum: Spectrum, size: f32, seed: u32) -> Self {
+    pub(crate) fn new(spectrum: FbmSpectrum, size: f32, seed: u32) -> Self {
         Self::of(Simplex::new(0), spectrum, size, seed)
     }
 
     /// Creates a single octave.
     pub(crate) fn single(size: f32, seed: u32) -> Self {
-        let cloud = Self::new(Spectrum::CLOUD, size, seed);
+        let cloud = Self::new(FbmSpectrum::CLOUD, size, seed);
         Self { octaves: cloud.octaves.first(1.0), highest: 1.0, ..cloud }
     }
 }
 
-impl<K: Kernel<3>> Fbm<K> {
+impl<K: Kernel<3>> SizedFbm<K> {
     /// The sum of octaves.
     #[must_use]
-    pub const fn octaves(&self) -> &Octaves<K, 3> {
+    pub const fn octaves(&self) -> &Fbm<K, 3> {
         &self.octaves
     }
 
@@ -71,8 +71,8 @@ impl<K: Kernel<3>> Fbm<K> {
     }
 
     /// Creates the sum of octaves of a spectrum for any noise.
-    pub(crate) fn of(noise: K, spectrum: Spectrum, size: f32, seed: u32) -> Self {
-        let octaves = Octaves::new(noise, spectrum).with_seed(seed).with_normalisation(Normalisation::Range);
+    pub(crate) fn of(noise: K, spectrum: FbmSpectrum, size: f32, seed: u32) -> Self {
+        let octaves = Fbm::new(noise, spectrum).with_seed(seed).with_normalization(Normalization::UnitRange);
         Self { octaves, frequency: 1.0 / size, highest: spectrum.frequency(spectrum.max_octaves() - 1) }
     }
 
@@ -97,7 +97,7 @@ impl<K: Kernel<3>> Fbm<K> {
     /// The octaves of a pixel that does not resolve all of them.
     fn faded(&self, footprint: Footprint) -> Option<Detail<'_, K, 3>> {
         let width = footprint.width() * self.frequency;
-        (removed_share(width, self.highest) > 0.0)
+        (filtered_fraction(width, self.highest) > 0.0)
             .then(|| self.octaves.detail(self.octaves.octaves()).clamped(width))
     }
 
@@ -108,7 +108,7 @@ impl<K: Kernel<3>> Fbm<K> {
 
     /// The fraction of the first octave that the pixel cannot resolve.
     pub(crate) fn removed(&self, footprint: Footprint) -> f32 {
-        removed_share(footprint.width(), self.frequency)
+        filtered_fraction(footprint.width(), self.frequency)
     }
 
     /// The variance of each component of the gradient by p/size that fading removes.
@@ -118,7 +118,7 @@ impl<K: Kernel<3>> Fbm<K> {
     /// ```
     pub(crate) fn removed_slope(&self, footprint: Footprint, slope_variance: f32) -> f32 {
         let (spectrum, count) = (self.octaves.spectrum(), self.octaves.octaves());
-        if removed_share(footprint.width() * self.frequency, self.highest) <= 0.0 {
+        if filtered_fraction(footprint.width() * self.frequency, self.highest) <= 0.0 {
             return 0.0;
         }
         let mut sum = 0.0;

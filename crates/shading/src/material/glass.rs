@@ -2,8 +2,8 @@
 
 use glam::Vec3;
 
-use crate::bump::{bumped_normal, tangential};
-use crate::material::fbm::{Fbm, SLOPE_VARIANCE};
+use crate::bump::{bumped_normal, project_to_tangent_plane};
+use crate::material::fbm::{SLOPE_VARIANCE, SizedFbm};
 use crate::material::interface::Material;
 use crate::material::surface_point::SurfacePoint;
 use crate::math::{cos, sin, sqrt};
@@ -88,7 +88,7 @@ parameters! {
 pub struct TemperedGlass {
     parameters: TemperedGlassParameters,
     direction: Vec3,
-    noise: Fbm,
+    noise: SizedFbm,
 }
 
 /// The height of waves in glass: `A sin(f p·d)`.
@@ -122,7 +122,7 @@ pub fn wave_gradient(position: Vec3, n: Vec3, direction: Vec3, frequency: f32, a
     if !phase.is_finite() {
         return Vec3::ZERO;
     }
-    tangential(n, direction) * (frequency * amplitude * cos(phase))
+    project_to_tangent_plane(n, direction) * (frequency * amplitude * cos(phase))
 }
 
 impl TemperedGlass {
@@ -135,13 +135,13 @@ impl TemperedGlass {
         parameters.check()?;
         let p = &parameters;
         let direction = direction("wave_propagation_vector", p.wave_propagation_vector)?;
-        Ok(Self { parameters, direction, noise: Fbm::single(1.0 / p.wave_frequency, p.seed) })
+        Ok(Self { parameters, direction, noise: SizedFbm::single(1.0 / p.wave_frequency, p.seed) })
     }
 
     /// The unit direction in which waves travel, and the noise of noise waves.
     #[doc(hidden)]
     #[must_use]
-    pub const fn parts(&self) -> (Vec3, &Fbm) {
+    pub const fn parts(&self) -> (Vec3, &SizedFbm) {
         (self.direction, &self.noise)
     }
 
@@ -152,19 +152,25 @@ impl TemperedGlass {
         let (n, steepest) = (point.normal, p.wave_frequency * p.wave_amplitude);
         let (gradient, lost) = match p.waves {
             GlassWaves::Sine => {
-                let across = tangential(n, self.direction);
+                let across = project_to_tangent_plane(n, self.direction);
                 // The period is 2π/f. Along the surface it is longer the more the surface leans
                 // away.
                 let cycles = point.change(across) * p.wave_frequency / core::f32::consts::TAU;
-                let kept =
-                    if across == Vec3::ZERO { 1.0 } else { 1.0 - asperity_noise::removed_share(cycles, 1.0) };
+                let kept = if across == Vec3::ZERO {
+                    1.0
+                } else {
+                    1.0 - asperity_noise::filtered_fraction(cycles, 1.0)
+                };
                 let g = wave_gradient(point.position, n, self.direction, p.wave_frequency, p.wave_amplitude);
                 (g * kept, Slopes::Sine(across * (steepest * sqrt(1.0 - kept * kept))))
             }
             GlassWaves::Noise => {
                 let sample = self.noise.sample(point.position, point.footprint());
                 let removed = self.noise.removed_slope(point.footprint(), SLOPE_VARIANCE);
-                (tangential(n, sample.gradient) * steepest, Slopes::Gaussian(steepest * steepest * removed))
+                (
+                    project_to_tangent_plane(n, sample.gradient) * steepest,
+                    Slopes::Gaussian(steepest * steepest * removed),
+                )
             }
         };
         (bumped_normal(n, gradient), lost)
@@ -203,7 +209,7 @@ mod tests {
         for i in 0..50_u8 {
             let p = Vec3::new(f32::from(i) * 0.1, 0.2, -0.3);
             let g = wave_gradient(p, n, d, 7.0, 0.1);
-            for t in [tangential(n, Vec3::X), tangential(n, Vec3::Y)] {
+            for t in [project_to_tangent_plane(n, Vec3::X), project_to_tangent_plane(n, Vec3::Y)] {
                 let difference =
                     (wave_height(p + t * h, d, 7.0, 0.1) - wave_height(p - t * h, d, 7.0, 0.1)) / (2.0 * h);
                 // Phases up to 35 are rounded by 2e-6: 0.1 · 2e-6/2h.

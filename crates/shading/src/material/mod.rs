@@ -22,7 +22,7 @@ pub use carpet::{
     Seams, SpecularThreads, linear_seam, rim_light,
 };
 #[doc(hidden)]
-pub use fbm::{Fbm, half_mean};
+pub use fbm::{SizedFbm, half_mean};
 pub use glass::{GlassBody, GlassWaves, TemperedGlass, TemperedGlassParameters, wave_gradient, wave_height};
 pub use interface::Material;
 pub use metallic_roughness::MetallicRoughness;

@@ -55,7 +55,7 @@ impl<const K: usize> Material for NormalMapped<'_, K> {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let seen = self.map.sample_along(point.uv, &point.uv_pixel(), 8);
         let lobes = seen.lobes().iter().filter(|lobe| lobe.weight > 0.0).map(|lobe| {
-            let slopes = lobe.moments.detailed(self.roughness, Coordinates::FAR);
+            let slopes = lobe.moments.add_detail(self.roughness, Coordinates::FAR);
             Lobe::from(slopes).weighted(self.colour * lobe.weight)
         });
         Bsdf::new(wo).with([Facet::FLAT], lobes)

@@ -7,8 +7,8 @@ use crate::bump::Facet;
 use crate::material::interface::Material;
 use crate::material::surface_point::SurfacePoint;
 use crate::reflectance::{
-    BlinnPhongLobe, Brdf, Bsdf, Coat, CookTorrance, EnergyPreservingOrenNayar, Fresnel, Lambert, OrenNayar,
-    Phong, TorranceSparrow, WardReflection,
+    BlinnPhongBrdf, Brdf, Bsdf, Coat, CookTorrance, EnergyPreservingOrenNayar, Fresnel, Lambert, OrenNayar,
+    Phong, TorranceSparrow, WardBrdf,
 };
 
 macro_rules! alike_everywhere {
@@ -24,7 +24,7 @@ macro_rules! alike_everywhere {
 }
 
 alike_everywhere! {
-    Lambert, OrenNayar, EnergyPreservingOrenNayar, Phong, BlinnPhongLobe, WardReflection,
+    Lambert, OrenNayar, EnergyPreservingOrenNayar, Phong, BlinnPhongBrdf, WardBrdf,
     {D: Microfacet, F: Fresnel} CookTorrance<D, F>, {D: Ndf, F: Fresnel} TorranceSparrow<D, F>
 }
 

@@ -1,7 +1,7 @@
 //! The textures of Cohen's lecture as materials: bricks, tiles, wallpaper, marble, and
 //! perturbation.
 
-use asperity_noise::{IntegerHash, Lattice, removed_share};
+use asperity_noise::{IntegerHash, Lattice, filtered_fraction};
 use glam::{Vec2, Vec3};
 
 use crate::bump::{Facet, bumped_normal};
@@ -120,7 +120,7 @@ impl BevelledTiles {
         const TILE: [Vec2; 4] = [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
         let side = Some(self.side).filter(|side| *side > 0.0)?;
         let (at, width) = (point.uv / side, point.texture().width(&point.pixel) / side);
-        let far = removed_share(width, 1.0);
+        let far = filtered_fraction(width, 1.0);
         let nearest = Edge::nearest(&TILE, at - at.floor()).filter(|_| far < 1.0);
         let interval = nearest.map(|Edge { distance, away }| {
             let [low, high] = [distance - 0.5 * width, distance + 0.5 * width];

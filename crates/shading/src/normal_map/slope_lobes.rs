@@ -86,7 +86,7 @@ impl<const K: usize> SlopeLobes<K> {
     /// ```
     ///
     /// If no finer bump is resolved, `noise` is [`Coordinates::FAR`], and `fine` the roughness of
-    /// the surface. See [`SlopeMoments::detailed`].
+    /// the surface. See [`SlopeMoments::add_detail`].
     ///
     /// - **Domain:** unit `h` in the frame of the surface without the map, 0 for `h.z ≤ 0`, a zero
     ///   vector and NaN.
@@ -94,7 +94,7 @@ impl<const K: usize> SlopeLobes<K> {
     #[must_use]
     pub fn density(&self, fine: Beckmann, noise: Coordinates, h: Vec3) -> f32 {
         if h.z > 0.0 && h.is_finite() {
-            let part = |lobe: &SlopeLobe| lobe.weight * lobe.moments.detailed(fine, noise).density(h);
+            let part = |lobe: &SlopeLobe| lobe.weight * lobe.moments.add_detail(fine, noise).density(h);
             self.lobes.iter().filter(|lobe| lobe.weight > 0.0).map(part).sum::<f32>().min(f32::MAX)
         } else {
             0.0

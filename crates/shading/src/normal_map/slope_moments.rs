@@ -123,7 +123,7 @@ impl SlopeMoments {
     ///
     /// Kautz, Heidrich, Seidel 2001, *Real-Time Bump Map Synthesis*, §5 and §7.
     #[must_use]
-    pub fn detailed(self, fine: Beckmann, noise: Coordinates) -> OffsetBeckmann {
+    pub fn add_detail(self, fine: Beckmann, noise: Coordinates) -> OffsetBeckmann {
         let seen = OffsetBeckmann::conditional(fine, noise.z, noise.share);
         let [xx, xy, yy] = self.covariance;
         let [fine_xx, _, fine_yy] = seen.covariance();
@@ -173,11 +173,11 @@ mod tests {
     fn detailed_moves_and_roughens_slopes() {
         let moments = SlopeMoments { mean: Vec2::new(0.3, -0.1), covariance: [0.02, 0.01, 0.03] };
         let fine = Beckmann::new(0.2, 0.4).unwrap();
-        let unresolved = moments.detailed(fine, Coordinates::FAR);
+        let unresolved = moments.add_detail(fine, Coordinates::FAR);
         let rough = moments.beckmann(0.2, 0.4);
         assert_abs_diff_eq!(unresolved.mean(), rough.mean(), epsilon = 1e-7);
         let resolved =
-            moments.detailed(fine, Coordinates { z: Vec2::new(1.0, -2.0), share: 0.75, fade: 1.0 });
+            moments.add_detail(fine, Coordinates { z: Vec2::new(1.0, -2.0), share: 0.75, fade: 1.0 });
         let slope = Vec2::new(0.2, -0.8) * (0.75_f32 / 2.0).sqrt();
         assert!((resolved.mean() - moments.mean - slope).length() < 1e-6, "{resolved:?}");
         for (got, expected) in resolved.covariance().into_iter().zip([0.025, 0.01, 0.05]) {
@@ -195,7 +195,7 @@ mod tests {
                 let noise = Coordinates { z: Vec2::new(c, x), share: y, fade: 1.0 };
                 for h in [Vec3::Z, Vec3::new(0.6, 0.0, 0.8), Vec3::new(x, y, c)] {
                     let densities =
-                        [moments.beckmann(x, y), moments.detailed(fine, noise)].map(|d| d.density(h));
+                        [moments.beckmann(x, y), moments.add_detail(fine, noise)].map(|d| d.density(h));
                     assert!(densities.iter().all(|d| *d >= 0.0 && d.is_finite()), "{moments:?}, {h}");
                 }
                 assert_abs_diff_eq!(moments.normal().length(), 1.0, epsilon = 1e-5);

@@ -1,6 +1,6 @@
 //! The footprint of a pixel on the surface.
 
-use asperity_noise::removed_share;
+use asperity_noise::filtered_fraction;
 use glam::Vec3;
 
 use crate::math::sqrt;
@@ -83,10 +83,10 @@ impl Footprint {
     /// 1 − smoothstep(0.2, 0.6, width · frequency)
     /// ```
     ///
-    /// [`removed_share`] is the rest. Nilsson 2008, §4.1.6.
+    /// [`filtered_fraction`] is the rest. Nilsson 2008, §4.1.6.
     #[must_use]
     pub fn kept(&self, frequency: f32) -> f32 {
-        1.0 - removed_share(self.width, frequency)
+        1.0 - filtered_fraction(self.width, frequency)
     }
 
     /// The width, in the unit of the surface positions.

@@ -3,7 +3,7 @@
 use asperity_ndf_sampling::Frame;
 use glam::{Vec2, Vec3};
 
-use crate::bump::{Facet, facing};
+use crate::bump::{Facet, flip_to_visible};
 use crate::math::clamp_to;
 use crate::reflectance::brdf::{Brdf, are_above, finite, have_sides};
 use crate::reflectance::coat::{Coat, Delta};
@@ -39,7 +39,7 @@ const LAYERS: usize = 4;
 /// - **Reciprocal** if every lobe is and no facet is tilted; bump mapping is not reciprocal in
 ///   general (Veach 1997, §5.3).
 /// - **For one view:** facets that are not visible from `wo` of [`new`](Self::new) are rotated by
-///   [`facing`].
+///   [`flip_to_visible`].
 /// - **Storage:** inline, without allocation; 32 facets, 16 lobes, 4 layers.
 ///
 /// ```
@@ -174,7 +174,7 @@ impl<'a> Bsdf<'a> {
         let (mut end, mut end_lobe) = (first, first_lobe);
         facets(&mut |facet: Facet| {
             if facet.share > 0.0 && facet.share.is_finite() {
-                let normal = facing(Vec3::Z, facet.normal, self.wo);
+                let normal = flip_to_visible(Vec3::Z, facet.normal, self.wo);
                 end += add(&mut self.facets[first..], end - first, facet.share, normal);
             }
         });

@@ -5,7 +5,7 @@ use core::f32::consts::TAU;
 use asperity_ndf_sampling::Beckmann;
 use glam::{Vec2, Vec3, Vec4};
 
-use crate::bump::{Facet, bumped_normal, facing, slope_facets};
+use crate::bump::{Facet, bumped_normal, flip_to_visible, slope_facets};
 use crate::direction::{along, reflect};
 use crate::math::{clamp_to, cos, ln_1p, sin, sqrt};
 use crate::reflectance::absorption::through_wall;
@@ -258,7 +258,7 @@ impl Coat {
         } else {
             self.normal
         };
-        facing(Vec3::Z, facet, wo)
+        flip_to_visible(Vec3::Z, facet, wo)
     }
 
     /// Delta lobes of reflection and transmission into `wo` of any length.

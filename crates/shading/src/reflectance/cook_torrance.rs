@@ -102,7 +102,7 @@ impl<D: Microfacet, F: Fresnel> Brdf for CookTorrance<D, F> {
     }
 
     fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
-        mirrored_density(wi, wo, |h| self.density.visible_density(wo, h))
+        mirrored_density(wi, wo, |h| self.density.visible_pdf(wo, h))
     }
 }
 

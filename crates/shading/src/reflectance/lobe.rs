@@ -252,7 +252,7 @@ impl Brdf for Lobe<'_> {
                 };
                 rule.radiance(*ndf, h, *coordinates) * cosine.max(0.0)
             }),
-            Kind::Slopes(slopes) => mirrored_density(wi, wo, |h| slopes.sample_density(h)),
+            Kind::Slopes(slopes) => mirrored_density(wi, wo, |h| slopes.pdf(h)),
             Kind::Frosted(glass) => glass.density(wi, wo),
             Kind::Other(brdf) => brdf.density(wi, wo),
         }
@@ -274,7 +274,7 @@ fn resolved_normal(ndf: &dyn Ndf, rule: LevelOfDetail, coordinates: Coordinates,
             let gauss = |u: f32| inverse_phi(f64::from(clamp_to(u, 1.0)).clamp(1e-9, 1.0 - 1e-9)) as f32;
             let share = clamp_to(coordinates.share, 1.0);
             let rest = sqrt(1.0 - share) * Vec2::new(gauss(u.x), gauss(u.y));
-            ndf.from_gaussian(sqrt(share) * coordinates.z + rest)
+            ndf.warp_gaussian(sqrt(share) * coordinates.z + rest)
         }
         LevelOfDetail::Fractal => Frame::from_normal(rule.normal(ndf, coordinates)).to_world(ndf.sample(u)),
     }

@@ -85,7 +85,7 @@ impl Brdf for Phong {
     }
 }
 
-/// The factor of a [`BlinnPhongLobe`].
+/// The factor of a [`BlinnPhongBrdf`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum BlinnPhongFactor {
@@ -116,21 +116,21 @@ pub enum BlinnPhongFactor {
 /// Blinn 1977, *Models of Light Reflection for Computer Synthesized Pictures*.
 ///
 /// ```
-/// use asperity_shading::reflectance::{BlinnPhongFactor, BlinnPhongLobe};
+/// use asperity_shading::reflectance::{BlinnPhongFactor, BlinnPhongBrdf};
 /// use asperity_shading::{Brdf, glam::Vec3};
 ///
-/// let gloss = BlinnPhongLobe::new(Vec3::splat(0.5), 40.0, BlinnPhongFactor::Albedo)?;
+/// let gloss = BlinnPhongBrdf::new(Vec3::splat(0.5), 40.0, BlinnPhongFactor::Albedo)?;
 /// assert!(gloss.value(Vec3::Z, Vec3::Z).x > gloss.value(Vec3::new(0.6, 0.0, 0.8), Vec3::Z).x);
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BlinnPhongLobe {
+pub struct BlinnPhongBrdf {
     specular: Vec3,
     density: BlinnPhong,
     factor: f32,
 }
 
-impl BlinnPhongLobe {
+impl BlinnPhongBrdf {
     /// Creates the lobe of this color and exponent, with this factor.
     ///
     /// # Errors
@@ -150,7 +150,7 @@ impl BlinnPhongLobe {
     }
 }
 
-impl Brdf for BlinnPhongLobe {
+impl Brdf for BlinnPhongBrdf {
     fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
         if !are_above(wi, wo) {
             return Vec3::ZERO;
@@ -166,7 +166,7 @@ impl Brdf for BlinnPhongLobe {
     }
 
     fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
-        mirrored_density(wi, wo, |h| self.density.sample_density(h))
+        mirrored_density(wi, wo, |h| self.density.pdf(h))
     }
 }
 

@@ -245,7 +245,7 @@ impl<D: Microfacet> Brdf for RoughDielectric<D> {
         };
         let chance = self.chance(wo);
         let chance = if meeting.crosses { 1.0 - chance } else { chance };
-        chance * finite(self.density.visible_density(seen_from_above(wo), meeting.h) * meeting.jacobian)
+        chance * finite(self.density.visible_pdf(seen_from_above(wo), meeting.h) * meeting.jacobian)
     }
 
     fn transmits(&self) -> bool {

@@ -78,7 +78,7 @@ impl<D: Ndf, F: Fresnel> Brdf for TorranceSparrow<D, F> {
     }
 
     fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
-        mirrored_density(wi, wo, |h| self.density.sample_density(h))
+        mirrored_density(wi, wo, |h| self.density.pdf(h))
     }
 }
 

@@ -9,7 +9,7 @@ use crate::math::{exp, sqrt};
 use crate::parameter::{ParameterError, colour, within};
 use crate::reflectance::brdf::{Brdf, are_above, finite, mirrored_density};
 
-/// The denominator of a [`WardReflection`].
+/// The denominator of a [`WardBrdf`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum WardForm {
@@ -45,23 +45,23 @@ pub enum WardForm {
 /// with Bounded Albedo*, eq. 7.
 ///
 /// ```
-/// use asperity_shading::reflectance::{WardForm, WardReflection};
+/// use asperity_shading::reflectance::{WardForm, WardBrdf};
 /// use asperity_shading::{Brdf, glam::Vec3};
 ///
-/// let brushed = WardReflection::new(Vec3::splat(0.6), 0.1, 0.4, WardForm::Bounded)?;
+/// let brushed = WardBrdf::new(Vec3::splat(0.6), 0.1, 0.4, WardForm::Bounded)?;
 /// // The highlight is elongated along y.
 /// let along = brushed.value(Vec3::new(0.0, 0.28, 0.96), Vec3::Z);
 /// assert!(along.x > 5.0 * brushed.value(Vec3::new(0.28, 0.0, 0.96), Vec3::Z).x);
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WardReflection {
+pub struct WardBrdf {
     specular: Vec3,
     slopes: Beckmann,
     form: WardForm,
 }
 
-impl WardReflection {
+impl WardBrdf {
     /// Creates the BRDF of this color and these roughnesses.
     ///
     /// # Errors
@@ -75,7 +75,7 @@ impl WardReflection {
     }
 }
 
-impl Brdf for WardReflection {
+impl Brdf for WardBrdf {
     fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
         if !are_above(wi, wo) {
             return Vec3::ZERO;
@@ -96,6 +96,6 @@ impl Brdf for WardReflection {
     }
 
     fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
-        mirrored_density(wi, wo, |h| self.slopes.sample_density(h))
+        mirrored_density(wi, wo, |h| self.slopes.pdf(h))
     }
 }

@@ -1,6 +1,6 @@
 //! Gas as a density in space, steam, and light through it.
 
-use asperity_noise::{Field, Normalisation, Octaves, Perlin2002, Spectrum, Turbulence, simd::Kernel};
+use asperity_noise::{Fbm, FbmSpectrum, Field, Normalization, Perlin, Turbulence, simd::Kernel};
 use glam::Vec3;
 
 use crate::math::{clamp_to, exp, floor, pow, sin, sqrt};
@@ -25,8 +25,8 @@ use crate::pixel::Footprint;
 /// assert!(density >= 0.0 && density <= gas.densest());
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Gas<K = Perlin2002> {
-    turbulence: Octaves<K, 3, Turbulence>,
+pub struct Gas<K = Perlin> {
+    turbulence: Fbm<K, 3, Turbulence>,
     octaves: f32,
     max_density: f32,
     exponent: f32,
@@ -37,7 +37,7 @@ pub struct Gas<K = Perlin2002> {
 impl Default for Gas {
     fn default() -> Self {
         let octaves =
-            Octaves::new(Perlin2002::new(0), Spectrum::default()).with_normalisation(Normalisation::Range);
+            Fbm::new(Perlin::new(0), FbmSpectrum::default()).with_normalization(Normalization::UnitRange);
         Self {
             turbulence: octaves.with_shape(Turbulence).first(5.0),
             octaves: 5.0,
@@ -54,7 +54,7 @@ impl<K: Kernel<3>> Gas<K> {
     /// # Errors
     /// [`ParameterError`] unless `max_density` and `exponent` are finite and positive.
     pub fn new(
-        turbulence: Octaves<K, 3, Turbulence>,
+        turbulence: Fbm<K, 3, Turbulence>,
         octaves: f32,
         max_density: f32,
         exponent: f32,
@@ -74,7 +74,7 @@ impl<K: Kernel<3>> Gas<K> {
     /// The turbulence; octaves, maximum density, exponent; whether there are veins.
     #[doc(hidden)]
     #[must_use]
-    pub const fn parts(&self) -> (&Octaves<K, 3, Turbulence>, [f32; 3], bool) {
+    pub const fn parts(&self) -> (&Fbm<K, 3, Turbulence>, [f32; 3], bool) {
         (&self.turbulence, [self.octaves, self.max_density, self.exponent], self.veins)
     }
 

@@ -1,6 +1,6 @@
 //! Blue marble: a color spline over a sum of noise.
 
-use asperity_noise::{Noise, Perlin2002, removed_share};
+use asperity_noise::{Noise, Perlin, filtered_fraction};
 use glam::Vec3;
 
 use crate::math::sqrt;
@@ -26,13 +26,13 @@ use crate::pixel::Footprint;
 ///
 /// let marble = Marble::default();
 /// let near = marble.colour(Vec3::new(0.3, 0.1, 0.8), Footprint::from_width(0.0));
-/// assert_eq!(near, Marble::<asperity_shading::noise::Perlin2002>::spline(2.0 * marble.sum(Vec3::new(0.3, 0.1, 0.8)) + 0.75));
+/// assert_eq!(near, Marble::<asperity_shading::noise::Perlin>::spline(2.0 * marble.sum(Vec3::new(0.3, 0.1, 0.8)) + 0.75));
 /// // From afar every point has the same pale blue.
 /// let far = |p| marble.colour(p, Footprint::from_width(1e3));
 /// assert_eq!(far(Vec3::ZERO), far(Vec3::ONE));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Marble<N = Perlin2002> {
+pub struct Marble<N = Perlin> {
     noise: N,
     scale: f32,
     seed: u32,
@@ -74,7 +74,7 @@ const fn mean_of_piece([a, b, c, d]: [f32; 4]) -> f32 {
 
 impl Default for Marble {
     fn default() -> Self {
-        Self { noise: Perlin2002::default(), scale: 2.5, seed: 0 }
+        Self { noise: Perlin::default(), scale: 2.5, seed: 0 }
     }
 }
 
@@ -103,7 +103,7 @@ impl<N: Noise<Vec3> + Clone> Marble<N> {
 
     /// The linear RGB color at a point, as seen by a pixel of this footprint.
     ///
-    /// Octave i keeps the fraction `1 − kᵢ` of [`removed_share`] for half the footprint; for the
+    /// Octave i keeps the fraction `1 − kᵢ` of [`filtered_fraction`] for half the footprint; for the
     /// whole footprint, octaves would vanish that are still visible in the mean over a pixel. The
     /// removed part has the measured distribution of sums of the noise at its variance. The kept
     /// part still varies within the pixel, by its gradient. The color is the mean of the spline
@@ -166,7 +166,7 @@ impl<N: Noise<Vec3> + Clone> Marble<N> {
         let mut resolved = Resolved { sum: 0.0, removed: 0.0, within: 0.0 };
         let mut frequency = 1.0;
         for i in 0..OCTAVES {
-            let removed = removed_share(SOFTER * width, self.scale * frequency);
+            let removed = filtered_fraction(SOFTER * width, self.scale * frequency);
             let kept = 1.0 - removed;
             let whole = (one / frequency) * (one / frequency);
             if kept > 0.0 {
@@ -199,7 +199,7 @@ struct End {
 impl End {
     fn of(sum: f32) -> Self {
         let x = 2.0 * sum + 0.75;
-        Self { x, area: Marble::<Perlin2002>::antiderivative(x) }
+        Self { x, area: Marble::<Perlin>::antiderivative(x) }
     }
 
     /// The mean color over the sums from here to another end.
@@ -210,7 +210,7 @@ impl End {
         if width > 0.01 {
             (end.area - self.area) / width
         } else {
-            Marble::<Perlin2002>::spline(0.5 * (self.x + end.x))
+            Marble::<Perlin>::spline(0.5 * (self.x + end.x))
         }
     }
 }
@@ -235,7 +235,7 @@ mod tests {
     use super::*;
     use asperity_core::assert_abs_diff_eq;
 
-    type Blue = Marble<Perlin2002>;
+    type Blue = Marble<Perlin>;
 
     #[test]
     fn spline_interpolates_its_inner_colors_smoothly() {

@@ -1,6 +1,6 @@
 //! Texture coordinates displaced by noise.
 
-use asperity_noise::{Noise, Perlin2002};
+use asperity_noise::{Noise, Perlin};
 use glam::{Vec2, Vec3};
 
 use crate::math::sqrt;
@@ -25,7 +25,7 @@ use crate::pixel::Footprint;
 /// assert!((moved - Vec2::splat(0.5)).abs().cmple(Vec2::new(0.1, 0.05)).all());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PerturbedTexture<N = Perlin2002> {
+pub struct PerturbedTexture<N = Perlin> {
     /// The noise, with values in about `[−1, 1]`.
     pub noise: N,
     /// Cells of the noise per unit of the positions.
@@ -39,7 +39,7 @@ pub struct PerturbedTexture<N = Perlin2002> {
 /// The perturbation of the lecture: 0.2 cells per unit, by 0.1 and 0.05.
 impl Default for PerturbedTexture {
     fn default() -> Self {
-        Self { noise: Perlin2002::default(), scale: 0.2, strength: Vec2::new(0.1, 0.05), seed: 0 }
+        Self { noise: Perlin::default(), scale: 0.2, strength: Vec2::new(0.1, 0.05), seed: 0 }
     }
 }
 

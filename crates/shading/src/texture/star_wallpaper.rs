@@ -1,6 +1,6 @@
 //! Wallpaper with a star in some of its cells.
 
-use asperity_noise::{Field, Perlin2002, White, removed_share};
+use asperity_noise::{Field, Perlin, WhiteNoise, filtered_fraction};
 use core::f32::consts::{PI, TAU};
 use glam::Vec2;
 
@@ -122,11 +122,12 @@ impl StarWallpaper {
             return 0.0;
         }
         let footprint = footprint.width();
-        let far = removed_share(footprint, 0.75 / self.r_max);
+        let far = filtered_fraction(footprint, 0.75 / self.r_max);
         if far >= 1.0 {
             return self.mean();
         }
-        let white = |cell: Vec2, k: u32| White::new(self.seed.wrapping_mul(3).wrapping_add(k)).value(cell);
+        let white =
+            |cell: Vec2, k: u32| WhiteNoise::new(self.seed.wrapping_mul(3).wrapping_add(k)).value(cell);
         let mut bare = 1.0;
         self.for_neighbours(uv, |cell| {
             if 0.5 + 0.5 * white(cell, 0) < self.chance {
@@ -142,7 +143,7 @@ impl StarWallpaper {
         near + far * (self.mean() - near)
     }
 
-    /// The listing as printed, with [`Perlin2002`] as noise: whether at least one star covers a
+    /// The listing as printed, with [`Perlin`] as noise: whether at least one star covers a
     /// point.
     ///
     /// The noise is the `noise` of the listing, `0.5 + 0.5 n`. The angle within a star runs to half
@@ -151,7 +152,7 @@ impl StarWallpaper {
     pub fn as_listed(&self, uv: Vec2) -> bool {
         let mut covered = false;
         if uv.is_finite() {
-            let noise = |x: f32, y: f32| Perlin2002::new(self.seed).value(Vec2::new(x, y));
+            let noise = |x: f32, y: f32| Perlin::new(self.seed).value(Vec2::new(x, y));
             self.for_neighbours(uv, |middle| {
                 let cell = middle - 0.5;
                 if 0.5 + 0.5 * noise(3.0 * cell.x - 9.5, 7.0 * cell.y + 7.5) < self.chance {

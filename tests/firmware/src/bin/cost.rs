@@ -8,7 +8,7 @@ use core::hint::black_box;
 use asperity_fif::{FixedFif, HeightField, Intersect, Ray, glam::DVec3};
 use asperity_firmware::{bumps, clay, curve, hexadecimal, normals, stack};
 use asperity_ndf_sampling::{Ggx, Ndf};
-use asperity_noise::{Cellular, Field, Gaussian, GaussianOctaves, Perlin2002, Simplex, Spectrum};
+use asperity_noise::{Cellular, Field, GaussianNoise, GaussianFbm, Perlin, Simplex, FbmSpectrum};
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::{Brdf, Footprint, LevelOfDetail};
 use cortex_m_rt::entry;
@@ -76,7 +76,7 @@ fn facet() -> Vec3 {
 }
 
 fn perlin() -> Option<[f32; 3]> {
-    Some(Perlin2002::new(7).sample(place()).gradient.to_array())
+    Some(Perlin::new(7).sample(place()).gradient.to_array())
 }
 
 fn simplex() -> Option<[f32; 3]> {
@@ -88,16 +88,16 @@ fn cellular() -> Option<[f32; 3]> {
 }
 
 fn gaussian() -> Option<[f32; 3]> {
-    Some(Gaussian::new(7).sample(place()).gradient.to_array())
+    Some(GaussianNoise::new(7).sample(place()).gradient.to_array())
 }
 
 fn gaussian_octaves() -> Option<[f32; 3]> {
-    let octaves = GaussianOctaves::<3>::new(Gaussian::new(7), Spectrum::default());
+    let octaves = GaussianFbm::<3>::new(GaussianNoise::new(7), FbmSpectrum::default());
     Some(octaves.detail(4.5).sample(place()).gradient.to_array())
 }
 
 fn ggx_normal() -> Option<[f32; 3]> {
-    Some(Ggx::new(0.2, 0.4).ok()?.from_gaussian(gaussian_pair()).to_array())
+    Some(Ggx::new(0.2, 0.4).ok()?.warp_gaussian(gaussian_pair()).to_array())
 }
 
 fn ggx_density() -> Option<[f32; 3]> {
@@ -105,7 +105,7 @@ fn ggx_density() -> Option<[f32; 3]> {
 }
 
 fn packed_normal() -> Option<[f32; 3]> {
-    Some(normals()?.from_gaussian(gaussian_pair()).to_array())
+    Some(normals()?.warp_gaussian(gaussian_pair()).to_array())
 }
 
 fn exact_radiance() -> Option<[f32; 3]> {

@@ -8,10 +8,10 @@ use std::fs::File;
 use std::path::Path;
 
 use asperity_render::geometry::teapot::teapot;
-use asperity_shaders::noise::gaussian_levels;
-use asperity_shaders::noise::sums::{self, OctavesUniform};
-use asperity_shaders::{Binding, Bindings, Part, compose, ndf, shading};
-use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
+use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
+use asperity_wgsl::noise::gaussian_levels;
+use asperity_wgsl::noise::sums::{self, OctavesUniform};
+use asperity_wgsl::{Binding, Bindings, Part, compose, ndf, shading};
 use glam::{DVec3, Vec3};
 use wgpu::util::{DeviceExt, TextureDataOrder};
 
@@ -41,7 +41,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let folder = std::env::args().nth(1).unwrap_or_else(|| "target".into());
     std::fs::create_dir_all(&folder)?;
     let painter = pollster::block_on(Painter::new())?;
-    let octaves = GaussianOctaves::<3>::new(Gaussian::new(7), Spectrum::new(2.17, 0.8, 16)?);
+    let octaves = GaussianFbm::<3>::new(GaussianNoise::new(7), FbmSpectrum::new(2.17, 0.8, 16)?);
     let focus = focus();
     for zoom in [1.0, 10.0, 100.0, 10_000.0] {
         // Positions in f64 up to the focus, in f32 from there.
@@ -96,7 +96,7 @@ fn corners(focus: DVec3) -> Vec<f32> {
 }
 
 /// Returns the structure `View` as words.
-fn view(eye: DVec3, spectrum: &Spectrum) -> Vec<f32> {
+fn view(eye: DVec3, spectrum: &FbmSpectrum) -> Vec<f32> {
     let half = (0.5 * 0.62_f64).tan();
     let forward = -eye.normalize();
     let right = forward.cross(DVec3::Z).normalize();

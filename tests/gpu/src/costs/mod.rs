@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use asperity_shader_tests::cases;
-use asperity_shaders::{Bindings, Part, compose, ordered};
+use asperity_wgsl::{Bindings, Part, compose, ordered};
 
 use self::spirv::{Cost, Operations, costs};
 use crate::{dialect, picture};
@@ -36,7 +36,8 @@ pub(crate) fn run(adapter: Option<&str>, size: u32, out: Option<&Path>) -> Resul
         "\n## Per frame\n\nMilliseconds per frame of {size}² pixels, from the submitted command to the bytes: medians of five.\n"
     );
     page += &picture::times(adapter, size)?;
-    page += "\n## All functions\n\n| part | function | floats | special | integers | texels | in loops | | | |\n";
+    page +=
+        "\n## All functions\n\n| part | function | floats | special | integers | texels | in loops | | | |\n";
     page += "|---|---|---|---|---|---|---|---|---|---|\n";
     for part in &parts {
         let names = part.names().filter_map(|name| Some((name, functions.get(name)?)));

@@ -9,12 +9,12 @@ pub(crate) mod scene;
 
 use std::{path::Path, time::Duration};
 
-use asperity_shaders::Part;
-use asperity_shaders::noise::sums::{MipMapped, OctavesUniform};
 use asperity_shading::level_of_detail::{Coordinates, GaussianField};
-use asperity_shading::ndf_sampling::{Ggx, NormalTable};
-use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
+use asperity_shading::ndf_sampling::{Ggx, NormalLut};
+use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::{BumpField, pixel::FrequencyClamp};
+use asperity_wgsl::Part;
+use asperity_wgsl::noise::sums::{MipMapped, OctavesUniform};
 use clap::ValueEnum;
 use glam::Vec2;
 
@@ -191,14 +191,14 @@ fn write_strip(name: &str, strip: &Strip, size: u32, out: &Path) -> Result<(), S
 }
 
 /// Returns the sum of the bumps.
-fn sum() -> Result<GaussianOctaves<3>, String> {
-    let spectrum = Spectrum::new(2.17, 0.8, 16).map_err(|error| error.to_string())?;
-    Ok(GaussianOctaves::new(Gaussian::new(7), spectrum))
+fn sum() -> Result<GaussianFbm<3>, String> {
+    let spectrum = FbmSpectrum::new(2.17, 0.8, 16).map_err(|error| error.to_string())?;
+    Ok(GaussianFbm::new(GaussianNoise::new(7), spectrum))
 }
 
 /// Returns a sum anchored at a scene's focus, and its words.
 fn at_focus(
-    octaves: &GaussianOctaves<3>,
+    octaves: &GaussianFbm<3>,
     scene: &Scene,
     look: &Look,
 ) -> (impl GaussianField + use<>, (&'static str, Vec<u32>)) {
@@ -223,7 +223,7 @@ impl Textured {
     fn new(gpu: &Gpu, look: &Look, size: u32) -> Result<Self, String> {
         let texture = MipMapped::new(7, PERIOD.into(), 6, 0.8).map_err(|error| error.to_string())?;
         let ggx = Ggx::new(look.alpha.x, look.alpha.y).map_err(|error| error.to_string())?;
-        let table = NormalTable::new(&ggx, 256).map_err(|error| error.to_string())?;
+        let table = NormalLut::new(&ggx, 256).map_err(|error| error.to_string())?;
         let entries = table.view().entries();
         let sizes: Vec<u32> = (0..texture.levels()).map(|level| texture.size(level)).collect();
         let made = [

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use asperity_render::geometry::teapot::teapot;
-use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
+use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::{BumpField, Footprint};
 use glam::{DVec3, Vec2, Vec3};
 use serde::Deserialize;
@@ -98,9 +98,9 @@ fn compared(file: &Path) -> Result<f64, String> {
         exposure: settings.exposure,
     };
     let spectrum =
-        Spectrum::new(settings.lacunarity, settings.gain, 16).map_err(|error| error.to_string())?;
+        FbmSpectrum::new(settings.lacunarity, settings.gain, 16).map_err(|error| error.to_string())?;
     let at: [f64; 3] = (described.focus * f64::from(look.frequency)).into();
-    let octaves = GaussianOctaves::<3>::new(Gaussian::new(settings.seed), spectrum).anchored(at);
+    let octaves = GaussianFbm::<3>::new(GaussianNoise::new(settings.seed), spectrum).anchored(at);
     let bumps = BumpField::new(octaves, look.frequency).map_err(|error| error.to_string())?;
     let scene = scene(&described, size);
     let seen = |corner: &Corner, pixel: Footprint| bumps.coordinates(corner.position.as_vec3(), pixel);

@@ -2,8 +2,8 @@
 
 use std::time::{Duration, Instant};
 
-use asperity_shaders::{Binding, Bindings, Part, compose, ndf, noise, shading};
-use asperity_shading::noise::Spectrum;
+use asperity_shading::noise::FbmSpectrum;
+use asperity_wgsl::{Binding, Bindings, Part, compose, ndf, noise, shading};
 use glam::DVec3;
 use wgpu::{BufferUsages, TextureFormat, TextureUsages};
 
@@ -121,7 +121,7 @@ impl Renderer {
         gpu: &Gpu,
         scene: &Scene,
         look: &Look,
-        spectrum: &Spectrum,
+        spectrum: &FbmSpectrum,
         octaves: &(&'static str, Vec<u32>),
         made: &[(&'static str, Resource)],
     ) -> Result<(Vec<[u8; 3]>, Duration), String> {
@@ -207,7 +207,7 @@ fn vector(v: DVec3) -> [f32; 3] {
 }
 
 /// Returns the words of `SurfaceView`.
-fn view_words(scene: &Scene, look: &Look, spectrum: &Spectrum, size: u32) -> Vec<u32> {
+fn view_words(scene: &Scene, look: &Look, spectrum: &FbmSpectrum, size: u32) -> Vec<u32> {
     let view = &scene.view;
     let rows = [
         (view.eye, view.pixel_angle as f32),

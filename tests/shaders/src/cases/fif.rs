@@ -1,10 +1,10 @@
 //! Fractal interpolation: table functions, height fields, rays.
 
-use asperity_fif::{Fif, Folded, HeightField, Intersect, Ray, Table32, glam::DVec3, paper};
-use asperity_shaders::fif::{
+use asperity_fif::{Fif, FoldedSurface, HeightField, Intersect, Ray, Table32, glam::DVec3, paper};
+use asperity_wgsl::fif::{
     self, FoldedUniform, RangesUniform, TableUniform, folded_nodes, ranges, table_rows,
 };
-use asperity_shaders::{Binding, Part};
+use asperity_wgsl::{Binding, Part};
 
 use crate::case::{BAD, Bound, Case, INPUTS, OUTPUTS, Output, any, between};
 
@@ -233,16 +233,16 @@ fn height_field() -> Case {
 
 /// Surfaces over [0, 2]²: on unequal cells, and on equal cells with a decreasing factor and slopes
 /// at the border.
-fn surfaces() -> [Folded; 2] {
+fn surfaces() -> [FoldedSurface; 2] {
     let (x, y) = ([0.0, 0.7, 1.3, 2.0], [0.0, 0.9, 2.0]);
     let z = [0.0, 1.0, 0.5, -0.5, 0.75, 1.5, 1.0, -1.0, 0.25, 0.5, 0.0, 1.25];
     let slope = |k: usize| [0.5 - 0.125 * k as f64, 0.25 * (k % 5) as f64 - 0.5];
     let slopes: Vec<_> = (0..z.len()).map(slope).collect();
-    let unequal = Folded::new(&x, &y, 0.09, &z, &slopes).expect("unequal cells");
+    let unequal = FoldedSurface::new(&x, &y, 0.09, &z, &slopes).expect("unequal cells");
     let quarters = [0.0, 0.5, 1.0, 1.5, 2.0];
     let heights: Vec<_> = (0..25).map(|k| f64::from(k * 7 % 11) / 8.0 - 0.5).collect();
     let slopes: Vec<_> = (0..25).map(slope).collect();
-    [unequal, Folded::new(&quarters, &quarters, -0.06, &heights, &slopes).expect("equal cells")]
+    [unequal, FoldedSurface::new(&quarters, &quarters, -0.06, &heights, &slopes).expect("equal cells")]
 }
 
 fn folded() -> Case {

@@ -76,7 +76,7 @@ fn source(wanted: &Bake) -> Result<Box<dyn Source>> {
         return Ok(Box::new(density::Bumps::new(parameters, finish(0.0))?));
     }
     let relief = ["--cells", "--height", "--occlusion", "--low-tint", "--metallic"];
-    if let Some(BakedFractal::Torus) = wanted.fractal {
+    if let Some(BakedFractal::PeriodicSurface) = wanted.fractal {
         used(wanted, "a fractal surface", &[&relief[..], &["--factor"]].concat())?;
         let factor = wanted.factor.unwrap_or(0.375);
         let parameters = fractal::Parameters { nodes: cells, factor, height, seed };

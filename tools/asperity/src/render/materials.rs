@@ -8,7 +8,7 @@ use asperity_shading::reflectance::{Absorption, Coat};
 use asperity_shading::texture::{Brick, StarWallpaper};
 use asperity_shading::{
     Carpet, CarpetParameters, Marble, MetallicPaint, MetallicPaintParameters, Scratches, ScratchesParameters,
-    TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters, noise::Perlin2002,
+    TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters, noise::Perlin,
 };
 use glam::Vec3;
 use serde::{Serialize, de::DeserializeOwned};
@@ -213,7 +213,7 @@ impl Parameters {
                 laid(BrickWall { bricks, clay, mortar, variation, depth, roughness }, metres, projected)
             }
             Material::Marble => {
-                let marble = Marble::new(Perlin2002::default(), number("veins")?, seed()?)?;
+                let marble = Marble::new(Perlin::default(), number("veins")?, seed()?)?;
                 laid(
                     PolishedMarble { marble, tint: colour("tint")?, polish: number("polish")? },
                     metres / 0.2,

@@ -3,7 +3,7 @@
 
 use asperity_ndf_sampling::glam::{Mat3, Vec2, Vec3};
 use asperity_ndf_sampling::normal_table::{Chart, Deviation, Spacing, TableAccuracy, TableLayout};
-use asperity_ndf_sampling::{ConditionalTable, Ndf, NormalTable};
+use asperity_ndf_sampling::{ConditionalTable, Ndf, NormalLut};
 use asperity_render::image::formats::{F32, F64, exr, npy};
 use serde_json::{Value, json};
 
@@ -34,7 +34,7 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
         .flat_map(|i| edges(height).map(move |y| [(i as f64 + 0.5) / width as f64, y]))
         .map(|at| forward(at).y)
         .collect();
-    let table = NormalTable::new(ndf, L_SIZE)?;
+    let table = NormalLut::new(ndf, L_SIZE)?;
     let accuracy = table.accuracy(ndf);
     let seen = ConditionalTable::new(ndf, L_SIZE)?;
     let loss = seen.accuracy(ndf);
@@ -97,7 +97,7 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
                 "channels": "32-bit floats, little-endian, as `PackedMapRef::new` reads them; integers by their bits",
                 "error": { "uniform_numbers": 1e-6 },
             },
-            "flat_normal_at": ndf.to_gaussian(Vec3::Z).to_array(),
+            "flat_normal_at": ndf.invert(Vec3::Z).to_array(),
         }),
         files,
         picture,
@@ -115,7 +115,7 @@ fn errors(ndf: &SharedNdf) -> Result<Value, Failure> {
     ] {
         for chart in [Chart::Stereographic, Chart::Projected, Chart::Slopes] {
             let TableAccuracy { nearest, bilinear, bilinear_half, beyond, largest_step } =
-                NormalTable::with_layout(ndf, L_SIZE, TableLayout { spacing, chart })?.accuracy(ndf);
+                NormalLut::with_layout(ndf, L_SIZE, TableLayout { spacing, chart })?.accuracy(ndf);
             rows.push(json!({
                 "spacing": by,
                 "chart": format!("{chart:?}").to_lowercase(),

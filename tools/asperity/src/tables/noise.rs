@@ -1,7 +1,9 @@
 //! The tables of noise: the lattice of a seed, and the measured distributions G of each noise type.
 
 use asperity_noise::lattice::{PermutationTable, gaussian_corner};
-use asperity_noise::{Gaussian, IntegerHash, Lattice, Noise, Perlin1985, Perlin2002, Simplex, Statistics};
+use asperity_noise::{
+    GaussianNoise, IntegerHash, Lattice, Noise, Perlin, PerlinClassic, Simplex, Statistics,
+};
 use asperity_render::image::formats::{F32, U8, npy};
 use glam::{Vec2, Vec3, Vec4};
 use serde_json::{Map, json};
@@ -32,7 +34,7 @@ pub(super) fn lattice(seed: u32) -> Result<Made, Failure> {
         ember(0.5 + variates.get(index).map_or(0.0, |v| v[0]) / 6.0)
     });
     Ok(Made {
-        text: "The permutation of a seed, and the Gaussian value and gradient of the integer hash at the lattice points \
+        text: "The permutation of a seed, and the GaussianNoise value and gradient of the integer hash at the lattice points \
                (x, y, 0), x and y from 0 to 127. The image shows the values."
             .into(),
         parameters: json!({ "kind": "noise lattice", "seed": seed, "order": "value, gradient x, y, z" }),
@@ -43,11 +45,11 @@ pub(super) fn lattice(seed: u32) -> Result<Made, Failure> {
 
 pub(super) fn distributions() -> Result<Made, Failure> {
     let kinds = [
-        ("perlin_1985", statistics(&Perlin1985::default())),
-        ("perlin_2002", statistics(&Perlin2002::default())),
+        ("perlin_1985", statistics(&PerlinClassic::default())),
+        ("perlin_2002", statistics(&Perlin::default())),
         ("simplex_continuous", statistics(&Simplex::new(0))),
         ("simplex_wide", statistics(&Simplex::wide(0))),
-        ("gaussian", statistics(&Gaussian::default())),
+        ("gaussian", statistics(&GaussianNoise::default())),
     ];
     let kinds: Vec<(String, &Statistics)> = kinds
         .iter()

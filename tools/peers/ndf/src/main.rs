@@ -8,7 +8,7 @@ use std::{
 };
 
 use asperity_ndf_sampling::{
-    Beckmann, ClosedForm, Ggx, Measure, Ndf, NdfMap, NormalTable, PackedMapRef, Reconstruction,
+    Beckmann, ClosedForm, Ggx, Measure, Ndf, NdfMap, NormalLut, PackedMapRef, Reconstruction,
     glam::{Vec2, Vec3},
 };
 use rand::{Rng, SeedableRng, rngs::SmallRng};
@@ -121,10 +121,10 @@ fn rows(samples: usize) -> Result<Vec<Row>, Box<dyn Error>> {
     let view: Vec<Vec3> = view.collect();
     let view = [0, 1, 2].map(|k| view.iter().map(|v| v[k]).collect::<Vec<_>>());
     let seen: [&[f32]; 5] = [&view[0], &view[1], &view[2], &u1, &u2];
-    let z: Vec<Vec2> = uniform.iter().map(|&u| ggx.to_gaussian(ggx.sample(u))).collect();
+    let z: Vec<Vec2> = uniform.iter().map(|&u| ggx.invert(ggx.sample(u))).collect();
     let gaussian = [0, 1].map(|k| z.iter().map(|z| z[k]).collect::<Vec<_>>());
     let gaussian = gaussian.each_ref().map(Vec::as_slice);
-    let table = NormalTable::standard(&ggx);
+    let table = NormalLut::standard(&ggx);
     let nearest = table.clone();
     let mut rows: Vec<Row> = vec![
         row("ggx_sample", u, move |u, m: [_; 3]| ggx.samples(u, m)),
@@ -162,8 +162,8 @@ fn rows(samples: usize) -> Result<Vec<Row>, Box<dyn Error>> {
         row("table_nearest", gaussian, move |z, m: [_; 3]| nearest.view().nearest_normals(z, m)),
         row("table_bilinear", gaussian, move |z, m: [_; 3]| table.view().bilinear_normals(z, m)),
         alias(samples)?,
-        calls("ggx_call", &z, move |z| ggx.from_gaussian(z)),
-        calls("beckmann_call", &z, move |z| beckmann.from_gaussian(z)),
+        calls("ggx_call", &z, move |z| ggx.warp_gaussian(z)),
+        calls("beckmann_call", &z, move |z| beckmann.warp_gaussian(z)),
     ]);
     Ok(rows)
 }

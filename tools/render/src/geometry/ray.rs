@@ -120,7 +120,7 @@ pub struct Hit {
 impl Hit {
     /// Returns the hit with normals facing the origin of a ray in `direction`, so that the inside
     /// of a spout is shaded like the outside.
-    pub fn facing(self, direction: Vec3) -> Self {
+    pub fn flip_to_visible(self, direction: Vec3) -> Self {
         let mut hit = self.consistent(direction);
         if hit.flat.dot(direction) > 0.0 {
             (hit.normal, hit.flat, hit.bend) = (-hit.normal, -hit.flat, -hit.bend);

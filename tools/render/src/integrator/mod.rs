@@ -115,13 +115,14 @@ impl Scene<'_, '_> {
         mirrors: u32,
         bounces: u32,
     ) -> Vec3 {
-        let facing = hit.facing(ray.direction);
-        let step = self.start * hit.t.max(1e-3) * facing.flat;
-        let (above, below) = (facing.position + facing.lift[0] + step, facing.position - step);
-        let outside = facing.flat == hit.flat;
+        let flip_to_visible = hit.flip_to_visible(ray.direction);
+        let step = self.start * hit.t.max(1e-3) * flip_to_visible.flat;
+        let (above, below) =
+            (flip_to_visible.position + flip_to_visible.lift[0] + step, flip_to_visible.position - step);
+        let outside = flip_to_visible.flat == hit.flat;
         // A body is visible from inside. For anything else, the inside of a spout is shaded like
         // the outside.
-        let hit = if object.body.is_some() { hit.consistent(ray.direction) } else { facing };
+        let hit = if object.body.is_some() { hit.consistent(ray.direction) } else { flip_to_visible };
         let point = match self.light {
             Light::Around(_) => tap(&hit, ray.spread(&hit), sampler.point().x),
             Light::Lamps { .. } => hit.point(ray.footprint(&hit)),

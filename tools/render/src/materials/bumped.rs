@@ -2,7 +2,7 @@
 
 use std::f32::consts::PI;
 
-use asperity_ndf_sampling::NormalTable;
+use asperity_ndf_sampling::NormalLut;
 use asperity_shading::level_of_detail::{Coordinates, shade_facet};
 use asperity_shading::{
     BumpField, Frame, LevelOfDetail, Ndf, SurfacePoint, half_vector, material::Material, reflectance::Bsdf,
@@ -24,7 +24,7 @@ pub enum Facets<'a> {
     Consistent(LevelOfDetail),
     /// Looked up in a table L, possibly of another density, and shaded with the whole density: the
     /// pipeline of the source. The table's entry at 0 must be the flat normal.
-    Table(&'a NormalTable),
+    Table(&'a NormalLut),
 }
 
 impl Facets<'_> {

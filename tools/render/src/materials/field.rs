@@ -1,6 +1,6 @@
 //! Noises for bumps, by name.
 
-use asperity_noise::{Gaussian, GaussianOctaves, Perlin2002, Simplex, Spectrum};
+use asperity_noise::{FbmSpectrum, GaussianFbm, GaussianNoise, Perlin, Simplex};
 use asperity_shading::BumpField;
 use asperity_shading::level_of_detail::{Coordinates, GaussianField, RemappedOctaves};
 use glam::{DVec3, Vec3};
@@ -13,7 +13,7 @@ pub enum NoiseKind {
     /// Exactly Gaussian at every point, for every number of octaves.
     Gaussian,
     /// Gradient noise of 2002, made Gaussian through its measured distribution.
-    Perlin2002,
+    Perlin,
     /// Simplex noise, made Gaussian through its measured distribution.
     Simplex,
 }
@@ -39,14 +39,14 @@ impl Bumps {
         if self.octaves == 0 {
             return Ok(BumpField::new(Field(None), self.frequency)?);
         }
-        let spectrum = Spectrum::new(LACUNARITY, self.gain, self.octaves)?;
+        let spectrum = FbmSpectrum::new(LACUNARITY, self.gain, self.octaves)?;
         let at = anchor * f64::from(self.frequency);
         let noise: Box<Noise> = match self.kind {
             NoiseKind::Gaussian => {
-                Box::new(GaussianOctaves::<3>::new(Gaussian::new(seed), spectrum).anchored(at))
+                Box::new(GaussianFbm::<3>::new(GaussianNoise::new(seed), spectrum).anchored(at))
             }
-            NoiseKind::Perlin2002 => {
-                Box::new(RemappedOctaves::new(Perlin2002::default(), spectrum, seed)?.anchored(at))
+            NoiseKind::Perlin => {
+                Box::new(RemappedOctaves::new(Perlin::default(), spectrum, seed)?.anchored(at))
             }
             NoiseKind::Simplex => {
                 Box::new(RemappedOctaves::new(Simplex::new(0), spectrum, seed)?.anchored(at))
@@ -89,7 +89,7 @@ mod tests {
             let bumps = Bumps { kind, frequency: 1.0, octaves, gain: 0.8 }.field(3, DVec3::ZERO).unwrap();
             bumps.coordinates(p, Footprint::from_width(0.1)).z
         };
-        let kinds = [NoiseKind::Gaussian, NoiseKind::Perlin2002, NoiseKind::Simplex];
+        let kinds = [NoiseKind::Gaussian, NoiseKind::Perlin, NoiseKind::Simplex];
         for (i, &kind) in kinds.iter().enumerate() {
             assert_eq!(at(kind, 0), glam::Vec2::ZERO);
             assert!(kinds[..i].iter().all(|&other| at(other, 16) != at(kind, 16)), "{kind:?}");

@@ -1,7 +1,7 @@
 //! Materials measured at every zoom.
 
 use asperity_shading::material::{BumpMapped, FibresParameters, GlassWaves, PaintFlakes, SeamPattern};
-use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
+use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::{
     BumpField, Carpet, CarpetParameters, Ggx, LevelOfDetail, MetallicPaint, MetallicPaintParameters,
     Scratches, ScratchesParameters, SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations,
@@ -106,8 +106,8 @@ pub fn fractal_bumps() -> Subject {
 }
 
 fn bumps(name: &'static str, rule: LevelOfDetail) -> Subject {
-    let spectrum = Spectrum::new(2.17, 0.8, 3).expect("three octaves");
-    let bumps = BumpField::new(GaussianOctaves::<3>::new(Gaussian::new(7), spectrum), 20.0).expect(VALID);
+    let spectrum = FbmSpectrum::new(2.17, 0.8, 3).expect("three octaves");
+    let bumps = BumpField::new(GaussianFbm::<3>::new(GaussianNoise::new(7), spectrum), 20.0).expect(VALID);
     let material = BumpMapped { ndf: Ggx::new(0.3, 0.5).expect(VALID), bumps, rule, colour: Vec3::ONE };
     // The mean over a pixel still shows octaves above its frequency limit.
     Subject::of(name, 0.8, material, |point| SurfacePoint { pixel: point.pixel.scaled(0.5), ..point })

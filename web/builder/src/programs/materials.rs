@@ -1,7 +1,7 @@
 //! Programs of the materials scene.
 
-use asperity_shaders::shading::{DIRECTION, MATH, bump, material, pixel, reflectance, texture};
-use asperity_shaders::{Binding, Element, Part, ndf};
+use asperity_wgsl::shading::{DIRECTION, MATH, bump, material, pixel, reflectance, texture};
+use asperity_wgsl::{Binding, Element, Part, ndf};
 
 use super::{DISPLAY, Program, SCREEN, program};
 

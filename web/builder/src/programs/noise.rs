@@ -1,9 +1,9 @@
 //! Noise slices: a program per noise and dimension. The programs differ only in the octave
 //! function.
 
-use asperity_shaders::noise::sums::{self, octaves_2d, octaves_3d, octaves_4d};
-use asperity_shaders::noise::{self, transforms};
-use asperity_shaders::{Binding, Part};
+use asperity_wgsl::noise::sums::{self, octaves_2d, octaves_3d, octaves_4d};
+use asperity_wgsl::noise::{self, transforms};
+use asperity_wgsl::{Binding, Part};
 
 use super::{Program, SCREEN, program};
 

@@ -21,11 +21,11 @@ const EDGES: [(&str, &[&str], &[&str]); 8] = [
         &["criterion", "png"],
     ),
     (
-        "asperity-shaders",
+        "asperity-wgsl",
         &["asperity-fif", "asperity-ndf-sampling", "asperity-noise", "asperity-shading", "glam"],
         &[],
     ),
-    ("asperity-wgsl", &["naga", "rayon"], &["asperity-noise"]),
+    ("asperity-interpreter", &["naga", "rayon"], &["asperity-noise"]),
     ("asperity-output", &["tempfile"], &[]),
 ];
 

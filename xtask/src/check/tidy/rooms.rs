@@ -50,7 +50,7 @@ pub(super) const HOUSES: &[House] = &[
     },
     House {
         name: "shaders",
-        sources: "crates/shaders/src",
+        sources: "crates/wgsl/src",
         rooms: "part → compose → imports → noise → ndf → shading → fif",
         face: Some(60),
     },
@@ -63,7 +63,7 @@ pub(super) const HOUSES: &[House] = &[
     },
     House {
         name: "wgsl",
-        sources: "tests/wgsl/src",
+        sources: "tests/interpreter/src",
         rooms: "value arithmetic layout → operators binding → shader → machine → expression",
         face: None,
     },

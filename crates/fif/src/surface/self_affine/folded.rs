@@ -14,7 +14,7 @@ use crate::surface::self_affine::zig_zag::{
 };
 
 #[doc = include_str!("../../../docs/folded.md")]
-pub type Folded = SelfAffine<ZigZag>;
+pub type FoldedSurface = SelfAffine<ZigZag>;
 
 impl SelfAffine<ZigZag> {
     /// Creates the surface with heights `z` and gradients `d` at the nodes of the grid of knots `x`
@@ -144,15 +144,15 @@ impl FoldParts for ZigZag {
         (if wide < deep { wide } else { deep }) / limits.stretch
     }
 
-    fn bounds(surface: &Folded, x: Interval, y: Interval) -> SurfaceBounds {
+    fn bounds(surface: &FoldedSurface, x: Interval, y: Interval) -> SurfaceBounds {
         surface.bounds_over(x, y)
     }
 
-    fn narrow(surface: &mut Folded) {
+    fn narrow(surface: &mut FoldedSurface) {
         surface.narrow();
     }
 
-    fn mean(surface: &Folded) -> Bounded {
+    fn mean(surface: &FoldedSurface) -> Bounded {
         let [m, n] = surface.fold.cells;
         let (mut sum, mut size, gain) = (0.0, 0.0, surface.factor / (1.0 - surface.factor));
         for (i, j) in (0..m).flat_map(|i| (0..n).map(move |j| (i, j))) {

@@ -19,7 +19,7 @@ const FOLLOWED: u32 = 128;
 
 #[doc = include_str!("../../../docs/rough-folded.md")]
 #[derive(Clone, Debug)]
-pub struct RoughFolded {
+pub struct RoughFoldedSurface {
     fold: ZigZag,
     /// At the nodes, row after row.
     factors: Vec<f64>,
@@ -34,7 +34,7 @@ pub struct RoughFolded {
     own: Interval,
 }
 
-impl RoughFolded {
+impl RoughFoldedSurface {
     /// Creates the surface with vertical scalings `factors`, heights `z` and gradients `d` at the
     /// nodes.
     ///
@@ -147,7 +147,7 @@ impl RoughFolded {
         Bounded { value, bound: 1.01 * (tail + error + rounding) }
     }
 
-    /// `f(x, y)` to the rounding error; the value of [`RoughFolded::evaluate`] at tolerance 0.
+    /// `f(x, y)` to the rounding error; the value of [`RoughFoldedSurface::evaluate`] at tolerance 0.
     #[inline]
     #[must_use]
     pub fn height(&self, x: f64, y: f64) -> f64 {
@@ -165,10 +165,10 @@ impl RoughFolded {
     /// are read as its border.
     ///
     /// ```
-    /// # use asperity_fif::{Interval, RoughFolded};
+    /// # use asperity_fif::{Interval, RoughFoldedSurface};
     /// # let knots = [0.0, 1.0, 2.0];
     /// # let z = [0.0, 1.0, 0.0, 0.5, 2.0, 0.5, 0.0, 1.0, 0.0];
-    /// # let surface = RoughFolded::new(&knots, &knots, &[0.75; 9], &z, &[[0.0; 2]; 9])?;
+    /// # let surface = RoughFoldedSurface::new(&knots, &knots, &[0.75; 9], &z, &[[0.0; 2]; 9])?;
     /// let bounds = surface.bounds(Interval::new(0.3, 0.3001), Interval::new(0.7, 0.7001));
     /// assert!(bounds.contains(surface.height(0.30004, 0.70001)) && bounds.width() < 0.5);
     /// # Ok::<(), asperity_fif::SelfAffineError>(())
@@ -213,10 +213,10 @@ impl RoughFolded {
     /// See [`SelfAffine::extrema_over`](crate::SelfAffine::extrema_over).
     ///
     /// ```
-    /// # use asperity_fif::RoughFolded;
+    /// # use asperity_fif::RoughFoldedSurface;
     /// # let knots = [0.0, 1.0, 2.0];
     /// # let z = [0.0, 1.0, 0.0, 0.5, 2.0, 0.5, 0.0, 1.0, 0.0];
-    /// # let surface = RoughFolded::new(&knots, &knots, &[0.5; 9], &z, &[[0.0; 2]; 9])?;
+    /// # let surface = RoughFoldedSurface::new(&knots, &knots, &[0.5; 9], &z, &[[0.0; 2]; 9])?;
     /// let [x, y] = surface.domain();
     /// let extrema = surface.extrema_over(x, y, 0.1);
     /// assert!(extrema.maximum.width() <= 0.1 && extrema.maximum.hi >= 2.0);
@@ -253,7 +253,7 @@ impl RoughFolded {
     }
 }
 
-impl Surface for RoughFolded {
+impl Surface for RoughFoldedSurface {
     fn domain(&self) -> [Interval; 2] {
         self.domain()
     }

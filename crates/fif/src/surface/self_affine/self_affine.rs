@@ -23,8 +23,8 @@ pub(crate) const MOST_STEPS: u32 = 1 << 16;
 /// ```
 ///
 /// The fold `Φ` maps every cell of a grid onto the whole. It is an integer matrix of the torus
-/// ([`Torus`](crate::Torus), periodic, without grain), or zig-zags along both axes
-/// ([`Folded`](crate::Folded), on unequal cells).
+/// ([`PeriodicSurface`](crate::Torus), periodic, without grain), or zig-zags along both axes
+/// ([`FoldedSurface`](crate::Folded), on unequal cells).
 #[derive(Clone, Debug)]
 pub struct SelfAffine<F> {
     pub(crate) fold: F,
@@ -138,12 +138,12 @@ impl<F: Fold> SelfAffine<F> {
     /// determinant M permutes the nodes, and this is the mean of the data.
     ///
     /// ```
-    /// use asperity_fif::{Folded, Torus};
+    /// use asperity_fif::{FoldedSurface, PeriodicSurface};
     /// let z = [0.0, 1.0, -0.5, 0.25];
-    /// let mean = Torus::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?.mean();
+    /// let mean = PeriodicSurface::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?.mean();
     /// assert!((mean.value - 0.1875).abs() <= mean.bound && mean.bound < 1e-14);
     /// let z = [0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
-    /// let mean = Folded::new(&[0.0, 1.0, 3.0], &[0.0, 1.0, 2.0], 0.25, &z, &[[0.0; 2]; 9])?.mean();
+    /// let mean = FoldedSurface::new(&[0.0, 1.0, 3.0], &[0.0, 1.0, 2.0], 0.25, &z, &[[0.0; 2]; 9])?.mean();
     /// assert!((mean.value - 1.0 / 3.0).abs() <= mean.bound && mean.bound < 1e-13); // H = H − G is a bump of mean 1/4
     /// # Ok::<(), asperity_fif::SelfAffineError>(())
     /// ```
@@ -230,9 +230,9 @@ impl<F: Fold> SelfAffine<F> {
     /// the domain are read as its border.
     ///
     /// ```
-    /// # use asperity_fif::{Interval, Torus};
+    /// # use asperity_fif::{Interval, PeriodicSurface};
     /// # let z = [0.0, 1.0, -0.5, 0.25];
-    /// # let surface = Torus::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
+    /// # let surface = PeriodicSurface::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
     /// let bounds = surface.bounds(Interval::new(0.3, 0.301), Interval::new(0.7, 0.701));
     /// assert!(bounds.height.contains(surface.height(0.3004, 0.7001)) && bounds.height.width() < 0.2);
     /// assert!(bounds.slopes[1].contains(surface.gradient(0.3004, 0.7001).y));
@@ -254,9 +254,9 @@ impl<F: Fold> SelfAffine<F> {
     /// [`SelfAffine::tabulated`] includes it.
     ///
     /// ```
-    /// # use asperity_fif::Torus;
+    /// # use asperity_fif::PeriodicSurface;
     /// let z = [0.0, 1.0, -0.5, 0.25];
-    /// let surface = Torus::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
+    /// let surface = PeriodicSurface::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
     /// let width = surface.slope_range()[0].width();
     /// assert!(surface.narrowed().slope_range()[0].width() < 0.7 * width);
     /// # Ok::<(), asperity_fif::SelfAffineError>(())
@@ -273,9 +273,9 @@ impl<F: Fold> SelfAffine<F> {
     /// domain; on zig-zags it is clipped to the domain.
     ///
     /// ```
-    /// # use asperity_fif::{Interval, Torus};
+    /// # use asperity_fif::{Interval, PeriodicSurface};
     /// # let z = [0.0, 1.0, -0.5, 0.25];
-    /// # let surface = Torus::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
+    /// # let surface = PeriodicSurface::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
     /// let [x, y] = surface.domain();
     /// let extrema = surface.extrema_over(x, y, 1e-3);
     /// assert!(extrema.maximum.width() <= 1e-3 && extrema.maximum.lo >= 1.0);

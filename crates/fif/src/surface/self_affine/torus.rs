@@ -18,7 +18,7 @@ use crate::surface::self_affine::torus_fold::{
 #[doc = include_str!("../../../docs/torus.md")]
 #[doc(alias = "seamless")]
 #[doc(alias = "tileable")]
-pub type Torus = SelfAffine<TorusFold>;
+pub type PeriodicSurface = SelfAffine<TorusFold>;
 
 impl SelfAffine<TorusFold> {
     /// Creates the surface with heights `z` and gradients `d` at `side`² nodes.
@@ -90,9 +90,9 @@ impl SelfAffine<TorusFold> {
     /// NaN for the denominator 0.
     ///
     /// ```
-    /// # use asperity_fif::Torus;
+    /// # use asperity_fif::PeriodicSurface;
     /// let z = [0.0, 1.0, -0.5, 0.25];
-    /// let surface = Torus::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[0.0; 2]; 4])?;
+    /// let surface = PeriodicSurface::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[0.0; 2]; 4])?;
     /// assert_eq!(surface.evaluate_ratio([1, -3], 2, 1e-12).value, 0.25); // (1/2, −3/2), a node
     /// assert!(surface.evaluate_ratio([1, 2], 3, 1e-12).bound <= 1e-12);
     /// # Ok::<(), asperity_fif::SelfAffineError>(())
@@ -171,15 +171,15 @@ impl FoldParts for TorusFold {
         1.0 / self.side() as f64
     }
 
-    fn bounds(surface: &Torus, x: Interval, y: Interval) -> SurfaceBounds {
+    fn bounds(surface: &PeriodicSurface, x: Interval, y: Interval) -> SurfaceBounds {
         surface.bounds_and_mean(x, y).bounds
     }
 
-    fn narrow(surface: &mut Torus) {
+    fn narrow(surface: &mut PeriodicSurface) {
         surface.narrow();
     }
 
-    fn mean(surface: &Torus) -> Bounded {
+    fn mean(surface: &PeriodicSurface) -> Bounded {
         let nodes = &surface.fold.nodes;
         let (count, gap) = (nodes.len() as f64, 1.0 - surface.factor);
         let (mut sum, mut size) = (0.0, 0.0);

@@ -133,13 +133,13 @@ impl Ndf for PackedMapRef<'_> {
     }
 
     #[inline]
-    fn from_gaussian(&self, z: Vec2) -> Vec3 {
+    fn warp_gaussian(&self, z: Vec2) -> Vec3 {
         let u = z.to_array().map(|z| if z.is_nan() { 0.5 } else { phi(f64::from(z)) as f32 });
         self.sample(Vec2::from(u))
     }
 
     #[inline]
-    fn to_gaussian(&self, m: Vec3) -> Vec2 {
+    fn invert(&self, m: Vec3) -> Vec2 {
         const LEAST: f64 = 1.0 / (1u32 << 25) as f64;
         let u = self.forward(Vec2::new(m.x, m.y)).to_array();
         Vec2::from(u.map(|u| inverse_phi(f64::from(u).clamp(LEAST, 1.0 - LEAST)) as f32))

@@ -31,7 +31,7 @@ const POINTS: usize = 4;
 /// - **Any input:** see [`Ndf`]. `T` always returns normals where the density has weight, up to the
 ///   rounding of the normal to `f32`. `T⁻¹` of a direction without weight is on the border of the
 ///   support.
-/// - **The flat normal** is at `to_gaussian(Vec3::Z)`. It is not at `z = 0`, the median, unless the
+/// - **The flat normal** is at `invert(Vec3::Z)`. It is not at `z = 0`, the median, unless the
 ///   map is symmetric.
 /// - **Resolution:** a roughness below about 6 texels (`α · size/2 < 6`) is not resolved. Use
 ///   [`Ggx`](crate::Ggx) or [`Beckmann`](crate::Beckmann) there.
@@ -51,7 +51,7 @@ const POINTS: usize = 4;
 /// let map = NdfMap::from_fn(64, 64, Measure::Normals, Reconstruction::Constant, |n| lobe(n, -0.4) + lobe(n, 0.4))?;
 /// assert!(map.density(Vec3::new(0.4, 0.0, 0.9165)) > 10.0 * map.density(Vec3::Z));
 /// let z = Vec2::new(0.3, -1.0);
-/// assert!(map.to_gaussian(map.from_gaussian(z)).abs_diff_eq(z, 1e-5));
+/// assert!(map.invert(map.warp_gaussian(z)).abs_diff_eq(z, 1e-5));
 /// # Ok::<(), asperity_ndf_sampling::NdfMapError>(())
 /// ```
 ///
@@ -229,8 +229,8 @@ mod tests {
             NdfMap::from_fn(8, 8, Measure::Normals, Reconstruction::Constant, |n| 1.5 + n.x + 0.4 * n.y)
                 .unwrap();
         for z in [-1.0, 0.3] {
-            assert_eq!(map.from_gaussian(Vec2::new(f32::NAN, z)), map.from_gaussian(Vec2::new(0.0, z)));
-            assert_eq!(map.from_gaussian(Vec2::new(z, f32::NAN)), map.from_gaussian(Vec2::new(z, 0.0)));
+            assert_eq!(map.warp_gaussian(Vec2::new(f32::NAN, z)), map.warp_gaussian(Vec2::new(0.0, z)));
+            assert_eq!(map.warp_gaussian(Vec2::new(z, f32::NAN)), map.warp_gaussian(Vec2::new(z, 0.0)));
         }
     }
 
@@ -241,10 +241,10 @@ mod tests {
                 NdfMap::from_fn(size, size, Measure::Normals, Reconstruction::Constant, |_| 1.0).unwrap();
             for k in -900..=900 {
                 for far in [-9.0, 9.0] {
-                    let m = map.from_gaussian(Vec2::new(k as f32 * 0.01, far));
+                    let m = map.warp_gaussian(Vec2::new(k as f32 * 0.01, far));
                     assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-6, "{size} {k}");
                     assert!(m.z > 0.0, "{size} {k}: {m}");
-                    assert!(map.density(m) > 0.3 && map.to_gaussian(m).is_finite(), "{size} {k}: {m}");
+                    assert!(map.density(m) > 0.3 && map.invert(m).is_finite(), "{size} {k}: {m}");
                 }
             }
         }

@@ -1,7 +1,7 @@
 //! The Hessian of noises that blend one linear function per corner of a cell.
 
 use crate::{
-    contract::hessian::{CurvedKernel, Jet, mirror},
+    contract::hessian::{HessianKernel, Jet, mirror},
     kinds::cell::blend::ends,
     kinds::cell::corner::{CellNoise, Corner, normalised},
     kinds::cell::corners::CellPosition,
@@ -18,7 +18,7 @@ use crate::{
     lanes::level::four,
 };
 
-impl<K: CellNoise<N>, const N: usize> CurvedKernel<N> for K {
+impl<K: CellNoise<N>, const N: usize> HessianKernel<N> for K {
     /// ∂ᵢⱼ Σ W f = Σ (Wᵢⱼ f + Wᵢ gⱼ + Wⱼ gᵢ) over the corners, f = value + g·d and W the product of
     /// the axes' weights.
     #[inline]
@@ -241,9 +241,9 @@ mod tests {
     use asperity_core::SplitMix64;
 
     use crate::{
-        kinds::gaussian::Gaussian,
-        kinds::perlin::{Perlin1985, Perlin2002},
-        kinds::value::Value,
+        kinds::gaussian::GaussianNoise,
+        kinds::perlin::{Perlin, PerlinClassic},
+        kinds::value::ValueNoise,
         kinds::value_gradient::ValueGradient,
     };
 
@@ -269,6 +269,12 @@ mod tests {
         macro_rules! of {
             ($($noise:expr),*) => { $(same::<_, 2>(&$noise); same::<_, 3>(&$noise); same::<_, 4>(&$noise);)* };
         }
-        of!(Perlin1985::new(1), Perlin2002::new(1), Value::new(1), ValueGradient::new(1), Gaussian::new(1));
+        of!(
+            PerlinClassic::new(1),
+            Perlin::new(1),
+            ValueNoise::new(1),
+            ValueGradient::new(1),
+            GaussianNoise::new(1)
+        );
     }
 }

@@ -23,7 +23,7 @@ use crate::{
 ///
 /// Worley's Fₙ is the distance to the nth nearest feature point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Basis {
+pub enum CellularOutput {
     /// F₁, the distance to the nearest feature point: continuous, with a crease where two are
     /// equally near.
     #[default]
@@ -50,10 +50,10 @@ pub enum Basis {
 /// F₁(p) = min_c |p − x_c|,   F₂(p) = the second least |p − x_c|,   x_c = c + ½ + j (u_c − ½)
 /// ```
 ///
-/// In 1 to 4 dimensions, with u uniform in the unit cube. [`Basis`] and [`Metric`] are
+/// In 1 to 4 dimensions, with u uniform in the unit cube. [`CellularOutput`] and [`Metric`] are
 /// configurable. The jitter j is 1 by default. At 0 feature points are the centers of cells. The
 /// value is the distance itself, in cells, with a positive [mean](crate::Noise::mean).
-/// [`Unit`](crate::Unit) maps its range to [0, 1], and [`Octaves`](crate::Octaves) of variance 1
+/// [`Unit`](crate::Unit) maps its range to [0, 1], and [`Fbm`](crate::Octaves) of variance 1
 /// subtract the mean.
 ///
 /// - **Exact search:** visits every cell that can be as near as the current result, up to 2 cells
@@ -73,10 +73,10 @@ pub enum Basis {
 /// instead of a Poisson-distributed number, which avoids empty regions.
 ///
 /// ```
-/// use asperity_noise::{Basis, Cellular, Field, Metric, glam::Vec3};
+/// use asperity_noise::{CellularOutput, Cellular, Field, Metric, glam::Vec3};
 ///
 /// let (noise, p) = (Cellular::new(3), Vec3::new(0.3, -1.2, 4.5));
-/// let [near, far, between] = [Basis::F1, Basis::F2, Basis::F2MinusF1].map(|basis| noise.with_basis(basis).value(p));
+/// let [near, far, between] = [CellularOutput::F1, CellularOutput::F2, CellularOutput::F2MinusF1].map(|basis| noise.with_output(basis).value(p));
 /// assert!(near <= far && between == far - near);
 ///
 /// let nearest = p - near * noise.sample(p).gradient;
@@ -91,14 +91,14 @@ pub enum Basis {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cellular<L = IntegerHash> {
     seed: u32,
-    pub(super) basis: Basis,
+    pub(super) basis: CellularOutput,
     pub(super) metric: Metric,
     jitter: f32,
     lattice: L,
 }
 
 kind!(
-    Cellular { basis: Basis::F1, metric: Metric::Euclidean, jitter: 1.0 },
+    Cellular { basis: CellularOutput::F1, metric: Metric::Euclidean, jitter: 1.0 },
     "F₁ in the Euclidean metric with a jitter of 1"
 );
 noise!(Cellular);
@@ -106,13 +106,13 @@ noise!(Cellular);
 impl<L> Cellular<L> {
     /// Sets the output of the noise.
     #[must_use]
-    pub fn with_basis(self, basis: Basis) -> Self {
+    pub fn with_output(self, basis: CellularOutput) -> Self {
         Self { basis, ..self }
     }
 
     /// Returns the output of the noise.
     #[must_use]
-    pub const fn basis(&self) -> Basis {
+    pub const fn basis(&self) -> CellularOutput {
         self.basis
     }
 
@@ -164,13 +164,13 @@ impl<L: Lattice, const N: usize> Kernel<N> for Cellular<L> {
     #[inline(always)]
     fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
         let (features, place) = (self.features(seed), CellPosition::<S, N>::new(s, p));
-        if !GRADIENTS && self.basis != Basis::Cell {
+        if !GRADIENTS && self.basis != CellularOutput::Cell {
             let nearest = features.nearest::<S, N, false>(s, &place, self.takes_second());
             return self.of_measures::<S, N>(s, nearest.measures);
         }
         let nearest = features.nearest::<S, N, true>(s, &place, self.takes_second());
         let (word, offsets) = features.of_rank::<S, N>(s, &place, nearest.ranks[0]);
-        if self.basis == Basis::Cell {
+        if self.basis == CellularOutput::Cell {
             return (number(s, word), [s.float(0.0); N]);
         }
         let mut both = [offsets; 2];
@@ -219,7 +219,7 @@ impl<L: Lattice, const N: usize> Kernel<N> for Cellular<L> {
 impl<L> Cellular<L> {
     #[inline(always)]
     pub(super) fn takes_second(&self) -> bool {
-        matches!(self.basis, Basis::F2 | Basis::F2MinusF1)
+        matches!(self.basis, CellularOutput::F2 | CellularOutput::F2MinusF1)
     }
 
     /// The value for measures of the nearest and the second nearest feature point.
@@ -230,9 +230,9 @@ impl<L> Cellular<L> {
         [first, second]: [S::F; 2],
     ) -> LaneSample<S, N> {
         let value = match self.basis {
-            Basis::F1 | Basis::Cell => self.metric.distance(s, first),
-            Basis::F2 => self.metric.distance(s, second),
-            Basis::F2MinusF1 => self.metric.distance(s, second) - self.metric.distance(s, first),
+            CellularOutput::F1 | CellularOutput::Cell => self.metric.distance(s, first),
+            CellularOutput::F2 => self.metric.distance(s, second),
+            CellularOutput::F2MinusF1 => self.metric.distance(s, second) - self.metric.distance(s, first),
         };
         (value, [s.float(0.0); N])
     }
@@ -246,7 +246,7 @@ impl<L> Cellular<L> {
         offsets: [[S::F; N]; 2],
     ) -> LaneSample<S, N> {
         let (value, mut gradient) = self.of_measures::<S, N>(s, measures);
-        if self.basis != Basis::F2 {
+        if self.basis != CellularOutput::F2 {
             gradient = self.metric.slopes(s, offsets[0], self.metric.distance(s, measures[0]));
         }
         if self.takes_second() {
@@ -291,13 +291,13 @@ fn at_jitter(jitter: f32, numbers: [f32; 5]) -> f32 {
 }
 
 impl<L> Cellular<L> {
-    /// E nᵏ, k = 1 … 4, at the jitters 0, ¼, ½, ¾ and 1; `None` for [`Basis::Cell`].
+    /// E nᵏ, k = 1 … 4, at the jitters 0, ¼, ½, ¾ and 1; `None` for [`CellularOutput::Cell`].
     fn moments<const N: usize>(&self) -> Option<[[f32; 4]; 5]> {
         let basis = match self.basis {
-            Basis::F1 => 0,
-            Basis::F2 => 1,
-            Basis::F2MinusF1 => 2,
-            Basis::Cell => return None,
+            CellularOutput::F1 => 0,
+            CellularOutput::F2 => 1,
+            CellularOutput::F2MinusF1 => 2,
+            CellularOutput::Cell => return None,
         };
         Some(cellular::MOMENTS.each_ref().map(|tables| tables[basis][row(self.metric, N)]))
     }
@@ -316,10 +316,10 @@ impl<L, const N: usize> Measured<N> for Cellular<L> {
     /// The statistics at jitter 1.
     fn statistics(&self) -> &'static Statistics {
         let basis = match self.basis {
-            Basis::F1 => 0,
-            Basis::F2 => 1,
-            Basis::F2MinusF1 => 2,
-            Basis::Cell => return &tables::WHITE[N - 1],
+            CellularOutput::F1 => 0,
+            CellularOutput::F2 => 1,
+            CellularOutput::F2MinusF1 => 2,
+            CellularOutput::Cell => return &tables::WHITE[N - 1],
         };
         &cellular::STATISTICS[basis][row(self.metric, N)]
     }
@@ -330,8 +330,8 @@ impl<L, const N: usize> Measured<N> for Cellular<L> {
 
     fn bounds(&self) -> [f32; 2] {
         match self.basis {
-            Basis::Cell => [-1.0, 1.0],
-            basis => [0.0, supremum(self.metric, self.jitter, basis != Basis::F1, N)],
+            CellularOutput::Cell => [-1.0, 1.0],
+            basis => [0.0, supremum(self.metric, self.jitter, basis != CellularOutput::F1, N)],
         }
     }
 

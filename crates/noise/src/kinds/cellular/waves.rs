@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use crate::{
-    kinds::cellular::cellular::{Basis, Cellular},
+    kinds::cellular::cellular::{Cellular, CellularOutput},
     kinds::cellular::metric::Metric,
     kinds::cellular::rows::Seen,
     lanes::Lanes,
@@ -26,7 +26,7 @@ impl<L> Cellular<L> {
         range: Range<usize>,
     ) {
         let (mut i, end) = (range.start, range.end);
-        if GRADIENTS || self.basis == Basis::Cell {
+        if GRADIENTS || self.basis == CellularOutput::Cell {
             while i < end {
                 let mut place = places;
                 place[0] = plan.along_from(s, i).place;
@@ -92,7 +92,7 @@ impl<L> Cellular<L> {
             let measure = self.metric.measure(s, offset);
             // At equal distance the first feature point, which has the lower rank, is nearer.
             let nearest = s.less(measure, measures[0]);
-            if self.basis == Basis::Cell {
+            if self.basis == CellularOutput::Cell {
                 numbers = s.select(nearest, s.float(number), numbers);
             } else if second {
                 let nearer = s.less(measure, measures[1]);
@@ -107,7 +107,7 @@ impl<L> Cellular<L> {
             }
             measures[0] = s.select(nearest, measure, measures[0]);
         }
-        if self.basis == Basis::Cell {
+        if self.basis == CellularOutput::Cell {
             return (numbers, [s.float(0.0); N]);
         }
         self.of_offsets(s, measures, offsets)

@@ -2,7 +2,7 @@
 
 use crate::{
     contract::compiled::on_standard_lattice,
-    contract::hessian::{CurvedKernel, Jet, mirror},
+    contract::hessian::{HessianKernel, Jet, mirror},
     contract::kernel::Kernel,
     kinds::simplex::geometry::{Term, kernel, pull},
     kinds::simplex::simplex::Simplex,
@@ -10,7 +10,7 @@ use crate::{
     lattice::lattice::{Lattice, OnLattice},
 };
 
-impl<L: Lattice, const N: usize> CurvedKernel<N> for Simplex<L> {
+impl<L: Lattice, const N: usize> HessianKernel<N> for Simplex<L> {
     /// ∂ᵢⱼ(t⁴ s) = 48 dᵢ dⱼ t² s − 8 t³ (δᵢⱼ s + dᵢ gⱼ + dⱼ gᵢ).
     #[inline]
     fn near_jet(&self, p: [f32; N], seed: u32) -> Jet<N> {

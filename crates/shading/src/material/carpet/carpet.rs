@@ -2,13 +2,13 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::bump::{bumped_normal, tangential};
+use crate::bump::{bumped_normal, project_to_tangent_plane};
 use crate::material::carpet::dark_area::DarkAreas;
 use crate::material::carpet::fibre::{Fibres, FibresParameters};
 use crate::material::carpet::rim_light::rim_light;
 use crate::material::carpet::seam::{Crease, SeamPattern, Seams};
 use crate::material::carpet::thread::{DiffuseThreads, SpecularThreads};
-use crate::material::fbm::Fbm;
+use crate::material::fbm::SizedFbm;
 use crate::material::glossy::GlossySurface;
 use crate::material::interface::Material;
 use crate::material::surface_point::{SurfacePoint, TextureGradients};
@@ -127,7 +127,7 @@ pub struct Carpet {
     specular_threads: SpecularThreads,
     dark_areas: DarkAreas,
     seams: Seams,
-    crossover: Fbm,
+    crossover: SizedFbm,
     fibres: Fibres,
 }
 
@@ -145,7 +145,7 @@ impl Carpet {
             specular_threads: SpecularThreads::new(p.specular_thread_size, seed(1))?,
             dark_areas: DarkAreas::new(p.dark_area_size, p.dark_area_strength, seed(2))?,
             seams: Seams::new(p.seams_propagation, p.seams_pattern, p.seam_distance, p.seams_amplitude)?,
-            crossover: Fbm::single(p.seam_crossover_size, seed(3)),
+            crossover: SizedFbm::single(p.seam_crossover_size, seed(3)),
             fibres: Fibres::new(p.fibres)?,
             parameters,
         })
@@ -154,7 +154,7 @@ impl Carpet {
     /// Threads, shiny threads, dark areas, seams, threads over seams, fibers.
     #[doc(hidden)]
     #[must_use]
-    pub const fn parts(&self) -> (&DiffuseThreads, &SpecularThreads, &DarkAreas, &Seams, &Fbm, &Fibres) {
+    pub const fn parts(&self) -> (&DiffuseThreads, &SpecularThreads, &DarkAreas, &Seams, &SizedFbm, &Fibres) {
         let Self { diffuse_threads, specular_threads, dark_areas, seams, crossover, fibres, .. } = self;
         (diffuse_threads, specular_threads, dark_areas, seams, crossover, fibres)
     }
@@ -200,7 +200,7 @@ impl Carpet {
         let [along, other] = gradients.map(Vec3::normalize_or_zero);
         let seam_bump =
             (along * crease.slope.x + other * crease.slope.y) * (p.seams_bump_strength * (1.0 - disturb));
-        let thread_bump = tangential(n, threads.gradient) * p.diffuse_thread_bump_strength;
+        let thread_bump = project_to_tangent_plane(n, threads.gradient) * p.diffuse_thread_bump_strength;
         let bump2 = p.diffuse_thread_bump_strength * p.diffuse_thread_bump_strength;
         let steep = p.seams_bump_strength * (1.0 - disturb);
         let [first, second] =

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use crate::material::fbm::{Fbm, half_mean};
+use crate::material::fbm::{SizedFbm, half_mean};
 use crate::parameter::{ParameterError, as_share, as_size};
 use crate::pixel::Footprint;
 
@@ -31,7 +31,7 @@ use crate::pixel::Footprint;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DarkAreas {
-    noise: Fbm,
+    noise: SizedFbm,
     strength: f32,
 }
 
@@ -42,14 +42,14 @@ impl DarkAreas {
     /// [`ParameterError::Outside`] unless `dark_area_size` is within `[10⁻⁶, 10⁶]` and
     /// `dark_area_strength` within `[0, 1]`.
     pub fn new(size: f32, strength: f32, seed: u32) -> Result<Self, ParameterError> {
-        let noise = Fbm::single(as_size("dark_area_size", size)?, seed);
+        let noise = SizedFbm::single(as_size("dark_area_size", size)?, seed);
         Ok(Self { noise, strength: as_share("dark_area_strength", strength)? })
     }
 
     /// The noise.
     #[doc(hidden)]
     #[must_use]
-    pub const fn noise(&self) -> &Fbm {
+    pub const fn noise(&self) -> &SizedFbm {
         &self.noise
     }
 

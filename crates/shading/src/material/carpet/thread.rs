@@ -1,11 +1,11 @@
 //! Threads of a carpet: the texture of many, and single ones.
 
 use asperity_noise::{
-    Field, Noise, Normalisation, Octaves, Sample, Simplex, Spectrum, Turbulence, removed_share,
+    Fbm, FbmSpectrum, Field, Noise, Normalization, Sample, Simplex, Turbulence, filtered_fraction,
 };
 use glam::Vec3;
 
-use crate::material::fbm::{Fbm, SLOPE_VARIANCE};
+use crate::material::fbm::{SLOPE_VARIANCE, SizedFbm};
 use crate::parameter::{ParameterError, as_size};
 use crate::pixel::Footprint;
 
@@ -34,7 +34,7 @@ use crate::pixel::Footprint;
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DiffuseThreads(Fbm);
+pub struct DiffuseThreads(SizedFbm);
 
 impl DiffuseThreads {
     /// Creates threads of this size, in units of the positions.
@@ -42,13 +42,13 @@ impl DiffuseThreads {
     /// # Errors
     /// [`ParameterError::Outside`] unless `diffuse_thread_size` is within `[10⁻⁶, 10⁶]`.
     pub fn new(size: f32, seed: u32) -> Result<Self, ParameterError> {
-        Ok(Self(Fbm::new(Spectrum::THREADS, as_size("diffuse_thread_size", size)?, seed)))
+        Ok(Self(SizedFbm::new(FbmSpectrum::THREADS, as_size("diffuse_thread_size", size)?, seed)))
     }
 
     /// The noise.
     #[doc(hidden)]
     #[must_use]
-    pub const fn noise(&self) -> &Fbm {
+    pub const fn noise(&self) -> &SizedFbm {
         &self.0
     }
 
@@ -100,7 +100,7 @@ impl DiffuseThreads {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpecularThreads {
-    veins: Octaves<Simplex, 3, Turbulence>,
+    veins: Fbm<Simplex, 3, Turbulence>,
     frequency: f32,
     /// C(7, k) (−1)ᵏ times the k-th moment of U, where the first 0, 1, 2, 3 octaves are known.
     coefficients: [[f32; 8]; 4],
@@ -117,8 +117,8 @@ impl SpecularThreads {
     /// [`ParameterError::Outside`] unless `specular_thread_size` is within `[10⁻⁶, 10⁶]`.
     pub fn new(size: f32, seed: u32) -> Result<Self, ParameterError> {
         let size = as_size("specular_thread_size", size)?;
-        let veins = Octaves::new(Simplex::new(seed), Spectrum::THREADS)
-            .with_normalisation(Normalisation::Range)
+        let veins = Fbm::new(Simplex::new(seed), FbmSpectrum::THREADS)
+            .with_normalization(Normalization::UnitRange)
             .with_shape(Turbulence);
         Ok(Self { veins, frequency: 1.0 / size, coefficients: coefficients() })
     }
@@ -129,7 +129,7 @@ impl SpecularThreads {
     /// The coefficients are for 0 to 3 known octaves.
     #[doc(hidden)]
     #[must_use]
-    pub const fn parts(&self) -> (&Octaves<Simplex, 3, Turbulence>, f32, &[[f32; 8]; 4]) {
+    pub const fn parts(&self) -> (&Fbm<Simplex, 3, Turbulence>, f32, &[[f32; 8]; 4]) {
         (&self.veins, self.frequency, &self.coefficients)
     }
 
@@ -149,8 +149,11 @@ impl SpecularThreads {
         let mut weight_before = 1.0;
         // Σ_j t_j (weight_j − weight_{j+1}): only levels with a weight are evaluated.
         for (j, frequency) in [1.0, 2.0, 4.0, f32::INFINITY].into_iter().enumerate() {
-            let kept =
-                if j < 3 { 1.0 - removed_share(footprint.width() * self.frequency, frequency) } else { 0.0 };
+            let kept = if j < 3 {
+                1.0 - filtered_fraction(footprint.width() * self.frequency, frequency)
+            } else {
+                0.0
+            };
             let weight = weight_before - kept;
             if weight > 0.0 {
                 value += weight * self.expectation(j, p);

@@ -122,7 +122,7 @@ impl<N: Ndf> GlintField<N> {
     #[must_use]
     pub fn flake(&self, position: Vec3) -> Option<GlintFlake> {
         let (cell, centre) = nearest(self.place(position)?, self.seed);
-        Some(GlintFlake { normal: self.ndf.from_gaussian(self.tilt(cell)), centre: centre * self.spacing })
+        Some(GlintFlake { normal: self.ndf.warp_gaussian(self.tilt(cell)), centre: centre * self.spacing })
     }
 
     /// The density D̂(h) of the flakes within a pixel, in sr⁻¹, which replaces D(h).
@@ -138,7 +138,7 @@ impl<N: Ndf> GlintField<N> {
         let Some(place) = self.place(position).filter(|_| level < LEVELS) else {
             return density;
         };
-        let bins = Bins::new(self.ndf.to_gaussian(h), self.bin);
+        let bins = Bins::new(self.ndf.invert(h), self.bin);
         let lower = floor(level);
         let upper_share = level - lower;
         let single = (lower == 0.0).then(|| bins.bin(self.tilt(nearest(place, self.seed).0)));
@@ -447,7 +447,7 @@ mod tests {
             assert!(p.distance(flake.centre) < 0.01 * 1.5);
             let lit = field.density(flake.normal, p, near);
             assert!(lit > 50.0 * field.ndf().density(flake.normal), "{p}: {lit}");
-            assert_eq!(field.density(field.ndf().from_gaussian(Vec2::splat(5.0)), p, near), 0.0);
+            assert_eq!(field.density(field.ndf().warp_gaussian(Vec2::splat(5.0)), p, near), 0.0);
         }
     }
 

@@ -2,8 +2,8 @@
 
 use glam::Vec3;
 
-use crate::bump::{bumped_normal, tangential};
-use crate::material::fbm::{Fbm, SLOPE_VARIANCE};
+use crate::bump::{bumped_normal, project_to_tangent_plane};
+use crate::material::fbm::{SLOPE_VARIANCE, SizedFbm};
 use crate::parameter::{ParameterError, as_share, as_size};
 use crate::pixel::Footprint;
 
@@ -32,7 +32,7 @@ use crate::pixel::Footprint;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OrangePeel {
-    noise: Fbm,
+    noise: SizedFbm,
     strength: f32,
 }
 
@@ -43,21 +43,21 @@ impl OrangePeel {
     /// [`ParameterError::Outside`] unless `orange_peel_size` is within `[10⁻⁶, 10⁶]` and
     /// `orange_peel_strength` within `[0, 1]`.
     pub fn new(size: f32, strength: f32, seed: u32) -> Result<Self, ParameterError> {
-        let noise = Fbm::single(as_size("orange_peel_size", size)?, seed);
+        let noise = SizedFbm::single(as_size("orange_peel_size", size)?, seed);
         Ok(Self { noise, strength: as_share("orange_peel_strength", strength)? })
     }
 
     /// The noise.
     #[doc(hidden)]
     #[must_use]
-    pub const fn noise(&self) -> &Fbm {
+    pub const fn noise(&self) -> &SizedFbm {
         &self.noise
     }
 
     /// The surface gradient of the height, for the unit normal `n`.
     #[must_use]
     pub fn gradient(&self, position: Vec3, n: Vec3, footprint: Footprint) -> Vec3 {
-        tangential(n, self.noise.sample(position, footprint).gradient) * self.strength
+        project_to_tangent_plane(n, self.noise.sample(position, footprint).gradient) * self.strength
     }
 
     /// The normal of the coat; `n` itself where a coordinate is not finite.

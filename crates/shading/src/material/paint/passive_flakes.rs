@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use crate::material::fbm::{Fbm, spectrum};
+use crate::material::fbm::{SizedFbm, spectrum};
 use crate::parameter::{ParameterError, as_share, as_size};
 use crate::pixel::Footprint;
 
@@ -30,7 +30,7 @@ use crate::pixel::Footprint;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PassiveFlakes {
-    noise: Fbm,
+    noise: SizedFbm,
     strength: f32,
 }
 
@@ -44,13 +44,13 @@ impl PassiveFlakes {
         let spectrum = spectrum("passive_flake_detail", [2.4, 2.7], detail)?;
         let size = as_size("passive_flake_size", size)?;
         let strength = as_share("passive_flake_strength", strength)?;
-        Ok(Self { noise: Fbm::new(spectrum, size, seed), strength })
+        Ok(Self { noise: SizedFbm::new(spectrum, size, seed), strength })
     }
 
     /// The noise.
     #[doc(hidden)]
     #[must_use]
-    pub const fn noise(&self) -> &Fbm {
+    pub const fn noise(&self) -> &SizedFbm {
         &self.noise
     }
 

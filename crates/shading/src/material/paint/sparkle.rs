@@ -1,6 +1,6 @@
 //! Sparkling flakes of constant width on the screen.
 
-use asperity_noise::removed_share;
+use asperity_noise::filtered_fraction;
 use glam::Vec3;
 
 use crate::direction::reflect;
@@ -154,7 +154,7 @@ impl Sparkles {
     pub fn flake(&self, position: Vec3, n: Vec3, footprint: Footprint) -> Option<Sparkle> {
         let pixel = footprint.width();
         let width = pixel * self.pixel_size;
-        let fade = 1.0 - removed_share(width, 1.0 / self.physical_size);
+        let fade = 1.0 - filtered_fraction(width, 1.0 / self.physical_size);
         if fade <= 0.0 {
             return None;
         }
@@ -185,7 +185,9 @@ impl Sparkles {
     fn returned(&self, footprint: Footprint) -> f32 {
         match self.rule {
             Elimination::Fixed => 0.0,
-            Elimination::Adaptive { unit } => removed_share(footprint.width() * self.pixel_size, 1.0 / unit),
+            Elimination::Adaptive { unit } => {
+                filtered_fraction(footprint.width() * self.pixel_size, 1.0 / unit)
+            }
         }
     }
 }

@@ -2,8 +2,8 @@
 
 use glam::Vec3;
 
-use crate::bump::tangential;
-use crate::material::fbm::{Fbm, SLOPE_VARIANCE, half_mean};
+use crate::bump::project_to_tangent_plane;
+use crate::material::fbm::{SLOPE_VARIANCE, SizedFbm, half_mean};
 use crate::parameter::{ParameterError, as_size};
 use crate::pixel::Footprint;
 
@@ -41,7 +41,7 @@ pub fn varied(colour: f32, noise: f32, variation: f32) -> f32 {
 /// Nilsson 2008, §4.5.2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Blemishes {
-    noise: Fbm,
+    noise: SizedFbm,
 }
 
 impl Blemishes {
@@ -50,13 +50,13 @@ impl Blemishes {
     /// # Errors
     /// [`ParameterError::Outside`] unless `small_blemish_size` is within `[10⁻⁶, 10⁶]`.
     pub fn new(size: f32, seed: u32) -> Result<Self, ParameterError> {
-        Ok(Self { noise: Fbm::single(as_size("small_blemish_size", size)?, seed) })
+        Ok(Self { noise: SizedFbm::single(as_size("small_blemish_size", size)?, seed) })
     }
 
     /// The noise of blemishes.
     #[doc(hidden)]
     #[must_use]
-    pub const fn noise(&self) -> &Fbm {
+    pub const fn noise(&self) -> &SizedFbm {
         &self.noise
     }
 
@@ -76,7 +76,7 @@ impl Blemishes {
     /// The surface gradient of the bumps; zero where a coordinate is not finite.
     #[must_use]
     pub fn gradient(&self, strength: f32, position: Vec3, n: Vec3, footprint: Footprint) -> Vec3 {
-        tangential(n, self.noise.sample(position, footprint).gradient) * strength
+        project_to_tangent_plane(n, self.noise.sample(position, footprint).gradient) * strength
     }
 
     /// The height of the bumps, `strength · size · N(p/size)`; 0 where a coordinate is not finite.

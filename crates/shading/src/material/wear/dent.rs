@@ -3,8 +3,8 @@
 use asperity_noise::{IntegerHash, Lattice, Sample, Simplex};
 use glam::Vec3;
 
-use crate::bump::tangential;
-use crate::material::fbm::{Fbm, SLOPE_VARIANCE, spectrum};
+use crate::bump::project_to_tangent_plane;
+use crate::material::fbm::{SLOPE_VARIANCE, SizedFbm, spectrum};
 use crate::parameter::{ParameterError, as_share, as_size};
 use crate::pixel::Footprint;
 
@@ -55,8 +55,8 @@ impl Lattice for Turned {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dents {
-    kept: Fbm<Simplex<Turned>>,
-    turned: Fbm<Simplex<Turned>>,
+    kept: SizedFbm<Simplex<Turned>>,
+    turned: SizedFbm<Simplex<Turned>>,
     cover: f32,
     dropped: u32,
 }
@@ -74,14 +74,14 @@ impl Dents {
         // A cast of values beyond the largest word saturates.
         let dropped = ((1.0 - cover) * 4_294_967_296.0) as u32;
         let noise =
-            |turn| Fbm::of(Simplex::new(0).with_lattice(Turned { dropped, turn }), spectrum, size, seed);
+            |turn| SizedFbm::of(Simplex::new(0).with_lattice(Turned { dropped, turn }), spectrum, size, seed);
         Ok(Self { kept: noise(0), turned: noise(SIGNS), cover, dropped })
     }
 
     /// The noise without inverted gradients.
     #[doc(hidden)]
     #[must_use]
-    pub const fn noise(&self) -> &Fbm<Simplex<Turned>> {
+    pub const fn noise(&self) -> &SizedFbm<Simplex<Turned>> {
         &self.kept
     }
 
@@ -108,7 +108,7 @@ impl Dents {
     /// The surface gradient of dents of this strength, for the unit normal `n`.
     #[must_use]
     pub fn gradient(&self, strength: f32, position: Vec3, n: Vec3, footprint: Footprint) -> Vec3 {
-        tangential(n, self.sample(position, footprint).gradient) * strength
+        project_to_tangent_plane(n, self.sample(position, footprint).gradient) * strength
     }
 
     /// The slope variance along each axis that a pixel does not resolve.

@@ -1,7 +1,7 @@
 //! Scratches: hashed grooves in the cells of a texture.
 
 use asperity_ndf_sampling::Beckmann;
-use asperity_noise::removed_share;
+use asperity_noise::filtered_fraction;
 use glam::{Vec2, Vec3};
 
 use crate::bump::slope_facets::facets_along;
@@ -194,7 +194,7 @@ impl Scratches {
     ///
     /// The mean without slope where a coordinate is not finite or beyond 2²³ cells.
     fn grooves(&self, uv: Vec2, width: f32) -> Grooves {
-        let kept = 1.0 - removed_share(width, 1.0 / self.segments.cell);
+        let kept = 1.0 - filtered_fraction(width, 1.0 / self.segments.cell);
         let (covered, removed) = self.far();
         let far = Grooves { amount: self.mean(), slope: Vec2::ZERO, covered, removed };
         if kept <= 0.0 || !uv.is_finite() {
@@ -358,7 +358,7 @@ mod tests {
                 let seen = SurfacePoint { pixel: Footprint::from_width(width).into(), ..point(at) };
                 covered += scratches.surface(&seen).covered;
             }
-            let kept = 1.0 - removed_share(width, 1.0 / cell);
+            let kept = 1.0 - filtered_fraction(width, 1.0 / cell);
             // Standard deviations are about twice and four times the means: five standard errors,
             // and the slopes of the tapers.
             assert_abs_diff_eq!(amount / 20_000.0 / scratches.mean(), 1.0, epsilon = 0.07, "{width}");

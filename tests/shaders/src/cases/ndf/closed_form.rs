@@ -4,13 +4,13 @@ use asperity_ndf_sampling::{
     Beckmann, ClosedForm, GaussianSplit, Ggx, Microfacet,
     glam::{Vec2, Vec3},
 };
-use asperity_shaders::{
+use asperity_shading::level_of_detail::Coordinates;
+use asperity_shading::{LevelOfDetail, far_field};
+use asperity_wgsl::{
     Part,
     ndf::{BECKMANN, GGX},
     shading::LEVEL_OF_DETAIL,
 };
-use asperity_shading::level_of_detail::Coordinates;
-use asperity_shading::{LevelOfDetail, far_field};
 
 use super::{floats, gaussian, number, words};
 use crate::case::{Bound, Case, INPUTS, Output, between};
@@ -81,7 +81,7 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
                 let rest = if i % 3 == 0 { xi } else { z * s.sqrt() + xi * (1.0 - s).sqrt() };
                 // Some next to the pole.
                 let rest = if i % 64 == 0 { rest * between(i, 11, -20.0, 0.0).exp2() } else { rest };
-                let h = (self.of)(alpha[0], alpha[1]).from_gaussian(rest);
+                let h = (self.of)(alpha[0], alpha[1]).warp_gaussian(rest);
                 let u = [8, 9].map(|k| between(i, k, 0.0, 1.0));
                 let fade = if i % 2 == 0 { 1.0 } else { between(i, 10, 0.0, 1.2) };
                 let good = [alpha[0], alpha[1], z.x, z.y, h.x, h.y, h.z, s, u[0], u[1], fade];
@@ -98,8 +98,8 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
                 let is_other = inputs[12] == 1;
                 let (ndf, z, h) = ((self.of)(alpha_x, alpha_y), Vec2::new(z1, z2), Vec3::new(x, y, up));
                 let (coordinates, u) = (Coordinates { z, share, fade }, Vec2::new(u1, u2));
-                let (m, sample) = (ndf.from_gaussian(z), ndf.sample(u));
-                let back = ndf.to_gaussian(h);
+                let (m, sample) = (ndf.warp_gaussian(z), ndf.sample(u));
+                let back = ndf.invert(h);
                 let centre = LevelOfDetail::Exact.normal(&ndf, coordinates);
                 let split = GaussianSplit::new(z, share);
                 let joined = if is_other { split.rest(u) } else { split.join(u) };
@@ -162,7 +162,7 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
                     Vec3::new(across * turn.cos(), across * turn.sin(), up)
                 };
                 let (v, w) = (direction(2), direction(4));
-                let m = (self.of)(alpha[0], alpha[1]).from_gaussian(Vec2::new(gaussian(i, 6), gaussian(i, 7)));
+                let m = (self.of)(alpha[0], alpha[1]).warp_gaussian(Vec2::new(gaussian(i, 6), gaussian(i, 7)));
                 let u = [8, 9].map(|k| between(i, k, 0.0, 1.0));
                 let good =
                     [alpha[0], alpha[1], v.x, v.y, v.z, m.x, m.y, m.z, w.x, w.y, w.z, u[0], u[1]];
@@ -198,7 +198,7 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
                     x,
                     y,
                     z,
-                    (ndf.visible_density(v, m) * is_seen).max(FAINT),
+                    (ndf.visible_pdf(v, m) * is_seen).max(FAINT),
                     above.x,
                     above.y,
                     above.z,

@@ -2,7 +2,7 @@
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::{ConditionalTable, ConditionalTableRef, GaussianSplit, Ndf, StudentT};
-use asperity_shaders::ndf::{CONDITIONAL_TABLE, ConditionalTableUniform};
+use asperity_wgsl::ndf::{CONDITIONAL_TABLE, ConditionalTableUniform};
 
 use super::{floats, gaussian, number, words};
 use crate::case::{Bound, Case, INPUTS, Output, between};
@@ -32,7 +32,7 @@ fn table(size: usize) -> Case {
             ("conditional_table_number", numbers),
         ],
         input: Box::new(move |i| {
-            let h = student.from_gaussian(Vec2::new(gaussian(i, 0), gaussian(i, 1)));
+            let h = student.warp_gaussian(Vec2::new(gaussian(i, 0), gaussian(i, 1)));
             let s = between(i, 5, 0.0, 0.99);
             let good = [h.x, h.y, h.z, gaussian(i, 3), gaussian(i, 4), s];
             let mut inputs = [0; INPUTS];
@@ -44,7 +44,7 @@ fn table(size: usize) -> Case {
         reference: Box::new(move |inputs| {
             let [x, y, up, z1, z2, s] = floats(inputs, 0);
             let h = Vec3::new(x, y, up);
-            let z = table.to_gaussian(h);
+            let z = table.invert(h);
             let density = table.density(h, GaussianSplit::new(Vec2::new(z1, z2), s));
             words(&[z.x, z.y, density.max(1e-30)])
         }),

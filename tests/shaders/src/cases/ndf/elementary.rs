@@ -1,7 +1,7 @@
 //! Elementary functions and the Gaussian distribution, compared with `f64`.
 
 use asperity_ndf_sampling::{inverse_phi, phi};
-use asperity_shaders::ndf::{ELEMENTARY, NORMAL_DISTRIBUTION};
+use asperity_wgsl::ndf::{ELEMENTARY, NORMAL_DISTRIBUTION};
 
 use super::{floats, words};
 use crate::case::{Bound, Case, INPUTS, Output, between};

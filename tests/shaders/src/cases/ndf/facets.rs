@@ -3,7 +3,7 @@
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::{AshikhminShirley, BlinnPhong, Microfacet, Ndf, StudentT, Ward};
-use asperity_shaders::{
+use asperity_wgsl::{
     Part,
     ndf::{ASHIKHMIN_SHIRLEY, BLINN_PHONG, ROUGHNESS, STUDENT_T, WARD},
 };
@@ -76,7 +76,7 @@ impl Facets {
             input: Box::new(move |i| {
                 let [p, q, r] = (self.input)(i);
                 let parameters = [number(i, 0, p), number(i, 1, q), number(i, 2, r)];
-                let h = of(parameters).from_gaussian(Vec2::new(gaussian(i, 5), gaussian(i, 6)));
+                let h = of(parameters).warp_gaussian(Vec2::new(gaussian(i, 5), gaussian(i, 6)));
                 let u = [8, 9].map(|k| between(i, k, 0.0, 1.0));
                 let good = [p, q, r, gaussian(i, 3), gaussian(i, 4), h.x, h.y, h.z, u[0], u[1]];
                 let mut inputs = [0; INPUTS];
@@ -88,7 +88,7 @@ impl Facets {
             reference: Box::new(move |inputs| {
                 let [p, q, r, z1, z2, x, y, up, u1, u2] = floats(inputs, 0);
                 let (ndf, h) = (of([p, q, r]), Vec3::new(x, y, up));
-                let (m, back) = (ndf.from_gaussian(Vec2::new(z1, z2)), ndf.to_gaussian(h));
+                let (m, back) = (ndf.warp_gaussian(Vec2::new(z1, z2)), ndf.invert(h));
                 let sample = ndf.sample(Vec2::new(u1, u2));
                 let density = ndf.density(h).max(FAINT);
                 words(&[m.x, m.y, m.z, density, back.x, back.y, 0.0, 0.0, sample.x, sample.y, sample.z])
@@ -143,7 +143,7 @@ fn masking() -> Case {
             let alpha = [0, 1].map(|k| number(i, k, log(i, k, -3.0, 0.0)));
             let gamma = number(i, 2, 1.0 + log(i, 2, -0.2, 3.0));
             let m = StudentT::clamped(alpha[0], alpha[1], gamma)
-                .from_gaussian(Vec2::new(gaussian(i, 7), gaussian(i, 8)));
+                .warp_gaussian(Vec2::new(gaussian(i, 7), gaussian(i, 8)));
             let good = [alpha[0], alpha[1], gamma, w.x, w.y, w.z, v.x, v.y, v.z, m.x, m.y, m.z];
             let mut inputs = [0; INPUTS];
             for ((input, good), k) in inputs.iter_mut().zip(good).zip(0..) {
@@ -160,7 +160,7 @@ fn masking() -> Case {
             let [x, y, gamma, wx, wy, wz, vx, vy, vz, mx, my, mz] = floats(inputs, 0);
             let ndf = StudentT::clamped(x, y, gamma);
             let [v, w, m] = [[vx, vy, vz], [wx, wy, wz], [mx, my, mz]].map(Vec3::from);
-            let visible = ndf.visible_density(v, m) * inputs[12] as f32;
+            let visible = ndf.visible_pdf(v, m) * inputs[12] as f32;
             let lambda = ndf.lambda(v).clamp(1e-10, 1e30);
             let u = Vec2::from(floats::<2>(inputs, 13));
             let sample = ndf.sample_visible(v, u);
@@ -201,7 +201,7 @@ fn ward() -> Case {
         resources: vec![],
         input: Box::new(|i| {
             let alpha = [0, 1].map(|k| number(i, k, log(i, k, -3.0, 0.0)));
-            let h = Ward::clamped(alpha[0], alpha[1]).from_gaussian(Vec2::new(gaussian(i, 3), gaussian(i, 4)));
+            let h = Ward::clamped(alpha[0], alpha[1]).warp_gaussian(Vec2::new(gaussian(i, 3), gaussian(i, 4)));
             let mut inputs = [0; INPUTS];
             for ((input, good), k) in inputs.iter_mut().zip([alpha[0], alpha[1], h.x, h.y, h.z]).zip(0..) {
                 *input = number(i, k, good).to_bits();

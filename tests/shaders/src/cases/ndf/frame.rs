@@ -1,7 +1,7 @@
 //! Tangent frames.
 
 use asperity_ndf_sampling::{Frame, glam::Vec3};
-use asperity_shaders::ndf::FRAME;
+use asperity_wgsl::ndf::FRAME;
 
 use super::{floats, number, words};
 use crate::case::{Bound, Case, INPUTS, Output, between};

@@ -2,8 +2,8 @@
 
 use asperity_ndf_sampling::glam::Vec2;
 use asperity_ndf_sampling::normal_table::{Chart, Spacing, TableLayout};
-use asperity_ndf_sampling::{Ggx, NormalTable, NormalTableRef};
-use asperity_shaders::ndf::{NORMAL_TABLE, NormalTableUniform};
+use asperity_ndf_sampling::{Ggx, NormalLut, NormalLutRef};
+use asperity_wgsl::ndf::{NORMAL_TABLE, NormalTableUniform};
 
 use super::{floats, gaussian, number, words};
 use crate::case::{Bound, Case, INPUTS, Output};
@@ -21,13 +21,13 @@ fn table(spacing: Spacing, chart: Chart, size: usize) -> Case {
     let layout = TableLayout { spacing, chart };
     let ggx = Ggx::new(0.2, 0.6).expect("valid roughnesses");
     let mut entries =
-        NormalTable::with_layout(&ggx, size, layout).expect("a small table").view().entries().to_vec();
+        NormalLut::with_layout(&ggx, size, layout).expect("a small table").view().entries().to_vec();
     // An entry outside the chart.
     if let Some(entry) = entries.get_mut(5) {
         *entry = [3e9, 2e9];
     }
     let entries: &'static [[f32; 2]] = entries.leak();
-    let table = NormalTableRef::new(size, layout, entries).expect("as many entries");
+    let table = NormalLutRef::new(size, layout, entries).expect("as many entries");
     let mut numbers: Vec<u32> = entries.as_flattened().iter().map(|x| x.to_bits()).collect();
     numbers.resize(numbers.len().next_multiple_of(NormalTableUniform::WIDTH as usize), 0);
     // Φ is in f64 in the crate: a position may round to the adjacent entry.

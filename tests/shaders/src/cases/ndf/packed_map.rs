@@ -2,7 +2,7 @@
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::{GaussianSplit, Measure, Ndf, NdfMap, PackedMapRef, Reconstruction};
-use asperity_shaders::ndf::{PACKED_MAP, PackedMapUniform};
+use asperity_wgsl::ndf::{PACKED_MAP, PackedMapUniform};
 
 use super::{floats, gaussian, number, words};
 use crate::case::{Bound, Case, INPUTS, Output, between};
@@ -64,7 +64,7 @@ fn packed(
         resources: vec![("packed_map_grid", PackedMapUniform::new(&packed).words().to_vec()), ("packed_map_word", table)],
         input: Box::new(move |i| {
             let from = |k| gaussian(i, k).clamp(-3.0, 3.0);
-            let m = packed.from_gaussian(Vec2::new(from(0), from(1)));
+            let m = packed.warp_gaussian(Vec2::new(from(0), from(1)));
             let s = between(i, 5, 0.0, 0.9);
             // Some at the ends of the square, whose normals are at the rim.
             let u = [6, 7].map(|k| match (i + 5 * k) % 16 {
@@ -82,9 +82,9 @@ fn packed(
         reference: Box::new(move |inputs| {
             let [x, y, up, z1, z2, s, u1, u2] = floats(inputs, 0);
             let (m, z) = (Vec3::new(x, y, up), Vec2::new(z1, z2));
-            let (forward, back) = (packed.forward(m.truncate()), packed.to_gaussian(m));
-            let (sample, from) = (packed.sample(Vec2::new(u1, u2)), packed.from_gaussian(z));
-            let seen = packed.conditional_density(m, GaussianSplit::new(z, s));
+            let (forward, back) = (packed.forward(m.truncate()), packed.invert(m));
+            let (sample, from) = (packed.sample(Vec2::new(u1, u2)), packed.warp_gaussian(z));
+            let seen = packed.residual_ndf(m, GaussianSplit::new(z, s));
             let mut numbers = [0.0; 14];
             numbers[..8].copy_from_slice(&[
                 packed.density(m),

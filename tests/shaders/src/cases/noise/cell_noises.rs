@@ -1,7 +1,7 @@
 //! Noises on the cells of the integer lattice.
 
-use asperity_noise::{Perlin1985, Perlin2002, Value, ValueCatmullRom, ValueGradient, White};
-use asperity_shaders::noise;
+use asperity_noise::{Perlin, PerlinClassic, ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise};
+use asperity_wgsl::noise;
 
 use super::{body, case, number, outputs, outputs_of, sample, seed};
 use crate::case::{Bound, Case};
@@ -12,17 +12,17 @@ const BOUNDS: [Bound; 2] = [Bound::Absolute(4e-6), Bound::Absolute(1e-5)];
 pub(super) fn cases() -> Vec<Case> {
     vec![
         case(&noise::WHITE, body("white", "", false), [Bound::Equal; 2], |words| {
-            outputs_of(&White::new(seed(words)), words)
+            outputs_of(&WhiteNoise::new(seed(words)), words)
         }),
         case(&noise::VALUE, body("value", "", true), BOUNDS, |words| {
-            let value = Value::new(seed(words));
+            let value = ValueNoise::new(seed(words));
             outputs(sample(&value, words), sample(&value, words), sample(&value, words))
         }),
         case(&noise::PERLIN_1985, body("perlin_1985", "", false), BOUNDS, |words| {
-            outputs_of(&Perlin1985::new(seed(words)), words)
+            outputs_of(&PerlinClassic::new(seed(words)), words)
         }),
         case(&noise::PERLIN_2002, body("perlin_2002", "", true), BOUNDS, |words| {
-            let perlin = Perlin2002::new(seed(words));
+            let perlin = Perlin::new(seed(words));
             outputs(sample(&perlin, words), sample(&perlin, words), sample(&perlin, words))
         }),
         case(&noise::VALUE_GRADIENT, body("value_gradient", "b.x, ", false), BOUNDS, |words| {

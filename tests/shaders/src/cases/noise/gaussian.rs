@@ -1,10 +1,10 @@
 //! Gaussian noise, one channel and two.
 
 use asperity_noise::{
-    Gaussian,
+    GaussianNoise,
     glam::{Vec2, Vec3},
 };
-use asperity_shaders::noise;
+use asperity_wgsl::noise;
 
 use super::{body, case, input, number, outputs_of, seed};
 use crate::case::{Bound, Case, OUTPUTS, Output};
@@ -14,7 +14,7 @@ const GRADIENT: Bound = Bound::Absolute(3e-5);
 
 pub(super) fn cases() -> Vec<Case> {
     let one = case(&noise::GAUSSIAN, body("gaussian", "", false), [VALUE, GRADIENT], |words| {
-        outputs_of(&Gaussian::new(seed(words)), words)
+        outputs_of(&GaussianNoise::new(seed(words)), words)
     });
     vec![Case { resources: table(), ..one }, pair()]
 }
@@ -41,7 +41,7 @@ fn pair() -> Case {
         input: Box::new(input),
         reference: Box::new(|words| {
             let [x, y, z] = [0, 1, 2].map(|axis| number(words, axis));
-            let noise = Gaussian::new(seed(words));
+            let noise = GaussianNoise::new(seed(words));
             let (plane, space) = (noise.pair(Vec2::new(x, y)), noise.pair(Vec3::new(x, y, z)));
             let mut outputs = [0.0; OUTPUTS];
             for channel in 0..2 {

@@ -1,7 +1,7 @@
 //! The hash of lattice points.
 
 use asperity_noise::{IntegerHash, Lattice};
-use asperity_shaders::noise;
+use asperity_wgsl::noise;
 
 use crate::case::{Bound, Case, INPUTS, OUTPUTS, Output, any};
 

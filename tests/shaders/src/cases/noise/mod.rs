@@ -4,7 +4,7 @@ use asperity_noise::{
     Field, Point, Sample,
     glam::{Vec2, Vec3, Vec4},
 };
-use asperity_shaders::{Part, noise};
+use asperity_wgsl::{Part, noise};
 
 use crate::case::{BAD, Bound, Case, INPUTS, OUTPUTS, Output, any, between};
 

@@ -1,7 +1,7 @@
 //! Simplex noise of both radii.
 
 use asperity_noise::Simplex;
-use asperity_shaders::noise;
+use asperity_wgsl::noise;
 
 use super::{body, case, input_within, outputs, sample, seed};
 use crate::case::{Bound, Case};

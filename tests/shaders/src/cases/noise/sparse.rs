@@ -1,7 +1,7 @@
 //! Sparse convolution noise with one to four impulses.
 
-use asperity_noise::Sparse;
-use asperity_shaders::noise;
+use asperity_noise::SparseConvolution;
+use asperity_wgsl::noise;
 
 use super::{body, case, number, outputs_of, seed};
 use crate::case::{Bound, Case};
@@ -12,8 +12,8 @@ pub(super) fn cases() -> Vec<Case> {
     // 0 is treated as 1, 5 as 4.
     let count = "u32(b.x * 6.0), ";
     vec![case(&noise::SPARSE, body("sparse", count, false), BOUNDS, |words| {
-        let sparse = Sparse::new(seed(words));
-        let impulses = ((number(words, 4) * 6.0) as u32).clamp(1, Sparse::MAX_IMPULSES);
+        let sparse = SparseConvolution::new(seed(words));
+        let impulses = ((number(words, 4) * 6.0) as u32).clamp(1, SparseConvolution::MAX_IMPULSES);
         outputs_of(&sparse.with_impulses(impulses).unwrap_or(sparse), words)
     })]
 }

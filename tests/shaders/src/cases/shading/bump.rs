@@ -1,14 +1,15 @@
 //! Directions, surface gradients and facets.
 
-use asperity_shaders::shading::{
-    DIRECTION,
-    bump::{SLOPE_FACETS, SURFACE_GRADIENT},
-};
 use asperity_shading::bump::{
-    Facet, bumped_normal, facing, gradient_of_normal, slope_facets, surface_gradient, tangential,
+    Facet, bumped_normal, flip_to_visible, gradient_of_normal, project_to_tangent_plane, slope_facets,
+    surface_gradient,
 };
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::{Frame, half_vector, reflect};
+use asperity_wgsl::shading::{
+    DIRECTION,
+    bump::{SLOPE_FACETS, SURFACE_GRADIENT},
+};
 
 use super::{direction, equal, floats, inputs, number, vec3, vector, words};
 use crate::case::{Bound, Case};
@@ -93,7 +94,7 @@ fn gradients() -> Case {
                 (Vec3::new(nx, ny, nz), Vec2::new(s, t), vec3(inputs, 5), vec3(inputs, 8), vec3(inputs, 11));
             let frame = Frame { tangent: p_u, bitangent: p_v, normal: n };
             let gradient = surface_gradient(n, [p_u, p_v], slope).extend(0.0).to_array();
-            let along = tangential(n, p_u).extend(0.0).to_array();
+            let along = project_to_tangent_plane(n, p_u).extend(0.0).to_array();
             words(&[gradient, along, gradient_of_normal(&frame, m).extend(0.0).to_array()].concat())
         }),
         outputs: vec![
@@ -123,7 +124,7 @@ fn normals() -> Case {
         reference: Box::new(|inputs| {
             let (n, gradient, wo) = (vec3(inputs, 0), vec3(inputs, 4), vec3(inputs, 8));
             let bumped = bumped_normal(n, gradient);
-            let seen = facing(n, bumped, wo);
+            let seen = flip_to_visible(n, bumped, wo);
             words(&[bumped.extend(0.0).to_array(), seen.extend(0.0).to_array()].concat())
         }),
         outputs: vec![

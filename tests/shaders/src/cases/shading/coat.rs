@@ -1,9 +1,9 @@
 //! Coats of every type.
 
-use asperity_shaders::shading::reflectance::{COAT, CoatUniform};
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::reflectance::Coat;
 use asperity_shading::{Bsdf, Dielectric, Lambert, bump::Facet};
+use asperity_wgsl::shading::reflectance::{COAT, CoatUniform};
 
 use super::{direction, floats, inputs, number, share, vec2, vec3, words};
 use crate::case::{Bound, Case, INPUTS, Output};

@@ -1,12 +1,12 @@
 //! Diffuse reflectances.
 
-use asperity_shaders::shading::{
-    MATH,
-    reflectance::{ENERGY_PRESERVING, LAMBERT, OREN_NAYAR},
-};
 use asperity_shading::glam::Vec3;
 use asperity_shading::reflectance::{OrenNayar, OrenNayarForm};
 use asperity_shading::{Brdf, EnergyPreservingOrenNayar, Lambert};
+use asperity_wgsl::shading::{
+    MATH,
+    reflectance::{ENERGY_PRESERVING, LAMBERT, OREN_NAYAR},
+};
 
 use super::{direction, equal, floats, inputs, number, share, vec3, words};
 use crate::case::{Bound, Case, Output};

@@ -1,9 +1,9 @@
 //! Fresnel reflectances.
 
-use asperity_shaders::shading::reflectance::{CONDUCTOR, DIELECTRIC, SCHLICK};
 use asperity_shading::glam::Vec3;
 use asperity_shading::reflectance::SchlickF82;
 use asperity_shading::{Conductor, Dielectric, Fresnel, Schlick};
+use asperity_wgsl::shading::reflectance::{CONDUCTOR, DIELECTRIC, SCHLICK};
 
 use super::{equal, floats, inputs, number, share, words};
 use crate::case::{Bound, Case};

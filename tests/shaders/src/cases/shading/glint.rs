@@ -1,10 +1,10 @@
 //! Counted flakes.
 
-use asperity_shaders::shading::material::{
-    COUNTED_FLAKES, CountedFlakesUniform, GLINT_FIELD, GlintFieldUniform, MetallicPaintUniform,
-};
 use asperity_shading::material::{GlintField, PaintFlakes};
 use asperity_shading::{Beckmann, Footprint, MetallicPaint, MetallicPaintParameters, Ndf};
+use asperity_wgsl::shading::material::{
+    COUNTED_FLAKES, CountedFlakesUniform, GLINT_FIELD, GlintFieldUniform, MetallicPaintUniform,
+};
 
 use super::material::{material, paint_parameters, sums};
 use super::{floats, inputs, number, vec2, vec3, words};
@@ -48,11 +48,11 @@ fn glint_field() -> Case {
         }),
         reference: Box::new(move |inputs| {
             let ([width], z) = (floats(inputs, 3), vec2(inputs, 4));
-            let (p, h) = (vec3(inputs, 0), ndf.from_gaussian(z));
+            let (p, h) = (vec3(inputs, 0), ndf.warp_gaussian(z));
             let relative = field.density(h, p, Footprint::from_width(width)) / ndf.density(h);
             let mut all = [0.0; 6];
             if let Some(flake) = field.flake(p) {
-                let tilt = ndf.to_gaussian(flake.normal);
+                let tilt = ndf.invert(flake.normal);
                 all = [flake.centre.x, flake.centre.y, flake.centre.z, 0.0, tilt.x, tilt.y];
             }
             all[3] = relative;

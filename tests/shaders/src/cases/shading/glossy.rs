@@ -1,14 +1,14 @@
 //! Glossy reflectances.
 
-use asperity_shaders::{
+use asperity_shading::glam::Vec3;
+use asperity_shading::reflectance::{BlinnPhongBrdf, BlinnPhongFactor, WardBrdf, WardForm};
+use asperity_shading::{Beckmann, Brdf, CookTorrance, Ggx, Phong, Schlick, TorranceSparrow};
+use asperity_wgsl::{
     ndf::ROUGHNESS,
     shading::reflectance::{
         COOK_TORRANCE_BECKMANN, COOK_TORRANCE_GGX, PHONG, SCHLICK, TORRANCE_SPARROW, WARD,
     },
 };
-use asperity_shading::glam::Vec3;
-use asperity_shading::reflectance::{BlinnPhongFactor, BlinnPhongLobe, WardForm, WardReflection};
-use asperity_shading::{Beckmann, Brdf, CookTorrance, Ggx, Phong, Schlick, TorranceSparrow};
 
 use super::{direction, equal, floats, inputs, number, share, vec3, words};
 use crate::case::{Bound, Case, INPUTS, Output};
@@ -110,10 +110,10 @@ fn lobes() -> Case {
             let [x, y, exponent] = floats(inputs, 0);
             let (wi, wo) = (vec3(inputs, 8), vec3(inputs, 11));
             let phong = Phong::new(Vec3::ONE, exponent).expect("an exponent").value(wi, wo).x;
-            let blinn = BlinnPhongLobe::new(Vec3::ONE, exponent, BlinnPhongFactor::Albedo);
+            let blinn = BlinnPhongBrdf::new(Vec3::ONE, exponent, BlinnPhongFactor::Albedo);
             let blinn = blinn.expect("an exponent").value(wi, wo).x;
             let ward = [WardForm::Ward, WardForm::Dur, WardForm::Bounded]
-                .map(|form| WardReflection::new(Vec3::ONE, x, y, form).expect("roughnesses").value(wi, wo).x);
+                .map(|form| WardBrdf::new(Vec3::ONE, x, y, form).expect("roughnesses").value(wi, wo).x);
             words(&[phong, blinn, 0.0, 0.0, ward[0], ward[1], ward[2], 0.0].map(|value| value.max(FAINT)))
         }),
         outputs: vec![

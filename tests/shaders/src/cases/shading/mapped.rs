@@ -1,20 +1,18 @@
 //! Bump maps of a density, and hand-made normal maps.
 
-use asperity_shaders::noise;
-use asperity_shaders::noise::sums::OctavesUniform;
-use asperity_shaders::shading::material::{
-    BUMP_MAPPED, BumpMappedUniform, NORMAL_MAPPED, NormalMappedUniform,
-};
-use asperity_shaders::shading::normal_map::{
-    SLOPE_MOMENTS, SLOPE_PYRAMID, slope_pyramid_numbers, slope_pyramid_words,
-};
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::level_of_detail::{Coordinates, LevelOfDetail};
 use asperity_shading::material::NormalMapped;
 use asperity_shading::ndf_sampling::Ndf;
-use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
+use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::normal_map::{SlopeLobe, SlopeMoments, SlopePyramidRef};
 use asperity_shading::{Beckmann, BumpField, BumpMapped, Ggx, PixelEllipse, SlopePyramid};
+use asperity_wgsl::noise;
+use asperity_wgsl::noise::sums::OctavesUniform;
+use asperity_wgsl::shading::material::{BUMP_MAPPED, BumpMappedUniform, NORMAL_MAPPED, NormalMappedUniform};
+use asperity_wgsl::shading::normal_map::{
+    SLOPE_MOMENTS, SLOPE_PYRAMID, slope_pyramid_numbers, slope_pyramid_words,
+};
 
 use super::material::{material, sums};
 use super::{equal, floats, inputs, number, vec2, words};
@@ -42,15 +40,15 @@ pub(super) fn cases() -> Vec<Case> {
 
 const COPPER: Vec3 = Vec3::new(0.9, 0.6, 0.5);
 
-fn bumps() -> BumpField<GaussianOctaves<3>> {
-    let spectrum = Spectrum::new(2.0, 0.6, 6).expect("a spectrum");
-    BumpField::new(GaussianOctaves::new(Gaussian::new(3), spectrum), 5.0).expect("a frequency")
+fn bumps() -> BumpField<GaussianFbm<3>> {
+    let spectrum = FbmSpectrum::new(2.0, 0.6, 6).expect("a spectrum");
+    BumpField::new(GaussianFbm::new(GaussianNoise::new(3), spectrum), 5.0).expect("a frequency")
 }
 
 fn bump_mapped(
     name: &str,
     uniform: [u32; BumpMappedUniform::WORDS],
-    of: BumpMapped<impl Ndf + Send + Sync + 'static, GaussianOctaves<3>>,
+    of: BumpMapped<impl Ndf + Send + Sync + 'static, GaussianFbm<3>>,
 ) -> Case {
     let resources = vec![
         ("gaussian_level", noise::gaussian_levels().map(f32::to_bits).collect()),
@@ -208,7 +206,7 @@ fn moments() -> Case {
             let ([z1, z2, share], [h2, h3]) = (floats(inputs, 8), floats(inputs, 12));
             let moments = SlopeMoments { mean: Vec2::new(x, y), covariance: [xx, xy, yy] };
             let noise = Coordinates { z: Vec2::new(z1, z2), share, fade: 1.0 };
-            let seen = moments.detailed(Beckmann::clamped(alpha_x, alpha_y), noise);
+            let seen = moments.add_detail(Beckmann::clamped(alpha_x, alpha_y), noise);
             let density = seen.density(Vec3::new(h, h2, h3)).max(1e-30);
             let ([cxx, cxy, cyy], mean) = (seen.covariance(), seen.mean());
             let (n, m) = (moments.normal(), moments.mean_normal());

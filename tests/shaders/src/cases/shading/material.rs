@@ -1,17 +1,17 @@
 //! Materials compared with `Material::bsdf`.
 
-use asperity_shaders::Part;
-use asperity_shaders::noise::sums::{OctavesUniform, SUMS};
-use asperity_shaders::shading::material::{
-    CARPET, CarpetUniform, METALLIC_PAINT, MetallicPaintUniform, SCRATCHES, ScratchesUniform, TEMPERED_GLASS,
-    TemperedGlassUniform, VARIATIONS, VariationsUniform,
-};
 use asperity_shading::glam::Vec2;
 use asperity_shading::material::{GlassBody, GlassWaves, SeamPattern};
 use asperity_shading::{
     Carpet, CarpetParameters, Material, MetallicPaint, MetallicPaintParameters, PixelEllipse, Scratches,
     ScratchesParameters, SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations,
     VariationsParameters,
+};
+use asperity_wgsl::Part;
+use asperity_wgsl::noise::sums::{OctavesUniform, SUMS};
+use asperity_wgsl::shading::material::{
+    CARPET, CarpetUniform, METALLIC_PAINT, MetallicPaintUniform, SCRATCHES, ScratchesUniform, TEMPERED_GLASS,
+    TemperedGlassUniform, VARIATIONS, VariationsUniform,
 };
 
 use super::{direction, floats, inputs, number, vec3, words};

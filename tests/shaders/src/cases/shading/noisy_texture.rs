@@ -1,13 +1,13 @@
 //! Textures from noise and from hashes.
 
-use asperity_shaders::Part;
-use asperity_shaders::shading::texture::{
-    GAS, GAS_MARCH, GasUniform, MARBLE, MarbleUniform, PERTURBED, PerturbedUniform, STAR_WALLPAPER,
-    StarWallpaperUniform,
-};
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::texture::{Gas, PerturbedTexture, StarWallpaper, Steam, march};
 use asperity_shading::{Footprint, Marble};
+use asperity_wgsl::Part;
+use asperity_wgsl::shading::texture::{
+    GAS, GAS_MARCH, GasUniform, MARBLE, MarbleUniform, PERTURBED, PerturbedUniform, STAR_WALLPAPER,
+    StarWallpaperUniform,
+};
 
 use super::material::sums;
 use super::{floats, inputs, number, vec3, words};

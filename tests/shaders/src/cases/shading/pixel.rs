@@ -1,8 +1,8 @@
 //! Pixels on a surface.
 
-use asperity_shaders::shading::pixel::PIXEL_ELLIPSE;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::{Footprint, PixelEllipse};
+use asperity_wgsl::shading::pixel::PIXEL_ELLIPSE;
 
 use super::{equal, floats, inputs, number, vec3, vector, words};
 use crate::case::{Bound, Case};
@@ -40,7 +40,7 @@ fn footprint() -> Case {
                 width(Footprint::from_width(distance)),
                 width(Footprint::from_distance(distance, 0.001, cosine)),
                 width(Footprint::from_derivatives(dx, dy)),
-                1.0 - asperity_noise::removed_share(distance.abs(), frequency),
+                1.0 - asperity_noise::filtered_fraction(distance.abs(), frequency),
             ])
         }),
         outputs: vec![

@@ -1,9 +1,9 @@
 //! Textures.
 
-use asperity_shaders::shading::texture::{BEVEL, BRICK, BevelUniform, BrickUniform};
 use asperity_shading::glam::Vec2;
 use asperity_shading::texture::{Bevel, BrickSample, Edge};
 use asperity_shading::{Brick, PixelEllipse};
+use asperity_wgsl::shading::texture::{BEVEL, BRICK, BevelUniform, BrickUniform};
 
 use super::{equal, floats, inputs, number, vec2, words};
 use crate::case::{Bound, Case, OUTPUTS};

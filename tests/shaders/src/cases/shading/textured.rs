@@ -1,15 +1,15 @@
 //! Walls and floors.
 
-use asperity_shaders::shading::material::{
-    BEVELLED_TILES, BRICK_WALL, BevelledTilesUniform, BrickWallUniform, PERTURBED_POINT, POLISHED_MARBLE,
-    PolishedMarbleUniform, WALLPAPER, WallpaperUniform,
-};
-use asperity_shaders::shading::texture::{BRICK_FACETS, BrickUniform, PerturbedUniform};
-use asperity_shaders::{Binding, Part};
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::material::{BevelledTiles, BrickWall, Perturbed, PolishedMarble, Wallpaper};
 use asperity_shading::texture::{Bevel, PerturbedTexture, StarWallpaper};
 use asperity_shading::{Marble, PixelEllipse};
+use asperity_wgsl::shading::material::{
+    BEVELLED_TILES, BRICK_WALL, BevelledTilesUniform, BrickWallUniform, PERTURBED_POINT, POLISHED_MARBLE,
+    PolishedMarbleUniform, WALLPAPER, WallpaperUniform,
+};
+use asperity_wgsl::shading::texture::{BRICK_FACETS, BrickUniform, PerturbedUniform};
+use asperity_wgsl::{Binding, Part};
 
 use super::material::material;
 use super::texture::wall;

@@ -2,10 +2,10 @@
 //! coordinates.
 
 use asperity_noise::{
-    Gaussian, GaussianOctaves, Sample, Spectrum,
+    FbmSpectrum, GaussianFbm, GaussianNoise, Sample,
     glam::{DVec3, Vec3},
 };
-use asperity_shaders::noise::sums::{self, OctavesUniform};
+use asperity_wgsl::noise::sums::{self, OctavesUniform};
 
 use super::{float, levels, output, put, space};
 use crate::case::{Case, INPUTS, OUTPUTS, between};
@@ -33,8 +33,8 @@ fn seen(i: u32, zoom: f64) -> (DVec3, f32) {
     (right * u + up * v - towards * depth, octaves as f32)
 }
 
-fn sum() -> GaussianOctaves<3> {
-    GaussianOctaves::new(Gaussian::new(12), Spectrum::new(2.17, 0.5, 16).expect("a spectrum"))
+fn sum() -> GaussianFbm<3> {
+    GaussianFbm::new(GaussianNoise::new(12), FbmSpectrum::new(2.17, 0.5, 16).expect("a spectrum"))
 }
 
 /// The sphere at zoom 1, 100 and 10⁴, with points relative to the focus.

@@ -1,8 +1,8 @@
 //! Octaves of a footprint.
 
-use asperity_noise::removed_share;
-use asperity_shaders::{noise::sums, shading};
+use asperity_noise::filtered_fraction;
 use asperity_shading::{Footprint, pixel::FrequencyClamp};
+use asperity_wgsl::{noise::sums, shading};
 
 use super::{float, put};
 use crate::case::{BAD, Bound, Case, INPUTS, OUTPUTS, Output, between};
@@ -33,7 +33,7 @@ fn octaves() -> Case {
         reference: Box::new(move |words| {
             let (width, mut outputs) = (float(&words, 0), [0; OUTPUTS]);
             let octaves = clamp.octaves(Footprint::from_width(width));
-            put(&mut outputs, [octaves, removed_share(width, float(&words, 1))]);
+            put(&mut outputs, [octaves, filtered_fraction(width, float(&words, 1))]);
             outputs
         }),
         outputs: vec![

@@ -1,10 +1,10 @@
 //! Sums of Gaussian octaves, two channels.
 
 use asperity_noise::{
-    Gaussian, GaussianOctaves, Lattice, Normalisation, Octaves, Point, Rotation, Sample, Spectrum,
+    Fbm, FbmSpectrum, GaussianFbm, GaussianNoise, Lattice, Normalization, Point, Rotation, Sample,
     glam::DVec3,
 };
-use asperity_shaders::noise::sums::{self, OctavesUniform};
+use asperity_wgsl::noise::sums::{self, OctavesUniform};
 
 use super::{EXACT, exact_spectrum, float, input, levels, output, plane, put, space};
 use crate::case::{Case, OUTPUTS};
@@ -12,13 +12,13 @@ use crate::case::{Case, OUTPUTS};
 /// Four sums: plain, anchored, with gain above 1, and parallel octaves within [−1, 1].
 macro_rules! case {
     ($n:literal, $part:expr, $body:literal, $anchor:expr, $point:ident) => {{
-        let of = |seed, spectrum| GaussianOctaves::<$n>::new(Gaussian::new(seed), spectrum);
-        let plain = of(7, Spectrum::default());
-        let anchored = of(8, Spectrum::default()).anchored($anchor);
-        let rising = of(9, Spectrum::new(2.4, 1.1, 3).expect("a spectrum"));
+        let of = |seed, spectrum| GaussianFbm::<$n>::new(GaussianNoise::new(seed), spectrum);
+        let plain = of(7, FbmSpectrum::default());
+        let anchored = of(8, FbmSpectrum::default()).anchored($anchor);
+        let rising = of(9, FbmSpectrum::new(2.4, 1.1, 3).expect("a spectrum"));
         let parallel = of(10, exact_spectrum())
             .with_rotation(Rotation::Aligned)
-            .with_normalisation(Normalisation::Range);
+            .with_normalization(Normalization::UnitRange);
         let uniforms = [
             OctavesUniform::new(&plain),
             OctavesUniform::new(&anchored),
@@ -88,7 +88,7 @@ pub(super) fn cases() -> Vec<Case> {
 /// The pair, the fraction of the spectrum's variance and the weight of the first octave, as used by
 /// bump maps.
 fn resolved<L: Lattice, V: Point<Coordinates = [f32; N]>, const N: usize>(
-    sum: &Octaves<Gaussian<L>, N>,
+    sum: &Fbm<GaussianNoise<L>, N>,
     p: V,
     octaves: f32,
 ) -> ([Sample<V>; 2], [f32; 2]) {

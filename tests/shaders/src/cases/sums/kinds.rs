@@ -1,13 +1,13 @@
 //! Octaves of every noise, all shapes, and ridged multifractals.
 
 use asperity_noise::{
-    Billow, Field, Gaussian, Normalisation, Octaves, Perlin1985, Perlin2002, Plasma, Point, Ridged,
-    RidgedMultifractal, Rotation, Sample, Simplex, Sparse, Spectrum, Turbulence, Value, ValueCatmullRom,
-    ValueGradient,
+    Billow, Fbm, FbmSpectrum, Field, GaussianNoise, Normalization, Perlin, PerlinClassic, Plasma, Point,
+    Ridged, RidgedMultifractal, Rotation, Sample, Simplex, SparseConvolution, Turbulence, ValueCatmullRom,
+    ValueGradient, ValueNoise,
     glam::{DVec2, DVec3},
     simd::{Anchor, Kernel},
 };
-use asperity_shaders::{
+use asperity_wgsl::{
     Part,
     noise::{
         self,
@@ -20,14 +20,14 @@ use crate::case::{Case, INPUTS, OUTPUTS, between};
 
 pub(super) fn cases() -> Vec<Case> {
     vec![
-        of("value", Value::new(4), [&octaves_3d::VALUE, &octaves_2d::VALUE]),
+        of("value", ValueNoise::new(4), [&octaves_3d::VALUE, &octaves_2d::VALUE]),
         of(
             "value_catmull_rom",
             ValueCatmullRom::new(4),
             [&octaves_3d::VALUE_CATMULL_ROM, &octaves_2d::VALUE_CATMULL_ROM],
         ),
-        of("perlin_1985", Perlin1985::new(5), [&octaves_3d::PERLIN_1985, &octaves_2d::PERLIN_1985]),
-        of("perlin_2002", Perlin2002::new(3), [&octaves_3d::PERLIN_2002, &octaves_2d::PERLIN_2002]),
+        of("perlin_1985", PerlinClassic::new(5), [&octaves_3d::PERLIN_1985, &octaves_2d::PERLIN_1985]),
+        of("perlin_2002", Perlin::new(3), [&octaves_3d::PERLIN_2002, &octaves_2d::PERLIN_2002]),
         of(
             "value_gradient",
             ValueGradient::new(6),
@@ -35,10 +35,10 @@ pub(super) fn cases() -> Vec<Case> {
         ),
         of("simplex", Simplex::new(8), [&octaves_3d::SIMPLEX, &octaves_2d::SIMPLEX]),
         of("simplex_wide", Simplex::wide(8), [&octaves_3d::SIMPLEX_WIDE, &octaves_2d::SIMPLEX_WIDE]),
-        of("sparse", Sparse::new(9), [&octaves_3d::SPARSE, &octaves_2d::SPARSE]),
-        of("gaussian_channel", Gaussian::new(7), [&octaves_3d::GAUSSIAN, &octaves_2d::GAUSSIAN]),
-        in_4d("value", Value::new(4), &octaves_4d::VALUE),
-        in_4d("perlin_2002", Perlin2002::new(3), &octaves_4d::PERLIN_2002),
+        of("sparse", SparseConvolution::new(9), [&octaves_3d::SPARSE, &octaves_2d::SPARSE]),
+        of("gaussian_channel", GaussianNoise::new(7), [&octaves_3d::GAUSSIAN, &octaves_2d::GAUSSIAN]),
+        in_4d("value", ValueNoise::new(4), &octaves_4d::VALUE),
+        in_4d("perlin_2002", Perlin::new(3), &octaves_4d::PERLIN_2002),
         in_4d("simplex", Simplex::new(8), &octaves_4d::SIMPLEX),
         in_4d("simplex_wide", Simplex::wide(8), &octaves_4d::SIMPLEX_WIDE),
         own(),
@@ -58,12 +58,12 @@ where
     <K as Anchor<3>>::Shifted: Copy + Send + Sync + 'static,
     <K as Anchor<2>>::Shifted: Copy + Send + Sync + 'static,
 {
-    let in_3d = |spectrum| Octaves::<K, 3>::new(noise, spectrum);
-    let in_2d = |spectrum| Octaves::<K, 2>::new(noise, spectrum);
+    let in_3d = |spectrum| Fbm::<K, 3>::new(noise, spectrum);
+    let in_2d = |spectrum| Fbm::<K, 2>::new(noise, spectrum);
     let exact_3d = in_3d(exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 3]);
     let exact_2d = in_2d(exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 2]);
-    let there_3d = in_3d(Spectrum::default()).anchored(DVec3::new(1e6, -4.5e5, 7e5));
-    let there_2d = in_2d(Spectrum::default()).anchored(DVec2::new(1e6, -4.5e5));
+    let there_3d = in_3d(FbmSpectrum::default()).anchored(DVec3::new(1e6, -4.5e5, 7e5));
+    let there_2d = in_2d(FbmSpectrum::default()).anchored(DVec2::new(1e6, -4.5e5));
     let [exact, there] = [&exact_3d, &there_3d].map(OctavesUniform::new);
     let space_words = OctavesUniform::<3>::uniform(&[there, there, there, exact]).to_vec();
     let [exact, there] = [&exact_2d, &there_2d].map(OctavesUniform::new);
@@ -126,9 +126,8 @@ static STEEP: Part = Part::new(
 
 fn own() -> Case {
     let kind = ValueGradient::new(6).with_weight(0.9).expect("a weight");
-    let there = Octaves::<_, 3>::new(kind, Spectrum::default()).anchored([0.0; 3]);
-    let exact =
-        Octaves::<_, 3>::new(kind, exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 3]);
+    let there = Fbm::<_, 3>::new(kind, FbmSpectrum::default()).anchored([0.0; 3]);
+    let exact = Fbm::<_, 3>::new(kind, exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 3]);
     let sums = [&there, &there, &there, &exact].map(OctavesUniform::new);
     Case {
         name: "noise/sums/octaves of a custom noise, 3-D".into(),
@@ -154,9 +153,8 @@ where
     K: Anchor<4> + Copy,
     K::Shifted: Copy + Send + Sync + 'static,
 {
-    let there = Octaves::<K, 4>::new(noise, Spectrum::default()).anchored([1e6, -4.5e5, 7e5, 2e5]);
-    let exact =
-        Octaves::<K, 4>::new(noise, exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 4]);
+    let there = Fbm::<K, 4>::new(noise, FbmSpectrum::default()).anchored([1e6, -4.5e5, 7e5, 2e5]);
+    let exact = Fbm::<K, 4>::new(noise, exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 4]);
     let sums = [&there, &there, &there, &exact].map(OctavesUniform::new);
     let words = OctavesUniform::<4>::uniform(&sums).to_vec();
     Case {
@@ -198,18 +196,18 @@ where
 
 /// Sums of all nontrivial shapes.
 struct Shapes<K, const N: usize> {
-    turbulence: Octaves<K, N, Turbulence>,
-    plasma: Octaves<K, N, Plasma>,
-    billow: Octaves<K, N, Billow>,
-    ridged: Octaves<K, N, Ridged>,
-    multifractals: [Octaves<K, N>; 2],
+    turbulence: Fbm<K, N, Turbulence>,
+    plasma: Fbm<K, N, Plasma>,
+    billow: Fbm<K, N, Billow>,
+    ridged: Fbm<K, N, Ridged>,
+    multifractals: [Fbm<K, N>; 2],
 }
 
 impl<K: Kernel<N> + Copy, const N: usize> Shapes<K, N> {
-    fn of(turned: Octaves<K, N>, exact: Octaves<K, N>) -> Self {
+    fn of(turned: Fbm<K, N>, exact: Fbm<K, N>) -> Self {
         Self {
             turbulence: turned.with_shape(Turbulence),
-            plasma: turned.with_shape(Plasma).with_normalisation(Normalisation::Range),
+            plasma: turned.with_shape(Plasma).with_normalization(Normalization::UnitRange),
             billow: turned.with_shape(Billow),
             ridged: exact.with_shape(Ridged),
             multifractals: [turned, exact],
@@ -234,11 +232,11 @@ impl<K: Kernel<N> + Copy, const N: usize> Shapes<K, N> {
 
 fn shapes() -> Case {
     // Anchored, which compiles without SIMD.
-    let turned = Octaves::<_, 3>::new(Perlin2002::new(6), Spectrum::default()).anchored([0.0; 3]);
-    let exact = Octaves::<_, 3>::new(Perlin2002::new(7), exact_spectrum()).with_rotation(Rotation::Aligned);
+    let turned = Fbm::<_, 3>::new(Perlin::new(6), FbmSpectrum::default()).anchored([0.0; 3]);
+    let exact = Fbm::<_, 3>::new(Perlin::new(7), exact_spectrum()).with_rotation(Rotation::Aligned);
     let solid = Shapes::of(turned, exact.anchored([0.0; 3]));
-    let turned = Octaves::<_, 2>::new(Perlin2002::new(6), Spectrum::default()).anchored([0.0; 2]);
-    let exact = Octaves::<_, 2>::new(Perlin2002::new(7), exact_spectrum()).with_rotation(Rotation::Aligned);
+    let turned = Fbm::<_, 2>::new(Perlin::new(6), FbmSpectrum::default()).anchored([0.0; 2]);
+    let exact = Fbm::<_, 2>::new(Perlin::new(7), exact_spectrum()).with_rotation(Rotation::Aligned);
     let flat = Shapes::of(turned, exact.anchored([0.0; 2]));
     let in_3d = OctavesUniform::<3>::uniform(&[
         OctavesUniform::new(&solid.turbulence),

@@ -9,10 +9,10 @@ mod transforms;
 use std::{array, ops::Range};
 
 use asperity_noise::{
-    Sample, Spectrum,
+    FbmSpectrum, Sample,
     glam::{Vec2, Vec3},
 };
-use asperity_shaders::noise;
+use asperity_wgsl::noise;
 
 use crate::case::{BAD, Bound, Case, INPUTS, Output, any, between};
 
@@ -28,8 +28,8 @@ pub(super) fn cases() -> Vec<Case> {
 const EXACT: u32 = 3;
 
 /// Octaves of doubling frequency.
-fn exact_spectrum() -> Spectrum {
-    Spectrum::new(2.0, 0.6, 4).expect("a spectrum")
+fn exact_spectrum() -> FbmSpectrum {
+    FbmSpectrum::new(2.0, 0.6, 4).expect("a spectrum")
 }
 
 /// A point in words 0 to 2 with coordinates up to `reach`, octaves in 3, a footprint in 4, a

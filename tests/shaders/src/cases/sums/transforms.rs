@@ -1,11 +1,11 @@
 //! Warps and flows of octave sums: several sums in one module.
 
 use asperity_noise::{
-    Field, Octaves, Perlin2002, Spectrum, Warp,
+    Fbm, FbmSpectrum, Field, Perlin, Warp,
     curl::{Curl2, Curl3, CurlPotential},
     simd::Anchor,
 };
-use asperity_shaders::noise::{
+use asperity_wgsl::noise::{
     sums::{OctavesUniform, octaves_2d, octaves_3d},
     transforms,
 };
@@ -21,12 +21,12 @@ pub(super) fn cases() -> Vec<Case> {
 const OCTAVES: f32 = 1.5;
 
 /// Four sums, anchored at the origin, which compile without SIMD.
-fn four<const N: usize>() -> [Octaves<<Perlin2002 as Anchor<N>>::Shifted, N>; 4]
+fn four<const N: usize>() -> [Fbm<<Perlin as Anchor<N>>::Shifted, N>; 4]
 where
-    Perlin2002: Anchor<N>,
+    Perlin: Anchor<N>,
 {
     [1, 2, 3, 4].map(|seed| {
-        Octaves::<_, N>::new(Perlin2002::new(seed), Spectrum::default()).first(OCTAVES).anchored([0.0; N])
+        Fbm::<_, N>::new(Perlin::new(seed), FbmSpectrum::default()).first(OCTAVES).anchored([0.0; N])
     })
 }
 

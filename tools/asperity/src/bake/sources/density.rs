@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use asperity_noise::{Gaussian, IntegerHash, Octaves, Spectrum, Tiled};
+use asperity_noise::{Fbm, FbmSpectrum, GaussianNoise, IntegerHash, Tiled};
 use asperity_render::materials::SharedNdf;
 use asperity_shading::Footprint;
 use asperity_shading::level_of_detail::Coordinates;
@@ -46,21 +46,21 @@ pub(crate) struct Bumps {
 
 /// Two independent channels of octave noise.
 enum Channels {
-    Turned(Octaves<Gaussian, 2>),
-    Tiled(Octaves<Gaussian<Tiled<IntegerHash, 2>>, 2>),
+    Turned(Fbm<GaussianNoise, 2>),
+    Tiled(Fbm<GaussianNoise<Tiled<IntegerHash, 2>>, 2>),
 }
 
 impl Bumps {
     /// Builds the bumps from their parameters.
     pub(crate) fn new(parameters: Parameters, finish: Finish) -> Result<Self> {
-        let spectrum = Spectrum::new(parameters.lacunarity, parameters.gain, parameters.octaves)?;
-        let noise = Gaussian::new(parameters.seed);
+        let spectrum = FbmSpectrum::new(parameters.lacunarity, parameters.gain, parameters.octaves)?;
+        let noise = GaussianNoise::new(parameters.seed);
         let tiled =
-            || Octaves::tiled(noise.with_lattice(Tiled::new(IntegerHash, [parameters.cells; 2])?), spectrum);
+            || Fbm::tiled(noise.with_lattice(Tiled::new(IntegerHash, [parameters.cells; 2])?), spectrum);
         let channels = if parameters.tileable {
             Channels::Tiled(tiled().map_err(|error| format!("`--tileable`: {error}"))?)
         } else {
-            Channels::Turned(Octaves::new(noise, spectrum))
+            Channels::Turned(Fbm::new(noise, spectrum))
         };
         let (cells, octaves) = (parameters.cells as f32, parameters.octaves as f32);
         let clamp = FrequencyClamp::new(cells, parameters.lacunarity, octaves)?;
@@ -144,6 +144,6 @@ impl Source for Bumps {
     fn shown(&self, texel: &Texel) -> (Vec3, f32) {
         let SlopeMoments { mean, covariance: [xx, _, yy] } = texel.slopes;
         let [x, y] = self.alpha.map(|alpha| alpha * alpha);
-        (self.parameters.ndf.from_gaussian(mean), texel.alpha2 + 0.5 * (x * xx + y * yy))
+        (self.parameters.ndf.warp_gaussian(mean), texel.alpha2 + 0.5 * (x * xx + y * yy))
     }
 }

@@ -1,6 +1,6 @@
 //! A fractal surface: the torus Hermite surface, which is periodic by construction.
 
-use asperity_fif::{Torus, glam::DVec2};
+use asperity_fif::{PeriodicSurface, glam::DVec2};
 use asperity_shading::normal_map::SlopeMoments;
 use glam::Vec2;
 use serde_json::{Value, json};
@@ -27,7 +27,7 @@ pub(crate) struct Parameters {
 pub(crate) struct Fractal {
     parameters: Parameters,
     finish: Finish,
-    torus: Torus,
+    torus: PeriodicSurface,
     /// Offset and scale of its heights.
     mean: f64,
     scale: f64,
@@ -51,7 +51,8 @@ impl Fractal {
         let steep = f64::from(nodes);
         let d: Vec<[f64; 2]> =
             (0..count).map(|k| [1, 2].map(|part| steep * random(part * count + k))).collect();
-        let torus = Torus::new(nodes as usize, [[2, -1], [1, 2]], f64::from(factor), &z, &d)?.narrowed();
+        let torus =
+            PeriodicSurface::new(nodes as usize, [[2, -1], [1, 2]], f64::from(factor), &z, &d)?.narrowed();
         let heights: Vec<f64> = (0..GRID * GRID)
             .map(|k| [k % GRID, k / GRID].map(|i| (i as f64 + 0.5) / GRID as f64))
             .map(|[x, y]| torus.evaluate(x, y, 1e-4).value)

@@ -1,8 +1,8 @@
 //! A height field of octave noise.
 
 use asperity_noise::{
-    Cellular, Field, Gaussian, IntegerHash, Octaves, Perlin2002, Sample, Simplex, Sparse, Spectrum, Tiled,
-    TiledSimplex, Value as ValueNoise,
+    Cellular, Fbm, FbmSpectrum, Field, GaussianNoise, IntegerHash, Perlin, Sample, Simplex,
+    SparseConvolution, Tiled, TiledSimplex, ValueNoise,
 };
 use asperity_shading::normal_map::SlopeMoments;
 use glam::{Vec2, Vec3};
@@ -55,29 +55,29 @@ impl Noise {
 /// Returns octave noise in the plane, periodic if requested.
 fn field(wanted: &Parameters) -> Result<Box<dyn Field<Vec2> + Send + Sync>> {
     let Parameters { kind, cells, seed, tileable, .. } = *wanted;
-    let spectrum = Spectrum::new(wanted.lacunarity, wanted.gain, wanted.octaves)?;
+    let spectrum = FbmSpectrum::new(wanted.lacunarity, wanted.gain, wanted.octaves)?;
     let lattice = || Tiled::new(IntegerHash, [cells; 2]);
     macro_rules! in_the_plane {
         ($noise:expr) => {
             if tileable {
-                Box::new(Octaves::<_, 2>::tiled($noise.with_lattice(lattice()?), spectrum)?)
+                Box::new(Fbm::<_, 2>::tiled($noise.with_lattice(lattice()?), spectrum)?)
             } else {
-                Box::new(Octaves::<_, 2>::new($noise, spectrum))
+                Box::new(Fbm::<_, 2>::new($noise, spectrum))
             }
         };
     }
     Ok(match kind {
-        BakedNoise::Gaussian => in_the_plane!(Gaussian::new(seed)),
-        BakedNoise::Perlin => in_the_plane!(Perlin2002::new(seed)),
+        BakedNoise::Gaussian => in_the_plane!(GaussianNoise::new(seed)),
+        BakedNoise::Perlin => in_the_plane!(Perlin::new(seed)),
         BakedNoise::Value => in_the_plane!(ValueNoise::new(seed)),
-        BakedNoise::Sparse => in_the_plane!(Sparse::new(seed)),
+        BakedNoise::Sparse => in_the_plane!(SparseConvolution::new(seed)),
         BakedNoise::Cellular => in_the_plane!(Cellular::new(seed)),
         BakedNoise::Simplex if tileable => {
             // In the plane, the simplicial lattice is not periodic along the axes.
             let noise = TiledSimplex::new(Simplex::new(seed), [cells; 3])?;
-            Box::new(Slice(Octaves::<_, 3>::tiled(noise, spectrum)?))
+            Box::new(Slice(Fbm::<_, 3>::tiled(noise, spectrum)?))
         }
-        BakedNoise::Simplex => Box::new(Octaves::<_, 2>::new(Simplex::new(seed), spectrum)),
+        BakedNoise::Simplex => Box::new(Fbm::<_, 2>::new(Simplex::new(seed), spectrum)),
     })
 }
 

@@ -196,11 +196,11 @@ impl<F: Fn(Vec3) -> f32> Ndf for Facets<F> {
         (self.0)(m)
     }
 
-    fn from_gaussian(&self, _: Vec2) -> Vec3 {
+    fn warp_gaussian(&self, _: Vec2) -> Vec3 {
         Vec3::Z
     }
 
-    fn to_gaussian(&self, _: Vec3) -> Vec2 {
+    fn invert(&self, _: Vec3) -> Vec2 {
         Vec2::ZERO
     }
 }

@@ -6,8 +6,8 @@ use asperity_render::materials::Layers;
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::{geometry::shape::Shape, image::tone::hex, light::environments::Studio};
 use asperity_shading::reflectance::{
-    Absorption, BlinnPhongFactor, BlinnPhongLobe, OrenNayar, OrenNayarForm, RoughDielectric, WardForm,
-    WardReflection,
+    Absorption, BlinnPhongBrdf, BlinnPhongFactor, OrenNayar, OrenNayarForm, RoughDielectric, WardBrdf,
+    WardForm,
 };
 use asperity_shading::{
     Brdf, Conductor, CookTorrance, Dielectric, EnergyPreservingOrenNayar, Ggx, Lambert, Phong,
@@ -33,8 +33,8 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let fujii = OrenNayar::new(clay, 1.0, OrenNayarForm::Fujii)?;
     let preserving = EnergyPreservingOrenNayar::new(clay, 1.0)?;
     let phong = lacquer(Box::new(Phong::new(Vec3::splat(0.25), 40.0)?))?;
-    let blinn = BlinnPhongLobe::new(Vec3::splat(0.25), 160.0, BlinnPhongFactor::Albedo)?;
-    let ward = WardReflection::new(hex(0xb8_bdc4), 0.08, 0.35, WardForm::Bounded)?;
+    let blinn = BlinnPhongBrdf::new(Vec3::splat(0.25), 160.0, BlinnPhongFactor::Albedo)?;
+    let ward = WardBrdf::new(hex(0xb8_bdc4), 0.08, 0.35, WardForm::Bounded)?;
     let smooth = CookTorrance::new(Ggx::isotropic(0.25)?, gold);
     let grooves = TorranceSparrow::new(Isotropic::new(&groove)?, gold);
     let frosted = |alpha| -> Result<Lobes> {

@@ -1,7 +1,7 @@
 //! A landscape that is not a product of curves, next to one that is, with the measured anisotropy
 //! of both.
 
-use asperity_fif::{Fif, HeightField, Intersect, Surface, Tabulated, Torus, glam::DVec2};
+use asperity_fif::{Fif, HeightField, Intersect, PeriodicSurface, Surface, Tabulated, glam::DVec2};
 use asperity_render::geometry::mesh::{Mesh, Vertex};
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::{
@@ -60,11 +60,11 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         .fact("waves measured", format!("{} to {} periods per side", RING[0], RING[1])))
 }
 
-fn torus(random: &impl Fn(usize) -> f64) -> Result<Torus> {
+fn torus(random: &impl Fn(usize) -> f64) -> Result<PeriodicSurface> {
     let count = NODES[0] * NODES[0];
     let z: Vec<f64> = (0..count).map(|k| 2.0 * random(k)).collect();
     let d: Vec<[f64; 2]> = (0..count).map(|k| [100, 200].map(|row| 6.0 * random(k + row))).collect();
-    Ok(Torus::new(NODES[0], [[2, -1], [1, 2]], FACTOR, &z, &d)?.narrowed())
+    Ok(PeriodicSurface::new(NODES[0], [[2, -1], [1, 2]], FACTOR, &z, &d)?.narrowed())
 }
 
 /// Returns the integral of a rough function of mean 0 on the unit interval.

@@ -8,9 +8,11 @@ use asperity_render::light::lamps::{Lamps, direction, studio};
 use asperity_render::materials::{chalk, sky};
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::{image::tone::hex, integrator::pixels::Sampling, sampling::sampler::hash};
-use asperity_shading::bump::{Facet, bumped_normal, differences, displace, surface_gradient, tangential};
+use asperity_shading::bump::{
+    Facet, bumped_normal, differences, displace, project_to_tangent_plane, surface_gradient,
+};
 use asperity_shading::material::Material;
-use asperity_shading::noise::{Field, Normalisation, Octaves, Perlin2002, Sample, Spectrum};
+use asperity_shading::noise::{Fbm, FbmSpectrum, Field, Normalization, Perlin, Sample};
 use asperity_shading::reflectance::{Bsdf, Lobe, SchlickF82};
 use asperity_shading::texture::{Bevel, Edge};
 use asperity_shading::{Brdf, Brick, CookTorrance, Ggx, PixelEllipse, SurfacePoint, reflect};
@@ -24,7 +26,7 @@ const FREQUENCY: f32 = 3.2;
 /// Between neighbors, in radians.
 const STEP: f32 = 2e-3;
 
-type Noise = Octaves<Perlin2002, 3>;
+type Noise = Fbm<Perlin, 3>;
 
 /// The shading normal at a point.
 type Normal<'a> = dyn Fn(&SurfacePoint) -> Vec3 + Sync + 'a;
@@ -42,15 +44,14 @@ fn sphere(uv: Vec2) -> (Vec3, [Vec3; 2]) {
 }
 
 pub(crate) fn draw_bumps(context: &Context<'_>) -> Result<Drawn> {
-    let noise =
-        Octaves::new(Perlin2002::new(7), Spectrum::default()).with_normalisation(Normalisation::Range);
+    let noise = Fbm::new(Perlin::new(7), FbmSpectrum::default()).with_normalization(Normalization::UnitRange);
     let displaced = Shape::Mesh(TracedMesh::new(relief(|t, phi| {
         let (sin, cos) = (t * PI).sin_cos();
         let p = Vec3::new(sin * phi.cos(), sin * phi.sin(), cos);
         p * (1.0 + height(&noise, p).0)
     })));
     let by_gradient = |hit: &SurfacePoint| {
-        bumped_normal(hit.normal, tangential(hit.normal, height(&noise, hit.position).1))
+        bumped_normal(hit.normal, project_to_tangent_plane(hit.normal, height(&noise, hit.position).1))
     };
     let by_neighbours = |hit: &SurfacePoint| {
         let slope = differences(|uv| height(&noise, sphere(uv).0).0, hit.uv, STEP);

@@ -2,7 +2,7 @@
 
 use asperity_render::image::tone::hex;
 use asperity_shading::texture::{PerturbedTexture, StarWallpaper};
-use asperity_shading::{Footprint, Marble, noise::Perlin2002};
+use asperity_shading::{Footprint, Marble, noise::Perlin};
 use glam::{Vec2, Vec3};
 
 use crate::figure::{Context, Drawn, Shown};
@@ -43,7 +43,7 @@ pub(crate) fn draw_marble(context: &Context<'_>) -> Result<Drawn> {
     };
     let (bands, veins) = ("Bands of pale and dark blue", "Veins of pale and dark blue");
     let colours: [([&str; 3], Shown<'_, Vec2, Vec3>); 4] = [
-        (["spline", "The color spline", bands], &|p| Marble::<Perlin2002>::spline(1.0 - p.y / side)),
+        (["spline", "The color spline", bands], &|p| Marble::<Perlin>::spline(1.0 - p.y / side)),
         (["slab", "A slab of width four", veins], &|p| slab(p, 0.0)),
         (["pixels-10", "Pixels of 0.1", veins], &|p| slab(p, 0.1)),
         (["pixels-60", "Pixels of 0.6", veins], &|p| slab(p, 0.6)),

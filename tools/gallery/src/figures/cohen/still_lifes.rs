@@ -5,7 +5,7 @@ use asperity_render::geometry::revolution::{revolved, ring};
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::scenes::{PLAIN, Set, backdrop, ground};
 use asperity_render::{image::tone::hex, light::environments::Studio, materials::glazed};
-use asperity_shading::noise::{Normalisation, Octaves, Perlin2002, Spectrum, Turbulence};
+use asperity_shading::noise::{Fbm, FbmSpectrum, Normalization, Perlin, Turbulence};
 use asperity_shading::texture::{Gas, Steam, march};
 use asperity_shading::{Marble, material::PolishedMarble};
 use glam::Vec3;
@@ -74,7 +74,7 @@ pub(crate) fn draw_cup(context: &Context<'_>) -> Result<Drawn> {
     let scene = Scene::new(objects, Light::Around(&studio), Backdrop::Colour(backdrop()));
     let steam = Steam::new(Vec3::new(0.0, 0.0, TEA), 0.8, 1.9)?;
     let octaves =
-        Octaves::new(Perlin2002::new(3), Spectrum::default()).with_normalisation(Normalisation::Range);
+        Fbm::new(Perlin::new(3), FbmSpectrum::default()).with_normalization(Normalization::UnitRange);
     let alt = "A white tea cup on its saucer, with steam over it";
     let pictures = [(2.0, 5.2), (4.0, 4.2), (8.0, 3.7)].map(|(exponent, densest)| {
         let words = [format!("exponent-{exponent}"), format!("Exponent {exponent}"), alt.to_owned()];

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use asperity_ndf_sampling::{Beckmann, BlinnPhong, Ggx, Ndf, NormalTable, conditional_density, phi};
+use asperity_ndf_sampling::{Beckmann, BlinnPhong, Ggx, Ndf, NormalLut, phi, residual_ndf};
 use asperity_render::image::tone::{hex, linear};
 use asperity_render::materials::{Facets, SharedNdf, sky};
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
@@ -82,8 +82,7 @@ fn remaining(context: &Context<'_>, ndf: &Ggx) -> Result<Panel> {
     let (z, share) = FACET;
     // Its peak is 1/(1 − s) times higher. On the scale of the whole density it would be a white
     // spot.
-    let image =
-        disk(context, peak(|m| ndf.density(m)) / (1.0 - share), |h| conditional_density(ndf, h, z, share))?;
+    let image = disk(context, peak(|m| ndf.density(m)) / (1.0 - share), |h| residual_ndf(ndf, h, z, share))?;
     let alt = "A small part of the density, around the normal of one facet.";
     Ok(Panel::new("remaining", "the remaining density below one facet", alt, image))
 }
@@ -92,7 +91,7 @@ fn remaining(context: &Context<'_>, ndf: &Ggx) -> Result<Panel> {
 pub(crate) fn draw_pipeline(context: &Context<'_>) -> Result<Drawn> {
     const ALPHA: [f32; 2] = [0.22, 0.44];
     let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
-    let table = NormalTable::standard(&ndf);
+    let table = NormalLut::standard(&ndf);
     let shape = RenderRequest::shape(Set::Teapot);
     let mut request = RenderRequest::new(Set::Teapot, &ndf, context.sampling([12, 12], 2));
     request.facets = Facets::Table(&table);
@@ -161,7 +160,7 @@ pub(crate) fn draw_teapot(context: &Context<'_>) -> Result<Drawn> {
         let alt = format!("The teapot, {label}: a highlight along its profile that breaks up into bumps.");
         panels.push(object(context, &request, &shape, [&format!("zoom-{zoom}"), label, &alt])?);
     }
-    let uniform = NormalTable::standard(&BlinnPhong::new(0.0)?);
+    let uniform = NormalLut::standard(&BlinnPhong::new(0.0)?);
     let mut strange = request;
     (strange.facets, strange.zoom) = (Facets::Table(&uniform), ZOOMS[1].0);
     let alt = "The same view with bumps from uniform normals: a grainy surface without a highlight.";

@@ -4,8 +4,8 @@
 use std::f32::consts::PI;
 
 use asperity_ndf_sampling::normal_map::NormalMapFormat;
-use asperity_ndf_sampling::{Ggx, Ndf, NdfEstimator, NdfMap, detailed_normal, estimate_ndf};
-use asperity_noise::{Gaussian, GaussianOctaves, Spectrum};
+use asperity_ndf_sampling::{Ggx, Ndf, NdfEstimator, NdfMap, add_detail_normal, estimate_ndf};
+use asperity_noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_render::image::tone::{hex, linear};
 use asperity_render::{image::Image, light::lamps::direction, materials::chalk, materials::cobbles::cobbles};
 use asperity_shading::{Brdf, CookTorrance, bump::Facet, reflectance::Lobe};
@@ -56,7 +56,8 @@ impl NormalMap {
 
 pub(crate) fn draw_detail(context: &Context<'_>) -> Result<Drawn> {
     let map = NormalMap::cobbles()?;
-    let noise = GaussianOctaves::<2>::new(Gaussian::new(context.seed), Spectrum::new(LACUNARITY, 0.8, 8)?);
+    let noise =
+        GaussianFbm::<2>::new(GaussianNoise::new(context.seed), FbmSpectrum::new(LACUNARITY, 0.8, 8)?);
     let pictures = [("plain", "original"), ("detail", "with detail")].into_iter().flat_map(|(stem, word)| {
         ZOOMS.map(|zoom| {
             let alt = format!("Worn cobbles at a magnification of {zoom}, {word}.");
@@ -76,7 +77,7 @@ pub(crate) fn draw_detail(context: &Context<'_>) -> Result<Drawn> {
             let n = map.at(p);
             if with_detail && octaves > 0.0 {
                 let [a, b] = noise.detail(octaves).pair(p * cells);
-                lit(detailed_normal(&map.ndf, n, Vec2::new(a.value, b.value), amount))
+                lit(add_detail_normal(&map.ndf, n, Vec2::new(a.value, b.value), amount))
             } else {
                 lit(n)
             }
@@ -99,11 +100,12 @@ fn lit(n: Vec3) -> Vec3 {
 
 pub(crate) fn draw_estimate(context: &Context<'_>) -> Result<Drawn> {
     let map = NormalMap::cobbles()?;
-    let noise = GaussianOctaves::<2>::new(Gaussian::new(context.seed), Spectrum::new(LACUNARITY, 0.6, 6)?);
+    let noise =
+        GaussianFbm::<2>::new(GaussianNoise::new(context.seed), FbmSpectrum::new(LACUNARITY, 0.6, 6)?);
     let cells = 24.0 / SIZE as f32;
     let normal = |k: usize| {
         let p = Vec2::new((k % SIZE) as f32 + 0.5, (k / SIZE) as f32 + 0.5) * cells;
-        map.ndf.from_gaussian(Vec2::from(noise.detail(6.0).pair(p).map(|channel| channel.value)))
+        map.ndf.warp_gaussian(Vec2::from(noise.detail(6.0).pair(p).map(|channel| channel.value)))
     };
     let again: Vec<Vec3> = (0..SIZE * SIZE).into_par_iter().map(normal).collect();
     let ndf_again = estimate_ndf(&again)?;

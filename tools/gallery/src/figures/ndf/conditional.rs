@@ -1,6 +1,6 @@
 //! Conditional densities: the unresolved part of a density within a pixel, by resolved fraction.
 
-use asperity_ndf_sampling::{Ggx, conditional_density};
+use asperity_ndf_sampling::{Ggx, residual_ndf};
 use asperity_render::{materials::SharedNdf, scenes::peak};
 use glam::{Vec2, Vec3};
 
@@ -23,7 +23,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     for (stem, name, ndf) in subjects {
         let mut row = vec![name.to_owned()];
         for s in SHARES {
-            let seen = |m: Vec3| conditional_density(ndf, m, FACET, s);
+            let seen = |m: Vec3| residual_ndf(ndf, m, FACET, s);
             let label = format!("{name}, s = {s}");
             let alt = format!("The density {name} given a facet, with {s} of the variance resolved.");
             let image = disk(context, peak(seen), seen)?;
@@ -50,7 +50,7 @@ fn mean(ndf: &SharedNdf, h: Vec3, s: f32) -> f64 {
     let gaussian = |z: f64| (-0.5 * z * z).exp() / std::f64::consts::TAU.sqrt();
     let places = || (0..=POINTS).map(|k| f64::from(k) * step - REACH);
     let row = |x: f64| {
-        let seen = move |y: f64| f64::from(conditional_density(ndf, h, Vec2::new(x as f32, y as f32), s));
+        let seen = move |y: f64| f64::from(residual_ndf(ndf, h, Vec2::new(x as f32, y as f32), s));
         places().map(move |y| seen(y) * gaussian(x) * gaussian(y))
     };
     places().flat_map(row).sum::<f64>() * step * step

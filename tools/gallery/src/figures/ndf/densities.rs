@@ -111,7 +111,7 @@ fn counted(context: &Context<'_>, ndf: &SharedNdf) -> Result<Bins> {
     let part = |mut counts: Vec<u32>, part: u32| {
         let mut random = Random(u64::from(context.seed) << 32 | u64::from(part));
         for _ in 0..NORMALS / PARTS {
-            let m = ndf.from_gaussian(Vec2::from(random.gaussians().map(|z| z as f32)));
+            let m = ndf.warp_gaussian(Vec2::from(random.gaussians().map(|z| z as f32)));
             counts[place(m.y) * BINS + place(m.x)] += 1;
         }
         counts

@@ -23,7 +23,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
             .map(|k| Vec2::from(r2(k).map(|x| x as f32)))
             .map(|u| ggx.sample_visible(v, u).truncate())
             .collect();
-        let seen = |m: Vec3| ggx.visible_density(v, m);
+        let seen = |m: Vec3| ggx.visible_pdf(v, m);
         // Over the map, where a direction near the horizon takes less area: D_v/cos θ would be
         // infinite there.
         let peak = peak(seen);

@@ -1,7 +1,7 @@
 //! Table L: lookup errors by spacing, chart and interpolation.
 
 use asperity_ndf_sampling::normal_table::{Chart, Spacing, TableLayout};
-use asperity_ndf_sampling::{Ggx, Ndf, NormalTable};
+use asperity_ndf_sampling::{Ggx, Ndf, NormalLut};
 use asperity_render::image::tone::ember;
 use glam::{Vec2, Vec3};
 
@@ -22,9 +22,9 @@ const CHARTS: [(Chart, &str); 3] =
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let ggx = Ggx::new(0.2, 0.4)?;
-    let default = NormalTable::standard(&ggx);
+    let default = NormalLut::standard(&ggx);
     let layout = TableLayout { spacing: Spacing::Quantiles, ..TableLayout::default() };
-    let by_u = NormalTable::with_layout(&ggx, SIZE, layout)?;
+    let by_u = NormalLut::with_layout(&ggx, SIZE, layout)?;
     let alt = "Errors of a lookup over the square of coordinates.";
     let looks: [([&str; 3], Shown<'_, Vec2, Vec3>); 4] = [
         (["nearest", "by z, nearest", alt], &|z| default.nearest(z).normal),
@@ -36,7 +36,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         let side = context.size as f32;
         context.render(context.square(), |x, y| {
             let z = Vec2::new(x / side * 2.0 - 1.0, 1.0 - y / side * 2.0) * Spacing::RANGE;
-            let (found, exact) = (look_up(z), ggx.from_gaussian(z));
+            let (found, exact) = (look_up(z), ggx.warp_gaussian(z));
             // The sine of small angles retains the precision that their cosine loses.
             let angle = found.cross(exact).length().min(1.0).asin().to_degrees();
             ember((angle / BRIGHTEST).sqrt())
@@ -45,7 +45,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let mut rows = Vec::new();
     for (spacing, index) in SPACINGS {
         for (chart, entries) in CHARTS {
-            let table = NormalTable::with_layout(&ggx, SIZE, TableLayout { spacing, chart })?;
+            let table = NormalLut::with_layout(&ggx, SIZE, TableLayout { spacing, chart })?;
             let accuracy = table.accuracy(&ggx);
             let [nearest, bilinear, half] = [accuracy.nearest, accuracy.bilinear, accuracy.bilinear_half];
             let angles = [nearest.rms, bilinear.rms, bilinear.largest, half.rms, accuracy.largest_step];

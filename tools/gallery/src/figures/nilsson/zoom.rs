@@ -8,7 +8,7 @@ use asperity_render::{integrator::pixels::Sampling, sampling::low_discrepancy::r
 use asperity_shading::bump::Facet;
 use asperity_shading::level_of_detail::{Coordinates, GaussianField};
 use asperity_shading::material::{BumpMapped, FibresParameters, Material, PaintFlakes};
-use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
+use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::reflectance::{Bsdf, Lobe};
 use asperity_shading::{
     BumpField, Carpet, CarpetParameters, Footprint, Ggx, LevelOfDetail, MetallicPaint,
@@ -93,7 +93,7 @@ fn surfaces() -> Result<[Surface; 6]> {
         ..Default::default()
     })?;
     let glass = TemperedGlass::new(TemperedGlassParameters { wave_amplitude: 6e-4, ..Default::default() })?;
-    let noise = GaussianOctaves::<3>::new(Gaussian::new(5), Spectrum::new(2.17, 0.8, 16)?);
+    let noise = GaussianFbm::<3>::new(GaussianNoise::new(5), FbmSpectrum::new(2.17, 0.8, 16)?);
     // Octaves so fine that f32 has no precision left for them at the center.
     let noise = noise.anchored(ANCHOR.extend(0.0).as_dvec3() * f64::from(CELLS));
     let (ndf, bumps, rule) = (Ggx::new(0.2, 0.4)?, BumpField::new(noise, CELLS)?, LevelOfDetail::Exact);

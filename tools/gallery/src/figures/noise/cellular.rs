@@ -1,7 +1,7 @@
 //! Cellular noise in three metrics: the distance to the nearest feature point, to the borders
 //! between regions, and the regions.
 
-use asperity_noise::{Basis, Cellular, Field, Metric};
+use asperity_noise::{Cellular, CellularOutput, Field, Metric};
 use glam::Vec2;
 
 use crate::figure::{Context, Drawn, Panel};
@@ -11,33 +11,33 @@ use asperity::failure::Result;
 /// Cells along a side of each image.
 const CELLS: f32 = 8.0;
 
-const PANELS: [(Basis, Metric, [f32; 2], [&str; 3]); 6] = [
+const PANELS: [(CellularOutput, Metric, [f32; 2], [&str; 3]); 6] = [
     (
-        Basis::F1,
+        CellularOutput::F1,
         Metric::Euclidean,
         [0.0, 1.0],
         ["f1", "F₁", "Dark round spots with a bright crease halfway between neighbours."],
     ),
     (
-        Basis::F2,
+        CellularOutput::F2,
         Metric::Euclidean,
         [0.0, 1.3],
         ["f2", "F₂", "Dark spots joined by dark bridges, bright creases between."],
     ),
     (
-        Basis::F2MinusF1,
+        CellularOutput::F2MinusF1,
         Metric::Euclidean,
         [0.0, 0.8],
         ["f2-f1", "F₂ − F₁", "Bright irregular polygons separated by thin black lines."],
     ),
     (
-        Basis::Cell,
+        CellularOutput::Cell,
         Metric::Euclidean,
         [-1.0, 1.0],
         ["cell", "cell", "Irregular polygons, each a uniform gray."],
     ),
     (
-        Basis::F2MinusF1,
+        CellularOutput::F2MinusF1,
         Metric::Manhattan,
         [0.0, 0.9],
         [
@@ -47,7 +47,7 @@ const PANELS: [(Basis, Metric, [f32; 2], [&str; 3]); 6] = [
         ],
     ),
     (
-        Basis::F1,
+        CellularOutput::F1,
         Metric::Chebyshev,
         [0.0, 0.9],
         ["chebyshev", "F₁, Chebyshev", "Dark intersecting square pyramids."],
@@ -55,8 +55,8 @@ const PANELS: [(Basis, Metric, [f32; 2], [&str; 3]); 6] = [
 ];
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
-    let panel = |(basis, metric, [black, white], words): (Basis, Metric, [f32; 2], [&str; 3])| {
-        let noise = Cellular::new(context.seed).with_basis(basis).with_metric(metric);
+    let panel = |(basis, metric, [black, white], words): (CellularOutput, Metric, [f32; 2], [&str; 3])| {
+        let noise = Cellular::new(context.seed).with_output(basis).with_metric(metric);
         let shade = |p: Vec2| grey((noise.value(p) - black) / (white - black));
         Window::new(context, CELLS).draw(context, words, shade)
     };

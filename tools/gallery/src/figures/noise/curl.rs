@@ -1,6 +1,6 @@
 //! Curl noise: streamlines, and area-preserving advection of dye.
 
-use asperity_noise::{Curved, Field, Octaves, Simplex, Spectrum, White, curl::Curl2};
+use asperity_noise::{Fbm, FbmSpectrum, Field, HasHessian, Simplex, WhiteNoise, curl::Curl2};
 use asperity_render::image::tone::hex;
 use glam::{Vec2, Vec3};
 
@@ -21,7 +21,7 @@ const FIELDS: f32 = 3.0;
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let window = Window::new(context, CELLS);
-    let sum = Octaves::<_, 2>::new(Simplex::new(context.seed), Spectrum::CLOUD).first(OCTAVES);
+    let sum = Fbm::<_, 2>::new(Simplex::new(context.seed), FbmSpectrum::CLOUD).first(OCTAVES);
     let flow = Curl2(sum);
     let speed = steepness(&window.map(context, |p: Vec2| flow.0.sample(p))?);
     let time = WAY / speed;
@@ -37,7 +37,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
             let (mut p, mut sum) = (p, 0.0);
             for _ in 0..REACH {
                 p += flow.velocity(p).normalize_or_zero() * (sign * window.step());
-                sum += White::new(context.seed).value(p / window.step());
+                sum += WhiteNoise::new(context.seed).value(p / window.step());
             }
             sum
         };
@@ -102,10 +102,10 @@ fn places(window: Window) -> impl Iterator<Item = Vec2> {
 }
 
 /// Returns the maximum divergence of the curl and of the gradient over a grid of points.
-fn divergences<F: Curved<Vec2>>(window: Window, flow: &Curl2<F>) -> [f32; 2] {
+fn divergences<F: HasHessian<Vec2>>(window: Window, flow: &Curl2<F>) -> [f32; 2] {
     places(window).fold([0.0_f32; 2], |[curl, gradient], p| {
         let [[xx, _], [_, yy]] = flow.velocity_and_jacobian(p).jacobian;
-        let [[hxx, _], [_, hyy]] = flow.0.second_order(p).hessian;
+        let [[hxx, _], [_, hyy]] = flow.0.sample_with_hessian(p).hessian;
         [curl.max((xx + yy).abs()), gradient.max((hxx + hyy).abs())]
     })
 }

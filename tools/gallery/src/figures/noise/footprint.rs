@@ -1,7 +1,7 @@
 //! Frequency clamping on a plane up to the horizon.
 
 use asperity_noise::{
-    Field, Normalisation, Octaves, Shape, Simplex, Spectrum, Turbulence, pixel_footprint, removed_share,
+    Fbm, FbmSpectrum, Field, Normalization, Shape, Simplex, Turbulence, filtered_fraction, pixel_footprint,
 };
 use asperity_render::image::{Image, tone::hex};
 use glam::Vec2;
@@ -79,16 +79,17 @@ type Pixels = Vec<Option<f32>>;
 
 /// Returns the fraction of the sum's amplitudes that clamping removes.
 fn removed(footprint: f32) -> f32 {
-    let spectrum = Spectrum::CLOUD;
+    let spectrum = FbmSpectrum::CLOUD;
     let octaves = 0..OCTAVES as u32;
-    let lost =
-        octaves.map(|i| spectrum.amplitude(i) * removed_share(footprint, spectrum.frequency(i))).sum::<f32>();
+    let lost = octaves
+        .map(|i| spectrum.amplitude(i) * filtered_fraction(footprint, spectrum.frequency(i)))
+        .sum::<f32>();
     lost / spectrum.sum_of_amplitudes(OCTAVES)
 }
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
-    let sum = Octaves::<_, 2>::new(Simplex::new(context.seed), Spectrum::CLOUD)
-        .with_normalisation(Normalisation::Range);
+    let sum = Fbm::<_, 2>::new(Simplex::new(context.seed), FbmSpectrum::CLOUD)
+        .with_normalization(Normalization::UnitRange);
     let turbulence = sum.with_shape(Turbulence).first(OCTAVES);
     let mean = turbulence.mean();
     let (_, mut rows) = panels(context, "cloud", [-0.6, 0.6], &sum.first(OCTAVES), 0.0)?;
@@ -107,7 +108,7 @@ fn panels<T: Shape + Sync>(
     context: &Context<'_>,
     name: &str,
     [black, white]: [f32; 2],
-    sum: &Octaves<Simplex, 2, T>,
+    sum: &Fbm<Simplex, 2, T>,
     mean: f32,
 ) -> Result<(Vec<Panel>, Vec<[String; 5]>)> {
     let width = context.size as usize * 3 / 2;

@@ -1,7 +1,7 @@
 //! Exact gradients: as arrows over the values, as colors, and for lighting a relief; and warped
 //! domains.
 
-use asperity_noise::{Field, Gaussian, Octaves, Sample, Simplex, Spectrum, Warp};
+use asperity_noise::{Fbm, FbmSpectrum, Field, GaussianNoise, Sample, Simplex, Warp};
 use asperity_render::image::tone::hex;
 use glam::{Vec2, Vec3};
 
@@ -17,7 +17,7 @@ const LENGTH: f32 = 0.62;
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let window = Window::new(context, CELLS);
-    let samples = window.map(context, |p: Vec2| Gaussian::new(context.seed).sample(p))?;
+    let samples = window.map(context, |p: Vec2| GaussianNoise::new(context.seed).sample(p))?;
     let slope = steepness(&samples);
 
     let spacing = window.side as f32 / ARROWS as f32;
@@ -47,7 +47,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let words = ["colours", "the gradient: direction as hue, length as strength", alt];
     let colours = window.panel(words, |i| hue(samples[i].gradient / (2.0 * slope)));
 
-    let sum = Octaves::<_, 2>::new(Gaussian::new(context.seed), Spectrum::new(2.17, RELIEF_GAIN, 6)?);
+    let sum = Fbm::<_, 2>::new(GaussianNoise::new(context.seed), FbmSpectrum::new(2.17, RELIEF_GAIN, 6)?);
     let light = Vec3::new(-0.55, 0.55, 0.63).normalize();
     let alt = "A rugged relief of hills lit from the upper left.";
     let lit = window.draw(context, ["relief", "six octaves, lit by their gradient", alt], |p: Vec2| {
@@ -123,7 +123,7 @@ pub(crate) fn draw_warp(context: &Context<'_>) -> Result<Drawn> {
     let window = Window::new(context, CELLS);
     let sums: [_; 5] = std::array::from_fn(|k| {
         let seed = context.seed.wrapping_mul(16).wrapping_add(k as u32);
-        Octaves::<_, 2>::new(Simplex::new(seed), Spectrum::CLOUD)
+        Fbm::<_, 2>::new(Simplex::new(seed), FbmSpectrum::CLOUD)
     });
     let first = sums[0].first(OCTAVES);
     let moving = |k: usize| sums[k].first(MOVING);

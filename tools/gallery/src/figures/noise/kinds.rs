@@ -1,8 +1,8 @@
 //! Every noise in the plane: its appearance, power spectrum and distribution.
 
 use asperity_noise::{
-    Field, Gaussian, Noise, Octaves, Perlin1985, Perlin2002, Simplex, Sparse, Spectrum, Value,
-    ValueCatmullRom, ValueGradient, White, simd::Kernel,
+    Fbm, FbmSpectrum, Field, GaussianNoise, Noise, Perlin, PerlinClassic, Simplex, SparseConvolution,
+    ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise, simd::Kernel,
 };
 use asperity_render::image::{Image, tone::ember, tone::hex};
 use glam::Vec2;
@@ -16,16 +16,16 @@ use asperity::failure::Result;
 
 /// One figure per noise.
 pub(crate) const KINDS: &[Figure] = &[
-    figure("noise-kind-white", |context| draw(context, White::default())),
-    figure("noise-kind-value", |context| draw(context, Value::default())),
+    figure("noise-kind-white", |context| draw(context, WhiteNoise::default())),
+    figure("noise-kind-value", |context| draw(context, ValueNoise::default())),
     figure("noise-kind-value-catmull-rom", |context| draw(context, ValueCatmullRom::default())),
-    figure("noise-kind-perlin-1985", |context| draw(context, Perlin1985::default())),
-    figure("noise-kind-perlin-2002", |context| draw(context, Perlin2002::default())),
+    figure("noise-kind-perlin-1985", |context| draw(context, PerlinClassic::default())),
+    figure("noise-kind-perlin-2002", |context| draw(context, Perlin::default())),
     figure("noise-kind-value-gradient", |context| draw(context, ValueGradient::default())),
     figure("noise-kind-simplex", |context| draw(context, Simplex::new(0))),
     figure("noise-kind-simplex-wide", |context| draw(context, Simplex::wide(0))),
-    figure("noise-kind-sparse", |context| draw(context, Sparse::default())),
-    figure("noise-kind-gaussian", |context| draw(context, Gaussian::default())),
+    figure("noise-kind-sparse", |context| draw(context, SparseConvolution::default())),
+    figure("noise-kind-gaussian", |context| draw(context, GaussianNoise::default())),
 ];
 
 /// Cells along a side of the image.
@@ -63,7 +63,7 @@ fn draw<K: Kernel<2> + Noise<Vec2> + Copy + Sync>(context: &Context<'_>, noise: 
     })?;
     let [octaves, one] = [OCTAVES, 1.0].map(|octaves| {
         measured(context, |seed| {
-            let sum = Octaves::<K, 2>::new(noise.with_seed(seed), Spectrum::default());
+            let sum = Fbm::<K, 2>::new(noise.with_seed(seed), FbmSpectrum::default());
             move |p: Vec2| sum.detail(octaves).value(p)
         })
     });

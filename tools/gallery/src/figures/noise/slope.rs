@@ -1,6 +1,6 @@
 //! The spectral slope of fractal sums against gain and lacunarity.
 
-use asperity_noise::{Field, Octaves, Perlin2002, Spectrum};
+use asperity_noise::{Fbm, FbmSpectrum, Field, Perlin};
 use glam::Vec2;
 
 use crate::figure::{Context, Drawn, Panel};
@@ -75,10 +75,10 @@ fn rings(context: &Context<'_>, lacunarity: f32, gain: f32) -> Result<Vec<[f64; 
     let window = Window { corner: Vec2::new(0.2, 0.9), cells: CELLS as f32, side: SAMPLES };
     // Enough octaves that the spectrum extends beyond the displayed range.
     let octaves = ((2.0 * SHOWN[1]).log2() / f64::from(lacunarity).log2()).ceil().clamp(1.0, 16.0);
-    let spectrum = Spectrum::new(lacunarity, gain, 16)?;
+    let spectrum = FbmSpectrum::new(lacunarity, gain, 16)?;
     let power = window.spectrum(context, PAIRS, |k| {
         let seed = context.seed.wrapping_mul(100).wrapping_add(k);
-        let sum = Octaves::<_, 2>::new(Perlin2002::new(seed), spectrum);
+        let sum = Fbm::<_, 2>::new(Perlin::new(seed), spectrum);
         move |p: Vec2| sum.detail(octaves as f32).value(p)
     })?;
     Ok(power.rings(SHOWN, |_| true))

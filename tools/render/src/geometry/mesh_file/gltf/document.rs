@@ -132,12 +132,12 @@ pub(super) struct Accessor {
     pub(super) normalized: bool,
     #[serde(rename = "type")]
     pub(super) dimensions: String,
-    pub(super) sparse: Option<Sparse>,
+    pub(super) sparse: Option<SparseConvolution>,
 }
 
 #[derive(Deserialize)]
 #[serde(expecting = "sparse values")]
-pub(super) struct Sparse {
+pub(super) struct SparseConvolution {
     pub(super) count: usize,
     pub(super) indices: SparsePart,
     pub(super) values: SparsePart,

@@ -1,0 +1,100 @@
+//! Sums of octaves: spectra, shapes, octaves of every kind of noise, and their packed uniforms.
+//!
+//! A module has up to [`SUMS`] sums of a dimension, which functions index from 0, for instance a
+//! field and the fields that warp it. Every kind has its own function. A custom kind adds its
+//! octaves to a [`TOTAL`](octaves_3d::TOTAL) in the same way.
+//!
+//! ```
+//! # #[cfg(feature = "alloc")] {
+//! use asperity_wgsl::{Bindings, compose, noise::sums::octaves_3d};
+//!
+//! let wgsl = compose(&[&octaves_3d::PERLIN_2002], Bindings::Textures { group: 0 });
+//! assert!(wgsl.contains("fn perlin_2002_octaves_3d(p: vec3<f32>, octaves: f32, footprint: f32, sum: u32) -> Sample3d"));
+//! assert!(wgsl.contains("fn perlin_2002_multifractal_3d(p: vec3<f32>, octaves: f32, feedback: f32, sum: u32) -> Sample3d"));
+//! assert!(wgsl.contains("var<uniform> octaves_uniform_3d: array<OctavesUniform3d, 8>;"));
+//! # }
+//! ```
+//!
+//! ```
+//! # #[cfg(feature = "alloc")] {
+//! use asperity_wgsl::{Bindings, Part, compose, noise::{self, sums::octaves_3d}};
+//!
+//! // A custom kind: value-gradient noise that is mostly gradients.
+//! static STEEP: Part = Part::new(
+//!     "steep",
+//!     "fn steep(p: vec3<f32>, octaves: f32, sum: u32) -> Sample3d {
+//!     var total = octaves_total_3d(octaves, 0.0, sum);
+//!     while octaves_goes_on(total.walk) {
+//!         let layer = octaves_layer_3d(sum, total.walk.octave);
+//!         let at = cell_place_3d(octaves_point_3d(layer, p));
+//!         let key = bitcast<u32>(layer.cell_and_key.w);
+//!         let octave = value_gradient_in_cell_3d(layer.cell_and_key.xyz + at.cell, at.place, 0.9, key);
+//!         total = octaves_added_3d(total, layer, sample_known_3d(octave, at.known));
+//!     }
+//!     return octaves_divided_3d(total);
+//! }
+//! ",
+//!     &[&octaves_3d::TOTAL, &noise::VALUE_GRADIENT],
+//! );
+//! assert!(compose(&[&STEEP], Bindings::Textures { group: 0 }).contains("fn steep"));
+//! # }
+//! ```
+
+pub mod octaves_2d;
+pub mod octaves_3d;
+pub mod octaves_4d;
+
+mod mip_mapped;
+mod octaves;
+mod uniform;
+
+pub use mip_mapped::{MipMapped, MipMappedError};
+pub use uniform::{OctavesUniform, SUMS, ShaderShape};
+
+use super::{CELL, GAUSSIAN};
+use crate::part::{Binding, Part, part};
+
+/// Shapes of octaves: [`Turbulence`](asperity_noise::Turbulence), plasma, billow and ridged.
+pub static SHAPE: Part = part!("noise/sums/shape");
+
+/// Frequency clamping, [`filtered_fraction`](asperity_noise::removed_share).
+pub static FREQUENCY_CLAMP: Part = part!("noise/sums/frequency_clamp");
+
+/// Weights of a real number of octaves, [`FbmSpectrum`](asperity_noise::Spectrum), and the divisor of
+/// a sum.
+pub static SPECTRUM: Part = part!("noise/sums/spectrum", FREQUENCY_CLAMP);
+
+/// One octave, [`Octave`](asperity_noise::Octave): its affine map in two, three and four
+/// dimensions.
+pub static OCTAVE: Part = part!("noise/sums/octave");
+
+/// Uniform of sums of octaves in 3-D.
+pub static UNIFORM_3D: Part = part!("noise/sums/uniform_3d", SPECTRUM, OCTAVE)
+    .with_bindings(&[Binding::Uniform { name: "octaves_uniform_3d", of: "array<OctavesUniform3d, 8>" }]);
+
+/// Uniform of sums of octaves in 2-D.
+pub static UNIFORM_2D: Part = part!("noise/sums/uniform_2d", SPECTRUM, OCTAVE)
+    .with_bindings(&[Binding::Uniform { name: "octaves_uniform_2d", of: "array<OctavesUniform2d, 8>" }]);
+
+/// Uniform of sums of octaves in 4-D.
+pub static UNIFORM_4D: Part = part!("noise/sums/uniform_4d", SPECTRUM, OCTAVE)
+    .with_bindings(&[Binding::Uniform { name: "octaves_uniform_4d", of: "array<OctavesUniform4d, 8>" }]);
+
+/// Sums of octaves of Gaussian noise in 3-D, two channels,
+/// [`GaussianFbm`](asperity_noise::GaussianOctaves).
+pub static GAUSSIAN_OCTAVES_3D: Part =
+    part!("noise/sums/gaussian_octaves_3d", SPECTRUM, OCTAVE, UNIFORM_3D, CELL, GAUSSIAN);
+
+/// Sums of octaves of Gaussian noise in 2-D, two channels,
+/// [`GaussianFbm`](asperity_noise::GaussianOctaves).
+pub static GAUSSIAN_OCTAVES_2D: Part =
+    part!("noise/sums/gaussian_octaves_2d", SPECTRUM, OCTAVE, UNIFORM_2D, CELL, GAUSSIAN);
+
+/// Octaves of Gaussian noise in 2-D from a mip-mapped texture, [`MipMapped`].
+///
+/// The method of Kautz, Heidrich, Seidel 2001, §5.2.2. Bound to the two-channel texture
+/// `mip_mapped_noise`, and to a repeating sampler that is linear between texels and levels.
+pub static MIP_MAPPED: Part = part!("noise/sums/mip_mapped", SPECTRUM, UNIFORM_2D).with_bindings(&[
+    Binding::Texture { name: "mip_mapped_noise" },
+    Binding::Sampler { name: "mip_mapped_sampler" },
+]);

@@ -1,0 +1,114 @@
+//! Reflectances: Fresnel terms, diffuse and glossy models.
+
+use asperity_shading::glam::Vec4;
+use asperity_shading::reflectance::Coat;
+
+use crate::ndf::{BECKMANN, ELEMENTARY, FRAME, GGX};
+use crate::part::{Part, part, uniform};
+use crate::shading::bump::{SLOPE_FACETS, SURFACE_GRADIENT};
+use crate::shading::{DIRECTION, MATH};
+
+/// Clamps reflectances to finite, non-negative values.
+pub static BRDF: Part = part!("shading/reflectance/brdf", MATH);
+
+/// Schlick's approximation, plain and with a tint at 82°: [`Schlick`](asperity_shading::Schlick),
+/// [`SchlickF82`](asperity_shading::reflectance::SchlickF82).
+pub static SCHLICK: Part = part!("shading/reflectance/fresnel/schlick", MATH);
+
+/// Fresnel reflectance of a dielectric, [`Dielectric`](asperity_shading::Dielectric).
+pub static DIELECTRIC: Part = part!("shading/reflectance/fresnel/dielectric", MATH);
+
+/// Fresnel reflectance of a metal, [`Conductor`](asperity_shading::Conductor).
+pub static CONDUCTOR: Part = part!("shading/reflectance/fresnel/conductor", MATH);
+
+/// Lambertian reflectance, [`Lambert`](asperity_shading::Lambert).
+pub static LAMBERT: Part = part!("shading/reflectance/diffuse/lambert", DIRECTION);
+
+/// Common geometry of rough diffuse reflectances.
+pub static ROUGH: Part = part!("shading/reflectance/diffuse/rough", MATH);
+
+/// Oren–Nayar reflectance in three forms, [`OrenNayar`](asperity_shading::reflectance::OrenNayar).
+pub static OREN_NAYAR: Part = part!("shading/reflectance/diffuse/oren_nayar", BRDF, DIRECTION, ROUGH);
+
+/// Energy-preserving Oren–Nayar reflectance,
+/// [`EnergyPreservingOrenNayar`](asperity_shading::EnergyPreservingOrenNayar).
+pub static ENERGY_PRESERVING: Part =
+    part!("shading/reflectance/diffuse/energy_preserving", BRDF, DIRECTION, ROUGH);
+
+/// Beckmann microfacets with Smith masking, [`CookTorrance`](asperity_shading::CookTorrance).
+pub static COOK_TORRANCE_BECKMANN: Part =
+    part!("shading/reflectance/cook_torrance_beckmann", BRDF, DIRECTION, BECKMANN);
+
+/// GGX microfacets with Smith masking, [`CookTorrance`](asperity_shading::CookTorrance).
+pub static COOK_TORRANCE_GGX: Part = part!("shading/reflectance/cook_torrance_ggx", BRDF, DIRECTION, GGX);
+
+/// Microfacets of any normal distribution over grooves,
+/// [`TorranceSparrow`](asperity_shading::TorranceSparrow).
+pub static TORRANCE_SPARROW: Part = part!("shading/reflectance/torrance_sparrow", BRDF, DIRECTION);
+
+/// Cosine-power lobes, [`Phong`](asperity_shading::Phong) and
+/// [`BlinnPhongBrdf`](asperity_shading::reflectance::BlinnPhongLobe).
+pub static PHONG: Part = part!("shading/reflectance/phong", BRDF, DIRECTION, ELEMENTARY);
+
+/// Ward's anisotropic reflectance in three forms,
+/// [`WardBrdf`](asperity_shading::reflectance::WardReflection).
+pub static WARD: Part = part!("shading/reflectance/ward", BRDF, DIRECTION, ELEMENTARY);
+
+/// Light from a facet of a surface, as summed by [`Bsdf`](asperity_shading::Bsdf).
+pub static FACET: Part = part!("shading/reflectance/facet", SURFACE_GRADIENT, FRAME, BRDF);
+
+/// Frosted glass, walls and bodies,
+/// [`RoughDielectric`](asperity_shading::reflectance::RoughDielectric).
+pub static ROUGH_DIELECTRIC: Part =
+    part!("shading/reflectance/rough_dielectric", BRDF, DIRECTION, DIELECTRIC, BECKMANN, ELEMENTARY);
+
+/// Smooth and rough coats over the layers of a surface, [`Coat`]: transmission to the layers,
+/// reflection and transmission.
+///
+/// Apply a coat to any material by `coat_over(coat, material(point, wo, wi), wo, wi)` and
+/// `coat_deltas`.
+pub static COAT: Part = part!(
+    "shading/reflectance/coat",
+    SLOPE_FACETS,
+    FACET,
+    COOK_TORRANCE_BECKMANN,
+    DIELECTRIC,
+    ROUGH_DIELECTRIC,
+    ELEMENTARY,
+);
+
+uniform! {
+    /// A coat as the words of the structure `Coat`.
+    ///
+    /// | words | |
+    /// |---|---|
+    /// | 0–3 | unit normal in the frame of the surface; variance of the unresolved slopes |
+    /// | 4–7 | steepest unresolved slope of a sine, or 0; Beckmann's α, 0 for a smooth coat |
+    /// | 8–11 | tint of a pane, reflectance of a metal, transmittance of a veil, otherwise 1; relative IOR |
+    /// | 12–15 | kind: varnish, pane, body, metal, veil; 0, 0, 0 |
+    ///
+    /// ```
+    /// use asperity_wgsl::shading::reflectance::CoatUniform;
+    /// use asperity_shading::{Dielectric, reflectance::Coat};
+    ///
+    /// let varnish = Coat::varnish(Dielectric::new(1.5)?).rough(0.1);
+    /// let words = CoatUniform::new(&varnish).words();
+    /// assert_eq!([words[2], words[7], words[11]].map(f32::from_bits), [1.0, 0.1, 1.5]);
+    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// ```
+    CoatUniform: 16, "Coat";
+}
+
+impl CoatUniform {
+    /// Packs a coat.
+    #[must_use]
+    pub fn new(coat: &Coat) -> Self {
+        let (rows, kind) = coat.parts();
+        let mut words = [0; Self::WORDS];
+        for (word, number) in words.iter_mut().zip(rows.iter().flat_map(Vec4::to_array)) {
+            *word = number.to_bits();
+        }
+        words[12] = kind;
+        Self(words)
+    }
+}
