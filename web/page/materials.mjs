@@ -54,7 +54,7 @@ const structure = (name, uses, less = [], more = () => []) => ({
   },
 });
 
-const FIBRES = ['fibre_length', 'fibre_width', 'fibre_bend', 'fibre_direction', 'fibre_spread', 'fibre_contrast'];
+const FIBERS = ['fiber_length', 'fiber_width', 'fiber_bend', 'fiber_direction', 'fiber_spread', 'fiber_contrast'];
 
 /**
  * Materials: parameters in the order of the crate's queries. `view` has settings that show a
@@ -108,21 +108,21 @@ const MATERIALS = {
       share('seams_bump_strength', 'Seams: bumps', 0.4),
       size('seam_crossover_size', 'Crossover of seams: size', 0.05, 0.001, 5),
       share('seam_crossover_strength', 'Crossover of seams: strength', 0.5),
-      share('fibre_strength', 'Fibers: fraction of the colors', 0.8),
-      share('fibre_bump_strength', 'Fibers: bumps', 0.3),
-      size('fibre_length', 'Fibers: length', 0.004, 1e-4, 0.1),
-      between('fibre_width', 'Fibers: width over length', 0.12, 0.01, 0.3),
-      share('fibre_bend', 'Fibers: bend', 0.15, 0.3),
-      angle('fibre_direction', 'Fibers: direction'),
-      share('fibre_spread', 'Fibers: spread', 0.6),
-      share('fibre_contrast', 'Fibers: contrast', 0.6),
+      share('fiber_strength', 'Fibers: fraction of the colors', 0.8),
+      share('fiber_bump_strength', 'Fibers: bumps', 0.3),
+      size('fiber_length', 'Fibers: length', 0.004, 1e-4, 0.1),
+      between('fiber_width', 'Fibers: width over length', 0.12, 0.01, 0.3),
+      share('fiber_bend', 'Fibers: bend', 0.15, 0.3),
+      angle('fiber_direction', 'Fibers: direction'),
+      share('fiber_spread', 'Fibers: spread', 0.6),
+      share('fiber_contrast', 'Fibers: contrast', 0.6),
       share('fake_rim_light', 'Rim light: strength', 0.15),
       share('fake_rim_light_width', 'Rim light: width', 0.4),
-      colour('fake_rim_light_colour', 'Rim light: color', [1, 1, 1]),
+      colour('fake_rim_light_color', 'Rim light: color', [1, 1, 1]),
       seed(),
     ],
-    ...structure('Carpet', 'Carpet, CarpetParameters, glam::Vec2, material::{FibresParameters, SeamPattern}', FIBRES, rust =>
-      [`fibres: FibresParameters { ${FIBRES.map(field => `${field}: ${rust(field)}`).join(', ')}, ..Default::default() }`]),
+    ...structure('Carpet', 'Carpet, CarpetParameters, glam::Vec2, material::{FibresParameters, SeamPattern}', FIBERS, rust =>
+      [`fibers: FibersParameters { ${FIBERS.map(field => `${field}: ${rust(field)}`).join(', ')}, ..Default::default() }`]),
   },
   glass: {
     title: 'Tempered glass', view: { shape: 'teapot', size: 0, behind: 'dark' },
@@ -166,7 +166,7 @@ const MATERIALS = {
       between('gloss_roughness', 'Roughness α of the gloss', 0.25, 0.01, 1),
       size('small_blemish_size', 'Blemishes: size', 0.003, 1e-4, 0.5),
       share('small_blemish_bump_strength', 'Blemishes: bumps', 0.03),
-      share('small_blemish_colour_strength', 'Blemishes: color', 0.4),
+      share('small_blemish_color_strength', 'Blemishes: color', 0.4),
       share('dent_strength', 'Dents: strength', 0.05),
       size('dent_size', 'Dents: size', 0.1, 0.001, 5),
       share('dent_cover', 'Dents: cover', 0.3),
@@ -184,7 +184,7 @@ const MATERIALS = {
       size('depth', 'Mortar: depth', 0.006, 1e-4, 0.1),
       colour('clay', 'Color of bricks', [0.38, 0.08, 0.045]),
       share('variation', 'Variation between bricks', 0.25),
-      colour('mortar_colour', 'Color of the mortar', [0.46, 0.42, 0.37]),
+      colour('mortar_color', 'Color of the mortar', [0.46, 0.42, 0.37]),
       share('roughness', 'Roughness', 0.7),
     ],
     uses: 'Brick, material::BrickWall',
@@ -193,7 +193,7 @@ const MATERIALS = {
         depth: ${rust('depth')},
         clay: ${rust('clay')},
         variation: ${rust('variation')},
-        mortar: ${rust('mortar_colour')},
+        mortar: ${rust('mortar_color')},
         roughness: ${rust('roughness')},
     }`,
   },

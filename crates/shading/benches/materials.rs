@@ -66,24 +66,24 @@ fn textures(c: &mut Criterion) {
     time("brick", &|p| wall.sample(p.uv).height);
     time("brick_filtered", &|p| wall.filtered(p.uv, PixelEllipse::aligned(Vec2::splat(0.03))).height);
     time("star_wallpaper", &|p| stars.coverage(p.uv, Footprint::from_width(0.01)));
-    time("marble", &|p| marble.colour(p.position, p.footprint()).x);
+    time("marble", &|p| marble.color(p.position, p.footprint()).x);
     time("gas", &|p| gas.density(p.position));
 }
 
 fn reflectances(c: &mut Criterion) {
-    let grey = Vec3::splat(0.5);
+    let gray = Vec3::splat(0.5);
     let ggx = Ggx::new(0.2, 0.4).expect("roughness in range");
     let glass = Dielectric::new(1.5).expect("index in range");
-    let lobe = BlinnPhongBrdf::new(grey, 30.0, BlinnPhongFactor::Albedo).expect("parameters in range");
-    let ward = WardBrdf::new(grey, 0.2, 0.4, WardForm::Bounded).expect("parameters in range");
-    let full = OrenNayar::new(grey, 0.6, OrenNayarForm::Full).expect("parameters in range");
+    let lobe = BlinnPhongBrdf::new(gray, 30.0, BlinnPhongFactor::Albedo).expect("parameters in range");
+    let ward = WardBrdf::new(gray, 0.2, 0.4, WardForm::Bounded).expect("parameters in range");
+    let full = OrenNayar::new(gray, 0.6, OrenNayarForm::Full).expect("parameters in range");
     let all: [(&str, &dyn Brdf); 8] = [
-        ("lambert", &Lambert::new(grey).expect("albedo in range")),
+        ("lambert", &Lambert::new(gray).expect("albedo in range")),
         ("oren_nayar_full", &full),
-        ("energy_preserving", &EnergyPreservingOrenNayar::new(grey, 0.6).expect("parameters in range")),
+        ("energy_preserving", &EnergyPreservingOrenNayar::new(gray, 0.6).expect("parameters in range")),
         ("cook_torrance", &CookTorrance::new(ggx, glass)),
         ("torrance_sparrow", &TorranceSparrow::new(ggx, glass)),
-        ("phong", &Phong::new(grey, 30.0).expect("parameters in range")),
+        ("phong", &Phong::new(gray, 30.0).expect("parameters in range")),
         ("blinn_phong", &lobe),
         ("ward", &ward),
     ];

@@ -11,8 +11,8 @@ const SIDE: u32 = 224;
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let bumps =
         BumpField::new(GaussianFbm::new(GaussianNoise::new(1), FbmSpectrum::new(2.17, 0.6, 8)?), 5.0)?;
-    let (ndf, colour) = (Ggx::new(0.3, 0.3)?, Vec3::new(0.95, 0.64, 0.54));
-    let copper = BumpMapped { ndf, bumps, rule: LevelOfDetail::Exact, colour };
+    let (ndf, color) = (Ggx::new(0.3, 0.3)?, Vec3::new(0.95, 0.64, 0.54));
+    let copper = BumpMapped { ndf, bumps, rule: LevelOfDetail::Exact, color };
     // A sky that is bright above and to the left, over a dim ground.
     let sky = |w: Vec3| 0.05 + 0.95 * (0.5 + 0.5 * w.dot(Vec3::new(-0.45, 0.75, 0.48))).powi(10);
     let pixels: Vec<u8> = (0..3 * SIDE * SIDE)

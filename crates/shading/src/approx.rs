@@ -5,7 +5,7 @@ use glam::Vec3;
 use crate::bump::{Displaced, Facet};
 use crate::environment::LightSample;
 use crate::level_of_detail::Coordinates;
-use crate::material::{Fibre, FlakePatch, GlintFlake, Seam, Sparkle, SurfacePoint};
+use crate::material::{Fiber, FlakePatch, GlintFlake, Seam, Sparkle, SurfacePoint};
 use crate::normal_map::{SlopeLobe, SlopeMoments};
 use crate::pixel::{Footprint, PixelEllipse, Tap};
 use crate::reflectance::Delta;
@@ -29,10 +29,10 @@ asperity_core::impl_approx! { f32;
     PerturbedLookUp: v => v.uv, v.spread;
     Seen: v => v.light, v.transmittance;
     Seam: v => v.amount, v.slope;
-    Fibre: v => v.factor, v.direction, v.slope;
-    FlakePatch: v => v.value, v.centre, v.tilt;
+    Fiber: v => v.factor, v.direction, v.slope;
+    FlakePatch: v => v.value, v.center, v.tilt;
     Sparkle: v => v.tilt, v.fade;
-    GlintFlake: v => v.normal, v.centre;
+    GlintFlake: v => v.normal, v.center;
 }
 
 #[cfg(test)]

@@ -134,7 +134,7 @@ pub(crate) fn not_negative(parameter: &'static str, value: f32) -> Result<f32, P
 }
 
 /// Returns a color if every component is in `[0, 1]`.
-pub(crate) fn colour(parameter: &'static str, value: Vec3) -> Result<Vec3, ParameterError> {
+pub(crate) fn color(parameter: &'static str, value: Vec3) -> Result<Vec3, ParameterError> {
     value.to_array().into_iter().try_for_each(|c| as_share(parameter, c).map(|_| ()))?;
     Ok(value)
 }
@@ -169,7 +169,7 @@ mod tests {
         for bad in [-1e-9, 1.001, f32::NAN, f32::INFINITY] {
             assert!(as_share("a", bad).is_err(), "{bad}");
         }
-        assert!(colour("c", Vec3::new(0.0, 0.5, f32::NAN)).is_err());
+        assert!(color("c", Vec3::new(0.0, 0.5, f32::NAN)).is_err());
     }
 
     #[test]

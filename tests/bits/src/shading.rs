@@ -93,7 +93,7 @@ fn images(report: &mut Report) -> Option<()> {
             let footprint = Footprint::from_width(0.1 * unit(i, 4));
             let mean = wall.filtered(plane(i), footprint.into());
             bits.push([mean.brick, mean.height, stars.coverage(plane(i), footprint), gas.density(space(i))]);
-            bits.push(marble.colour(space(i), footprint));
+            bits.push(marble.color(space(i), footprint));
         }
     });
     let sky = |w: Vec3| Vec3::splat(0.2 + w.z.max(0.0)) + Vec3::X * (w.x + 1.0);

@@ -69,13 +69,13 @@ fn patch(tell: &mut dyn FnMut(&[u8; WIDTH])) -> Option<()> {
     let light = Vec3::new(-0.48, 0.36, 0.8);
     let mut row = [0; WIDTH];
     for y in 0..PATCH {
-        for (x, grey) in row.iter_mut().enumerate() {
+        for (x, gray) in row.iter_mut().enumerate() {
             let p = Vec2::new(x as f32, y as f32) / PATCH as f32;
             let seen = bumps.coordinates(p.extend(0.0), Footprint::from_width(1.0 / PATCH as f32));
             let m = LevelOfDetail::Exact.normal(&normals, seen);
             let bump = Frame::from_normal(m);
             let radiance = clay.value(bump.to_local(light), bump.to_local(Vec3::Z)).x * m.dot(light).max(0.0);
-            *grey = level(3.2 * radiance);
+            *gray = level(3.2 * radiance);
         }
         tell(&row);
     }
@@ -94,10 +94,10 @@ fn graph(tell: &mut dyn FnMut(&[u8; WIDTH])) -> Option<()> {
     for y in 0..CURVE {
         let top = 1.3 - 1.5 * y as f32 / CURVE as f32;
         let bottom = top - 1.5 / CURVE as f32;
-        for (grey, height) in row.iter_mut().zip(heights) {
+        for (gray, height) in row.iter_mut().zip(heights) {
             // The fraction of the pixel below the curve.
             let part = ((height - bottom) / (top - bottom)).clamp(0.0, 1.0);
-            *grey = level(0.95 - 0.8 * part);
+            *gray = level(0.95 - 0.8 * part);
         }
         tell(&row);
     }

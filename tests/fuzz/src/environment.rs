@@ -12,8 +12,8 @@ use asperity_shading::{
 
 use crate::numbers::Numbers;
 
-fn light(colour: Vec3) {
-    assert!(colour.is_finite() && colour.min_element() >= 0.0, "{colour}");
+fn light(color: Vec3) {
+    assert!(color.is_finite() && color.min_element() >= 0.0, "{color}");
 }
 
 /// Checks the invariants of every environment.
@@ -29,7 +29,7 @@ fn environment(environment: &dyn Environment, numbers: &mut Numbers<'_>) {
 
 fn texel(numbers: &mut Numbers<'_>) -> Vec3 {
     match numbers.byte() {
-        0..=149 => 4.0 * numbers.colour(),
+        0..=149 => 4.0 * numbers.color(),
         150..=199 => Vec3::ZERO,
         200..=239 => Vec3::new(1.0, 0.5, 0.3) * numbers.between(1e-38, 1e30),
         _ => numbers.vector(),
@@ -52,7 +52,7 @@ fn images(numbers: &mut Numbers<'_>) {
     light(Irradiance::new(&sky, numbers.word() % 5).at(numbers.direction()));
     light(prefiltered_radiance(&sky, numbers.float(), numbers.direction(), numbers.word() % 8));
     let frame = Frame::from_normal(numbers.direction());
-    let chalk = Lambert::new(Vec3::splat(0.8)).expect("a colour");
+    let chalk = Lambert::new(Vec3::splat(0.8)).expect("a color");
     for sample in light_samples(&chalk, &sky, &frame, numbers.direction(), [numbers.pair(), numbers.pair()]) {
         light(sample.radiance);
     }

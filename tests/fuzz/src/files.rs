@@ -25,7 +25,7 @@ fn image(bytes: Vec<u8>, least: usize) {
                 let share = |x: &f32| (0.0..=1.0).contains(x);
                 assert!(image.planes.iter().all(|plane| plane.iter().all(share)));
             }
-            assert_eq!(image.grey().len(), image.width * image.height);
+            assert_eq!(image.gray().len(), image.width * image.height);
         }
         Err(error) => one_line(&error.to_string()),
     }

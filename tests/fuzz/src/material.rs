@@ -3,7 +3,7 @@
 use asperity_shading::glam::Vec3;
 use asperity_shading::level_of_detail::{RemappedOctaves, facet_coordinates, shade_facet};
 use asperity_shading::material::{
-    Elimination, Fibres, FibresParameters, GlassBody, GlassWaves, GlintField, PaintFlakes, SeamPattern,
+    Elimination, Fibers, FibersParameters, GlassBody, GlassWaves, GlintField, PaintFlakes, SeamPattern,
     Seams, flake_patch, sparkle_width,
 };
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise, Perlin};
@@ -57,22 +57,22 @@ fn material<M: Material>(made: Result<M, ParameterError>, numbers: &mut Numbers<
 }
 
 fn carpet(numbers: &mut Numbers<'_>) {
-    let fibres = FibresParameters {
-        fibre_length: size(numbers),
-        fibre_width: numbers.between(0.01, 0.3),
-        fibre_bend: 0.3 * share(numbers),
-        fibre_direction: numbers.pair(),
-        fibre_spread: share(numbers),
-        fibre_contrast: share(numbers),
+    let fibers = FibersParameters {
+        fiber_length: size(numbers),
+        fiber_width: numbers.between(0.01, 0.3),
+        fiber_bend: 0.3 * share(numbers),
+        fiber_direction: numbers.pair(),
+        fiber_spread: share(numbers),
+        fiber_contrast: share(numbers),
         seed: numbers.word(),
     };
-    if let Ok(fibres) = Fibres::new(fibres) {
-        let fibre = fibres.sample(numbers.pair(), Footprint::from_width(numbers.float()));
-        assert!(fibre.factor >= 0.0 && fibre.factor.is_finite() && fibre.slope.is_finite(), "{fibre:?}");
+    if let Ok(fibers) = Fibers::new(fibers) {
+        let fiber = fibers.sample(numbers.pair(), Footprint::from_width(numbers.float()));
+        assert!(fiber.factor >= 0.0 && fiber.factor.is_finite() && fiber.slope.is_finite(), "{fiber:?}");
     }
     let parameters = CarpetParameters {
-        diffuse: numbers.colour(),
-        specular: numbers.colour(),
+        diffuse: numbers.color(),
+        specular: numbers.color(),
         diffuse_thread_size: size(numbers),
         diffuse_thread_strength: share(numbers),
         specular_thread_size: size(numbers),
@@ -86,7 +86,7 @@ fn carpet(numbers: &mut Numbers<'_>) {
         roughness: share(numbers),
         fake_rim_light: share(numbers),
         fake_rim_light_width: share(numbers),
-        fibres,
+        fibers,
         ..CarpetParameters::default()
     };
     material(Carpet::new(parameters), numbers);
@@ -100,7 +100,7 @@ fn carpet(numbers: &mut Numbers<'_>) {
 fn paint(numbers: &mut Numbers<'_>) {
     let unit = size(numbers);
     let parameters = MetallicPaintParameters {
-        specular: numbers.colour(),
+        specular: numbers.color(),
         orange_peel_strength: share(numbers),
         orange_peel_size: size(numbers),
         flake_sparkle_pixel_size: 1000.0 * share(numbers),
@@ -131,7 +131,7 @@ fn paint(numbers: &mut Numbers<'_>) {
             "{density} of {field:?} for {h:?} at {p:?}, {footprint:?}"
         );
         if let Some(flake) = field.flake(numbers.vector()) {
-            assert!((flake.normal.length() - 1.0).abs() < 1e-5 && flake.centre.is_finite(), "{flake:?}");
+            assert!((flake.normal.length() - 1.0).abs() < 1e-5 && flake.center.is_finite(), "{flake:?}");
         }
     }
     let width = sparkle_width(numbers.float(), numbers.vector(), numbers.vector());
@@ -146,7 +146,7 @@ fn glass(numbers: &mut Numbers<'_>) {
         waves: numbers.pick(&[GlassWaves::Sine, GlassWaves::Noise]),
         body: numbers.pick(&[GlassBody::Pane, GlassBody::Solid]),
         index: 1.0 + numbers.share(),
-        tint: numbers.colour(),
+        tint: numbers.color(),
         roughness: share(numbers),
         seed: numbers.word(),
     };
@@ -155,12 +155,12 @@ fn glass(numbers: &mut Numbers<'_>) {
 
 fn wear(numbers: &mut Numbers<'_>) {
     let parameters = VariationsParameters {
-        diffuse: numbers.colour(),
-        specular: numbers.colour(),
+        diffuse: numbers.color(),
+        specular: numbers.color(),
         roughness: share(numbers),
         small_blemish_size: size(numbers),
         small_blemish_bump_strength: share(numbers),
-        small_blemish_colour_strength: share(numbers),
+        small_blemish_color_strength: share(numbers),
         dent_strength: share(numbers),
         dent_size: size(numbers),
         dent_cover: share(numbers),
@@ -177,7 +177,7 @@ fn wear(numbers: &mut Numbers<'_>) {
         scratch_cover: 4.0 * share(numbers),
         scratch_direction: numbers.pair(),
         scratch_spread: share(numbers),
-        specular: numbers.colour(),
+        specular: numbers.color(),
         roughness: share(numbers),
         seed: numbers.word(),
     };
@@ -203,8 +203,8 @@ fn textures(numbers: &mut Numbers<'_>) {
         let _ = stars.as_listed(uv);
     }
     if let Ok(marble) = Marble::new(Perlin::default(), size(numbers), 1) {
-        let colour = marble.colour(p, footprint);
-        assert!(colour.min_element() >= 0.0 && colour.max_element() <= 1.0, "{colour}");
+        let color = marble.color(p, footprint);
+        assert!(color.min_element() >= 0.0 && color.max_element() <= 1.0, "{color}");
     }
     let _ = PerturbedTexture::default().filtered(p, uv, footprint);
     for density in [Gas::default().density(p), Gas::default().with_veins().clamped_density(p, footprint)] {
@@ -224,7 +224,7 @@ fn textures(numbers: &mut Numbers<'_>) {
         assert!(edge.distance >= 0.0 && (edge.away.length() - 1.0).abs() < 1e-5, "{edge:?}");
     }
     let step = if numbers.byte() < 220 { numbers.between(1e-2, 1e3) } else { numbers.float() };
-    let (extinction, light) = (numbers.float(), numbers.colour());
+    let (extinction, light) = (numbers.float(), numbers.color());
     let seen = march(
         p,
         numbers.vector(),
@@ -256,7 +256,7 @@ fn bumps(numbers: &mut Numbers<'_>) {
         let radiance = rule.radiance(&ndf, numbers.direction(), seen);
         assert!(radiance >= 0.0 && radiance.is_finite(), "{radiance}");
         assert!((rule.normal(&ndf, seen).length() - 1.0).abs() < 1e-5);
-        material(Ok(BumpMapped { ndf, bumps: field, rule, colour: Vec3::ONE }), numbers);
+        material(Ok(BumpMapped { ndf, bumps: field, rule, color: Vec3::ONE }), numbers);
     }
     assert!(facet_coordinates(&ndf, seen).is_finite());
     let shaded = shade_facet(&ndf, &Frame::from_normal(numbers.direction()), numbers.direction());

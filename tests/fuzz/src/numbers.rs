@@ -142,7 +142,7 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    pub(crate) fn colour(&mut self) -> Vec3 {
+    pub(crate) fn color(&mut self) -> Vec3 {
         Vec3::new(self.share(), self.share(), self.share())
     }
 

@@ -39,8 +39,8 @@ fn number(numbers: &mut Numbers<'_>, low: f32, high: f32) -> f32 {
     if numbers.byte() < 230 { numbers.between(low, high) } else { numbers.float() }
 }
 
-fn colour(numbers: &mut Numbers<'_>) -> Vec3 {
-    if numbers.byte() < 230 { numbers.colour() } else { numbers.vector() }
+fn color(numbers: &mut Numbers<'_>) -> Vec3 {
+    if numbers.byte() < 230 { numbers.color() } else { numbers.vector() }
 }
 
 fn fresnel(made: Result<impl Fresnel, ParameterError>, numbers: &mut Numbers<'_>) {
@@ -53,24 +53,24 @@ fn fresnel(made: Result<impl Fresnel, ParameterError>, numbers: &mut Numbers<'_>
 pub(crate) fn attack(numbers: &mut Numbers<'_>) {
     let (x, y) = (number(numbers, 1e-6, 1e6), number(numbers, 1e-6, 1e6));
     match numbers.byte() % 12 {
-        0 => brdf(Lambert::new(colour(numbers)), numbers),
+        0 => brdf(Lambert::new(color(numbers)), numbers),
         1 => {
             let form = numbers.pick(&[OrenNayarForm::Full, OrenNayarForm::Qualitative, OrenNayarForm::Fujii]);
-            brdf(OrenNayar::new(colour(numbers), number(numbers, 1e-6, 2.0), form), numbers);
+            brdf(OrenNayar::new(color(numbers), number(numbers, 1e-6, 2.0), form), numbers);
         }
-        2 => brdf(EnergyPreservingOrenNayar::new(colour(numbers), number(numbers, 1e-6, 1.0)), numbers),
-        3 => brdf(Phong::new(colour(numbers), number(numbers, 1e-6, 1e7)), numbers),
+        2 => brdf(EnergyPreservingOrenNayar::new(color(numbers), number(numbers, 1e-6, 1.0)), numbers),
+        3 => brdf(Phong::new(color(numbers), number(numbers, 1e-6, 1e7)), numbers),
         4 => {
             let factor = numbers.pick(&[
                 BlinnPhongFactor::Albedo,
                 BlinnPhongFactor::Approximate,
                 BlinnPhongFactor::Density,
             ]);
-            brdf(BlinnPhongBrdf::new(colour(numbers), number(numbers, 1e-6, 1e7), factor), numbers);
+            brdf(BlinnPhongBrdf::new(color(numbers), number(numbers, 1e-6, 1e7), factor), numbers);
         }
         5 => {
             let form = numbers.pick(&[WardForm::Ward, WardForm::Dur, WardForm::Bounded]);
-            brdf(WardBrdf::new(colour(numbers), x, y, form), numbers);
+            brdf(WardBrdf::new(color(numbers), x, y, form), numbers);
         }
         6 => {
             let (Ok(ggx), Ok(glass)) = (Ggx::new(x, y), Dielectric::new(number(numbers, 1e-3, 1e3))) else {
@@ -113,7 +113,7 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
             fresnel(Schlick::new(numbers.share()), numbers);
             fresnel(SchlickF82::new(numbers.share(), numbers.float()), numbers);
             let made =
-                [Absorption::new(numbers.vector()), Absorption::of_colour(numbers.colour(), numbers.float())];
+                [Absorption::new(numbers.vector()), Absorption::of_color(numbers.color(), numbers.float())];
             for absorption in made.into_iter().flatten() {
                 let left = absorption.transmittance(numbers.float());
                 assert!(left.cmpge(Vec3::ZERO).all() && left.cmple(Vec3::ONE).all(), "{left}");

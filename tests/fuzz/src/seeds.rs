@@ -168,7 +168,7 @@ const JSON: [&str; 16] = [
     r#"{"n_u":50.0,"n_v":10.0}"#,
     r#"{"spacing":"warped","chart":"slopes"}"#,
     r#""fractal""#,
-    r#"{"roughness":0.3,"seams_pattern":"grid","fibres":{"fibre_length":0.01},"diffuse":[0.1,0.2,0.3]}"#,
+    r#"{"roughness":0.3,"seams_pattern":"grid","fibers":{"fiber_length":0.01},"diffuse":[0.1,0.2,0.3]}"#,
     r#"{"flakes":{"counted":{"spacing":0.01,"bin":0.1}},"smart_flake_sparkle":{"adaptive":{"unit":1.0}}}"#,
     r#"{"waves":"noise","body":"solid","index":1.5}"#,
     r#"{"scratch_cover":4.0,"scratch_direction":[0.0,1.0],"seed":7}"#,

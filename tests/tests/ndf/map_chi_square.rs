@@ -105,7 +105,7 @@ fn images() -> Vec<Image> {
             (30, 15) => 3.0,
             _ => 0.0,
         }),
-        Image::new("ring with an empty centre", [32, 32, 64], |i, j| {
+        Image::new("ring with an empty center", [32, 32, 64], |i, j| {
             f32::from(at(i, 32).hypot(at(j, 32)) > 0.7)
         }),
         Image::new("one texel", [1, 1, 24], |_, _| 2.0),
@@ -221,15 +221,15 @@ fn distorted_samplers_are_rejected() {
     for kind in KINDS {
         let map = smooth.map(Measure::Normals, kind);
         let other = smooth.map(Measure::Normals, KINDS[usize::from(kind == KINDS[0])]);
-        let centre = |n: f32| ((n * 16.0 + 16.0).floor() + 0.5) / 16.0 - 1.0;
+        let center = |n: f32| ((n * 16.0 + 16.0).floor() + 0.5) / 16.0 - 1.0;
         let up = |x: f32, y: f32| Vec3::new(x, y, (1.0 - x * x - y * y).max(1e-6).sqrt()).normalize();
-        let centres = |u: Vec2| {
+        let centers = |u: Vec2| {
             let m = map.sample(u);
-            up(centre(m.x), centre(m.y))
+            up(center(m.x), center(m.y))
         };
         let distorted: [(&str, &dyn Fn(Vec2) -> Vec3); 4] = [
             ("the other reconstruction", &|u| other.sample(u)),
-            ("centres of texels", &centres),
+            ("centers of texels", &centers),
             ("axes swapped", &|u| {
                 let m = map.sample(u);
                 Vec3::new(m.y, m.x, m.z)

@@ -81,7 +81,7 @@ fn share() -> impl Strategy<Value = f32> {
     prop_oneof![6 => 0.0..=1.0_f32, 1 => Just(0.0), 1 => Just(1.0)]
 }
 
-fn colour() -> impl Strategy<Value = Vec3> {
+fn color() -> impl Strategy<Value = Vec3> {
     [share(), share(), share()].prop_map(Vec3::from)
 }
 
@@ -94,8 +94,8 @@ fn is_normal(n: Vec3, bumped: Vec3) -> bool {
     (bumped.length() - 1.0).abs() < 1e-5 && bumped.dot(n) > 0.0
 }
 
-fn is_colour(colour: Vec3) -> bool {
-    colour.to_array().iter().all(|c| (0.0..=1.0).contains(c))
+fn is_color(color: Vec3) -> bool {
+    color.to_array().iter().all(|c| (0.0..=1.0).contains(c))
 }
 
 /// Asserts that a BSDF returns finite nonnegative numbers, and that its samples are directions with
@@ -114,7 +114,7 @@ fn is_bsdf(material: &dyn Material, point: &SurfacePoint, wo: Vec3, wi: Vec3) ->
             prop_assert!(is_light(value) && density >= 0.0 && density.is_finite(), "{value}, {density}");
         }
         for delta in bsdf.deltas(wo, u) {
-            prop_assert!(is_colour(delta.weight) && delta.wi.is_finite(), "{delta:?}");
+            prop_assert!(is_color(delta.weight) && delta.wi.is_finite(), "{delta:?}");
         }
     }
     Ok(())
@@ -134,26 +134,26 @@ fn lobe() -> impl Strategy<Value = f32> {
     share().prop_map(|roughness| roughness.max(0.01))
 }
 
-any_parameters!(fibres -> FibresParameters {
-    fibre_length: size(), fibre_width: 0.01..=0.3_f32, fibre_bend: 0.0..=0.3_f32, fibre_direction: heading(),
-    fibre_spread: share(), fibre_contrast: share(), seed: any::<u32>(),
+any_parameters!(fibers -> FibersParameters {
+    fiber_length: size(), fiber_width: 0.01..=0.3_f32, fiber_bend: 0.0..=0.3_f32, fiber_direction: heading(),
+    fiber_spread: share(), fiber_contrast: share(), seed: any::<u32>(),
 });
 
 any_parameters!(carpet -> CarpetParameters {
-    diffuse: colour(), specular: colour(), roughness: share(), specular_roughness: lobe(),
+    diffuse: color(), specular: color(), roughness: share(), specular_roughness: lobe(),
     diffuse_thread_size: size(), diffuse_thread_strength: share(), diffuse_thread_bump_strength: share(),
     specular_thread_size: size(), specular_thread_strength: share(), dark_area_size: size(), dark_area_strength: share(),
     seams_propagation: heading(), seams_pattern: select(vec![SeamPattern::None, SeamPattern::Lines, SeamPattern::Grid]),
     seam_distance: size(), seams_amplitude: share(), seams_bump_strength: share(),
     seam_crossover_size: size(), seam_crossover_strength: share(),
-    fibre_strength: share(), fibre_bump_strength: share(), fibres: fibres(),
-    fake_rim_light: share(), fake_rim_light_width: share(), fake_rim_light_colour: colour(), seed: any::<u32>(),
+    fiber_strength: share(), fiber_bump_strength: share(), fibers: fibers(),
+    fake_rim_light: share(), fake_rim_light_width: share(), fake_rim_light_color: color(), seed: any::<u32>(),
 });
 
 any_parameters!(paint -> MetallicPaintParameters {
-    specular: colour(), orange_peel_strength: share(), orange_peel_size: size(),
+    specular: color(), orange_peel_strength: share(), orange_peel_size: size(),
     flake_sparkle_pixel_size: 0.0..=1000.0_f32, flake_sparkle_physical_size: size(), flake_sparkle_variation: share(),
-    flake_sparkle_boost: share(), flake_sparkle_boost_target: colour(), flake_sparkle_elimination: share(),
+    flake_sparkle_boost: share(), flake_sparkle_boost_target: color(), flake_sparkle_elimination: share(),
     smart_flake_sparkle: prop_oneof![Just(Elimination::Fixed), size().prop_map(|unit| Elimination::Adaptive { unit })],
     passive_flake_size: size(), passive_flake_strength: share(), passive_flake_detail: 1..=8_u32,
     flake_roughness: lobe(),
@@ -161,18 +161,18 @@ any_parameters!(paint -> MetallicPaintParameters {
         Just(PaintFlakes::Sparkling),
         (size(), share()).prop_map(|(spacing, bin)| PaintFlakes::Counted { spacing, bin: bin.max(0.001) }),
     ],
-    pigment: colour(), coat_index: share().prop_map(|share| 1.0 + share), coat_roughness: share(), seed: any::<u32>(),
+    pigment: color(), coat_index: share().prop_map(|share| 1.0 + share), coat_roughness: share(), seed: any::<u32>(),
 });
 
 any_parameters!(glass -> TemperedGlassParameters {
     wave_frequency: size(), wave_amplitude: 0.0..=1e6_f32, wave_propagation_vector: unit(),
     waves: select(vec![GlassWaves::Sine, GlassWaves::Noise]), body: select(vec![GlassBody::Pane, GlassBody::Solid]),
-    index: 1.0..=2.0_f32, tint: colour(), roughness: share(), seed: any::<u32>(),
+    index: 1.0..=2.0_f32, tint: color(), roughness: share(), seed: any::<u32>(),
 });
 
 any_parameters!(variations -> VariationsParameters {
-    diffuse: colour(), specular: colour(), roughness: share(),
-    small_blemish_size: size(), small_blemish_bump_strength: share(), small_blemish_colour_strength: share(),
+    diffuse: color(), specular: color(), roughness: share(),
+    small_blemish_size: size(), small_blemish_bump_strength: share(), small_blemish_color_strength: share(),
     dent_strength: share(), dent_size: size(), dent_cover: share(), dent_detail: 1..=8_u32,
     gloss_roughness: lobe(), seed: any::<u32>(),
 });
@@ -180,7 +180,7 @@ any_parameters!(variations -> VariationsParameters {
 any_parameters!(scratches -> ScratchesParameters {
     scratch_size: size(), scratch_length: 0.01..=1.0_f32, scratch_width: 1e-4..=0.5_f32, scratch_strength: share(),
     scratch_cover: 0.0..=4.0_f32, scratch_direction: heading(), scratch_spread: share(),
-    specular: colour(), roughness: 0.01..1.0_f32, seed: any::<u32>(),
+    specular: color(), roughness: 0.01..1.0_f32, seed: any::<u32>(),
 });
 
 proptest! {
@@ -216,7 +216,7 @@ proptest! {
         let density = field.density(h, point.position, point.footprint());
         prop_assert!(density >= 0.0 && density.is_finite(), "{density}");
         if let Some(flake) = field.flake(point.position) {
-            prop_assert!(is_normal(Vec3::Z, flake.normal) && flake.centre.is_finite(), "{flake:?}");
+            prop_assert!(is_normal(Vec3::Z, flake.normal) && flake.center.is_finite(), "{flake:?}");
         }
     }
 }
@@ -225,10 +225,10 @@ proptest! {
     #![proptest_config(config(60))]
 
     #[test]
-    fn fibres_are_bright_and_have_a_direction(parameters in fibres(), point in point()) {
-        let fibre = Fibres::new(parameters).unwrap().sample(point.uv, point.footprint());
-        prop_assert!(fibre.factor >= 0.0 && fibre.factor.is_finite(), "{fibre:?}");
-        prop_assert!((fibre.direction.length() - 1.0).abs() < 1e-5 && fibre.slope.is_finite(), "{fibre:?}");
+    fn fibers_are_bright_and_have_a_direction(parameters in fibers(), point in point()) {
+        let fiber = Fibers::new(parameters).unwrap().sample(point.uv, point.footprint());
+        prop_assert!(fiber.factor >= 0.0 && fiber.factor.is_finite(), "{fiber:?}");
+        prop_assert!((fiber.direction.length() - 1.0).abs() < 1e-5 && fiber.slope.is_finite(), "{fiber:?}");
     }
 }
 
@@ -259,8 +259,8 @@ proptest! {
             prop_assert!((0.0..=1.0).contains(&share), "{share}");
         }
         let marble = Marble::new(Perlin::default(), width, 1).unwrap();
-        let colour = marble.colour(p, Footprint::from_width(footprint));
-        prop_assert!(is_colour(colour), "{colour}");
+        let color = marble.color(p, Footprint::from_width(footprint));
+        prop_assert!(is_color(color), "{color}");
         prop_assert!(marble.sum(p).is_finite());
         let moved = PerturbedTexture::default().coordinates(p, uv);
         prop_assert!(moved.is_finite() || !uv.is_finite(), "{moved}");
@@ -311,7 +311,7 @@ proptest! {
     fn light_through_gas(
         (origin, direction, from, to) in (vector(), vector(), number(), number()),
         (step, offset) in (prop_oneof![1e-2..1e3_f32, select(vec![f32::NAN, 0.0, -1.0, f32::INFINITY])], number()),
-        (extinction, light) in (number(), colour()),
+        (extinction, light) in (number(), color()),
     ) {
         let seen = march(origin, direction, [from, to], step, offset, |_| extinction, |_| light);
         prop_assert!((0.0..=1.0).contains(&seen.transmittance), "{seen:?}");
@@ -325,7 +325,7 @@ type Looks = (Vec3, f32, [f32; 2], f32, [f32; 2]);
 fn looks() -> impl Strategy<Value = Looks> {
     let alpha = || 1e-3..1.0_f32;
     (
-        colour(),
+        color(),
         share(),
         [alpha(), alpha()],
         1.0..1e4_f32,
@@ -482,7 +482,7 @@ fn refused_of<P: Default, M>(
 fn parameters_just_out_of_range_are_named() {
     let (carpet, paint) = (|p| refused_of(Carpet::new, p), |p| refused_of(MetallicPaint::new, p));
     let (glass, panel) = (|p| refused_of(TemperedGlass::new, p), |p| refused_of(Variations::new, p));
-    let (scratches, fibres) = (|p| refused_of(Scratches::new, p), |p| refused_of(Fibres::new, p));
+    let (scratches, fibers) = (|p| refused_of(Scratches::new, p), |p| refused_of(Fibers::new, p));
     let cases = [
         ("eta", refused(Conductor::new(0.0, 1.0))),
         ("relative_index", refused(Dielectric::new(-0.0))),
@@ -516,8 +516,8 @@ fn parameters_just_out_of_range_are_named() {
         ("dent_detail", panel(|p| p.dent_detail = 99)),
         ("scratch_width", scratches(|p| p.scratch_width = 0.9)),
         ("scratch_direction", scratches(|p| p.scratch_direction = Vec2::NAN)),
-        ("fibre_width", fibres(|p| p.fibre_width = 0.5)),
-        ("fibre_direction", fibres(|p| p.fibre_direction = Vec2::ZERO)),
+        ("fiber_width", fibers(|p| p.fiber_width = 0.5)),
+        ("fiber_direction", fibers(|p| p.fiber_direction = Vec2::ZERO)),
     ];
     for (name, got) in cases {
         assert_eq!(got, Some(name));

@@ -8,7 +8,7 @@ use asperity_shading::check;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::level_of_detail::{BumpField, LevelOfDetail};
 use asperity_shading::material::{
-    BevelledTiles, BrickWall, BumpMapped, Carpet, CarpetParameters, GlassBody, Material, MetallicPaint,
+    BeveledTiles, BrickWall, BumpMapped, Carpet, CarpetParameters, GlassBody, Material, MetallicPaint,
     MetallicPaintParameters, NormalMapped, PaintFlakes, PolishedMarble, Scratches, ScratchesParameters,
     SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters, Wallpaper,
 };
@@ -61,7 +61,7 @@ fn materials() -> Vec<(&'static str, Boxed, f32)> {
     };
     let wall = BrickWall { clay: white, mortar: white, variation: 0.0, depth: 0.02, ..Default::default() };
     let bevel = Bevel::new(0.03, 0.2, 0.2, 0.9).expect(VALID);
-    let tiles = BevelledTiles { bevel, side: 0.2, colour: white, roughness: 0.5 };
+    let tiles = BeveledTiles { bevel, side: 0.2, color: white, roughness: 0.5 };
     let stars = Wallpaper { stars: StarWallpaper::default(), paper: white, star: white, roughness: 0.0 };
     let marble = PolishedMarble { marble: Marble::default(), tint: Vec3::splat(100.0), polish: 0.3 };
     let field = GaussianFbm::<3>::new(GaussianNoise::new(7), FbmSpectrum::new(2.17, 0.8, 3).expect(VALID));
@@ -69,13 +69,13 @@ fn materials() -> Vec<(&'static str, Boxed, f32)> {
         ndf: Ggx::new(0.3, 0.5).expect(VALID),
         bumps: BumpField::new(field, 20.0).expect(VALID),
         rule,
-        colour: white,
+        color: white,
     };
     let ridges: Vec<Vec3> =
         (0..256).map(|k| Vec3::new(if k % 4 < 2 { 0.6 } else { -0.6 }, 0.0, 0.8)).collect();
     let map = Box::leak(Box::new(SlopePyramid::<4>::from_normals(16, 16, &ridges).expect(VALID)));
     let roughness = Beckmann::isotropic(0.3).expect(VALID);
-    let mapped = NormalMapped { map: map.as_ref(), roughness, colour: white };
+    let mapped = NormalMapped { map: map.as_ref(), roughness, color: white };
     vec![
         ("Lambert", Box::new(Lambert::new(white).expect(VALID)) as Boxed, 0.0),
         ("carpet", Box::new(Carpet::new(carpet).expect(VALID)), 4e-3),

@@ -3,7 +3,7 @@
 
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::material::{
-    BevelledTiles, BrickWall, BumpMapped, GlassWaves, NormalMapped, PaintFlakes, PolishedMarble, SeamPattern,
+    BeveledTiles, BrickWall, BumpMapped, GlassWaves, NormalMapped, PaintFlakes, PolishedMarble, SeamPattern,
     Wallpaper,
 };
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
@@ -50,7 +50,7 @@ fn materials() -> Vec<(&'static str, Box<dyn Material>)> {
         ("variations", Box::new(Variations::new(VariationsParameters::default()).expect("plastic"))),
         ("scratches", Box::new(Scratches::new(ScratchesParameters::default()).expect("scratches"))),
         ("bricks", Box::new(BrickWall::default())),
-        ("tiles", Box::new(BevelledTiles { bevel, side: 0.05, colour: Vec3::ONE, roughness: 0.5 })),
+        ("tiles", Box::new(BeveledTiles { bevel, side: 0.05, color: Vec3::ONE, roughness: 0.5 })),
         ("wallpaper", Box::new(Wallpaper { stars, paper, star, roughness: 0.3 })),
         ("marble", Box::new(PolishedMarble { marble: Marble::default(), tint: Vec3::ONE, polish: 0.1 })),
         (
@@ -59,7 +59,7 @@ fn materials() -> Vec<(&'static str, Box<dyn Material>)> {
                 ndf: Ggx::new(0.3, 0.5).expect("in range"),
                 bumps,
                 rule: LevelOfDetail::Exact,
-                colour: Vec3::ONE,
+                color: Vec3::ONE,
             }),
         ),
         (
@@ -67,7 +67,7 @@ fn materials() -> Vec<(&'static str, Box<dyn Material>)> {
             Box::new(NormalMapped {
                 map: map.as_ref(),
                 roughness: Beckmann::isotropic(0.3).expect("in range"),
-                colour: Vec3::ONE,
+                color: Vec3::ONE,
             }),
         ),
     ]

@@ -241,8 +241,8 @@ fn textures() {
     let marble = Marble::default();
     single("Marble::sum", marble.sum(P), [0.028875351]);
     pinned(
-        "Marble::colour",
-        marble.colour(P, Footprint::from_width(0.05)),
+        "Marble::color",
+        marble.color(P, Footprint::from_width(0.05)),
         [0.0861342102, 0.0861342102, 0.248287141],
         10.0 * SINGLE,
     );

@@ -2,7 +2,7 @@
 
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::material::{
-    Blemishes, DarkAreas, Dents, DiffuseThreads, Fibres, FibresParameters, GlassWaves, GlintField,
+    Blemishes, DarkAreas, Dents, DiffuseThreads, Fibers, FibersParameters, GlassWaves, GlintField,
     OrangePeel, PassiveFlakes, SeamPattern, Seams, SpecularThreads, boosted, flake_patch, linear_seam,
     rim_light, sparkle_width, varied, wave_gradient, wave_height,
 };
@@ -67,10 +67,10 @@ fn carpets() {
     }
     single("linear_seam", linear_seam(2.3), [0.800000191]);
     single("rim_light", rim_light(N, Vec3::X, 0.7), [0.478577256]);
-    let fibres = Fibres::new(FibresParameters::default()).unwrap();
-    let fibre = fibres.sample(UV, Footprint::from_width(1e-4));
+    let fibers = Fibers::new(FibersParameters::default()).unwrap();
+    let fiber = fibers.sample(UV, Footprint::from_width(1e-4));
     let expected = [1.11548305, 0.785506785, -0.0595688075];
-    pinned("Fibres", [fibre.factor, fibre.direction.x, fibre.slope.x], expected, LOOSE);
+    pinned("Fibers", [fiber.factor, fiber.direction.x, fiber.slope.x], expected, LOOSE);
 }
 
 #[test]
@@ -91,7 +91,7 @@ fn paints() {
     );
     let patch = flake_patch(P, 0.01, Vec3::splat(0.01), 0.5, 1).unwrap();
     single("flake_patch", patch.tilt, [0.160218909, -0.556663692, 0.689331889]);
-    single("flake_patch, centre", patch.centre, [0.375, -1.21499991, 2.83500004]);
+    single("flake_patch, center", patch.center, [0.375, -1.21499991, 2.83500004]);
     single("sparkle_width", sparkle_width(2.5, 0.1 * N, 0.2 * P), [0.185000002, 0.605000019, 1.41499996]);
     single("boosted", boosted(N, Vec3::ONE, 0.3), [0.552000046, 0.635999978, 0.860000014]);
     let glints = GlintField::new(Beckmann::isotropic(0.3).unwrap(), 1e-3, 0.1, 1).unwrap();
@@ -122,7 +122,7 @@ fn glass_scratches_and_variations() {
     let blemishes = Blemishes::new(0.01, 1).unwrap();
     pinned(
         "Blemishes",
-        blemishes.colour(N, 0.5, P, footprint),
+        blemishes.color(N, 0.5, P, footprint),
         [0.332260966, 0.443014592, 0.738357663],
         LOOSE,
     );
@@ -141,8 +141,8 @@ fn glass_scratches_and_variations() {
         LOOSE,
     );
     pinned(
-        "Fibre, width",
-        Fibres::new(FibresParameters::default()).unwrap().sample(UV, Footprint::from_width(1e-4)).slope,
+        "Fiber, width",
+        Fibers::new(FibersParameters::default()).unwrap().sample(UV, Footprint::from_width(1e-4)).slope,
         [-0.0595688075, 0.0357200764],
         LOOSE,
     );

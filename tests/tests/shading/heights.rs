@@ -2,7 +2,7 @@
 //! bounds hold.
 
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::material::{BevelledTiles, BrickWall, MetallicRoughness, PolishedMarble, SeamPattern};
+use asperity_shading::material::{BeveledTiles, BrickWall, MetallicRoughness, PolishedMarble, SeamPattern};
 use asperity_shading::reflectance::Coat;
 use asperity_shading::texture::Bevel;
 use asperity_shading::{
@@ -21,7 +21,7 @@ fn reliefs() -> Vec<(&'static str, f32, f32, Box<dyn Material>)> {
         Box::new(Carpet::new(parameters).expect("a carpet"))
     };
     let bevel = Bevel::new(0.02, 0.1, 0.1, 0.8).expect("a ridge");
-    let tiles = BevelledTiles { bevel, side: 0.05, colour: Vec3::ONE, roughness: 0.5 };
+    let tiles = BeveledTiles { bevel, side: 0.05, color: Vec3::ONE, roughness: 0.5 };
     let dents = VariationsParameters { dent_strength: 0.2, dent_size: 0.02, ..Default::default() };
     let scratches = ScratchesParameters { scratch_cover: 2.5, ..Default::default() };
     vec![

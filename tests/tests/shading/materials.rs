@@ -105,17 +105,17 @@ fn flat_carpets_keep_their_mean_color_at_every_distance() {
             seams_pattern: pattern,
             diffuse_thread_bump_strength: 0.0,
             seams_bump_strength: 0.0,
-            fibre_bump_strength: 0.0,
+            fiber_bump_strength: 0.0,
             ..Default::default()
         })
         .unwrap();
-        let colour = |width: f32| {
+        let color = |width: f32| {
             let light = |p| carpet.bsdf(&seen(p, width), Vec3::Z).scattered(Vec3::Z, Vec3::Z);
             mean(points(5, 20_000).map(|p| f64::from(light(p).x)))
         };
-        let [far, _] = colour(1e3);
+        let [far, _] = color(1e3);
         for width in [0.0, 0.001, 0.003, 0.01, 0.03, 0.1] {
-            let [near, error] = colour(width);
+            let [near, error] = color(width);
             println!("{pattern:?}, {width}: {near} ± {error}, from afar {far}");
             // Dark areas of 0.15 over 4 × 4 are about 700 independent areas of deviation 0.12: a
             // standard error of 0.5 %.
@@ -131,8 +131,8 @@ fn seam_ridges_keep_their_mean_radiance_at_grazing_light() {
         diffuse_thread_bump_strength: 0.0,
         specular_thread_strength: 0.0,
         dark_area_strength: 0.0,
-        fibre_strength: 0.0,
-        fibre_bump_strength: 0.0,
+        fiber_strength: 0.0,
+        fiber_bump_strength: 0.0,
         seams_amplitude: 0.0,
         seam_crossover_strength: 0.0,
         ..Default::default()
@@ -154,8 +154,8 @@ fn seam_ridges_keep_their_mean_radiance_at_grazing_light() {
 #[test]
 fn colors_and_waves_match_the_references() {
     for row in rows(&file()["colour_variation"]["rows"]) {
-        let [colour, variation, noise, _, _, fixed] = row[..] else { panic!("six columns") };
-        close(varied(colour as f32, noise as f32, variation as f32), fixed, 1e-6, &row);
+        let [color, variation, noise, _, _, fixed] = row[..] else { panic!("six columns") };
+        close(varied(color as f32, noise as f32, variation as f32), fixed, 1e-6, &row);
     }
     for item in file()["tempered_glass"].as_array().expect("an array") {
         let vector = |name: &str| {

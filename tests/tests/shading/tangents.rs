@@ -122,14 +122,14 @@ proptest! {
     #[test]
     fn isotropic_reflectances_turn_with_their_frame(wi in unit(), wo in unit(), by in angle()) {
         let [wi, wo] = [wi, wo].map(|w| Vec3::new(w.x, w.y, w.z.abs().max(1e-2)).normalize());
-        let grey = Vec3::splat(0.5);
+        let gray = Vec3::splat(0.5);
         let all: [(&str, Box<dyn Brdf>); 6] = [
-            ("rough", Box::new(EnergyPreservingOrenNayar::new(grey, 0.7).unwrap())),
-            ("Oren-Nayar", Box::new(OrenNayar::new(grey, 0.7, OrenNayarForm::Full).unwrap())),
+            ("rough", Box::new(EnergyPreservingOrenNayar::new(gray, 0.7).unwrap())),
+            ("Oren-Nayar", Box::new(OrenNayar::new(gray, 0.7, OrenNayarForm::Full).unwrap())),
             ("GGX", Box::new(CookTorrance::new(Ggx::isotropic(0.3).unwrap(), Dielectric::new(1.5).unwrap()))),
             ("Beckmann", Box::new(CookTorrance::new(Beckmann::isotropic(0.3).unwrap(), Dielectric::new(1.5).unwrap()))),
-            ("Phong", Box::new(Phong::new(grey, 20.0).unwrap())),
-            ("Blinn-Phong", Box::new(BlinnPhongBrdf::new(grey, 20.0, BlinnPhongFactor::Albedo).unwrap())),
+            ("Phong", Box::new(Phong::new(gray, 20.0).unwrap())),
+            ("Blinn-Phong", Box::new(BlinnPhongBrdf::new(gray, 20.0, BlinnPhongFactor::Albedo).unwrap())),
         ];
         for (name, brdf) in all {
             let [a, b] = [brdf.value(wi, wo).x, brdf.value(turned(wi, by), turned(wo, by)).x];
@@ -169,8 +169,8 @@ proptest! {
         let parameters = CarpetParameters {
             seams_pattern,
             seam_distance: 0.5,
-            fibre_strength: 0.0,
-            fibre_bump_strength: 0.0,
+            fiber_strength: 0.0,
+            fiber_bump_strength: 0.0,
             ..Default::default()
         };
         let one = SurfacePoint::new(position, n, Footprint::from_width(1e-3));

@@ -85,8 +85,8 @@ fn color_keeps_its_mean_at_every_footprint() {
             let i = i as f32;
             let p =
                 Vec3::new((0.618_034 * i).fract(), (0.754_878 * i).fract(), (0.569_84 * i).fract()) * 40.0;
-            let colour = marble.colour(p, Footprint::from_width(width));
-            for (sum, c) in sum.iter_mut().zip(colour.to_array()) {
+            let color = marble.color(p, Footprint::from_width(width));
+            for (sum, c) in sum.iter_mut().zip(color.to_array()) {
                 *sum += f64::from(c) / f64::from(n);
             }
         }

@@ -127,7 +127,7 @@ pub struct Render {
     #[arg(long, value_enum)]
     pub material: Option<Material>,
     /// Color of the material, sRGB in hexadecimal.
-    #[arg(long, value_name = "RRGGBB", value_parser = colour)]
+    #[arg(long, value_name = "RRGGBB", value_parser = color)]
     pub tint: Option<u32>,
     /// Roughness of the material, between 0 and 1; for bumps, GGX.
     #[arg(long, value_parser = share, conflicts_with_all = ["ndf", "normal_map"])]
@@ -276,10 +276,10 @@ pub struct Bake {
     #[arg(long, value_parser = share)]
     pub occlusion: Option<f32>,
     /// Color, sRGB in hexadecimal [default: b4b0a8].
-    #[arg(long, value_name = "RRGGBB", value_parser = colour)]
+    #[arg(long, value_name = "RRGGBB", value_parser = color)]
     pub tint: Option<u32>,
     /// Color of low parts [default: --tint].
-    #[arg(long, value_name = "RRGGBB", value_parser = colour)]
+    #[arg(long, value_name = "RRGGBB", value_parser = color)]
     pub low_tint: Option<u32>,
     /// Roughness √α of the surface between its bumps [default: 0.6; 0 with --ndf].
     #[arg(long, value_parser = share)]
@@ -424,11 +424,11 @@ pub enum Background {
     /// The light.
     Light,
     /// A color.
-    Colour(u32),
+    Color(u32),
 }
 
 fn behind(text: &str) -> Result<Background, &'static str> {
-    let given = || colour(text).map(Background::Colour);
+    let given = || color(text).map(Background::Color);
     if text == "light" {
         Ok(Background::Light)
     } else {
@@ -482,7 +482,7 @@ fn share(text: &str) -> Result<f32, &'static str> {
     positive(text).ok().filter(|x| *x <= 1.0).ok_or("must be a number above 0 and at most 1")
 }
 
-fn colour(text: &str) -> Result<u32, &'static str> {
+fn color(text: &str) -> Result<u32, &'static str> {
     let digits = text.trim_start_matches('#');
     match u32::from_str_radix(digits, 16) {
         Ok(rgb) if digits.len() == 6 => Ok(rgb),

@@ -3,7 +3,7 @@
 const STYLE: &str = include_str!("page.css");
 
 /// Returns a named color of the page for the light and the dark theme.
-pub fn colour(name: &str) -> [&'static str; 2] {
+pub fn color(name: &str) -> [&'static str; 2] {
     let name = format!("--{name}: ");
     let value = |rest: &'static str| rest.split(';').next();
     let mut values = STYLE.split(name.as_str()).skip(1).filter_map(value);
@@ -34,7 +34,7 @@ mod tests {
 
     #[test]
     fn color_has_light_and_dark_value() {
-        assert_eq!(colour("card"), ["#ffffff", "#1b1d1f"]);
-        assert_eq!(colour("series-4"), ["#8a3b8f", "#d394dc"]);
+        assert_eq!(color("card"), ["#ffffff", "#1b1d1f"]);
+        assert_eq!(color("series-4"), ["#8a3b8f", "#d394dc"]);
     }
 }

@@ -28,13 +28,13 @@ const WORDS: &str = "\
     | |-|--|=|a|ggx|ggx:|ggx:,|ggx:0.2|ggx:0.2,0.4|ggx:nan|ggx:1e-30|ward:0.1,1e30|\
     student-t:0.1,0.2,1e9|blinn-phong:1e30|ashikhmin-shirley:0,inf|painted|🫖|a\nb|\u{1b}[31m|\
     \u{202e}x";
-const COLOURS: &str = "b02a1e|#d9a066|ffffff|12345|+12345|gggggg|#####000000";
+const COLORS: &str = "b02a1e|#d9a066|ffffff|12345|+12345|gggggg|#####000000";
 const SETS: &str = "\
-    depth=0.01|coat_roughness=0.1|colour=#b02a1e|colour=1,2|depth=nan|depth=-1|=|x=|\
+    depth=0.01|coat_roughness=0.1|color=#b02a1e|color=1,2|depth=nan|depth=-1|=|x=|\
     orange_peel_strength=1e30|no equals";
 const RANGES: &str = "1|2-3|1-1|3-2|0|1-|-|1-4294967295";
 const PATHS: &str = "\
-    grey.png|cut.png|empty.png|triangle.obj|broken.obj|no.stl|system.json|wild.json|folder|folder/|\
+    gray.png|cut.png|empty.png|triangle.obj|broken.obj|no.stl|system.json|wild.json|folder|folder/|\
     nowhere/a.png|a.png|b.exr|c.jpg|d.webp|e.gif|frame-##.png|/proc/version/x.png|job.yaml|\
     x/../y.png";
 
@@ -121,7 +121,7 @@ fn value(random: &mut Random, option: &OptionOf) -> String {
         }
         _ => match kind {
             "FILE" | "DIR" | "LIGHT" => any(random, PATHS).into(),
-            "RRGGBB" | "light|RRGGBB" => any(random, COLOURS).into(),
+            "RRGGBB" | "light|RRGGBB" => any(random, COLORS).into(),
             "NAME=VALUE" => any(random, SETS).into(),
             "N|N-N" => any(random, RANGES).into(),
             "NDF" | "NAME" => any(random, WORDS).into(),
@@ -172,7 +172,7 @@ fn files(folder: &Path) {
     let system = r#"{"knots": [0, 1, 2], "alpha": [0.5, 0.5], "q": [[0, 1], [1, -1]]}"#;
     let wild = r#"{"knots": [0, 1e308, -1e308], "alpha": [1e308], "q": []}"#;
     let written: [(&str, &[u8]); 8] = [
-        ("grey.png", &png),
+        ("gray.png", &png),
         ("cut.png", &png[..half]),
         ("empty.png", b""),
         ("triangle.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),

@@ -41,7 +41,7 @@ const FIRST: [&str; 10] = [
     "cochran-1-functions",
     "noise-kind-perlin-2002",
     "noise-kind-gaussian",
-    "cohen-marble-colours",
+    "cohen-marble-colors",
     "ndf-density-ggx",
     "cochran-4-bounds",
     "noise-cellular",

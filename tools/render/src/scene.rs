@@ -85,7 +85,7 @@ pub enum Backdrop {
     /// A gradient over the image.
     Studio,
     /// A constant color.
-    Colour(Vec3),
+    Color(Vec3),
     /// The environment, or the room.
     Light,
 }
@@ -138,7 +138,7 @@ impl<'m, 'l> Scene<'m, 'l> {
     pub fn behind(&self, ray: &Ray, place: Option<[f32; 2]>) -> Vec3 {
         match (self.backdrop, place, &self.light) {
             (Backdrop::Studio, Some([x, y]), _) => background(x, y),
-            (Backdrop::Colour(colour), Some(_), _) => colour,
+            (Backdrop::Color(color), Some(_), _) => color,
             (.., Light::Around(light)) => light.radiance(ray.direction),
             (.., Light::Lamps { room, .. }) => {
                 room(&Ray { origin: (self.focus + ray.origin.as_dvec3()).as_vec3(), ..*ray })

@@ -117,7 +117,7 @@ where
 
     let spectrum = FbmSpectrum::default();
     let sigma = variance.sqrt() * f64::from(spectrum.root_sum_of_squares(8.0));
-    let unnormalise = f64::from(spectrum.sum_of_amplitudes(8.0));
+    let unnormalize = f64::from(spectrum.sum_of_amplitudes(8.0));
     let histogram = (0..CDF_SEEDS / share)
         .into_par_iter()
         .map(|seed| {
@@ -125,7 +125,7 @@ where
                 .with_normalization(Normalization::UnitRange);
             let mut bins = [0_u64; BINS + 1];
             for value in values::<V>(&octaves.first(8.0), seed) {
-                let r = f64::from(value).abs() * unnormalise / sigma;
+                let r = f64::from(value).abs() * unnormalize / sigma;
                 bins[((r * BINS as f64 / REACH) as usize).min(BINS)] += 1;
             }
             bins

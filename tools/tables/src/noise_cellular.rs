@@ -134,9 +134,9 @@ where
 
     let spectrum = FbmSpectrum::default();
     let sigma = variance.sqrt() * f64::from(spectrum.root_sum_of_squares(8.0));
-    let unnormalise = f64::from(spectrum.sum_of_amplitudes(8.0));
+    let unnormalize = f64::from(spectrum.sum_of_amplitudes(8.0));
     let bin = |value: f32| {
-        let r = (f64::from(value) - mean) * unnormalise / sigma;
+        let r = (f64::from(value) - mean) * unnormalize / sigma;
         (((r + REACH) / (2.0 * REACH) * (KNOTS - 1) as f64).ceil().max(0.0) as usize).min(KNOTS)
     };
     let histogram = (0..SEEDS)

@@ -79,7 +79,7 @@ fn picture(stem: &str, [black, white]: [f32; 2], value: &dyn Fn(Vec2) -> f32) ->
     encoder.set_depth(BitDepth::Eight);
     encoder.set_compression(Compression::High);
     encoder.write_header()?.write_image_data(&pixels)?;
-    let line = format!("![A square of it, in grey.](data:image/png;base64,{})\n", base64(&png));
+    let line = format!("![A square of it, in gray.](data:image/png;base64,{})\n", base64(&png));
     Ok([(format!("{stem}.png"), png), (format!("{stem}.md"), line.into_bytes())])
 }
 

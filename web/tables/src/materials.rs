@@ -7,7 +7,7 @@ use alloc::{string::String, string::ToString, vec::Vec};
 use asperity_noise::{Fbm, FbmSpectrum, Normalization, Perlin, Turbulence};
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::material::{
-    BrickWall, Elimination, FibresParameters, GlassBody, GlassWaves, PolishedMarble, SeamPattern,
+    BrickWall, Elimination, FibersParameters, GlassBody, GlassWaves, PolishedMarble, SeamPattern,
 };
 use asperity_shading::texture::{Gas, Steam};
 use asperity_shading::{
@@ -117,20 +117,20 @@ pub(crate) fn carpet(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
         seams_bump_strength: next.float(),
         seam_crossover_size: next.float(),
         seam_crossover_strength: next.float(),
-        fibre_strength: next.float(),
-        fibre_bump_strength: next.float(),
-        fibres: FibresParameters {
-            fibre_length: next.float(),
-            fibre_width: next.float(),
-            fibre_bend: next.float(),
-            fibre_direction: next.plane(),
-            fibre_spread: next.float(),
-            fibre_contrast: next.float(),
+        fiber_strength: next.float(),
+        fiber_bump_strength: next.float(),
+        fibers: FibersParameters {
+            fiber_length: next.float(),
+            fiber_width: next.float(),
+            fiber_bend: next.float(),
+            fiber_direction: next.plane(),
+            fiber_spread: next.float(),
+            fiber_contrast: next.float(),
             ..Default::default()
         },
         fake_rim_light: next.float(),
         fake_rim_light_width: next.float(),
-        fake_rim_light_colour: next.space(),
+        fake_rim_light_color: next.space(),
         seed: next.whole(),
     };
     let uniform = CarpetUniform::new(&Carpet::new(parameters).map_err(said)?, 0);
@@ -181,7 +181,7 @@ pub(crate) fn variations(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String>
         gloss_roughness: next.float(),
         small_blemish_size: next.float(),
         small_blemish_bump_strength: next.float(),
-        small_blemish_colour_strength: next.float(),
+        small_blemish_color_strength: next.float(),
         dent_strength: next.float(),
         dent_size: next.float(),
         dent_cover: next.float(),

@@ -24,8 +24,8 @@ pub(super) const fn table_len(width: usize, height: usize) -> Result<usize, Imag
 
 /// The brightness for sampling: the mean of the channels, so that none is missed.
 #[inline]
-fn brightness(colour: Vec3) -> f32 {
-    colour.dot(Vec3::splat(1.0 / 3.0))
+fn brightness(color: Vec3) -> f32 {
+    color.dot(Vec3::splat(1.0 / 3.0))
 }
 
 /// Fills the table of an image and returns the integral of its brightness over the sphere.

@@ -12,7 +12,7 @@ use crate::reflectance::{Bsdf, Lobe};
 /// A bump map of an NDF, shaded with the NDF by a level-of-detail rule.
 ///
 /// ```text
-/// f_r = colour · p(h | what the pixel resolves) min(1, h_z/(ωo·h))/(4 max(cos θ_i, cos θ_o))
+/// f_r = color · p(h | what the pixel resolves) min(1, h_z/(ωo·h))/(4 max(cos θ_i, cos θ_o))
 /// ```
 ///
 /// Under [`LevelOfDetail::Exact`] its mean over the surface is the far field at every zoom.
@@ -25,7 +25,7 @@ use crate::reflectance::{Bsdf, Lobe};
 /// use asperity_shading::{Brdf, BumpField, Footprint, Ggx, LevelOfDetail, SurfacePoint, glam::Vec3};
 ///
 /// let bumps = BumpField::new(GaussianFbm::new(GaussianNoise::new(1), FbmSpectrum::default()), 20.0)?;
-/// let copper = BumpMapped { ndf: Ggx::new(0.2, 0.4)?, bumps, rule: LevelOfDetail::Exact, colour: Vec3::new(0.9, 0.6, 0.5) };
+/// let copper = BumpMapped { ndf: Ggx::new(0.2, 0.4)?, bumps, rule: LevelOfDetail::Exact, color: Vec3::new(0.9, 0.6, 0.5) };
 /// let seen = |width| {
 ///     let point = SurfacePoint::new(Vec3::new(0.3, 0.1, 0.8), Vec3::Z, Footprint::from_width(width));
 ///     copper.bsdf(&point, Vec3::Z).value(Vec3::Z, Vec3::Z).x
@@ -43,13 +43,13 @@ pub struct BumpMapped<N, F> {
     /// The level-of-detail rule.
     pub rule: LevelOfDetail,
     /// The reflectance of the facets; non-positive components are read as 0.
-    pub colour: Vec3,
+    pub color: Vec3,
 }
 
 impl<N: Ndf, F: GaussianField> Material for BumpMapped<N, F> {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let coordinates = self.bumps.coordinates(point.position, point.footprint());
-        let lobe = Lobe::resolved(&self.ndf, self.rule, coordinates).weighted(self.colour);
+        let lobe = Lobe::resolved(&self.ndf, self.rule, coordinates).weighted(self.color);
         Bsdf::new(wo).with([Facet::FLAT], [lobe])
     }
 }

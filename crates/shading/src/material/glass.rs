@@ -7,7 +7,7 @@ use crate::material::fbm::{SLOPE_VARIANCE, SizedFbm};
 use crate::material::interface::Material;
 use crate::material::surface_point::SurfacePoint;
 use crate::math::{cos, sin, sqrt};
-use crate::parameter::{ParameterError, as_share, as_size, colour, direction, parameters, range};
+use crate::parameter::{ParameterError, as_share, as_size, color, direction, parameters, range};
 use crate::reflectance::coat::Slopes;
 use crate::reflectance::{Bsdf, Coat, Dielectric};
 
@@ -54,7 +54,7 @@ parameters! {
         index: f32 = 1.52, range([1.0, 4.0]);
         /// The transmittance of a pane at normal incidence in addition to its reflection, by color.
         /// Default white.
-        tint: Vec3 = Vec3::ONE, colour;
+        tint: Vec3 = Vec3::ONE, color;
         /// The roughness of its surfaces, Beckmann's α, within `[0, 1]`, for reflection and
         /// transmission, as of frosted glass. 0 is smooth. Default 0.
         roughness: f32 = 0.0, as_share;

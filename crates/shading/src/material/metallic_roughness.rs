@@ -42,7 +42,7 @@ use crate::reflectance::{Bsdf, LobePart};
 /// let gold = Vec3::new(1.0, 0.77, 0.34);
 /// let bsdf = Bsdf::new(Vec3::Z).with_coat(Coat::metal(gold).rough(0.2));
 /// let seen = MetallicRoughness::of(&bsdf).ok_or("no lobes")?;
-/// assert_eq!((seen.base_colour, seen.metallic), (gold, 1.0));
+/// assert_eq!((seen.base_color, seen.metallic), (gold, 1.0));
 /// assert!((seen.alpha2 - 0.04).abs() < 1e-6);
 /// # Ok::<(), &str>(())
 /// ```
@@ -51,7 +51,7 @@ use crate::reflectance::{Bsdf, LobePart};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MetallicRoughness {
     /// The linear base color, in [0, 1]³.
-    pub base_colour: Vec3,
+    pub base_color: Vec3,
     /// From 0, a dielectric, to 1, a metal.
     pub metallic: f32,
     /// Moments of the slopes `(n_x, n_y)/n_z` of the facets, in the frame of the surface.
@@ -81,10 +81,10 @@ impl MetallicRoughness {
                     diffuse += share * albedo;
                     matt.add(share * brightness(albedo), slope, 1.0);
                 }
-                LobePart::Glossy(colour, alpha2) => {
-                    specular += share * colour;
+                LobePart::Glossy(color, alpha2) => {
+                    specular += share * color;
                     facets = true;
-                    glossy.add(share * brightness(colour), slope, alpha2);
+                    glossy.add(share * brightness(color), slope, alpha2);
                 }
                 LobePart::Varnish(alpha2) => varnish.add(share, slope, alpha2),
             }
@@ -95,14 +95,14 @@ impl MetallicRoughness {
             (false, true) => (varnish, None),
             (false, false) => (matt, None),
         };
-        let (base_colour, metallic) = if facets {
-            base_colour(diffuse, specular)
+        let (base_color, metallic) = if facets {
+            base_color(diffuse, specular)
         } else {
             (Vec3::from_array(diffuse.to_array().map(|x| clamp_to(x, 1.0))), 0.0)
         };
         let any = shown.weight > 0.0 || matt.weight > 0.0 || bsdf.parts().next().is_some();
         any.then_some(Self {
-            base_colour,
+            base_color,
             metallic,
             slopes: shown.slopes,
             alpha2: if shown.weight > 0.0 { clamp_to(shown.alpha2, 1.0) } else { 1.0 },
@@ -131,8 +131,8 @@ impl Mean {
 }
 
 /// Perceived brightness of a color (Finley 2006, "HSP Color Model").
-fn brightness(colour: Vec3) -> f32 {
-    sqrt((colour * colour).dot(Vec3::new(0.299, 0.587, 0.114)).max(0.0))
+fn brightness(color: Vec3) -> f32 {
+    sqrt((color * color).dot(Vec3::new(0.299, 0.587, 0.114)).max(0.0))
 }
 
 /// Base color and metallic of the nearest surface of the glTF 2.0 model.
@@ -146,7 +146,7 @@ fn brightness(colour: Vec3) -> f32 {
 /// in each channel, within [0, 1]. The difference of one channel is 0 at the roots of `0.04 t² − (c +
 /// s) t + c`. The search for the minimum of the sum over all channels starts at the best of these
 /// roots and a few steps.
-fn base_colour(diffuse: Vec3, specular: Vec3) -> (Vec3, f32) {
+fn base_color(diffuse: Vec3, specular: Vec3) -> (Vec3, f32) {
     let lobes: [[f64; 2]; 3] = core::array::from_fn(|i| {
         let specular = f64::from(clamp_to(specular[i], 1.0));
         let left = 1.0 - specular;
@@ -177,8 +177,8 @@ fn base_colour(diffuse: Vec3, specular: Vec3) -> (Vec3, f32) {
         if nearer { (t, next) } else { best }
     });
     let t = least(apart, start.0, 1.0 / f64::from(STEPS));
-    let colour = Vec3::from_array(lobes.map(|lobe| base(t, lobe) as f32));
-    (colour, (1.0 - t) as f32)
+    let color = Vec3::from_array(lobes.map(|lobe| base(t, lobe) as f32));
+    (color, (1.0 - t) as f32)
 }
 
 /// Starts of the search, next to the roots.
@@ -220,8 +220,8 @@ mod tests {
         [-0.3, 0.5].map(|x| Facet::new(0.5, bumped_normal(Vec3::Z, Vec3::new(-x, 0.0, 0.0))))
     }
 
-    fn glossy(colour: Vec3, alpha: f32) -> Lobe<'static> {
-        CookTorrance::new(Beckmann::clamped(alpha, alpha), colour).into()
+    fn glossy(color: Vec3, alpha: f32) -> Lobe<'static> {
+        CookTorrance::new(Beckmann::clamped(alpha, alpha), color).into()
     }
 
     #[test]
@@ -229,23 +229,23 @@ mod tests {
         let clay = Vec3::new(0.4, 0.2, 0.1);
         let chalk = || Lobe::from(EnergyPreservingOrenNayar::clamped(clay, 0.5));
         let matt = MetallicRoughness::of(&Bsdf::new(Vec3::Z).with(facets(), [chalk()])).unwrap();
-        assert_eq!((matt.base_colour, matt.metallic, matt.alpha2, matt.coat), (clay, 0.0, 1.0, None));
+        assert_eq!((matt.base_color, matt.metallic, matt.alpha2, matt.coat), (clay, 0.0, 1.0, None));
         assert_abs_diff_eq!(matt.slopes.mean, Vec2::new(0.1, 0.0), epsilon = 1e-6);
         assert_abs_diff_eq!(matt.slopes.covariance[0], 0.16, epsilon = 1e-5);
 
         let varnish = Coat::varnish(Dielectric::clamped(1.5)).rough(0.1);
         let varnished = Bsdf::new(Vec3::Z).with([Facet::FLAT], [chalk()]).with_coat(varnish);
         let varnished = MetallicRoughness::of(&varnished).unwrap();
-        assert_eq!((varnished.base_colour, varnished.metallic, varnished.coat), (clay, 0.0, None));
+        assert_eq!((varnished.base_color, varnished.metallic, varnished.coat), (clay, 0.0, None));
         assert_abs_diff_eq!(varnished.alpha2, 0.01, epsilon = 1e-6);
 
         let gold = Vec3::new(1.0, 0.77, 0.34);
         let metal = Bsdf::new(Vec3::Z).with(facets(), [glossy(gold, 0.3)]);
         let plain = MetallicRoughness::of(&metal).unwrap();
-        assert_eq!((plain.base_colour, plain.metallic, plain.coat), (gold, 1.0, None));
+        assert_eq!((plain.base_color, plain.metallic, plain.coat), (gold, 1.0, None));
         assert_abs_diff_eq!(plain.alpha2, 0.09, epsilon = 1e-6);
         let coated = MetallicRoughness::of(&metal.with_coat(varnish)).unwrap();
-        assert_eq!((coated.base_colour, coated.metallic), (gold, 1.0));
+        assert_eq!((coated.base_color, coated.metallic), (gold, 1.0));
         assert_abs_diff_eq!(coated.coat.unwrap(), 0.1, epsilon = 1e-6);
     }
 
@@ -270,14 +270,14 @@ mod tests {
                 let base = Vec3::from([1, 9, 81].map(|stride| levels[k / stride % 9]));
                 let lobes = model(base, metallic);
                 let seen = of_lobes(lobes);
-                let again = model(seen.base_colour, seen.metallic);
+                let again = model(seen.base_color, seen.metallic);
                 // Five roundings of numbers up to 1.
                 let light = (again[0] - lobes[0]).abs().max((again[1] - lobes[1]).abs()).max_element();
                 assert!(light < 3e-7, "{base}, {metallic}: {again:?} of {lobes:?}, {seen:?}");
                 // Otherwise (0.04 (1 − m), 1 − b/0.04) has the lobes of (b, m).
                 if base.max_element() > DIELECTRIC as f32 {
                     // Two roundings by the slope b − 0.04 t of the polynomial, at least 0.06.
-                    let apart = (seen.base_colour - base).abs().max_element();
+                    let apart = (seen.base_color - base).abs().max_element();
                     let worst = apart.max((seen.metallic - metallic).abs());
                     assert!(worst < 2e-6, "{base}, {metallic}: {seen:?}");
                 }
@@ -292,11 +292,11 @@ mod tests {
             let below = below - lobes[0] / (Vec3::ONE - lobes[1]);
             below.length_squared() + (specular - lobes[1]).length_squared()
         };
-        let colours = [Vec3::new(0.02, 0.05, 0.14), Vec3::new(0.3, 0.02, 0.1), Vec3::splat(0.39)];
+        let colors = [Vec3::new(0.02, 0.05, 0.14), Vec3::new(0.3, 0.02, 0.1), Vec3::splat(0.39)];
         let facets = [Vec3::new(0.25, 0.35, 0.6), Vec3::splat(0.02), Vec3::splat(0.5)];
-        for lobes in colours.into_iter().flat_map(|colour| facets.map(|facet| [colour, facet])) {
+        for lobes in colors.into_iter().flat_map(|color| facets.map(|facet| [color, facet])) {
             let seen = of_lobes(lobes);
-            let found = apart(lobes, seen.base_colour, seen.metallic);
+            let found = apart(lobes, seen.base_color, seen.metallic);
             for metallic in (0..=100).map(|k| k as f32 / 100.0) {
                 // The best base color of each channel on a grid.
                 let best = Vec3::from([0, 1, 2].map(|channel| {

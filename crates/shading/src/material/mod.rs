@@ -18,7 +18,7 @@ mod wear;
 
 pub use bump_mapped::BumpMapped;
 pub use carpet::{
-    Carpet, CarpetParameters, DarkAreas, DiffuseThreads, Fibre, Fibres, FibresParameters, Seam, SeamPattern,
+    Carpet, CarpetParameters, DarkAreas, DiffuseThreads, Fiber, Fibers, FibersParameters, Seam, SeamPattern,
     Seams, SpecularThreads, linear_seam, rim_light,
 };
 #[doc(hidden)]
@@ -35,5 +35,5 @@ pub use paint::{
 #[doc(hidden)]
 pub use segment::Segments;
 pub use surface_point::SurfacePoint;
-pub use textured::{BevelledTiles, BrickWall, Perturbed, PolishedMarble, Wallpaper};
+pub use textured::{BeveledTiles, BrickWall, Perturbed, PolishedMarble, Wallpaper};
 pub use wear::{Blemishes, Dents, Scratches, ScratchesParameters, Variations, VariationsParameters, varied};

@@ -13,7 +13,7 @@ use crate::reflectance::{Bsdf, Lobe};
 /// A glossy surface with an authored normal map, with the slopes within a pixel in up to 16 groups.
 ///
 /// ```text
-/// f_r = colour · p(h) min(1, h_z/(ωo·h))/(4 max(cos θ_i, cos θ_o)),   p(h) of SlopeLobes::density
+/// f_r = color · p(h) min(1, h_z/(ωo·h))/(4 max(cos θ_i, cos θ_o)),   p(h) of SlopeLobes::density
 /// ```
 ///
 /// The map is aligned with the tangents of the surface: texture coordinates of the points are those
@@ -31,7 +31,7 @@ use crate::reflectance::{Bsdf, Lobe};
 /// let side = |k: usize| if k % 64 < 32 { 0.6 } else { -0.6 };
 /// let ridges: Vec<Vec3> = (0..64 * 8).map(|k| Vec3::new(side(k), 0.0, 0.8)).collect();
 /// let map = SlopePyramid::<4>::from_normals(64, 8, &ridges)?;
-/// let stone = NormalMapped { map: map.as_ref(), roughness: Beckmann::isotropic(0.2)?, colour: Vec3::ONE };
+/// let stone = NormalMapped { map: map.as_ref(), roughness: Beckmann::isotropic(0.2)?, color: Vec3::ONE };
 /// let seen = |width: f32, wi: Vec3| {
 ///     let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(width)).with_uv(Vec2::splat(0.3), [Vec3::X, Vec3::Y]);
 ///     stone.bsdf(&point, Vec3::Z).scattered(wi, Vec3::Z).x
@@ -48,7 +48,7 @@ pub struct NormalMapped<'a, const K: usize> {
     /// The NDF of the surface between the slopes of the map.
     pub roughness: Beckmann,
     /// The reflectance of the facets; non-positive components are read as 0.
-    pub colour: Vec3,
+    pub color: Vec3,
 }
 
 impl<const K: usize> Material for NormalMapped<'_, K> {
@@ -56,7 +56,7 @@ impl<const K: usize> Material for NormalMapped<'_, K> {
         let seen = self.map.sample_along(point.uv, &point.uv_pixel(), 8);
         let lobes = seen.lobes().iter().filter(|lobe| lobe.weight > 0.0).map(|lobe| {
             let slopes = lobe.moments.add_detail(self.roughness, Coordinates::FAR);
-            Lobe::from(slopes).weighted(self.colour * lobe.weight)
+            Lobe::from(slopes).weighted(self.color * lobe.weight)
         });
         Bsdf::new(wo).with([Facet::FLAT], lobes)
     }

@@ -64,8 +64,8 @@ impl Material for BrickWall {
         let own = IntegerHash.word([column, row], 1) as f32 / 4_294_967_296.0 - 0.5;
         let told_apart = pixel.long().kept(1.0 / self.bricks.cell().max_element());
         let clay = self.clay * (1.0 + 2.0 * self.variation * own * told_apart);
-        let colour = self.mortar.lerp(clay, sample.brick);
-        let lobe = EnergyPreservingOrenNayar::clamped(colour, self.roughness).into();
+        let color = self.mortar.lerp(clay, sample.brick);
+        let lobe = EnergyPreservingOrenNayar::clamped(color, self.roughness).into();
         Bsdf::new(wo).with_visited([lobe], |add| {
             let mut lit = of_slopes(point, self.depth, add);
             self.bricks.facets(point.uv, pixel, |share, _, slope| lit(share, slope));
@@ -92,13 +92,13 @@ fn of_slopes(point: &SurfacePoint, depth: f32, add: &mut dyn FnMut(Facet)) -> im
 
 /// Square tiles with a ridge along their edges, on texture coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BevelledTiles {
+pub struct BeveledTiles {
     /// The ridge, for tiles of side 1.
     pub bevel: Bevel,
     /// The side of a tile in texture coordinates; a non-positive side is one tile without an edge.
     pub side: f32,
     /// The color.
-    pub colour: Vec3,
+    pub color: Vec3,
     /// The roughness of the facets, in [0, 1].
     pub roughness: f32,
 }
@@ -112,7 +112,7 @@ struct EdgeInterval {
     away: Vec2,
 }
 
-impl BevelledTiles {
+impl BeveledTiles {
     /// The interval that a pixel covers, if it resolves tiles, and the unresolved fraction.
     ///
     /// `None` without edges.
@@ -130,9 +130,9 @@ impl BevelledTiles {
     }
 }
 
-impl Material for BevelledTiles {
+impl Material for BeveledTiles {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
-        let lobe = EnergyPreservingOrenNayar::clamped(self.colour, self.roughness).into();
+        let lobe = EnergyPreservingOrenNayar::clamped(self.color, self.roughness).into();
         let Some((interval, far)) = self.interval(point) else {
             return Bsdf::new(wo).with([Facet::FLAT], [lobe]);
         };
@@ -189,8 +189,8 @@ pub struct Wallpaper {
 impl Material for Wallpaper {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let share = self.stars.coverage(point.uv, point.uv_pixel().long());
-        let colour = self.paper.lerp(self.star, share);
-        Bsdf::new(wo).with([Facet::FLAT], [EnergyPreservingOrenNayar::clamped(colour, self.roughness).into()])
+        let color = self.paper.lerp(self.star, share);
+        Bsdf::new(wo).with([Facet::FLAT], [EnergyPreservingOrenNayar::clamped(color, self.roughness).into()])
     }
 }
 
@@ -207,8 +207,8 @@ pub struct PolishedMarble {
 
 impl Material for PolishedMarble {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
-        let colour = self.tint * self.marble.colour(point.position, point.footprint());
-        let stone = EnergyPreservingOrenNayar::clamped(colour, 0.0).into();
+        let color = self.tint * self.marble.color(point.position, point.footprint());
+        let stone = EnergyPreservingOrenNayar::clamped(color, 0.0).into();
         let mut bsdf = Bsdf::new(wo);
         bsdf.add_layer([Facet::FLAT], [stone]);
         if self.polish > 0.0 {
@@ -269,7 +269,7 @@ mod tests {
         let flat = Bsdf::new(wo).with([Facet::FLAT], [lobe.into()]).scattered(wi, wo);
         let bevel = Bevel::new(0.03, 0.2, 0.2, 0.9).expect("a ridge");
         for (side, width) in [(0.0, 0.1), (-0.2, 0.0), (-0.2, 0.1), (-0.2, 10.0), (f32::NAN, 0.1)] {
-            let tiles = BevelledTiles { bevel, side, colour: Vec3::ONE, roughness: 0.5 };
+            let tiles = BeveledTiles { bevel, side, color: Vec3::ONE, roughness: 0.5 };
             let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(width))
                 .with_uv(Vec2::new(0.31, 0.17), [Vec3::X, Vec3::Y]);
             assert_eq!(tiles.bsdf(&point, wo).scattered(wi, wo), flat, "side {side}, pixel {width}");

@@ -31,11 +31,11 @@ pub(super) const fn level_start(width: usize, height: usize, level: u32) -> usiz
 pub(super) fn fill<const K: usize>(
     [width, height]: [usize; 2],
     slopes: &[Vec2],
-    centres: &[Vec2; K],
+    centers: &[Vec2; K],
     lobes: &mut [SlopeLobes<K>],
 ) {
     for (k, texel) in lobes.iter_mut().take(width * height).enumerate() {
-        *texel = over_texel([width, height], slopes, centres, [k % width, k / width]);
+        *texel = over_texel([width, height], slopes, centers, [k % width, k / width]);
     }
     for level in 0..last_level(width, height) {
         let [above, below] = [level, level + 1].map(|level| level_size(width, height, level));
@@ -69,7 +69,7 @@ fn overlaps(k: usize, coarser: usize, finer: usize) -> impl Iterator<Item = (usi
 fn over_texel<const K: usize>(
     [width, height]: [usize; 2],
     slopes: &[Vec2],
-    centres: &[Vec2; K],
+    centers: &[Vec2; K],
     [column, row]: [usize; 2],
 ) -> SlopeLobes<K> {
     // ¼ ± 1/(4√3), on both sides of the center.
@@ -83,7 +83,7 @@ fn over_texel<const K: usize>(
         let [i, j] = [x, y].map(|t| if t < 0.0 { 0 } else { 2 });
         let (x, y) = (x.abs(), y.abs());
         let slope = middle.lerp(at(i, 1), x).lerp(at(1, j).lerp(at(i, j), x), y);
-        (1.0, SlopeLobes::point(slope, centres))
+        (1.0, SlopeLobes::point(slope, centers))
     }))
 }
 
@@ -98,7 +98,7 @@ mod tests {
         const SIZE: [usize; 2] = [5, 4];
         let values: [Vec2; 20] =
             core::array::from_fn(|k| Vec2::new((k * 7 % 20) as f32, (k * 13 % 9) as f32) * 0.1);
-        let map = SlopePyramidRef { size: SIZE, slopes: &values, centres: [Vec2::ZERO], lobes: &[] };
+        let map = SlopePyramidRef { size: SIZE, slopes: &values, centers: [Vec2::ZERO], lobes: &[] };
         for k in 0..20 {
             let got = over_texel(SIZE, &values, &[Vec2::ZERO], [k % 5, k / 5]).moments();
             let points = (0..4096).map(|i| {
@@ -125,8 +125,8 @@ mod tests {
             let last = last_level(width, height);
             let mut lobes = [SlopeLobes::default(); 512];
             let lobes = &mut lobes[..level_start(width, height, last + 1)];
-            let centres = [Vec2::ZERO, Vec2::new(0.7, 0.3), Vec2::new(0.2, 0.8)];
-            fill([width, height], values, &centres, lobes);
+            let centers = [Vec2::ZERO, Vec2::new(0.7, 0.3), Vec2::new(0.2, 0.8)];
+            fill([width, height], values, &centers, lobes);
             let whole = |level| {
                 let [w, h] = level_size(width, height, level);
                 let start = level_start(width, height, level);

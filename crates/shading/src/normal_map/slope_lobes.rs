@@ -36,8 +36,8 @@ impl<const K: usize> Default for SlopeLobes<K> {
 impl<const K: usize> SlopeLobes<K> {
     /// One slope, in the group of the nearest center.
     #[must_use]
-    pub(super) fn point(slope: Vec2, centres: &[Vec2; K]) -> Self {
-        let group = nearest(slope, centres);
+    pub(super) fn point(slope: Vec2, centers: &[Vec2; K]) -> Self {
+        let group = nearest(slope, centers);
         let mut lobes = Self::default();
         if let Some(lobe) = lobes.lobes.get_mut(group) {
             *lobe = SlopeLobe { weight: 1.0, moments: SlopeMoments::point(slope) };
@@ -103,10 +103,10 @@ impl<const K: usize> SlopeLobes<K> {
 }
 
 /// The group of a slope: the group of the nearest center.
-fn nearest<const K: usize>(slope: Vec2, centres: &[Vec2; K]) -> usize {
+fn nearest<const K: usize>(slope: Vec2, centers: &[Vec2; K]) -> usize {
     let mut best = (0, f32::INFINITY);
-    for (k, centre) in centres.iter().enumerate() {
-        let distance = slope.distance_squared(*centre);
+    for (k, center) in centers.iter().enumerate() {
+        let distance = slope.distance_squared(*center);
         if distance < best.1 {
             best = (k, distance);
         }
@@ -123,39 +123,39 @@ fn nearest<const K: usize>(slope: Vec2, centres: &[Vec2; K]) -> usize {
 /// Weiszfeld 1937 to the median in place of the mean. It uses 4096 points evenly distributed over
 /// the map. Points between texels are included, because next to an edge one texel wide most slopes
 /// are interpolated.
-pub(super) fn centres<const K: usize>(size: [usize; 2], slopes: &[Vec2]) -> [Vec2; K] {
+pub(super) fn centers<const K: usize>(size: [usize; 2], slopes: &[Vec2]) -> [Vec2; K] {
     let some = || (0..4096_u32).map(|k| bilinear(evenly_spread(k), size, slopes));
     let mean = some().fold(Vec2::ZERO, |sum, slope| sum + slope / 4096.0);
-    let mut centres = [mean; K];
+    let mut centers = [mean; K];
     for k in 1..K {
-        let known = centres;
+        let known = centers;
         let away =
             |slope: Vec2| known.iter().take(k).map(|c| slope.distance_squared(*c)).fold(f32::MAX, f32::min);
         let farthest = some().fold((mean, 0.0), |best, slope| {
             let distance = away(slope);
             if distance > best.1 { (slope, distance) } else { best }
         });
-        if let Some(centre) = centres.get_mut(k) {
-            *centre = farthest.0;
+        if let Some(center) = centers.get_mut(k) {
+            *center = farthest.0;
         }
     }
     for _ in 0..20 {
         let mut sums = [(Vec2::ZERO, 0.0); K];
         for slope in some() {
-            let group = nearest(slope, &centres);
-            if let (Some((sum, count)), Some(centre)) = (sums.get_mut(group), centres.get(group)) {
-                let weight = 1.0 / (sqrt(slope.distance_squared(*centre)) + 0.05);
-                *sum += weight * (slope - *centre);
+            let group = nearest(slope, &centers);
+            if let (Some((sum, count)), Some(center)) = (sums.get_mut(group), centers.get(group)) {
+                let weight = 1.0 / (sqrt(slope.distance_squared(*center)) + 0.05);
+                *sum += weight * (slope - *center);
                 *count += weight;
             }
         }
-        for (centre, (sum, count)) in centres.iter_mut().zip(sums) {
+        for (center, (sum, count)) in centers.iter_mut().zip(sums) {
             if count > 0.0 {
-                *centre += sum / count;
+                *center += sum / count;
             }
         }
     }
-    centres
+    centers
 }
 
 /// Point k of a low-discrepancy sequence in the unit square.
@@ -181,7 +181,7 @@ mod tests {
         let slopes: [Vec2; 90] = core::array::from_fn(|k| {
             middles[k / 30] + 0.05 * Vec2::new((k as f32 * 1.7).sin(), (k as f32 * 2.9).cos())
         });
-        let found = centres::<3>([90, 1], &slopes);
+        let found = centers::<3>([90, 1], &slopes);
         for middle in middles {
             assert!(found.iter().any(|c| c.distance(middle) < 0.03), "{found:?}");
         }
@@ -193,11 +193,11 @@ mod tests {
             assert_abs_diff_eq!(got, all, epsilon = 1e-5);
         }
         // More groups than slopes.
-        for centre in centres::<4>([1, 1], &[Vec2::ONE]) {
+        for center in centers::<4>([1, 1], &[Vec2::ONE]) {
             // Four roundings of the bilinear weights.
-            assert_abs_diff_eq!(centre, Vec2::ONE, epsilon = 3e-7);
+            assert_abs_diff_eq!(center, Vec2::ONE, epsilon = 3e-7);
         }
-        assert_eq!(centres::<2>([1, 1], &[]), [Vec2::ZERO; 2]);
+        assert_eq!(centers::<2>([1, 1], &[]), [Vec2::ZERO; 2]);
     }
 
     #[test]

@@ -12,7 +12,7 @@ use crate::math::sqrt;
 use crate::math::{floor, log2};
 use crate::normal_map::bilinear::{bilinear, corners};
 use crate::normal_map::levels::{fill, last_level, level_size, level_start};
-use crate::normal_map::slope_lobes::{SlopeLobes, centres};
+use crate::normal_map::slope_lobes::{SlopeLobes, centers};
 use crate::pixel::{Footprint, PixelEllipse, Tap};
 
 /// The steepest slope of a normal map: 88°.
@@ -66,7 +66,7 @@ const STEEPEST: f32 = 32.0;
 pub struct SlopePyramidIn<S, L, const K: usize> {
     pub(super) size: [usize; 2],
     pub(super) slopes: S,
-    pub(super) centres: [Vec2; K],
+    pub(super) centers: [Vec2; K],
     pub(super) lobes: L,
 }
 
@@ -138,9 +138,9 @@ impl<'a, const K: usize> SlopePyramidRef<'a, K> {
         if lobes.len() != needed {
             return Err(ImageError::TableMismatch { needed, len: lobes.len() });
         }
-        let (size, centres) = ([width, height], centres([width, height], slopes));
-        fill(size, slopes, &centres, lobes);
-        Ok(Self { size, slopes, centres, lobes })
+        let (size, centers) = ([width, height], centers([width, height], slopes));
+        fill(size, slopes, &centers, lobes);
+        Ok(Self { size, slopes, centers, lobes })
     }
 }
 
@@ -153,9 +153,9 @@ impl<const K: usize> SlopePyramid<K> {
     pub fn new(width: usize, height: usize, slopes: Vec<Vec2>) -> Result<Self, ImageError> {
         check_slopes(width, height, &slopes)?;
         let mut lobes = vec![SlopeLobes::default(); SlopePyramidRef::<K>::lobes_len(width, height)];
-        let (size, centres) = ([width, height], centres([width, height], &slopes));
-        fill(size, &slopes, &centres, &mut lobes);
-        Ok(Self { size, slopes, centres, lobes })
+        let (size, centers) = ([width, height], centers([width, height], &slopes));
+        fill(size, &slopes, &centers, &mut lobes);
+        Ok(Self { size, slopes, centers, lobes })
     }
 
     /// Creates the map of normals whose first row is at v = 0; slopes are clamped to 32.
@@ -182,14 +182,14 @@ impl<S: Deref<Target = [Vec2]>, L: Deref<Target = [SlopeLobes<K>]>, const K: usi
     /// Borrowed view of the map.
     #[must_use]
     pub fn as_ref(&self) -> SlopePyramidRef<'_, K> {
-        SlopePyramidIn { size: self.size, slopes: &self.slopes, centres: self.centres, lobes: &self.lobes }
+        SlopePyramidIn { size: self.size, slopes: &self.slopes, centers: self.centers, lobes: &self.lobes }
     }
 
     /// Width and height, slopes, centers of the groups, and the lobes of all levels, for shaders.
     #[doc(hidden)]
     #[must_use]
     pub fn parts(&self) -> ([usize; 2], &[Vec2], &[Vec2; K], &[SlopeLobes<K>]) {
-        (self.size, &self.slopes, &self.centres, &self.lobes)
+        (self.size, &self.slopes, &self.centers, &self.lobes)
     }
 
     /// The last level, which has one texel for the whole map.
@@ -237,7 +237,7 @@ impl<S: Deref<Target = [Vec2]>, L: Deref<Target = [SlopeLobes<K>]>, const K: usi
         if pixel < 1.0 {
             let share = pixel * pixel;
             return SlopeLobes::mixed([
-                (1.0 - share, SlopeLobes::point(self.slope(uv), &self.centres)),
+                (1.0 - share, SlopeLobes::point(self.slope(uv), &self.centers)),
                 (share, self.level(uv, 0)),
             ]);
         }

@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 use crate::math::{clamp_to, exp, log2, pow, sqrt};
-use crate::parameter::{ParameterError, colour, not_negative, positive};
+use crate::parameter::{ParameterError, color, not_negative, positive};
 
 /// Absorption coefficient `σ_a` of a medium, with the Beer–Lambert law.
 ///
@@ -18,10 +18,10 @@ use crate::parameter::{ParameterError, colour, not_negative, positive};
 /// use asperity_shading::{glam::Vec3, reflectance::Absorption};
 ///
 /// // Bottle glass with this transmittance over 2 units has its square over 4.
-/// let colour = Vec3::new(0.4, 0.8, 0.5);
-/// let glass = Absorption::of_colour(colour, 2.0)?;
-/// assert!((glass.transmittance(2.0) - colour).length() < 1e-6);
-/// assert!((glass.transmittance(4.0) - colour * colour).length() < 1e-6);
+/// let color = Vec3::new(0.4, 0.8, 0.5);
+/// let glass = Absorption::of_color(color, 2.0)?;
+/// assert!((glass.transmittance(2.0) - color).length() < 1e-6);
+/// assert!((glass.transmittance(4.0) - color * color).length() < 1e-6);
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 ///
@@ -34,7 +34,7 @@ pub struct Absorption {
     coefficient: Vec3,
 }
 
-/// The smallest transmittance that [`Absorption::of_colour`] distinguishes from black, whose
+/// The smallest transmittance that [`Absorption::of_color`] distinguishes from black, whose
 /// logarithm is infinite.
 const BLACK: f32 = 1e-6;
 
@@ -56,8 +56,8 @@ impl Absorption {
     /// # Errors
     /// [`ParameterError`] unless every component is within `[0, 1]` and the distance finite and
     /// positive.
-    pub fn of_colour(transmittance: Vec3, distance: f32) -> Result<Self, ParameterError> {
-        let (share, distance) = (colour("transmittance", transmittance)?, positive("distance", distance)?);
+    pub fn of_color(transmittance: Vec3, distance: f32) -> Result<Self, ParameterError> {
+        let (share, distance) = (color("transmittance", transmittance)?, positive("distance", distance)?);
         let depth = share.max(Vec3::splat(BLACK)).map(log2) * -core::f32::consts::LN_2;
         Ok(Self { coefficient: (depth / distance).clamp(Vec3::ZERO, Vec3::MAX) })
     }
@@ -106,7 +106,7 @@ mod tests {
 
     #[test]
     fn transmittance_accepts_every_length() {
-        let black = Absorption::of_colour(Vec3::ZERO, 1e-30).unwrap();
+        let black = Absorption::of_color(Vec3::ZERO, 1e-30).unwrap();
         let most = Absorption::new(Vec3::MAX).unwrap();
         for medium in [black, most, Absorption::NONE] {
             for length in [f32::NAN, f32::NEG_INFINITY, -1.0, 0.0, 1e-30, 1.0, f32::MAX, f32::INFINITY] {
@@ -118,7 +118,7 @@ mod tests {
         assert_eq!(Absorption::NONE.transmittance(f32::INFINITY), Vec3::ONE);
         for bad in [-1.0, f32::NAN, f32::INFINITY] {
             assert!(
-                Absorption::new(Vec3::splat(bad)).is_err() && Absorption::of_colour(Vec3::ONE, bad).is_err()
+                Absorption::new(Vec3::splat(bad)).is_err() && Absorption::of_color(Vec3::ONE, bad).is_err()
             );
         }
     }

@@ -140,9 +140,9 @@ pub(crate) fn finite(x: f32) -> f32 {
 mod tests {
     use super::*;
 
-    struct Grey;
+    struct Gray;
 
-    impl Brdf for Grey {
+    impl Brdf for Gray {
         fn value(&self, _: Vec3, _: Vec3) -> Vec3 {
             Vec3::splat(FRAC_1_PI)
         }
@@ -150,7 +150,7 @@ mod tests {
 
     #[test]
     fn default_samples_are_unit_and_above() {
-        let brdf: &dyn Brdf = &Grey;
+        let brdf: &dyn Brdf = &Gray;
         for x in [f32::NAN, f32::NEG_INFINITY, 0.0, 0.3, 0.999_999_9, 1.0, 7.0] {
             for y in [f32::NAN, 0.0, 0.25, 1.0, f32::INFINITY] {
                 let wi = brdf.sample(Vec3::Z, Vec2::new(x, y));

@@ -100,8 +100,8 @@ impl Coat {
 
     /// A polished metal with this reflectance.
     #[must_use]
-    pub const fn metal(colour: Vec3) -> Self {
-        Self::flat(Behind::Metal(colour))
+    pub const fn metal(color: Vec3) -> Self {
+        Self::flat(Behind::Metal(color))
     }
 
     /// A transparent layer with the given transmittance, e.g. ray-marched gas.
@@ -168,14 +168,14 @@ impl Coat {
             Slopes::Gaussian(variance) => (variance, Vec3::ZERO),
             Slopes::Sine(swing) => (0.0, swing),
         };
-        let (colour, index, kind) = match self.behind {
+        let (color, index, kind) = match self.behind {
             Behind::Layers(fresnel) => (Vec3::ONE, fresnel.relative_index(), 0),
             Behind::Pane(fresnel, tint) => (tint, fresnel.relative_index(), 1),
             Behind::Body(fresnel) => (Vec3::ONE, fresnel.relative_index(), 2),
-            Behind::Metal(colour) => (colour, 1.0, 3),
+            Behind::Metal(color) => (color, 1.0, 3),
             Behind::Veil(transmittance) => (transmittance, 1.0, 4),
         };
-        ([self.normal.extend(variance), swing.extend(self.roughness), colour.extend(index)], kind)
+        ([self.normal.extend(variance), swing.extend(self.roughness), color.extend(index)], kind)
     }
 
     fn is_pane(&self) -> bool {
@@ -186,7 +186,7 @@ impl Coat {
     pub(super) fn smooth_part(&self) -> Option<LobePart> {
         match self.behind {
             Behind::Layers(_) => Some(LobePart::Varnish(0.0)),
-            Behind::Metal(colour) => Some(LobePart::Glossy(colour, 0.0)),
+            Behind::Metal(color) => Some(LobePart::Glossy(color, 0.0)),
             Behind::Pane(..) | Behind::Body(_) | Behind::Veil(_) => None,
         }
     }
@@ -204,7 +204,7 @@ impl Coat {
             Behind::Layers(fresnel) => CookTorrance::new(facets, fresnel).into(),
             Behind::Body(fresnel) => RoughDielectric::new(facets, fresnel).into(),
             Behind::Pane(fresnel, tint) => RoughDielectric::thin(facets, fresnel, tint).into(),
-            Behind::Metal(colour) => CookTorrance::new(facets, colour).into(),
+            Behind::Metal(color) => CookTorrance::new(facets, color).into(),
             Behind::Veil(_) => Lobe::default(),
         })
     }
@@ -288,7 +288,7 @@ impl Coat {
             Behind::Layers(fresnel) if !inside => {
                 [mirrored(fresnel.reflectance_rgb(cosine)), Delta::default()]
             }
-            Behind::Metal(colour) if !inside => [mirrored(colour.reflectance_rgb(cosine)), Delta::default()],
+            Behind::Metal(color) if !inside => [mirrored(color.reflectance_rgb(cosine)), Delta::default()],
             Behind::Layers(_) | Behind::Metal(_) => dark,
             Behind::Veil(transmittance) => [Delta::default(), straight(transmittance)],
             Behind::Pane(fresnel, tint) => {
@@ -352,13 +352,13 @@ mod tests {
             (Coat::metal(red), red, 1.0),
             (Coat::veil(red), red, 1.0),
         ];
-        for (number, (coat, colour, index)) in (0..).zip(kinds) {
+        for (number, (coat, color, index)) in (0..).zip(kinds) {
             let gaussian = coat.bumped(normal, 0.03).rough(0.4).parts();
             let [slopes, own] = [normal.extend(0.03), Vec3::ZERO.extend(0.4)];
-            assert_eq!(gaussian, ([slopes, own, colour.extend(index)], number));
+            assert_eq!(gaussian, ([slopes, own, color.extend(index)], number));
             let sine = coat.with_slopes(normal, Slopes::Sine(Vec3::X)).parts();
             let [slopes, own] = [normal.extend(0.0), Vec3::X.extend(0.0)];
-            assert_eq!(sine, ([slopes, own, colour.extend(index)], number));
+            assert_eq!(sine, ([slopes, own, color.extend(index)], number));
         }
     }
 }

@@ -19,7 +19,7 @@ use crate::reflectance::rough_dielectric::RoughDielectric;
 /// resolved NDFs reflect by
 ///
 /// ```text
-/// f_r = colour · p(h | what is resolved) min(1, h_z/(ωo·h))/(4 max(cos θ_i, cos θ_o))
+/// f_r = color · p(h | what is resolved) min(1, h_z/(ωo·h))/(4 max(cos θ_i, cos θ_o))
 /// ```
 ///
 /// The factors turn the plain NDF (Kautz, Heidrich, Seidel 2001, §3.1) into a reciprocal BRDF that
@@ -54,7 +54,7 @@ enum Kind<'a> {
     Sparkling {
         base: CookTorrance<Beckmann, Vec3>,
         flake: Vec3,
-        colour: Vec3,
+        color: Vec3,
         /// The weight of the flake, and its mean around it.
         weights: [f32; 2],
     },
@@ -140,10 +140,10 @@ impl<'a> Lobe<'a> {
     pub(crate) fn sparkling(
         base: CookTorrance<Beckmann, Vec3>,
         flake: Vec3,
-        colour: Vec3,
+        color: Vec3,
         weights: [f32; 2],
     ) -> Self {
-        Self { kind: Kind::Sparkling { base, flake, colour, weights }, weight: Vec3::ONE }
+        Self { kind: Kind::Sparkling { base, flake, color, weights }, weight: Vec3::ONE }
     }
 
     /// Multiplies the lobe by a color, component by component; non-positive components are read as 0.
@@ -201,12 +201,12 @@ impl Brdf for Lobe<'_> {
             Kind::Counted { all, flakes, position, footprint } => {
                 all.value(wi, wo) * flakes.relative(h, *position, *footprint)
             }
-            Kind::Sparkling { base, flake, colour, weights: [weight, mean] } => {
+            Kind::Sparkling { base, flake, color, weights: [weight, mean] } => {
                 let even = base.value(wi, wo);
                 let frame = Frame::from_normal(*flake);
                 let (i, o) = (frame.to_local(wi), frame.to_local(wo));
                 // The cosine with the flake instead of the surface.
-                let white = CookTorrance::new(*base.facets(), *colour);
+                let white = CookTorrance::new(*base.facets(), *color);
                 let bright = white.value(i, o) * (i.z.max(0.0) / wi.z.max(1e-3)).min(4.0);
                 // The surrounding points lose at most half of their light.
                 let most = even * (0.5 / mean.max(1e-6));

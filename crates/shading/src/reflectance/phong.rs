@@ -6,7 +6,7 @@ use glam::{Vec2, Vec3};
 
 use crate::direction::reflect;
 use crate::math::{clamp_to, cos, exp, exp2, ln_1p, pow, sin, sqrt};
-use crate::parameter::{ParameterError, colour, within};
+use crate::parameter::{ParameterError, color, within};
 use crate::reflectance::brdf::{Brdf, are_above, finite, mirrored_density};
 
 /// The normalized Phong lobe around the mirrored direction.
@@ -48,7 +48,7 @@ impl Phong {
     /// [`ParameterError`] unless every component is within `[0, 1]` and the exponent within `[0,
     /// 10⁶]`.
     pub fn new(specular: Vec3, exponent: f32) -> Result<Self, ParameterError> {
-        let specular = colour("specular", specular)?;
+        let specular = color("specular", specular)?;
         Ok(Self { specular, exponent: within("exponent", exponent, [0.0, MAX_EXPONENT])? })
     }
 
@@ -137,7 +137,7 @@ impl BlinnPhongBrdf {
     /// [`ParameterError`] unless every component is within `[0, 1]`, and for an exponent that is
     /// invalid in [`BlinnPhong::new`].
     pub fn new(specular: Vec3, exponent: f32, factor: BlinnPhongFactor) -> Result<Self, ParameterError> {
-        let specular = colour("specular", specular)?;
+        let specular = color("specular", specular)?;
         let density = BlinnPhong::new(within("exponent", exponent, [0.0, MAX_EXPONENT])?)
             .map_err(|_| ParameterError::NotPositive { parameter: "exponent", value: exponent })?;
         let n = exponent;

@@ -6,7 +6,7 @@ use glam::{Vec2, Vec3};
 
 use crate::direction::reflect;
 use crate::math::{exp, sqrt};
-use crate::parameter::{ParameterError, colour, within};
+use crate::parameter::{ParameterError, color, within};
 use crate::reflectance::brdf::{Brdf, are_above, finite, mirrored_density};
 
 /// The denominator of a [`WardBrdf`].
@@ -68,7 +68,7 @@ impl WardBrdf {
     /// [`ParameterError`] unless every component is within `[0, 1]`, and for a roughness that is
     /// invalid in [`Beckmann::new`].
     pub fn new(specular: Vec3, alpha_x: f32, alpha_y: f32, form: WardForm) -> Result<Self, ParameterError> {
-        let specular = colour("specular", specular)?;
+        let specular = color("specular", specular)?;
         let alpha = |parameter, value| within(parameter, value, [MIN_ALPHA, MAX_ALPHA]);
         let slopes = Beckmann::clamped(alpha("alpha_x", alpha_x)?, alpha("alpha_y", alpha_y)?);
         Ok(Self { specular, slopes, form })

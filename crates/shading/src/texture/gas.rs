@@ -164,7 +164,7 @@ impl<K: Kernel<3>> Gas<K> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Steam {
-    centre: Vec3,
+    center: Vec3,
     radius: f32,
     height: f32,
 }
@@ -174,8 +174,8 @@ impl Steam {
     ///
     /// # Errors
     /// [`ParameterError`] unless radius and height are finite and positive.
-    pub fn new(centre: Vec3, radius: f32, height: f32) -> Result<Self, ParameterError> {
-        Ok(Self { centre, radius: positive("radius", radius)?, height: positive("height", height)? })
+    pub fn new(center: Vec3, radius: f32, height: f32) -> Result<Self, ParameterError> {
+        Ok(Self { center, radius: positive("radius", radius)?, height: positive("height", height)? })
     }
 
     /// The interval of a ray inside the slab, in units of the length of the direction.
@@ -198,7 +198,7 @@ impl Steam {
     #[must_use]
     pub fn interval(&self, origin: Vec3, direction: Vec3) -> [f32; 2] {
         const NOWHERE: [f32; 2] = [f32::INFINITY, f32::NEG_INFINITY];
-        let from = origin - self.centre;
+        let from = origin - self.center;
         let (p, d) = (from.truncate(), direction.truncate());
         // |p + t d|² = radius², in halves of its coefficients.
         let (square, half) = (d.dot(d), p.dot(d));
@@ -226,7 +226,7 @@ impl Steam {
     /// The fraction of gas at a point, in `[0, 1]`; 0 where the point is not finite.
     #[must_use]
     pub fn share(&self, p: Vec3) -> f32 {
-        let from = p - self.centre;
+        let from = p - self.center;
         let d = sqrt(from.x * from.x + from.y * from.y) / self.radius;
         let z = from.z / self.height;
         // Written so that NaN is outside.

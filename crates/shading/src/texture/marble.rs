@@ -11,11 +11,11 @@ use crate::pixel::Footprint;
 ///
 /// ```text
 /// m(p) = Σ n(s fᵢ p)/fᵢ,   fᵢ = 2.17ⁱ,   i = 0 … 3,   s the texture's scale
-/// colour(m) = Catmull–Rom spline through thirteen colors at clamp(2m + 0.75, 0, 1)
+/// color(m) = Catmull–Rom spline through thirteen colors at clamp(2m + 0.75, 0, 1)
 /// ```
 ///
 /// The first and the last color are control points only, as in the spline of RenderMan, so ten
-/// pieces remain. If a pixel does not resolve the upper octaves, [`colour`](Self::colour) is the
+/// pieces remain. If a pixel does not resolve the upper octaves, [`color`](Self::color) is the
 /// mean of the spline over them, and not the color of the mean. Marble therefore keeps its color
 /// from afar.
 ///
@@ -25,10 +25,10 @@ use crate::pixel::Footprint;
 /// use asperity_shading::{Footprint, Marble, glam::Vec3};
 ///
 /// let marble = Marble::default();
-/// let near = marble.colour(Vec3::new(0.3, 0.1, 0.8), Footprint::from_width(0.0));
+/// let near = marble.color(Vec3::new(0.3, 0.1, 0.8), Footprint::from_width(0.0));
 /// assert_eq!(near, Marble::<asperity_shading::noise::Perlin>::spline(2.0 * marble.sum(Vec3::new(0.3, 0.1, 0.8)) + 0.75));
 /// // From afar every point has the same pale blue.
-/// let far = |p| marble.colour(p, Footprint::from_width(1e3));
+/// let far = |p| marble.color(p, Footprint::from_width(1e3));
 /// assert_eq!(far(Vec3::ZERO), far(Vec3::ONE));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,17 +45,17 @@ const PALE: Vec3 = Vec3::new(0.25, 0.25, 0.35);
 const MEDIUM: Vec3 = Vec3::new(0.10, 0.10, 0.30);
 const DARK: Vec3 = Vec3::new(0.05, 0.05, 0.26);
 const DARKER: Vec3 = Vec3::new(0.03, 0.03, 0.20);
-const COLOURS: [Vec3; 13] =
+const COLORS: [Vec3; 13] =
     [PALE, PALE, MEDIUM, MEDIUM, MEDIUM, PALE, PALE, DARK, DARK, DARKER, DARKER, PALE, DARKER];
 
 /// The marble of the lecture: Perlin noise, scale 2.5. Polynomials of the spline.
-const PIECES: usize = COLOURS.len() - 3;
+const PIECES: usize = COLORS.len() - 3;
 
 /// The integral of the spline before each piece, in pieces.
 const BEFORE: [Vec3; PIECES] = {
     let (mut sums, mut k) = ([Vec3::ZERO; PIECES], 1);
     while k < PIECES {
-        let [a, b, c, d] = [COLOURS[k - 1], COLOURS[k], COLOURS[k + 1], COLOURS[k + 2]];
+        let [a, b, c, d] = [COLORS[k - 1], COLORS[k], COLORS[k + 1], COLORS[k + 2]];
         let Vec3 { x, y, z } = sums[k - 1];
         sums[k] = Vec3::new(
             x + mean_of_piece([a.x, b.x, c.x, d.x]),
@@ -109,7 +109,7 @@ impl<N: Noise<Vec3> + Clone> Marble<N> {
     /// part still varies within the pixel, by its gradient. The color is the mean of the spline
     /// over both.
     #[must_use]
-    pub fn colour(&self, p: Vec3, footprint: Footprint) -> Vec3 {
+    pub fn color(&self, p: Vec3, footprint: Footprint) -> Vec3 {
         let width = footprint.width();
         if width == 0.0 {
             return Self::spline(2.0 * self.sum(p) + 0.75);
@@ -156,7 +156,7 @@ impl<N: Noise<Vec3> + Clone> Marble<N> {
         let x = if x > 0.0 { x.min(1.0) * PIECES as f32 } else { 0.0 };
         let piece = (x as usize).min(PIECES - 1);
         let [a, b, c, d] =
-            COLOURS.get(piece..).and_then(|knots| knots.first_chunk()).copied().unwrap_or([DARKER; 4]);
+            COLORS.get(piece..).and_then(|knots| knots.first_chunk()).copied().unwrap_or([DARKER; 4]);
         let square = a - 2.5 * b + 2.0 * c - 0.5 * d;
         (piece, x - piece as f32, [b, 0.5 * (c - a), square, 1.5 * (b - c) + 0.5 * (d - a)])
     }
@@ -239,9 +239,9 @@ mod tests {
 
     #[test]
     fn spline_interpolates_its_inner_colors_smoothly() {
-        for (k, colour) in COLOURS[1..12].iter().enumerate() {
+        for (k, color) in COLORS[1..12].iter().enumerate() {
             let x = k as f32 / 10.0;
-            assert_abs_diff_eq!(Blue::spline(x), *colour, epsilon = 1e-6, "knot {k}");
+            assert_abs_diff_eq!(Blue::spline(x), *color, epsilon = 1e-6, "knot {k}");
             let h = 1e-3;
             if k > 0 && k < 10 {
                 let (left, right) =

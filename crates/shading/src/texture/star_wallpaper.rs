@@ -129,7 +129,7 @@ impl StarWallpaper {
         let white =
             |cell: Vec2, k: u32| WhiteNoise::new(self.seed.wrapping_mul(3).wrapping_add(k)).value(cell);
         let mut bare = 1.0;
-        self.for_neighbours(uv, |cell| {
+        self.for_neighbors(uv, |cell| {
             if 0.5 + 0.5 * white(cell, 0) < self.chance {
                 let offset = SCATTER * Vec2::new(white(cell, 1), white(cell, 2));
                 let p = uv - (cell + offset) / self.cells;
@@ -153,13 +153,13 @@ impl StarWallpaper {
         let mut covered = false;
         if uv.is_finite() {
             let noise = |x: f32, y: f32| Perlin::new(self.seed).value(Vec2::new(x, y));
-            self.for_neighbours(uv, |middle| {
+            self.for_neighbors(uv, |middle| {
                 let cell = middle - 0.5;
                 if 0.5 + 0.5 * noise(3.0 * cell.x - 9.5, 7.0 * cell.y + 7.5) < self.chance {
                     let offset =
                         Vec2::new(noise(cell.x + 0.5, cell.y + 0.5), noise(cell.x + 3.5, cell.y + 8.5));
-                    let centre = (middle + SCATTER * offset) / self.cells;
-                    covered |= self.inside(uv - centre, self.points as f32 / TAU) >= 0.0;
+                    let center = (middle + SCATTER * offset) / self.cells;
+                    covered |= self.inside(uv - center, self.points as f32 / TAU) >= 0.0;
                 }
             });
         }
@@ -182,7 +182,7 @@ impl StarWallpaper {
     }
 
     /// The centers of the cell and its neighbors, in cells.
-    fn for_neighbours(&self, uv: Vec2, mut visit: impl FnMut(Vec2)) {
+    fn for_neighbors(&self, uv: Vec2, mut visit: impl FnMut(Vec2)) {
         let cell = (uv * self.cells).floor();
         for i in [-0.5, 0.5, 1.5] {
             for j in [-0.5, 0.5, 1.5] {

@@ -29,10 +29,10 @@ fn document(set: &Set<'_>) -> Result<Value> {
     };
     for map in set.maps() {
         match map.map {
-            Map::BaseColour if map.differs() => {
+            Map::BaseColor if map.differs() => {
                 material["pbrMetallicRoughness"]["baseColorTexture"] = texture(&map.file(Format::Png));
             }
-            Map::BaseColour => {
+            Map::BaseColor => {
                 let unit = |word: &u16| linear(f32::from(*word) / 65_535.0);
                 let factor: Vec<f32> = map.uniform()?.iter().map(unit).chain([1.0]).collect();
                 material["pbrMetallicRoughness"]["baseColorFactor"] = json!(factor);

@@ -9,7 +9,7 @@ use crate::bake::texel::Texel;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Plane {
     /// Base color: three 16-bit numbers, sRGB encoded.
-    Colour,
+    Color,
     /// The normal's x and y, each within [−1, 1], in 16 bits.
     Normal,
     /// The height in units of the side, `f32`.
@@ -24,12 +24,12 @@ pub(crate) enum Plane {
 
 impl Plane {
     pub(crate) const ALL: [Self; 6] =
-        [Self::Colour, Self::Normal, Self::Height, Self::Roughness, Self::Metallic, Self::Occlusion];
+        [Self::Color, Self::Normal, Self::Height, Self::Roughness, Self::Metallic, Self::Occlusion];
 
     /// Bytes per texel.
     pub(crate) const fn bytes(self) -> usize {
         match self {
-            Self::Colour => 6,
+            Self::Color => 6,
             Self::Normal | Self::Height => 4,
             Self::Roughness | Self::Metallic | Self::Occlusion => 2,
         }
@@ -38,7 +38,7 @@ impl Plane {
     /// Whether the property varies between texels.
     pub(crate) const fn differs(self, varies: Varies) -> bool {
         match self {
-            Self::Colour => varies.colour,
+            Self::Color => varies.color,
             Self::Normal | Self::Roughness => true,
             Self::Metallic => varies.metallic,
             Self::Height | Self::Occlusion => varies.height,
@@ -49,7 +49,7 @@ impl Plane {
     pub(crate) fn write(self, source: &dyn Source, texel: &Texel, out: &mut Vec<u8>) {
         let mut unit = |x: f32| out.extend_from_slice(&unorm(x).to_le_bytes());
         match self {
-            Self::Colour => texel.colour.to_array().into_iter().for_each(|x| unit(srgb(x.clamp(0.0, 1.0)))),
+            Self::Color => texel.color.to_array().into_iter().for_each(|x| unit(srgb(x.clamp(0.0, 1.0)))),
             Self::Normal => {
                 let (normal, _) = source.shown(texel);
                 [normal.x, normal.y].into_iter().for_each(|x| unit(0.5 + 0.5 * x));
@@ -70,7 +70,7 @@ pub(crate) fn unorm(x: f32) -> u16 {
 /// A map of the set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Map {
-    BaseColour,
+    BaseColor,
     /// Green points up the image.
     NormalOpenGl,
     /// Green points down the image.
@@ -86,7 +86,7 @@ pub(crate) enum Map {
 
 impl Map {
     pub(crate) const ALL: [Self; 8] = [
-        Self::BaseColour,
+        Self::BaseColor,
         Self::NormalOpenGl,
         Self::NormalDirectX,
         Self::Height,
@@ -99,7 +99,7 @@ impl Map {
     /// Returns the name of its files.
     pub(crate) const fn name(self) -> &'static str {
         match self {
-            Self::BaseColour => "base_color",
+            Self::BaseColor => "base_color",
             Self::NormalOpenGl => "normal_opengl",
             Self::NormalDirectX => "normal_directx",
             Self::Height => "height",
@@ -113,7 +113,7 @@ impl Map {
     /// Returns the properties that the map contains.
     pub(crate) const fn planes(self) -> &'static [Plane] {
         match self {
-            Self::BaseColour => &[Plane::Colour],
+            Self::BaseColor => &[Plane::Color],
             Self::NormalOpenGl | Self::NormalDirectX => &[Plane::Normal],
             Self::Height => &[Plane::Height],
             Self::Roughness => &[Plane::Roughness],
@@ -126,7 +126,7 @@ impl Map {
     /// Returns the number of channels.
     pub(crate) const fn channels(self) -> usize {
         match self {
-            Self::BaseColour | Self::NormalOpenGl | Self::NormalDirectX | Self::Packed => 3,
+            Self::BaseColor | Self::NormalOpenGl | Self::NormalDirectX | Self::Packed => 3,
             Self::Height | Self::Roughness | Self::Metallic | Self::Occlusion => 1,
         }
     }
@@ -150,7 +150,7 @@ impl Map {
                 let scale = if high > low { 1.0 / (high - low) } else { 0.0 };
                 out.extend(heights(planes[0]).map(|height| unorm((height - low) * scale)));
             }
-            Self::BaseColour | Self::Roughness | Self::Metallic | Self::Occlusion => {
+            Self::BaseColor | Self::Roughness | Self::Metallic | Self::Occlusion => {
                 out.extend(words(planes[0]));
             }
             Self::Packed => {

@@ -24,8 +24,8 @@ fn document(set: &Set<'_>, format: Format) -> Result<String> {
     let mut image = |map: &MapLevels<'_>, kind: &str| {
         let (name, file) = (map.map.name(), map.file(format));
         let space = match (map.map, format) {
-            (Map::BaseColour, Format::Png) => " colorspace=\"srgb_texture\"",
-            (Map::BaseColour, _) => " colorspace=\"lin_rec709\"",
+            (Map::BaseColor, Format::Png) => " colorspace=\"srgb_texture\"",
+            (Map::BaseColor, _) => " colorspace=\"lin_rec709\"",
             _ => "",
         };
         nodes.push_str(&format!(
@@ -39,7 +39,7 @@ fn document(set: &Set<'_>, format: Format) -> Result<String> {
     };
     for map in set.maps() {
         let (name, kind, input) = match map.map {
-            Map::BaseColour => ("base_color", "color3", "base_color"),
+            Map::BaseColor => ("base_color", "color3", "base_color"),
             Map::NormalOpenGl => ("normal_opengl", "vector3", "normal"),
             Map::Roughness => ("roughness", "float", "roughness"),
             Map::Metallic => ("metallic", "float", "metallic"),
@@ -50,7 +50,7 @@ fn document(set: &Set<'_>, format: Format) -> Result<String> {
         if !map.differs() {
             let unit = map.uniform()?.into_iter().map(|word| f32::from(word) / 65_535.0);
             let value: Vec<String> =
-                unit.map(|x| if map.map == Map::BaseColour { linear(x) } else { x }.to_string()).collect();
+                unit.map(|x| if map.map == Map::BaseColor { linear(x) } else { x }.to_string()).collect();
             let value = value.join(", ");
             inputs.push_str(&format!("    <input name=\"{input}\" type=\"{kind}\" value=\"{value}\"/>\n"));
             continue;

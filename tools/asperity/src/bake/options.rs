@@ -56,7 +56,7 @@ fn source(wanted: &Bake) -> Result<Box<dyn Source>> {
     let low = wanted.low_tint.map_or(tint, hex);
     let roughness = wanted.roughness;
     let finish = |usual: f32| Finish {
-        colours: [tint, low],
+        colors: [tint, low],
         alpha: roughness.unwrap_or(usual).powi(2),
         metallic: wanted.metallic.unwrap_or(0.0),
     };

@@ -136,9 +136,9 @@ impl Plan {
             let t = (f64::from(k) + 0.5) / f64::from(points);
             for ends in [[[0.0, t], [1.0, t]], [[t, 0.0], [t, 1.0]]] {
                 let [a, b] = ends.map(|end| self.source.point(end));
-                let colour = (a.colour - b.colour).abs().max_element();
+                let color = (a.color - b.color).abs().max_element();
                 let others = [a.height - b.height, a.alpha2 - b.alpha2, a.metallic - b.metallic];
-                value = others.into_iter().map(f32::abs).fold(value.max(colour), f32::max);
+                value = others.into_iter().map(f32::abs).fold(value.max(color), f32::max);
                 slope = slope.max((a.slopes.mean - b.slopes.mean).abs().max_element());
             }
         }

@@ -47,7 +47,7 @@ fn document(set: &Set<'_>) -> Value {
 /// Returns the meaning of a map's numbers.
 const fn meaning(map: Map) -> &'static str {
     match map {
-        Map::BaseColour => "base color, sRGB; linear in OpenEXR",
+        Map::BaseColor => "base color, sRGB; linear in OpenEXR",
         Map::NormalOpenGl => "tangent-space normal, (n + 1)/2, green up the image",
         Map::NormalDirectX => "tangent-space normal, (n + 1)/2, green down the image",
         Map::Height => "height: 0 lowest, 1 highest; in units of the side in OpenEXR",

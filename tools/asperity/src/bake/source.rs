@@ -68,7 +68,7 @@ fn place_of(k: u32, samples: u32) -> f64 {
 /// Which properties of a surface vary between texels. The others are uniform.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Varies {
-    pub(crate) colour: bool,
+    pub(crate) color: bool,
     pub(crate) metallic: bool,
     /// Whether the surface has heights, and therefore ambient occlusion.
     pub(crate) height: bool,

@@ -341,7 +341,7 @@ fn levels_of_every_format_match_the_surface() {
     let (read, heights) =
         (ktx2::Reader::new(set["roughness.ktx2"].as_slice()).unwrap(), channel(&set["height.exr"], "Y"));
     let rough = channel(&set["roughness.exr"], "Y");
-    let colours = ["R", "G", "B"].map(|name| channel(&set["base_color.exr"], name));
+    let colors = ["R", "G", "B"].map(|name| channel(&set["base_color.exr"], name));
     let blocks: Vec<Vec<u8>> = read.levels().map(|level| level.data.to_vec()).collect();
     assert_eq!((read.header().level_count, read.header().pixel_width, rough.len()), (8, 128, 8));
     assert_eq!(read.header().format, Some(ktx2::Format::BC4_UNORM_BLOCK));
@@ -356,8 +356,8 @@ fn levels_of_every_format_match_the_surface() {
                 rough[level][k]
             );
             assert!((heights[level][k] - texel.height).abs() < 1e-8, "level {level}");
-            let seen = Vec3::from(colours.each_ref().map(|levels| levels[level][k]));
-            assert!(seen.abs_diff_eq(texel.colour, 3e-4), "level {level}: {seen} and {}", texel.colour);
+            let seen = Vec3::from(colors.each_ref().map(|levels| levels[level][k]));
+            assert!(seen.abs_diff_eq(texel.color, 3e-4), "level {level}: {seen} and {}", texel.color);
             let block = (k / side / 4) * side.div_ceil(4) + k % side / 4;
             let mut decoded = [0; 16];
             block_compression::decode::decode_block_bc4(
@@ -446,7 +446,7 @@ fn material_heights_match_normals() {
             false,
         ),
         (
-            "--material carpet --side 0.05 --set fibre_bump_strength=0 --set seam_crossover_strength=0 --size 256",
+            "--material carpet --side 0.05 --set fiber_bump_strength=0 --set seam_crossover_strength=0 --size 256",
             false,
         ),
     ] {
@@ -501,7 +501,7 @@ fn material_colors_and_tileable_errors() {
     let (mut row, mut found) = (vec![Texel::default(); 1024], false);
     clay.source.texels(&clay.row(100, 0), &mut row);
     for texel in &row {
-        found |= texel.colour.abs_diff_eq(Vec3::new(0.4, 0.2, 0.1), 1e-6);
+        found |= texel.color.abs_diff_eq(Vec3::new(0.4, 0.2, 0.1), 1e-6);
         assert_eq!((texel.metallic, texel.alpha2), (0.0, 1.0));
     }
     assert!(found, "no clay in a row of bricks");

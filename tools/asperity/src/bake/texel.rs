@@ -22,7 +22,7 @@ pub(crate) struct Texel {
     /// In units of the texture's side.
     pub(crate) height: f32,
     /// Base color, linear.
-    pub(crate) colour: Vec3,
+    pub(crate) color: Vec3,
     pub(crate) metallic: f32,
     /// The fraction of uniform sky light that reaches the surface.
     pub(crate) occlusion: f32,
@@ -37,7 +37,7 @@ impl Texel {
             mixed.slopes = SlopeMoments::mixed([(all - share, mixed.slopes), (share, part.slopes)]);
             mixed.alpha2 += share * part.alpha2;
             mixed.height += share * part.height;
-            mixed.colour += share * part.colour;
+            mixed.color += share * part.color;
             mixed.metallic += share * part.metallic;
             mixed.occlusion += share * part.occlusion;
         }
@@ -51,7 +51,7 @@ impl Texel {
 
     pub(crate) fn to_bytes(self) -> [u8; BYTES] {
         let ([xx, xy, yy], mean) = (self.slopes.covariance, self.slopes.mean);
-        let Vec3 { x: r, y: g, z: b } = self.colour;
+        let Vec3 { x: r, y: g, z: b } = self.color;
         let numbers: [f32; NUMBERS] =
             [mean.x, mean.y, xx, xy, yy, self.alpha2, self.height, r, g, b, self.metallic, self.occlusion];
         let mut bytes = [0; BYTES];
@@ -68,7 +68,7 @@ impl Texel {
         }
         let [x, y, xx, xy, yy, alpha2, height, r, g, b, metallic, occlusion] = numbers;
         let slopes = SlopeMoments { mean: Vec2::new(x, y), covariance: [xx, xy, yy] };
-        Self { slopes, alpha2, height, colour: Vec3::new(r, g, b), metallic, occlusion }
+        Self { slopes, alpha2, height, color: Vec3::new(r, g, b), metallic, occlusion }
     }
 }
 
@@ -93,7 +93,7 @@ mod tests {
             slopes: SlopeMoments { mean: Vec2::new(0.1 * k, -0.3), covariance: [0.2, 0.01 * k, 0.4] },
             alpha2: 0.3 + k,
             height: -k,
-            colour: Vec3::new(0.1, k, 0.9),
+            color: Vec3::new(0.1, k, 0.9),
             metallic: 0.25,
             occlusion: 0.75,
         }

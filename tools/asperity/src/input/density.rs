@@ -161,7 +161,7 @@ fn image_density(path: &Path, reading: Images) -> Result<NdfMap, Failure> {
         error => Failure::from(error),
     })?;
     // Rows run from the bottom up: an image's first row is its top, a map's first row has n_y = −1.
-    let texels: Vec<f32> = image.grey().chunks(image.width.max(1)).rev().flatten().copied().collect();
+    let texels: Vec<f32> = image.gray().chunks(image.width.max(1)).rev().flatten().copied().collect();
     let measure = reading.measure.unwrap_or(Measure::Normals);
     let reconstruction = reading.reconstruction.unwrap_or(Reconstruction::Constant);
     Ok(NdfMap::from_texels(image.width, image.height, &texels, measure, reconstruction)?)
@@ -358,9 +358,9 @@ mod tests {
         let swizzled = file(&folder, "dxt5nm.png", &png(2, &[0xff_cc00, 0xff_8000, 0xff_4000]));
         let swizzled = refused(&format!("{NORMAL_MAP}{swizzled}"));
         assert!(swizzled.contains("DXT5nm"), "{swizzled}");
-        let grey = exr(1, 1, [("Y", vec![0.5])]).unwrap();
-        let grey = refused(&format!("{NORMAL_MAP}{}", file(&folder, "grey.exr", &grey)));
-        assert!(grey.contains("R, G, B"), "{grey}");
+        let gray = exr(1, 1, [("Y", vec![0.5])]).unwrap();
+        let gray = refused(&format!("{NORMAL_MAP}{}", file(&folder, "gray.exr", &gray)));
+        assert!(gray.contains("R, G, B"), "{gray}");
     }
 
     #[test]

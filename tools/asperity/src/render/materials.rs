@@ -55,8 +55,8 @@ impl Parameters {
             Material::Bumps => ((json!({}), &[][..]), &[], ""),
             Material::Carpet => {
                 let diffuse = Vec3::new(0.24, 0.21, 0.19);
-                let fake_rim_light_colour = Vec3::splat(0.5);
-                let carpet = CarpetParameters { diffuse, fake_rim_light_colour, ..Default::default() };
+                let fake_rim_light_color = Vec3::splat(0.5);
+                let carpet = CarpetParameters { diffuse, fake_rim_light_color, ..Default::default() };
                 (of(carpet, CarpetParameters::FIELDS)?, &[("diffuse", 1.0)], "roughness")
             }
             Material::Paint | Material::Flakes => {
@@ -89,13 +89,13 @@ impl Parameters {
                 (of(metal, ScratchesParameters::FIELDS)?, &[("specular", 1.0)], "roughness")
             }
             Material::Chrome => {
-                let values = json!({ "colour": hex(0xe4_e6ea).to_array(), "roughness": 0.0 });
-                ((values, CHROME), &[("colour", 1.0)], "roughness")
+                let values = json!({ "color": hex(0xe4_e6ea).to_array(), "roughness": 0.0 });
+                ((values, CHROME), &[("color", 1.0)], "roughness")
             }
             Material::Brick => {
                 let BrickWall { clay, mortar, variation, depth, roughness, .. } = BrickWall::default();
                 let values = json!({
-                    "width": 0.255, "height": 0.085, "mortar": 0.005, "clay": clay.to_array(), "mortar_colour": mortar.to_array(),
+                    "width": 0.255, "height": 0.085, "mortar": 0.005, "clay": clay.to_array(), "mortar_color": mortar.to_array(),
                     "variation": variation, "depth": depth, "roughness": roughness,
                 });
                 ((values, BRICK), &[("clay", 1.0)], "roughness")
@@ -186,7 +186,7 @@ impl Parameters {
         }
         let values = &self.values;
         let number = |name: &str| read::<f32>(&values[name]).map_err(|error| format!("`{name}`: {error}"));
-        let colour = |name: &str| {
+        let color = |name: &str| {
             read::<[f32; 3]>(&values[name]).map(Vec3::from).map_err(|error| format!("`{name}`: {error}"))
         };
         let seed = || read::<u32>(&values["seed"]);
@@ -198,16 +198,16 @@ impl Parameters {
             Material::Glass | Material::Frosted => {
                 let parameters: TemperedGlassParameters = read(values)?;
                 if parameters.body == GlassBody::Solid {
-                    body = Some(Absorption::of_colour(parameters.tint, 1.0)?);
+                    body = Some(Absorption::of_color(parameters.tint, 1.0)?);
                 }
                 laid(TemperedGlass::new(parameters)?, metres, false)
             }
             Material::Plastic => laid(Variations::new(read(values)?)?, metres, false),
             Material::Scratched => laid(Scratches::new(read(values)?)?, metres, projected),
-            Material::Chrome => Box::new(Coat::metal(colour("colour")?).rough(number("roughness")?)),
+            Material::Chrome => Box::new(Coat::metal(color("color")?).rough(number("roughness")?)),
             Material::Brick => {
                 let bricks = Brick::new(number("width")?, number("height")?, number("mortar")?)?;
-                let (clay, mortar) = (colour("clay")?, colour("mortar_colour")?);
+                let (clay, mortar) = (color("clay")?, color("mortar_color")?);
                 let [variation, depth, roughness] =
                     [number("variation")?, number("depth")?, number("roughness")?];
                 laid(BrickWall { bricks, clay, mortar, variation, depth, roughness }, metres, projected)
@@ -215,7 +215,7 @@ impl Parameters {
             Material::Marble => {
                 let marble = Marble::new(Perlin::default(), number("veins")?, seed()?)?;
                 laid(
-                    PolishedMarble { marble, tint: colour("tint")?, polish: number("polish")? },
+                    PolishedMarble { marble, tint: color("tint")?, polish: number("polish")? },
                     metres / 0.2,
                     false,
                 )
@@ -224,7 +224,7 @@ impl Parameters {
                 let points = read::<u32>(&values["points"])?;
                 let radii = [number("r_min")?, number("r_max")?];
                 let stars = StarWallpaper::new(points, radii, 1.0, number("chance")?, seed()?)?;
-                let (paper, star) = (colour("paper")?, colour("star")?);
+                let (paper, star) = (color("paper")?, color("star")?);
                 laid(
                     Wallpaper { stars, paper, star, roughness: number("roughness")? },
                     metres / 0.1,
@@ -237,7 +237,7 @@ impl Parameters {
 }
 
 const CHROME: Fields = &[
-    ("colour", "Reflectance at normal incidence."),
+    ("color", "Reflectance at normal incidence."),
     ("roughness", "Roughness: Beckmann's α, within [0, 1]."),
 ];
 const BRICK: Fields = &[
@@ -245,7 +245,7 @@ const BRICK: Fields = &[
     ("height", "Height of a brick in meters."),
     ("mortar", "Thickness of the mortar between bricks in meters."),
     ("clay", "Color of the bricks."),
-    ("mortar_colour", "Color of the mortar."),
+    ("mortar_color", "Color of the mortar."),
     ("variation", "Relative variation of brightness between bricks."),
     ("depth", "Depth of the mortar."),
     ("roughness", "Roughness of the facets, within [0, 1]."),

@@ -122,8 +122,8 @@ mod tests {
             ("frosted", "index=1.2"),
             ("plastic", "dent_strength=0.9"),
             ("scratched", "specular=0.9,0.1,0.1"),
-            ("chrome", "colour=#204060"),
-            ("brick", "mortar_colour=#ffffff"),
+            ("chrome", "color=#204060"),
+            ("brick", "mortar_color=#ffffff"),
             ("marble", "veins=9"),
             ("wallpaper", "points=3"),
         ] {

@@ -171,8 +171,8 @@ impl<'a> Picture<'a> {
         request.exposure = self.exposure;
         let shape = self.mesh.clone().unwrap_or_else(|| RenderRequest::shape(wanted.scene));
         let mut scene = request.scene(&shape)?;
-        if let Some(Background::Colour(rgb)) = wanted.background {
-            scene.backdrop = Backdrop::Colour(hex(rgb));
+        if let Some(Background::Color(rgb)) = wanted.background {
+            scene.backdrop = Backdrop::Color(hex(rgb));
         }
         draw(&scene, request.camera())
     }
@@ -186,14 +186,14 @@ impl<'a> Picture<'a> {
     ) -> Result<()> {
         let (wanted, set) = (self.wanted, self.wanted.scene);
         let around = wanted.light.is_some() || set == Set::Plane && self.mesh.is_none();
-        let colour = match wanted.background {
-            Some(Background::Colour(rgb)) => Some(hex(rgb)),
+        let color = match wanted.background {
+            Some(Background::Color(rgb)) => Some(hex(rgb)),
             None if !around => Some(backdrop()),
             _ => None,
         };
         // The background color is independent of exposure.
-        let colour = colour.map(|colour| colour * EXPOSURE / self.exposure);
-        let behind = |direction: Vec3| colour.unwrap_or_else(|| light.radiance(direction));
+        let color = color.map(|color| color * EXPOSURE / self.exposure);
+        let behind = |direction: Vec3| color.unwrap_or_else(|| light.radiance(direction));
         // Size a mesh so that patterns are clearly visible.
         let metres = match (&self.mesh, self.material) {
             (None, _) => set.metres(),
@@ -222,7 +222,7 @@ impl<'a> Picture<'a> {
         if matches!(self.material, Material::Glass | Material::Frosted) {
             (objects[0].passes, objects[0].body) = (1.0, body);
         }
-        let backdrop = colour.map_or(Backdrop::Light, Backdrop::Colour);
+        let backdrop = color.map_or(Backdrop::Light, Backdrop::Color);
         let scene = Scene::new(objects, Light::Around(light), backdrop).about(focus);
         draw(&scene, view.camera(self.zoom, sampling))
     }
@@ -247,8 +247,8 @@ impl<'a> Picture<'a> {
         }
         let usual = Bumps { frequency: 24.0, gain: 0.8, kind: NoiseKind::Gaussian, octaves: 16 };
         let (bumps, ndf) = (self.bumps(usual).field(wanted.seed, anchor)?, self.density.ndf.as_ref());
-        let (rule, colour) = (wanted.rule.unwrap_or(LevelOfDetail::Exact), hex(wanted.tint.unwrap_or(TINT)));
-        Ok(Made { surface: Box::new(BumpMapped { ndf, bumps, rule, colour }), body: None })
+        let (rule, color) = (wanted.rule.unwrap_or(LevelOfDetail::Exact), hex(wanted.tint.unwrap_or(TINT)));
+        Ok(Made { surface: Box::new(BumpMapped { ndf, bumps, rule, color }), body: None })
     }
 
     /// Converts a channel for display.

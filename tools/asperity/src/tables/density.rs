@@ -24,7 +24,7 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
     let texture: Vec<f32> = (0..height)
         .rev()
         .flat_map(|j| (0..width).map(move |i| [i, j]))
-        .map(|t| at_centre(&map, t, [width, height]))
+        .map(|t| at_center(&map, t, [width, height]))
         .collect();
     let edges = |n: usize| (0..=n).map(move |i| i as f64 / n as f64);
     let forward =
@@ -130,9 +130,9 @@ fn errors(ndf: &SharedNdf) -> Result<Value, Failure> {
     Ok(Value::Array(rows))
 }
 
-fn at_centre(map: &dyn Ndf, [i, j]: [usize; 2], [width, height]: [usize; 2]) -> f32 {
-    let centre = |i: usize, n: usize| 2.0 * (i as f64 + 0.5) / n as f64 - 1.0;
-    let (x, y) = (centre(i, width), centre(j, height));
+fn at_center(map: &dyn Ndf, [i, j]: [usize; 2], [width, height]: [usize; 2]) -> f32 {
+    let center = |i: usize, n: usize| 2.0 * (i as f64 + 0.5) / n as f64 - 1.0;
+    let (x, y) = (center(i, width), center(j, height));
     let z2 = 1.0 - x * x - y * y;
     if z2 > 0.0 { map.density(Vec3::new(x as f32, y as f32, z2.sqrt() as f32)) } else { 0.0 }
 }

@@ -46,7 +46,7 @@ const FIGURES: &[&[Figure]] = &[
         figure("cohen-brick", cohen::bumps::draw_brick),
         figure("cohen-bevel", cohen::bumps::draw_bevel),
         figure("cohen-wallpaper", cohen::patterns::draw),
-        figure("cohen-marble-colours", cohen::patterns::draw_marble),
+        figure("cohen-marble-colors", cohen::patterns::draw_marble),
         figure("cohen-marble-vase", cohen::still_lifes::draw_vase),
         figure("cohen-tea-cup", cohen::still_lifes::draw_cup),
         figure("cohen-walls", scenes::draw_walls),

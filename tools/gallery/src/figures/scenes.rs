@@ -43,7 +43,7 @@ impl<'a> Stills<'a> {
         size: [u32; 2],
         detail: Detail,
     ) -> Result<Image> {
-        let scene = Scene::new(objects, Light::Around(&self.studio), Backdrop::Colour(backdrop()));
+        let scene = Scene::new(objects, Light::Around(&self.studio), Backdrop::Color(backdrop()));
         let sampling = self.context.sampling(size, 1);
         let context = Context { goal: Goal { detail, ..self.context.goal }, ..*self.context };
         let (image, grain) = context.still(&scene, sampling, &view.camera(1.0, sampling))?;
@@ -99,7 +99,7 @@ pub(crate) fn draw_room(context: &Context<'_>) -> Result<Drawn> {
         // So wide and faint that they look like threads with another orientation, not like stains.
         dark_area_strength: 0.16,
         dark_area_size: 1.6,
-        fake_rim_light_colour: Vec3::splat(0.5),
+        fake_rim_light_color: Vec3::splat(0.5),
         ..Default::default()
     };
     let grid = CarpetParameters { seams_pattern: SeamPattern::Grid, ..lines };
@@ -175,7 +175,7 @@ pub(crate) fn draw_teapots(context: &Context<'_>) -> Result<Drawn> {
         ndf: Ggx::new(0.15, 0.35)?,
         rule: LevelOfDetail::Exact,
         bumps: bumps.field(context.seed, DVec3::ZERO)?,
-        colour: hex(0xf2_b184),
+        color: hex(0xf2_b184),
     };
     let marble = PolishedMarble { marble: Marble::default(), tint: Vec3::splat(2.6), polish: 0.12 };
     let subjects: [(&str, &str, Subject); 6] = [
@@ -190,7 +190,7 @@ pub(crate) fn draw_teapots(context: &Context<'_>) -> Result<Drawn> {
     for (stem, label, subject) in subjects {
         let mut objects = Set::Teapot.objects(subject, PLAIN)?;
         if stem == "glass" {
-            let inside = Absorption::of_colour(Vec3::new(0.80, 0.93, 0.89), 1.0)?;
+            let inside = Absorption::of_color(Vec3::new(0.80, 0.93, 0.89), 1.0)?;
             (objects[0].body, objects[0].passes) = (Some(inside), 1.0);
         }
         let detail = if stem == "bumps" { Detail::Fine } else { Detail::Coarse };

@@ -9,7 +9,7 @@ use plotters::prelude::{Cartesian2d, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontDesc, FontFamily, FontStyle, ShapeStyle, TextStyle};
 
-use crate::plot::ink::{Ink, Stroke, colour};
+use crate::plot::ink::{Ink, Stroke, color};
 use crate::plot::place::{LETTERS, UNIT, spread, units, width_of};
 use crate::plot::{Mark, Names, Plot};
 
@@ -99,7 +99,7 @@ impl Canvas<'_, '_> {
         // The backend divides the size by 1.24, its estimate of a font's line height.
         let font = FontDesc::new(FontFamily::Name("system-ui"), LETTERS * UNIT * 1.24, FontStyle::Normal);
         let mut style = TextStyle::from(font).pos(Pos::new(h, v));
-        style.color = colour(ink, false).to_backend_color();
+        style.color = color(ink, false).to_backend_color();
         Ok(self.area.draw(&Text::new(text, place, style))?)
     }
 
@@ -193,7 +193,7 @@ impl Canvas<'_, '_> {
 }
 
 fn fill(ink: Ink, opacity: f64) -> ShapeStyle {
-    colour(ink, false).mix(opacity).filled()
+    color(ink, false).mix(opacity).filled()
 }
 
 fn is_finite(point: &[f64; 2]) -> bool {

@@ -52,13 +52,13 @@ impl Stroke {
     }
 
     pub(super) fn style(self) -> ShapeStyle {
-        colour(self.ink, self.dashed).stroke_width(units(self.width))
+        color(self.ink, self.dashed).stroke_width(units(self.width))
     }
 }
 
 /// The backend writes fixed colors. Each ink, dashed or not, gets a unique placeholder, replaced in
 /// [`dress`].
-pub(super) fn colour(ink: Ink, dashed: bool) -> RGBAColor {
+pub(super) fn color(ink: Ink, dashed: bool) -> RGBAColor {
     let index = match ink {
         Ink::Text => 0,
         Ink::Muted => 1,
@@ -77,13 +77,13 @@ pub(super) fn dress(svg: &str, title: &str, size: [f64; 2]) -> String {
     let mut text = svg.find('\n').map_or("", |end| &svg[end..]).to_owned();
     let mut dark = String::new();
     for (index, name) in NAMES.iter().enumerate() {
-        let [day, night] = html::colour(name);
+        let [day, night] = html::color(name);
         for (dash, pattern) in DASHES.iter().enumerate() {
             text = text.replace(&format!("\"#A5{dash:02X}{index:02X}\""), &format!("\"{day}\"{pattern}"));
         }
         dark += &format!("  [fill=\"{day}\"] {{ fill: {night} }} [stroke=\"{day}\"] {{ stroke: {night} }}\n");
     }
-    let ([width, height], [card, _]) = (size, html::colour("card"));
+    let ([width, height], [card, _]) = (size, html::color("card"));
     let (title, [across, down]) = (escape(title), size.map(units));
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {across} {down}\" width=\"{width}\" height=\"{height}\" \

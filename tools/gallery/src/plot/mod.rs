@@ -146,7 +146,7 @@ mod tests {
             let svg = plot(names, vec![[0.25, -1.0], [1.0, 0.5], [4.0, 1.0]]).svg("a < b & c").unwrap();
             assert!(!svg.contains("var(") && !svg.contains("#A5") && !svg.contains("rgb"), "{svg}");
             for name in ["ink", "muted", "rule", "card", "series-1", "series-2", "series-3", "series-4"] {
-                let [day, night] = asperity::html::colour(name);
+                let [day, night] = asperity::html::color(name);
                 let drawn = [format!(" fill=\"{day}\""), format!(" stroke=\"{day}\"")];
                 assert!(drawn.iter().any(|attribute| svg.contains(attribute)), "{name} is missing");
                 assert!(svg.contains(&format!("[fill=\"{day}\"] {{ fill: {night} }}")), "{name} stays light");

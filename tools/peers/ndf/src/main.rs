@@ -67,9 +67,9 @@ fn alias(samples: usize) -> Result<Row, Box<dyn Error>> {
 
 /// Returns the density on the map's texels, 0 outside the disk.
 fn texels() -> Vec<f32> {
-    let centre = |k: usize| (k as f32 + 0.5) / SIDE as f32 * 2.0 - 1.0;
+    let center = |k: usize| (k as f32 + 0.5) / SIDE as f32 * 2.0 - 1.0;
     let texel = |k: usize| {
-        let (x, y) = (centre(k % SIDE), centre(k / SIDE));
+        let (x, y) = (center(k % SIDE), center(k / SIDE));
         let cos2 = 1.0 - x * x - y * y;
         let t = (x / ALPHA[0]).powi(2) + (y / ALPHA[1]).powi(2) + cos2;
         if cos2 > 0.0 { 1.0 / (std::f32::consts::PI * ALPHA[0] * ALPHA[1] * t * t) } else { 0.0 }

@@ -13,7 +13,7 @@ pub struct Camera {
     forward: Vec3,
     /// Side of a pixel; for a pinhole at distance 1.
     pixel: f32,
-    centre: [f32; 2],
+    center: [f32; 2],
     parallel: bool,
 }
 
@@ -31,7 +31,7 @@ impl Camera {
             up: right.cross(forward),
             forward,
             pixel: 2.0 * (0.5 * field).tan() / height as f32,
-            centre: [0.5 * width as f32, 0.5 * height as f32],
+            center: [0.5 * width as f32, 0.5 * height as f32],
             parallel: false,
         }
     }
@@ -50,15 +50,15 @@ impl Camera {
 
     /// Returns the unit direction through image point `(x, y)`, in pixels from the top left.
     pub fn direction(&self, x: f32, y: f32) -> Vec3 {
-        let across = (x - self.centre[0]) * self.pixel;
-        let above = (self.centre[1] - y) * self.pixel;
+        let across = (x - self.center[0]) * self.pixel;
+        let above = (self.center[1] - y) * self.pixel;
         (self.forward + self.right * across + self.up * above).normalize()
     }
 
     /// Returns the ray through image point `(x, y)` with its derivatives per pixel.
     pub fn ray(&self, x: f32, y: f32) -> Ray {
         if self.parallel {
-            let (across, above) = (x - self.centre[0], self.centre[1] - y);
+            let (across, above) = (x - self.center[0], self.center[1] - y);
             return Ray {
                 origin: self.eye.as_vec3() + self.pixel * (across * self.right + above * self.up),
                 direction: self.forward,

@@ -133,11 +133,11 @@ pub fn arch(position: Vec3) -> bool {
 }
 
 /// Returns a tire about the y axis, upright, with its outer side toward −y, and the disc inside it.
-pub fn wheel(centre: Vec3) -> [Mesh; 2] {
+pub fn wheel(center: Vec3) -> [Mesh; 2] {
     let turn = |mut mesh: Mesh| {
         let upright = |p: Vec3| Vec3::new(p.x, -p.z, p.y);
         for vertex in &mut mesh.vertices {
-            vertex.position = centre + upright(vertex.position);
+            vertex.position = center + upright(vertex.position);
             vertex.normal = upright(vertex.normal);
             vertex.tangent = upright(vertex.tangent);
         }

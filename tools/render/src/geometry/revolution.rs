@@ -36,15 +36,15 @@ pub fn revolved(points: &[[f32; 2]]) -> Mesh {
     })
 }
 
-/// Creates a torus of radius `ring` about `centre` in the x–z plane, with tube radius `tube`.
-pub fn ring(centre: Vec3, ring: f32, tube: f32) -> Mesh {
+/// Creates a torus of radius `ring` about `center` in the x–z plane, with tube radius `tube`.
+pub fn ring(center: Vec3, ring: f32, tube: f32) -> Mesh {
     let (columns, rows) = (AROUND / 2, AROUND / 4);
     Mesh::grid(rows, columns, |row, column| {
         let (a, b) = (TAU * (columns - column) as f32 / columns as f32, TAU * row as f32 / rows as f32);
         let ((sa, ca), (sb, cb)) = (a.sin_cos(), b.sin_cos());
         let out = Vec3::new(cb * ca, sb, cb * sa);
         Vertex {
-            position: centre + ring * Vec3::new(ca, 0.0, sa) + tube * out,
+            position: center + ring * Vec3::new(ca, 0.0, sa) + tube * out,
             normal: out,
             tangent: Vec3::new(-sa, 0.0, ca),
             uv: Vec2::new(ring * a, tube * b),

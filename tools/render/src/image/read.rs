@@ -68,7 +68,7 @@ impl ImageFile {
     }
 
     /// Returns the mean of red, green and blue.
-    pub fn grey(&self) -> Vec<f32> {
+    pub fn gray(&self) -> Vec<f32> {
         let [r, g, b] = self.colors();
         if self.planes.len() == 1 {
             return r.to_vec();
@@ -159,21 +159,21 @@ mod tests {
 
     #[test]
     fn png_gray_with_alpha_and_color_planes() {
-        let grey = encode([2, 1], ColorType::GrayscaleAlpha, BitDepth::Eight, &[255, 0, 51, 9]);
-        assert_eq!(ImageFile::decode(&grey, Content::Colors).unwrap().planes, [[1.0, 0.2]]);
+        let gray = encode([2, 1], ColorType::GrayscaleAlpha, BitDepth::Eight, &[255, 0, 51, 9]);
+        assert_eq!(ImageFile::decode(&gray, Content::Colors).unwrap().planes, [[1.0, 0.2]]);
         let rgba = [[255, 0], [0, 0], [0, 51], [7, 7]].concat();
         let rgba = encode([1, 1], ColorType::Rgba, BitDepth::Sixteen, &rgba);
         let image = ImageFile::decode(&rgba, Content::Normals).unwrap();
         let [r, g, b] = image.colors();
         assert_eq!((r[0], g[0], b[0]), (65_280.0 / 65_535.0, 0.0, 51.0 / 65_535.0));
-        assert_eq!(image.grey(), [(r[0] + b[0]) / 3.0]);
+        assert_eq!(image.gray(), [(r[0] + b[0]) / 3.0]);
     }
 
     #[test]
     fn radiance_is_linear() {
         let bytes = b"#?RGBE\n\n-Y 1 +X 1\n\x80\x40\x00\x81".to_vec();
         let image = ImageFile::decode(&bytes, Content::Colors).unwrap();
-        assert_eq!((image.floats, image.grey().len()), (true, 1));
+        assert_eq!((image.floats, image.gray().len()), (true, 1));
         assert_eq!(image.colors()[0], [128.5 / 128.0]);
     }
 

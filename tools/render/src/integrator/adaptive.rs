@@ -115,8 +115,8 @@ impl Halves {
 }
 
 /// Returns the luminance of linear RGB, ITU-R BT.709.
-fn luminance(colour: Vec3) -> f32 {
-    colour.dot(Vec3::new(0.2126, 0.7152, 0.0722))
+fn luminance(color: Vec3) -> f32 {
+    color.dot(Vec3::new(0.2126, 0.7152, 0.0722))
 }
 
 /// Renders the mean of `radiance` per pixel, with as many samples as the error target requires.
@@ -385,7 +385,7 @@ mod tests {
         let studio = Studio::new(1.0);
         let chalk = Lambert::new(Vec3::splat(0.5)).unwrap();
         let objects = Set::Sphere.objects(Box::new(chalk), PLAIN).unwrap();
-        let scene = Scene::new(objects, Light::Around(&studio), Backdrop::Colour(backdrop()));
+        let scene = Scene::new(objects, Light::Around(&studio), Backdrop::Color(backdrop()));
         let camera = Set::Sphere.view().camera(1.0, SAMPLING);
         let limit = scene.draw(SAMPLING, &camera, Watch::unseen()).unwrap();
         let limit = reconstructed(&limit).pixels;

@@ -299,7 +299,7 @@ mod tests {
         let mut object = Object::new(Shape::Sphere, material);
         object.body = body;
         let camera = Camera::new(Vec3::new(0.0, -5.0, 1.0), Vec3::ZERO, 0.2, 16, 16);
-        mean(&Scene::new(vec![object], Light::Around(&Vec3::ONE), Backdrop::Colour(Vec3::ZERO)), &camera)
+        mean(&Scene::new(vec![object], Light::Around(&Vec3::ONE), Backdrop::Color(Vec3::ZERO)), &camera)
     }
 
     #[test]
@@ -331,7 +331,7 @@ mod tests {
             Object::new(Shape::Plane, Lambert::new(Vec3::splat(0.5)).unwrap()),
             Object::shaded(Shape::Sphere, |_, wo| Bsdf::new(wo)),
         ];
-        let mut scene = Scene::new(objects, Light::Around(&Vec3::ONE), Backdrop::Colour(Vec3::ZERO));
+        let mut scene = Scene::new(objects, Light::Around(&Vec3::ONE), Backdrop::Color(Vec3::ZERO));
         let camera = Camera::new(Vec3::new(0.0, -4.0, 6.0), Vec3::new(0.0, -1.15, 0.0), 0.002, 16, 16);
         let shadowed = mean(&scene, &camera).x;
         scene.objects.truncate(1);

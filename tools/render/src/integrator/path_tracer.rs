@@ -110,8 +110,8 @@ impl Scene<'_, '_> {
             let wi = panel.sample(sampler.point());
             offer(wi, Self::unshadowed(spot, wi, panel.radiance(wi) / panel.density(wi)));
         }
-        let (wi, colour) = chosen;
-        if all > 0.0 { self.open(spot.start(frame.to_local(wi)), wi) * all * colour } else { Vec3::ZERO }
+        let (wi, color) = chosen;
+        if all > 0.0 { self.open(spot.start(frame.to_local(wi)), wi) * all * color } else { Vec3::ZERO }
     }
 
     /// Returns the scattered radiance from a direction, ignoring occlusion.

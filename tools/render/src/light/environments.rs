@@ -43,7 +43,7 @@ pub struct Studio {
 
 /// A rectangular light with soft borders.
 pub struct SoftPanel {
-    centre: Vec3,
+    center: Vec3,
     /// Directions of the width and the height.
     sides: [Vec3; 2],
     /// Sines of the half angles.
@@ -65,22 +65,22 @@ const ABOVE: f32 = 0.85;
 impl SoftPanel {
     /// Creates a panel at azimuth and elevation with two full angles, in degrees. A white matte
     /// surface facing it has this color.
-    fn new([azimuth, elevation]: [f32; 2], size: [f32; 2], colour: Vec3) -> Self {
-        let centre = direction(azimuth, elevation);
-        let right = Vec3::Z.cross(centre).normalize();
+    fn new([azimuth, elevation]: [f32; 2], size: [f32; 2], color: Vec3) -> Self {
+        let center = direction(azimuth, elevation);
+        let right = Vec3::Z.cross(center).normalize();
         let [width, height] = size.map(|angle| (0.5 * angle.to_radians()).tan());
         // The border transmits half of its light.
         let lit = 4.0 * width * height * (1.0 - 0.5 * BORDER) * (1.0 - 0.5 * BORDER);
         let half = size.map(|angle| (0.5 * angle.to_radians()).sin());
-        let sides = [right, centre.cross(right)];
-        Self { centre, sides, half, radiance: colour * (PI / lit), share: colour.element_sum() }
+        let sides = [right, center.cross(right)];
+        Self { center, sides, half, radiance: color * (PI / lit), share: color.element_sum() }
     }
 
     /// Returns the fraction of the panel's light from a direction, and the solid-angle density of
     /// its samples. Each side's sine is distributed like the border, so that the two are nearly
     /// proportional.
     fn seen(&self, direction: Vec3) -> Option<[f32; 2]> {
-        let depth = direction.dot(self.centre);
+        let depth = direction.dot(self.center);
         if depth <= 0.0 {
             return None;
         }
@@ -110,7 +110,7 @@ impl SoftPanel {
             let sin = self.half[k] * within_border(u[k]);
             self.sides[k] * (sin / (1.0 - sin * sin).sqrt())
         };
-        (self.centre + aside(0) + aside(1)).normalize()
+        (self.center + aside(0) + aside(1)).normalize()
     }
 
     /// Returns the solid-angle density of samples.
@@ -155,7 +155,7 @@ impl Studio {
     /// A warm key from the upper left, a cool fill from the right and a rim from behind, in a dim
     /// room.
     pub fn new(brightness: f32) -> Self {
-        let panel = |place, size, colour: Vec3| SoftPanel::new(place, size, colour * brightness);
+        let panel = |place, size, color: Vec3| SoftPanel::new(place, size, color * brightness);
         let panels = vec![
             panel([-132.0, 46.0], [34.0, 34.0], hex(0xff_f2e2) * 0.85),
             panel([-18.0, 22.0], [18.0, 46.0], hex(0xb9_d0ff) * 0.4),
@@ -167,7 +167,7 @@ impl Studio {
     /// A hall for a car: a long light sheet above, a strip along its flank and a strip behind, over
     /// a dark floor.
     pub fn hall(brightness: f32) -> Self {
-        let panel = |place, size, colour: Vec3| SoftPanel::new(place, size, colour * brightness);
+        let panel = |place, size, color: Vec3| SoftPanel::new(place, size, color * brightness);
         let panels = vec![
             panel([-150.0, 70.0], [60.0, 60.0], hex(0xff_f6ea) * 0.8),
             panel([-70.0, 10.0], [110.0, 8.0], hex(0xd4_e2ff) * 0.3),
@@ -242,15 +242,15 @@ mod tests {
 
     #[test]
     fn panel_lights_a_facing_surface_with_its_color() {
-        let colour = Vec3::new(0.2, 0.5, 1.0);
-        let panel = SoftPanel::new([30.0, 20.0], [8.0, 12.0], colour);
+        let color = Vec3::new(0.2, 0.5, 1.0);
+        let panel = SoftPanel::new([30.0, 20.0], [8.0, 12.0], color);
         let count = 4096;
         let light = (0..count).fold(Vec3::ZERO, |sum, index| {
             let w = panel.sample(Sampler::new(index, 1).point());
-            sum + panel.radiance(w) * w.dot(panel.centre) / (PI * panel.density(w)) / count as f32
+            sum + panel.radiance(w) * w.dot(panel.center) / (PI * panel.density(w)) / count as f32
         });
         // Off its center it is foreshortened: cos⁴ of 7 degrees.
-        assert_abs_diff_eq!(light, colour, epsilon = 0.02);
+        assert_abs_diff_eq!(light, color, epsilon = 0.02);
     }
 
     #[test]
@@ -275,8 +275,8 @@ mod tests {
                 let expected: f32 = (0..side * side)
                     .map(|cell| {
                         let at = [x * middle(cell % side), y * middle(cell / side)];
-                        let w = (panel.centre + panel.sides[0] * at[0] + panel.sides[1] * at[1]).normalize();
-                        let depth = w.dot(panel.centre);
+                        let w = (panel.center + panel.sides[0] * at[0] + panel.sides[1] * at[1]).normalize();
+                        let depth = w.dot(panel.center);
                         panel.seen(w).map_or(0.0, |[share, _]| share * depth * depth * depth)
                     })
                     .sum::<f32>()

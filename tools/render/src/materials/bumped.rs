@@ -41,7 +41,7 @@ impl Facets<'_> {
 /// the half vector is displayed directly.
 ///
 /// ```text
-/// L = Σ_lamps colour · p(h) · max(0, n·l) + diffuse · sky(m)
+/// L = Σ_lamps color · p(h) · max(0, n·l) + diffuse · sky(m)
 /// ```
 ///
 /// The cosine with the geometric normal lets each light fade smoothly at its horizon, and is
@@ -94,11 +94,8 @@ impl Material for Printed<'_> {
                     shown.iter_mut().zip(halves).for_each(|(p, &h)| *p = shade_facet(self.ndf, &facet, h));
                 }
             }
-            lit += lamps
-                .iter()
-                .zip(shown)
-                .map(|(lamp, p)| lamp.colour * (p * wi(lamp).z.max(0.0)))
-                .sum::<Vec3>();
+            lit +=
+                lamps.iter().zip(shown).map(|(lamp, p)| lamp.color * (p * wi(lamp).z.max(0.0))).sum::<Vec3>();
         }
         Bsdf::new(wo).with_emitted(lit + self.diffuse * sky(frame.to_world(facet.normal)))
     }
@@ -132,7 +129,7 @@ mod tests {
             ndf: &ndf,
             facets: Facets::Consistent(LevelOfDetail::Exact),
             bumps: bumps.field(3, DVec3::ZERO).unwrap(),
-            lamps: vec![Lamp { direction: Vec3::Z, colour: Vec3::ONE }],
+            lamps: vec![Lamp { direction: Vec3::Z, color: Vec3::ONE }],
             most: share_beyond(ndf.density(Vec3::Z), radius),
             diffuse: Vec3::ZERO,
         };

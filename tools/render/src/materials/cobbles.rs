@@ -30,10 +30,10 @@ fn height(p: Vec2) -> f32 {
     let mut tilt = Vec2::ZERO;
     let mut from = Vec2::ZERO;
     for k in 0..25 {
-        let neighbour = cell.floor().as_ivec2() + glam::IVec2::new(k % 5 - 2, k / 5 - 2);
-        let wrapped = neighbour.rem_euclid(glam::IVec2::splat(CELLS));
+        let neighbor = cell.floor().as_ivec2() + glam::IVec2::new(k % 5 - 2, k / 5 - 2);
+        let wrapped = neighbor.rem_euclid(glam::IVec2::splat(CELLS));
         let [a, b, c, d] = hash(wrapped.x as u32, wrapped.y as u32);
-        let offset = neighbour.as_vec2() + Vec2::splat(0.5) + 0.62 * Vec2::new(a - 0.5, b - 0.5) - cell;
+        let offset = neighbor.as_vec2() + Vec2::splat(0.5) + 0.62 * Vec2::new(a - 0.5, b - 0.5) - cell;
         let distance = offset.length();
         if distance < nearest {
             (second, nearest) = (nearest, distance);

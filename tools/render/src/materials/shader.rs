@@ -28,8 +28,8 @@ impl Material for Layers {
 }
 
 /// Returns a matte BSDF about a bump normal in the local frame, with additional emission.
-pub fn chalk(wo: Vec3, normal: Vec3, colour: Vec3, sent: Vec3) -> Bsdf<'static> {
-    let diffuse = EnergyPreservingOrenNayar::clamped(colour, 0.0);
+pub fn chalk(wo: Vec3, normal: Vec3, color: Vec3, sent: Vec3) -> Bsdf<'static> {
+    let diffuse = EnergyPreservingOrenNayar::clamped(color, 0.0);
     Bsdf::new(wo).with([Facet::new(1.0, normal)], [diffuse.into()]).with_emitted(sent)
 }
 
@@ -51,7 +51,7 @@ impl<M: Material> Material for InMetres<M> {
 }
 
 /// Returns a matte color under a glaze of this roughness.
-pub fn glazed(roughness: f32, colour: Vec3) -> impl Material + Sync {
+pub fn glazed(roughness: f32, color: Vec3) -> impl Material + Sync {
     let glaze = Coat::varnish(Dielectric::clamped(1.5)).rough(roughness);
-    Shaded(move |_: &SurfacePoint, wo| chalk(wo, Vec3::Z, colour, Vec3::ZERO).with_coat(glaze))
+    Shaded(move |_: &SurfacePoint, wo| chalk(wo, Vec3::Z, color, Vec3::ZERO).with_coat(glaze))
 }

@@ -211,8 +211,8 @@ pub fn ground(height: f32, behind: Behind<'_>) -> Result<Object<'_>, Failure> {
 }
 
 /// Returns a rough color.
-fn cloth(colour: Vec3) -> Result<EnergyPreservingOrenNayar, ParameterError> {
-    EnergyPreservingOrenNayar::new(colour, 0.8)
+fn cloth(color: Vec3) -> Result<EnergyPreservingOrenNayar, ParameterError> {
+    EnergyPreservingOrenNayar::new(color, 0.8)
 }
 
 fn disc(height: f32) -> Mesh {
@@ -222,11 +222,11 @@ fn disc(height: f32) -> Mesh {
 /// Creates a disc of cloth that fades into the background over `over`, starting at a radius.
 fn faded_disc(
     height: f32,
-    colour: Vec3,
+    color: Vec3,
     [from, over]: [f32; 2],
     behind: Behind<'_>,
 ) -> Result<Object<'_>, Failure> {
-    let cloth = cloth(colour)?;
+    let cloth = cloth(color)?;
     let shape = if height == 0.0 { Arc::clone(&DISC) } else { disc(height).into() };
     Ok(Object::shaded(shape, move |point, wo| {
         let distance = point.position.truncate().length();
@@ -243,7 +243,7 @@ fn faded_disc(
 }
 
 /// Creates a ball.
-fn ball(centre: Vec3, radius: f32) -> Mesh {
+fn ball(center: Vec3, radius: f32) -> Mesh {
     let points: Vec<[f32; 2]> = (0..=12)
         .map(|k| ((k as f32 / 12.0 - 0.5) * std::f32::consts::PI).sin_cos())
         .map(|(sin, cos)| [radius * cos.max(0.0), radius * sin])
@@ -252,7 +252,7 @@ fn ball(centre: Vec3, radius: f32) -> Mesh {
     for vertex in &mut mesh.vertices {
         // The spline deviates slightly from the circle.
         vertex.normal = vertex.position.normalize_or(vertex.normal);
-        vertex.position = centre + radius * vertex.normal;
+        vertex.position = center + radius * vertex.normal;
         vertex.uv *= Vec2::new(radius, 1.0);
     }
     mesh

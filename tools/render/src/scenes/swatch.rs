@@ -15,7 +15,7 @@ pub enum Form {
 }
 
 /// Center of a patch, off the lattices of noises.
-const CENTRE: Vec2 = Vec2::new(1.371, 0.843);
+const CENTER: Vec2 = Vec2::new(1.371, 0.843);
 
 /// Distance from which the viewer counts as infinitely far.
 const FAR: f32 = 100.0;
@@ -41,7 +41,7 @@ impl Form {
     pub fn camera(self, [width, height]: [u32; 2]) -> Camera {
         match self {
             Self::Patch { height: extent, distance } => {
-                let target = CENTRE.extend(0.0);
+                let target = CENTER.extend(0.0);
                 let eye = target + Vec3::Z * distance.min(1.0);
                 if distance > FAR {
                     return Camera::parallel(eye, target, extent, width, height);

@@ -1,6 +1,6 @@
 //! Materials measured at every zoom.
 
-use asperity_shading::material::{BumpMapped, FibresParameters, GlassWaves, PaintFlakes, SeamPattern};
+use asperity_shading::material::{BumpMapped, FibersParameters, GlassWaves, PaintFlakes, SeamPattern};
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::{
     BumpField, Carpet, CarpetParameters, Ggx, LevelOfDetail, MetallicPaint, MetallicPaintParameters,
@@ -15,14 +15,14 @@ pub(super) const VALID: &str = "parameters in range";
 
 /// A carpet of fibers without threads, dark areas and seams.
 #[must_use]
-pub fn fibres_alone() -> CarpetParameters {
+pub fn fibers_alone() -> CarpetParameters {
     CarpetParameters {
         diffuse_thread_strength: 0.0,
         diffuse_thread_bump_strength: 0.0,
         specular_thread_strength: 0.0,
         dark_area_strength: 0.0,
         seams_pattern: SeamPattern::None,
-        fibre_strength: 1.0,
+        fiber_strength: 1.0,
         ..Default::default()
     }
 }
@@ -32,13 +32,13 @@ pub fn fibres_alone() -> CarpetParameters {
 pub fn materials() -> Vec<Subject> {
     let carpet =
         |name, width, parameters| Subject::of(name, width, Carpet::new(parameters).expect(VALID), |p| p);
-    let (specular_roughness, fake_rim_light_colour) = (0.4, Vec3::splat(0.1));
-    let seamed = CarpetParameters { specular_roughness, fake_rim_light_colour, ..Default::default() };
-    let fibres = CarpetParameters {
+    let (specular_roughness, fake_rim_light_color) = (0.4, Vec3::splat(0.1));
+    let seamed = CarpetParameters { specular_roughness, fake_rim_light_color, ..Default::default() };
+    let fibers = CarpetParameters {
         diffuse: Vec3::splat(0.5),
-        fibres: FibresParameters { fibre_length: 0.04, ..Default::default() },
+        fibers: FibersParameters { fiber_length: 0.04, ..Default::default() },
         fake_rim_light: 0.0,
-        ..fibres_alone()
+        ..fibers_alone()
     };
     let paint =
         |name, parameters| Subject::of(name, 0.08, MetallicPaint::new(parameters).expect(VALID), |p| p);
@@ -86,7 +86,7 @@ pub fn materials() -> Vec<Subject> {
     vec![
         carpet("carpet", 1.2, CarpetParameters { seams_pattern: SeamPattern::Lines, ..seamed }),
         carpet("carpet, grid", 1.2, CarpetParameters { seams_pattern: SeamPattern::Grid, ..seamed }),
-        carpet("fibres", 0.2, fibres),
+        carpet("fibers", 0.2, fibers),
         paint("orange peel", peel),
         paint("passive flakes", passive),
         paint("flakes", flakes),
@@ -108,7 +108,7 @@ pub fn fractal_bumps() -> Subject {
 fn bumps(name: &'static str, rule: LevelOfDetail) -> Subject {
     let spectrum = FbmSpectrum::new(2.17, 0.8, 3).expect("three octaves");
     let bumps = BumpField::new(GaussianFbm::<3>::new(GaussianNoise::new(7), spectrum), 20.0).expect(VALID);
-    let material = BumpMapped { ndf: Ggx::new(0.3, 0.5).expect(VALID), bumps, rule, colour: Vec3::ONE };
+    let material = BumpMapped { ndf: Ggx::new(0.3, 0.5).expect(VALID), bumps, rule, color: Vec3::ONE };
     // The mean over a pixel still shows octaves above its frequency limit.
     Subject::of(name, 0.8, material, |point| SurfacePoint { pixel: point.pixel.scaled(0.5), ..point })
 }

@@ -10,7 +10,7 @@ mod telephoto;
 mod textures;
 
 pub use horizon::{Horizon, Seen, errors, grain};
-pub use materials::{fibres_alone, fractal_bumps, materials};
+pub use materials::{fibers_alone, fractal_bumps, materials};
 pub use subject::{Sky, Subject};
 pub use telephoto::{Frame, Mean, Patch, largest_pop};
 pub use textures::textures;

@@ -20,15 +20,15 @@ impl Sky {
     pub fn about(lamp: Vec3) -> Self {
         let sky = |k: u8, z: f32| {
             let (turn, r) = (2.1 * f32::from(k), (1.0 - z * z).sqrt());
-            Lamp { direction: Vec3::new(r * turn.cos(), r * turn.sin(), z), colour: Vec3::splat(0.25) }
+            Lamp { direction: Vec3::new(r * turn.cos(), r * turn.sin(), z), color: Vec3::splat(0.25) }
         };
-        let lamp = Lamp { direction: lamp.normalize(), colour: Vec3::ONE };
+        let lamp = Lamp { direction: lamp.normalize(), color: Vec3::ONE };
         Self { lamp, soft: [sky(1, 0.5), sky(2, 0.87), sky(3, 0.5)] }
     }
 
     /// Adds the radiances of a BSDF along `view`, one per sky. The soft part is the same for all.
     pub(super) fn add(skies: &[Self], bsdf: &Bsdf<'_>, view: Vec3, radiances: &mut [Vec3]) {
-        let scattered = |lamp: &Lamp| PI * lamp.colour * bsdf.scattered(lamp.direction, view);
+        let scattered = |lamp: &Lamp| PI * lamp.color * bsdf.scattered(lamp.direction, view);
         let soft = skies.first().map(|sky| sky.soft.each_ref().map(scattered)).unwrap_or_default();
         for (radiance, sky) in radiances.iter_mut().zip(skies) {
             *radiance += soft.iter().fold(bsdf.emitted() + scattered(&sky.lamp), |sum, soft| sum + soft);

@@ -56,14 +56,14 @@ impl Patch {
         &self,
         subject: &Subject,
         skies: &[Sky; K],
-        centre: Vec2,
+        center: Vec2,
         width: f32,
     ) -> [Frame; K] {
         let derivatives = self.derivatives(width);
         let mut frames = [Frame { mean: 0.0, range: [f64::INFINITY, f64::NEG_INFINITY] }; K];
         for k in 0..self.samples {
             let [x, y] = r2(k).map(|x| x as f32 - 0.5);
-            let at = centre + derivatives[0] * x + derivatives[1] * y;
+            let at = center + derivatives[0] * x + derivatives[1] * y;
             let pixel = Pixel::new(at, derivatives, 2, Eye::Towards(self.view));
             for (frame, radiance) in frames.iter_mut().zip(subject.radiances(&pixel, skies)) {
                 let radiance = f64::from(radiance.dot(Vec3::ONE)) / 3.0;
@@ -86,8 +86,8 @@ impl Patch {
             (0..side)
                 .map(|x| {
                     let [i, j] = r2(y * side + x).map(|u| 0.5 + (1.0 - share) * (u as f32 - 0.5));
-                    let centre = stratum[0] * (x as f32 + i) + stratum[1] * (y as f32 + j);
-                    self.pixel(subject, skies, centre, subject.width / zoom)
+                    let center = stratum[0] * (x as f32 + i) + stratum[1] * (y as f32 + j);
+                    self.pixel(subject, skies, center, subject.width / zoom)
                 })
                 .collect()
         };
@@ -106,11 +106,11 @@ impl Patch {
     #[must_use]
     pub fn slow_zooms(&self, subject: &Subject, sky: &Sky) -> Vec<Vec<Frame>> {
         let zoom = |start: u8| {
-            let centre = (Vec2::new(3.37, 5.71) + 0.83 * f32::from(start)) * subject.width;
+            let center = (Vec2::new(3.37, 5.71) + 0.83 * f32::from(start)) * subject.width;
             let first = 1.01_f32.powf(200.0 * f32::from(start));
             let frame = |k: u8| {
                 let width = subject.width / (first * 1.01_f32.powf(f32::from(k)));
-                let [frame] = self.pixel(subject, &[*sky], centre, width);
+                let [frame] = self.pixel(subject, &[*sky], center, width);
                 frame
             };
             (0..200_u8).into_par_iter().map(frame).collect()

@@ -1,7 +1,7 @@
 //! Textures of the lecture, measured at the horizon.
 
 use asperity_shading::material::{
-    BevelledTiles, BrickWall, Material, Perturbed, PolishedMarble, SurfacePoint, Wallpaper,
+    BeveledTiles, BrickWall, Material, Perturbed, PolishedMarble, SurfacePoint, Wallpaper,
 };
 use asperity_shading::reflectance::{Bsdf, Coat};
 use asperity_shading::texture::{Bevel, Brick, Gas, Marble, PerturbedTexture, StarWallpaper, march};
@@ -23,8 +23,8 @@ pub fn textures() -> Vec<Subject> {
         depth: 0.0,
         roughness: 0.0,
     };
-    let colour = Vec3::splat(0.6);
-    let bumped = BrickWall { clay: colour, mortar: colour, depth: 0.02, ..flat };
+    let color = Vec3::splat(0.6);
+    let bumped = BrickWall { clay: color, mortar: color, depth: 0.02, ..flat };
     // Square tiles with a ridge along their edges.
     let bevel = Bevel::new(0.03, 0.2, 0.2, 0.9).expect(VALID);
     let stars = StarWallpaper::new(5, [0.1, 0.3], 1.0, 0.55, 1).expect(VALID);
@@ -34,7 +34,7 @@ pub fn textures() -> Vec<Subject> {
     vec![
         wall("brick", flat),
         wall("bumped brick", bumped),
-        Subject::of("bevel", 8.0, BevelledTiles { bevel, side: 1.0, colour, roughness: 0.0 }, |p| p),
+        Subject::of("bevel", 8.0, BeveledTiles { bevel, side: 1.0, color, roughness: 0.0 }, |p| p),
         Subject::of(
             "stars",
             8.0,

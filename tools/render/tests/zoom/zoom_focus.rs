@@ -82,7 +82,7 @@ fn error(case: &Case, zoom: f64, focus: DVec3) -> f32 {
         Bsdf::new(wo).with_emitted((z + BIAS).extend(0.0))
     };
     let objects = vec![Object::shaded((case.shape)(), shown).anchored(focus)];
-    let scene = Scene::new(objects, Light::lamps(Vec::new()), Backdrop::Colour(Vec3::ZERO)).about(focus);
+    let scene = Scene::new(objects, Light::lamps(Vec::new()), Backdrop::Color(Vec3::ZERO)).about(focus);
     let eye = case.focus + case.away / zoom;
     let camera = Camera::new(eye, case.focus, FIELD, SIDE.into(), SIDE.into()).about(focus);
     let (mut worst, mut hits) = (0.0_f32, 0);
@@ -110,7 +110,7 @@ fn every_set_focuses_on_its_subject() {
         let subject = Box::new(Lambert::new(Vec3::ONE).expect("white"));
         let objects = set.objects(subject, PLAIN).expect("a set of shapes");
         let (scene, view) =
-            (Scene::new(objects, Light::lamps(Vec::new()), Backdrop::Colour(Vec3::ZERO)), set.view());
+            (Scene::new(objects, Light::lamps(Vec::new()), Backdrop::Color(Vec3::ZERO)), set.view());
         let met = scene.first_hit(view.eye, (view.focus - view.eye).normalize()).expect("a point in view");
         assert!(std::ptr::eq(met.object, &raw const scene.objects[0]), "{set:?}: another object");
         // A digit of f32 over the distance to the viewer, at most 13. At ten thousandfold zoom that

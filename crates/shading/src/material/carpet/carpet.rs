@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3};
 
 use crate::bump::{bumped_normal, project_to_tangent_plane};
 use crate::material::carpet::dark_area::DarkAreas;
-use crate::material::carpet::fibre::{Fibres, FibresParameters};
+use crate::material::carpet::fiber::{Fibers, FibersParameters};
 use crate::material::carpet::rim_light::rim_light;
 use crate::material::carpet::seam::{Crease, SeamPattern, Seams};
 use crate::material::carpet::thread::{DiffuseThreads, SpecularThreads};
@@ -13,7 +13,7 @@ use crate::material::glossy::GlossySurface;
 use crate::material::interface::Material;
 use crate::material::surface_point::{SurfacePoint, TextureGradients};
 use crate::math::{clamp_to, sqrt};
-use crate::parameter::{ParameterError, as_roughness, as_share, as_size, colour, parameters};
+use crate::parameter::{ParameterError, as_roughness, as_share, as_size, color, parameters};
 use crate::reflectance::Bsdf;
 
 parameters! {
@@ -23,9 +23,9 @@ parameters! {
     /// within `[0, 1]`. The defaults are a dark gray car carpet in meters.
     pub struct CarpetParameters of Carpet {
         /// The diffuse color. Default (0.12, 0.12, 0.13).
-        diffuse: Vec3 = Vec3::new(0.12, 0.12, 0.13), colour;
+        diffuse: Vec3 = Vec3::new(0.12, 0.12, 0.13), color;
         /// The specular color between the shiny threads. Default 0.
-        specular: Vec3 = Vec3::ZERO, colour;
+        specular: Vec3 = Vec3::ZERO, color;
         /// The size of the threads in the diffuse map. Default 0.006.
         diffuse_thread_size: f32 = 0.006;
         /// Variation of the diffuse color by threads, in both directions. Default 0.12.
@@ -58,11 +58,11 @@ parameters! {
         seam_crossover_strength: f32 = 0.5, as_share;
         /// Fraction of the colors from single fibers, visible up close; not in the thesis. Default
         /// 0.8.
-        fibre_strength: f32 = 0.8, as_share;
+        fiber_strength: f32 = 0.8, as_share;
         /// Tilt of the normal by fibers. Default 0.3.
-        fibre_bump_strength: f32 = 0.3, as_share;
+        fiber_bump_strength: f32 = 0.3, as_share;
         /// The fibers, in texture coordinates.
-        fibres: FibresParameters = FibresParameters::default();
+        fibers: FibersParameters = FibersParameters::default();
         /// The roughness of the facets, as in
         /// [`EnergyPreservingOrenNayar`](crate::EnergyPreservingOrenNayar). Default 0.8.
         roughness: f32 = 0.8, as_share;
@@ -72,7 +72,7 @@ parameters! {
         fake_rim_light_width: f32 = 0.4, as_share;
         /// The color of the rim light, emitted regardless of the light; any non-negative color.
         /// Default white.
-        fake_rim_light_colour: Vec3 = Vec3::ONE;
+        fake_rim_light_color: Vec3 = Vec3::ONE;
         /// The roughness of the shiny threads: Beckmann's α, within `[0.01, 1]`; not in the thesis.
         /// Default 0.45.
         specular_roughness: f32 = 0.45, as_roughness;
@@ -114,7 +114,7 @@ parameters! {
 ///     .with_uv(Vec2::new(0.3, 0.2), [Vec3::X, Vec3::Y]);
 /// let (wi, wo) = (Vec3::new(0.6, 0.0, 0.8), Vec3::Z);
 /// let light = carpet.bsdf(&point, wo).scattered(wi, wo);
-/// assert!(light.min_element() > 0.0 && light.max_element() < 0.1, "dark grey");
+/// assert!(light.min_element() > 0.0 && light.max_element() < 0.1, "dark gray");
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[doc(alias = "sheen")]
@@ -128,7 +128,7 @@ pub struct Carpet {
     dark_areas: DarkAreas,
     seams: Seams,
     crossover: SizedFbm,
-    fibres: Fibres,
+    fibers: Fibers,
 }
 
 impl Carpet {
@@ -146,7 +146,7 @@ impl Carpet {
             dark_areas: DarkAreas::new(p.dark_area_size, p.dark_area_strength, seed(2))?,
             seams: Seams::new(p.seams_propagation, p.seams_pattern, p.seam_distance, p.seams_amplitude)?,
             crossover: SizedFbm::single(p.seam_crossover_size, seed(3)),
-            fibres: Fibres::new(p.fibres)?,
+            fibers: Fibers::new(p.fibers)?,
             parameters,
         })
     }
@@ -154,9 +154,9 @@ impl Carpet {
     /// Threads, shiny threads, dark areas, seams, threads over seams, fibers.
     #[doc(hidden)]
     #[must_use]
-    pub const fn parts(&self) -> (&DiffuseThreads, &SpecularThreads, &DarkAreas, &Seams, &SizedFbm, &Fibres) {
-        let Self { diffuse_threads, specular_threads, dark_areas, seams, crossover, fibres, .. } = self;
-        (diffuse_threads, specular_threads, dark_areas, seams, crossover, fibres)
+    pub const fn parts(&self) -> (&DiffuseThreads, &SpecularThreads, &DarkAreas, &Seams, &SizedFbm, &Fibers) {
+        let Self { diffuse_threads, specular_threads, dark_areas, seams, crossover, fibers, .. } = self;
+        (diffuse_threads, specular_threads, dark_areas, seams, crossover, fibers)
     }
 
     /// The fraction of a seam that is filled by threads.
@@ -189,12 +189,12 @@ impl Carpet {
         let amount = self.seams.amount(crease.height);
         let amount = amount + (1.0 - amount) * disturb;
 
-        let (fibre, fibre_gradient, fibre_slope) = self.fibres.surface(point.uv, &texture, &point.pixel);
-        let fibre = 1.0 + p.fibre_strength * (fibre.factor - 1.0);
+        let (fiber, fiber_gradient, fiber_slope) = self.fibers.surface(point.uv, &texture, &point.pixel);
+        let fiber = 1.0 + p.fiber_strength * (fiber.factor - 1.0);
         let dark = self.dark_areas.factor(point.position, point.footprint());
         let lit = |c: Vec3, by: f32| {
             let threads = (c + Vec3::splat(by)).clamp(Vec3::ZERO, Vec3::ONE);
-            (threads * (amount * dark * fibre)).min(Vec3::ONE)
+            (threads * (amount * dark * fiber)).min(Vec3::ONE)
         };
 
         let [along, other] = gradients.map(Vec3::normalize_or_zero);
@@ -210,10 +210,10 @@ impl Carpet {
         GlossySurface {
             diffuse: lit(p.diffuse, p.diffuse_thread_strength * threads.value),
             specular: lit(p.specular, p.specular_thread_strength * shine),
-            normal: bumped_normal(n, thread_bump + seam_bump + fibre_gradient * p.fibre_bump_strength),
+            normal: bumped_normal(n, thread_bump + seam_bump + fiber_gradient * p.fiber_bump_strength),
             slope_variance: bump2 * self.diffuse_threads.removed_slope(point.footprint())
                 + even
-                + p.fibre_bump_strength * p.fibre_bump_strength * fibre_slope,
+                + p.fiber_bump_strength * p.fiber_bump_strength * fiber_slope,
             ridges,
         }
     }
@@ -225,7 +225,7 @@ impl Material for Carpet {
         let rim = rim_light(point.normal, frame.to_world(wo), p.fake_rim_light_width);
         let mut bsdf = Bsdf::new(wo);
         self.surface(point).add_to(&mut bsdf, &frame, p.roughness, p.specular_roughness);
-        bsdf.add_emitted(p.fake_rim_light * rim * p.fake_rim_light_colour);
+        bsdf.add_emitted(p.fake_rim_light * rim * p.fake_rim_light_color);
         bsdf
     }
 
@@ -236,16 +236,16 @@ impl Material for Carpet {
         let (crease, ..) = self.crease(point, &texture);
         // Phases far out have no digits, and the height there may be NaN.
         let deep = clamp_to(1.0 - crease.height, 1.0) * (1.0 - self.crossing(point)) / self.seams.frequency();
-        let (fibre, ..) = self.fibres.surface(point.uv, &texture, &point.pixel);
+        let (fiber, ..) = self.fibers.surface(point.uv, &texture, &point.pixel);
         p.diffuse_thread_bump_strength * threads - p.seams_bump_strength * deep
-            + p.fibre_bump_strength * fibre.height
+            + p.fiber_bump_strength * fiber.height
     }
 
     fn height_range(&self) -> Option<[f32; 2]> {
         let p = &self.parameters;
         let threads = p.diffuse_thread_bump_strength * p.diffuse_thread_size;
-        let fibres = p.fibre_bump_strength * 0.5 * p.fibres.fibre_length * p.fibres.fibre_width;
-        Some([-threads - p.seams_bump_strength / self.seams.frequency(), threads + fibres])
+        let fibers = p.fiber_bump_strength * 0.5 * p.fibers.fiber_length * p.fibers.fiber_width;
+        Some([-threads - p.seams_bump_strength / self.seams.frequency(), threads + fibers])
     }
 }
 
@@ -269,8 +269,8 @@ mod tests {
             dark_area_strength: 0.0,
             seams_amplitude: 0.0,
             seams_bump_strength: 0.0,
-            fibre_strength: 0.0,
-            fibre_bump_strength: 0.0,
+            fiber_strength: 0.0,
+            fiber_bump_strength: 0.0,
             fake_rim_light: 0.0,
             ..Default::default()
         })
@@ -296,7 +296,7 @@ mod tests {
     fn seam_slopes_do_not_depend_on_the_texture_scale() {
         let carpet = Carpet::new(CarpetParameters {
             diffuse_thread_bump_strength: 0.0,
-            fibre_bump_strength: 0.0,
+            fiber_bump_strength: 0.0,
             ..Default::default()
         })
         .unwrap();

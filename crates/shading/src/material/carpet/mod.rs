@@ -2,14 +2,14 @@
 
 mod carpet;
 mod dark_area;
-mod fibre;
+mod fiber;
 mod rim_light;
 mod seam;
 mod thread;
 
 pub use carpet::{Carpet, CarpetParameters};
 pub use dark_area::DarkAreas;
-pub use fibre::{Fibre, Fibres, FibresParameters};
+pub use fiber::{Fiber, Fibers, FibersParameters};
 pub use rim_light::rim_light;
 pub use seam::{Seam, SeamPattern, Seams, linear_seam};
 pub use thread::{DiffuseThreads, SpecularThreads};

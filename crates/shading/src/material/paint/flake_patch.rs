@@ -12,7 +12,7 @@ pub struct FlakePatch {
     /// A random number in [0, 1), the same for all points of the flake.
     pub value: f32,
     /// The center of the cell of the flake, which identifies it.
-    pub centre: Vec3,
+    pub center: Vec3,
     /// Tilt, to be added to a unit normal: a vector uniform in the unit ball.
     pub tilt: Vec3,
 }
@@ -20,7 +20,7 @@ pub struct FlakePatch {
 /// The flake at a point: a box of sides `width` in a cell of side `cell`.
 ///
 /// ```text
-/// d = (frac(p/cell) − ½) cell − scatter r (cell − width),   inside where |dᵢ| ≤ widthᵢ/2,   centre = p − d
+/// d = (frac(p/cell) − ½) cell − scatter r (cell − width),   inside where |dᵢ| ≤ widthᵢ/2,   center = p − d
 /// ```
 ///
 /// with three random numbers r of the cell in [−½, ½). Without scatter, flakes are in the middle of
@@ -45,7 +45,7 @@ pub struct FlakePatch {
 ///
 /// let p = Vec3::new(0.26, 0.74, 0.25);
 /// let flake = flake_patch(p, 0.5, Vec3::splat(0.1), 0.0, 1).unwrap();
-/// assert_eq!(flake.centre, Vec3::new(0.25, 0.75, 0.25));
+/// assert_eq!(flake.center, Vec3::new(0.25, 0.75, 0.25));
 /// assert_eq!(flake_patch(p + Vec3::X * 0.1, 0.5, Vec3::splat(0.1), 0.0, 1), None);
 /// ```
 #[must_use]
@@ -106,7 +106,7 @@ fn nearest_flake(
     let off = ((place - corner) - middle).abs() * cell;
     let flake = FlakePatch {
         value: random(0),
-        centre: (corner + middle) * cell,
+        center: (corner + middle) * cell,
         tilt: ball([random(1), random(2), random(3)]),
     };
     Some((flake, off))
@@ -127,16 +127,16 @@ mod tests {
     #[test]
     fn points_of_a_flake_return_the_same_patch() {
         let width = Vec3::new(0.3, 0.2, 0.4);
-        let centre = Vec3::new(2.5, -1.5, 0.5);
-        let flake = flake_patch(centre, 1.0, width, 0.0, 9).unwrap();
+        let center = Vec3::new(2.5, -1.5, 0.5);
+        let flake = flake_patch(center, 1.0, width, 0.0, 9).unwrap();
         for corner in [Vec3::ONE, Vec3::NEG_ONE, Vec3::new(1.0, -1.0, 1.0)] {
-            assert_eq!(flake_patch(centre + corner * width * 0.499, 1.0, width, 0.0, 9), Some(flake));
-            assert_eq!(flake_patch(centre + corner * width * 0.501, 1.0, width, 0.0, 9), None);
+            assert_eq!(flake_patch(center + corner * width * 0.499, 1.0, width, 0.0, 9), Some(flake));
+            assert_eq!(flake_patch(center + corner * width * 0.501, 1.0, width, 0.0, 9), None);
         }
         let others =
-            [centre + Vec3::X, centre - Vec3::Y].map(|c| flake_patch(c, 1.0, width, 0.0, 9).unwrap());
+            [center + Vec3::X, center - Vec3::Y].map(|c| flake_patch(c, 1.0, width, 0.0, 9).unwrap());
         assert!(others.iter().all(|other| other.value != flake.value && other.tilt != flake.tilt));
-        assert_ne!(flake_patch(centre, 1.0, width, 0.0, 10).unwrap().value, flake.value);
+        assert_ne!(flake_patch(center, 1.0, width, 0.0, 10).unwrap().value, flake.value);
     }
 
     #[test]

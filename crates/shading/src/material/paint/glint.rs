@@ -71,7 +71,7 @@ pub struct GlintFlake {
     /// Its unit normal in the frame of the surface, distributed by the NDF of the field.
     pub normal: Vec3,
     /// A point in it, nearer to it than to any other flake.
-    pub centre: Vec3,
+    pub center: Vec3,
 }
 
 /// The coarsest level: cells of 2²⁸ flakes.
@@ -121,8 +121,8 @@ impl<N: Ndf> GlintField<N> {
     /// a quarter of a cell of the center of the cell.
     #[must_use]
     pub fn flake(&self, position: Vec3) -> Option<GlintFlake> {
-        let (cell, centre) = nearest(self.place(position)?, self.seed);
-        Some(GlintFlake { normal: self.ndf.warp_gaussian(self.tilt(cell)), centre: centre * self.spacing })
+        let (cell, center) = nearest(self.place(position)?, self.seed);
+        Some(GlintFlake { normal: self.ndf.warp_gaussian(self.tilt(cell)), center: center * self.spacing })
     }
 
     /// The density D̂(h) of the flakes within a pixel, in sr⁻¹, which replaces D(h).
@@ -205,7 +205,7 @@ fn cell_of(place: Vec3) -> [i32; 3] {
 }
 
 /// The jittered center of a cell, in cells.
-fn centre(cell: [i32; 3], seed: u32) -> Vec3 {
+fn center(cell: [i32; 3], seed: u32) -> Vec3 {
     let word = IntegerHash.word(cell, seed);
     let jitter = [word, word >> 10, word >> 20].map(|w| (w & 1023) as f32 / 2048.0 + 0.25);
     Vec3::from(cell.map(|x| x as f32)) + Vec3::from(jitter)
@@ -216,7 +216,7 @@ fn nearest(place: Vec3, seed: u32) -> ([i32; 3], Vec3) {
     let base = cell_of(place);
     // No other center is nearer if all possible centers of its cell are farther than the center of
     // the cell of the point. Distant centers are rounded.
-    let bound = place.distance_squared(centre(base, seed)) * 1.000_1;
+    let bound = place.distance_squared(center(base, seed)) * 1.000_1;
     let slack = place.abs().max_element() * f32::EPSILON + 1e-6;
     let squares = core::array::from_fn(|axis| {
         let within = place[axis] - base[axis] as f32;
@@ -230,10 +230,10 @@ fn nearest(place: Vec3, seed: u32) -> ([i32; 3], Vec3) {
             for (i, across) in (-1..).zip(across) {
                 if across + along + up <= bound {
                     let cell = [base[0] + i, base[1] + j, base[2] + k];
-                    let centre = centre(cell, seed);
-                    let distance = place.distance_squared(centre);
+                    let center = center(cell, seed);
+                    let distance = place.distance_squared(center);
                     if distance < best.0 {
-                        best = (distance, cell, centre);
+                        best = (distance, cell, center);
                     }
                 }
             }
@@ -444,7 +444,7 @@ mod tests {
         for i in 0..40_u8 {
             let p = Vec3::new(f32::from(i) * 0.37, 0.1, 0.2);
             let flake = field.flake(p).unwrap();
-            assert!(p.distance(flake.centre) < 0.01 * 1.5);
+            assert!(p.distance(flake.center) < 0.01 * 1.5);
             let lit = field.density(flake.normal, p, near);
             assert!(lit > 50.0 * field.ndf().density(flake.normal), "{p}: {lit}");
             assert_eq!(field.density(field.ndf().warp_gaussian(Vec2::splat(5.0)), p, near), 0.0);
@@ -479,9 +479,9 @@ mod tests {
                     * far;
             let base = cell_of(place);
             let around = (0..27).map(|k| [base[0] + k % 3 - 1, base[1] + k / 3 % 3 - 1, base[2] + k / 9 - 1]);
-            let distances = around.map(|cell| (place.distance_squared(centre(cell, 3)), cell));
+            let distances = around.map(|cell| (place.distance_squared(center(cell, 3)), cell));
             let best = distances.reduce(|best, next| if next.0 < best.0 { next } else { best }).unwrap();
-            assert_eq!(nearest(place, 3), (best.1, centre(best.1, 3)), "{place}");
+            assert_eq!(nearest(place, 3), (best.1, center(best.1, 3)), "{place}");
         }
     }
 
@@ -490,7 +490,7 @@ mod tests {
         let field = GlintField::new(Ggx::new(0.3, 0.3).unwrap(), 1.0, 0.05, 3).unwrap();
         for i in 0..500_u16 {
             let p = Vec3::new(f32::from(i) * 0.173, f32::from(i) * 0.291 - 70.0, f32::from(i) * 0.117);
-            let own = field.flake(p).unwrap().centre;
+            let own = field.flake(p).unwrap().center;
             // No center outside of the 27 cells is nearer than 1.25, measured from the cell of the
             // point.
             assert!(p.distance(own) < 1.25, "{p}: {own}");

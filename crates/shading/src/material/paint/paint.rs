@@ -10,7 +10,7 @@ use crate::material::paint::orange_peel::OrangePeel;
 use crate::material::paint::passive_flakes::PassiveFlakes;
 use crate::material::paint::sparkle::{Elimination, Sparkles, boosted};
 use crate::material::surface_point::SurfacePoint;
-use crate::parameter::{ParameterError, as_roughness, as_share, colour, parameters, range};
+use crate::parameter::{ParameterError, as_roughness, as_share, color, parameters, range};
 use crate::reflectance::{Bsdf, Coat, CookTorrance, Dielectric, EnergyPreservingOrenNayar, Lobe};
 
 parameters! {
@@ -20,7 +20,7 @@ parameters! {
     /// within `[0, 1]`. The defaults are a blue car paint in meters.
     pub struct MetallicPaintParameters of MetallicPaint {
         /// The specular color of the flakes. Default (0.25, 0.35, 0.6).
-        specular: Vec3 = Vec3::new(0.25, 0.35, 0.6), colour;
+        specular: Vec3 = Vec3::new(0.25, 0.35, 0.6), color;
         /// Tilt of the normal of the clearcoat by orange peel: its height over its size. Default
         /// 0.01; rocky from 0.1.
         orange_peel_strength: f32 = 0.01;
@@ -35,7 +35,7 @@ parameters! {
         /// Boost of the color of a sparkle towards the target. Default 0.3.
         flake_sparkle_boost: f32 = 0.3, as_share;
         /// The target: the strongest signal of a sparkle. Default white.
-        flake_sparkle_boost_target: Vec3 = Vec3::ONE, colour;
+        flake_sparkle_boost_target: Vec3 = Vec3::ONE, color;
         /// The fraction of flakes that is omitted. Default 0.4.
         flake_sparkle_elimination: f32 = 0.4;
         /// Whether fewer are omitted from afar. Default adaptive, by 0.002.
@@ -52,7 +52,7 @@ parameters! {
         /// Sparkling flakes, or counted flakes. Default sparkling.
         flakes: PaintFlakes = PaintFlakes::Sparkling;
         /// The color of the pigment between the flakes. Default (0.02, 0.05, 0.14).
-        pigment: Vec3 = Vec3::new(0.02, 0.05, 0.14), colour;
+        pigment: Vec3 = Vec3::new(0.02, 0.05, 0.14), color;
         /// The relative index of the clearcoat, within `[1, 4]`; 1 means no coat. Default 1.5.
         coat_index: f32 = 1.5, range([1.0, 4.0]);
         /// The roughness of the clearcoat, within `[0, 1]`; 0 is a mirror. Default 0.

@@ -65,10 +65,10 @@ pub enum Elimination {
 /// use asperity_shading::{Footprint, glam::Vec3};
 ///
 /// let sparkles = Sparkles::new(2.0, 0.01, 0.3, 0.0, Elimination::Fixed, 1)?;
-/// let centre = Vec3::splat(0.005);
-/// let near = sparkles.flake(centre, Vec3::Z, Footprint::from_width(2.5e-3)).unwrap();
+/// let center = Vec3::splat(0.005);
+/// let near = sparkles.flake(center, Vec3::Z, Footprint::from_width(2.5e-3)).unwrap();
 /// assert!(near.fade < 1.0 && near.weight > near.mean_weight);
-/// assert_eq!(sparkles.flake(centre, Vec3::Z, Footprint::from_width(1.0)), None);
+/// assert_eq!(sparkles.flake(center, Vec3::Z, Footprint::from_width(1.0)), None);
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

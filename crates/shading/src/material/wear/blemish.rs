@@ -13,7 +13,7 @@ use crate::pixel::Footprint;
 /// c + N v (c where N < 0, else 1 − c)
 /// ```
 ///
-/// - **Domain:** `colour` and `variation` in [0, 1], noise in [−1, 1].
+/// - **Domain:** `color` and `variation` in [0, 1], noise in [−1, 1].
 ///
 /// Nilsson 2008, §4.5.2, which prints N/v for N v; this leaves [0, 1] for every v below 1.
 ///
@@ -21,15 +21,15 @@ use crate::pixel::Footprint;
 /// assert!((asperity_shading::material::varied(0.6, 1.0, 0.2) - 0.68).abs() < 1e-6);
 /// ```
 #[must_use]
-pub fn varied(colour: f32, noise: f32, variation: f32) -> f32 {
-    let room = if noise < 0.0 { colour } else { 1.0 - colour };
-    colour + noise * variation * room
+pub fn varied(color: f32, noise: f32, variation: f32) -> f32 {
+    let room = if noise < 0.0 { color } else { 1.0 - color };
+    color + noise * variation * room
 }
 
 /// Blemishes: small raised spots that are brighter or darker, all from one octave of noise.
 ///
 /// ```text
-/// specular = varied(specular, −N(p/size), colour strength),   n′ = normalize(n − k ∇N)
+/// specular = varied(specular, −N(p/size), color strength),   n′ = normalize(n − k ∇N)
 /// ```
 ///
 /// Valleys are brighter than bumps, as in the thesis: a mistake that was kept because it looks like
@@ -62,7 +62,7 @@ impl Blemishes {
 
     /// A color with blemishes of this strength; the color itself where a coordinate is not finite.
     #[must_use]
-    pub fn colour(&self, colour: Vec3, strength: f32, position: Vec3, footprint: Footprint) -> Vec3 {
+    pub fn color(&self, color: Vec3, strength: f32, position: Vec3, footprint: Footprint) -> Vec3 {
         let removed = self.noise.removed(footprint);
         let noise = if removed < 1.0 { -self.noise.value(position) } else { 0.0 };
         let mean = half_mean() * strength;
@@ -70,7 +70,7 @@ impl Blemishes {
             let near = varied(c, noise, strength);
             near + removed * (c + mean * (1.0 - 2.0 * c) - near)
         };
-        Vec3::from(colour.to_array().map(each))
+        Vec3::from(color.to_array().map(each))
     }
 
     /// The surface gradient of the bumps; zero where a coordinate is not finite.
@@ -101,10 +101,10 @@ mod tests {
     fn varied_colors_stay_in_range() {
         for i in 0..=20_u8 {
             for j in 0..=10_u8 {
-                let (noise, colour) = (f32::from(i) / 10.0 - 1.0, f32::from(j) / 10.0);
+                let (noise, color) = (f32::from(i) / 10.0 - 1.0, f32::from(j) / 10.0);
                 for variation in [0.0, 0.3, 1.0] {
-                    let c = varied(colour, noise, variation);
-                    assert!((-1e-6..=1.000_001).contains(&c), "{colour}, {noise}, {variation}: {c}");
+                    let c = varied(color, noise, variation);
+                    assert!((-1e-6..=1.000_001).contains(&c), "{color}, {noise}, {variation}: {c}");
                 }
             }
         }
@@ -113,8 +113,8 @@ mod tests {
     #[test]
     fn wide_footprints_see_the_mean_color() {
         let blemishes = Blemishes::new(1.0, 4).unwrap();
-        let colour = Vec3::new(0.1, 0.5, 0.8);
-        let seen = |p, width| blemishes.colour(colour, 0.7, p, Footprint::from_width(width));
+        let color = Vec3::new(0.1, 0.5, 0.8);
+        let seen = |p, width| blemishes.color(color, 0.7, p, Footprint::from_width(width));
         let mut sum = Vec3::ZERO;
         for i in 0..4000_u16 {
             let p =

@@ -11,7 +11,7 @@ use crate::material::segment::Segments;
 use crate::material::surface_point::SurfacePoint;
 use crate::math::{clamp_to, exp_m1, floor, sqrt};
 use crate::parameter::{
-    ParameterError, as_roughness, as_share, as_size, colour, direction_in_plane, parameters, range,
+    ParameterError, as_roughness, as_share, as_size, color, direction_in_plane, parameters, range,
 };
 use crate::reflectance::{Bsdf, CookTorrance};
 
@@ -33,7 +33,7 @@ parameters! {
         /// Spread around the direction: 0 is parallel, 1 all directions. Default 1.
         scratch_spread: f32 = 1.0, as_share;
         /// The specular color of the metal. Default 0.7.
-        specular: Vec3 = Vec3::splat(0.7), colour;
+        specular: Vec3 = Vec3::splat(0.7), color;
         /// The roughness of the metal: Beckmann's α, within `[0.01, 1]`. Default 0.3.
         roughness: f32 = 0.3, as_roughness;
         /// Random seed.

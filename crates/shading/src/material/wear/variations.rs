@@ -8,7 +8,7 @@ use crate::material::interface::Material;
 use crate::material::surface_point::SurfacePoint;
 use crate::material::wear::blemish::Blemishes;
 use crate::material::wear::dent::Dents;
-use crate::parameter::{ParameterError, as_roughness, as_share, colour, parameters};
+use crate::parameter::{ParameterError, as_roughness, as_share, color, parameters};
 use crate::reflectance::Bsdf;
 
 parameters! {
@@ -18,9 +18,9 @@ parameters! {
     /// colors are within `[0, 1]`. The defaults are a plastic panel in meters.
     pub struct VariationsParameters of Variations {
         /// The diffuse color. Default (0.3, 0.28, 0.25).
-        diffuse: Vec3 = Vec3::new(0.3, 0.28, 0.25), colour;
+        diffuse: Vec3 = Vec3::new(0.3, 0.28, 0.25), color;
         /// The specular color. Default 0.2.
-        specular: Vec3 = Vec3::splat(0.2), colour;
+        specular: Vec3 = Vec3::splat(0.2), color;
         /// The roughness of the facets, as in
         /// [`EnergyPreservingOrenNayar`](crate::EnergyPreservingOrenNayar). Default 0.3.
         roughness: f32 = 0.3, as_share;
@@ -29,7 +29,7 @@ parameters! {
         /// Tilt of the normal by blemishes: their height over their size. Default 0.03.
         small_blemish_bump_strength: f32 = 0.03, as_share;
         /// Variation of the specular color by blemishes. Default 0.4.
-        small_blemish_colour_strength: f32 = 0.4, as_share;
+        small_blemish_color_strength: f32 = 0.4, as_share;
         /// Tilt of the normal by dents: their height over their size. Default 0.05.
         dent_strength: f32 = 0.05, as_share;
         /// The size of dents. Default 0.1.
@@ -100,7 +100,7 @@ impl Variations {
         let (bump, dent) = (p.small_blemish_bump_strength, p.dent_strength);
         let gradient =
             self.blemishes.gradient(bump, at, n, footprint) + self.dents.gradient(dent, at, n, footprint);
-        let specular = self.blemishes.colour(p.specular, p.small_blemish_colour_strength, at, footprint);
+        let specular = self.blemishes.color(p.specular, p.small_blemish_color_strength, at, footprint);
         GlossySurface {
             diffuse: p.diffuse,
             specular: specular.clamp(Vec3::ZERO, Vec3::ONE),
@@ -142,7 +142,7 @@ mod tests {
     fn zero_strength_is_flat() {
         let plain = VariationsParameters {
             small_blemish_bump_strength: 0.0,
-            small_blemish_colour_strength: 0.0,
+            small_blemish_color_strength: 0.0,
             dent_strength: 0.0,
             ..Default::default()
         };

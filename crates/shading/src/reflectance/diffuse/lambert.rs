@@ -3,7 +3,7 @@
 use core::f32::consts::FRAC_1_PI;
 use glam::Vec3;
 
-use crate::parameter::{ParameterError, colour};
+use crate::parameter::{ParameterError, color};
 use crate::reflectance::brdf::{Brdf, are_above};
 
 /// The Lambertian BRDF: the same value in every direction.
@@ -38,7 +38,7 @@ impl Lambert {
     /// # Errors
     /// [`ParameterError`] unless every component is within `[0, 1]`.
     pub fn new(albedo: Vec3) -> Result<Self, ParameterError> {
-        Ok(Self { albedo: colour("albedo", albedo)? })
+        Ok(Self { albedo: color("albedo", albedo)? })
     }
 
     /// The albedo ρ.

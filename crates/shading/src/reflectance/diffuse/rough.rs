@@ -3,10 +3,10 @@
 use glam::Vec3;
 
 use crate::math::sqrt;
-use crate::parameter::{ParameterError, colour, within};
+use crate::parameter::{ParameterError, color, within};
 
 pub(super) fn checked(albedo: Vec3, roughness: f32, most: f32) -> Result<(Vec3, f32), ParameterError> {
-    Ok((colour("albedo", albedo)?, within("roughness", roughness, [0.0, most])?))
+    Ok((color("albedo", albedo)?, within("roughness", roughness, [0.0, most])?))
 }
 
 /// `s = ωi·ωo − cos θ_i cos θ_o` and `s / t`, where `t` is the larger cosine for positive `s` and 1

@@ -14,8 +14,8 @@ use crate::math::clamp_to;
 /// use asperity_shading::{Conductor, Fresnel, glam::Vec3};
 ///
 /// let gold = [(0.18, 3.42), (0.42, 2.35), (1.37, 1.77)].map(|(eta, k)| Conductor::new(eta, k).unwrap());
-/// let colour = gold.reflectance_rgb(1.0);
-/// assert!(colour.x > colour.y && colour.y > colour.z);
+/// let color = gold.reflectance_rgb(1.0);
+/// assert!(color.x > color.y && color.y > color.z);
 /// assert_eq!(Vec3::splat(0.5).reflectance_rgb(0.2), Vec3::splat(0.5));
 /// ```
 #[doc(alias = "fresnel")]
@@ -82,17 +82,17 @@ mod tests {
             [0.1, 0.5, 0.9].map(|f0| Schlick::new(f0).unwrap()),
             [0.1, 0.5, 0.9].map(|f0| SchlickF82::new(f0, 0.05).unwrap()),
         );
-        let colours: [(&dyn Fresnel, [&dyn Fresnel; 3]); 4] = [
+        let colors: [(&dyn Fresnel, [&dyn Fresnel; 3]); 4] = [
             (&glasses, [&glasses[0], &glasses[1], &glasses[2]]),
             (&metals, [&metals[0], &metals[1], &metals[2]]),
             (&tints, [&tints[0], &tints[1], &tints[2]]),
             (&edges, [&edges[0], &edges[1], &edges[2]]),
         ];
-        for (colour, channels) in colours {
+        for (color, channels) in colors {
             for cosine in [0.1, 0.7, 1.0] {
                 let alone = channels.map(|channel| channel.reflectance_rgb(cosine));
-                assert!(alone.iter().all(|grey| grey.x == grey.y && grey.y == grey.z));
-                assert_eq!(colour.reflectance_rgb(cosine).to_array(), alone.map(|grey| grey.x));
+                assert!(alone.iter().all(|gray| gray.x == gray.y && gray.y == gray.z));
+                assert_eq!(color.reflectance_rgb(cosine).to_array(), alone.map(|gray| gray.x));
             }
         }
     }

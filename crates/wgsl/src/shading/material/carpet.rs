@@ -14,7 +14,7 @@ use crate::shading::pixel::FOOTPRINT;
 /// Seams, lines or a grid, filtered over a pixel: [`Seams`](asperity_shading::material::Seams).
 pub static SEAMS: Part = part!("shading/material/carpet/seams", DIRECTION, ELEMENTARY);
 
-/// Short bent fibers that cover each other, [`Fibres`](asperity_shading::material::Fibres).
+/// Short bent fibers that cover each other, [`Fibers`](asperity_shading::material::Fibers).
 pub static FIBRES: Part = part!("shading/material/carpet/fibres", SEGMENTS, FOOTPRINT);
 
 /// Carpet of threads, fibers, seams and dark areas, with rim light: [`Carpet`].
@@ -58,15 +58,15 @@ impl CarpetUniform {
         let (p, (threads, shine, dark, seams, crossover, fibres)) = (carpet.parameters(), carpet.parts());
         let (veins, frequency, coefficients) = shine.parts();
         let (segments, [half, mean, square_slope]) = fibres.parts();
-        let f = &p.fibres;
-        let fibre = [half, f.fibre_bend * segments.length, f.fibre_contrast, mean];
-        let fibred = [square_slope, p.fibre_strength, p.fibre_bump_strength];
+        let f = &p.fibers;
+        let fibre = [half, f.fiber_bend * segments.length, f.fiber_contrast, mean];
+        let fibred = [square_slope, p.fiber_strength, p.fiber_bump_strength];
         let pattern = match p.seams_pattern {
             SeamPattern::None => 0,
             SeamPattern::Lines => 1,
             SeamPattern::Grid => 2,
         };
-        let rim = p.fake_rim_light * p.fake_rim_light_colour;
+        let rim = p.fake_rim_light * p.fake_rim_light_color;
         let floats = [
             seams.direction().x,
             seams.direction().y,

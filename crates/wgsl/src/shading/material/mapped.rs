@@ -52,7 +52,7 @@ uniform! {
     /// use asperity_shading::{BumpField, BumpMapped, Ggx, LevelOfDetail, glam::Vec3};
     ///
     /// let bumps = BumpField::new(GaussianFbm::new(GaussianNoise::new(1), FbmSpectrum::default()), 20.0)?;
-    /// let copper = BumpMapped { ndf: Ggx::new(0.2, 0.4)?, bumps, rule: LevelOfDetail::Exact, colour: Vec3::ONE };
+    /// let copper = BumpMapped { ndf: Ggx::new(0.2, 0.4)?, bumps, rule: LevelOfDetail::Exact, color: Vec3::ONE };
     /// let words = BumpMappedUniform::ggx(&copper, 0).words();
     /// assert_eq!([words[0], words[4], words[5]].map(f32::from_bits), [20.0, 0.2, 0.4]);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
@@ -80,7 +80,7 @@ impl BumpMappedUniform {
     ) -> Self {
         let [frequency, lacunarity, octaves] = frequency_clamp_words(material.bumps.clamp());
         let rule = u32::from(material.rule == LevelOfDetail::Fractal);
-        let ([x, y], [r, g, b]) = (alpha.map(f32::to_bits), colour_words(material.colour));
+        let ([x, y], [r, g, b]) = (alpha.map(f32::to_bits), colour_words(material.color));
         Self([frequency, lacunarity, octaves, rule, x, y, density, sum, r, g, b, 0])
     }
 }
@@ -111,7 +111,7 @@ uniform! {
     /// use asperity_shading::{Beckmann, SlopePyramid, glam::{Vec2, Vec3}};
     ///
     /// let map = SlopePyramid::<4>::new(8, 8, vec![Vec2::ZERO; 64])?;
-    /// let stone = NormalMapped { map: map.as_ref(), roughness: Beckmann::isotropic(0.2)?, colour: Vec3::ONE };
+    /// let stone = NormalMapped { map: map.as_ref(), roughness: Beckmann::isotropic(0.2)?, color: Vec3::ONE };
     /// let words = NormalMappedUniform::new(&stone).words();
     /// assert_eq!((&words[..4], words[7]), (&[8, 8, 3, 4][..], 0.2_f32.to_bits()));
     /// # Ok::<(), Box<dyn core::error::Error>>(())
@@ -125,7 +125,7 @@ impl NormalMappedUniform {
     pub fn new<const K: usize>(material: &NormalMapped<'_, K>) -> Self {
         let [width, height, last, groups] = slope_pyramid_words(&material.map);
         let [x, y] = [material.roughness.alpha_x(), material.roughness.alpha_y()].map(f32::to_bits);
-        let [r, g, b] = colour_words(material.colour);
+        let [r, g, b] = colour_words(material.color);
         Self([width, height, last, groups, r, g, b, x, y, 0, 0, 0])
     }
 }

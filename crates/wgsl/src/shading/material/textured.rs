@@ -1,7 +1,7 @@
 //! Walls and floors: bricks, tiles, wallpaper, marble, and perturbed materials.
 
 use asperity_shading::glam::Vec3;
-use asperity_shading::material::{BevelledTiles, BrickWall, PolishedMarble, Wallpaper};
+use asperity_shading::material::{BeveledTiles, BrickWall, PolishedMarble, Wallpaper};
 
 use super::surface::SURFACE_POINT;
 use crate::noise::{INTEGER_HASH, key};
@@ -30,7 +30,7 @@ pub static BRICK_WALL: Part = part!(
 )
 .with_bindings(&[Binding::Uniform { name: "brick_wall_uniform", of: "BrickWall" }]);
 
-/// Square tiles with a ridge along their edges, [`BevelledTiles`].
+/// Square tiles with a ridge along their edges, [`BeveledTiles`].
 pub static BEVELLED_TILES: Part =
     part!("shading/material/textured/bevelled_tiles", BEVEL, TEXTURED_SLOPES, FOOTPRINT, DIRECTION, BRDF)
         .with_bindings(&[Binding::Uniform { name: "bevelled_tiles_uniform", of: "BevelledTiles" }]);
@@ -101,10 +101,10 @@ uniform! {
     ///
     /// ```
     /// use asperity_wgsl::shading::material::BevelledTilesUniform;
-    /// use asperity_shading::{glam::Vec3, material::BevelledTiles, texture::Bevel};
+    /// use asperity_shading::{glam::Vec3, material::BeveledTiles, texture::Bevel};
     ///
     /// let bevel = Bevel::new(0.0, 0.125, 0.0, 1.0)?;
-    /// let tiles = BevelledTiles { bevel, side: 0.3, colour: Vec3::splat(0.5), roughness: 0.2 };
+    /// let tiles = BeveledTiles { bevel, side: 0.3, color: Vec3::splat(0.5), roughness: 0.2 };
     /// assert_eq!(BevelledTilesUniform::new(&tiles).words()[8], 0.3_f32.to_bits());
     /// # Ok::<(), asperity_shading::ParameterError>(())
     /// ```
@@ -114,10 +114,10 @@ uniform! {
 impl BevelledTilesUniform {
     /// Packs tiles.
     #[must_use]
-    pub fn new(tiles: &BevelledTiles) -> Self {
+    pub fn new(tiles: &BeveledTiles) -> Self {
         let mut words = [0; Self::WORDS];
         words[..4].copy_from_slice(&BevelUniform::new(&tiles.bevel).words());
-        words[4..8].copy_from_slice(&with(tiles.colour, tiles.roughness));
+        words[4..8].copy_from_slice(&with(tiles.color, tiles.roughness));
         words[8] = if tiles.side > 0.0 { tiles.side.min(f32::MAX) } else { f32::MAX }.to_bits();
         Self(words)
     }

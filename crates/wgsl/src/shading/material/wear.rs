@@ -131,7 +131,7 @@ impl VariationsUniform {
     pub fn new(variations: &Variations, first: u32) -> Self {
         let (p, (blemishes, dents)) = (variations.parameters(), variations.parts());
         let [[a, b, c], [d, e, f]] = [p.diffuse, p.specular].map(|colour| colour.to_array());
-        let (bump, colour) = (p.small_blemish_bump_strength, p.small_blemish_colour_strength);
+        let (bump, colour) = (p.small_blemish_bump_strength, p.small_blemish_color_strength);
         let floats =
             [a, b, c, p.roughness, d, e, f, p.gloss_roughness, bump, colour, p.dent_strength, p.dent_cover];
         let mut words = [0; Self::WORDS];

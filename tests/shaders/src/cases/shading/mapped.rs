@@ -19,15 +19,11 @@ use super::{equal, floats, inputs, number, vec2, words};
 use crate::case::{Bound, Case, Output};
 
 pub(super) fn cases() -> Vec<Case> {
-    let ggx = BumpMapped {
-        ndf: Ggx::clamped(0.2, 0.4),
-        bumps: bumps(),
-        rule: LevelOfDetail::Exact,
-        colour: COPPER,
-    };
+    let ggx =
+        BumpMapped { ndf: Ggx::clamped(0.2, 0.4), bumps: bumps(), rule: LevelOfDetail::Exact, color: COPPER };
     let ggx_words = BumpMappedUniform::ggx(&ggx, 0).words();
     let ndf = Beckmann::clamped(0.3, 0.2);
-    let beckmann = BumpMapped { ndf, bumps: bumps(), rule: LevelOfDetail::Fractal, colour: COPPER };
+    let beckmann = BumpMapped { ndf, bumps: bumps(), rule: LevelOfDetail::Fractal, color: COPPER };
     let beckmann_words = BumpMappedUniform::beckmann(&beckmann, 0).words();
     vec![
         moments(),
@@ -87,7 +83,7 @@ fn numbers(map: &SlopePyramidRef<'_, 4>) -> (&'static str, Vec<u32>) {
 }
 
 fn stone() -> Case {
-    let stone = NormalMapped { map: map(), roughness: Beckmann::clamped(0.25, 0.35), colour: COPPER };
+    let stone = NormalMapped { map: map(), roughness: Beckmann::clamped(0.25, 0.35), color: COPPER };
     let uniform = NormalMappedUniform::new(&stone).words().to_vec();
     material(
         "normal_mapped",

@@ -104,7 +104,7 @@ fn marble() -> Case {
         ),
         [4.0, 2.0],
         move |p, width, _| {
-            let colour = marble.colour(p, Footprint::from_width(width));
+            let colour = marble.color(p, Footprint::from_width(width));
             words(&colour.extend(marble.sum(p)).to_array())
         },
         vec![Output::new("colour and sum", 0..4, Bound::Equal, Bound::Absolute(2e-4))],

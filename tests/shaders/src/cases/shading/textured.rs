@@ -1,7 +1,7 @@
 //! Walls and floors.
 
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::material::{BevelledTiles, BrickWall, Perturbed, PolishedMarble, Wallpaper};
+use asperity_shading::material::{BeveledTiles, BrickWall, Perturbed, PolishedMarble, Wallpaper};
 use asperity_shading::texture::{Bevel, PerturbedTexture, StarWallpaper};
 use asperity_shading::{Marble, PixelEllipse};
 use asperity_wgsl::shading::material::{
@@ -88,7 +88,7 @@ fn brick_wall() -> Case {
 
 fn bevelled_tiles() -> Case {
     let bevel = Bevel::new(0.03, 0.2, 0.2, 0.9).expect("a ridge");
-    let tiles = BevelledTiles { bevel, side: 0.3, colour: Vec3::new(0.7, 0.5, 0.3), roughness: 0.4 };
+    let tiles = BeveledTiles { bevel, side: 0.3, color: Vec3::new(0.7, 0.5, 0.3), roughness: 0.4 };
     material(
         "textured/bevelled_tiles",
         &BEVELLED_TILES,

@@ -23,7 +23,7 @@ pub(crate) fn write(file: &mut (impl Write + Seek), map: &MapLevels<'_>) -> Resu
     let names: &[&str] = if map.map.channels() == 3 { &["B", "G", "R"] } else { &["Y"] };
     let channels: SmallVec<[ChannelDescription; 5]> = names
         .iter()
-        .map(|name| ChannelDescription::new(Text::new_or_panic(name), sample, map.map == Map::BaseColour))
+        .map(|name| ChannelDescription::new(Text::new_or_panic(name), sample, map.map == Map::BaseColor))
         .collect();
     let tile = side.min(BAND);
     let blocks = BlockDescription::Tiles(TileDescription {
@@ -87,7 +87,7 @@ impl Band {
         let (texels, count) = (map.rows(level, row, rows)?, map.map.channels());
         let number = |word: u16| {
             let share = f32::from(word) / 65_535.0;
-            f16::from_f32(if map.map == Map::BaseColour { linear(share) } else { share })
+            f16::from_f32(if map.map == Map::BaseColor { linear(share) } else { share })
         };
         let channel = |channel: usize| {
             texels.iter().skip(channel).step_by(count).flat_map(|&word| number(word).to_ne_bytes()).collect()

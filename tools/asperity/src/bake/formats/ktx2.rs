@@ -28,7 +28,7 @@ enum Texels {
 fn form(map: Map) -> (Format, Texels) {
     let bc7 = CompressionVariant::BC7(BC7Settings::opaque_very_fast());
     match map {
-        Map::BaseColour => (Format::BC7_SRGB_BLOCK, Texels::Blocks(bc7)),
+        Map::BaseColor => (Format::BC7_SRGB_BLOCK, Texels::Blocks(bc7)),
         Map::Packed => (Format::BC7_UNORM_BLOCK, Texels::Blocks(bc7)),
         // z is computed from x and y.
         Map::NormalOpenGl | Map::NormalDirectX => {

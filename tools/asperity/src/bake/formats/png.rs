@@ -16,7 +16,7 @@ pub(crate) fn write(file: impl Write, map: &MapLevels<'_>) -> Result<()> {
     encoder.set_color(if map.map.channels() == 3 { ColorType::Rgb } else { ColorType::Grayscale });
     encoder.set_depth(BitDepth::Sixteen);
     encoder.set_compression(Compression::Fast);
-    if map.map == Map::BaseColour {
+    if map.map == Map::BaseColor {
         encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
     }
     let mut writer = encoder.write_header()?;

@@ -116,7 +116,7 @@ impl Source for Bumps {
     }
 
     fn varies(&self) -> Varies {
-        Varies { colour: false, metallic: false, height: false }
+        Varies { color: false, metallic: false, height: false }
     }
 
     fn texels(&self, row: &Row, texels: &mut [Texel]) {
@@ -130,7 +130,7 @@ impl Source for Bumps {
                 slopes: SlopeMoments::mixed(slopes),
                 alpha2: self.finish.alpha * self.finish.alpha,
                 height: 0.0,
-                colour: self.finish.colours[0],
+                color: self.finish.colors[0],
                 metallic: self.finish.metallic,
                 occlusion: 1.0,
             };

@@ -84,25 +84,25 @@ impl Source for Fractal {
     }
 
     fn varies(&self) -> Varies {
-        Varies { colour: self.finish.is_coloured(), metallic: false, height: true }
+        Varies { color: self.finish.is_colored(), metallic: false, height: true }
     }
 
     fn texels(&self, row: &Row, texels: &mut [Texel]) {
         let share = 1.0 / (row.samples * row.samples) as f32;
         let deviation = self.parameters.height;
         for (k, texel) in texels.iter_mut().enumerate() {
-            let (mut height, mut colour) = (0.0, glam::Vec3::ZERO);
+            let (mut height, mut color) = (0.0, glam::Vec3::ZERO);
             let slopes = SlopeMoments::mixed(row.points(k).map(|at| {
                 let own = self.height(at);
                 height += share * own;
-                colour += share * self.finish.colour(own / deviation);
+                color += share * self.finish.color(own / deviation);
                 (1.0, SlopeMoments::point(self.slope(at)))
             }));
             *texel = Texel {
                 slopes,
                 alpha2: self.finish.alpha * self.finish.alpha,
                 height,
-                colour,
+                color,
                 metallic: self.finish.metallic,
                 occlusion: 1.0,
             };

@@ -35,9 +35,9 @@ impl Flat {
         side: f32,
     ) -> Result<Self> {
         let range = surface.height_range().map(|range| range.map(|height| height / side));
-        let varies = Varies { colour: true, metallic: true, height: range.is_some_and(|[a, b]| a < b) };
+        let varies = Varies { color: true, metallic: true, height: range.is_some_and(|[a, b]| a < b) };
         let mut flat = Self { name, parameters, surface, side, range, varies, coat: None };
-        let (mut colours, mut metals) = (Vec::new(), Vec::new());
+        let (mut colors, mut metals) = (Vec::new(), Vec::new());
         for k in 0..GRID * GRID {
             let at = [k % GRID, k / GRID].map(|i| (i as f64 + 0.381_966) / GRID as f64);
             let Some(seen) = flat.seen(at, 0.0) else {
@@ -47,11 +47,11 @@ impl Flat {
                 )
                 .into());
             };
-            colours.push(seen.base_colour);
+            colors.push(seen.base_color);
             metals.push(seen.metallic);
             flat.coat = seen.coat.or(flat.coat);
         }
-        flat.varies.colour = colours.iter().any(|colour| *colour != colours[0]);
+        flat.varies.color = colors.iter().any(|color| *color != colors[0]);
         flat.varies.metallic = metals.iter().any(|metal| *metal != metals[0]);
         Ok(flat)
     }
@@ -81,7 +81,7 @@ impl Flat {
             slopes: seen.slopes,
             alpha2: seen.alpha2,
             height: self.height(at, sample),
-            colour: seen.base_colour,
+            color: seen.base_color,
             metallic: seen.metallic,
             occlusion: 1.0,
         })

@@ -105,7 +105,7 @@ impl Source for Noise {
     }
 
     fn varies(&self) -> Varies {
-        Varies { colour: self.finish.is_coloured(), metallic: false, height: true }
+        Varies { color: self.finish.is_colored(), metallic: false, height: true }
     }
 
     fn range(&self) -> Option<[f32; 2]> {
@@ -129,7 +129,7 @@ impl Source for Noise {
                 slopes: SlopeMoments::mixed(samples.iter().map(slope)),
                 alpha2: self.finish.alpha * self.finish.alpha,
                 height: height * samples.iter().map(|sample| share * sample.value).sum::<f32>(),
-                colour: samples.iter().map(|sample| share * self.finish.colour(sample.value)).sum(),
+                color: samples.iter().map(|sample| share * self.finish.color(sample.value)).sum(),
                 metallic: self.finish.metallic,
                 occlusion: 1.0,
             };

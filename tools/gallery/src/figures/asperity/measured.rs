@@ -63,7 +63,7 @@ fn measure(context: &Context<'_>, subject: &Subject, sky: &Sky) -> Result<Means>
         for (zoom, mean) in ZOOMS.into_iter().zip(means) {
             context.checkpoint()?;
             let from_afar = ["glass", "glass, noise", "orange peel", "bumps"].contains(&subject.name);
-            let from_near = ["flakes", "paint", "carpet", "carpet, grid", "fibres"].contains(&subject.name);
+            let from_near = ["flakes", "paint", "carpet", "carpet, grid", "fibers"].contains(&subject.name);
             let fine = from_afar || (from_near && zoom > 500.0);
             // If a pixel shows one flake, one fiber or one wave, all of its samples do: use more
             // pixels with fewer samples.

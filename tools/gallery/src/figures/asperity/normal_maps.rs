@@ -183,7 +183,7 @@ impl Street {
         let water = TorranceSparrow::new(Facets(density), self.water);
         let street = chalk(wo, slopes.mean_normal(), hex(0x4e_4c50), Vec3::ZERO)
             .with([Facet::FLAT], [Lobe::from(&water as &dyn Brdf)]);
-        let lit = self.lights.iter().map(|light| PI * light.colour * street.scattered(light.direction, wo));
+        let lit = self.lights.iter().map(|light| PI * light.color * street.scattered(light.direction, wo));
         lit.sum()
     }
 }

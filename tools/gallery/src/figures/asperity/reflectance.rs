@@ -55,7 +55,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         ("frosted", "Rough glass, GGX 0.3", frosted(0.3)?),
         ("thin", "Thin wall, GGX 0.3", vec![Box::new(sheet)]),
     ];
-    let inside = Absorption::of_colour(Vec3::new(0.86, 0.95, 0.92), 1.0)?;
+    let inside = Absorption::of_color(Vec3::new(0.86, 0.95, 0.92), 1.0)?;
     let words = |label| format!("A sphere in a room with three lamps: {label}");
     let balls = balls
         .map(|(stem, label, layers)| ([stem.to_owned(), label.to_owned(), words(label)], (stem, layers)));

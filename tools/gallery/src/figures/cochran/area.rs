@@ -38,10 +38,10 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     }
     let top = spreads.iter().fold(0.0_f64, |top, x| top.max(*x));
     let (low, high) = points.iter().fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(*x), h.max(*x)));
-    let picture = |values: &[f64], colour: &dyn Fn(f64) -> Vec3| {
+    let picture = |values: &[f64], color: &dyn Fn(f64) -> Vec3| {
         let scale = (context.size / SIDE).max(1);
         Image::from_fn(SIDE * scale, SIDE * scale, |x, y| {
-            colour(values[((y / scale) * SIDE + x / scale) as usize])
+            color(values[((y / scale) * SIDE + x / scale) as usize])
         })
     };
     let slopes = |x: f64| hex(0x17_2a45).lerp(hex(0xf2_e2b8), ((x - low) / (high - low)) as f32);

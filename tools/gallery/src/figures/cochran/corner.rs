@@ -71,7 +71,7 @@ fn corner() -> Result<Scene<'static, 'static>> {
     let floor = Mesh::parallelogram(Vec3::new(-30.0, -30.0, 0.0), floor);
     // Bricks of 42 by 16 cm, with 2 cm of mortar.
     let brick = Brick::new(0.394, 0.138, 0.022)?;
-    let matte = |point: &SurfacePoint, wo, colour: Vec3| chalk(wo, Vec3::Z, colour, colour * around(point));
+    let matte = |point: &SurfacePoint, wo, color: Vec3| chalk(wo, Vec3::Z, color, color * around(point));
     let wall = |axis: Vec3, along: Vec3| {
         let sides = [axis * -(30.0 + SIDE), Vec3::Z * CEILING];
         let side = Mesh::parallelogram(Vec3::new(SIDE, SIDE, 0.0), sides);
@@ -86,7 +86,7 @@ fn corner() -> Result<Scene<'static, 'static>> {
         wall(Vec3::Y, Vec3::Y),
         wall(Vec3::X, Vec3::NEG_X),
     ];
-    let lamps = vec![Lamps::Near { place: LAMP, colour: Vec3::new(6.0, 5.7, 5.2) }];
+    let lamps = vec![Lamps::Near { place: LAMP, color: Vec3::new(6.0, 5.7, 5.2) }];
     Ok(Scene::new(objects, Light::Lamps { lamps, room: &skylight }, Backdrop::Light))
 }
 

@@ -155,17 +155,17 @@ fn stone(point: &SurfacePoint, wo: Vec3) -> Bsdf<'static> {
 fn cloth(point: &SurfacePoint, wo: Vec3) -> Bsdf<'static> {
     let p = point.position;
     let beside = ((p.truncate() - 0.5).abs() - 0.5).max(Vec2::ZERO).length();
-    let colour = hex(0xd8_d2c8) * (0.62 + 0.38 * smoothstep(0.0, 0.35, beside));
+    let color = hex(0xd8_d2c8) * (0.62 + 0.38 * smoothstep(0.0, 0.35, beside));
     let sun = SUNLIGHT * SUN.normalize().z / 0.38;
     let kept = (-0.3 * (p.distance(EYE) - 1.2).max(0.0)).exp();
     let sky = sky(-point.frame().to_world(wo));
-    chalk(wo, Vec3::Z, kept * colour / sun, sky.lerp(0.62 * colour, kept))
+    chalk(wo, Vec3::Z, kept * color / sun, sky.lerp(0.62 * color, kept))
 }
 
 /// A matte color under ambient light, with distance haze.
-fn hazy(point: &SurfacePoint, wo: Vec3, colour: Vec3, around: Vec3) -> Bsdf<'static> {
+fn hazy(point: &SurfacePoint, wo: Vec3, color: Vec3, around: Vec3) -> Bsdf<'static> {
     let kept = (-0.07 * (point.position.distance(EYE) - 0.4).max(0.0)).exp();
-    chalk(wo, Vec3::Z, kept * colour, hex(0xd9_dfe4).lerp(colour * around, kept))
+    chalk(wo, Vec3::Z, kept * color, hex(0xd9_dfe4).lerp(color * around, kept))
 }
 
 fn sky(direction: Vec3) -> Vec3 {

@@ -77,7 +77,7 @@ type Model = (&'static str, &'static str, Object<'static>);
 
 fn models(shape: &Arc<Shape>) -> Result<[Model; 4]> {
     let object = |surface: Box<Surface<'static>>| Object::new(Arc::clone(shape), surface);
-    let matte = |colour| Shaded(move |point, wo| matte(point, wo, colour));
+    let matte = |color| Shaded(move |point, wo| matte(point, wo, color));
     let lacquer =
         Glossy { lobe: Phong::new(Vec3::splat(0.16), PHONG)?, base: hex(0x9c_2b22), room: Vec3::splat(0.08) };
     // Indices at about 650, 550 and 450 nm, from Johnson and Christy 1972, "Optical Constants of
@@ -86,7 +86,7 @@ fn models(shape: &Arc<Shape>) -> Result<[Model; 4]> {
     let facets = TorranceSparrow::new(Beckmann::isotropic(ROUGHNESS)?, copper);
     let copper = Glossy { lobe: facets, base: Vec3::ZERO, room: 0.3 * copper.reflectance_rgb(1.0) };
     let glass = object(Box::new(Coat::body(Dielectric::new(GLASS)?)));
-    let inside = Absorption::of_colour(Vec3::new(0.7, 0.9, 0.84), 1.0)?;
+    let inside = Absorption::of_color(Vec3::new(0.7, 0.9, 0.84), 1.0)?;
     let glass = Object { body: Some(inside), passes: 0.65, ..glass };
     Ok([
         ("matte", "Matte", object(Box::new(matte(hex(0xe6_dac6))))),
@@ -115,9 +115,9 @@ impl<B: Brdf> Material for Glossy<B> {
 /// Factor for all lamps.
 const POWER: f32 = 2.2;
 
-fn matte(point: &SurfacePoint, wo: Vec3, colour: Vec3) -> Bsdf<'static> {
+fn matte(point: &SurfacePoint, wo: Vec3, color: Vec3) -> Bsdf<'static> {
     let around = Vec3::new(0.11, 0.12, 0.14) * (0.6 + 0.4 * point.normal.z);
-    chalk(wo, Vec3::Z, colour, colour * around)
+    chalk(wo, Vec3::Z, color, color * around)
 }
 
 /// The color of the floor, paler far away.

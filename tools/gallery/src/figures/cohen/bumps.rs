@@ -53,7 +53,7 @@ pub(crate) fn draw_bumps(context: &Context<'_>) -> Result<Drawn> {
     let by_gradient = |hit: &SurfacePoint| {
         bumped_normal(hit.normal, project_to_tangent_plane(hit.normal, height(&noise, hit.position).1))
     };
-    let by_neighbours = |hit: &SurfacePoint| {
+    let by_neighbors = |hit: &SurfacePoint| {
         let slope = differences(|uv| height(&noise, sphere(uv).0).0, hit.uv, STEP);
         bumped_normal(hit.normal, surface_gradient(hit.normal, hit.tangents, slope))
     };
@@ -68,13 +68,13 @@ pub(crate) fn draw_bumps(context: &Context<'_>) -> Result<Drawn> {
     let alt = "A sphere with hills and dales";
     let ways: [([&str; 3], (Shape, &Normal<'_>)); 3] = [
         (["gradient", "Tangential gradient of the noise", alt], (Shape::Sphere, &by_gradient)),
-        (["neighbours", "Heights of four neighbors", alt], (Shape::Sphere, &by_neighbours)),
+        (["neighbors", "Heights of four neighbors", alt], (Shape::Sphere, &by_neighbors)),
         (["displaced", "Displaced surface with its normal", alt], (displaced, &of_displaced)),
     ];
     let drawn = Drawn::pictures(3, ways, |(shape, normal)| {
         let clay = |point: &SurfacePoint, wo: Vec3| {
-            let (m, colour) = (normal(point), Vec3::new(0.62, 0.58, 0.53));
-            chalk(wo, point.frame().to_local(m), colour, 0.28 * colour * sky(m))
+            let (m, color) = (normal(point), Vec3::new(0.62, 0.58, 0.53));
+            chalk(wo, point.frame().to_local(m), color, 0.28 * color * sky(m))
         };
         let light = Light::lamps(vec![Lamps::one(direction(-132.0, 40.0), Vec3::splat(1.1))]);
         let scene = Scene::new(vec![Object::shaded(shape, clay)], light, Backdrop::Studio);
@@ -134,8 +134,8 @@ fn shade(wall: &Brick, uv: Vec2, widths: Vec2) -> Vec3 {
     wall.facets(uv, PixelEllipse::aligned(widths), |share, brick, slope| {
         let gradient = surface_gradient(Vec3::Z, [Vec3::X, Vec3::Y], DEPTH * slope);
         let normal = bumped_normal(Vec3::Z, gradient);
-        let colour = hex(0xb4_aea4).lerp(clay, brick);
-        let facet = chalk(Vec3::Z, normal, colour, 0.3 * colour);
+        let color = hex(0xb4_aea4).lerp(clay, brick);
+        let facet = chalk(Vec3::Z, normal, color, 0.3 * color);
         light += share * (facet.emitted() + 1.35 * PI * facet.scattered(sun, Vec3::Z));
     });
     light
@@ -157,7 +157,7 @@ pub(crate) fn draw_bevel(context: &Context<'_>) -> Result<Drawn> {
         ("chamfer", "top and bottom 1/2", [0.5, 0.5]),
         ("groove", "top and bottom −1/2", [-0.5, -0.5]),
     ];
-    let words = |label| format!("A star-shaped plate with bevelled edges, {label}");
+    let words = |label| format!("A star-shaped plate with beveled edges, {label}");
     let pictures =
         bevels.map(|(stem, label, heights)| ([stem.to_owned(), label.to_owned(), words(label)], heights));
     let drawn = Drawn::pictures(4, pictures, |[top, bottom]| {

@@ -39,16 +39,16 @@ pub(crate) fn draw_marble(context: &Context<'_>) -> Result<Drawn> {
     let side = sampling.width as f32;
     let slab = |p: Vec2, width| {
         let place = Vec3::new(4.0 * p.x / side, 4.0 * (1.0 - p.y / side), 0.3);
-        marble.colour(place, Footprint::from_width(width))
+        marble.color(place, Footprint::from_width(width))
     };
     let (bands, veins) = ("Bands of pale and dark blue", "Veins of pale and dark blue");
-    let colours: [([&str; 3], Shown<'_, Vec2, Vec3>); 4] = [
+    let colors: [([&str; 3], Shown<'_, Vec2, Vec3>); 4] = [
         (["spline", "The color spline", bands], &|p| Marble::<Perlin>::spline(1.0 - p.y / side)),
         (["slab", "A slab of width four", veins], &|p| slab(p, 0.0)),
         (["pixels-10", "Pixels of 0.1", veins], &|p| slab(p, 0.1)),
         (["pixels-60", "Pixels of 0.6", veins], &|p| slab(p, 0.6)),
     ];
     let drawn =
-        Drawn::pictures(4, colours, |colour| context.render(sampling, |x, y| colour(Vec2::new(x, y)) * 2.2))?;
+        Drawn::pictures(4, colors, |color| context.render(sampling, |x, y| color(Vec2::new(x, y)) * 2.2))?;
     Ok(drawn.fact("color scale", "2.2"))
 }

@@ -41,7 +41,7 @@ pub(crate) fn draw_vase(context: &Context<'_>) -> Result<Drawn> {
     let studio = Studio::new(1.0);
     let marble = PolishedMarble { marble: Marble::default(), tint: Vec3::splat(2.6), polish: 0.12 };
     let objects = Set::Vase.objects(Box::new(marble), PLAIN)?;
-    let scene = Scene::new(objects, Light::Around(&studio), Backdrop::Colour(backdrop()));
+    let scene = Scene::new(objects, Light::Around(&studio), Backdrop::Color(backdrop()));
     let alt = "A tall vase with blue veins on a table";
     let views = [
         (["vase", "The vase", alt], [Vec3::new(0.0, -7.2, 2.6), Vec3::new(0.0, 0.0, 1.12)]),
@@ -71,7 +71,7 @@ pub(crate) fn draw_cup(context: &Context<'_>) -> Result<Drawn> {
         Object::new(tea, glazed(0.05, hex(0x7a_2f10))),
         ground(0.0, PLAIN)?,
     ];
-    let scene = Scene::new(objects, Light::Around(&studio), Backdrop::Colour(backdrop()));
+    let scene = Scene::new(objects, Light::Around(&studio), Backdrop::Color(backdrop()));
     let steam = Steam::new(Vec3::new(0.0, 0.0, TEA), 0.8, 1.9)?;
     let octaves =
         Fbm::new(Perlin::new(3), FbmSpectrum::default()).with_normalization(Normalization::UnitRange);

@@ -97,7 +97,7 @@ pub(crate) fn draw_pipeline(context: &Context<'_>) -> Result<Drawn> {
     request.facets = Facets::Table(&table);
     request.bumps.frequency = 4.0;
     request.exposure *= 1.5;
-    let noise = step(context, &request, &shape, pair_colour)?;
+    let noise = step(context, &request, &shape, pair_color)?;
     // Encoded like normal maps, in sRGB: (x, y, z) from ±1 to 0 … 255.
     let normal = |z| table.bilinear(z).normal.map(|c| linear(0.5 + 0.5 * c));
     let normals = step(context, &request, &shape, normal)?;
@@ -122,23 +122,23 @@ fn step(
     context: &Context<'_>,
     request: &RenderRequest<'_>,
     shape: &Arc<Shape>,
-    colour: impl Fn(Vec2) -> Vec3 + Sync,
+    color: impl Fn(Vec2) -> Vec3 + Sync,
 ) -> Result<Image> {
     let bumps = request.bumps.field(context.seed, DVec3::ZERO)?;
-    let colours = |point: &SurfacePoint, wo: Vec3| {
+    let colors = |point: &SurfacePoint, wo: Vec3| {
         let coordinates = bumps.coordinates(point.position, point.footprint());
         // Some sky light keeps the shape readable.
         let light = 0.35 + 0.65 * sky(point.normal);
-        Bsdf::new(wo).with_emitted(colour(coordinates.z * coordinates.fade) * light)
+        Bsdf::new(wo).with_emitted(color(coordinates.z * coordinates.fade) * light)
     };
-    let objects = vec![Object::shaded(Arc::clone(shape), colours)];
+    let objects = vec![Object::shaded(Arc::clone(shape), colors)];
     let scene = Scene::new(objects, Light::lamps(Vec::new()), Backdrop::Studio);
     Ok(context.draw(&scene, request.sampling, &request.camera())?.exposed(1.0))
 }
 
 /// Maps a pair of Gaussian numbers to uniform numbers, and interpolates four colors at the corners
 /// of the unit square.
-fn pair_colour(z: Vec2) -> Vec3 {
+fn pair_color(z: Vec2) -> Vec3 {
     let (u, v) = (phi(f64::from(z.x)) as f32, phi(f64::from(z.y)) as f32);
     let low = hex(0x1f_4e79).lerp(hex(0xe8_6a4a), u);
     low.lerp(hex(0x2f_9e8f).lerp(hex(0xf8_e3a1), u), v)

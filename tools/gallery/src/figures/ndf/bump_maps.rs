@@ -91,10 +91,10 @@ pub(crate) fn draw_detail(context: &Context<'_>) -> Result<Drawn> {
 
 /// Shades a normal under one lamp and a sky, seen from above: matte with a faint gloss.
 fn lit(n: Vec3) -> Vec3 {
-    let (lamp, colour) = (direction(135.0, 42.0), hex(0xb0_9a84));
+    let (lamp, color) = (direction(135.0, 42.0), hex(0xb0_9a84));
     let gloss = CookTorrance::new(Ggx::clamped(0.3, 0.3), Vec3::splat(0.045));
-    let surface = chalk(Vec3::Z, n, colour, 0.16 * colour)
-        .with([Facet::new(1.0, n)], [Lobe::from(&gloss as &dyn Brdf)]);
+    let surface =
+        chalk(Vec3::Z, n, color, 0.16 * color).with([Facet::new(1.0, n)], [Lobe::from(&gloss as &dyn Brdf)]);
     surface.emitted() + 0.95 * PI * surface.scattered(lamp, Vec3::Z)
 }
 
@@ -144,7 +144,7 @@ fn texels(stem: &str, label: &str, normals: &[Vec3]) -> Panel {
         let n = normals[(SIZE - 1 - y as usize) * SIZE + x as usize];
         Vec3::from(format.encode_u8(n).map(|byte| linear(f32::from(byte) / 255.0)))
     });
-    Panel::new(stem, label, "A normal map in its usual blue and violet colours.", image)
+    Panel::new(stem, label, "A normal map in its usual blue and violet colors.", image)
 }
 
 /// Plots the densities of two bump maps along both axes.

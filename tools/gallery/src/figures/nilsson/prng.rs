@@ -28,9 +28,9 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         (["permutation", "A permutation of 256", square], &|pixel| word(table.word(cell(pixel), 0))),
         (["hash", "An integer hash", square], &|pixel| word(IntegerHash.word(cell(pixel), context.seed))),
     ];
-    let colour = |v: f32| hex(0x20_3a5c).lerp(hex(0xf4_dfb0), v);
+    let color = |v: f32| hex(0x20_3a5c).lerp(hex(0xf4_dfb0), v);
     let drawn = Drawn::pictures(3, numbers, |number| {
-        Ok(Image::from_fn(side, side, |x, y| colour(number(UVec2::new(x, y)))))
+        Ok(Image::from_fn(side, side, |x, y| color(number(UVec2::new(x, y)))))
     })?;
     Ok(drawn.fact("cells", CELLS))
 }

@@ -7,7 +7,7 @@ use asperity_render::materials::{share_beyond, sky};
 use asperity_render::{integrator::pixels::Sampling, sampling::low_discrepancy::r2};
 use asperity_shading::bump::Facet;
 use asperity_shading::level_of_detail::{Coordinates, GaussianField};
-use asperity_shading::material::{BumpMapped, FibresParameters, Material, PaintFlakes};
+use asperity_shading::material::{BumpMapped, FibersParameters, Material, PaintFlakes};
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::reflectance::{Bsdf, Lobe};
 use asperity_shading::{
@@ -64,7 +64,7 @@ fn surfaces() -> Result<[Surface; 6]> {
         diffuse_thread_strength: 0.17,
         dark_area_size: 1.6,
         dark_area_strength: 0.2,
-        fibres: FibresParameters { fibre_length: 0.006, fibre_width: 0.06, ..Default::default() },
+        fibers: FibersParameters { fiber_length: 0.006, fiber_width: 0.06, ..Default::default() },
         ..Default::default()
     })?;
     let paint = MetallicPaint::new(MetallicPaintParameters {
@@ -98,7 +98,7 @@ fn surfaces() -> Result<[Surface; 6]> {
     let noise = noise.anchored(ANCHOR.extend(0.0).as_dvec3() * f64::from(CELLS));
     let (ndf, bumps, rule) = (Ggx::new(0.2, 0.4)?, BumpField::new(noise, CELLS)?, LevelOfDetail::Exact);
     let most = share_beyond(ndf.density(Vec3::Z), LAMP);
-    let bumps = UnderLamp { bumps: BumpMapped { ndf, bumps, rule, colour: hex(0xf2_b184) }, most };
+    let bumps = UnderLamp { bumps: BumpMapped { ndf, bumps, rule, color: hex(0xf2_b184) }, most };
     // For all but scratches the lamp is near the highlight. Scratches reflect light that the
     // surface mirrors past the viewer.
     Ok([
@@ -123,12 +123,12 @@ struct UnderLamp<F> {
 
 impl<F: GaussianField> Material for UnderLamp<F> {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
-        let BumpMapped { ndf, bumps, rule, colour } = &self.bumps;
+        let BumpMapped { ndf, bumps, rule, color } = &self.bumps;
         let coordinates = bumps.coordinates(point.position, point.footprint());
         let coordinates = Coordinates { share: coordinates.share.min(self.most), ..coordinates };
-        let lobe = Lobe::resolved(ndf, *rule, coordinates).weighted(*colour);
+        let lobe = Lobe::resolved(ndf, *rule, coordinates).weighted(*color);
         let sky = sky(point.frame().to_world(rule.normal(ndf, coordinates)));
-        Bsdf::new(wo).with([Facet::FLAT], [lobe]).with_emitted(SKY * *colour * sky)
+        Bsdf::new(wo).with([Facet::FLAT], [lobe]).with_emitted(SKY * *color * sky)
     }
 }
 

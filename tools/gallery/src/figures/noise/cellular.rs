@@ -5,7 +5,7 @@ use asperity_noise::{Cellular, CellularOutput, Field, Metric};
 use glam::Vec2;
 
 use crate::figure::{Context, Drawn, Panel};
-use crate::figures::noise::plane::{Window, grey};
+use crate::figures::noise::plane::{Window, gray};
 use asperity::failure::Result;
 
 /// Cells along a side of each image.
@@ -16,7 +16,7 @@ const PANELS: [(CellularOutput, Metric, [f32; 2], [&str; 3]); 6] = [
         CellularOutput::F1,
         Metric::Euclidean,
         [0.0, 1.0],
-        ["f1", "F₁", "Dark round spots with a bright crease halfway between neighbours."],
+        ["f1", "F₁", "Dark round spots with a bright crease halfway between neighbors."],
     ),
     (
         CellularOutput::F2,
@@ -57,7 +57,7 @@ const PANELS: [(CellularOutput, Metric, [f32; 2], [&str; 3]); 6] = [
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let panel = |(basis, metric, [black, white], words): (CellularOutput, Metric, [f32; 2], [&str; 3])| {
         let noise = Cellular::new(context.seed).with_output(basis).with_metric(metric);
-        let shade = |p: Vec2| grey((noise.value(p) - black) / (white - black));
+        let shade = |p: Vec2| gray((noise.value(p) - black) / (white - black));
         Window::new(context, CELLS).draw(context, words, shade)
     };
     let panels: Vec<Panel> = PANELS.into_iter().map(panel).collect::<Result<_>>()?;

@@ -6,7 +6,7 @@ use glam::{Vec2, Vec3};
 
 use crate::figure::{Context, Drawn};
 use crate::figures::noise::gradients::{hue, steepness};
-use crate::figures::noise::plane::{Window, grey};
+use crate::figures::noise::plane::{Window, gray};
 use asperity::failure::Result;
 
 const CELLS: f32 = 3.0;
@@ -42,7 +42,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
             sum
         };
         let mean = (smeared(1.0) + smeared(-1.0)) / (2 * REACH) as f32;
-        hue(flow.velocity(p) / (1.6 * speed)) * grey(0.62 + 2.0 * mean) * 1.9
+        hue(flow.velocity(p) / (1.6 * speed)) * gray(0.62 + 2.0 * mean) * 1.9
     })?;
     let panels = vec![
         streamlines,

@@ -7,7 +7,7 @@ use asperity_render::image::{Image, tone::hex};
 use glam::Vec2;
 
 use crate::figure::{Context, Drawn, Panel};
-use crate::figures::noise::plane::grey;
+use crate::figures::noise::plane::gray;
 use crate::plot::decimal;
 use asperity::failure::Result;
 
@@ -131,7 +131,7 @@ fn panels<T: Shape + Sync>(
             let sky = (y as f32 / (HORIZON * view.height as f32)).min(1.0);
             pixels[y as usize * view.width + x as usize].map_or_else(
                 || hex(0x2c_3340).lerp(hex(0x76_8596), sky),
-                |value| grey((value - black) / (white - black)),
+                |value| gray((value - black) / (white - black)),
             )
         });
         panels.push(Panel::new(stem, label, alt, image));

@@ -6,7 +6,7 @@ use asperity_render::image::tone::hex;
 use glam::{Vec2, Vec3};
 
 use crate::figure::{Context, Drawn, Shown};
-use crate::figures::noise::plane::{Window, grey};
+use crate::figures::noise::plane::{Window, gray};
 use asperity::failure::Result;
 
 const CELLS: f32 = 5.0;
@@ -22,11 +22,11 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
 
     let spacing = window.side as f32 / ARROWS as f32;
     let arrow = |column: usize, row: usize| {
-        let centre = Vec2::new(column as f32 + 0.5, row as f32 + 0.5) * spacing;
-        let gradient = samples[centre.y as usize * window.side + centre.x as usize].gradient;
+        let center = Vec2::new(column as f32 + 0.5, row as f32 + 0.5) * spacing;
+        let gradient = samples[center.y as usize * window.side + center.x as usize].gradient;
         // Pixels count downward.
         let along = Vec2::new(gradient.x, -gradient.y) * (LENGTH * spacing / slope);
-        (centre, along.clamp_length_max(1.25 * spacing))
+        (center, along.clamp_length_max(1.25 * spacing))
     };
     let alt = "Gray blobs with arrows that point toward the bright blobs.";
     let words = ["arrows", "values in gray, gradients as arrows", alt];
@@ -36,16 +36,16 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         let mut ink = 0.0_f32;
         for y in row.saturating_sub(1)..(row + 2).min(ARROWS) {
             for x in column.saturating_sub(1)..(column + 2).min(ARROWS) {
-                let (centre, along) = arrow(x, y);
-                ink = ink.max(coverage(pixel - centre, along, context.size as f32 / 384.0));
+                let (center, along) = arrow(x, y);
+                ink = ink.max(coverage(pixel - center, along, context.size as f32 / 384.0));
             }
         }
-        grey(0.5 + 0.16 * samples[i].value).lerp(hex(0xff_d9a0), ink)
+        gray(0.5 + 0.16 * samples[i].value).lerp(hex(0xff_d9a0), ink)
     });
 
     let alt = "Colored fans that meet in dark points.";
-    let words = ["colours", "the gradient: direction as hue, length as strength", alt];
-    let colours = window.panel(words, |i| hue(samples[i].gradient / (2.0 * slope)));
+    let words = ["colors", "the gradient: direction as hue, length as strength", alt];
+    let colors = window.panel(words, |i| hue(samples[i].gradient / (2.0 * slope)));
 
     let sum = Fbm::<_, 2>::new(GaussianNoise::new(context.seed), FbmSpectrum::new(2.17, RELIEF_GAIN, 6)?);
     let light = Vec3::new(-0.55, 0.55, 0.63).normalize();
@@ -53,7 +53,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let lit = window.draw(context, ["relief", "six octaves, lit by their gradient", alt], |p: Vec2| {
         hex(0xe8_dcc8) * (0.06 + 0.94 * lambert(sum.detail(6.0).sample(p).gradient * RELIEF, light))
     })?;
-    Ok(Drawn::new(3, vec![arrows, colours, lit])
+    Ok(Drawn::new(3, vec![arrows, colors, lit])
         .fact("noise", "Gaussian")
         .fact("image", format!("{CELLS} × {CELLS} cells"))
         .fact("root mean square slope", format!("{slope:.2} per cell")))
@@ -132,7 +132,7 @@ pub(crate) fn draw_warp(context: &Context<'_>) -> Result<Drawn> {
     let other = Warp::new(moving(4), [moving(1), moving(2)], STRENGTH)?;
     let twice = Warp::new(first, [by, other], STRENGTH)?;
     let shown =
-        |words, value: Shown<'_, Vec2, f32>| window.draw(context, words, |p| grey(0.5 + 0.22 * value(p)));
+        |words, value: Shown<'_, Vec2, f32>| window.draw(context, words, |p| gray(0.5 + 0.22 * value(p)));
     let light = Vec3::new(-0.5, 0.6, 0.62).normalize();
     let words = ["lit", "lit by its gradient", "A carved, tinted relief of the marbled streaks."];
     let lit = window.draw(context, words, |p: Vec2| {
@@ -168,10 +168,10 @@ mod tests {
             let direction = Vec2::from_angle(f32::from(k) * std::f32::consts::TAU / 24.0);
             let mut last = -1.0;
             for length in [0.0, 0.25, 0.5, 1.0] {
-                let colour = hue(direction * length);
-                assert!(colour.min_element() > -0.01 && colour.max_element() < 1.01, "{k}: {colour}");
-                assert!(lightness(colour) > last);
-                last = lightness(colour);
+                let color = hue(direction * length);
+                assert!(color.min_element() > -0.01 && color.max_element() < 1.01, "{k}: {color}");
+                assert!(lightness(color) > last);
+                last = lightness(color);
             }
         }
     }

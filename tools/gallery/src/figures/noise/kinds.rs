@@ -9,7 +9,7 @@ use glam::Vec2;
 use rayon::prelude::*;
 
 use crate::figure::{Context, Drawn, Figure, Panel, figure};
-use crate::figures::noise::plane::{Window, grey};
+use crate::figures::noise::plane::{Window, gray};
 use crate::plot::{Axis, Ink, Names, Plot, Stroke};
 use crate::power_spectrum::PowerSpectrum;
 use asperity::failure::Result;
@@ -54,7 +54,7 @@ fn draw<K: Kernel<2> + Noise<Vec2> + Copy + Sync>(context: &Context<'_>, noise: 
     let words = ["value", "the noise", "The noise in gray: dark and bright blobs about a cell wide."];
     let seeded = noise.with_seed(context.seed);
     let look =
-        window.draw(context, words, |p: Vec2| grey(0.5 + 0.5 * seeded.value(p) / (CONTRAST * sigma)))?;
+        window.draw(context, words, |p: Vec2| gray(0.5 + 0.5 * seeded.value(p) / (CONTRAST * sigma)))?;
     let (corner, cells) = (Vec2::new(0.37, 0.61), SAMPLES as f32 / SAMPLES_PER_CELL);
     let wide = Window { corner, cells, side: SAMPLES };
     let spectrum = wide.spectrum(context, PAIRS, |k| {
@@ -98,9 +98,9 @@ fn spectrum_picture(context: &Context<'_>, spectrum: &PowerSpectrum) -> Image {
     Image::from_fn(context.size, context.size, |x, y| {
         let (fx, fy) = (place(x), place(y));
         let decibels = 10.0 * (spectrum.at(fx, fy) / peak).max(1e-30).log10();
-        let colour = ember((1.0 + decibels / DECIBELS) as f32);
+        let color = ember((1.0 + decibels / DECIBELS) as f32);
         let on_ring = (1.0 - (fx.hypot(fy) - 1.0).abs() / scale).clamp(0.0, 1.0) as f32;
-        colour.lerp(hex(0x9f_b4c8), 0.55 * on_ring)
+        color.lerp(hex(0x9f_b4c8), 0.55 * on_ring)
     })
 }
 

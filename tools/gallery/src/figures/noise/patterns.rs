@@ -8,7 +8,7 @@ use asperity_noise::{
 use glam::{Vec2, Vec3};
 
 use crate::figure::{Context, Drawn, Panel, Shown};
-use crate::figures::noise::plane::{Window, grey, slanted};
+use crate::figures::noise::plane::{Window, gray, slanted};
 use asperity::failure::Result;
 
 /// Cells of the first octave along a side.
@@ -43,7 +43,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let ridges = RidgedMultifractal::<_, 3>::new(noise, FbmSpectrum::CLOUD, 2.0)?.first(OCTAVES);
     let seventh = Power(entangled, 7);
     let panel = |cells, value: Shown<'_, Vec3, f32>, [black, white]: [f32; 2], words| {
-        let shade = |p| grey((value(slanted(p)) - black) / (white - black));
+        let shade = |p| gray((value(slanted(p)) - black) / (white - black));
         Window::new(context, cells).draw(context, words, shade)
     };
     let panels = vec![
@@ -83,7 +83,7 @@ pub(crate) fn draw_tiles(context: &Context<'_>) -> Result<Drawn> {
         let alt = format!("Four copies of a square of noise, {seam}.");
         Ok(whole.panel([stem, label, &alt], |i| {
             let (x, y) = (i % (2 * side) % side, i / (2 * side) % side);
-            grey(0.5 + 0.5 * values[y * side + x] / white)
+            gray(0.5 + 0.5 * values[y * side + x] / white)
         }))
     };
     let panels = vec![

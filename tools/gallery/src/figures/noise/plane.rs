@@ -60,16 +60,16 @@ impl Window {
         &self,
         context: &Context<'_>,
         words: [&str; 3],
-        colour: impl Fn(Vec2) -> Vec3 + Sync,
+        color: impl Fn(Vec2) -> Vec3 + Sync,
     ) -> Result<Panel> {
-        let colours = self.map(context, colour)?;
-        Ok(self.panel(words, |i| colours[i]))
+        let colors = self.map(context, color)?;
+        Ok(self.panel(words, |i| colors[i]))
     }
 
     /// Renders a panel of the window, one color per pixel.
-    pub(super) fn panel(&self, [stem, label, alt]: [&str; 3], colour: impl Fn(usize) -> Vec3) -> Panel {
+    pub(super) fn panel(&self, [stem, label, alt]: [&str; 3], color: impl Fn(usize) -> Vec3) -> Panel {
         let side = self.side as u32;
-        Panel::new(stem, label, alt, Image::from_fn(side, side, |x, y| colour((y * side + x) as usize)))
+        Panel::new(stem, label, alt, Image::from_fn(side, side, |x, y| color((y * side + x) as usize)))
     }
 }
 
@@ -80,7 +80,7 @@ pub(super) fn slanted(p: Vec2) -> Vec3 {
 }
 
 /// Returns the gray of perceived brightness `t`: 0 is black, 1 white.
-pub(super) fn grey(t: f32) -> Vec3 {
+pub(super) fn gray(t: f32) -> Vec3 {
     Vec3::splat(linear(t.clamp(0.0, 1.0)))
 }
 

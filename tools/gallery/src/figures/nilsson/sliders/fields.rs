@@ -51,15 +51,15 @@ mod tests {
 
     #[test]
     fn fields_are_parsed_with_their_values() {
-        let parameters = Sphere { centre: Vec3::new(0.5, 1.0, 0.0), radius: Some(2.0) };
-        let expected = [("centre", "(0.5, 1, 0)"), ("radius", "Some(2)")];
+        let parameters = Sphere { center: Vec3::new(0.5, 1.0, 0.0), radius: Some(2.0) };
+        let expected = [("center", "(0.5, 1, 0)"), ("radius", "Some(2)")];
         assert_eq!(fields(&parameters), expected.map(|(a, b)| (a.to_owned(), b.to_owned())));
     }
 
     #[derive(Debug)]
     #[expect(dead_code, reason = "only its text is read")]
     struct Sphere {
-        centre: Vec3,
+        center: Vec3,
         radius: Option<f32>,
     }
 

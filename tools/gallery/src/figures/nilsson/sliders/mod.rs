@@ -4,12 +4,12 @@ mod fields;
 mod parameters;
 mod strip;
 
-use asperity_render::shaded::fibres_alone;
+use asperity_render::shaded::fibers_alone;
 use asperity_shading::{Carpet, CarpetParameters, MetallicPaint, Scratches, TemperedGlass, Variations};
 use glam::Vec3;
 
 use crate::figure::{Figure, figure};
-use crate::figures::nilsson::sliders::parameters::{carpet, fibres, glass, paint, scratches, variations};
+use crate::figures::nilsson::sliders::parameters::{carpet, fibers, glass, paint, scratches, variations};
 use crate::figures::nilsson::sliders::strip::draw;
 
 /// One figure per material.
@@ -19,13 +19,13 @@ pub(crate) const SLIDERS: &[Figure] = &[
     figure("nilsson-glass-sliders", |context| draw(context, &glass(), TemperedGlass::new)),
     figure("nilsson-variation-sliders", |context| draw(context, &variations(), Variations::new)),
     figure("nilsson-scratch-sliders", |context| draw(context, &scratches(), Scratches::new)),
-    figure("nilsson-fibre-sliders", |context| {
-        draw(context, &fibres(), |fibres| {
+    figure("nilsson-fiber-sliders", |context| {
+        draw(context, &fibers(), |fibers| {
             Carpet::new(CarpetParameters {
                 diffuse: Vec3::new(0.3, 0.27, 0.23),
-                fibre_bump_strength: 0.5,
-                fibres,
-                ..fibres_alone()
+                fiber_bump_strength: 0.5,
+                fibers,
+                ..fibers_alone()
             })
         })
     }),

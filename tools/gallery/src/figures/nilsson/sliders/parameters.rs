@@ -3,7 +3,7 @@
 use asperity_render::light::{environments::Studio, lamps::Lamp};
 use asperity_render::{geometry::ray::Ray, image::tone::hex, materials::pattern::grid, scenes::Form};
 use asperity_shading::material::{
-    Elimination, FibresParameters, GlassBody, GlassWaves, PaintFlakes, SeamPattern,
+    Elimination, FibersParameters, GlassBody, GlassWaves, PaintFlakes, SeamPattern,
 };
 use asperity_shading::{
     CarpetParameters, Environment, MetallicPaintParameters, ScratchesParameters, TemperedGlassParameters,
@@ -39,7 +39,7 @@ pub(super) fn carpet() -> Vec<Strip<CarpetParameters>> {
         diffuse_thread_strength: 0.0,
         ..crossing
     };
-    let bald = CarpetParameters { fibre_strength: 0.0, fibre_bump_strength: 0.0, ..plain };
+    let bald = CarpetParameters { fiber_strength: 0.0, fiber_bump_strength: 0.0, ..plain };
     let glossy = CarpetParameters { specular_thread_strength: 0.6, ..bald };
     let threads = View::patch(0.045).exposed(2.6);
     let field = View::patch(0.3).exposed(2.2);
@@ -62,12 +62,12 @@ pub(super) fn carpet() -> Vec<Strip<CarpetParameters>> {
     };
     let rim = ball.clone().exposed(1.9);
     let moon = ball.lit_from_the_eye();
-    let grey = Vec3::splat;
-    let fibres = |fibre_length| FibresParameters { fibre_length, ..Default::default() };
+    let gray = Vec3::splat;
+    let fibers = |fiber_length| FibersParameters { fiber_length, ..Default::default() };
     strips! {
         seamed base diffuse: [Vec3::new(0.02, 0.02, 0.03), base.diffuse, Vec3::new(0.25, 0.2, 0.13),
             Vec3::new(0.2, 0.05, 0.04), Vec3::new(0.04, 0.08, 0.2)];
-        seamed plain specular: [0.0, 0.05, 0.1, 0.2, 0.4].map(grey);
+        seamed plain specular: [0.0, 0.05, 0.1, 0.2, 0.4].map(gray);
         threads bald diffuse_thread_size: [0.002, 0.004, 0.006, 0.012, 0.03];
         seamed plain diffuse_thread_strength: [0.0, 0.06, 0.12, 0.25, 0.5];
         seamed plain diffuse_thread_bump_strength: [0.0, 0.06, 0.12, 0.3, 0.7];
@@ -83,13 +83,13 @@ pub(super) fn carpet() -> Vec<Strip<CarpetParameters>> {
         seamed base seams_bump_strength: [0.0, 0.2, 0.4, 0.7, 1.0];
         field crossed seam_crossover_size: [0.01, 0.025, 0.05, 0.1, 0.25];
         seamed crossing seam_crossover_strength: [0.0, 0.25, 0.5, 0.75, 1.0];
-        near even fibre_strength: [0.0, 0.25, 0.5, 0.8, 1.0];
-        near even fibre_bump_strength: [0.0, 0.15, 0.3, 0.6, 1.0];
-        near even fibres: [0.002, 0.003, 0.004, 0.006, 0.01].map(fibres);
+        near even fiber_strength: [0.0, 0.25, 0.5, 0.8, 1.0];
+        near even fiber_bump_strength: [0.0, 0.15, 0.3, 0.6, 1.0];
+        near even fibers: [0.002, 0.003, 0.004, 0.006, 0.01].map(fibers);
         moon matte roughness: [0.0, 0.25, 0.5, 0.8, 1.0];
         rim plain fake_rim_light: [0.0, 0.15, 0.4, 0.7, 1.0];
         rim soft fake_rim_light_width: [0.0, 0.2, 0.4, 0.7, 1.0];
-        rim soft fake_rim_light_colour: [Vec3::splat(0.4), Vec3::ONE, hex(0xff_d6a8), hex(0xb9_d0ff),
+        rim soft fake_rim_light_color: [Vec3::splat(0.4), Vec3::ONE, hex(0xff_d6a8), hex(0xb9_d0ff),
             Vec3::new(1.0, 0.3, 0.2)];
         seamed shining specular_roughness: [0.1, 0.2, 0.45, 0.7, 1.0];
         wide base seed: [1, 2, 3, 4, 5];
@@ -197,18 +197,18 @@ pub(super) fn variations() -> Vec<Strip<VariationsParameters>> {
     let wide = View::glossy(0.8).lit(0.45);
     let ball = View::ball(0.1, 0.105).lit_from_the_eye().exposed(1.3);
     let unblemished =
-        VariationsParameters { small_blemish_bump_strength: 0.0, small_blemish_colour_strength: 0.0, ..base };
+        VariationsParameters { small_blemish_bump_strength: 0.0, small_blemish_color_strength: 0.0, ..base };
     let dented = VariationsParameters { dent_strength: 0.1, ..unblemished };
     let matte = VariationsParameters { specular: Vec3::ZERO, dent_strength: 0.0, ..unblemished };
-    let grey = Vec3::splat;
+    let gray = Vec3::splat;
     strips! {
         near base diffuse: [Vec3::splat(0.02), base.diffuse, Vec3::new(0.5, 0.06, 0.04),
             Vec3::new(0.05, 0.2, 0.4), Vec3::splat(0.8)];
-        near base specular: [0.0, 0.1, 0.2, 0.4, 0.8].map(grey);
+        near base specular: [0.0, 0.1, 0.2, 0.4, 0.8].map(gray);
         ball matte roughness: [0.0, 0.15, 0.3, 0.6, 1.0];
         near base small_blemish_size: [0.001, 0.003, 0.006, 0.012, 0.024];
         near base small_blemish_bump_strength: [0.0, 0.03, 0.06, 0.12, 0.3];
-        near base small_blemish_colour_strength: [0.0, 0.2, 0.4, 0.7, 1.0];
+        near base small_blemish_color_strength: [0.0, 0.2, 0.4, 0.7, 1.0];
         wide base dent_strength: [0.0, 0.05, 0.1, 0.2, 0.4];
         wide dented dent_size: [0.03, 0.06, 0.1, 0.2, 0.4];
         wide dented dent_cover: [0.0, 0.1, 0.3, 0.6, 1.0];
@@ -227,9 +227,9 @@ pub(super) fn scratches() -> Vec<Strip<ScratchesParameters>> {
         ..Default::default()
     };
     // Half vectors slightly off the normal.
-    let lamp = |x, y, colour| {
+    let lamp = |x, y, color| {
         let h = Vec3::new(x, y, 1.0).normalize();
-        Lamp { direction: 2.0 * h.z * h - Vec3::Z, colour }
+        Lamp { direction: 2.0 * h.z * h - Vec3::Z, color }
     };
     let view = |height| View {
         lamps: vec![lamp(0.22, 0.26, hex(0xff_f2e2) * 0.5), lamp(-0.3, 0.1, hex(0xb9_d0ff) * 0.25)],
@@ -253,17 +253,17 @@ pub(super) fn scratches() -> Vec<Strip<ScratchesParameters>> {
     }
 }
 
-pub(super) fn fibres() -> Vec<Strip<FibresParameters>> {
-    let base = FibresParameters::default();
+pub(super) fn fibers() -> Vec<Strip<FibersParameters>> {
+    let base = FibersParameters::default();
     let view = View::patch(0.012).exposed(1.3);
-    let combed = FibresParameters { fibre_length: 0.008, fibre_width: 0.06, fibre_spread: 0.0, ..base };
+    let combed = FibersParameters { fiber_length: 0.008, fiber_width: 0.06, fiber_spread: 0.0, ..base };
     strips! {
-        view base fibre_length: [0.002, 0.003, 0.004, 0.006, 0.01];
-        view base fibre_width: [0.07, 0.09, 0.12, 0.2, 0.3];
-        view combed fibre_bend: [0.0, 0.08, 0.15, 0.22, 0.3];
-        view base fibre_direction: [Vec2::X, Vec2::ONE, Vec2::Y, Vec2::new(-1.0, 1.0), Vec2::NEG_X];
-        view base fibre_spread: [0.0, 0.15, 0.3, 0.6, 1.0];
-        view base fibre_contrast: [0.0, 0.3, 0.6, 0.8, 1.0];
+        view base fiber_length: [0.002, 0.003, 0.004, 0.006, 0.01];
+        view base fiber_width: [0.07, 0.09, 0.12, 0.2, 0.3];
+        view combed fiber_bend: [0.0, 0.08, 0.15, 0.22, 0.3];
+        view base fiber_direction: [Vec2::X, Vec2::ONE, Vec2::Y, Vec2::new(-1.0, 1.0), Vec2::NEG_X];
+        view base fiber_spread: [0.0, 0.15, 0.3, 0.6, 1.0];
+        view base fiber_contrast: [0.0, 0.3, 0.6, 0.8, 1.0];
         view base seed: [1, 2, 3, 4, 5];
     }
 }

@@ -33,7 +33,7 @@ pub(super) struct View {
 impl View {
     /// A form lit by lamps only.
     fn lamps(form: Form, lamps: &[(f32, f32, Vec3)]) -> Self {
-        let lamps = lamps.iter().map(|&(azimuth, elevation, colour)| Lamp::at(azimuth, elevation, colour));
+        let lamps = lamps.iter().map(|&(azimuth, elevation, color)| Lamp::at(azimuth, elevation, color));
         Self { form, lamps: lamps.collect(), mirrored: |_| Vec3::ZERO, exposure: 1.0 }
     }
 
@@ -64,7 +64,7 @@ impl View {
     /// Multiplies the brightness of the lamps.
     pub(super) fn lit(mut self, brightness: f32) -> Self {
         for lamp in &mut self.lamps {
-            lamp.colour *= brightness;
+            lamp.color *= brightness;
         }
         self
     }

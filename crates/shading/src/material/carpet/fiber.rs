@@ -9,22 +9,22 @@ use crate::parameter::{ParameterError, as_share, as_size, direction_in_plane, pa
 use crate::pixel::{Footprint, PixelEllipse};
 
 parameters! {
-    /// The parameters of [`Fibres`]. Lengths are in texture coordinates.
-    pub struct FibresParameters of Fibres {
+    /// The parameters of [`Fibers`]. Lengths are in texture coordinates.
+    pub struct FibersParameters of Fibers {
         /// The length of a fiber, within `[10⁻⁶, 10⁶]`. Default 0.004.
-        fibre_length: f32 = 0.004, as_size;
+        fiber_length: f32 = 0.004, as_size;
         /// Its width over its length, within `[0.01, 0.3]`. Default 0.12.
-        fibre_width: f32 = 0.12, range([0.01, 0.3]);
+        fiber_width: f32 = 0.12, range([0.01, 0.3]);
         /// Bend of a fiber: displacement of its ends to the side over its length, within `[0,
         /// 0.3]`. Default 0.15.
-        fibre_bend: f32 = 0.15, range([0.0, 0.3]);
+        fiber_bend: f32 = 0.15, range([0.0, 0.3]);
         /// The mean direction of the fibers. Default (1, 0).
-        fibre_direction: Vec2 = Vec2::X;
+        fiber_direction: Vec2 = Vec2::X;
         /// Spread around the direction: 0 is combed, 1 all directions. Default 0.6.
-        fibre_spread: f32 = 0.6, as_share;
+        fiber_spread: f32 = 0.6, as_share;
         /// Contrast: variation in brightness, and darkening towards roots and sides, within `[0,
         /// 1]`. Default 0.6.
-        fibre_contrast: f32 = 0.6, as_share;
+        fiber_contrast: f32 = 0.6, as_share;
         /// Random seed.
         seed: u32 = 1;
     }
@@ -50,18 +50,18 @@ parameters! {
 ///
 /// ```
 /// use asperity_shading::Footprint;
-/// use asperity_shading::material::{Fibres, FibresParameters};
+/// use asperity_shading::material::{Fibers, FibersParameters};
 /// use asperity_shading::glam::Vec2;
 ///
-/// let fibres = Fibres::new(FibresParameters::default())?;
-/// let near = fibres.sample(Vec2::new(0.31, 0.17), Footprint::from_width(1e-6));
+/// let fibers = Fibers::new(FibersParameters::default())?;
+/// let near = fibers.sample(Vec2::new(0.31, 0.17), Footprint::from_width(1e-6));
 /// assert!(near.factor > 0.0);
-/// assert_eq!(fibres.sample(Vec2::new(0.31, 0.17), Footprint::from_width(1.0)).factor, 1.0);
+/// assert_eq!(fibers.sample(Vec2::new(0.31, 0.17), Footprint::from_width(1.0)).factor, 1.0);
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fibres {
-    parameters: FibresParameters,
+pub struct Fibers {
+    parameters: FibersParameters,
     segments: Segments,
     half: f32,
     mean: f32,
@@ -71,7 +71,7 @@ pub struct Fibres {
 
 /// The fiber at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fibre {
+pub struct Fiber {
     /// Factor of the colors; its mean is 1.
     pub factor: f32,
     /// The unit direction of the fiber in texture coordinates, from root to tip, for its highlight.
@@ -87,30 +87,30 @@ pub struct Fibre {
 /// The brightness between fibers.
 const GAP: f32 = 0.1;
 
-impl Fibres {
+impl Fibers {
     /// Creates fibers from these parameters; their mean is measured at 16384 points.
     ///
     /// # Errors
     /// [`ParameterError`] with the first parameter that is out of its range, or for a
-    /// `fibre_direction` that is zero or not finite.
-    pub fn new(parameters: FibresParameters) -> Result<Self, ParameterError> {
+    /// `fiber_direction` that is zero or not finite.
+    pub fn new(parameters: FibersParameters) -> Result<Self, ParameterError> {
         parameters.check()?;
-        let (p, length) = (&parameters, parameters.fibre_length);
+        let (p, length) = (&parameters, parameters.fiber_length);
         // The smallest valid cell: fibers must not reach farther than a cell from their midpoints.
-        let cell = length * (0.5 + p.fibre_bend + 0.5 * p.fibre_width);
+        let cell = length * (0.5 + p.fiber_bend + 0.5 * p.fiber_width);
         let segments = Segments {
             cell,
             length,
             cover: MOST as f32,
-            direction: direction_in_plane("fibre_direction", p.fibre_direction)?,
-            spread: p.fibre_spread,
+            direction: direction_in_plane("fiber_direction", p.fiber_direction)?,
+            spread: p.fiber_spread,
             seed: p.seed,
         };
-        let half = 0.5 * length * p.fibre_width;
-        let mut fibres =
+        let half = 0.5 * length * p.fiber_width;
+        let mut fibers =
             Self { parameters, segments, half, mean: 1.0, mean_height: 0.0, mean_square_slope: 0.0 };
-        fibres.measure();
-        Ok(fibres)
+        fibers.measure();
+        Ok(fibers)
     }
 
     /// The segments of the fibers, the half width of a fiber, and the mean brightness and mean
@@ -125,15 +125,15 @@ impl Fibres {
     ///
     /// The factor is 1 where a coordinate is not finite or beyond 2²³ cells.
     #[must_use]
-    pub fn sample(&self, uv: Vec2, footprint: Footprint) -> Fibre {
+    pub fn sample(&self, uv: Vec2, footprint: Footprint) -> Fiber {
         let kept = footprint.kept(0.25 / self.half);
         let place = uv / self.segments.cell;
         if kept <= 0.0 || !uv.is_finite() || place.abs().max_element() >= 8_388_608.0 {
             let (direction, height) = (self.segments.direction, self.mean_height);
-            return Fibre { factor: 1.0, direction, height, slope: Vec2::ZERO };
+            return Fiber { factor: 1.0, direction, height, slope: Vec2::ZERO };
         }
         let near = self.top(uv);
-        Fibre {
+        Fiber {
             factor: 1.0 + kept * (near.factor / self.mean - 1.0),
             height: self.mean_height + kept * (near.height - self.mean_height),
             slope: near.slope * kept,
@@ -152,25 +152,25 @@ impl Fibres {
         uv: Vec2,
         texture: &TextureGradients,
         pixel: &PixelEllipse,
-    ) -> (Fibre, Vec3, f32) {
+    ) -> (Fiber, Vec3, f32) {
         let footprint = texture.pixel(pixel).long();
-        let (fibre, kept) = (self.sample(uv, footprint), footprint.kept(0.25 / self.half));
-        let gradient = texture.of(fibre.slope).normalize_or_zero() * fibre.slope.length();
-        (fibre, gradient, 0.5 * self.mean_square_slope * (1.0 - kept * kept))
+        let (fiber, kept) = (self.sample(uv, footprint), footprint.kept(0.25 / self.half));
+        let gradient = texture.of(fiber.slope).normalize_or_zero() * fiber.slope.length();
+        (fiber, gradient, 0.5 * self.mean_square_slope * (1.0 - kept * kept))
     }
 
     /// The highest fiber, with its brightness for the factor.
-    fn top(&self, uv: Vec2) -> Fibre {
+    fn top(&self, uv: Vec2) -> Fiber {
         let p = &self.parameters;
-        let brightness = |b: f32| 1.0 + p.fibre_contrast * (b - 1.0);
+        let brightness = |b: f32| 1.0 + p.fiber_contrast * (b - 1.0);
         let direction = self.segments.direction;
-        let mut top = Fibre { factor: brightness(GAP), direction, height: 0.0, slope: Vec2::ZERO };
+        let mut top = Fiber { factor: brightness(GAP), direction, height: 0.0, slope: Vec2::ZERO };
         let mut highest = f32::NEG_INFINITY;
         // The maximum displacement of the side of a bent fiber.
-        let aside = p.fibre_bend * self.segments.length + self.half;
+        let aside = p.fiber_bend * self.segments.length + self.half;
         self.segments.visit(uv, aside, |near| {
             let [own, bend] = near.random;
-            let bend = (2.0 * bend - 1.0) * p.fibre_bend * self.segments.length;
+            let bend = (2.0 * bend - 1.0) * p.fiber_bend * self.segments.length;
             let t = near.along;
             let t2 = t * t;
             let t4 = t2 * t2;
@@ -190,7 +190,7 @@ impl Fibres {
                 let by_s = -2.0 * s;
                 let by_along = -2.0 * bend * t / (0.5 * self.segments.length);
                 let by_end = -8.0 * self.half * t4 * t2 * t / (0.5 * self.segments.length);
-                top = Fibre {
+                top = Fiber {
                     factor: brightness((0.5 + 0.5 * own) * (0.35 + 0.65 * rise)),
                     direction: near.direction,
                     height: self.half * crown,
@@ -213,10 +213,10 @@ impl Fibres {
                 // distributed.
                 let at = Vec2::new(f32::from(i) + 0.618 * f32::from(j % 7), f32::from(j))
                     * (0.2618 * self.segments.cell);
-                let fibre = self.top(at);
-                sum += fibre.factor;
-                heights += fibre.height;
-                squares += fibre.slope.length_squared();
+                let fiber = self.top(at);
+                sum += fiber.factor;
+                heights += fiber.height;
+                squares += fiber.slope.length_squared();
             }
         }
         let count = f32::from(ACROSS) * f32::from(ACROSS);
@@ -235,19 +235,19 @@ mod tests {
     #[test]
     fn fiber_mean_factor_is_one_at_every_footprint() {
         for spread in [0.0, 0.6, 1.0] {
-            let fibres =
-                Fibres::new(FibresParameters { fibre_spread: spread, ..Default::default() }).unwrap();
+            let fibers =
+                Fibers::new(FibersParameters { fiber_spread: spread, ..Default::default() }).unwrap();
             let mut random = 7_u32;
             let mut uniform = || {
                 random = random.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
                 (random >> 8) as f32 / 16_777_216.0
             };
-            for width in [0.0, 0.2 * fibres.half, fibres.half] {
+            for width in [0.0, 0.2 * fibers.half, fibers.half] {
                 let mut sum = 0.0;
                 for _ in 0..20_000 {
-                    sum += fibres
+                    sum += fibers
                         .sample(
-                            Vec2::new(uniform(), uniform()) * 400.0 * fibres.segments.cell,
+                            Vec2::new(uniform(), uniform()) * 400.0 * fibers.segments.cell,
                             Footprint::from_width(width),
                         )
                         .factor;
@@ -263,15 +263,15 @@ mod tests {
     fn fiber_ends_are_round() {
         // All along x, not bent and far apart.
         let parameters =
-            FibresParameters { fibre_spread: 0.0, fibre_bend: 0.0, ..FibresParameters::default() };
-        let mut fibres = Fibres::new(parameters).unwrap();
-        fibres.segments.cover = 0.02;
-        let (cell, half, mut seen) = (fibres.segments.cell, fibres.half, [0; 2]);
+            FibersParameters { fiber_spread: 0.0, fiber_bend: 0.0, ..FibersParameters::default() };
+        let mut fibers = Fibers::new(parameters).unwrap();
+        fibers.segments.cover = 0.02;
+        let (cell, half, mut seen) = (fibers.segments.cell, fibers.half, [0; 2]);
         for k in 0..1_600_000_u32 {
             let uv = Vec2::new((k % 400) as f32 * 0.25 * cell, (k / 400) as f32 * 0.05 * half);
-            fibres.segments.visit(uv, half, |near| {
+            fibers.segments.visit(uv, half, |near| {
                 let (t, s) = (near.along.abs(), near.across.abs() / half);
-                let there = fibres.top(uv).slope != Vec2::ZERO;
+                let there = fibers.top(uv).slope != Vec2::ZERO;
                 // Its half width is (1 − t⁸)^½: 0.998 at t = 0.5, and 0.58 at 0.95.
                 if t < 0.5 && s < 0.99 {
                     seen[0] += 1;
@@ -287,14 +287,14 @@ mod tests {
 
     #[test]
     fn fiber_slopes_match_finite_differences() {
-        let mut fibres = Fibres::new(FibresParameters { fibre_width: 0.3, ..Default::default() }).unwrap();
+        let mut fibers = Fibers::new(FibersParameters { fiber_width: 0.3, ..Default::default() }).unwrap();
         // So few that hardly any overlap.
-        fibres.segments.cover = 0.1;
-        let (half, length) = (fibres.half, fibres.segments.length);
+        fibers.segments.cover = 0.1;
+        let (half, length) = (fibers.half, fibers.segments.length);
         let height = |uv: Vec2| {
             let (mut found, mut all) = (0.0, 0);
-            fibres.segments.visit(uv, fibres.parameters.fibre_bend * length + half, |near| {
-                let bend = (2.0 * near.random[1] - 1.0) * fibres.parameters.fibre_bend * length;
+            fibers.segments.visit(uv, fibers.parameters.fiber_bend * length + half, |near| {
+                let bend = (2.0 * near.random[1] - 1.0) * fibers.parameters.fiber_bend * length;
                 let t = near.along;
                 let s = (near.across - bend * t * t) / half;
                 found = half * (1.0 - t.powi(8) - s * s);
@@ -310,7 +310,7 @@ mod tests {
             let slope = Vec2::new(right - left, up - down) / (2.0 * step);
             // Second differences of t⁸ and of the bend, and the rounding of positions 50 half
             // widths away. The worst is 0.02.
-            let error = fibres.top(uv).slope.distance(slope);
+            let error = fibers.top(uv).slope.distance(slope);
             assert!(error < 0.03, "{uv}: {error}");
             checked += 1;
         }
@@ -319,11 +319,11 @@ mod tests {
 
     #[test]
     fn fibers_cover_most_of_the_surface() {
-        let fibres = Fibres::new(FibresParameters::default()).unwrap();
+        let fibers = Fibers::new(FibersParameters::default()).unwrap();
         let mut gaps = 0;
         for i in 0..10_000_u16 {
             let uv = Vec2::new(f32::from(i % 100), f32::from(i / 100)) * 0.000_37;
-            gaps += u16::from(fibres.top(uv).slope == Vec2::ZERO);
+            gaps += u16::from(fibers.top(uv).slope == Vec2::ZERO);
         }
         assert!(gaps < 2500, "{gaps}");
     }
