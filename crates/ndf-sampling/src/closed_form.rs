@@ -44,7 +44,7 @@ pub trait ClosedForm: Ndf + Sized {
     #[doc(hidden)]
     fn visible<S: Arithmetic>(&self, s: S, view: [S::F; 5]) -> [S::F; 3];
 
-    /// Computes normals `T(z)` of Gaussian coordinates, like [`warp_gaussian`](Ndf::from_gaussian).
+    /// Computes normals `T(z)` of Gaussian coordinates, like [`warp_gaussian`](Ndf::warp_gaussian).
     ///
     /// # Errors
     /// Arrays of different lengths. Nothing is written in this case.
@@ -53,7 +53,7 @@ pub trait ClosedForm: Ndf + Sized {
         BatchError::check_all(&[("z", &z)], ("m", &m)).map(|()| map(&Normal(self), z, m))
     }
 
-    /// Computes Gaussian coordinates `T⁻¹(m)` of normals, like [`invert`](Ndf::to_gaussian).
+    /// Computes Gaussian coordinates `T⁻¹(m)` of normals, like [`invert`](Ndf::invert).
     ///
     /// # Errors
     /// Arrays of different lengths. Nothing is written in this case.

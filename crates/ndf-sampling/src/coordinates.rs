@@ -33,7 +33,7 @@ pub const MAX_SHARE: f32 = 1.0 - 1.0 / (1u32 << 20) as f32;
 ///
 /// It is prepared once for many half vectors at one point.
 ///
-/// [`residual_ndf`](crate::conditional_density) builds one for each call.
+/// [`residual_ndf`](crate::residual_ndf) builds one for each call.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GaussianSplit {
     pub(crate) z_b: Vec2,
@@ -49,7 +49,7 @@ asperity_core::impl_approx! { f32; GaussianSplit: split => split.z_b.x, split.z_
 impl GaussianSplit {
     /// Creates the split for the resolved coordinates `z_b` with the fraction `s` of the variance.
     ///
-    /// Accepts every input, see [`residual_ndf`](crate::conditional_density).
+    /// Accepts every input, see [`residual_ndf`](crate::residual_ndf).
     #[inline]
     #[must_use]
     pub fn new(z_b: Vec2, s: f32) -> Self {

@@ -53,7 +53,7 @@ pub trait Microfacet: Ndf {
 
     /// Samples a visible normal, for a uniform `u` in `[0, 1)²`.
     ///
-    /// The density over solid angle is [`visible_pdf`](Self::visible_density).
+    /// The density over solid angle is [`visible_pdf`](Self::visible_pdf).
     #[must_use]
     #[doc(alias = "vndf")]
     fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3;
@@ -64,7 +64,7 @@ pub trait Microfacet: Ndf {
     #[doc(alias = "vndf")]
     fn visible_pdf(&self, v: Vec3, m: Vec3) -> f32 {
         let v = above(v);
-        let density = self.density(m) * v.dot(m).max(0.0) / self.projected_area(v);
+        let density = self.d(m) * v.dot(m).max(0.0) / self.projected_area(v);
         if density >= 0.0 { density.min(f32::MAX) } else { 0.0 }
     }
 

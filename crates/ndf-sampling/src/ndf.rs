@@ -36,11 +36,11 @@ use asperity_core::math;
 /// Kautz, Heidrich, Seidel 2001, "Real-Time Bump Map Synthesis", section 4. The paper draws normals
 /// through tables. The density over the map of normals is D itself, not `D/cos θ` or `D cos θ`,
 /// because a bump map is sampled uniformly over the macro surface.
-#[expect(clippy::wrong_self_convention, reason = "from_gaussian is T of this NDF, not a constructor")]
+
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not implement `Ndf`",
     label = "not a normal distribution function",
-    note = "pass `Ggx`, `Beckmann`, `NdfMap` or a reference to one, or implement `density`, `from_gaussian` and `to_gaussian`",
+    note = "pass `Ggx`, `Beckmann`, `NdfMap` or a reference to one, or implement `d`, `warp_gaussian` and `invert`",
     note = "directions and coordinates use the vector types of `asperity_ndf_sampling::glam`"
 )]
 #[doc(alias = "normal distribution function")]
@@ -48,7 +48,7 @@ use asperity_core::math;
 pub trait Ndf {
     /// The density `D(m)` of facet normals, in sr⁻¹, with `∫ D cos θ dω = 1`.
     #[must_use]
-    fn density(&self, m: Vec3) -> f32;
+    fn d(&self, m: Vec3) -> f32;
 
     /// `T(z)`: a normal with the density `D` over the macro surface, for standard Gaussian `z`.
     #[must_use]
@@ -67,14 +67,14 @@ pub trait Ndf {
     fn slope_density(&self, slope: Vec2) -> f32 {
         let up = 1.0 / math::sqrt(slope.x * slope.x + slope.y * slope.y + 1.0);
         let (m, up2) = (Vec3::new(slope.x * up, slope.y * up, up), up * up);
-        let density = self.density(m) * up2 * up2;
+        let density = self.d(m) * up2 * up2;
         if density >= 0.0 { density } else { 0.0 }
     }
 
     /// Samples a normal with the density `D` over the macro surface, for a uniform `u` in `[0,
     /// 1)²`.
     ///
-    /// The density over solid angle is [`pdf`](Self::sample_density).
+    /// The density over solid angle is [`pdf`](Self::pdf).
     ///
     /// The default is `T(Φ⁻¹(u))`. NDFs with a cheaper map document it. Numbers outside the square
     /// are clamped to it. NaN is read as 0.
@@ -91,24 +91,24 @@ pub trait Ndf {
     #[must_use]
     fn pdf(&self, m: Vec3) -> f32 {
         // The density is 0 below the horizon and for NaN. `max` drops NaN, and 0 · ∞ is read as 0.
-        let density = self.density(m) * m.z.max(0.0);
+        let density = self.d(m) * m.z.max(0.0);
         if density >= 0.0 { density.min(f32::MAX) } else { 0.0 }
     }
 
     /// The density `p_s(h | z_b)` of the unresolved facets, in sr⁻¹.
     ///
-    /// See [`residual_ndf`](crate::conditional_density).
+    /// See [`residual_ndf`](crate::residual_ndf).
     ///
     /// The default is [`GaussianSplit::weigh`] of `D(h)` and `T⁻¹(h)`. NDFs with their own form
     /// document it.
     #[inline]
     #[must_use]
     fn residual_ndf(&self, h: Vec3, split: GaussianSplit) -> f32 {
-        let density = self.density(h);
+        let density = self.d(h);
         if density > 0.0 { split.weigh(density, self.invert(h)) } else { 0.0 }
     }
 
-    /// Evaluates [`residual_ndf`](Self::conditional_density) at one point for many half
+    /// Evaluates [`residual_ndf`](Self::residual_ndf) at one point for many half
     /// vectors.
     ///
     /// Processes as many as the shorter slice has. Results are bit-identical to single calls.
@@ -138,7 +138,7 @@ pub(crate) use forward;
 macro_rules! forward_ndf {
     (|$this:ident| $to:expr) => {
         $crate::ndf::forward! { |$this| $to;
-            density(m: glam::Vec3) -> f32;
+            d(m: glam::Vec3) -> f32;
             warp_gaussian(z: glam::Vec2) -> glam::Vec3;
             invert(m: glam::Vec3) -> glam::Vec2;
             slope_density(slope: glam::Vec2) -> f32;
@@ -191,8 +191,8 @@ mod tests {
     struct Plain(crate::Ggx);
 
     impl Ndf for Plain {
-        fn density(&self, m: Vec3) -> f32 {
-            self.0.density(m)
+        fn d(&self, m: Vec3) -> f32 {
+            self.0.d(m)
         }
 
         fn warp_gaussian(&self, z: Vec2) -> Vec3 {
@@ -225,7 +225,7 @@ mod tests {
         }
         // p_s(h | z_b) = D(h) weighted at T⁻¹(h).
         for h in halves {
-            let expected = split.weigh(ggx.density(h), ggx.invert(h));
+            let expected = split.weigh(ggx.d(h), ggx.invert(h));
             assert!(expected > 0.0);
             assert_eq!(plain.residual_ndf(h, split), expected);
             assert_abs_diff_eq!(ggx.residual_ndf(h, split), expected, epsilon = 2e-5 * expected);
@@ -259,7 +259,7 @@ pub(crate) mod totality {
             facet(ndf.warp_gaussian(z), z);
             facet(ndf.sample(z), z);
             for m in BAD.map(|up| z.extend(up)) {
-                let density = ndf.density(m);
+                let density = ndf.d(m);
                 assert!((0.0..=f32::MAX).contains(&density), "{m}: {density}");
                 assert!(m.z > 0.0 || density == 0.0, "below the horizon at {m}: {density}");
                 assert!(ndf.invert(m).is_finite(), "{m}: {}", ndf.invert(m));

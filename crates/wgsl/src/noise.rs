@@ -72,16 +72,16 @@ pub static COLUMNS: Part = part!("noise/kinds/cell/columns", SAMPLE);
 /// Blend of the corners of a cell in 3-D.
 pub static CORNERS: Part = part!("noise/kinds/cell/corners", COLUMNS);
 
-/// White noise, [`WhiteNoise`](asperity_noise::White), in two and three dimensions.
+/// White noise, [`WhiteNoise`](asperity_noise::WhiteNoise), in two and three dimensions.
 pub static WHITE: Part = part!("noise/kinds/white", SAMPLE, INTEGER_HASH, CELL, VARIATES);
 
-/// Value noise, [`ValueNoise`](asperity_noise::Value), in two to four dimensions.
+/// Value noise, [`ValueNoise`](asperity_noise::ValueNoise), in two to four dimensions.
 pub static VALUE: Part = part!("noise/kinds/value", SAMPLE, INTEGER_HASH, CELL, FADE);
 
-/// Perlin noise of 1985, [`PerlinClassic`](asperity_noise::Perlin1985), in two and three dimensions.
+/// Perlin noise of 1985, [`PerlinClassic`](asperity_noise::PerlinClassic), in two and three dimensions.
 pub static PERLIN_1985: Part = part!("noise/kinds/perlin_1985", INTEGER_HASH, CELL, FADE, VARIATES, CORNERS);
 
-/// Perlin noise of 2002, [`Perlin`](asperity_noise::Perlin2002), in two to four dimensions.
+/// Perlin noise of 2002, [`Perlin`](asperity_noise::Perlin), in two to four dimensions.
 pub static PERLIN_2002: Part = part!("noise/kinds/perlin_2002", INTEGER_HASH, CELL, FADE, EDGES, COLUMNS);
 
 /// Value-gradient noise, [`ValueGradient`](asperity_noise::ValueGradient), in two and three
@@ -94,7 +94,7 @@ pub static VALUE_GRADIENT: Part =
 pub static VALUE_CATMULL_ROM: Part =
     part!("noise/kinds/value_catmull_rom", SAMPLE, INTEGER_HASH, CELL, VARIATES);
 
-/// Sparse convolution noise, [`SparseConvolution`](asperity_noise::Sparse), in two and three dimensions.
+/// Sparse convolution noise, [`SparseConvolution`](asperity_noise::SparseConvolution), in two and three dimensions.
 pub static SPARSE: Part = part!("noise/kinds/sparse_convolution", SAMPLE, INTEGER_HASH, CELL, VARIATES);
 
 /// Simplex noise, [`Simplex`](asperity_noise::Simplex) with either radius, in two to four
@@ -115,8 +115,8 @@ pub static GAUSSIAN_VARIATES: Part = part!("noise/lattice/gaussian_variates", IN
         width: GAUSSIAN_LEVELS_WIDTH,
     }]);
 
-/// Exactly Gaussian noise, [`GaussianNoise`](asperity_noise::Gaussian), in two and three dimensions: one
-/// channel, or [two](asperity_noise::Gaussian::pair).
+/// Exactly Gaussian noise, [`GaussianNoise`](asperity_noise::GaussianNoise), in two and three dimensions: one
+/// channel, or [two](asperity_noise::GaussianNoise::pair).
 pub static GAUSSIAN: Part =
     part!("noise/kinds/gaussian", INTEGER_HASH, CELL, FADE, CORNERS, GAUSSIAN_VARIATES);
 

@@ -43,7 +43,7 @@ impl<'a> Object<'a> {
     }
 
     /// Returns the object with material positions relative to an anchor, as for sums of octaves
-    /// that are [anchored](asperity_noise::Octaves::anchored).
+    /// that are [anchored](asperity_noise::Fbm::anchored).
     pub fn anchored(self, anchor: DVec3) -> Self {
         Self { anchor, ..self }
     }

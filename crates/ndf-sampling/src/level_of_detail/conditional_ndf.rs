@@ -14,13 +14,13 @@ use crate::ndf::Ndf;
 /// ```
 ///
 /// Here `T` and `D` are those of any [`Ndf`]. See
-/// [`residual_ndf`](crate::conditional_density) for the formula and its limits.
+/// [`residual_ndf`](crate::residual_ndf) for the formula and its limits.
 /// [`Ndf::sample`] draws the remaining facets, with the density [`Ndf::pdf`]. A
 /// `ConditionalNdf` of a `ConditionalNdf` resolves more of the remainder.
 ///
 /// - **Mean over the surface:** for standard Gaussian `z_b` the mean of `D` is the original
 ///   density, for every `s`.
-/// - **Domain:** as for [`residual_ndf`](crate::conditional_density) and [`Ndf`]. `T_s` at
+/// - **Domain:** as for [`residual_ndf`](crate::residual_ndf) and [`Ndf`]. `T_s` at
 ///   `s → 1` is `T(z_b)` except for 10⁻³ ξ.
 /// - **Accuracy:** `T_s⁻¹(T_s(ξ)) = ξ` within the accuracy of `T⁻¹ ∘ T` over `√(1 − s)`.
 ///

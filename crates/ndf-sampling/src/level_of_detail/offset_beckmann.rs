@@ -26,7 +26,7 @@ use asperity_core::math;
 ///
 /// a Beckmann NDF of the roughness `α√(1 − s)` around the resolved slope. As `s → 1` nothing
 /// cancels, because the exponent is a difference of slopes.
-/// [`residual_ndf`](crate::conditional_density) weights `D(h)` by a ratio instead.
+/// [`residual_ndf`](crate::residual_ndf) weights `D(h)` by a ratio instead.
 ///
 /// - **Domain:** unit `m`, used as given; `D = 0` for `m.z ≤ 0` and NaN. Coordinates as in [`Ndf`].
 /// - **Accuracy:** `D` 2e-6 relative plus the slope of the exponent times the rounding of `m`:
@@ -87,7 +87,7 @@ impl OffsetBeckmann {
 
     /// Creates the conditional NDF of a Beckmann surface for resolved `z_b` with the fraction `s`.
     ///
-    /// Accepts every input and equals [`residual_ndf`](crate::conditional_density).
+    /// Accepts every input and equals [`residual_ndf`](crate::residual_ndf).
     #[inline]
     #[must_use]
     pub fn conditional(beckmann: Beckmann, z_b: Vec2, s: f32) -> Self {

@@ -15,7 +15,7 @@ use asperity_core::error_enum;
 /// both ends.
 ///
 /// If the table is correct, `G(noise)` is uniform on [0, 1] and `Φ⁻¹(G(noise))` is standard
-/// Gaussian, the argument of [`Ndf::warp_gaussian`](crate::Ndf::from_gaussian).
+/// Gaussian, the argument of [`Ndf::warp_gaussian`](crate::Ndf::warp_gaussian).
 ///
 /// - **Domain:** all reals. Below `low` the first entry is used, above `high` the last. NaN is read
 ///   as 0, or as the end nearest to 0.

@@ -42,7 +42,7 @@ pub fn add_detail(z_b: Vec2, z_n: Vec2, amount: f32) -> Vec2 {
 ///
 /// `ndf` is the NDF of the bump map, e.g. from [`estimate_ndf`](crate::estimate_ndf). Without noise
 /// the normal is returned up to the accuracy of `T ∘ T⁻¹`. If a bump map is evaluated often, store
-/// `T⁻¹(n)` as its texels and look up `T` in a [`NormalLut`](crate::NormalTable).
+/// `T⁻¹(n)` as its texels and look up `T` in a [`NormalLut`](crate::NormalLut).
 ///
 /// ```
 /// use asperity_ndf_sampling::{Ggx, add_detail_normal, glam::{Vec2, Vec3}};

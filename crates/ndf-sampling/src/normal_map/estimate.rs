@@ -50,7 +50,7 @@ use asperity_core::math;
 /// With the size and width of [`NdfEstimator::suited`] three normal maps of 256² (rolling ground,
 /// cobbles, tiles that are flat nearly everywhere), in floats and in 8 bits, were converted to
 /// Gaussian coordinates and back. `T` returns the normals within 10⁻⁵ degrees. A
-/// [`NormalLut`](crate::NormalTable) of 256² returns them within 0.001°, 0.015° and 0.002° on
+/// [`NormalLut`](crate::NormalLut) of 256² returns them within 0.001°, 0.015° and 0.002° on
 /// average. (With the estimate constant on each texel the error of the table is ten times as
 /// large.)
 ///

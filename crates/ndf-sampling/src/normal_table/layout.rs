@@ -6,7 +6,7 @@ use crate::normal_table::chart::Chart;
 use crate::normal_table::spacing::Spacing;
 use crate::numeric::binary16::from_half;
 
-/// Layout of a [`NormalLut`](crate::NormalTable): its index and its entries.
+/// Layout of a [`NormalLut`](crate::NormalLut): its index and its entries.
 ///
 /// The default, Gaussian coordinates and stereographic entries, is recommended.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -66,7 +66,7 @@ pub struct NormalLutIn<S> {
     pub(crate) entries: S,
 }
 
-/// A [table `L`](NormalTableIn) that owns its entries.
+/// A [table `L`](NormalLutIn) that owns its entries.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Ggx, Ndf, NormalLut, glam::Vec2};
@@ -85,7 +85,7 @@ pub struct NormalLutIn<S> {
 #[doc(alias = "texture")]
 pub type NormalLut = NormalLutIn<Vec<[f32; 2]>>;
 
-/// A [table `L`](NormalTableIn) in borrowed storage, of floats or half floats.
+/// A [table `L`](NormalLutIn) in borrowed storage, of floats or half floats.
 ///
 /// ```
 /// use asperity_ndf_sampling::{NormalLutRef, glam::{Vec2, Vec3}, normal_table::{TableLayout, to_half}};

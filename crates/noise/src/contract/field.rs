@@ -158,8 +158,8 @@ pub trait Field<V: Point> {
 
 /// A field with second derivatives.
 ///
-/// Implemented for [`PerlinClassic`](crate::Perlin1985), [`Perlin`](crate::Perlin2002),
-/// [`Simplex`](crate::Simplex), [`GaussianNoise`](crate::Gaussian), [`ValueNoise`](crate::Value) and
+/// Implemented for [`PerlinClassic`](crate::PerlinClassic), [`Perlin`](crate::Perlin),
+/// [`Simplex`](crate::Simplex), [`GaussianNoise`](crate::GaussianNoise), [`ValueNoise`](crate::ValueNoise) and
 /// [`ValueGradient`](crate::ValueGradient) in 1 to 4 dimensions, and for the sums of their octaves.
 /// Value and gradient have the bits of [`Field::sample`].
 ///
@@ -169,7 +169,7 @@ pub trait Field<V: Point> {
 ///
 /// - **Continuity:** quintic weights are C², so the Hessians of Perlin noise of 2002 and of
 ///   Gaussian noise are continuous. The Hessian of simplex noise with r² = ½ is smooth. Cubic
-///   weights are only C¹: the Hessian of [`PerlinClassic`](crate::Perlin1985) is discontinuous at cell
+///   weights are only C¹: the Hessian of [`PerlinClassic`](crate::PerlinClassic) is discontinuous at cell
 ///   borders, where w″ jumps from −6 to 6. On a border it is the Hessian of the cell above. Wide
 ///   simplex noise is itself discontinuous.
 /// - **NaN and ∞:** points that are not finite give 0.

@@ -65,7 +65,7 @@ impl<L> SparseConvolution<L> {
     ///
     /// # Errors
     ///
-    /// If the number is not in 1..=[`MAX_IMPULSES`](Sparse::MAX_IMPULSES).
+    /// If the number is not in 1..=[`MAX_IMPULSES`](SparseConvolution::MAX_IMPULSES).
     pub fn with_impulses(self, impulses: u32) -> Result<Self, SparseConvolutionError> {
         if (1..=SparseConvolution::MAX_IMPULSES).contains(&impulses) {
             Ok(Self { impulses: impulses as u8, ..self })

@@ -25,10 +25,10 @@ use crate::{
 ///
 /// In 1 to 4 dimensions. v is uniform in (−1, 1). g is uniform on the circle or sphere, ±1 in 1-D,
 /// and independent of v. μ is the weight of gradient noise. At μ = 0 this is
-/// [`ValueNoise`](crate::Value) noise with other random numbers.
+/// [`ValueNoise`](crate::ValueNoise) noise with other random numbers.
 ///
 /// - **Range:** [−1, 1] for every μ, as either part attains 1 in cell centers. The value is clamped
-///   to it, as for [`ValueNoise`](crate::Value).
+///   to it, as for [`ValueNoise`](crate::ValueNoise).
 /// - **Variance:** σ² = (1 − μ)² σ_v² + μ² σ_g² at every point, as v and g are independent.
 ///
 /// Ebert (ed.) 1994, "Texturing and Modeling", `vgnoise`, with the weights of Perlin 2002. The

@@ -193,10 +193,10 @@ fn edge_entry<S: Lanes, const N: usize>(s: S, word: S::U, length: f32) -> [S::F;
     g
 }
 
-/// The gradient that [`Perlin`](crate::Perlin2002) and [`Simplex`](crate::Simplex) draw from an
+/// The gradient that [`Perlin`](crate::Perlin) and [`Simplex`](crate::Simplex) draw from an
 /// [upper word](crate::Lattice::upper_word), before scaling.
 ///
-/// It is one of the 16, 8, 12 or 32 directions listed at [`Perlin`](crate::Perlin2002).
+/// It is one of the 16, 8, 12 or 32 directions listed at [`Perlin`](crate::Perlin).
 #[must_use]
 pub fn edge_gradient<const N: usize>(word: u32) -> [f32; N] {
     edge_direction(Scalar, Scalar.word(word), &const { Lengths::new(1.0) })

@@ -26,7 +26,7 @@ use crate::{
 /// In fewer dimensions the missing coordinates are −D: the 2-D lattice is a section of the 3-D
 /// lattice.
 ///
-/// [`ValueNoise`](crate::Value), [`Perlin`](crate::Perlin2002) and [`Simplex`](crate::Simplex) use
+/// [`ValueNoise`](crate::ValueNoise), [`Perlin`](crate::Perlin) and [`Simplex`](crate::Simplex) use
 /// [`upper_word`](Lattice::upper_word), which takes one product per point, the square of the joined
 /// terms:
 /// ```text

@@ -13,7 +13,7 @@ use crate::{lattice::edges::EDGE_MAXIMUM, lattice::lattice::Lattice, lattice::va
 /// h = p[p[p[x] + y] + z] mod 16,   gradient h of his listing
 /// ```
 ///
-/// With this lattice [`Perlin`](crate::Perlin2002) in 3-D is the reference noise divided by
+/// With this lattice [`Perlin`](crate::Perlin) in 3-D is the reference noise divided by
 /// [`SCALE`](Self::SCALE). Seed 0 gives the seedless reference. Another seed moves the lattice by
 /// that number of cells along x. The reference does not define other dimensions. There, words are
 /// drawn from the last of one lookup per axis.
@@ -30,7 +30,7 @@ use crate::{lattice::edges::EDGE_MAXIMUM, lattice::lattice::Lattice, lattice::va
 pub struct PerlinTable;
 
 impl PerlinTable {
-    /// Scale of the reference noise relative to [`Perlin`](crate::Perlin2002), whose range is
+    /// Scale of the reference noise relative to [`Perlin`](crate::Perlin), whose range is
     /// [−1, 1].
     pub const SCALE: f32 = EDGE_MAXIMUM[2] / MARGIN;
 

@@ -11,7 +11,7 @@ use crate::{
 /// word(c) = L.word(c + cell mod 2³²)
 /// ```
 ///
-/// Created by [`Fbm::anchored`](crate::Octaves::anchored), with the cell of each octave's
+/// Created by [`Fbm::anchored`](crate::Fbm::anchored), with the cell of each octave's
 /// anchor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shifted<L, const N: usize> {

@@ -20,7 +20,7 @@ use crate::{
 /// and p + period are both exact in `f32`, values and gradients have the same bits. From |x| = 2³¹
 /// on cells wrap modulo 2³², and only periods that are powers of two continue.
 ///
-/// Use [`Fbm::tiled`](crate::Octaves::tiled) for sums, in which each octave has its own
+/// Use [`Fbm::tiled`](crate::Fbm::tiled) for sums, in which each octave has its own
 /// periods.
 ///
 /// [`Simplex`](crate::Simplex) noise is tileable with it in 1-D only. Use

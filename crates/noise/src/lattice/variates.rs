@@ -207,7 +207,7 @@ pub(crate) fn gaussian_quaternion(word: u32) -> [f32; 4] {
     ]
 }
 
-/// Returns the unit gradient that [`PerlinClassic`](crate::Perlin1985) draws from a lattice point's
+/// Returns the unit gradient that [`PerlinClassic`](crate::PerlinClassic) draws from a lattice point's
 /// word, before scaling.
 ///
 /// Uniform on the circle or sphere; ±1 in 1-D. The length is 1 within 2e-7.
@@ -216,7 +216,7 @@ pub fn unit_gradient<const N: usize>(word: u32) -> [f32; N] {
     unit_direction(Scalar, Scalar.word(word), 1.0)
 }
 
-/// Returns the Gaussian value and gradient that [`GaussianNoise`](crate::Gaussian) draws from a word,
+/// Returns the Gaussian value and gradient that [`GaussianNoise`](crate::GaussianNoise) draws from a word,
 /// for both channels.
 #[must_use]
 pub fn gaussian_corner<const N: usize>(word: u32) -> [(f32, [f32; N]); 2] {

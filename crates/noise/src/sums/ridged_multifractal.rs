@@ -63,7 +63,7 @@ impl<K: Kernel<N>, const N: usize> RidgedMultifractal<K, N> {
 
     /// Creates a ridged multifractal from the octaves of another sum.
     ///
-    /// The sum may be [tiled](Octaves::tiled) or [anchored](Octaves::anchored).
+    /// The sum may be [tiled](Fbm::tiled) or [anchored](Fbm::anchored).
     ///
     /// # Errors
     ///

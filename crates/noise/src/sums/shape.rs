@@ -49,7 +49,7 @@ pub trait Shape: Copy + Debug {
 
 /// Fractional Brownian motion, φ(n) = n.
 ///
-/// With [`FbmSpectrum::CLOUD`](crate::Spectrum::CLOUD) it is the cloud pattern of Nilsson 2008,
+/// With [`FbmSpectrum::CLOUD`](crate::FbmSpectrum::CLOUD) it is the cloud pattern of Nilsson 2008,
 /// section 4.1.5.
 #[doc(alias = "fbm")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -47,7 +47,7 @@ impl Facet {
 /// this width errs by 1.3 % of its peak directly above, and a mirror of half this width by 56 %.
 /// For narrower lobes α² + 2 · variance is the better approximation.
 ///
-/// Facets may face away from the eye: see [`flip_to_visible`](crate::bump::facing).
+/// Facets may face away from the eye: see [`flip_to_visible`](crate::bump::flip_to_visible).
 ///
 /// - **Domain:** unit `n` and `bumped`. A variance that is not positive and finite, or a normal
 ///   that is not above the surface, returns one facet, `bumped`.

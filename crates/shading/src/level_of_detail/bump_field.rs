@@ -44,7 +44,7 @@ impl<F: GaussianField> BumpField<F> {
     /// Continuous in `p` and in the footprint. [`Coordinates::FAR`] as soon as the pixel is wider
     /// than half a cell of the first octave.
     ///
-    /// For an [anchored](asperity_noise::Octaves::anchored) field `p` is the difference from the
+    /// For an [anchored](asperity_noise::Fbm::anchored) field `p` is the difference from the
     /// anchor, near which the field is exact at any zoom. The anchor is in cells of the first
     /// octave, i.e. the surface point times the frequency.
     ///

@@ -60,7 +60,7 @@ pub trait GaussianField {
 /// assert_eq!(field.coordinates(p, 1.0).share, 0.75);
 /// assert_eq!(field.coordinates(p, 0.5).fade, 0.5);
 /// ```
-/// On any lattice, including an [anchored](Octaves::anchored) sum, with differences from its
+/// On any lattice, including an [anchored](Fbm::anchored) sum, with differences from its
 /// anchor.
 impl<L: Lattice> GaussianField for Fbm<GaussianNoise<L>, 3> {
     fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates {

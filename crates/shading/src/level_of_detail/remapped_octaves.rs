@@ -25,7 +25,7 @@ const SECOND: u32 = 0x9E37_79B9;
 /// variance while octaves are added. `G` is measured for eight octaves. It is correct on average
 /// over a surface and for several octaves, and approximate for one or two. The mean of the `Exact`
 /// rule over a surface is off by up to 4 % with one octave of Perlin noise, and by about 1 % with
-/// two (measured, Beckmann 0.3, at the peak). [`GaussianFbm`](asperity_noise::GaussianOctaves)
+/// two (measured, Beckmann 0.3, at the peak). [`GaussianFbm`](asperity_noise::GaussianFbm)
 /// has no such error and evaluates both channels in one lattice traversal instead of two.
 ///
 /// The channels have separate seeds, offsets and rotations in every octave, so their lattices are

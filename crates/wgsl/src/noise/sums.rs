@@ -57,10 +57,10 @@ use crate::part::{Binding, Part, part};
 /// Shapes of octaves: [`Turbulence`](asperity_noise::Turbulence), plasma, billow and ridged.
 pub static SHAPE: Part = part!("noise/sums/shape");
 
-/// Frequency clamping, [`filtered_fraction`](asperity_noise::removed_share).
+/// Frequency clamping, [`filtered_fraction`](asperity_noise::filtered_fraction).
 pub static FREQUENCY_CLAMP: Part = part!("noise/sums/frequency_clamp");
 
-/// Weights of a real number of octaves, [`FbmSpectrum`](asperity_noise::Spectrum), and the divisor of
+/// Weights of a real number of octaves, [`FbmSpectrum`](asperity_noise::FbmSpectrum), and the divisor of
 /// a sum.
 pub static SPECTRUM: Part = part!("noise/sums/spectrum", FREQUENCY_CLAMP);
 
@@ -81,12 +81,12 @@ pub static UNIFORM_4D: Part = part!("noise/sums/uniform_4d", SPECTRUM, OCTAVE)
     .with_bindings(&[Binding::Uniform { name: "octaves_uniform_4d", of: "array<OctavesUniform4d, 8>" }]);
 
 /// Sums of octaves of Gaussian noise in 3-D, two channels,
-/// [`GaussianFbm`](asperity_noise::GaussianOctaves).
+/// [`GaussianFbm`](asperity_noise::GaussianFbm).
 pub static GAUSSIAN_OCTAVES_3D: Part =
     part!("noise/sums/gaussian_octaves_3d", SPECTRUM, OCTAVE, UNIFORM_3D, CELL, GAUSSIAN);
 
 /// Sums of octaves of Gaussian noise in 2-D, two channels,
-/// [`GaussianFbm`](asperity_noise::GaussianOctaves).
+/// [`GaussianFbm`](asperity_noise::GaussianFbm).
 pub static GAUSSIAN_OCTAVES_2D: Part =
     part!("noise/sums/gaussian_octaves_2d", SPECTRUM, OCTAVE, UNIFORM_2D, CELL, GAUSSIAN);
 

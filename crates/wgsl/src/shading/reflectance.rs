@@ -47,11 +47,11 @@ pub static COOK_TORRANCE_GGX: Part = part!("shading/reflectance/cook_torrance_gg
 pub static TORRANCE_SPARROW: Part = part!("shading/reflectance/torrance_sparrow", BRDF, DIRECTION);
 
 /// Cosine-power lobes, [`Phong`](asperity_shading::Phong) and
-/// [`BlinnPhongBrdf`](asperity_shading::reflectance::BlinnPhongLobe).
+/// [`BlinnPhongBrdf`](asperity_shading::reflectance::BlinnPhongBrdf).
 pub static PHONG: Part = part!("shading/reflectance/phong", BRDF, DIRECTION, ELEMENTARY);
 
 /// Ward's anisotropic reflectance in three forms,
-/// [`WardBrdf`](asperity_shading::reflectance::WardReflection).
+/// [`WardBrdf`](asperity_shading::reflectance::WardBrdf).
 pub static WARD: Part = part!("shading/reflectance/ward", BRDF, DIRECTION, ELEMENTARY);
 
 /// Light from a facet of a surface, as summed by [`Bsdf`](asperity_shading::Bsdf).

@@ -3,8 +3,8 @@
 use asperity_core::error_enum;
 
 error_enum! {
-    /// Error for an invalid [`PeriodicSurface`](crate::Torus), [`FoldedSurface`](crate::Folded) or
-    /// [`RoughFoldedSurface`](crate::RoughFolded) surface.
+    /// Error for an invalid [`PeriodicSurface`](crate::PeriodicSurface), [`FoldedSurface`](crate::FoldedSurface) or
+    /// [`RoughFoldedSurface`](crate::RoughFoldedSurface) surface.
     ///
     /// Axes, knots, cells and nodes are counted from 0.
     pub enum SelfAffineError {

@@ -55,7 +55,7 @@ pub(crate) trait CellNoise<const N: usize>: OnLattice + Measured<N> {
     /// The weights.
     const FADE: Fade = Fade::Quintic;
     /// Whether the sum is divided by its standard deviation at the point, see
-    /// [`GaussianNoise`](crate::Gaussian).
+    /// [`GaussianNoise`](crate::GaussianNoise).
     const NORMALISED: bool = false;
 
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N>;

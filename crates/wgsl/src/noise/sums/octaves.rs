@@ -65,7 +65,7 @@ macro_rules! octaves {
         use $crate::noise::{self, CELL, SAMPLE};
         use $crate::part::Part;
 
-        /// Running sum of octaves of any kind, [`Fbm`](asperity_noise::Octaves).
+        /// Running sum of octaves of any kind, [`Fbm`](asperity_noise::Fbm).
         pub static TOTAL: Part =
             octave_part!($dimension, "total", ["total"], [], [SAMPLE, SHAPE, SPECTRUM, OCTAVE, $uniform]);
 
