@@ -42,7 +42,7 @@ fn calls(c: &mut Criterion) {
         for (form, ndf) in maps {
             each(c, &format!("call/sample/{name}/{form}"), &u, |u| ndf.sample(u));
             each(c, &format!("call/to_gaussian/{name}/{form}"), &normals, |m| ndf.invert(m));
-            each(c, &format!("call/density/{name}/{form}"), &normals, |m| ndf.density(m));
+            each(c, &format!("call/density/{name}/{form}"), &normals, |m| ndf.d(m));
         }
     }
 }
@@ -56,13 +56,13 @@ fn batches(c: &mut Criterion) {
         let packed = map.view();
         let [mut x, mut y, mut to, mut density] = [(); 4].map(|()| vec![0.0; SAMPLES]);
         group.bench_function(format!("sample/{name}"), |b| {
-            b.iter(|| packed.inverses([&u1, &u2], [&mut x, &mut y]));
+            b.iter(|| packed.inverse_batch([&u1, &u2], [&mut x, &mut y]));
         });
         group.bench_function(format!("forward/{name}"), |b| {
-            b.iter(|| packed.forwards([&x, &y], [&mut to, &mut density]));
+            b.iter(|| packed.forward_batch([&x, &y], [&mut to, &mut density]));
         });
         group.bench_function(format!("density/{name}"), |b| {
-            b.iter(|| packed.densities([&x, &y], &mut density));
+            b.iter(|| packed.d_batch([&x, &y], &mut density));
         });
     }
     group.finish();
@@ -73,7 +73,7 @@ fn construction(c: &mut Criterion) {
     let texels: Vec<f32> = (0..SIZE * SIZE)
         .map(|k| {
             let [x, y] = [k % SIZE, k / SIZE].map(|k| (2 * k + 1) as f32 / SIZE as f32 - 1.0);
-            ggx.density(Vec3::new(x, y, (1.0 - x * x - y * y).max(1e-6).sqrt()))
+            ggx.d(Vec3::new(x, y, (1.0 - x * x - y * y).max(1e-6).sqrt()))
         })
         .collect();
     let mut group = c.benchmark_group("build");

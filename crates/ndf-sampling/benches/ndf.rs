@@ -38,7 +38,7 @@ fn maps(c: &mut Criterion, name: &str, ndf: impl Ndf) {
     let uniforms = uniforms();
     let normals: Vec<Vec3> = uniforms.iter().map(|&u| ndf.sample(u)).collect();
     let coordinates: Vec<Vec2> = normals.iter().map(|&m| ndf.invert(m)).collect();
-    each(c, &format!("density/{name}"), &normals, |m| ndf.density(m));
+    each(c, &format!("density/{name}"), &normals, |m| ndf.d(m));
     each(c, &format!("from_gaussian/{name}"), &coordinates, |z| ndf.warp_gaussian(z));
     each(c, &format!("to_gaussian/{name}"), &normals, |m| ndf.invert(m));
     each(c, &format!("sample/{name}"), &uniforms, |u| ndf.sample(u));
@@ -66,7 +66,7 @@ fn composed(c: &mut Criterion) {
     let mixture = Mixture::new(ggx, diffuse, 0.3).expect("radial densities");
     each(c, "exponent/mixture", &[0.01, 0.1, 1.0], |slope| mixture.exponent(slope));
     masking(c, "mixture", mixture);
-    let table = Isotropic::from_fn(256, |cos| ggx.density(Vec3::new((1.0 - cos * cos).sqrt(), 0.0, cos)));
+    let table = Isotropic::from_fn(256, |cos| ggx.d(Vec3::new((1.0 - cos * cos).sqrt(), 0.0, cos)));
     maps(c, "isotropic_256", table.expect("a density"));
 }
 

@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         // Brushed metal on two thirds of the surface, a diffuse lobe on the rest.
         let brushed = Rotated::new(Ggx::new(0.1, 0.5)?, 0.6)?;
         let blend = Blend::new(brushed, BlinnPhong::new(0.0)?, 2.0 / 3.0)?;
-        NdfMap::from_fn(SIZE, SIZE, Measure::Normals, Reconstruction::Bilinear, |m| blend.density(m))?
+        NdfMap::from_fn(SIZE, SIZE, Measure::Normals, Reconstruction::Bilinear, |m| blend.d(m))?
     };
     // Each texel receives normals in proportion to its density.
     let mut counts = vec![0_u32; SIZE * SIZE];

@@ -28,28 +28,13 @@ use asperity_core::lanes::{Arithmetic, Kernel, map};
     message = "`{Self}` has no closed form in SIMD lanes",
     note = "`Ggx` and `Beckmann` have; call other densities one by one"
 )]
-pub trait ClosedForm: Ndf + Sized {
-    #[doc(hidden)]
-    fn normal<S: Arithmetic>(&self, s: S, z: [S::F; 2]) -> [S::F; 3];
-    #[doc(hidden)]
-    fn gaussian<S: Arithmetic>(&self, s: S, m: [S::F; 3]) -> [S::F; 2];
-    #[doc(hidden)]
-    fn density_in_lanes<S: Arithmetic>(&self, s: S, m: [S::F; 3]) -> [S::F; 1];
-    /// `p_s(h | z_b)`.
-    #[doc(hidden)]
-    fn conditional<S: Arithmetic>(&self, s: S, split: GaussianSplit, h: [S::F; 3]) -> [S::F; 1];
-    #[doc(hidden)]
-    fn polar<S: Arithmetic>(&self, s: S, u: [S::F; 2]) -> [S::F; 3];
-    /// For `[v_x, v_y, v_z, u₁, u₂]`.
-    #[doc(hidden)]
-    fn visible<S: Arithmetic>(&self, s: S, view: [S::F; 5]) -> [S::F; 3];
-
+pub trait ClosedForm: Formulas {
     /// Computes normals `T(z)` of Gaussian coordinates, like [`warp_gaussian`](Ndf::warp_gaussian).
     ///
     /// # Errors
     /// Arrays of different lengths. Nothing is written in this case.
     #[inline]
-    fn normals(&self, z: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
+    fn warp_gaussian_batch(&self, z: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
         BatchError::check_all(&[("z", &z)], ("m", &m)).map(|()| map(&Normal(self), z, m))
     }
 
@@ -58,7 +43,7 @@ pub trait ClosedForm: Ndf + Sized {
     /// # Errors
     /// Arrays of different lengths. Nothing is written in this case.
     #[inline]
-    fn coordinates(&self, m: [&[f32]; 3], z: [&mut [f32]; 2]) -> Result<(), BatchError> {
+    fn invert_batch(&self, m: [&[f32]; 3], z: [&mut [f32]; 2]) -> Result<(), BatchError> {
         BatchError::check_all(&[("m", &m)], ("z", &z)).map(|()| map(&Coordinates(self), m, z))
     }
 
@@ -67,7 +52,7 @@ pub trait ClosedForm: Ndf + Sized {
     /// # Errors
     /// Arrays of different lengths. Nothing is written in this case.
     #[inline]
-    fn densities(&self, m: [&[f32]; 3], density: &mut [f32]) -> Result<(), BatchError> {
+    fn d_batch(&self, m: [&[f32]; 3], density: &mut [f32]) -> Result<(), BatchError> {
         let density = [density];
         BatchError::check_all(&[("m", &m)], ("density", &density)).map(|()| map(&Density(self), m, density))
     }
@@ -77,7 +62,7 @@ pub trait ClosedForm: Ndf + Sized {
     /// # Errors
     /// Arrays of different lengths. Nothing is written in this case.
     #[inline]
-    fn samples(&self, u: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
+    fn sample_batch(&self, u: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
         BatchError::check_all(&[("u", &u)], ("m", &m)).map(|()| map(&Sample(self), u, m))
     }
 
@@ -90,11 +75,25 @@ pub trait ClosedForm: Ndf + Sized {
     /// # Errors
     /// Arrays of different lengths. Nothing is written in this case.
     #[inline]
-    fn visible_samples(&self, v: [&[f32]; 3], u: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
+    fn sample_visible_batch(&self, v: [&[f32]; 3], u: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
         let view = [v[0], v[1], v[2], u[0], u[1]];
         BatchError::check_all(&[("v", &v), ("u", &u)], ("m", &m)).map(|()| map(&Visible(self), view, m))
     }
 }
+
+/// The formulas of an NDF in closed form, for every number of lanes.
+pub trait Formulas: Ndf + Sized {
+    fn normal<S: Arithmetic>(&self, s: S, z: [S::F; 2]) -> [S::F; 3];
+    fn gaussian<S: Arithmetic>(&self, s: S, m: [S::F; 3]) -> [S::F; 2];
+    fn density_in_lanes<S: Arithmetic>(&self, s: S, m: [S::F; 3]) -> [S::F; 1];
+    /// `p_s(h | z_b)`.
+    fn conditional<S: Arithmetic>(&self, s: S, split: GaussianSplit, h: [S::F; 3]) -> [S::F; 1];
+    fn polar<S: Arithmetic>(&self, s: S, u: [S::F; 2]) -> [S::F; 3];
+    /// For `[v_x, v_y, v_z, u₁, u₂]`.
+    fn visible<S: Arithmetic>(&self, s: S, view: [S::F; 5]) -> [S::F; 3];
+}
+
+impl<N: Formulas> ClosedForm for N {}
 
 /// Kernels of the formulas. A long one interleaves four registers, except in unoptimized builds:
 /// there every temporary has its own stack slot, which overflows the 2 MiB stack of a thread.
@@ -102,7 +101,7 @@ macro_rules! kernels {
     ($($kernel:ident<$inputs:literal, $outputs:literal>: $formula:ident, long: $long:literal;)+) => {$(
         struct $kernel<'a, N>(&'a N);
 
-        impl<N: ClosedForm> Kernel<$inputs, $outputs> for $kernel<'_, N> {
+        impl<N: Formulas> Kernel<$inputs, $outputs> for $kernel<'_, N> {
             const LONG: bool = $long && !cfg!(debug_assertions);
 
             #[inline(always)]
@@ -120,18 +119,18 @@ kernels! {
     Visible<5, 3>: visible, long: true;
 }
 
-/// The kernel of [`ClosedForm::conditional`].
+/// The kernel of [`Formulas::conditional`].
 struct Conditional<'a, N>(&'a N, GaussianSplit);
 
-impl<N: ClosedForm> Kernel<3, 1> for Conditional<'_, N> {
+impl<N: Formulas> Kernel<3, 1> for Conditional<'_, N> {
     #[inline(always)]
     fn apply<S: Arithmetic>(&self, s: S, h: [S::F; 3]) -> [S::F; 1] {
         self.0.conditional(s, self.1, h)
     }
 }
 
-/// [`Ndf::conditional_densities`] with SIMD, up to the shorter slice.
-pub(crate) fn conditional_densities<N: ClosedForm>(
+/// [`Ndf::residual_ndf_batch`] with SIMD, up to the shorter slice.
+pub(crate) fn residual_ndf_batch<N: Formulas>(
     ndf: &N,
     h: &[Vec3],
     split: GaussianSplit,
@@ -167,7 +166,7 @@ mod tests {
             core::array::from_fn(|axis| core::array::from_fn(|k| numbers[k / [1, 9, 81, 729, 2][axis] % 9]));
         let ([mut x, mut y, mut up], [v1, v2, v3, u1, u2]) = ([[0.0; 4097]; 3], &arrays);
         let beckmann = Beckmann::new(0.02, 0.5).unwrap();
-        beckmann.visible_samples([v1, v2, v3], [u1, u2], [&mut x, &mut y, &mut up]).unwrap();
+        beckmann.sample_visible_batch([v1, v2, v3], [u1, u2], [&mut x, &mut y, &mut up]).unwrap();
         for k in 0..x.len() {
             let view = arrays.each_ref().map(|array| array[k]);
             let single = beckmann.visible(Scalar, view).map(f32::to_bits);
@@ -179,11 +178,11 @@ mod tests {
     fn arrays_of_different_lengths_are_an_error() {
         let ggx = Ggx::isotropic(0.5).unwrap();
         let [mut x, mut y, mut z] = [[7.0; 4], [7.0; 4], [7.0; 4]];
-        let error = ggx.normals([&[0.0; 4]; 2], [&mut x, &mut y[..3], &mut z]).unwrap_err();
+        let error = ggx.warp_gaussian_batch([&[0.0; 4]; 2], [&mut x, &mut y[..3], &mut z]).unwrap_err();
         assert_eq!(Err(error), BatchError::check("m", 4, 3));
         assert_eq!((x, y, z), ([7.0; 4], [7.0; 4], [7.0; 4]));
-        let error = ggx.visible_samples([&x; 3], [&x, &x[1..]], [&mut y, &mut z, &mut []]).unwrap_err();
+        let error = ggx.sample_visible_batch([&x; 3], [&x, &x[1..]], [&mut y, &mut z, &mut []]).unwrap_err();
         assert_eq!(Err(error), BatchError::check("u", 4, 3));
-        assert_eq!(ggx.densities([&[], &[], &[]], &mut []), Ok(()));
+        assert_eq!(ggx.d_batch([&[], &[], &[]], &mut []), Ok(()));
     }
 }

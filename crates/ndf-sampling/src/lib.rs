@@ -40,7 +40,7 @@
 //! | [`Frame`], [`phi`], [`inverse_phi`] | tangent frames; the Gaussian CDF and its inverse |
 //!
 //! Methods with plural names fill arrays with SIMD: the methods of [`ClosedForm`] for [`Ggx`] and
-//! [`Beckmann`], [`NormalLutRef::bilinear_normals`], [`PackedMapRef::inverses`].
+//! [`Beckmann`], [`NormalLutRef::bilinear_normals`], [`PackedMapRef::inverse_batch`].
 //!
 //! # Conventions
 //!

@@ -115,7 +115,7 @@ pub trait Ndf {
     ///
     /// [`Ggx`](crate::Ggx) and [`Beckmann`](crate::Beckmann) use SIMD.
     #[inline]
-    fn conditional_densities(&self, h: &[Vec3], split: GaussianSplit, densities: &mut [f32]) {
+    fn residual_ndf_batch(&self, h: &[Vec3], split: GaussianSplit, densities: &mut [f32]) {
         for (density, &h) in densities.iter_mut().zip(h) {
             *density = self.residual_ndf(h, split);
         }
@@ -148,14 +148,14 @@ macro_rules! forward_ndf {
         }
 
         #[inline]
-        fn conditional_densities(
+        fn residual_ndf_batch(
             &self,
             h: &[glam::Vec3],
             split: $crate::coordinates::GaussianSplit,
             densities: &mut [f32],
         ) {
             let $this = self;
-            $to.conditional_densities(h, split, densities);
+            $to.residual_ndf_batch(h, split, densities);
         }
     };
 }
@@ -215,7 +215,7 @@ mod tests {
         for ndf in [&ggx as &dyn Ndf, &plain, &&plain] {
             for (len, room) in [(40, 40), (33, 40), (40, 7), (1, 3), (3, 1), (0, 4), (4, 0)] {
                 let mut densities = [f32::NAN; 40];
-                ndf.conditional_densities(&halves[..len], split, &mut densities[..room]);
+                ndf.residual_ndf_batch(&halves[..len], split, &mut densities[..room]);
                 for k in 0..40 {
                     let expected = ndf.residual_ndf(halves[k], split);
                     let written = k < len.min(room);

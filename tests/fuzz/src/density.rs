@@ -31,7 +31,7 @@ pub(crate) fn ndf(ndf: &dyn Ndf, numbers: &mut Numbers<'_>) {
     density(ndf.residual_ndf(m, split));
     let many = [m, numbers.direction(), numbers.vector()];
     let mut densities = [0.0; 3];
-    ndf.conditional_densities(&many, split, &mut densities);
+    ndf.residual_ndf_batch(&many, split, &mut densities);
     for (m, got) in many.into_iter().zip(densities) {
         assert_eq!(got.to_bits(), ndf.residual_ndf(m, split).to_bits(), "{m} {split:?}");
         density(got);

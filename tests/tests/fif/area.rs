@@ -98,7 +98,7 @@ fn normal_distribution_builds_an_ndf_map() {
         let nz = (1.0 - nx * nx - ny * ny).max(0.0).sqrt();
         if texel > 0.0 && nz > 0.0 {
             let normal = DVec3::new(nx, ny, nz);
-            let density = map.density(normal.as_vec3());
+            let density = map.d(normal.as_vec3());
             // Every texel inside the disk matches the map's density up to scale. Texels at the rim
             // count partially.
             let share = density / texel;

@@ -58,11 +58,11 @@ fn at<const I: usize>(arrays: &Arrays<I>, k: usize) -> [f32; I] {
 fn compare<N: ClosedForm + Microfacet>(ndf: &N, alpha: [f32; 2], Inputs { z, u, v }: &Inputs) -> f32 {
     let (mut normals, mut coordinates, mut densities) = (empty(), empty(), empty::<1>());
     let (mut samples, mut visible) = (empty(), empty());
-    ndf.normals(slices(z), mutable(&mut normals)).expect("one length");
-    ndf.coordinates(slices(&normals), mutable(&mut coordinates)).expect("one length");
-    ndf.densities(slices(&normals), &mut densities[0]).expect("one length");
-    ndf.samples(slices(u), mutable(&mut samples)).expect("one length");
-    ndf.visible_samples(slices(v), slices(u), mutable(&mut visible)).expect("one length");
+    ndf.warp_gaussian_batch(slices(z), mutable(&mut normals)).expect("one length");
+    ndf.invert_batch(slices(&normals), mutable(&mut coordinates)).expect("one length");
+    ndf.d_batch(slices(&normals), &mut densities[0]).expect("one length");
+    ndf.sample_batch(slices(u), mutable(&mut samples)).expect("one length");
+    ndf.sample_visible_batch(slices(v), slices(u), mutable(&mut visible)).expect("one length");
     let bits3 = |m: Vec3| m.to_array().map(f32::to_bits);
     let mut worst = 0.0_f32;
     for k in 0..LEN {
@@ -75,7 +75,7 @@ fn compare<N: ClosedForm + Microfacet>(ndf: &N, alpha: [f32; 2], Inputs { z, u, 
         assert_eq!(bits3(m), bits3(ndf.warp_gaussian(z)), "{alpha:?}: T({z})");
         assert_eq!(bits3(drawn), bits3(ndf.sample(u)), "{alpha:?}: sample of {u}");
         let filled = [coordinates[0][k], coordinates[1][k], densities[0][k]];
-        let called = ndf.invert(m).extend(ndf.density(m));
+        let called = ndf.invert(m).extend(ndf.d(m));
         assert_eq!(filled.map(f32::to_bits), bits3(called), "{alpha:?}: T⁻¹ and D of {m}");
         // In the space with roughness 1, times the square root of u, because the distribution
         // starts like a square there.

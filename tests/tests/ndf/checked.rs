@@ -73,9 +73,9 @@ struct Faulty {
 }
 
 impl Ndf for Faulty {
-    fn density(&self, m: Vec3) -> f32 {
+    fn d(&self, m: Vec3) -> f32 {
         let cosines = if self.cosines == 0 { 1.0 } else { m.z.max(0.0).powi(self.cosines) };
-        if m.is_nan() { self.on_nan } else { (self.of.density(m) * self.bright * cosines).min(f32::MAX) }
+        if m.is_nan() { self.on_nan } else { (self.of.d(m) * self.bright * cosines).min(f32::MAX) }
     }
     fn warp_gaussian(&self, z: Vec2) -> Vec3 {
         self.of.warp_gaussian((self.map)(z))
@@ -192,7 +192,7 @@ fn ggx_tables_have_ggx_masking() {
     }
     println!("G1 {:.1e}, projected area {:.1e}", worst[0], worst[1]);
     let ggx = Ggx::isotropic(0.4).unwrap();
-    let at = |cos: f32| ggx.density(Vec3::new((1.0 - cos * cos).sqrt(), 0.0, cos.max(1e-9)));
+    let at = |cos: f32| ggx.d(Vec3::new((1.0 - cos * cos).sqrt(), 0.0, cos.max(1e-9)));
     let masked = Masked::new(Isotropic::from_fn(4001, at).unwrap());
     for up in [1e-3_f32, 0.05, 0.3, 0.7, 0.99] {
         let v = Vec3::new((1.0 - up * up).sqrt(), 0.0, up);

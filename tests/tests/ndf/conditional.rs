@@ -114,12 +114,12 @@ fn mean_over_the_surface_is_the_far_field() {
     for (name, ndf) in parametric().into_iter().chain(maps) {
         for z in COORDINATES {
             let h = ndf.warp_gaussian(z);
-            let far = f64::from(ndf.density(h));
+            let far = f64::from(ndf.d(h));
             // The center of the ring is at the inner edge of a bilinear map, where the density is 0
             // or nearly 0.
             assert!(far > 0.0 || name == "ring", "{name} at {h}");
             for (s, fineness) in [(0.0, 4), (0.1, 4), (0.5, 4), (0.9, 8), (0.99, 16)] {
-                let mean = gaussian_mean(fineness, |z_b| ConditionalNdf::new(&*ndf, z_b, s).density(h));
+                let mean = gaussian_mean(fineness, |z_b| ConditionalNdf::new(&*ndf, z_b, s).d(h));
                 let error = if far > 0.0 { (mean / far - 1.0).abs() } else { mean };
                 worst = worst.max(error);
                 // Measured 7e-8.
@@ -143,7 +143,7 @@ fn samples_of_the_rest_have_its_density() {
             let bins = DiskBins { size: 64, extent: [1.0, 1.0] };
             let expected = bins.integrate(2, |x, y| {
                 let z2 = (1.0 - x * x - y * y).max(1e-14);
-                f64::from(seen.density(Vec3::new(x as f32, y as f32, z2.sqrt() as f32)))
+                f64::from(seen.d(Vec3::new(x as f32, y as f32, z2.sqrt() as f32)))
             });
             let mut random = Random(seed);
             let mut draw = || seen.sample(Vec2::new(random.uniform() as f32, random.uniform() as f32));
@@ -216,7 +216,7 @@ fn beckmann_equals_the_split_of_its_slopes() {
         compared += 1;
         assert!(error < 1e-4, "{row:?}: {got:e}");
         let slopes = OffsetBeckmann::conditional(beckmann, Vec2::from(z_b), w as f32);
-        let error = f64::from(slopes.density(h)) * cos2 * cos2 / expected - 1.0;
+        let error = f64::from(slopes.d(h)) * cos2 * cos2 / expected - 1.0;
         worst_of_slopes = worst_of_slopes.max(error.abs());
         // Only the slopes themselves cancel, rounded to f32.
         assert_abs_diff_eq!(error, 0.0, epsilon = 3e-5, "{row:?}: {error:e}");
@@ -234,14 +234,14 @@ fn fraction_near_one_is_a_narrow_lobe_at_the_facet() {
     let facet = ggx.warp_gaussian(z_b);
     let at = |s: f32, h: Vec3| residual_ndf(&ggx, h, z_b, s);
     // Its peak grows like 1/(1 − s), while the ratio N(z_b)/N(0) stays constant.
-    let expected = ggx.density(facet) * (0.5 * z_b.length_squared()).exp();
+    let expected = ggx.d(facet) * (0.5 * z_b.length_squared()).exp();
     for s in [0.99_f32, 0.999, 0.9999] {
         let peak = at(s, ggx.warp_gaussian(z_b * s.sqrt()));
         let z = z_b * s.sqrt();
-        let there = ggx.density(ggx.warp_gaussian(z)) * (0.5 * z.length_squared()).exp() / (1.0 - s);
+        let there = ggx.d(ggx.warp_gaussian(z)) * (0.5 * z.length_squared()).exp() / (1.0 - s);
         assert_abs_diff_eq!(peak / there, 1.0, epsilon = 1e-3, "s = {s}: {peak} != {there}");
         assert_abs_diff_eq!(there * (1.0 - s) / expected, 1.0, epsilon = 0.05);
     }
-    assert!(at(1.0, facet).is_finite() && at(1.0, facet) > 1e5 * ggx.density(facet));
+    assert!(at(1.0, facet).is_finite() && at(1.0, facet) > 1e5 * ggx.d(facet));
     assert_eq!(at(1.0, ggx.warp_gaussian(-z_b)), 0.0);
 }

@@ -59,7 +59,7 @@ fn lookup_is_close_to_the_exact_density() {
                     let seen = ConditionalNdf::new(&*ndf, gaussian(7 * place + 3), s);
                     let ratio = |k| {
                         let h = seen.warp_gaussian(gaussian(k));
-                        f64::from(table.view().density(h, seen.split())) / f64::from(seen.density(h)) - 1.0
+                        f64::from(table.view().density(h, seen.split())) / f64::from(seen.d(h)) - 1.0
                     };
                     (0..POINTS).map(|k| 0.5 * ratio(k).abs()).sum::<f64>() / f64::from(POINTS)
                 })

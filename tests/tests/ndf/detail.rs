@@ -171,7 +171,7 @@ fn variation(normals: &[Vec3], ndf: &NdfMap) -> f64 {
     let bins = DiskBins { size: 32, extent: [1.0, 1.0] };
     let expected = bins.integrate(8, |x, y| {
         let z2 = 1.0 - x * x - y * y;
-        f64::from(ndf.density(Vec3::new(x as f32, y as f32, z2.max(1e-12).sqrt() as f32)))
+        f64::from(ndf.d(Vec3::new(x as f32, y as f32, z2.max(1e-12).sqrt() as f32)))
     });
     let mut counts = vec![0.0; expected.len()];
     for n in normals {
@@ -236,8 +236,8 @@ fn both_tangent_spaces_describe_the_same_normals() {
     let misread: Vec<Vec3> = normals.iter().map(|&n| other.decode_u16(format.encode_u16(n))).collect();
     let (right, wrong) = (estimate_ndf(&normals).unwrap(), estimate_ndf(&misread).unwrap());
     for n in normals.iter().step_by(997) {
-        let mirrored = wrong.density(Vec3::new(n.x, -n.y, n.z));
+        let mirrored = wrong.d(Vec3::new(n.x, -n.y, n.z));
         // A 16-bit step moves the kernel by 10⁻³ of its width.
-        assert_abs_diff_eq!(mirrored / right.density(*n), 1.0, epsilon = 0.02, "{n}");
+        assert_abs_diff_eq!(mirrored / right.d(*n), 1.0, epsilon = 0.02, "{n}");
     }
 }

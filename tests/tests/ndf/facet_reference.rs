@@ -52,10 +52,10 @@ fn densities() {
         let ndf = ndf(item);
         for (direction, expected) in directions.iter().zip(numbers(&item["D"])) {
             let m = vector(direction);
-            let got = f64::from(ndf.density(m.as_vec3()));
+            let got = f64::from(ndf.d(m.as_vec3()));
             // Densities that fall like exp(−a) amplify the rounding of the two slopes, and of α, by
             // a and by 2.
-            let peak = f64::from(ndf.density(Vec3::Z));
+            let peak = f64::from(ndf.d(Vec3::Z));
             let fall = match item["model"].as_str() {
                 Some("ggx") => 0.0,
                 Some("beckmann") if m.z > 0.0 => {
@@ -249,7 +249,7 @@ fn lobes_of_older_models() {
     for item in file["blinn_phong"].as_array().unwrap() {
         let phong = BlinnPhong::new(number(item, "n") as f32).unwrap();
         for ([wi, wo], row) in pairs.iter().zip(rows(&item["rows"])) {
-            let lobe = |h: Vec3| f64::from(phong.density(h));
+            let lobe = |h: Vec3| f64::from(phong.d(h));
             compare(1, [*wi, *wo], lobe((*wi + *wo).normalize().as_vec3()), lobe(Vec3::Z), row[0]);
         }
     }
@@ -273,7 +273,7 @@ fn marginals() {
                     let (sin, cos) =
                         ((f64::from(k) + 0.5) / f64::from(steps) * core::f64::consts::PI).sin_cos();
                     // n_y runs from −chord to chord like the cosine.
-                    sin * f64::from(ndf.density(DVec3::new(nx, chord * cos, chord * sin).as_vec3()))
+                    sin * f64::from(ndf.d(DVec3::new(nx, chord * cos, chord * sin).as_vec3()))
                 })
                 .sum();
             let got = 2.0 * chord * sum * core::f64::consts::PI / f64::from(steps);

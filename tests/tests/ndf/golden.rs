@@ -24,10 +24,10 @@ fn closed_forms() {
     let ggx = Ggx::new(0.2, 0.4).unwrap();
     let beckmann = Beckmann::new(0.2, 0.4).unwrap();
     let h = direction();
-    single("Ggx::density", ggx.density(h), [0.258_475_57]);
+    single("Ggx::density", ggx.d(h), [0.258_475_57]);
     single("Ggx::from_gaussian", ggx.warp_gaussian(Z), [0.116_753_96, -0.400_299_28, 0.908_916_35]);
     single("Ggx::to_gaussian", ggx.invert(h), [1.464_361_8, -1.098_271_4]);
-    single("Beckmann::density", beckmann.density(h), [0.096_070_141]);
+    single("Beckmann::density", beckmann.d(h), [0.096_070_141]);
     single("Beckmann::from_gaussian", beckmann.warp_gaussian(Z), [0.093_333_341, -0.320_000_02, 0.942_809_1]);
     single("Beckmann::to_gaussian", beckmann.invert(h), [2.357_022_8, -1.767_767]);
     let clamped = Ggx::clamped(f32::NAN, -1.0);
@@ -56,7 +56,7 @@ fn maps() {
     })
     .unwrap();
     assert_eq!((map.view().width(), map.view().height()), (24, 16));
-    single("NdfMap::density", map.density(direction()), [0.103_214_55]);
+    single("NdfMap::density", map.d(direction()), [0.103_214_55]);
     single("NdfMap::from_gaussian", map.warp_gaussian(Z), [0.632_519_13, -0.645_998_66, 0.427_323_4]);
     single("NdfMap::to_gaussian", map.invert(direction()), [0.257_028_73, -0.914_421_2]);
     let map =
@@ -76,7 +76,7 @@ fn packed_maps() {
         let map = PackedMapRef::new(map.array()).unwrap();
         single("PackedMapRef::inverse", map.inverse(Vec2::new(0.3, 0.8)), n);
         single("PackedMapRef::forward", map.forward(h.truncate()), u);
-        single("PackedMapRef::density", map.density(h), [density]);
+        single("PackedMapRef::density", map.d(h), [density]);
     }
 }
 

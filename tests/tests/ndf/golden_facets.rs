@@ -32,7 +32,7 @@ fn stated<const N: usize>(what: &str, name: &str, got: [f32; N]) {
 /// `D`, the density of slopes, `T`, `T⁻¹` and a sample.
 fn maps(name: &str, ndf: &dyn Ndf) {
     let (h, m, z, s) = (direction(), ndf.warp_gaussian(Z), ndf.invert(direction()), ndf.sample(U));
-    let densities = [ndf.density(h), ndf.slope_density(Vec2::new(0.3, -0.4)), ndf.pdf(h)];
+    let densities = [ndf.d(h), ndf.slope_density(Vec2::new(0.3, -0.4)), ndf.pdf(h)];
     let [density, slopes, sample] = densities;
     stated("maps", name, [density, slopes, sample, m.x, m.y, m.z, z.x, z.y, s.x, s.y, s.z]);
 }
@@ -77,7 +77,7 @@ fn composed_densities() {
     within("Radial::exponent", [table.exponent(0.7).unwrap()], [1.286_901_8]);
     let blend = Blend::new(Ggx::new(0.2, 0.4).unwrap(), Beckmann::new(0.5, 0.1).unwrap(), 0.3).unwrap();
     let h = direction();
-    let areas = [blend.density(h), blend.lambda(V), blend.projected_area(V), blend.visible_pdf(V, h)];
+    let areas = [blend.d(h), blend.lambda(V), blend.projected_area(V), blend.visible_pdf(V, h)];
     within("Blend", areas, [0.077_542_68, 0.022_148_935, 0.490_631_46, 0.125_534_24]);
     within("Blend::sample", blend.sample(U), [-0.0, 0.0, 1.0]);
     let seen = blend.sample_visible(V, U);

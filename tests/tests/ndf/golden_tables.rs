@@ -85,7 +85,7 @@ fn bump_maps() {
     let suited = NdfEstimator::suited(&normals);
     single("NdfEstimator::suited", [suited.size() as f64, f64::from(suited.width())], [512.0, 0.015686275]);
     let estimate = estimate_ndf(&normals).unwrap();
-    pinned("estimate_ndf", estimate.density(normals[40]).numbers(), [121.53986], 10.0 * SINGLE);
+    pinned("estimate_ndf", estimate.d(normals[40]).numbers(), [121.53986], 10.0 * SINGLE);
     single("detailed", add_detail(Z, Vec2::new(-0.3, 1.0), 0.5), [0.4919349, -0.62609905]);
     let ggx = Ggx::new(0.2, 0.4).unwrap();
     single(
@@ -122,11 +122,11 @@ fn distributions_of_noise() {
 fn unresolved_parts() {
     let ggx = Ggx::new(0.2, 0.4).unwrap();
     let seen = ConditionalNdf::new(ggx, Z, 0.75);
-    pinned("ConditionalNdf::density", seen.density(direction()).numbers(), [1.2571207], 5.0 * SINGLE);
+    pinned("ConditionalNdf::d", seen.d(direction()).numbers(), [1.2571207], 5.0 * SINGLE);
     single("ConditionalNdf::from_gaussian", seen.warp_gaussian(-Z), [0.037107747, -0.12722658, 0.99117923]);
     single("ConditionalNdf::to_gaussian", seen.invert(direction()), [1.7162881, -0.11808181]);
     let offset = OffsetBeckmann::new(Vec2::new(0.3, -0.2), [0.04, -0.01, 0.09]).unwrap();
-    single("OffsetBeckmann::density", offset.density(direction()), [3.0229151]);
+    single("OffsetBeckmann::density", offset.d(direction()), [3.0229151]);
     single("OffsetBeckmann::from_gaussian", offset.warp_gaussian(Z), [0.35437137, -0.47515145, 0.80538946]);
     pinned(
         "OffsetBeckmann::to_gaussian",

@@ -28,7 +28,7 @@ struct Image {
 
 /// Returns the density inside the disk, and 0 outside.
 fn density(map: &NdfMap, x: f64, y: f64) -> f64 {
-    if x * x + y * y <= 1.0 { f64::from(map.density(Vec3::new(x as f32, y as f32, 1.0))) } else { 0.0 }
+    if x * x + y * y <= 1.0 { f64::from(map.d(Vec3::new(x as f32, y as f32, 1.0))) } else { 0.0 }
 }
 
 impl Image {
@@ -173,7 +173,7 @@ fn images_sample_their_visible_normals() {
             // The density by which a reflectance divides is the same.
             for m in (0..50_u16).map(|k| sample(Vec2::new(f32::from(k) / 50.0, f32::from(k * 7 % 50) / 50.0)))
             {
-                let exact = f64::from(masked.density().density(m)) * f64::from(v.dot(m).max(0.0)) / table;
+                let exact = f64::from(masked.density().d(m)) * f64::from(v.dot(m).max(0.0)) / table;
                 assert_abs_diff_eq!(
                     f64::from(masked.visible_pdf(v, m)) / exact,
                     1.0,
@@ -209,7 +209,7 @@ fn constant_per_solid_angle_is_uniform_on_the_hemisphere() {
     for n in [Vec3::Z, Vec3::new(0.6, 0.0, 0.8), Vec3::new(-0.5, -0.5, 0.5_f32.sqrt())] {
         // D cos θ is the density per solid angle: 1/(2π). The texel's mean of 1/cos θ differs by
         // its width; measured 1.2 %.
-        let per_solid_angle = map.density(n) * n.z * std::f32::consts::TAU;
+        let per_solid_angle = map.d(n) * n.z * std::f32::consts::TAU;
         assert_abs_diff_eq!(per_solid_angle, 1.0, epsilon = 0.02, "{n}: {per_solid_angle}");
     }
 }

@@ -30,7 +30,7 @@ fn maps() -> Vec<(String, (ExactMap, NdfMap))> {
     let ggx = Ggx::new(0.2, 0.4).expect("valid");
     let of = |kind: Reconstruction| {
         vec![
-            ("GGX", image(256, 256, kind, |i, j| ggx.density(middle(i, j)))),
+            ("GGX", image(256, 256, kind, |i, j| ggx.d(middle(i, j)))),
             ("1×1", image(1, 1, kind, |_, _| 3.0)),
             ("2×2, one texel", image(2, 2, kind, |i, j| f32::from(i == 1 && j == 0))),
             ("one hot texel", image(64, 64, kind, |i, j| if (i, j) == (40, 20) { 1e-30 } else { 0.0 })),
@@ -103,7 +103,7 @@ fn samples_match_the_exact_distribution() {
             worst = [worst[0].max(errors[0]), worst[1].max(errors[1])];
             // Where it touches zeros the density may vanish at a sample. A constant density does
             // not.
-            assert!(map.density(map.sample(u)) > 0.0 || name.contains("Bilinear"), "{name} {u}: no density");
+            assert!(map.d(map.sample(u)) > 0.0 || name.contains("Bilinear"), "{name} {u}: no density");
         }
         println!("{name}: worst errors of u over what is allowed {worst:?}");
     });
@@ -120,7 +120,7 @@ fn samples_are_ordered_like_their_uniform_numbers() {
             let u: [&[f32]; 2] = if axis == 0 { [&steps, &fixed] } else { [&fixed, &steps] };
             let mut n = [(); 2].map(|()| vec![0.0; steps.len()]);
             let [x, y] = &mut n;
-            packed.inverses(u, [x, y]).unwrap();
+            packed.inverse_batch(u, [x, y]).unwrap();
             for (k, pair) in n[axis].windows(2).enumerate() {
                 // Root and quotient of a row may round in opposite directions.
                 assert!(pair[0] <= pair[1] + 1.2e-7, "{name}, axis {axis}, {other}: {pair:?} at {k}");
@@ -144,7 +144,7 @@ fn densities_match_the_exact_map() {
                 }
             });
             let density =
-                f64::from(packed.density(n.extend((1.0 - n.length_squared()).max(0.0).sqrt().max(1e-3))));
+                f64::from(packed.d(n.extend((1.0 - n.length_squared()).max(0.0).sqrt().max(1e-3))));
             let (low, high) =
                 (near.iter().copied().fold(f64::MAX, f64::min), near.iter().copied().fold(0.0, f64::max));
             let outside = (n.length() - 1.0).abs() < 1e-5;
@@ -163,17 +163,17 @@ fn batches_equal_single_results() {
         let u = uniforms(1001);
         let [u1, u2]: [Vec<f32>; 2] = [u.iter().map(|u| u.x).collect(), u.iter().map(|u| u.y).collect()];
         let [mut x, mut y, mut v1, mut v2, mut d] = [(); 5].map(|()| vec![0.0_f32; u.len()]);
-        packed.inverses([&u1, &u2], [&mut x, &mut y]).unwrap();
-        packed.forwards([&x, &y], [&mut v1, &mut v2]).unwrap();
-        packed.densities([&x, &y], &mut d).unwrap();
+        packed.inverse_batch([&u1, &u2], [&mut x, &mut y]).unwrap();
+        packed.forward_batch([&x, &y], [&mut v1, &mut v2]).unwrap();
+        packed.d_batch([&x, &y], &mut d).unwrap();
         for (k, &u) in u.iter().enumerate() {
             let n = packed.inverse(u);
             assert_eq!((x[k], y[k]), (n.x, n.y), "{name} {u}");
             let v = packed.forward(n);
             assert_eq!((v1[k], v2[k]), (v.x, v.y), "{name} {n}");
-            assert_eq!(d[k], packed.density(n.extend(0.5)), "{name} {n}");
+            assert_eq!(d[k], packed.d(n.extend(0.5)), "{name} {n}");
         }
-        assert!(packed.inverses([&u1, &u2], [&mut x[1..], &mut y]).is_err());
+        assert!(packed.inverse_batch([&u1, &u2], [&mut x[1..], &mut y]).is_err());
     }
 }
 
@@ -191,7 +191,7 @@ fn total_on_every_input() {
             assert!((0.0..=1.0).contains(&u.x) && (0.0..=1.0).contains(&u.y), "{name} {x} {y}: {u}");
             for z in bad {
                 let m = Vec3::new(x, y, z);
-                assert!(packed.density(m) >= 0.0 && packed.invert(m).is_finite(), "{name} {m}");
+                assert!(packed.d(m) >= 0.0 && packed.invert(m).is_finite(), "{name} {m}");
             }
         }
     }
@@ -226,7 +226,7 @@ fn invalid_storage_is_an_error() {
         let packed = PackedMapRef::new(&other).expect("the header is sound");
         for u in uniforms(20) {
             let n = packed.inverse(u);
-            let _ = (packed.forward(n), packed.density(n.extend(0.5)), packed.forward(u * 2.0 - 1.0));
+            let _ = (packed.forward(n), packed.d(n.extend(0.5)), packed.forward(u * 2.0 - 1.0));
         }
     }
 }

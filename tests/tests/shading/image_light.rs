@@ -150,7 +150,7 @@ fn prefiltered_light_is_the_quotient_of_its_integrals() {
             let (mut sum, mut weight) = (0.0, 0.0);
             for w in spiral(60_000).filter(|w| w.dot(r) > 0.0) {
                 let lobe =
-                    f64::from(ggx.density(Frame::from_normal(r).to_local(half_vector(w, r))) * w.dot(r));
+                    f64::from(ggx.d(Frame::from_normal(r).to_local(half_vector(w, r))) * w.dot(r));
                 sum += lobe * f64::from(map.radiance(w).x);
                 weight += lobe;
             }

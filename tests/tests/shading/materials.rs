@@ -237,7 +237,7 @@ fn flakes_tilt_isotropically() {
 /// Returns the mean of D̂/D over positions, and its standard deviation.
 fn glints<N: Ndf>(field: &GlintField<N>, h: Vec3, width: f32, count: usize) -> [f64; 2] {
     let mut random = Random(17);
-    let density = f64::from(field.ndf().density(h));
+    let density = f64::from(field.ndf().d(h));
     let values = std::iter::repeat_with(|| {
         let p = Vec3::new(random.uniform() as f32, random.uniform() as f32, random.uniform() as f32) * 900.0;
         f64::from(field.density(h, p * width.max(1.0), Footprint::from_width(width))) / density

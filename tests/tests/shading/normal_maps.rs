@@ -113,7 +113,7 @@ fn about(normal: Vec3, alpha: f32) -> OffsetBeckmann {
 /// Returns the density of a point with this slope.
 fn point_by_point(slope: Vec2, alpha: f32) -> impl Fn(Vec3) -> f32 {
     let point = SlopeMoments::point(slope).beckmann(alpha, alpha);
-    move |h| point.density(h)
+    move |h| point.d(h)
 }
 
 /// Widths of pixels, in texels.
@@ -151,7 +151,7 @@ fn slope_groups_keep_the_mean_and_averaged_normals_lose_it() {
             // Toksvig 2005: the length of the mean normal measures the variation of the normals, σ²
             // = (1 − |n|)/|n|.
             let toksvig = |n: Vec3| (alpha * alpha + 2.0 * (1.0 - n.length()) / n.length()).sqrt();
-            let of = |surface: OffsetBeckmann| move |h| surface.density(h);
+            let of = |surface: OffsetBeckmann| move |h| surface.d(h);
             let plain = means(|uv| of(about(at(uv), alpha)), 1000);
             let rough = means(|uv| of(about(at(uv), toksvig(at(uv)))), 1000);
             for (worst, means) in mips.iter_mut().zip([plain, rough]) {
@@ -237,7 +237,7 @@ fn added_noise_keeps_the_far_density_of_the_map() {
     let with_bumps = |n: Vec3| {
         let slope = Vec2::new(n.x, n.y) / n.z;
         let bumps = SlopeMoments::point(slope).beckmann(fine.alpha_x(), fine.alpha_y());
-        move |h| bumps.density(h)
+        move |h| bumps.d(h)
     };
     let far = means(|u| with_bumps(own.sample(u)), 20_000);
     for width in [0.1, 0.2, 0.4, 1.0, 8.0, 1000.0] {

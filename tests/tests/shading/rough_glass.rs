@@ -115,7 +115,7 @@ fn rough_dielectric_value_next_to_the_critical_angle() {
                 continue;
             }
             let h = -(wi + wo).normalize();
-            let facets = ggx.density(h) * ggx.g1(-wi) * ggx.g1(-wo) / (4.0 * wi.z * wo.z);
+            let facets = ggx.d(h) * ggx.g1(-wi) * ggx.g1(-wo) / (4.0 * wi.z * wo.z);
             let exact = inner_reflectance(f64::from(index), wi.as_dvec3(), wo.as_dvec3());
             let error = (f64::from(glass.value(wi, wo).x) / (f64::from(facets) * exact) - 1.0).abs();
             let worst = if off.abs() < 1e-4 { &mut near } else { &mut elsewhere };

@@ -113,7 +113,7 @@ proptest! {
                 prop_assert!(turned(a, by).distance(b) < ROUNDING, "{rule:?}: {a} {b}");
                 let [a, b] = [rule.radiance(ndf, h, one), rule.radiance(ndf, turned(h, by), other)];
                 // An exponent e amplifies the rounding of its terms by e.
-                let tolerance = 1e-4 * (1.0 + (a.max(1e-30) / ndf.density(Vec3::Z)).ln().abs());
+                let tolerance = 1e-4 * (1.0 + (a.max(1e-30) / ndf.d(Vec3::Z)).ln().abs());
                 prop_assert!((a - b).abs() <= tolerance * a.max(1e-6), "{rule:?}: {a} {b}");
             }
         }

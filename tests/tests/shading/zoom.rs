@@ -150,7 +150,7 @@ fn normal_table_supports_the_fractal_rule() {
         let facet = table.bilinear(facet_coordinates(&ndf, coordinates));
         let looked_up = shade_facet(&ndf, &facet, half_vector());
         let direct = LevelOfDetail::Fractal.radiance(&ndf, half_vector(), coordinates);
-        worst = worst.max((looked_up - direct).abs() / ndf.density(Vec3::Z));
+        worst = worst.max((looked_up - direct).abs() / ndf.d(Vec3::Z));
     }
     // Relative to the peak; measured 1.3e-4.
     println!("worst of the table: {worst:.1e}");

@@ -29,7 +29,7 @@ pub(crate) fn disk(context: &Context<'_>, peak: f32, value: impl Fn(Vec3) -> f32
 
 /// Renders the density over the map of normals.
 pub(crate) fn density_panel(context: &Context<'_>, ndf: &SharedNdf, stem: &str, name: &str) -> Result<Panel> {
-    let image = disk(context, peak(|m| ndf.density(m)), |m| ndf.density(m))?;
+    let image = disk(context, peak(|m| ndf.d(m)), |m| ndf.d(m))?;
     let alt = format!("The density {name} over the disk of normals, brightest at its peak.");
     Ok(Panel::new(stem, format!("the NDF: {name}"), alt, image))
 }

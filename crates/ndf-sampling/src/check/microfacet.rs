@@ -59,7 +59,7 @@ pub fn microfacet<N: Microfacet + ?Sized>(density: &N, settings: Settings) -> Re
         let place = || format!("seen from {v}");
         let samples = Density::new(settings, 2 * stream, |u: Vec2| density.sample_visible(v, u));
         let integrals = samples.cells.integrate_all(|m| {
-            let flip_to_visible = f64::from(density.density(m)) * f64::from(v.dot(m).max(0.0));
+            let flip_to_visible = f64::from(density.d(m)) * f64::from(v.dot(m).max(0.0));
             [flip_to_visible, f64::from(density.visible_pdf(v, m))]
         });
         let flip_to_visible: f64 = integrals.iter().map(|[flip_to_visible, _]| flip_to_visible).sum();

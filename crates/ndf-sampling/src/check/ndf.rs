@@ -66,7 +66,7 @@ pub fn ndf<N: Ndf + ?Sized>(ndf: &N, settings: Settings) -> Report {
 pub(super) fn shared<N: Ndf + ?Sized>(ndf: &N, settings: Settings, significance: f64) -> Report {
     let mut report = Report::default();
     let density = Density::new(settings, 0, |u| ndf.sample(u));
-    let masses = density.cells.integrate(|m| f64::from(ndf.density(m)) * f64::from(m.z));
+    let masses = density.cells.integrate(|m| f64::from(ndf.d(m)) * f64::from(m.z));
     let total: f64 = masses.iter().sum();
     report.add("normalization", "|∫ D cos θ dω − 1|", (total - 1.0).abs(), Limit::AtMost(INTEGRAL), "");
     let limit = Limit::AtLeast(significance);
@@ -121,7 +121,7 @@ fn add_jacobian<N: Ndf + ?Sized>(report: &mut Report, ndf: &N, points: impl Iter
             };
             let ([a, b], [c, d]) = (along(H * Vec2::X), along(H * Vec2::Y));
             let area = (a * d - b * c).abs();
-            let density = f64::from(ndf.density(ndf.warp_gaussian(z)));
+            let density = f64::from(ndf.d(ndf.warp_gaussian(z)));
             let phi = math::exp_f64(-0.5 * f64::from(z.length_squared())) / core::f64::consts::TAU;
             ((density * area / phi - 1.0).abs(), z)
         })
@@ -223,7 +223,7 @@ fn add_totality<N: Ndf + ?Sized>(report: &mut Report, ndf: &N) {
         broken.unless(is_facet(sample), || format!("sample({z}) = {sample}"));
         broken.unless(slopes >= 0.0, || format!("slope_density({z}) = {slopes}"));
         for m in ODD.map(|up| z.extend(up)) {
-            let (density, back) = (ndf.density(m), ndf.invert(m));
+            let (density, back) = (ndf.d(m), ndf.invert(m));
             let kept = (0.0..=f32::MAX).contains(&density) && (m.z > 0.0 || density == 0.0);
             broken.unless(kept, || format!("density({m}) = {density}"));
             broken.unless(back.is_finite(), || format!("to_gaussian({m}) = {back}"));

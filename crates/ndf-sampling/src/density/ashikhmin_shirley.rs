@@ -148,7 +148,7 @@ impl AshikhminShirley {
 }
 
 impl Ndf for AshikhminShirley {
-    fn density(&self, m: Vec3) -> f32 {
+    fn d(&self, m: Vec3) -> f32 {
         let [x, y, z] = m.to_array().map(f64::from);
         let (x2, y2) = (x * x, y * y);
         let [nu, nv] = [self.n_u, self.n_v].map(f64::from);

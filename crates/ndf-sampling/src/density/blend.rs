@@ -78,8 +78,8 @@ impl<A, B> Blend<A, B> {
 impl<A: Ndf, B: Ndf> Blend<A, B> {
     /// The density `D(m)` of facet normals, in sr⁻¹, with `∫ D cos θ dω = 1`.
     #[must_use]
-    pub fn density(&self, m: Vec3) -> f32 {
-        self.sum(|a| a.density(m), |b| b.density(m)).min(f32::MAX)
+    pub fn d(&self, m: Vec3) -> f32 {
+        self.sum(|a| a.d(m), |b| b.d(m)).min(f32::MAX)
     }
 
     /// A normal with the density `D` over the macro surface, for a uniform `u` in `[0, 1)²`.
@@ -113,7 +113,7 @@ impl<A: Microfacet, B: Microfacet> Blend<A, B> {
     #[must_use]
     pub fn visible_pdf(&self, v: Vec3, m: Vec3) -> f32 {
         let v = above(v);
-        let density = self.density(m) * v.dot(m).max(0.0) / self.projected_area(v);
+        let density = self.d(m) * v.dot(m).max(0.0) / self.projected_area(v);
         if density >= 0.0 { density.min(f32::MAX) } else { 0.0 }
     }
 }

@@ -127,8 +127,8 @@ mod tests {
         for z in [Vec2::new(0.7, -1.2), Vec2::ZERO, Vec2::new(-3.0, 0.1)] {
             let m = diffuse.warp_gaussian(z);
             assert_abs_diff_eq!(m, ggx.warp_gaussian(z), epsilon = 1e-6, "{m}");
-            assert_abs_diff_eq!(diffuse.density(m) * core::f32::consts::PI, 1.0, epsilon = 1e-6);
+            assert_abs_diff_eq!(diffuse.d(m) * core::f32::consts::PI, 1.0, epsilon = 1e-6);
         }
-        assert_eq!(diffuse.density(Vec3::NEG_Z), 0.0);
+        assert_eq!(diffuse.d(Vec3::NEG_Z), 0.0);
     }
 }

@@ -32,7 +32,7 @@ macro_rules! closed_form {
     ($density:ident) => {
         impl crate::ndf::Ndf for $density {
             #[inline]
-            fn density(&self, m: glam::Vec3) -> f32 {
+            fn d(&self, m: glam::Vec3) -> f32 {
                 let [density] = self.density_in_lanes(asperity_core::lanes::Scalar, m.to_array());
                 density
             }
@@ -58,13 +58,13 @@ macro_rules! closed_form {
                 density
             }
 
-            fn conditional_densities(
+            fn residual_ndf_batch(
                 &self,
                 h: &[glam::Vec3],
                 split: crate::coordinates::GaussianSplit,
                 densities: &mut [f32],
             ) {
-                crate::closed_form::conditional_densities(self, h, split, densities);
+                crate::closed_form::residual_ndf_batch(self, h, split, densities);
             }
         }
     };

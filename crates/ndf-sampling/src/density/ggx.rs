@@ -4,7 +4,7 @@ use core::f32::consts::{PI, SQRT_2};
 
 use glam::{Vec2, Vec3};
 
-use crate::closed_form::ClosedForm;
+use crate::closed_form::Formulas;
 use crate::coordinates::{FARTHEST, GaussianSplit};
 use crate::density::closed_form::{closed_form, probabilities, stretched, unit};
 use crate::density::roughness::{Roughness, roughness_parameters};
@@ -55,7 +55,7 @@ roughness_parameters!(Ggx);
 
 closed_form!(Ggx);
 
-impl ClosedForm for Ggx {
+impl Formulas for Ggx {
     #[inline(always)]
     fn normal<S: Arithmetic>(&self, s: S, [z1, z2]: [S::F; 2]) -> [S::F; 3] {
         let (z1, z2) = (s.bounded(z1, FARTHEST), s.bounded(z2, FARTHEST));

@@ -206,7 +206,7 @@ impl<S: Deref<Target = [Node]>> IsotropicIn<S> {
 
 impl<S: Deref<Target = [Node]>> Ndf for IsotropicIn<S> {
     #[inline]
-    fn density(&self, m: Vec3) -> f32 {
+    fn d(&self, m: Vec3) -> f32 {
         let (x, y, z) = (f64::from(m.x), f64::from(m.y), f64::from(m.z));
         let cos = z / math::sqrt_f64(x * x + y * y + z * z);
         let at = cos * self.cells() as f64;
@@ -322,7 +322,7 @@ mod tests {
             let m = diffuse.warp_gaussian(z);
             assert_abs_diff_eq!(table.warp_gaussian(z), m, epsilon = 1e-6, "T({z})");
             assert_abs_diff_eq!(table.invert(m), z, epsilon = 2e-5, "T⁻¹({m})");
-            assert_abs_diff_eq!(table.density(m) * core::f32::consts::PI, 1.0, epsilon = 1e-6, "{z}");
+            assert_abs_diff_eq!(table.d(m) * core::f32::consts::PI, 1.0, epsilon = 1e-6, "{z}");
         }
         let m = table.warp_gaussian(Vec2::new(1e-5, 0.0));
         assert_abs_diff_eq!(m.x / (1e-5 * 0.5_f32.sqrt()), 1.0, epsilon = 1e-5);

@@ -148,7 +148,7 @@ pub(crate) fn untilted(m: Vec3, exponent: impl Fn(f64) -> f64) -> Vec2 {
 }
 
 impl<A: Radial, B: Radial> Ndf for Mixture<A, B> {
-    forward! { |mixture| mixture.blend; density(m: Vec3) -> f32; sample(u: Vec2) -> Vec3; }
+    forward! { |mixture| mixture.blend; d(m: Vec3) -> f32; sample(u: Vec2) -> Vec3; }
 
     fn warp_gaussian(&self, z: Vec2) -> Vec3 {
         let z = bounded(z);

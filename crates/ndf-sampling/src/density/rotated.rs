@@ -62,8 +62,8 @@ impl<N> Rotated<N> {
 
 impl<N: Ndf> Ndf for Rotated<N> {
     #[inline]
-    fn density(&self, m: Vec3) -> f32 {
-        self.ndf.density(self.back3(m))
+    fn d(&self, m: Vec3) -> f32 {
+        self.ndf.d(self.back3(m))
     }
 
     #[inline]

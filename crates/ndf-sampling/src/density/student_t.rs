@@ -128,7 +128,7 @@ impl StudentT {
 }
 
 impl Ndf for StudentT {
-    fn density(&self, m: Vec3) -> f32 {
+    fn d(&self, m: Vec3) -> f32 {
         let [x, y, z] = m.to_array().map(f64::from);
         let (ax, ay, gamma) = (f64::from(self.alpha.x), f64::from(self.alpha.y), f64::from(self.gamma));
         let q2 = ((x / ax) * (x / ax) + (y / ay) * (y / ay)) / (z * z);
@@ -233,7 +233,7 @@ mod tests {
                 assert_abs_diff_eq!(student.warp_gaussian(z), m, epsilon = 1e-6);
                 assert_abs_diff_eq!(student.invert(m), z, epsilon = 4e-6);
                 assert_abs_diff_eq!(
-                    student.density(m) / other.density(m),
+                    student.d(m) / other.d(m),
                     1.0,
                     epsilon = 5e-6,
                     "{gamma} {z}"

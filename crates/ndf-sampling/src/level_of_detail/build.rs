@@ -51,7 +51,7 @@ impl ConditionalTable {
             let mut sum = 0.0;
             for (k, l) in (0..POINTS).flat_map(|k| (0..POINTS).map(move |l| (k, l))) {
                 let place = |k: usize| (k as f64 + 0.5) / POINTS as f64;
-                sum += f64::from(ndf.density(at(place(k), place(l))));
+                sum += f64::from(ndf.d(at(place(k), place(l))));
             }
             let mean = sum / (POINTS * POINTS) as f64;
             [z.x, z.y, math::sqrt_f64(math::sqrt_f64(mean)) as f32]
@@ -68,7 +68,7 @@ impl ConditionalTable {
         let (mut ratios, mut squares, mut weight) = (0.0, 0.0, 0.0);
         for (k, l) in (0..QUANTILES).flat_map(|k| (0..QUANTILES).map(move |l| (k, l))) {
             let h = ndf.warp_gaussian(Vec2::new(quantile(k), quantile(l)));
-            let exact = f64::from(ndf.density(h));
+            let exact = f64::from(ndf.d(h));
             // Rounding of a normal at a border may leave the support of the NDF.
             if exact > 0.0 {
                 let got = f64::from(self.density(h, GaussianSplit::new(Vec2::ZERO, 0.0)));

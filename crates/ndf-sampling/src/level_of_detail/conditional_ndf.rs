@@ -65,7 +65,7 @@ impl<N: Ndf> ConditionalNdf<N> {
 
 impl<N: Ndf> Ndf for ConditionalNdf<N> {
     #[inline]
-    fn density(&self, m: Vec3) -> f32 {
+    fn d(&self, m: Vec3) -> f32 {
         self.ndf.residual_ndf(m, self.split)
     }
 
@@ -111,7 +111,7 @@ mod tests {
                 // At most 4 · 10⁻³ standard deviations of slope.
                 let facet = seen.warp_gaussian(xi);
                 assert_abs_diff_eq!(facet, beckmann.warp_gaussian(z_b), epsilon = 1.5e-3, "{s} {xi}");
-                assert!(seen.density(facet).is_finite());
+                assert!(seen.d(facet).is_finite());
             }
         }
     }
@@ -126,7 +126,7 @@ mod tests {
         let z = (z1 * s1.sqrt() + z2 * ((1.0 - s1) * s2).sqrt()) / s.sqrt();
         for k in 0..20 {
             let h = ggx.warp_gaussian(Vec2::new(0.1 * k as f32 - 1.0, 0.5 - 0.07 * k as f32));
-            let (got, expected) = (twice.density(h), residual_ndf(&ggx, h, z, s));
+            let (got, expected) = (twice.d(h), residual_ndf(&ggx, h, z, s));
             assert_abs_diff_eq!(got / expected, 1.0, epsilon = 1e-4, "{h}");
         }
     }

@@ -124,7 +124,7 @@ impl OffsetBeckmann {
 
 impl Ndf for OffsetBeckmann {
     #[inline]
-    fn density(&self, m: Vec3) -> f32 {
+    fn d(&self, m: Vec3) -> f32 {
         let z = self.coordinates(Vec2::new(m.x / m.z, m.y / m.z));
         let falloff = math::exp(-0.5 * (z.x * z.x + z.y * z.y));
         if m.z > 0.0 && falloff > 0.0 {
@@ -177,7 +177,7 @@ mod tests {
             let z = Vec2::new(0.2 * k as f32 - 6.0, 3.0 - 0.1 * k as f32);
             let m = beckmann.warp_gaussian(z);
             assert_abs_diff_eq!(same.warp_gaussian(z), m, epsilon = 1e-6);
-            assert_abs_diff_eq!(same.density(m) / beckmann.density(m), 1.0, epsilon = 5e-5, "{z}");
+            assert_abs_diff_eq!(same.d(m) / beckmann.d(m), 1.0, epsilon = 5e-5, "{z}");
         }
     }
 

@@ -193,7 +193,7 @@ impl<N: Ndf> Microfacet for Masked<N> {
             // No facet in a wedge faces the view.
             let Some((cell, s)) = found else { return self.ndf.sample(u) };
             let m = direction(cell.tilt[0] + cell.tilt[1] * s, cell.turn[0] + cell.turn[1] * u.y);
-            let share = self.ndf.density(m) * v.dot(m).max(0.0) / (cell.most * cell.flip_to_visible(v));
+            let share = self.ndf.d(m) * v.dot(m).max(0.0) / (cell.most * cell.flip_to_visible(v));
             let chance = random.uniform();
             if chance < share {
                 return m;

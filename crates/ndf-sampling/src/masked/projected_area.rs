@@ -131,7 +131,7 @@ fn facets<N: Ndf + ?Sized>(ndf: &N) -> Vec<(Vec3, f32)> {
             // often.
             let turn = (sector as f64 + (ring as f64 * 0.618_033_988_75) % 1.0) / SECTORS as f64;
             let m = direction((2.0 * half * half) as f32, turn as f32);
-            let weight = f64::from(ndf.density(m)) * solid_angle;
+            let weight = f64::from(ndf.d(m)) * solid_angle;
             if weight > 0.0 {
                 total += weight * f64::from(m.z);
                 facets.push((m, weight as f32));

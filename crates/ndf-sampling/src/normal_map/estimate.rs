@@ -306,6 +306,6 @@ mod tests {
     #[test]
     fn estimate_of_a_single_direction_is_valid() {
         let flat = estimate_ndf(&[Vec3::Z; 10]).unwrap();
-        assert!(crate::Ndf::density(&flat, Vec3::Z) > 1000.0);
+        assert!(crate::Ndf::d(&flat, Vec3::Z) > 1000.0);
     }
 }

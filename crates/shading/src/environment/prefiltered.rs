@@ -70,7 +70,7 @@ struct Lobe(Ggx);
 
 impl Brdf for Lobe {
     fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
-        Vec3::splat(0.25 * self.0.density(half_vector(wi, wo)))
+        Vec3::splat(0.25 * self.0.d(half_vector(wi, wo)))
     }
 
     fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {

@@ -20,7 +20,7 @@ use crate::math::{clamp_to, sqrt};
 /// §3.1.
 #[must_use]
 pub fn far_field<N: Ndf + ?Sized>(ndf: &N, h: Vec3) -> f32 {
-    if h.z > 0.0 && h.is_finite() { ndf.density(h) } else { 0.0 }
+    if h.z > 0.0 && h.is_finite() { ndf.d(h) } else { 0.0 }
 }
 
 /// Shading of one facet with the whole NDF in the frame of the facet.
@@ -154,7 +154,7 @@ impl LevelOfDetail {
         let frame = match self {
             Self::Exact => {
                 let split = GaussianSplit::new(coordinates.z, coordinates.share);
-                ndf.conditional_densities(halves, split, radiances);
+                ndf.residual_ndf_batch(halves, split, radiances);
                 None
             }
             Self::Fractal => Some(Frame::from_normal(self.normal(ndf, coordinates))),
@@ -223,7 +223,7 @@ mod tests {
         assert_eq!(m, ndf.warp_gaussian(coordinates.z));
         // Straight at the facet the peak of the whole NDF is visible.
         let peak = LevelOfDetail::Fractal.radiance(&ndf, m, coordinates);
-        assert_abs_diff_eq!(peak / ndf.density(Vec3::Z), 1.0, epsilon = 1e-4);
+        assert_abs_diff_eq!(peak / ndf.d(Vec3::Z), 1.0, epsilon = 1e-4);
     }
 
     #[test]
@@ -247,7 +247,7 @@ mod tests {
     struct Unruly;
 
     impl Ndf for Unruly {
-        fn density(&self, m: Vec3) -> f32 {
+        fn d(&self, m: Vec3) -> f32 {
             2.0 + m.x
         }
 

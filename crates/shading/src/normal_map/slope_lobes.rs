@@ -94,7 +94,7 @@ impl<const K: usize> SlopeLobes<K> {
     #[must_use]
     pub fn density(&self, fine: Beckmann, noise: Coordinates, h: Vec3) -> f32 {
         if h.z > 0.0 && h.is_finite() {
-            let part = |lobe: &SlopeLobe| lobe.weight * lobe.moments.add_detail(fine, noise).density(h);
+            let part = |lobe: &SlopeLobe| lobe.weight * lobe.moments.add_detail(fine, noise).d(h);
             self.lobes.iter().filter(|lobe| lobe.weight > 0.0).map(part).sum::<f32>().min(f32::MAX)
         } else {
             0.0

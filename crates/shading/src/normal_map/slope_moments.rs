@@ -195,7 +195,7 @@ mod tests {
                 let noise = Coordinates { z: Vec2::new(c, x), share: y, fade: 1.0 };
                 for h in [Vec3::Z, Vec3::new(0.6, 0.0, 0.8), Vec3::new(x, y, c)] {
                     let densities =
-                        [moments.beckmann(x, y), moments.add_detail(fine, noise)].map(|d| d.density(h));
+                        [moments.beckmann(x, y), moments.add_detail(fine, noise)].map(|d| d.d(h));
                     assert!(densities.iter().all(|d| *d >= 0.0 && d.is_finite()), "{moments:?}, {h}");
                 }
                 assert_abs_diff_eq!(moments.normal().length(), 1.0, epsilon = 1e-5);

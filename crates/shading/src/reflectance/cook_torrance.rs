@@ -93,7 +93,7 @@ impl<D: Microfacet, F: Fresnel> Brdf for CookTorrance<D, F> {
             Masking::Correlated => self.density.g2(wi, wo),
             Masking::Separable => self.density.g2_separable(wi, wo),
         };
-        finite(self.density.density(h) * masking / (4.0 * wi.z * wo.z))
+        finite(self.density.d(h) * masking / (4.0 * wi.z * wo.z))
             * self.fresnel.reflectance_rgb(wo.dot(h))
     }
 
@@ -117,7 +117,7 @@ mod tests {
         let ndf = Ggx::isotropic(0.5).unwrap();
         let smith = CookTorrance::new(ndf, Vec3::ONE).value(Vec3::Z, Vec3::Z);
         let grooves = TorranceSparrow::new(ndf, Vec3::ONE).value(Vec3::Z, Vec3::Z);
-        let expected = Vec3::splat(0.25 * ndf.density(Vec3::Z));
+        let expected = Vec3::splat(0.25 * ndf.d(Vec3::Z));
         assert!((smith - expected).length() < 1e-6 && (grooves - expected).length() < 1e-6);
     }
 

@@ -213,7 +213,7 @@ impl Brdf for Lobe<'_> {
                 even + (bright - even).max(Vec3::ZERO).min(most) * (weight - mean)
             }
             Kind::Resolved { ndf, rule, coordinates } => facets(rule.radiance(*ndf, h, *coordinates)),
-            Kind::Slopes(slopes) => facets(slopes.density(h)),
+            Kind::Slopes(slopes) => facets(slopes.d(h)),
             Kind::Frosted(glass) => glass.value(wi, wo),
             Kind::Other(brdf) => brdf.value(wi, wo),
         };

@@ -207,7 +207,7 @@ impl<D: Microfacet> Brdf for RoughDielectric<D> {
         // The far side of a thin wall is seen through it, as if light came from above.
         let back = if meeting.crosses && self.wall.is_some() { Vec3::new(wi.x, wi.y, -wi.z) } else { wi };
         let masking = self.density.g2_separable(seen_from_above(back), seen_from_above(wo));
-        let facets = self.density.density(meeting.h) * masking * meeting.cosines[1] * meeting.jacobian;
+        let facets = self.density.d(meeting.h) * masking * meeting.cosines[1] * meeting.jacobian;
         finite(facets / (wi.z * wo.z).abs()) * self.share(wo, &meeting)
     }
 

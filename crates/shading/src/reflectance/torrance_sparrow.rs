@@ -70,7 +70,7 @@ impl<D: Ndf, F: Fresnel> Brdf for TorranceSparrow<D, F> {
         // G/(cos θ_i cos θ_o), with the smaller cosine cancelled.
         let (low, high) = if wi.z < wo.z { (wi.z, wo.z) } else { (wo.z, wi.z) };
         let masked = (1.0 / low).min(2.0 * h.z / cosine) / high;
-        finite(self.density.density(h) * masked * 0.25) * self.fresnel.reflectance_rgb(cosine)
+        finite(self.density.d(h) * masked * 0.25) * self.fresnel.reflectance_rgb(cosine)
     }
 
     fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {

@@ -301,10 +301,10 @@ mod tests {
         let one = file(&folder, "one.png", &png(1, &[0x09_0909]));
         let density = Density::parse(&one, Images::USUAL).unwrap();
         // Uniform over the disk: D = 1/π.
-        assert_abs_diff_eq!(density.ndf.density(Vec3::Z), std::f32::consts::FRAC_1_PI, epsilon = 1e-6);
+        assert_abs_diff_eq!(density.ndf.d(Vec3::Z), std::f32::consts::FRAC_1_PI, epsilon = 1e-6);
         let two = file(&folder, "two.png", &png(1, &[0x80_8080, 0x40_4040]));
         let ndf = Density::parse(&two, Images::USUAL).unwrap().ndf;
-        let [below, above] = [-0.6, 0.6].map(|y| ndf.density(Vec3::new(0.0, y, 0.8)));
+        let [below, above] = [-0.6, 0.6].map(|y| ndf.d(Vec3::new(0.0, y, 0.8)));
         assert_abs_diff_eq!(below / above, 0.5, epsilon = 1e-5);
     }
 
@@ -321,11 +321,11 @@ mod tests {
         {
             let reading = Images { tangent_space: Some(tangent_space), ..Images::USUAL };
             let density = Density::parse(&spec, reading).unwrap();
-            assert!(density.ndf.density(high) > 1.0 && density.ndf.density(low) == 0.0);
+            assert!(density.ndf.d(high) > 1.0 && density.ndf.d(low) == 0.0);
             assert_eq!(density.name(), "Normals of leaning.png");
         }
         // Without blue, as a PNG and as two channels, and with a blue channel that is not z.
-        let lean = Density::parse(&spec, Images::USUAL).unwrap().ndf.density(up);
+        let lean = Density::parse(&spec, Images::USUAL).unwrap().ndf.d(up);
         let flat = [0x80_cc00, 0x80_80_00, 0x80_cc00, 0x80_80_00];
         for (name, bytes) in [
             ("zero.png", png(2, &flat)),
@@ -334,25 +334,25 @@ mod tests {
             ("two.exr", exr(1, 2, [("N.X", vec![0.0; 2]), ("N.Y", vec![0.6, 0.0])]).unwrap()),
         ] {
             let spec = format!("{NORMAL_MAP}{}", file(&folder, name, &bytes));
-            let got = Density::parse(&spec, Images::USUAL).unwrap().ndf.density(up);
+            let got = Density::parse(&spec, Images::USUAL).unwrap().ndf.d(up);
             assert!(got > 0.3 * lean && got < lean, "{name}: {got} of {lean}");
             let read = Images { blue: Some(Blue::Read), ..Images::USUAL };
-            let rim = Density::parse(&spec, read).unwrap().ndf.density(up);
+            let rim = Density::parse(&spec, read).unwrap().ndf.d(up);
             assert!(name == "half.png" || rim != got, "{name}: {rim}");
         }
         // Lossy compression leaves a nearly constant blue channel.
         let noisy = Image::from_fn(64, 64, |_, y| hex(flat[y as usize / 16])).encode(Format::Jpeg).unwrap();
         let spec = format!("{NORMAL_MAP}{}", file(&folder, "noisy.jpg", &noisy));
-        let got = Density::parse(&spec, Images::USUAL).unwrap().ndf.density(up);
+        let got = Density::parse(&spec, Images::USUAL).unwrap().ndf.d(up);
         let read = Density::parse(&spec, Images { blue: Some(Blue::Read), ..Images::USUAL }).unwrap();
-        assert!(got > 2.0 * read.ndf.density(up), "{got}");
+        assert!(got > 2.0 * read.ndf.d(up), "{got}");
         // Floats from 0 to 1, and pixels outside the data window.
         let unsigned =
             [("R", vec![0.5; 4]), ("G", vec![0.8, 0.8, 0.5, 0.5]), ("B", vec![0.9, 0.9, 1.0, 1.0])];
         let signed = [("R", vec![0.0; 4]), ("G", vec![0.6, 0.6, 0.0, 0.0]), ("B", vec![0.8, 0.8, 1.0, 0.0])];
         for (name, channels) in [("unsigned.exr", unsigned), ("signed.exr", signed)] {
             let spec = format!("{NORMAL_MAP}{}", file(&folder, name, &exr(2, 2, channels).unwrap()));
-            let got = Density::parse(&spec, Images::USUAL).unwrap().ndf.density(up);
+            let got = Density::parse(&spec, Images::USUAL).unwrap().ndf.d(up);
             assert!(got > 0.3 * lean && got < lean, "{name}: {got} of {lean}");
         }
         let swizzled = file(&folder, "dxt5nm.png", &png(2, &[0xff_cc00, 0xff_8000, 0xff_4000]));

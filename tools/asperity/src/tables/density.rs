@@ -134,7 +134,7 @@ fn at_center(map: &dyn Ndf, [i, j]: [usize; 2], [width, height]: [usize; 2]) -> 
     let center = |i: usize, n: usize| 2.0 * (i as f64 + 0.5) / n as f64 - 1.0;
     let (x, y) = (center(i, width), center(j, height));
     let z2 = 1.0 - x * x - y * y;
-    if z2 > 0.0 { map.density(Vec3::new(x as f32, y as f32, z2.sqrt() as f32)) } else { 0.0 }
+    if z2 > 0.0 { map.d(Vec3::new(x as f32, y as f32, z2.sqrt() as f32)) } else { 0.0 }
 }
 
 /// Encodes a square texture with these channels.

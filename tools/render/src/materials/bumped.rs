@@ -130,7 +130,7 @@ mod tests {
             facets: Facets::Consistent(LevelOfDetail::Exact),
             bumps: bumps.field(3, DVec3::ZERO).unwrap(),
             lamps: vec![Lamp { direction: Vec3::Z, color: Vec3::ONE }],
-            most: share_beyond(ndf.density(Vec3::Z), radius),
+            most: share_beyond(ndf.d(Vec3::Z), radius),
             diffuse: Vec3::ZERO,
         };
         let (mut sum, mut greatest) = (0.0, 0.0_f32);
@@ -145,7 +145,7 @@ mod tests {
 
     #[test]
     fn lamp_radius_keeps_the_mean_and_lowers_the_peak() {
-        let far = Ggx::new(0.2, 0.4).unwrap().density(Vec3::Z);
+        let far = Ggx::new(0.2, 0.4).unwrap().d(Vec3::Z);
         let [(point, brightest), (disc, bright)] = [0.02, 0.14].map(seen);
         // 40,000 points of 5500 cells, with a standard deviation of 4 means for the disc and 30 for
         // the point.

@@ -86,7 +86,7 @@ impl<'a> RenderRequest<'a> {
     pub fn scene(&self, shape: &Arc<Shape>) -> Result<Scene<'a, 'a>, Failure> {
         let focus = self.view.focus.as_dvec3();
         let bumps = self.bumps.field(self.sampling.seed, focus)?;
-        let peak = peak(|m| self.ndf.density(m));
+        let peak = peak(|m| self.ndf.d(m));
         let lamps = studio(self.tint * (self.exposure / peak));
         let (ndf, facets) = (self.ndf, self.facets);
         let (most, diffuse) = (share_beyond(peak, LAMP), self.tint * DIFFUSE);

@@ -44,7 +44,7 @@ impl PackedMapRef<'_> {
     ///
     /// # Errors
     /// Arrays of different lengths. Nothing is written in this case.
-    pub fn inverses(&self, u: [&[f32]; 2], n: [&mut [f32]; 2]) -> Result<(), BatchError> {
+    pub fn inverse_batch(&self, u: [&[f32]; 2], n: [&mut [f32]; 2]) -> Result<(), BatchError> {
         BatchError::check_all(&[("u", &u)], ("n", &n)).map(|()| self.many::<Inverse, 2>(u, n))
     }
 
@@ -54,7 +54,7 @@ impl PackedMapRef<'_> {
     ///
     /// # Errors
     /// Arrays of different lengths. Nothing is written in this case.
-    pub fn forwards(&self, n: [&[f32]; 2], u: [&mut [f32]; 2]) -> Result<(), BatchError> {
+    pub fn forward_batch(&self, n: [&[f32]; 2], u: [&mut [f32]; 2]) -> Result<(), BatchError> {
         BatchError::check_all(&[("n", &n)], ("u", &u)).map(|()| self.many::<Forward, 2>(n, u))
     }
 
@@ -62,7 +62,7 @@ impl PackedMapRef<'_> {
     ///
     /// # Errors
     /// Arrays of different lengths. Nothing is written in this case.
-    pub fn densities(&self, n: [&[f32]; 2], density: &mut [f32]) -> Result<(), BatchError> {
+    pub fn d_batch(&self, n: [&[f32]; 2], density: &mut [f32]) -> Result<(), BatchError> {
         let density = [density];
         BatchError::check_all(&[("n", &n)], ("density", &density))
             .map(|()| self.many::<Density, 1>(n, density))
@@ -120,7 +120,7 @@ impl<K: Staged<OUT>, const OUT: usize> Task for Fill<'_, K, OUT> {
 
 impl Ndf for PackedMapRef<'_> {
     #[inline]
-    fn density(&self, m: Vec3) -> f32 {
+    fn d(&self, m: Vec3) -> f32 {
         let [density] = self.one::<Density, 1>(m.truncate());
         if m.z > 0.0 { density } else { 0.0 }
     }

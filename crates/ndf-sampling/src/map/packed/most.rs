@@ -51,7 +51,7 @@ mod tests {
                     let x = (i + f64::from(k % 20) / 114.0) as f32;
                     let y = (j + f64::from(k / 20) / 114.0) as f32;
                     let up = (1.0 - x * x - y * y).max(0.0).sqrt();
-                    seen = seen.max(map.density(Vec3::new(x, y, up)));
+                    seen = seen.max(map.d(Vec3::new(x, y, up)));
                 }
                 assert!(seen <= most, "{i} {j}: {seen} above {most}");
                 attained += u32::from(seen > 0.5 * most);

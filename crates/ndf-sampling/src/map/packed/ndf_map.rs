@@ -129,7 +129,7 @@ impl NdfMap {
         reconstruction: Reconstruction,
         ndf: &N,
     ) -> Result<Self, NdfMapError> {
-        Self::from_fn(width, height, Measure::Normals, reconstruction, |m| ndf.density(m))
+        Self::from_fn(width, height, Measure::Normals, reconstruction, |m| ndf.d(m))
     }
 
     /// The map as a borrowed view, which has the array methods.
@@ -213,14 +213,14 @@ mod tests {
             texels[corner] = f32::NAN;
         }
         let map = NdfMap::from_texels(8, 8, &texels, Measure::Normals, Reconstruction::Constant).unwrap();
-        assert_abs_diff_eq!(map.density(Vec3::Z), core::f32::consts::FRAC_1_PI, epsilon = 1e-6);
+        assert_abs_diff_eq!(map.d(Vec3::Z), core::f32::consts::FRAC_1_PI, epsilon = 1e-6);
     }
 
     #[test]
     fn first_row_is_at_negative_y() {
         let map = NdfMap::from_texels(1, 2, &[1.0, 0.0], Measure::Normals, Reconstruction::Constant).unwrap();
-        assert!(map.density(Vec3::new(0.0, -0.6, 0.8)) > 0.6);
-        assert_eq!(map.density(Vec3::new(0.0, 0.6, 0.8)), 0.0);
+        assert!(map.d(Vec3::new(0.0, -0.6, 0.8)) > 0.6);
+        assert_eq!(map.d(Vec3::new(0.0, 0.6, 0.8)), 0.0);
     }
 
     #[test]
@@ -244,7 +244,7 @@ mod tests {
                     let m = map.warp_gaussian(Vec2::new(k as f32 * 0.01, far));
                     assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-6, "{size} {k}");
                     assert!(m.z > 0.0, "{size} {k}: {m}");
-                    assert!(map.density(m) > 0.3 && map.invert(m).is_finite(), "{size} {k}: {m}");
+                    assert!(map.d(m) > 0.3 && map.invert(m).is_finite(), "{size} {k}: {m}");
                 }
             }
         }

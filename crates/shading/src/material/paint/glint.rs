@@ -130,7 +130,7 @@ impl<N: Ndf> GlintField<N> {
     /// Finite for an `h` of any length.
     #[must_use]
     pub fn density(&self, h: Vec3, position: Vec3, footprint: Footprint) -> f32 {
-        let density = self.ndf.density(h);
+        let density = self.ndf.d(h);
         if density.is_nan() || density <= 0.0 {
             return 0.0;
         }
@@ -244,7 +244,7 @@ fn nearest(place: Vec3, seed: u32) -> ([i32; 3], Vec3) {
 
 impl<N: Ndf> CountedFacets for GlintField<N> {
     fn relative(&self, h: Vec3, position: Vec3, footprint: Footprint) -> f32 {
-        let all = self.ndf.density(h);
+        let all = self.ndf.d(h);
         if all > 0.0 { self.density(h, position, footprint) / all } else { 0.0 }
     }
 }
@@ -446,7 +446,7 @@ mod tests {
             let flake = field.flake(p).unwrap();
             assert!(p.distance(flake.center) < 0.01 * 1.5);
             let lit = field.density(flake.normal, p, near);
-            assert!(lit > 50.0 * field.ndf().density(flake.normal), "{p}: {lit}");
+            assert!(lit > 50.0 * field.ndf().d(flake.normal), "{p}: {lit}");
             assert_eq!(field.density(field.ndf().warp_gaussian(Vec2::splat(5.0)), p, near), 0.0);
         }
     }

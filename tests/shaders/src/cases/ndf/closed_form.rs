@@ -107,7 +107,7 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
                     m.x,
                     m.y,
                     m.z,
-                    ndf.density(h).max(FAINT),
+                    ndf.d(h).max(FAINT),
                     back.x,
                     back.y,
                     centre.x,
@@ -188,7 +188,7 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
                 let ([mut x], [mut y], [mut z]) = ([0.0; 1], [0.0; 1], [0.0; 1]);
                 let arrays = [&mut x, &mut y, &mut z].map(core::slice::from_mut);
                 let (view, u) = ([&[vx][..], &[vy], &[vz]], [&[u1][..], &[u2]]);
-                ndf.visible_samples(view, u, arrays).expect("arrays of one number");
+                ndf.sample_visible_batch(view, u, arrays).expect("arrays of one number");
                 let above = above(v);
                 words(&[
                     ndf.lambda(v).clamp(1e-30, 1e30),

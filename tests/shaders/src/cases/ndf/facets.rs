@@ -90,7 +90,7 @@ impl Facets {
                 let (ndf, h) = (of([p, q, r]), Vec3::new(x, y, up));
                 let (m, back) = (ndf.warp_gaussian(Vec2::new(z1, z2)), ndf.invert(h));
                 let sample = ndf.sample(Vec2::new(u1, u2));
-                let density = ndf.density(h).max(FAINT);
+                let density = ndf.d(h).max(FAINT);
                 words(&[m.x, m.y, m.z, density, back.x, back.y, 0.0, 0.0, sample.x, sample.y, sample.z])
             }),
             outputs: vec![

@@ -87,7 +87,7 @@ fn packed(
             let seen = packed.residual_ndf(m, GaussianSplit::new(z, s));
             let mut numbers = [0.0; 14];
             numbers[..8].copy_from_slice(&[
-                packed.density(m),
+                packed.d(m),
                 forward.x,
                 forward.y,
                 back.x,

@@ -49,7 +49,7 @@ fn glint_field() -> Case {
         reference: Box::new(move |inputs| {
             let ([width], z) = (floats(inputs, 3), vec2(inputs, 4));
             let (p, h) = (vec3(inputs, 0), ndf.warp_gaussian(z));
-            let relative = field.density(h, p, Footprint::from_width(width)) / ndf.density(h);
+            let relative = field.density(h, p, Footprint::from_width(width)) / ndf.d(h);
             let mut all = [0.0; 6];
             if let Some(flake) = field.flake(p) {
                 let tilt = ndf.invert(flake.normal);

@@ -203,7 +203,7 @@ fn moments() -> Case {
             let moments = SlopeMoments { mean: Vec2::new(x, y), covariance: [xx, xy, yy] };
             let noise = Coordinates { z: Vec2::new(z1, z2), share, fade: 1.0 };
             let seen = moments.add_detail(Beckmann::clamped(alpha_x, alpha_y), noise);
-            let density = seen.density(Vec3::new(h, h2, h3)).max(1e-30);
+            let density = seen.d(Vec3::new(h, h2, h3)).max(1e-30);
             let ([cxx, cxy, cyy], mean) = (seen.covariance(), seen.mean());
             let (n, m) = (moments.normal(), moments.mean_normal());
             words(&[

@@ -90,7 +90,7 @@ fn measure(context: &Context<'_>, cases: &mut [Case<'_>], bumps: &BumpField<Fiel
         [sums]
     })?;
     for (k, case) in cases.iter_mut().enumerate() {
-        let far = f64::from(case.ndf.density(case.h) * case.h.z);
+        let far = f64::from(case.ndf.d(case.h) * case.h.z);
         case.ratios.push(rows.iter().map(|row| row[k] / far / f64::from(PIXELS * PIXELS)).sum());
     }
     Ok(())

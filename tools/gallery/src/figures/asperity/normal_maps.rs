@@ -170,7 +170,7 @@ impl Street {
     /// Shades a single slope.
     fn alone(&self, slope: SlopeMoments, wo: Vec3) -> Vec3 {
         let facets = slope.beckmann(ALPHA, ALPHA);
-        self.shade(slope, wo, |h| facets.density(h))
+        self.shade(slope, wo, |h| facets.d(h))
     }
 
     fn grouped<const K: usize>(&self, seen: &SlopeLobes<K>, wo: Vec3) -> Vec3 {
@@ -192,7 +192,7 @@ impl Street {
 struct Facets<F>(F);
 
 impl<F: Fn(Vec3) -> f32> Ndf for Facets<F> {
-    fn density(&self, m: Vec3) -> f32 {
+    fn d(&self, m: Vec3) -> f32 {
         (self.0)(m)
     }
 

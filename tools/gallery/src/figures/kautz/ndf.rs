@@ -28,11 +28,11 @@ const LENGTH: f32 = 1.7;
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
-    let top = peak(|m| ndf.density(m));
+    let top = peak(|m| ndf.d(m));
     let share = |x: f32, y: f32| {
         // At the horizon a density is 0 by definition. The rim shows its limit.
         let z = (1.0 - x * x - y * y).max(1e-6).sqrt();
-        ndf.density(Vec3::new(x, y, z)) / top
+        ndf.d(Vec3::new(x, y, z)) / top
     };
     let hill = relief(|t, phi| {
         // Denser rings near the peak, where the relief is steep. The last rings are the wall below
@@ -55,11 +55,11 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
 
 /// Displays the density as a lobe: the distance from the center in each direction is the density.
 pub(crate) fn lobe_panel(context: &Context<'_>, ndf: &SharedNdf, alt: &str) -> Result<Panel> {
-    let top = peak(|m| ndf.density(m));
+    let top = peak(|m| ndf.d(m));
     let lobe = relief(|t, phi| {
         let (sin, cos) = (t * FRAC_PI_2).sin_cos();
         let m = Vec3::new(sin * phi.cos(), sin * phi.sin(), cos);
-        let share = ndf.density(m) / top;
+        let share = ndf.d(m) / top;
         // Thousands of invisibly small triangles at one point would take the hierarchy half a
         // minute.
         m * if share < 1e-3 { 0.0 } else { LENGTH * share }

@@ -82,7 +82,7 @@ fn remaining(context: &Context<'_>, ndf: &Ggx) -> Result<Panel> {
     let (z, share) = FACET;
     // Its peak is 1/(1 − s) times higher. On the scale of the whole density it would be a white
     // spot.
-    let image = disk(context, peak(|m| ndf.density(m)) / (1.0 - share), |h| residual_ndf(ndf, h, z, share))?;
+    let image = disk(context, peak(|m| ndf.d(m)) / (1.0 - share), |h| residual_ndf(ndf, h, z, share))?;
     let alt = "A small part of the density, around the normal of one facet.";
     Ok(Panel::new("remaining", "the remaining density below one facet", alt, image))
 }

@@ -149,10 +149,10 @@ fn texels(stem: &str, label: &str, normals: &[Vec3]) -> Panel {
 
 /// Plots the densities of two bump maps along both axes.
 fn cuts(first: &NdfMap, second: &NdfMap) -> Result<Panel> {
-    let top = f64::from(first.density(Vec3::Z).max(second.density(Vec3::Z)));
+    let top = f64::from(first.d(Vec3::Z).max(second.d(Vec3::Z)));
     let curve = |ndf: &NdfMap, axis: Vec3| -> Vec<[f64; 2]> {
         let places = (-200..=200).map(|k| k as f32 / 200.0 * 0.99);
-        let density = |x: f32| ndf.density(axis * x + Vec3::Z * (1.0 - x * x).sqrt());
+        let density = |x: f32| ndf.d(axis * x + Vec3::Z * (1.0 - x * x).sqrt());
         places.map(|x| [x, density(x)].map(f64::from)).collect()
     };
     let x = Axis::linear("n_x, n_y", [-1.0, 1.0], 0.5);

@@ -30,7 +30,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
             panels.push(Panel::new(format!("{stem}-{s}"), label, alt, image));
             row.push(format!("{:.5}", mean(ndf, h, s)));
         }
-        row.push(format!("{:.5}", ndf.density(h)));
+        row.push(format!("{:.5}", ndf.d(h)));
         rows.push(row);
     }
     let shares = SHARES.map(|s| format!("s = {s}"));

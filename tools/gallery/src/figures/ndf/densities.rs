@@ -164,7 +164,7 @@ fn integral(ndf: &SharedNdf, i: usize, j: usize) -> Option<f64> {
     let sum: f64 = (0..POINTS * POINTS)
         .map(|k| (at(i, k % POINTS), at(j, k / POINTS)))
         .map(|(x, y)| Vec3::new(x as f32, y as f32, (1.0 - x * x - y * y).sqrt() as f32))
-        .map(|m| f64::from(ndf.density(m)))
+        .map(|m| f64::from(ndf.d(m)))
         .sum();
     Some(sum * step * step)
 }

@@ -97,7 +97,7 @@ fn surfaces() -> Result<[Surface; 6]> {
     // Octaves so fine that f32 has no precision left for them at the center.
     let noise = noise.anchored(ANCHOR.extend(0.0).as_dvec3() * f64::from(CELLS));
     let (ndf, bumps, rule) = (Ggx::new(0.2, 0.4)?, BumpField::new(noise, CELLS)?, LevelOfDetail::Exact);
-    let most = share_beyond(ndf.density(Vec3::Z), LAMP);
+    let most = share_beyond(ndf.d(Vec3::Z), LAMP);
     let bumps = UnderLamp { bumps: BumpMapped { ndf, bumps, rule, color: hex(0xf2_b184) }, most };
     // For all but scratches the lamp is near the highlight. Scratches reflect light that the
     // surface mirrors past the viewer.
