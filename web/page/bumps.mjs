@@ -170,7 +170,7 @@ class Bumps extends Looking {
     const density = {
       ggx: `Ggx::new(${ax}, ${ay})?`, beckmann: `Beckmann::new(${ax}, ${ay})?`,
       'student-t': `StudentT::new(${ax}, ${ay}, ${number(settings.gamma)})?`,
-      painted: `NdfMap::from_texels(${bumps.painting.side}, ${bumps.painting.side}, &texels, Measure::Normals, Reconstruction::Bilinear)?`,
+      painted: `NdfMap::from_texels(${bumps.painting.side}, ${bumps.painting.side}, &texels, Measure::ProjectedSolidAngle, Reconstruction::Bilinear)?`,
     }[settings.density];
     const kind = { ggx: 'Ggx', beckmann: 'Beckmann', 'student-t': 'StudentT', painted: '{Measure, NdfMap, Reconstruction}' }[settings.density];
     const { side, texels } = bumps.painting.density();

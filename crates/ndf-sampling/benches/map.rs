@@ -79,7 +79,8 @@ fn construction(c: &mut Criterion) {
     let mut group = c.benchmark_group("build");
     group.sample_size(20);
     for (name, kind) in KINDS {
-        let build = || NdfMap::from_texels(SIZE, SIZE, black_box(&texels), Measure::Normals, kind);
+        let build =
+            || NdfMap::from_texels(SIZE, SIZE, black_box(&texels), Measure::ProjectedSolidAngle, kind);
         group.bench_function(format!("texels/{name}"), |b| b.iter(build));
     }
     group.finish();

@@ -7,10 +7,10 @@ use std::hint::black_box;
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::{
     AshikhminShirley, BatchError, Beckmann, BlinnPhong, ConditionalTable, Frame, GaussianSplit, Ggx,
-    Isotropic, Microfacet, Mixture, Ndf, NdfMap, NormalLut, NormalLutRef, Radial, Reconstruction, StudentT,
-    inverse_phi,
+    Isotropic, Microfacet, Mixture, Ndf, NdfMap, NormalLut, Radial, Reconstruction, StudentT, gaussian_cdf,
+    inverse_gaussian_cdf,
     normal_table::{Spacing, TableLayout},
-    phi, residual_ndf,
+    residual_ndf,
 };
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
@@ -18,7 +18,7 @@ use each::each;
 
 /// Gaussian coordinates of these numbers.
 fn coordinates() -> Vec<Vec2> {
-    let gaussian = |u: f32| inverse_phi(f64::from(u) + 1e-8) as f32;
+    let gaussian = |u: f32| inverse_gaussian_cdf(f64::from(u) + 1e-8) as f32;
     uniforms().iter().map(|u| Vec2::new(gaussian(u.x), gaussian(u.y))).collect()
 }
 
@@ -91,11 +91,11 @@ fn look_ups(c: &mut Criterion) {
     each(c, "normal_table/bilinear", &coordinates, |z| table.bilinear(z));
     let seen = ConditionalTable::new(&ggx, 256).expect("size in range");
     let split = GaussianSplit::new(Vec2::new(0.3, -0.8), 0.75);
-    each(c, "conditional_density/table", &normals, |h| seen.view().density(h, split));
+    each(c, "conditional_density/table", &normals, |h| seen.view().residual_ndf(h, split));
     each(c, "frame/from_normal", &normals, Frame::from_normal);
-    each(c, "phi", &coordinates, |z| phi(f64::from(z.x)));
-    let uniforms: Vec<f64> = coordinates.iter().map(|z| phi(f64::from(z.x))).collect();
-    each(c, "inverse_phi", &uniforms, inverse_phi);
+    each(c, "phi", &coordinates, |z| gaussian_cdf(f64::from(z.x)));
+    let uniforms: Vec<f64> = coordinates.iter().map(|z| gaussian_cdf(f64::from(z.x))).collect();
+    each(c, "inverse_gaussian_cdf", &uniforms, inverse_gaussian_cdf);
 }
 
 /// Fills arrays of normals from arrays of coordinates.
@@ -111,7 +111,7 @@ fn look_ups_of_many(c: &mut Criterion) {
     let layout = TableLayout { spacing: Spacing::Warped, ..TableLayout::default() };
     let warped = NormalLut::with_layout(&ggx, 256, layout).expect("size in range");
     let halves = table.halves();
-    let halves = NormalLutRef::new(256, table.layout(), &halves).expect("size in range");
+    let halves = NormalLut::from_entries(256, table.layout(), &halves).expect("size in range");
     let mut group = c.benchmark_group("normals_of_many");
     group.throughput(Throughput::Elements(coordinates.len() as u64));
     let mut bench = |name: &str, look_up: &LookUp<'_>| {

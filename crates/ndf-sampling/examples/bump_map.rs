@@ -3,7 +3,7 @@
 
 use std::{array, env, error::Error, fs::File};
 
-use asperity_ndf_sampling::{Ggx, KurtoticDistribution, glam::Vec2, normal_map::NoiseChain};
+use asperity_ndf_sampling::{Ggx, KurtoticDistribution, Ndf, NoiseDistribution, glam::Vec2};
 
 const SIZE: u32 = 256;
 
@@ -32,8 +32,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     // distribution.
     let [m2, m4] = [2, 4].map(|n| values.iter().map(|r| r[0].powi(n)).sum::<f32>() / values.len() as f32);
     let noise = KurtoticDistribution::new(m2.sqrt(), m4 / (m2 * m2) - 3.0)?;
-    let chain = NoiseChain { ndf: Ggx::new(0.3, 0.5)?, noise };
-    let rgb = values.iter().flat_map(|&r| (chain.normal(r) * 127.5 + 127.5).round().to_array());
+    let ggx = Ggx::new(0.3, 0.5)?;
+    let normals = values.iter().map(|r| ggx.warp_gaussian(Vec2::from(r.map(|r| noise.invert(r)))));
+    let rgb = normals.flat_map(|n| (n * 127.5 + 127.5).round().to_array());
     let pixels: Vec<u8> = rgb.map(|c| c as u8).collect();
     let path = env::args().nth(1).unwrap_or("target/bump_map.png".into());
     let mut encoder = png::Encoder::new(File::create(path)?, SIZE, SIZE);

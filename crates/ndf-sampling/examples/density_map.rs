@@ -17,12 +17,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         let step = info.line_size / info.width as usize;
         let texels: Vec<f32> = bytes.chunks(step).map(|texel| f32::from(texel[0])).collect();
         let [width, height] = [info.width, info.height].map(|n| n as usize);
-        NdfMap::from_texels(width, height, &texels, Measure::Normals, Reconstruction::Bilinear)?
+        NdfMap::from_texels(width, height, &texels, Measure::ProjectedSolidAngle, Reconstruction::Bilinear)?
     } else {
         // Brushed metal on two thirds of the surface, a diffuse lobe on the rest.
         let brushed = Rotated::new(Ggx::new(0.1, 0.5)?, 0.6)?;
         let blend = Blend::new(brushed, BlinnPhong::new(0.0)?, 2.0 / 3.0)?;
-        NdfMap::from_fn(SIZE, SIZE, Measure::Normals, Reconstruction::Bilinear, |m| blend.d(m))?
+        NdfMap::from_fn(SIZE, SIZE, Measure::ProjectedSolidAngle, Reconstruction::Bilinear, |m| blend.d(m))?
     };
     // Each texel receives normals in proportion to its density.
     let mut counts = vec![0_u32; SIZE * SIZE];

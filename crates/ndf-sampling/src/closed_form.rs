@@ -75,7 +75,12 @@ pub trait ClosedForm: Formulas {
     /// # Errors
     /// Arrays of different lengths. Nothing is written in this case.
     #[inline]
-    fn sample_visible_batch(&self, v: [&[f32]; 3], u: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
+    fn sample_visible_batch(
+        &self,
+        v: [&[f32]; 3],
+        u: [&[f32]; 2],
+        m: [&mut [f32]; 3],
+    ) -> Result<(), BatchError> {
         let view = [v[0], v[1], v[2], u[0], u[1]];
         BatchError::check_all(&[("v", &v), ("u", &u)], ("m", &m)).map(|()| map(&Visible(self), view, m))
     }
@@ -155,6 +160,7 @@ pub(crate) fn residual_ndf_batch<N: Formulas>(
 
 #[cfg(test)]
 mod tests {
+    use super::Formulas;
     use crate::{BatchError, Beckmann, ClosedForm, Ggx};
     use asperity_core::lanes::Scalar;
 

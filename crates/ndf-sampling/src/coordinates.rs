@@ -22,13 +22,6 @@ pub(crate) fn bounded_coordinate(z: f32) -> f32 {
     if z.is_nan() { 0.0 } else { z.clamp(-FARTHEST, FARTHEST) }
 }
 
-/// The largest resolved fraction of the variance.
-///
-/// The rest of the lobe is then 10⁻³ standard deviations wide.
-///
-/// Closer to 1 the lobe would be as narrow as the rounding of `T⁻¹(h)` in `f32`.
-pub const MAX_SHARE: f32 = 1.0 - 1.0 / (1u32 << 20) as f32;
-
 /// A split of a Gaussian coordinate into its resolved part and the rest.
 ///
 /// It is prepared once for many half vectors at one point.
@@ -44,23 +37,29 @@ pub struct GaussianSplit {
 }
 
 #[cfg(feature = "approx")]
-asperity_core::impl_approx! { f32; GaussianSplit: split => split.z_b.x, split.z_b.y, split.share(); }
+asperity_core::impl_approx! { f32; GaussianSplit: split => split.z_b.x, split.z_b.y, split.resolved_variance(); }
 
 impl GaussianSplit {
+    /// The largest resolved fraction of the variance.
+    ///
+    /// The rest of the lobe is then 10⁻³ standard deviations wide. Closer to 1 the lobe would be as
+    /// narrow as the rounding of `T⁻¹(h)` in `f32`.
+    pub const MAX_RESOLVED_VARIANCE: f32 = 1.0 - 1.0 / (1u32 << 20) as f32;
+
     /// Creates the split for the resolved coordinates `z_b` with the fraction `s` of the variance.
     ///
     /// Accepts every input, see [`residual_ndf`](crate::residual_ndf).
     #[inline]
     #[must_use]
     pub fn new(z_b: Vec2, s: f32) -> Self {
-        let s = if s.is_nan() { 0.0 } else { s.clamp(0.0, MAX_SHARE) };
+        let s = if s.is_nan() { 0.0 } else { s.clamp(0.0, Self::MAX_RESOLVED_VARIANCE) };
         Self { z_b: bounded(z_b), root: math::sqrt(s), rest: 1.0 - s }
     }
 
     /// The resolved fraction of the variance, after clamping.
     #[inline]
     #[must_use]
-    pub fn share(self) -> f32 {
+    pub fn resolved_variance(self) -> f32 {
         1.0 - self.rest
     }
 

@@ -18,7 +18,7 @@
 //! // The density of the half vector for a pixel that resolves 3/4 of the variance of the noise.
 //! let h = Vec3::new(0.1, -0.2, 0.97).normalize();
 //! assert!(residual_ndf(&ggx, h, z, 0.75) > ggx.density(h));
-//! # Ok::<(), asperity_ndf_sampling::RangeError>(())
+//! # Ok::<(), asperity_ndf_sampling::NdfError>(())
 //! ```
 //!
 //! | item | purpose |
@@ -26,21 +26,21 @@
 //! | [`Ndf`], [`Microfacet`] | traits: `D(m)`, `T(z)`, `T⁻¹(m)`, sampling; Smith's Λ, G₁, G₂ and visible normals |
 //! | [`Ggx`], [`Beckmann`], [`StudentT`] | isotropic and anisotropic NDFs in closed form for every roughness |
 //! | [`Ward`], [`BlinnPhong`], [`AshikhminShirley`] | NDFs of older models, equally exact |
-//! | [`Isotropic`], [`IsotropicRef`] | isotropic NDF from a table over the cosine |
+//! | [`Isotropic`], [`Isotropic`] | isotropic NDF from a table over the cosine |
 //! | [`Mixture`], [`Blend`], [`Rotated`], [`Radial`] | sums of NDFs, with and without a bijection; rotated NDFs |
 //! | [`NdfMap`], [`PackedMapRef`] | NDF painted or computed on the hemispherical map; the same as a single array for flash or a GPU |
 //! | [`Masked`], [`Bounded`] | masking and visible normals of maps and tables, for BRDFs |
 //! | [`Measure`], [`Reconstruction`] | interpretation of texel values; interpolation between them |
 //! | [`NoiseDistribution`], [`NoiseCdfRef`], [`GaussianDistribution`], [`KurtoticDistribution`] | G: from noise values to Gaussian numbers and back; measured, Gaussian, or from the kurtosis |
-//! | [`NormalLut`], [`NormalLutRef`], [`normal_table`] | table L: tangent frames by lookup; its layouts, accuracy and half floats |
+//! | [`NormalLut`], [`NormalLut`], [`normal_table`] | table L: tangent frames by lookup; its layouts, accuracy and half floats |
 //! | [`estimate_ndf`], [`NdfEstimator`], [`add_detail`], [`add_detail_normal`], [`normal_map`] | existing normal maps: estimate their NDF, decode their texels, add noise to them |
 //! | [`ConditionalNdf`], [`residual_ndf`], [`GaussianSplit`], [`level_of_detail`] | exact level of detail |
-//! | [`ConditionalTable`], [`ConditionalTableRef`] | exact level of detail by one lookup, for any NDF |
+//! | [`ConditionalTable`], [`ConditionalTable`] | exact level of detail by one lookup, for any NDF |
 //! | [`check`] (feature `check`) | property tests for any [`Ndf`] or [`Microfacet`], with a printable report |
-//! | [`Frame`], [`phi`], [`inverse_phi`] | tangent frames; the Gaussian CDF and its inverse |
+//! | [`Frame`], [`phi`], [`inverse_gaussian_cdf`] | tangent frames; the Gaussian CDF and its inverse |
 //!
 //! Methods with plural names fill arrays with SIMD: the methods of [`ClosedForm`] for [`Ggx`] and
-//! [`Beckmann`], [`NormalLutRef::bilinear_normals`], [`PackedMapRef::inverse_batch`].
+//! [`Beckmann`], [`NormalLut::bilinear_normals`], [`PackedMapRef::inverse_batch`].
 //!
 //! # Conventions
 //!
@@ -70,7 +70,7 @@
 //! | `check` | property tests for any NDF, including your own: module [`check`] |
 //! | `serde` | serialization of the parameters of [`Ggx`], [`Beckmann`], [`StudentT`], [`Ward`], [`BlinnPhong`] and [`AshikhminShirley`], validated by `new`; formats and layouts |
 //! | `rand` | NDFs as [`Distribution`](https://docs.rs/rand/latest/rand/distr/trait.Distribution.html)s of normals: `rng.sample(&ggx)` |
-//! | `alloc` (default) | [`NdfMap`], [`Masked`], [`NdfEstimator`] and [`NormalLut`], which own their tables; [`NormalLutRef`] does not need it |
+//! | `alloc` (default) | [`NdfMap`], [`Masked`], [`NdfEstimator`] and [`NormalLut`], which own their tables; [`NormalLut`] does not need it |
 
 #![no_std]
 
@@ -85,6 +85,7 @@ pub mod check;
 mod closed_form;
 mod coordinates;
 mod density;
+mod error;
 mod frame;
 pub mod level_of_detail;
 mod map;
@@ -99,8 +100,8 @@ mod numeric;
 mod radial;
 #[cfg(feature = "rand")]
 mod rand;
-mod range_error;
 mod serde;
+mod storage;
 
 pub use glam;
 
@@ -111,43 +112,29 @@ pub use density::beckmann::Beckmann;
 pub use density::blend::Blend;
 pub use density::blinn_phong::BlinnPhong;
 pub use density::ggx::Ggx;
-#[cfg(feature = "alloc")]
 pub use density::isotropic::Isotropic;
-pub use density::isotropic::{IsotropicError, IsotropicIn, IsotropicRef};
-pub use density::mixture::{Mixture, MixtureError};
+pub use density::mixture::Mixture;
 pub use density::rotated::Rotated;
 pub use density::roughness::{MAX_ALPHA, MIN_ALPHA};
 pub use density::student_t::StudentT;
 pub use density::ward::Ward;
+pub use error::NdfError;
 pub use frame::Frame;
-#[cfg(feature = "alloc")]
-pub use level_of_detail::ConditionalTable;
-pub use level_of_detail::{
-    ConditionalNdf, ConditionalTableIn, ConditionalTableRef, GaussianSplit, OffsetBeckmann,
-    OffsetBeckmannError, residual_ndf,
-};
-pub use map::packed::error::PackedMapError;
+pub use level_of_detail::{ConditionalNdf, ConditionalTable, GaussianSplit, OffsetBeckmann, residual_ndf};
 pub use map::packed::packed_map::PackedMapRef;
 pub use map::reconstruction::Reconstruction;
 #[cfg(feature = "alloc")]
-pub use map::{
-    error::{MAX_TEXELS, NdfMapError},
-    packed::ndf_map::NdfMap,
-    texels::Measure,
-};
+pub use map::{packed::ndf_map::NdfMap, texels::Measure};
 #[cfg(feature = "alloc")]
 pub use masked::{bounded::Bounded, masked::Masked, wedge::Wedge};
 pub use microfacet::Microfacet;
 pub use ndf::Ndf;
 pub use noise_distribution::distribution::{GaussianDistribution, NoiseDistribution};
 pub use noise_distribution::kurtotic_noise::KurtoticDistribution;
-pub use noise_distribution::noise_cdf::{NoiseCdfError, NoiseCdfRef};
+pub use noise_distribution::noise_cdf::NoiseCdfRef;
 #[cfg(feature = "alloc")]
 pub use normal_map::{NdfEstimator, estimate_ndf};
 pub use normal_map::{add_detail, add_detail_normal};
-#[cfg(feature = "alloc")]
 pub use normal_table::NormalLut;
-pub use normal_table::{NormalLutError, NormalLutIn, NormalLutRef};
-pub use numeric::normal_distribution::{inverse_phi, phi};
+pub use numeric::normal_distribution::{gaussian_cdf, inverse_gaussian_cdf};
 pub use radial::Radial;
-pub use range_error::RangeError;

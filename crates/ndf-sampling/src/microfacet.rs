@@ -29,7 +29,7 @@ use crate::ndf::{Ndf, forward};
 /// let m = ggx.sample_visible(v, Vec2::new(0.3, 0.8));
 /// assert!(v.dot(m) > 0.0 && ggx.visible_pdf(v, m) > 0.0);
 /// assert!((ggx.projected_area(v) - v.z / ggx.g1(v)).abs() < 1e-6);
-/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 ///
 /// Smith 1967; Heitz 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based

@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 
 use crate::coordinates::GaussianSplit;
-use crate::numeric::normal_distribution::inverse_phi;
+use crate::numeric::normal_distribution::inverse_gaussian_cdf;
 use asperity_core::math;
 
 /// A normal distribution function with a bijection from Gaussian coordinates to normals.
@@ -30,7 +30,7 @@ use asperity_core::math;
 ///     assert!((m.length() - 1.0).abs() < 1e-6 && m.z > 0.0);
 ///     assert!(ndf.invert(m).abs_diff_eq(z, 1e-5));
 /// }
-/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 ///
 /// Kautz, Heidrich, Seidel 2001, "Real-Time Bump Map Synthesis", section 4. The paper draws normals
@@ -82,7 +82,7 @@ pub trait Ndf {
     #[must_use]
     #[doc(alias = "importance sampling")]
     fn sample(&self, u: Vec2) -> Vec3 {
-        let z = unit_square(u).to_array().map(|u| inverse_phi(f64::from(u)) as f32);
+        let z = unit_square(u).to_array().map(|u| inverse_gaussian_cdf(f64::from(u)) as f32);
         self.warp_gaussian(Vec2::from(z))
     }
 

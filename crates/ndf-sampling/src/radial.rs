@@ -17,7 +17,7 @@ use crate::ndf::{Ndf, forward};
 /// let share = (-Ggx::isotropic(0.2)?.exponent(0.2).unwrap()).exp();
 /// assert!((share - 0.5).abs() < 1e-6);
 /// assert_eq!(Ggx::new(0.2, 0.4)?.exponent(0.2), None);
-/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` may depend on the azimuth",

@@ -6,7 +6,7 @@ use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, Blend, BlinnPhong, ClosedForm, ConditionalNdf, ConditionalTable, Frame,
     GaussianSplit, Ggx, Isotropic, KurtoticDistribution, Measure, Microfacet, Mixture, Ndf, NdfMap,
     NoiseCdfRef, NoiseDistribution, NormalLut, OffsetBeckmann, Reconstruction, Rotated, StudentT, Ward,
-    estimate_ndf, inverse_phi, phi,
+    estimate_ndf, inverse_gaussian_cdf, gaussian_cdf,
 };
 use asperity_shading::glam::{Vec2, Vec3};
 
@@ -143,7 +143,7 @@ fn distributions(report: &mut Report) -> Option<()> {
     report.group("ndf: distributions of noise");
     report.row("phi", |bits| {
         for i in 0..POINTS {
-            bits.push([phi(f64::from(unit(i, 0)) * 12.0 - 6.0), inverse_phi(f64::from(unit(i, 1)))]);
+            bits.push([gaussian_cdf(f64::from(unit(i, 0)) * 12.0 - 6.0), inverse_gaussian_cdf(f64::from(unit(i, 1)))]);
         }
     });
     let cdf = NoiseCdfRef::new(1.5, &[0.0, 0.1, 0.6, 1.0]).ok()?;

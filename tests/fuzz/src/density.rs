@@ -6,8 +6,8 @@ use asperity_ndf_sampling::normal_map::NormalMapFormat;
 use asperity_ndf_sampling::normal_table::{Chart, Spacing};
 use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, Blend, BlinnPhong, Frame, GaussianDistribution, GaussianSplit, Ggx,
-    KurtoticDistribution, Microfacet, Mixture, Ndf, NoiseDistribution, RangeError, Rotated, StudentT, Ward,
-    add_detail, add_detail_normal, inverse_phi, phi,
+    KurtoticDistribution, Microfacet, Mixture, Ndf, NoiseDistribution, NdfError, Rotated, StudentT, Ward,
+    add_detail, add_detail_normal, inverse_gaussian_cdf, gaussian_cdf,
 };
 
 use crate::numbers::Numbers;
@@ -60,12 +60,12 @@ pub(crate) fn microfacet(facets: &impl Microfacet, numbers: &mut Numbers<'_>) {
     density(facets.visible_pdf(v, w));
 }
 
-fn refused(error: &RangeError) {
+fn refused(error: &NdfError) {
     assert_eq!(error.to_string().lines().count(), 1);
 }
 
 /// Checks a density with masking, if it is valid.
-fn both<N: Microfacet + Copy>(made: Result<N, RangeError>, numbers: &mut Numbers<'_>) {
+fn both<N: Microfacet + Copy>(made: Result<N, NdfError>, numbers: &mut Numbers<'_>) {
     match made {
         Ok(facets) => {
             ndf(&facets, numbers);
@@ -107,10 +107,10 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
         6 => {
             let clamped = [numbers.float(), numbers.float(), numbers.float()];
             let [a, b, c] = clamped;
-            both(Ok(Ggx::clamped(a, b)), numbers);
-            both(Ok(StudentT::clamped(a, b, c)), numbers);
-            both(Ok(AshikhminShirley::clamped(a, b)), numbers);
-            ndf(&BlinnPhong::clamped(c), numbers);
+            both(Ok(Ggx::new_clamped(a, b)), numbers);
+            both(Ok(StudentT::new_clamped(a, b, c)), numbers);
+            both(Ok(AshikhminShirley::new_clamped(a, b)), numbers);
+            ndf(&BlinnPhong::new_clamped(c), numbers);
         }
         7 => {
             let (Ok(a), Ok(b)) = (Ggx::isotropic(x), Beckmann::isotropic(y)) else { return };
@@ -162,9 +162,9 @@ fn distributions(numbers: &mut Numbers<'_>) {
         Err(error) => refused(&error),
     }
     let (z, u) = (numbers.double(), numbers.double());
-    let share = phi(z);
+    let share = gaussian_cdf(z);
     assert!((0.0..=1.0).contains(&share) || z.is_nan(), "{z}: {share}");
-    assert!(!inverse_phi(u).is_nan() || u.is_nan() || !(0.0..=1.0).contains(&u), "{u}");
+    assert!(!inverse_gaussian_cdf(u).is_nan() || u.is_nan() || !(0.0..=1.0).contains(&u), "{u}");
 }
 
 /// Checks the invariants of every noise distribution.

@@ -49,7 +49,7 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
     match numbers.byte() % 5 {
         0 | 1 => {
             let size = [numbers.count(5), numbers.count(5)];
-            let measure = numbers.pick(&[Measure::Normals, Measure::SolidAngle]);
+            let measure = numbers.pick(&[Measure::ProjectedSolidAngle, Measure::SolidAngle]);
             let texels: Vec<f32> = (0..size[0] * size[1]).map(|_| texel(numbers)).collect();
             match NdfMap::from_texels(size[0], size[1], &texels, measure, kind) {
                 Ok(map) => check(&map, numbers),

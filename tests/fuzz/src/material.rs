@@ -121,7 +121,7 @@ fn paint(numbers: &mut Numbers<'_>) {
     };
     material(MetallicPaint::new(parameters), numbers);
     if let Ok(field) =
-        GlintField::new(Beckmann::clamped(0.3, 0.3), size(numbers), share(numbers), numbers.word())
+        GlintField::new(Beckmann::new_clamped(0.3, 0.3), size(numbers), share(numbers), numbers.word())
     {
         let (h, p, footprint) =
             (numbers.direction(), numbers.vector(), Footprint::from_width(numbers.float()));
@@ -239,7 +239,7 @@ fn textures(numbers: &mut Numbers<'_>) {
 }
 
 fn bumps(numbers: &mut Numbers<'_>) {
-    let ndf = Ggx::clamped(numbers.float(), numbers.float());
+    let ndf = Ggx::new_clamped(numbers.float(), numbers.float());
     let spectrum =
         FbmSpectrum::new(2.0 + numbers.share(), numbers.between(0.1, 1.0), 1 + numbers.word() % 16);
     let spectrum = spectrum.unwrap_or_default();

@@ -109,7 +109,7 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
         10 => {
             fresnel(Conductor::new(numbers.float(), numbers.float()), numbers);
             fresnel(Dielectric::new(numbers.float()), numbers);
-            fresnel(Ok(Dielectric::clamped(numbers.float()).reversed()), numbers);
+            fresnel(Ok(Dielectric::new_clamped(numbers.float()).reversed()), numbers);
             fresnel(Schlick::new(numbers.share()), numbers);
             fresnel(SchlickF82::new(numbers.share(), numbers.float()), numbers);
             let made =

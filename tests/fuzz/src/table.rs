@@ -1,9 +1,9 @@
 //! Externally stored tables: arrays of any numbers are rejected, or answer every query.
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
-use asperity_ndf_sampling::level_of_detail::ConditionalTableRef;
-use asperity_ndf_sampling::normal_table::{Chart, NormalLutRef, Spacing, TableLayout};
-use asperity_ndf_sampling::{GaussianSplit, IsotropicRef, Ndf, NoiseCdfRef, PackedMapRef};
+use asperity_ndf_sampling::level_of_detail::ConditionalTable;
+use asperity_ndf_sampling::normal_table::{Chart, NormalLut, Spacing, TableLayout};
+use asperity_ndf_sampling::{GaussianSplit, Isotropic, Ndf, NoiseCdfRef, PackedMapRef};
 
 use crate::density::{distribution, ndf};
 use crate::numbers::Numbers;
@@ -32,7 +32,7 @@ pub(crate) fn packed(array: &[f32], numbers: &mut Numbers<'_>) {
 
 /// Checks an isotropic table of any numbers.
 pub(crate) fn isotropic(array: &[f32], numbers: &mut Numbers<'_>) {
-    match IsotropicRef::new(array) {
+    match Isotropic::from_packed(array) {
         Ok(table) => ndf(&table, numbers),
         Err(error) => assert_eq!(error.to_string().lines().count(), 1),
     }
@@ -57,16 +57,16 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
         }
         2 => {
             let array = floats(numbers.rest());
-            unit(NormalLutRef::new(size, layout, array.as_chunks::<2>().0), z);
+            unit(NormalLut::from_entries(size, layout, array.as_chunks::<2>().0), z);
         }
         3 => {
             let halves: Vec<u16> =
                 numbers.rest().as_chunks().0.iter().map(|&bytes| u16::from_le_bytes(bytes)).collect();
-            unit(NormalLutRef::new(size, layout, halves.as_chunks::<2>().0), z);
+            unit(NormalLut::from_entries(size, layout, halves.as_chunks::<2>().0), z);
         }
         4 => {
             let array = floats(numbers.rest());
-            match ConditionalTableRef::new(size, Vec2::new(low, high), array.as_chunks().0) {
+            match ConditionalTable::from_entries(size, Vec2::new(low, high), array.as_chunks().0) {
                 Ok(table) => {
                     let density = table.density(h, split);
                     assert!(density >= 0.0 && density.is_finite(), "{density}");
@@ -92,7 +92,7 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
 }
 
 fn unit<E: asperity_ndf_sampling::normal_table::TableEntry>(
-    table: Result<NormalLutRef<'_, E>, asperity_ndf_sampling::NormalLutError>,
+    table: Result<NormalLut<&[E]>, asperity_ndf_sampling::NdfError>,
     z: Vec2,
 ) {
     match table {

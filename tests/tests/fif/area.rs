@@ -88,7 +88,8 @@ fn normal_distribution_builds_an_ndf_map() {
     let texel_area = 4.0 / (width * height) as f32;
     assert_abs_diff_eq!(texels.iter().sum::<f32>() * texel_area, 1.0, epsilon = 1e-4);
     let map =
-        NdfMap::from_texels(width, height, &texels, Measure::Normals, Reconstruction::Constant).unwrap();
+        NdfMap::from_texels(width, height, &texels, Measure::ProjectedSolidAngle, Reconstruction::Constant)
+            .unwrap();
     // The mean slope in closed form, against the mean over the texel centers.
     let exact = surface.area_means(x, y).unwrap().slopes.unwrap();
     let (mut mean, mut square, mut weight) = ([0.0; 2], [0.0; 2], 0.0);

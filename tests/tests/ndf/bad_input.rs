@@ -1,10 +1,10 @@
 //! Invalid input: each gives a one-line error with the parameter and its value.
 
 use asperity_ndf_sampling::{
-    AshikhminShirley, Beckmann, Blend, BlinnPhong, ConditionalTable, ConditionalTableRef,
-    GaussianDistribution, Ggx, Isotropic, IsotropicRef, KurtoticDistribution, Measure, Mixture, NdfEstimator,
-    NdfMap, NoiseCdfRef, NormalLut, NormalLutRef, RangeError, Reconstruction, Rotated, StudentT, Ward,
-    estimate_ndf, level_of_detail::OffsetBeckmann, normal_table::TableLayout,
+    AshikhminShirley, Beckmann, Blend, BlinnPhong, ConditionalTable, GaussianDistribution, Ggx, Isotropic,
+    KurtoticDistribution, Measure, Mixture, NdfError, NdfEstimator, NdfMap, NoiseCdfRef, NormalLut,
+    Reconstruction, Rotated, StudentT, Ward, estimate_ndf, level_of_detail::OffsetBeckmann,
+    normal_table::TableLayout,
 };
 use glam::{Vec2, Vec3};
 
@@ -30,14 +30,16 @@ fn roughness() {
         refused(Beckmann::isotropic(value), &lines[0]);
         refused(Ward::new(value, 0.5), &lines[0]);
         refused(StudentT::new(0.5, value, 2.0), &lines[1]);
-        // `clamped` accepts what the constructor rejects.
-        for repaired in [Ggx::clamped(value, value).alpha_x(), Beckmann::clamped(value, value).alpha_y()] {
+        // `new_clamped` accepts what the constructor rejects.
+        for repaired in
+            [Ggx::new_clamped(value, value).alpha_x(), Beckmann::new_clamped(value, value).alpha_y()]
+        {
             assert!(Ggx::new(repaired, repaired).is_ok(), "{value} became {repaired}");
         }
     }
     refused(Ggx::new(1e-7, 0.5), "`alpha_x` must be between 1e-6 and 1e6, got 1e-7");
     refused(Ggx::new(0.5, f32::MAX), "`alpha_y` must be between 1e-6 and 1e6, got 3.4028235e38");
-    let RangeError { parameter, value, .. } = Ggx::new(-1.0, 0.5).unwrap_err();
+    let Err(NdfError::OutOfRange { parameter, value, .. }) = Ggx::new(-1.0, 0.5) else { panic!("refused") };
     assert_eq!((parameter, value), ("alpha_x", -1.0));
 }
 
@@ -51,25 +53,25 @@ fn facets() {
         refused(BlinnPhong::from_roughness(value), &line("roughness", "1e-6 and 1"));
         refused(AshikhminShirley::new(value, 1.0), &line("n_u", "0 and 2e12"));
         refused(AshikhminShirley::new(1.0, value), &line("n_v", "0 and 2e12"));
-        // `clamped` accepts what the constructor rejects.
-        assert!(BlinnPhong::new(BlinnPhong::clamped(value).exponent()).is_ok(), "{value}");
-        let repaired = AshikhminShirley::clamped(value, value);
+        // `new_clamped` accepts what the constructor rejects.
+        assert!(BlinnPhong::new(BlinnPhong::new_clamped(value).exponent()).is_ok(), "{value}");
+        let repaired = AshikhminShirley::new_clamped(value, value);
         assert!(AshikhminShirley::new(repaired.n_u(), repaired.n_v()).is_ok(), "{value}");
-        let repaired = StudentT::clamped(value, value, value);
+        let repaired = StudentT::new_clamped(value, value, value);
         assert!(StudentT::new(repaired.alpha_x(), repaired.alpha_y(), repaired.gamma()).is_ok(), "{value}");
     }
     refused(StudentT::new(0.5, 0.5, 1.5), "`gamma` must be between 1.51 and 1e12, got 1.5");
     refused(BlinnPhong::from_roughness(1.1), "`roughness` must be between 1e-6 and 1, got 1.1");
     let (ggx, oval) = (Ggx::isotropic(0.3).unwrap(), Ggx::new(0.2, 0.4).unwrap());
     refused(Mixture::new(ggx, ggx, f32::NAN), "`weight` must be between 0 and 1, got NaN");
-    let line = "must depend on the tilt alone, got one that depends on the azimuth";
-    refused(Mixture::new(oval, ggx, 0.5), &format!("density a {line}"));
-    refused(Mixture::new(ggx, oval, 0.5), &format!("density b {line}"));
+    let line = "must depend on the tilt alone, got an NDF that depends on the azimuth";
+    refused(Mixture::new(oval, ggx, 0.5), &format!("`a` {line}"));
+    refused(Mixture::new(ggx, oval, 0.5), &format!("`b` {line}"));
     refused(Blend::new(oval, ggx, 1.5), "`weight` must be between 0 and 1, got 1.5");
     let line = "`angle` must be between -3.4028235e38 and 3.4028235e38, got inf";
     refused(Rotated::new(oval, f32::INFINITY), line);
     let covariance = |x, covariance| OffsetBeckmann::new(Vec2::new(x, 0.0), covariance);
-    let line = "`mean` must be between -1e9 and 1e9 along each axis, got [NaN, 0]";
+    let line = "`mean.x` must be between -1e9 and 1e9, got NaN";
     refused(covariance(f32::NAN, [1.0, 0.0, 1.0]), line);
     for bad in
         [[1.0, 2.0, 1.0], [0.0, 0.0, 1.0], [1.0, 0.0, -1.0], [1.0, f32::NAN, 1.0], [f32::INFINITY, 0.0, 1.0]]
@@ -81,49 +83,49 @@ fn facets() {
 
 #[test]
 fn tables_over_the_cosine() {
-    refused(Isotropic::new(&[1.0]), "nodes must be 2 to 1048576, got 1");
-    refused(Isotropic::from_fn(usize::MAX, |_| 1.0), "nodes must be 2 to 1048576, got 18446744073709551615");
-    refused(Isotropic::new(&[1.0, -2.0]), "density 1 must be finite and not negative, got -2");
-    refused(Isotropic::new(&[f32::NAN, 1.0]), "density 0 must be finite and not negative, got NaN");
-    refused(Isotropic::new(&[1.0, 2.0, f32::INFINITY]), "density 2 must be finite and not negative, got inf");
-    refused(Isotropic::new(&[0.0; 4]), "density is 0 at all 4 nodes");
-    refused(IsotropicRef::pack(&[1.0; 2], &mut [0.0; 5]), "storage must have 6 numbers, got 5");
-    refused(IsotropicRef::new(&[]), "nodes must be 2 to 1048576, got 0");
-    refused(IsotropicRef::new(&[1.0; 8]), "storage must have 6 numbers, got 8");
-    refused(IsotropicRef::new(&[f32::NAN; 6]), "density 0 must be finite and not negative, got NaN");
+    refused(Isotropic::new(&[1.0]), "`nodes` must be between 2 and 1048576, got 1");
+    refused(Isotropic::from_fn(usize::MAX, |_| 1.0), "`nodes` must be between 2 and 1048576, got 18446744073709551615");
+    refused(Isotropic::new(&[1.0, -2.0]), "`values[1]` must be finite and not negative, got -2");
+    refused(Isotropic::new(&[f32::NAN, 1.0]), "`values[0]` must be finite and not negative, got NaN");
+    refused(Isotropic::new(&[1.0, 2.0, f32::INFINITY]), "`values[2]` must be finite and not negative, got inf");
+    refused(Isotropic::new(&[0.0; 4]), "`values` must have weight above the horizon, got none");
+    refused(Isotropic::pack(&[1.0; 2], &mut [0.0; 5]), "`storage` must have 6 elements, got 5");
+    refused(Isotropic::from_packed(&[]), "`nodes` must be between 2 and 1048576, got 0");
+    refused(Isotropic::from_packed(&[1.0; 8]), "`packed` must have 6 elements, got 8");
+    refused(Isotropic::from_packed(&[f32::NAN; 6]), "`packed[0]` must be finite and not negative, got NaN");
     let table = Isotropic::new(&[0.5, 1.0, 4.0]).unwrap();
     let mut broken = table.packed().to_vec();
     broken[4] = 2.0;
-    refused(IsotropicRef::new(&broken), "distribution must increase from 0 to 1 (violated at node 1)");
+    refused(Isotropic::from_packed(&broken), "`packed` must have a CDF that increases from 0 to 1, got another at node 1");
 }
 
 #[test]
 fn images() {
     let both = |width, height, texels: &[f32], line: &str| {
-        for measure in [Measure::Normals, Measure::SolidAngle] {
+        for measure in [Measure::ProjectedSolidAngle, Measure::SolidAngle] {
             for kind in [Reconstruction::Constant, Reconstruction::Bilinear] {
                 refused(NdfMap::from_texels(width, height, texels, measure, kind), line);
             }
         }
     };
-    both(0, 4, &[], "size must be 1 to 16777216 texels, got 0 × 4");
-    both(3, 0, &[], "size must be 1 to 16777216 texels, got 3 × 0");
-    both(1 << 13, 1 << 12, &[], "size must be 1 to 16777216 texels, got 8192 × 4096");
-    let line = "size must be 1 to 16777216 texels, got 18446744073709551615 × 2";
+    both(0, 4, &[], "`width · height` must be between 1 and 16777216, got 0");
+    both(3, 0, &[], "`width · height` must be between 1 and 16777216, got 0");
+    both(1 << 13, 1 << 12, &[], "`width · height` must be between 1 and 16777216, got 33554432");
+    let line = "`width · height` must be between 1 and 16777216, got 18446744073709551615";
     both(usize::MAX, 2, &[1.0], line);
     both(2, 2, &[1.0; 3], "`texels` must have 4 elements, got 3");
-    both(4, 4, &[0.0; 16], "all 4 × 4 texels inside the unit disk are zero");
+    both(4, 4, &[0.0; 16], "`texels` must have weight above the horizon, got none");
     for (bad, name) in [(f32::NAN, "NaN"), (f32::INFINITY, "inf"), (-0.5, "-0.5")] {
         let mut texels = [1.0; 16];
         texels[9] = bad;
-        both(4, 4, &texels, &format!("texel 9 must be finite and not negative, got {name}"));
+        both(4, 4, &texels, &format!("`texels[9]` must be finite and not negative, got {name}"));
         let painted = |n: Vec3| if n.x > 0.5 { bad } else { 1.0 };
-        let map = NdfMap::from_fn(4, 4, Measure::Normals, Reconstruction::Constant, painted);
-        refused(map, &format!("texel 3 must be finite and not negative, got {name}"));
+        let map = NdfMap::from_fn(4, 4, Measure::ProjectedSolidAngle, Reconstruction::Constant, painted);
+        refused(map, &format!("`texels[3]` must be finite and not negative, got {name}"));
     }
     // One pixel, and the largest and smallest values, are valid densities.
     for value in [1.0, f32::MAX, f32::MIN_POSITIVE, 1e-45] {
-        for (size, measure) in [(1, Measure::Normals), (2, Measure::SolidAngle)] {
+        for (size, measure) in [(1, Measure::ProjectedSolidAngle), (2, Measure::SolidAngle)] {
             let texels = [value; 4];
             let map =
                 NdfMap::from_texels(size, size, &texels[..size * size], measure, Reconstruction::Constant);
@@ -134,12 +136,12 @@ fn images() {
 
 #[test]
 fn estimates() {
-    refused(NdfEstimator::new(0, 0.1), "`size`² must be between 1 and 16777216, got size 0");
-    refused(NdfEstimator::new(4097, 0.1), "`size`² must be between 1 and 16777216, got size 4097");
+    refused(NdfEstimator::new(0, 0.1), "`size` must be between 1 and 4096, got 0");
+    refused(NdfEstimator::new(4097, 0.1), "`size` must be between 1 and 4096, got 4097");
     refused(NdfEstimator::new(8, f32::NAN), "`width` must be between 0 and 1, got NaN");
     refused(NdfEstimator::new(8, -0.5), "`width` must be between 0 and 1, got -0.5");
     for normals in [&[][..], &[Vec3::NAN, Vec3::splat(2.0), Vec3::INFINITY]] {
-        refused(estimate_ndf(normals), "no valid normal inside the unit disk");
+        refused(estimate_ndf(normals), "`normals` must have weight above the horizon, got none");
     }
 }
 
@@ -149,13 +151,13 @@ fn tables() {
     for size in [0, 4097, usize::MAX] {
         let line = format!("`size` must be between 1 and 4096, got {size}");
         refused(NormalLut::new(&ggx, size), &line);
-        refused(NormalLutRef::new(size, TableLayout::default(), &[[0.0_f32; 2]; 3]), &line);
+        refused(NormalLut::from_entries(size, TableLayout::default(), &[[0.0_f32; 2]; 3]), &line);
         refused(ConditionalTable::new(&ggx, size), &line);
-        refused(ConditionalTableRef::new(size, Vec2::ONE, &[[0.0; 3]; 3]), &line);
+        refused(ConditionalTable::from_entries(size, Vec2::ONE, &[[0.0; 3]; 3]), &line);
     }
     let line = "`entries` must have 4 elements, got 3";
-    refused(NormalLutRef::new(2, TableLayout::default(), &[[0.0_f32; 2]; 3]), line);
-    refused(ConditionalTableRef::new(2, Vec2::ONE, &[[0.0; 3]; 3]), line);
+    refused(NormalLut::from_entries(2, TableLayout::default(), &[[0.0_f32; 2]; 3]), line);
+    refused(ConditionalTable::from_entries(2, Vec2::ONE, &[[0.0; 3]; 3]), line);
 }
 
 #[test]
@@ -165,18 +167,18 @@ fn distributions_of_noise() {
         (f32::NAN, &[0.0, 1.0][..], "`range` must be positive and finite, got NaN"),
         (0.0, &[0.0, 1.0], "`range` must be positive and finite, got 0"),
         (-1.0, &[0.0, 1.0], "`range` must be positive and finite, got -1"),
-        (1.0, &[], "`table` must have at least two entries, got 0"),
-        (1.0, &[0.5], "`table` must have at least two entries, got 1"),
-        (1.0, &[0.0, f32::NAN, 1.0], &*format!("entry 1 {line}, got NaN")),
-        (1.0, &[0.0, 1.5], &*format!("entry 1 {line}, got 1.5")),
-        (1.0, &[0.0, 0.5, 0.25], &*format!("entry 2 {line}, got 0.25")),
-        (1.0, &[0.5, 0.5], "`table` must increase, got 0.5 everywhere"),
+        (1.0, &[], "`table.len()` must be at least 2, got 0"),
+        (1.0, &[0.5], "`table.len()` must be at least 2, got 1"),
+        (1.0, &[0.0, f32::NAN, 1.0], &*format!("`table[1]` {line}, got NaN")),
+        (1.0, &[0.0, 1.5], &*format!("`table[1]` {line}, got 1.5")),
+        (1.0, &[0.0, 0.5, 0.25], &*format!("`table[2]` {line}, got 0.25")),
+        (1.0, &[0.5, 0.5], "`table` must be increasing somewhere, got 0.5"),
     ] {
         refused(NoiseCdfRef::new(range, table), line);
     }
     let between = |low, high| NoiseCdfRef::between(low, high, &[0.0, 1.0]);
-    refused(between(1.0, 1.0), "ends must be finite and increasing, got 1 and 1");
-    refused(between(f32::NAN, 1.0), "ends must be finite and increasing, got NaN and 1");
+    refused(between(1.0, 1.0), "`low` and `high` must be finite and increasing, got 1 and 1");
+    refused(between(f32::NAN, 1.0), "`low` and `high` must be finite and increasing, got NaN and 1");
     assert!(between(-3e38, 3e38).is_err());
     let deviation = "`deviation` must be between 1.1754944e-38 and 3.4028235e38, got";
     for (value, name) in [(-1.0, "-1"), (f32::NAN, "NaN"), (f32::INFINITY, "inf")] {

@@ -19,8 +19,10 @@ fn valid_densities_pass() {
     let mixture =
         Mixture::new(Beckmann::isotropic(0.02).unwrap(), BlinnPhong::new(0.0).unwrap(), 0.6).unwrap();
     let hills = |n: Vec3| (9.0 * n.x).sin() * (7.0 * n.y + 1.0).cos() + 1.1;
-    let painted = NdfMap::from_fn(24, 24, Measure::Normals, Reconstruction::Bilinear, hills).unwrap();
-    let steps = NdfMap::from_fn(16, 16, Measure::Normals, Reconstruction::Constant, hills).unwrap();
+    let painted =
+        NdfMap::from_fn(24, 24, Measure::ProjectedSolidAngle, Reconstruction::Bilinear, hills).unwrap();
+    let steps =
+        NdfMap::from_fn(16, 16, Measure::ProjectedSolidAngle, Reconstruction::Constant, hills).unwrap();
     let densities: [(&str, &(dyn Ndf + Sync)); 5] = [
         ("Ward", &Ward::new(0.1, 0.3).unwrap()),
         ("Student-t", &StudentT::new(0.2, 0.3, 2.5).unwrap()),
@@ -103,7 +105,7 @@ impl Microfacet for Faulty {
 #[test]
 fn faulty_densities_are_detected() {
     let right = Faulty {
-        of: Beckmann::clamped(0.4, 0.3),
+        of: Beckmann::new_clamped(0.4, 0.3),
         bright: 1.0,
         cosines: 0,
         sample: |u| u,

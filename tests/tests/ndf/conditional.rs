@@ -24,7 +24,8 @@ fn ndfs() -> Vec<Named> {
     ndfs.push((
         "painted",
         Box::new(
-            NdfMap::from_fn(64, 64, Measure::Normals, Reconstruction::Constant, painted).expect("valid"),
+            NdfMap::from_fn(64, 64, Measure::ProjectedSolidAngle, Reconstruction::Constant, painted)
+                .expect("valid"),
         ),
     ));
     ndfs
@@ -58,7 +59,7 @@ fn images(reconstruction: Reconstruction) -> Vec<Named> {
         (
             name,
             Box::new(
-                NdfMap::from_texels(size, size, &texels, Measure::Normals, reconstruction)
+                NdfMap::from_texels(size, size, &texels, Measure::ProjectedSolidAngle, reconstruction)
                     .expect("a density"),
             ),
         )

@@ -3,7 +3,7 @@
 
 use asperity_ndf_sampling::{
     Beckmann, ConditionalNdf, ConditionalTable, GaussianSplit, Ggx, Measure, Ndf, NdfMap, Reconstruction,
-    StudentT, inverse_phi,
+    StudentT, inverse_gaussian_cdf,
 };
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::low_discrepancy::r2;
@@ -11,7 +11,7 @@ use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
 fn gaussian(index: u32) -> Vec2 {
-    Vec2::from(r2(index).map(|u| inverse_phi(u) as f32))
+    Vec2::from(r2(index).map(|u| inverse_gaussian_cdf(u) as f32))
 }
 
 fn ndfs() -> Vec<(&'static str, Box<dyn Ndf + Sync>, f64)> {
@@ -29,7 +29,7 @@ fn ndfs() -> Vec<(&'static str, Box<dyn Ndf + Sync>, f64)> {
         (
             "painted",
             Box::new(
-                NdfMap::from_fn(256, 256, Measure::Normals, Reconstruction::Constant, painted)
+                NdfMap::from_fn(256, 256, Measure::ProjectedSolidAngle, Reconstruction::Constant, painted)
                     .expect("valid"),
             ),
             0.02,
@@ -37,7 +37,8 @@ fn ndfs() -> Vec<(&'static str, Box<dyn Ndf + Sync>, f64)> {
         (
             "mask",
             Box::new(
-                NdfMap::from_fn(64, 64, Measure::Normals, Reconstruction::Constant, mask).expect("valid"),
+                NdfMap::from_fn(64, 64, Measure::ProjectedSolidAngle, Reconstruction::Constant, mask)
+                    .expect("valid"),
             ),
             0.05,
         ),
@@ -59,7 +60,7 @@ fn lookup_is_close_to_the_exact_density() {
                     let seen = ConditionalNdf::new(&*ndf, gaussian(7 * place + 3), s);
                     let ratio = |k| {
                         let h = seen.warp_gaussian(gaussian(k));
-                        f64::from(table.view().density(h, seen.split())) / f64::from(seen.d(h)) - 1.0
+                        f64::from(table.view().residual_ndf(h, seen.split())) / f64::from(seen.d(h)) - 1.0
                     };
                     (0..POINTS).map(|k| 0.5 * ratio(k).abs()).sum::<f64>() / f64::from(POINTS)
                 })
@@ -79,7 +80,7 @@ fn mean_of_lookup_over_the_surface_is_the_far_field() {
         let table = ConditionalTable::new(&*ndf, 64).unwrap();
         for k in 0..3 {
             let h = ndf.warp_gaussian(gaussian(11 * k + 5));
-            let far = f64::from(table.view().density(h, GaussianSplit::new(Vec2::ZERO, 0.0)));
+            let far = f64::from(table.view().residual_ndf(h, GaussianSplit::new(Vec2::ZERO, 0.0)));
             for s in [0.1, 0.5, 0.9] {
                 let mean: f64 = (-64..=64)
                     .into_par_iter()
@@ -88,7 +89,7 @@ fn mean_of_lookup_over_the_surface_is_the_far_field() {
                             let z_b = Vec2::new(j as f32, k as f32) * 0.125;
                             let weight =
                                 f64::from(-0.5 * z_b.length_squared()).exp() / std::f64::consts::TAU / 64.0;
-                            weight * f64::from(table.view().density(h, GaussianSplit::new(z_b, s)))
+                            weight * f64::from(table.view().residual_ndf(h, GaussianSplit::new(z_b, s)))
                         });
                         row.sum::<f64>()
                     })

@@ -56,7 +56,8 @@ impl ExactMap {
 
     /// Returns the map of texels, exact and in `f32`.
     pub(crate) fn both(width: usize, height: usize, texels: &[f32], kind: Reconstruction) -> (Self, NdfMap) {
-        let map = NdfMap::from_texels(width, height, texels, Measure::Normals, kind).expect("valid");
+        let map =
+            NdfMap::from_texels(width, height, texels, Measure::ProjectedSolidAngle, kind).expect("valid");
         (Self::new(width, height, texels, kind), map)
     }
 

@@ -12,15 +12,15 @@ use proptest::prelude::*;
 fn facets(x: f32, y: f32, gamma: f32, angle: f32) -> Vec<(&'static str, Box<dyn Microfacet>, f32)> {
     let [nu, nv] = [x, y].map(|alpha| 2.0 / (alpha * alpha) - 2.0);
     let isotropic = Beckmann::isotropic(x).expect("valid");
-    let mixture = Mixture::new(isotropic, BlinnPhong::clamped(0.0), 0.7).expect("valid");
+    let mixture = Mixture::new(isotropic, BlinnPhong::new_clamped(0.0), 0.7).expect("valid");
     let turned = Rotated::new(Ggx::new(x, y).expect("valid"), angle).expect("valid");
     vec![
         ("GGX", Box::new(Ggx::new(x, y).expect("valid")), 8e-6),
         ("Beckmann", Box::new(Beckmann::new(x, y).expect("valid")), 8e-6),
         ("Ward", Box::new(Ward::new(x, y).expect("valid")), 8e-6),
         ("Student-t", Box::new(StudentT::new(x, y, gamma).expect("valid")), 1e-5),
-        ("Blinn–Phong", Box::new(BlinnPhong::clamped(nu)), 1e-5),
-        ("Ashikhmin–Shirley", Box::new(AshikhminShirley::clamped(nu, nv)), 1e-5),
+        ("Blinn–Phong", Box::new(BlinnPhong::new_clamped(nu)), 1e-5),
+        ("Ashikhmin–Shirley", Box::new(AshikhminShirley::new_clamped(nu, nv)), 1e-5),
         ("mixture", Box::new(mixture), 1e-5),
         // The rounding of the longer slope leaks into the shorter slope.
         ("turned", Box::new(turned), 1e-5 + 4e-7 * (x / y).max(y / x)),

@@ -5,7 +5,7 @@
 
 use asperity_ndf_sampling::{
     Beckmann, Frame, GaussianSplit, Ggx, Measure, Ndf, NdfMap, NoiseCdfRef, NoiseDistribution, NormalLut,
-    PackedMapRef, Reconstruction, inverse_phi, level_of_detail::MAX_SHARE, phi, residual_ndf,
+    PackedMapRef, Reconstruction, gaussian_cdf, inverse_gaussian_cdf, residual_ndf,
 };
 use asperity_tests::pinned::{SINGLE, pinned, single};
 use glam::{Vec2, Vec3};
@@ -24,13 +24,13 @@ fn closed_forms() {
     let ggx = Ggx::new(0.2, 0.4).unwrap();
     let beckmann = Beckmann::new(0.2, 0.4).unwrap();
     let h = direction();
-    single("Ggx::density", ggx.d(h), [0.258_475_57]);
-    single("Ggx::from_gaussian", ggx.warp_gaussian(Z), [0.116_753_96, -0.400_299_28, 0.908_916_35]);
-    single("Ggx::to_gaussian", ggx.invert(h), [1.464_361_8, -1.098_271_4]);
-    single("Beckmann::density", beckmann.d(h), [0.096_070_141]);
-    single("Beckmann::from_gaussian", beckmann.warp_gaussian(Z), [0.093_333_341, -0.320_000_02, 0.942_809_1]);
-    single("Beckmann::to_gaussian", beckmann.invert(h), [2.357_022_8, -1.767_767]);
-    let clamped = Ggx::clamped(f32::NAN, -1.0);
+    single("Ggx::d", ggx.d(h), [0.258_475_57]);
+    single("Ggx::warp_gaussian", ggx.warp_gaussian(Z), [0.116_753_96, -0.400_299_28, 0.908_916_35]);
+    single("Ggx::invert", ggx.invert(h), [1.464_361_8, -1.098_271_4]);
+    single("Beckmann::d", beckmann.d(h), [0.096_070_141]);
+    single("Beckmann::warp_gaussian", beckmann.warp_gaussian(Z), [0.093_333_341, -0.320_000_02, 0.942_809_1]);
+    single("Beckmann::invert", beckmann.invert(h), [2.357_022_8, -1.767_767]);
+    let clamped = Ggx::new_clamped(f32::NAN, -1.0);
     single("clamped", [f64::from(clamped.alpha_x()), f64::from(clamped.alpha_y())], [1.0, 1e-6]);
 }
 
@@ -39,28 +39,35 @@ fn level_of_detail() {
     let ggx = Ggx::new(0.2, 0.4).unwrap();
     let seen = [0.25, 0.75, 0.99].map(|s| f64::from(residual_ndf(&ggx, direction(), Z, s)));
     // The exponent of the last value is −29, which magnifies the rounding of its terms.
-    pinned("conditional_density", seen, [0.681_554_79, 1.257_120_7, 1.372_429_5e-11], 30.0 * SINGLE);
+    pinned("residual_ndf", seen, [0.681_554_79, 1.257_120_7, 1.372_429_5e-11], 30.0 * SINGLE);
     let split = GaussianSplit::new(Z, 0.5);
-    single("GaussianSplit", [split.share(), split.weigh(1.0, -Z)], [0.5, 0.018_943_675]);
-    assert_eq!(MAX_SHARE, 0.999_999_05);
+    single("GaussianSplit", [split.resolved_variance(), split.weigh(1.0, -Z)], [0.5, 0.018_943_675]);
+    assert_eq!(GaussianSplit::MAX_RESOLVED_VARIANCE, 0.999_999_05);
 }
 
 #[test]
 fn maps() {
-    let map =
-        NdfMap::from_fn(24, 16, Measure::Normals, Reconstruction::Constant, |n| 0.1 + n.x * n.x + 0.5 * n.y)
-            .unwrap_err();
-    assert_eq!(map.to_string().split(' ').next(), Some("texel"));
+    let map = NdfMap::from_fn(24, 16, Measure::ProjectedSolidAngle, Reconstruction::Constant, |n| {
+        0.1 + n.x * n.x + 0.5 * n.y
+    })
+    .unwrap_err();
+    assert!(map.to_string().starts_with("`texels[6]` must be"), "{map}");
     let map = NdfMap::from_fn(24, 16, Measure::SolidAngle, Reconstruction::Constant, |n| {
         0.7 + n.x * n.x + 0.5 * n.y
     })
     .unwrap();
     assert_eq!((map.view().width(), map.view().height()), (24, 16));
-    single("NdfMap::density", map.d(direction()), [0.103_214_55]);
-    single("NdfMap::from_gaussian", map.warp_gaussian(Z), [0.632_519_13, -0.645_998_66, 0.427_323_4]);
-    single("NdfMap::to_gaussian", map.invert(direction()), [0.257_028_73, -0.914_421_2]);
-    let map =
-        NdfMap::from_texels(2, 2, &[1.0, 2.0, 3.0, 4.0], Measure::Normals, Reconstruction::Constant).unwrap();
+    single("NdfMap::d", map.d(direction()), [0.103_214_55]);
+    single("NdfMap::warp_gaussian", map.warp_gaussian(Z), [0.632_519_13, -0.645_998_66, 0.427_323_4]);
+    single("NdfMap::invert", map.invert(direction()), [0.257_028_73, -0.914_421_2]);
+    let map = NdfMap::from_texels(
+        2,
+        2,
+        &[1.0, 2.0, 3.0, 4.0],
+        Measure::ProjectedSolidAngle,
+        Reconstruction::Constant,
+    )
+    .unwrap();
     single("NdfMap::from_texels", map.warp_gaussian(Z), [0.488_912_43, -0.571_194_89, 0.659_318_63]);
 }
 
@@ -76,7 +83,7 @@ fn packed_maps() {
         let map = PackedMapRef::new(map.array()).unwrap();
         single("PackedMapRef::inverse", map.inverse(Vec2::new(0.3, 0.8)), n);
         single("PackedMapRef::forward", map.forward(h.truncate()), u);
-        single("PackedMapRef::density", map.d(h), [density]);
+        single("PackedMapRef::d", map.d(h), [density]);
     }
 }
 
@@ -88,7 +95,7 @@ fn tables() {
     single("NormalTable::nearest", nearest.normal, [0.148_413_45, -0.494_711_52, 0.856_290_82]);
     single("NormalTable::bilinear", bilinear.tangent, [0.992_469_9, 0.025_873_253, -0.119_724_96]);
     let g = NoiseCdfRef::new(1.5, &[0.0, 0.1, 0.6, 1.0]).unwrap();
-    let got = [g.uniform(0.2), g.gaussian(0.2), g.inverse(0.3), g.warp_gaussian(0.7)];
+    let got = [g.cdf(0.2), g.invert(0.2), g.quantile(0.3), g.warp_gaussian(0.7)];
     single("NoiseCdfRef", got, [0.450_000_02, -0.125_661_3, -0.099_999_994, 0.895_090_76]);
 }
 
@@ -110,7 +117,7 @@ fn frames() {
 fn gaussian() {
     pinned(
         "phi",
-        [phi(-6.5), phi(-3.0), phi(0.3), phi(2.0)],
+        [gaussian_cdf(-6.5), gaussian_cdf(-3.0), gaussian_cdf(0.3), gaussian_cdf(2.0)],
         [
             4.016000583859118e-11,
             0.001_349_898_031_630_094_8,
@@ -120,8 +127,8 @@ fn gaussian() {
         DOUBLE,
     );
     pinned(
-        "inverse_phi",
-        [inverse_phi(1e-12), inverse_phi(0.01), inverse_phi(0.6)],
+        "inverse_gaussian_cdf",
+        [inverse_gaussian_cdf(1e-12), inverse_gaussian_cdf(0.01), inverse_gaussian_cdf(0.6)],
         [-7.034_483_825_301_132, -2.326_347_874_040_840_8, 0.253_347_103_135_799_7],
         DOUBLE,
     );

@@ -115,10 +115,10 @@ fn images() -> Vec<Image> {
 
 /// Returns every image in both reconstructions, and two of them in both measures.
 fn cases() -> Vec<(Image, Measure, Reconstruction)> {
-    let cases: Vec<_> = [Measure::Normals, Measure::SolidAngle]
+    let cases: Vec<_> = [Measure::ProjectedSolidAngle, Measure::SolidAngle]
         .into_iter()
         .flat_map(|measure| {
-            let count = if measure == Measure::Normals { usize::MAX } else { 2 };
+            let count = if measure == Measure::ProjectedSolidAngle { usize::MAX } else { 2 };
             let cases =
                 KINDS.map(|kind| images().into_iter().take(count).map(move |image| (image, measure, kind)));
             cases.into_iter().flatten()
@@ -196,7 +196,7 @@ fn largest_map_samples_its_density() {
     let total: f64 = probabilities.iter().sum();
     probabilities.iter_mut().for_each(|probability| *probability /= total);
     for (seed, kind) in KINDS.into_iter().enumerate() {
-        let map = image.map(Measure::Normals, kind);
+        let map = image.map(Measure::ProjectedSolidAngle, kind);
         let p = p_value(&image.counts(50 + seed as u64, SAMPLES, |u| map.sample(u)), &probabilities, SAMPLES);
         println!("4096×4096 {kind:?}: p = {p:.4}");
         assert!(p > LEAST_P, "4096×4096 {kind:?}: p = {p:e}");
@@ -219,8 +219,8 @@ fn distorted_samplers_are_rejected() {
     let images = images();
     let smooth = &images[0];
     for kind in KINDS {
-        let map = smooth.map(Measure::Normals, kind);
-        let other = smooth.map(Measure::Normals, KINDS[usize::from(kind == KINDS[0])]);
+        let map = smooth.map(Measure::ProjectedSolidAngle, kind);
+        let other = smooth.map(Measure::ProjectedSolidAngle, KINDS[usize::from(kind == KINDS[0])]);
         let center = |n: f32| ((n * 16.0 + 16.0).floor() + 0.5) / 16.0 - 1.0;
         let up = |x: f32, y: f32| Vec3::new(x, y, (1.0 - x * x - y * y).max(1e-6).sqrt()).normalize();
         let centers = |u: Vec2| {

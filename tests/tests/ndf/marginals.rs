@@ -106,7 +106,8 @@ fn distribution_functions_are_monotone() {
         .map(|k| (k % 31, k / 31))
         .map(|(i, j)| if (i * j) % 7 < 2 { 0.0 } else { ((i * 3 + j) % 5) as f32 })
         .collect();
-    let map = NdfMap::from_texels(31, 31, &texels, Measure::Normals, Reconstruction::Constant).unwrap();
+    let map =
+        NdfMap::from_texels(31, 31, &texels, Measure::ProjectedSolidAngle, Reconstruction::Constant).unwrap();
     for x in [-0.998, -0.98, -0.4, 0.0, 0.54, 0.998] {
         let mut last = Vec2::ZERO;
         for k in 0..=10_000 {
@@ -143,7 +144,7 @@ proptest! {
             }
         }
         let texels = &weights[..width * height];
-        let Ok(map) = NdfMap::from_texels(width, height, texels, Measure::Normals, kind) else {
+        let Ok(map) = NdfMap::from_texels(width, height, texels, Measure::ProjectedSolidAngle, kind) else {
             // Only black maps are an error.
             prop_assert!(texels.iter().zip(0..).all(|(&t, k)| t == 0.0 || !in_disk(k, width, height)));
             return Ok(());

@@ -1,6 +1,6 @@
 //! G: monotone, total, self-inverse, and correct for a noise with a known distribution.
 
-use asperity_ndf_sampling::{KurtoticDistribution, NoiseCdfRef, NoiseDistribution, phi};
+use asperity_ndf_sampling::{KurtoticDistribution, NoiseCdfRef, NoiseDistribution, gaussian_cdf};
 use asperity_noise::{Noise, Point};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::noise_kinds::{Testable, Visit, every_kind, every_variant};
@@ -18,12 +18,12 @@ fn known_noise_becomes_gaussian() {
     let g = NoiseCdfRef::new(1.0, &table).unwrap();
     let (mut random, samples) = (Random(12), 200_000_u32);
     let mut values: Vec<f64> = (0..samples)
-        .map(|_| f64::from(g.gaussian((random.uniform() + random.uniform() - 1.0) as f32)))
+        .map(|_| f64::from(g.invert((random.uniform() + random.uniform() - 1.0) as f32)))
         .collect();
     values.sort_by(f64::total_cmp);
     let distance = values.iter().zip(0..).fold(0.0_f64, |worst, (&z, k)| {
         let (below, above) = (f64::from(k) / f64::from(samples), f64::from(k + 1) / f64::from(samples));
-        worst.max((phi(z) - below).abs()).max((phi(z) - above).abs())
+        worst.max((gaussian_cdf(z) - below).abs()).max((gaussian_cdf(z) - above).abs())
     });
     // Kolmogorov's 0.1 % point is 1.95/√n = 0.0044.
     assert!(distance < 1.95 / f64::from(samples).sqrt(), "{distance}");
@@ -45,12 +45,12 @@ impl Visit for Measured {
         let g = NoiseCdfRef::new(4.0, statistics.cdf).expect("a distribution");
         for k in -350..=350 {
             let r = k as f32 * 0.01;
-            let (u, z) = (g.uniform(r), g.gaussian(r));
-            assert_abs_diff_eq!(phi(f64::from(z)), f64::from(u), epsilon = 1e-6, "{name} at {r}");
+            let (u, z) = (g.cdf(r), g.invert(r));
+            assert_abs_diff_eq!(gaussian_cdf(f64::from(z)), f64::from(u), epsilon = 1e-6, "{name} at {r}");
             assert!(z.is_finite(), "{name} at {r}");
             // Where the noise has values, they are recovered.
             if u > 1e-4 && u < 0.9999 {
-                let density = (g.uniform(r + 0.02) - g.uniform(r - 0.02)) / 0.04;
+                let density = (g.cdf(r + 0.02) - g.cdf(r - 0.02)) / 0.04;
                 let tolerance = 1e-6 + 3e-7 / density.max(1e-3);
                 assert_abs_diff_eq!(g.warp_gaussian(z), r, epsilon = tolerance, "{name}");
             }
@@ -60,10 +60,7 @@ impl Visit for Measured {
         let fitted = KurtoticDistribution::new(1.0, kurtosis).expect("in range");
         let gaussian = KurtoticDistribution::new(1.0, 0.0).expect("valid");
         let distance = |of: KurtoticDistribution| {
-            (-400..=400)
-                .map(|k| k as f32 * 0.01)
-                .map(|r| (of.uniform(r) - g.uniform(r)).abs())
-                .fold(0.0, f32::max)
+            (-400..=400).map(|k| k as f32 * 0.01).map(|r| (of.cdf(r) - g.cdf(r)).abs()).fold(0.0, f32::max)
         };
         let (plain, bent) = (distance(gaussian), distance(fitted));
         // Perlin noise of 1985 in 1-D has only two gradients. Its distribution is uneven, and its
@@ -99,17 +96,17 @@ proptest! {
         table.extend(weights.iter().scan(0.0_f32, |sum, w| { *sum += w / total; Some(sum.min(1.0)) }));
         let g = NoiseCdfRef::new(range, &table).unwrap();
         let (low, high) = (a.min(b) * range, a.max(b) * range);
-        prop_assert!(g.uniform(low) <= g.uniform(high));
-        prop_assert!(g.gaussian(low) <= g.gaussian(high));
-        prop_assert!(g.gaussian(low).is_finite() && g.gaussian(high).is_finite());
+        prop_assert!(g.cdf(low) <= g.cdf(high));
+        prop_assert!(g.invert(low) <= g.invert(high));
+        prop_assert!(g.invert(low).is_finite() && g.invert(high).is_finite());
         // The steepness of the inverse is at most the number of entries divided by the minimum
         // weight.
         let r = a.clamp(-1.0, 1.0) * range;
         let steep = 2.0 * range * total / 0.01 / weights.len() as f32;
-        prop_assert!((g.inverse(g.uniform(r)) - r).abs() < 3e-7 * (steep + range), "{} {r}", g.inverse(g.uniform(r)));
+        prop_assert!((g.quantile(g.cdf(r)) - r).abs() < 3e-7 * (steep + range), "{} {r}", g.quantile(g.cdf(r)));
         let z = 3.0 * a;
-        let back = g.uniform(g.warp_gaussian(z));
-        let u = (phi(f64::from(z)) as f32).clamp(table[0], table[table.len() - 1]);
+        let back = g.cdf(g.warp_gaussian(z));
+        let u = (gaussian_cdf(f64::from(z)) as f32).clamp(table[0], table[table.len() - 1]);
         prop_assert!((back - u).abs() < 1e-5, "{back} {u}");
     }
 }

@@ -1,7 +1,7 @@
 //! Table L: lookup errors at a point, and frames.
 
 use asperity_ndf_sampling::{
-    Beckmann, Frame, Ggx, Ndf, NormalLut, NormalLutRef, inverse_phi,
+    Beckmann, Frame, Ggx, Ndf, NormalLut, inverse_gaussian_cdf,
     normal_table::{Chart, Spacing, TableLayout},
 };
 use asperity_tests::assert_abs_diff_eq;
@@ -18,7 +18,7 @@ fn quantile_error_of_the_slopes() {
     let table = NormalLut::standard(&ggx);
     let (mut nearest, mut bilinear) = (0.0_f32, 0.0_f32);
     for k in 1..2000 {
-        let z = Vec2::new(inverse_phi(f64::from(k) / 2000.0) as f32, 0.0);
+        let z = Vec2::new(inverse_gaussian_cdf(f64::from(k) / 2000.0) as f32, 0.0);
         let exact = ggx.warp_gaussian(z);
         let error = |m: Vec3| (m.x - exact.x).hypot(m.y - exact.y);
         nearest = nearest.max(error(table.nearest(z).normal));
@@ -47,7 +47,7 @@ fn frames_are_orthonormal_in_every_layout() {
             let ggx = Ggx::new(alpha, 0.5).unwrap();
             let table = NormalLut::with_layout(&ggx, 64, TableLayout { spacing, chart }).unwrap();
             let halves = table.halves();
-            let packed = NormalLutRef::new(64, table.layout(), &halves).unwrap();
+            let packed = NormalLut::from_entries(64, table.layout(), &halves).unwrap();
             for k in 0..1000 {
                 let z = Vec2::from(r2(k).map(|u| u as f32)) * 12.0 - 6.0;
                 for frame in [table.nearest(z), table.bilinear(z), packed.nearest(z), packed.bilinear(z)] {

@@ -143,8 +143,7 @@ fn densities_match_the_exact_map() {
                     0.0
                 }
             });
-            let density =
-                f64::from(packed.d(n.extend((1.0 - n.length_squared()).max(0.0).sqrt().max(1e-3))));
+            let density = f64::from(packed.d(n.extend((1.0 - n.length_squared()).max(0.0).sqrt().max(1e-3))));
             let (low, high) =
                 (near.iter().copied().fold(f64::MAX, f64::min), near.iter().copied().fold(0.0, f64::max));
             let outside = (n.length() - 1.0).abs() < 1e-5;
@@ -202,7 +201,7 @@ fn invalid_storage_is_an_error() {
     let (_, map) = image(8, 4, Reconstruction::Bilinear, |i, j| (i + j) as f32);
     let array = map.into_array();
     let refused = |array: &[f32]| PackedMapRef::new(array).unwrap_err().to_string();
-    assert_eq!(refused(&[]), "array must have 16 numbers, got 0");
+    assert_eq!(refused(&[]), "`array` must have 16 elements, got 0");
     assert_eq!(refused(&[1.0; 100]), "not a packed map: bad magic number 1");
     assert!(refused(&array[..array.len() - 1]).contains(&(array.len() - 1).to_string()));
     for index in 1..7 {

@@ -149,8 +149,7 @@ fn prefiltered_light_is_the_quotient_of_its_integrals() {
         for r in spiral(12).chain([Vec3::new(0.48, -0.36, 0.8), Vec3::new(0.3, -0.5, 0.81).normalize()]) {
             let (mut sum, mut weight) = (0.0, 0.0);
             for w in spiral(60_000).filter(|w| w.dot(r) > 0.0) {
-                let lobe =
-                    f64::from(ggx.d(Frame::from_normal(r).to_local(half_vector(w, r))) * w.dot(r));
+                let lobe = f64::from(ggx.d(Frame::from_normal(r).to_local(half_vector(w, r))) * w.dot(r));
                 sum += lobe * f64::from(map.radiance(w).x);
                 weight += lobe;
             }

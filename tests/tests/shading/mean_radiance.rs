@@ -61,7 +61,7 @@ fn cases() -> [Case; 3] {
         Case {
             name: "two lobes",
             ndf: Box::new(
-                NdfMap::from_fn(128, 128, Measure::Normals, Reconstruction::Constant, painted)
+                NdfMap::from_fn(128, 128, Measure::ProjectedSolidAngle, Reconstruction::Constant, painted)
                     .expect("two lobes have weight"),
             ),
             half_vectors: on_map([[-0.4, 0.1], [0.45, -0.2], [0.0, 0.0], [-0.5, -0.1], [0.2, -0.1]]),

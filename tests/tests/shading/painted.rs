@@ -8,7 +8,9 @@ use asperity_shading::{Brdf, CookTorrance};
 /// Paintings: smooth, with edges, of one texel, with nonzero mean; and a ring of tilts.
 fn painted() -> Vec<(&'static str, Box<dyn Microfacet>)> {
     let map = |kind, f: fn(Vec3) -> f32| {
-        Box::new(Masked::new(NdfMap::from_fn(32, 32, Measure::Normals, kind, f).expect("a painting")))
+        Box::new(Masked::new(
+            NdfMap::from_fn(32, 32, Measure::ProjectedSolidAngle, kind, f).expect("a painting"),
+        ))
     };
     let ring = Isotropic::new(&[0.0, 0.0, 2.0, 1.0, 0.0, 0.0, 0.5]).expect("a table");
     vec![

@@ -251,7 +251,8 @@ fn samples_fit(name: &str, brdf: &dyn Brdf, wo: Vec3) -> f64 {
 #[test]
 fn samples_follow_their_density_on_both_sides() {
     let hills = |n: Vec3| (9.0 * n.x).sin() * (7.0 * n.y + 1.0).cos() + 1.1;
-    let painted = NdfMap::from_fn(24, 24, Measure::Normals, Reconstruction::Bilinear, hills).expect("hills");
+    let painted = NdfMap::from_fn(24, 24, Measure::ProjectedSolidAngle, Reconstruction::Bilinear, hills)
+        .expect("hills");
     let mut all = densities().into_iter().filter(|(name, _)| *name != "Beckmann 0.7").collect::<Vec<_>>();
     all.push(("painted", Box::new(Masked::new(painted))));
     // From outside and from inside, along the normal and up to grazing. Walls are the same from
@@ -395,7 +396,7 @@ fn directions_without_a_side_are_dark() {
     }
     // No interface, and a degenerate interface.
     for index in [1.0, 0.999_999, f32::MIN_POSITIVE, f32::MAX] {
-        let glass = RoughDielectric::new(Ggx::isotropic(0.3).expect(VALID), Dielectric::clamped(index));
+        let glass = RoughDielectric::new(Ggx::isotropic(0.3).expect(VALID), Dielectric::new_clamped(index));
         for (wi, wo) in [(good, good), (-good, good), (good, -good), (-good, -good)] {
             let value = glass.value(wi, wo);
             assert!(value.is_finite() && glass.density(wi, wo).is_finite(), "{index}: {value}");

@@ -3,7 +3,7 @@
 
 use std::{f64::consts::PI, fmt::Write};
 
-use asperity_ndf_sampling::phi;
+use asperity_ndf_sampling::gaussian_cdf;
 use asperity_noise::{
     Fbm, FbmSpectrum, Field, Noise, Normalization, Perlin, PerlinClassic, Point, Simplex, SparseConvolution,
     ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise, simd::Kernel,
@@ -52,7 +52,7 @@ pub(crate) fn noise_statistics_source() -> String {
         }
     }
     text.push_str("\n#[rustfmt::skip]\nstatic PHI: [f32; 257] = [\n");
-    let gaussian: Vec<f64> = (0..KNOTS).map(|k| phi(knot(k))).collect();
+    let gaussian: Vec<f64> = (0..KNOTS).map(|k| gaussian_cdf(knot(k))).collect();
     numbers(&mut text, "    ", 32, &gaussian);
     text.push_str("];\n");
     let first = (2.0 / PI).sqrt();

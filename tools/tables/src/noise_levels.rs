@@ -3,7 +3,7 @@
 
 use std::fmt::Write;
 
-use asperity_ndf_sampling::inverse_phi;
+use asperity_ndf_sampling::inverse_gaussian_cdf;
 
 use crate::noise_cdf::numbers;
 
@@ -24,7 +24,7 @@ const LINES: usize = 32;
 /// mean error there.
 pub(crate) fn noise_levels_source() -> String {
     let mut quantiles: Vec<f64> =
-        (0..HALF).map(|k| inverse_phi(0.5 + (k as f64 + 0.5) / (2 * HALF) as f64)).collect();
+        (0..HALF).map(|k| inverse_gaussian_cdf(0.5 + (k as f64 + 0.5) / (2 * HALF) as f64)).collect();
     let inner = &quantiles[..HALF - 1];
     let second: f64 = inner.iter().map(|x| x * x).sum();
     let fourth: f64 = inner.iter().map(|x| x * x * x * x).sum();
@@ -68,7 +68,7 @@ pub(crate) fn noise_levels_source() -> String {
 
 /// Returns a and b over the 32nd `i` of the probabilities from 2ᵉ⁻³² on.
 fn line(e: usize, i: usize) -> [f64; 2] {
-    let z = |m: f64| -inverse_phi(m * 2.0_f64.powi(e as i32 - 32));
+    let z = |m: f64| -inverse_gaussian_cdf(m * 2.0_f64.powi(e as i32 - 32));
     let [from, to] = [i, i + 1].map(|k| 1.0 + k as f64 / LINES as f64);
     let b = (z(to) - z(from)) / (to - from);
     // The mean of z by Simpson's rule minus the mean of the chord: two thirds of the chord's error

@@ -63,7 +63,7 @@ fn split(rectangle: Rectangle, axis: usize, cut: f64) -> [Rectangle; 2] {
 /// let masses = cells.integrate(|m| f64::from(ggx.density(m) * m.z));
 /// assert!((masses.iter().sum::<f64>() - 1.0).abs() < 1e-3);
 /// assert!(p_value(&cells.count((4096..8192).map(sample)), &masses, 4096) > 1e-6);
-/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cells {

@@ -45,7 +45,7 @@ const AZIMUTHS: u16 = 5;
 ///
 /// let report = check::microfacet(&Beckmann::new(0.2, 0.4)?, check::Settings::default());
 /// assert!(report.passed() && report.checks.len() == 13, "{report}");
-/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 ///
 /// The integrals over masking and visible normals are eq. 43 and 83 of Heitz 2014.

@@ -11,7 +11,7 @@
 //! let report = check::ndf(&Ggx::new(0.2, 0.4)?, Settings::default());
 //! println!("{report}");
 //! assert!(report.passed());
-//! # Ok::<(), asperity_ndf_sampling::RangeError>(())
+//! # Ok::<(), asperity_ndf_sampling::NdfError>(())
 //! ```
 //!
 //! Integrals are taken over cells of the hemisphere that hold equally many samples of a pilot run.

@@ -8,7 +8,7 @@ use glam::{Vec2, Vec3};
 
 use crate::check::cells::Cells;
 use crate::ndf::Ndf;
-use crate::numeric::normal_distribution::inverse_phi;
+use crate::numeric::normal_distribution::inverse_gaussian_cdf;
 use asperity_core::check::Settings;
 use asperity_core::check::p_value;
 use asperity_core::check::{Limit, Report};
@@ -55,7 +55,7 @@ const PLACES: usize = 4096;
 /// let bright = Bright(asperity_ndf_sampling::Beckmann::new(0.2, 0.4)?);
 /// let report = check::ndf(&bright, check::Settings::default());
 /// assert!(report.failures().eq(["normalization", "Jacobian of the map"]), "{report}");
-/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 #[must_use]
 pub fn ndf<N: Ndf + ?Sized>(ndf: &N, settings: Settings) -> Report {
@@ -104,7 +104,7 @@ impl Density {
 /// Gaussian coordinates of uniform numbers.
 fn gaussian(u: Vec2) -> Vec2 {
     // The middle of its cell of 2⁻²⁴, so neither end is infinite.
-    Vec2::from(u.to_array().map(|u| inverse_phi(f64::from(u) + 0.5 / 16_777_216.0) as f32))
+    Vec2::from(u.to_array().map(|u| inverse_gaussian_cdf(f64::from(u) + 0.5 / 16_777_216.0) as f32))
 }
 
 /// Adds `D(T(z)) |∂(n_x, n_y)/∂z| = φ(z)`.

@@ -9,11 +9,11 @@ use crate::density::blinn_phong::{BlinnPhong, roughness};
 use crate::density::ggx::Ggx;
 use crate::density::roughness::Roughness;
 use crate::density::student_distribution::StudentDistribution;
+use crate::error::{NdfError, in_range};
 use crate::microfacet::{Microfacet, above};
 use crate::ndf::{Ndf, unit_square};
 use crate::numeric::gauss_kronrod::integrate;
 use crate::radial::Radial;
-use crate::range_error::RangeError;
 use crate::serde::written;
 use asperity_core::SplitMix64;
 use asperity_core::lanes::Scalar;
@@ -49,7 +49,7 @@ use asperity_core::math;
 /// let m = Vec3::new(0.3, -0.2, 0.93).normalize();
 /// let (equal, phong) = (AshikhminShirley::new(50.0, 50.0)?, BlinnPhong::new(50.0)?);
 /// assert!((equal.density(m) / phong.density(m) - 1.0).abs() < 1e-5);
-/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 ///
 /// Ashikhmin and Shirley 2000, "An Anisotropic Phong BRDF Model", eq. 4. The map is ours. The
@@ -73,14 +73,14 @@ impl AshikhminShirley {
     ///
     /// # Errors
     /// An exponent that is NaN or out of range. The error contains its name and value.
-    pub fn new(n_u: f32, n_v: f32) -> Result<Self, RangeError> {
-        let check = |parameter, n| RangeError::check(parameter, n, [0.0, BlinnPhong::MAX_EXPONENT]);
+    pub fn new(n_u: f32, n_v: f32) -> Result<Self, NdfError> {
+        let check = |parameter, n| in_range(parameter, n, [0.0, BlinnPhong::MAX_EXPONENT]);
         Ok(Self::with(check("n_u", n_u)?, check("n_v", n_v)?))
     }
 
     /// Creates the NDF with exponents clamped to the valid range; NaN becomes 0.
     #[must_use]
-    pub fn clamped(n_u: f32, n_v: f32) -> Self {
+    pub fn new_clamped(n_u: f32, n_v: f32) -> Self {
         let clamp = |n: f32| if n.is_nan() { 0.0 } else { n.clamp(0.0, BlinnPhong::MAX_EXPONENT) };
         Self::with(clamp(n_u), clamp(n_v))
     }

@@ -12,7 +12,7 @@ use crate::density::roughness::{Roughness, roughness_parameters};
 use crate::density::visible_slopes::{LEAST_U, excess, visible_slope};
 use crate::microfacet::{Microfacet, above};
 use crate::ndf::unit_square;
-use crate::numeric::normal_distribution::inverse_phi;
+use crate::numeric::normal_distribution::inverse_gaussian_cdf;
 use crate::radial::Radial;
 use asperity_core::lanes::Arithmetic;
 use asperity_core::lanes::elementary::{cos_sin_turns, exp, ln_1p};
@@ -40,7 +40,7 @@ use asperity_core::math;
 /// let beckmann = Beckmann::isotropic(0.3)?;
 /// assert!((beckmann.density(Vec3::Z) - 1.0 / (core::f32::consts::PI * 0.09)).abs() < 1e-5);
 /// assert!(Beckmann::new(0.3, 0.0).is_err());
-/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 ///
 /// Walter et al. 2007, eq. 25, in its anisotropic form.
@@ -108,7 +108,7 @@ impl Formulas for Beckmann {
         let cos = s.select(aside, x * per_lateral, s.float(1.0));
         let sin = s.select(aside, y * per_lateral, s.float(0.0));
         let along = gaussian_lanes::visible_slope(s, z * per_lateral * s.float(SQRT_2), u1);
-        let across = gaussian_lanes::inverse_phi(s, s.at_least(u2, gaussian_lanes::LEAST_U));
+        let across = gaussian_lanes::inverse_gaussian_cdf(s, s.at_least(u2, gaussian_lanes::LEAST_U));
         let x = (along * cos - across * sin) * s.float(self.alpha.x * FRAC_1_SQRT_2);
         let y = (along * sin + across * cos) * s.float(self.alpha.y * FRAC_1_SQRT_2);
         unit(s, [x, y, s.float(1.0)])
@@ -153,7 +153,7 @@ impl Microfacet for Beckmann {
         let (cos, sin) = if lateral > 0.0 { (w.x / lateral, w.y / lateral) } else { (1.0, 0.0) };
         let z = core::f64::consts::SQRT_2 * f64::from(w.z) / f64::from(lateral);
         let along = visible_slope(z, f64::from(u.x)) as f32 * FRAC_1_SQRT_2;
-        let across = inverse_phi(f64::from(u.y).max(LEAST_U)) as f32 * FRAC_1_SQRT_2;
+        let across = inverse_gaussian_cdf(f64::from(u.y).max(LEAST_U)) as f32 * FRAC_1_SQRT_2;
         self.alpha.normal(along * cos - across * sin, along * sin + across * cos, 1.0)
     }
 }

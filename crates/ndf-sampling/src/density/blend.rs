@@ -2,9 +2,9 @@
 
 use glam::{Vec2, Vec3};
 
+use crate::error::{NdfError, in_range};
 use crate::microfacet::{Microfacet, above};
 use crate::ndf::{Ndf, unit_square};
-use crate::range_error::RangeError;
 
 /// The density `w D_a + (1 − w) D_b` of any two NDFs, without a map from Gaussian coordinates.
 ///
@@ -14,7 +14,7 @@ use crate::range_error::RangeError;
 ///
 /// In general the sum has no bijection in closed form. If both NDFs are isotropic, use
 /// [`Mixture`](crate::Mixture), which has one. For others `NdfMap::from_fn(width, height,
-/// Measure::Normals, Reconstruction::Constant, |m| blend.density(m))` computes one. Samples choose
+/// Measure::ProjectedSolidAngle, Reconstruction::Constant, |m| blend.density(m))` computes one. Samples choose
 /// an NDF by `u.x` and reuse the remainder of that number, so the map from `u` is discontinuous
 /// there.
 ///
@@ -43,8 +43,8 @@ impl<A, B> Blend<A, B> {
     ///
     /// # Errors
     /// A weight that is not between 0 and 1.
-    pub fn new(a: A, b: B, weight: f32) -> Result<Self, RangeError> {
-        RangeError::check("weight", weight, [0.0, 1.0]).map(|weight| Self { a, b, weight })
+    pub fn new(a: A, b: B, weight: f32) -> Result<Self, NdfError> {
+        in_range("weight", weight, [0.0, 1.0]).map(|weight| Self { a, b, weight })
     }
 
     /// `w f(a) + (1 − w) f(b)`, skipping an NDF of weight 0, whose value could be infinite.

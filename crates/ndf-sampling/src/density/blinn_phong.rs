@@ -3,7 +3,7 @@
 use crate::density::delegate::delegate_ndf;
 use crate::density::roughness::MIN_ALPHA;
 use crate::density::student_t::StudentT;
-use crate::range_error::RangeError;
+use crate::error::{NdfError, in_range};
 use crate::serde::written;
 use asperity_core::math;
 
@@ -30,7 +30,7 @@ use asperity_core::math;
 /// assert!((BlinnPhong::new(3.0)?.density(m) - 5.0 * 0.512 / core::f32::consts::TAU).abs() < 1e-6);
 /// assert!((BlinnPhong::new(0.0)?.density(m) - core::f32::consts::FRAC_1_PI).abs() < 1e-6);
 /// assert!((BlinnPhong::from_roughness(0.1)?.exponent() - 198.0).abs() < 1e-4);
-/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 ///
 /// Blinn 1977; Walter et al. 2007, eq. 30 (`D`) and section 5.3 (`α`). The distribution of the
@@ -57,8 +57,8 @@ impl BlinnPhong {
     ///
     /// # Errors
     /// An exponent that is NaN or out of range. The error contains its name and value.
-    pub fn new(exponent: f32) -> Result<Self, RangeError> {
-        RangeError::check("exponent", exponent, [0.0, Self::MAX_EXPONENT]).map(Self::with)
+    pub fn new(exponent: f32) -> Result<Self, NdfError> {
+        in_range("exponent", exponent, [0.0, Self::MAX_EXPONENT]).map(Self::with)
     }
 
     /// Creates the NDF that is as narrow as Beckmann with the roughness `alpha`: `n = 2/α² − 2`.
@@ -66,20 +66,20 @@ impl BlinnPhong {
     /// # Errors
     /// A roughness that is NaN, below [`MIN_ALPHA`] or above 1, for which the exponent would be
     /// negative.
-    pub fn from_roughness(alpha: f32) -> Result<Self, RangeError> {
-        RangeError::check("roughness", alpha, [MIN_ALPHA, 1.0])
+    pub fn from_roughness(alpha: f32) -> Result<Self, NdfError> {
+        in_range("roughness", alpha, [MIN_ALPHA, 1.0])
             .map(|alpha| Self::with((2.0 / (alpha * alpha) - 2.0).clamp(0.0, Self::MAX_EXPONENT)))
     }
 
     /// Creates the NDF with the exponent clamped to the valid range; NaN becomes 0.
     #[must_use]
-    pub fn clamped(exponent: f32) -> Self {
+    pub fn new_clamped(exponent: f32) -> Self {
         Self::with(if exponent.is_nan() { 0.0 } else { exponent.clamp(0.0, Self::MAX_EXPONENT) })
     }
 
     fn with(exponent: f32) -> Self {
         let alpha = roughness(exponent);
-        Self { exponent, facets: StudentT::clamped(alpha, alpha, 0.5 * exponent + 2.0) }
+        Self { exponent, facets: StudentT::new_clamped(alpha, alpha, 0.5 * exponent + 2.0) }
     }
 
     /// The exponent `n`.

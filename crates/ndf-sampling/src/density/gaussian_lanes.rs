@@ -71,7 +71,7 @@ fn magnitude<S: Arithmetic>(s: S, x: S::F) -> S::F {
 /// above. The method is from Giles 2010, "Approximating the erfinv function", fitted again to 2e-7
 /// relative up to `w = 22.3`. Accuracy: 1e-6 relative to 1 + |Φ⁻¹|.
 #[inline(always)]
-pub(crate) fn inverse_phi<S: Arithmetic>(s: S, u: S::F) -> S::F {
+pub(crate) fn inverse_gaussian_cdf<S: Arithmetic>(s: S, u: S::F) -> S::F {
     const NEAR: [f32; 9] = [
         1.501_409_3,
         0.246_641_08,
@@ -171,7 +171,7 @@ mod tests {
             let x = k as f32 * 0.01;
             let tail = density(Scalar, x) * mills_ratio(Scalar, x.abs());
             let tail = above(Scalar, x, tail);
-            let exact = normal_distribution::phi(-f64::from(x));
+            let exact = normal_distribution::gaussian_cdf(-f64::from(x));
             // The exponential magnifies the rounding of x²/2.
             let bound = 5e-7 + 6e-8 * f64::from(x * x);
             assert_abs_diff_eq!(f64::from(tail) / exact, 1.0, epsilon = bound, "{x}");
@@ -184,11 +184,12 @@ mod tests {
         let powers = (1..=32).map(|k| 0.5_f32.powi(k));
         let near_one = (2..=24).map(|k| 1.0 - 0.5_f32.powi(k));
         for u in (1..2000).map(|k| k as f32 / 2000.0).chain(powers).chain(near_one) {
-            let exact = normal_distribution::inverse_phi(f64::from(u));
-            worst = worst.max((f64::from(inverse_phi(Scalar, u)) - exact).abs() / (1.0 + exact.abs()));
+            let exact = normal_distribution::inverse_gaussian_cdf(f64::from(u));
+            worst =
+                worst.max((f64::from(inverse_gaussian_cdf(Scalar, u)) - exact).abs() / (1.0 + exact.abs()));
         }
         assert!(worst < 1e-6, "{worst:e}");
-        assert_eq!(inverse_phi(Scalar, 0.5), 0.0);
+        assert_eq!(inverse_gaussian_cdf(Scalar, 0.5), 0.0);
     }
 
     #[test]
@@ -197,12 +198,12 @@ mod tests {
         for b in [0.0, 1e-9, 1e-3, 0.03, 0.1, 0.5, 1.0, 2.0, 4.0, 4.6, 8.0, 30.0, 1e3, 1e6, f32::INFINITY] {
             let exact = f64::from(b.min(1e9));
             let density = |x: f64| (-0.5 * x * x).exp() / core::f64::consts::TAU.sqrt();
-            let total = exact * normal_distribution::phi(exact) + density(exact);
+            let total = exact * normal_distribution::gaussian_cdf(exact) + density(exact);
             for k in 0..=2000 {
                 let u = if k <= 32 { 0.5_f32.powi(32 - k) } else { (k - 33) as f32 / 1968.0 };
                 let u = u.min(1.0 - f32::EPSILON / 2.0);
                 let x = f64::from(visible_slope(Scalar, b, u));
-                let above = (exact * normal_distribution::phi(-x) + density(x)) / total;
+                let above = (exact * normal_distribution::gaussian_cdf(-x) + density(x)) / total;
                 let error = (1.0 - above - f64::from(u)).abs();
                 let worst = if u < 1e-5 { &mut at_edge } else { &mut worst };
                 if error > worst.0 {

@@ -37,7 +37,7 @@ use asperity_core::math;
 /// let ggx = Ggx::new(0.2, 0.4)?;
 /// assert!((ggx.density(Vec3::Z) - 1.0 / (core::f32::consts::PI * 0.08)).abs() < 1e-5);
 /// assert!(Ggx::new(f32::NAN, 0.4).is_err());
-/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 ///
 /// Walter et al. 2007, eq. 33; anisotropic form Burley 2012, eq. 13. The map is the radial Gaussian

@@ -10,9 +10,10 @@ use glam::{Vec2, Vec3};
 use crate::coordinates::bounded;
 use crate::density::isotropic_cell::{Cell, invert};
 use crate::density::mixture::{tilted, untilted};
+use crate::error::{IS_DENSITY, NdfError};
 use crate::ndf::Ndf;
 use crate::radial::Radial;
-use asperity_core::error_enum;
+use crate::storage::Entries;
 use asperity_core::math;
 
 /// The maximum number of nodes of a table.
@@ -36,32 +37,31 @@ pub(crate) type Node = [f32; PER_NODE];
 /// `cos θ`. Near the zenith this is a tilt of `√(2/n)`, so lobes narrower than a few such tilts
 /// need another NDF or [`NdfMap`](crate::NdfMap).
 ///
-/// - **Storage:** three numbers per node, owned by [`Isotropic`] and borrowed by [`IsotropicRef`].
+/// - **Storage:** three numbers per node, owned or, as `Isotropic<&[_]>`, borrowed, e.g. in flash.
 /// - **Masking and visible normals:** by [`Masked`](crate::Masked).
 /// - **Domain:** unit `m`, only its slope matters; `D = 0` for `m.z ≤ 0` and NaN.
 /// - **Accuracy:** `C` 1e-14; `T⁻¹(T(z)) = z` within 1e-5 where the density is not 0.
 ///
 /// Kautz, Heidrich, Seidel 2001, section 4, in the radial case, with one table instead of two.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct IsotropicIn<S> {
-    nodes: S,
-}
-
-/// An [isotropic NDF](IsotropicIn) that owns its table.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Isotropic, Ndf, glam::Vec2};
 ///
-/// let table = Isotropic::new(&[0.0, 0.5, 2.0])?;
+/// let mut storage = [0.0; 3 * 3];
+/// let table = Isotropic::pack(&[0.0, 0.5, 2.0], &mut storage)?;
 /// let z = Vec2::new(0.7, -1.2);
 /// assert!(table.invert(table.warp_gaussian(z)).abs_diff_eq(z, 1e-5));
-/// # Ok::<(), asperity_ndf_sampling::IsotropicError>(())
+/// # #[cfg(feature = "alloc")]
+/// assert_eq!(Isotropic::new(&[0.0, 0.5, 2.0])?.view(), table);
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
-#[cfg(feature = "alloc")]
-pub type Isotropic = IsotropicIn<Vec<Node>>;
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Isotropic<S = Entries<Node>> {
+    nodes: S,
+}
 
 #[cfg(feature = "alloc")]
-impl IsotropicIn<Vec<Node>> {
+impl Isotropic<Vec<Node>> {
     /// Creates the NDF proportional to `values` at equally spaced cosines.
     ///
     /// The first value is at the horizon, the last at the zenith.
@@ -69,9 +69,9 @@ impl IsotropicIn<Vec<Node>> {
     /// # Errors
     /// Fewer than 2 or more than 2²⁰ values; a negative or non-finite value; only zeros. The error
     /// contains the invalid value.
-    pub fn new(values: &[f32]) -> Result<Self, IsotropicError> {
+    pub fn new(values: &[f32]) -> Result<Self, NdfError> {
         let mut nodes = alloc::vec![[0.0; PER_NODE]; values.len()];
-        IsotropicRef::pack(values, nodes.as_flattened_mut())?;
+        Isotropic::pack(values, nodes.as_flattened_mut())?;
         Ok(Self { nodes })
     }
 
@@ -80,29 +80,16 @@ impl IsotropicIn<Vec<Node>> {
     ///
     /// # Errors
     /// See [`new`](Self::new).
-    pub fn from_fn(nodes: usize, density: impl Fn(f32) -> f32) -> Result<Self, IsotropicError> {
+    pub fn from_fn(nodes: usize, density: impl Fn(f32) -> f32) -> Result<Self, NdfError> {
         if !(2..=MAX_NODES).contains(&nodes) {
-            return Err(IsotropicError::Nodes { got: nodes });
+            return Err(nodes_error(nodes));
         }
         let values: Vec<f32> = (0..nodes).map(|k| density(k as f32 / (nodes - 1) as f32)).collect();
         Self::new(&values)
     }
 }
 
-/// An [isotropic NDF](IsotropicIn) in borrowed storage, e.g. in flash: three numbers per node.
-///
-/// ```
-/// use asperity_ndf_sampling::{IsotropicRef, Ndf, glam::Vec2};
-///
-/// let mut storage = [0.0; 3 * 3];
-/// let table = IsotropicRef::pack(&[0.0, 0.5, 2.0], &mut storage)?;
-/// let z = Vec2::new(0.7, -1.2);
-/// assert!(table.invert(table.warp_gaussian(z)).abs_diff_eq(z, 1e-5));
-/// # Ok::<(), asperity_ndf_sampling::IsotropicError>(())
-/// ```
-pub type IsotropicRef<'a> = IsotropicIn<&'a [Node]>;
-
-impl<'a> IsotropicIn<&'a [Node]> {
+impl<'a> Isotropic<&'a [Node]> {
     /// Creates the NDF proportional to `values` at equally spaced cosines in a given `storage`.
     ///
     /// The first value is at the horizon, the last at the zenith. The storage has three numbers per
@@ -111,10 +98,14 @@ impl<'a> IsotropicIn<&'a [Node]> {
     /// # Errors
     /// Fewer than 2 or more than 2²⁰ values; a negative or non-finite value; only zeros; a storage
     /// of another length. The error contains the invalid value.
-    pub fn pack(values: &[f32], storage: &'a mut [f32]) -> Result<Self, IsotropicError> {
+    pub fn pack(values: &[f32], storage: &'a mut [f32]) -> Result<Self, NdfError> {
         check(values)?;
         if storage.len() != PER_NODE * values.len() {
-            return Err(IsotropicError::Storage { expected: PER_NODE * values.len(), got: storage.len() });
+            return Err(NdfError::Length {
+                parameter: "storage",
+                expected: PER_NODE * values.len(),
+                got: storage.len(),
+            });
         }
         let nodes = storage.as_chunks_mut().0;
         fill(values, nodes)?;
@@ -125,21 +116,25 @@ impl<'a> IsotropicIn<&'a [Node]> {
     ///
     /// # Errors
     /// An invalid length; a negative or non-finite density; a CDF that does not increase from 0 to 1.
-    pub fn new(packed: &'a [f32]) -> Result<Self, IsotropicError> {
+    pub fn from_packed(packed: &'a [f32]) -> Result<Self, NdfError> {
         let nodes = packed.len() / PER_NODE;
         if !(2..=MAX_NODES).contains(&nodes) {
-            return Err(IsotropicError::Nodes { got: nodes });
+            return Err(nodes_error(nodes));
         }
         if !packed.len().is_multiple_of(PER_NODE) {
-            return Err(IsotropicError::Storage { expected: PER_NODE * nodes, got: packed.len() });
+            return Err(NdfError::Length {
+                parameter: "packed",
+                expected: PER_NODE * nodes,
+                got: packed.len(),
+            });
         }
         let mut last = 0.0;
         for (index, &[density, high, low]) in packed.as_chunks::<PER_NODE>().0.iter().enumerate() {
-            check_value(index, density)?;
+            check_value("packed", PER_NODE * index, density)?;
             let share = f64::from(high) + f64::from(low);
             let rises = share >= last && share <= 1.000_001 && (index > 0 || share == 0.0);
             if !rises || (index + 1 == nodes && share < 0.999_999) {
-                return Err(IsotropicError::Distribution { index });
+                return Err(NdfError::Cdf { index });
             }
             last = share;
         }
@@ -147,7 +142,7 @@ impl<'a> IsotropicIn<&'a [Node]> {
     }
 }
 
-impl<S: Deref<Target = [Node]>> IsotropicIn<S> {
+impl<S: Deref<Target = [Node]>> Isotropic<S> {
     /// The packed table: for each node its density and the CDF `C` in two parts.
     #[must_use]
     pub fn packed(&self) -> &[f32] {
@@ -204,7 +199,7 @@ impl<S: Deref<Target = [Node]>> IsotropicIn<S> {
     }
 }
 
-impl<S: Deref<Target = [Node]>> Ndf for IsotropicIn<S> {
+impl<S: Deref<Target = [Node]>> Ndf for Isotropic<S> {
     #[inline]
     fn d(&self, m: Vec3) -> f32 {
         let (x, y, z) = (f64::from(m.x), f64::from(m.y), f64::from(m.z));
@@ -249,7 +244,7 @@ impl<S: Deref<Target = [Node]>> Ndf for IsotropicIn<S> {
     }
 }
 
-impl<S: Deref<Target = [Node]>> Radial for IsotropicIn<S> {
+impl<S: Deref<Target = [Node]>> Radial for Isotropic<S> {
     #[inline]
     fn exponent(&self, slope: f64) -> Option<f64> {
         let cos = 1.0 / math::sqrt_f64(1.0 + slope * slope);
@@ -259,29 +254,20 @@ impl<S: Deref<Target = [Node]>> Radial for IsotropicIn<S> {
     }
 }
 
-error_enum! {
-    /// Error for tables over the cosine.
-    pub enum IsotropicError {
-        /// The table has fewer than 2 or more than 2²⁰ nodes.
-        Nodes { got: usize } => "nodes must be 2 to {MAX_NODES}, got {got}";
-        /// The length of the storage is not three numbers per node.
-        Storage { expected: usize, got: usize } => "storage must have {expected} numbers, got {got}";
-        /// A density is NaN, infinite or negative.
-        Density { index: usize, value: f32 } =>
-            "density {index} must be finite and not negative, got {value}";
-        /// The density is 0 at every tilt above the horizon.
-        Black { got: usize } => "density is 0 at all {got} nodes";
-        /// The packed CDF does not increase from 0 to 1.
-        Distribution { index: usize } => "distribution must increase from 0 to 1 (violated at node {index})";
+const fn nodes_error(value: usize) -> NdfError {
+    NdfError::Size { parameter: "nodes", value, min: 2, max: MAX_NODES }
+}
+
+fn check_value(parameter: &'static str, index: usize, value: f32) -> Result<(), NdfError> {
+    if (0.0..f32::INFINITY).contains(&value) {
+        Ok(())
+    } else {
+        Err(NdfError::Element { parameter, index, value, rule: IS_DENSITY })
     }
 }
 
-fn check_value(index: usize, value: f32) -> Result<(), IsotropicError> {
-    if (0.0..f32::INFINITY).contains(&value) { Ok(()) } else { Err(IsotropicError::Density { index, value }) }
-}
-
 /// Fills the nodes of a table with checked values.
-fn fill(values: &[f32], nodes: &mut [Node]) -> Result<(), IsotropicError> {
+fn fill(values: &[f32], nodes: &mut [Node]) -> Result<(), NdfError> {
     let cells = (values.len() - 1) as f64;
     let masses = || values.iter().zip(values.iter().skip(1)).enumerate();
     let mass = |(k, (&low, &high)): (usize, (&f32, &f32))| {
@@ -289,7 +275,7 @@ fn fill(values: &[f32], nodes: &mut [Node]) -> Result<(), IsotropicError> {
     };
     let total: f64 = masses().map(mass).sum();
     if total <= 0.0 {
-        return Err(IsotropicError::Black { got: values.len() });
+        return Err(NdfError::NoWeight { parameter: "values" });
     }
     let mut share = 0.0;
     let mut rest = masses().map(mass);
@@ -302,11 +288,11 @@ fn fill(values: &[f32], nodes: &mut [Node]) -> Result<(), IsotropicError> {
 }
 
 /// Checks that `values` are valid densities at the nodes of a table.
-fn check(values: &[f32]) -> Result<(), IsotropicError> {
+fn check(values: &[f32]) -> Result<(), NdfError> {
     if !(2..=MAX_NODES).contains(&values.len()) {
-        return Err(IsotropicError::Nodes { got: values.len() });
+        return Err(nodes_error(values.len()));
     }
-    values.iter().enumerate().try_for_each(|(index, &value)| check_value(index, value))
+    values.iter().enumerate().try_for_each(|(index, &value)| check_value("values", index, value))
 }
 
 #[cfg(all(test, feature = "alloc"))]
@@ -349,7 +335,7 @@ mod tests {
     #[test]
     fn packed_tables_are_borrowed() {
         let table = Isotropic::new(&[0.5, 1.0, 4.0]).unwrap();
-        let borrowed = IsotropicRef::new(table.packed()).unwrap();
+        let borrowed = Isotropic::from_packed(table.packed()).unwrap();
         assert_eq!(borrowed.packed(), table.packed());
     }
 }

@@ -4,13 +4,11 @@ use glam::{Vec2, Vec3};
 
 use crate::coordinates::bounded;
 use crate::density::blend::Blend;
+use crate::error::NdfError;
 use crate::microfacet::Microfacet;
 use crate::ndf::{Ndf, forward};
 use crate::radial::Radial;
-use asperity_core::error_enum;
 use asperity_core::math;
-
-use crate::range_error::RangeError;
 
 /// The density `w D_a + (1 − w) D_b` of two isotropic NDFs.
 ///
@@ -44,16 +42,13 @@ impl<A: Radial, B: Radial> Mixture<A, B> {
     ///
     /// # Errors
     /// A weight that is not between 0 and 1; an NDF that depends on the azimuth.
-    pub fn new(a: A, b: B, weight: f32) -> Result<Self, MixtureError> {
-        for (density, exponent) in [("a", a.exponent(1.0)), ("b", b.exponent(1.0))] {
+    pub fn new(a: A, b: B, weight: f32) -> Result<Self, NdfError> {
+        for (parameter, exponent) in [("a", a.exponent(1.0)), ("b", b.exponent(1.0))] {
             if exponent.is_none() {
-                return Err(MixtureError::NotRadial { density });
+                return Err(NdfError::NotRadial { parameter });
             }
         }
-        match Blend::new(a, b, weight) {
-            Ok(blend) => Ok(Self { blend }),
-            Err(RangeError { value, .. }) => Err(MixtureError::Weight { value }),
-        }
+        Ok(Self { blend: Blend::new(a, b, weight)? })
     }
 
     /// `E(t)` of the sum.
@@ -180,17 +175,6 @@ impl<A: Radial + Microfacet, B: Radial + Microfacet> Microfacet for Mixture<A, B
 impl<A: Radial, B: Radial> Radial for Mixture<A, B> {
     fn exponent(&self, slope: f64) -> Option<f64> {
         Some(self.sum(slope))
-    }
-}
-
-error_enum! {
-    /// Error for sums of NDFs with a map.
-    pub enum MixtureError {
-        /// The weight is not between 0 and 1.
-        Weight { value: f32 } => "`weight` must be between 0 and 1, got {value}";
-        /// An NDF, `"a"` or `"b"`, depends on the azimuth, so the sum has no radial map.
-        NotRadial { density: &'static str } =>
-            "density {density} must depend on the tilt alone, got one that depends on the azimuth";
     }
 }
 

@@ -2,10 +2,10 @@
 
 use glam::{Vec2, Vec3};
 
+use crate::error::{NdfError, in_range};
 use crate::microfacet::Microfacet;
 use crate::ndf::Ndf;
 use crate::radial::Radial;
-use crate::range_error::RangeError;
 use asperity_core::math;
 
 /// The NDF `N`, rotated around the z axis by an angle.
@@ -38,8 +38,8 @@ impl<N> Rotated<N> {
     ///
     /// # Errors
     /// An angle that is not finite.
-    pub fn new(ndf: N, angle: f32) -> Result<Self, RangeError> {
-        let angle = f64::from(RangeError::check("angle", angle, [f32::MIN, f32::MAX])?);
+    pub fn new(ndf: N, angle: f32) -> Result<Self, NdfError> {
+        let angle = f64::from(in_range("angle", angle, [f32::MIN, f32::MAX])?);
         Ok(Self { ndf, cos: math::cos_f64(angle) as f32, sin: math::sin_f64(angle) as f32 })
     }
 

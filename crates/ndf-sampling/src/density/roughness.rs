@@ -2,8 +2,8 @@
 
 use glam::Vec3;
 
+use crate::error::{NdfError, in_range};
 use crate::microfacet::above;
-use crate::range_error::RangeError;
 use asperity_core::math;
 
 /// The smallest roughness. Below it `1/(π α²)` and its products leave the range of `f32`.
@@ -22,12 +22,12 @@ pub(crate) struct Roughness {
 }
 
 impl Roughness {
-    pub(crate) fn new(alpha_x: f32, alpha_y: f32) -> Result<Self, RangeError> {
-        let check = |parameter, alpha| RangeError::check(parameter, alpha, [MIN_ALPHA, MAX_ALPHA]);
+    pub(crate) fn new(alpha_x: f32, alpha_y: f32) -> Result<Self, NdfError> {
+        let check = |parameter, alpha| in_range(parameter, alpha, [MIN_ALPHA, MAX_ALPHA]);
         Ok(Self { x: check("alpha_x", alpha_x)?, y: check("alpha_y", alpha_y)? })
     }
 
-    pub(crate) fn clamped(alpha_x: f32, alpha_y: f32) -> Self {
+    pub(crate) fn new_clamped(alpha_x: f32, alpha_y: f32) -> Self {
         // NaN becomes 1, dull rather than a mirror.
         let clamp = |alpha: f32| if alpha.is_nan() { 1.0 } else { alpha.clamp(MIN_ALPHA, MAX_ALPHA) };
         Self { x: clamp(alpha_x), y: clamp(alpha_y) }
@@ -80,7 +80,7 @@ macro_rules! roughness_parameters {
             /// [`MIN_ALPHA`](crate::MIN_ALPHA)`..=`[`MAX_ALPHA`](crate::MAX_ALPHA). The error
             /// contains its name and value.
             #[inline]
-            pub fn new(alpha_x: f32, alpha_y: f32) -> Result<Self, $crate::range_error::RangeError> {
+            pub fn new(alpha_x: f32, alpha_y: f32) -> Result<Self, $crate::error::NdfError> {
                 $crate::density::roughness::Roughness::new(alpha_x, alpha_y).map(|alpha| Self { alpha })
             }
 
@@ -89,15 +89,15 @@ macro_rules! roughness_parameters {
             /// # Errors
             /// See [`Self::new`]; the error contains the name `alpha_x`.
             #[inline]
-            pub fn isotropic(alpha: f32) -> Result<Self, $crate::range_error::RangeError> {
+            pub fn isotropic(alpha: f32) -> Result<Self, $crate::error::NdfError> {
                 Self::new(alpha, alpha)
             }
 
             /// Creates the NDF with roughnesses clamped to the valid range; NaN becomes 1.
             #[inline]
             #[must_use]
-            pub fn clamped(alpha_x: f32, alpha_y: f32) -> Self {
-                Self { alpha: $crate::density::roughness::Roughness::clamped(alpha_x, alpha_y) }
+            pub fn new_clamped(alpha_x: f32, alpha_y: f32) -> Self {
+                Self { alpha: $crate::density::roughness::Roughness::new_clamped(alpha_x, alpha_y) }
             }
         }
 
@@ -140,7 +140,7 @@ mod tests {
         for (dirty, clean) in
             [(f32::NAN, 1.0), (f32::INFINITY, MAX_ALPHA), (-1.0, MIN_ALPHA), (0.0, MIN_ALPHA), (0.3, 0.3)]
         {
-            assert_eq!(Roughness::clamped(dirty, 0.5), Roughness { x: clean, y: 0.5 }, "{dirty}");
+            assert_eq!(Roughness::new_clamped(dirty, 0.5), Roughness { x: clean, y: 0.5 }, "{dirty}");
         }
     }
 }

@@ -4,7 +4,7 @@
 use core::f64::consts::PI;
 
 use crate::density::visible_slopes::{LEAST_U, ZENITH};
-use crate::numeric::normal_distribution::inverse_phi;
+use crate::numeric::normal_distribution::inverse_gaussian_cdf;
 use asperity_core::math;
 
 /// Student's t distribution with `ν > 0` degrees of freedom.
@@ -135,7 +135,7 @@ impl StudentDistribution {
     /// An approximate quantile: Wallace's transform of the Gaussian quantile.
     fn guess(self, u: f64) -> f64 {
         let nu = self.freedom;
-        let z = inverse_phi(u) * (8.0 * nu + 3.0) / (8.0 * nu + 1.0);
+        let z = inverse_gaussian_cdf(u) * (8.0 * nu + 3.0) / (8.0 * nu + 1.0);
         let t = math::sqrt_f64(nu * math::exp_m1_f64((z * z / nu).min(600.0)));
         if z < 0.0 { -t } else { t }
     }
@@ -241,7 +241,7 @@ fn gamma_ratio(x: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::density::visible_slopes;
-    use crate::numeric::normal_distribution::phi;
+    use crate::numeric::normal_distribution::gaussian_cdf;
     use asperity_core::assert_abs_diff_eq;
 
     /// Tails in closed form for ν = 1, 2, 3, 4.
@@ -271,7 +271,7 @@ mod tests {
                 // The closed forms are differences.
                 assert_abs_diff_eq!(got, expected, epsilon = 1e-13 * expected + 1e-15, "{nu} {z}");
             }
-            let (got, expected) = (StudentDistribution::new(1e13).tail(z), phi(-z));
+            let (got, expected) = (StudentDistribution::new(1e13).tail(z), gaussian_cdf(-z));
             assert_abs_diff_eq!(got / expected, 1.0, epsilon = 1e-12 + z.powi(4) / 3e13, "{z}");
         }
         let student = StudentDistribution::new(5.0);

@@ -7,10 +7,10 @@ use glam::{Vec2, Vec3};
 use crate::coordinates::bounded;
 use crate::density::roughness::{Roughness, roughness_accessors};
 use crate::density::student_distribution::StudentDistribution;
+use crate::error::{NdfError, in_range};
 use crate::microfacet::{Microfacet, above};
 use crate::ndf::{Ndf, unit_square};
 use crate::radial::Radial;
-use crate::range_error::RangeError;
 use crate::serde::written;
 use asperity_core::lanes::Scalar;
 use asperity_core::lanes::elementary::cos_sin_turns;
@@ -44,7 +44,7 @@ use asperity_core::math;
 /// let m = Vec3::new(0.3, -0.2, 0.93).normalize();
 /// assert!((student.density(m) / ggx.density(m) - 1.0).abs() < 1e-5);
 /// assert!(StudentT::new(0.2, 0.4, 1.5).is_err());
-/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 ///
 /// Ribardière et al. 2017, "STD: Student's t-Distribution of Slopes for Microfacet Based BSDFs",
@@ -82,17 +82,16 @@ impl StudentT {
     /// # Errors
     /// A roughness that is invalid in [`Ggx::new`](crate::Ggx::new); an exponent that is not finite
     /// or out of range. The error contains the name and the value of the parameter.
-    pub fn new(alpha_x: f32, alpha_y: f32, gamma: f32) -> Result<Self, RangeError> {
+    pub fn new(alpha_x: f32, alpha_y: f32, gamma: f32) -> Result<Self, NdfError> {
         let alpha = Roughness::new(alpha_x, alpha_y)?;
-        RangeError::check("gamma", gamma, [Self::MIN_GAMMA, Self::MAX_GAMMA])
-            .map(|gamma| Self::with(alpha, gamma))
+        in_range("gamma", gamma, [Self::MIN_GAMMA, Self::MAX_GAMMA]).map(|gamma| Self::with(alpha, gamma))
     }
 
     /// Creates the NDF with clamped parameters; a NaN roughness becomes 1, a NaN exponent 2.
     #[must_use]
-    pub fn clamped(alpha_x: f32, alpha_y: f32, gamma: f32) -> Self {
+    pub fn new_clamped(alpha_x: f32, alpha_y: f32, gamma: f32) -> Self {
         let gamma = if gamma.is_nan() { 2.0 } else { gamma.clamp(Self::MIN_GAMMA, Self::MAX_GAMMA) };
-        Self::with(Roughness::clamped(alpha_x, alpha_y), gamma)
+        Self::with(Roughness::new_clamped(alpha_x, alpha_y), gamma)
     }
 
     fn with(alpha: Roughness, gamma: f32) -> Self {
@@ -232,12 +231,7 @@ mod tests {
                 let (m, v) = (other.warp_gaussian(z), Vec3::new(z.y, z.x, 0.8).normalize());
                 assert_abs_diff_eq!(student.warp_gaussian(z), m, epsilon = 1e-6);
                 assert_abs_diff_eq!(student.invert(m), z, epsilon = 4e-6);
-                assert_abs_diff_eq!(
-                    student.d(m) / other.d(m),
-                    1.0,
-                    epsilon = 5e-6,
-                    "{gamma} {z}"
-                );
+                assert_abs_diff_eq!(student.d(m) / other.d(m), 1.0, epsilon = 5e-6, "{gamma} {z}");
                 let lambda = other.lambda(v);
                 assert_abs_diff_eq!(student.lambda(v), lambda, epsilon = 2e-6 * lambda, "{gamma} {z}");
                 let [area, expected] = [student.projected_area(v), other.projected_area(v)];

@@ -1,6 +1,6 @@
 //! Gaussian slopes seen by a view: mean excess, and inverse of their distribution along the view.
 
-use crate::numeric::normal_distribution::{inverse_phi, phi_and_density};
+use crate::numeric::normal_distribution::{inverse_gaussian_cdf, phi_and_density};
 use asperity_core::lanes::Scalar;
 use asperity_core::lanes::elementary::exp;
 use asperity_core::math;
@@ -78,7 +78,7 @@ pub(crate) fn visible_slope(b: f64, u: f64) -> f64 {
     // b Φ(−b) − φ(b), minus the part that the edge cuts off.
     let edge = b * (1.0 - seen) - at_edge;
     // Correct for b → ∞ to the second order in 1/b, and never left of the edge at −b.
-    let gaussian = inverse_phi(u);
+    let gaussian = inverse_gaussian_cdf(u);
     let y = b + gaussian;
     let root = math::sqrt_f64(y * y + 4.0);
     let mut x = gaussian + if y > 0.0 { 2.0 / (root + y) } else { 0.5 * (root - y) };
@@ -112,7 +112,7 @@ const MOST_STEPS: usize = 8;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numeric::normal_distribution::phi;
+    use crate::numeric::normal_distribution::gaussian_cdf;
     use asperity_core::assert_abs_diff_eq;
 
     fn density(x: f64) -> f64 {
@@ -126,7 +126,9 @@ mod tests {
             let h = 1.0 / 512.0;
             let simpson: f64 = (0..4096)
                 .map(|k| z + 2.0 * h * f64::from(k))
-                .map(|t| h / 3.0 * (phi(-t) + 4.0 * phi(-t - h) + phi(-t - 2.0 * h)))
+                .map(|t| {
+                    h / 3.0 * (gaussian_cdf(-t) + 4.0 * gaussian_cdf(-t - h) + gaussian_cdf(-t - 2.0 * h))
+                })
                 .sum();
             assert_abs_diff_eq!(exact_excess(z) / simpson, 1.0, epsilon = 1e-9, "{z}");
         }
@@ -152,12 +154,13 @@ mod tests {
     #[test]
     fn slopes_invert_their_distribution() {
         for b in [0.0, 1e-9, 1e-3, 0.1, 0.5, 1.0, 2.0, 4.0, 4.6, 8.0, 30.0, 1e3, 1e6, 1e12, f64::INFINITY] {
-            let total = if b < ZENITH { b * phi(b) + density(b) } else { b };
+            let total = if b < ZENITH { b * gaussian_cdf(b) + density(b) } else { b };
             let mut last = f64::NEG_INFINITY;
             for k in 0..=400 {
                 let u = if k <= 24 { 0.5_f64.powi(32 - k) } else { f64::from(k - 24) / 377.0 };
                 let x = visible_slope(b, u);
-                let above = if b < ZENITH { (b * phi(-x) + density(x)) / total } else { phi(-x) };
+                let above =
+                    if b < ZENITH { (b * gaussian_cdf(-x) + density(x)) / total } else { gaussian_cdf(-x) };
                 // Measured: 5e-12, by the cube of the last step.
                 assert_abs_diff_eq!(1.0 - above, u, epsilon = 1e-10, "b = {b}: {x}");
                 assert!(x >= -b && (x > last || k <= 26), "b = {b}, u = {u}: {x}");

@@ -25,7 +25,7 @@ use asperity_core::math;
 /// let h = Vec3::new(0.3, -0.2, 0.93).normalize();
 /// assert_eq!(ward.density(h), beckmann.density(h));
 /// assert!((4.0 * ward.lobe(h) / h.z.powi(4) / ward.density(h) - 1.0).abs() < 1e-6);
-/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 ///
 /// Ward 1992, "Measuring and Modeling Anisotropic Reflection", eq. 5a; Walter 2005, "Notes on the

@@ -3,11 +3,11 @@
 use glam::{Vec2, Vec3};
 
 use crate::coordinates::GaussianSplit;
+use crate::error::{NdfError, square};
 use crate::level_of_detail::table::ConditionalTable;
 use crate::ndf::Ndf;
 use crate::normal_table::chart::Chart;
-use crate::normal_table::error::NormalLutError;
-use crate::numeric::normal_distribution::inverse_phi;
+use crate::numeric::normal_distribution::inverse_gaussian_cdf;
 use asperity_core::math;
 
 /// Accuracy of a [`ConditionalTable`], over 64 × 64 quantiles of the NDF.
@@ -42,8 +42,8 @@ impl ConditionalTable {
     ///
     /// # Errors
     /// A `size` of 0 or above 4096.
-    pub fn new<N: Ndf + ?Sized>(ndf: &N, size: usize) -> Result<Self, NormalLutError> {
-        NormalLutError::check(size, None)?;
+    pub fn new<N: Ndf + ?Sized>(ndf: &N, size: usize) -> Result<Self, NdfError> {
+        square(size, None)?;
         let stretch = deviation(ndf);
         let entry = |column: usize, row: usize| {
             let at = |x: f64, y: f64| entry_half_vector([column as f64 + x, row as f64 + y], size, stretch);
@@ -64,14 +64,14 @@ impl ConditionalTable {
     /// Accuracy of the lookup compared with `ndf`; see [`ConditionalAccuracy`].
     #[must_use]
     pub fn accuracy<N: Ndf + ?Sized>(&self, ndf: &N) -> ConditionalAccuracy {
-        let quantile = |k: usize| inverse_phi((k as f64 + 0.5) / QUANTILES as f64) as f32;
+        let quantile = |k: usize| inverse_gaussian_cdf((k as f64 + 0.5) / QUANTILES as f64) as f32;
         let (mut ratios, mut squares, mut weight) = (0.0, 0.0, 0.0);
         for (k, l) in (0..QUANTILES).flat_map(|k| (0..QUANTILES).map(move |l| (k, l))) {
             let h = ndf.warp_gaussian(Vec2::new(quantile(k), quantile(l)));
             let exact = f64::from(ndf.d(h));
             // Rounding of a normal at a border may leave the support of the NDF.
             if exact > 0.0 {
-                let got = f64::from(self.density(h, GaussianSplit::new(Vec2::ZERO, 0.0)));
+                let got = f64::from(self.residual_ndf(h, GaussianSplit::new(Vec2::ZERO, 0.0)));
                 let z = self.invert(h) - ndf.invert(h);
                 ratios += 0.5 * (got / exact - 1.0).abs();
                 squares += f64::from(z.x * z.x + z.y * z.y);
@@ -133,7 +133,7 @@ mod tests {
         let ggx = Ggx::isotropic(0.5).unwrap();
         let table = ConditionalTable::new(&ggx, 1).unwrap();
         let split = GaussianSplit::new(Vec2::new(0.3, -0.4), 0.0);
-        assert_eq!(table.density(Vec3::Z, split), table.density(Vec3::new(0.6, 0.0, 0.8), split));
+        assert_eq!(table.residual_ndf(Vec3::Z, split), table.residual_ndf(Vec3::new(0.6, 0.0, 0.8), split));
     }
 
     #[test]

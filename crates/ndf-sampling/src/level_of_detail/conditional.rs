@@ -25,7 +25,7 @@ use crate::ndf::Ndf;
 /// resolved, the mean of the new view is the previous view, without popping.
 ///
 /// - **Domain:** unit `h` in the frame of the macro surface; 0 for `h.z ≤ 0` and NaN. `s` is
-///   clamped to `0..=`[`MAX_SHARE`](crate::level_of_detail::MAX_SHARE), NaN is read as 0. `z_b` is
+///   clamped to `0..=`[`GaussianSplit::MAX_RESOLVED_VARIANCE`], NaN is read as 0. `z_b` is
 ///   clamped to ±13, NaN is read as 0.
 /// - **Limits:** `s = 0` returns `D(h)` exactly; `s → 1` a lobe around `T(z_b)` of standard
 ///   deviation `√(1 − s)` in `z`.
@@ -40,7 +40,7 @@ use crate::ndf::Ndf;
 /// assert_eq!(residual_ndf(&ggx, h, z_b, 0.0), ggx.density(h));
 /// let facet = ggx.warp_gaussian(z_b);
 /// assert!(residual_ndf(&ggx, facet, z_b, 0.9) > 5.0 * ggx.density(facet));
-/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 ///
 /// Kautz, Heidrich, Seidel 2001, section 5, evaluates `D` itself in the frame of the resolved facet

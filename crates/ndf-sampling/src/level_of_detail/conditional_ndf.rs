@@ -35,7 +35,7 @@ use crate::ndf::Ndf;
 /// let far = ConditionalNdf::new(ggx, Vec2::new(0.5, 1.5), 0.0);
 /// assert_eq!(far.density(facet), ggx.density(facet));
 /// assert_eq!(far.warp_gaussian(Vec2::ONE), ggx.warp_gaussian(Vec2::ONE));
-/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[doc(alias = "toksvig")]
@@ -84,7 +84,7 @@ impl<N: Ndf> Ndf for ConditionalNdf<N> {
 mod tests {
     use super::*;
     use crate::ndf::totality;
-    use crate::{Beckmann, Ggx, level_of_detail::MAX_SHARE, residual_ndf};
+    use crate::{Beckmann, GaussianSplit, Ggx, residual_ndf};
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
@@ -106,7 +106,7 @@ mod tests {
         let z_b = Vec2::new(1.0, -0.5);
         for s in [1.0, 7.0, f32::INFINITY] {
             let seen = ConditionalNdf::new(beckmann, z_b, s);
-            assert_eq!(seen.split().share(), MAX_SHARE);
+            assert_eq!(seen.split().resolved_variance(), GaussianSplit::MAX_RESOLVED_VARIANCE);
             for xi in [Vec2::ZERO, Vec2::ONE, Vec2::new(-3.0, 2.0)] {
                 // At most 4 · 10⁻³ standard deviations of slope.
                 let facet = seen.warp_gaussian(xi);

@@ -4,10 +4,10 @@ use core::f32::consts::{FRAC_1_SQRT_2, TAU};
 
 use glam::{Vec2, Vec3};
 
-use crate::coordinates::{MAX_SHARE, bounded};
+use crate::coordinates::{GaussianSplit, bounded};
 use crate::density::beckmann::Beckmann;
+use crate::error::{NdfError, in_range};
 use crate::ndf::Ndf;
-use asperity_core::error_enum;
 use asperity_core::math;
 
 /// A Beckmann NDF around any slope and along any axes: slopes `s = (m_x, m_y)/m_z` are `N(μ, Σ)`.
@@ -40,7 +40,7 @@ use asperity_core::math;
 /// let seen = OffsetBeckmann::conditional(beckmann, z_b, s);
 /// let h = beckmann.warp_gaussian(Vec2::new(0.3, 1.1));
 /// assert!((seen.density(h) / residual_ndf(&beckmann, h, z_b, s) - 1.0).abs() < 1e-5);
-/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 ///
 /// Olano, Baker 2010, "LEAN Mapping", eq. 5, with the normalization `∫ D cos θ dω = 1`.
@@ -66,12 +66,11 @@ impl OffsetBeckmann {
     /// # Errors
     /// A number that is not finite or beyond 10⁹ (variances: 10¹⁸); a covariance that is not
     /// positive definite, or whose standard deviation along y given x is below 10⁻¹².
-    pub fn new(mean: Vec2, covariance: [f32; 3]) -> Result<Self, OffsetBeckmannError> {
+    pub fn new(mean: Vec2, covariance: [f32; 3]) -> Result<Self, NdfError> {
         let [least, largest] = DEVIATIONS;
-        if !(mean.x.abs() <= largest && mean.y.abs() <= largest) {
-            return Err(OffsetBeckmannError::Mean { value: mean });
-        }
-        let refused = OffsetBeckmannError::Covariance { value: covariance };
+        in_range("mean.x", mean.x, [-largest, largest])?;
+        in_range("mean.y", mean.y, [-largest, largest])?;
+        let refused = NdfError::Covariance { value: covariance };
         let in_range = covariance.iter().all(|c| c.abs() <= largest * largest);
         // In f64, because the difference of products would lose the smaller axis of a thin ellipse.
         let [xx, xy, yy] = covariance.map(f64::from);
@@ -91,7 +90,7 @@ impl OffsetBeckmann {
     #[inline]
     #[must_use]
     pub fn conditional(beckmann: Beckmann, z_b: Vec2, s: f32) -> Self {
-        let s = if s.is_nan() { 0.0 } else { s.clamp(0.0, MAX_SHARE) };
+        let s = if s.is_nan() { 0.0 } else { s.clamp(0.0, GaussianSplit::MAX_RESOLVED_VARIANCE) };
         let z_b = bounded(z_b) * math::sqrt(s);
         let [x, y] = [beckmann.alpha_x(), beckmann.alpha_y()].map(|alpha| alpha * FRAC_1_SQRT_2);
         let rest = math::sqrt(1.0 - s);
@@ -149,17 +148,6 @@ impl Ndf for OffsetBeckmann {
     fn invert(&self, m: Vec3) -> Vec2 {
         let up = m.z.max(f32::MIN_POSITIVE);
         bounded(self.coordinates(Vec2::new(m.x / up, m.y / up)))
-    }
-}
-
-error_enum! {
-    /// Error for an invalid mean or covariance of slopes.
-    pub enum OffsetBeckmannError {
-        /// The mean is not finite or beyond 10⁹.
-        Mean { value: Vec2 } => "`mean` must be between -1e9 and 1e9 along each axis, got {value}";
-        /// The covariance `[xx, xy, yy]` is not finite, not positive definite or out of range.
-        Covariance { value: [f32; 3] } =>
-            "`covariance` must be positive definite and at most 1e18, got {value:?}";
     }
 }
 

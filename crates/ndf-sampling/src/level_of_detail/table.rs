@@ -1,13 +1,12 @@
 //! A texture of half vectors for exact level of detail of any NDF by one lookup.
 
-#[cfg(feature = "alloc")]
-use alloc::vec::Vec;
 use core::ops::Deref;
 
 use glam::{Vec2, Vec3, Vec3A};
 
 use crate::coordinates::GaussianSplit;
-use crate::normal_table::error::NormalLutError;
+use crate::error::{NdfError, square};
+use crate::storage::Entries;
 use asperity_core::math;
 
 /// `T⁻¹(h)` and `D(h)` of half vectors as a texture, the data that `p_s(h | z_b)` needs.
@@ -48,14 +47,8 @@ use asperity_core::math;
 /// | Student-t 0.3, γ = 1.6 | 0.0004 | 0.0002 | 0.0001 |
 /// | two painted lobes, 256² | 0.0070 | 0.0075 | 0.0105 |
 /// | a binary mask of 64² | 0.032 | 0.032 | 0.032 |
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ConditionalTableIn<S> {
-    pub(super) size: usize,
-    pub(super) stretch: Vec2,
-    pub(super) entries: S,
-}
-
-/// A [texture of half vectors](ConditionalTableIn) that owns its entries.
+///
+/// The table owns its entries, or borrows them from static memory or a file.
 ///
 /// ```
 /// use asperity_ndf_sampling::{ConditionalTable, GaussianSplit, Ggx, Ndf, residual_ndf, glam::Vec2};
@@ -64,37 +57,36 @@ pub struct ConditionalTableIn<S> {
 /// let table = ConditionalTable::new(&ggx, 256)?;
 /// let (h, z_b) = (ggx.warp_gaussian(Vec2::new(0.3, -1.0)), Vec2::new(0.5, -0.8));
 /// let exact = residual_ndf(&ggx, h, z_b, 0.75);
-/// assert!((table.density(h, GaussianSplit::new(z_b, 0.75)) / exact - 1.0).abs() < 0.01);
+/// assert!((table.residual_ndf(h, GaussianSplit::new(z_b, 0.75)) / exact - 1.0).abs() < 0.01);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[cfg(feature = "alloc")]
-pub type ConditionalTable = ConditionalTableIn<Vec<[f32; 3]>>;
-
-/// A [texture of half vectors](ConditionalTableIn) in borrowed storage, such as flash.
-///
-/// Entries are `(z₁, z₂, D^¼)` of `size · size` half vectors.
 ///
 /// ```
-/// use asperity_ndf_sampling::{ConditionalTableRef, GaussianSplit, glam::{Vec2, Vec3}};
+/// use asperity_ndf_sampling::{ConditionalTable, GaussianSplit, glam::{Vec2, Vec3}};
 ///
 /// // A density of 16 everywhere, with coordinates 0.
 /// static FLASH: [[f32; 3]; 1] = [[0.0, 0.0, 2.0]];
-/// let table = ConditionalTableRef::new(1, Vec2::ONE, &FLASH)?;
-/// assert_eq!(table.density(Vec3::Z, GaussianSplit::new(Vec2::ONE, 0.0)), 16.0);
-/// # Ok::<(), asperity_ndf_sampling::NormalLutError>(())
+/// let table = ConditionalTable::from_entries(1, Vec2::ONE, &FLASH)?;
+/// assert_eq!(table.residual_ndf(Vec3::Z, GaussianSplit::new(Vec2::ONE, 0.0)), 16.0);
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
-pub type ConditionalTableRef<'a> = ConditionalTableIn<&'a [[f32; 3]]>;
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ConditionalTable<S = Entries<[f32; 3]>> {
+    pub(super) size: usize,
+    pub(super) stretch: Vec2,
+    pub(super) entries: S,
+}
 
-impl<'a> ConditionalTableIn<&'a [[f32; 3]]> {
+impl<'a> ConditionalTable<&'a [[f32; 3]]> {
     /// Creates the table of `size · size` entries with the stretch `c`.
     ///
     /// A stretch that is not positive is read as 1.
     ///
     /// # Errors
     /// A `size` of 0 or above 4096; another number of entries.
-    pub fn new(size: usize, stretch: Vec2, entries: &'a [[f32; 3]]) -> Result<Self, NormalLutError> {
+    pub fn from_entries(size: usize, stretch: Vec2, entries: &'a [[f32; 3]]) -> Result<Self, NdfError> {
         let positive = |c: f32| if c > 0.0 && c.is_finite() { c } else { 1.0 };
-        NormalLutError::check(size, Some(entries.len()))?;
+        square(size, Some(entries.len()))?;
         Ok(Self { size, stretch: Vec2::new(positive(stretch.x), positive(stretch.y)), entries })
     }
 
@@ -106,7 +98,7 @@ impl<'a> ConditionalTableIn<&'a [[f32; 3]]> {
     }
 }
 
-impl<S> ConditionalTableIn<S> {
+impl<S> ConditionalTable<S> {
     /// The number of entries along a side.
     #[inline]
     #[must_use]
@@ -122,12 +114,12 @@ impl<S> ConditionalTableIn<S> {
     }
 }
 
-impl<S: Deref<Target = [[f32; 3]]>> ConditionalTableIn<S> {
+impl<S: Deref<Target = [[f32; 3]]>> ConditionalTable<S> {
     /// The table in borrowed form.
     #[inline]
     #[must_use]
-    pub fn view(&self) -> ConditionalTableRef<'_> {
-        ConditionalTableIn { size: self.size, stretch: self.stretch, entries: &self.entries }
+    pub fn view(&self) -> ConditionalTable<&[[f32; 3]]> {
+        ConditionalTable { size: self.size, stretch: self.stretch, entries: &self.entries }
     }
 
     /// `p_s(h | z_b)` for the resolved part, in sr⁻¹.
@@ -135,7 +127,7 @@ impl<S: Deref<Target = [[f32; 3]]>> ConditionalTableIn<S> {
     /// Its mean over the surface equals its value at `s = 0`, to rounding.
     #[inline]
     #[must_use]
-    pub fn density(&self, h: Vec3, split: GaussianSplit) -> f32 {
+    pub fn residual_ndf(&self, h: Vec3, split: GaussianSplit) -> f32 {
         let [z1, z2, root] = self.interpolated(h);
         let density = (root * root) * (root * root);
         if h.z > 0.0 && density > 0.0 { split.weigh(density.min(f32::MAX), Vec2::new(z1, z2)) } else { 0.0 }
@@ -186,10 +178,10 @@ mod tests {
         let entries =
             [[f32::NAN, 1.0, 2.0], [1.0, f32::INFINITY, 1e30], [0.0, 0.0, f32::NAN], [1e38, -1e38, -1.0]];
         for stretch in [Vec2::ONE, Vec2::new(1e-6, f32::NAN), Vec2::new(-1.0, 0.0)] {
-            let table = ConditionalTableRef::new(2, stretch, &entries).unwrap();
+            let table = ConditionalTable::from_entries(2, stretch, &entries).unwrap();
             for (x, y) in bad.into_iter().flat_map(|x| bad.map(|y| (x, y))) {
                 for z in bad {
-                    let p = table.density(Vec3::new(x, y, z), GaussianSplit::new(Vec2::ONE, 0.5));
+                    let p = table.residual_ndf(Vec3::new(x, y, z), GaussianSplit::new(Vec2::ONE, 0.5));
                     assert!(p.is_finite() && p >= 0.0, "{x} {y} {z}: {p}");
                 }
             }

@@ -79,7 +79,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     fn marginal(width: usize, height: usize, texels: &[f32], kind: Reconstruction) -> Option<Marginal> {
-        Marginal::new(columns_of_texels(width, height, texels, Measure::Normals, kind).unwrap())
+        Marginal::new(columns_of_texels(width, height, texels, Measure::ProjectedSolidAngle, kind).unwrap())
     }
 
     #[test]

@@ -9,7 +9,6 @@ pub(crate) mod columns;
 #[cfg(feature = "alloc")]
 pub(crate) mod disk;
 #[cfg(feature = "alloc")]
-pub(crate) mod error;
 #[cfg(feature = "alloc")]
 pub(crate) mod marginal;
 pub(crate) mod packed;

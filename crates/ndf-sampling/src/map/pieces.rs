@@ -314,7 +314,8 @@ mod tests {
         for kind in [Reconstruction::Constant, Reconstruction::Bilinear] {
             for (width, height) in [(1, 1), (2, 3), (5, 4), (9, 16), (12, 7)] {
                 let texels: Vec<f32> = (0..width * height).map(|k| ((k * 7 + 3) % 11) as f32).collect();
-                let columns = columns_of_texels(width, height, &texels, Measure::Normals, kind).unwrap();
+                let columns =
+                    columns_of_texels(width, height, &texels, Measure::ProjectedSolidAngle, kind).unwrap();
                 let breakpoints = Breakpoints::new(width, height, kind);
                 let (pieces, masses) = pieces(&columns, &breakpoints);
                 assert_eq!(

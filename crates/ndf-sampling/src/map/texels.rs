@@ -5,9 +5,9 @@ use alloc::borrow::Cow;
 use alloc::vec;
 use alloc::vec::Vec;
 
+use crate::error::{IS_DENSITY, NdfError};
 use crate::map::columns::Columns;
 use crate::map::disk::{mean_secant, meets, to_normal};
-use crate::map::error::NdfMapError;
 use crate::map::prefix_sums::{Image, PrefixSums};
 use crate::map::reconstruction::Reconstruction;
 
@@ -18,7 +18,7 @@ use crate::map::reconstruction::Reconstruction;
 pub enum Measure {
     /// Over the projected normal, per `dn_x dn_y`. The value is `D` itself, as obtained by counting
     /// the normals of a bump map that is sampled uniformly over the macro surface.
-    Normals,
+    ProjectedSolidAngle,
     /// Over solid angle, per `dω = dn_x dn_y/cos θ`. `D` is the value over `cos θ`, so a constant
     /// image has normals uniform on the hemisphere. The weight of each texel is kept exactly; `D`
     /// is its mean over the texel.
@@ -36,16 +36,16 @@ pub(crate) fn columns_of_texels(
     texels: &[f32],
     measure: Measure,
     kind: Reconstruction,
-) -> Result<Columns, NdfMapError> {
+) -> Result<Columns, NdfError> {
     let inside = rows_inside(width, height);
     let counted = match measure {
-        Measure::Normals => Cow::Borrowed(texels),
+        Measure::ProjectedSolidAngle => Cow::Borrowed(texels),
         Measure::SolidAngle => Cow::Owned(weighed(width, height, texels)),
     };
     let image = Image { width, height, texels: &counted, inside: &inside };
     match PrefixSums::new(image, kind) {
         Some(integrals) => Ok(Columns { width, height, kind, integrals }),
-        None => Err(first_invalid(width, height, texels, &inside)),
+        None => Err(first_invalid(width, texels, &inside)),
     }
 }
 
@@ -63,7 +63,7 @@ fn is_density(value: f32) -> bool {
 }
 
 /// The first texel inside the disk that is not finite or negative.
-fn first_invalid(width: usize, height: usize, texels: &[f32], inside: &[[u32; 2]]) -> NdfMapError {
+fn first_invalid(width: usize, texels: &[f32], inside: &[[u32; 2]]) -> NdfError {
     let rows = texels.chunks_exact(width).enumerate();
     let mut counted = rows.flat_map(|(j, row)| {
         let counts = move |rows: &[u32; 2]| (rows[0]..rows[1]).contains(&(j as u32));
@@ -71,8 +71,8 @@ fn first_invalid(width: usize, height: usize, texels: &[f32], inside: &[[u32; 2]
         places.map(move |(i, (&value, _))| (j * width + i, value))
     });
     match counted.find(|&(_, value)| !is_density(value)) {
-        Some((index, value)) => NdfMapError::Texel { index, value },
-        None => NdfMapError::Black { width, height },
+        Some((index, value)) => NdfError::Element { parameter: "texels", index, value, rule: IS_DENSITY },
+        None => NdfError::NoWeight { parameter: "texels" },
     }
 }
 
@@ -131,7 +131,9 @@ mod tests {
         for corner in [0, 9, 90, 99] {
             texels[corner] = f32::NAN;
         }
-        let columns = columns_of_texels(10, 10, &texels, Measure::Normals, Reconstruction::Bilinear).unwrap();
+        let columns =
+            columns_of_texels(10, 10, &texels, Measure::ProjectedSolidAngle, Reconstruction::Bilinear)
+                .unwrap();
         for column in 0..10 {
             assert!(columns.values(column).iter().all(|&value| value == 1.0));
         }

@@ -2,7 +2,7 @@
 
 use core::ops::Deref;
 
-use crate::density::isotropic::{IsotropicIn, Node};
+use crate::density::isotropic::{Isotropic, Node};
 use crate::map::packed::ndf_map::NdfMap;
 use crate::masked::wedge::Wedge;
 use crate::ndf::Ndf;
@@ -44,7 +44,7 @@ impl Bounded for NdfMap {
     }
 }
 
-impl<S: Deref<Target = [Node]>> Bounded for IsotropicIn<S> {
+impl<S: Deref<Target = [Node]>> Bounded for Isotropic<S> {
     fn most(&self, wedge: Wedge) -> f32 {
         self.most_between(1.0 - wedge.tilts[1], 1.0 - wedge.tilts[0])
     }

@@ -49,13 +49,13 @@ const MOST_TRIES: u32 = 1024;
 /// ```
 /// use asperity_ndf_sampling::{Masked, Measure, Microfacet, NdfMap, Reconstruction, glam::{Vec2, Vec3}};
 ///
-/// let painted = NdfMap::from_fn(64, 64, Measure::Normals, Reconstruction::Bilinear, |n| (-20.0 * n.x * n.x).exp())?;
+/// let painted = NdfMap::from_fn(64, 64, Measure::ProjectedSolidAngle, Reconstruction::Bilinear, |n| (-20.0 * n.x * n.x).exp())?;
 /// let facets = Masked::new(painted);
 /// let v = Vec3::new(0.8, 0.0, 0.6);
 /// let m = facets.sample_visible(v, Vec2::new(0.3, 0.6));
 /// assert!(v.dot(m) > 0.0 && facets.visible_pdf(v, m) > 0.0);
 /// assert!(facets.g1(v) < facets.g1(Vec3::Z));
-/// # Ok::<(), asperity_ndf_sampling::NdfMapError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 ///
 /// Smith 1967; Walter et al. 2007, section 5.1; Heitz 2014, eq. 43 and 83. Dupuy and Jakob 2018,
@@ -233,7 +233,8 @@ mod tests {
     #[test]
     fn accepts_every_input() {
         let tilted = |n: Vec3| if n.x > 0.3 { 1.0 } else { 0.0 };
-        let map = NdfMap::from_fn(16, 8, Measure::Normals, Reconstruction::Constant, tilted).unwrap();
+        let map =
+            NdfMap::from_fn(16, 8, Measure::ProjectedSolidAngle, Reconstruction::Constant, tilted).unwrap();
         let masked = Masked::new(&map);
         totality::check(&masked);
         // With a tilted mean, no view reflects more energy than arrives. A view that sees nothing

@@ -21,7 +21,7 @@ use asperity_core::math;
 /// // Between the horizon and 60°, the density is at most the value at 60°.
 /// let low = Wedge { tilts: [0.5, 1.0], turns: [-0.5, 0.5] };
 /// assert!(table.most(low) <= table.most(Wedge::HEMISPHERE));
-/// # Ok::<(), asperity_ndf_sampling::IsotropicError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wedge {

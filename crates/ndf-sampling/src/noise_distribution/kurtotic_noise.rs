@@ -1,8 +1,8 @@
 //! The distribution of a noise from its excess kurtosis.
 
 use crate::coordinates::bounded_coordinate;
+use crate::error::{NdfError, in_range};
 use crate::noise_distribution::distribution::{NoiseDistribution, check};
-use crate::range_error::RangeError;
 use asperity_core::math::sqrt_f64;
 
 /// A nearly Gaussian noise, given only its standard deviation and its excess kurtosis `κ`.
@@ -49,7 +49,7 @@ use asperity_core::math::sqrt_f64;
 /// let g = KurtoticDistribution::new(1.0, -0.46)?;
 /// assert!(g.gaussian(2.5) > 2.6);
 /// assert!(KurtoticDistribution::new(1.0, 3.0).is_err());
-/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 ///
 /// Cornish, Fisher 1938, "Moments and Cumulants in the Specification of Distributions", to the
@@ -79,8 +79,8 @@ impl KurtoticDistribution {
     ///
     /// # Errors
     /// A standard deviation that is not positive, normal and finite; a kurtosis outside [−1.5, 2].
-    pub fn new(deviation: f32, kurtosis: f32) -> Result<Self, RangeError> {
-        RangeError::check("kurtosis", kurtosis, [Self::MIN_KURTOSIS, Self::MAX_KURTOSIS])?;
+    pub fn new(deviation: f32, kurtosis: f32) -> Result<Self, NdfError> {
+        in_range("kurtosis", kurtosis, [Self::MIN_KURTOSIS, Self::MAX_KURTOSIS])?;
         let deviation = check(deviation)?;
         let (bend, d) =
             if kurtosis > 0.0 { spread(f64::from(kurtosis)) } else { bounded(f64::from(kurtosis)) };
@@ -89,7 +89,7 @@ impl KurtoticDistribution {
 }
 
 impl NoiseDistribution for KurtoticDistribution {
-    fn gaussian(&self, r: f32) -> f32 {
+    fn invert(&self, r: f32) -> f32 {
         let x = bounded_coordinate(r / self.scale);
         let z = if self.kurtosis <= 0.0 { cubic(x, self.bend) } else { inverse_cubic(x, self.bend) };
         bounded_coordinate(z)
@@ -180,7 +180,7 @@ mod tests {
             // Fewer than 13 scales.
             for k in -385..=385 {
                 let r = k as f32 * 0.01;
-                let z = g.gaussian(r);
+                let z = g.invert(r);
                 // Farther out the bound of the Gaussian coordinates is reached.
                 assert!(z > before || z.abs() == 13.0, "κ = {kurtosis}, r = {r}");
                 before = z;
@@ -189,7 +189,7 @@ mod tests {
                     assert_abs_diff_eq!(back, r, epsilon = 1e-6 * (1.0 + r.abs()), "κ = {kurtosis}, r =");
                 }
             }
-            assert_abs_diff_eq!(g.inverse(g.uniform(0.2)), 0.2, epsilon = 1e-6);
+            assert_abs_diff_eq!(g.quantile(g.cdf(0.2)), 0.2, epsilon = 1e-6);
         }
     }
 
@@ -218,8 +218,8 @@ mod tests {
         for kurtosis in [-1.5, 0.5] {
             let g = KurtoticDistribution::new(1e-30, kurtosis).unwrap();
             for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e38, -1e38, 1e-40] {
-                assert!(g.gaussian(bad).is_finite() && g.warp_gaussian(bad).is_finite(), "{bad}");
-                assert!((0.0..=1.0).contains(&g.uniform(bad)) && g.inverse(bad).is_finite(), "{bad}");
+                assert!(g.invert(bad).is_finite() && g.warp_gaussian(bad).is_finite(), "{bad}");
+                assert!((0.0..=1.0).contains(&g.cdf(bad)) && g.quantile(bad).is_finite(), "{bad}");
             }
         }
     }

@@ -1,8 +1,8 @@
 //! G: maps noise values to uniform and Gaussian numbers by their measured distribution.
 
+use crate::error::NdfError;
 use crate::noise_distribution::distribution::NoiseDistribution;
-use crate::numeric::normal_distribution::{inverse_phi, phi};
-use asperity_core::error_enum;
+use crate::numeric::normal_distribution::{gaussian_cdf, inverse_gaussian_cdf};
 
 /// The CDF `G` of a noise, linear between the entries of a borrowed table.
 ///
@@ -31,7 +31,7 @@ use asperity_core::error_enum;
 /// assert_eq!(g.uniform(1.0), 0.75);
 /// assert_eq!(g.gaussian(0.0), 0.0);
 /// assert_eq!(g.inverse(0.75), 1.0);
-/// # Ok::<(), asperity_ndf_sampling::NoiseCdfError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 ///
 /// Kautz, Heidrich, Seidel 2001, section 4, assumes a Gaussian `G` for every noise. Measured noises
@@ -51,11 +51,11 @@ impl<'a> NoiseCdfRef<'a> {
     /// # Errors
     /// A `range` that is not positive and finite; a table of fewer than two entries; an entry
     /// outside [0, 1] or NaN; an entry below the previous one; equal first and last entries.
-    pub fn new(range: f32, table: &'a [f32]) -> Result<Self, NoiseCdfError> {
+    pub fn new(range: f32, table: &'a [f32]) -> Result<Self, NdfError> {
         if range.is_finite() && range > 0.0 {
             Self::between(-range, range, table)
         } else {
-            Err(NoiseCdfError::Range { value: range })
+            Err(NdfError::Invalid { parameter: "range", value: range, rule: "positive and finite" })
         }
     }
 
@@ -72,29 +72,39 @@ impl<'a> NoiseCdfRef<'a> {
     /// let g = NoiseCdfRef::between(0.0, 2.0, &[0.0, 0.6, 0.9, 1.0])?;
     /// assert_eq!(g.uniform(-1.0), 0.0);
     /// assert!((g.uniform(1.0) - 0.75).abs() < 1e-7);
-    /// # Ok::<(), asperity_ndf_sampling::NoiseCdfError>(())
+    /// # Ok::<(), asperity_ndf_sampling::NdfError>(())
     /// ```
-    pub fn between(low: f32, high: f32, table: &'a [f32]) -> Result<Self, NoiseCdfError> {
+    pub fn between(low: f32, high: f32, table: &'a [f32]) -> Result<Self, NdfError> {
         if !(low < high && (high - low).is_finite()) {
-            return Err(NoiseCdfError::Ends { low, high });
+            return Err(NdfError::Ends { low, high });
         }
         let (Some(&first), Some(&last), true) = (table.first(), table.last(), table.len() >= 2) else {
-            return Err(NoiseCdfError::Entries { got: table.len() });
+            return Err(NdfError::Size {
+                parameter: "table.len()",
+                value: table.len(),
+                min: 2,
+                max: usize::MAX,
+            });
         };
         let mut previous = 0.0;
         for (index, &value) in table.iter().enumerate() {
             if !(previous..=1.0).contains(&value) {
-                return Err(NoiseCdfError::Entry { index, value });
+                return Err(NdfError::Element {
+                    parameter: "table",
+                    index,
+                    value,
+                    rule: "in [0, 1] and not below the previous entry",
+                });
             }
             previous = value;
         }
         if first == last {
-            return Err(NoiseCdfError::Constant { value: first });
+            return Err(NdfError::Invalid { parameter: "table", value: first, rule: "increasing somewhere" });
         }
         Ok(Self { low, high, table })
     }
 
-    fn quantile(self, u: f64) -> f32 {
+    fn quantile_f64(self, u: f64) -> f32 {
         let u = if u.is_nan() { 0.5 } else { u };
         let above = self.table.partition_point(|&g| f64::from(g) < u);
         let (Some(below), Some(&g1)) = (above.checked_sub(1), self.table.get(above)) else {
@@ -126,42 +136,25 @@ impl<'a> NoiseCdfRef<'a> {
 
 impl NoiseDistribution for NoiseCdfRef<'_> {
     #[inline]
-    fn gaussian(&self, r: f32) -> f32 {
+    fn invert(&self, r: f32) -> f32 {
         const LEAST: f64 = 1.0 / (1u32 << 24) as f64;
-        inverse_phi(self.exact(r).clamp(LEAST, 1.0 - LEAST)) as f32
+        inverse_gaussian_cdf(self.exact(r).clamp(LEAST, 1.0 - LEAST)) as f32
     }
 
     #[inline]
     fn warp_gaussian(&self, z: f32) -> f32 {
         // In f64, because Φ rounded to f32 would end at z = 5.4 and be coarse long before.
-        self.quantile(phi(f64::from(z)))
+        self.quantile_f64(gaussian_cdf(f64::from(z)))
     }
 
     #[inline]
-    fn uniform(&self, r: f32) -> f32 {
+    fn cdf(&self, r: f32) -> f32 {
         self.exact(r) as f32
     }
 
     /// The smallest noise value with `G(r) ≥ u`; the ends of the table beyond its values.
-    fn inverse(&self, u: f32) -> f32 {
-        self.quantile(f64::from(u))
-    }
-}
-
-error_enum! {
-    /// Error for a table that is not the CDF of a noise.
-    pub enum NoiseCdfError {
-        /// The range is not positive and finite.
-        Range { value: f32 } => "`range` must be positive and finite, got {value}";
-        /// The ends are not finite or not increasing.
-        Ends { low: f32, high: f32 } => "ends must be finite and increasing, got {low} and {high}";
-        /// The table has fewer than two entries.
-        Entries { got: usize } => "`table` must have at least two entries, got {got}";
-        /// An entry is NaN, outside [0, 1] or smaller than the previous one.
-        Entry { index: usize, value: f32 } =>
-            "entry {index} must be in [0, 1] and not below the previous entry, got {value}";
-        /// All entries are equal.
-        Constant { value: f32 } => "`table` must increase, got {value} everywhere";
+    fn quantile(&self, u: f32) -> f32 {
+        self.quantile_f64(f64::from(u))
     }
 }
 
@@ -173,21 +166,21 @@ mod tests {
     #[test]
     fn round_trip_of_a_one_sided_table() {
         let g = NoiseCdfRef::between(0.5, 3.0, &[0.0, 0.5, 0.9, 0.95, 1.0, 1.0]).unwrap();
-        assert_eq!((g.uniform(f32::NAN), g.uniform(1.25), g.uniform(3.0)), (0.0, 0.7, 1.0));
-        assert_eq!((g.inverse(0.5), g.inverse(1.0), g.inverse(0.0)), (1.0, 2.5, 0.5));
+        assert_eq!((g.cdf(f32::NAN), g.cdf(1.25), g.cdf(3.0)), (0.0, 0.7, 1.0));
+        assert_eq!((g.quantile(0.5), g.quantile(1.0), g.quantile(0.0)), (1.0, 2.5, 0.5));
         for k in 1..80 {
             let r = 0.5 + 0.025 * k as f32;
-            assert_abs_diff_eq!(g.warp_gaussian(g.gaussian(r)), r, epsilon = 2e-6);
+            assert_abs_diff_eq!(g.warp_gaussian(g.invert(r)), r, epsilon = 2e-6);
         }
     }
 
     #[test]
     fn plateaus_and_ends() {
         let g = NoiseCdfRef::new(1.0, &[0.0, 0.25, 0.25, 1.0, 1.0]).unwrap();
-        assert_eq!((g.uniform(-9.0), g.uniform(9.0), g.uniform(f32::NAN)), (0.0, 1.0, 0.25));
-        assert_eq!((g.uniform(-0.25), g.uniform(f32::INFINITY)), (0.25, 1.0));
-        assert_eq!((g.inverse(0.25), g.inverse(1.0), g.inverse(0.0)), (-0.5, 0.5, -1.0));
-        assert_eq!((g.inverse(-1.0), g.inverse(2.0)), (-1.0, 1.0));
-        assert!(g.gaussian(9.0) < 5.3 && g.gaussian(-9.0) > -5.3);
+        assert_eq!((g.cdf(-9.0), g.cdf(9.0), g.cdf(f32::NAN)), (0.0, 1.0, 0.25));
+        assert_eq!((g.cdf(-0.25), g.cdf(f32::INFINITY)), (0.25, 1.0));
+        assert_eq!((g.quantile(0.25), g.quantile(1.0), g.quantile(0.0)), (-0.5, 0.5, -1.0));
+        assert_eq!((g.quantile(-1.0), g.quantile(2.0)), (-1.0, 1.0));
+        assert!(g.invert(9.0) < 5.3 && g.invert(-9.0) > -5.3);
     }
 }

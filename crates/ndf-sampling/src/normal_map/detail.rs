@@ -5,8 +5,6 @@ use glam::{Vec2, Vec3};
 
 use crate::coordinates::bounded;
 use crate::ndf::Ndf;
-use crate::noise_distribution::distribution::NoiseDistribution;
-use crate::numeric::normal_distribution::phi;
 use asperity_core::math;
 
 /// Adds noise to the Gaussian coordinates of a bump map and keeps their variance.
@@ -51,7 +49,7 @@ pub fn add_detail(z_b: Vec2, z_n: Vec2, amount: f32) -> Vec2 {
 /// let n = Vec3::new(0.1, -0.3, 0.95).normalize();
 /// assert!(add_detail_normal(&ggx, n, Vec2::ONE, 0.0).abs_diff_eq(n, 1e-6));
 /// assert!(add_detail_normal(&ggx, n, Vec2::ONE, 0.3).dot(n) < 0.9999);
-/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 #[inline]
 #[must_use]
@@ -59,65 +57,10 @@ pub fn add_detail_normal<N: Ndf + ?Sized>(ndf: &N, n: Vec3, z_n: Vec2, amount: f
     ndf.warp_gaussian(add_detail(ndf.invert(n), z_n, amount))
 }
 
-/// Conversion from noise values through uniform numbers to normals, and back.
-///
-/// ```text
-/// r → u = G(r) → n = T(Φ⁻¹(u)),        n → u = Φ(T⁻¹(n)) → r = G⁻¹(u)
-/// ```
-///
-/// The second converts an existing bump map to noise values. More noise can be added to these
-/// before the first is applied. A sum of two noises does not have the distribution of one noise,
-/// unless they are Gaussian. To keep the NDF, add them in Gaussian coordinates with [`add_detail`].
-///
-/// ```
-/// use asperity_ndf_sampling::{Beckmann, NoiseCdfRef, glam::Vec3, normal_map::NoiseChain};
-///
-/// // A noise that is uniform on ±1.
-/// let chain = NoiseChain { ndf: Beckmann::isotropic(0.3)?, noise: NoiseCdfRef::new(1.0, &[0.0, 1.0])? };
-/// assert_eq!(chain.normal([0.0, 0.0]), Vec3::Z);
-/// let n = chain.normal([0.5, -0.8]);
-/// let [r1, r2] = chain.noise_values(n);
-/// assert!((r1 - 0.5).abs() < 1e-6 && (r2 + 0.8).abs() < 1e-6);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
-///
-/// Kautz, Heidrich, Seidel 2001, sections 4 and 7.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NoiseChain<N, G> {
-    /// The NDF of the normals.
-    pub ndf: N,
-    /// The distribution `G` of both noises.
-    pub noise: G,
-}
-
-impl<N: Ndf, G: NoiseDistribution> NoiseChain<N, G> {
-    /// `r → n`; accepts every input.
-    #[inline]
-    #[must_use]
-    pub fn normal(&self, r: [f32; 2]) -> Vec3 {
-        self.ndf.warp_gaussian(Vec2::from(r.map(|r| self.noise.gaussian(r))))
-    }
-
-    /// `n → u`, the uniform numbers of a normal, in `f64`, whose precision the upper tail near 1
-    /// needs.
-    #[inline]
-    #[must_use]
-    pub fn uniform(&self, n: Vec3) -> [f64; 2] {
-        self.ndf.invert(n).to_array().map(|z| phi(f64::from(z)))
-    }
-
-    /// `n → r`, the noise values of a normal.
-    #[inline]
-    #[must_use]
-    pub fn noise_values(&self, n: Vec3) -> [f32; 2] {
-        self.ndf.invert(n).to_array().map(|z| self.noise.warp_gaussian(z))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Beckmann, Ggx, NoiseCdfRef};
+    use crate::{Beckmann, Ggx, NoiseCdfRef, NoiseDistribution, gaussian_cdf};
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
@@ -141,17 +84,20 @@ mod tests {
     }
 
     #[test]
-    fn noise_chain_round_trips() {
+    fn noise_values_of_normals_round_trip() {
         let table: [f32; 9] = core::array::from_fn(|k| (k * k) as f32 / 64.0);
         let noise = NoiseCdfRef::new(2.0, &table).unwrap();
-        let chain = NoiseChain { ndf: Beckmann::new(0.2, 0.6).unwrap(), noise };
+        let ndf = Beckmann::new(0.2, 0.6).unwrap();
         for k in 1..40 {
-            let r = [k as f32 * 0.1 - 2.0, 1.95 - k as f32 * 0.07];
-            let back = chain.noise_values(chain.normal(r));
-            assert_abs_diff_eq!(back[0], r[0], epsilon = 1e-5, "{r:?}");
-            assert_abs_diff_eq!(back[1], r[1], epsilon = 1e-5, "{r:?}");
-            let u = chain.uniform(chain.normal(r));
-            assert_abs_diff_eq!(u[0], f64::from(noise.uniform(r[0])), epsilon = 1e-6, "{r:?}");
+            let r = Vec2::new(k as f32 * 0.1 - 2.0, 1.95 - k as f32 * 0.07);
+            let z = ndf.invert(ndf.warp_gaussian(r.map(|r| noise.invert(r))));
+            assert_abs_diff_eq!(z.map(|z| noise.warp_gaussian(z)), r, epsilon = 1e-5, "{r}");
+            assert_abs_diff_eq!(
+                gaussian_cdf(f64::from(z.x)),
+                f64::from(noise.cdf(r.x)),
+                epsilon = 1e-6,
+                "{r}"
+            );
         }
     }
 }

@@ -5,12 +5,11 @@ use alloc::vec::Vec;
 
 use glam::Vec3;
 
+use crate::error::{NdfError, in_range};
 use crate::map::b_spline::{area_inside, averaged_kernel, edge, first_texel};
-use crate::map::error::MAX_TEXELS;
 use crate::map::packed::ndf_map::NdfMap;
 use crate::map::reconstruction::Reconstruction;
 use crate::map::texels::Measure;
-use asperity_core::error_enum;
 use asperity_core::math;
 
 /// Estimates the NDF of a normal map by counting its normals with a smooth kernel.
@@ -29,7 +28,7 @@ use asperity_core::math;
 /// - **At the rim** the part of the kernel inside the disk is scaled to 1, so each normal has
 ///   weight 1 and none is lost.
 /// - **Normals** are per texel of the bump map, that is per unit of macro area, so the estimate is
-///   `D` itself ([`Measure::Normals`]). Their `z` is not used. Normals outside the disk and NaN are
+///   `D` itself ([`Measure::ProjectedSolidAngle`]). Their `z` is not used. Normals outside the disk and NaN are
 ///   not counted.
 ///
 /// ```
@@ -73,15 +72,20 @@ impl NdfEstimator {
     /// Creates an estimator over `size · size` texels with kernels of width `h`, in units of n_x.
     ///
     /// # Errors
-    /// A `size` of 0 or of more than [`MAX_TEXELS`] texels; a width that is negative, NaN or above 1.
-    pub fn new(size: usize, width: f32) -> Result<Self, EstimateError> {
+    /// A `size` of 0 or of more than [`NdfMap::MAX_TEXELS`] texels; a width that is negative, NaN or above 1.
+    pub fn new(size: usize, width: f32) -> Result<Self, NdfError> {
         let texels = match size.checked_mul(size) {
-            Some(texels) if (1..=MAX_TEXELS).contains(&texels) => texels,
-            _ => return Err(EstimateError::Size { value: size }),
+            Some(texels) if (1..=NdfMap::MAX_TEXELS).contains(&texels) => texels,
+            _ => {
+                return Err(NdfError::Size {
+                    parameter: "size",
+                    value: size,
+                    min: 1,
+                    max: NdfMap::MAX_TEXELS.isqrt(),
+                });
+            }
         };
-        if !(0.0..=1.0).contains(&width) {
-            return Err(EstimateError::Width { value: width });
-        }
+        in_range("width", width, [0.0, 1.0])?;
         Ok(Self::build(size, f64::from(width), texels))
     }
 
@@ -172,7 +176,7 @@ impl NdfEstimator {
         self.count += 1;
     }
 
-    /// The current NDF as texels, for [`NdfMap::from_texels`] with [`Measure::Normals`].
+    /// The current NDF as texels, for [`NdfMap::from_texels`] with [`Measure::ProjectedSolidAngle`].
     ///
     /// Texels outside the disk are 0.
     #[must_use]
@@ -185,10 +189,16 @@ impl NdfEstimator {
     /// Builds the NDF, bilinear between the texels and ready to be sampled.
     ///
     /// # Errors
-    /// [`EstimateError::NoNormals`] if no normal was counted.
-    pub fn finish(self) -> Result<NdfMap, EstimateError> {
-        NdfMap::from_texels(self.size, self.size, &self.texels(), Measure::Normals, Reconstruction::Bilinear)
-            .map_err(|_| EstimateError::NoNormals)
+    /// [`NdfError::NoWeight`] if no normal was counted.
+    pub fn finish(self) -> Result<NdfMap, NdfError> {
+        NdfMap::from_texels(
+            self.size,
+            self.size,
+            &self.texels(),
+            Measure::ProjectedSolidAngle,
+            Reconstruction::Bilinear,
+        )
+        .map_err(|_| NdfError::NoWeight { parameter: "normals" })
     }
 }
 
@@ -203,7 +213,7 @@ impl Extend<Vec3> for NdfEstimator {
 /// Estimates the NDF of these normals, with [`NdfEstimator::suited`].
 ///
 /// # Errors
-/// [`EstimateError::NoNormals`] if none is a valid normal.
+/// [`NdfError::NoWeight`] if none is a valid normal.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Beckmann, Ndf, estimate_ndf, glam::{Vec2, Vec3}};
@@ -218,7 +228,7 @@ impl Extend<Vec3> for NdfEstimator {
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[doc(alias = "histogram")]
-pub fn estimate_ndf(normals: &[Vec3]) -> Result<NdfMap, EstimateError> {
+pub fn estimate_ndf(normals: &[Vec3]) -> Result<NdfMap, NdfError> {
     let mut estimator = NdfEstimator::suited(normals);
     estimator.extend(normals.iter().copied());
     estimator.finish()
@@ -230,18 +240,6 @@ const STEPS: f64 = 4.0 / 255.0;
 /// Whether it is a normal inside the disk, up to rounding.
 fn counts(n: Vec3) -> bool {
     n.x * n.x + n.y * n.y <= 1.0 + 1e-5
-}
-
-error_enum! {
-    /// Error for normals without an NDF.
-    pub enum EstimateError {
-        /// The map would have no texels, or more than [`MAX_TEXELS`].
-        Size { value: usize } => "`size`² must be between 1 and {MAX_TEXELS}, got size {value}";
-        /// The width of the kernel is not in [0, 1].
-        Width { value: f32 } => "`width` must be between 0 and 1, got {value}";
-        /// There are no valid normals.
-        NoNormals => "no valid normal inside the unit disk";
-    }
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ pub(crate) mod detail;
 pub(crate) mod estimate;
 pub(crate) mod format;
 
-pub use detail::{NoiseChain, add_detail, add_detail_normal};
+pub use detail::{add_detail, add_detail_normal};
 #[cfg(feature = "alloc")]
-pub use estimate::{EstimateError, NdfEstimator, estimate_ndf};
+pub use estimate::{NdfEstimator, estimate_ndf};
 pub use format::{Blue, NormalMapFormat, TangentSpace, Zero};

@@ -6,8 +6,8 @@ use glam::{Vec2, Vec3};
 
 use crate::frame::Frame;
 use crate::ndf::Ndf;
-use crate::normal_table::table::{NormalLut, NormalLutRef, entry_coordinate};
-use crate::numeric::normal_distribution::phi;
+use crate::normal_table::table::{NormalLut, entry_coordinate};
+use crate::numeric::normal_distribution::gaussian_cdf;
 use asperity_core::math;
 
 /// Angle between looked-up and exact normals, in rad.
@@ -38,7 +38,7 @@ asperity_core::impl_approx! { f32; Deviation: deviation => deviation.largest, de
 /// let accuracy = NormalLut::standard(&beckmann).accuracy(&beckmann);
 /// assert!(accuracy.bilinear.rms < 2e-5 && accuracy.nearest.rms > 100.0 * accuracy.bilinear.rms);
 /// assert!(accuracy.beyond < 2e-5);
-/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TableAccuracy {
@@ -60,13 +60,16 @@ impl NormalLut {
     #[must_use]
     pub fn accuracy<N: Ndf + ?Sized>(&self, ndf: &N) -> TableAccuracy {
         let (size, spacing, halves) = (self.size(), self.layout().spacing, self.halves());
-        let halves = NormalLutRef { size, layout: self.layout(), entries: &halves };
+        let halves = NormalLut { size, layout: self.layout(), entries: halves.as_slice() };
         let entries: Vec<f32> = (0..size).map(|k| entry_coordinate(spacing, k, size)).collect();
         // Between two neighboring entries along one coordinate: the midpoint and the weight.
         let cells: Vec<(f32, f64)> = (1..size)
             .zip(entries.iter().zip(entries.iter().skip(1)))
             .map(|(k, (&from, &to))| {
-                (spacing.coordinate(k as f32 / size as f32), phi(f64::from(to)) - phi(f64::from(from)))
+                (
+                    spacing.coordinate(k as f32 / size as f32),
+                    gaussian_cdf(f64::from(to)) - gaussian_cdf(f64::from(from)),
+                )
             })
             .collect();
         let mut sums = [(); 3].map(|()| AngleSum::default());
@@ -78,7 +81,7 @@ impl NormalLut {
                 sums.iter_mut().zip(found).for_each(|(sum, found)| sum.add(angle(found, n), weight));
             }
         }
-        let outermost = entries.last().map_or(0.0, |&z| 2.0 * phi(-f64::from(z)));
+        let outermost = entries.last().map_or(0.0, |&z| 2.0 * gaussian_cdf(-f64::from(z)));
         let [nearest, bilinear, bilinear_half] = sums.map(|sum| sum.deviation());
         TableAccuracy {
             nearest,

@@ -7,14 +7,14 @@ use glam::{Vec2, Vec3};
 use crate::normal_table::chart::Chart;
 use crate::normal_table::layout::TableEntry;
 use crate::normal_table::spacing::Spacing;
-use crate::normal_table::table::{NormalLutIn, NormalLutRef};
+use crate::normal_table::table::NormalLut;
 use asperity_core::BatchError;
 
 /// Normals per pass: their numbers fit the L1 cache next to the table.
 const BLOCK: usize = 64;
 
-impl<E: TableEntry, S: Deref<Target = [E]>> NormalLutIn<S> {
-    /// [`NormalLutIn::nearest_normal`] of many coordinates at once, with the same results.
+impl<E: TableEntry, S: Deref<Target = [E]>> NormalLut<S> {
+    /// [`NormalLut::nearest_normal`] of many coordinates at once, with the same results.
     ///
     /// # Errors
     /// Arrays of different lengths. Nothing is written in this case.
@@ -25,16 +25,16 @@ impl<E: TableEntry, S: Deref<Target = [E]>> NormalLutIn<S> {
         Ok(())
     }
 
-    /// [`NormalLutIn::bilinear_normal`] of many coordinates at once, with the same results.
+    /// [`NormalLut::bilinear_normal`] of many coordinates at once, with the same results.
     ///
     /// # Errors
     /// Arrays of different lengths. Nothing is written in this case.
     ///
     /// ```
-    /// use asperity_ndf_sampling::{NormalLutRef, glam::{Vec2, Vec3}, normal_table::TableLayout};
+    /// use asperity_ndf_sampling::{NormalLut, glam::{Vec2, Vec3}, normal_table::TableLayout};
     ///
     /// static FLASH: [[f32; 2]; 4] = [[-0.5, 0.0], [0.5, 0.0], [-0.5, 0.1], [0.5, 0.1]];
-    /// let table = NormalLutRef::new(2, TableLayout::default(), &FLASH)?;
+    /// let table = NormalLut::from_entries(2, TableLayout::default(), &FLASH)?;
     /// let (z1, z2) = ([0.3, -1.0, 2.0], [0.1, 0.7, -0.4]);
     /// let (mut x, mut y, mut z) = ([0.0; 3], [0.0; 3], [0.0; 3]);
     /// table.bilinear_normals([&z1, &z2], [&mut x, &mut y, &mut z])?;
@@ -49,7 +49,7 @@ impl<E: TableEntry, S: Deref<Target = [E]>> NormalLutIn<S> {
     }
 }
 
-impl<E: TableEntry> NormalLutRef<'_, E> {
+impl<E: TableEntry> NormalLut<&'_ [E]> {
     /// Computes positions among the entries, points and normals in turn, each for a whole block.
     #[inline]
     fn in_blocks<P: Copy + Default>(
@@ -143,7 +143,7 @@ mod tests {
         (z2[5], z2[70], z2[130]) = (f32::NAN, f32::INFINITY, -1e38);
         for spacing in [Spacing::Coordinates, Spacing::Quantiles, Spacing::Warped] {
             for chart in [Chart::Projected, Chart::Slopes, Chart::Stereographic] {
-                let table = NormalLutRef::new(8, TableLayout { spacing, chart }, &entries).unwrap();
+                let table = NormalLut::from_entries(8, TableLayout { spacing, chart }, &entries).unwrap();
                 let mut n = [(); 3].map(|()| std::vec![0.0; 333]);
                 let [x, y, z] = &mut n;
                 table.bilinear_normals([&z1, &z2], [x, y, z]).unwrap();
@@ -163,7 +163,7 @@ mod tests {
 
     #[test]
     fn arrays_of_different_lengths_are_an_error() {
-        let table = NormalLutRef::new(1, TableLayout::default(), &[[0.5_f32, 0.0]]).unwrap();
+        let table = NormalLut::from_entries(1, TableLayout::default(), &[[0.5_f32, 0.0]]).unwrap();
         let [mut x, mut y, mut z] = [[7.0; 9]; 3];
         let refused = table.bilinear_normals([&[0.0; 9]; 2], [&mut x, &mut y[..8], &mut z]).unwrap_err();
         assert_eq!(Err(refused), BatchError::check("m", 9, 8));

@@ -1,6 +1,6 @@
 //! Spacing of the entries of a normal table along a Gaussian coordinate.
 
-use crate::numeric::normal_distribution::{inverse_phi, phi};
+use crate::numeric::normal_distribution::{gaussian_cdf, inverse_gaussian_cdf};
 use asperity_core::math;
 
 /// The coordinate `w(z)` in [0, 1] along which the entries of a table are equally spaced.
@@ -61,7 +61,7 @@ impl Spacing {
         let z = if z.is_nan() { 0.0 } else { z.clamp(-Self::RANGE, Self::RANGE) };
         match self {
             Self::Coordinates => z * (0.5 / Self::RANGE) + 0.5,
-            Self::Quantiles => phi(f64::from(z)) as f32,
+            Self::Quantiles => gaussian_cdf(f64::from(z)) as f32,
             Self::Warped => {
                 (0.5 * STRETCH * z / math::sqrt(z * z + Self::WARP * Self::WARP) + 0.5).clamp(0.0, 1.0)
             }
@@ -77,7 +77,7 @@ impl Spacing {
         let range = f64::from(Self::RANGE);
         let z = match self {
             Self::Coordinates => (2.0 * w - 1.0) * range,
-            Self::Quantiles => inverse_phi(w),
+            Self::Quantiles => inverse_gaussian_cdf(w),
             Self::Warped => {
                 let t = (2.0 * w - 1.0) / f64::from(STRETCH);
                 f64::from(Self::WARP) * t / math::sqrt_f64(1.0 - t * t)

@@ -6,15 +6,16 @@ use core::ops::Deref;
 
 use glam::{Vec2, Vec3, Vec4, Vec4Swizzles};
 
+use crate::error::{NdfError, square};
 use crate::frame::Frame;
 #[cfg(feature = "alloc")]
 use crate::ndf::Ndf;
-use crate::normal_table::error::NormalLutError;
 use crate::normal_table::layout::{TableEntry, TableLayout};
 #[cfg(feature = "alloc")]
 use crate::normal_table::spacing::Spacing;
 #[cfg(feature = "alloc")]
 use crate::numeric::binary16::{MAX_HALF, to_half};
+use crate::storage::Entries;
 
 /// Lookup table `L` of an NDF: frames of the normals `T(z)` on a square grid of Gaussian
 /// coordinates.
@@ -24,8 +25,8 @@ use crate::numeric::binary16::{MAX_HALF, to_half};
 /// ```
 ///
 /// The position of a coordinate is defined by the [`Spacing`], and the two numbers `p` of a normal
-/// by the [`Chart`](crate::normal_table::Chart) of the layout. [`NormalLut`] owns its entries.
-/// [`NormalLutRef`] borrows floats or half floats, in flash or in the bytes of a file.
+/// by the [`Chart`](crate::normal_table::Chart) of the layout. The table owns its
+/// entries, or borrows floats or half floats in flash or in the bytes of a file.
 ///
 /// - **Any input:** coordinates are clamped to the outermost entries, NaN is read as 0. Entries
 ///   outside the chart are clamped to it. Results are unit vectors with `n.z ≥ 0`.
@@ -59,14 +60,6 @@ use crate::numeric::binary16::{MAX_HALF, to_half};
 /// table, and does not specify values between entries. This table is indexed by `z`, so that one
 /// table serves every noise, and interpolated. [`NormalLut::from_fn`] creates the table of the
 /// paper.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NormalLutIn<S> {
-    pub(crate) size: usize,
-    pub(crate) layout: TableLayout,
-    pub(crate) entries: S,
-}
-
-/// A [table `L`](NormalLutIn) that owns its entries.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Ggx, Ndf, NormalLut, glam::Vec2};
@@ -80,38 +73,40 @@ pub struct NormalLutIn<S> {
 /// assert!(table.accuracy(&ggx).bilinear.largest < 0.0014);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[cfg(feature = "alloc")]
-#[doc(alias = "lut")]
-#[doc(alias = "texture")]
-pub type NormalLut = NormalLutIn<Vec<[f32; 2]>>;
-
-/// A [table `L`](NormalLutIn) in borrowed storage, of floats or half floats.
 ///
 /// ```
-/// use asperity_ndf_sampling::{NormalLutRef, glam::{Vec2, Vec3}, normal_table::{TableLayout, to_half}};
+/// use asperity_ndf_sampling::{NormalLut, glam::{Vec2, Vec3}, normal_table::TableLayout};
 ///
 /// // Four entries in read-only memory, with n_x of 0.6, 0.0 and below −0.6.
 /// static FLASH: [[f32; 2]; 4] = [[-0.5, 0.0], [0.5, 0.0], [-0.5, 0.0], [0.5, 0.0]];
-/// let table = NormalLutRef::new(2, TableLayout::default(), &FLASH)?;
+/// let table = NormalLut::from_entries(2, TableLayout::default(), &FLASH)?;
 /// assert_eq!(table.bilinear(Vec2::ZERO).normal, Vec3::Z);
 /// assert_eq!(table.nearest(Vec2::ONE).normal, Vec3::new(0.8, 0.0, 0.6));
 ///
-/// let halves = FLASH.map(|p| p.map(to_half));
-/// let table = NormalLutRef::new(2, TableLayout::default(), &halves)?;
+/// // The same entries as half floats.
+/// static HALVES: [[u16; 2]; 4] = [[0xB800, 0], [0x3800, 0], [0xB800, 0], [0x3800, 0]];
+/// let table = NormalLut::from_entries(2, TableLayout::default(), &HALVES)?;
 /// assert_eq!(table.nearest(Vec2::ONE).normal, Vec3::new(0.8, 0.0, 0.6));
-/// # Ok::<(), asperity_ndf_sampling::NormalLutError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 ///
 /// `as_chunks` converts a flat slice `&[f32]` or `&[u16]` to a slice of pairs.
-pub type NormalLutRef<'a, E = [f32; 2]> = NormalLutIn<&'a [E]>;
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(alias = "lut")]
+#[doc(alias = "texture")]
+pub struct NormalLut<S = Entries<[f32; 2]>> {
+    pub(crate) size: usize,
+    pub(crate) layout: TableLayout,
+    pub(crate) entries: S,
+}
 
-impl<'a, E> NormalLutIn<&'a [E]> {
+impl<'a, E> NormalLut<&'a [E]> {
     /// Creates the table from `size · size` entries.
     ///
     /// # Errors
     /// A `size` of 0 or above 4096; another number of entries.
-    pub const fn new(size: usize, layout: TableLayout, entries: &'a [E]) -> Result<Self, NormalLutError> {
-        match NormalLutError::check(size, Some(entries.len())) {
+    pub const fn from_entries(size: usize, layout: TableLayout, entries: &'a [E]) -> Result<Self, NdfError> {
+        match square(size, Some(entries.len())) {
             Ok(()) => Ok(Self { size, layout, entries }),
             Err(error) => Err(error),
         }
@@ -125,7 +120,7 @@ impl<'a, E> NormalLutIn<&'a [E]> {
     }
 }
 
-impl<S> NormalLutIn<S> {
+impl<S> NormalLut<S> {
     /// The number of entries along a side.
     #[inline]
     #[must_use]
@@ -141,12 +136,12 @@ impl<S> NormalLutIn<S> {
     }
 }
 
-impl<E: TableEntry, S: Deref<Target = [E]>> NormalLutIn<S> {
+impl<E: TableEntry, S: Deref<Target = [E]>> NormalLut<S> {
     /// The table in borrowed form.
     #[inline]
     #[must_use]
-    pub fn view(&self) -> NormalLutRef<'_, E> {
-        NormalLutIn { size: self.size, layout: self.layout, entries: &self.entries }
+    pub fn view(&self) -> NormalLut<&[E]> {
+        NormalLut { size: self.size, layout: self.layout, entries: &self.entries }
     }
 
     /// The frames of the entries, row by row.
@@ -234,7 +229,7 @@ impl<E: TableEntry, S: Deref<Target = [E]>> NormalLutIn<S> {
 }
 
 #[cfg(feature = "alloc")]
-impl NormalLutIn<Vec<[f32; 2]>> {
+impl NormalLut<Vec<[f32; 2]>> {
     /// The usual size of a side.
     pub const SIZE: usize = 256;
 
@@ -242,7 +237,7 @@ impl NormalLutIn<Vec<[f32; 2]>> {
     ///
     /// # Errors
     /// A `size` of 0 or above 4096. At 4096 the table takes 128 MB.
-    pub fn new<N: Ndf + ?Sized>(ndf: &N, size: usize) -> Result<Self, NormalLutError> {
+    pub fn new<N: Ndf + ?Sized>(ndf: &N, size: usize) -> Result<Self, NdfError> {
         Self::with_layout(ndf, size, TableLayout::default())
     }
 
@@ -250,11 +245,7 @@ impl NormalLutIn<Vec<[f32; 2]>> {
     ///
     /// # Errors
     /// See [`NormalLut::new`].
-    pub fn with_layout<N: Ndf + ?Sized>(
-        ndf: &N,
-        size: usize,
-        layout: TableLayout,
-    ) -> Result<Self, NormalLutError> {
+    pub fn with_layout<N: Ndf + ?Sized>(ndf: &N, size: usize, layout: TableLayout) -> Result<Self, NdfError> {
         Self::from_fn(size, layout, |z| ndf.warp_gaussian(z))
     }
 
@@ -272,12 +263,8 @@ impl NormalLutIn<Vec<[f32; 2]>> {
     ///
     /// # Errors
     /// See [`NormalLut::new`].
-    pub fn from_fn(
-        size: usize,
-        layout: TableLayout,
-        f: impl FnMut(Vec2) -> Vec3,
-    ) -> Result<Self, NormalLutError> {
-        NormalLutError::check(size, None).map(|()| Self::build(size, layout, f))
+    pub fn from_fn(size: usize, layout: TableLayout, f: impl FnMut(Vec2) -> Vec3) -> Result<Self, NdfError> {
+        square(size, None).map(|()| Self::build(size, layout, f))
     }
 
     fn build(size: usize, layout: TableLayout, mut f: impl FnMut(Vec2) -> Vec3) -> Self {
@@ -292,7 +279,7 @@ impl NormalLutIn<Vec<[f32; 2]>> {
 
     /// The entries as pairs of half floats, e.g. for an interpolated texture of format RG16F.
     ///
-    /// For lookups on the CPU pass the result to [`NormalLutRef::new`]. Rounding rotates normals
+    /// For lookups on the CPU pass the result to [`NormalLut::new`]. Rounding rotates normals
     /// by at most 4.9e-4 rad in the default chart, and by 2⁻¹¹ of their tilt where it is small. In
     /// the projected chart it rotates them by 0.03 rad near the horizon. Slopes are clamped to
     /// [`MAX_HALF`].
@@ -364,7 +351,7 @@ mod tests {
     #[test]
     fn table_is_const_constructible() {
         static FLASH: [[u16; 2]; 1] = [[0x3800, 0]];
-        const TABLE: NormalLutRef<'static, [u16; 2]> = match NormalLutRef::new(
+        const TABLE: NormalLut<&[[u16; 2]]> = match NormalLut::from_entries(
             1,
             TableLayout { spacing: Spacing::Warped, chart: Chart::Projected },
             &FLASH,
@@ -387,7 +374,7 @@ mod tests {
         ] {
             for size in [1, 2] {
                 let entries = points.get(..size * size).unwrap();
-                let table = NormalLutRef::new(size, TableLayout { spacing, chart }, entries).unwrap();
+                let table = NormalLut::from_entries(size, TableLayout { spacing, chart }, entries).unwrap();
                 for (x, y) in bad.into_iter().flat_map(|x| bad.map(|y| (x, y))) {
                     for n in [table.nearest_normal(Vec2::new(x, y)), table.bilinear_normal(Vec2::new(x, y))] {
                         assert_abs_diff_eq!(n.length(), 1.0, epsilon = 1e-6, "{chart:?} {size} {x} {y}");

@@ -13,11 +13,11 @@ use asperity_core::math;
 /// - **Accuracy:** 2e-15 relative for `z ≥ −8`, against 25-digit values.
 ///
 /// ```
-/// use asperity_ndf_sampling::{inverse_phi, phi};
+/// use asperity_ndf_sampling::{inverse_gaussian_cdf, gaussian_cdf};
 ///
-/// assert_eq!(phi(0.0), 0.5);
-/// assert!((phi(1.25) + phi(-1.25) - 1.0).abs() < 1e-15);
-/// assert!((inverse_phi(phi(-3.0)) + 3.0).abs() < 1e-14);
+/// assert_eq!(gaussian_cdf(0.0), 0.5);
+/// assert!((gaussian_cdf(1.25) + gaussian_cdf(-1.25) - 1.0).abs() < 1e-15);
+/// assert!((inverse_gaussian_cdf(gaussian_cdf(-3.0)) + 3.0).abs() < 1e-14);
 /// ```
 ///
 /// Cody 1969, "Rational Chebyshev Approximations for the Error Function", in the arrangement of his
@@ -25,7 +25,7 @@ use asperity_core::math;
 #[must_use]
 #[doc(alias = "erf")]
 #[doc(alias = "normal cdf")]
-pub fn phi(z: f64) -> f64 {
+pub fn gaussian_cdf(z: f64) -> f64 {
     phi_and_density(z).0
 }
 
@@ -66,7 +66,7 @@ pub(crate) fn phi_and_density(z: f64) -> (f64, f64) {
 #[doc(alias = "probit")]
 #[doc(alias = "erfinv")]
 #[doc(alias = "quantile")]
-pub fn inverse_phi(u: f64) -> f64 {
+pub fn inverse_gaussian_cdf(u: f64) -> f64 {
     let q = u - 0.5;
     if q.abs() <= 0.425 {
         return q * ratio(&CENTRE, 0.180_625 - q * q);
@@ -228,12 +228,18 @@ mod tests {
 
     #[test]
     fn phi_and_inverse_phi_at_the_edges() {
-        assert_eq!(phi(f64::NEG_INFINITY), 0.0);
-        assert_eq!(phi(f64::INFINITY), 1.0);
-        assert_eq!((inverse_phi(0.0), inverse_phi(1.0)), (f64::NEG_INFINITY, f64::INFINITY));
-        assert_eq!((inverse_phi(-1.0), inverse_phi(2.0)), (f64::NEG_INFINITY, f64::INFINITY));
-        assert!(phi(f64::NAN).is_nan() && inverse_phi(f64::NAN).is_nan());
-        assert_eq!((phi(0.0), inverse_phi(0.5)), (0.5, 0.0));
+        assert_eq!(gaussian_cdf(f64::NEG_INFINITY), 0.0);
+        assert_eq!(gaussian_cdf(f64::INFINITY), 1.0);
+        assert_eq!(
+            (inverse_gaussian_cdf(0.0), inverse_gaussian_cdf(1.0)),
+            (f64::NEG_INFINITY, f64::INFINITY)
+        );
+        assert_eq!(
+            (inverse_gaussian_cdf(-1.0), inverse_gaussian_cdf(2.0)),
+            (f64::NEG_INFINITY, f64::INFINITY)
+        );
+        assert!(gaussian_cdf(f64::NAN).is_nan() && inverse_gaussian_cdf(f64::NAN).is_nan());
+        assert_eq!((gaussian_cdf(0.0), inverse_gaussian_cdf(0.5)), (0.5, 0.0));
     }
 
     #[test]
@@ -242,7 +248,7 @@ mod tests {
             let z = f64::from(k) / 100.0;
             // Above 0 the rounding of Φ near 1 dominates: half an ulp of 1 over the density.
             let rounding = 1.2e-16 * (0.5 * z * z).exp() * 2.6;
-            let error = (inverse_phi(phi(z)) - z).abs();
+            let error = (inverse_gaussian_cdf(gaussian_cdf(z)) - z).abs();
             assert!(error < 1e-14 + if z > 0.0 { rounding } else { 0.0 }, "z = {z}: {error:e}");
         }
     }
@@ -250,7 +256,11 @@ mod tests {
     #[test]
     fn seams_of_the_approximations_are_monotone() {
         for seam in [-FAR, -SPLIT, SPLIT, FAR] {
-            assert!(phi(seam - 1e-9) <= phi(seam) && phi(seam) <= phi(seam + 1e-9), "{seam}");
+            assert!(
+                gaussian_cdf(seam - 1e-9) <= gaussian_cdf(seam)
+                    && gaussian_cdf(seam) <= gaussian_cdf(seam + 1e-9),
+                "{seam}"
+            );
         }
     }
 }

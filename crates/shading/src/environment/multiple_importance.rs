@@ -103,7 +103,7 @@ pub fn light_samples<B: Brdf + ?Sized, E: Environment + ?Sized>(
 /// });
 /// let sent = reflected_radiance(&mirrors, &Vec3::ONE, &Frame::IDENTITY, Vec3::new(0.6, 0.0, 0.8), points);
 /// assert!(sent.x > 0.8 && sent.x < 0.95);
-/// # Ok::<(), asperity_shading::ndf_sampling::RangeError>(())
+/// # Ok::<(), asperity_shading::ndf_sampling::NdfError>(())
 /// ```
 #[must_use]
 pub fn reflected_radiance<B: Brdf + ?Sized, E: Environment + ?Sized>(

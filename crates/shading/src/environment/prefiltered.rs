@@ -53,7 +53,7 @@ pub fn prefiltered_radiance<E: Environment + ?Sized>(
     if alpha < SMOOTH || !is_direction(direction) {
         return environment.radiance(direction);
     }
-    let (lobe, drawn) = (Lobe(Ggx::clamped(alpha, alpha)), Drawn(environment));
+    let (lobe, drawn) = (Lobe(Ggx::new_clamped(alpha, alpha)), Drawn(environment));
     let frame = Frame::from_normal(direction / direction.abs().max_element());
     let (mut sum, mut weight) = (Vec3::ZERO, 0.0);
     for pair in low_discrepancy_points(points.max(1)) {

@@ -84,7 +84,7 @@ impl Default for SplitSum {
 #[must_use]
 pub fn split_sum(alpha: f32, cos_theta: f32, points: u32) -> [f32; 2] {
     let alpha = clamp_to(alpha, 1.0);
-    let ggx = Ggx::clamped(alpha, alpha);
+    let ggx = Ggx::new_clamped(alpha, alpha);
     // The horizon itself sees no normals.
     let z = clamp_to(cos_theta, 1.0).max(1e-4);
     let wo = Vec3::new(sqrt((1.0 - z * z).max(0.0)), 0.0, z);

@@ -1,6 +1,6 @@
 //! Classic lattice noise as Gaussian coordinates, by its measured distribution.
 
-use asperity_ndf_sampling::{NoiseCdfError, NoiseCdfRef, NoiseDistribution};
+use asperity_ndf_sampling::{NdfError, NoiseCdfRef, NoiseDistribution};
 use asperity_noise::{
     Fbm, FbmSpectrum, Field,
     simd::{Anchor, Kernel},
@@ -39,7 +39,7 @@ const SECOND: u32 = 0x9E37_79B9;
 /// let field = RemappedOctaves::new(Perlin::default(), FbmSpectrum::default(), 3)?;
 /// let coordinates = field.coordinates(Vec3::new(0.3, 1.7, -2.2), 4.0);
 /// assert!(coordinates.z.is_finite() && coordinates.z.x != coordinates.z.y);
-/// # Ok::<(), asperity_shading::ndf_sampling::NoiseCdfError>(())
+/// # Ok::<(), asperity_shading::ndf_sampling::NdfError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RemappedOctaves<K> {
@@ -51,9 +51,9 @@ impl<K: Kernel<3> + Clone> RemappedOctaves<K> {
     /// Creates the pair of sums of octaves of `noise` selected by `seed`.
     ///
     /// # Errors
-    /// [`NoiseCdfError`] if the measured distribution of the noise is invalid; those of
+    /// [`NdfError`] if the measured distribution of the noise is invalid; those of
     /// `asperity-noise` are valid.
-    pub fn new(noise: K, spectrum: FbmSpectrum, seed: u32) -> Result<Self, NoiseCdfError> {
+    pub fn new(noise: K, spectrum: FbmSpectrum, seed: u32) -> Result<Self, NdfError> {
         let cdf = NoiseCdfRef::new(RANGE, noise.statistics().cdf)?;
         let first = Fbm::new(noise.clone(), spectrum).with_seed(seed);
         let second = Fbm::new(noise, spectrum).with_seed(seed.wrapping_add(SECOND));
@@ -83,7 +83,7 @@ impl<K: Anchor<3>> RemappedOctaves<K> {
     /// let p = Vec3::new(0.3, 0.7, -0.2);
     /// let [a, b] = [here.coordinates(p + Vec3::X, 4.0).z, there.coordinates(p, 4.0).z];
     /// assert!((a - b).length() < 1e-3);
-    /// # Ok::<(), asperity_shading::ndf_sampling::NoiseCdfError>(())
+    /// # Ok::<(), asperity_shading::ndf_sampling::NdfError>(())
     /// ```
     #[must_use]
     pub fn anchored(self, at: impl Into<[f64; 3]>) -> RemappedOctaves<K::Shifted> {
@@ -100,7 +100,7 @@ impl<K: Kernel<3> + Clone> GaussianField for RemappedOctaves<K> {
             return Coordinates::FAR;
         }
         let [x, y] =
-            self.channels.each_ref().map(|channel| self.cdf.gaussian(channel.detail(octaves).value(p)));
+            self.channels.each_ref().map(|channel| self.cdf.invert(channel.detail(octaves).value(p)));
         Coordinates { z: Vec2::new(x, y), share: spectrum.share(octaves), fade }
     }
 

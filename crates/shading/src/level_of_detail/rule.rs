@@ -76,7 +76,7 @@ pub fn facet_coordinates<N: Ndf + ?Sized>(ndf: &N, coordinates: Coordinates) -> 
 ///     assert_eq!(rule.radiance(&ggx, h, Coordinates::FAR), far_field(&ggx, h));
 ///     assert_ne!(rule.radiance(&ggx, h, near), far_field(&ggx, h));
 /// }
-/// # Ok::<(), asperity_shading::ndf_sampling::RangeError>(())
+/// # Ok::<(), asperity_shading::ndf_sampling::NdfError>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
@@ -109,7 +109,7 @@ impl LevelOfDetail {
     ///
     /// - **Domain:** unit half vector `h` in the frame of the macro surface; `h.z ≤ 0`, a zero
     ///   vector and NaN return 0. The fraction is clamped to
-    ///   [`MAX_SHARE`](asperity_ndf_sampling::level_of_detail::MAX_SHARE), NaN is read as 0. A NaN
+    ///   [`GaussianSplit::MAX_RESOLVED_VARIANCE`](asperity_ndf_sampling::GaussianSplit::MAX_RESOLVED_VARIANCE), NaN is read as 0. A NaN
     ///   in `z` is read as 0. `fade` is clamped to `[0, 1]`, NaN is read as 0.
     /// - **Range:** at least 0, finite, in sr⁻¹. Where nothing is resolved it is [`far_field`], bit
     ///   for bit.
@@ -142,7 +142,7 @@ impl LevelOfDetail {
     /// let mut radiances = [0.0; 3];
     /// LevelOfDetail::Exact.radiances(&ggx, &halves, near, &mut radiances);
     /// assert_eq!(radiances, halves.map(|h| LevelOfDetail::Exact.radiance(&ggx, h, near)));
-    /// # Ok::<(), asperity_shading::ndf_sampling::RangeError>(())
+    /// # Ok::<(), asperity_shading::ndf_sampling::NdfError>(())
     /// ```
     pub fn radiances<N: Ndf + ?Sized>(
         self,

@@ -182,7 +182,7 @@ impl Material for TemperedGlass {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let (p, frame) = (&self.parameters, point.frame());
         let (normal, slopes) = self.surface(point);
-        let fresnel = Dielectric::clamped(p.index);
+        let fresnel = Dielectric::new_clamped(p.index);
         let coat = match p.body {
             GlassBody::Pane => Coat::pane(fresnel, p.tint),
             GlassBody::Solid => Coat::body(fresnel),

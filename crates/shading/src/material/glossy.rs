@@ -30,8 +30,8 @@ impl GlossySurface {
     pub(crate) fn add_to(&self, bsdf: &mut Bsdf<'_>, frame: &Frame, roughness: f32, alpha: f32) {
         // Specular light reduces the diffuse light.
         let diffuse = self.diffuse.min(Vec3::ONE - self.specular);
-        let base = EnergyPreservingOrenNayar::clamped(diffuse, roughness);
-        let gloss = CookTorrance::new(Beckmann::clamped(alpha, alpha), self.specular);
+        let base = EnergyPreservingOrenNayar::new_clamped(diffuse, roughness);
+        let gloss = CookTorrance::new(Beckmann::new_clamped(alpha, alpha), self.specular);
         let (across, normal) = (frame.to_local(self.ridges), frame.to_local(self.normal));
         let ridge = across.dot(across);
         let axes = if ridge > 0.0 {

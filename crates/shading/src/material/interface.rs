@@ -110,7 +110,7 @@ mod tests {
 
     impl Material for Ramp {
         fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
-            let lobe = EnergyPreservingOrenNayar::clamped(Vec3::splat(point.position.x), 0.5);
+            let lobe = EnergyPreservingOrenNayar::new_clamped(Vec3::splat(point.position.x), 0.5);
             Bsdf::new(wo).with([Facet::FLAT], [lobe.into()])
         }
 

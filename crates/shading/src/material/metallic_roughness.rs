@@ -221,19 +221,19 @@ mod tests {
     }
 
     fn glossy(color: Vec3, alpha: f32) -> Lobe<'static> {
-        CookTorrance::new(Beckmann::clamped(alpha, alpha), color).into()
+        CookTorrance::new(Beckmann::new_clamped(alpha, alpha), color).into()
     }
 
     #[test]
     fn of_distinguishes_matte_glossy_and_varnished_surfaces() {
         let clay = Vec3::new(0.4, 0.2, 0.1);
-        let chalk = || Lobe::from(EnergyPreservingOrenNayar::clamped(clay, 0.5));
+        let chalk = || Lobe::from(EnergyPreservingOrenNayar::new_clamped(clay, 0.5));
         let matt = MetallicRoughness::of(&Bsdf::new(Vec3::Z).with(facets(), [chalk()])).unwrap();
         assert_eq!((matt.base_color, matt.metallic, matt.alpha2, matt.coat), (clay, 0.0, 1.0, None));
         assert_abs_diff_eq!(matt.slopes.mean, Vec2::new(0.1, 0.0), epsilon = 1e-6);
         assert_abs_diff_eq!(matt.slopes.covariance[0], 0.16, epsilon = 1e-5);
 
-        let varnish = Coat::varnish(Dielectric::clamped(1.5)).rough(0.1);
+        let varnish = Coat::varnish(Dielectric::new_clamped(1.5)).rough(0.1);
         let varnished = Bsdf::new(Vec3::Z).with([Facet::FLAT], [chalk()]).with_coat(varnish);
         let varnished = MetallicRoughness::of(&varnished).unwrap();
         assert_eq!((varnished.base_color, varnished.metallic, varnished.coat), (clay, 0.0, None));
@@ -256,7 +256,7 @@ mod tests {
     }
 
     fn of_lobes([diffuse, specular]: [Vec3; 2]) -> MetallicRoughness {
-        let chalk = EnergyPreservingOrenNayar::clamped(diffuse, 0.0);
+        let chalk = EnergyPreservingOrenNayar::new_clamped(diffuse, 0.0);
         MetallicRoughness::of(&Bsdf::new(Vec3::Z).with([Facet::FLAT], [glossy(specular, 0.3), chalk.into()]))
             .unwrap()
     }
@@ -318,7 +318,7 @@ mod tests {
 
     #[test]
     fn of_glass_and_empty_bsdfs_is_none() {
-        let glass = Coat::body(Dielectric::clamped(1.5));
+        let glass = Coat::body(Dielectric::new_clamped(1.5));
         assert_eq!(MetallicRoughness::of(&Bsdf::new(Vec3::Z).with_coat(glass.rough(0.2))), None);
         assert_eq!(MetallicRoughness::of(&Bsdf::new(Vec3::Z).with_coat(glass)), None);
         assert_eq!(MetallicRoughness::of(&Bsdf::new(Vec3::Z)), None);

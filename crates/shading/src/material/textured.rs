@@ -65,7 +65,7 @@ impl Material for BrickWall {
         let told_apart = pixel.long().kept(1.0 / self.bricks.cell().max_element());
         let clay = self.clay * (1.0 + 2.0 * self.variation * own * told_apart);
         let color = self.mortar.lerp(clay, sample.brick);
-        let lobe = EnergyPreservingOrenNayar::clamped(color, self.roughness).into();
+        let lobe = EnergyPreservingOrenNayar::new_clamped(color, self.roughness).into();
         Bsdf::new(wo).with_visited([lobe], |add| {
             let mut lit = of_slopes(point, self.depth, add);
             self.bricks.facets(point.uv, pixel, |share, _, slope| lit(share, slope));
@@ -132,7 +132,7 @@ impl BeveledTiles {
 
 impl Material for BeveledTiles {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
-        let lobe = EnergyPreservingOrenNayar::clamped(self.color, self.roughness).into();
+        let lobe = EnergyPreservingOrenNayar::new_clamped(self.color, self.roughness).into();
         let Some((interval, far)) = self.interval(point) else {
             return Bsdf::new(wo).with([Facet::FLAT], [lobe]);
         };
@@ -190,7 +190,7 @@ impl Material for Wallpaper {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let share = self.stars.coverage(point.uv, point.uv_pixel().long());
         let color = self.paper.lerp(self.star, share);
-        Bsdf::new(wo).with([Facet::FLAT], [EnergyPreservingOrenNayar::clamped(color, self.roughness).into()])
+        Bsdf::new(wo).with([Facet::FLAT], [EnergyPreservingOrenNayar::new_clamped(color, self.roughness).into()])
     }
 }
 
@@ -208,11 +208,11 @@ pub struct PolishedMarble {
 impl Material for PolishedMarble {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let color = self.tint * self.marble.color(point.position, point.footprint());
-        let stone = EnergyPreservingOrenNayar::clamped(color, 0.0).into();
+        let stone = EnergyPreservingOrenNayar::new_clamped(color, 0.0).into();
         let mut bsdf = Bsdf::new(wo);
         bsdf.add_layer([Facet::FLAT], [stone]);
         if self.polish > 0.0 {
-            bsdf.add_coat(Coat::varnish(Dielectric::clamped(1.5)).rough(self.polish));
+            bsdf.add_coat(Coat::varnish(Dielectric::new_clamped(1.5)).rough(self.polish));
         }
         bsdf
     }
@@ -265,7 +265,7 @@ mod tests {
     #[test]
     fn tiles_of_non_positive_side_have_no_edge() {
         let (wo, wi) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, -0.6, 0.8));
-        let lobe = EnergyPreservingOrenNayar::clamped(Vec3::ONE, 0.5);
+        let lobe = EnergyPreservingOrenNayar::new_clamped(Vec3::ONE, 0.5);
         let flat = Bsdf::new(wo).with([Facet::FLAT], [lobe.into()]).scattered(wi, wo);
         let bevel = Bevel::new(0.03, 0.2, 0.2, 0.9).expect("a ridge");
         for (side, width) in [(0.0, 0.1), (-0.2, 0.0), (-0.2, 0.1), (-0.2, 10.0), (f32::NAN, 0.1)] {

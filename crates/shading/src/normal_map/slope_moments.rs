@@ -103,7 +103,7 @@ impl SlopeMoments {
     /// is clamped to the range of [`Beckmann`]; moments out of range are ignored.
     #[must_use]
     pub fn beckmann(self, alpha_x: f32, alpha_y: f32) -> OffsetBeckmann {
-        let base = Beckmann::clamped(alpha_x, alpha_y);
+        let base = Beckmann::new_clamped(alpha_x, alpha_y);
         let [xx, xy, yy] = self.covariance;
         let [x, y] = [base.alpha_x(), base.alpha_y()].map(|alpha| 0.5 * alpha * alpha);
         OffsetBeckmann::new(self.mean, [xx + x, xy, yy + y])
@@ -194,8 +194,7 @@ mod tests {
                 let moments = SlopeMoments { mean: Vec2::new(x, y), covariance: [c, x, y] };
                 let noise = Coordinates { z: Vec2::new(c, x), share: y, fade: 1.0 };
                 for h in [Vec3::Z, Vec3::new(0.6, 0.0, 0.8), Vec3::new(x, y, c)] {
-                    let densities =
-                        [moments.beckmann(x, y), moments.add_detail(fine, noise)].map(|d| d.d(h));
+                    let densities = [moments.beckmann(x, y), moments.add_detail(fine, noise)].map(|d| d.d(h));
                     assert!(densities.iter().all(|d| *d >= 0.0 && d.is_finite()), "{moments:?}, {h}");
                 }
                 assert_abs_diff_eq!(moments.normal().length(), 1.0, epsilon = 1e-5);

@@ -199,7 +199,7 @@ impl Coat {
     /// The lobe of a rough coat.
     pub(super) fn lobe<'a>(&self) -> Option<Lobe<'a>> {
         let (alpha, _) = self.widened();
-        let facets = Beckmann::clamped(alpha, alpha);
+        let facets = Beckmann::new_clamped(alpha, alpha);
         (self.roughness > 0.0).then_some(match self.behind {
             Behind::Layers(fresnel) => CookTorrance::new(facets, fresnel).into(),
             Behind::Body(fresnel) => RoughDielectric::new(facets, fresnel).into(),

@@ -93,8 +93,7 @@ impl<D: Microfacet, F: Fresnel> Brdf for CookTorrance<D, F> {
             Masking::Correlated => self.density.g2(wi, wo),
             Masking::Separable => self.density.g2_separable(wi, wo),
         };
-        finite(self.density.d(h) * masking / (4.0 * wi.z * wo.z))
-            * self.fresnel.reflectance_rgb(wo.dot(h))
+        finite(self.density.d(h) * masking / (4.0 * wi.z * wo.z)) * self.fresnel.reflectance_rgb(wo.dot(h))
     }
 
     fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {

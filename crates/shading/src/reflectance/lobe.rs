@@ -1,6 +1,6 @@
 //! Lobes of a BSDF: the BRDFs in its layers.
 
-use asperity_ndf_sampling::{Beckmann, Frame, Ndf, OffsetBeckmann, inverse_phi};
+use asperity_ndf_sampling::{Beckmann, Frame, Ndf, OffsetBeckmann, inverse_gaussian_cdf};
 use glam::{Vec2, Vec3};
 
 use crate::direction::{half_vector, reflect};
@@ -88,7 +88,7 @@ pub(crate) trait CountedFacets {
 impl Default for Lobe<'_> {
     fn default() -> Self {
         Self {
-            kind: Kind::Slopes(OffsetBeckmann::conditional(Beckmann::clamped(1.0, 1.0), Vec2::ZERO, 0.0)),
+            kind: Kind::Slopes(OffsetBeckmann::conditional(Beckmann::new_clamped(1.0, 1.0), Vec2::ZERO, 0.0)),
             weight: Vec3::ZERO,
         }
     }
@@ -271,7 +271,8 @@ impl Brdf for Lobe<'_> {
 fn resolved_normal(ndf: &dyn Ndf, rule: LevelOfDetail, coordinates: Coordinates, u: Vec2) -> Vec3 {
     match rule {
         LevelOfDetail::Exact => {
-            let gauss = |u: f32| inverse_phi(f64::from(clamp_to(u, 1.0)).clamp(1e-9, 1.0 - 1e-9)) as f32;
+            let gauss =
+                |u: f32| inverse_gaussian_cdf(f64::from(clamp_to(u, 1.0)).clamp(1e-9, 1.0 - 1e-9)) as f32;
             let share = clamp_to(coordinates.share, 1.0);
             let rest = sqrt(1.0 - share) * Vec2::new(gauss(u.x), gauss(u.y));
             ndf.warp_gaussian(sqrt(share) * coordinates.z + rest)

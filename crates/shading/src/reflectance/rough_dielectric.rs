@@ -191,7 +191,7 @@ impl<D: Microfacet> RoughDielectric<D> {
 fn apart(fresnel: Dielectric) -> Dielectric {
     let index = fresnel.relative_index();
     let away = if index < 1.0 { index.min(1.0 - LEAST_STEP) } else { index.max(1.0 + LEAST_STEP) };
-    Dielectric::clamped(away)
+    Dielectric::new_clamped(away)
 }
 
 /// The direction from which facets above look as `w` sees them.

@@ -31,7 +31,7 @@ use crate::reflectance::fresnel::Fresnel;
 ///
 /// let plaster = TorranceSparrow::new(BlinnPhong::new(20.0)?, Vec3::splat(0.6));
 /// assert!(plaster.value(Vec3::Z, Vec3::Z).x > 0.0);
-/// # Ok::<(), asperity_shading::ndf_sampling::RangeError>(())
+/// # Ok::<(), asperity_shading::ndf_sampling::NdfError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TorranceSparrow<D, F> {

@@ -70,7 +70,7 @@ impl WardBrdf {
     pub fn new(specular: Vec3, alpha_x: f32, alpha_y: f32, form: WardForm) -> Result<Self, ParameterError> {
         let specular = color("specular", specular)?;
         let alpha = |parameter, value| within(parameter, value, [MIN_ALPHA, MAX_ALPHA]);
-        let slopes = Beckmann::clamped(alpha("alpha_x", alpha_x)?, alpha("alpha_y", alpha_y)?);
+        let slopes = Beckmann::new_clamped(alpha("alpha_x", alpha_x)?, alpha("alpha_y", alpha_y)?);
         Ok(Self { specular, slopes, form })
     }
 }

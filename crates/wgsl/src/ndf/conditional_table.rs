@@ -1,11 +1,11 @@
 //! Textures of half vectors: the part and its uniform.
 
-use asperity_ndf_sampling::ConditionalTableRef;
+use asperity_ndf_sampling::ConditionalTable;
 
 use crate::ndf::density::{ELEMENTARY, GAUSSIAN_SPLIT};
 use crate::part::{Binding, Element, Part, part};
 
-/// Exact level of detail of any normal distribution by one lookup; [`ConditionalTableRef`].
+/// Exact level of detail of any normal distribution by one lookup; [`ConditionalTable`].
 ///
 /// Bound to [`ConditionalTableUniform`] as `conditional_table_grid`, and to the entries, three
 /// floats each, as the table `conditional_table_number`. With hardware interpolation, call
@@ -23,15 +23,15 @@ pub static CONDITIONAL_TABLE: Part =
 /// Uniform of a texture of half vectors: its stretch and size.
 ///
 /// ```
-/// use asperity_ndf_sampling::{ConditionalTableRef, glam::Vec2};
+/// use asperity_ndf_sampling::{ConditionalTable, glam::Vec2};
 /// use asperity_wgsl::ndf::ConditionalTableUniform;
 ///
 /// static ENTRIES: [[f32; 3]; 1] = [[0.0, 0.0, 2.0]];
-/// let table = ConditionalTableRef::new(1, Vec2::new(0.5, 2.0), &ENTRIES)?;
+/// let table = ConditionalTable::from_entries(1, Vec2::new(0.5, 2.0), &ENTRIES)?;
 /// let words = ConditionalTableUniform::new(&table).words();
 /// assert_eq!([words[0], words[1]].map(f32::from_bits), [0.5, 2.0]);
 /// assert_eq!(words[2..], [1, 0]);
-/// # Ok::<(), asperity_ndf_sampling::NormalLutError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ConditionalTableUniform([u32; 4]);
@@ -42,7 +42,7 @@ impl ConditionalTableUniform {
 
     /// Packs the uniform of a table.
     #[must_use]
-    pub fn new(table: &ConditionalTableRef<'_>) -> Self {
+    pub fn new(table: &ConditionalTable<&[[f32; 3]]>) -> Self {
         let stretch = table.stretch();
         Self([stretch.x.to_bits(), stretch.y.to_bits(), table.size() as u32, 0])
     }

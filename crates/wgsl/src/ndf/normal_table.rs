@@ -1,6 +1,6 @@
 //! Tables of normals: the parts and the uniform.
 
-use asperity_ndf_sampling::NormalLutRef;
+use asperity_ndf_sampling::NormalLut;
 use asperity_ndf_sampling::normal_table::{Chart, Spacing, TableLayout};
 
 use crate::ndf::density::{ELEMENTARY, NORMAL_DISTRIBUTION};
@@ -12,7 +12,7 @@ use crate::part::{Binding, Element, Part, part};
 /// in the order of [`Spacing`] and [`Chart`].
 pub static NORMAL_TABLE_LAYOUT: Part = part!("ndf/normal_table/layout", ELEMENTARY, NORMAL_DISTRIBUTION);
 
-/// Table L: nearest and interpolated normal, with the bits of [`NormalLutRef`].
+/// Table L: nearest and interpolated normal, with the bits of [`NormalLut`].
 ///
 /// Bound to [`NormalTableUniform`] as `normal_table_grid`, and to the entries, two floats each, as
 /// the table `normal_table_number`.
@@ -21,7 +21,7 @@ pub static NORMAL_TABLE: Part = part!("ndf/normal_table/table", NORMAL_TABLE_LAY
     Binding::Table { name: "normal_table_number", element: Element::Float, width: NormalTableUniform::WIDTH },
 ]);
 
-/// Table L in a texture with hardware filtering, [`NormalLutRef::bilinear_normal`] with the
+/// Table L in a texture with hardware filtering, [`NormalLut::bilinear_normal`] with the
 /// precision of the filter.
 ///
 /// Bound to the texture `normal_table_texture`, whose two channels are an entry, and to a linear
@@ -35,15 +35,15 @@ pub static NORMAL_TABLE_FILTERED: Part = part!("ndf/normal_table/filtered", NORM
 /// Uniform of a table of normals: its size and layout.
 ///
 /// ```
-/// use asperity_ndf_sampling::{NormalLutRef, normal_table::TableLayout};
+/// use asperity_ndf_sampling::{NormalLut, normal_table::TableLayout};
 /// use asperity_wgsl::ndf::NormalTableUniform;
 ///
 /// static ENTRIES: [[f32; 2]; 4] = [[-0.5, 0.0], [0.5, 0.0], [-0.5, 0.1], [0.5, 0.1]];
-/// let table = NormalLutRef::new(2, TableLayout::default(), &ENTRIES)?;
+/// let table = NormalLut::from_entries(2, TableLayout::default(), &ENTRIES)?;
 /// // Two entries along a side, evenly spaced in the coordinates, stereographic.
 /// assert_eq!(NormalTableUniform::new(&table).words(), [2, 0, 2, 0]);
 /// assert_eq!(table.entries().as_flattened().len(), 8);
-/// # Ok::<(), asperity_ndf_sampling::NormalLutError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NormalTableUniform([u32; 4]);
@@ -54,7 +54,7 @@ impl NormalTableUniform {
 
     /// Packs the uniform of a table.
     #[must_use]
-    pub fn new<E: Copy>(table: &NormalLutRef<'_, E>) -> Self {
+    pub fn new<E: Copy>(table: &NormalLut<&[E]>) -> Self {
         let TableLayout { spacing, chart } = table.layout();
         Self([table.size() as u32, Self::spacing(spacing), Self::chart(chart), 0])
     }

@@ -127,7 +127,7 @@ pub fn painted() -> Result<NdfMap, Failure> {
         (-(x * x + y * y) / width).exp()
     };
     let paint = |n: Vec3| lobe(n, -0.38, 0.22, 0.020) + 0.6 * lobe(n, 0.35, -0.30, 0.045) + 0.02;
-    Ok(NdfMap::from_fn(SIZE, SIZE, Measure::Normals, Reconstruction::Bilinear, paint)?)
+    Ok(NdfMap::from_fn(SIZE, SIZE, Measure::ProjectedSolidAngle, Reconstruction::Bilinear, paint)?)
 }
 
 /// Builds the density of a formula from its word and parameters.
@@ -162,7 +162,7 @@ fn image_density(path: &Path, reading: Images) -> Result<NdfMap, Failure> {
     })?;
     // Rows run from the bottom up: an image's first row is its top, a map's first row has n_y = −1.
     let texels: Vec<f32> = image.gray().chunks(image.width.max(1)).rev().flatten().copied().collect();
-    let measure = reading.measure.unwrap_or(Measure::Normals);
+    let measure = reading.measure.unwrap_or(Measure::ProjectedSolidAngle);
     let reconstruction = reading.reconstruction.unwrap_or(Reconstruction::Constant);
     Ok(NdfMap::from_texels(image.width, image.height, &texels, measure, reconstruction)?)
 }

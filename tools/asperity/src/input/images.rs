@@ -46,6 +46,6 @@ const BLUES: &Words<Blue> = &[
 ];
 
 const MEASURES: &Words<Measure> = &[
-    ("normals", "Over (n_x, n_y): the value is proportional to D", Measure::Normals),
+    ("normals", "Over (n_x, n_y): the value is proportional to D", Measure::ProjectedSolidAngle),
     ("solid-angle", "Over solid angle: the value is proportional to D cos θ", Measure::SolidAngle),
 ];

@@ -140,7 +140,7 @@ fn rows(samples: usize) -> Result<Vec<Row>, Box<dyn Error>> {
     ];
     for (kind, name) in [(Reconstruction::Bilinear, "bilinear"), (Reconstruction::Constant, "constant")] {
         let values = texels();
-        let map = NdfMap::from_texels(SIDE, SIDE, &values, Measure::Normals, kind)?;
+        let map = NdfMap::from_texels(SIDE, SIDE, &values, Measure::ProjectedSolidAngle, kind)?;
         // Static for the whole run, as in flash.
         let packed = PackedMapRef::new(map.into_array().leak())?;
         let mut points = [vec![0.0; samples], vec![0.0; samples]];
@@ -150,7 +150,7 @@ fn rows(samples: usize) -> Result<Vec<Row>, Box<dyn Error>> {
         rows.push(row(format!("map_forward_{name}"), points, move |n, u: [_; 2]| packed.forwards(n, u)));
         rows.push(row(format!("map_density_{name}"), points, move |n, [d]: [_; 1]| packed.densities(n, d)));
         let build = move || {
-            let map = NdfMap::from_texels(SIDE, SIDE, &values, Measure::Normals, kind);
+            let map = NdfMap::from_texels(SIDE, SIDE, &values, Measure::ProjectedSolidAngle, kind);
             black_box(map.is_ok());
         };
         rows.push((format!("map_build_{name}"), 1, Box::new(build)));

@@ -29,7 +29,7 @@ impl Material for Layers {
 
 /// Returns a matte BSDF about a bump normal in the local frame, with additional emission.
 pub fn chalk(wo: Vec3, normal: Vec3, color: Vec3, sent: Vec3) -> Bsdf<'static> {
-    let diffuse = EnergyPreservingOrenNayar::clamped(color, 0.0);
+    let diffuse = EnergyPreservingOrenNayar::new_clamped(color, 0.0);
     Bsdf::new(wo).with([Facet::new(1.0, normal)], [diffuse.into()]).with_emitted(sent)
 }
 
@@ -52,6 +52,6 @@ impl<M: Material> Material for InMetres<M> {
 
 /// Returns a matte color under a glaze of this roughness.
 pub fn glazed(roughness: f32, color: Vec3) -> impl Material + Sync {
-    let glaze = Coat::varnish(Dielectric::clamped(1.5)).rough(roughness);
+    let glaze = Coat::varnish(Dielectric::new_clamped(1.5)).rough(roughness);
     Shaded(move |_: &SurfacePoint, wo| chalk(wo, Vec3::Z, color, Vec3::ZERO).with_coat(glaze))
 }

@@ -10,7 +10,7 @@ use crate::map::packed::inverse_cdf::Inverse;
 use crate::map::packed::packed_map::PackedMapRef;
 use crate::map::reconstruction::Reconstruction;
 use crate::ndf::Ndf;
-use crate::numeric::normal_distribution::{inverse_phi, phi};
+use crate::numeric::normal_distribution::{gaussian_cdf, inverse_gaussian_cdf};
 use asperity_core::BatchError;
 use asperity_core::math;
 use core::marker::PhantomData;
@@ -134,7 +134,7 @@ impl Ndf for PackedMapRef<'_> {
 
     #[inline]
     fn warp_gaussian(&self, z: Vec2) -> Vec3 {
-        let u = z.to_array().map(|z| if z.is_nan() { 0.5 } else { phi(f64::from(z)) as f32 });
+        let u = z.to_array().map(|z| if z.is_nan() { 0.5 } else { gaussian_cdf(f64::from(z)) as f32 });
         self.sample(Vec2::from(u))
     }
 
@@ -142,7 +142,7 @@ impl Ndf for PackedMapRef<'_> {
     fn invert(&self, m: Vec3) -> Vec2 {
         const LEAST: f64 = 1.0 / (1u32 << 25) as f64;
         let u = self.forward(Vec2::new(m.x, m.y)).to_array();
-        Vec2::from(u.map(|u| inverse_phi(f64::from(u).clamp(LEAST, 1.0 - LEAST)) as f32))
+        Vec2::from(u.map(|u| inverse_gaussian_cdf(f64::from(u).clamp(LEAST, 1.0 - LEAST)) as f32))
     }
 }
 
@@ -236,7 +236,9 @@ mod tests {
             [|n| n.z, |n| f32::from(n.x > 0.3 && n.y.abs() > 0.5), |n| (1e4 * n.x * n.y).sin().max(0.0)];
         let kinds = [Reconstruction::Constant, Reconstruction::Bilinear];
         for (image, kind) in images.into_iter().flat_map(|image| kinds.map(|kind| (image, kind))) {
-            let array = NdfMap::from_fn(40, 33, crate::Measure::Normals, kind, image).unwrap().into_array();
+            let array = NdfMap::from_fn(40, 33, crate::Measure::ProjectedSolidAngle, kind, image)
+                .unwrap()
+                .into_array();
             let map = PackedMapRef::new(&array).unwrap();
             let single = |k: usize| {
                 let pair = Vec2::new(x[k], y[k]);

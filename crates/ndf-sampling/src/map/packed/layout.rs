@@ -1,6 +1,6 @@
 //! Layout of a packed map: its parts in order.
 
-use crate::map::packed::error::PackedMapError;
+use crate::error::NdfError;
 use crate::map::reconstruction::Reconstruction;
 
 /// Numbers before the first part of a map.
@@ -30,36 +30,36 @@ pub(crate) struct Layout {
 
 impl Layout {
     /// Reads the layout from the header of an array, which must have the length it requires.
-    pub(crate) fn read(array: &[f32]) -> Result<Self, PackedMapError> {
+    pub(crate) fn read(array: &[f32]) -> Result<Self, NdfError> {
         let len = array.len();
         let Some(&[format, kind, width, height, leaves, guide, quantiles, ..]) =
             array.first_chunk::<HEADER>()
         else {
-            return Err(PackedMapError::Length { expected: HEADER as u64, got: len });
+            return Err(NdfError::Length { parameter: "array", expected: HEADER, got: len });
         };
         if format != FORMAT {
-            return Err(PackedMapError::Format { value: format });
+            return Err(NdfError::Format { value: format });
         }
         let kind = match kind.to_bits() {
             0 => Reconstruction::Constant,
             1 => Reconstruction::Bilinear,
-            value => return Err(PackedMapError::Header { index: 1, value }),
+            value => return Err(NdfError::Header { index: 1, value }),
         };
         let mut sizes = [0; 5];
         let values = [width, height, leaves, guide, quantiles].map(f32::to_bits);
         for ((index, value), size) in values.into_iter().enumerate().zip(&mut sizes) {
             let power = index != 3 || value.is_power_of_two();
             if !(power && (1..=LARGEST).contains(&value)) {
-                return Err(PackedMapError::Header { index: index + 2, value });
+                return Err(NdfError::Header { index: index + 2, value });
             }
             *size = value as usize;
         }
         let [width, height, leaves, guide, quantiles] = sizes;
         let layout = Self { width, height, kind, leaves, guide, quantiles };
         // A length that overflows usize does not match any slice.
-        match layout.len().and_then(|len| usize::try_from(len).ok()) {
-            Some(expected) if expected == len => Ok(layout),
-            _ => Err(PackedMapError::Length { expected: layout.len().unwrap_or(u64::MAX), got: len }),
+        match layout.len().and_then(|len| usize::try_from(len).ok()).unwrap_or(usize::MAX) {
+            expected if expected == len => Ok(layout),
+            expected => Err(NdfError::Length { parameter: "array", expected, got: len }),
         }
     }
 

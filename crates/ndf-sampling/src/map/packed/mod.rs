@@ -4,7 +4,6 @@ pub(crate) mod block;
 pub(crate) mod calls;
 pub(crate) mod cdf;
 pub(crate) mod density;
-pub(crate) mod error;
 pub(crate) mod grid;
 pub(crate) mod inverse_cdf;
 pub(crate) mod layout;

@@ -41,7 +41,7 @@ mod tests {
     fn most_bounds_rectangles() {
         for kind in [Reconstruction::Constant, Reconstruction::Bilinear] {
             let hills = |n: Vec3| ((9.0 * n.x).sin() * (7.0 * n.y + 1.0).cos()).max(0.0) + 0.01;
-            let map = NdfMap::from_fn(24, 17, Measure::Normals, kind, hills).unwrap();
+            let map = NdfMap::from_fn(24, 17, Measure::ProjectedSolidAngle, kind, hills).unwrap();
             let mut attained = 0;
             for (i, j) in (-4..4).flat_map(|i| (-4..4).map(move |j| (f64::from(i) / 6.0, f64::from(j) / 6.0)))
             {

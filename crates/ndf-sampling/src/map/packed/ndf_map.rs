@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use glam::Vec3;
 
 use crate::density::delegate::delegate_ndf;
-use crate::map::error::{MAX_TEXELS, NdfMapError};
+use crate::error::NdfError;
 use crate::map::marginal::Marginal;
 use crate::map::packed::layout::Layout;
 use crate::map::packed::pack::pack;
@@ -48,11 +48,11 @@ const POINTS: usize = 4;
 ///
 /// // Two lobes, painted.
 /// let lobe = |n: Vec3, x: f32| f32::exp(-40.0 * ((n.x - x) * (n.x - x) + n.y * n.y));
-/// let map = NdfMap::from_fn(64, 64, Measure::Normals, Reconstruction::Constant, |n| lobe(n, -0.4) + lobe(n, 0.4))?;
+/// let map = NdfMap::from_fn(64, 64, Measure::ProjectedSolidAngle, Reconstruction::Constant, |n| lobe(n, -0.4) + lobe(n, 0.4))?;
 /// assert!(map.density(Vec3::new(0.4, 0.0, 0.9165)) > 10.0 * map.density(Vec3::Z));
 /// let z = Vec2::new(0.3, -1.0);
 /// assert!(map.invert(map.warp_gaussian(z)).abs_diff_eq(z, 1e-5));
-/// # Ok::<(), asperity_ndf_sampling::NdfMapError>(())
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 ///
 /// Kautz, Heidrich, Seidel 2001, section 4. The paper draws a texel and uses its center; here the
@@ -66,10 +66,13 @@ pub struct NdfMap {
 }
 
 impl NdfMap {
+    /// The maximum number of texels of a map, which then takes 220 MB.
+    pub const MAX_TEXELS: usize = 1 << 24;
+
     /// Creates the map from the `width · height` values `texels`.
     ///
     /// # Errors
-    /// A map without texels or with more than [`MAX_TEXELS`]; a slice of another length; a texel
+    /// A map without texels or with more than [`MAX_TEXELS`](Self::MAX_TEXELS); a slice of another length; a texel
     /// inside the disk that is negative, NaN or infinite (the error contains the first); no texel
     /// with weight.
     pub fn from_texels(
@@ -78,13 +81,13 @@ impl NdfMap {
         texels: &[f32],
         measure: Measure,
         reconstruction: Reconstruction,
-    ) -> Result<Self, NdfMapError> {
+    ) -> Result<Self, NdfError> {
         let expected = check_size(width, height)?;
         if texels.len() != expected {
-            return Err(NdfMapError::Texels { expected, got: texels.len() });
+            return Err(NdfError::Length { parameter: "texels", expected, got: texels.len() });
         }
         let columns = columns_of_texels(width, height, texels, measure, reconstruction)?;
-        let marginal = Marginal::new(columns).ok_or(NdfMapError::Black { width, height })?;
+        let marginal = Marginal::new(columns).ok_or(NdfError::NoWeight { parameter: "texels" })?;
         let (layout, array) = pack(&marginal);
         Ok(Self { array, layout })
     }
@@ -105,7 +108,7 @@ impl NdfMap {
         measure: Measure,
         reconstruction: Reconstruction,
         mut f: impl FnMut(Vec3) -> f32,
-    ) -> Result<Self, NdfMapError> {
+    ) -> Result<Self, NdfError> {
         let mut texels = Vec::with_capacity(check_size(width, height)?);
         for (i, j) in (0..height).flat_map(|j| (0..width).map(move |i| (i, j))) {
             texels.push(if !texel_meets(i, width, j, height) {
@@ -128,8 +131,8 @@ impl NdfMap {
         height: usize,
         reconstruction: Reconstruction,
         ndf: &N,
-    ) -> Result<Self, NdfMapError> {
-        Self::from_fn(width, height, Measure::Normals, reconstruction, |m| ndf.d(m))
+    ) -> Result<Self, NdfError> {
+        Self::from_fn(width, height, Measure::ProjectedSolidAngle, reconstruction, |m| ndf.d(m))
     }
 
     /// The map as a borrowed view, which has the array methods.
@@ -190,10 +193,15 @@ fn average([x0, x1]: [f64; 2], [y0, y1]: [f64; 2], f: &mut impl FnMut(Vec3) -> f
     f(upward(0.0_f64.clamp(x0, x1), 0.0_f64.clamp(y0, y1)))
 }
 
-fn check_size(width: usize, height: usize) -> Result<usize, NdfMapError> {
+fn check_size(width: usize, height: usize) -> Result<usize, NdfError> {
     match width.checked_mul(height) {
-        Some(texels) if (1..=MAX_TEXELS).contains(&texels) => Ok(texels),
-        _ => Err(NdfMapError::Size { width, height }),
+        Some(texels) if (1..=NdfMap::MAX_TEXELS).contains(&texels) => Ok(texels),
+        _ => Err(NdfError::Size {
+            parameter: "width · height",
+            value: width.saturating_mul(height),
+            min: 1,
+            max: NdfMap::MAX_TEXELS,
+        }),
     }
 }
 
@@ -212,22 +220,26 @@ mod tests {
         for corner in [0, 7, 56, 63] {
             texels[corner] = f32::NAN;
         }
-        let map = NdfMap::from_texels(8, 8, &texels, Measure::Normals, Reconstruction::Constant).unwrap();
+        let map = NdfMap::from_texels(8, 8, &texels, Measure::ProjectedSolidAngle, Reconstruction::Constant)
+            .unwrap();
         assert_abs_diff_eq!(map.d(Vec3::Z), core::f32::consts::FRAC_1_PI, epsilon = 1e-6);
     }
 
     #[test]
     fn first_row_is_at_negative_y() {
-        let map = NdfMap::from_texels(1, 2, &[1.0, 0.0], Measure::Normals, Reconstruction::Constant).unwrap();
+        let map =
+            NdfMap::from_texels(1, 2, &[1.0, 0.0], Measure::ProjectedSolidAngle, Reconstruction::Constant)
+                .unwrap();
         assert!(map.d(Vec3::new(0.0, -0.6, 0.8)) > 0.6);
         assert_eq!(map.d(Vec3::new(0.0, 0.6, 0.8)), 0.0);
     }
 
     #[test]
     fn from_gaussian_of_nan_is_the_median() {
-        let map =
-            NdfMap::from_fn(8, 8, Measure::Normals, Reconstruction::Constant, |n| 1.5 + n.x + 0.4 * n.y)
-                .unwrap();
+        let map = NdfMap::from_fn(8, 8, Measure::ProjectedSolidAngle, Reconstruction::Constant, |n| {
+            1.5 + n.x + 0.4 * n.y
+        })
+        .unwrap();
         for z in [-1.0, 0.3] {
             assert_eq!(map.warp_gaussian(Vec2::new(f32::NAN, z)), map.warp_gaussian(Vec2::new(0.0, z)));
             assert_eq!(map.warp_gaussian(Vec2::new(z, f32::NAN)), map.warp_gaussian(Vec2::new(z, 0.0)));
@@ -238,7 +250,8 @@ mod tests {
     fn rim_is_above_the_horizon() {
         for size in 1..6 {
             let map =
-                NdfMap::from_fn(size, size, Measure::Normals, Reconstruction::Constant, |_| 1.0).unwrap();
+                NdfMap::from_fn(size, size, Measure::ProjectedSolidAngle, Reconstruction::Constant, |_| 1.0)
+                    .unwrap();
             for k in -900..=900 {
                 for far in [-9.0, 9.0] {
                     let m = map.warp_gaussian(Vec2::new(k as f32 * 0.01, far));

@@ -1,6 +1,6 @@
 //! A map of normals in one borrowed array of `f32`.
 
-use crate::map::packed::error::PackedMapError;
+use crate::error::NdfError;
 use crate::map::packed::grid::Grid;
 use crate::map::packed::layout::{HEADER, Layout};
 use crate::map::packed::leaf::{Head, Leaf};
@@ -58,7 +58,7 @@ impl<'a> PackedMapRef<'a> {
     /// # Errors
     /// An array without the header of a packed map, with an invalid size in the header, or with a
     /// length that does not match these sizes.
-    pub fn new(array: &'a [f32]) -> Result<Self, PackedMapError> {
+    pub fn new(array: &'a [f32]) -> Result<Self, NdfError> {
         Ok(Self::of(Layout::read(array)?, array))
     }
 
@@ -129,8 +129,9 @@ mod tests {
         use crate::{Measure, NdfMap};
 
         for kind in [Reconstruction::Constant, Reconstruction::Bilinear] {
-            let array =
-                NdfMap::from_fn(24, 5, Measure::Normals, kind, |n| 1.0 + 0.5 * n.x).unwrap().into_array();
+            let array = NdfMap::from_fn(24, 5, Measure::ProjectedSolidAngle, kind, |n| 1.0 + 0.5 * n.x)
+                .unwrap()
+                .into_array();
             let map = PackedMapRef::new(&array).unwrap();
             assert_eq!((map.width(), map.height(), map.reconstruction()), (24, 5, kind));
             let (floats, words) = map.grid_and_parts();
@@ -162,11 +163,15 @@ mod tests {
         use super::*;
         use crate::{Measure, NdfMap};
 
-        let array =
-            NdfMap::from_fn(4, 4, Measure::Normals, Reconstruction::Constant, |n| n.z).unwrap().into_array();
-        let expected = array.len() as u64;
+        let array = NdfMap::from_fn(4, 4, Measure::ProjectedSolidAngle, Reconstruction::Constant, |n| n.z)
+            .unwrap()
+            .into_array();
+        let expected = array.len();
         for got in [HEADER, array.len() - 1] {
-            assert_eq!(PackedMapRef::new(&array[..got]), Err(PackedMapError::Length { expected, got }));
+            assert_eq!(
+                PackedMapRef::new(&array[..got]),
+                Err(NdfError::Length { parameter: "array", expected, got })
+            );
         }
     }
 }

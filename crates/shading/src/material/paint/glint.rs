@@ -1,6 +1,6 @@
 //! Glints counted by hashes, with the NDF as their mean.
 
-use asperity_ndf_sampling::{Ndf, inverse_phi, phi};
+use asperity_ndf_sampling::{Ndf, gaussian_cdf, inverse_gaussian_cdf};
 use asperity_noise::{IntegerHash, Lattice};
 use glam::{Vec2, Vec3};
 
@@ -185,7 +185,10 @@ impl<N: Ndf> GlintField<N> {
     /// The Gaussian coordinates of the normal of the flake of a cell.
     fn tilt(&self, cell: [i32; 3]) -> Vec2 {
         let uniform = |k: u32| (f64::from(IntegerHash.word(cell, self.seed ^ k)) + 0.5) / 4_294_967_296.0;
-        Vec2::new(inverse_phi(uniform(Self::TILTS[0])) as f32, inverse_phi(uniform(Self::TILTS[1])) as f32)
+        Vec2::new(
+            inverse_gaussian_cdf(uniform(Self::TILTS[0])) as f32,
+            inverse_gaussian_cdf(uniform(Self::TILTS[1])) as f32,
+        )
     }
 
     /// The position in cells of single flakes, where they can be distinguished.
@@ -308,7 +311,7 @@ fn mass(k: f32, width: f32) -> f32 {
     }
     // The tail on the far side, so that differences of numbers near 1 do not lose it.
     let side = if k < 0.0 { 1.0 } else { -1.0 };
-    let [a, b] = [0.0, 1.0].map(|i| phi(f64::from(side * (k + i) * width)));
+    let [a, b] = [0.0, 1.0].map(|i| gaussian_cdf(f64::from(side * (k + i) * width)));
     (b - a).abs() as f32
 }
 
@@ -349,7 +352,7 @@ fn binomial(n: f32, q: f32, uniform: f32) -> f32 {
     let mean = n * q;
     if mean > 16.0 {
         let deviation = sqrt(mean * (1.0 - q));
-        let z = inverse_phi(f64::from(uniform)) as f32;
+        let z = inverse_gaussian_cdf(f64::from(uniform)) as f32;
         let most = (mean / deviation).min(4.0);
         return mean + deviation * z.clamp(-most, most);
     }
@@ -393,7 +396,7 @@ mod tests {
 
     #[test]
     fn density_is_finite_for_vectors_of_any_length() {
-        let field = GlintField::new(Beckmann::clamped(0.3, 0.3), 1_208.794_2, 0.756_862_7, 3_250_700_737);
+        let field = GlintField::new(Beckmann::new_clamped(0.3, 0.3), 1_208.794_2, 0.756_862_7, 3_250_700_737);
         let (field, tiny) = (field.unwrap(), 3e-45);
         let at = Vec3::new(-16_777_213.0, tiny, tiny);
         let density = field.density(Vec3::new(tiny, -1e-45, tiny), at, Footprint::from_width(tiny));
@@ -456,7 +459,7 @@ mod tests {
         for (width, k) in
             [0.001, 0.03, 0.1, 0.3, 0.49, 1.0].into_iter().flat_map(|w| (-60..60).map(move |k| (w, k as f32)))
         {
-            let ends = [k, k + 1.0].map(|k| phi(-(f64::from(k) * f64::from(width)).abs()));
+            let ends = [k, k + 1.0].map(|k| gaussian_cdf(-(f64::from(k) * f64::from(width)).abs()));
             let exact = if k < 0.0 { ends[1] - ends[0] } else { ends[0] - ends[1] };
             if exact > 1e-25 {
                 let relative = f64::from(mass(k, width)) / exact.abs() - 1.0;

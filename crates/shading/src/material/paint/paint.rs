@@ -136,12 +136,12 @@ impl MetallicPaint {
         let glints = match p.flakes {
             PaintFlakes::Sparkling => None,
             PaintFlakes::Counted { spacing, bin } => {
-                Some(GlintField::new(Beckmann::clamped(alpha, alpha), spacing, bin, p.seed)?)
+                Some(GlintField::new(Beckmann::new_clamped(alpha, alpha), spacing, bin, p.seed)?)
             }
         };
         Ok(Self {
             glints,
-            coat: Dielectric::clamped(p.coat_index),
+            coat: Dielectric::new_clamped(p.coat_index),
             orange_peel: OrangePeel::new(p.orange_peel_size, p.orange_peel_strength, seed(0))?,
             sparkles: Sparkles::new(
                 p.flake_sparkle_pixel_size,
@@ -189,7 +189,7 @@ impl Material for MetallicPaint {
         let (p, frame, n) = (&self.parameters, point.frame(), point.normal);
         let (at, footprint) = (point.position, point.footprint());
         let specular = self.specular(point);
-        let all = CookTorrance::new(Beckmann::clamped(p.flake_roughness, p.flake_roughness), specular);
+        let all = CookTorrance::new(Beckmann::new_clamped(p.flake_roughness, p.flake_roughness), specular);
         let flakes = match (&self.glints, self.sparkles.flake(at, n, footprint)) {
             (Some(field), _) => Lobe::counted(all, field, at, footprint),
             (None, Some(flake)) => {
@@ -199,7 +199,7 @@ impl Material for MetallicPaint {
             }
             (None, None) => all.into(),
         };
-        let pigment = EnergyPreservingOrenNayar::clamped(p.pigment.min(Vec3::ONE - specular), 0.2);
+        let pigment = EnergyPreservingOrenNayar::new_clamped(p.pigment.min(Vec3::ONE - specular), 0.2);
         let normal = frame.to_local(self.orange_peel.normal(at, n, footprint));
         let coat = Coat::varnish(self.coat).bumped(normal, self.orange_peel.removed_slope(footprint));
         let mut bsdf = Bsdf::new(wo);

@@ -262,7 +262,7 @@ impl Material for Scratches {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let (p, frame) = (&self.parameters, point.frame());
         let facets = self.surface(point).facets(point.normal);
-        let metal = CookTorrance::new(Beckmann::clamped(p.roughness, p.roughness), p.specular);
+        let metal = CookTorrance::new(Beckmann::new_clamped(p.roughness, p.roughness), p.specular);
         let local = facets.map(|facet| Facet { normal: frame.to_local(facet.normal), ..facet });
         let mut bsdf = Bsdf::new(wo);
         bsdf.add_layer(local, [metal.into()]);

@@ -74,7 +74,7 @@ impl EnergyPreservingOrenNayar {
 
     /// Creates the surface with clamped albedo and roughness; NaN is read as 0.
     #[must_use]
-    pub fn clamped(albedo: Vec3, roughness: f32) -> Self {
+    pub fn new_clamped(albedo: Vec3, roughness: f32) -> Self {
         let albedo = albedo.map(|c| clamp_to(c, 1.0));
         Self::of(albedo, clamp_to(roughness, 1.0))
     }

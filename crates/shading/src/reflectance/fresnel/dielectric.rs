@@ -37,7 +37,7 @@ impl Dielectric {
     /// Creates the interface with the relative index clamped to the valid range; NaN is 1, no
     /// interface.
     #[must_use]
-    pub fn clamped(relative_index: f32) -> Self {
+    pub fn new_clamped(relative_index: f32) -> Self {
         Self {
             relative_index: if relative_index.is_nan() {
                 1.0
@@ -58,7 +58,7 @@ impl Dielectric {
     /// An index so small that its inverse overflows becomes the largest finite one.
     #[must_use]
     pub fn reversed(&self) -> Self {
-        Self::clamped(1.0 / self.relative_index)
+        Self::new_clamped(1.0 / self.relative_index)
     }
 
     /// The reflectance for unpolarized light.

@@ -19,11 +19,11 @@ pub(super) fn cases() -> Vec<Case> {
     // The crate's Beckmann masking is in f64: Λ, σ and D_v to 32 bits. Its exponential amplifies
     // the rounding of the exponent.
     let ggx =
-        Density { name: "ggx", part: &GGX, of: Ggx::clamped, density: 1e-6, masking: [Bound::Equal; 4] };
+        Density { name: "ggx", part: &GGX, of: Ggx::new_clamped, density: 1e-6, masking: [Bound::Equal; 4] };
     let beckmann = Density {
         name: "beckmann",
         part: &BECKMANN,
-        of: Beckmann::clamped,
+        of: Beckmann::new_clamped,
         density: 2e-5,
         masking: [Bound::Relative(2e-5), Bound::Absolute(4e-7), Bound::Relative(1e-6), Bound::Relative(1e-6)],
     };

@@ -1,7 +1,7 @@
 //! Textures of half vectors.
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
-use asperity_ndf_sampling::{ConditionalTable, ConditionalTableRef, GaussianSplit, Ndf, StudentT};
+use asperity_ndf_sampling::{ConditionalTable, GaussianSplit, Ndf, StudentT};
 use asperity_wgsl::ndf::{CONDITIONAL_TABLE, ConditionalTableUniform};
 
 use super::{floats, gaussian, number, words};
@@ -12,10 +12,11 @@ pub(super) fn cases() -> Vec<Case> {
 }
 
 fn table(size: usize) -> Case {
-    let student = StudentT::clamped(0.2, 0.5, 1.6);
+    let student = StudentT::new_clamped(0.2, 0.5, 1.6);
     let table = ConditionalTable::new(&student, size).expect("a small table");
     let entries: &'static [[f32; 3]] = table.view().entries().to_vec().leak();
-    let table = ConditionalTableRef::new(size, table.view().stretch(), entries).expect("as many entries");
+    let table =
+        ConditionalTable::from_entries(size, table.view().stretch(), entries).expect("as many entries");
     let mut numbers: Vec<u32> = entries.as_flattened().iter().map(|x| x.to_bits()).collect();
     // NaN after the entries: with a single entry nothing else may be read.
     numbers
@@ -45,7 +46,7 @@ fn table(size: usize) -> Case {
             let [x, y, up, z1, z2, s] = floats(inputs, 0);
             let h = Vec3::new(x, y, up);
             let z = table.invert(h);
-            let density = table.density(h, GaussianSplit::new(Vec2::new(z1, z2), s));
+            let density = table.residual_ndf(h, GaussianSplit::new(Vec2::new(z1, z2), s));
             words(&[z.x, z.y, density.max(1e-30)])
         }),
         outputs: vec![

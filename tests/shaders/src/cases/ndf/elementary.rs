@@ -1,6 +1,6 @@
 //! Elementary functions and the Gaussian distribution, compared with `f64`.
 
-use asperity_ndf_sampling::{inverse_phi, phi};
+use asperity_ndf_sampling::{gaussian_cdf, inverse_gaussian_cdf};
 use asperity_wgsl::ndf::{ELEMENTARY, NORMAL_DISTRIBUTION};
 
 use super::{floats, words};
@@ -62,7 +62,7 @@ fn functions() -> Case {
             let wide = |x: f32| f64::from(x);
             let density = |z: f64| (-0.5 * z * z).exp() / std::f64::consts::TAU.sqrt();
             let (z, y1, turn) = (wide(z), wide(y1), wide(u) * std::f64::consts::TAU);
-            let tail = phi(-z.abs());
+            let tail = gaussian_cdf(-z.abs());
             let got = [
                 wide(x).exp(),
                 wide(y).ln(),
@@ -70,8 +70,8 @@ fn functions() -> Case {
                 -(-wide(t)).exp_m1() / wide(t),
                 turn.cos(),
                 turn.sin(),
-                phi(z),
-                inverse_phi(wide(p)),
+                gaussian_cdf(z),
+                inverse_gaussian_cdf(wide(p)),
                 density(z) - z.abs() * tail,
                 tail / density(z),
                 wide(if bad.is_nan() { 0.0 } else { bad.clamp(-13.0, 13.0) }),

@@ -18,7 +18,7 @@ pub(super) fn cases() -> Vec<Case> {
         parameters: "let p = roughness_clamped(a.xy); let q = student_t_clamped_gamma(a.z);",
         first: "p, q",
         input: |i| [log(i, 0, -3.0, 0.0), log(i, 1, -3.0, 0.0), 1.0 + log(i, 2, -0.2, 3.0)],
-        of: |[x, y, gamma]| Box::new(StudentT::clamped(x, y, gamma)),
+        of: |[x, y, gamma]| Box::new(StudentT::new_clamped(x, y, gamma)),
     };
     let blinn_phong = Facets {
         name: "blinn_phong",
@@ -26,7 +26,7 @@ pub(super) fn cases() -> Vec<Case> {
         parameters: "let p = blinn_phong_clamped(a.x);",
         first: "p",
         input: |i| [if i % 9 == 0 { 0.0 } else { log(i, 0, -1.0, 5.0) }, 0.0, 0.0],
-        of: |[n, ..]| Box::new(BlinnPhong::clamped(n)),
+        of: |[n, ..]| Box::new(BlinnPhong::new_clamped(n)),
     };
     let ashikhmin_shirley = Facets {
         name: "ashikhmin_shirley",
@@ -34,7 +34,7 @@ pub(super) fn cases() -> Vec<Case> {
         parameters: "let p = ashikhmin_shirley_clamped(a.xy);",
         first: "p",
         input: |i| [log(i, 0, -1.0, 5.0), log(i, 1, -1.0, 5.0), 0.0],
-        of: |[n_u, n_v, _]| Box::new(AshikhminShirley::clamped(n_u, n_v)),
+        of: |[n_u, n_v, _]| Box::new(AshikhminShirley::new_clamped(n_u, n_v)),
     };
     vec![student.case(), blinn_phong.case(), ashikhmin_shirley.case(), masking(), ward()]
 }
@@ -142,7 +142,7 @@ fn masking() -> Case {
             let (w, v) = (direction(3), direction(5));
             let alpha = [0, 1].map(|k| number(i, k, log(i, k, -3.0, 0.0)));
             let gamma = number(i, 2, 1.0 + log(i, 2, -0.2, 3.0));
-            let m = StudentT::clamped(alpha[0], alpha[1], gamma)
+            let m = StudentT::new_clamped(alpha[0], alpha[1], gamma)
                 .warp_gaussian(Vec2::new(gaussian(i, 7), gaussian(i, 8)));
             let good = [alpha[0], alpha[1], gamma, w.x, w.y, w.z, v.x, v.y, v.z, m.x, m.y, m.z];
             let mut inputs = [0; INPUTS];
@@ -158,7 +158,7 @@ fn masking() -> Case {
         }),
         reference: Box::new(|inputs| {
             let [x, y, gamma, wx, wy, wz, vx, vy, vz, mx, my, mz] = floats(inputs, 0);
-            let ndf = StudentT::clamped(x, y, gamma);
+            let ndf = StudentT::new_clamped(x, y, gamma);
             let [v, w, m] = [[vx, vy, vz], [wx, wy, wz], [mx, my, mz]].map(Vec3::from);
             let visible = ndf.visible_pdf(v, m) * inputs[12] as f32;
             let lambda = ndf.lambda(v).clamp(1e-10, 1e30);
@@ -201,7 +201,7 @@ fn ward() -> Case {
         resources: vec![],
         input: Box::new(|i| {
             let alpha = [0, 1].map(|k| number(i, k, log(i, k, -3.0, 0.0)));
-            let h = Ward::clamped(alpha[0], alpha[1]).warp_gaussian(Vec2::new(gaussian(i, 3), gaussian(i, 4)));
+            let h = Ward::new_clamped(alpha[0], alpha[1]).warp_gaussian(Vec2::new(gaussian(i, 3), gaussian(i, 4)));
             let mut inputs = [0; INPUTS];
             for ((input, good), k) in inputs.iter_mut().zip([alpha[0], alpha[1], h.x, h.y, h.z]).zip(0..) {
                 *input = number(i, k, good).to_bits();
@@ -210,7 +210,7 @@ fn ward() -> Case {
         }),
         reference: Box::new(|inputs| {
             let [alpha_x, alpha_y, x, y, z] = floats(inputs, 0);
-            words(&[Ward::clamped(alpha_x, alpha_y).lobe(Vec3::new(x, y, z)).max(FAINT)])
+            words(&[Ward::new_clamped(alpha_x, alpha_y).lobe(Vec3::new(x, y, z)).max(FAINT)])
         }),
         outputs: vec![relative("lobe", 0..1, [4e-7, 2e-5])],
     }

@@ -58,7 +58,7 @@ fn number(i: u32, k: u32, good: f32) -> f32 {
 
 /// Returns standard Gaussian numbers, the k-th of the i-th input.
 fn gaussian(i: u32, k: u32) -> f32 {
-    asperity_ndf_sampling::inverse_phi(f64::from(between(i, k, 1e-6, 0.999_999))) as f32
+    asperity_ndf_sampling::inverse_gaussian_cdf(f64::from(between(i, k, 1e-6, 0.999_999))) as f32
 }
 
 fn floats<const N: usize>(words: [u32; INPUTS], from: usize) -> [f32; N] {

@@ -2,7 +2,7 @@
 
 use asperity_ndf_sampling::glam::Vec2;
 use asperity_ndf_sampling::normal_table::{Chart, Spacing, TableLayout};
-use asperity_ndf_sampling::{Ggx, NormalLut, NormalLutRef};
+use asperity_ndf_sampling::{Ggx, NormalLut};
 use asperity_wgsl::ndf::{NORMAL_TABLE, NormalTableUniform};
 
 use super::{floats, gaussian, number, words};
@@ -27,7 +27,7 @@ fn table(spacing: Spacing, chart: Chart, size: usize) -> Case {
         *entry = [3e9, 2e9];
     }
     let entries: &'static [[f32; 2]] = entries.leak();
-    let table = NormalLutRef::new(size, layout, entries).expect("as many entries");
+    let table = NormalLut::from_entries(size, layout, entries).expect("as many entries");
     let mut numbers: Vec<u32> = entries.as_flattened().iter().map(|x| x.to_bits()).collect();
     numbers.resize(numbers.len().next_multiple_of(NormalTableUniform::WIDTH as usize), 0);
     // Φ is in f64 in the crate: a position may round to the adjacent entry.

@@ -27,7 +27,9 @@ fn packed(
     painting: impl Fn(Vec3) -> f32,
     gaussian_bound: Option<f32>,
 ) -> Case {
-    let map = NdfMap::from_fn(48, 33, Measure::Normals, kind, painting).expect("a painting").into_array();
+    let map = NdfMap::from_fn(48, 33, Measure::ProjectedSolidAngle, kind, painting)
+        .expect("a painting")
+        .into_array();
     let map: &'static [f32] = map.leak();
     let packed = PackedMapRef::new(map).expect("a packed map");
     let mut table: Vec<u32> = map.iter().map(|x| x.to_bits()).collect();

@@ -15,7 +15,7 @@ pub(super) fn cases() -> Vec<Case> {
 /// Returns the coat of an input: type, normal, variance of slopes and roughness.
 fn coat(inputs: [u32; INPUTS]) -> Coat {
     let ([x, y, variance, roughness], kind) = (floats(inputs, 0), inputs[15] % 5);
-    let (fresnel, colour) = (Dielectric::clamped(1.5), Vec3::new(0.9, 0.7, 0.5));
+    let (fresnel, colour) = (Dielectric::new_clamped(1.5), Vec3::new(0.9, 0.7, 0.5));
     let coat = match kind {
         0 => Coat::varnish(fresnel),
         1 => Coat::pane(fresnel, colour),
@@ -48,7 +48,7 @@ fn input(i: u32, roughness: f32, u: [f32; 2]) -> [u32; INPUTS] {
 /// Returns WGSL of the structure `Coat` for an input.
 fn structure() -> String {
     let of = |make: fn(Dielectric, Vec3) -> Coat| {
-        let words = CoatUniform::new(&make(Dielectric::clamped(1.5), Vec3::new(0.9, 0.7, 0.5))).words();
+        let words = CoatUniform::new(&make(Dielectric::new_clamped(1.5), Vec3::new(0.9, 0.7, 0.5))).words();
         let numbers: Vec<String> = words[8..12].iter().map(|word| format!("bitcast<f32>({word}u)")).collect();
         format!("vec4<f32>({})", numbers.join(", "))
     };

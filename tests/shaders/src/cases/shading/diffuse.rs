@@ -77,7 +77,7 @@ fn diffuse() -> Case {
             let (albedo, wi, wo) = (Vec3::new(r, g, b), vec3(inputs, 8), vec3(inputs, 11));
             let oren_nayar = |sigma, form| OrenNayar::new(albedo, sigma, form).expect("shares").value(wi, wo);
             let lambert = Lambert::new(albedo).expect("shares").value(wi, wo);
-            let even = EnergyPreservingOrenNayar::clamped(albedo, roughness).value(wi, wo);
+            let even = EnergyPreservingOrenNayar::new_clamped(albedo, roughness).value(wi, wo);
             let first = lambert.extend(oren_nayar(sigma, OrenNayarForm::Qualitative).x).to_array();
             let second = oren_nayar(sigma, OrenNayarForm::Full)
                 .extend(oren_nayar(roughness, OrenNayarForm::Fujii).x)

@@ -64,7 +64,7 @@ fn microfacets() -> Case {
             let ([x, y], [r, g, b]) = (floats(inputs, 0), floats(inputs, 4));
             let (wi, wo) = (vec3(inputs, 8), vec3(inputs, 11));
             let fresnel = [r, g, b].map(|f0| Schlick::new(f0).expect("a share"));
-            let (ggx, beckmann) = (Ggx::clamped(x, y), Beckmann::clamped(x, y));
+            let (ggx, beckmann) = (Ggx::new_clamped(x, y), Beckmann::new_clamped(x, y));
             let values = [
                 CookTorrance::new(ggx, fresnel).value(wi, wo),
                 CookTorrance::new(beckmann, fresnel).value(wi, wo),

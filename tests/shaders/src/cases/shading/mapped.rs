@@ -20,9 +20,9 @@ use crate::case::{Bound, Case, Output};
 
 pub(super) fn cases() -> Vec<Case> {
     let ggx =
-        BumpMapped { ndf: Ggx::clamped(0.2, 0.4), bumps: bumps(), rule: LevelOfDetail::Exact, color: COPPER };
+        BumpMapped { ndf: Ggx::new_clamped(0.2, 0.4), bumps: bumps(), rule: LevelOfDetail::Exact, color: COPPER };
     let ggx_words = BumpMappedUniform::ggx(&ggx, 0).words();
-    let ndf = Beckmann::clamped(0.3, 0.2);
+    let ndf = Beckmann::new_clamped(0.3, 0.2);
     let beckmann = BumpMapped { ndf, bumps: bumps(), rule: LevelOfDetail::Fractal, color: COPPER };
     let beckmann_words = BumpMappedUniform::beckmann(&beckmann, 0).words();
     vec![
@@ -83,7 +83,7 @@ fn numbers(map: &SlopePyramidRef<'_, 4>) -> (&'static str, Vec<u32>) {
 }
 
 fn stone() -> Case {
-    let stone = NormalMapped { map: map(), roughness: Beckmann::clamped(0.25, 0.35), color: COPPER };
+    let stone = NormalMapped { map: map(), roughness: Beckmann::new_clamped(0.25, 0.35), color: COPPER };
     let uniform = NormalMappedUniform::new(&stone).words().to_vec();
     material(
         "normal_mapped",
@@ -202,7 +202,7 @@ fn moments() -> Case {
             let ([z1, z2, share], [h2, h3]) = (floats(inputs, 8), floats(inputs, 12));
             let moments = SlopeMoments { mean: Vec2::new(x, y), covariance: [xx, xy, yy] };
             let noise = Coordinates { z: Vec2::new(z1, z2), share, fade: 1.0 };
-            let seen = moments.add_detail(Beckmann::clamped(alpha_x, alpha_y), noise);
+            let seen = moments.add_detail(Beckmann::new_clamped(alpha_x, alpha_y), noise);
             let density = seen.d(Vec3::new(h, h2, h3)).max(1e-30);
             let ([cxx, cxy, cyy], mean) = (seen.covariance(), seen.mean());
             let (n, m) = (moments.normal(), moments.mean_normal());

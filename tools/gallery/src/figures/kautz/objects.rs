@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use asperity_ndf_sampling::{Beckmann, BlinnPhong, Ggx, Ndf, NormalLut, phi, residual_ndf};
+use asperity_ndf_sampling::{Beckmann, BlinnPhong, Ggx, Ndf, NormalLut, gaussian_cdf, residual_ndf};
 use asperity_render::image::tone::{hex, linear};
 use asperity_render::materials::{Facets, SharedNdf, sky};
 use asperity_render::scene::{Backdrop, Light, Object, Scene};

@@ -92,7 +92,7 @@ pub(crate) fn draw_detail(context: &Context<'_>) -> Result<Drawn> {
 /// Shades a normal under one lamp and a sky, seen from above: matte with a faint gloss.
 fn lit(n: Vec3) -> Vec3 {
     let (lamp, color) = (direction(135.0, 42.0), hex(0xb0_9a84));
-    let gloss = CookTorrance::new(Ggx::clamped(0.3, 0.3), Vec3::splat(0.045));
+    let gloss = CookTorrance::new(Ggx::new_clamped(0.3, 0.3), Vec3::splat(0.045));
     let surface =
         chalk(Vec3::Z, n, color, 0.16 * color).with([Facet::new(1.0, n)], [Lobe::from(&gloss as &dyn Brdf)]);
     surface.emitted() + 0.95 * PI * surface.scattered(lamp, Vec3::Z)

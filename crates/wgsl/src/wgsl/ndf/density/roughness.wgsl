@@ -11,7 +11,7 @@ fn roughness_clamped_along(alpha: f32) -> f32 {
     return select(1.0, clamp(alpha, ROUGHNESS_LEAST, ROUGHNESS_LARGEST), is_number);
 }
 
-// Both roughnesses clamped to the valid range, like `Ggx::clamped`. All densities require valid
+// Both roughnesses clamped to the valid range, like `Ggx::new_clamped`. All densities require valid
 // roughnesses.
 fn roughness_clamped(alpha: vec2<f32>) -> vec2<f32> {
     return vec2<f32>(roughness_clamped_along(alpha.x), roughness_clamped_along(alpha.y));

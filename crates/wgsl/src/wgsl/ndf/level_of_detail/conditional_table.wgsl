@@ -1,5 +1,5 @@
 // Exact level of detail of any distribution by one lookup:
-// `asperity_ndf_sampling::ConditionalTableRef`.
+// `asperity_ndf_sampling::ConditionalTable`.
 
 // The contents of `ConditionalTableUniform`.
 struct ConditionalTableGrid {
