@@ -20,7 +20,7 @@ use asperity_core::lanes::{Arithmetic, Kernel, map};
 ///
 /// let (ggx, z) = (Ggx::new(0.2, 0.4)?, [[0.7, -0.1, 2.0], [-1.2, 0.0, 0.3]]);
 /// let [mut x, mut y, mut up] = [[0.0; 3]; 3];
-/// ggx.normals([&z[0], &z[1]], [&mut x, &mut y, &mut up])?;
+/// ggx.warp_gaussian_batch([&z[0], &z[1]], [&mut x, &mut y, &mut up])?;
 /// assert_eq!(Vec3::new(x[0], y[0], up[0]), ggx.warp_gaussian(Vec2::new(0.7, -1.2)));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```

@@ -17,7 +17,7 @@
 //!
 //! // The density of the half vector for a pixel that resolves 3/4 of the variance of the noise.
 //! let h = Vec3::new(0.1, -0.2, 0.97).normalize();
-//! assert!(residual_ndf(&ggx, h, z, 0.75) > ggx.density(h));
+//! assert!(residual_ndf(&ggx, h, z, 0.75) > ggx.d(h));
 //! # Ok::<(), asperity_ndf_sampling::NdfError>(())
 //! ```
 //!

@@ -6,7 +6,7 @@ use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, Blend, BlinnPhong, ClosedForm, ConditionalNdf, ConditionalTable, Frame,
     GaussianSplit, Ggx, Isotropic, KurtoticDistribution, Measure, Microfacet, Mixture, Ndf, NdfMap,
     NoiseCdfRef, NoiseDistribution, NormalLut, OffsetBeckmann, Reconstruction, Rotated, StudentT, Ward,
-    estimate_ndf, inverse_gaussian_cdf, gaussian_cdf,
+    estimate_ndf, gaussian_cdf, inverse_gaussian_cdf,
 };
 use asperity_shading::glam::{Vec2, Vec3};
 
@@ -17,7 +17,7 @@ const POINTS: u32 = 200;
 fn maps(bits: &mut Digest, ndf: &dyn Ndf) {
     for i in 0..POINTS {
         let m = direction(i);
-        bits.push([ndf.density(m), ndf.slope_density(0.3 * plane(i)), ndf.pdf(m)]);
+        bits.push([ndf.d(m), ndf.slope_density(0.3 * plane(i)), ndf.pdf(m)]);
         bits.push([ndf.warp_gaussian(plane(i)), ndf.sample(square(i))]);
         bits.push(ndf.invert(m));
     }
@@ -45,16 +45,16 @@ fn closed_form(bits: &mut Digest, ndf: &impl ClosedForm) {
         ([&z, &u].map(|l| [&l[0][..], &l[1]]), [&m, &v].map(|l| [&l[0][..], &l[1], &l[2]]));
     let mut out = [const { [0.0; POINTS as usize] }; 3];
     let [x, y, h] = &mut out;
-    let mut done = [ndf.normals(z, [x, y, h]).is_ok(), false, false, false];
+    let mut done = [ndf.warp_gaussian_batch(z, [x, y, h]).is_ok(), false, false, false];
     bits.push(out);
     let [x, y, h] = &mut out;
-    done[1] = ndf.coordinates(m, [x, y]).is_ok() && ndf.densities(m, h).is_ok();
+    done[1] = ndf.invert_batch(m, [x, y]).is_ok() && ndf.d_batch(m, h).is_ok();
     bits.push(out);
     let [x, y, h] = &mut out;
-    done[2] = ndf.samples(u, [x, y, h]).is_ok();
+    done[2] = ndf.sample_batch(u, [x, y, h]).is_ok();
     bits.push(out);
     let [x, y, h] = &mut out;
-    done[3] = ndf.visible_samples(v, u, [x, y, h]).is_ok();
+    done[3] = ndf.sample_visible_batch(v, u, [x, y, h]).is_ok();
     bits.push(out);
     bits.push(done.map(|done| if done { 1.0_f32 } else { 0.0 }));
 }
@@ -75,8 +75,12 @@ fn tables(report: &mut Report) -> Option<()> {
         report.row(&format!("PackedMapRef, {kind:?}"), |bits| {
             bits.push(map.array());
             let [x, y, density] = &mut out;
-            let done = packed.densities([&n[0], &n[1]], density).is_ok();
-            bits.push(if done && packed.inverses([&u[0], &u[1]], [x, y]).is_ok() { 1.0_f32 } else { 0.0 });
+            let done = packed.d_batch([&n[0], &n[1]], density).is_ok();
+            bits.push(if done && packed.inverse_batch([&u[0], &u[1]], [x, y]).is_ok() {
+                1.0_f32
+            } else {
+                0.0
+            });
             bits.push(out);
         });
     }
@@ -91,7 +95,7 @@ fn tables(report: &mut Report) -> Option<()> {
     report.row("ConditionalTable", |bits| {
         for i in 0..POINTS {
             let split = GaussianSplit::new(plane(i), 0.98 * unit(i, 5));
-            bits.push(conditional.view().density(direction(i), split));
+            bits.push(conditional.view().residual_ndf(direction(i), split));
         }
     });
     let normals: Vec<Vec3> = (0..POINTS).map(direction).collect();
@@ -121,7 +125,7 @@ fn densities(report: &mut Report) -> Option<()> {
     }
     report.row("Blend", |bits| {
         for i in 0..POINTS {
-            bits.push([blend.density(direction(i)), blend.lambda(direction(i))]);
+            bits.push([blend.d(direction(i)), blend.lambda(direction(i))]);
             bits.push([blend.sample(square(i)), blend.sample_visible(direction(i), square(i))]);
         }
     });
@@ -143,7 +147,10 @@ fn distributions(report: &mut Report) -> Option<()> {
     report.group("ndf: distributions of noise");
     report.row("phi", |bits| {
         for i in 0..POINTS {
-            bits.push([gaussian_cdf(f64::from(unit(i, 0)) * 12.0 - 6.0), inverse_gaussian_cdf(f64::from(unit(i, 1)))]);
+            bits.push([
+                gaussian_cdf(f64::from(unit(i, 0)) * 12.0 - 6.0),
+                inverse_gaussian_cdf(f64::from(unit(i, 1))),
+            ]);
         }
     });
     let cdf = NoiseCdfRef::new(1.5, &[0.0, 0.1, 0.6, 1.0]).ok()?;
@@ -153,7 +160,7 @@ fn distributions(report: &mut Report) -> Option<()> {
         report.row(name, |bits| {
             for i in 0..POINTS {
                 let (x, u) = (unit(i, 0) * 4.0 - 2.0, unit(i, 1));
-                bits.push([noise.gaussian(x), noise.uniform(x), noise.warp_gaussian(x), noise.inverse(u)]);
+                bits.push([noise.invert(x), noise.cdf(x), noise.warp_gaussian(x), noise.quantile(u)]);
             }
         });
     }

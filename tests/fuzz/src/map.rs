@@ -88,7 +88,7 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
             }
             if let Ok(table) = ConditionalTable::new(&ggx, 1 + numbers.count(7)) {
                 let split = GaussianSplit::new(numbers.pair(), numbers.float());
-                let density = table.view().density(numbers.direction(), split);
+                let density = table.view().residual_ndf(numbers.direction(), split);
                 assert!(density >= 0.0 && density.is_finite(), "{density}");
             }
         }

@@ -19,12 +19,12 @@ pub(crate) fn packed(array: &[f32], numbers: &mut Numbers<'_>) {
         Ok(map) => {
             let (u, m) = (numbers.pair(), numbers.direction());
             let _ = (map.inverse(u), map.forward(u), map.sample(u), map.warp_gaussian(u));
-            let _ = (map.density(m), map.invert(m), map.grid_and_parts());
+            let _ = (map.d(m), map.invert(m), map.grid_and_parts());
             let points = [0.1, -0.3, 0.9, u.x, u.y, m.x, m.y, 0.0, 2.0];
             let (mut x, mut y) = ([0.0; 9], [0.0; 9]);
-            map.inverses([&points, &points], [&mut x, &mut y]).expect("as many");
-            map.forwards([&points, &points], [&mut x, &mut y]).expect("as many");
-            map.densities([&points, &points], &mut x).expect("as many");
+            map.inverse_batch([&points, &points], [&mut x, &mut y]).expect("as many");
+            map.forward_batch([&points, &points], [&mut x, &mut y]).expect("as many");
+            map.d_batch([&points, &points], &mut x).expect("as many");
         }
         Err(error) => assert_eq!(error.to_string().lines().count(), 1),
     }
@@ -68,7 +68,7 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
             let array = floats(numbers.rest());
             match ConditionalTable::from_entries(size, Vec2::new(low, high), array.as_chunks().0) {
                 Ok(table) => {
-                    let density = table.density(h, split);
+                    let density = table.residual_ndf(h, split);
                     assert!(density >= 0.0 && density.is_finite(), "{density}");
                     // Between entries of arbitrary numbers.
                     let _ = table.invert(h);

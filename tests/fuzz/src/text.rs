@@ -40,7 +40,7 @@ fn read<T: DeserializeOwned + Serialize>(text: &[u8]) -> Option<T> {
 fn density<N: Ndf + DeserializeOwned + Serialize>(text: &[u8]) {
     if let Some(ndf) = read::<N>(text) {
         let m = ndf.warp_gaussian(Vec2::new(0.3, -0.8));
-        assert!(m.is_finite() && ndf.density(m) >= 0.0);
+        assert!(m.is_finite() && ndf.d(m) >= 0.0);
     }
 }
 
@@ -105,7 +105,7 @@ pub(crate) fn words(data: &[u8]) {
         match Density::parse(word, Images::USUAL) {
             Ok(density) => {
                 let m = density.ndf.warp_gaussian(Vec2::new(0.3, -0.8));
-                assert!(m.is_finite() && density.ndf.density(m) >= 0.0, "{word}");
+                assert!(m.is_finite() && density.ndf.d(m) >= 0.0, "{word}");
                 let slug = density.slug();
                 assert!(!slug.is_empty() && !slug.starts_with('.') && !slug.contains(['/', '\\']), "{slug}");
             }

@@ -38,7 +38,7 @@ pub(crate) fn run(adapter: Option<&str>) -> Result<(), String> {
             let mut greatest = 0.0_f64;
             for (k, &h) in halves.iter().enumerate() {
                 let of = || radiances.iter().skip(k).step_by(halves.len()).map(|&x| f64::from(x));
-                let (count, density) = (f64::from(POINTS), f64::from(ggx.density(h)));
+                let (count, density) = (f64::from(POINTS), f64::from(ggx.d(h)));
                 let mean = of().sum::<f64>() / count;
                 let variance = of().map(|x| (x - mean) * (x - mean)).sum::<f64>() / count;
                 let (ratio, error) = (mean / density, (variance / count).sqrt() / density);

@@ -3,7 +3,7 @@
 
 use asperity_fif::FixedFif;
 use asperity_ndf_sampling::{Ggx, Ndf};
-use asperity_noise::{Field, GaussianNoise, GaussianFbm, Perlin, FbmSpectrum};
+use asperity_noise::{FbmSpectrum, Field, GaussianFbm, GaussianNoise, Perlin};
 use asperity_shading::level_of_detail::Coordinates;
 use asperity_shading::{
     LevelOfDetail, far_field,
@@ -42,7 +42,7 @@ fn ndf_sampling() -> bool {
     let Ok(ggx) = Ggx::new(0.2, 0.4) else { return false };
     let z = Vec2::new(0.7, -1.1);
     let back = ggx.invert(ggx.warp_gaussian(z)) - z;
-    let peak = ggx.density(Vec3::Z) * core::f32::consts::PI * 0.08 - 1.0;
+    let peak = ggx.d(Vec3::Z) * core::f32::consts::PI * 0.08 - 1.0;
     back.x.abs() < 1e-4 && back.y.abs() < 1e-4 && peak.abs() < 1e-5
 }
 

@@ -84,10 +84,16 @@ fn facets() {
 #[test]
 fn tables_over_the_cosine() {
     refused(Isotropic::new(&[1.0]), "`nodes` must be between 2 and 1048576, got 1");
-    refused(Isotropic::from_fn(usize::MAX, |_| 1.0), "`nodes` must be between 2 and 1048576, got 18446744073709551615");
+    refused(
+        Isotropic::from_fn(usize::MAX, |_| 1.0),
+        "`nodes` must be between 2 and 1048576, got 18446744073709551615",
+    );
     refused(Isotropic::new(&[1.0, -2.0]), "`values[1]` must be finite and not negative, got -2");
     refused(Isotropic::new(&[f32::NAN, 1.0]), "`values[0]` must be finite and not negative, got NaN");
-    refused(Isotropic::new(&[1.0, 2.0, f32::INFINITY]), "`values[2]` must be finite and not negative, got inf");
+    refused(
+        Isotropic::new(&[1.0, 2.0, f32::INFINITY]),
+        "`values[2]` must be finite and not negative, got inf",
+    );
     refused(Isotropic::new(&[0.0; 4]), "`values` must have weight above the horizon, got none");
     refused(Isotropic::pack(&[1.0; 2], &mut [0.0; 5]), "`storage` must have 6 elements, got 5");
     refused(Isotropic::from_packed(&[]), "`nodes` must be between 2 and 1048576, got 0");
@@ -96,7 +102,10 @@ fn tables_over_the_cosine() {
     let table = Isotropic::new(&[0.5, 1.0, 4.0]).unwrap();
     let mut broken = table.packed().to_vec();
     broken[4] = 2.0;
-    refused(Isotropic::from_packed(&broken), "`packed` must have a CDF that increases from 0 to 1, got another at node 1");
+    refused(
+        Isotropic::from_packed(&broken),
+        "`packed` must have a CDF that increases from 0 to 1, got another at node 1",
+    );
 }
 
 #[test]

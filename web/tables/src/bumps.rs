@@ -34,8 +34,9 @@ fn sum(numbers: &[f64]) -> Result<GaussianFbm<3>, String> {
 pub(crate) fn painted_map(numbers: &[f64], bulk: &[u32]) -> Result<Vec<u32>, String> {
     let side = number(numbers, 0) as usize;
     let texels: Vec<f32> = bulk.iter().map(|&word| f32::from_bits(word)).collect();
-    let map = NdfMap::from_texels(side, side, &texels, Measure::ProjectedSolidAngle, Reconstruction::Bilinear)
-        .map_err(|error| format!("The painting is not a density: {error}."))?;
+    let map =
+        NdfMap::from_texels(side, side, &texels, Measure::ProjectedSolidAngle, Reconstruction::Bilinear)
+            .map_err(|error| format!("The painting is not a density: {error}."))?;
     let mut words = PackedMapUniform::new(&map.view()).words().to_vec();
     words.extend(map.array().iter().map(|x| x.to_bits()));
     Ok(words)

@@ -60,7 +60,7 @@ fn split(rectangle: Rectangle, axis: usize, cut: f64) -> [Rectangle; 2] {
 /// let ggx = Ggx::new(0.2, 0.4)?;
 /// let sample = |k: u32| ggx.sample(Vec2::new((k as f32 * 0.754_877_7).fract(), (k as f32 * 0.569_840_3).fract()));
 /// let cells = Cells::of_hemisphere((0..4096).map(sample));
-/// let masses = cells.integrate(|m| f64::from(ggx.density(m) * m.z));
+/// let masses = cells.integrate(|m| f64::from(ggx.d(m) * m.z));
 /// assert!((masses.iter().sum::<f64>() - 1.0).abs() < 1e-3);
 /// assert!(p_value(&cells.count((4096..8192).map(sample)), &masses, 4096) > 1e-6);
 /// # Ok::<(), asperity_ndf_sampling::NdfError>(())

@@ -47,7 +47,7 @@ const PLACES: usize = 4096;
 /// /// A custom NDF, one per cent too bright.
 /// struct Bright(asperity_ndf_sampling::Beckmann);
 /// impl Ndf for Bright {
-///     fn density(&self, m: Vec3) -> f32 { (1.01 * self.0.density(m)).min(f32::MAX) }
+///     fn d(&self, m: Vec3) -> f32 { (1.01 * self.0.d(m)).min(f32::MAX) }
 ///     fn warp_gaussian(&self, z: Vec2) -> Vec3 { self.0.warp_gaussian(z) }
 ///     fn invert(&self, m: Vec3) -> Vec2 { self.0.invert(m) }
 /// }

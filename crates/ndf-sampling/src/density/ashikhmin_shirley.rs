@@ -48,7 +48,7 @@ use asperity_core::math;
 ///
 /// let m = Vec3::new(0.3, -0.2, 0.93).normalize();
 /// let (equal, phong) = (AshikhminShirley::new(50.0, 50.0)?, BlinnPhong::new(50.0)?);
-/// assert!((equal.density(m) / phong.density(m) - 1.0).abs() < 1e-5);
+/// assert!((equal.d(m) / phong.d(m) - 1.0).abs() < 1e-5);
 /// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 ///

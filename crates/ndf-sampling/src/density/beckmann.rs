@@ -38,7 +38,7 @@ use asperity_core::math;
 /// use asperity_ndf_sampling::{Beckmann, Ndf, glam::Vec3};
 ///
 /// let beckmann = Beckmann::isotropic(0.3)?;
-/// assert!((beckmann.density(Vec3::Z) - 1.0 / (core::f32::consts::PI * 0.09)).abs() < 1e-5);
+/// assert!((beckmann.d(Vec3::Z) - 1.0 / (core::f32::consts::PI * 0.09)).abs() < 1e-5);
 /// assert!(Beckmann::new(0.3, 0.0).is_err());
 /// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```

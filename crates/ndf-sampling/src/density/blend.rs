@@ -23,7 +23,7 @@ use crate::ndf::{Ndf, unit_square};
 ///
 /// // A glossy lobe on a third of the surface, a diffuse one on the rest.
 /// let blend = Blend::new(Ggx::new(0.1, 0.3)?, BlinnPhong::new(0.0)?, 1.0 / 3.0)?;
-/// assert!(blend.density(Vec3::X) == 0.0 && blend.sample(Vec2::new(0.9, 0.2)).z > 0.0);
+/// assert!(blend.d(Vec3::X) == 0.0 && blend.sample(Vec2::new(0.9, 0.2)).z > 0.0);
 /// assert!(blend.lambda(Vec3::new(0.6, 0.0, 0.8)) > 0.0);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```

@@ -27,8 +27,8 @@ use asperity_core::math;
 /// use asperity_ndf_sampling::{BlinnPhong, Ndf, glam::Vec3};
 ///
 /// let m = Vec3::new(0.6, 0.0, 0.8);
-/// assert!((BlinnPhong::new(3.0)?.density(m) - 5.0 * 0.512 / core::f32::consts::TAU).abs() < 1e-6);
-/// assert!((BlinnPhong::new(0.0)?.density(m) - core::f32::consts::FRAC_1_PI).abs() < 1e-6);
+/// assert!((BlinnPhong::new(3.0)?.d(m) - 5.0 * 0.512 / core::f32::consts::TAU).abs() < 1e-6);
+/// assert!((BlinnPhong::new(0.0)?.d(m) - core::f32::consts::FRAC_1_PI).abs() < 1e-6);
 /// assert!((BlinnPhong::from_roughness(0.1)?.exponent() - 198.0).abs() < 1e-4);
 /// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```

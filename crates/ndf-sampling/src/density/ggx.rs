@@ -35,7 +35,7 @@ use asperity_core::math;
 /// use asperity_ndf_sampling::{Ggx, Ndf, glam::Vec3};
 ///
 /// let ggx = Ggx::new(0.2, 0.4)?;
-/// assert!((ggx.density(Vec3::Z) - 1.0 / (core::f32::consts::PI * 0.08)).abs() < 1e-5);
+/// assert!((ggx.d(Vec3::Z) - 1.0 / (core::f32::consts::PI * 0.08)).abs() < 1e-5);
 /// assert!(Ggx::new(f32::NAN, 0.4).is_err());
 /// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```

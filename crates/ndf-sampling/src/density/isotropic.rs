@@ -143,6 +143,13 @@ impl<'a> Isotropic<&'a [Node]> {
 }
 
 impl<S: Deref<Target = [Node]>> Isotropic<S> {
+    /// The table in borrowed storage.
+    #[inline]
+    #[must_use]
+    pub fn view(&self) -> Isotropic<&[Node]> {
+        Isotropic { nodes: &self.nodes }
+    }
+
     /// The packed table: for each node its density and the CDF `C` in two parts.
     #[must_use]
     pub fn packed(&self) -> &[f32] {

@@ -23,7 +23,7 @@ use asperity_core::math;
 ///
 /// let ggx = Ggx::new(0.2, 0.4)?;
 /// let turned = Rotated::new(ggx, core::f32::consts::FRAC_PI_2)?;
-/// assert!((turned.density(Vec3::new(0.0, 0.6, 0.8)) - ggx.density(Vec3::new(0.6, 0.0, 0.8))).abs() < 1e-5);
+/// assert!((turned.d(Vec3::new(0.0, 0.6, 0.8)) - ggx.d(Vec3::new(0.6, 0.0, 0.8))).abs() < 1e-5);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -42,7 +42,7 @@ use asperity_core::math;
 ///
 /// let (student, ggx) = (StudentT::new(0.2, 0.4, 2.0)?, Ggx::new(0.2, 0.4)?);
 /// let m = Vec3::new(0.3, -0.2, 0.93).normalize();
-/// assert!((student.density(m) / ggx.density(m) - 1.0).abs() < 1e-5);
+/// assert!((student.d(m) / ggx.d(m) - 1.0).abs() < 1e-5);
 /// assert!(StudentT::new(0.2, 0.4, 1.5).is_err());
 /// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```

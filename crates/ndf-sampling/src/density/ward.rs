@@ -23,8 +23,8 @@ use asperity_core::math;
 ///
 /// let (ward, beckmann) = (Ward::new(0.2, 0.4)?, Beckmann::new(0.2, 0.4)?);
 /// let h = Vec3::new(0.3, -0.2, 0.93).normalize();
-/// assert_eq!(ward.density(h), beckmann.density(h));
-/// assert!((4.0 * ward.lobe(h) / h.z.powi(4) / ward.density(h) - 1.0).abs() < 1e-6);
+/// assert_eq!(ward.d(h), beckmann.d(h));
+/// assert!((4.0 * ward.lobe(h) / h.z.powi(4) / ward.d(h) - 1.0).abs() < 1e-6);
 /// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 ///

@@ -37,9 +37,9 @@ use crate::ndf::Ndf;
 ///
 /// let ggx = Ggx::new(0.2, 0.4)?;
 /// let (h, z_b) = (Vec3::new(0.1, -0.2, 0.97).normalize(), Vec2::new(0.5, 1.5));
-/// assert_eq!(residual_ndf(&ggx, h, z_b, 0.0), ggx.density(h));
+/// assert_eq!(residual_ndf(&ggx, h, z_b, 0.0), ggx.d(h));
 /// let facet = ggx.warp_gaussian(z_b);
-/// assert!(residual_ndf(&ggx, facet, z_b, 0.9) > 5.0 * ggx.density(facet));
+/// assert!(residual_ndf(&ggx, facet, z_b, 0.9) > 5.0 * ggx.d(facet));
 /// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 ///

@@ -30,10 +30,10 @@ use crate::ndf::Ndf;
 /// let ggx = Ggx::new(0.2, 0.4)?;
 /// let seen = ConditionalNdf::new(ggx, Vec2::new(0.5, 1.5), 0.75);
 /// let facet = seen.sample(Vec2::new(0.3, 0.8));
-/// assert!(seen.density(facet) > 1.2 * ggx.density(facet) && seen.pdf(facet) > 0.0);
+/// assert!(seen.d(facet) > 1.2 * ggx.d(facet) && seen.pdf(facet) > 0.0);
 /// // With nothing resolved it is the far field, exactly.
 /// let far = ConditionalNdf::new(ggx, Vec2::new(0.5, 1.5), 0.0);
-/// assert_eq!(far.density(facet), ggx.density(facet));
+/// assert_eq!(far.d(facet), ggx.d(facet));
 /// assert_eq!(far.warp_gaussian(Vec2::ONE), ggx.warp_gaussian(Vec2::ONE));
 /// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```

@@ -39,7 +39,7 @@ use asperity_core::math;
 /// let (z_b, s) = (Vec2::new(0.5, 1.5), 0.75);
 /// let seen = OffsetBeckmann::conditional(beckmann, z_b, s);
 /// let h = beckmann.warp_gaussian(Vec2::new(0.3, 1.1));
-/// assert!((seen.density(h) / residual_ndf(&beckmann, h, z_b, s) - 1.0).abs() < 1e-5);
+/// assert!((seen.d(h) / residual_ndf(&beckmann, h, z_b, s) - 1.0).abs() < 1e-5);
 /// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 ///

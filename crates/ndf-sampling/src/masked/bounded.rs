@@ -17,7 +17,7 @@ use crate::ndf::Ndf;
 ///
 /// let ggx = Ggx::isotropic(0.5)?;
 /// let map = NdfMap::from_ndf(32, 32, Reconstruction::Bilinear, &ggx)?;
-/// assert!(map.most(Wedge::HEMISPHERE) >= map.density(Vec3::Z));
+/// assert!(map.most(Wedge::HEMISPHERE) >= map.d(Vec3::Z));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[diagnostic::on_unimplemented(

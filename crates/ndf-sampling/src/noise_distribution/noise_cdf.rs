@@ -28,9 +28,9 @@ use crate::numeric::normal_distribution::{gaussian_cdf, inverse_gaussian_cdf};
 ///
 /// // A noise that is uniform on ±2.
 /// let g = NoiseCdfRef::new(2.0, &[0.0, 0.25, 0.5, 0.75, 1.0])?;
-/// assert_eq!(g.uniform(1.0), 0.75);
-/// assert_eq!(g.gaussian(0.0), 0.0);
-/// assert_eq!(g.inverse(0.75), 1.0);
+/// assert_eq!(g.cdf(1.0), 0.75);
+/// assert_eq!(g.invert(0.0), 0.0);
+/// assert_eq!(g.quantile(0.75), 1.0);
 /// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
 ///
@@ -70,8 +70,8 @@ impl<'a> NoiseCdfRef<'a> {
     ///
     /// // Turbulence, a sum of magnitudes, is never negative.
     /// let g = NoiseCdfRef::between(0.0, 2.0, &[0.0, 0.6, 0.9, 1.0])?;
-    /// assert_eq!(g.uniform(-1.0), 0.0);
-    /// assert!((g.uniform(1.0) - 0.75).abs() < 1e-7);
+    /// assert_eq!(g.cdf(-1.0), 0.0);
+    /// assert!((g.cdf(1.0) - 0.75).abs() < 1e-7);
     /// # Ok::<(), asperity_ndf_sampling::NdfError>(())
     /// ```
     pub fn between(low: f32, high: f32, table: &'a [f32]) -> Result<Self, NdfError> {

@@ -41,8 +41,8 @@ use asperity_core::math;
 /// assert_eq!(estimator.count(), 3);
 /// let ndf = estimator.finish()?;
 /// // The peak of the kernel is (¾/h)², of which each normal has a third.
-/// assert!(ndf.density(Vec3::new(0.6, 0.0, 0.8)) > 17.0);
-/// assert_eq!(ndf.density(Vec3::new(0.0, 0.6, 0.8)), 0.0);
+/// assert!(ndf.d(Vec3::new(0.6, 0.0, 0.8)) > 17.0);
+/// assert_eq!(ndf.d(Vec3::new(0.0, 0.6, 0.8)), 0.0);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 ///
@@ -224,7 +224,7 @@ impl Extend<Vec3> for NdfEstimator {
 /// let normals: Vec<Vec3> =
 ///     (0..10_000).map(|k| beckmann.sample(Vec2::new(at(k % 100), at(k / 100)))).collect();
 /// let estimate = estimate_ndf(&normals)?;
-/// assert!((estimate.density(Vec3::Z) / beckmann.density(Vec3::Z) - 1.0).abs() < 0.05);
+/// assert!((estimate.d(Vec3::Z) / beckmann.d(Vec3::Z) - 1.0).abs() < 0.05);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[doc(alias = "histogram")]

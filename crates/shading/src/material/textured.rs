@@ -190,7 +190,8 @@ impl Material for Wallpaper {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let share = self.stars.coverage(point.uv, point.uv_pixel().long());
         let color = self.paper.lerp(self.star, share);
-        Bsdf::new(wo).with([Facet::FLAT], [EnergyPreservingOrenNayar::new_clamped(color, self.roughness).into()])
+        Bsdf::new(wo)
+            .with([Facet::FLAT], [EnergyPreservingOrenNayar::new_clamped(color, self.roughness).into()])
     }
 }
 

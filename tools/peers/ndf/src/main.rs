@@ -127,16 +127,16 @@ fn rows(samples: usize) -> Result<Vec<Row>, Box<dyn Error>> {
     let table = NormalLut::standard(&ggx);
     let nearest = table.clone();
     let mut rows: Vec<Row> = vec![
-        row("ggx_sample", u, move |u, m: [_; 3]| ggx.samples(u, m)),
-        row("beckmann_sample", u, move |u, m: [_; 3]| beckmann.samples(u, m)),
+        row("ggx_sample", u, move |u, m: [_; 3]| ggx.sample_batch(u, m)),
+        row("beckmann_sample", u, move |u, m: [_; 3]| beckmann.sample_batch(u, m)),
         row("ggx_visible", seen, move |[x, y, z, u1, u2], m: [_; 3]| {
-            ggx.visible_samples([x, y, z], [u1, u2], m)
+            ggx.sample_visible_batch([x, y, z], [u1, u2], m)
         }),
         row("beckmann_visible", seen, move |[x, y, z, u1, u2], m: [_; 3]| {
-            beckmann.visible_samples([x, y, z], [u1, u2], m)
+            beckmann.sample_visible_batch([x, y, z], [u1, u2], m)
         }),
-        row("ggx_from_gaussian", gaussian, move |z, m: [_; 3]| ggx.normals(z, m)),
-        row("beckmann_from_gaussian", gaussian, move |z, m: [_; 3]| beckmann.normals(z, m)),
+        row("ggx_from_gaussian", gaussian, move |z, m: [_; 3]| ggx.warp_gaussian_batch(z, m)),
+        row("beckmann_from_gaussian", gaussian, move |z, m: [_; 3]| beckmann.warp_gaussian_batch(z, m)),
     ];
     for (kind, name) in [(Reconstruction::Bilinear, "bilinear"), (Reconstruction::Constant, "constant")] {
         let values = texels();
@@ -144,11 +144,11 @@ fn rows(samples: usize) -> Result<Vec<Row>, Box<dyn Error>> {
         // Static for the whole run, as in flash.
         let packed = PackedMapRef::new(map.into_array().leak())?;
         let mut points = [vec![0.0; samples], vec![0.0; samples]];
-        packed.inverses(u, points.each_mut().map(Vec::as_mut_slice))?;
+        packed.inverse_batch(u, points.each_mut().map(Vec::as_mut_slice))?;
         let points = points.each_ref().map(Vec::as_slice);
-        rows.push(row(format!("map_sample_{name}"), u, move |u, n: [_; 2]| packed.inverses(u, n)));
-        rows.push(row(format!("map_forward_{name}"), points, move |n, u: [_; 2]| packed.forwards(n, u)));
-        rows.push(row(format!("map_density_{name}"), points, move |n, [d]: [_; 1]| packed.densities(n, d)));
+        rows.push(row(format!("map_sample_{name}"), u, move |u, n: [_; 2]| packed.inverse_batch(u, n)));
+        rows.push(row(format!("map_forward_{name}"), points, move |n, u: [_; 2]| packed.forward_batch(n, u)));
+        rows.push(row(format!("map_density_{name}"), points, move |n, [d]: [_; 1]| packed.d_batch(n, d)));
         let build = move || {
             let map = NdfMap::from_texels(SIDE, SIDE, &values, Measure::ProjectedSolidAngle, kind);
             black_box(map.is_ok());

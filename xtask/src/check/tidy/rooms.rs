@@ -29,7 +29,7 @@ pub(super) const HOUSES: &[House] = &[
     House {
         name: "ndf-sampling",
         sources: "crates/ndf-sampling/src",
-        rooms: "numeric → range_error coordinates ndf microfacet radial frame serde → closed_form → density → \
+        rooms: "numeric → error storage coordinates ndf microfacet radial frame serde → closed_form → density → \
                 map → map/packed → masked → noise_distribution → normal_table → normal_map → level_of_detail → \
                 check → rand",
         face: Some(65),

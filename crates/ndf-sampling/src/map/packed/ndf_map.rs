@@ -49,7 +49,7 @@ const POINTS: usize = 4;
 /// // Two lobes, painted.
 /// let lobe = |n: Vec3, x: f32| f32::exp(-40.0 * ((n.x - x) * (n.x - x) + n.y * n.y));
 /// let map = NdfMap::from_fn(64, 64, Measure::ProjectedSolidAngle, Reconstruction::Constant, |n| lobe(n, -0.4) + lobe(n, 0.4))?;
-/// assert!(map.density(Vec3::new(0.4, 0.0, 0.9165)) > 10.0 * map.density(Vec3::Z));
+/// assert!(map.d(Vec3::new(0.4, 0.0, 0.9165)) > 10.0 * map.d(Vec3::Z));
 /// let z = Vec2::new(0.3, -1.0);
 /// assert!(map.invert(map.warp_gaussian(z)).abs_diff_eq(z, 1e-5));
 /// # Ok::<(), asperity_ndf_sampling::NdfError>(())

@@ -51,7 +51,7 @@ use crate::reflectance::lobe::CountedFacets;
 /// let flakes = GlintField::new(ndf, 1e-4, 0.1, 7)?;
 /// let h = Vec3::new(0.1, 0.2, 1.0).normalize();
 /// let afar = flakes.density(h, Vec3::new(0.3, 0.1, 0.2), Footprint::from_width(1.0));
-/// assert!((afar / ndf.density(h) - 1.0).abs() < 0.02);
+/// assert!((afar / ndf.d(h) - 1.0).abs() < 0.02);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[doc(alias = "glitter")]

@@ -19,8 +19,12 @@ use super::{equal, floats, inputs, number, vec2, words};
 use crate::case::{Bound, Case, Output};
 
 pub(super) fn cases() -> Vec<Case> {
-    let ggx =
-        BumpMapped { ndf: Ggx::new_clamped(0.2, 0.4), bumps: bumps(), rule: LevelOfDetail::Exact, color: COPPER };
+    let ggx = BumpMapped {
+        ndf: Ggx::new_clamped(0.2, 0.4),
+        bumps: bumps(),
+        rule: LevelOfDetail::Exact,
+        color: COPPER,
+    };
     let ggx_words = BumpMappedUniform::ggx(&ggx, 0).words();
     let ndf = Beckmann::new_clamped(0.3, 0.2);
     let beckmann = BumpMapped { ndf, bumps: bumps(), rule: LevelOfDetail::Fractal, color: COPPER };

@@ -139,7 +139,7 @@ fn step(
 /// Maps a pair of Gaussian numbers to uniform numbers, and interpolates four colors at the corners
 /// of the unit square.
 fn pair_color(z: Vec2) -> Vec3 {
-    let (u, v) = (phi(f64::from(z.x)) as f32, phi(f64::from(z.y)) as f32);
+    let (u, v) = (gaussian_cdf(f64::from(z.x)) as f32, gaussian_cdf(f64::from(z.y)) as f32);
     let low = hex(0x1f_4e79).lerp(hex(0xe8_6a4a), u);
     low.lerp(hex(0x2f_9e8f).lerp(hex(0xf8_e3a1), u), v)
 }
