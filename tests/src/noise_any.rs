@@ -4,8 +4,7 @@
 use std::any::Any;
 
 use asperity_noise::{
-    Fbm, FbmSpectrum, Field, Lattice, Noise, Normalization, Point, Rotation, Sample, Statistics,
-    simd::{Kernel, LaneSample, Lanes, Measured},
+    Fbm, FbmSpectrum, Field, Lattice, Moments, Noise, Normalization, Point, Rotation, Sample, Statistics,
 };
 
 use crate::noise_kinds::{AnyKind, Testable, Visit, every_dimension, every_kind, every_variant};
@@ -68,55 +67,48 @@ impl<V: Point<Coordinates = [f32; N]>, K: Testable<V, N>, const N: usize> AnyNoi
     }
 
     fn octaves(&self, normalisation: Normalization, rotation: Rotation, seed: u32) -> Box<dyn AnySum<N>> {
-        let octaves = Fbm::<K, N>::new(self.0.with_seed(seed), FbmSpectrum::default());
+        let octaves = Fbm::<K, V>::new(self.0.with_seed(seed), FbmSpectrum::default());
         let octaves = octaves.with_normalization(normalisation).with_rotation(rotation);
         Box::new(Points::<_, V>(octaves, std::marker::PhantomData))
     }
 }
 
-impl<V: Point<Coordinates = [f32; N]>, K: Testable<V, N>, const N: usize> AnySum<N> for Points<Fbm<K, N>, V> {
+impl<V: Point<Coordinates = [f32; N]>, K: Testable<V, N>, const N: usize> AnySum<N> for Points<Fbm<K, V>, V> {
     fn sample(&self, p: [f32; N], octaves: f32) -> At<N> {
-        at(self.0.detail(octaves).sample(V::from_coordinates(p)))
+        at(self.0.sample_with_octaves(V::from_coordinates(p), octaves))
     }
 
     fn value(&self, p: [f32; N], octaves: f32) -> f32 {
-        self.0.detail(octaves).value(V::from_coordinates(p))
+        self.0.value_with_octaves(V::from_coordinates(p), octaves)
     }
 }
 
-/// A type-erased noise, for sums that are compiled once.
+/// A type-erased noise with a seed, for sums that are compiled once.
 #[derive(Clone, Copy)]
-pub struct AnyKernel<'a, const N: usize>(pub &'a dyn AnyNoise<N>);
+pub struct AnyField<'a, const N: usize>(pub &'a dyn AnyNoise<N>, pub u32);
 
-impl<const N: usize> Measured<N> for AnyKernel<'_, N> {
-    fn seed(&self) -> u32 {
-        0
+impl<const N: usize> Field<Coordinates<N>> for AnyField<'_, N> {
+    fn sample(&self, Coordinates(p): Coordinates<N>) -> Sample<Coordinates<N>> {
+        let Sample { value, gradient } = self.0.sample(p, self.1);
+        Sample { value, gradient: Coordinates(gradient) }
     }
 
-    fn statistics(&self) -> &'static Statistics {
-        self.0.statistics()
+    fn value(&self, Coordinates(p): Coordinates<N>) -> f32 {
+        self.0.value(p, self.1)
     }
 
-    fn standard_deviation(&self) -> f32 {
-        self.0.standard_deviation()
+    fn range(&self) -> [f32; 2] {
+        let range = self.0.statistics().range;
+        [-range, range]
     }
 
-    fn absolute_moments(&self) -> [f32; 4] {
-        self.0.absolute_moments()
+    fn moments(&self) -> Option<Moments> {
+        let (standard_deviation, absolute) = (self.0.standard_deviation(), self.0.absolute_moments());
+        Some(Moments { mean: 0.0, standard_deviation, absolute })
     }
-}
 
-impl<const N: usize> Kernel<N> for AnyKernel<'_, N> {
-    type RowScratch = ();
-
-    fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
-        let lane = |lane| p.map(|x| s.lane(x, lane));
-        if !GRADIENTS {
-            return (s.floats(|i| self.0.value(lane(i), seed)), p);
-        }
-        let samples: Vec<_> = (0..S::LEN).map(|i| self.0.sample(lane(i), seed)).collect();
-        let gradient = std::array::from_fn(|axis| s.floats(|i| samples[i].gradient[axis]));
-        (s.floats(|i| samples[i].value), gradient)
+    fn with_octave_seed(&self, seed: u32) -> Option<Self> {
+        Some(Self(self.0, seed))
     }
 }
 

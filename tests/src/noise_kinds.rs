@@ -4,13 +4,12 @@ use asperity_noise::{
     GaussianNoise, Noise, Perlin, PerlinClassic, Point, Simplex, SparseConvolution, ValueCatmullRom,
     ValueGradient, ValueNoise, WhiteNoise,
     glam::{Vec2, Vec3, Vec4},
-    simd::Kernel,
 };
 
 /// A noise that can be tested at points `V` in N dimensions.
-pub trait Testable<V: Point, const N: usize>: Kernel<N> + Noise<V> + Copy + Sync + 'static {}
+pub trait Testable<V: Point, const N: usize>: Noise<V> + Copy + Sync + 'static {}
 
-impl<K: Kernel<N> + Noise<V> + Copy + Sync + 'static, V: Point, const N: usize> Testable<V, N> for K {}
+impl<K: Noise<V> + Copy + Sync + 'static, V: Point, const N: usize> Testable<V, N> for K {}
 
 /// A noise that can be tested in 1 to 4 dimensions.
 pub trait AnyKind: Testable<f32, 1> + Testable<Vec2, 2> + Testable<Vec3, 3> + Testable<Vec4, 4> {}

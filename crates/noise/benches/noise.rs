@@ -7,9 +7,8 @@
 use std::{hint::black_box, time::Duration};
 
 use asperity_noise::{
-    Cellular, Fbm, FbmSpectrum, Field, GaussianNoise, Grid, IntegerHash, Perlin, PerlinClassic, Point,
-    RidgedMultifractal, Rotation, Simplex, SparseConvolution, Tiled, Turbulence, ValueCatmullRom,
-    ValueGradient, ValueNoise, WhiteNoise,
+    Cellular, Fbm, FbmSpectrum, Field, GaussianNoise, Grid, Perlin, PerlinClassic, Point, RidgedMultifractal,
+    Rotation, Simplex, SparseConvolution, Turbulence, ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise,
     glam::{Vec2, Vec3, Vec4},
     lattice::{ChainedTable, PermutationTable},
     simd::Batch,
@@ -50,23 +49,21 @@ where
 }
 
 fn sums(criterion: &mut Criterion) {
-    fn of_dimension<V: Point<Coordinates = [f32; N]>, const N: usize>(
-        criterion: &mut Criterion,
-        size: fn() -> V::Array<usize>,
-    ) where
-        Perlin: asperity_noise::simd::Kernel<N>,
+    fn of_dimension<V: Point>(criterion: &mut Criterion, size: fn() -> V::Array<usize>)
+    where
+        Perlin: Field<V>,
     {
-        let rotated = Fbm::<_, N>::new(Perlin::new(1), FbmSpectrum::default()).first(8.0);
+        let rotated = Fbm::<_, V>::new(Perlin::new(1), FbmSpectrum::default()).with_octaves(8.0);
         field::<V>(criterion, "perlin-2002-octaves-8-rotated", &rotated, size());
         let aligned = rotated.with_rotation(Rotation::Aligned);
         field::<V>(criterion, "perlin-2002-octaves-8", &aligned, size());
         field::<V>(criterion, "perlin-2002-turbulence-8", &aligned.with_shape(Turbulence), size());
-        let ridged = RidgedMultifractal::<_, N>::new(Perlin::new(1), FbmSpectrum::default(), 2.0);
-        let ridged = ridged.expect("a feedback in range").first(8.0);
+        let ridged = RidgedMultifractal::<_, V>::new(Perlin::new(1), FbmSpectrum::default(), 2.0);
+        let ridged = ridged.expect("a feedback in range").with_octaves(8.0);
         field::<V>(criterion, "perlin-2002-ridged-multifractal-8", &ridged, size());
     }
-    of_dimension::<Vec2, 2>(criterion, || [64; 2]);
-    of_dimension::<Vec3, 3>(criterion, || [16; 3]);
+    of_dimension::<Vec2>(criterion, || [64; 2]);
+    of_dimension::<Vec3>(criterion, || [16; 3]);
 }
 
 /// Benchmarks pairs of channels, and the lattices of gradient noise.
@@ -77,20 +74,19 @@ fn lines(criterion: &mut Criterion) {
     let line = |i: usize| Vec3::new(0.3, -7.0, 2.0) + Vec3::new(0.21, 0.17, -0.13) * i as f32;
     let noise = GaussianNoise::new(1);
     calls(criterion, "pair/3-d/gaussian", |i| noise.pair(line(i)));
-    let sum = Fbm::<_, 3>::new(noise, FbmSpectrum::default()).first(8.0);
+    let sum = Fbm::<_, Vec3>::new(noise, FbmSpectrum::default()).with_octaves(8.0);
     calls(criterion, "sample/3-d/gaussian-octaves-8", |i| sum.sample(line(i)));
-    calls(criterion, "detail/3-d/gaussian-octaves-8", |i| sum.detail(8.0).sample(line(i)));
+    calls(criterion, "detail/3-d/gaussian-octaves-8", |i| sum.sample_with_octaves(line(i), 8.0));
     calls(criterion, "pair/3-d/gaussian-octaves-8", |i| sum.pair(line(i)));
-    calls(criterion, "pair/3-d/gaussian-octaves-4", |i| sum.detail(4.0).pair(line(i)));
+    calls(criterion, "pair/3-d/gaussian-octaves-4", |i| sum.pair_with_octaves(line(i), 4.0));
     let table = PermutationTable::new(1);
-    let tiled = Tiled::new(IntegerHash, [16; 3]).expect("periods in range");
     let noise = Perlin::new(1);
     calls(criterion, "value/3-d/perlin-2002-integer-hash", |i| noise.value(line(i)));
     let noise = Perlin::new(1).with_lattice(table);
     calls(criterion, "value/3-d/perlin-2002-permutation-table", |i| noise.value(line(i)));
     let noise = Perlin::new(1).with_lattice(ChainedTable(table));
     calls(criterion, "value/3-d/perlin-2002-chained-table", |i| noise.value(line(i)));
-    let noise = Perlin::new(1).with_lattice(tiled);
+    let noise = Perlin::new(1).tiled([16; 3]).expect("periods in range");
     calls(criterion, "value/3-d/perlin-2002-tiled", |i| noise.value(line(i)));
 }
 

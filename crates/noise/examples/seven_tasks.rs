@@ -3,7 +3,7 @@
 #![expect(clippy::print_stdout, reason = "an example prints its result")]
 
 use asperity_noise::{
-    Fbm, FbmSpectrum, Field, Grid, IntegerHash, Perlin, Ridged, Sample, Simplex, Tiled, Unit, Warp,
+    Fbm, FbmSpectrum, Field, Grid, Perlin, Ridged, Sample, Simplex, Unit, Warp,
     glam::{Vec2, Vec3, Vec4},
 };
 
@@ -14,8 +14,8 @@ fn heightmap(heights: &mut [f32; 64 * 64]) {
 }
 
 fn tileable_fbm() -> impl Field<Vec2> {
-    let noise = Perlin::new(42).with_lattice(Tiled::new(IntegerHash, [8, 8]).expect("short periods"));
-    Fbm::tiled(noise, FbmSpectrum::CLOUD).expect("periods that lacunarity 2 keeps")
+    let fbm = Fbm::new(Perlin::new(42), FbmSpectrum::CLOUD);
+    fbm.tiled([8, 8]).expect("periods that lacunarity 2 keeps")
 }
 
 fn domain_warp() -> impl Field<Vec2> {

@@ -2,7 +2,7 @@
 //! machine.
 
 pub(crate) use asperity_core::lanes::MAX_LANES as LANES;
-pub use asperity_core::lanes::{Arithmetic, Floats, Lanes, Scalar, Words};
+pub(crate) use asperity_core::lanes::{Arithmetic, Floats, Lanes, Scalar};
 
 pub(crate) mod level;
 
@@ -27,4 +27,4 @@ pub(crate) fn lane_of<S: Lanes, const N: usize>(s: S, x: &[S::F; N], lane: usize
 }
 
 /// A value in lanes, and its gradient.
-pub type LaneSample<S, const N: usize> = (<S as Arithmetic>::F, [<S as Arithmetic>::F; N]);
+pub(crate) type LaneSample<S, const N: usize> = (<S as Arithmetic>::F, [<S as Arithmetic>::F; N]);

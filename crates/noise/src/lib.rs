@@ -24,7 +24,7 @@
 //! warped.grid_values(&grid, &mut heights)?;
 //!
 //! // Two independent GaussianNoise channels of 6½ octaves.
-//! let noise = GaussianFbm::new(GaussianNoise::new(42), FbmSpectrum::default()).first(6.5);
+//! let noise = GaussianFbm::new(GaussianNoise::new(42), FbmSpectrum::default()).with_octaves(6.5);
 //! let [first, second] = noise.pair(Vec3::new(0.3, -1.2, 4.5));
 //! assert_ne!(first, second);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -34,14 +34,14 @@
 //!
 //! | kind | is | dimensions | Hessian | tiles |
 //! |---|---|---|---|---|
-//! | [`WhiteNoise`] | one value per cell | 1–4 | – | by [`Tiled`] |
-//! | [`ValueNoise`], [`ValueCatmullRom`] | lattice values, blended by quintic weights or by a spline over 4ⁿ points | 1–4 | `ValueNoise` | by [`Tiled`] |
-//! | [`PerlinClassic`], [`Perlin`] | unit gradients and cubic weights; edge directions and quintic weights | 1–4 | yes | by [`Tiled`] |
-//! | [`ValueGradient`] | a weighted sum of both on one lattice | 1–4 | yes | by [`Tiled`] |
-//! | [`Simplex`] | gradient noise on simplices, r² = 0.5 (continuous) or 0.6 (customary) | 1–4 | yes | by [`Tiled`] in 1-D, [`TiledSimplex`] in 3-D; nothing can in 2-D and 4-D, where the lattice is irrational along the axes |
-//! | [`SparseConvolution`] | impulses at random places, convolved with a radial kernel | 1–4 | – | by [`Tiled`] |
-//! | [`Cellular`] | distances to the nearest of random feature points, or the number of the nearest, in three metrics | 1–4 | – | by [`Tiled`] |
-//! | [`GaussianNoise`] | value-gradient noise over its standard deviation at the point: N(0, 1) everywhere | 1–4 | yes | by [`Tiled`] |
+//! | [`WhiteNoise`] | one value per cell | 1–4 | – | yes |
+//! | [`ValueNoise`], [`ValueCatmullRom`] | lattice values, blended by quintic weights or by a spline over 4ⁿ points | 1–4 | `ValueNoise` | yes |
+//! | [`PerlinClassic`], [`Perlin`] | unit gradients and cubic weights; edge directions and quintic weights | 1–4 | yes | yes |
+//! | [`ValueGradient`] | a weighted sum of both on one lattice | 1–4 | yes | yes |
+//! | [`Simplex`] | gradient noise on simplices, r² = 0.5 (continuous) or 0.6 (customary) | 1–4 | yes | in 1-D and 3-D; in 2-D and 4-D the lattice is irrational along the axes |
+//! | [`SparseConvolution`] | impulses at random places, convolved with a radial kernel | 1–4 | – | yes |
+//! | [`Cellular`] | distances to the nearest of random feature points, or the number of the nearest, in three metrics | 1–4 | – | yes |
+//! | [`GaussianNoise`] | value-gradient noise over its standard deviation at the point: N(0, 1) everywhere | 1–4 | yes | yes |
 //! | [`printed`] | the algorithms of Ebert (ed.) 1994 with tables as they are filled there | 3 | – | period 256 |
 //!
 //! | other items | are |
@@ -49,19 +49,19 @@
 //! | [`Field`], [`Noise`], [`HasHessian`] | functions with gradients; kinds with measured statistics; functions with Hessians |
 //! | [`Sample`], [`SampleHessian`] | value and gradient; value, gradient and Hessian |
 //! | [`Grid`] | regular points, for images and volumes |
-//! | [`FbmSpectrum`], [`Fbm`], [`Rotation`], [`Normalization`] | lacunarity, gain and a real number of octaves; sums of any kind |
+//! | [`FbmSpectrum`], [`Fbm`], [`Rotation`], [`Normalization`] | lacunarity, gain and a real number of octaves; sums of any field, also of your own |
 //! | [`Turbulence`], [`Plasma`], [`Billow`], [`Ridged`], [`RidgedMultifractal`] | creased sums |
-//! | [`Fbm::tiled`] | tileable sums, in which each octave has its own periods |
+//! | [`Perlin::tiled`], [`Fbm::tiled`] | tileable noises, and sums in which each octave has its own periods |
 //! | [`Octave`] | the affine map, cell and key of an octave, for evaluation elsewhere |
 //! | [`Fbm::anchored`] | fBm far from the origin, accurate to 1/1000 cell at 10¹² |
-//! | [`Fbm::clamped`], [`filtered_fraction`], [`pixel_footprint`] | frequency clamping to a pixel |
+//! | [`Fbm::band_limited`], [`filtered_fraction`], [`pixel_footprint`] | frequency clamping to a pixel |
 //! | [`GaussianFbm`] | sums that are N(0, 1) at every point |
 //! | [`Add`], [`Multiply`], [`Blend`], [`Clamp`], [`Map`], [`ScaleBias`], [`Power`], [`Unit`] | fields composed of fields, by value |
 //! | [`Warp`], [`curl`] | domain warping with its Jacobian; divergence-free velocities |
 //! | [`CellularOutput`], [`Metric`] | output and metric of cellular noise |
 //! | [`Lattice`], [`IntegerHash`], [`lattice`] | sources of the random bits of lattice points, and the variates made of them |
 //! | [`Statistics`] | measured standard deviation, kurtosis, range and distribution of a kind |
-//! | [`simd`] | SIMD levels, and the interface over lanes that kinds implement |
+//! | [`simd`] | SIMD levels, for tests and benchmarks |
 //!
 //! # Statistics
 //!
@@ -168,6 +168,7 @@ pub use asperity_core::BatchError;
 pub use glam;
 
 pub use contract::field::{Field, HasHessian};
+pub use contract::kernel::Anchor;
 pub use contract::noise::Noise;
 pub use kinds::cellular::cellular::{Cellular, CellularError, CellularOutput};
 pub use kinds::cellular::metric::Metric;
@@ -181,14 +182,14 @@ pub use kinds::value_gradient::{ValueGradient, ValueGradientError};
 pub use kinds::white::WhiteNoise;
 pub use lattice::integer_hash::IntegerHash;
 pub use lattice::lattice::Lattice;
-pub use lattice::tiled::{Tiled, TiledError};
+pub use lattice::tiled::TiledError;
 pub use point::Point;
 pub use row::grid::Grid;
 pub use sample::{Sample, SampleHessian};
-pub use statistics::statistics::Statistics;
+pub use statistics::statistics::{Moments, Statistics};
+pub use sums::fbm::{Fbm, GaussianFbm, Normalization};
 pub use sums::frequency_clamp::{filtered_fraction, pixel_footprint};
 pub use sums::octave::{Octave, Rotation};
-pub use sums::octaves::{Detail, Fbm, GaussianFbm, Normalization};
 pub use sums::ridged_multifractal::{FeedbackError, RidgedMultifractal};
 pub use sums::shape::{Shape, Signed};
 pub use sums::spectrum::{FbmSpectrum, FbmSpectrumError};
@@ -203,18 +204,8 @@ pub mod curl {
     pub use crate::transforms::curl::{Curl2, Curl3, CurlPotential, Velocity};
 }
 
-/// SIMD levels, and the interface over lanes that the kinds of noise are written in.
-///
-/// Most programs do not need this module, as fields use the best level. [`Batch`](simd::Batch)
-/// selects a level in tests and benchmarks. The traits are sealed and may change in any release.
+/// SIMD levels, for tests and benchmarks; fields use the best level by themselves.
 pub mod simd {
     pub use crate::contract::batch::Batch;
-    pub use crate::contract::hessian::HessianKernel;
-    #[doc(hidden)]
-    pub use crate::contract::kernel::Measured;
-    pub use crate::contract::kernel::{Anchor, Kernel};
     pub use crate::lanes::level::Level;
-    pub use crate::lanes::{Arithmetic, Floats, LaneSample, Lanes, Scalar, Words};
-    pub use crate::row::points::{Points, Target};
-    pub use crate::row::row::{Row, Strip};
 }

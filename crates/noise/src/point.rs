@@ -22,7 +22,7 @@ use glam::{Vec2, Vec3, Vec4};
 )]
 pub trait Point: Copy + Debug + Default + PartialEq + 'static {
     /// N numbers in N dimensions.
-    type Coordinates: AsRef<[f32]> + AsMut<[f32]> + Copy + Debug + PartialEq;
+    type Coordinates: Dimension + AsRef<[f32]> + AsMut<[f32]> + Copy + Debug + PartialEq;
     /// Matrices by rows, N of N numbers each.
     type Matrix: Copy + Debug + PartialEq;
     /// One `T` for each of the N axes.
@@ -36,6 +36,35 @@ pub trait Point: Copy + Debug + Default + PartialEq + 'static {
     fn array<T>(make: impl FnMut(usize) -> T) -> Self::Array<T>;
     /// Creates a point from coordinates computed in the order of the axes.
     fn from_axes(make: impl FnMut(usize) -> f32) -> Self;
+}
+
+/// The coordinates of a point, an array of numbers.
+pub trait Dimension: Sized {
+    /// One `T` for each coordinate.
+    type Each<T: Copy + Debug + PartialEq>: Copy + Debug + PartialEq;
+
+    /// Runs code that needs the number of dimensions.
+    fn run<V: Point<Coordinates = Self>, R: InDimension<V>>(code: R) -> R::Output;
+}
+
+/// Code that needs the number of dimensions of a point.
+pub trait InDimension<V: Point> {
+    /// The result.
+    type Output;
+
+    /// Runs the code.
+    fn run<const N: usize>(self) -> Self::Output
+    where
+        V: Point<Coordinates = [f32; N]>;
+}
+
+impl<const N: usize> Dimension for [f32; N] {
+    type Each<T: Copy + Debug + PartialEq> = [T; N];
+
+    #[inline(always)]
+    fn run<V: Point<Coordinates = Self>, R: InDimension<V>>(code: R) -> R::Output {
+        code.run::<N>()
+    }
 }
 
 macro_rules! point {

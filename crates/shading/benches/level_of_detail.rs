@@ -29,7 +29,7 @@ fn rules(c: &mut Criterion) {
 
 /// A pixel of a bump map by either rule: noise of four octaves, and a number of lights.
 fn pixels(c: &mut Criterion) {
-    let field = GaussianFbm::<3>::new(GaussianNoise::new(1), FbmSpectrum::default());
+    let field = GaussianFbm::<Vec3>::new(GaussianNoise::new(1), FbmSpectrum::default());
     let ndf: &dyn Ndf = &Ggx::new(0.2, 0.4).expect("roughness in range");
     let wo = Vec3::new(-0.1, 0.2, 1.0).normalize();
     for lights in [1_u8, 8, 32] {
@@ -51,7 +51,7 @@ fn pixels(c: &mut Criterion) {
 }
 
 fn fields(c: &mut Criterion) {
-    let gaussian = GaussianFbm::<3>::new(GaussianNoise::new(1), FbmSpectrum::default());
+    let gaussian = GaussianFbm::<Vec3>::new(GaussianNoise::new(1), FbmSpectrum::default());
     let perlin = RemappedOctaves::new(Perlin::default(), FbmSpectrum::default(), 1).expect("a distribution");
     let fields: [(&str, &dyn GaussianField); 2] = [("gaussian", &gaussian), ("perlin_2002", &perlin)];
     for (name, field) in fields {

@@ -2,7 +2,7 @@
 //! `cargo run -p asperity-wgsl --example compose`.
 #![expect(clippy::print_stdout, reason = "an example prints its result")]
 
-use asperity_noise::glam::DVec3;
+use asperity_noise::glam::{DVec3, Vec3};
 use asperity_noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_wgsl::noise::sums::{self, OctavesUniform};
 use asperity_wgsl::noise::{GAUSSIAN_LEVELS_WIDTH, gaussian_levels};
@@ -21,7 +21,7 @@ fn bumps(p: vec3<f32>, octaves: f32) -> vec3<f32> {
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     // Anchored: at high zooms `f32` cannot resolve points far from the origin.
-    let sum = GaussianFbm::<3>::new(GaussianNoise::new(7), FbmSpectrum::new(2.0, 0.5, 16)?);
+    let sum = GaussianFbm::<Vec3>::new(GaussianNoise::new(7), FbmSpectrum::new(2.0, 0.5, 16)?);
     let words =
         OctavesUniform::<3>::uniform(&[OctavesUniform::new(&sum.anchored(DVec3::new(310.0, -27.5, 4.0)))]);
     let levels: Vec<f32> = gaussian_levels().collect();

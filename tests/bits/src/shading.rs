@@ -72,7 +72,7 @@ fn materials(report: &mut Report) -> Option<()> {
     }
     let ggx = Ggx::new(0.2, 0.4).ok()?;
     let bumps =
-        BumpField::new(GaussianFbm::<3>::new(GaussianNoise::new(1), FbmSpectrum::default()), 7.0).ok()?;
+        BumpField::new(GaussianFbm::<Vec3>::new(GaussianNoise::new(1), FbmSpectrum::default()), 7.0).ok()?;
     report.row("BumpField", |bits| {
         for i in 0..POINTS {
             let seen = bumps.coordinates(space(i), Footprint::from_width(unit(i, 4)));

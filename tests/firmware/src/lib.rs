@@ -48,7 +48,7 @@ pub fn curve() -> Option<FixedFif<5, 2>> {
 
 /// Returns the bump map: exactly Gaussian noise with five octaves.
 #[must_use]
-pub fn bumps() -> Option<BumpField<GaussianFbm<3>>> {
+pub fn bumps() -> Option<BumpField<GaussianFbm<Vec3>>> {
     let spectrum = FbmSpectrum::new(2.17, 0.6, 5).ok()?;
     BumpField::new(GaussianFbm::new(GaussianNoise::new(19), spectrum), 5.0).ok()
 }

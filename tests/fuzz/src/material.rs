@@ -243,7 +243,7 @@ fn bumps(numbers: &mut Numbers<'_>) {
     let spectrum =
         FbmSpectrum::new(2.0 + numbers.share(), numbers.between(0.1, 1.0), 1 + numbers.word() % 16);
     let spectrum = spectrum.unwrap_or_default();
-    let Ok(field) = BumpField::new(GaussianFbm::<3>::new(GaussianNoise::new(3), spectrum), size(numbers))
+    let Ok(field) = BumpField::new(GaussianFbm::<Vec3>::new(GaussianNoise::new(3), spectrum), size(numbers))
     else {
         return;
     };

@@ -2,13 +2,11 @@
 //! lists and grids.
 
 use asperity_noise::glam::{Vec2, Vec3, Vec4};
-use asperity_noise::simd::Kernel;
 use asperity_noise::{
     Add, Billow, Blend, Cellular, CellularOutput, Clamp, Fbm, FbmSpectrum, Field, GaussianFbm, GaussianNoise,
-    Grid, HasHessian, IntegerHash, Metric, Multiply, Noise, Normalization, Perlin, PerlinClassic, Plasma,
-    Point, Power, Ridged, RidgedMultifractal, Rotation, Sample, ScaleBias, Simplex, SparseConvolution, Tiled,
-    TiledSimplex, Turbulence, Unit, ValueCatmullRom, ValueGradient, ValueNoise, Warp, WhiteNoise, curl,
-    filtered_fraction, pixel_footprint,
+    Grid, HasHessian, Metric, Multiply, Normalization, Perlin, PerlinClassic, Plasma, Point, Power, Ridged,
+    RidgedMultifractal, Rotation, Sample, ScaleBias, Simplex, SparseConvolution, Turbulence, Unit,
+    ValueCatmullRom, ValueGradient, ValueNoise, Warp, WhiteNoise, curl, filtered_fraction, pixel_footprint,
 };
 
 use crate::numbers::Numbers;
@@ -47,7 +45,8 @@ fn checked<V: Point>(
 
 /// Checks lists and grids of a field, which have the bits of single points.
 fn many(numbers: &mut Numbers<'_>) {
-    let field = Fbm::<_, 3>::new(Perlin::new(numbers.word()), FbmSpectrum::CLOUD).first(numbers.float());
+    let field =
+        Fbm::<_, Vec3>::new(Perlin::new(numbers.word()), FbmSpectrum::CLOUD).with_octaves(numbers.float());
     let points: Vec<Vec3> = (0..1 + numbers.count(17)).map(|_| numbers.vector()).collect();
     let mut values = vec![0.0; points.len()];
     field.values(&points, &mut values).expect("as many");
@@ -80,14 +79,6 @@ const fn slack(simplicial: bool) -> f32 {
     if simplicial { 1.0 } else { 1e-4 }
 }
 
-/// Checks a noise.
-fn kind<V: Point<Coordinates = [f32; N]>, K: Kernel<N> + Noise<V>, const N: usize>(
-    noise: K,
-    numbers: &mut Numbers<'_>,
-) {
-    field::<V>(&noise, slack(K::SIMPLICIAL), numbers);
-}
-
 /// Checks a sum and transforms of a noise.
 fn transformed<V: Point<Coordinates = [f32; N]>, const N: usize>(numbers: &mut Numbers<'_>) {
     let noise = Perlin::new(numbers.word());
@@ -99,12 +90,12 @@ fn transformed<V: Point<Coordinates = [f32; N]>, const N: usize>(numbers: &mut N
             field::<V>(&Blend(Add(noise, noise), Multiply(noise, noise), Power(unit, power)), slack, numbers)
         }
         2 => {
-            if let Some(sum) = sum::<_, N>(noise, numbers) {
+            if let Some(sum) = sum::<_, V>(noise, numbers) {
                 field::<V>(&sum, slack, numbers);
             }
         }
         _ => {
-            if let Some(sum) = sum::<_, N>(GaussianNoise::new(numbers.word()), numbers) {
+            if let Some(sum) = sum::<_, V>(GaussianNoise::new(numbers.word()), numbers) {
                 field::<V>(&sum, slack, numbers);
             }
         }
@@ -112,29 +103,29 @@ fn transformed<V: Point<Coordinates = [f32; N]>, const N: usize>(numbers: &mut N
 }
 
 /// Returns the sum of a noise's octaves, unless its gradients may overflow.
-fn sum<K: Kernel<N> + Copy, const N: usize>(noise: K, numbers: &mut Numbers<'_>) -> Option<Fbm<K, N>> {
+fn sum<F: Field<V>, V: Point>(noise: F, numbers: &mut Numbers<'_>) -> Option<Fbm<F, V>> {
     let (spectrum, octaves) = (spectrum(numbers), numbers.float());
-    for share in [spectrum.share(octaves), spectrum.weight(octaves, numbers.word() % 20)] {
+    for share in [spectrum.resolved_variance(octaves), spectrum.weight(octaves, numbers.word() % 20)] {
         assert!((0.0..=1.0).contains(&share), "{share}");
     }
-    let sum = Fbm::<K, N>::new(noise, spectrum)
+    let sum = Fbm::new(noise, spectrum)
         .with_rotation(numbers.pick(&[Rotation::Aligned, Rotation::Random]))
         .with_seed(numbers.word())
         .with_normalization(numbers.pick(&[Normalization::UnitRange, Normalization::UnitVariance]));
-    (spectrum.frequency(spectrum.max_octaves() - 1) < 1e30).then(|| sum.first(octaves))
+    (spectrum.frequency(spectrum.max_octaves() - 1) < 1e30).then(|| sum.with_octaves(octaves))
 }
 
 /// Checks octaves with shapes.
 fn shaped<V: Point<Coordinates = [f32; N]>, const N: usize>(numbers: &mut Numbers<'_>) {
-    let Some(sum) = sum::<_, N>(Perlin::new(numbers.word()), numbers) else { return };
+    let Some(sum) = sum::<_, V>(Perlin::new(numbers.word()), numbers) else { return };
     match numbers.byte() % 5 {
         0 => field::<V>(&sum.with_shape(Turbulence), 1e-4, numbers),
         1 => field::<V>(&sum.with_shape(Plasma), 1e-4, numbers),
         2 => field::<V>(&sum.with_shape(Billow), 1e-4, numbers),
         3 => field::<V>(&sum.with_shape(Ridged), 1e-4, numbers),
         _ => {
-            if let Ok(ridged) = RidgedMultifractal::of(sum, numbers.float()) {
-                field::<V>(&ridged.first(numbers.float()), 1e-4, numbers);
+            if let Ok(ridged) = RidgedMultifractal::from_fbm(sum, numbers.float()) {
+                field::<V>(&ridged.with_octaves(numbers.float()), 1e-4, numbers);
             }
         }
     }
@@ -157,20 +148,20 @@ macro_rules! dimension {
         fn $name(numbers: &mut Numbers<'_>) {
             let seed = numbers.word();
             match numbers.byte() % 15 {
-                0 => kind::<$vector, _, $n>(WhiteNoise::new(seed), numbers),
-                1 => kind::<$vector, _, $n>(ValueNoise::new(seed), numbers),
-                2 => kind::<$vector, _, $n>(ValueCatmullRom::new(seed), numbers),
-                3 => kind::<$vector, _, $n>(PerlinClassic::new(seed), numbers),
-                4 => kind::<$vector, _, $n>(Perlin::new(seed), numbers),
-                5 => kind::<$vector, _, $n>(GaussianNoise::new(seed), numbers),
+                0 => field::<$vector>(&WhiteNoise::new(seed), slack(false), numbers),
+                1 => field::<$vector>(&ValueNoise::new(seed), slack(false), numbers),
+                2 => field::<$vector>(&ValueCatmullRom::new(seed), slack(false), numbers),
+                3 => field::<$vector>(&PerlinClassic::new(seed), slack(false), numbers),
+                4 => field::<$vector>(&Perlin::new(seed), slack(false), numbers),
+                5 => field::<$vector>(&GaussianNoise::new(seed), slack(false), numbers),
                 6 => match ValueGradient::new(seed).with_weight(numbers.float()) {
-                    Ok(noise) => kind::<$vector, _, $n>(noise, numbers),
+                    Ok(noise) => field::<$vector>(&noise, slack(false), numbers),
                     Err(error) => assert_eq!(error.to_string().lines().count(), 1),
                 },
-                7 => kind::<$vector, _, $n>(Simplex::new(seed), numbers),
-                8 => kind::<$vector, _, $n>(Simplex::wide(seed), numbers),
+                7 => field::<$vector>(&Simplex::new(seed), slack(true), numbers),
+                8 => field::<$vector>(&Simplex::wide(seed), slack(true), numbers),
                 9 => match SparseConvolution::new(seed).with_impulses(numbers.word() % 7) {
-                    Ok(noise) => kind::<$vector, _, $n>(noise, numbers),
+                    Ok(noise) => field::<$vector>(&noise, slack(false), numbers),
                     Err(error) => assert_eq!(error.to_string().lines().count(), 1),
                 },
                 10 => {
@@ -184,7 +175,7 @@ macro_rules! dimension {
                         .with_metric(numbers.pick(&[Metric::Euclidean, Metric::Manhattan, Metric::Chebyshev]))
                         .with_jitter(numbers.float());
                     match noise {
-                        Ok(noise) => kind::<$vector, _, $n>(noise, numbers),
+                        Ok(noise) => field::<$vector>(&noise, slack(false), numbers),
                         Err(error) => assert_eq!(error.to_string().lines().count(), 1),
                     }
                 }
@@ -192,12 +183,14 @@ macro_rules! dimension {
                     curved::<$vector>(&Perlin::new(seed), numbers);
                     curved::<$vector>(&Simplex::new(seed), numbers);
                     curved::<$vector>(&GaussianNoise::new(seed), numbers);
-                    curved::<$vector>(&Fbm::<_, $n>::new(ValueNoise::new(seed), FbmSpectrum::CLOUD), numbers);
-                    let sum = GaussianFbm::<$n>::new(GaussianNoise::new(seed), FbmSpectrum::default());
+                    curved::<$vector>(
+                        &Fbm::<_, $vector>::new(ValueNoise::new(seed), FbmSpectrum::CLOUD),
+                        numbers,
+                    );
+                    let sum = GaussianFbm::<$vector>::new(GaussianNoise::new(seed), FbmSpectrum::default());
                     let p: $vector = point(numbers);
                     for sample in sum
-                        .detail(numbers.float())
-                        .pair(p)
+                        .pair_with_octaves(p, numbers.float())
                         .into_iter()
                         .chain(GaussianNoise::new(seed).pair(p))
                     {
@@ -210,10 +203,10 @@ macro_rules! dimension {
                 _ => {
                     let periods =
                         core::array::from_fn(|_| numbers.pick(&[0, 1, 3, 5, 8, 2_097_152, u32::MAX]));
-                    let Ok(lattice) = Tiled::<_, $n>::new(IntegerHash, periods) else { return };
-                    let noise = Perlin::new(seed).with_lattice(lattice);
+                    let Ok(noise) = Perlin::new(seed).tiled::<$n>(periods) else { return };
                     field::<$vector>(&noise, 1e-5, numbers);
-                    if let Ok(sum) = Fbm::<_, $n>::tiled(noise, spectrum(numbers)) {
+                    let sum = Fbm::<_, $vector>::new(Perlin::new(seed), spectrum(numbers));
+                    if let Ok(sum) = sum.tiled(periods) {
                         field::<$vector>(&sum, 1e-4, numbers);
                     }
                 }
@@ -230,7 +223,7 @@ dimension!(hyperspace, Vec4, 4);
 fn rest(numbers: &mut Numbers<'_>) {
     let seed = numbers.word();
     let periods = core::array::from_fn(|_| numbers.pick(&[0, 1, 3, 9, 2_097_150, u32::MAX]));
-    if let Ok(noise) = TiledSimplex::new(Simplex::new(seed), periods) {
+    if let Ok(noise) = Simplex::new(seed).tiled(periods) {
         field::<Vec3>(&noise, slack(true), numbers);
     }
     let share = filtered_fraction(numbers.float(), numbers.float());
@@ -248,7 +241,7 @@ fn rest(numbers: &mut Numbers<'_>) {
     assert!(flow.velocity.is_finite() && flow.jacobian.as_flattened().iter().all(|x| x.is_finite()), "{p}");
 }
 
-fn noise_2(seed: u32) -> Fbm<Perlin, 2> {
+fn noise_2(seed: u32) -> Fbm<Perlin, Vec2> {
     Fbm::new(Perlin::new(seed), FbmSpectrum::CLOUD)
 }
 

@@ -97,7 +97,7 @@ fn distributions_are_bounded_and_finite() {
 #[test]
 fn spectra_accept_any_octave_count() {
     let cloud = FbmSpectrum::CLOUD;
-    everywhere("`Spectrum::share`", |x| (0.0..1.0).contains(&cloud.share(x)));
+    everywhere("`Spectrum::share`", |x| (0.0..1.0).contains(&cloud.resolved_variance(x)));
     everywhere("`Spectrum::kurtosis_ratio`", |x| UNIT.contains(&cloud.kurtosis_ratio(x)));
     everywhere("`Spectrum::sum_of_amplitudes`", |x| (0.0..=2.0).contains(&cloud.sum_of_amplitudes(x)));
     everywhere("`Spectrum::root_sum_of_squares`", |x| (0.0..=1.2).contains(&cloud.root_sum_of_squares(x)));

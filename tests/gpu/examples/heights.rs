@@ -7,7 +7,8 @@ use std::error::Error;
 use std::fs::File;
 use std::path::Path;
 
-use asperity_shading::noise::{Fbm, FbmSpectrum, Perlin, glam::DVec3};
+use asperity_shading::noise::glam::{DVec3, Vec3};
+use asperity_shading::noise::{Fbm, FbmSpectrum, Perlin};
 use asperity_wgsl::noise::sums::{OctavesUniform, octaves_3d};
 use asperity_wgsl::{Bindings, Part, compose};
 use wgpu::util::DeviceExt;
@@ -71,7 +72,7 @@ async fn heights() -> Result<Vec<[f32; 4]>, Box<dyn Error>> {
     let (device, queue) = adapter.request_device(&descriptor).await?;
 
     // Resources of the parts: the words of a sum of octaves, from the crate.
-    let sum = Fbm::<_, 3>::new(Perlin::new(42), FbmSpectrum::new(2.0, 0.5, 8)?).anchored(DVec3::ZERO);
+    let sum = Fbm::<_, Vec3>::new(Perlin::new(42), FbmSpectrum::new(2.0, 0.5, 8)?).anchored(DVec3::ZERO);
     let words = OctavesUniform::<3>::uniform(&[OctavesUniform::new(&sum)]);
     let uniform = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
         label: None,

@@ -54,7 +54,7 @@ pub(crate) fn run(adapter: Option<&str>) -> Result<(), String> {
 
 fn radiances(gpu: &Gpu, halves: &[Vec3], octaves: f32) -> Result<Vec<f32>, String> {
     let spectrum = FbmSpectrum::new(2.17, 0.5, 10).map_err(|error| error.to_string())?;
-    let sum = GaussianFbm::<3>::new(GaussianNoise::new(7), spectrum);
+    let sum = GaussianFbm::<Vec3>::new(GaussianNoise::new(7), spectrum);
     let job = halves.iter().flat_map(|h| [h.x, h.y, h.z, 0.0]).chain(ALPHA).chain([octaves, 4096.0]);
     let words = [
         ("gaussian_level", noise::gaussian_levels().map(f32::to_bits).collect()),

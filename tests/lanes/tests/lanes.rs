@@ -8,11 +8,10 @@ use asperity_lanes::{
     noise_kinds::{Testable, Visit, every_dimension, every_kind},
 };
 use asperity_noise::{
-    Cellular, CellularOutput, Fbm, FbmSpectrum, Field, GaussianNoise, Grid, IntegerHash, Metric,
-    Normalization, Perlin, Point, Rotation, Simplex, SparseConvolution, Tiled, TiledSimplex, ValueCatmullRom,
+    Cellular, CellularOutput, Fbm, FbmSpectrum, Field, GaussianNoise, Grid, Metric, Normalization, Perlin,
+    Point, Rotation, Simplex, SparseConvolution, ValueCatmullRom,
     glam::{Vec2, Vec3, Vec4},
     lattice::PermutationTable,
-    simd::Kernel,
 };
 
 /// Checks applied to every noise.
@@ -101,11 +100,11 @@ fn other_lattices_have_the_scalar_bits() {
         let table = PermutationTable::new(1);
         near("Perlin 2002 by permutation 2-D", &Perlin::new(7).with_lattice(table));
         every_point::<Vec3>("simplex by permutation 3-D", &Simplex::wide(7).with_lattice(table));
-        let tiled = Tiled::new(IntegerHash, [5, 3]).expect("periods in range");
-        near("Perlin 2002 tiled 2-D", &Perlin::new(7).with_lattice(tiled));
-        near("Catmull-Rom tiled 2-D", &ValueCatmullRom::new(7).with_lattice(tiled));
-        near("sparse tiled 2-D", &SparseConvolution::new(7).with_lattice(tiled));
-        let tiled = TiledSimplex::new(Simplex::new(7), [3, 9, 6]).expect("multiples of three");
+        const PERIODS: [u32; 2] = [5, 3];
+        near("Perlin 2002 tiled 2-D", &Perlin::new(7).tiled(PERIODS).expect("periods"));
+        near("Catmull-Rom tiled 2-D", &ValueCatmullRom::new(7).tiled(PERIODS).expect("periods"));
+        near("sparse tiled 2-D", &SparseConvolution::new(7).tiled(PERIODS).expect("periods"));
+        let tiled = Simplex::new(7).tiled([3, 9, 6]).expect("multiples of three");
         grids::<Vec3>("simplex tiled 3-D", &tiled, &near_cases());
         every_point::<Vec3>("simplex tiled 3-D", &tiled);
     });
@@ -116,13 +115,13 @@ fn points_have_the_scalar_bits() {
     on_a_large_stack(|| every_kind(&mut Check::Points));
 }
 
-fn sum<V: Point<Coordinates = [f32; N]>, K: Kernel<N> + Copy, const N: usize>(name: &str, noise: K) {
+fn sum<V: Point<Coordinates = [f32; N]>, K: Field<V> + Copy, const N: usize>(name: &str, noise: K) {
     for rotation in [Rotation::Random, Rotation::Aligned] {
         for normalisation in [Normalization::UnitRange, Normalization::UnitVariance] {
-            let octaves = Fbm::<K, N>::new(noise, FbmSpectrum::default()).with_seed(3);
+            let octaves = Fbm::<K, V>::new(noise, FbmSpectrum::default()).with_seed(3);
             let octaves = octaves.with_normalization(normalisation).with_rotation(rotation);
             let name = format!("{name} {N}-D {rotation:?} {normalisation:?}");
-            let first = |count| Box::new(octaves.first(count)) as Box<dyn Field<V>>;
+            let first = |count| Box::new(octaves.with_octaves(count)) as Box<dyn Field<V>>;
             for count in [3.4, 1.0, 0.0] {
                 grids(&name, first(count).as_ref(), &near_cases()[..4]);
                 points(&name, first(count).as_ref(), 501);
@@ -137,7 +136,7 @@ fn sum<V: Point<Coordinates = [f32; N]>, K: Kernel<N> + Copy, const N: usize>(na
     }
 }
 
-fn sums<K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4> + Copy>(name: &str, noise: K) {
+fn sums<K: Field<f32> + Field<Vec2> + Field<Vec3> + Field<Vec4> + Copy>(name: &str, noise: K) {
     sum::<f32, K, 1>(name, noise);
     sum::<Vec2, K, 2>(name, noise);
     sum::<Vec3, K, 3>(name, noise);

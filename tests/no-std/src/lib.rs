@@ -30,9 +30,9 @@ fn noise() -> bool {
     let Ok(spectrum) = FbmSpectrum::new(2.17, 0.5, 8) else { return false };
     let field = GaussianFbm::new(GaussianNoise::new(1), spectrum);
     let p = Vec3::new(0.3, -4.2, 7.9);
-    let [a, b] = field.detail(4.5).pair(p);
+    let [a, b] = field.pair_with_octaves(p, 4.5);
     Perlin::new(1).sample(Vec3::new(3.0, -2.0, 5.0)).value == 0.0
-        && field.detail(0.0).sample(p).value == 0.0
+        && field.sample_with_octaves(p, 0.0).value == 0.0
         && a.value != b.value
         && a.value.is_finite()
 }

@@ -2,10 +2,9 @@
 //! 10¹².
 
 use asperity_noise::{
-    Fbm, FbmSpectrum, Field, GaussianNoise, IntegerHash, Lattice, Perlin, Point, Sample, Simplex,
+    Anchor, Fbm, FbmSpectrum, Field, GaussianNoise, IntegerHash, Lattice, Perlin, Point, Sample, Simplex,
     SparseConvolution, ValueNoise,
     glam::{DVec2, DVec3, Vec2, Vec3, Vec4},
-    simd::{Anchor, Kernel},
 };
 use asperity_tests::{assert_abs_diff_eq, noise_reference::Kind, random::Random};
 
@@ -23,10 +22,11 @@ fn point<const N: usize>(random: &mut Random) -> [f32; N] {
 /// with differences.
 fn check<K, V, const N: usize>(name: &str, noise: K)
 where
-    K: Anchor<N> + Copy,
+    K: Field<V> + Anchor<N> + Copy,
+    K::Shifted: Field<V>,
     V: Point<Coordinates = [f32; N]>,
 {
-    let sum = Fbm::<K, N>::new(noise, FbmSpectrum::default()).first(10.0);
+    let sum = Fbm::<K, V>::new(noise, FbmSpectrum::default()).with_octaves(10.0);
     let mut random = Random(1);
     let at = |p: [f32; N]| V::from_coordinates(p);
     let origin = sum.anchored([0.0; N]);
@@ -53,7 +53,7 @@ where
         moved += u32::from(here.value(at(p)) != here.value(at(q)));
     }
     assert!(moved >= 299, "{name}: {moved}");
-    let first = sum.first(1.0).anchored(far::<N>());
+    let first = sum.with_octaves(1.0).anchored(far::<N>());
     for _ in 0..100 {
         let p: [f32; N] = point(&mut random);
         let (mut q, h) = (p, 1.0 / 512.0);
@@ -105,7 +105,8 @@ fn anchored_sum_at_1e12_matches_the_reference() {
 
 #[test]
 fn anchored_batches_have_the_bits_of_single_points() {
-    let sum = Fbm::new(Simplex::new(2), FbmSpectrum::CLOUD).first(3.5).anchored(DVec2::new(FAR[0], FAR[1]));
+    let sum =
+        Fbm::new(Simplex::new(2), FbmSpectrum::CLOUD).with_octaves(3.5).anchored(DVec2::new(FAR[0], FAR[1]));
     let grid = asperity_noise::Grid { origin: Vec2::splat(-1.7), step: Vec2::splat(0.13), size: [40, 20] };
     let mut values = [0.0; 800];
     sum.grid_values(&grid, &mut values).expect("one number per point");
@@ -116,7 +117,7 @@ fn anchored_batches_have_the_bits_of_single_points() {
 
 #[test]
 fn invalid_anchors_remove_the_octaves() {
-    fn nothing<K: Kernel<2>>(sum: &Fbm<K, 2>) {
+    fn nothing(sum: &impl Field<Vec2>) {
         assert_eq!(sum.sample(Vec2::new(0.3, 0.4)), Sample::default());
     }
     let sum = Fbm::new(Perlin::new(2), FbmSpectrum::default());

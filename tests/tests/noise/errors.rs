@@ -1,8 +1,8 @@
 //! Every error of a constructor or batch contains the parameter, its rule and the invalid value.
 
 use asperity_noise::{
-    Cellular, Fbm, FbmSpectrum, Field, IntegerHash, Perlin, RidgedMultifractal, Simplex, SparseConvolution,
-    Tiled, TiledError, TiledSimplex, ValueGradient, Warp, glam::Vec2, lattice::PermutationTable,
+    Cellular, FbmSpectrum, Field, Perlin, RidgedMultifractal, Simplex, SparseConvolution, TiledError,
+    ValueGradient, Warp, glam::Vec2, lattice::PermutationTable,
 };
 use std::error::Error;
 
@@ -17,7 +17,6 @@ fn errors_contain_parameter_and_value() {
     let spectrum = |lacunarity, gain, octaves| says(FbmSpectrum::new(lacunarity, gain, octaves));
     let mut entries: [u8; 256] = std::array::from_fn(|i| i as u8);
     entries[9] = 3;
-    let untiled = Fbm::<_, 2>::tiled(noise, FbmSpectrum::CLOUD);
     let cases = [
         (spectrum(1.0, 0.5, 8), "`lacunarity` must be a finite number above 1, got 1"),
         (spectrum(2.0, -1.5, 8), "`gain` must be a finite number above 0, got -1.5"),
@@ -32,15 +31,14 @@ fn errors_contain_parameter_and_value() {
             says(PermutationTable::from_entries(entries)),
             "duplicate entry 3 at index 9 (entries must be a permutation of 0 to 255)",
         ),
-        (says(Tiled::new(IntegerHash, [8, 0])), "`periods[1]` must be from 1 to 2097152, got 0"),
-        (says(TiledSimplex::new(Simplex::new(0), [3, 6, 4])), "`periods[2]` must be a multiple of 3, got 4"),
-        (says(untiled), "`noise` must be tileable (use a `Tiled` lattice or `TiledSimplex`)"),
+        (says(noise.tiled([8, 0])), "`periods[1]` must be from 1 to 2097152, got 0"),
+        (says(Simplex::new(0).tiled([3, 6, 4])), "`periods[2]` must be a multiple of 3, got 4"),
         (
             TiledError::NoOctavePeriod { axis: 1, period: 5, lacunarity: 2.5, octave: 3 }.to_string(),
             "`periods[1]` times `lacunarity` to the power 3 must be a whole number up to 2097152, got 5 · 2.5^3",
         ),
         (
-            says(RidgedMultifractal::<_, 2>::new(noise, FbmSpectrum::CLOUD, -1.0)),
+            says(RidgedMultifractal::<_, Vec2>::new(noise, FbmSpectrum::CLOUD, -1.0)),
             "`feedback` must be finite and at least 0, got -1",
         ),
         (

@@ -71,13 +71,13 @@ fn histograms<V: Point<Coordinates = [f32; N]>, const N: usize>(counts: &[f32]) 
     (0..2048_u32)
         .into_par_iter()
         .fold(empty, |mut histograms, seed| {
-            let noise = GaussianFbm::<N>::new(GaussianNoise::new(seed), FbmSpectrum::default());
+            let noise = GaussianFbm::<V>::new(GaussianNoise::new(seed), FbmSpectrum::default());
             let mut random = Random(u64::from(seed) << 32 | 7);
             let lists: [Vec<f32>; N] =
                 std::array::from_fn(|_| (0..POINTS).map(|_| coordinate(&mut random) / 100.0).collect());
             let points: Vec<V> = (0..POINTS).map(|i| V::from_axes(|axis| lists[axis][i])).collect();
             for (histogram, &count) in histograms.iter_mut().zip(counts) {
-                let sum = noise.detail(count);
+                let sum = noise.with_octaves(count);
                 points.iter().for_each(|&p| histogram.add(sum.value(p)));
             }
             histograms
@@ -215,9 +215,9 @@ fn chi_square<F: FnMut(u32) -> [f32; 2]>(field: impl Fn(u32) -> F + Sync) -> f64
 fn channels_are_independent_bin_by_bin() {
     let octaves = |count: f32| {
         chi_square(move |seed| {
-            let noise = GaussianFbm::<3>::new(GaussianNoise::new(seed), FbmSpectrum::default());
+            let noise = GaussianFbm::<Vec3>::new(GaussianNoise::new(seed), FbmSpectrum::default());
             let mut random = Random(u64::from(seed) << 32 | 10);
-            move |_| noise.detail(count).pair(point3(&mut random)).map(|channel| channel.value)
+            move |_| noise.pair_with_octaves(point3(&mut random), count).map(|channel| channel.value)
         })
     };
     let (lattice_point, centre) = (Vec3::new(1.0, -2.0, 3.0), Vec2::new(0.5, -2.5));

@@ -3,7 +3,7 @@
 
 use asperity_noise::{
     Field, GaussianNoise, IntegerHash, Lattice, Noise, Perlin, PerlinClassic, Simplex, SparseConvolution,
-    Tiled, TiledSimplex, ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise,
+    ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise,
     glam::{Vec2, Vec3, Vec4},
     lattice::{ChainedTable, PermutationTable},
 };
@@ -99,31 +99,31 @@ fn every_kind(name: &str, lattice: AnyLattice<'_>, reference: &impl Lattice) {
 
 #[test]
 fn noises_tile_with_the_words_of_the_first_tile() {
-    let lattice = Tiled::new(IntegerHash, [5, 3, 7, 2]).unwrap();
+    const PERIODS: [u32; 4] = [5, 3, 7, 2];
     let reference = Wrapped([5, 3, 7, 2]);
     // One for each way to use cells: alone, at corners (like value, Perlin and Gaussian noise), at
     // 4ⁿ neighbors, at 3ⁿ.
-    close("white, tiled", WhiteNoise::default().with_lattice(lattice), &reference, Kind::White);
+    close("white, tiled", WhiteNoise::default().tiled(PERIODS).unwrap(), &reference, Kind::White);
     close(
         "Perlin 1985, tiled",
-        PerlinClassic::default().with_lattice(lattice),
+        PerlinClassic::default().tiled(PERIODS).unwrap(),
         &reference,
         Kind::PerlinClassic,
     );
-    let noise = ValueCatmullRom::default().with_lattice(lattice);
+    let noise = ValueCatmullRom::default().tiled(PERIODS).unwrap();
     close("Catmull-Rom, tiled", noise, &reference, Kind::CatmullRom);
-    close("sparse, tiled", SparseConvolution::default().with_lattice(lattice), &reference, Kind::Sparse(1));
+    close("sparse, tiled", SparseConvolution::default().tiled(PERIODS).unwrap(), &reference, Kind::Sparse(1));
 }
 
 #[test]
 fn simplex_noise_tiles_in_1d_and_3d() {
     for noise in [Simplex::new(0), Simplex::wide(0)] {
         let kind = Kind::Simplex(noise.radius_squared().into());
-        let tiled = noise.with_lattice(Tiled::new(IntegerHash, [5]).unwrap());
+        let tiled = noise.tiled([5]).unwrap();
         let words = |cell: [i32; 1], seed| Wrapped([5; 4]).upper_word(cell, seed);
         let line = |[x]: [f32; 1], seed| at(tiled.with_seed(seed).sample(x));
         assert_close("simplex", 1, errors_on(&words, kind, DIVISOR, &line));
-        let tiled = TiledSimplex::new(noise, [3, 9, 6]).unwrap();
+        let tiled = noise.tiled([3, 9, 6]).unwrap();
         let words = |cell: [i32; 3], seed| WrappedCorners([3, 9, 6]).upper_word(cell, seed);
         let space = |p, seed| at(tiled.with_seed(seed).sample(Vec3::from(p)));
         assert_close("simplex", 3, errors_on(&words, kind, DIVISOR, &space));

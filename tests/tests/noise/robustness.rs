@@ -2,8 +2,7 @@
 //! points.
 
 use asperity_noise::{
-    Fbm, FbmSpectrum, Field, GaussianFbm, GaussianNoise, Normalization, Perlin, Point, Rotation, Sample,
-    Simplex,
+    Fbm, FbmSpectrum, GaussianFbm, GaussianNoise, Normalization, Perlin, Point, Rotation, Sample, Simplex,
     glam::{Vec2, Vec3, Vec4},
     lattice::PermutationTable,
 };
@@ -94,15 +93,15 @@ fn huge_points_return_finite_samples_in_range() {
 fn both_channels_are_defined_everywhere() {
     fn defined<V: Point<Coordinates = [f32; N]>, const N: usize>() {
         let noise = GaussianNoise::new(1);
-        let octaves = GaussianFbm::<N>::new(noise, FbmSpectrum::default());
+        let octaves = GaussianFbm::<V>::new(noise, FbmSpectrum::default());
         for p in not_finite().map(V::from_coordinates) {
             let zero = Sample { value: 0.0, gradient: V::default() };
-            assert_eq!([octaves.detail(3.5).pair(p), noise.pair(p)], [[zero; 2]; 2], "{p:?}");
+            assert_eq!([octaves.pair_with_octaves(p, 3.5), noise.pair(p)], [[zero; 2]; 2], "{p:?}");
         }
         let mut random = Random(4);
         for _ in 0..200 {
             let p = V::from_coordinates(huge_point(&mut random));
-            for sample in octaves.detail(10.0).pair(p) {
+            for sample in octaves.pair_with_octaves(p, 10.0) {
                 let finite = sample.gradient.coordinates().into_iter().all(f32::is_finite);
                 assert!(sample.value.is_finite() && finite, "{p:?}: {sample:?}");
             }
@@ -230,11 +229,16 @@ fn sums_accept_any_octave_count_and_stay_in_range() {
     for i in 0..2000_u16 {
         let p = Vec3::from_array([(); 3].map(|()| ((random.uniform() - 0.5) * 50.0) as f32));
         let octaves = f32::from(i) / 180.0;
-        assert_abs_diff_eq!(noise.detail(octaves).sample(p).value, 0.0, epsilon = 1.0, "{octaves} at {p}");
+        assert_abs_diff_eq!(
+            noise.sample_with_octaves(p, octaves).value,
+            0.0,
+            epsilon = 1.0,
+            "{octaves} at {p}"
+        );
         for nothing in [0.0, -1.0, f32::NAN, f32::NEG_INFINITY] {
-            assert_eq!(noise.detail(nothing).sample(p), Sample::default());
+            assert_eq!(noise.sample_with_octaves(p, nothing), Sample::default());
         }
-        assert_eq!(noise.detail(f32::INFINITY).sample(p), noise.detail(10.0).sample(p));
+        assert_eq!(noise.sample_with_octaves(p, f32::INFINITY), noise.sample_with_octaves(p, 10.0));
     }
 }
 
@@ -245,11 +249,11 @@ fn single_octave_is_independent_of_its_weight() {
         let noise = Fbm::new(Perlin::new(3), FbmSpectrum::default()).with_normalization(normalisation);
         for octaves in [1e-45, 1e-40, 1e-39, 1e-30, 3e-23, 0.5] {
             assert_eq!(
-                noise.detail(octaves).sample(p),
-                noise.detail(1.0).sample(p),
+                noise.sample_with_octaves(p, octaves),
+                noise.sample_with_octaves(p, 1.0),
                 "{normalisation:?} {octaves}"
             );
-            let [lone, whole] = [octaves, 1.0].map(|o| noise.detail(o).standard_deviation());
+            let [lone, whole] = [octaves, 1.0].map(|o| noise.with_octaves(o).standard_deviation());
             assert_eq!(lone, whole, "{normalisation:?} {octaves}");
         }
     }

@@ -4,11 +4,10 @@ use asperity_noise::{
     Billow, Fbm, FbmSpectrum, Field, Normalization, Perlin, Plasma, Point, Power, Ridged, RidgedMultifractal,
     Rotation, Sample, Shape, Signed, Simplex, Turbulence,
     glam::{Vec2, Vec3},
-    simd::Kernel,
 };
 use asperity_tests::{
     assert_abs_diff_eq, in_every_dimension,
-    noise_any::{AnyKernel, AnyNoise, Coordinates, kinds, thinning},
+    noise_any::{AnyField, AnyNoise, Coordinates, kinds, thinning},
     random::Random,
 };
 
@@ -21,14 +20,14 @@ fn point<V: Point<Coordinates = [f32; N]>, const N: usize>(random: &mut Random) 
 type Phi = fn(f64) -> [f64; 2];
 
 /// Returns value and gradient of octave i at a point, from the signed sums of i and i + 1 octaves.
-fn octave<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize>(
-    signed: &Fbm<K, N>,
+fn octave<V: Point<Coordinates = [f32; N]>, K: Field<V>, const N: usize>(
+    signed: &Fbm<K, V>,
     p: V,
     i: u8,
 ) -> (f64, [f64; N]) {
     let spectrum = signed.spectrum();
     let sum = |count: u8| {
-        let sample = signed.detail(f32::from(count)).sample(p);
+        let sample = signed.sample_with_octaves(p, f32::from(count));
         let norm = f64::from(spectrum.sum_of_amplitudes(f32::from(count)));
         let g = sample.gradient.coordinates().map(|g| norm * f64::from(g));
         (norm * f64::from(sample.value), g)
@@ -40,12 +39,12 @@ fn octave<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize>(
 }
 
 /// Signed octaves, or octaves of a shape.
-type Signs<'a, const N: usize> = Fbm<AnyKernel<'a, N>, N>;
+type Signs<'a, const N: usize> = Fbm<AnyField<'a, N>, Coordinates<N>>;
 
 /// Asserts that sums of four octaves of a shape, the last at half weight, are φ of their octaves.
 fn follows<T: Shape, const N: usize>(name: &str, noise: &dyn AnyNoise<N>, shape: T, phi: Phi) {
     follows_phi(&format!("{shape:?} {name}"), noise, phi, &|signed, p| {
-        signed.with_shape(shape).detail(3.5).sample(p)
+        signed.with_shape(shape).sample_with_octaves(p, 3.5)
     });
 }
 
@@ -62,7 +61,7 @@ fn follows_phi<const N: usize>(
     let range = f64::from(noise.statistics().range).max(1.0);
     for rotation in [Rotation::Random, Rotation::Aligned] {
         for seed in 0..40 / thinning::<N>(name) {
-            let signed = Fbm::new(AnyKernel(noise), spectrum)
+            let signed = Fbm::new(AnyField(noise, 0), spectrum)
                 .with_seed(seed)
                 .with_normalization(Normalization::UnitRange);
             let signed = signed.with_rotation(rotation);
@@ -145,24 +144,27 @@ fn gradients_are_limits_of_differences() {
         assert!(error < 3e-3, "{name}: {error:e}");
     }
     let spectrum = FbmSpectrum::CLOUD;
-    let octaves = Fbm::<_, 2>::new(Simplex::new(1), spectrum).with_normalization(Normalization::UnitRange);
-    check::<Vec2, _, 2>("turbulence", &octaves.with_shape(Turbulence).first(2.5));
-    check::<Vec2, _, 2>("clamped turbulence", &octaves.with_shape(Turbulence).first(2.5).clamped(0.2));
-    check::<Vec2, _, 2>("ridged", &octaves.with_shape(Ridged).first(2.5));
-    let octaves = Fbm::<_, 3>::new(Perlin::new(1), spectrum).with_normalization(Normalization::UnitRange);
-    check::<Vec3, _, 3>("plasma", &octaves.with_shape(Plasma).first(2.5));
-    check::<Vec3, _, 3>("billow", &octaves.with_shape(Billow).first(2.5));
-    check::<Vec3, _, 3>("threads", &Power(octaves.with_shape(Plasma).first(2.5), 7));
-    let ridges = RidgedMultifractal::<_, 3>::new(Perlin::new(1), spectrum, 0.8).unwrap();
-    check::<Vec3, _, 3>("ridged multifractal", &ridges.first(2.5));
+    let octaves = Fbm::<_, Vec2>::new(Simplex::new(1), spectrum).with_normalization(Normalization::UnitRange);
+    check::<Vec2, _, 2>("turbulence", &octaves.with_shape(Turbulence).with_octaves(2.5));
+    check::<Vec2, _, 2>(
+        "clamped turbulence",
+        &octaves.with_shape(Turbulence).with_octaves(2.5).band_limited(0.2),
+    );
+    check::<Vec2, _, 2>("ridged", &octaves.with_shape(Ridged).with_octaves(2.5));
+    let octaves = Fbm::<_, Vec3>::new(Perlin::new(1), spectrum).with_normalization(Normalization::UnitRange);
+    check::<Vec3, _, 3>("plasma", &octaves.with_shape(Plasma).with_octaves(2.5));
+    check::<Vec3, _, 3>("billow", &octaves.with_shape(Billow).with_octaves(2.5));
+    check::<Vec3, _, 3>("threads", &Power(octaves.with_shape(Plasma).with_octaves(2.5), 7));
+    let ridges = RidgedMultifractal::<_, Vec3>::new(Perlin::new(1), spectrum, 0.8).unwrap();
+    check::<Vec3, _, 3>("ridged multifractal", &ridges.with_octaves(2.5));
 }
 
 /// Asserts that mean and deviation of a sum of three octaves are as stated, clamped or not.
 fn has_moments<T: Shape, const N: usize>(name: &str, noise: &dyn AnyNoise<N>, shape: T) {
     has_stated_moments(&format!("{shape:?} {name}"), &|normalisation, seed| {
-        let sum = Fbm::new(AnyKernel(noise), FbmSpectrum::THREADS).with_seed(seed);
-        let whole = sum.with_normalization(normalisation).with_shape(shape).first(3.0);
-        let part = whole.clamped(0.15);
+        let sum = Fbm::new(AnyField(noise, 0), FbmSpectrum::THREADS).with_seed(seed);
+        let whole = sum.with_normalization(normalisation).with_shape(shape).with_octaves(3.0);
+        let part = whole.band_limited(0.15);
         let values = move |p: Coordinates<N>| [whole.value(p), part.value(p)];
         ([whole.mean(), whole.standard_deviation()], Box::new(values))
     });
@@ -231,24 +233,28 @@ fn sums_have_their_means_and_deviations() {
 #[test]
 fn clamping_removes_the_finest_octaves_first() {
     let octaves =
-        Fbm::<_, 2>::new(Perlin::new(2), FbmSpectrum::CLOUD).with_normalization(Normalization::UnitRange);
+        Fbm::<_, Vec2>::new(Perlin::new(2), FbmSpectrum::CLOUD).with_normalization(Normalization::UnitRange);
     let sum = octaves.with_shape(Turbulence);
     let p = Vec2::new(0.3, 5.25);
     // Frequencies 1, 2, 4: at 0.15 the third is removed entirely, the second by smoothstep(0.3) =
     // 0.15625, the first not at all.
     let parts: Vec<f64> = (0..3).map(|i| octave(&octaves, p, i).0.abs()).collect();
-    let mean = f64::from(sum.first(3.0).mean());
+    let mean = f64::from(sum.with_octaves(3.0).mean());
     let expected = (parts[0] + 0.5 * (parts[1] + 0.15625 * (mean - parts[1])) + 0.25 * mean) / 1.75;
-    let clamped = sum.first(3.0).clamped(0.15).sample(p);
+    let clamped = sum.with_octaves(3.0).band_limited(0.15).sample(p);
     assert_abs_diff_eq!(f64::from(clamped.value), expected, epsilon = 1e-6);
     // A zero footprint changes no bit. With an infinite footprint the mean remains.
     for footprint in [0.0, -1.0, f32::NAN] {
-        assert_eq!(sum.first(3.0).clamped(footprint).sample(p), sum.detail(3.0).sample(p), "{footprint}");
+        assert_eq!(
+            sum.with_octaves(3.0).band_limited(footprint).sample(p),
+            sum.sample_with_octaves(p, 3.0),
+            "{footprint}"
+        );
     }
-    let far = sum.first(3.0).clamped(f32::INFINITY).sample(p);
+    let far = sum.with_octaves(3.0).band_limited(f32::INFINITY).sample(p);
     assert_abs_diff_eq!(f64::from(far.value), mean, epsilon = 1e-7);
     assert!(far.gradient == Vec2::ZERO);
-    assert_eq!(octaves.first(3.0).clamped(f32::INFINITY).value(p), 0.0);
+    assert_eq!(octaves.with_octaves(3.0).band_limited(f32::INFINITY).value(p), 0.0);
 }
 
 #[test]
@@ -258,15 +264,16 @@ fn ranges_hold_for_every_gain() {
         let spectrum = FbmSpectrum::new(lacunarity, gain, 6).unwrap();
         for seed in 0..200 {
             let sum =
-                Fbm::<_, 2>::new(Perlin::new(seed), spectrum).with_normalization(Normalization::UnitRange);
+                Fbm::<_, Vec2>::new(Perlin::new(seed), spectrum).with_normalization(Normalization::UnitRange);
             let p: Vec2 = point(&mut random);
-            assert_abs_diff_eq!(sum.detail(5.5).value(p), 0.0, epsilon = 1.0);
-            for value in
-                [sum.with_shape(Turbulence).detail(5.5).value(p), sum.with_shape(Ridged).detail(5.5).value(p)]
-            {
+            assert_abs_diff_eq!(sum.value_with_octaves(p, 5.5), 0.0, epsilon = 1.0);
+            for value in [
+                sum.with_shape(Turbulence).value_with_octaves(p, 5.5),
+                sum.with_shape(Ridged).value_with_octaves(p, 5.5),
+            ] {
                 assert!((-1e-6..=1.0 + 1e-6).contains(&value), "gain {gain}: {value}");
             }
-            let threads = Power(sum.with_shape(Plasma).first(4.0), 7).value(p);
+            let threads = Power(sum.with_shape(Plasma).with_octaves(4.0), 7).value(p);
             assert!((-1e-6..=1.0 + 1e-6).contains(&threads), "gain {gain}: {threads}");
         }
     }

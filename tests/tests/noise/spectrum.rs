@@ -34,8 +34,8 @@ fn transform(x: &[[f64; 2]]) -> Vec<[f64; 2]> {
 fn slope(spectrum: FbmSpectrum, octaves: f32, bands: i32) -> f64 {
     let mut power = vec![0.0; LENGTH / 2];
     for line in 0..LINES {
-        let noise = GaussianFbm::<2>::new(GaussianNoise::new(line), spectrum);
-        let sum = noise.first(octaves);
+        let noise = GaussianFbm::<Vec2>::new(GaussianNoise::new(line), spectrum);
+        let sum = noise.with_octaves(octaves);
         let windowed: Vec<[f64; 2]> = (0..LENGTH)
             .map(|i| {
                 let x = f64::from(sum.value(Vec2::new(i as f32 / RESOLUTION, 0.37)));

@@ -2,8 +2,8 @@
 //! tightness of ranges.
 
 use asperity_noise::{
-    Fbm, FbmSpectrum, Field, GaussianNoise, IntegerHash, Lattice, Noise, Normalization, Perlin,
-    PerlinClassic, Point, Rotation, Simplex, ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise,
+    Fbm, FbmSpectrum, GaussianNoise, IntegerHash, Lattice, Noise, Normalization, Perlin, PerlinClassic,
+    Point, Rotation, Simplex, ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise,
     glam::{Vec2, Vec3, Vec4},
 };
 use asperity_tests::{
@@ -151,13 +151,14 @@ fn sums_have_the_stated_deviation_and_kurtosis() {
     for count in [0.4, 1.0, 1.25, 2.5, 8.0] {
         for normalisation in [Normalization::UnitRange, Normalization::UnitVariance] {
             let build = |seed| {
-                Fbm::<_, 3>::new(Perlin::new(seed), FbmSpectrum::default()).with_normalization(normalisation)
+                Fbm::<_, Vec3>::new(Perlin::new(seed), FbmSpectrum::default())
+                    .with_normalization(normalisation)
             };
             let sums = values(SEEDS, &|seed| {
                 let sum = build(seed);
-                Box::new(move |p: [f32; 3]| sum.detail(count).value(Vec3::from_array(p)))
+                Box::new(move |p: [f32; 3]| sum.value_with_octaves(Vec3::from_array(p), count))
             });
-            let (name, sum) = (format!("{count} octaves, {normalisation:?}"), build(0).first(count));
+            let (name, sum) = (format!("{count} octaves, {normalisation:?}"), build(0).with_octaves(count));
             assert_moments(&name, &sums, sum.standard_deviation(), sum.excess_kurtosis());
         }
     }

@@ -4,10 +4,8 @@
 use std::cell::RefCell;
 
 use asperity_noise::{
-    Fbm, FbmSpectrum, Field, GaussianFbm, GaussianNoise, Noise, Normalization, Perlin, Point, Rotation,
-    Statistics,
+    Fbm, FbmSpectrum, Field, GaussianFbm, GaussianNoise, Normalization, Point, Rotation, Sample,
     glam::{Vec2, Vec3, Vec4},
-    simd::{Kernel, LaneSample, Lanes, Measured},
 };
 use asperity_tests::{
     in_every_dimension,
@@ -17,24 +15,16 @@ use asperity_tests::{
 };
 
 /// A noise that returns 0 and records position and seed of every octave evaluation.
-struct Notes<'a, const N: usize>(&'a RefCell<Vec<(u32, [f32; N])>>);
+struct Notes<'a, const N: usize>(&'a RefCell<Vec<(u32, [f32; N])>>, u32);
 
-impl<const N: usize> Measured<N> for Notes<'_, N> {
-    fn seed(&self) -> u32 {
-        0
+impl<const N: usize> Field<Coordinates<N>> for Notes<'_, N> {
+    fn sample(&self, Coordinates(p): Coordinates<N>) -> Sample<Coordinates<N>> {
+        self.0.borrow_mut().push((self.1, p));
+        Sample::default()
     }
 
-    fn statistics(&self) -> &'static Statistics {
-        Noise::<f32>::statistics(&Perlin::default())
-    }
-}
-
-impl<const N: usize> Kernel<N> for Notes<'_, N> {
-    type RowScratch = ();
-
-    fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
-        self.0.borrow_mut().push((seed, p.map(|x| s.lane(x, 0))));
-        (s.float(0.0), [s.float(0.0); N])
+    fn with_octave_seed(&self, seed: u32) -> Option<Self> {
+        Some(Self(self.0, seed))
     }
 }
 
@@ -53,13 +43,13 @@ fn octaves<const N: usize>(
     count: usize,
 ) -> Vec<Octave<N>> {
     let notes = RefCell::new(Vec::new());
-    let sum = Fbm::new(Notes(&notes), spectrum)
+    let sum = Fbm::new(Notes(&notes, 0), spectrum)
         .with_seed(seed)
         .with_normalization(Normalization::UnitRange)
         .with_rotation(rotation);
     noted_octaves(count, &|p| {
         notes.borrow_mut().clear();
-        let _ = sum.detail(count as f32).value(Coordinates(p));
+        let _ = sum.value_with_octaves(Coordinates(p), count as f32);
         notes.take()
     })
 }
@@ -206,15 +196,15 @@ fn sums_of_simplex_and_gaussian_noise_match_the_reference() {
 fn gaussian_sum<V: Point<Coordinates = [f32; N]>, const N: usize>() {
     let spectrum = FbmSpectrum::default();
     for (seed, count) in [(3, 4.5), (4, 1.0), (5, 2.25)] {
-        let sum = GaussianFbm::<N>::new(GaussianNoise::new(seed), spectrum);
+        let sum = GaussianFbm::<V>::new(GaussianNoise::new(seed), spectrum);
         let octaves = octaves::<N>(spectrum, Rotation::Random, seed, f32::ceil(count) as usize);
         let amplitudes = amplitudes(&spectrum, count, Normalization::UnitVariance, 1.0);
         let worst = errors(&octaves, &amplitudes, Kind::Gaussian(0), &|p| {
-            at(sum.detail(count).sample(V::from_coordinates(p)))
+            at(sum.sample_with_octaves(V::from_coordinates(p), count))
         });
         assert_close(&format!("Gaussian octaves {N}-D"), worst);
         let worst = errors(&octaves, &amplitudes, Kind::Gaussian(1), &|p| {
-            at(sum.detail(count).pair(V::from_coordinates(p))[1])
+            at(sum.pair_with_octaves(V::from_coordinates(p), count)[1])
         });
         assert_close(&format!("Gaussian octaves {N}-D, second channel"), worst);
     }

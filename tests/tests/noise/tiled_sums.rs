@@ -1,11 +1,11 @@
 //! Periodic octave sums of every noise: edges, interior, and SIMD grids.
 
 use asperity_noise::{
-    Cellular, Fbm, FbmSpectrum, Field, GaussianNoise, IntegerHash, Perlin, PerlinClassic, RidgedMultifractal,
-    Sample, Simplex, SparseConvolution, Tiled, TiledError, TiledSimplex, Turbulence, ValueCatmullRom,
-    ValueGradient, ValueNoise, WhiteNoise,
+    Cellular, Fbm, FbmSpectrum, Field, GaussianNoise, Perlin, PerlinClassic, RidgedMultifractal, Sample,
+    Simplex, SparseConvolution, TiledError, Turbulence, ValueCatmullRom, ValueGradient, ValueNoise,
+    WhiteNoise,
     glam::{Vec2, Vec3},
-    simd::{Batch, Kernel, Level},
+    simd::{Batch, Level},
 };
 use asperity_tests::assert_abs_diff_eq;
 use rayon::prelude::*;
@@ -55,10 +55,9 @@ fn assert_no_repeats(name: &str, samples: &[f32], axes: u32, size: usize) {
 
 const PERIOD: f32 = 8.0;
 
-/// Asserts a noise's tile in the plane: bit-identical edges, and no repetition inside.
-fn plane<K: Kernel<2> + Sync>(name: &str, noise: K) {
+/// Asserts a sum's tile in the plane: bit-identical edges, and no repetition inside.
+fn plane(name: &str, sum: &(impl Field<Vec2> + Sync)) {
     const SIZE: usize = 384;
-    let sum = Fbm::tiled(noise, spectrum(5)).expect("periods that lacunarity keeps");
     let step = PERIOD / SIZE as f32;
     let samples: Vec<f32> = (0..SIZE * SIZE)
         .into_par_iter()
@@ -79,23 +78,27 @@ fn plane<K: Kernel<2> + Sync>(name: &str, noise: K) {
 
 #[test]
 fn tiled_sums_in_2d_are_periodic_without_inner_repeats() {
-    let lattice = Tiled::new(IntegerHash, [8, 8]).expect("in range");
-    plane("white", WhiteNoise::new(3).with_lattice(lattice));
-    plane("value", ValueNoise::new(3).with_lattice(lattice));
-    plane("Catmull-Rom", ValueCatmullRom::new(3).with_lattice(lattice));
-    plane("Perlin 1985", PerlinClassic::new(3).with_lattice(lattice));
-    plane("Perlin 2002", Perlin::new(3).with_lattice(lattice));
-    plane("value-gradient", ValueGradient::new(3).with_lattice(lattice));
-    plane("sparse", SparseConvolution::new(3).with_lattice(lattice));
-    plane("Gaussian", GaussianNoise::new(3).with_lattice(lattice));
-    plane("cellular", Cellular::new(3).with_lattice(lattice));
+    macro_rules! plane {
+        ($name:literal, $noise:expr) => {
+            let sum = Fbm::new($noise, spectrum(5)).tiled([8, 8]);
+            plane($name, &sum.expect("periods that lacunarity keeps"));
+        };
+    }
+    plane!("white", WhiteNoise::new(3));
+    plane!("value", ValueNoise::new(3));
+    plane!("Catmull-Rom", ValueCatmullRom::new(3));
+    plane!("Perlin 1985", PerlinClassic::new(3));
+    plane!("Perlin 2002", Perlin::new(3));
+    plane!("value-gradient", ValueGradient::new(3));
+    plane!("sparse", SparseConvolution::new(3));
+    plane!("Gaussian", GaussianNoise::new(3));
+    plane!("cellular", Cellular::new(3));
 }
 
 #[test]
 fn tiled_simplex_sums_in_1d() {
     const LINE: usize = 1 << 16;
-    let noise = Simplex::new(3).with_lattice(Tiled::new(IntegerHash, [1024]).expect("in range"));
-    let sum = Fbm::<_, 1>::tiled(noise, spectrum(5)).expect("a period");
+    let sum = Fbm::<_, f32>::new(Simplex::new(3), spectrum(5)).tiled([1024]).expect("a period");
     let samples: Vec<f32> = (0..LINE).map(|i| sum.value((i as f32 + 0.4) / 64.0)).collect();
     assert_no_repeats("simplex, line", &samples, 1, LINE);
     assert_eq!(sum.sample(0.0), sum.sample(1024.0));
@@ -104,8 +107,7 @@ fn tiled_simplex_sums_in_1d() {
 #[test]
 fn tiled_simplex_sums_in_3d() {
     const SIZE: usize = 96;
-    let noise = TiledSimplex::new(Simplex::new(3), [6; 3]).expect("multiples of three");
-    let sum = Fbm::tiled(noise, spectrum(3)).expect("periods");
+    let sum = Fbm::new(Simplex::new(3), spectrum(3)).tiled([6; 3]).expect("multiples of three");
     let place = |i: usize| Vec3::new((i % SIZE) as f32, (i / SIZE % SIZE) as f32, (i / SIZE / SIZE) as f32);
     let samples: Vec<f32> = (0..SIZE.pow(3)).into_par_iter().map(|i| sum.value(place(i) / 16.0)).collect();
     assert_no_repeats("simplex, space", &samples, 3, SIZE);
@@ -139,19 +141,17 @@ fn assert_same_bits(name: &str, field: &dyn Field<Vec2>) {
 
 #[test]
 fn grids_of_tiled_sums_have_the_bits_of_single_points() {
-    let noise = Perlin::new(5).with_lattice(Tiled::new(IntegerHash, [8, 3]).expect("in range"));
-    let sum = Fbm::tiled(noise, spectrum(4)).expect("periods");
+    let sum = Fbm::new(Perlin::new(5), spectrum(4)).tiled([8, 3]).expect("periods");
     assert_same_bits("signed", &sum);
-    assert_same_bits("turbulence", &sum.with_shape(Turbulence).first(2.5));
-    assert_same_bits("ridged", &RidgedMultifractal::of(sum, 2.0).expect("a feedback"));
+    assert_same_bits("turbulence", &sum.with_shape(Turbulence).with_octaves(2.5));
+    assert_same_bits("ridged", &RidgedMultifractal::from_fbm(sum, 2.0).expect("a feedback"));
 }
 
 #[test]
 fn fractional_periods_are_an_error() {
-    let tiled = |period| Perlin::new(5).with_lattice(Tiled::new(IntegerHash, [period; 2]).expect("in range"));
     let sum = |period, lacunarity, octaves| {
         let spectrum = FbmSpectrum::new(lacunarity, 0.5, octaves).expect("in range");
-        Fbm::<_, 2>::tiled(tiled(period), spectrum).map(|_| ())
+        Fbm::<_, Vec2>::new(Perlin::new(5), spectrum).tiled([period; 2]).map(|_| ())
     };
     assert_eq!(sum(7, 2.0, 10), Ok(()));
     assert_eq!(sum(7, 3.0, 10), Ok(()));
@@ -163,10 +163,4 @@ fn fractional_periods_are_an_error() {
         "`periods[0]` times `lacunarity` to the power 4 must be a whole number up to 2097152, got 8 · 1.5^4"
     );
     assert!(matches!(sum(1 << 21, 2.0, 2), Err(TiledError::NoOctavePeriod { octave: 1, .. })));
-    // A noise that is not periodic, or not along all axes.
-    let short = Perlin::new(5).with_lattice(Tiled::new(IntegerHash, [8]).expect("in range"));
-    assert_eq!(Fbm::<_, 2>::tiled(short, FbmSpectrum::CLOUD).map(|_| ()), Err(TiledError::NoPeriod));
-    assert_eq!(Fbm::<_, 2>::tiled(Perlin::new(5), FbmSpectrum::CLOUD).map(|_| ()), Err(TiledError::NoPeriod));
-    let simplex = Simplex::new(5).with_lattice(Tiled::new(IntegerHash, [8; 2]).expect("in range"));
-    assert_eq!(Fbm::<_, 2>::tiled(simplex, FbmSpectrum::CLOUD).map(|_| ()), Err(TiledError::NoPeriod));
 }

@@ -55,9 +55,9 @@ fn assert_close(name: &str, error: f64) {
 
 #[test]
 fn warps_have_exact_gradients_and_jacobians() {
-    let by = [1, 2, 3].map(|seed| Fbm::<_, 3>::new(Simplex::new(seed), FbmSpectrum::CLOUD));
+    let by = [1, 2, 3].map(|seed| Fbm::<_, Vec3>::new(Simplex::new(seed), FbmSpectrum::CLOUD));
     let field = Perlin::new(4);
-    let warp = Warp::new(field, by.each_ref().map(|octaves| octaves.first(1.0)), 0.2).unwrap();
+    let warp = Warp::new(field, by.each_ref().map(|octaves| octaves.with_octaves(1.0)), 0.2).unwrap();
     let gradient = |p: Vec3| [warp.sample(p).gradient.to_array()];
     assert_close("warp", jacobian_error(|p: Vec3| [warp.value(p)], gradient));
     let place = |p: Vec3| warp.displacement(p).point.to_array();
@@ -73,23 +73,23 @@ fn warps_have_exact_gradients_and_jacobians() {
 
 #[test]
 fn warp_evaluates_the_displaced_point() {
-    let octaves = Fbm::<_, 2>::new(Perlin::new(4), FbmSpectrum::CLOUD);
+    let octaves = Fbm::<_, Vec2>::new(Perlin::new(4), FbmSpectrum::CLOUD);
     let field = octaves.with_shape(Turbulence);
     let by = [1, 2].map(Simplex::new);
-    let warp = Warp::new(field.first(3.0), by, 0.7).unwrap();
+    let warp = Warp::new(field.with_octaves(3.0), by, 0.7).unwrap();
     let mut random = Random(1);
     for _ in 0..100 {
         let p: Vec2 = point(&mut random);
         let q = p + 0.7 * Vec2::new(by[0].value(p), by[1].value(p));
         assert_eq!(warp.displacement(p).point, q);
-        assert_eq!(warp.value(p), field.detail(3.0).value(q));
+        assert_eq!(warp.value(p), field.value_with_octaves(q, 3.0));
     }
 }
 
 #[test]
 fn curl_2d_has_zero_divergence() {
-    let octaves = Fbm::<_, 2>::new(Perlin::new(4), FbmSpectrum::default());
-    let flow = Curl2(octaves.first(1.5));
+    let octaves = Fbm::<_, Vec2>::new(Perlin::new(4), FbmSpectrum::default());
+    let flow = Curl2(octaves.with_octaves(1.5));
     let jacobian = |p: Vec2| flow.velocity_and_jacobian(p).jacobian;
     assert_close("flow in the plane", jacobian_error(|p: Vec2| flow.velocity(p).to_array(), jacobian));
     let mut random = Random(2);
@@ -138,21 +138,22 @@ fn cross_product_has_no_divergence<A: HasHessian<Vec3>, B: HasHessian<Vec3>>(nam
 
 #[test]
 fn curl_of_pairs_has_zero_divergence_up_to_rounding() {
-    let [a, b] = [1, 2].map(|seed| Fbm::<_, 3>::new(Perlin::new(seed), FbmSpectrum::default()));
+    let [a, b] = [1, 2].map(|seed| Fbm::<_, Vec3>::new(Perlin::new(seed), FbmSpectrum::default()));
     cross_product_has_no_divergence(
         "pair of octaves",
-        a.first(1.5),
-        b.with_rotation(Rotation::Aligned).first(1.5),
+        a.with_octaves(1.5),
+        b.with_rotation(Rotation::Aligned).with_octaves(1.5),
     );
-    let [a, b] = [1, 2].map(|seed| GaussianFbm::<3>::new(GaussianNoise::new(seed), FbmSpectrum::default()));
-    cross_product_has_no_divergence("pair of Gaussian octaves", a.first(1.5), b.first(1.5));
+    let [a, b] =
+        [1, 2].map(|seed| GaussianFbm::<Vec3>::new(GaussianNoise::new(seed), FbmSpectrum::default()));
+    cross_product_has_no_divergence("pair of Gaussian octaves", a.with_octaves(1.5), b.with_octaves(1.5));
     cross_product_has_no_divergence("pair of noises", Perlin::new(1), Simplex::new(2));
 }
 
 #[test]
 fn curl_of_potentials_has_zero_divergence_up_to_rounding() {
-    let potential = [1, 2, 3].map(|seed| Fbm::<_, 3>::new(Perlin::new(seed), FbmSpectrum::default()));
-    let flow = CurlPotential(potential.each_ref().map(|octaves| octaves.first(1.5)));
+    let potential = [1, 2, 3].map(|seed| Fbm::<_, Vec3>::new(Perlin::new(seed), FbmSpectrum::default()));
+    let flow = CurlPotential(potential.each_ref().map(|octaves| octaves.with_octaves(1.5)));
     let jacobian = |p: Vec3| flow.velocity_and_jacobian(p).jacobian;
     assert_close("potential", jacobian_error(|p: Vec3| flow.velocity(p).to_array(), jacobian));
     // Six entries that cancel in pairs, each rounded in its difference and in the trace's two sums.

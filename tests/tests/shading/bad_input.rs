@@ -406,7 +406,7 @@ type Constructor<'a> = (&'static str, &'a dyn Fn(f32) -> Option<&'static str>);
 
 #[test]
 fn nan_and_negative_parameters_are_named() {
-    let field = || GaussianFbm::<3>::new(GaussianNoise::new(0), FbmSpectrum::default());
+    let field = || GaussianFbm::<Vec3>::new(GaussianNoise::new(0), FbmSpectrum::default());
     let turbulence = || Fbm::new(Perlin::new(0), FbmSpectrum::default()).with_shape(Turbulence);
     let beckmann = Beckmann::isotropic(0.3).unwrap();
     let adaptive = |unit| Sparkles::new(2.0, 1.0, 0.3, 0.7, Elimination::Adaptive { unit }, 1);

@@ -64,7 +64,7 @@ fn materials() -> Vec<(&'static str, Boxed, f32)> {
     let tiles = BeveledTiles { bevel, side: 0.2, color: white, roughness: 0.5 };
     let stars = Wallpaper { stars: StarWallpaper::default(), paper: white, star: white, roughness: 0.0 };
     let marble = PolishedMarble { marble: Marble::default(), tint: Vec3::splat(100.0), polish: 0.3 };
-    let field = GaussianFbm::<3>::new(GaussianNoise::new(7), FbmSpectrum::new(2.17, 0.8, 3).expect(VALID));
+    let field = GaussianFbm::<Vec3>::new(GaussianNoise::new(7), FbmSpectrum::new(2.17, 0.8, 3).expect(VALID));
     let bumps = |rule| BumpMapped {
         ndf: Ggx::new(0.3, 0.5).expect(VALID),
         bumps: BumpField::new(field, 20.0).expect(VALID),

@@ -34,7 +34,7 @@ fn materials() -> Vec<(&'static str, Box<dyn Material>)> {
     let stars = StarWallpaper::default();
     let (paper, star) = (Vec3::splat(0.7), Vec3::new(0.1, 0.1, 0.4));
     let octaves =
-        GaussianFbm::<3>::new(GaussianNoise::new(7), FbmSpectrum::new(2.17, 0.8, 3).expect("octaves"));
+        GaussianFbm::<Vec3>::new(GaussianNoise::new(7), FbmSpectrum::new(2.17, 0.8, 3).expect("octaves"));
     let bumps = BumpField::new(octaves, 20.0).expect("a frequency");
     let normals: Vec<Vec3> =
         (0..64 * 64).map(|k| Vec3::new(if k % 16 < 4 { 0.4 } else { 0.0 }, 0.0, 1.0).normalize()).collect();

@@ -105,7 +105,7 @@ fn levels_of_detail() {
         [4.52618408, 0.0166085176],
     );
     let field =
-        BumpField::new(GaussianFbm::<3>::new(GaussianNoise::new(1), FbmSpectrum::default()), 7.0).unwrap();
+        BumpField::new(GaussianFbm::<Vec3>::new(GaussianNoise::new(1), FbmSpectrum::default()), 7.0).unwrap();
     let seen = field.coordinates(P, footprint);
     single("BumpField", seen.z, [0.282017171, 0.832412899]);
     single("BumpField, share and fade", [seen.share, seen.fade], [0.97624445, 1.0]);

@@ -76,7 +76,7 @@ fn ratios(rule: LevelOfDetail, octaves: f32, stride: usize) -> Vec<(f64, f64)> {
         .iter()
         .flat_map(|case| case.half_vectors.map(|h| f64::from(far_field(&*case.ndf, h))))
         .collect();
-    let field = |seed| GaussianFbm::<3>::new(GaussianNoise::new(seed), FbmSpectrum::default());
+    let field = |seed| GaussianFbm::<Vec3>::new(GaussianNoise::new(seed), FbmSpectrum::default());
     let patches = patch_means(SEEDS, stride, field, |field, p, sums: &mut [f64; 15]| {
         let coordinates = field.coordinates(p, octaves);
         let radiances = cases

@@ -40,7 +40,7 @@ fn changes() -> [[(f64, f64); 8]; 4] {
     let ndf = Ggx::new(0.2, 0.4).expect("roughness in range");
     let h = half_vector();
     let far = f64::from(far_field(&ndf, h));
-    let field = |seed| GaussianFbm::<3>::new(GaussianNoise::new(seed), FbmSpectrum::default());
+    let field = |seed| GaussianFbm::<Vec3>::new(GaussianNoise::new(seed), FbmSpectrum::default());
     let patches = patch_means(128, 4, field, |field, p, sums: &mut [f64; 32]| {
         let seen = RESOLVED.map(|octaves| field.coordinates(p, octaves));
         let exact = seen.map(|seen| LevelOfDetail::Exact.radiance(&ndf, h, seen));
@@ -143,7 +143,7 @@ fn pixel_above_the_first_octave_is_the_far_field_bit_for_bit() {
 fn normal_table_supports_the_fractal_rule() {
     let ndf = Ggx::new(0.2, 0.4).unwrap();
     let table = NormalLut::standard(&ndf);
-    let field = GaussianFbm::<3>::new(GaussianNoise::new(2), FbmSpectrum::default());
+    let field = GaussianFbm::<Vec3>::new(GaussianNoise::new(2), FbmSpectrum::default());
     let mut worst = 0.0_f32;
     for k in 0..2000 {
         let coordinates = field.coordinates(Vec3::new(1.9, -0.7, 1.3) * k as f32, 0.02 * (k % 200) as f32);

@@ -6,7 +6,7 @@ use asperity_noise::{
     self as ours, Cellular, Fbm, FbmSpectrum, Field, Normalization, Perlin, Point, Rotation, Simplex,
     ValueNoise,
     glam::{Vec2, Vec3, Vec4},
-    simd::{Batch, Kernel, Level},
+    simd::{Batch, Level},
 };
 
 use crate::{
@@ -31,7 +31,7 @@ pub(crate) fn contenders(row: Row, step: f32) -> Vec<Contender> {
 fn of_dimension<V, const N: usize>(row: Row, step: f32) -> Vec<Contender>
 where
     V: Point<Coordinates = [f32; N]>,
-    Perlin: Kernel<N> + Field<V>,
+    Perlin: Field<V>,
     Simplex: Field<V>,
     Cellular: Field<V>,
     ValueNoise: Field<V>,
@@ -43,7 +43,7 @@ where
         Kind::Cellular => of::<V, N>(row, step, Cellular::new(SEED)),
         Kind::Fbm => {
             let spectrum = FbmSpectrum::new(2.0, 0.5, 5).expect("five octaves");
-            let sum = Fbm::<_, N>::new(Perlin::new(SEED), spectrum);
+            let sum = Fbm::<_, V>::new(Perlin::new(SEED), spectrum);
             of::<V, N>(
                 row,
                 step,

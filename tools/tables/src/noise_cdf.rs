@@ -6,7 +6,7 @@ use std::{f64::consts::PI, fmt::Write};
 use asperity_ndf_sampling::gaussian_cdf;
 use asperity_noise::{
     Fbm, FbmSpectrum, Field, Noise, Normalization, Perlin, PerlinClassic, Point, Simplex, SparseConvolution,
-    ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise, simd::Kernel,
+    ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise,
 };
 use asperity_render::sampling::random::Random;
 use glam::{Vec2, Vec3, Vec4};
@@ -68,7 +68,6 @@ pub(crate) fn noise_statistics_source() -> String {
 /// Writes the table of a noise scaled to [−1, 1].
 fn measure<K>(text: &mut String, name: &str, noise: K)
 where
-    K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4>,
     K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy + Sync,
 {
     table(text, name, |text| {
@@ -96,7 +95,7 @@ fn values<V: Point>(field: &impl Field<V>, seed: u32) -> Vec<f32> {
 /// Measures a noise scaled to [−1, 1].
 fn measured<K, V, const N: usize>(text: &mut String, name: &str, noise: K)
 where
-    K: Noise<V> + Kernel<N> + Copy + Sync,
+    K: Noise<V> + Copy + Sync,
     V: Point<Coordinates = [f32; N]>,
 {
     // A point of sparse convolution in 4-D is affected by up to 324 impulses.
@@ -121,10 +120,10 @@ where
     let histogram = (0..CDF_SEEDS / share)
         .into_par_iter()
         .map(|seed| {
-            let octaves = Fbm::<K, N>::new(noise.with_seed(seed), spectrum)
+            let octaves = Fbm::<K, V>::new(noise.with_seed(seed), spectrum)
                 .with_normalization(Normalization::UnitRange);
             let mut bins = [0_u64; BINS + 1];
-            for value in values::<V>(&octaves.first(8.0), seed) {
+            for value in values::<V>(&octaves.with_octaves(8.0), seed) {
                 let r = f64::from(value).abs() * unnormalize / sigma;
                 bins[((r * BINS as f64 / REACH) as usize).min(BINS)] += 1;
             }

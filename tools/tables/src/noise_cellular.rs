@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use asperity_noise::{
-    Cellular, CellularOutput, Fbm, FbmSpectrum, Field, Metric, Noise, Normalization, Point, simd::Kernel,
+    Cellular, CellularOutput, Fbm, FbmSpectrum, Field, Metric, Noise, Normalization, Point,
 };
 use asperity_render::sampling::random::Random;
 use glam::{Vec2, Vec3, Vec4};
@@ -76,7 +76,7 @@ struct Tables<'a> {
 impl Tables<'_> {
     fn row<K, V, const N: usize>(&mut self, noise: K)
     where
-        K: Noise<V> + Kernel<N> + Copy + Sync,
+        K: Noise<V> + Copy + Sync,
         V: Point<Coordinates = [f32; N]>,
     {
         let (powers, error) = mean_powers::<_, V>(noise);
@@ -125,7 +125,7 @@ fn mean_powers<K: Noise<V> + Copy + Sync, V: Point>(noise: K) -> ([f64; 4], f64)
 /// Writes one entry of the statistics, from the mean powers.
 fn measured<K, V, const N: usize>(text: &mut String, noise: K, [mean, second, third, fourth]: [f64; 4])
 where
-    K: Noise<V> + Kernel<N> + Copy + Sync,
+    K: Noise<V> + Copy + Sync,
     V: Point<Coordinates = [f32; N]>,
 {
     let variance = second - mean * mean;
@@ -142,10 +142,10 @@ where
     let histogram = (0..SEEDS)
         .into_par_iter()
         .map(|seed| {
-            let octaves = Fbm::<K, N>::new(noise.with_seed(seed), spectrum)
+            let octaves = Fbm::<K, V>::new(noise.with_seed(seed), spectrum)
                 .with_normalization(Normalization::UnitRange);
             let mut bins = [0_u64; KNOTS + 1];
-            for value in values::<V>(&octaves.first(8.0), seed) {
+            for value in values::<V>(&octaves.with_octaves(8.0), seed) {
                 bins[bin(value)] += 1;
             }
             bins

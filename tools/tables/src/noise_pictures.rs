@@ -5,9 +5,9 @@
 //! PNG as a data URL.
 
 use asperity_noise::{
-    Billow, Cellular, Fbm, FbmSpectrum, Field, GaussianNoise, IntegerHash, Normalization, Perlin,
-    PerlinClassic, Plasma, Power, Ridged, RidgedMultifractal, Simplex, SparseConvolution, Tiled, Turbulence,
-    ValueCatmullRom, ValueGradient, ValueNoise, Warp, WhiteNoise,
+    Billow, Cellular, Fbm, FbmSpectrum, Field, GaussianNoise, Normalization, Perlin, PerlinClassic, Plasma,
+    Power, Ridged, RidgedMultifractal, Simplex, SparseConvolution, Turbulence, ValueCatmullRom,
+    ValueGradient, ValueNoise, Warp, WhiteNoise,
 };
 use glam::Vec2;
 use png::{BitDepth, ColorType, Compression, Encoder};
@@ -25,18 +25,18 @@ type File = (String, Vec<u8>);
 /// Returns every generated file, identical on every platform: values have the same bits, and gray
 /// needs no library function.
 pub(crate) fn noise_pictures() -> Result<Vec<File>, Failure> {
-    let tiled = Perlin::new(SEED).with_lattice(Tiled::new(IntegerHash, [3, 3])?);
+    let tiled = Perlin::new(SEED).tiled([3, 3])?;
     let sum = |spectrum| {
-        Fbm::<_, 2>::new(Simplex::new(SEED), spectrum).with_normalization(Normalization::UnitRange)
+        Fbm::<_, Vec2>::new(Simplex::new(SEED), spectrum).with_normalization(Normalization::UnitRange)
     };
-    let (clouds, threads) = (sum(FbmSpectrum::CLOUD).first(OCTAVES), sum(FbmSpectrum::THREADS));
+    let (clouds, threads) = (sum(FbmSpectrum::CLOUD).with_octaves(OCTAVES), sum(FbmSpectrum::THREADS));
     let threads = threads.with_shape(Plasma);
-    let ridges = RidgedMultifractal::<_, 2>::new(Simplex::new(SEED), FbmSpectrum::CLOUD, 2.0)?;
+    let ridges = RidgedMultifractal::<_, Vec2>::new(Simplex::new(SEED), FbmSpectrum::CLOUD, 2.0)?;
     let by = [1, 2].map(|k| {
-        Fbm::<_, 2>::new(Simplex::new(SEED + k), FbmSpectrum::CLOUD)
+        Fbm::<_, Vec2>::new(Simplex::new(SEED + k), FbmSpectrum::CLOUD)
             .with_normalization(Normalization::UnitRange)
     });
-    let warp = Warp::new(clouds, by.map(|by| by.first(3.0)), 0.45)?;
+    let warp = Warp::new(clouds, by.map(|by| by.with_octaves(3.0)), 0.45)?;
     let pictures = [
         picture("white", [-1.2, 1.2], &|p| WhiteNoise::new(SEED).value(p))?,
         picture("value", [-1.0, 1.0], &|p| ValueNoise::new(SEED).value(p))?,
@@ -55,7 +55,7 @@ pub(crate) fn noise_pictures() -> Result<Vec<File>, Failure> {
         picture("billow", [-1.0, 0.6], &|p| clouds.with_shape(Billow).value(p))?,
         picture("ridged", [0.0, 1.0], &|p| clouds.with_shape(Ridged).value(p))?,
         picture("power", [0.0, 0.5], &|p| Power(threads, 7).value(p))?,
-        picture("ridged_multifractal", [0.0, 1.0], &|p| ridges.first(OCTAVES).value(p))?,
+        picture("ridged_multifractal", [0.0, 1.0], &|p| ridges.with_octaves(OCTAVES).value(p))?,
         picture("warp", [-0.6, 0.6], &|p| warp.value(p))?,
     ];
     Ok(pictures.into_iter().flatten().collect())

@@ -3,7 +3,7 @@
 use alloc::{format, string::String, string::ToString, vec::Vec};
 
 use asperity_ndf_sampling::{Measure, NdfMap, Reconstruction};
-use asperity_noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
+use asperity_noise::{FbmSpectrum, GaussianFbm, GaussianNoise, glam::Vec3};
 use asperity_wgsl::ndf::PackedMapUniform;
 use asperity_wgsl::noise::{self, sums::OctavesUniform};
 
@@ -23,7 +23,7 @@ pub(crate) fn gaussian_anchors(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, S
     Ok(OctavesUniform::<3>::uniform(&sums).to_vec())
 }
 
-fn sum(numbers: &[f64]) -> Result<GaussianFbm<3>, String> {
+fn sum(numbers: &[f64]) -> Result<GaussianFbm<Vec3>, String> {
     let spectrum = FbmSpectrum::new(float(numbers, 0), float(numbers, 1), number(numbers, 2) as u32)
         .map_err(|error| error.to_string())?;
     Ok(GaussianFbm::new(GaussianNoise::new(number(numbers, 3) as u32), spectrum))

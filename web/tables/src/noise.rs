@@ -5,12 +5,11 @@
 
 use alloc::{string::String, string::ToString, vec::Vec};
 
-use asperity_noise::glam::Vec3;
-use asperity_noise::simd::{Kernel, LaneSample, Lanes, Measured};
+use asperity_noise::glam::{Vec2, Vec3, Vec4};
 use asperity_noise::{
-    Billow, Cellular, CellularOutput, Fbm, FbmSpectrum, Field, GaussianNoise, IntegerHash, Lattice, Metric,
-    Normalization, Perlin, PerlinClassic, Plasma, Point, Ridged, Shape, Signed, Simplex, SparseConvolution,
-    Statistics, Turbulence, ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise,
+    Billow, Cellular, CellularOutput, Fbm, FbmSpectrum, Field, GaussianNoise, Metric, Moments, Normalization,
+    Perlin, PerlinClassic, Plasma, Point, Ridged, Sample, Shape, Signed, Simplex, SparseConvolution,
+    Turbulence, ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise,
 };
 use asperity_wgsl::noise::sums::{OctavesUniform, SUMS};
 
@@ -50,44 +49,48 @@ macro_rules! each {
     };
 }
 
-impl<const N: usize> Measured<N> for Kind {
-    fn seed(&self) -> u32 {
-        each!(self, noise => Measured::<N>::seed(noise))
-    }
+macro_rules! field {
+    ($vector:ty, $dimension:literal: $($kind:ident),*) => {
+        impl Field<$vector> for Kind {
+            fn sample(&self, p: $vector) -> Sample<$vector> {
+                let _ = p;
+                match self {
+                    $(Self::$kind(noise) => noise.sample(p),)*
+                    _ => Sample::default(),
+                }
+            }
 
-    fn statistics(&self) -> &'static Statistics {
-        each!(self, noise => Measured::<N>::statistics(noise))
-    }
+            /// Unbounded: the page displays measured ranges.
+            fn range(&self) -> [f32; 2] {
+                [-1.0, 1.0]
+            }
 
-    fn standard_deviation(&self) -> f32 {
-        match self {
-            Self::Cellular(noise) => Measured::<N>::standard_deviation(noise),
-            _ => self.moments(N)[0],
-        }
-    }
+            fn moments(&self) -> Option<Moments> {
+                if let Self::Cellular(noise) = self {
+                    return Field::<$vector>::moments(noise);
+                }
+                let [standard_deviation, absolute @ ..] = self.moments($dimension);
+                Some(Moments { mean: 0.0, standard_deviation, absolute })
+            }
 
-    fn mean(&self) -> f32 {
-        match self {
-            Self::Cellular(noise) => Measured::<N>::mean(noise),
-            _ => 0.0,
-        }
-    }
+            fn seed(&self) -> u32 {
+                each!(self, noise => Field::<$vector>::seed(noise))
+            }
 
-    /// Unbounded: the page displays measured ranges.
-    fn bounds(&self) -> [f32; 2] {
-        [-1.0, 1.0]
-    }
-
-    fn absolute_moments(&self) -> [f32; 4] {
-        match self {
-            Self::Cellular(noise) => Measured::<N>::absolute_moments(noise),
-            _ => {
-                let [_, moments @ ..] = self.moments(N);
-                moments
+            fn with_octave_seed(&self, seed: u32) -> Option<Self> {
+                let _ = seed;
+                match self {
+                    $(Self::$kind(noise) => Some(Self::$kind(noise.with_seed(seed))),)*
+                    _ => Some(*self),
+                }
             }
         }
-    }
+    };
 }
+
+field!(Vec2, 2:);
+field!(Vec3, 3: Perlin);
+field!(Vec4, 4:);
 
 impl Kind {
     /// Returns standard deviation and absolute moments in two to four dimensions: the crate's
@@ -167,42 +170,6 @@ const MOMENTS: [[[f32; 5]; 3]; 10] = [
         [1.0, 0.7978846, 1.0, 1.5957692, 3.0],
     ],
 ];
-
-/// Prevents inlining between noises.
-#[inline(never)]
-fn apart<T>(of: impl FnOnce() -> T) -> T {
-    of()
-}
-
-macro_rules! kernel {
-    ($dimension:literal: $($kind:ident),*) => {
-        impl Kernel<$dimension> for Kind {
-            type RowScratch = ();
-
-            fn key(&self, seed: u32) -> u32 {
-                IntegerHash.key(seed)
-            }
-
-            #[inline(never)]
-            fn evaluate<S: Lanes, const GRADIENTS: bool>(
-                &self,
-                s: S,
-                p: [S::F; $dimension],
-                seed: u32,
-            ) -> LaneSample<S, $dimension> {
-                let _ = (p, seed);
-                match self {
-                    $(Kind::$kind(noise) => apart(|| noise.evaluate::<S, GRADIENTS>(s, p, seed)),)*
-                    _ => (s.float(0.0), [s.float(0.0); $dimension]),
-                }
-            }
-        }
-    };
-}
-
-kernel!(2:);
-kernel!(3: Perlin);
-kernel!(4:);
 
 /// A shape chosen at run time, by its number in shaders.
 #[derive(Clone, Copy, Debug)]
@@ -317,17 +284,17 @@ impl Spec {
         })
     }
 
-    fn octaves<const N: usize>(&self, seed: u32, shape: AnyShape) -> Result<Sum<N>, String>
+    fn octaves<V: Point>(&self, seed: u32, shape: AnyShape) -> Result<Sum<V>, String>
     where
-        Kind: Kernel<N>,
+        Kind: Field<V>,
     {
         let noise = self.noise(seed)?;
         let sum = if self.sum == 0 {
             Fbm::single(noise)
         } else {
-            Fbm::new(noise, self.spectrum).with_normalization(self.normalisation).first(self.octaves)
+            Fbm::new(noise, self.spectrum).with_normalization(self.normalisation).with_octaves(self.octaves)
         };
-        Ok(sum.with_shape(shape).clamped(self.footprint))
+        Ok(sum.with_shape(shape).band_limited(self.footprint))
     }
 
     /// Returns the shape of the field itself, which is the shape of its sum. Warp fields have none.
@@ -336,14 +303,14 @@ impl Spec {
     }
 }
 
-type Sum<const N: usize> = Fbm<Kind, N, AnyShape>;
+type Sum<V> = Fbm<Kind, V, AnyShape>;
 
 macro_rules! uniform {
-    ($spec:expr, $dimension:literal) => {{
+    ($spec:expr, $vector:ty, $dimension:literal) => {{
         let mut words = Vec::new();
         for sum in 0..=FLOW {
             let shape = if sum == 0 || sum == FLOW { $spec.shape() } else { AnyShape(0) };
-            let octaves = $spec.octaves::<$dimension>($spec.seed.wrapping_add(sum), shape)?;
+            let octaves = $spec.octaves::<$vector>($spec.seed.wrapping_add(sum), shape)?;
             let start = words.len();
             words.extend(OctavesUniform::<$dimension>::new(&octaves.with_shape(Signed)).words());
             let [mean, deviation] = octaves.octave_moments().map(f32::to_bits);
@@ -359,23 +326,24 @@ macro_rules! uniform {
 pub(crate) fn noise_uniform(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
     let spec = Spec::new(numbers)?;
     Ok(match spec.dimension {
-        2 => uniform!(spec, 2),
-        3 => uniform!(spec, 3),
-        _ => uniform!(spec, 4),
+        2 => uniform!(spec, Vec2, 2),
+        3 => uniform!(spec, Vec3, 3),
+        _ => uniform!(spec, Vec4, 4),
     })
 }
 
 /// Returns mean and deviation of one octave, in 32 bits.
 pub(crate) fn noise_moments(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
-    fn moments<const N: usize>(kind: Kind) -> Vec<u32> {
-        [Measured::<N>::mean(&kind), Measured::<N>::standard_deviation(&kind)].map(f32::to_bits).to_vec()
+    fn moments<V: Point>(kind: &impl Field<V>) -> Vec<u32> {
+        let moments = kind.moments().map(|moments| [moments.mean, moments.standard_deviation]);
+        moments.unwrap_or_default().map(f32::to_bits).to_vec()
     }
     let spec = Spec::new(numbers)?;
     let kind = spec.noise(spec.seed)?;
     Ok(match spec.dimension {
-        2 => moments::<2>(kind),
-        3 => moments::<3>(kind),
-        _ => moments::<4>(kind),
+        2 => moments::<Vec2>(&kind),
+        3 => moments::<Vec3>(&kind),
+        _ => moments::<Vec4>(&kind),
     })
 }
 
@@ -384,9 +352,9 @@ pub(crate) fn noise_moments(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, Stri
 ///
 /// All other fields, which the GPU evaluates, would take a quarter of the page.
 pub(crate) fn noise_samples(numbers: &[f64], bulk: &[u32]) -> Result<Vec<u32>, String> {
-    fn samples<V: Point<Coordinates = [f32; N]>, const N: usize>(sum: Sum<N>, points: &[f32]) -> Vec<u32>
+    fn samples<V: Point<Coordinates = [f32; N]>, const N: usize>(sum: Sum<V>, points: &[f32]) -> Vec<u32>
     where
-        Kind: Kernel<N>,
+        Kind: Field<V>,
     {
         let mut words = Vec::with_capacity(points.len() / N * (1 + N));
         for p in points.as_chunks::<N>().0 {
@@ -421,18 +389,19 @@ mod tests {
 
     #[test]
     fn moments_match_the_crate() {
-        fn moments<const N: usize>(kind: u32) -> [f32; 5]
-        where
-            Kind: Kernel<N>,
-        {
-            let noise = Spec::new(&spec(N as u32, kind, 1)).unwrap().noise(0).unwrap();
-            each!(noise, noise => {
-                let [a, b, c, d] = Measured::<N>::absolute_moments(&noise);
-                [Measured::<N>::standard_deviation(&noise), a, b, c, d]
-            })
+        macro_rules! moments {
+            ($vector:ty, $dimension:literal, $kind:expr) => {{
+                let noise = Spec::new(&spec($dimension, $kind, 1)).unwrap().noise(0).unwrap();
+                each!(noise, noise => {
+                    let moments = Field::<$vector>::moments(&noise).unwrap();
+                    let [a, b, c, d] = moments.absolute;
+                    [moments.standard_deviation, a, b, c, d]
+                })
+            }};
         }
-        let crates: Vec<_> =
-            (0..10).map(|kind| [moments::<2>(kind), moments::<3>(kind), moments::<4>(kind)]).collect();
+        let crates: Vec<_> = (0..10)
+            .map(|kind| [moments!(Vec2, 2, kind), moments!(Vec3, 3, kind), moments!(Vec4, 4, kind)])
+            .collect();
         assert_eq!(MOMENTS, *crates, "{crates:?}");
     }
 
@@ -440,7 +409,10 @@ mod tests {
     fn field_matches_the_crate() {
         let p = Vec3::new(0.3, -1.2, 4.5);
         let spectrum = FbmSpectrum::new(2.17, 0.5, 16).unwrap();
-        let sum = Fbm::<_, 3>::new(Perlin::new(7), spectrum).with_shape(Billow).first(4.5).clamped(0.02);
+        let sum = Fbm::<_, Vec3>::new(Perlin::new(7), spectrum)
+            .with_shape(Billow)
+            .with_octaves(4.5)
+            .band_limited(0.02);
         let sample = noise_samples(&spec(3, 4, 1), &p.to_array().map(f32::to_bits)).unwrap();
         assert_eq!(sample[0], sum.sample(p).value.to_bits());
         assert_eq!(sample[1], sum.sample(p).gradient.x.to_bits());

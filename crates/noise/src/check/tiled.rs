@@ -20,10 +20,9 @@ use crate::{
 /// ±4: periods up to 1024 in steps of 2⁻¹² move them without rounding.
 ///
 /// ```
-/// use asperity_noise::{IntegerHash, Fbm, Perlin, FbmSpectrum, Tiled, check, glam::Vec2};
+/// use asperity_noise::{Fbm, FbmSpectrum, Perlin, check, glam::Vec2};
 ///
-/// let noise = Perlin::new(1).with_lattice(Tiled::new(IntegerHash, [8, 5])?);
-/// let tile = Fbm::<_, 2>::tiled(noise, FbmSpectrum::CLOUD)?;
+/// let tile = Fbm::new(Perlin::new(1), FbmSpectrum::CLOUD).tiled([8, 5])?;
 /// assert!(check::tiled(&tile, Vec2::new(8.0, 5.0), check::Settings::default()).passed());
 /// assert!(!check::tiled(&tile, Vec2::new(4.0, 5.0), check::Settings::default()).passed());
 /// # Ok::<(), asperity_noise::TiledError>(())

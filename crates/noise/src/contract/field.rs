@@ -1,14 +1,22 @@
 //! Fields: values and gradients at single points, in lists and on grids.
 
+use core::{array, marker::PhantomData, mem};
+
 use asperity_core::BatchError;
 
 use crate::{
+    contract::kernel::{FillList, Kernel, Measured},
     contract::many,
-    lanes::level::Level,
-    point::Point,
+    lanes::level::{Instructions, Level},
+    lanes::{LANES, LaneSample, Lanes, Scalar, lane_of},
+    lattice::integer_hash::IntegerHash,
+    lattice::lattice::Lattice,
+    point::{Dimension, InDimension, Point},
     row::grid::Grid,
     row::points::{Points, Target},
+    row::row::Row,
     sample::{Sample, SampleHessian},
+    statistics::statistics::{Moments, Statistics},
 };
 
 /// A function of points `V` with its gradient: a noise, a sum of octaves, a warp, or your own.
@@ -75,6 +83,33 @@ pub trait Field<V: Point> {
     #[must_use]
     fn range(&self) -> [f32; 2] {
         [f32::NEG_INFINITY, f32::INFINITY]
+    }
+
+    /// Returns the moments of the values over all points and seeds, or `None` if unknown.
+    ///
+    /// Sums of octaves use them for [`Normalization::UnitVariance`](crate::Normalization), and the
+    /// mean for [`Fbm::band_limited`](crate::Fbm::band_limited).
+    #[must_use]
+    fn moments(&self) -> Option<Moments> {
+        None
+    }
+
+    /// Returns the seed of a random field, and 0 for other fields.
+    #[must_use]
+    fn seed(&self) -> u32 {
+        0
+    }
+
+    /// Returns the field that another seed selects, or `None` if the field has no seed.
+    ///
+    /// Override it and [`seed`](Self::seed) in a random field of your own, so that the octaves of
+    /// its sum are independent. Sums pass one seed for each octave.
+    #[must_use]
+    fn with_octave_seed(&self, _seed: u32) -> Option<Self>
+    where
+        Self: Sized,
+    {
+        None
     }
 
     /// Evaluates the values at a list of points.
@@ -154,6 +189,112 @@ pub trait Field<V: Point> {
             }
         }
     }
+
+    /// Shows the kernel of the field to a sum of its octaves.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn visit<R: Visit<V>>(&self, visitor: R) -> R::Output
+    where
+        Self: Sized,
+    {
+        V::Coordinates::run(Seedless { field: self, visitor })
+    }
+}
+
+/// What a sum of octaves does with the kernel of a field.
+pub trait Visit<V: Point> {
+    /// The result.
+    type Output;
+
+    /// Does it.
+    fn kernel<K: Kernel<N>, const N: usize>(self, kernel: &K) -> Self::Output
+    where
+        V: Point<Coordinates = [f32; N]>;
+}
+
+/// A visitor of a field that is not a kind of this crate.
+struct Seedless<'a, F, R> {
+    field: &'a F,
+    visitor: R,
+}
+
+impl<V: Point, F: Field<V>, R: Visit<V>> InDimension<V> for Seedless<'_, F, R> {
+    type Output = R::Output;
+
+    #[inline(always)]
+    fn run<const N: usize>(self) -> R::Output
+    where
+        V: Point<Coordinates = [f32; N]>,
+    {
+        self.visitor.kernel(&Custom(self.field, PhantomData))
+    }
+}
+
+/// A field as a kernel. It is evaluated at all points, near and far.
+struct Custom<'a, F, V>(&'a F, PhantomData<V>);
+
+impl<F: Field<V>, V: Point<Coordinates = [f32; N]>, const N: usize> Measured<N> for Custom<'_, F, V> {
+    fn seed(&self) -> u32 {
+        self.0.seed()
+    }
+
+    fn statistics(&self) -> &'static Statistics {
+        &Statistics::UNKNOWN
+    }
+}
+
+impl<F: Field<V>, V: Point<Coordinates = [f32; N]>, const N: usize> Kernel<N> for Custom<'_, F, V> {
+    type RowScratch = ();
+
+    /// The key of a kind that evaluates the octave elsewhere.
+    fn key(&self, seed: u32) -> u32 {
+        IntegerHash.key(seed)
+    }
+
+    /// Octaves of one function would look alike near the origin.
+    fn spread(&self) -> f32 {
+        if self.0.with_octave_seed(0).is_some() { 1.0 } else { 64.0 }
+    }
+
+    fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
+        let lanes: [_; LANES] = array::from_fn(|lane| self.sample_at(lane_of(s, &p, lane % S::LEN), seed));
+        let mut gradient = p;
+        for axis in 0..N {
+            gradient[axis] = s.floats(|lane| lanes[lane % LANES].1[axis]);
+        }
+        (s.floats(|lane| lanes[lane % LANES].0), gradient)
+    }
+
+    #[inline]
+    fn value_at(&self, p: [f32; N], seed: u32) -> f32 {
+        let p = V::from_coordinates(p);
+        self.0.with_octave_seed(seed).map_or_else(|| self.0.value(p), |octave| octave.value(p))
+    }
+
+    #[inline]
+    fn sample_at(&self, p: [f32; N], seed: u32) -> LaneSample<Scalar, N> {
+        let p = V::from_coordinates(p);
+        let octave = self.0.with_octave_seed(seed);
+        let sample = octave.map_or_else(|| self.0.sample(p), |octave| octave.sample(p));
+        (sample.value, sample.gradient.coordinates())
+    }
+
+    fn fill_list(call: FillList<'_, Self, N>, instructions: Instructions) {
+        let FillList { kernel, seed, points, values, mut gradients } = call;
+        let stride = values.len();
+        let gradients = gradients.as_mut().map(|g| V::array(|axis| mem::take(&mut g[axis])));
+        let points = Points::lists(V::array(|axis| points[axis]));
+        let target = Target { instructions, values, gradients, stride };
+        match kernel.0.with_octave_seed(seed) {
+            Some(octave) => octave.fill(&points, target),
+            None => kernel.0.fill(&points, target),
+        }
+    }
+
+    #[inline(always)]
+    fn shares(&self, _: &Row<N>, _: usize, _: bool) -> bool {
+        false
+    }
 }
 
 /// A field with second derivatives.
@@ -190,6 +331,20 @@ pub trait HasHessian<V: Point>: Field<V> {
     /// Returns value, gradient and Hessian at a point.
     #[must_use]
     fn sample_with_hessian(&self, p: V) -> SampleHessian<V>;
+
+    /// Returns value, gradient and Hessian of an octave of a sum.
+    #[doc(hidden)]
+    fn octave_with_hessian(&self, p: V, _octave: OctaveOf<'_>) -> SampleHessian<V> {
+        self.sample_with_hessian(p)
+    }
+}
+
+/// What makes a kind the octave of a sum.
+#[derive(Clone, Copy, Debug)]
+pub struct OctaveOf<'a> {
+    pub(crate) seed: u32,
+    pub(crate) frequency: f32,
+    pub(crate) cell: &'a [i32],
 }
 
 macro_rules! pointer {
@@ -206,6 +361,12 @@ macro_rules! pointer {
             }
             fn range(&self) -> [f32; 2] {
                 (**self).range()
+            }
+            fn moments(&self) -> Option<Moments> {
+                (**self).moments()
+            }
+            fn seed(&self) -> u32 {
+                (**self).seed()
             }
             fn fill(&self, points: &Points<'_, V>, target: Target<'_, V>) {
                 (**self).fill(points, target);

@@ -8,7 +8,7 @@ use crate::{
 
 /// Value, gradient and Hessian by coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Jet<const N: usize> {
+pub(crate) struct Jet<const N: usize> {
     pub(crate) value: f32,
     pub(crate) gradient: [f32; N],
     pub(crate) hessian: [[f32; N]; N],
@@ -27,7 +27,7 @@ impl<const N: usize> Jet<N> {
 }
 
 /// A kind with second derivatives.
-pub trait HessianKernel<const N: usize>: Kernel<N> {
+pub(crate) trait HessianKernel<const N: usize>: Kernel<N> {
     /// Value, gradient and Hessian at a point whose coordinates are at most 2³¹ in magnitude.
     fn near_jet(&self, p: [f32; N], seed: u32) -> Jet<N>;
 }

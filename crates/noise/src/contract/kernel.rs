@@ -88,6 +88,11 @@ pub trait Kernel<const N: usize>: Measured<N> {
         0
     }
 
+    /// The factor of the offsets of octaves, which are below 1.
+    fn spread(&self) -> f32 {
+        1.0
+    }
+
     /// The key that the lattice derives from a seed, used to draw words.
     fn key(&self, seed: u32) -> u32 {
         seed

@@ -37,10 +37,6 @@ pub trait Noise<V: Point>: Field<V> {
     #[must_use]
     fn absolute_moments(&self) -> [f32; 4];
 
-    /// Returns the seed.
-    #[must_use]
-    fn seed(&self) -> u32;
-
     /// Returns the noise with another seed.
     #[must_use]
     fn with_seed(self, seed: u32) -> Self
@@ -78,6 +74,29 @@ macro_rules! kind {
             pub(crate) fn standard(&self) -> $kind {
                 let lattice = $crate::lattice::integer_hash::IntegerHash;
                 $kind { seed: self.seed, $($($parameter: self.$parameter,)+)? lattice }
+            }
+
+            /// Makes the noise periodic along each axis.
+            ///
+            /// If p and p + period are both exact in `f32`, values and gradients have the same
+            /// bits. From |x| = 2³¹ on cells wrap modulo 2³², and only periods that are powers of
+            /// two continue. Call [`Fbm::tiled`](crate::Fbm::tiled) for sums of octaves.
+            ///
+            /// # Errors
+            ///
+            /// If a period is 0 or above 2²¹, or in simplex noise in 3-D not a multiple of 3.
+            #[doc(alias("seamless", "tileable", "periodic"))]
+            pub fn tiled<const N: usize>(
+                self,
+                periods: [u32; N],
+            ) -> Result<
+                <Self as $crate::lattice::tiled::Tile<N>>::Tiled,
+                $crate::lattice::tiled::TiledError,
+            >
+            where
+                Self: $crate::lattice::tiled::Tile<N>,
+            {
+                $crate::lattice::tiled::Tile::tiled(self, periods)
             }
 
             /// Sets the seed.
@@ -119,6 +138,22 @@ macro_rules! kind {
 
 pub(crate) use kind;
 
+/// Implements `Tile` for a kind on the integer lattice.
+macro_rules! tiles {
+    ($kind:ident) => {
+        impl<L: Clone, const N: usize> $crate::lattice::tiled::Tile<N> for $kind<L> {
+            type Tiled = $kind<$crate::lattice::tiled::Tiled<L, N>>;
+
+            fn tiled(self, periods: [u32; N]) -> Result<Self::Tiled, $crate::lattice::tiled::TiledError> {
+                let lattice = $crate::lattice::tiled::Tiled::new(self.lattice.clone(), periods)?;
+                Ok(self.with_lattice(lattice))
+            }
+        }
+    };
+}
+
+pub(crate) use tiles;
+
 /// Implements `Measured` for a kind whose statistics are all in one table.
 macro_rules! measured {
     ($kind:ident, |$self:ident| $table:expr) => {
@@ -137,7 +172,7 @@ macro_rules! measured {
 
 pub(crate) use measured;
 
-/// The public traits of a kind that is a [`Kernel`](crate::simd::Kernel), in all dimensions or in
+/// The public traits of a kind that is a [`Kernel`](crate::contract::kernel::Kernel), in all dimensions or in
 /// one.
 macro_rules! noise {
     ($kind:ident) => {
@@ -155,6 +190,16 @@ macro_rules! noise {
             #[inline]
             fn sample_with_hessian(&self, p: V) -> $crate::sample::SampleHessian<V> {
                 $crate::contract::hessian::at(self, p.coordinates(), self.seed).at()
+            }
+
+            #[inline]
+            fn octave_with_hessian(
+                &self,
+                p: V,
+                octave: $crate::contract::field::OctaveOf<'_>,
+            ) -> $crate::sample::SampleHessian<V> {
+                let own = $crate::contract::kernel::Kernel::<N>::of_octave(self, octave.frequency, octave.cell);
+                $crate::contract::hessian::at(own.as_ref().unwrap_or(self), p.coordinates(), octave.seed).at()
             }
         }
     };
@@ -180,6 +225,24 @@ macro_rules! noise {
 
             fn range(&self) -> [f32; 2] {
                 $crate::contract::kernel::Measured::<$n>::bounds(self)
+            }
+
+            #[inline]
+            fn moments(&self) -> Option<$crate::statistics::statistics::Moments> {
+                Some($crate::statistics::statistics::Moments {
+                    mean: $crate::contract::kernel::Measured::<$n>::mean(self),
+                    standard_deviation: $crate::contract::kernel::Measured::<$n>::standard_deviation(self),
+                    absolute: $crate::contract::kernel::Measured::<$n>::absolute_moments(self),
+                })
+            }
+
+            fn seed(&self) -> u32 {
+                $crate::contract::kernel::Measured::<$n>::seed(self)
+            }
+
+            #[inline(always)]
+            fn visit<R: $crate::contract::field::Visit<V>>(&self, visitor: R) -> R::Output {
+                visitor.kernel::<Self, $n>(self)
             }
 
             fn fill(
@@ -210,10 +273,6 @@ macro_rules! noise {
 
             fn absolute_moments(&self) -> [f32; 4] {
                 $crate::contract::kernel::Measured::<$n>::absolute_moments(self)
-            }
-
-            fn seed(&self) -> u32 {
-                $crate::contract::kernel::Measured::<$n>::seed(self)
             }
 
             #[inline]

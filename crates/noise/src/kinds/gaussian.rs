@@ -5,7 +5,7 @@ use asperity_core::lanes::Task;
 use crate::{
     contract::compiled::{in_dimension, is_compiled},
     contract::kernel::{self, Measured, OctaveSamples, OctavesAt},
-    contract::noise::{kind, measured, noise},
+    contract::noise::{kind, measured, noise, tiles},
     kinds::cell::at_ends::by_corners,
     kinds::cell::corner::{CellNoise, Corner, normalised},
     kinds::cell::corners::CellPosition,
@@ -59,6 +59,7 @@ pub struct GaussianNoise<L = IntegerHash> {
 kind!(GaussianNoise);
 measured!(GaussianNoise, |self| &tables::GAUSSIAN);
 noise!(GaussianNoise, curved);
+tiles!(GaussianNoise);
 
 impl<L: Lattice> GaussianNoise<L> {
     /// Evaluates two independent channels in one pass over the lattice.

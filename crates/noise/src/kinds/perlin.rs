@@ -1,7 +1,7 @@
 //! Gradient noise on the integer lattice: Perlin noise of 1985 and 2002.
 
 use crate::{
-    contract::noise::{kind, measured, noise},
+    contract::noise::{kind, measured, noise, tiles},
     kinds::cell::column::Column,
     kinds::cell::corner::{CellNoise, Corner},
     kinds::cell::edge_columns::edge_column,
@@ -72,10 +72,12 @@ pub struct Perlin<L = IntegerHash> {
 kind!(PerlinClassic);
 measured!(PerlinClassic, |self| &tables::PERLIN_1985);
 noise!(PerlinClassic, curved);
+tiles!(PerlinClassic);
 
 kind!(Perlin);
 measured!(Perlin, |self| &tables::PERLIN_2002);
 noise!(Perlin, curved);
+tiles!(Perlin);
 
 /// The inverse of the searched maximum.
 const SCALE_2002: [f32; 4] =

@@ -5,7 +5,7 @@ use asperity_core::error_enum;
 use crate::{
     contract::compiled::on_lattice,
     contract::kernel::{Kernel, Measured},
-    contract::noise::{kind, noise},
+    contract::noise::{kind, noise, tiles},
     lanes::{LaneSample, Lanes, splat},
     lattice::integer_hash::{IntegerHash, further},
     lattice::lattice::{Lattice, cell},
@@ -59,6 +59,7 @@ impl SparseConvolution {
 
 kind!(SparseConvolution { impulses: 1 }, "of one impulse per cell");
 noise!(SparseConvolution);
+tiles!(SparseConvolution);
 
 impl<L> SparseConvolution<L> {
     /// Sets the number of impulses per cell; more are slower and closer to Gaussian.

@@ -3,7 +3,7 @@
 use crate::{
     contract::compiled::on_lattice,
     contract::kernel::Kernel,
-    contract::noise::{kind, measured, noise},
+    contract::noise::{kind, measured, noise, tiles},
     kinds::catmull_rom::{LONG_STEP, SplineNoise, spline, spline_rows},
     kinds::cell::corner::{CellNoise, Corner},
     lanes::{LaneSample, Lanes},
@@ -77,10 +77,12 @@ pub struct ValueCatmullRom<L = IntegerHash> {
 kind!(ValueNoise);
 measured!(ValueNoise, |self| &tables::VALUE);
 noise!(ValueNoise, curved);
+tiles!(ValueNoise);
 
 kind!(ValueCatmullRom);
 measured!(ValueCatmullRom, |self| &tables::VALUE_CATMULL_ROM);
 noise!(ValueCatmullRom);
+tiles!(ValueCatmullRom);
 
 /// (4/5)ⁿ.
 const SCALE_CATMULL_ROM: [f32; 4] = [MARGIN * 0.8, MARGIN * 0.64, MARGIN * 0.512, MARGIN * 0.4096];

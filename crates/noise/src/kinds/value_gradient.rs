@@ -4,7 +4,7 @@ use asperity_core::{error_enum, math};
 
 use crate::{
     contract::kernel::Measured,
-    contract::noise::{kind, noise},
+    contract::noise::{kind, noise, tiles},
     kinds::cell::corner::{CellNoise, Corner},
     lanes::Lanes,
     lattice::integer_hash::{IntegerHash, further},
@@ -52,6 +52,7 @@ pub struct ValueGradient<L = IntegerHash> {
 
 kind!(ValueGradient { weight: 0.5 }, "of equal weights");
 noise!(ValueGradient, curved);
+tiles!(ValueGradient);
 
 impl<L> ValueGradient<L> {
     /// Sets the weight of gradient noise; value noise has the weight 1 − `weight`.

@@ -3,7 +3,7 @@
 use crate::{
     contract::compiled::on_lattice,
     contract::kernel::Kernel,
-    contract::noise::{kind, measured, noise},
+    contract::noise::{kind, measured, noise, tiles},
     lanes::{LaneSample, Lanes},
     lattice::integer_hash::IntegerHash,
     lattice::lattice::{Lattice, cell},
@@ -42,6 +42,7 @@ pub struct WhiteNoise<L = IntegerHash> {
 kind!(WhiteNoise);
 measured!(WhiteNoise, |self| &tables::WHITE);
 noise!(WhiteNoise);
+tiles!(WhiteNoise);
 
 impl<L: Lattice, const N: usize> Kernel<N> for WhiteNoise<L> {
     type RowScratch = ();

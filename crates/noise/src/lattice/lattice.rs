@@ -11,7 +11,7 @@ pub(crate) const IS_FULL: bool = cfg!(not(any(debug_assertions, test)));
 /// other seeds. [`IntegerHash`](crate::IntegerHash) is the default.
 /// [`PermutationTable`](crate::lattice::PermutationTable) and
 /// [`ChainedTable`](crate::lattice::ChainedTable) reproduce published lattices.
-/// [`Tiled`](crate::Tiled) makes any lattice periodic.
+/// The method `tiled` of a noise makes any lattice periodic.
 ///
 /// Implement [`word`](Self::word) for a custom lattice. The methods over [`Lanes`] have default
 /// implementations.

@@ -16,4 +16,5 @@ pub use chained_table::ChainedTable;
 pub use edges::edge_gradient;
 pub use perlin_table::PerlinTable;
 pub use permutation_table::{PermutationTable, PermutationTableError};
+pub use tiled::Tiled;
 pub use variates::{gaussian_corner, gaussian_levels, gaussian_tail_lines, unit_gradient};

@@ -7,7 +7,7 @@ use crate::{
     lattice::lattice::{Lattice, words_of_terms_in},
 };
 
-/// A lattice with its own period along each of the first N axes.
+/// The lattice of a tiled noise, with a period along each of the first N axes.
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/pictures/tiled.md"))]
 ///
@@ -15,22 +15,13 @@ use crate::{
 /// word(c) = L.word(c mod period)
 /// ```
 ///
-/// Makes every noise on the integer lattice tileable: white, value, gradient, value-gradient,
-/// sparse, cellular and Gaussian noise, in any dimension. Axes beyond the N-th do not repeat. If p
-/// and p + period are both exact in `f32`, values and gradients have the same bits. From |x| = 2³¹
-/// on cells wrap modulo 2³², and only periods that are powers of two continue.
-///
-/// Use [`Fbm::tiled`](crate::Fbm::tiled) for sums, in which each octave has its own
-/// periods.
-///
-/// [`Simplex`](crate::Simplex) noise is tileable with it in 1-D only. Use
-/// [`TiledSimplex`](crate::TiledSimplex) in 3-D. In 2-D and 4-D no step along an axis maps the
-/// simplicial lattice onto itself, since its shear is irrational.
+/// The method `tiled` of a noise returns the noise on it, for instance
+/// [`Perlin::tiled`](crate::Perlin::tiled). Axes beyond the N-th do not repeat.
 ///
 /// ```
-/// use asperity_noise::{Field, IntegerHash, Perlin, Tiled, glam::Vec2};
+/// use asperity_noise::{Field, Perlin, glam::Vec2};
 ///
-/// let noise = Perlin::new(1).with_lattice(Tiled::new(IntegerHash, [8, 3])?);
+/// let noise = Perlin::new(1).tiled([8, 3])?;
 /// let p = Vec2::new(1.25, -0.5);
 /// assert_eq!(noise.sample(p), noise.sample(p + Vec2::new(8.0, -3.0)));
 /// # Ok::<(), asperity_noise::TiledError>(())
@@ -38,22 +29,38 @@ use crate::{
 #[doc(alias("seamless", "tileable", "periodic"))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tiled<L, const N: usize> {
-    lattice: L,
-    periods: [u32; N],
+    pub(crate) lattice: L,
+    pub(crate) periods: [u32; N],
 }
 
-impl<L, const N: usize> Tiled<L, N> {
-    /// The longest period, a quarter of the cells in which `f32` can resolve a position.
-    pub const MAX_PERIOD: u32 = 1 << 21;
+/// The longest period, a quarter of the cells in which `f32` can resolve a position.
+pub(crate) const MAX_PERIOD: u32 = 1 << 21;
 
-    /// Creates the lattice with the given periods.
+/// A kind of noise that tiles in N dimensions.
+///
+/// Call `tiled` of the noise, or [`Fbm::tiled`](crate::Fbm::tiled).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not tile in {N} dimensions",
+    note = "all kinds of this crate tile, except simplex noise in 2-D and 4-D, where its lattice is irrational along the axes",
+    note = "a sum of a periodic field of your own tiles if its lacunarity is an integer and its rotation `Rotation::Aligned`"
+)]
+pub trait Tile<const N: usize>: Sized {
+    /// The tiled noise.
+    type Tiled;
+
+    /// The noise with a period along each axis.
     ///
     /// # Errors
     ///
-    /// If a period is 0 or longer than [`MAX_PERIOD`](Self::MAX_PERIOD).
-    pub fn new(lattice: L, periods: [u32; N]) -> Result<Self, TiledError> {
+    /// If the noise does not have these periods.
+    fn tiled(self, periods: [u32; N]) -> Result<Self::Tiled, TiledError>;
+}
+
+impl<L, const N: usize> Tiled<L, N> {
+    /// Creates the lattice with the given periods.
+    pub(crate) fn new(lattice: L, periods: [u32; N]) -> Result<Self, TiledError> {
         for (axis, period) in periods.into_iter().enumerate() {
-            if period == 0 || period > Self::MAX_PERIOD {
+            if period == 0 || period > MAX_PERIOD {
                 return Err(TiledError::PeriodOutOfRange { axis, period });
             }
         }
@@ -138,8 +145,6 @@ error_enum! {
         /// The lattice repeats only with multiples of `factor`.
         NoMultiple { axis: usize, period: u32, factor: u32 } =>
             "`periods[{axis}]` must be a multiple of {factor}, got {period}";
-        /// The noise of a tileable sum does not repeat along an axis.
-        NoPeriod => "`noise` must be tileable (use a `Tiled` lattice or `TiledSimplex`)";
         /// The lacunarity makes the period of an octave fractional or too long.
         ///
         /// Octaves are counted from 0, and `period` is the period of the first.
@@ -155,7 +160,7 @@ mod tests {
     use crate::lanes::{Arithmetic, Scalar};
     use crate::{IntegerHash, lattice::PermutationTable};
 
-    const LONG: u32 = Tiled::<IntegerHash, 1>::MAX_PERIOD;
+    const LONG: u32 = MAX_PERIOD;
 
     #[test]
     fn remainder_matches_rem_euclid() {

@@ -28,6 +28,28 @@ pub struct Statistics {
     pub cdf: &'static [f32],
 }
 
+impl Statistics {
+    /// The statistics of a field that is not a kind.
+    pub(crate) const UNKNOWN: Self = Self {
+        standard_deviation: f32::NAN,
+        excess_kurtosis: f32::NAN,
+        absolute_moments: [f32::NAN; 4],
+        range: f32::INFINITY,
+        cdf: &[],
+    };
+}
+
+/// Mean, standard deviation and absolute moments of the values of a field.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moments {
+    /// E n.
+    pub mean: f32,
+    /// σ₁.
+    pub standard_deviation: f32,
+    /// E|n|, E|n|², E|n|³ and E|n|⁴, from which the mean of a [`Shape`](crate::Shape) follows.
+    pub absolute: [f32; 4],
+}
+
 /// The distribution at all knots, from the distribution at knots below 0.
 pub(crate) const fn mirrored(low: [f32; 128]) -> [f32; 257] {
     let mut cdf = [0.5; 257];

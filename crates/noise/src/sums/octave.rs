@@ -6,6 +6,7 @@ use crate::{
     contract::kernel::{Kernel, OctavesAt},
     lanes::{Arithmetic, LaneSample, Lanes, Scalar},
     lattice::variates::{gaussian_quaternion, unit_direction},
+    point::Dimension,
     sums::spectrum::{FbmSpectrum, MAX_OCTAVES},
 };
 
@@ -185,9 +186,9 @@ impl<S: Lanes, const N: usize> Map<S, N> {
 /// own periods, which are not part of this struct.
 ///
 /// ```
-/// use asperity_noise::{Fbm, Perlin, FbmSpectrum};
+/// use asperity_noise::{Fbm, FbmSpectrum, Perlin, glam::Vec2};
 ///
-/// let sum = Fbm::new(Perlin::new(5), FbmSpectrum::default()).first(1.0);
+/// let sum = Fbm::<_, Vec2>::new(Perlin::new(5), FbmSpectrum::default()).with_octaves(1.0);
 /// let octave = sum.octave(0);
 /// // The first octave is rotated and not scaled, so it keeps lengths.
 /// let [x, y] = octave.matrix.map(|[x, y]| 3.0 * x - 4.0 * y);
@@ -215,19 +216,19 @@ pub struct Octave<const N: usize> {
 ///
 /// Layers beyond the spectrum's maximum exist and are unused.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Layers<const N: usize> {
+pub(crate) struct Layers<C: Dimension> {
     pub(crate) rotation: Rotation,
     seeds: [u32; OCTAVES],
     /// The keys that the lattice derives from the seeds.
     keys: [u32; OCTAVES],
-    matrix: [[[f32; OCTAVES]; N]; N],
-    offset: [[f32; OCTAVES]; N],
-    cell: [[i32; N]; OCTAVES],
+    matrix: C::Each<C::Each<[f32; OCTAVES]>>,
+    offset: C::Each<[f32; OCTAVES]>,
+    cell: [C::Each<i32>; OCTAVES],
 }
 
 const OCTAVES: usize = MAX_OCTAVES as usize;
 
-impl<const N: usize> Layers<N> {
+impl<const N: usize> Layers<[f32; N]> {
     /// The layers of octaves of a noise.
     pub(crate) fn of<K: Kernel<N>>(noise: &K, layers: &[Layer<N>; OCTAVES]) -> Self {
         let mut keys = [0; OCTAVES];

@@ -27,7 +27,7 @@ pub(crate) struct Passes<'a, K, const N: usize, T> {
     /// The periods along all axes, 0 if there is none.
     pub(crate) periods: [f32; N],
     pub(crate) shape: T,
-    pub(crate) layers: &'a Layers<N>,
+    pub(crate) layers: &'a Layers<[f32; N]>,
     pub(crate) amplitudes: &'a [f32],
     /// A constant that is added to the sum before it is normalized.
     pub(crate) constant: f32,

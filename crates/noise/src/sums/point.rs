@@ -20,7 +20,7 @@ pub(crate) type Sum<const N: usize> = LaneSample<Scalar, N>;
 
 /// The octaves of a sum at a point.
 pub(crate) struct AtPoint<'a, const N: usize> {
-    pub(crate) layers: &'a Layers<N>,
+    pub(crate) layers: &'a Layers<[f32; N]>,
     pub(crate) amplitudes: &'a [f32; OCTAVES],
     pub(crate) count: usize,
     pub(crate) p: [f32; N],

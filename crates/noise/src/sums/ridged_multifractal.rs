@@ -13,8 +13,8 @@ use crate::{
     point::Point,
     row::points::{Points, Target},
     sample::Sample,
+    sums::fbm::{Fbm, Normalization, Query, Sum},
     sums::octave::Layer,
-    sums::octaves::{Fbm, Normalization},
     sums::pass::{Lists, copy_out},
     sums::shape::Shape,
     sums::spectrum::FbmSpectrum,
@@ -40,25 +40,25 @@ use crate::{
 /// use asperity_noise::{Field, Perlin, RidgedMultifractal, FbmSpectrum, glam::Vec2};
 ///
 /// let mountains = RidgedMultifractal::new(Perlin::new(1), FbmSpectrum::CLOUD, 2.0)?;
-/// let sample = mountains.first(7.5).sample(Vec2::new(0.3, 0.8));
+/// let sample = mountains.with_octaves(7.5).sample(Vec2::new(0.3, 0.8));
 /// assert!((0.0..=1.0).contains(&sample.value));
 /// # Ok::<(), asperity_noise::FeedbackError>(())
 /// ```
 #[doc(alias("ridged", "terrain", "mountains"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RidgedMultifractal<K, const N: usize> {
-    octaves: Fbm<K, N, Ridged>,
+pub struct RidgedMultifractal<F, V: Point> {
+    octaves: Fbm<F, V, Ridged>,
     feedback: f32,
 }
 
-impl<K: Kernel<N>, const N: usize> RidgedMultifractal<K, N> {
-    /// Creates the sum of octaves of `noise`, each randomly rotated.
+impl<F: Field<V>, V: Point> RidgedMultifractal<F, V> {
+    /// Creates the sum of octaves of `field`, each randomly rotated.
     ///
     /// # Errors
     ///
     /// If `feedback` is negative or not finite.
-    pub fn new(noise: K, spectrum: FbmSpectrum, feedback: f32) -> Result<Self, FeedbackError> {
-        Self::of(Fbm::new(noise, spectrum), feedback)
+    pub fn new(field: F, spectrum: FbmSpectrum, feedback: f32) -> Result<Self, FeedbackError> {
+        Self::from_fbm(Fbm::new(field, spectrum), feedback)
     }
 
     /// Creates a ridged multifractal from the octaves of another sum.
@@ -68,7 +68,7 @@ impl<K: Kernel<N>, const N: usize> RidgedMultifractal<K, N> {
     /// # Errors
     ///
     /// If `feedback` is negative or not finite.
-    pub fn of(octaves: Fbm<K, N>, feedback: f32) -> Result<Self, FeedbackError> {
+    pub fn from_fbm(octaves: Fbm<F, V>, feedback: f32) -> Result<Self, FeedbackError> {
         if !(feedback >= 0.0 && feedback.is_finite()) {
             return Err(FeedbackError { feedback });
         }
@@ -78,8 +78,8 @@ impl<K: Kernel<N>, const N: usize> RidgedMultifractal<K, N> {
 
     /// Limits the sum to the first `octaves` octaves; a fraction reduces the amplitude of the last.
     #[must_use]
-    pub fn first(self, octaves: f32) -> Self {
-        Self { octaves: self.octaves.first(octaves), ..self }
+    pub fn with_octaves(self, octaves: f32) -> Self {
+        Self { octaves: self.octaves.with_octaves(octaves), ..self }
     }
 
     /// Returns the factor from an octave to the weight of the next.
@@ -89,9 +89,38 @@ impl<K: Kernel<N>, const N: usize> RidgedMultifractal<K, N> {
     }
 }
 
-impl<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize> Field<V> for RidgedMultifractal<K, N> {
+impl<F: Field<V>, V: Point> Field<V> for RidgedMultifractal<F, V> {
     fn sample(&self, p: V) -> Sample<V> {
-        let (passes, mut own) = (self.octaves.parts(), None);
+        self.octaves.ask(SampleAt(p, self.feedback))
+    }
+
+    fn value(&self, p: V) -> f32 {
+        self.octaves.ask(Value(p, self.feedback))
+    }
+
+    fn range(&self) -> [f32; 2] {
+        let ([low, high], zero) = (self.octaves.range(), self.octaves.of_zeros());
+        // A weak octave adds less than a lone octave, and at least 0.
+        [low.min(zero), high]
+    }
+
+    fn fill(&self, points: &Points<'_, V>, target: Target<'_, V>) {
+        self.octaves.ask(Batch { points, target, feedback: self.feedback });
+    }
+}
+
+/// Value and gradient at a point, with the feedback.
+struct SampleAt<V>(V, f32);
+
+impl<V: Point> Query<V, Ridged> for SampleAt<V> {
+    type Output = Sample<V>;
+
+    #[inline]
+    fn of<K: Kernel<N>, const N: usize>(self, sum: &Sum<'_, K, N, Ridged>) -> Sample<V>
+    where
+        V: Point<Coordinates = [f32; N]>,
+    {
+        let (Self(p, feedback), passes, mut own) = (self, sum.passes(), None);
         let p = in_first_tile(Scalar, p.coordinates(), &passes.periods);
         let (mut sum, mut weight) = ((0.0, [0.0; N]), (1.0, [0.0; N]));
         for (amplitude, layer) in passes.amplitudes.iter().zip(passes.layers.iter()) {
@@ -101,20 +130,31 @@ impl<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize> Field<V> fo
             let slopes = layer.pull_back(Scalar, slopes.map(|g| slope * g));
             let ridge = weight.0 * value;
             sum.0 += amplitude * ridge;
-            let next = self.feedback * ridge;
+            let next = feedback * ridge;
             for axis in 0..N {
                 let slope = weight.0 * slopes[axis] + weight.1[axis] * value;
                 sum.1[axis] += amplitude * slope;
-                weight.1[axis] = if next < 1.0 { self.feedback * slope } else { 0.0 };
+                weight.1[axis] = if next < 1.0 { feedback * slope } else { 0.0 };
             }
             weight.0 = if next < 1.0 { next } else { 1.0 };
         }
         let gradient = V::from_coordinates(sum.1.map(|g| g * passes.factor));
         Sample { value: sum.0 * passes.factor, gradient }
     }
+}
 
-    fn value(&self, p: V) -> f32 {
-        let (passes, mut own) = (self.octaves.parts(), None);
+/// The value at a point, with the feedback.
+struct Value<V>(V, f32);
+
+impl<V: Point> Query<V, Ridged> for Value<V> {
+    type Output = f32;
+
+    #[inline]
+    fn of<K: Kernel<N>, const N: usize>(self, sum: &Sum<'_, K, N, Ridged>) -> f32
+    where
+        V: Point<Coordinates = [f32; N]>,
+    {
+        let (Self(p, feedback), passes, mut own) = (self, sum.passes(), None);
         let p = in_first_tile(Scalar, p.coordinates(), &passes.periods);
         let (mut sum, mut weight) = (0.0, 1.0);
         for (amplitude, layer) in passes.amplitudes.iter().zip(passes.layers.iter()) {
@@ -122,21 +162,29 @@ impl<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize> Field<V> fo
             let n = noise.value_at(layer.points(Scalar, p), layer.seed);
             let ridge = weight * Ridged.value(n);
             sum += amplitude * ridge;
-            let next = self.feedback * ridge;
+            let next = feedback * ridge;
             weight = if next < 1.0 { next } else { 1.0 };
         }
         sum * passes.factor
     }
+}
 
-    fn range(&self) -> [f32; 2] {
-        let ([low, high], passes) = (Field::<V>::range(&self.octaves), self.octaves.parts());
-        // A weak octave adds less than a lone octave, and at least 0.
-        [low.min(passes.constant * passes.factor), high]
-    }
+/// A list or a grid.
+struct Batch<'p, 'a, 't, V: Point> {
+    points: &'p Points<'a, V>,
+    target: Target<'t, V>,
+    feedback: f32,
+}
 
-    fn fill(&self, points: &Points<'_, V>, mut target: Target<'_, V>) {
+impl<V: Point> Query<V, Ridged> for Batch<'_, '_, '_, V> {
+    type Output = ();
+
+    fn of<K: Kernel<N>, const N: usize>(self, sum: &Sum<'_, K, N, Ridged>)
+    where
+        V: Point<Coordinates = [f32; N]>,
+    {
+        let (Self { points, mut target, feedback }, passes) = (self, sum.passes());
         let (instructions, wanted) = (target.instructions, target.gradients.is_some());
-        let (passes, feedback) = (self.octaves.parts(), self.feedback);
         for block in points.blocks(LIST) {
             let count = block.len();
             let mut sums = Sums::empty();

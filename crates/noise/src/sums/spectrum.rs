@@ -23,7 +23,7 @@ pub(crate) const MAX_OCTAVES: u32 = FbmSpectrum::MAX_OCTAVES;
 /// use asperity_noise::FbmSpectrum;
 ///
 /// let spectrum = FbmSpectrum::default();
-/// assert_eq!(spectrum.share(1.0), 0.75);
+/// assert_eq!(spectrum.resolved_variance(1.0), 0.75);
 /// assert!(FbmSpectrum::new(2.17, -1.5, 8).is_err());
 /// ```
 #[doc(alias("hurst", "fbm"))]
@@ -173,8 +173,8 @@ impl FbmSpectrum {
     /// Returns the fraction of the spectrum's variance that the octaves carry, in [0, 1).
     ///
     /// ```text
-    /// gain < 1:   share = Σ wᵢ² aᵢ² / Σ_{i ≥ 0} aᵢ² = (1 − gain²) Σ wᵢ² aᵢ²
-    /// gain ≥ 1:   share = Σ wᵢ² aᵢ² / Σ_{i < max_octaves} aᵢ²
+    /// gain < 1:   resolved = Σ wᵢ² aᵢ² / Σ_{i ≥ 0} aᵢ² = (1 − gain²) Σ wᵢ² aᵢ²
+    /// gain ≥ 1:   resolved = Σ wᵢ² aᵢ² / Σ_{i < max_octaves} aᵢ²
     /// ```
     ///
     /// The remaining octaves carry the rest. For a gain below 1 the spectrum is infinite and
@@ -182,7 +182,7 @@ impl FbmSpectrum {
     /// continuously from 0 at `octaves` = 0 and is at most 1 − 2⁻²⁴.
     #[inline]
     #[must_use]
-    pub fn share(&self, octaves: f32) -> f32 {
+    pub fn resolved_variance(&self, octaves: f32) -> f32 {
         const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
         let sum = self.sum_of_squares(octaves);
         if self.gain < 1.0 {
@@ -302,14 +302,14 @@ mod tests {
 
     #[test]
     fn shares_rise_from_zero_and_stay_below_one() {
-        let shares = [0.0, 0.5, 1.0, 2.0].map(|octaves| FbmSpectrum::default().share(octaves));
+        let shares = [0.0, 0.5, 1.0, 2.0].map(|octaves| FbmSpectrum::default().resolved_variance(octaves));
         assert_eq!(shares, [0.0, 0.1875, 0.75, 0.9375]);
         for percent in 1..100_u8 {
             let gain = f32::from(percent) / 100.0;
             let spectrum = FbmSpectrum::new(2.0, gain, MAX_OCTAVES).unwrap();
             let mut last = 0.0;
             for step in 1..=160_u8 {
-                let share = spectrum.share(f32::from(step) / 10.0);
+                let share = spectrum.resolved_variance(f32::from(step) / 10.0);
                 assert!(share >= last && share < 1.0, "gain {gain}, step {step}: {share} after {last}");
                 last = share;
             }
@@ -319,11 +319,14 @@ mod tests {
     #[test]
     fn shares_of_gains_from_one_on_are_those_of_the_octaves_there_are() {
         let equal = FbmSpectrum::new(2.0, 1.0, 4).unwrap();
-        assert_eq!([0.0, 1.0, 2.5, 3.0].map(|octaves| equal.share(octaves)), [0.0, 0.25, 0.5625, 0.75]);
+        assert_eq!(
+            [0.0, 1.0, 2.5, 3.0].map(|octaves| equal.resolved_variance(octaves)),
+            [0.0, 0.25, 0.5625, 0.75]
+        );
         let rising = FbmSpectrum::new(2.4, 2.0, 3).unwrap();
-        assert_eq!([1.0, 2.0].map(|octaves| rising.share(octaves)), [1.0 / 21.0, 5.0 / 21.0]);
+        assert_eq!([1.0, 2.0].map(|octaves| rising.resolved_variance(octaves)), [1.0 / 21.0, 5.0 / 21.0]);
         for spectrum in [equal, rising] {
-            assert_eq!(spectrum.share(9.0), 1.0 - f32::EPSILON / 2.0);
+            assert_eq!(spectrum.resolved_variance(9.0), 1.0 - f32::EPSILON / 2.0);
         }
     }
 
@@ -338,9 +341,9 @@ mod tests {
     fn any_count_of_octaves_is_taken() {
         let spectrum = FbmSpectrum::default();
         for nothing in [0.0, -0.0, -3.0, f32::NEG_INFINITY, f32::NAN] {
-            assert_eq!(spectrum.share(nothing), 0.0, "{nothing}");
+            assert_eq!(spectrum.resolved_variance(nothing), 0.0, "{nothing}");
             assert_eq!(spectrum.weight(nothing, 0), 0.0, "{nothing}");
         }
-        assert_eq!(spectrum.share(f32::INFINITY), spectrum.share(10.0));
+        assert_eq!(spectrum.resolved_variance(f32::INFINITY), spectrum.resolved_variance(10.0));
     }
 }

@@ -75,7 +75,7 @@ impl<F: HasHessian<Vec2>> Curl2<F> {
 /// ```
 /// use asperity_noise::{Fbm, Simplex, FbmSpectrum, curl::Curl3, glam::Vec3};
 ///
-/// let [a, b] = [1, 2].map(|seed| Fbm::new(Simplex::new(seed), FbmSpectrum::CLOUD).first(2.0));
+/// let [a, b] = [1, 2].map(|seed| Fbm::new(Simplex::new(seed), FbmSpectrum::CLOUD).with_octaves(2.0));
 /// let flow = Curl3(a, b).velocity_and_jacobian(Vec3::new(0.3, 1.4, -0.2));
 /// let divergence = flow.jacobian[0][0] + flow.jacobian[1][1] + flow.jacobian[2][2];
 /// assert!(divergence.abs() < 1e-4);
@@ -129,7 +129,7 @@ impl<A: HasHessian<Vec3>, B: HasHessian<Vec3>> Curl3<A, B> {
 /// ```
 /// use asperity_noise::{Fbm, Simplex, FbmSpectrum, curl::CurlPotential, glam::Vec3};
 ///
-/// let potential = [1, 2, 3].map(|seed| Fbm::new(Simplex::new(seed), FbmSpectrum::CLOUD).first(2.0));
+/// let potential = [1, 2, 3].map(|seed| Fbm::new(Simplex::new(seed), FbmSpectrum::CLOUD).with_octaves(2.0));
 /// let flow = CurlPotential(potential);
 /// assert!(flow.velocity(Vec3::new(0.3, 1.4, -0.2)).is_finite());
 /// ```

@@ -26,7 +26,7 @@ use crate::{
 /// ```
 /// use asperity_noise::{Field, Fbm, Perlin, Simplex, FbmSpectrum, Warp, glam::Vec2};
 ///
-/// let by = [1, 2].map(|seed| Fbm::new(Simplex::new(seed), FbmSpectrum::CLOUD).first(4.0));
+/// let by = [1, 2].map(|seed| Fbm::new(Simplex::new(seed), FbmSpectrum::CLOUD).with_octaves(4.0));
 /// let warp = Warp::new(Perlin::new(3), by, 0.25)?;
 ///
 /// let p = Vec2::new(0.4, -1.7);

@@ -8,7 +8,7 @@ use asperity_noise::{
     ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise,
     glam::{Vec2, Vec3, Vec4},
     lattice::{PermutationTable, edge_gradient, gaussian_corner, unit_gradient},
-    simd::{Batch, Kernel, Level},
+    simd::{Batch, Level},
 };
 
 /// The golden bits of a field: its sample at [`POINT`], and a digest of its samples at many points.
@@ -128,14 +128,11 @@ fn sum(
     fn octaves<V: Point<Coordinates = [f32; N]>, const N: usize>(
         normalisation: Normalization,
         rotation: Rotation,
-    ) -> Golden
-    where
-        Perlin: Kernel<N>,
-    {
+    ) -> Golden {
         let noise =
-            Fbm::<_, N>::new(Perlin::new(17), FbmSpectrum::default()).with_normalization(normalisation);
+            Fbm::<_, V>::new(Perlin::new(17), FbmSpectrum::default()).with_normalization(normalisation);
         let noise = noise.with_rotation(rotation);
-        golden(&|p: V| noise.detail(6.5).sample(p))
+        golden(&|p: V| noise.sample_with_octaves(p, 6.5))
     }
     emit(name, octaves::<f32, 1>(normalisation, rotation));
     emit(name, octaves::<Vec2, 2>(normalisation, rotation));
@@ -146,9 +143,9 @@ fn sum(
 fn gaussian_sum<V: Point<Coordinates = [f32; N]>, const N: usize>(
     emit: &mut impl FnMut(&'static str, Golden),
 ) {
-    let noise = GaussianFbm::<N>::new(GaussianNoise::new(17), FbmSpectrum::default());
-    emit("Gaussian octaves", golden(&|p: V| noise.detail(6.5).sample(p)));
-    emit("Gaussian octaves, second channel", golden(&|p: V| noise.detail(6.5).pair(p)[1]));
+    let noise = GaussianFbm::<V>::new(GaussianNoise::new(17), FbmSpectrum::default());
+    emit("Gaussian octaves", golden(&|p: V| noise.sample_with_octaves(p, 6.5)));
+    emit("Gaussian octaves, second channel", golden(&|p: V| noise.pair_with_octaves(p, 6.5)[1]));
     emit("Gaussian, second channel", golden(&|p: V| GaussianNoise::new(17).pair(p)[1]));
     emit("Gaussian, not normalised", golden(&|p: V| GaussianNoise::new(17).unnormalised(p)));
     emit("variance of Gaussian", golden(&|p: V| GaussianNoise::new(17).variance(p)));
@@ -197,8 +194,8 @@ pub(crate) fn batches(emit: &mut impl FnMut(&'static str, Golden)) {
     emit("Perlin 2002", batched::<Vec3, 3>(&Perlin::new(17)));
     emit("simplex", batched::<Vec2, 2>(&Simplex::new(17)));
     emit("Gaussian", batched::<Vec2, 2>(&GaussianNoise::new(17)));
-    let sum = GaussianFbm::<2>::new(GaussianNoise::new(17), FbmSpectrum::default());
-    emit("Gaussian octaves", batched::<Vec2, 2>(&sum.first(6.5)));
+    let sum = GaussianFbm::<Vec2>::new(GaussianNoise::new(17), FbmSpectrum::default());
+    emit("Gaussian octaves", batched::<Vec2, 2>(&sum.with_octaves(6.5)));
 }
 
 /// The digest of the variates of words.
@@ -240,7 +237,7 @@ pub(crate) fn numbers(emit: &mut impl FnMut(&'static str, u32)) {
                 spectrum.weight(count, octave),
                 spectrum.sum_of_amplitudes(count),
                 spectrum.root_sum_of_squares(count),
-                spectrum.share(count),
+                spectrum.resolved_variance(count),
                 spectrum.kurtosis_ratio(count),
             ])
         }),

@@ -147,7 +147,7 @@ fn cellular_octaves_and_unit() {
     let noise = Cellular::new(1).with_metric(Metric::Manhattan);
     let (mut sum, mut square) = (0.0, 0.0);
     for seed in 0..4000_u16 {
-        let octaves = Fbm::<_, 2>::new(noise.with_seed(u32::from(seed)), FbmSpectrum::default());
+        let octaves = Fbm::<_, Vec2>::new(noise.with_seed(u32::from(seed)), FbmSpectrum::default());
         let value = octaves.value(Vec2::new(0.3, -0.7) * f32::from(seed % 89));
         sum += value;
         square += value * value;

@@ -147,14 +147,14 @@ fn sums<T: Shape>(random: &mut Random, found: &mut Vec<String>, shape: T) {
         let octaves = 1.0 + 9.0 * (f64::from(random.word()) / 4_294_967_296.0) as f32;
         let normalisation = [Normalization::UnitRange, Normalization::UnitVariance][random.below(2)];
         let footprint = [0.0, 0.05, 0.3][random.below(3)];
-        let sum = Fbm::<_, 2>::new(
+        let sum = Fbm::<_, Vec2>::new(
             WhiteNoise::new(0).with_lattice(Chosen([word; 256])),
             FbmSpectrum::new(2.0, gain, 10).expect("a gain below 1"),
         )
         .with_shape(shape)
         .with_normalization(normalisation)
-        .first(octaves)
-        .clamped(footprint);
+        .with_octaves(octaves)
+        .band_limited(footprint);
         let ([low, high], value) = (Field::<Vec2>::range(&sum), sum.value(Vec2::new(0.3, 0.7)));
         if !(low..=high).contains(&value) {
             found.push(format!("{shape:?} of {octaves} octaves, gain {gain}: {value} of [{low}, {high}]"));

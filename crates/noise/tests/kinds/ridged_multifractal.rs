@@ -2,12 +2,13 @@
 
 use approx::assert_abs_diff_eq;
 use asperity_noise::{
-    Fbm, FbmSpectrum, Field, Normalization, Perlin, Ridged, RidgedMultifractal, glam::Vec3,
+    Fbm, FbmSpectrum, Field, Normalization, Perlin, Ridged, RidgedMultifractal,
+    glam::{Vec2, Vec3},
 };
 
 #[test]
 fn ridged_multifractal_rejects_invalid_feedback() {
-    let new = |feedback| RidgedMultifractal::<_, 2>::new(Perlin::new(1), FbmSpectrum::default(), feedback);
+    let new = |feedback| RidgedMultifractal::<_, Vec2>::new(Perlin::new(1), FbmSpectrum::default(), feedback);
     for feedback in [-1.0, f32::INFINITY] {
         assert_eq!(new(feedback).map_err(|error| error.feedback), Err(feedback));
     }
@@ -21,15 +22,15 @@ fn ridged_multifractal_of_one_octave_is_ridged() {
         Fbm::new(Perlin::new(1), FbmSpectrum::default()).with_normalization(Normalization::UnitRange);
     let octaves = octaves.with_shape(Ridged);
     let p = Vec3::new(0.2, 7.1, -3.4);
-    assert_eq!(ridges.first(1.0).sample(p), octaves.first(1.0).sample(p));
-    assert_ne!(ridges.first(2.0).sample(p), octaves.first(2.0).sample(p));
-    assert_eq!(ridges.first(5.0).value(p), ridges.first(5.0).sample(p).value);
+    assert_eq!(ridges.with_octaves(1.0).sample(p), octaves.with_octaves(1.0).sample(p));
+    assert_ne!(ridges.with_octaves(2.0).sample(p), octaves.with_octaves(2.0).sample(p));
+    assert_eq!(ridges.with_octaves(5.0).value(p), ridges.with_octaves(5.0).sample(p).value);
 }
 
 #[test]
 fn ridged_multifractal_without_feedback_is_its_first_octave() {
     let ridges = RidgedMultifractal::new(Perlin::new(1), FbmSpectrum::default(), 0.0).unwrap();
     let p = Vec3::new(0.2, 7.1, -3.4);
-    let [one, three] = [1.0, 3.0].map(|octaves| ridges.first(octaves).value(p));
+    let [one, three] = [1.0, 3.0].map(|octaves| ridges.with_octaves(octaves).value(p));
     assert_abs_diff_eq!(three * 1.75, one, epsilon = 1e-6);
 }

@@ -1,8 +1,8 @@
 //! Kinds on a tileable lattice.
 
 use asperity_noise::{
-    Cellular, CellularOutput, Field, GaussianNoise, IntegerHash, Perlin, PerlinClassic, Point, Simplex,
-    SparseConvolution, Tiled, ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise,
+    Cellular, CellularOutput, Field, GaussianNoise, Perlin, PerlinClassic, Point, Simplex, SparseConvolution,
+    ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise,
     glam::{Vec2, Vec3, Vec4},
     lattice::{ChainedTable, PermutationTable},
 };
@@ -40,25 +40,24 @@ fn tiled_repeats_every_kind_on_the_integer_lattice() {
         tiles::<Vec3, 3>(noise, [7, 1, 12]);
         tiles::<Vec4, 4>(noise, [7, 1, 12, 2]);
     }
-    let lattice = Tiled::new(IntegerHash, [7, 1, 12, 2]).unwrap();
-    kind(&WhiteNoise::new(4).with_lattice(lattice));
-    kind(&ValueNoise::new(4).with_lattice(lattice));
-    kind(&ValueCatmullRom::new(4).with_lattice(lattice));
-    kind(&ValueGradient::new(4).with_lattice(lattice));
-    kind(&PerlinClassic::new(4).with_lattice(lattice));
-    kind(&Perlin::new(4).with_lattice(lattice));
-    kind(&GaussianNoise::new(4).with_lattice(lattice));
-    kind(&SparseConvolution::new(4).with_lattice(lattice));
-    kind(&Cellular::new(4).with_lattice(lattice));
-    kind(&Cellular::new(4).with_output(CellularOutput::Cell).with_lattice(lattice));
+    const PERIODS: [u32; 4] = [7, 1, 12, 2];
+    kind(&WhiteNoise::new(4).tiled(PERIODS).unwrap());
+    kind(&ValueNoise::new(4).tiled(PERIODS).unwrap());
+    kind(&ValueCatmullRom::new(4).tiled(PERIODS).unwrap());
+    kind(&ValueGradient::new(4).tiled(PERIODS).unwrap());
+    kind(&PerlinClassic::new(4).tiled(PERIODS).unwrap());
+    kind(&Perlin::new(4).tiled(PERIODS).unwrap());
+    kind(&GaussianNoise::new(4).tiled(PERIODS).unwrap());
+    kind(&SparseConvolution::new(4).tiled(PERIODS).unwrap());
+    kind(&Cellular::new(4).tiled(PERIODS).unwrap());
+    kind(&Cellular::new(4).with_output(CellularOutput::Cell).tiled(PERIODS).unwrap());
     let table = PermutationTable::new(1);
-    kind(&Perlin::new(4).with_lattice(Tiled::new(table, [7, 1, 12, 2]).unwrap()));
-    kind(&Perlin::new(4).with_lattice(Tiled::new(ChainedTable(table), [7, 1, 12, 2]).unwrap()));
+    kind(&Perlin::new(4).with_lattice(table).tiled(PERIODS).unwrap());
+    kind(&Perlin::new(4).with_lattice(ChainedTable(table)).tiled(PERIODS).unwrap());
 }
 
 #[test]
 fn tiled_repeats_simplex_in_1d() {
-    let lattice = Tiled::new(IntegerHash, [7]).unwrap();
-    tiles::<f32, 1>(&Simplex::new(4).with_lattice(lattice), [7]);
-    tiles::<f32, 1>(&Simplex::wide(4).with_lattice(lattice), [7]);
+    tiles::<f32, 1>(&Simplex::new(4).tiled([7]).unwrap(), [7]);
+    tiles::<f32, 1>(&Simplex::wide(4).tiled([7]).unwrap(), [7]);
 }

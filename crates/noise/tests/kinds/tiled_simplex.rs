@@ -1,20 +1,20 @@
 //! Tileable simplex noise.
 
-use asperity_noise::{Field, Simplex, TiledError, TiledSimplex, glam::Vec3};
+use asperity_noise::{Field, Simplex, TiledError, glam::Vec3};
 
 #[test]
 fn tiled_simplex_rejects_invalid_periods() {
-    assert_eq!(TiledSimplex::new(Simplex::wide(0), [3, 6, 300]).unwrap().periods(), &[3, 6, 300]);
+    assert_eq!(Simplex::wide(0).tiled([3, 6, 300]).unwrap().periods(), &[3, 6, 300]);
     let error = TiledError::NoMultiple { axis: 1, period: 4, factor: 3 };
-    assert_eq!(TiledSimplex::new(Simplex::wide(0), [3, 4, 6]), Err(error));
-    assert!(TiledSimplex::new(Simplex::wide(0), [0, 3, 6]).is_err());
+    assert_eq!(Simplex::wide(0).tiled([3, 4, 6]), Err(error));
+    assert!(Simplex::wide(0).tiled([0, 3, 6]).is_err());
 }
 
 #[test]
 fn tiled_simplex_repeats_along_every_axis() {
     let periods = Vec3::new(3.0, 6.0, 9.0);
     for kernel in [Simplex::new(0), Simplex::wide(0)] {
-        let noise = TiledSimplex::new(kernel, [3, 6, 9]).unwrap();
+        let noise = kernel.tiled([3, 6, 9]).unwrap();
         let mut others = 0;
         for i in 0..400_i16 {
             let p = Vec3::new(0.375 * f32::from(i), 11.25 - 0.625 * f32::from(i), -0.875 * f32::from(i % 37));

@@ -94,7 +94,7 @@ fn points_of_simplex_noise_match_scalar() {
 
 #[test]
 fn aligned_sums_match_scalar() {
-    let sum = Fbm::<_, 2>::new(Simplex::new(3), FbmSpectrum::default()).first(3.4);
+    let sum = Fbm::<_, Vec2>::new(Simplex::new(3), FbmSpectrum::default()).with_octaves(3.4);
     let sum = sum.with_normalization(Normalization::UnitRange).with_rotation(Rotation::Aligned);
     let field: &dyn Field<Vec2> = &sum;
     grids("octaves 2-D", field, &near_cases()[..4]);

@@ -57,14 +57,14 @@ fn same(name: &str, in_lanes: At<'_>, one_by_one: At<'_>) {
 fn octaves_in_lanes_match_octaves_one_by_one() {
     macro_rules! kinds {
         ($($kind:expr),+) => {$(
-            let in_lanes = Fbm::<_, 3>::new($kind, spectrum());
-            let one_by_one = Fbm::<_, 3>::new($kind.with_lattice(OneByOne), spectrum());
+            let in_lanes = Fbm::<_, Vec3>::new($kind, spectrum());
+            let one_by_one = Fbm::<_, Vec3>::new($kind.with_lattice(OneByOne), spectrum());
             for count in COUNTS {
                 let name = format!("{count} octaves of {:?}", $kind);
-                let (sum, expected) = (in_lanes.first(count), one_by_one.first(count));
+                let (sum, expected) = (in_lanes.with_octaves(count), one_by_one.with_octaves(count));
                 same(&name, &|p| (sum.sample(p), sum.value(p)), &|p| (expected.sample(p), expected.value(p)));
-                let sum = in_lanes.with_shape(Turbulence).first(count).clamped(0.01);
-                let expected = one_by_one.with_shape(Turbulence).first(count).clamped(0.01);
+                let sum = in_lanes.with_shape(Turbulence).with_octaves(count).band_limited(0.01);
+                let expected = one_by_one.with_shape(Turbulence).with_octaves(count).band_limited(0.01);
                 same(&name, &|p| (sum.sample(p), sum.value(p)), &|p| (expected.sample(p), expected.value(p)));
             }
         )+};
@@ -74,16 +74,18 @@ fn octaves_in_lanes_match_octaves_one_by_one() {
 
 #[test]
 fn channels_in_lanes_match_octaves_one_by_one() {
-    let in_lanes = Fbm::<_, 3>::new(GaussianNoise::new(7), spectrum());
-    let one_by_one = Fbm::<_, 3>::new(GaussianNoise::new(7).with_lattice(OneByOne), spectrum());
-    let flat = Fbm::<_, 2>::new(GaussianNoise::new(7), spectrum());
-    let flat_one_by_one = Fbm::<_, 2>::new(GaussianNoise::new(7).with_lattice(OneByOne), spectrum());
+    let in_lanes = Fbm::<_, Vec3>::new(GaussianNoise::new(7), spectrum());
+    let one_by_one = Fbm::<_, Vec3>::new(GaussianNoise::new(7).with_lattice(OneByOne), spectrum());
+    let flat = Fbm::<_, Vec2>::new(GaussianNoise::new(7), spectrum());
+    let flat_one_by_one = Fbm::<_, Vec2>::new(GaussianNoise::new(7).with_lattice(OneByOne), spectrum());
     for count in COUNTS {
         for p in space() {
-            let (pair, expected) = (in_lanes.detail(count).pair(p), one_by_one.detail(count).pair(p));
+            let (pair, expected) =
+                (in_lanes.pair_with_octaves(p, count), one_by_one.pair_with_octaves(p, count));
             assert_eq!(pair.each_ref().map(bits), expected.each_ref().map(bits), "{count} octaves at {p}");
             let q = Vec2::new(p.x, p.z);
-            let (pair, expected) = (flat.detail(count).pair(q), flat_one_by_one.detail(count).pair(q));
+            let (pair, expected) =
+                (flat.pair_with_octaves(q, count), flat_one_by_one.pair_with_octaves(q, count));
             let bits = |sample: &Sample<Vec2>| {
                 [sample.value, sample.gradient.x, sample.gradient.y].map(f32::to_bits)
             };

@@ -16,12 +16,12 @@ fn same_bits(name: &str, field: &dyn Field<Vec2>) {
 
 #[test]
 fn batches_of_shaped_sums_match_points() {
-    let octaves = Fbm::<_, 2>::new(Simplex::new(4), FbmSpectrum::default()).first(3.5);
+    let octaves = Fbm::<_, Vec2>::new(Simplex::new(4), FbmSpectrum::default()).with_octaves(3.5);
     for rotation in [Rotation::Random, Rotation::Aligned] {
         let turbulence = octaves.with_rotation(rotation).with_shape(Turbulence);
         for footprint in [0.0, 0.1, 9.0] {
             let name = format!("{rotation:?}, footprint {footprint}");
-            grids(&name, &turbulence.clamped(footprint) as &dyn Field<Vec2>, &near_cases()[..4]);
+            grids(&name, &turbulence.band_limited(footprint) as &dyn Field<Vec2>, &near_cases()[..4]);
         }
     }
     same_bits("turned turbulence", &octaves.with_shape(Turbulence));
@@ -30,8 +30,8 @@ fn batches_of_shaped_sums_match_points() {
 
 #[test]
 fn batches_of_ridged_multifractal_match_points() {
-    let ridges = RidgedMultifractal::<_, 2>::new(Simplex::new(1), FbmSpectrum::CLOUD, 2.0).unwrap();
-    same_bits("ridged multifractal, squared", &Power(ridges.first(3.5), 2));
+    let ridges = RidgedMultifractal::<_, Vec2>::new(Simplex::new(1), FbmSpectrum::CLOUD, 2.0).unwrap();
+    same_bits("ridged multifractal, squared", &Power(ridges.with_octaves(3.5), 2));
 }
 
 /// A custom field, a plane wave, evaluated point by point.
@@ -45,7 +45,7 @@ impl Field<Vec2> for Wave {
 
 /// Fields that own their parts, selected at run time.
 fn composed(which: usize) -> Box<dyn Field<Vec2>> {
-    let by = [1, 2].map(|seed| Fbm::new(Simplex::new(seed), FbmSpectrum::CLOUD).first(2.0));
+    let by = [1, 2].map(|seed| Fbm::new(Simplex::new(seed), FbmSpectrum::CLOUD).with_octaves(2.0));
     let noise = || Simplex::new(7);
     match which {
         0 => Box::new(Add(noise(), Wave)),

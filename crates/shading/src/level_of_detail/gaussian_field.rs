@@ -54,7 +54,7 @@ pub trait GaussianField {
 /// use asperity_shading::glam::Vec3;
 /// use asperity_shading::noise::{GaussianNoise, GaussianFbm, FbmSpectrum};
 ///
-/// let field = GaussianFbm::<3>::new(GaussianNoise::new(7), FbmSpectrum::default());
+/// let field = GaussianFbm::<Vec3>::new(GaussianNoise::new(7), FbmSpectrum::default());
 /// let p = Vec3::new(0.3, 1.7, -2.2);
 /// assert_eq!(field.coordinates(p, 0.0), Coordinates::FAR);
 /// assert_eq!(field.coordinates(p, 1.0).share, 0.75);
@@ -62,12 +62,12 @@ pub trait GaussianField {
 /// ```
 /// On any lattice, including an [anchored](Fbm::anchored) sum, with differences from its
 /// anchor.
-impl<L: Lattice> GaussianField for Fbm<GaussianNoise<L>, 3> {
+impl<L: Lattice> GaussianField for Fbm<GaussianNoise<L>, Vec3> {
     fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates {
-        let [x, y] = self.detail(octaves).pair(p);
+        let [x, y] = self.pair_with_octaves(p, octaves);
         Coordinates {
             z: Vec2::new(x.value, y.value),
-            share: self.spectrum().share(octaves),
+            share: self.spectrum().resolved_variance(octaves),
             fade: self.spectrum().weight(octaves, 0),
         }
     }
@@ -113,7 +113,7 @@ mod tests {
             assert_ne!(field.coordinates(p, 6.0), field.coordinates(p, 5.5));
         }
         let spectrum = FbmSpectrum::new(2.5, 0.6, 6).unwrap();
-        let gaussian = GaussianFbm::<3>::new(GaussianNoise::new(1), spectrum);
+        let gaussian = GaussianFbm::<Vec3>::new(GaussianNoise::new(1), spectrum);
         let remapped = RemappedOctaves::new(Simplex::new(0), spectrum, 3).unwrap();
         compared(gaussian, &gaussian as &dyn GaussianField);
         compared(remapped, &remapped as &dyn GaussianField);

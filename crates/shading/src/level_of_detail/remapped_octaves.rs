@@ -1,10 +1,7 @@
 //! Classic lattice noise as Gaussian coordinates, by its measured distribution.
 
 use asperity_ndf_sampling::{NdfError, NoiseCdfRef, NoiseDistribution};
-use asperity_noise::{
-    Fbm, FbmSpectrum, Field,
-    simd::{Anchor, Kernel},
-};
+use asperity_noise::{Anchor, Fbm, FbmSpectrum, Field, Noise};
 use glam::{Vec2, Vec3};
 
 use crate::level_of_detail::gaussian_field::{Coordinates, GaussianField};
@@ -43,11 +40,11 @@ const SECOND: u32 = 0x9E37_79B9;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RemappedOctaves<K> {
-    channels: [Fbm<K, 3>; 2],
+    channels: [Fbm<K, Vec3>; 2],
     cdf: NoiseCdfRef<'static>,
 }
 
-impl<K: Kernel<3> + Clone> RemappedOctaves<K> {
+impl<K: Noise<Vec3> + Clone> RemappedOctaves<K> {
     /// Creates the pair of sums of octaves of `noise` selected by `seed`.
     ///
     /// # Errors
@@ -59,7 +56,9 @@ impl<K: Kernel<3> + Clone> RemappedOctaves<K> {
         let second = Fbm::new(noise, spectrum).with_seed(seed.wrapping_add(SECOND));
         Ok(Self { channels: [first, second], cdf })
     }
+}
 
+impl<K> RemappedOctaves<K> {
     /// The frequencies and amplitudes of the octaves.
     #[must_use]
     pub fn spectrum(&self) -> &FbmSpectrum {
@@ -92,7 +91,7 @@ impl<K: Anchor<3>> RemappedOctaves<K> {
     }
 }
 
-impl<K: Kernel<3> + Clone> GaussianField for RemappedOctaves<K> {
+impl<K: Field<Vec3>> GaussianField for RemappedOctaves<K> {
     fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates {
         let spectrum = self.spectrum();
         let fade = spectrum.weight(octaves, 0);
@@ -100,8 +99,8 @@ impl<K: Kernel<3> + Clone> GaussianField for RemappedOctaves<K> {
             return Coordinates::FAR;
         }
         let [x, y] =
-            self.channels.each_ref().map(|channel| self.cdf.invert(channel.detail(octaves).value(p)));
-        Coordinates { z: Vec2::new(x, y), share: spectrum.share(octaves), fade }
+            self.channels.each_ref().map(|channel| self.cdf.invert(channel.value_with_octaves(p, octaves)));
+        Coordinates { z: Vec2::new(x, y), share: spectrum.resolved_variance(octaves), fade }
     }
 
     fn lacunarity(&self) -> f32 {
@@ -122,7 +121,7 @@ mod tests {
     #[test]
     fn coordinates_are_finite_for_every_input() {
         let perlin = RemappedOctaves::new(Perlin::default(), FbmSpectrum::default(), 1).unwrap();
-        let gaussian = GaussianFbm::<3>::new(GaussianNoise::new(1), FbmSpectrum::default());
+        let gaussian = GaussianFbm::<Vec3>::new(GaussianNoise::new(1), FbmSpectrum::default());
         for field in [&perlin as &dyn GaussianField, &gaussian] {
             for octaves in [f32::NAN, f32::NEG_INFINITY, -1.0, 0.0, 1e-30, 0.5, 3.7, 1e9, f32::INFINITY] {
                 for x in [0.0, 0.3, f32::NAN, f32::INFINITY, -1e30] {

@@ -1,8 +1,7 @@
 //! fBm of simplex noise by position, filtered by the footprint.
 
 use asperity_noise::{
-    Detail, Fbm, FbmSpectrum, FbmSpectrumError, Field, Noise, Normalization, Sample, Simplex,
-    filtered_fraction, simd::Kernel,
+    Fbm, FbmSpectrum, FbmSpectrumError, Field, Noise, Normalization, Sample, Simplex, filtered_fraction,
 };
 use glam::Vec3;
 
@@ -37,7 +36,7 @@ pub(crate) fn spectrum(
 #[doc(hidden)]
 pub struct SizedFbm<K = Simplex> {
     /// The whole sum.
-    octaves: Fbm<K, 3>,
+    octaves: Fbm<K, Vec3>,
     frequency: f32,
     /// The frequency of the last octave over the frequency of the first.
     highest: f32,
@@ -52,14 +51,14 @@ impl SizedFbm {
     /// Creates a single octave.
     pub(crate) fn single(size: f32, seed: u32) -> Self {
         let cloud = Self::new(FbmSpectrum::CLOUD, size, seed);
-        Self { octaves: cloud.octaves.first(1.0), highest: 1.0, ..cloud }
+        Self { octaves: cloud.octaves.with_octaves(1.0), highest: 1.0, ..cloud }
     }
 }
 
-impl<K: Kernel<3>> SizedFbm<K> {
+impl<K: Field<Vec3>> SizedFbm<K> {
     /// The sum of octaves.
     #[must_use]
-    pub const fn octaves(&self) -> &Fbm<K, 3> {
+    pub const fn octaves(&self) -> &Fbm<K, Vec3> {
         &self.octaves
     }
 
@@ -81,7 +80,7 @@ impl<K: Kernel<3>> SizedFbm<K> {
         let p = position * self.frequency;
         match self.faded(footprint) {
             None => self.octaves.sample(p),
-            Some(faded) => faded.sample(p),
+            Some(width) => self.octaves.sample_band_limited(p, width),
         }
     }
 
@@ -90,15 +89,14 @@ impl<K: Kernel<3>> SizedFbm<K> {
         let p = position * self.frequency;
         match self.faded(footprint) {
             None => self.octaves.value(p),
-            Some(faded) => faded.value(p),
+            Some(width) => self.octaves.value_band_limited(p, width),
         }
     }
 
-    /// The octaves of a pixel that does not resolve all of them.
-    fn faded(&self, footprint: Footprint) -> Option<Detail<'_, K, 3>> {
+    /// The footprint in cells of a pixel that does not resolve all octaves.
+    fn faded(&self, footprint: Footprint) -> Option<f32> {
         let width = footprint.width() * self.frequency;
-        (filtered_fraction(width, self.highest) > 0.0)
-            .then(|| self.octaves.detail(self.octaves.octaves()).clamped(width))
+        (filtered_fraction(width, self.highest) > 0.0).then_some(width)
     }
 
     /// The value without fading.

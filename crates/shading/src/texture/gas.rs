@@ -1,6 +1,6 @@
 //! Gas as a density in space, steam, and light through it.
 
-use asperity_noise::{Fbm, FbmSpectrum, Field, Normalization, Perlin, Turbulence, simd::Kernel};
+use asperity_noise::{Fbm, FbmSpectrum, Field, Normalization, Perlin, Turbulence};
 use glam::Vec3;
 
 use crate::math::{clamp_to, exp, floor, pow, sin, sqrt};
@@ -26,7 +26,7 @@ use crate::pixel::Footprint;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Gas<K = Perlin> {
-    turbulence: Fbm<K, 3, Turbulence>,
+    turbulence: Fbm<K, Vec3, Turbulence>,
     octaves: f32,
     max_density: f32,
     exponent: f32,
@@ -39,7 +39,7 @@ impl Default for Gas {
         let octaves =
             Fbm::new(Perlin::new(0), FbmSpectrum::default()).with_normalization(Normalization::UnitRange);
         Self {
-            turbulence: octaves.with_shape(Turbulence).first(5.0),
+            turbulence: octaves.with_shape(Turbulence).with_octaves(5.0),
             octaves: 5.0,
             max_density: 2.0,
             exponent: 3.0,
@@ -48,20 +48,20 @@ impl Default for Gas {
     }
 }
 
-impl<K: Kernel<3>> Gas<K> {
+impl<K: Field<Vec3>> Gas<K> {
     /// Creates gas from the first `octaves` octaves of a turbulence.
     ///
     /// # Errors
     /// [`ParameterError`] unless `max_density` and `exponent` are finite and positive.
     pub fn new(
-        turbulence: Fbm<K, 3, Turbulence>,
+        turbulence: Fbm<K, Vec3, Turbulence>,
         octaves: f32,
         max_density: f32,
         exponent: f32,
     ) -> Result<Self, ParameterError> {
         positive("max_density", max_density)?;
         positive("exponent", exponent)?;
-        let turbulence = turbulence.first(octaves);
+        let turbulence = turbulence.with_octaves(octaves);
         Ok(Self { turbulence, octaves, max_density, exponent, veins: false })
     }
 
@@ -74,7 +74,7 @@ impl<K: Kernel<3>> Gas<K> {
     /// The turbulence; octaves, maximum density, exponent; whether there are veins.
     #[doc(hidden)]
     #[must_use]
-    pub const fn parts(&self) -> (&Fbm<K, 3, Turbulence>, [f32; 3], bool) {
+    pub const fn parts(&self) -> (&Fbm<K, Vec3, Turbulence>, [f32; 3], bool) {
         (&self.turbulence, [self.octaves, self.max_density, self.exponent], self.veins)
     }
 
@@ -93,8 +93,7 @@ impl<K: Kernel<3>> Gas<K> {
     /// approximation errs by 1.4 %.
     #[must_use]
     pub fn clamped_density(&self, p: Vec3, footprint: Footprint) -> f32 {
-        let field = self.turbulence.detail(self.octaves).clamped(footprint.width());
-        let mean = Field::<Vec3>::value(&field, p);
+        let mean = self.turbulence.value_band_limited(p, footprint.width());
         let apart = sqrt(3.0 * self.removed(footprint));
         if apart > 0.0 {
             let sides = self.of((mean - apart).max(0.0)) + self.of(mean + apart);
@@ -107,7 +106,8 @@ impl<K: Kernel<3>> Gas<K> {
     /// The variance of the turbulence that a pixel of this footprint does not resolve.
     fn removed(&self, footprint: Footprint) -> f32 {
         let spectrum = self.turbulence.spectrum();
-        let [first, second, ..] = self.turbulence.noise().absolute_moments();
+        let absolute = self.turbulence.field().moments().map_or([0.0; 4], |moments| moments.absolute);
+        let [first, second, ..] = absolute;
         let mut sum = 0.0;
         for i in 0..spectrum.max_octaves() {
             let kept = footprint.kept(spectrum.frequency(i));
@@ -321,7 +321,7 @@ mod tests {
         let point = |k: u16| 7.3 * f32::from(k) * Vec3::new(0.819_172_5, 0.671_043_6, 0.549_700_5);
         let mean = (0..20_000).map(|k| gas.density(point(k))).sum::<f32>() / 20_000.0;
         let far = gas.clamped_density(Vec3::ZERO, Footprint::from_width(100.0));
-        let of_mean = gas.of(gas.turbulence.first(gas.octaves).clamped(100.0).value(Vec3::ZERO));
+        let of_mean = gas.of(gas.turbulence.with_octaves(gas.octaves).band_limited(100.0).value(Vec3::ZERO));
         // Standard deviations of densities are about their mean: 0.7 % of it. The third moment of
         // the turbulence is omitted; measured: 1.4 %.
         assert_abs_diff_eq!(far / mean, 1.0, epsilon = 0.04);
@@ -333,7 +333,7 @@ mod tests {
         let gas = Gas::default();
         for i in 0..100 {
             let p = Vec3::new(0.37 * i as f32, 1.1, -0.21 * i as f32);
-            let t = gas.turbulence.detail(5.0).value(p);
+            let t = gas.turbulence.value_with_octaves(p, 5.0);
             assert_abs_diff_eq!(gas.density(p), (2.0 * t).powi(3), epsilon = 1e-6 * gas.density(p) + 1e-9);
             let veins = gas.with_veins().density(p);
             let expected = (1.0 + (t * core::f32::consts::PI).sin()).powi(3);
@@ -351,7 +351,7 @@ mod tests {
             for i in 0..20_u8 {
                 let p = Vec3::new(0.37, 1.1, -0.21) * f32::from(i);
                 let expected = (1.5 * of.value(p)).powf(exponent);
-                assert_abs_diff_eq!(of.value(p), turbulence.detail(3.5).value(p), epsilon = 1e-6);
+                assert_abs_diff_eq!(of.value(p), turbulence.value_with_octaves(p, 3.5), epsilon = 1e-6);
                 // Roundings of logarithm and exponential, times the exponent.
                 assert_abs_diff_eq!(gas.density(p), expected, epsilon = 5e-6 * expected);
                 assert!(gas.density(p) <= gas.densest());

@@ -200,7 +200,7 @@ impl GasUniform {
     #[must_use]
     pub fn new(gas: &Gas, sum: u32) -> Self {
         let (turbulence, [octaves, density, exponent], veins) = gas.parts();
-        let [first, second, ..] = Noise::<Vec3>::absolute_moments(turbulence.noise());
+        let [first, second, ..] = Noise::<Vec3>::absolute_moments(turbulence.field());
         let floats = [octaves, density, exponent, second - first * first];
         let [a, b, c, d] = floats.map(f32::to_bits);
         Self { words: [a, b, c, d, sum, u32::from(veins), 0, 0], sum: OctavesUniform::new(turbulence) }

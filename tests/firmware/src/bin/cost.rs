@@ -92,8 +92,8 @@ fn gaussian() -> Option<[f32; 3]> {
 }
 
 fn gaussian_octaves() -> Option<[f32; 3]> {
-    let octaves = GaussianFbm::<3>::new(GaussianNoise::new(7), FbmSpectrum::default());
-    Some(octaves.detail(4.5).sample(place()).gradient.to_array())
+    let octaves = GaussianFbm::<Vec3>::new(GaussianNoise::new(7), FbmSpectrum::default());
+    Some(octaves.sample_with_octaves(place(), 4.5).gradient.to_array())
 }
 
 fn ggx_normal() -> Option<[f32; 3]> {

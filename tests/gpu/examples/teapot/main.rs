@@ -41,7 +41,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let folder = std::env::args().nth(1).unwrap_or_else(|| "target".into());
     std::fs::create_dir_all(&folder)?;
     let painter = pollster::block_on(Painter::new())?;
-    let octaves = GaussianFbm::<3>::new(GaussianNoise::new(7), FbmSpectrum::new(2.17, 0.8, 16)?);
+    let octaves = GaussianFbm::<Vec3>::new(GaussianNoise::new(7), FbmSpectrum::new(2.17, 0.8, 16)?);
     let focus = focus();
     for zoom in [1.0, 10.0, 100.0, 10_000.0] {
         // Positions in f64 up to the focus, in f32 from there.

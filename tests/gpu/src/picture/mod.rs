@@ -16,7 +16,7 @@ use asperity_shading::{BumpField, pixel::FrequencyClamp};
 use asperity_wgsl::Part;
 use asperity_wgsl::noise::sums::{MipMapped, OctavesUniform};
 use clap::ValueEnum;
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
 use crate::{
     device::{self, Gpu},
@@ -191,14 +191,14 @@ fn write_strip(name: &str, strip: &Strip, size: u32, out: &Path) -> Result<(), S
 }
 
 /// Returns the sum of the bumps.
-fn sum() -> Result<GaussianFbm<3>, String> {
+fn sum() -> Result<GaussianFbm<Vec3>, String> {
     let spectrum = FbmSpectrum::new(2.17, 0.8, 16).map_err(|error| error.to_string())?;
     Ok(GaussianFbm::new(GaussianNoise::new(7), spectrum))
 }
 
 /// Returns a sum anchored at a scene's focus, and its words.
 fn at_focus(
-    octaves: &GaussianFbm<3>,
+    octaves: &GaussianFbm<Vec3>,
     scene: &Scene,
     look: &Look,
 ) -> (impl GaussianField + use<>, (&'static str, Vec<u32>)) {
@@ -256,8 +256,8 @@ fn textured(gpu: &Gpu, look: &Look, size: u32, out: &Path) -> Result<(), String>
             let (ours, time) = made.draw(gpu, &scene, look)?;
             let seen = |corner: &Corner, pixel| {
                 let octaves = clamp.octaves(pixel);
-                let [x, y] = sum.detail(octaves).pair(corner.uv.as_vec2() * f32::from(PERIOD));
-                let (share, fade) = (spectrum.share(octaves), spectrum.weight(octaves, 0));
+                let [x, y] = sum.pair_with_octaves(corner.uv.as_vec2() * f32::from(PERIOD), octaves);
+                let (share, fade) = (spectrum.resolved_variance(octaves), spectrum.weight(octaves, 0));
                 Coordinates { z: Vec2::new(x.value, y.value), share, fade }
             };
             let theirs = reference::picture(&scene, look, seen, size)?;

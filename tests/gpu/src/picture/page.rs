@@ -100,7 +100,7 @@ fn compared(file: &Path) -> Result<f64, String> {
     let spectrum =
         FbmSpectrum::new(settings.lacunarity, settings.gain, 16).map_err(|error| error.to_string())?;
     let at: [f64; 3] = (described.focus * f64::from(look.frequency)).into();
-    let octaves = GaussianFbm::<3>::new(GaussianNoise::new(settings.seed), spectrum).anchored(at);
+    let octaves = GaussianFbm::<Vec3>::new(GaussianNoise::new(settings.seed), spectrum).anchored(at);
     let bumps = BumpField::new(octaves, look.frequency).map_err(|error| error.to_string())?;
     let scene = scene(&described, size);
     let seen = |corner: &Corner, pixel: Footprint| bumps.coordinates(corner.position.as_vec3(), pixel);

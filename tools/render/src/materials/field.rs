@@ -43,7 +43,7 @@ impl Bumps {
         let at = anchor * f64::from(self.frequency);
         let noise: Box<Noise> = match self.kind {
             NoiseKind::Gaussian => {
-                Box::new(GaussianFbm::<3>::new(GaussianNoise::new(seed), spectrum).anchored(at))
+                Box::new(GaussianFbm::<Vec3>::new(GaussianNoise::new(seed), spectrum).anchored(at))
             }
             NoiseKind::Perlin => {
                 Box::new(RemappedOctaves::new(Perlin::default(), spectrum, seed)?.anchored(at))

@@ -107,7 +107,7 @@ pub fn fractal_bumps() -> Subject {
 
 fn bumps(name: &'static str, rule: LevelOfDetail) -> Subject {
     let spectrum = FbmSpectrum::new(2.17, 0.8, 3).expect("three octaves");
-    let bumps = BumpField::new(GaussianFbm::<3>::new(GaussianNoise::new(7), spectrum), 20.0).expect(VALID);
+    let bumps = BumpField::new(GaussianFbm::<Vec3>::new(GaussianNoise::new(7), spectrum), 20.0).expect(VALID);
     let material = BumpMapped { ndf: Ggx::new(0.3, 0.5).expect(VALID), bumps, rule, color: Vec3::ONE };
     // The mean over a pixel still shows octaves above its frequency limit.
     Subject::of(name, 0.8, material, |point| SurfacePoint { pixel: point.pixel.scaled(0.5), ..point })

@@ -60,7 +60,7 @@ pub(crate) struct Ends<S: Lanes, const N: usize> {
 /// The value of one point, and the gradient if `GRADIENTS`, by four lanes.
 ///
 /// Each lane has one end of the first two axes. The first of every four lanes has the bits of
-/// [`Kernel::evaluate`](crate::simd::Kernel).
+/// [`Kernel::evaluate`](crate::contract::kernel::Kernel).
 #[inline(always)]
 pub(crate) fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,

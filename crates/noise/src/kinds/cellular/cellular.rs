@@ -5,7 +5,7 @@ use asperity_core::{error_enum, math};
 use crate::{
     contract::compiled::on_lattice,
     contract::kernel::{Kernel, Measured},
-    contract::noise::{kind, noise},
+    contract::noise::{kind, noise, tiles},
     kinds::cellular::metric::Metric,
     kinds::cellular::rows::{Columns, LONG_STEP},
     kinds::cellular::search::{CellPosition, Features, number},
@@ -102,6 +102,7 @@ kind!(
     "F₁ in the Euclidean metric with a jitter of 1"
 );
 noise!(Cellular);
+tiles!(Cellular);
 
 impl<L> Cellular<L> {
     /// Sets the output of the noise.

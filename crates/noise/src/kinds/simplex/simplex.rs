@@ -69,6 +69,10 @@ impl Simplex {
 }
 
 impl<L> Simplex<L> {
+    pub(crate) const fn lattice(&self) -> &L {
+        &self.lattice
+    }
+
     /// Returns r², the square of the kernel's radius.
     #[must_use]
     pub const fn radius_squared(&self) -> f32 {

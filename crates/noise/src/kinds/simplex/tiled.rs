@@ -7,7 +7,7 @@ use crate::{
     lanes::{LaneSample, Lanes},
     lattice::integer_hash::IntegerHash,
     lattice::lattice::{Lattice, OnLattice, words_by_terms},
-    lattice::tiled::{Tiled, TiledError, octave_period, remainder},
+    lattice::tiled::{Tile, Tiled, TiledError, octave_period, remainder},
     statistics::statistics::Statistics,
 };
 
@@ -19,15 +19,15 @@ use crate::{
 /// the same word.
 ///
 /// In 2-D and 4-D no step along an axis maps the lattice onto itself: x = i − (i + j)(3 − √3)/6 is
-/// irrational unless i + j = 0. In 1-D use [`Simplex`] on a [`Tiled`] lattice.
+/// irrational unless i + j = 0.
 ///
 /// - **Range, continuity:** as for [`Simplex`]. If p and p + period are exact in `f32` and below
 ///   2²², values and gradients have the same bits. Corners wrap from 2²⁸ on.
 ///
 /// ```
-/// use asperity_noise::{Field, Simplex, TiledSimplex, glam::Vec3};
+/// use asperity_noise::{Field, Simplex, glam::Vec3};
 ///
-/// let noise = TiledSimplex::new(Simplex::new(1), [6, 3, 9])?;
+/// let noise = Simplex::new(1).tiled([6, 3, 9])?;
 /// let p = Vec3::new(1.25, -0.5, 2.0);
 /// assert_eq!(noise.sample(p), noise.sample(p + Vec3::new(6.0, -3.0, 9.0)));
 /// # Ok::<(), asperity_noise::TiledError>(())
@@ -39,32 +39,30 @@ pub struct TiledSimplex<L = IntegerHash> {
     periods: [u32; 3],
 }
 
-impl TiledSimplex {
-    /// Creates the noise with the given periods.
-    ///
-    /// # Errors
-    ///
-    /// If a period is 0, longer than [`Tiled::MAX_PERIOD`] or not a multiple of 3.
-    pub fn new(noise: Simplex, periods: [u32; 3]) -> Result<Self, TiledError> {
-        Tiled::new(IntegerHash, periods)?;
+impl<L: Clone> Tile<1> for Simplex<L> {
+    type Tiled = Simplex<Tiled<L, 1>>;
+
+    fn tiled(self, periods: [u32; 1]) -> Result<Self::Tiled, TiledError> {
+        let lattice = Tiled::new(self.lattice().clone(), periods)?;
+        Ok(self.with_lattice(lattice))
+    }
+}
+
+impl<L: Clone> Tile<3> for Simplex<L> {
+    type Tiled = TiledSimplex<L>;
+
+    fn tiled(self, periods: [u32; 3]) -> Result<Self::Tiled, TiledError> {
+        let Tiled { lattice, periods } = Tiled::new(self.lattice().clone(), periods)?;
         for (axis, period) in periods.into_iter().enumerate() {
             if period % 3 != 0 {
                 return Err(TiledError::NoMultiple { axis, period, factor: 3 });
             }
         }
-        let noise = noise.with_lattice(Corners { lattice: IntegerHash, periods });
-        Ok(Self { noise, periods })
+        Ok(TiledSimplex { noise: self.with_lattice(Corners { lattice, periods }), periods })
     }
 }
 
 impl<L> TiledSimplex<L> {
-    /// Sets the lattice that random words are drawn from.
-    #[must_use]
-    pub fn with_lattice<M>(self, lattice: M) -> TiledSimplex<M> {
-        let Self { noise, periods } = self;
-        TiledSimplex { noise: noise.with_lattice(Corners { lattice, periods }), periods }
-    }
-
     /// Sets the seed.
     #[must_use]
     pub fn with_seed(self, seed: u32) -> Self {

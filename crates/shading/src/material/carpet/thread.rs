@@ -100,7 +100,7 @@ impl DiffuseThreads {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpecularThreads {
-    veins: Fbm<Simplex, 3, Turbulence>,
+    veins: Fbm<Simplex, Vec3, Turbulence>,
     frequency: f32,
     /// C(7, k) (−1)ᵏ times the k-th moment of U, where the first 0, 1, 2, 3 octaves are known.
     coefficients: [[f32; 8]; 4],
@@ -129,7 +129,7 @@ impl SpecularThreads {
     /// The coefficients are for 0 to 3 known octaves.
     #[doc(hidden)]
     #[must_use]
-    pub const fn parts(&self) -> (&Fbm<Simplex, 3, Turbulence>, f32, &[[f32; 8]; 4]) {
+    pub const fn parts(&self) -> (&Fbm<Simplex, Vec3, Turbulence>, f32, &[[f32; 8]; 4]) {
         (&self.veins, self.frequency, &self.coefficients)
     }
 
@@ -166,7 +166,7 @@ impl SpecularThreads {
     /// The expectation given the first `known` octaves at `p`.
     fn expectation(&self, known: usize, p: Vec3) -> f32 {
         let count = known as f32;
-        let veins = if known == 3 { self.veins.value(p) } else { self.veins.detail(count).value(p) };
+        let veins = if known == 3 { self.veins.value(p) } else { self.veins.value_with_octaves(p, count) };
         let c = 1.0 - veins * count / 3.0;
         self.coefficients.get(known).map_or(0.0, |row| row.iter().fold(0.0, |sum, k| sum * c + k))
     }
@@ -205,7 +205,7 @@ mod tests {
         let threads = SpecularThreads::new(0.5, 3).unwrap();
         for i in 0..100_u8 {
             let p = Vec3::new(f32::from(i) * 0.21, -1.3, 0.4);
-            let plasma = 1.0 - threads.veins.detail(3.0).value(p * 2.0);
+            let plasma = 1.0 - threads.veins.value_with_octaves(p * 2.0, 3.0);
             let got = threads.value(p, Footprint::from_width(0.01));
             assert_abs_diff_eq!(got, plasma.powi(7), epsilon = 1e-6, "{p}");
         }

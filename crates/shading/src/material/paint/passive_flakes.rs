@@ -69,6 +69,6 @@ mod tests {
     #[test]
     fn last_octave_has_most_of_the_variance() {
         let spectrum = spectrum("detail", [2.4, 2.7], 4).unwrap();
-        assert_abs_diff_eq!(1.0 - spectrum.share(3.0), 0.863, epsilon = 1e-3);
+        assert_abs_diff_eq!(1.0 - spectrum.resolved_variance(3.0), 0.863, epsilon = 1e-3);
     }
 }

@@ -3,7 +3,7 @@
 use core::{error::Error, fmt};
 
 use asperity_noise::{
-    Fbm, FbmSpectrum, FbmSpectrumError, GaussianNoise, IntegerHash, Tiled, TiledError, glam::Vec2,
+    Fbm, FbmSpectrum, FbmSpectrumError, GaussianNoise, IntegerHash, TiledError, glam::Vec2, lattice::Tiled,
 };
 
 /// A two-channel texture of a tileable sum of octaves; mip level l contains all octaves except the
@@ -33,7 +33,7 @@ use asperity_noise::{
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MipMapped {
-    sum: Fbm<GaussianNoise<Tiled<IntegerHash, 2>>, 2>,
+    sum: Fbm<GaussianNoise<Tiled<IntegerHash, 2>>, Vec2>,
     period: u32,
 }
 
@@ -52,14 +52,13 @@ impl MipMapped {
     /// If [`FbmSpectrum::new`] rejects `gain` or `octaves`, or [`Fbm::tiled`] rejects `period`.
     pub fn new(seed: u32, period: u32, octaves: u32, gain: f32) -> Result<Self, MipMappedError> {
         let spectrum = FbmSpectrum::new(2.0, gain, octaves).map_err(MipMappedError::FbmSpectrum)?;
-        let tiled = Tiled::new(IntegerHash, [period; 2]).map_err(MipMappedError::Period)?;
-        let noise = GaussianNoise::new(seed).with_lattice(tiled);
-        Ok(Self { sum: Fbm::tiled(noise, spectrum).map_err(MipMappedError::Period)?, period })
+        let sum = Fbm::new(GaussianNoise::new(seed), spectrum);
+        Ok(Self { sum: sum.tiled([period; 2]).map_err(MipMappedError::Period)?, period })
     }
 
     /// Returns the sum of octaves of the texture, for [`OctavesUniform`](super::OctavesUniform).
     #[must_use]
-    pub const fn sum(&self) -> &Fbm<GaussianNoise<Tiled<IntegerHash, 2>>, 2> {
+    pub const fn sum(&self) -> &Fbm<GaussianNoise<Tiled<IntegerHash, 2>>, Vec2> {
         &self.sum
     }
 
@@ -85,7 +84,7 @@ impl MipMapped {
         let per_texel = self.period as f32 / self.size(level).max(1) as f32;
         let p = Vec2::new(x as f32 + 0.5, y as f32 + 0.5) * per_texel;
         let scale = spectrum.root_sum_of_squares(octaves);
-        self.sum.detail(octaves).pair(p).map(|channel| scale * channel.value)
+        self.sum.pair_with_octaves(p, octaves).map(|channel| scale * channel.value)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Packed sums of octaves.
 
 use asperity_noise::{
-    Billow, Fbm, FbmSpectrum, Normalization, Octave, Plasma, Ridged, Shape, Signed, Turbulence, simd::Kernel,
+    Billow, Fbm, FbmSpectrum, Field, Normalization, Octave, Plasma, Point, Ridged, Shape, Signed, Turbulence,
 };
 
 /// A shape that shaders support. Sealed; implemented by the shapes of `asperity-noise`.
@@ -52,10 +52,10 @@ const SPECTRUM: usize = 8;
 /// | 4 | four rows, offset, anchor's cell, key, 3 of padding |
 ///
 /// ```
-/// use asperity_noise::{GaussianNoise, GaussianFbm, FbmSpectrum};
+/// use asperity_noise::{FbmSpectrum, GaussianFbm, GaussianNoise, glam::Vec3};
 /// use asperity_wgsl::noise::sums::OctavesUniform;
 ///
-/// let sum = GaussianFbm::<3>::new(GaussianNoise::new(7), FbmSpectrum::default());
+/// let sum = GaussianFbm::<Vec3>::new(GaussianNoise::new(7), FbmSpectrum::default());
 /// let words = OctavesUniform::new(&sum).words();
 /// assert_eq!(words.len(), 264);
 /// assert_eq!([words[0], words[1], words[2]].map(f32::from_bits), [2.17, 0.5, 10.0]);
@@ -83,7 +83,12 @@ impl<const N: usize> OctavesUniform<N> {
     /// Shaders do not support periods. They use only the spectrum of a tileable sum, for the
     /// weights of its octaves in a texture.
     #[must_use]
-    pub fn new<K: Kernel<N>, T: ShaderShape>(sum: &Fbm<K, N, T>) -> Self {
+    pub fn new<F, V, T>(sum: &Fbm<F, V, T>) -> Self
+    where
+        F: Field<V>,
+        V: Point<Coordinates = [f32; N]>,
+        T: ShaderShape,
+    {
         let spectrum = sum.spectrum();
         let [mean, deviation] = sum.octave_moments();
         let gain = spectrum.gain();
@@ -98,7 +103,7 @@ impl<const N: usize> OctavesUniform<N> {
         for (word, x) in words.iter_mut().zip(floats) {
             *word = x.to_bits();
         }
-        words[6] = u32::from(sum.normalisation() == Normalization::UnitVariance);
+        words[6] = u32::from(sum.normalization() == Normalization::UnitVariance);
         words[7] = T::NUMBER;
         let mut i = 0;
         let octaves = [(); OCTAVES].map(|()| {

@@ -1,6 +1,6 @@
 //! Points of surfaces, and parts used by several materials.
 
-use asperity_noise::simd::Kernel;
+use asperity_noise::{Field, glam::Vec3};
 use asperity_shading::material::SizedFbm;
 
 use crate::ndf::FRAME;
@@ -32,12 +32,12 @@ pub static GLOSSY: Part =
     part!("shading/material/glossy", SLOPE_FACETS, FACET, ENERGY_PRESERVING, COOK_TORRANCE_BECKMANN);
 
 /// The words of the structure `SizedFbm`: frequency, highest frequency, octaves, index of the sum.
-pub(super) fn fbm_words<K: Kernel<3>>(fbm: &SizedFbm<K>, sum: u32) -> [u32; 4] {
+pub(super) fn fbm_words<K: Field<Vec3>>(fbm: &SizedFbm<K>, sum: u32) -> [u32; 4] {
     let [frequency, highest] = fbm.frequencies();
     [frequency.to_bits(), highest.to_bits(), fbm.octaves().octaves().to_bits(), sum]
 }
 
 /// The words of the octaves of noise by position.
-pub(super) fn octaves_of<K: Kernel<3>>(fbm: &SizedFbm<K>) -> OctavesUniform<3> {
+pub(super) fn octaves_of<K: Field<Vec3>>(fbm: &SizedFbm<K>) -> OctavesUniform<3> {
     OctavesUniform::new(fbm.octaves())
 }

@@ -40,7 +40,7 @@ pub(super) fn cases() -> Vec<Case> {
 
 const COPPER: Vec3 = Vec3::new(0.9, 0.6, 0.5);
 
-fn bumps() -> BumpField<GaussianFbm<3>> {
+fn bumps() -> BumpField<GaussianFbm<Vec3>> {
     let spectrum = FbmSpectrum::new(2.0, 0.6, 6).expect("a spectrum");
     BumpField::new(GaussianFbm::new(GaussianNoise::new(3), spectrum), 5.0).expect("a frequency")
 }
@@ -48,7 +48,7 @@ fn bumps() -> BumpField<GaussianFbm<3>> {
 fn bump_mapped(
     name: &str,
     uniform: [u32; BumpMappedUniform::WORDS],
-    of: BumpMapped<impl Ndf + Send + Sync + 'static, GaussianFbm<3>>,
+    of: BumpMapped<impl Ndf + Send + Sync + 'static, GaussianFbm<Vec3>>,
 ) -> Case {
     let resources = vec![
         ("gaussian_level", noise::gaussian_levels().map(f32::to_bits).collect()),

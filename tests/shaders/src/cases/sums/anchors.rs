@@ -33,7 +33,7 @@ fn seen(i: u32, zoom: f64) -> (DVec3, f32) {
     (right * u + up * v - towards * depth, octaves as f32)
 }
 
-fn sum() -> GaussianFbm<3> {
+fn sum() -> GaussianFbm<Vec3> {
     GaussianFbm::new(GaussianNoise::new(12), FbmSpectrum::new(2.17, 0.5, 16).expect("a spectrum"))
 }
 
@@ -42,7 +42,9 @@ fn anchored() -> Case {
     let sum = sum().anchored(focus());
     let uniform = OctavesUniform::new(&sum);
     let name = "noise/sums/gaussian_octaves from an anchor, zoom 1, 100 and 10⁴";
-    view(name, vec![1.0, 100.0, 1e4], DVec3::ZERO, &uniform, move |p, octaves| sum.detail(octaves).pair(p))
+    view(name, vec![1.0, 100.0, 1e4], DVec3::ZERO, &uniform, move |p, octaves| {
+        sum.pair_with_octaves(p, octaves)
+    })
 }
 
 /// The sphere at one zoom, with points relative to its center. This is the failure that anchors
@@ -52,7 +54,7 @@ pub fn absolute(zoom: f64) -> Case {
     let sum = sum();
     let uniform = OctavesUniform::new(&sum);
     let name = "noise/sums/gaussian_octaves by absolute coordinates";
-    view(name, vec![zoom], focus(), &uniform, move |p, octaves| sum.detail(octaves).pair(p))
+    view(name, vec![zoom], focus(), &uniform, move |p, octaves| sum.pair_with_octaves(p, octaves))
 }
 
 fn view(

@@ -2,7 +2,7 @@
 
 use asperity_noise::{
     Fbm, FbmSpectrum, GaussianFbm, GaussianNoise, Lattice, Normalization, Point, Rotation, Sample,
-    glam::DVec3,
+    glam::{DVec3, Vec2, Vec3},
 };
 use asperity_wgsl::noise::sums::{self, OctavesUniform};
 
@@ -11,8 +11,8 @@ use crate::case::{Case, OUTPUTS};
 
 /// Four sums: plain, anchored, with gain above 1, and parallel octaves within [−1, 1].
 macro_rules! case {
-    ($n:literal, $part:expr, $body:literal, $anchor:expr, $point:ident) => {{
-        let of = |seed, spectrum| GaussianFbm::<$n>::new(GaussianNoise::new(seed), spectrum);
+    ($n:literal, $vector:ty, $part:expr, $body:literal, $anchor:expr, $point:ident) => {{
+        let of = |seed, spectrum| GaussianFbm::<$vector>::new(GaussianNoise::new(seed), spectrum);
         let plain = of(7, FbmSpectrum::default());
         let anchored = of(8, FbmSpectrum::default()).anchored($anchor);
         let rising = of(9, FbmSpectrum::new(2.4, 1.1, 3).expect("a spectrum"));
@@ -61,6 +61,7 @@ pub(super) fn cases() -> Vec<Case> {
     let anchor = DVec3::new(1e6, -4.5e5, 7e5);
     let in_space = case!(
         3,
+        Vec3,
         sums::GAUSSIAN_OCTAVES_3D,
         "\
     let sum = gaussian_octaves_3d(a.xyz, a.w, c.x);
@@ -73,6 +74,7 @@ pub(super) fn cases() -> Vec<Case> {
     );
     let in_plane = case!(
         2,
+        Vec2,
         sums::GAUSSIAN_OCTAVES_2D,
         "\
     let sum = gaussian_octaves_2d(a.xy, a.w, c.x);
@@ -88,10 +90,10 @@ pub(super) fn cases() -> Vec<Case> {
 /// The pair, the fraction of the spectrum's variance and the weight of the first octave, as used by
 /// bump maps.
 fn resolved<L: Lattice, V: Point<Coordinates = [f32; N]>, const N: usize>(
-    sum: &Fbm<GaussianNoise<L>, N>,
+    sum: &Fbm<GaussianNoise<L>, V>,
     p: V,
     octaves: f32,
 ) -> ([Sample<V>; 2], [f32; 2]) {
-    let detail = sum.detail(octaves);
-    (detail.pair(p), [detail.share(), detail.spectrum().weight(octaves, 0)])
+    let spectrum = sum.spectrum();
+    (sum.pair_with_octaves(p, octaves), [spectrum.resolved_variance(octaves), spectrum.weight(octaves, 0)])
 }

@@ -1,11 +1,10 @@
 //! Octaves of every noise, all shapes, and ridged multifractals.
 
 use asperity_noise::{
-    Billow, Fbm, FbmSpectrum, Field, GaussianNoise, Normalization, Perlin, PerlinClassic, Plasma, Point,
-    Ridged, RidgedMultifractal, Rotation, Sample, Simplex, SparseConvolution, Turbulence, ValueCatmullRom,
-    ValueGradient, ValueNoise,
-    glam::{DVec2, DVec3},
-    simd::{Anchor, Kernel},
+    Anchor, Billow, Fbm, FbmSpectrum, Field, GaussianNoise, Normalization, Perlin, PerlinClassic, Plasma,
+    Point, Ridged, RidgedMultifractal, Rotation, Sample, Simplex, SparseConvolution, Turbulence,
+    ValueCatmullRom, ValueGradient, ValueNoise,
+    glam::{DVec2, DVec3, Vec2, Vec3, Vec4},
 };
 use asperity_wgsl::{
     Part,
@@ -54,12 +53,12 @@ const CUT_OFF: f32 = 0.13;
 /// Sums of one noise, clamped to footprints: two anchored, and one with parallel octaves.
 fn of<K>(name: &str, noise: K, parts: [&'static Part; 2]) -> Case
 where
-    K: Anchor<3> + Anchor<2> + Copy,
-    <K as Anchor<3>>::Shifted: Copy + Send + Sync + 'static,
-    <K as Anchor<2>>::Shifted: Copy + Send + Sync + 'static,
+    K: Field<Vec3> + Field<Vec2> + Anchor<3> + Anchor<2> + Copy,
+    <K as Anchor<3>>::Shifted: Field<Vec3> + Copy + Send + Sync + 'static,
+    <K as Anchor<2>>::Shifted: Field<Vec2> + Copy + Send + Sync + 'static,
 {
-    let in_3d = |spectrum| Fbm::<K, 3>::new(noise, spectrum);
-    let in_2d = |spectrum| Fbm::<K, 2>::new(noise, spectrum);
+    let in_3d = |spectrum| Fbm::<K, Vec3>::new(noise, spectrum);
+    let in_2d = |spectrum| Fbm::<K, Vec2>::new(noise, spectrum);
     let exact_3d = in_3d(exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 3]);
     let exact_2d = in_2d(exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 2]);
     let there_3d = in_3d(FbmSpectrum::default()).anchored(DVec3::new(1e6, -4.5e5, 7e5));
@@ -93,8 +92,14 @@ where
             let exact = words[8] == EXACT;
             let mut outputs = [0; OUTPUTS];
             let (in_3d, in_2d) = if exact { (&exact_3d, &exact_2d) } else { (&there_3d, &there_2d) };
-            put(&mut outputs, in_space(in_3d.detail(octaves).clamped(footprint).sample(space(&words))));
-            put(&mut outputs[4..], in_plane(in_2d.detail(octaves).clamped(footprint).sample(plane(&words))));
+            put(
+                &mut outputs,
+                in_space(in_3d.with_octaves(octaves).band_limited(footprint).sample(space(&words))),
+            );
+            put(
+                &mut outputs[4..],
+                in_plane(in_2d.with_octaves(octaves).band_limited(footprint).sample(plane(&words))),
+            );
             outputs
         }),
         outputs: vec![
@@ -126,8 +131,9 @@ static STEEP: Part = Part::new(
 
 fn own() -> Case {
     let kind = ValueGradient::new(6).with_weight(0.9).expect("a weight");
-    let there = Fbm::<_, 3>::new(kind, FbmSpectrum::default()).anchored([0.0; 3]);
-    let exact = Fbm::<_, 3>::new(kind, exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 3]);
+    let there = Fbm::<_, Vec3>::new(kind, FbmSpectrum::default()).anchored([0.0; 3]);
+    let exact =
+        Fbm::<_, Vec3>::new(kind, exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 3]);
     let sums = [&there, &there, &there, &exact].map(OctavesUniform::new);
     Case {
         name: "noise/sums/octaves of a custom noise, 3-D".into(),
@@ -140,7 +146,7 @@ fn own() -> Case {
         input: Box::new(|i| input(i, 20.0, 4.0)),
         reference: Box::new(move |words| {
             let (sum, mut outputs) = (if words[8] == EXACT { exact } else { there }, [0; OUTPUTS]);
-            put(&mut outputs, in_space(sum.detail(float(&words, 3)).sample(space(&words))));
+            put(&mut outputs, in_space(sum.sample_with_octaves(space(&words), float(&words, 3))));
             outputs
         }),
         outputs: vec![output("value", 0..1, 2e-4), output("gradient", 1..4, 2e-3)],
@@ -150,11 +156,12 @@ fn own() -> Case {
 /// Sums and multifractals of one noise in four dimensions, the fourth coordinate in word 6.
 fn in_4d<K>(name: &str, noise: K, part: &'static Part) -> Case
 where
-    K: Anchor<4> + Copy,
-    K::Shifted: Copy + Send + Sync + 'static,
+    K: Field<Vec4> + Anchor<4> + Copy,
+    K::Shifted: Field<Vec4> + Copy + Send + Sync + 'static,
 {
-    let there = Fbm::<K, 4>::new(noise, FbmSpectrum::default()).anchored([1e6, -4.5e5, 7e5, 2e5]);
-    let exact = Fbm::<K, 4>::new(noise, exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 4]);
+    let there = Fbm::<K, Vec4>::new(noise, FbmSpectrum::default()).anchored([1e6, -4.5e5, 7e5, 2e5]);
+    let exact =
+        Fbm::<K, Vec4>::new(noise, exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 4]);
     let sums = [&there, &there, &there, &exact].map(OctavesUniform::new);
     let words = OctavesUniform::<4>::uniform(&sums).to_vec();
     Case {
@@ -179,9 +186,11 @@ where
             let [octaves, footprint, feedback, w] = [3, 4, 5, 6].map(|k| float(&words, k));
             let (p, mut outputs) = (space(&words).extend(w), [0; OUTPUTS]);
             let sum = if words[8] == EXACT { exact } else { there };
-            let sample = sum.detail(octaves).clamped(footprint).sample(p);
-            let multifractal =
-                RidgedMultifractal::of(sum, feedback).expect("a feedback").first(octaves).sample(p);
+            let sample = sum.with_octaves(octaves).band_limited(footprint).sample(p);
+            let multifractal = RidgedMultifractal::from_fbm(sum, feedback)
+                .expect("a feedback")
+                .with_octaves(octaves)
+                .sample(p);
             put(&mut outputs, sample.gradient.to_array().into_iter().chain(multifractal.gradient.to_array()));
             put(&mut outputs[8..], [sample.value, multifractal.value]);
             outputs
@@ -195,16 +204,16 @@ where
 }
 
 /// Sums of all nontrivial shapes.
-struct Shapes<K, const N: usize> {
-    turbulence: Fbm<K, N, Turbulence>,
-    plasma: Fbm<K, N, Plasma>,
-    billow: Fbm<K, N, Billow>,
-    ridged: Fbm<K, N, Ridged>,
-    multifractals: [Fbm<K, N>; 2],
+struct Shapes<K, V: Point> {
+    turbulence: Fbm<K, V, Turbulence>,
+    plasma: Fbm<K, V, Plasma>,
+    billow: Fbm<K, V, Billow>,
+    ridged: Fbm<K, V, Ridged>,
+    multifractals: [Fbm<K, V>; 2],
 }
 
-impl<K: Kernel<N> + Copy, const N: usize> Shapes<K, N> {
-    fn of(turned: Fbm<K, N>, exact: Fbm<K, N>) -> Self {
+impl<K: Field<V> + Copy, V: Point> Shapes<K, V> {
+    fn of(turned: Fbm<K, V>, exact: Fbm<K, V>) -> Self {
         Self {
             turbulence: turned.with_shape(Turbulence),
             plasma: turned.with_shape(Plasma).with_normalization(Normalization::UnitRange),
@@ -215,28 +224,28 @@ impl<K: Kernel<N> + Copy, const N: usize> Shapes<K, N> {
     }
 
     /// Returns the sum of a number, and the multifractal of its octaves.
-    fn samples<V: Point<Coordinates = [f32; N]>>(&self, words: &[u32; INPUTS], p: V) -> [Sample<V>; 2] {
+    fn samples(&self, words: &[u32; INPUTS], p: V) -> [Sample<V>; 2] {
         let [octaves, footprint, feedback] = [3, 4, 5].map(|k| float(words, k));
         let of = |field: &dyn Field<V>| field.sample(p);
         let sum = match words[8] {
-            0 => of(&self.turbulence.detail(octaves).clamped(footprint)),
-            1 => of(&self.plasma.detail(octaves).clamped(footprint)),
-            EXACT => of(&self.ridged.detail(octaves).clamped(footprint)),
-            _ => of(&self.billow.detail(octaves).clamped(footprint)),
+            0 => of(&self.turbulence.with_octaves(octaves).band_limited(footprint)),
+            1 => of(&self.plasma.with_octaves(octaves).band_limited(footprint)),
+            EXACT => of(&self.ridged.with_octaves(octaves).band_limited(footprint)),
+            _ => of(&self.billow.with_octaves(octaves).band_limited(footprint)),
         };
         let octaves_of = self.multifractals[usize::from(words[8] == EXACT)];
-        let multifractal = RidgedMultifractal::of(octaves_of, feedback).expect("a feedback");
-        [sum, of(&multifractal.first(octaves))]
+        let multifractal = RidgedMultifractal::from_fbm(octaves_of, feedback).expect("a feedback");
+        [sum, of(&multifractal.with_octaves(octaves))]
     }
 }
 
 fn shapes() -> Case {
     // Anchored, which compiles without SIMD.
-    let turned = Fbm::<_, 3>::new(Perlin::new(6), FbmSpectrum::default()).anchored([0.0; 3]);
-    let exact = Fbm::<_, 3>::new(Perlin::new(7), exact_spectrum()).with_rotation(Rotation::Aligned);
+    let turned = Fbm::<_, Vec3>::new(Perlin::new(6), FbmSpectrum::default()).anchored([0.0; 3]);
+    let exact = Fbm::<_, Vec3>::new(Perlin::new(7), exact_spectrum()).with_rotation(Rotation::Aligned);
     let solid = Shapes::of(turned, exact.anchored([0.0; 3]));
-    let turned = Fbm::<_, 2>::new(Perlin::new(6), FbmSpectrum::default()).anchored([0.0; 2]);
-    let exact = Fbm::<_, 2>::new(Perlin::new(7), exact_spectrum()).with_rotation(Rotation::Aligned);
+    let turned = Fbm::<_, Vec2>::new(Perlin::new(6), FbmSpectrum::default()).anchored([0.0; 2]);
+    let exact = Fbm::<_, Vec2>::new(Perlin::new(7), exact_spectrum()).with_rotation(Rotation::Aligned);
     let flat = Shapes::of(turned, exact.anchored([0.0; 2]));
     let in_3d = OctavesUniform::<3>::uniform(&[
         OctavesUniform::new(&solid.turbulence),

@@ -1,9 +1,9 @@
 //! Warps and flows of octave sums: several sums in one module.
 
 use asperity_noise::{
-    Fbm, FbmSpectrum, Field, Perlin, Warp,
+    Anchor, Fbm, FbmSpectrum, Field, Perlin, Point, Warp,
     curl::{Curl2, Curl3, CurlPotential},
-    simd::Anchor,
+    glam::{Vec2, Vec3},
 };
 use asperity_wgsl::noise::{
     sums::{OctavesUniform, octaves_2d, octaves_3d},
@@ -21,17 +21,18 @@ pub(super) fn cases() -> Vec<Case> {
 const OCTAVES: f32 = 1.5;
 
 /// Four sums, anchored at the origin, which compile without SIMD.
-fn four<const N: usize>() -> [Fbm<<Perlin as Anchor<N>>::Shifted, N>; 4]
+fn four<V, const N: usize>() -> [Fbm<<Perlin as Anchor<N>>::Shifted, V>; 4]
 where
-    Perlin: Anchor<N>,
+    V: Point<Coordinates = [f32; N]>,
+    Perlin: Field<V> + Anchor<N>,
 {
     [1, 2, 3, 4].map(|seed| {
-        Fbm::<_, N>::new(Perlin::new(seed), FbmSpectrum::default()).first(OCTAVES).anchored([0.0; N])
+        Fbm::<_, V>::new(Perlin::new(seed), FbmSpectrum::default()).with_octaves(OCTAVES).anchored([0.0; N])
     })
 }
 
 fn in_3d() -> Case {
-    let fields = four::<3>();
+    let fields = four::<Vec3, 3>();
     let words = OctavesUniform::<3>::uniform(&fields.map(|sum| OctavesUniform::new(&sum))).to_vec();
     Case {
         name: "noise/transforms/warp and curl, 3-D".into(),
@@ -71,7 +72,7 @@ fn in_3d() -> Case {
 }
 
 fn in_2d() -> Case {
-    let fields = four::<2>();
+    let fields = four::<Vec2, 2>();
     let words = OctavesUniform::<2>::uniform(&fields.map(|sum| OctavesUniform::new(&sum))).to_vec();
     Case {
         name: "noise/transforms/warp and curl, 2-D".into(),

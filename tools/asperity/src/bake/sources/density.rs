@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use asperity_noise::{Fbm, FbmSpectrum, GaussianNoise, IntegerHash, Tiled};
+use asperity_noise::{Fbm, FbmSpectrum, GaussianNoise, IntegerHash, lattice::Tiled};
 use asperity_render::materials::SharedNdf;
 use asperity_shading::Footprint;
 use asperity_shading::level_of_detail::Coordinates;
@@ -46,8 +46,8 @@ pub(crate) struct Bumps {
 
 /// Two independent channels of octave noise.
 enum Channels {
-    Turned(Fbm<GaussianNoise, 2>),
-    Tiled(Fbm<GaussianNoise<Tiled<IntegerHash, 2>>, 2>),
+    Turned(Fbm<GaussianNoise, Vec2>),
+    Tiled(Fbm<GaussianNoise<Tiled<IntegerHash, 2>>, Vec2>),
 }
 
 impl Bumps {
@@ -55,12 +55,12 @@ impl Bumps {
     pub(crate) fn new(parameters: Parameters, finish: Finish) -> Result<Self> {
         let spectrum = FbmSpectrum::new(parameters.lacunarity, parameters.gain, parameters.octaves)?;
         let noise = GaussianNoise::new(parameters.seed);
-        let tiled =
-            || Fbm::tiled(noise.with_lattice(Tiled::new(IntegerHash, [parameters.cells; 2])?), spectrum);
+        let sum = Fbm::new(noise, spectrum);
         let channels = if parameters.tileable {
-            Channels::Tiled(tiled().map_err(|error| format!("`--tileable`: {error}"))?)
+            let tiled = sum.tiled([parameters.cells; 2]);
+            Channels::Tiled(tiled.map_err(|error| format!("`--tileable`: {error}"))?)
         } else {
-            Channels::Turned(Fbm::new(noise, spectrum))
+            Channels::Turned(sum)
         };
         let (cells, octaves) = (parameters.cells as f32, parameters.octaves as f32);
         let clamp = FrequencyClamp::new(cells, parameters.lacunarity, octaves)?;
@@ -74,12 +74,13 @@ impl Bumps {
         let p = Vec2::from(at.map(|x| (x * f64::from(self.parameters.cells)) as f32));
         let octaves = self.clamp.octaves(Footprint::from_width(sample));
         let (pair, spectrum) = match &self.channels {
-            Channels::Turned(noise) => (noise.detail(octaves).pair(p), noise.spectrum()),
-            Channels::Tiled(noise) => (noise.detail(octaves).pair(p), noise.spectrum()),
+            Channels::Turned(noise) => (noise.pair_with_octaves(p, octaves), noise.spectrum()),
+            Channels::Tiled(noise) => (noise.pair_with_octaves(p, octaves), noise.spectrum()),
         };
         let z = Vec2::new(pair[0].value, pair[1].value);
         // Limited to the existing octaves: finer octaves contribute nothing.
-        let share = spectrum.share(octaves) / spectrum.share(spectrum.max_octaves() as f32);
+        let share =
+            spectrum.resolved_variance(octaves) / spectrum.resolved_variance(spectrum.max_octaves() as f32);
         Coordinates { z, share: share.min(1.0), fade: spectrum.weight(octaves, 0) }
     }
 }

@@ -1,8 +1,7 @@
 //! A height field of octave noise.
 
 use asperity_noise::{
-    Cellular, Fbm, FbmSpectrum, Field, GaussianNoise, IntegerHash, Perlin, Sample, Simplex,
-    SparseConvolution, Tiled, TiledSimplex, ValueNoise,
+    Cellular, Fbm, FbmSpectrum, Field, GaussianNoise, Perlin, Sample, Simplex, SparseConvolution, ValueNoise,
 };
 use asperity_shading::normal_map::SlopeMoments;
 use glam::{Vec2, Vec3};
@@ -56,15 +55,11 @@ impl Noise {
 fn field(wanted: &Parameters) -> Result<Box<dyn Field<Vec2> + Send + Sync>> {
     let Parameters { kind, cells, seed, tileable, .. } = *wanted;
     let spectrum = FbmSpectrum::new(wanted.lacunarity, wanted.gain, wanted.octaves)?;
-    let lattice = || Tiled::new(IntegerHash, [cells; 2]);
     macro_rules! in_the_plane {
-        ($noise:expr) => {
-            if tileable {
-                Box::new(Fbm::<_, 2>::tiled($noise.with_lattice(lattice()?), spectrum)?)
-            } else {
-                Box::new(Fbm::<_, 2>::new($noise, spectrum))
-            }
-        };
+        ($noise:expr) => {{
+            let sum = Fbm::<_, Vec2>::new($noise, spectrum);
+            if tileable { Box::new(sum.tiled([cells; 2])?) } else { Box::new(sum) }
+        }};
     }
     Ok(match kind {
         BakedNoise::Gaussian => in_the_plane!(GaussianNoise::new(seed)),
@@ -74,10 +69,9 @@ fn field(wanted: &Parameters) -> Result<Box<dyn Field<Vec2> + Send + Sync>> {
         BakedNoise::Cellular => in_the_plane!(Cellular::new(seed)),
         BakedNoise::Simplex if tileable => {
             // In the plane, the simplicial lattice is not periodic along the axes.
-            let noise = TiledSimplex::new(Simplex::new(seed), [cells; 3])?;
-            Box::new(Slice(Fbm::<_, 3>::tiled(noise, spectrum)?))
+            Box::new(Slice(Fbm::<_, Vec3>::new(Simplex::new(seed), spectrum).tiled([cells; 3])?))
         }
-        BakedNoise::Simplex => Box::new(Fbm::<_, 2>::new(Simplex::new(seed), spectrum)),
+        BakedNoise::Simplex => Box::new(Fbm::<_, Vec2>::new(Simplex::new(seed), spectrum)),
     })
 }
 

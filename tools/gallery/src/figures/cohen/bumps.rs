@@ -12,7 +12,7 @@ use asperity_shading::bump::{
     Facet, bumped_normal, differences, displace, project_to_tangent_plane, surface_gradient,
 };
 use asperity_shading::material::Material;
-use asperity_shading::noise::{Fbm, FbmSpectrum, Field, Normalization, Perlin, Sample};
+use asperity_shading::noise::{Fbm, FbmSpectrum, Normalization, Perlin, Sample};
 use asperity_shading::reflectance::{Bsdf, Lobe, SchlickF82};
 use asperity_shading::texture::{Bevel, Edge};
 use asperity_shading::{Brdf, Brick, CookTorrance, Ggx, PixelEllipse, SurfacePoint, reflect};
@@ -26,14 +26,14 @@ const FREQUENCY: f32 = 3.2;
 /// Between neighbors, in radians.
 const STEP: f32 = 2e-3;
 
-type Noise = Fbm<Perlin, 3>;
+type Noise = Fbm<Perlin, Vec3>;
 
 /// The shading normal at a point.
 type Normal<'a> = dyn Fn(&SurfacePoint) -> Vec3 + Sync + 'a;
 
 /// Returns the height over the sphere, and its gradient in space.
 fn height(noise: &Noise, p: Vec3) -> (f32, Vec3) {
-    let Sample { value, gradient } = noise.detail(3.0).sample(p * FREQUENCY);
+    let Sample { value, gradient } = noise.sample_with_octaves(p * FREQUENCY, 3.0);
     (HEIGHT * value, HEIGHT * FREQUENCY * gradient)
 }
 

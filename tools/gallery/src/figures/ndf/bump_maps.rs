@@ -57,7 +57,7 @@ impl NormalMap {
 pub(crate) fn draw_detail(context: &Context<'_>) -> Result<Drawn> {
     let map = NormalMap::cobbles()?;
     let noise =
-        GaussianFbm::<2>::new(GaussianNoise::new(context.seed), FbmSpectrum::new(LACUNARITY, 0.8, 8)?);
+        GaussianFbm::<Vec2>::new(GaussianNoise::new(context.seed), FbmSpectrum::new(LACUNARITY, 0.8, 8)?);
     let pictures = [("plain", "original"), ("detail", "with detail")].into_iter().flat_map(|(stem, word)| {
         ZOOMS.map(|zoom| {
             let alt = format!("Worn cobbles at a magnification of {zoom}, {word}.");
@@ -70,13 +70,13 @@ pub(crate) fn draw_detail(context: &Context<'_>) -> Result<Drawn> {
         // An octave is resolved when its cells are two pixels wide.
         let cells = CELLS_PER_TEXEL * SIZE as f32;
         let octaves = (0.5 / (pixel * cells)).ln() / LACUNARITY.ln() + 1.0;
-        let amount = AMOUNT * noise.spectrum().share(octaves.max(0.0)).sqrt();
+        let amount = AMOUNT * noise.spectrum().resolved_variance(octaves.max(0.0)).sqrt();
         let corner = Vec2::new(0.437, 0.552) - Vec2::splat(0.5 * side);
         context.render(context.square(), |x, y| {
             let p = corner + Vec2::new(x, context.size as f32 - y) * pixel;
             let n = map.at(p);
             if with_detail && octaves > 0.0 {
-                let [a, b] = noise.detail(octaves).pair(p * cells);
+                let [a, b] = noise.pair_with_octaves(p * cells, octaves);
                 lit(add_detail_normal(&map.ndf, n, Vec2::new(a.value, b.value), amount))
             } else {
                 lit(n)
@@ -101,11 +101,11 @@ fn lit(n: Vec3) -> Vec3 {
 pub(crate) fn draw_estimate(context: &Context<'_>) -> Result<Drawn> {
     let map = NormalMap::cobbles()?;
     let noise =
-        GaussianFbm::<2>::new(GaussianNoise::new(context.seed), FbmSpectrum::new(LACUNARITY, 0.6, 6)?);
+        GaussianFbm::<Vec2>::new(GaussianNoise::new(context.seed), FbmSpectrum::new(LACUNARITY, 0.6, 6)?);
     let cells = 24.0 / SIZE as f32;
     let normal = |k: usize| {
         let p = Vec2::new((k % SIZE) as f32 + 0.5, (k / SIZE) as f32 + 0.5) * cells;
-        map.ndf.warp_gaussian(Vec2::from(noise.detail(6.0).pair(p).map(|channel| channel.value)))
+        map.ndf.warp_gaussian(Vec2::from(noise.pair_with_octaves(p, 6.0).map(|channel| channel.value)))
     };
     let again: Vec<Vec3> = (0..SIZE * SIZE).into_par_iter().map(normal).collect();
     let ndf_again = estimate_ndf(&again)?;

@@ -93,7 +93,7 @@ fn surfaces() -> Result<[Surface; 6]> {
         ..Default::default()
     })?;
     let glass = TemperedGlass::new(TemperedGlassParameters { wave_amplitude: 6e-4, ..Default::default() })?;
-    let noise = GaussianFbm::<3>::new(GaussianNoise::new(5), FbmSpectrum::new(2.17, 0.8, 16)?);
+    let noise = GaussianFbm::<Vec3>::new(GaussianNoise::new(5), FbmSpectrum::new(2.17, 0.8, 16)?);
     // Octaves so fine that f32 has no precision left for them at the center.
     let noise = noise.anchored(ANCHOR.extend(0.0).as_dvec3() * f64::from(CELLS));
     let (ndf, bumps, rule) = (Ggx::new(0.2, 0.4)?, BumpField::new(noise, CELLS)?, LevelOfDetail::Exact);

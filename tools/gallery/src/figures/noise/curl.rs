@@ -21,7 +21,7 @@ const FIELDS: f32 = 3.0;
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let window = Window::new(context, CELLS);
-    let sum = Fbm::<_, 2>::new(Simplex::new(context.seed), FbmSpectrum::CLOUD).first(OCTAVES);
+    let sum = Fbm::<_, Vec2>::new(Simplex::new(context.seed), FbmSpectrum::CLOUD).with_octaves(OCTAVES);
     let flow = Curl2(sum);
     let speed = steepness(&window.map(context, |p: Vec2| flow.0.sample(p))?);
     let time = WAY / speed;

@@ -88,11 +88,11 @@ fn removed(footprint: f32) -> f32 {
 }
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
-    let sum = Fbm::<_, 2>::new(Simplex::new(context.seed), FbmSpectrum::CLOUD)
+    let sum = Fbm::<_, Vec2>::new(Simplex::new(context.seed), FbmSpectrum::CLOUD)
         .with_normalization(Normalization::UnitRange);
-    let turbulence = sum.with_shape(Turbulence).first(OCTAVES);
+    let turbulence = sum.with_shape(Turbulence).with_octaves(OCTAVES);
     let mean = turbulence.mean();
-    let (_, mut rows) = panels(context, "cloud", [-0.6, 0.6], &sum.first(OCTAVES), 0.0)?;
+    let (_, mut rows) = panels(context, "cloud", [-0.6, 0.6], &sum.with_octaves(OCTAVES), 0.0)?;
     let (panels, more) = panels(context, "turbulence", [0.0, 0.75], &turbulence, mean)?;
     rows.extend(more);
     Ok(Drawn::new(2, panels)
@@ -108,12 +108,12 @@ fn panels<T: Shape + Sync>(
     context: &Context<'_>,
     name: &str,
     [black, white]: [f32; 2],
-    sum: &Fbm<Simplex, 2, T>,
+    sum: &Fbm<Simplex, Vec2, T>,
     mean: f32,
 ) -> Result<(Vec<Panel>, Vec<[String; 5]>)> {
     let width = context.size as usize * 3 / 2;
     let view = View { width, height: width * 5 / 8 };
-    let clamped = |p, footprint| sum.clamped(footprint).value(p);
+    let clamped = |p, footprint| sum.band_limited(footprint).value(p);
     let reference = view.pixels(context, FINE, |p, _| sum.value(p))?;
     let mut ways = vec![
         ("one", "one sample per pixel", view.pixels(context, 1, |p, _| sum.value(p))?),

@@ -47,11 +47,11 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let words = ["colors", "the gradient: direction as hue, length as strength", alt];
     let colors = window.panel(words, |i| hue(samples[i].gradient / (2.0 * slope)));
 
-    let sum = Fbm::<_, 2>::new(GaussianNoise::new(context.seed), FbmSpectrum::new(2.17, RELIEF_GAIN, 6)?);
+    let sum = Fbm::<_, Vec2>::new(GaussianNoise::new(context.seed), FbmSpectrum::new(2.17, RELIEF_GAIN, 6)?);
     let light = Vec3::new(-0.55, 0.55, 0.63).normalize();
     let alt = "A rugged relief of hills lit from the upper left.";
     let lit = window.draw(context, ["relief", "six octaves, lit by their gradient", alt], |p: Vec2| {
-        hex(0xe8_dcc8) * (0.06 + 0.94 * lambert(sum.detail(6.0).sample(p).gradient * RELIEF, light))
+        hex(0xe8_dcc8) * (0.06 + 0.94 * lambert(sum.sample_with_octaves(p, 6.0).gradient * RELIEF, light))
     })?;
     Ok(Drawn::new(3, vec![arrows, colors, lit])
         .fact("noise", "Gaussian")
@@ -123,10 +123,10 @@ pub(crate) fn draw_warp(context: &Context<'_>) -> Result<Drawn> {
     let window = Window::new(context, CELLS);
     let sums: [_; 5] = std::array::from_fn(|k| {
         let seed = context.seed.wrapping_mul(16).wrapping_add(k as u32);
-        Fbm::<_, 2>::new(Simplex::new(seed), FbmSpectrum::CLOUD)
+        Fbm::<_, Vec2>::new(Simplex::new(seed), FbmSpectrum::CLOUD)
     });
-    let first = sums[0].first(OCTAVES);
-    let moving = |k: usize| sums[k].first(MOVING);
+    let first = sums[0].with_octaves(OCTAVES);
+    let moving = |k: usize| sums[k].with_octaves(MOVING);
     let once = Warp::new(first, [moving(1), moving(2)], STRENGTH)?;
     let by = Warp::new(moving(3), [moving(1), moving(2)], STRENGTH)?;
     let other = Warp::new(moving(4), [moving(1), moving(2)], STRENGTH)?;

@@ -1,8 +1,8 @@
 //! Every noise in the plane: its appearance, power spectrum and distribution.
 
 use asperity_noise::{
-    Fbm, FbmSpectrum, Field, GaussianNoise, Noise, Perlin, PerlinClassic, Simplex, SparseConvolution,
-    ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise, simd::Kernel,
+    Fbm, FbmSpectrum, GaussianNoise, Noise, Perlin, PerlinClassic, Simplex, SparseConvolution,
+    ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise,
 };
 use asperity_render::image::{Image, tone::ember, tone::hex};
 use glam::Vec2;
@@ -47,7 +47,7 @@ const DECIBELS: f64 = 60.0;
 const SEEDS: u32 = 64;
 const POINTS: usize = 128;
 
-fn draw<K: Kernel<2> + Noise<Vec2> + Copy + Sync>(context: &Context<'_>, noise: K) -> Result<Drawn> {
+fn draw<K: Noise<Vec2> + Copy + Sync>(context: &Context<'_>, noise: K) -> Result<Drawn> {
     let statistics = Noise::<Vec2>::statistics(&noise);
     let sigma = statistics.standard_deviation;
     let window = Window::new(context, CELLS);
@@ -63,8 +63,8 @@ fn draw<K: Kernel<2> + Noise<Vec2> + Copy + Sync>(context: &Context<'_>, noise: 
     })?;
     let [octaves, one] = [OCTAVES, 1.0].map(|octaves| {
         measured(context, |seed| {
-            let sum = Fbm::<K, 2>::new(noise.with_seed(seed), FbmSpectrum::default());
-            move |p: Vec2| sum.detail(octaves).value(p)
+            let sum = Fbm::<K, Vec2>::new(noise.with_seed(seed), FbmSpectrum::default());
+            move |p: Vec2| sum.value_with_octaves(p, octaves)
         })
     });
     let (octaves, one) = (octaves?, one?);

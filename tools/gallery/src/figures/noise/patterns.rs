@@ -2,8 +2,8 @@
 //! noises.
 
 use asperity_noise::{
-    Billow, Fbm, FbmSpectrum, Field, GaussianNoise, IntegerHash, Normalization, Perlin, Plasma, Power,
-    RidgedMultifractal, Simplex, SparseConvolution, Tiled, TiledSimplex, Turbulence, ValueNoise,
+    Billow, Fbm, FbmSpectrum, Field, GaussianNoise, Normalization, Perlin, Plasma, Power, RidgedMultifractal,
+    Simplex, SparseConvolution, Turbulence, ValueNoise,
 };
 use glam::{Vec2, Vec3};
 
@@ -35,12 +35,12 @@ const RIDGED: [&str; 3] = [
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let noise = Simplex::wide(context.seed);
-    let sum = |spectrum| Fbm::<_, 3>::new(noise, spectrum).with_normalization(Normalization::UnitRange);
-    let (clouds, threads) = (sum(FbmSpectrum::CLOUD).first(OCTAVES), sum(FbmSpectrum::THREADS));
+    let sum = |spectrum| Fbm::<_, Vec3>::new(noise, spectrum).with_normalization(Normalization::UnitRange);
+    let (clouds, threads) = (sum(FbmSpectrum::CLOUD).with_octaves(OCTAVES), sum(FbmSpectrum::THREADS));
     let (turbulence, plasma) = (clouds.with_shape(Turbulence), clouds.with_shape(Plasma));
     let billow = clouds.with_shape(Billow);
     let entangled = threads.with_shape(Plasma);
-    let ridges = RidgedMultifractal::<_, 3>::new(noise, FbmSpectrum::CLOUD, 2.0)?.first(OCTAVES);
+    let ridges = RidgedMultifractal::<_, Vec3>::new(noise, FbmSpectrum::CLOUD, 2.0)?.with_octaves(OCTAVES);
     let seventh = Power(entangled, 7);
     let panel = |cells, value: Shown<'_, Vec3, f32>, [black, white]: [f32; 2], words| {
         let shade = |p| gray((value(slanted(p)) - black) / (white - black));
@@ -69,11 +69,12 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
 const PERIOD: u32 = 6;
 
 pub(crate) fn draw_tiles(context: &Context<'_>) -> Result<Drawn> {
-    let lattice = Tiled::new(IntegerHash, [PERIOD; 2])?;
     let seed = context.seed;
-    let space = TiledSimplex::new(Simplex::new(seed), [PERIOD; 3])?;
-    let (sparse, seams) = (SparseConvolution::new(seed).with_lattice(lattice), Perlin::new(seed));
-    let perlin = seams.with_lattice(lattice);
+    let space = Simplex::new(seed).tiled([PERIOD; 3])?;
+    let (periods, seams) = ([PERIOD; 2], Perlin::new(seed));
+    let (perlin, value) = (seams.tiled(periods)?, ValueNoise::new(seed).tiled(periods)?);
+    let sparse = SparseConvolution::new(seed).tiled(periods)?;
+    let gaussian = GaussianNoise::new(seed).tiled(periods)?;
     let side = (context.size / 2) as usize;
     let tile = Window { corner: Vec2::new(0.21, 0.35), cells: PERIOD as f32, side };
     let whole = Window { side: 2 * side, ..tile };
@@ -89,14 +90,9 @@ pub(crate) fn draw_tiles(context: &Context<'_>) -> Result<Drawn> {
     let panels = vec![
         panel("seams", "Perlin 2002, not periodic", &|p| seams.value(p), 0.76)?,
         panel("perlin-2002", "Perlin 2002, tiled", &|p| perlin.value(p), 0.76)?,
-        panel("value", "value, tiled", &|p| ValueNoise::new(seed).with_lattice(lattice).value(p), 0.9)?,
+        panel("value", "value, tiled", &|p| value.value(p), 0.9)?,
         panel("sparse", "sparse convolution, tiled", &|p| sparse.value(p), 2.5)?,
-        panel(
-            "gaussian",
-            "Gaussian, tiled",
-            &|p| GaussianNoise::new(seed).with_lattice(lattice).value(p),
-            2.5,
-        )?,
+        panel("gaussian", "Gaussian, tiled", &|p| gaussian.value(p), 2.5)?,
         panel("simplex", "simplex in space, tiled, a slice", &|p| space.value(p.extend(0.4)), 1.0)?,
     ];
     let period = format!("{PERIOD} × {PERIOD} cells, {PERIOD} × {PERIOD} × {PERIOD} in space");

@@ -1,6 +1,6 @@
 //! The spectral slope of fractal sums against gain and lacunarity.
 
-use asperity_noise::{Fbm, FbmSpectrum, Field, Perlin};
+use asperity_noise::{Fbm, FbmSpectrum, Perlin};
 use glam::Vec2;
 
 use crate::figure::{Context, Drawn, Panel};
@@ -78,8 +78,8 @@ fn rings(context: &Context<'_>, lacunarity: f32, gain: f32) -> Result<Vec<[f64; 
     let spectrum = FbmSpectrum::new(lacunarity, gain, 16)?;
     let power = window.spectrum(context, PAIRS, |k| {
         let seed = context.seed.wrapping_mul(100).wrapping_add(k);
-        let sum = Fbm::<_, 2>::new(Perlin::new(seed), spectrum);
-        move |p: Vec2| sum.detail(octaves as f32).value(p)
+        let sum = Fbm::<_, Vec2>::new(Perlin::new(seed), spectrum);
+        move |p: Vec2| sum.value_with_octaves(p, octaves as f32)
     })?;
     Ok(power.rings(SHOWN, |_| true))
 }
