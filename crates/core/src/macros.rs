@@ -2,12 +2,11 @@
 
 /// Defines an error enum, its messages and its traits.
 ///
-/// A message names the parameter, its rule and the fields of its variant. `from E` adds the variant
-/// `System` for an error `E` of a lower layer.
+/// A message names the parameter, its rule and the fields of its variant.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! error_enum {
-    ($(#[$meta:meta])* pub enum $name:ident $(from $rule:ident)? {
+    ($(#[$meta:meta])* pub enum $name:ident {
         $($(#[$doc:meta])* $variant:ident $({ $($field:ident: $type:ty),* })? => $message:literal $(, $part:expr)*;)*
     }) => {
         $(#[$meta])*
@@ -16,10 +15,6 @@ macro_rules! error_enum {
         #[allow(missing_docs, reason = "the line and the message of a variant name its fields")]
         pub enum $name {
             $($(#[$doc])* $variant $({ $($field: $type),* })?,)*
-            $(
-                /// A rule of all systems of maps is violated.
-                System { error: $rule },
-            )?
         }
 
         impl core::fmt::Display for $name {
@@ -27,32 +22,11 @@ macro_rules! error_enum {
             fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
                 match *self {
                     $(Self::$variant $({ $($field),* })? => write!(f, $message $(, $part)*),)*
-                    $(Self::System { error } => <$rule as core::fmt::Display>::fmt(&error, f),)?
                 }
             }
         }
 
-        impl core::error::Error for $name {
-            $(
-                fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
-                    match self {
-                        Self::System { error } => {
-                            let error: &$rule = error;
-                            Some(error)
-                        }
-                        _ => None,
-                    }
-                }
-            )?
-        }
-
-        $(
-            impl From<$rule> for $name {
-                fn from(error: $rule) -> Self {
-                    Self::System { error }
-                }
-            }
-        )?
+        impl core::error::Error for $name {}
     };
 }
 

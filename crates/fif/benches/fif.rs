@@ -2,7 +2,8 @@
 
 use asperity_fif::glam::DVec3;
 use asperity_fif::{
-    Fif, FixedFif, HeightField, Intersect, Interval, Jet, PeriodicSurface, Ray, System, paper, system::Piece,
+    Fif, FixedFif, HeightField, Intersect, Interval, Jet, PeriodicSurface, Ray, System, cochran_2000,
+    system::Piece,
 };
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
@@ -32,8 +33,11 @@ fn evaluation(c: &mut Criterion) {
     group.throughput(Throughput::Elements(points.len() as u64));
     let uneven =
         Fif::affine(&[0.0, 0.4, 1.4, 2.0], &[0.3, 1.0, -0.5, 0.25], &[0.4, -0.6, 0.5]).expect("valid");
-    let (f, g, f_hat) =
-        (paper::f().expect("valid"), paper::g().expect("valid"), paper::f_hat().expect("valid"));
+    let (f, g, f_hat) = (
+        cochran_2000::f().expect("valid"),
+        cochran_2000::g().expect("valid"),
+        cochran_2000::f_hat().expect("valid"),
+    );
     for tolerance in [1e-6, 1e-12] {
         let mut run = |name: &str, value: &dyn Fn(f64) -> f64| {
             group.bench_function(format!("{name} to {tolerance:e}"), |b| {
@@ -78,12 +82,12 @@ fn tables<S: AsRef<[Piece<C>]>, const C: usize>(c: &mut Criterion, name: &str, f
 }
 
 fn fast(c: &mut Criterion) {
-    tables(c, "f, table", &paper::f().expect("valid"));
-    tables(c, "g, table", &paper::g().expect("valid"));
-    tables(c, "f integral, table", &paper::f_hat().expect("valid"));
-    tables(c, "g integral, table", &paper::g_hat().expect("valid"));
-    jets(c, "f integral, jets", &paper::f_hat().expect("valid"));
-    jets(c, "g integral, jets", &paper::g_hat().expect("valid"));
+    tables(c, "f, table", &cochran_2000::f().expect("valid"));
+    tables(c, "g, table", &cochran_2000::g().expect("valid"));
+    tables(c, "f integral, table", &cochran_2000::f_hat().expect("valid"));
+    tables(c, "g integral, table", &cochran_2000::g_hat().expect("valid"));
+    jets(c, "f integral, jets", &cochran_2000::f_hat().expect("valid"));
+    jets(c, "g integral, jets", &cochran_2000::g_hat().expect("valid"));
     let f = Fif::affine(&[0.0, 0.4, 1.4, 2.0], &[0.3, 1.0, -0.5, 0.25], &[0.4, -0.6, 0.5]).expect("valid");
     let points = points();
     let mut group = c.benchmark_group("uneven, table");
@@ -124,15 +128,15 @@ fn jets<const C: usize>(c: &mut Criterion, name: &str, f: &FixedFif<2, C>) {
 }
 
 fn trace(surface: &impl Intersect, rays: &[Ray]) -> f64 {
-    rays.iter().filter_map(|ray| surface.first_hit(black_box(ray))).map(|hit| hit.t).sum()
+    rays.iter().filter_map(|ray| surface.intersect(black_box(ray))).map(|hit| hit.t).sum()
 }
 
 fn rays(c: &mut Criterion) {
     let rays = camera(64);
     let mut group = c.benchmark_group("first hit");
     group.throughput(Throughput::Elements(rays.len() as u64)).sample_size(20);
-    let [f, g] = [paper::f(), paper::g()].map(|f| f.expect("valid"));
-    let [f_hat, g_hat] = [paper::f_hat(), paper::g_hat()].map(|f| f.expect("valid"));
+    let [f, g] = [cochran_2000::f(), cochran_2000::g()].map(|f| f.expect("valid"));
+    let [f_hat, g_hat] = [cochran_2000::f_hat(), cochran_2000::g_hat()].map(|f| f.expect("valid"));
     let plain = HeightField::new(f_hat, f_hat);
     let smooth = plain.clone().tabulated();
     group.bench_function("f integral, cached", |b| b.iter(|| trace(&smooth, &rays)));
@@ -156,24 +160,24 @@ fn rays(c: &mut Criterion) {
     for tolerance in [1e-4, 1e-12] {
         for (name, surface) in [("f integral", &smooth), ("g integral", &rough_slope)] {
             group.bench_function(format!("{name} to {tolerance:e}"), |b| {
-                b.iter(|| surface.first_hits(black_box(&rays), all, tolerance, &mut hits));
+                b.iter(|| surface.intersect_batch(black_box(&rays), all, tolerance, &mut hits));
             });
         }
         group.bench_function(format!("torus to {tolerance:e}, one of 16"), |b| {
             b.iter(|| {
-                torus.first_hits(black_box(&onto_torus), all, tolerance, &mut hits[..onto_torus.len()])
+                torus.intersect_batch(black_box(&onto_torus), all, tolerance, &mut hits[..onto_torus.len()])
             });
         });
     }
     group.bench_function("f, any hit", |b| {
-        b.iter(|| black_box(&rays).iter().filter(|ray| continuous.hits_any(ray, all)).count());
+        b.iter(|| black_box(&rays).iter().filter(|ray| continuous.occluded(ray, all)).count());
     });
     group.finish();
 }
 
 fn construction(c: &mut Criterion) {
-    c.bench_function("construct g", |b| b.iter_batched(|| (), |()| paper::g(), BatchSize::SmallInput));
-    let g = paper::g().expect("valid");
+    c.bench_function("construct g", |b| b.iter_batched(|| (), |()| cochran_2000::g(), BatchSize::SmallInput));
+    let g = cochran_2000::g().expect("valid");
     c.bench_function("extrema of g to 1e-6", |b| b.iter(|| g.extrema(1e-6)));
     c.bench_function("table of g", |b| b.iter(|| HeightField::new(g, g).tabulated()));
 }

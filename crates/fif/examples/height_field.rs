@@ -19,12 +19,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let pixel = |k: u32| {
         let direction = forward + right * 0.8 * at(k % size) - right.cross(forward) * 0.8 * at(k / size);
         let all = Interval::new(0.0, f64::INFINITY);
-        let Some(hit) = terrain.first_hit_within(&Ray { origin: eye, direction }, all, 1e-4) else {
+        let Some(hit) = terrain.intersect_within(&Ray { origin: eye, direction }, all, 1e-4) else {
             return [150, 180, 215];
         };
         let normal = hit.normal.unwrap_or(DVec3::Z);
         let above = Ray { origin: DVec3::new(hit.x, hit.y, hit.height + 2e-3), direction: sun };
-        let lit = if terrain.hits_any(&above, all) { 0.0 } else { normal.dot(sun).max(0.0) };
+        let lit = if terrain.occluded(&above, all) { 0.0 } else { normal.dot(sun).max(0.0) };
         DVec3::new(215.0, 195.0, 165.0).to_array().map(|c| (c * (0.2 + 0.8 * lit)) as u8)
     };
     let pixels: Vec<u8> = (0..size * size).flat_map(pixel).collect();

@@ -24,7 +24,7 @@ asperity_core::impl_approx! { f64; Jet: j => j.value, j.slope, j.integral; }
 
 #[cfg(test)]
 mod tests {
-    use crate::{HeightField, Intersect, Interval, Ray, glam::DVec3, paper};
+    use crate::{HeightField, Intersect, Interval, Ray, cochran_2000, glam::DVec3};
     use approx::{assert_abs_diff_eq, assert_abs_diff_ne, assert_relative_eq, assert_ulps_eq};
 
     #[test]
@@ -34,9 +34,9 @@ mod tests {
         assert_abs_diff_ne!(a, Interval::new(1.0 + 1e-7, 2.0), epsilon = 1e-8);
         assert_relative_eq!(a.scaled(1e9), Interval::new(1e9, 2e9), max_relative = 1e-15);
         assert_ulps_eq!(a, Interval::new(1.0_f64.next_up(), 2.0));
-        let surface = HeightField::new(paper::f_hat().unwrap(), paper::f_hat().unwrap());
+        let surface = HeightField::new(cochran_2000::f_hat().unwrap(), cochran_2000::f_hat().unwrap());
         let ray = Ray { origin: DVec3::new(0.3, 0.4, 9.0), direction: DVec3::NEG_Z };
-        let hit = surface.first_hit(&ray).unwrap();
+        let hit = surface.intersect(&ray).unwrap();
         let near = crate::Hit { t: hit.t + 1e-9, ..hit };
         assert_abs_diff_eq!(hit, near, epsilon = 1e-8);
         assert_abs_diff_ne!(hit, crate::Hit { normal: None, ..hit }, epsilon = 1e-8);

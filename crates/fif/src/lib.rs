@@ -13,9 +13,9 @@
 //! let f_hat: FixedFif<2, 3> = f.integral(0.0)?;
 //! let surface = HeightField::new(f_hat, f_hat);
 //! let ray = Ray { origin: DVec3::new(-1.0, -1.0, 3.0), direction: DVec3::new(1.0, 1.0, -1.0) };
-//! let hit = surface.first_hit(&ray).unwrap();
+//! let hit = surface.intersect(&ray).unwrap();
 //! assert!((hit.t - 2.0).abs() < 1e-12 && hit.normal.unwrap().z > 0.0);
-//! # Ok::<(), asperity_fif::SystemError>(())
+//! # Ok::<(), asperity_fif::FifError>(())
 //! ```
 //!
 //! # Conventions
@@ -64,12 +64,13 @@ compile_error!("asperity-fif needs a float backend: enable the feature `std` or 
 mod analysis;
 #[cfg(feature = "approx")]
 mod approx;
-pub mod calculus;
+mod calculus;
+pub mod cochran_2000;
 mod evaluate;
 #[cfg(feature = "alloc")]
 pub mod fit;
 mod numeric;
-pub mod paper;
+
 mod ray;
 #[cfg(feature = "alloc")]
 mod recurrent;
@@ -81,8 +82,6 @@ mod table;
 pub use analysis::oscillation::{Scaling, box_dimension, oscillation_exponent};
 pub use analysis::{extrema::Extrema, modulus::Modulus};
 pub use asperity_core::{BatchError, Interval};
-pub use calculus::{linear_combination::CombineError, moment_basis::MomentError};
-pub use evaluate::{grid::GridError, value::MAX_DEPTH};
 pub use glam;
 pub use numeric::estimate::{Bounded, Estimate};
 pub use ray::intersect::Intersect;
@@ -90,22 +89,21 @@ pub use ray::ray::{Hit, Ray};
 #[cfg(feature = "alloc")]
 pub use ray::tabulated::Tabulated;
 #[cfg(feature = "alloc")]
-pub use recurrent::recurrent::{RecurrentFif, RecurrentFifError};
+pub use recurrent::recurrent::RecurrentFif;
 pub use surface::bounds::{Surface, SurfaceBounds};
 pub use surface::height_field::area::{AreaMeans, SlopeMeans};
 pub use surface::height_field::{curvature::Curvature, height_field::HeightField};
 #[cfg(feature = "alloc")]
 pub use surface::{
     extrema::SurfaceExtrema,
-    height_field::normal_distribution::NormalDistributionError,
     self_affine::{
-        error::SelfAffineError, folded::FoldedSurface, rough_folded::RoughFoldedSurface,
-        self_affine::SelfAffine, torus::PeriodicSurface,
+        folded::FoldedSurface, rough_folded::RoughFoldedSurface, self_affine::SelfAffine,
+        torus::PeriodicSurface,
     },
 };
 #[cfg(feature = "alloc")]
 pub use system::fif::Fif;
 pub use system::fif::{FifRef, FixedFif, System};
-pub use system::{error::SystemError, map::Map};
+pub use system::{error::FifError, map::Map};
 #[cfg(feature = "alloc")]
-pub use table::{composite::TableError, jet::jet::Jet, table::Table, uniform_f32::Table32};
+pub use table::{jet::jet::Jet, table::Table, uniform_f32::Table32};

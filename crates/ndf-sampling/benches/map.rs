@@ -41,7 +41,7 @@ fn calls(c: &mut Criterion) {
         let maps: [(&str, &dyn Ndf); 2] = [("map", &map), ("packed", &packed)];
         for (form, ndf) in maps {
             each(c, &format!("call/sample/{name}/{form}"), &u, |u| ndf.sample(u));
-            each(c, &format!("call/to_gaussian/{name}/{form}"), &normals, |m| ndf.invert(m));
+            each(c, &format!("call/invert/{name}/{form}"), &normals, |m| ndf.invert(m));
             each(c, &format!("call/density/{name}/{form}"), &normals, |m| ndf.d(m));
         }
     }

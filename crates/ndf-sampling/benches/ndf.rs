@@ -39,8 +39,8 @@ fn maps(c: &mut Criterion, name: &str, ndf: impl Ndf) {
     let normals: Vec<Vec3> = uniforms.iter().map(|&u| ndf.sample(u)).collect();
     let coordinates: Vec<Vec2> = normals.iter().map(|&m| ndf.invert(m)).collect();
     each(c, &format!("density/{name}"), &normals, |m| ndf.d(m));
-    each(c, &format!("from_gaussian/{name}"), &coordinates, |z| ndf.warp_gaussian(z));
-    each(c, &format!("to_gaussian/{name}"), &normals, |m| ndf.invert(m));
+    each(c, &format!("warp_gaussian/{name}"), &coordinates, |z| ndf.warp_gaussian(z));
+    each(c, &format!("invert/{name}"), &normals, |m| ndf.invert(m));
     each(c, &format!("sample/{name}"), &uniforms, |u| ndf.sample(u));
 }
 

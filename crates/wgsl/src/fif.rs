@@ -46,7 +46,7 @@ pub static FOLDED: Part = part!("fif/surface/folded", NUMBER).with_bindings(&[Bi
 }]);
 
 /// Ray intersection with a height field: `height_field_first_hit`, as
-/// [`Intersect::first_hit_within`](asperity_fif::Intersect::first_hit_within).
+/// [`Intersect::intersect_within`](asperity_fif::Intersect::intersect_within).
 ///
 /// Bound to the table `fif_ranges` of [`ranges`]. The [`RangesUniform`] selects the axis.
 pub static FIRST_HIT: Part = part!("fif/ray/first_hit", HEIGHT_FIELD).with_bindings(&[Binding::Table {
@@ -69,10 +69,10 @@ pub static FIRST_HIT: Part = part!("fif/ray/first_hit", HEIGHT_FIELD).with_bindi
 /// field has two of them, for x and y.
 ///
 /// ```
-/// use asperity_fif::paper;
+/// use asperity_fif::cochran_2000;
 /// use asperity_wgsl::fif::{TableUniform, table_rows};
 ///
-/// let f = paper::f_hat()?.table(1e-7)?.to_f32();
+/// let f = cochran_2000::f_hat()?.table(1e-7)?.to_f32();
 /// let uniform = TableUniform::new(&f, 0).unwrap();
 /// let rows: Vec<f32> = table_rows(&f).collect();
 /// assert_eq!((uniform.words()[1], rows.len()), (1024, 4096));
@@ -166,7 +166,7 @@ pub fn table_rows<const C: usize>(table: &Table32<C>) -> impl Iterator<Item = f3
 /// let uniform = FoldedUniform::new(&surface, 0);
 /// assert_eq!(uniform.words()[2..4], [2, 2]);
 /// assert_eq!(folded_nodes(&surface).nth(4 * 8 + 2), Some(2.0)); // the height of the fifth node
-/// # Ok::<(), asperity_fif::SelfAffineError>(())
+/// # Ok::<(), asperity_fif::FifError>(())
 /// ```
 #[cfg(feature = "alloc")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -232,10 +232,10 @@ pub fn folded_nodes(surface: &FoldedSurface) -> impl Iterator<Item = f32> {
 /// The first two are integers, the others `f32`. `HeightFieldRanges` has two of them, for x and y.
 ///
 /// ```
-/// use asperity_fif::{HeightField, paper};
+/// use asperity_fif::{HeightField, cochran_2000};
 /// use asperity_wgsl::fif::{RangesUniform, ranges};
 ///
-/// let surface = HeightField::new(paper::f_hat()?, paper::f_hat()?).tabulated_with(64);
+/// let surface = HeightField::new(cochran_2000::f_hat()?, cochran_2000::f_hat()?).tabulated_with(64);
 /// let f = surface.x().function().table(1e-7)?.to_f32();
 /// let uniform = RangesUniform::new(surface.x(), &f, 0).unwrap();
 /// assert_eq!((uniform.words()[1], ranges(surface.x()).count()), (64, 4 * 7 * 64));

@@ -3,8 +3,8 @@
 use alloc::format;
 
 use asperity_fif::{
-    Bounded, Fif, HeightField, Hit, Intersect, Interval, PeriodicSurface, Ray, RecurrentFif, glam::DVec3,
-    paper,
+    Bounded, Fif, HeightField, Hit, Intersect, Interval, PeriodicSurface, Ray, RecurrentFif, cochran_2000,
+    glam::DVec3,
 };
 
 use crate::digest::{Bits, Digest, Report, plane, square, unit};
@@ -38,8 +38,8 @@ fn within(domain: Interval, i: u32) -> f64 {
 fn curves(report: &mut Report) -> Option<()> {
     report.group("fif: curves and tables");
     let uneven = Fif::affine(&[0.0, 0.2, 0.7, 1.0], &[0.3, 1.0, -0.5, 0.25], &[0.4, -0.6, 0.5]).ok()?;
-    let [f, g] =
-        [paper::f().ok()?, paper::g().ok()?].map(|f| f.table(1e-6).map(|table| table.system().clone()));
+    let [f, g] = [cochran_2000::f().ok()?, cochran_2000::g().ok()?]
+        .map(|f| f.table(1e-6).map(|table| table.system().clone()));
     for (name, f) in [("f", f.ok()?), ("g", g.ok()?), ("uneven", uneven)] {
         report.row(name, |bits| {
             for i in 0..POINTS {
@@ -61,7 +61,7 @@ fn curves(report: &mut Report) -> Option<()> {
             bits.push(y);
         });
     }
-    let smooth = paper::g_hat().ok()?.table(1e-12).ok()?;
+    let smooth = cochran_2000::g_hat().ok()?.table(1e-12).ok()?;
     report.row("jets", |bits| {
         for i in 0..POINTS {
             let jet = smooth.evaluate_jet(within(smooth.system().domain(), i));
@@ -81,13 +81,13 @@ fn rays(bits: &mut Digest, surface: &impl Intersect) {
         let [across, along] = [plane(i), square(i)].map(|v| v.as_dvec2());
         let ray =
             Ray { origin: across.extend(2.5), direction: DVec3::new(along.x - 0.5, along.y - 0.5, -1.0) };
-        bits.push(surface.first_hit(&ray));
+        bits.push(surface.intersect(&ray));
     }
 }
 
 fn surfaces(report: &mut Report) -> Option<()> {
     report.group("fif: surfaces and rays");
-    let smooth = HeightField::new(paper::g_hat().ok()?, paper::g_hat().ok()?).tabulated();
+    let smooth = HeightField::new(cochran_2000::g_hat().ok()?, cochran_2000::g_hat().ok()?).tabulated();
     report.row("height field", |bits| {
         for i in 0..POINTS {
             let [x, y] = (square(i) * 2.0).as_dvec2().to_array();
@@ -96,7 +96,7 @@ fn surfaces(report: &mut Report) -> Option<()> {
         }
         rays(bits, &smooth);
     });
-    let rough = HeightField::new(paper::f().ok()?, paper::f().ok()?);
+    let rough = HeightField::new(cochran_2000::f().ok()?, cochran_2000::f().ok()?);
     report.row("rough height field", |bits| rays(bits, &rough));
     let z: [f64; 16] = core::array::from_fn(|k| f64::from((7 * k as u32) % 16) / 16.0);
     let d: [[f64; 2]; 16] =

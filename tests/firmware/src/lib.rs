@@ -8,7 +8,7 @@ mod tables;
 
 use asperity_fif::FixedFif;
 use asperity_ndf_sampling::{Frame, PackedMapRef};
-use asperity_noise::{GaussianNoise, GaussianFbm, FbmSpectrum};
+use asperity_noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::reflectance::{OrenNayar, OrenNayarForm};
 use asperity_shading::{Brdf, BumpField, Footprint, LevelOfDetail};

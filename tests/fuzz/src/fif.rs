@@ -157,7 +157,7 @@ fn fits(numbers: &mut Numbers<'_>) {
     match fit::knots(&x, &y, numbers.double(), numbers.count(9)) {
         Ok(knots) => {
             let _ = fit::affine(&x, &y, &knots);
-            let _ = fit::refined(&x, &y, &knots, 3);
+            let _ = fit::refine(&x, &y, &knots, 3);
         }
         Err(error) => assert_eq!(error.to_string().lines().count(), 1),
     }

@@ -48,10 +48,10 @@ fn ray(surface: &impl Intersect, first: bool, numbers: &mut Numbers<'_>) {
     let origin = if numbers.byte() < 220 { target - 2.0 * direction } else { direction };
     let (ray, reach) = (Ray { origin, direction }, Interval::new(numbers.double(), numbers.double()));
     let hit = if first {
-        surface.first_hit(&ray)
+        surface.intersect(&ray)
     } else {
-        let _ = surface.hits_any(&ray, reach);
-        surface.first_hit_within(&ray, reach, numbers.tolerance(range.width()))
+        let _ = surface.occluded(&ray, reach);
+        surface.intersect_within(&ray, reach, numbers.tolerance(range.width()))
     };
     if let Some(hit) = hit {
         assert!(hit.t >= 0.0 && x.contains(hit.x) && y.contains(hit.y), "{ray:?}: {hit:?}");

@@ -7,7 +7,7 @@
 use std::ops::RangeInclusive;
 use std::time::Instant;
 
-use asperity_fif::paper;
+use asperity_fif::cochran_2000;
 use asperity_ndf_sampling::{GaussianDistribution, KurtoticDistribution, NoiseCdfRef, NoiseDistribution};
 use asperity_noise::{FbmSpectrum, Field, GaussianNoise, Perlin, Simplex, ValueCatmullRom, ValueNoise};
 use asperity_shading::Footprint;
@@ -123,7 +123,7 @@ fn noise_stays_in_range() {
 
 #[test]
 fn fif_tables_stay_in_range() {
-    for (name, f) in [("f", paper::f()), ("g", paper::g())] {
+    for (name, f) in [("f", cochran_2000::f()), ("g", cochran_2000::g())] {
         let table = f.expect("a system").table(1e-4).expect("a table");
         let range = table.system().range();
         let table = table.to_f32();

@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its reference has failed")]
 
 use asperity_fif::glam::DVec3;
-use asperity_fif::{Estimate, Fif, HeightField, Interval, NormalDistributionError, paper, surface::Function};
+use asperity_fif::{Estimate, Fif, FifError, HeightField, Interval, cochran_2000, surface::Function};
 use asperity_ndf_sampling::{Measure, Ndf, NdfMap, Reconstruction};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::fif_systems::{Reference, ratio, ratios, read};
@@ -78,7 +78,7 @@ fn rectangle_of_zero_area_returns_values() {
 #[test]
 fn normal_distribution_builds_an_ndf_map() {
     let f_hat = f_hat();
-    let low: Fif<3> = paper::f().unwrap().scaled(0.5).unwrap().integral(0.0).unwrap();
+    let low: Fif<3> = cochran_2000::f().unwrap().scaled(0.5).unwrap().integral(0.0).unwrap();
     // A low relief with different axes, so that rows and columns cannot be confused.
     let surface = HeightField::new(low.view(), f_hat);
     let (x, y) = (Interval::new(0.25, 1.75), Interval::new(0.5, 2.0));
@@ -129,13 +129,13 @@ fn normal_distribution_errors() {
     let mut error = |over, samples, size| {
         smooth.normal_distribution([over, whole], samples, size, &mut texels).unwrap_err().to_string()
     };
-    assert_eq!(error(whole, 9, [4, 4]), "`texels` must have 4 times 4 elements, got 12");
-    assert_eq!(error(whole, 0, [4, 3]), "`samples` must be 1 to 4096, got 0");
+    assert_eq!(error(whole, 9, [4, 4]), "`texels` must have 16 elements, got 12");
+    assert_eq!(error(whole, 0, [4, 3]), "`samples` must be between 1 and 4096, got 0");
     assert_eq!(error(Interval::new(3.0, 4.0), 9, [4, 3]), "rectangle does not intersect the domain");
     assert_eq!(
         error(Interval::new(f64::NAN, f64::NAN), 9, [4, 3]),
         "rectangle does not intersect the domain"
     );
     let error = rough.normal_distribution([whole; 2], 9, [4, 3], &mut texels).unwrap_err();
-    assert_eq!(error, NormalDistributionError::Rough);
+    assert_eq!(error, FifError::Rough);
 }

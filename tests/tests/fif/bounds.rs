@@ -1,7 +1,7 @@
 //! Extrema and their positions, enclosures, moduli, conditioning and dimension, up to nearly
 //! non-contracting systems.
 
-use asperity_fif::{Fif, Interval, Modulus, System, paper, system::Piece};
+use asperity_fif::{Fif, Interval, Modulus, System, cochran_2000, system::Piece};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::fif_systems::{Reference, decimal, ratio, ratios, read};
 use asperity_tests::systems;
@@ -135,7 +135,7 @@ fn dimension_matches_box_counting() {
 
 #[test]
 fn conditioning_is_the_change_for_one_ulp() {
-    let g = paper::g().expect("a valid system");
+    let g = cochran_2000::g().expect("a valid system");
     let mut worst = 0.0_f64;
     for k in 1..200 {
         let x = f64::from(k) * 0.01 + 0.003;
@@ -146,7 +146,7 @@ fn conditioning_is_the_change_for_one_ulp() {
         worst = worst.max(moved);
     }
     assert!((1e-4..2e-3).contains(&worst), "{worst}");
-    let smooth = paper::g_hat().expect("a valid system");
+    let smooth = cochran_2000::g_hat().expect("a valid system");
     let worst = (1..200).map(|k| smooth.conditioning(f64::from(k) * 0.01)).fold(0.0, f64::max);
     assert!(worst < 1e-12, "{worst}");
 }
@@ -275,7 +275,7 @@ proptest! {
 
 #[test]
 fn interval_ending_next_to_a_knot_is_bracketed_to_the_width() {
-    let f = paper::f_hat().unwrap();
+    let f = cochran_2000::f_hat().unwrap();
     for k in 1..512 {
         let knot = f64::from(k) / 256.0;
         let cell = 2.0_f64.powi(-29);

@@ -22,7 +22,7 @@ fn rough_folded(seed: u64, steepest: f64) -> RoughFoldedSurface {
 fn seen<S: Intersect>(surface: &S, count: usize) -> ([usize; 2], f64) {
     let (mut hits, mut farthest) = ([0; 2], 0.0_f64);
     for ray in random_rays(surface, count) {
-        let Some(hit) = surface.first_hit(&ray) else { continue };
+        let Some(hit) = surface.intersect(&ray) else { continue };
         hits = [hits[0] + usize::from(hit.certain), hits[1] + 1];
         farthest = farthest.max((ray.at(hit.t).z - hit.height).abs() / surface.range().width());
     }
@@ -97,7 +97,7 @@ fn certain_hits_rough_folded_are_first() {
     for seed in [4, 5] {
         let surface = rough_folded(seed, 0.3);
         for ray in random_rays(&surface, 90) {
-            let Some(hit) = surface.first_hit(&ray).filter(|hit| hit.certain) else { continue };
+            let Some(hit) = surface.intersect(&ray).filter(|hit| hit.certain) else { continue };
             let [x, y] = surface.domain();
             let (start, stop) = [(ray.origin.x, ray.direction.x, x), (ray.origin.y, ray.direction.y, y)]
                 .into_iter()

@@ -5,7 +5,7 @@
 use asperity_tests::assert_abs_diff_eq;
 use std::f64::consts::PI;
 
-use asperity_fif::{FoldedSurface, Interval, SelfAffineError};
+use asperity_fif::{FifError, FoldedSurface, Interval};
 use asperity_tests::fif_systems::{decimal, hexadecimal, ratio, ratios, read};
 use asperity_tests::random::Random;
 use proptest::prelude::*;
@@ -207,40 +207,37 @@ fn folded_errors_name_the_parameter() {
     assert_eq!(new(&x, &y, 0.249, &z, &d), None);
     for factor in [0.25, -0.3, f64::NAN, f64::INFINITY] {
         let error = new(&x, &y, factor, &z, &d).unwrap();
-        let SelfAffineError::Factor { most: ratio, .. } = error else { panic!("{error}") };
+        let FifError::SurfaceScaling { max: ratio, .. } = error else { panic!("{error}") };
         assert_eq!(ratio, 0.25);
-        assert_eq!(error.to_string(), format!("`factor` must be under 0.25 in magnitude, got {factor}"));
+        assert_eq!(error.to_string(), format!("`scaling` must be under 0.25 in magnitude, got {factor}"));
     }
-    assert!(matches!(new(&y, &x, 0.3, &z, &d), Some(SelfAffineError::Factor { .. })));
-    assert_eq!(new(&[], &y, 0.1, &[], &[]), Some(SelfAffineError::TooFewKnots { axis: 0, knots: 0 }));
+    assert!(matches!(new(&y, &x, 0.3, &z, &d), Some(FifError::SurfaceScaling { .. })));
+    assert_eq!(new(&[], &y, 0.1, &[], &[]), Some(FifError::TooFew { parameter: "x", min: 3, got: 0 }));
     assert_eq!(
         new(&x, &y[1..], 0.1, &z[..6], &d[..6]),
-        Some(SelfAffineError::TooFewKnots { axis: 1, knots: 2 })
+        Some(FifError::TooFew { parameter: "y", min: 3, got: 2 })
     );
     for bad in [1.0, 0.5, f64::INFINITY, 1.0 + 1e-12] {
         let error = new(&[0.0, 1.0, bad, 4.0], &y, 0.1, &z, &d);
         assert!(
-            matches!(error, Some(SelfAffineError::NotIncreasing { axis: 0, knot: 2, .. })),
+            matches!(error, Some(FifError::NotIncreasing { parameter: "x", index: 2, .. })),
             "{bad}: {error:?}"
         );
     }
     assert!(matches!(
         new(&x, &[0.0, f64::NAN, 2.0], 0.1, &z, &d),
-        Some(SelfAffineError::NotIncreasing { axis: 1, knot: 1, .. })
+        Some(FifError::NotIncreasing { parameter: "y", index: 1, .. })
     ));
     let error = new(&[f64::NEG_INFINITY, 0.0, 1.0], &y, 0.1, &z, &d);
-    assert!(matches!(error, Some(SelfAffineError::NotIncreasing { axis: 0, knot: 0, .. })), "{error:?}");
-    let length = SelfAffineError::Length { parameter: "z", expected: 9, got: 8 };
+    assert!(matches!(error, Some(FifError::NotIncreasing { parameter: "x", index: 0, .. })), "{error:?}");
+    let length = FifError::Length { parameter: "z", expected: 9, got: 8 };
     assert_eq!(new(&x, &y, 0.1, &z[1..], &d), Some(length));
     let (mut dented, mut steep) = (z, d);
     dented[5] = f64::NAN;
-    assert!(matches!(new(&x, &y, 0.1, &dented, &d), Some(SelfAffineError::NotFinite { node: [1, 2], .. })));
+    assert!(matches!(new(&x, &y, 0.1, &dented, &d), Some(FifError::NodeNotFinite { node: [1, 2], .. })));
     steep[6][1] = f64::INFINITY;
-    assert!(matches!(new(&x, &y, 0.1, &z, &steep), Some(SelfAffineError::NotFinite { node: [2, 0], .. })));
-    assert!(matches!(
-        new(&x, &y, 0.1, &[1e308; 9], &[[1e308; 2]; 9]),
-        Some(SelfAffineError::TooLarge { .. })
-    ));
+    assert!(matches!(new(&x, &y, 0.1, &z, &steep), Some(FifError::NodeNotFinite { node: [2, 0], .. })));
+    assert!(matches!(new(&x, &y, 0.1, &[1e308; 9], &[[1e308; 2]; 9]), Some(FifError::TooLarge { .. })));
 }
 
 #[test]

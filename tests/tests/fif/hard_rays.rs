@@ -298,9 +298,9 @@ fn hard_ray(random: &mut Random, surface: &impl Intersect) -> Ray {
 /// Counts certain hits, hits, proven misses, misses, undecided.
 fn judged(halves: Halves, surface: &(dyn Intersect + Sync), rays: &[Ray], boxes: u32) -> [usize; 5] {
     let judge = |ray: &Ray| {
-        let hit: Option<Hit> = surface.first_hit(ray);
+        let hit: Option<Hit> = surface.intersect(ray);
         // A miss is proven. A hit is not necessarily.
-        assert!(surface.hits_any(ray, ALL) || hit.is_none(), "{ray:?}");
+        assert!(surface.occluded(ray, ALL) || hit.is_none(), "{ray:?}");
         match (verdict(halves, ray, boxes), hit) {
             (Verdict::Hit(lo, hi), Some(hit)) => {
                 let within = lo - 1e-11 <= hit.t && hit.t <= hi + 1e-11;
@@ -368,9 +368,9 @@ fn spikes_narrower_than_a_billionth_are_hit() {
     ] {
         let ray = Ray { origin: DVec3::from_array(origin), direction: DVec3::from_array(direction) };
         for form in [&surface as &dyn Intersect, &table, &squares] {
-            let hit = form.first_hit(&ray).unwrap();
-            assert!(form.hits_any(&ray, ALL) && (!hit.certain || (lo <= hit.t && hit.t <= hi)), "{hit:?}");
+            let hit = form.intersect(&ray).unwrap();
+            assert!(form.occluded(&ray, ALL) && (!hit.certain || (lo <= hit.t && hit.t <= hi)), "{hit:?}");
         }
-        assert!(surface.first_hit(&ray).unwrap().certain && table.first_hit(&ray).unwrap().certain);
+        assert!(surface.intersect(&ray).unwrap().certain && table.intersect(&ray).unwrap().certain);
     }
 }

@@ -2,7 +2,7 @@
 //! derivative and integral.
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its reference has failed")]
 
-use asperity_fif::{Fif, FixedFif, Jet, Table, paper};
+use asperity_fif::{Fif, FixedFif, Jet, Table, cochran_2000};
 use asperity_tests::fif_systems::Reference;
 use proptest::prelude::*;
 
@@ -172,18 +172,18 @@ fn jets_of_paper_functions_are_equal_in_simd() {
     let low = (1..9000).map(|k| (f64::from(k) * 0.754_877_666_246_692_7).fract() / 200.0);
     let x: Vec<f64> = spread.chain(edges).chain(low).chain(dyadic).chain([f64::NAN, f64::INFINITY]).collect();
     for tolerance in [1e-3, 1e-12, 0.0] {
-        same_bits(&paper::f_hat().unwrap().table(tolerance).unwrap(), &x);
-        same_bits(&paper::g_hat().unwrap().table(tolerance).unwrap(), &x);
+        same_bits(&cochran_2000::f_hat().unwrap().table(tolerance).unwrap(), &x);
+        same_bits(&cochran_2000::g_hat().unwrap().table(tolerance).unwrap(), &x);
         // Radix 256.
-        let twice: FixedFif<2, 4> = paper::g_hat().unwrap().integral(1.0).unwrap();
+        let twice: FixedFif<2, 4> = cochran_2000::g_hat().unwrap().integral(1.0).unwrap();
         same_bits(&twice.table(tolerance).unwrap(), &x);
     }
 }
 
 #[test]
 fn jets_at_ends_knots_and_nan() {
-    let f = paper::g_hat().unwrap().table(1e-12).unwrap();
-    let g = paper::g().unwrap();
+    let f = cochran_2000::g_hat().unwrap().table(1e-12).unwrap();
+    let g = cochran_2000::g().unwrap();
     for x in [f64::NEG_INFINITY, -1.0, 0.0] {
         assert_eq!(f.jet(x), Jet { value: 0.0, slope: 0.0, integral: 0.0 }, "{x}");
     }

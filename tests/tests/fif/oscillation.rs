@@ -1,7 +1,7 @@
 //! Dimension and spectrum of data, against the formula of systems, Takagi's function and fractional
 //! Brownian motion.
 
-use asperity_fif::{Fif, HeightField, box_dimension, fit, oscillation_exponent, paper};
+use asperity_fif::{Fif, HeightField, box_dimension, cochran_2000, fit, oscillation_exponent};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
 
@@ -56,7 +56,7 @@ fn dimension_of_samples_matches_the_system() {
     }
     // Takagi's oscillations fall like s log 1/s: 1 + 1/ln(1/s) at the scales of the samples.
     let mut takagi = [0.0; 4097];
-    paper::f().unwrap().grid(&mut takagi).unwrap();
+    cochran_2000::f().unwrap().grid(&mut takagi).unwrap();
     let measured = box_dimension(&takagi, 4097).unwrap();
     assert!((1.05..1.2).contains(&measured.value), "{measured:?}");
 }

@@ -4,7 +4,7 @@ use std::ops::{Range, RangeInclusive};
 use std::sync::LazyLock;
 
 use asperity_fif::glam::DVec3;
-use asperity_fif::{Fif, FifRef, FixedFif, HeightField, Intersect, Ray, paper};
+use asperity_fif::{Fif, FifRef, FixedFif, HeightField, Intersect, Ray, cochran_2000};
 use proptest::prelude::*;
 
 /// The functions of the source as axes of one type, because ray code is compiled for every number
@@ -12,7 +12,7 @@ use proptest::prelude::*;
 macro_rules! axes {
     ($($name:ident: $coefficients:literal;)+) => {$(
         pub(super) fn $name() -> FifRef<'static, $coefficients> {
-            static AXIS: LazyLock<FixedFif<2, $coefficients>> = LazyLock::new(|| paper::$name().unwrap());
+            static AXIS: LazyLock<FixedFif<2, $coefficients>> = LazyLock::new(|| cochran_2000::$name().unwrap());
             AXIS.view()
         }
     )+};
@@ -164,12 +164,12 @@ proptest! {
         let target = DVec3::new(target.x, target.y, surface.height(target.x, target.y));
         let ray = Ray { origin, direction: target - origin };
         // The target is on the surface, so there is a hit at t ≤ 1.
-        let hit = cached.first_hit(&ray);
+        let hit = cached.intersect(&ray);
         prop_assert!(hit.is_some(), "{ray:?} passes");
         let hit = hit.unwrap();
         prop_assert!(hit.t <= 1.0 + 1e-9, "{hit:?}");
         prop_assert!((ray.at(hit.t).z - hit.height).abs() < 1e-10, "{hit:?}");
-        let plain = surface.first_hit(&ray).unwrap();
+        let plain = surface.intersect(&ray).unwrap();
         prop_assert!((plain.t - hit.t).abs() < 1e-7, "{} != {}", plain.t, hit.t);
         let inside = |p: DVec3| f.domain().contains(p.x) && g.domain().contains(p.y);
         let mut side = None;
@@ -194,7 +194,7 @@ proptest! {
         let surface = HeightField::new(f.view(), g.view()).tabulated();
         let corner = DVec3::new(f.domain().middle(), g.domain().middle(), 0.0);
         let origin = DVec3::from_array(o) * 10.0;
-        let hit = surface.first_hit(&Ray { origin, direction: corner - origin });
+        let hit = surface.intersect(&Ray { origin, direction: corner - origin });
         if let Some(hit) = hit {
             prop_assert!(hit.t >= 0.0 && f.domain().contains(hit.x) && g.domain().contains(hit.y), "{hit:?}");
         }

@@ -25,7 +25,7 @@ fn check_rays(file: &str, surface: &impl Intersect) -> (usize, usize, f64) {
     for ray in json["rays"].as_array().unwrap() {
         let kind = ray["kind"].as_str().unwrap();
         let half_line = half_line(ray);
-        let hit = surface.first_hit(&half_line);
+        let hit = surface.intersect(&half_line);
         match ray["hit"].as_bool() {
             Some(true) => {
                 let hit = hit.unwrap_or_else(|| panic!("{file} {kind} {half_line:?} is missed"));

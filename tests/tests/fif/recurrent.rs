@@ -1,7 +1,7 @@
 //! Recurrent systems: the functional equation, and agreement with systems whose sources are the
 //! whole domain.
 
-use asperity_fif::{Fif, RecurrentFif, RecurrentFifError, System};
+use asperity_fif::{Fif, FifError, RecurrentFif, System};
 use asperity_tests::assert_abs_diff_eq;
 use proptest::prelude::*;
 
@@ -180,7 +180,7 @@ fn recurrent_errors_name_the_parameter() {
     let (x, y) = ([0.0, 1.0, 2.0, 3.0], [0.0, 1.0, 0.0, 1.0]);
     let whole = [[0, 3]; 3];
     let says = |alpha: &[f64], sources: &[[usize; 2]], message: &str| {
-        let error: RecurrentFifError = RecurrentFif::affine(&x, &y, alpha, sources).unwrap_err();
+        let error: FifError = RecurrentFif::affine(&x, &y, alpha, sources).unwrap_err();
         assert_eq!(error.to_string(), message);
     };
     let alpha = [0.5; 3];

@@ -5,7 +5,7 @@ use std::cell::Cell;
 
 use asperity_fif::glam::DVec2;
 use asperity_fif::{
-    Bounded, FoldedSurface, Intersect, Interval, RoughFoldedSurface, SelfAffineError, Surface, SurfaceBounds,
+    Bounded, FifError, FoldedSurface, Intersect, Interval, RoughFoldedSurface, Surface, SurfaceBounds,
 };
 use asperity_tests::random::Random;
 
@@ -232,7 +232,7 @@ fn a_ray_ends_at_its_limit_on_the_roughest_surface() {
     let mut most = 0;
     for ray in random_rays(&surface, 12) {
         let counted = Counted { surface: &surface, evaluations: Cell::new(0), bounds: Cell::new(0) };
-        let hit = counted.first_hit(&ray);
+        let hit = counted.intersect(&ray);
         let asked = counted.evaluations.get() + 2 * counted.bounds.get();
         assert!(asked <= LIMIT + AFTER, "{ray:?}: {asked}");
         assert!(asked < LIMIT || hit.is_none_or(|hit| !hit.certain), "{ray:?}: {asked}, {hit:?}");
@@ -250,14 +250,14 @@ fn rough_folded_errors_name_the_parameter() {
         let mut factors = [0.5; 9];
         factors[5] = bad;
         let error = new(&factors, &z).unwrap();
-        assert!(matches!(error, SelfAffineError::NodeFactor { node: [1, 2], .. }), "{error:?}");
-        let sentence = format!("`factors` must be under 1 in magnitude, got {bad} at node (1, 2)");
+        assert!(matches!(error, FifError::NodeScaling { node: [1, 2], .. }), "{error:?}");
+        let sentence = format!("`scaling` must be under 1 in magnitude, got {bad} at node (1, 2)");
         assert_eq!(error.to_string(), sentence);
     }
-    let length = SelfAffineError::Length { parameter: "factors", expected: 9, got: 8 };
+    let length = FifError::Length { parameter: "scaling", expected: 9, got: 8 };
     assert_eq!(new(&[0.5; 8], &z), Some(length));
-    assert!(matches!(new(&[0.5; 9], &[1e308; 9]), None | Some(SelfAffineError::TooLarge { .. })));
+    assert!(matches!(new(&[0.5; 9], &[1e308; 9]), None | Some(FifError::TooLarge { .. })));
     let mut high = [1e308; 9];
     high[4] = -1e308;
-    assert!(matches!(new(&[0.5; 9], &high), Some(SelfAffineError::TooLarge { .. })));
+    assert!(matches!(new(&[0.5; 9], &high), Some(FifError::TooLarge { .. })));
 }

@@ -1,7 +1,7 @@
 //! Systems written to a file and read back.
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its own file has failed")]
 
-use asperity_fif::{Fif, FixedFif, System, paper, system::Piece};
+use asperity_fif::{Fif, FixedFif, System, cochran_2000, system::Piece};
 use asperity_tests::fif_systems::Reference;
 use proptest::prelude::*;
 use serde::de::value::{Error, MapDeserializer, SeqDeserializer};
@@ -20,8 +20,8 @@ fn read_back<S: AsRef<[Piece<C>]>, const C: usize>(system: &System<S, C>) -> Fif
 fn systems_round_trip_bit_exactly() {
     let system = Reference::<4>::load("cubic5").system;
     assert_eq!(read_back(&system).pieces(), system.pieces());
-    assert_eq!(read_back(&paper::g_hat().unwrap()).pieces(), paper::g_hat().unwrap().pieces());
-    assert_eq!(serde_json::to_string(&paper::f().unwrap()).unwrap(), PAPER_F);
+    assert_eq!(read_back(&cochran_2000::g_hat().unwrap()).pieces(), cochran_2000::g_hat().unwrap().pieces());
+    assert_eq!(serde_json::to_string(&cochran_2000::f().unwrap()).unwrap(), PAPER_F);
     // Into an array, and with capacity for a higher degree.
     let fixed: FixedFif<2, 3> = serde_json::from_str(PAPER_F).unwrap();
     assert_eq!(fixed.pieces()[1].map().q, [1.0, -0.5, 0.0]);
@@ -112,7 +112,7 @@ fn deserialize_rejects_non_finite_numbers() {
         ];
         Fif::<2>::deserialize(MapDeserializer::new(data.into_iter())).map_err(|error| error.to_string())
     };
-    assert_eq!(read(1.0, 1.0, 0.5, -0.5).unwrap().pieces(), paper::f().unwrap().pieces());
+    assert_eq!(read(1.0, 1.0, 0.5, -0.5).unwrap().pieces(), cochran_2000::f().unwrap().pieces());
     let refusals = [
         (read(f64::NAN, 1.0, 0.5, -0.5), "`x[1]` must be finite, got NaN"),
         (read(1.0, f64::INFINITY, 0.5, -0.5), "`y[1]` must be finite, got inf"),

@@ -141,7 +141,7 @@ fn compare_with_brackets<S: Surface>(
     let mut seen = [0; 2];
     for ray in rays {
         let bracket = bracket(surface, &ray, finest);
-        for found in forms.iter().map(|form| form.first_hit(&ray)) {
+        for found in forms.iter().map(|form| form.intersect(&ray)) {
             match bracket {
                 None => {
                     assert_eq!(found, None, "{ray:?}: invented");
@@ -187,8 +187,8 @@ fn generic_surface_and_product_have_equal_hits() {
     let [plain, fast] = [0, 6].map(|levels| Tabulated::with_levels(&surface, levels));
     let (mut hits, mut worst) = (0, 0.0_f64);
     for ray in random_rays(&surface, 600) {
-        let own = surface.first_hit(&ray);
-        for other in [plain.first_hit(&ray), fast.first_hit(&ray)] {
+        let own = surface.intersect(&ray);
+        for other in [plain.intersect(&ray), fast.intersect(&ray)] {
             assert_eq!(own.is_some(), other.is_some(), "{ray:?}: {own:?} {other:?}");
             if let (Some(own), Some(other)) = (own, other) {
                 worst = worst.max((own.t - other.t).abs());
@@ -205,13 +205,13 @@ fn generic_surface_and_product_have_equal_hits() {
 fn hits_within_a_tolerance_agree_between_forms() {
     let torus = Tabulated::with_levels(torus(), 6);
     let rays = random_rays(&torus, 300);
-    let exact: Vec<Option<Hit>> = rays.iter().map(|ray| torus.first_hit(ray)).collect();
+    let exact: Vec<Option<Hit>> = rays.iter().map(|ray| torus.intersect(ray)).collect();
     for (ray, exact) in rays.iter().zip(&exact) {
-        assert_eq!(torus.hits_any(ray, ALL), exact.is_some(), "{ray:?}");
+        assert_eq!(torus.occluded(ray, ALL), exact.is_some(), "{ray:?}");
     }
     for tolerance in [1e-2, 1e-4, 1e-7, 1e-10] {
         let mut hits = vec![None; rays.len()];
-        torus.first_hits(&rays, ALL, tolerance, &mut hits).unwrap();
+        torus.intersect_batch(&rays, ALL, tolerance, &mut hits).unwrap();
         let mut off = 0;
         for ((ray, exact), hit) in rays.iter().zip(&exact).zip(hits) {
             let near = match (exact, hit) {
@@ -235,39 +235,39 @@ fn rays_at_nodes() {
     };
     for [x, y, z] in [node(0, 0), node(1, 2), node(3, 3), node(2, 0)] {
         for d in [[0.0, 0.0, 1.0], [0.1, 0.2, 0.9], [-0.3, 0.1, -2.0], [1.0, 0.0, 0.0], [0.0, -1.0, 0.0]] {
-            for hit in [surface.first_hit(&ray([x, y, z], d)), fast.first_hit(&ray([x, y, z], d))] {
+            for hit in [surface.intersect(&ray([x, y, z], d)), fast.intersect(&ray([x, y, z], d))] {
                 let hit = hit.unwrap_or_else(|| panic!("({x}, {y}) {d:?}"));
                 assert!(hit.t.abs() < 1e-11, "({x}, {y}) {d:?}: {hit:?}");
             }
         }
         // Straight down and nearly so onto a node; straight up from below it.
         for d in [[0.0, 0.0, -2.0], [1e-9, 0.0, -2.0], [0.0, 1e-12, -2.0]] {
-            let hit = fast.first_hit(&ray([x, y, z + 4.0], d)).unwrap();
+            let hit = fast.intersect(&ray([x, y, z + 4.0], d)).unwrap();
             assert_abs_diff_eq!(hit.t, 2.0, epsilon = 1e-8, "{hit:?}");
             assert_abs_diff_eq!(hit.height, z, epsilon = 1e-8, "{hit:?}");
-            assert_eq!(fast.first_hit(&ray([x, y, z + 4.0], [d[0], d[1], 2.0])), None);
+            assert_eq!(fast.intersect(&ray([x, y, z + 4.0], [d[0], d[1], 2.0])), None);
         }
-        assert!(fast.first_hit(&ray([x, y, z - 4.0], [0.0, 0.0, 1.0])).is_some());
+        assert!(fast.intersect(&ray([x, y, z - 4.0], [0.0, 0.0, 1.0])).is_some());
         // The ends of the interval belong to it.
         let down = ray([x, y, z + 1.0], [0.0, 0.0, -1.0]);
-        assert!(fast.first_hit_within(&down, Interval::new(0.0, 1.0), 0.0).is_some());
-        assert_eq!(fast.first_hit_within(&down, Interval::new(0.0, 0.999), 0.0), None);
-        assert_eq!(fast.first_hit_within(&down, Interval::new(1.001, 9.0), 0.0), None);
-        assert_eq!(fast.first_hit_within(&down, Interval::new(0.0, f64::NAN), 0.0), None);
-        assert!(fast.first_hit_within(&down, Interval::new(f64::NAN, 9.0), f64::NAN).is_some());
+        assert!(fast.intersect_within(&down, Interval::new(0.0, 1.0), 0.0).is_some());
+        assert_eq!(fast.intersect_within(&down, Interval::new(0.0, 0.999), 0.0), None);
+        assert_eq!(fast.intersect_within(&down, Interval::new(1.001, 9.0), 0.0), None);
+        assert_eq!(fast.intersect_within(&down, Interval::new(0.0, f64::NAN), 0.0), None);
+        assert!(fast.intersect_within(&down, Interval::new(f64::NAN, 9.0), f64::NAN).is_some());
     }
     // Along a grid line, and level within the range.
     let z = node(2, 1)[2];
     for [o, d] in [[[-1.0, 0.25, z], [1.0, 0.0, 0.0]], [[0.5, 3.0, z], [0.0, -1.0, 0.0]]] {
-        let (plain, fast) = (surface.first_hit(&ray(o, d)), fast.first_hit(&ray(o, d)));
+        let (plain, fast) = (surface.intersect(&ray(o, d)), fast.intersect(&ray(o, d)));
         let [plain, fast] = [plain, fast].map(Option::unwrap);
         assert_abs_diff_eq!(plain.t, fast.t, epsilon = 1e-10, "{plain:?} {fast:?}");
         assert_abs_diff_eq!(plain.height, z, epsilon = 1e-10, "{plain:?} {fast:?}");
     }
     // One period only.
-    assert!(fast.first_hit(&ray([0.5, 0.5, 9.0], [0.0, 0.0, -1.0])).is_some());
-    assert!(fast.first_hit(&ray([1.5, 0.5, 9.0], [0.0, 0.0, -1.0])).is_none());
-    assert!(fast.first_hit(&ray([1.5, 0.5, 9.0], [0.01, 0.0, -1.0])).is_none());
+    assert!(fast.intersect(&ray([0.5, 0.5, 9.0], [0.0, 0.0, -1.0])).is_some());
+    assert!(fast.intersect(&ray([1.5, 0.5, 9.0], [0.0, 0.0, -1.0])).is_none());
+    assert!(fast.intersect(&ray([1.5, 0.5, 9.0], [0.01, 0.0, -1.0])).is_none());
 }
 
 /// Invalid rays hit nothing. Directions of any length terminate and hit as expected.
@@ -275,26 +275,26 @@ fn check_extreme_rays(surface: &dyn Intersect, [x, y]: [f64; 2], from: [f64; 3],
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for k in 0..3 {
             let (mut o, mut d) = ([x, y, 9.0], [0.01, 0.01, -1.0]);
-            assert!(surface.first_hit(&ray(o, d)).is_some());
+            assert!(surface.intersect(&ray(o, d)).is_some());
             o[k] = bad;
-            assert_eq!(surface.first_hit(&ray(o, d)), None, "origin {o:?}");
+            assert_eq!(surface.intersect(&ray(o, d)), None, "origin {o:?}");
             o[k] = x;
             d[k] = bad;
-            assert_eq!(surface.first_hit(&ray(o, d)), None, "direction {d:?}");
-            assert!(!surface.hits_any(&ray(o, d), ALL), "direction {d:?}");
+            assert_eq!(surface.intersect(&ray(o, d)), None, "direction {d:?}");
+            assert!(!surface.occluded(&ray(o, d), ALL), "direction {d:?}");
         }
     }
     for z in [0.0, 0.5, 1.0, 3.0] {
-        assert_eq!(surface.first_hit(&ray([x, y, z], [0.0; 3])), None, "z = {z}");
+        assert_eq!(surface.intersect(&ray([x, y, z], [0.0; 3])), None, "z = {z}");
     }
     let slanted = |scale: f64| ray(from, along.map(|d| scale * d));
-    let t = surface.first_hit(&slanted(1.0)).unwrap().t;
+    let t = surface.intersect(&slanted(1.0)).unwrap().t;
     for scale in [1e-300, 1e-12, 1e12, 1e300] {
-        let hit = surface.first_hit(&slanted(scale)).unwrap();
+        let hit = surface.intersect(&slanted(scale)).unwrap();
         assert_abs_diff_eq!(hit.t * scale, t, epsilon = 1e-10, "{scale}: {hit:?}");
     }
     for scale in [1e-320, 1e-308, f64::MAX] {
-        let _ = surface.first_hit(&slanted(scale));
+        let _ = surface.intersect(&slanted(scale));
     }
 }
 
@@ -316,10 +316,10 @@ fn level_surface_is_hit_and_grazed() {
     let one = FixedFif::<2, 1>::new(&[0.0, 1.0, 2.0], &[0.5, 0.5], &[[0.5], [0.5]]).unwrap();
     let product = HeightField::new(one, one);
     for form in [&level as &dyn Intersect, &Tabulated::new(&level), &product, &product.clone().tabulated()] {
-        let hit = form.first_hit(&ray([-1.0, 0.3, 1.5], [1.0, 0.1, -0.25])).unwrap();
+        let hit = form.intersect(&ray([-1.0, 0.3, 1.5], [1.0, 0.1, -0.25])).unwrap();
         assert_abs_diff_eq!(hit.t, 2.0, epsilon = 1e-11, "{hit:?}");
-        let along = form.first_hit(&ray([-1.0, 0.3, 1.0], [1.0, 0.1, 0.0])).unwrap();
+        let along = form.intersect(&ray([-1.0, 0.3, 1.0], [1.0, 0.1, 0.0])).unwrap();
         assert_abs_diff_eq!(along.t, 1.0, epsilon = 1e-11, "{along:?}");
-        assert_eq!(form.first_hit(&ray([-1.0, 0.3, 1.0 + 1e-9], [1.0, 0.1, 0.0])), None);
+        assert_eq!(form.intersect(&ray([-1.0, 0.3, 1.0 + 1e-9], [1.0, 0.1, 0.0])), None);
     }
 }

@@ -2,7 +2,7 @@
 
 use asperity_fif::glam::DVec2;
 use asperity_fif::surface::Fold;
-use asperity_fif::{Bounded, HeightField, Interval, PeriodicSurface, SelfAffine, SelfAffineError};
+use asperity_fif::{Bounded, FifError, HeightField, Interval, PeriodicSurface, SelfAffine};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::fif_systems::{decimal, integers, ratio};
 use asperity_tests::random::Random;
@@ -179,29 +179,23 @@ fn torus_errors_name_the_parameter() {
     assert_eq!(new(4, ROTATING, 0.447, &z, &d), None);
     for factor in [0.448, -0.448, f64::NAN, f64::INFINITY] {
         let error = new(4, ROTATING, factor, &z, &d).unwrap();
-        let SelfAffineError::Factor { most, .. } = error else { panic!("{factor}: {error}") };
+        let FifError::SurfaceScaling { max: most, .. } = error else { panic!("{factor}: {error}") };
         assert_abs_diff_eq!(most, 0.2_f64.sqrt(), epsilon = 1e-15);
-        assert!(error.to_string().starts_with("`factor` must be under"));
+        assert!(error.to_string().starts_with("`scaling` must be under"));
     }
-    assert_eq!(new(3, ROTATING, 0.3, &z[..9], &d[..9]), Some(SelfAffineError::Side { side: 3 }));
-    assert_eq!(new(1, ROTATING, 0.3, &z[..1], &d[..1]), Some(SelfAffineError::Side { side: 1 }));
-    assert_eq!(new(usize::MAX, ROTATING, 0.3, &z, &d), Some(SelfAffineError::Side { side: usize::MAX }));
-    let length = SelfAffineError::Length { parameter: "z", expected: 16, got: 15 };
+    assert_eq!(new(3, ROTATING, 0.3, &z[..9], &d[..9]), Some(FifError::Side { value: 3 }));
+    assert_eq!(new(1, ROTATING, 0.3, &z[..1], &d[..1]), Some(FifError::Side { value: 1 }));
+    assert_eq!(new(usize::MAX, ROTATING, 0.3, &z, &d), Some(FifError::Side { value: usize::MAX }));
+    let length = FifError::Length { parameter: "z", expected: 16, got: 15 };
     assert_eq!(new(4, ROTATING, 0.3, &z[1..], &d), Some(length));
-    assert_eq!(new(4, [[1, 1], [1, 2]], 0.1, &z, &d), Some(SelfAffineError::Determinant { determinant: 1 }));
-    assert_eq!(new(4, [[2, 1], [4, 2]], 0.1, &z, &d), Some(SelfAffineError::Determinant { determinant: 0 }));
+    assert_eq!(new(4, [[1, 1], [1, 2]], 0.1, &z, &d), Some(FifError::Determinant { value: 1 }));
+    assert_eq!(new(4, [[2, 1], [4, 2]], 0.1, &z, &d), Some(FifError::Determinant { value: 0 }));
     let (mut dented, mut steep) = (z, d);
     dented[6] = f64::NAN;
-    assert!(matches!(
-        new(4, ROTATING, 0.3, &dented, &d),
-        Some(SelfAffineError::NotFinite { node: [1, 2], .. })
-    ));
+    assert!(matches!(new(4, ROTATING, 0.3, &dented, &d), Some(FifError::NodeNotFinite { node: [1, 2], .. })));
     steep[15][1] = f64::INFINITY;
-    assert!(matches!(
-        new(4, ROTATING, 0.3, &z, &steep),
-        Some(SelfAffineError::NotFinite { node: [3, 3], .. })
-    ));
-    assert!(matches!(new(4, ROTATING, 0.3, &[1e308; 16], &d), Some(SelfAffineError::TooLarge { .. })));
+    assert!(matches!(new(4, ROTATING, 0.3, &z, &steep), Some(FifError::NodeNotFinite { node: [3, 3], .. })));
+    assert!(matches!(new(4, ROTATING, 0.3, &[1e308; 16], &d), Some(FifError::TooLarge { .. })));
 }
 
 #[test]
@@ -302,7 +296,7 @@ fn tori() -> impl Strategy<Value = PeriodicSurface> {
         let z = prop::collection::vec(-1.0..1.0_f64, count);
         let d = prop::collection::vec(prop::array::uniform2(-8.0..8.0_f64), count);
         (z, d).prop_map(move |(z, d)| {
-            let SelfAffineError::Factor { most, .. } =
+            let FifError::SurfaceScaling { max: most, .. } =
                 PeriodicSurface::new(1 << bits, matrix, 1.0, &z, &d).expect_err("a factor of 1")
             else {
                 panic!("{matrix:?} with factor 1")

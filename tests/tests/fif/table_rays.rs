@@ -26,9 +26,9 @@ fn reference_hits_stay_within_any_tolerance() {
         let mut worst = 0.0_f64;
         for ray in json["rays"].as_array().unwrap() {
             let half_line = half_line(ray);
-            let hit = surface.first_hit_within(&half_line, ALL, tolerance);
+            let hit = surface.intersect_within(&half_line, ALL, tolerance);
             assert_eq!(hit.is_some(), ray["hit"].as_bool().unwrap(), "{half_line:?} to {tolerance:e}");
-            assert_eq!(hit.is_some(), surface.hits_any(&half_line, ALL), "{half_line:?}");
+            assert_eq!(hit.is_some(), surface.occluded(&half_line, ALL), "{half_line:?}");
             let Some(hit) = hit else { continue };
             let (lo, hi) = (ray["t_lo"].as_f64().unwrap(), ray["t_hi"].as_f64().unwrap());
             let length = half_line.direction.length();
@@ -46,12 +46,12 @@ fn tolerance_changes_no_decision_and_batch_no_hit() {
         let (surface, plain) = (cached(axis), HeightField::new(axis, axis));
         let rays = random_rays(&plain, 3000);
         let mut exact = vec![None; rays.len()];
-        surface.first_hits(&rays, ALL, 0.0, &mut exact).unwrap();
+        surface.intersect_batch(&rays, ALL, 0.0, &mut exact).unwrap();
         for tolerance in [0.0, 2e-6, 2e-4] {
             let mut hits: Vec<Option<Hit>> = vec![None; rays.len()];
-            surface.first_hits(&rays, ALL, tolerance, &mut hits).unwrap();
+            surface.intersect_batch(&rays, ALL, tolerance, &mut hits).unwrap();
             for ((ray, hit), exact) in rays.iter().zip(&hits).zip(&exact) {
-                assert_eq!(*hit, surface.first_hit_within(ray, ALL, tolerance), "{ray:?}");
+                assert_eq!(*hit, surface.intersect_within(ray, ALL, tolerance), "{ray:?}");
                 assert_eq!(hit.is_some(), exact.is_some(), "{ray:?} to {tolerance:e}");
                 if let (Some(hit), Some(exact)) = (hit, exact) {
                     let off = (hit.t - exact.t).abs() * ray.direction.length();
@@ -61,9 +61,9 @@ fn tolerance_changes_no_decision_and_batch_no_hit() {
         }
         // The plain descent of boxes, without tables.
         for (ray, exact) in rays.iter().zip(&exact).step_by(5) {
-            let hit = plain.first_hit(ray);
+            let hit = plain.intersect(ray);
             assert_eq!(hit.is_some(), exact.is_some(), "{ray:?}");
-            assert_eq!(hit.is_some(), surface.hits_any(ray, ALL), "{ray:?}");
+            assert_eq!(hit.is_some(), surface.occluded(ray, ALL), "{ray:?}");
             if let (Some(hit), Some(exact)) = (hit, exact) {
                 assert_abs_diff_eq!(hit.t, exact.t, epsilon = 1e-10, "{ray:?}: {hit:?}, {exact:?}");
                 let (got, want) = (exact.gradient.unwrap(), hit.gradient.unwrap());
@@ -127,27 +127,27 @@ fn adversarial_rays_are_decided_as_without_tables() {
             }
         }
         for ray in &rays {
-            let (got, want) = (surface.first_hit(ray), plain.first_hit(ray));
+            let (got, want) = (surface.intersect(ray), plain.intersect(ray));
             assert_eq!(got.is_some(), want.is_some(), "{ray:?}: {got:?}, {want:?}");
-            assert_eq!(got.is_some(), surface.hits_any(ray, ALL), "{ray:?}");
+            assert_eq!(got.is_some(), surface.occluded(ray, ALL), "{ray:?}");
             if let (Some(got), Some(want)) = (got, want) {
                 assert_abs_diff_eq!(got.t, want.t, epsilon = 1e-8, "{ray:?}: {got:?}, {want:?}");
             }
-            let near = surface.first_hit_within(ray, ALL, 1e-4);
+            let near = surface.intersect_within(ray, ALL, 1e-4);
             assert_eq!(near.is_some(), want.is_some(), "{ray:?}: {near:?}, {want:?}");
         }
         let mut hits = vec![None; rays.len()];
         for tolerance in [0.0, 1e-9, 1e-4, 10.0] {
-            surface.first_hits(&rays, ALL, tolerance, &mut hits).unwrap();
+            surface.intersect_batch(&rays, ALL, tolerance, &mut hits).unwrap();
             for (ray, hit) in rays.iter().zip(&hits) {
-                assert_eq!(*hit, surface.first_hit_within(ray, ALL, tolerance), "{ray:?} to {tolerance:e}");
+                assert_eq!(*hit, surface.intersect_within(ray, ALL, tolerance), "{ray:?} to {tolerance:e}");
             }
         }
         let down = ray([1.0, 0.999, 3.0], [1e-3, 1e-3, -1.0]);
-        assert_eq!(surface.first_hit_within(&down, Interval::new(0.0, 1.9), 1e-4), None);
-        assert_eq!(surface.first_hit_within(&down, Interval::new(2.5, 9.0), 1e-4), None);
-        assert_eq!(surface.first_hit_within(&down, Interval::new(0.0, f64::NAN), 1e-4), None);
-        assert!(surface.first_hit_within(&down, Interval::new(f64::NAN, 9.0), f64::NAN).is_some());
+        assert_eq!(surface.intersect_within(&down, Interval::new(0.0, 1.9), 1e-4), None);
+        assert_eq!(surface.intersect_within(&down, Interval::new(2.5, 9.0), 1e-4), None);
+        assert_eq!(surface.intersect_within(&down, Interval::new(0.0, f64::NAN), 1e-4), None);
+        assert!(surface.intersect_within(&down, Interval::new(f64::NAN, 9.0), f64::NAN).is_some());
     }
 }
 
@@ -168,9 +168,9 @@ fn coarse_table_value_decides_nothing() {
             origin: DVec3::new(-2.5, -3.25, 4.900_000_095_367_432),
             direction: DVec3::from_array(direction),
         };
-        let want = plain.first_hit(&ray).unwrap();
+        let want = plain.intersect(&ray).unwrap();
         for tolerance in [0.0, 2e-6, 2e-4] {
-            let got = surface.first_hit_within(&ray, ALL, tolerance).unwrap();
+            let got = surface.intersect_within(&ray, ALL, tolerance).unwrap();
             assert!(
                 (got.t - want.t).abs() <= tolerance + 1e-11,
                 "{ray:?} to {tolerance:e}: {got:?}, {want:?}"

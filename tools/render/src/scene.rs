@@ -113,7 +113,7 @@ impl<'m, 'l> Scene<'m, 'l> {
     }
 
     /// Returns the nearest intersection of a ray with an object.
-    pub fn first_hit(&self, origin: Vec3, direction: Vec3) -> Option<Meeting<'_, 'm>> {
+    pub fn intersect(&self, origin: Vec3, direction: Vec3) -> Option<Meeting<'_, 'm>> {
         let probe = Probe::about(self.focus, origin, direction);
         let mut nearest: Option<(&Object<'m>, Met)> = None;
         for object in &self.objects {

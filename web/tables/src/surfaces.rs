@@ -97,7 +97,7 @@ pub(crate) fn fractal_hit(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String
     with_surface(numbers, |surface, rest| {
         let heights = number(rest, 0);
         let [origin, direction] = [1, 4].map(|at| vector(rest, at) / DVec3::new(1.0, 1.0, heights));
-        let hit = surface.first_hit_within(&Ray { origin, direction }, ALL, number(rest, 7));
+        let hit = surface.intersect_within(&Ray { origin, direction }, ALL, number(rest, 7));
         hit.map_or_else(Vec::new, |hit| words(&[hit.x, hit.y, heights * hit.height]))
     })
 }
@@ -123,7 +123,7 @@ pub(crate) fn fractal_rays(numbers: &[f64], pixels: &[u32]) -> Result<Vec<u32>, 
         for &at in pixels {
             let place = |k: u32| (2.0 * f64::from(k) + 1.0) / side - 1.0;
             let direction = forward + right * place(at & 0xffff) - up * place(at >> 16);
-            let seen = surface.first_hit_within(&Ray { origin, direction: direction / unit }, ALL, tolerance);
+            let seen = surface.intersect_within(&Ray { origin, direction: direction / unit }, ALL, tolerance);
             let Some(hit) = seen else {
                 answer.extend([0; 5]);
                 continue;
@@ -144,7 +144,7 @@ pub(crate) fn fractal_rays(numbers: &[f64], pixels: &[u32]) -> Result<Vec<u32>, 
             if casts_shadows && normal.dot(lamp) > 0.0 {
                 let above = DVec3::new(hit.x, hit.y, heights * hit.height) + 2.0 * reach * normal;
                 let ray = Ray { origin: above / unit, direction: lamp / unit };
-                shows += 4 * u32::from(surface.hits_any(&ray, ALL));
+                shows += 4 * u32::from(surface.occluded(&ray, ALL));
             }
             answer.push(shows);
             answer.extend(normal.as_vec3().to_array().map(f32::to_bits));

@@ -32,11 +32,11 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// of fractal functions*, 1986.
     ///
     /// ```
-    /// use asperity_fif::paper;
-    /// assert!(paper::g()?.dimension().contains(1.0 + 1.7_f64.log2()));
-    /// let f = paper::f()?.dimension(); // Takagi's function
+    /// use asperity_fif::cochran_2000;
+    /// assert!(cochran_2000::g()?.dimension().contains(1.0 + 1.7_f64.log2()));
+    /// let f = cochran_2000::f()?.dimension(); // Takagi's function
     /// assert_eq!((f.lo, f.hi), (1.0, 1.0));
-    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     #[doc(alias = "hurst")]
     #[doc(alias = "minkowski")]
@@ -123,13 +123,13 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
 
 #[cfg(test)]
 mod tests {
-    use crate::{FixedFif, paper};
+    use crate::{FixedFif, cochran_2000};
 
     #[test]
     fn dimension_of_lines_and_small_scalings_is_one() {
         let line = FixedFif::<2, 2>::affine(&[0.0, 1.0, 2.0], &[1.0, 2.0, 3.0], &[0.9, 0.9]).unwrap();
         assert_eq!(line.dimension().hi, 1.0);
-        assert_eq!(paper::g_hat().unwrap().dimension().hi, 1.0);
+        assert_eq!(cochran_2000::g_hat().unwrap().dimension().hi, 1.0);
     }
 
     #[test]

@@ -9,14 +9,14 @@ use crate::system::map::Piece;
 /// Brackets of the two extrema of a function over an interval, and their positions.
 ///
 /// ```
-/// let f = asperity_fif::paper::f()?;
+/// let f = asperity_fif::cochran_2000::f()?;
 /// let top = f.extrema(1e-9);
 /// // Certificate of the lower end: f is at least this large there.
 /// let x = top.at_maximum.middle();
 /// assert!(f.evaluate(x, 1e-12).value >= top.maximum.lo - 1e-12);
 /// // 2/3 and 4/3 are the outermost points of the maximum.
 /// assert!(top.maximum_within.contains(2.0 / 3.0) && top.maximum_within.contains(4.0 / 3.0));
-/// # Ok::<(), asperity_fif::SystemError>(())
+/// # Ok::<(), asperity_fif::FifError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]
@@ -58,11 +58,11 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// leave 82 % of the range, and the bracket has this width.
     ///
     /// ```
-    /// let f = asperity_fif::paper::f()?;
+    /// let f = asperity_fif::cochran_2000::f()?;
     /// let extrema = f.extrema(1e-9);
     /// assert!(extrema.maximum.contains(4.0 / 3.0) && extrema.maximum.width() <= 1e-9);
     /// assert!(extrema.minimum.contains(0.0));
-    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     pub fn extrema(&self, width: f64) -> Extrema {
         self.view().search(self.domain(), width)
@@ -76,11 +76,11 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// interval misses the domain, is empty or has NaN ends.
     ///
     /// ```
-    /// let f = asperity_fif::paper::f()?;
+    /// let f = asperity_fif::cochran_2000::f()?;
     /// let rise = f.extrema_over(0.0, 0.5, 1e-6).unwrap();
     /// assert!(rise.maximum.contains(13.0 / 12.0)); // f(5/12), over f(1/2) = 1
     /// assert!(f.extrema_over(3.0, 4.0, 1e-6).is_none());
-    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     #[must_use]
     pub fn extrema_over(&self, l: f64, r: f64, width: f64) -> Option<Extrema> {
@@ -96,10 +96,10 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// search for positions.
     ///
     /// ```
-    /// let g = asperity_fif::paper::g()?;
+    /// let g = asperity_fif::cochran_2000::g()?;
     /// let part = g.enclosure(0.5, 0.75, 1e-6).unwrap();
     /// assert!(part.contains(g.evaluate(0.6, 1e-9).value) && part.width() < g.range().width());
-    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     #[must_use]
     pub fn enclosure(&self, l: f64, r: f64, width: f64) -> Option<Interval> {
@@ -155,19 +155,19 @@ impl<'a, const C: usize> FifRef<'a, C> {
 
 #[cfg(test)]
 mod tests {
-    use crate::{FixedFif, paper};
+    use crate::{FixedFif, cochran_2000};
 
     #[test]
     fn extrema_with_an_unreachable_width_are_bracketed() {
         for width in [0.0, -1.0, f64::NAN, 1e-300] {
-            let e = paper::g().unwrap().extrema(width);
+            let e = cochran_2000::g().unwrap().extrema(width);
             assert!(e.maximum.width() < 1e-10 && e.maximum.contains(41_969.0 / 21_609.0), "{width}: {e:?}");
         }
     }
 
     #[test]
     fn extrema_over_empty_intervals_is_none() {
-        let f = paper::f().unwrap();
+        let f = cochran_2000::f().unwrap();
         for (l, r) in [(1.0, 0.5), (f64::NAN, 1.0), (0.0, f64::NAN), (-2.0, -1.0)] {
             assert!(f.extrema_over(l, r, 1e-6).is_none() && f.enclosure(l, r, 1e-6).is_none(), "[{l}, {r}]");
         }

@@ -9,12 +9,12 @@ use crate::system::map::Piece;
 /// A bound of `|f(x) − f(y)|` in terms of `d = |x − y|`, over the whole domain.
 ///
 /// ```
-/// use asperity_fif::{Modulus, paper};
-/// let g = paper::g()?.modulus();
+/// use asperity_fif::{Modulus, cochran_2000};
+/// let g = cochran_2000::g()?.modulus();
 /// assert!((g.exponent() - 0.234).abs() < 1e-3);
-/// assert!(matches!(paper::f()?.modulus(), Modulus::LogLipschitz { .. }));
-/// assert!(matches!(paper::g_hat()?.modulus(), Modulus::Lipschitz { .. }));
-/// # Ok::<(), asperity_fif::SystemError>(())
+/// assert!(matches!(cochran_2000::f()?.modulus(), Modulus::LogLipschitz { .. }));
+/// assert!(matches!(cochran_2000::g_hat()?.modulus(), Modulus::Lipschitz { .. }));
+/// # Ok::<(), asperity_fif::FifError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]
@@ -94,11 +94,11 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// dimension for self-affine fractal functions*, 1989.
     ///
     /// ```
-    /// let g = asperity_fif::paper::g()?;
+    /// let g = asperity_fif::cochran_2000::g()?;
     /// let (x, y) = (0.70, 0.71);
     /// let moved = (g.evaluate(x, 1e-9).value - g.evaluate(y, 1e-9).value).abs();
     /// assert!(moved <= g.modulus().at(y - x));
-    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     pub fn modulus(&self) -> Modulus {
         let width = self.domain().width();
@@ -145,11 +145,11 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// NaN returns NaN; points outside the domain are clamped. Takes microseconds to milliseconds.
     ///
     /// ```
-    /// use asperity_fif::paper;
-    /// assert!(paper::g_hat()?.conditioning(0.7) < 1e-13);
-    /// let rough = paper::g()?.conditioning(0.7);
+    /// use asperity_fif::cochran_2000;
+    /// assert!(cochran_2000::g_hat()?.conditioning(0.7) < 1e-13);
+    /// let rough = cochran_2000::g()?.conditioning(0.7);
     /// assert!(rough > 1e-4 && rough < 1e-2);
-    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     #[must_use]
     pub fn conditioning(&self, x: f64) -> f64 {
@@ -278,7 +278,7 @@ fn measures<const C: usize>(piece: &Piece<C>) -> (f64, f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{FixedFif, paper};
+    use crate::{FixedFif, cochran_2000};
 
     #[test]
     fn modulus_of_a_parabola_is_its_slope() {
@@ -292,7 +292,7 @@ mod tests {
 
     #[test]
     fn modulus_at_zero_is_zero() {
-        for modulus in [paper::f().unwrap().modulus(), paper::g().unwrap().modulus()] {
+        for modulus in [cochran_2000::f().unwrap().modulus(), cochran_2000::g().unwrap().modulus()] {
             assert!(modulus.at(0.0) == 0.0 && modulus.at(f64::NAN).is_nan(), "{modulus:?}");
             assert!(modulus.at(100.0) >= modulus.at(2.0) && modulus.at(2.0) >= modulus.at(1e-300));
         }
@@ -322,7 +322,7 @@ mod tests {
 
     #[test]
     fn conditioning_accepts_every_input() {
-        let g = paper::g().unwrap();
+        let g = cochran_2000::g().unwrap();
         assert!(g.conditioning(f64::NAN).is_nan());
         for x in [f64::NEG_INFINITY, -1.0, 0.0, 1.0, 2.0, 3.0, f64::INFINITY] {
             assert!(g.conditioning(x) > 0.0 && g.conditioning(x) < 0.02, "{x}: {}", g.conditioning(x));

@@ -35,13 +35,13 @@ const SCALES: usize = usize::BITS as usize;
 /// Physical Review A 39, 1989.
 ///
 /// ```
-/// use asperity_fif::{box_dimension, paper};
-/// let g = paper::g()?;
+/// use asperity_fif::{box_dimension, cochran_2000};
+/// let g = cochran_2000::g()?;
 /// let mut samples = [0.0; 4097];
 /// g.grid(&mut samples).unwrap();
 /// let measured = box_dimension(&samples, samples.len()).unwrap();
 /// assert!((measured.value - g.dimension().middle()).abs() < 0.05);
-/// # Ok::<(), asperity_fif::SystemError>(())
+/// # Ok::<(), asperity_fif::FifError>(())
 /// ```
 #[doc(alias = "hurst")]
 #[doc(alias = "minkowski")]

@@ -2,11 +2,12 @@
 
 use asperity_core::Interval;
 
-use crate::calculus::linear_combination::{CombineError, check_knots_equal};
+use crate::calculus::linear_combination::check_knots_equal;
 use crate::calculus::moment_basis::{MAX_MOMENT_DEGREE, MomentBasis};
 use crate::numeric::bernstein::{Form, rounding};
 use crate::numeric::estimate::Estimate;
 use crate::numeric::polynomial::{LEAST, UNIT, hull};
+use crate::system::error::FifError;
 use crate::system::fif::System;
 use crate::system::map::Piece;
 
@@ -20,26 +21,34 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// - **Accuracy:** measured against exact rationals, 19 pairs: within 1e-15 relative.
     ///
     /// ```
-    /// use asperity_fif::paper;
-    /// let (g, g_hat) = (paper::g()?, paper::g_hat()?);
+    /// use asperity_fif::cochran_2000;
+    /// let (g, g_hat) = (cochran_2000::g()?, cochran_2000::g_hat()?);
     /// let product = g.inner_product(&g_hat)?; // (ĝ(2)² − ĝ(0)²)/2
     /// assert!((product.value - 0.5 * g_hat.end_values()[1].powi(2)).abs() <= product.bound + 1e-16);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     ///
     /// # Errors
-    /// [`CombineError`] if the knots differ or the degrees are too large.
+    /// [`FifError`] if the knots differ or the degrees are too large.
     pub fn inner_product<T: AsRef<[Piece<D>]>, const D: usize>(
         &self,
         other: &System<T, D>,
-    ) -> Result<Estimate, CombineError> {
+    ) -> Result<Estimate, FifError> {
         check_knots_equal(self.pieces(), other.pieces())?;
         let degrees = [C, D].map(|count| count.saturating_sub(1));
         let degree = degrees[0].saturating_add(degrees[1]);
         if degree > MAX_MOMENT_DEGREE {
-            return Err(CombineError::Degree { degree });
+            return Err(FifError::Degree {
+                parameter: "the product with `other`",
+                max: MAX_MOMENT_DEGREE,
+                got: degree,
+            });
         }
-        let too_high = |_| CombineError::Degree { degree };
+        let too_high = |_| FifError::Degree {
+            parameter: "the product with `other`",
+            max: MAX_MOMENT_DEGREE,
+            got: degree,
+        };
         // ∫ f against polynomials of the degree of the other function, and vice versa.
         let of_f = MomentBasis::new(self.view(), degrees[1], 1).map_err(too_high)?;
         let of_g = MomentBasis::new(other.view(), degrees[0], 1).map_err(too_high)?;
@@ -83,10 +92,10 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// permits.
     ///
     /// ```
-    /// let f = asperity_fif::paper::f()?;
+    /// let f = asperity_fif::cochran_2000::f()?;
     /// let norm = f.supremum_norm(1e-9);
     /// assert!(norm.contains(4.0 / 3.0) && norm.width() <= 1e-9);
-    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     pub fn supremum_norm(&self, width: f64) -> Interval {
         let extrema = self.extrema(width);
@@ -98,11 +107,11 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
 
 #[cfg(test)]
 mod tests {
-    use crate::{FixedFif, paper};
+    use crate::{FixedFif, cochran_2000};
 
     #[test]
     fn supremum_norm_bounds_every_value() {
-        let f = paper::f_hat().unwrap();
+        let f = cochran_2000::f_hat().unwrap();
         let norm = f.supremum_norm(1e-9);
         for k in 0..=64_u8 {
             let value = f.evaluate(f64::from(k) / 32.0, 0.0);

@@ -7,7 +7,7 @@ use core::cell::Cell as CoreCell;
 use crate::calculus::cells::{Tile, directed};
 use crate::numeric::estimate::{Bounded, Estimate};
 use crate::numeric::polynomial::{LEAST, UNIT, horner, magnitude};
-use crate::system::error::SystemError;
+use crate::system::error::FifError;
 use crate::system::fif::{FifRef, System};
 use crate::system::map::Piece;
 use crate::system::storage::Storage;
@@ -40,11 +40,11 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     ///   `condition`.
     ///
     /// ```
-    /// let f = asperity_fif::paper::f()?;
+    /// let f = asperity_fif::cochran_2000::f()?;
     /// let part = f.integral_over(0.5, 1.0);
     /// assert!((part.value - 0.625).abs() <= part.bound && part.bound < 1e-14);
     /// assert_eq!(f.integral_over(1.0, 0.5).value, -part.value);
-    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     pub fn integral_over(&self, l: f64, r: f64) -> Estimate {
         let Some((l, r, sign)) = directed(l, r, self.domain()) else { return Estimate::NAN };
@@ -69,12 +69,12 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     ///   place.
     ///
     /// ```
-    /// let g = asperity_fif::paper::g()?;
+    /// let g = asperity_fif::cochran_2000::g()?;
     /// let (x, step) = (0.7, 1e-12);
     /// let mean = g.mean(x, x + step);
     /// let values = g.extrema_over(x, x + step, 1e-3).unwrap().enclosure();
     /// assert!(values.inflated(mean.bound).contains(mean.value));
-    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     pub fn mean(&self, l: f64, r: f64) -> Estimate {
         let Some((l, r, _)) = directed(l, r, self.domain()) else { return Estimate::NAN };
@@ -106,23 +106,23 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// 31 must be `x_N`.
     ///
     /// ```
-    /// use asperity_fif::{FixedFif, paper};
-    /// let f_hat: FixedFif<2, 3> = paper::f()?.integral(0.0)?;
+    /// use asperity_fif::{FixedFif, cochran_2000};
+    /// let f_hat: FixedFif<2, 3> = cochran_2000::f()?.integral(0.0)?;
     /// assert_eq!(f_hat.pieces()[1].map().q, [1.0, 0.5, -0.125]); // eq. 38
     /// assert_eq!(f_hat.end_values(), [0.0, 2.0]);
-    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     ///
     /// # Errors
-    /// [`SystemError::Degree`] if `K < C + 1`; [`SystemError::Length`] if `T` has a different
-    /// number of maps; [`SystemError::NotFinite`] for `y0`; [`SystemError::Unbounded`] if the
+    /// [`FifError::Degree`] if `K < C + 1`; [`FifError::Length`] if `T` has a different
+    /// number of maps; [`FifError::NotFinite`] for `y0`; [`FifError::Unbounded`] if the
     /// numbers overflow.
-    pub fn integral<T: Storage<K>, const K: usize>(&self, y0: f64) -> Result<System<T, K>, SystemError> {
+    pub fn integral<T: Storage<K>, const K: usize>(&self, y0: f64) -> Result<System<T, K>, FifError> {
         if K < C + 1 {
-            return Err(SystemError::Degree { expected: C + 1, found: K });
+            return Err(FifError::Coefficients { expected: C + 1, got: K });
         }
         if !y0.is_finite() {
-            return Err(SystemError::NotFinite { parameter: "y", knot: 0, value: y0 });
+            return Err(FifError::NotFinite { parameter: "y", index: 0, value: y0 });
         }
         let x0 = self.domain().lo;
         let width = self.domain().width();
@@ -172,26 +172,26 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// the system of the derivative.
     ///
     /// ```
-    /// use asperity_fif::{FixedFif, SystemError, paper};
-    /// let slope: FixedFif<2, 2> = paper::f_hat()?.derivative()?;
-    /// assert_eq!(slope.evaluate(0.7, 1e-12).value, paper::f()?.evaluate(0.7, 1e-12).value);
-    /// let none: Result<FixedFif<2, 1>, _> = paper::f()?.derivative();
-    /// assert!(matches!(none, Err(SystemError::SteepFactor { .. })));
-    /// # Ok::<(), SystemError>(())
+    /// use asperity_fif::{FixedFif, FifError, cochran_2000};
+    /// let slope: FixedFif<2, 2> = cochran_2000::f_hat()?.derivative()?;
+    /// assert_eq!(slope.evaluate(0.7, 1e-12).value, cochran_2000::f()?.evaluate(0.7, 1e-12).value);
+    /// let none: Result<FixedFif<2, 1>, _> = cochran_2000::f()?.derivative();
+    /// assert!(matches!(none, Err(FifError::SteepScaling { .. })));
+    /// # Ok::<(), FifError>(())
     /// ```
     ///
     /// # Errors
-    /// [`SystemError::SteepFactor`] or [`SystemError::JoinUp`] if `f` has no continuous derivative
-    /// of this form; [`SystemError::Degree`] if `K + 1 < C`; [`SystemError::Length`] if `T` has a
+    /// [`FifError::SteepScaling`] or [`FifError::JoinUp`] if `f` has no continuous derivative
+    /// of this form; [`FifError::Degree`] if `K + 1 < C`; [`FifError::Length`] if `T` has a
     /// different number of maps.
-    pub fn derivative<T: Storage<K>, const K: usize>(&self) -> Result<System<T, K>, SystemError> {
+    pub fn derivative<T: Storage<K>, const K: usize>(&self) -> Result<System<T, K>, FifError> {
         if K + 1 < C {
-            return Err(SystemError::Degree { expected: C - 1, found: K });
+            return Err(FifError::Coefficients { expected: C - 1, got: K });
         }
         for (j, piece) in self.pieces().iter().enumerate() {
             let (a, alpha) = (piece.map().a, piece.map().alpha);
             if alpha.abs() >= a {
-                return Err(SystemError::SteepFactor { map: j + 1, alpha, a });
+                return Err(FifError::SteepScaling { map: j + 1, alpha, a });
             }
         }
         let map = |j: usize| {
@@ -207,7 +207,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         match System::from_lists(maps, &|j| self.knot(j), &map) {
             // Near-critical scalings: ordinates from one equation each would not join up within
             // rounding.
-            Err(first @ SystemError::JoinUp { .. }) => {
+            Err(first @ FifError::JoinUp { .. }) => {
                 let domain = self.domain();
                 let [y0, y_end] = end_ordinates(maps, domain, &map);
                 let ordinate = |j: usize| match j.checked_sub(1) {
@@ -343,15 +343,15 @@ fn mean<const C: usize>(local: &[f64; C]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use crate::{FixedFif, SystemError, paper};
+    use crate::{FifError, FixedFif, cochran_2000};
 
     #[test]
     fn derivative_of_a_rough_function_is_an_error() {
-        let steep: Result<FixedFif<2, 1>, _> = paper::f().unwrap().derivative();
-        assert_eq!(steep.unwrap_err(), SystemError::SteepFactor { map: 1, alpha: 0.5, a: 0.5 });
+        let steep: Result<FixedFif<2, 1>, _> = cochran_2000::f().unwrap().derivative();
+        assert_eq!(steep.unwrap_err(), FifError::SteepScaling { map: 1, alpha: 0.5, a: 0.5 });
         // Small scalings, but a corner at the middle knot.
         let corner = FixedFif::<2, 2>::affine(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0], &[0.1, 0.1]).unwrap();
         let none: Result<FixedFif<2, 1>, _> = corner.derivative();
-        assert!(matches!(none, Err(SystemError::JoinUp { map: 2, .. })), "{none:?}");
+        assert!(matches!(none, Err(FifError::JoinUp { map: 2, .. })), "{none:?}");
     }
 }

@@ -1,40 +1,22 @@
 //! Systems from maps and from other systems: sums, multiples, and the number of derivatives.
 
-use crate::calculus::moment_basis::MAX_MOMENT_DEGREE;
-use crate::system::error::{SystemError, check_cells};
+use crate::system::error::{FifError, check_cells};
 use crate::system::fif::System;
 use crate::system::map::{JOIN_TOLERANCE, Map, Piece};
 use crate::system::storage::Storage;
-use asperity_core::error_enum;
-
-error_enum! {
-    /// Error for two systems that cannot be combined. Knots are counted from 0, maps from 1.
-    pub enum CombineError from SystemError {
-        /// The numbers of maps differ.
-        Maps { left: usize, right: usize } => "`other` must have {left} maps, got {right}";
-        /// A knot differs.
-        Knot { knot: usize, left: f64, right: f64 } => "`other` must have knot {knot} at {left}, got {right}";
-        /// A vertical scaling differs, so the sum is not in this class of functions.
-        Factor { map: usize, left: f64, right: f64 } =>
-            "`other` must have a factor of {left} in map {map}, got {right}";
-        /// The sum of both degrees is too high for an inner product.
-        Degree { degree: usize } =>
-            "degree of the product with `other` must be at most {MAX_MOMENT_DEGREE}, got {degree}";
-    }
-}
 
 /// Checks that the number of maps and the knots are equal.
 pub(crate) fn check_knots_equal<const C: usize, const D: usize>(
     left: &[Piece<C>],
     right: &[Piece<D>],
-) -> Result<(), CombineError> {
+) -> Result<(), FifError> {
     if left.len() != right.len() {
-        return Err(CombineError::Maps { left: left.len(), right: right.len() });
+        return Err(FifError::Length { parameter: "other", expected: left.len(), got: right.len() });
     }
     for (j, (l, r)) in left.iter().zip(right).enumerate() {
         for (end, (l, r)) in l.x().into_iter().zip(r.x()).enumerate() {
             if l != r {
-                return Err(CombineError::Knot { knot: j + end, left: l, right: r });
+                return Err(FifError::Unequal { parameter: "knot", index: j + end, left: l, right: r });
             }
         }
     }
@@ -50,27 +32,27 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
     /// ```
     ///
     /// ```
-    /// use asperity_fif::{FixedFif, SystemError, paper};
-    /// let f = FixedFif::<2, 2>::from_maps(0.0, 2.0, &paper::F_MAPS)?;
+    /// use asperity_fif::{FixedFif, FifError, cochran_2000};
+    /// let f = FixedFif::<2, 2>::from_maps(0.0, 2.0, &cochran_2000::F_MAPS)?;
     /// assert_eq!(f.end_values(), [0.0, 0.0]);
-    /// let [first, second] = paper::F_MAPS;
+    /// let [first, second] = cochran_2000::F_MAPS;
     /// let gap = FixedFif::<2, 2>::from_maps(0.0, 2.0, &[second, first]);
-    /// assert!(matches!(gap, Err(SystemError::Tiling { map: 1, .. })));
-    /// # Ok::<(), SystemError>(())
+    /// assert!(matches!(gap, Err(FifError::Tiling { map: 1, .. })));
+    /// # Ok::<(), FifError>(())
     /// ```
     ///
     /// # Errors
-    /// [`SystemError::Tiling`] if the image of a map does not begin where the previous one ends (or
+    /// [`FifError::Tiling`] if the image of a map does not begin where the previous one ends (or
     /// at `x0`), or the last does not end at `x_end`, beyond 2⁻⁴⁰ of the numbers involved;
     /// otherwise see [`System::new`].
-    pub fn from_maps(x0: f64, x_end: f64, maps: &[Map<C>]) -> Result<Self, SystemError> {
+    pub fn from_maps(x0: f64, x_end: f64, maps: &[Map<C>]) -> Result<Self, FifError> {
         let count = maps.len();
         if count < 2 {
-            return Err(SystemError::TooFew { parameter: "maps", least: 2, got: count });
+            return Err(FifError::TooFew { parameter: "maps", min: 2, got: count });
         }
         for (knot, value) in [(0, x0), (count, x_end)] {
             if !value.is_finite() {
-                return Err(SystemError::NotFinite { parameter: "x", knot, value });
+                return Err(FifError::NotFinite { parameter: "x", index: knot, value });
             }
         }
         let mut expected = x0;
@@ -80,13 +62,13 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
             // Written so that NaN is an error.
             let meets = |expected: f64, found: f64| (found - expected).abs() <= JOIN_TOLERANCE * scale;
             if !meets(expected, found) {
-                return Err(SystemError::Tiling { map: j + 1, expected, found });
+                return Err(FifError::Tiling { map: j + 1, expected, got: found });
             }
             if j + 1 == count && !meets(x_end, next) {
-                return Err(SystemError::Tiling { map: count, expected: x_end, found: next });
+                return Err(FifError::Tiling { map: count, expected: x_end, got: next });
             }
             if next <= expected {
-                return Err(SystemError::KnotOrder { knot: j + 1, left: expected, right: next });
+                return Err(FifError::KnotOrder { knot: j + 1, left: expected, right: next });
             }
             expected = next;
         }
@@ -102,15 +84,15 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
     /// The function times `factor`.
     ///
     /// ```
-    /// let f = asperity_fif::paper::f()?;
+    /// let f = asperity_fif::cochran_2000::f()?;
     /// assert_eq!(f.scaled(3.0)?.evaluate(1.0, 0.0).value, 3.0);
-    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     ///
     /// # Errors
-    /// [`SystemError::NotFinite`], [`SystemError::Unbounded`] if the numbers overflow or `factor`
+    /// [`FifError::NotFinite`], [`FifError::Unbounded`] if the numbers overflow or `factor`
     /// is not finite.
-    pub fn scaled(&self, factor: f64) -> Result<Self, SystemError> {
+    pub fn scaled(&self, factor: f64) -> Result<Self, FifError> {
         let q = |j: usize| self.pieces().get(j).map(|p| p.map().q.map(|c| factor * c));
         self.combined(&|j| factor * self.ordinate(j), &q)
     }
@@ -118,20 +100,20 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
     /// `self + other` for systems with the same knots and vertical scalings, in the same class.
     ///
     /// ```
-    /// let (f, g) = (asperity_fif::paper::f()?, asperity_fif::paper::g()?);
+    /// let (f, g) = (asperity_fif::cochran_2000::f()?, asperity_fif::cochran_2000::g()?);
     /// assert_eq!(f.sum(&f)?.evaluate(1.0, 0.0).value, 2.0);
     /// assert!(f.sum(&g).is_err()); // different vertical scalings
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     ///
     /// # Errors
-    /// [`CombineError`] if a knot or a scaling differs or the numbers overflow.
-    pub fn sum<T: AsRef<[Piece<C>]>>(&self, other: &System<T, C>) -> Result<Self, CombineError> {
+    /// [`FifError`] if a knot or a scaling differs or the numbers overflow.
+    pub fn sum<T: AsRef<[Piece<C>]>>(&self, other: &System<T, C>) -> Result<Self, FifError> {
         check_knots_equal(self.pieces(), other.pieces())?;
         for (j, (l, r)) in self.pieces().iter().zip(other.pieces()).enumerate() {
             let (left, right) = (l.map().alpha, r.map().alpha);
             if left != right {
-                return Err(CombineError::Factor { map: j + 1, left, right });
+                return Err(FifError::Unequal { parameter: "the scaling of map", index: j + 1, left, right });
             }
         }
         let q = |j: usize| {
@@ -155,10 +137,10 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
     /// ```
     ///
     /// ```
-    /// use asperity_fif::paper;
-    /// assert_eq!(paper::f()?.differentiability(), 0);
-    /// assert_eq!(paper::f_hat()?.differentiability(), 1);
-    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// use asperity_fif::cochran_2000;
+    /// assert_eq!(cochran_2000::f()?.differentiability(), 0);
+    /// assert_eq!(cochran_2000::f_hat()?.differentiability(), 1);
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     #[must_use]
     pub fn differentiability(&self) -> usize {
@@ -176,12 +158,12 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
         &self,
         y: &dyn Fn(usize) -> f64,
         q: &dyn Fn(usize) -> Option<[f64; C]>,
-    ) -> Result<Self, SystemError> {
+    ) -> Result<Self, FifError> {
         let maps = self.pieces().len();
         for knot in 0..=maps {
             let value = y(knot);
             if !value.is_finite() {
-                return Err(SystemError::NotFinite { parameter: "y", knot, value });
+                return Err(FifError::NotFinite { parameter: "y", index: knot, value });
             }
         }
         let alpha = |j: usize| self.pieces().get(j).map_or(0.0, |p| p.map().alpha);
@@ -192,12 +174,12 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{FixedFif, paper};
+    use crate::{FixedFif, cochran_2000};
     use alloc::string::ToString;
 
     #[test]
     fn from_maps_requires_tiling() {
-        let [first, second] = paper::F_MAPS;
+        let [first, second] = cochran_2000::F_MAPS;
         let build = |maps: &[Map<2>]| FixedFif::<2, 2>::from_maps(0.0, 2.0, maps).map(|f| f.end_values());
         let overlap = Map { a: 0.75, ..first };
         let says = |maps: &[Map<2>], message: &str| assert_eq!(build(maps).unwrap_err().to_string(), message);
@@ -211,22 +193,23 @@ mod tests {
             &[flat, Map { a: 1.0, b: 0.0, ..second }],
             "knots must be strictly increasing: `x[1]` = 0 follows 0",
         );
-        let infinite = FixedFif::<2, 2>::from_maps(f64::NEG_INFINITY, 2.0, &paper::F_MAPS).unwrap_err();
+        let infinite =
+            FixedFif::<2, 2>::from_maps(f64::NEG_INFINITY, 2.0, &cochran_2000::F_MAPS).unwrap_err();
         assert_eq!(infinite.to_string(), "`x[0]` must be finite, got -inf");
     }
 
     #[test]
     fn sum_of_different_systems_is_an_error() {
-        let f = paper::f().unwrap();
-        let says = |error: CombineError, message: &str| assert_eq!(error.to_string(), message);
+        let f = cochran_2000::f().unwrap();
+        let says = |error: FifError, message: &str| assert_eq!(error.to_string(), message);
         says(
-            f.sum(&paper::g().unwrap()).unwrap_err(),
-            "`other` must have a factor of 0.5 in map 1, got 0.85",
+            f.sum(&cochran_2000::g().unwrap()).unwrap_err(),
+            "`other` must have the scaling of map 1 at 0.5, got 0.85",
         );
         let shifted = FixedFif::<2, 2>::affine(&[0.0, 1.5, 2.0], &[0.0, 1.0, 0.0], &[0.5, 0.5]).unwrap();
         says(f.sum(&shifted).unwrap_err(), "`other` must have knot 1 at 1, got 1.5");
         let three = FixedFif::<3, 2>::affine(&[0.0, 0.5, 1.5, 2.0], &[0.0; 4], &[0.5; 3]).unwrap();
-        says(f.sum(&three.view()).unwrap_err(), "`other` must have 2 maps, got 3");
+        says(f.sum(&three.view()).unwrap_err(), "`other` must have 2 elements, got 3");
         for factor in [f64::NAN, f64::INFINITY] {
             assert!(f.scaled(factor).is_err(), "{factor}");
         }
@@ -237,7 +220,7 @@ mod tests {
     fn differentiability_counts_derivatives() {
         // f integrated three times is three times differentiable; the second derivative of a
         // parabola is not contracted.
-        let once = paper::f_hat().unwrap();
+        let once = cochran_2000::f_hat().unwrap();
         let twice: FixedFif<2, 4> = once.integral(0.0).unwrap();
         let thrice: FixedFif<2, 5> = twice.integral(0.0).unwrap();
         assert_eq!((twice.differentiability(), thrice.differentiability()), (2, 3));

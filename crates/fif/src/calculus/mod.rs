@@ -6,5 +6,3 @@ pub(crate) mod integral;
 pub(crate) mod linear_combination;
 pub(crate) mod moment;
 pub(crate) mod moment_basis;
-
-pub use moment_basis::{MAX_MOMENT_DEGREE, MAX_POWER};

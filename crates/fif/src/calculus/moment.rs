@@ -3,11 +3,12 @@
 use asperity_core::Interval;
 
 use crate::calculus::cells::{Tile, directed};
-use crate::calculus::moment_basis::{MomentBasis, MomentError};
+use crate::calculus::moment_basis::MomentBasis;
 use crate::numeric::bernstein::{Form, power, rounding};
 use crate::numeric::estimate::{Bounded, Estimate};
 use crate::numeric::polynomial::{LEAST, UNIT};
 use crate::system::cell::Cell;
+use crate::system::error::FifError;
 use crate::system::fif::{FifRef, System};
 use crate::system::map::Piece;
 
@@ -25,7 +26,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     ///   1e-14 relative times `condition`.
     ///
     /// ```
-    /// let f = asperity_fif::paper::f()?;
+    /// let f = asperity_fif::cochran_2000::f()?;
     /// assert!((f.moment(0, 2)?.value - 20.0 / 9.0).abs() < 1e-14);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
@@ -33,8 +34,8 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// Barnsley 1986, for `p = 1`.
     ///
     /// # Errors
-    /// [`MomentError`] if `k` or `p` is too large.
-    pub fn moment(&self, k: usize, p: usize) -> Result<Estimate, MomentError> {
+    /// [`FifError`] if `k` or `p` is too large.
+    pub fn moment(&self, k: usize, p: usize) -> Result<Estimate, FifError> {
         let domain = self.domain();
         self.moment_over(k, p, domain.lo, domain.hi)
     }
@@ -45,15 +46,15 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// large integrals are subtracted. Cumulative moments have `l = x_0`.
     ///
     /// ```
-    /// let f = asperity_fif::paper::f()?;
+    /// let f = asperity_fif::cochran_2000::f()?;
     /// let (left, right) = (f.moment_over(1, 1, 0.0, 0.7)?, f.moment_over(1, 1, 0.7, 2.0)?);
     /// assert!((left.value + right.value - f.moment(1, 1)?.value).abs() < 1e-14);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     ///
     /// # Errors
-    /// [`MomentError`] if `k` or `p` is too large.
-    pub fn moment_over(&self, k: usize, p: usize, l: f64, r: f64) -> Result<Estimate, MomentError> {
+    /// [`FifError`] if `k` or `p` is too large.
+    pub fn moment_over(&self, k: usize, p: usize, l: f64, r: f64) -> Result<Estimate, FifError> {
         let domain = self.domain();
         let weight = |s: f64| if s >= 1.0 { domain.hi } else { domain.lo + domain.width() * s };
         Ok(match directed(l, r, domain) {
@@ -71,14 +72,14 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// For many points create the system of the integral once, [`System::integral`].
     ///
     /// ```
-    /// let f = asperity_fif::paper::f()?;
+    /// let f = asperity_fif::cochran_2000::f()?;
     /// assert!((f.nth_integral(2, 2.0)?.value - 2.0).abs() < 1e-14);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     ///
     /// # Errors
-    /// [`MomentError`] if `n` is too large.
-    pub fn nth_integral(&self, n: usize, x: f64) -> Result<Estimate, MomentError> {
+    /// [`FifError`] if `n` is too large.
+    pub fn nth_integral(&self, n: usize, x: f64) -> Result<Estimate, FifError> {
         let domain = self.domain();
         let Some(k) = n.checked_sub(1) else {
             return Ok(Estimate::of(self.evaluate(x, 0.0)));
@@ -93,8 +94,8 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// `∫ f²` over the whole domain, the square of the L² norm.
     ///
     /// # Errors
-    /// [`MomentError`] if the degree of the polynomials is too large.
-    pub fn norm_squared(&self) -> Result<Estimate, MomentError> {
+    /// [`FifError`] if the degree of the polynomials is too large.
+    pub fn norm_squared(&self) -> Result<Estimate, FifError> {
         self.moment(0, 2)
     }
 
@@ -104,8 +105,8 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// As accurate as [`System::mean`].
     ///
     /// # Errors
-    /// [`MomentError`] if the degree of the polynomials is too large.
-    pub fn mean_square(&self, l: f64, r: f64) -> Result<Estimate, MomentError> {
+    /// [`FifError`] if the degree of the polynomials is too large.
+    pub fn mean_square(&self, l: f64, r: f64) -> Result<Estimate, FifError> {
         let Some((l, r, _)) = directed(l, r, self.domain()) else { return Ok(Estimate::NAN) };
         let (sum, length) = self.view().weighted(0, 2, l, r, &|_| 1.0)?;
         let range = self.range();
@@ -139,7 +140,7 @@ impl<const C: usize> FifRef<'_, C> {
         l: f64,
         r: f64,
         weight: &dyn Fn(f64) -> f64,
-    ) -> Result<(Estimate, Bounded), MomentError> {
+    ) -> Result<(Estimate, Bounded), FifError> {
         let basis = MomentBasis::new(self, k, p)?;
         if l >= r {
             return Ok((Estimate::new(0.0, 0.0, 0.0), Bounded { value: 0.0, bound: 0.0 }));

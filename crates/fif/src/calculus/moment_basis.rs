@@ -3,25 +3,14 @@
 use crate::numeric::bernstein::{Form, SIZE, binomials, power, rounding};
 use crate::numeric::elimination::solve;
 use crate::numeric::polynomial::{LEAST, UNIT, hull};
+use crate::system::error::FifError;
 use crate::system::fif::FifRef;
-use asperity_core::error_enum;
 
 /// The largest power of `f` in an integral.
-pub const MAX_POWER: usize = 8;
+pub(crate) const MAX_POWER: usize = 8;
 
 /// The largest `k + p (C − 1)` of an integral of `xᵏ fᵖ`.
-pub const MAX_MOMENT_DEGREE: usize = SIZE - 1;
-
-error_enum! {
-    /// Error for an integral of `xᵏ fᵖ` with invalid `k` or `p`.
-    #[derive(Eq)]
-    pub enum MomentError {
-        /// `p` is above [`MAX_POWER`].
-        Power { power: usize } => "`p` must be at most {MAX_POWER}, got {power}";
-        /// `k + p (C − 1)`, with the number of coefficients `C`, is above [`MAX_MOMENT_DEGREE`].
-        Degree { degree: usize } => "`k + p (C - 1)` must be at most {MAX_MOMENT_DEGREE}, got {degree}";
-    }
-}
+pub(crate) const MAX_MOMENT_DEGREE: usize = SIZE - 1;
 
 /// `∫ u^l (1 − u)^(n−l) f^m` over the domain scaled to `[0, 1]`, for every `m ≤ p` with `n = k + D
 /// (p − m)`.
@@ -40,14 +29,14 @@ pub(crate) struct MomentBasis {
 }
 
 impl MomentBasis {
-    pub(crate) fn new<const C: usize>(fif: FifRef<'_, C>, k: usize, p: usize) -> Result<Self, MomentError> {
+    pub(crate) fn new<const C: usize>(fif: FifRef<'_, C>, k: usize, p: usize) -> Result<Self, FifError> {
         if p > MAX_POWER {
-            return Err(MomentError::Power { power: p });
+            return Err(FifError::OutOfRange { parameter: "p", value: p, min: 0, max: MAX_POWER });
         }
         let degree = C.saturating_sub(1);
         let top = degree.saturating_mul(p).saturating_add(k);
         if top > MAX_MOMENT_DEGREE {
-            return Err(MomentError::Degree { degree: top });
+            return Err(FifError::Degree { parameter: "`x^k f^p`", max: MAX_MOMENT_DEGREE, got: top });
         }
         let mut basis =
             Self { values: [[0.0; SIZE]; MAX_POWER + 1], errors: [0.0; MAX_POWER + 1], degree, top };

@@ -2,9 +2,9 @@
 //! address.
 
 use crate::numeric::polynomial::{UNIT, horner};
+use crate::system::error::FifError;
 use crate::system::fif::{Spacing, System};
 use crate::system::map::Piece;
-use asperity_core::error_enum;
 
 impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// Evaluates `f(x_0 + (x_N − x_0) i/n)` for `i = 0, …, n`.
@@ -24,7 +24,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// Cochran, Lewis, Hart 2000, eq. 3–9.
     ///
     /// ```
-    /// let f = asperity_fif::paper::f()?;
+    /// let f = asperity_fif::cochran_2000::f()?;
     /// let mut nodes = [0.0; 9];
     /// let bound = f.grid(&mut nodes)?;
     /// assert_eq!(nodes, [0.0, 0.75, 1.0, 1.25, 1.0, 1.25, 1.0, 0.75, 0.0]);
@@ -33,10 +33,10 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// ```
     ///
     /// # Errors
-    /// [`GridError`]. Nothing is written in this case.
-    pub fn grid(&self, out: &mut [f64]) -> Result<f64, GridError> {
+    /// [`FifError`]. Nothing is written in this case.
+    pub fn grid(&self, out: &mut [f64]) -> Result<f64, FifError> {
         if self.spacing() == Spacing::Nonuniform {
-            return Err(GridError::Nonuniform);
+            return Err(FifError::UnequalKnots);
         }
         let (maps, found) = (self.pieces().len(), out.len());
         let cells = found.saturating_sub(1);
@@ -45,7 +45,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
             count = count.saturating_mul(maps);
         }
         if count != cells {
-            return Err(GridError::Length { maps, found });
+            return Err(FifError::GridLength { maps, got: found });
         }
         let [first, last] = self.end_values();
         if let Some(start) = out.first_mut() {
@@ -107,27 +107,14 @@ fn raise<const C: usize>(piece: &Piece<C>, per: f64, nodes: &mut [f64]) {
     }
 }
 
-error_enum! {
-    /// Error for an invalid grid.
-    #[derive(Eq)]
-    pub enum GridError {
-        /// The knots are not equally spaced.
-        Nonuniform => "`x` must be equally spaced, got unequal knots";
-        /// The number of cells, one less than the nodes `found`, is not a power of the number of
-        /// maps.
-        Length { maps: usize, found: usize } =>
-            "`out` must have one element more than a power of {maps}, got {found}";
-    }
-}
-
 #[cfg(all(test, feature = "alloc"))]
 mod tests {
-    use crate::{Fif, paper};
+    use crate::{Fif, cochran_2000};
     use alloc::string::ToString;
 
     #[test]
     fn grid_equals_evaluate_at_the_nodes() {
-        let g = paper::g_hat().unwrap();
+        let g = cochran_2000::g_hat().unwrap();
         let mut nodes = [0.0; 1025];
         let bound = g.grid(&mut nodes).unwrap();
         for (i, node) in nodes.iter().enumerate() {
@@ -149,7 +136,7 @@ mod tests {
 
     #[test]
     fn grid_rejects_other_numbers_of_nodes() {
-        let f = paper::f().unwrap();
+        let f = cochran_2000::f().unwrap();
         for len in [0, 1, 4, 6] {
             let mut nodes = alloc::vec![7.0; len];
             let message = alloc::format!("`out` must have one element more than a power of 2, got {len}");

@@ -11,7 +11,7 @@ use crate::system::map::Piece;
 /// Maximum number of maps that one evaluation composes.
 ///
 /// Sufficient for 10⁻¹² of the range at `|α| ≤ 0.993`. Beyond, the returned bound is larger.
-pub const MAX_DEPTH: usize = 4096;
+pub(crate) const MAX_DEPTH: usize = 4096;
 
 impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// `f(x)` with an error bound, which is at most `tolerance` if `f64` permits.
@@ -35,12 +35,12 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// Cochran, Lewis, Hart 2000, Algorithm 2, corrected.
     ///
     /// ```
-    /// let g = asperity_fif::paper::g()?;
+    /// let g = asperity_fif::cochran_2000::g()?;
     /// let top = g.evaluate(3.0 / 7.0, 1e-6);
     /// assert!(top.bound <= 1e-6 && g.range().contains(top.value));
     /// assert_eq!(g.evaluate(1.0, 1e-6).value, 1.0); // a knot
     /// assert!(g.evaluate(f64::NAN, 1e-6).value.is_nan());
-    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     pub fn evaluate(&self, x: f64, tolerance: f64) -> Bounded {
         match self.locate(x) {
@@ -77,12 +77,12 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// Returns `None` for an index without a map.
     ///
     /// ```
-    /// let f = asperity_fif::paper::f()?;
+    /// let f = asperity_fif::cochran_2000::f()?;
     /// // 2/3 = 0.0101…₂ of [0, 2] in halves: the maximum of f, 4/3.
     /// let top = f.value_at_address([0, 1].into_iter().cycle(), 1e-14).unwrap();
     /// assert!((top.value - 4.0 / 3.0).abs() < 1e-14);
     /// assert!(f.value_at_address([2], 1e-6).is_none());
-    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     #[must_use]
     pub fn value_at_address<I: IntoIterator<Item = usize>>(
@@ -133,9 +133,9 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// place.
     ///
     /// ```
-    /// let f = asperity_fif::paper::f()?;
+    /// let f = asperity_fif::cochran_2000::f()?;
     /// assert!(f.address(1.25).take(4).eq([1, 0, 1, 0]));
-    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     pub fn address(&self, x: f64) -> impl Iterator<Item = usize> + '_ {
         let last = self.pieces().len().saturating_sub(1);
@@ -260,12 +260,12 @@ enum Location {
 
 #[cfg(test)]
 mod tests {
-    use crate::{FixedFif, paper};
+    use crate::{FixedFif, cochran_2000};
     use approx::assert_abs_diff_eq;
 
     #[test]
     fn evaluate_is_within_its_bound_for_any_tolerance() {
-        let f = paper::f().unwrap();
+        let f = cochran_2000::f().unwrap();
         for tolerance in [f64::INFINITY, 10.0, 1e-3, 1e-300, 0.0, -1.0, f64::NAN] {
             let got = f.evaluate(2.0 / 3.0, tolerance);
             assert!((got.value - 4.0 / 3.0).abs() <= got.bound + 1e-14, "{tolerance}: {got:?}");
@@ -301,14 +301,14 @@ mod tests {
         for exponent in [90, 140, 1000] {
             check(&thirds, 1.125 * 2f64.powi(-exponent), 20);
         }
-        let g = paper::g().unwrap();
+        let g = cochran_2000::g().unwrap();
         check(&g, 2f64.powi(-128), 127);
         assert_abs_diff_eq!(g.evaluate(2f64.powi(-128), 0.0).value, 2.24e-9, epsilon = 1e-11);
     }
 
     #[test]
     fn address_of_knots_and_nan() {
-        let f = paper::f().unwrap();
+        let f = cochran_2000::f().unwrap();
         assert!(f.address(1.0).take(4).eq([1, 0, 0, 0]));
         assert!(f.address(0.0).take(3).eq([0, 0, 0]) && f.address(-7.0).take(3).eq([0, 0, 0]));
         assert!(f.address(2.0).take(3).eq([1, 1, 1]) && f.address(9.0).take(3).eq([1, 1, 1]));
@@ -351,7 +351,7 @@ mod tests {
 
     #[test]
     fn value_at_finite_address_bounds_its_cell() {
-        let f = paper::f().unwrap();
+        let f = cochran_2000::f().unwrap();
         let cell = f.value_at_address([0, 1], 1e-12).unwrap().interval();
         for k in 0..=16 {
             let x = 0.5 + f64::from(k) / 32.0;

@@ -3,12 +3,11 @@
 use alloc::vec::Vec;
 use asperity_core::math::sqrt_f64;
 
-use crate::system::error::{self as system, SystemError, check_finite, check_length};
+use crate::system::error::{self as system, FifError, check_finite, check_length};
 use crate::system::fif::Fif;
-use asperity_core::error_enum;
 
 /// The largest vertical scaling of a fit, `1 − 2⁻¹⁰`, to which larger ones are clamped.
-pub const STEEPEST: f64 = 1.0 - 1.0 / 1024.0;
+pub(crate) const STEEPEST: f64 = 1.0 - 1.0 / 1024.0;
 
 /// An affine fractal interpolation function fitted to data, with the error of the fit.
 #[derive(Clone, Debug)]
@@ -37,7 +36,7 @@ pub struct Fit {
 /// those of the part, and `Y` the polygon through the data. Each `α_j` minimizes the squared
 /// collage error at the data over its part. It is clamped to [`STEEPEST`] in magnitude, and 0 where
 /// `v` is 0. The sum over all parts is not the error of the fit: see
-/// [`refined`](crate::fit::refined).
+/// [`refine`](crate::fit::refine).
 ///
 /// Time: one binary search per point, and the same per map to measure the collage error.
 ///
@@ -45,9 +44,9 @@ pub struct Fit {
 /// analytic algorithm.
 ///
 /// # Errors
-/// [`FitError`]: points that are too few, not finite or not in order; `knots` that do not increase
+/// [`FifError`]: points that are too few, not finite or not in order; `knots` that do not increase
 /// from 0 to the last point.
-pub fn affine(x: &[f64], y: &[f64], knots: &[usize]) -> Result<Fit, FitError> {
+pub fn affine(x: &[f64], y: &[f64], knots: &[usize]) -> Result<Fit, FifError> {
     check_points(x, y)?;
     check_knots(x.len(), knots)?;
     let data = Data { x, y };
@@ -104,7 +103,7 @@ impl Data<'_> {
     }
 
     /// The system with these scalings, measured.
-    pub(crate) fn fit(&self, knots: &[usize], alpha: &[f64]) -> Result<Fit, FitError> {
+    pub(crate) fn fit(&self, knots: &[usize], alpha: &[f64]) -> Result<Fit, FifError> {
         let (x, y): (Vec<f64>, Vec<f64>) = knots.iter().map(|&i| self.point(i)).unzip();
         let system: Fif<2> = Fif::affine(&x, &y, alpha)?;
         let (mut error, mut squares) = (0.0_f64, 0.0);
@@ -144,28 +143,14 @@ fn line(x: f64, left: (f64, f64), right: (f64, f64)) -> f64 {
     left.1 * (1.0 - t) + right.1 * t
 }
 
-error_enum! {
-    /// Error for an invalid fit. Points are counted from 0.
-    pub enum FitError from SystemError {
-        /// The knots are not increasing indices of three or more points, from the first to the
-        /// last.
-        ///
-        /// Entry `at` is `index`, or the number of points if it is missing.
-        Knots { at: usize, index: usize } =>
-            "`knots[{at}]` must increase from the first point to the last, at least three, got {index}";
-        /// A tolerance is NaN or negative.
-        Tolerance { value: f64 } => "`tolerance` must be at least 0, got {value}";
-    }
-}
-
-pub(crate) fn check_points(x: &[f64], y: &[f64]) -> Result<(), FitError> {
+pub(crate) fn check_points(x: &[f64], y: &[f64]) -> Result<(), FifError> {
     check_length("y", x.len(), y.len())?;
     system::check_knots(x)?;
-    Ok(check_finite("y", y)?)
+    check_finite("y", y)
 }
 
-pub(crate) fn check_knots(points: usize, knots: &[usize]) -> Result<(), FitError> {
-    let wrong = |at: usize| FitError::Knots { at, index: knots.get(at).copied().unwrap_or(points) };
+pub(crate) fn check_knots(points: usize, knots: &[usize]) -> Result<(), FifError> {
+    let wrong = |at: usize| FifError::FitKnots { at, index: knots.get(at).copied().unwrap_or(points) };
     if knots.first() != Some(&0) {
         return Err(wrong(0));
     }

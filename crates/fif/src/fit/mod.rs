@@ -15,8 +15,8 @@
 
 pub(crate) mod collage;
 mod knots;
-mod refine;
+pub(crate) mod refine;
 
-pub use collage::{Fit, FitError, STEEPEST, affine};
+pub use collage::{Fit, affine};
 pub use knots::knots;
-pub use refine::refined;
+pub use refine::refine;

@@ -3,8 +3,9 @@
 use alloc::vec::Vec;
 
 use crate::evaluate::address::{Fraction, Orbit, Position, Step};
-use crate::fit::collage::{Data, Fit, FitError, STEEPEST, check_knots, check_points};
+use crate::fit::collage::{Data, Fit, STEEPEST, check_knots, check_points};
 use crate::numeric::elimination::solve;
+use crate::system::error::FifError;
 use crate::system::fif::{Fif, Spacing};
 
 /// Maximum number of maps along which a derivative follows an orbit.
@@ -36,13 +37,13 @@ const LEAST: f64 = 1e-10;
 /// let x: Vec<f64> = (0..=60).map(|k| f64::from(k) / 60.0).collect();
 /// let y: Vec<f64> = x.iter().map(|x| (17.0 * x).sin() + 0.3 * (91.0 * x * x).cos()).collect();
 /// let knots = [0, 15, 30, 45, 60];
-/// assert!(fit::refined(&x, &y, &knots, 10)?.rms < fit::affine(&x, &y, &knots)?.rms);
+/// assert!(fit::refine(&x, &y, &knots, 10)?.rms < fit::affine(&x, &y, &knots)?.rms);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
-/// [`FitError`], see [`affine`](crate::fit::affine).
-pub fn refined(x: &[f64], y: &[f64], knots: &[usize], steps: usize) -> Result<Fit, FitError> {
+/// [`FifError`], see [`affine`](crate::fit::affine).
+pub fn refine(x: &[f64], y: &[f64], knots: &[usize], steps: usize) -> Result<Fit, FifError> {
     check_points(x, y)?;
     check_knots(x.len(), knots)?;
     let data = Data { x, y };

@@ -69,10 +69,10 @@ impl Bounded {
 /// cancel, the sum has fewer digits than the terms, as measured by `condition`.
 ///
 /// ```
-/// let f = asperity_fif::paper::f()?;
+/// let f = asperity_fif::cochran_2000::f()?;
 /// let whole = f.integral_over(0.0, 2.0);
 /// assert!((whole.value - 2.0).abs() <= whole.bound && whole.bound < 1e-13);
-/// # Ok::<(), asperity_fif::SystemError>(())
+/// # Ok::<(), asperity_fif::FifError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]

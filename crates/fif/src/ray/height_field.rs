@@ -27,7 +27,7 @@ use asperity_core::math::sqrt_f64;
 
 #[doc = include_str!("../../docs/rays-of-height-fields.md")]
 impl<F: Function, G: Function> Intersect for HeightField<F, G> {
-    fn first_hit_within(&self, ray: &Ray, t: Interval, tolerance: f64) -> Option<Hit> {
+    fn intersect_within(&self, ray: &Ray, t: Interval, tolerance: f64) -> Option<Hit> {
         #[cfg(feature = "alloc")]
         if let Some(tracer) = Tracer::new(self, tolerance) {
             return self.first(&tracer, ray, t);
@@ -37,7 +37,7 @@ impl<F: Function, G: Function> Intersect for HeightField<F, G> {
         hit_by_boxes(&Context::new(self), ray, t, Aim::First)
     }
 
-    fn hits_any(&self, ray: &Ray, t: Interval) -> bool {
+    fn occluded(&self, ray: &Ray, t: Interval) -> bool {
         #[cfg(feature = "alloc")]
         if let Some(tracer) = Tracer::new(self, 0.0)
             && let Some(path) = tracer.path(ray, t)
@@ -49,8 +49,8 @@ impl<F: Function, G: Function> Intersect for HeightField<F, G> {
 
     /// With tables and the feature `simd`, rays are searched in packets of eight.
     ///
-    /// Results are bit-identical to [`Intersect::first_hit_within`].
-    fn first_hits(
+    /// Results are bit-identical to [`Intersect::intersect_within`].
+    fn intersect_batch(
         &self,
         rays: &[Ray],
         t: Interval,
@@ -149,16 +149,16 @@ fn hit_by_boxes<F: Function, G: Function>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{FixedFif, paper};
+    use crate::{FixedFif, cochran_2000};
     use approx::assert_abs_diff_eq;
     use glam::DVec3;
 
     fn mirror() -> HeightField<FixedFif<2, 3>, FixedFif<2, 3>> {
-        HeightField::new(paper::f_hat().unwrap(), paper::f_hat().unwrap())
+        HeightField::new(cochran_2000::f_hat().unwrap(), cochran_2000::f_hat().unwrap())
     }
 
     fn between(surface: &impl Intersect, ray: &Ray, lo: f64, hi: f64) -> Option<Hit> {
-        surface.first_hit_within(ray, Interval::new(lo, hi), 0.0)
+        surface.intersect_within(ray, Interval::new(lo, hi), 0.0)
     }
 
     fn ray(o: [f64; 3], d: [f64; 3]) -> Ray {
@@ -170,7 +170,7 @@ mod tests {
         let surface = mirror();
         // h(1, 1) = 1 exactly.
         for d in [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [1.0, 0.5, 0.3], [-0.2, 1.0, 3.0], [1.0, 0.0, 0.0]] {
-            let hit = surface.first_hit(&ray([1.0, 1.0, 1.0], d)).unwrap();
+            let hit = surface.intersect(&ray([1.0, 1.0, 1.0], d)).unwrap();
             assert!(hit.t.abs() < 1e-15, "{d:?}: {hit:?}");
         }
         let away = ray([1.0, 1.0, 1.0], [-0.2, 0.3, 3.0]);
@@ -182,13 +182,13 @@ mod tests {
         let surface = mirror();
         for (x, y) in [(0.3, 1.7), (0.0, 0.0), (2.0, 2.0), (2.0, 0.4)] {
             let h = surface.height(x, y);
-            let hit = surface.first_hit(&ray([x, y, 9.0], [0.0, 0.0, -2.0])).unwrap();
+            let hit = surface.intersect(&ray([x, y, 9.0], [0.0, 0.0, -2.0])).unwrap();
             assert_abs_diff_eq!(hit.t, (9.0 - h) / 2.0, epsilon = 1e-14);
             assert_eq!(hit.height, h, "({x}, {y}): {hit:?}");
-            assert_eq!(surface.first_hit(&ray([x, y, 9.0], [0.0, 0.0, 1.0])), None);
-            assert!(surface.first_hit(&ray([x, y, -9.0], [0.0, 0.0, 1.0])).is_some());
+            assert_eq!(surface.intersect(&ray([x, y, 9.0], [0.0, 0.0, 1.0])), None);
+            assert!(surface.intersect(&ray([x, y, -9.0], [0.0, 0.0, 1.0])).is_some());
         }
-        assert_eq!(surface.first_hit(&ray([2.1, 1.0, 9.0], [0.0, 0.0, -1.0])), None);
+        assert_eq!(surface.intersect(&ray([2.1, 1.0, 9.0], [0.0, 0.0, -1.0])), None);
     }
 
     #[test]
@@ -206,7 +206,7 @@ mod tests {
         let slanted = ray([-1.0, -1.0, 3.0], [1.0, 1.0, -1.0]);
         // h(1, 1) = 1 at t = 2: the end of the interval is included.
         assert_eq!(between(&surface, &slanted, 0.0, 2.0).map(|hit| hit.t), Some(2.0));
-        let t = surface.first_hit(&slanted).unwrap().t;
+        let t = surface.intersect(&slanted).unwrap().t;
         assert_eq!(between(&surface, &slanted, 0.0, t - 1e-9), None);
         assert!(between(&surface, &slanted, t - 1e-9, t + 1e-9).is_some());
     }

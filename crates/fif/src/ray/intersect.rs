@@ -14,13 +14,13 @@ use crate::surface::bounds::Surface;
 ///
 #[cfg_attr(feature = "alloc", doc = "```")]
 #[cfg_attr(not(feature = "alloc"), doc = "```ignore")]
-/// use asperity_fif::{Intersect, Ray, Torus, glam::DVec3};
+/// use asperity_fif::{Intersect, PeriodicSurface, Ray, glam::DVec3};
 /// let z = [0.0, 1.0, -0.5, 0.25];
-/// let surface = Torus::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
+/// let surface = PeriodicSurface::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
 /// let ray = Ray { origin: DVec3::new(0.1, 0.2, 4.0), direction: DVec3::new(0.1, 0.15, -1.0) };
-/// let hit = surface.first_hit(&ray).unwrap();
+/// let hit = surface.intersect(&ray).unwrap();
 /// assert!((ray.at(hit.t).z - hit.height).abs() < 1e-10 && hit.normal.unwrap().z > 0.0);
-/// # Ok::<(), asperity_fif::SelfAffineError>(())
+/// # Ok::<(), asperity_fif::FifError>(())
 /// ```
 #[doc(alias = "intersection")]
 #[doc(alias = "raycast")]
@@ -37,8 +37,8 @@ pub trait Intersect: Surface {
     /// earlier intersection may exist. A ray with a zero or non-finite component
     /// where none is allowed returns `None`.
     #[must_use]
-    fn first_hit(&self, ray: &Ray) -> Option<Hit> {
-        self.first_hit_within(ray, Interval::new(0.0, f64::INFINITY), 0.0)
+    fn intersect(&self, ray: &Ray) -> Option<Hit> {
+        self.intersect_within(ray, Interval::new(0.0, f64::INFINITY), 0.0)
     }
 
     /// The first hit with `t` in the interval, to a tolerance.
@@ -66,7 +66,7 @@ pub trait Intersect: Surface {
     /// A negative or NaN lower end of `t` is read as 0. Returns `None` if the upper end is NaN or
     /// less than the lower end.
     #[must_use]
-    fn first_hit_within(&self, ray: &Ray, t: Interval, tolerance: f64) -> Option<Hit> {
+    fn intersect_within(&self, ray: &Ray, t: Interval, tolerance: f64) -> Option<Hit> {
         Context::new(self).first(&Unbounded(self), ray, t, tolerance)
     }
 
@@ -75,15 +75,15 @@ pub trait Intersect: Surface {
     ///
     /// `false` is a proof; `true` may be an uncertain hit.
     #[must_use]
-    fn hits_any(&self, ray: &Ray, t: Interval) -> bool {
+    fn occluded(&self, ray: &Ray, t: Interval) -> bool {
         Context::new(self).any(&Unbounded(self), ray, t)
     }
 
-    /// The first hit of every ray, see [`Intersect::first_hit_within`].
+    /// The first hit of every ray, see [`Intersect::intersect_within`].
     ///
     /// # Errors
     /// [`BatchError`] if the lengths of `hits` and `rays` differ. Nothing is written in this case.
-    fn first_hits(
+    fn intersect_batch(
         &self,
         rays: &[Ray],
         t: Interval,
@@ -92,7 +92,7 @@ pub trait Intersect: Surface {
     ) -> Result<(), BatchError> {
         BatchError::check("hits", rays.len(), hits.len())?;
         for (ray, hit) in rays.iter().zip(hits) {
-            *hit = self.first_hit_within(ray, t, tolerance);
+            *hit = self.intersect_within(ray, t, tolerance);
         }
         Ok(())
     }

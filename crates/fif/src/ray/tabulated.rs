@@ -22,10 +22,10 @@ use crate::surface::self_affine::self_affine::{Fold, SelfAffine};
 /// let z = [0.0, 1.0, -0.5, 0.25];
 /// let surface = PeriodicSurface::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
 /// let ray = Ray { origin: DVec3::new(0.1, 0.2, 4.0), direction: DVec3::new(0.1, 0.15, -1.0) };
-/// let plain = surface.first_hit(&ray).unwrap();
-/// let fast = surface.tabulated().first_hit(&ray).unwrap();
+/// let plain = surface.intersect(&ray).unwrap();
+/// let fast = surface.tabulated().intersect(&ray).unwrap();
 /// assert!((plain.t - fast.t).abs() < 1e-12);
-/// # Ok::<(), asperity_fif::SelfAffineError>(())
+/// # Ok::<(), asperity_fif::FifError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Tabulated<S> {
@@ -143,11 +143,11 @@ impl<S: Surface> Surface for Tabulated<S> {
 }
 
 impl<S: Surface> Intersect for Tabulated<S> {
-    fn first_hit_within(&self, ray: &Ray, t: Interval, tolerance: f64) -> Option<Hit> {
+    fn intersect_within(&self, ray: &Ray, t: Interval, tolerance: f64) -> Option<Hit> {
         Context::new(&self.surface).first(self, ray, t, tolerance)
     }
 
-    fn hits_any(&self, ray: &Ray, t: Interval) -> bool {
+    fn occluded(&self, ray: &Ray, t: Interval) -> bool {
         Context::new(&self.surface).any(self, ray, t)
     }
 }

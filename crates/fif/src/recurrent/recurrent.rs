@@ -4,10 +4,9 @@ use alloc::vec::Vec;
 use asperity_core::Interval;
 
 use crate::numeric::polynomial::{UNIT, bernstein, hull, larger, magnitude, restrict, restriction_error};
-use crate::system::error::{SystemError, check_coefficients, check_data, check_knots, check_length};
+use crate::system::error::{FifError, check_coefficients, check_data, check_knots, check_length};
 use crate::system::fif::value;
 use crate::system::map::Piece;
-use asperity_core::error_enum;
 
 /// Number of sweeps that tighten the ranges.
 const SWEEPS: usize = 64;
@@ -32,13 +31,8 @@ impl RecurrentFif<2> {
     /// A source `[from, to]` goes from knot `from` to knot `to`, counted from 0.
     ///
     /// # Errors
-    /// See [`RecurrentFifError`].
-    pub fn affine(
-        x: &[f64],
-        y: &[f64],
-        alpha: &[f64],
-        sources: &[[usize; 2]],
-    ) -> Result<Self, RecurrentFifError> {
+    /// See [`FifError`].
+    pub fn affine(x: &[f64], y: &[f64], alpha: &[f64], sources: &[[usize; 2]]) -> Result<Self, FifError> {
         let maps = check_sources(x, sources)?;
         check_data(maps, y, alpha)?;
         let lines = sources.iter().zip(alpha).zip(y.windows(2)).map(|((&[from, to], alpha), ends)| {
@@ -57,7 +51,7 @@ impl<const C: usize> RecurrentFif<C> {
     /// sources.
     ///
     /// # Errors
-    /// See [`RecurrentFifError`]; both ends of every map must match the ordinates within
+    /// See [`FifError`]; both ends of every map must match the ordinates within
     /// [`JOIN_TOLERANCE`](crate::system::JOIN_TOLERANCE).
     pub fn new(
         x: &[f64],
@@ -65,7 +59,7 @@ impl<const C: usize> RecurrentFif<C> {
         alpha: &[f64],
         q: &[[f64; C]],
         sources: &[[usize; 2]],
-    ) -> Result<Self, RecurrentFifError> {
+    ) -> Result<Self, FifError> {
         let maps = check_sources(x, sources)?;
         check_data(maps, y, alpha)?;
         check_length("q", maps, q.len())?;
@@ -76,7 +70,7 @@ impl<const C: usize> RecurrentFif<C> {
             let source = [value(x, from), value(x, to)];
             let (image, width) = (value(x, j + 1) - value(x, j), source[1] - source[0]);
             if image >= width {
-                return Err(RecurrentFifError::Expansion { map: j + 1, source: width, image });
+                return Err(FifError::Expansion { map: j + 1, source: width, image });
             }
             let a = image / width;
             let (ends, values) = ([value(x, j), value(x, j + 1)], [value(y, j), value(y, j + 1)]);
@@ -94,9 +88,9 @@ impl<const C: usize> RecurrentFif<C> {
             let size = C as f64 * magnitude(&link.piece.local, 1.0);
             noise = larger(noise, link.piece.slack + 8.0 * UNIT * (size + reach * slope));
         }
-        let range = ranges(&mut links, gain).ok_or(SystemError::Unbounded { alpha: steepest })?;
+        let range = ranges(&mut links, gain).ok_or(FifError::Unbounded { alpha: steepest })?;
         if !(noise.is_finite() && reach.is_finite() && gain.is_finite()) {
-            return Err(SystemError::Unbounded { alpha: steepest }.into());
+            return Err(FifError::Unbounded { alpha: steepest });
         }
         let means = Means::new(&links, range, gain);
         Ok(Self { links, range, noise, gain, reach, means })
@@ -137,12 +131,12 @@ impl<const C: usize> RecurrentFif<C> {
 }
 
 /// The number of maps.
-fn check_sources(x: &[f64], sources: &[[usize; 2]]) -> Result<usize, RecurrentFifError> {
+fn check_sources(x: &[f64], sources: &[[usize; 2]]) -> Result<usize, FifError> {
     let maps = check_knots(x)?;
     check_length("sources", maps, sources.len())?;
     let wrong = sources.iter().enumerate().find(|(_, [from, to])| from >= to || *to > maps);
     match wrong {
-        Some((j, &[from, to])) => Err(RecurrentFifError::Source { map: j + 1, from, to, last: maps }),
+        Some((j, &[from, to])) => Err(FifError::Source { map: j + 1, from, to, last: maps }),
         None => Ok(maps),
     }
 }
@@ -291,19 +285,6 @@ pub(crate) fn primitive<const C: usize>(c: &[f64; C], s: f64) -> f64 {
     sum * s
 }
 
-error_enum! {
-    /// Error for an invalid recurrent system. Maps are counted from 1, as in the literature, knots
-    /// from 0.
-    pub enum RecurrentFifError from SystemError {
-        /// A source does not go from a knot to a later knot; `last` is the last knot.
-        Source { map: usize, from: usize, to: usize, last: usize } =>
-            "`sources` of map {map} must increase within 0 to {last}, got {from} to {to}";
-        /// A source is not wider than its image.
-        Expansion { map: usize, source: f64, image: f64 } =>
-            "`sources` of map {map} must be wider than its image of {image}, got {source}";
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -314,9 +295,6 @@ mod tests {
         let (x, cubic) = ([0.0, 1e200, 2e200], [0.0, 0.0, 0.0, 1.0]);
         let error =
             RecurrentFif::new(&x, &[0.0; 3], &[0.1; 2], &[cubic, [0.0; 4]], &[[0, 2], [0, 2]]).unwrap_err();
-        assert!(
-            matches!(error, RecurrentFifError::System { error: SystemError::Unbounded { .. } }),
-            "{error}"
-        );
+        assert!(matches!(error, FifError::Unbounded { .. }), "{error}");
     }
 }

@@ -23,11 +23,11 @@ pub struct SurfaceBounds {
 /// intersection.
 ///
 /// ```
-/// use asperity_fif::{HeightField, Interval, Surface, paper};
-/// let surface = HeightField::new(paper::f_hat()?, paper::f_hat()?);
+/// use asperity_fif::{HeightField, Interval, Surface, cochran_2000};
+/// let surface = HeightField::new(cochran_2000::f_hat()?, cochran_2000::f_hat()?);
 /// let bounds = surface.bounds(Interval::new(0.3, 0.31), Interval::new(0.7, 0.71));
 /// assert!(bounds.height.contains(surface.height(0.305, 0.703)) && bounds.height.width() < 0.02);
-/// # Ok::<(), asperity_fif::SystemError>(())
+/// # Ok::<(), asperity_fif::FifError>(())
 /// ```
 pub trait Surface {
     /// The rectangle.

@@ -6,7 +6,7 @@ use crate::numeric::double::Double;
 use crate::numeric::polynomial::{UNIT, horner, larger, magnitude, substitute};
 use crate::system::cell::Cell;
 use crate::system::error::{
-    SystemError, check_coefficients, check_data, check_factor, check_finite, check_knots, check_length,
+    FifError, check_coefficients, check_data, check_factor, check_finite, check_knots, check_length,
 };
 use crate::system::map::Piece;
 use crate::system::range::box_of_range;
@@ -42,9 +42,9 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
     /// ```
     ///
     /// # Errors
-    /// See [`SystemError`]; also if `F_{j+1}(x_0, y_0) ≠ y_j` beyond
+    /// See [`FifError`]; also if `F_{j+1}(x_0, y_0) ≠ y_j` beyond
     /// [`JOIN_TOLERANCE`](crate::system::JOIN_TOLERANCE).
-    pub fn new(x: &[f64], alpha: &[f64], q: &[[f64; C]]) -> Result<Self, SystemError> {
+    pub fn new(x: &[f64], alpha: &[f64], q: &[[f64; C]]) -> Result<Self, FifError> {
         let maps = check_knots(x)?;
         check_length("alpha", maps, alpha.len())?;
         check_length("q", maps, q.len())?;
@@ -56,9 +56,9 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
         maps: usize,
         x: &dyn Fn(usize) -> f64,
         map: &dyn Fn(usize) -> Option<(f64, [f64; C])>,
-    ) -> Result<Self, SystemError> {
+    ) -> Result<Self, FifError> {
         for j in 0..maps {
-            let (alpha, q) = map(j).ok_or(SystemError::Length { parameter: "q", expected: maps, got: j })?;
+            let (alpha, q) = map(j).ok_or(FifError::Length { parameter: "q", expected: maps, got: j })?;
             check_factor(j + 1, alpha)?;
             check_coefficients(j + 1, &q)?;
         }
@@ -78,9 +78,9 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
     /// Creates a system from knots, their ordinates, vertical scalings and polynomials.
     ///
     /// # Errors
-    /// See [`SystemError`]; both ends of every map must match the ordinates within
+    /// See [`FifError`]; both ends of every map must match the ordinates within
     /// [`JOIN_TOLERANCE`](crate::system::JOIN_TOLERANCE).
-    pub fn with_ordinates(x: &[f64], y: &[f64], alpha: &[f64], q: &[[f64; C]]) -> Result<Self, SystemError> {
+    pub fn with_ordinates(x: &[f64], y: &[f64], alpha: &[f64], q: &[[f64; C]]) -> Result<Self, FifError> {
         let maps = check_knots(x)?;
         check_length("q", maps, q.len())?;
         check_data(maps, y, alpha)?;
@@ -95,8 +95,8 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
         y: &dyn Fn(usize) -> f64,
         alpha: &dyn Fn(usize) -> f64,
         q: &dyn Fn(usize) -> Option<[f64; C]>,
-    ) -> Result<Self, SystemError> {
-        let mut pieces = S::with_len(maps).map_err(|got| SystemError::Length {
+    ) -> Result<Self, FifError> {
+        let mut pieces = S::with_len(maps).map_err(|got| FifError::Length {
             parameter: "storage",
             expected: maps,
             got,
@@ -131,7 +131,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
             *piece = built;
         }
         let gain = (1.0 / (1.0 - steepest)).next_up();
-        let unbounded = SystemError::Unbounded { alpha: steepest };
+        let unbounded = FifError::Unbounded { alpha: steepest };
         let range = box_of_range(pieces.as_ref()).ok_or(unbounded)?;
         if !(noise.is_finite() && width.is_finite() && gain.is_finite()) {
             return Err(unbounded);
@@ -259,8 +259,8 @@ impl<S: Storage<2>> System<S, 2> {
     /// ```
     ///
     /// # Errors
-    /// See [`SystemError`].
-    pub fn affine(x: &[f64], y: &[f64], alpha: &[f64]) -> Result<Self, SystemError> {
+    /// See [`FifError`].
+    pub fn affine(x: &[f64], y: &[f64], alpha: &[f64]) -> Result<Self, FifError> {
         let maps = check_knots(x)?;
         check_data(maps, y, alpha)?;
         let (x0, width) = (value(x, 0), value(x, maps) - value(x, 0));
@@ -285,8 +285,8 @@ impl<S: Storage<4>> System<S, 4> {
     /// ```
     ///
     /// # Errors
-    /// See [`SystemError`]; [`SystemError::SteepFactor`] if `|α_j| ≥ a_j`.
-    pub fn hermite(x: &[f64], y: &[f64], slope: &[f64], alpha: &[f64]) -> Result<Self, SystemError> {
+    /// See [`FifError`]; [`FifError::SteepScaling`] if `|α_j| ≥ a_j`.
+    pub fn hermite(x: &[f64], y: &[f64], slope: &[f64], alpha: &[f64]) -> Result<Self, FifError> {
         let maps = check_knots(x)?;
         check_data(maps, y, alpha)?;
         check_length("slope", maps + 1, slope.len())?;
@@ -295,7 +295,7 @@ impl<S: Storage<4>> System<S, 4> {
         for (j, &alpha) in alpha.iter().enumerate() {
             let a = (value(x, j + 1) - value(x, j)) / width;
             if alpha.abs() >= a {
-                return Err(SystemError::SteepFactor { map: j + 1, alpha, a });
+                return Err(FifError::SteepScaling { map: j + 1, alpha, a });
             }
         }
         let end = |values: &[f64], j: usize, k: usize| {

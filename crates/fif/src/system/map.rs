@@ -1,14 +1,14 @@
 //! One map of an iterated function system, and the composition of two maps.
 
 use crate::numeric::polynomial::{LEAST, bernstein, horner, magnitude, restriction_error, substitute};
-use crate::system::error::{End, SystemError};
+use crate::system::error::{End, FifError};
 
 /// Maximum accepted defect of the join-up, relative to the sum of the magnitudes of its terms.
 ///
 /// ```text
 /// |F_j(x, y) − y'| ≤ 2⁻⁴⁰ (|α_j y| + Σ_i |q_ji xⁱ| + |y'|)
 /// ```
-pub const JOIN_TOLERANCE: f64 = 1.0 / 1_099_511_627_776.0;
+pub(crate) const JOIN_TOLERANCE: f64 = 1.0 / 1_099_511_627_776.0;
 
 /// The map `w(x, y) = (a x + b, α y + q(x))` with a polynomial `q` of degree `C − 1`.
 ///
@@ -17,8 +17,8 @@ pub const JOIN_TOLERANCE: f64 = 1.0 / 1_099_511_627_776.0;
 /// Cochran, Lewis, Hart 2000, eq. 3, 8, 9.
 ///
 /// ```
-/// use asperity_fif::paper;
-/// let [w1, w2] = paper::F_MAPS;
+/// use asperity_fif::cochran_2000;
+/// let [w1, w2] = cochran_2000::F_MAPS;
 /// let c = w1.compose(&w2);
 /// let (x, y) = w2.apply(0.75, 0.5);
 /// assert_eq!(c.apply(0.75, 0.5), w1.apply(x, y));
@@ -134,14 +134,14 @@ impl<const C: usize> Piece<C> {
 
     /// Checks that map number `map` sends both ends of its `source`, with ordinates `of`, to the
     /// ends of the piece.
-    pub(crate) fn joined(mut self, map: usize, source: [f64; 2], of: [f64; 2]) -> Result<Self, SystemError> {
+    pub(crate) fn joined(mut self, map: usize, source: [f64; 2], of: [f64; 2]) -> Result<Self, FifError> {
         for (end, at) in [(End::Left, 0.0), (End::Right, 1.0)] {
             let (expected, of) = (self.y[end as usize], self.map.alpha * of[end as usize]);
             let found = of + horner(&self.local, at);
             let scale = of.abs() + magnitude(&self.map.q, source[end as usize]) + expected.abs();
             let defect = (found - expected).abs();
             if defect > JOIN_TOLERANCE * scale {
-                return Err(SystemError::JoinUp { map, end, expected, found });
+                return Err(FifError::JoinUp { map, end, expected, got: found });
             }
             self.slack += defect;
         }

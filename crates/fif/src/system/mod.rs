@@ -12,6 +12,6 @@ pub(crate) mod serde;
 pub(crate) mod storage;
 pub(crate) mod support;
 
-pub use error::{End, NARROWEST};
-pub use map::{JOIN_TOLERANCE, Piece};
+pub use error::End;
+pub use map::Piece;
 pub use storage::Storage;

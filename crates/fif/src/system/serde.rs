@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use crate::system::error::SystemError;
+use crate::system::error::FifError;
 use crate::system::fif::System;
 use crate::system::map::Piece;
 use crate::system::storage::Storage;
@@ -43,7 +43,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Serialize for System<S, C> {
 }
 
 /// Reads through [`System::with_ordinates`]. An invalid system is an error with the message of its
-/// [`SystemError`].
+/// [`FifError`].
 ///
 /// Polynomials may be shorter than those of the type, but not longer.
 impl<'de, S: Storage<C>, const C: usize> Deserialize<'de> for System<S, C> {
@@ -60,9 +60,9 @@ impl<'de, S: Storage<C>, const C: usize> Deserialize<'de> for System<S, C> {
 }
 
 /// Coefficients padded to the number of the type.
-fn padded<const C: usize>(given: &[f64]) -> Result<[f64; C], SystemError> {
+fn padded<const C: usize>(given: &[f64]) -> Result<[f64; C], FifError> {
     let mut all = [0.0; C];
     let places = all.get_mut(..given.len());
-    places.ok_or(SystemError::Degree { expected: given.len(), found: C })?.copy_from_slice(given);
+    places.ok_or(FifError::Coefficients { expected: given.len(), got: C })?.copy_from_slice(given);
     Ok(all)
 }

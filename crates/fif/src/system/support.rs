@@ -157,7 +157,7 @@ impl Support {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{FixedFif, paper};
+    use crate::{FixedFif, cochran_2000};
 
     fn check<const N: usize>(function: &FixedFif<N, 2>, most: f64) {
         let support = Support::new(function.pieces(), function.range()).unwrap();
@@ -178,8 +178,8 @@ mod tests {
 
     #[test]
     fn support_encloses_samples() {
-        check(&paper::f().unwrap(), 1.1);
-        check(&paper::g().unwrap(), 1.3);
+        check(&cochran_2000::f().unwrap(), 1.1);
+        check(&cochran_2000::g().unwrap(), 1.3);
         let knots = [-1.0, 0.0, 0.5, 3.0];
         let y = [0.5, -1.0, 2.0, 0.25];
         check(&FixedFif::<3, 2>::affine(&knots, &y, &[0.7, 0.0, -0.8]).unwrap(), 1.5);

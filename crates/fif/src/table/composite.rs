@@ -3,9 +3,9 @@
 
 use alloc::vec::Vec;
 use asperity_core::Interval;
-use core::fmt;
 
 use crate::numeric::polynomial::{UNIT, bernstein, falling, hull, magnitudes, substitute};
+use crate::system::error::FifError;
 use crate::system::fif::{FifRef, Spacing};
 
 /// A composite of maps: over its cell, scaled to `[0, 1]`, `f − chord` is `a v(u) + Σ c_k uᵏ`.
@@ -164,33 +164,6 @@ fn size(maps: usize, bytes: usize) -> (u32, usize) {
     (digits, maps.saturating_pow(digits))
 }
 
-/// Error for a table: the vertical scalings are too close to one for the tolerance.
-///
-/// A bounded number of composites is not sufficient. [`System::evaluate`](crate::System::evaluate)
-/// works for every system.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct TableError {
-    /// The largest `|α_j|`.
-    pub alpha: f64,
-    /// Maximum number of composites of one evaluation.
-    pub steps: u32,
-    /// The error that they would leave.
-    pub bound: f64,
-}
-
-impl fmt::Display for TableError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { alpha, steps, bound } = self;
-        write!(
-            f,
-            "`alpha` is too close to 1 for the tolerance: {alpha} leaves {bound:e} after {steps} composites"
-        )
-    }
-}
-
-impl core::error::Error for TableError {}
-
 /// Maximum number of composites of one evaluation.
 pub(crate) const MOST: u32 = 64;
 
@@ -281,20 +254,20 @@ impl Series {
 
 impl<const C: usize> FifRef<'_, C> {
     /// The error of a table that would leave this bound.
-    pub(crate) fn too_deep(&self, bound: f64) -> TableError {
-        TableError { alpha: self.steepest(), steps: MOST, bound }
+    pub(crate) fn too_deep(&self, bound: f64) -> FifError {
+        FifError::TableDepth { alpha: self.steepest(), steps: MOST, bound }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Fif, paper};
+    use crate::{Fif, cochran_2000};
 
     #[test]
     fn deviation_enclosure_is_tight() {
         // f of the source vanishes at both ends and reaches 4/3.
-        let t = Composites::new(paper::f().unwrap().view()).unwrap();
+        let t = Composites::new(cochran_2000::f().unwrap().view()).unwrap();
         assert_eq!((t.radix, t.digits, t.steepest), (1024, 10, 1.0 / 1024.0 * (1.0 + 6.0 * f64::EPSILON)));
         assert!(t.deviation.contains(0.0) && t.deviation.contains(4.0 / 3.0) && t.deviation.width() < 1.34);
     }

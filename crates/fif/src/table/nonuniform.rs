@@ -6,9 +6,10 @@ use alloc::vec::Vec;
 
 use crate::numeric::polynomial::{UNIT, horner, magnitude, substitute};
 use crate::system::chord::Chord;
+use crate::system::error::FifError;
 use crate::system::fif::FifRef;
 use crate::system::map::Piece;
-use crate::table::composite::{Series, TableError, enclose};
+use crate::table::composite::{Series, enclose};
 
 /// Cells of a partition.
 const CELLS: usize = 4096;
@@ -48,7 +49,7 @@ struct Row<const C: usize> {
 }
 
 impl<const C: usize> Nonuniform<C> {
-    pub(crate) fn new(system: FifRef<'_, C>, tolerance: f64) -> Result<Self, TableError> {
+    pub(crate) fn new(system: FifRef<'_, C>, tolerance: f64) -> Result<Self, FifError> {
         let parts = partition(system);
         let most = |of: fn(&Cell<C>) -> f64| parts.iter().map(of).fold(0.0_f64, f64::max);
         let (largest, roundings) = (most(|part| magnitude(&part.c, 1.0)), most(|part| part.depth) + 2.0);

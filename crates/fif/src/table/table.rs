@@ -4,9 +4,10 @@ use alloc::vec::Vec;
 use asperity_core::{BatchError, Interval};
 
 use crate::numeric::estimate::Bounded;
+use crate::system::error::FifError;
 use crate::system::fif::{Fif, FifRef, System};
 use crate::system::map::Piece;
-use crate::table::composite::{Composites, TableError};
+use crate::table::composite::Composites;
 use crate::table::jet::jet::Jet;
 use crate::table::jet::rows::{Jets, derivatives};
 use crate::table::nonuniform::Nonuniform;
@@ -58,17 +59,17 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// error, so [`Table::bound`] never increases with a smaller tolerance.
     ///
     /// # Errors
-    /// [`TableError`] if 64 steps leave more than `tolerance`: near-critical scalings on a number
+    /// [`FifError`] if 64 steps leave more than `tolerance`: near-critical scalings on a number
     /// of maps that is not a power of two, or unequal knots with such scalings or thousands of
     /// maps.
-    pub fn table(&self, tolerance: f64) -> Result<Table<C>, TableError> {
+    pub fn table(&self, tolerance: f64) -> Result<Table<C>, FifError> {
         self.view().tabulate(tolerance)
     }
 }
 
 impl<const C: usize> FifRef<'_, C> {
     /// [`System::table`], compiled once for all storage types.
-    fn tabulate(self, tolerance: f64) -> Result<Table<C>, TableError> {
+    fn tabulate(self, tolerance: f64) -> Result<Table<C>, FifError> {
         let derivatives = derivatives(self);
         let (rows, jets, away) = match Composites::new(self) {
             Some(made) => {
@@ -152,11 +153,11 @@ impl<const C: usize> Table<C> {
     ///   function is smooth: its jets contain `f` as the slope.
     ///
     /// ```
-    /// use asperity_fif::paper;
-    /// let f_hat = paper::f_hat()?.table(1e-12)?;
+    /// use asperity_fif::cochran_2000;
+    /// let f_hat = cochran_2000::f_hat()?.table(1e-12)?;
     /// let jet = f_hat.jet(1.3);
     /// assert!((jet.value - f_hat.system().evaluate(1.3, 1e-14).value).abs() <= 1e-12);
-    /// assert!((jet.slope - paper::f()?.evaluate(1.3, 1e-14).value).abs() <= 1e-12);
+    /// assert!((jet.slope - cochran_2000::f()?.evaluate(1.3, 1e-14).value).abs() <= 1e-12);
     /// assert!((jet.integral - f_hat.system().integral_over(0.0, 1.3).value).abs() <= 1e-12);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
@@ -187,8 +188,8 @@ impl<const C: usize> Table<C> {
     /// by one.
     ///
     /// ```
-    /// use asperity_fif::{Jet, paper};
-    /// let f_hat = paper::f_hat()?.table(1e-12)?;
+    /// use asperity_fif::{Jet, cochran_2000};
+    /// let f_hat = cochran_2000::f_hat()?.table(1e-12)?;
     /// let (mut value, mut slope, mut integral) = ([0.0; 2], [0.0; 2], [0.0; 2]);
     /// f_hat.jets(&[0.3, 0.7], Jet { value: &mut value, slope: &mut slope, integral: &mut integral })?;
     /// assert_eq!(slope[1], f_hat.jet(0.7).slope);
@@ -221,11 +222,11 @@ impl<const C: usize> Table<C> {
     /// NaN for derivatives beyond [`System::differentiability`].
     ///
     /// ```
-    /// use asperity_fif::{FixedFif, paper};
-    /// let twice: FixedFif<2, 4> = paper::f_hat()?.integral(0.0)?;
+    /// use asperity_fif::{FixedFif, cochran_2000};
+    /// let twice: FixedFif<2, 4> = cochran_2000::f_hat()?.integral(0.0)?;
     /// let [_, first, second, third] = twice.table(1e-12)?.derivatives(0.3);
-    /// assert!((first.value - paper::f_hat()?.evaluate(0.3, 1e-14).value).abs() <= first.bound + 1e-14);
-    /// assert!((second.value - paper::f()?.evaluate(0.3, 1e-14).value).abs() <= second.bound + 1e-14);
+    /// assert!((first.value - cochran_2000::f_hat()?.evaluate(0.3, 1e-14).value).abs() <= first.bound + 1e-14);
+    /// assert!((second.value - cochran_2000::f()?.evaluate(0.3, 1e-14).value).abs() <= second.bound + 1e-14);
     /// assert!(third.value.is_nan());
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
@@ -296,7 +297,7 @@ fn derivative_at<const C: usize>(f: &Fif<C>, x: f64) -> Bounded {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::paper;
+    use crate::cochran_2000;
     use alloc::string::ToString;
 
     #[test]
@@ -305,14 +306,15 @@ mod tests {
         let f = Fif::affine(&thirds, &[0.0, 1.0, -1.0, 0.0], &[0.999, -0.999, 0.99]).unwrap();
         for tolerance in [1e-6, 0.0, f64::NAN] {
             let error = f.table(tolerance).unwrap_err();
-            assert_eq!([error.alpha, f64::from(error.steps)], [0.999, 64.0]);
+            assert!(matches!(error, FifError::TableDepth { alpha: 0.999, steps: 64, .. }), "{error}");
             let message = error.to_string();
             assert!(message.starts_with("`alpha` is too close to 1 for the tolerance: 0.999 leaves "));
             assert!(message.ends_with(" after 64 composites"), "{message}");
         }
         assert!(f.table(1e6).is_ok());
         let uneven = Fif::affine(&[0.0, 0.4, 1.0], &[0.0, 1.0, 0.0], &[0.999, 0.999]).unwrap();
-        assert_eq!(uneven.table(1e-12).unwrap_err().alpha, 0.999);
+        let error = uneven.table(1e-12).unwrap_err();
+        assert!(matches!(error, FifError::TableDepth { alpha: 0.999, .. }), "{error}");
     }
 
     #[test]
@@ -368,7 +370,7 @@ mod tests {
 
     #[test]
     fn jets_of_rough_functions_and_unequal_knots() {
-        let g = paper::g().unwrap();
+        let g = cochran_2000::g().unwrap();
         let jet = g.table(1e-9).unwrap().evaluate_jet(0.7);
         assert!(jet.slope.value.is_nan());
         assert_eq!(jet.integral.value, g.integral_over(0.0, 0.7).value);

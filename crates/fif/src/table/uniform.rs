@@ -4,8 +4,9 @@ use alloc::vec::Vec;
 
 use crate::numeric::polynomial::{UNIT, horner};
 use crate::system::chord::Chord;
+use crate::system::error::FifError;
 use crate::system::fif::FifRef;
-use crate::table::composite::{Composite, Composites, Series, TableError};
+use crate::table::composite::{Composite, Composites, Series};
 
 /// The smallest distance from the left end, in units of the domain, whose 53 bits lie within 64:
 /// 2⁻¹¹.
@@ -37,11 +38,7 @@ impl<const C: usize> Uniform<C> {
     ///
     /// If the number of maps is a power of two, 64 bits are used up after `⌈64/log₂ M⌉` steps,
     /// however close to one the scalings are.
-    pub(crate) fn new(
-        system: FifRef<'_, C>,
-        made: &Composites<C>,
-        tolerance: f64,
-    ) -> Result<Self, TableError> {
+    pub(crate) fn new(system: FifRef<'_, C>, made: &Composites<C>, tolerance: f64) -> Result<Self, FifError> {
         let (chord, degree) = (system.chord(), C as f64);
         let series = Series {
             ratio: made.steepest,

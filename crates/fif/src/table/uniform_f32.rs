@@ -21,8 +21,8 @@ const UNIT: f64 = 1.0 / 16_777_216.0;
 /// are exact. Other systems round the values of their [`Table`], to infinity beyond `f32`.
 ///
 /// ```
-/// use asperity_fif::paper;
-/// let f = paper::f()?.table(1e-6)?.to_f32();
+/// use asperity_fif::cochran_2000;
+/// let f = cochran_2000::f()?.table(1e-6)?.to_f32();
 /// assert!((f.value(0.625) - 1.25).abs() <= f.bound() && f.bound() < 2e-6);
 /// let mut values = [0.0; 5];
 /// f.values(&[0.1, 0.3, 0.5, 0.7, 1.9], &mut values)?;
@@ -228,7 +228,7 @@ fn polynomial<const C: usize>(row: &[f32; 4], s: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Fif, System, paper, system::map::Piece};
+    use crate::{Fif, System, cochran_2000, system::map::Piece};
 
     #[test]
     fn values_near_the_largest_float_are_not_nan() {
@@ -270,10 +270,10 @@ mod tests {
     #[test]
     fn values_are_within_the_bound_and_bit_identical_in_lanes() {
         for tolerance in [1e-2, 1e-6, 0.0, f64::NAN] {
-            check(&paper::f().unwrap(), tolerance);
-            check(&paper::g().unwrap(), tolerance);
-            check(&paper::f_hat().unwrap(), tolerance);
-            check(&paper::g_hat().unwrap(), tolerance);
+            check(&cochran_2000::f().unwrap(), tolerance);
+            check(&cochran_2000::g().unwrap(), tolerance);
+            check(&cochran_2000::f_hat().unwrap(), tolerance);
+            check(&cochran_2000::g_hat().unwrap(), tolerance);
         }
         // Quarters: another number of bits; one coefficient; cubics and six maps, whose powers have
         // trailing zeros too.
@@ -288,7 +288,7 @@ mod tests {
 
     #[test]
     fn values_of_any_length_are_bit_identical_to_value() {
-        let table = paper::g().unwrap().table(1e-6).unwrap().to_f32();
+        let table = cochran_2000::g().unwrap().table(1e-6).unwrap().to_f32();
         let x: Vec<f32> = (0_u16..300).map(|k| 0.01 + 0.006_61 * f32::from(k)).collect();
         for n in [0, 1, 16, 17, 63, 64, 65, 127, 128, 144, 145, 192, 209, 300] {
             let mut y = alloc::vec![f32::NAN; n];

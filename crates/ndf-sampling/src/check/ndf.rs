@@ -219,14 +219,14 @@ fn add_totality<N: Ndf + ?Sized>(report: &mut Report, ndf: &N) {
     let mut broken = Broken::default();
     for z in ODD.into_iter().flat_map(|x| ODD.map(|y| Vec2::new(x, y))) {
         let (from, sample, slopes) = (ndf.warp_gaussian(z), ndf.sample(z), ndf.slope_density(z));
-        broken.unless(is_facet(from), || format!("from_gaussian({z}) = {from}"));
+        broken.unless(is_facet(from), || format!("warp_gaussian({z}) = {from}"));
         broken.unless(is_facet(sample), || format!("sample({z}) = {sample}"));
         broken.unless(slopes >= 0.0, || format!("slope_density({z}) = {slopes}"));
         for m in ODD.map(|up| z.extend(up)) {
             let (density, back) = (ndf.d(m), ndf.invert(m));
             let kept = (0.0..=f32::MAX).contains(&density) && (m.z > 0.0 || density == 0.0);
             broken.unless(kept, || format!("density({m}) = {density}"));
-            broken.unless(back.is_finite(), || format!("to_gaussian({m}) = {back}"));
+            broken.unless(back.is_finite(), || format!("invert({m}) = {back}"));
         }
     }
     broken.add(report, "totality");

@@ -8,7 +8,7 @@ use core::hint::black_box;
 use asperity_fif::{FixedFif, HeightField, Intersect, Ray, glam::DVec3};
 use asperity_firmware::{bumps, clay, curve, hexadecimal, normals, stack};
 use asperity_ndf_sampling::{Ggx, Ndf};
-use asperity_noise::{Cellular, Field, GaussianNoise, GaussianFbm, Perlin, Simplex, FbmSpectrum};
+use asperity_noise::{Cellular, FbmSpectrum, Field, GaussianFbm, GaussianNoise, Perlin, Simplex};
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::{Brdf, Footprint, LevelOfDetail};
 use cortex_m_rt::entry;
@@ -131,5 +131,5 @@ fn height_field_normal() -> Option<[f32; 3]> {
 fn height_field_hit() -> Option<[f32; 3]> {
     let field = HeightField::new(curve()?, curve()?);
     let ray = Ray { origin: DVec3::new(3.0, 2.0, 9.0), direction: facet().as_dvec3() * -1.0 };
-    Some([field.first_hit(&ray)?.t as f32; 3])
+    Some([field.intersect(&ray)?.t as f32; 3])
 }

@@ -60,7 +60,7 @@ impl View {
 pub(crate) fn teapot_scene(zoom: f64, size: u32) -> Result<Scene, String> {
     let mesh = teapot();
     let (eye, target) = (DVec3::new(4.4, -9.8, 4.8), DVec3::new(0.25, 0.0, 1.35));
-    let hit = TracedMesh::new(teapot()).first_hit(eye.as_vec3(), (target - eye).as_vec3().normalize());
+    let hit = TracedMesh::new(teapot()).intersect(eye.as_vec3(), (target - eye).as_vec3().normalize());
     let focus = hit.ok_or("the teapot is not in the middle of its picture")?.position.as_dvec3();
     let triangles = mesh.triangles.iter().map(|corners| {
         corners.map(|i| {

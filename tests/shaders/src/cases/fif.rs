@@ -1,6 +1,6 @@
 //! Fractal interpolation: table functions, height fields, rays.
 
-use asperity_fif::{Fif, FoldedSurface, HeightField, Intersect, Ray, Table32, glam::DVec3, paper};
+use asperity_fif::{Fif, FoldedSurface, HeightField, Intersect, Ray, Table32, cochran_2000, glam::DVec3};
 use asperity_wgsl::fif::{
     self, FoldedUniform, RangesUniform, TableUniform, folded_nodes, ranges, table_rows,
 };
@@ -77,12 +77,12 @@ fn values() -> Case {
     let thirds: [f64; 4] = core::array::from_fn(|j| 2.0 * j as f64 / 3.0);
     let thirds = Fif::affine(&thirds, &[0.0, 1.0, -1.0, 0.5], &[0.3, -0.4, 0.6]).expect("thirds");
     let [f, g, thirds] = [
-        paper::f().expect("paper").table(1e-7).expect("f"),
-        paper::g().expect("paper").table(1e-7).expect("g"),
+        cochran_2000::f().expect("paper").table(1e-7).expect("f"),
+        cochran_2000::g().expect("paper").table(1e-7).expect("g"),
         thirds.table(1e-7).expect("thirds"),
     ]
     .map(|table| table.to_f32());
-    let g_hat = paper::g_hat().expect("paper").table(1e-7).expect("ĝ").to_f32();
+    let g_hat = cochran_2000::g_hat().expect("paper").table(1e-7).expect("ĝ").to_f32();
     let mut tables = Tables::new();
     [&f, &g, &thirds].into_iter().for_each(|table| tables.add(table));
     tables.add(&g_hat);
@@ -305,7 +305,7 @@ fn first_hit() -> Case {
     let by_input = surface.clone();
     let first = |surface: &Field, ray: [f32; 6], lift: f64| {
         let [x, y, z, u, v, w] = ray.map(f64::from);
-        surface.first_hit(&Ray { origin: DVec3::new(x, y, z + lift), direction: DVec3::new(u, v, w) })
+        surface.intersect(&Ray { origin: DVec3::new(x, y, z + lift), direction: DVec3::new(u, v, w) })
     };
     Case {
         name: "fif/ray/first_hit".into(),

@@ -108,7 +108,7 @@ impl Mesh {
 
     /// Returns `t` of the first hit, or infinity.
     #[inline]
-    pub(crate) fn first_hit(&self, origin: [f32; 3], direction: [f32; 3]) -> f32 {
+    pub(crate) fn intersect(&self, origin: [f32; 3], direction: [f32; 3]) -> f32 {
         let mut ray = RayHit {
             origin,
             direction,

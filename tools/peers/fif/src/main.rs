@@ -8,7 +8,7 @@ mod embree;
 
 use std::{error::Error, fs, hint::black_box, path::PathBuf, time::Instant};
 
-use asperity_fif::{FixedFif, HeightField, Hit, Intersect, Interval, Ray, glam::DVec3, paper};
+use asperity_fif::{FixedFif, HeightField, Hit, Intersect, Interval, Ray, cochran_2000, glam::DVec3};
 use embree::Mesh;
 
 type Surface = HeightField<FixedFif<2, 3>, FixedFif<2, 3>>;
@@ -33,7 +33,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         processor()
     );
     let mut costs = String::from("\n| | build | memory |\n|---|---|---|\n");
-    for (name, curve) in [("f̂×f̂", paper::f_hat()?), ("ĝ×ĝ", paper::g_hat()?)] {
+    for (name, curve) in [("f̂×f̂", cochran_2000::f_hat()?), ("ĝ×ĝ", cochran_2000::g_hat()?)] {
         let plain = HeightField::new(curve, curve);
         // Repeated for the resolution of the thread clock, which is milliseconds.
         const BUILDS: u32 = 32;
@@ -144,7 +144,7 @@ fn intersect(mesh: &Mesh, rays: &[Ray]) -> (Vec<f32>, f64) {
     let mut found = vec![0.0; rays.len()];
     let ((), took) = timed(|| {
         for ([origin, direction], t) in rays.iter().zip(&mut found) {
-            *t = mesh.first_hit(*origin, *direction);
+            *t = mesh.intersect(*origin, *direction);
         }
     });
     (black_box(found), took)
@@ -155,7 +155,7 @@ fn trace(surface: &Surface, rays: &[Ray], tolerance: f64) -> (Vec<Option<Hit>>, 
     let mut hits = vec![None; rays.len()];
     let ((), took) = timed(|| {
         for (ray, hit) in rays.iter().zip(&mut hits) {
-            *hit = surface.first_hit_within(ray, ALL, tolerance);
+            *hit = surface.intersect_within(ray, ALL, tolerance);
         }
     });
     (black_box(hits), took)
@@ -164,7 +164,7 @@ fn trace(surface: &Surface, rays: &[Ray], tolerance: f64) -> (Vec<Option<Hit>>, 
 /// Returns the seconds for all rays in a batch.
 fn batch(surface: &Surface, rays: &[Ray], tolerance: f64) -> f64 {
     let mut hits = vec![None; rays.len()];
-    let (done, took) = timed(|| surface.first_hits(rays, ALL, tolerance, &mut hits));
+    let (done, took) = timed(|| surface.intersect_batch(rays, ALL, tolerance, &mut hits));
     done.expect("one length");
     black_box(hits);
     took

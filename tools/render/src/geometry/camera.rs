@@ -91,7 +91,7 @@ mod tests {
         let camera = Camera::new(Vec3::new(3.0, 0.0, 2.0), Vec3::ZERO, 0.6, 300, 200);
         let at = |x: f32, y: f32| {
             let ray = camera.ray(x, y);
-            (ray, Shape::Plane.first_hit(ray.origin, ray.direction).unwrap())
+            (ray, Shape::Plane.intersect(ray.origin, ray.direction).unwrap())
         };
         let (ray, hit) = at(150.0, 100.0);
         let up = at(150.0, 99.5).1.position.distance(at(150.0, 100.5).1.position);

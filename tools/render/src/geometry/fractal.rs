@@ -2,7 +2,7 @@
 //! at any zoom that `f64` allows.
 
 use asperity_fif::{
-    FixedFif, HeightField, Intersect, Interval, Ray, SystemError,
+    FifError, FixedFif, HeightField, Intersect, Interval, Ray,
     glam::{DVec2, DVec3},
 };
 use glam::{Mat3, Vec3};
@@ -32,7 +32,7 @@ impl Fractal {
     }
 
     /// The square `f̂(x) f̂(y)` of a function's integral, with heights multiplied by `rise`.
-    pub fn square<const N: usize>(slope: FixedFif<N, 2>, rise: f64) -> Result<Self, SystemError> {
+    pub fn square<const N: usize>(slope: FixedFif<N, 2>, rise: f64) -> Result<Self, FifError> {
         let curve: FixedFif<N, 3> = slope.integral(0.0)?;
         Ok(Self::new(HeightField::new(curve, curve).tabulated(), rise, 0.0))
     }
@@ -60,9 +60,9 @@ impl Fractal {
 
     /// Returns the first hit of a probe. Its normal points upward, and is `z` where the surface is
     /// not differentiable.
-    pub fn first_hit(&self, probe: &Probe) -> Option<Hit> {
+    pub fn intersect(&self, probe: &Probe) -> Option<Hit> {
         let ray = self.ray(probe);
-        let hit = self.surface.first_hit_within(&ray, Interval::new(NEAR, f64::INFINITY), self.tolerance)?;
+        let hit = self.surface.intersect_within(&ray, Interval::new(NEAR, f64::INFINITY), self.tolerance)?;
         let slope = hit.gradient.unwrap_or(DVec2::ZERO) * self.rise;
         let normal = DVec3::new(-slope.x, -slope.y, 1.0).normalize().as_vec3();
         let position = probe.place(probe.eye() + probe.direction().as_dvec3() * hit.t);
@@ -84,7 +84,7 @@ impl Fractal {
 
     /// Whether a probe hits the surface, for shadows.
     pub fn hides(&self, probe: &Probe) -> bool {
-        self.surface.hits_any(&self.ray(probe), Interval::new(NEAR, f64::INFINITY))
+        self.surface.occluded(&self.ray(probe), Interval::new(NEAR, f64::INFINITY))
     }
 
     /// Converts a probe to a ray against the unscaled surface.
@@ -101,15 +101,15 @@ impl Fractal {
 mod tests {
     use approx::assert_abs_diff_eq;
 
-    use asperity_fif::paper;
+    use asperity_fif::cochran_2000;
 
     use super::*;
 
     #[test]
     fn normal_of_raised_surface() {
-        let surface = || Fractal::square(paper::f().unwrap(), 0.25).unwrap();
+        let surface = || Fractal::square(cochran_2000::f().unwrap(), 0.25).unwrap();
         let fractal = surface();
-        let hit = fractal.first_hit(&Probe::new(Vec3::new(1.0, 1.0, 5.0), Vec3::NEG_Z)).unwrap();
+        let hit = fractal.intersect(&Probe::new(Vec3::new(1.0, 1.0, 5.0), Vec3::NEG_Z)).unwrap();
         assert_eq!(hit.t, 4.75);
         // At (1, 1) both partial derivatives of f̂ f̂ are 1.
         let expected = Vec3::new(-0.25, -0.25, 1.0).normalize();
@@ -117,7 +117,7 @@ mod tests {
         let hides = |direction| fractal.hides(&Probe::new(Vec3::ONE, direction));
         assert!(hides(Vec3::NEG_Z) && !hides(Vec3::Z));
         let near = surface().magnified(DVec3::new(1.0, 1.0, 0.25), 1e-3);
-        let hit = near.first_hit(&Probe::new(Vec3::Z, Vec3::NEG_Z)).unwrap();
+        let hit = near.intersect(&Probe::new(Vec3::Z, Vec3::NEG_Z)).unwrap();
         assert_abs_diff_eq!(hit.t, 1.0, epsilon = 1e-6);
         assert_abs_diff_eq!(hit.normal, expected, epsilon = 1e-6);
     }

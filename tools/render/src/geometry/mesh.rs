@@ -96,7 +96,7 @@ impl TracedMesh {
     }
 
     /// Returns the nearest triangle in front of `origin`.
-    pub fn first_hit(&self, origin: Vec3, direction: Vec3) -> Option<Hit> {
+    pub fn intersect(&self, origin: Vec3, direction: Vec3) -> Option<Hit> {
         self.nearest(&Probe::new(origin, direction))
     }
 
@@ -314,7 +314,7 @@ mod tests {
                 // The tubes have open ends. The pot itself, including lid and bottom, is closed.
                 if target.x.abs() + target.y.abs() < 2.9 && target.z < 2.3 && target.y.abs() > 0.7 {
                     rays += 1;
-                    assert!(traced.first_hit(inside, (target - inside).normalize()).is_some(), "{target}");
+                    assert!(traced.intersect(inside, (target - inside).normalize()).is_some(), "{target}");
                 }
             }
         }
@@ -329,7 +329,7 @@ mod tests {
         for (longitude, latitude) in [(0.3_f32, 0.2_f32), (2.5, -0.7), (6.27, 0.9)] {
             let (sin, cos) = longitude.sin_cos();
             let out = Vec3::new(latitude.cos() * cos, latitude.cos() * sin, latitude.sin());
-            let hit = traced.first_hit(3.0 * out, -out).unwrap();
+            let hit = traced.intersect(3.0 * out, -out).unwrap();
             // Chords of 1/192 of the circle: 5e-4 of the radius.
             assert_abs_diff_eq!(hit.uv, Vec2::new(longitude, latitude + 0.5 * PI), epsilon = 1.4e-3);
             let east = Vec3::new(-sin, cos, 0.0) * latitude.cos();
@@ -355,7 +355,7 @@ mod tests {
                     shear.intersect(&by_axis(traced.corners(k).map(|v| v.position))).map(|hit| hit.0 as f32)
                 })
                 .fold(f32::INFINITY, f32::min);
-            let got = traced.first_hit(eye, direction).map_or(f32::INFINITY, |hit| hit.t);
+            let got = traced.intersect(eye, direction).map_or(f32::INFINITY, |hit| hit.t);
             assert_eq!(got, naive, "towards {target}");
         }
     }

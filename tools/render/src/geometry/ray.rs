@@ -157,7 +157,7 @@ mod tests {
     /// Returns the ray of the pixel after the sphere.
     fn after(camera: &Camera, x: f32, y: f32, eta: Option<f32>) -> Ray {
         let ray = camera.ray(x, y);
-        let hit = Shape::Sphere.first_hit(ray.origin, ray.direction).unwrap();
+        let hit = Shape::Sphere.intersect(ray.origin, ray.direction).unwrap();
         match eta {
             Some(eta) => ray.refracted(&hit, hit.normal, eta, hit.position).unwrap(),
             None => ray.mirrored(&hit, hit.normal, hit.position),
@@ -192,7 +192,7 @@ mod tests {
     fn grazing_ray_inside_glass_is_totally_reflected() {
         let camera = Camera::new(Vec3::new(4.0, -1.0, 2.0), Vec3::ZERO, 0.6, 200, 200);
         let ray = camera.ray(30.0, 100.0);
-        let hit = Shape::Plane.first_hit(ray.origin, ray.direction).unwrap();
+        let hit = Shape::Plane.intersect(ray.origin, ray.direction).unwrap();
         assert!(ray.refracted(&hit, hit.normal, 3.0, hit.position).is_none());
     }
 }

@@ -31,7 +31,7 @@ impl From<Mesh> for Arc<Shape> {
 
 impl Shape {
     /// Returns the first hit in front of `origin`; `direction` is a unit vector.
-    pub fn first_hit(&self, origin: Vec3, direction: Vec3) -> Option<Hit> {
+    pub fn intersect(&self, origin: Vec3, direction: Vec3) -> Option<Hit> {
         let probe = Probe::new(origin, direction);
         self.meets(&probe, f32::INFINITY).and_then(|met| self.hit(&probe, met))
     }
@@ -49,7 +49,7 @@ impl Shape {
                 .nearest(probe)
                 .filter(|hit| world(hit).z > 0.0)
                 .or_else(|| plane(probe).filter(|hit| world(hit).length_squared() < 1.0)),
-            Self::Fractal(fractal) => fractal.first_hit(probe),
+            Self::Fractal(fractal) => fractal.intersect(probe),
         };
         hit.filter(|hit| hit.t < farthest).map(Met::Whole)
     }
@@ -142,20 +142,20 @@ mod tests {
 
     #[test]
     fn sphere_is_hit_on_its_near_side() {
-        let hit = Shape::Sphere.first_hit(Vec3::new(4.0, 0.1, 0.2), Vec3::NEG_X).unwrap();
+        let hit = Shape::Sphere.intersect(Vec3::new(4.0, 0.1, 0.2), Vec3::NEG_X).unwrap();
         assert_abs_diff_eq!(hit.position.length(), 1.0, epsilon = 1e-6);
         assert!(hit.position.x > 0.9, "{hit:?}");
         assert_abs_diff_eq!(hit.t, 4.0 - (1.0_f32 - 0.05).sqrt(), epsilon = 1e-5);
         assert_abs_diff_eq!(hit.normal.dot(hit.tangent), 0.0, epsilon = 1e-6);
-        assert!(Shape::Sphere.first_hit(Vec3::new(4.0, 0.0, 0.0), Vec3::X).is_none());
-        assert!(Shape::Sphere.first_hit(Vec3::new(4.0, 1.1, 0.0), Vec3::NEG_X).is_none());
+        assert!(Shape::Sphere.intersect(Vec3::new(4.0, 0.0, 0.0), Vec3::X).is_none());
+        assert!(Shape::Sphere.intersect(Vec3::new(4.0, 1.1, 0.0), Vec3::NEG_X).is_none());
     }
 
     #[test]
     fn plane_is_hit_from_above_and_not_along_it() {
-        let hit = Shape::Plane.first_hit(Vec3::new(1.0, 2.0, 3.0), Vec3::NEG_Z).unwrap();
+        let hit = Shape::Plane.intersect(Vec3::new(1.0, 2.0, 3.0), Vec3::NEG_Z).unwrap();
         assert_eq!((hit.t, hit.position), (3.0, Vec3::new(1.0, 2.0, 0.0)));
-        assert!(Shape::Plane.first_hit(Vec3::Z, Vec3::X).is_none());
-        assert!(Shape::Plane.first_hit(Vec3::Z, Vec3::Z).is_none());
+        assert!(Shape::Plane.intersect(Vec3::Z, Vec3::X).is_none());
+        assert!(Shape::Plane.intersect(Vec3::Z, Vec3::Z).is_none());
     }
 }

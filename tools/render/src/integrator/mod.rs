@@ -97,7 +97,7 @@ impl Scene<'_, '_> {
 
     /// Returns the radiance along a camera ray, through a position of the image with sides 1.
     pub fn seen(&self, ray: &Ray, place: [f32; 2], sampler: &mut Sampler) -> Sight {
-        match self.first_hit(ray.origin, ray.direction) {
+        match self.intersect(ray.origin, ray.direction) {
             Some(meeting) => {
                 Sight { radiance: self.shade(ray, meeting, sampler, 0, 1), distance: meeting.hit.t }
             }
@@ -205,7 +205,7 @@ impl Scene<'_, '_> {
     /// weight.
     fn followed(&self, ray: &Ray, weight: Vec3, sampler: &mut Sampler, mirrors: u32, bounces: u32) -> Vec3 {
         if mirrors < MIRRORS && weight.max_element() >= 0.004 {
-            let met = self.first_hit(ray.origin, ray.direction);
+            let met = self.intersect(ray.origin, ray.direction);
             let sent = met.map(|meeting| self.shade(ray, meeting, sampler, mirrors + 1, bounces));
             return sent.unwrap_or_else(|| self.behind(ray, None));
         }

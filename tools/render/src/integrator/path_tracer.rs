@@ -51,7 +51,7 @@ impl Scene<'_, '_> {
         }
         let (density, wi) = (bsdf.density(local, *wo), frame.to_world(local).normalize());
         let start = spot.start(local);
-        match self.first_hit(start, wi) {
+        match self.intersect(start, wi) {
             None if panels.is_empty() => {
                 sum + scattered * light.radiance(wi) * weight(density, light.density(wi))
             }

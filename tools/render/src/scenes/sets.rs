@@ -74,7 +74,7 @@ impl View {
     pub fn of_mesh(mesh: &TracedMesh) -> Self {
         let (eye, field) = (Vec3::new(1.3, -4.0, 1.7), 27.0_f32);
         let eye = eye.normalize() / (0.48 * field.to_radians()).sin();
-        let hit = mesh.first_hit(eye, -eye.normalize());
+        let hit = mesh.intersect(eye, -eye.normalize());
         let focus = hit.map_or_else(|| mesh.nearest_corner(eye), |hit| hit.position);
         Self { eye, target: Vec3::ZERO, focus, field }
     }

@@ -111,7 +111,7 @@ fn every_set_focuses_on_its_subject() {
         let objects = set.objects(subject, PLAIN).expect("a set of shapes");
         let (scene, view) =
             (Scene::new(objects, Light::lamps(Vec::new()), Backdrop::Color(Vec3::ZERO)), set.view());
-        let met = scene.first_hit(view.eye, (view.focus - view.eye).normalize()).expect("a point in view");
+        let met = scene.intersect(view.eye, (view.focus - view.eye).normalize()).expect("a point in view");
         assert!(std::ptr::eq(met.object, &raw const scene.objects[0]), "{set:?}: another object");
         // A digit of f32 over the distance to the viewer, at most 13. At ten thousandfold zoom that
         // is a thousandth of it.

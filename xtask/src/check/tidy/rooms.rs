@@ -37,7 +37,7 @@ pub(super) const HOUSES: &[House] = &[
     House {
         name: "fif",
         sources: "crates/fif/src",
-        rooms: "numeric → system → evaluate → paper → table → calculus → analysis → recurrent → fit → surface → \
+        rooms: "numeric → system → evaluate → cochran_2000 → table → calculus → analysis → recurrent → fit → surface → \
                 ray → approx",
         face: Some(45),
     },

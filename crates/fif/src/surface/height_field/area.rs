@@ -2,10 +2,10 @@
 
 use asperity_core::Interval;
 
-use crate::calculus::moment_basis::MomentError;
 use crate::numeric::estimate::Estimate;
 use crate::surface::height_field::function::Function;
 use crate::surface::height_field::height_field::HeightField;
+use crate::system::error::FifError;
 
 /// Means of a height field over the area of a rectangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,17 +47,17 @@ impl<F: Function, G: Function> HeightField<F, G> {
     ///   `condition`.
     ///
     /// ```
-    /// use asperity_fif::{HeightField, Interval, paper};
+    /// use asperity_fif::{HeightField, Interval, cochran_2000};
     /// let whole = Interval::new(0.0, 2.0);
-    /// let means = HeightField::new(paper::f_hat()?, paper::f_hat()?).area_means(whole, whole)?;
+    /// let means = HeightField::new(cochran_2000::f_hat()?, cochran_2000::f_hat()?).area_means(whole, whole)?;
     /// assert!((means.height.value - 1.0).abs() < 1e-14);
     /// assert!((means.slopes.unwrap().slope[0].value - 1.0).abs() < 1e-14);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     ///
     /// # Errors
-    /// [`MomentError`] if the degree of the polynomials is too large.
-    pub fn area_means(&self, x: Interval, y: Interval) -> Result<AreaMeans, MomentError> {
+    /// [`FifError`] if the degree of the polynomials is too large.
+    pub fn area_means(&self, x: Interval, y: Interval) -> Result<AreaMeans, FifError> {
         let (f, g) = (self.x.means(x.lo, x.hi)?, self.y.means(y.lo, y.hi)?);
         let slopes = f.slope.zip(g.slope).map(|([fx, fx_squared, ffx], [gy, gy_squared, ggy])| SlopeMeans {
             slope: [fx.product(g.value), f.value.product(gy)],

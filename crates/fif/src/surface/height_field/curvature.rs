@@ -60,13 +60,13 @@ impl<F: Function, G: Function> HeightField<F, G> {
     /// It exists for few functions, such as second integrals.
     ///
     /// ```
-    /// use asperity_fif::{FixedFif, HeightField, paper};
-    /// let second = paper::f()?;
-    /// let axis: FixedFif<2, 4> = paper::f_hat()?.integral(0.0)?;
+    /// use asperity_fif::{FixedFif, HeightField, cochran_2000};
+    /// let second = cochran_2000::f()?;
+    /// let axis: FixedFif<2, 4> = cochran_2000::f_hat()?.integral(0.0)?;
     /// let curvature = HeightField::new(axis, axis).curvature(1.0, 1.0, &second, &second).unwrap();
     /// let [k1, k2] = curvature.principal();
     /// assert!((k1 * k2 - curvature.gauss).abs() < 1e-15 && k1 >= k2);
-    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     #[must_use]
     pub fn curvature<U: AsRef<[Piece<D>]>, V: AsRef<[Piece<E>]>, const D: usize, const E: usize>(
@@ -87,12 +87,12 @@ impl<F: Function, G: Function> HeightField<F, G> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{FixedFif, paper};
+    use crate::{FixedFif, cochran_2000};
     use approx::assert_abs_diff_eq;
 
     #[test]
     fn divergence_of_the_normal_is_twice_the_mean_curvature() {
-        let (f, g) = (paper::f().unwrap(), paper::g().unwrap());
+        let (f, g) = (cochran_2000::f().unwrap(), cochran_2000::g().unwrap());
         let [x_axis, y_axis] = [f, g].map(|second| {
             let slope: FixedFif<2, 3> = second.integral(0.1).unwrap();
             slope.integral::<[Piece<4>; 2], 4>(0.2).unwrap()

@@ -2,7 +2,6 @@
 
 use asperity_core::Interval;
 
-use crate::calculus::moment_basis::MomentError;
 use crate::numeric::double::Double;
 use crate::numeric::estimate::{Bounded, Estimate};
 #[cfg(feature = "alloc")]
@@ -10,6 +9,7 @@ use crate::surface::height_field::axis_tables::AxisTables;
 use crate::surface::height_field::function::{Axis, Function};
 #[cfg(feature = "alloc")]
 use crate::surface::height_field::range_table::RangeTable;
+use crate::system::error::FifError;
 use crate::system::support::Support;
 
 /// A function along an axis of a [`HeightField`](crate::HeightField).
@@ -220,7 +220,7 @@ impl<F: Function> Curve<F> {
 
     /// Means over the interval between `l` and `r`, clamped to the domain; the values at `l` if
     /// they are equal.
-    pub(crate) fn means(&self, l: f64, r: f64) -> Result<LineMeans, MomentError> {
+    pub(crate) fn means(&self, l: f64, r: f64) -> Result<LineMeans, FifError> {
         let (value, value_squared) = (self.function.mean(l, r), self.function.mean_square(l, r)?);
         let Some(derivative) = &self.derivative else {
             return Ok(LineMeans { value, value_squared, slope: None });
@@ -316,7 +316,7 @@ fn hull(a: [Interval; 2], b: [Interval; 2]) -> [Interval; 2] {
 #[cfg(all(test, feature = "alloc"))]
 mod tests {
     use super::*;
-    use crate::{Fif, paper};
+    use crate::{Fif, cochran_2000};
 
     fn tabulated<F: Function>(function: F, cells: usize) -> Curve<F> {
         Curve::new(function).tabulated(cells)
@@ -358,12 +358,12 @@ mod tests {
         // A sample at the border may belong to the neighbor: an ulp of x moves f by 1e-9 here.
         let uneven = check(f, 100, 6, 1e-9);
         assert_eq!(sizes(&uneven), Some([81, 1 + 3 + 9 + 27 + 81]));
-        check(paper::g_hat().unwrap(), 16, 7, 1e-12);
+        check(cochran_2000::g_hat().unwrap(), 16, 7, 1e-12);
     }
 
     #[test]
     fn table_of_one_cell() {
-        let cached = tabulated(paper::f().unwrap(), 0);
+        let cached = tabulated(cochran_2000::f().unwrap(), 0);
         assert_eq!(sizes(&cached), Some([1, 1]));
         assert!(cached.range().contains(4.0 / 3.0));
         assert!(matches!(cached.child(&cached.root(), 1), Cell::Below(_)));

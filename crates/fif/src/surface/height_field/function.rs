@@ -3,12 +3,12 @@
 use asperity_core::Interval;
 use core::fmt::Debug;
 
-use crate::calculus::moment_basis::MomentError;
 use crate::numeric::double::Double;
 use crate::numeric::estimate::{Bounded, Estimate};
 #[cfg(feature = "alloc")]
 use crate::surface::height_field::jet_table::{JetTable, Rows};
 use crate::system::cell::Cell;
+use crate::system::error::FifError;
 use crate::system::fif::{Spacing, System};
 use crate::system::map::Piece;
 use crate::system::support::Support;
@@ -43,7 +43,7 @@ pub trait Axis: Clone + Debug {
     fn evaluate_between(&self, x: Double, tolerance: f64) -> Bounded;
     fn blur(&self, distance: f64) -> f64;
     fn mean(&self, l: f64, r: f64) -> Estimate;
-    fn mean_square(&self, l: f64, r: f64) -> Result<Estimate, MomentError>;
+    fn mean_square(&self, l: f64, r: f64) -> Result<Estimate, FifError>;
     /// The derivative, if it is continuous.
     fn differentiated(&self) -> Option<Self::Derivative>;
     fn root() -> Self::Cell;
@@ -137,7 +137,7 @@ impl<S: Lower<C>, const C: usize> Axis for System<S, C> {
         self.mean(l, r)
     }
 
-    fn mean_square(&self, l: f64, r: f64) -> Result<Estimate, MomentError> {
+    fn mean_square(&self, l: f64, r: f64) -> Result<Estimate, FifError> {
         self.mean_square(l, r)
     }
 

@@ -24,13 +24,13 @@ use crate::surface::height_field::function::Function;
 /// Cochran, Lewis, Hart 2000, eq. 41–45. The normal there is not of unit length; here it is.
 ///
 /// ```
-/// use asperity_fif::{HeightField, paper};
-/// let surface = HeightField::new(paper::f_hat()?, paper::f_hat()?);
+/// use asperity_fif::{HeightField, cochran_2000};
+/// let surface = HeightField::new(cochran_2000::f_hat()?, cochran_2000::f_hat()?);
 /// assert_eq!(surface.height(1.0, 1.0), 1.0);
 /// let gradient = surface.gradient(1.0, 1.0).unwrap();
 /// assert_eq!((gradient.x, gradient.y), (1.0, 1.0));
 /// assert!((surface.normal(0.3, 1.7).unwrap().length() - 1.0).abs() < 1e-15);
-/// # Ok::<(), asperity_fif::SystemError>(())
+/// # Ok::<(), asperity_fif::FifError>(())
 /// ```
 #[derive(Clone, Debug)]
 #[doc(alias = "heightmap")]
@@ -81,12 +81,12 @@ impl<F: Function, G: Function> HeightField<F, G> {
     /// have values and slopes in their tables; less than 0.5 MB per axis.
     ///
     /// ```
-    /// use asperity_fif::{HeightField, Intersect, Ray, glam::DVec3, paper};
-    /// let surface = HeightField::new(paper::f_hat()?, paper::f_hat()?).tabulated();
+    /// use asperity_fif::{HeightField, Intersect, Ray, glam::DVec3, cochran_2000};
+    /// let surface = HeightField::new(cochran_2000::f_hat()?, cochran_2000::f_hat()?).tabulated();
     /// let down = Ray { origin: DVec3::new(0.3, 1.2, 9.0), direction: DVec3::NEG_Z };
-    /// let hit = surface.first_hit(&down).unwrap();
+    /// let hit = surface.intersect(&down).unwrap();
     /// assert!((hit.t - (9.0 - surface.height(0.3, 1.2))).abs() < 1e-12);
-    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     #[cfg(feature = "alloc")]
     #[must_use]

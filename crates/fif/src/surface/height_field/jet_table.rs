@@ -331,7 +331,7 @@ fn floors<I: Simd>(x: f64x8<I>) -> (f64x8<I>, [usize; LANES]) {
 mod tests {
     use super::*;
     use crate::surface::height_field::curve::Curve;
-    use crate::{Fif, paper};
+    use crate::{Fif, cochran_2000};
 
     fn check<const C: usize, const D: usize>(value: FifRef<'_, C>, slope: &Fif<D>) -> [f64; 2] {
         let table = JetTable::new(value, slope.range()).unwrap();
@@ -373,8 +373,8 @@ mod tests {
         )
         .unwrap();
         let worst = [
-            check(paper::f_hat().unwrap().view(), &paper::f().unwrap().owned()),
-            check(paper::g_hat().unwrap().view(), &paper::g().unwrap().owned()),
+            check(cochran_2000::f_hat().unwrap().view(), &cochran_2000::f().unwrap().owned()),
+            check(cochran_2000::g_hat().unwrap().view(), &cochran_2000::g().unwrap().owned()),
             check::<4, 3>(hermite.view(), &hermite.derivative().unwrap()),
         ];
         for [off, bound] in worst {
@@ -385,7 +385,7 @@ mod tests {
 
     #[test]
     fn finer_ranges_contain_samples_and_are_narrow() {
-        for (axis, most) in [(paper::f_hat(), 0.5), (paper::g_hat(), 0.85)] {
+        for (axis, most) in [(cochran_2000::f_hat(), 0.5), (cochran_2000::g_hat(), 0.85)] {
             let tabulated = Curve::new(axis.unwrap()).tabulated(1024);
             let top = tabulated.top().unwrap();
             for i in 0..400 {

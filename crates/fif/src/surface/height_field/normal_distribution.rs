@@ -8,23 +8,7 @@ use crate::surface::bounds::upward_normal;
 use crate::surface::height_field::curve::Curve;
 use crate::surface::height_field::function::Function;
 use crate::surface::height_field::height_field::HeightField;
-use asperity_core::error_enum;
-
-error_enum! {
-    /// Error for an invalid distribution of normals.
-    #[derive(Eq)]
-    pub enum NormalDistributionError {
-        /// An axis is not differentiable, so there are no normals.
-        Rough => "surface must have slopes along both axes";
-        /// The image has no texel, or the length of the slice is not columns times rows.
-        Size { width: usize, height: usize, len: usize } =>
-            "`texels` must have {width} times {height} elements, got {len}";
-        /// The number of samples along an axis is 0 or more than 4096.
-        Samples { samples: usize } => "`samples` must be 1 to {MOST}, got {samples}";
-        /// The rectangle does not intersect the domain, or has NaN bounds.
-        Empty => "rectangle does not intersect the domain";
-    }
-}
+use crate::system::error::FifError;
 
 /// The largest count of normals per texel that is exact in `f32`: 2²⁴.
 const MOST: usize = 4096;
@@ -48,17 +32,17 @@ impl<F: Function, G: Function> HeightField<F, G> {
     /// `samples` independent ones: 512 yield the mean slope within 0.03.
     ///
     /// ```
-    /// use asperity_fif::{HeightField, Interval, paper};
+    /// use asperity_fif::{HeightField, Interval, cochran_2000};
     /// let whole = Interval::new(0.0, 2.0);
     /// let mut texels = [0.0; 32 * 32];
-    /// HeightField::new(paper::f_hat()?, paper::f_hat()?).normal_distribution([whole, whole], 64, [32, 32], &mut texels)?;
+    /// HeightField::new(cochran_2000::f_hat()?, cochran_2000::f_hat()?).normal_distribution([whole, whole], 64, [32, 32], &mut texels)?;
     /// let total: f32 = texels.iter().sum();
     /// assert!((total * 4.0 / 1024.0 - 1.0).abs() < 1e-5);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     ///
     /// # Errors
-    /// [`NormalDistributionError`]: an axis without slopes, a wrong length, no samples, an invalid
+    /// [`FifError`]: an axis without slopes, a wrong length, no samples, an invalid
     /// rectangle.
     pub fn normal_distribution(
         &self,
@@ -66,13 +50,17 @@ impl<F: Function, G: Function> HeightField<F, G> {
         samples: usize,
         [width, height]: [usize; 2],
         texels: &mut [f32],
-    ) -> Result<(), NormalDistributionError> {
+    ) -> Result<(), FifError> {
         let len = texels.len();
         if len == 0 || width.checked_mul(height) != Some(len) {
-            return Err(NormalDistributionError::Size { width, height, len });
+            return Err(FifError::Length {
+                parameter: "texels",
+                expected: width.saturating_mul(height).max(1),
+                got: len,
+            });
         }
         if !(1..=MOST).contains(&samples) {
-            return Err(NormalDistributionError::Samples { samples });
+            return Err(FifError::OutOfRange { parameter: "samples", value: samples, min: 1, max: MOST });
         }
         let (f, g) = (points(&self.x, x, samples)?, points(&self.y, y, samples)?);
         texels.fill(0.0);
@@ -95,11 +83,7 @@ impl<F: Function, G: Function> HeightField<F, G> {
 }
 
 /// Value and slope at one point of each of `samples` equal cells.
-fn points<F: Function>(
-    axis: &Curve<F>,
-    over: Interval,
-    samples: usize,
-) -> Result<Vec<[f64; 2]>, NormalDistributionError> {
+fn points<F: Function>(axis: &Curve<F>, over: Interval, samples: usize) -> Result<Vec<[f64; 2]>, FifError> {
     // Not the centers: on equally spaced knots these are knots of some level, where all finer
     // levels of the function vanish.
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
@@ -107,12 +91,12 @@ fn points<F: Function>(
     // NaN overlaps nothing.
     let meets = over.lo <= over.hi;
     if !meets {
-        return Err(NormalDistributionError::Empty);
+        return Err(FifError::Empty);
     }
     (0..samples)
         .map(|i| {
             let x = over.lo + over.width() * ((i as f64 + GOLDEN) / samples as f64);
-            let slope = axis.slope(x).ok_or(NormalDistributionError::Rough)?;
+            let slope = axis.slope(x).ok_or(FifError::Rough)?;
             Ok([axis.evaluate(x, 0.0).value, slope])
         })
         .collect()

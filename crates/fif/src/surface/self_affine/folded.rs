@@ -6,12 +6,12 @@ use crate::numeric::estimate::Bounded;
 use crate::numeric::polynomial::UNIT;
 use crate::surface::bounds::SurfaceBounds;
 use crate::surface::hermite_patch::Patch;
-use crate::surface::self_affine::error::SelfAffineError;
 use crate::surface::self_affine::limits::Limits;
 use crate::surface::self_affine::self_affine::{Cell, FoldParts, Part, SelfAffine};
 use crate::surface::self_affine::zig_zag::{
     Grid, Strip, ZigZag, limits, part_of, slope_rounding, value_rounding,
 };
+use crate::system::error::FifError;
 
 #[doc = include_str!("../../../docs/folded.md")]
 pub type FoldedSurface = SelfAffine<ZigZag>;
@@ -23,21 +23,15 @@ impl SelfAffine<ZigZag> {
     /// Node (i, j) lies at `(x_i, y_j)` and is entry `i · y.len() + j` of both lists.
     ///
     /// # Errors
-    /// [`SelfAffineError`] for invalid data.
-    pub fn new(
-        x: &[f64],
-        y: &[f64],
-        factor: f64,
-        z: &[f64],
-        d: &[[f64; 2]],
-    ) -> Result<Self, SelfAffineError> {
+    /// [`FifError`] for invalid data.
+    pub fn new(x: &[f64], y: &[f64], scaling: f64, z: &[f64], d: &[[f64; 2]]) -> Result<Self, FifError> {
         let Grid { fold, narrowest, widest, magnitudes } = ZigZag::through(x, y, z, d)?;
-        let contraction = factor.abs() / narrowest * (1.0 + 32.0 * UNIT);
+        let contraction = scaling.abs() / narrowest * (1.0 + 32.0 * UNIT);
         if contraction.is_nan() || contraction >= 1.0 {
-            return Err(SelfAffineError::Factor { factor, most: narrowest });
+            return Err(FifError::SurfaceScaling { value: scaling, max: narrowest });
         }
-        let limits = limits(&fold, factor, [narrowest, widest], contraction).checked(magnitudes)?;
-        Ok(Self { fold, factor, limits })
+        let limits = limits(&fold, scaling, [narrowest, widest], contraction).checked(magnitudes)?;
+        Ok(Self { fold, factor: scaling, limits })
     }
 
     /// Cells along both axes, for shaders.

@@ -3,7 +3,7 @@
 use asperity_core::Interval;
 
 use crate::numeric::polynomial::UNIT;
-use crate::surface::self_affine::error::SelfAffineError;
+use crate::system::error::FifError;
 
 /// Constants of bounds, rounded up.
 #[derive(Clone, Copy, Debug)]
@@ -52,13 +52,13 @@ impl Limits {
     };
 
     /// Returns the limits unless numbers of these magnitudes overflow or underflow `f64`.
-    pub(crate) fn checked(self, magnitudes: [f64; 3]) -> Result<Self, SelfAffineError> {
+    pub(crate) fn checked(self, magnitudes: [f64; 3]) -> Result<Self, FifError> {
         let ranges = [self.range, self.slopes[0], self.slopes[1]];
         let finite = ranges.iter().all(|range| range.magnitude().is_finite())
             && self.noise.iter().all(|noise| noise.is_finite())
             && (self.bend + self.steepest).is_finite();
         let magnitude = magnitudes.into_iter().fold(0.0, f64::max);
-        if finite { Ok(self) } else { Err(SelfAffineError::TooLarge { magnitude }) }
+        if finite { Ok(self) } else { Err(FifError::TooLarge { magnitude }) }
     }
 
     /// `contractionᵏ`, rounded up; constant from 64 steps on.

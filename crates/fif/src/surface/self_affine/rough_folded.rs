@@ -8,11 +8,11 @@ use crate::numeric::estimate::Bounded;
 use crate::numeric::polynomial::UNIT;
 use crate::surface::bounds::{Surface, SurfaceBounds};
 use crate::surface::extrema::{SurfaceExtrema, extrema};
-use crate::surface::self_affine::error::SelfAffineError;
 use crate::surface::self_affine::folded_ranges::{STEP, image, pieces};
 use crate::surface::self_affine::limits::Limits;
 use crate::surface::self_affine::self_affine::{FoldParts, MOST_STEPS, Part};
 use crate::surface::self_affine::zig_zag::{Grid, Strip, ZigZag, bilinear, patches, shift};
+use crate::system::error::FifError;
 
 /// Maximum number of steps in which bounds follow a rectangle.
 const FOLLOWED: u32 = 128;
@@ -35,37 +35,31 @@ pub struct RoughFoldedSurface {
 }
 
 impl RoughFoldedSurface {
-    /// Creates the surface with vertical scalings `factors`, heights `z` and gradients `d` at the
+    /// Creates the surface with vertical scalings `scaling`, heights `z` and gradients `d` at the
     /// nodes.
     ///
     /// The gradients are those of the smooth part. The nodes form the grid of knots `x` and `y`:
     /// node (i, j) lies at `(x_i, y_j)` and is entry `i · y.len() + j` of all lists.
     ///
     /// # Errors
-    /// [`SelfAffineError`] for invalid data, with the node. Scalings must be below 1 in magnitude,
+    /// [`FifError`] for invalid data, with the node. Scalings must be below 1 in magnitude,
     /// by more than their rounding.
-    pub fn new(
-        x: &[f64],
-        y: &[f64],
-        factors: &[f64],
-        z: &[f64],
-        d: &[[f64; 2]],
-    ) -> Result<Self, SelfAffineError> {
+    pub fn new(x: &[f64], y: &[f64], scaling: &[f64], z: &[f64], d: &[[f64; 2]]) -> Result<Self, FifError> {
         const SWEEPS: u32 = 64;
         let Grid { fold, narrowest, widest, magnitudes } = ZigZag::through(x, y, z, d)?;
-        let (expected, got) = (fold.nodes.len(), factors.len());
+        let (expected, got) = (fold.nodes.len(), scaling.len());
         if got != expected {
-            return Err(SelfAffineError::Length { parameter: "factors", expected, got });
+            return Err(FifError::Length { parameter: "scaling", expected, got });
         }
         let shift = shift(widest);
         // The relative rounding of a scaling; along both axes the position errs by the shift.
         let rounding = 16.0 * UNIT + 4.0 * shift / narrowest;
         let (mut steepest, mut all) = (0.0_f64, Interval::EMPTY);
-        for (index, &factor) in factors.iter().enumerate() {
+        for (index, &factor) in scaling.iter().enumerate() {
             let most = factor.abs() * (1.0 + rounding);
             if most.is_nan() || most >= 1.0 {
                 let node = [index / y.len(), index % y.len()];
-                return Err(SelfAffineError::NodeFactor { node, factor });
+                return Err(FifError::NodeScaling { node, value: factor });
             }
             steepest = steepest.max(factor.abs());
             all = all.hull(Interval::new(factor, factor));
@@ -82,9 +76,9 @@ impl RoughFoldedSurface {
         let range = h.sum(all.product(own));
         if !(range.magnitude().is_finite() && noise[1].is_finite()) {
             let magnitude = magnitudes.into_iter().fold(0.0, f64::max);
-            return Err(SelfAffineError::TooLarge { magnitude });
+            return Err(FifError::TooLarge { magnitude });
         }
-        Ok(Self { fold, factors: factors.into(), steepest, noise, shift, range, own })
+        Ok(Self { fold, factors: scaling.into(), steepest, noise, shift, range, own })
     }
 
     /// The rectangle under the surface.
@@ -171,7 +165,7 @@ impl RoughFoldedSurface {
     /// # let surface = RoughFoldedSurface::new(&knots, &knots, &[0.75; 9], &z, &[[0.0; 2]; 9])?;
     /// let bounds = surface.bounds(Interval::new(0.3, 0.3001), Interval::new(0.7, 0.7001));
     /// assert!(bounds.contains(surface.height(0.30004, 0.70001)) && bounds.width() < 0.5);
-    /// # Ok::<(), asperity_fif::SelfAffineError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     pub fn bounds(&self, x: Interval, y: Interval) -> Interval {
         let (Some((low, _)), Some((high, _))) = (self.fold.locate(x.lo, y.lo), self.fold.locate(x.hi, y.hi))
@@ -220,7 +214,7 @@ impl RoughFoldedSurface {
     /// let [x, y] = surface.domain();
     /// let extrema = surface.extrema_over(x, y, 0.1);
     /// assert!(extrema.maximum.width() <= 0.1 && extrema.maximum.hi >= 2.0);
-    /// # Ok::<(), asperity_fif::SelfAffineError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     pub fn extrema_over(&self, x: Interval, y: Interval, width: f64) -> SurfaceExtrema {
         extrema(self, self.fold.searched(x, y), width)

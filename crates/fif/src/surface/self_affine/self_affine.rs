@@ -145,7 +145,7 @@ impl<F: Fold> SelfAffine<F> {
     /// let z = [0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
     /// let mean = FoldedSurface::new(&[0.0, 1.0, 3.0], &[0.0, 1.0, 2.0], 0.25, &z, &[[0.0; 2]; 9])?.mean();
     /// assert!((mean.value - 1.0 / 3.0).abs() <= mean.bound && mean.bound < 1e-13); // H = H − G is a bump of mean 1/4
-    /// # Ok::<(), asperity_fif::SelfAffineError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     pub fn mean(&self) -> Bounded {
         F::mean(self)
@@ -236,7 +236,7 @@ impl<F: Fold> SelfAffine<F> {
     /// let bounds = surface.bounds(Interval::new(0.3, 0.301), Interval::new(0.7, 0.701));
     /// assert!(bounds.height.contains(surface.height(0.3004, 0.7001)) && bounds.height.width() < 0.2);
     /// assert!(bounds.slopes[1].contains(surface.gradient(0.3004, 0.7001).y));
-    /// # Ok::<(), asperity_fif::SelfAffineError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     pub fn bounds(&self, x: Interval, y: Interval) -> SurfaceBounds {
         F::bounds(self, x, y)
@@ -259,7 +259,7 @@ impl<F: Fold> SelfAffine<F> {
     /// let surface = PeriodicSurface::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
     /// let width = surface.slope_range()[0].width();
     /// assert!(surface.narrowed().slope_range()[0].width() < 0.7 * width);
-    /// # Ok::<(), asperity_fif::SelfAffineError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     #[must_use]
     pub fn narrowed(mut self) -> Self {
@@ -281,7 +281,7 @@ impl<F: Fold> SelfAffine<F> {
     /// assert!(extrema.maximum.width() <= 1e-3 && extrema.maximum.lo >= 1.0);
     /// let top = surface.height(extrema.highest.x, extrema.highest.y);
     /// assert!(extrema.maximum.contains(top));
-    /// # Ok::<(), asperity_fif::SelfAffineError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     pub fn extrema_over(&self, x: Interval, y: Interval, width: f64) -> SurfaceExtrema {
         extrema(self, self.fold.searched(x, y), width)

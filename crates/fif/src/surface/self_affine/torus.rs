@@ -8,12 +8,13 @@ use crate::numeric::matrix2::product;
 use crate::numeric::polynomial::UNIT;
 use crate::surface::bounds::SurfaceBounds;
 use crate::surface::self_affine::address::Address;
-use crate::surface::self_affine::error::{SelfAffineError, magnitudes};
+use crate::surface::self_affine::error::magnitudes;
 use crate::surface::self_affine::limits::Limits;
 use crate::surface::self_affine::self_affine::{Cell, FoldParts, Part, SelfAffine};
 use crate::surface::self_affine::torus_fold::{
     Node, TorusFold, limits, slope_rounding, spectral_norm, value_rounding,
 };
+use crate::system::error::FifError;
 
 #[doc = include_str!("../../../docs/torus.md")]
 #[doc(alias = "seamless")]
@@ -26,27 +27,27 @@ impl SelfAffine<TorusFold> {
     /// Node (i, j) lies at `(i, j)/side` and is entry `i · side + j` of both lists.
     ///
     /// # Errors
-    /// [`SelfAffineError`] for invalid data.
+    /// [`FifError`] for invalid data.
     pub fn new(
         side: usize,
         matrix: [[i32; 2]; 2],
-        factor: f64,
+        scaling: f64,
         z: &[f64],
         d: &[[f64; 2]],
-    ) -> Result<Self, SelfAffineError> {
+    ) -> Result<Self, FifError> {
         if !side.is_power_of_two() || !(2..=1 << 15).contains(&side) {
-            return Err(SelfAffineError::Side { side });
+            return Err(FifError::Side { value: side });
         }
         let largest = magnitudes(side * side, side, z, d)?;
         let [[a, b], [c, e]] = matrix.map(|row| row.map(i64::from));
         let determinant = (a * e).saturating_sub(b * c);
         if determinant.abs() < 2 {
-            return Err(SelfAffineError::Determinant { determinant });
+            return Err(FifError::Determinant { value: determinant });
         }
         let norm = spectral_norm(&matrix);
-        let contraction = factor.abs() * norm * (1.0 + 4.0 * UNIT);
+        let contraction = scaling.abs() * norm * (1.0 + 4.0 * UNIT);
         if contraction.is_nan() || contraction >= 1.0 {
-            return Err(SelfAffineError::Factor { factor, most: 1.0 / norm });
+            return Err(FifError::SurfaceScaling { value: scaling, max: 1.0 / norm });
         }
         let bits = side.trailing_zeros();
         let entry = matrix.map(|row| row.map(f64::from));
@@ -58,16 +59,16 @@ impl SelfAffine<TorusFold> {
             let at = [index >> bits, index & (side - 1)];
             let (data, moved, width) = (given(at), given(moved_node(at, &matrix)), 1.0 / side as f64);
             let corner = [
-                data[0] - factor * moved[0],
-                (data[1] - factor * (entry[0][0] * moved[1] + entry[1][0] * moved[2])) * width,
-                (data[2] - factor * (entry[0][1] * moved[1] + entry[1][1] * moved[2])) * width,
+                data[0] - scaling * moved[0],
+                (data[1] - scaling * (entry[0][0] * moved[1] + entry[1][0] * moved[2])) * width,
+                (data[2] - scaling * (entry[0][1] * moved[1] + entry[1][1] * moved[2])) * width,
             ];
             Node { corner, data }
         });
-        let scaled = entry.map(|row| row.map(|entry| factor * entry));
+        let scaled = entry.map(|row| row.map(|entry| scaling * entry));
         let fold = TorusFold { nodes: nodes.collect::<Vec<_>>(), bits, matrix, scaled };
-        let limits = limits(&fold, factor, [norm, contraction], largest).checked(largest)?;
-        Ok(Self { fold, factor, limits })
+        let limits = limits(&fold, scaling, [norm, contraction], largest).checked(largest)?;
+        Ok(Self { fold, factor: scaling, limits })
     }
 
     /// The number of nodes along a side.
@@ -95,7 +96,7 @@ impl SelfAffine<TorusFold> {
     /// let surface = PeriodicSurface::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[0.0; 2]; 4])?;
     /// assert_eq!(surface.evaluate_ratio([1, -3], 2, 1e-12).value, 0.25); // (1/2, −3/2), a node
     /// assert!(surface.evaluate_ratio([1, 2], 3, 1e-12).bound <= 1e-12);
-    /// # Ok::<(), asperity_fif::SelfAffineError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     pub fn evaluate_ratio(&self, numerators: [i64; 2], denominator: u32, tolerance: f64) -> Bounded {
         Address::ratio(numerators, denominator).map_or(Bounded::NAN, |at| self.value_from(at, tolerance))

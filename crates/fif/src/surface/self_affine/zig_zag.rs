@@ -5,9 +5,10 @@ use asperity_core::Interval;
 
 use crate::numeric::polynomial::UNIT;
 use crate::surface::hermite_patch::{Corner, Magnitudes, Patch};
-use crate::surface::self_affine::error::{SelfAffineError, magnitudes};
+use crate::surface::self_affine::error::magnitudes;
 use crate::surface::self_affine::limits::Limits;
 use crate::surface::self_affine::self_affine::Part;
+use crate::system::error::FifError;
 
 /// A rectangle folded by zig-zags, affine from every cell of a grid onto the whole.
 ///
@@ -67,8 +68,8 @@ impl Strip {
 impl ZigZag {
     /// Creates the grid of knots `x` and `y` with heights `z` and gradients `d` at its nodes, row
     /// by row.
-    pub(crate) fn through(x: &[f64], y: &[f64], z: &[f64], d: &[[f64; 2]]) -> Result<Grid, SelfAffineError> {
-        let along = [knots(0, x)?, knots(1, y)?];
+    pub(crate) fn through(x: &[f64], y: &[f64], z: &[f64], d: &[[f64; 2]]) -> Result<Grid, FifError> {
+        let along = [knots("x", x)?, knots("y", y)?];
         let magnitudes = magnitudes(x.len().saturating_mul(y.len()), y.len(), z, d)?;
         let domain = along.map(|axis| axis.domain);
         let corner = |i: usize, j: usize| {
@@ -167,14 +168,14 @@ struct Spacing {
     widest: f64,
 }
 
-fn knots(axis: usize, at: &[f64]) -> Result<Spacing, SelfAffineError> {
+fn knots(parameter: &'static str, at: &[f64]) -> Result<Spacing, FifError> {
     let (&[first, ..], &[.., last]) = (at, at) else {
-        return Err(SelfAffineError::TooFewKnots { axis, knots: at.len() });
+        return Err(FifError::TooFew { parameter, min: 3, got: at.len() });
     };
     if at.len() < 3 {
-        return Err(SelfAffineError::TooFewKnots { axis, knots: at.len() });
+        return Err(FifError::TooFew { parameter, min: 3, got: at.len() });
     }
-    let not_increasing = |knot, value| Err(SelfAffineError::NotIncreasing { axis, knot, value });
+    let not_increasing = |knot, value| Err(FifError::NotIncreasing { parameter, index: knot, value });
     if !first.is_finite() {
         return not_increasing(0, first);
     }

@@ -1,6 +1,6 @@
 //! Area means of a fractal surface in closed form: the slopes within a pixel.
 
-use asperity_fif::{AreaMeans, HeightField, Interval, SlopeMeans, paper};
+use asperity_fif::{AreaMeans, HeightField, Interval, SlopeMeans, cochran_2000};
 use asperity_render::image::{Image, tone::hex};
 use glam::Vec3;
 
@@ -13,7 +13,7 @@ const SIDE: u32 = 48;
 const WIDTH: f64 = 2.0;
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
-    let axis = paper::g_hat()?;
+    let axis = cochran_2000::g_hat()?;
     let surface = HeightField::new(axis, axis);
     let cell = WIDTH / f64::from(SIDE);
     let over = |x: u32, y: u32, share: f64| -> Result<SlopeMeans> {

@@ -1,7 +1,7 @@
 //! Rigorous boxes over the cells of a function, boxes opened by a ray, and contractions toward a
 //! point: figures 4 and 2 of Cochran, Lewis and Hart.
 
-use asperity_fif::{FixedFif, Interval, Map, paper};
+use asperity_fif::{FixedFif, Interval, Map, cochran_2000};
 
 use crate::figure::{Context, Drawn, Panel};
 use crate::figures::cochran::curves::{HALF, outline, plot};
@@ -18,7 +18,7 @@ const WIDTH: f64 = 1e-9;
 type Subject = (&'static str, FixedFif<2, 2>, [f64; 2]);
 
 fn subjects() -> Result<[Subject; 2]> {
-    Ok([("f", paper::f()?, [0.0, 1.7]), ("g", paper::g()?, [-2.0, 3.0])])
+    Ok([("f", cochran_2000::f()?, [0.0, 1.7]), ("g", cochran_2000::g()?, [-2.0, 3.0])])
 }
 
 pub(crate) fn draw_bounds(context: &Context<'_>) -> Result<Drawn> {
@@ -161,7 +161,7 @@ const SIZE: [f64; 2] = [360.0, 330.0];
 const NAMES: [&str; 2] = ["L₁", "L₂"];
 
 pub(crate) fn draw_contractions(_: &Context<'_>) -> Result<Drawn> {
-    let (f, g) = (paper::f()?, paper::g()?);
+    let (f, g) = (cochran_2000::f()?, cochran_2000::g()?);
     let panels = vec![
         ladder()?,
         boxes("f", &f, Axis::linear("", [0.0, 1.75], 0.5))?,
@@ -172,7 +172,7 @@ pub(crate) fn draw_contractions(_: &Context<'_>) -> Result<Drawn> {
         let ([lo, hi], names) = (place(&ADDRESS[..level]), ADDRESS[..level].iter().map(|&j| NAMES[j]));
         let after = names.collect::<Vec<_>>().join("∘");
         let mut row = vec![if level == 0 { "identity".into() } else { after }, format!("[{lo}, {hi}]")];
-        for (fif, maps) in [(&f, &paper::F_MAPS), (&g, &paper::G_MAPS)] {
+        for (fif, maps) in [(&f, &cochran_2000::F_MAPS), (&g, &cochran_2000::G_MAPS)] {
             row.extend(estimate(fif, maps, level).map(|value| format!("{value:.4}")));
         }
         row
@@ -247,7 +247,10 @@ mod tests {
 
     #[test]
     fn intervals_nest_and_errors_stay_within_bounds() {
-        let functions = [(paper::f().unwrap(), &paper::F_MAPS), (paper::g().unwrap(), &paper::G_MAPS)];
+        let functions = [
+            (cochran_2000::f().unwrap(), &cochran_2000::F_MAPS),
+            (cochran_2000::g().unwrap(), &cochran_2000::G_MAPS),
+        ];
         for level in 0..=ADDRESS.len() {
             let [lo, hi] = place(&ADDRESS[..level]);
             assert!(lo < POINT && POINT < hi && hi - lo == 2.0 / f64::from(1_u32 << level));

@@ -1,7 +1,7 @@
 //! Figure 7 of Cochran, Lewis and Hart: a fractal object in the corner of a room, with one and with
 //! sixteen samples per pixel.
 
-use asperity_fif::paper;
+use asperity_fif::cochran_2000;
 use asperity_render::geometry::{camera::Camera, fractal::Fractal, mesh::Mesh, ray::Ray, shape::Shape};
 use asperity_render::materials::chalk;
 use asperity_render::materials::pattern::{checker, grid};
@@ -81,7 +81,7 @@ fn corner() -> Result<Scene<'static, 'static>> {
         })
     };
     let objects = vec![
-        Object::shaded(Shape::Fractal(Fractal::square(paper::f()?, RISE)?), object),
+        Object::shaded(Shape::Fractal(Fractal::square(cochran_2000::f()?, RISE)?), object),
         Object::shaded(floor, move |point, wo| matte(point, wo, tiles(point.position.truncate()))),
         wall(Vec3::Y, Vec3::Y),
         wall(Vec3::X, Vec3::NEG_X),

@@ -2,7 +2,7 @@
 //! second integrals with fractal curvature, and the dimension of graphs against their vertical
 //! factor, by the formula and by box counting.
 
-use asperity_fif::{FixedFif, SystemError, paper};
+use asperity_fif::{FifError, FixedFif, cochran_2000};
 
 use crate::figure::{Context, Drawn, Panel};
 use crate::plot::{Axis, Ink, Names, Plot, Stroke};
@@ -22,7 +22,7 @@ pub(super) const HALF: [f64; 2] = [520.0, 330.0];
 pub(crate) fn draw_functions(_: &Context<'_>) -> Result<Drawn> {
     let panel = |name, fif: &FixedFif<2, 2>, range, label, alt| {
         let curve = outline(fif);
-        let knots = paper::KNOTS.map(|x| [x, fif.evaluate(x, TOLERANCE).value]);
+        let knots = cochran_2000::KNOTS.map(|x| [x, fif.evaluate(x, TOLERANCE).value]);
         plot(HALF, Axis::linear("", range, 0.5), Names::AtEnds)
             .area(curve.clone(), 1, 0.07)
             .line(knots, Stroke::dashed(Ink::Muted).wide(0.9))
@@ -33,8 +33,8 @@ pub(crate) fn draw_functions(_: &Context<'_>) -> Result<Drawn> {
     let f = "Graph of f: a symmetric mound of height 4/3, with bumps on bumps";
     let g = "Graph of g: jagged peaks up to almost 2 on the left, and an inverted copy on the right";
     let panels = vec![
-        panel("f", &paper::f()?, [0.0, 1.5], "f, vertical factors 1/2 and 1/2", f)?,
-        panel("g", &paper::g()?, [-1.0, 2.0], "g, vertical factors 17/20 and −17/20", g)?,
+        panel("f", &cochran_2000::f()?, [0.0, 1.5], "f, vertical factors 1/2 and 1/2", f)?,
+        panel("g", &cochran_2000::g()?, [-1.0, 2.0], "g, vertical factors 17/20 and −17/20", g)?,
     ];
     Ok(Drawn::new(2, panels).fact("knots", "0, 1, 2").fact("tolerance", format!("{TOLERANCE:e}")))
 }
@@ -55,8 +55,8 @@ pub(crate) fn draw_integrals(_: &Context<'_>) -> Result<Drawn> {
     let f = "The integral of f rises from 0 to 2 like a soft step; f is the thin line";
     let g = "The integral of g rises with many small undulations to 1; g, the thin line, is jagged";
     let panels = vec![
-        panel(["f-hat", "f\u{302}", "f"], &paper::f()?, [0.0, 2.0], f)?,
-        panel(["g-hat", "ĝ", "g"], &paper::g()?, [-1.0, 2.0], g)?,
+        panel(["f-hat", "f\u{302}", "f"], &cochran_2000::f()?, [0.0, 2.0], f)?,
+        panel(["g-hat", "ĝ", "g"], &cochran_2000::g()?, [-1.0, 2.0], g)?,
     ];
     Ok(Drawn::new(2, panels)
         .fact("knots", "0, 1, 2")
@@ -88,8 +88,8 @@ pub(crate) fn draw_second_integrals(_: &Context<'_>) -> Result<Drawn> {
         )
     };
     let panels = vec![
-        panel(["f", "f\u{302}", "f\u{302}\u{302}"], &paper::f()?, [0.0, 2.15])?,
-        panel(["g", "ĝ", "ĝ\u{302}"], &paper::g()?, [-1.0, 2.0])?,
+        panel(["f", "f\u{302}", "f\u{302}\u{302}"], &cochran_2000::f()?, [0.0, 2.15])?,
+        panel(["g", "ĝ", "ĝ\u{302}"], &cochran_2000::g()?, [-1.0, 2.0])?,
     ];
     Ok(Drawn::new(2, panels)
         .fact("vertical factors", "1/2, 1/4, 1/8 and ±17/20, ±17/40, ±17/80")
@@ -164,8 +164,8 @@ pub(crate) fn draw_dimension(context: &Context<'_>) -> Result<Drawn> {
 }
 
 /// Both maps with the same factor, the middle knot at `middle`.
-fn symmetric(middle: f64, alpha: f64) -> Result<FixedFif<2, 2>, SystemError> {
-    FixedFif::affine(&[paper::KNOTS[0], middle, paper::KNOTS[2]], &[0.0, 1.0, 0.0], &[alpha; 2])
+fn symmetric(middle: f64, alpha: f64) -> Result<FixedFif<2, 2>, FifError> {
+    FixedFif::affine(&[cochran_2000::KNOTS[0], middle, cochran_2000::KNOTS[2]], &[0.0, 1.0, 0.0], &[alpha; 2])
 }
 
 /// Returns the slope of the logarithm of the number of boxes between the two levels.
@@ -182,7 +182,7 @@ fn counted(fif: &FixedFif<2, 2>) -> Option<f64> {
 }
 
 fn by_factor(dots: Vec<[f64; 2]>) -> Result<Panel> {
-    let curve = |middle: f64| -> Result<Vec<[f64; 2]>, SystemError> {
+    let curve = |middle: f64| -> Result<Vec<[f64; 2]>, FifError> {
         let alphas = (1..200).map(|k| 0.005 * f64::from(k));
         alphas.map(|alpha| Ok([alpha, symmetric(middle, alpha)?.dimension().middle()])).collect()
     };
@@ -215,7 +215,7 @@ mod tests {
 
     #[test]
     fn outline_finds_peaks_between_knots() {
-        let (f, g) = (paper::f().unwrap(), paper::g().unwrap());
+        let (f, g) = (cochran_2000::f().unwrap(), cochran_2000::g().unwrap());
         let top = |points: Vec<[f64; 2]>| points.iter().fold(f64::MIN, |top, p| top.max(p[1]));
         assert_abs_diff_eq!(top(outline(&f)), 4.0 / 3.0, epsilon = 1e-5);
         // Exact maximum 41969/21609 at 3/7. One unit in the last place of x changes g by 5e-4.

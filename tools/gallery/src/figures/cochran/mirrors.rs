@@ -1,6 +1,6 @@
 //! Figure 6 of Cochran, Lewis and Hart: two fractal mirrors in a ruled room.
 
-use asperity_fif::paper;
+use asperity_fif::cochran_2000;
 use asperity_render::materials::pattern::{grid, line};
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::{
@@ -22,8 +22,8 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         "A low mirror that scatters the red and blue lines into noise",
     ];
     let mirrors = [
-        (["f-hat", "f\u{302} × f\u{302}", alts[0]], (paper::f()?, 0.3, 4, tent)),
-        (["g-hat", "ĝ × ĝ", alts[1]], (paper::g()?, 0.1, 16, low)),
+        (["f-hat", "f\u{302} × f\u{302}", alts[0]], (cochran_2000::f()?, 0.3, 4, tent)),
+        (["g-hat", "ĝ × ĝ", alts[1]], (cochran_2000::g()?, 0.1, 16, low)),
     ];
     let drawn = Drawn::pictures(2, mirrors, |(slope, rise, times, view)| {
         let scene = mirror(Fractal::square(slope, rise)?)?;
@@ -104,7 +104,7 @@ mod tests {
 
     #[test]
     fn flat_mirror_shows_the_mirrored_room() {
-        let scene = mirror(Fractal::square(paper::f().unwrap(), 1e-9).unwrap()).unwrap();
+        let scene = mirror(Fractal::square(cochran_2000::f().unwrap(), 1e-9).unwrap()).unwrap();
         let (origin, direction) = (Vec3::new(0.2, 0.3, 1.0), Vec3::new(0.4, 0.5, -1.0));
         let mut sampler = asperity_render::sampling::sampler::Sampler::new(0, 0);
         let seen = scene.seen(&ray(origin, direction.normalize()), [0.5; 2], &mut sampler).radiance;

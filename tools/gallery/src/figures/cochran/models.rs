@@ -3,7 +3,7 @@
 
 use std::{f32::consts::PI, sync::Arc};
 
-use asperity_fif::{FixedFif, SystemError};
+use asperity_fif::{FifError, FixedFif};
 use asperity_render::geometry::{fractal::Fractal, ray::Ray, shape::Shape};
 use asperity_render::image::tone::hex;
 use asperity_render::light::lamps::{Lamps, direction, studio};
@@ -68,7 +68,7 @@ const GLASS: f32 = 1.5;
 
 /// A slope that rises and falls and integrates to zero. Its integral is a hump that meets the
 /// ground smoothly.
-fn slope(factor: f64) -> Result<FixedFif<4, 2>, SystemError> {
+fn slope(factor: f64) -> Result<FixedFif<4, 2>, FifError> {
     FixedFif::affine(&[0.0, 0.5, 1.0, 1.5, 2.0], &[0.0, 1.0, 0.0, -1.0, 0.0], &[factor; 4])
 }
 

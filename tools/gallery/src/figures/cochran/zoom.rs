@@ -1,7 +1,7 @@
 //! A fractal surface at seven zooms, each ten times the previous.
 
 use asperity_fif::glam::{DVec2, DVec3};
-use asperity_fif::{HeightField, Table, paper};
+use asperity_fif::{HeightField, Table, cochran_2000};
 use asperity_render::image::tone::{hex, shoulder, srgb};
 use asperity_render::light::lamps::{Lamps, direction};
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
@@ -38,7 +38,7 @@ const FIELD: f32 = 0.7;
 const EXPOSURE: f32 = 1.1;
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
-    let values = paper::f()?.table(1e-14)?;
+    let values = cochran_2000::f()?.table(1e-14)?;
     // Seven panels side by side are small.
     let side = context.size - context.size / 4;
     let sampling = Sampling { width: side, height: side, ..context.square() };
@@ -58,7 +58,8 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let drawn = Drawn::pictures(4, pictures, |scale| {
         // Rays are relative to the point, in units of the zoom, so that directions and colors are
         // unaffected.
-        let shape = Fractal::new(HeightField::new(paper::f()?, paper::f()?).tabulated(), RISE, 0.0);
+        let shape =
+            Fractal::new(HeightField::new(cochran_2000::f()?, cochran_2000::f()?).tabulated(), RISE, 0.0);
         // A tenth of a pixel.
         let shape = shape.within(0.1 * f64::from(pixel * AWAY.length()));
         let shape = Shape::Fractal(shape.magnified(target, scale));
@@ -113,7 +114,7 @@ mod tests {
 
     #[test]
     fn relief_is_equally_steep_at_every_zoom() {
-        let values = paper::f().unwrap().table(1e-14).unwrap();
+        let values = cochran_2000::f().unwrap().table(1e-14).unwrap();
         for side in (0..=6).map(|power| 10.0_f64.powi(-power)) {
             let mut square = 0.0;
             for k in 0..400 {

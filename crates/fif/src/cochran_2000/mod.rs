@@ -6,7 +6,7 @@
 pub(crate) mod algorithm_two;
 pub(crate) mod chaos_game;
 
-use crate::system::error::SystemError;
+use crate::system::error::FifError;
 use crate::system::fif::FixedFif;
 use crate::system::map::Map;
 
@@ -30,7 +30,7 @@ pub const G_MAPS: [Map<2>; 2] = [
 /// None; the system is valid.
 #[doc(alias = "takagi")]
 #[doc(alias = "blancmange")]
-pub fn f() -> Result<FixedFif<2, 2>, SystemError> {
+pub fn f() -> Result<FixedFif<2, 2>, FifError> {
     from_maps(&F_MAPS)
 }
 
@@ -38,7 +38,7 @@ pub fn f() -> Result<FixedFif<2, 2>, SystemError> {
 ///
 /// # Errors
 /// None; the system is valid.
-pub fn g() -> Result<FixedFif<2, 2>, SystemError> {
+pub fn g() -> Result<FixedFif<2, 2>, FifError> {
     from_maps(&G_MAPS)
 }
 
@@ -46,7 +46,7 @@ pub fn g() -> Result<FixedFif<2, 2>, SystemError> {
 ///
 /// # Errors
 /// None; the system is valid.
-pub fn f_hat() -> Result<FixedFif<2, 3>, SystemError> {
+pub fn f_hat() -> Result<FixedFif<2, 3>, FifError> {
     f()?.integral(0.0)
 }
 
@@ -54,11 +54,11 @@ pub fn f_hat() -> Result<FixedFif<2, 3>, SystemError> {
 ///
 /// # Errors
 /// None; the system is valid.
-pub fn g_hat() -> Result<FixedFif<2, 3>, SystemError> {
+pub fn g_hat() -> Result<FixedFif<2, 3>, FifError> {
     g()?.integral(0.0)
 }
 
-fn from_maps(maps: &[Map<2>; 2]) -> Result<FixedFif<2, 2>, SystemError> {
+fn from_maps(maps: &[Map<2>; 2]) -> Result<FixedFif<2, 2>, FifError> {
     FixedFif::new(&KNOTS, &maps.map(|w| w.alpha), &maps.map(|w| w.q))
 }
 

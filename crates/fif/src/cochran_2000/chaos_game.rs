@@ -19,11 +19,11 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// 2014).
     ///
     /// ```
-    /// let f = asperity_fif::paper::f()?;
+    /// let f = asperity_fif::cochran_2000::f()?;
     /// for (x, y) in f.chaos_game(7).take(1000) {
     ///     assert!((f.evaluate(x, 1e-12).value - y).abs() < 1e-12);
     /// }
-    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// # Ok::<(), asperity_fif::FifError>(())
     /// ```
     pub fn chaos_game(&self, seed: u64) -> impl Iterator<Item = (f64, f64)> + Clone + '_ {
         let (pieces, start) = (self.pieces(), (self.domain().lo, self.end_values()[0]));
@@ -39,11 +39,11 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
 
 #[cfg(test)]
 mod tests {
-    use crate::paper;
+    use crate::cochran_2000;
 
     #[test]
     fn chaos_game_misses_a_part_of_the_range() {
-        let g = paper::g().unwrap();
+        let g = cochran_2000::g().unwrap();
         let whole = g.extrema(1e-6).enclosure();
         let (mut lo, mut hi, mut left) = (f64::INFINITY, f64::NEG_INFINITY, 0);
         for (x, y) in g.chaos_game(1).take(10_000) {
