@@ -24,7 +24,7 @@
 //!   are clamped, NaN returns NaN, and invalid rays (zero or non-finite direction) return `None`.
 //! - All computations use `f64`. In `f32` the address of a point loses a bit or more per level: an
 //!   affine function on 8 uneven nodes with scaling 0.6 is wrong by 6·10⁻³.
-//! - Loops are bounded: [`MAX_DEPTH`] maps per evaluation, and a maximum number of cells per search
+//! - Loops are bounded: 4096 maps per evaluation, and a maximum number of cells per search
 //!   and of boxes per ray. When a limit is reached, the returned bound or bracket is wider and
 //!   still valid.
 //! - Values use only `+ − × ÷` and comparisons in a fixed order (normals, extrema and fits also

@@ -37,7 +37,7 @@
 //! | [`ConditionalNdf`], [`residual_ndf`], [`GaussianSplit`], [`level_of_detail`] | exact level of detail |
 //! | [`ConditionalTable`], [`ConditionalTable`] | exact level of detail by one lookup, for any NDF |
 //! | [`check`] (feature `check`) | property tests for any [`Ndf`] or [`Microfacet`], with a printable report |
-//! | [`Frame`], [`phi`], [`inverse_gaussian_cdf`] | tangent frames; the Gaussian CDF and its inverse |
+//! | [`Frame`], [`gaussian_cdf`], [`inverse_gaussian_cdf`] | tangent frames; the Gaussian CDF and its inverse |
 //!
 //! Methods with plural names fill arrays with SIMD: the methods of [`ClosedForm`] for [`Ggx`] and
 //! [`Beckmann`], [`NormalLut::bilinear_normals`], [`PackedMapRef::inverse_batch`].

@@ -17,7 +17,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// evaluated at a knot, although `x` itself has an inverse image. Use [`System::evaluate`] or
     /// [`System::table`], which is 25 to 70 times as fast.
     ///
-    /// NaN returns NaN; at most [`MAX_DEPTH`] maps are composed.
+    /// NaN returns NaN; at most 4096 maps are composed.
     ///
     /// Cochran, Lewis, Hart 2000, Algorithm 2 and eq. 24–28.
     ///

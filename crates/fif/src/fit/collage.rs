@@ -34,9 +34,9 @@ pub struct Fit {
 ///
 /// with `chord` the line through the first and last point of the data, `chord_j` the line through
 /// those of the part, and `Y` the polygon through the data. Each `α_j` minimizes the squared
-/// collage error at the data over its part. It is clamped to [`STEEPEST`] in magnitude, and 0 where
+/// collage error at the data over its part. It is clamped to 1 − 1/1024 in magnitude, and 0 where
 /// `v` is 0. The sum over all parts is not the error of the fit: see
-/// [`refine`](crate::fit::refine).
+/// [`refine`](crate::fit::refine()).
 ///
 /// Time: one binary search per point, and the same per map to measure the collage error.
 ///

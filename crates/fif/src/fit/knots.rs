@@ -13,7 +13,7 @@ use crate::system::error::FifError;
 /// for which the optimal scaling misses no point between by more than `tolerance`. A map to the
 /// next point misses none. The farthest point is tried first, because the error does not increase
 /// with the length: a part that repeats the whole fits, but a piece of it does not. Pass the result
-/// to [`affine`](crate::fit::affine) or [`refine`](crate::fit::refine).
+/// to [`affine`](crate::fit::affine) or [`refine`](crate::fit::refine()).
 ///
 /// Time: for each map at most `longest²/2` terms, each with a binary search.
 ///

@@ -52,7 +52,7 @@ impl<const C: usize> RecurrentFif<C> {
     ///
     /// # Errors
     /// See [`FifError`]; both ends of every map must match the ordinates within
-    /// [`JOIN_TOLERANCE`](crate::system::JOIN_TOLERANCE).
+    /// 2⁻⁴⁰.
     pub fn new(
         x: &[f64],
         y: &[f64],

@@ -12,7 +12,7 @@ impl<const C: usize> RecurrentFif<C> {
     /// `f(x)` with an error bound, which is at most `tolerance` if `f64` permits.
     ///
     /// Like [`System::evaluate`](crate::System::evaluate), where the inverse of each map ends in
-    /// its source; at most [`MAX_DEPTH`] steps.
+    /// its source; at most 4096 steps.
     ///
     /// - **Domain:** points outside the domain are clamped to it; NaN returns NaN. A tolerance that
     ///   is zero, negative, NaN or below the rounding error means the rounding error.

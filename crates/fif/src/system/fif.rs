@@ -43,7 +43,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
     ///
     /// # Errors
     /// See [`FifError`]; also if `F_{j+1}(x_0, y_0) ≠ y_j` beyond
-    /// [`JOIN_TOLERANCE`](crate::system::JOIN_TOLERANCE).
+    /// 2⁻⁴⁰.
     pub fn new(x: &[f64], alpha: &[f64], q: &[[f64; C]]) -> Result<Self, FifError> {
         let maps = check_knots(x)?;
         check_length("alpha", maps, alpha.len())?;
@@ -79,7 +79,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
     ///
     /// # Errors
     /// See [`FifError`]; both ends of every map must match the ordinates within
-    /// [`JOIN_TOLERANCE`](crate::system::JOIN_TOLERANCE).
+    /// 2⁻⁴⁰.
     pub fn with_ordinates(x: &[f64], y: &[f64], alpha: &[f64], q: &[[f64; C]]) -> Result<Self, FifError> {
         let maps = check_knots(x)?;
         check_length("q", maps, q.len())?;

@@ -20,7 +20,7 @@ use crate::numeric::normal_distribution::{gaussian_cdf, inverse_gaussian_cdf};
 /// - **Domain:** all reals. Below `low` the first entry is used, above `high` the last. NaN is read
 ///   as 0, or as the end nearest to 0.
 /// - **Accuracy:** that of the table. An `f32` near 1 has an absolute resolution of 6e-8, so
-///   [`gaussian`](NoiseDistribution::gaussian) of a table errs by up to 0.002 at `z = 4.5`. Its
+///   [`invert`](NoiseDistribution::invert) of a table errs by up to 0.002 at `z = 4.5`. Its
 ///   values end at ±5.29, the quantile of 2⁻²⁴.
 ///
 /// ```

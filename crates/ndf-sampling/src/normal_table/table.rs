@@ -282,7 +282,7 @@ impl NormalLut<Vec<[f32; 2]>> {
     /// For lookups on the CPU pass the result to [`NormalLut::new`]. Rounding rotates normals
     /// by at most 4.9e-4 rad in the default chart, and by 2⁻¹¹ of their tilt where it is small. In
     /// the projected chart it rotates them by 0.03 rad near the horizon. Slopes are clamped to
-    /// [`MAX_HALF`].
+    /// 65504.
     #[must_use]
     pub fn halves(&self) -> Vec<[u16; 2]> {
         let half = |c: f32| to_half(c.clamp(-MAX_HALF, MAX_HALF));
