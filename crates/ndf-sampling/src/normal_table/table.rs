@@ -279,7 +279,7 @@ impl NormalLut<Vec<[f32; 2]>> {
 
     /// The entries as pairs of half floats, e.g. for an interpolated texture of format RG16F.
     ///
-    /// For lookups on the CPU pass the result to [`NormalLut::new`]. Rounding rotates normals
+    /// For lookups on the CPU pass the result to [`NormalLut::from_entries`]. Rounding rotates normals
     /// by at most 4.9e-4 rad in the default chart, and by 2⁻¹¹ of their tilt where it is small. In
     /// the projected chart it rotates them by 0.03 rad near the horizon. Slopes are clamped to
     /// 65504.
