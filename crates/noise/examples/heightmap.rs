@@ -6,32 +6,42 @@ use asperity_noise::{
     glam::{Vec2, Vec3},
 };
 
-/// A field of your own: dunes that repeat every two cells.
-struct Dunes;
+/// A noise of your own: a dome of random height in each cell, the same in every eighth cell.
+struct Domes(u32);
 
-impl Field<Vec2> for Dunes {
+impl Field<Vec2> for Domes {
     fn sample(&self, p: Vec2) -> Sample<Vec2> {
-        use std::f32::consts::PI;
-        let ((sx, cx), (sy, cy)) = ((PI * p.x).sin_cos(), (PI * (p.y + 0.5 * (PI * p.x).cos())).sin_cos());
-        let bend = Vec2::new(-0.5 * PI * PI * sx, PI);
-        Sample { value: cx * sy, gradient: Vec2::new(-PI * sx * sy, 0.0) + cx * cy * bend }
+        let (cell, d) = (p.floor().rem_euclid(Vec2::splat(8.0)), p - p.floor() - 0.5);
+        let mut word = (cell.x as u32 | (cell.y as u32) << 3 | self.0 << 6).wrapping_mul(0x9E37_79B9);
+        word = (word ^ word >> 15).wrapping_mul(0x85EB_CA77);
+        let (height, inside) =
+            ((word ^ word >> 13) as f32 / 2_147_483_648.0 - 1.0, 1.0 - 4.0 * d.length_squared());
+        if inside <= 0.0 {
+            return Sample::default();
+        }
+        Sample { value: height * inside * inside, gradient: -16.0 * height * inside * d }
     }
 
     fn range(&self) -> [f32; 2] {
         [-1.0, 1.0]
+    }
+
+    // Independent octaves. Without this method all octaves have the same domes.
+    fn with_octave_seed(&self, seed: u32) -> Option<Self> {
+        Some(Self(seed))
     }
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     const SIDE: usize = 256;
     // An integer lacunarity and parallel octaves keep the period.
-    let hills = Fbm::new(Dunes, FbmSpectrum::CLOUD).with_rotation(Rotation::Aligned).with_octaves(6.0);
-    let grid = Grid { origin: Vec2::ZERO, step: Vec2::splat(2.0 / SIDE as f32), size: [SIDE; 2] };
+    let hills = Fbm::new(Domes(42), FbmSpectrum::new(2.0, 0.35, 5)?).with_rotation(Rotation::Aligned);
+    let grid = Grid { origin: Vec2::ZERO, step: Vec2::splat(8.0 / SIDE as f32), size: [SIDE; 2] };
     let [mut heights, mut dx, mut dy] = [(); 3].map(|()| vec![0.0; grid.len()]);
     hills.grid_samples(&grid, &mut heights, [&mut dx, &mut dy])?;
 
     let sun = Vec3::new(-0.6, -0.4, 0.7).normalize();
-    let normals = dx.iter().zip(&dy).map(|(x, y)| Vec3::new(-0.2 * x, -0.2 * y, 1.0).normalize());
+    let normals = dx.iter().zip(&dy).map(|(x, y)| Vec3::new(-0.6 * x, -0.6 * y, 1.0).normalize());
     let pixels: Vec<u8> = normals.map(|n| (255.0 * n.dot(sun).max(0.0).powf(1.0 / 2.2)) as u8).collect();
     let path = std::env::args().nth(1).unwrap_or_else(|| "target/heightmap.png".into());
     let mut png = png::Encoder::new(std::fs::File::create(&path)?, SIDE as u32, SIDE as u32);

@@ -3,8 +3,9 @@
 #![expect(clippy::print_stdout, reason = "an example prints its result")]
 
 use asperity_noise::{
-    Fbm, FbmSpectrum, Field, Grid, Perlin, Ridged, Sample, Simplex, Unit, Warp,
+    Fbm, FbmSpectrum, Field, Grid, Perlin, Ridged, Sample, Simplex, Warp,
     glam::{Vec2, Vec3, Vec4},
+    ops::Unit,
 };
 
 fn heightmap(heights: &mut [f32; 64 * 64]) {

@@ -42,7 +42,7 @@
 //! | [`SparseConvolution`] | impulses at random places, convolved with a radial kernel | 1–4 | – | yes |
 //! | [`Cellular`] | distances to the nearest of random feature points, or the number of the nearest, in three metrics | 1–4 | – | yes |
 //! | [`GaussianNoise`] | value-gradient noise over its standard deviation at the point: N(0, 1) everywhere | 1–4 | yes | yes |
-//! | [`printed`] | the algorithms of Ebert (ed.) 1994 with tables as they are filled there | 3 | – | period 256 |
+//! | [`ebert_1994`] | the algorithms of Ebert (ed.) 1994 with tables as they are filled there | 3 | – | period 256 |
 //!
 //! | other items | are |
 //! |---|---|
@@ -56,7 +56,7 @@
 //! | [`Fbm::anchored`] | fBm far from the origin, accurate to 1/1000 cell at 10¹² |
 //! | [`Fbm::band_limited`], [`filtered_fraction`], [`pixel_footprint`] | frequency clamping to a pixel |
 //! | [`GaussianFbm`] | sums that are N(0, 1) at every point |
-//! | [`Add`], [`Multiply`], [`Blend`], [`Clamp`], [`Map`], [`ScaleBias`], [`Power`], [`Unit`] | fields composed of fields, by value |
+//! | [`ops`] | fields composed of fields: sums, products, blends, powers, curves, values in [0, 1] |
 //! | [`Warp`], [`curl`] | domain warping with its Jacobian; divergence-free velocities |
 //! | [`CellularOutput`], [`Metric`] | output and metric of cellular noise |
 //! | [`Lattice`], [`IntegerHash`], [`lattice`] | sources of the random bits of lattice points, and the variates made of them |
@@ -153,11 +153,12 @@ extern crate std;
 #[cfg(feature = "check")]
 pub mod check;
 mod contract;
+pub mod ebert_1994;
+mod error;
 mod kinds;
 mod lanes;
 pub mod lattice;
 mod point;
-pub mod printed;
 mod row;
 mod sample;
 mod statistics;
@@ -170,19 +171,19 @@ pub use glam;
 pub use contract::field::{Field, HasHessian};
 pub use contract::kernel::Anchor;
 pub use contract::noise::Noise;
-pub use kinds::cellular::cellular::{Cellular, CellularError, CellularOutput};
+pub use error::NoiseError;
+pub use kinds::cellular::cellular::{Cellular, CellularOutput};
 pub use kinds::cellular::metric::Metric;
 pub use kinds::gaussian::GaussianNoise;
 pub use kinds::perlin::{Perlin, PerlinClassic};
 pub use kinds::simplex::simplex::Simplex;
 pub use kinds::simplex::tiled::TiledSimplex;
-pub use kinds::sparse_convolution::{SparseConvolution, SparseConvolutionError};
+pub use kinds::sparse_convolution::SparseConvolution;
 pub use kinds::value::{ValueCatmullRom, ValueNoise};
-pub use kinds::value_gradient::{ValueGradient, ValueGradientError};
+pub use kinds::value_gradient::ValueGradient;
 pub use kinds::white::WhiteNoise;
 pub use lattice::integer_hash::IntegerHash;
 pub use lattice::lattice::Lattice;
-pub use lattice::tiled::TiledError;
 pub use point::Point;
 pub use row::grid::Grid;
 pub use sample::{Sample, SampleHessian};
@@ -190,22 +191,29 @@ pub use statistics::statistics::{Moments, Statistics};
 pub use sums::fbm::{Fbm, GaussianFbm, Normalization};
 pub use sums::frequency_clamp::{filtered_fraction, pixel_footprint};
 pub use sums::octave::{Octave, Rotation};
-pub use sums::ridged_multifractal::{FeedbackError, RidgedMultifractal};
+pub use sums::ridged_multifractal::RidgedMultifractal;
 pub use sums::shape::{Shape, Signed};
-pub use sums::spectrum::{FbmSpectrum, FbmSpectrumError};
+pub use sums::spectrum::FbmSpectrum;
 pub use sums::turbulence::{Billow, Plasma, Ridged, Turbulence};
-pub use transforms::arithmetic::{Add, Blend, Clamp, Map, Multiply, ScaleBias};
-pub use transforms::power::Power;
-pub use transforms::unit::Unit;
-pub use transforms::warp::{Displacement, Warp, WarpError};
+pub use transforms::warp::{Displacement, Warp};
+
+/// Fields composed of fields, by value.
+pub mod ops {
+    pub use crate::transforms::arithmetic::{Add, Blend, Clamp, Map, Multiply, ScaleBias};
+    pub use crate::transforms::power::Power;
+    pub use crate::transforms::unit::Unit;
+}
 
 /// Curl noise: velocities without divergence, from the gradients of fields.
 pub mod curl {
     pub use crate::transforms::curl::{Curl2, Curl3, CurlPotential, Velocity};
 }
 
-/// SIMD levels, for tests and benchmarks; fields use the best level by themselves.
+/// SIMD levels for tests and benchmarks, and the arguments of [`Field::fill`].
+///
+/// Fields use the best level by themselves.
 pub mod simd {
     pub use crate::contract::batch::Batch;
     pub use crate::lanes::level::Level;
+    pub use crate::row::points::{Points, Target};
 }

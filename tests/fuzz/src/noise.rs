@@ -3,10 +3,12 @@
 
 use asperity_noise::glam::{Vec2, Vec3, Vec4};
 use asperity_noise::{
-    Add, Billow, Blend, Cellular, CellularOutput, Clamp, Fbm, FbmSpectrum, Field, GaussianFbm, GaussianNoise,
-    Grid, HasHessian, Metric, Multiply, Normalization, Perlin, PerlinClassic, Plasma, Point, Power, Ridged,
-    RidgedMultifractal, Rotation, Sample, ScaleBias, Simplex, SparseConvolution, Turbulence, Unit,
-    ValueCatmullRom, ValueGradient, ValueNoise, Warp, WhiteNoise, curl, filtered_fraction, pixel_footprint,
+    Billow, Cellular, CellularOutput, Fbm, FbmSpectrum, Field, GaussianFbm, GaussianNoise, Grid, HasHessian,
+    Metric, Normalization, Perlin, PerlinClassic, Plasma, Point, Ridged, RidgedMultifractal, Rotation,
+    Sample, Simplex, SparseConvolution, Turbulence, ValueCatmullRom, ValueGradient, ValueNoise, Warp,
+    WhiteNoise, curl, filtered_fraction,
+    ops::{Add, Blend, Clamp, Multiply, Power, ScaleBias, Unit},
+    pixel_footprint,
 };
 
 use crate::numbers::Numbers;

@@ -3,9 +3,9 @@
 
 use asperity_noise::{
     Field, Lattice, PerlinClassic, Sample,
+    ebert_1994::{Gnoise, LectureTables, Vgnoise, Vnoise},
     glam::Vec3,
     lattice::{ChainedTable, PermutationTable, unit_gradient},
-    printed::{Gnoise, LectureTables, Vgnoise, Vnoise},
 };
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;

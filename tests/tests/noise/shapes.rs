@@ -1,9 +1,10 @@
 //! Turbulence and other shapes: against their octaves, differences, measured means, and clamping.
 
 use asperity_noise::{
-    Billow, Fbm, FbmSpectrum, Field, Normalization, Perlin, Plasma, Point, Power, Ridged, RidgedMultifractal,
+    Billow, Fbm, FbmSpectrum, Field, Normalization, Perlin, Plasma, Point, Ridged, RidgedMultifractal,
     Rotation, Sample, Shape, Signed, Simplex, Turbulence,
     glam::{Vec2, Vec3},
+    ops::Power,
 };
 use asperity_tests::{
     assert_abs_diff_eq, in_every_dimension,

@@ -1,9 +1,8 @@
 //! Periodic octave sums of every noise: edges, interior, and SIMD grids.
 
 use asperity_noise::{
-    Cellular, Fbm, FbmSpectrum, Field, GaussianNoise, Perlin, PerlinClassic, RidgedMultifractal, Sample,
-    Simplex, SparseConvolution, TiledError, Turbulence, ValueCatmullRom, ValueGradient, ValueNoise,
-    WhiteNoise,
+    Cellular, Fbm, FbmSpectrum, Field, GaussianNoise, NoiseError, Perlin, PerlinClassic, RidgedMultifractal,
+    Sample, Simplex, SparseConvolution, Turbulence, ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise,
     glam::{Vec2, Vec3},
     simd::{Batch, Level},
 };
@@ -156,11 +155,11 @@ fn fractional_periods_are_an_error() {
     assert_eq!(sum(7, 2.0, 10), Ok(()));
     assert_eq!(sum(7, 3.0, 10), Ok(()));
     assert_eq!(sum(8, 1.5, 4), Ok(()));
-    let refused = TiledError::NoOctavePeriod { axis: 0, period: 8, lacunarity: 1.5, octave: 4 };
+    let refused = NoiseError::OctavePeriod { axis: 0, period: 8, lacunarity: 1.5, octave: 4 };
     assert_eq!(sum(8, 1.5, 5), Err(refused));
     assert_eq!(
         refused.to_string(),
-        "`periods[0]` times `lacunarity` to the power 4 must be a whole number up to 2097152, got 8 · 1.5^4"
+        "the period of octave 4 is invalid: `periods[0]` 8 · `lacunarity` 1.5^4 (must be an integer up to 2097152)"
     );
-    assert!(matches!(sum(1 << 21, 2.0, 2), Err(TiledError::NoOctavePeriod { octave: 1, .. })));
+    assert!(matches!(sum(1 << 21, 2.0, 2), Err(NoiseError::OctavePeriod { octave: 1, .. })));
 }

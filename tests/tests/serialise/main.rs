@@ -34,10 +34,10 @@ fn spectra_and_grids_round_trip() {
     stands(&FbmSpectrum::default(), r#"{"lacunarity":2.17,"gain":0.5,"max_octaves":10}"#);
     let grid = Grid { origin: Vec3::X, step: Vec3::splat(0.5), size: [4, 3, 2] };
     stands(&grid, r#"{"origin":[1.0,0.0,0.0],"step":[0.5,0.5,0.5],"size":[4,3,2]}"#);
-    stands(&(Normalization::UnitVariance, Rotation::Aligned), r#"["variance","aligned"]"#);
+    stands(&(Normalization::UnitVariance, Rotation::Aligned), r#"["unit_variance","aligned"]"#);
     refused::<FbmSpectrum>(
         r#"{"lacunarity":0.9,"gain":0.5,"max_octaves":10}"#,
-        "`lacunarity` must be a finite number above 1, got 0.9",
+        "`lacunarity` is invalid: 0.9 (must be finite and above 1)",
     );
     refused::<FbmSpectrum>(r#"{"lacunarity":2.0,"gain":0.5,"octaves":10}"#, "unknown field `octaves`");
 }

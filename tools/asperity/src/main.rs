@@ -116,7 +116,10 @@ mod tests {
             ("bake --size 1000", "`--size` must be a power of two and at least 64, got 1000"),
             ("bake --samples 3", "`--samples` must be 1 or even, got 3"),
             ("bake --tileable --lacunarity 2.17", "`--tileable`: `periods[0]` times `lacunarity` "),
-            ("bake --tileable --noise simplex", "`--tileable`: `periods[0]` must be a multiple of 3, got 8"),
+            (
+                "bake --tileable --noise simplex",
+                "`--tileable`: `periods[0]` is invalid: 8 (must be a multiple of 3)",
+            ),
             ("bake --ndf velvet", "density `velvet`: expected `ggx:AX[,AY]`, "),
             ("bake --fractal torus --factor 0.5", "`factor` must be under 0.447"),
         ];

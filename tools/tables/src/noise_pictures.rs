@@ -6,8 +6,8 @@
 
 use asperity_noise::{
     Billow, Cellular, Fbm, FbmSpectrum, Field, GaussianNoise, Normalization, Perlin, PerlinClassic, Plasma,
-    Power, Ridged, RidgedMultifractal, Simplex, SparseConvolution, Turbulence, ValueCatmullRom,
-    ValueGradient, ValueNoise, Warp, WhiteNoise,
+    Ridged, RidgedMultifractal, Simplex, SparseConvolution, Turbulence, ValueCatmullRom, ValueGradient,
+    ValueNoise, Warp, WhiteNoise, ops::Power,
 };
 use glam::Vec2;
 use png::{BitDepth, ColorType, Compression, Encoder};

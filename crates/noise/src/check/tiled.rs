@@ -25,7 +25,7 @@ use crate::{
 /// let tile = Fbm::new(Perlin::new(1), FbmSpectrum::CLOUD).tiled([8, 5])?;
 /// assert!(check::tiled(&tile, Vec2::new(8.0, 5.0), check::Settings::default()).passed());
 /// assert!(!check::tiled(&tile, Vec2::new(4.0, 5.0), check::Settings::default()).passed());
-/// # Ok::<(), asperity_noise::TiledError>(())
+/// # Ok::<(), asperity_noise::NoiseError>(())
 /// ```
 #[must_use]
 pub fn tiled<V: Point, F: Field<V> + ?Sized>(field: &F, period: V, settings: Settings) -> Report {

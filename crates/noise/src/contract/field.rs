@@ -31,7 +31,7 @@ use crate::{
 /// points only. From 2³¹ on, cells wrap modulo 2³².
 ///
 /// ```
-/// use asperity_noise::{Add, Field, Grid, Fbm, Perlin, Sample, FbmSpectrum, glam::Vec2};
+/// use asperity_noise::{Field, Grid, Fbm, Perlin, Sample, FbmSpectrum, glam::Vec2, ops::Add};
 ///
 /// /// A custom field: dunes along x.
 /// struct Dunes;
@@ -169,7 +169,8 @@ pub trait Field<V: Point> {
     }
 
     /// Evaluates lists and grids, by default point by point.
-    #[doc(hidden)]
+    ///
+    /// All batch methods call it. A wrapper of a field forwards it to keep the speed of the field.
     fn fill(&self, points: &Points<'_, V>, mut target: Target<'_, V>) {
         let width = points.width();
         for row in 0..points.rows() {

@@ -16,9 +16,6 @@ use crate::{
 };
 
 /// Seed and measured statistics of a kind of noise of this crate.
-///
-/// An internal trait: its methods may change in any release.
-#[doc(hidden)]
 pub trait Measured<const N: usize> {
     /// The seed of the noise; octaves have their own seeds.
     fn seed(&self) -> u32;

@@ -91,7 +91,7 @@ macro_rules! kind {
                 periods: [u32; N],
             ) -> Result<
                 <Self as $crate::lattice::tiled::Tile<N>>::Tiled,
-                $crate::lattice::tiled::TiledError,
+                $crate::error::NoiseError,
             >
             where
                 Self: $crate::lattice::tiled::Tile<N>,
@@ -144,7 +144,7 @@ macro_rules! tiles {
         impl<L: Clone, const N: usize> $crate::lattice::tiled::Tile<N> for $kind<L> {
             type Tiled = $kind<$crate::lattice::tiled::Tiled<L, N>>;
 
-            fn tiled(self, periods: [u32; N]) -> Result<Self::Tiled, $crate::lattice::tiled::TiledError> {
+            fn tiled(self, periods: [u32; N]) -> Result<Self::Tiled, $crate::error::NoiseError> {
                 let lattice = $crate::lattice::tiled::Tiled::new(self.lattice.clone(), periods)?;
                 Ok(self.with_lattice(lattice))
             }

@@ -1,11 +1,10 @@
 //! Sparse convolution noise: randomly placed impulses, convolved with a radial kernel.
 
-use asperity_core::error_enum;
-
 use crate::{
     contract::compiled::on_lattice,
     contract::kernel::{Kernel, Measured},
     contract::noise::{kind, noise, tiles},
+    error::NoiseError,
     lanes::{LaneSample, Lanes, splat},
     lattice::integer_hash::{IntegerHash, further},
     lattice::lattice::{Lattice, cell},
@@ -67,11 +66,12 @@ impl<L> SparseConvolution<L> {
     /// # Errors
     ///
     /// If the number is not in 1..=[`MAX_IMPULSES`](SparseConvolution::MAX_IMPULSES).
-    pub fn with_impulses(self, impulses: u32) -> Result<Self, SparseConvolutionError> {
+    pub fn with_impulses(self, impulses: u32) -> Result<Self, NoiseError> {
         if (1..=SparseConvolution::MAX_IMPULSES).contains(&impulses) {
             Ok(Self { impulses: impulses as u8, ..self })
         } else {
-            Err(SparseConvolutionError::ImpulsesOutOfRange { impulses })
+            let (parameter, max) = ("impulses", SparseConvolution::MAX_IMPULSES);
+            Err(NoiseError::Count { parameter, value: impulses, min: 1, max })
         }
     }
 
@@ -370,13 +370,5 @@ impl<L, const N: usize> Measured<N> for SparseConvolution<L> {
     fn statistics(&self) -> &'static Statistics {
         let tables = [&tables::SPARSE_1, &tables::SPARSE_2, &tables::SPARSE_3, &tables::SPARSE_4];
         &tables[usize::from(self.impulses - 1) & 3][N - 1]
-    }
-}
-
-error_enum! {
-    /// Error returned for invalid parameters of [`SparseConvolution`].
-    pub enum SparseConvolutionError {
-        /// The number of impulses per cell is not in 1..=[`SparseConvolution::MAX_IMPULSES`].
-        ImpulsesOutOfRange { impulses: u32 } => "`impulses` must be from 1 to 4, got {impulses}";
     }
 }

@@ -59,7 +59,7 @@ pub struct ValueNoise<L = IntegerHash> {
 ///   attained in cell centers. The noise is divided by it.
 ///
 /// Ebert (ed.) 1994, "Texturing and Modeling", `vnoise`. The original does not divide, see
-/// [`Vnoise`](crate::printed::Vnoise).
+/// [`Vnoise`](crate::ebert_1994::Vnoise).
 ///
 /// ```
 /// use asperity_noise::{Field, ValueCatmullRom, glam::Vec2};

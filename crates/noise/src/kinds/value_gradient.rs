@@ -1,10 +1,11 @@
 //! Value-gradient noise: a weighted sum of value noise and gradient noise on one lattice.
 
-use asperity_core::{error_enum, math};
+use asperity_core::math;
 
 use crate::{
     contract::kernel::Measured,
     contract::noise::{kind, noise, tiles},
+    error::NoiseError,
     kinds::cell::corner::{CellNoise, Corner},
     lanes::Lanes,
     lattice::integer_hash::{IntegerHash, further},
@@ -32,7 +33,7 @@ use crate::{
 /// - **Variance:** σ² = (1 − μ)² σ_v² + μ² σ_g² at every point, as v and g are independent.
 ///
 /// Ebert (ed.) 1994, "Texturing and Modeling", `vgnoise`, with the weights of Perlin 2002. The
-/// original is [`Vgnoise`](crate::printed::Vgnoise).
+/// original is [`Vgnoise`](crate::ebert_1994::Vgnoise).
 ///
 /// ```
 /// use asperity_noise::{Field, ValueGradient, glam::Vec3};
@@ -41,7 +42,7 @@ use crate::{
 /// let sample = noise.sample(Vec3::new(4.0, -1.0, 7.0));
 /// assert!(sample.value != 0.0 && sample.gradient != Vec3::ZERO);
 /// assert!(ValueGradient::default().with_weight(1.5).is_err());
-/// # Ok::<(), asperity_noise::ValueGradientError>(())
+/// # Ok::<(), asperity_noise::NoiseError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ValueGradient<L = IntegerHash> {
@@ -60,11 +61,11 @@ impl<L> ValueGradient<L> {
     /// # Errors
     ///
     /// If the weight is not in [0, 1].
-    pub fn with_weight(self, weight: f32) -> Result<Self, ValueGradientError> {
+    pub fn with_weight(self, weight: f32) -> Result<Self, NoiseError> {
         if (0.0..=1.0).contains(&weight) {
             Ok(Self { weight, ..self })
         } else {
-            Err(ValueGradientError::WeightOutOfRange { weight })
+            Err(NoiseError::OutOfRange { parameter: "weight", value: weight, min: 0.0, max: 1.0 })
         }
     }
 
@@ -130,13 +131,5 @@ impl<L, const N: usize> Measured<N> for ValueGradient<L> {
         let sigma = Measured::<N>::standard_deviation(self);
         let square = sigma * sigma;
         [ratios[0] * sigma, square, ratios[1] * (square * sigma), ratios[2] * (square * square)]
-    }
-}
-
-error_enum! {
-    /// Error returned for invalid parameters of [`ValueGradient`].
-    pub enum ValueGradientError {
-        /// The weight is not in [0, 1].
-        WeightOutOfRange { weight: f32 } => "`weight` must be in [0, 1], got {weight}";
     }
 }

@@ -49,11 +49,9 @@ pub trait Lattice {
     const STANDARD: bool = false;
 
     /// Whether the lattice repeats.
-    #[doc(hidden)]
     const TILED: bool = false;
 
     /// The period along an axis, or 0 for an axis without a period.
-    #[doc(hidden)]
     #[inline(always)]
     fn period(&self, _axis: usize) -> u32 {
         0
@@ -62,7 +60,6 @@ pub trait Lattice {
     /// The lattice of an octave of a sum; `None` if it is the lattice itself.
     ///
     /// Its periods are multiplied by the frequency, and its cells are relative to another cell.
-    #[doc(hidden)]
     #[inline(always)]
     fn of_octave(&self, _frequency: f32, _cell: &[i32]) -> Option<Self>
     where
@@ -75,7 +72,6 @@ pub trait Lattice {
     ///
     /// Parameters of an owned noise stay in registers. For a borrowed noise the compiler must
     /// assume that writes can alias them.
-    #[doc(hidden)]
     #[inline(always)]
     fn copied(&self) -> Option<Self>
     where
@@ -85,11 +81,9 @@ pub trait Lattice {
     }
 
     /// Whether all octaves of a sum use the lattice itself.
-    #[doc(hidden)]
     const SHARED: bool = true;
 
     /// The key that replaces the seed in words, computed once for all words of a seed.
-    #[doc(hidden)]
     #[inline(always)]
     fn key(&self, seed: u32) -> u32 {
         seed

@@ -21,7 +21,7 @@ use crate::{lattice::edges::EDGE_MAXIMUM, lattice::lattice::Lattice, lattice::va
 /// Perlin 2002, "Improved Noise reference implementation", <https://mrl.cs.nyu.edu/~perlin/noise/>.
 ///
 /// ```
-/// use asperity_noise::{ScaleBias, Field, Perlin, glam::Vec3, lattice::PerlinTable};
+/// use asperity_noise::{Field, Perlin, glam::Vec3, lattice::PerlinTable, ops::ScaleBias};
 ///
 /// let noise = ScaleBias(Perlin::new(0).with_lattice(PerlinTable), PerlinTable::SCALE, 0.0);
 /// assert!((noise.value(Vec3::new(3.14, 42.0, 7.0)) - 0.136_919_95).abs() < 3e-7);

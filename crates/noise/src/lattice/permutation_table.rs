@@ -1,8 +1,8 @@
 //! The permutation table of 256 entries of Ebert (ed.) 1994, the classic lattice with its period.
 
-use asperity_core::{SplitMix64, error_enum};
+use asperity_core::SplitMix64;
 
-use crate::lattice::lattice::Lattice;
+use crate::{error::NoiseError, lattice::lattice::Lattice};
 
 /// A random permutation of 0…255 that hashes a cell to a byte, with period 256 along each axis.
 ///
@@ -56,15 +56,15 @@ impl PermutationTable {
     /// let reversed = core::array::from_fn(|i| 255 - i as u8);
     /// assert_eq!(PermutationTable::from_entries(reversed)?.index(1, 0, 0), 254);
     /// assert!(PermutationTable::from_entries([7; 256]).is_err());
-    /// # Ok::<(), asperity_noise::lattice::PermutationTableError>(())
+    /// # Ok::<(), asperity_noise::NoiseError>(())
     /// ```
-    pub const fn from_entries(entries: [u8; 256]) -> Result<Self, PermutationTableError> {
+    pub const fn from_entries(entries: [u8; 256]) -> Result<Self, NoiseError> {
         let mut seen = [false; 256];
         let mut i = 0;
         while i < 256 {
             let entry = entries[i];
             if seen[entry as usize] {
-                return Err(PermutationTableError::Repeated { entry, position: i });
+                return Err(NoiseError::DuplicateEntry { index: i, entry });
             }
             seen[entry as usize] = true;
             i += 1;
@@ -99,15 +99,6 @@ impl Lattice for PermutationTable {
     }
 }
 
-error_enum! {
-    /// Error returned if 256 numbers are not a permutation.
-    pub enum PermutationTableError {
-        /// A number occurs a second time, at the index `position`.
-        Repeated { entry: u8, position: usize } =>
-            "duplicate entry {entry} at index {position} (entries must be a permutation of 0 to 255)";
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -118,7 +109,7 @@ mod tests {
         assert_eq!(PermutationTable::from_entries(*table.entries()), Ok(table));
         let mut entries = *table.entries();
         entries[200] = entries[17];
-        let error = PermutationTableError::Repeated { entry: entries[17], position: 200 };
+        let error = NoiseError::DuplicateEntry { index: 200, entry: entries[17] };
         assert_eq!(PermutationTable::from_entries(entries), Err(error));
     }
 

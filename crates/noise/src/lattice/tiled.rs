@@ -1,8 +1,7 @@
 //! Lattices with a period along each axis, for tileable noises.
 
-use asperity_core::error_enum;
-
 use crate::{
+    error::NoiseError,
     lanes::Lanes,
     lattice::lattice::{Lattice, words_of_terms_in},
 };
@@ -24,7 +23,7 @@ use crate::{
 /// let noise = Perlin::new(1).tiled([8, 3])?;
 /// let p = Vec2::new(1.25, -0.5);
 /// assert_eq!(noise.sample(p), noise.sample(p + Vec2::new(8.0, -3.0)));
-/// # Ok::<(), asperity_noise::TiledError>(())
+/// # Ok::<(), asperity_noise::NoiseError>(())
 /// ```
 #[doc(alias("seamless", "tileable", "periodic"))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,15 +52,15 @@ pub trait Tile<const N: usize>: Sized {
     /// # Errors
     ///
     /// If the noise does not have these periods.
-    fn tiled(self, periods: [u32; N]) -> Result<Self::Tiled, TiledError>;
+    fn tiled(self, periods: [u32; N]) -> Result<Self::Tiled, NoiseError>;
 }
 
 impl<L, const N: usize> Tiled<L, N> {
     /// Creates the lattice with the given periods.
-    pub(crate) fn new(lattice: L, periods: [u32; N]) -> Result<Self, TiledError> {
+    pub(crate) fn new(lattice: L, periods: [u32; N]) -> Result<Self, NoiseError> {
         for (axis, period) in periods.into_iter().enumerate() {
             if period == 0 || period > MAX_PERIOD {
-                return Err(TiledError::PeriodOutOfRange { axis, period });
+                return Err(NoiseError::Period { axis, period });
             }
         }
         Ok(Self { lattice, periods })
@@ -136,24 +135,6 @@ impl<L: Lattice + Clone, const M: usize> Lattice for Tiled<L, M> {
     }
 }
 
-error_enum! {
-    /// Error returned for periods that are invalid, or that a noise does not have.
-    pub enum TiledError {
-        /// The period of an axis, counted from 0, is 0 or too long.
-        PeriodOutOfRange { axis: usize, period: u32 } =>
-            "`periods[{axis}]` must be from 1 to 2097152, got {period}";
-        /// The lattice repeats only with multiples of `factor`.
-        NoMultiple { axis: usize, period: u32, factor: u32 } =>
-            "`periods[{axis}]` must be a multiple of {factor}, got {period}";
-        /// The lacunarity makes the period of an octave fractional or too long.
-        ///
-        /// Octaves are counted from 0, and `period` is the period of the first.
-        NoOctavePeriod { axis: usize, period: u32, lacunarity: f32, octave: u32 } =>
-            "`periods[{axis}]` times `lacunarity` to the power {octave} must be a whole number up to 2097152, got {period} \
-             · {lacunarity}^{octave}";
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -182,7 +163,7 @@ mod tests {
     #[test]
     fn only_periods_in_range_are_accepted() {
         assert_eq!(Tiled::new(IntegerHash, [1, LONG]).unwrap().periods(), &[1, LONG]);
-        assert_eq!(Tiled::new(IntegerHash, [1, 0]), Err(TiledError::PeriodOutOfRange { axis: 1, period: 0 }));
+        assert_eq!(Tiled::new(IntegerHash, [1, 0]), Err(NoiseError::Period { axis: 1, period: 0 }));
         assert!(Tiled::new(IntegerHash, [LONG + 1]).is_err());
     }
 

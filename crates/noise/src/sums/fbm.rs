@@ -9,10 +9,11 @@ use crate::{
     contract::hessian::{Jet, mirror},
     contract::kernel::{Anchor, Kernel},
     contract::noise::Noise,
+    error::NoiseError,
     kinds::gaussian::GaussianNoise,
     lanes::{LaneSample, Scalar},
     lattice::lattice::Lattice,
-    lattice::tiled::{MAX_PERIOD, Tile, TiledError, in_first_tile},
+    lattice::tiled::{MAX_PERIOD, Tile, in_first_tile},
     point::Point,
     row::points::{Points, Target},
     sample::{Sample, SampleHessian},
@@ -606,7 +607,7 @@ impl<F: Tile<N>, V: Point<Coordinates = [f32; N]>, T, const N: usize> Fbm<F, V, 
     /// period. Lacunarity 1.5 accepts powers of 2 for a limited number of octaves.
     ///
     /// ```
-    /// use asperity_noise::{Field, Fbm, Perlin, FbmSpectrum, TiledError, glam::Vec2};
+    /// use asperity_noise::{Field, Fbm, Perlin, FbmSpectrum, NoiseError, glam::Vec2};
     ///
     /// let tile = Fbm::new(Perlin::new(1), FbmSpectrum::CLOUD).tiled([8, 5])?;
     /// let p = Vec2::new(1.25, -0.5);
@@ -615,11 +616,11 @@ impl<F: Tile<N>, V: Point<Coordinates = [f32; N]>, T, const N: usize> Fbm<F, V, 
     ///
     /// // The default lacunarity is 2.17, and 8 · 2.17 is not an integer.
     /// let error = Fbm::<_, Vec2>::new(Perlin::new(1), FbmSpectrum::default()).tiled([8, 5]).unwrap_err();
-    /// assert!(matches!(error, TiledError::NoOctavePeriod { octave: 1, .. }));
-    /// # Ok::<(), TiledError>(())
+    /// assert!(matches!(error, NoiseError::OctavePeriod { octave: 1, .. }));
+    /// # Ok::<(), NoiseError>(())
     /// ```
     #[doc(alias("seamless", "tileable", "periodic"))]
-    pub fn tiled(self, periods: [u32; N]) -> Result<Fbm<F::Tiled, V, T>, TiledError>
+    pub fn tiled(self, periods: [u32; N]) -> Result<Fbm<F::Tiled, V, T>, NoiseError>
     where
         F::Tiled: Field<V>,
     {
@@ -632,7 +633,7 @@ impl<F: Tile<N>, V: Point<Coordinates = [f32; N]>, T, const N: usize> Fbm<F, V, 
                 let exact = f64::from(period) * f64::from(spectrum.frequency(octave));
                 let whole = exact as u32;
                 if f64::from(whole) != exact || whole > MAX_PERIOD {
-                    return Err(TiledError::NoOctavePeriod { axis, period, lacunarity, octave });
+                    return Err(NoiseError::OctavePeriod { axis, period, lacunarity, octave });
                 }
             }
         }

@@ -1,13 +1,12 @@
 //! Ridged multifractals: octaves weighted by the previous octave.
 
-use core::{error::Error, fmt};
-
 use asperity_core::lanes::Task;
 
 use crate::{
     contract::field::Field,
     contract::kernel::Kernel,
     contract::kernel::LIST,
+    error::NoiseError,
     lanes::{Lanes, Scalar},
     lattice::tiled::in_first_tile,
     point::Point,
@@ -42,7 +41,7 @@ use crate::{
 /// let mountains = RidgedMultifractal::new(Perlin::new(1), FbmSpectrum::CLOUD, 2.0)?;
 /// let sample = mountains.with_octaves(7.5).sample(Vec2::new(0.3, 0.8));
 /// assert!((0.0..=1.0).contains(&sample.value));
-/// # Ok::<(), asperity_noise::FeedbackError>(())
+/// # Ok::<(), asperity_noise::NoiseError>(())
 /// ```
 #[doc(alias("ridged", "terrain", "mountains"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,7 +56,7 @@ impl<F: Field<V>, V: Point> RidgedMultifractal<F, V> {
     /// # Errors
     ///
     /// If `feedback` is negative or not finite.
-    pub fn new(field: F, spectrum: FbmSpectrum, feedback: f32) -> Result<Self, FeedbackError> {
+    pub fn new(field: F, spectrum: FbmSpectrum, feedback: f32) -> Result<Self, NoiseError> {
         Self::from_fbm(Fbm::new(field, spectrum), feedback)
     }
 
@@ -68,9 +67,10 @@ impl<F: Field<V>, V: Point> RidgedMultifractal<F, V> {
     /// # Errors
     ///
     /// If `feedback` is negative or not finite.
-    pub fn from_fbm(octaves: Fbm<F, V>, feedback: f32) -> Result<Self, FeedbackError> {
+    pub fn from_fbm(octaves: Fbm<F, V>, feedback: f32) -> Result<Self, NoiseError> {
         if !(feedback >= 0.0 && feedback.is_finite()) {
-            return Err(FeedbackError { feedback });
+            let rule = "must be finite and at least 0";
+            return Err(NoiseError::Invalid { parameter: "feedback", value: feedback, rule });
         }
         let octaves = octaves.with_normalization(Normalization::UnitRange).with_shape(Ridged);
         Ok(Self { octaves, feedback })
@@ -271,19 +271,3 @@ impl<const N: usize> Task for Add<'_, N> {
         }
     }
 }
-
-/// Error of [`RidgedMultifractal::new`] if the feedback is negative or not finite.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct FeedbackError {
-    /// The feedback.
-    pub feedback: f32,
-}
-
-impl fmt::Display for FeedbackError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "`feedback` must be finite and at least 0, got {}", self.feedback)
-    }
-}
-
-impl Error for FeedbackError {}

@@ -1,6 +1,6 @@
 //! Spectra: frequency and amplitude per octave, and the fade of a fractional octave.
 
-use asperity_core::error_enum;
+use crate::error::NoiseError;
 
 /// [`FbmSpectrum::MAX_OCTAVES`].
 pub(crate) const MAX_OCTAVES: u32 = FbmSpectrum::MAX_OCTAVES;
@@ -47,9 +47,9 @@ struct Arguments {
 
 #[cfg(feature = "serde")]
 impl TryFrom<Arguments> for FbmSpectrum {
-    type Error = FbmSpectrumError;
+    type Error = NoiseError;
 
-    fn try_from(read: Arguments) -> Result<Self, FbmSpectrumError> {
+    fn try_from(read: Arguments) -> Result<Self, NoiseError> {
         Self::new(read.lacunarity, read.gain, read.max_octaves)
     }
 }
@@ -76,7 +76,7 @@ impl FbmSpectrum {
     /// Threads of a carpet: lacunarity 2, gain 1, three octaves.
     ///
     /// After Nilsson 2008, section 4.2.2. Use [`Signed`](crate::Signed) for all threads together,
-    /// and [`Plasma`](crate::Plasma) to the seventh [`Power`](crate::Power) for single threads.
+    /// and [`Plasma`](crate::Plasma) to the seventh [`Power`](crate::ops::Power) for single threads.
     pub const THREADS: Self = Self { lacunarity: 2.0, gain: 1.0, max_octaves: 3 };
 
     /// One octave.
@@ -93,23 +93,25 @@ impl FbmSpectrum {
     /// If `lacunarity` is not above 1 or overflows the highest frequency, if `gain` is not positive
     /// and finite or overflows the fourth powers of the amplitudes, or if `max_octaves` is not in
     /// 1..=[`MAX_OCTAVES`](Self::MAX_OCTAVES).
-    pub fn new(lacunarity: f32, gain: f32, max_octaves: u32) -> Result<Self, FbmSpectrumError> {
+    pub fn new(lacunarity: f32, gain: f32, max_octaves: u32) -> Result<Self, NoiseError> {
+        let invalid = |parameter, value, rule| Err(NoiseError::Invalid { parameter, value, rule });
         if !(lacunarity > 1.0 && lacunarity.is_finite()) {
-            return Err(FbmSpectrumError::LacunarityNotAboveOne { lacunarity });
+            return invalid("lacunarity", lacunarity, "must be finite and above 1");
         }
         if !(gain > 0.0 && gain.is_finite()) {
-            return Err(FbmSpectrumError::GainNotPositive { gain });
+            return invalid("gain", gain, "must be finite and above 0");
         }
         if !(1..=MAX_OCTAVES).contains(&max_octaves) {
-            return Err(FbmSpectrumError::OctavesOutOfRange { max_octaves });
+            let (parameter, value) = ("max_octaves", max_octaves);
+            return Err(NoiseError::Count { parameter, value, min: 1, max: MAX_OCTAVES });
         }
         let spectrum = Self { lacunarity, gain, max_octaves };
         if !spectrum.frequency(max_octaves - 1).is_finite() {
-            return Err(FbmSpectrumError::FrequencyOverflow { lacunarity });
+            return invalid("lacunarity", lacunarity, "the highest frequency must be finite");
         }
         let squares = spectrum.sum_of_squares(max_octaves as f32);
         if !(squares * squares).is_finite() {
-            return Err(FbmSpectrumError::AmplitudeOverflow { gain });
+            return invalid("gain", gain, "fourth powers of amplitudes must be finite");
         }
         Ok(spectrum)
     }
@@ -235,57 +237,44 @@ fn power(base: f32, i: u32) -> f32 {
     (0..i).fold(1.0, |product, _| product * base)
 }
 
-error_enum! {
-    /// Error returned for invalid parameters of a [`FbmSpectrum`].
-    pub enum FbmSpectrumError {
-        /// The lacunarity is not a finite number above 1.
-        LacunarityNotAboveOne { lacunarity: f32 } =>
-            "`lacunarity` must be a finite number above 1, got {lacunarity}";
-        /// The gain is not a finite number above 0.
-        GainNotPositive { gain: f32 } => "`gain` must be a finite number above 0, got {gain}";
-        /// The number of octaves is not in 1..=[`FbmSpectrum::MAX_OCTAVES`].
-        OctavesOutOfRange { max_octaves: u32 } => "`max_octaves` must be from 1 to 16, got {max_octaves}";
-        /// The lacunarity is so large that the frequency of the highest octave is infinite.
-        FrequencyOverflow { lacunarity: f32 } =>
-            "`lacunarity` is too large: {lacunarity} (the highest frequency must be finite)";
-        /// The gain is so large that the sum of the fourth powers of the amplitudes is infinite.
-        AmplitudeOverflow { gain: f32 } =>
-            "`gain` is too large: {gain} (fourth powers of amplitudes must be finite)";
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn broken_rules_are_named() {
+        fn invalid(
+            parameter: &'static str,
+            value: f32,
+            rule: &'static str,
+        ) -> Result<FbmSpectrum, NoiseError> {
+            Err(NoiseError::Invalid { parameter, value, rule })
+        }
         for lacunarity in [1.0, 0.5, 0.0, -2.0, f32::INFINITY] {
-            let error = FbmSpectrumError::LacunarityNotAboveOne { lacunarity };
-            assert_eq!(FbmSpectrum::new(lacunarity, 0.5, 8), Err(error));
+            let error = invalid("lacunarity", lacunarity, "must be finite and above 1");
+            assert_eq!(FbmSpectrum::new(lacunarity, 0.5, 8), error);
         }
         assert!(matches!(
             FbmSpectrum::new(f32::NAN, 0.5, 8),
-            Err(FbmSpectrumError::LacunarityNotAboveOne { .. })
+            Err(NoiseError::Invalid { parameter: "lacunarity", .. })
         ));
         for gain in [0.0, -0.5, f32::INFINITY] {
-            assert_eq!(FbmSpectrum::new(2.0, gain, 8), Err(FbmSpectrumError::GainNotPositive { gain }));
+            let error = invalid("gain", gain, "must be finite and above 0");
+            assert_eq!(FbmSpectrum::new(2.0, gain, 8), error);
         }
-        assert!(matches!(FbmSpectrum::new(2.0, f32::NAN, 8), Err(FbmSpectrumError::GainNotPositive { .. })));
-        assert_eq!(FbmSpectrum::new(2.0, 1e3, 8), Err(FbmSpectrumError::AmplitudeOverflow { gain: 1e3 }));
+        assert!(matches!(
+            FbmSpectrum::new(2.0, f32::NAN, 8),
+            Err(NoiseError::Invalid { parameter: "gain", .. })
+        ));
+        let error = invalid("gain", 1e3, "fourth powers of amplitudes must be finite");
+        assert_eq!(FbmSpectrum::new(2.0, 1e3, 8), error);
         assert!(FbmSpectrum::new(2.0, 1e3, 4).is_ok() && FbmSpectrum::new(1.5, 2.7, MAX_OCTAVES).is_ok());
-        assert_eq!(
-            FbmSpectrum::new(2.0, 0.5, 0),
-            Err(FbmSpectrumError::OctavesOutOfRange { max_octaves: 0 })
-        );
-        assert_eq!(
-            FbmSpectrum::new(2.0, 0.5, 17),
-            Err(FbmSpectrumError::OctavesOutOfRange { max_octaves: 17 })
-        );
-        assert_eq!(
-            FbmSpectrum::new(1e4, 0.5, 16),
-            Err(FbmSpectrumError::FrequencyOverflow { lacunarity: 1e4 })
-        );
+        for value in [0, 17] {
+            let error = NoiseError::Count { parameter: "max_octaves", value, min: 1, max: 16 };
+            assert_eq!(FbmSpectrum::new(2.0, 0.5, value), Err(error));
+        }
+        let error = invalid("lacunarity", 1e4, "the highest frequency must be finite");
+        assert_eq!(FbmSpectrum::new(1e4, 0.5, 16), error);
         assert!(FbmSpectrum::new(1e4, 0.5, 9).is_ok());
     }
 

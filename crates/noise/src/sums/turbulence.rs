@@ -38,7 +38,7 @@ pub struct Turbulence;
 /// Σ wᵢ aᵢ (1 − |nᵢ|) / Σ wᵢ aᵢ = 1 − turbulence
 /// ```
 ///
-/// With [`FbmSpectrum::THREADS`](crate::FbmSpectrum::THREADS) and the seventh [`Power`](crate::Power) it
+/// With [`FbmSpectrum::THREADS`](crate::FbmSpectrum::THREADS) and the seventh [`Power`](crate::ops::Power) it
 /// is the thread pattern of Nilsson 2008, section 4.2.2.
 ///
 /// - **Range:** [0, 1] under [`Normalization::UnitRange`](crate::Normalization::UnitRange), for kinds of

@@ -52,7 +52,7 @@ pub(crate) use combined;
 /// - **Range:** the sum of the ranges.
 ///
 /// ```
-/// use asperity_noise::{Add, Field, Perlin, Simplex, glam::Vec3};
+/// use asperity_noise::{Field, Perlin, Simplex, glam::Vec3, ops::Add};
 ///
 /// let (a, b, p) = (Perlin::new(1), Simplex::new(2), Vec3::new(0.3, 1.4, -0.2));
 /// assert_eq!(Add(a, b).value(p), a.value(p) + b.value(p));
@@ -87,7 +87,7 @@ combined!([A, B] Add<A, B>, |self| self.0, [self.1], {
 /// - **Gradient:** b ∇a + a ∇b.
 ///
 /// ```
-/// use asperity_noise::{Field, Multiply, Perlin, Simplex, glam::Vec2};
+/// use asperity_noise::{Field, Perlin, Simplex, glam::Vec2, ops::Multiply};
 ///
 /// let (a, b, p) = (Perlin::new(1), Simplex::new(2), Vec2::new(0.3, 1.4));
 /// assert_eq!(Multiply(a, b).value(p), a.value(p) * b.value(p));
@@ -126,10 +126,10 @@ fn product([a, b]: [f32; 2], [c, d]: [f32; 2]) -> [f32; 2] {
 ///
 /// - **Gradient:** ∇a + t (∇b − ∇a) + (b − a) ∇t.
 /// - **Range:** the union of the ranges of a and b if t stays in [0, 1]. t is not clamped; use
-///   [`Clamp`] or [`Unit`](crate::Unit).
+///   [`Clamp`] or [`Unit`](crate::ops::Unit).
 ///
 /// ```
-/// use asperity_noise::{Blend, Field, Perlin, Simplex, Unit, ValueNoise, glam::Vec2};
+/// use asperity_noise::{Field, Perlin, Simplex, ValueNoise, glam::Vec2, ops::{Blend, Unit}};
 ///
 /// let land = Blend(Perlin::new(1), Simplex::new(2), Unit(ValueNoise::new(3)));
 /// assert!(land.value(Vec2::new(0.3, 1.4)).abs() <= 1.0);
@@ -175,7 +175,7 @@ combined!([A, B, T] Blend<A, B, T>, |self| self.0, [self.1, self.2], {
 /// A field clamped to two bounds; its gradient is 0 where it is clamped.
 ///
 /// ```
-/// use asperity_noise::{Clamp, Field, Perlin, glam::Vec2};
+/// use asperity_noise::{Field, Perlin, glam::Vec2, ops::Clamp};
 ///
 /// let (noise, p) = (Perlin::new(1), Vec2::new(0.3, 1.4));
 /// assert_eq!(Clamp(noise, -0.1, 0.1).value(p), noise.value(p).clamp(-0.1, 0.1));
@@ -206,7 +206,7 @@ combined!([F] Clamp<F>, |self| self.0, [], self.0.range().map(|bound| Combine::c
 /// A field scaled and offset, factor · f + offset.
 ///
 /// ```
-/// use asperity_noise::{ScaleBias, Field, Perlin, glam::Vec2};
+/// use asperity_noise::{Field, Perlin, glam::Vec2, ops::ScaleBias};
 ///
 /// let hills = ScaleBias(Perlin::new(1), 30.0, 100.0);
 /// assert!((70.0..=130.0).contains(&hills.value(Vec2::new(0.3, 1.4))));
@@ -244,7 +244,7 @@ combined!([F] ScaleBias<F>, |self| self.0, [], {
 /// - **Range:** unknown.
 ///
 /// ```
-/// use asperity_noise::{Field, Map, Perlin, glam::Vec2};
+/// use asperity_noise::{Field, Perlin, glam::Vec2, ops::Map};
 ///
 /// let steep = Map(Perlin::new(1), |n: f32| n * n, |n: f32| 2.0 * n);
 /// assert!(steep.value(Vec2::new(0.3, 1.4)) >= 0.0);

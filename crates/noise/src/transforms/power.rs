@@ -17,7 +17,7 @@ use crate::{
 /// means, the power does not fade to its mean.
 ///
 /// ```
-/// use asperity_noise::{Field, Normalization, Fbm, Plasma, Power, Simplex, FbmSpectrum, glam::Vec2};
+/// use asperity_noise::{Field, Normalization, Fbm, Plasma, Simplex, FbmSpectrum, glam::Vec2, ops::Power};
 ///
 /// // Threads: plasma of three equal octaves to the seventh power (Nilsson 2008, section 4.2.2).
 /// let plasma = Fbm::new(Simplex::new(3), FbmSpectrum::THREADS).with_shape(Plasma);

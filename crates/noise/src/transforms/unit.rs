@@ -17,7 +17,7 @@ use crate::{
 /// A field without a finite [range](Field::range) is mapped to ½ everywhere.
 ///
 /// ```
-/// use asperity_noise::{Field, Perlin, Unit, glam::Vec2};
+/// use asperity_noise::{Field, Perlin, glam::Vec2, ops::Unit};
 ///
 /// let (noise, p) = (Perlin::new(1), Vec2::new(0.3, 1.4));
 /// assert_eq!(Unit(noise).value(p), 0.5 + 0.5 * noise.value(p));

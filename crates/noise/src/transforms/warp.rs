@@ -1,9 +1,8 @@
 //! Domain warping: a field evaluated at points displaced by other fields.
 
-use core::{error::Error, fmt};
-
 use crate::{
     contract::field::Field,
+    error::NoiseError,
     point::Point,
     row::points::{Buffer, Points, Target, buffers},
     sample::Sample,
@@ -32,7 +31,7 @@ use crate::{
 /// let p = Vec2::new(0.4, -1.7);
 /// let [q, f] = [warp.displacement(p).point, p].map(|p| Perlin::new(3).value(p));
 /// assert!(warp.value(p) == q && q != f);
-/// # Ok::<(), asperity_noise::WarpError>(())
+/// # Ok::<(), asperity_noise::NoiseError>(())
 /// ```
 #[doc(alias("domain warp", "distortion", "turbulence"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,8 +57,12 @@ impl<F, W, const N: usize> Warp<F, W, N> {
     /// # Errors
     ///
     /// If `strength` is not finite.
-    pub fn new(field: F, by: [W; N], strength: f32) -> Result<Self, WarpError> {
-        if strength.is_finite() { Ok(Self { field, by, strength }) } else { Err(WarpError { strength }) }
+    pub fn new(field: F, by: [W; N], strength: f32) -> Result<Self, NoiseError> {
+        if strength.is_finite() {
+            Ok(Self { field, by, strength })
+        } else {
+            Err(NoiseError::Invalid { parameter: "strength", value: strength, rule: "must be finite" })
+        }
     }
 
     /// Returns s.
@@ -162,19 +165,3 @@ impl<V: Point<Coordinates = [f32; N]>, F: Field<V>, W: Field<V>, const N: usize>
         }
     }
 }
-
-/// Error of [`Warp::new`] if the strength is infinite or NaN.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct WarpError {
-    /// The strength.
-    pub strength: f32,
-}
-
-impl fmt::Display for WarpError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "`strength` must be finite, got {}", self.strength)
-    }
-}
-
-impl Error for WarpError {}

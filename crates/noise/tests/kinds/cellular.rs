@@ -3,8 +3,9 @@
 use approx::assert_abs_diff_eq;
 use asperity_core::SplitMix64;
 use asperity_noise::{
-    Cellular, CellularError, CellularOutput, Fbm, FbmSpectrum, Field, Metric, Noise, Point, Unit,
+    Cellular, CellularOutput, Fbm, FbmSpectrum, Field, Metric, Noise, NoiseError, Point,
     glam::{Vec2, Vec3, Vec4},
+    ops::Unit,
 };
 
 const BASES: [CellularOutput; 4] =
@@ -22,7 +23,8 @@ fn cellular_rejects_invalid_jitter() {
         assert_abs_diff_eq!(Cellular::default().with_jitter(jitter).unwrap().jitter(), jitter);
     }
     for jitter in [-1e-9, 1.000_001, f32::INFINITY, f32::NEG_INFINITY] {
-        assert_eq!(Cellular::default().with_jitter(jitter), Err(CellularError::JitterOutOfRange { jitter }));
+        let error = NoiseError::OutOfRange { parameter: "jitter", value: jitter, min: 0.0, max: 1.0 };
+        assert_eq!(Cellular::default().with_jitter(jitter), Err(error));
     }
     assert!(Cellular::default().with_jitter(f32::NAN).is_err());
 }

@@ -3,9 +3,9 @@
 use asperity_core::SplitMix64;
 use asperity_noise::{
     Field, Sample,
+    ebert_1994::{Gnoise, LectureTables, Vnoise},
     glam::Vec3,
     lattice::PermutationTable,
-    printed::{Gnoise, LectureTables, Vnoise},
 };
 
 fn tables() -> LectureTables {

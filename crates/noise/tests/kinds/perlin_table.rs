@@ -1,7 +1,7 @@
 //! Perlin's reference implementation of 2002 compared with `PerlinTable`.
 
 use approx::assert_abs_diff_eq;
-use asperity_noise::{Field, Grid, Perlin, ScaleBias, glam::Vec3, lattice::PerlinTable};
+use asperity_noise::{Field, Grid, Perlin, glam::Vec3, lattice::PerlinTable, ops::ScaleBias};
 
 /// The reference implementation in `f64`.
 fn reference(p: [f64; 3]) -> f64 {

@@ -1,6 +1,6 @@
 //! Powers of a field.
 
-use asperity_noise::{Field, Perlin, Power, glam::Vec2};
+use asperity_noise::{Field, Perlin, glam::Vec2, ops::Power};
 
 #[test]
 fn power_matches_products() {

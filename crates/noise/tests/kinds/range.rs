@@ -2,11 +2,11 @@
 
 use asperity_core::SplitMix64;
 use asperity_noise::{
-    Add, Billow, Blend, Cellular, CellularOutput, Clamp, Fbm, FbmSpectrum, Field, GaussianNoise, Grid,
-    Lattice, Metric, Multiply, Normalization, Perlin, PerlinClassic, Plasma, Point, Power, Ridged,
-    RidgedMultifractal, Sample, ScaleBias, Shape, Signed, Simplex, SparseConvolution, Turbulence, Unit,
-    ValueCatmullRom, ValueGradient, ValueNoise, Warp, WhiteNoise,
+    Billow, Cellular, CellularOutput, Fbm, FbmSpectrum, Field, GaussianNoise, Grid, Lattice, Metric,
+    Normalization, Perlin, PerlinClassic, Plasma, Point, Ridged, RidgedMultifractal, Sample, Shape, Signed,
+    Simplex, SparseConvolution, Turbulence, ValueCatmullRom, ValueGradient, ValueNoise, Warp, WhiteNoise,
     glam::{Vec2, Vec3, Vec4},
+    ops::{Add, Blend, Clamp, Multiply, Power, ScaleBias, Unit},
 };
 
 struct Random(SplitMix64);

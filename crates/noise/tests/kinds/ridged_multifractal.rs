@@ -2,7 +2,7 @@
 
 use approx::assert_abs_diff_eq;
 use asperity_noise::{
-    Fbm, FbmSpectrum, Field, Normalization, Perlin, Ridged, RidgedMultifractal,
+    Fbm, FbmSpectrum, Field, NoiseError, Normalization, Perlin, Ridged, RidgedMultifractal,
     glam::{Vec2, Vec3},
 };
 
@@ -10,7 +10,12 @@ use asperity_noise::{
 fn ridged_multifractal_rejects_invalid_feedback() {
     let new = |feedback| RidgedMultifractal::<_, Vec2>::new(Perlin::new(1), FbmSpectrum::default(), feedback);
     for feedback in [-1.0, f32::INFINITY] {
-        assert_eq!(new(feedback).map_err(|error| error.feedback), Err(feedback));
+        let error = NoiseError::Invalid {
+            parameter: "feedback",
+            value: feedback,
+            rule: "must be finite and at least 0",
+        };
+        assert_eq!(new(feedback), Err(error));
     }
     assert!(new(f32::NAN).is_err() && new(0.0).is_ok());
 }

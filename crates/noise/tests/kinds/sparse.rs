@@ -2,7 +2,7 @@
 
 use approx::assert_abs_diff_eq;
 use asperity_noise::{
-    Field, Lattice, SparseConvolution, SparseConvolutionError,
+    Field, Lattice, NoiseError, SparseConvolution,
     glam::{Vec2, Vec3, Vec4},
 };
 
@@ -16,7 +16,7 @@ fn sparse_rejects_invalid_impulses() {
     for impulses in [0, 5, 256, 257, u32::MAX] {
         assert_eq!(
             SparseConvolution::default().with_impulses(impulses),
-            Err(SparseConvolutionError::ImpulsesOutOfRange { impulses })
+            Err(NoiseError::Count { parameter: "impulses", value: impulses, min: 1, max: 4 })
         );
     }
 }

@@ -1,11 +1,11 @@
 //! Tileable simplex noise.
 
-use asperity_noise::{Field, Simplex, TiledError, glam::Vec3};
+use asperity_noise::{Field, NoiseError, Simplex, glam::Vec3};
 
 #[test]
 fn tiled_simplex_rejects_invalid_periods() {
     assert_eq!(Simplex::wide(0).tiled([3, 6, 300]).unwrap().periods(), &[3, 6, 300]);
-    let error = TiledError::NoMultiple { axis: 1, period: 4, factor: 3 };
+    let error = NoiseError::PeriodMultiple { axis: 1, period: 4, factor: 3 };
     assert_eq!(Simplex::wide(0).tiled([3, 4, 6]), Err(error));
     assert!(Simplex::wide(0).tiled([0, 3, 6]).is_err());
 }

@@ -1,6 +1,6 @@
 //! Value-gradient noise: settings, and its parts at lattice points.
 
-use asperity_noise::{Field, ValueGradient, ValueGradientError, glam::Vec2};
+use asperity_noise::{Field, NoiseError, ValueGradient, glam::Vec2};
 
 #[test]
 fn value_gradient_rejects_invalid_weight() {
@@ -10,7 +10,7 @@ fn value_gradient_rejects_invalid_weight() {
     for weight in [-1e-9, 1.000_001, f32::INFINITY] {
         assert_eq!(
             ValueGradient::default().with_weight(weight),
-            Err(ValueGradientError::WeightOutOfRange { weight })
+            Err(NoiseError::OutOfRange { parameter: "weight", value: weight, min: 0.0, max: 1.0 })
         );
     }
     assert!(ValueGradient::default().with_weight(f32::NAN).is_err());

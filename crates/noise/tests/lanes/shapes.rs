@@ -2,8 +2,9 @@
 
 use super::compare::{far_cases, grids, lengths, near_cases, points};
 use asperity_noise::{
-    Add, Blend, Clamp, Fbm, FbmSpectrum, Field, Map, Multiply, Power, RidgedMultifractal, Rotation, Sample,
-    ScaleBias, Simplex, Turbulence, Unit, Warp, glam::Vec2,
+    Fbm, FbmSpectrum, Field, RidgedMultifractal, Rotation, Sample, Simplex, Turbulence, Warp,
+    glam::Vec2,
+    ops::{Add, Blend, Clamp, Map, Multiply, Power, ScaleBias, Unit},
 };
 
 /// Grids, rows of many lengths and lists, at every level.

@@ -1,7 +1,7 @@
 //! fBm of simplex noise by position, filtered by the footprint.
 
 use asperity_noise::{
-    Fbm, FbmSpectrum, FbmSpectrumError, Field, Noise, Normalization, Sample, Simplex, filtered_fraction,
+    Fbm, FbmSpectrum, Field, Noise, NoiseError, Normalization, Sample, Simplex, filtered_fraction,
 };
 use glam::Vec3;
 
@@ -23,7 +23,7 @@ pub(crate) fn spectrum(
 ) -> Result<FbmSpectrum, ParameterError> {
     // Octaves are few, so the cast is exact; invalid counts are rejected anyway.
     let value = within(parameter, detail as f32, DETAIL)?;
-    FbmSpectrum::new(lacunarity, gain, detail).map_err(|_: FbmSpectrumError| ParameterError::Outside {
+    FbmSpectrum::new(lacunarity, gain, detail).map_err(|_: NoiseError| ParameterError::Outside {
         parameter,
         value,
         least: DETAIL[0],

@@ -48,7 +48,7 @@ mod mip_mapped;
 mod octaves;
 mod uniform;
 
-pub use mip_mapped::{MipMapped, MipMappedError};
+pub use mip_mapped::MipMapped;
 pub use uniform::{OctavesUniform, SUMS, ShaderShape};
 
 use super::{CELL, GAUSSIAN};

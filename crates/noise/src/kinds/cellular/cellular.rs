@@ -1,11 +1,12 @@
 //! Cellular noise: distances to the nearest feature points, one at a random place in each cell.
 
-use asperity_core::{error_enum, math};
+use asperity_core::math;
 
 use crate::{
     contract::compiled::on_lattice,
     contract::kernel::{Kernel, Measured},
     contract::noise::{kind, noise, tiles},
+    error::NoiseError,
     kinds::cellular::metric::Metric,
     kinds::cellular::rows::{Columns, LONG_STEP},
     kinds::cellular::search::{CellPosition, Features, number},
@@ -53,7 +54,7 @@ pub enum CellularOutput {
 /// In 1 to 4 dimensions, with u uniform in the unit cube. [`CellularOutput`] and [`Metric`] are
 /// configurable. The jitter j is 1 by default. At 0 feature points are the centers of cells. The
 /// value is the distance itself, in cells, with a positive [mean](crate::Noise::mean).
-/// [`Unit`](crate::Unit) maps its range to [0, 1], and [`Fbm`](crate::Fbm) of variance 1
+/// [`Unit`](crate::ops::Unit) maps its range to [0, 1], and [`Fbm`](crate::Fbm) of variance 1
 /// subtract the mean.
 ///
 /// - **Exact search:** visits every cell that can be as near as the current result, up to 2 cells
@@ -85,7 +86,7 @@ pub enum CellularOutput {
 /// let squares = noise.with_metric(Metric::Chebyshev).with_jitter(0.0)?;
 /// assert!((squares.value(Vec3::new(0.1, 0.5, 0.5)) - 0.4).abs() < 1e-6);
 /// assert!(noise.with_jitter(1.5).is_err());
-/// # Ok::<(), asperity_noise::CellularError>(())
+/// # Ok::<(), asperity_noise::NoiseError>(())
 /// ```
 #[doc(alias("worley", "voronoi", "F1", "F2"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -135,12 +136,12 @@ impl<L> Cellular<L> {
     /// # Errors
     ///
     /// If the jitter is not in [0, 1].
-    pub fn with_jitter(self, jitter: f32) -> Result<Self, CellularError> {
+    pub fn with_jitter(self, jitter: f32) -> Result<Self, NoiseError> {
         if (0.0..=1.0).contains(&jitter) {
             // −0 + 0 = 0.
             Ok(Self { jitter: jitter + 0.0, ..self })
         } else {
-            Err(CellularError::JitterOutOfRange { jitter })
+            Err(NoiseError::OutOfRange { parameter: "jitter", value: jitter, min: 0.0, max: 1.0 })
         }
     }
 
@@ -348,13 +349,5 @@ impl<L, const N: usize> Measured<N> for Cellular<L> {
         let (mean, deviation) = (Measured::<N>::mean(self), Measured::<N>::standard_deviation(self));
         let higher = [2, 3].map(|k| at_jitter(self.jitter, tables.map(|moments| moments[k])));
         [mean, mean * mean + deviation * deviation, higher[0], higher[1]]
-    }
-}
-
-error_enum! {
-    /// Error returned for invalid parameters of [`Cellular`].
-    pub enum CellularError {
-        /// The jitter is not in [0, 1].
-        JitterOutOfRange { jitter: f32 } => "`jitter` must be in [0, 1], got {jitter}";
     }
 }

@@ -3,11 +3,12 @@
 use crate::{
     contract::kernel::{Kernel, Measured},
     contract::noise::noise,
+    error::NoiseError,
     kinds::simplex::simplex::Simplex,
     lanes::{LaneSample, Lanes},
     lattice::integer_hash::IntegerHash,
     lattice::lattice::{Lattice, OnLattice, words_by_terms},
-    lattice::tiled::{Tile, Tiled, TiledError, octave_period, remainder},
+    lattice::tiled::{Tile, Tiled, octave_period, remainder},
     statistics::statistics::Statistics,
 };
 
@@ -30,7 +31,7 @@ use crate::{
 /// let noise = Simplex::new(1).tiled([6, 3, 9])?;
 /// let p = Vec3::new(1.25, -0.5, 2.0);
 /// assert_eq!(noise.sample(p), noise.sample(p + Vec3::new(6.0, -3.0, 9.0)));
-/// # Ok::<(), asperity_noise::TiledError>(())
+/// # Ok::<(), asperity_noise::NoiseError>(())
 /// ```
 #[doc(alias("seamless", "tileable", "periodic"))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,7 +43,7 @@ pub struct TiledSimplex<L = IntegerHash> {
 impl<L: Clone> Tile<1> for Simplex<L> {
     type Tiled = Simplex<Tiled<L, 1>>;
 
-    fn tiled(self, periods: [u32; 1]) -> Result<Self::Tiled, TiledError> {
+    fn tiled(self, periods: [u32; 1]) -> Result<Self::Tiled, NoiseError> {
         let lattice = Tiled::new(self.lattice().clone(), periods)?;
         Ok(self.with_lattice(lattice))
     }
@@ -51,11 +52,11 @@ impl<L: Clone> Tile<1> for Simplex<L> {
 impl<L: Clone> Tile<3> for Simplex<L> {
     type Tiled = TiledSimplex<L>;
 
-    fn tiled(self, periods: [u32; 3]) -> Result<Self::Tiled, TiledError> {
+    fn tiled(self, periods: [u32; 3]) -> Result<Self::Tiled, NoiseError> {
         let Tiled { lattice, periods } = Tiled::new(self.lattice().clone(), periods)?;
         for (axis, period) in periods.into_iter().enumerate() {
             if period % 3 != 0 {
-                return Err(TiledError::NoMultiple { axis, period, factor: 3 });
+                return Err(NoiseError::PeriodMultiple { axis, period, factor: 3 });
             }
         }
         Ok(TiledSimplex { noise: self.with_lattice(Corners { lattice, periods }), periods })

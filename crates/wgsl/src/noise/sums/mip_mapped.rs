@@ -1,10 +1,6 @@
 //! Texels of octaves of noise for a mip-mapped texture.
 
-use core::{error::Error, fmt};
-
-use asperity_noise::{
-    Fbm, FbmSpectrum, FbmSpectrumError, GaussianNoise, IntegerHash, TiledError, glam::Vec2, lattice::Tiled,
-};
+use asperity_noise::{Fbm, FbmSpectrum, GaussianNoise, IntegerHash, NoiseError, glam::Vec2, lattice::Tiled};
 
 /// A two-channel texture of a tileable sum of octaves; mip level l contains all octaves except the
 /// finest l.
@@ -29,7 +25,7 @@ use asperity_noise::{
 /// assert_eq!([texture.size(0), texture.size(5)], [8 * 16 * 4, 16]);
 /// assert_eq!(texture.texel(5, 3, 2), [0.0; 2]);
 /// assert_ne!(texture.texel(0, 3, 2), texture.texel(1, 1, 1));
-/// # Ok::<(), asperity_wgsl::noise::sums::MipMappedError>(())
+/// # Ok::<(), asperity_noise::NoiseError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MipMapped {
@@ -50,10 +46,10 @@ impl MipMapped {
     /// # Errors
     ///
     /// If [`FbmSpectrum::new`] rejects `gain` or `octaves`, or [`Fbm::tiled`] rejects `period`.
-    pub fn new(seed: u32, period: u32, octaves: u32, gain: f32) -> Result<Self, MipMappedError> {
-        let spectrum = FbmSpectrum::new(2.0, gain, octaves).map_err(MipMappedError::FbmSpectrum)?;
+    pub fn new(seed: u32, period: u32, octaves: u32, gain: f32) -> Result<Self, NoiseError> {
+        let spectrum = FbmSpectrum::new(2.0, gain, octaves)?;
         let sum = Fbm::new(GaussianNoise::new(seed), spectrum);
-        Ok(Self { sum: sum.tiled([period; 2]).map_err(MipMappedError::Period)?, period })
+        Ok(Self { sum: sum.tiled([period; 2])?, period })
     }
 
     /// Returns the sum of octaves of the texture, for [`OctavesUniform`](super::OctavesUniform).
@@ -87,24 +83,3 @@ impl MipMapped {
         self.sum.pair_with_octaves(p, octaves).map(|channel| scale * channel.value)
     }
 }
-
-/// Error returned for invalid parameters of [`MipMapped`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum MipMappedError {
-    /// Invalid gain or number of octaves.
-    FbmSpectrum(FbmSpectrumError),
-    /// Invalid period of the first or of a finer octave.
-    Period(TiledError),
-}
-
-impl fmt::Display for MipMappedError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::FbmSpectrum(error) => error.fmt(f),
-            Self::Period(error) => error.fmt(f),
-        }
-    }
-}
-
-impl Error for MipMappedError {}

@@ -2,8 +2,8 @@
 //! noises.
 
 use asperity_noise::{
-    Billow, Fbm, FbmSpectrum, Field, GaussianNoise, Normalization, Perlin, Plasma, Power, RidgedMultifractal,
-    Simplex, SparseConvolution, Turbulence, ValueNoise,
+    Billow, Fbm, FbmSpectrum, Field, GaussianNoise, Normalization, Perlin, Plasma, RidgedMultifractal,
+    Simplex, SparseConvolution, Turbulence, ValueNoise, ops::Power,
 };
 use glam::{Vec2, Vec3};
 

@@ -6,10 +6,10 @@ use asperity_core::math;
 use crate::{
     contract::field::Field,
     contract::kernel::{self, Kernel, Measured},
+    error::NoiseError,
     kinds::catmull_rom::{LONG_STEP, SplineNoise, spline, spline_rows},
     kinds::cell::corner::{CellNoise, Corner},
     kinds::perlin::PerlinClassic,
-    kinds::value_gradient::ValueGradientError,
     lanes::{LaneSample, Lanes},
     lattice::fade::Fade,
     lattice::lattice::{Lattice, OnLattice},
@@ -39,7 +39,7 @@ use crate::{
 /// Bump Mapping and Noise".
 ///
 /// ```
-/// use asperity_noise::{lattice::PermutationTable, printed::LectureTables};
+/// use asperity_noise::{lattice::PermutationTable, ebert_1994::LectureTables};
 ///
 /// let stream = || {
 ///     let mut state = 665_u32;
@@ -146,7 +146,7 @@ impl Lattice for Bytes {
 /// - **Period:** 256 along each axis.
 ///
 /// ```
-/// use asperity_noise::{Field, glam::Vec3, lattice::PermutationTable, printed::{LectureTables, Vnoise}};
+/// use asperity_noise::{Field, glam::Vec3, lattice::PermutationTable, ebert_1994::{LectureTables, Vnoise}};
 ///
 /// let tables = LectureTables::new(PermutationTable::new(1), || 0.25, || 0.25);
 /// assert_eq!(Vnoise(&tables).value(Vec3::new(3.0, -1.0, 2.0)), 0.5);
@@ -165,7 +165,7 @@ pub struct Vnoise<'a>(
 /// - **Period:** 256 along each axis.
 ///
 /// ```
-/// use asperity_noise::{Field, glam::Vec3, lattice::PermutationTable, printed::{Gnoise, LectureTables}};
+/// use asperity_noise::{Field, glam::Vec3, lattice::PermutationTable, ebert_1994::{Gnoise, LectureTables}};
 ///
 /// let tables = LectureTables::new(PermutationTable::new(1), || 0.25, || 0.5);
 /// let gradient = Gnoise(&tables).sample(Vec3::new(3.0, -1.0, 2.0)).gradient;
@@ -180,11 +180,11 @@ pub struct Gnoise<'a>(
 /// `vgnoise`: (1 − μ) `vnoise` + μ `gnoise`, on the same lattice; C¹.
 ///
 /// ```
-/// use asperity_noise::{Field, glam::Vec3, lattice::PermutationTable, printed::{LectureTables, Vgnoise}};
+/// use asperity_noise::{Field, glam::Vec3, lattice::PermutationTable, ebert_1994::{LectureTables, Vgnoise}};
 ///
 /// let tables = LectureTables::new(PermutationTable::new(1), || 0.25, || 0.25);
 /// assert_eq!(Vgnoise::new(&tables, 0.5)?.value(Vec3::new(3.0, -1.0, 2.0)), 0.25);
-/// # Ok::<(), asperity_noise::ValueGradientError>(())
+/// # Ok::<(), asperity_noise::NoiseError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vgnoise<'a> {
@@ -198,11 +198,11 @@ impl<'a> Vgnoise<'a> {
     /// # Errors
     ///
     /// If the weight is not in [0, 1].
-    pub const fn new(tables: &'a LectureTables, weight: f32) -> Result<Self, ValueGradientError> {
+    pub const fn new(tables: &'a LectureTables, weight: f32) -> Result<Self, NoiseError> {
         if weight >= 0.0 && weight <= 1.0 {
             Ok(Self { tables, weight })
         } else {
-            Err(ValueGradientError::WeightOutOfRange { weight })
+            Err(NoiseError::OutOfRange { parameter: "weight", value: weight, min: 0.0, max: 1.0 })
         }
     }
 
