@@ -139,7 +139,7 @@ mod tests {
     fn page_counts_packages() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
         let page = fs::read_to_string(root.join("docs/dependencies.md")).unwrap();
-        for short in ["core", "noise", "ndf-sampling", "fif", "shading", "shaders"] {
+        for short in ["core", "noise", "ndf-sampling", "fif", "shading", "wgsl"] {
             let name = format!("asperity-{short}");
             let named = |features| {
                 let names = beneath(root, &name, features);

@@ -1,4 +1,4 @@
-//! `cargo xtask fuzz`: attacks on every constructor, evaluation and reader, by libFuzzer, and a table of what they found.
+//! `cargo xtask fuzz`: runs the libFuzzer targets and writes a table of their results.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -10,47 +10,52 @@ use crate::cli::Fuzz;
 use crate::failure::Failure;
 use crate::report::{say, write};
 
-/// Coverage that libFuzzer steers by. The flags are those of LLVM, so that no nightly toolchain is needed; `fuzzing` lets
-/// readers pass over checksums.
+/// Flags for the coverage that libFuzzer uses.
+///
+/// They are flags of LLVM, so that no nightly toolchain is needed. `fuzzing` makes readers ignore
+/// checksums.
 const FLAGS: &str = "-Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=3 \
                      -Cllvm-args=-sanitizer-coverage-inline-8bit-counters -Cllvm-args=-sanitizer-coverage-pc-table \
                      --cfg fuzzing";
-/// The words that inputs are compared with, too: numbers have none to be found, and take 1.5 to 8 times as long with it.
+/// Flags for the constants that inputs are compared with, for readers only.
+///
+/// Numeric targets compare with no constants, and would be 1.5 to 8 times slower.
 const COMPARES: &str = " -Cllvm-args=-sanitizer-coverage-trace-compares";
-/// The attacks that read files or text.
+/// The fuzz targets that read files or text.
 const READERS: [&str; 7] = ["png", "exr", "picture", "mesh", "gltf", "json", "words"];
-/// Seconds from which on an input is a finding, on a machine that does other things beside.
+/// An input that takes this many seconds is a finding. The machine may run other programs.
 const TIMEOUT: u32 = 10;
 const MIB: u32 = 2048;
 const TABLE: &str = "target/asperity/fuzz.md";
 
-/// The figures of an attack.
+/// The results of a fuzz target.
 struct Run {
-    attack: String,
+    fuzz_target: String,
     executions: u64,
     per_second: u64,
     seconds: u64,
     slowest: u64,
     memory: u64,
-    /// The line of a finding, and the file that is told to do it again.
+    /// The line of a finding, and the file of the input that reproduces it.
     finding: Option<String>,
 }
 
-/// Builds the attacks and lets each run for a while.
+/// Builds the fuzz targets and runs each for the given time.
 pub(crate) fn fuzz(wanted: &Fuzz, root: &Path) -> Result<(), Failure> {
     let (folder, target) = (root.join("tests/fuzz"), host()?);
     let (corpus, findings) = (folder.join("target/corpus"), folder.join("target/findings"));
     fs::create_dir_all(&findings)?;
-    let mut attacks = attacks(&folder.join("targets"))?;
-    attacks
-        .retain(|attack| wanted.only.is_empty() || wanted.only.iter().any(|name| attack.contains(&**name)));
-    if attacks.is_empty() {
-        return Err(format!("no attack's name contains `{}`", wanted.only.join("`, `")).into());
+    let mut fuzz_targets = fuzz_targets(&folder.join("targets"))?;
+    fuzz_targets.retain(|fuzz_target| {
+        wanted.only.is_empty() || wanted.only.iter().any(|name| fuzz_target.contains(&**name))
+    });
+    if fuzz_targets.is_empty() {
+        return Err(format!("no fuzz target matches `{}`", wanted.only.join("`, `")).into());
     }
-    let is_reader = |attack: &String| READERS.contains(&&**attack);
+    let is_reader = |fuzz_target: &String| READERS.contains(&&**fuzz_target);
     for readers in [true, false] {
-        let words = attacks.iter().filter(|attack| is_reader(attack) == readers);
-        let words: String = words.map(|attack| format!(" --bin {attack}")).collect();
+        let words = fuzz_targets.iter().filter(|fuzz_target| is_reader(fuzz_target) == readers);
+        let words: String = words.map(|fuzz_target| format!(" --bin {fuzz_target}")).collect();
         if !words.is_empty() {
             let words = format!("build --release --locked --features limits --target {target}{words}");
             let flags = FLAGS.to_owned() + if readers { COMPARES } else { "" };
@@ -59,9 +64,9 @@ pub(crate) fn fuzz(wanted: &Fuzz, root: &Path) -> Result<(), Failure> {
     }
     let programs = folder.join("target").join(target).join("release");
     let mut runs = Vec::new();
-    for attack in attacks {
-        say(&format!("{attack}, for {} s", wanted.seconds));
-        let (mut program, seeds) = (Command::new(programs.join(&attack)), corpus.join(&attack));
+    for fuzz_target in fuzz_targets {
+        say(&format!("{fuzz_target}, for {} s", wanted.seconds));
+        let (mut program, seeds) = (Command::new(programs.join(&fuzz_target)), corpus.join(&fuzz_target));
         fs::create_dir_all(&seeds)?;
         program
             .env("SEEDS", &seeds)
@@ -69,7 +74,7 @@ pub(crate) fn fuzz(wanted: &Fuzz, root: &Path) -> Result<(), Failure> {
             .args([
                 format!("-max_total_time={}", wanted.seconds),
                 format!("-runs={}", wanted.runs.map_or(-1, i64::from)),
-                format!("-artifact_prefix={}/{attack}-", findings.display()),
+                format!("-artifact_prefix={}/{fuzz_target}-", findings.display()),
                 format!("-timeout={TIMEOUT}"),
                 format!("-rss_limit_mb={MIB}"),
                 "-max_len=4096".into(),
@@ -77,8 +82,8 @@ pub(crate) fn fuzz(wanted: &Fuzz, root: &Path) -> Result<(), Failure> {
             ])
             .stdin(Stdio::null());
         let output = program.output()?;
-        let said = String::from_utf8_lossy(&output.stderr);
-        let run = Run::read(attack, &said, !output.status.success());
+        let output_text = String::from_utf8_lossy(&output.stderr);
+        let run = Run::read(fuzz_target, &output_text, !output.status.success());
         say(&run.row());
         runs.push(run);
     }
@@ -87,7 +92,7 @@ pub(crate) fn fuzz(wanted: &Fuzz, root: &Path) -> Result<(), Failure> {
     }
     let found = runs.iter().filter(|run| run.finding.is_some()).count();
     if found > 0 {
-        return Err(format!("{found} attacks succeeded; {} has their inputs", findings.display()).into());
+        return Err(format!("{found} fuzz targets failed; their inputs are in {}", findings.display()).into());
     }
     Ok(())
 }
@@ -98,8 +103,8 @@ fn host() -> Result<String, Failure> {
     Ok(String::from_utf8(output.stdout)?.trim().to_owned())
 }
 
-/// The names of all attacks, in order.
-fn attacks(targets: &Path) -> io::Result<Vec<String>> {
+/// Lists the fuzz targets, sorted by name.
+fn fuzz_targets(targets: &Path) -> io::Result<Vec<String>> {
     let mut names = Vec::new();
     for entry in fs::read_dir(targets)? {
         names.extend(entry?.path().file_stem().map(|name| name.to_string_lossy().into_owned()));
@@ -109,19 +114,19 @@ fn attacks(targets: &Path) -> io::Result<Vec<String>> {
 }
 
 impl Run {
-    /// From what libFuzzer said.
-    fn read(attack: String, said: &str, failed: bool) -> Self {
+    /// Parses the output of libFuzzer.
+    fn read(fuzz_target: String, output_text: &str, failed: bool) -> Self {
         let number = |name: &str| {
-            let line = said.lines().find_map(|line| line.strip_prefix(name))?;
+            let line = output_text.lines().find_map(|line| line.strip_prefix(name))?;
             line.trim().parse::<u64>().ok()
         };
         let (executions, per_second) =
             (number("stat::number_of_executed_units:"), number("stat::average_exec_per_sec:"));
         let (executions, per_second) = (executions.unwrap_or(0), per_second.unwrap_or(0));
-        let told = ["panicked at", "ERROR: libFuzzer", "memory allocation of"];
-        let line = said.lines().find(|line| told.iter().any(|word| line.contains(word)));
+        let markers = ["panicked at", "ERROR: libFuzzer", "memory allocation of"];
+        let line = output_text.lines().find(|line| markers.iter().any(|word| line.contains(word)));
         Self {
-            attack,
+            fuzz_target,
             executions,
             per_second,
             seconds: executions.checked_div(per_second).unwrap_or(0),
@@ -133,16 +138,18 @@ impl Run {
 
     /// A row of the table.
     fn row(&self) -> String {
-        let Self { attack, executions, per_second, seconds, slowest, memory, finding } = self;
+        let Self { fuzz_target, executions, per_second, seconds, slowest, memory, finding } = self;
         let finding = finding.as_deref().unwrap_or("none");
-        format!("| {attack} | {executions} | {per_second} | {seconds} | {slowest} | {memory} | {finding} |")
+        format!(
+            "| {fuzz_target} | {executions} | {per_second} | {seconds} | {slowest} | {memory} | {finding} |"
+        )
     }
 }
 
 fn table(runs: &[Run]) -> String {
     let mut page = String::from(
         "# Fuzzing\n\n\
-         | attack | executions | a second | seconds | slowest, whole seconds | memory, MiB | found |\n|---|---|---|---|---|---|---|\n",
+         | fuzz target | executions | per second | seconds | slowest (s) | memory (MiB) | finding |\n|---|---|---|---|---|---|---|\n",
     );
     for run in runs {
         let _ = writeln!(page, "{}", run.row());
@@ -155,9 +162,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn readers_are_attacks() {
-        let all = attacks(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/fuzz/targets")).unwrap();
-        assert!(READERS.iter().all(|name| all.iter().any(|attack| attack == name)), "{all:?}");
+    fn readers_are_fuzz_targets() {
+        let all = fuzz_targets(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/fuzz/targets")).unwrap();
+        assert!(READERS.iter().all(|name| all.iter().any(|fuzz_target| fuzz_target == name)), "{all:?}");
     }
 
     #[test]

@@ -1,9 +1,9 @@
-//! Modules, tests and orders of rooms that the documents name are there.
+//! Modules, tests and orders of layers that the documents name are there.
 
 use std::{fs, path::Path};
 
 use super::imports;
-use super::rooms::{HOUSES, House};
+use super::layers::{CRATES, Crate};
 use crate::check::packages::links;
 
 /// Every path that `a::{b, c::{d, e}}` stands for.
@@ -18,16 +18,16 @@ fn quoted(text: &str) -> Vec<String> {
 }
 
 /// The crate that a path begins with, in the order that data takes through them, and its modules.
-fn house(path: &str) -> Option<(usize, &'static House, &str)> {
+fn krate(path: &str) -> Option<(usize, &'static Crate, &str)> {
     let (name, modules) = path.split_once("::").unwrap_or((path, ""));
-    let index = HOUSES.iter().position(|house| house.name.replace('-', "_") == name)?;
-    Some((index, &HOUSES[index], modules))
+    let index = CRATES.iter().position(|krate| krate.name.replace('-', "_") == name)?;
+    Some((index, &CRATES[index], modules))
 }
 
 /// Why a path into the crates' modules leads nowhere; its last part may be a name that the module defines.
 fn astray(root: &Path, path: &str) -> Option<String> {
-    let (_, house, modules) = house(path)?;
-    let mut place = root.join(house.sources);
+    let (_, krate, modules) = krate(path)?;
+    let mut place = root.join(krate.sources);
     for part in modules.split("::").filter(|part| !part.is_empty()) {
         let next = place.join(part);
         if next.is_dir() || next.with_extension("rs").is_file() {
@@ -78,10 +78,10 @@ fn modules_of_the_architecture_are_there() {
     assert!(lost.is_empty(), "{lost:#?}");
 }
 
-/// The place of a path in the order of crates and rooms.
+/// The place of a path in the order of crates and layers.
 fn place(path: &str) -> Option<(usize, usize)> {
-    let (index, house, modules) = house(path)?;
-    Some((index, house.room(&modules.replace("::", "/"))?))
+    let (index, krate, modules) = krate(path)?;
+    Some((index, krate.layer(&modules.replace("::", "/"))?))
 }
 
 #[test]
@@ -96,7 +96,7 @@ fn the_ways_of_data_run_in_the_order_of_the_rooms() {
         assert!(steps.len() >= 4, "{way}");
         let places: Vec<_> = steps
             .iter()
-            .map(|step| place(step).unwrap_or_else(|| panic!("`{step}` is in no room")))
+            .map(|step| place(step).unwrap_or_else(|| panic!("`{step}` is in no layer")))
             .collect();
         assert!(places.is_sorted(), "{steps:?}: {places:?}");
     }
@@ -106,8 +106,8 @@ fn the_ways_of_data_run_in_the_order_of_the_rooms() {
 fn the_picture_of_the_rooms_is_their_order() {
     let page = fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
     let page = page.split_whitespace().collect::<Vec<_>>().join(" ");
-    for house in HOUSES {
-        let line = format!("{}: {}", house.name, house.rooms);
+    for krate in CRATES {
+        let line = format!("{}: {}", krate.name, krate.layers);
         assert!(page.contains(&line), "ARCHITECTURE.md must have `{line}`");
     }
 }

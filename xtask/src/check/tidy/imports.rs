@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 
 use proc_macro2::{Delimiter, LexError, Spacing, TokenStream, TokenTree};
 
-/// Everything that one file asks of other modules, test modules left out.
+/// The imports of one file, without its test modules.
 #[derive(Debug, Default, PartialEq, Eq)]
 pub(super) struct Imports {
     pub(super) paths: Vec<Path>,
-    /// Names of public items, and those that `pub use` exports with their origin: at a crate's root its face.
+    /// Names of public items, and those that `pub use` exports with their origin: of a crate's root: its exports.
     pub(super) public: BTreeMap<String, Option<Path>>,
     /// Public modules.
     pub(super) public_modules: Vec<String>,
@@ -242,7 +242,7 @@ mod tests {
     }
 
     #[test]
-    fn test_files_inline_modules_and_the_face_of_a_root_are_known() {
+    fn test_files_inline_modules_and_the_exports_of_a_root_are_known() {
         let read = |source| read(source, &[]).unwrap();
         assert_eq!(read("#[cfg(all(test, unix))]\nmod files;").test_modules, ["files"]);
         assert!(read("#![cfg(test)]\nuse crate::a::A;").test_only);

@@ -1,52 +1,51 @@
 //! `cargo xtask tidy`: dependencies between packages, the order of modules, first lines of files, idioms of the pages.
 
+mod allowed;
 mod comparisons;
 #[cfg(test)]
 mod documents;
-mod edges;
-mod graph;
 mod idioms;
 mod imports;
-mod rooms;
-mod words;
+mod layers;
+mod source;
+mod survey;
 
 use std::{collections::BTreeMap, fs, io, path::Path};
 
 use crate::failure::Failure;
 use crate::metadata;
-use graph::Survey;
-use rooms::HOUSES;
+use layers::CRATES;
+use survey::Survey;
 
-/// The state of the house: lines to read, and what breaks a rule; no offences are a tidy house.
+/// Lines to print, and the broken rules.
 #[derive(Debug, Default)]
 pub(crate) struct Report {
     pub(crate) lines: Vec<String>,
     offences: Vec<String>,
 }
 
-/// Looks at the whole workspace.
+/// Checks the whole workspace.
 pub(crate) fn report() -> Result<Report, Failure> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().ok_or("no workspace")?;
     let mut report = Report::default();
     for package in metadata::members(root)? {
         let name = &package.name;
         report.offences.extend(
-            package
-                .dependencies
-                .iter()
-                .filter_map(|dependency| edges::forbidden(name, &dependency.name, dependency.kind == "dev")),
+            package.dependencies.iter().filter_map(|dependency| {
+                allowed::forbidden(name, &dependency.name, dependency.kind == "dev")
+            }),
         );
         if package.entry["edition"] != "2024" || package.entry["rust_version"].is_null() {
             report.offences.push(format!("{name}: edition and rust-version come from the workspace"));
         }
         if package.targets.iter().any(|target| target.kind == "custom-build") {
-            report.offences.push(format!("{name}: no package runs a program while it is built"));
+            report.offences.push(format!("{name}: packages have no build script"));
         }
         if !fs::read_to_string(&package.manifest_path)?.contains("[lints]\nworkspace = true") {
             report.offences.push(format!("{name}: the lints come from the workspace"));
         }
     }
-    report.rooms(root)?;
+    report.layers(root)?;
     report.words(root)?;
     files(root, root, "md", &mut |path, text| report.offences.extend(idioms::offences(&path, &text)))?;
     Ok(report)
@@ -58,29 +57,29 @@ impl Report {
         if self.offences.is_empty() { Ok(()) } else { Err(self.offences.join("\n       ").into()) }
     }
 
-    /// The order of rooms, crate by crate.
-    fn rooms(&mut self, root: &Path) -> Result<(), Failure> {
+    /// The layers of every crate.
+    fn layers(&mut self, root: &Path) -> Result<(), Failure> {
         let mut orders = vec![String::new()];
         self.lines.push(Survey::HEAD.into());
-        for house in HOUSES {
-            let folder = root.join(house.sources);
+        for krate in CRATES {
+            let folder = root.join(krate.sources);
             let mut files = BTreeMap::new();
             self::files(&folder, &folder, "rs", &mut |path, text| drop(files.insert(path, text)))?;
-            let survey = Survey::new(house, &files)?;
+            let survey = Survey::new(krate, &files)?;
             self.lines.push(survey.row);
-            orders.push(format!("{}: {}", house.name, survey.order));
+            orders.push(format!("{}: {}", krate.name, survey.order));
             self.offences.extend(survey.offences);
         }
         self.lines.append(&mut orders);
         Ok(())
     }
 
-    /// Heads of files, words that do not belong, first words of doc lines, floats compared by hand.
+    /// First lines of files, leftovers, and counts of lines and of floats compared by hand.
     fn words(&mut self, root: &Path) -> Result<(), Failure> {
         let mut counts = BTreeMap::<String, [usize; 2]>::new();
         for folder in ["crates", "tools", "xtask", "tests"] {
             files(root, &root.join(folder), "rs", &mut |path, text| {
-                self.offences.extend(words::offences(&path, &text));
+                self.offences.extend(source::offences(&path, &text));
                 let place = path.splitn(3, '/').take(2).collect::<Vec<_>>().join("/");
                 let [lines, by_hand] = counts.entry(place).or_default();
                 *lines += text.lines().count();

@@ -1,17 +1,17 @@
-//! Files of a crate as a graph of imports: arrows between rooms, arrows up, circles, imports through the root.
+//! The imports between the files of a crate: against the order of layers, in cycles, through the root.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::imports::{self, Imports};
-use super::rooms::House;
+use super::layers::Crate;
 use crate::failure::Failure;
 
-/// A crate as its sources are.
+/// The layers and imports of a crate.
 #[derive(Debug)]
 pub(super) struct Survey {
     /// The crate's line of the table.
     pub(super) row: String,
-    /// The rooms in their order, with the number of files of each.
+    /// The layers in their order, with the number of files of each.
     pub(super) order: String,
     /// Everything that breaks a rule, one line each.
     pub(super) offences: Vec<String>,
@@ -19,69 +19,68 @@ pub(super) struct Survey {
 
 impl Survey {
     /// The first line of the table.
-    pub(super) const HEAD: &'static str =
-        "crate            rooms  files  side by side  arrows  up  in circles  through root  names + modules";
+    pub(super) const HEAD: &'static str = "crate           layers  files  most in one folder  imports  upward  in cycles  through root  names + modules";
 
     /// Reads a crate: every file by its path below the folder of sources, and its text.
-    pub(super) fn new(house: &House, sources: &BTreeMap<String, String>) -> Result<Self, Failure> {
+    pub(super) fn new(krate: &Crate, sources: &BTreeMap<String, String>) -> Result<Self, Failure> {
         let files = Files::read(sources)?;
-        let place = |file: &str, line: usize| format!("{}/{file}:{line}", house.sources);
+        let place = |file: &str, line: usize| format!("{}/{file}:{line}", krate.sources);
         // Files and the files that they import from, with the place of the first import.
-        let mut arrows = BTreeMap::<(&str, &str), String>::new();
+        let mut edges = BTreeMap::<(&str, &str), String>::new();
         let mut through_root = Vec::new();
         for (file, imports) in files.modules() {
             for path in &imports.paths {
                 let Some(absolute) = files.absolute(file, path) else { continue };
                 let mut target = files.owner(&absolute);
                 if target.is_empty() {
-                    // Of the root's own modules only: what it exports belongs to another file.
+                    // The root owns only its modules. Its exports belong to other files.
                     let (path, at) = (path.segments.join("::"), place(file, path.line));
                     through_root.push(format!("{at}: `{path}` is imported through the crate's root"));
                     target = files.exporter(&absolute).unwrap_or_default();
                 }
                 if !target.is_empty() && target != file {
-                    arrows.entry((file, target)).or_insert_with(|| place(file, path.line));
+                    edges.entry((file, target)).or_insert_with(|| place(file, path.line));
                 }
             }
         }
-        let rooms: BTreeMap<&str, Option<usize>> =
-            files.modules().map(|(file, _)| (file, house.room(file))).collect();
-        let is_up = |from, to| rooms[from].zip(rooms[to]).is_some_and(|(from, to)| from < to);
-        let up = arrows.iter().filter(|((from, to), _)| is_up(from, to));
+        let layers: BTreeMap<&str, Option<usize>> =
+            files.modules().map(|(file, _)| (file, krate.layer(file))).collect();
+        let is_up = |from, to| layers[from].zip(layers[to]).is_some_and(|(from, to)| from < to);
+        let up = edges.iter().filter(|((from, to), _)| is_up(from, to));
         let mut offences: Vec<String> =
-            up.map(|((_, to), place)| format!("{place}: an arrow up, to {to}")).collect();
-        let ups = offences.len();
-        let mut broken = |rule: String| offences.push(format!("{}: {rule}", house.name));
-        let circles = in_circles(arrows.keys().copied().collect());
-        if !circles.is_empty() {
-            broken(format!("files import one another in a circle: {}", circles.join(", ")));
+            up.map(|((_, to), place)| format!("{place}: imports {to}, a later layer")).collect();
+        let upward = offences.len();
+        let mut broken = |rule: String| offences.push(format!("{}: {rule}", krate.name));
+        let cycles = in_cycles(edges.keys().copied().collect());
+        if !cycles.is_empty() {
+            broken(format!("files import one another in a cycle: {}", cycles.join(", ")));
         }
-        for (file, _) in rooms.iter().filter(|(_, room)| room.is_none()) {
-            broken(format!("{file} is in no room of the order"));
+        for (file, _) in layers.iter().filter(|(_, layer)| layer.is_none()) {
+            broken(format!("{file} is in no layer"));
         }
         let mut order = Vec::new();
-        for (at, room) in house.rooms().enumerate() {
-            let count = rooms.values().filter(|of| **of == Some(at)).count();
-            order.push(format!("{room} {count}"));
+        for (at, layer) in krate.layers().enumerate() {
+            let count = layers.values().filter(|of| **of == Some(at)).count();
+            order.push(format!("{layer} {count}"));
             if count == 0 {
-                broken(format!("the room `{room}` of the order is empty"));
+                broken(format!("the layer `{layer}` is empty"));
             }
         }
         let [names, modules] =
             files.0.get("").map_or([0; 2], |root| [root.public.len(), root.public_modules.len()]);
-        if house.face.is_some_and(|most| names > most) {
+        if krate.max_exports.is_some_and(|most| names > most) {
             broken(format!("the root exports {names} names"));
         }
         let mut folders = BTreeMap::<&str, usize>::new();
         files.modules().for_each(|(file, _)| *folders.entry(split(file).0).or_default() += 1);
         let row = format!(
-            "{:<16} {:5}  {:5}  {:12}  {:6}  {ups:2}  {:10}  {:12}  {names:5} + {modules}",
-            house.name,
+            "{:<15} {:6}  {:5}  {:18}  {:7}  {upward:6}  {:9}  {:12}  {names:5} + {modules}",
+            krate.name,
             order.len(),
-            rooms.len(),
+            layers.len(),
             folders.values().max().unwrap_or(&0),
-            arrows.len(),
-            circles.len(),
+            edges.len(),
+            cycles.len(),
             through_root.len(),
         );
         offences.append(&mut through_root);
@@ -171,13 +170,13 @@ fn joined(parts: &[&str]) -> String {
     parts.join("/").trim_start_matches('/').to_owned()
 }
 
-/// Files that are left when those that import no other, or that no other imports, are taken away again and again.
-fn in_circles<'a>(mut arrows: BTreeSet<(&'a str, &'a str)>) -> Vec<&'a str> {
+/// The files in cycles of imports: those that remain after repeatedly removing files without imports or importers.
+fn in_cycles<'a>(mut edges: BTreeSet<(&'a str, &'a str)>) -> Vec<&'a str> {
     loop {
-        let count = arrows.len();
-        let (from, to): (BTreeSet<_>, BTreeSet<_>) = arrows.iter().copied().unzip();
-        arrows.retain(|(a, b)| to.contains(a) && from.contains(b));
-        if arrows.len() == count {
+        let count = edges.len();
+        let (from, to): (BTreeSet<_>, BTreeSet<_>) = edges.iter().copied().unzip();
+        edges.retain(|(a, b)| to.contains(a) && from.contains(b));
+        if edges.len() == count {
             return from.into_iter().collect();
         }
     }
@@ -187,11 +186,13 @@ fn in_circles<'a>(mut arrows: BTreeSet<(&'a str, &'a str)>) -> Vec<&'a str> {
 mod tests {
     use super::*;
 
-    const HOUSE: House =
-        House { name: "x", sources: "x/src", rooms: "math → low → high/inner → high", face: Some(2) };
+    const CRATE: Crate =
+        Crate {
+            name: "x", sources: "x/src", layers: "math → low → high/inner → high", max_exports: Some(2)
+        };
 
-    /// Three rooms in order, with more text for some files.
-    fn survey(house: &House, more: &[(&str, &str)]) -> Survey {
+    /// Surveys four layers in order, with more text for some files.
+    fn survey(krate: &Crate, more: &[(&str, &str)]) -> Survey {
         let mut sources: BTreeMap<String, String> = [
             ("lib.rs", "mod math; mod low; mod high; pub use high::top::{Top, Other};"),
             ("math.rs", ""),
@@ -207,12 +208,12 @@ mod tests {
         for (file, text) in more {
             sources.entry((*file).into()).or_default().push_str(text);
         }
-        Survey::new(house, &sources).unwrap()
+        Survey::new(krate, &sources).unwrap()
     }
 
     #[test]
-    fn arrows_down_are_allowed() {
-        let survey = survey(&HOUSE, &[]);
+    fn imports_of_earlier_layers_are_allowed() {
+        let survey = survey(&CRATE, &[]);
         assert_eq!(survey.offences, Vec::<String>::new());
         assert_eq!(survey.order, "math 1 ← low 3 ← high/inner 1 ← high 2");
         let numbers: Vec<_> = survey.row.split_whitespace().collect();
@@ -226,38 +227,34 @@ mod tests {
                 "low/a.rs",
                 "fn f() -> crate::high::inner::J { g() }",
                 &[
-                    "x/src/low/a:1: an arrow up, to high/inner",
-                    "x: files import one another in a circle: high/inner, low/a, low/b",
+                    "x/src/low/a:1: imports high/inner, a later layer",
+                    "x: files import one another in a cycle: high/inner, low/a, low/b",
                 ][..],
             ),
-            // A room inside a folder has its own place in the order.
+            // A layer inside a folder has its own position.
             (
                 "high/inner.rs",
                 "use super::top::Top;",
                 &[
-                    "x/src/high/inner:1: an arrow up, to high/top",
-                    "x: files import one another in a circle: high/inner, high/top",
+                    "x/src/high/inner:1: imports high/top, a later layer",
+                    "x: files import one another in a cycle: high/inner, high/top",
                 ],
             ),
-            ("low/a.rs", "use super::b::B;", &["x: files import one another in a circle: low/a, low/b"]),
-            // A face that exports a file closes a circle with a file that imports from the face.
-            (
-                "high/top.rs",
-                "use super::Shown;",
-                &["x: files import one another in a circle: high, high/top"],
-            ),
+            ("low/a.rs", "use super::b::B;", &["x: files import one another in a cycle: low/a, low/b"]),
+            // A module that re-exports a file is in a cycle with a file that imports from the module.
+            ("high/top.rs", "use super::Shown;", &["x: files import one another in a cycle: high, high/top"]),
             (
                 "high/top.rs",
                 "use crate::Top;",
                 &["x/src/high/top:1: `crate::Top` is imported through the crate's root"],
             ),
             ("low/b.rs", "use crate::{math::abs, low::a};", &[]),
-            ("stray.rs", "use crate::math::abs;", &["x: stray is in no room of the order"]),
+            ("stray.rs", "use crate::math::abs;", &["x: stray is in no layer"]),
             ("lib.rs", "pub struct Third;", &["x: the root exports 3 names"]),
         ] {
-            assert_eq!(survey(&HOUSE, &[(file, text)]).offences, offences, "{file}: {text}");
+            assert_eq!(survey(&CRATE, &[(file, text)]).offences, offences, "{file}: {text}");
         }
-        let house = House { rooms: "math → low → high → attic", ..HOUSE };
-        assert_eq!(survey(&house, &[]).offences, ["x: the room `attic` of the order is empty"]);
+        let krate = Crate { layers: "math → low → high → attic", ..CRATE };
+        assert_eq!(survey(&krate, &[]).offences, ["x: the layer `attic` is empty"]);
     }
 }

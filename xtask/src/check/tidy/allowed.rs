@@ -1,8 +1,7 @@
-//! Who may know whom: every edge between crates that the house rules allow.
+//! The dependencies that each package may have.
 
-/// Every edge that the house rules allow out of a published crate and the interpreter of shaders, in tests and benches the latter too; nothing else may
-/// be there.
-const EDGES: [(&str, &[&str], &[&str]); 8] = [
+/// Package, its allowed dependencies, and its allowed development dependencies.
+const ALLOWED: [(&str, &[&str], &[&str]); 8] = [
     ("asperity-core", &["approx", "fearless_simd", "glam", "libm"], &["approx", "libm"]),
     (
         "asperity-noise",
@@ -29,20 +28,20 @@ const EDGES: [(&str, &[&str], &[&str]); 8] = [
     ("asperity-output", &["tempfile"], &[]),
 ];
 
-/// The members that may use everything and that nothing may use.
+/// Packages that may use every package and that no package uses.
 const TOPS: [&str; 5] =
     ["asperity-gallery", "asperity-platforms", "asperity-tables", "asperity-tests", "asperity-shader-tests"];
 
-/// The members that may use everything and that only the tops and one another may use.
+/// Packages that may use every package, and that only `TOPS` and each other use.
 const TOOLS: [&str; 2] = ["asperity-render", "asperity"];
 
 /// The task runner, which uses no crate of this workspace.
 const XTASK: &str = "xtask";
 
-/// The rule against a dependency, for development or not; none if it is allowed.
+/// Returns the rule that a dependency breaks, `None` if it is allowed.
 pub(super) fn forbidden(from: &str, to: &str, development: bool) -> Option<String> {
     if TOPS.contains(&to) || to == XTASK {
-        return Some(format!("{from} -> {to}: nothing uses {to}"));
+        return Some(format!("{from} -> {to}: no package may use {to}"));
     }
     if from == XTASK {
         return to
@@ -58,12 +57,12 @@ pub(super) fn forbidden(from: &str, to: &str, development: bool) -> Option<Strin
     if TOOLS.contains(&to) {
         return Some(format!("{from} -> {to}: only tools and tests use {to}"));
     }
-    let Some((_, normal, dev)) = EDGES.iter().find(|(name, ..)| *name == from) else {
-        return Some(format!("{from}: a crate that the rules do not know"));
+    let Some((_, normal, dev)) = ALLOWED.iter().find(|(name, ..)| *name == from) else {
+        return Some(format!("{from}: a package without rules"));
     };
     let kind = if development { "a development dependency" } else { "a dependency" };
     let allowed = normal.contains(&to) || development && dev.contains(&to);
-    (!allowed).then(|| format!("{from} -> {to}: {kind} that the rules do not allow"))
+    (!allowed).then(|| format!("{from} -> {to}: {kind} that the rules do not list"))
 }
 
 #[cfg(test)]
