@@ -4,7 +4,7 @@
 use std::any::Any;
 
 use asperity_noise::{
-    Fbm, FbmSpectrum, Field, Lattice, Moments, Noise, Normalization, Point, Rotation, Sample, Statistics,
+    Fbm, FbmSpectrum, Field, Lattice, Moments, Normalization, Point, Rotation, Sample, Statistics,
 };
 
 use crate::noise_kinds::{AnyKind, Testable, Visit, every_dimension, every_kind, every_variant};
@@ -55,15 +55,15 @@ impl<V: Point<Coordinates = [f32; N]>, K: Testable<V, N>, const N: usize> AnyNoi
     }
 
     fn statistics(&self) -> &'static Statistics {
-        Noise::<V>::statistics(&self.0)
+        self.0.statistics(N)
     }
 
     fn standard_deviation(&self) -> f32 {
-        Noise::<V>::standard_deviation(&self.0)
+        self.0.moments().map_or(f32::NAN, |moments| moments.standard_deviation)
     }
 
     fn absolute_moments(&self) -> [f32; 4] {
-        Noise::<V>::absolute_moments(&self.0)
+        self.0.moments().map_or([f32::NAN; 4], |moments| moments.absolute)
     }
 
     fn octaves(&self, normalisation: Normalization, rotation: Rotation, seed: u32) -> Box<dyn AnySum<N>> {

@@ -1,7 +1,7 @@
 //! Errors of a noise relative to its reference.
 
 use asperity_noise::{
-    IntegerHash, Lattice, Noise, Point, Sample,
+    Field, IntegerHash, Lattice, Noise, Point, Sample,
     glam::{Vec2, Vec3, Vec4},
 };
 
@@ -22,10 +22,10 @@ fn coordinate(random: &mut Random) -> f32 {
 #[must_use]
 pub fn errors_by_dimension<K>(noise: K, lattice: &impl Lattice, kind: Kind, divisor: f32) -> [[f64; 2]; 4]
 where
-    K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy,
+    K: Noise + Field<f32> + Field<Vec2> + Field<Vec3> + Field<Vec4> + Copy,
 {
     fn of<V: Point<Coordinates = [f32; N]>, const N: usize>(
-        noise: impl Noise<V> + Copy,
+        noise: impl Noise + Field<V> + Copy,
         lattice: &impl Lattice,
         kind: Kind,
         divisor: f32,

@@ -1,15 +1,15 @@
 //! Every noise in every dimension, for tests of common properties.
 
 use asperity_noise::{
-    GaussianNoise, Noise, Perlin, PerlinClassic, Point, Simplex, SparseConvolution, ValueCatmullRom,
+    Field, GaussianNoise, Noise, Perlin, PerlinClassic, Point, Simplex, SparseConvolution, ValueCatmullRom,
     ValueGradient, ValueNoise, WhiteNoise,
     glam::{Vec2, Vec3, Vec4},
 };
 
 /// A noise that can be tested at points `V` in N dimensions.
-pub trait Testable<V: Point, const N: usize>: Noise<V> + Copy + Sync + 'static {}
+pub trait Testable<V: Point, const N: usize>: Noise + Field<V> + Copy + Sync + 'static {}
 
-impl<K: Noise<V> + Copy + Sync + 'static, V: Point, const N: usize> Testable<V, N> for K {}
+impl<K: Noise + Field<V> + Copy + Sync + 'static, V: Point, const N: usize> Testable<V, N> for K {}
 
 /// A noise that can be tested in 1 to 4 dimensions.
 pub trait AnyKind: Testable<f32, 1> + Testable<Vec2, 2> + Testable<Vec3, 3> + Testable<Vec4, 4> {}

@@ -150,9 +150,9 @@ fn noise_values_of_a_normal_map_invert() {
     let normals = ground();
     let ndf = estimate_ndf(&normals).unwrap();
     let distributions = [
-        ("Perlin 2002", Noise::<Vec3>::statistics(&Perlin::default()).cdf),
-        ("simplex", Noise::<Vec3>::statistics(&Simplex::new(0)).cdf),
-        ("Gaussian", Noise::<Vec3>::statistics(&GaussianNoise::default()).cdf),
+        ("Perlin 2002", Perlin::default().statistics(3).cdf),
+        ("simplex", Simplex::new(0).statistics(3).cdf),
+        ("Gaussian", GaussianNoise::default().statistics(3).cdf),
     ];
     for (name, cdf) in distributions {
         let noise = NoiseCdfRef::new(4.0, cdf).unwrap();

@@ -1,7 +1,7 @@
 //! G: monotone, total, self-inverse, and correct for a noise with a known distribution.
 
 use asperity_ndf_sampling::{KurtoticDistribution, NoiseCdfRef, NoiseDistribution, gaussian_cdf};
-use asperity_noise::{Noise, Point};
+use asperity_noise::Point;
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::noise_kinds::{Testable, Visit, every_kind, every_variant};
 use asperity_tests::random::Random;
@@ -41,7 +41,7 @@ impl Visit for Measured {
         name: &str,
         noise: K,
     ) {
-        let statistics = Noise::<V>::statistics(&noise);
+        let statistics = noise.statistics(N);
         let g = NoiseCdfRef::new(4.0, statistics.cdf).expect("a distribution");
         for k in -350..=350 {
             let r = k as f32 * 0.01;

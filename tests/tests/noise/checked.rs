@@ -45,15 +45,9 @@ impl Field<Vec2> for Faulty {
     }
 }
 
-impl Noise<Vec2> for Faulty {
-    fn statistics(&self) -> &'static Statistics {
-        Noise::<Vec2>::statistics(&self.of)
-    }
-    fn standard_deviation(&self) -> f32 {
-        Noise::<Vec2>::standard_deviation(&self.of)
-    }
-    fn absolute_moments(&self) -> [f32; 4] {
-        Noise::<Vec2>::absolute_moments(&self.of)
+impl Noise for Faulty {
+    fn statistics(&self, dimension: usize) -> &'static Statistics {
+        self.of.statistics(dimension)
     }
     fn with_seed(self, seed: u32) -> Self {
         Self { of: self.of.with_seed(seed), ..self }

@@ -2,8 +2,8 @@
 //! differences of gradients.
 
 use asperity_noise::{
-    Fbm, FbmSpectrum, GaussianFbm, GaussianNoise, HasHessian, Noise, Perlin, PerlinClassic, Point, Rotation,
-    Sample, Simplex, ValueGradient, ValueNoise,
+    Fbm, FbmSpectrum, Field, GaussianFbm, GaussianNoise, HasHessian, Noise, Perlin, PerlinClassic, Point,
+    Rotation, Sample, Simplex, ValueGradient, ValueNoise,
     glam::{Vec2, Vec3, Vec4},
 };
 use asperity_tests::{
@@ -25,7 +25,7 @@ type Jet<const N: usize> = ([At<N>; 2], [[f32; N]; N]);
 fn error<V, K, const N: usize>(noise: K, kind: Kind) -> f64
 where
     V: Point<Coordinates = [f32; N], Matrix = [[f32; N]; N]>,
-    K: HasHessian<V> + Noise<V> + Copy,
+    K: HasHessian<V> + Noise + Copy,
 {
     relative_error(kind, &|p, seed| {
         let (noise, p) = (noise.with_seed(seed), V::from_coordinates(p));
@@ -78,7 +78,7 @@ fn relative_error<const N: usize>(kind: Kind, jet: &dyn Fn([f32; N], u32) -> Jet
 fn close<K>(name: &str, noise: K, kind: Kind, tolerance: f64)
 where
     K: HasHessian<f32> + HasHessian<Vec2> + HasHessian<Vec3> + HasHessian<Vec4>,
-    K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy,
+    K: Noise + Field<f32> + Field<Vec2> + Field<Vec3> + Field<Vec4> + Copy,
 {
     let errors = [
         error::<f32, K, 1>(noise, kind),

@@ -70,7 +70,7 @@ fn assert_close(name: &str, dimension: usize, [value, gradient]: [f64; 2]) {
 /// Asserts the errors of a noise in every dimension.
 fn close<K>(name: &str, noise: K, lattice: &impl Lattice, kind: Kind)
 where
-    K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy,
+    K: Noise + Field<f32> + Field<Vec2> + Field<Vec3> + Field<Vec4> + Copy,
 {
     let errors = errors_by_dimension(noise, lattice, kind, DIVISOR);
     (1..).zip(errors).for_each(|(dimension, errors)| assert_close(name, dimension, errors));

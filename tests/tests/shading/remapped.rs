@@ -3,13 +3,13 @@
 
 use asperity_shading::glam::Vec3;
 use asperity_shading::level_of_detail::{GaussianField, RemappedOctaves};
-use asperity_shading::noise::{FbmSpectrum, Noise, Perlin, Simplex};
+use asperity_shading::noise::{FbmSpectrum, Field, Noise, Perlin, Simplex};
 use asperity_shading::{Beckmann, LevelOfDetail, far_field};
 use asperity_tests::surface_patches::{mean_and_error, patch_means};
 
 /// Returns mean, variance and correlation of the coordinates, then the ratios of the mean radiance
 /// to p(h) at two half vectors.
-fn measured<K: Noise<Vec3> + Copy + Sync>(noise: K, octaves: f32) -> [(f64, f64); 6] {
+fn measured<K: Noise + Field<Vec3> + Copy + Sync>(noise: K, octaves: f32) -> [(f64, f64); 6] {
     let ndf = Beckmann::isotropic(0.3).expect("roughness in range");
     let half_vectors = [Vec3::Z, Vec3::new(0.24, 0.0, 1.0).normalize()];
     let field = |seed| RemappedOctaves::new(noise, FbmSpectrum::default(), seed).expect("a distribution");

@@ -5,12 +5,11 @@ use std::{fs, path::Path};
 use asperity_noise::{
     Noise, Perlin, PerlinClassic, Simplex, SparseConvolution, ValueCatmullRom, ValueGradient, ValueNoise,
     WhiteNoise,
-    glam::{Vec2, Vec3},
 };
 
 /// Standard deviation and excess kurtosis of one octave in 2-D and 3-D.
-fn statistics<K: Noise<Vec2> + Noise<Vec3>>(noise: &K) -> [f32; 4] {
-    let (plane, space) = (Noise::<Vec2>::statistics(noise), Noise::<Vec3>::statistics(noise));
+fn statistics(noise: &impl Noise) -> [f32; 4] {
+    let (plane, space) = (noise.statistics(2), noise.statistics(3));
     [plane.standard_deviation, plane.excess_kurtosis, space.standard_deviation, space.excess_kurtosis]
 }
 

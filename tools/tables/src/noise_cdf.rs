@@ -68,7 +68,7 @@ pub(crate) fn noise_statistics_source() -> String {
 /// Writes the table of a noise scaled to [−1, 1].
 fn measure<K>(text: &mut String, name: &str, noise: K)
 where
-    K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy + Sync,
+    K: Noise + Field<f32> + Field<Vec2> + Field<Vec3> + Field<Vec4> + Copy + Sync,
 {
     table(text, name, |text| {
         measured::<K, f32, 1>(text, name, noise);
@@ -95,7 +95,7 @@ fn values<V: Point>(field: &impl Field<V>, seed: u32) -> Vec<f32> {
 /// Measures a noise scaled to [−1, 1].
 fn measured<K, V, const N: usize>(text: &mut String, name: &str, noise: K)
 where
-    K: Noise<V> + Copy + Sync,
+    K: Noise + Field<V> + Copy + Sync,
     V: Point<Coordinates = [f32; N]>,
 {
     // A point of sparse convolution in 4-D is affected by up to 324 impulses.

@@ -76,7 +76,7 @@ struct Tables<'a> {
 impl Tables<'_> {
     fn row<K, V, const N: usize>(&mut self, noise: K)
     where
-        K: Noise<V> + Copy + Sync,
+        K: Noise + Field<V> + Copy + Sync,
         V: Point<Coordinates = [f32; N]>,
     {
         let (powers, error) = mean_powers::<_, V>(noise);
@@ -99,7 +99,7 @@ fn values<V: Point>(field: &impl Field<V>, seed: u32) -> Vec<f32> {
 }
 
 /// Returns E nᵏ, k = 1 … 4, and the largest of their relative standard errors.
-fn mean_powers<K: Noise<V> + Copy + Sync, V: Point>(noise: K) -> ([f64; 4], f64) {
+fn mean_powers<K: Noise + Field<V> + Copy + Sync, V: Point>(noise: K) -> ([f64; 4], f64) {
     let of_seed = |seed: u32| -> [f64; 4] {
         let mut sums = [0.0; 4];
         for value in values::<V>(&noise.with_seed(seed), seed) {
@@ -125,7 +125,7 @@ fn mean_powers<K: Noise<V> + Copy + Sync, V: Point>(noise: K) -> ([f64; 4], f64)
 /// Writes one entry of the statistics, from the mean powers.
 fn measured<K, V, const N: usize>(text: &mut String, noise: K, [mean, second, third, fourth]: [f64; 4])
 where
-    K: Noise<V> + Copy + Sync,
+    K: Noise + Field<V> + Copy + Sync,
     V: Point<Coordinates = [f32; N]>,
 {
     let variance = second - mean * mean;

@@ -67,7 +67,7 @@ pub(crate) fn list_values<V: Point>(
 /// Points of a seed share cells, so standard errors are slightly above those of independent points.
 pub(crate) fn absolute_moments<K, V>(noise: K, seeds: u32) -> ([f64; 4], Option<f64>)
 where
-    K: Noise<V> + Copy + Sync,
+    K: Noise + Field<V> + Copy + Sync,
     V: Point,
 {
     let means_of_seed = |seed: u32| -> [f64; 4] {

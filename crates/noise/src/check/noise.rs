@@ -6,7 +6,11 @@ use asperity_core::check::{Limit, Report, Settings};
 use asperity_core::math::{ln_f64, sqrt_f64};
 
 use crate::{
-    check::{field::field, settings::stream},
+    check::{
+        field::{axes, field},
+        settings::stream,
+    },
+    contract::field::Field,
     contract::noise::Noise,
     point::Point,
 };
@@ -46,11 +50,13 @@ const TABLE: f64 = 3e-3;
 ///
 /// Massart 1990, "The Tight Constant in the Dvoretzky–Kiefer–Wolfowitz Inequality".
 #[must_use]
-pub fn noise<V: Point, N: Noise<V> + Clone>(noise: &N, settings: Settings) -> Report {
+pub fn noise<V: Point, N: Noise + Field<V> + Clone>(noise: &N, settings: Settings) -> Report {
     let mut report = field(noise, settings);
     let n = settings.samples.max(4096) as usize;
     let (mut word, mut place) = (stream(settings, 4), stream(settings, 5));
-    let (mu, sigma) = (f64::from(noise.mean()), f64::from(noise.standard_deviation()));
+    let statistics = noise.statistics(axes::<V>());
+    let moments = noise.moments().map(|moments| [moments.mean, moments.standard_deviation]);
+    let [mu, sigma] = moments.unwrap_or([0.0, statistics.standard_deviation]).map(f64::from);
     let mut draw = || {
         let seeded = noise.clone().with_seed((word.word() >> 32) as u32);
         let p = V::from_axes(|_| ((place.word() >> 40) as f32 / 8_388_608.0 - 1.0) * BOX);
@@ -69,7 +75,7 @@ pub fn noise<V: Point, N: Noise<V> + Clone>(noise: &N, settings: Settings) -> Re
     report.add("mean", quantity, beyond(first, TABLE, sqrt_f64(second)), limit, "");
     let spread = sqrt_f64((fourth - second * second).max(0.0));
     report.add("deviation", quantity, beyond(second - 1.0, 2.0 * TABLE, spread), limit, "");
-    let distance = distance(sums, noise.statistics().cdf, n);
+    let distance = distance(sums, statistics.cdf, n);
     report.add(
         "distribution",
         "sup |F − G| √n",

@@ -1,6 +1,6 @@
-//! Kinds of noise: statistics, moments and seeds in addition to values.
+//! Kinds of noise: random fields with measured statistics.
 
-use crate::{contract::field::Field, point::Point, statistics::statistics::Statistics};
+use crate::statistics::statistics::Statistics;
 
 /// A kind of noise: a random field selected by a seed, with measured statistics.
 ///
@@ -9,33 +9,17 @@ use crate::{contract::field::Field, point::Point, statistics::statistics::Statis
 ///
 /// let noise = Perlin::new(1);
 /// let sample = noise.sample(Vec3::new(0.3, -4.2, 7.9));
-/// assert!(sample.value.abs() <= Noise::<Vec3>::statistics(&noise).range);
+/// assert!(sample.value.abs() <= noise.statistics(3).range);
 /// assert_eq!(noise.value(Vec3::new(f32::NAN, 0.0, 0.0)), 0.0);
 /// ```
-pub trait Noise<V: Point>: Field<V> {
-    /// Returns the measured statistics of the kind in this dimension.
-    #[must_use]
-    fn statistics(&self) -> &'static Statistics;
-
-    /// Returns σ₁, the standard deviation of this noise.
+pub trait Noise {
+    /// Returns the measured statistics in 1 to 4 dimensions, of the nearest of these for other
+    /// numbers.
     ///
-    /// Differs from the table if the kind has parameters.
+    /// [`Field::moments`](crate::Field::moments) includes the parameters of the kind, such as the
+    /// weight of [`ValueGradient`](crate::ValueGradient).
     #[must_use]
-    fn standard_deviation(&self) -> f32;
-
-    /// Returns E n, the mean over all points and seeds.
-    ///
-    /// It is 0 for all kinds except [`Cellular`](crate::Cellular).
-    #[must_use]
-    fn mean(&self) -> f32 {
-        0.0
-    }
-
-    /// Returns E|n|, E|n|², E|n|³ and E|n|⁴ over all points and seeds, measured.
-    ///
-    /// The mean of a [`Shape`](crate::Shape) follows from them.
-    #[must_use]
-    fn absolute_moments(&self) -> [f32; 4];
+    fn statistics(&self, dimension: usize) -> &'static Statistics;
 
     /// Returns the noise with another seed.
     #[must_use]
@@ -178,6 +162,21 @@ macro_rules! noise {
     ($kind:ident) => {
         noise!($kind, [, const N: usize], N);
         $crate::contract::compiled::compiled!($kind);
+
+        impl<L> $crate::contract::noise::Noise for $kind<L> {
+            fn statistics(&self, dimension: usize) -> &'static $crate::statistics::statistics::Statistics {
+                match dimension {
+                    0 | 1 => $crate::contract::kernel::Measured::<1>::statistics(self),
+                    2 => $crate::contract::kernel::Measured::<2>::statistics(self),
+                    3 => $crate::contract::kernel::Measured::<3>::statistics(self),
+                    _ => $crate::contract::kernel::Measured::<4>::statistics(self),
+                }
+            }
+
+            fn with_seed(self, seed: u32) -> Self {
+                $kind::with_seed(self, seed)
+            }
+        }
     };
     ($kind:ident, curved) => {
         noise!($kind);
@@ -251,33 +250,6 @@ macro_rules! noise {
                 target: $crate::row::points::Target<'_, V>,
             ) {
                 $crate::contract::kernel::fill::<Self, V, $n>(self, points, target);
-            }
-        }
-
-        impl<V, L $($generic)*> $crate::contract::noise::Noise<V> for $kind<L>
-        where
-            V: $crate::point::Point<Coordinates = [f32; $n]>,
-            L: $crate::lattice::lattice::Lattice $(+ $bound)?,
-        {
-            fn statistics(&self) -> &'static $crate::statistics::statistics::Statistics {
-                $crate::contract::kernel::Measured::<$n>::statistics(self)
-            }
-
-            fn standard_deviation(&self) -> f32 {
-                $crate::contract::kernel::Measured::<$n>::standard_deviation(self)
-            }
-
-            fn mean(&self) -> f32 {
-                $crate::contract::kernel::Measured::<$n>::mean(self)
-            }
-
-            fn absolute_moments(&self) -> [f32; 4] {
-                $crate::contract::kernel::Measured::<$n>::absolute_moments(self)
-            }
-
-            #[inline]
-            fn with_seed(self, seed: u32) -> Self {
-                $kind::with_seed(self, seed)
             }
         }
     };

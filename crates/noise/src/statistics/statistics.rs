@@ -8,9 +8,9 @@
 /// [`Cellular`](crate::Cellular) noise, whose mean is subtracted first.
 ///
 /// ```
-/// use asperity_noise::{Noise, Perlin, glam::Vec3};
+/// use asperity_noise::{Noise, Perlin};
 ///
-/// let statistics = Noise::<Vec3>::statistics(&Perlin::default());
+/// let statistics = Perlin::default().statistics(3);
 /// assert!(statistics.cdf.windows(2).all(|knots| knots[0] <= knots[1]));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

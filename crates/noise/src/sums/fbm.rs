@@ -884,11 +884,11 @@ impl<F: Field<V>, V: Point, T: Shape> Field<V> for Fbm<F, V, T> {
     }
 }
 
-impl<F: Noise<V>, V: Point> Fbm<F, V> {
+impl<F: Noise, V: Point<Coordinates = [f32; N]>, const N: usize> Fbm<F, V> {
     /// Returns the excess kurtosis of the sum, from the measured kurtosis of the kind.
     #[must_use]
     pub fn excess_kurtosis(&self) -> f32 {
-        self.field.statistics().excess_kurtosis * self.spectrum.kurtosis_ratio(self.active.octaves)
+        self.field.statistics(N).excess_kurtosis * self.spectrum.kurtosis_ratio(self.active.octaves)
     }
 }
 

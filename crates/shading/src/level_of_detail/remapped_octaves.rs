@@ -44,14 +44,14 @@ pub struct RemappedOctaves<K> {
     cdf: NoiseCdfRef<'static>,
 }
 
-impl<K: Noise<Vec3> + Clone> RemappedOctaves<K> {
+impl<K: Noise + Field<Vec3> + Clone> RemappedOctaves<K> {
     /// Creates the pair of sums of octaves of `noise` selected by `seed`.
     ///
     /// # Errors
     /// [`NdfError`] if the measured distribution of the noise is invalid; those of
     /// `asperity-noise` are valid.
     pub fn new(noise: K, spectrum: FbmSpectrum, seed: u32) -> Result<Self, NdfError> {
-        let cdf = NoiseCdfRef::new(RANGE, noise.statistics().cdf)?;
+        let cdf = NoiseCdfRef::new(RANGE, noise.statistics(3).cdf)?;
         let first = Fbm::new(noise.clone(), spectrum).with_seed(seed);
         let second = Fbm::new(noise, spectrum).with_seed(seed.wrapping_add(SECOND));
         Ok(Self { channels: [first, second], cdf })

@@ -134,7 +134,7 @@ impl<K: Field<Vec3>> SizedFbm<K> {
 #[doc(hidden)]
 #[must_use]
 pub fn half_mean() -> f32 {
-    0.5 * Noise::<Vec3>::absolute_moments(&Simplex::new(0))[0]
+    0.5 * Simplex::new(0).statistics(3).absolute_moments[0]
 }
 
 /// `t² (3 − 2t)`, `t = clamp((x − low)/(high − low), 0, 1)`.

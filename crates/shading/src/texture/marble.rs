@@ -1,6 +1,6 @@
 //! Blue marble: a color spline over a sum of noise.
 
-use asperity_noise::{Noise, Perlin, filtered_fraction};
+use asperity_noise::{Field, Noise, Perlin, filtered_fraction};
 use glam::Vec3;
 
 use crate::math::sqrt;
@@ -78,7 +78,7 @@ impl Default for Marble {
     }
 }
 
-impl<N: Noise<Vec3> + Clone> Marble<N> {
+impl<N: Noise + Field<Vec3> + Clone> Marble<N> {
     /// Creates marble from a noise with values in about `[−1, 1]`, `scale` cells of its first
     /// octave per unit.
     ///
@@ -121,7 +121,7 @@ impl<N: Noise<Vec3> + Clone> Marble<N> {
             return End::of(sum - half).mean_until(&End::of(sum + half));
         }
         let deviation = sqrt(removed + within);
-        let cdf = self.noise.statistics().cdf;
+        let cdf = self.noise.statistics(3).cdf;
         let at = |k: usize| End::of(sum + deviation * (8.0 * k as f32 / PARTS as f32 - 4.0));
         let (mut mean, mut below, mut low) = (Vec3::ZERO, 0.0, at(0));
         for k in 1..=PARTS {
@@ -162,7 +162,7 @@ impl<N: Noise<Vec3> + Clone> Marble<N> {
     }
 
     fn resolved(&self, p: Vec3, width: f32) -> Resolved {
-        let one = self.noise.statistics().standard_deviation;
+        let one = self.noise.statistics(3).standard_deviation;
         let mut resolved = Resolved { sum: 0.0, removed: 0.0, within: 0.0 };
         let mut frequency = 1.0;
         for i in 0..OCTAVES {

@@ -1,6 +1,6 @@
 //! Texture coordinates displaced by noise.
 
-use asperity_noise::{Noise, Perlin};
+use asperity_noise::{Field, Noise, Perlin};
 use glam::{Vec2, Vec3};
 
 use crate::math::sqrt;
@@ -52,7 +52,7 @@ pub struct PerturbedLookUp {
     pub spread: Vec2,
 }
 
-impl<N: Noise<Vec3> + Clone> PerturbedTexture<N> {
+impl<N: Noise + Field<Vec3> + Clone> PerturbedTexture<N> {
     /// Perturbed texture coordinates for the surface point `p` with coordinates `uv`.
     ///
     /// Returns `uv` itself where `p` is not finite.
@@ -87,7 +87,7 @@ impl<N: Noise<Vec3> + Clone> PerturbedTexture<N> {
         if kept >= 1.0 {
             return PerturbedLookUp { uv: self.coordinates(p, uv), spread: Vec2::ZERO };
         }
-        let deviation = self.noise.statistics().standard_deviation * sqrt(1.0 - kept * kept);
+        let deviation = self.noise.statistics(3).standard_deviation * sqrt(1.0 - kept * kept);
         let moved = if kept > 0.0 { uv + kept * (self.coordinates(p, uv) - uv) } else { uv };
         PerturbedLookUp { uv: moved, spread: self.strength.abs() * deviation }
     }

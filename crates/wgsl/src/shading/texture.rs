@@ -1,7 +1,6 @@
 //! Procedural textures: brick, bevel, stars, marble, gas, perturbed coordinates.
 
 use asperity_noise::{Noise, Perlin};
-use asperity_shading::glam::Vec3;
 use asperity_shading::texture::{Bevel, Gas, PerturbedTexture, StarWallpaper};
 use asperity_shading::{Brick, Marble};
 
@@ -160,7 +159,7 @@ impl MarbleUniform {
     /// Packs a marble.
     #[must_use]
     pub fn new(marble: &Marble) -> Self {
-        let ((scale, seed), statistics) = (marble.parts(), Noise::<Vec3>::statistics(&Perlin::default()));
+        let ((scale, seed), statistics) = (marble.parts(), Perlin::default().statistics(3));
         let mut words = [0; Self::WORDS];
         words[..2].copy_from_slice(&[scale, statistics.standard_deviation].map(f32::to_bits));
         words[4..8].copy_from_slice(&[0, 1, 2, 3].map(|i| key(seed.wrapping_add(i))));
@@ -200,7 +199,7 @@ impl GasUniform {
     #[must_use]
     pub fn new(gas: &Gas, sum: u32) -> Self {
         let (turbulence, [octaves, density, exponent], veins) = gas.parts();
-        let [first, second, ..] = Noise::<Vec3>::absolute_moments(turbulence.field());
+        let [first, second, ..] = turbulence.field().statistics(3).absolute_moments;
         let floats = [octaves, density, exponent, second - first * first];
         let [a, b, c, d] = floats.map(f32::to_bits);
         Self { words: [a, b, c, d, sum, u32::from(veins), 0, 0], sum: OctavesUniform::new(turbulence) }
@@ -239,7 +238,7 @@ impl PerturbedUniform {
     /// Packs a texture.
     #[must_use]
     pub fn new(texture: &PerturbedTexture) -> Self {
-        let deviation = Noise::<Vec3>::statistics(&texture.noise).standard_deviation;
+        let deviation = texture.noise.statistics(3).standard_deviation;
         let floats = [texture.strength.x, texture.strength.y, texture.scale, deviation];
         let [a, b, c, d] = floats.map(f32::to_bits);
         Self([a, b, c, d, key(texture.seed), key(texture.seed.wrapping_add(1)), 0, 0])

@@ -2,7 +2,7 @@
 
 use crate::{
     contract::kernel::{Kernel, Measured},
-    contract::noise::noise,
+    contract::noise::{Noise, noise},
     error::NoiseError,
     kinds::simplex::simplex::Simplex,
     lanes::{LaneSample, Lanes},
@@ -170,3 +170,13 @@ impl<L> Measured<3> for TiledSimplex<L> {
 }
 
 noise!(TiledSimplex, [], 3, Clone);
+
+impl<L> Noise for TiledSimplex<L> {
+    fn statistics(&self, dimension: usize) -> &'static Statistics {
+        Noise::statistics(&self.noise, dimension)
+    }
+
+    fn with_seed(self, seed: u32) -> Self {
+        Self::with_seed(self, seed)
+    }
+}

@@ -173,7 +173,7 @@ impl SpecularThreads {
 }
 
 fn coefficients() -> [[f32; 8]; 4] {
-    let [first, second, third, fourth] = Noise::<Vec3>::absolute_moments(&Simplex::new(0));
+    let [first, second, third, fourth] = Simplex::new(0).statistics(3).absolute_moments;
     let [fifth, sixth, seventh] = HIGHER_MOMENTS;
     let mut one = [1.0, first, second, third, fourth, fifth, sixth, seventh];
     let mut scale = 1.0;

@@ -1,7 +1,7 @@
 //! Every noise in the plane: its appearance, power spectrum and distribution.
 
 use asperity_noise::{
-    Fbm, FbmSpectrum, GaussianNoise, Noise, Perlin, PerlinClassic, Simplex, SparseConvolution,
+    Fbm, FbmSpectrum, Field, GaussianNoise, Noise, Perlin, PerlinClassic, Simplex, SparseConvolution,
     ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise,
 };
 use asperity_render::image::{Image, tone::ember, tone::hex};
@@ -47,8 +47,8 @@ const DECIBELS: f64 = 60.0;
 const SEEDS: u32 = 64;
 const POINTS: usize = 128;
 
-fn draw<K: Noise<Vec2> + Copy + Sync>(context: &Context<'_>, noise: K) -> Result<Drawn> {
-    let statistics = Noise::<Vec2>::statistics(&noise);
+fn draw<K: Noise + Field<Vec2> + Copy + Sync>(context: &Context<'_>, noise: K) -> Result<Drawn> {
+    let statistics = noise.statistics(2);
     let sigma = statistics.standard_deviation;
     let window = Window::new(context, CELLS);
     let words = ["value", "the noise", "The noise in gray: dark and bright blobs about a cell wide."];
