@@ -43,7 +43,7 @@ pub trait Shape: Copy + Debug {
     /// Returns mean and standard deviation of φ(n), from the moments of n.
     ///
     /// `moments` are E|n|, E|n|², E|n|³ and E|n|⁴, see
-    /// [`Noise::absolute_moments`](crate::Noise::absolute_moments).
+    /// [`Moments::absolute`](crate::Moments::absolute).
     fn mean_and_deviation(self, standard_deviation: f32, moments: [f32; 4]) -> [f32; 2];
 }
 

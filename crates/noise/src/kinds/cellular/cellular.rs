@@ -53,7 +53,7 @@ pub enum CellularOutput {
 ///
 /// In 1 to 4 dimensions, with u uniform in the unit cube. [`CellularOutput`] and [`Metric`] are
 /// configurable. The jitter j is 1 by default. At 0 feature points are the centers of cells. The
-/// value is the distance itself, in cells, with a positive [mean](crate::Noise::mean).
+/// value is the distance itself, in cells, with a positive [mean](crate::Moments).
 /// [`Unit`](crate::ops::Unit) maps its range to [0, 1], and [`Fbm`](crate::Fbm) of variance 1
 /// subtract the mean.
 ///
