@@ -224,7 +224,7 @@ dimension!(hyperspace, Vec4, 4);
 
 fn rest(numbers: &mut Numbers<'_>) {
     let seed = numbers.word();
-    let periods = core::array::from_fn(|_| numbers.pick(&[0, 1, 3, 9, 2_097_150, u32::MAX]));
+    let periods: [u32; 3] = core::array::from_fn(|_| numbers.pick(&[0, 1, 3, 9, 2_097_150, u32::MAX]));
     if let Ok(noise) = Simplex::new(seed).tiled(periods) {
         field::<Vec3>(&noise, slack(true), numbers);
     }
