@@ -51,7 +51,7 @@ fn materials(c: &mut Criterion) {
         let (wi, wo) = (Vec3::new(2.0, -3.0, 6.0) / 7.0, Vec3::new(-0.6, 0.0, 0.8));
         for (name, material) in materials {
             time(&format!("bsdf_{name}"), &|p| material.bsdf(p, wo).emitted().x);
-            time(&format!("bsdf_value_{name}"), &|p| material.bsdf(p, wo).scattered(wi, wo).x);
+            time(&format!("bsdf_value_{name}"), &|p| material.bsdf(p, wo).eval_cos(wo, wi).x);
         }
     }
 }
@@ -89,7 +89,7 @@ fn reflectances(c: &mut Criterion) {
     ];
     let (wi, wo) = (Vec3::new(2.0, -3.0, 6.0) / 7.0, Vec3::new(-0.6, 0.0, 0.8));
     for (name, brdf) in all {
-        c.bench_function(&format!("value/{name}"), |b| b.iter(|| brdf.value(black_box(wi), black_box(wo))));
+        c.bench_function(&format!("value/{name}"), |b| b.iter(|| brdf.eval(black_box(wo), black_box(wi))));
     }
 }
 

@@ -14,7 +14,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             let uv = Vec2::new((k % SIDE) as f32, (k / SIDE) as f32) * metre;
             let point = SurfacePoint::new(uv.extend(0.0), Vec3::Z, Footprint::from_width(metre))
                 .with_uv(uv, [Vec3::X, Vec3::Y]);
-            let light = 5.0 * carpet.bsdf(&point, wo).scattered(wi, wo);
+            let light = 5.0 * carpet.bsdf(&point, wo).eval_cos(wo, wi);
             light.to_array().map(|c| (255.0 * c.clamp(0.0, 1.0).powf(1.0 / 2.2)) as u8)
         })
         .collect();

@@ -4,7 +4,7 @@
 use asperity_shading::environment::low_discrepancy_points;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
-use asperity_shading::{Brdf, BumpField, BumpMapped, Footprint, Ggx, LevelOfDetail, Material, SurfacePoint};
+use asperity_shading::{BumpField, BumpMapped, Footprint, Ggx, LevelOfDetail, Material, SurfacePoint};
 
 const SIDE: u32 = 224;
 
@@ -24,13 +24,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             let z = (1.0 - x * x - y * y).max(0.0).sqrt();
             let p = Vec3::new(x, y, z);
             let point = SurfacePoint::new(p, p, Footprint::from_distance(1.0, pixel, z));
-            let frame = point.frame();
-            let wo = frame.to_local(Vec3::Z);
-            let bsdf = copper.bsdf(&point, wo);
-            let lit = |[u, _]: [Vec2; 2]| {
-                let wi = bsdf.sample(wo, u);
-                let share = bsdf.scattered(wi, wo) / bsdf.density(wi, wo).max(1e-6);
-                sky(frame.to_world(wi)) * share
+            let bsdf = copper.bsdf(&point, Vec3::Z);
+            let lit = |(uc, u, _): (f32, Vec2, Vec2)| {
+                bsdf.sample(Vec3::Z, uc, u).map_or(Vec3::ZERO, |s| sky(s.wi) * s.weight())
             };
             let light: Vec3 = low_discrepancy_points(32).filter(|_| z > 0.0).map(lit).sum::<Vec3>() / 32.0;
             light.to_array().map(|c| (255.0 * c.powf(1.0 / 2.2)) as u8)

@@ -8,7 +8,6 @@ use crate::level_of_detail::Coordinates;
 use crate::material::{Fiber, FlakePatch, GlintFlake, Seam, Sparkle, SurfacePoint};
 use crate::normal_map::{SlopeLobe, SlopeMoments};
 use crate::pixel::{Footprint, PixelEllipse, Tap};
-use crate::reflectance::Delta;
 use crate::texture::{BrickSample, Edge, PerturbedLookUp, Seen};
 
 asperity_core::impl_approx! { f32;
@@ -20,7 +19,6 @@ asperity_core::impl_approx! { f32;
     Facet: v => v.share, v.normal;
     Displaced: v => v.position, v.normal;
     Coordinates: v => v.z, v.share, v.fade;
-    Delta: v => v.wi, v.weight;
     LightSample: v => v.direction, v.radiance;
     SlopeMoments: v => v.mean, Vec3::from(v.covariance);
     SlopeLobe: v => v.weight, v.moments;

@@ -39,7 +39,7 @@
 //! let point = SurfacePoint::new(Vec3::new(0.3, 0.2, 0.0), Vec3::Z, Footprint::from_width(1e-4))
 //!     .with_uv(Vec2::new(0.3, 0.2), [Vec3::X, Vec3::Y]);
 //! let (wi, wo) = (Vec3::new(0.6, 0.0, 0.8), Vec3::Z);
-//! let light = carpet.bsdf(&point, wo).scattered(wi, wo);
+//! let light = carpet.bsdf(&point, wo).eval_cos(wo, wi);
 //! assert!(light.min_element() > 0.0);
 //! # Ok::<(), asperity_shading::ParameterError>(())
 //! ```
@@ -61,7 +61,8 @@
 //!
 //! # Conventions
 //!
-//! - Directions are unit vectors that point away from the surface. `h` is in the frame of the macro
+//! - Directions are unit vectors that point away from the surface. Those of a [`Bsdf`] and of a
+//!   [`Material`] are in world space. Those of a [`Brdf`], and `h` of an NDF, are in the frame of the
 //!   surface, whose z axis is the normal. Densities and radiances per unit of light are in sr⁻¹,
 //!   frequencies in lattice cells per unit of length, angles in radians.
 //! - Evaluation accepts every input. Half vectors that do not exist or are below the horizon are

@@ -5,7 +5,7 @@ use alloc::{boxed::Box, vec::Vec};
 use asperity_shading::glam::Vec3;
 use asperity_shading::ndf_sampling::{Beckmann, Ggx};
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
-use asperity_shading::reflectance::{OrenNayar, OrenNayarForm, WardBrdf, WardForm};
+use asperity_shading::reflectance::{BsdfSample, OrenNayar, OrenNayarForm, WardBrdf, WardForm};
 use asperity_shading::texture::{Gas, StarWallpaper};
 use asperity_shading::{
     Brdf, Brick, BumpField, Carpet, Conductor, CookTorrance, Dielectric, EnergyPreservingOrenNayar,
@@ -37,8 +37,9 @@ fn reflectances(report: &mut Report) -> Option<()> {
         report.row(name, |bits| {
             for i in 0..POINTS {
                 let (wi, wo) = (direction(i), direction(i + POINTS));
-                bits.push([brdf.value(wi, wo), brdf.sample(wo, square(i))]);
-                bits.push(brdf.density(wi, wo));
+                let sample = brdf.sample(wo, unit(i, 4), square(i));
+                bits.push([brdf.eval(wo, wi), sample.map_or(Vec3::ZERO, |sample| sample.wi)]);
+                bits.push(brdf.pdf(wo, wi));
             }
         });
     }
@@ -62,11 +63,11 @@ fn materials(report: &mut Report) -> Option<()> {
                 let point = point.with_uv(plane(i), point.tangents);
                 let (wi, wo) = (direction(i + POINTS), direction(i + 2 * POINTS));
                 let bsdf = material.bsdf(&point, wo);
-                bits.push([bsdf.scattered(wi, wo), bsdf.emitted(), bsdf.sample(wo, square(i))]);
-                bits.push(bsdf.density(wi, wo));
-                for delta in bsdf.deltas(wo, square(i)) {
-                    bits.push(delta.wi);
-                }
+                let direction = |sample: Option<BsdfSample>| sample.map_or(Vec3::ZERO, |sample| sample.wi);
+                let sample = bsdf.sample(wo, unit(i, 4), square(i));
+                bits.push([bsdf.eval_cos(wo, wi), bsdf.emitted(), direction(sample)]);
+                bits.push(bsdf.pdf(wo, wi));
+                bits.push(bsdf.specular_samples(wo, square(i)).map(direction));
             }
         });
     }
@@ -102,7 +103,7 @@ fn images(report: &mut Report) -> Option<()> {
     report.row("environment", |bits| {
         for i in 0..POINTS {
             bits.push([map.radiance(direction(i)), map.sample(square(i)), irradiance.at(direction(i))]);
-            bits.push(map.density(direction(i)));
+            bits.push(map.pdf(direction(i)));
         }
     });
     let normals: Vec<Vec3> = (0..256).map(direction).collect();

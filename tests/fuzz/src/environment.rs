@@ -1,13 +1,14 @@
 //! Environments from images and slopes from normal maps: any texels are accepted or rejected, and
 //! every lookup is finite.
 
+use asperity_shading::bump::Facet;
 use asperity_shading::environment::{
     LatitudeLongitude, PrefilteredMap, light_samples, prefiltered_radiance, split_sum,
 };
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::level_of_detail::Coordinates;
 use asperity_shading::{
-    Beckmann, Environment, EnvironmentMap, Footprint, Frame, Irradiance, Lambert, PixelEllipse, SlopePyramid,
+    Beckmann, Brdf, Bsdf, Environment, EnvironmentMap, Footprint, Frame, Irradiance, Lambert, PixelEllipse, SlopePyramid,
 };
 
 use crate::numbers::Numbers;
@@ -22,7 +23,7 @@ fn environment(environment: &dyn Environment, numbers: &mut Numbers<'_>) {
     assert!((sampled.length() - 1.0).abs() < 1e-4, "{sampled}");
     for direction in [sampled, numbers.direction(), numbers.vector()] {
         light(environment.radiance(direction));
-        let density = environment.density(direction);
+        let density = environment.pdf(direction);
         assert!(density >= 0.0 && density.is_finite(), "{density} towards {direction}");
     }
 }
@@ -53,7 +54,9 @@ fn images(numbers: &mut Numbers<'_>) {
     light(prefiltered_radiance(&sky, numbers.float(), numbers.direction(), numbers.word() % 8));
     let frame = Frame::from_normal(numbers.direction());
     let chalk = Lambert::new(Vec3::splat(0.8)).expect("a color");
-    for sample in light_samples(&chalk, &sky, &frame, numbers.direction(), [numbers.pair(), numbers.pair()]) {
+    let (wo, points) = (numbers.direction(), (numbers.float(), numbers.pair(), numbers.pair()));
+    let bsdf = Bsdf::new(frame, wo).with([Facet::FLAT], [(&chalk as &dyn Brdf).into()]);
+    for sample in light_samples(&bsdf, &sky, wo, points) {
         light(sample.radiance);
     }
     if let Ok(stack) = PrefilteredMap::new(&sky, &[(0.0, 3), (numbers.share(), 2)], 4) {

@@ -9,7 +9,7 @@ use asperity_shading::material::{
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise, Perlin};
 use asperity_shading::texture::{Bevel, Edge, Gas, PerturbedTexture, StarWallpaper, Steam, march};
 use asperity_shading::{
-    Beckmann, Brdf, Brick, BumpField, BumpMapped, Carpet, CarpetParameters, Footprint, Frame, Ggx,
+    Beckmann, Brick, BumpField, BumpMapped, Carpet, CarpetParameters, Footprint, Frame, Ggx,
     LevelOfDetail, Marble, Material, MetallicPaint, MetallicPaintParameters, ParameterError, PixelEllipse,
     Scratches, ScratchesParameters, SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations,
     VariationsParameters,
@@ -45,14 +45,19 @@ fn material<M: Material>(made: Result<M, ParameterError>, numbers: &mut Numbers<
     light(bsdf.emitted());
     assert!(material.height(&point).is_finite(), "{} at {point:?}", material.height(&point));
     let u = numbers.pair();
-    for wi in [numbers.direction(), bsdf.sample(wo, u)] {
-        light(bsdf.value(wi, wo));
-        let density = bsdf.density(wi, wo);
+    let sample = bsdf.sample(wo, numbers.float(), u);
+    for wi in [Some(numbers.direction()), sample.map(|sample| sample.wi)].into_iter().flatten() {
+        light(bsdf.eval(wo, wi));
+        let density = bsdf.pdf(wo, wi);
         assert!(density >= 0.0 && density.is_finite(), "{density} for {wi} {wo} at {point:?}");
     }
-    for delta in bsdf.deltas(wo, u) {
-        assert!(delta.wi.is_finite() && delta.weight.min_element() >= 0.0, "{delta:?}");
-        assert!(delta.weight.max_element() <= 1.0 + 1e-5, "{delta:?}");
+    if let Some(sample) = sample {
+        light(sample.weight());
+        assert!(sample.pdf > 0.0, "{sample:?}");
+    }
+    for sample in bsdf.specular_samples(wo, u).into_iter().flatten() {
+        assert!(sample.wi.is_finite() && sample.eval_cos.min_element() >= 0.0, "{sample:?}");
+        assert!(sample.eval_cos.max_element() <= 1.0 + 1e-5, "{sample:?}");
     }
 }
 

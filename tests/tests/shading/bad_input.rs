@@ -108,13 +108,13 @@ fn is_bsdf(material: &dyn Material, point: &SurfacePoint, wo: Vec3, wi: Vec3) ->
     let [low, high] = material.height_range().unwrap_or_default();
     prop_assert!(low - 1e-5 * high.max(-low) <= height && height <= high + 1e-5 * high.max(-low), "{height}");
     for u in [Vec2::new(0.3, 0.7), Vec2::ONE, Vec2::ZERO, Vec2::NAN] {
-        let sampled = bsdf.sample(wo, u);
-        for wi in [wi, sampled] {
-            let (value, density) = (bsdf.value(wi, wo), bsdf.density(wi, wo));
+        let sampled = bsdf.sample(wo, u.y, u);
+        for wi in [Some(wi), sampled.map(|sample| sample.wi)].into_iter().flatten() {
+            let (value, density) = (bsdf.eval(wo, wi), bsdf.pdf(wo, wi));
             prop_assert!(is_light(value) && density >= 0.0 && density.is_finite(), "{value}, {density}");
         }
-        for delta in bsdf.deltas(wo, u) {
-            prop_assert!(is_color(delta.weight) && delta.wi.is_finite(), "{delta:?}");
+        for sample in bsdf.specular_samples(wo, u).into_iter().flatten() {
+            prop_assert!(is_color(sample.eval_cos) && sample.wi.is_finite(), "{sample:?}");
         }
     }
     Ok(())
@@ -378,20 +378,20 @@ proptest! {
         u in pair(),
     ) {
         for (name, brdf) in reflectances(looks) {
-            let value = brdf.value(wi, wo);
+            let value = brdf.eval(wo, wi);
             prop_assert!(value.is_finite() && value.min_element() >= 0.0, "{name}: {value}");
-            let density = brdf.density(wi, wo);
+            let density = brdf.pdf(wo, wi);
             prop_assert!(density >= 0.0 && density.is_finite(), "{name}: {density}");
             if !(wi.z > 0.0 && wo.z > 0.0 && wi.is_finite() && wo.is_finite()) {
                 prop_assert_eq!(value, Vec3::ZERO, "{}", name);
                 prop_assert_eq!(density, 0.0, "{}", name);
             }
-            let sampled = brdf.sample(wo, u);
+            let Some(sample) = brdf.sample(wo, u.x, u) else { continue };
             if (wo.length() - 1.0).abs() < 1e-5 && wo.z > 0.0 {
-                prop_assert!((sampled.length() - 1.0).abs() < 1e-3, "{name}: {sampled} from {wo}, {u}");
+                prop_assert!((sample.wi.length() - 1.0).abs() < 1e-3, "{name}: {sample:?} from {wo}, {u}");
             }
-            let (value, density) = (brdf.value(sampled, wo), brdf.density(sampled, wo));
-            prop_assert!(value.is_finite() && density.is_finite(), "{name}: {value}, {density} at {sampled}");
+            prop_assert_eq!(sample.pdf, brdf.pdf(wo, sample.wi), "{}", name);
+            prop_assert!(sample.weight().is_finite() && sample.pdf > 0.0, "{name}: {sample:?}");
         }
     }
 }

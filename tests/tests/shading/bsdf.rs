@@ -12,11 +12,11 @@ use asperity_shading::material::{
     MetallicPaintParameters, NormalMapped, PaintFlakes, PolishedMarble, Scratches, ScratchesParameters,
     SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters, Wallpaper,
 };
-use asperity_shading::ndf_sampling::{Beckmann, Ggx};
+use asperity_shading::ndf_sampling::{Beckmann, Frame, Ggx};
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::normal_map::SlopePyramid;
 use asperity_shading::pixel::Footprint;
-use asperity_shading::reflectance::{Brdf, Bsdf, Coat, Delta, Dielectric, Lambert};
+use asperity_shading::reflectance::{Brdf, Bsdf, Coat, Dielectric, Lambert};
 use asperity_shading::texture::{Bevel, Marble, StarWallpaper};
 use asperity_tests::assert_abs_diff_eq;
 
@@ -99,12 +99,21 @@ fn point(at: Vec2, width: f32) -> SurfacePoint {
     SurfacePoint::new(at.extend(0.3), Vec3::Z, Footprint::from_width(width)).with_uv(at, [Vec3::X, Vec3::Y])
 }
 
+/// A BSDF of a surface whose frame is the world.
+struct Flat<'a>(&'a Bsdf<'a>);
+
+impl Brdf for Flat<'_> {
+    fn eval(&self, wo: Vec3, wi: Vec3) -> Vec3 {
+        self.0.eval(wo, wi)
+    }
+}
+
 /// Returns the albedo of the smooth coat, averaged over its facets.
 fn coat(bsdf: &Bsdf<'_>, wo: Vec3) -> f64 {
     let sum: f32 = (0..256_u16)
         .map(|k| {
             let u = Vec2::new((f32::from(k % 16) + 0.5) / 16.0, (f32::from(k / 16) + 0.5) / 16.0);
-            bsdf.deltas(wo, u).iter().map(|delta| delta.weight.max_element()).sum::<f32>()
+            bsdf.specular_samples(wo, u).iter().flatten().map(|s| s.eval_cos.max_element()).sum::<f32>()
         })
         .sum();
     f64::from(sum) / 256.0
@@ -120,7 +129,7 @@ fn albedo_is_at_most_one() {
             let wo = direction(theta, 0.4);
             for (at, width) in PLACES.into_iter().zip([0.0, width, 100.0 * width]) {
                 let bsdf = material.bsdf(&point(at, width), wo);
-                let (coarse, fine) = (albedo(&bsdf, wo, 48), albedo(&bsdf, wo, 96));
+                let (coarse, fine) = (albedo(&Flat(&bsdf), wo, 48), albedo(&Flat(&bsdf), wo, 96));
                 let all = fine + coat(&bsdf, wo);
                 // The error of a second-order rule is a third of the difference.
                 assert!(all - (fine - coarse).abs() <= 1.0 + 1e-5, "{name}, {theta}, {width}: {all}");
@@ -144,7 +153,7 @@ fn mean_albedo_of_counted_flakes_is_at_most_one() {
     let paint = MetallicPaint::new(MetallicPaintParameters { passive_flake_strength: 0.0, ..paint }).unwrap();
     let wo = direction(0.5, 0.4);
     let places = (0..400_u16).map(|k| Vec2::new(f32::from(k) * 0.0173, f32::from(k) * 0.0291));
-    let mean = places.map(|at| albedo(&paint.bsdf(&point(at, 2e-3), wo), wo, 24)).sum::<f64>() / 400.0;
+    let mean = places.map(|at| albedo(&Flat(&paint.bsdf(&point(at, 2e-3), wo)), wo, 24)).sum::<f64>() / 400.0;
     // The lobe of all flakes reflects 0.96. The mean of 400 points has a standard error of 0.01.
     assert_abs_diff_eq!(mean, 0.96, epsilon = 0.04);
 }
@@ -163,8 +172,8 @@ fn materials_without_tilted_facets_are_reciprocal() {
     for (name, material, width) in materials().into_iter().filter(|(name, ..)| flat.contains(name)) {
         for (a, b) in [(0.2, 1.1), (0.9, 0.4), (1.4, 1.3)] {
             let (wi, wo) = (direction(a, 0.3), direction(b, 2.2));
-            let there = material.bsdf(&point(PLACES[0], width), wo).value(wi, wo);
-            let back = material.bsdf(&point(PLACES[0], width), wi).value(wo, wi);
+            let there = material.bsdf(&point(PLACES[0], width), wo).eval(wo, wi);
+            let back = material.bsdf(&point(PLACES[0], width), wi).eval(wi, wo);
             assert_abs_diff_eq!(there, back, epsilon = 2e-5 * there.max_element(), "{name}");
         }
     }
@@ -177,30 +186,34 @@ fn coats_reflect_and_refract() {
     let at = point(Vec2::ZERO, 0.0);
     let body = Coat::body(Dielectric::new(1.5).unwrap());
     let bsdf = body.bsdf(&at, wo);
-    let [mirrored, refracted] = bsdf.deltas(wo, u);
+    let both = |bsdf: &Bsdf<'_>, wo| bsdf.specular_samples(wo, u).map(|sample| sample.expect("light"));
+    let [mirrored, refracted] = both(&bsdf, wo);
     assert_abs_diff_eq!(mirrored.wi, Vec3::new(-wo.x, -wo.y, wo.z), epsilon = 1e-6);
     assert!((refracted.wi.truncate() + wo.truncate() / 1.5).length() < 1e-6 && refracted.wi.z < 0.0);
     assert_abs_diff_eq!(refracted.wi.length(), 1.0, epsilon = 1e-6);
-    assert!((mirrored.weight + refracted.weight - Vec3::ONE).length() < 1e-6);
+    assert!((mirrored.eval_cos + refracted.eval_cos - Vec3::ONE).length() < 1e-6);
     // And back again from inside.
-    let [_, back] = bsdf.deltas(refracted.wi, u);
-    assert!((back.wi - wo).length() < 1e-5 && (back.weight - refracted.weight).length() < 1e-5, "{back:?}");
+    let [_, back] = both(&bsdf, refracted.wi);
+    assert!(
+        (back.wi - wo).length() < 1e-5 && (back.eval_cos - refracted.eval_cos).length() < 1e-5,
+        "{back:?}"
+    );
     // Beyond the critical angle everything is reflected.
-    let [inside, outside] = bsdf.deltas(Vec3::new(0.8, 0.0, -0.6), u);
-    assert_eq!((inside.weight, outside.weight), (Vec3::ONE, Vec3::ZERO));
+    let [inside, outside] = bsdf.specular_samples(Vec3::new(0.8, 0.0, -0.6), u);
+    assert_eq!((inside.map(|sample| sample.eval_cos), outside), (Some(Vec3::ONE), None));
     // Waves tilt the reflection, and do not affect the straight view through a pane.
     let glass = TemperedGlassParameters { wave_amplitude: 0.01, body: GlassBody::Pane, ..Default::default() };
     let glass = TemperedGlass::new(glass).unwrap();
     let bsdf = glass.bsdf(&at, wo);
-    let [tilted, straight] = bsdf.deltas(wo, u);
+    let [tilted, straight] = both(&bsdf, wo);
     assert!((tilted.wi - mirrored.wi).length() > 0.1 && straight.wi == -wo, "{tilted:?}");
-    assert_eq!(bsdf.value(mirrored.wi, wo), Vec3::ZERO);
+    assert_eq!(bsdf.eval(wo, mirrored.wi), Vec3::ZERO);
     // Where the pixel resolves none, random facets do.
     let far = glass.bsdf(&point(Vec2::ZERO, 100.0), wo);
-    let [a, b] = [0.1, 0.4].map(|x| far.deltas(wo, Vec2::splat(x))[0].wi);
+    let [a, b] = [0.1, 0.4].map(|x| far.sample(wo, 0.0, Vec2::splat(x)).expect("a reflection").wi);
     assert!((a - b).length() > 0.1, "{a} {b}");
     for bad in [Vec3::ZERO, Vec3::X, Vec3::NAN] {
-        assert_eq!(bsdf.deltas(bad, u), [Delta::default(); 2]);
+        assert_eq!(bsdf.specular_samples(bad, u), [None; 2]);
     }
 }
 
@@ -230,20 +243,20 @@ fn unresolved_slopes_give_their_mean_reflection() {
         let coat = coat.rough(alpha);
         for wo in [Vec3::Z, direction(1.05, 0.3)] {
             let far = coat.bumped(Vec3::Z, deviation * deviation);
-            let far = Bsdf::new(wo).with_coat(far);
+            let far = Bsdf::new(Frame::IDENTITY, wo).with_coat(far);
             let near: Vec<_> = slopes
                 .iter()
                 .map(|slope| bumped_normal(Vec3::Z, deviation * slope.extend(0.0)))
-                .map(|normal| Bsdf::new(wo).with_coat(coat.bumped(normal, 0.0)))
+                .map(|normal| Bsdf::new(Frame::IDENTITY, wo).with_coat(coat.bumped(normal, 0.0)))
                 .collect();
             // For reflection and for transmission.
             let (mut worst, mut peaks) = ([0.0_f32; 2], [0.0_f32; 2]);
             for (theta, phi) in (0..24_u8).flat_map(|i| (0..12_u8).map(move |j| (i, j))) {
                 let [theta, phi] = [(f32::from(theta) + 0.5) / 24.0, f32::from(phi) / 6.0];
                 let wi = direction(f64::from(theta * PI), f64::from(phi * PI));
-                let mean = near.iter().map(|bsdf| bsdf.scattered(wi, wo).x).sum::<f32>() / near.len() as f32;
+                let mean = near.iter().map(|bsdf| bsdf.eval_cos(wo, wi).x).sum::<f32>() / near.len() as f32;
                 let side = usize::from(wi.z < 0.0);
-                worst[side] = worst[side].max((far.scattered(wi, wo).x - mean).abs());
+                worst[side] = worst[side].max((far.eval_cos(wo, wi).x - mean).abs());
                 peaks[side] = peaks[side].max(mean);
             }
             println!("{name}, {alpha}, {wo:.1}: {:?}", [worst[0] / peaks[0], worst[1] / peaks[1]]);

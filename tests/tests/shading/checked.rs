@@ -3,6 +3,7 @@
 
 use asperity_shading::check::{self, Settings};
 use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::reflectance::BsdfSample;
 use asperity_shading::{Brdf, CookTorrance, Ggx, Lambert};
 use rayon::prelude::*;
 
@@ -29,6 +30,8 @@ enum Fault {
     OneWay,
     /// A density that is 1 % too large.
     Density,
+    /// A density that is 1 % too large, but not in samples.
+    Stale,
     /// The density of facets instead of directions: without 1/(4 ωo·h).
     Jacobian,
     /// The density of another sampler.
@@ -44,8 +47,8 @@ enum Fault {
 }
 
 impl Brdf for Faulty<'_> {
-    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
-        let value = self.of.value(wi, wo);
+    fn eval(&self, wo: Vec3, wi: Vec3) -> Vec3 {
+        let value = self.of.eval(wo, wi);
         match self.fault {
             Fault::Bright => 1.01 * value,
             Fault::OneWay if wi.x > wo.x => 0.99 * value,
@@ -55,20 +58,21 @@ impl Brdf for Faulty<'_> {
         }
     }
 
-    fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {
-        let wi = self.of.sample(wo, u);
+    fn sample(&self, wo: Vec3, uc: f32, u: Vec2) -> Option<BsdfSample> {
+        let wi = self.of.sample(wo, uc, u)?.wi;
         match self.fault {
-            Fault::Hole | Fault::Bare if wi.x > 0.2 => Vec3::NEG_Z,
-            _ => wi,
+            Fault::Hole | Fault::Bare if wi.x > 0.2 => None,
+            Fault::Stale => BsdfSample::from_direction(self.of, wo, wi),
+            _ => BsdfSample::from_direction(self, wo, wi),
         }
     }
 
-    fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
-        let density = self.of.density(wi, wo);
+    fn pdf(&self, wo: Vec3, wi: Vec3) -> f32 {
+        let density = self.of.pdf(wo, wi);
         match self.fault {
-            Fault::Density => 1.01 * density,
+            Fault::Density | Fault::Stale => 1.01 * density,
             Fault::Jacobian if density > 0.0 => (density * 2.0 * (wi + wo).length()).min(f32::MAX),
-            Fault::Other => Lambert::new(Vec3::ONE).expect(VALID).density(wi, wo),
+            Fault::Other => Lambert::new(Vec3::ONE).expect(VALID).pdf(wo, wi),
             Fault::Bare if wi.x > 0.2 => 0.0,
             _ => density,
         }
@@ -79,13 +83,14 @@ impl Brdf for Faulty<'_> {
 fn faulty_reflectances_are_detected() {
     let gloss = CookTorrance::new(Ggx::new(0.3, 0.4).expect(VALID), Vec3::splat(0.9));
     let chalk = Lambert::new(Vec3::ONE).expect(VALID);
-    let cases: [(&(dyn Brdf + Sync), Fault, &[&str]); 12] = [
+    let cases: [(&(dyn Brdf + Sync), Fault, &[&str]); 13] = [
         (&gloss, Fault::None, &[]),
         (&chalk, Fault::None, &[]),
         (&chalk, Fault::Bright, &["energy"]),
         (&gloss, Fault::OneWay, &["reciprocity"]),
         (&chalk, Fault::OneWay, &["reciprocity"]),
         (&chalk, Fault::Density, &["density", "samples"]),
+        (&chalk, Fault::Stale, &["density", "samples", "consistency"]),
         (&gloss, Fault::Jacobian, &["density", "samples"]),
         (&gloss, Fault::Other, &["samples"]),
         (&gloss, Fault::Hole, &["samples"]),

@@ -63,7 +63,7 @@ fn directions_follow_their_normalized_density() {
             let z = 1.0 - 2.0 * (i as f64 + 0.5) / (ROWS * FINE) as f64;
             for j in 0..COLUMNS * FINE {
                 let w = direction(z, (j as f64 + 0.5) / (COLUMNS * FINE) as f64);
-                probabilities[i / FINE * COLUMNS + j / FINE] += area * f64::from(map.density(w));
+                probabilities[i / FINE * COLUMNS + j / FINE] += area * f64::from(map.pdf(w));
             }
         }
         let integral: f64 = probabilities.iter().sum();
@@ -97,7 +97,7 @@ fn brightness_over_density_is_constant() {
         let total = f64::from(map.as_ref().total());
         for _ in 0..100_000 {
             let w = map.sample(Vec2::new(random.uniform() as f32, random.uniform() as f32));
-            let weight = f64::from(map.radiance(w).element_sum() / 3.0 / map.density(w)) / total;
+            let weight = f64::from(map.radiance(w).element_sum() / 3.0 / map.pdf(w)) / total;
             squares += (weight - 1.0) * (weight - 1.0) / 1e5;
         }
         println!("{name}: deviation {}", squares.sqrt());

@@ -77,7 +77,7 @@ fn materials() -> Vec<(&'static str, Box<dyn Material>)> {
 fn light(material: &dyn Material, uv: Vec2, width: f32) -> f32 {
     let point = SurfacePoint::new(uv.extend(0.37), Vec3::Z, Footprint::from_width(width))
         .with_uv(uv, [Vec3::X, Vec3::Y]);
-    material.bsdf(&point, Vec3::Z).scattered(LIGHT, Vec3::Z).element_sum() / 3.0
+    material.bsdf(&point, Vec3::Z).eval_cos(Vec3::Z, LIGHT).element_sum() / 3.0
 }
 
 /// A frame of a zoom by 1 % exchanges 2 % of a pixel, and moves a fade by 1 % of 0.6/0.4 · 1.5.

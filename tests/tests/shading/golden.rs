@@ -206,10 +206,10 @@ fn reflectances() {
         ("WardReflection, bounded", ward(WardForm::Bounded), [0.34242937, 0.0428036712], SLOPES),
     ];
     for (name, brdf, [x, z], samples) in all {
-        let (value, sampled) = (brdf.value(wi(), wo()), brdf.sample(wo(), UV));
+        let (value, sampled) = (brdf.eval(wo(), wi()), brdf.sample(wo(), 0.5, UV).unwrap().wi);
         // Exponents and powers of up to 30.
         pinned(name, [value.x, value.z], [x, z], 30.0 * SINGLE);
-        pinned(name, [brdf.density(wi(), wo()), sampled.x, sampled.z], samples, 30.0 * SINGLE);
+        pinned(name, [brdf.pdf(wo(), wi()), sampled.x, sampled.z], samples, 30.0 * SINGLE);
     }
 }
 

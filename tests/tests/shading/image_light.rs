@@ -2,11 +2,12 @@
 
 use std::f64::consts::PI;
 
+use asperity_shading::bump::Facet;
 use asperity_shading::environment::{PrefilteredMap, SplitSum, low_discrepancy_points, prefiltered_radiance};
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::ndf_sampling::Ndf as _;
 use asperity_shading::{
-    Brdf, CookTorrance, EnergyPreservingOrenNayar, Environment, EnvironmentMap, Frame, Ggx, Irradiance,
+    Brdf, Bsdf, CookTorrance, EnergyPreservingOrenNayar, Environment, EnvironmentMap, Frame, Ggx, Irradiance,
     Lambert, Phong, Schlick, half_vector, reflected_radiance,
 };
 use asperity_tests::assert_abs_diff_eq;
@@ -30,7 +31,7 @@ fn quadrature(brdf: &dyn Brdf, map: &dyn Environment, frame: &Frame, wo: Vec3, r
         for j in 0..2 * rows {
             let z = (f64::from(i) + 0.5) / f64::from(rows);
             let wi = direction(z, (f64::from(j) + 0.5) / f64::from(2 * rows));
-            let sent = brdf.value(wi, wo) * map.radiance(frame.to_world(wi)) * wi.z;
+            let sent = brdf.eval(wo, wi) * map.radiance(frame.to_world(wi)) * wi.z;
             for (sum, sent) in sum.iter_mut().zip(sent.to_array()) {
                 *sum += f64::from(sent) * PI / f64::from(rows * rows);
             }
@@ -50,6 +51,10 @@ fn brdfs() -> Vec<(&'static str, Box<dyn Brdf>)> {
     ]
 }
 
+fn bsdf(brdf: &dyn Brdf, frame: Frame, wo: Vec3) -> Bsdf<'_> {
+    Bsdf::new(frame, wo).with([Facet::FLAT], [brdf.into()])
+}
+
 #[test]
 fn sampled_light_matches_the_integral() {
     const POINTS: u32 = 2_000;
@@ -61,12 +66,13 @@ fn sampled_light_matches_the_integral() {
         for (name, brdf) in brdfs() {
             for wo in [Vec3::new(0.3, 0.2, 0.93), Vec3::new(-0.9, 0.1, 0.4)] {
                 let wo = frame.to_world(wo.normalize());
+                let bsdf = bsdf(&*brdf, frame, wo);
                 let expected = quadrature(&*brdf, &map, &frame, wo, 200).x;
                 let (mut sum, mut squares) = (0.0, 0.0);
                 for _ in 0..POINTS {
-                    let [a, b, c, d] = [(); 4].map(|()| random.uniform() as f32);
-                    let points = [[Vec2::new(a, b), Vec2::new(c, d)]];
-                    let one = f64::from(reflected_radiance(&*brdf, &map, &frame, wo, points).x);
+                    let [uc, a, b, c, d] = [(); 5].map(|()| random.uniform() as f32);
+                    let points = [(uc, Vec2::new(a, b), Vec2::new(c, d))];
+                    let one = f64::from(reflected_radiance(&bsdf, &map, wo, points).x);
                     sum += one / f64::from(POINTS);
                     squares += one * one / f64::from(POINTS);
                 }
@@ -75,7 +81,7 @@ fn sampled_light_matches_the_integral() {
                 // 20 cases at a combined significance of 0.001: 4.06 standard errors.
                 assert!(deviation.abs() < 4.06, "{light}, {name}, {wo}: {sum} for {expected}, {deviation}");
                 // Many evenly spread points are more accurate than random points.
-                let even = reflected_radiance(&*brdf, &map, &frame, wo, low_discrepancy_points(POINTS)).x;
+                let even = reflected_radiance(&bsdf, &map, wo, low_discrepancy_points(POINTS)).x;
                 println!(
                     "{light}, {name}: {deviation:.2} standard errors, one sample ± {:.3}, even {:.4}",
                     error * f64::from(POINTS).sqrt() / sum,
@@ -95,7 +101,8 @@ fn uniform_light_is_reflected_by_the_albedo() {
             for wo in [Vec3::Z, Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, 0.954, 0.3)] {
                 let wo = frame.to_world(wo);
                 let albedo = quadrature(&*brdf, &Vec3::ONE, &frame, wo, 200).x;
-                let sent = reflected_radiance(&*brdf, &furnace, &frame, wo, low_discrepancy_points(2048)).x;
+                let bsdf = bsdf(&*brdf, frame, wo);
+                let sent = reflected_radiance(&bsdf, &furnace, wo, low_discrepancy_points(2048)).x;
                 // Measured: 0.003 for the rough reflectance, whose samples are cosine-weighted.
                 assert_abs_diff_eq!(sent / albedo, 1.0, epsilon = 6e-3, "{name}, {wo}");
                 assert!(sent <= 1.004, "{name}: {sent}");
@@ -131,8 +138,8 @@ fn irradiance_is_close_to_sampling() {
         let map = EnvironmentMap::from_fn(64, 32, f).expect("an image");
         let irradiance = Irradiance::new(&map, 128);
         let found = deviation(spiral(200).map(|n| {
-            let sampled =
-                reflected_radiance(&lambert, &map, &Frame::from_normal(n), n, low_discrepancy_points(512));
+            let bsdf = bsdf(&lambert, Frame::from_normal(n), n);
+            let sampled = reflected_radiance(&bsdf, &map, n, low_discrepancy_points(512));
             (irradiance.at(n) / PI as f32, sampled)
         }));
         println!("{name}: {found:.4?}");
@@ -201,7 +208,8 @@ fn split_sum_is_close_to_sampled_light() {
                 deviation(spiral(80).map(|n| {
                     let frame = Frame::from_normal(n);
                     let wo = frame.to_world(Vec3::new(sin, 0.0, cos));
-                    let sampled = reflected_radiance(&brdf, &map, &frame, wo, low_discrepancy_points(512));
+                    let bsdf = bsdf(&brdf, frame, wo);
+                    let sampled = reflected_radiance(&bsdf, &map, wo, low_discrepancy_points(512));
                     (stack.reflected(&table, f0, alpha, n, wo), sampled)
                 }))
             });

@@ -43,13 +43,7 @@ fn painted_metals_conserve_energy() {
                 let (mut albedo, mut heaviest) = (0.0, 0.0_f32);
                 for k in 0..SIDE * SIDE {
                     let u = Vec2::new((k % SIDE) as f32 + 0.5, (k / SIDE) as f32 + 0.5) / SIDE as f32;
-                    let wi = metal.sample(wo, u);
-                    let density = metal.density(wi, wo);
-                    let weight = if wi.z > 0.0 && density > 0.0 {
-                        metal.value(wi, wo).x * wi.z / density
-                    } else {
-                        0.0
-                    };
+                    let weight = metal.sample(wo, 0.5, u).map_or(0.0, |sample| sample.weight().x);
                     heaviest = heaviest.max(weight);
                     albedo += weight / (SIDE * SIDE) as f32;
                 }

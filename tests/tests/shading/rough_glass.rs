@@ -70,11 +70,11 @@ fn values_match_mitsuba() {
         for row in rows(&item["rows"]) {
             let vector = |k: usize| Vec3::new(row[k] as f32, row[k + 1] as f32, row[k + 2] as f32);
             let (wo, wi) = (vector(0), vector(3));
-            let error = (f64::from(glass.value(wi, wo).x) / row[6] - 1.0).abs();
+            let error = (f64::from(glass.eval(wo, wi).x) / row[6] - 1.0).abs();
             // Both are in f32. Mitsuba's masking of the Beckmann density has an error of 0.35 % for
             // either direction.
             let tolerance = if ggx { 2e-4 } else { 7e-3 };
-            assert!(error < tolerance, "{item:.60} {wi} {wo}: {} for {}", glass.value(wi, wo).x, row[6]);
+            assert!(error < tolerance, "{item:.60} {wi} {wo}: {} for {}", glass.eval(wo, wi).x, row[6]);
             worst = worst.max(error);
         }
         println!("{} {alpha:?} {index}: {worst:.1e}", item["distribution"]);
@@ -117,7 +117,7 @@ fn rough_dielectric_value_next_to_the_critical_angle() {
             let h = -(wi + wo).normalize();
             let facets = ggx.d(h) * ggx.g1(-wi) * ggx.g1(-wo) / (4.0 * wi.z * wo.z);
             let exact = inner_reflectance(f64::from(index), wi.as_dvec3(), wo.as_dvec3());
-            let error = (f64::from(glass.value(wi, wo).x) / (f64::from(facets) * exact) - 1.0).abs();
+            let error = (f64::from(glass.eval(wo, wi).x) / (f64::from(facets) * exact) - 1.0).abs();
             let worst = if off.abs() < 1e-4 { &mut near } else { &mut elsewhere };
             *worst = worst.max(error);
         }
@@ -140,7 +140,7 @@ fn albedos(brdf: &dyn Brdf, wo: Vec3, rows: u32) -> [f64; 2] {
         for j in 0..2 * rows {
             let wi = direction(theta, turn * (f64::from(j) + 0.5));
             for (sum, side) in sums.iter_mut().zip([1.0, -1.0]) {
-                let value = brdf.value(Vec3::new(wi.x, wi.y, side * wi.z), wo);
+                let value = brdf.eval(wo, Vec3::new(wi.x, wi.y, side * wi.z));
                 *sum += weight * f64::from(value.max_element());
             }
         }
@@ -218,8 +218,8 @@ fn transport_is_reciprocal_up_to_the_index() {
             let mut seen = [0; 2];
             for _ in 0..2000 {
                 let (wi, wo) = (any(), any());
-                let there = glass.value(wi, wo).x * side(wo);
-                let back = glass.value(wo, wi).x * side(wi);
+                let there = glass.eval(wo, wi).x * side(wo);
+                let back = glass.eval(wi, wo).x * side(wi);
                 seen[usize::from(wi.z * wo.z < 0.0)] += u32::from(there > 0.0);
                 // The refracting facet is accurate to 1e-7/|η − 1|, and its density to that over
                 // its deviation.
@@ -238,10 +238,11 @@ fn transport_is_reciprocal_up_to_the_index() {
 fn samples_fit(name: &str, brdf: &dyn Brdf, wo: Vec3) -> f64 {
     const BINS: SphereBins = SphereBins { rows: 16, columns: 12 };
     const SAMPLES: u64 = 40_000;
-    let probabilities = BINS.integrate(|wi| f64::from(brdf.density(wi, wo)));
+    let probabilities = BINS.integrate(|wi| f64::from(brdf.pdf(wo, wi)));
     let mut random = Random(11);
     let samples = (0..SAMPLES).map(|_| {
-        let wi = brdf.sample(wo, Vec2::new(random.uniform() as f32, random.uniform() as f32));
+        let [uc, x, y] = [(); 3].map(|()| random.uniform() as f32);
+        let wi = brdf.sample(wo, uc, Vec2::new(x, y)).map_or(Vec3::ZERO, |sample| sample.wi);
         assert!(wi == Vec3::ZERO || (wi.length() - 1.0).abs() < 1e-4, "{name}: {wi}");
         wi
     });
@@ -293,8 +294,8 @@ struct Dusty {
 }
 
 impl Material for Dusty {
-    fn bsdf(&self, _: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
-        Bsdf::new(wo)
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        Bsdf::new(point.frame(), wo)
             .with(slope_facets(Vec3::Z, direction(0.2, 1.0), 0.02), [Lobe::from(&self.sheet as &dyn Brdf)])
             .with([Facet::new(0.5, Vec3::Z)], [Lobe::from(&self.dust as &dyn Brdf)])
     }
@@ -315,10 +316,7 @@ fn layers_of_rough_glass_pass_the_public_checks() {
     let report = check::material(&coat, &point, quick(6));
     assert!(report.passed(), "{report}");
     for wo in views() {
-        assert_eq!(
-            coat.bsdf(&point, wo).deltas(wo, Vec2::splat(0.4)).map(|delta| delta.weight),
-            [Vec3::ZERO; 2]
-        );
+        assert_eq!(coat.bsdf(&point, wo).specular_samples(wo, Vec2::splat(0.4)), [None; 2]);
     }
 }
 
@@ -330,13 +328,11 @@ fn sample_weights_are_bounded() {
             for wo in views() {
                 let (mut most, mut sum) = (0.0_f32, 0.0_f64);
                 for _ in 0..2000 {
-                    let wi = glass.sample(wo, Vec2::new(random.uniform() as f32, random.uniform() as f32));
-                    let density = glass.density(wi, wo);
-                    if density > 0.0 {
-                        let weight = glass.value(wi, wo).x * wi.z.abs() / density;
-                        sum += f64::from(weight) / 2000.0;
-                        most = most.max(weight);
-                    }
+                    let [uc, x, y] = [(); 3].map(|()| random.uniform() as f32);
+                    let weight =
+                        glass.sample(wo, uc, Vec2::new(x, y)).map_or(0.0, |sample| sample.weight().x);
+                    sum += f64::from(weight) / 2000.0;
+                    most = most.max(weight);
                 }
                 println!("{density_name}, {name}, {wo:.2}: mean {sum:.3}, most {most:.2}");
                 // 1/0.03, for light that is almost never reflected.
@@ -370,26 +366,26 @@ fn directions_without_a_side_are_dark() {
         for (name, glass) in surfaces(density.as_ref()) {
             for bad in odd {
                 for (wi, wo) in [(bad, good), (good, bad), (bad, bad), (bad, -good)] {
-                    assert_eq!(glass.value(wi, wo), Vec3::ZERO, "{density_name}, {name}: {wi}, {wo}");
-                    assert_eq!(glass.density(wi, wo), 0.0, "{density_name}, {name}: {wi}, {wo}");
+                    assert_eq!(glass.eval(wo, wi), Vec3::ZERO, "{density_name}, {name}: {wi}, {wo}");
+                    assert_eq!(glass.pdf(wo, wi), 0.0, "{density_name}, {name}: {wi}, {wo}");
                 }
-                assert_eq!(glass.sample(bad, Vec2::splat(0.5)), Vec3::ZERO, "{density_name}, {name}: {bad}");
+                assert_eq!(glass.sample(bad, 0.5, Vec2::splat(0.5)), None, "{density_name}, {name}: {bad}");
             }
             for low in [1e-7, 1e-30, f32::MIN_POSITIVE, -1e-7, -1e-30] {
                 let low = Vec3::new(1.0, 0.0, low);
                 for other in [low, -low, good, -good, Vec3::new(-low.x, 0.0, low.z)] {
-                    for value in [glass.value(low, other), glass.value(other, low)] {
+                    for value in [glass.eval(other, low), glass.eval(low, other)] {
                         assert!(
                             value.is_finite() && value.min_element() >= 0.0,
                             "{density_name}, {name}: {other}"
                         );
                     }
-                    assert!(glass.density(low, other).is_finite(), "{density_name}, {name}: {other}");
+                    assert!(glass.pdf(other, low).is_finite(), "{density_name}, {name}: {other}");
                 }
                 for u in [Vec2::ZERO, Vec2::ONE, Vec2::NAN, Vec2::splat(0.999_999_94), Vec2::INFINITY] {
-                    let wi = glass.sample(low, u);
-                    let unit = wi == Vec3::ZERO || (wi.length() - 1.0).abs() < 1e-4;
-                    assert!(unit, "{density_name}, {name}: {low}, {u}: {wi}");
+                    let sample = glass.sample(low, u.y, u);
+                    let unit = sample.is_none_or(|sample| (sample.wi.length() - 1.0).abs() < 1e-4);
+                    assert!(unit, "{density_name}, {name}: {low}, {u}: {sample:?}");
                 }
             }
         }
@@ -398,9 +394,10 @@ fn directions_without_a_side_are_dark() {
     for index in [1.0, 0.999_999, f32::MIN_POSITIVE, f32::MAX] {
         let glass = RoughDielectric::new(Ggx::isotropic(0.3).expect(VALID), Dielectric::new_clamped(index));
         for (wi, wo) in [(good, good), (-good, good), (good, -good), (-good, -good)] {
-            let value = glass.value(wi, wo);
-            assert!(value.is_finite() && glass.density(wi, wo).is_finite(), "{index}: {value}");
-            assert!(glass.sample(wo, Vec2::splat(0.5)).is_finite(), "{index}");
+            let value = glass.eval(wo, wi);
+            assert!(value.is_finite() && glass.pdf(wo, wi).is_finite(), "{index}: {value}");
+            let sample = glass.sample(wo, 0.5, Vec2::splat(0.5));
+            assert!(sample.is_none_or(|sample| sample.wi.is_finite()), "{index}");
         }
     }
 }

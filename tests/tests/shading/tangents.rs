@@ -53,13 +53,11 @@ fn turned(v: Vec3, by: f32) -> Vec3 {
 /// ten operations.
 const ROUNDING: f32 = 3e-5;
 
-/// Returns the radiance that a material scatters along the normal from a lamp to the side;
-/// directions in space.
+/// Returns the radiance that a material scatters along the normal from a lamp to the side.
 fn lit(material: &dyn Material, point: &SurfacePoint) -> Vec3 {
-    let (frame, n) = (point.frame(), point.normal);
-    let aside = n.any_orthonormal_vector();
-    let [wi, wo] = [(n + 0.5 * aside).normalize(), n].map(|w| frame.to_local(w));
-    material.bsdf(point, wo).scattered(wi, wo)
+    let wo = point.normal;
+    let wi = (wo + 0.5 * wo.any_orthonormal_vector()).normalize();
+    material.bsdf(point, wo).eval_cos(wo, wi)
 }
 
 proptest! {
@@ -132,9 +130,9 @@ proptest! {
             ("Blinn-Phong", Box::new(BlinnPhongBrdf::new(gray, 20.0, BlinnPhongFactor::Albedo).unwrap())),
         ];
         for (name, brdf) in all {
-            let [a, b] = [brdf.value(wi, wo).x, brdf.value(turned(wi, by), turned(wo, by)).x];
+            let [a, b] = [brdf.eval(wo, wi).x, brdf.eval(turned(wo, by), turned(wi, by)).x];
             prop_assert!((a - b).abs() <= 1e-4 * a.max(1e-3), "{name}: {a} {b}");
-            let [a, b] = [brdf.density(wi, wo), brdf.density(turned(wi, by), turned(wo, by))];
+            let [a, b] = [brdf.pdf(wo, wi), brdf.pdf(turned(wo, by), turned(wi, by))];
             prop_assert!((a - b).abs() <= 1e-4 * a.max(1e-3), "{name}, density: {a} {b}");
         }
     }

@@ -21,15 +21,16 @@ const PAIRS: usize = 4096;
 /// - **reciprocity:** `f(ωi, ωo) = f(ωo, ωi)` to 0.2 %, for 4096 pairs, half of them by `sample`;
 /// - **energy:** `∫ f |cos θ_i| dω_i ≤ 1.002` in every channel, from four views, or eight if the
 ///   BSDF transmits;
-/// - **density:** `∫ density dω_i ≤ 1.002`;
-/// - **samples:** `sample` draws from `density`, by χ² over 256 cells, each view at its fraction of
-///   the significance of the settings. Samples below an opaque surface and zero samples account for
-///   the difference of the density from 1;
-/// - **weights:** `f |cos θ_i|` is a finite weight times the density. Where the density is 0, the
+/// - **density:** `∫ pdf dω_i ≤ 1.002`;
+/// - **samples:** `sample` draws from `pdf`, by χ² over 256 cells, each view at its fraction of the
+///   significance of the settings. `None` and specular samples account for the difference of the
+///   integral from 1;
+/// - **weights:** `f |cos θ_i|` is a finite weight times the pdf. Where the pdf is 0, the
 ///   light is at most 0.001;
-/// - **sign:** values and densities are not negative;
+/// - **sign:** values and pdfs are not negative;
+/// - **consistency:** samples contain the values of `eval` and `pdf`;
 /// - **invalid input:** NaN, infinities, huge and tiny numbers return finite non-negative values
-///   and densities, which are 0 below an opaque surface, and samples that are unit vectors or zero.
+///   and pdfs, which are 0 below an opaque surface, and samples of unit directions or `None`.
 ///
 /// ```
 /// use asperity_shading::{Brdf, check::{self, Settings}, glam::Vec3};
@@ -37,7 +38,7 @@ const PAIRS: usize = 4096;
 /// /// A lobe that depends only on the direction of the light.
 /// struct Lopsided;
 /// impl Brdf for Lopsided {
-///     fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+///     fn eval(&self, wo: Vec3, wi: Vec3) -> Vec3 {
 ///         let above = wi.z > 0.0 && wo.z > 0.0 && (wi + wo).is_finite();
 ///         if above { Vec3::splat(0.3 * wi.z.min(1.0)) } else { Vec3::ZERO }
 ///     }
@@ -94,8 +95,9 @@ fn add_reciprocity(report: &mut Report, brdf: &dyn Brdf, index: f32, settings: S
     let direction = |u: Vec2| towards(if brdf.transmits() { 2.0 * u.x - 1.0 } else { 1.0 - u.x }, u.y);
     for (k, (a, b)) in settings.points(0).zip(settings.points(1)).take(PAIRS).enumerate() {
         let wo = direction(a);
-        let wi = if k % 2 == 0 { direction(b) } else { brdf.sample(wo, b) };
-        let (there, back) = (brdf.value(wi, wo) * squared(wo), brdf.value(wo, wi) * squared(wi));
+        let sampled = if k % 2 == 0 { None } else { brdf.sample(wo, a.y, b) };
+        let wi = sampled.map_or_else(|| direction(b), |sample| sample.wi);
+        let (there, back) = (brdf.eval(wo, wi) * squared(wo), brdf.eval(wi, wo) * squared(wi));
         // Values without weight in the albedo are ignored.
         let most = there.max(back).max_element().max(1e-4);
         worst.note(f64::from((there - back).abs().max_element() / most), || format!("at {wi} and {wo}"));

@@ -9,13 +9,16 @@ use asperity_ndf_sampling::check::{Cells, Limit, Report, Settings, p_value};
 use glam::{Vec2, Vec3};
 
 use crate::math::{cos, sin, sqrt};
-use crate::reflectance::Brdf;
+use crate::reflectance::{Brdf, BsdfSample};
 
 /// The accepted excess of an integral over 1, the error of quadrature over cells.
 const INTEGRAL: f64 = 2e-3;
 
 /// The largest accepted amount of light from directions without density.
 const BARE: f64 = 1e-3;
+
+/// The accepted relative difference between a sample and `eval` and `pdf`, rounding of directions.
+const MISMATCH: f64 = 1e-3;
 
 /// Samples from which cells are made, 64 for each.
 const PILOT: usize = 1 << 14;
@@ -61,16 +64,17 @@ pub(super) struct Scattering {
     density: Worst,
     bare: Worst,
     negative: Worst,
+    mismatch: Worst,
     p_values: Vec<(f64, Vec3)>,
 }
 
 impl Scattering {
     pub(super) fn new(settings: Settings) -> Self {
-        let [energy, density, bare, negative] = [(); 4].map(|()| Worst::default());
-        Self { settings, energy, density, bare, negative, p_values: Vec::new() }
+        let [energy, density, bare, negative, mismatch] = [(); 5].map(|()| Worst::default());
+        Self { settings, energy, density, bare, negative, mismatch, p_values: Vec::new() }
     }
 
-    /// Evaluates a BRDF from a view, given the additional light of delta lobes.
+    /// Evaluates a BRDF from a view, given the additional light of specular samples.
     pub(super) fn see(&mut self, brdf: &dyn Brdf, k: u8, smooth: Vec3) {
         let (wo, through) = (view(k), brdf.transmits());
         if wo.z < 0.0 && !through {
@@ -78,16 +82,23 @@ impl Scattering {
         }
         let place = || format!("from {wo}");
         let samples = |stream: u8, count: usize| {
-            let all = self.settings.points(2 + 2 * k + stream).take(count).map(|u| brdf.sample(wo, u));
-            // Directions below an opaque surface, and zero directions, are samples without
-            // contribution.
-            all.filter(move |wi| if through { *wi != Vec3::ZERO } else { wi.z > 0.0 })
+            let points =
+                self.settings.points(2 + 2 * k + stream).zip(self.settings.points(18 + 2 * k + stream));
+            let all = points.take(count).filter_map(|(u, v)| brdf.sample(wo, v.x, u));
+            all.filter(|sample| !sample.is_specular())
         };
+        for BsdfSample { wi, eval_cos, pdf, .. } in samples(0, PILOT) {
+            let (value, density) = (brdf.eval(wo, wi) * wi.z.abs(), brdf.pdf(wo, wi));
+            let apart = (value - eval_cos).abs().max_element() / value.max_element().max(1.0);
+            let apart = apart.max((pdf - density).abs() / density.max(1.0));
+            self.mismatch.note(f64::from(apart), place);
+        }
+        let samples = |stream, count| samples(stream, count).map(|sample| sample.wi);
         let pilot = samples(0, PILOT);
         let cells = if through { Cells::of_sphere(pilot) } else { Cells::of_hemisphere(pilot) };
         let negative = Cell::new(0.0);
         let integrals = cells.integrate_all(|wi| {
-            let (value, density) = (brdf.value(wi, wo), brdf.density(wi, wo));
+            let (value, density) = (brdf.eval(wo, wi), brdf.pdf(wo, wi));
             if value.min_element().min(density) < 0.0 {
                 negative.set(negative.get() + 1.0);
             }
@@ -123,6 +134,7 @@ impl Scattering {
         report.add("samples", "p of χ²", p, Limit::AtLeast(self.settings.significance / tests), place);
         self.bare.add(report, "weights", "∫ f |cos θ| dω without density", BARE);
         self.negative.add(report, "sign", "values below 0", 0.0);
+        self.mismatch.add(report, "consistency", "difference of samples from eval and pdf", MISMATCH);
     }
 }
 
@@ -144,15 +156,17 @@ pub(super) fn add_totality(report: &mut Report, brdf: &dyn Brdf) {
     let good = Vec3::new(0.0, 0.6, 0.8);
     for w in ODD.into_iter().flat_map(|x| ODD.map(|z| Vec3::new(x, 0.3, z))).chain(low) {
         for (wi, wo) in [(w, good), (good, w), (w, w), (w, -good), (-good, w)] {
-            let (value, density) = (brdf.value(wi, wo), brdf.density(wi, wo));
+            let (value, density) = (brdf.eval(wo, wi), brdf.pdf(wo, wi));
             let kept = value.to_array().into_iter().chain([density]).all(|x| (0.0..=f32::MAX).contains(&x));
             let dark = brdf.transmits() || wi.z > 0.0 && wo.z > 0.0 || value == Vec3::ZERO && density == 0.0;
-            unless(kept && dark, &|| format!("value({wi}, {wo}) = {value}, density {density}"));
+            unless(kept && dark, &|| format!("eval({wo}, {wi}) = {value}, pdf {density}"));
         }
         let u = Vec2::new(w.x, w.z);
-        let wi = brdf.sample(good, u);
-        let unit = wi == Vec3::ZERO || (wi.length() - 1.0).abs() < 1e-3;
-        unless(unit, &|| format!("sample({good}, {u}) = {wi}"));
+        let sample = brdf.sample(good, w.y, u);
+        let sound = sample.is_none_or(|sample| {
+            (sample.wi.length() - 1.0).abs() < 1e-3 && sample.pdf > 0.0 && sample.weight().is_finite()
+        });
+        unless(sound, &|| format!("sample({good}, {}, {u}) = {sample:?}", w.y));
     }
     report.add("totality", "cases out of range", f64::from(count), Limit::AtMost(0.0), first);
 }

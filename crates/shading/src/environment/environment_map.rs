@@ -50,7 +50,7 @@ pub struct EnvironmentIn<S, T> {
 ///
 /// let sky = EnvironmentMap::from_fn(64, 32, |w| Vec3::new(0.3, 0.5, 1.0) * w.z.max(0.1))?;
 /// assert!(sky.radiance(Vec3::Z).z > sky.radiance(Vec3::X).z);
-/// assert!(sky.density(sky.sample(Vec2::new(0.2, 0.7))) > 0.0);
+/// assert!(sky.pdf(sky.sample(Vec2::new(0.2, 0.7))) > 0.0);
 /// # Ok::<(), asperity_shading::ImageError>(())
 /// ```
 #[doc(alias = "hdri")]
@@ -74,7 +74,7 @@ pub type EnvironmentMap = EnvironmentIn<Vec<Vec3>, Vec<f32>>;
 /// let towards_sun = sky.sample(Vec2::new(0.5, 0.5));
 /// assert!(sky.radiance(towards_sun).x > 100.0);
 /// // The uniform density is 0.08 sr⁻¹.
-/// assert!(sky.density(towards_sun) > 1.0 && sky.density(Vec3::NEG_Z) < 0.001);
+/// assert!(sky.pdf(towards_sun) > 1.0 && sky.pdf(Vec3::NEG_Z) < 0.001);
 /// # Ok::<(), asperity_shading::ImageError>(())
 /// ```
 pub type EnvironmentRef<'a> = EnvironmentIn<&'a [Vec3], &'a [f32]>;
@@ -172,10 +172,10 @@ impl<S: Deref<Target = [Vec3]>, T: Deref<Target = [f32]>> Environment for Enviro
         if self.is_lit() { self.tables().sample(u) } else { uniform_sphere(u) }
     }
 
-    fn density(&self, direction: Vec3) -> f32 {
+    fn pdf(&self, direction: Vec3) -> f32 {
         match self.image.place(direction) {
             Some(place) if self.is_lit() => self.tables().density(place),
-            _ => self.image.density(direction),
+            _ => self.image.pdf(direction),
         }
     }
 }
@@ -190,8 +190,8 @@ mod tests {
     fn black_image_is_sampled_uniformly() {
         let (texels, mut table) = ([Vec3::ZERO; 8], [0.0; EnvironmentRef::table_len(4, 2)]);
         let night = EnvironmentRef::new(4, 2, &texels, &mut table).unwrap();
-        assert_eq!(night.density(night.sample(Vec2::new(0.3, 0.6))), 0.25 * FRAC_1_PI);
-        assert_eq!(night.density(Vec3::NAN), 0.0);
+        assert_eq!(night.pdf(night.sample(Vec2::new(0.3, 0.6))), 0.25 * FRAC_1_PI);
+        assert_eq!(night.pdf(Vec3::NAN), 0.0);
     }
 
     #[test]
@@ -207,7 +207,7 @@ mod tests {
             for (x, y) in odd.into_iter().flat_map(|x| odd.map(|y| (x, y))) {
                 let w = map.sample(Vec2::new(x, y));
                 assert_abs_diff_eq!(w.length(), 1.0, epsilon = 1e-6, "{width} × {height}, {x}, {y}");
-                let density = map.density(w);
+                let density = map.pdf(w);
                 assert!(density >= 0.0 && density.is_finite(), "{width} × {height}, {x}, {y}: {density}");
                 // At u = 0 it is on the border of the light.
                 if x > 1e-3 && y > 1e-3 && x < 0.9 && y < 0.9 {
@@ -224,7 +224,7 @@ mod tests {
         assert_abs_diff_eq!(map.total(), 3.0 * 4.0 / FRAC_1_PI, epsilon = 1e-4);
         for k in 0..100 {
             let w = uniform_sphere(Vec2::new(0.37 * k as f32 % 1.0, k as f32 / 99.0));
-            assert_abs_diff_eq!(map.density(w), 0.25 * FRAC_1_PI, epsilon = 1e-7);
+            assert_abs_diff_eq!(map.pdf(w), 0.25 * FRAC_1_PI, epsilon = 1e-7);
         }
     }
 

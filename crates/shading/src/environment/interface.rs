@@ -16,7 +16,7 @@ use crate::math::{clamp_to, cos, sin, sqrt};
 /// is ignored. Colors are linear RGB. The trait is dyn-compatible.
 ///
 /// Every implementation in this crate accepts every input. An invalid direction (zero, NaN,
-/// infinite) is dark and has density 0. A color is a uniform environment.
+/// infinite) is dark and has pdf 0. A color is a uniform environment.
 ///
 /// ```
 /// use asperity_shading::{Environment, glam::{Vec2, Vec3}};
@@ -24,15 +24,15 @@ use crate::math::{clamp_to, cos, sin, sqrt};
 /// let fog = Vec3::splat(0.5);
 /// let wi = fog.sample(Vec2::new(0.3, 0.8));
 /// assert_eq!(fog.radiance(wi), fog);
-/// // The mean of radiance/density is the integral over the sphere, 4π L, here for every sample.
-/// assert!((fog.radiance(wi) / fog.density(wi) / (4.0 * core::f32::consts::PI) - fog).length() < 1e-6);
+/// // The mean of radiance/pdf is the integral over the sphere, 4π L, here for every sample.
+/// assert!((fog.radiance(wi) / fog.pdf(wi) / (4.0 * core::f32::consts::PI) - fog).length() < 1e-6);
 /// ```
 pub trait Environment {
     /// The radiance that arrives from `direction`, at least 0 in each channel.
     #[must_use]
     fn radiance(&self, direction: Vec3) -> Vec3;
 
-    /// Samples a unit direction with [`density`](Environment::density), from a uniform `u`.
+    /// Samples a unit direction with [`pdf`](Environment::pdf), from a uniform `u`.
     ///
     /// The default is uniform on the sphere. Numbers are clamped to `[0, 1)`, NaN is read as 0.
     #[must_use]
@@ -42,7 +42,7 @@ pub trait Environment {
 
     /// The density of [`sample`](Environment::sample) over solid angle, in sr⁻¹.
     #[must_use]
-    fn density(&self, direction: Vec3) -> f32 {
+    fn pdf(&self, direction: Vec3) -> f32 {
         if is_direction(direction) { 0.25 * FRAC_1_PI } else { 0.0 }
     }
 }
@@ -56,8 +56,8 @@ impl<E: Environment + ?Sized> Environment for &E {
         (**self).sample(u)
     }
 
-    fn density(&self, direction: Vec3) -> f32 {
-        (**self).density(direction)
+    fn pdf(&self, direction: Vec3) -> f32 {
+        (**self).pdf(direction)
     }
 }
 
@@ -79,7 +79,7 @@ pub(crate) fn is_direction(v: Vec3) -> bool {
     v.is_finite() && v != Vec3::ZERO
 }
 
-/// A direction with density `1/4π`: by Archimedes, uniform in z and in longitude.
+/// A direction with pdf `1/4π`: by Archimedes, uniform in z and in longitude.
 #[inline]
 pub(crate) fn uniform_sphere(u: Vec2) -> Vec3 {
     let (down, turn) = (clamp_to(u.y, 1.0), clamp_to(u.x, 1.0));
@@ -99,7 +99,7 @@ mod tests {
             for y in [f32::NAN, 0.0, 0.25, 1.0, f32::INFINITY] {
                 let wi = fog.sample(Vec2::new(x, y));
                 assert_abs_diff_eq!(wi.length(), 1.0, epsilon = 1e-6, "{x}, {y}");
-                assert_eq!(fog.density(wi), 0.25 * FRAC_1_PI);
+                assert_eq!(fog.pdf(wi), 0.25 * FRAC_1_PI);
             }
         }
     }
@@ -107,7 +107,7 @@ mod tests {
     #[test]
     fn radiance_of_invalid_directions_is_zero() {
         for bad in [Vec3::ZERO, Vec3::NAN, Vec3::INFINITY, Vec3::new(0.0, f32::NAN, 1.0)] {
-            assert_eq!((Vec3::ONE.radiance(bad), Vec3::ONE.density(bad)), (Vec3::ZERO, 0.0), "{bad}");
+            assert_eq!((Vec3::ONE.radiance(bad), Vec3::ONE.pdf(bad)), (Vec3::ZERO, 0.0), "{bad}");
         }
         assert_eq!(Vec3::new(-1.0, f32::NAN, 2.0).radiance(Vec3::Z), Vec3::new(0.0, 0.0, 2.0));
     }

@@ -13,12 +13,12 @@ use crate::environment::interface::{Environment, is_direction};
 use crate::environment::latitude_longitude::LatitudeLongitude;
 use crate::environment::latitude_longitude::LatitudeLongitudeIn;
 use crate::environment::low_discrepancy::low_discrepancy_points;
-use crate::environment::multiple_importance::light_samples;
+use crate::environment::multiple_importance::weighted;
 use crate::environment::split_sum::SplitSum;
 use crate::math::clamp_to;
 use crate::parameter::{ParameterError, within};
-use crate::reflectance::Brdf;
-use crate::reflectance::brdf::mirrored_density;
+use crate::reflectance::brdf::mirrored_pdf;
+use crate::reflectance::{Brdf, BsdfSample};
 
 /// The maximum number of rows of a level.
 #[cfg(feature = "alloc")]
@@ -56,8 +56,14 @@ pub fn prefiltered_radiance<E: Environment + ?Sized>(
     let (lobe, drawn) = (Lobe(Ggx::new_clamped(alpha, alpha)), Drawn(environment));
     let frame = Frame::from_normal(direction / direction.abs().max_element());
     let (mut sum, mut weight) = (Vec3::ZERO, 0.0);
-    for pair in low_discrepancy_points(points.max(1)) {
-        for sample in light_samples(&lobe, &drawn, &frame, frame.normal, pair) {
+    for (uc, u, by_light) in low_discrepancy_points(points.max(1)) {
+        let eval = |direction| {
+            let wi = frame.to_local(direction);
+            (lobe.eval(Vec3::Z, wi) * wi.z.max(0.0), lobe.pdf(Vec3::Z, wi))
+        };
+        let mirrored = lobe.sample(Vec3::Z, uc, u);
+        let mirrored = mirrored.map(|sample| BsdfSample { wi: frame.to_world(sample.wi), ..sample });
+        for sample in weighted(mirrored, eval, &drawn, environment.sample(by_light)) {
             sum += environment.radiance(sample.direction) * sample.radiance.x;
             weight += sample.radiance.x;
         }
@@ -69,16 +75,16 @@ pub fn prefiltered_radiance<E: Environment + ?Sized>(
 struct Lobe(Ggx);
 
 impl Brdf for Lobe {
-    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+    fn eval(&self, wo: Vec3, wi: Vec3) -> Vec3 {
         Vec3::splat(0.25 * self.0.d(half_vector(wi, wo)))
     }
 
-    fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {
-        reflect(wo, self.0.sample(u))
+    fn sample(&self, wo: Vec3, _: f32, u: Vec2) -> Option<BsdfSample> {
+        BsdfSample::from_direction(self, wo, reflect(wo, self.0.sample(u)))
     }
 
-    fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
-        mirrored_density(wi, wo, |h| self.0.pdf(h))
+    fn pdf(&self, wo: Vec3, wi: Vec3) -> f32 {
+        mirrored_pdf(wo, wi, |h| self.0.pdf(h))
     }
 }
 
@@ -94,8 +100,8 @@ impl<E: Environment> Environment for Drawn<E> {
         self.0.sample(u)
     }
 
-    fn density(&self, direction: Vec3) -> f32 {
-        self.0.density(direction)
+    fn pdf(&self, direction: Vec3) -> f32 {
+        self.0.pdf(direction)
     }
 }
 

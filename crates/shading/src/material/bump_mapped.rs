@@ -28,7 +28,7 @@ use crate::reflectance::{Bsdf, Lobe};
 /// let copper = BumpMapped { ndf: Ggx::new(0.2, 0.4)?, bumps, rule: LevelOfDetail::Exact, color: Vec3::new(0.9, 0.6, 0.5) };
 /// let seen = |width| {
 ///     let point = SurfacePoint::new(Vec3::new(0.3, 0.1, 0.8), Vec3::Z, Footprint::from_width(width));
-///     copper.bsdf(&point, Vec3::Z).value(Vec3::Z, Vec3::Z).x
+///     copper.bsdf(&point, Vec3::Z).eval(Vec3::Z, Vec3::Z).x
 /// };
 /// assert_eq!(seen(1.0), seen(2.0));
 /// assert_ne!(seen(1.0), seen(1e-3));
@@ -50,6 +50,6 @@ impl<N: Ndf, F: GaussianField> Material for BumpMapped<N, F> {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let coordinates = self.bumps.coordinates(point.position, point.footprint());
         let lobe = Lobe::resolved(&self.ndf, self.rule, coordinates).weighted(self.color);
-        Bsdf::new(wo).with([Facet::FLAT], [lobe])
+        Bsdf::new(point.frame(), wo).with([Facet::FLAT], [lobe])
     }
 }

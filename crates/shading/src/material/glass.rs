@@ -80,7 +80,8 @@ parameters! {
 ///
 /// let glass = TemperedGlass::new(TemperedGlassParameters::default())?;
 /// let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(1e-3));
-/// let [mirrored, through] = glass.bsdf(&point, Vec3::Z).deltas(Vec3::Z, Vec2::ZERO);
+/// let bsdf = glass.bsdf(&point, Vec3::Z);
+/// let [mirrored, through] = bsdf.specular_samples(Vec3::Z, Vec2::ZERO).map(Option::unwrap);
 /// assert!((mirrored.wi.y + 2.0 * 0.002).abs() < 1e-5 && through.wi == Vec3::NEG_Z);
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
@@ -191,7 +192,7 @@ impl Material for TemperedGlass {
             Slopes::Sine(swing) => Slopes::Sine(frame.to_local(swing)),
             even @ Slopes::Gaussian(_) => even,
         };
-        Bsdf::new(wo).with_coat(coat.rough(p.roughness).with_slopes(frame.to_local(normal), slopes))
+        Bsdf::new(frame, wo).with_coat(coat.rough(p.roughness).with_slopes(frame.to_local(normal), slopes))
     }
 }
 

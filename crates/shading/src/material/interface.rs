@@ -12,20 +12,17 @@ use glam::Vec3;
 /// For an elongated pixel average several points, see
 /// [`PixelEllipse::taps`](crate::pixel::PixelEllipse::taps).
 ///
-/// `wo` is the unit direction to the eye in the frame of the surface, [`SurfacePoint::frame`]. All
-/// directions of the BSDF are in this frame.
+/// Positions, normals and the directions of a BSDF are in one space, the world of the renderer.
+/// Materials whose patterns follow an object get positions in the space of the object, with normal
+/// and directions in that space too.
 ///
 /// # Light
 ///
-/// - A point or directional light in the direction `wi` adds `bsdf.scattered(wi, wo)` times its
-///   irradiance. `scattered` is `value · cos θ_i`.
-/// - Environment light adds `value cos θ_i radiance/density` for a direction from `sample`, or
-///   [`reflected_radiance`](crate::environment::reflected_radiance), which combines samples of
-///   both.
-/// - Smooth coats, panes and metals reflect light from single directions, which `value` and
-///   `sample` do not include. A path tracer adds `weight · radiance` of both
-///   [`deltas`](Bsdf::deltas), or chooses one at random. Directions below the surface are
-///   transmitted.
+/// - A point or directional light in the direction `wi` adds [`eval_cos`](Bsdf::eval_cos) times its
+///   irradiance.
+/// - A path continues at [`sample`](Bsdf::sample), with its weight as a factor. Smooth coats, panes
+///   and metals reflect and transmit in single directions, which are specular samples.
+/// - An environment adds [`reflected_radiance`](crate::reflected_radiance).
 /// - [`emitted`](Bsdf::emitted) is added regardless of the light.
 ///
 /// The trait is dyn-compatible. Every `Brdf` of the crate is also a spatially constant `Material`.
@@ -33,20 +30,19 @@ use glam::Vec3;
 /// ```
 /// use asperity_shading::glam::{Vec2, Vec3};
 /// use asperity_shading::material::Material;
-/// use asperity_shading::{Brdf, Carpet, CarpetParameters, Footprint, SurfacePoint};
+/// use asperity_shading::{Carpet, CarpetParameters, Footprint, SurfacePoint};
 ///
 /// let carpet = Carpet::new(CarpetParameters::default())?;
 /// let point = SurfacePoint::new(Vec3::new(0.3, 0.2, 0.0), Vec3::Z, Footprint::from_width(1e-4))
 ///     .with_uv(Vec2::new(0.3, 0.2), [Vec3::X, Vec3::Y]);
-/// let frame = point.frame();
-/// let wo = frame.to_local(Vec3::new(0.6, 0.0, 0.8));
+/// let wo = Vec3::new(0.6, 0.0, 0.8);
 /// let bsdf = carpet.bsdf(&point, wo);
-/// let wi = bsdf.sample(wo, Vec2::new(0.3, 0.7));
-/// assert!(bsdf.density(wi, wo) > 0.0 && bsdf.value(wi, wo).min_element() > 0.0);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// let sample = bsdf.sample(wo, 0.5, Vec2::new(0.3, 0.7)).ok_or("no light")?;
+/// assert!(sample.pdf > 0.0 && sample.weight().min_element() > 0.0);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 pub trait Material {
-    /// The BSDF of a point seen from `wo`, a unit direction in the frame of the surface.
+    /// The BSDF of a point seen from `wo`, the unit direction to the eye in world space.
     ///
     /// Accepts every input.
     #[must_use]
@@ -111,7 +107,7 @@ mod tests {
     impl Material for Ramp {
         fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
             let lobe = EnergyPreservingOrenNayar::new_clamped(Vec3::splat(point.position.x), 0.5);
-            Bsdf::new(wo).with([Facet::FLAT], [lobe.into()])
+            Bsdf::new(point.frame(), wo).with([Facet::FLAT], [lobe.into()])
         }
 
         fn height(&self, point: &SurfacePoint) -> f32 {
@@ -131,12 +127,12 @@ mod tests {
             wi: Vec3,
             wo: Vec3,
         ) -> (Vec3, f32, Option<[f32; 2]>) {
-            let scattered = material.bsdf(point, wo).scattered(wi, wo);
+            let scattered = material.bsdf(point, wo).eval_cos(wo, wi);
             (scattered, material.height(point), material.height_range())
         }
         let (wo, wi) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, -0.6, 0.8));
         let point = SurfacePoint::new(Vec3::new(0.5, 0.0, 0.0), Vec3::Z, Footprint::from_width(0.0));
-        let expected = Ramp.bsdf(&point, wo).scattered(wi, wo);
+        let expected = Ramp.bsdf(&point, wo).eval_cos(wo, wi);
         assert!(expected.min_element() > 0.0);
         let of = (expected, 0.125, Some([0.0, 0.25]));
         assert_eq!(seen(&Ramp, &point, wi, wo), of);

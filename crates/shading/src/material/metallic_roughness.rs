@@ -35,12 +35,12 @@ use crate::reflectance::{Bsdf, LobePart};
 /// Khronos Group 2021, *glTF 2.0 Specification*, Appendix B.
 ///
 /// ```
-/// use asperity_shading::glam::Vec3;
+/// use asperity_shading::{Frame, glam::Vec3};
 /// use asperity_shading::material::MetallicRoughness;
 /// use asperity_shading::reflectance::{Bsdf, Coat};
 ///
 /// let gold = Vec3::new(1.0, 0.77, 0.34);
-/// let bsdf = Bsdf::new(Vec3::Z).with_coat(Coat::metal(gold).rough(0.2));
+/// let bsdf = Bsdf::new(Frame::IDENTITY, Vec3::Z).with_coat(Coat::metal(gold).rough(0.2));
 /// let seen = MetallicRoughness::of(&bsdf).ok_or("no lobes")?;
 /// assert_eq!((seen.base_color, seen.metallic), (gold, 1.0));
 /// assert!((seen.alpha2 - 0.04).abs() < 1e-6);
@@ -214,7 +214,7 @@ mod tests {
     use crate::bump::{Facet, bumped_normal};
     use crate::reflectance::{Coat, CookTorrance, Dielectric, EnergyPreservingOrenNayar, Lobe};
     use asperity_core::assert_abs_diff_eq;
-    use asperity_ndf_sampling::Beckmann;
+    use asperity_ndf_sampling::{Beckmann, Frame};
 
     fn facets() -> [Facet; 2] {
         [-0.3, 0.5].map(|x| Facet::new(0.5, bumped_normal(Vec3::Z, Vec3::new(-x, 0.0, 0.0))))
@@ -228,19 +228,20 @@ mod tests {
     fn of_distinguishes_matte_glossy_and_varnished_surfaces() {
         let clay = Vec3::new(0.4, 0.2, 0.1);
         let chalk = || Lobe::from(EnergyPreservingOrenNayar::new_clamped(clay, 0.5));
-        let matt = MetallicRoughness::of(&Bsdf::new(Vec3::Z).with(facets(), [chalk()])).unwrap();
+        let matt =
+            MetallicRoughness::of(&Bsdf::new(Frame::IDENTITY, Vec3::Z).with(facets(), [chalk()])).unwrap();
         assert_eq!((matt.base_color, matt.metallic, matt.alpha2, matt.coat), (clay, 0.0, 1.0, None));
         assert_abs_diff_eq!(matt.slopes.mean, Vec2::new(0.1, 0.0), epsilon = 1e-6);
         assert_abs_diff_eq!(matt.slopes.covariance[0], 0.16, epsilon = 1e-5);
 
         let varnish = Coat::varnish(Dielectric::new_clamped(1.5)).rough(0.1);
-        let varnished = Bsdf::new(Vec3::Z).with([Facet::FLAT], [chalk()]).with_coat(varnish);
+        let varnished = Bsdf::new(Frame::IDENTITY, Vec3::Z).with([Facet::FLAT], [chalk()]).with_coat(varnish);
         let varnished = MetallicRoughness::of(&varnished).unwrap();
         assert_eq!((varnished.base_color, varnished.metallic, varnished.coat), (clay, 0.0, None));
         assert_abs_diff_eq!(varnished.alpha2, 0.01, epsilon = 1e-6);
 
         let gold = Vec3::new(1.0, 0.77, 0.34);
-        let metal = Bsdf::new(Vec3::Z).with(facets(), [glossy(gold, 0.3)]);
+        let metal = Bsdf::new(Frame::IDENTITY, Vec3::Z).with(facets(), [glossy(gold, 0.3)]);
         let plain = MetallicRoughness::of(&metal).unwrap();
         assert_eq!((plain.base_color, plain.metallic, plain.coat), (gold, 1.0, None));
         assert_abs_diff_eq!(plain.alpha2, 0.09, epsilon = 1e-6);
@@ -257,8 +258,10 @@ mod tests {
 
     fn of_lobes([diffuse, specular]: [Vec3; 2]) -> MetallicRoughness {
         let chalk = EnergyPreservingOrenNayar::new_clamped(diffuse, 0.0);
-        MetallicRoughness::of(&Bsdf::new(Vec3::Z).with([Facet::FLAT], [glossy(specular, 0.3), chalk.into()]))
-            .unwrap()
+        MetallicRoughness::of(
+            &Bsdf::new(Frame::IDENTITY, Vec3::Z).with([Facet::FLAT], [glossy(specular, 0.3), chalk.into()]),
+        )
+        .unwrap()
     }
 
     #[test]
@@ -319,10 +322,15 @@ mod tests {
     #[test]
     fn of_glass_and_empty_bsdfs_is_none() {
         let glass = Coat::body(Dielectric::new_clamped(1.5));
-        assert_eq!(MetallicRoughness::of(&Bsdf::new(Vec3::Z).with_coat(glass.rough(0.2))), None);
-        assert_eq!(MetallicRoughness::of(&Bsdf::new(Vec3::Z).with_coat(glass)), None);
-        assert_eq!(MetallicRoughness::of(&Bsdf::new(Vec3::Z)), None);
-        let mirror = MetallicRoughness::of(&Bsdf::new(Vec3::Z).with_coat(Coat::metal(Vec3::ONE))).unwrap();
+        assert_eq!(
+            MetallicRoughness::of(&Bsdf::new(Frame::IDENTITY, Vec3::Z).with_coat(glass.rough(0.2))),
+            None
+        );
+        assert_eq!(MetallicRoughness::of(&Bsdf::new(Frame::IDENTITY, Vec3::Z).with_coat(glass)), None);
+        assert_eq!(MetallicRoughness::of(&Bsdf::new(Frame::IDENTITY, Vec3::Z)), None);
+        let mirror =
+            MetallicRoughness::of(&Bsdf::new(Frame::IDENTITY, Vec3::Z).with_coat(Coat::metal(Vec3::ONE)))
+                .unwrap();
         assert_eq!((mirror.metallic, mirror.alpha2), (1.0, 0.0));
     }
 }

@@ -34,7 +34,7 @@ use crate::reflectance::{Bsdf, Lobe};
 /// let stone = NormalMapped { map: map.as_ref(), roughness: Beckmann::isotropic(0.2)?, color: Vec3::ONE };
 /// let seen = |width: f32, wi: Vec3| {
 ///     let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(width)).with_uv(Vec2::splat(0.3), [Vec3::X, Vec3::Y]);
-///     stone.bsdf(&point, Vec3::Z).scattered(wi, Vec3::Z).x
+///     stone.bsdf(&point, Vec3::Z).eval_cos(Vec3::Z, wi).x
 /// };
 /// // From afar they shine to both sides and not straight up, where their mean normal points.
 /// let (left, right) = (Vec3::new(-0.96, 0.0, 0.28), Vec3::new(0.96, 0.0, 0.28));
@@ -58,6 +58,6 @@ impl<const K: usize> Material for NormalMapped<'_, K> {
             let slopes = lobe.moments.add_detail(self.roughness, Coordinates::FAR);
             Lobe::from(slopes).weighted(self.color * lobe.weight)
         });
-        Bsdf::new(wo).with([Facet::FLAT], lobes)
+        Bsdf::new(point.frame(), wo).with([Facet::FLAT], lobes)
     }
 }

@@ -15,8 +15,8 @@ macro_rules! alike_everywhere {
     ($($({$($bounds:tt)*})? $reflectance:ty),*) => {
         $(
             impl $(<$($bounds)*>)? Material for $reflectance {
-                fn bsdf(&self, _: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
-                    Bsdf::new(wo).with([Facet::FLAT], [(self as &dyn Brdf).into()])
+                fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+                    Bsdf::new(point.frame(), wo).with([Facet::FLAT], [(self as &dyn Brdf).into()])
                 }
             }
         )*
@@ -30,7 +30,7 @@ alike_everywhere! {
 
 /// A polished metal, a pane or a body without other layers.
 impl Material for Coat {
-    fn bsdf(&self, _: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
-        Bsdf::new(wo).with_coat(*self)
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        Bsdf::new(point.frame(), wo).with_coat(*self)
     }
 }

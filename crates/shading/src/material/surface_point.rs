@@ -73,8 +73,7 @@ impl SurfacePoint {
         })
     }
 
-    /// The frame of the surface without bumps, for the directions of a
-    /// [`Bsdf`](crate::reflectance::Bsdf).
+    /// The frame of the surface without bumps, for the facets of a [`Bsdf`](crate::Bsdf).
     ///
     /// z is along the normal, and x as close to `∂P/∂u` as orthogonality permits.
     #[must_use]

@@ -23,7 +23,7 @@ use crate::texture::{Bevel, Brick, Edge, Marble, PerturbedTexture, StarWallpaper
 ///
 /// let wall = BrickWall::default();
 /// let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(1e-3)).with_uv(Vec2::new(0.13, 0.045), [Vec3::X, Vec3::Y]);
-/// let seen = wall.bsdf(&point, Vec3::Z).value(Vec3::Z, Vec3::Z);
+/// let seen = wall.bsdf(&point, Vec3::Z).eval(Vec3::Z, Vec3::Z);
 /// assert!(seen.x > 2.0 * seen.z, "clay is red");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,7 +66,7 @@ impl Material for BrickWall {
         let clay = self.clay * (1.0 + 2.0 * self.variation * own * told_apart);
         let color = self.mortar.lerp(clay, sample.brick);
         let lobe = EnergyPreservingOrenNayar::new_clamped(color, self.roughness).into();
-        Bsdf::new(wo).with_visited([lobe], |add| {
+        Bsdf::new(point.frame(), wo).with_visited([lobe], |add| {
             let mut lit = of_slopes(point, self.depth, add);
             self.bricks.facets(point.uv, pixel, |share, _, slope| lit(share, slope));
         })
@@ -134,9 +134,9 @@ impl Material for BeveledTiles {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let lobe = EnergyPreservingOrenNayar::new_clamped(self.color, self.roughness).into();
         let Some((interval, far)) = self.interval(point) else {
-            return Bsdf::new(wo).with([Facet::FLAT], [lobe]);
+            return Bsdf::new(point.frame(), wo).with([Facet::FLAT], [lobe]);
         };
-        Bsdf::new(wo).with_visited([lobe], |add| {
+        Bsdf::new(point.frame(), wo).with_visited([lobe], |add| {
             let mut lit = of_slopes(point, 1.0, add);
             if let Some(EdgeInterval { low, high, beyond, away }) = interval {
                 self.bevel.facets(low.max(0.0), high, |share, slope| {
@@ -190,7 +190,7 @@ impl Material for Wallpaper {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let share = self.stars.coverage(point.uv, point.uv_pixel().long());
         let color = self.paper.lerp(self.star, share);
-        Bsdf::new(wo)
+        Bsdf::new(point.frame(), wo)
             .with([Facet::FLAT], [EnergyPreservingOrenNayar::new_clamped(color, self.roughness).into()])
     }
 }
@@ -210,7 +210,7 @@ impl Material for PolishedMarble {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let color = self.tint * self.marble.color(point.position, point.footprint());
         let stone = EnergyPreservingOrenNayar::new_clamped(color, 0.0).into();
-        let mut bsdf = Bsdf::new(wo);
+        let mut bsdf = Bsdf::new(point.frame(), wo);
         bsdf.add_layer([Facet::FLAT], [stone]);
         if self.polish > 0.0 {
             bsdf.add_coat(Coat::varnish(Dielectric::new_clamped(1.5)).rough(self.polish));
@@ -262,18 +262,19 @@ impl<M: Material> Material for Perturbed<M> {
 mod tests {
     use super::*;
     use crate::pixel::Footprint;
+    use asperity_ndf_sampling::Frame;
 
     #[test]
     fn tiles_of_non_positive_side_have_no_edge() {
         let (wo, wi) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, -0.6, 0.8));
         let lobe = EnergyPreservingOrenNayar::new_clamped(Vec3::ONE, 0.5);
-        let flat = Bsdf::new(wo).with([Facet::FLAT], [lobe.into()]).scattered(wi, wo);
+        let flat = Bsdf::new(Frame::IDENTITY, wo).with([Facet::FLAT], [lobe.into()]).eval_cos(wo, wi);
         let bevel = Bevel::new(0.03, 0.2, 0.2, 0.9).expect("a ridge");
         for (side, width) in [(0.0, 0.1), (-0.2, 0.0), (-0.2, 0.1), (-0.2, 10.0), (f32::NAN, 0.1)] {
             let tiles = BeveledTiles { bevel, side, color: Vec3::ONE, roughness: 0.5 };
             let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(width))
                 .with_uv(Vec2::new(0.31, 0.17), [Vec3::X, Vec3::Y]);
-            assert_eq!(tiles.bsdf(&point, wo).scattered(wi, wo), flat, "side {side}, pixel {width}");
+            assert_eq!(tiles.bsdf(&point, wo).eval_cos(wo, wi), flat, "side {side}, pixel {width}");
         }
     }
 }

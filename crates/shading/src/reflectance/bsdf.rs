@@ -5,8 +5,8 @@ use glam::{Vec2, Vec3};
 
 use crate::bump::{Facet, flip_to_visible};
 use crate::math::clamp_to;
-use crate::reflectance::brdf::{Brdf, are_above, finite, have_sides};
-use crate::reflectance::coat::{Coat, Delta};
+use crate::reflectance::brdf::{Brdf, BsdfSample, SampleKind, are_above, finite, have_sides};
+use crate::reflectance::coat::Coat;
 use crate::reflectance::lobe::{Lobe, LobePart};
 
 /// The maximum number of facets; further ones are merged with the nearest.
@@ -18,22 +18,25 @@ const LAYERS: usize = 4;
 
 /// The BSDF at a surface point, with the light that it scatters and emits towards the eye.
 ///
+/// **Directions are unit vectors in world space that point away from the surface**, the space of
+/// [`SurfacePoint`](crate::SurfacePoint) and its normal. `wo` points to the eye, `wi` to the light.
+/// Facets and coats that build a BSDF have normals in its frame, [`SurfacePoint::frame`].
+///
 /// Layers are added up. Each has a few [`Lobe`]s around the normals of a few [`Facet`]s, which
-/// represent bumps that the pixel does not resolve. A smooth [`Coat`] may cover them.
+/// represent bumps that the pixel does not resolve. A smooth or rough [`Coat`] may cover them.
 ///
 /// ```text
-/// f(ωi, ωo) cos θ_i = T(ωi) T(ωo) Σ_layers Σ_facets share Σ_lobes f_r(ωi′, ωo′) max(0, ωi·m)
+/// f(ωo, ωi) cos θ_i = T(ωi) T(ωo) Σ_layers Σ_facets weight Σ_lobes f(ωo′, ωi′) max(0, ωi·m)
 /// ```
 ///
-/// Lobes that transmit, such as rough glass, use |ωi·m| in place of the cosine, for directions on
-/// the same side of facet and surface.
+/// Here ω′ is in the frame of the facet m, and T = 1 − F of the coat. Lobes that transmit, such as
+/// rough glass, use |ωi·m| in place of the cosine, for directions on the same side of facet and
+/// surface.
 ///
-/// Here ω′ is in the frame of the facet m, and T = 1 − F of the coat. Directions are unit vectors
-/// in the frame of the surface without bumps,
-/// [`SurfacePoint::frame`](crate::material::SurfacePoint::frame), and point away from it. As a
-/// [`Brdf`] it has the value, samples and density of the layers. Reflection and transmission by a
-/// smooth coat are in [`deltas`](Self::deltas), and emission is in [`emitted`](Self::emitted).
-///
+/// - **Methods:** [`eval`](Self::eval) and [`pdf`](Self::pdf) are those of the layers.
+///   [`sample`](Self::sample) also returns reflection and transmission by a smooth coat, as
+///   specular samples. [`emitted`](Self::emitted) is added regardless of the light.
+/// - **Any input:** directions that are not finite or along the surface scatter nothing.
 /// - **Energy:** at most 1 if the lobes of every layer have a total albedo of at most 1 (materials
 ///   add layers only in place of one another).
 /// - **Reciprocal** if every lobe is and no facet is tilted; bump mapping is not reciprocal in
@@ -45,22 +48,26 @@ const LAYERS: usize = 4;
 /// ```
 /// use asperity_shading::bump::slope_facets;
 /// use asperity_shading::reflectance::{Bsdf, Lobe};
-/// use asperity_shading::{Brdf, Lambert, glam::Vec3};
+/// use asperity_shading::{Brdf, Frame, Lambert, glam::Vec3};
 ///
 /// // Chalk with fine bumps is darker under a lamp straight above, and brighter under one at the side.
 /// let chalk = Lambert::new(Vec3::splat(0.8))?;
 /// let lobe = Lobe::from(&chalk as &dyn Brdf);
-/// let bumpy = Bsdf::new(Vec3::Z).with(slope_facets(Vec3::Z, Vec3::Z, 0.1), [lobe]);
+/// let bumpy = Bsdf::new(Frame::IDENTITY, Vec3::Z).with(slope_facets(Vec3::Z, Vec3::Z, 0.1), [lobe]);
 /// let low = Vec3::new(0.96, 0.0, 0.28);
-/// assert!(bumpy.value(Vec3::Z, Vec3::Z).x < chalk.value(Vec3::Z, Vec3::Z).x);
-/// assert!(bumpy.value(low, Vec3::Z).x > chalk.value(low, Vec3::Z).x);
+/// assert!(bumpy.eval(Vec3::Z, Vec3::Z).x < chalk.eval(Vec3::Z, Vec3::Z).x);
+/// assert!(bumpy.eval(Vec3::Z, low).x > chalk.eval(Vec3::Z, low).x);
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
+///
+/// [`SurfacePoint::frame`]: crate::SurfacePoint::frame
 #[doc(alias = "bsdf")]
 #[doc(alias = "bidirectional scattering")]
 #[doc(alias = "btdf")]
 #[derive(Clone, Copy)]
 pub struct Bsdf<'a> {
+    frame: Frame,
+    /// In the frame.
     wo: Vec3,
     facets: [(f32, Frame); FACETS],
     lobes: [Option<Lobe<'a>>; LOBES],
@@ -85,11 +92,12 @@ struct Layer {
 }
 
 impl<'a> Bsdf<'a> {
-    /// Creates an empty BSDF seen from the unit direction `wo`.
+    /// Creates an empty BSDF of a surface with this frame, seen from `wo` in world space.
     #[must_use]
-    pub fn new(wo: Vec3) -> Self {
+    pub fn new(frame: Frame, wo: Vec3) -> Self {
         Self {
-            wo,
+            frame,
+            wo: frame.to_local(wo),
             // Values that are cheap to write, because most entries stay empty.
             facets: [(0.0, NO_FRAME); FACETS],
             lobes: [const { None }; LOBES],
@@ -111,6 +119,15 @@ impl<'a> Bsdf<'a> {
     ) -> Self {
         self.add_layer(facets, lobes);
         self
+    }
+
+    /// Sets the frame, and with it the space of directions.
+    ///
+    /// [`Frame::IDENTITY`] is the frame of the surface itself, where z is its normal, as for a
+    /// [`Brdf`].
+    #[must_use]
+    pub fn with_frame(self, frame: Frame) -> Self {
+        Self { frame, ..self }
     }
 
     /// Adds a coat over all layers; a rough coat uses a layer itself.
@@ -191,32 +208,6 @@ impl<'a> Bsdf<'a> {
         }
     }
 
-    /// Delta lobes of a smooth coat, of reflection and transmission into `wo`; weights are 0
-    /// without a coat.
-    ///
-    /// `u` is a uniform point of the unit square that selects one of the facets of the coat. The
-    /// mean over it is the contribution of the coat. A path tracer follows both directions, or one
-    /// of them by its weight.
-    ///
-    /// `wo` may have any length. If it is along the surface, zero, infinite or NaN, both weights
-    /// are 0.
-    ///
-    /// ```
-    /// use asperity_shading::reflectance::{Bsdf, Coat};
-    /// use asperity_shading::{Dielectric, glam::{Vec2, Vec3}};
-    ///
-    /// let wo = Vec3::new(0.6, 0.0, 0.8);
-    /// let pane = Bsdf::new(wo).with_coat(Coat::pane(Dielectric::new(1.5)?, Vec3::ONE));
-    /// let [mirrored, transmitted] = pane.deltas(wo, Vec2::splat(0.5));
-    /// assert_eq!((mirrored.wi, transmitted.wi), (Vec3::new(-0.6, 0.0, 0.8), -wo));
-    /// assert!((mirrored.weight + transmitted.weight - Vec3::ONE).length() < 1e-6);
-    /// # Ok::<(), asperity_shading::ParameterError>(())
-    /// ```
-    #[must_use]
-    pub fn deltas(&self, wo: Vec3, u: Vec2) -> [Delta; 2] {
-        self.coat.map_or([Delta::default(); 2], |coat| coat.deltas(wo, u))
-    }
-
     /// The radiance emitted into `wo` of [`new`](Self::new) regardless of the light, e.g. rim
     /// light.
     #[must_use]
@@ -224,11 +215,81 @@ impl<'a> Bsdf<'a> {
         self.emitted
     }
 
-    /// `f cos θ_i`: the radiance into `wo` per unit of irradiance from `wi`.
+    /// `f(ωo, ωi)` of the layers in sr⁻¹, linear RGB; without the cosine.
+    #[must_use]
+    pub fn eval(&self, wo: Vec3, wi: Vec3) -> Vec3 {
+        let cosine = wi.dot(self.frame.normal).abs().max(f32::MIN_POSITIVE);
+        self.eval_cos(wo, wi).map(|f| finite(f / cosine))
+    }
+
+    /// `f(ωo, ωi) |cos θ_i|`: the radiance into `wo` per unit of irradiance from `wi`.
     ///
     /// The irradiance is on a surface that faces the light.
     #[must_use]
-    pub fn scattered(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+    pub fn eval_cos(&self, wo: Vec3, wi: Vec3) -> Vec3 {
+        self.local_eval_cos(self.frame.to_local(wo), self.frame.to_local(wi))
+    }
+
+    /// The density over solid angle of samples that are not specular, in sr⁻¹.
+    #[must_use]
+    pub fn pdf(&self, wo: Vec3, wi: Vec3) -> f32 {
+        self.local_pdf(self.frame.to_local(wo), self.frame.to_local(wi))
+    }
+
+    /// Samples a direction of the light that leaves along `wo`.
+    ///
+    /// `uc` selects specular reflection, specular transmission or a lobe, in this order. `u` selects
+    /// the direction. All are uniform in `[0, 1)`; others are clamped, and NaN is read as 0. `None`
+    /// if there is no light for these numbers.
+    ///
+    /// ```
+    /// use asperity_shading::reflectance::{Bsdf, Coat};
+    /// use asperity_shading::{Dielectric, Frame, glam::{Vec2, Vec3}};
+    ///
+    /// let wo = Vec3::new(0.6, 0.0, 0.8);
+    /// let pane = Coat::pane(Dielectric::new(1.5)?, Vec3::ONE);
+    /// let pane = Bsdf::new(Frame::IDENTITY, wo).with_coat(pane);
+    /// let [first, last] = [0.0, 0.999].map(|uc| pane.sample(wo, uc, Vec2::splat(0.5)).unwrap());
+    /// assert_eq!((first.wi, last.wi), (Vec3::new(-0.6, 0.0, 0.8), -wo));
+    /// assert!(first.is_specular() && last.is_transmission());
+    /// assert!((first.weight() - Vec3::ONE).length() < 1e-6);
+    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// ```
+    #[must_use]
+    pub fn sample(&self, wo: Vec3, uc: f32, u: Vec2) -> Option<BsdfSample> {
+        let sample = self.local_sample(self.frame.to_local(wo), uc, u)?;
+        Some(BsdfSample { wi: self.frame.to_world(sample.wi), ..sample })
+    }
+
+    /// The specular samples for `u`, for a renderer that follows all of them.
+    ///
+    /// They are those of [`sample`](Self::sample) for `uc` below the sum of their `pdf`s. With the
+    /// sum S, the mean of `(1 − S) weight` over `uc` in `[S, 1)` is the remaining light.
+    ///
+    /// ```
+    /// use asperity_shading::reflectance::{Bsdf, Coat};
+    /// use asperity_shading::{Dielectric, Frame, glam::{Vec2, Vec3}};
+    ///
+    /// let glass = Bsdf::new(Frame::IDENTITY, Vec3::Z).with_coat(Coat::body(Dielectric::new(1.5)?));
+    /// let [mirrored, refracted] = glass.specular_samples(Vec3::Z, Vec2::ZERO).map(Option::unwrap);
+    /// assert!((mirrored.pdf + refracted.pdf - 1.0).abs() < 1e-6);
+    /// assert!((mirrored.eval_cos.x - 0.04).abs() < 1e-6 && refracted.wi == Vec3::NEG_Z);
+    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// ```
+    #[must_use]
+    pub fn specular_samples(&self, wo: Vec3, u: Vec2) -> [Option<BsdfSample>; 2] {
+        self.local_specular_samples(self.frame.to_local(wo), u)
+            .map(|sample| sample.map(|sample| BsdfSample { wi: self.frame.to_world(sample.wi), ..sample }))
+    }
+
+    fn local_specular_samples(&self, wo: Vec3, u: Vec2) -> [Option<BsdfSample>; 2] {
+        let Some(coat) = self.coat else { return [None; 2] };
+        let chance = coat.strength(wo) / self.total_chance(wo);
+        coat.samples(wo, u)
+            .map(|sample| sample.map(|sample| BsdfSample { pdf: sample.pdf * chance, ..sample }))
+    }
+
+    fn local_eval_cos(&self, wo: Vec3, wi: Vec3) -> Vec3 {
         if !(are_above(wi, wo) || self.transmits && have_sides(wi, wo)) {
             return Vec3::ZERO;
         }
@@ -240,12 +301,18 @@ impl<'a> Bsdf<'a> {
                 let (i, o) = (frame.to_local(wi), frame.to_local(wo));
                 if on_the_sides_of([i, o], [wi, wo]) {
                     let lobes = self.lobes_of(layer);
-                    light += lobes.map(|lobe| lobe.value(i, o)).sum::<Vec3>() * (share * i.z.abs());
+                    light += lobes.map(|lobe| lobe.eval(o, i)).sum::<Vec3>() * (share * i.z.abs());
                 }
             }
             sum += if layer.in_coat { light } else { light * through };
         }
         sum.map(finite)
+    }
+
+    /// Whether any lobe transmits, so that directions below the surface are valid.
+    #[must_use]
+    pub const fn transmits(&self) -> bool {
+        self.transmits
     }
 
     /// The facets of each layer with their fractions and each of their lobes.
@@ -286,6 +353,68 @@ impl<'a> Bsdf<'a> {
             })
         })
     }
+
+    /// The sum of the relative probabilities of specular samples and of lobes.
+    fn total_chance(&self, wo: Vec3) -> f32 {
+        let specular = self.coat.map_or(0.0, |coat| coat.strength(wo));
+        specular + self.chances(wo).map(|(chance, ..)| chance).sum::<f32>()
+    }
+
+    fn local_sample(&self, wo: Vec3, uc: f32, u: Vec2) -> Option<BsdfSample> {
+        let (total, specular) = (self.total_chance(wo), self.coat.map_or(0.0, |coat| coat.strength(wo)));
+        let mut place = clamp_to(uc, 1.0) * total;
+        if place < specular {
+            let [mirrored, transmitted] = self.local_specular_samples(wo, u);
+            return mirrored.filter(|sample| place < sample.pdf * total).or(transmitted).or(mirrored);
+        }
+        place -= specular;
+        let mut last = None;
+        for (chance, frame, lobe) in self.chances(wo).filter(|(chance, ..)| *chance > 0.0) {
+            last = Some((chance / total, frame, lobe, (place / chance).min(0.999_999_94)));
+            if place < chance {
+                break;
+            }
+            place -= chance;
+        }
+        let (chance, frame, lobe, uc) = last?;
+        let o = frame.to_local(wo);
+        let (i, specular) = lobe.draw(o, uc, u)?;
+        let wi = frame.to_world(i);
+        // Directions behind the facet contribute nothing. They must not become directions above the
+        // surface, or below it where another lobe transmits.
+        let counts =
+            if lobe.transmits() { on_the_sides_of([i, o], [wi, wo]) } else { i.z > 0.0 && o.z > 0.0 };
+        if !counts {
+            return None;
+        }
+        if let Some(sample) = specular {
+            let through = self.coat.map_or(1.0, |coat| coat.through(wi) * coat.through(wo));
+            return Some(BsdfSample {
+                wi,
+                eval_cos: sample.eval_cos * through,
+                pdf: sample.pdf * chance,
+                ..sample
+            });
+        }
+        let pdf = self.local_pdf(wo, wi);
+        let kind = if wi.z * wo.z < 0.0 { SampleKind::Transmission } else { SampleKind::Reflection };
+        (pdf > 0.0).then(|| BsdfSample { wi, eval_cos: self.local_eval_cos(wo, wi), pdf, kind })
+    }
+
+    fn local_pdf(&self, wo: Vec3, wi: Vec3) -> f32 {
+        if !(are_above(wi, wo) || self.transmits && have_sides(wi, wo)) {
+            return 0.0;
+        }
+        let (mut sum, mut total) = (0.0, self.coat.map_or(0.0, |coat| coat.strength(wo)));
+        for (chance, frame, lobe) in self.chances(wo) {
+            total += chance;
+            let local = [frame.to_local(wi), frame.to_local(wo)];
+            if lobe.counts(local, [wi, wo]) {
+                sum += chance * lobe.pdf(local[1], local[0]);
+            }
+        }
+        if total > 0.0 { finite(sum / total) } else { 0.0 }
+    }
 }
 
 /// Whether a facet sees both directions from the same side as the surface.
@@ -317,60 +446,4 @@ fn add(facets: &mut [(f32, Frame)], count: usize, share: f32, normal: Vec3) -> u
         *nearest = (nearest.0 + share, Frame::from_normal_tangent(both, Vec3::X));
     }
     0
-}
-
-impl Brdf for Bsdf<'_> {
-    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
-        let cosine = wi.z.abs().max(f32::MIN_POSITIVE);
-        self.scattered(wi, wo).map(|f| finite(f / cosine))
-    }
-
-    /// Samples one of the lobes, selected by its approximate contribution.
-    fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {
-        let total: f32 = self.chances(wo).map(|(chance, ..)| chance).sum();
-        let mut place = clamp_to(u.x, 1.0) * total;
-        let mut last = None;
-        for (chance, frame, lobe) in self.chances(wo).filter(|(chance, ..)| *chance > 0.0) {
-            last = Some((frame, lobe, (place / chance).min(0.999_999_94)));
-            if place < chance {
-                break;
-            }
-            place -= chance;
-        }
-        match last {
-            Some((frame, lobe, x)) => {
-                let o = frame.to_local(wo);
-                let i = lobe.sample(o, Vec2::new(x, u.y));
-                let wi = frame.to_world(i);
-                // Directions behind the facet contribute nothing. They must not become directions
-                // above the surface, or below it where another lobe transmits.
-                match self.transmits {
-                    false if i.z > 0.0 && o.z > 0.0 => wi,
-                    false => Vec3::new(wi.x, wi.y, -wi.z.abs()),
-                    true if lobe.counts([i, o], [wi, wo]) => wi,
-                    true => Vec3::ZERO,
-                }
-            }
-            None => Vec3::ZERO,
-        }
-    }
-
-    fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
-        if !(are_above(wi, wo) || self.transmits && have_sides(wi, wo)) {
-            return 0.0;
-        }
-        let (mut sum, mut total) = (0.0, 0.0);
-        for (chance, frame, lobe) in self.chances(wo) {
-            total += chance;
-            let local = [frame.to_local(wi), frame.to_local(wo)];
-            if lobe.counts(local, [wi, wo]) {
-                sum += chance * lobe.density(local[0], local[1]);
-            }
-        }
-        if total > 0.0 { finite(sum / total) } else { 0.0 }
-    }
-
-    fn transmits(&self) -> bool {
-        self.transmits
-    }
 }

@@ -9,6 +9,7 @@ use crate::bump::{Facet, bumped_normal, flip_to_visible, slope_facets};
 use crate::direction::{along, reflect};
 use crate::math::{clamp_to, cos, ln_1p, sin, sqrt};
 use crate::reflectance::absorption::through_wall;
+use crate::reflectance::brdf::{BsdfSample, SampleKind};
 use crate::reflectance::cook_torrance::CookTorrance;
 use crate::reflectance::fresnel::{Dielectric, Fresnel};
 use crate::reflectance::lobe::{Lobe, LobePart};
@@ -18,8 +19,8 @@ use crate::reflectance::rough_dielectric::RoughDielectric;
 ///
 /// Varnish, a pane, a body of glass, or a polished metal.
 ///
-/// It scatters light into single directions, [`Delta`] lobes. Unresolved slopes blur them: each
-/// lobe then belongs to a facet that is selected by random numbers.
+/// It scatters light into single directions, specular [samples](crate::Bsdf::sample). Unresolved
+/// slopes blur them: each direction then belongs to a facet that is selected by random numbers.
 #[doc(alias = "clearcoat")]
 #[doc(alias = "varnish")]
 #[doc(alias = "mirror")]
@@ -51,16 +52,12 @@ enum Behind {
 }
 
 /// A direction of light that a smooth surface scatters into `wo`, with its weight.
-///
-/// Transmitted light has a `wi.z` of the opposite sign of `wo.z`.
-#[doc(alias = "specular delta")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Delta {
-    /// The unit direction to the light, in the frame of the surface; any finite vector if the
-    /// weight is 0.
-    pub wi: Vec3,
+struct Delta {
+    /// The unit direction to the light; any finite vector if the weight is 0.
+    wi: Vec3,
     /// The fraction of its radiance, in [0, 1]³.
-    pub weight: Vec3,
+    weight: Vec3,
 }
 
 /// `α²/v` of the narrowest lobe that has no gaps between the facets of slopes of the variance v.
@@ -121,7 +118,7 @@ impl Coat {
     /// It becomes a lobe of the [`Bsdf`](crate::reflectance::Bsdf) in place of a single direction.
     ///
     /// A rough pane or body also scatters the transmitted light: it is a [`RoughDielectric`], and
-    /// has no [`Delta`].
+    /// has no specular samples.
     ///
     /// Unresolved slopes are [facets](slope_facets()) of a rough coat. If the lobe is too narrow to
     /// fill the gaps between them, with α below 1.2 standard deviations, it is widened by a
@@ -261,10 +258,36 @@ impl Coat {
         flip_to_visible(Vec3::Z, facet, wo)
     }
 
-    /// Delta lobes of reflection and transmission into `wo` of any length.
+    /// The approximate weight of specular samples; 0 only if it is 0 at every facet.
+    pub(super) fn strength(&self, wo: Vec3) -> f32 {
+        let opaque = |weight: Vec3| if wo.z > 0.0 { weight.max_element() } else { 0.0 };
+        let smooth = match self.behind {
+            Behind::Veil(transmittance) => return clamp_to(transmittance.max_element(), 1.0),
+            Behind::Layers(fresnel) => opaque(fresnel.reflectance_rgb(wo.dot(self.normal))),
+            Behind::Metal(color) => opaque(color),
+            Behind::Pane(..) | Behind::Body(_) => 1.0,
+        };
+        if self.is_rough() { 0.0 } else { clamp_to(smooth, 1.0) }
+    }
+
+    /// Specular reflection and transmission, each with its fraction of the weight as probability.
+    pub(super) fn samples(&self, wo: Vec3, u: Vec2) -> [Option<BsdfSample>; 2] {
+        let [mirrored, transmitted] = self.deltas(wo, u);
+        let all = mirrored.weight.max_element() + transmitted.weight.max_element();
+        [
+            (mirrored.wi, mirrored.weight, SampleKind::SpecularReflection),
+            (transmitted.wi, transmitted.weight, SampleKind::SpecularTransmission),
+        ]
+        .map(|(wi, eval_cos, kind)| {
+            let pdf = eval_cos.max_element() / all;
+            (pdf > 0.0).then_some(BsdfSample { wi, eval_cos, pdf, kind })
+        })
+    }
+
+    /// Reflection and transmission into `wo` of any length.
     ///
     /// A random point of the unit square selects the facet.
-    pub(super) fn deltas(&self, wo: Vec3, u: Vec2) -> [Delta; 2] {
+    fn deltas(&self, wo: Vec3, u: Vec2) -> [Delta; 2] {
         let dark = [Delta::default(); 2];
         // A vector that is unit to rounding is unchanged.
         let unit = (wo.length_squared() - 1.0).abs() < 1e-5;
@@ -282,7 +305,10 @@ impl Coat {
         let m = turned.facet(up, u);
         let cosine = up.dot(m);
         let smooth = if self.roughness > 0.0 { 0.0 } else { 1.0 };
-        let mirrored = |share: Vec3| Delta { wi: reflect(up, m) * side, weight: share * smooth };
+        // Light that a bump reflects into the surface is reflected out again.
+        let bounced = reflect(up, m);
+        let wi = bounced.with_z(bounced.z.abs()) * side;
+        let mirrored = |share: Vec3| Delta { wi, weight: share * smooth };
         let straight = |share: Vec3| Delta { wi: -wo, weight: share.clamp(Vec3::ZERO, Vec3::ONE) };
         match self.behind {
             Behind::Layers(fresnel) if !inside => {

@@ -4,7 +4,7 @@ use asperity_ndf_sampling::Microfacet;
 use glam::{Vec2, Vec3};
 
 use crate::direction::{half_vector, reflect};
-use crate::reflectance::brdf::{Brdf, are_above, finite, mirrored_density};
+use crate::reflectance::brdf::{Brdf, BsdfSample, are_above, finite, mirrored_pdf};
 use crate::reflectance::fresnel::Fresnel;
 
 /// The Cook–Torrance microfacet model with Smith masking and shadowing.
@@ -31,9 +31,8 @@ use crate::reflectance::fresnel::Fresnel;
 ///
 /// let metal = CookTorrance::new(Ggx::new(0.2, 0.4)?, Schlick::new(0.9)?);
 /// let wo = Vec3::new(0.6, 0.0, 0.8);
-/// let wi = metal.sample(wo, Vec2::new(0.3, 0.6));
-/// let weight = metal.value(wi, wo) * wi.z / metal.density(wi, wo);
-/// assert!(weight.max_element() <= 1.0 + 1e-5);
+/// let sample = metal.sample(wo, 0.5, Vec2::new(0.3, 0.6)).unwrap();
+/// assert!(sample.weight().max_element() <= 1.0 + 1e-5);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[doc(alias = "microfacet")]
@@ -81,10 +80,15 @@ impl<D: Microfacet, F: Fresnel> CookTorrance<D, F> {
     pub const fn fresnel(&self) -> &F {
         &self.fresnel
     }
+
+    /// Reflects `wo` at a visible facet.
+    pub(super) fn direction(&self, wo: Vec3, u: Vec2) -> Vec3 {
+        reflect(wo, self.density.sample_visible(wo, u))
+    }
 }
 
 impl<D: Microfacet, F: Fresnel> Brdf for CookTorrance<D, F> {
-    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+    fn eval(&self, wo: Vec3, wi: Vec3) -> Vec3 {
         if !are_above(wi, wo) {
             return Vec3::ZERO;
         }
@@ -96,12 +100,12 @@ impl<D: Microfacet, F: Fresnel> Brdf for CookTorrance<D, F> {
         finite(self.density.d(h) * masking / (4.0 * wi.z * wo.z)) * self.fresnel.reflectance_rgb(wo.dot(h))
     }
 
-    fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {
-        reflect(wo, self.density.sample_visible(wo, u))
+    fn sample(&self, wo: Vec3, _: f32, u: Vec2) -> Option<BsdfSample> {
+        BsdfSample::from_direction(self, wo, self.direction(wo, u))
     }
 
-    fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
-        mirrored_density(wi, wo, |h| self.density.visible_pdf(wo, h))
+    fn pdf(&self, wo: Vec3, wi: Vec3) -> f32 {
+        mirrored_pdf(wo, wi, |h| self.density.visible_pdf(wo, h))
     }
 }
 
@@ -114,8 +118,8 @@ mod tests {
     #[test]
     fn cook_torrance_at_normal_incidence_is_a_quarter_of_the_peak() {
         let ndf = Ggx::isotropic(0.5).unwrap();
-        let smith = CookTorrance::new(ndf, Vec3::ONE).value(Vec3::Z, Vec3::Z);
-        let grooves = TorranceSparrow::new(ndf, Vec3::ONE).value(Vec3::Z, Vec3::Z);
+        let smith = CookTorrance::new(ndf, Vec3::ONE).eval(Vec3::Z, Vec3::Z);
+        let grooves = TorranceSparrow::new(ndf, Vec3::ONE).eval(Vec3::Z, Vec3::Z);
         let expected = Vec3::splat(0.25 * ndf.d(Vec3::Z));
         assert!((smith - expected).length() < 1e-6 && (grooves - expected).length() < 1e-6);
     }
@@ -125,7 +129,7 @@ mod tests {
         let (wi, wo) = (Vec3::new(0.96, 0.0, 0.28), Vec3::new(-0.96, 0.0, 0.28));
         let correlated = CookTorrance::new(Beckmann::isotropic(0.8).unwrap(), Vec3::ONE);
         let separable = correlated.with_masking(Masking::Separable);
-        assert!(separable.value(wi, wo).x < 0.98 * correlated.value(wi, wo).x);
+        assert!(separable.eval(wo, wi).x < 0.98 * correlated.eval(wo, wi).x);
     }
 
     #[test]
@@ -133,8 +137,8 @@ mod tests {
         let ndf = Ggx::isotropic(1e-4).unwrap();
         let low = Vec3::new(1.0, 0.0, 1e-20);
         for (wi, wo) in [(Vec3::Z, Vec3::Z), (low, low), (low, Vec3::new(-1.0, 0.0, 1e-20))] {
-            assert!(CookTorrance::new(ndf, Vec3::ONE).value(wi, wo).is_finite());
-            assert!(TorranceSparrow::new(ndf, Vec3::ONE).value(wi, wo).is_finite());
+            assert!(CookTorrance::new(ndf, Vec3::ONE).eval(wo, wi).is_finite());
+            assert!(TorranceSparrow::new(ndf, Vec3::ONE).eval(wo, wi).is_finite());
         }
     }
 }

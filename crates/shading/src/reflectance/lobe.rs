@@ -7,7 +7,7 @@ use crate::direction::{half_vector, reflect};
 use crate::level_of_detail::{Coordinates, LevelOfDetail};
 use crate::math::{clamp_to, sqrt};
 use crate::pixel::Footprint;
-use crate::reflectance::brdf::{Brdf, are_above, finite, mirrored_density};
+use crate::reflectance::brdf::{Brdf, BsdfSample, are_above, cosine_hemisphere, finite, mirrored_pdf};
 use crate::reflectance::cook_torrance::CookTorrance;
 use crate::reflectance::diffuse::EnergyPreservingOrenNayar;
 use crate::reflectance::fresnel::{Dielectric, Fresnel};
@@ -31,7 +31,7 @@ use crate::reflectance::rough_dielectric::RoughDielectric;
 ///
 /// let chalk = Lambert::new(Vec3::splat(0.8))?;
 /// let half = Lobe::from(&chalk as &dyn Brdf).weighted(Vec3::splat(0.5));
-/// assert_eq!(half.value(Vec3::Z, Vec3::Z), 0.5 * chalk.value(Vec3::Z, Vec3::Z));
+/// assert_eq!(half.eval(Vec3::Z, Vec3::Z), 0.5 * chalk.eval(Vec3::Z, Vec3::Z));
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[derive(Clone, Copy)]
@@ -179,14 +179,38 @@ impl<'a> Lobe<'a> {
         };
         finite((own * self.weight).max_element())
     }
+
+    /// Samples a direction, with its sample if it is specular.
+    pub(super) fn draw(&self, wo: Vec3, uc: f32, u: Vec2) -> Option<(Vec3, Option<BsdfSample>)> {
+        let wi = match &self.kind {
+            Kind::Diffuse(_) => cosine_hemisphere(u),
+            Kind::Glossy(lobe) | Kind::Counted { all: lobe, .. } | Kind::Sparkling { base: lobe, .. } => {
+                lobe.direction(wo, u)
+            }
+            Kind::Varnish(varnish) => varnish.direction(wo, u),
+            Kind::Resolved { ndf, rule, coordinates } => {
+                // A facet of a facet may be below the surface, where it is invisible.
+                let m = Some(resolved_normal(*ndf, *rule, *coordinates, u)).filter(|m| m.z > 0.0)?;
+                reflect(wo, m)
+            }
+            Kind::Slopes(slopes) => reflect(wo, slopes.sample(u)),
+            Kind::Frosted(glass) => glass.direction(wo, uc, u)?,
+            Kind::Other(brdf) => {
+                let sample = brdf.sample(wo, uc, u)?;
+                let weighted = BsdfSample { eval_cos: sample.eval_cos * self.weight, ..sample };
+                return Some((sample.wi, sample.is_specular().then_some(weighted)));
+            }
+        };
+        Some((wi, None))
+    }
 }
 
 impl Brdf for Lobe<'_> {
-    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+    fn eval(&self, wo: Vec3, wi: Vec3) -> Vec3 {
         if !are_above(wi, wo) {
             return match &self.kind {
-                Kind::Frosted(glass) => self.weight * glass.value(wi, wo),
-                Kind::Other(brdf) if brdf.transmits() => self.weight * brdf.value(wi, wo),
+                Kind::Frosted(glass) => self.weight * glass.eval(wo, wi),
+                Kind::Other(brdf) if brdf.transmits() => self.weight * brdf.eval(wo, wi),
                 _ => Vec3::ZERO,
             };
         }
@@ -195,66 +219,53 @@ impl Brdf for Lobe<'_> {
         let shown = (h.z / wo.dot(h)).min(1.0) / (4.0 * wi.z.max(wo.z));
         let facets = |density: f32| Vec3::splat(finite(density * shown));
         let value = match &self.kind {
-            Kind::Diffuse(diffuse) => diffuse.value(wi, wo),
-            Kind::Glossy(glossy) => glossy.value(wi, wo),
-            Kind::Varnish(varnish) => varnish.value(wi, wo),
+            Kind::Diffuse(diffuse) => diffuse.eval(wo, wi),
+            Kind::Glossy(glossy) => glossy.eval(wo, wi),
+            Kind::Varnish(varnish) => varnish.eval(wo, wi),
             Kind::Counted { all, flakes, position, footprint } => {
-                all.value(wi, wo) * flakes.relative(h, *position, *footprint)
+                all.eval(wo, wi) * flakes.relative(h, *position, *footprint)
             }
             Kind::Sparkling { base, flake, color, weights: [weight, mean] } => {
-                let even = base.value(wi, wo);
+                let even = base.eval(wo, wi);
                 let frame = Frame::from_normal(*flake);
                 let (i, o) = (frame.to_local(wi), frame.to_local(wo));
                 // The cosine with the flake instead of the surface.
                 let white = CookTorrance::new(*base.facets(), *color);
-                let bright = white.value(i, o) * (i.z.max(0.0) / wi.z.max(1e-3)).min(4.0);
+                let bright = white.eval(o, i) * (i.z.max(0.0) / wi.z.max(1e-3)).min(4.0);
                 // The surrounding points lose at most half of their light.
                 let most = even * (0.5 / mean.max(1e-6));
                 even + (bright - even).max(Vec3::ZERO).min(most) * (weight - mean)
             }
             Kind::Resolved { ndf, rule, coordinates } => facets(rule.radiance(*ndf, h, *coordinates)),
             Kind::Slopes(slopes) => facets(slopes.d(h)),
-            Kind::Frosted(glass) => glass.value(wi, wo),
-            Kind::Other(brdf) => brdf.value(wi, wo),
+            Kind::Frosted(glass) => glass.eval(wo, wi),
+            Kind::Other(brdf) => brdf.eval(wo, wi),
         };
         self.weight * value
     }
 
-    fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {
-        match &self.kind {
-            Kind::Diffuse(diffuse) => diffuse.sample(wo, u),
-            Kind::Glossy(lobe) | Kind::Counted { all: lobe, .. } | Kind::Sparkling { base: lobe, .. } => {
-                lobe.sample(wo, u)
-            }
-            Kind::Varnish(varnish) => varnish.sample(wo, u),
-            Kind::Resolved { ndf, rule, coordinates } => {
-                let m = resolved_normal(*ndf, *rule, *coordinates, u);
-                // A facet of a facet may be below the surface, where it is invisible.
-                if m.z > 0.0 { reflect(wo, m) } else { Vec3::NEG_Z }
-            }
-            Kind::Slopes(slopes) => reflect(wo, slopes.sample(u)),
-            Kind::Frosted(glass) => glass.sample(wo, u),
-            Kind::Other(brdf) => brdf.sample(wo, u),
-        }
+    fn sample(&self, wo: Vec3, uc: f32, u: Vec2) -> Option<BsdfSample> {
+        let (wi, specular) = self.draw(wo, uc, u)?;
+        specular.or_else(|| BsdfSample::from_direction(self, wo, wi))
     }
 
-    fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
+    fn pdf(&self, wo: Vec3, wi: Vec3) -> f32 {
         match &self.kind {
-            Kind::Diffuse(diffuse) => diffuse.density(wi, wo),
+            Kind::Diffuse(diffuse) => diffuse.pdf(wo, wi),
             Kind::Glossy(lobe) | Kind::Counted { all: lobe, .. } | Kind::Sparkling { base: lobe, .. } => {
-                lobe.density(wi, wo)
+                lobe.pdf(wo, wi)
             }
-            Kind::Varnish(varnish) => varnish.density(wi, wo),
-            Kind::Resolved { ndf, rule, coordinates } => mirrored_density(wi, wo, |h| {
+            Kind::Varnish(varnish) => varnish.pdf(wo, wi),
+            Kind::Resolved { ndf, rule, coordinates } => mirrored_pdf(wo, wi, |h| {
                 let cosine = match rule {
                     LevelOfDetail::Exact => h.z,
                     LevelOfDetail::Fractal => h.dot(rule.normal(*ndf, *coordinates)),
                 };
                 rule.radiance(*ndf, h, *coordinates) * cosine.max(0.0)
             }),
-            Kind::Slopes(slopes) => mirrored_density(wi, wo, |h| slopes.pdf(h)),
-            Kind::Frosted(glass) => glass.density(wi, wo),
-            Kind::Other(brdf) => brdf.density(wi, wo),
+            Kind::Slopes(slopes) => mirrored_pdf(wo, wi, |h| slopes.pdf(h)),
+            Kind::Frosted(glass) => glass.pdf(wo, wi),
+            Kind::Other(brdf) => brdf.pdf(wo, wi),
         }
     }
 

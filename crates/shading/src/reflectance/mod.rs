@@ -14,9 +14,9 @@ mod torrance_sparrow;
 mod ward;
 
 pub use absorption::Absorption;
-pub use brdf::Brdf;
+pub use brdf::{Brdf, BsdfSample, SampleKind};
 pub use bsdf::Bsdf;
-pub use coat::{Coat, Delta};
+pub use coat::Coat;
 pub use cook_torrance::{CookTorrance, Masking};
 pub use diffuse::{EnergyPreservingOrenNayar, Lambert, OrenNayar, OrenNayarForm};
 pub use fresnel::{Conductor, Dielectric, Fresnel, Schlick, SchlickF82};

@@ -7,7 +7,7 @@ use glam::{Vec2, Vec3};
 use crate::direction::reflect;
 use crate::math::{clamp_to, cos, exp, exp2, ln_1p, pow, sin, sqrt};
 use crate::parameter::{ParameterError, color, within};
-use crate::reflectance::brdf::{Brdf, are_above, finite, mirrored_density};
+use crate::reflectance::brdf::{Brdf, BsdfSample, are_above, finite, mirrored_pdf};
 
 /// The normalized Phong lobe around the mirrored direction.
 ///
@@ -29,7 +29,7 @@ use crate::reflectance::brdf::{Brdf, are_above, finite, mirrored_density};
 ///
 /// let lacquer = Phong::new(Vec3::splat(0.3), 60.0)?;
 /// let wo = Vec3::new(0.6, 0.0, 0.8);
-/// assert!(lacquer.value(Vec3::new(-0.6, 0.0, 0.8), wo).x > 100.0 * lacquer.value(Vec3::Z, wo).x);
+/// assert!(lacquer.eval(wo, Vec3::new(-0.6, 0.0, 0.8)).x > 100.0 * lacquer.eval(wo, Vec3::Z).x);
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,21 +66,22 @@ impl Phong {
 }
 
 impl Brdf for Phong {
-    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+    fn eval(&self, wo: Vec3, wi: Vec3) -> Vec3 {
         if !are_above(wi, wo) {
             return Vec3::ZERO;
         }
         self.specular * ((self.exponent + 2.0) / TAU * self.lobe(wi, wo))
     }
 
-    fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {
+    fn sample(&self, wo: Vec3, _: f32, u: Vec2) -> Option<BsdfSample> {
         let (u, turn) = (clamp_to(u.x, 1.0), TAU * clamp_to(u.y, 1.0));
         let z = pow(1.0 - u, 1.0 / (self.exponent + 1.0));
         let r = sqrt((1.0 - z * z).max(0.0));
-        Frame::from_normal(reflect(wo, Vec3::Z)).to_world(Vec3::new(r * cos(turn), r * sin(turn), z))
+        let lobe = Frame::from_normal(reflect(wo, Vec3::Z));
+        BsdfSample::from_direction(self, wo, lobe.to_world(Vec3::new(r * cos(turn), r * sin(turn), z)))
     }
 
-    fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
+    fn pdf(&self, wo: Vec3, wi: Vec3) -> f32 {
         if are_above(wi, wo) { (self.exponent + 1.0) / TAU * self.lobe(wi, wo) } else { 0.0 }
     }
 }
@@ -120,7 +121,7 @@ pub enum BlinnPhongFactor {
 /// use asperity_shading::{Brdf, glam::Vec3};
 ///
 /// let gloss = BlinnPhongBrdf::new(Vec3::splat(0.5), 40.0, BlinnPhongFactor::Albedo)?;
-/// assert!(gloss.value(Vec3::Z, Vec3::Z).x > gloss.value(Vec3::new(0.6, 0.0, 0.8), Vec3::Z).x);
+/// assert!(gloss.eval(Vec3::Z, Vec3::Z).x > gloss.eval(Vec3::Z, Vec3::new(0.6, 0.0, 0.8)).x);
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -151,7 +152,7 @@ impl BlinnPhongBrdf {
 }
 
 impl Brdf for BlinnPhongBrdf {
-    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+    fn eval(&self, wo: Vec3, wi: Vec3) -> Vec3 {
         if !are_above(wi, wo) {
             return Vec3::ZERO;
         }
@@ -161,12 +162,12 @@ impl Brdf for BlinnPhongBrdf {
         self.specular * finite(self.factor * lobe)
     }
 
-    fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {
-        reflect(wo, self.density.sample(u))
+    fn sample(&self, wo: Vec3, _: f32, u: Vec2) -> Option<BsdfSample> {
+        BsdfSample::from_direction(self, wo, reflect(wo, self.density.sample(u)))
     }
 
-    fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
-        mirrored_density(wi, wo, |h| self.density.pdf(h))
+    fn pdf(&self, wo: Vec3, wi: Vec3) -> f32 {
+        mirrored_pdf(wo, wi, |h| self.density.pdf(h))
     }
 }
 
@@ -179,7 +180,7 @@ mod tests {
     fn phong_is_brightest_in_the_mirror() {
         let phong = Phong::new(Vec3::ONE, 30.0).unwrap();
         let wo = Vec3::new(0.48, 0.36, 0.8);
-        let peak = phong.value(reflect(wo, Vec3::Z), wo).x;
+        let peak = phong.eval(wo, reflect(wo, Vec3::Z)).x;
         assert_abs_diff_eq!(peak, 32.0 / TAU, epsilon = 1e-4);
     }
 }

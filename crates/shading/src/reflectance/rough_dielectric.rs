@@ -6,7 +6,7 @@ use glam::{Vec2, Vec3};
 use crate::direction::{half_vector, reflect};
 use crate::math::{clamp_to, sqrt};
 use crate::reflectance::absorption::through_wall;
-use crate::reflectance::brdf::{Brdf, finite, have_sides};
+use crate::reflectance::brdf::{Brdf, BsdfSample, finite, have_sides};
 use crate::reflectance::fresnel::Dielectric;
 
 /// Rough glass: the microfacet BSDF of Walter et al. (2007) for any NDF with Smith masking.
@@ -54,10 +54,10 @@ use crate::reflectance::fresnel::Dielectric;
 ///
 /// let frosted = RoughDielectric::new(Ggx::isotropic(0.3)?, Dielectric::new(1.5)?);
 /// let (wo, wi) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(-0.3, 0.1, -0.9).normalize());
-/// let (there, back) = (frosted.value(wi, wo), frosted.value(wo, wi));
+/// let (there, back) = (frosted.eval(wo, wi), frosted.eval(wi, wo));
 /// assert!(there.x > 0.0 && (there - 2.25 * back).length() < 1e-5);
 /// // Most of the light is transmitted.
-/// assert!(frosted.sample(wo, Vec2::new(0.7, 0.2)).z < 0.0);
+/// assert!(frosted.sample(wo, 0.7, Vec2::new(0.7, 0.2)).unwrap().is_transmission());
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[doc(alias = "frosted glass")]
@@ -185,6 +185,26 @@ impl<D: Microfacet> RoughDielectric<D> {
             PROBES.iter().map(|u| self.reflectance(wo, v.dot(self.density.sample_visible(v, *u)))).sum();
         (0.25 * sum).clamp(0.03, 0.97)
     }
+
+    /// Reflects or refracts `wo` at a visible facet.
+    pub(super) fn direction(&self, wo: Vec3, uc: f32, u: Vec2) -> Option<Vec3> {
+        if !have_sides(wo, wo) {
+            return None;
+        }
+        let (v, side) = (seen_from_above(wo), wo.z.signum());
+        let h = self.density.sample_visible(v, u);
+        let mirrored = reflect(v, h);
+        let reflects = clamp_to(uc, 1.0) < self.chance(wo);
+        if reflects || self.wall.is_some() {
+            let flip = if reflects { 1.0 } else { -1.0 };
+            return (mirrored.z > 0.0).then_some(mirrored * Vec3::new(1.0, 1.0, flip) * side);
+        }
+        // Snell: sin θ_t = sin θ/η.
+        let (eta, cosine) = (1.0 / self.interface(wo).relative_index(), v.dot(h));
+        let below = 1.0 - eta * eta * (1.0 - cosine * cosine).max(0.0);
+        let refracted = (eta * cosine - sqrt(below.max(0.0))) * h - eta * v;
+        (below > 0.0 && refracted.z < 0.0).then_some(refracted * side)
+    }
 }
 
 /// An interface whose index is at least a step away from 1.
@@ -200,7 +220,7 @@ fn seen_from_above(w: Vec3) -> Vec3 {
 }
 
 impl<D: Microfacet> Brdf for RoughDielectric<D> {
-    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+    fn eval(&self, wo: Vec3, wi: Vec3) -> Vec3 {
         let Some(meeting) = self.meeting(wi, wo) else {
             return Vec3::ZERO;
         };
@@ -211,35 +231,11 @@ impl<D: Microfacet> Brdf for RoughDielectric<D> {
         finite(facets / (wi.z * wo.z).abs()) * self.share(wo, &meeting)
     }
 
-    fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {
-        if !have_sides(wo, wo) {
-            return Vec3::ZERO;
-        }
-        let (chance, x) = (self.chance(wo), clamp_to(u.x, 1.0));
-        let mirrors = x < chance;
-        let x = if mirrors { x / chance } else { (x - chance) / (1.0 - chance) };
-        let v = seen_from_above(wo);
-        let h = self.density.sample_visible(v, Vec2::new(x.min(0.999_999_94), u.y));
-        let mirrored = reflect(v, h);
-        let same_side = if mirrored.z > 0.0 { mirrored * wo.z.signum() } else { Vec3::ZERO };
-        if mirrors {
-            return same_side;
-        }
-        if self.wall.is_some() {
-            return if mirrored.z > 0.0 {
-                mirrored * Vec3::new(1.0, 1.0, -1.0) * wo.z.signum()
-            } else {
-                Vec3::ZERO
-            };
-        }
-        // Snell: sin θ_t = sin θ/η.
-        let (eta, cosine) = (1.0 / self.interface(wo).relative_index(), v.dot(h));
-        let below = 1.0 - eta * eta * (1.0 - cosine * cosine).max(0.0);
-        let refracted = (eta * cosine - sqrt(below.max(0.0))) * h - eta * v;
-        if below > 0.0 && refracted.z < 0.0 { refracted * wo.z.signum() } else { Vec3::ZERO }
+    fn sample(&self, wo: Vec3, uc: f32, u: Vec2) -> Option<BsdfSample> {
+        BsdfSample::from_direction(self, wo, self.direction(wo, uc, u)?)
     }
 
-    fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
+    fn pdf(&self, wo: Vec3, wi: Vec3) -> f32 {
         let Some(meeting) = self.meeting(wi, wo) else {
             return 0.0;
         };

@@ -4,7 +4,7 @@ use asperity_ndf_sampling::Ndf;
 use glam::{Vec2, Vec3};
 
 use crate::direction::{half_vector, reflect};
-use crate::reflectance::brdf::{Brdf, are_above, finite, mirrored_density};
+use crate::reflectance::brdf::{Brdf, BsdfSample, are_above, finite, mirrored_pdf};
 use crate::reflectance::fresnel::Fresnel;
 
 /// The Torrance–Sparrow microfacet model with V-shaped grooves, for any NDF.
@@ -30,7 +30,7 @@ use crate::reflectance::fresnel::Fresnel;
 /// use asperity_shading::{Brdf, TorranceSparrow, glam::Vec3};
 ///
 /// let plaster = TorranceSparrow::new(BlinnPhong::new(20.0)?, Vec3::splat(0.6));
-/// assert!(plaster.value(Vec3::Z, Vec3::Z).x > 0.0);
+/// assert!(plaster.eval(Vec3::Z, Vec3::Z).x > 0.0);
 /// # Ok::<(), asperity_shading::ndf_sampling::NdfError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,7 +60,7 @@ impl<D: Ndf, F: Fresnel> TorranceSparrow<D, F> {
 }
 
 impl<D: Ndf, F: Fresnel> Brdf for TorranceSparrow<D, F> {
-    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+    fn eval(&self, wo: Vec3, wi: Vec3) -> Vec3 {
         if !are_above(wi, wo) {
             return Vec3::ZERO;
         }
@@ -73,12 +73,12 @@ impl<D: Ndf, F: Fresnel> Brdf for TorranceSparrow<D, F> {
         finite(self.density.d(h) * masked * 0.25) * self.fresnel.reflectance_rgb(cosine)
     }
 
-    fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {
-        reflect(wo, self.density.sample(u))
+    fn sample(&self, wo: Vec3, _: f32, u: Vec2) -> Option<BsdfSample> {
+        BsdfSample::from_direction(self, wo, reflect(wo, self.density.sample(u)))
     }
 
-    fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
-        mirrored_density(wi, wo, |h| self.density.pdf(h))
+    fn pdf(&self, wo: Vec3, wi: Vec3) -> f32 {
+        mirrored_pdf(wo, wi, |h| self.density.pdf(h))
     }
 }
 
@@ -96,8 +96,8 @@ mod tests {
             let across = (1.0 - low * low).sqrt();
             let (wi, wo) =
                 (Vec3::new(across, 0.0, low), Vec3::new(turn.cos(), turn.sin(), 0.002).normalize());
-            assert!(grooves.value(wi, wo).x > 0.0);
-            assert_eq!(grooves.value(wi, wo), grooves.value(wo, wi), "{wi}, {wo}");
+            assert!(grooves.eval(wo, wi).x > 0.0);
+            assert_eq!(grooves.eval(wo, wi), grooves.eval(wi, wo), "{wi}, {wo}");
         }
     }
 }

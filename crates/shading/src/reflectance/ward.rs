@@ -7,7 +7,7 @@ use glam::{Vec2, Vec3};
 use crate::direction::reflect;
 use crate::math::{exp, sqrt};
 use crate::parameter::{ParameterError, color, within};
-use crate::reflectance::brdf::{Brdf, are_above, finite, mirrored_density};
+use crate::reflectance::brdf::{Brdf, BsdfSample, are_above, finite, mirrored_pdf};
 
 /// The denominator of a [`WardBrdf`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -50,8 +50,8 @@ pub enum WardForm {
 ///
 /// let brushed = WardBrdf::new(Vec3::splat(0.6), 0.1, 0.4, WardForm::Bounded)?;
 /// // The highlight is elongated along y.
-/// let along = brushed.value(Vec3::new(0.0, 0.28, 0.96), Vec3::Z);
-/// assert!(along.x > 5.0 * brushed.value(Vec3::new(0.28, 0.0, 0.96), Vec3::Z).x);
+/// let along = brushed.eval(Vec3::Z, Vec3::new(0.0, 0.28, 0.96));
+/// assert!(along.x > 5.0 * brushed.eval(Vec3::Z, Vec3::new(0.28, 0.0, 0.96)).x);
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,7 +76,7 @@ impl WardBrdf {
 }
 
 impl Brdf for WardBrdf {
-    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+    fn eval(&self, wo: Vec3, wi: Vec3) -> Vec3 {
         if !are_above(wi, wo) {
             return Vec3::ZERO;
         }
@@ -91,11 +91,11 @@ impl Brdf for WardBrdf {
         self.specular * finite(exp(-(x * x + y * y)) * peak * factor)
     }
 
-    fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {
-        reflect(wo, self.slopes.sample(u))
+    fn sample(&self, wo: Vec3, _: f32, u: Vec2) -> Option<BsdfSample> {
+        BsdfSample::from_direction(self, wo, reflect(wo, self.slopes.sample(u)))
     }
 
-    fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
-        mirrored_density(wi, wo, |h| self.slopes.pdf(h))
+    fn pdf(&self, wo: Vec3, wi: Vec3) -> f32 {
+        mirrored_pdf(wo, wi, |h| self.slopes.pdf(h))
     }
 }

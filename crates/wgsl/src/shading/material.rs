@@ -2,7 +2,7 @@
 //!
 //! Each material has a function `material_scattered(material, point, wo, wi)` of its structure, the
 //! point, and the directions to eye and light in the frame of the point. It returns
-//! [`Bsdf::scattered`](asperity_shading::Bsdf::scattered) of
+//! [`Bsdf::eval_cos`](asperity_shading::Bsdf::eval_cos) of
 //! [`Material::bsdf`](asperity_shading::Material::bsdf). `material(point, wo, wi)` evaluates the
 //! material in a uniform.
 

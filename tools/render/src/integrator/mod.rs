@@ -9,8 +9,8 @@ pub mod pixels;
 use std::ops::Range;
 
 use asperity_shading::{
-    Frame, PixelEllipse, SurfacePoint,
-    reflectance::{Bsdf, Delta},
+    Bsdf, PixelEllipse, SurfacePoint,
+    reflectance::{BsdfSample, SampleKind},
 };
 use glam::{Vec2, Vec3};
 
@@ -129,15 +129,17 @@ impl Scene<'_, '_> {
         };
         let position = point.position + (self.focus - object.anchor).as_vec3();
         let point = SurfacePoint { position, ..point };
-        let frame = point.frame();
-        let wo = frame.to_local(-ray.direction);
+        let wo = -ray.direction;
         let bsdf = object.material.bsdf(&point, wo);
+        let u = sampler.point();
+        let specular = bsdf.specular_samples(wo, u);
         let spot = Spot {
             ray,
             hit: &hit,
-            frame,
+            normal: point.normal,
             wo,
             bsdf: &bsdf,
+            rest: 1.0 - specular.iter().flatten().map(|sample| sample.pdf).sum::<f32>(),
             starts: [above, below],
             body: object.body.is_some(),
         };
@@ -146,17 +148,15 @@ impl Scene<'_, '_> {
                 Light::Lamps { lamps, .. } => self.lit_by_lamps(lamps, &spot),
                 Light::Around(light) => self.lit_by_paths(*light, &spot, sampler, [mirrors, bounces]),
             };
-        let u = sampler.point();
         // Lamp scenes are noise free: slopes too fine for the pixel are sampled at several points
         // at once.
         let paths = matches!(self.light, Light::Around(_));
-        let blurred = !paths && mirrors == 0 && bsdf.deltas(wo, u) != bsdf.deltas(wo, (u + 0.37).fract());
+        let blurred = !paths && mirrors == 0 && specular != bsdf.specular_samples(wo, (u + 0.37).fract());
         let count = if blurred { BLUR } else { 1 };
         for k in 0..count {
             let u = Vec2::from(r2_from(u.as_dvec2().to_array(), k).map(|x| x as f32));
-            let [mirrored, transmitted] = bsdf.deltas(wo, u);
-            sum += self.smooth(&spot, [mirrored, transmitted], [above, below], sampler, [mirrors, bounces])
-                / count as f32;
+            let specular = bsdf.specular_samples(wo, u);
+            sum += self.smooth(&spot, specular, [above, below], sampler, [mirrors, bounces]) / count as f32;
         }
         match object.body {
             Some(inside) if !outside => inside.transmittance(hit.t) * sum,
@@ -169,34 +169,32 @@ impl Scene<'_, '_> {
     fn smooth(
         &self,
         spot: &Spot<'_>,
-        [mut mirrored, mut transmitted]: [Delta; 2],
+        mut specular: [Option<BsdfSample>; 2],
         [above, below]: [Vec3; 2],
         sampler: &mut Sampler,
         [mirrors, bounces]: [u32; 2],
     ) -> Vec3 {
-        let Spot { ray, hit, frame, wo, .. } = *spot;
-        let mut sum = Vec3::ZERO;
-        let [share, rest] = [mirrored, transmitted].map(|delta| delta.weight.max_element());
+        let Spot { ray, hit, wo, .. } = *spot;
         // Both paths once, then only one of them, chosen in proportion to its light.
-        if share > 0.0 && rest > 0.0 && mirrors > 0 && matches!(self.light, Light::Around(_)) {
-            let (chosen, other, chance) = if sampler.point().x * (share + rest) < share {
-                (&mut mirrored, &mut transmitted, share / (share + rest))
+        if let [Some(mirrored), Some(transmitted)] = &mut specular
+            && mirrors > 0
+            && matches!(self.light, Light::Around(_))
+        {
+            let chance = mirrored.pdf / (mirrored.pdf + transmitted.pdf);
+            let reflects = sampler.point().x < chance;
+            mirrored.eval_cos /= chance;
+            transmitted.eval_cos /= 1.0 - chance;
+            specular[usize::from(reflects)] = None;
+        }
+        let mut sum = Vec3::ZERO;
+        for BsdfSample { wi, eval_cos, kind, .. } in specular.into_iter().flatten() {
+            let next = if kind == SampleKind::SpecularReflection {
+                let next = ray.mirrored(hit, (wi + wo).normalize_or_zero(), above);
+                Ray { direction: wi.normalize(), ..next }
             } else {
-                (&mut transmitted, &mut mirrored, rest / (share + rest))
+                ray.transmitted(hit, wi, below)
             };
-            chosen.weight /= chance;
-            other.weight = Vec3::ZERO;
-        }
-        if mirrored.weight != Vec3::ZERO {
-            // Light that a bump reflects into the surface would be reflected out again.
-            let wi = mirrored.wi * Vec3::new(1.0, 1.0, (mirrored.wi.z * wo.z).signum());
-            let next = ray.mirrored(hit, frame.to_world((mirrored.wi + wo).normalize_or_zero()), above);
-            let next = Ray { direction: frame.to_world(wi).normalize(), ..next };
-            sum += mirrored.weight * self.followed(&next, mirrored.weight, sampler, mirrors, bounces);
-        }
-        if transmitted.weight != Vec3::ZERO {
-            let next = ray.transmitted(hit, frame.to_world(transmitted.wi), below);
-            sum += transmitted.weight * self.followed(&next, transmitted.weight, sampler, mirrors, bounces);
+            sum += eval_cos * self.followed(&next, eval_cos, sampler, mirrors, bounces);
         }
         sum
     }
@@ -229,10 +227,12 @@ pub struct Sight {
 struct Spot<'a> {
     ray: &'a Ray,
     hit: &'a Hit,
-    frame: Frame,
-    /// Direction to the viewer, in the local frame.
+    normal: Vec3,
+    /// Direction to the viewer.
     wo: Vec3,
     bsdf: &'a Bsdf<'a>,
+    /// Probability of samples that are not specular.
+    rest: f32,
     /// Origins of rays that leave the point, on the viewer's side and on the other side.
     starts: [Vec3; 2],
     /// Whether the point is on a body, whose inside is below the surface.
@@ -240,19 +240,34 @@ struct Spot<'a> {
 }
 
 impl Spot<'_> {
-    /// Returns `f cos θ` for light from a world direction.
-    fn scattered(&self, direction: Vec3) -> Vec3 {
-        self.bsdf.scattered(self.frame.to_local(direction), self.wo)
+    /// Returns `f |cos θ|` for light from a direction.
+    fn scattered(&self, wi: Vec3) -> Vec3 {
+        self.bsdf.eval_cos(self.wo, wi)
     }
 
-    /// Returns the origin of a ray that leaves in a local direction.
+    /// Samples a direction that is not specular, with the pdf among such directions.
+    fn sample(&self, sampler: &mut Sampler) -> Option<BsdfSample> {
+        if self.rest < 1e-5 {
+            return None;
+        }
+        let (uc, u) = (sampler.point().x, sampler.point());
+        let sample = self.bsdf.sample(self.wo, 1.0 - self.rest * (1.0 - uc), u)?;
+        Some(BsdfSample { pdf: sample.pdf / self.rest, ..sample }).filter(|sample| !sample.is_specular())
+    }
+
+    /// Returns the pdf of [`sample`](Self::sample).
+    fn pdf(&self, wi: Vec3) -> f32 {
+        if self.rest < 1e-5 { 0.0 } else { self.bsdf.pdf(self.wo, wi) / self.rest }
+    }
+
+    /// Returns the origin of a ray that leaves in a direction.
     fn start(&self, wi: Vec3) -> Vec3 {
-        self.starts[usize::from(wi.z * self.wo.z < 0.0)]
+        self.starts[usize::from(wi.dot(self.normal) * self.wo.dot(self.normal) < 0.0)]
     }
 
-    /// Whether a ray in this local direction continues inside the body.
+    /// Whether a ray in this direction continues inside the body.
     fn inside(&self, wi: Vec3) -> bool {
-        self.body && wi.z < 0.0
+        self.body && wi.dot(self.normal) < 0.0
     }
 }
 
@@ -329,7 +344,7 @@ mod tests {
     fn ball_over_a_plane_occludes_its_light() {
         let objects = vec![
             Object::new(Shape::Plane, Lambert::new(Vec3::splat(0.5)).unwrap()),
-            Object::shaded(Shape::Sphere, |_, wo| Bsdf::new(wo)),
+            Object::shaded(Shape::Sphere, |point, wo| Bsdf::new(point.frame(), wo)),
         ];
         let mut scene = Scene::new(objects, Light::Around(&Vec3::ONE), Backdrop::Color(Vec3::ZERO));
         let camera = Camera::new(Vec3::new(0.0, -4.0, 6.0), Vec3::new(0.0, -1.15, 0.0), 0.002, 16, 16);
@@ -356,8 +371,8 @@ mod tests {
             fn sample(&self, u: Vec2) -> Vec3 {
                 self.0.sample(u)
             }
-            fn density(&self, direction: Vec3) -> f32 {
-                self.0.density(direction)
+            fn pdf(&self, direction: Vec3) -> f32 {
+                self.0.pdf(direction)
             }
         }
         impl Surroundings for Unknown {}

@@ -1,7 +1,7 @@
 //! Path tracing under an environment: samples of the light and the material, and one
 //! interreflection.
 
-use asperity_shading::Brdf;
+use asperity_shading::reflectance::BsdfSample;
 use glam::Vec3;
 
 use crate::{
@@ -30,7 +30,7 @@ impl Scene<'_, '_> {
         sampler: &mut Sampler,
         [mirrors, bounces]: [u32; 2],
     ) -> Vec3 {
-        let Spot { ray, hit, frame, wo, bsdf, .. } = spot;
+        let Spot { ray, hit, normal, .. } = *spot;
         let panels = light.panels();
         if bounces == 0 {
             return self.lit_by_one(light, spot, sampler);
@@ -38,39 +38,35 @@ impl Scene<'_, '_> {
         let mut sum = Vec3::ZERO;
         for panel in panels {
             let wi = panel.sample(sampler.point());
-            sum += self.scattered_from(spot, wi, panel.radiance(wi), panel.density(wi), true);
+            sum += self.scattered_from(spot, wi, panel.radiance(wi), panel.pdf(wi), true);
         }
         if panels.is_empty() {
             let wi = light.sample(sampler.point());
-            sum += self.scattered_from(spot, wi, light.radiance(wi), light.density(wi), true);
+            sum += self.scattered_from(spot, wi, light.radiance(wi), light.pdf(wi), true);
         }
-        let local = bsdf.sample(*wo, sampler.point());
-        let scattered = bsdf.scattered(local, *wo);
+        let Some(BsdfSample { wi, eval_cos: scattered, pdf, .. }) = spot.sample(sampler) else { return sum };
         if scattered.max_element() <= 0.0 {
             return sum;
         }
-        let (density, wi) = (bsdf.density(local, *wo), frame.to_world(local).normalize());
-        let start = spot.start(local);
+        let (wi, start) = (wi.normalize(), spot.start(wi));
         match self.intersect(start, wi) {
-            None if panels.is_empty() => {
-                sum + scattered * light.radiance(wi) * weight(density, light.density(wi))
-            }
+            None if panels.is_empty() => sum + scattered * light.radiance(wi) * weight(pdf, light.pdf(wi)),
             None => {
-                let weighted = |panel: &SoftPanel| panel.weighted(wi, |other| weight(density, other));
-                sum + scattered * (light.between(wi) / density + panels.iter().map(weighted).sum::<Vec3>())
+                let weighted = |panel: &SoftPanel| panel.weighted(wi, |other| weight(pdf, other));
+                sum + scattered * (light.between(wi) / pdf + panels.iter().map(weighted).sum::<Vec3>())
             }
             Some(meeting) => {
-                let next = ray.scattered(hit, wi, (1.0 / density).sqrt().min(0.5), start);
+                let next = ray.scattered(hit, wi, (1.0 / pdf).sqrt().min(0.5), start);
                 // Behind rough glass, a body or a pane, light is not yet blocked.
-                let left = if local.z < 0.0 && mirrors < MIRRORS {
+                let left = if wi.dot(normal) < 0.0 && mirrors < MIRRORS {
                     [mirrors + 1, bounces]
                 } else {
                     [MIRRORS, bounces - 1]
                 };
-                let ways = if mirrors == 0 && spot.inside(local) { WAYS } else { 1 };
+                let ways = if mirrors == 0 && spot.inside(wi) { WAYS } else { 1 };
                 let mut way =
                     || self.shade(&next, meeting, sampler, left[0], left[1]).min(Vec3::splat(BRIGHTEST));
-                sum + scattered / density * (0..ways).map(|_| way()).sum::<Vec3>() / ways as f32
+                sum + scattered / pdf * (0..ways).map(|_| way()).sum::<Vec3>() / ways as f32
             }
         }
     }
@@ -81,17 +77,14 @@ impl Scene<'_, '_> {
     /// One term of a sum replaces the whole sum, divided by its probability: Talbot, Cline and
     /// Egbert 2005, "Importance Resampling for Global Illumination".
     fn lit_by_one(&self, light: &dyn Surroundings, spot: &Spot<'_>, sampler: &mut Sampler) -> Vec3 {
-        let Spot { frame, wo, bsdf, .. } = spot;
         let panels = light.panels();
         if panels.is_empty() {
             let wi = light.sample(sampler.point());
-            return self.scattered_from(spot, wi, light.radiance(wi), light.density(wi), false);
+            return self.scattered_from(spot, wi, light.radiance(wi), light.pdf(wi), false);
         }
-        let local = bsdf.sample(*wo, sampler.point());
-        let wi = frame.to_world(local).normalize();
-        let between = bsdf.scattered(local, *wo) * light.between(wi) / bsdf.density(local, *wo);
+        let sample = spot.sample(sampler);
         let mut u = sampler.point().x;
-        let (mut all, mut chosen) = (0.0, (wi, Vec3::ZERO));
+        let (mut all, mut chosen) = (0.0, (Vec3::ZERO, Vec3::ZERO));
         let mut offer = |wi: Vec3, sent: Vec3| {
             let share = sent.element_sum();
             if !(share > 0.0 && share.is_finite()) {
@@ -105,45 +98,42 @@ impl Scene<'_, '_> {
                 u = (u - chance) / (1.0 - chance);
             }
         };
-        offer(wi, between);
+        if let Some(sample) = sample {
+            let wi = sample.wi.normalize();
+            offer(wi, sample.weight() * light.between(wi));
+        }
         for panel in panels {
             let wi = panel.sample(sampler.point());
-            offer(wi, Self::unshadowed(spot, wi, panel.radiance(wi) / panel.density(wi)));
+            offer(wi, Self::unshadowed(spot, wi, panel.radiance(wi) / panel.pdf(wi)));
         }
         let (wi, color) = chosen;
-        if all > 0.0 { self.open(spot.start(frame.to_local(wi)), wi) * all * color } else { Vec3::ZERO }
+        if all > 0.0 { self.open(spot.start(wi), wi) * all * color } else { Vec3::ZERO }
     }
 
     /// Returns the scattered radiance from a direction, ignoring occlusion.
     fn unshadowed(spot: &Spot<'_>, wi: Vec3, radiance: Vec3) -> Vec3 {
-        let local = spot.frame.to_local(wi);
         // Light enters a body at another point of its surface, not along a straight line.
-        if spot.inside(local) || radiance == Vec3::ZERO {
-            Vec3::ZERO
-        } else {
-            spot.bsdf.scattered(local, spot.wo) * radiance
-        }
+        if spot.inside(wi) || radiance == Vec3::ZERO { Vec3::ZERO } else { spot.scattered(wi) * radiance }
     }
 
     /// Returns the scattered radiance of a sampled direction, weighted against samples of the
     /// layers, if there are any.
-    fn scattered_from(&self, spot: &Spot<'_>, wi: Vec3, radiance: Vec3, density: f32, layers: bool) -> Vec3 {
-        let local = spot.frame.to_local(wi);
+    fn scattered_from(&self, spot: &Spot<'_>, wi: Vec3, radiance: Vec3, pdf: f32, layers: bool) -> Vec3 {
         let scattered = Self::unshadowed(spot, wi, radiance);
         if scattered.max_element() <= 0.0 {
             return Vec3::ZERO;
         }
-        let other = if layers { spot.bsdf.density(local, spot.wo) } else { 0.0 };
-        self.open(spot.start(local), wi) * scattered * weight(density, other)
+        let other = if layers { spot.pdf(wi) } else { 0.0 };
+        self.open(spot.start(wi), wi) * scattered * weight(pdf, other)
     }
 }
 
-/// Returns the weight of a sample by the power heuristic with exponent 2, divided by its density:
-/// `p / (p² + q²)` against samples of density `q`.
+/// Returns the weight of a sample by the power heuristic with exponent 2, divided by its pdf:
+/// `p / (p² + q²)` against samples of pdf `q`.
 ///
 /// Samples of a matte surface that hit a small panel by chance hardly contribute. With the balance
 /// heuristic they would be fireflies.
-fn weight(density: f32, other: f32) -> f32 {
-    let ratio = other / density;
-    1.0 / (density * (1.0 + ratio * ratio))
+fn weight(pdf: f32, other: f32) -> f32 {
+    let ratio = other / pdf;
+    1.0 / (pdf * (1.0 + ratio * ratio))
 }

@@ -103,7 +103,7 @@ impl SoftPanel {
         self.seen(direction).map_or(Vec3::ZERO, |[share, _]| self.radiance * share)
     }
 
-    /// Samples a direction to the panel with the density [`density`](Self::density), from a uniform
+    /// Samples a direction to the panel with the density [`pdf`](Self::pdf), from a uniform
     /// point of the unit square.
     pub fn sample(&self, u: Vec2) -> Vec3 {
         let aside = |k: usize| {
@@ -114,7 +114,7 @@ impl SoftPanel {
     }
 
     /// Returns the solid-angle density of samples.
-    pub fn density(&self, direction: Vec3) -> f32 {
+    pub fn pdf(&self, direction: Vec3) -> f32 {
         self.seen(direction).map_or(0.0, |[_, density]| density)
     }
 
@@ -212,8 +212,8 @@ impl Environment for Studio {
         panel.sample(Vec2::new((left / panel.share).min(1.0), u.y))
     }
 
-    fn density(&self, direction: Vec3) -> f32 {
-        let panels: f32 = self.panels.iter().map(|panel| panel.share * panel.density(direction)).sum();
+    fn pdf(&self, direction: Vec3) -> f32 {
+        let panels: f32 = self.panels.iter().map(|panel| panel.share * panel.pdf(direction)).sum();
         let above = if direction.z > 0.0 { 2.0 * ABOVE } else { 0.0 };
         ROOM * (above + 1.0 - ABOVE) / (4.0 * PI) + panels
     }
@@ -231,7 +231,7 @@ mod tests {
         for studio in [Studio::new(1.0), Studio::hall(1.0), Studio::day(1.0)] {
             let irradiance = |by: &dyn Environment, seed| -> Vec3 {
                 let samples = (0..1 << 16).map(|index| by.sample(Sampler::new(index, seed).point()));
-                samples.map(|w| studio.radiance(w) * w.z.max(0.0) / by.density(w) / 65_536.0).sum()
+                samples.map(|w| studio.radiance(w) * w.z.max(0.0) / by.pdf(w) / 65_536.0).sum()
             };
             let (by_light, all) = (irradiance(&studio, 3), irradiance(&Vec3::ONE, 4));
             // 65536 stratified samples hit the sun of 3 degrees about 70 times, which gives its
@@ -247,7 +247,7 @@ mod tests {
         let count = 4096;
         let light = (0..count).fold(Vec3::ZERO, |sum, index| {
             let w = panel.sample(Sampler::new(index, 1).point());
-            sum + panel.radiance(w) * w.dot(panel.center) / (PI * panel.density(w)) / count as f32
+            sum + panel.radiance(w) * w.dot(panel.center) / (PI * panel.pdf(w)) / count as f32
         });
         // Off its center it is foreshortened: cos⁴ of 7 degrees.
         assert_abs_diff_eq!(light, color, epsilon = 0.02);

@@ -77,12 +77,13 @@ impl Material for Printed<'_> {
         let coordinates = self.bumps.coordinates(point.position, point.footprint());
         let coordinates = Coordinates { share: coordinates.share.min(self.most), ..coordinates };
         let (frame, facet) = (point.frame(), self.facets.facet(self.ndf, coordinates));
+        let local = frame.to_local(wo);
         let mut lit = Vec3::ZERO;
         for lamps in self.lamps.chunks(TOGETHER) {
             let (mut halves, mut shown) = ([Vec3::ZERO; TOGETHER], [0.0; TOGETHER]);
             let wi = |lamp: &Lamp| frame.to_local(lamp.direction);
             for (half, lamp) in halves.iter_mut().zip(lamps) {
-                *half = half_vector(wi(lamp), wo);
+                *half = half_vector(wi(lamp), local);
             }
             let halves = &halves[..lamps.len()];
             match self.facets {
@@ -97,7 +98,7 @@ impl Material for Printed<'_> {
             lit +=
                 lamps.iter().zip(shown).map(|(lamp, p)| lamp.color * (p * wi(lamp).z.max(0.0))).sum::<Vec3>();
         }
-        Bsdf::new(wo).with_emitted(lit + self.diffuse * sky(frame.to_world(facet.normal)))
+        Bsdf::new(frame, wo).with_emitted(lit + self.diffuse * sky(frame.to_world(facet.normal)))
     }
 }
 

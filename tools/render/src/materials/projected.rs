@@ -63,7 +63,7 @@ mod tests {
     impl Material for Kept {
         fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
             self.0.lock().unwrap().push(*point);
-            Bsdf::new(wo)
+            Bsdf::new(point.frame(), wo)
         }
     }
 

@@ -1,15 +1,14 @@
 //! Materials defined by functions of a point, and materials in other units.
 
 use asperity_shading::{
-    Brdf, Dielectric, EnergyPreservingOrenNayar, SurfacePoint,
+    Brdf, Dielectric, EnergyPreservingOrenNayar, Frame, SurfacePoint,
     bump::Facet,
     material::Material,
     reflectance::{Bsdf, Coat, Lobe},
 };
 use glam::Vec3;
 
-/// A material whose BSDF is a function of a point and the direction to the viewer in the local
-/// frame.
+/// A material whose BSDF is a function of a point and the direction to the viewer.
 pub struct Shaded<F: Fn(&SurfacePoint, Vec3) -> Bsdf<'static>>(pub F);
 
 impl<F: Fn(&SurfacePoint, Vec3) -> Bsdf<'static>> Material for Shaded<F> {
@@ -22,15 +21,16 @@ impl<F: Fn(&SurfacePoint, Vec3) -> Bsdf<'static>> Material for Shaded<F> {
 pub struct Layers(pub Vec<Box<dyn Brdf + Sync>>);
 
 impl Material for Layers {
-    fn bsdf(&self, _: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
-        Bsdf::new(wo).with([Facet::FLAT], self.0.iter().map(|brdf| Lobe::from(brdf.as_ref() as &dyn Brdf)))
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        Bsdf::new(point.frame(), wo)
+            .with([Facet::FLAT], self.0.iter().map(|brdf| Lobe::from(brdf.as_ref() as &dyn Brdf)))
     }
 }
 
-/// Returns a matte BSDF about a bump normal in the local frame, with additional emission.
-pub fn chalk(wo: Vec3, normal: Vec3, color: Vec3, sent: Vec3) -> Bsdf<'static> {
+/// Returns a matte BSDF about a bump normal in the frame, with additional emission.
+pub fn chalk(frame: Frame, wo: Vec3, normal: Vec3, color: Vec3, sent: Vec3) -> Bsdf<'static> {
     let diffuse = EnergyPreservingOrenNayar::new_clamped(color, 0.0);
-    Bsdf::new(wo).with([Facet::new(1.0, normal)], [diffuse.into()]).with_emitted(sent)
+    Bsdf::new(frame, wo).with([Facet::new(1.0, normal)], [diffuse.into()]).with_emitted(sent)
 }
 
 /// A material defined in meters, in a scene whose unit is this many meters.
@@ -53,5 +53,7 @@ impl<M: Material> Material for InMetres<M> {
 /// Returns a matte color under a glaze of this roughness.
 pub fn glazed(roughness: f32, color: Vec3) -> impl Material + Sync {
     let glaze = Coat::varnish(Dielectric::new_clamped(1.5)).rough(roughness);
-    Shaded(move |_: &SurfacePoint, wo| chalk(wo, Vec3::Z, color, Vec3::ZERO).with_coat(glaze))
+    Shaded(move |point: &SurfacePoint, wo| {
+        chalk(point.frame(), wo, Vec3::Z, color, Vec3::ZERO).with_coat(glaze)
+    })
 }

@@ -231,7 +231,7 @@ fn faded_disc(
     Ok(Object::shaded(shape, move |point, wo| {
         let distance = point.position.truncate().length();
         let kept = (-((distance - from).max(0.0) / over).powi(2)).exp();
-        let sent = Bsdf::new(wo).with_emitted((1.0 - kept) * behind(-point.frame().to_world(wo)));
+        let sent = Bsdf::new(point.frame(), wo).with_emitted((1.0 - kept) * behind(-wo));
         // Nearly transparent parts are not sampled, because their weight is within the rounding of
         // the density.
         if kept < 1e-4 {

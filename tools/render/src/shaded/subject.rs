@@ -28,7 +28,7 @@ impl Sky {
 
     /// Adds the radiances of a BSDF along `view`, one per sky. The soft part is the same for all.
     pub(super) fn add(skies: &[Self], bsdf: &Bsdf<'_>, view: Vec3, radiances: &mut [Vec3]) {
-        let scattered = |lamp: &Lamp| PI * lamp.color * bsdf.scattered(lamp.direction, view);
+        let scattered = |lamp: &Lamp| PI * lamp.color * bsdf.eval_cos(view, lamp.direction);
         let soft = skies.first().map(|sky| sky.soft.each_ref().map(scattered)).unwrap_or_default();
         for (radiance, sky) in radiances.iter_mut().zip(skies) {
             *radiance += soft.iter().fold(bsdf.emitted() + scattered(&sky.lamp), |sum, soft| sum + soft);

@@ -1,5 +1,6 @@
 //! Textures of the lecture, measured at the horizon.
 
+use asperity_shading::Frame;
 use asperity_shading::material::{
     BeveledTiles, BrickWall, Material, Perturbed, PolishedMarble, SurfacePoint, Wallpaper,
 };
@@ -69,9 +70,10 @@ fn gas() -> Subject {
             let extinction = |p: Vec3| gas.clamped_density(p, tap.footprint());
             let seen = march(tap.position, Vec3::Z, [0.0, 1.0], 0.25, 0.5, extinction, |_| Vec3::ONE);
             let veil = Coat::veil(Vec3::splat(seen.transmittance));
-            let bsdf = Bsdf::new(Vec3::Z).with_coat(veil).with_emitted(seen.light);
-            let [_, ground] = bsdf.deltas(Vec3::Z, Vec2::ZERO);
-            sums.iter_mut().for_each(|sum| *sum += bsdf.emitted() + 0.05 * ground.weight);
+            let bsdf = Bsdf::new(Frame::IDENTITY, Vec3::Z).with_coat(veil).with_emitted(seen.light);
+            let [_, ground] = bsdf.specular_samples(Vec3::Z, Vec2::ZERO);
+            let ground = ground.map_or(Vec3::ZERO, |sample| 0.05 * sample.eval_cos);
+            sums.iter_mut().for_each(|sum| *sum += bsdf.emitted() + ground);
         });
     })
 }

@@ -79,7 +79,7 @@ fn error(case: &Case, zoom: f64, focus: DVec3) -> f32 {
     let field = bumps.field(7, focus).expect("sixteen octaves");
     let shown = move |point: &SurfacePoint, wo: Vec3| {
         let z = field.coordinates(point.position, pixel).z;
-        Bsdf::new(wo).with_emitted((z + BIAS).extend(0.0))
+        Bsdf::new(point.frame(), wo).with_emitted((z + BIAS).extend(0.0))
     };
     let objects = vec![Object::shaded((case.shape)(), shown).anchored(focus)];
     let scene = Scene::new(objects, Light::lamps(Vec::new()), Backdrop::Color(Vec3::ZERO)).about(focus);

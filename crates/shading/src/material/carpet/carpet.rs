@@ -113,7 +113,7 @@ parameters! {
 /// let point = SurfacePoint::new(Vec3::new(0.3, 0.2, 0.0), Vec3::Z, Footprint::from_width(1e-4))
 ///     .with_uv(Vec2::new(0.3, 0.2), [Vec3::X, Vec3::Y]);
 /// let (wi, wo) = (Vec3::new(0.6, 0.0, 0.8), Vec3::Z);
-/// let light = carpet.bsdf(&point, wo).scattered(wi, wo);
+/// let light = carpet.bsdf(&point, wo).eval_cos(wo, wi);
 /// assert!(light.min_element() > 0.0 && light.max_element() < 0.1, "dark gray");
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
@@ -222,8 +222,8 @@ impl Carpet {
 impl Material for Carpet {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let (p, frame) = (&self.parameters, point.frame());
-        let rim = rim_light(point.normal, frame.to_world(wo), p.fake_rim_light_width);
-        let mut bsdf = Bsdf::new(wo);
+        let rim = rim_light(point.normal, wo, p.fake_rim_light_width);
+        let mut bsdf = Bsdf::new(frame, wo);
         self.surface(point).add_to(&mut bsdf, &frame, p.roughness, p.specular_roughness);
         bsdf.add_emitted(p.fake_rim_light * rim * p.fake_rim_light_color);
         bsdf

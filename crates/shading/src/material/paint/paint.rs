@@ -107,7 +107,7 @@ pub enum PaintFlakes {
 ///
 /// let paint = MetallicPaint::new(MetallicPaintParameters::default())?;
 /// let point = SurfacePoint::new(Vec3::new(0.3, 0.2, 0.0), Vec3::Z, Footprint::from_width(1e-4));
-/// let light = paint.bsdf(&point, Vec3::Z).scattered(Vec3::new(0.6, 0.0, 0.8), Vec3::Z);
+/// let light = paint.bsdf(&point, Vec3::Z).eval_cos(Vec3::Z, Vec3::new(0.6, 0.0, 0.8));
 /// assert!(light.z > light.x, "blue paint");
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
@@ -202,7 +202,7 @@ impl Material for MetallicPaint {
         let pigment = EnergyPreservingOrenNayar::new_clamped(p.pigment.min(Vec3::ONE - specular), 0.2);
         let normal = frame.to_local(self.orange_peel.normal(at, n, footprint));
         let coat = Coat::varnish(self.coat).bumped(normal, self.orange_peel.removed_slope(footprint));
-        let mut bsdf = Bsdf::new(wo);
+        let mut bsdf = Bsdf::new(frame, wo);
         bsdf.add_layer([Facet::FLAT], [flakes, pigment.into()]);
         bsdf.add_coat(coat.rough(p.coat_roughness));
         bsdf
@@ -239,7 +239,7 @@ mod tests {
             .unwrap();
         let lamp = reflect(Vec3::Z, flake.normal(Vec3::Z));
         let [with, without] =
-            [&paint, &even].map(|paint| paint.bsdf(&point, Vec3::Z).scattered(lamp, Vec3::Z).x);
+            [&paint, &even].map(|paint| paint.bsdf(&point, Vec3::Z).eval_cos(Vec3::Z, lamp).x);
         assert!(with > 1.2 * without, "{with} {without}");
     }
 

@@ -68,7 +68,7 @@ parameters! {
 /// let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(1.0))
 ///     .with_uv(Vec2::new(0.3, 0.2), [Vec3::X, Vec3::Y]);
 /// let elsewhere = SurfacePoint { uv: Vec2::new(7.3, -1.8), ..point };
-/// let seen = |point| scratches.bsdf(point, Vec3::Z).scattered(Vec3::Z, Vec3::Z);
+/// let seen = |point| scratches.bsdf(point, Vec3::Z).eval_cos(Vec3::Z, Vec3::Z);
 /// assert_eq!(seen(&point), seen(&elsewhere));
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
@@ -264,7 +264,7 @@ impl Material for Scratches {
         let facets = self.surface(point).facets(point.normal);
         let metal = CookTorrance::new(Beckmann::new_clamped(p.roughness, p.roughness), p.specular);
         let local = facets.map(|facet| Facet { normal: frame.to_local(facet.normal), ..facet });
-        let mut bsdf = Bsdf::new(wo);
+        let mut bsdf = Bsdf::new(frame, wo);
         bsdf.add_layer(local, [metal.into()]);
         bsdf
     }

@@ -58,7 +58,7 @@ parameters! {
 ///
 /// let panel = Variations::new(VariationsParameters { dent_cover: 1.0, ..Default::default() })?;
 /// let point = SurfacePoint::new(Vec3::new(0.3, 0.2, 0.1), Vec3::Z, Footprint::from_width(1e-4));
-/// let light = panel.bsdf(&point, Vec3::Z).scattered(Vec3::Z, Vec3::Z);
+/// let light = panel.bsdf(&point, Vec3::Z).eval_cos(Vec3::Z, Vec3::Z);
 /// assert!(light.min_element() > 0.05);
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
@@ -115,7 +115,7 @@ impl Variations {
 impl Material for Variations {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let p = &self.parameters;
-        let mut bsdf = Bsdf::new(wo);
+        let mut bsdf = Bsdf::new(point.frame(), wo);
         self.surface(point).add_to(&mut bsdf, &point.frame(), p.roughness, p.gloss_roughness);
         bsdf
     }

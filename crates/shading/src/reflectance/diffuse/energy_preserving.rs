@@ -34,7 +34,7 @@ use crate::reflectance::diffuse::rough::{checked, sine, stretched};
 ///
 /// let white = EnergyPreservingOrenNayar::new(Vec3::ONE, 1.0)?;
 /// let (wi, wo) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, -0.8, 0.6));
-/// assert_eq!(white.value(wi, wo), white.value(wo, wi));
+/// assert_eq!(white.eval(wo, wi), white.eval(wi, wo));
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[doc(alias = "eon")]
@@ -102,7 +102,7 @@ fn lacking(w: Vec3) -> f32 {
 }
 
 impl Brdf for EnergyPreservingOrenNayar {
-    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+    fn eval(&self, wo: Vec3, wi: Vec3) -> Vec3 {
         if !are_above(wi, wo) {
             return Vec3::ZERO;
         }

@@ -21,8 +21,8 @@ use crate::reflectance::brdf::{Brdf, are_above};
 /// use asperity_shading::{Brdf, Lambert, glam::Vec3};
 ///
 /// let paper = Lambert::new(Vec3::new(0.9, 0.88, 0.8))?;
-/// assert_eq!(paper.value(Vec3::Z, Vec3::Z).x, 0.9 * core::f32::consts::FRAC_1_PI);
-/// assert_eq!(paper.value(Vec3::Z, Vec3::NEG_Z), Vec3::ZERO);
+/// assert_eq!(paper.eval(Vec3::Z, Vec3::Z).x, 0.9 * core::f32::consts::FRAC_1_PI);
+/// assert_eq!(paper.eval(Vec3::NEG_Z, Vec3::Z), Vec3::ZERO);
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[doc(alias = "lambertian")]
@@ -49,7 +49,7 @@ impl Lambert {
 }
 
 impl Brdf for Lambert {
-    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+    fn eval(&self, wo: Vec3, wi: Vec3) -> Vec3 {
         if are_above(wi, wo) { self.albedo * FRAC_1_PI } else { Vec3::ZERO }
     }
 }

@@ -67,7 +67,7 @@ pub enum OrenNayarForm {
 /// let clay = OrenNayar::new(Vec3::splat(0.7), 0.5, OrenNayarForm::Full)?;
 /// // Seen from the light, a rough surface is brighter towards its edge than a Lambertian one; not so from the other side.
 /// let w = Vec3::new(0.8, 0.0, 0.6);
-/// assert!(clay.value(w, w).x > clay.value(w, Vec3::new(-0.8, 0.0, 0.6)).x);
+/// assert!(clay.eval(w, w).x > clay.eval(Vec3::new(-0.8, 0.0, 0.6), w).x);
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[doc(alias = "oren-nayar")]
@@ -126,7 +126,7 @@ impl OrenNayar {
 }
 
 impl Brdf for OrenNayar {
-    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+    fn eval(&self, wo: Vec3, wi: Vec3) -> Vec3 {
         if !are_above(wi, wo) {
             return Vec3::ZERO;
         }

@@ -1,8 +1,8 @@
 //! Coats of every type.
 
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::reflectance::Coat;
-use asperity_shading::{Bsdf, Dielectric, Lambert, bump::Facet};
+use asperity_shading::reflectance::{BsdfSample, Coat};
+use asperity_shading::{Bsdf, Dielectric, Frame, Lambert, bump::Facet};
 use asperity_wgsl::shading::reflectance::{COAT, CoatUniform};
 
 use super::{direction, floats, inputs, number, share, vec2, vec3, words};
@@ -90,20 +90,28 @@ fn over() -> Case {
         }),
         reference: Box::new(|inputs| {
             let (wo, wi) = (vec3(inputs, 4), vec3(inputs, 8));
-            let below = Lambert::new(Vec3::splat(0.5)).expect("a colour");
-            let bsdf = Bsdf::new(wo).with([Facet::FLAT], [(&below as &dyn asperity_shading::Brdf).into()]);
-            words(&bsdf.with_coat(coat(inputs)).scattered(wi, wo).to_array())
+            let below = Lambert::new(Vec3::splat(0.5)).expect("a color");
+            let bsdf = Bsdf::new(Frame::IDENTITY, wo)
+                .with([Facet::FLAT], [(&below as &dyn asperity_shading::Brdf).into()]);
+            words(&bsdf.with_coat(coat(inputs)).eval_cos(wo, wi).to_array())
         }),
         // Masking is in 64 bits in the crate, and exponentials of absorption come from the library.
         outputs: vec![Output::new("light", 0..3, Bound::Absolute(8e-6), Bound::Absolute(1e-3))],
     }
 }
 
+/// Returns the direction of a sample and a channel of its weight; zeros without a sample.
+pub(super) fn specular(sample: Option<BsdfSample>, channel: usize) -> [f32; 4] {
+    sample.map_or([0.0; 4], |sample| sample.wi.extend(sample.eval_cos[channel]).to_array())
+}
+
 fn deltas() -> Case {
     let body = "\
     let deltas = coat_deltas(coat, b.xyz, bitcast<vec2<f32>>(d.xy));
-    outcome.a = bits(vec4<f32>(deltas.mirrored.wi, deltas.mirrored.weight.x));
-    outcome.b = bits(vec4<f32>(deltas.transmitted.wi, deltas.transmitted.weight.y));";
+    let mirrored = vec4<f32>(deltas.mirrored.wi, deltas.mirrored.weight.x);
+    let transmitted = vec4<f32>(deltas.transmitted.wi, deltas.transmitted.weight.y);
+    outcome.a = bits(select(vec4<f32>(0.0), mirrored, mirrored.w > 0.0));
+    outcome.b = bits(select(vec4<f32>(0.0), transmitted, transmitted.w > 0.0));";
     Case {
         name: "shading/reflectance/coat, deltas".into(),
         parts: vec![&COAT],
@@ -112,11 +120,9 @@ fn deltas() -> Case {
         input: Box::new(|i| input(i, 0.0, [8, 9].map(|k| share(i, k)))),
         reference: Box::new(|inputs| {
             let (wo, u): (_, Vec2) = (vec3(inputs, 4), vec2(inputs, 12));
-            let [mirrored, transmitted] = Bsdf::new(wo).with_coat(coat(inputs)).deltas(wo, u);
-            let [mirrored, transmitted] =
-                [(mirrored, mirrored.weight.x), (transmitted, transmitted.weight.y)]
-                    .map(|(delta, weight)| delta.wi.extend(weight).to_array());
-            words(&[mirrored, transmitted].concat())
+            let bsdf = Bsdf::new(Frame::IDENTITY, wo).with_coat(coat(inputs));
+            let [mirrored, transmitted] = bsdf.specular_samples(wo, u);
+            words(&[specular(mirrored, 0), specular(transmitted, 1)].concat())
         }),
         outputs: vec![
             // In the crate a facet is chosen with the library's logarithm and cosine.

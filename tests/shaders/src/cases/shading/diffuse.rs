@@ -75,9 +75,9 @@ fn diffuse() -> Case {
         reference: Box::new(|inputs| {
             let [r, g, b, _, sigma, roughness] = floats(inputs, 0);
             let (albedo, wi, wo) = (Vec3::new(r, g, b), vec3(inputs, 8), vec3(inputs, 11));
-            let oren_nayar = |sigma, form| OrenNayar::new(albedo, sigma, form).expect("shares").value(wi, wo);
-            let lambert = Lambert::new(albedo).expect("shares").value(wi, wo);
-            let even = EnergyPreservingOrenNayar::new_clamped(albedo, roughness).value(wi, wo);
+            let oren_nayar = |sigma, form| OrenNayar::new(albedo, sigma, form).expect("shares").eval(wo, wi);
+            let lambert = Lambert::new(albedo).expect("shares").eval(wo, wi);
+            let even = EnergyPreservingOrenNayar::new_clamped(albedo, roughness).eval(wo, wi);
             let first = lambert.extend(oren_nayar(sigma, OrenNayarForm::Qualitative).x).to_array();
             let second = oren_nayar(sigma, OrenNayarForm::Full)
                 .extend(oren_nayar(roughness, OrenNayarForm::Fujii).x)

@@ -33,7 +33,7 @@ fn glint_field() -> Case {
         flake = glint_field_nearest(field, place);
         tilt = glint_field_tilt(field, flake.cell);
     }}
-    outcome.a = bits(vec4<f32>(flake.center * field.spacing, glint_field_relative(field, b.xy, a.xyz, a.w)));
+    outcome.a = bits(vec4<f32>(flake.centre * field.spacing, glint_field_relative(field, b.xy, a.xyz, a.w)));
     outcome.b = bits(vec4<f32>(tilt, 0.0, 0.0));"
         ),
         resources: vec![],

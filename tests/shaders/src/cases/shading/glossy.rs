@@ -66,9 +66,9 @@ fn microfacets() -> Case {
             let fresnel = [r, g, b].map(|f0| Schlick::new(f0).expect("a share"));
             let (ggx, beckmann) = (Ggx::new_clamped(x, y), Beckmann::new_clamped(x, y));
             let values = [
-                CookTorrance::new(ggx, fresnel).value(wi, wo),
-                CookTorrance::new(beckmann, fresnel).value(wi, wo),
-                TorranceSparrow::new(ggx, fresnel).value(wi, wo),
+                CookTorrance::new(ggx, fresnel).eval(wo, wi),
+                CookTorrance::new(beckmann, fresnel).eval(wo, wi),
+                TorranceSparrow::new(ggx, fresnel).eval(wo, wi),
             ];
             words(&values.map(|value| value.extend(0.0).max([FAINT; 4].into()).to_array()).concat())
         }),
@@ -109,11 +109,11 @@ fn lobes() -> Case {
         reference: Box::new(|inputs| {
             let [x, y, exponent] = floats(inputs, 0);
             let (wi, wo) = (vec3(inputs, 8), vec3(inputs, 11));
-            let phong = Phong::new(Vec3::ONE, exponent).expect("an exponent").value(wi, wo).x;
+            let phong = Phong::new(Vec3::ONE, exponent).expect("an exponent").eval(wo, wi).x;
             let blinn = BlinnPhongBrdf::new(Vec3::ONE, exponent, BlinnPhongFactor::Albedo);
-            let blinn = blinn.expect("an exponent").value(wi, wo).x;
+            let blinn = blinn.expect("an exponent").eval(wo, wi).x;
             let ward = [WardForm::Ward, WardForm::Dur, WardForm::Bounded]
-                .map(|form| WardBrdf::new(Vec3::ONE, x, y, form).expect("roughnesses").value(wi, wo).x);
+                .map(|form| WardBrdf::new(Vec3::ONE, x, y, form).expect("roughnesses").eval(wo, wi).x);
             words(&[phong, blinn, 0.0, 0.0, ward[0], ward[1], ward[2], 0.0].map(|value| value.max(FAINT)))
         }),
         outputs: vec![

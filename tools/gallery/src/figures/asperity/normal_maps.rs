@@ -8,6 +8,7 @@ use asperity_render::{
     image::Image, image::tone::hex, integrator::pixels::Sampling, materials::chalk,
     materials::cobbles::cobbles,
 };
+use asperity_shading::Frame;
 use asperity_shading::level_of_detail::Coordinates;
 use asperity_shading::normal_map::{SlopeLobes, SlopeMoments};
 use asperity_shading::{
@@ -181,9 +182,9 @@ impl Street {
     /// model.
     fn shade(&self, slopes: SlopeMoments, wo: Vec3, density: impl Fn(Vec3) -> f32) -> Vec3 {
         let water = TorranceSparrow::new(Facets(density), self.water);
-        let street = chalk(wo, slopes.mean_normal(), hex(0x4e_4c50), Vec3::ZERO)
+        let street = chalk(Frame::IDENTITY, wo, slopes.mean_normal(), hex(0x4e_4c50), Vec3::ZERO)
             .with([Facet::FLAT], [Lobe::from(&water as &dyn Brdf)]);
-        let lit = self.lights.iter().map(|light| PI * light.color * street.scattered(light.direction, wo));
+        let lit = self.lights.iter().map(|light| PI * light.color * street.eval_cos(wo, light.direction));
         lit.sum()
     }
 }

@@ -64,14 +64,16 @@ fn corner() -> Result<Scene<'static, 'static>> {
     // A metal of this color also has Schlick's reflectance.
     let mirror = Coat::metal(Vec3::splat(GLOSS));
     let object = move |point: &SurfacePoint, wo: Vec3| {
-        let own = (1.0 - gloss.reflectance(wo.z)) * hex(0x2a_7d8c);
-        chalk(wo, Vec3::Z, own, own * around(point)).with_coat(mirror)
+        let own = (1.0 - gloss.reflectance(wo.dot(point.normal))) * hex(0x2a_7d8c);
+        chalk(point.frame(), wo, Vec3::Z, own, own * around(point)).with_coat(mirror)
     };
     let floor = [Vec3::X, Vec3::Y].map(|axis| axis * (30.0 + SIDE));
     let floor = Mesh::parallelogram(Vec3::new(-30.0, -30.0, 0.0), floor);
     // Bricks of 42 by 16 cm, with 2 cm of mortar.
     let brick = Brick::new(0.394, 0.138, 0.022)?;
-    let matte = |point: &SurfacePoint, wo, color: Vec3| chalk(wo, Vec3::Z, color, color * around(point));
+    let matte = |point: &SurfacePoint, wo, color: Vec3| {
+        chalk(point.frame(), wo, Vec3::Z, color, color * around(point))
+    };
     let wall = |axis: Vec3, along: Vec3| {
         let sides = [axis * -(30.0 + SIDE), Vec3::Z * CEILING];
         let side = Mesh::parallelogram(Vec3::new(SIDE, SIDE, 0.0), sides);

@@ -158,14 +158,14 @@ fn cloth(point: &SurfacePoint, wo: Vec3) -> Bsdf<'static> {
     let color = hex(0xd8_d2c8) * (0.62 + 0.38 * smoothstep(0.0, 0.35, beside));
     let sun = SUNLIGHT * SUN.normalize().z / 0.38;
     let kept = (-0.3 * (p.distance(EYE) - 1.2).max(0.0)).exp();
-    let sky = sky(-point.frame().to_world(wo));
-    chalk(wo, Vec3::Z, kept * color / sun, sky.lerp(0.62 * color, kept))
+    let sky = sky(-wo);
+    chalk(point.frame(), wo, Vec3::Z, kept * color / sun, sky.lerp(0.62 * color, kept))
 }
 
 /// A matte color under ambient light, with distance haze.
 fn hazy(point: &SurfacePoint, wo: Vec3, color: Vec3, around: Vec3) -> Bsdf<'static> {
     let kept = (-0.07 * (point.position.distance(EYE) - 0.4).max(0.0)).exp();
-    chalk(wo, Vec3::Z, kept * color, hex(0xd9_dfe4).lerp(color * around, kept))
+    chalk(point.frame(), wo, Vec3::Z, kept * color, hex(0xd9_dfe4).lerp(color * around, kept))
 }
 
 fn sky(direction: Vec3) -> Vec3 {

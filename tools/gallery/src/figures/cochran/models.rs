@@ -105,7 +105,7 @@ struct Glossy<B> {
 
 impl<B: Brdf> Material for Glossy<B> {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
-        let mirror = point.frame().to_world(reflect(wo, Vec3::Z));
+        let mirror = reflect(wo, point.normal);
         matte(point, wo, self.base)
             .with([Facet::FLAT], [Lobe::from(&self.lobe as &dyn Brdf)])
             .with_emitted(self.room * sky(mirror))
@@ -117,7 +117,7 @@ const POWER: f32 = 2.2;
 
 fn matte(point: &SurfacePoint, wo: Vec3, color: Vec3) -> Bsdf<'static> {
     let around = Vec3::new(0.11, 0.12, 0.14) * (0.6 + 0.4 * point.normal.z);
-    chalk(wo, Vec3::Z, color, color * around)
+    chalk(point.frame(), wo, Vec3::Z, color, color * around)
 }
 
 /// The color of the floor, paler far away.

@@ -71,7 +71,13 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
             // Steep faces are bare.
             let steep = ((0.83 - normal.z) / 0.2).clamp(0.0, 1.0);
             let rock = hex(0xc6_b69c).lerp(hex(0x93_7a66), steep);
-            chalk(wo, point.frame().to_local(normal), rock, rock * hex(0x9f_b6d6) * (0.3 + 0.24 * normal.z))
+            chalk(
+                point.frame(),
+                wo,
+                point.frame().to_local(normal),
+                rock,
+                rock * hex(0x9f_b6d6) * (0.3 + 0.24 * normal.z),
+            )
         };
         let room = |ray: &Ray| ground(target + scale * ray.origin.as_dvec3(), ray.direction.as_dvec3());
         let lamps = vec![Lamps::one(direction(-168.0, 36.0), hex(0xff_ecd0) * 2.3)];

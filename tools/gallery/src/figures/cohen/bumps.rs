@@ -8,6 +8,7 @@ use asperity_render::light::lamps::{Lamps, direction, studio};
 use asperity_render::materials::{chalk, sky};
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::{image::tone::hex, integrator::pixels::Sampling, sampling::sampler::hash};
+use asperity_shading::Frame;
 use asperity_shading::bump::{
     Facet, bumped_normal, differences, displace, project_to_tangent_plane, surface_gradient,
 };
@@ -74,7 +75,7 @@ pub(crate) fn draw_bumps(context: &Context<'_>) -> Result<Drawn> {
     let drawn = Drawn::pictures(3, ways, |(shape, normal)| {
         let clay = |point: &SurfacePoint, wo: Vec3| {
             let (m, color) = (normal(point), Vec3::new(0.62, 0.58, 0.53));
-            chalk(wo, point.frame().to_local(m), color, 0.28 * color * sky(m))
+            chalk(point.frame(), wo, point.frame().to_local(m), color, 0.28 * color * sky(m))
         };
         let light = Light::lamps(vec![Lamps::one(direction(-132.0, 40.0), Vec3::splat(1.1))]);
         let scene = Scene::new(vec![Object::shaded(shape, clay)], light, Backdrop::Studio);
@@ -135,8 +136,8 @@ fn shade(wall: &Brick, uv: Vec2, widths: Vec2) -> Vec3 {
         let gradient = surface_gradient(Vec3::Z, [Vec3::X, Vec3::Y], DEPTH * slope);
         let normal = bumped_normal(Vec3::Z, gradient);
         let color = hex(0xb4_aea4).lerp(clay, brick);
-        let facet = chalk(Vec3::Z, normal, color, 0.3 * color);
-        light += share * (facet.emitted() + 1.35 * PI * facet.scattered(sun, Vec3::Z));
+        let facet = chalk(Frame::IDENTITY, Vec3::Z, normal, color, 0.3 * color);
+        light += share * (facet.emitted() + 1.35 * PI * facet.eval_cos(Vec3::Z, sun));
     });
     light
 }
@@ -179,14 +180,15 @@ struct Plate {
 
 impl Material for Plate {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
-        let bsdf = Bsdf::new(wo);
+        let frame = point.frame();
+        let bsdf = Bsdf::new(frame, wo);
         let edge = Edge::nearest(&self.corners, point.uv).filter(|_| inside(&self.corners, point.uv));
         let Some(edge) = edge else { return bsdf.with_emitted(hex(0x2a_2d33)) };
         let [_, slope] = self.bevel.profile(edge.distance);
         let gradient = surface_gradient(Vec3::Z, [Vec3::X, Vec3::Y], slope * edge.away);
         let normal = bumped_normal(Vec3::Z, gradient);
         bsdf.with([Facet::new(1.0, normal)], [Lobe::from(&self.steel as &dyn Brdf)])
-            .with_emitted(0.55 * hex(0xc9_ced6) * sky(reflect(wo, normal)))
+            .with_emitted(0.55 * hex(0xc9_ced6) * sky(reflect(frame.to_local(wo), normal)))
     }
 }
 

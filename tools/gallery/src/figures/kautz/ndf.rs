@@ -79,7 +79,7 @@ fn picture(
     let finish = |point: &SurfacePoint, wo: Vec3| {
         let (p, normal) = (point.position, point.normal);
         let color = if p.z <= 0.0 { ground(p) } else { shade(value(p), normal) };
-        chalk(wo, Vec3::Z, color, color * (0.42 * (0.5 + 0.5 * normal.z)))
+        chalk(point.frame(), wo, Vec3::Z, color, color * (0.42 * (0.5 + 0.5 * normal.z)))
     };
     let lamps = vec![Lamps::one(direction(-122.0, 48.0), Vec3::splat(0.95))];
     let mut scene = Scene::new(vec![Object::shaded(shape, finish)], Light::lamps(lamps), Backdrop::Studio);

@@ -8,6 +8,7 @@ use asperity_ndf_sampling::{Ggx, Ndf, NdfEstimator, NdfMap, add_detail_normal, e
 use asperity_noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_render::image::tone::{hex, linear};
 use asperity_render::{image::Image, light::lamps::direction, materials::chalk, materials::cobbles::cobbles};
+use asperity_shading::Frame;
 use asperity_shading::{Brdf, CookTorrance, bump::Facet, reflectance::Lobe};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
@@ -93,9 +94,9 @@ pub(crate) fn draw_detail(context: &Context<'_>) -> Result<Drawn> {
 fn lit(n: Vec3) -> Vec3 {
     let (lamp, color) = (direction(135.0, 42.0), hex(0xb0_9a84));
     let gloss = CookTorrance::new(Ggx::new_clamped(0.3, 0.3), Vec3::splat(0.045));
-    let surface =
-        chalk(Vec3::Z, n, color, 0.16 * color).with([Facet::new(1.0, n)], [Lobe::from(&gloss as &dyn Brdf)]);
-    surface.emitted() + 0.95 * PI * surface.scattered(lamp, Vec3::Z)
+    let surface = chalk(Frame::IDENTITY, Vec3::Z, n, color, 0.16 * color)
+        .with([Facet::new(1.0, n)], [Lobe::from(&gloss as &dyn Brdf)]);
+    surface.emitted() + 0.95 * PI * surface.eval_cos(Vec3::Z, lamp)
 }
 
 pub(crate) fn draw_estimate(context: &Context<'_>) -> Result<Drawn> {

@@ -128,7 +128,7 @@ impl<F: GaussianField> Material for UnderLamp<F> {
         let coordinates = Coordinates { share: coordinates.share.min(self.most), ..coordinates };
         let lobe = Lobe::resolved(ndf, *rule, coordinates).weighted(*color);
         let sky = sky(point.frame().to_world(rule.normal(ndf, coordinates)));
-        Bsdf::new(wo).with([Facet::FLAT], [lobe]).with_emitted(SKY * *color * sky)
+        Bsdf::new(point.frame(), wo).with([Facet::FLAT], [lobe]).with_emitted(SKY * *color * sky)
     }
 }
 
@@ -142,14 +142,16 @@ impl Surface {
         let position = if self.anchored { from } else { p }.extend(0.0);
         let point = SurfacePoint::new(position, Vec3::Z, pixel).with_uv(p, [Vec3::X, Vec3::Y]);
         let bsdf = self.material.bsdf(&point, wo);
-        let deltas = (0..DIRECTIONS).flat_map(|k| bsdf.deltas(wo, Vec2::from(r2(k).map(|u| u as f32))));
-        let mirrored = deltas.filter(|delta| delta.wi.z > 0.0).fold(Vec3::ZERO, |sum, delta| {
+        let specular = (0..DIRECTIONS)
+            .flat_map(|k| bsdf.specular_samples(wo, Vec2::from(r2(k).map(|u| u as f32))))
+            .flatten();
+        let mirrored = specular.filter(|sample| sample.wi.z > 0.0).fold(Vec3::ZERO, |sum, sample| {
             // Tilted tubes, at a distance of a few meters.
-            let place = delta.wi.truncate() + 0.06 * p;
+            let place = sample.wi.truncate() + 0.06 * p;
             let tube = (3.0 * (place.dot(Vec2::new(0.5, 0.87)) * 55.0).sin()).tanh();
-            sum + delta.weight * Vec3::new(0.50, 0.56, 0.60) * (0.55 + 0.42 * tube)
+            sum + sample.eval_cos * Vec3::new(0.50, 0.56, 0.60) * (0.55 + 0.42 * tube)
         });
-        self.exposure * (PI * bsdf.scattered(wi, wo) + bsdf.emitted() + mirrored / DIRECTIONS as f32)
+        self.exposure * (PI * bsdf.eval_cos(wo, wi) + bsdf.emitted() + mirrored / DIRECTIONS as f32)
     }
 
     /// Returns the position near the anchor where the closest image has the most detail: among all

@@ -39,7 +39,7 @@ fn bump_mapped_radiance(bumps: BumpMapped, h: vec3<f32>, seen: vec4<f32>) -> f32
     return level_of_detail_fractal_beckmann(bumps.alpha, h, seen.xy, seen.w);
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame,
+// Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`. For another distribution it is
 // `colour * facet_shown(radiance, h, wi, wo) * wi.z`, with the radiance of its rule.
 fn bump_mapped_scattered(bumps: BumpMapped, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {

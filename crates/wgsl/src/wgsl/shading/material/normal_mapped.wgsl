@@ -11,7 +11,7 @@ struct NormalMapped {
     more_reserved: vec2<u32>,
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame,
+// Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`.
 fn normal_mapped_scattered(stone: NormalMapped, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {

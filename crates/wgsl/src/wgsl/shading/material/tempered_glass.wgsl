@@ -67,7 +67,7 @@ fn tempered_glass_coat(glass: TemperedGlass, point: SurfacePoint) -> Coat {
     );
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point; 0 for smooth glass, whose light is all in
+// Reflectance times cosine, `Bsdf::eval_cos` of a point; 0 for smooth glass, whose light is all in
 // `tempered_glass_deltas`. wo and wi are in its frame, `surface_point_frame`, and may be below the
 // surface.
 fn tempered_glass_scattered(glass: TemperedGlass, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {

@@ -137,7 +137,7 @@ fn coat_over(coat: Coat, scattered: vec3<f32>, wo: vec3<f32>, wi: vec3<f32>) -> 
     return brdf_finite_channels(scattered * through + coat_scattered(coat, wo, wi));
 }
 
-// Both directions of `Bsdf::deltas`.
+// Both directions of `Bsdf::specular_samples`; any direction if the weight is 0.
 struct CoatDeltas {
     mirrored: CoatDelta,
     transmitted: CoatDelta,
@@ -173,7 +173,9 @@ fn coat_deltas(coat: Coat, view: vec3<f32>, u: vec2<f32>) -> CoatDeltas {
         m = coat_facet(normal, coat.slope_variance, up, u);
     }
     let cosine = dot(up, m);
-    let mirrored = direction_reflect(up, m) * side;
+    // Light that a bump reflects into the surface is reflected out again.
+    let bounced = direction_reflect(up, m);
+    let mirrored = vec3<f32>(bounced.xy, abs(bounced.z)) * side;
     if coat.kind == COAT_METAL {
         return CoatDeltas(CoatDelta(mirrored, math_shares(coat.colour)), dark);
     }

@@ -147,7 +147,7 @@ fn carpet_surface(carpet: Carpet, point: SurfacePoint) -> Glossy {
     );
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame,
+// Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`.
 fn carpet_scattered(carpet: Carpet, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     let surface = carpet_surface(carpet, point);

@@ -66,7 +66,7 @@ fn metallic_paint_coated(
     return coat_over(metallic_paint_coat(paint, point), (flakes + pigment) * wi.z, wo, wi);
 }
 
-// Reflection of a smooth coat at a facet chosen by uniform numbers, the first of `Bsdf::deltas`; 0
+// Reflection of a smooth coat at a facet chosen by uniform numbers, the first of `Bsdf::specular_samples`; 0
 // for a rough coat.
 fn metallic_paint_mirrored(paint: MetallicPaint, point: SurfacePoint, wo: vec3<f32>, u: vec2<f32>) -> CoatDelta {
     return coat_deltas(metallic_paint_coat(paint, point), wo, u).mirrored;

@@ -6,7 +6,7 @@ struct CountedFlakes {
     flakes: GlintField,
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame,
+// Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`. The reflection of a smooth coat is `metallic_paint_mirrored`.
 fn counted_flakes_scattered(
     counted: CountedFlakes,

@@ -51,7 +51,7 @@ fn metallic_paint_sparkle(
     );
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point of paint with sparkling flakes; wo and wi
+// Reflectance times cosine, `Bsdf::eval_cos` of a point of paint with sparkling flakes; wo and wi
 // are in its frame, `surface_point_frame`. The reflection of a smooth coat is
 // `metallic_paint_mirrored`.
 fn metallic_paint_scattered(paint: MetallicPaint, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {

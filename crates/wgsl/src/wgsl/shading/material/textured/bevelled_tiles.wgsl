@@ -49,7 +49,7 @@ fn bevelled_tiles_far(bevel: Bevel, surface: TexturedSlopes, wo: vec3<f32>, wi: 
     return sum + textured_slopes_light(surface, flat, vec2<f32>(0.0), wo, wi);
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame,
+// Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`. All facets are lit, while the Rust crate merges facets beyond the 32nd.
 fn bevelled_tiles_scattered(tiles: BevelledTiles, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {

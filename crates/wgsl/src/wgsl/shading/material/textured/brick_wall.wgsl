@@ -25,7 +25,7 @@ fn brick_wall_colour(wall: BrickWall, uv: vec2<f32>, pixel: PixelEllipse) -> vec
     return wall.mortar * (1.0 - share) + clay * share;
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame,
+// Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`. All facets are lit, while the Rust crate merges facets beyond the 32nd.
 fn brick_wall_scattered(wall: BrickWall, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {

@@ -7,7 +7,7 @@ struct PolishedMarble {
     polish: f32,
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame,
+// Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`.
 fn polished_marble_scattered(stone: PolishedMarble, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {

@@ -143,7 +143,7 @@ fn scratches_lit(scratches: Scratches, surface: ScratchesSurface, wo: vec3<f32>,
     return brdf_finite_channels(math_shares(scratches.specular) * sum);
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame,
+// Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`.
 fn scratches_scattered(scratches: Scratches, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     return scratches_lit(scratches, scratches_surface(scratches, point), wo, wi);

@@ -46,7 +46,7 @@ fn variations_surface(variations: Variations, point: SurfacePoint) -> Glossy {
     );
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame,
+// Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`.
 fn variations_scattered(variations: Variations, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     let surface = variations_surface(variations, point);
