@@ -3,6 +3,7 @@
 mod anchors;
 mod checked;
 mod continuity;
+mod custom;
 mod errors;
 mod gaussian;
 mod gaussian_tails;
