@@ -4,6 +4,9 @@
 
 use asperity_fif::{Fif, HeightField, Intersect, Ray, glam::DVec3};
 
+/// Side of the plot in pixels.
+const SIZE: usize = 512;
+
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (x, y) = ([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.0, 0.0, 1.0, 0.0]);
     let f = Fif::affine(&x, &y, &[0.6, -0.5, 0.6, -0.5])?;
@@ -24,7 +27,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     assert!((ray.at(hit.t).z - hit.height).abs() < 1e-9 && hit.normal.is_some());
 
     // A column of the plot goes from the minimum to the maximum over its interval.
-    const SIZE: usize = 512;
     let (range, step) = (f.range(), 4.0 / SIZE as f64);
     let row = |value: f64| (((range.hi - value) / range.width() * SIZE as f64) as usize).min(SIZE - 1);
     let mut pixels = vec![255_u8; SIZE * SIZE];

@@ -36,7 +36,6 @@ use asperity_core::math;
 /// Kautz, Heidrich, Seidel 2001, "Real-Time Bump Map Synthesis", section 4. The paper draws normals
 /// through tables. The density over the map of normals is D itself, not `D/cos θ` or `D cos θ`,
 /// because a bump map is sampled uniformly over the macro surface.
-
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not implement `Ndf`",
     label = "not a normal distribution function",

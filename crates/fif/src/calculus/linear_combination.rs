@@ -124,7 +124,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
             }
             Some(q)
         };
-        Ok(self.combined(&|j| self.ordinate(j) + other.ordinate(j), &q)?)
+        self.combined(&|j| self.ordinate(j) + other.ordinate(j), &q)
     }
 
     /// The number of continuous derivatives of the system.
