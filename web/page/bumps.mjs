@@ -113,7 +113,7 @@ class Bumps extends Looking {
       this.sum = rust.gaussian_anchors(sum);
       this.sumOf = String(sum);
     }
-    const resources = { gaussian_level: this.levels, octaves_uniform_3d: this.sum };
+    const resources = { gaussian_level: this.levels, fbm_uniform_3d: this.sum };
     if (settings.density === 'painted') {
       bumps.painting.show(settings.painting);
       const text = bumps.painting.text();
@@ -283,7 +283,7 @@ class Strip {
       const foci = Array.from({ length: 24 }, (_, k) => k % 3 === 2 ? 0.3 : 65536 * random());
       const sums = rust.gaussian_anchors([settings.lacunarity, settings.gain, MAX_OCTAVES, settings.seed, ...foci]);
       const box = [0, Math.floor(band * side / BANDS), side, Math.ceil(side / BANDS)];
-      const bound = { ...resources, octaves_uniform_3d: sums, bumps_view: view };
+      const bound = { ...resources, fbm_uniform_3d: sums, bumps_view: view };
       await gpu.draw(points, { program: `scattered-${settings.density}`, resources: bound, clear: band === 0 && [0, 0, 0], box });
     }
     const pixels = await gpu.pixels(points), bands = [];

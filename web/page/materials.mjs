@@ -339,7 +339,7 @@ class Materials extends Looking {
       const words = this.page.rust[`material_${material}`](numbers), count = words[0];
       const own = words.slice(1, 1 + count), sums = words.slice(1 + count);
       const name = { paint: 'metallic_paint', glass: 'tempered_glass', brick: 'brick_wall', marble: 'polished_marble' }[material] ?? material;
-      const bound = { [`${name}_uniform`]: own, octaves_uniform_3d: sums };
+      const bound = { [`${name}_uniform`]: own, fbm_uniform_3d: sums };
       if (material === 'steam') {
         const [radius, height, cells, extinction, albedo] = numbers.slice(7);
         Object.assign(bound, { steam_gas: own, steam_view: new Float32Array([0, 0, 0.074, radius, height, cells, extinction, albedo]) });

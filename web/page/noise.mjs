@@ -172,7 +172,7 @@ class Noise {
 
   resources(settings, size, ...further) {
     const uniform = this.kept('noise_uniform', this.spec(settings, size)), { dimension } = this.told(settings);
-    return { noise_view: this.view(settings, size, ...further), gaussian_level: this.levels, [`octaves_uniform_${dimension}d`]: uniform };
+    return { noise_view: this.view(settings, size, ...further), gaussian_level: this.levels, [`fbm_uniform_${dimension}d`]: uniform };
   }
 
   passes(settings, size) {

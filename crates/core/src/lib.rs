@@ -3,6 +3,7 @@
 //! - [`lanes`]: arithmetic written once, for a number or for SIMD registers, with the same bits.
 //! - [`math`]: the float functions of `std` or `libm`.
 //! - [`Interval`]: interval arithmetic with outward rounding.
+//! - [`gpu`]: structs with the same layout in Rust and in WGSL.
 //!
 //! The dependent crates re-export the parts that their users need.
 //!
@@ -26,6 +27,7 @@ compile_error!("every Asperity crate needs a float backend: enable its feature `
 mod batch_error;
 #[cfg(feature = "check")]
 pub mod check;
+pub mod gpu;
 mod interval;
 pub mod lanes;
 mod macros;

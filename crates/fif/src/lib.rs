@@ -38,6 +38,7 @@
 //! | `std` (default) | roots, powers and logarithms of the standard library |
 //! | `libm` | roots, powers and logarithms of `libm`, for targets without a standard library; takes precedence over `std` |
 //! | `alloc` (default) | [`Fif`], [`Table`], [`PeriodicSurface`], [`FoldedSurface`], [`RoughFoldedSurface`], [`Tabulated`], [`RecurrentFif`], [`fit`], and the tables of `tabulated()` |
+//! | `bytemuck` | `Pod` for the structs of [`gpu`] |
 //! | `serde` | serialization of systems, validated by [`Fif::with_ordinates`]; needs `alloc` |
 //! | `approx` | comparisons of intervals, values with bounds, jets, rays and hits to a tolerance |
 //! | `simd` (default) | batches of [`Table32`] and of jets with SIMD, with the same bits |
@@ -69,6 +70,7 @@ pub mod cochran_2000;
 mod evaluate;
 #[cfg(feature = "alloc")]
 pub mod fit;
+pub mod gpu;
 mod numeric;
 
 mod ray;

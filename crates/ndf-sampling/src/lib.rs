@@ -68,6 +68,7 @@
 //! | `simd` (default) | SIMD in methods with plural names by `fearless_simd`; without `std` at the level that the program is compiled for |
 //! | `approx` | comparisons of frames, NDFs and other small structs by `approx`, and the `approx` feature of `glam` |
 //! | `check` | property tests for any NDF, including your own: module [`check`] |
+//! | `bytemuck` | `Pod` for the structs of [`gpu`] |
 //! | `serde` | serialization of the parameters of [`Ggx`], [`Beckmann`], [`StudentT`], [`Ward`], [`BlinnPhong`] and [`AshikhminShirley`], validated by `new`; formats and layouts |
 //! | `rand` | NDFs as [`Distribution`](https://docs.rs/rand/latest/rand/distr/trait.Distribution.html)s of normals: `rng.sample(&ggx)` |
 //! | `alloc` (default) | [`NdfMap`], [`Masked`], [`NdfEstimator`] and [`NormalLut`], which own their tables; [`NormalLut`] does not need it |
@@ -87,6 +88,7 @@ mod coordinates;
 mod density;
 mod error;
 mod frame;
+pub mod gpu;
 pub mod level_of_detail;
 mod map;
 #[cfg(feature = "alloc")]

@@ -127,6 +127,7 @@
 //! | `libm` | √ of `libm`, without `std`; takes precedence if both are enabled; the same bits |
 //! | `approx` | the traits of `approx` for [`Sample`] and [`SampleHessian`] |
 //! | `check` | property tests for any field, including custom fields: module [`check`] |
+//! | `bytemuck` | `Pod` for the structs of [`gpu`] |
 //! | `serde` | serialization of [`FbmSpectrum`], [`Grid`], [`Normalization`] and [`Rotation`]; a spectrum is deserialized through [`FbmSpectrum::new`] |
 //!
 //! # Compile time
@@ -155,6 +156,7 @@ pub mod check;
 mod contract;
 pub mod ebert_1994;
 mod error;
+pub mod gpu;
 mod kinds;
 mod lanes;
 pub mod lattice;

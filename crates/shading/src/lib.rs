@@ -87,6 +87,7 @@
 //! | `simd` (default) | many lights, and the noise at a point, with the best available SIMD level; the same bits without it |
 //! | `check` | property tests for any BRDF, including your own: module [`check`] |
 //! | `serde` | serialization of material parameters and forms of BRDFs; files contain the parameters that differ from the defaults |
+//! | `bytemuck` | `Pod` for the structs of [`gpu`] |
 //! | `approx` | the traits of `approx` for points, pixels, facets, light samples and textures; the same feature of glam, `asperity-noise` and `asperity-ndf-sampling` |
 #![no_std]
 
@@ -106,6 +107,7 @@ pub mod bump;
 pub mod check;
 mod direction;
 pub mod environment;
+pub mod gpu;
 mod image;
 pub mod level_of_detail;
 pub mod material;

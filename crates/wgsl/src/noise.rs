@@ -3,15 +3,15 @@
 //! Every kind has a function of a point, such as `value_noise_3d(p, key) -> Sample3d`, and a
 //! function of a cell and the position in it, such as `value_in_cell_3d(cell, t, key)`, for
 //! anchored points. Both return the bits of the Rust crate if every operation is rounded as
-//! written. Seeds are passed as keys, [`key`] of the seed.
+//! written. Seeds are passed as keys, [`key`](asperity_noise::gpu::key) of the seed.
 //!
 //! | part | functions at points p | dimensions |
 //! |---|---|---|
 //! | [`WHITE`] | `white_noise_*(p, key)` | 2, 3 |
 //! | [`VALUE`] | `value_noise_*(p, key)` | 2, 3, 4 |
 //! | [`VALUE_CATMULL_ROM`] | `value_catmull_rom_noise_*(p, key)` | 2, 3 |
-//! | [`PERLIN_1985`] | `perlin_1985_noise_*(p, key)` | 2, 3 |
-//! | [`PERLIN_2002`] | `perlin_2002_noise_*(p, key)` | 2, 3, 4 |
+//! | [`PERLIN_CLASSIC`] | `perlin_classic_noise_*(p, key)` | 2, 3 |
+//! | [`PERLIN`] | `perlin_noise_*(p, key)` | 2, 3, 4 |
 //! | [`VALUE_GRADIENT`] | `value_gradient_noise_*(p, weight, key)` | 2, 3 |
 //! | [`GAUSSIAN`] | `gaussian_noise_*(p, key)`, `gaussian_pair_*(p, key)` | 2, 3 |
 //! | [`SIMPLEX`] | `simplex_noise_*(p, key)`, `simplex_wide_noise_*(p, key)` | 2, 3, 4 |
@@ -22,36 +22,22 @@
 //! # #[cfg(feature = "alloc")] {
 //! use asperity_wgsl::{Bindings, compose, noise};
 //!
-//! let wgsl = compose(&[&noise::PERLIN_2002], Bindings::Textures { group: 0 });
-//! assert!(wgsl.contains("fn perlin_2002_noise_3d(p: vec3<f32>, key: u32) -> Sample3d"));
+//! let wgsl = compose(&[&noise::PERLIN], Bindings::Textures { group: 0 });
+//! assert!(wgsl.contains("fn perlin_noise_3d(p: vec3<f32>, key: u32) -> Sample3d"));
 //! # }
 //! ```
-
-use asperity_noise::{IntegerHash, Lattice, lattice};
 
 use crate::part::{Binding, Element, Part, part};
 
 pub mod sums;
 pub mod transforms;
 
-/// Returns the key of a seed, which every function takes instead of the seed.
-///
-/// ```
-/// use asperity_wgsl::noise::key;
-///
-/// assert_ne!(key(1), key(2));
-/// ```
-#[must_use]
-pub fn key(seed: u32) -> u32 {
-    IntegerHash.key(seed)
-}
-
 /// Structures of value and gradient in two, three and four dimensions.
 pub static SAMPLE: Part = part!("noise/sample");
 
-/// Hash of lattice points, with the bits of [`IntegerHash`].
+/// Hash of lattice points, with the bits of [`IntegerHash`](asperity_noise::IntegerHash).
 ///
-/// Seeds are passed as keys, [`key`] of the seed, whose computation takes 64 bits.
+/// Seeds are passed as keys, [`key`](asperity_noise::gpu::key) of the seed, whose computation takes 64 bits.
 pub static INTEGER_HASH: Part = part!("noise/lattice/integer_hash");
 
 /// Cell of a point and the position in it, for every point as in [`Field`](asperity_noise::Field).
@@ -79,10 +65,11 @@ pub static WHITE: Part = part!("noise/kinds/white", SAMPLE, INTEGER_HASH, CELL, 
 pub static VALUE: Part = part!("noise/kinds/value", SAMPLE, INTEGER_HASH, CELL, FADE);
 
 /// Perlin noise of 1985, [`PerlinClassic`](asperity_noise::PerlinClassic), in two and three dimensions.
-pub static PERLIN_1985: Part = part!("noise/kinds/perlin_1985", INTEGER_HASH, CELL, FADE, VARIATES, CORNERS);
+pub static PERLIN_CLASSIC: Part =
+    part!("noise/kinds/perlin_classic", INTEGER_HASH, CELL, FADE, VARIATES, CORNERS);
 
 /// Perlin noise of 2002, [`Perlin`](asperity_noise::Perlin), in two to four dimensions.
-pub static PERLIN_2002: Part = part!("noise/kinds/perlin_2002", INTEGER_HASH, CELL, FADE, EDGES, COLUMNS);
+pub static PERLIN: Part = part!("noise/kinds/perlin", INTEGER_HASH, CELL, FADE, EDGES, COLUMNS);
 
 /// Value-gradient noise, [`ValueGradient`](asperity_noise::ValueGradient), in two and three
 /// dimensions.
@@ -107,36 +94,11 @@ pub static CELLULAR: Part = part!("noise/kinds/cellular/cellular", SAMPLE, INTEG
 
 /// Gaussian variates of lattice points,
 /// [`gaussian_corner`](asperity_noise::lattice::gaussian_corner), from the table of
-/// [`gaussian_levels`].
+/// [`gaussian_levels`](asperity_noise::gpu::gaussian_levels).
 pub static GAUSSIAN_VARIATES: Part = part!("noise/lattice/gaussian_variates", INTEGER_HASH, CORNERS)
-    .with_bindings(&[Binding::Table {
-        name: "gaussian_level",
-        element: Element::Float,
-        width: GAUSSIAN_LEVELS_WIDTH,
-    }]);
+    .with_bindings(&[Binding::Table { name: "gaussian_level", element: Element::Float, width: 64 }]);
 
 /// Exactly Gaussian noise, [`GaussianNoise`](asperity_noise::GaussianNoise), in two and three dimensions: one
 /// channel, or [two](asperity_noise::GaussianNoise::pair).
 pub static GAUSSIAN: Part =
     part!("noise/kinds/gaussian", INTEGER_HASH, CELL, FADE, CORNERS, GAUSSIAN_VARIATES);
-
-/// Texels per row of the table of [`gaussian_levels`].
-pub const GAUSSIAN_LEVELS_WIDTH: u32 = 64;
-
-/// Iterates over the table `gaussian_level` of [`GAUSSIAN_VARIATES`], in units of the standard
-/// deviation.
-///
-/// The table has the levels, the lines of the tails, and zeros to the end of the last of 88 rows.
-///
-/// ```
-/// use asperity_wgsl::noise::{GAUSSIAN_LEVELS_WIDTH, gaussian_levels};
-///
-/// assert_eq!(gaussian_levels().count(), 88 * GAUSSIAN_LEVELS_WIDTH as usize);
-/// assert!(gaussian_levels().take(4096).is_sorted());
-/// ```
-pub fn gaussian_levels() -> impl Iterator<Item = f32> {
-    const COUNT: usize = 88 * GAUSSIAN_LEVELS_WIDTH as usize;
-    let levels = lattice::gaussian_levels().iter().copied();
-    let lines = lattice::gaussian_tail_lines().iter().copied().flatten();
-    levels.chain(lines).chain(core::iter::repeat(0.0)).take(COUNT)
-}

@@ -141,35 +141,21 @@ impl Element {
     }
 }
 
-/// Defines a part of this crate, from its file under `wgsl/` and its dependencies.
+/// Defines a part of this crate from its file under `wgsl/`, the structs that its crate declares,
+/// and its dependencies.
 macro_rules! part {
-    ($name:expr $(, $needs:path)* $(,)?) => {
-        $crate::part::Part::new(
-            $name,
+    ($name:expr $(, [$($struct:ty),+])? $(, $needs:path)* $(,)?) => {{
+        const PIECES: &[&str] = &[
             include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/src/wgsl/", $name, ".wgsl")),
-            &[$(&$needs),*],
-        )
-    };
+            $($("\n", <$struct>::WGSL),+)?
+        ];
+        const TEXT: [u8; asperity_core::gpu::joined_len(PIECES)] = asperity_core::gpu::joined(PIECES);
+        const SOURCE: &str = match core::str::from_utf8(&TEXT) {
+            Ok(source) => source,
+            Err(_) => unreachable!(),
+        };
+        $crate::part::Part::new($name, SOURCE, &[$(&$needs),*])
+    }};
 }
 
-/// Defines a uniform as words in the layout of a WGSL structure.
-macro_rules! uniform {
-    ($(#[$doc:meta])* $name:ident: $words:expr, $of:literal;) => {
-        $(#[$doc])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub struct $name([u32; Self::WORDS]);
-
-        impl $name {
-            /// Words of the structure.
-            pub const WORDS: usize = $words;
-
-            #[doc = concat!("The words, in the layout of `", $of, "`.")]
-            #[must_use]
-            pub const fn words(&self) -> [u32; Self::WORDS] {
-                self.0
-            }
-        }
-    };
-}
-
-pub(crate) use {part, uniform};
+pub(crate) use part;

@@ -4,7 +4,7 @@
 //! normal. Reflectances are in sr⁻¹, without the cosine of the light. Evaluation is total: NaN and
 //! directions below the horizon give 0.
 
-use asperity_shading::pixel::FrequencyClamp;
+use asperity_shading::gpu::FrequencyClampUniform;
 
 use crate::ndf::{BECKMANN, ELEMENTARY, FRAME, GAUSSIAN_SPLIT, GGX};
 use crate::part::{Part, part};
@@ -29,23 +29,5 @@ pub static DIRECTION: Part = part!("shading/direction", MATH);
 pub static LEVEL_OF_DETAIL: Part =
     part!("shading/level_of_detail/rule", ELEMENTARY, FRAME, GAUSSIAN_SPLIT, GGX, BECKMANN);
 
-/// Octaves that a pixel resolves, [`FrequencyClamp`].
-pub static FREQUENCY_CLAMP: Part = part!("shading/pixel/frequency_clamp");
-
-/// Returns the words of a `FrequencyClamp` in a shader.
-///
-/// The words are the frequency of the first octave in cells per unit of length, the logarithm of
-/// the lacunarity and the maximum number of octaves.
-///
-/// ```
-/// use asperity_wgsl::shading::frequency_clamp_words;
-/// use asperity_shading::pixel::FrequencyClamp;
-///
-/// let words = frequency_clamp_words(&FrequencyClamp::new(10.0, 2.0, 8.0)?);
-/// assert_eq!(words.map(f32::from_bits), [10.0, 1.0, 8.0]);
-/// # Ok::<(), asperity_shading::ParameterError>(())
-/// ```
-#[must_use]
-pub fn frequency_clamp_words(clamp: &FrequencyClamp) -> [u32; 3] {
-    [clamp.frequency(), clamp.log2_lacunarity(), clamp.max_octaves()].map(f32::to_bits)
-}
+/// Octaves that a pixel resolves, [`FrequencyClamp`](asperity_shading::pixel::FrequencyClamp).
+pub static FREQUENCY_CLAMP: Part = part!("shading/pixel/frequency_clamp", [FrequencyClampUniform]);

@@ -31,7 +31,7 @@ fn parts() -> &'static [&'static Part] {
             &TABLES,
             &noise::INTEGER_HASH,
             &noise::GAUSSIAN,
-            &noise::PERLIN_2002,
+            &noise::PERLIN,
             &noise::SIMPLEX,
             &ndf::GGX,
             &ndf::BECKMANN,

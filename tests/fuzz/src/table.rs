@@ -19,7 +19,7 @@ pub(crate) fn packed(array: &[f32], numbers: &mut Numbers<'_>) {
         Ok(map) => {
             let (u, m) = (numbers.pair(), numbers.direction());
             let _ = (map.inverse(u), map.forward(u), map.sample(u), map.warp_gaussian(u));
-            let _ = (map.d(m), map.invert(m), map.grid_and_parts());
+            let _ = (map.d(m), map.invert(m), map.gpu());
             let points = [0.1, -0.3, 0.9, u.x, u.y, m.x, m.y, 0.0, 2.0];
             let (mut x, mut y) = ([0.0; 9], [0.0; 9]);
             map.inverse_batch([&points, &points], [&mut x, &mut y]).expect("as many");

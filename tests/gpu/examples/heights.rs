@@ -7,10 +7,11 @@ use std::error::Error;
 use std::fs::File;
 use std::path::Path;
 
-use asperity_shading::noise::glam::{DVec3, Vec3};
+use asperity_shading::noise::gpu::FbmUniform3d;
 use asperity_shading::noise::{Fbm, FbmSpectrum, Perlin};
-use asperity_wgsl::noise::sums::{OctavesUniform, octaves_3d};
+use asperity_wgsl::noise::sums::fbm_3d;
 use asperity_wgsl::{Bindings, Part, compose};
+use glam::{DVec3, Vec3};
 use wgpu::util::DeviceExt;
 
 const SIDE: u32 = 512;
@@ -25,11 +26,11 @@ static HEIGHTS: Part = Part::new(
 fn fill(@builtin(global_invocation_id) id: vec3<u32>) {
     let p = vec2<f32>(id.xy) * (8.0 / 512.0);
     // Exactly the octaves that a pixel resolves.
-    let height = perlin_2002_octaves_3d(vec3<f32>(p, 0.0), 5.0, 0.0, 0u);
+    let height = perlin_fbm_3d(vec3<f32>(p, 0.0), 5.0, 0.0, 0u);
     heights[id.y * 512u + id.x] = vec4<f32>(height.value, height.gradient);
 }
 ",
-    &[&octaves_3d::PERLIN_2002],
+    &[&fbm_3d::PERLIN],
 );
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -38,13 +39,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let heights = pollster::block_on(heights())?;
 
     // The sum is normalized to a variance of at most 1, so six deviations span black to white.
-    let grey =
+    let gray =
         heights.iter().flat_map(|[h, ..]| (((h / 6.0 + 0.5).clamp(0.0, 1.0) * 65535.0) as u16).to_be_bytes());
     write(
         &Path::new(&folder).join("heights.png"),
         png::ColorType::Grayscale,
         png::BitDepth::Sixteen,
-        &grey.collect::<Vec<_>>(),
+        &gray.collect::<Vec<_>>(),
     )?;
     let steepness = 0.12;
     let normals = heights.iter().flat_map(|[_, x, y, _]| {
@@ -71,12 +72,12 @@ async fn heights() -> Result<Vec<[f32; 4]>, Box<dyn Error>> {
     let descriptor = wgpu::DeviceDescriptor { required_limits: limits, ..Default::default() };
     let (device, queue) = adapter.request_device(&descriptor).await?;
 
-    // Resources of the parts: the words of a sum of octaves, from the crate.
+    // The uniform that the part binds: an array of sums, of which this shader uses one.
     let sum = Fbm::<_, Vec3>::new(Perlin::new(42), FbmSpectrum::new(2.0, 0.5, 8)?).anchored(DVec3::ZERO);
-    let words = OctavesUniform::<3>::uniform(&[OctavesUniform::new(&sum)]);
+    let sums = FbmUniform3d::array(&[sum.gpu()]);
     let uniform = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
         label: None,
-        contents: bytemuck::cast_slice(&words),
+        contents: bytemuck::bytes_of(&sums),
         usage: wgpu::BufferUsages::UNIFORM,
     });
     let size = u64::from(SIDE * SIDE) * 16;
@@ -121,12 +122,12 @@ async fn heights() -> Result<Vec<[f32; 4]>, Box<dyn Error>> {
 
 fn write(
     path: &Path,
-    colour: png::ColorType,
+    color: png::ColorType,
     depth: png::BitDepth,
     bytes: &[u8],
 ) -> Result<(), Box<dyn Error>> {
     let mut encoder = png::Encoder::new(File::create(path)?, SIDE, SIDE);
-    encoder.set_color(colour);
+    encoder.set_color(color);
     encoder.set_depth(depth);
     encoder.write_header()?.write_image_data(bytes)?;
     Ok(())

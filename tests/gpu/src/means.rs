@@ -1,8 +1,9 @@
 //! The mean radiance over a surface with the exact rule on an adapter, relative to the density.
 
+use asperity_shader_tests::case::packed;
 use asperity_shading::ndf_sampling::{Ggx, Ndf};
+use asperity_shading::noise::gpu::{FbmUniform3d, gaussian_levels};
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
-use asperity_wgsl::noise::sums::OctavesUniform;
 use asperity_wgsl::{Binding, Bindings, Part, compose, noise, shading};
 use glam::Vec3;
 
@@ -12,7 +13,7 @@ use crate::device::{self, Gpu};
 static MEANS: Part = Part::new(
     "means",
     include_str!("means.wgsl"),
-    &[&noise::sums::GAUSSIAN_OCTAVES_3D, &shading::LEVEL_OF_DETAIL],
+    &[&noise::sums::GAUSSIAN_FBM_3D, &shading::LEVEL_OF_DETAIL],
 )
 .with_bindings(&[Binding::Uniform { name: "means_job", of: "MeansJob" }]);
 
@@ -57,8 +58,8 @@ fn radiances(gpu: &Gpu, halves: &[Vec3], octaves: f32) -> Result<Vec<f32>, Strin
     let sum = GaussianFbm::<Vec3>::new(GaussianNoise::new(7), spectrum);
     let job = halves.iter().flat_map(|h| [h.x, h.y, h.z, 0.0]).chain(ALPHA).chain([octaves, 4096.0]);
     let words = [
-        ("gaussian_level", noise::gaussian_levels().map(f32::to_bits).collect()),
-        ("octaves_uniform_3d", OctavesUniform::<3>::uniform(&[OctavesUniform::new(&sum)]).to_vec()),
+        ("gaussian_level", gaussian_levels().map(f32::to_bits).collect()),
+        ("fbm_uniform_3d", packed(&FbmUniform3d::array(&[sum.gpu()]))),
         ("means_job", job.map(f32::to_bits).collect()),
     ];
     let wgsl = compose(&[&MEANS], Bindings::Textures { group: 0 });

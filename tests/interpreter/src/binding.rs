@@ -91,7 +91,8 @@ impl Bindings {
             }
         } else {
             let size = layouter[global.ty].size;
-            if bytes != size {
+            // `std140` rounds sizes up to 16 bytes.
+            if bytes != size && bytes != size.next_multiple_of(16) {
                 return Err(format!("`{name}` has {} words, got {}", size / 4, words.len()));
             }
         }

@@ -147,6 +147,12 @@ impl Bound {
     }
 }
 
+/// Returns the words of a struct or of an array of structs.
+#[must_use]
+pub fn packed(of: &impl bytemuck::NoUninit) -> Vec<u32> {
+    bytemuck::cast_slice(std::slice::from_ref(of)).to_vec()
+}
+
 /// Returns random words, the k-th number of the i-th input.
 #[must_use]
 pub fn any(i: u32, k: u32) -> u32 {

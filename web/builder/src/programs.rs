@@ -47,7 +47,7 @@ mod bumps {
                 $density,
                 ndf::FRAME,
                 noise_parts::INTEGER_HASH,
-                noise_parts::sums::GAUSSIAN_OCTAVES_3D,
+                noise_parts::sums::GAUSSIAN_FBM_3D,
                 shading::FREQUENCY_CLAMP,
                 shading::LEVEL_OF_DETAIL,
                 SCREEN,

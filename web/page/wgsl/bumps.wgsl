@@ -61,7 +61,7 @@ fn bumps_sky(direction: vec3<f32>) -> f32 {
 
 // Radiance with the exact rule: of the lamp, and of the sky reflected by the mean facet of the
 // unresolved part.
-fn bumps_exact(seen: GaussianOctaves3d, frame: Frame, wo: vec3<f32>, h: vec3<f32>, cos_light: f32) -> f32 {
+fn bumps_exact(seen: GaussianFbm3d, frame: Frame, wo: vec3<f32>, h: vec3<f32>, cos_light: f32) -> f32 {
     let share = min(seen.share, bumps_view.share);
     let z = seen.pair.value;
     let lamp = bumps_conditional_density(h, gaussian_split(z, share)) * cos_light;
@@ -70,7 +70,7 @@ fn bumps_exact(seen: GaussianOctaves3d, frame: Frame, wo: vec3<f32>, h: vec3<f32
 }
 
 // Radiance with the fractal rule of 2001: the whole density about every facet.
-fn bumps_fractal(seen: GaussianOctaves3d, frame: Frame, wo: vec3<f32>, h: vec3<f32>, cos_light: f32) -> f32 {
+fn bumps_fractal(seen: GaussianFbm3d, frame: Frame, wo: vec3<f32>, h: vec3<f32>, cos_light: f32) -> f32 {
     var facet = vec3<f32>(0.0, 0.0, 1.0);
     if seen.fade > 0.0 {
         facet = bumps_from_gaussian(level_of_detail_fractal_coordinates(seen.pair.value, seen.fade, bumps_flat()));
@@ -83,7 +83,7 @@ fn bumps_fractal(seen: GaussianOctaves3d, frame: Frame, wo: vec3<f32>, h: vec3<f
 // Radiance of a point for a footprint, in units.
 fn bumps_light(p: vec3<f32>, frame: Frame, wo: vec3<f32>, footprint: f32, rule: f32) -> f32 {
     let limits = FrequencyClamp(bumps_view.frequency, bumps_view.log_lacunarity, bumps_view.max_octaves);
-    let seen = gaussian_octaves_3d(p * bumps_view.frequency, frequency_clamp_octaves(footprint, limits), 0u);
+    let seen = gaussian_fbm_3d(p * bumps_view.frequency, frequency_clamp_octaves(footprint, limits), 0u);
     let h = frame_to_local(frame, frame_direction(bumps_view.light + wo));
     let cos_light = max(frame_product(bumps_view.light, frame.normal), 0.0);
     if rule < 0.5 {
@@ -108,7 +108,7 @@ fn bumps_pixel(corner: BumpsCorner) -> @location(0) vec4<f32> {
         let footprint = t * sqrt(dot(direction, direction)) * bumps_view.pixel_angle / cos_eye;
         light = bumps_light(p, frame, wo, footprint, select(bumps_view.rule.x, bumps_view.rule.y, x > bumps_view.divide));
     }
-    return display_colour(light * bumps_view.exposure * vec3<f32>(1.0, 0.62, 0.36) + vec3<f32>(0.012, 0.009, 0.008));
+    return display_color(light * bumps_view.exposure * vec3<f32>(1.0, 0.62, 0.36) + vec3<f32>(0.012, 0.009, 0.008));
 }
 
 // A flat patch of the surface, with constant view and light directions, and the left rule.
@@ -117,7 +117,7 @@ fn bumps_patch(screen: Screen) -> @location(0) vec4<f32> {
     let p = bumps_view.eye + screen.at.x * bumps_view.right + screen.at.y * bumps_view.up;
     let frame = Frame(vec3<f32>(1.0, 0.0, 0.0), vec3<f32>(0.0, 1.0, 0.0), vec3<f32>(0.0, 0.0, 1.0));
     let light = bumps_light(p, frame, bumps_view.forward, bumps_view.pixel_angle, bumps_view.rule.x);
-    return display_colour(light * bumps_view.exposure * vec3<f32>(1.0, 0.62, 0.36) + vec3<f32>(0.012, 0.009, 0.008));
+    return display_color(light * bumps_view.exposure * vec3<f32>(1.0, 0.62, 0.36) + vec3<f32>(0.012, 0.009, 0.008));
 }
 
 // The lamp's radiance alone at a different position per pixel, within some cells of eight anchors
@@ -131,7 +131,7 @@ fn bumps_scattered(screen: Screen) -> @location(0) vec4<f32> {
     let limits = FrequencyClamp(bumps_view.frequency, bumps_view.log_lacunarity, bumps_view.max_octaves);
     let p = vec3<f32>((place - 0.5) * 6.0, 0.0);
     let anchor = min(pixel.x * 8u / u32(bumps_view.size), 7u);
-    let seen = gaussian_octaves_3d(p, frequency_clamp_octaves(bumps_view.pixel_angle, limits), anchor);
+    let seen = gaussian_fbm_3d(p, frequency_clamp_octaves(bumps_view.pixel_angle, limits), anchor);
     let h = frame_direction(bumps_view.light + bumps_view.forward);
     if bumps_view.rule.x < 0.5 {
         let share = min(seen.share, bumps_view.share);

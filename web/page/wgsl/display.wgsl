@@ -1,7 +1,7 @@
 // Converts radiance to display colors, and to bytes of a texture.
 
 // sRGB of radiance compressed into [0, 1).
-fn display_colour(light: vec3<f32>) -> vec4<f32> {
+fn display_color(light: vec3<f32>) -> vec4<f32> {
     let linear = max(light, vec3<f32>(0.0));
     let bounded = linear / (1.0 + linear);
     let low = bounded * 12.92;

@@ -18,8 +18,8 @@ struct Light {
 // A texel: nine bits per color over one exponent.
 fn light_texel(x: i32, y: i32) -> vec3<f32> {
     let word = light_word(u32(y * 256 + (x & 255)));
-    let colour = vec3<f32>(vec3<u32>(word & 511u, (word >> 9u) & 511u, (word >> 18u) & 511u));
-    return colour * exp2(f32(word >> 27u) - 24.0);
+    let color = vec3<f32>(vec3<u32>(word & 511u, (word >> 9u) & 511u, (word >> 18u) & 511u));
+    return color * exp2(f32(word >> 27u) - 24.0);
 }
 
 // Radiance from a direction, z up.

@@ -10,8 +10,8 @@ struct MaterialSeen {
 
 fn material_seen(point: SurfacePoint, frame: Frame, wo: vec3<f32>) -> MaterialSeen {
     let pixel = surface_point_uv_pixel(point);
-    let colour = brick_wall_colour(brick_wall_uniform, point.uv, pixel);
-    let surface = textured_slopes(point, colour, brick_wall_uniform.roughness);
+    let color = brick_wall_color(brick_wall_uniform, point.uv, pixel);
+    let surface = textured_slopes(point, color, brick_wall_uniform.roughness);
     let bricks = brick_facets(brick_wall_uniform.bricks, point.uv, pixel_ellipse_sides(pixel));
     var facets = array<vec3<f32>, 9>();
     var slope = vec2<f32>(0.0);
@@ -43,5 +43,5 @@ fn material_lamp(seen: MaterialSeen, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> 
 }
 
 fn material_ambience(seen: MaterialSeen, hit: MaterialsHit) -> vec3<f32> {
-    return materials_ambient(hit, seen.normal, seen.surface.colour, vec3<f32>(0.0), 1.0);
+    return materials_ambient(hit, seen.normal, seen.surface.color, vec3<f32>(0.0), 1.0);
 }

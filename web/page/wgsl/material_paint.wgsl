@@ -26,14 +26,14 @@ fn material_lamp(seen: MaterialSeen, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> 
     let h = direction_half(wi, wo);
     var i = wi;
     var o = wo;
-    var colour = seen.specular;
+    var color = seen.specular;
     var factor = 1.0;
     if seen.sparkles && dot(seen.flake, h) > h.z {
         let own = frame_from_normal(seen.flake);
         i = frame_to_local(own, wi);
         o = frame_to_local(own, wo);
         let boost = math_clamped(metallic_paint_uniform.boost, 1.0);
-        colour += (metallic_paint_uniform.boost_target - seen.specular) * boost;
+        color += (metallic_paint_uniform.boost_target - seen.specular) * boost;
         // The cosine with the flake instead of the surface.
         factor = min(max(i.z, 0.0) / max(wi.z, 0.001), 4.0);
     }
@@ -50,7 +50,7 @@ fn material_lamp(seen: MaterialSeen, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> 
         flakes = select(flakes, lobe.x, of_flakes);
     }
     let pigment = energy_preserving_value(min(metallic_paint_uniform.pigment, 1.0 - seen.specular), 0.2, wi, wo);
-    let below = (flakes * factor * math_shares(colour) + pigment) * wi.z;
+    let below = (flakes * factor * math_shares(color) + pigment) * wi.z;
     return material_varnished(seen.coat, below, select(vec2<f32>(0.0), lobe, is_rough), light.factor, wo, wi);
 }
 

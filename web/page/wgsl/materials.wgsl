@@ -58,8 +58,8 @@ fn materials_ray(position: vec4<f32>) -> vec3<f32> {
 }
 
 // Display mapping of radiance: the Naka–Rushton response.
-fn materials_colour(radiance: vec3<f32>) -> vec4<f32> {
-    return display_colour(pow(max(radiance * materials_view.exposure, vec3<f32>(0.0)), vec3<f32>(1.3)));
+fn materials_color(radiance: vec3<f32>) -> vec4<f32> {
+    return display_color(pow(max(radiance * materials_view.exposure, vec3<f32>(0.0)), vec3<f32>(1.3)));
 }
 
 // The background: the environment, or bright or dark paper.
@@ -184,7 +184,7 @@ fn materials_pixel(corner: MaterialsCorner) -> @location(0) vec4<f32> {
     if materials_view.kind == 1.0 {
         let other = materials_of_car(hit);
         if other.w > 0.0 {
-            return materials_colour(other.xyz);
+            return materials_color(other.xyz);
         }
     }
     let seen = material_seen(hit.point, hit.frame, hit.wo);
@@ -200,5 +200,5 @@ fn materials_pixel(corner: MaterialsCorner) -> @location(0) vec4<f32> {
         let wi = frame_to_local(hit.frame, light.lamps[k].direction);
         sum += material_lamp(seen, hit.wo, wi) * light.lamps[k].irradiance;
     }
-    return materials_colour(sum);
+    return materials_color(sum);
 }

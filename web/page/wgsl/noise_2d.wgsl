@@ -3,27 +3,27 @@
 // Sum 0 is the field, 1 to 2 are its warp fields.
 fn noise_sum_2d(p: vec2<f32>, sum: u32) -> Sample2d {
     let ridged = noise_view.ridged == 1u && sum % 4u == 0u;
-    var total = octaves_total_2d(noise_view.octaves, noise_view.footprint, sum);
+    var total = fbm_total_2d(noise_view.octaves, noise_view.footprint, sum);
     var ridges = ridged_multifractal_2d(noise_view.octaves, noise_view.feedback, sum);
     var walk = total.walk;
     if ridged {
         walk = ridges.walk;
     }
-    while octaves_goes_on(walk) {
-        let layer = octaves_layer_2d(sum, walk.octave);
+    while fbm_goes_on(walk) {
+        let layer = fbm_layer_2d(sum, walk.octave);
         let octave = noise_octave_2d(layer, p);
         if ridged {
             ridges = ridged_multifractal_added_2d(ridges, layer, octave);
             walk = ridges.walk;
         } else {
-            total = octaves_added_2d(total, layer, octave);
+            total = fbm_added_2d(total, layer, octave);
             walk = total.walk;
         }
     }
     if ridged {
         return ridged_multifractal_divided_2d(ridges);
     }
-    return octaves_divided_2d(total);
+    return fbm_divided_2d(total);
 }
 
 // First the warp sums, then the field at the displaced point.

@@ -3,27 +3,27 @@
 // Sum 0 is the field, 1 to 3 are its warp fields, and 4 is the second field of a flow in space.
 fn noise_sum_3d(p: vec3<f32>, sum: u32) -> Sample3d {
     let ridged = noise_view.ridged == 1u && sum % 4u == 0u;
-    var total = octaves_total_3d(noise_view.octaves, noise_view.footprint, sum);
+    var total = fbm_total_3d(noise_view.octaves, noise_view.footprint, sum);
     var ridges = ridged_multifractal_3d(noise_view.octaves, noise_view.feedback, sum);
     var walk = total.walk;
     if ridged {
         walk = ridges.walk;
     }
-    while octaves_goes_on(walk) {
-        let layer = octaves_layer_3d(sum, walk.octave);
+    while fbm_goes_on(walk) {
+        let layer = fbm_layer_3d(sum, walk.octave);
         let octave = noise_octave_3d(layer, p);
         if ridged {
             ridges = ridged_multifractal_added_3d(ridges, layer, octave);
             walk = ridges.walk;
         } else {
-            total = octaves_added_3d(total, layer, octave);
+            total = fbm_added_3d(total, layer, octave);
             walk = total.walk;
         }
     }
     if ridged {
         return ridged_multifractal_divided_3d(ridges);
     }
-    return octaves_divided_3d(total);
+    return fbm_divided_3d(total);
 }
 
 // First the warp sums, then the field at the displaced point, and the second field of a flow.

@@ -3,27 +3,27 @@
 // Sum 0 is the field.
 fn noise_sum_4d(p: vec4<f32>, sum: u32) -> Sample4d {
     let ridged = noise_view.ridged == 1u && sum % 4u == 0u;
-    var total = octaves_total_4d(noise_view.octaves, noise_view.footprint, sum);
+    var total = fbm_total_4d(noise_view.octaves, noise_view.footprint, sum);
     var ridges = ridged_multifractal_4d(noise_view.octaves, noise_view.feedback, sum);
     var walk = total.walk;
     if ridged {
         walk = ridges.walk;
     }
-    while octaves_goes_on(walk) {
-        let layer = octaves_layer_4d(sum, walk.octave);
+    while fbm_goes_on(walk) {
+        let layer = fbm_layer_4d(sum, walk.octave);
         let octave = noise_octave_4d(layer, p);
         if ridged {
             ridges = ridged_multifractal_added_4d(ridges, layer, octave);
             walk = ridges.walk;
         } else {
-            total = octaves_added_4d(total, layer, octave);
+            total = fbm_added_4d(total, layer, octave);
             walk = total.walk;
         }
     }
     if ridged {
         return ridged_multifractal_divided_4d(ridges);
     }
-    return octaves_divided_4d(total);
+    return fbm_divided_4d(total);
 }
 
 @fragment

@@ -2,7 +2,7 @@
 
 struct NoiseView {
     // The center of the image, and the vectors to its right and upper border, in cells.
-    centre: vec4<f32>,
+    center: vec4<f32>,
     right: vec4<f32>,
     up: vec4<f32>,
     // The number of octaves, which may be fractional, and the footprint to which they are clamped;
@@ -31,7 +31,7 @@ struct NoiseView {
 
 // The point of a pixel.
 fn noise_point(at: vec2<f32>) -> vec4<f32> {
-    return noise_view.centre + at.x * noise_view.right + at.y * noise_view.up;
+    return noise_view.center + at.x * noise_view.right + at.y * noise_view.up;
 }
 
 // A number's bits in the four bytes of a pixel.
@@ -46,7 +46,7 @@ fn noise_shown(value: f32, way: vec2<f32>, velocity: vec3<f32>) -> vec4<f32> {
     if noise_view.told > 0u {
         return noise_bits(select(select(way.y, way.x, noise_view.told == 2u), value, noise_view.told == 1u));
     }
-    let grey = vec3<f32>((value - noise_view.black) * noise_view.contrast);
-    let colour = select(grey, 0.5 + 0.5 * noise_view.flow * velocity, noise_view.flow > 0.0);
-    return vec4<f32>(clamp(colour, vec3<f32>(0.0), vec3<f32>(1.0)), 1.0);
+    let gray = vec3<f32>((value - noise_view.black) * noise_view.contrast);
+    let color = select(gray, 0.5 + 0.5 * noise_view.flow * velocity, noise_view.flow > 0.0);
+    return vec4<f32>(clamp(color, vec3<f32>(0.0), vec3<f32>(1.0)), 1.0);
 }

@@ -2,7 +2,7 @@
 
 struct SteamView {
     // The center of its base, in meters; radius and height of its volume.
-    centre: vec3<f32>,
+    center: vec3<f32>,
     radius: f32,
     height: f32,
     // Cells of the noise per meter, extinction per cell and density, scattering albedo.
@@ -28,7 +28,7 @@ fn steam_pixel(corner: MaterialsCorner) -> @location(0) vec4<f32> {
             sum += material_lamp(seen, hit.wo, wi) * light.lamps[k].irradiance;
         }
     }
-    let eye = ((materials_view.eye + materials_view.focus) * materials_view.metres - steam_view.centre) * steam_view.cells;
+    let eye = ((materials_view.eye + materials_view.focus) * materials_view.metres - steam_view.center) * steam_view.cells;
     let steam = GasSteam(vec3<f32>(0.0), steam_view.radius * steam_view.cells, steam_view.height * steam_view.cells);
     let interval = gas_march_interval(steam, eye, hit.direction);
     let near = max(interval.x, 0.0);
@@ -36,7 +36,7 @@ fn steam_pixel(corner: MaterialsCorner) -> @location(0) vec4<f32> {
     var march = gas_march_begin(near, end, 0.35, 0.5);
     while gas_march_goes_on(march) {
         let p = gas_march_point(march, eye, hit.direction);
-        let share = gas_steam_share(steam.centre, steam.radius, steam.height, p);
+        let share = gas_steam_share(steam.center, steam.radius, steam.height, p);
         var extinction = 0.0;
         if share > 0.0 {
             let width = march.next * march.step * materials_view.pixel_angle;
@@ -51,5 +51,5 @@ fn steam_pixel(corner: MaterialsCorner) -> @location(0) vec4<f32> {
         let spread = 1.36 - 1.2 * dot(light.lamps[k].direction, hit.direction);
         scattered += light.lamps[k].irradiance * (0.050929582 / (spread * sqrt(spread)));
     }
-    return materials_colour(sum * march.transmittance + scattered * (steam_view.albedo * (1.0 - march.transmittance)));
+    return materials_color(sum * march.transmittance + scattered * (steam_view.albedo * (1.0 - march.transmittance)));
 }

@@ -3,15 +3,14 @@
 use alloc::{format, string::String, string::ToString, vec::Vec};
 
 use asperity_ndf_sampling::{Measure, NdfMap, Reconstruction};
+use asperity_noise::gpu::{self, FbmUniform3d};
 use asperity_noise::{FbmSpectrum, GaussianFbm, GaussianNoise, glam::Vec3};
-use asperity_wgsl::ndf::PackedMapUniform;
-use asperity_wgsl::noise::{self, sums::OctavesUniform};
 
-use crate::{float, number};
+use crate::{float, number, words};
 
 /// Returns the levels of Gaussian variates.
 pub(crate) fn gaussian_levels(_: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
-    Ok(noise::gaussian_levels().map(f32::to_bits).collect())
+    Ok(gpu::gaussian_levels().map(f32::to_bits).collect())
 }
 
 /// Returns the uniform of a sum about up to eight foci, from lacunarity, gain, octaves, seed and
@@ -19,8 +18,8 @@ pub(crate) fn gaussian_levels(_: &[f64], _: &[u32]) -> Result<Vec<u32>, String> 
 pub(crate) fn gaussian_anchors(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
     let sum = sum(numbers)?;
     let foci = numbers.get(4..).unwrap_or_default().chunks_exact(3);
-    let sums: Vec<_> = foci.map(|at| OctavesUniform::new(&sum.anchored([at[0], at[1], at[2]]))).collect();
-    Ok(OctavesUniform::<3>::uniform(&sums).to_vec())
+    let sums: Vec<_> = foci.map(|at| sum.anchored([at[0], at[1], at[2]]).gpu()).collect();
+    Ok(words(&FbmUniform3d::array(&sums)))
 }
 
 fn sum(numbers: &[f64]) -> Result<GaussianFbm<Vec3>, String> {
@@ -37,9 +36,9 @@ pub(crate) fn painted_map(numbers: &[f64], bulk: &[u32]) -> Result<Vec<u32>, Str
     let map =
         NdfMap::from_texels(side, side, &texels, Measure::ProjectedSolidAngle, Reconstruction::Bilinear)
             .map_err(|error| format!("The painting is not a density: {error}."))?;
-    let mut words = PackedMapUniform::new(&map.view()).words().to_vec();
-    words.extend(map.array().iter().map(|x| x.to_bits()));
-    Ok(words)
+    let mut answer = words(&map.view().gpu());
+    answer.extend(map.array().iter().map(|x| x.to_bits()));
+    Ok(answer)
 }
 
 #[cfg(test)]

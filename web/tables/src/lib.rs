@@ -45,6 +45,11 @@ pub const QUESTIONS: &[(&str, Question)] = &[
     ("noise_samples", noise::noise_samples),
 ];
 
+/// Returns the words of a struct or of an array of structs.
+fn words(of: &impl bytemuck::NoUninit) -> Vec<u32> {
+    bytemuck::cast_slice(core::slice::from_ref(of)).to_vec()
+}
+
 /// Returns the number at an index, or 0 if there is none.
 fn number(numbers: &[f64], at: usize) -> f64 {
     numbers.get(at).copied().unwrap_or(0.0)

@@ -4,6 +4,7 @@
 
 use alloc::{string::String, string::ToString, vec::Vec};
 
+use asperity_noise::gpu::FbmUniform3d;
 use asperity_noise::{Fbm, FbmSpectrum, Normalization, Perlin, Turbulence};
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::material::{
@@ -14,12 +15,8 @@ use asperity_shading::{
     Brick, Carpet, CarpetParameters, Marble, MetallicPaint, MetallicPaintParameters, ParameterError,
     Scratches, ScratchesParameters, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters,
 };
-use asperity_wgsl::noise::sums::OctavesUniform;
-use asperity_wgsl::shading::material::{
-    BrickWallUniform, CarpetUniform, MetallicPaintUniform, PolishedMarbleUniform, ScratchesUniform,
-    TemperedGlassUniform, VariationsUniform,
-};
-use asperity_wgsl::shading::texture::GasUniform;
+
+use crate::words;
 
 /// Consecutive numbers; 0 at the end.
 struct Turn<'a>(core::slice::Iter<'a, f64>);
@@ -54,11 +51,12 @@ fn said(error: ParameterError) -> String {
     error.to_string()
 }
 
-fn answer(uniform: &[u32], sums: &[OctavesUniform<3>]) -> Vec<u32> {
-    let mut words = Vec::from([uniform.len() as u32]);
-    words.extend_from_slice(uniform);
-    words.extend(OctavesUniform::<3>::uniform(sums));
-    words
+fn answer(uniform: &impl bytemuck::NoUninit, sums: &[FbmUniform3d]) -> Vec<u32> {
+    let uniform = words(uniform);
+    let mut answer = Vec::from([uniform.len() as u32]);
+    answer.extend(uniform);
+    answer.extend(words(&FbmUniform3d::array(sums)));
+    answer
 }
 
 pub(crate) fn paint(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
@@ -88,8 +86,7 @@ pub(crate) fn paint(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
         ..Default::default()
     };
     let paint = MetallicPaint::new(parameters).map_err(said)?;
-    let uniform = MetallicPaintUniform::new(&paint, 0);
-    Ok(answer(&uniform.words(), &uniform.sums()))
+    Ok(answer(&paint.gpu(0), &paint.gpu_sums()))
 }
 
 pub(crate) fn carpet(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
@@ -133,8 +130,8 @@ pub(crate) fn carpet(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
         fake_rim_light_color: next.space(),
         seed: next.whole(),
     };
-    let uniform = CarpetUniform::new(&Carpet::new(parameters).map_err(said)?, 0);
-    Ok(answer(&uniform.words(), &uniform.sums()))
+    let carpet = Carpet::new(parameters).map_err(said)?;
+    Ok(answer(&carpet.gpu(0), &carpet.gpu_sums()))
 }
 
 pub(crate) fn glass(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
@@ -150,8 +147,8 @@ pub(crate) fn glass(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
         roughness: next.float(),
         seed: next.whole(),
     };
-    let uniform = TemperedGlassUniform::new(&TemperedGlass::new(parameters).map_err(said)?, 0);
-    Ok(answer(&uniform.words(), &[uniform.sum()]))
+    let glass = TemperedGlass::new(parameters).map_err(said)?;
+    Ok(answer(&glass.gpu(0), &[glass.gpu_sum()]))
 }
 
 pub(crate) fn scratches(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
@@ -169,7 +166,7 @@ pub(crate) fn scratches(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> 
         seed: next.whole(),
     };
     let scratches = Scratches::new(parameters).map_err(said)?;
-    Ok(answer(&ScratchesUniform::new(&scratches).words(), &[]))
+    Ok(answer(&scratches.gpu(), &[]))
 }
 
 pub(crate) fn variations(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
@@ -188,8 +185,8 @@ pub(crate) fn variations(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String>
         dent_detail: next.whole(),
         seed: next.whole(),
     };
-    let uniform = VariationsUniform::new(&Variations::new(parameters).map_err(said)?, 0);
-    Ok(answer(&uniform.words(), &uniform.sums()))
+    let variations = Variations::new(parameters).map_err(said)?;
+    Ok(answer(&variations.gpu(0), &variations.gpu_sums()))
 }
 
 pub(crate) fn brick(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
@@ -202,14 +199,14 @@ pub(crate) fn brick(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
         mortar: next.space(),
         roughness: next.float(),
     };
-    Ok(answer(&BrickWallUniform::new(&wall).words(), &[]))
+    Ok(answer(&wall.gpu(), &[]))
 }
 
 pub(crate) fn marble(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
     let mut next = Turn::new(numbers);
     let marble = Marble::new(Perlin::default(), next.float(), next.whole()).map_err(said)?;
     let stone = PolishedMarble { marble, tint: next.space(), polish: next.float() };
-    Ok(answer(&PolishedMarbleUniform::new(&stone).words(), &[]))
+    Ok(answer(&stone.gpu(), &[]))
 }
 
 pub(crate) fn steam(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
@@ -221,8 +218,7 @@ pub(crate) fn steam(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
     let gas = Gas::new(octaves, next.float(), next.float(), next.float()).map_err(said)?;
     let gas = if next.is() { gas.with_veins() } else { gas };
     Steam::new(Vec3::ZERO, next.float(), next.float()).map_err(said)?;
-    let uniform = GasUniform::new(&gas, 0);
-    Ok(answer(&uniform.words(), &[uniform.sum()]))
+    Ok(answer(&gas.gpu(0), &[gas.gpu_sum()]))
 }
 
 #[cfg(test)]
@@ -232,7 +228,7 @@ mod tests {
     #[test]
     fn parameters_out_of_range_return_the_crate_message() {
         let mut numbers = [20.0, 1e-4, 0.0, 1.0, 0.0, 0.0, 0.0, 1.52, 1.0, 1.0, 1.0, 0.0, 1.0];
-        assert_eq!(glass(&numbers, &[]).map(|words| words[0]), Ok(TemperedGlassUniform::WORDS as u32));
+        assert_eq!(glass(&numbers, &[]).map(|words| words[0]), Ok(16));
         numbers[7] = 0.5;
         assert_eq!(glass(&numbers, &[]), Err("`index` must be within [1, 4], got 0.5".into()));
     }

@@ -6,14 +6,14 @@
 use alloc::{string::String, string::ToString, vec::Vec};
 
 use asperity_noise::glam::{Vec2, Vec3, Vec4};
+use asperity_noise::gpu::{FbmUniform2d, FbmUniform3d, FbmUniform4d};
 use asperity_noise::{
     Billow, Cellular, CellularOutput, Fbm, FbmSpectrum, Field, GaussianNoise, Metric, Moments, Normalization,
     Perlin, PerlinClassic, Plasma, Point, Ridged, Sample, Shape, Signed, Simplex, SparseConvolution,
     Turbulence, ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise,
 };
-use asperity_wgsl::noise::sums::{OctavesUniform, SUMS};
 
-use crate::{float, number};
+use crate::{float, number, words};
 
 /// A noise chosen at run time.
 ///
@@ -306,19 +306,17 @@ impl Spec {
 type Sum<V> = Fbm<Kind, V, AnyShape>;
 
 macro_rules! uniform {
-    ($spec:expr, $vector:ty, $dimension:literal) => {{
-        let mut words = Vec::new();
+    ($spec:expr, $vector:ty, $uniform:ident) => {{
+        let mut sums = Vec::new();
         for sum in 0..=FLOW {
             let shape = if sum == 0 || sum == FLOW { $spec.shape() } else { AnyShape(0) };
             let octaves = $spec.octaves::<$vector>($spec.seed.wrapping_add(sum), shape)?;
-            let start = words.len();
-            words.extend(OctavesUniform::<$dimension>::new(&octaves.with_shape(Signed)).words());
-            let [mean, deviation] = octaves.octave_moments().map(f32::to_bits);
-            words[start + 4..start + 6].copy_from_slice(&[mean, deviation]);
-            words[start + 7] = shape.0;
+            let mut uniform = octaves.with_shape(Signed).gpu();
+            [uniform.spectrum.mean, uniform.spectrum.deviation] = octaves.octave_moments();
+            uniform.spectrum.shape = shape.0;
+            sums.push(uniform);
         }
-        words.resize(SUMS * OctavesUniform::<$dimension>::WORDS, 0);
-        words
+        words(&$uniform::array(&sums))
     }};
 }
 
@@ -326,9 +324,9 @@ macro_rules! uniform {
 pub(crate) fn noise_uniform(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
     let spec = Spec::new(numbers)?;
     Ok(match spec.dimension {
-        2 => uniform!(spec, Vec2, 2),
-        3 => uniform!(spec, Vec3, 3),
-        _ => uniform!(spec, Vec4, 4),
+        2 => uniform!(spec, Vec2, FbmUniform2d),
+        3 => uniform!(spec, Vec3, FbmUniform3d),
+        _ => uniform!(spec, Vec4, FbmUniform4d),
     })
 }
 
@@ -417,7 +415,7 @@ mod tests {
         assert_eq!(sample[0], sum.sample(p).value.to_bits());
         assert_eq!(sample[1], sum.sample(p).gradient.x.to_bits());
         let words = noise_uniform(&spec(3, 4, 1), &[]).unwrap();
-        assert_eq!(words[..264], OctavesUniform::<3>::new(&sum).words());
+        assert_eq!(words[..264], super::words(&sum.gpu()));
     }
 
     #[test]

@@ -262,9 +262,7 @@ impl<const C: usize> Table<C> {
     }
 
     /// An enclosure of the slopes of a smooth function.
-    #[doc(hidden)]
-    #[must_use]
-    pub fn slopes(&self) -> Option<Interval> {
+    pub(crate) fn slopes(&self) -> Option<Interval> {
         self.derivatives.first().map(System::range)
     }
 

@@ -38,21 +38,21 @@ pub struct Table32<const C: usize> {
 
 /// Rows of composites in `f32`.
 #[derive(Clone, Debug)]
-pub struct Rows32 {
+pub(crate) struct Rows32 {
     /// `a, c_0, c_1, c_2`, powers in units of 2⁻²⁴.
-    pub table: Vec<[f32; 4]>,
+    pub(crate) table: Vec<[f32; 4]>,
     /// Number of rows.
-    pub radix: u64,
+    pub(crate) radix: u64,
     /// Number of composites per value.
-    pub steps: u32,
+    pub(crate) steps: u32,
     /// Left end of the domain.
-    pub origin: f32,
+    pub(crate) origin: f32,
     /// Reciprocal of the width of the domain.
-    pub per_width: f32,
+    pub(crate) per_width: f32,
     /// Start and rise of the chord.
-    pub chord: [f32; 2],
+    pub(crate) chord: [f32; 2],
     /// Middle of the range of deviations from the chord.
-    pub middle: f32,
+    pub(crate) middle: f32,
 }
 
 impl<const C: usize> Table<C> {
@@ -165,14 +165,6 @@ impl<const C: usize> Table32<C> {
     #[must_use]
     pub fn table(&self) -> &Table<C> {
         &self.table
-    }
-
-    /// Rows of composites, for shaders; `None` if values are rounded from those of
-    /// [`Table32::table`].
-    #[doc(hidden)]
-    #[must_use]
-    pub fn rows(&self) -> Option<&Rows32> {
-        self.rows.as_ref()
     }
 
     #[inline(always)]

@@ -79,7 +79,6 @@ pub fn slope_facets(n: Vec3, bumped: Vec3, variance: f32) -> impl Iterator<Item 
 /// ```
 ///
 /// Exact up to the fifth degree if the middle has one half (Stroud 1971, E₂^{r²} 5-1).
-#[doc(hidden)]
 pub fn facets_along(
     n: Vec3,
     bumped: Vec3,

@@ -33,8 +33,7 @@ pub(crate) fn spectrum(
 
 /// A sum of octaves Σ aᵢ N(fᵢ p/size)/Σ aᵢ of continuous simplex noise.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[doc(hidden)]
-pub struct SizedFbm<K = Simplex> {
+pub(crate) struct SizedFbm<K = Simplex> {
     /// The whole sum.
     octaves: Fbm<K, Vec3>,
     frequency: f32,
@@ -57,15 +56,13 @@ impl SizedFbm {
 
 impl<K: Field<Vec3>> SizedFbm<K> {
     /// The sum of octaves.
-    #[must_use]
-    pub const fn octaves(&self) -> &Fbm<K, Vec3> {
+    pub(crate) const fn octaves(&self) -> &Fbm<K, Vec3> {
         &self.octaves
     }
 
     /// Cells of the first octave per unit of length, and the frequency ratio of the last and the
     /// first octave.
-    #[must_use]
-    pub const fn frequencies(&self) -> [f32; 2] {
+    pub(crate) const fn frequencies(&self) -> [f32; 2] {
         [self.frequency, self.highest]
     }
 
@@ -131,9 +128,7 @@ impl<K: Field<Vec3>> SizedFbm<K> {
 }
 
 /// E max(N, 0) = E|N|/2 of continuous simplex noise.
-#[doc(hidden)]
-#[must_use]
-pub fn half_mean() -> f32 {
+pub(crate) fn half_mean() -> f32 {
     0.5 * Simplex::new(0).statistics(3).absolute_moments[0]
 }
 

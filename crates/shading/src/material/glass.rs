@@ -140,9 +140,7 @@ impl TemperedGlass {
     }
 
     /// The unit direction in which waves travel, and the noise of noise waves.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn parts(&self) -> (Vec3, &SizedFbm) {
+    pub(crate) const fn parts(&self) -> (Vec3, &SizedFbm) {
         (self.direction, &self.noise)
     }
 

@@ -21,8 +21,7 @@ pub use carpet::{
     Carpet, CarpetParameters, DarkAreas, DiffuseThreads, Fiber, Fibers, FibersParameters, Seam, SeamPattern,
     Seams, SpecularThreads, linear_seam, rim_light,
 };
-#[doc(hidden)]
-pub use fbm::{SizedFbm, half_mean};
+pub(crate) use fbm::{SizedFbm, half_mean};
 pub use glass::{GlassBody, GlassWaves, TemperedGlass, TemperedGlassParameters, wave_gradient, wave_height};
 pub use interface::Material;
 pub use metallic_roughness::MetallicRoughness;
@@ -32,8 +31,7 @@ pub use paint::{
     PaintFlakes, PassiveFlakes, Sparkle, Sparkles, boosted, brighter_normal, brighter_reflection,
     flake_patch, sparkle_width,
 };
-#[doc(hidden)]
-pub use segment::Segments;
+pub(crate) use segment::Segments;
 pub use surface_point::SurfacePoint;
 pub use textured::{BeveledTiles, BrickWall, Perturbed, PolishedMarble, Wallpaper};
 pub use wear::{Blemishes, Dents, Scratches, ScratchesParameters, Variations, VariationsParameters, varied};

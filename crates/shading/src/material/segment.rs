@@ -65,8 +65,7 @@ fn cos_sin(t: Vec4) -> [Vec4; 2] {
 
 /// Segments with their midpoints anywhere in square cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[doc(hidden)]
-pub struct Segments {
+pub(crate) struct Segments {
     /// The side of a cell.
     pub cell: f32,
     /// The length of a segment, at most the side of a cell.

@@ -186,9 +186,7 @@ impl<S: Deref<Target = [Vec2]>, L: Deref<Target = [SlopeLobes<K>]>, const K: usi
     }
 
     /// Width and height, slopes, centers of the groups, and the lobes of all levels, for shaders.
-    #[doc(hidden)]
-    #[must_use]
-    pub fn parts(&self) -> ([usize; 2], &[Vec2], &[Vec2; K], &[SlopeLobes<K>]) {
+    pub(crate) fn parts(&self) -> ([usize; 2], &[Vec2], &[Vec2; K], &[SlopeLobes<K>]) {
         (self.size, &self.slopes, &self.centers, &self.lobes)
     }
 

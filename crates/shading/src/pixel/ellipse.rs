@@ -104,9 +104,8 @@ impl PixelEllipse {
         Self { major: self.major * by, minor: self.minor * by, widths }
     }
 
-    /// The maximum change of a function with this gradient across the pixel; ∞ for an invalid
-    /// gradient.
-    #[doc(hidden)]
+    /// Returns the maximum change of a function with this gradient across the pixel; ∞ for an
+    /// invalid gradient.
     #[must_use]
     pub fn change(&self, gradient: Vec3) -> f32 {
         let round = self.major == Vec3::ZERO;
@@ -118,8 +117,7 @@ impl PixelEllipse {
         if gradient != Vec3::ZERO && change >= 0.0 { change } else { f32::INFINITY }
     }
 
-    /// The sides of the bounding box of a pixel in the plane of texture coordinates.
-    #[doc(hidden)]
+    /// Returns the sides of the bounding box of a pixel in the plane of texture coordinates.
     #[must_use]
     pub fn sides(&self) -> Vec2 {
         if self.major == Vec3::ZERO {

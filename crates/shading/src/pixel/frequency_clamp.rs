@@ -75,9 +75,7 @@ impl FrequencyClamp {
     }
 
     /// The base-2 logarithm of the lacunarity, above 0.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn log2_lacunarity(&self) -> f32 {
+    pub(crate) const fn log2_lacunarity(&self) -> f32 {
         self.log2_lacunarity
     }
 

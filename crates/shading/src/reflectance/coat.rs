@@ -158,9 +158,7 @@ impl Coat {
     ///
     /// They are normal and slope variance; the maximum slope of a sine and Beckmann's α; color and
     /// relative index.
-    #[doc(hidden)]
-    #[must_use]
-    pub fn parts(&self) -> ([Vec4; 3], u32) {
+    pub(crate) fn parts(&self) -> ([Vec4; 3], u32) {
         let (variance, swing) = match self.slopes {
             Slopes::Gaussian(variance) => (variance, Vec3::ZERO),
             Slopes::Sine(swing) => (0.0, swing),

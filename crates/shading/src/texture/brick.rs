@@ -139,16 +139,12 @@ impl Brick {
     }
 
     /// Width and height of a brick with its mortar.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn cell(&self) -> Vec2 {
+    pub(crate) const fn cell(&self) -> Vec2 {
         self.cell
     }
 
     /// Half the mortar as a fraction of the cell.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn margin(&self) -> Vec2 {
+    pub(crate) const fn margin(&self) -> Vec2 {
         self.margin
     }
 

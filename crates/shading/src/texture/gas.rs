@@ -72,9 +72,7 @@ impl<K: Field<Vec3>> Gas<K> {
     }
 
     /// The turbulence; octaves, maximum density, exponent; whether there are veins.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn parts(&self) -> (&Fbm<K, Vec3, Turbulence>, [f32; 3], bool) {
+    pub(crate) const fn parts(&self) -> (&Fbm<K, Vec3, Turbulence>, [f32; 3], bool) {
         (&self.turbulence, [self.octaves, self.max_density, self.exponent], self.veins)
     }
 

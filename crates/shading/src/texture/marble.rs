@@ -89,9 +89,7 @@ impl<N: Noise + Field<Vec3> + Clone> Marble<N> {
     }
 
     /// Cells of the first octave per unit of length, and the seed.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn parts(&self) -> (f32, u32) {
+    pub(crate) const fn parts(&self) -> (f32, u32) {
         (self.scale, self.seed)
     }
 

@@ -100,9 +100,7 @@ impl StarWallpaper {
     /// angle; seeds.
     ///
     /// The seeds are those of the lattices.
-    #[doc(hidden)]
-    #[must_use]
-    pub fn parts(&self) -> ([f32; 9], [u32; 3]) {
+    pub(crate) fn parts(&self) -> ([f32; 9], [u32; 3]) {
         let angle = TAU / self.points as f32;
         let [x, y] = [cos(0.5 * angle), sin(0.5 * angle)];
         let Self { r_min, r_max, cells, chance, .. } = *self;

@@ -9,10 +9,10 @@ mod density;
 mod normal_table;
 mod packed_map;
 
-pub use conditional_table::{CONDITIONAL_TABLE, ConditionalTableUniform};
+pub use conditional_table::CONDITIONAL_TABLE;
 pub use density::{
     ASHIKHMIN_SHIRLEY, BECKMANN, BLINN_PHONG, ELEMENTARY, FRAME, GAUSSIAN_SPLIT, GGX, MICROFACET,
     NORMAL_DISTRIBUTION, OFFSET_BECKMANN, ROUGHNESS, STUDENT_DISTRIBUTION, STUDENT_T, VISIBLE_SLOPES, WARD,
 };
-pub use normal_table::{NORMAL_TABLE, NORMAL_TABLE_FILTERED, NORMAL_TABLE_LAYOUT, NormalTableUniform};
-pub use packed_map::{PACKED_MAP, PackedMapUniform};
+pub use normal_table::{NORMAL_TABLE, NORMAL_TABLE_FILTERED, NORMAL_TABLE_LAYOUT};
+pub use packed_map::PACKED_MAP;

@@ -15,14 +15,11 @@ mod surface;
 mod textured;
 mod wear;
 
-pub use carpet::{CARPET, CarpetUniform, FIBRES, SEAMS};
-pub use glass::{TEMPERED_GLASS, TemperedGlassUniform};
-pub use glint::{COUNTED_FLAKES, CountedFlakesUniform, GLINT_FIELD, GlintFieldUniform};
-pub use mapped::{BUMP_MAPPED, BumpMappedUniform, NORMAL_MAPPED, NormalMappedUniform};
-pub use paint::{COATED_FLAKES, FLAKE_PATCH, METALLIC_PAINT, MetallicPaintUniform};
-pub use surface::{FBM, GLOSSY, LATTICE_KEY, SEGMENTS, SURFACE_POINT};
-pub use textured::{
-    BEVELLED_TILES, BRICK_WALL, BevelledTilesUniform, BrickWallUniform, PERTURBED_POINT, POLISHED_MARBLE,
-    PolishedMarbleUniform, TEXTURED_SLOPES, WALLPAPER, WallpaperUniform,
-};
-pub use wear::{BLEMISHES, DENTS, SCRATCHES, ScratchesUniform, VARIATIONS, VariationsUniform};
+pub use carpet::{CARPET, FIBERS, SEAMS};
+pub use glass::TEMPERED_GLASS;
+pub use glint::{COUNTED_FLAKES, GLINT_FIELD};
+pub use mapped::{BUMP_MAPPED, NORMAL_MAPPED};
+pub use paint::{COATED_FLAKES, FLAKE_PATCH, METALLIC_PAINT};
+pub use surface::{GLOSSY, LATTICE_KEY, SEGMENTS, SIZED_FBM, SURFACE_POINT};
+pub use textured::{BEVELED_TILES, BRICK_WALL, PERTURBED_POINT, POLISHED_MARBLE, TEXTURED_SLOPES, WALLPAPER};
+pub use wear::{BLEMISHES, DENTS, SCRATCHES, VARIATIONS};

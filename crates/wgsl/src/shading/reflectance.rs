@@ -1,10 +1,9 @@
 //! Reflectances: Fresnel terms, diffuse and glossy models.
 
-use asperity_shading::glam::Vec4;
-use asperity_shading::reflectance::Coat;
+use asperity_shading::gpu::CoatUniform;
 
 use crate::ndf::{BECKMANN, ELEMENTARY, FRAME, GGX};
-use crate::part::{Part, part, uniform};
+use crate::part::{Part, part};
 use crate::shading::bump::{SLOPE_FACETS, SURFACE_GRADIENT};
 use crate::shading::{DIRECTION, MATH};
 
@@ -62,13 +61,14 @@ pub static FACET: Part = part!("shading/reflectance/facet", SURFACE_GRADIENT, FR
 pub static ROUGH_DIELECTRIC: Part =
     part!("shading/reflectance/rough_dielectric", BRDF, DIRECTION, DIELECTRIC, BECKMANN, ELEMENTARY);
 
-/// Smooth and rough coats over the layers of a surface, [`Coat`]: transmission to the layers,
+/// Smooth and rough coats over the layers of a surface, [`Coat`](asperity_shading::reflectance::Coat): transmission to the layers,
 /// reflection and transmission.
 ///
 /// Apply a coat to any material by `coat_over(coat, material(point, wo, wi), wo, wi)` and
 /// `coat_deltas`.
 pub static COAT: Part = part!(
     "shading/reflectance/coat",
+    [CoatUniform],
     SLOPE_FACETS,
     FACET,
     COOK_TORRANCE_BECKMANN,
@@ -76,39 +76,3 @@ pub static COAT: Part = part!(
     ROUGH_DIELECTRIC,
     ELEMENTARY,
 );
-
-uniform! {
-    /// A coat as the words of the structure `Coat`.
-    ///
-    /// | words | |
-    /// |---|---|
-    /// | 0–3 | unit normal in the frame of the surface; variance of the unresolved slopes |
-    /// | 4–7 | steepest unresolved slope of a sine, or 0; Beckmann's α, 0 for a smooth coat |
-    /// | 8–11 | tint of a pane, reflectance of a metal, transmittance of a veil, otherwise 1; relative IOR |
-    /// | 12–15 | kind: varnish, pane, body, metal, veil; 0, 0, 0 |
-    ///
-    /// ```
-    /// use asperity_wgsl::shading::reflectance::CoatUniform;
-    /// use asperity_shading::{Dielectric, reflectance::Coat};
-    ///
-    /// let varnish = Coat::varnish(Dielectric::new(1.5)?).rough(0.1);
-    /// let words = CoatUniform::new(&varnish).words();
-    /// assert_eq!([words[2], words[7], words[11]].map(f32::from_bits), [1.0, 0.1, 1.5]);
-    /// # Ok::<(), asperity_shading::ParameterError>(())
-    /// ```
-    CoatUniform: 16, "Coat";
-}
-
-impl CoatUniform {
-    /// Packs a coat.
-    #[must_use]
-    pub fn new(coat: &Coat) -> Self {
-        let (rows, kind) = coat.parts();
-        let mut words = [0; Self::WORDS];
-        for (word, number) in words.iter_mut().zip(rows.iter().flat_map(Vec4::to_array)) {
-            *word = number.to_bits();
-        }
-        words[12] = kind;
-        Self(words)
-    }
-}

@@ -8,10 +8,11 @@ use std::fs::File;
 use std::path::Path;
 
 use asperity_render::geometry::teapot::teapot;
+use asperity_shading::noise::gpu::{FbmUniform3d, gaussian_levels};
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
-use asperity_wgsl::noise::gaussian_levels;
-use asperity_wgsl::noise::sums::{self, OctavesUniform};
+use asperity_wgsl::noise::sums;
 use asperity_wgsl::{Binding, Bindings, Part, compose, ndf, shading};
+use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
 use wgpu::util::{DeviceExt, TextureDataOrder};
 
@@ -27,13 +28,7 @@ const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 static SURFACE: Part = Part::new(
     "surface",
     include_str!("surface.wgsl"),
-    &[
-        &sums::GAUSSIAN_OCTAVES_3D,
-        &ndf::FRAME,
-        &ndf::GGX,
-        &shading::FREQUENCY_CLAMP,
-        &shading::LEVEL_OF_DETAIL,
-    ],
+    &[&sums::GAUSSIAN_FBM_3D, &ndf::FRAME, &ndf::GGX, &shading::FREQUENCY_CLAMP, &shading::LEVEL_OF_DETAIL],
 )
 .with_bindings(&[Binding::Uniform { name: "view", of: "View" }]);
 
@@ -45,11 +40,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let focus = focus();
     for zoom in [1.0, 10.0, 100.0, 10_000.0] {
         // Positions in f64 up to the focus, in f32 from there.
-        let words = OctavesUniform::<3>::uniform(&[OctavesUniform::new(
-            &octaves.anchored(focus * f64::from(FREQUENCY)),
-        )]);
+        let sums = FbmUniform3d::array(&[octaves.anchored(focus * f64::from(FREQUENCY)).gpu()]);
         let view = view((EYE - focus) / zoom, octaves.spectrum());
-        let pixels = painter.paint(&corners(focus), &words, &view)?;
+        let pixels = painter.paint(&corners(focus), &sums, &view)?;
         let path = Path::new(&folder).join(format!("teapot-{zoom}.png"));
         let mut encoder = png::Encoder::new(File::create(&path)?, SIZE, SIZE);
         encoder.set_color(png::ColorType::Rgba);
@@ -95,21 +88,40 @@ fn corners(focus: DVec3) -> Vec<f32> {
     mesh.triangles.iter().flat_map(of).collect()
 }
 
-/// Returns the structure `View` as words.
-fn view(eye: DVec3, spectrum: &FbmSpectrum) -> Vec<f32> {
+/// The structure `View` of the shader.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+struct View {
+    eye: [f32; 3],
+    pixel_angle: f32,
+    right: [f32; 3],
+    frequency: f32,
+    up: [f32; 3],
+    size: f32,
+    forward: [f32; 3],
+    log_lacunarity: f32,
+    light: [f32; 3],
+    max_octaves: f32,
+}
+
+fn view(eye: DVec3, spectrum: &FbmSpectrum) -> View {
     let half = (0.5 * 0.62_f64).tan();
     let forward = -eye.normalize();
     let right = forward.cross(DVec3::Z).normalize();
     let up = right.cross(forward);
     let light = DVec3::new(0.0, -0.8, 0.75).normalize();
-    let rows = [
-        (eye, (2.0 * half / f64::from(SIZE)) as f32),
-        (right * half, FREQUENCY),
-        (up * half, SIZE as f32),
-        (forward, spectrum.lacunarity().log2()),
-        (light, spectrum.max_octaves() as f32),
-    ];
-    rows.into_iter().flat_map(|(v, last)| v.as_vec3().extend(last).to_array()).collect()
+    View {
+        eye: eye.as_vec3().into(),
+        pixel_angle: (2.0 * half / f64::from(SIZE)) as f32,
+        right: (right * half).as_vec3().into(),
+        frequency: FREQUENCY,
+        up: (up * half).as_vec3().into(),
+        size: SIZE as f32,
+        forward: forward.as_vec3().into(),
+        log_lacunarity: spectrum.lacunarity().log2(),
+        light: light.as_vec3().into(),
+        max_octaves: spectrum.max_octaves() as f32,
+    }
 }
 
 /// A device with the pipeline.
@@ -191,13 +203,18 @@ impl Painter {
     }
 
     /// Renders an image with four bytes per pixel.
-    fn paint(&self, corners: &[f32], octaves: &[u32], view: &[f32]) -> Result<Vec<u8>, Box<dyn Error>> {
+    fn paint(
+        &self,
+        corners: &[f32],
+        sums: &[FbmUniform3d; 8],
+        view: &View,
+    ) -> Result<Vec<u8>, Box<dyn Error>> {
         let Self { device, queue, pipeline, levels } = self;
         let buffer = |contents, usage| {
             device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: None, contents, usage })
         };
-        let octaves = buffer(bytemuck::cast_slice(octaves), wgpu::BufferUsages::UNIFORM);
-        let view = buffer(bytemuck::cast_slice(view), wgpu::BufferUsages::UNIFORM);
+        let octaves = buffer(bytemuck::bytes_of(sums), wgpu::BufferUsages::UNIFORM);
+        let view = buffer(bytemuck::bytes_of(view), wgpu::BufferUsages::UNIFORM);
         let vertices = buffer(bytemuck::cast_slice(corners), wgpu::BufferUsages::VERTEX);
         let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: None,
@@ -221,7 +238,7 @@ impl Painter {
             });
             (texture.create_view(&wgpu::TextureViewDescriptor::default()), texture)
         };
-        let (colour, picture) = target(FORMAT, wgpu::TextureUsages::COPY_SRC);
+        let (color, picture) = target(FORMAT, wgpu::TextureUsages::COPY_SRC);
         let (depth, _) = target(DEPTH, wgpu::TextureUsages::empty());
         let back = device.create_buffer(&wgpu::BufferDescriptor {
             label: None,
@@ -234,7 +251,7 @@ impl Painter {
             let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
                 label: None,
                 color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                    view: &colour,
+                    view: &color,
                     depth_slice: None,
                     resolve_target: None,
                     ops: wgpu::Operations {

@@ -55,7 +55,7 @@ fn pixel(at: Corner) -> @location(0) vec4<f32> {
     // flickers or gets duller.
     let footprint = t * length(direction) * view.pixel_angle / max(cos_eye, 1e-3);
     let limits = FrequencyClamp(view.frequency, view.log_lacunarity, view.max_octaves);
-    let seen = gaussian_octaves_3d(p * view.frequency, frequency_clamp_octaves(footprint, limits), 0u);
+    let seen = gaussian_fbm_3d(p * view.frequency, frequency_clamp_octaves(footprint, limits), 0u);
     let share = min(seen.share, 0.97);
     let alpha = vec2<f32>(0.2, 0.4);
     let z = seen.pair.value;

@@ -20,7 +20,7 @@ pub(crate) fn run(adapter: Option<&str>, size: u32, out: Option<&Path>) -> Resul
     page += "\n## Per octave\n\n| sum | floats | special | integers | texels |\n|---|---|---|---|---|\n";
     let sums =
         parts.iter().filter(|part| part.name().starts_with("noise/sums/")).flat_map(|part| part.names());
-    for sum in sums.filter(|name| !name.starts_with("octaves_") && name.contains("_octaves_")) {
+    for sum in sums.filter(|name| !name.starts_with("fbm_") && name.contains("_fbm_")) {
         if let Some(cost) = functions.get(sum).filter(|cost| cost.turn != Operations::default()) {
             let _ = writeln!(page, "| `{sum}` | {} |", cells(cost.turn));
         }

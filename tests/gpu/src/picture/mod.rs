@@ -9,12 +9,14 @@ pub(crate) mod scene;
 
 use std::{path::Path, time::Duration};
 
+use asperity_shader_tests::case::packed;
 use asperity_shading::level_of_detail::{Coordinates, GaussianField};
 use asperity_shading::ndf_sampling::{Ggx, NormalLut};
+use asperity_shading::noise::gpu::{FbmUniform2d, FbmUniform3d};
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::{BumpField, pixel::FrequencyClamp};
 use asperity_wgsl::Part;
-use asperity_wgsl::noise::sums::{MipMapped, OctavesUniform};
+use asperity_wgsl::noise::sums::MipMapped;
 use clap::ValueEnum;
 use glam::{Vec2, Vec3};
 
@@ -204,8 +206,8 @@ fn at_focus(
 ) -> (impl GaussianField + use<>, (&'static str, Vec<u32>)) {
     let at: [f64; 3] = (scene.focus * f64::from(look.frequency)).into();
     let anchored = octaves.anchored(at);
-    let words = OctavesUniform::<3>::uniform(&[OctavesUniform::new(&anchored)]);
-    (anchored, ("octaves_uniform_3d", words.to_vec()))
+    let words = packed(&FbmUniform3d::array(&[anchored.gpu()]));
+    (anchored, ("fbm_uniform_3d", words))
 }
 
 /// Period of the noise texture in cells.
@@ -232,9 +234,9 @@ impl Textured {
             ("normal_table_texture", filtered(gpu, &[256], |_, x, y| entries[(y * 256 + x) as usize])),
             ("normal_table_sampler", linear(gpu, wgpu::AddressMode::ClampToEdge)),
         ];
-        let sums = OctavesUniform::<2>::uniform(&[OctavesUniform::new(texture.sum())]);
+        let sums = packed(&FbmUniform2d::array(&[texture.sum().gpu()]));
         let renderer = Renderer::new(gpu, &render::TEXTURED, size)?;
-        Ok(Self { texture, renderer, words: ("octaves_uniform_2d", sums.to_vec()), made })
+        Ok(Self { texture, renderer, words: ("fbm_uniform_2d", sums), made })
     }
 
     fn draw(&self, gpu: &Gpu, scene: &Scene, look: &Look) -> Result<(Vec<[u8; 3]>, Duration), String> {

@@ -1,6 +1,6 @@
 // Bumps from noise in space: both channels and their resolved fraction.
 fn surface_bumps(p: vec3<f32>, uv: vec2<f32>, octaves: f32) -> vec3<f32> {
-    let seen = gaussian_octaves_3d(p, octaves, 0u);
+    let seen = gaussian_fbm_3d(p, octaves, 0u);
     return vec3<f32>(seen.pair.value, seen.share);
 }
 

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use asperity_shading::noise::FbmSpectrum;
+use asperity_shading::noise::{FbmSpectrum, gpu::gaussian_levels};
 use asperity_wgsl::{Binding, Bindings, Part, compose, ndf, noise, shading};
 use glam::DVec3;
 use wgpu::{BufferUsages, TextureFormat, TextureUsages};
@@ -19,7 +19,7 @@ use crate::{
 
 /// Bumps from noise. The renderer receives the words of its sum.
 pub(crate) static PROCEDURAL: Part =
-    Part::new("procedural", include_str!("procedural.wgsl"), &[&noise::sums::GAUSSIAN_OCTAVES_3D, &SURFACE]);
+    Part::new("procedural", include_str!("procedural.wgsl"), &[&noise::sums::GAUSSIAN_FBM_3D, &SURFACE]);
 
 /// Bumps from a noise texture and a normal texture.
 pub(crate) static TEXTURED: Part = Part::new(
@@ -46,7 +46,7 @@ pub(crate) struct Renderer {
     bumps: &'static Part,
     pipeline: wgpu::RenderPipeline,
     layout: wgpu::BindGroupLayout,
-    colour: wgpu::Texture,
+    color: wgpu::Texture,
     depth: wgpu::Texture,
     size: u32,
 }
@@ -107,11 +107,11 @@ impl Renderer {
                 view_formats: &[],
             })
         };
-        let colour = texture(COLOUR, TextureUsages::RENDER_ATTACHMENT | TextureUsages::COPY_SRC);
+        let color = texture(COLOUR, TextureUsages::RENDER_ATTACHMENT | TextureUsages::COPY_SRC);
         let depth = texture(DEPTH, TextureUsages::RENDER_ATTACHMENT);
         match pollster::block_on(scope.pop()) {
             Some(error) => Err(error.to_string()),
-            None => Ok(Self { bumps, pipeline, layout, colour, depth, size }),
+            None => Ok(Self { bumps, pipeline, layout, color, depth, size }),
         }
     }
 
@@ -126,7 +126,7 @@ impl Renderer {
         made: &[(&'static str, Resource)],
     ) -> Result<(Vec<[u8; 3]>, Duration), String> {
         let scope = gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
-        let levels = noise::gaussian_levels().map(f32::to_bits).collect();
+        let levels = gaussian_levels().map(f32::to_bits).collect();
         let words = [
             ("gaussian_level", levels),
             octaves.clone(),
@@ -149,11 +149,11 @@ impl Renderer {
         {
             let [r, g, b] = BACKGROUND.map(|x| f64::from(x) / 255.0);
             let view = |texture: &wgpu::Texture| texture.create_view(&wgpu::TextureViewDescriptor::default());
-            let (colour, depth) = (view(&self.colour), view(&self.depth));
+            let (color, depth) = (view(&self.color), view(&self.depth));
             let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
                 label: None,
                 color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                    view: &colour,
+                    view: &color,
                     depth_slice: None,
                     resolve_target: None,
                     ops: wgpu::Operations {
@@ -179,7 +179,7 @@ impl Renderer {
             pass.draw(0..scene.triangles.len() as u32 * 3, 0..1);
         }
         encoder.copy_texture_to_buffer(
-            self.colour.as_image_copy(),
+            self.color.as_image_copy(),
             wgpu::TexelCopyBufferInfo {
                 buffer: &back,
                 layout: wgpu::TexelCopyBufferLayout {
@@ -188,7 +188,7 @@ impl Renderer {
                     rows_per_image: None,
                 },
             },
-            self.colour.size(),
+            self.color.size(),
         );
         gpu.queue.submit([encoder.finish()]);
         if let Some(error) = pollster::block_on(scope.pop()) {

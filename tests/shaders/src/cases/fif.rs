@@ -1,12 +1,12 @@
 //! Fractal interpolation: table functions, height fields, rays.
 
-use asperity_fif::{Fif, FoldedSurface, HeightField, Intersect, Ray, Table32, cochran_2000, glam::DVec3};
-use asperity_wgsl::fif::{
-    self, FoldedUniform, RangesUniform, TableUniform, folded_nodes, ranges, table_rows,
+use asperity_fif::{
+    Fif, FoldedSurface, HeightField, Intersect, Ray, Table32, cochran_2000, glam::DVec3,
+    gpu::HeightFieldRangesUniform,
 };
-use asperity_wgsl::{Binding, Part};
+use asperity_wgsl::{Binding, Part, fif};
 
-use crate::case::{BAD, Bound, Case, INPUTS, OUTPUTS, Output, any, between};
+use crate::case::{BAD, Bound, Case, INPUTS, OUTPUTS, Output, any, between, packed};
 
 pub(super) fn cases() -> Vec<Case> {
     vec![values(), jets(), height_field(), folded(), first_hit()]
@@ -45,9 +45,8 @@ impl Tables {
     }
 
     fn add<const C: usize>(&mut self, table: &Table32<C>) {
-        let uniform = TableUniform::new(table, self.rows.len() as u32).expect("equal knots");
-        self.uniforms.extend(uniform.words());
-        self.rows.extend(table_rows(table).map(f32::to_bits));
+        self.uniforms.extend(packed(&table.gpu(self.rows.len() as u32).expect("equal knots")));
+        self.rows.extend(table.gpu_rows().map(f32::to_bits));
     }
 }
 
@@ -181,17 +180,17 @@ fn field() -> (Field, Vec<(&'static str, Vec<u32>)>) {
     let mut tables = Tables::new();
     tables.add(&f);
     tables.add(&g);
-    let along_x: Vec<u32> = ranges(surface.x()).map(f32::to_bits).collect();
-    let along_y = ranges(surface.y()).map(f32::to_bits);
-    let uniforms = [
-        RangesUniform::new(surface.x(), &f, 0).expect("smooth").words(),
-        RangesUniform::new(surface.y(), &g, along_x.len() as u32).expect("smooth").words(),
-    ];
+    let along_x: Vec<u32> = surface.x().gpu_ranges().map(f32::to_bits).collect();
+    let along_y = surface.y().gpu_ranges().map(f32::to_bits);
+    let uniform = HeightFieldRangesUniform {
+        x: surface.x().gpu(&f, 0).expect("smooth"),
+        y: surface.y().gpu(&g, along_x.len() as u32).expect("smooth"),
+    };
     let resources = vec![
         ("fif_rows", tables.rows),
         ("field", tables.uniforms),
         ("fif_ranges", along_x.iter().copied().chain(along_y).collect()),
-        ("field_ranges", uniforms.concat()),
+        ("field_ranges", packed(&uniform)),
     ];
     (surface, resources)
 }
@@ -249,8 +248,8 @@ fn folded() -> Case {
     let surfaces = surfaces();
     let (mut nodes, mut uniforms) = (vec![], vec![]);
     for surface in &surfaces {
-        uniforms.extend(FoldedUniform::new(surface, nodes.len() as u32).words());
-        nodes.extend(folded_nodes(surface).map(f32::to_bits));
+        uniforms.extend(packed(&surface.gpu(nodes.len() as u32)));
+        nodes.extend(surface.gpu_nodes().map(f32::to_bits));
     }
     Case {
         name: "fif/surface/folded".into(),

@@ -1,7 +1,7 @@
 //! Noise slices: a program per noise and dimension. The programs differ only in the octave
 //! function.
 
-use asperity_wgsl::noise::sums::{self, octaves_2d, octaves_3d, octaves_4d};
+use asperity_wgsl::noise::sums::{self, fbm_2d, fbm_3d, fbm_4d};
 use asperity_wgsl::noise::{self, transforms};
 use asperity_wgsl::{Binding, Part};
 
@@ -15,19 +15,19 @@ static SEEN: Part = page_part!("noise_view",).with_bindings(VIEW);
 /// noise uses its own coordinates.
 macro_rules! octave {
     ($dimension:literal, $n:literal, $cell:literal, $key:literal, cell $function:literal $further:literal) => {
-        octave!(@ $dimension, $n, concat!("    let at = cell_place_", $dimension, "(octaves_point_", $dimension, "(layer, p));
+        octave!(@ $dimension, $n, concat!("    let at = cell_place_", $dimension, "(fbm_point_", $dimension, "(layer, p));
     return sample_known_", $dimension, "(", $function, "_in_cell_", $dimension, "(", $cell, " + at.cell, at.place, ", $further, $key, "), at.known);"))
     };
     ($dimension:literal, $n:literal, $cell:literal, $key:literal, white) => {
-        octave!(@ $dimension, $n, concat!("    let at = cell_place_", $dimension, "(octaves_point_", $dimension, "(layer, p));
+        octave!(@ $dimension, $n, concat!("    let at = cell_place_", $dimension, "(fbm_point_", $dimension, "(layer, p));
     let value = white_in_cell_", $dimension, "(", $cell, " + at.cell, ", $key, ");
     return sample_known_", $dimension, "(Sample", $dimension, "(value, vec", $n, "<f32>(0.0)), at.known);"))
     };
     ($dimension:literal, $n:literal, $cell:literal, $key:literal, simplex $function:literal) => {
-        octave!(@ $dimension, $n, concat!("    return ", $function, "_in_cell_", $dimension, "(", $cell, ", octaves_point_", $dimension, "(layer, p), ", $key, ");"))
+        octave!(@ $dimension, $n, concat!("    return ", $function, "_in_cell_", $dimension, "(", $cell, ", fbm_point_", $dimension, "(layer, p), ", $key, ");"))
     };
     (@ $dimension:literal, $n:literal, $body:expr) => {
-        concat!("fn noise_octave_", $dimension, "(layer: OctavesLayer", $dimension, ", p: vec", $n, "<f32>) -> Sample", $dimension, " {\n", $body, "\n}\n")
+        concat!("fn noise_octave_", $dimension, "(layer: FbmLayer", $dimension, ", p: vec", $n, "<f32>) -> Sample", $dimension, " {\n", $body, "\n}\n")
     };
 }
 
@@ -58,12 +58,12 @@ macro_rules! slices {
     };
 }
 
-slices!(plane, "2d", "2", "layer.cell", "layer.key", octaves_2d, sums::UNIFORM_2D, transforms::WARP, transforms::CURL,
+slices!(plane, "2d", "2", "layer.cell", "layer.key", fbm_2d, sums::UNIFORM_2D, transforms::WARP, transforms::CURL,
     "white" noise::WHITE { white }
     "value" noise::VALUE { cell "value" "" }
     "catmull-rom" noise::VALUE_CATMULL_ROM { cell "value_catmull_rom" "" }
-    "perlin-1985" noise::PERLIN_1985 { cell "perlin_1985" "" }
-    "perlin-2002" noise::PERLIN_2002 { cell "perlin_2002" "" }
+    "perlin-1985" noise::PERLIN_CLASSIC { cell "perlin_classic" "" }
+    "perlin-2002" noise::PERLIN { cell "perlin" "" }
     "value-gradient" noise::VALUE_GRADIENT { cell "value_gradient" "0.5, " }
     "simplex" noise::SIMPLEX { simplex "simplex" }
     "simplex-wide" noise::SIMPLEX { simplex "simplex_wide" }
@@ -72,13 +72,13 @@ slices!(plane, "2d", "2", "layer.cell", "layer.key", octaves_2d, sums::UNIFORM_2
     "cellular" noise::CELLULAR { cell "cellular" "noise_view.basis, noise_view.metric, noise_view.jitter, " }
 );
 
-slices!(space, "3d", "3", "layer.cell_and_key.xyz", "bitcast<u32>(layer.cell_and_key.w)", octaves_3d, sums::UNIFORM_3D,
+slices!(space, "3d", "3", "layer.cell_and_key.xyz", "bitcast<u32>(layer.cell_and_key.w)", fbm_3d, sums::UNIFORM_3D,
     transforms::WARP, transforms::CURL,
     "white" noise::WHITE { white }
     "value" noise::VALUE { cell "value" "" }
     "catmull-rom" noise::VALUE_CATMULL_ROM { cell "value_catmull_rom" "" }
-    "perlin-1985" noise::PERLIN_1985 { cell "perlin_1985" "" }
-    "perlin-2002" noise::PERLIN_2002 { cell "perlin_2002" "" }
+    "perlin-1985" noise::PERLIN_CLASSIC { cell "perlin_classic" "" }
+    "perlin-2002" noise::PERLIN { cell "perlin" "" }
     "value-gradient" noise::VALUE_GRADIENT { cell "value_gradient" "0.5, " }
     "simplex" noise::SIMPLEX { simplex "simplex" }
     "simplex-wide" noise::SIMPLEX { simplex "simplex_wide" }
@@ -87,9 +87,9 @@ slices!(space, "3d", "3", "layer.cell_and_key.xyz", "bitcast<u32>(layer.cell_and
     "cellular" noise::CELLULAR { cell "cellular" "noise_view.basis, noise_view.metric, noise_view.jitter, " }
 );
 
-slices!(time, "4d", "4", "layer.cell", "layer.key", octaves_4d, sums::UNIFORM_4D, SCREEN, SCREEN,
+slices!(time, "4d", "4", "layer.cell", "layer.key", fbm_4d, sums::UNIFORM_4D, SCREEN, SCREEN,
     "value" noise::VALUE { cell "value" "" }
-    "perlin-2002" noise::PERLIN_2002 { cell "perlin_2002" "" }
+    "perlin-2002" noise::PERLIN { cell "perlin" "" }
     "simplex" noise::SIMPLEX { simplex "simplex" }
     "simplex-wide" noise::SIMPLEX { simplex "simplex_wide" }
 );

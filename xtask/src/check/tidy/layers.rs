@@ -16,14 +16,14 @@ pub(super) const CRATES: &[Crate] = &[
     Crate {
         name: "core",
         sources: "crates/core/src",
-        layers: "math macros → batch_error interval split_mix → lanes → check",
+        layers: "math macros → batch_error gpu interval split_mix → lanes → check",
         max_exports: Some(5),
     },
     Crate {
         name: "noise",
         sources: "crates/noise/src",
         layers: "error point sample → lanes → lattice → row → statistics → contract → kinds/cell kinds/simplex → \
-                kinds/cellular → kinds → sums → transforms → ebert_1994 → check",
+                kinds/cellular → kinds → sums → transforms → ebert_1994 gpu → check",
         max_exports: Some(60),
     },
     Crate {
@@ -31,21 +31,21 @@ pub(super) const CRATES: &[Crate] = &[
         sources: "crates/ndf-sampling/src",
         layers: "numeric → error storage coordinates ndf microfacet radial frame serde → closed_form → density → \
                 map → map/packed → masked → noise_distribution → normal_table → normal_map → level_of_detail → \
-                check → rand",
+                gpu → check → rand",
         max_exports: Some(65),
     },
     Crate {
         name: "fif",
         sources: "crates/fif/src",
         layers: "numeric → system → evaluate → cochran_2000 → table → calculus → analysis → recurrent → fit → surface → \
-                ray → approx",
+                ray → gpu → approx",
         max_exports: Some(45),
     },
     Crate {
         name: "shading",
         sources: "crates/shading/src",
         layers: "math direction image parameter → pixel → bump → level_of_detail → reflectance → environment → \
-                normal_map → texture → material → approx → check",
+                normal_map → texture → material → gpu → approx → check",
         max_exports: Some(60),
     },
     Crate {

@@ -124,9 +124,7 @@ impl<F: Function> Curve<F> {
     /// Available if the function is smooth, its knots are equally spaced, and the field is
     /// [`tabulated`](crate::HeightField::tabulated).
     #[cfg(feature = "alloc")]
-    #[doc(hidden)]
-    #[must_use]
-    pub fn ranges(&self) -> Option<&RangeTable> {
+    pub(crate) fn ranges(&self) -> Option<&RangeTable> {
         self.top().map(|top| &top.ranges)
     }
 

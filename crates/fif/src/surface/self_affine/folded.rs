@@ -35,17 +35,14 @@ impl SelfAffine<ZigZag> {
     }
 
     /// Cells along both axes, for shaders.
-    #[doc(hidden)]
-    #[must_use]
-    pub fn cells(&self) -> [usize; 2] {
+    pub(crate) fn cells(&self) -> [usize; 2] {
         self.fold.cells
     }
 
     /// Nodes, for shaders: x, y, then height and slopes of H, then those of H − G.
     ///
     /// Lengths are in units of the domain.
-    #[doc(hidden)]
-    pub fn nodes(&self) -> impl Iterator<Item = [f64; 8]> {
+    pub(crate) fn nodes(&self) -> impl Iterator<Item = [f64; 8]> {
         let [wide, deep] = self.fold.domain.map(Interval::width);
         self.fold.nodes.iter().map(move |node| {
             let ([x, y], [z, z_x, z_y], [own, own_x, own_y]) = (node.at, node.data, node.own);
@@ -57,9 +54,7 @@ impl SelfAffine<ZigZag> {
     /// its slopes.
     ///
     /// For shaders.
-    #[doc(hidden)]
-    #[must_use]
-    pub fn remainder(&self) -> (f64, [f64; 3]) {
+    pub(crate) fn remainder(&self) -> (f64, [f64; 3]) {
         let [x, y] = self.limits.own_slopes.map(Interval::middle);
         (self.limits.contraction, [self.limits.own.middle(), x, y])
     }

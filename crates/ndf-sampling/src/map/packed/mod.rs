@@ -18,3 +18,4 @@ pub(crate) mod packed_map;
 #[cfg(feature = "alloc")]
 pub(crate) mod quantiles;
 pub(crate) mod search;
+pub(crate) mod uniform;

@@ -97,27 +97,6 @@ impl<'a> PackedMapRef<'a> {
     pub const fn reconstruction(&self) -> Reconstruction {
         self.layout.kind
     }
-
-    /// Grid parameters, and the offsets of the parts of the array, for shaders.
-    #[doc(hidden)]
-    #[must_use]
-    pub fn grid_and_parts(&self) -> ([f32; 11], [u32; 13]) {
-        let Grid { density, size, origin, last, margin, guide, quantiles, .. } = self.grid;
-        let Grid { ranks, stride, texel_stride, last_row, .. } = self.grid;
-        let mut words =
-            [last_row, self.layout.kind.sides() as u32, ranks, stride, texel_stride, 0, 0, 0, 0, 0, 0, 0, 0];
-        let mut at = HEADER as u32;
-        for (begin, length) in words[5..].iter_mut().zip(self.layout.parts()) {
-            *begin = at;
-            at = at.saturating_add(length.unwrap_or(0) as u32);
-        }
-        words[12] = self.layout.leaves as u32;
-        let floats = [
-            density[0], density[1], size[0], size[1], origin[0], origin[1], last[0], last[1], margin, guide,
-            quantiles,
-        ];
-        (floats, words)
-    }
 }
 
 #[cfg(test)]
@@ -126,7 +105,7 @@ mod tests {
     #[test]
     fn part_offsets_match_the_array() {
         use super::*;
-        use crate::{Measure, NdfMap};
+        use crate::{Measure, NdfMap, gpu::PackedMapUniform};
 
         for kind in [Reconstruction::Constant, Reconstruction::Bilinear] {
             let array = NdfMap::from_fn(24, 5, Measure::ProjectedSolidAngle, kind, |n| 1.0 + 0.5 * n.x)
@@ -134,26 +113,30 @@ mod tests {
                 .into_array();
             let map = PackedMapRef::new(&array).unwrap();
             assert_eq!((map.width(), map.height(), map.reconstruction()), (24, 5, kind));
-            let (floats, words) = map.grid_and_parts();
+            let uniform = map.gpu();
             let [by_weight, by_place, heads] =
                 [map.by_weight, map.by_place, map.heads].map(<[[f32; 4]]>::as_flattened);
             let leaves = map.leaves.as_flattened().as_flattened();
             let parts = [by_weight, by_place, leaves, heads, map.nodes, map.texels, map.quantiles];
             let mut end = HEADER;
-            for (&begin, part) in words[5..12].iter().zip(parts) {
+            let PackedMapUniform { by_weight_at, by_place_at, leaves_at, heads_at, .. } = uniform;
+            let PackedMapUniform { nodes_at, texels_at, quantiles_at, .. } = uniform;
+            let begins = [by_weight_at, by_place_at, leaves_at, heads_at, nodes_at, texels_at, quantiles_at];
+            for (begin, part) in begins.into_iter().zip(parts) {
                 assert_eq!(begin as usize, end);
                 assert_eq!(array[end..end + part.len()].as_ptr(), part.as_ptr());
                 end += part.len();
             }
-            assert_eq!((end, words[12] as usize), (array.len(), map.leaves.len()));
+            assert_eq!((end, uniform.leaves as usize), (array.len(), map.leaves.len()));
             // Columns and rows per unit from −1 to 1; bilinear maps have one cell more, half a cell
             // earlier.
             let sides = if kind == Reconstruction::Bilinear { 2 } else { 1 };
             let more = if kind == Reconstruction::Bilinear { 1 } else { 0 };
             let half = 0.5 * more as f32;
-            assert_eq!(floats[..4], [12.0, 2.5, 2.0 / 24.0, 0.4]);
-            assert_eq!(floats[4..8], [12.0 + half, 2.5 + half, 23.5 + more as f32, 4.5 + more as f32]);
-            assert_eq!(words[..2], [4 + more, sides]);
+            assert_eq!((uniform.density, uniform.size), ([12.0, 2.5], [2.0 / 24.0, 0.4]));
+            assert_eq!(uniform.origin, [12.0 + half, 2.5 + half]);
+            assert_eq!(uniform.last, [23.5 + more as f32, 4.5 + more as f32]);
+            assert_eq!([uniform.last_row, uniform.sides], [4 + more, sides]);
         }
     }
 

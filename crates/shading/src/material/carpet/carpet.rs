@@ -152,9 +152,9 @@ impl Carpet {
     }
 
     /// Threads, shiny threads, dark areas, seams, threads over seams, fibers.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn parts(&self) -> (&DiffuseThreads, &SpecularThreads, &DarkAreas, &Seams, &SizedFbm, &Fibers) {
+    pub(crate) const fn parts(
+        &self,
+    ) -> (&DiffuseThreads, &SpecularThreads, &DarkAreas, &Seams, &SizedFbm, &Fibers) {
         let Self { diffuse_threads, specular_threads, dark_areas, seams, crossover, fibers, .. } = self;
         (diffuse_threads, specular_threads, dark_areas, seams, crossover, fibers)
     }

@@ -47,9 +47,7 @@ impl DarkAreas {
     }
 
     /// The noise.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn noise(&self) -> &SizedFbm {
+    pub(crate) const fn noise(&self) -> &SizedFbm {
         &self.noise
     }
 

@@ -115,9 +115,7 @@ impl Fibers {
 
     /// The segments of the fibers, the half width of a fiber, and the mean brightness and mean
     /// square slope.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn parts(&self) -> (&Segments, [f32; 3]) {
+    pub(crate) const fn parts(&self) -> (&Segments, [f32; 3]) {
         (&self.segments, [self.half, self.mean, self.mean_square_slope])
     }
 

@@ -46,9 +46,7 @@ impl DiffuseThreads {
     }
 
     /// The noise.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn noise(&self) -> &SizedFbm {
+    pub(crate) const fn noise(&self) -> &SizedFbm {
         &self.0
     }
 
@@ -127,9 +125,7 @@ impl SpecularThreads {
     /// mean.
     ///
     /// The coefficients are for 0 to 3 known octaves.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn parts(&self) -> (&Fbm<Simplex, Vec3, Turbulence>, f32, &[[f32; 8]; 4]) {
+    pub(crate) const fn parts(&self) -> (&Fbm<Simplex, Vec3, Turbulence>, f32, &[[f32; 8]; 4]) {
         (&self.veins, self.frequency, &self.coefficients)
     }
 

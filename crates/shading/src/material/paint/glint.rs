@@ -83,8 +83,7 @@ const FARTHEST: f32 = 8_388_608.0;
 
 impl<N> GlintField<N> {
     /// Offsets of the seeds of the two tilt coordinates from the seed of the field.
-    #[doc(hidden)]
-    pub const TILTS: [u32; 2] = [0x51ab_0f31, 0xa3c7_59e5];
+    pub(crate) const TILTS: [u32; 2] = [0x51ab_0f31, 0xa3c7_59e5];
 }
 
 impl<N: Ndf> GlintField<N> {
@@ -109,9 +108,7 @@ impl<N: Ndf> GlintField<N> {
     }
 
     /// The distance between flakes and the bin in standard deviations; the seed.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn parts(&self) -> ([f32; 2], u32) {
+    pub(crate) const fn parts(&self) -> ([f32; 2], u32) {
         ([self.spacing, self.bin], self.seed)
     }
 

@@ -162,16 +162,12 @@ impl MetallicPaint {
     }
 
     /// Orange peel, sparkles, passive flakes.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn parts(&self) -> (&OrangePeel, &Sparkles, &PassiveFlakes) {
+    pub(crate) const fn parts(&self) -> (&OrangePeel, &Sparkles, &PassiveFlakes) {
         (&self.orange_peel, &self.sparkles, &self.passive)
     }
 
     /// The counted flakes.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn glints(&self) -> Option<&GlintField<Beckmann>> {
+    pub(crate) const fn glints(&self) -> Option<&GlintField<Beckmann>> {
         self.glints.as_ref()
     }
 

@@ -48,9 +48,7 @@ impl PassiveFlakes {
     }
 
     /// The noise.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn noise(&self) -> &SizedFbm {
+    pub(crate) const fn noise(&self) -> &SizedFbm {
         &self.noise
     }
 

@@ -134,9 +134,7 @@ impl Sparkles {
     }
 
     /// The seed of the lattice.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn seed(&self) -> u32 {
+    pub(crate) const fn seed(&self) -> u32 {
         self.seed
     }
 

@@ -54,9 +54,7 @@ impl Blemishes {
     }
 
     /// The noise of blemishes.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn noise(&self) -> &SizedFbm {
+    pub(crate) const fn noise(&self) -> &SizedFbm {
         &self.noise
     }
 

@@ -9,9 +9,8 @@ use crate::parameter::{ParameterError, as_share, as_size};
 use crate::pixel::Footprint;
 
 /// A lattice with some inverted gradients.
-#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Turned {
+pub(crate) struct Turned {
     /// Words below this are dropped ones.
     dropped: u32,
     /// The bits of a word that invert its gradient, or 0.
@@ -79,16 +78,12 @@ impl Dents {
     }
 
     /// The noise without inverted gradients.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn noise(&self) -> &SizedFbm<Simplex<Turned>> {
+    pub(crate) const fn noise(&self) -> &SizedFbm<Simplex<Turned>> {
         &self.kept
     }
 
     /// Words of the lattice below this are dropped gradients.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn dropped(&self) -> u32 {
+    pub(crate) const fn dropped(&self) -> u32 {
         self.dropped
     }
 

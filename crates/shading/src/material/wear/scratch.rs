@@ -157,9 +157,7 @@ impl Scratches {
     }
 
     /// The fraction covered by scratches from afar, and the mean square slopes across: uu, uv, vv.
-    #[doc(hidden)]
-    #[must_use]
-    pub fn far(&self) -> (f32, Vec3) {
+    pub(crate) fn far(&self) -> (f32, Vec3) {
         (
             -exp_m1(-self.segments.density() * 2.0 * self.half * self.segments.length),
             self.mean_square_slope(self.half) * self.segments.mean_square_across(),
@@ -167,16 +165,12 @@ impl Scratches {
     }
 
     /// The segments of the scratches.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn segments(&self) -> &Segments {
+    pub(crate) const fn segments(&self) -> &Segments {
         &self.segments
     }
 
     /// Half the width of a scratch, in texture coordinates.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn half_width(&self) -> f32 {
+    pub(crate) const fn half_width(&self) -> f32 {
         self.half
     }
 

@@ -86,9 +86,7 @@ impl Variations {
     }
 
     /// Blemishes and dents.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn parts(&self) -> (&Blemishes, &Dents) {
+    pub(crate) const fn parts(&self) -> (&Blemishes, &Dents) {
         (&self.blemishes, &self.dents)
     }
 

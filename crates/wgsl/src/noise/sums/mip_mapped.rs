@@ -11,7 +11,7 @@ use asperity_noise::{Fbm, FbmSpectrum, GaussianNoise, IntegerHash, NoiseError, g
 ///
 /// Sizes halve from level to level, and so does the frequency of the finest octave. Every level
 /// therefore has the same number of texels per cell of its finest octave. A blend of two levels by
-/// a sampler is the sum with a fraction of one octave, so that `mip_mapped_octaves` of the shader
+/// a sampler is the sum with a fraction of one octave, so that `mip_mapped_fbm` of the shader
 /// only divides it.
 ///
 /// After Kautz, Heidrich, Seidel 2001, "Real-Time Bump Map Synthesis", §5.2.2, with Gaussian noise
@@ -52,7 +52,7 @@ impl MipMapped {
         Ok(Self { sum: sum.tiled([period; 2])?, period })
     }
 
-    /// Returns the sum of octaves of the texture, for [`OctavesUniform`](super::OctavesUniform).
+    /// Returns the sum of octaves of the texture, for the uniform of sums.
     #[must_use]
     pub const fn sum(&self) -> &Fbm<GaussianNoise<Tiled<IntegerHash, 2>>, Vec2> {
         &self.sum

@@ -1,11 +1,10 @@
 //! Points of surfaces, and parts used by several materials.
 
-use asperity_noise::{Field, glam::Vec3};
-use asperity_shading::material::SizedFbm;
+use asperity_shading::gpu::{SegmentsUniform, SizedFbmUniform};
 
 use crate::ndf::FRAME;
 use crate::noise::INTEGER_HASH;
-use crate::noise::sums::{OctavesUniform, octaves_3d};
+use crate::noise::sums::fbm_3d;
 use crate::part::{Part, part};
 use crate::shading::DIRECTION;
 use crate::shading::bump::{SLOPE_FACETS, SURFACE_GRADIENT};
@@ -17,7 +16,7 @@ pub static SURFACE_POINT: Part =
     part!("shading/material/surface_point", FRAME, SURFACE_GRADIENT, PIXEL_ELLIPSE);
 
 /// Short oriented segments in the cells of a plane, drawn from hashes.
-pub static SEGMENTS: Part = part!("shading/material/segments", INTEGER_HASH, DIRECTION);
+pub static SEGMENTS: Part = part!("shading/material/segments", [SegmentsUniform], INTEGER_HASH, DIRECTION);
 
 /// Keys of lattices whose seeds are drawn in the shader.
 pub static LATTICE_KEY: Part = part!("shading/material/lattice_key");
@@ -25,19 +24,9 @@ pub static LATTICE_KEY: Part = part!("shading/material/lattice_key");
 /// Octaves of simplex noise by position, filtered over a pixel.
 ///
 /// Their sums are in the uniform of 3-D sums of octaves.
-pub static FBM: Part = part!("shading/material/fbm", octaves_3d::SIMPLEX, FOOTPRINT);
+pub static SIZED_FBM: Part =
+    part!("shading/material/sized_fbm", [SizedFbmUniform], fbm_3d::SIMPLEX, FOOTPRINT);
 
 /// Rough diffuse surface with gloss, filtered over a pixel.
 pub static GLOSSY: Part =
     part!("shading/material/glossy", SLOPE_FACETS, FACET, ENERGY_PRESERVING, COOK_TORRANCE_BECKMANN);
-
-/// The words of the structure `SizedFbm`: frequency, highest frequency, octaves, index of the sum.
-pub(super) fn fbm_words<K: Field<Vec3>>(fbm: &SizedFbm<K>, sum: u32) -> [u32; 4] {
-    let [frequency, highest] = fbm.frequencies();
-    [frequency.to_bits(), highest.to_bits(), fbm.octaves().octaves().to_bits(), sum]
-}
-
-/// The words of the octaves of noise by position.
-pub(super) fn octaves_of<K: Field<Vec3>>(fbm: &SizedFbm<K>) -> OctavesUniform<3> {
-    OctavesUniform::new(fbm.octaves())
-}

@@ -55,12 +55,12 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
     let u = bitcast<vec2<f32>>(c.xy);
     let fade = bitcast<f32>(c.z);
     outcome.a = bits(vec4<f32>(x_from_gaussian(alpha, a.zw), max(x_density(alpha, b.xyz), 1e-34)));
-    let centre = x_from_gaussian(alpha, level_of_detail_exact_coordinates(a.zw, b.w));
+    let center = x_from_gaussian(alpha, level_of_detail_exact_coordinates(a.zw, b.w));
     let sample = x_from_uniform(alpha, u);
     let split = gaussian_split(a.zw, b.w);
-    outcome.b = bits(vec4<f32>(x_to_gaussian(alpha, b.xyz), centre.xy));
+    outcome.b = bits(vec4<f32>(x_to_gaussian(alpha, b.xyz), center.xy));
     outcome.c = bits(vec4<f32>(
-        centre.z,
+        center.z,
         sample.xy,
         select(sample.z, max(x_density(alpha, b.xyz), 1e-34), d.x == 1u),
     ));
@@ -100,7 +100,7 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
                 let (coordinates, u) = (Coordinates { z, share, fade }, Vec2::new(u1, u2));
                 let (m, sample) = (ndf.warp_gaussian(z), ndf.sample(u));
                 let back = ndf.invert(h);
-                let centre = LevelOfDetail::Exact.normal(&ndf, coordinates);
+                let center = LevelOfDetail::Exact.normal(&ndf, coordinates);
                 let split = GaussianSplit::new(z, share);
                 let joined = if is_other { split.rest(u) } else { split.join(u) };
                 words(&[
@@ -110,9 +110,9 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
                     ndf.d(h).max(FAINT),
                     back.x,
                     back.y,
-                    centre.x,
-                    centre.y,
-                    centre.z,
+                    center.x,
+                    center.y,
+                    center.z,
                     sample.x,
                     sample.y,
                     if is_other { far_field(&ndf, h).max(FAINT) } else { sample.z },

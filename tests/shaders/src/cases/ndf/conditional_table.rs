@@ -2,10 +2,10 @@
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::{ConditionalTable, GaussianSplit, Ndf, StudentT};
-use asperity_wgsl::ndf::{CONDITIONAL_TABLE, ConditionalTableUniform};
+use asperity_wgsl::ndf::CONDITIONAL_TABLE;
 
 use super::{floats, gaussian, number, words};
-use crate::case::{Bound, Case, INPUTS, Output, between};
+use crate::case::{Bound, Case, INPUTS, Output, between, packed};
 
 pub(super) fn cases() -> Vec<Case> {
     vec![table(40), table(1)]
@@ -19,8 +19,7 @@ fn table(size: usize) -> Case {
         ConditionalTable::from_entries(size, table.view().stretch(), entries).expect("as many entries");
     let mut numbers: Vec<u32> = entries.as_flattened().iter().map(|x| x.to_bits()).collect();
     // NaN after the entries: with a single entry nothing else may be read.
-    numbers
-        .resize(numbers.len().next_multiple_of(ConditionalTableUniform::WIDTH as usize), f32::NAN.to_bits());
+    numbers.resize(numbers.len().next_multiple_of(1024), f32::NAN.to_bits());
     Case {
         name: format!("ndf/level_of_detail/conditional_table, {size}"),
         parts: vec![&CONDITIONAL_TABLE],
@@ -29,7 +28,7 @@ fn table(size: usize) -> Case {
     outcome.a = bits(vec4<f32>(conditional_table_interpolated(a.xyz).xy, max(conditional_table_density(a.xyz, split), 1e-30), 0.0));"
             .into(),
         resources: vec![
-            ("conditional_table_grid", ConditionalTableUniform::new(&table).words().to_vec()),
+            ("conditional_table_grid", packed(&table.gpu())),
             ("conditional_table_number", numbers),
         ],
         input: Box::new(move |i| {

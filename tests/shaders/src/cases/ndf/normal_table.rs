@@ -3,10 +3,10 @@
 use asperity_ndf_sampling::glam::Vec2;
 use asperity_ndf_sampling::normal_table::{Chart, Spacing, TableLayout};
 use asperity_ndf_sampling::{Ggx, NormalLut};
-use asperity_wgsl::ndf::{NORMAL_TABLE, NormalTableUniform};
+use asperity_wgsl::ndf::NORMAL_TABLE;
 
 use super::{floats, gaussian, number, words};
-use crate::case::{Bound, Case, INPUTS, Output};
+use crate::case::{Bound, Case, INPUTS, Output, packed};
 
 pub(super) fn cases() -> Vec<Case> {
     vec![
@@ -29,7 +29,7 @@ fn table(spacing: Spacing, chart: Chart, size: usize) -> Case {
     let entries: &'static [[f32; 2]] = entries.leak();
     let table = NormalLut::from_entries(size, layout, entries).expect("as many entries");
     let mut numbers: Vec<u32> = entries.as_flattened().iter().map(|x| x.to_bits()).collect();
-    numbers.resize(numbers.len().next_multiple_of(NormalTableUniform::WIDTH as usize), 0);
+    numbers.resize(numbers.len().next_multiple_of(1024), 0);
     // Φ is in f64 in the crate: a position may round to the adjacent entry.
     let (written, adapter) = match spacing {
         Spacing::Quantiles => (Bound::Absolute(8e-7), 1e-4),
@@ -45,10 +45,7 @@ fn table(spacing: Spacing, chart: Chart, size: usize) -> Case {
     outcome.b = bits(vec4<f32>(nearest.yz, normal_table_place(normal_table_grid.spacing, a.x), 0.0));
     outcome.c = bits(vec4<f32>(normal_table_normal(normal_table_grid.chart, a.zw), 0.0));"
             .into(),
-        resources: vec![
-            ("normal_table_grid", NormalTableUniform::new(&table).words().to_vec()),
-            ("normal_table_number", numbers),
-        ],
+        resources: vec![("normal_table_grid", packed(&table.gpu())), ("normal_table_number", numbers)],
         input: Box::new(move |i| {
             let mut inputs = [0; INPUTS];
             for (k, input) in (0..4).zip(&mut inputs) {

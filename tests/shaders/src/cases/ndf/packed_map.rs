@@ -2,10 +2,10 @@
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::{GaussianSplit, Measure, Ndf, NdfMap, PackedMapRef, Reconstruction};
-use asperity_wgsl::ndf::{PACKED_MAP, PackedMapUniform};
+use asperity_wgsl::ndf::PACKED_MAP;
 
 use super::{floats, gaussian, number, words};
-use crate::case::{Bound, Case, INPUTS, Output, between};
+use crate::case::{Bound, Case, INPUTS, Output, between, packed as words_of};
 
 pub(super) fn cases() -> Vec<Case> {
     // Adjacent lobes on a uniform background, and lobes separated by gaps.
@@ -32,8 +32,7 @@ fn packed(
         .into_array();
     let map: &'static [f32] = map.leak();
     let packed = PackedMapRef::new(map).expect("a packed map");
-    let mut table: Vec<u32> = map.iter().map(|x| x.to_bits()).collect();
-    table.resize(table.len().next_multiple_of(PackedMapUniform::WIDTH as usize), 0);
+    let table: Vec<u32> = map.iter().map(|x| x.to_bits()).collect();
     let output =
         |name, words, written, adapter| Output { name, words, written, adapter: Bound::Absolute(adapter) };
     let mut outputs = vec![
@@ -63,7 +62,7 @@ fn packed(
     let within = clamp(packed_map_to_gaussian(a.xyz), vec2<f32>(-3.0), vec2<f32>(3.0));
     outcome.d = bits(vec4<f32>(within, 0.0, 0.0));"
             .into(),
-        resources: vec![("packed_map_grid", PackedMapUniform::new(&packed).words().to_vec()), ("packed_map_word", table)],
+        resources: vec![("packed_map_grid", words_of(&packed.gpu())), ("packed_map_word", table)],
         input: Box::new(move |i| {
             let from = |k| gaussian(i, k).clamp(-3.0, 3.0);
             let m = packed.warp_gaussian(Vec2::new(from(0), from(1)));

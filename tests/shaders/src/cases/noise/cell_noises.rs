@@ -18,10 +18,10 @@ pub(super) fn cases() -> Vec<Case> {
             let value = ValueNoise::new(seed(words));
             outputs(sample(&value, words), sample(&value, words), sample(&value, words))
         }),
-        case(&noise::PERLIN_1985, body("perlin_1985", "", false), BOUNDS, |words| {
+        case(&noise::PERLIN_CLASSIC, body("perlin_classic", "", false), BOUNDS, |words| {
             outputs_of(&PerlinClassic::new(seed(words)), words)
         }),
-        case(&noise::PERLIN_2002, body("perlin_2002", "", true), BOUNDS, |words| {
+        case(&noise::PERLIN, body("perlin", "", true), BOUNDS, |words| {
             let perlin = Perlin::new(seed(words));
             outputs(sample(&perlin, words), sample(&perlin, words), sample(&perlin, words))
         }),

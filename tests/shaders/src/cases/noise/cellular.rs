@@ -17,11 +17,11 @@ pub(super) fn cases() -> Vec<Case> {
     // A tenth of the points have their feature points at cell centers.
     let parameters = "u32(b.x * 4.0), u32(b.y * 3.0), select(b.z, 0.0, b.w < 0.1), ";
     vec![case(&noise::CELLULAR, body("cellular", parameters, false), BOUNDS, |words| {
-        let [basis, metric, jitter, centred] = [4, 5, 6, 7].map(|k| number(words, k));
+        let [basis, metric, jitter, centerd] = [4, 5, 6, 7].map(|k| number(words, k));
         let cellular = Cellular::new(seed(words))
             .with_output(BASES[(basis * 4.0) as usize])
             .with_metric(METRICS[(metric * 3.0) as usize]);
-        let jitter = if centred < 0.1 { 0.0 } else { jitter };
+        let jitter = if centerd < 0.1 { 0.0 } else { jitter };
         outputs_of(&cellular.with_jitter(jitter).unwrap_or(cellular), words)
     })]
 }

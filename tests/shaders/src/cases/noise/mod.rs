@@ -3,8 +3,9 @@
 use asperity_noise::{
     Field, Point, Sample,
     glam::{Vec2, Vec3, Vec4},
+    gpu,
 };
-use asperity_wgsl::{Part, noise};
+use asperity_wgsl::Part;
 
 use crate::case::{BAD, Bound, Case, INPUTS, OUTPUTS, Output, any, between};
 
@@ -53,7 +54,7 @@ fn input_within(far: f32, i: u32) -> [u32; INPUTS] {
         words[4 + k as usize] = between(i, 8 + k, 0.0, 1.0).to_bits();
     }
     words[13] = any(i, 12);
-    words[12] = noise::key(words[13]);
+    words[12] = gpu::key(words[13]);
     words
 }
 

@@ -1,9 +1,10 @@
 //! Coats of every type.
 
 use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::gpu::CoatUniform;
 use asperity_shading::reflectance::{BsdfSample, Coat};
 use asperity_shading::{Bsdf, Dielectric, Frame, Lambert, bump::Facet};
-use asperity_wgsl::shading::reflectance::{COAT, CoatUniform};
+use asperity_wgsl::shading::reflectance::COAT;
 
 use super::{direction, floats, inputs, number, share, vec2, vec3, words};
 use crate::case::{Bound, Case, INPUTS, Output};
@@ -15,13 +16,13 @@ pub(super) fn cases() -> Vec<Case> {
 /// Returns the coat of an input: type, normal, variance of slopes and roughness.
 fn coat(inputs: [u32; INPUTS]) -> Coat {
     let ([x, y, variance, roughness], kind) = (floats(inputs, 0), inputs[15] % 5);
-    let (fresnel, colour) = (Dielectric::new_clamped(1.5), Vec3::new(0.9, 0.7, 0.5));
+    let (fresnel, color) = (Dielectric::new_clamped(1.5), Vec3::new(0.9, 0.7, 0.5));
     let coat = match kind {
         0 => Coat::varnish(fresnel),
-        1 => Coat::pane(fresnel, colour),
+        1 => Coat::pane(fresnel, color),
         2 => Coat::body(fresnel),
-        3 => Coat::metal(colour),
-        _ => Coat::veil(colour),
+        3 => Coat::metal(color),
+        _ => Coat::veil(color),
     };
     coat.rough(roughness).bumped(Vec3::new(x, y, (1.0 - x * x - y * y).sqrt()), variance)
 }
@@ -48,16 +49,17 @@ fn input(i: u32, roughness: f32, u: [f32; 2]) -> [u32; INPUTS] {
 /// Returns WGSL of the structure `Coat` for an input.
 fn structure() -> String {
     let of = |make: fn(Dielectric, Vec3) -> Coat| {
-        let words = CoatUniform::new(&make(Dielectric::new_clamped(1.5), Vec3::new(0.9, 0.7, 0.5))).words();
-        let numbers: Vec<String> = words[8..12].iter().map(|word| format!("bitcast<f32>({word}u)")).collect();
+        let CoatUniform { color: [r, g, b], index, .. } =
+            make(Dielectric::new_clamped(1.5), Vec3::new(0.9, 0.7, 0.5)).gpu();
+        let numbers = [r, g, b, index].map(|x| format!("bitcast<f32>({}u)", x.to_bits()));
         format!("vec4<f32>({})", numbers.join(", "))
     };
     let rows = [
         of(|fresnel, _| Coat::varnish(fresnel)),
         of(Coat::pane),
         of(|fresnel, _| Coat::body(fresnel)),
-        of(|_, colour| Coat::metal(colour)),
-        of(|_, colour| Coat::veil(colour)),
+        of(|_, color| Coat::metal(color)),
+        of(|_, color| Coat::veil(color)),
     ];
     let choices: Vec<String> =
         (0..).zip(&rows).map(|(kind, row)| format!("    if kind == {kind}u {{ row = {row}; }}\n")).collect();
@@ -68,7 +70,7 @@ fn structure() -> String {
     var row = vec4<f32>(0.0);
 {}\
     let normal = vec3<f32>(a.xy, sqrt(1.0 - a.x * a.x - a.y * a.y));
-    let coat = Coat(normal, a.z, vec3<f32>(0.0), a.w, row.xyz, row.w, kind, 0u, vec2<u32>(0u));
+    let coat = Coat(normal, a.z, vec3<f32>(0.0), a.w, row.xyz, row.w, kind);
 ",
         choices.concat()
     )

@@ -1,14 +1,13 @@
 //! Counted flakes.
 
+use asperity_shading::gpu::GlintFieldUniform;
 use asperity_shading::material::{GlintField, PaintFlakes};
 use asperity_shading::{Beckmann, Footprint, MetallicPaint, MetallicPaintParameters, Ndf};
-use asperity_wgsl::shading::material::{
-    COUNTED_FLAKES, CountedFlakesUniform, GLINT_FIELD, GlintFieldUniform, MetallicPaintUniform,
-};
+use asperity_wgsl::shading::material::{COUNTED_FLAKES, GLINT_FIELD};
 
 use super::material::{material, paint_parameters, sums};
 use super::{floats, inputs, number, vec2, vec3, words};
-use crate::case::{Bound, Case, Output};
+use crate::case::{Bound, Case, Output, packed};
 
 pub(super) fn cases() -> Vec<Case> {
     vec![glint_field(), counted_flakes()]
@@ -19,13 +18,13 @@ fn glint_field() -> Case {
     // The density cancels.
     let ndf = Beckmann::new(1.0, 1.0).expect("a roughness");
     let field = GlintField::new(ndf, SPACING, 0.3, 7).expect("a field");
-    let [_, _, key, _, x, y, ..] = GlintFieldUniform::new(&field).words();
+    let GlintFieldUniform { key, tilt_keys: [x, y], .. } = field.gpu();
     Case {
         name: "shading/material/paint/glint_field".into(),
         parts: vec![&GLINT_FIELD],
         body: format!(
             "\
-    let field = GlintField(0.001, 0.3, {key}u, 0u, vec2<u32>({x}u, {y}u), vec2<u32>(0u));
+    let field = GlintField(0.001, 0.3, vec2<u32>({x}u, {y}u), {key}u);
     let place = a.xyz / field.spacing;
     var flake = GlintFieldFlake(vec3<i32>(0), vec3<f32>(0.0));
     var tilt = vec2<f32>(0.0);
@@ -33,7 +32,7 @@ fn glint_field() -> Case {
         flake = glint_field_nearest(field, place);
         tilt = glint_field_tilt(field, flake.cell);
     }}
-    outcome.a = bits(vec4<f32>(flake.centre * field.spacing, glint_field_relative(field, b.xy, a.xyz, a.w)));
+    outcome.a = bits(vec4<f32>(flake.center * field.spacing, glint_field_relative(field, b.xy, a.xyz, a.w)));
     outcome.b = bits(vec4<f32>(tilt, 0.0, 0.0));"
         ),
         resources: vec![],
@@ -59,7 +58,7 @@ fn glint_field() -> Case {
             words(&all)
         }),
         outputs: vec![
-            Output::new("centre", 0..3, Bound::Equal, Bound::Absolute(1e-2)),
+            Output::new("center", 0..3, Bound::Equal, Bound::Absolute(1e-2)),
             // Quantiles are in 64 bits in the crate. A tilt at the border of a bin may round into
             // another bin.
             Output::new("relative count", 3..4, Bound::Absolute(4e-4), Bound::Absolute(1e-2)),
@@ -72,12 +71,11 @@ fn counted_flakes() -> Case {
     let flakes = PaintFlakes::Counted { spacing: 2e-4, bin: 0.2 };
     let parameters = MetallicPaintParameters { flakes, coat_roughness: 0.1, ..paint_parameters() };
     let paint = MetallicPaint::new(parameters).expect("valid parameters");
-    let uniform = MetallicPaintUniform::new(&paint, 0);
-    let counted = CountedFlakesUniform::new(&paint, 0).expect("counted").words().to_vec();
+    let counted = packed(&paint.gpu_counted(0).expect("counted"));
     material(
         "paint/counted_flakes",
         &COUNTED_FLAKES,
-        vec![("counted_flakes_uniform", counted), sums(&uniform.sums())],
+        vec![("counted_flakes_uniform", counted), sums(&paint.gpu_sums())],
         [0.1, 1e-5, 0.02],
         [Bound::Absolute(1.6e-5), Bound::Absolute(1e-2)],
         paint,

@@ -1,22 +1,20 @@
 //! Bump maps of a density, and hand-made normal maps.
 
+use asperity_noise::gpu::gaussian_levels;
 use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::gpu::{BumpMappedUniform, SlopePyramidUniform};
 use asperity_shading::level_of_detail::{Coordinates, LevelOfDetail};
 use asperity_shading::material::NormalMapped;
 use asperity_shading::ndf_sampling::Ndf;
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::normal_map::{SlopeLobe, SlopeMoments, SlopePyramidRef};
 use asperity_shading::{Beckmann, BumpField, BumpMapped, Ggx, PixelEllipse, SlopePyramid};
-use asperity_wgsl::noise;
-use asperity_wgsl::noise::sums::OctavesUniform;
-use asperity_wgsl::shading::material::{BUMP_MAPPED, BumpMappedUniform, NORMAL_MAPPED, NormalMappedUniform};
-use asperity_wgsl::shading::normal_map::{
-    SLOPE_MOMENTS, SLOPE_PYRAMID, slope_pyramid_numbers, slope_pyramid_words,
-};
+use asperity_wgsl::shading::material::{BUMP_MAPPED, NORMAL_MAPPED};
+use asperity_wgsl::shading::normal_map::{SLOPE_MOMENTS, SLOPE_PYRAMID};
 
 use super::material::{material, sums};
 use super::{equal, floats, inputs, number, vec2, words};
-use crate::case::{Bound, Case, Output};
+use crate::case::{Bound, Case, Output, packed};
 
 pub(super) fn cases() -> Vec<Case> {
     let ggx = BumpMapped {
@@ -25,16 +23,16 @@ pub(super) fn cases() -> Vec<Case> {
         rule: LevelOfDetail::Exact,
         color: COPPER,
     };
-    let ggx_words = BumpMappedUniform::ggx(&ggx, 0).words();
+    let ggx_uniform = ggx.gpu(0);
     let ndf = Beckmann::new_clamped(0.3, 0.2);
     let beckmann = BumpMapped { ndf, bumps: bumps(), rule: LevelOfDetail::Fractal, color: COPPER };
-    let beckmann_words = BumpMappedUniform::beckmann(&beckmann, 0).words();
+    let beckmann_uniform = beckmann.gpu(0);
     vec![
         moments(),
         pyramid(),
         stone(),
-        bump_mapped("exact rule of GGX", ggx_words, ggx),
-        bump_mapped("fractal rule of Beckmann", beckmann_words, beckmann),
+        bump_mapped("exact rule of GGX", ggx_uniform, ggx),
+        bump_mapped("fractal rule of Beckmann", beckmann_uniform, beckmann),
     ]
 }
 
@@ -47,13 +45,13 @@ fn bumps() -> BumpField<GaussianFbm<Vec3>> {
 
 fn bump_mapped(
     name: &str,
-    uniform: [u32; BumpMappedUniform::WORDS],
+    uniform: BumpMappedUniform,
     of: BumpMapped<impl Ndf + Send + Sync + 'static, GaussianFbm<Vec3>>,
 ) -> Case {
     let resources = vec![
-        ("gaussian_level", noise::gaussian_levels().map(f32::to_bits).collect()),
-        ("bump_mapped_uniform", uniform.to_vec()),
-        sums(&[OctavesUniform::new(of.bumps.field())]),
+        ("gaussian_level", gaussian_levels().map(f32::to_bits).collect()),
+        ("bump_mapped_uniform", packed(&uniform)),
+        sums(&[of.bumps.field().gpu()]),
     ];
     material(
         &format!("bump_mapped, {name}"),
@@ -83,12 +81,12 @@ fn map() -> SlopePyramidRef<'static, 4> {
 }
 
 fn numbers(map: &SlopePyramidRef<'_, 4>) -> (&'static str, Vec<u32>) {
-    ("slope_pyramid_number", slope_pyramid_numbers(map).map(f32::to_bits).collect())
+    ("slope_pyramid_number", map.gpu_numbers().map(f32::to_bits).collect())
 }
 
 fn stone() -> Case {
     let stone = NormalMapped { map: map(), roughness: Beckmann::new_clamped(0.25, 0.35), color: COPPER };
-    let uniform = NormalMappedUniform::new(&stone).words().to_vec();
+    let uniform = packed(&stone.gpu());
     material(
         "normal_mapped",
         &NORMAL_MAPPED,
@@ -113,7 +111,7 @@ fn lobe_words(lobe: SlopeLobe) -> [f32; 6] {
 
 fn pyramid() -> Case {
     let map = map();
-    let [width, height, last, groups] = slope_pyramid_words(&map);
+    let SlopePyramidUniform { width, height, last_level: last, groups } = map.gpu();
     Case {
         name: "shading/normal_map/slope_pyramid".into(),
         parts: vec![&SLOPE_PYRAMID],

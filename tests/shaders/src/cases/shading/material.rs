@@ -1,5 +1,6 @@
 //! Materials compared with `Material::bsdf`.
 
+use asperity_noise::gpu::FbmUniform3d;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::material::{GlassBody, GlassWaves, SeamPattern};
 use asperity_shading::{
@@ -8,15 +9,11 @@ use asperity_shading::{
     VariationsParameters,
 };
 use asperity_wgsl::Part;
-use asperity_wgsl::noise::sums::{OctavesUniform, SUMS};
-use asperity_wgsl::shading::material::{
-    CARPET, CarpetUniform, METALLIC_PAINT, MetallicPaintUniform, SCRATCHES, ScratchesUniform, TEMPERED_GLASS,
-    TemperedGlassUniform, VARIATIONS, VariationsUniform,
-};
+use asperity_wgsl::shading::material::{CARPET, METALLIC_PAINT, SCRATCHES, TEMPERED_GLASS, VARIATIONS};
 
 use super::coat::specular;
 use super::{direction, floats, inputs, number, vec3, words};
-use crate::case::{Bound, Case, INPUTS, Output};
+use crate::case::{Bound, Case, INPUTS, Output, packed};
 
 pub(super) fn cases() -> Vec<Case> {
     vec![
@@ -138,7 +135,7 @@ pub(super) fn material(
 
 fn scratches() -> Case {
     let scratches = Scratches::new(ScratchesParameters::default()).expect("defaults");
-    let uniform = ScratchesUniform::new(&scratches).words().to_vec();
+    let uniform = packed(&scratches.gpu());
     material(
         "wear/scratches",
         &SCRATCHES,
@@ -150,19 +147,16 @@ fn scratches() -> Case {
 }
 
 /// Returns the words of the uniform of sums.
-pub(super) fn sums(sums: &[OctavesUniform<3>]) -> (&'static str, Vec<u32>) {
-    let mut words: Vec<u32> = sums.iter().flat_map(OctavesUniform::<3>::words).collect();
-    words.resize(SUMS * OctavesUniform::<3>::WORDS, 0);
-    ("octaves_uniform_3d", words)
+pub(super) fn sums(sums: &[FbmUniform3d]) -> (&'static str, Vec<u32>) {
+    ("fbm_uniform_3d", packed(&FbmUniform3d::array(sums)))
 }
 
 fn variations() -> Case {
     let variations = Variations::new(VariationsParameters::default()).expect("defaults");
-    let uniform = VariationsUniform::new(&variations, 0);
     material(
         "wear/variations",
         &VARIATIONS,
-        vec![("variations_uniform", uniform.words().to_vec()), sums(&uniform.sums())],
+        vec![("variations_uniform", packed(&variations.gpu(0))), sums(&variations.gpu_sums())],
         [0.5, 1e-5, 1.0],
         [Bound::Absolute(1e-6), Bound::Absolute(1e-3)],
         variations,
@@ -180,11 +174,10 @@ fn rough_paint() -> MetallicPaintParameters {
 
 fn paint(name: &str, parameters: MetallicPaintParameters) -> Case {
     let paint = MetallicPaint::new(parameters).expect("valid parameters");
-    let uniform = MetallicPaintUniform::new(&paint, 0);
     material(
         &format!("paint/metallic_paint, {name}"),
         &METALLIC_PAINT,
-        vec![("metallic_paint_uniform", uniform.words().to_vec()), sums(&uniform.sums())],
+        vec![("metallic_paint_uniform", packed(&paint.gpu(0))), sums(&paint.gpu_sums())],
         [0.1, 1e-6, 0.02],
         [Bound::Relative(4e-6), Bound::Relative(1e-2)],
         paint,
@@ -205,11 +198,10 @@ fn body() -> TemperedGlassParameters {
 
 fn glass(name: &str, parameters: TemperedGlassParameters) -> Case {
     let glass = TemperedGlass::new(parameters).expect("valid parameters");
-    let uniform = TemperedGlassUniform::new(&glass, 0);
     material(
         &format!("tempered_glass, {name}"),
         &TEMPERED_GLASS,
-        vec![("tempered_glass_uniform", uniform.words().to_vec()), sums(&[uniform.sum()])],
+        vec![("tempered_glass_uniform", packed(&glass.gpu(0))), sums(&[glass.gpu_sum()])],
         [1.0, 1e-3, 1.0],
         [Bound::Absolute(5e-6), Bound::Absolute(1e-3)],
         glass,
@@ -225,9 +217,7 @@ fn smooth(parameters: TemperedGlassParameters) -> TemperedGlassParameters {
 fn delta(name: &str, parameters: TemperedGlassParameters) -> Case {
     let glass = TemperedGlass::new(parameters).expect("valid parameters");
     let paint = MetallicPaint::new(paint_parameters()).expect("valid parameters");
-    let (glass_words, paint_words) =
-        (TemperedGlassUniform::new(&glass, 0), MetallicPaintUniform::new(&paint, 1));
-    let [peel, passive] = paint_words.sums();
+    let [peel, passive] = paint.gpu_sums();
     Case {
         name: format!("shading/material/tempered_glass and metallic_paint, deltas, {name}"),
         parts: vec![&TEMPERED_GLASS, &METALLIC_PAINT],
@@ -246,9 +236,9 @@ fn delta(name: &str, parameters: TemperedGlassParameters) -> Case {
     outcome.c = bits(select(vec4<f32>(0.0), vec4<f32>(coat.wi, coat.weight.x), coat.weight.x > 0.0));"
             .into(),
         resources: vec![
-            ("tempered_glass_uniform", glass_words.words().to_vec()),
-            ("metallic_paint_uniform", paint_words.words().to_vec()),
-            sums(&[glass_words.sum(), peel, passive]),
+            ("tempered_glass_uniform", packed(&glass.gpu(0))),
+            ("metallic_paint_uniform", packed(&paint.gpu(1))),
+            sums(&[glass.gpu_sum(), peel, passive]),
         ],
         input: Box::new(|i| {
             let wo = direction(i, 0);
@@ -286,11 +276,10 @@ fn delta(name: &str, parameters: TemperedGlassParameters) -> Case {
 
 fn carpet(name: &str, seams_pattern: SeamPattern) -> Case {
     let carpet = Carpet::new(CarpetParameters { seams_pattern, ..Default::default() }).expect("defaults");
-    let uniform = CarpetUniform::new(&carpet, 0);
     material(
         &format!("carpet/carpet, {name}"),
         &CARPET,
-        vec![("carpet_uniform", uniform.words().to_vec()), sums(&uniform.sums())],
+        vec![("carpet_uniform", packed(&carpet.gpu(0))), sums(&carpet.gpu_sums())],
         [0.5, 1e-6, 1.0],
         // At the border of a fiber, rounding may select the fiber below.
         [Bound::Absolute(3.1e-7), Bound::Absolute(1e-1)],
@@ -301,7 +290,6 @@ fn carpet(name: &str, seams_pattern: SeamPattern) -> Case {
 /// The rim light of a carpet.
 fn rim() -> Case {
     let carpet = Carpet::new(CarpetParameters::default()).expect("defaults");
-    let uniform = CarpetUniform::new(&carpet, 0);
     Case {
         name: "shading/material/carpet/carpet, rim".into(),
         parts: vec![&CARPET],
@@ -311,7 +299,7 @@ fn rim() -> Case {
     let point = SurfacePoint(x, vec3<f32>(0.0, 0.0, 1.0), vec2<f32>(0.0), x, y, pixel_ellipse_round(0.1));
     outcome.a = bits(vec4<f32>(carpet_emitted(carpet_uniform, point, a.xyz), 0.0));"
             .into(),
-        resources: vec![("carpet_uniform", uniform.words().to_vec()), sums(&uniform.sums())],
+        resources: vec![("carpet_uniform", packed(&carpet.gpu(0))), sums(&carpet.gpu_sums())],
         input: Box::new(|i| {
             let wo = direction(i, 0);
             inputs(i, &wo.to_array())

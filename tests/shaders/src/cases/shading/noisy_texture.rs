@@ -3,15 +3,12 @@
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::texture::{Gas, PerturbedTexture, StarWallpaper, Steam, march};
 use asperity_shading::{Footprint, Marble};
-use asperity_wgsl::Part;
-use asperity_wgsl::shading::texture::{
-    GAS, GAS_MARCH, GasUniform, MARBLE, MarbleUniform, PERTURBED, PerturbedUniform, STAR_WALLPAPER,
-    StarWallpaperUniform,
-};
+use asperity_wgsl::shading::texture::{GAS, GAS_MARCH, MARBLE, PERTURBED, STAR_WALLPAPER};
+use asperity_wgsl::{Binding, Part};
 
 use super::material::sums;
 use super::{floats, inputs, number, vec3, words};
-use crate::case::{Bound, Case, OUTPUTS, Output};
+use crate::case::{Bound, Case, OUTPUTS, Output, packed};
 
 pub(super) fn cases() -> Vec<Case> {
     vec![stars(), marble(), gas(false), gas(true), gas_march(), perturbed()]
@@ -54,27 +51,24 @@ fn texture(
     }
 }
 
-/// Returns words as a WGSL list.
-fn written(words: &[u32]) -> String {
-    words.iter().map(|word| format!("{word}u")).collect::<Vec<_>>().join(", ")
+/// Defines a part without functions that binds a structure as `given`.
+macro_rules! given {
+    ($part:path, $of:literal) => {{
+        static GIVEN: Part = Part::new(concat!("case/", $of), "", &[&$part])
+            .with_bindings(&[Binding::Uniform { name: "given", of: $of }]);
+        &GIVEN
+    }};
 }
 
 fn stars() -> Case {
     let stars = StarWallpaper::default();
-    let words_of = StarWallpaperUniform::new(&stars).words();
-    let [a, b, c] = [0, 4, 8].map(|at| written(&words_of[at..at + 4]));
     texture(
         "shading/texture/star_wallpaper".into(),
-        &STAR_WALLPAPER,
-        vec![],
-        format!(
-            "\
-    let f = bitcast<vec4<f32>>(vec4<u32>({a}));
-    let g = bitcast<vec4<f32>>(vec4<u32>({b}));
-    let h = vec4<u32>({c});
-    let stars = StarWallpaper(f.x, f.y, f.z, f.w, g.x, g.y, g.zw, bitcast<f32>(h.x), h.y, h.z, h.w);
-    outcome.a = bits(vec4<f32>(star_wallpaper_coverage(stars, b.xy, a.w), 0.0, 0.0, 0.0));"
-        ),
+        given!(STAR_WALLPAPER, "StarWallpaper"),
+        vec![("given", packed(&stars.gpu()))],
+        "\
+    outcome.a = bits(vec4<f32>(star_wallpaper_coverage(given, b.xy, a.w), 0.0, 0.0, 0.0));"
+            .into(),
         [2.0, 0.1],
         move |_, width, uv| words(&[stars.coverage(uv, Footprint::from_width(width))]),
         // Angles come from the library in the crate.
@@ -84,52 +78,35 @@ fn stars() -> Case {
 
 fn marble() -> Case {
     let marble = Marble::default();
-    let words_of = MarbleUniform::new(&marble).words();
-    let [head, keys] = [&words_of[..4], &words_of[4..8]].map(written);
-    let rows: Vec<String> = words_of[8..]
-        .chunks(4)
-        .map(|row| format!("bitcast<vec4<f32>>(vec4<u32>({}))", written(row)))
-        .collect();
     texture(
         "shading/texture/marble".into(),
-        &MARBLE,
-        vec![],
-        format!(
-            "\
-    let f = bitcast<vec4<f32>>(vec4<u32>({head}));
-    let cdf = array<vec4<f32>, 4>({});
-    let marble = Marble(f.x, f.y, f.zw, vec4<u32>({keys}), cdf);
-    outcome.a = bits(vec4<f32>(marble_colour(marble, a.xyz, a.w), marble_sum(marble, a.xyz, 0.0).sum));",
-            rows.join(", ")
-        ),
+        given!(MARBLE, "Marble"),
+        vec![("given", packed(&marble.gpu()))],
+        "\
+    outcome.a = bits(vec4<f32>(marble_color(given, a.xyz, a.w), marble_sum(given, a.xyz, 0.0).sum));"
+            .into(),
         [4.0, 2.0],
         move |p, width, _| {
-            let colour = marble.color(p, Footprint::from_width(width));
-            words(&colour.extend(marble.sum(p)).to_array())
+            let color = marble.color(p, Footprint::from_width(width));
+            words(&color.extend(marble.sum(p)).to_array())
         },
-        vec![Output::new("colour and sum", 0..4, Bound::Equal, Bound::Absolute(2e-4))],
+        vec![Output::new("color and sum", 0..4, Bound::Equal, Bound::Absolute(2e-4))],
     )
 }
 
 fn gas(has_veins: bool) -> Case {
     let gas = if has_veins { Gas::default().with_veins() } else { Gas::default() };
     let steam = Steam::new(Vec3::new(0.5, -0.5, 0.0), 1.5, 2.0).expect("positive");
-    let uniform = GasUniform::new(&gas, 0);
-    let [a, b] = [&uniform.words()[..4], &uniform.words()[4..]].map(written);
     // The sine of veins comes from the library in the crate.
     let bound = if has_veins { Bound::Absolute(5e-6) } else { Bound::Equal };
     texture(
         format!("shading/texture/gas{}", if has_veins { " with veins" } else { "" }),
-        &GAS,
-        vec![sums(&[uniform.sum()])],
-        format!(
-            "\
-    let f = bitcast<vec4<f32>>(vec4<u32>({a}));
-    let g = vec4<u32>({b});
-    let gas = Gas(f.x, f.y, f.z, f.w, g.x, g.y, g.zw);
+        given!(GAS, "Gas"),
+        vec![sums(&[gas.gpu_sum()]), ("given", packed(&gas.gpu(0)))],
+        "\
     let share = gas_steam_share(vec3<f32>(0.5, -0.5, 0.0), 1.5, 2.0, a.xyz);
-    outcome.a = bits(vec4<f32>(gas_density(gas, a.xyz, a.w), gas_density(gas, a.xyz, 0.0), share, 0.0));"
-        ),
+    outcome.a = bits(vec4<f32>(gas_density(given, a.xyz, a.w), gas_density(given, a.xyz, 0.0), share, 0.0));"
+            .into(),
         [3.0, 2.0],
         move |p, width, _| {
             words(&[gas.clamped_density(p, Footprint::from_width(width)), gas.density(p), steam.share(p)])
@@ -145,32 +122,26 @@ fn gas(has_veins: bool) -> Case {
 fn gas_march() -> Case {
     const STEP: f32 = 0.4;
     let gas = Gas::default();
-    let centre = Vec3::new(0.5, -0.5, 0.0);
-    let steam = Steam::new(centre, 1.5, 2.0).expect("positive");
-    let uniform = GasUniform::new(&gas, 0);
-    let [a, b] = [&uniform.words()[..4], &uniform.words()[4..]].map(written);
+    let center = Vec3::new(0.5, -0.5, 0.0);
+    let steam = Steam::new(center, 1.5, 2.0).expect("positive");
     let fog = |p: Vec3| 0.5 + 0.2 * p.x;
     Case {
         name: "shading/texture/gas_march".into(),
-        parts: vec![&GAS_MARCH],
-        body: format!(
-            "\
-    let f = bitcast<vec4<f32>>(vec4<u32>({a}));
-    let g = vec4<u32>({b});
-    let gas = Gas(f.x, f.y, f.z, f.w, g.x, g.y, g.zw);
+        parts: vec![given!(GAS_MARCH, "Gas")],
+        body: "\
     let steam = GasSteam(vec3<f32>(0.5, -0.5, 0.0), 1.5, 2.0);
     let interval = gas_march_interval(steam, a.xyz, b.xyz);
-    let through = gas_march_transmittance(gas, steam, 2.0, b.w, a.xyz, b.xyz, 0.4, a.w);
+    let through = gas_march_transmittance(given, steam, 2.0, b.w, a.xyz, b.xyz, 0.4, a.w);
     let ends = bitcast<vec4<f32>>(c);
     var fog = gas_march_begin(ends.x, ends.y, ends.z, a.w);
-    while gas_march_goes_on(fog) {{
+    while gas_march_goes_on(fog) {
         let p = gas_march_point(fog, vec3<f32>(0.1, 0.2, 0.3), vec3<f32>(0.6, 0.0, 0.8));
         fog = gas_march_added(fog, 0.5 + 0.2 * p.x, abs(p));
-    }}
+    }
     outcome.a = bits(vec4<f32>(interval, through, fog.transmittance));
     outcome.b = bits(vec4<f32>(fog.light, 0.0));"
-        ),
-        resources: vec![sums(&[uniform.sum()])],
+            .into(),
+        resources: vec![sums(&[gas.gpu_sum()]), ("given", packed(&gas.gpu(0)))],
         input: Box::new(|i| {
             let origin = [0, 1, 2].map(|k| number(i, k, [-3.0, 3.0]));
             // Sometimes upward, or level.
@@ -224,20 +195,15 @@ fn gas_march() -> Case {
 
 fn perturbed() -> Case {
     let running = PerturbedTexture::default();
-    let words_of = PerturbedUniform::new(&running).words();
-    let [a, b] = [&words_of[..4], &words_of[4..]].map(written);
     texture(
         "shading/texture/perturbed".into(),
-        &PERTURBED,
-        vec![],
-        format!(
-            "\
-    let f = bitcast<vec4<f32>>(vec4<u32>({a}));
-    let g = vec4<u32>({b});
-    let seen = perturbed_look_up(PerturbedTexture(f.xy, f.z, f.w, g.xy, g.zw), a.xyz, b.xy, a.w);
+        given!(PERTURBED, "PerturbedTexture"),
+        vec![("given", packed(&running.gpu()))],
+        "\
+    let seen = perturbed_look_up(given, a.xyz, b.xy, a.w);
     let finite = direction_is_finite(vec3<f32>(seen.uv, 0.0));
     outcome.a = bits(vec4<f32>(select(vec2<f32>(0.0), seen.uv, finite), seen.spread));"
-        ),
+            .into(),
         [20.0, 20.0],
         move |p, width, uv| {
             let seen = running.filtered(p, uv, Footprint::from_width(width));

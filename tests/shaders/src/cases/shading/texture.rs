@@ -3,10 +3,10 @@
 use asperity_shading::glam::Vec2;
 use asperity_shading::texture::{Bevel, BrickSample, Edge};
 use asperity_shading::{Brick, PixelEllipse};
-use asperity_wgsl::shading::texture::{BEVEL, BRICK, BevelUniform, BrickUniform};
+use asperity_wgsl::shading::texture::{BEVEL, BRICK};
 
 use super::{equal, floats, inputs, number, vec2, words};
-use crate::case::{Bound, Case, OUTPUTS};
+use crate::case::{Bound, Case, OUTPUTS, packed};
 
 pub(super) fn cases() -> Vec<Case> {
     vec![brick(), bevel()]
@@ -35,7 +35,7 @@ fn brick() -> Case {
                 _ => number(i, k, [-8.0, 3.0]).exp(),
             });
             let mut words = inputs(i, &[0.0, 0.0, 0.0, 0.0, uv[0], uv[1], widths[0], widths[1]]);
-            words[..4].copy_from_slice(&BrickUniform::new(&wall).words());
+            words[..4].copy_from_slice(&packed(&wall.gpu()));
             words[8] = i;
             words
         }),
@@ -93,7 +93,7 @@ fn bevel() -> Case {
             let mut words = inputs(i, &[0.0, 0.0, 0.0, 0.0, at[0], at[1], low, high]);
             // A position in the tile.
             words[4..6].copy_from_slice(&at.map(f32::to_bits));
-            words[..4].copy_from_slice(&BevelUniform::new(&ridge(i)).words());
+            words[..4].copy_from_slice(&packed(&ridge(i).gpu()));
             words[8] = i;
             words
         }),

@@ -5,19 +5,18 @@ use asperity_shading::material::{BeveledTiles, BrickWall, Perturbed, PolishedMar
 use asperity_shading::texture::{Bevel, PerturbedTexture, StarWallpaper};
 use asperity_shading::{Marble, PixelEllipse};
 use asperity_wgsl::shading::material::{
-    BEVELLED_TILES, BRICK_WALL, BevelledTilesUniform, BrickWallUniform, PERTURBED_POINT, POLISHED_MARBLE,
-    PolishedMarbleUniform, WALLPAPER, WallpaperUniform,
+    BEVELED_TILES, BRICK_WALL, PERTURBED_POINT, POLISHED_MARBLE, WALLPAPER,
 };
-use asperity_wgsl::shading::texture::{BRICK_FACETS, BrickUniform, PerturbedUniform};
+use asperity_wgsl::shading::texture::BRICK_FACETS;
 use asperity_wgsl::{Binding, Part};
 
 use super::material::material;
 use super::texture::wall;
 use super::{equal, inputs, number, vec2, words};
-use crate::case::{Bound, Case};
+use crate::case::{Bound, Case, packed};
 
 pub(super) fn cases() -> Vec<Case> {
-    vec![brick_facets(), brick_wall(), bevelled_tiles(), wallpaper(), perturbed_wallpaper(), marble()]
+    vec![brick_facets(), brick_wall(), beveled_tiles(), wallpaper(), perturbed_wallpaper(), marble()]
 }
 
 /// Sums over the facets of a wall: fractions, fractions of brick, slopes, and squares of slopes.
@@ -49,7 +48,7 @@ fn brick_facets() -> Case {
                 _ => number(i, k, [-8.0, 1.0]).exp(),
             });
             let mut words = inputs(i, &[0.0, 0.0, 0.0, 0.0, uv[0], uv[1], widths[0], widths[1]]);
-            words[..4].copy_from_slice(&BrickUniform::new(&wall(i)).words());
+            words[..4].copy_from_slice(&packed(&wall(i).gpu()));
             words[8] = i;
             words
         }),
@@ -77,7 +76,7 @@ fn brick_wall() -> Case {
     material(
         "textured/brick_wall",
         &BRICK_WALL,
-        vec![("brick_wall_uniform", BrickWallUniform::new(&wall).words().to_vec())],
+        vec![("brick_wall_uniform", packed(&wall.gpu()))],
         [0.5, 1e-4, 1.0],
         // Up to 32 facets differ only by the crate's arc tangents. Beyond that, the crate merges
         // some.
@@ -86,13 +85,13 @@ fn brick_wall() -> Case {
     )
 }
 
-fn bevelled_tiles() -> Case {
+fn beveled_tiles() -> Case {
     let bevel = Bevel::new(0.03, 0.2, 0.2, 0.9).expect("a ridge");
     let tiles = BeveledTiles { bevel, side: 0.3, color: Vec3::new(0.7, 0.5, 0.3), roughness: 0.4 };
     material(
-        "textured/bevelled_tiles",
-        &BEVELLED_TILES,
-        vec![("bevelled_tiles_uniform", BevelledTilesUniform::new(&tiles).words().to_vec())],
+        "textured/beveled_tiles",
+        &BEVELED_TILES,
+        vec![("beveled_tiles_uniform", packed(&tiles.gpu()))],
         [1.0, 1e-4, 1.0],
         // Of the hundred facets of whole tiles, the crate merges all beyond the 32nd.
         [Bound::Absolute(5.4e-3), Bound::Absolute(1e-2)],
@@ -110,7 +109,7 @@ fn wallpaper() -> Case {
     material(
         "textured/starry_wallpaper",
         &WALLPAPER,
-        vec![("starry_wallpaper_uniform", WallpaperUniform::new(&paper).words().to_vec())],
+        vec![("starry_wallpaper_uniform", packed(&paper.gpu()))],
         [1.0, 1e-4, 0.1],
         // Angles come from the library in the crate.
         [Bound::Absolute(1e-6), Bound::Absolute(1e-2)],
@@ -136,8 +135,8 @@ fn perturbed_wallpaper() -> Case {
         "textured/perturbed_wallpaper",
         &PERTURBED_WALLPAPER,
         vec![
-            ("starry_wallpaper_uniform", WallpaperUniform::new(&material_there).words().to_vec()),
-            ("perturbed_uniform", PerturbedUniform::new(&by).words().to_vec()),
+            ("starry_wallpaper_uniform", packed(&material_there.gpu())),
+            ("perturbed_uniform", packed(&by.gpu())),
         ],
         [2.0, 1e-3, 0.3],
         [Bound::Absolute(1e-6), Bound::Absolute(1e-2)],
@@ -150,7 +149,7 @@ fn marble() -> Case {
     material(
         "textured/polished_marble",
         &POLISHED_MARBLE,
-        vec![("polished_marble_uniform", PolishedMarbleUniform::new(&stone).words().to_vec())],
+        vec![("polished_marble_uniform", packed(&stone.gpu()))],
         [2.0, 1e-3, 1.0],
         [Bound::Relative(1e-6), Bound::Relative(1e-3)],
         stone,

@@ -1,14 +1,15 @@
 //! A sphere of 40 cells, far and near, from its sum's octaves at a focus and from absolute
 //! coordinates.
 
+use asperity_noise::gpu::FbmUniform3d;
 use asperity_noise::{
     FbmSpectrum, GaussianFbm, GaussianNoise, Sample,
     glam::{DVec3, Vec3},
 };
-use asperity_wgsl::noise::sums::{self, OctavesUniform};
+use asperity_wgsl::noise::sums;
 
 use super::{float, levels, output, put, space};
-use crate::case::{Case, INPUTS, OUTPUTS, between};
+use crate::case::{Case, INPUTS, OUTPUTS, between, packed};
 
 pub(super) fn cases() -> Vec<Case> {
     vec![anchored()]
@@ -40,8 +41,8 @@ fn sum() -> GaussianFbm<Vec3> {
 /// The sphere at zoom 1, 100 and 10⁴, with points relative to the focus.
 fn anchored() -> Case {
     let sum = sum().anchored(focus());
-    let uniform = OctavesUniform::new(&sum);
-    let name = "noise/sums/gaussian_octaves from an anchor, zoom 1, 100 and 10⁴";
+    let uniform = sum.gpu();
+    let name = "noise/sums/gaussian_fbm from an anchor, zoom 1, 100 and 10⁴";
     view(name, vec![1.0, 100.0, 1e4], DVec3::ZERO, &uniform, move |p, octaves| {
         sum.pair_with_octaves(p, octaves)
     })
@@ -52,8 +53,8 @@ fn anchored() -> Case {
 #[must_use]
 pub fn absolute(zoom: f64) -> Case {
     let sum = sum();
-    let uniform = OctavesUniform::new(&sum);
-    let name = "noise/sums/gaussian_octaves by absolute coordinates";
+    let uniform = sum.gpu();
+    let name = "noise/sums/gaussian_fbm by absolute coordinates";
     view(name, vec![zoom], focus(), &uniform, move |p, octaves| sum.pair_with_octaves(p, octaves))
 }
 
@@ -61,20 +62,20 @@ fn view(
     name: &str,
     zooms: Vec<f64>,
     origin: DVec3,
-    sum: &OctavesUniform<3>,
+    sum: &FbmUniform3d,
     pair: impl Fn(Vec3, f32) -> [Sample<Vec3>; 2] + Send + Sync + 'static,
 ) -> Case {
     Case {
         name: name.into(),
-        parts: vec![&sums::GAUSSIAN_OCTAVES_3D],
+        parts: vec![&sums::GAUSSIAN_FBM_3D],
         body: "\
-    let pair = gaussian_octaves_3d(a.xyz, a.w, 0u).pair;
+    let pair = gaussian_fbm_3d(a.xyz, a.w, 0u).pair;
     outcome.a = bits(vec4<f32>(pair.value, pair.dx));
     outcome.b = bits(vec4<f32>(pair.dy, pair.dz));"
             .into(),
         resources: vec![
             ("gaussian_level", levels()),
-            ("octaves_uniform_3d", OctavesUniform::<3>::uniform(&[*sum]).to_vec()),
+            ("fbm_uniform_3d", packed(&FbmUniform3d::array(&[*sum]))),
         ],
         input: Box::new(move |i| {
             let (offset, octaves) = seen(i, zooms[i as usize % zooms.len()]);

@@ -5,7 +5,7 @@ use asperity_shading::{Footprint, pixel::FrequencyClamp};
 use asperity_wgsl::{noise::sums, shading};
 
 use super::{float, put};
-use crate::case::{BAD, Bound, Case, INPUTS, OUTPUTS, Output, between};
+use crate::case::{BAD, Bound, Case, INPUTS, OUTPUTS, Output, between, packed};
 
 pub(super) fn cases() -> Vec<Case> {
     vec![octaves()]
@@ -27,7 +27,7 @@ fn octaves() -> Case {
             let width = BAD.get(i as usize).copied().unwrap_or(between(i, 0, 1.0, 2.0) * power);
             let mut words = [0; INPUTS];
             put(&mut words, [width, 2.0 * f32::from((i % 7) as u8)]);
-            words[2..5].copy_from_slice(&shading::frequency_clamp_words(&clamp));
+            words[2..5].copy_from_slice(&packed(&clamp.gpu()));
             words
         }),
         reference: Box::new(move |words| {

@@ -1,17 +1,18 @@
 //! Sums of Gaussian octaves, two channels.
 
+use asperity_noise::gpu::{FbmUniform2d, FbmUniform3d};
 use asperity_noise::{
     Fbm, FbmSpectrum, GaussianFbm, GaussianNoise, Lattice, Normalization, Point, Rotation, Sample,
     glam::{DVec3, Vec2, Vec3},
 };
-use asperity_wgsl::noise::sums::{self, OctavesUniform};
+use asperity_wgsl::noise::sums;
 
 use super::{EXACT, exact_spectrum, float, input, levels, output, plane, put, space};
-use crate::case::{Case, OUTPUTS};
+use crate::case::{Case, OUTPUTS, packed};
 
 /// Four sums: plain, anchored, with gain above 1, and parallel octaves within [−1, 1].
 macro_rules! case {
-    ($n:literal, $vector:ty, $part:expr, $body:literal, $anchor:expr, $point:ident) => {{
+    ($n:literal, $vector:ident, $uniform:ident, $part:expr, $body:literal, $anchor:expr, $point:ident) => {{
         let of = |seed, spectrum| GaussianFbm::<$vector>::new(GaussianNoise::new(seed), spectrum);
         let plain = of(7, FbmSpectrum::default());
         let anchored = of(8, FbmSpectrum::default()).anchored($anchor);
@@ -19,19 +20,14 @@ macro_rules! case {
         let parallel = of(10, exact_spectrum())
             .with_rotation(Rotation::Aligned)
             .with_normalization(Normalization::UnitRange);
-        let uniforms = [
-            OctavesUniform::new(&plain),
-            OctavesUniform::new(&anchored),
-            OctavesUniform::new(&rising),
-            OctavesUniform::new(&parallel),
-        ];
+        let uniforms = [plain.gpu(), anchored.gpu(), rising.gpu(), parallel.gpu()];
         Case {
-            name: concat!("noise/sums/gaussian_octaves, ", $n, "-D").into(),
+            name: concat!("noise/sums/gaussian_fbm, ", $n, "-D").into(),
             parts: vec![&$part],
             body: $body.into(),
             resources: vec![
                 ("gaussian_level", levels()),
-                (concat!("octaves_uniform_", $n, "d"), OctavesUniform::<$n>::uniform(&uniforms).to_vec()),
+                (concat!("fbm_uniform_", $n, "d"), packed(&$uniform::array(&uniforms))),
             ],
             input: Box::new(|i| input(i, 20.0, 4.0)),
             reference: Box::new(move |words| {
@@ -62,9 +58,10 @@ pub(super) fn cases() -> Vec<Case> {
     let in_space = case!(
         3,
         Vec3,
-        sums::GAUSSIAN_OCTAVES_3D,
+        FbmUniform3d,
+        sums::GAUSSIAN_FBM_3D,
         "\
-    let sum = gaussian_octaves_3d(a.xyz, a.w, c.x);
+    let sum = gaussian_fbm_3d(a.xyz, a.w, c.x);
     let pair = sum.pair;
     outcome.a = bits(vec4<f32>(pair.value, pair.dx));
     outcome.b = bits(vec4<f32>(pair.dy, pair.dz));
@@ -75,9 +72,10 @@ pub(super) fn cases() -> Vec<Case> {
     let in_plane = case!(
         2,
         Vec2,
-        sums::GAUSSIAN_OCTAVES_2D,
+        FbmUniform2d,
+        sums::GAUSSIAN_FBM_2D,
         "\
-    let sum = gaussian_octaves_2d(a.xy, a.w, c.x);
+    let sum = gaussian_fbm_2d(a.xy, a.w, c.x);
     let pair = sum.pair;
     outcome.a = bits(vec4<f32>(pair.value, pair.dx));
     outcome.b = bits(vec4<f32>(pair.dy, sum.share, sum.fade));",

@@ -1,5 +1,6 @@
 //! Octaves of every noise, all shapes, and ridged multifractals.
 
+use asperity_noise::gpu::{FbmUniform2d, FbmUniform3d, FbmUniform4d};
 use asperity_noise::{
     Anchor, Billow, Fbm, FbmSpectrum, Field, GaussianNoise, Normalization, Perlin, PerlinClassic, Plasma,
     Point, Ridged, RidgedMultifractal, Rotation, Sample, Simplex, SparseConvolution, Turbulence,
@@ -10,36 +11,32 @@ use asperity_wgsl::{
     Part,
     noise::{
         self,
-        sums::{OctavesUniform, octaves_2d, octaves_3d, octaves_4d},
+        sums::{fbm_2d, fbm_3d, fbm_4d},
     },
 };
 
 use super::{EXACT, exact_spectrum, float, in_plane, in_space, input, levels, output, plane, put, space};
-use crate::case::{Case, INPUTS, OUTPUTS, between};
+use crate::case::{Case, INPUTS, OUTPUTS, between, packed};
 
 pub(super) fn cases() -> Vec<Case> {
     vec![
-        of("value", ValueNoise::new(4), [&octaves_3d::VALUE, &octaves_2d::VALUE]),
+        of("value", ValueNoise::new(4), [&fbm_3d::VALUE, &fbm_2d::VALUE]),
         of(
             "value_catmull_rom",
             ValueCatmullRom::new(4),
-            [&octaves_3d::VALUE_CATMULL_ROM, &octaves_2d::VALUE_CATMULL_ROM],
+            [&fbm_3d::VALUE_CATMULL_ROM, &fbm_2d::VALUE_CATMULL_ROM],
         ),
-        of("perlin_1985", PerlinClassic::new(5), [&octaves_3d::PERLIN_1985, &octaves_2d::PERLIN_1985]),
-        of("perlin_2002", Perlin::new(3), [&octaves_3d::PERLIN_2002, &octaves_2d::PERLIN_2002]),
-        of(
-            "value_gradient",
-            ValueGradient::new(6),
-            [&octaves_3d::VALUE_GRADIENT, &octaves_2d::VALUE_GRADIENT],
-        ),
-        of("simplex", Simplex::new(8), [&octaves_3d::SIMPLEX, &octaves_2d::SIMPLEX]),
-        of("simplex_wide", Simplex::wide(8), [&octaves_3d::SIMPLEX_WIDE, &octaves_2d::SIMPLEX_WIDE]),
-        of("sparse", SparseConvolution::new(9), [&octaves_3d::SPARSE, &octaves_2d::SPARSE]),
-        of("gaussian_channel", GaussianNoise::new(7), [&octaves_3d::GAUSSIAN, &octaves_2d::GAUSSIAN]),
-        in_4d("value", ValueNoise::new(4), &octaves_4d::VALUE),
-        in_4d("perlin_2002", Perlin::new(3), &octaves_4d::PERLIN_2002),
-        in_4d("simplex", Simplex::new(8), &octaves_4d::SIMPLEX),
-        in_4d("simplex_wide", Simplex::wide(8), &octaves_4d::SIMPLEX_WIDE),
+        of("perlin_classic", PerlinClassic::new(5), [&fbm_3d::PERLIN_CLASSIC, &fbm_2d::PERLIN_CLASSIC]),
+        of("perlin", Perlin::new(3), [&fbm_3d::PERLIN, &fbm_2d::PERLIN]),
+        of("value_gradient", ValueGradient::new(6), [&fbm_3d::VALUE_GRADIENT, &fbm_2d::VALUE_GRADIENT]),
+        of("simplex", Simplex::new(8), [&fbm_3d::SIMPLEX, &fbm_2d::SIMPLEX]),
+        of("simplex_wide", Simplex::wide(8), [&fbm_3d::SIMPLEX_WIDE, &fbm_2d::SIMPLEX_WIDE]),
+        of("sparse", SparseConvolution::new(9), [&fbm_3d::SPARSE, &fbm_2d::SPARSE]),
+        of("gaussian_channel", GaussianNoise::new(7), [&fbm_3d::GAUSSIAN, &fbm_2d::GAUSSIAN]),
+        in_4d("value", ValueNoise::new(4), &fbm_4d::VALUE),
+        in_4d("perlin", Perlin::new(3), &fbm_4d::PERLIN),
+        in_4d("simplex", Simplex::new(8), &fbm_4d::SIMPLEX),
+        in_4d("simplex_wide", Simplex::wide(8), &fbm_4d::SIMPLEX_WIDE),
         own(),
         shapes(),
     ]
@@ -63,28 +60,28 @@ where
     let exact_2d = in_2d(exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 2]);
     let there_3d = in_3d(FbmSpectrum::default()).anchored(DVec3::new(1e6, -4.5e5, 7e5));
     let there_2d = in_2d(FbmSpectrum::default()).anchored(DVec2::new(1e6, -4.5e5));
-    let [exact, there] = [&exact_3d, &there_3d].map(OctavesUniform::new);
-    let space_words = OctavesUniform::<3>::uniform(&[there, there, there, exact]).to_vec();
-    let [exact, there] = [&exact_2d, &there_2d].map(OctavesUniform::new);
-    let plane_words = OctavesUniform::<2>::uniform(&[there, there, there, exact]).to_vec();
+    let [exact, there] = [&exact_3d, &there_3d].map(|sum| sum.gpu());
+    let space_words = packed(&FbmUniform3d::array(&[there, there, there, exact]));
+    let [exact, there] = [&exact_2d, &there_2d].map(|sum| sum.gpu());
+    let plane_words = packed(&FbmUniform2d::array(&[there, there, there, exact]));
     Case {
-        name: format!("noise/sums/octaves of {name}, 3-D and 2-D"),
+        name: format!("noise/sums/fbm of {name}, 3-D and 2-D"),
         parts: parts.to_vec(),
         body: format!(
             "\
-    let u = {name}_octaves_3d(a.xyz, a.w, b.x, c.x);
+    let u = {name}_fbm_3d(a.xyz, a.w, b.x, c.x);
     outcome.a = bits(vec4<f32>(u.value, u.gradient));
-    let v = {name}_octaves_2d(a.xy, a.w, b.x, c.x);
+    let v = {name}_fbm_2d(a.xy, a.w, b.x, c.x);
     outcome.b = bits(vec4<f32>(v.value, v.gradient, 0.0));"
         ),
         resources: if name == "gaussian_channel" {
             vec![
                 ("gaussian_level", levels()),
-                ("octaves_uniform_3d", space_words),
-                ("octaves_uniform_2d", plane_words),
+                ("fbm_uniform_3d", space_words),
+                ("fbm_uniform_2d", plane_words),
             ]
         } else {
-            vec![("octaves_uniform_3d", space_words), ("octaves_uniform_2d", plane_words)]
+            vec![("fbm_uniform_3d", space_words), ("fbm_uniform_2d", plane_words)]
         },
         input: Box::new(|i| input(i, 20.0, 4.0)),
         reference: Box::new(move |words| {
@@ -115,18 +112,18 @@ where
 static STEEP: Part = Part::new(
     "case/steep",
     "fn steep(p: vec3<f32>, octaves: f32, sum: u32) -> Sample3d {
-    var total = octaves_total_3d(octaves, 0.0, sum);
-    while octaves_goes_on(total.walk) {
-        let layer = octaves_layer_3d(sum, total.walk.octave);
-        let at = cell_place_3d(octaves_point_3d(layer, p));
+    var total = fbm_total_3d(octaves, 0.0, sum);
+    while fbm_goes_on(total.walk) {
+        let layer = fbm_layer_3d(sum, total.walk.octave);
+        let at = cell_place_3d(fbm_point_3d(layer, p));
         let key = bitcast<u32>(layer.cell_and_key.w);
         let octave = value_gradient_in_cell_3d(layer.cell_and_key.xyz + at.cell, at.place, 0.9, key);
-        total = octaves_added_3d(total, layer, sample_known_3d(octave, at.known));
+        total = fbm_added_3d(total, layer, sample_known_3d(octave, at.known));
     }
-    return octaves_divided_3d(total);
+    return fbm_divided_3d(total);
 }
 ",
-    &[&octaves_3d::TOTAL, &noise::VALUE_GRADIENT],
+    &[&fbm_3d::TOTAL, &noise::VALUE_GRADIENT],
 );
 
 fn own() -> Case {
@@ -134,15 +131,15 @@ fn own() -> Case {
     let there = Fbm::<_, Vec3>::new(kind, FbmSpectrum::default()).anchored([0.0; 3]);
     let exact =
         Fbm::<_, Vec3>::new(kind, exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 3]);
-    let sums = [&there, &there, &there, &exact].map(OctavesUniform::new);
+    let sums = [&there, &there, &there, &exact].map(|sum| sum.gpu());
     Case {
-        name: "noise/sums/octaves of a custom noise, 3-D".into(),
+        name: "noise/sums/fbm of a custom noise, 3-D".into(),
         parts: vec![&STEEP],
         body: "\
     let sum = steep(a.xyz, a.w, c.x);
     outcome.a = bits(vec4<f32>(sum.value, sum.gradient));"
             .into(),
-        resources: vec![("octaves_uniform_3d", OctavesUniform::<3>::uniform(&sums).to_vec())],
+        resources: vec![("fbm_uniform_3d", packed(&FbmUniform3d::array(&sums)))],
         input: Box::new(|i| input(i, 20.0, 4.0)),
         reference: Box::new(move |words| {
             let (sum, mut outputs) = (if words[8] == EXACT { exact } else { there }, [0; OUTPUTS]);
@@ -162,21 +159,20 @@ where
     let there = Fbm::<K, Vec4>::new(noise, FbmSpectrum::default()).anchored([1e6, -4.5e5, 7e5, 2e5]);
     let exact =
         Fbm::<K, Vec4>::new(noise, exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 4]);
-    let sums = [&there, &there, &there, &exact].map(OctavesUniform::new);
-    let words = OctavesUniform::<4>::uniform(&sums).to_vec();
+    let words = packed(&FbmUniform4d::array(&[&there, &there, &there, &exact].map(|sum| sum.gpu())));
     Case {
-        name: format!("noise/sums/octaves and ridged_multifractal of {name}, 4-D"),
+        name: format!("noise/sums/fbm and ridged_multifractal of {name}, 4-D"),
         parts: vec![part],
         body: format!(
             "\
     let p = vec4<f32>(a.xyz, b.z);
-    let s = {name}_octaves_4d(p, a.w, b.x, c.x);
+    let s = {name}_fbm_4d(p, a.w, b.x, c.x);
     outcome.a = bits(s.gradient);
     let t = {name}_multifractal_4d(p, a.w, b.y, c.x);
     outcome.b = bits(t.gradient);
     outcome.c = bits(vec4<f32>(s.value, t.value, 0.0, 0.0));"
         ),
-        resources: vec![("octaves_uniform_4d", words)],
+        resources: vec![("fbm_uniform_4d", words)],
         input: Box::new(|i| {
             let mut words = input(i, 10.0, 3.0);
             words[6] = between(i, 7, -10.0, 10.0).to_bits();
@@ -247,34 +243,32 @@ fn shapes() -> Case {
     let turned = Fbm::<_, Vec2>::new(Perlin::new(6), FbmSpectrum::default()).anchored([0.0; 2]);
     let exact = Fbm::<_, Vec2>::new(Perlin::new(7), exact_spectrum()).with_rotation(Rotation::Aligned);
     let flat = Shapes::of(turned, exact.anchored([0.0; 2]));
-    let in_3d = OctavesUniform::<3>::uniform(&[
-        OctavesUniform::new(&solid.turbulence),
-        OctavesUniform::new(&solid.plasma),
-        OctavesUniform::new(&solid.billow),
-        OctavesUniform::new(&solid.ridged),
-    ])
-    .to_vec();
-    let in_2d = OctavesUniform::<2>::uniform(&[
-        OctavesUniform::new(&flat.turbulence),
-        OctavesUniform::new(&flat.plasma),
-        OctavesUniform::new(&flat.billow),
-        OctavesUniform::new(&flat.ridged),
-    ])
-    .to_vec();
+    let in_3d = packed(&FbmUniform3d::array(&[
+        solid.turbulence.gpu(),
+        solid.plasma.gpu(),
+        solid.billow.gpu(),
+        solid.ridged.gpu(),
+    ]));
+    let in_2d = packed(&FbmUniform2d::array(&[
+        flat.turbulence.gpu(),
+        flat.plasma.gpu(),
+        flat.billow.gpu(),
+        flat.ridged.gpu(),
+    ]));
     Case {
         name: "noise/sums/shapes and ridged_multifractal, 3-D and 2-D".into(),
-        parts: vec![&octaves_3d::PERLIN_2002, &octaves_2d::PERLIN_2002],
+        parts: vec![&fbm_3d::PERLIN, &fbm_2d::PERLIN],
         body: "\
-    let u = perlin_2002_octaves_3d(a.xyz, a.w, b.x, c.x);
+    let u = perlin_fbm_3d(a.xyz, a.w, b.x, c.x);
     outcome.a = bits(vec4<f32>(u.value, u.gradient));
-    let v = perlin_2002_multifractal_3d(a.xyz, a.w, b.y, c.x);
+    let v = perlin_multifractal_3d(a.xyz, a.w, b.y, c.x);
     outcome.b = bits(vec4<f32>(v.value, v.gradient));
-    let s = perlin_2002_octaves_2d(a.xy, a.w, b.x, c.x);
-    let t = perlin_2002_multifractal_2d(a.xy, a.w, b.y, c.x);
+    let s = perlin_fbm_2d(a.xy, a.w, b.x, c.x);
+    let t = perlin_multifractal_2d(a.xy, a.w, b.y, c.x);
     outcome.c = bits(vec4<f32>(s.value, s.gradient, t.value));
     outcome.d = bits(vec4<f32>(t.gradient, 0.0, 0.0));"
             .into(),
-        resources: vec![("octaves_uniform_3d", in_3d), ("octaves_uniform_2d", in_2d)],
+        resources: vec![("fbm_uniform_3d", in_3d), ("fbm_uniform_2d", in_2d)],
         input: Box::new(|i| input(i, 20.0, 4.0)),
         reference: Box::new(move |words| {
             let mut outputs = [0; OUTPUTS];

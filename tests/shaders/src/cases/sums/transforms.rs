@@ -1,17 +1,18 @@
 //! Warps and flows of octave sums: several sums in one module.
 
+use asperity_noise::gpu::{FbmUniform2d, FbmUniform3d};
 use asperity_noise::{
     Anchor, Fbm, FbmSpectrum, Field, Perlin, Point, Warp,
     curl::{Curl2, Curl3, CurlPotential},
     glam::{Vec2, Vec3},
 };
 use asperity_wgsl::noise::{
-    sums::{OctavesUniform, octaves_2d, octaves_3d},
+    sums::{fbm_2d, fbm_3d},
     transforms,
 };
 
 use super::{float, in_plane, in_space, input, output, plane, put, space};
-use crate::case::{Case, INPUTS, OUTPUTS, between};
+use crate::case::{Case, INPUTS, OUTPUTS, between, packed};
 
 pub(super) fn cases() -> Vec<Case> {
     vec![in_3d(), in_2d()]
@@ -33,23 +34,23 @@ where
 
 fn in_3d() -> Case {
     let fields = four::<Vec3, 3>();
-    let words = OctavesUniform::<3>::uniform(&fields.map(|sum| OctavesUniform::new(&sum))).to_vec();
+    let words = packed(&FbmUniform3d::array(&fields.map(|sum| sum.gpu())));
     Case {
         name: "noise/transforms/warp and curl, 3-D".into(),
-        parts: vec![&octaves_3d::PERLIN_2002, &transforms::WARP, &transforms::CURL],
+        parts: vec![&fbm_3d::PERLIN, &transforms::WARP, &transforms::CURL],
         body: "\
-    let s = perlin_2002_octaves_3d(a.xyz, 1.5, 0.0, 0u);
-    let x = perlin_2002_octaves_3d(a.xyz, 1.5, 0.0, 1u);
-    let y = perlin_2002_octaves_3d(a.xyz, 1.5, 0.0, 2u);
-    let z = perlin_2002_octaves_3d(a.xyz, 1.5, 0.0, 3u);
+    let s = perlin_fbm_3d(a.xyz, 1.5, 0.0, 0u);
+    let x = perlin_fbm_3d(a.xyz, 1.5, 0.0, 1u);
+    let y = perlin_fbm_3d(a.xyz, 1.5, 0.0, 2u);
+    let z = perlin_fbm_3d(a.xyz, 1.5, 0.0, 3u);
     let moved = warp_displacement_3d(a.xyz, b.z, x, y, z);
-    let warped = warp_sample_3d(moved, perlin_2002_octaves_3d(moved.point, 1.5, 0.0, 0u));
+    let warped = warp_sample_3d(moved, perlin_fbm_3d(moved.point, 1.5, 0.0, 0u));
     outcome.a = bits(vec4<f32>(warped.value, warped.gradient));
     outcome.b = bits(vec4<f32>(moved.point, 0.0));
     outcome.c = bits(vec4<f32>(curl_velocity_3d(s.gradient, x.gradient), 0.0));
     outcome.d = bits(vec4<f32>(curl_potential_velocity(x.gradient, y.gradient, z.gradient), 0.0));"
             .into(),
-        resources: vec![("octaves_uniform_3d", words)],
+        resources: vec![("fbm_uniform_3d", words)],
         input: Box::new(strongly),
         reference: Box::new(move |words| {
             let [s, by @ ..] = fields;
@@ -73,19 +74,19 @@ fn in_3d() -> Case {
 
 fn in_2d() -> Case {
     let fields = four::<Vec2, 2>();
-    let words = OctavesUniform::<2>::uniform(&fields.map(|sum| OctavesUniform::new(&sum))).to_vec();
+    let words = packed(&FbmUniform2d::array(&fields.map(|sum| sum.gpu())));
     Case {
         name: "noise/transforms/warp and curl, 2-D".into(),
-        parts: vec![&octaves_2d::PERLIN_2002, &transforms::WARP, &transforms::CURL],
+        parts: vec![&fbm_2d::PERLIN, &transforms::WARP, &transforms::CURL],
         body: "\
-    let x = perlin_2002_octaves_2d(a.xy, 1.5, 0.0, 1u);
-    let y = perlin_2002_octaves_2d(a.xy, 1.5, 0.0, 2u);
+    let x = perlin_fbm_2d(a.xy, 1.5, 0.0, 1u);
+    let y = perlin_fbm_2d(a.xy, 1.5, 0.0, 2u);
     let moved = warp_displacement_2d(a.xy, b.z, x, y);
-    let warped = warp_sample_2d(moved, perlin_2002_octaves_2d(moved.point, 1.5, 0.0, 0u));
+    let warped = warp_sample_2d(moved, perlin_fbm_2d(moved.point, 1.5, 0.0, 0u));
     outcome.a = bits(vec4<f32>(warped.value, warped.gradient, 0.0));
     outcome.b = bits(vec4<f32>(moved.point, curl_velocity_2d(x.gradient)));"
             .into(),
-        resources: vec![("octaves_uniform_2d", words)],
+        resources: vec![("fbm_uniform_2d", words)],
         input: Box::new(strongly),
         reference: Box::new(move |words| {
             let [s, x, y, _] = fields;

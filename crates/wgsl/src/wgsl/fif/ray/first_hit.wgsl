@@ -5,27 +5,6 @@
 // the whole interval, it has at most one root, which Newton steps find. Otherwise the interval is
 // halved, and the part too close to its start for a root is skipped.
 
-// Ranges over runs of cells along an axis.
-struct FifRanges {
-    // Index in `fif_ranges` of the first word, and cells of the domain.
-    first: u32,
-    cells: u32,
-    // The ends of the domain.
-    low: f32,
-    high: f32,
-    // The maxima of |f| and |f'|.
-    magnitude: f32,
-    steepest: f32,
-    // The maximum of |low| and |high|, and the error of a height along this axis.
-    reach: f32,
-    bound: f32,
-}
-
-struct HeightFieldRanges {
-    x: FifRanges,
-    y: FifRanges,
-}
-
 struct HeightFieldHit {
     // 0: no hit. 1: the first hit. 2: the ray grazes the surface here within rounding, or the limit
     // of intervals was reached.

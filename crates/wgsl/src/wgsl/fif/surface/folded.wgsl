@@ -6,23 +6,6 @@
 // The nodes of all surfaces are in `fif_nodes`, row by row along y, eight numbers each: position,
 // height and slopes of H, then of H - G. Lengths are in units of the domain.
 
-struct FoldedSurface {
-    // Index in `fif_nodes` of the first word, and repetitions.
-    first: u32,
-    steps: u32,
-    // Cells along both axes.
-    cells: vec2<u32>,
-    // Lower ends of the domain, and the reciprocals of its widths.
-    origin: vec2<f32>,
-    per_width: vec2<f32>,
-    // Middles of the repeated term, and of its slopes.
-    middle: f32,
-    slope_x: f32,
-    slope_y: f32,
-    // Vertical factor.
-    factor: f32,
-}
-
 // A cell along an axis, and a position within it in units of the cell.
 struct FoldedStrip {
     index: u32,

@@ -1,11 +1,6 @@
 // The height field f(x) g(y) of two smooth functions, and its gradient:
 // `asperity_fif::HeightField`.
 
-struct HeightField {
-    x: FifTable,
-    y: FifTable,
-}
-
 // Height and gradient.
 struct HeightFieldJet {
     height: f32,

@@ -6,27 +6,6 @@
 // The rows of all functions are in `fif_rows`, four numbers each: a, and the powers of P in units
 // of 2^-24.
 
-struct FifTable {
-    // Index in `fif_rows` of the first word, and number of rows, one per digit.
-    first: u32,
-    radix: u32,
-    // Composites of a value, and of a slope.
-    steps: u32,
-    slope_steps: u32,
-    // Left end of the domain, and the reciprocal of its width.
-    origin: f32,
-    per_width: f32,
-    // The value at the left end, the rise to the right end, and the value at the right end.
-    start: f32,
-    rise: f32,
-    last: f32,
-    // Middle of f - chord, and of its slopes over a row.
-    middle: f32,
-    slope_middle: f32,
-    // Bound of the error of a value.
-    bound: f32,
-}
-
 // A row: a, c_0, c_1, c_2.
 fn fif_table_row(table: FifTable, digit: u32) -> vec4<f32> {
     let i = table.first + 4u * digit;

@@ -50,7 +50,7 @@ fn student_distribution_is_central(t: StudentDistribution, z: f32) -> bool {
 }
 
 // The probability between 0 and z, by a series of positive terms, some fifteen at the threshold.
-fn student_distribution_centre(t: StudentDistribution, z: f32, density: f32) -> f32 {
+fn student_distribution_center(t: StudentDistribution, z: f32, density: f32) -> f32 {
     let y = z * z / (t.freedom + z * z);
     var term = 1.0;
     var sum = 1.0;
@@ -93,7 +93,7 @@ fn student_distribution_tail(t: StudentDistribution, z: f32, density: f32) -> f3
     let y = abs(z);
     var upper = 0.0;
     if student_distribution_is_central(t, y) {
-        upper = 0.5 - student_distribution_centre(t, y, density);
+        upper = 0.5 - student_distribution_center(t, y, density);
     } else if y < STUDENT_DISTRIBUTION_FARTHEST {
         upper = density * ((t.freedom + y * y) / (t.freedom * y)) / (1.0 + student_distribution_fraction(t, y));
     }
@@ -109,7 +109,7 @@ fn student_distribution_excess(t: StudentDistribution, z: f32) -> f32 {
     let density = student_distribution_density(t, z);
     let beyond = student_distribution_beyond(t, z, density);
     if student_distribution_is_central(t, z) {
-        return beyond - z * (0.5 - student_distribution_centre(t, z, density));
+        return beyond - z * (0.5 - student_distribution_center(t, z, density));
     }
     let k = student_distribution_fraction(t, z);
     return beyond * (1.0 + (t.freedom - 1.0) * k / (1.0 + k)) / t.freedom;

@@ -1,15 +1,6 @@
 // Exact level of detail of any distribution by one lookup:
 // `asperity_ndf_sampling::ConditionalTable`.
 
-// The contents of `ConditionalTableUniform`.
-struct ConditionalTableGrid {
-    // The stretch of half vectors along x and y.
-    stretch: vec2<f32>,
-    // Entries along a side.
-    size: u32,
-    padding: u32,
-}
-
 // A texture coordinate from a stretched coordinate of a half vector and its length plus height; 0
 // for NaN.
 fn conditional_table_coordinate(c: f32, sum: f32) -> f32 {

@@ -3,39 +3,6 @@
 // Words are read instead of floats. Integers are stored as the floats of their bits, which hardware
 // may flush to zero.
 
-// The contents of `PackedMapUniform`: the grid of columns and rows on the disk, and the offsets of
-// the parts of the array.
-struct PackedMapGrid {
-    // Columns and rows per unit of a normal's coordinate, and the reciprocals.
-    density: vec2<f32>,
-    size: vec2<f32>,
-    // Columns before n_x = 0, rows before n_y = 0; the middles of the last column and row.
-    origin: vec2<f32>,
-    last: vec2<f32>,
-    // Margin between a sample and the lines between rows, in rows.
-    margin: f32,
-    // Entries of a guide; entries of a column's quantiles minus 1.
-    guide: f32,
-    quantiles: f32,
-    last_row: u32,
-    // 1 for a map that is constant on texels, 2 for a bilinear map: the columns of values around a
-    // cell.
-    sides: u32,
-    // Words of a column of the quantiles, of the nodes, of the texels.
-    ranks: u32,
-    stride: u32,
-    texel_stride: u32,
-    // The offsets of the parts, and the number of leaves.
-    by_weight_at: u32,
-    by_place_at: u32,
-    leaves_at: u32,
-    heads_at: u32,
-    nodes_at: u32,
-    texels_at: u32,
-    quantiles_at: u32,
-    leaves: u32,
-}
-
 fn packed_map_float(i: u32) -> f32 {
     return bitcast<f32>(packed_map_word(i));
 }

@@ -1,13 +1,5 @@
 // Table L, normals by lookup of two Gaussian numbers: `asperity_ndf_sampling::NormalTableRef`.
 
-// The contents of `NormalTableUniform`: entries along a side, and the layout.
-struct NormalTableGrid {
-    size: u32,
-    spacing: u32,
-    chart: u32,
-    padding: u32,
-}
-
 // The entry's point of the chart.
 fn normal_table_point(entry: u32) -> vec2<f32> {
     return vec2<f32>(normal_table_number(2u * entry), normal_table_number(2u * entry + 1u));

@@ -1,4 +1,4 @@
-// Noise that is N(0, 1) at every point, `asperity_noise::Gaussian`: value-gradient noise divided by
+// Noise that is N(0, 1) at every point, `asperity_noise::GaussianNoise`: value-gradient noise divided by
 // its standard deviation at the point.
 
 // Two channels, independent of each other.
@@ -64,13 +64,13 @@ fn gaussian_variance_3d(t: vec3<f32>, w: vec3<f32>, slope: vec3<f32>) -> Sample3
 }
 
 // n / sqrt(v), and its gradient.
-fn gaussian_normalised_2d(n: Sample2d, v: Sample2d) -> Sample2d {
+fn gaussian_normalized_2d(n: Sample2d, v: Sample2d) -> Sample2d {
     let inverse = 1.0 / sqrt(v.value);
     let z = n.value * inverse;
     return Sample2d(z, n.gradient * inverse - (z * (0.5 * inverse * inverse)) * v.gradient);
 }
 
-fn gaussian_normalised_3d(n: Sample3d, v: Sample3d) -> Sample3d {
+fn gaussian_normalized_3d(n: Sample3d, v: Sample3d) -> Sample3d {
     let inverse = 1.0 / sqrt(v.value);
     let z = n.value * inverse;
     return Sample3d(z, n.gradient * inverse - (z * (0.5 * inverse * inverse)) * v.gradient);
@@ -82,7 +82,7 @@ fn gaussian_in_cell_2d(cell: vec2<i32>, t: vec2<f32>, key: u32) -> Sample2d {
     let slope = fade_quintic_slope(vec4<f32>(t, 0.0, 0.0)).xy;
     let words = integer_hash_words(integer_hash_joined(integer_hash_ends_2d(cell)), key);
     let sum = columns_blend(gaussian_first_corners_2d(words), t, w, slope);
-    return gaussian_normalised_2d(sum, gaussian_variance_2d(t, w, slope));
+    return gaussian_normalized_2d(sum, gaussian_variance_2d(t, w, slope));
 }
 
 // The noise at a position in [0, 1]^3 of a cell.
@@ -93,7 +93,7 @@ fn gaussian_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, key: u32) -> Sample3d {
     let joined = integer_hash_joined(ends);
     let low = gaussian_first_corners_3d(integer_hash_words(joined ^ vec4<u32>(ends.low.z), key));
     let high = gaussian_first_corners_3d(integer_hash_words(joined ^ vec4<u32>(ends.high.z), key));
-    return gaussian_normalised_3d(corners_blend_3d(low, high, t, w, slope), gaussian_variance_3d(t, w, slope));
+    return gaussian_normalized_3d(corners_blend_3d(low, high, t, w, slope), gaussian_variance_3d(t, w, slope));
 }
 
 // Both channels at a position in [0, 1]^2 of a cell, from one pass over the lattice and one
@@ -103,8 +103,8 @@ fn gaussian_pair_in_cell_2d(cell: vec2<i32>, t: vec2<f32>, key: u32) -> Gaussian
     let slope = fade_quintic_slope(vec4<f32>(t, 0.0, 0.0)).xy;
     let words = integer_hash_words(integer_hash_joined(integer_hash_ends_2d(cell)), key);
     let variance = gaussian_variance_2d(t, w, slope);
-    let first = gaussian_normalised_2d(columns_blend(gaussian_first_corners_2d(words), t, w, slope), variance);
-    let second = gaussian_normalised_2d(columns_blend(gaussian_second_corners_2d(words), t, w, slope), variance);
+    let first = gaussian_normalized_2d(columns_blend(gaussian_first_corners_2d(words), t, w, slope), variance);
+    let second = gaussian_normalized_2d(columns_blend(gaussian_second_corners_2d(words), t, w, slope), variance);
     return GaussianPair2d(
         vec2<f32>(first.value, second.value),
         vec2<f32>(first.gradient.x, second.gradient.x),
@@ -121,10 +121,10 @@ fn gaussian_pair_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, key: u32) -> Gaussian
     let low = integer_hash_words(joined ^ vec4<u32>(ends.low.z), key);
     let high = integer_hash_words(joined ^ vec4<u32>(ends.high.z), key);
     let variance = gaussian_variance_3d(t, w, slope);
-    let first = gaussian_normalised_3d(
+    let first = gaussian_normalized_3d(
         corners_blend_3d(gaussian_first_corners_3d(low), gaussian_first_corners_3d(high), t, w, slope), variance,
     );
-    let second = gaussian_normalised_3d(
+    let second = gaussian_normalized_3d(
         corners_blend_3d(gaussian_second_corners_3d(low), gaussian_second_corners_3d(high), t, w, slope), variance,
     );
     return GaussianPair3d(

@@ -1,4 +1,4 @@
-// Sparse convolution noise, `asperity_noise::Sparse`: impulses of random weight at random places,
+// Sparse convolution noise, `asperity_noise::SparseConvolution`: impulses of random weight at random places,
 // one to four per cell, convolved with (1 - r^2)^3. Mean 0 and variance 1 at every point.
 
 // By the number of impulses.

@@ -1,4 +1,4 @@
-// Value noise with quintic weights, `asperity_noise::Value`. Values are clamped to [-1, 1].
+// Value noise with quintic weights, `asperity_noise::ValueNoise`. Values are clamped to [-1, 1].
 //
 // The corners of a cell at one end of the third axis are a vector. Along the first two axes its
 // order is low and low, high and low, low and high, high and high.

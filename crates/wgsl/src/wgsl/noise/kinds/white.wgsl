@@ -1,4 +1,4 @@
-// White noise, `asperity_noise::White`: a number per cell, uniform in (-1, 1). Its gradient is 0.
+// White noise, `asperity_noise::WhiteNoise`: a number per cell, uniform in (-1, 1). Its gradient is 0.
 
 fn white_in_cell_2d(cell: vec2<i32>, key: u32) -> f32 {
     let ends = integer_hash_ends_2d(cell).low;

@@ -1,4 +1,4 @@
-// Frequency clamping: asperity_noise::removed_share.
+// Frequency clamping: asperity_noise::filtered_fraction.
 
 // The fraction of an octave that a footprint removes: smoothstep(0.2, 0.6, footprint * frequency).
 // Negative footprints and NaN remove nothing.

@@ -3,7 +3,7 @@
 // except the finest l, each times its amplitude and without a divisor. A blend of two levels is
 // therefore a sum with a fraction of one octave.
 
-struct MipMappedOctaves {
+struct MipMappedFbm {
     // Both channels, N(0, 1) except for the filter between texels.
     value: vec2<f32>,
     share: f32,
@@ -11,15 +11,15 @@ struct MipMappedOctaves {
 }
 
 // The first octaves of the texture's sum. The texture repeats in every unit square of `uv`.
-fn mip_mapped_octaves(uv: vec2<f32>, octaves: f32, sum: u32) -> MipMappedOctaves {
-    let spectrum = octaves_spectrum_2d(sum);
-    let within = octaves_within(octaves, spectrum);
-    let divisor = octaves_divisor(octaves, 0.0, spectrum);
+fn mip_mapped_fbm(uv: vec2<f32>, octaves: f32, sum: u32) -> MipMappedFbm {
+    let spectrum = fbm_spectrum_2d(sum);
+    let within = fbm_within(octaves, spectrum);
+    let divisor = fbm_divisor(octaves, 0.0, spectrum);
     let texel = textureSampleLevel(mip_mapped_noise, mip_mapped_sampler, uv, spectrum.max_octaves - within).xy;
     // The texture contains a lone octave with its weight.
     var factor = divisor.factor;
     if within < 1.0 {
         factor /= max(within, 1e-6);
     }
-    return MipMappedOctaves(texel * factor, octaves_share(octaves, divisor.squares, spectrum), octaves_fade(octaves, spectrum));
+    return MipMappedFbm(texel * factor, fbm_share(octaves, divisor.squares, spectrum), fbm_fade(octaves, spectrum));
 }

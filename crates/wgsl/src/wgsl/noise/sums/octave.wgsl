@@ -1,36 +1,8 @@
 // One octave: the affine map into the cells of its lattice, and the key for its random words.
 // asperity_noise::Octave.
 
-// Rows of a matrix, rotation times frequency, each with its offset; the origin of the cells, and
-// the bits of the key.
-struct OctavesLayer3d {
-    row_x: vec4<f32>,
-    row_y: vec4<f32>,
-    row_z: vec4<f32>,
-    cell_and_key: vec4<i32>,
-}
-
-// Both rows, the offset, the origin of the cells, and the key.
-struct OctavesLayer2d {
-    rows: vec4<f32>,
-    offset: vec2<f32>,
-    cell: vec2<i32>,
-    key: u32,
-}
-
-// Rows of the matrix, the offset, the origin of the cells, and the key.
-struct OctavesLayer4d {
-    row_x: vec4<f32>,
-    row_y: vec4<f32>,
-    row_z: vec4<f32>,
-    row_w: vec4<f32>,
-    offset: vec4<f32>,
-    cell: vec4<i32>,
-    key: u32,
-}
-
 // M p + o: the octave's own coordinates of a point.
-fn octaves_point_3d(layer: OctavesLayer3d, p: vec3<f32>) -> vec3<f32> {
+fn fbm_point_3d(layer: FbmLayer3d, p: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(
         layer.row_x.x * p.x + layer.row_x.y * p.y + layer.row_x.z * p.z + layer.row_x.w,
         layer.row_y.x * p.x + layer.row_y.y * p.y + layer.row_y.z * p.z + layer.row_y.w,
@@ -39,7 +11,7 @@ fn octaves_point_3d(layer: OctavesLayer3d, p: vec3<f32>) -> vec3<f32> {
 }
 
 // M p + o in 2-D.
-fn octaves_point_2d(layer: OctavesLayer2d, p: vec2<f32>) -> vec2<f32> {
+fn fbm_point_2d(layer: FbmLayer2d, p: vec2<f32>) -> vec2<f32> {
     return vec2<f32>(
         layer.rows.x * p.x + layer.rows.y * p.y + layer.offset.x,
         layer.rows.z * p.x + layer.rows.w * p.y + layer.offset.y,
@@ -47,7 +19,7 @@ fn octaves_point_2d(layer: OctavesLayer2d, p: vec2<f32>) -> vec2<f32> {
 }
 
 // M p + o in 4-D.
-fn octaves_point_4d(layer: OctavesLayer4d, p: vec4<f32>) -> vec4<f32> {
+fn fbm_point_4d(layer: FbmLayer4d, p: vec4<f32>) -> vec4<f32> {
     let x = layer.row_x * p;
     let y = layer.row_y * p;
     let z = layer.row_z * p;
@@ -57,16 +29,16 @@ fn octaves_point_4d(layer: OctavesLayer4d, p: vec4<f32>) -> vec4<f32> {
 }
 
 // The transpose of M times g: rotates a gradient back to the coordinates of the sum.
-fn octaves_pull_back_3d(layer: OctavesLayer3d, g: vec3<f32>) -> vec3<f32> {
+fn fbm_pull_back_3d(layer: FbmLayer3d, g: vec3<f32>) -> vec3<f32> {
     return layer.row_x.xyz * g.x + layer.row_y.xyz * g.y + layer.row_z.xyz * g.z;
 }
 
 // The transpose of M times g in 2-D.
-fn octaves_pull_back_2d(layer: OctavesLayer2d, g: vec2<f32>) -> vec2<f32> {
+fn fbm_pull_back_2d(layer: FbmLayer2d, g: vec2<f32>) -> vec2<f32> {
     return layer.rows.xy * g.x + layer.rows.zw * g.y;
 }
 
 // The transpose of M times g in 4-D.
-fn octaves_pull_back_4d(layer: OctavesLayer4d, g: vec4<f32>) -> vec4<f32> {
+fn fbm_pull_back_4d(layer: FbmLayer4d, g: vec4<f32>) -> vec4<f32> {
     return layer.row_x * g.x + layer.row_y * g.y + layer.row_z * g.z + layer.row_w * g.w;
 }

@@ -1,39 +1,23 @@
 // A bump map of a normal distribution: `asperity_shading::BumpMapped` of GGX or Beckmann, and
 // building blocks for other distributions.
 
-struct BumpMapped {
-    // The frequency clamp of the noise.
-    frequency: f32,
-    log_lacunarity: f32,
-    max_octaves: f32,
-    // 0 for the exact rule, 1 for the fractal rule.
-    rule: u32,
-    alpha: vec2<f32>,
-    // 0 for GGX, 1 for Beckmann; the index of the sum of octaves.
-    density: u32,
-    sum: u32,
-    // The reflectance of the facets, not negative.
-    colour: vec3<f32>,
-    reserved: u32,
-}
-
 // Gaussian coordinates of the bump map as resolved by a pixel of this width, their variance
 // fraction and the first octave's weight: `BumpField::coordinates`.
 fn bump_mapped_coordinates(bumps: BumpMapped, p: vec3<f32>, width: f32) -> vec4<f32> {
     let limits = FrequencyClamp(bumps.frequency, bumps.log_lacunarity, bumps.max_octaves);
-    let seen = gaussian_octaves_3d(p * bumps.frequency, frequency_clamp_octaves(width, limits), bumps.sum);
+    let seen = gaussian_fbm_3d(p * bumps.frequency, frequency_clamp_octaves(width, limits), bumps.sum);
     return vec4<f32>(seen.pair.value, seen.share, seen.fade);
 }
 
 // The reflected distribution under the rule, in 1/sr, for h.z > 0.
 fn bump_mapped_radiance(bumps: BumpMapped, h: vec3<f32>, seen: vec4<f32>) -> f32 {
     if bumps.rule == 0u {
-        if bumps.density == 0u {
+        if bumps.ndf == 0u {
             return level_of_detail_exact_ggx(bumps.alpha, h, seen.xy, seen.z);
         }
         return level_of_detail_exact_beckmann(bumps.alpha, h, seen.xy, seen.z);
     }
-    if bumps.density == 0u {
+    if bumps.ndf == 0u {
         return level_of_detail_fractal_ggx(bumps.alpha, h, seen.xy, seen.w);
     }
     return level_of_detail_fractal_beckmann(bumps.alpha, h, seen.xy, seen.w);
@@ -41,7 +25,7 @@ fn bump_mapped_radiance(bumps: BumpMapped, h: vec3<f32>, seen: vec4<f32>) -> f32
 
 // Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`. For another distribution it is
-// `colour * facet_shown(radiance, h, wi, wo) * wi.z`, with the radiance of its rule.
+// `color * facet_shown(radiance, h, wi, wo) * wi.z`, with the radiance of its rule.
 fn bump_mapped_scattered(bumps: BumpMapped, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {
         return vec3<f32>(0.0);
@@ -52,7 +36,7 @@ fn bump_mapped_scattered(bumps: BumpMapped, point: SurfacePoint, wo: vec3<f32>, 
     }
     let seen = bump_mapped_coordinates(bumps, point.position, point.pixel.widths.x);
     let shown = facet_shown(bump_mapped_radiance(bumps, h, seen), h, wi, wo);
-    return brdf_finite_channels(bumps.colour * shown * wi.z);
+    return brdf_finite_channels(bumps.color * shown * wi.z);
 }
 
 // The material in the uniform.

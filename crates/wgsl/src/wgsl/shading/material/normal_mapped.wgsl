@@ -1,16 +1,5 @@
 // A glossy surface with an authored normal map: `asperity_shading::material::NormalMapped`.
 
-struct NormalMapped {
-    map: SlopePyramid,
-    // The reflectance of the facets, and Beckmann's alpha of the surface between the slopes of the
-    // map.
-    colour: vec3<f32>,
-    alpha_x: f32,
-    alpha_y: f32,
-    reserved: u32,
-    more_reserved: vec2<u32>,
-}
-
 // Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`.
 fn normal_mapped_scattered(stone: NormalMapped, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
@@ -25,7 +14,7 @@ fn normal_mapped_scattered(stone: NormalMapped, point: SurfacePoint, wo: vec3<f3
         let lobe = slope_pyramid_sample_along(stone.map, point.uv, pixel, 8u, k);
         if lobe.weight > 0.0 {
             let slopes = slope_moments_detailed(lobe.moments, vec2<f32>(stone.alpha_x, stone.alpha_y), far);
-            let weight = max(stone.colour * lobe.weight, vec3<f32>(0.0));
+            let weight = max(stone.color * lobe.weight, vec3<f32>(0.0));
             sum += weight * facet_shown(offset_beckmann_density(slopes, h), h, wi, wo);
         }
     }

@@ -1,21 +1,6 @@
 // Short oriented segments in the cells of a plane, drawn from hashes, for scratches and fibers.
 // `material/segment.rs` of asperity-shading.
 
-struct Segments {
-    // The unit direction around which segments are spread.
-    direction: vec2<f32>,
-    // The side of a cell, and the length of a segment, at most the side.
-    cell: f32,
-    length: f32,
-    // The mean number of segments of a cell, at most 8.
-    cover: f32,
-    // The spread; 1 is a quarter turn to either side.
-    spread: f32,
-    // The lattice's key.
-    key: u32,
-    reserved: u32,
-}
-
 // A point among the cells.
 struct SegmentsPlace {
     place: vec2<f32>,

@@ -1,21 +1,5 @@
 // Tempered glass with roller waves: `asperity_shading::TemperedGlass`.
 
-struct TemperedGlass {
-    noise: Fbm,
-    // The unit direction of the waves; their frequency in rad per unit of length.
-    direction: vec3<f32>,
-    frequency: f32,
-    // The fraction that a pane transmits; the amplitude of the waves.
-    tint: vec3<f32>,
-    amplitude: f32,
-    // The relative IOR, and Beckmann's alpha of the surfaces, 0 for smooth glass.
-    index: f32,
-    roughness: f32,
-    // 1 for noise waves, 0 for a sine; 1 for the surface of a body, 0 for a pane.
-    is_noisy: u32,
-    is_solid: u32,
-}
-
 // The surface filtered over a pixel, in its frame.
 struct TemperedGlassSurface {
     normal: vec3<f32>,
@@ -31,8 +15,8 @@ fn tempered_glass_surface(glass: TemperedGlass, point: SurfacePoint, frame: Fram
     let steepest = glass.frequency * glass.amplitude;
     if glass.is_noisy != 0u {
         let footprint = point.pixel.widths.x;
-        let slope = fbm_sample(glass.noise, point.position, footprint).gradient;
-        let removed = fbm_removed_slope(glass.noise, footprint, FBM_SLOPE_VARIANCE);
+        let slope = sized_fbm_sample(glass.noise, point.position, footprint).gradient;
+        let removed = sized_fbm_removed_slope(glass.noise, footprint, SIZED_FBM_SLOPE_VARIANCE);
         let normal = surface_gradient_normal(n, surface_gradient_tangential(n, slope) * steepest);
         return TemperedGlassSurface(frame_to_local(frame, normal), vec3<f32>(0.0), steepest * steepest * removed);
     }
@@ -62,8 +46,6 @@ fn tempered_glass_coat(glass: TemperedGlass, point: SurfacePoint) -> Coat {
         glass.tint,
         glass.index,
         kind,
-        0u,
-        vec2<u32>(0u),
     );
 }
 

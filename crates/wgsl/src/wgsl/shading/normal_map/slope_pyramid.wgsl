@@ -4,14 +4,6 @@
 // The table `slope_pyramid_number` has two numbers for the center of each group, two for the slope
 // of each texel, and six for each group of each texel of every level: weight, mean, covariance.
 
-struct SlopePyramid {
-    width: u32,
-    height: u32,
-    // The level with a single texel.
-    last_level: u32,
-    groups: u32,
-}
-
 // A part of the slopes within a pixel: its weight and its moments.
 struct SlopeLobe {
     weight: f32,

@@ -1,13 +1,5 @@
 // The real number of octaves that a pixel resolves: asperity_shading::pixel::FrequencyClamp.
 
-struct FrequencyClamp {
-    // Cells of the first octave per unit of length.
-    frequency: f32,
-    // Base-2 logarithm of the ratio of the frequencies of successive octaves, above 0.
-    log_lacunarity: f32,
-    max_octaves: f32,
-}
-
 // Octaves of a footprint by its width, in [0, max_octaves]: `FrequencyClamp::octaves`. Negative
 // widths are taken as their magnitude, NaN as infinite, and widths up to 2^-126 of a cell as 0.
 fn frequency_clamp_octaves(width: f32, limits: FrequencyClamp) -> f32 {

@@ -6,24 +6,6 @@ const COAT_BODY: u32 = 2u;
 const COAT_METAL: u32 = 3u;
 const COAT_VEIL: u32 = 4u;
 
-// A coat of any kind, in the frame of the surface.
-struct Coat {
-    normal: vec3<f32>,
-    // The variance along each axis of the unresolved Gaussian slopes.
-    slope_variance: f32,
-    // The steepest unresolved slope of a sine; zero without a sine.
-    swing: vec3<f32>,
-    // Beckmann's alpha of the reflection, 0 for a smooth coat.
-    roughness: f32,
-    // The tint of a pane, the reflectance of a metal, the transmittance of a veil.
-    colour: vec3<f32>,
-    // The relative IOR of a varnish, a pane or a body.
-    index: f32,
-    kind: u32,
-    reserved: u32,
-    more_reserved: vec2<u32>,
-}
-
 // A direction from which a smooth surface sends a fraction of the light to the eye; below the
 // surface the light is transmitted.
 struct CoatDelta {
@@ -55,7 +37,7 @@ fn coat_facets(normal: vec3<f32>, slope_variance: f32) -> SlopeFacets {
 // A varnish with a relative IOR over slopes of this variance around a normal.
 fn coat_varnish(index: f32, roughness: f32, normal: vec3<f32>, slope_variance: f32) -> Coat {
     let none = vec3<f32>(0.0);
-    return Coat(normal, slope_variance, none, roughness, vec3<f32>(1.0), index, COAT_VARNISH, 0u, vec2<u32>(0u));
+    return Coat(normal, slope_variance, none, roughness, vec3<f32>(1.0), index, COAT_VARNISH);
 }
 
 // The normal of a facet with slopes of this variance around a normal, visible from the view, chosen
@@ -82,12 +64,12 @@ fn coat_through(coat: Coat, w: vec3<f32>) -> f32 {
 // A lobe of a rough coat at directions in the frame of a facet.
 fn coat_lobe(coat: Coat, alpha: f32, wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
     if coat.kind == COAT_PANE || coat.kind == COAT_BODY {
-        let rough = RoughDielectric(alpha, rough_dielectric_index(coat.index), coat.kind == COAT_PANE, coat.colour);
+        let rough = RoughDielectric(alpha, rough_dielectric_index(coat.index), coat.kind == COAT_PANE, coat.color);
         return rough_dielectric_value(rough, wi, wo);
     }
     let value = cook_torrance_beckmann(vec2<f32>(alpha), wi, wo);
     if coat.kind == COAT_METAL {
-        return value.x * math_shares(coat.colour);
+        return value.x * math_shares(coat.color);
     }
     return vec3<f32>(value.x * dielectric_reflectance(coat.index, value.y));
 }
@@ -153,7 +135,7 @@ fn coat_deltas(coat: Coat, view: vec3<f32>, u: vec2<f32>) -> CoatDeltas {
         return CoatDeltas(dark, dark);
     }
     if coat.kind == COAT_VEIL {
-        return CoatDeltas(dark, CoatDelta(-wo, math_shares(coat.colour)));
+        return CoatDeltas(dark, CoatDelta(-wo, math_shares(coat.color)));
     }
     // From below everything is upside down.
     let inside = wo.z < 0.0;
@@ -177,7 +159,7 @@ fn coat_deltas(coat: Coat, view: vec3<f32>, u: vec2<f32>) -> CoatDeltas {
     let bounced = direction_reflect(up, m);
     let mirrored = vec3<f32>(bounced.xy, abs(bounced.z)) * side;
     if coat.kind == COAT_METAL {
-        return CoatDeltas(CoatDelta(mirrored, math_shares(coat.colour)), dark);
+        return CoatDeltas(CoatDelta(mirrored, math_shares(coat.color)), dark);
     }
     if coat.kind == COAT_VARNISH {
         return CoatDeltas(CoatDelta(mirrored, vec3<f32>(dielectric_reflectance(coat.index, cosine))), dark);
@@ -185,7 +167,7 @@ fn coat_deltas(coat: Coat, view: vec3<f32>, u: vec2<f32>) -> CoatDeltas {
     if coat.kind == COAT_PANE {
         let once = dielectric_reflectance(coat.index, cosine);
         let both = 2.0 * once / (1.0 + once);
-        let through = rough_dielectric_through_wall(coat.colour, cosine, coat.index) * (1.0 - both);
+        let through = rough_dielectric_through_wall(coat.color, cosine, coat.index) * (1.0 - both);
         return CoatDeltas(CoatDelta(mirrored, vec3<f32>(both)), CoatDelta(-wo, math_shares(through)));
     }
     let index = select(coat.index, dielectric_reversed(coat.index), inside);

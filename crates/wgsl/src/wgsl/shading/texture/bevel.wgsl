@@ -1,14 +1,5 @@
 // Ridges along the edges of a figure: `asperity_shading::texture::Bevel`.
 
-// A plateau next to the edge, then a flank whose slope changes from `top` to `bottom`: widths of
-// both, and the slopes.
-struct Bevel {
-    plateau: f32,
-    flank: f32,
-    top: f32,
-    bottom: f32,
-}
-
 // The nearest point of an edge: its distance, and the unit direction away from it.
 struct BevelEdge {
     distance: f32,

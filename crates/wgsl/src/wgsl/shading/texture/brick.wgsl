@@ -1,11 +1,5 @@
 // A wall of bricks with grooves of mortar: `asperity_shading::Brick`.
 
-// The pattern: sides of a brick including its mortar, and half the mortar as a fraction of them.
-struct Brick {
-    cell: vec2<f32>,
-    margin: vec2<f32>,
-}
-
 struct BrickSample {
     // 1 in a brick, 0 in the mortar; as a mean, the fraction of the pixel.
     brick: f32,

@@ -1,17 +1,5 @@
 // Gas as a density in 3-D, shaped into steam: `asperity_shading::texture::Gas`, `Steam`.
 
-struct Gas {
-    octaves: f32,
-    max_density: f32,
-    exponent: f32,
-    // The variance of the magnitude of one octave.
-    variance: f32,
-    // The index of the sum in the uniform of sums; 1 for veins.
-    sum: u32,
-    has_veins: u32,
-    reserved: vec2<u32>,
-}
-
 // The density of a turbulence.
 fn gas_of(gas: Gas, turbulence: f32) -> f32 {
     var t = math_clamped(turbulence, 1.0);
@@ -37,7 +25,7 @@ fn gas_of(gas: Gas, turbulence: f32) -> f32 {
 
 // The variance of the turbulence that a footprint removes.
 fn gas_removed(gas: Gas, footprint: f32) -> f32 {
-    let spectrum = octaves_spectrum_3d(gas.sum);
+    let spectrum = fbm_spectrum_3d(gas.sum);
     var removed = 0.0;
     var total = 0.0;
     var amplitude = 1.0;
@@ -63,7 +51,7 @@ fn gas_removed(gas: Gas, footprint: f32) -> f32 {
 // The density at a point, filtered over a pixel of this width; unfiltered for a width of 0.
 // `Gas::clamped_density`.
 fn gas_density(gas: Gas, p: vec3<f32>, footprint: f32) -> f32 {
-    let mean = perlin_2002_octaves_3d(p, gas.octaves, footprint, gas.sum).value;
+    let mean = perlin_fbm_3d(p, gas.octaves, footprint, gas.sum).value;
     let apart = sqrt(3.0 * gas_removed(gas, footprint));
     if !(apart > 0.0) {
         return gas_of(gas, mean);
@@ -74,10 +62,10 @@ fn gas_density(gas: Gas, p: vec3<f32>, footprint: f32) -> f32 {
 
 // The fraction of the density in a column of steam at a point: 1 above the middle of its ground,
 // thinner upward and to the side.
-fn gas_steam_share(centre: vec3<f32>, radius: f32, height: f32, p: vec3<f32>) -> f32 {
-    let from_centre = p - centre;
-    let d = sqrt(from_centre.x * from_centre.x + from_centre.y * from_centre.y) / radius;
-    let z = from_centre.z / height;
+fn gas_steam_share(center: vec3<f32>, radius: f32, height: f32, p: vec3<f32>) -> f32 {
+    let from_center = p - center;
+    let d = sqrt(from_center.x * from_center.x + from_center.y * from_center.y) / radius;
+    let z = from_center.z / height;
     if !(d < 1.0 && z >= 0.0 && z <= 1.0) {
         return 0.0;
     }

@@ -24,7 +24,7 @@ struct GasMarch {
 
 // The volume over a cup in which gas is steam.
 struct GasSteam {
-    centre: vec3<f32>,
+    center: vec3<f32>,
     radius: f32,
     height: f32,
 }
@@ -33,7 +33,7 @@ struct GasSteam {
 // misses, the largest float and its negative: `Steam::interval`.
 fn gas_march_interval(steam: GasSteam, origin: vec3<f32>, direction: vec3<f32>) -> vec2<f32> {
     let everywhere = vec2<f32>(-MATH_LARGEST, MATH_LARGEST);
-    let start = origin - steam.centre;
+    let start = origin - steam.center;
     let p = start.xy;
     let d = direction.xy;
     let square = dot(d, d);
@@ -128,7 +128,7 @@ fn gas_march_transmittance(
     var march = gas_march_begin(interval.x - stride, interval.y + stride, stride, offset);
     while gas_march_goes_on(march) {
         let p = gas_march_point(march, origin, direction);
-        let share = gas_steam_share(steam.centre, steam.radius, steam.height, p);
+        let share = gas_steam_share(steam.center, steam.radius, steam.height, p);
         var extinction = 0.0;
         if share > 0.0 {
             extinction = per_density * share * gas_density(gas, p, footprint);

@@ -1,18 +1,5 @@
 // Blue marble, a color spline over a sum of noise: `asperity_shading::Marble`.
 
-struct Marble {
-    // Cells of the first octave per unit of length.
-    scale: f32,
-    // The standard deviation of one octave.
-    deviation: f32,
-    reserved: vec2<f32>,
-    // The keys of four octaves.
-    keys: vec4<u32>,
-    // The distribution function of an octave at steps of 1/2 deviations from -4 on, without the
-    // first, where it is 0.
-    cdf: array<vec4<f32>, 4>,
-}
-
 // The sum as resolved by a pixel, the variance of the rest, and the variance of the sum within the
 // pixel.
 struct MarbleSum {
@@ -34,10 +21,10 @@ struct MarblePiece {
 // Colors; each piece has four. Selected by bits, as HLSL compilers reject a computed list, and with
 // thirteen cases at every call other compilers took minutes.
 fn marble_knot(i: u32) -> vec3<f32> {
-    var colour = vec3<f32>(0.25, 0.25, 0.35);
-    colour = select(colour, vec3<f32>(0.1, 0.1, 0.3), ((0x1cu >> i) & 1u) == 1u);
-    colour = select(colour, vec3<f32>(0.05, 0.05, 0.26), ((0x180u >> i) & 1u) == 1u);
-    return select(colour, vec3<f32>(0.03, 0.03, 0.2), ((0x1600u >> i) & 1u) == 1u);
+    var color = vec3<f32>(0.25, 0.25, 0.35);
+    color = select(color, vec3<f32>(0.1, 0.1, 0.3), ((0x1cu >> i) & 1u) == 1u);
+    color = select(color, vec3<f32>(0.05, 0.05, 0.26), ((0x180u >> i) & 1u) == 1u);
+    return select(color, vec3<f32>(0.03, 0.03, 0.2), ((0x1600u >> i) & 1u) == 1u);
 }
 
 // Integrals of the pieces before each.
@@ -83,10 +70,10 @@ struct MarbleEnd {
 fn marble_end(x: f32) -> MarbleEnd {
     let piece = marble_piece(x);
     let t = piece.place;
-    let colour = piece.constant + t * (piece.linear + t * (piece.square + t * piece.cube));
+    let color = piece.constant + t * (piece.linear + t * (piece.square + t * piece.cube));
     let within = t * (piece.constant + t * (piece.linear / 2.0 + t * (piece.square / 3.0 + t * piece.cube / 4.0)));
     let beyond = max(x - 1.0, 0.0) + min(x, 0.0);
-    return MarbleEnd(x, (marble_before(piece.index) + within) / 10.0 + colour * beyond);
+    return MarbleEnd(x, (marble_before(piece.index) + within) / 10.0 + color * beyond);
 }
 
 // The mean of the spline between two positions.
@@ -110,7 +97,7 @@ fn marble_sum(marble: Marble, p: vec3<f32>, width: f32) -> MarbleSum {
             let key = select(
                 select(marble.keys.x, marble.keys.y, i == 1u), select(marble.keys.z, marble.keys.w, i == 3u), i >= 2u,
             );
-            let octave = perlin_2002_noise_3d(p * (marble.scale * frequency), key);
+            let octave = perlin_noise_3d(p * (marble.scale * frequency), key);
             resolved.sum += kept / frequency * octave.value;
             // A surface intersects two of three directions of space. A line varies without bound,
             // noise by its variance.
@@ -141,9 +128,9 @@ fn marble_cdf(marble: Marble, k: u32) -> f32 {
     return select(select(row.x, row.y, column == 1u), select(row.z, row.w, column == 3u), column >= 2u);
 }
 
-// The color filtered over a pixel of this width: `Marble::colour`. All in one loop, since functions
+// The color filtered over a pixel of this width: `Marble::color`. All in one loop, since functions
 // are compiled at every call.
-fn marble_colour(marble: Marble, p: vec3<f32>, footprint: f32) -> vec3<f32> {
+fn marble_color(marble: Marble, p: vec3<f32>, footprint: f32) -> vec3<f32> {
     let resolved = marble_sum(marble, p, footprint);
     // The sixteen parts of the distribution of the unresolved sum. If everything is resolved, the
     // parts of an interval, whose variance is a twelfth of its square.

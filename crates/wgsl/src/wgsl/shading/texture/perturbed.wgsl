@@ -1,14 +1,5 @@
 // Texture coordinates displaced by noise: `asperity_shading::texture::PerturbedTexture`.
 
-struct PerturbedTexture {
-    strength: vec2<f32>,
-    // Cells of the noise per unit of length, and its standard deviation.
-    scale: f32,
-    deviation: f32,
-    keys: vec2<u32>,
-    reserved: vec2<u32>,
-}
-
 // The texture coordinates of a pixel of this width, and the blur by the unresolved displacement.
 struct PerturbedLookUp {
     uv: vec2<f32>,
@@ -18,8 +9,8 @@ struct PerturbedLookUp {
 // The coordinates at a point: `PerturbedTexture::coordinates`.
 fn perturbed_coordinates(texture: PerturbedTexture, p: vec3<f32>, uv: vec2<f32>) -> vec2<f32> {
     let q = p * texture.scale;
-    let first = perlin_2002_noise_3d(q, texture.keys.x).value;
-    let second = perlin_2002_noise_3d(q + vec3<f32>(1.5, 6.7, 3.4), texture.keys.y).value;
+    let first = perlin_noise_3d(q, texture.keys.x).value;
+    let second = perlin_noise_3d(q + vec3<f32>(1.5, 6.7, 3.4), texture.keys.y).value;
     return uv + texture.strength * vec2<f32>(first, second);
 }
 

@@ -1,25 +1,5 @@
 // Wallpaper with a star in some of its cells: `asperity_shading::texture::StarWallpaper`.
 
-struct StarWallpaper {
-    // Points of a star, from 2 to 1000.
-    points: f32,
-    // Radii of its notches and its points, in texture coordinates.
-    r_min: f32,
-    r_max: f32,
-    // Cells per unit of texture coordinates, and the probability that a cell has a star.
-    cells: f32,
-    chance: f32,
-    // The far-field fraction of stars: `StarWallpaper::mean`.
-    mean: f32,
-    // cos and sin of half the angle between two points, and a full turn divided by their number.
-    half_angle: vec2<f32>,
-    angle: f32,
-    // Keys of the three lattices of the presence and the position of stars.
-    presence: u32,
-    across: u32,
-    along: u32,
-}
-
 // The depth of a point inside the star around the origin, near its edge the distance to the nearest
 // edge.
 fn star_wallpaper_inside(wallpaper: StarWallpaper, p: vec2<f32>) -> f32 {

@@ -83,9 +83,9 @@ fn cellular_step(turn: u32, towards: f32) -> f32 {
 }
 
 // The minimum offset to a feature point of that cell.
-fn cellular_gap(turn: u32, off_centre: f32, half: f32) -> f32 {
+fn cellular_gap(turn: u32, off_center: f32, half: f32) -> f32 {
     let cells = f32((turn + 1u) / 2u);
-    return max((cells - half) + select(off_centre, -off_centre, (turn & 1u) == 1u), 0.0);
+    return max((cells - half) + select(off_center, -off_center, (turn & 1u) == 1u), 0.0);
 }
 
 // The place of a feature point from 16 bits.
@@ -137,7 +137,7 @@ fn cellular_in_cell_2d(
     let turns = cellular_turns(metric, 2u);
     let takes_second = basis == CELLULAR_SECOND || basis == CELLULAR_BETWEEN;
     let towards = select(vec2<f32>(1.0), vec2<f32>(-1.0), t < vec2<f32>(0.5));
-    let off_centre = abs(t - 0.5);
+    let off_center = abs(t - 0.5);
     let half = 0.5 * jitter + CELLULAR_MARGIN;
     var measures = vec2<f32>(CELLULAR_NOWHERE);
     var ranks = vec2<f32>(CELLULAR_NOWHERE);
@@ -145,14 +145,14 @@ fn cellular_in_cell_2d(
     var second = vec2<f32>(0.0);
     var nearest = 0u;
     for (var j = 0u; j < turns; j++) {
-        let gap = cellular_joined(metric, 0.0, cellular_gap(j, off_centre.y, half));
+        let gap = cellular_joined(metric, 0.0, cellular_gap(j, off_center.y, half));
         if select(measures.x, measures.y, takes_second) < gap {
             break;
         }
         let y = cellular_step(j, towards.y);
         let y_term = integer_hash_term(1u, cell.y + i32(y));
         for (var i = 0u; i < turns; i++) {
-            let gaps = cellular_joined(metric, gap, cellular_gap(i, off_centre.x, half));
+            let gaps = cellular_joined(metric, gap, cellular_gap(i, off_center.x, half));
             if select(measures.x, measures.y, takes_second) < gaps {
                 break;
             }
@@ -198,7 +198,7 @@ fn cellular_in_cell_3d(
     let turns = cellular_turns(metric, 3u);
     let takes_second = basis == CELLULAR_SECOND || basis == CELLULAR_BETWEEN;
     let towards = select(vec3<f32>(1.0), vec3<f32>(-1.0), t < vec3<f32>(0.5));
-    let off_centre = abs(t - 0.5);
+    let off_center = abs(t - 0.5);
     let half = 0.5 * jitter + CELLULAR_MARGIN;
     var measures = vec2<f32>(CELLULAR_NOWHERE);
     var ranks = vec2<f32>(CELLULAR_NOWHERE);
@@ -206,21 +206,21 @@ fn cellular_in_cell_3d(
     var second = vec3<f32>(0.0);
     var nearest = 0u;
     for (var k = 0u; k < turns; k++) {
-        let gap_z = cellular_joined(metric, 0.0, cellular_gap(k, off_centre.z, half));
+        let gap_z = cellular_joined(metric, 0.0, cellular_gap(k, off_center.z, half));
         if select(measures.x, measures.y, takes_second) < gap_z {
             break;
         }
         let z = cellular_step(k, towards.z);
         let z_term = integer_hash_term(2u, cell.z + i32(z));
         for (var j = 0u; j < turns; j++) {
-            let gap = cellular_joined(metric, gap_z, cellular_gap(j, off_centre.y, half));
+            let gap = cellular_joined(metric, gap_z, cellular_gap(j, off_center.y, half));
             if select(measures.x, measures.y, takes_second) < gap {
                 break;
             }
             let y = cellular_step(j, towards.y);
             let terms = z_term ^ integer_hash_term(1u, cell.y + i32(y));
             for (var i = 0u; i < turns; i++) {
-                let gaps = cellular_joined(metric, gap, cellular_gap(i, off_centre.x, half));
+                let gaps = cellular_joined(metric, gap, cellular_gap(i, off_center.x, half));
                 if select(measures.x, measures.y, takes_second) < gaps {
                     break;
                 }

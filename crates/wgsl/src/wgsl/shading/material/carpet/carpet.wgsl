@@ -1,42 +1,5 @@
 // The carpet of a car, with threads, fibers, seams and dark areas: `asperity_shading::Carpet`.
 
-struct Carpet {
-    threads: Fbm,
-    // Shining threads, by turbulence, dark areas, and the areas where threads lean over the seams.
-    shine: Fbm,
-    dark: Fbm,
-    crossover: Fbm,
-    fibres: Fibres,
-    // Mean square of the slope of fibers, their weight in the colors, tilt by them.
-    fibre_square_slope: f32,
-    fibre_strength: f32,
-    fibre_bump: f32,
-    seams_pattern: u32,
-    // The direction across the seams in texture coordinates, their frequency in rad, the darkening
-    // and the slope at a seam.
-    seams_direction: vec2<f32>,
-    seams_frequency: f32,
-    seams_amplitude: f32,
-    seams_bump: f32,
-    crossover_strength: f32,
-    thread_strength: f32,
-    thread_bump: f32,
-    shine_strength: f32,
-    dark_strength: f32,
-    // Half the mean of the noise's magnitude.
-    half_mean: f32,
-    roughness: f32,
-    diffuse: vec3<f32>,
-    specular_roughness: f32,
-    specular: vec3<f32>,
-    rim_width: f32,
-    rim: vec3<f32>,
-    reserved: f32,
-    // Coefficients of the mean of shining threads given the known octaves, two for each number of
-    // octaves.
-    coefficients: array<vec4<f32>, 8>,
-}
-
 // A polynomial of degree seven, coefficients of the highest power first.
 fn carpet_polynomial(high: vec4<f32>, low: vec4<f32>, c: f32) -> f32 {
     let cubic = ((high.x * c + high.y) * c + high.z) * c + high.w;
@@ -48,7 +11,7 @@ fn carpet_expected_shine(carpet: Carpet, known: u32, p: vec3<f32>) -> f32 {
     let count = f32(known);
     var veins = 0.0;
     if known > 0u {
-        veins = simplex_octaves_3d(p, count, 0.0, carpet.shine.sum).value;
+        veins = simplex_fbm_3d(p, count, 0.0, carpet.shine.sum).value;
     }
     let c = 1.0 - veins * count / 3.0;
     if known == 0u {
@@ -89,14 +52,14 @@ fn carpet_dark(carpet: Carpet, position: vec3<f32>, footprint: f32) -> f32 {
     let removed = frequency_clamp_removed_share(footprint, carpet.dark.frequency);
     var near = 0.0;
     if removed < 1.0 {
-        near = max(fbm_value(carpet.dark, position), 0.0);
+        near = max(sized_fbm_value(carpet.dark, position), 0.0);
     }
     return 1.0 - carpet.dark_strength * (near + removed * (carpet.half_mean - near));
 }
 
 // A color with threads, in [0, 1].
-fn carpet_lit(colour: vec3<f32>, by: f32, factor: f32) -> vec3<f32> {
-    let threads = clamp(colour + vec3<f32>(by), vec3<f32>(0.0), vec3<f32>(1.0));
+fn carpet_lit(color: vec3<f32>, by: f32, factor: f32) -> vec3<f32> {
+    let threads = clamp(color + vec3<f32>(by), vec3<f32>(0.0), vec3<f32>(1.0));
     return min(threads * factor, vec3<f32>(1.0));
 }
 
@@ -105,9 +68,9 @@ fn carpet_surface(carpet: Carpet, point: SurfacePoint) -> Glossy {
     let n = point.normal;
     let at = point.position;
     let footprint = point.pixel.widths.x;
-    let threads = fbm_sample(carpet.threads, at, footprint);
+    let threads = sized_fbm_sample(carpet.threads, at, footprint);
     let shine = carpet_shine(carpet, at, footprint);
-    let crossing = fbm_sample(carpet.crossover, at, footprint).value;
+    let crossing = sized_fbm_sample(carpet.crossover, at, footprint).value;
     let disturb = 0.5 * (crossing + 1.0) * carpet.crossover_strength;
 
     let along_gradient = surface_point_gradient(point, carpet.seams_direction * carpet.seams_frequency);
@@ -121,27 +84,27 @@ fn carpet_surface(carpet: Carpet, point: SurfacePoint) -> Glossy {
     let amount = seam + (1.0 - seam) * disturb;
 
     let texture_width = surface_point_uv_pixel(point).widths.x;
-    let fibre = fibres_sample(carpet.fibres, point.uv, texture_width);
-    let fibre_kept = fibres_kept(carpet.fibres, texture_width);
-    let fibre_slope = 0.5 * carpet.fibre_square_slope * (1.0 - fibre_kept * fibre_kept);
-    let factor = amount * carpet_dark(carpet, at, footprint) * (1.0 + carpet.fibre_strength * (fibre.factor - 1.0));
+    let fiber = fibers_sample(carpet.fibers, point.uv, texture_width);
+    let fiber_kept = fibers_kept(carpet.fibers, texture_width);
+    let fiber_slope = 0.5 * carpet.fiber_square_slope * (1.0 - fiber_kept * fiber_kept);
+    let factor = amount * carpet_dark(carpet, at, footprint) * (1.0 + carpet.fiber_strength * (fiber.factor - 1.0));
 
     let along = direction_unit_or_zero(along_gradient);
     let other = direction_unit_or_zero(other_gradient);
     let seam_bump = (along * crease.y + other * crease.z) * (carpet.seams_bump * (1.0 - disturb));
     let thread_bump = surface_gradient_tangential(n, threads.gradient) * carpet.thread_bump;
-    let fibre_bump = surface_point_slope(point, fibre.slope) * carpet.fibre_bump;
+    let fiber_bump = surface_point_slope(point, fiber.slope) * carpet.fiber_bump;
     let steep = carpet.seams_bump * (1.0 - disturb);
     let lost = seams_removed_slopes(carpet.seams_pattern, widths) * (steep * steep);
     let even = min(lost.x, lost.y);
     let ridges = select(other * sqrt(lost.y - even), along * sqrt(lost.x - even), lost.x > lost.y);
-    let variance = carpet.thread_bump * carpet.thread_bump * fbm_removed_slope(carpet.threads, footprint, FBM_SLOPE_VARIANCE)
+    let variance = carpet.thread_bump * carpet.thread_bump * sized_fbm_removed_slope(carpet.threads, footprint, SIZED_FBM_SLOPE_VARIANCE)
         + even
-        + carpet.fibre_bump * carpet.fibre_bump * fibre_slope;
+        + carpet.fiber_bump * carpet.fiber_bump * fiber_slope;
     return Glossy(
         carpet_lit(carpet.diffuse, carpet.thread_strength * threads.value, factor),
         carpet_lit(carpet.specular, carpet.shine_strength * shine, factor),
-        surface_gradient_normal(n, thread_bump + seam_bump + fibre_bump),
+        surface_gradient_normal(n, thread_bump + seam_bump + fiber_bump),
         variance,
         ridges,
     );

@@ -1,46 +1,17 @@
 // Flakes over pigment under a bumpy clearcoat, common to paints with sparkles and with counted
 // flakes: `asperity_shading::MetallicPaint`.
 
-struct MetallicPaint {
-    orange_peel: Fbm,
-    passive: Fbm,
-    // The keys of sparkles, for seven numbers per flake.
-    keys: vec4<u32>,
-    more_keys: vec4<u32>,
-    // The specular color of the flakes, and their Beckmann alpha.
-    specular: vec3<f32>,
-    flake_roughness: f32,
-    // The color of the pigment, and the strength of the orange peel.
-    pigment: vec3<f32>,
-    peel_strength: f32,
-    // The target of a sparkle's color, and its boost.
-    boost_target: vec3<f32>,
-    boost: f32,
-    // The width of a sparkle in pixels, its maximum width, its tilt, and the fraction that is left
-    // out.
-    pixel_size: f32,
-    physical_size: f32,
-    variation: f32,
-    elimination: f32,
-    // The inverse of the unit of adaptive elimination; 0 without it.
-    per_unit: f32,
-    passive_strength: f32,
-    // The relative IOR of the coat, and its Beckmann alpha, 0 for a smooth coat.
-    coat_index: f32,
-    coat_roughness: f32,
-}
-
 // The reflectance of flakes of a color for directions in their frame.
-fn metallic_paint_flakes(paint: MetallicPaint, colour: vec3<f32>, wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
-    return cook_torrance_beckmann(vec2<f32>(paint.flake_roughness), wi, wo).x * math_shares(colour);
+fn metallic_paint_flakes(paint: MetallicPaint, color: vec3<f32>, wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
+    return cook_torrance_beckmann(vec2<f32>(paint.flake_roughness), wi, wo).x * math_shares(color);
 }
 
 // The clearcoat with its orange peel, filtered over the pixel.
 fn metallic_paint_coat(paint: MetallicPaint, point: SurfacePoint) -> Coat {
     let footprint = point.pixel.widths.x;
-    let slope = fbm_sample(paint.orange_peel, point.position, footprint).gradient;
+    let slope = sized_fbm_sample(paint.orange_peel, point.position, footprint).gradient;
     let gradient = surface_gradient_tangential(point.normal, slope) * paint.peel_strength;
-    let removed = fbm_removed_slope(paint.orange_peel, footprint, FBM_SLOPE_VARIANCE);
+    let removed = sized_fbm_removed_slope(paint.orange_peel, footprint, SIZED_FBM_SLOPE_VARIANCE);
     let normal = frame_to_local(surface_point_frame(point), surface_gradient_normal(point.normal, gradient));
     let variance = paint.peel_strength * paint.peel_strength * removed;
     return coat_varnish(paint.coat_index, paint.coat_roughness, normal, variance);
@@ -48,7 +19,7 @@ fn metallic_paint_coat(paint: MetallicPaint, point: SurfacePoint) -> Coat {
 
 // The specular color of the flakes at a point, including passive flakes; in [0, 1].
 fn metallic_paint_specular(paint: MetallicPaint, point: SurfacePoint) -> vec3<f32> {
-    let noise = fbm_sample(paint.passive, point.position, point.pixel.widths.x).value;
+    let noise = sized_fbm_sample(paint.passive, point.position, point.pixel.widths.x).value;
     return min(paint.specular * max(1.0 + paint.passive_strength * noise, 0.0), vec3<f32>(1.0));
 }
 

@@ -1,11 +1,5 @@
 // Metallic paint with counted flakes: `asperity_shading::MetallicPaint` of `PaintFlakes::Counted`.
 
-struct CountedFlakes {
-    // The paint without its sparkles.
-    paint: MetallicPaint,
-    flakes: GlintField,
-}
-
 // Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`. The reflection of a smooth coat is `metallic_paint_mirrored`.
 fn counted_flakes_scattered(

@@ -1,22 +1,10 @@
 // Flakes counted by hashes, with a normal distribution as their mean:
 // `asperity_shading::material::GlintField`.
 
-struct GlintField {
-    // The distance between flakes, and the standard deviations of their tilt that mirror a light
-    // source.
-    spacing: f32,
-    bin: f32,
-    // Keys of the lattice, and of the two coordinates of flakes' normals.
-    key: u32,
-    reserved: u32,
-    tilt_keys: vec2<u32>,
-    more: vec2<u32>,
-}
-
 // A flake: its cell, and its center in cells.
 struct GlintFieldFlake {
     cell: vec3<i32>,
-    centre: vec3<f32>,
+    center: vec3<f32>,
 }
 
 // The word of a cell of flakes.
@@ -26,7 +14,7 @@ fn glint_field_word(cell: vec3<i32>, key: u32) -> u32 {
 }
 
 // The jittered center of a cell, in cells.
-fn glint_field_centre(cell: vec3<i32>, key: u32) -> vec3<f32> {
+fn glint_field_center(cell: vec3<i32>, key: u32) -> vec3<f32> {
     let word = glint_field_word(cell, key);
     let jitter = vec3<f32>(vec3<u32>(word & 1023u, (word >> 10u) & 1023u, (word >> 20u) & 1023u)) / 2048.0;
     return vec3<f32>(cell) + (jitter + 0.25);
@@ -46,7 +34,7 @@ fn glint_field_is_near(place: vec3<f32>) -> bool {
 fn glint_field_nearest(field: GlintField, place: vec3<f32>) -> GlintFieldFlake {
     let corner = floor(place);
     let base = vec3<i32>(corner);
-    let own = place - glint_field_centre(base, field.key);
+    let own = place - glint_field_center(base, field.key);
     // No other center is nearer if all possible centers of its cell are farther than the center of
     // the point's own cell. Centers far from the origin are rounded.
     let bound = dot(own, own) * 1.0001;
@@ -63,12 +51,12 @@ fn glint_field_nearest(field: GlintField, place: vec3<f32>) -> GlintFieldFlake {
         let z = glint_field_of(i / 9u, below.z, here.z, above.z);
         if x * x + y * y + z * z <= bound {
             let cell = base + vec3<i32>(i32(i % 3u) - 1, i32((i / 3u) % 3u) - 1, i32(i / 9u) - 1);
-            let centre = glint_field_centre(cell, field.key);
-            let apart = place - centre;
+            let center = glint_field_center(cell, field.key);
+            let apart = place - center;
             let distance = dot(apart, apart);
             if distance < least {
                 least = distance;
-                best = GlintFieldFlake(cell, centre);
+                best = GlintFieldFlake(cell, center);
             }
         }
     }

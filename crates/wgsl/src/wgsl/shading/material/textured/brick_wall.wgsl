@@ -1,21 +1,7 @@
 // A wall of bricks with recessed mortar: `asperity_shading::material::BrickWall`.
 
-struct BrickWall {
-    bricks: Brick,
-    // The color of bricks, and its variation from brick to brick.
-    clay: vec3<f32>,
-    variation: f32,
-    // The color of the mortar, and its depth in texture coordinates.
-    mortar: vec3<f32>,
-    depth: f32,
-    roughness: f32,
-    // The key of the lattice of the bricks' brightness.
-    key: u32,
-    reserved: vec2<u32>,
-}
-
 // The mean color of a pixel with these sides in texture coordinates.
-fn brick_wall_colour(wall: BrickWall, uv: vec2<f32>, pixel: PixelEllipse) -> vec3<f32> {
+fn brick_wall_color(wall: BrickWall, uv: vec2<f32>, pixel: PixelEllipse) -> vec3<f32> {
     let share = brick_filtered(wall.bricks, uv, pixel_ellipse_sides(pixel)).brick;
     let cell = brick_sample(wall.bricks, uv).cell;
     let word = integer_hash_word(integer_hash_term(0u, cell.x) ^ integer_hash_term(1u, cell.y), wall.key);
@@ -32,7 +18,7 @@ fn brick_wall_scattered(wall: BrickWall, point: SurfacePoint, wo: vec3<f32>, wi:
         return vec3<f32>(0.0);
     }
     let pixel = surface_point_uv_pixel(point);
-    let surface = textured_slopes(point, brick_wall_colour(wall, point.uv, pixel), wall.roughness);
+    let surface = textured_slopes(point, brick_wall_color(wall, point.uv, pixel), wall.roughness);
     let facets = brick_facets(wall.bricks, point.uv, pixel_ellipse_sides(pixel));
     var sum = vec3<f32>(0.0);
     for (var j = 0u; j < brick_facets_rows(facets); j++) {

@@ -1,20 +1,13 @@
 // Blue marble under a polish of relative IOR 1.5: `asperity_shading::material::PolishedMarble`.
 
-struct PolishedMarble {
-    marble: Marble,
-    // The factor of its colors; Beckmann's alpha of the polish, 0 for none.
-    tint: vec3<f32>,
-    polish: f32,
-}
-
 // Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`.
 fn polished_marble_scattered(stone: PolishedMarble, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {
         return vec3<f32>(0.0);
     }
-    let colour = stone.tint * marble_colour(stone.marble, point.position, point.pixel.widths.x);
-    let light = energy_preserving_value(colour, 0.0, wi, wo) * wi.z;
+    let color = stone.tint * marble_color(stone.marble, point.position, point.pixel.widths.x);
+    let light = energy_preserving_value(color, 0.0, wi, wo) * wi.z;
     if stone.polish > 0.0 {
         let polish = coat_varnish(1.5, math_clamped(stone.polish, 1.0), vec3<f32>(0.0, 0.0, 1.0), 0.0);
         return coat_over(polish, light, wo, wi);

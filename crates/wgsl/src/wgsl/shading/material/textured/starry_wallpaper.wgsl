@@ -1,14 +1,5 @@
 // Paper with stars: `asperity_shading::material::Wallpaper`.
 
-struct Wallpaper {
-    stars: StarWallpaper,
-    // The color of the paper, and the roughness of its facets.
-    paper: vec3<f32>,
-    roughness: f32,
-    star: vec3<f32>,
-    reserved: u32,
-}
-
 // Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`.
 fn starry_wallpaper_scattered(paper: Wallpaper, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
@@ -16,8 +7,8 @@ fn starry_wallpaper_scattered(paper: Wallpaper, point: SurfacePoint, wo: vec3<f3
         return vec3<f32>(0.0);
     }
     let share = star_wallpaper_coverage(paper.stars, point.uv, surface_point_uv_pixel(point).widths.x);
-    let colour = paper.paper * (1.0 - share) + paper.star * share;
-    return brdf_finite_channels(energy_preserving_value(colour, paper.roughness, wi, wo) * wi.z);
+    let color = paper.paper * (1.0 - share) + paper.star * share;
+    return brdf_finite_channels(energy_preserving_value(color, paper.roughness, wi, wo) * wi.z);
 }
 
 // The material in the uniform.

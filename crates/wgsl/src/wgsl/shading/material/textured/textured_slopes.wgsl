@@ -8,17 +8,17 @@ struct TexturedSlopes {
     gradient_v: vec3<f32>,
     frame: Frame,
     // Albedo and roughness of the facets.
-    colour: vec3<f32>,
+    color: vec3<f32>,
     roughness: f32,
 }
 
-fn textured_slopes(point: SurfacePoint, colour: vec3<f32>, roughness: f32) -> TexturedSlopes {
+fn textured_slopes(point: SurfacePoint, color: vec3<f32>, roughness: f32) -> TexturedSlopes {
     return TexturedSlopes(
         point.normal,
         surface_point_gradient_u(point),
         surface_point_gradient_v(point),
         surface_point_frame(point),
-        colour,
+        color,
         roughness,
     );
 }
@@ -37,5 +37,5 @@ fn textured_slopes_light(
     if !(light.factor > 0.0) {
         return vec3<f32>(0.0);
     }
-    return energy_preserving_value(surface.colour, surface.roughness, light.wi, light.wo) * light.factor;
+    return energy_preserving_value(surface.color, surface.roughness, light.wi, light.wo) * light.factor;
 }

@@ -16,13 +16,13 @@ fn dents_octave(q: vec3<f32>, seed: u32, dropped: u32) -> Sample3d {
 
 // The value, and the gradient in cells of the first octave, with unresolved octaves faded to 0:
 // `Dents::sample`.
-fn dents_sample(fbm: Fbm, dropped: u32, position: vec3<f32>, footprint: f32) -> Sample3d {
+fn dents_sample(fbm: SizedFbm, dropped: u32, position: vec3<f32>, footprint: f32) -> Sample3d {
     let p = position * fbm.frequency;
-    var total = octaves_total_3d(fbm.octaves, fbm_footprint(fbm, footprint), fbm.sum);
-    while octaves_goes_on(total.walk) {
-        let layer = octaves_layer_3d(fbm.sum, total.walk.octave);
-        let octave = dents_octave(octaves_point_3d(layer, p), bitcast<u32>(layer.cell_and_key.w), dropped);
-        total = octaves_added_3d(total, layer, octave);
+    var total = fbm_total_3d(fbm.octaves, sized_fbm_footprint(fbm, footprint), fbm.sum);
+    while fbm_goes_on(total.walk) {
+        let layer = fbm_layer_3d(fbm.sum, total.walk.octave);
+        let octave = dents_octave(fbm_point_3d(layer, p), bitcast<u32>(layer.cell_and_key.w), dropped);
+        total = fbm_added_3d(total, layer, octave);
     }
-    return octaves_divided_3d(total);
+    return fbm_divided_3d(total);
 }

@@ -1,20 +1,5 @@
 // Scratches of wear and tear on metal: `asperity_shading::Scratches`.
 
-struct Scratches {
-    segments: Segments,
-    // The specular color of the metal, and half the width of a scratch in texture coordinates.
-    specular: vec3<f32>,
-    half_width: f32,
-    // The far-field mean squares of slopes across: along u, mixed, along v; and the fraction
-    // covered by scratches.
-    removed_far: vec3<f32>,
-    covered_far: f32,
-    // The depth of a scratch over half its width; Beckmann's alpha of the metal.
-    strength: f32,
-    roughness: f32,
-    reserved: vec2<u32>,
-}
-
 // Scratches filtered over a pixel: mean slope, covered fraction, and mean squares of the unresolved
 // slopes.
 struct ScratchesGrooves {

@@ -1,26 +1,5 @@
 // Any material with small variations, blemishes and dents: `asperity_shading::Variations`.
 
-struct Variations {
-    blemishes: Fbm,
-    dents: Fbm,
-    diffuse: vec3<f32>,
-    // The roughness of the facets, and Beckmann's alpha of the gloss.
-    roughness: f32,
-    specular: vec3<f32>,
-    gloss_roughness: f32,
-    // Tilt by blemishes, their variation of the color, tilt by dents, and the fraction of their
-    // gradients that is kept.
-    blemish_bump: f32,
-    blemish_colour: f32,
-    dent_strength: f32,
-    dent_cover: f32,
-    // Gradients of dents whose words are below this are dropped.
-    dropped: u32,
-    // Half the mean of the noise's magnitude.
-    half_mean: f32,
-    reserved: vec2<u32>,
-}
-
 // The surface filtered over a pixel, independent of the light.
 fn variations_surface(variations: Variations, point: SurfacePoint) -> Glossy {
     let at = point.position;
@@ -28,15 +7,15 @@ fn variations_surface(variations: Variations, point: SurfacePoint) -> Glossy {
     let footprint = point.pixel.widths.x;
     let bump = variations.blemish_bump;
     let dent = variations.dent_strength;
-    let blemish_slope = fbm_sample(variations.blemishes, at, footprint).gradient;
+    let blemish_slope = sized_fbm_sample(variations.blemishes, at, footprint).gradient;
     let dent_slope = dents_sample(variations.dents, variations.dropped, at, footprint).gradient;
     let gradient = surface_gradient_tangential(n, blemish_slope) * bump
         + surface_gradient_tangential(n, dent_slope) * dent;
-    let specular = blemishes_colour(
-        variations.blemishes, variations.half_mean, variations.specular, variations.blemish_colour, at, footprint,
+    let specular = blemishes_color(
+        variations.blemishes, variations.half_mean, variations.specular, variations.blemish_color, at, footprint,
     );
-    let variance = bump * bump * fbm_removed_slope(variations.blemishes, footprint, FBM_SLOPE_VARIANCE)
-        + dent * dent * fbm_removed_slope(variations.dents, footprint, FBM_SLOPE_VARIANCE * variations.dent_cover);
+    let variance = bump * bump * sized_fbm_removed_slope(variations.blemishes, footprint, SIZED_FBM_SLOPE_VARIANCE)
+        + dent * dent * sized_fbm_removed_slope(variations.dents, footprint, SIZED_FBM_SLOPE_VARIANCE * variations.dent_cover);
     return Glossy(
         variations.diffuse,
         clamp(specular, vec3<f32>(0.0), vec3<f32>(1.0)),

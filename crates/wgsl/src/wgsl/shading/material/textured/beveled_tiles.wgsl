@@ -1,16 +1,7 @@
-// Square tiles with a ridge along their edges: `asperity_shading::material::BevelledTiles`.
-
-struct BevelledTiles {
-    // The ridge, for tiles of side 1.
-    bevel: Bevel,
-    colour: vec3<f32>,
-    roughness: f32,
-    // The side of a tile in texture coordinates, above 0.
-    side: f32,
-}
+// Square tiles with a ridge along their edges: `asperity_shading::material::BeveledTiles`.
 
 // Light from the facets of a ridge between two distances, which fall `away` from its edge.
-fn bevelled_tiles_ridge(
+fn beveled_tiles_ridge(
     surface: TexturedSlopes,
     facets: BevelFacets,
     share: f32,
@@ -30,7 +21,7 @@ fn bevelled_tiles_ridge(
 }
 
 // Light of whole tiles, in rings around their middles.
-fn bevelled_tiles_far(bevel: Bevel, surface: TexturedSlopes, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+fn beveled_tiles_far(bevel: Bevel, surface: TexturedSlopes, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     var sum = vec3<f32>(0.0);
     var flat = 0.0;
     for (var k = 0u; k < 16u; k++) {
@@ -43,7 +34,7 @@ fn bevelled_tiles_far(bevel: Bevel, surface: TexturedSlopes, wo: vec3<f32>, wi: 
         for (var edge = 0u; edge < 4u && facets.flank > 0.0; edge++) {
             let side = select(1.0, -1.0, edge > 1u);
             let away = select(vec2<f32>(0.0, side), vec2<f32>(side, 0.0), (edge & 1u) == 0u);
-            sum += bevelled_tiles_ridge(surface, facets, 0.25 * ring, away, wo, wi);
+            sum += beveled_tiles_ridge(surface, facets, 0.25 * ring, away, wo, wi);
         }
     }
     return sum + textured_slopes_light(surface, flat, vec2<f32>(0.0), wo, wi);
@@ -51,11 +42,11 @@ fn bevelled_tiles_far(bevel: Bevel, surface: TexturedSlopes, wo: vec3<f32>, wi: 
 
 // Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`. All facets are lit, while the Rust crate merges facets beyond the 32nd.
-fn bevelled_tiles_scattered(tiles: BevelledTiles, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+fn beveled_tiles_scattered(tiles: BeveledTiles, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {
         return vec3<f32>(0.0);
     }
-    let surface = textured_slopes(point, tiles.colour, tiles.roughness);
+    let surface = textured_slopes(point, tiles.color, tiles.roughness);
     let at = point.uv / tiles.side;
     let width = surface_point_uv_pixel(point).widths.x / tiles.side;
     let far = frequency_clamp_removed_share(width, 1.0);
@@ -70,19 +61,19 @@ fn bevelled_tiles_scattered(tiles: BevelledTiles, point: SurfacePoint, wo: vec3<
             beyond = max(-low / width, 0.0);
         }
         let facets = bevel_facets(tiles.bevel, max(low, 0.0), high);
-        sum = bevelled_tiles_ridge(surface, facets, (1.0 - far) * (1.0 - beyond), edge.away, wo, wi);
+        sum = beveled_tiles_ridge(surface, facets, (1.0 - far) * (1.0 - beyond), edge.away, wo, wi);
         if beyond > 0.0 {
             let next = bevel_facets(tiles.bevel, 0.0, -low);
-            sum += bevelled_tiles_ridge(surface, next, (1.0 - far) * beyond, -edge.away, wo, wi);
+            sum += beveled_tiles_ridge(surface, next, (1.0 - far) * beyond, -edge.away, wo, wi);
         }
     }
     if far > 0.0 {
-        sum += bevelled_tiles_far(tiles.bevel, surface, wo, wi) * far;
+        sum += beveled_tiles_far(tiles.bevel, surface, wo, wi) * far;
     }
     return brdf_finite_channels(sum);
 }
 
 // The material in the uniform.
-fn bevelled_tiles(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
-    return bevelled_tiles_scattered(bevelled_tiles_uniform, point, wo, wi);
+fn beveled_tiles(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+    return beveled_tiles_scattered(beveled_tiles_uniform, point, wo, wi);
 }

@@ -1,16 +1,16 @@
 //! Sums of octaves in 2-D for every kind of noise, and building blocks for custom kinds.
 
 use super::UNIFORM_2D;
-use super::octaves::{octave_part, octaves};
+use super::fbm::{fbm, octave_part};
 
-octaves!(
+fbm!(
     ["2", "in 2-D", "layer.cell", "layer.key"],
     UNIFORM_2D,
     [
         VALUE,
         VALUE_CATMULL_ROM,
-        PERLIN_1985,
-        PERLIN_2002,
+        PERLIN_CLASSIC,
+        PERLIN,
         VALUE_GRADIENT,
         SIMPLEX,
         SIMPLEX_WIDE,

@@ -43,7 +43,7 @@ macro_rules! octave_part {
     ([$digit:literal, $place:literal, $cell:literal, $key:literal], $file:expr, [$($template:literal),*],
      [$($mark:literal => $word:expr),*], [$($need:path),*]) => {{
         const TEMPLATE: &str = concat!($(include_str!(
-            concat!(env!("CARGO_MANIFEST_DIR"), "/src/wgsl/noise/sums/octaves/", $template, ".template")
+            concat!(env!("CARGO_MANIFEST_DIR"), "/src/wgsl/noise/sums/fbm/", $template, ".template")
         )),*);
         const WORDS: &[(u8, &str)] =
             &[(b'#', $digit), (b'~', $place), (b'@', $cell), (b'%', $key) $(, ($mark, $word))*];
@@ -52,15 +52,15 @@ macro_rules! octave_part {
             Ok(source) => source,
             Err(_) => panic!("templates are ASCII"),
         };
-        Part::new(concat!("noise/sums/octaves_", $digit, "d/", $file), SOURCE, &[$(&$need),*])
+        Part::new(concat!("noise/sums/fbm_", $digit, "d/", $file), SOURCE, &[$(&$need),*])
     }};
 }
 
 /// Defines the parts of sums in a dimension: a running sum, a ridged multifractal, and octaves of
 /// each kind of noise.
-macro_rules! octaves {
+macro_rules! fbm {
     ($dimension:tt, $uniform:path, [$($kind:ident),*]) => {
-        use $crate::noise::sums::octaves::{filled, size};
+        use $crate::noise::sums::fbm::{filled, size};
         use $crate::noise::sums::{OCTAVE, SHAPE, SPECTRUM};
         use $crate::noise::{self, CELL, SAMPLE};
         use $crate::part::Part;
@@ -77,45 +77,45 @@ macro_rules! octaves {
             [SAMPLE, SHAPE, SPECTRUM, OCTAVE, $uniform]
         );
 
-        $(octaves!(@$kind $dimension $uniform);)*
+        $(fbm!(@$kind $dimension $uniform);)*
     };
     (@VALUE $d:tt $u:path) => {
-        octaves!(@cells $d $u, VALUE "value", "value", "", "value noise, asperity_noise::Value");
+        fbm!(@cells $d $u, VALUE "value", "value", "", "value noise, asperity_noise::ValueNoise");
     };
     (@VALUE_CATMULL_ROM $d:tt $u:path) => {
-        octaves!(@cells $d $u, VALUE_CATMULL_ROM "value_catmull_rom", "value_catmull_rom", "",
+        fbm!(@cells $d $u, VALUE_CATMULL_ROM "value_catmull_rom", "value_catmull_rom", "",
             "value noise by splines, asperity_noise::ValueCatmullRom");
     };
-    (@PERLIN_1985 $d:tt $u:path) => {
-        octaves!(@cells $d $u, PERLIN_1985 "perlin_1985", "perlin_1985", "",
-            "Perlin noise of 1985, asperity_noise::Perlin1985");
+    (@PERLIN_CLASSIC $d:tt $u:path) => {
+        fbm!(@cells $d $u, PERLIN_CLASSIC "perlin_classic", "perlin_classic", "",
+            "Perlin noise of 1985, asperity_noise::PerlinClassic");
     };
-    (@PERLIN_2002 $d:tt $u:path) => {
-        octaves!(@cells $d $u, PERLIN_2002 "perlin_2002", "perlin_2002", "",
-            "Perlin noise of 2002, asperity_noise::Perlin2002");
+    (@PERLIN $d:tt $u:path) => {
+        fbm!(@cells $d $u, PERLIN "perlin", "perlin", "",
+            "Perlin noise of 2002, asperity_noise::Perlin");
     };
     (@VALUE_GRADIENT $d:tt $u:path) => {
-        octaves!(@cells $d $u, VALUE_GRADIENT "value_gradient", "value_gradient", " 0.5,",
+        fbm!(@cells $d $u, VALUE_GRADIENT "value_gradient", "value_gradient", " 0.5,",
             "value-gradient noise with equal weights, asperity_noise::ValueGradient");
     };
     (@SPARSE $d:tt $u:path) => {
-        octaves!(@cells $d $u, SPARSE "sparse_convolution", "sparse", " 1u,",
-            "sparse convolution noise of one impulse per cell, asperity_noise::Sparse");
+        fbm!(@cells $d $u, SPARSE "sparse_convolution", "sparse", " 1u,",
+            "sparse convolution noise of one impulse per cell, asperity_noise::SparseConvolution");
     };
     (@GAUSSIAN $d:tt $u:path) => {
-        octaves!(@of $d $u, GAUSSIAN "gaussian", "cells", "gaussian_channel", "gaussian", "",
-            "Gaussian noise, one channel, asperity_noise::Gaussian", [CELL, noise::GAUSSIAN]);
+        fbm!(@of $d $u, GAUSSIAN "gaussian", "cells", "gaussian_channel", "gaussian", "",
+            "Gaussian noise, one channel, asperity_noise::GaussianNoise", [CELL, noise::GAUSSIAN]);
     };
     (@SIMPLEX $d:tt $u:path) => {
-        octaves!(@of $d $u, SIMPLEX "simplex", "points", "simplex", "simplex", "",
+        fbm!(@of $d $u, SIMPLEX "simplex", "points", "simplex", "simplex", "",
             "simplex noise with the continuous kernel, asperity_noise::Simplex", [noise::SIMPLEX]);
     };
     (@SIMPLEX_WIDE $d:tt $u:path) => {
-        octaves!(@of $d $u, SIMPLEX_WIDE "simplex_wide", "points", "simplex_wide", "simplex_wide", "",
+        fbm!(@of $d $u, SIMPLEX_WIDE "simplex_wide", "points", "simplex_wide", "simplex_wide", "",
             "simplex noise with the customary wider kernel, asperity_noise::Simplex", [noise::SIMPLEX]);
     };
     (@cells $d:tt $u:path, $name:ident $file:literal, $function:literal, $more:literal, $what:literal) => {
-        octaves!(@of $d $u, $name $file, "cells", $function, $function, $more, $what, [CELL, noise::$name]);
+        fbm!(@of $d $u, $name $file, "cells", $function, $function, $more, $what, [CELL, noise::$name]);
     };
     (@of $d:tt $u:path, $name:ident $file:literal, $template:literal, $function:literal, $kind:literal,
      $more:literal, $what:literal, [$($need:path),*]) => {
@@ -127,4 +127,4 @@ macro_rules! octaves {
     };
 }
 
-pub(crate) use {octave_part, octaves};
+pub(crate) use {fbm, octave_part};

@@ -1,43 +1,32 @@
 // Octaves of simplex noise by position, filtered over a pixel: `material/fbm.rs` of
 // asperity-shading.
 
-struct Fbm {
-    // Cells of the first octave per unit of length, and the ratio of the last to the first
-    // frequency.
-    frequency: f32,
-    highest: f32,
-    // The number of octaves.
-    octaves: f32,
-    // The index of the sum in the uniform of sums.
-    sum: u32,
-}
-
 // The variance of each component of the gradient of one octave, per cell squared.
-const FBM_SLOPE_VARIANCE: f32 = 3.08;
+const SIZED_FBM_SLOPE_VARIANCE: f32 = 3.08;
 
 // The footprint in cells for frequency clamping; 0 if all octaves are resolved.
-fn fbm_footprint(fbm: Fbm, footprint: f32) -> f32 {
+fn sized_fbm_footprint(fbm: SizedFbm, footprint: f32) -> f32 {
     let width = footprint * fbm.frequency;
     return select(0.0, width, frequency_clamp_removed_share(width, fbm.highest) > 0.0);
 }
 
 // The value, and the gradient in cells of the first octave, with unresolved octaves faded to 0.
-fn fbm_sample(fbm: Fbm, position: vec3<f32>, footprint: f32) -> Sample3d {
-    return simplex_octaves_3d(position * fbm.frequency, fbm.octaves, fbm_footprint(fbm, footprint), fbm.sum);
+fn sized_fbm_sample(fbm: SizedFbm, position: vec3<f32>, footprint: f32) -> Sample3d {
+    return simplex_fbm_3d(position * fbm.frequency, fbm.octaves, sized_fbm_footprint(fbm, footprint), fbm.sum);
 }
 
 // The value without fading.
-fn fbm_value(fbm: Fbm, position: vec3<f32>) -> f32 {
-    return simplex_octaves_3d(position * fbm.frequency, fbm.octaves, 0.0, fbm.sum).value;
+fn sized_fbm_value(fbm: SizedFbm, position: vec3<f32>) -> f32 {
+    return simplex_fbm_3d(position * fbm.frequency, fbm.octaves, 0.0, fbm.sum).value;
 }
 
 // The variance of each component of the gradient that fading removes, for octaves with this
 // variance.
-fn fbm_removed_slope(fbm: Fbm, footprint: f32, slope_variance: f32) -> f32 {
+fn sized_fbm_removed_slope(fbm: SizedFbm, footprint: f32, slope_variance: f32) -> f32 {
     if !(frequency_clamp_removed_share(footprint * fbm.frequency, fbm.highest) > 0.0) {
         return 0.0;
     }
-    let spectrum = octaves_spectrum_3d(fbm.sum);
+    let spectrum = fbm_spectrum_3d(fbm.sum);
     var removed = 0.0;
     var total = 0.0;
     var amplitude = 1.0;
