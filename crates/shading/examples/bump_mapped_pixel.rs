@@ -1,4 +1,5 @@
 //! Shades one pixel of bump-mapped copper under one light.
+#![expect(clippy::print_stdout, reason = "an example prints its result")]
 
 use asperity_shading::glam::Vec3;
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};

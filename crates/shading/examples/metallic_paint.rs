@@ -1,4 +1,5 @@
 //! Shades a point of a mesh with metallic paint, from the numbers that any renderer has.
+#![expect(clippy::print_stdout, reason = "an example prints its result")]
 
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::{Material, MetallicPaint, MetallicPaintParameters, PixelEllipse, SurfacePoint};

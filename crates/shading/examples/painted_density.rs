@@ -1,5 +1,6 @@
 //! A microfacet BRDF whose distribution of normals is an image: `cargo run --example
 //! painted_density [gray.png]`.
+#![expect(clippy::print_stdout, reason = "an example prints its result")]
 
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::ndf_sampling::{Masked, Measure, NdfMap, Reconstruction};

@@ -27,7 +27,7 @@ impl Random {
     }
 }
 
-fn hit<'a>(scene: &'a [Sphere], origin: Vec3, direction: Vec3) -> Option<(f32, &'a Sphere)> {
+fn hit(scene: &[Sphere], origin: Vec3, direction: Vec3) -> Option<(f32, &Sphere)> {
     let hits = scene.iter().filter_map(|sphere| {
         let to = sphere.0 - origin;
         let (middle, square) = (to.dot(direction), to.length_squared() - 1.0);

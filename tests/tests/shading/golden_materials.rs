@@ -39,7 +39,7 @@ fn lit(name: &str, material: &dyn Material, width: f32, expected: [f64; 3]) {
 fn mirrored(material: &dyn Material) -> Vec3 {
     let (point, frame) = (point(1e-3), point(1e-3).frame());
     let wo = frame.to_world(WO);
-    let sample = material.bsdf(&point, wo).sample(wo, 0.0, Vec2::splat(0.3)).unwrap();
+    let sample = material.bsdf(&point, wo).sample(wo, 0.0, Vec2::splat(0.3)).expect("some direction");
     assert!(sample.is_specular() && !sample.is_transmission());
     frame.to_local(sample.wi)
 }
