@@ -304,6 +304,8 @@ struct Place<'a, const ROTATED: bool> {
     rotation: Rotation,
     /// The seed of the noise if `None`.
     seed: Option<u32>,
+    /// Whether octaves have their own seeds and offsets.
+    moved: bool,
 }
 
 impl<V: Point, const ROTATED: bool> Visit<V> for Place<'_, ROTATED> {
@@ -318,6 +320,9 @@ impl<V: Point, const ROTATED: bool> Visit<V> for Place<'_, ROTATED> {
         let mut layers = Layer::all(self.spectrum, self.rotation, seed);
         for layer in &mut layers {
             layer.offset = scaled(layer.offset, noise.spread());
+            if !self.moved {
+                (layer.seed, layer.offset) = (seed, [0.0; N]);
+            }
         }
         (seed, Layers::of(noise, &layers))
     }
@@ -347,12 +352,6 @@ fn scaled<const N: usize>(mut g: [f32; N], factor: f32) -> [f32; N] {
 }
 
 impl<'a, K: Kernel<N>, const N: usize, T: Shape> Sum<'a, K, N, T> {
-    /// The active octaves, each with its amplitude.
-    #[inline(always)]
-    fn octaves(&self) -> impl Iterator<Item = (f32, Layer<N>)> {
-        octaves(self.layers, self.active)
-    }
-
     /// The sum from one octave per lane, where this is faster.
     #[inline(always)]
     fn in_lanes(&self, p: [f32; N]) -> Option<LaneSample<Scalar, N>> {
@@ -371,7 +370,7 @@ impl<'a, K: Kernel<N>, const N: usize, T: Shape> Sum<'a, K, N, T> {
             return value;
         }
         let (p, mut own, mut sum) = (self.in_first_tile(p), None, self.active.constant);
-        for (amplitude, layer) in self.octaves() {
+        for (amplitude, layer) in octaves(self.layers, self.active) {
             let (p, noise) = (layer.points(Scalar, p), layer.noise(self.noise, &mut own));
             let n = noise.value_at(p, layer.seed);
             sum += amplitude * self.shape.value(n);
@@ -385,7 +384,7 @@ impl<'a, K: Kernel<N>, const N: usize, T: Shape> Sum<'a, K, N, T> {
             return sample;
         }
         let (p, mut own, mut sum) = (self.in_first_tile(p), None, (self.active.constant, [0.0; N]));
-        for (amplitude, layer) in self.octaves() {
+        for (amplitude, layer) in octaves(self.layers, self.active) {
             let (p, noise) = (layer.points(Scalar, p), layer.noise(self.noise, &mut own));
             let (n, gradient) = noise.sample_at(p, layer.seed);
             let slope = self.shape.slope(n);
@@ -456,7 +455,8 @@ impl<F: Field<V>, V: Point> Fbm<F, V> {
     #[must_use]
     pub fn new(field: F, spectrum: FbmSpectrum) -> Self {
         let rotation = Rotation::Random;
-        let (seed, layers) = field.visit(Place::<true> { spectrum: &spectrum, rotation, seed: None });
+        let (seed, layers) =
+            field.visit(Place::<true> { spectrum: &spectrum, rotation, seed: None, moved: true });
         let normalization = match field.moments() {
             Some(_) => Normalization::UnitVariance,
             None => Normalization::UnitRange,
@@ -475,29 +475,11 @@ impl<F: Field<V>, V: Point> Fbm<F, V> {
     /// ```
     #[must_use]
     pub fn single(field: F) -> Self {
-        let single = Self::new(field, FbmSpectrum::SINGLE).with_rotation(Rotation::Aligned);
-        let layers = single.field.visit(Unmoved { seed: single.seed });
-        Self { layers, ..single }.with_normalization(Normalization::UnitRange)
-    }
-}
-
-/// The layers of a single octave.
-struct Unmoved {
-    seed: u32,
-}
-
-impl<V: Point> Visit<V> for Unmoved {
-    type Output = Layers<V::Coordinates>;
-
-    fn kernel<K: Kernel<N>, const N: usize>(self, noise: &K) -> Self::Output
-    where
-        V: Point<Coordinates = [f32; N]>,
-    {
-        let mut layers = Layer::all(&FbmSpectrum::SINGLE, Rotation::Aligned, self.seed);
-        for layer in &mut layers {
-            (layer.seed, layer.offset) = (self.seed, [0.0; N]);
-        }
-        Layers::of(noise, &layers)
+        let (spectrum, rotation) = (FbmSpectrum::SINGLE, Rotation::Aligned);
+        let place = Place::<false> { spectrum: &spectrum, rotation, seed: None, moved: false };
+        let (seed, layers) = field.visit(place);
+        let (normalization, active) = (Normalization::UnitRange, Active::NONE);
+        Self { field, spectrum, normalization, rotation, seed, layers, shape: Signed, active }.all()
     }
 }
 
@@ -637,7 +619,7 @@ impl<F: Tile<N>, V: Point<Coordinates = [f32; N]>, T, const N: usize> Fbm<F, V, 
                 }
             }
         }
-        let (_, layers) = field.visit(Place::<false> { spectrum: &spectrum, rotation, seed });
+        let (_, layers) = field.visit(Place::<false> { spectrum: &spectrum, rotation, seed, moved: true });
         let Self { normalization, seed, shape, active, .. } = self;
         Ok(Fbm { field, spectrum, normalization, rotation, seed, layers, shape, active })
     }
@@ -701,7 +683,7 @@ impl<F: Field<V>, V: Point, T: Shape> Fbm<F, V, T> {
     }
 
     fn placed<const ROTATED: bool>(self, rotation: Rotation, seed: u32) -> Self {
-        let place = Place::<ROTATED> { spectrum: &self.spectrum, rotation, seed: Some(seed) };
+        let place = Place::<ROTATED> { spectrum: &self.spectrum, rotation, seed: Some(seed), moved: true };
         let (seed, layers) = self.field.visit(place);
         Self { rotation, seed, layers, ..self }
     }
