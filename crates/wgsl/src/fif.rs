@@ -11,7 +11,7 @@ use asperity_fif::gpu::{
 use crate::part::{Binding, Element, Part, part};
 
 /// Whether a coordinate is not NaN: `fif_is_number`.
-pub static NUMBER: Part = part!("fif/number");
+pub(crate) static NUMBER: Part = part!("fif/number");
 
 /// Values of a function from its table: `fif_table_value`, with the bits of
 /// [`Table32::value`](asperity_fif::Table32::value).

@@ -44,7 +44,7 @@ pub static INTEGER_HASH: Part = part!("noise/lattice/integer_hash");
 pub static CELL: Part = part!("noise/lattice/cell");
 
 /// Weights along the axes of a cell, and their derivatives.
-pub static FADE: Part = part!("noise/lattice/fade");
+pub(crate) static FADE: Part = part!("noise/lattice/fade");
 
 /// Directions to the edges of a cube, [`edge_gradient`](asperity_noise::lattice::edge_gradient).
 pub static EDGES: Part = part!("noise/lattice/edges");
@@ -53,10 +53,10 @@ pub static EDGES: Part = part!("noise/lattice/edges");
 pub static VARIATES: Part = part!("noise/lattice/variates");
 
 /// Blend of the corners of a cell at the ends of the first two axes.
-pub static COLUMNS: Part = part!("noise/kinds/cell/columns", SAMPLE);
+pub(crate) static COLUMNS: Part = part!("noise/kinds/cell/columns", SAMPLE);
 
 /// Blend of the corners of a cell in 3-D.
-pub static CORNERS: Part = part!("noise/kinds/cell/corners", COLUMNS);
+pub(crate) static CORNERS: Part = part!("noise/kinds/cell/corners", COLUMNS);
 
 /// White noise, [`WhiteNoise`](asperity_noise::WhiteNoise), in two and three dimensions.
 pub static WHITE: Part = part!("noise/kinds/white", SAMPLE, INTEGER_HASH, CELL, VARIATES);

@@ -17,7 +17,7 @@ pub static ROUGHNESS: Part = part!("ndf/density/roughness", ELEMENTARY);
 
 /// Smith masking and shadowing for any Λ, and views from below:
 /// [`Microfacet`](asperity_ndf_sampling::Microfacet).
-pub static MICROFACET: Part = part!("ndf/microfacet", ELEMENTARY);
+pub(crate) static MICROFACET: Part = part!("ndf/microfacet", ELEMENTARY);
 
 /// Tangent frames by the minimal rotation: [`Frame`](asperity_ndf_sampling::Frame).
 pub static FRAME: Part = part!("ndf/frame", ELEMENTARY);
@@ -35,7 +35,7 @@ pub static OFFSET_BECKMANN: Part = part!("ndf/level_of_detail/offset_beckmann", 
 pub static GGX: Part = part!("ndf/density/ggx", ELEMENTARY, ROUGHNESS, MICROFACET, GAUSSIAN_SPLIT);
 
 /// Slopes along a view of Gaussian slopes, for visible normals of [`BECKMANN`].
-pub static VISIBLE_SLOPES: Part = part!("ndf/density/visible_slopes", ELEMENTARY, NORMAL_DISTRIBUTION);
+pub(crate) static VISIBLE_SLOPES: Part = part!("ndf/density/visible_slopes", ELEMENTARY, NORMAL_DISTRIBUTION);
 
 /// Beckmann: density, bijection and inverse, samples, visible normals, masking, conditional
 /// density.
@@ -53,7 +53,7 @@ pub static BECKMANN: Part = part!(
 );
 
 /// Student's t in one dimension, for masking and visible normals of [`STUDENT_T`].
-pub static STUDENT_DISTRIBUTION: Part =
+pub(crate) static STUDENT_DISTRIBUTION: Part =
     part!("ndf/density/student_distribution", ELEMENTARY, NORMAL_DISTRIBUTION);
 
 /// Student's t: density, bijection and inverse, samples, visible normals and masking in 32 bits;

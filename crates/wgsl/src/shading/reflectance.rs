@@ -24,7 +24,7 @@ pub static CONDUCTOR: Part = part!("shading/reflectance/fresnel/conductor", MATH
 pub static LAMBERT: Part = part!("shading/reflectance/diffuse/lambert", DIRECTION);
 
 /// Common geometry of rough diffuse reflectances.
-pub static ROUGH: Part = part!("shading/reflectance/diffuse/rough", MATH);
+pub(crate) static ROUGH: Part = part!("shading/reflectance/diffuse/rough", MATH);
 
 /// Oren–Nayar reflectance in three forms, [`OrenNayar`](asperity_shading::reflectance::OrenNayar).
 pub static OREN_NAYAR: Part = part!("shading/reflectance/diffuse/oren_nayar", BRDF, DIRECTION, ROUGH);

@@ -27,23 +27,19 @@ pub trait Rows: Sized + Clone + Debug {
     ///
     /// `x` is within the rounding error of the ray, given as the fraction of the domain to its
     /// left.
-    #[doc(hidden)]
     fn jet(table: &JetTable<Self>, part: f64, steps: usize) -> [f64; 2];
 
     /// [`Rows::jet`] with SIMD, with a number of steps per lane, at most `most`.
     #[cfg(feature = "simd")]
-    #[doc(hidden)]
     fn jets<I: Simd>(table: &JetTable<Self>, part: f64x8<I>, steps: f64x8<I>, most: usize) -> [f64x8<I>; 2];
 
     /// Enclosures of values and slopes between two fractions of the domain, from ranges over the
     /// cells of the whole.
     ///
     /// `None` if the fractions span more than two cells of the first step.
-    #[doc(hidden)]
     fn finer(table: &JetTable<Self>, ranges: &RangeTable, parts: [f64; 2]) -> Option<[Interval; 2]>;
 
     /// Bytes of the rows.
-    #[doc(hidden)]
     fn bytes(&self) -> usize;
 }
 

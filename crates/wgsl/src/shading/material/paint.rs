@@ -15,7 +15,7 @@ pub static FLAKE_PATCH: Part =
 
 /// Flakes over pigment under a clearcoat with orange peel, the common part of both kinds of
 /// [`MetallicPaint`](asperity_shading::MetallicPaint).
-pub static COATED_FLAKES: Part = part!(
+pub(crate) static COATED_FLAKES: Part = part!(
     "shading/material/paint/coated_flakes",
     [MetallicPaintUniform],
     SURFACE_POINT,

@@ -16,10 +16,11 @@ pub static SURFACE_POINT: Part =
     part!("shading/material/surface_point", FRAME, SURFACE_GRADIENT, PIXEL_ELLIPSE);
 
 /// Short oriented segments in the cells of a plane, drawn from hashes.
-pub static SEGMENTS: Part = part!("shading/material/segments", [SegmentsUniform], INTEGER_HASH, DIRECTION);
+pub(crate) static SEGMENTS: Part =
+    part!("shading/material/segments", [SegmentsUniform], INTEGER_HASH, DIRECTION);
 
 /// Keys of lattices whose seeds are drawn in the shader.
-pub static LATTICE_KEY: Part = part!("shading/material/lattice_key");
+pub(crate) static LATTICE_KEY: Part = part!("shading/material/lattice_key");
 
 /// Octaves of simplex noise by position, filtered over a pixel.
 ///

@@ -11,7 +11,7 @@ use crate::shading::reflectance::{BRDF, COAT, ENERGY_PRESERVING, FACET};
 use crate::shading::texture::{BEVEL, BRICK_FACETS, MARBLE, PERTURBED, STAR_WALLPAPER};
 
 /// Rough diffuse surfaces with slopes in texture coordinates, facet by facet.
-pub static TEXTURED_SLOPES: Part =
+pub(crate) static TEXTURED_SLOPES: Part =
     part!("shading/material/textured/textured_slopes", SURFACE_POINT, FACET, ENERGY_PRESERVING);
 
 /// Wall of bricks with recessed mortar, [`BrickWall`](asperity_shading::material::BrickWall).

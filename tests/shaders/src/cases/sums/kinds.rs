@@ -60,9 +60,9 @@ where
     let exact_2d = in_2d(exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 2]);
     let there_3d = in_3d(FbmSpectrum::default()).anchored(DVec3::new(1e6, -4.5e5, 7e5));
     let there_2d = in_2d(FbmSpectrum::default()).anchored(DVec2::new(1e6, -4.5e5));
-    let [exact, there] = [&exact_3d, &there_3d].map(|sum| sum.gpu());
+    let [exact, there] = [&exact_3d, &there_3d].map(Fbm::<_, Vec3>::gpu);
     let space_words = packed(&FbmUniform3d::array(&[there, there, there, exact]));
-    let [exact, there] = [&exact_2d, &there_2d].map(|sum| sum.gpu());
+    let [exact, there] = [&exact_2d, &there_2d].map(Fbm::<_, Vec2>::gpu);
     let plane_words = packed(&FbmUniform2d::array(&[there, there, there, exact]));
     Case {
         name: format!("noise/sums/fbm of {name}, 3-D and 2-D"),
@@ -131,7 +131,7 @@ fn own() -> Case {
     let there = Fbm::<_, Vec3>::new(kind, FbmSpectrum::default()).anchored([0.0; 3]);
     let exact =
         Fbm::<_, Vec3>::new(kind, exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 3]);
-    let sums = [&there, &there, &there, &exact].map(|sum| sum.gpu());
+    let sums = [&there, &there, &there, &exact].map(Fbm::<_, Vec3>::gpu);
     Case {
         name: "noise/sums/fbm of a custom noise, 3-D".into(),
         parts: vec![&STEEP],
@@ -159,7 +159,7 @@ where
     let there = Fbm::<K, Vec4>::new(noise, FbmSpectrum::default()).anchored([1e6, -4.5e5, 7e5, 2e5]);
     let exact =
         Fbm::<K, Vec4>::new(noise, exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 4]);
-    let words = packed(&FbmUniform4d::array(&[&there, &there, &there, &exact].map(|sum| sum.gpu())));
+    let words = packed(&FbmUniform4d::array(&[&there, &there, &there, &exact].map(Fbm::<_, Vec4>::gpu)));
     Case {
         name: format!("noise/sums/fbm and ridged_multifractal of {name}, 4-D"),
         parts: vec![part],
