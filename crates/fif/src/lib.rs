@@ -39,6 +39,7 @@
 //! | `libm` | roots, powers and logarithms of `libm`, for targets without a standard library; takes precedence over `std` |
 //! | `alloc` (default) | [`Fif`], [`Table`], [`PeriodicSurface`], [`FoldedSurface`], [`RoughFoldedSurface`], [`Tabulated`], [`RecurrentFif`], [`fit`], and the tables of `tabulated()` |
 //! | `bytemuck` | `Pod` for the structs of [`gpu`] |
+//! | `mint` | conversion between the vectors of [`glam`] and `mint`, for engines with other vectors |
 //! | `serde` | serialization of systems, validated by [`Fif::with_ordinates`]; needs `alloc` |
 //! | `approx` | comparisons of intervals, values with bounds, jets, rays and hits to a tolerance |
 //! | `simd` (default) | batches of [`Table32`] and of jets with SIMD, with the same bits |

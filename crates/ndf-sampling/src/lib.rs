@@ -69,6 +69,7 @@
 //! | `approx` | comparisons of frames, NDFs and other small structs by `approx`, and the `approx` feature of `glam` |
 //! | `check` | property tests for any NDF, including your own: module [`check`] |
 //! | `bytemuck` | `Pod` for the structs of [`gpu`] |
+//! | `mint` | conversion between the vectors of [`glam`] and `mint`, for engines with other vectors |
 //! | `serde` | serialization of the parameters of [`Ggx`], [`Beckmann`], [`StudentT`], [`Ward`], [`BlinnPhong`] and [`AshikhminShirley`], validated by `new`; formats and layouts |
 //! | `rand` | NDFs as [`Distribution`](https://docs.rs/rand/latest/rand/distr/trait.Distribution.html)s of normals: `rng.sample(&ggx)` |
 //! | `alloc` (default) | [`NdfMap`], [`Masked`], [`NdfEstimator`] and [`NormalLut`], which own their tables; [`NormalLut`] does not need it |

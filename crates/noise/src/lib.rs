@@ -128,6 +128,7 @@
 //! | `approx` | the traits of `approx` for [`Sample`] and [`SampleHessian`] |
 //! | `check` | property tests for any field, including custom fields: module [`check`] |
 //! | `bytemuck` | `Pod` for the structs of [`gpu`] |
+//! | `mint` | conversion between the vectors of [`glam`] and `mint`, for engines with other vectors |
 //! | `serde` | serialization of [`FbmSpectrum`], [`Grid`], [`Normalization`] and [`Rotation`]; a spectrum is deserialized through [`FbmSpectrum::new`] |
 //!
 //! # Compile time

@@ -86,6 +86,7 @@
 //! | `alloc` (default) | the owned tables of `asperity-ndf-sampling`, environment maps, normal maps, boxed materials |
 //! | `simd` (default) | many lights, and the noise at a point, with the best available SIMD level; the same bits without it |
 //! | `check` | property tests for any BRDF, including your own: module [`check`] |
+//! | `mint` | conversion between the vectors of [`glam`] and `mint`, for engines with other vectors |
 //! | `serde` | serialization of material parameters and forms of BRDFs; files contain the parameters that differ from the defaults |
 //! | `bytemuck` | `Pod` for the structs of [`gpu`] |
 //! | `approx` | the traits of `approx` for points, pixels, facets, light samples and textures; the same feature of glam, `asperity-noise` and `asperity-ndf-sampling` |

@@ -12,6 +12,7 @@ mod hessian;
 mod independence;
 mod lattices;
 mod lecture;
+mod mint;
 mod moments;
 mod precision;
 mod robustness;
