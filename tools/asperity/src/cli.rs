@@ -55,7 +55,7 @@ The image is written immediately and refined progressively; Ctrl-C keeps the las
   asperity bake --noise cellular --cells 16 --octaves 1 --height 0.01 --tint d9a066 --low-tint 3a2f28
   asperity bake --material brick --side 1.04 --set depth=0.01 --format png,ktx2
   asperity bake --ndf ggx:0.1,0.4 --metallic 1 --tint e4c07a --tileable
-  asperity bake --fractal torus --tileable --size 2048 --height 0.03
+  asperity bake --fractal periodic --tileable --size 2048 --height 0.03
   asperity bake --noise perlin --tileable --size 16384 --tile 1024 --format png,exr,ktx2 --out rock
   asperity bake --noise perlin --tileable --size 16384 --out /shared/rock --job rock.yaml
   asperity bake --noise perlin --cells 512 --size 4096 --parts 16 --part 1-3 --out land
@@ -268,7 +268,7 @@ pub struct Bake {
     pub gain: Option<f32>,
     /// Vertical scaling of a fractal surface, below 0.447; larger is rougher [default: 0.375].
     #[arg(long, value_parser = share)]
-    pub factor: Option<f32>,
+    pub scaling: Option<f32>,
     /// Standard deviation of the heights, in sides of the texture [default: 0.01].
     #[arg(long, value_parser = positive)]
     pub height: Option<f32>,
@@ -376,8 +376,8 @@ pub enum BakedFormat {
 /// The fractal surfaces of `bake`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum BakedFractal {
-    /// The torus surface, periodic and without grain.
-    PeriodicSurface,
+    /// The periodic surface, without grain.
+    Periodic,
 }
 
 /// The materials of `render`.

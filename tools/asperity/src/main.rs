@@ -115,13 +115,16 @@ mod tests {
             ("bake --job rock.txt", "job `rock.txt`: unsupported file extension (expected .yaml or .json)"),
             ("bake --size 1000", "`--size` must be a power of two and at least 64, got 1000"),
             ("bake --samples 3", "`--samples` must be 1 or even, got 3"),
-            ("bake --tileable --lacunarity 2.17", "`--tileable`: `periods[0]` times `lacunarity` "),
+            (
+                "bake --tileable --lacunarity 2.17",
+                "`--tileable`: the period of octave 1 is invalid: `periods[0]` 8 ",
+            ),
             (
                 "bake --tileable --noise simplex",
                 "`--tileable`: `periods[0]` is invalid: 8 (must be a multiple of 3)",
             ),
             ("bake --ndf velvet", "density `velvet`: expected `ggx:AX[,AY]`, "),
-            ("bake --fractal torus --factor 0.5", "`factor` must be under 0.447"),
+            ("bake --fractal periodic --scaling 0.5", "`scaling` must be under 0.447"),
         ];
         for (line, said) in refused {
             let cli = Cli::try_parse_from(["asperity"].into_iter().chain(line.split(' '))).unwrap();

@@ -76,10 +76,10 @@ fn source(wanted: &Bake) -> Result<Box<dyn Source>> {
         return Ok(Box::new(density::Bumps::new(parameters, finish(0.0))?));
     }
     let relief = ["--cells", "--height", "--occlusion", "--low-tint", "--metallic"];
-    if let Some(BakedFractal::PeriodicSurface) = wanted.fractal {
-        used(wanted, "a fractal surface", &[&relief[..], &["--factor"]].concat())?;
-        let factor = wanted.factor.unwrap_or(0.375);
-        let parameters = fractal::Parameters { nodes: cells, factor, height, seed };
+    if let Some(BakedFractal::Periodic) = wanted.fractal {
+        used(wanted, "a fractal surface", &[&relief[..], &["--scaling"]].concat())?;
+        let scaling = wanted.scaling.unwrap_or(0.375);
+        let parameters = fractal::Parameters { nodes: cells, scaling, height, seed };
         return Ok(Box::new(fractal::Fractal::new(parameters, finish(0.6))?));
     }
     used(wanted, "noise", &[&relief[..], &["--octaves", "--lacunarity", "--gain"]].concat())?;
@@ -95,7 +95,7 @@ fn used(wanted: &Bake, surface: &str, options: &[&str]) -> Result<()> {
         ("--octaves", wanted.octaves.is_some()),
         ("--lacunarity", wanted.lacunarity.is_some()),
         ("--gain", wanted.gain.is_some()),
-        ("--factor", wanted.factor.is_some()),
+        ("--scaling", wanted.scaling.is_some()),
         ("--height", wanted.height.is_some()),
         ("--occlusion", wanted.occlusion.is_some()),
         ("--low-tint", wanted.low_tint.is_some()),

@@ -156,7 +156,7 @@ fn parts_equal_the_whole_texture() {
         }
     }
     for (line, said) in [
-        ("--fractal torus --parts 2", "`--parts`: not supported for this surface, "),
+        ("--fractal periodic --parts 2", "`--parts`: not supported for this surface, "),
         (
             "--size 65536 --parts 32",
             "`--parts`: 32 × 65536 texels along a side are too many (at most 1048576)",
@@ -177,7 +177,7 @@ fn tileable_edges_match() {
         "--size 64 --noise sparse --tileable --octaves 2",
         "--size 64 --noise cellular --tileable --octaves 1",
         "--size 64 --noise simplex --tileable --cells 6 --octaves 3",
-        "--size 64 --fractal torus --tileable --cells 4",
+        "--size 64 --fractal periodic --tileable --cells 4",
         "--size 64 --ndf ggx:0.2,0.4 --tileable",
     ] {
         let plan = planned(line).unwrap();
@@ -536,8 +536,8 @@ fn material_colors_and_tileable_errors() {
         ("--material chrome --low-tint 000000", "--low-tint has no effect on chrome; see "),
         ("--material brick --height 0.1", "--height has no effect on brick; see "),
         ("--ndf ggx:0.2 --occlusion 0.1", "--occlusion has no effect on bumps of a density"),
-        ("--fractal torus --octaves 3", "--octaves has no effect on a fractal surface"),
-        ("--noise perlin --factor 0.3", "--factor has no effect on noise"),
+        ("--fractal periodic --octaves 3", "--octaves has no effect on a fractal surface"),
+        ("--noise perlin --scaling 0.3", "--scaling has no effect on noise"),
     ] {
         match planned(line) {
             Ok(_) => assert_eq!(said, "", "{line}"),

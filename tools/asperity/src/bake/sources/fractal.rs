@@ -1,4 +1,4 @@
-//! A fractal surface: the torus Hermite surface, which is periodic by construction.
+//! A fractal surface that is periodic by construction, `PeriodicSurface`.
 
 use asperity_fif::{PeriodicSurface, glam::DVec2};
 use asperity_shading::normal_map::SlopeMoments;
@@ -16,8 +16,8 @@ use asperity::output::sha256;
 pub(crate) struct Parameters {
     /// Nodes along a side.
     pub(crate) nodes: u32,
-    /// The vertical factor s, which controls the roughness: |s| < 1/√5.
-    pub(crate) factor: f32,
+    /// The vertical scaling s, which controls the roughness: |s| < 1/√5.
+    pub(crate) scaling: f32,
     /// Standard deviation of the heights, in units of the side.
     pub(crate) height: f32,
     pub(crate) seed: u32,
@@ -27,7 +27,7 @@ pub(crate) struct Parameters {
 pub(crate) struct Fractal {
     parameters: Parameters,
     finish: Finish,
-    torus: PeriodicSurface,
+    surface: PeriodicSurface,
     /// Offset and scale of its heights.
     mean: f64,
     scale: f64,
@@ -39,7 +39,7 @@ const GRID: usize = 128;
 impl Fractal {
     /// Builds the surface from its parameters.
     pub(crate) fn new(parameters: Parameters, finish: Finish) -> Result<Self> {
-        let Parameters { nodes, factor, height, seed } = parameters;
+        let Parameters { nodes, scaling, height, seed } = parameters;
         let count = (nodes as usize).saturating_mul(nodes as usize).min(1 << 20);
         // Uniform within [−1, 1], from the digest of seed and index.
         let random = |k: usize| {
@@ -51,34 +51,34 @@ impl Fractal {
         let steep = f64::from(nodes);
         let d: Vec<[f64; 2]> =
             (0..count).map(|k| [1, 2].map(|part| steep * random(part * count + k))).collect();
-        let torus =
-            PeriodicSurface::new(nodes as usize, [[2, -1], [1, 2]], f64::from(factor), &z, &d)?.narrowed();
+        let surface =
+            PeriodicSurface::new(nodes as usize, [[2, -1], [1, 2]], f64::from(scaling), &z, &d)?.narrowed();
         let heights: Vec<f64> = (0..GRID * GRID)
             .map(|k| [k % GRID, k / GRID].map(|i| (i as f64 + 0.5) / GRID as f64))
-            .map(|[x, y]| torus.evaluate(x, y, 1e-4).value)
+            .map(|[x, y]| surface.evaluate(x, y, 1e-4).value)
             .collect();
-        let mean = torus.mean().value;
+        let mean = surface.mean().value;
         let variance = heights.iter().map(|z| (z - mean).powi(2)).sum::<f64>() / heights.len() as f64;
         let scale = f64::from(height) / variance.sqrt();
-        Ok(Self { parameters, finish, torus, mean, scale })
+        Ok(Self { parameters, finish, surface, mean, scale })
     }
 
     fn height(&self, [x, y]: [f64; 2]) -> f32 {
         // A thousandth of a 16-bit texel step.
-        (self.scale * (self.torus.evaluate(x, y, 1e-8).value - self.mean)) as f32
+        (self.scale * (self.surface.evaluate(x, y, 1e-8).value - self.mean)) as f32
     }
 
     fn slope(&self, [x, y]: [f64; 2]) -> Vec2 {
-        let [dx, dy] = self.torus.evaluate_gradient(x, y, 1e-4);
+        let [dx, dy] = self.surface.evaluate_gradient(x, y, 1e-4);
         (-self.scale * DVec2::new(dx.value, dy.value)).as_vec2()
     }
 }
 
 impl Source for Fractal {
     fn describe(&self) -> Value {
-        let Parameters { nodes, factor, height, seed } = self.parameters;
+        let Parameters { nodes, scaling, height, seed } = self.parameters;
         json!({
-            "fractal": "torus", "nodes": nodes, "factor": factor, "height": height, "seed": seed,
+            "fractal": "periodic", "nodes": nodes, "scaling": scaling, "height": height, "seed": seed,
             "finish": self.finish.describe(),
         })
     }
