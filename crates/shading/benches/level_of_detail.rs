@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::level_of_detail::{Coordinates, GaussianField, RemappedOctaves};
+use asperity_shading::level_of_detail::{GaussianField, RemappedOctaves, ResolvedBumps};
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise, Perlin};
 use asperity_shading::{
     Beckmann, Conductor, Dielectric, Ggx, LevelOfDetail, Ndf, Schlick, far_field, half_vector,
@@ -12,7 +12,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 
 fn rules(c: &mut Criterion) {
     let h = half_vector(Vec3::new(0.36, 0.48, 0.8), Vec3::new(-0.1, 0.2, 1.0).normalize());
-    let coordinates = Coordinates { z: Vec2::new(0.7, -1.2), share: 0.75, fade: 1.0 };
+    let coordinates = ResolvedBumps { z: Vec2::new(0.7, -1.2), variance: 0.75, blend: 1.0 };
     let ndfs: [(&str, &dyn Ndf); 2] = [
         ("ggx", &Ggx::new(0.2, 0.4).expect("roughness in range")),
         ("beckmann", &Beckmann::isotropic(0.3).expect("roughness in range")),

@@ -5,7 +5,7 @@ use std::hint::black_box;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::material::{BrickWall, GlintField, Material};
 use asperity_shading::reflectance::{
-    BlinnPhongBrdf, BlinnPhongFactor, OrenNayar, OrenNayarForm, WardBrdf, WardForm,
+    BlinnPhongBrdf, BlinnPhongNormalization, OrenNayar, OrenNayarVariant, WardBrdf, WardNormalization,
 };
 use asperity_shading::texture::{Gas, StarWallpaper};
 use asperity_shading::{
@@ -74,9 +74,9 @@ fn reflectances(c: &mut Criterion) {
     let gray = Vec3::splat(0.5);
     let ggx = Ggx::new(0.2, 0.4).expect("roughness in range");
     let glass = Dielectric::new(1.5).expect("index in range");
-    let lobe = BlinnPhongBrdf::new(gray, 30.0, BlinnPhongFactor::Albedo).expect("parameters in range");
-    let ward = WardBrdf::new(gray, 0.2, 0.4, WardForm::Bounded).expect("parameters in range");
-    let full = OrenNayar::new(gray, 0.6, OrenNayarForm::Full).expect("parameters in range");
+    let lobe = BlinnPhongBrdf::new(gray, 30.0, BlinnPhongNormalization::Albedo).expect("parameters in range");
+    let ward = WardBrdf::new(gray, 0.2, 0.4, WardNormalization::Bounded).expect("parameters in range");
+    let full = OrenNayar::new(gray, 0.6, OrenNayarVariant::Full).expect("parameters in range");
     let all: [(&str, &dyn Brdf); 8] = [
         ("lambert", &Lambert::new(gray).expect("albedo in range")),
         ("oren_nayar_full", &full),

@@ -77,7 +77,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             .map(|(center, material)| Sphere(center, material))
             .collect::<Vec<_>>()
     };
-    let glass = Coat::body(Dielectric::new(1.5)?);
+    let glass = Coat::dielectric(Dielectric::new(1.5)?);
     let brushed = CookTorrance::new(Ggx::new(0.1, 0.4)?, Vec3::new(0.9, 0.85, 0.7));
     let still_life = scene([Box::new(Lambert::new(Vec3::splat(0.6))?), Box::new(glass), Box::new(brushed)]);
     // Glass keeps all light: a sphere of it in uniform light is invisible.

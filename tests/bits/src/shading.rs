@@ -5,7 +5,7 @@ use alloc::{boxed::Box, vec::Vec};
 use asperity_shading::glam::Vec3;
 use asperity_shading::ndf_sampling::{Beckmann, Ggx};
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
-use asperity_shading::reflectance::{BsdfSample, OrenNayar, OrenNayarForm, WardBrdf, WardForm};
+use asperity_shading::reflectance::{BsdfSample, OrenNayar, OrenNayarVariant, WardBrdf, WardNormalization};
 use asperity_shading::texture::{Gas, StarWallpaper};
 use asperity_shading::{
     Brdf, Brick, BumpField, Carpet, Conductor, CookTorrance, Dielectric, EnergyPreservingOrenNayar,
@@ -26,12 +26,12 @@ fn reflectances(report: &mut Report) -> Option<()> {
     let all: [(&str, Box<dyn Brdf>); 8] = [
         ("Lambert", Box::new(Lambert::new(albedo).ok()?)),
         ("EnergyPreservingOrenNayar", Box::new(EnergyPreservingOrenNayar::new(albedo, 0.6).ok()?)),
-        ("OrenNayar", Box::new(OrenNayar::new(albedo, 0.6, OrenNayarForm::Full).ok()?)),
+        ("OrenNayar", Box::new(OrenNayar::new(albedo, 0.6, OrenNayarVariant::Full).ok()?)),
         ("CookTorrance, GGX", Box::new(CookTorrance::new(ggx, glass))),
         ("CookTorrance, Beckmann", Box::new(CookTorrance::new(beckmann, gold))),
         ("TorranceSparrow", Box::new(TorranceSparrow::new(beckmann, glass))),
         ("Phong", Box::new(Phong::new(albedo, 30.0).ok()?)),
-        ("WardReflection", Box::new(WardBrdf::new(albedo, 0.2, 0.4, WardForm::Bounded).ok()?)),
+        ("WardReflection", Box::new(WardBrdf::new(albedo, 0.2, 0.4, WardNormalization::Bounded).ok()?)),
     ];
     for (name, brdf) in all {
         report.row(name, |bits| {
@@ -110,7 +110,7 @@ fn images(report: &mut Report) -> Option<()> {
     let pyramid: SlopePyramid<2> = SlopePyramid::from_normals(16, 16, &normals).ok()?;
     report.row("slope pyramid", |bits| {
         for i in 0..POINTS {
-            let lobes = pyramid.as_ref().sample(square(i), Footprint::from_width(unit(i, 4)));
+            let lobes = pyramid.view().sample(square(i), Footprint::from_width(unit(i, 4)));
             bits.push(lobes.moments().normal());
         }
     });

@@ -10,7 +10,7 @@ use asperity_fif::FixedFif;
 use asperity_ndf_sampling::{Frame, PackedMapRef};
 use asperity_noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::reflectance::{OrenNayar, OrenNayarForm};
+use asperity_shading::reflectance::{OrenNayar, OrenNayarVariant};
 use asperity_shading::{Brdf, BumpField, Footprint, LevelOfDetail};
 
 pub const WIDTH: usize = 128;
@@ -56,7 +56,7 @@ pub fn bumps() -> Option<BumpField<GaussianFbm<Vec3>>> {
 /// Returns the reflectance of the patch.
 #[must_use]
 pub fn clay() -> Option<OrenNayar> {
-    OrenNayar::new(Vec3::splat(0.9), 0.3, OrenNayarForm::Full).ok()
+    OrenNayar::new(Vec3::splat(0.9), 0.3, OrenNayarVariant::Full).ok()
 }
 
 /// Passes on the rows of the image from the top down. Returns false if a table is invalid.

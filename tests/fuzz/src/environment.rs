@@ -6,7 +6,7 @@ use asperity_shading::environment::{
     LatitudeLongitude, PrefilteredMap, light_samples, prefiltered_radiance, split_sum,
 };
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::level_of_detail::Coordinates;
+use asperity_shading::level_of_detail::ResolvedBumps;
 use asperity_shading::{
     Beckmann, Brdf, Bsdf, Environment, EnvironmentMap, Footprint, Frame, Irradiance, Lambert, PixelEllipse, SlopePyramid,
 };
@@ -47,7 +47,7 @@ fn images(numbers: &mut Numbers<'_>) {
     let map = EnvironmentMap::new(width, height, texels.clone());
     assert_eq!(map.is_ok(), made.is_ok());
     let Ok(map) = map else { return };
-    let sky = map.as_ref();
+    let sky = map.view();
     assert!(sky.total() >= 0.0 && sky.total().is_finite());
     environment(&sky, numbers);
     light(Irradiance::new(&sky, numbers.word() % 5).at(numbers.direction()));
@@ -75,10 +75,10 @@ fn normal_maps(numbers: &mut Numbers<'_>) {
     let made =
         [SlopePyramid::<3>::new(width, height, slopes), SlopePyramid::from_normals(width, height, &normals)];
     for map in made.into_iter().flatten() {
-        let (map, uv) = (map.as_ref(), numbers.pair());
+        let (map, uv) = (map.view(), numbers.pair());
         assert!(map.slope(uv).is_finite(), "{uv}");
         let fine = Beckmann::isotropic(numbers.between(1e-6, 1e6)).expect("in range");
-        let noise = Coordinates { z: numbers.pair(), share: numbers.float(), fade: numbers.share() };
+        let noise = ResolvedBumps { z: numbers.pair(), variance: numbers.float(), blend: numbers.share() };
         let pixel = PixelEllipse::from_derivatives(numbers.vector(), numbers.vector());
         for lobes in [
             map.whole(),

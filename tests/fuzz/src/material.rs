@@ -254,7 +254,7 @@ fn bumps(numbers: &mut Numbers<'_>) {
     };
     let seen = field.coordinates(numbers.vector(), Footprint::from_width(numbers.float()));
     assert!(
-        seen.z.is_finite() && (0.0..=1.0).contains(&seen.share) && (0.0..=1.0).contains(&seen.fade),
+        seen.z.is_finite() && (0.0..=1.0).contains(&seen.variance) && (0.0..=1.0).contains(&seen.blend),
         "{seen:?}"
     );
     for rule in [LevelOfDetail::Exact, LevelOfDetail::Fractal] {

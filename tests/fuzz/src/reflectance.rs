@@ -8,9 +8,9 @@ use asperity_shading::bump::{
 use asperity_shading::glam::Vec3;
 use asperity_shading::pixel::FrequencyClamp;
 use asperity_shading::reflectance::{
-    Absorption, BlinnPhongBrdf, BlinnPhongFactor, Brdf, Conductor, CookTorrance, Dielectric,
-    EnergyPreservingOrenNayar, Fresnel, Lambert, Masking, OrenNayar, OrenNayarForm, Phong, RoughDielectric,
-    Schlick, SchlickF82, TorranceSparrow, WardBrdf, WardForm,
+    Absorption, BlinnPhongBrdf, BlinnPhongNormalization, Brdf, Conductor, CookTorrance, Dielectric,
+    EnergyPreservingOrenNayar, Fresnel, Lambert, Masking, OrenNayar, OrenNayarVariant, Phong, RoughDielectric,
+    Schlick, SchlickF82, TorranceSparrow, WardBrdf, WardNormalization,
 };
 use asperity_shading::{Beckmann, Footprint, Frame, Ggx, ParameterError, PixelEllipse, half_vector, reflect};
 
@@ -62,21 +62,21 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
     match numbers.byte() % 12 {
         0 => brdf(Lambert::new(color(numbers)), numbers),
         1 => {
-            let form = numbers.pick(&[OrenNayarForm::Full, OrenNayarForm::Qualitative, OrenNayarForm::Fujii]);
+            let form = numbers.pick(&[OrenNayarVariant::Full, OrenNayarVariant::Qualitative, OrenNayarVariant::Fujii]);
             brdf(OrenNayar::new(color(numbers), number(numbers, 1e-6, 2.0), form), numbers);
         }
         2 => brdf(EnergyPreservingOrenNayar::new(color(numbers), number(numbers, 1e-6, 1.0)), numbers),
         3 => brdf(Phong::new(color(numbers), number(numbers, 1e-6, 1e7)), numbers),
         4 => {
             let factor = numbers.pick(&[
-                BlinnPhongFactor::Albedo,
-                BlinnPhongFactor::Approximate,
-                BlinnPhongFactor::Density,
+                BlinnPhongNormalization::Albedo,
+                BlinnPhongNormalization::Approximate,
+                BlinnPhongNormalization::Density,
             ]);
             brdf(BlinnPhongBrdf::new(color(numbers), number(numbers, 1e-6, 1e7), factor), numbers);
         }
         5 => {
-            let form = numbers.pick(&[WardForm::Ward, WardForm::Dur, WardForm::Bounded]);
+            let form = numbers.pick(&[WardNormalization::Ward, WardNormalization::Dur, WardNormalization::Bounded]);
             brdf(WardBrdf::new(color(numbers), x, y, form), numbers);
         }
         6 => {
@@ -144,7 +144,7 @@ fn bumps(numbers: &mut Numbers<'_>) {
         let mut shares = 0.0;
         for facet in slope_facets(n, bumped, numbers.float()) {
             assert!((facet.normal.length() - 1.0).abs() < 1e-4);
-            shares += facet.share;
+            shares += facet.weight;
         }
         assert!((shares - 1.0).abs() < 1e-4, "{shares}");
     }

@@ -336,9 +336,13 @@ fn looks() -> impl Strategy<Value = Looks> {
 fn reflectances(
     (albedo, roughness, [ax, ay], exponent, [eta, k]): Looks,
 ) -> Vec<(&'static str, Box<dyn Brdf>)> {
-    const FORMS: [OrenNayarForm; 3] = [OrenNayarForm::Full, OrenNayarForm::Qualitative, OrenNayarForm::Fujii];
-    const FACTORS: [BlinnPhongFactor; 3] =
-        [BlinnPhongFactor::Albedo, BlinnPhongFactor::Approximate, BlinnPhongFactor::Density];
+    const FORMS: [OrenNayarVariant; 3] =
+        [OrenNayarVariant::Full, OrenNayarVariant::Qualitative, OrenNayarVariant::Fujii];
+    const FACTORS: [BlinnPhongNormalization; 3] = [
+        BlinnPhongNormalization::Albedo,
+        BlinnPhongNormalization::Approximate,
+        BlinnPhongNormalization::Density,
+    ];
     let ggx = Ggx::new(ax, ay).expect("in range");
     let beckmann = Beckmann::new(ax, ay).expect("in range");
     let glass = Dielectric::new(eta).expect("in range");
@@ -361,7 +365,7 @@ fn reflectances(
     for factor in FACTORS {
         all.push(("Blinn-Phong", Box::new(BlinnPhongBrdf::new(albedo, exponent, factor).expect("in range"))));
     }
-    for form in [WardForm::Ward, WardForm::Dur, WardForm::Bounded] {
+    for form in [WardNormalization::Ward, WardNormalization::Dur, WardNormalization::Bounded] {
         all.push(("Ward", Box::new(WardBrdf::new(albedo, ax, ay, form).expect("in range"))));
     }
     all
@@ -419,14 +423,14 @@ fn nan_and_negative_parameters_are_named() {
         ("f0", &|x| refused(SchlickF82::new(x, 0.5))),
         ("tint", &|x| refused(SchlickF82::new(0.5, x))),
         ("albedo", &|x| refused(Lambert::new(Vec3::new(0.5, x, 0.5)))),
-        ("roughness", &|x| refused(OrenNayar::new(Vec3::ONE, x, OrenNayarForm::Full))),
-        ("roughness", &|x| refused(OrenNayar::new(Vec3::ONE, x, OrenNayarForm::Fujii))),
+        ("roughness", &|x| refused(OrenNayar::new(Vec3::ONE, x, OrenNayarVariant::Full))),
+        ("roughness", &|x| refused(OrenNayar::new(Vec3::ONE, x, OrenNayarVariant::Fujii))),
         ("roughness", &|x| refused(EnergyPreservingOrenNayar::new(Vec3::ONE, x))),
         ("specular", &|x| refused(Phong::new(Vec3::splat(x), 1.0))),
         ("exponent", &|x| refused(Phong::new(Vec3::ONE, x))),
-        ("exponent", &|x| refused(BlinnPhongBrdf::new(Vec3::ONE, x, BlinnPhongFactor::Albedo))),
-        ("specular", &|x| refused(WardBrdf::new(Vec3::splat(x), 0.1, 0.3, WardForm::Ward))),
-        ("alpha_x", &|x| refused(WardBrdf::new(Vec3::ONE, x, 0.3, WardForm::Ward))),
+        ("exponent", &|x| refused(BlinnPhongBrdf::new(Vec3::ONE, x, BlinnPhongNormalization::Albedo))),
+        ("specular", &|x| refused(WardBrdf::new(Vec3::splat(x), 0.1, 0.3, WardNormalization::Ward))),
+        ("alpha_x", &|x| refused(WardBrdf::new(Vec3::ONE, x, 0.3, WardNormalization::Ward))),
         ("frequency", &|x| refused(FrequencyClamp::new(x, 2.0, 8.0))),
         ("lacunarity", &|x| refused(FrequencyClamp::new(1.0, x, 8.0))),
         ("max_octaves", &|x| refused(FrequencyClamp::new(1.0, 2.0, x))),
@@ -488,10 +492,10 @@ fn parameters_just_out_of_range_are_named() {
         ("relative_index", refused(Dielectric::new(-0.0))),
         ("f0", refused(Schlick::new(1.001))),
         ("albedo", refused(Lambert::new(Vec3::splat(1.01)))),
-        ("roughness", refused(OrenNayar::new(Vec3::ONE, 1.6, OrenNayarForm::Full))),
-        ("roughness", refused(OrenNayar::new(Vec3::ONE, 1.1, OrenNayarForm::Fujii))),
+        ("roughness", refused(OrenNayar::new(Vec3::ONE, 1.6, OrenNayarVariant::Full))),
+        ("roughness", refused(OrenNayar::new(Vec3::ONE, 1.1, OrenNayarVariant::Fujii))),
         ("exponent", refused(Phong::new(Vec3::ONE, 1e7))),
-        ("alpha_x", refused(WardBrdf::new(Vec3::ONE, 0.0, 0.3, WardForm::Ward))),
+        ("alpha_x", refused(WardBrdf::new(Vec3::ONE, 0.0, 0.3, WardNormalization::Ward))),
         ("lacunarity", refused(FrequencyClamp::new(1.0, 1.0, 8.0))),
         ("width", refused(Brick::new(0.0, 1.0, 0.1))),
         ("plateau", refused(Bevel::new(1.0, 1.0, 0.0, 1.0))),

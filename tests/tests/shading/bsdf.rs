@@ -75,7 +75,7 @@ fn materials() -> Vec<(&'static str, Boxed, f32)> {
         (0..256).map(|k| Vec3::new(if k % 4 < 2 { 0.6 } else { -0.6 }, 0.0, 0.8)).collect();
     let map = Box::leak(Box::new(SlopePyramid::<4>::from_normals(16, 16, &ridges).expect(VALID)));
     let roughness = Beckmann::isotropic(0.3).expect(VALID);
-    let mapped = NormalMapped { map: map.as_ref(), roughness, color: white };
+    let mapped = NormalMapped { map: map.view(), roughness, color: white };
     vec![
         ("Lambert", Box::new(Lambert::new(white).expect(VALID)) as Boxed, 0.0),
         ("carpet", Box::new(Carpet::new(carpet).expect(VALID)), 4e-3),
@@ -184,7 +184,7 @@ fn coats_reflect_and_refract() {
     let wo = direction(0.7, 0.4);
     let u = Vec2::splat(0.3);
     let at = point(Vec2::ZERO, 0.0);
-    let body = Coat::body(Dielectric::new(1.5).unwrap());
+    let body = Coat::dielectric(Dielectric::new(1.5).unwrap());
     let bsdf = body.bsdf(&at, wo);
     let both = |bsdf: &Bsdf<'_>, wo| bsdf.specular_samples(wo, u).map(|sample| sample.expect("light"));
     let [mirrored, refracted] = both(&bsdf, wo);
@@ -228,7 +228,8 @@ fn gaussian_slopes(rings: u16, sectors: u16) -> Vec<Vec2> {
 #[test]
 fn unresolved_slopes_give_their_mean_reflection() {
     let glass = Dielectric::new(1.52).unwrap();
-    let (metal, body, pane) = (Coat::metal(Vec3::ONE), Coat::body(glass), Coat::pane(glass, Vec3::ONE));
+    let (metal, body, pane) =
+        (Coat::conductor(Vec3::ONE), Coat::dielectric(glass), Coat::thin_dielectric(glass, Vec3::ONE));
     // The roughness and the deviation of the slopes, and the tolerance relative to the peak:
     // measured 0.2 % and 8 %.
     let cases = [

@@ -94,7 +94,7 @@ fn brightness_over_density_is_constant() {
     for (name, most) in [("smooth", 0.001), ("hard", 0.015)] {
         let (_, map) = maps().into_iter().find(|map| map.0 == name).expect("a map");
         let (mut random, mut squares) = (Random(3), 0.0);
-        let total = f64::from(map.as_ref().total());
+        let total = f64::from(map.view().total());
         for _ in 0..100_000 {
             let w = map.sample(Vec2::new(random.uniform() as f32, random.uniform() as f32));
             let weight = f64::from(map.radiance(w).element_sum() / 3.0 / map.pdf(w)) / total;

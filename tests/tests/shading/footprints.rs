@@ -65,7 +65,7 @@ fn materials() -> Vec<(&'static str, Box<dyn Material>)> {
         (
             "normal map",
             Box::new(NormalMapped {
-                map: map.as_ref(),
+                map: map.view(),
                 roughness: Beckmann::isotropic(0.3).expect("in range"),
                 color: Vec3::ONE,
             }),

@@ -5,18 +5,19 @@
 //! round differently again.
 
 use asperity_shading::bump::{
-    bumped_normal, differences, displace, flip_to_visible, gradient_of_normal, project_to_tangent_plane,
-    surface_gradient,
+    bumped_normal, displace, finite_difference_gradient, flip_to_visible, gradient_of_normal,
+    project_to_tangent_plane, surface_gradient,
 };
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::level_of_detail::{
-    Coordinates, GaussianField, RemappedOctaves, facet_coordinates, shade_facet,
+    GaussianField, RemappedOctaves, ResolvedBumps, facet_coordinates, shade_facet,
 };
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise, Perlin};
 use asperity_shading::pixel::FrequencyClamp;
 use asperity_shading::pixel::Tap;
 use asperity_shading::reflectance::{
-    BlinnPhongBrdf, BlinnPhongFactor, Masking, OrenNayar, OrenNayarForm, SchlickF82, WardBrdf, WardForm,
+    BlinnPhongBrdf, BlinnPhongNormalization, Masking, OrenNayar, OrenNayarVariant, SchlickF82, WardBrdf,
+    WardNormalization,
 };
 use asperity_shading::texture::{Bevel, Edge, Gas, PerturbedTexture, StarWallpaper, Steam, march};
 use asperity_shading::{
@@ -62,7 +63,7 @@ fn directions_and_bumps() {
     // Sevenths of differences of a square: about ten units of the last place.
     pinned(
         "differences",
-        differences(|uv| uv.x * uv.x - uv.x * uv.y, UV, 0.125),
+        finite_difference_gradient(|uv| uv.x * uv.x - uv.x * uv.y, UV, 0.125),
         [0.978999853, -0.612999856],
         10.0 * SINGLE,
     );
@@ -75,7 +76,7 @@ fn directions_and_bumps() {
 fn levels_of_detail() {
     let ggx = Ggx::new(0.2, 0.4).unwrap();
     let h = half_vector(wi(), wo());
-    let coordinates = Coordinates { z: Vec2::new(0.7, -1.2), share: 0.75, fade: 0.6 };
+    let coordinates = ResolvedBumps { z: Vec2::new(0.7, -1.2), variance: 0.75, blend: 0.6 };
     single("far_field", far_field(&ggx, h), [0.901255548]);
     for (rule, name, radiance, normal) in [
         (LevelOfDetail::Exact, "Exact", [0.0248400383], [0.0973757431, -0.333859742, 0.937579691]),
@@ -108,7 +109,7 @@ fn levels_of_detail() {
         BumpField::new(GaussianFbm::<Vec3>::new(GaussianNoise::new(1), FbmSpectrum::default()), 7.0).unwrap();
     let seen = field.coordinates(P, footprint);
     single("BumpField", seen.z, [0.282017171, 0.832412899]);
-    single("BumpField, share and fade", [seen.share, seen.fade], [0.97624445, 1.0]);
+    single("BumpField, share and fade", [seen.variance, seen.blend], [0.97624445, 1.0]);
     let classic = RemappedOctaves::new(Perlin::default(), FbmSpectrum::default(), 1).unwrap();
     pinned("RemappedOctaves", classic.coordinates(P, 4.3).z, [-0.813406944, -1.30235529], 10.0 * SINGLE);
 }
@@ -150,14 +151,14 @@ fn reflectances() {
             [0.227948502, 0.0248292815],
             COSINE,
         ),
-        ("OrenNayar, full", oren_nayar(OrenNayarForm::Full), [0.19840318, 0.0218342822], COSINE),
+        ("OrenNayar, full", oren_nayar(OrenNayarVariant::Full), [0.19840318, 0.0218342822], COSINE),
         (
             "OrenNayar, qualitative",
-            oren_nayar(OrenNayarForm::Qualitative),
+            oren_nayar(OrenNayarVariant::Qualitative),
             [0.188218012, 0.0235272516],
             COSINE,
         ),
-        ("OrenNayar, Fujii", oren_nayar(OrenNayarForm::Fujii), [0.194815546, 0.0243519433], COSINE),
+        ("OrenNayar, Fujii", oren_nayar(OrenNayarVariant::Fujii), [0.194815546, 0.0243519433], COSINE),
         (
             "CookTorrance, GGX",
             Box::new(CookTorrance::new(ggx, glass)),
@@ -188,22 +189,27 @@ fn reflectances() {
             [0.0399628691, 0.00499535864],
             [0.0483925343, 0.585579634, 0.773115993],
         ),
-        ("BlinnPhongLobe, albedo", blinn_phong(BlinnPhongFactor::Albedo), [0.265820473, 0.0332275592], POWER),
+        (
+            "BlinnPhongLobe, albedo",
+            blinn_phong(BlinnPhongNormalization::Albedo),
+            [0.265820473, 0.0332275592],
+            POWER,
+        ),
         (
             "BlinnPhongLobe, approximate",
-            blinn_phong(BlinnPhongFactor::Approximate),
+            blinn_phong(BlinnPhongNormalization::Approximate),
             [0.278525442, 0.0348156802],
             POWER,
         ),
         (
             "BlinnPhongLobe, density",
-            blinn_phong(BlinnPhongFactor::Density),
+            blinn_phong(BlinnPhongNormalization::Density),
             [0.234547734, 0.0293184668],
             POWER,
         ),
-        ("WardReflection", ward(WardForm::Ward), [0.257419437, 0.0321774296], SLOPES),
-        ("WardReflection, Dür", ward(WardForm::Dur), [0.310863525, 0.0388579406], SLOPES),
-        ("WardReflection, bounded", ward(WardForm::Bounded), [0.34242937, 0.0428036712], SLOPES),
+        ("WardReflection", ward(WardNormalization::Ward), [0.257419437, 0.0321774296], SLOPES),
+        ("WardReflection, Dür", ward(WardNormalization::Dur), [0.310863525, 0.0388579406], SLOPES),
+        ("WardReflection, bounded", ward(WardNormalization::Bounded), [0.34242937, 0.0428036712], SLOPES),
     ];
     for (name, brdf, [x, z], samples) in all {
         let (value, sampled) = (brdf.eval(wo(), wi()), brdf.sample(wo(), 0.5, UV).unwrap().wi);

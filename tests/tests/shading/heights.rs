@@ -115,7 +115,7 @@ fn flat_materials_have_no_heights() {
     let marble = PolishedMarble { marble: Marble::default(), tint: Vec3::ONE, polish: 0.1 };
     let paint = MetallicPaint::new(MetallicPaintParameters::default()).unwrap();
     let flat: [(&str, Box<dyn Material>); 3] = [
-        ("chrome", Box::new(Coat::metal(Vec3::ONE))),
+        ("chrome", Box::new(Coat::conductor(Vec3::ONE))),
         ("marble", Box::new(marble)),
         ("paint, whose peel is its coat's", Box::new(paint)),
     ];

@@ -2,7 +2,7 @@
 //! individual points.
 
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::level_of_detail::Coordinates;
+use asperity_shading::level_of_detail::ResolvedBumps;
 use asperity_shading::ndf_sampling::{estimate_ndf, level_of_detail::OffsetBeckmann};
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::normal_map::SlopeMoments;
@@ -128,8 +128,8 @@ fn worst_of_groups<const K: usize>(normals: &[Vec3], alpha: f32, resolved: &[f64
         // In the far view, where pixels are alike, a few suffice.
         let count = if width > 40.0 { 20 } else { 3000 };
         let seen = |uv| {
-            let sample = map.as_ref().sample(uv, pixel);
-            move |h| sample.density(stone, Coordinates::FAR, h)
+            let sample = map.view().sample(uv, pixel);
+            move |h| sample.density(stone, ResolvedBumps::FAR, h)
         };
         apart(&means(seen, count), resolved)
     });
@@ -144,7 +144,7 @@ fn slope_groups_keep_the_mean_and_averaged_normals_lose_it() {
     // 0.039 and 0.010 for roughness 0.2, and 0.60, 0.18, 0.13, 0.07, 0.005 and 0.002 for 0.4.
     let bounds = [(0.2, [1.2, 0.55, 0.7, 0.42, 0.045, 0.02]), (0.4, [0.5, 0.16, 0.15, 0.08, 0.01, 0.01])];
     for (alpha, [averaged_least, toksvig_least, one, four, eight, sixteen]) in bounds {
-        let resolved = means(|uv| point_by_point(map.as_ref().slope(uv), alpha), 20_000);
+        let resolved = means(|uv| point_by_point(map.view().slope(uv), alpha), 20_000);
         let mut mips = [0.0_f64; 2];
         for width in WIDTHS {
             let at = |uv| averaged(&normals, uv, width / SIZE as f32);
@@ -184,7 +184,7 @@ fn slope_pyramid_error_with_edges_of_one_texel() {
         for (rows, tilt) in [(false, 0.0), (false, 0.01), (true, 0.0), (true, 0.01)] {
             let normals = panels(rows, tilt);
             let map = SlopePyramid::<1>::from_normals(SIZE, SIZE, &normals).expect("a map");
-            let resolved = means(|uv| point_by_point(map.as_ref().slope(uv), alpha), 20_000);
+            let resolved = means(|uv| point_by_point(map.view().slope(uv), alpha), 20_000);
             let groups = [
                 worst_of_groups::<1>(&normals, alpha, &resolved),
                 worst_of_groups::<4>(&normals, alpha, &resolved),
@@ -209,7 +209,7 @@ fn zooming_does_not_pop() {
         let seen: Vec<f32> = (0..360)
             .map(|k| {
                 let width = 0.2 / SIZE as f32 * (0.02 * k as f32).exp();
-                map.as_ref().sample(uv, Footprint::from_width(width)).density(stone, Coordinates::FAR, h)
+                map.view().sample(uv, Footprint::from_width(width)).density(stone, ResolvedBumps::FAR, h)
             })
             .collect();
         let most = seen.iter().copied().fold(0.0, f32::max);
@@ -244,7 +244,7 @@ fn added_noise_keeps_the_far_density_of_the_map() {
         let pixel = Footprint::from_width(width / SIZE as f32);
         let seen = |uv: Vec2| {
             let noise = noise.coordinates(Vec3::new(uv.x, uv.y, 0.3), pixel);
-            let sample = map.as_ref().sample(uv, pixel);
+            let sample = map.view().sample(uv, pixel);
             move |h| sample.density(fine, noise, h)
         };
         let got = means(seen, 16_000);

@@ -312,7 +312,7 @@ fn layers_of_rough_glass_pass_the_public_checks() {
     let report = check::material(&dusty, &point, quick(5));
     // Both layers are fully present.
     assert!(report.failures().all(|failure| failure == "energy"), "{report}");
-    let coat = Coat::body(glass).rough(0.4);
+    let coat = Coat::dielectric(glass).rough(0.4);
     let report = check::material(&coat, &point, quick(6));
     assert!(report.passed(), "{report}");
     for wo in views() {

@@ -5,10 +5,10 @@ use asperity_shading::bump::{
     bumped_normal, displace, gradient_of_normal, project_to_tangent_plane, surface_gradient,
 };
 use asperity_shading::glam::{Mat2, Vec2, Vec3};
-use asperity_shading::level_of_detail::Coordinates;
+use asperity_shading::level_of_detail::ResolvedBumps;
 use asperity_shading::material::SeamPattern;
 use asperity_shading::ndf_sampling::BlinnPhong;
-use asperity_shading::reflectance::{BlinnPhongBrdf, BlinnPhongFactor, OrenNayar, OrenNayarForm};
+use asperity_shading::reflectance::{BlinnPhongBrdf, BlinnPhongNormalization, OrenNayar, OrenNayarVariant};
 use asperity_shading::{
     Beckmann, Brdf, Carpet, CarpetParameters, CookTorrance, Dielectric, EnergyPreservingOrenNayar, Footprint,
     Frame, Ggx, LevelOfDetail, Material, MetallicPaint, MetallicPaintParameters, Ndf, Phong, SurfacePoint,
@@ -103,8 +103,8 @@ proptest! {
             &BlinnPhong::new(2.0 / (alpha * alpha)).unwrap(),
         ];
         let h = Vec3::new(h.x, h.y, h.z.abs());
-        let one = Coordinates { z, share, fade };
-        let other = Coordinates { z: Vec2::from_angle(-by).rotate(z), share, fade };
+        let one = ResolvedBumps { z, variance: share, blend: fade };
+        let other = ResolvedBumps { z: Vec2::from_angle(-by).rotate(z), variance: share, blend: fade };
         for ndf in densities {
             for rule in [LevelOfDetail::Exact, LevelOfDetail::Fractal] {
                 let [a, b] = [rule.normal(ndf, one), rule.normal(ndf, other)];
@@ -123,11 +123,11 @@ proptest! {
         let gray = Vec3::splat(0.5);
         let all: [(&str, Box<dyn Brdf>); 6] = [
             ("rough", Box::new(EnergyPreservingOrenNayar::new(gray, 0.7).unwrap())),
-            ("Oren-Nayar", Box::new(OrenNayar::new(gray, 0.7, OrenNayarForm::Full).unwrap())),
+            ("Oren-Nayar", Box::new(OrenNayar::new(gray, 0.7, OrenNayarVariant::Full).unwrap())),
             ("GGX", Box::new(CookTorrance::new(Ggx::isotropic(0.3).unwrap(), Dielectric::new(1.5).unwrap()))),
             ("Beckmann", Box::new(CookTorrance::new(Beckmann::isotropic(0.3).unwrap(), Dielectric::new(1.5).unwrap()))),
             ("Phong", Box::new(Phong::new(gray, 20.0).unwrap())),
-            ("Blinn-Phong", Box::new(BlinnPhongBrdf::new(gray, 20.0, BlinnPhongFactor::Albedo).unwrap())),
+            ("Blinn-Phong", Box::new(BlinnPhongBrdf::new(gray, 20.0, BlinnPhongNormalization::Albedo).unwrap())),
         ];
         for (name, brdf) in all {
             let [a, b] = [brdf.eval(wo, wi).x, brdf.eval(turned(wo, by), turned(wi, by)).x];

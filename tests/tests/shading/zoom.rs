@@ -2,7 +2,7 @@
 //! nothing.
 
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::level_of_detail::{Coordinates, GaussianField, facet_coordinates, shade_facet};
+use asperity_shading::level_of_detail::{GaussianField, ResolvedBumps, facet_coordinates, shade_facet};
 use asperity_shading::ndf_sampling::NormalLut;
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::{Beckmann, BumpField, Footprint, Ggx, LevelOfDetail, Ndf, far_field};
@@ -125,7 +125,7 @@ fn pixel_above_the_first_octave_is_the_far_field_bit_for_bit() {
         BumpField::new(GaussianFbm::new(GaussianNoise::new(5), FbmSpectrum::default()), 10.0).unwrap();
     for width in [0.05, 0.0501, 1.0, f32::INFINITY, f32::NAN] {
         let coordinates = bumps.coordinates(Vec3::new(0.3, 0.9, -2.0), Footprint::from_width(width));
-        assert_eq!(coordinates, Coordinates::FAR, "width = {width}");
+        assert_eq!(coordinates, ResolvedBumps::FAR, "width = {width}");
         for rule in RULES {
             let radiance = rule.radiance(&ndf, half_vector(), coordinates);
             assert_eq!(
@@ -136,7 +136,7 @@ fn pixel_above_the_first_octave_is_the_far_field_bit_for_bit() {
         }
     }
     let seen = bumps.coordinates(Vec3::new(0.3, 0.9, -2.0), Footprint::from_width(0.0499));
-    assert!(seen.fade > 0.0 && seen.share > 0.0, "{seen:?}");
+    assert!(seen.blend > 0.0 && seen.variance > 0.0, "{seen:?}");
 }
 
 #[test]

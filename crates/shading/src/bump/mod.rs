@@ -9,6 +9,6 @@ pub use displacement::{Displaced, displace};
 pub use slope_facets::facets_along;
 pub use slope_facets::{Facet, slope_facets};
 pub use surface_gradient::{
-    bumped_normal, differences, flip_to_visible, gradient_of_normal, project_to_tangent_plane,
+    bumped_normal, finite_difference_gradient, flip_to_visible, gradient_of_normal, project_to_tangent_plane,
     surface_gradient,
 };

@@ -10,24 +10,24 @@ use crate::math::sqrt;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Facet {
     /// The fraction of the pixel, in [0, 1].
-    pub share: f32,
+    pub weight: f32,
     /// The unit normal.
     pub normal: Vec3,
 }
 
 impl Facet {
     /// A flat surface in its own frame.
-    pub const FLAT: Self = Self { share: 1.0, normal: Vec3::Z };
+    pub const FLAT: Self = Self { weight: 1.0, normal: Vec3::Z };
 
     /// Creates a facet with this fraction and normal.
     #[must_use]
     pub const fn new(share: f32, normal: Vec3) -> Self {
-        Self { share, normal }
+        Self { weight: share, normal }
     }
 
     /// A part of the facet: the normal with a fraction of its fraction.
     pub(crate) fn part(self, share: f32) -> Self {
-        Self { share: self.share * share, ..self }
+        Self { weight: self.weight * share, ..self }
     }
 }
 
@@ -58,7 +58,7 @@ impl Facet {
 ///
 /// // Bumps reduce the light from straight above and reflect it to the sides.
 /// let mean = |light: Vec3| -> f32 {
-///     slope_facets(Vec3::Z, Vec3::Z, 0.01).map(|f| f.share * f.normal.dot(light).max(0.0)).sum()
+///     slope_facets(Vec3::Z, Vec3::Z, 0.01).map(|f| f.weight * f.normal.dot(light).max(0.0)).sum()
 /// };
 /// assert!((mean(Vec3::Z) - (1.0 - 0.01)).abs() < 3e-4);
 /// ```
@@ -128,7 +128,7 @@ mod tests {
         let Frame { tangent, bitangent, .. } = Frame::from_normal(n);
         let bumped = bumped_normal(n, 0.2 * tangent - 0.1 * bitangent);
         let mut moments = [0.0_f32; 8];
-        for Facet { share, normal: m } in slope_facets(n, bumped, 0.09) {
+        for Facet { weight: share, normal: m } in slope_facets(n, bumped, 0.09) {
             let slope = n - m / m.dot(n);
             let (x, y) = (slope.dot(tangent) - 0.2, slope.dot(bitangent) + 0.1);
             let (square, xy) = (x * x + y * y, x * y);

@@ -135,14 +135,14 @@ const MAX_SLOPE: f32 = 1e4;
 /// over `h`. A step of 0 or NaN returns zero.
 ///
 /// ```
-/// use asperity_shading::bump::differences;
+/// use asperity_shading::bump::finite_difference_gradient;
 /// use asperity_shading::glam::Vec2;
 ///
-/// let slope = differences(|uv| uv.x * uv.x + 3.0 * uv.y, Vec2::new(0.5, 0.0), 0.01);
+/// let slope = finite_difference_gradient(|uv| uv.x * uv.x + 3.0 * uv.y, Vec2::new(0.5, 0.0), 0.01);
 /// assert!((slope - Vec2::new(1.0, 3.0)).length() < 1e-4);
 /// ```
 #[must_use]
-pub fn differences(height: impl Fn(Vec2) -> f32, uv: Vec2, step: f32) -> Vec2 {
+pub fn finite_difference_gradient(height: impl Fn(Vec2) -> f32, uv: Vec2, step: f32) -> Vec2 {
     let along = |by: Vec2| (height(uv + by) - height(uv - by)) / (2.0 * step);
     let slope = Vec2::new(along(Vec2::new(step, 0.0)), along(Vec2::new(0.0, step)));
     if slope.is_finite() { slope } else { Vec2::ZERO }
@@ -215,8 +215,8 @@ mod tests {
         assert_eq!(project_to_tangent_plane(Vec3::Z, bad), Vec3::ZERO);
         assert_eq!(gradient_of_normal(&Frame::from_normal(Vec3::Z), bad), Vec3::ZERO);
         assert_eq!(gradient_of_normal(&Frame::from_normal(Vec3::Z), Vec3::NAN), Vec3::ZERO);
-        assert_eq!(differences(|_| f32::NAN, Vec2::ZERO, 0.1), Vec2::ZERO);
-        assert_eq!(differences(|uv| uv.x, Vec2::ZERO, 0.0), Vec2::ZERO);
+        assert_eq!(finite_difference_gradient(|_| f32::NAN, Vec2::ZERO, 0.1), Vec2::ZERO);
+        assert_eq!(finite_difference_gradient(|uv| uv.x, Vec2::ZERO, 0.0), Vec2::ZERO);
         assert_eq!(flip_to_visible(Vec3::Z, bad, Vec3::Z), Vec3::Z);
     }
 

@@ -140,7 +140,7 @@ impl EnvironmentMap {
 impl<S: Deref<Target = [Vec3]>, T: Deref<Target = [f32]>> EnvironmentIn<S, T> {
     /// Borrowed view of the environment.
     #[must_use]
-    pub fn as_ref(&self) -> EnvironmentRef<'_> {
+    pub fn view(&self) -> EnvironmentRef<'_> {
         EnvironmentIn { image: self.image.view(), table: &self.table, total: self.total }
     }
 

@@ -96,13 +96,13 @@ pub(super) fn weighted<E: Environment + ?Sized>(
 /// ```
 /// use asperity_shading::environment::low_discrepancy_points;
 /// use asperity_shading::glam::{Vec2, Vec3};
-/// use asperity_shading::level_of_detail::Coordinates;
+/// use asperity_shading::level_of_detail::ResolvedBumps;
 /// use asperity_shading::ndf_sampling::ConditionalNdf;
 /// use asperity_shading::{Footprint, Ggx, Material, SurfacePoint, TorranceSparrow, reflected_radiance};
 ///
 /// // Partially resolved facets under uniform light.
-/// let seen = Coordinates { z: Vec2::new(0.3, -0.2), share: 0.5, fade: 1.0 };
-/// let rest = ConditionalNdf::new(Ggx::isotropic(0.2)?, seen.z, seen.share);
+/// let seen = ResolvedBumps { z: Vec2::new(0.3, -0.2), variance: 0.5, blend: 1.0 };
+/// let rest = ConditionalNdf::new(Ggx::isotropic(0.2)?, seen.z, seen.variance);
 /// let mirrors = TorranceSparrow::new(rest, Vec3::splat(0.9));
 /// let (wo, point) = (Vec3::new(0.6, 0.0, 0.8), SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(0.0)));
 /// let bsdf = mirrors.bsdf(&point, wo);

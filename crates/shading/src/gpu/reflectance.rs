@@ -31,7 +31,7 @@ impl Coat {
     /// ```
     /// use asperity_shading::{Dielectric, reflectance::Coat};
     ///
-    /// let varnish = Coat::varnish(Dielectric::new(1.5)?).rough(0.1).gpu();
+    /// let varnish = Coat::clearcoat(Dielectric::new(1.5)?).rough(0.1).gpu();
     /// assert_eq!((varnish.normal[2], varnish.roughness, varnish.index), (1.0, 0.1, 1.5));
     /// # Ok::<(), asperity_shading::ParameterError>(())
     /// ```

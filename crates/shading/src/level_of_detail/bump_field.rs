@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use crate::level_of_detail::gaussian_field::{Coordinates, GaussianField};
+use crate::level_of_detail::gaussian_field::{GaussianField, ResolvedBumps};
 use crate::parameter::ParameterError;
 use crate::pixel::{Footprint, FrequencyClamp};
 
@@ -41,7 +41,7 @@ impl<F: GaussianField> BumpField<F> {
     /// The coordinates of the bump map at the surface point `p`, as far as the footprint resolves
     /// them.
     ///
-    /// Continuous in `p` and in the footprint. [`Coordinates::FAR`] as soon as the pixel is wider
+    /// Continuous in `p` and in the footprint. [`ResolvedBumps::FAR`] as soon as the pixel is wider
     /// than half a cell of the first octave.
     ///
     /// For an [anchored](asperity_noise::Fbm::anchored) field `p` is the difference from the
@@ -51,7 +51,7 @@ impl<F: GaussianField> BumpField<F> {
     /// These are as many octaves as do not alias. The mean over a pixel still contains a bit of the
     /// next octave. Half of the pixel width as footprint minimizes the error.
     #[must_use]
-    pub fn coordinates(&self, p: Vec3, footprint: Footprint) -> Coordinates {
+    pub fn coordinates(&self, p: Vec3, footprint: Footprint) -> ResolvedBumps {
         self.field.coordinates(p * self.clamp.frequency(), self.clamp.octaves(footprint))
     }
 }
@@ -84,6 +84,6 @@ mod tests {
         let (p, pixel) = (Vec3::new(0.0625, 0.03125, -0.015625), Footprint::from_width(1e-3));
         let [whole, part] = [bumps.coordinates(p + anchor, pixel), near.coordinates(p, pixel)];
         assert_abs_diff_eq!(whole.z, part.z, epsilon = 1e-4);
-        assert_eq!((whole.share, whole.fade), (part.share, part.fade));
+        assert_eq!((whole.variance, whole.blend), (part.variance, part.blend));
     }
 }

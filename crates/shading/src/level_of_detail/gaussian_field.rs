@@ -5,18 +5,18 @@ use glam::{Vec2, Vec3};
 
 /// The resolved part of a bump map at a point, the input of both level-of-detail rules.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Coordinates {
+pub struct ResolvedBumps {
     /// The noise `z_b` of the resolved octaves: two independent N(0, 1) over the surface.
     pub z: Vec2,
     /// The fraction `s` of the variance in these octaves, in `[0, 1]`; 0 where nothing is resolved.
-    pub share: f32,
+    pub variance: f32,
     /// The weight of the first octave in `[0, 1]`, with which the bump map fades in.
-    pub fade: f32,
+    pub blend: f32,
 }
 
-impl Coordinates {
-    /// Coordinates of a pixel that resolves nothing.
-    pub const FAR: Self = Self { z: Vec2::ZERO, share: 0.0, fade: 0.0 };
+impl ResolvedBumps {
+    /// ResolvedBumps of a pixel that resolves nothing.
+    pub const FAR: Self = Self { z: Vec2::ZERO, variance: 0.0, blend: 0.0 };
 }
 
 /// A pair of independent Gaussian noises over space, with a real number of octaves.
@@ -31,12 +31,12 @@ impl Coordinates {
 /// The last sum is over the infinite spectrum: octaves that the field does not have are never
 /// resolved.
 ///
-/// At `octaves ≤ 0` or NaN a field returns [`Coordinates::FAR`]. Counts are clamped to
+/// At `octaves ≤ 0` or NaN a field returns [`ResolvedBumps::FAR`]. Counts are clamped to
 /// [`GaussianField::max_octaves`]. A NaN or infinite point returns some finite `z`.
 pub trait GaussianField {
     /// The coordinates at `p`, in lattice cells of the first octave, of this number of octaves.
     #[must_use]
-    fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates;
+    fn coordinates(&self, p: Vec3, octaves: f32) -> ResolvedBumps;
 
     /// The frequency ratio of consecutive octaves, more than 1.
     #[must_use]
@@ -50,25 +50,25 @@ pub trait GaussianField {
 /// Exactly Gaussian at every point, so the mean of the `Exact` rule is exact.
 ///
 /// ```
-/// use asperity_shading::level_of_detail::{Coordinates, GaussianField};
+/// use asperity_shading::level_of_detail::{ResolvedBumps, GaussianField};
 /// use asperity_shading::glam::Vec3;
 /// use asperity_shading::noise::{GaussianNoise, GaussianFbm, FbmSpectrum};
 ///
 /// let field = GaussianFbm::<Vec3>::new(GaussianNoise::new(7), FbmSpectrum::default());
 /// let p = Vec3::new(0.3, 1.7, -2.2);
-/// assert_eq!(field.coordinates(p, 0.0), Coordinates::FAR);
-/// assert_eq!(field.coordinates(p, 1.0).share, 0.75);
-/// assert_eq!(field.coordinates(p, 0.5).fade, 0.5);
+/// assert_eq!(field.coordinates(p, 0.0), ResolvedBumps::FAR);
+/// assert_eq!(field.coordinates(p, 1.0).variance, 0.75);
+/// assert_eq!(field.coordinates(p, 0.5).blend, 0.5);
 /// ```
 /// On any lattice, including an [anchored](Fbm::anchored) sum, with differences from its
 /// anchor.
 impl<L: Lattice> GaussianField for Fbm<GaussianNoise<L>, Vec3> {
-    fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates {
+    fn coordinates(&self, p: Vec3, octaves: f32) -> ResolvedBumps {
         let [x, y] = self.pair_with_octaves(p, octaves);
-        Coordinates {
+        ResolvedBumps {
             z: Vec2::new(x.value, y.value),
-            share: self.spectrum().resolved_variance(octaves),
-            fade: self.spectrum().weight(octaves, 0),
+            variance: self.spectrum().resolved_variance(octaves),
+            blend: self.spectrum().weight(octaves, 0),
         }
     }
 
@@ -82,7 +82,7 @@ impl<L: Lattice> GaussianField for Fbm<GaussianNoise<L>, Vec3> {
 }
 
 impl<F: GaussianField + ?Sized> GaussianField for &F {
-    fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates {
+    fn coordinates(&self, p: Vec3, octaves: f32) -> ResolvedBumps {
         (**self).coordinates(p, octaves)
     }
 

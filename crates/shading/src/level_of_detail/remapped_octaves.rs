@@ -4,7 +4,7 @@ use asperity_ndf_sampling::{NdfError, NoiseCdfRef, NoiseDistribution};
 use asperity_noise::{Anchor, Fbm, FbmSpectrum, Field, Noise};
 use glam::{Vec2, Vec3};
 
-use crate::level_of_detail::gaussian_field::{Coordinates, GaussianField};
+use crate::level_of_detail::gaussian_field::{GaussianField, ResolvedBumps};
 
 /// The noise value, in standard deviations, at either end of the measured distributions.
 const RANGE: f32 = 4.0;
@@ -92,15 +92,15 @@ impl<K: Anchor<3>> RemappedOctaves<K> {
 }
 
 impl<K: Field<Vec3>> GaussianField for RemappedOctaves<K> {
-    fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates {
+    fn coordinates(&self, p: Vec3, octaves: f32) -> ResolvedBumps {
         let spectrum = self.spectrum();
         let fade = spectrum.weight(octaves, 0);
         if fade == 0.0 {
-            return Coordinates::FAR;
+            return ResolvedBumps::FAR;
         }
         let [x, y] =
             self.channels.each_ref().map(|channel| self.cdf.invert(channel.value_with_octaves(p, octaves)));
-        Coordinates { z: Vec2::new(x, y), share: spectrum.resolved_variance(octaves), fade }
+        ResolvedBumps { z: Vec2::new(x, y), variance: spectrum.resolved_variance(octaves), blend: fade }
     }
 
     fn lacunarity(&self) -> f32 {
@@ -125,7 +125,8 @@ mod tests {
         for field in [&perlin as &dyn GaussianField, &gaussian] {
             for octaves in [f32::NAN, f32::NEG_INFINITY, -1.0, 0.0, 1e-30, 0.5, 3.7, 1e9, f32::INFINITY] {
                 for x in [0.0, 0.3, f32::NAN, f32::INFINITY, -1e30] {
-                    let Coordinates { z, share, fade } = field.coordinates(Vec3::new(0.5, x, 2.0), octaves);
+                    let ResolvedBumps { z, variance: share, blend: fade } =
+                        field.coordinates(Vec3::new(0.5, x, 2.0), octaves);
                     assert!(z.is_finite() && (0.0..1.0).contains(&share), "{x}, {octaves}: {z}, {share}");
                     assert!((0.0..=1.0).contains(&fade), "{x}, {octaves}: {fade}");
                     assert!(octaves > 0.0 || (z, share, fade) == (Vec2::ZERO, 0.0, 0.0), "{x}, {octaves}");
@@ -139,7 +140,7 @@ mod tests {
         let field = RemappedOctaves::new(Perlin::default(), FbmSpectrum::default(), 1).unwrap();
         let at = |octaves| field.coordinates(Vec3::new(0.3, 1.7, -2.2), octaves);
         assert_eq!(at(0.25).z, at(1.0).z);
-        assert_eq!((at(0.25).fade, at(1.0).fade), (0.25, 1.0));
+        assert_eq!((at(0.25).blend, at(1.0).blend), (0.25, 1.0));
         assert_ne!(at(1.5).z, at(1.0).z);
         assert_ne!(at(8.0).z, at(1.5).z);
     }
@@ -152,7 +153,7 @@ mod tests {
         let expected = field.coordinates(at + p, 4.0);
         // Positions of the fourth octave are rounded at 2.17³ · 17.
         assert_abs_diff_eq!(there.z, expected.z, epsilon = 1e-3);
-        assert_eq!((there.share, there.fade), (expected.share, expected.fade));
+        assert_eq!((there.variance, there.blend), (expected.variance, expected.blend));
     }
 
     #[test]

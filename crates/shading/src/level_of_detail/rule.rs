@@ -3,7 +3,7 @@
 use asperity_ndf_sampling::{Frame, GaussianSplit, Ndf, residual_ndf};
 use glam::{Vec2, Vec3};
 
-use crate::level_of_detail::gaussian_field::Coordinates;
+use crate::level_of_detail::gaussian_field::ResolvedBumps;
 use crate::math::{clamp_to, sqrt};
 
 /// Shading from afar: the NDF at the half vector.
@@ -51,8 +51,8 @@ pub fn shade_facet<N: Ndf + ?Sized>(ndf: &N, facet: &Frame, h: Vec3) -> f32 {
 /// `z_flat` is 0 for an NDF that is symmetric in x and y. For other NDFs 0 is the median, which is
 /// tilted.
 #[must_use]
-pub fn facet_coordinates<N: Ndf + ?Sized>(ndf: &N, coordinates: Coordinates) -> Vec2 {
-    let Coordinates { z, fade, .. } = coordinates;
+pub fn facet_coordinates<N: Ndf + ?Sized>(ndf: &N, coordinates: ResolvedBumps) -> Vec2 {
+    let ResolvedBumps { z, blend: fade, .. } = coordinates;
     if fade >= 1.0 {
         return z;
     }
@@ -66,14 +66,14 @@ pub fn facet_coordinates<N: Ndf + ?Sized>(ndf: &N, coordinates: Coordinates) -> 
 /// there.
 ///
 /// ```
-/// use asperity_shading::level_of_detail::Coordinates;
+/// use asperity_shading::level_of_detail::ResolvedBumps;
 /// use asperity_shading::{Ggx, LevelOfDetail, far_field, glam::{Vec2, Vec3}};
 ///
 /// let ggx = Ggx::new(0.2, 0.4)?;
 /// let h = Vec3::new(0.1, 0.2, 1.0).normalize();
-/// let near = Coordinates { z: Vec2::new(0.8, -0.3), share: 0.75, fade: 1.0 };
+/// let near = ResolvedBumps { z: Vec2::new(0.8, -0.3), variance: 0.75, blend: 1.0 };
 /// for rule in [LevelOfDetail::Exact, LevelOfDetail::Fractal] {
-///     assert_eq!(rule.radiance(&ggx, h, Coordinates::FAR), far_field(&ggx, h));
+///     assert_eq!(rule.radiance(&ggx, h, ResolvedBumps::FAR), far_field(&ggx, h));
 ///     assert_ne!(rule.radiance(&ggx, h, near), far_field(&ggx, h));
 /// }
 /// # Ok::<(), asperity_shading::ndf_sampling::NdfError>(())
@@ -114,10 +114,10 @@ impl LevelOfDetail {
     /// - **Range:** at least 0, finite, in sr⁻¹. Where nothing is resolved it is [`far_field`], bit
     ///   for bit.
     #[must_use]
-    pub fn radiance<N: Ndf + ?Sized>(self, ndf: &N, h: Vec3, coordinates: Coordinates) -> f32 {
+    pub fn radiance<N: Ndf + ?Sized>(self, ndf: &N, h: Vec3, coordinates: ResolvedBumps) -> f32 {
         match self {
             Self::Exact if h.z > 0.0 && h.is_finite() => {
-                residual_ndf(ndf, h, coordinates.z, coordinates.share)
+                residual_ndf(ndf, h, coordinates.z, coordinates.variance)
             }
             Self::Exact => 0.0,
             Self::Fractal => shade_facet(ndf, &Frame::from_normal(self.normal(ndf, coordinates)), h),
@@ -133,11 +133,11 @@ impl LevelOfDetail {
     /// [`Beckmann`](crate::Beckmann) with SIMD under the feature `simd`.
     ///
     /// ```
-    /// use asperity_shading::level_of_detail::Coordinates;
+    /// use asperity_shading::level_of_detail::ResolvedBumps;
     /// use asperity_shading::{Ggx, LevelOfDetail, glam::{Vec2, Vec3}};
     ///
     /// let ggx = Ggx::new(0.2, 0.4)?;
-    /// let near = Coordinates { z: Vec2::new(0.8, -0.3), share: 0.75, fade: 1.0 };
+    /// let near = ResolvedBumps { z: Vec2::new(0.8, -0.3), variance: 0.75, blend: 1.0 };
     /// let halves = [Vec3::Z, Vec3::new(0.6, 0.0, 0.8), Vec3::NEG_Z];
     /// let mut radiances = [0.0; 3];
     /// LevelOfDetail::Exact.radiances(&ggx, &halves, near, &mut radiances);
@@ -148,12 +148,12 @@ impl LevelOfDetail {
         self,
         ndf: &N,
         halves: &[Vec3],
-        coordinates: Coordinates,
+        coordinates: ResolvedBumps,
         radiances: &mut [f32],
     ) {
         let frame = match self {
             Self::Exact => {
-                let split = GaussianSplit::new(coordinates.z, coordinates.share);
+                let split = GaussianSplit::new(coordinates.z, coordinates.variance);
                 ndf.residual_ndf_batch(halves, split, radiances);
                 None
             }
@@ -180,10 +180,12 @@ impl LevelOfDetail {
     /// normals below the pixel. Where nothing is resolved it is `T(0)`, which is (0, 0, 1) for an
     /// NDF that is symmetric in x and y. Where everything is resolved it is `T(z)`.
     #[must_use]
-    pub fn normal<N: Ndf + ?Sized>(self, ndf: &N, coordinates: Coordinates) -> Vec3 {
+    pub fn normal<N: Ndf + ?Sized>(self, ndf: &N, coordinates: ResolvedBumps) -> Vec3 {
         match self {
-            Self::Exact => ndf.warp_gaussian(sqrt(clamp_to(coordinates.share, 1.0)) * coordinates.z),
-            Self::Fractal if coordinates.fade > 0.0 => ndf.warp_gaussian(facet_coordinates(ndf, coordinates)),
+            Self::Exact => ndf.warp_gaussian(sqrt(clamp_to(coordinates.variance, 1.0)) * coordinates.z),
+            Self::Fractal if coordinates.blend > 0.0 => {
+                ndf.warp_gaussian(facet_coordinates(ndf, coordinates))
+            }
             // Bit for bit, since an inversion need not return to the flat normal exactly.
             Self::Fractal => Vec3::Z,
         }
@@ -196,8 +198,8 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
     use asperity_ndf_sampling::{Beckmann, Ggx};
 
-    fn near(x: f32, y: f32, share: f32, fade: f32) -> Coordinates {
-        Coordinates { z: Vec2::new(x, y), share, fade }
+    fn near(x: f32, y: f32, variance: f32, blend: f32) -> ResolvedBumps {
+        ResolvedBumps { z: Vec2::new(x, y), variance, blend }
     }
 
     #[test]
@@ -207,7 +209,7 @@ mod tests {
             for h in [Vec3::Z, Vec3::new(0.3, -0.4, 0.9).normalize(), Vec3::new(-0.9, 0.3, 0.1).normalize()] {
                 for rule in [LevelOfDetail::Exact, LevelOfDetail::Fractal] {
                     for z in [Vec2::ZERO, Vec2::new(1.5, -2.0), Vec2::NAN] {
-                        let got = rule.radiance(ndf, h, Coordinates { z, ..Coordinates::FAR });
+                        let got = rule.radiance(ndf, h, ResolvedBumps { z, ..ResolvedBumps::FAR });
                         assert_eq!(got.to_bits(), far_field(ndf, h).to_bits(), "{rule:?}, {h}, {z}");
                     }
                 }
@@ -230,7 +232,7 @@ mod tests {
     fn bump_fades_in_from_the_flat_normal() {
         let ndf = Ggx::new(0.2, 0.4).unwrap();
         for rule in [LevelOfDetail::Exact, LevelOfDetail::Fractal] {
-            assert_eq!(rule.normal(&ndf, Coordinates::FAR), Vec3::Z);
+            assert_eq!(rule.normal(&ndf, ResolvedBumps::FAR), Vec3::Z);
             let mut tilt = 0.0;
             for i in 1..=100 {
                 let w = i as f32 / 100.0;
@@ -266,13 +268,13 @@ mod tests {
             for h in
                 [Vec3::NEG_Z, Vec3::X, Vec3::ZERO, Vec3::NAN, Vec3::new(0.0, f32::NAN, 1.0), Vec3::INFINITY]
             {
-                for coordinates in [Coordinates::FAR, near(0.1, 0.1, 0.5, 1.0)] {
+                for coordinates in [ResolvedBumps::FAR, near(0.1, 0.1, 0.5, 1.0)] {
                     assert_eq!(rule.radiance(&Unruly, h, coordinates), 0.0, "{rule:?}, {h}");
                 }
                 assert_eq!(far_field(&Unruly, h), 0.0, "{h}");
             }
             let h = Vec3::new(0.6, 0.0, 0.8);
-            assert_eq!(rule.radiance(&Unruly, h, Coordinates::FAR), far_field(&Unruly, h));
+            assert_eq!(rule.radiance(&Unruly, h, ResolvedBumps::FAR), far_field(&Unruly, h));
         }
         for i in 1..100 {
             let z = Vec2::splat(1.0 / i as f32);
@@ -293,7 +295,8 @@ mod tests {
         for (ndf, rule) in
             ndfs.iter().flat_map(|ndf| [(ndf, LevelOfDetail::Exact), (ndf, LevelOfDetail::Fractal)])
         {
-            for coordinates in [Coordinates::FAR, near(0.8, -1.1, 0.75, 1.0), near(f32::NAN, -20.0, 1.0, 0.5)]
+            for coordinates in
+                [ResolvedBumps::FAR, near(0.8, -1.1, 0.75, 1.0), near(f32::NAN, -20.0, 1.0, 0.5)]
             {
                 for count in [0, 1, 5, 32, 71] {
                     let mut radiances = [-1.0; 71];

@@ -183,8 +183,8 @@ impl Material for TemperedGlass {
         let (normal, slopes) = self.surface(point);
         let fresnel = Dielectric::new_clamped(p.index);
         let coat = match p.body {
-            GlassBody::Pane => Coat::pane(fresnel, p.tint),
-            GlassBody::Solid => Coat::body(fresnel),
+            GlassBody::Pane => Coat::thin_dielectric(fresnel, p.tint),
+            GlassBody::Solid => Coat::dielectric(fresnel),
         };
         let slopes = match slopes {
             Slopes::Sine(swing) => Slopes::Sine(frame.to_local(swing)),

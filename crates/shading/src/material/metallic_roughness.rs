@@ -40,7 +40,7 @@ use crate::reflectance::{Bsdf, LobePart};
 /// use asperity_shading::reflectance::{Bsdf, Coat};
 ///
 /// let gold = Vec3::new(1.0, 0.77, 0.34);
-/// let bsdf = Bsdf::new(Frame::IDENTITY, Vec3::Z).with_coat(Coat::metal(gold).rough(0.2));
+/// let bsdf = Bsdf::new(Frame::IDENTITY, Vec3::Z).with_coat(Coat::conductor(gold).rough(0.2));
 /// let seen = MetallicRoughness::of(&bsdf).ok_or("no lobes")?;
 /// assert_eq!((seen.base_color, seen.metallic), (gold, 1.0));
 /// assert!((seen.alpha2 - 0.04).abs() < 1e-6);
@@ -234,7 +234,7 @@ mod tests {
         assert_abs_diff_eq!(matt.slopes.mean, Vec2::new(0.1, 0.0), epsilon = 1e-6);
         assert_abs_diff_eq!(matt.slopes.covariance[0], 0.16, epsilon = 1e-5);
 
-        let varnish = Coat::varnish(Dielectric::new_clamped(1.5)).rough(0.1);
+        let varnish = Coat::clearcoat(Dielectric::new_clamped(1.5)).rough(0.1);
         let varnished = Bsdf::new(Frame::IDENTITY, Vec3::Z).with([Facet::FLAT], [chalk()]).with_coat(varnish);
         let varnished = MetallicRoughness::of(&varnished).unwrap();
         assert_eq!((varnished.base_color, varnished.metallic, varnished.coat), (clay, 0.0, None));
@@ -321,7 +321,7 @@ mod tests {
 
     #[test]
     fn of_glass_and_empty_bsdfs_is_none() {
-        let glass = Coat::body(Dielectric::new_clamped(1.5));
+        let glass = Coat::dielectric(Dielectric::new_clamped(1.5));
         assert_eq!(
             MetallicRoughness::of(&Bsdf::new(Frame::IDENTITY, Vec3::Z).with_coat(glass.rough(0.2))),
             None
@@ -329,7 +329,7 @@ mod tests {
         assert_eq!(MetallicRoughness::of(&Bsdf::new(Frame::IDENTITY, Vec3::Z).with_coat(glass)), None);
         assert_eq!(MetallicRoughness::of(&Bsdf::new(Frame::IDENTITY, Vec3::Z)), None);
         let mirror =
-            MetallicRoughness::of(&Bsdf::new(Frame::IDENTITY, Vec3::Z).with_coat(Coat::metal(Vec3::ONE)))
+            MetallicRoughness::of(&Bsdf::new(Frame::IDENTITY, Vec3::Z).with_coat(Coat::conductor(Vec3::ONE)))
                 .unwrap();
         assert_eq!((mirror.metallic, mirror.alpha2), (1.0, 0.0));
     }

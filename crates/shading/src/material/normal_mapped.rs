@@ -4,7 +4,7 @@ use asperity_ndf_sampling::Beckmann;
 use glam::Vec3;
 
 use crate::bump::Facet;
-use crate::level_of_detail::Coordinates;
+use crate::level_of_detail::ResolvedBumps;
 use crate::material::interface::Material;
 use crate::material::surface_point::SurfacePoint;
 use crate::normal_map::SlopePyramidRef;
@@ -31,7 +31,7 @@ use crate::reflectance::{Bsdf, Lobe};
 /// let side = |k: usize| if k % 64 < 32 { 0.6 } else { -0.6 };
 /// let ridges: Vec<Vec3> = (0..64 * 8).map(|k| Vec3::new(side(k), 0.0, 0.8)).collect();
 /// let map = SlopePyramid::<4>::from_normals(64, 8, &ridges)?;
-/// let stone = NormalMapped { map: map.as_ref(), roughness: Beckmann::isotropic(0.2)?, color: Vec3::ONE };
+/// let stone = NormalMapped { map: map.view(), roughness: Beckmann::isotropic(0.2)?, color: Vec3::ONE };
 /// let seen = |width: f32, wi: Vec3| {
 ///     let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(width)).with_uv(Vec2::splat(0.3), [Vec3::X, Vec3::Y]);
 ///     stone.bsdf(&point, Vec3::Z).eval_cos(Vec3::Z, wi).x
@@ -55,7 +55,7 @@ impl<const K: usize> Material for NormalMapped<'_, K> {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let seen = self.map.sample_along(point.uv, &point.uv_pixel(), 8);
         let lobes = seen.lobes().iter().filter(|lobe| lobe.weight > 0.0).map(|lobe| {
-            let slopes = lobe.moments.add_detail(self.roughness, Coordinates::FAR);
+            let slopes = lobe.moments.add_detail(self.roughness, ResolvedBumps::FAR);
             Lobe::from(slopes).weighted(self.color * lobe.weight)
         });
         Bsdf::new(point.frame(), wo).with([Facet::FLAT], lobes)

@@ -213,7 +213,7 @@ impl Material for PolishedMarble {
         let mut bsdf = Bsdf::new(point.frame(), wo);
         bsdf.add_layer([Facet::FLAT], [stone]);
         if self.polish > 0.0 {
-            bsdf.add_coat(Coat::varnish(Dielectric::new_clamped(1.5)).rough(self.polish));
+            bsdf.add_coat(Coat::clearcoat(Dielectric::new_clamped(1.5)).rough(self.polish));
         }
         bsdf
     }

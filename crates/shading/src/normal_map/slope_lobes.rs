@@ -3,7 +3,7 @@
 use asperity_ndf_sampling::{Beckmann, Ndf as _};
 use glam::{Vec2, Vec3};
 
-use crate::level_of_detail::Coordinates;
+use crate::level_of_detail::ResolvedBumps;
 use crate::math::sqrt;
 use crate::normal_map::bilinear::bilinear;
 use crate::normal_map::slope_moments::SlopeMoments;
@@ -85,14 +85,14 @@ impl<const K: usize> SlopeLobes<K> {
     /// p(h) = Σ_k w_k N(s(h); μ_k + √t α z/√2, Σ_k + (1 − t) α²/2)/h_z⁴,   t the resolved fraction
     /// ```
     ///
-    /// If no finer bump is resolved, `noise` is [`Coordinates::FAR`], and `fine` the roughness of
+    /// If no finer bump is resolved, `noise` is [`ResolvedBumps::FAR`], and `fine` the roughness of
     /// the surface. See [`SlopeMoments::add_detail`].
     ///
     /// - **Domain:** unit `h` in the frame of the surface without the map, 0 for `h.z ≤ 0`, a zero
     ///   vector and NaN.
     /// - **Range:** at least 0, finite.
     #[must_use]
-    pub fn density(&self, fine: Beckmann, noise: Coordinates, h: Vec3) -> f32 {
+    pub fn density(&self, fine: Beckmann, noise: ResolvedBumps, h: Vec3) -> f32 {
         if h.z > 0.0 && h.is_finite() {
             let part = |lobe: &SlopeLobe| lobe.weight * lobe.moments.add_detail(fine, noise).d(h);
             self.lobes.iter().filter(|lobe| lobe.weight > 0.0).map(part).sum::<f32>().min(f32::MAX)
@@ -205,9 +205,9 @@ mod tests {
         let lobes = SlopeLobes::point(Vec2::new(0.3, 0.1), &[Vec2::ZERO]);
         let fine = Beckmann::isotropic(0.2).unwrap();
         for h in [Vec3::ZERO, Vec3::NEG_Z, Vec3::X, Vec3::NAN, Vec3::INFINITY] {
-            assert_eq!(lobes.density(fine, Coordinates::FAR, h), 0.0, "{h}");
+            assert_eq!(lobes.density(fine, ResolvedBumps::FAR, h), 0.0, "{h}");
         }
-        assert!(lobes.density(fine, Coordinates::FAR, lobes.moments().normal()) > 5.0);
-        assert_eq!(SlopeLobes::<2>::default().density(fine, Coordinates::FAR, Vec3::Z), 0.0);
+        assert!(lobes.density(fine, ResolvedBumps::FAR, lobes.moments().normal()) > 5.0);
+        assert_eq!(SlopeLobes::<2>::default().density(fine, ResolvedBumps::FAR, Vec3::Z), 0.0);
     }
 }

@@ -3,7 +3,7 @@
 use asperity_ndf_sampling::{Beckmann, level_of_detail::OffsetBeckmann};
 use glam::{Vec2, Vec3};
 
-use crate::level_of_detail::Coordinates;
+use crate::level_of_detail::ResolvedBumps;
 use crate::math::{clamp_to, sqrt};
 
 /// The mean and the covariance of slopes `s = (n_x, n_y)/n_z` within a pixel.
@@ -123,8 +123,8 @@ impl SlopeMoments {
     ///
     /// Kautz, Heidrich, Seidel 2001, *Real-Time Bump Map Synthesis*, §5 and §7.
     #[must_use]
-    pub fn add_detail(self, fine: Beckmann, noise: Coordinates) -> OffsetBeckmann {
-        let seen = OffsetBeckmann::conditional(fine, noise.z, noise.share);
+    pub fn add_detail(self, fine: Beckmann, noise: ResolvedBumps) -> OffsetBeckmann {
+        let seen = OffsetBeckmann::conditional(fine, noise.z, noise.variance);
         let [xx, xy, yy] = self.covariance;
         let [fine_xx, _, fine_yy] = seen.covariance();
         OffsetBeckmann::new(self.mean + seen.mean(), [xx + fine_xx, xy, yy + fine_yy]).unwrap_or(seen)
@@ -173,11 +173,11 @@ mod tests {
     fn detailed_moves_and_roughens_slopes() {
         let moments = SlopeMoments { mean: Vec2::new(0.3, -0.1), covariance: [0.02, 0.01, 0.03] };
         let fine = Beckmann::new(0.2, 0.4).unwrap();
-        let unresolved = moments.add_detail(fine, Coordinates::FAR);
+        let unresolved = moments.add_detail(fine, ResolvedBumps::FAR);
         let rough = moments.beckmann(0.2, 0.4);
         assert_abs_diff_eq!(unresolved.mean(), rough.mean(), epsilon = 1e-7);
         let resolved =
-            moments.add_detail(fine, Coordinates { z: Vec2::new(1.0, -2.0), share: 0.75, fade: 1.0 });
+            moments.add_detail(fine, ResolvedBumps { z: Vec2::new(1.0, -2.0), variance: 0.75, blend: 1.0 });
         let slope = Vec2::new(0.2, -0.8) * (0.75_f32 / 2.0).sqrt();
         assert!((resolved.mean() - moments.mean - slope).length() < 1e-6, "{resolved:?}");
         for (got, expected) in resolved.covariance().into_iter().zip([0.025, 0.01, 0.05]) {
@@ -192,7 +192,7 @@ mod tests {
         for (x, y) in bad.into_iter().flat_map(|x| bad.map(|y| (x, y))) {
             for c in bad {
                 let moments = SlopeMoments { mean: Vec2::new(x, y), covariance: [c, x, y] };
-                let noise = Coordinates { z: Vec2::new(c, x), share: y, fade: 1.0 };
+                let noise = ResolvedBumps { z: Vec2::new(c, x), variance: y, blend: 1.0 };
                 for h in [Vec3::Z, Vec3::new(0.6, 0.0, 0.8), Vec3::new(x, y, c)] {
                     let densities = [moments.beckmann(x, y), moments.add_detail(fine, noise)].map(|d| d.d(h));
                     assert!(densities.iter().all(|d| *d >= 0.0 && d.is_finite()), "{moments:?}, {h}");

@@ -74,7 +74,7 @@ pub struct SlopePyramidIn<S, L, const K: usize> {
 ///
 /// ```
 /// use asperity_shading::glam::{Vec2, Vec3};
-/// use asperity_shading::level_of_detail::Coordinates;
+/// use asperity_shading::level_of_detail::ResolvedBumps;
 /// use asperity_shading::{Beckmann, Footprint, SlopePyramid};
 ///
 /// // Grooves, and the roughness of the stone.
@@ -83,7 +83,7 @@ pub struct SlopePyramidIn<S, L, const K: usize> {
 /// let map = SlopePyramid::<4>::from_normals(64, 64, &normals)?;
 /// let stone = Beckmann::isotropic(0.2)?;
 /// let (h, uv) = (Vec3::new(0.6, 0.0, 0.8), Vec2::new(0.6, 0.3));
-/// let seen = |width| map.sample(uv, Footprint::from_width(width)).density(stone, Coordinates::FAR, h);
+/// let seen = |width| map.sample(uv, Footprint::from_width(width)).density(stone, ResolvedBumps::FAR, h);
 /// // Sides of grooves are invisible on the flat part, and all visible from afar.
 /// assert!(seen(0.0) < 0.01 && seen(1.0) > 0.5);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
@@ -181,7 +181,7 @@ impl<const K: usize> SlopePyramid<K> {
 impl<S: Deref<Target = [Vec2]>, L: Deref<Target = [SlopeLobes<K>]>, const K: usize> SlopePyramidIn<S, L, K> {
     /// Borrowed view of the map.
     #[must_use]
-    pub fn as_ref(&self) -> SlopePyramidRef<'_, K> {
+    pub fn view(&self) -> SlopePyramidRef<'_, K> {
         SlopePyramidIn { size: self.size, slopes: &self.slopes, centers: self.centers, lobes: &self.lobes }
     }
 

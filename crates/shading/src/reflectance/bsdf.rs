@@ -190,9 +190,9 @@ impl<'a> Bsdf<'a> {
         let ([_, first], [_, first_lobe]) = (last.facets, last.lobes);
         let (mut end, mut end_lobe) = (first, first_lobe);
         facets(&mut |facet: Facet| {
-            if facet.share > 0.0 && facet.share.is_finite() {
+            if facet.weight > 0.0 && facet.weight.is_finite() {
                 let normal = flip_to_visible(Vec3::Z, facet.normal, self.wo);
-                end += add(&mut self.facets[first..], end - first, facet.share, normal);
+                end += add(&mut self.facets[first..], end - first, facet.weight, normal);
             }
         });
         for lobe in lobes {
@@ -247,7 +247,7 @@ impl<'a> Bsdf<'a> {
     /// use asperity_shading::{Dielectric, Frame, glam::{Vec2, Vec3}};
     ///
     /// let wo = Vec3::new(0.6, 0.0, 0.8);
-    /// let pane = Coat::pane(Dielectric::new(1.5)?, Vec3::ONE);
+    /// let pane = Coat::thin_dielectric(Dielectric::new(1.5)?, Vec3::ONE);
     /// let pane = Bsdf::new(Frame::IDENTITY, wo).with_coat(pane);
     /// let [first, last] = [0.0, 0.999].map(|uc| pane.sample(wo, uc, Vec2::splat(0.5)).unwrap());
     /// assert_eq!((first.wi, last.wi), (Vec3::new(-0.6, 0.0, 0.8), -wo));
@@ -270,7 +270,7 @@ impl<'a> Bsdf<'a> {
     /// use asperity_shading::reflectance::{Bsdf, Coat};
     /// use asperity_shading::{Dielectric, Frame, glam::{Vec2, Vec3}};
     ///
-    /// let glass = Bsdf::new(Frame::IDENTITY, Vec3::Z).with_coat(Coat::body(Dielectric::new(1.5)?));
+    /// let glass = Bsdf::new(Frame::IDENTITY, Vec3::Z).with_coat(Coat::dielectric(Dielectric::new(1.5)?));
     /// let [mirrored, refracted] = glass.specular_samples(Vec3::Z, Vec2::ZERO).map(Option::unwrap);
     /// assert!((mirrored.pdf + refracted.pdf - 1.0).abs() < 1e-6);
     /// assert!((mirrored.eval_cos.x - 0.04).abs() < 1e-6 && refracted.wi == Vec3::NEG_Z);
@@ -325,11 +325,9 @@ impl<'a> Bsdf<'a> {
             })
         });
         let smooth = self.coat.filter(|coat| !coat.is_rough());
-        layers.chain(
-            smooth.into_iter().flat_map(|coat| {
-                coat.facets().map(move |facet| (facet.share, facet.normal, coat.smooth_part()))
-            }),
-        )
+        layers.chain(smooth.into_iter().flat_map(|coat| {
+            coat.facets().map(move |facet| (facet.weight, facet.normal, coat.smooth_part()))
+        }))
     }
 
     fn layers(&self) -> &[Layer] {

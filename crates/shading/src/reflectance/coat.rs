@@ -44,11 +44,11 @@ pub(crate) enum Slopes {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Behind {
-    Layers(Dielectric),
-    Pane(Dielectric, Vec3),
-    Body(Dielectric),
-    Metal(Vec3),
-    Veil(Vec3),
+    Clearcoat(Dielectric),
+    ThinDielectric(Dielectric, Vec3),
+    Dielectric(Dielectric),
+    Conductor(Vec3),
+    Transparent(Vec3),
 }
 
 /// A direction of light that a smooth surface scatters into `wo`, with its weight.
@@ -70,8 +70,8 @@ impl Coat {
 
     /// A varnish over the layers, which receive the transmitted light: `(1 − F(ωi)) (1 − F(ωo))`.
     #[must_use]
-    pub const fn varnish(fresnel: Dielectric) -> Self {
-        Self::flat(Behind::Layers(fresnel))
+    pub const fn clearcoat(fresnel: Dielectric) -> Self {
+        Self::flat(Behind::Clearcoat(fresnel))
     }
 
     /// A thin tinted dielectric slab (no refraction offset).
@@ -81,8 +81,8 @@ impl Coat {
     /// `tint` is the transmittance at normal incidence. At an angle the path is longer, by the
     /// Beer–Lambert law.
     #[must_use]
-    pub const fn pane(fresnel: Dielectric, tint: Vec3) -> Self {
-        Self::flat(Behind::Pane(fresnel, tint))
+    pub const fn thin_dielectric(fresnel: Dielectric, tint: Vec3) -> Self {
+        Self::flat(Behind::ThinDielectric(fresnel, tint))
     }
 
     /// The refracting surface of a body (Snell's law), seen from inside if `wo` is below the
@@ -91,20 +91,20 @@ impl Coat {
     /// The weight of transmission is `1 − F`. It omits the change of radiance by η², which is
     /// undone where the light leaves.
     #[must_use]
-    pub const fn body(fresnel: Dielectric) -> Self {
-        Self::flat(Behind::Body(fresnel))
+    pub const fn dielectric(fresnel: Dielectric) -> Self {
+        Self::flat(Behind::Dielectric(fresnel))
     }
 
     /// A polished metal with this reflectance.
     #[must_use]
-    pub const fn metal(color: Vec3) -> Self {
-        Self::flat(Behind::Metal(color))
+    pub const fn conductor(color: Vec3) -> Self {
+        Self::flat(Behind::Conductor(color))
     }
 
     /// A transparent layer with the given transmittance, e.g. ray-marched gas.
     #[must_use]
-    pub const fn veil(transmittance: Vec3) -> Self {
-        Self::flat(Behind::Veil(transmittance))
+    pub const fn transparent(transmittance: Vec3) -> Self {
+        Self::flat(Behind::Transparent(transmittance))
     }
 
     /// Sets the normal, in the frame of the surface, and the slope variance around it.
@@ -164,25 +164,25 @@ impl Coat {
             Slopes::Sine(swing) => (0.0, swing),
         };
         let (color, index, kind) = match self.behind {
-            Behind::Layers(fresnel) => (Vec3::ONE, fresnel.relative_index(), 0),
-            Behind::Pane(fresnel, tint) => (tint, fresnel.relative_index(), 1),
-            Behind::Body(fresnel) => (Vec3::ONE, fresnel.relative_index(), 2),
-            Behind::Metal(color) => (color, 1.0, 3),
-            Behind::Veil(transmittance) => (transmittance, 1.0, 4),
+            Behind::Clearcoat(fresnel) => (Vec3::ONE, fresnel.relative_index(), 0),
+            Behind::ThinDielectric(fresnel, tint) => (tint, fresnel.relative_index(), 1),
+            Behind::Dielectric(fresnel) => (Vec3::ONE, fresnel.relative_index(), 2),
+            Behind::Conductor(color) => (color, 1.0, 3),
+            Behind::Transparent(transmittance) => (transmittance, 1.0, 4),
         };
         ([self.normal.extend(variance), swing.extend(self.roughness), color.extend(index)], kind)
     }
 
     fn is_pane(&self) -> bool {
-        matches!(self.behind, Behind::Pane(..))
+        matches!(self.behind, Behind::ThinDielectric(..))
     }
 
     /// The part of a smooth coat without the lobe of a rough one; `None` if it transmits.
     pub(super) fn smooth_part(&self) -> Option<LobePart> {
         match self.behind {
-            Behind::Layers(_) => Some(LobePart::Varnish(0.0)),
-            Behind::Metal(color) => Some(LobePart::Glossy(color, 0.0)),
-            Behind::Pane(..) | Behind::Body(_) | Behind::Veil(_) => None,
+            Behind::Clearcoat(_) => Some(LobePart::Varnish(0.0)),
+            Behind::Conductor(color) => Some(LobePart::Glossy(color, 0.0)),
+            Behind::ThinDielectric(..) | Behind::Dielectric(_) | Behind::Transparent(_) => None,
         }
     }
 
@@ -196,11 +196,11 @@ impl Coat {
         let (alpha, _) = self.widened();
         let facets = Beckmann::new_clamped(alpha, alpha);
         (self.roughness > 0.0).then_some(match self.behind {
-            Behind::Layers(fresnel) => CookTorrance::new(facets, fresnel).into(),
-            Behind::Body(fresnel) => RoughDielectric::new(facets, fresnel).into(),
-            Behind::Pane(fresnel, tint) => RoughDielectric::thin(facets, fresnel, tint).into(),
-            Behind::Metal(color) => CookTorrance::new(facets, color).into(),
-            Behind::Veil(_) => Lobe::default(),
+            Behind::Clearcoat(fresnel) => CookTorrance::new(facets, fresnel).into(),
+            Behind::Dielectric(fresnel) => RoughDielectric::new(facets, fresnel).into(),
+            Behind::ThinDielectric(fresnel, tint) => RoughDielectric::thin(facets, fresnel, tint).into(),
+            Behind::Conductor(color) => CookTorrance::new(facets, color).into(),
+            Behind::Transparent(_) => Lobe::default(),
         })
     }
 
@@ -231,7 +231,7 @@ impl Coat {
     /// The fraction of light from one direction that reaches the layers.
     pub(super) fn through(&self, w: Vec3) -> f32 {
         match self.behind {
-            Behind::Layers(fresnel) => 1.0 - fresnel.reflectance(w.dot(self.normal)),
+            Behind::Clearcoat(fresnel) => 1.0 - fresnel.reflectance(w.dot(self.normal)),
             _ => 1.0,
         }
     }
@@ -260,10 +260,10 @@ impl Coat {
     pub(super) fn strength(&self, wo: Vec3) -> f32 {
         let opaque = |weight: Vec3| if wo.z > 0.0 { weight.max_element() } else { 0.0 };
         let smooth = match self.behind {
-            Behind::Veil(transmittance) => return clamp_to(transmittance.max_element(), 1.0),
-            Behind::Layers(fresnel) => opaque(fresnel.reflectance_rgb(wo.dot(self.normal))),
-            Behind::Metal(color) => opaque(color),
-            Behind::Pane(..) | Behind::Body(_) => 1.0,
+            Behind::Transparent(transmittance) => return clamp_to(transmittance.max_element(), 1.0),
+            Behind::Clearcoat(fresnel) => opaque(fresnel.reflectance_rgb(wo.dot(self.normal))),
+            Behind::Conductor(color) => opaque(color),
+            Behind::ThinDielectric(..) | Behind::Dielectric(_) => 1.0,
         };
         if self.is_rough() { 0.0 } else { clamp_to(smooth, 1.0) }
     }
@@ -309,19 +309,21 @@ impl Coat {
         let mirrored = |share: Vec3| Delta { wi, weight: share * smooth };
         let straight = |share: Vec3| Delta { wi: -wo, weight: share.clamp(Vec3::ZERO, Vec3::ONE) };
         match self.behind {
-            Behind::Layers(fresnel) if !inside => {
+            Behind::Clearcoat(fresnel) if !inside => {
                 [mirrored(fresnel.reflectance_rgb(cosine)), Delta::default()]
             }
-            Behind::Metal(color) if !inside => [mirrored(color.reflectance_rgb(cosine)), Delta::default()],
-            Behind::Layers(_) | Behind::Metal(_) => dark,
-            Behind::Veil(transmittance) => [Delta::default(), straight(transmittance)],
-            Behind::Pane(fresnel, tint) => {
+            Behind::Conductor(color) if !inside => {
+                [mirrored(color.reflectance_rgb(cosine)), Delta::default()]
+            }
+            Behind::Clearcoat(_) | Behind::Conductor(_) => dark,
+            Behind::Transparent(transmittance) => [Delta::default(), straight(transmittance)],
+            Behind::ThinDielectric(fresnel, tint) => {
                 let once = fresnel.reflectance(cosine);
                 let both = 2.0 * once / (1.0 + once);
                 let tint = through_wall(tint, cosine, fresnel.relative_index());
                 [mirrored(Vec3::splat(both)), straight(tint * ((1.0 - both) * smooth))]
             }
-            Behind::Body(fresnel) => {
+            Behind::Dielectric(fresnel) => {
                 let fresnel = if inside { fresnel.reversed() } else { fresnel };
                 let (share, eta) = (fresnel.reflectance(cosine), 1.0 / fresnel.relative_index());
                 // Snell: sin θ_t = sin θ_i/η.
@@ -342,8 +344,12 @@ mod tests {
     #[test]
     fn views_of_any_length_have_unit_deltas() {
         let glass = Dielectric::new(1.5).unwrap();
-        let coats =
-            [Coat::varnish(glass), Coat::pane(glass, Vec3::ONE), Coat::body(glass), Coat::metal(Vec3::ONE)];
+        let coats = [
+            Coat::clearcoat(glass),
+            Coat::thin_dielectric(glass, Vec3::ONE),
+            Coat::dielectric(glass),
+            Coat::conductor(Vec3::ONE),
+        ];
         let coats = coats.map(|coat| coat.bumped(Vec3::new(0.28, 0.0, 0.96), 0.0));
         for wo in [Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, 0.6, -0.8)] {
             for length in [f32::MIN_POSITIVE, 1e-20, 0.5, 3.0, 1e20, f32::MAX] {
@@ -361,7 +367,7 @@ mod tests {
             }
         }
         for wo in [Vec3::ZERO, Vec3::NAN, Vec3::INFINITY, Vec3::X] {
-            assert_eq!(Coat::metal(Vec3::ONE).deltas(wo, Vec2::ZERO), [Delta::default(); 2], "{wo}");
+            assert_eq!(Coat::conductor(Vec3::ONE).deltas(wo, Vec2::ZERO), [Delta::default(); 2], "{wo}");
         }
     }
 
@@ -370,11 +376,11 @@ mod tests {
         let (glass, red) = (Dielectric::new(1.5).unwrap(), Vec3::new(0.9, 0.2, 0.1));
         let normal = Vec3::new(0.28, 0.0, 0.96);
         let kinds = [
-            (Coat::varnish(glass), Vec3::ONE, 1.5),
-            (Coat::pane(glass, red), red, 1.5),
-            (Coat::body(glass), Vec3::ONE, 1.5),
-            (Coat::metal(red), red, 1.0),
-            (Coat::veil(red), red, 1.0),
+            (Coat::clearcoat(glass), Vec3::ONE, 1.5),
+            (Coat::thin_dielectric(glass, red), red, 1.5),
+            (Coat::dielectric(glass), Vec3::ONE, 1.5),
+            (Coat::conductor(red), red, 1.0),
+            (Coat::transparent(red), red, 1.0),
         ];
         for (number, (coat, color, index)) in (0..).zip(kinds) {
             let gaussian = coat.bumped(normal, 0.03).rough(0.4).parts();

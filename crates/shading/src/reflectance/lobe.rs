@@ -4,7 +4,7 @@ use asperity_ndf_sampling::{Beckmann, Frame, Ndf, OffsetBeckmann, inverse_gaussi
 use glam::{Vec2, Vec3};
 
 use crate::direction::{half_vector, reflect};
-use crate::level_of_detail::{Coordinates, LevelOfDetail};
+use crate::level_of_detail::{LevelOfDetail, ResolvedBumps};
 use crate::math::{clamp_to, sqrt};
 use crate::pixel::Footprint;
 use crate::reflectance::brdf::{Brdf, BsdfSample, are_above, cosine_hemisphere, finite, mirrored_pdf};
@@ -61,7 +61,7 @@ enum Kind<'a> {
     Resolved {
         ndf: &'a dyn Ndf,
         rule: LevelOfDetail,
-        coordinates: Coordinates,
+        coordinates: ResolvedBumps,
     },
     Slopes(OffsetBeckmann),
     Frosted(RoughDielectric<Beckmann>),
@@ -120,7 +120,7 @@ lobes! {
 impl<'a> Lobe<'a> {
     /// A partially resolved NDF, shaded by a level-of-detail rule.
     #[must_use]
-    pub fn resolved(ndf: &'a dyn Ndf, rule: LevelOfDetail, coordinates: Coordinates) -> Self {
+    pub fn resolved(ndf: &'a dyn Ndf, rule: LevelOfDetail, coordinates: ResolvedBumps) -> Self {
         Self { kind: Kind::Resolved { ndf, rule, coordinates }, weight: Vec3::ONE }
     }
 
@@ -279,12 +279,12 @@ impl Brdf for Lobe<'_> {
 }
 
 /// Samples a normal of the NDF seen by the pixel.
-fn resolved_normal(ndf: &dyn Ndf, rule: LevelOfDetail, coordinates: Coordinates, u: Vec2) -> Vec3 {
+fn resolved_normal(ndf: &dyn Ndf, rule: LevelOfDetail, coordinates: ResolvedBumps, u: Vec2) -> Vec3 {
     match rule {
         LevelOfDetail::Exact => {
             let gauss =
                 |u: f32| inverse_gaussian_cdf(f64::from(clamp_to(u, 1.0)).clamp(1e-9, 1.0 - 1e-9)) as f32;
-            let share = clamp_to(coordinates.share, 1.0);
+            let share = clamp_to(coordinates.variance, 1.0);
             let rest = sqrt(1.0 - share) * Vec2::new(gauss(u.x), gauss(u.y));
             ndf.warp_gaussian(sqrt(share) * coordinates.z + rest)
         }

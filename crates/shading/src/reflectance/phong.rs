@@ -89,7 +89,7 @@ impl Brdf for Phong {
 /// The factor of a [`BlinnPhongBrdf`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
-pub enum BlinnPhongFactor {
+pub enum BlinnPhongNormalization {
     /// `(n + 2)(n + 4) / (8π (2^(−n/2) + n))`: straight down, the albedo is exactly `k_s` (Giesen
     /// 2009).
     #[default]
@@ -109,7 +109,7 @@ pub enum BlinnPhongFactor {
 ///
 /// - **Domain:** the exponents of the NDF [`BlinnPhong`], specular color within `[0, 1]³`.
 /// - **Range:** at least 0; reciprocal.
-/// - **Energy:** the albedo straight down is documented at [`BlinnPhongFactor`], and decreases
+/// - **Energy:** the albedo straight down is documented at [`BlinnPhongNormalization`], and decreases
 ///   towards the horizon.
 /// - **Sampling:** `D(h) h_z` of the NDF, reflected.
 /// - **Accuracy:** 3·10⁻⁶ relative to the formula, for exponents up to 1000.
@@ -117,10 +117,10 @@ pub enum BlinnPhongFactor {
 /// Blinn 1977, *Models of Light Reflection for Computer Synthesized Pictures*.
 ///
 /// ```
-/// use asperity_shading::reflectance::{BlinnPhongFactor, BlinnPhongBrdf};
+/// use asperity_shading::reflectance::{BlinnPhongNormalization, BlinnPhongBrdf};
 /// use asperity_shading::{Brdf, glam::Vec3};
 ///
-/// let gloss = BlinnPhongBrdf::new(Vec3::splat(0.5), 40.0, BlinnPhongFactor::Albedo)?;
+/// let gloss = BlinnPhongBrdf::new(Vec3::splat(0.5), 40.0, BlinnPhongNormalization::Albedo)?;
 /// assert!(gloss.eval(Vec3::Z, Vec3::Z).x > gloss.eval(Vec3::Z, Vec3::new(0.6, 0.0, 0.8)).x);
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
@@ -137,15 +137,19 @@ impl BlinnPhongBrdf {
     /// # Errors
     /// [`ParameterError`] unless every component is within `[0, 1]`, and for an exponent that is
     /// invalid in [`BlinnPhong::new`].
-    pub fn new(specular: Vec3, exponent: f32, factor: BlinnPhongFactor) -> Result<Self, ParameterError> {
+    pub fn new(
+        specular: Vec3,
+        exponent: f32,
+        factor: BlinnPhongNormalization,
+    ) -> Result<Self, ParameterError> {
         let specular = color("specular", specular)?;
         let density = BlinnPhong::new(within("exponent", exponent, [0.0, MAX_EXPONENT])?)
             .map_err(|_| ParameterError::NotPositive { parameter: "exponent", value: exponent })?;
         let n = exponent;
         let factor = match factor {
-            BlinnPhongFactor::Albedo => (n + 2.0) * (n + 4.0) / (exp2(-0.5 * n) + n),
-            BlinnPhongFactor::Approximate => n + 8.0,
-            BlinnPhongFactor::Density => n + 2.0,
+            BlinnPhongNormalization::Albedo => (n + 2.0) * (n + 4.0) / (exp2(-0.5 * n) + n),
+            BlinnPhongNormalization::Approximate => n + 8.0,
+            BlinnPhongNormalization::Density => n + 2.0,
         } * (0.125 * FRAC_1_PI);
         Ok(Self { specular, density, factor })
     }

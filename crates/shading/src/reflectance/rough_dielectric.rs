@@ -23,7 +23,7 @@ use crate::reflectance::fresnel::Dielectric;
 /// `G₁(ω)` is evaluated at −ω.
 ///
 /// - **Radiance over η²:** the change of radiance by `η_o²/η_i²` is omitted, as in
-///   [`Coat::body`](crate::reflectance::Coat::body), because it is undone where the light leaves.
+///   [`Coat::dielectric`](crate::reflectance::Coat::dielectric), because it is undone where the light leaves.
 ///   For radiance itself multiply the transmitted light by it (eq. 21 of Walter et al. includes
 ///   it).
 /// - **Domain:** directions on both sides of the surface. An index closer to 1 than 0.01 is moved

@@ -12,7 +12,7 @@ use crate::reflectance::brdf::{Brdf, BsdfSample, are_above, finite, mirrored_pdf
 /// The denominator of a [`WardBrdf`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
-pub enum WardForm {
+pub enum WardNormalization {
     /// `1/(4 √(cos θ_i cos θ_o))`: as published. The albedo decreases at first and grows as `1/√cos
     /// θ_o` without bound at the horizon: for α = 0.2 and k_s = 1 it is 0.18 at 85°, 0.67 at 89.9°
     /// and 6.6 at 89.999°.
@@ -34,7 +34,7 @@ pub enum WardForm {
 ///
 /// - **Domain:** roughnesses of [`Beckmann`], specular color within `[0, 1]³`.
 /// - **Range:** at least 0, finite; reciprocal.
-/// - **Energy:** see [`WardForm`]; only the last form has an albedo of at most `k_s` for every
+/// - **Energy:** see [`WardNormalization`]; only the last form has an albedo of at most `k_s` for every
 ///   direction.
 /// - **Accuracy:** 4·10⁻⁶ relative to the formulas.
 /// - **Sampling:** the half vector by its slopes, reflected; in the bounded form the weight is `k_s
@@ -45,10 +45,10 @@ pub enum WardForm {
 /// with Bounded Albedo*, eq. 7.
 ///
 /// ```
-/// use asperity_shading::reflectance::{WardForm, WardBrdf};
+/// use asperity_shading::reflectance::{WardNormalization, WardBrdf};
 /// use asperity_shading::{Brdf, glam::Vec3};
 ///
-/// let brushed = WardBrdf::new(Vec3::splat(0.6), 0.1, 0.4, WardForm::Bounded)?;
+/// let brushed = WardBrdf::new(Vec3::splat(0.6), 0.1, 0.4, WardNormalization::Bounded)?;
 /// // The highlight is elongated along y.
 /// let along = brushed.eval(Vec3::Z, Vec3::new(0.0, 0.28, 0.96));
 /// assert!(along.x > 5.0 * brushed.eval(Vec3::Z, Vec3::new(0.28, 0.0, 0.96)).x);
@@ -58,7 +58,7 @@ pub enum WardForm {
 pub struct WardBrdf {
     specular: Vec3,
     slopes: Beckmann,
-    form: WardForm,
+    form: WardNormalization,
 }
 
 impl WardBrdf {
@@ -67,7 +67,12 @@ impl WardBrdf {
     /// # Errors
     /// [`ParameterError`] unless every component is within `[0, 1]`, and for a roughness that is
     /// invalid in [`Beckmann::new`].
-    pub fn new(specular: Vec3, alpha_x: f32, alpha_y: f32, form: WardForm) -> Result<Self, ParameterError> {
+    pub fn new(
+        specular: Vec3,
+        alpha_x: f32,
+        alpha_y: f32,
+        form: WardNormalization,
+    ) -> Result<Self, ParameterError> {
         let specular = color("specular", specular)?;
         let alpha = |parameter, value| within(parameter, value, [MIN_ALPHA, MAX_ALPHA]);
         let slopes = Beckmann::new_clamped(alpha("alpha_x", alpha_x)?, alpha("alpha_y", alpha_y)?);
@@ -84,9 +89,9 @@ impl Brdf for WardBrdf {
         let (x, y) = (sum.x / (sum.z * self.slopes.alpha_x()), sum.y / (sum.z * self.slopes.alpha_y()));
         let peak = FRAC_1_PI / (self.slopes.alpha_x() * self.slopes.alpha_y());
         let factor = match self.form {
-            WardForm::Ward => 0.25 / sqrt(wi.z * wo.z),
-            WardForm::Dur => 0.25 / (wi.z * wo.z),
-            WardForm::Bounded => sum.length_squared() / (sum.z * sum.z * sum.z * sum.z),
+            WardNormalization::Ward => 0.25 / sqrt(wi.z * wo.z),
+            WardNormalization::Dur => 0.25 / (wi.z * wo.z),
+            WardNormalization::Bounded => sum.length_squared() / (sum.z * sum.z * sum.z * sum.z),
         };
         self.specular * finite(exp(-(x * x + y * y)) * peak * factor)
     }

@@ -295,7 +295,7 @@ impl Rows {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bump::differences;
+    use crate::bump::finite_difference_gradient;
     use asperity_core::assert_abs_diff_eq;
 
     const WALLS: [(f32, f32, f32); 4] =
@@ -344,7 +344,7 @@ mod tests {
             let uv = Vec2::new(0.037 * i as f32, 0.071 * i as f32 + 0.013);
             for widths in [Vec2::ZERO, Vec2::new(0.3, 0.2), Vec2::new(2.7, 1.9)] {
                 let at = |by: Vec2| wall.filtered(uv + by, PixelEllipse::aligned(widths)).height;
-                let by = differences(at, Vec2::ZERO, h);
+                let by = finite_difference_gradient(at, Vec2::ZERO, h);
                 let got = wall.filtered(uv, PixelEllipse::aligned(widths)).slope;
                 // Third derivatives are 12/0.2³ at most, and the second derivative jumps by 6/0.2²
                 // at the start of the flanks.

@@ -204,7 +204,7 @@ impl Parameters {
             }
             Material::Plastic => laid(Variations::new(read(values)?)?, metres, false),
             Material::Scratched => laid(Scratches::new(read(values)?)?, metres, projected),
-            Material::Chrome => Box::new(Coat::metal(color("color")?).rough(number("roughness")?)),
+            Material::Chrome => Box::new(Coat::conductor(color("color")?).rough(number("roughness")?)),
             Material::Brick => {
                 let bricks = Brick::new(number("width")?, number("height")?, number("mortar")?)?;
                 let (clay, mortar) = (color("clay")?, color("mortar_color")?);

@@ -100,7 +100,7 @@ impl<'a> Picture<'a> {
             Some("day") => (Lit::Around(Box::new(Studio::day(1.0))), EXPOSURE),
             Some(file) => {
                 let map = surroundings(Path::new(file))?;
-                let mean = map.as_ref().total() / (4.0 * std::f32::consts::PI);
+                let mean = map.view().total() / (4.0 * std::f32::consts::PI);
                 let exposure = if mean > 0.0 { EXPOSURE * BRIGHTNESS / mean } else { EXPOSURE };
                 if wanted.exposure.is_none() && format != Format::Exr {
                     progress::note(&format!(

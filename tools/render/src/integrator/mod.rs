@@ -324,17 +324,17 @@ mod tests {
         assert_abs_diff_eq!(chalk, Vec3::new(1.0, 0.5, 0.2), epsilon = 0.03);
         let glass = Dielectric::new(1.5).unwrap();
         for (coat, body) in [
-            (Coat::pane(glass, Vec3::ONE), None),
-            (Coat::body(glass), Some(Absorption::NONE)),
-            (Coat::metal(Vec3::ONE), None),
+            (Coat::thin_dielectric(glass, Vec3::ONE), None),
+            (Coat::dielectric(glass), Some(Absorption::NONE)),
+            (Coat::conductor(Vec3::ONE), None),
         ] {
             assert_abs_diff_eq!(sphere(coat, body), Vec3::ONE, epsilon = 0.02);
         }
         // Shadowing takes about 1 % at each surface, and light with more than six internal
         // reflections is lost.
         for (coat, body) in [
-            (Coat::pane(glass, Vec3::ONE).rough(0.1), None),
-            (Coat::body(glass).rough(0.1), Some(Absorption::NONE)),
+            (Coat::thin_dielectric(glass, Vec3::ONE).rough(0.1), None),
+            (Coat::dielectric(glass).rough(0.1), Some(Absorption::NONE)),
         ] {
             assert_abs_diff_eq!(sphere(coat, body), Vec3::splat(0.96), epsilon = 0.05);
         }

@@ -3,7 +3,7 @@
 use std::f32::consts::PI;
 
 use asperity_ndf_sampling::NormalLut;
-use asperity_shading::level_of_detail::{Coordinates, shade_facet};
+use asperity_shading::level_of_detail::{ResolvedBumps, shade_facet};
 use asperity_shading::{
     BumpField, Frame, LevelOfDetail, Ndf, SurfacePoint, half_vector, material::Material, reflectance::Bsdf,
 };
@@ -29,10 +29,10 @@ pub enum Facets<'a> {
 
 impl Facets<'_> {
     /// Returns the facet in the frame of the surface.
-    fn facet(&self, ndf: &SharedNdf, coordinates: Coordinates) -> Frame {
+    fn facet(&self, ndf: &SharedNdf, coordinates: ResolvedBumps) -> Frame {
         match self {
             Self::Consistent(rule) => Frame::from_normal(rule.normal(ndf, coordinates)),
-            Self::Table(table) => table.bilinear(coordinates.z * coordinates.fade),
+            Self::Table(table) => table.bilinear(coordinates.z * coordinates.blend),
         }
     }
 }
@@ -75,7 +75,7 @@ pub fn share_beyond(peak: f32, radius: f32) -> f32 {
 impl Material for Printed<'_> {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let coordinates = self.bumps.coordinates(point.position, point.footprint());
-        let coordinates = Coordinates { share: coordinates.share.min(self.most), ..coordinates };
+        let coordinates = ResolvedBumps { variance: coordinates.variance.min(self.most), ..coordinates };
         let (frame, facet) = (point.frame(), self.facets.facet(self.ndf, coordinates));
         let local = frame.to_local(wo);
         let mut lit = Vec3::ZERO;

@@ -2,7 +2,7 @@
 
 use asperity_noise::{FbmSpectrum, GaussianFbm, GaussianNoise, Perlin, Simplex};
 use asperity_shading::BumpField;
-use asperity_shading::level_of_detail::{Coordinates, GaussianField, RemappedOctaves};
+use asperity_shading::level_of_detail::{GaussianField, RemappedOctaves, ResolvedBumps};
 use glam::{DVec3, Vec3};
 
 use crate::failure::Failure;
@@ -63,8 +63,8 @@ type Noise = dyn GaussianField + Send + Sync;
 pub struct Field(Option<Box<Noise>>);
 
 impl GaussianField for Field {
-    fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates {
-        self.0.as_ref().map_or(Coordinates::FAR, |field| field.coordinates(p, octaves))
+    fn coordinates(&self, p: Vec3, octaves: f32) -> ResolvedBumps {
+        self.0.as_ref().map_or(ResolvedBumps::FAR, |field| field.coordinates(p, octaves))
     }
 
     fn lacunarity(&self) -> f32 {

@@ -52,7 +52,7 @@ impl<M: Material> Material for InMetres<M> {
 
 /// Returns a matte color under a glaze of this roughness.
 pub fn glazed(roughness: f32, color: Vec3) -> impl Material + Sync {
-    let glaze = Coat::varnish(Dielectric::new_clamped(1.5)).rough(roughness);
+    let glaze = Coat::clearcoat(Dielectric::new_clamped(1.5)).rough(roughness);
     Shaded(move |point: &SurfacePoint, wo| {
         chalk(point.frame(), wo, Vec3::Z, color, Vec3::ZERO).with_coat(glaze)
     })

@@ -308,6 +308,6 @@ fn car<'a>(paint: Box<Surface<'a>>, behind: Behind<'a>) -> Result<Vec<Object<'a>
         Object::new(car_body(), body),
         faded_disc(0.0, hex(0x77_7470), [3.5, 5.0], behind)?,
         Object::new(tyres, cloth(hex(0x2a_2a2c))?),
-        Object::new(discs, Coat::metal(Vec3::new(0.62, 0.63, 0.65))),
+        Object::new(discs, Coat::conductor(Vec3::new(0.62, 0.63, 0.65))),
     ])
 }

@@ -69,7 +69,7 @@ fn gas() -> Subject {
         pixel.over(radiances, |tap, _, sums| {
             let extinction = |p: Vec3| gas.clamped_density(p, tap.footprint());
             let seen = march(tap.position, Vec3::Z, [0.0, 1.0], 0.25, 0.5, extinction, |_| Vec3::ONE);
-            let veil = Coat::veil(Vec3::splat(seen.transmittance));
+            let veil = Coat::transparent(Vec3::splat(seen.transmittance));
             let bsdf = Bsdf::new(Frame::IDENTITY, Vec3::Z).with_coat(veil).with_emitted(seen.light);
             let [_, ground] = bsdf.specular_samples(Vec3::Z, Vec2::ZERO);
             let ground = ground.map_or(Vec3::ZERO, |sample| 0.05 * sample.eval_cos);

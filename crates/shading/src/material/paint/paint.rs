@@ -197,7 +197,7 @@ impl Material for MetallicPaint {
         };
         let pigment = EnergyPreservingOrenNayar::new_clamped(p.pigment.min(Vec3::ONE - specular), 0.2);
         let normal = frame.to_local(self.orange_peel.normal(at, n, footprint));
-        let coat = Coat::varnish(self.coat).bumped(normal, self.orange_peel.removed_slope(footprint));
+        let coat = Coat::clearcoat(self.coat).bumped(normal, self.orange_peel.removed_slope(footprint));
         let mut bsdf = Bsdf::new(frame, wo);
         bsdf.add_layer([Facet::FLAT], [flakes, pigment.into()]);
         bsdf.add_coat(coat.rough(p.coat_roughness));

@@ -379,7 +379,7 @@ mod tests {
             let surface = scratches.surface(&point);
             let slope = |m: Vec3| Vec3::Z - m / m.z;
             let (mut shares, mut squares) = (0.0, 0.0);
-            for Facet { share, normal: m } in surface.facets(Vec3::Z) {
+            for Facet { weight: share, normal: m } in surface.facets(Vec3::Z) {
                 shares += share;
                 squares += share * (slope(m) - slope(surface.normal)).length_squared();
             }

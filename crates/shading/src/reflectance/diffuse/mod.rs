@@ -7,4 +7,4 @@ mod rough;
 
 pub use energy_preserving::EnergyPreservingOrenNayar;
 pub use lambert::Lambert;
-pub use oren_nayar::{OrenNayar, OrenNayarForm};
+pub use oren_nayar::{OrenNayar, OrenNayarVariant};

@@ -12,7 +12,7 @@ use crate::reflectance::diffuse::rough::{checked, sine, stretched};
 /// The formula of an [`OrenNayar`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
-pub enum OrenNayarForm {
+pub enum OrenNayarVariant {
     /// Direct light and one interreflection between the facets of a cavity:
     ///
     /// ```text
@@ -61,10 +61,10 @@ pub enum OrenNayarForm {
 /// [`EnergyPreservingOrenNayar`]: crate::EnergyPreservingOrenNayar
 ///
 /// ```
-/// use asperity_shading::reflectance::{OrenNayar, OrenNayarForm};
+/// use asperity_shading::reflectance::{OrenNayar, OrenNayarVariant};
 /// use asperity_shading::{Brdf, glam::Vec3};
 ///
-/// let clay = OrenNayar::new(Vec3::splat(0.7), 0.5, OrenNayarForm::Full)?;
+/// let clay = OrenNayar::new(Vec3::splat(0.7), 0.5, OrenNayarVariant::Full)?;
 /// // Seen from the light, a rough surface is brighter towards its edge than a Lambertian one; not so from the other side.
 /// let w = Vec3::new(0.8, 0.0, 0.6);
 /// assert!(clay.eval(w, w).x > clay.eval(Vec3::new(-0.8, 0.0, 0.6), w).x);
@@ -76,7 +76,7 @@ pub enum OrenNayarForm {
 pub struct OrenNayar {
     albedo: Vec3,
     sigma: f32,
-    form: OrenNayarForm,
+    form: OrenNayarVariant,
 }
 
 impl OrenNayar {
@@ -85,8 +85,8 @@ impl OrenNayar {
     /// # Errors
     /// [`ParameterError`] unless every component is within `[0, 1]`, and σ within `[0, π/2]`, for
     /// Fujii's form `[0, 1]`.
-    pub fn new(albedo: Vec3, sigma: f32, form: OrenNayarForm) -> Result<Self, ParameterError> {
-        let most = if form == OrenNayarForm::Fujii { 1.0 } else { 0.5 * PI };
+    pub fn new(albedo: Vec3, sigma: f32, form: OrenNayarVariant) -> Result<Self, ParameterError> {
+        let most = if form == OrenNayarVariant::Fujii { 1.0 } else { 0.5 * PI };
         checked(albedo, sigma, most).map(|(albedo, sigma)| Self { albedo, sigma, form })
     }
 
@@ -131,14 +131,14 @@ impl Brdf for OrenNayar {
             return Vec3::ZERO;
         }
         let value = match self.form {
-            OrenNayarForm::Full => self.full(wi, wo),
-            OrenNayarForm::Qualitative => {
+            OrenNayarVariant::Full => self.full(wi, wo),
+            OrenNayarVariant::Qualitative => {
                 let s2 = self.sigma * self.sigma;
                 let (a, b) = (1.0 - 0.5 * s2 / (s2 + 0.33), 0.45 * s2 / (s2 + 0.09));
                 // sin α tan β cos Δφ = s / max(cos θ_i, cos θ_o).
                 self.albedo * (FRAC_1_PI * (a + b * stretched(wi, wo).max(0.0)))
             }
-            OrenNayarForm::Fujii => {
+            OrenNayarVariant::Fujii => {
                 let scale = 1.0 / (PI + (0.5 * PI - 2.0 / 3.0) * self.sigma);
                 self.albedo * (scale * (1.0 + self.sigma * stretched(wi, wo)))
             }

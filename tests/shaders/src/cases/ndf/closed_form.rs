@@ -4,7 +4,7 @@ use asperity_ndf_sampling::{
     Beckmann, ClosedForm, GaussianSplit, Ggx, Microfacet,
     glam::{Vec2, Vec3},
 };
-use asperity_shading::level_of_detail::Coordinates;
+use asperity_shading::level_of_detail::ResolvedBumps;
 use asperity_shading::{LevelOfDetail, far_field};
 use asperity_wgsl::{
     Part,
@@ -97,7 +97,7 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
                 let [alpha_x, alpha_y, z1, z2, x, y, up, share, u1, u2, fade] = floats(inputs, 0);
                 let is_other = inputs[12] == 1;
                 let (ndf, z, h) = ((self.of)(alpha_x, alpha_y), Vec2::new(z1, z2), Vec3::new(x, y, up));
-                let (coordinates, u) = (Coordinates { z, share, fade }, Vec2::new(u1, u2));
+                let (coordinates, u) = (ResolvedBumps { z, variance: share, blend: fade }, Vec2::new(u1, u2));
                 let (m, sample) = (ndf.warp_gaussian(z), ndf.sample(u));
                 let back = ndf.invert(h);
                 let center = LevelOfDetail::Exact.normal(&ndf, coordinates);

@@ -159,7 +159,7 @@ fn facets() -> Case {
         reference: Box::new(|inputs| {
             let [deviation, x, y, z] = floats(inputs, 3);
             let bumped = Vec3::new(x, y, z);
-            let none = Facet { share: 0.0, normal: bumped };
+            let none = Facet { weight: 0.0, normal: bumped };
             // The root of the square is the deviation, up to rounding.
             let facet = slope_facets(Vec3::Z, bumped, deviation * deviation).nth(inputs[8] as usize);
             let facet = facet.unwrap_or(none);
@@ -171,7 +171,7 @@ fn facets() -> Case {
             );
             let along = along.into_iter().nth(inputs[8] as usize % 7).unwrap_or(none);
             let words_of = |facet: Facet| facet.normal.to_array().map(f32::to_bits);
-            let mut outputs = words(&[facet.share, 0.0, 0.0, 0.0, along.share]);
+            let mut outputs = words(&[facet.weight, 0.0, 0.0, 0.0, along.weight]);
             outputs[1..4].copy_from_slice(&words_of(facet));
             outputs[5..8].copy_from_slice(&words_of(along));
             outputs

@@ -18,11 +18,11 @@ fn coat(inputs: [u32; INPUTS]) -> Coat {
     let ([x, y, variance, roughness], kind) = (floats(inputs, 0), inputs[15] % 5);
     let (fresnel, color) = (Dielectric::new_clamped(1.5), Vec3::new(0.9, 0.7, 0.5));
     let coat = match kind {
-        0 => Coat::varnish(fresnel),
-        1 => Coat::pane(fresnel, color),
-        2 => Coat::body(fresnel),
-        3 => Coat::metal(color),
-        _ => Coat::veil(color),
+        0 => Coat::clearcoat(fresnel),
+        1 => Coat::thin_dielectric(fresnel, color),
+        2 => Coat::dielectric(fresnel),
+        3 => Coat::conductor(color),
+        _ => Coat::transparent(color),
     };
     coat.rough(roughness).bumped(Vec3::new(x, y, (1.0 - x * x - y * y).sqrt()), variance)
 }
@@ -55,11 +55,11 @@ fn structure() -> String {
         format!("vec4<f32>({})", numbers.join(", "))
     };
     let rows = [
-        of(|fresnel, _| Coat::varnish(fresnel)),
-        of(Coat::pane),
-        of(|fresnel, _| Coat::body(fresnel)),
-        of(|_, color| Coat::metal(color)),
-        of(|_, color| Coat::veil(color)),
+        of(|fresnel, _| Coat::clearcoat(fresnel)),
+        of(Coat::thin_dielectric),
+        of(|fresnel, _| Coat::dielectric(fresnel)),
+        of(|_, color| Coat::conductor(color)),
+        of(|_, color| Coat::transparent(color)),
     ];
     let choices: Vec<String> =
         (0..).zip(&rows).map(|(kind, row)| format!("    if kind == {kind}u {{ row = {row}; }}\n")).collect();

@@ -1,7 +1,7 @@
 //! Diffuse reflectances.
 
 use asperity_shading::glam::Vec3;
-use asperity_shading::reflectance::{OrenNayar, OrenNayarForm};
+use asperity_shading::reflectance::{OrenNayar, OrenNayarVariant};
 use asperity_shading::{Brdf, EnergyPreservingOrenNayar, Lambert};
 use asperity_wgsl::shading::{
     MATH,
@@ -78,9 +78,9 @@ fn diffuse() -> Case {
             let oren_nayar = |sigma, form| OrenNayar::new(albedo, sigma, form).expect("shares").eval(wo, wi);
             let lambert = Lambert::new(albedo).expect("shares").eval(wo, wi);
             let even = EnergyPreservingOrenNayar::new_clamped(albedo, roughness).eval(wo, wi);
-            let first = lambert.extend(oren_nayar(sigma, OrenNayarForm::Qualitative).x).to_array();
-            let second = oren_nayar(sigma, OrenNayarForm::Full)
-                .extend(oren_nayar(roughness, OrenNayarForm::Fujii).x)
+            let first = lambert.extend(oren_nayar(sigma, OrenNayarVariant::Qualitative).x).to_array();
+            let second = oren_nayar(sigma, OrenNayarVariant::Full)
+                .extend(oren_nayar(roughness, OrenNayarVariant::Fujii).x)
                 .to_array();
             words(&[first, second, even.extend(0.0).to_array()].concat())
         }),

@@ -1,7 +1,7 @@
 //! Glossy reflectances.
 
 use asperity_shading::glam::Vec3;
-use asperity_shading::reflectance::{BlinnPhongBrdf, BlinnPhongFactor, WardBrdf, WardForm};
+use asperity_shading::reflectance::{BlinnPhongBrdf, BlinnPhongNormalization, WardBrdf, WardNormalization};
 use asperity_shading::{Beckmann, Brdf, CookTorrance, Ggx, Phong, Schlick, TorranceSparrow};
 use asperity_wgsl::{
     ndf::ROUGHNESS,
@@ -110,9 +110,9 @@ fn lobes() -> Case {
             let [x, y, exponent] = floats(inputs, 0);
             let (wi, wo) = (vec3(inputs, 8), vec3(inputs, 11));
             let phong = Phong::new(Vec3::ONE, exponent).expect("an exponent").eval(wo, wi).x;
-            let blinn = BlinnPhongBrdf::new(Vec3::ONE, exponent, BlinnPhongFactor::Albedo);
+            let blinn = BlinnPhongBrdf::new(Vec3::ONE, exponent, BlinnPhongNormalization::Albedo);
             let blinn = blinn.expect("an exponent").eval(wo, wi).x;
-            let ward = [WardForm::Ward, WardForm::Dur, WardForm::Bounded]
+            let ward = [WardNormalization::Ward, WardNormalization::Dur, WardNormalization::Bounded]
                 .map(|form| WardBrdf::new(Vec3::ONE, x, y, form).expect("roughnesses").eval(wo, wi).x);
             words(&[phong, blinn, 0.0, 0.0, ward[0], ward[1], ward[2], 0.0].map(|value| value.max(FAINT)))
         }),

@@ -3,7 +3,7 @@
 use asperity_noise::gpu::gaussian_levels;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::gpu::{BumpMappedUniform, SlopePyramidUniform};
-use asperity_shading::level_of_detail::{Coordinates, LevelOfDetail};
+use asperity_shading::level_of_detail::{LevelOfDetail, ResolvedBumps};
 use asperity_shading::material::NormalMapped;
 use asperity_shading::ndf_sampling::Ndf;
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
@@ -77,7 +77,7 @@ fn map() -> SlopePyramidRef<'static, 4> {
         Vec2::new(ridge, dent)
     };
     let map = SlopePyramid::new(12, 20, (0..240).map(slope).collect()).expect("a small map");
-    Box::leak(Box::new(map)).as_ref()
+    Box::leak(Box::new(map)).view()
 }
 
 fn numbers(map: &SlopePyramidRef<'_, 4>) -> (&'static str, Vec<u32>) {
@@ -203,7 +203,7 @@ fn moments() -> Case {
             let [x, y, xx, xy, yy, alpha_x, alpha_y, h] = floats(inputs, 0);
             let ([z1, z2, share], [h2, h3]) = (floats(inputs, 8), floats(inputs, 12));
             let moments = SlopeMoments { mean: Vec2::new(x, y), covariance: [xx, xy, yy] };
-            let noise = Coordinates { z: Vec2::new(z1, z2), share, fade: 1.0 };
+            let noise = ResolvedBumps { z: Vec2::new(z1, z2), variance: share, blend: 1.0 };
             let seen = moments.add_detail(Beckmann::new_clamped(alpha_x, alpha_y), noise);
             let density = seen.d(Vec3::new(h, h2, h3)).max(1e-30);
             let ([cxx, cxy, cyy], mean) = (seen.covariance(), seen.mean());

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use asperity_noise::{Fbm, FbmSpectrum, GaussianNoise, IntegerHash, lattice::Tiled};
 use asperity_render::materials::SharedNdf;
 use asperity_shading::Footprint;
-use asperity_shading::level_of_detail::Coordinates;
+use asperity_shading::level_of_detail::ResolvedBumps;
 use asperity_shading::normal_map::SlopeMoments;
 use asperity_shading::pixel::FrequencyClamp;
 use glam::{Vec2, Vec3};
@@ -70,7 +70,7 @@ impl Bumps {
 
     /// Returns the coordinates at a point, and the fraction of octaves that a sample of this side
     /// resolves.
-    fn coordinates(&self, at: [f64; 2], sample: f32) -> Coordinates {
+    fn coordinates(&self, at: [f64; 2], sample: f32) -> ResolvedBumps {
         let p = Vec2::from(at.map(|x| (x * f64::from(self.parameters.cells)) as f32));
         let octaves = self.clamp.octaves(Footprint::from_width(sample));
         let (pair, spectrum) = match &self.channels {
@@ -81,7 +81,7 @@ impl Bumps {
         // Limited to the existing octaves: finer octaves contribute nothing.
         let share =
             spectrum.resolved_variance(octaves) / spectrum.resolved_variance(spectrum.max_octaves() as f32);
-        Coordinates { z, share: share.min(1.0), fade: spectrum.weight(octaves, 0) }
+        ResolvedBumps { z, variance: share.min(1.0), blend: spectrum.weight(octaves, 0) }
     }
 }
 
@@ -123,7 +123,7 @@ impl Source for Bumps {
     fn texels(&self, row: &Row, texels: &mut [Texel]) {
         for (k, texel) in texels.iter_mut().enumerate() {
             let slopes = row.points(k).map(|at| {
-                let Coordinates { z, share, .. } = self.coordinates(at, row.sample());
+                let ResolvedBumps { z, variance: share, .. } = self.coordinates(at, row.sample());
                 let rest = 1.0 - share;
                 (1.0, SlopeMoments { mean: share.sqrt() * z, covariance: [rest, 0.0, rest] })
             });

@@ -9,7 +9,7 @@ use asperity_render::{
     materials::cobbles::cobbles,
 };
 use asperity_shading::Frame;
-use asperity_shading::level_of_detail::Coordinates;
+use asperity_shading::level_of_detail::ResolvedBumps;
 use asperity_shading::normal_map::{SlopeLobes, SlopeMoments};
 use asperity_shading::{
     Beckmann, Brdf, Ndf, PixelEllipse, Schlick, SlopePyramid, TorranceSparrow, bump::Facet, reflectance::Lobe,
@@ -49,17 +49,17 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let view = View { width: once.width as f32, height: once.height as f32 };
     let many = Sampling { samples_per_pixel: SAMPLES, ..once };
     let plain = |uv: Vec2, _: &PixelEllipse, wo: Vec3| {
-        street.alone(SlopeMoments::point(street.one.as_ref().slope(uv)), wo)
+        street.alone(SlopeMoments::point(street.one.view().slope(uv)), wo)
     };
     let averaged = |uv: Vec2, pixel: &PixelEllipse, wo| {
-        let seen = street.one.as_ref().sample_along(uv, pixel, TAPS).moments();
+        let seen = street.one.view().sample_along(uv, pixel, TAPS).moments();
         street.alone(SlopeMoments::point(seen.mean), wo)
     };
     let one = |uv: Vec2, pixel: &PixelEllipse, wo| {
-        street.grouped(&street.one.as_ref().sample_along(uv, pixel, TAPS), wo)
+        street.grouped(&street.one.view().sample_along(uv, pixel, TAPS), wo)
     };
     let groups = |uv: Vec2, pixel: &PixelEllipse, wo| {
-        street.grouped(&street.groups.as_ref().sample_along(uv, pixel, TAPS), wo)
+        street.grouped(&street.groups.view().sample_along(uv, pixel, TAPS), wo)
     };
     let ways: [(&str, &str, Sampling, &Way<'_>); 5] = [
         ("plain", "One sample per pixel", once, &plain),
@@ -175,7 +175,7 @@ impl Street {
     }
 
     fn grouped<const K: usize>(&self, seen: &SlopeLobes<K>, wo: Vec3) -> Vec3 {
-        self.shade(seen.moments(), wo, |h| seen.density(self.wet, Coordinates::FAR, h))
+        self.shade(seen.moments(), wo, |h| seen.density(self.wet, ResolvedBumps::FAR, h))
     }
 
     /// Shades stone under water from a facet density and the mean slope: the Torrance–Sparrow

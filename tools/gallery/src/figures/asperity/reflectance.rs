@@ -6,8 +6,8 @@ use asperity_render::materials::Layers;
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::{geometry::shape::Shape, image::tone::hex, light::environments::Studio};
 use asperity_shading::reflectance::{
-    Absorption, BlinnPhongBrdf, BlinnPhongFactor, OrenNayar, OrenNayarForm, RoughDielectric, WardBrdf,
-    WardForm,
+    Absorption, BlinnPhongBrdf, BlinnPhongNormalization, OrenNayar, OrenNayarVariant, RoughDielectric,
+    WardBrdf, WardNormalization,
 };
 use asperity_shading::{
     Brdf, Conductor, CookTorrance, Dielectric, EnergyPreservingOrenNayar, Ggx, Lambert, Phong,
@@ -29,12 +29,12 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let gold = [Conductor::new(0.18, 3.42)?, Conductor::new(0.42, 2.35)?, Conductor::new(1.37, 1.77)?];
     let groove: Vec<f32> = (0..64).map(|k| (k as f32 / 63.0).powi(24)).collect();
     let lambert = Lambert::new(clay)?;
-    let full = OrenNayar::new(clay, 0.6, OrenNayarForm::Full)?;
-    let fujii = OrenNayar::new(clay, 1.0, OrenNayarForm::Fujii)?;
+    let full = OrenNayar::new(clay, 0.6, OrenNayarVariant::Full)?;
+    let fujii = OrenNayar::new(clay, 1.0, OrenNayarVariant::Fujii)?;
     let preserving = EnergyPreservingOrenNayar::new(clay, 1.0)?;
     let phong = lacquer(Box::new(Phong::new(Vec3::splat(0.25), 40.0)?))?;
-    let blinn = BlinnPhongBrdf::new(Vec3::splat(0.25), 160.0, BlinnPhongFactor::Albedo)?;
-    let ward = WardBrdf::new(hex(0xb8_bdc4), 0.08, 0.35, WardForm::Bounded)?;
+    let blinn = BlinnPhongBrdf::new(Vec3::splat(0.25), 160.0, BlinnPhongNormalization::Albedo)?;
+    let ward = WardBrdf::new(hex(0xb8_bdc4), 0.08, 0.35, WardNormalization::Bounded)?;
     let smooth = CookTorrance::new(Ggx::isotropic(0.25)?, gold);
     let grooves = TorranceSparrow::new(Isotropic::new(&groove)?, gold);
     let frosted = |alpha| -> Result<Lobes> {

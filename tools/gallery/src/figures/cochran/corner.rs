@@ -62,7 +62,7 @@ const LAMP: Vec3 = Vec3::new(-1.1, 0.1, 3.0);
 fn corner() -> Result<Scene<'static, 'static>> {
     let gloss = Schlick::new(GLOSS)?;
     // A metal of this color also has Schlick's reflectance.
-    let mirror = Coat::metal(Vec3::splat(GLOSS));
+    let mirror = Coat::conductor(Vec3::splat(GLOSS));
     let object = move |point: &SurfacePoint, wo: Vec3| {
         let own = (1.0 - gloss.reflectance(wo.dot(point.normal))) * hex(0x2a_7d8c);
         chalk(point.frame(), wo, Vec3::Z, own, own * around(point)).with_coat(mirror)

@@ -45,7 +45,7 @@ fn silver() -> Result<[Conductor; 3]> {
 /// A silver mirror in the ruled room.
 fn mirror(surface: Fractal) -> Result<Scene<'static, 'static>> {
     // Reflectance at normal incidence, from which Schlick's approximation increases.
-    let silver = Coat::metal(silver()?.reflectance_rgb(1.0));
+    let silver = Coat::conductor(silver()?.reflectance_rgb(1.0));
     let light = Light::Lamps { lamps: Vec::new(), room: &room };
     Ok(Scene::new(vec![Object::new(Shape::Fractal(surface), silver)], light, Backdrop::Light))
 }

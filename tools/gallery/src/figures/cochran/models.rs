@@ -85,7 +85,7 @@ fn models(shape: &Arc<Shape>) -> Result<[Model; 4]> {
     let copper = [Conductor::new(0.21, 3.67)?, Conductor::new(1.02, 2.59)?, Conductor::new(1.17, 2.36)?];
     let facets = TorranceSparrow::new(Beckmann::isotropic(ROUGHNESS)?, copper);
     let copper = Glossy { lobe: facets, base: Vec3::ZERO, room: 0.3 * copper.reflectance_rgb(1.0) };
-    let glass = object(Box::new(Coat::body(Dielectric::new(GLASS)?)));
+    let glass = object(Box::new(Coat::dielectric(Dielectric::new(GLASS)?)));
     let inside = Absorption::of_color(Vec3::new(0.7, 0.9, 0.84), 1.0)?;
     let glass = Object { body: Some(inside), passes: 0.65, ..glass };
     Ok([

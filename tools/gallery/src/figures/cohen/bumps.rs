@@ -10,7 +10,7 @@ use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::{image::tone::hex, integrator::pixels::Sampling, sampling::sampler::hash};
 use asperity_shading::Frame;
 use asperity_shading::bump::{
-    Facet, bumped_normal, differences, displace, project_to_tangent_plane, surface_gradient,
+    Facet, bumped_normal, displace, finite_difference_gradient, project_to_tangent_plane, surface_gradient,
 };
 use asperity_shading::material::Material;
 use asperity_shading::noise::{Fbm, FbmSpectrum, Normalization, Perlin, Sample};
@@ -55,7 +55,7 @@ pub(crate) fn draw_bumps(context: &Context<'_>) -> Result<Drawn> {
         bumped_normal(hit.normal, project_to_tangent_plane(hit.normal, height(&noise, hit.position).1))
     };
     let by_neighbors = |hit: &SurfacePoint| {
-        let slope = differences(|uv| height(&noise, sphere(uv).0).0, hit.uv, STEP);
+        let slope = finite_difference_gradient(|uv| height(&noise, sphere(uv).0).0, hit.uv, STEP);
         bumped_normal(hit.normal, surface_gradient(hit.normal, hit.tangents, slope))
     };
     let of_displaced = |hit: &SurfacePoint| {

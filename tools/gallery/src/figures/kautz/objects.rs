@@ -129,7 +129,7 @@ fn step(
         let coordinates = bumps.coordinates(point.position, point.footprint());
         // Some sky light keeps the shape readable.
         let light = 0.35 + 0.65 * sky(point.normal);
-        Bsdf::new(point.frame(), wo).with_emitted(color(coordinates.z * coordinates.fade) * light)
+        Bsdf::new(point.frame(), wo).with_emitted(color(coordinates.z * coordinates.blend) * light)
     };
     let objects = vec![Object::shaded(Arc::clone(shape), colors)];
     let scene = Scene::new(objects, Light::lamps(Vec::new()), Backdrop::Studio);

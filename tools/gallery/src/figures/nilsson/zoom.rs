@@ -6,7 +6,7 @@ use asperity_render::image::tone::{filmic, hex};
 use asperity_render::materials::{share_beyond, sky};
 use asperity_render::{integrator::pixels::Sampling, sampling::low_discrepancy::r2};
 use asperity_shading::bump::Facet;
-use asperity_shading::level_of_detail::{Coordinates, GaussianField};
+use asperity_shading::level_of_detail::{GaussianField, ResolvedBumps};
 use asperity_shading::material::{BumpMapped, FibersParameters, Material, PaintFlakes};
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::reflectance::{Bsdf, Lobe};
@@ -125,7 +125,7 @@ impl<F: GaussianField> Material for UnderLamp<F> {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let BumpMapped { ndf, bumps, rule, color } = &self.bumps;
         let coordinates = bumps.coordinates(point.position, point.footprint());
-        let coordinates = Coordinates { share: coordinates.share.min(self.most), ..coordinates };
+        let coordinates = ResolvedBumps { variance: coordinates.variance.min(self.most), ..coordinates };
         let lobe = Lobe::resolved(ndf, *rule, coordinates).weighted(*color);
         let sky = sky(point.frame().to_world(rule.normal(ndf, coordinates)));
         Bsdf::new(point.frame(), wo).with([Facet::FLAT], [lobe]).with_emitted(SKY * *color * sky)

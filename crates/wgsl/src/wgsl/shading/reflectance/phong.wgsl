@@ -29,7 +29,7 @@ fn phong_blinn_value(exponent: f32, factor: f32, wi: vec3<f32>, wo: vec3<f32>) -
 }
 
 // The factor for an albedo of at most 1: (n + 2)(n + 4)/(8 pi (2^(-n/2) + n)),
-// `BlinnPhongFactor::Albedo`.
+// `BlinnPhongNormalization::Albedo`.
 fn phong_blinn_factor(exponent: f32) -> f32 {
     let n = exponent;
     return (n + 2.0) * (n + 4.0) / (elementary_exp(n * -0.3465736) + n) * 0.039788734;
