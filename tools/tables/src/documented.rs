@@ -37,14 +37,14 @@ fn statistics_tables_of_the_docs_match_the_code() {
     let sparse = statistics(&SparseConvolution::new(0));
     let rows = [
         ("white", "", "", statistics(&WhiteNoise::new(0))),
-        ("value, quintic", "`Value`", "value", statistics(&ValueNoise::new(0))),
+        ("value, quintic", "`ValueNoise`", "value", statistics(&ValueNoise::new(0))),
         ("value, Catmull–Rom", "", "", statistics(&ValueCatmullRom::new(0))),
         ("Perlin 1985", "", "Perlin 1985", statistics(&PerlinClassic::new(0))),
-        ("Perlin 2002", "`Perlin2002`", "Perlin 2002", statistics(&Perlin::new(0))),
+        ("Perlin 2002", "`Perlin`", "Perlin 2002", statistics(&Perlin::new(0))),
         ("value-gradient, equal weights", "", "value-gradient", statistics(&ValueGradient::new(0))),
         ("simplex, r² = 0.5", "`Simplex`", "", simplex[0]),
         ("simplex, r² = 0.6", "", "", simplex[1]),
-        ("sparse, one impulse", "`Sparse`, one impulse a cell", "sparse convolution", sparse),
+        ("sparse, one impulse", "`SparseConvolution`, one impulse a cell", "sparse convolution", sparse),
     ];
     let mut wrong = Vec::new();
     let mut must = |page: &str, row: String| {
