@@ -116,6 +116,7 @@ fn bound(bound: Bound) -> String {
     match bound {
         Bound::Equal => "=".into(),
         Bound::Absolute(limit) => format!("{limit:.0e}"),
+        Bound::Rounding(limit) => format!("{limit:.0e} of max(1, value)"),
         Bound::Relative(limit) => format!("{limit:.0e} relative"),
     }
 }

@@ -50,6 +50,9 @@ pub enum Bound {
     Equal,
     /// |got − expected| at most this.
     Absolute(f32),
+    /// |got − expected| at most this times the larger of |expected| and 1, for results of sums of
+    /// numbers up to 1, whose rounding grows with a result above 1.
+    Rounding(f32),
     /// |got − expected| at most this times |expected|, or at most 10⁻³⁰ if that is larger.
     Relative(f32),
 }
@@ -133,6 +136,7 @@ impl Bound {
             // A product whose factors were flushed to 0 may be missing in the smallest numbers.
             Self::Relative(_) => (g - e).abs() / e.abs().max(1e-30),
             Self::Equal | Self::Absolute(_) => (g - e).abs(),
+            Self::Rounding(_) => (g - e).abs() / e.abs().max(1.0),
         };
         if error.is_nan() { f32::INFINITY } else { error }
     }
@@ -142,7 +146,7 @@ impl Bound {
     pub fn limit(self) -> f32 {
         match self {
             Self::Equal => 0.0,
-            Self::Absolute(limit) | Self::Relative(limit) => limit,
+            Self::Absolute(limit) | Self::Rounding(limit) | Self::Relative(limit) => limit,
         }
     }
 }

@@ -17,7 +17,7 @@ fn functions() -> Case {
     let output = |name, words, bound: Bound| {
         let adapter = match bound {
             Bound::Relative(limit) => Bound::Relative(2.0 * limit),
-            Bound::Absolute(limit) => Bound::Absolute(2.0 * limit),
+            Bound::Absolute(limit) | Bound::Rounding(limit) => Bound::Absolute(2.0 * limit),
             Bound::Equal => Bound::Absolute(f32::MIN_POSITIVE),
         };
         Output { name, words, written: bound, adapter }

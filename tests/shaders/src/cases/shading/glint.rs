@@ -77,7 +77,7 @@ fn counted_flakes() -> Case {
         &COUNTED_FLAKES,
         vec![("counted_flakes_uniform", counted), sums(&paint.gpu_sums())],
         [0.1, 1e-5, 0.02],
-        [Bound::Absolute(1.6e-5), Bound::Absolute(1e-2)],
+        [Bound::Rounding(1e-6), Bound::Absolute(1e-2)],
         paint,
     )
 }

@@ -203,7 +203,7 @@ fn glass(name: &str, parameters: TemperedGlassParameters) -> Case {
         &TEMPERED_GLASS,
         vec![("tempered_glass_uniform", packed(&glass.gpu(0))), sums(&[glass.gpu_sum()])],
         [1.0, 1e-3, 1.0],
-        [Bound::Absolute(5e-6), Bound::Absolute(1e-3)],
+        [Bound::Rounding(5e-6), Bound::Absolute(1e-3)],
         glass,
     )
 }
