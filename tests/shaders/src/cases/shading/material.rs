@@ -282,8 +282,9 @@ fn carpet(name: &str, seams_pattern: SeamPattern) -> Case {
         vec![("carpet_uniform", packed(&carpet.gpu(0))), sums(&carpet.gpu_sums())],
         [0.5, 1e-6, 1.0],
         // Light is a difference of coverages up to 1, each with the rounding of one transcendental
-        // function and of three products: 8 · 2⁻²⁴. At the border of a fiber, rounding may select the
-        // fiber below.
+        // Light is a difference of coverages up to 1. Each has the rounding of a transcendental
+        // function and of three products, 4 · 2⁻²⁴. At the border of a fiber, rounding may select
+        // the fiber below.
         [Bound::Absolute(4.8e-7), Bound::Absolute(1e-1)],
         carpet,
     )
