@@ -1,9 +1,10 @@
 //! Fractal interpolation functions (FIFs): curves, integrals, height fields and ray intersection.
 //!
-//! A FIF is a curve through given points that consists of smaller copies of itself. FIFs are
-//! evaluated to a given tolerance, integrated exactly, and bounded rigorously. Products of two FIFs
-//! are height fields with exact normals. No ray hit is missed, and each hit reports whether it is
-//! certain to be the first.
+//! A FIF is a curve through given points (knots) that consists of smaller copies of itself. The
+//! vertical scaling of each piece controls its roughness. This crate evaluates FIFs to a given
+//! tolerance with an error bound. It computes exact integrals and guaranteed ranges. The product of
+//! two FIFs is a height field, with exact normals if both are differentiable. Ray intersection
+//! never misses a hit, and [`Hit::certain`] reports whether an earlier hit is ruled out.
 //!
 //! ```
 //! use asperity_fif::{FixedFif, HeightField, Intersect, Ray, glam::DVec3};
@@ -20,16 +21,17 @@
 //!
 //! # Conventions
 //!
-//! - Constructors validate a system. After that nothing fails or panics: points outside the domain
-//!   are clamped, NaN returns NaN, and invalid rays (zero or non-finite direction) return `None`.
-//! - All computations use `f64`. In `f32` the address of a point loses a bit or more per level: an
-//!   affine function on 8 uneven nodes with scaling 0.6 is wrong by 6·10⁻³.
-//! - Loops are bounded: 4096 maps per evaluation, and a maximum number of cells per search
-//!   and of boxes per ray. When a limit is reached, the returned bound or bracket is wider and
-//!   still valid.
-//! - Values use only `+ − × ÷` and comparisons in a fixed order (normals, extrema and fits also
-//!   square roots), so they have the same bits wherever `f64` is IEEE 754. Moduli and dimensions
-//!   use powers and logarithms of the float backend.
+//! - Constructors validate their arguments. Evaluation never panics. Points outside the domain are
+//!   clamped, NaN returns NaN, and invalid rays (zero or non-finite direction) return `None`.
+//! - All computations use `f64`, except [`Table32`]. Direct evaluation in `f32` would lose at
+//!   least one bit of the address per level. For example, an affine function on 8 uneven knots with
+//!   scaling 0.6 would have an error of 6·10⁻³.
+//! - Loops are bounded by 4096 maps per evaluation, and by maximum numbers of cells per search and
+//!   boxes per ray. When a limit is reached, the returned bound or bracket is wider and still
+//!   valid.
+//! - Reproducibility: values use only `+ − × ÷` and comparisons in a fixed order. Normals, extrema
+//!   and fits also use square roots. Therefore the bits are the same wherever `f64` is IEEE 754.
+//!   Moduli and dimensions use powers and logarithms of `std` or `libm`.
 //!
 //! # Features
 //!
@@ -44,15 +46,16 @@
 //! | `approx` | comparisons of intervals, values with bounds, jets, rays and hits to a tolerance |
 //! | `simd` (default) | batches of [`Table32`] and of jets with SIMD, with the same bits |
 //!
-//! Either `std` or `libm` is required. Without `alloc`, [`FixedFif`] and [`FifRef`], and height
-//! fields of them with ray intersection, are available.
+//! Either `std` or `libm` is required. Without `alloc`, [`FixedFif`], [`FifRef`], [`HeightField`]
+//! and ray intersection are available.
 //!
 //! # References
 //!
-//! W. O. Cochran, R. R. Lewis, J. C. Hart, *The Normal of a Fractal Surface*, 2000; M. F. Barnsley, *Fractal
-//! functions and interpolation*, Constructive Approximation 2, 1986; M. F. Barnsley, J. H. Elton,
-//! D. P. Hardin, *Recurrent iterated function systems*, Constructive Approximation 5, 1989.
-//! Corrections of the first are documented at the items.
+//! - W. O. Cochran, R. R. Lewis, J. C. Hart, *The Normal of a Fractal Surface*, 2000. The affected
+//!   items document corrections of this paper.
+//! - M. F. Barnsley, *Fractal functions and interpolation*, Constructive Approximation 2, 1986.
+//! - M. F. Barnsley, J. H. Elton, D. P. Hardin, *Recurrent iterated function systems*, Constructive
+//!   Approximation 5, 1989.
 #![no_std]
 
 #[cfg(any(feature = "alloc", test))]

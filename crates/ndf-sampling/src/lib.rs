@@ -1,10 +1,10 @@
 //! Microfacet normal distribution functions (NDFs): evaluation, sampling and exact level of detail.
 //!
-//! A normal distribution function `D` describes how the facets of a rough surface are tilted. Every
-//! [`Ndf`] also has a bijection `T` from Gaussian coordinates to normals. Two channels of Gaussian
-//! noise through `T` are a bump map with exactly this distribution (Kautz, Heidrich, Seidel 2001,
-//! "Real-Time Bump Map Synthesis"). The inverse of `T` gives, in closed form, the distribution that
-//! a pixel still sees when it resolves a part of the bump map.
+//! A normal distribution function `D` describes the directions of the facets of a rough surface.
+//! Every [`Ndf`] also has a bijection `T` from pairs of Gaussian numbers to normals. `T` maps two
+//! channels of Gaussian noise to a bump map with exactly this distribution (Kautz, Heidrich, Seidel
+//! 2001, "Real-Time Bump Map Synthesis"). A pixel resolves only a part of the bump map. With `T⁻¹`,
+//! [`residual_ndf`] computes the distribution of the unresolved part in closed form.
 //!
 //! ```
 //! use asperity_ndf_sampling::{Ggx, Ndf, residual_ndf, glam::{Vec2, Vec3}};
@@ -25,39 +25,40 @@
 //! |---|---|
 //! | [`Ndf`], [`Microfacet`] | traits: `D(m)`, `T(z)`, `T⁻¹(m)`, sampling; Smith's Λ, G₁, G₂ and visible normals |
 //! | [`Ggx`], [`Beckmann`], [`StudentT`] | isotropic and anisotropic NDFs in closed form for every roughness |
-//! | [`Ward`], [`BlinnPhong`], [`AshikhminShirley`] | NDFs of older models, equally exact |
-//! | [`Isotropic`], [`Isotropic`] | isotropic NDF from a table over the cosine |
-//! | [`Mixture`], [`Blend`], [`Rotated`], [`Radial`] | sums of NDFs, with and without a bijection; rotated NDFs |
-//! | [`NdfMap`], [`PackedMapRef`] | NDF painted or computed on the hemispherical map; the same as a single array for flash or a GPU |
+//! | [`Ward`], [`BlinnPhong`], [`AshikhminShirley`] | NDFs of older reflection models, also in closed form |
+//! | [`Isotropic`] | isotropic NDF from a table over cos θ |
+//! | [`Mixture`], [`Blend`], [`Rotated`], [`Radial`] | weighted sums of NDFs, with a bijection and without; rotated NDFs; NDFs that depend on θ only |
+//! | [`NdfMap`], [`PackedMapRef`] | NDF from an image or a function on the (n_x, n_y) disk; the same as one array for flash memory or a GPU |
 //! | [`Masked`], [`Bounded`] | masking and visible normals of maps and tables, for BRDFs |
 //! | [`Measure`], [`Reconstruction`] | interpretation of texel values; interpolation between them |
-//! | [`NoiseDistribution`], [`NoiseCdfRef`], [`GaussianDistribution`], [`KurtoticDistribution`] | G: from noise values to Gaussian numbers and back; measured, Gaussian, or from the kurtosis |
-//! | [`NormalLut`], [`NormalLut`], [`normal_table`] | table L: tangent frames by lookup; its layouts, accuracy and half floats |
-//! | [`estimate_ndf`], [`NdfEstimator`], [`add_detail`], [`add_detail_normal`], [`normal_map`] | existing normal maps: estimate their NDF, decode their texels, add noise to them |
+//! | [`NoiseDistribution`], [`NoiseCdfRef`], [`GaussianDistribution`], [`KurtoticDistribution`] | conversion of noise values to Gaussian numbers and back by the CDF of the noise: measured, Gaussian, or from the kurtosis |
+//! | [`NormalLut`], [`normal_table`] | lookup table of `T` (table L of the paper): tangent frames by one lookup; layouts, accuracy, half floats |
+//! | [`estimate_ndf`], [`NdfEstimator`], [`add_detail`], [`add_detail_normal`], [`normal_map`] | NDF estimation, texel decoding and added noise for existing normal maps |
 //! | [`ConditionalNdf`], [`residual_ndf`], [`GaussianSplit`], [`level_of_detail`] | exact level of detail |
-//! | [`ConditionalTable`], [`ConditionalTable`] | exact level of detail by one lookup, for any NDF |
+//! | [`ConditionalTable`] | exact level of detail by one lookup, for any NDF |
 //! | [`check`] (feature `check`) | property tests for any [`Ndf`] or [`Microfacet`], with a printable report |
 //! | [`Frame`], [`gaussian_cdf`], [`inverse_gaussian_cdf`] | tangent frames; the Gaussian CDF and its inverse |
 //!
-//! Methods with plural names fill arrays with SIMD: the methods of [`ClosedForm`] for [`Ggx`] and
-//! [`Beckmann`], [`NormalLut::bilinear_normals`], [`PackedMapRef::inverse_batch`].
+//! Batch methods fill arrays with SIMD: the methods of [`ClosedForm`] for [`Ggx`] and [`Beckmann`],
+//! [`NormalLut::bilinear_normals`] and [`PackedMapRef::inverse_batch`].
 //!
 //! # Conventions
 //!
-//! - Normals are unit vectors in a frame whose z axis is the macro normal. Densities are in sr⁻¹
-//!   with `∫ D cos θ dω = 1`. Over the map of projected normals (n_x, n_y) the density is `D`
-//!   itself.
-//! - The slope of a normal is `(n_x, n_y)/n_z`, minus the gradient of the height.
+//! - Normals are unit vectors in a frame whose z axis is the macro normal. `D` is in sr⁻¹ with
+//!   `∫ D cos θ dω = 1`. Therefore `D` is also the pdf of the projected normal (n_x, n_y).
+//! - The slope of a normal is `(n_x, n_y)/n_z`, the negative gradient of the height.
+//! - Roughness parameters are α, not the perceptual roughness √α.
 //! - Constructors return an error for invalid parameters. Evaluation accepts every input and never
 //!   panics. Each item documents its result for NaN and infinities.
-//! - The API uses `f32`. Distribution functions are summed, subtracted and inverted in `f64`.
-//! - Reproducibility: the same bits on every machine with the feature `libm`. Results with `libm`
-//!   and with `std` differ by rounding. The exceptions are `D`, `T` and `T⁻¹` of [`Ggx`] and
-//!   [`Beckmann`], whose bits are always the same.
+//! - The API uses `f32`. CDFs are summed, subtracted and inverted in `f64`.
+//! - Reproducibility: with the feature `libm`, results are bit-identical on every machine. Results
+//!   with `libm` and with `std` differ by rounding, except `D`, `T` and `T⁻¹` of [`Ggx`] and
+//!   [`Beckmann`].
 //!
 //! # Limitations
 //!
-//! The crate has no noise, images or reflection models. Noise values and texels are arguments.
+//! The crate contains no noise, image files or BRDFs. Noise values and texels are arguments. The
+//! crates `asperity-noise` and `asperity-shading` provide noise and BRDFs.
 //!
 //! # Features
 //!
@@ -65,14 +66,14 @@
 //! |---|---|
 //! | `std` (default) | float functions of the standard library |
 //! | `libm` | float functions of the crate `libm`, also without `std`; takes precedence when both are enabled |
-//! | `simd` (default) | SIMD in methods with plural names by `fearless_simd`; without `std` at the level that the program is compiled for |
+//! | `simd` (default) | SIMD in batch methods by `fearless_simd`; without `std`, at the level that the program is compiled for |
 //! | `approx` | comparisons of frames, NDFs and other small structs by `approx`, and the `approx` feature of `glam` |
 //! | `check` | property tests for any NDF, including your own: module [`check`] |
 //! | `bytemuck` | `Pod` for the structs of [`gpu`] |
 //! | `mint` | conversion between the vectors of [`glam`] and `mint`, for engines with other vectors |
-//! | `serde` | serialization of the parameters of [`Ggx`], [`Beckmann`], [`StudentT`], [`Ward`], [`BlinnPhong`] and [`AshikhminShirley`], validated by `new`; formats and layouts |
+//! | `serde` | serialization of the parameters of [`Ggx`], [`Beckmann`], [`StudentT`], [`Ward`], [`BlinnPhong`] and [`AshikhminShirley`], validated by `new`, and of formats and layouts |
 //! | `rand` | NDFs as [`Distribution`](https://docs.rs/rand/latest/rand/distr/trait.Distribution.html)s of normals: `rng.sample(&ggx)` |
-//! | `alloc` (default) | [`NdfMap`], [`Masked`], [`NdfEstimator`] and [`NormalLut`], which own their tables; [`NormalLut`] does not need it |
+//! | `alloc` (default) | [`NdfMap`], [`Masked`], [`NdfEstimator`] and owned tables; [`NormalLut`], [`Isotropic`] and [`ConditionalTable`] borrow their entries without it |
 
 #![no_std]
 

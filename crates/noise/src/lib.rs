@@ -1,13 +1,16 @@
 //! Procedural noise with analytic gradients, in one to four dimensions.
 //!
-//! Every kind, sum and transform is a [`Field`]. `value(p)` returns the value at a point,
-//! `sample(p)` value and gradient. Batch methods evaluate lists and grids of points with SIMD and
-//! return the same bits. Fields own their parts. They can be added, blended, warped, returned from
-//! functions and boxed as `Box<dyn Field<Vec3>>`.
+//! Every noise, fBm and transform is a [`Field`]. [`value`](Field::value) returns the value at a
+//! point, and [`sample`](Field::sample) returns the value and the gradient. Points, values and
+//! gradients are `f32`. Batch methods evaluate lists and grids of points with SIMD and return the
+//! same bits. Fields own their parts. They can be added, blended, warped, returned from functions
+//! and boxed as `Box<dyn Field<Vec3>>`.
 //!
-//! Use [`GaussianFbm`] when the statistics matter: its values are N(0, 1) at every point, for
-//! every real number of octaves. Fields do not allocate and have no state. Their bits are the same
-//! on every machine.
+//! Use [`GaussianFbm`] when the statistics matter. Its values have the distribution N(0, 1) at
+//! every point, for every real number of octaves.
+//!
+//! Evaluation does not allocate and has no mutable state. Results are bit-identical on every
+//! machine.
 //!
 //! ```
 //! use asperity_noise::{Field, GaussianFbm, GaussianNoise, Grid, Fbm, Perlin, FbmSpectrum, Warp, glam::{Vec2, Vec3}};
@@ -65,9 +68,11 @@
 //!
 //! # Statistics
 //!
-//! Measured over 8.4 million points, with standard errors 0.0003 σ₁ and 0.002. Sparse noise, whose
-//! σ₁ is 1, is measured over a million points, with standard errors 0.003 and 0.02. Classic noises
-//! are neither Gaussian nor stationary: gradient noise is 0 at every lattice point.
+//! σ₁ is the standard deviation and κ₁ the excess kurtosis of one octave. They are measured over
+//! 8.4 million points, with standard errors of 0.0003 σ₁ and 0.002. Sparse noise is normalized to
+//! σ₁ = 1. It is measured over a million points, with standard errors of 0.003 and 0.02. Classic
+//! noises are neither Gaussian nor stationary. For example, gradient noise is 0 at every lattice
+//! point.
 //!
 //! | kind | σ₁ 2-D | κ₁ 2-D | σ₁ 3-D | κ₁ 3-D |
 //! |---|---|---|---|---|
@@ -84,16 +89,17 @@
 //!
 //! # Reproducibility
 //!
-//! The same input gives the same bits on every platform, at every SIMD level and with every
-//! feature. Evaluation uses +, −, ×, ÷, √ and integers only. It uses no fused multiply-add and no
-//! library logarithm or trigonometry. A release that changes bits is a value-breaking change.
+//! Results are bit-identical on every platform, at every SIMD level and with every feature.
+//! Evaluation uses +, −, ×, ÷, √ and integers only. It uses no fused multiply-add and no logarithm
+//! or trigonometric function of a library. Bits change only in a new minor version, or by a bug fix
+//! that the changelog marks as value-breaking.
 //!
 //! # Accuracy
 //!
-//! The largest errors against an `f64` evaluation at the same points, measured at 10⁵ random points
-//! within ±64 in each dimension. Slow kinds are measured at fewer points in 3-D and 4-D. Simplex
-//! noise is measured within ±4, where the rounding of its corners is smallest. Rare points have up
-//! to twice these errors.
+//! The table lists the maximum errors compared with an `f64` evaluation at the same points. They
+//! are measured at 10⁵ random points within ±64, in 1-D to 4-D. Slow kinds are measured at fewer
+//! points in 3-D and 4-D. Simplex noise is measured within ±4, where the rounding of its corners
+//! is smallest. Rare points have up to twice these errors.
 //!
 //! | kind | value | gradient |
 //! |---|---|---|
@@ -108,10 +114,10 @@
 //! | Gaussian | 4.5e-6 | 1.2e-5 |
 //!
 //! Kinds with quintic weights are least accurate next to the upper border of a cell, where the
-//! weight is rounded by up to 1.2e-6. A coordinate x itself has a spacing of |x|·2⁻²³, and octave i
-//! of a sum is evaluated at fᵢ x. Keep fᵢ |x| under about 10⁵, or place an `f64` anchor near the
-//! points with [`Fbm::anchored`]. [`Field`] documents values far from the origin and at
-//! non-finite points.
+//! weight has a rounding error of up to 1.2e-6. Coordinates near x have a spacing of |x|·2⁻²³ in
+//! `f32`. An octave of frequency f is evaluated at f x. Keep f |x| below about 10⁵, or place an
+//! `f64` anchor near the points with [`Fbm::anchored`]. [`Field`] documents values far from the
+//! origin and at non-finite points.
 //!
 //! # Limitations
 //!
@@ -134,13 +140,13 @@
 //! # Compile time
 //!
 //! All kinds in one to three dimensions are compiled once, in this crate, for SSE2, AVX2 and
-//! AVX-512. The first optimized build takes 45 seconds of processor time on one machine, on all
-//! cores at once. A program that boxes seven kinds then takes 1.6 seconds for each build.
+//! AVX-512. The first optimized build takes 45 seconds of CPU time, spread over all cores. A
+//! program that boxes seven kinds then compiles in 1.6 seconds.
 //!
-//! In four dimensions, and on lattices other than [`IntegerHash`], each kind is compiled with the
-//! program that uses it: 4 seconds for each kind and 4 for its octaves. So is every kind in a build
-//! with debug assertions, at the optimization level of the program. Without `simd`
-//! (`default-features = false, features = ["std"]`), batches run one point at a time.
+//! Noise in 4-D, and on lattices other than [`IntegerHash`], is compiled with the program that uses
+//! it. Each kind adds 4 seconds, and its fBm another 4. With debug assertions, every kind is
+//! compiled with the program, at its optimization level. Without `simd`
+//! (`default-features = false, features = ["std"]`), batches evaluate one point at a time.
 #![no_std]
 #![expect(
     clippy::needless_range_loop,

@@ -1,11 +1,11 @@
 //! Materials, BRDFs and bump mapping with the same mean radiance at every zoom.
 //!
-//! A pixel resolves some octaves of a bump map and not the rest. This crate computes the number of
-//! resolved octaves from the [`Footprint`] of the pixel. It evaluates them as noise, and shades the
-//! remaining normals by one of two rules ([`LevelOfDetail`]). The mean of `Exact` over the surface
-//! is the far field at every zoom. `Fractal` is the rule of Kautz, Heidrich, Seidel 2001,
-//! "Real-Time Bump Map Synthesis". The crate also has diffuse and glossy BRDFs with importance
-//! sampling.
+//! A pixel resolves only the octaves of a bump map that are coarser than its [`Footprint`]. This
+//! crate evaluates the resolved octaves as noise, and shades the remaining octaves by one of two
+//! rules of [`LevelOfDetail`]. With `Exact`, the mean radiance over the surface is [`far_field`] at
+//! every zoom, the radiance when no bump is resolved. `Fractal` is the rule of Kautz, Heidrich,
+//! Seidel 2001, "Real-Time Bump Map Synthesis". The crate also contains diffuse and glossy BRDFs
+//! with importance sampling, complete materials, and environment lighting.
 //!
 //! ```
 //! use asperity_shading::glam::Vec3;
@@ -46,36 +46,37 @@
 //!
 //! | module | contents | re-exported at the root |
 //! |---|---|---|
-//! | [`pixel`] | round and elliptic pixel footprints; the number of octaves that they resolve | [`Footprint`], [`PixelEllipse`] |
-//! | [`mod@bump`] | surface gradients, bumped normals, displacement, facets of slopes | |
+//! | [`pixel`] | round and elliptic pixel footprints; the number of resolved octaves | [`Footprint`], [`PixelEllipse`] |
+//! | [`mod@bump`] | surface gradients, bumped normals, displacement, facets from slopes | |
 //! | [`level_of_detail`] | bump maps from Gaussian noise: the resolved part, and two rules to shade the rest | [`BumpField`], [`LevelOfDetail`], [`far_field`] |
 //! | [`reflectance`] | BRDFs with sampling, Fresnel terms, [`Bsdf`]: layers of lobes on facets under a coat | [`Brdf`], [`Bsdf`], [`Lambert`], [`EnergyPreservingOrenNayar`], [`CookTorrance`], [`TorranceSparrow`], [`Phong`], [`Fresnel`], [`Dielectric`], [`Conductor`], [`Schlick`] |
 //! | [`environment`] | environment maps (HDRI) with importance sampling; irradiance, prefiltered maps, split sum | [`Environment`], [`EnvironmentMap`], [`EnvironmentRef`], [`Irradiance`], [`reflected_radiance`] |
-//! | [`normal_map`] | normal maps at every zoom, by the moments of their slopes (LEAN mapping with several lobes) | [`SlopePyramid`] |
+//! | [`normal_map`] | normal maps at every zoom, filtered by the moments of their slopes (LEAN mapping with several lobes) | [`SlopePyramid`] |
 //! | [`texture`] | bricks, bevels, stars, marble, perturbed images, gas | [`Brick`], [`Marble`] |
 //! | [`material`] | [`Material`] and all materials: carpet, metallic paint, glass, wear, bump maps, walls | [`Material`], [`SurfacePoint`], [`Carpet`], [`MetallicPaint`], [`TemperedGlass`], [`Variations`], [`Scratches`], [`BumpMapped`] |
 //! | [`check`] (feature `check`) | property tests for any [`Brdf`] or [`Material`], with a printable report | |
 //!
 //! [`half_vector`] and [`reflect`] compute directions of reflection, and [`Frame`] is a tangent
-//! frame. [`ndf_sampling`] and [`noise`] are the underlying crates.
+//! frame. The underlying crates are re-exported as [`ndf_sampling`] and [`noise`].
 //!
 //! # Conventions
 //!
-//! - Directions are unit vectors that point away from the surface. Those of a [`Bsdf`] and of a
-//!   [`Material`] are in world space. Those of a [`Brdf`], and `h` of an NDF, are in the frame of the
-//!   surface, whose z axis is the normal. Densities and radiances per unit of light are in sr⁻¹,
-//!   frequencies in lattice cells per unit of length, angles in radians.
-//! - Evaluation accepts every input. Half vectors that do not exist or are below the horizon are
-//!   dark. Invalid footprints resolve nothing. A NaN cosine is read as the horizon. Constructors
-//!   return an error for invalid parameters.
-//! - Reproducibility: the same bits on every machine with the feature `libm`.
+//! - Directions are unit vectors that point away from the surface. `wi` points to the light and
+//!   `wo` to the eye. Directions of a [`Bsdf`] and of a [`Material`] are in world space. Directions
+//!   of a [`Brdf`], and `h` of an NDF, are in the frame of the surface, whose z axis is the normal.
+//! - Colors are linear RGB. Pdfs, and radiances per unit of light, are in sr⁻¹. Frequencies are in
+//!   lattice cells per unit of length, and angles in radians.
+//! - Evaluation accepts every input. The radiance is 0 if the half vector is undefined or below the
+//!   horizon. Invalid footprints resolve no octave. A NaN cosine is treated as 0 (grazing).
+//!   Constructors return an error for invalid parameters.
+//! - Reproducibility: with the feature `libm`, results are bit-identical on every machine.
 //!
 //! # Limitations
 //!
-//! Both rules of level of detail evaluate p(h) without masking and shadowing. The caller multiplies
-//! by a Fresnel term at the angle between `h` and either direction. [`CookTorrance`] is the full
-//! microfacet model. A [`Bsdf`] is evaluated at a single point; light transport between surfaces is
-//! the task of the renderer.
+//! Both rules of [`LevelOfDetail`] evaluate p(h) without masking and shadowing. The caller
+//! multiplies the result by a Fresnel term at the angle between `h` and either direction.
+//! [`CookTorrance`] is the full microfacet model. A [`Bsdf`] describes a single point. Light
+//! transport between surfaces is the task of the renderer.
 //!
 //! # Features
 //!
@@ -84,10 +85,10 @@
 //! | `std` (default) | float functions of the standard library |
 //! | `libm` | float functions of `libm`, without `std`; takes precedence when both are enabled |
 //! | `alloc` (default) | the owned tables of `asperity-ndf-sampling`, environment maps, normal maps, boxed materials |
-//! | `simd` (default) | many lights, and the noise at a point, with the best available SIMD level; the same bits without it |
+//! | `simd` (default) | SIMD for many lights and for the noise at a point, at the best available level; the same bits without it |
 //! | `check` | property tests for any BRDF, including your own: module [`check`] |
 //! | `mint` | conversion between the vectors of [`glam`] and `mint`, for engines with other vectors |
-//! | `serde` | serialization of material parameters and forms of BRDFs; files contain the parameters that differ from the defaults |
+//! | `serde` | serialization of the parameters of materials and BRDFs; files contain the parameters that differ from the defaults |
 //! | `bytemuck` | `Pod` for the structs of [`gpu`] |
 //! | `approx` | the traits of `approx` for points, pixels, facets, light samples and textures; the same feature of glam, `asperity-noise` and `asperity-ndf-sampling` |
 #![no_std]

@@ -1,9 +1,12 @@
-//! WGSL for the noises, normal distributions, materials and fractal surfaces of Asperity, and
-//! helpers that pack their uniforms and tables.
+//! WGSL functions for the noise, normal distributions, materials and fractal surfaces of Asperity.
 //!
 //! A [`Part`] is one concept: plain WGSL, its dependencies and its bindings.
-//! [`compose`](fn@compose) joins parts into a module. Without `alloc` the sources are constants
-//! that you join yourself.
+//! [`compose`](fn@compose) joins parts into a WGSL module. You write the entry point. Without the
+//! feature `alloc`, the sources are constants that you join yourself.
+//!
+//! The module `gpu` of each crate defines the uniforms as `#[repr(C)]` structs. The methods `gpu()`
+//! return them, for instance [`Carpet::gpu`](asperity_shading::Carpet::gpu). With the feature
+//! `bytemuck` the structs are `Pod`, and `bytemuck::bytes_of` returns the contents of a buffer.
 //!
 //! ```
 //! # #[cfg(feature = "alloc")] {
@@ -16,10 +19,10 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`noise`] | hash, kinds of noise with analytic gradients, sums of octaves |
-//! | [`ndf`] | densities of normals, their maps and tables, exact level of detail |
-//! | [`shading`] | pixels, bump mapping, reflectances, textures, materials |
-//! | [`fif`] | fractal interpolation: table functions, height fields, ray intersection |
+//! | [`noise`] | hash, noise with analytic gradients, fBm |
+//! | [`ndf`] | normal distributions, their maps and tables, exact level of detail |
+//! | [`shading`] | footprints, bump mapping, BRDFs, textures, materials |
+//! | [`fif`] | fractal interpolation functions from tables, height fields, ray intersection |
 #![no_std]
 #![forbid(unsafe_code)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
