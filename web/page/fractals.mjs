@@ -164,7 +164,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // The ray through the image center, in the units of the heights.
     let origin = ${vector(origin)};
     let ray = Ray { origin, direction: ${vector(along)} };
-    println!("{:?}", surface.first_hit(&ray));
+    println!("{:?}", surface.intersect(&ray));
     Ok(())
 }
 `;

@@ -39,11 +39,11 @@ pub static HEIGHT_FIELD: Part = part!("fif/surface/height_field", [HeightFieldUn
 pub static FOLDED: Part = part!("fif/surface/folded", [FoldedSurfaceUniform], NUMBER)
     .with_bindings(&[Binding::Table { name: "fif_nodes", element: Element::Float, width: 1024 }]);
 
-/// Ray intersection with a height field: `height_field_first_hit`, as
+/// Ray intersection with a height field: `height_field_intersect`, as
 /// [`Intersect::intersect_within`](asperity_fif::Intersect::intersect_within).
 ///
 /// Bound to the table `fif_ranges` of [`gpu_ranges`](asperity_fif::surface::Curve::gpu_ranges). The
 /// uniform selects the axis.
-pub static FIRST_HIT: Part =
-    part!("fif/ray/first_hit", [RangesUniform, HeightFieldRangesUniform], HEIGHT_FIELD)
+pub static INTERSECT: Part =
+    part!("fif/ray/intersect", [RangesUniform, HeightFieldRangesUniform], HEIGHT_FIELD)
         .with_bindings(&[Binding::Table { name: "fif_ranges", element: Element::Float, width: 1024 }]);

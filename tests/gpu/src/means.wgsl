@@ -27,6 +27,6 @@ fn means_point(@builtin(global_invocation_id) id: vec3<u32>) {
     let seen = gaussian_fbm_3d(p, means_job.octaves, 0u);
     for (var k = 0u; k < 5u; k++) {
         let h = means_job.halves[k].xyz;
-        means_radiances[i * 5u + k] = level_of_detail_exact_ggx(means_job.alpha, h, seen.pair.value, seen.share);
+        means_radiances[i * 5u + k] = level_of_detail_exact_ggx(means_job.alpha, h, seen.pair.value, seen.resolved_variance);
     }
 }

@@ -89,12 +89,12 @@ static OF_BUMPS: &[Program] = &[
 
 /// Code snippets for copying, equal to the module's computation: name, part, functions to call.
 pub(crate) static COPIED: &[(&str, &Part, &[&str])] = &[
-    ("fractals", &FIRST_HIT, &["height_field_first_hit", "height_field_height", "upward_normal"]),
+    ("fractals", &INTERSECT, &["height_field_intersect", "height_field_height", "upward_normal"]),
     ("fractals-folded", &FOLDED, &["folded_height", "folded_jet", "upward_normal"]),
 ];
 
 /// Surfaces with their normals.
-static FIRST_HIT: Part = Part::new("page/first_hit", "", &[&fif::FIRST_HIT, &fif::NORMAL]);
+static INTERSECT: Part = Part::new("page/intersect", "", &[&fif::INTERSECT, &fif::NORMAL]);
 static FOLDED: Part = Part::new("page/folded", "", &[&fif::FOLDED, &fif::NORMAL]);
 
 /// Returns every program of the page.

@@ -62,10 +62,10 @@ fn bumps_sky(direction: vec3<f32>) -> f32 {
 // Radiance with the exact rule: of the lamp, and of the sky reflected by the mean facet of the
 // unresolved part.
 fn bumps_exact(seen: GaussianFbm3d, frame: Frame, wo: vec3<f32>, h: vec3<f32>, cos_light: f32) -> f32 {
-    let share = min(seen.share, bumps_view.share);
+    let resolved = min(seen.resolved_variance, bumps_view.share);
     let z = seen.pair.value;
-    let lamp = bumps_conditional_density(h, gaussian_split(z, share)) * cos_light;
-    let m = frame_to_world(frame, bumps_from_gaussian(level_of_detail_exact_coordinates(z, share)));
+    let lamp = bumps_residual_ndf(h, gaussian_split(z, resolved)) * cos_light;
+    let m = frame_to_world(frame, bumps_warp_gaussian(level_of_detail_exact_coordinates(z, resolved)));
     return lamp + bumps_sky(m * (2.0 * frame_product(m, wo)) - wo);
 }
 
@@ -73,9 +73,9 @@ fn bumps_exact(seen: GaussianFbm3d, frame: Frame, wo: vec3<f32>, h: vec3<f32>, c
 fn bumps_fractal(seen: GaussianFbm3d, frame: Frame, wo: vec3<f32>, h: vec3<f32>, cos_light: f32) -> f32 {
     var facet = vec3<f32>(0.0, 0.0, 1.0);
     if seen.fade > 0.0 {
-        facet = bumps_from_gaussian(level_of_detail_fractal_coordinates(seen.pair.value, seen.fade, bumps_flat()));
+        facet = bumps_warp_gaussian(level_of_detail_fractal_coordinates(seen.pair.value, seen.fade, bumps_flat()));
     }
-    let lamp = bumps_density(level_of_detail_fractal_half_vector(facet, h)) * cos_light;
+    let lamp = bumps_d(level_of_detail_fractal_half_vector(facet, h)) * cos_light;
     let m = frame_to_world(frame, facet);
     return lamp + bumps_sky(m * (2.0 * frame_product(m, wo)) - wo);
 }
@@ -134,12 +134,12 @@ fn bumps_scattered(screen: Screen) -> @location(0) vec4<f32> {
     let seen = gaussian_fbm_3d(p, frequency_clamp_octaves(bumps_view.pixel_angle, limits), anchor);
     let h = frame_direction(bumps_view.light + bumps_view.forward);
     if bumps_view.rule.x < 0.5 {
-        let share = min(seen.share, bumps_view.share);
-        return display_encoded(bumps_conditional_density(h, gaussian_split(seen.pair.value, share)));
+        let resolved = min(seen.resolved_variance, bumps_view.share);
+        return display_encoded(bumps_residual_ndf(h, gaussian_split(seen.pair.value, resolved)));
     }
     var facet = vec3<f32>(0.0, 0.0, 1.0);
     if seen.fade > 0.0 {
-        facet = bumps_from_gaussian(level_of_detail_fractal_coordinates(seen.pair.value, seen.fade, bumps_flat()));
+        facet = bumps_warp_gaussian(level_of_detail_fractal_coordinates(seen.pair.value, seen.fade, bumps_flat()));
     }
-    return display_encoded(bumps_density(level_of_detail_fractal_half_vector(facet, h)));
+    return display_encoded(bumps_d(level_of_detail_fractal_half_vector(facet, h)));
 }

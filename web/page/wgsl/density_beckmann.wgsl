@@ -1,15 +1,15 @@
 // Density functions for bumps: Beckmann.
 
-fn bumps_density(m: vec3<f32>) -> f32 {
-    return beckmann_density(bumps_view.alpha, m);
+fn bumps_d(m: vec3<f32>) -> f32 {
+    return beckmann_d(bumps_view.alpha, m);
 }
 
-fn bumps_from_gaussian(z: vec2<f32>) -> vec3<f32> {
-    return beckmann_from_gaussian(bumps_view.alpha, z);
+fn bumps_warp_gaussian(z: vec2<f32>) -> vec3<f32> {
+    return beckmann_warp_gaussian(bumps_view.alpha, z);
 }
 
-fn bumps_conditional_density(h: vec3<f32>, split: GaussianSplit) -> f32 {
-    return beckmann_conditional_density(bumps_view.alpha, h, split);
+fn bumps_residual_ndf(h: vec3<f32>, split: GaussianSplit) -> f32 {
+    return beckmann_residual_ndf(bumps_view.alpha, h, split);
 }
 
 // Gaussian coordinates of (0, 0, 1).

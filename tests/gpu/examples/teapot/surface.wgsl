@@ -56,14 +56,14 @@ fn pixel(at: Corner) -> @location(0) vec4<f32> {
     let footprint = t * length(direction) * view.pixel_angle / max(cos_eye, 1e-3);
     let limits = FrequencyClamp(view.frequency, view.log_lacunarity, view.max_octaves);
     let seen = gaussian_fbm_3d(p * view.frequency, frequency_clamp_octaves(footprint, limits), 0u);
-    let share = min(seen.share, 0.97);
+    let resolved = min(seen.resolved_variance, 0.97);
     let alpha = vec2<f32>(0.2, 0.4);
     let z = seen.pair.value;
     let h = frame_to_local(frame, normalize(view.light + wo));
-    let lamp = level_of_detail_exact_ggx(alpha, h, z, share) * cos_light;
+    let lamp = level_of_detail_exact_ggx(alpha, h, z, resolved) * cos_light;
 
     // A sky with a glow about the lamp, reflected by the mean facet of the unresolved part.
-    let m = frame_to_world(frame, ggx_from_gaussian(alpha, level_of_detail_exact_coordinates(z, share)));
+    let m = frame_to_world(frame, ggx_warp_gaussian(alpha, level_of_detail_exact_coordinates(z, resolved)));
     let mirrored = m * (2.0 * dot(m, wo)) - wo;
     let glow = pow(max(dot(mirrored, view.light), 0.0), 6.0);
     let sky = 0.05 + 0.1 * max(mirrored.z, 0.0) + 0.5 * glow;

@@ -64,9 +64,9 @@ fn surface_light(p: vec3<f32>, uv: vec2<f32>, frame: Frame, wo: vec3<f32>, dista
     let seen = surface_bumps(p * surface_view.frequency, uv, frequency_clamp_octaves(footprint, limits));
     let h = frame_to_local(frame, frame_direction(surface_view.light + wo));
     let z = seen.xy;
-    let share = min(seen.z, surface_view.share);
-    let lamp = level_of_detail_exact_ggx(surface_view.alpha, h, z, share) * max(cos_light, 0.0);
-    let facet = surface_facet(level_of_detail_exact_coordinates(z, share));
+    let resolved = min(seen.z, surface_view.share);
+    let lamp = level_of_detail_exact_ggx(surface_view.alpha, h, z, resolved) * max(cos_light, 0.0);
+    let facet = surface_facet(level_of_detail_exact_coordinates(z, resolved));
     let m = frame_to_world(frame, facet);
     return lamp + surface_sky(m * (2.0 * frame_product(m, wo)) - wo);
 }

@@ -2,7 +2,7 @@
 // 5.2.
 fn surface_bumps(p: vec3<f32>, uv: vec2<f32>, octaves: f32) -> vec3<f32> {
     let seen = mip_mapped_fbm(uv, octaves, 0u);
-    return vec3<f32>(seen.value, seen.share);
+    return vec3<f32>(seen.value, seen.resolved_variance);
 }
 
 // The facet of two Gaussian numbers, from a table in the default layout: uniform in the

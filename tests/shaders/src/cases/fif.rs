@@ -9,7 +9,7 @@ use asperity_wgsl::{Binding, Part, fif};
 use crate::case::{BAD, Bound, Case, INPUTS, OUTPUTS, Output, any, between, packed};
 
 pub(super) fn cases() -> Vec<Case> {
-    vec![values(), jets(), height_field(), folded(), first_hit()]
+    vec![values(), jets(), height_field(), folded(), intersect()]
 }
 
 /// Functions for the cases of values and of jets.
@@ -17,7 +17,7 @@ static FUNCTIONS: Part = Part::new("case/fif/functions", "", &[&fif::JET])
     .with_bindings(&[Binding::Uniform { name: "fif_functions", of: "array<FifTable, 4>" }]);
 
 /// A field and its ranges.
-static FIELD: Part = Part::new("case/fif/field", "", &[&fif::FIRST_HIT, &fif::NORMAL]).with_bindings(&[
+static FIELD: Part = Part::new("case/fif/field", "", &[&fif::INTERSECT, &fif::NORMAL]).with_bindings(&[
     Binding::Uniform { name: "field", of: "HeightField" },
     Binding::Uniform { name: "field_ranges", of: "HeightFieldRanges" },
 ]);
@@ -299,7 +299,7 @@ fn ray(i: u32) -> [f32; 6] {
     ray
 }
 
-fn first_hit() -> Case {
+fn intersect() -> Case {
     let (surface, resources) = field();
     let by_input = surface.clone();
     let first = |surface: &Field, ray: [f32; 6], lift: f64| {
@@ -307,10 +307,10 @@ fn first_hit() -> Case {
         surface.intersect(&Ray { origin: DVec3::new(x, y, z + lift), direction: DVec3::new(u, v, w) })
     };
     Case {
-        name: "fif/ray/first_hit".into(),
+        name: "fif/ray/intersect".into(),
         parts: vec![&FIELD],
         body: "\
-    let hit = height_field_first_hit(field, field_ranges, a.xyz, b.xyz, vec2<f32>(0.0, 1e30));
+    let hit = height_field_intersect(field, field_ranges, a.xyz, b.xyz, vec2<f32>(0.0, 1e30));
     if d.x == 0u {
         outcome.a = vec4<u32>(min(hit.kind, 1u), bits(vec4<f32>(hit.t, hit.p, hit.height)).xyz);
         outcome.b = bits(vec4<f32>(hit.height, hit.gradient, 0.0));
@@ -371,7 +371,7 @@ mod tests {
 
     #[test]
     fn grazing_rays_are_few_and_both_outcomes_frequent() {
-        let case = first_hit();
+        let case = intersect();
         let inputs: Vec<_> = (0..Case::COUNT).map(|i| (case.input)(i)).collect();
         let grazing = inputs.iter().filter(|words| words[12] == 1).count();
         let hits = inputs.iter().filter(|&&words| (case.reference)(words)[0] == 1).count();

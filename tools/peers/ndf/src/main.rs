@@ -135,8 +135,8 @@ fn rows(samples: usize) -> Result<Vec<Row>, Box<dyn Error>> {
         row("beckmann_visible", seen, move |[x, y, z, u1, u2], m: [_; 3]| {
             beckmann.sample_visible_batch([x, y, z], [u1, u2], m)
         }),
-        row("ggx_from_gaussian", gaussian, move |z, m: [_; 3]| ggx.warp_gaussian_batch(z, m)),
-        row("beckmann_from_gaussian", gaussian, move |z, m: [_; 3]| beckmann.warp_gaussian_batch(z, m)),
+        row("ggx_warp_gaussian", gaussian, move |z, m: [_; 3]| ggx.warp_gaussian_batch(z, m)),
+        row("beckmann_warp_gaussian", gaussian, move |z, m: [_; 3]| beckmann.warp_gaussian_batch(z, m)),
     ];
     for (kind, name) in [(Reconstruction::Bilinear, "bilinear"), (Reconstruction::Constant, "constant")] {
         let values = texels();

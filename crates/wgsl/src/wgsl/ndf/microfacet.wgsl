@@ -19,7 +19,7 @@ fn microfacet_above(v: vec3<f32>) -> vec3<f32> {
 
 // D_v(m) = D(m) max(0, v.m)/sigma(v), in 1/sr, for the density D(m), a view above the horizon and
 // its projected area.
-fn microfacet_visible_density(density: f32, v: vec3<f32>, m: vec3<f32>, area: f32) -> f32 {
+fn microfacet_visible_pdf(density: f32, v: vec3<f32>, m: vec3<f32>, area: f32) -> f32 {
     let cosine = v.x * m.x + v.y * m.y + v.z * m.z;
     let seen = density * select(0.0, cosine, cosine > 0.0) / area;
     return select(0.0, min(seen, ELEMENTARY_LARGEST), seen >= 0.0);

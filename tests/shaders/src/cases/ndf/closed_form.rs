@@ -54,15 +54,15 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
     let alpha = roughness_clamped(a.xy);
     let u = bitcast<vec2<f32>>(c.xy);
     let fade = bitcast<f32>(c.z);
-    outcome.a = bits(vec4<f32>(x_from_gaussian(alpha, a.zw), max(x_density(alpha, b.xyz), 1e-34)));
-    let center = x_from_gaussian(alpha, level_of_detail_exact_coordinates(a.zw, b.w));
+    outcome.a = bits(vec4<f32>(x_warp_gaussian(alpha, a.zw), max(x_d(alpha, b.xyz), 1e-34)));
+    let center = x_warp_gaussian(alpha, level_of_detail_exact_coordinates(a.zw, b.w));
     let sample = x_from_uniform(alpha, u);
     let split = gaussian_split(a.zw, b.w);
-    outcome.b = bits(vec4<f32>(x_to_gaussian(alpha, b.xyz), center.xy));
+    outcome.b = bits(vec4<f32>(x_invert(alpha, b.xyz), center.xy));
     outcome.c = bits(vec4<f32>(
         center.z,
         sample.xy,
-        select(sample.z, max(x_density(alpha, b.xyz), 1e-34), d.x == 1u),
+        select(sample.z, max(x_d(alpha, b.xyz), 1e-34), d.x == 1u),
     ));
     outcome.d = bits(vec4<f32>(
         max(level_of_detail_exact_x(alpha, b.xyz, a.zw, b.w), 1e-34),
@@ -150,7 +150,7 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
     outcome.a = bits(vec4<f32>(
         max(min(x_lambda(alpha, v), 1e30), 1e-30), x_masking(alpha, v), x_masking_shadowing(alpha, v, w), x_projected_area(alpha, v),
     ));
-    outcome.b = bits(vec4<f32>(x_sample_visible(alpha, v, u), max(x_visible_density(alpha, v, m) * f32(d.y), 1e-34)));
+    outcome.b = bits(vec4<f32>(x_sample_visible(alpha, v, u), max(x_visible_pdf(alpha, v, m) * f32(d.y), 1e-34)));
     outcome.c = bits(vec4<f32>(microfacet_above(v), 0.0));"
                 .replace("x_", &format!("{}_", self.name)),
             resources: vec![],

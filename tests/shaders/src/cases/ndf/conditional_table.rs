@@ -25,7 +25,7 @@ fn table(size: usize) -> Case {
         parts: vec![&CONDITIONAL_TABLE],
         body: "\
     let split = gaussian_split(vec2<f32>(a.w, b.x), b.y);
-    outcome.a = bits(vec4<f32>(conditional_table_interpolated(a.xyz).xy, max(conditional_table_density(a.xyz, split), 1e-30), 0.0));"
+    outcome.a = bits(vec4<f32>(conditional_table_interpolated(a.xyz).xy, max(conditional_table_residual_ndf(a.xyz, split), 1e-30), 0.0));"
             .into(),
         resources: vec![
             ("conditional_table_grid", packed(&table.gpu())),

@@ -60,8 +60,7 @@ impl Facets {
     fn case(self) -> Case {
         let Self { name, first, of, .. } = self;
         let x = |function: &str| format!("{name}_{function}({first}, ");
-        let (density, from, to, sample) =
-            (x("density"), x("from_gaussian"), x("to_gaussian"), x("from_uniform"));
+        let (density, from, to, sample) = (x("d"), x("warp_gaussian"), x("invert"), x("from_uniform"));
         Case {
             name: format!("ndf/density/{name}"),
             parts: vec![self.part, &ROUGHNESS],
@@ -129,7 +128,7 @@ fn masking() -> Case {
     ));
     let sample = student_t_sample_visible(alpha, gamma, v, bitcast<vec2<f32>>(d.yz));
     let is_inside = f32(d.w);
-    outcome.b = bits(vec4<f32>(max(student_t_visible_density(alpha, gamma, v, m) * f32(d.x), 1e-30), sample));
+    outcome.b = bits(vec4<f32>(max(student_t_visible_pdf(alpha, gamma, v, m) * f32(d.x), 1e-30), sample));
     outcome.c = bits(vec4<f32>(sample * is_inside, 0.0));"
             .into(),
         resources: vec![],

@@ -141,9 +141,9 @@ fn facets() -> Case {
         body: "\
     let facets = slope_facets(a.xyz, b.xyz, vec3<f32>(a.w, 0.0, 0.0), vec3<f32>(0.0, a.w, 0.0));
     let facet = slope_facets_gaussian(facets, c.x);
-    outcome.a = bits(vec4<f32>(facet.share, facet.normal));
+    outcome.a = bits(vec4<f32>(facet.weight, facet.normal));
     let along = slope_facets_along(facets, 0.5, c.x % 7u);
-    outcome.b = bits(vec4<f32>(along.share, along.normal));"
+    outcome.b = bits(vec4<f32>(along.weight, along.normal));"
             .into(),
         resources: vec![],
         input: Box::new(|i| {

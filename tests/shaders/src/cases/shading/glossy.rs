@@ -48,7 +48,7 @@ fn microfacets() -> Case {
     let f0 = vec3<f32>(b.xyz);
     outcome.a = bits(max(vec4<f32>(ggx.x * schlick_reflectance(f0, ggx.y), 0.0), vec4<f32>(1e-30)));
     outcome.b = bits(max(vec4<f32>(beckmann.x * schlick_reflectance(f0, beckmann.y), 0.0), vec4<f32>(1e-30)));
-    let walls = torrance_sparrow_value(grooves, ggx_density(alpha, grooves.h));
+    let walls = torrance_sparrow_value(grooves, ggx_d(alpha, grooves.h));
     outcome.c = bits(max(vec4<f32>(walls * schlick_reflectance(f0, grooves.cosine), 0.0), vec4<f32>(1e-30)));"
                 .into(),
         resources: vec![],

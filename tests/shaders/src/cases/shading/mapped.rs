@@ -167,7 +167,7 @@ fn moments() -> Case {
     let seen = slope_moments_detailed(moments, b.yz, split);
     let h = vec3<f32>(b.w, bitcast<vec2<f32>>(d.xy));
     outcome.a = bits(vec4<f32>(seen.mean, 0.0, 0.0));
-    outcome.b = bits(vec4<f32>(offset_beckmann_covariance(seen), max(offset_beckmann_density(seen, h), 1e-30)));
+    outcome.b = bits(vec4<f32>(offset_beckmann_covariance(seen), max(offset_beckmann_d(seen, h), 1e-30)));
     outcome.c = bits(vec4<f32>(slope_moments_normal(moments), 0.0));
     outcome.d = bits(vec4<f32>(slope_moments_mean_normal(moments), 0.0));"
             .into(),
@@ -187,8 +187,10 @@ fn moments() -> Case {
             let h = Vec3::new(slope[0], slope[1], 1.0).normalize();
             let z = [9, 10].map(|k| n(k, [-2.0, 2.0]));
             let share = super::share(i, 11);
-            let mut words =
-                inputs(i, &[mean[0], mean[1], xx, xy, yy, alpha[0], alpha[1], h.x, z[0], z[1], share, 0.0, h.y, h.z]);
+            let mut words = inputs(
+                i,
+                &[mean[0], mean[1], xx, xy, yy, alpha[0], alpha[1], h.x, z[0], z[1], share, 0.0, h.y, h.z],
+            );
             // Roughnesses are valid.
             words[5..7].copy_from_slice(&alpha.map(f32::to_bits));
             // A half vector is normalized, or zero.
@@ -208,9 +210,7 @@ fn moments() -> Case {
             let density = seen.d(Vec3::new(h, h2, h3)).max(1e-30);
             let ([cxx, cxy, cyy], mean) = (seen.covariance(), seen.mean());
             let (n, m) = (moments.normal(), moments.mean_normal());
-            words(&[
-                mean.x, mean.y, 0.0, 0.0, cxx, cxy, cyy, density, n.x, n.y, n.z, 0.0, m.x, m.y, m.z, 0.0,
-            ])
+            words(&[mean.x, mean.y, 0.0, 0.0, cxx, cxy, cyy, density, n.x, n.y, n.z, 0.0, m.x, m.y, m.z, 0.0])
         }),
         outputs: vec![
             equal("mean", 0..2, Bound::Absolute(1e-5)),

@@ -18,7 +18,7 @@ fn octaves() -> Case {
         parts: vec![&sums::FREQUENCY_CLAMP, &shading::FREQUENCY_CLAMP],
         body: "\
     let limits = FrequencyClamp(a.z, a.w, b.x);
-    outcome.a = bits(vec4<f32>(frequency_clamp_octaves(a.x, limits), frequency_clamp_removed_share(a.x, a.y), 0.0, 0.0));"
+    outcome.a = bits(vec4<f32>(frequency_clamp_octaves(a.x, limits), frequency_clamp_filtered_fraction(a.x, a.y), 0.0, 0.0));"
             .into(),
         resources: vec![],
         input: Box::new(move |i| {
@@ -40,7 +40,7 @@ fn octaves() -> Case {
             // The built-in logarithm and the crate's are each a unit in the last place off, 2e-6
             // for values of 16 and above.
             Output::new("octaves", 0..1, Bound::Absolute(4e-6), Bound::Absolute(6e-6)),
-            Output::new("removed share", 1..2, Bound::Equal, Bound::Absolute(1e-6)),
+            Output::new("filtered fraction", 1..2, Bound::Equal, Bound::Absolute(1e-6)),
         ],
     }
 }

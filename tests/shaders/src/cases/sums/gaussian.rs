@@ -47,7 +47,7 @@ macro_rules! case {
             outputs: vec![
                 output("value", 0..2, 2e-4),
                 output("gradient", 2..2 + 2 * $n, 2e-3),
-                output("share and fade", 2 + 2 * $n..4 + 2 * $n, 4e-7),
+                output("resolved variance and fade", 2 + 2 * $n..4 + 2 * $n, 4e-7),
             ],
         }
     }};
@@ -65,7 +65,7 @@ pub(super) fn cases() -> Vec<Case> {
     let pair = sum.pair;
     outcome.a = bits(vec4<f32>(pair.value, pair.dx));
     outcome.b = bits(vec4<f32>(pair.dy, pair.dz));
-    outcome.c = bits(vec4<f32>(sum.share, sum.fade, 0.0, 0.0));",
+    outcome.c = bits(vec4<f32>(sum.resolved_variance, sum.fade, 0.0, 0.0));",
         anchor,
         space
     );
@@ -78,7 +78,7 @@ pub(super) fn cases() -> Vec<Case> {
     let sum = gaussian_fbm_2d(a.xy, a.w, c.x);
     let pair = sum.pair;
     outcome.a = bits(vec4<f32>(pair.value, pair.dx));
-    outcome.b = bits(vec4<f32>(pair.dy, sum.share, sum.fade));",
+    outcome.b = bits(vec4<f32>(pair.dy, sum.resolved_variance, sum.fade));",
         anchor.truncate(),
         plane
     );

@@ -8,7 +8,7 @@ fn ashikhmin_shirley_clamped(n: vec2<f32>) -> vec2<f32> {
 
 // D(m) in 1/sr, from the slope of m; 0 for m.z <= 0 and NaN. The error is 1e-6 + 5e-7 a relative,
 // with the exponent a of D.
-fn ashikhmin_shirley_density(n: vec2<f32>, m: vec3<f32>) -> f32 {
+fn ashikhmin_shirley_d(n: vec2<f32>, m: vec3<f32>) -> f32 {
     if !(m.z > 0.0 && abs(m.x) <= ELEMENTARY_LARGEST && abs(m.y) <= ELEMENTARY_LARGEST) {
         return 0.0;
     }
@@ -35,13 +35,13 @@ fn ashikhmin_shirley_tilted(n: vec2<f32>, z: vec2<f32>) -> vec3<f32> {
 }
 
 // T(z): the normal of Gaussian coordinates, clamped to 13; 0 for NaN.
-fn ashikhmin_shirley_from_gaussian(n: vec2<f32>, z: vec2<f32>) -> vec3<f32> {
+fn ashikhmin_shirley_warp_gaussian(n: vec2<f32>, z: vec2<f32>) -> vec3<f32> {
     return ashikhmin_shirley_tilted(n, vec2<f32>(elementary_bounded(z.x, 13.0), elementary_bounded(z.y, 13.0)));
 }
 
 // The inverse of T: the Gaussian coordinates of the normal m, whose slope alone is used; finite for
 // every m.
-fn ashikhmin_shirley_to_gaussian(n: vec2<f32>, m: vec3<f32>) -> vec2<f32> {
+fn ashikhmin_shirley_invert(n: vec2<f32>, m: vec3<f32>) -> vec2<f32> {
     if !(abs(m.x) <= ELEMENTARY_LARGEST && abs(m.y) <= ELEMENTARY_LARGEST) {
         return vec2<f32>(0.0, 0.0);
     }

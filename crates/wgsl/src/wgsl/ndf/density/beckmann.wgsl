@@ -27,12 +27,12 @@ fn beckmann_lobe(alpha: vec2<f32>, mean: vec2<f32>, rest: f32, m: vec3<f32>) -> 
 }
 
 // D(m) in 1/sr, for unit m; 0 for m.z <= 0 and NaN.
-fn beckmann_density(alpha: vec2<f32>, m: vec3<f32>) -> f32 {
+fn beckmann_d(alpha: vec2<f32>, m: vec3<f32>) -> f32 {
     return beckmann_lobe(alpha, vec2<f32>(0.0, 0.0), 1.0, m);
 }
 
 // T(z): the normal of Gaussian coordinates, in standard deviations, clamped to 13; 0 for NaN.
-fn beckmann_from_gaussian(alpha: vec2<f32>, z: vec2<f32>) -> vec3<f32> {
+fn beckmann_warp_gaussian(alpha: vec2<f32>, z: vec2<f32>) -> vec3<f32> {
     let x = elementary_bounded(z.x, 13.0) * (alpha.x * 0.70710677);
     let y = elementary_bounded(z.y, 13.0) * (alpha.y * 0.70710677);
     return roughness_unit(vec3<f32>(x, y, 1.0));
@@ -40,7 +40,7 @@ fn beckmann_from_gaussian(alpha: vec2<f32>, z: vec2<f32>) -> vec3<f32> {
 
 // The inverse of T: the Gaussian coordinates of the normal m, whose slope alone is used; finite for
 // every m.
-fn beckmann_to_gaussian(alpha: vec2<f32>, m: vec3<f32>) -> vec2<f32> {
+fn beckmann_invert(alpha: vec2<f32>, m: vec3<f32>) -> vec2<f32> {
     let up = 1.4142135 / select(ELEMENTARY_LEAST_NORMAL, m.z, m.z > ELEMENTARY_LEAST_NORMAL);
     let x = (m.x / alpha.x) * up;
     let y = (m.y / alpha.y) * up;
@@ -57,7 +57,7 @@ fn beckmann_from_uniform(alpha: vec2<f32>, u: vec2<f32>) -> vec3<f32> {
 }
 
 // p_s(h | z_b) in 1/sr: a Beckmann density around the resolved slope.
-fn beckmann_conditional_density(alpha: vec2<f32>, h: vec3<f32>, split: GaussianSplit) -> f32 {
+fn beckmann_residual_ndf(alpha: vec2<f32>, h: vec3<f32>, split: GaussianSplit) -> f32 {
     return beckmann_lobe(alpha, split.z_b * (split.root * 0.70710677), split.rest, h);
 }
 
@@ -96,9 +96,9 @@ fn beckmann_projected_area(alpha: vec2<f32>, v: vec3<f32>) -> f32 {
 }
 
 // The density of visible normals D_v(m), in 1/sr.
-fn beckmann_visible_density(alpha: vec2<f32>, v: vec3<f32>, m: vec3<f32>) -> f32 {
+fn beckmann_visible_pdf(alpha: vec2<f32>, v: vec3<f32>, m: vec3<f32>) -> f32 {
     let area = beckmann_projected_area(alpha, v);
-    return microfacet_visible_density(beckmann_density(alpha, m), microfacet_above(v), m, area);
+    return microfacet_visible_pdf(beckmann_d(alpha, m), microfacet_above(v), m, area);
 }
 
 // A normal with the density D_v over solid angle, for uniform u: the slope along the view by

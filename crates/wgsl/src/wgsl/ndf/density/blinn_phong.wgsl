@@ -13,18 +13,18 @@ fn blinn_phong_roughness(exponent: f32) -> vec2<f32> {
 }
 
 // D(m) = (n + 2)/(2 pi) cos^n theta, in 1/sr.
-fn blinn_phong_density(exponent: f32, m: vec3<f32>) -> f32 {
-    return student_t_density(blinn_phong_roughness(exponent), 0.5 * exponent + 2.0, m);
+fn blinn_phong_d(exponent: f32, m: vec3<f32>) -> f32 {
+    return student_t_d(blinn_phong_roughness(exponent), 0.5 * exponent + 2.0, m);
 }
 
 // T(z): the normal of Gaussian coordinates.
-fn blinn_phong_from_gaussian(exponent: f32, z: vec2<f32>) -> vec3<f32> {
-    return student_t_from_gaussian(blinn_phong_roughness(exponent), 0.5 * exponent + 2.0, z);
+fn blinn_phong_warp_gaussian(exponent: f32, z: vec2<f32>) -> vec3<f32> {
+    return student_t_warp_gaussian(blinn_phong_roughness(exponent), 0.5 * exponent + 2.0, z);
 }
 
 // The inverse of T.
-fn blinn_phong_to_gaussian(exponent: f32, m: vec3<f32>) -> vec2<f32> {
-    return student_t_to_gaussian(blinn_phong_roughness(exponent), 0.5 * exponent + 2.0, m);
+fn blinn_phong_invert(exponent: f32, m: vec3<f32>) -> vec2<f32> {
+    return student_t_invert(blinn_phong_roughness(exponent), 0.5 * exponent + 2.0, m);
 }
 
 // A normal with the density D over the macro surface, from uniform u in the unit square.

@@ -2,7 +2,7 @@
 // `asperity_ndf_sampling::Ggx`.
 
 // D(m) in 1/sr, for unit m; 0 for m.z <= 0 and NaN.
-fn ggx_density(alpha: vec2<f32>, m: vec3<f32>) -> f32 {
+fn ggx_d(alpha: vec2<f32>, m: vec3<f32>) -> f32 {
     let x = m.x / alpha.x;
     let y = m.y / alpha.y;
     let t = (x * x + y * y) + m.z * m.z;
@@ -13,7 +13,7 @@ fn ggx_density(alpha: vec2<f32>, m: vec3<f32>) -> f32 {
 }
 
 // T(z): the normal of Gaussian coordinates, in standard deviations, clamped to 13; 0 for NaN.
-fn ggx_from_gaussian(alpha: vec2<f32>, z: vec2<f32>) -> vec3<f32> {
+fn ggx_warp_gaussian(alpha: vec2<f32>, z: vec2<f32>) -> vec3<f32> {
     let x = elementary_bounded(z.x, 13.0);
     let y = elementary_bounded(z.y, 13.0);
     let half_square = (x * x + y * y) * 0.5;
@@ -24,7 +24,7 @@ fn ggx_from_gaussian(alpha: vec2<f32>, z: vec2<f32>) -> vec3<f32> {
 
 // The inverse of T: the Gaussian coordinates of the normal m, whose slope alone is used; finite for
 // every m.
-fn ggx_to_gaussian(alpha: vec2<f32>, m: vec3<f32>) -> vec2<f32> {
+fn ggx_invert(alpha: vec2<f32>, m: vec3<f32>) -> vec2<f32> {
     let up = select(ELEMENTARY_LEAST_NORMAL, m.z, m.z > ELEMENTARY_LEAST_NORMAL);
     let x = m.x / alpha.x;
     let y = m.y / alpha.y;
@@ -52,8 +52,8 @@ fn ggx_from_uniform(alpha: vec2<f32>, u: vec2<f32>) -> vec3<f32> {
 }
 
 // p_s(h | z_b) in 1/sr, the density of the unresolved part.
-fn ggx_conditional_density(alpha: vec2<f32>, h: vec3<f32>, split: GaussianSplit) -> f32 {
-    return gaussian_split_weigh(split, ggx_density(alpha, h), ggx_to_gaussian(alpha, h));
+fn ggx_residual_ndf(alpha: vec2<f32>, h: vec3<f32>, split: GaussianSplit) -> f32 {
+    return gaussian_split_weigh(split, ggx_d(alpha, h), ggx_invert(alpha, h));
 }
 
 // Smith's Lambda(v); the largest float where it is infinite, at and below the horizon.
@@ -83,8 +83,8 @@ fn ggx_projected_area(alpha: vec2<f32>, v: vec3<f32>) -> f32 {
 }
 
 // The density of visible normals D_v(m), in 1/sr.
-fn ggx_visible_density(alpha: vec2<f32>, v: vec3<f32>, m: vec3<f32>) -> f32 {
-    return microfacet_visible_density(ggx_density(alpha, m), microfacet_above(v), m, ggx_projected_area(alpha, v));
+fn ggx_visible_pdf(alpha: vec2<f32>, v: vec3<f32>, m: vec3<f32>) -> f32 {
+    return microfacet_visible_pdf(ggx_d(alpha, m), microfacet_above(v), m, ggx_projected_area(alpha, v));
 }
 
 // A normal with the density D_v over solid angle, for uniform u, from the cap of directions c with

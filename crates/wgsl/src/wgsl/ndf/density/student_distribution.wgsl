@@ -35,7 +35,7 @@ fn student_distribution(freedom: f32) -> StudentDistribution {
 }
 
 // The density at z, for |z| < 1e18.
-fn student_distribution_density(t: StudentDistribution, z: f32) -> f32 {
+fn student_distribution_pdf(t: StudentDistribution, z: f32) -> f32 {
     return t.peak * elementary_exp(-0.5 * (t.freedom + 1.0) * elementary_ln_1p(z * z / t.freedom));
 }
 
@@ -106,7 +106,7 @@ fn student_distribution_excess(t: StudentDistribution, z: f32) -> f32 {
     if !(z < STUDENT_DISTRIBUTION_FARTHEST) {
         return 0.0;
     }
-    let density = student_distribution_density(t, z);
+    let density = student_distribution_pdf(t, z);
     let beyond = student_distribution_beyond(t, z, density);
     if student_distribution_is_central(t, z) {
         return beyond - z * (0.5 - student_distribution_center(t, z, density));
@@ -154,7 +154,7 @@ fn student_distribution_solve(t: StudentDistribution, is_seen: bool, b: f32, u: 
     var total = 1.0;
     var edge = 0.0;
     if is_seen {
-        let at_edge = student_distribution_density(t, b);
+        let at_edge = student_distribution_pdf(t, b);
         let beyond = student_distribution_beyond(t, b, at_edge);
         let tail = student_distribution_tail(t, b, at_edge);
         total = b * (1.0 - tail) + beyond;
@@ -170,7 +170,7 @@ fn student_distribution_solve(t: StudentDistribution, is_seen: bool, b: f32, u: 
     }
     let is_left = wanted < 0.5;
     for (var k = 0; k < 24; k++) {
-        let density = student_distribution_density(t, x);
+        let density = student_distribution_pdf(t, x);
         // The probability on the smaller side, and the density there.
         var share = student_distribution_tail(t, select(x, -x, is_left), density);
         var slope = density;

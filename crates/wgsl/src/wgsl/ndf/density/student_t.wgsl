@@ -12,7 +12,7 @@ fn student_t_clamped_gamma(gamma: f32) -> f32 {
 
 // D(m) in 1/sr, from the slope of m; 0 for m.z <= 0 and NaN. m.z must be at least 1e-9 or exactly
 // 0.
-fn student_t_density(alpha: vec2<f32>, gamma: f32, m: vec3<f32>) -> f32 {
+fn student_t_d(alpha: vec2<f32>, gamma: f32, m: vec3<f32>) -> f32 {
     let up = select(1.0, m.z, m.z > 0.0);
     let x = m.x / alpha.x / up;
     let y = m.y / alpha.y / up;
@@ -40,13 +40,13 @@ fn student_t_tilted(alpha: vec2<f32>, gamma: f32, z: vec2<f32>) -> vec3<f32> {
 }
 
 // T(z): the normal of Gaussian coordinates, clamped to 13; 0 for NaN.
-fn student_t_from_gaussian(alpha: vec2<f32>, gamma: f32, z: vec2<f32>) -> vec3<f32> {
+fn student_t_warp_gaussian(alpha: vec2<f32>, gamma: f32, z: vec2<f32>) -> vec3<f32> {
     return student_t_tilted(alpha, gamma, vec2<f32>(elementary_bounded(z.x, 13.0), elementary_bounded(z.y, 13.0)));
 }
 
 // The inverse of T: the Gaussian coordinates of the normal m, whose slope alone is used; finite for
 // every m.
-fn student_t_to_gaussian(alpha: vec2<f32>, gamma: f32, m: vec3<f32>) -> vec2<f32> {
+fn student_t_invert(alpha: vec2<f32>, gamma: f32, m: vec3<f32>) -> vec2<f32> {
     let up = select(ELEMENTARY_LEAST_NORMAL, m.z, m.z > ELEMENTARY_LEAST_NORMAL);
     let slope = vec2<f32>(m.x / alpha.x / up, m.y / alpha.y / up);
     if !(abs(slope.x) <= ELEMENTARY_LARGEST && abs(slope.y) <= ELEMENTARY_LARGEST) {
@@ -113,9 +113,9 @@ fn student_t_projected_area(alpha: vec2<f32>, gamma: f32, v: vec3<f32>) -> f32 {
 }
 
 // The density of visible normals D_v(m), in 1/sr.
-fn student_t_visible_density(alpha: vec2<f32>, gamma: f32, v: vec3<f32>, m: vec3<f32>) -> f32 {
+fn student_t_visible_pdf(alpha: vec2<f32>, gamma: f32, v: vec3<f32>, m: vec3<f32>) -> f32 {
     let area = student_t_projected_area(alpha, gamma, v);
-    return microfacet_visible_density(student_t_density(alpha, gamma, m), microfacet_above(v), m, area);
+    return microfacet_visible_pdf(student_t_d(alpha, gamma, m), microfacet_above(v), m, area);
 }
 
 // A normal with the density D_v over solid angle, for uniform u. The slope along the view is found

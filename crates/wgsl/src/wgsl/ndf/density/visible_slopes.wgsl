@@ -41,15 +41,15 @@ fn visible_slopes_closer(b: f32, u: f32, per_total: f32, x: f32, density: f32, t
 // The fraction of slopes below the result is u within 8e-7, and within 2e-6 below u = 1e-5.
 fn visible_slopes_quantile(b: f32, u: f32) -> f32 {
     let bounded = max(u, 2.3283064e-10);
-    let at_edge = normal_distribution_density(b);
+    let at_edge = normal_distribution_pdf(b);
     let per_total = 1.0 / (b * (1.0 - at_edge * normal_distribution_mills_ratio(b)) + at_edge);
     let gaussian = visible_slopes_rough_inverse_phi(bounded);
     let y = b + gaussian;
     let root = sqrt(y * y + 4.0);
     let ahead = select((root - y) * 0.5, 2.0 / (root + y), y > 0.0);
     var x = gaussian + ahead;
-    var here = normal_distribution_density(x);
+    var here = normal_distribution_pdf(x);
     x = visible_slopes_closer(b, bounded, per_total, x, here, here * visible_slopes_rough_mills_ratio(abs(x)));
-    here = normal_distribution_density(x);
+    here = normal_distribution_pdf(x);
     return visible_slopes_closer(b, bounded, per_total, x, here, here * normal_distribution_mills_ratio(abs(x)));
 }

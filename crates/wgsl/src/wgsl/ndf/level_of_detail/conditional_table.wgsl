@@ -60,6 +60,6 @@ fn conditional_table_interpolated(h: vec3<f32>) -> vec3<f32> {
 }
 
 // p_s(h | z_b) in 1/sr, the density of the unresolved part; 0 for h.z <= 0 and NaN.
-fn conditional_table_density(h: vec3<f32>, split: GaussianSplit) -> f32 {
+fn conditional_table_residual_ndf(h: vec3<f32>, split: GaussianSplit) -> f32 {
     return conditional_table_weigh(conditional_table_interpolated(h), h, split);
 }

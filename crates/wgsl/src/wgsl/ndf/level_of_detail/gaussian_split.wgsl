@@ -12,9 +12,9 @@ struct GaussianSplit {
 // The split of the coordinates z_b with the fraction s of the variance; s is clamped to 0 ... 1 -
 // 2^-20, 0 for NaN.
 fn gaussian_split(z_b: vec2<f32>, s: f32) -> GaussianSplit {
-    let share = clamp(elementary_number(s), 0.0, 0.99999905);
+    let variance = clamp(elementary_number(s), 0.0, 0.99999905);
     let bounded = vec2<f32>(elementary_bounded(z_b.x, 13.0), elementary_bounded(z_b.y, 13.0));
-    return GaussianSplit(bounded, sqrt(share), 1.0 - share);
+    return GaussianSplit(bounded, sqrt(variance), 1.0 - variance);
 }
 
 // p_s(h | z_b) of any distribution, from the density D(h) and from z, the inverse of T at h.

@@ -50,7 +50,7 @@ fn offset_beckmann_of(mean: vec2<f32>, covariance: vec3<f32>, otherwise: OffsetB
 }
 
 // D(m) in 1/sr, for unit m; 0 for m.z <= 0 and NaN.
-fn offset_beckmann_density(slopes: OffsetBeckmann, m: vec3<f32>) -> f32 {
+fn offset_beckmann_d(slopes: OffsetBeckmann, m: vec3<f32>) -> f32 {
     if !(m.z > 0.0 && offset_beckmann_within(m.x, ELEMENTARY_LARGEST) && offset_beckmann_within(m.y, ELEMENTARY_LARGEST)) {
         return 0.0;
     }

@@ -93,7 +93,7 @@ fn packed_map_coordinate(n: f32) -> f32 {
 }
 
 // D(m) in 1/sr; 0 outside the disk, for m.z <= 0 and NaN.
-fn packed_map_density(m: vec3<f32>) -> f32 {
+fn packed_map_d(m: vec3<f32>) -> f32 {
     let inside = m.x * m.x + m.y * m.y < 1.000001 && m.z > 0.0;
     if !inside {
         return 0.0;
@@ -341,7 +341,7 @@ fn packed_map_from_uniform(u: vec2<f32>) -> vec3<f32> {
 
 // T(z): the normal of Gaussian coordinates, with the distribution function in 32 bits; the Rust
 // crate uses 64.
-fn packed_map_from_gaussian(z: vec2<f32>) -> vec3<f32> {
+fn packed_map_warp_gaussian(z: vec2<f32>) -> vec3<f32> {
     let x = normal_distribution_phi(elementary_number(z.x));
     let y = normal_distribution_phi(elementary_number(z.y));
     return packed_map_from_uniform(vec2<f32>(x, y));
@@ -354,16 +354,16 @@ fn packed_map_quantile(u: f32) -> f32 {
 }
 
 // The inverse of T: the Gaussian coordinates of a normal.
-fn packed_map_to_gaussian(m: vec3<f32>) -> vec2<f32> {
+fn packed_map_invert(m: vec3<f32>) -> vec2<f32> {
     let u = packed_map_forward(vec2<f32>(m.x, m.y));
     return vec2<f32>(packed_map_quantile(u.x), packed_map_quantile(u.y));
 }
 
 // p_s(h | z_b) in 1/sr, the density of the unresolved part.
-fn packed_map_conditional_density(h: vec3<f32>, split: GaussianSplit) -> f32 {
-    let density = packed_map_density(h);
+fn packed_map_residual_ndf(h: vec3<f32>, split: GaussianSplit) -> f32 {
+    let density = packed_map_d(h);
     if !(density > 0.0) {
         return 0.0;
     }
-    return gaussian_split_weigh(split, density, packed_map_to_gaussian(h));
+    return gaussian_split_weigh(split, density, packed_map_invert(h));
 }

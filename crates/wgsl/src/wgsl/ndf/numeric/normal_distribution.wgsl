@@ -1,9 +1,9 @@
 // The Gaussian distribution function, its tail and its quantile in 32 bits:
-// `density/gaussian_lanes.rs` of asperity-ndf-sampling. `asperity_ndf_sampling::{phi, inverse_phi}`
-// use 64 bits.
+// `density/gaussian_lanes.rs` of asperity-ndf-sampling. `asperity_ndf_sampling::gaussian_cdf`
+// and `inverse_gaussian_cdf` use 64 bits.
 
 // The density of a standard Gaussian.
-fn normal_distribution_density(x: f32) -> f32 {
+fn normal_distribution_pdf(x: f32) -> f32 {
     return elementary_exp(x * x * -0.5) * 0.3989423;
 }
 
@@ -22,7 +22,7 @@ fn normal_distribution_mills_ratio(x: f32) -> f32 {
 // The probability that a standard Gaussian is at most x. 2.5e-7 absolute, for x < 0 also 5e-7 +
 // 6e-8 x^2 relative.
 fn normal_distribution_phi(x: f32) -> f32 {
-    let tail = normal_distribution_density(x) * normal_distribution_mills_ratio(min(abs(x), 40.0));
+    let tail = normal_distribution_pdf(x) * normal_distribution_mills_ratio(min(abs(x), 40.0));
     // Exactly one half at 0.
     return select(select(tail, 1.0 - tail, x > 0.0), 0.5, abs(x) < 1e-7);
 }
@@ -59,5 +59,5 @@ fn normal_distribution_excess(z: f32) -> f32 {
     let middle = (0.31625116 + t * -0.38768554) + square * (1.1048845 + t * -2.200834);
     let high = (1.9736118 + t * -0.846749) + square * 0.1447163;
     let share = square * (low + fourth * (middle + fourth * high));
-    return select(0.0, normal_distribution_density(z) * share, z <= 15.0);
+    return select(0.0, normal_distribution_pdf(z) * share, z <= 15.0);
 }

@@ -2,7 +2,7 @@
 
 // The fraction of an octave that a footprint removes: smoothstep(0.2, 0.6, footprint * frequency).
 // Negative footprints and NaN remove nothing.
-fn frequency_clamp_removed_share(footprint: f32, frequency: f32) -> f32 {
+fn frequency_clamp_filtered_fraction(footprint: f32, frequency: f32) -> f32 {
     let x = footprint * frequency;
     // Compares bits, as compilers may assume that no number is NaN.
     if bitcast<u32>(x) > 0x7f800000u {

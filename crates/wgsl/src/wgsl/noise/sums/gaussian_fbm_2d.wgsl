@@ -5,7 +5,7 @@
 // carry, in [0, 1), and the weight of the first octave, in [0, 1].
 struct GaussianFbm2d {
     pair: GaussianPair2d,
-    share: f32,
+    resolved_variance: f32,
     fade: f32,
 }
 
@@ -19,8 +19,8 @@ fn gaussian_fbm_pair_2d(cell: vec2<i32>, q: vec2<f32>, key: u32) -> GaussianPair
     return gaussian_pair_in_cell_2d(cell + at.cell, at.place, key);
 }
 
-// The first octaves of a sum: `Octaves::pair` of `detail(octaves)`, `Spectrum::share` and
-// `Spectrum::weight`. For an anchored sum `p` is the difference to the anchor.
+// The first octaves of a sum: `GaussianFbm::pair_with_octaves`, `FbmSpectrum::resolved_variance` and
+// `FbmSpectrum::weight`. For an anchored sum `p` is the difference to the anchor.
 fn gaussian_fbm_2d(p: vec2<f32>, octaves: f32, sum: u32) -> GaussianFbm2d {
     let spectrum = fbm_spectrum_2d(sum);
     let whole = fbm_lone_whole(octaves, spectrum);
@@ -45,7 +45,7 @@ fn gaussian_fbm_2d(p: vec2<f32>, octaves: f32, sum: u32) -> GaussianFbm2d {
     let factor = divisor.factor;
     return GaussianFbm2d(
         GaussianPair2d(value * factor, dx * factor, dy * factor),
-        fbm_share(octaves, divisor.squares, spectrum),
+        fbm_resolved_variance(octaves, divisor.squares, spectrum),
         fbm_fade(octaves, spectrum),
     );
 }

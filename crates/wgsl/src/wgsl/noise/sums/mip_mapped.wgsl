@@ -6,7 +6,7 @@
 struct MipMappedFbm {
     // Both channels, N(0, 1) except for the filter between texels.
     value: vec2<f32>,
-    share: f32,
+    resolved_variance: f32,
     fade: f32,
 }
 
@@ -21,5 +21,6 @@ fn mip_mapped_fbm(uv: vec2<f32>, octaves: f32, sum: u32) -> MipMappedFbm {
     if within < 1.0 {
         factor /= max(within, 1e-6);
     }
-    return MipMappedFbm(texel * factor, fbm_share(octaves, divisor.squares, spectrum), fbm_fade(octaves, spectrum));
+    let resolved_variance = fbm_resolved_variance(octaves, divisor.squares, spectrum);
+    return MipMappedFbm(texel * factor, resolved_variance, fbm_fade(octaves, spectrum));
 }

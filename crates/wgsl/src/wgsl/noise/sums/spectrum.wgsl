@@ -26,7 +26,7 @@ fn fbm_lone_whole(octaves: f32, spectrum: FbmSpectrum) -> f32 {
     return select(0.0, min(max(octaves, 1.0), spectrum.max_octaves), fbm_any(octaves));
 }
 
-// Constant and divisor of a sum, `Octaves::first(octaves).clamped(footprint)`.
+// Constant and divisor of a sum, `Fbm::with_octaves(octaves).band_limited(footprint)`.
 fn fbm_divisor(octaves: f32, footprint: f32, spectrum: FbmSpectrum) -> FbmDivisor {
     let whole = fbm_lone_whole(octaves, spectrum);
     var constant = 0.0;
@@ -62,7 +62,7 @@ fn fbm_divisor(octaves: f32, footprint: f32, spectrum: FbmSpectrum) -> FbmDiviso
             if !(weight > 0.0) {
                 break;
             }
-            let removed = frequency_clamp_removed_share(footprint, frequency);
+            let removed = frequency_clamp_filtered_fraction(footprint, frequency);
             constant += weight * amplitude * removed * spectrum.mean;
             amplitude *= spectrum.gain;
             frequency *= spectrum.lacunarity;
@@ -72,8 +72,8 @@ fn fbm_divisor(octaves: f32, footprint: f32, spectrum: FbmSpectrum) -> FbmDiviso
 }
 
 // The fraction in [0, 1) of the whole spectrum's variance, from the sum of squares of
-// `fbm_divisor`: `Spectrum::share`.
-fn fbm_share(octaves: f32, squares: f32, spectrum: FbmSpectrum) -> f32 {
+// `fbm_divisor`: `FbmSpectrum::resolved_variance`.
+fn fbm_resolved_variance(octaves: f32, squares: f32, spectrum: FbmSpectrum) -> f32 {
     let within = fbm_within(octaves, spectrum);
     // Here a lone octave has its weight.
     let resolved = select(squares, within * within, within < 1.0);
@@ -83,7 +83,7 @@ fn fbm_share(octaves: f32, squares: f32, spectrum: FbmSpectrum) -> f32 {
     return min(resolved / spectrum.variance, 0.99999994);
 }
 
-// The weight of the first octave in [0, 1]: how far the sum has faded in, `Spectrum::weight`.
+// The weight of the first octave in [0, 1]: how far the sum has faded in, `FbmSpectrum::weight`.
 fn fbm_fade(octaves: f32, spectrum: FbmSpectrum) -> f32 {
     return min(fbm_within(octaves, spectrum), 1.0);
 }
@@ -124,7 +124,7 @@ fn fbm_weighted(walk: FbmWalk) -> FbmWalk {
     let weight = min(walk.whole - f32(walk.octave), 1.0);
     var weighted = walk;
     if weight > 0.0 {
-        let removed = frequency_clamp_removed_share(walk.footprint, walk.frequency);
+        let removed = frequency_clamp_filtered_fraction(walk.footprint, walk.frequency);
         weighted.weight = weight * walk.amplitude * (1.0 - removed);
     }
     return weighted;

@@ -1,4 +1,4 @@
-// Sums of octaves in 3-D, in a uniform written by `OctavesUniform`. A custom module may have more
+// Sums of octaves in 3-D, in a uniform written by `FbmUniform3d`. A custom module may have more
 // sums or read them from elsewhere by replacing these two functions.
 
 // The spectrum of a sum.

@@ -2,7 +2,7 @@
 
 struct SlopeFacet {
     // The fraction of the pixel, in [0, 1].
-    share: f32,
+    weight: f32,
     // The unit normal.
     normal: vec3<f32>,
 }

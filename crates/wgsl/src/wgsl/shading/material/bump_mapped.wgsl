@@ -6,7 +6,7 @@
 fn bump_mapped_coordinates(bumps: BumpMapped, p: vec3<f32>, width: f32) -> vec4<f32> {
     let limits = FrequencyClamp(bumps.frequency, bumps.log_lacunarity, bumps.max_octaves);
     let seen = gaussian_fbm_3d(p * bumps.frequency, frequency_clamp_octaves(width, limits), bumps.sum);
-    return vec4<f32>(seen.pair.value, seen.share, seen.fade);
+    return vec4<f32>(seen.pair.value, seen.resolved_variance, seen.fade);
 }
 
 // The reflected distribution under the rule, in 1/sr, for h.z > 0.

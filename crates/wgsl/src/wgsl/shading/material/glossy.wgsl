@@ -46,7 +46,7 @@ fn glossy_scattered(
     var sum = vec3<f32>(0.0);
     for (var k = 0u; k < 7u; k++) {
         let facet = slope_facets_along(facets, 0.5, k);
-        let light = facet_light(facet.share, facet.normal, wi, wo);
+        let light = facet_light(facet.weight, facet.normal, wi, wo);
         if light.factor > 0.0 {
             let base = energy_preserving_value(diffuse, roughness, light.wi, light.wo);
             let gloss = cook_torrance_beckmann(valid, light.wi, light.wo).x * specular;

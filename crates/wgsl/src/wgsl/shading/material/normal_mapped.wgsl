@@ -15,7 +15,7 @@ fn normal_mapped_scattered(stone: NormalMapped, point: SurfacePoint, wo: vec3<f3
         if lobe.weight > 0.0 {
             let slopes = slope_moments_detailed(lobe.moments, vec2<f32>(stone.alpha_x, stone.alpha_y), far);
             let weight = max(stone.color * lobe.weight, vec3<f32>(0.0));
-            sum += weight * facet_shown(offset_beckmann_density(slopes, h), h, wi, wo);
+            sum += weight * facet_shown(offset_beckmann_d(slopes, h), h, wi, wo);
         }
     }
     return brdf_finite_channels(sum * wi.z);

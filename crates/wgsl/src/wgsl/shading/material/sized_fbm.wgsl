@@ -7,7 +7,7 @@ const SIZED_FBM_SLOPE_VARIANCE: f32 = 3.08;
 // The footprint in cells for frequency clamping; 0 if all octaves are resolved.
 fn sized_fbm_footprint(fbm: SizedFbm, footprint: f32) -> f32 {
     let width = footprint * fbm.frequency;
-    return select(0.0, width, frequency_clamp_removed_share(width, fbm.highest) > 0.0);
+    return select(0.0, width, frequency_clamp_filtered_fraction(width, fbm.highest) > 0.0);
 }
 
 // The value, and the gradient in cells of the first octave, with unresolved octaves faded to 0.
@@ -23,7 +23,7 @@ fn sized_fbm_value(fbm: SizedFbm, position: vec3<f32>) -> f32 {
 // The variance of each component of the gradient that fading removes, for octaves with this
 // variance.
 fn sized_fbm_removed_slope(fbm: SizedFbm, footprint: f32, slope_variance: f32) -> f32 {
-    if !(frequency_clamp_removed_share(footprint * fbm.frequency, fbm.highest) > 0.0) {
+    if !(frequency_clamp_filtered_fraction(footprint * fbm.frequency, fbm.highest) > 0.0) {
         return 0.0;
     }
     let spectrum = fbm_spectrum_3d(fbm.sum);

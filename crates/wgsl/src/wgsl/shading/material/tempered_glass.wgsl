@@ -23,7 +23,7 @@ fn tempered_glass_surface(glass: TemperedGlass, point: SurfacePoint, frame: Fram
     let across = surface_gradient_tangential(n, glass.direction);
     let level = across.x == 0.0 && across.y == 0.0 && across.z == 0.0;
     let cycles = pixel_ellipse_change(point.pixel, across) * glass.frequency / 6.2831855;
-    let kept = select(1.0 - frequency_clamp_removed_share(cycles, 1.0), 1.0, level);
+    let kept = select(1.0 - frequency_clamp_filtered_fraction(cycles, 1.0), 1.0, level);
     let turns = dot(point.position, glass.direction) * glass.frequency * 0.15915494;
     var slope = 0.0;
     if abs(turns) < 2097152.0 {

@@ -38,5 +38,5 @@ fn footprint_from_derivatives(dx: vec3<f32>, dy: vec3<f32>) -> f32 {
 // The fraction of a frequency that is kept, in cycles per unit of length: 1 - smoothstep(0.2, 0.6,
 // width * frequency).
 fn footprint_kept(width: f32, frequency: f32) -> f32 {
-    return 1.0 - frequency_clamp_removed_share(width, frequency);
+    return 1.0 - frequency_clamp_filtered_fraction(width, frequency);
 }

@@ -99,12 +99,12 @@ fn coat_scattered(coat: Coat, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
         var facet = SlopeFacet(0.0, coat.normal);
         if k < 13u {
             facet = slope_facets_gaussian(facets, k);
-            facet.share *= share;
+            facet.weight *= share;
         } else if swings {
             let side = select(swing, -swing, k == 13u);
             facet = SlopeFacet(share, surface_gradient_normal(n, n - coat.normal / coat.normal.z + side));
         }
-        let light = facet_light(facet.share, facet.normal, wi, wo);
+        let light = facet_light(facet.weight, facet.normal, wi, wo);
         if light.factor > 0.0 {
             sum += coat_lobe(coat, alpha, light.wi, light.wo) * light.factor;
         }

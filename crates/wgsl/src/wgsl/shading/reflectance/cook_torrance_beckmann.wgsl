@@ -9,5 +9,5 @@ fn cook_torrance_beckmann(alpha: vec2<f32>, wi: vec3<f32>, wo: vec3<f32>) -> vec
     }
     let h = direction_half(wi, wo);
     let masking = beckmann_masking_shadowing(alpha, wi, wo);
-    return vec2<f32>(brdf_finite(beckmann_density(alpha, h) * masking / (4.0 * wi.z * wo.z)), dot(wo, h));
+    return vec2<f32>(brdf_finite(beckmann_d(alpha, h) * masking / (4.0 * wi.z * wo.z)), dot(wo, h));
 }

@@ -11,5 +11,5 @@ fn cook_torrance_ggx(alpha: vec2<f32>, wi: vec3<f32>, wo: vec3<f32>) -> vec2<f32
     }
     let h = direction_half(wi, wo);
     let masking = ggx_masking_shadowing(alpha, wi, wo);
-    return vec2<f32>(brdf_finite(ggx_density(alpha, h) * masking / (4.0 * wi.z * wo.z)), dot(wo, h));
+    return vec2<f32>(brdf_finite(ggx_d(alpha, h) * masking / (4.0 * wi.z * wo.z)), dot(wo, h));
 }

@@ -86,7 +86,7 @@ fn rough_dielectric_value(glass: RoughDielectric, wi: vec3<f32>, wo: vec3<f32>) 
     }
     let alpha = vec2<f32>(glass.alpha);
     let masking = beckmann_masking(alpha, rough_dielectric_up(back)) * beckmann_masking(alpha, rough_dielectric_up(wo));
-    let facets = beckmann_density(alpha, h) * masking * cosine * jacobian;
+    let facets = beckmann_d(alpha, h) * masking * cosine * jacobian;
     let value = brdf_finite(facets / abs(wi.z * wo.z));
     if !crosses {
         return vec3<f32>(value * rough_dielectric_reflectance(glass, wo, cosine));

@@ -91,7 +91,7 @@ fn marble_sum(marble: Marble, p: vec3<f32>, width: f32) -> MarbleSum {
     var resolved = MarbleSum(0.0, 0.0, 0.0);
     var frequency = 1.0;
     for (var i = 0u; i < 4u; i++) {
-        let kept = 1.0 - frequency_clamp_removed_share(0.5 * width, marble.scale * frequency);
+        let kept = 1.0 - frequency_clamp_filtered_fraction(0.5 * width, marble.scale * frequency);
         let whole = (marble.deviation / frequency) * (marble.deviation / frequency);
         if kept > 0.0 {
             let key = select(

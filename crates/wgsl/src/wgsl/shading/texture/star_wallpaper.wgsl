@@ -31,7 +31,7 @@ fn star_wallpaper_coverage(wallpaper: StarWallpaper, uv: vec2<f32>, footprint: f
     if !direction_is_finite(vec3<f32>(uv, 0.0)) {
         return 0.0;
     }
-    let far = frequency_clamp_removed_share(footprint, 0.75 / wallpaper.r_max);
+    let far = frequency_clamp_filtered_fraction(footprint, 0.75 / wallpaper.r_max);
     if far >= 1.0 {
         return wallpaper.mean;
     }

@@ -35,7 +35,7 @@ fn carpet_shine(carpet: Carpet, position: vec3<f32>, footprint: f32) -> f32 {
     for (var j = 0u; j < 4u; j++) {
         var kept = 0.0;
         if j < 3u {
-            kept = 1.0 - frequency_clamp_removed_share(width, f32(1u << j));
+            kept = 1.0 - frequency_clamp_filtered_fraction(width, f32(1u << j));
         }
         // Only levels with a weight are evaluated.
         let weight = before - kept;
@@ -49,7 +49,7 @@ fn carpet_shine(carpet: Carpet, position: vec3<f32>, footprint: f32) -> f32 {
 
 // The factor of dark areas: `DarkAreas::factor`.
 fn carpet_dark(carpet: Carpet, position: vec3<f32>, footprint: f32) -> f32 {
-    let removed = frequency_clamp_removed_share(footprint, carpet.dark.frequency);
+    let removed = frequency_clamp_filtered_fraction(footprint, carpet.dark.frequency);
     var near = 0.0;
     if removed < 1.0 {
         near = max(sized_fbm_value(carpet.dark, position), 0.0);

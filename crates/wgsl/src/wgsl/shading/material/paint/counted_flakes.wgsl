@@ -13,7 +13,7 @@ fn counted_flakes_scattered(
     }
     let paint = counted.paint;
     let specular = metallic_paint_specular(paint, point);
-    let z = beckmann_to_gaussian(vec2<f32>(paint.flake_roughness), direction_half(wi, wo));
+    let z = beckmann_invert(vec2<f32>(paint.flake_roughness), direction_half(wi, wo));
     let number = glint_field_relative(counted.flakes, z, point.position, point.pixel.widths.x);
     let flakes = metallic_paint_flakes(paint, specular, wi, wo) * number;
     return metallic_paint_coated(paint, point, specular, flakes, wo, wi);

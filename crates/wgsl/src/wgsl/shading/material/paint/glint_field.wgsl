@@ -71,7 +71,7 @@ fn glint_field_gaussian(word: u32) -> f32 {
     return select(quantile, -quantile, is_high);
 }
 
-// The Gaussian coordinates of the normal of a cell's flake; `from_gaussian` of the distribution
+// The Gaussian coordinates of the normal of a cell's flake; `warp_gaussian` of the distribution
 // maps them to the normal.
 fn glint_field_tilt(field: GlintField, cell: vec3<i32>) -> vec2<f32> {
     return vec2<f32>(
@@ -178,7 +178,7 @@ fn glint_field_counts(field: GlintField, base: vec3<i32>, bin: vec2<i32>, q: f32
 }
 
 // The number of flakes within a pixel with these Gaussian coordinates, divided by its mean. Times
-// the density of the half vector it is `GlintField::density`, for the coordinates `to_gaussian` of
+// the density of the half vector it is `GlintField::density`, for the coordinates `invert` of
 // the half vector. It is 1 where single cells cannot be resolved, and in the far field.
 fn glint_field_relative(field: GlintField, z: vec2<f32>, position: vec3<f32>, footprint: f32) -> f32 {
     let place = position / field.spacing;

@@ -18,7 +18,7 @@ fn metallic_paint_sparkle(
 ) -> MetallicPaintSparkle {
     let none = MetallicPaintSparkle(false, vec3<f32>(0.0), 0.0, 0.0);
     let pixel = footprint * paint.pixel_size;
-    let fade = 1.0 - frequency_clamp_removed_share(pixel, 1.0 / paint.physical_size);
+    let fade = 1.0 - frequency_clamp_filtered_fraction(pixel, 1.0 / paint.physical_size);
     if !(fade > 0.0) {
         return none;
     }
@@ -38,7 +38,7 @@ fn metallic_paint_sparkle(
     if covered.flake.value < paint.elimination {
         kept = 0.0;
         if paint.per_unit > 0.0 {
-            kept = frequency_clamp_removed_share(pixel, paint.per_unit);
+            kept = frequency_clamp_filtered_fraction(pixel, paint.per_unit);
         }
     }
     let most = fade * kept;

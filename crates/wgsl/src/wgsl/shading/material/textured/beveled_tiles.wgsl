@@ -49,7 +49,7 @@ fn beveled_tiles_scattered(tiles: BeveledTiles, point: SurfacePoint, wo: vec3<f3
     let surface = textured_slopes(point, tiles.color, tiles.roughness);
     let at = point.uv / tiles.side;
     let width = surface_point_uv_pixel(point).widths.x / tiles.side;
-    let far = frequency_clamp_removed_share(width, 1.0);
+    let far = frequency_clamp_filtered_fraction(width, 1.0);
     var sum = vec3<f32>(0.0);
     if far < 1.0 && direction_is_finite(vec3<f32>(at, 0.0)) {
         let edge = bevel_tile_edge(at - floor(at));

@@ -8,7 +8,7 @@ fn blemishes_varied(color: f32, noise: f32, variation: f32) -> f32 {
 
 // The fraction of the first octave that the pixel cannot resolve.
 fn blemishes_removed(fbm: SizedFbm, footprint: f32) -> f32 {
-    return frequency_clamp_removed_share(footprint, fbm.frequency);
+    return frequency_clamp_filtered_fraction(footprint, fbm.frequency);
 }
 
 // The color with blemishes, filtered over a pixel of this width, given half the mean of the noise's

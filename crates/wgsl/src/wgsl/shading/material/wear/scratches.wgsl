@@ -20,7 +20,7 @@ fn scratches_overlap(d: f32, half_width: f32, width: f32) -> f32 {
 
 // The grooves filtered over a pixel of this width in texture coordinates.
 fn scratches_grooves(scratches: Scratches, uv: vec2<f32>, width: f32) -> ScratchesGrooves {
-    let kept = 1.0 - frequency_clamp_removed_share(width, 1.0 / scratches.segments.cell);
+    let kept = 1.0 - frequency_clamp_filtered_fraction(width, 1.0 / scratches.segments.cell);
     let far = ScratchesGrooves(vec2<f32>(0.0), scratches.covered_far, scratches.removed_far);
     if kept <= 0.0 || !direction_is_finite(vec3<f32>(uv, 0.0)) {
         return far;
@@ -117,7 +117,7 @@ fn scratches_lit(scratches: Scratches, surface: ScratchesSurface, wo: vec3<f32>,
         var m = surface.normal;
         if k > 0u {
             let facet = slope_facets_along(surface.facets, 0.2, k - 1u);
-            share = facet.share * surface.covered;
+            share = facet.weight * surface.covered;
             m = facet.normal;
         }
         let light = facet_light(share, frame_to_local(surface.frame, m), wi, wo);

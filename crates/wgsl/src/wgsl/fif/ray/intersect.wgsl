@@ -1,4 +1,4 @@
-// Intersection of rays with a height field: `asperity_fif::Intersect::first_hit_within`, in f32.
+// Intersection of rays with a height field: `asperity_fif::Intersect::intersect_within`, in f32.
 //
 // An interval of the ray is bounded by the ranges of heights and slopes of the cells under it. The
 // parts above and below all heights are cut off. If the ray approaches or leaves the surface over
@@ -173,7 +173,7 @@ fn height_field_hit(field: HeightField, ranges: HeightFieldRanges, ray: HeightFi
 
 // The first point of a ray on the surface with t between `reach.x` and `reach.y`. No hit for a zero
 // direction, a component of 1e18 or more, and NaN.
-fn height_field_first_hit(
+fn height_field_intersect(
     field: HeightField,
     ranges: HeightFieldRanges,
     origin: vec3<f32>,
