@@ -10,7 +10,7 @@ pub(crate) mod scene;
 use std::{path::Path, time::Duration};
 
 use asperity_shader_tests::case::packed;
-use asperity_shading::level_of_detail::{Coordinates, GaussianField};
+use asperity_shading::level_of_detail::{GaussianField, ResolvedBumps};
 use asperity_shading::ndf_sampling::{Ggx, NormalLut};
 use asperity_shading::noise::gpu::{FbmUniform2d, FbmUniform3d};
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
@@ -259,8 +259,8 @@ fn textured(gpu: &Gpu, look: &Look, size: u32, out: &Path) -> Result<(), String>
             let seen = |corner: &Corner, pixel| {
                 let octaves = clamp.octaves(pixel);
                 let [x, y] = sum.pair_with_octaves(corner.uv.as_vec2() * f32::from(PERIOD), octaves);
-                let (share, fade) = (spectrum.resolved_variance(octaves), spectrum.weight(octaves, 0));
-                Coordinates { z: Vec2::new(x.value, y.value), share, fade }
+                let (variance, blend) = (spectrum.resolved_variance(octaves), spectrum.weight(octaves, 0));
+                ResolvedBumps { z: Vec2::new(x.value, y.value), variance, blend }
             };
             let theirs = reference::picture(&scene, look, seen, size)?;
             report(&format!("textured-{name}-{zoom}"), &ours, &theirs, time, size, out)?;

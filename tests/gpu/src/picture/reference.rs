@@ -1,7 +1,7 @@
 //! Images rendered by the crates.
 
 use asperity_shading::ndf_sampling::{Frame, Ggx};
-use asperity_shading::{Footprint, LevelOfDetail, half_vector, level_of_detail::Coordinates};
+use asperity_shading::{Footprint, LevelOfDetail, half_vector, level_of_detail::ResolvedBumps};
 use glam::Vec3;
 
 use crate::picture::{
@@ -15,7 +15,7 @@ use crate::picture::{
 pub(crate) fn picture(
     scene: &Scene,
     look: &Look,
-    bumps: impl Fn(&Corner, Footprint) -> Coordinates,
+    bumps: impl Fn(&Corner, Footprint) -> ResolvedBumps,
     size: u32,
 ) -> Result<Vec<[u8; 3]>, String> {
     let ggx = Ggx::new(look.alpha.x, look.alpha.y).map_err(|error| error.to_string())?;
@@ -35,7 +35,7 @@ pub(crate) fn picture(
             let pixel =
                 Footprint::from_distance(from_eye.length() as f32, scene.view.pixel_angle as f32, cos_eye);
             let mut coordinates = bumps(&corner, pixel);
-            coordinates.share = coordinates.share.min(look.share);
+            coordinates.variance = coordinates.variance.min(look.share);
             let h = frame.to_local(half_vector(light, wo));
             let lamp = LevelOfDetail::Exact.radiance(&ggx, h, coordinates) * cos_light.max(0.0);
             let m = frame.to_world(LevelOfDetail::Exact.normal(&ggx, coordinates));
