@@ -41,7 +41,7 @@
 //! let (wi, wo) = (Vec3::new(0.6, 0.0, 0.8), Vec3::Z);
 //! let light = carpet.bsdf(&point, wo).eval_cos(wo, wi);
 //! assert!(light.min_element() > 0.0);
-//! # Ok::<(), asperity_shading::ParameterError>(())
+//! # Ok::<(), asperity_shading::ShadingError>(())
 //! ```
 //!
 //! | module | contents | re-exported at the root |
@@ -109,6 +109,7 @@ pub mod bump;
 pub mod check;
 mod direction;
 pub mod environment;
+mod error;
 pub mod gpu;
 mod image;
 pub mod level_of_detail;
@@ -127,8 +128,8 @@ pub use direction::{half_vector, reflect};
 #[cfg(feature = "alloc")]
 pub use environment::EnvironmentMap;
 pub use environment::{Environment, EnvironmentRef, Irradiance, reflected_radiance};
+pub use error::ShadingError;
 pub use glam;
-pub use image::ImageError;
 pub use level_of_detail::{BumpField, LevelOfDetail, far_field};
 pub use material::{
     BumpMapped, Carpet, CarpetParameters, Material, MetallicPaint, MetallicPaintParameters, Scratches,
@@ -137,7 +138,6 @@ pub use material::{
 };
 #[cfg(feature = "alloc")]
 pub use normal_map::SlopePyramid;
-pub use parameter::ParameterError;
 pub use pixel::{Footprint, PixelEllipse};
 pub use reflectance::{
     Brdf, Bsdf, Conductor, CookTorrance, Dielectric, EnergyPreservingOrenNayar, Fresnel, Lambert, Phong,

@@ -1,41 +1,8 @@
-//! Validation of parameters and its error.
+//! Validation of parameters.
 
-use asperity_core::error_enum;
 use glam::{Vec2, Vec3};
 
-error_enum! {
-    /// Error for an invalid parameter, with its name and value.
-    ///
-    /// ```
-    /// use asperity_shading::{ParameterError, material::{Seams, SeamPattern}, glam::Vec2};
-    ///
-    /// let error = Seams::new(Vec2::X, SeamPattern::Lines, 0.1, 1.5).unwrap_err();
-    /// assert_eq!(error, ParameterError::Outside { parameter: "seams_amplitude", value: 1.5, least: 0.0, most: 1.0 });
-    /// assert_eq!(error.to_string(), "`seams_amplitude` must be within [0, 1], got 1.5");
-    /// ```
-    pub enum ParameterError {
-        /// A number is outside its closed range, or is NaN.
-        Outside { parameter: &'static str, value: f32, least: f32, most: f32 } =>
-            "`{parameter}` must be within [{least}, {most}], got {value}";
-        /// A number is not finite and positive.
-        NotPositive { parameter: &'static str, value: f32 } =>
-            "`{parameter}` must be finite and positive, got {value}";
-        /// A direction is zero or not finite; the third component of a direction in the plane is 0.
-        Direction { parameter: &'static str, value: Vec3 } => "`{parameter}` must be a finite, non-zero vector, got {value}";
-    }
-}
-
-impl ParameterError {
-    /// The name of the parameter.
-    #[must_use]
-    pub const fn parameter(&self) -> &'static str {
-        match self {
-            Self::Outside { parameter, .. }
-            | Self::NotPositive { parameter, .. }
-            | Self::Direction { parameter, .. } => parameter,
-        }
-    }
-}
+use crate::error::ShadingError;
 
 /// Parameters with their defaults, each with a check that the corresponding part of the material
 /// does not make itself.
@@ -76,7 +43,7 @@ macro_rules! parameters {
                 &[$((stringify!($field), concat!($($doc),*))),*];
 
             /// Returns an error for the first parameter that is out of its range.
-            fn check(&self) -> Result<(), ParameterError> {
+            fn check(&self) -> Result<(), ShadingError> {
                 $($($check(stringify!($field), self.$field)?;)?)*
                 Ok(())
             }
@@ -87,72 +54,68 @@ macro_rules! parameters {
 pub(crate) use parameters;
 
 /// Returns the value if it is in the range.
-pub(crate) fn within(
-    parameter: &'static str,
-    value: f32,
-    [least, most]: [f32; 2],
-) -> Result<f32, ParameterError> {
-    if (least..=most).contains(&value) {
+pub(crate) fn within(parameter: &'static str, value: f32, [min, max]: [f32; 2]) -> Result<f32, ShadingError> {
+    if (min..=max).contains(&value) {
         Ok(value)
     } else {
-        Err(ParameterError::Outside { parameter, value, least, most })
+        Err(ShadingError::OutOfRange { parameter, value, min, max })
     }
 }
 
 /// The check of a number in a closed range, for [`parameters`].
-pub(crate) fn range(range: [f32; 2]) -> impl Fn(&'static str, f32) -> Result<f32, ParameterError> {
+pub(crate) fn range(range: [f32; 2]) -> impl Fn(&'static str, f32) -> Result<f32, ShadingError> {
     move |parameter, value| within(parameter, value, range)
 }
 
 /// A size in units of the surface positions: within [10⁻⁶, 10⁶].
-pub(crate) fn as_size(parameter: &'static str, value: f32) -> Result<f32, ParameterError> {
+pub(crate) fn as_size(parameter: &'static str, value: f32) -> Result<f32, ShadingError> {
     within(parameter, value, [1e-6, 1e6])
 }
 
 /// A fraction or a strength: within [0, 1].
-pub(crate) fn as_share(parameter: &'static str, value: f32) -> Result<f32, ParameterError> {
+pub(crate) fn as_share(parameter: &'static str, value: f32) -> Result<f32, ShadingError> {
     within(parameter, value, [0.0, 1.0])
 }
 
 /// The roughness α of a lobe: within [0.01, 1].
-pub(crate) fn as_roughness(parameter: &'static str, value: f32) -> Result<f32, ParameterError> {
+pub(crate) fn as_roughness(parameter: &'static str, value: f32) -> Result<f32, ShadingError> {
     within(parameter, value, [0.01, 1.0])
 }
 
 /// Returns the value if it is finite and positive.
-pub(crate) fn positive(parameter: &'static str, value: f32) -> Result<f32, ParameterError> {
+pub(crate) fn positive(parameter: &'static str, value: f32) -> Result<f32, ShadingError> {
     if value > 0.0 && value.is_finite() {
         Ok(value)
     } else {
-        Err(ParameterError::NotPositive { parameter, value })
+        Err(ShadingError::NotPositive { parameter, value })
     }
 }
 
 /// Returns the value if it is finite and not negative.
-pub(crate) fn not_negative(parameter: &'static str, value: f32) -> Result<f32, ParameterError> {
+pub(crate) fn not_negative(parameter: &'static str, value: f32) -> Result<f32, ShadingError> {
     within(parameter, value, [0.0, f32::MAX])
 }
 
 /// Returns a color if every component is in `[0, 1]`.
-pub(crate) fn color(parameter: &'static str, value: Vec3) -> Result<Vec3, ParameterError> {
+pub(crate) fn color(parameter: &'static str, value: Vec3) -> Result<Vec3, ShadingError> {
     value.to_array().into_iter().try_for_each(|c| as_share(parameter, c).map(|_| ()))?;
     Ok(value)
 }
 
 /// The unit vector along a direction.
-pub(crate) fn direction(parameter: &'static str, value: Vec3) -> Result<Vec3, ParameterError> {
+pub(crate) fn direction(parameter: &'static str, value: Vec3) -> Result<Vec3, ShadingError> {
     // Scaled first, because squares of very large or small components leave the range of `f32`.
     let scale = value.abs().max_element();
     let unit = (value / scale).normalize_or_zero();
     if value.is_finite() && unit.is_finite() && unit != Vec3::ZERO {
         Ok(unit)
     } else {
-        Err(ParameterError::Direction { parameter, value })
+        Err(ShadingError::Direction { parameter, value })
     }
 }
 
 /// The unit vector along a direction in the plane.
-pub(crate) fn direction_in_plane(parameter: &'static str, value: Vec2) -> Result<Vec2, ParameterError> {
+pub(crate) fn direction_in_plane(parameter: &'static str, value: Vec2) -> Result<Vec2, ShadingError> {
     direction(parameter, value.extend(0.0)).map(Vec3::truncate)
 }
 
@@ -175,7 +138,9 @@ mod tests {
     #[test]
     fn errors_contain_the_parameter_and_its_value() {
         let refused = [
-            (as_share("a", 1.5), "`a` must be within [0, 1], got 1.5"),
+            (as_share("a", 1.5), "`a` must be between 0 and 1, got 1.5"),
+            (as_size("a", -1e-7), "`a` must be between 1e-6 and 1e6, got -1e-7"),
+            (not_negative("a", -0.5), "`a` must be finite and at least 0, got -0.5"),
             (positive("b", f32::NAN), "`b` must be finite and positive, got NaN"),
             (direction("c", Vec3::ZERO).map(|v| v.x), "`c` must be a finite, non-zero vector, got [0, 0, 0]"),
             (

@@ -10,7 +10,7 @@ use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise, Perlin};
 use asperity_shading::texture::{Bevel, Edge, Gas, PerturbedTexture, StarWallpaper, Steam, march};
 use asperity_shading::{
     Beckmann, Brick, BumpField, BumpMapped, Carpet, CarpetParameters, Footprint, Frame, Ggx,
-    LevelOfDetail, Marble, Material, MetallicPaint, MetallicPaintParameters, ParameterError, PixelEllipse,
+    LevelOfDetail, Marble, Material, MetallicPaint, MetallicPaintParameters, ShadingError, PixelEllipse,
     Scratches, ScratchesParameters, SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations,
     VariationsParameters,
 };
@@ -34,7 +34,7 @@ fn point(numbers: &mut Numbers<'_>) -> SurfacePoint {
 }
 
 /// Checks the invariants of every material.
-fn material<M: Material>(made: Result<M, ParameterError>, numbers: &mut Numbers<'_>) {
+fn material<M: Material>(made: Result<M, ShadingError>, numbers: &mut Numbers<'_>) {
     let material = match made {
         Ok(material) => material,
         Err(error) => return assert_eq!(error.to_string().lines().count(), 1),

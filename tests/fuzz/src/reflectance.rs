@@ -12,12 +12,12 @@ use asperity_shading::reflectance::{
     EnergyPreservingOrenNayar, Fresnel, Lambert, Masking, OrenNayar, OrenNayarVariant, Phong, RoughDielectric,
     Schlick, SchlickF82, TorranceSparrow, WardBrdf, WardNormalization,
 };
-use asperity_shading::{Beckmann, Footprint, Frame, Ggx, ParameterError, PixelEllipse, half_vector, reflect};
+use asperity_shading::{Beckmann, Footprint, Frame, Ggx, ShadingError, PixelEllipse, half_vector, reflect};
 
 use crate::numbers::Numbers;
 
 /// Checks the invariants of every reflectance.
-fn brdf<B: Brdf>(made: Result<B, ParameterError>, numbers: &mut Numbers<'_>) {
+fn brdf<B: Brdf>(made: Result<B, ShadingError>, numbers: &mut Numbers<'_>) {
     let brdf = match made {
         Ok(brdf) => brdf,
         Err(error) => return assert_eq!(error.to_string().lines().count(), 1),
@@ -50,7 +50,7 @@ fn color(numbers: &mut Numbers<'_>) -> Vec3 {
     if numbers.byte() < 230 { numbers.color() } else { numbers.vector() }
 }
 
-fn fresnel(made: Result<impl Fresnel, ParameterError>, numbers: &mut Numbers<'_>) {
+fn fresnel(made: Result<impl Fresnel, ShadingError>, numbers: &mut Numbers<'_>) {
     if let Ok(fresnel) = made {
         let share = fresnel.reflectance_rgb(numbers.float());
         assert!(share.cmpge(Vec3::ZERO).all() && share.cmple(Vec3::ONE).all(), "{share}");

@@ -10,7 +10,7 @@ use asperity_shading::reflectance::*;
 use asperity_shading::texture::{
     Bevel, Brick, Edge, Gas, Marble, PerturbedTexture, StarWallpaper, Steam, march,
 };
-use asperity_shading::{Beckmann, BumpField, Footprint, Frame, Ggx, ParameterError};
+use asperity_shading::{Beckmann, BumpField, Footprint, Frame, Ggx, ShadingError};
 use proptest::prelude::*;
 use proptest::sample::select;
 
@@ -401,7 +401,7 @@ proptest! {
 }
 
 /// Returns the name of the invalid parameter.
-fn refused<T>(constructed: Result<T, ParameterError>) -> Option<&'static str> {
+fn refused<T>(constructed: Result<T, ShadingError>) -> Option<&'static str> {
     constructed.err().map(|error| error.parameter())
 }
 
@@ -474,7 +474,7 @@ fn nan_and_negative_parameters_are_named() {
 
 /// Returns the name of the invalid parameter for modified default parameters.
 fn refused_of<P: Default, M>(
-    new: fn(P) -> Result<M, ParameterError>,
+    new: fn(P) -> Result<M, ShadingError>,
     change: fn(&mut P),
 ) -> Option<&'static str> {
     let mut parameters = P::default();

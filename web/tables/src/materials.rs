@@ -12,7 +12,7 @@ use asperity_shading::material::{
 };
 use asperity_shading::texture::{Gas, Steam};
 use asperity_shading::{
-    Brick, Carpet, CarpetParameters, Marble, MetallicPaint, MetallicPaintParameters, ParameterError,
+    Brick, Carpet, CarpetParameters, Marble, MetallicPaint, MetallicPaintParameters, ShadingError,
     Scratches, ScratchesParameters, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters,
 };
 
@@ -47,7 +47,7 @@ impl<'a> Turn<'a> {
     }
 }
 
-fn said(error: ParameterError) -> String {
+fn said(error: ShadingError) -> String {
     error.to_string()
 }
 
@@ -230,7 +230,7 @@ mod tests {
         let mut numbers = [20.0, 1e-4, 0.0, 1.0, 0.0, 0.0, 0.0, 1.52, 1.0, 1.0, 1.0, 0.0, 1.0];
         assert_eq!(glass(&numbers, &[]).map(|words| words[0]), Ok(16));
         numbers[7] = 0.5;
-        assert_eq!(glass(&numbers, &[]), Err("`index` must be within [1, 4], got 0.5".into()));
+        assert_eq!(glass(&numbers, &[]), Err("`index` must be between 1 and 4, got 0.5".into()));
     }
 
     #[test]

@@ -26,7 +26,7 @@ const SIDE: u8 = 16;
 /// let point = SurfacePoint::new(Vec3::new(0.3, 0.2, 0.0), Vec3::Z, Footprint::from_width(4e-3));
 /// let report = check::material(&carpet, &point, Settings { samples: 10_000, ..Settings::default() });
 /// assert!(report.passed(), "{report}");
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[must_use]
 pub fn material(material: &dyn Material, point: &SurfacePoint, settings: Settings) -> Report {

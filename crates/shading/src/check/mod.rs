@@ -10,7 +10,7 @@
 //! let report = check::brdf(&Lambert::new(Vec3::splat(0.8))?, Settings::default());
 //! println!("{report}");
 //! assert!(report.passed());
-//! # Ok::<(), asperity_shading::ParameterError>(())
+//! # Ok::<(), asperity_shading::ShadingError>(())
 //! ```
 //!
 //! The report, its settings and the integration cells are those of

@@ -5,7 +5,8 @@ use core::f32::consts::TAU;
 use glam::{Vec2, Vec3};
 
 use crate::environment::latitude_longitude::{ImagePosition, LatitudeLongitude, MAX_TEXELS};
-use crate::image::{ImageError, texel_count};
+use crate::error::ShadingError;
+use crate::image::texel_count;
 use crate::math::{cos, sin, sqrt};
 
 /// The largest `f32` below 1, to which `u = 1` is clamped, so that inversion ends inside the
@@ -15,7 +16,7 @@ const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
 /// The number of entries in the table of an image.
 ///
 /// They are the sums along each row, then the CDF over the strips between rows.
-pub(super) const fn table_len(width: usize, height: usize) -> Result<usize, ImageError> {
+pub(super) const fn table_len(width: usize, height: usize) -> Result<usize, ShadingError> {
     match texel_count(width, height, MAX_TEXELS) {
         Ok(texels) => Ok(texels + height + 1),
         Err(error) => Err(error),

@@ -11,7 +11,8 @@ use crate::environment::interface::{Environment, uniform_sphere};
 #[cfg(feature = "alloc")]
 use crate::environment::latitude_longitude::MAX_TEXELS;
 use crate::environment::latitude_longitude::{LatitudeLongitude, LatitudeLongitudeIn};
-use crate::image::ImageError;
+use crate::error::ShadingError;
+use crate::image::check_len;
 #[cfg(feature = "alloc")]
 use crate::image::texel_count;
 
@@ -51,7 +52,7 @@ pub struct EnvironmentIn<S, T> {
 /// let sky = EnvironmentMap::from_fn(64, 32, |w| Vec3::new(0.3, 0.5, 1.0) * w.z.max(0.1))?;
 /// assert!(sky.radiance(Vec3::Z).z > sky.radiance(Vec3::X).z);
 /// assert!(sky.pdf(sky.sample(Vec2::new(0.2, 0.7))) > 0.0);
-/// # Ok::<(), asperity_shading::ImageError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[doc(alias = "hdri")]
 #[doc(alias = "ibl")]
@@ -75,7 +76,7 @@ pub type EnvironmentMap = EnvironmentIn<Vec<Vec3>, Vec<f32>>;
 /// assert!(sky.radiance(towards_sun).x > 100.0);
 /// // The uniform density is 0.08 sr⁻¹.
 /// assert!(sky.pdf(towards_sun) > 1.0 && sky.pdf(Vec3::NEG_Z) < 0.001);
-/// # Ok::<(), asperity_shading::ImageError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 pub type EnvironmentRef<'a> = EnvironmentIn<&'a [Vec3], &'a [f32]>;
 
@@ -99,12 +100,9 @@ impl<'a> EnvironmentRef<'a> {
         height: usize,
         texels: &'a [Vec3],
         table: &'a mut [f32],
-    ) -> Result<Self, ImageError> {
+    ) -> Result<Self, ShadingError> {
         let image = LatitudeLongitude::new(width, height, texels)?;
-        let needed = table_len(width, height)?;
-        if table.len() != needed {
-            return Err(ImageError::TableMismatch { needed, len: table.len() });
-        }
+        check_len("table", table_len(width, height)?, table.len())?;
         let total = fill(image, table);
         Ok(Self { image, table, total })
     }
@@ -116,7 +114,7 @@ impl EnvironmentMap {
     ///
     /// # Errors
     /// See [`LatitudeLongitude::new`].
-    pub fn new(width: usize, height: usize, texels: Vec<Vec3>) -> Result<Self, ImageError> {
+    pub fn new(width: usize, height: usize, texels: Vec<Vec3>) -> Result<Self, ShadingError> {
         let image = LatitudeLongitudeIn::new(width, height, texels)?;
         let mut table = vec![0.0; table_len(width, height)?];
         let total = fill(image.view(), &mut table);
@@ -128,7 +126,11 @@ impl EnvironmentMap {
     ///
     /// # Errors
     /// See [`EnvironmentMap::new`].
-    pub fn from_fn(width: usize, height: usize, mut f: impl FnMut(Vec3) -> Vec3) -> Result<Self, ImageError> {
+    pub fn from_fn(
+        width: usize,
+        height: usize,
+        mut f: impl FnMut(Vec3) -> Vec3,
+    ) -> Result<Self, ShadingError> {
         let mut texels = Vec::with_capacity(texel_count(width, height, MAX_TEXELS)?);
         for (row, column) in (0..height).flat_map(|row| (0..width).map(move |column| (row, column))) {
             texels.push(f(LatitudeLongitude::direction(width, height, column, row)));
@@ -182,9 +184,11 @@ impl<S: Deref<Target = [Vec3]>, T: Deref<Target = [f32]>> Environment for Enviro
 
 #[cfg(test)]
 mod tests {
+    extern crate std;
     use super::*;
     use asperity_core::assert_abs_diff_eq;
     use core::f32::consts::FRAC_1_PI;
+    use std::string::ToString;
 
     #[test]
     fn black_image_is_sampled_uniformly() {
@@ -232,7 +236,7 @@ mod tests {
     fn new_rejects_a_table_of_wrong_length() {
         let texels = [Vec3::ONE; 8];
         let refused = EnvironmentRef::new(4, 2, &texels, &mut [0.0; 12]).unwrap_err();
-        assert_eq!(refused, ImageError::TableMismatch { needed: 11, len: 12 });
+        assert_eq!(refused.to_string(), "`table` must have 11 elements, got 12");
         assert_eq!(EnvironmentRef::table_len(0, 7), 0);
     }
 }

@@ -8,7 +8,8 @@ use core::ops::Deref;
 use glam::Vec3;
 
 use crate::environment::interface::{Environment, is_direction};
-use crate::image::{ImageError, check_texels, texel_count};
+use crate::error::ShadingError;
+use crate::image::{check_len, check_texels, texel_count};
 use crate::math::{atan2, cos, floor, sin, sqrt};
 
 /// The maximum number of texels of an image.
@@ -51,7 +52,7 @@ pub struct LatitudeLongitudeIn<S> {
 /// let image = LatitudeLongitude::new(1, 2, &texels)?;
 /// assert_eq!(image.radiance(Vec3::Z), Vec3::splat(3.0));
 /// assert!((image.radiance(Vec3::Y) - Vec3::splat(2.0)).length() < 1e-5);
-/// # Ok::<(), asperity_shading::ImageError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 pub type LatitudeLongitude<'a> = LatitudeLongitudeIn<&'a [Vec3]>;
 
@@ -91,15 +92,13 @@ impl<S: Deref<Target = [Vec3]>> LatitudeLongitudeIn<S> {
     /// Creates the image from these texels.
     ///
     /// # Errors
-    /// [`ImageError`] for an image without texels or with more than 2²⁸, a slice of another length,
+    /// [`ShadingError`] for an image without texels or with more than 2²⁸, a slice of another length,
     /// and the first texel with a channel that is negative, NaN or above 10³⁰.
-    pub fn new(width: usize, height: usize, texels: S) -> Result<Self, ImageError> {
-        let needed = texel_count(width, height, MAX_TEXELS)?;
-        check_texels([width, height], needed, texels.iter().copied(), BRIGHTEST)?;
-        let negative = |texel: &(usize, &Vec3)| texel.1.cmplt(Vec3::ZERO).any();
-        if let Some((index, &value)) = texels.iter().enumerate().find(negative) {
-            return Err(ImageError::Negative { index, value });
-        }
+    pub fn new(width: usize, height: usize, texels: S) -> Result<Self, ShadingError> {
+        check_len("texels", texel_count(width, height, MAX_TEXELS)?, texels.len())?;
+        check_texels("texels", texels.iter().copied(), "between 0 and 1e30 in each component", |texel| {
+            texel.cmpge(Vec3::ZERO).all() && texel.cmple(Vec3::splat(BRIGHTEST)).all()
+        })?;
         let mean = |row: Option<&[Vec3]>| {
             row.unwrap_or_default().iter().fold(Vec3::ZERO, |sum, texel| sum + *texel / width as f32)
         };
@@ -280,16 +279,19 @@ mod tests {
         let refused = |width, height, texels: &[Vec3]| {
             LatitudeLongitude::new(width, height, texels).unwrap_err().to_string()
         };
-        assert_eq!(refused(0, 4, &[]), "image must not be empty, got 0 × 4");
-        assert_eq!(refused(1 << 27, 4, &[]), "image must have at most 268435456 texels, got 134217728 × 4");
-        assert_eq!(refused(2, 2, &[Vec3::ONE; 3]), "number of texels must match the image of 2 × 2, got 3");
+        assert_eq!(refused(0, 4, &[]), "`width · height` must be between 1 and 268435456, got 0");
+        assert_eq!(
+            refused(1 << 27, 4, &[]),
+            "`width · height` must be between 1 and 268435456, got 536870912"
+        );
+        assert_eq!(refused(2, 2, &[Vec3::ONE; 3]), "`texels` must have 4 elements, got 3");
         assert_eq!(
             refused(1, 2, &[Vec3::ONE, Vec3::new(0.0, f32::NAN, 1.0)]),
-            "texel 1 must be at most 1e30 in each component, got [0, NaN, 1]"
+            "`texels[1]` must be between 0 and 1e30 in each component, got [0, NaN, 1]"
         );
         assert_eq!(
             refused(1, 1, &[Vec3::new(0.0, -0.5, 1.0)]),
-            "texel 0 must not be negative, got [0, -0.5, 1]"
+            "`texels[0]` must be between 0 and 1e30 in each component, got [0, -0.5, 1]"
         );
         assert!(LatitudeLongitude::new(1, 1, &[Vec3::splat(-0.0)]).is_ok());
     }

@@ -15,8 +15,9 @@ use crate::environment::latitude_longitude::LatitudeLongitudeIn;
 use crate::environment::low_discrepancy::low_discrepancy_points;
 use crate::environment::multiple_importance::weighted;
 use crate::environment::split_sum::SplitSum;
+use crate::error::ShadingError;
 use crate::math::clamp_to;
-use crate::parameter::{ParameterError, within};
+use crate::parameter::within;
 use crate::reflectance::brdf::mirrored_pdf;
 use crate::reflectance::{Brdf, BsdfSample};
 
@@ -180,9 +181,9 @@ impl<'a> PrefilteredRef<'a> {
     /// Creates the stack of these levels.
     ///
     /// # Errors
-    /// [`ParameterError`] unless there is at least one level and the roughness `alpha` is within
+    /// [`ShadingError`] unless there is at least one level and the roughness `alpha` is within
     /// [0, 1] and increases. An empty slice is reported as NaN.
-    pub fn new(levels: &'a [PrefilteredLevel<'a>]) -> Result<Self, ParameterError> {
+    pub fn new(levels: &'a [PrefilteredLevel<'a>]) -> Result<Self, ShadingError> {
         check_alphas(levels.iter().map(|level| level.alpha))?;
         Ok(Self { levels })
     }
@@ -198,13 +199,13 @@ impl PrefilteredMap {
     /// or those of the environment.
     ///
     /// # Errors
-    /// [`ParameterError`] unless there are levels of 1 to 8192 `rows` whose roughness `alpha` is
+    /// [`ShadingError`] unless there are levels of 1 to 8192 `rows` whose roughness `alpha` is
     /// within [0, 1] and increases.
     pub fn new<E: Environment + ?Sized>(
         environment: &E,
         levels: &[(f32, usize)],
         points: u32,
-    ) -> Result<Self, ParameterError> {
+    ) -> Result<Self, ShadingError> {
         check_alphas(levels.iter().map(|level| level.0))?;
         for &(_, rows) in levels {
             within("rows", rows as f32, [1.0, MAX_ROWS])?;
@@ -275,7 +276,7 @@ impl<S: Deref<Target = [Vec3]>, L: Deref<Target = [PrefilteredLevelIn<S>]>> Pref
 }
 
 /// Checks that the roughness increases.
-fn check_alphas(mut alphas: impl Iterator<Item = f32>) -> Result<(), ParameterError> {
+fn check_alphas(mut alphas: impl Iterator<Item = f32>) -> Result<(), ShadingError> {
     let first = within("alpha", alphas.next().unwrap_or(f32::NAN), [0.0, 1.0])?;
     alphas.try_fold(first, |last, alpha| within("alpha", alpha, [last.next_up(), 1.0])).map(|_| ())
 }

@@ -94,7 +94,7 @@ impl Carpet {
     ///
     /// let uniform = Carpet::new(CarpetParameters { roughness: 0.7, ..Default::default() })?.gpu(4);
     /// assert_eq!((uniform.roughness, uniform.threads.sum, uniform.crossover.sum), (0.7, 4, 7));
-    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// # Ok::<(), asperity_shading::ShadingError>(())
     /// ```
     #[must_use]
     pub fn gpu(&self, first: u32) -> CarpetUniform {

@@ -40,7 +40,7 @@ impl TemperedGlass {
     ///
     /// let uniform = TemperedGlass::new(TemperedGlassParameters::default())?.gpu(0);
     /// assert_eq!((uniform.direction[1], uniform.frequency), (1.0, 20.0));
-    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// # Ok::<(), asperity_shading::ShadingError>(())
     /// ```
     #[must_use]
     pub fn gpu(&self, sum: u32) -> TemperedGlassUniform {

@@ -29,7 +29,7 @@ impl FrequencyClamp {
     ///
     /// let clamp = FrequencyClamp::new(10.0, 2.0, 8.0)?.gpu();
     /// assert_eq!((clamp.frequency, clamp.log_lacunarity, clamp.max_octaves), (10.0, 1.0, 8.0));
-    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// # Ok::<(), asperity_shading::ShadingError>(())
     /// ```
     #[must_use]
     pub fn gpu(&self) -> FrequencyClampUniform {
@@ -137,7 +137,7 @@ impl<const K: usize> SlopePyramidRef<'_, K> {
     /// assert_eq!((uniform.width, uniform.height, uniform.last_level, uniform.groups), (4, 2, 2, 2));
     /// // Two centers, eight slopes, eleven texels of two lobes.
     /// assert_eq!(map.view().gpu_numbers().count(), 2 * 2 + 2 * 8 + 6 * 2 * 11);
-    /// # Ok::<(), asperity_shading::ImageError>(())
+    /// # Ok::<(), asperity_shading::ShadingError>(())
     /// ```
     #[must_use]
     pub fn gpu(&self) -> SlopePyramidUniform {

@@ -14,7 +14,7 @@
 //! let sums = FbmUniform3d::array(&carpet.gpu_sums());
 //! let uniform = carpet.gpu(0);
 //! assert_eq!(sums[uniform.threads.sum as usize].spectrum.max_octaves, uniform.threads.octaves);
-//! # Ok::<(), asperity_shading::ParameterError>(())
+//! # Ok::<(), asperity_shading::ShadingError>(())
 //! ```
 
 mod carpet;

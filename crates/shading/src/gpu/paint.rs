@@ -85,7 +85,7 @@ impl MetallicPaint {
     ///
     /// let uniform = MetallicPaint::new(MetallicPaintParameters::default())?.gpu(0);
     /// assert_eq!((uniform.per_unit, uniform.coat_index), (1.0 / 0.002, 1.5));
-    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// # Ok::<(), asperity_shading::ShadingError>(())
     /// ```
     #[must_use]
     pub fn gpu(&self, first: u32) -> MetallicPaintUniform {
@@ -125,7 +125,7 @@ impl MetallicPaint {
     /// let flakes = PaintFlakes::Counted { spacing: 2e-4, bin: 0.1 };
     /// let paint = MetallicPaint::new(MetallicPaintParameters { flakes, ..Default::default() })?;
     /// assert_eq!(paint.gpu_counted(0).map(|counted| counted.flakes.spacing), Some(2e-4));
-    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// # Ok::<(), asperity_shading::ShadingError>(())
     /// ```
     #[must_use]
     pub fn gpu_counted(&self, first: u32) -> Option<CountedFlakesUniform> {

@@ -33,7 +33,7 @@ impl Coat {
     ///
     /// let varnish = Coat::clearcoat(Dielectric::new(1.5)?).rough(0.1).gpu();
     /// assert_eq!((varnish.normal[2], varnish.roughness, varnish.index), (1.0, 0.1, 1.5));
-    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// # Ok::<(), asperity_shading::ShadingError>(())
     /// ```
     #[must_use]
     pub fn gpu(&self) -> CoatUniform {

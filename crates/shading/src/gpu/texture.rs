@@ -24,7 +24,7 @@ impl Brick {
     ///
     /// let wall = Brick::new(0.2, 0.1, 0.05)?.gpu();
     /// assert_eq!((wall.cell, wall.margin), ([0.25, 0.15], [0.1, 0.025 / 0.15]));
-    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// # Ok::<(), asperity_shading::ShadingError>(())
     /// ```
     #[must_use]
     pub fn gpu(&self) -> BrickUniform {

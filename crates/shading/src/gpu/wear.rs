@@ -35,7 +35,7 @@ impl Scratches {
     ///
     /// let uniform = Scratches::new(ScratchesParameters::default())?.gpu();
     /// assert_eq!((uniform.segments.cell, uniform.strength), (0.05, 0.5));
-    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// # Ok::<(), asperity_shading::ShadingError>(())
     /// ```
     #[must_use]
     pub fn gpu(&self) -> ScratchesUniform {
@@ -95,7 +95,7 @@ impl Variations {
     ///
     /// let uniform = Variations::new(VariationsParameters::default())?.gpu(3);
     /// assert_eq!((uniform.blemishes.sum, uniform.dents.sum), (3, 4));
-    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// # Ok::<(), asperity_shading::ShadingError>(())
     /// ```
     #[must_use]
     pub fn gpu(&self, first: u32) -> VariationsUniform {

@@ -2,8 +2,8 @@
 
 use glam::Vec3;
 
+use crate::error::ShadingError;
 use crate::level_of_detail::gaussian_field::{GaussianField, ResolvedBumps};
-use crate::parameter::ParameterError;
 use crate::pixel::{Footprint, FrequencyClamp};
 
 /// A Gaussian field in space with a given size of bumps.
@@ -19,9 +19,9 @@ impl<F: GaussianField> BumpField<F> {
     /// Lacunarity and maximum octave count are those of the field.
     ///
     /// # Errors
-    /// [`ParameterError`] unless `frequency` is finite and positive; also if the lacunarity or
+    /// [`ShadingError`] unless `frequency` is finite and positive; also if the lacunarity or
     /// octave count of the field is invalid.
-    pub fn new(field: F, frequency: f32) -> Result<Self, ParameterError> {
+    pub fn new(field: F, frequency: f32) -> Result<Self, ShadingError> {
         let clamp = FrequencyClamp::new(frequency, field.lacunarity(), field.max_octaves())?;
         Ok(Self { field, clamp })
     }

@@ -5,7 +5,8 @@ use asperity_noise::{
 };
 use glam::Vec3;
 
-use crate::parameter::{ParameterError, within};
+use crate::error::ShadingError;
+use crate::parameter::within;
 use crate::pixel::Footprint;
 
 /// The variance of each component of ∇N of one octave, per cell squared: measured over 1.6·10⁷
@@ -20,14 +21,14 @@ pub(crate) fn spectrum(
     parameter: &'static str,
     [lacunarity, gain]: [f32; 2],
     detail: u32,
-) -> Result<FbmSpectrum, ParameterError> {
+) -> Result<FbmSpectrum, ShadingError> {
     // Octaves are few, so the cast is exact; invalid counts are rejected anyway.
     let value = within(parameter, detail as f32, DETAIL)?;
-    FbmSpectrum::new(lacunarity, gain, detail).map_err(|_: NoiseError| ParameterError::Outside {
+    FbmSpectrum::new(lacunarity, gain, detail).map_err(|_: NoiseError| ShadingError::OutOfRange {
         parameter,
         value,
-        least: DETAIL[0],
-        most: DETAIL[1],
+        min: DETAIL[0],
+        max: DETAIL[1],
     })
 }
 

@@ -3,11 +3,12 @@
 use glam::Vec3;
 
 use crate::bump::{bumped_normal, project_to_tangent_plane};
+use crate::error::ShadingError;
 use crate::material::fbm::{SLOPE_VARIANCE, SizedFbm};
 use crate::material::interface::Material;
 use crate::material::surface_point::SurfacePoint;
 use crate::math::{cos, sin, sqrt};
-use crate::parameter::{ParameterError, as_share, as_size, color, direction, parameters, range};
+use crate::parameter::{as_share, as_size, color, direction, parameters, range};
 use crate::reflectance::coat::Slopes;
 use crate::reflectance::{Bsdf, Coat, Dielectric};
 
@@ -83,7 +84,7 @@ parameters! {
 /// let bsdf = glass.bsdf(&point, Vec3::Z);
 /// let [mirrored, through] = bsdf.specular_samples(Vec3::Z, Vec2::ZERO).map(Option::unwrap);
 /// assert!((mirrored.wi.y + 2.0 * 0.002).abs() < 1e-5 && through.wi == Vec3::NEG_Z);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TemperedGlass {
@@ -130,9 +131,9 @@ impl TemperedGlass {
     /// Creates the glass of these parameters.
     ///
     /// # Errors
-    /// [`ParameterError`] with the first parameter that is out of its range, or for a
+    /// [`ShadingError`] with the first parameter that is out of its range, or for a
     /// `wave_propagation_vector` that is zero or not finite.
-    pub fn new(parameters: TemperedGlassParameters) -> Result<Self, ParameterError> {
+    pub fn new(parameters: TemperedGlassParameters) -> Result<Self, ShadingError> {
         parameters.check()?;
         let p = &parameters;
         let direction = direction("wave_propagation_vector", p.wave_propagation_vector)?;

@@ -6,7 +6,8 @@ use core::ops::Deref;
 
 use glam::{Vec2, Vec3};
 
-use crate::image::{ImageError, check_texels, texel_count};
+use crate::error::ShadingError;
+use crate::image::{check_len, check_texels, texel_count};
 #[cfg(feature = "alloc")]
 use crate::math::sqrt;
 use crate::math::{floor, log2};
@@ -108,7 +109,7 @@ pub type SlopePyramid<const K: usize> = SlopePyramidIn<Vec<Vec2>, Vec<SlopeLobes
 /// assert!(far.moments().mean.x.abs() < 1e-6 && far.moments().covariance[0] > 0.1);
 /// // Both sides are preserved as separate lobes.
 /// assert!(far.lobes().iter().all(|side| side.weight == 0.5 && side.moments.mean.x.abs() > 0.25));
-/// # Ok::<(), asperity_shading::ImageError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 pub type SlopePyramidRef<'a, const K: usize> = SlopePyramidIn<&'a [Vec2], &'a [SlopeLobes<K>], K>;
 
@@ -125,19 +126,16 @@ impl<'a, const K: usize> SlopePyramidRef<'a, K> {
     /// Creates the map of these slopes and fills `lobes`.
     ///
     /// # Errors
-    /// [`ImageError`] for a map without texels or with more than 2²⁶, slices of another length, and
+    /// [`ShadingError`] for a map without texels or with more than 2²⁶, slices of another length, and
     /// the first slope with a coordinate that is not finite or beyond 10⁶.
     pub fn new(
         width: usize,
         height: usize,
         slopes: &'a [Vec2],
         lobes: &'a mut [SlopeLobes<K>],
-    ) -> Result<Self, ImageError> {
+    ) -> Result<Self, ShadingError> {
         check_slopes(width, height, slopes)?;
-        let needed = Self::lobes_len(width, height);
-        if lobes.len() != needed {
-            return Err(ImageError::TableMismatch { needed, len: lobes.len() });
-        }
+        check_len("lobes", Self::lobes_len(width, height), lobes.len())?;
         let (size, centers) = ([width, height], centers([width, height], slopes));
         fill(size, slopes, &centers, lobes);
         Ok(Self { size, slopes, centers, lobes })
@@ -150,7 +148,7 @@ impl<const K: usize> SlopePyramid<K> {
     ///
     /// # Errors
     /// See [`SlopePyramidRef::new`].
-    pub fn new(width: usize, height: usize, slopes: Vec<Vec2>) -> Result<Self, ImageError> {
+    pub fn new(width: usize, height: usize, slopes: Vec<Vec2>) -> Result<Self, ShadingError> {
         check_slopes(width, height, &slopes)?;
         let mut lobes = vec![SlopeLobes::default(); SlopePyramidRef::<K>::lobes_len(width, height)];
         let (size, centers) = ([width, height], centers([width, height], &slopes));
@@ -162,12 +160,13 @@ impl<const K: usize> SlopePyramid<K> {
     ///
     /// # Errors
     /// See [`SlopePyramidRef::new`]; also the first normal with `n.z < 0`, zero, or NaN.
-    pub fn from_normals(width: usize, height: usize, normals: &[Vec3]) -> Result<Self, ImageError> {
+    pub fn from_normals(width: usize, height: usize, normals: &[Vec3]) -> Result<Self, ShadingError> {
+        check_len("normals", texel_count(width, height, MAX_TEXELS)?, normals.len())?;
+        check_texels("normals", normals.iter().copied(), "a normal above the horizon", |n| {
+            n.is_finite() && n.z >= 0.0 && n != Vec3::ZERO
+        })?;
         let mut slopes = Vec::with_capacity(normals.len());
-        for (index, &n) in normals.iter().enumerate() {
-            if !(n.is_finite() && n.z >= 0.0 && n != Vec3::ZERO) {
-                return Err(ImageError::Normal { index, value: n });
-            }
+        for &n in normals {
             let slope = Vec2::new(n.x, n.y) / n.z.max(f32::MIN_POSITIVE);
             // Divided by the larger coordinate first, because the square of a slope on the horizon
             // overflows `f32`.
@@ -270,16 +269,21 @@ const MAX_TEXELS: usize = 1 << 26;
 const FARTHEST: f32 = 1e6;
 
 /// Returns an error for a wrong number of slopes, or for the first invalid slope.
-fn check_slopes(width: usize, height: usize, slopes: &[Vec2]) -> Result<(), ImageError> {
-    let needed = texel_count(width, height, MAX_TEXELS)?;
-    check_texels([width, height], needed, slopes.iter().map(|slope| slope.extend(0.0)), FARTHEST)
+fn check_slopes(width: usize, height: usize, slopes: &[Vec2]) -> Result<(), ShadingError> {
+    check_len("slopes", texel_count(width, height, MAX_TEXELS)?, slopes.len())?;
+    let texels = slopes.iter().map(|slope| slope.extend(0.0));
+    check_texels("slopes", texels, "between -1e6 and 1e6 in each component", |slope| {
+        slope.abs().cmple(Vec3::splat(FARTHEST)).all()
+    })
 }
 
 #[cfg(test)]
 mod tests {
+    extern crate std;
     use super::*;
     use crate::normal_map::slope_moments::SlopeMoments;
     use asperity_core::assert_abs_diff_eq;
+    use std::{format, string::ToString};
 
     const SIZE: usize = 16;
 
@@ -345,23 +349,24 @@ mod tests {
                 < 1e-6
         );
         let refused = SlopePyramidRef::<1>::new(1, 1, &[Vec2::ONE], &mut []).unwrap_err();
-        assert_eq!(refused, ImageError::TableMismatch { needed: 1, len: 0 });
+        assert_eq!(refused.to_string(), "`lobes` must have 1 elements, got 0");
     }
 
     #[test]
     fn new_rejects_invalid_maps() {
-        let refused = |width, height, slopes| SlopePyramidRef::<1>::new(width, height, slopes, &mut []);
-        assert_eq!(refused(0, 4, &[]), Err(ImageError::Empty { width: 0, height: 4 }));
-        let most = MAX_TEXELS;
+        let refused = |width, height, slopes| {
+            SlopePyramidRef::<1>::new(width, height, slopes, &mut []).unwrap_err().to_string()
+        };
+        assert_eq!(refused(0, 4, &[]), "`width · height` must be between 1 and 67108864, got 0");
         assert_eq!(
             refused(usize::MAX, 2, &[]),
-            Err(ImageError::TooLarge { width: usize::MAX, height: 2, most })
+            format!("`width · height` must be between 1 and 67108864, got {}", usize::MAX)
         );
+        assert_eq!(refused(2, 2, &[Vec2::ONE; 3]), "`slopes` must have 4 elements, got 3");
         assert_eq!(
-            refused(2, 2, &[Vec2::ONE; 3]),
-            Err(ImageError::SizeMismatch { width: 2, height: 2, len: 3 })
+            refused(1, 2, &[Vec2::ONE, Vec2::NAN]),
+            "`slopes[1]` must be between -1e6 and 1e6 in each component, got [NaN, NaN, 0]"
         );
-        assert!(matches!(refused(1, 2, &[Vec2::ONE, Vec2::NAN]), Err(ImageError::TooFar { index: 1, .. })));
     }
 
     #[test]
@@ -376,7 +381,8 @@ mod tests {
         }
         for bad in [Vec3::ZERO, Vec3::NEG_Z, Vec3::NAN, Vec3::INFINITY] {
             let refused = SlopePyramid::<2>::from_normals(1, 2, &[Vec3::Z, bad]).unwrap_err();
-            assert!(matches!(refused, ImageError::Normal { index: 1, .. }), "{refused}");
+            let message = format!("`normals[1]` must be a normal above the horizon, got {bad}");
+            assert_eq!(refused.to_string(), message);
         }
         assert!(SlopePyramid::<2>::from_normals(3, 1, &[Vec3::Z]).is_err());
     }

@@ -1,7 +1,8 @@
 //! Frequency clamping: the number of octaves that a pixel resolves.
 
+use crate::error::ShadingError;
 use crate::math::{clamp_to, exp2, log2};
-use crate::parameter::{ParameterError, not_negative, positive, within};
+use crate::parameter::{not_negative, positive, within};
 use crate::pixel::footprint::Footprint;
 
 /// The real number of octaves that a pixel resolves, none above its Nyquist frequency.
@@ -28,7 +29,7 @@ use crate::pixel::footprint::Footprint;
 /// assert_eq!(clamp.octaves(Footprint::from_width(0.05)), 0.0);
 /// assert_eq!(clamp.octaves(Footprint::from_width(0.05 / 8.0)), 3.0);
 /// assert_eq!(clamp.octaves(Footprint::from_width(0.0)), 8.0);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrequencyClamp {
@@ -46,9 +47,9 @@ impl FrequencyClamp {
     /// `frequency` is in lattice cells per unit of the surface positions.
     ///
     /// # Errors
-    /// [`ParameterError`] unless all are finite, `frequency` positive, `lacunarity` more than 1,
+    /// [`ShadingError`] unless all are finite, `frequency` positive, `lacunarity` more than 1,
     /// and `max_octaves` not negative.
-    pub fn new(frequency: f32, lacunarity: f32, max_octaves: f32) -> Result<Self, ParameterError> {
+    pub fn new(frequency: f32, lacunarity: f32, max_octaves: f32) -> Result<Self, ShadingError> {
         positive("frequency", frequency)?;
         // 1 is invalid, because the logarithm is a divisor.
         within("lacunarity", lacunarity, [1.0_f32.next_up(), f32::MAX])?;

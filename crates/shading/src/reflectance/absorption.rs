@@ -2,8 +2,9 @@
 
 use glam::Vec3;
 
+use crate::error::ShadingError;
 use crate::math::{clamp_to, exp, log2, pow, sqrt};
-use crate::parameter::{ParameterError, color, not_negative, positive};
+use crate::parameter::{color, not_negative, positive};
 
 /// Absorption coefficient `σ_a` of a medium, with the Beer–Lambert law.
 ///
@@ -22,7 +23,7 @@ use crate::parameter::{ParameterError, color, not_negative, positive};
 /// let glass = Absorption::of_color(color, 2.0)?;
 /// assert!((glass.transmittance(2.0) - color).length() < 1e-6);
 /// assert!((glass.transmittance(4.0) - color * color).length() < 1e-6);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 ///
 /// Beer 1852, *Bestimmung der Absorption des rothen Lichts in farbigen Flüssigkeiten*; Pharr,
@@ -45,8 +46,8 @@ impl Absorption {
     /// Creates the medium with this coefficient.
     ///
     /// # Errors
-    /// [`ParameterError::Outside`] unless every component is finite and at least 0.
-    pub fn new(coefficient: Vec3) -> Result<Self, ParameterError> {
+    /// [`ShadingError::OutOfRange`] unless every component is finite and at least 0.
+    pub fn new(coefficient: Vec3) -> Result<Self, ShadingError> {
         coefficient.to_array().into_iter().try_for_each(|c| not_negative("coefficient", c).map(|_| ()))?;
         Ok(Self { coefficient })
     }
@@ -54,9 +55,9 @@ impl Absorption {
     /// Creates the medium with this transmittance over this distance; clamped to at least 10⁻⁶.
     ///
     /// # Errors
-    /// [`ParameterError`] unless every component is within `[0, 1]` and the distance finite and
+    /// [`ShadingError`] unless every component is within `[0, 1]` and the distance finite and
     /// positive.
-    pub fn of_color(transmittance: Vec3, distance: f32) -> Result<Self, ParameterError> {
+    pub fn of_color(transmittance: Vec3, distance: f32) -> Result<Self, ShadingError> {
         let (share, distance) = (color("transmittance", transmittance)?, positive("distance", distance)?);
         let depth = share.max(Vec3::splat(BLACK)).map(log2) * -core::f32::consts::LN_2;
         Ok(Self { coefficient: (depth / distance).clamp(Vec3::ZERO, Vec3::MAX) })

@@ -37,7 +37,7 @@ use crate::math::{clamp_to, cos, sin, sqrt};
 /// let sample = chalk.sample(wo, 0.5, Vec2::new(0.3, 0.7)).unwrap();
 /// assert_eq!(sample.pdf, chalk.pdf(wo, sample.wi));
 /// assert!((sample.weight() - Vec3::splat(0.8)).length() < 1e-6);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[doc(alias = "brdf")]
 #[doc(alias = "reflectance")]

@@ -57,7 +57,7 @@ const LAYERS: usize = 4;
 /// let low = Vec3::new(0.96, 0.0, 0.28);
 /// assert!(bumpy.eval(Vec3::Z, Vec3::Z).x < chalk.eval(Vec3::Z, Vec3::Z).x);
 /// assert!(bumpy.eval(Vec3::Z, low).x > chalk.eval(Vec3::Z, low).x);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 ///
 /// [`SurfacePoint::frame`]: crate::SurfacePoint::frame
@@ -253,7 +253,7 @@ impl<'a> Bsdf<'a> {
     /// assert_eq!((first.wi, last.wi), (Vec3::new(-0.6, 0.0, 0.8), -wo));
     /// assert!(first.is_specular() && last.is_transmission());
     /// assert!((first.weight() - Vec3::ONE).length() < 1e-6);
-    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// # Ok::<(), asperity_shading::ShadingError>(())
     /// ```
     #[must_use]
     pub fn sample(&self, wo: Vec3, uc: f32, u: Vec2) -> Option<BsdfSample> {
@@ -274,7 +274,7 @@ impl<'a> Bsdf<'a> {
     /// let [mirrored, refracted] = glass.specular_samples(Vec3::Z, Vec2::ZERO).map(Option::unwrap);
     /// assert!((mirrored.pdf + refracted.pdf - 1.0).abs() < 1e-6);
     /// assert!((mirrored.eval_cos.x - 0.04).abs() < 1e-6 && refracted.wi == Vec3::NEG_Z);
-    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// # Ok::<(), asperity_shading::ShadingError>(())
     /// ```
     #[must_use]
     pub fn specular_samples(&self, wo: Vec3, u: Vec2) -> [Option<BsdfSample>; 2] {

@@ -32,7 +32,7 @@ use crate::reflectance::rough_dielectric::RoughDielectric;
 /// let chalk = Lambert::new(Vec3::splat(0.8))?;
 /// let half = Lobe::from(&chalk as &dyn Brdf).weighted(Vec3::splat(0.5));
 /// assert_eq!(half.eval(Vec3::Z, Vec3::Z), 0.5 * chalk.eval(Vec3::Z, Vec3::Z));
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[derive(Clone, Copy)]
 pub struct Lobe<'a> {

@@ -5,8 +5,9 @@ use core::f32::consts::{FRAC_1_PI, TAU};
 use glam::{Vec2, Vec3};
 
 use crate::direction::reflect;
+use crate::error::ShadingError;
 use crate::math::{clamp_to, cos, exp, exp2, ln_1p, pow, sin, sqrt};
-use crate::parameter::{ParameterError, color, within};
+use crate::parameter::{color, within};
 use crate::reflectance::brdf::{Brdf, BsdfSample, are_above, finite, mirrored_pdf};
 
 /// The normalized Phong lobe around the mirrored direction.
@@ -30,7 +31,7 @@ use crate::reflectance::brdf::{Brdf, BsdfSample, are_above, finite, mirrored_pdf
 /// let lacquer = Phong::new(Vec3::splat(0.3), 60.0)?;
 /// let wo = Vec3::new(0.6, 0.0, 0.8);
 /// assert!(lacquer.eval(wo, Vec3::new(-0.6, 0.0, 0.8)).x > 100.0 * lacquer.eval(wo, Vec3::Z).x);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Phong {
@@ -45,9 +46,9 @@ impl Phong {
     /// Creates the lobe of this color and exponent.
     ///
     /// # Errors
-    /// [`ParameterError`] unless every component is within `[0, 1]` and the exponent within `[0,
+    /// [`ShadingError`] unless every component is within `[0, 1]` and the exponent within `[0,
     /// 10⁶]`.
-    pub fn new(specular: Vec3, exponent: f32) -> Result<Self, ParameterError> {
+    pub fn new(specular: Vec3, exponent: f32) -> Result<Self, ShadingError> {
         let specular = color("specular", specular)?;
         Ok(Self { specular, exponent: within("exponent", exponent, [0.0, MAX_EXPONENT])? })
     }
@@ -122,7 +123,7 @@ pub enum BlinnPhongNormalization {
 ///
 /// let gloss = BlinnPhongBrdf::new(Vec3::splat(0.5), 40.0, BlinnPhongNormalization::Albedo)?;
 /// assert!(gloss.eval(Vec3::Z, Vec3::Z).x > gloss.eval(Vec3::Z, Vec3::new(0.6, 0.0, 0.8)).x);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BlinnPhongBrdf {
@@ -135,16 +136,12 @@ impl BlinnPhongBrdf {
     /// Creates the lobe of this color and exponent, with this factor.
     ///
     /// # Errors
-    /// [`ParameterError`] unless every component is within `[0, 1]`, and for an exponent that is
+    /// [`ShadingError`] unless every component is within `[0, 1]`, and for an exponent that is
     /// invalid in [`BlinnPhong::new`].
-    pub fn new(
-        specular: Vec3,
-        exponent: f32,
-        factor: BlinnPhongNormalization,
-    ) -> Result<Self, ParameterError> {
+    pub fn new(specular: Vec3, exponent: f32, factor: BlinnPhongNormalization) -> Result<Self, ShadingError> {
         let specular = color("specular", specular)?;
         let density = BlinnPhong::new(within("exponent", exponent, [0.0, MAX_EXPONENT])?)
-            .map_err(|_| ParameterError::NotPositive { parameter: "exponent", value: exponent })?;
+            .map_err(|_| ShadingError::NotPositive { parameter: "exponent", value: exponent })?;
         let n = exponent;
         let factor = match factor {
             BlinnPhongNormalization::Albedo => (n + 2.0) * (n + 4.0) / (exp2(-0.5 * n) + n),

@@ -5,8 +5,9 @@ use core::f32::consts::FRAC_1_PI;
 use glam::{Vec2, Vec3};
 
 use crate::direction::reflect;
+use crate::error::ShadingError;
 use crate::math::{exp, sqrt};
-use crate::parameter::{ParameterError, color, within};
+use crate::parameter::{color, within};
 use crate::reflectance::brdf::{Brdf, BsdfSample, are_above, finite, mirrored_pdf};
 
 /// The denominator of a [`WardBrdf`].
@@ -52,7 +53,7 @@ pub enum WardNormalization {
 /// // The highlight is elongated along y.
 /// let along = brushed.eval(Vec3::Z, Vec3::new(0.0, 0.28, 0.96));
 /// assert!(along.x > 5.0 * brushed.eval(Vec3::Z, Vec3::new(0.28, 0.0, 0.96)).x);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WardBrdf {
@@ -65,14 +66,14 @@ impl WardBrdf {
     /// Creates the BRDF of this color and these roughnesses.
     ///
     /// # Errors
-    /// [`ParameterError`] unless every component is within `[0, 1]`, and for a roughness that is
+    /// [`ShadingError`] unless every component is within `[0, 1]`, and for a roughness that is
     /// invalid in [`Beckmann::new`].
     pub fn new(
         specular: Vec3,
         alpha_x: f32,
         alpha_y: f32,
         form: WardNormalization,
-    ) -> Result<Self, ParameterError> {
+    ) -> Result<Self, ShadingError> {
         let specular = color("specular", specular)?;
         let alpha = |parameter, value| within(parameter, value, [MIN_ALPHA, MAX_ALPHA]);
         let slopes = Beckmann::new_clamped(alpha("alpha_x", alpha_x)?, alpha("alpha_y", alpha_y)?);

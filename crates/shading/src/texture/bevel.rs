@@ -3,8 +3,9 @@
 use glam::{Vec2, Vec3};
 
 use crate::direction;
+use crate::error::ShadingError;
 use crate::math::sqrt;
-use crate::parameter::{ParameterError, positive, within};
+use crate::parameter::{positive, within};
 
 /// The profile of a ridge along an edge: a plateau next to the edge, then a flank down to the face.
 ///
@@ -35,7 +36,7 @@ use crate::parameter::{ParameterError, positive, within};
 /// let [height, slope] = bevel.profile(edge.distance);
 /// // Halfway down the flank, which descends away from the edge below.
 /// assert!((slope + 0.5).abs() < 1e-6 && height > 0.0 && edge.away == Vec2::Y);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bevel {
@@ -50,9 +51,9 @@ impl Bevel {
     /// flank.
     ///
     /// # Errors
-    /// [`ParameterError`] unless `0 ≤ plateau < ridge`, all four are finite, and no slope is beyond
+    /// [`ShadingError`] unless `0 ≤ plateau < ridge`, all four are finite, and no slope is beyond
     /// `f32::MAX/(4 max(1, ridge))`: heights are finite.
-    pub fn new(plateau: f32, ridge: f32, top: f32, bottom: f32) -> Result<Self, ParameterError> {
+    pub fn new(plateau: f32, ridge: f32, top: f32, bottom: f32) -> Result<Self, ShadingError> {
         // A plateau as wide as the ridge leaves no flank.
         within("plateau", plateau, [0.0, positive("ridge", ridge)?.next_down()])?;
         // Sums of two slopes, and their products with a width, stay in range.
@@ -122,7 +123,7 @@ impl Bevel {
     /// // The mean slope is the decrease of the height over the interval.
     /// let fall = (bevel.profile(0.2)[0] - bevel.profile(0.0)[0]) / 0.2;
     /// assert!((shares - 1.0_f32).abs() < 1e-6 && (slope - fall).abs() < 1e-6);
-    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// # Ok::<(), asperity_shading::ShadingError>(())
     /// ```
     pub fn facets(&self, low: f32, high: f32, mut visit: impl FnMut(f32, f32)) {
         let width = high - low;

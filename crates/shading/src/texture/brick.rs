@@ -2,8 +2,9 @@
 
 use glam::Vec2;
 
+use crate::error::ShadingError;
 use crate::math::{clamp_to, floor};
-use crate::parameter::{ParameterError, not_negative, positive, within};
+use crate::parameter::{not_negative, positive, within};
 use crate::pixel::PixelEllipse;
 
 /// Bricks in running bond: every other row is shifted by half a brick.
@@ -64,10 +65,10 @@ impl Brick {
     /// Creates bricks of this width and height, with mortar of this thickness between them.
     ///
     /// # Errors
-    /// [`ParameterError`] unless all are finite, width and height at least 10⁻³⁰ and the mortar at
+    /// [`ShadingError`] unless all are finite, width and height at least 10⁻³⁰ and the mortar at
     /// least 0. Mortar thinner than 10⁻³⁰, or than twice this fraction of a brick, is ignored, so
     /// that all slopes are finite.
-    pub fn new(width: f32, height: f32, mortar: f32) -> Result<Self, ParameterError> {
+    pub fn new(width: f32, height: f32, mortar: f32) -> Result<Self, ShadingError> {
         let side = |parameter, side| within(parameter, positive(parameter, side)?, [THINNEST, f32::MAX]);
         let present = |mortar: f32| if mortar < THINNEST { 0.0 } else { mortar };
         let mortar = present(not_negative("mortar", mortar)?);

@@ -3,8 +3,9 @@
 use asperity_noise::{Fbm, FbmSpectrum, Field, Normalization, Perlin, Turbulence};
 use glam::Vec3;
 
+use crate::error::ShadingError;
 use crate::math::{clamp_to, exp, floor, pow, sin, sqrt};
-use crate::parameter::{ParameterError, positive};
+use crate::parameter::positive;
 use crate::pixel::Footprint;
 
 /// Gas: turbulence raised to a power.
@@ -52,13 +53,13 @@ impl<K: Field<Vec3>> Gas<K> {
     /// Creates gas from the first `octaves` octaves of a turbulence.
     ///
     /// # Errors
-    /// [`ParameterError`] unless `max_density` and `exponent` are finite and positive.
+    /// [`ShadingError`] unless `max_density` and `exponent` are finite and positive.
     pub fn new(
         turbulence: Fbm<K, Vec3, Turbulence>,
         octaves: f32,
         max_density: f32,
         exponent: f32,
-    ) -> Result<Self, ParameterError> {
+    ) -> Result<Self, ShadingError> {
         positive("max_density", max_density)?;
         positive("exponent", exponent)?;
         let turbulence = turbulence.with_octaves(octaves);
@@ -158,7 +159,7 @@ impl<K: Field<Vec3>> Gas<K> {
 /// let steam = Steam::new(Vec3::new(0.0, 0.0, 0.8), 0.5, 1.5)?;
 /// assert_eq!(steam.share(Vec3::new(0.0, 0.0, 0.8)), 1.0);
 /// assert_eq!(steam.share(Vec3::new(0.6, 0.0, 1.0)), 0.0);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Steam {
@@ -171,8 +172,8 @@ impl Steam {
     /// Creates steam over a surface of tea with this center; z points up.
     ///
     /// # Errors
-    /// [`ParameterError`] unless radius and height are finite and positive.
-    pub fn new(center: Vec3, radius: f32, height: f32) -> Result<Self, ParameterError> {
+    /// [`ShadingError`] unless radius and height are finite and positive.
+    pub fn new(center: Vec3, radius: f32, height: f32) -> Result<Self, ShadingError> {
         Ok(Self { center, radius: positive("radius", radius)?, height: positive("height", height)? })
     }
 
@@ -191,7 +192,7 @@ impl Steam {
     /// assert_eq!(steam.interval(Vec3::new(-3.0, 0.0, 1.0), Vec3::X), [2.5, 3.5]);
     /// let [near, far] = steam.interval(Vec3::new(-3.0, 0.0, 2.5), Vec3::X);
     /// assert!(near > far);
-    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// # Ok::<(), asperity_shading::ShadingError>(())
     /// ```
     #[must_use]
     pub fn interval(&self, origin: Vec3, direction: Vec3) -> [f32; 2] {

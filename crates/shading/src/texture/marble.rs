@@ -3,8 +3,9 @@
 use asperity_noise::{Field, Noise, Perlin, filtered_fraction};
 use glam::Vec3;
 
+use crate::error::ShadingError;
 use crate::math::sqrt;
-use crate::parameter::{ParameterError, positive};
+use crate::parameter::positive;
 use crate::pixel::Footprint;
 
 /// Marble: the sum of a few octaves of noise selects a color from a spline.
@@ -83,8 +84,8 @@ impl<N: Noise + Field<Vec3> + Clone> Marble<N> {
     /// octave per unit.
     ///
     /// # Errors
-    /// [`ParameterError`] unless the scale is finite and positive.
-    pub fn new(noise: N, scale: f32, seed: u32) -> Result<Self, ParameterError> {
+    /// [`ShadingError`] unless the scale is finite and positive.
+    pub fn new(noise: N, scale: f32, seed: u32) -> Result<Self, ShadingError> {
         Ok(Self { noise, scale: positive("scale", scale)?, seed })
     }
 

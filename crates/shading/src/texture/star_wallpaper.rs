@@ -4,8 +4,9 @@ use asperity_noise::{Field, Perlin, WhiteNoise, filtered_fraction};
 use core::f32::consts::{PI, TAU};
 use glam::Vec2;
 
+use crate::error::ShadingError;
 use crate::math::{atan2, cos, sin, sqrt};
-use crate::parameter::{ParameterError, as_share, positive, within};
+use crate::parameter::{as_share, positive, within};
 use crate::pixel::Footprint;
 
 /// Stars scattered over a grid of cells.
@@ -64,7 +65,7 @@ impl StarWallpaper {
     /// There are `cells` cells per unit.
     ///
     /// # Errors
-    /// [`ParameterError`] unless there are at least 2 points and at most 1000, `0 < r_min ≤ r_max`,
+    /// [`ShadingError`] unless there are at least 2 points and at most 1000, `0 < r_min ≤ r_max`,
     /// `cells` is finite and positive, `r_max` is at most 0.4 of a cell (otherwise a star could
     /// reach past the neighboring cells), and `chance` is within `[0, 1]`.
     pub fn new(
@@ -73,7 +74,7 @@ impl StarWallpaper {
         cells: f32,
         chance: f32,
         seed: u32,
-    ) -> Result<Self, ParameterError> {
+    ) -> Result<Self, ShadingError> {
         // Points are few, so the cast is exact; invalid counts are rejected anyway.
         within("points", points as f32, [2.0, 1000.0])?;
         positive("r_min", r_min)?;

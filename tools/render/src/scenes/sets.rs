@@ -3,7 +3,7 @@
 use std::sync::{Arc, LazyLock};
 
 use asperity_shading::{
-    Brdf, EnergyPreservingOrenNayar, Lambert, ParameterError, SurfacePoint, TemperedGlass,
+    Brdf, EnergyPreservingOrenNayar, Lambert, ShadingError, SurfacePoint, TemperedGlass,
     TemperedGlassParameters,
     bump::Facet,
     material::Material,
@@ -211,7 +211,7 @@ pub fn ground(height: f32, behind: Behind<'_>) -> Result<Object<'_>, Failure> {
 }
 
 /// Returns a rough color.
-fn cloth(color: Vec3) -> Result<EnergyPreservingOrenNayar, ParameterError> {
+fn cloth(color: Vec3) -> Result<EnergyPreservingOrenNayar, ShadingError> {
     EnergyPreservingOrenNayar::new(color, 0.8)
 }
 

@@ -44,8 +44,8 @@ pub(super) const CRATES: &[Crate] = &[
     Crate {
         name: "shading",
         sources: "crates/shading/src",
-        layers: "math direction image parameter → pixel → bump → level_of_detail → reflectance → environment → \
-                normal_map → texture → material → gpu → approx → check",
+        layers: "math direction error → image parameter → pixel → bump → level_of_detail → reflectance → \
+                environment → normal_map → texture → material → gpu → approx → check",
         max_exports: Some(60),
     },
     Crate {

@@ -3,6 +3,7 @@
 use glam::{Vec2, Vec3};
 
 use crate::bump::{bumped_normal, project_to_tangent_plane};
+use crate::error::ShadingError;
 use crate::material::carpet::dark_area::DarkAreas;
 use crate::material::carpet::fiber::{Fibers, FibersParameters};
 use crate::material::carpet::rim_light::rim_light;
@@ -13,7 +14,7 @@ use crate::material::glossy::GlossySurface;
 use crate::material::interface::Material;
 use crate::material::surface_point::{SurfacePoint, TextureGradients};
 use crate::math::{clamp_to, sqrt};
-use crate::parameter::{ParameterError, as_roughness, as_share, as_size, color, parameters};
+use crate::parameter::{as_roughness, as_share, as_size, color, parameters};
 use crate::reflectance::Bsdf;
 
 parameters! {
@@ -115,7 +116,7 @@ parameters! {
 /// let (wi, wo) = (Vec3::new(0.6, 0.0, 0.8), Vec3::Z);
 /// let light = carpet.bsdf(&point, wo).eval_cos(wo, wi);
 /// assert!(light.min_element() > 0.0 && light.max_element() < 0.1, "dark gray");
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[doc(alias = "sheen")]
 #[doc(alias = "fabric")]
@@ -135,8 +136,8 @@ impl Carpet {
     /// Creates the carpet of these parameters.
     ///
     /// # Errors
-    /// [`ParameterError`] with the first parameter that is out of its range.
-    pub fn new(parameters: CarpetParameters) -> Result<Self, ParameterError> {
+    /// [`ShadingError`] with the first parameter that is out of its range.
+    pub fn new(parameters: CarpetParameters) -> Result<Self, ShadingError> {
         parameters.check()?;
         let p = &parameters;
         let seed = |i| p.seed.wrapping_mul(8).wrapping_add(i);

@@ -2,8 +2,9 @@
 
 use glam::Vec3;
 
+use crate::error::ShadingError;
 use crate::material::fbm::{SizedFbm, half_mean};
-use crate::parameter::{ParameterError, as_share, as_size};
+use crate::parameter::{as_share, as_size};
 use crate::pixel::Footprint;
 
 /// Dark areas: a factor of the diffuse and the specular color.
@@ -27,7 +28,7 @@ use crate::pixel::Footprint;
 /// let areas = DarkAreas::new(0.3, 0.5, 1)?;
 /// let factor = areas.factor(Vec3::new(0.1, 0.7, 0.2), Footprint::from_width(1e-3));
 /// assert!((0.5..=1.0).contains(&factor));
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DarkAreas {
@@ -39,9 +40,9 @@ impl DarkAreas {
     /// Creates areas of this size and strength.
     ///
     /// # Errors
-    /// [`ParameterError::Outside`] unless `dark_area_size` is within `[10⁻⁶, 10⁶]` and
+    /// [`ShadingError::OutOfRange`] unless `dark_area_size` is within `[10⁻⁶, 10⁶]` and
     /// `dark_area_strength` within `[0, 1]`.
-    pub fn new(size: f32, strength: f32, seed: u32) -> Result<Self, ParameterError> {
+    pub fn new(size: f32, strength: f32, seed: u32) -> Result<Self, ShadingError> {
         let noise = SizedFbm::single(as_size("dark_area_size", size)?, seed);
         Ok(Self { noise, strength: as_share("dark_area_strength", strength)? })
     }

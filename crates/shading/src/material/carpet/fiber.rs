@@ -2,10 +2,11 @@
 
 use glam::{Vec2, Vec3};
 
+use crate::error::ShadingError;
 use crate::material::segment::{MOST, Segments};
 use crate::material::surface_point::TextureGradients;
 use crate::math::floor;
-use crate::parameter::{ParameterError, as_share, as_size, direction_in_plane, parameters, range};
+use crate::parameter::{as_share, as_size, direction_in_plane, parameters, range};
 use crate::pixel::{Footprint, PixelEllipse};
 
 parameters! {
@@ -57,7 +58,7 @@ parameters! {
 /// let near = fibers.sample(Vec2::new(0.31, 0.17), Footprint::from_width(1e-6));
 /// assert!(near.factor > 0.0);
 /// assert_eq!(fibers.sample(Vec2::new(0.31, 0.17), Footprint::from_width(1.0)).factor, 1.0);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fibers {
@@ -91,9 +92,9 @@ impl Fibers {
     /// Creates fibers from these parameters; their mean is measured at 16384 points.
     ///
     /// # Errors
-    /// [`ParameterError`] with the first parameter that is out of its range, or for a
+    /// [`ShadingError`] with the first parameter that is out of its range, or for a
     /// `fiber_direction` that is zero or not finite.
-    pub fn new(parameters: FibersParameters) -> Result<Self, ParameterError> {
+    pub fn new(parameters: FibersParameters) -> Result<Self, ShadingError> {
         parameters.check()?;
         let (p, length) = (&parameters, parameters.fiber_length);
         // The smallest valid cell: fibers must not reach farther than a cell from their midpoints.

@@ -4,8 +4,9 @@ use core::f32::consts::{FRAC_PI_2, PI};
 
 use glam::Vec2;
 
+use crate::error::ShadingError;
 use crate::math::{cos, floor, sin, sqrt};
-use crate::parameter::{ParameterError, as_share, as_size, direction_in_plane};
+use crate::parameter::{as_share, as_size, direction_in_plane};
 use crate::pixel::PixelEllipse;
 
 /// Pattern of seams.
@@ -41,7 +42,7 @@ pub enum SeamPattern {
 /// let seams = Seams::new(Vec2::X, SeamPattern::Lines, 0.5, 0.2)?;
 /// assert_eq!(seams.sample(Vec2::ZERO).amount, 0.8);
 /// assert!((seams.sample(Vec2::new(0.25, 3.0)).amount - 1.0).abs() < 1e-6);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seams {
@@ -75,7 +76,7 @@ impl Seams {
     /// Creates seams perpendicular to `propagation`, `distance` apart in texture coordinates.
     ///
     /// # Errors
-    /// [`ParameterError`] unless the direction `seams_propagation` is finite and not zero (ignored
+    /// [`ShadingError`] unless the direction `seams_propagation` is finite and not zero (ignored
     /// for `SeamPattern::None`), `seam_distance` is within `[10⁻⁶, 10⁶]`, and `seams_amplitude`
     /// within `[0, 1]`.
     pub fn new(
@@ -83,7 +84,7 @@ impl Seams {
         pattern: SeamPattern,
         distance: f32,
         amplitude: f32,
-    ) -> Result<Self, ParameterError> {
+    ) -> Result<Self, ShadingError> {
         let direction = match (direction_in_plane("seams_propagation", propagation), pattern) {
             // The thesis normalizes (0, 0) here, which is NaN at every point of a carpet without
             // seams.
@@ -180,7 +181,7 @@ impl Seams {
     /// let seams = Seams::new(Vec2::X, SeamPattern::Lines, 0.5, 1.0)?;
     /// let far = seams.filtered(Vec2::new(0.1, 0.0), Footprint::from_width(5.0).into()).amount;
     /// assert!((far - 2.0 / core::f32::consts::PI).abs() < 1e-3);
-    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// # Ok::<(), asperity_shading::ShadingError>(())
     /// ```
     #[must_use]
     pub fn filtered(&self, uv: Vec2, pixel: PixelEllipse) -> Seam {

@@ -5,8 +5,9 @@ use asperity_noise::{
 };
 use glam::Vec3;
 
+use crate::error::ShadingError;
 use crate::material::fbm::{SLOPE_VARIANCE, SizedFbm};
-use crate::parameter::{ParameterError, as_size};
+use crate::parameter::as_size;
 use crate::pixel::Footprint;
 
 /// The threads of a carpet: rough noise that is added to the diffuse color.
@@ -31,7 +32,7 @@ use crate::pixel::Footprint;
 /// let p = Vec3::new(0.3, 0.1, 0.2);
 /// assert_ne!(threads.sample(p, Footprint::from_width(1e-4)).value, 0.0);
 /// assert_eq!(threads.sample(p, Footprint::from_width(1.0)).value, 0.0);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DiffuseThreads(SizedFbm);
@@ -40,8 +41,8 @@ impl DiffuseThreads {
     /// Creates threads of this size, in units of the positions.
     ///
     /// # Errors
-    /// [`ParameterError::Outside`] unless `diffuse_thread_size` is within `[10⁻⁶, 10⁶]`.
-    pub fn new(size: f32, seed: u32) -> Result<Self, ParameterError> {
+    /// [`ShadingError::OutOfRange`] unless `diffuse_thread_size` is within `[10⁻⁶, 10⁶]`.
+    pub fn new(size: f32, seed: u32) -> Result<Self, ShadingError> {
         Ok(Self(SizedFbm::new(FbmSpectrum::THREADS, as_size("diffuse_thread_size", size)?, seed)))
     }
 
@@ -94,7 +95,7 @@ impl DiffuseThreads {
 /// let threads = SpecularThreads::new(0.01, 1)?;
 /// let far = threads.value(Vec3::new(0.3, 0.1, 0.2), Footprint::from_width(1.0));
 /// assert_eq!(far, threads.mean());
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpecularThreads {
@@ -112,8 +113,8 @@ impl SpecularThreads {
     /// Creates threads of this size, in units of the positions.
     ///
     /// # Errors
-    /// [`ParameterError::Outside`] unless `specular_thread_size` is within `[10⁻⁶, 10⁶]`.
-    pub fn new(size: f32, seed: u32) -> Result<Self, ParameterError> {
+    /// [`ShadingError::OutOfRange`] unless `specular_thread_size` is within `[10⁻⁶, 10⁶]`.
+    pub fn new(size: f32, seed: u32) -> Result<Self, ShadingError> {
         let size = as_size("specular_thread_size", size)?;
         let veins = Fbm::new(Simplex::new(seed), FbmSpectrum::THREADS)
             .with_normalization(Normalization::UnitRange)

@@ -4,8 +4,9 @@ use asperity_ndf_sampling::{Ndf, gaussian_cdf, inverse_gaussian_cdf};
 use asperity_noise::{IntegerHash, Lattice};
 use glam::{Vec2, Vec3};
 
+use crate::error::ShadingError;
 use crate::math::{exp, exp_m1, floor, ln_1p, log2, sqrt};
-use crate::parameter::{ParameterError, as_size, within};
+use crate::parameter::{as_size, within};
 use crate::pixel::Footprint;
 use crate::reflectance::lobe::CountedFacets;
 
@@ -94,9 +95,9 @@ impl<N: Ndf> GlintField<N> {
     /// fewer and brighter lit flakes.
     ///
     /// # Errors
-    /// [`ParameterError::Outside`] unless `flake_spacing` is within `[10⁻⁶, 10⁶]` and `flake_bin`
+    /// [`ShadingError::OutOfRange`] unless `flake_spacing` is within `[10⁻⁶, 10⁶]` and `flake_bin`
     /// within `[0.001, 1]`.
-    pub fn new(ndf: N, spacing: f32, bin: f32, seed: u32) -> Result<Self, ParameterError> {
+    pub fn new(ndf: N, spacing: f32, bin: f32, seed: u32) -> Result<Self, ShadingError> {
         let spacing = as_size("flake_spacing", spacing)?;
         Ok(Self { ndf, spacing, bin: within("flake_bin", bin, [0.001, 1.0])?, seed })
     }

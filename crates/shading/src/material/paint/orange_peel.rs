@@ -3,8 +3,9 @@
 use glam::Vec3;
 
 use crate::bump::{bumped_normal, project_to_tangent_plane};
+use crate::error::ShadingError;
 use crate::material::fbm::{SLOPE_VARIANCE, SizedFbm};
-use crate::parameter::{ParameterError, as_share, as_size};
+use crate::parameter::{as_share, as_size};
 use crate::pixel::Footprint;
 
 /// Orange peel: one octave of noise that tilts the normal of a clearcoat.
@@ -28,7 +29,7 @@ use crate::pixel::Footprint;
 /// let peel = OrangePeel::new(0.002, 0.02, 1)?;
 /// let n = peel.normal(Vec3::new(0.3, 0.1, 0.2), Vec3::Z, Footprint::from_width(1e-4));
 /// assert!(n.z > 0.9 && n != Vec3::Z);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OrangePeel {
@@ -40,9 +41,9 @@ impl OrangePeel {
     /// Creates bumps of this size, in units of the positions, and strength k.
     ///
     /// # Errors
-    /// [`ParameterError::Outside`] unless `orange_peel_size` is within `[10⁻⁶, 10⁶]` and
+    /// [`ShadingError::OutOfRange`] unless `orange_peel_size` is within `[10⁻⁶, 10⁶]` and
     /// `orange_peel_strength` within `[0, 1]`.
-    pub fn new(size: f32, strength: f32, seed: u32) -> Result<Self, ParameterError> {
+    pub fn new(size: f32, strength: f32, seed: u32) -> Result<Self, ShadingError> {
         let noise = SizedFbm::single(as_size("orange_peel_size", size)?, seed);
         Ok(Self { noise, strength: as_share("orange_peel_strength", strength)? })
     }

@@ -4,13 +4,14 @@ use asperity_ndf_sampling::Beckmann;
 use glam::Vec3;
 
 use crate::bump::Facet;
+use crate::error::ShadingError;
 use crate::material::interface::Material;
 use crate::material::paint::glint::GlintField;
 use crate::material::paint::orange_peel::OrangePeel;
 use crate::material::paint::passive_flakes::PassiveFlakes;
 use crate::material::paint::sparkle::{Elimination, Sparkles, boosted};
 use crate::material::surface_point::SurfacePoint;
-use crate::parameter::{ParameterError, as_roughness, as_share, color, parameters, range};
+use crate::parameter::{as_roughness, as_share, color, parameters, range};
 use crate::reflectance::{Bsdf, Coat, CookTorrance, Dielectric, EnergyPreservingOrenNayar, Lobe};
 
 parameters! {
@@ -109,7 +110,7 @@ pub enum PaintFlakes {
 /// let point = SurfacePoint::new(Vec3::new(0.3, 0.2, 0.0), Vec3::Z, Footprint::from_width(1e-4));
 /// let light = paint.bsdf(&point, Vec3::Z).eval_cos(Vec3::Z, Vec3::new(0.6, 0.0, 0.8));
 /// assert!(light.z > light.x, "blue paint");
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[doc(alias = "car paint")]
 #[doc(alias = "flakes")]
@@ -128,8 +129,8 @@ impl MetallicPaint {
     /// Creates the paint of these parameters.
     ///
     /// # Errors
-    /// [`ParameterError`] with the first parameter that is out of its range.
-    pub fn new(parameters: MetallicPaintParameters) -> Result<Self, ParameterError> {
+    /// [`ShadingError`] with the first parameter that is out of its range.
+    pub fn new(parameters: MetallicPaintParameters) -> Result<Self, ShadingError> {
         parameters.check()?;
         let (p, alpha) = (&parameters, parameters.flake_roughness);
         let seed = |i| p.seed.wrapping_mul(4).wrapping_add(i);

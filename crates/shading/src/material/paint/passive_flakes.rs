@@ -2,8 +2,9 @@
 
 use glam::Vec3;
 
+use crate::error::ShadingError;
 use crate::material::fbm::{SizedFbm, spectrum};
-use crate::parameter::{ParameterError, as_share, as_size};
+use crate::parameter::{as_share, as_size};
 use crate::pixel::Footprint;
 
 /// Flakes that do not sparkle: a factor of the specular color.
@@ -26,7 +27,7 @@ use crate::pixel::Footprint;
 /// let p = Vec3::new(0.3, 0.1, 0.2);
 /// assert!((0.7..=1.3).contains(&flakes.factor(p, Footprint::from_width(1e-5))));
 /// assert_eq!(flakes.factor(p, Footprint::from_width(1.0)), 1.0);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PassiveFlakes {
@@ -38,9 +39,9 @@ impl PassiveFlakes {
     /// Creates flakes with `detail` octaves, the coarsest of this size, in units of the positions.
     ///
     /// # Errors
-    /// [`ParameterError::Outside`] unless `passive_flake_size` is within `[10⁻⁶, 10⁶]`,
+    /// [`ShadingError::OutOfRange`] unless `passive_flake_size` is within `[10⁻⁶, 10⁶]`,
     /// `passive_flake_strength` within `[0, 1]`, and `passive_flake_detail` from 1 to 8.
-    pub fn new(size: f32, strength: f32, detail: u32, seed: u32) -> Result<Self, ParameterError> {
+    pub fn new(size: f32, strength: f32, detail: u32, seed: u32) -> Result<Self, ShadingError> {
         let spectrum = spectrum("passive_flake_detail", [2.4, 2.7], detail)?;
         let size = as_size("passive_flake_size", size)?;
         let strength = as_share("passive_flake_strength", strength)?;

@@ -4,9 +4,10 @@ use asperity_noise::filtered_fraction;
 use glam::Vec3;
 
 use crate::direction::reflect;
+use crate::error::ShadingError;
 use crate::material::paint::flake_patch::covered_flake;
 use crate::math::clamp_to;
-use crate::parameter::{ParameterError, as_share, as_size, within};
+use crate::parameter::{as_share, as_size, within};
 use crate::pixel::Footprint;
 
 /// Fraction of omitted flakes, by distance.
@@ -69,7 +70,7 @@ pub enum Elimination {
 /// let near = sparkles.flake(center, Vec3::Z, Footprint::from_width(2.5e-3)).unwrap();
 /// assert!(near.fade < 1.0 && near.weight > near.mean_weight);
 /// assert_eq!(sparkles.flake(center, Vec3::Z, Footprint::from_width(1.0)), None);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sparkles {
@@ -108,7 +109,7 @@ impl Sparkles {
     /// `variation`.
     ///
     /// # Errors
-    /// [`ParameterError::Outside`] unless `flake_sparkle_pixel_size` is within `[0, 1000]`,
+    /// [`ShadingError::OutOfRange`] unless `flake_sparkle_pixel_size` is within `[0, 1000]`,
     /// `flake_sparkle_physical_size` and the unit of [`Elimination::Adaptive`],
     /// `smart_flake_sparkle`, within `[10⁻⁶, 10⁶]`, and `flake_sparkle_variation` and
     /// `flake_sparkle_elimination` within `[0, 1]`.
@@ -119,7 +120,7 @@ impl Sparkles {
         elimination: f32,
         rule: Elimination,
         seed: u32,
-    ) -> Result<Self, ParameterError> {
+    ) -> Result<Self, ShadingError> {
         if let Elimination::Adaptive { unit } = rule {
             as_size("smart_flake_sparkle", unit)?;
         }

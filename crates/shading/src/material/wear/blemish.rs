@@ -3,8 +3,9 @@
 use glam::Vec3;
 
 use crate::bump::project_to_tangent_plane;
+use crate::error::ShadingError;
 use crate::material::fbm::{SLOPE_VARIANCE, SizedFbm, half_mean};
-use crate::parameter::{ParameterError, as_size};
+use crate::parameter::as_size;
 use crate::pixel::Footprint;
 
 /// Varies a color by noise within [0, 1].
@@ -48,8 +49,8 @@ impl Blemishes {
     /// Creates blemishes of this size, in units of the positions.
     ///
     /// # Errors
-    /// [`ParameterError::Outside`] unless `small_blemish_size` is within `[10⁻⁶, 10⁶]`.
-    pub fn new(size: f32, seed: u32) -> Result<Self, ParameterError> {
+    /// [`ShadingError::OutOfRange`] unless `small_blemish_size` is within `[10⁻⁶, 10⁶]`.
+    pub fn new(size: f32, seed: u32) -> Result<Self, ShadingError> {
         Ok(Self { noise: SizedFbm::single(as_size("small_blemish_size", size)?, seed) })
     }
 

@@ -4,8 +4,9 @@ use asperity_noise::{IntegerHash, Lattice, Sample, Simplex};
 use glam::Vec3;
 
 use crate::bump::project_to_tangent_plane;
+use crate::error::ShadingError;
 use crate::material::fbm::{SLOPE_VARIANCE, SizedFbm, spectrum};
-use crate::parameter::{ParameterError, as_share, as_size};
+use crate::parameter::{as_share, as_size};
 use crate::pixel::Footprint;
 
 /// A lattice with some inverted gradients.
@@ -50,7 +51,7 @@ impl Lattice for Turned {
 ///
 /// let dents = Dents::new(0.1, 0.3, 2, 1)?;
 /// assert!(dents.sample(Vec3::new(0.3, 0.1, 0.2), Footprint::from_width(1e-4)).value.abs() <= 1.0);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dents {
@@ -64,9 +65,9 @@ impl Dents {
     /// Creates dents of this size and cover, with `detail` octaves of lacunarity 2 and gain ½.
     ///
     /// # Errors
-    /// [`ParameterError::Outside`] unless `dent_size` is within `[10⁻⁶, 10⁶]`, `dent_cover` within
+    /// [`ShadingError::OutOfRange`] unless `dent_size` is within `[10⁻⁶, 10⁶]`, `dent_cover` within
     /// `[0, 1]`, and `dent_detail` from 1 to 8.
-    pub fn new(size: f32, cover: f32, detail: u32, seed: u32) -> Result<Self, ParameterError> {
+    pub fn new(size: f32, cover: f32, detail: u32, seed: u32) -> Result<Self, ShadingError> {
         let spectrum = spectrum("dent_detail", [2.0, 0.5], detail)?;
         let size = as_size("dent_size", size)?;
         let cover = as_share("dent_cover", cover)?;

@@ -6,13 +6,12 @@ use glam::{Vec2, Vec3};
 
 use crate::bump::slope_facets::facets_along;
 use crate::bump::{Facet, bumped_normal};
+use crate::error::ShadingError;
 use crate::material::interface::Material;
 use crate::material::segment::Segments;
 use crate::material::surface_point::SurfacePoint;
 use crate::math::{clamp_to, exp_m1, floor, sqrt};
-use crate::parameter::{
-    ParameterError, as_roughness, as_share, as_size, color, direction_in_plane, parameters, range,
-};
+use crate::parameter::{as_roughness, as_share, as_size, color, direction_in_plane, parameters, range};
 use crate::reflectance::{Bsdf, CookTorrance};
 
 parameters! {
@@ -70,7 +69,7 @@ parameters! {
 /// let elsewhere = SurfacePoint { uv: Vec2::new(7.3, -1.8), ..point };
 /// let seen = |point| scratches.bsdf(point, Vec3::Z).eval_cos(Vec3::Z, Vec3::Z);
 /// assert_eq!(seen(&point), seen(&elsewhere));
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[doc(alias = "wear")]
 #[doc(alias = "brushed")]
@@ -130,9 +129,9 @@ impl Scratches {
     /// Creates scratches from these parameters.
     ///
     /// # Errors
-    /// [`ParameterError`] with the first parameter that is out of its range, or for a
+    /// [`ShadingError`] with the first parameter that is out of its range, or for a
     /// `scratch_direction` that is zero or not finite.
-    pub fn new(parameters: ScratchesParameters) -> Result<Self, ParameterError> {
+    pub fn new(parameters: ScratchesParameters) -> Result<Self, ShadingError> {
         parameters.check()?;
         let (p, cell) = (&parameters, parameters.scratch_size);
         let segments = Segments {

@@ -3,12 +3,13 @@
 use glam::Vec3;
 
 use crate::bump::bumped_normal;
+use crate::error::ShadingError;
 use crate::material::glossy::GlossySurface;
 use crate::material::interface::Material;
 use crate::material::surface_point::SurfacePoint;
 use crate::material::wear::blemish::Blemishes;
 use crate::material::wear::dent::Dents;
-use crate::parameter::{ParameterError, as_roughness, as_share, color, parameters};
+use crate::parameter::{as_roughness, as_share, color, parameters};
 use crate::reflectance::Bsdf;
 
 parameters! {
@@ -60,7 +61,7 @@ parameters! {
 /// let point = SurfacePoint::new(Vec3::new(0.3, 0.2, 0.1), Vec3::Z, Footprint::from_width(1e-4));
 /// let light = panel.bsdf(&point, Vec3::Z).eval_cos(Vec3::Z, Vec3::Z);
 /// assert!(light.min_element() > 0.05);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Variations {
@@ -73,8 +74,8 @@ impl Variations {
     /// Creates the material of these parameters.
     ///
     /// # Errors
-    /// [`ParameterError`] with the first parameter that is out of its range.
-    pub fn new(parameters: VariationsParameters) -> Result<Self, ParameterError> {
+    /// [`ShadingError`] with the first parameter that is out of its range.
+    pub fn new(parameters: VariationsParameters) -> Result<Self, ShadingError> {
         parameters.check()?;
         let p = &parameters;
         let seed = |i| p.seed.wrapping_mul(2).wrapping_add(i);

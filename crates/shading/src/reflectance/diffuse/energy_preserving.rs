@@ -4,8 +4,8 @@ use core::f32::consts::{FRAC_1_PI, PI};
 
 use glam::Vec3;
 
+use crate::error::ShadingError;
 use crate::math::{atan2, clamp_to};
-use crate::parameter::ParameterError;
 use crate::reflectance::brdf::{Brdf, are_above, finite};
 use crate::reflectance::diffuse::rough::{checked, sine, stretched};
 
@@ -35,7 +35,7 @@ use crate::reflectance::diffuse::rough::{checked, sine, stretched};
 /// let white = EnergyPreservingOrenNayar::new(Vec3::ONE, 1.0)?;
 /// let (wi, wo) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, -0.8, 0.6));
 /// assert_eq!(white.eval(wo, wi), white.eval(wi, wo));
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[doc(alias = "eon")]
 #[doc(alias = "oren-nayar")]
@@ -57,9 +57,9 @@ impl EnergyPreservingOrenNayar {
     /// Creates the surface of albedo ρ and roughness r.
     ///
     /// # Errors
-    /// [`ParameterError`] unless the roughness and every component of the albedo are within `[0,
+    /// [`ShadingError`] unless the roughness and every component of the albedo are within `[0,
     /// 1]`.
-    pub fn new(albedo: Vec3, roughness: f32) -> Result<Self, ParameterError> {
+    pub fn new(albedo: Vec3, roughness: f32) -> Result<Self, ShadingError> {
         checked(albedo, roughness, 1.0).map(|(albedo, roughness)| Self::of(albedo, roughness))
     }
 

@@ -3,7 +3,8 @@
 use core::f32::consts::FRAC_1_PI;
 use glam::Vec3;
 
-use crate::parameter::{ParameterError, color};
+use crate::error::ShadingError;
+use crate::parameter::color;
 use crate::reflectance::brdf::{Brdf, are_above};
 
 /// The Lambertian BRDF: the same value in every direction.
@@ -23,7 +24,7 @@ use crate::reflectance::brdf::{Brdf, are_above};
 /// let paper = Lambert::new(Vec3::new(0.9, 0.88, 0.8))?;
 /// assert_eq!(paper.eval(Vec3::Z, Vec3::Z).x, 0.9 * core::f32::consts::FRAC_1_PI);
 /// assert_eq!(paper.eval(Vec3::NEG_Z, Vec3::Z), Vec3::ZERO);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[doc(alias = "lambertian")]
 #[doc(alias = "diffuse")]
@@ -36,8 +37,8 @@ impl Lambert {
     /// Creates the BRDF with this albedo ρ, linear RGB.
     ///
     /// # Errors
-    /// [`ParameterError`] unless every component is within `[0, 1]`.
-    pub fn new(albedo: Vec3) -> Result<Self, ParameterError> {
+    /// [`ShadingError`] unless every component is within `[0, 1]`.
+    pub fn new(albedo: Vec3) -> Result<Self, ShadingError> {
         Ok(Self { albedo: color("albedo", albedo)? })
     }
 

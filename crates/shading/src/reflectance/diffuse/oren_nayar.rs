@@ -4,8 +4,8 @@ use core::f32::consts::{FRAC_1_PI, PI};
 
 use glam::Vec3;
 
+use crate::error::ShadingError;
 use crate::math::atan2;
-use crate::parameter::ParameterError;
 use crate::reflectance::brdf::{Brdf, are_above, finite};
 use crate::reflectance::diffuse::rough::{checked, sine, stretched};
 
@@ -68,7 +68,7 @@ pub enum OrenNayarVariant {
 /// // Seen from the light, a rough surface is brighter towards its edge than a Lambertian one; not so from the other side.
 /// let w = Vec3::new(0.8, 0.0, 0.6);
 /// assert!(clay.eval(w, w).x > clay.eval(Vec3::new(-0.8, 0.0, 0.6), w).x);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[doc(alias = "oren-nayar")]
 #[doc(alias = "fujii")]
@@ -83,9 +83,9 @@ impl OrenNayar {
     /// Creates the surface of albedo ρ and roughness σ.
     ///
     /// # Errors
-    /// [`ParameterError`] unless every component is within `[0, 1]`, and σ within `[0, π/2]`, for
+    /// [`ShadingError`] unless every component is within `[0, 1]`, and σ within `[0, π/2]`, for
     /// Fujii's form `[0, 1]`.
-    pub fn new(albedo: Vec3, sigma: f32, form: OrenNayarVariant) -> Result<Self, ParameterError> {
+    pub fn new(albedo: Vec3, sigma: f32, form: OrenNayarVariant) -> Result<Self, ShadingError> {
         let most = if form == OrenNayarVariant::Fujii { 1.0 } else { 0.5 * PI };
         checked(albedo, sigma, most).map(|(albedo, sigma)| Self { albedo, sigma, form })
     }

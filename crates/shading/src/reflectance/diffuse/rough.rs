@@ -2,10 +2,11 @@
 
 use glam::Vec3;
 
+use crate::error::ShadingError;
 use crate::math::sqrt;
-use crate::parameter::{ParameterError, color, within};
+use crate::parameter::{color, within};
 
-pub(super) fn checked(albedo: Vec3, roughness: f32, most: f32) -> Result<(Vec3, f32), ParameterError> {
+pub(super) fn checked(albedo: Vec3, roughness: f32, most: f32) -> Result<(Vec3, f32), ShadingError> {
     Ok((color("albedo", albedo)?, within("roughness", roughness, [0.0, most])?))
 }
 

@@ -2,8 +2,9 @@
 
 use glam::Vec3;
 
+use crate::error::ShadingError;
 use crate::math::{clamp_to, sqrt};
-use crate::parameter::{ParameterError, not_negative, positive};
+use crate::parameter::{not_negative, positive};
 use crate::reflectance::fresnel::interface::{Fresnel, channels, reflectance_or_mirror};
 
 /// A smooth metal surface with the complex refractive index `η + i k` relative to the incident
@@ -18,7 +19,7 @@ use crate::reflectance::fresnel::interface::{Fresnel, channels, reflectance_or_m
 /// assert!(silver.reflectance(1.0) > 0.9);
 /// // Without absorption it is the dielectric.
 /// assert!((Conductor::new(1.5, 0.0)?.reflectance(1.0) - 0.04).abs() < 1e-7);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[doc(alias = "metal")]
 #[doc(alias = "complex ior")]
@@ -34,8 +35,8 @@ impl Conductor {
     /// Both are relative to the index of the incident side.
     ///
     /// # Errors
-    /// [`ParameterError`] unless `eta` is finite and positive, and `k` finite and not negative.
-    pub fn new(eta: f32, k: f32) -> Result<Self, ParameterError> {
+    /// [`ShadingError`] unless `eta` is finite and positive, and `k` finite and not negative.
+    pub fn new(eta: f32, k: f32) -> Result<Self, ShadingError> {
         Ok(Self { eta: positive("eta", eta)?, k: not_negative("k", k)? })
     }
 

@@ -2,8 +2,9 @@
 
 use glam::Vec3;
 
+use crate::error::ShadingError;
 use crate::math::{clamp_to, sqrt};
-use crate::parameter::{ParameterError, positive};
+use crate::parameter::positive;
 use crate::reflectance::fresnel::interface::{Fresnel, channels, reflectance_or_mirror};
 
 /// A smooth interface between two dielectrics, by the ratio of their refractive indices.
@@ -16,7 +17,7 @@ use crate::reflectance::fresnel::interface::{Fresnel, channels, reflectance_or_m
 /// assert_eq!(glass.reflectance(0.0), 1.0);
 /// // Total internal reflection beyond the critical angle.
 /// assert_eq!(glass.reversed().reflectance(0.5), 1.0);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[doc(alias = "ior")]
 #[doc(alias = "refraction")]
@@ -29,8 +30,8 @@ impl Dielectric {
     /// Creates the interface with `relative_index = η_t / η_i`, transmitted over incident side.
     ///
     /// # Errors
-    /// [`ParameterError`] unless the index is finite and positive.
-    pub fn new(relative_index: f32) -> Result<Self, ParameterError> {
+    /// [`ShadingError`] unless the index is finite and positive.
+    pub fn new(relative_index: f32) -> Result<Self, ShadingError> {
         Ok(Self { relative_index: positive("relative_index", relative_index)? })
     }
 

@@ -2,8 +2,9 @@
 
 use glam::Vec3;
 
+use crate::error::ShadingError;
 use crate::math::clamp_to;
-use crate::parameter::{ParameterError, as_share};
+use crate::parameter::as_share;
 use crate::reflectance::fresnel::interface::{Fresnel, channels};
 
 /// Schlick's approximation with the reflectance `F₀` at normal incidence.
@@ -14,7 +15,7 @@ use crate::reflectance::fresnel::interface::{Fresnel, channels};
 /// let glass = Schlick::new(0.04)?;
 /// assert_eq!(glass.reflectance(1.0), 0.04);
 /// assert_eq!(glass.reflectance(0.0), 1.0);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Schlick {
@@ -25,8 +26,8 @@ impl Schlick {
     /// Creates the approximation with the reflectance `f0` at normal incidence.
     ///
     /// # Errors
-    /// [`ParameterError`] unless `f0` is within `[0, 1]`.
-    pub fn new(f0: f32) -> Result<Self, ParameterError> {
+    /// [`ShadingError`] unless `f0` is within `[0, 1]`.
+    pub fn new(f0: f32) -> Result<Self, ShadingError> {
         Ok(Self { f0: as_share("f0", f0)? })
     }
 

@@ -2,8 +2,9 @@
 
 use glam::Vec3;
 
+use crate::error::ShadingError;
 use crate::math::clamp_to;
-use crate::parameter::{ParameterError, as_share};
+use crate::parameter::as_share;
 use crate::reflectance::fresnel::interface::{Fresnel, channels};
 
 /// Schlick's approximation, reduced to a given tint at `cos θ = 1/7`, about 82° from the normal.
@@ -15,7 +16,7 @@ use crate::reflectance::fresnel::interface::{Fresnel, channels};
 /// let aluminium = SchlickF82::new(0.91, 0.94)?;
 /// assert!(aluminium.reflectance(1.0 / 7.0) < 0.94 * 0.96);
 /// assert_eq!(aluminium.reflectance(0.0), 1.0);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SchlickF82 {
@@ -30,8 +31,8 @@ impl SchlickF82 {
     /// `tint` is a factor of Schlick's approximation at `cos θ = 1/7`.
     ///
     /// # Errors
-    /// [`ParameterError`] unless both are within `[0, 1]`.
-    pub fn new(f0: f32, tint: f32) -> Result<Self, ParameterError> {
+    /// [`ShadingError`] unless both are within `[0, 1]`.
+    pub fn new(f0: f32, tint: f32) -> Result<Self, ShadingError> {
         as_share("f0", f0)?;
         as_share("tint", tint)?;
         // In f64, because (6/7)⁵ and (6/7)⁶ amplify the rounding of their dividends.

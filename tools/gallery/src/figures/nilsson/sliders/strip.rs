@@ -6,7 +6,7 @@ use asperity_render::light::lamps::{Lamp, Lamps};
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::{geometry::ray::Ray, image::tone::hex, integrator::pixels::Sampling};
 use asperity_render::{materials::InMetres, scenes::Form};
-use asperity_shading::{ParameterError, material::Material};
+use asperity_shading::{ShadingError, material::Material};
 use glam::Vec3;
 
 use crate::figure::{Context, Drawn};
@@ -89,7 +89,7 @@ impl View {
 pub(super) fn draw<P: Copy + Debug + Default, M: Material + Sync>(
     context: &Context<'_>,
     strips: &[Strip<P>],
-    material: impl Fn(P) -> Result<M, ParameterError>,
+    material: impl Fn(P) -> Result<M, ShadingError>,
 ) -> Result<Drawn> {
     let samples_per_pixel = context.samples_per_pixel;
     let (across, gap) = (context.size * 3 / 2, (context.size / 96).max(1));
