@@ -10,7 +10,7 @@
 //! use asperity_ndf_sampling::{Ggx, Ndf, residual_ndf, glam::{Vec2, Vec3}};
 //!
 //! let ggx = Ggx::new(0.2, 0.4)?;
-//! // Two independent standard GaussianNoise numbers at a point of the surface, from any noise.
+//! // Two independent standard Gaussian numbers at a point of the surface, from any noise.
 //! let z = Vec2::new(0.7, -1.2);
 //! let facet = ggx.warp_gaussian(z);
 //! assert!(ggx.invert(facet).abs_diff_eq(z, 1e-5));

@@ -45,7 +45,7 @@ use asperity_core::math::sqrt_f64;
 /// ```
 /// use asperity_ndf_sampling::{KurtoticDistribution, NoiseDistribution};
 ///
-/// // Perlin noise of 2002 has thinner tails than a GaussianNoise: two deviations are rarer.
+/// // Perlin noise of 2002 has thinner tails than a Gaussian: two deviations are rarer.
 /// let g = KurtoticDistribution::new(1.0, -0.46)?;
 /// assert!(g.invert(2.5) > 2.6);
 /// assert!(KurtoticDistribution::new(1.0, 3.0).is_err());

@@ -25,7 +25,7 @@ asperity_core::impl_approx! { f32; Deviation: deviation => deviation.largest, de
 /// Accuracy of a [`NormalLut`], measured at the midpoints of four entries, where it is worst.
 ///
 /// ```text
-/// largest = max ∠(looked up, T(z)),   rms² = Σ w ∠²/Σ w,   w = GaussianNoise weight of the cell between the entries
+/// largest = max ∠(looked up, T(z)),   rms² = Σ w ∠²/Σ w,   w = Gaussian weight of the cell between the entries
 /// ```
 ///
 /// Over all positions of a cell the mean square is smaller: a third for a nearest entry, about half
