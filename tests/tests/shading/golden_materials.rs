@@ -3,8 +3,8 @@
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::material::{
     Blemishes, DarkAreas, Dents, DiffuseThreads, Fibers, FibersParameters, GlassWaves, GlintField,
-    OrangePeel, PassiveFlakes, SeamPattern, Seams, SpecularThreads, boosted, flake_patch, linear_seam,
-    rim_light, sparkle_width, varied, wave_gradient, wave_height,
+    OrangePeel, PassiveFlakes, SeamPattern, Seams, SpecularThreads, flake_patch, linear_seam, rim_light,
+    sparkle_width, varied, wave_gradient, wave_height,
 };
 use asperity_shading::{
     Beckmann, Carpet, CarpetParameters, Footprint, Material, MetallicPaint, MetallicPaintParameters,
@@ -103,7 +103,6 @@ fn paints() {
     single("flake_patch", patch.tilt, [0.160218909, -0.556663692, 0.689331889]);
     single("flake_patch, center", patch.center, [0.375, -1.21499991, 2.83500004]);
     single("sparkle_width", sparkle_width(2.5, 0.1 * N, 0.2 * P), [0.185000002, 0.605000019, 1.41499996]);
-    single("boosted", boosted(N, Vec3::ONE, 0.3), [0.552000046, 0.635999978, 0.860000014]);
     let glints = GlintField::new(Beckmann::isotropic(0.3).unwrap(), 1e-3, 0.1, 1).unwrap();
     pinned("GlintField", glints.density(N, P, Footprint::from_width(0.02)), [0.0], LOOSE);
     single("GlintFlake", glints.flake(P).unwrap().normal, [0.0322401002, 0.240900666, 0.970014215]);

@@ -28,8 +28,8 @@ pub use metallic_roughness::MetallicRoughness;
 pub use normal_mapped::NormalMapped;
 pub use paint::{
     Elimination, FlakePatch, GlintField, GlintFlake, MetallicPaint, MetallicPaintParameters, OrangePeel,
-    PaintFlakes, PassiveFlakes, Sparkle, Sparkles, boosted, brighter_normal, brighter_reflection,
-    flake_patch, sparkle_width,
+    PaintFlakes, PassiveFlakes, Sparkle, Sparkles, brighter_normal, brighter_reflection, flake_patch,
+    sparkle_width,
 };
 pub(crate) use segment::Segments;
 pub use surface_point::SurfacePoint;

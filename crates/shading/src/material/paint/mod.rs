@@ -13,6 +13,4 @@ pub use glint::{GlintField, GlintFlake};
 pub use orange_peel::OrangePeel;
 pub use paint::{MetallicPaint, MetallicPaintParameters, PaintFlakes};
 pub use passive_flakes::PassiveFlakes;
-pub use sparkle::{
-    Elimination, Sparkle, Sparkles, boosted, brighter_normal, brighter_reflection, sparkle_width,
-};
+pub use sparkle::{Elimination, Sparkle, Sparkles, brighter_normal, brighter_reflection, sparkle_width};

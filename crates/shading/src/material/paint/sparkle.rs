@@ -266,8 +266,7 @@ pub fn brighter_reflection(n: Vec3, flake: Vec3, view: Vec3, light: impl Fn(Vec3
 /// ```
 ///
 /// Nilsson 2008, §4.3.4, *Glitter strength*. The boost is clamped to [0, 1], NaN is read as 0.
-#[must_use]
-pub fn boosted(specular: Vec3, target: Vec3, boost: f32) -> Vec3 {
+pub(super) fn boosted(specular: Vec3, target: Vec3, boost: f32) -> Vec3 {
     specular + (target - specular) * clamp_to(boost, 1.0)
 }
 
@@ -350,6 +349,8 @@ mod tests {
         assert_eq!(brighter_reflection(Vec3::Z, Vec3::X, Vec3::Z, |_| Vec3::NAN), Vec3::Z);
         assert_eq!(boosted(Vec3::ZERO, Vec3::ONE, f32::NAN), Vec3::ZERO);
         assert_eq!(boosted(Vec3::ZERO, Vec3::ONE, 2.0), Vec3::ONE);
+        let golden = Vec3::new(0.552, 0.636, 0.86);
+        assert_abs_diff_eq!(boosted(Vec3::new(0.36, 0.48, 0.8), Vec3::ONE, 0.3), golden, epsilon = 1e-7);
         assert_eq!(sparkle_width(1.0, Vec3::NAN, Vec3::new(-1.0, 0.0, f32::NAN)), Vec3::X);
     }
 }
