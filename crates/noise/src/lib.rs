@@ -26,7 +26,7 @@
 //! let mut heights = [0.0; 64 * 48];
 //! warped.grid_values(&grid, &mut heights)?;
 //!
-//! // Two independent GaussianNoise channels of 6½ octaves.
+//! // Two independent Gaussian channels of 6½ octaves.
 //! let noise = GaussianFbm::new(GaussianNoise::new(42), FbmSpectrum::default()).with_octaves(6.5);
 //! let [first, second] = noise.pair(Vec3::new(0.3, -1.2, 4.5));
 //! assert_ne!(first, second);
