@@ -114,7 +114,6 @@ pub const fn joined<const N: usize>(pieces: &[&str]) -> [u8; N] {
 ///     }
 /// }
 /// ```
-#[doc(hidden)]
 #[macro_export]
 macro_rules! gpu_struct {
     ($(#[$meta:meta])* pub struct $name:ident as $wgsl:literal {

@@ -3,7 +3,6 @@
 /// Defines an error enum, its messages and its traits.
 ///
 /// A message names the parameter, its rule and the fields of its variant.
-#[doc(hidden)]
 #[macro_export]
 macro_rules! error_enum {
     ($(#[$meta:meta])* pub enum $name:ident {
@@ -34,7 +33,6 @@ macro_rules! error_enum {
 ///
 /// The calling crate must depend on `approx`, and its float type must implement the traits:
 /// `impl_approx! { f32; Size: s => s.width, s.height; }`.
-#[doc(hidden)]
 #[macro_export]
 macro_rules! impl_approx {
     ($float:ty; $($type:ty: $value:ident => $($part:expr),*;)*) => {$(
@@ -82,7 +80,6 @@ macro_rules! impl_approx {
 }
 
 /// `approx::assert_abs_diff_eq!` with a message, for tests of crates that depend on `approx`.
-#[doc(hidden)]
 #[macro_export]
 macro_rules! assert_abs_diff_eq {
     ($given:expr, $expected:expr, epsilon = $epsilon:expr $(,)?) => {

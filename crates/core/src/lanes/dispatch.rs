@@ -41,7 +41,6 @@ pub fn level_for(count: usize) -> fearless_simd::Level {
 
 /// Calls `f` with every SIMD level of this machine, for tests.
 #[cfg(feature = "simd")]
-#[doc(hidden)]
 pub fn each_level(mut f: impl FnMut(fearless_simd::Level)) {
     let best = best_level();
     f(best);

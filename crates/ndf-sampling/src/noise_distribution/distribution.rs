@@ -70,8 +70,8 @@ impl<G: NoiseDistribution + ?Sized> NoiseDistribution for &G {
 
 /// A Gaussian noise with mean 0: `G(r) = Φ(r/σ)` only changes the scale.
 ///
-/// Its `cdf` and `quantile` are [`gaussian_cdf`](crate::gaussian_cdf) and
-/// [`inverse_gaussian_cdf`](crate::inverse_gaussian_cdf). Values are clamped to ±13 σ.
+/// Its `cdf` and `quantile` are [`gaussian_cdf`] and
+/// [`inverse_gaussian_cdf`]. Values are clamped to ±13 σ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GaussianDistribution {
     deviation: f32,
