@@ -33,7 +33,8 @@ The noise benchmarks cover every kind at every SIMD level.")]
     /// Benchmark noise against other libraries: `cargo xtask peers --help`.
     #[command(disable_help_flag = true)]
     Peers(Forwarded),
-    /// Export the shaders in every shading language, or compare them with the Rust crates on each adapter.
+    /// Export the shaders in every shading language, or compare them with the Rust crates on each
+    /// adapter.
     #[command(after_help = "Examples:
   cargo xtask shaders
   cargo xtask shaders --part noise/kinds/gaussian --dialect glsl-es-300 --out my-shaders
@@ -46,7 +47,8 @@ docs/guide/shaders.md for wgpu, Bevy, three.js, Godot, Unity and Metal.
 Software drivers: Debian's mesa-vulkan-drivers, SwiftShader (part of Chromium). Validators: spirv-tools, glslang-tools. Missing tools are
 reported. The first build of tests/gpu takes minutes.")]
     Shaders(Shaders),
-    /// Check dependencies between packages, the order of modules, import cycles, and the wording of pages.
+    /// Check dependencies between packages, the order of modules, import cycles, and the wording of
+    /// pages.
     Tidy,
     /// Run all CI checks.
     Ci(Ci),
@@ -64,7 +66,8 @@ The targets are in tests/fuzz; libFuzzer needs a C++ compiler. Findings are writ
     /// Link and run the crates without std and without an allocator.
     #[command(disable_help_flag = true)]
     NoStd(Forwarded),
-    /// Compare the values of all crates on every available platform with the golden bits: `cargo xtask bits --help`.
+    /// Compare the values of all crates on every available platform with the golden bits: `cargo
+    /// xtask bits --help`.
     #[command(disable_help_flag = true)]
     Bits(Forwarded),
     /// Render on an emulated Cortex-M4 and compare with the host: `cargo xtask firmware --help`.
@@ -84,8 +87,9 @@ pub(crate) struct Ci {
     /// Run only checks whose name contains NAME; may be repeated.
     #[arg(long, value_name = "NAME")]
     pub(crate) only: Vec<String>,
-    /// Also run the weekly checks, which take minutes: slow tests, feature sets, shaders on drivers, the live page, firmware,
-    /// bits of every platform, packages in an empty workspace, fuzz targets.
+    /// Also run the weekly checks, which take minutes: slow tests, feature sets, shaders on
+    /// drivers, the live page, firmware, bits of every platform, packages in an empty workspace,
+    /// fuzz targets.
     #[arg(long, conflicts_with = "only")]
     pub(crate) weekly: bool,
 }
@@ -124,10 +128,12 @@ pub(crate) struct Shaders {
     /// Export this language only; may be repeated.
     #[arg(long, value_parser = PossibleValuesParser::new(DIALECTS), conflicts_with_all = ["check", "adapter"])]
     pub(crate) dialect: Vec<String>,
-    /// List missing and stale files, and compare every function with the Rust crates, interpreted and on each adapter.
+    /// List missing and stale files, and compare every function with the Rust crates, interpreted
+    /// and on each adapter.
     #[arg(long)]
     pub(crate) check: bool,
-    /// Count operations of every function and time frames on each adapter; writes target/asperity/shaders/costs.md.
+    /// Count operations of every function and time frames on each adapter; writes
+    /// target/asperity/shaders/costs.md.
     #[arg(long, conflicts_with_all = ["part", "dialect", "check"])]
     pub(crate) costs: bool,
     /// Only adapters whose name contains NAME.

@@ -40,8 +40,8 @@ pub(crate) fn run(wanted: &Shaders, root: &Path) -> Result<(), Failure> {
     cargo::run(&mut export)
 }
 
-/// The weekly check: bounds on every adapter, validators, and the examples' pictures. Prints one line
-/// for each tool that ran or is missing.
+/// The weekly check: bounds on every adapter, validators, and the examples' pictures. Prints one
+/// line for each tool that ran or is missing.
 pub(crate) fn on_drivers(root: &Path) -> Result<(), Failure> {
     let mut export = program(root, "export");
     export.arg("--out").arg(folder(&root.join(REPORTS))?);
@@ -75,7 +75,8 @@ pub(crate) fn on_drivers(root: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Whether a line of the table of parity is its head, which names the adapters, or says that there is none.
+/// Whether a line of the table of parity is its head, which names the adapters, or says that there
+/// is none.
 fn is_machine(line: &str) -> bool {
     line.starts_with("| function |") || !line.starts_with('|') && !line.is_empty()
 }

@@ -1,5 +1,5 @@
-//! A sphere of brushed metal under a sky, rendered with visible normals: `cargo run --release --example
-//! sphere [out.png]`.
+//! A sphere of brushed metal under a sky, rendered with visible normals: `cargo run --release
+//! --example sphere [out.png]`.
 
 use std::{env, error::Error, fs::File};
 

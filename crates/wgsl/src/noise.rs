@@ -37,7 +37,8 @@ pub static SAMPLE: Part = part!("noise/sample");
 
 /// Hash of lattice points, with the bits of [`IntegerHash`](asperity_noise::IntegerHash).
 ///
-/// Seeds are passed as keys, [`key`](asperity_noise::gpu::key) of the seed, whose computation takes 64 bits.
+/// Seeds are passed as keys, [`key`](asperity_noise::gpu::key) of the seed, whose computation takes
+/// 64 bits.
 pub static INTEGER_HASH: Part = part!("noise/lattice/integer_hash");
 
 /// Cell of a point and the position in it, for every point as in [`Field`](asperity_noise::Field).
@@ -64,7 +65,8 @@ pub static WHITE: Part = part!("noise/kinds/white", SAMPLE, INTEGER_HASH, CELL, 
 /// Value noise, [`ValueNoise`](asperity_noise::ValueNoise), in two to four dimensions.
 pub static VALUE: Part = part!("noise/kinds/value", SAMPLE, INTEGER_HASH, CELL, FADE);
 
-/// Perlin noise of 1985, [`PerlinClassic`](asperity_noise::PerlinClassic), in two and three dimensions.
+/// Perlin noise of 1985, [`PerlinClassic`](asperity_noise::PerlinClassic), in two and three
+/// dimensions.
 pub static PERLIN_CLASSIC: Part =
     part!("noise/kinds/perlin_classic", INTEGER_HASH, CELL, FADE, VARIATES, CORNERS);
 
@@ -81,7 +83,8 @@ pub static VALUE_GRADIENT: Part =
 pub static VALUE_CATMULL_ROM: Part =
     part!("noise/kinds/value_catmull_rom", SAMPLE, INTEGER_HASH, CELL, VARIATES);
 
-/// Sparse convolution noise, [`SparseConvolution`](asperity_noise::SparseConvolution), in two and three dimensions.
+/// Sparse convolution noise, [`SparseConvolution`](asperity_noise::SparseConvolution), in two and
+/// three dimensions.
 pub static SPARSE: Part = part!("noise/kinds/sparse_convolution", SAMPLE, INTEGER_HASH, CELL, VARIATES);
 
 /// Simplex noise, [`Simplex`](asperity_noise::Simplex) with either radius, in two to four
@@ -98,7 +101,7 @@ pub static CELLULAR: Part = part!("noise/kinds/cellular/cellular", SAMPLE, INTEG
 pub static GAUSSIAN_VARIATES: Part = part!("noise/lattice/gaussian_variates", INTEGER_HASH, CORNERS)
     .with_bindings(&[Binding::Table { name: "gaussian_level", element: Element::Float, width: 64 }]);
 
-/// Exactly Gaussian noise, [`GaussianNoise`](asperity_noise::GaussianNoise), in two and three dimensions: one
-/// channel, or [two](asperity_noise::GaussianNoise::pair).
+/// Exactly Gaussian noise, [`GaussianNoise`](asperity_noise::GaussianNoise), in two and three
+/// dimensions: one channel, or [two](asperity_noise::GaussianNoise::pair).
 pub static GAUSSIAN: Part =
     part!("noise/kinds/gaussian", INTEGER_HASH, CELL, FADE, CORNERS, GAUSSIAN_VARIATES);

@@ -1,8 +1,8 @@
 //! Functions of one number at every float: all 2³², including infinities and every NaN.
 //!
-//! `ASPERITY_EVERY_FLOAT=1 cargo test --manifest-path tests/fuzz/Cargo.toml --test every_float -- --nocapture`
-//! tests all, which takes seconds to minutes per function. Without the variable every 65537th float
-//! is tested.
+//! `ASPERITY_EVERY_FLOAT=1 cargo test --manifest-path tests/fuzz/Cargo.toml --test every_float --
+//! --nocapture` tests all, which takes seconds to minutes per function. Without the variable every
+//! 65537th float is tested.
 
 use std::ops::RangeInclusive;
 use std::time::Instant;

@@ -17,7 +17,8 @@ pub struct Case {
     pub name: String,
     /// Parts that the body calls.
     pub parts: Vec<&'static Part>,
-    /// The body of `fn evaluate(a: vec4<f32>, b: vec4<f32>, c: vec4<u32>, d: vec4<u32>) -> Outcome`, see [`Case::wgsl`].
+    /// The body of `fn evaluate(a: vec4<f32>, b: vec4<f32>, c: vec4<u32>, d: vec4<u32>) ->
+    /// Outcome`, see [`Case::wgsl`].
     pub body: String,
     /// Words of uniforms and tables, by the names of the parts' bindings.
     pub resources: Vec<(&'static str, Vec<u32>)>,

@@ -62,7 +62,8 @@ fn weights<const N: usize>(place: [f64; N]) -> (Vec<f64>, Vec<f64>) {
     (values, slopes)
 }
 
-/// P(Σ wᵢ sᵢ + Σ vᵢ gᵢ > x), s normal and g the levels: ∫ M(z) e^(−zx)/z dz/(2πi) along the line Re z = x, M = E e^(z Σ).
+/// P(Σ wᵢ sᵢ + Σ vᵢ gᵢ > x), s normal and g the levels: ∫ M(z) e^(−zx)/z dz/(2πi) along the line Re
+/// z = x, M = E e^(z Σ).
 fn beyond(levels: &[f64], (values, slopes): &(Vec<f64>, Vec<f64>), x: f64) -> f64 {
     const STEP: f64 = 0.125;
     let times = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a * c - b * d, a * d + b * c];

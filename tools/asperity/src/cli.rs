@@ -9,7 +9,8 @@ use asperity_render::{geometry::mesh_file::Up, materials::field::NoiseKind, scen
 use asperity_shading::LevelOfDetail;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-/// Render meshes, bake textures, and export tables of noise, normal distributions and fractal functions.
+/// Render meshes, bake textures, and export tables of noise, normal distributions and fractal
+/// functions.
 #[derive(Debug, Parser)]
 #[command(name = "asperity", version, disable_help_subcommand = true)]
 pub struct Cli {
@@ -87,8 +88,9 @@ pub struct CheckNdf {
 /// Options of `tables`.
 #[derive(Debug, Args)]
 pub struct Tables {
-    /// Tables of one NDF instead of the default set: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, `ward:AX[,AY]`,
-    /// `student-t:AX,AY,GAMMA`, `blinn-phong:N`, `ashikhmin-shirley:NU,NV`, `painted`, or an image file.
+    /// Tables of one NDF instead of the default set: `ggx:AX[,AY]`, `beckmann:AX[,AY]`,
+    /// `ward:AX[,AY]`, `student-t:AX,AY,GAMMA`, `blinn-phong:N`, `ashikhmin-shirley:NU,NV`,
+    /// `painted`, or an image file.
     #[arg(long, value_name = "NDF")]
     pub ndf: Vec<String>,
     /// Tables of the NDF estimated from a normal map.
@@ -97,7 +99,8 @@ pub struct Tables {
     /// Options for images.
     #[command(flatten)]
     pub images: Images,
-    /// Tables of a fractal interpolation function instead of the default set: a JSON file with `knots`, `alpha`, `q`.
+    /// Tables of a fractal interpolation function instead of the default set: a JSON file with
+    /// `knots`, `alpha`, `q`.
     #[arg(long, value_name = "FILE")]
     pub fif: Vec<PathBuf>,
     /// Write nothing; compare every file in the directory with the output of this command.
@@ -114,7 +117,8 @@ pub struct Render {
     /// The scene.
     #[arg(long, value_parser = one_of(SCENES), default_value = "teapot")]
     pub scene: Set,
-    /// Render this mesh instead, centered and scaled to fill the image: .obj, .ply, .stl, .glb or .gltf.
+    /// Render this mesh instead, centered and scaled to fill the image: .obj, .ply, .stl, .glb or
+    /// .gltf.
     #[arg(long, value_name = "FILE", conflicts_with = "scene")]
     pub mesh: Option<PathBuf>,
     /// Up axis of the mesh [default: z for .stl, else y].
@@ -141,8 +145,9 @@ pub struct Render {
     /// List the parameters of a material and exit.
     #[arg(long, value_enum, value_name = "MATERIAL", exclusive = true)]
     pub help_material: Option<Material>,
-    /// Light: `lamps` (directional, without shadows; for bumps only), `studio`, `day`, or a latitude–longitude image:
-    /// Radiance HDR, OpenEXR, PNG, JPEG, WebP [default: `lamps` for bumps, else `studio`].
+    /// Light: `lamps` (directional, without shadows; for bumps only), `studio`, `day`, or a
+    /// latitude–longitude image: Radiance HDR, OpenEXR, PNG, JPEG, WebP [default: `lamps` for
+    /// bumps, else `studio`].
     #[arg(long, value_name = "LIGHT")]
     pub light: Option<String>,
     /// Background: `light`, or a color [default: the light if --light is given, else dark gray].
@@ -151,8 +156,9 @@ pub struct Render {
     /// Tone curve [default: filmic]; OpenEXR files store radiance.
     #[arg(long, value_enum)]
     pub tone: Option<Tone>,
-    /// The NDF of bumps: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, `ward:AX[,AY]`, `student-t:AX,AY,GAMMA`,
-    /// `blinn-phong:N`, `ashikhmin-shirley:NU,NV`, `painted`, or an image file [default: ggx:0.2,0.4].
+    /// The NDF of bumps: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, `ward:AX[,AY]`,
+    /// `student-t:AX,AY,GAMMA`, `blinn-phong:N`, `ashikhmin-shirley:NU,NV`, `painted`, or an image
+    /// file [default: ggx:0.2,0.4].
     #[arg(long)]
     pub ndf: Option<String>,
     /// Use the NDF estimated from this normal map.
@@ -188,7 +194,8 @@ pub struct Render {
     /// Width and height in pixels, 16 to 8192 [default: 512; draft 256, book 2048].
     #[arg(long, value_parser = whole(16, 8192))]
     pub size: Option<u32>,
-    /// Maximum samples per pixel, up to 65536; without --noise, the exact number [default: 1024; draft 128, book 8192].
+    /// Maximum samples per pixel, up to 65536; without --noise, the exact number [default: 1024;
+    /// draft 128, book 8192].
     #[arg(long, value_parser = whole(1, 65_536))]
     pub spp: Option<u32>,
     /// Stop at this standard deviation, where white is 1 [default: 0.008; draft 0.03, book 0.004].
@@ -197,8 +204,8 @@ pub struct Render {
     /// Random seed.
     #[arg(long, default_value_t = 1)]
     pub seed: u32,
-    /// Output file; its extension selects the format: .png, .jpg, .webp or .exr. With --frames, `#` characters in the name are replaced
-    /// by the frame number.
+    /// Output file; its extension selects the format: .png, .jpg, .webp or .exr. With --frames, `#`
+    /// characters in the name are replaced by the frame number.
     #[arg(long, value_name = "FILE", default_value = "target/asperity/render.png")]
     pub out: PathBuf,
     /// Number of frames: an orbit around the subject, or a zoom with --zoom-to.
@@ -213,7 +220,8 @@ pub struct Render {
     /// Magnification of the last frame.
     #[arg(long, value_name = "ZOOM", requires = "frames", value_parser = positive)]
     pub zoom_to: Option<f32>,
-    /// Write an Open Job Description template (.yaml or .json) with one task per frame, and render nothing.
+    /// Write an Open Job Description template (.yaml or .json) with one task per frame, and render
+    /// nothing.
     #[arg(long, value_name = "FILE", requires = "frames")]
     pub job: Option<PathBuf>,
 }
@@ -272,7 +280,8 @@ pub struct Bake {
     /// Standard deviation of the heights, in sides of the texture [default: 0.01].
     #[arg(long, value_parser = positive)]
     pub height: Option<f32>,
-    /// Maximum distance of occluders, in sides of the texture or of each of its --parts [default: 0.015625].
+    /// Maximum distance of occluders, in sides of the texture or of each of its --parts [default:
+    /// 0.015625].
     #[arg(long, value_parser = share)]
     pub occlusion: Option<f32>,
     /// Color, sRGB in hexadecimal [default: b4b0a8].
@@ -293,17 +302,19 @@ pub struct Bake {
     /// Formats, separated by commas.
     #[arg(long, value_delimiter = ',', value_parser = one_of(BAKED_FORMATS), default_value = "png")]
     pub format: Vec<BakedFormat>,
-    /// Bake only these tiles, counted from 1 row by row; a run without it writes the textures once all tiles exist.
+    /// Bake only these tiles, counted from 1 row by row; a run without it writes the textures once
+    /// all tiles exist.
     #[arg(long, value_name = "N|N-N", value_parser = numbers)]
     pub tiles: Option<[u32; 2]>,
-    /// Split the texture into N × N parts of --size texels, each a set in its own directory, `u1_v1` at the lower left. --cells, --height
-    /// and --side refer to the whole.
+    /// Split the texture into N × N parts of --size texels, each a set in its own directory,
+    /// `u1_v1` at the lower left. --cells, --height and --side refer to the whole.
     #[arg(long, value_name = "N", value_parser = whole(2, 16_384), conflicts_with = "tiles")]
     pub parts: Option<u32>,
     /// Bake only these parts, counted from 1 row by row.
     #[arg(long, value_name = "N|N-N", requires = "parts", value_parser = numbers)]
     pub part: Option<[u32; 2]>,
-    /// Write an Open Job Description template (.yaml or .json) with one task per tile or part, and bake nothing.
+    /// Write an Open Job Description template (.yaml or .json) with one task per tile or part, and
+    /// bake nothing.
     #[arg(long, value_name = "FILE")]
     pub job: Option<PathBuf>,
     /// Output directory.

@@ -1,10 +1,10 @@
 //! Output files of runs that are killed, run out of disk space, lack write permission, or run
 //! concurrently. Each file is either the old or the new version, never a partial file.
 //!
-//! `ASPERITY_KILLS=200 cargo test --release -p asperity --test files -- --include-ignored --nocapture`
-//! runs the long form and prints the results. `ASPERITY_GALLERY`, `ASPERITY_SHADERS` and
-//! `ASPERITY_WEB` are the paths of the programs of `tools/gallery`, `tests/gpu` and `web/builder`,
-//! and `ASPERITY_MODULE` is the page's module. Programs without a path are skipped.
+//! `ASPERITY_KILLS=200 cargo test --release -p asperity --test files -- --include-ignored
+//! --nocapture` runs the long form and prints the results. `ASPERITY_GALLERY`, `ASPERITY_SHADERS`
+//! and `ASPERITY_WEB` are the paths of the programs of `tools/gallery`, `tests/gpu` and
+//! `web/builder`, and `ASPERITY_MODULE` is the page's module. Programs without a path are skipped.
 //! `ASPERITY_CASES=web,shaders` runs only these cases.
 #![cfg(target_os = "linux")]
 #![expect(clippy::unwrap_used, reason = "a test that cannot run a command has failed")]

@@ -30,7 +30,8 @@ pub(crate) struct Gallery {
     /// Side of a square panel in pixels [default: 384; draft 192, book 1024].
     #[arg(long, value_parser = clap::value_parser!(u32).range(16..=4096))]
     pub(crate) size: Option<u32>,
-    /// Samples per pixel; some figures use a multiple, path-traced scenes as many as they need [default: 4; draft 1, book 32].
+    /// Samples per pixel; some figures use a multiple, path-traced scenes as many as they need
+    /// [default: 4; draft 1, book 32].
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=4096))]
     pub(crate) spp: Option<u32>,
     /// Random seed.

@@ -51,7 +51,8 @@ pub(crate) struct Bits {
 
 #[derive(Debug, Args)]
 pub(crate) struct Firmware {
-    /// Write the firmware's table and picture, and print code size, constants and stack of each function.
+    /// Write the firmware's table and picture, and print code size, constants and stack of each
+    /// function.
     #[arg(long)]
     pub(crate) ship: bool,
 }

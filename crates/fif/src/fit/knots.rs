@@ -31,7 +31,8 @@ use crate::system::error::FifError;
 /// ```
 ///
 /// # Errors
-/// [`FifError`]: points that are too few, not finite or not in order; a tolerance that is NaN or negative.
+/// [`FifError`]: points that are too few, not finite or not in order; a tolerance that is NaN or
+/// negative.
 pub fn knots(x: &[f64], y: &[f64], tolerance: f64, longest: usize) -> Result<Vec<usize>, FifError> {
     check_points(x, y)?;
     if tolerance.is_nan() || tolerance < 0.0 {

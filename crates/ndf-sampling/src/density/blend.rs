@@ -14,9 +14,9 @@ use crate::ndf::{Ndf, unit_square};
 ///
 /// In general the sum has no bijection in closed form. If both NDFs are isotropic, use
 /// [`Mixture`](crate::Mixture), which has one. For others `NdfMap::from_fn(width, height,
-/// Measure::ProjectedSolidAngle, Reconstruction::Constant, |m| blend.density(m))` computes one. Samples choose
-/// an NDF by `u.x` and reuse the remainder of that number, so the map from `u` is discontinuous
-/// there.
+/// Measure::ProjectedSolidAngle, Reconstruction::Constant, |m| blend.d(m))` computes one.
+/// Samples choose an NDF by `u.x` and reuse the remainder of that number, so the map from `u` is
+/// discontinuous there.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Blend, BlinnPhong, Ggx, glam::{Vec2, Vec3}};

@@ -115,7 +115,8 @@ impl<'a> Isotropic<&'a [Node]> {
     /// Creates the NDF from a table that [`pack`](Self::pack) filled.
     ///
     /// # Errors
-    /// An invalid length; a negative or non-finite density; a CDF that does not increase from 0 to 1.
+    /// An invalid length; a negative or non-finite density; a CDF that does not increase from 0 to
+    /// 1.
     pub fn from_packed(packed: &'a [f32]) -> Result<Self, NdfError> {
         let nodes = packed.len() / PER_NODE;
         if !(2..=MAX_NODES).contains(&nodes) {

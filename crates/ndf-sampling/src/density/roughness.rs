@@ -48,7 +48,8 @@ impl Roughness {
     /// Smith's `Λ(v) = E(z)/z` from the mean excess of the slopes over `z`, in units of their
     /// [`spread`](Self::spread).
     pub(crate) fn lambda(self, v: Vec3, excess: impl Fn(f64) -> f64) -> f32 {
-        // In f64, since Λ may decrease like exp(−z²/2). At the zenith z is infinite and the excess 0.
+        // In f64, since Λ may decrease like exp(−z²/2). At the zenith z is infinite and the excess
+        // 0.
         let z = f64::from(v.z) / self.spread(v);
         if z > 0.0 { (excess(z) / z) as f32 } else { f32::INFINITY }
     }

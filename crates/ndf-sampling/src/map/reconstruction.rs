@@ -49,7 +49,8 @@ impl Reconstruction {
     pub(crate) fn cell(self, x: f64, n: usize) -> usize {
         let last = self.cells(n) - 1;
         let k = ((x * n as f64 + self.offset()) as usize).min(last);
-        // The product may round across a line: just below 4/6 it is 4, and 15/22 times 22 is below 15.
+        // The product may round across a line: just below 4/6 it is 4, and 15/22 times 22 is below
+        // 15.
         if k > 0 && x < self.line(k, n) {
             k - 1
         } else if k < last && x >= self.line(k + 1, n) {

@@ -114,8 +114,8 @@ fn hermite([a, slope_a]: [f64; 2], [b, slope_b]: [f64; 2], width: f64, s: f64) -
     a * r * r * (1.0 + 2.0 * s) + b * s * s * (3.0 - 2.0 * s) + width * s * r * (slope_a * r - slope_b * s)
 }
 
-/// Normals at the centers of rings, denser near the zenith, with weights `D dω` such that `Σ w m_z =
-/// 1`.
+/// Normals at the centers of rings, denser near the zenith, with weights `D dω` such that `Σ w m_z
+/// = 1`.
 fn facets<N: Ndf + ?Sized>(ndf: &N) -> Vec<(Vec3, f32)> {
     let mut facets = Vec::new();
     let mut total = 0.0;

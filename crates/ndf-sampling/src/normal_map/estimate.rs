@@ -28,8 +28,8 @@ use asperity_core::math;
 /// - **At the rim** the part of the kernel inside the disk is scaled to 1, so each normal has
 ///   weight 1 and none is lost.
 /// - **Normals** are per texel of the bump map, that is per unit of macro area, so the estimate is
-///   `D` itself ([`Measure::ProjectedSolidAngle`]). Their `z` is not used. Normals outside the disk and NaN are
-///   not counted.
+///   `D` itself ([`Measure::ProjectedSolidAngle`]). Their `z` is not used. Normals outside the disk
+///   and NaN are not counted.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Ndf, NdfEstimator, glam::Vec3};
@@ -72,7 +72,8 @@ impl NdfEstimator {
     /// Creates an estimator over `size · size` texels with kernels of width `h`, in units of n_x.
     ///
     /// # Errors
-    /// A `size` of 0 or of more than [`NdfMap::MAX_TEXELS`] texels; a width that is negative, NaN or above 1.
+    /// A `size` of 0 or of more than [`NdfMap::MAX_TEXELS`] texels; a width that is negative, NaN
+    /// or above 1.
     pub fn new(size: usize, width: f32) -> Result<Self, NdfError> {
         let texels = match size.checked_mul(size) {
             Some(texels) if (1..=NdfMap::MAX_TEXELS).contains(&texels) => texels,
@@ -176,7 +177,8 @@ impl NdfEstimator {
         self.count += 1;
     }
 
-    /// The current NDF as texels, for [`NdfMap::from_texels`] with [`Measure::ProjectedSolidAngle`].
+    /// The current NDF as texels, for [`NdfMap::from_texels`] with
+    /// [`Measure::ProjectedSolidAngle`].
     ///
     /// Texels outside the disk are 0.
     #[must_use]

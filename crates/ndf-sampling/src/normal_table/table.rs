@@ -37,8 +37,8 @@ use crate::storage::Entries;
 ///   seam. Between two normals they turn at most √2 times as far as the normal.
 ///
 /// Total variation between the normals of a table of 256² and GGX (0.2, 0.4) over 32 × 32 bins of
-/// radius and azimuth, from 6.3·10⁶ points. The sampling error of the points is 0.00040. The columns
-/// "tail" are the fraction of the steepest 0.1 % of the normals that the table keeps.
+/// radius and azimuth, from 6.3·10⁶ points. The sampling error of the points is 0.00040. The
+/// columns "tail" are the fraction of the steepest 0.1 % of the normals that the table keeps.
 ///
 /// | spacing | chart | nearest | tail | bilinear | tail |
 /// |---|---|---|---|---|---|
@@ -279,10 +279,10 @@ impl NormalLut<Vec<[f32; 2]>> {
 
     /// The entries as pairs of half floats, e.g. for an interpolated texture of format RG16F.
     ///
-    /// For lookups on the CPU pass the result to [`NormalLut::from_entries`]. Rounding rotates normals
-    /// by at most 4.9e-4 rad in the default chart, and by 2⁻¹¹ of their tilt where it is small. In
-    /// the projected chart it rotates them by 0.03 rad near the horizon. Slopes are clamped to
-    /// 65504.
+    /// For lookups on the CPU pass the result to [`NormalLut::from_entries`]. Rounding rotates
+    /// normals by at most 4.9e-4 rad in the default chart, and by 2⁻¹¹ of their tilt where it is
+    /// small. In the projected chart it rotates them by 0.03 rad near the horizon. Slopes are
+    /// clamped to 65504.
     #[must_use]
     pub fn halves(&self) -> Vec<[u16; 2]> {
         let half = |c: f32| to_half(c.clamp(-MAX_HALF, MAX_HALF));

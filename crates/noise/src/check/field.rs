@@ -71,8 +71,8 @@ pub fn field<V: Point, F: Field<V> + ?Sized>(field: &F, settings: Settings) -> R
 
 /// Checks of a [`HasHessian`] field: the checks of [`field`](field()), and Hessians.
 ///
-/// - **bits:** value and gradient of [`HasHessian::sample_with_hessian`] equal the sample, and the Hessian is
-///   symmetric, bit for bit.
+/// - **bits:** value and gradient of [`HasHessian::sample_with_hessian`] equal the sample, and the
+///   Hessian is symmetric, bit for bit.
 /// - **Hessian:** its rows match finite differences of the gradient, with the same limits as
 ///   gradients.
 ///

@@ -301,9 +301,10 @@ impl<F: Field<V>, V: Point<Coordinates = [f32; N]>, const N: usize> Kernel<N> fo
 /// A field with second derivatives.
 ///
 /// Implemented for [`PerlinClassic`](crate::PerlinClassic), [`Perlin`](crate::Perlin),
-/// [`Simplex`](crate::Simplex), [`GaussianNoise`](crate::GaussianNoise), [`ValueNoise`](crate::ValueNoise) and
-/// [`ValueGradient`](crate::ValueGradient) in 1 to 4 dimensions, and for the sums of their octaves.
-/// Value and gradient have the bits of [`Field::sample`].
+/// [`Simplex`](crate::Simplex), [`GaussianNoise`](crate::GaussianNoise),
+/// [`ValueNoise`](crate::ValueNoise) and [`ValueGradient`](crate::ValueGradient) in 1 to 4
+/// dimensions, and for the sums of their octaves. Value and gradient have the bits of
+/// [`Field::sample`].
 ///
 /// ```text
 /// H = Σ wᵢ aᵢ Mᵢᵀ Hᵢ(Mᵢ p + oᵢ) Mᵢ / N,   Mᵢ = fᵢ Rᵢ,   of a sum of octaves
@@ -311,9 +312,9 @@ impl<F: Field<V>, V: Point<Coordinates = [f32; N]>, const N: usize> Kernel<N> fo
 ///
 /// - **Continuity:** quintic weights are C², so the Hessians of Perlin noise of 2002 and of
 ///   Gaussian noise are continuous. The Hessian of simplex noise with r² = ½ is smooth. Cubic
-///   weights are only C¹: the Hessian of [`PerlinClassic`](crate::PerlinClassic) is discontinuous at cell
-///   borders, where w″ jumps from −6 to 6. On a border it is the Hessian of the cell above. Wide
-///   simplex noise is itself discontinuous.
+///   weights are only C¹: the Hessian of [`PerlinClassic`](crate::PerlinClassic) is discontinuous
+///   at cell borders, where w″ jumps from −6 to 6. On a border it is the Hessian of the cell above.
+///   Wide simplex noise is itself discontinuous.
 /// - **NaN and ∞:** points that are not finite give 0.
 ///
 /// ```

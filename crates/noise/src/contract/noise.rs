@@ -156,8 +156,8 @@ macro_rules! measured {
 
 pub(crate) use measured;
 
-/// The public traits of a kind that is a [`Kernel`](crate::contract::kernel::Kernel), in all dimensions or in
-/// one.
+/// The public traits of a kind that is a [`Kernel`](crate::contract::kernel::Kernel), in all
+/// dimensions or in one.
 macro_rules! noise {
     ($kind:ident) => {
         noise!($kind, [, const N: usize], N);

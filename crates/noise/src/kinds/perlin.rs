@@ -46,9 +46,9 @@ pub struct PerlinClassic<L = IntegerHash> {
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/pictures/perlin_2002.md"))]
 ///
-/// The sum of [`PerlinClassic`] with w(t) = 6t⁵ − 15t⁴ + 10t³ and other gradients. In 3-D they are the
-/// twelve (±1, ±1, 0) and its rotations, in 4-D the 32 of the form (0, ±1, ±1, ±1). In 2-D they are
-/// the eight of length √2 at odd multiples of 22.5°, and in 1-D ±⅛ … ±1.
+/// The sum of [`PerlinClassic`] with w(t) = 6t⁵ − 15t⁴ + 10t³ and other gradients. In 3-D they are
+/// the twelve (±1, ±1, 0) and its rotations, in 4-D the 32 of the form (0, ±1, ±1, ±1). In 2-D they
+/// are the eight of length √2 at odd multiples of 22.5°, and in 1-D ±⅛ … ±1.
 ///
 /// - **Range:** [−1, 1], attained within 2e-6; the scale is the inverse of the searched maximum.
 ///

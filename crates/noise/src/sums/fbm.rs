@@ -51,8 +51,8 @@ pub enum Normalization {
 /// n(p) = Σ wᵢ aᵢ φ(nᵢ(fᵢ Rᵢ p + oᵢ)) / N
 /// ```
 ///
-/// The [`FbmSpectrum`] defines weights, amplitudes and frequencies, and [`Normalization`] defines N.
-/// Every octave has its own offset oᵢ and rotation Rᵢ. φ is the identity unless set by
+/// The [`FbmSpectrum`] defines weights, amplitudes and frequencies, and [`Normalization`] defines
+/// N. Every octave has its own offset oᵢ and rotation Rᵢ. φ is the identity unless set by
 /// [`with_shape`](Self::with_shape).
 ///
 /// - **Kinds of this crate** also get a seed for each octave, so that octaves and sums of different

@@ -76,7 +76,8 @@ impl FbmSpectrum {
     /// Threads of a carpet: lacunarity 2, gain 1, three octaves.
     ///
     /// After Nilsson 2008, section 4.2.2. Use [`Signed`](crate::Signed) for all threads together,
-    /// and [`Plasma`](crate::Plasma) to the seventh [`Power`](crate::ops::Power) for single threads.
+    /// and [`Plasma`](crate::Plasma) to the seventh [`Power`](crate::ops::Power) for single
+    /// threads.
     pub const THREADS: Self = Self { lacunarity: 2.0, gain: 1.0, max_octaves: 3 };
 
     /// One octave.

@@ -15,8 +15,8 @@ use crate::sums::shape::Shape;
 /// t(p) = Σ wᵢ aᵢ |nᵢ| / Σ wᵢ aᵢ,   ∇|n| = sign(n) ∇n,   sign(0) = 0
 /// ```
 ///
-/// - **Range:** [0, 1] under [`Normalization::UnitRange`](crate::Normalization::UnitRange), for kinds of
-///   range 1.
+/// - **Range:** [0, 1] under [`Normalization::UnitRange`](crate::Normalization::UnitRange), for
+///   kinds of range 1.
 ///
 /// Perlin 1985; Nilsson 2008, section 4.1.5.
 ///
@@ -38,11 +38,11 @@ pub struct Turbulence;
 /// Σ wᵢ aᵢ (1 − |nᵢ|) / Σ wᵢ aᵢ = 1 − turbulence
 /// ```
 ///
-/// With [`FbmSpectrum::THREADS`](crate::FbmSpectrum::THREADS) and the seventh [`Power`](crate::ops::Power) it
-/// is the thread pattern of Nilsson 2008, section 4.2.2.
+/// With [`FbmSpectrum::THREADS`](crate::FbmSpectrum::THREADS) and the seventh
+/// [`Power`](crate::ops::Power) it is the thread pattern of Nilsson 2008, section 4.2.2.
 ///
-/// - **Range:** [0, 1] under [`Normalization::UnitRange`](crate::Normalization::UnitRange), for kinds of
-///   range 1.
+/// - **Range:** [0, 1] under [`Normalization::UnitRange`](crate::Normalization::UnitRange), for
+///   kinds of range 1.
 ///
 /// Nilsson 2008, section 4.1.5.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -52,8 +52,8 @@ pub struct Plasma;
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/pictures/billow.md"))]
 ///
-/// - **Range:** [−1, 1] under [`Normalization::UnitRange`](crate::Normalization::UnitRange), for kinds of
-///   range 1.
+/// - **Range:** [−1, 1] under [`Normalization::UnitRange`](crate::Normalization::UnitRange), for
+///   kinds of range 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Billow;
 
@@ -64,8 +64,8 @@ pub struct Billow;
 /// Octaves are added independently. In a [`RidgedMultifractal`](crate::RidgedMultifractal) ridges
 /// carry smaller ridges.
 ///
-/// - **Range:** [0, 1] under [`Normalization::UnitRange`](crate::Normalization::UnitRange), for kinds of
-///   range 1.
+/// - **Range:** [0, 1] under [`Normalization::UnitRange`](crate::Normalization::UnitRange), for
+///   kinds of range 1.
 ///
 /// Musgrave in Ebert (ed.) 1994.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

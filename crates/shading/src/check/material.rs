@@ -15,8 +15,8 @@ const SIDE: u8 = 16;
 ///
 /// Each BSDF is checked for its own view.
 ///
-/// The checks are those of [`brdf`](crate::check::brdf). The energy includes specular
-/// samples of smooth coats and panes. Reciprocity is not checked, because bump mapping is not reciprocal.
+/// The checks are those of [`brdf`](crate::check::brdf). The energy includes specular samples of
+/// smooth coats and panes. Reciprocity is not checked, because bump mapping is not reciprocal.
 ///
 /// ```
 /// use asperity_shading::check::{self, Settings};

@@ -92,8 +92,8 @@ impl<S: Deref<Target = [Vec3]>> LatitudeLongitudeIn<S> {
     /// Creates the image from these texels.
     ///
     /// # Errors
-    /// [`ShadingError`] for an image without texels or with more than 2²⁸, a slice of another length,
-    /// and the first texel with a channel that is negative, NaN or above 10³⁰.
+    /// [`ShadingError`] for an image without texels or with more than 2²⁸, a slice of another
+    /// length, and the first texel with a channel that is negative, NaN or above 10³⁰.
     pub fn new(width: usize, height: usize, texels: S) -> Result<Self, ShadingError> {
         check_len("texels", texel_count(width, height, MAX_TEXELS)?, texels.len())?;
         check_texels("texels", texels.iter().copied(), "between 0 and 1e30 in each component", |texel| {

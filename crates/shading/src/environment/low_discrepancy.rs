@@ -13,8 +13,8 @@ use glam::Vec2;
 /// uc: frac(½ + k φ⁻¹),   φ² = φ + 1
 /// ```
 ///
-/// Roberts 2018, *The Unreasonable Effectiveness of Quasirandom Sequences*, in four dimensions and in
-/// one. Add a random shift on the torus where neighboring pixels should differ.
+/// Roberts 2018, *The Unreasonable Effectiveness of Quasirandom Sequences*, in four dimensions and
+/// in one. Add a random shift on the torus where neighboring pixels should differ.
 ///
 /// ```
 /// let (uc, u, _) = asperity_shading::environment::low_discrepancy_points(1).next().unwrap();

@@ -21,8 +21,8 @@ pub struct LightSample {
 /// ```
 ///
 /// The first direction is drawn by the BSDF, the second by the environment. The power heuristic
-/// weights both; a specular sample has weight 1. A renderer multiplies each by the visibility of the
-/// light.
+/// weights both; a specular sample has weight 1. A renderer multiplies each by the visibility of
+/// the light.
 ///
 /// - **Domain:** unit `wo` in world space; `uc` and `u` of [`Bsdf::sample`], and a uniform point of
 ///   the unit square for the environment.

@@ -126,8 +126,8 @@ impl<'a, const K: usize> SlopePyramidRef<'a, K> {
     /// Creates the map of these slopes and fills `lobes`.
     ///
     /// # Errors
-    /// [`ShadingError`] for a map without texels or with more than 2²⁶, slices of another length, and
-    /// the first slope with a coordinate that is not finite or beyond 10⁶.
+    /// [`ShadingError`] for a map without texels or with more than 2²⁶, slices of another length,
+    /// and the first slope with a coordinate that is not finite or beyond 10⁶.
     pub fn new(
         width: usize,
         height: usize,

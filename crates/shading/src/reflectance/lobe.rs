@@ -146,7 +146,8 @@ impl<'a> Lobe<'a> {
         Self { kind: Kind::Sparkling { base, flake, color, weights }, weight: Vec3::ONE }
     }
 
-    /// Multiplies the lobe by a color, component by component; non-positive components are read as 0.
+    /// Multiplies the lobe by a color, component by component; non-positive components are read as
+    /// 0.
     #[must_use]
     pub fn weighted(self, by: Vec3) -> Self {
         Self { weight: self.weight * by.max(Vec3::ZERO), ..self }

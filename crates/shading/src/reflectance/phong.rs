@@ -110,8 +110,8 @@ pub enum BlinnPhongNormalization {
 ///
 /// - **Domain:** the exponents of the NDF [`BlinnPhong`], specular color within `[0, 1]³`.
 /// - **Range:** at least 0; reciprocal.
-/// - **Energy:** the albedo straight down is documented at [`BlinnPhongNormalization`], and decreases
-///   towards the horizon.
+/// - **Energy:** the albedo straight down is documented at [`BlinnPhongNormalization`], and
+///   decreases towards the horizon.
 /// - **Sampling:** `D(h) h_z` of the NDF, reflected.
 /// - **Accuracy:** 3·10⁻⁶ relative to the formula, for exponents up to 1000.
 ///

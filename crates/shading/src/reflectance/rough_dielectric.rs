@@ -23,9 +23,9 @@ use crate::reflectance::fresnel::Dielectric;
 /// `G₁(ω)` is evaluated at −ω.
 ///
 /// - **Radiance over η²:** the change of radiance by `η_o²/η_i²` is omitted, as in
-///   [`Coat::dielectric`](crate::reflectance::Coat::dielectric), because it is undone where the light leaves.
-///   For radiance itself multiply the transmitted light by it (eq. 21 of Walter et al. includes
-///   it).
+///   [`Coat::dielectric`](crate::reflectance::Coat::dielectric), because it is undone where the
+///   light leaves. For radiance itself multiply the transmitted light by it (eq. 21 of Walter et
+///   al. includes it).
 /// - **Domain:** directions on both sides of the surface. An index closer to 1 than 0.01 is moved
 ///   away from 1, because transmission has no density if there is hardly an interface.
 /// - **Range:** at least 0, finite; `η_o² f(ωi, ωo) = η_i² f(ωo, ωi)`. A thin wall is reciprocal

@@ -23,7 +23,8 @@ use crate::reflectance::fresnel::Fresnel;
 /// - **Sampling:** `D(h) h_z`, reflected.
 ///
 /// Torrance, Sparrow 1967, *Theory for Off-Specular Reflection From Roughened Surfaces*; Blinn
-/// 1977, *Models of Light Reflection for Computer Synthesized Pictures*; Cook, Torrance 1982, eq. 2.
+/// 1977, *Models of Light Reflection for Computer Synthesized Pictures*; Cook, Torrance 1982, eq.
+/// 2.
 ///
 /// ```
 /// use asperity_shading::ndf_sampling::BlinnPhong;

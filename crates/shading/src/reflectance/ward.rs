@@ -35,8 +35,8 @@ pub enum WardNormalization {
 ///
 /// - **Domain:** roughnesses of [`Beckmann`], specular color within `[0, 1]³`.
 /// - **Range:** at least 0, finite; reciprocal.
-/// - **Energy:** see [`WardNormalization`]; only the last form has an albedo of at most `k_s` for every
-///   direction.
+/// - **Energy:** see [`WardNormalization`]; only the last form has an albedo of at most `k_s` for
+///   every direction.
 /// - **Accuracy:** 4·10⁻⁶ relative to the formulas.
 /// - **Sampling:** the half vector by its slopes, reflected; in the bounded form the weight is `k_s
 ///   · 2 cos θ_i / (cos θ_i + cos θ_o)`.

@@ -148,9 +148,9 @@ impl<K: Field<Vec3>> Gas<K> {
 /// share(p) = (1 − smoothstep(0, 1, d/radius)) · (1 − z/height)   for 0 ≤ z ≤ height, else 0
 /// ```
 ///
-/// with `z` the height above the surface of the tea and `d` the distance from its axis. Cohen, *Procedural
-/// Bump Mapping and Noise*, "Placing and Shaping Gas": attenuated by the distance from the center
-/// of the surface of the tea and by the height above it.
+/// with `z` the height above the surface of the tea and `d` the distance from its axis. Cohen,
+/// *Procedural Bump Mapping and Noise*, "Placing and Shaping Gas": attenuated by the distance from
+/// the center of the surface of the tea and by the height above it.
 ///
 /// ```
 /// use asperity_shading::texture::Steam;

@@ -102,11 +102,11 @@ impl<N: Noise + Field<Vec3> + Clone> Marble<N> {
 
     /// The linear RGB color at a point, as seen by a pixel of this footprint.
     ///
-    /// Octave i keeps the fraction `1 − kᵢ` of [`filtered_fraction`] for half the footprint; for the
-    /// whole footprint, octaves would vanish that are still visible in the mean over a pixel. The
-    /// removed part has the measured distribution of sums of the noise at its variance. The kept
-    /// part still varies within the pixel, by its gradient. The color is the mean of the spline
-    /// over both.
+    /// Octave i keeps the fraction `1 − kᵢ` of [`filtered_fraction`] for half the footprint; for
+    /// the whole footprint, octaves would vanish that are still visible in the mean over a pixel.
+    /// The removed part has the measured distribution of sums of the noise at its variance. The
+    /// kept part still varies within the pixel, by its gradient. The color is the mean of the
+    /// spline over both.
     #[must_use]
     pub fn color(&self, p: Vec3, footprint: Footprint) -> Vec3 {
         let width = footprint.width();

@@ -5,7 +5,8 @@ use asperity_ndf_sampling::gpu::ConditionalTableUniform;
 use crate::ndf::density::{ELEMENTARY, GAUSSIAN_SPLIT};
 use crate::part::{Binding, Element, Part, part};
 
-/// Exact level of detail of any normal distribution by one lookup; [`ConditionalTable`](asperity_ndf_sampling::ConditionalTable).
+/// Exact level of detail of any normal distribution by one lookup;
+/// [`ConditionalTable`](asperity_ndf_sampling::ConditionalTable).
 ///
 /// Bound to [`ConditionalTableUniform`] as `conditional_table_grid`, and to the entries, three
 /// floats each, as the table `conditional_table_number`. With hardware interpolation, call

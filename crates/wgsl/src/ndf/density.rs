@@ -9,7 +9,8 @@ use crate::part::{Part, part};
 pub static ELEMENTARY: Part = part!("ndf/numeric/elementary");
 
 /// Gaussian distribution function, its tail and its quantile in 32 bits:
-/// [`phi`](fn@asperity_ndf_sampling::gaussian_cdf), [`inverse_gaussian_cdf`](asperity_ndf_sampling::inverse_gaussian_cdf).
+/// [`phi`](fn@asperity_ndf_sampling::gaussian_cdf),
+/// [`inverse_gaussian_cdf`](asperity_ndf_sampling::inverse_gaussian_cdf).
 pub static NORMAL_DISTRIBUTION: Part = part!("ndf/numeric/normal_distribution", ELEMENTARY);
 
 /// Clamped roughness, and vectors stretched by it.

@@ -5,7 +5,8 @@ use asperity_ndf_sampling::gpu::PackedMapUniform;
 use crate::ndf::density::{ELEMENTARY, GAUSSIAN_SPLIT, NORMAL_DISTRIBUTION};
 use crate::part::{Binding, Element, Part, part};
 
-/// A painted or computed distribution on the map of normals, from one array, [`PackedMapRef`](asperity_ndf_sampling::PackedMapRef).
+/// A painted or computed distribution on the map of normals, from one array,
+/// [`PackedMapRef`](asperity_ndf_sampling::PackedMapRef).
 ///
 /// Density, samples, distribution functions, bijection and inverse, conditional density. Bound to
 /// [`PackedMapUniform`] as `packed_map_grid`, and to the bits of the array as the table

@@ -1,8 +1,8 @@
 //! Sums of octaves: spectra, shapes, octaves of every kind of noise.
 //!
-//! A module has up to [`SUMS`](asperity_noise::gpu::SUMS) sums of a dimension, which functions index from 0, for instance a
-//! field and the fields that warp it. Every kind has its own function. A custom kind adds its
-//! octaves to a [`TOTAL`](fbm_3d::TOTAL) in the same way.
+//! A module has up to [`SUMS`](asperity_noise::gpu::SUMS) sums of a dimension, which functions
+//! index from 0, for instance a field and the fields that warp it. Every kind has its own function.
+//! A custom kind adds its octaves to a [`TOTAL`](fbm_3d::TOTAL) in the same way.
 //!
 //! ```
 //! # #[cfg(feature = "alloc")] {
@@ -62,8 +62,8 @@ pub static SHAPE: Part = part!("noise/sums/shape");
 /// Frequency clamping, [`filtered_fraction`](asperity_noise::filtered_fraction).
 pub static FREQUENCY_CLAMP: Part = part!("noise/sums/frequency_clamp");
 
-/// Weights of a real number of octaves, [`FbmSpectrum`](asperity_noise::FbmSpectrum), and the divisor of
-/// a sum.
+/// Weights of a real number of octaves, [`FbmSpectrum`](asperity_noise::FbmSpectrum), and the
+/// divisor of a sum.
 pub static SPECTRUM: Part = part!("noise/sums/spectrum", [FbmSpectrumUniform], FREQUENCY_CLAMP);
 
 /// One octave, [`Octave`](asperity_noise::Octave): its affine map in two, three and four

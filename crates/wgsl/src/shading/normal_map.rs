@@ -12,9 +12,11 @@ use crate::shading::pixel::PIXEL_ELLIPSE;
 pub static SLOPE_MOMENTS: Part =
     part!("shading/normal_map/slope_moments", GAUSSIAN_SPLIT, OFFSET_BECKMANN, MATH);
 
-/// Normal maps at every zoom as grouped slopes, [`SlopePyramidRef`](asperity_shading::normal_map::SlopePyramidRef).
+/// Normal maps at every zoom as grouped slopes,
+/// [`SlopePyramidRef`](asperity_shading::normal_map::SlopePyramidRef).
 ///
-/// Bound to [`gpu_numbers`](asperity_shading::normal_map::SlopePyramidRef::gpu_numbers) as the table `slope_pyramid_number`.
+/// Bound to [`gpu_numbers`](asperity_shading::normal_map::SlopePyramidRef::gpu_numbers) as the
+/// table `slope_pyramid_number`.
 pub static SLOPE_PYRAMID: Part =
     part!("shading/normal_map/slope_pyramid", [SlopePyramidUniform], SLOPE_MOMENTS, PIXEL_ELLIPSE, MATH)
         .with_bindings(&[Binding::Table {

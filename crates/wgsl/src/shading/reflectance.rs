@@ -61,8 +61,9 @@ pub static FACET: Part = part!("shading/reflectance/facet", SURFACE_GRADIENT, FR
 pub static ROUGH_DIELECTRIC: Part =
     part!("shading/reflectance/rough_dielectric", BRDF, DIRECTION, DIELECTRIC, BECKMANN, ELEMENTARY);
 
-/// Smooth and rough coats over the layers of a surface, [`Coat`](asperity_shading::reflectance::Coat): transmission to the layers,
-/// reflection and transmission.
+/// Smooth and rough coats over the layers of a surface,
+/// [`Coat`](asperity_shading::reflectance::Coat): transmission to the layers, reflection and
+/// transmission.
 ///
 /// Apply a coat to any material by `coat_over(coat, material(point, wo, wi), wo, wi)` and
 /// `coat_deltas`.

@@ -22,7 +22,8 @@ pub(crate) fn table(root: &Path) -> Result<String> {
     Ok(table::markdown(&columns, &golden))
 }
 
-/// The quick check: the platforms that build fast. Prints which platforms ran and which are missing.
+/// The quick check: the platforms that build fast. Prints which platforms ran and which are
+/// missing.
 pub(crate) fn gate(root: &Path) -> Result<()> {
     let (columns, golden) = compared(root, false)?;
     table::in_short(&columns, &golden).iter().for_each(|line| say(&format!("  {line}")));

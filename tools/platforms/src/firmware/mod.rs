@@ -17,8 +17,8 @@ const TABLE: &str = "src/density.bin";
 /// The checked-in picture.
 const PICTURE: &str = "docs/pictures/firmware.png";
 
-/// Draws the picture on both machines; an error if they differ, if the table is not what the crates make, or if code for panics is
-/// linked into it or into a function whose cost is measured.
+/// Draws the picture on both machines; an error if they differ, if the table is not what the crates
+/// make, or if code for panics is linked into it or into a function whose cost is measured.
 pub(crate) fn check(root: &Path) -> Result<String> {
     let folder = root.join(FOLDER);
     if std::fs::read(folder.join(TABLE))? != table(&folder)? {
@@ -44,7 +44,8 @@ pub(crate) fn check(root: &Path) -> Result<String> {
     ))
 }
 
-/// Writes the table and the picture, and returns the table of code, constants and stack of each function.
+/// Writes the table and the picture, and returns the table of code, constants and stack of each
+/// function.
 pub(crate) fn ship(root: &Path) -> Result<String> {
     let folder = root.join(FOLDER);
     write(&folder.join(TABLE), &table(&folder)?)?;

@@ -1,4 +1,5 @@
-//! Floats that tests compare by hand: an assertion whose condition is the size of a difference against a bound.
+//! Floats that tests compare by hand: an assertion whose condition is the size of a difference
+//! against a bound.
 
 /// The number of assertions of one source that compare by hand, examples in docs left out.
 pub(super) fn by_hand(text: &str) -> usize {

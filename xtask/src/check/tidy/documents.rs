@@ -24,7 +24,8 @@ fn krate(path: &str) -> Option<(usize, &'static Crate, &str)> {
     Some((index, &CRATES[index], modules))
 }
 
-/// Why a path into the crates' modules leads nowhere; its last part may be a name that the module defines.
+/// Why a path into the crates' modules leads nowhere; its last part may be a name that the module
+/// defines.
 fn astray(root: &Path, path: &str) -> Option<String> {
     let (_, krate, modules) = krate(path)?;
     let mut place = root.join(krate.sources);

@@ -1,4 +1,5 @@
-//! Idioms and spellings that the documentation avoids; `docs/glossary.md` has the terms that it uses.
+//! Idioms and spellings that the documentation avoids; `docs/glossary.md` has the terms that it
+//! uses.
 
 /// Phrases in lower case, found as whole words.
 const IDIOMS: [&str; 44] = [

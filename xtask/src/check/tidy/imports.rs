@@ -1,4 +1,5 @@
-//! The imports of one source file: its `use` declarations and its paths, read from its tokens without a parser of Rust.
+//! The imports of one source file: its `use` declarations and its paths, read from its tokens
+//! without a parser of Rust.
 
 use std::collections::BTreeMap;
 
@@ -8,7 +9,8 @@ use proc_macro2::{Delimiter, LexError, Spacing, TokenStream, TokenTree};
 #[derive(Debug, Default, PartialEq, Eq)]
 pub(super) struct Imports {
     pub(super) paths: Vec<Path>,
-    /// Names of public items, and those that `pub use` exports with their origin: of a crate's root: its exports.
+    /// Names of public items, and those that `pub use` exports with their origin: of a crate's
+    /// root: its exports.
     pub(super) public: BTreeMap<String, Option<Path>>,
     /// Public modules.
     pub(super) public_modules: Vec<String>,
@@ -28,7 +30,8 @@ pub(super) struct Path {
     pub(super) line: usize,
 }
 
-/// Reads one file. `children` are the names of the file modules below it, which a path may begin with.
+/// Reads one file. `children` are the names of the file modules below it, which a path may begin
+/// with.
 pub(super) fn read(source: &str, children: &[&str]) -> Result<Imports, LexError> {
     let mut tokens = Vec::new();
     flatten(source.parse()?, 0, &mut tokens);
@@ -153,7 +156,8 @@ impl Tokens {
         imports
     }
 
-    /// Behind the item that begins at `i`, or at the end of what is around it: of an expression or a field.
+    /// Behind the item that begins at `i`, or at the end of what is around it: of an expression or
+    /// a field.
     fn after_item(&self, mut i: usize) -> usize {
         loop {
             match self.text(i) {
@@ -168,7 +172,8 @@ impl Tokens {
         }
     }
 
-    /// Hands over every path of the tree at `i`, with its name here and its line, and returns the index behind them.
+    /// Hands over every path of the tree at `i`, with its name here and its line, and returns the
+    /// index behind them.
     fn tree(
         &self,
         mut i: usize,

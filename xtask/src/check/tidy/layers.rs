@@ -1,4 +1,5 @@
-//! The layers of every crate: folders and files in order. A file imports only from its own and earlier layers.
+//! The layers of every crate: folders and files in order. A file imports only from its own and
+//! earlier layers.
 
 /// A crate's sources and the order of its layers.
 pub(super) struct Crate {

@@ -94,7 +94,8 @@ impl Report {
     }
 }
 
-/// Visits every file with an extension below a folder: its path from the root, with slashes, and its text.
+/// Visits every file with an extension below a folder: its path from the root, with slashes, and
+/// its text.
 fn files(
     root: &Path,
     folder: &Path,

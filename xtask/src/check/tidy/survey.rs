@@ -1,4 +1,5 @@
-//! The imports between the files of a crate: against the order of layers, in cycles, through the root.
+//! The imports between the files of a crate: against the order of layers, in cycles, through the
+//! root.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -88,7 +89,8 @@ impl Survey {
     }
 }
 
-/// The imports of a crate's files by module: the path from the root, which has no name, slashes between; without tests.
+/// The imports of a crate's files by module: the path from the root, which has no name, slashes
+/// between; without tests.
 struct Files(BTreeMap<String, Imports>);
 
 impl Files {
@@ -152,7 +154,8 @@ impl Files {
     }
 }
 
-/// `a/b/mod.rs` and `a/b.rs` are the module `a/b`; `lib.rs` and `main.rs` are the root, which has no name.
+/// `a/b/mod.rs` and `a/b.rs` are the module `a/b`; `lib.rs` and `main.rs` are the root, which has
+/// no name.
 fn module(path: &str) -> &str {
     let path = path.strip_suffix(".rs").unwrap_or(path);
     match path {
@@ -170,7 +173,8 @@ fn joined(parts: &[&str]) -> String {
     parts.join("/").trim_start_matches('/').to_owned()
 }
 
-/// The files in cycles of imports: those that remain after repeatedly removing files without imports or importers.
+/// The files in cycles of imports: those that remain after repeatedly removing files without
+/// imports or importers.
 fn in_cycles<'a>(mut edges: BTreeSet<(&'a str, &'a str)>) -> Vec<&'a str> {
     loop {
         let count = edges.len();
@@ -241,7 +245,8 @@ mod tests {
                 ],
             ),
             ("low/a.rs", "use super::b::B;", &["x: files import one another in a cycle: low/a, low/b"]),
-            // A module that re-exports a file is in a cycle with a file that imports from the module.
+            // A module that re-exports a file is in a cycle with a file that imports from the
+            // module.
             ("high/top.rs", "use super::Shown;", &["x: files import one another in a cycle: high, high/top"]),
             (
                 "high/top.rs",

@@ -141,7 +141,8 @@ impl RoughFoldedSurface {
         Bounded { value, bound: 1.01 * (tail + error + rounding) }
     }
 
-    /// `f(x, y)` to the rounding error; the value of [`RoughFoldedSurface::evaluate`] at tolerance 0.
+    /// `f(x, y)` to the rounding error; the value of [`RoughFoldedSurface::evaluate`] at tolerance
+    /// 0.
     #[inline]
     #[must_use]
     pub fn height(&self, x: f64, y: f64) -> f64 {

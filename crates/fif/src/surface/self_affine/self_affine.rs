@@ -23,8 +23,8 @@ pub(crate) const MOST_STEPS: u32 = 1 << 16;
 /// ```
 ///
 /// The fold `Φ` maps every cell of a grid onto the whole. It is an integer matrix of the torus
-/// ([`PeriodicSurface`](crate::PeriodicSurface), periodic, without grain), or zig-zags along both axes
-/// ([`FoldedSurface`](crate::FoldedSurface), on unequal cells).
+/// ([`PeriodicSurface`](crate::PeriodicSurface), periodic, without grain), or zig-zags along both
+/// axes ([`FoldedSurface`](crate::FoldedSurface), on unequal cells).
 #[derive(Clone, Debug)]
 pub struct SelfAffine<F> {
     pub(crate) fold: F,

@@ -72,9 +72,9 @@ impl NdfMap {
     /// Creates the map from the `width · height` values `texels`.
     ///
     /// # Errors
-    /// A map without texels or with more than [`MAX_TEXELS`](Self::MAX_TEXELS); a slice of another length; a texel
-    /// inside the disk that is negative, NaN or infinite (the error contains the first); no texel
-    /// with weight.
+    /// A map without texels or with more than [`MAX_TEXELS`](Self::MAX_TEXELS); a slice of another
+    /// length; a texel inside the disk that is negative, NaN or infinite (the error contains the
+    /// first); no texel with weight.
     pub fn from_texels(
         width: usize,
         height: usize,

@@ -93,9 +93,9 @@ impl Metric {
     /// or the second nearest of a point.
     ///
     /// Let tᵢ be the position of the point in its cell, mᵢ = max(tᵢ, 1 − tᵢ), and m the maximum of
-    /// the mᵢ. The feature point of this cell is within |m|, the length of the vector of the mᵢ. The
-    /// next cell along the axis of m, across the closer border, has its feature point within the
-    /// same length with 2 − m as that component. A cell k along axis i is at least k − mᵢ away.
+    /// the mᵢ. The feature point of this cell is within |m|, the length of the vector of the mᵢ.
+    /// The next cell along the axis of m, across the closer border, has its feature point within
+    /// the same length with 2 − m as that component. A cell k along axis i is at least k − mᵢ away.
     ///
     /// In 1-D neither bound exceeds that distance for k = 2. In the Chebyshev metric neither does
     /// for any k ≥ 2, where the second bound is 2 − m. The Euclidean bounds are √n and at most 2.

@@ -23,8 +23,8 @@ pub enum OrenNayarVariant {
     /// C₃ = 0.125 σ²/(σ²+0.09) (4αβ/π²)²
     /// ```
     ///
-    /// α and β are the larger and the smaller angle from the normal. Oren, Nayar 1994, *Generalization
-    /// of Lambert's Reflectance Model*, eq. 30 and 31.
+    /// α and β are the larger and the smaller angle from the normal. Oren, Nayar 1994,
+    /// *Generalization of Lambert's Reflectance Model*, eq. 30 and 31.
     #[default]
     Full,
     /// The two largest terms, with dark rims where the azimuths differ, and no color shift.

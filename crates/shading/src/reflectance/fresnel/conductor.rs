@@ -79,7 +79,8 @@ impl Conductor {
         let real = (eta - k) * (eta + k) - sin_squared;
         let half_imaginary = eta * k;
         let modulus = sqrt(real * real + 4.0 * half_imaginary * half_imaginary);
-        // Of a² = (|w| + Re w)/2 and b² = (|w| − Re w)/2 one cancels; it follows from a b = Im w / 2.
+        // Of a² = (|w| + Re w)/2 and b² = (|w| − Re w)/2 one cancels; it follows from a b = Im w /
+        // 2.
         let large = 0.5 * (modulus + real.abs());
         let small = if large > 0.0 { half_imaginary * half_imaginary / large } else { 0.0 };
         let (a_squared, b_squared) = if real >= 0.0 { (large, small) } else { (small, large) };

@@ -14,7 +14,8 @@ pub static SEAMS: Part = part!("shading/material/carpet/seams", DIRECTION, ELEME
 /// Short bent fibers that cover each other, [`Fibers`](asperity_shading::material::Fibers).
 pub static FIBERS: Part = part!("shading/material/carpet/fibers", [FibersUniform], SEGMENTS, FOOTPRINT);
 
-/// Carpet of threads, fibers, seams and dark areas, with rim light: [`Carpet`](asperity_shading::Carpet).
+/// Carpet of threads, fibers, seams and dark areas, with rim light:
+/// [`Carpet`](asperity_shading::Carpet).
 pub static CARPET: Part =
     part!("shading/material/carpet/carpet", [CarpetUniform], SURFACE_POINT, SIZED_FBM, SEAMS, FIBERS, GLOSSY)
         .with_bindings(&[Binding::Uniform { name: "carpet_uniform", of: "Carpet" }]);

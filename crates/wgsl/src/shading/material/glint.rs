@@ -9,7 +9,8 @@ use crate::noise::INTEGER_HASH;
 use crate::part::{Binding, Part, part};
 use crate::shading::{DIRECTION, MATH};
 
-/// Flakes counted within pixels, with any normal distribution as their mean, [`GlintField`](asperity_shading::material::GlintField).
+/// Flakes counted within pixels, with any normal distribution as their mean,
+/// [`GlintField`](asperity_shading::material::GlintField).
 pub static GLINT_FIELD: Part = part!(
     "shading/material/paint/glint_field",
     [GlintFieldUniform],

@@ -24,7 +24,8 @@ pub static BUMP_MAPPED: Part = part!(
 )
 .with_bindings(&[Binding::Uniform { name: "bump_mapped_uniform", of: "BumpMapped" }]);
 
-/// Glossy surface with an authored normal map, [`NormalMapped`](asperity_shading::material::NormalMapped).
+/// Glossy surface with an authored normal map,
+/// [`NormalMapped`](asperity_shading::material::NormalMapped).
 pub static NORMAL_MAPPED: Part = part!(
     "shading/material/normal_mapped",
     [NormalMappedUniform],

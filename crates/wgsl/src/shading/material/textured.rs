@@ -27,7 +27,8 @@ pub static BRICK_WALL: Part = part!(
 )
 .with_bindings(&[Binding::Uniform { name: "brick_wall_uniform", of: "BrickWall" }]);
 
-/// Square tiles with a ridge along their edges, [`BeveledTiles`](asperity_shading::material::BeveledTiles).
+/// Square tiles with a ridge along their edges,
+/// [`BeveledTiles`](asperity_shading::material::BeveledTiles).
 pub static BEVELED_TILES: Part = part!(
     "shading/material/textured/beveled_tiles",
     [BeveledTilesUniform],

@@ -1,6 +1,7 @@
 //! Wavefront OBJ.
 //!
-//! Specification: Wavefront Technologies 1995, "Object Files (.obj)", Advanced Visualizer manual, appendix B1.
+//! Specification: Wavefront Technologies 1995, "Object Files (.obj)", Advanced Visualizer manual,
+//! appendix B1.
 
 use std::{borrow::Cow, collections::HashMap};
 
