@@ -179,13 +179,13 @@ class Bumps extends Looking {
     const rule = settings.rule === 'fractal' ? 'Fractal' : 'Exact';
     return `// asperity-shading with its default features
 use asperity_shading::ndf_sampling::${kind};
-use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum, glam::{DVec3, Vec3}};
+use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise, glam::{DVec3, Vec3}};
 use asperity_shading::{BumpField, Footprint, LevelOfDetail};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
 ${painted}    let density = ${density};
-    let spectrum = Spectrum::new(${number(settings.lacunarity)}, ${number(settings.gain)}, ${MAX_OCTAVES})?;
-    let octaves = GaussianOctaves::<3>::new(Gaussian::new(${settings.seed}), spectrum);
+    let spectrum = FbmSpectrum::new(${number(settings.lacunarity)}, ${number(settings.gain)}, ${MAX_OCTAVES})?;
+    let octaves = GaussianFbm::<Vec3>::new(GaussianNoise::new(${settings.seed}), spectrum);
     // Everything is relative to a focus, so that the zoom can be ten thousand.
     let focus = DVec3::new(${this.focus(settings).map(x => number(x)).join(', ')});
     let bumps = BumpField::new(octaves.anchored(focus * ${number(settings.frequency)}), ${number(settings.frequency)})?;

@@ -52,7 +52,7 @@ const FOLDED = `// Heights of the knots along diagonals, there and back; slopes 
     let narrowest = x.windows(2).map(|ends| ends[1] - ends[0]).fold(f64::INFINITY, f64::min);
     let mean = factors.iter().sum::<f64>() / last as f64;
     let factor = 0.75 * mean * narrowest / (x[last] - x[0]);
-    let surface = Folded::new(&x, &x, factor, &heights, &slopes)?.tabulated();`;
+    let surface = FoldedSurface::new(&x, &x, factor, &heights, &slopes)?.tabulated();`;
 const LISTS = /^[-+.\deE,;]{0,900}$/;
 
 /** The scene on a page. */
@@ -151,7 +151,7 @@ class Fractals {
     const name = settings.surface === 'f' ? 'f' : 'f_hat', isFolded = settings.surface === 'folded';
     const surface = isFolded ? FOLDED : `let surface = HeightField::new(${name}.clone(), ${name}).tabulated();`;
     return `// asperity-fif with its default features
-use asperity_fif::{Fif, ${isFolded ? 'Folded' : 'HeightField'}, Intersect, Ray, glam::DVec3};
+use asperity_fif::{Fif, ${isFolded ? 'FoldedSurface' : 'HeightField'}, Intersect, Ray, glam::DVec3};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (x, y, factors) = (${[x, y, d].map(list).join(', ')});

@@ -121,7 +121,7 @@ const MATERIALS = {
       colour('fake_rim_light_color', 'Rim light: color', [1, 1, 1]),
       seed(),
     ],
-    ...structure('Carpet', 'Carpet, CarpetParameters, glam::Vec2, material::{FibresParameters, SeamPattern}', FIBERS, rust =>
+    ...structure('Carpet', 'Carpet, CarpetParameters, glam::Vec2, material::{FibersParameters, SeamPattern}', FIBERS, rust =>
       [`fibers: FibersParameters { ${FIBERS.map(field => `${field}: ${rust(field)}`).join(', ')}, ..Default::default() }`]),
   },
   glass: {
@@ -205,9 +205,9 @@ const MATERIALS = {
       colour('tint', 'Tint', [1, 1, 1]),
       share('polish', 'Polish: roughness α, 0 for none', 0.05),
     ],
-    uses: 'Marble, material::PolishedMarble, noise::Perlin2002',
+    uses: 'Marble, material::PolishedMarble, noise::Perlin',
     code: rust => `PolishedMarble {
-        marble: Marble::new(Perlin2002::default(), ${rust('scale')}, ${rust('seed')})?,
+        marble: Marble::new(Perlin::default(), ${rust('scale')}, ${rust('seed')})?,
         tint: ${rust('tint')},
         polish: ${rust('polish')},
     }`,
@@ -433,7 +433,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let point = SurfacePoint::new(at, Vec3::Z, Footprint::from_width(1e-3)).with_uv(at.truncate(), [Vec3::X, Vec3::Y]);
     let (light, eye) = (Vec3::new(0.48, 0.6, 0.64), Vec3::Z);
     // Reflectance times the cosine of the light, in 1/sr.
-    println!("{}", material.bsdf(&point, eye).scattered(light, eye));
+    println!("{}", material.bsdf(&point, eye).eval_cos(eye, light));
     Ok(())
 }
 `;
@@ -443,12 +443,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 const steamCode = rust => `// asperity-shading with its default features
 use asperity_shading::Footprint;
 use asperity_shading::glam::Vec3;
-use asperity_shading::noise::{Normalisation, Octaves, Perlin2002, Spectrum, Turbulence};
+use asperity_shading::noise::{Fbm, FbmSpectrum, Normalization, Perlin, Turbulence};
 use asperity_shading::texture::{Gas, Steam, march};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let octaves = Octaves::new(Perlin2002::new(${rust('seed')}), Spectrum::new(${rust('lacunarity')}, ${rust('gain')}, 8)?)
-        .with_normalisation(Normalisation::Range)
+    let octaves = Fbm::new(Perlin::new(${rust('seed')}), FbmSpectrum::new(${rust('lacunarity')}, ${rust('gain')}, 8)?)
+        .with_normalization(Normalization::UnitRange)
         .with_shape(Turbulence);
     let gas = Gas::new(octaves, ${rust('octaves')}, ${rust('max_density')}, ${rust('exponent')})?${rust('veins') === 'true' ? '.with_veins()' : ''};
     // Lengths are in cells of the noise.

@@ -10,16 +10,16 @@ import { chart, drawn, radialSpectrum, ticksOf } from './charts.mjs';
  * whether there is a fourth dimension.
  */
 const KINDS = {
-  white: [0, 'White', 'White', false],
-  value: [1, 'Value', 'Value', true],
+  white: [0, 'White', 'WhiteNoise', false],
+  value: [1, 'Value', 'ValueNoise', true],
   'catmull-rom': [2, 'Value by Catmull–Rom splines', 'ValueCatmullRom', false],
-  'perlin-1985': [3, 'Perlin, 1985', 'Perlin1985', false],
-  'perlin-2002': [4, 'Perlin, 2002', 'Perlin2002', true],
+  'perlin-1985': [3, 'Perlin, 1985', 'PerlinClassic', false],
+  'perlin-2002': [4, 'Perlin, 2002', 'Perlin', true],
   'value-gradient': [5, 'Value and gradient', 'ValueGradient', false],
   simplex: [6, 'Simplex', 'Simplex', true],
   'simplex-wide': [7, 'Simplex, usual wide kernel', 'Simplex', true],
-  sparse: [8, 'Sparse convolution', 'Sparse', false],
-  gaussian: [9, 'Exactly Gaussian', 'Gaussian', false],
+  sparse: [8, 'Sparse convolution', 'SparseConvolution', false],
+  gaussian: [9, 'Exactly Gaussian', 'GaussianNoise', false],
   cellular: [10, 'Cellular', 'Cellular', false],
 };
 /** Sums: number in the module, number of the shape, name, the shape in Rust. */
@@ -387,25 +387,25 @@ function rustOf(settings, { sum, dimension, warp, flow, octaves }, centre, footp
   const use = name => { names.add(name); return name; };
   const made = {
     'simplex-wide': `Simplex::wide(${settings.seed})`,
-    cellular: `Cellular::new(${settings.seed}).with_basis(Basis::${settings.basis}).with_metric(Metric::${settings.metric}).with_jitter(${number(settings.jitter)})?`,
+    cellular: `Cellular::new(${settings.seed}).with_output(CellularOutput::${settings.basis}).with_metric(Metric::${settings.metric}).with_jitter(${number(settings.jitter)})?`,
   }[settings.kind] ?? `${type}::new(${settings.seed})`;
-  if (settings.kind === 'cellular') ['Basis', 'Metric'].forEach(use);
-  const clamped = footprint > 0 ? `.clamped(${number(footprint)})` : '';
+  if (settings.kind === 'cellular') ['CellularOutput', 'Metric'].forEach(use);
+  const clamped = footprint > 0 ? `.band_limited(${number(footprint)})` : '';
   const lines = [`let noise = ${made};`];
   const vector = `Vec${dimension}`, seeds = from => Array.from({ length: dimension }, (_, k) => settings.seed + from + k).join(', ');
   // The sum of a seed, before its shape. Warp fields have no shape.
   const needsSums = sum === 1 || sum && warp;
-  if (sum) lines.push(`let spectrum = ${use('Spectrum')}::new(${number(settings.lacunarity)}, ${number(settings.gain)}, ${NOISE_OCTAVES})?;`);
+  if (sum) lines.push(`let spectrum = ${use('FbmSpectrum')}::new(${number(settings.lacunarity)}, ${number(settings.gain)}, ${NOISE_OCTAVES})?;`);
   if (needsSums) {
-    use('Octaves');
-    const range = settings.normalised === 'range' ? `.with_normalisation(${use('Normalisation')}::Range)` : '';
-    lines.push(`let octaves = |seed| Octaves::<_, ${dimension}>::new(noise.with_seed(seed), spectrum)${range}.first(${number(octaves)});`);
+    use('Fbm');
+    const range = settings.normalised === 'range' ? `.with_normalization(${use('Normalization')}::UnitRange)` : '';
+    lines.push(`let octaves = |seed| Fbm::<_, ${vector}>::new(noise.with_seed(seed), spectrum)${range}.with_octaves(${number(octaves)});`);
   } else if (!sum) {
-    use('Octaves');
-    lines.push(`let octaves = |seed| Octaves::<_, ${dimension}>::single(noise.with_seed(seed));`);
+    use('Fbm');
+    lines.push(`let octaves = |seed| Fbm::<_, ${vector}>::single(noise.with_seed(seed));`);
   }
   const shaped = seed => sum === 2
-    ? `${use('RidgedMultifractal')}::<_, ${dimension}>::new(noise.with_seed(${seed}), spectrum, ${number(settings.feedback)})?.first(${number(octaves)})`
+    ? `${use('RidgedMultifractal')}::<_, ${vector}>::new(noise.with_seed(${seed}), spectrum, ${number(settings.feedback)})?.with_octaves(${number(octaves)})`
     : `octaves(${seed})${shape && sum ? `.with_shape(${use(shape)})` : ''}${clamped}`;
   lines.push(`let field = ${shaped(settings.seed)};`);
   if (warp) {
