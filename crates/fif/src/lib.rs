@@ -1,10 +1,11 @@
 //! Fractal interpolation functions (FIFs): curves, integrals, height fields and ray intersection.
 //!
-//! A FIF is a curve through given points (knots) that consists of smaller copies of itself. The
+//! A FIF is a curve through given points that consists of smaller copies of itself. The
 //! vertical scaling of each piece controls its roughness. This crate evaluates FIFs to a given
 //! tolerance with an error bound. It computes exact integrals and guaranteed ranges. The product of
-//! two FIFs is a height field, with exact normals if both are differentiable. Ray intersection
-//! never misses a hit, and [`Hit::certain`] reports whether an earlier hit is ruled out.
+//! two FIFs is a height field, with exact normals if both are differentiable. A ray that
+//! crosses the surface always returns a hit, and [`Hit::certain`] is true if it is proved to be the
+//! first.
 //!
 //! ```
 //! use asperity_fif::{FixedFif, HeightField, Intersect, Ray, glam::DVec3};

@@ -1,7 +1,7 @@
 //! Microfacet normal distribution functions (NDFs): evaluation, sampling and exact level of detail.
 //!
 //! A normal distribution function `D` describes the directions of the facets of a rough surface.
-//! Every [`Ndf`] also has a bijection `T` from pairs of Gaussian numbers to normals. `T` maps two
+//! Every [`Ndf`] also has a bijection `T` from pairs of standard normal values ("Gaussian numbers") to normals. `T` maps two
 //! channels of Gaussian noise to a bump map with exactly this distribution (Kautz, Heidrich, Seidel
 //! 2001, "Real-Time Bump Map Synthesis"). A pixel resolves only a part of the bump map. With `T⁻¹`,
 //! [`residual_ndf`] computes the distribution of the unresolved part in closed form.
@@ -32,7 +32,7 @@
 //! | [`Masked`], [`Bounded`] | masking and visible normals of maps and tables, for BRDFs |
 //! | [`Measure`], [`Reconstruction`] | interpretation of texel values; interpolation between them |
 //! | [`NoiseDistribution`], [`NoiseCdfRef`], [`GaussianDistribution`], [`KurtoticDistribution`] | conversion of noise values to Gaussian numbers and back by the CDF of the noise: measured, Gaussian, or from the kurtosis |
-//! | [`NormalLut`], [`normal_table`] | lookup table of `T` (table L of the paper): tangent frames by one lookup; layouts, accuracy, half floats |
+//! | [`NormalLut`], [`normal_table`] | lookup table of `T` (table L of the paper): a normal or its tangent frame by one lookup, also in half floats |
 //! | [`estimate_ndf`], [`NdfEstimator`], [`add_detail`], [`add_detail_normal`], [`normal_map`] | NDF estimation, texel decoding and added noise for existing normal maps |
 //! | [`ConditionalNdf`], [`residual_ndf`], [`GaussianSplit`], [`level_of_detail`] | exact level of detail |
 //! | [`ConditionalTable`] | exact level of detail by one lookup, for any NDF |

@@ -53,16 +53,16 @@
 //! | [`Sample`], [`SampleHessian`] | value and gradient; value, gradient and Hessian |
 //! | [`Grid`] | regular points, for images and volumes |
 //! | [`FbmSpectrum`], [`Fbm`], [`Rotation`], [`Normalization`] | lacunarity, gain and a real number of octaves; sums of any field, also of your own |
-//! | [`Turbulence`], [`Plasma`], [`Billow`], [`Ridged`], [`RidgedMultifractal`] | creased sums |
+//! | [`Turbulence`], [`Plasma`], [`Billow`], [`Ridged`], [`RidgedMultifractal`] | fBm with creases |
 //! | [`Perlin::tiled`], [`Fbm::tiled`] | tileable noises, and sums in which each octave has its own periods |
-//! | [`Octave`] | the affine map, cell and key of an octave, for evaluation elsewhere |
+//! | [`Octave`] | the affine map, cell and hash key of an octave, to evaluate it in a shader |
 //! | [`Fbm::anchored`] | fBm far from the origin, accurate to 1/1000 cell at 10¹² |
 //! | [`Fbm::band_limited`], [`filtered_fraction`], [`pixel_footprint`] | frequency clamping to a pixel |
 //! | [`GaussianFbm`] | sums that are N(0, 1) at every point |
 //! | [`ops`] | fields composed of fields: sums, products, blends, powers, curves, values in [0, 1] |
 //! | [`Warp`], [`curl`] | domain warping with its Jacobian; divergence-free velocities |
 //! | [`CellularOutput`], [`Metric`] | output and metric of cellular noise |
-//! | [`Lattice`], [`IntegerHash`], [`lattice`] | sources of the random bits of lattice points, and the variates made of them |
+//! | [`Lattice`], [`IntegerHash`], [`lattice`] | hash functions of lattice points, and the random values derived from the hashes |
 //! | [`Statistics`] | measured standard deviation, kurtosis, range and distribution of a kind |
 //! | [`simd`] | SIMD levels, for tests and benchmarks |
 //!

@@ -2,8 +2,8 @@
 //!
 //! A pixel resolves only the octaves of a bump map that are coarser than its [`Footprint`]. This
 //! crate evaluates the resolved octaves as noise, and shades the remaining octaves by one of two
-//! rules of [`LevelOfDetail`]. With `Exact`, the mean radiance over the surface is [`far_field`] at
-//! every zoom, the radiance when no bump is resolved. `Fractal` is the rule of Kautz, Heidrich,
+//! rules of [`LevelOfDetail`]. With `Exact`, the mean radiance over the surface is the same at every
+//! zoom: [`far_field`], the radiance when no bump is resolved. `Fractal` is the rule of Kautz, Heidrich,
 //! Seidel 2001, "Real-Time Bump Map Synthesis". The crate also contains diffuse and glossy BRDFs
 //! with importance sampling, complete materials, and environment lighting.
 //!
@@ -73,7 +73,7 @@
 //!
 //! # Limitations
 //!
-//! Both rules of [`LevelOfDetail`] evaluate p(h) without masking and shadowing. The caller
+//! Both rules of [`LevelOfDetail`] return the NDF at the half vector, without Fresnel term, masking and shadowing. The caller
 //! multiplies the result by a Fresnel term at the angle between `h` and either direction.
 //! [`CookTorrance`] is the full microfacet model. A [`Bsdf`] describes a single point. Light
 //! transport between surfaces is the task of the renderer.
