@@ -1,15 +1,17 @@
 //! IEEE 754 binary16, the half floats of textures: conversion to and from `f32`.
 
 /// The largest finite half float.
+#[cfg(any(feature = "alloc", test))]
 pub(crate) const MAX_HALF: f32 = 65504.0;
 
 /// The bits of the half float nearest to `x`, ties to even.
 ///
 /// Magnitudes from 65520 on become infinite, magnitudes below 2⁻²⁵ zero, with their signs. NaN
-/// becomes a quiet NaN. Between 2⁻¹⁴ and [`MAX_HALF`] the relative error is at most 2⁻¹¹. Below,
+/// becomes a quiet NaN. Between 2⁻¹⁴ and 65504 the relative error is at most 2⁻¹¹. Below,
 /// the absolute error is at most 2⁻²⁵.
 ///
 /// IEEE 754-2019, sections 3.4, 4.3.1 and 5.4.2.
+#[cfg(any(feature = "alloc", test))]
 #[inline]
 #[must_use]
 pub(crate) const fn to_half(x: f32) -> u16 {
@@ -52,6 +54,7 @@ pub(crate) const fn from_half(half: u16) -> f32 {
 /// `value/2^places` rounded to the nearest integer, ties to even.
 ///
 /// A carry into the exponent is correct as it is.
+#[cfg(any(feature = "alloc", test))]
 const fn nearest_even(value: u32, places: u32) -> u32 {
     let (kept, rest, tie) = (value >> places, value & ((1 << places) - 1), 1 << (places - 1));
     if rest > tie || (rest == tie && kept & 1 == 1) { kept + 1 } else { kept }

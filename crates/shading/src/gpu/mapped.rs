@@ -132,9 +132,10 @@ impl<const K: usize> SlopePyramidRef<'_, K> {
     #[cfg_attr(not(feature = "alloc"), doc = "```ignore")]
     /// use asperity_shading::{SlopePyramid, glam::Vec2};
     ///
-    /// let map = SlopePyramid::<2>::new(4, 2, vec![Vec2::X; 8])?; let uniform = map.view().gpu();
-    /// assert_eq!((uniform.width, uniform.height, uniform.last_level, uniform.groups), (4, 2, 2,
-    /// 2)); // Two centers, eight slopes, eleven texels of two lobes.
+    /// let map = SlopePyramid::<2>::new(4, 2, vec![Vec2::X; 8])?;
+    /// let uniform = map.view().gpu();
+    /// assert_eq!((uniform.width, uniform.height, uniform.last_level, uniform.groups), (4, 2, 2, 2));
+    /// // Two centers, eight slopes, eleven texels of two lobes.
     /// assert_eq!(map.view().gpu_numbers().count(), 2 * 2 + 2 * 8 + 6 * 2 * 11);
     /// # Ok::<(), asperity_shading::ShadingError>(())
     /// ```

@@ -27,17 +27,18 @@ use crate::reflectance::{Bsdf, Lobe};
 /// use asperity_shading::material::NormalMapped;
 /// use asperity_shading::{Beckmann, Footprint, Material, SlopePyramid, SurfacePoint};
 ///
-/// // Ridges of two flanks, each 32 texels wide. let side = |k: usize| if k % 64 < 32 { 0.6 } else
-/// { -0.6 }; let ridges: Vec<Vec3> = (0..64 * 8).map(|k| Vec3::new(side(k), 0.0, 0.8)).collect();
-/// let map = SlopePyramid::<4>::from_normals(64, 8, &ridges)?; let stone = NormalMapped { map:
-/// map.view(), roughness: Beckmann::isotropic(0.2)?, color: Vec3::ONE }; let seen = |width: f32,
-/// wi: Vec3| {
+/// // Ridges of two flanks, each 32 texels wide.
+/// let side = |k: usize| if k % 64 < 32 { 0.6 } else { -0.6 };
+/// let ridges: Vec<Vec3> = (0..64 * 8).map(|k| Vec3::new(side(k), 0.0, 0.8)).collect();
+/// let map = SlopePyramid::<4>::from_normals(64, 8, &ridges)?;
+/// let stone = NormalMapped { map: map.view(), roughness: Beckmann::isotropic(0.2)?, color: Vec3::ONE };
+/// let seen = |width: f32, wi: Vec3| {
 ///     let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(width)).with_uv(Vec2::splat(0.3), [Vec3::X, Vec3::Y]);
 ///     stone.bsdf(&point, Vec3::Z).eval_cos(Vec3::Z, wi).x
-/// }; // From afar they shine to both sides and not straight up, where their mean normal points.
+/// };
+/// // From afar they shine to both sides and not straight up, where their mean normal points.
 /// let (left, right) = (Vec3::new(-0.96, 0.0, 0.28), Vec3::new(0.96, 0.0, 0.28));
-/// assert!(seen(10.0, left) > 5.0 * seen(10.0, Vec3::Z) && seen(10.0, right) > 5.0 * seen(10.0,
-/// Vec3::Z));
+/// assert!(seen(10.0, left) > 5.0 * seen(10.0, Vec3::Z) && seen(10.0, right) > 5.0 * seen(10.0, Vec3::Z));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
