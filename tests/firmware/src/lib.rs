@@ -74,7 +74,7 @@ fn patch(tell: &mut dyn FnMut(&[u8; WIDTH])) -> Option<()> {
             let seen = bumps.coordinates(p.extend(0.0), Footprint::from_width(1.0 / PATCH as f32));
             let m = LevelOfDetail::Exact.normal(&normals, seen);
             let bump = Frame::from_normal(m);
-            let radiance = clay.value(bump.to_local(light), bump.to_local(Vec3::Z)).x * m.dot(light).max(0.0);
+            let radiance = clay.eval(bump.to_local(Vec3::Z), bump.to_local(light)).x * m.dot(light).max(0.0);
             *gray = level(3.2 * radiance);
         }
         tell(&row);

@@ -4,7 +4,7 @@
 use asperity_fif::FixedFif;
 use asperity_ndf_sampling::{Ggx, Ndf};
 use asperity_noise::{FbmSpectrum, Field, GaussianFbm, GaussianNoise, Perlin};
-use asperity_shading::level_of_detail::Coordinates;
+use asperity_shading::level_of_detail::ResolvedBumps;
 use asperity_shading::{
     LevelOfDetail, far_field,
     glam::{Vec2, Vec3},
@@ -61,7 +61,7 @@ fn shading() -> bool {
     let h = Vec3::new(0.0, 0.6, 0.8);
     let far = far_field(&ggx, h);
     let rules = [LevelOfDetail::Exact, LevelOfDetail::Fractal];
-    far > 0.0 && rules.into_iter().all(|rule| rule.radiance(&ggx, h, Coordinates::FAR) == far)
+    far > 0.0 && rules.into_iter().all(|rule| rule.radiance(&ggx, h, ResolvedBumps::FAR) == far)
 }
 
 /// Sources are constants: a part lists its dependencies and defines its functions.
