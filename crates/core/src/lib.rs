@@ -32,8 +32,10 @@ mod interval;
 pub mod lanes;
 mod macros;
 pub mod math;
+mod short;
 mod split_mix;
 
 pub use batch_error::BatchError;
 pub use interval::Interval;
+pub use short::Short;
 pub use split_mix::SplitMix64;

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use asperity_core::error_enum;
+use asperity_core::{Short, error_enum};
 
 error_enum! {
     /// Error of every constructor of this crate: an invalid parameter, its value and the rule.
@@ -85,20 +85,6 @@ impl fmt::Display for Sizes {
         match *self {
             Self(min, usize::MAX) => write!(f, "at least {min}"),
             Self(min, max) => write!(f, "between {min} and {max}"),
-        }
-    }
-}
-
-/// Formats a float in scientific notation when it is very small or large.
-struct Short(f32);
-
-impl fmt::Display for Short {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let x = self.0;
-        if x.is_finite() && x != 0.0 && !(1e-3..1e5).contains(&x.abs()) {
-            write!(f, "{x:e}")
-        } else {
-            write!(f, "{x}")
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use asperity_core::error_enum;
+use asperity_core::{Short, error_enum};
 use glam::Vec3;
 
 error_enum! {
@@ -60,20 +60,6 @@ impl fmt::Display for Range {
         match *self {
             Self(min, f32::MAX) => write!(f, "finite and at least {}", Short(min)),
             Self(min, max) => write!(f, "between {} and {}", Short(min), Short(max)),
-        }
-    }
-}
-
-/// Formats a float in scientific notation when it is very small or large.
-struct Short(f32);
-
-impl fmt::Display for Short {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let x = self.0;
-        if x.is_finite() && x != 0.0 && !(1e-3..1e5).contains(&x.abs()) {
-            write!(f, "{x:e}")
-        } else {
-            write!(f, "{x}")
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Results of checks, with their values and limits.
 
+use crate::short::Short;
 use alloc::borrow::Cow;
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -84,8 +85,8 @@ impl Check {
 impl fmt::Display for Limit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::AtMost(most) => write!(f, "at most {}", Short(*most)),
-            Self::AtLeast(least) => write!(f, "at least {}", Short(*least)),
+            Self::AtMost(most) => write!(f, "at most {:.2}", Short(*most)),
+            Self::AtLeast(least) => write!(f, "at least {:.2}", Short(*least)),
         }
     }
 }
@@ -94,7 +95,7 @@ impl fmt::Display for Check {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { name, quantity, value, limit, place } = self;
         let verdict = if self.passed() { "pass" } else { "FAIL" };
-        write!(f, "{verdict}  {name}: {quantity} = {}, must be {limit}", Short(*value))?;
+        write!(f, "{verdict}  {name}: {quantity} = {:.2}, must be {limit}", Short(*value))?;
         if place.is_empty() { Ok(()) } else { write!(f, ", {place}") }
     }
 }
@@ -105,20 +106,6 @@ impl fmt::Display for Report {
         match (self.failures().count(), self.checks.len()) {
             (0, all) => write!(f, "all {all} checks passed"),
             (failed, all) => write!(f, "{failed} of {all} checks failed"),
-        }
-    }
-}
-
-/// A number that prints with three digits if it is small or large.
-struct Short(f64);
-
-impl fmt::Display for Short {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let x = self.0;
-        if x.is_finite() && x != 0.0 && !(1e-3..1e5).contains(&x.abs()) {
-            write!(f, "{x:.2e}")
-        } else {
-            write!(f, "{x}")
         }
     }
 }

@@ -27,7 +27,7 @@ use crate::{
 /// - **Range:** [−1, 1], since the weights are positive and sum to 1. Next to the upper border of a
 ///   cell a rounded weight exceeds 1 by up to 1.1e-6, so the value is clamped.
 /// - **Lattice points:** the gradient is 0 at every lattice point, and the variance of n is
-///   greatest there, 1/3.
+///   largest there, 1/3.
 ///
 /// Ebert (ed.) 1994, "Texturing and Modeling"; weights of Perlin 2002.
 ///

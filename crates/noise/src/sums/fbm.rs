@@ -434,7 +434,7 @@ fn at_point<'a, const N: usize>(
     AtPoint { layers, amplitudes: &active.amplitudes, count: active.count, p }
 }
 
-/// The periods along all axes, 0 if there is none.
+/// The periods along all axes, 0 for axes without a period.
 #[inline(always)]
 fn periods<K: Kernel<N>, const N: usize>(noise: &K) -> [f32; N] {
     let mut periods = [0.0; N];

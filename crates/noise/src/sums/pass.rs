@@ -24,7 +24,7 @@ pub(crate) type Lists<const N: usize> = [[f32; LIST]; N];
 /// The active octaves of a sum, and how they are combined.
 pub(crate) struct Passes<'a, K, const N: usize, T> {
     pub(crate) noise: &'a K,
-    /// The periods along all axes, 0 if there is none.
+    /// The periods along all axes, 0 for axes without a period.
     pub(crate) periods: [f32; N],
     pub(crate) shape: T,
     pub(crate) layers: &'a Layers<[f32; N]>,

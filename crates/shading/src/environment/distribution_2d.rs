@@ -148,7 +148,7 @@ fn linear_quantile(a: f32, b: f32, u: f32) -> f32 {
     let (a, b) = (a / most, b / most);
     let root = sqrt((a * a + u * (b * b - a * a)).max(0.0));
     let x = u * (a + b) / (a + root);
-    // NaN if both weights are 0; there is no sample then.
+    // NaN if both weights are 0. No sample falls into such a cell.
     if x > 0.0 { x.min(1.0) } else { 0.0 }
 }
 

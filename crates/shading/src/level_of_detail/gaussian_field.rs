@@ -108,7 +108,7 @@ mod tests {
             assert_eq!((field.lacunarity(), field.max_octaves()), (2.5, 6.0));
             assert_eq!((same.lacunarity(), same.max_octaves()), (2.5, 6.0));
             assert_eq!(field.coordinates(p, 3.5), same.coordinates(p, 3.5));
-            // There is no seventh octave.
+            // The sum has six octaves.
             assert_eq!(field.coordinates(p, 7.0), field.coordinates(p, 6.0));
             assert_ne!(field.coordinates(p, 6.0), field.coordinates(p, 5.5));
         }

@@ -278,13 +278,14 @@ impl<'a> Bsdf<'a> {
     /// ```
     #[must_use]
     pub fn specular_samples(&self, wo: Vec3, u: Vec2) -> [Option<BsdfSample>; 2] {
-        self.local_specular_samples(self.frame.to_local(wo), u)
+        let wo = self.frame.to_local(wo);
+        self.local_specular_samples(wo, u, self.total_chance(wo))
             .map(|sample| sample.map(|sample| BsdfSample { wi: self.frame.to_world(sample.wi), ..sample }))
     }
 
-    fn local_specular_samples(&self, wo: Vec3, u: Vec2) -> [Option<BsdfSample>; 2] {
+    fn local_specular_samples(&self, wo: Vec3, u: Vec2, total: f32) -> [Option<BsdfSample>; 2] {
         let Some(coat) = self.coat else { return [None; 2] };
-        let chance = coat.strength(wo) / self.total_chance(wo);
+        let chance = coat.strength(wo) / total;
         coat.samples(wo, u)
             .map(|sample| sample.map(|sample| BsdfSample { pdf: sample.pdf * chance, ..sample }))
     }
@@ -293,7 +294,7 @@ impl<'a> Bsdf<'a> {
         if !(are_above(wi, wo) || self.transmits && have_sides(wi, wo)) {
             return Vec3::ZERO;
         }
-        let through = self.coat.map_or(1.0, |coat| coat.through(wi) * coat.through(wo));
+        let through = self.through_coat(wo, wi);
         let mut sum = Vec3::ZERO;
         for layer in self.layers() {
             let mut light = Vec3::ZERO;
@@ -352,17 +353,26 @@ impl<'a> Bsdf<'a> {
         })
     }
 
+    /// The relative probability of specular samples of the coat.
+    fn specular_chance(&self, wo: Vec3) -> f32 {
+        self.coat.map_or(0.0, |coat| coat.strength(wo))
+    }
+
+    /// The fraction of the light that passes the coat on both ways.
+    fn through_coat(&self, wo: Vec3, wi: Vec3) -> f32 {
+        self.coat.map_or(1.0, |coat| coat.through(wi) * coat.through(wo))
+    }
+
     /// The sum of the relative probabilities of specular samples and of lobes.
     fn total_chance(&self, wo: Vec3) -> f32 {
-        let specular = self.coat.map_or(0.0, |coat| coat.strength(wo));
-        specular + self.chances(wo).map(|(chance, ..)| chance).sum::<f32>()
+        self.specular_chance(wo) + self.chances(wo).map(|(chance, ..)| chance).sum::<f32>()
     }
 
     fn local_sample(&self, wo: Vec3, uc: f32, u: Vec2) -> Option<BsdfSample> {
-        let (total, specular) = (self.total_chance(wo), self.coat.map_or(0.0, |coat| coat.strength(wo)));
+        let (total, specular) = (self.total_chance(wo), self.specular_chance(wo));
         let mut place = clamp_to(uc, 1.0) * total;
         if place < specular {
-            let [mirrored, transmitted] = self.local_specular_samples(wo, u);
+            let [mirrored, transmitted] = self.local_specular_samples(wo, u, total);
             return mirrored.filter(|sample| place < sample.pdf * total).or(transmitted).or(mirrored);
         }
         place -= specular;
@@ -386,7 +396,7 @@ impl<'a> Bsdf<'a> {
             return None;
         }
         if let Some(sample) = specular {
-            let through = self.coat.map_or(1.0, |coat| coat.through(wi) * coat.through(wo));
+            let through = self.through_coat(wo, wi);
             return Some(BsdfSample {
                 wi,
                 eval_cos: sample.eval_cos * through,
@@ -403,7 +413,7 @@ impl<'a> Bsdf<'a> {
         if !(are_above(wi, wo) || self.transmits && have_sides(wi, wo)) {
             return 0.0;
         }
-        let (mut sum, mut total) = (0.0, self.coat.map_or(0.0, |coat| coat.strength(wo)));
+        let (mut sum, mut total) = (0.0, self.specular_chance(wo));
         for (chance, frame, lobe) in self.chances(wo) {
             total += chance;
             let local = [frame.to_local(wi), frame.to_local(wo)];

@@ -17,7 +17,7 @@ pub(super) const CRATES: &[Crate] = &[
     Crate {
         name: "core",
         sources: "crates/core/src",
-        layers: "math macros → batch_error gpu interval split_mix → lanes → check",
+        layers: "math macros → batch_error gpu interval short split_mix → lanes → check",
         max_exports: Some(5),
     },
     Crate {

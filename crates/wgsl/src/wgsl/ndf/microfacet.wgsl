@@ -1,7 +1,7 @@
 // Smith masking and shadowing, and views from below: `asperity_ndf_sampling::Microfacet`.
 
 // v if it is a direction above the horizon, normalized if its length is far from 1. Otherwise the
-// direction on the horizon above v, or the zenith if there is none.
+// direction on the horizon above v, or the zenith if v has no azimuth.
 fn microfacet_above(v: vec3<f32>) -> vec3<f32> {
     let given = v.x * v.x + v.y * v.y + v.z * v.z;
     if v.z > 0.0 && given >= 0.25 && given <= 4.0 {

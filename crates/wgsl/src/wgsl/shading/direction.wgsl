@@ -46,7 +46,7 @@ fn direction_left_2d(v: vec2<f32>) -> vec2<f32> {
     return vec2<f32>(-v.y, v.x);
 }
 
-// The half vector of two directions; zero if there is none: `half_vector`.
+// The half vector of two directions; zero if they are opposite: `half_vector`.
 fn direction_half(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
     let sum = wi + wo;
     // Opposite directions leave only rounding errors without a meaningful direction.

@@ -120,7 +120,7 @@ fn height_field_above(field: HeightField, ray: HeightFieldRay, t: f32) -> vec2<f
 }
 
 // The only root in an interval over which the ray only approaches or only leaves: a parameter
-// beyond it, and 1; or 0 if there is no root.
+// beyond it, and 1; or 0 without a root.
 fn height_field_root(field: HeightField, ray: HeightFieldRay, stretch: HeightFieldStretch) -> vec2<f32> {
     var low = stretch.span.x;
     var high = stretch.span.y;

@@ -26,7 +26,7 @@ fn offset_beckmann_covariance(slopes: OffsetBeckmann) -> vec3<f32> {
     return vec3<f32>(l.x * l.x, l.x * l.y, l.y * l.y + l.z * l.z);
 }
 
-// Slopes of this mean and covariance; `otherwise` if there is no such distribution.
+// Slopes of this mean and covariance; `otherwise` if one is invalid.
 fn offset_beckmann_of(mean: vec2<f32>, covariance: vec3<f32>, otherwise: OffsetBeckmann) -> OffsetBeckmann {
     let xx = covariance.x;
     let xy = covariance.y;
