@@ -14,6 +14,7 @@ use asperity_shading::{
     Schlick, TorranceSparrow,
 };
 use asperity_tests::assert_abs_diff_eq;
+use asperity_tests::low_discrepancy::r2;
 use asperity_tests::reference::{numbers, read, rows};
 use proptest::prelude::*;
 
@@ -241,6 +242,9 @@ proptest! {
             prop_assert!(density >= 0.0 && density.is_finite(), "{name}: {density}");
             let sample = brdf.sample(wo, u[0], Vec2::from_array(u));
             prop_assert!(sample.is_none_or(|s| (s.wi.length() - 1.0).abs() < 1e-4), "{name}, {u:?}: {sample:?}");
+            // A view above the horizon has samples.
+            let mut samples = (0..16).filter_map(|k| brdf.sample(wo, 0.5, r2(k).map(|u| u as f32).into()));
+            prop_assert!(wo.z < 0.01 || samples.next().is_some(), "{name}: {wo}");
         }
     }
 }
