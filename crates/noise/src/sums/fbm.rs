@@ -278,14 +278,14 @@ impl<V: Point, T: Shape> Query<V, T> for Batch<'_, '_, '_, V> {
 }
 
 /// A query of a sum, for the field that it sums.
-struct Ask<'a, V: Point, T, Q> {
+struct SumVisitor<'a, V: Point, T, Q> {
     layers: &'a Layers<V::Coordinates>,
     shape: T,
     active: &'a Active,
     query: Q,
 }
 
-impl<V: Point, T: Shape, Q: Query<V, T>> Visit<V> for Ask<'_, V, T, Q> {
+impl<V: Point, T: Shape, Q: Query<V, T>> Visit<V> for SumVisitor<'_, V, T, Q> {
     type Output = Q::Output;
 
     #[inline(always)]
@@ -299,7 +299,7 @@ impl<V: Point, T: Shape, Q: Query<V, T>> Visit<V> for Ask<'_, V, T, Q> {
 }
 
 /// Computes the layers of a sum.
-struct Place<'a, const ROTATED: bool> {
+struct LayersVisitor<'a, const ROTATED: bool> {
     spectrum: &'a FbmSpectrum,
     rotation: Rotation,
     /// The seed of the noise if `None`.
@@ -308,7 +308,7 @@ struct Place<'a, const ROTATED: bool> {
     moved: bool,
 }
 
-impl<V: Point, const ROTATED: bool> Visit<V> for Place<'_, ROTATED> {
+impl<V: Point, const ROTATED: bool> Visit<V> for LayersVisitor<'_, ROTATED> {
     type Output = (u32, Layers<V::Coordinates>);
 
     fn kernel<K: Kernel<N>, const N: usize>(self, noise: &K) -> Self::Output
@@ -456,7 +456,7 @@ impl<F: Field<V>, V: Point> Fbm<F, V> {
     pub fn new(field: F, spectrum: FbmSpectrum) -> Self {
         let rotation = Rotation::Random;
         let (seed, layers) =
-            field.visit(Place::<true> { spectrum: &spectrum, rotation, seed: None, moved: true });
+            field.visit(LayersVisitor::<true> { spectrum: &spectrum, rotation, seed: None, moved: true });
         let normalization = match field.moments() {
             Some(_) => Normalization::UnitVariance,
             None => Normalization::UnitRange,
@@ -476,8 +476,8 @@ impl<F: Field<V>, V: Point> Fbm<F, V> {
     #[must_use]
     pub fn single(field: F) -> Self {
         let (spectrum, rotation) = (FbmSpectrum::SINGLE, Rotation::Aligned);
-        let place = Place::<false> { spectrum: &spectrum, rotation, seed: None, moved: false };
-        let (seed, layers) = field.visit(place);
+        let visitor = LayersVisitor::<false> { spectrum: &spectrum, rotation, seed: None, moved: false };
+        let (seed, layers) = field.visit(visitor);
         let (normalization, active) = (Normalization::UnitRange, Active::NONE);
         Self { field, spectrum, normalization, rotation, seed, layers, shape: Signed, active }.all()
     }
@@ -619,7 +619,8 @@ impl<F: Tile<N>, V: Point<Coordinates = [f32; N]>, T, const N: usize> Fbm<F, V, 
                 }
             }
         }
-        let (_, layers) = field.visit(Place::<false> { spectrum: &spectrum, rotation, seed, moved: true });
+        let (_, layers) =
+            field.visit(LayersVisitor::<false> { spectrum: &spectrum, rotation, seed, moved: true });
         let Self { normalization, seed, shape, active, .. } = self;
         Ok(Fbm { field, spectrum, normalization, rotation, seed, layers, shape, active })
     }
@@ -657,7 +658,7 @@ impl<F: Field<V>, V: Point, T: Shape> Fbm<F, V, T> {
 
     #[inline(always)]
     fn ask_of<Q: Query<V, T>>(&self, active: &Active, query: Q) -> Q::Output {
-        self.field.visit(Ask { layers: &self.layers, shape: self.shape, active, query })
+        self.field.visit(SumVisitor { layers: &self.layers, shape: self.shape, active, query })
     }
 
     /// The sum if every octave is 0.
@@ -683,8 +684,9 @@ impl<F: Field<V>, V: Point, T: Shape> Fbm<F, V, T> {
     }
 
     fn placed<const ROTATED: bool>(self, rotation: Rotation, seed: u32) -> Self {
-        let place = Place::<ROTATED> { spectrum: &self.spectrum, rotation, seed: Some(seed), moved: true };
-        let (seed, layers) = self.field.visit(place);
+        let visitor =
+            LayersVisitor::<ROTATED> { spectrum: &self.spectrum, rotation, seed: Some(seed), moved: true };
+        let (seed, layers) = self.field.visit(visitor);
         Self { rotation, seed, layers, ..self }
     }
 

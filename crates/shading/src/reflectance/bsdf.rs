@@ -298,11 +298,11 @@ impl<'a> Bsdf<'a> {
         let mut sum = Vec3::ZERO;
         for layer in self.layers() {
             let mut light = Vec3::ZERO;
-            for (share, frame) in self.facets_of(layer) {
+            for (weight, frame) in self.facets_of(layer) {
                 let (i, o) = (frame.to_local(wi), frame.to_local(wo));
                 if on_the_sides_of([i, o], [wi, wo]) {
                     let lobes = self.lobes_of(layer);
-                    light += lobes.map(|lobe| lobe.eval(o, i)).sum::<Vec3>() * (share * i.z.abs());
+                    light += lobes.map(|lobe| lobe.eval(o, i)).sum::<Vec3>() * (weight * i.z.abs());
                 }
             }
             sum += if layer.in_coat { light } else { light * through };
@@ -322,7 +322,7 @@ impl<'a> Bsdf<'a> {
     pub(crate) fn parts(&self) -> impl Iterator<Item = (f32, Vec3, Option<LobePart>)> {
         let layers = self.layers().iter().flat_map(move |layer| {
             self.lobes_of(layer).flat_map(move |lobe| {
-                self.facets_of(layer).iter().map(move |(share, frame)| (*share, frame.normal, lobe.part()))
+                self.facets_of(layer).iter().map(move |(weight, frame)| (*weight, frame.normal, lobe.part()))
             })
         });
         let smooth = self.coat.filter(|coat| !coat.is_rough());
@@ -348,7 +348,7 @@ impl<'a> Bsdf<'a> {
         self.layers().iter().flat_map(move |layer| {
             self.lobes_of(layer).flat_map(move |lobe| {
                 let strength = lobe.strength(wo);
-                self.facets_of(layer).iter().map(move |(share, frame)| (strength * share, frame, lobe))
+                self.facets_of(layer).iter().map(move |(weight, frame)| (strength * weight, frame, lobe))
             })
         })
     }
@@ -441,17 +441,17 @@ impl Lobe<'_> {
 
 /// Adds a facet after the first `count`, or merges it with the nearest if full; returns the number
 /// added.
-fn add(facets: &mut [(f32, Frame)], count: usize, share: f32, normal: Vec3) -> usize {
+fn add(facets: &mut [(f32, Frame)], count: usize, weight: f32, normal: Vec3) -> usize {
     if let Some(place) = facets.get_mut(count) {
         let flat = normal == Vec3::Z;
         let frame = if flat { Frame::IDENTITY } else { Frame::from_normal_tangent(normal, Vec3::X) };
-        *place = (share, frame);
+        *place = (weight, frame);
         return 1;
     }
     let nearness = |facet: &(f32, Frame)| facet.1.normal.dot(normal);
     if let Some(nearest) = facets.iter_mut().max_by(|a, b| nearness(a).total_cmp(&nearness(b))) {
-        let both = (nearest.1.normal * nearest.0 + normal * share).normalize_or(normal);
-        *nearest = (nearest.0 + share, Frame::from_normal_tangent(both, Vec3::X));
+        let both = (nearest.1.normal * nearest.0 + normal * weight).normalize_or(normal);
+        *nearest = (nearest.0 + weight, Frame::from_normal_tangent(both, Vec3::X));
     }
     0
 }
