@@ -40,6 +40,7 @@ pub(crate) struct Dependency {
     /// `dev` or `build`; empty for ordinary dependencies.
     pub(crate) kind: String,
     pub(crate) req: String,
+    pub(crate) features: Vec<String>,
     pub(crate) is_local: bool,
 }
 
@@ -79,6 +80,7 @@ fn package(entry: &Value, is_member: bool) -> Package {
         name: text(&other["name"]),
         kind: text(&other["kind"]),
         req: text(&other["req"]),
+        features: list(&other["features"]).iter().map(text).collect(),
         is_local: !other["path"].is_null(),
     };
     Package {

@@ -100,13 +100,19 @@ fn program(
     let mut manifest = String::from(
         "[workspace]\n[package]\nname = \"clean-room\"\nedition = \"2024\"\n[profile.dev]\nopt-level = 1\n[dependencies]\n",
     );
-    for (own, _) in patches.places().filter(|(own, _)| text.contains(&format!("{}::", own.replace('-', "_"))))
-    {
-        writeln!(manifest, "{own} = \"={}\"", package.version)?;
+    let used = |name: &str| text.contains(&format!("{}::", name.replace('-', "_")));
+    let dev = || package.dependencies.iter().filter(|d| d.kind == "dev");
+    for (own, _) in patches.places().filter(|(own, _)| used(own)) {
+        let features = dev().find(|d| d.name == own).map_or(&[][..], |d| &d.features);
+        writeln!(manifest, "{own} = {{ version = \"={}\", features = {features:?} }}", package.version)?;
     }
-    let others = package.dependencies.iter().filter(|d| d.kind == "dev");
-    for other in others.filter(|other| text.contains(&format!("{}::", other.name.replace('-', "_")))) {
-        writeln!(manifest, "{} = \"{}\"", other.name, other.req)?;
+    let third = dev().filter(|d| patches.places().all(|(own, _)| own != d.name));
+    for other in third.filter(|d| used(&d.name)) {
+        writeln!(
+            manifest,
+            "{} = {{ version = \"{}\", features = {:?} }}",
+            other.name, other.req, other.features
+        )?;
     }
     manifest += "[patch.crates-io]\n";
     for (own, place) in patches.places() {
