@@ -41,7 +41,6 @@ pub(crate) struct Dependency {
     pub(crate) kind: String,
     pub(crate) req: String,
     pub(crate) features: Vec<String>,
-    pub(crate) is_local: bool,
 }
 
 /// Returns the members of a workspace.
@@ -81,7 +80,6 @@ fn package(entry: &Value, is_member: bool) -> Package {
         kind: text(&other["kind"]),
         req: text(&other["req"]),
         features: list(&other["features"]).iter().map(text).collect(),
-        is_local: !other["path"].is_null(),
     };
     Package {
         name: text(&entry["name"]),

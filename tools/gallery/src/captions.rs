@@ -43,7 +43,7 @@ impl Captions {
         self.figures.get(figure).ok_or_else(|| format!("captions.md has no text for `{figure}`").into())
     }
 
-    /// Parses `# file: title (name)`, `## section` and `### figure`, each with the lines that
+    /// Parses `# file: title (name)`, `## section` and `### figure: title`, each with the lines that
     /// follow.
     fn read(text: &'static str) -> Self {
         let (mut pages, mut figures) = (Vec::<Page>::new(), BTreeMap::new());
@@ -51,8 +51,8 @@ impl Captions {
         for block in text.split("\n#").skip(1) {
             let (head, lines) = block.split_once('\n').unwrap_or((block, ""));
             if let Some(figure) = head.strip_prefix("## ") {
-                let (title, rest) = lines.split_once('\n').unwrap_or((lines, ""));
-                let (source, rest) = rest.split_once('\n').unwrap_or((rest, ""));
+                let (figure, title) = figure.split_once(": ").unwrap_or((figure, figure));
+                let (source, rest) = lines.split_once('\n').unwrap_or((lines, ""));
                 let page = pages.last().map_or("", |page| page.file);
                 figures.insert(figure, Caption { page, section, title, source, text: joined(rest) });
             } else if let Some(heading) = head.strip_prefix("# ") {

@@ -83,17 +83,10 @@ fn meets(license: &str, allowed: &BTreeSet<&str>) -> bool {
         .all(|part| part.split(" OR ").any(|one| allowed.contains(one.trim_matches(['(', ')', ' ']))))
 }
 
-/// Returns the direct dependencies of the packages of this repository, with their licenses.
+/// Returns the direct dependencies of the published packages, with their licenses.
 fn chosen(packages: &[Package]) -> BTreeMap<String, String> {
-    let ours = packages.iter().filter(|package| package.source.is_none());
-    // Development dependencies of packages in other workspaces are in the lockfiles of those
-    // workspaces.
-    let names = ours.flat_map(|package| {
-        package
-            .dependencies
-            .iter()
-            .filter(move |other| !other.is_local && (package.is_member || other.kind != "dev"))
-    });
+    let ours = packages.iter().filter(|package| package.is_published);
+    let names = ours.flat_map(|package| package.dependencies.iter().filter(|other| other.kind != "dev"));
     let names: BTreeSet<&str> = names.map(|dependency| dependency.name.as_str()).collect();
     let found = packages.iter().filter(|p| p.source.is_some() && names.contains(p.name.as_str()));
     found.map(|package| (package.name.clone(), package.license.clone())).collect()
