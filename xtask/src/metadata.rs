@@ -16,7 +16,6 @@ pub(crate) struct Package {
     /// The registry; `None` for packages of this repository.
     pub(crate) source: Option<String>,
     pub(crate) license: String,
-    pub(crate) is_member: bool,
     pub(crate) is_published: bool,
     pub(crate) features: Vec<String>,
     pub(crate) targets: Vec<Target>,
@@ -87,7 +86,6 @@ fn package(entry: &Value, is_member: bool) -> Package {
         manifest_path: text(&entry["manifest_path"]).into(),
         source: entry["source"].as_str().map(str::to_owned),
         license: text(&entry["license"]),
-        is_member,
         is_published: is_member && entry["publish"].is_null(),
         features: entry["features"].as_object().into_iter().flat_map(|all| all.keys().cloned()).collect(),
         targets: list(&entry["targets"]).iter().map(target).collect(),
