@@ -159,7 +159,7 @@ fn fractional_periods_are_an_error() {
     assert_eq!(sum(8, 1.5, 5), Err(refused));
     assert_eq!(
         refused.to_string(),
-        "the period of octave 4 is invalid: `periods[0]` 8 · `lacunarity` 1.5^4 (must be an integer up to 2097152)"
+        "`periods[0]` · `lacunarity`^4 must be an integer up to 2097152, got 8 · 1.5^4"
     );
     assert!(matches!(sum(1 << 21, 2.0, 2), Err(NoiseError::OctavePeriod { octave: 1, .. })));
 }

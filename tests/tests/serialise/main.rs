@@ -37,7 +37,7 @@ fn spectra_and_grids_round_trip() {
     stands(&(Normalization::UnitVariance, Rotation::Aligned), r#"["unit_variance","aligned"]"#);
     refused::<FbmSpectrum>(
         r#"{"lacunarity":0.9,"gain":0.5,"max_octaves":10}"#,
-        "`lacunarity` is invalid: 0.9 (must be finite and above 1)",
+        "`lacunarity` must be finite and above 1, got 0.9",
     );
     refused::<FbmSpectrum>(r#"{"lacunarity":2.0,"gain":0.5,"octaves":10}"#, "unknown field `octaves`");
 }

@@ -69,7 +69,7 @@ impl<F: Field<V>, V: Point> RidgedMultifractal<F, V> {
     /// If `feedback` is negative or not finite.
     pub fn from_fbm(octaves: Fbm<F, V>, feedback: f32) -> Result<Self, NoiseError> {
         if !(feedback >= 0.0 && feedback.is_finite()) {
-            let rule = "must be finite and at least 0";
+            let rule = "finite and at least 0";
             return Err(NoiseError::Invalid { parameter: "feedback", value: feedback, rule });
         }
         let octaves = octaves.with_normalization(Normalization::UnitRange).with_shape(Ridged);

@@ -97,10 +97,10 @@ impl FbmSpectrum {
     pub fn new(lacunarity: f32, gain: f32, max_octaves: u32) -> Result<Self, NoiseError> {
         let invalid = |parameter, value, rule| Err(NoiseError::Invalid { parameter, value, rule });
         if !(lacunarity > 1.0 && lacunarity.is_finite()) {
-            return invalid("lacunarity", lacunarity, "must be finite and above 1");
+            return invalid("lacunarity", lacunarity, "finite and above 1");
         }
         if !(gain > 0.0 && gain.is_finite()) {
-            return invalid("gain", gain, "must be finite and above 0");
+            return invalid("gain", gain, "finite and above 0");
         }
         if !(1..=MAX_OCTAVES).contains(&max_octaves) {
             let (parameter, value) = ("max_octaves", max_octaves);
@@ -108,11 +108,11 @@ impl FbmSpectrum {
         }
         let spectrum = Self { lacunarity, gain, max_octaves };
         if !spectrum.frequency(max_octaves - 1).is_finite() {
-            return invalid("lacunarity", lacunarity, "the highest frequency must be finite");
+            return invalid("lacunarity", lacunarity, "small enough for a finite highest frequency");
         }
         let squares = spectrum.sum_of_squares(max_octaves as f32);
         if !(squares * squares).is_finite() {
-            return invalid("gain", gain, "fourth powers of amplitudes must be finite");
+            return invalid("gain", gain, "small enough for finite fourth powers of amplitudes");
         }
         Ok(spectrum)
     }
@@ -252,7 +252,7 @@ mod tests {
             Err(NoiseError::Invalid { parameter, value, rule })
         }
         for lacunarity in [1.0, 0.5, 0.0, -2.0, f32::INFINITY] {
-            let error = invalid("lacunarity", lacunarity, "must be finite and above 1");
+            let error = invalid("lacunarity", lacunarity, "finite and above 1");
             assert_eq!(FbmSpectrum::new(lacunarity, 0.5, 8), error);
         }
         assert!(matches!(
@@ -260,21 +260,21 @@ mod tests {
             Err(NoiseError::Invalid { parameter: "lacunarity", .. })
         ));
         for gain in [0.0, -0.5, f32::INFINITY] {
-            let error = invalid("gain", gain, "must be finite and above 0");
+            let error = invalid("gain", gain, "finite and above 0");
             assert_eq!(FbmSpectrum::new(2.0, gain, 8), error);
         }
         assert!(matches!(
             FbmSpectrum::new(2.0, f32::NAN, 8),
             Err(NoiseError::Invalid { parameter: "gain", .. })
         ));
-        let error = invalid("gain", 1e3, "fourth powers of amplitudes must be finite");
+        let error = invalid("gain", 1e3, "small enough for finite fourth powers of amplitudes");
         assert_eq!(FbmSpectrum::new(2.0, 1e3, 8), error);
         assert!(FbmSpectrum::new(2.0, 1e3, 4).is_ok() && FbmSpectrum::new(1.5, 2.7, MAX_OCTAVES).is_ok());
         for value in [0, 17] {
             let error = NoiseError::Count { parameter: "max_octaves", value, min: 1, max: 16 };
             assert_eq!(FbmSpectrum::new(2.0, 0.5, value), Err(error));
         }
-        let error = invalid("lacunarity", 1e4, "the highest frequency must be finite");
+        let error = invalid("lacunarity", 1e4, "small enough for a finite highest frequency");
         assert_eq!(FbmSpectrum::new(1e4, 0.5, 16), error);
         assert!(FbmSpectrum::new(1e4, 0.5, 9).is_ok());
     }

@@ -61,7 +61,7 @@ impl<F, W, const N: usize> Warp<F, W, N> {
         if strength.is_finite() {
             Ok(Self { field, by, strength })
         } else {
-            Err(NoiseError::Invalid { parameter: "strength", value: strength, rule: "must be finite" })
+            Err(NoiseError::Invalid { parameter: "strength", value: strength, rule: "finite" })
         }
     }
 

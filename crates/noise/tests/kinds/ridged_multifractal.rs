@@ -10,11 +10,8 @@ use asperity_noise::{
 fn ridged_multifractal_rejects_invalid_feedback() {
     let new = |feedback| RidgedMultifractal::<_, Vec2>::new(Perlin::new(1), FbmSpectrum::default(), feedback);
     for feedback in [-1.0, f32::INFINITY] {
-        let error = NoiseError::Invalid {
-            parameter: "feedback",
-            value: feedback,
-            rule: "must be finite and at least 0",
-        };
+        let error =
+            NoiseError::Invalid { parameter: "feedback", value: feedback, rule: "finite and at least 0" };
         assert_eq!(new(feedback), Err(error));
     }
     assert!(new(f32::NAN).is_err() && new(0.0).is_ok());
