@@ -43,7 +43,7 @@ pub fn every_kind(visitor: &mut impl Visit) {
     every_dimension(visitor, "Perlin 2002", Perlin::default());
     every_dimension(visitor, "value-gradient", ValueGradient::default());
     every_dimension(visitor, "simplex", Simplex::new(0));
-    every_dimension(visitor, "wide simplex", Simplex::wide(0));
+    every_dimension(visitor, "wide simplex", Simplex::new(0).with_classic_radius());
     every_dimension(visitor, "sparse", SparseConvolution::default());
     every_dimension(visitor, "Gaussian", GaussianNoise::default());
 }

@@ -1,10 +1,7 @@
 //! Reference implementation of every noise in plain `f64` and in any dimension: slow, literal, with
 //! only the lattice words in common.
 
-use asperity_noise::{
-    IntegerHash, Lattice,
-    lattice::{edge_gradient, gaussian_corner, unit_gradient},
-};
+use asperity_noise::{GaussianNoise, IntegerHash, Lattice, Perlin, PerlinClassic};
 use statrs::function::gamma::gamma;
 
 /// A noise before scaling to its range.
@@ -115,11 +112,11 @@ impl Kind {
         let (value, slope) = match self {
             Self::Value => (f64::from(word as i32) / 2_147_483_648.0, [0.0; D]),
             Self::White | Self::CatmullRom => (uniform(word), [0.0; D]),
-            Self::PerlinClassic => (0.0, unit_gradient(word).map(f64::from)),
-            Self::Perlin | Self::Simplex(_) => (0.0, edge_gradient(word).map(f64::from)),
+            Self::PerlinClassic => (0.0, PerlinClassic::gradient(word).map(f64::from)),
+            Self::Perlin | Self::Simplex(_) => (0.0, Perlin::gradient(word).map(f64::from)),
             Self::ValueGradient(weight) => {
                 let rise = weight * 2.0 / (D as f64).sqrt();
-                let slope = unit_gradient(word).map(|slope| rise * f64::from(slope));
+                let slope = PerlinClassic::gradient(word).map(|slope| rise * f64::from(slope));
                 ((1.0 - weight) * uniform(further(word, 6)), slope)
             }
             Self::Sparse(impulses) => {
@@ -127,7 +124,7 @@ impl Kind {
                 return Drawn::Impulses(first.take(impulses as usize).map(impulse).collect());
             }
             Self::Gaussian(channel) => {
-                let (value, gradient) = gaussian_corner::<D>(word)[channel];
+                let (value, gradient) = GaussianNoise::variates::<D>(word)[channel];
                 (f64::from(value), gradient.map(|slope| 2.0 * f64::from(slope)))
             }
         };

@@ -5,9 +5,9 @@
 
 use asperity_core::gpu_struct;
 
-use crate::level_of_detail::ConditionalTable;
+use crate::level_of_detail::table::ConditionalTable;
 pub use crate::map::packed::uniform::PackedMapUniform;
-use crate::normal_table::{NormalLut, TableLayout};
+use crate::normal_table::{layout::TableLayout, table::NormalLut};
 
 gpu_struct! {
     /// The size and the layout of a table of normals.

@@ -34,7 +34,7 @@
 //! | [`NoiseDistribution`], [`NoiseCdfRef`], [`GaussianDistribution`], [`KurtoticDistribution`] | conversion of noise values to Gaussian numbers and back by the CDF of the noise: measured, Gaussian, or from the kurtosis |
 //! | [`NormalLut`], [`normal_table`] | lookup table of `T` (table L of the paper): a normal or its tangent frame by one lookup, also in half floats |
 //! | [`estimate_ndf`], [`NdfEstimator`], [`add_detail`], [`add_detail_normal`], [`normal_map`] | NDF estimation, texel decoding and added noise for existing normal maps |
-//! | [`ConditionalNdf`], [`residual_ndf`], [`GaussianSplit`], [`level_of_detail`] | exact level of detail |
+//! | [`ConditionalNdf`], [`residual_ndf`], [`GaussianSplit`], [`OffsetBeckmann`] | exact level of detail |
 //! | [`ConditionalTable`] | exact level of detail by one lookup, for any NDF |
 //! | [`check`] (feature `check`) | property tests for any [`Ndf`] or [`Microfacet`], with a printable report |
 //! | [`Frame`], [`gaussian_cdf`], [`inverse_gaussian_cdf`] | tangent frames; the Gaussian CDF and its inverse |
@@ -91,7 +91,7 @@ mod density;
 mod error;
 mod frame;
 pub mod gpu;
-pub mod level_of_detail;
+mod level_of_detail;
 mod map;
 #[cfg(feature = "alloc")]
 mod masked;
@@ -111,6 +111,7 @@ pub use glam;
 
 pub use asperity_core::BatchError;
 pub use closed_form::ClosedForm;
+pub use coordinates::GaussianSplit;
 pub use density::ashikhmin_shirley::AshikhminShirley;
 pub use density::beckmann::Beckmann;
 pub use density::blend::Blend;
@@ -119,12 +120,16 @@ pub use density::ggx::Ggx;
 pub use density::isotropic::Isotropic;
 pub use density::mixture::Mixture;
 pub use density::rotated::Rotated;
-pub use density::roughness::{MAX_ALPHA, MIN_ALPHA};
 pub use density::student_t::StudentT;
 pub use density::ward::Ward;
 pub use error::NdfError;
 pub use frame::Frame;
-pub use level_of_detail::{ConditionalNdf, ConditionalTable, GaussianSplit, OffsetBeckmann, residual_ndf};
+#[cfg(feature = "alloc")]
+pub use level_of_detail::build::ConditionalAccuracy;
+pub use level_of_detail::conditional::residual_ndf;
+pub use level_of_detail::conditional_ndf::ConditionalNdf;
+pub use level_of_detail::offset_beckmann::OffsetBeckmann;
+pub use level_of_detail::table::ConditionalTable;
 pub use map::packed::packed_map::PackedMapRef;
 pub use map::reconstruction::Reconstruction;
 #[cfg(feature = "alloc")]
@@ -136,9 +141,9 @@ pub use ndf::Ndf;
 pub use noise_distribution::distribution::{GaussianDistribution, NoiseDistribution};
 pub use noise_distribution::kurtotic_noise::KurtoticDistribution;
 pub use noise_distribution::noise_cdf::NoiseCdfRef;
+pub use normal_map::detail::{add_detail, add_detail_normal};
 #[cfg(feature = "alloc")]
-pub use normal_map::{NdfEstimator, estimate_ndf};
-pub use normal_map::{add_detail, add_detail_normal};
-pub use normal_table::NormalLut;
+pub use normal_map::estimate::{NdfEstimator, estimate_ndf};
+pub use normal_table::table::NormalLut;
 pub use numeric::normal_distribution::{gaussian_cdf, inverse_gaussian_cdf};
 pub use radial::Radial;

@@ -32,7 +32,7 @@ fn kinds(criterion: &mut Criterion) {
     every_dimension(criterion, "perlin-2002", Perlin::new(SEED));
     every_dimension(criterion, "value-gradient", ValueGradient::new(SEED));
     every_dimension(criterion, "simplex", Simplex::new(SEED));
-    every_dimension(criterion, "simplex-wide", Simplex::wide(SEED));
+    every_dimension(criterion, "simplex-wide", Simplex::new(SEED).with_classic_radius());
     every_dimension(criterion, "sparse", SparseConvolution::new(SEED));
     every_dimension(criterion, "cellular", Cellular::new(SEED));
     every_dimension(criterion, "gaussian", GaussianNoise::new(SEED));

@@ -1,4 +1,4 @@
-//! Sums of octaves as uniforms of shaders, keys of seeds, and tables.
+//! Sums of octaves as uniforms of shaders.
 //!
 //! The shaders are in the crate `asperity-wgsl`. The feature `bytemuck` implements `Pod` for the
 //! structs. Their declarations in WGSL are generated from the same definitions.
@@ -10,7 +10,9 @@
 //! let sum = GaussianFbm::<Vec3>::new(GaussianNoise::new(7), FbmSpectrum::default());
 //! let packed = sum.gpu();
 //! assert_eq!((packed.spectrum.lacunarity, packed.spectrum.max_octaves), (2.17, 10.0));
-//! assert_eq!(packed.layers[0].row_x[0], sum.octave(0).matrix[0][0]);
+//! // The first octave is rotated and not scaled, so its rows have length 1.
+//! let [x, y, z, _] = packed.layers[0].row_x;
+//! assert!((Vec3::new(x, y, z).length() - 1.0).abs() < 1e-6);
 //!
 //! // An anchor changes only offsets and cells. In the shader, this sum has the index 1.
 //! let far = sum.anchored([1e6, -3.0, 0.25]).gpu();
@@ -23,59 +25,65 @@ use glam::{Vec2, Vec3, Vec4};
 
 use crate::{
     contract::field::Field,
-    lattice::{self, integer_hash::IntegerHash, lattice::Lattice},
+    kinds::gaussian::GaussianNoise,
+    lattice::{gaussian_levels::TAIL_LINES, integer_hash::IntegerHash, lattice::Lattice, variates::LEVELS},
     point::Point,
     sums::{
         fbm::{Fbm, Normalization},
         octave::Octave,
-        shape::{Shape, Signed},
+        shape::Signed,
         turbulence::{Billow, Plasma, Ridged, Turbulence},
     },
 };
 
-/// Returns the key of a seed, which shaders take instead of the seed.
-///
-/// Its computation takes 64 bits.
-///
-/// ```
-/// use asperity_noise::gpu::key;
-///
-/// assert_ne!(key(1), key(2));
-/// ```
-#[must_use]
-pub fn key(seed: u32) -> u32 {
-    IntegerHash.key(seed)
+impl IntegerHash {
+    /// Returns the key of a seed, which shaders take instead of the seed.
+    ///
+    /// Its computation takes 64 bits.
+    ///
+    /// ```
+    /// use asperity_noise::IntegerHash;
+    ///
+    /// assert_ne!(IntegerHash::gpu_key(1), IntegerHash::gpu_key(2));
+    /// ```
+    #[must_use]
+    pub fn gpu_key(seed: u32) -> u32 {
+        Self.key(seed)
+    }
 }
 
-/// Iterates over the table `gaussian_level` of shaders, in units of the standard deviation.
-///
-/// The table has the levels, the lines of the tails, and zeros to the end of the last of 88 rows of
-/// 64 texels.
-///
-/// ```
-/// use asperity_noise::gpu::gaussian_levels;
-///
-/// assert_eq!(gaussian_levels().count(), 88 * 64);
-/// assert!(gaussian_levels().take(4096).is_sorted());
-/// ```
-pub fn gaussian_levels() -> impl Iterator<Item = f32> {
-    let levels = lattice::gaussian_levels().iter().copied();
-    let lines = lattice::gaussian_tail_lines().iter().copied().flatten();
-    levels.chain(lines).chain(core::iter::repeat(0.0)).take(88 * 64)
+impl GaussianNoise {
+    /// Iterates over the table `gaussian_level` of shaders, in units of the standard deviation.
+    ///
+    /// It has 88 rows of 64 texels. The first 4096 texels are the levels in ascending order, and
+    /// the next repeats the last level. Then follow the lines of the values in the tails, each of
+    /// two numbers, and zeros.
+    ///
+    /// ```
+    /// use asperity_noise::GaussianNoise;
+    ///
+    /// let levels: Vec<f32> = GaussianNoise::gpu_levels().collect();
+    /// assert!(levels.len() == 88 * 64 && levels[..4096].is_sorted());
+    /// assert!(levels[0] == -levels[4095] && levels[4096] == levels[4095]);
+    /// ```
+    pub fn gpu_levels() -> impl Iterator<Item = f32> {
+        let levels = LEVELS.iter().copied();
+        let lines = TAIL_LINES.iter().copied().flatten();
+        levels.chain(lines).chain(core::iter::repeat(0.0)).take(88 * 64)
+    }
 }
 
 /// The number of sums in a uniform of shaders.
-///
-/// Sums that a module does not use may have any content.
-pub const SUMS: usize = 8;
-
-/// A shape that shaders support. Sealed; implemented by the shapes of this crate.
-pub trait GpuShape: Shape + numbered::Numbered {}
-
-impl<T: Shape + numbered::Numbered> GpuShape for T {}
+const SUMS: usize = 8;
 
 mod numbered {
-    pub trait Numbered {
+    use crate::sums::shape::Shape;
+
+    #[diagnostic::on_unimplemented(
+        message = "shaders do not support the shape `{Self}`",
+        note = "use `Signed`, `Turbulence`, `Plasma`, `Billow` or `Ridged`"
+    )]
+    pub trait Numbered: Shape {
         /// The number of the shape in `fbm_shape_value`.
         const NUMBER: u32;
     }
@@ -164,7 +172,7 @@ gpu_struct! {
 }
 
 impl FbmSpectrumUniform {
-    fn new<F: Field<V>, V: Point, T: GpuShape>(sum: &Fbm<F, V, T>) -> Self {
+    fn new<F: Field<V>, V: Point, T: numbered::Numbered>(sum: &Fbm<F, V, T>) -> Self {
         let spectrum = sum.spectrum();
         let [mean, deviation] = sum.octave_moments();
         let gain = spectrum.gain();
@@ -226,14 +234,14 @@ macro_rules! sums {
             /// Returns a whole uniform of sums; the index of a sum is an argument of the shader
             /// functions.
             ///
-            /// Sums beyond [`SUMS`] are ignored, missing ones are zero.
+            /// Sums beyond the eighth are ignored, missing sums are zero.
             #[must_use]
             pub fn array(sums: &[Self]) -> [Self; SUMS] {
                 core::array::from_fn(|i| sums.get(i).copied().unwrap_or_default())
             }
         }
 
-        impl<F: Field<$point>, T: GpuShape> Fbm<F, $point, T> {
+        impl<F: Field<$point>, T: numbered::Numbered> Fbm<F, $point, T> {
             /// Returns the sum as the uniform of a shader that sums the same noise.
             ///
             /// Shaders use [`IntegerHash`](crate::IntegerHash) and do not support periods. They
@@ -243,7 +251,7 @@ macro_rules! sums {
             pub fn gpu(&self) -> $name {
                 $name {
                     spectrum: FbmSpectrumUniform::new(self),
-                    layers: core::array::from_fn(|i| self.octave(i as u32).into()),
+                    layers: core::array::from_fn(|i| self.octave(i).into()),
                 }
             }
         }

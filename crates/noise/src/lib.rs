@@ -41,7 +41,7 @@
 //! | [`ValueNoise`], [`ValueCatmullRom`] | lattice values, blended by quintic weights or by a spline over 4ⁿ points | 1–4 | `ValueNoise` | yes |
 //! | [`PerlinClassic`], [`Perlin`] | unit gradients and cubic weights; edge directions and quintic weights | 1–4 | yes | yes |
 //! | [`ValueGradient`] | a weighted sum of both on one lattice | 1–4 | yes | yes |
-//! | [`Simplex`] | gradient noise on simplices, r² = 0.5 (continuous) or 0.6 (customary) | 1–4 | yes | in 1-D and 3-D; in 2-D and 4-D the lattice is irrational along the axes |
+//! | [`Simplex`] | gradient noise on simplices, r² = 0.5 (continuous) or 0.6 (classic) | 1–4 | yes | in 1-D and 3-D; in 2-D and 4-D the lattice is irrational along the axes |
 //! | [`SparseConvolution`] | impulses at random places, convolved with a radial kernel | 1–4 | – | yes |
 //! | [`Cellular`] | distances to the nearest of random feature points, or the number of the nearest, in three metrics | 1–4 | – | yes |
 //! | [`GaussianNoise`] | value-gradient noise over its standard deviation at the point: N(0, 1) everywhere | 1–4 | yes | yes |
@@ -55,7 +55,6 @@
 //! | [`FbmSpectrum`], [`Fbm`], [`Rotation`], [`Normalization`] | lacunarity, gain and a real number of octaves; sums of any field, also of your own |
 //! | [`Turbulence`], [`Plasma`], [`Billow`], [`Ridged`], [`RidgedMultifractal`] | fBm with creases |
 //! | [`Perlin::tiled`], [`Fbm::tiled`] | tileable noises, and sums in which each octave has its own periods |
-//! | [`Octave`] | the affine map, cell and hash key of an octave, to evaluate it in a shader |
 //! | [`Fbm::anchored`] | fBm far from the origin, accurate to 1/1000 cell at 10¹² |
 //! | [`Fbm::band_limited`], [`filtered_fraction`], [`pixel_footprint`] | frequency clamping to a pixel |
 //! | [`GaussianFbm`] | sums that are N(0, 1) at every point |
@@ -199,7 +198,7 @@ pub use sample::{Sample, SampleHessian};
 pub use statistics::statistics::{Moments, Statistics};
 pub use sums::fbm::{Fbm, GaussianFbm, Normalization};
 pub use sums::frequency_clamp::{filtered_fraction, pixel_footprint};
-pub use sums::octave::{Octave, Rotation};
+pub use sums::octave::Rotation;
 pub use sums::ridged_multifractal::RidgedMultifractal;
 pub use sums::shape::{Shape, Signed};
 pub use sums::spectrum::FbmSpectrum;

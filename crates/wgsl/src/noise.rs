@@ -3,7 +3,7 @@
 //! Every kind has a function of a point, such as `value_noise_3d(p, key) -> Sample3d`, and a
 //! function of a cell and the position in it, such as `value_in_cell_3d(cell, t, key)`, for
 //! anchored points. Both return the bits of the Rust crate if every operation is rounded as
-//! written. Seeds are passed as keys, [`key`](asperity_noise::gpu::key) of the seed.
+//! written. Seeds are passed as keys, [`gpu_key`](asperity_noise::IntegerHash::gpu_key) of the seed.
 //!
 //! | part | functions at points p | dimensions |
 //! |---|---|---|
@@ -37,7 +37,7 @@ pub static SAMPLE: Part = part!("noise/sample");
 
 /// Hash of lattice points, with the bits of [`IntegerHash`](asperity_noise::IntegerHash).
 ///
-/// Seeds are passed as keys, [`key`](asperity_noise::gpu::key) of the seed, whose computation takes
+/// Seeds are passed as keys, [`gpu_key`](asperity_noise::IntegerHash::gpu_key) of the seed, whose computation takes
 /// 64 bits.
 pub static INTEGER_HASH: Part = part!("noise/lattice/integer_hash");
 
@@ -47,10 +47,10 @@ pub static CELL: Part = part!("noise/lattice/cell");
 /// Weights along the axes of a cell, and their derivatives.
 pub(crate) static FADE: Part = part!("noise/lattice/fade");
 
-/// Directions to the edges of a cube, [`edge_gradient`](asperity_noise::lattice::edge_gradient).
+/// Directions to the edges of a cube, [`Perlin::gradient`](asperity_noise::Perlin::gradient).
 pub static EDGES: Part = part!("noise/lattice/edges");
 
-/// Uniform numbers and directions, [`unit_gradient`](asperity_noise::lattice::unit_gradient).
+/// Uniform numbers and directions, [`PerlinClassic::gradient`](asperity_noise::PerlinClassic::gradient).
 pub static VARIATES: Part = part!("noise/lattice/variates");
 
 /// Blend of the corners of a cell at the ends of the first two axes.
@@ -96,8 +96,8 @@ pub static SIMPLEX: Part = part!("noise/kinds/simplex/simplex", SAMPLE, INTEGER_
 pub static CELLULAR: Part = part!("noise/kinds/cellular/cellular", SAMPLE, INTEGER_HASH, CELL, VARIATES);
 
 /// Gaussian variates of lattice points,
-/// [`gaussian_corner`](asperity_noise::lattice::gaussian_corner), from the table of
-/// [`gaussian_levels`](asperity_noise::gpu::gaussian_levels).
+/// [`GaussianNoise::variates`](asperity_noise::GaussianNoise::variates), from the table of
+/// [`gpu_levels`](asperity_noise::GaussianNoise::gpu_levels).
 pub static GAUSSIAN_VARIATES: Part = part!("noise/lattice/gaussian_variates", INTEGER_HASH, CORNERS)
     .with_bindings(&[Binding::Table { name: "gaussian_level", element: Element::Float, width: 64 }]);
 

@@ -1,7 +1,7 @@
 //! Every density: parameters are accepted or rejected, and all results are finite, for any numbers
 //! and directions.
 
-use asperity_ndf_sampling::level_of_detail::{ConditionalNdf, OffsetBeckmann};
+use asperity_ndf_sampling::{ConditionalNdf, OffsetBeckmann};
 use asperity_ndf_sampling::normal_map::NormalMapFormat;
 use asperity_ndf_sampling::normal_table::{Chart, Spacing};
 use asperity_ndf_sampling::{

@@ -161,7 +161,7 @@ macro_rules! dimension {
                     Err(error) => assert_eq!(error.to_string().lines().count(), 1),
                 },
                 7 => field::<$vector>(&Simplex::new(seed), slack(true), numbers),
-                8 => field::<$vector>(&Simplex::wide(seed), slack(true), numbers),
+                8 => field::<$vector>(&Simplex::new(seed).with_classic_radius(), slack(true), numbers),
                 9 => match SparseConvolution::new(seed).with_impulses(numbers.word() % 7) {
                     Ok(noise) => field::<$vector>(&noise, slack(false), numbers),
                     Err(error) => assert_eq!(error.to_string().lines().count(), 1),

@@ -2,7 +2,7 @@
 
 use asperity_shader_tests::case::packed;
 use asperity_shading::ndf_sampling::{Ggx, Ndf};
-use asperity_shading::noise::gpu::{FbmUniform3d, gaussian_levels};
+use asperity_shading::noise::gpu::FbmUniform3d;
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_wgsl::{Binding, Bindings, Part, compose, noise, shading};
 use glam::Vec3;
@@ -58,7 +58,7 @@ fn radiances(gpu: &Gpu, halves: &[Vec3], octaves: f32) -> Result<Vec<f32>, Strin
     let sum = GaussianFbm::<Vec3>::new(GaussianNoise::new(7), spectrum);
     let job = halves.iter().flat_map(|h| [h.x, h.y, h.z, 0.0]).chain(ALPHA).chain([octaves, 4096.0]);
     let words = [
-        ("gaussian_level", gaussian_levels().map(f32::to_bits).collect()),
+        ("gaussian_level", GaussianNoise::gpu_levels().map(f32::to_bits).collect()),
         ("fbm_uniform_3d", packed(&FbmUniform3d::array(&[sum.gpu()]))),
         ("means_job", job.map(f32::to_bits).collect()),
     ];

@@ -99,7 +99,7 @@ fn other_lattices_have_the_scalar_bits() {
         let near = |name: &str, field: &dyn Field<Vec2>| grids(name, field, &near_cases());
         let table = PermutationTable::new(1);
         near("Perlin 2002 by permutation 2-D", &Perlin::new(7).with_lattice(table));
-        every_point::<Vec3>("simplex by permutation 3-D", &Simplex::wide(7).with_lattice(table));
+        every_point::<Vec3>("simplex by permutation 3-D", &Simplex::new(7).with_classic_radius().with_lattice(table));
         const PERIODS: [u32; 2] = [5, 3];
         near("Perlin 2002 tiled 2-D", &Perlin::new(7).tiled(PERIODS).expect("periods"));
         near("Catmull-Rom tiled 2-D", &ValueCatmullRom::new(7).tiled(PERIODS).expect("periods"));

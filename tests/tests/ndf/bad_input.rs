@@ -3,8 +3,7 @@
 use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, Blend, BlinnPhong, ConditionalTable, GaussianDistribution, Ggx, Isotropic,
     KurtoticDistribution, Measure, Mixture, NdfError, NdfEstimator, NdfMap, NoiseCdfRef, NormalLut,
-    Reconstruction, Rotated, StudentT, Ward, estimate_ndf, level_of_detail::OffsetBeckmann,
-    normal_table::TableLayout,
+    OffsetBeckmann, Reconstruction, Rotated, StudentT, Ward, estimate_ndf, normal_table::TableLayout,
 };
 use glam::{Vec2, Vec3};
 

@@ -1,10 +1,8 @@
 //! Comparisons of values with `approx`, by their components.
 
 use asperity_ndf_sampling::{
-    AshikhminShirley, Beckmann, BlinnPhong, Frame, GaussianDistribution, GaussianSplit, Ggx,
-    KurtoticDistribution, StudentT, Ward,
-    level_of_detail::{ConditionalAccuracy, OffsetBeckmann},
-    normal_table::Deviation,
+    AshikhminShirley, Beckmann, BlinnPhong, ConditionalAccuracy, Frame, GaussianDistribution, GaussianSplit,
+    Ggx, KurtoticDistribution, OffsetBeckmann, StudentT, Ward, normal_table::Deviation,
 };
 use asperity_tests::approx::{RelativeEq, UlpsEq};
 use glam::{Vec2, Vec3};

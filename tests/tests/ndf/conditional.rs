@@ -4,7 +4,7 @@
 use asperity_ndf_sampling::check::p_value;
 use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, BlinnPhong, ConditionalNdf, GaussianSplit, Ggx, Isotropic, Measure, Mixture,
-    Ndf, NdfMap, Reconstruction, Rotated, StudentT, Ward, level_of_detail::OffsetBeckmann, residual_ndf,
+    Ndf, NdfMap, OffsetBeckmann, Reconstruction, Rotated, StudentT, Ward, residual_ndf,
 };
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::disk_bins::DiskBins;

@@ -3,9 +3,8 @@
 
 use asperity_ndf_sampling::{
     Beckmann, ConditionalNdf, ConditionalTable, GaussianDistribution, GaussianSplit, Ggx,
-    KurtoticDistribution, Ndf, NdfEstimator, NoiseCdfRef, NoiseDistribution, NormalLut, add_detail,
-    add_detail_normal, estimate_ndf,
-    level_of_detail::OffsetBeckmann,
+    KurtoticDistribution, Ndf, NdfEstimator, NoiseCdfRef, NoiseDistribution, NormalLut, OffsetBeckmann,
+    add_detail, add_detail_normal, estimate_ndf,
     normal_map::{NormalMapFormat, TangentSpace, Zero},
     normal_table::{Chart, Spacing, TableLayout},
 };

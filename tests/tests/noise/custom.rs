@@ -92,7 +92,7 @@ fn fbm_of_a_custom_field_passes_the_checks() {
     let sum = Fbm::new(Waves, FbmSpectrum::CLOUD).with_octaves(3.5);
     assert_eq!((sum.normalization(), sum.range()), (Normalization::UnitRange, [-1.0, 1.0]));
     let passes = |name: &str, report: check::Report| assert!(report.passed(), "{name}\n{report}");
-    passes("fBm", check::curved(&sum, Settings::default()));
+    passes("fBm", check::hessian(&sum, Settings::default()));
     passes(
         "turbulence",
         check::field(&Fbm::new(Waves, FbmSpectrum::CLOUD).with_shape(Turbulence), Settings::default()),
@@ -110,7 +110,7 @@ fn fbm_of_a_periodic_field_tiles_and_its_octaves_differ() {
     let [sample, moved] = [Vec2::new(0.25, 1.5), Vec2::new(2.25, -0.5)].map(|p| sum.sample(p));
     asperity_tests::assert_abs_diff_eq!(sample.value, moved.value, epsilon = 1e-4);
     // Offsets are spread over many cells: octaves of the unrotated sum do not start at one point.
-    let offsets: Vec<[f32; 2]> = (0..4).map(|i| sum.octave(i).offset).collect();
+    let offsets: Vec<[f32; 2]> = sum.gpu().layers[..4].iter().map(|layer| layer.offset).collect();
     for (i, a) in offsets.iter().enumerate() {
         for b in &offsets[i + 1..] {
             assert!(a.iter().zip(b).any(|(x, y)| (x - y).abs() > 1.0), "{offsets:?}");

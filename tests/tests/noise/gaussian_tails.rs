@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, SQRT_2};
 
-use asperity_noise::{Field, GaussianNoise, glam::Vec2, lattice::gaussian_corner};
+use asperity_noise::{Field, GaussianNoise, glam::Vec2};
 use asperity_tests::assert_abs_diff_eq;
 use rayon::prelude::*;
 use statrs::function::erf::erfc;
@@ -16,8 +16,10 @@ fn upper(x: f64) -> f64 {
 fn variates_have_the_normal_tail_to_5_5_deviations() {
     // All words with |s| > 3.2. The values of others are between the inner levels.
     let (first, count) = (0_u32.wrapping_sub(5 << 20), 10_u32 << 20);
-    let values: Vec<f32> =
-        (0..count).into_par_iter().map(|i| gaussian_corner::<1>(first.wrapping_add(i))[0].0.abs()).collect();
+    let values: Vec<f32> = (0..count)
+        .into_par_iter()
+        .map(|i| GaussianNoise::variates::<1>(first.wrapping_add(i))[0].0.abs())
+        .collect();
     for x in [3.2, 3.5, 4.0, 4.5, 5.0, 5.5_f32] {
         let beyond = values.par_iter().filter(|&&value| value > x).count() as f64;
         let ratio = beyond / 4_294_967_296.0 / (2.0 * upper(f64::from(x)));
@@ -94,7 +96,7 @@ fn every_cell_position_has_the_normal_tail() {
     // The positive levels of a gradient component. The upper bits of its word come from a product
     // with an odd number.
     let mut levels: Vec<f64> = (0..1_u32 << 18)
-        .map(|i| f64::from(gaussian_corner::<1>(i.wrapping_mul(0x4001_3a67))[0].1[0]))
+        .map(|i| f64::from(GaussianNoise::variates::<1>(i.wrapping_mul(0x4001_3a67))[0].1[0]))
         .filter(|g| *g > 0.0)
         .collect();
     levels.sort_by(f64::total_cmp);

@@ -133,7 +133,7 @@ fn simplex_noises_match_the_reference() {
     let kind = Kind::Simplex(0.5);
     tight("simplex", Simplex::new(0), kind, NEAREST, tolerances);
     let kind = Kind::Simplex(f64::from(0.6_f32));
-    tight("wide simplex", Simplex::wide(0), kind, NEAREST, tolerances);
+    tight("wide simplex", Simplex::new(0).with_classic_radius(), kind, NEAREST, tolerances);
 }
 
 #[test]

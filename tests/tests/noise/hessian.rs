@@ -99,7 +99,7 @@ fn hessians_are_second_derivatives() {
     const SIMPLICES: f64 = 3e-5;
     close("Perlin 1985", PerlinClassic::default(), Kind::PerlinClassic, CELLS);
     close("Perlin 2002", Perlin::default(), Kind::Perlin, CELLS);
-    for noise in [Simplex::new(0), Simplex::wide(0)] {
+    for noise in [Simplex::new(0), Simplex::new(0).with_classic_radius()] {
         let r2 = noise.radius_squared();
         close(&format!("simplex {r2}"), noise, Kind::Simplex(r2.into()), SIMPLICES);
     }

@@ -117,7 +117,7 @@ fn noises_tile_with_the_words_of_the_first_tile() {
 
 #[test]
 fn simplex_noise_tiles_in_1d_and_3d() {
-    for noise in [Simplex::new(0), Simplex::wide(0)] {
+    for noise in [Simplex::new(0), Simplex::new(0).with_classic_radius()] {
         let kind = Kind::Simplex(noise.radius_squared().into());
         let tiled = noise.tiled([5]).unwrap();
         let words = |cell: [i32; 1], seed| Wrapped([5; 4]).upper_word(cell, seed);

@@ -5,7 +5,7 @@ use asperity_noise::{
     Field, Lattice, PerlinClassic, Sample,
     ebert_1994::{Gnoise, LectureTables, Vgnoise, Vnoise},
     glam::Vec3,
-    lattice::{ChainedTable, PermutationTable, unit_gradient},
+    lattice::{ChainedTable, PermutationTable},
 };
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
@@ -179,7 +179,7 @@ fn perlin_1985_on_a_permutation_is_gnoise() {
     let seed = 31;
     for z in 0..256 {
         let index = listing.index(0, 0, z);
-        let gradient = unit_gradient::<3>(permutation.word([0, 0, z as i32], seed));
+        let gradient = PerlinClassic::gradient::<3>(permutation.word([0, 0, z as i32], seed));
         for (to, from) in listing.gradient_tab[3 * index..].iter_mut().zip(gradient) {
             *to = f64::from(from);
         }

@@ -63,7 +63,10 @@ fn precision_table_bounds_the_errors_of_every_noise() {
         ("value, Catmull–Rom", measured(ValueCatmullRom::new(0), Kind::CatmullRom, 64.0)),
         ("value-gradient, equal weights", measured(ValueGradient::new(0), Kind::ValueGradient(0.5), 64.0)),
         ("simplex, r² = 0.5", measured(Simplex::new(0), Kind::Simplex(0.5), 4.0)),
-        ("simplex, r² = 0.6", measured(Simplex::wide(0), Kind::Simplex(f64::from(0.6_f32)), 4.0)),
+        (
+            "simplex, r² = 0.6",
+            measured(Simplex::new(0).with_classic_radius(), Kind::Simplex(f64::from(0.6_f32)), 4.0),
+        ),
         ("sparse, one impulse", measured(SparseConvolution::new(0), Kind::Sparse(1), 64.0)),
         ("Gaussian", measured(GaussianNoise::new(0), Kind::Gaussian(0), 64.0)),
     ];

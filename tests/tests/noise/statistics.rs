@@ -244,7 +244,7 @@ fn ranges_are_attained() {
     assert_reached!("gradient part", Kind::ValueGradient(1.0), gradients, 20_000);
     assert_reached!("simplex", Kind::Simplex(0.5), Simplex::new(0), 20_000);
     let kind = Kind::Simplex(f64::from(0.6_f32));
-    assert_reached!("wide simplex", kind, Simplex::wide(0), 20_000);
+    assert_reached!("wide simplex", kind, Simplex::new(0).with_classic_radius(), 20_000);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::level_of_detail::ResolvedBumps;
-use asperity_shading::ndf_sampling::{estimate_ndf, level_of_detail::OffsetBeckmann};
+use asperity_shading::ndf_sampling::{OffsetBeckmann, estimate_ndf};
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::normal_map::SlopeMoments;
 use asperity_shading::{Beckmann, BumpField, Footprint, Ndf, SlopePyramid};

@@ -33,7 +33,7 @@ fn statistics_tables_of_the_docs_match_the_code() {
         "crates/ndf-sampling/src/noise_distribution/kurtotic_noise.rs",
     ]
     .map(page);
-    let simplex = [Simplex::new(0), Simplex::wide(0)].map(|noise| statistics(&noise));
+    let simplex = [Simplex::new(0), Simplex::new(0).with_classic_radius()].map(|noise| statistics(&noise));
     let sparse = statistics(&SparseConvolution::new(0));
     let rows = [
         ("white", "", "", statistics(&WhiteNoise::new(0))),

@@ -41,7 +41,7 @@ pub(crate) fn noise_statistics_source() -> String {
     measure(&mut text, "PERLIN_1985", PerlinClassic::default());
     measure(&mut text, "PERLIN_2002", Perlin::default());
     measure(&mut text, "SIMPLEX_CONTINUOUS", Simplex::new(0));
-    measure(&mut text, "SIMPLEX_WIDE", Simplex::wide(0));
+    measure(&mut text, "SIMPLEX_WIDE", Simplex::new(0).with_classic_radius());
     measure(&mut text, "WHITE", WhiteNoise::default());
     measure(&mut text, "VALUE", ValueNoise::default());
     measure(&mut text, "VALUE_CATMULL_ROM", ValueCatmullRom::default());

@@ -4,7 +4,7 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
 
-use asperity_noise::gpu::gaussian_levels;
+use asperity_noise::GaussianNoise;
 use asperity_output::Output;
 use base64::{Engine, prelude::BASE64_STANDARD};
 use flate2::{Compression, write::GzEncoder};
@@ -120,7 +120,7 @@ fn without_custom_sections(module: &[u8]) -> Option<Vec<u8>> {
 /// returns their position. Consecutive levels differ little, which byte-oriented compression does
 /// not detect. `lzma.mjs` restores the levels.
 fn differenced(module: &mut [u8]) -> Option<usize> {
-    let levels: Vec<u32> = gaussian_levels().take(2 * HALF).map(f32::to_bits).collect();
+    let levels: Vec<u32> = GaussianNoise::gpu_levels().take(2 * HALF).map(f32::to_bits).collect();
     let bytes: Vec<u8> = levels.iter().flat_map(|level| level.to_le_bytes()).collect();
     let at = module.windows(bytes.len()).position(|window| window == bytes)?;
     let (mut last, mut slope) = (0_u32, 0_u32);
@@ -238,7 +238,7 @@ mod tests {
 
     #[test]
     fn differenced_levels_are_restored() {
-        let levels: Vec<f32> = gaussian_levels().take(2 * HALF).collect();
+        let levels: Vec<f32> = GaussianNoise::gpu_levels().take(2 * HALF).collect();
         let whole: Vec<u8> = levels.iter().flat_map(|level| level.to_le_bytes()).collect();
         let mut module = [&b"abc"[..], &whole, b"xyz"].concat();
         assert_eq!(differenced(&mut module), Some(3));

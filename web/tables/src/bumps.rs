@@ -3,14 +3,14 @@
 use alloc::{format, string::String, string::ToString, vec::Vec};
 
 use asperity_ndf_sampling::{Measure, NdfMap, Reconstruction};
-use asperity_noise::gpu::{self, FbmUniform3d};
+use asperity_noise::gpu::FbmUniform3d;
 use asperity_noise::{FbmSpectrum, GaussianFbm, GaussianNoise, glam::Vec3};
 
 use crate::{float, number, words};
 
 /// Returns the levels of Gaussian variates.
 pub(crate) fn gaussian_levels(_: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
-    Ok(gpu::gaussian_levels().map(f32::to_bits).collect())
+    Ok(GaussianNoise::gpu_levels().map(f32::to_bits).collect())
 }
 
 /// Returns the uniform of a sum about up to eight foci, from lacunarity, gain, octaves, seed and

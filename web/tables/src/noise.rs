@@ -271,7 +271,7 @@ impl Spec {
             4 => Kind::Perlin(Perlin::new(seed)),
             5 => Kind::ValueGradient(ValueGradient::new(seed)),
             6 => Kind::Simplex(Simplex::new(seed)),
-            7 => Kind::Simplex(Simplex::wide(seed)),
+            7 => Kind::Simplex(Simplex::new(seed).with_classic_radius()),
             8 => Kind::Sparse(SparseConvolution::new(seed)),
             9 => Kind::Gaussian(GaussianNoise::new(seed)),
             _ => Kind::Cellular(

@@ -33,9 +33,10 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
     ///
     /// ```
     /// use asperity_fif::{FixedFif, FifError, cochran_2000};
-    /// let f = FixedFif::<2, 2>::from_maps(0.0, 2.0, &cochran_2000::F_MAPS)?;
-    /// assert_eq!(f.end_values(), [0.0, 0.0]);
-    /// let [first, second] = cochran_2000::F_MAPS;
+    /// let f = cochran_2000::f()?;
+    /// let [first, second] = [0, 1].map(|j| *f.pieces()[j].map());
+    /// let again = FixedFif::<2, 2>::from_maps(0.0, 2.0, &[first, second])?;
+    /// assert_eq!(again.evaluate(0.7, 1e-12), f.evaluate(0.7, 1e-12));
     /// let gap = FixedFif::<2, 2>::from_maps(0.0, 2.0, &[second, first]);
     /// assert!(matches!(gap, Err(FifError::Tiling { map: 1, .. })));
     /// # Ok::<(), FifError>(())
@@ -179,7 +180,8 @@ mod tests {
 
     #[test]
     fn from_maps_requires_tiling() {
-        let [first, second] = cochran_2000::F_MAPS;
+        let f = cochran_2000::f().unwrap();
+        let [first, second] = [0, 1].map(|j| *f.pieces()[j].map());
         let build = |maps: &[Map<2>]| FixedFif::<2, 2>::from_maps(0.0, 2.0, maps).map(|f| f.end_values());
         let overlap = Map { a: 0.75, ..first };
         let says = |maps: &[Map<2>], message: &str| assert_eq!(build(maps).unwrap_err().to_string(), message);
@@ -193,8 +195,7 @@ mod tests {
             &[flat, Map { a: 1.0, b: 0.0, ..second }],
             "knots must be strictly increasing: `x[1]` = 0 follows 0",
         );
-        let infinite =
-            FixedFif::<2, 2>::from_maps(f64::NEG_INFINITY, 2.0, &cochran_2000::F_MAPS).unwrap_err();
+        let infinite = FixedFif::<2, 2>::from_maps(f64::NEG_INFINITY, 2.0, &[first, second]).unwrap_err();
         assert_eq!(infinite.to_string(), "`x[0]` must be finite, got -inf");
     }
 

@@ -18,10 +18,12 @@ pub(crate) const JOIN_TOLERANCE: f64 = 1.0 / 1_099_511_627_776.0;
 ///
 /// ```
 /// use asperity_fif::cochran_2000;
-/// let [w1, w2] = cochran_2000::F_MAPS;
+/// let f = cochran_2000::f()?;
+/// let [w1, w2] = [0, 1].map(|j| *f.pieces()[j].map());
 /// let c = w1.compose(&w2);
 /// let (x, y) = w2.apply(0.75, 0.5);
 /// assert_eq!(c.apply(0.75, 0.5), w1.apply(x, y));
+/// # Ok::<(), asperity_fif::FifError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Map<const C: usize> {

@@ -27,7 +27,7 @@ use asperity_core::math;
 ///
 /// Its slopes are Gaussian with the variances `αx²/2`, `αy²/2`, so `T` is linear in the slopes.
 ///
-/// - **Domain:** `αx, αy` in [`MIN_ALPHA`](crate::MIN_ALPHA)`..=`[`MAX_ALPHA`](crate::MAX_ALPHA);
+/// - **Domain:** `αx, αy` in [`MIN_ALPHA`](Self::MIN_ALPHA)`..=`[`MAX_ALPHA`](Self::MAX_ALPHA);
 ///   unit `m`, used as given; `D = 0` for `m.z ≤ 0` and NaN.
 /// - **Sign:** `s` is the slope of the normal, `s_x = m_x/m_z`. The height decreases where it is
 ///   positive.
@@ -50,7 +50,7 @@ pub struct Beckmann {
     pub(crate) alpha: Roughness,
 }
 
-/// Up to this exponent `exp(−a)` times the smallest peak, of [`MAX_ALPHA`](crate::MAX_ALPHA), is a
+/// Up to this exponent `exp(−a)` times the smallest peak, of [`MAX_ALPHA`](Beckmann::MAX_ALPHA), is a
 /// normal `f32`.
 const NEAR: f32 = 40.0;
 

@@ -64,8 +64,8 @@ impl BlinnPhong {
     /// Creates the NDF that is as narrow as Beckmann with the roughness `alpha`: `n = 2/α² − 2`.
     ///
     /// # Errors
-    /// A roughness that is NaN, below [`MIN_ALPHA`] or above 1, for which the exponent would be
-    /// negative.
+    /// A roughness that is NaN, below [`MIN_ALPHA`](crate::Beckmann::MIN_ALPHA) or above 1, for
+    /// which the exponent would be negative.
     pub fn from_roughness(alpha: f32) -> Result<Self, NdfError> {
         in_range("roughness", alpha, [MIN_ALPHA, 1.0])
             .map(|alpha| Self::with((2.0 / (alpha * alpha) - 2.0).clamp(0.0, Self::MAX_EXPONENT)))

@@ -22,7 +22,7 @@ use asperity_core::math;
 /// T⁻¹:  ρ² = 2 ln(1 + (s_x/αx)² + (s_y/αy)²),  direction of (s_x/αx, s_y/αy)
 /// ```
 ///
-/// - **Domain:** `αx, αy` in [`MIN_ALPHA`](crate::MIN_ALPHA)`..=`[`MAX_ALPHA`](crate::MAX_ALPHA);
+/// - **Domain:** `αx, αy` in [`MIN_ALPHA`](Self::MIN_ALPHA)`..=`[`MAX_ALPHA`](Self::MAX_ALPHA);
 ///   unit `m`, used as given; `D = 0` for `m.z ≤ 0` and NaN.
 /// - **Sign:** `s` is the slope of the normal, `s_x = m_x/m_z`. The height decreases where it is
 ///   positive.

@@ -6,11 +6,11 @@ use crate::error::{NdfError, in_range};
 use crate::microfacet::above;
 use asperity_core::math;
 
-/// The smallest roughness. Below it `1/(π α²)` and its products leave the range of `f32`.
-pub const MIN_ALPHA: f32 = 1e-6;
+/// The smallest roughness.
+pub(crate) const MIN_ALPHA: f32 = 1e-6;
 
-/// The largest roughness. Above it normals at the horizon leave the range of `f32`.
-pub const MAX_ALPHA: f32 = 1e6;
+/// The largest roughness.
+pub(crate) const MAX_ALPHA: f32 = 1e6;
 
 /// Both roughnesses of an NDF, checked.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,8 +78,8 @@ macro_rules! roughness_parameters {
             ///
             /// # Errors
             /// A roughness outside
-            /// [`MIN_ALPHA`](crate::MIN_ALPHA)`..=`[`MAX_ALPHA`](crate::MAX_ALPHA). The error
-            /// contains its name and value.
+            /// [`MIN_ALPHA`](Self::MIN_ALPHA)`..=`[`MAX_ALPHA`](Self::MAX_ALPHA). The error contains
+            /// its name and value.
             #[inline]
             pub fn new(alpha_x: f32, alpha_y: f32) -> Result<Self, $crate::error::NdfError> {
                 $crate::density::roughness::Roughness::new(alpha_x, alpha_y).map(|alpha| Self { alpha })
@@ -114,6 +114,13 @@ pub(crate) use roughness_parameters;
 macro_rules! roughness_accessors {
     ($density:ident) => {
         impl $density {
+            /// The smallest roughness, below which `1/(π α²)` and its products leave the range of
+            /// `f32`.
+            pub const MIN_ALPHA: f32 = $crate::density::roughness::MIN_ALPHA;
+
+            /// The largest roughness, above which normals at the horizon leave the range of `f32`.
+            pub const MAX_ALPHA: f32 = $crate::density::roughness::MAX_ALPHA;
+
             /// The roughness along x.
             #[inline]
             #[must_use]

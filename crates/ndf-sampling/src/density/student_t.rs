@@ -27,7 +27,7 @@ use asperity_core::math;
 /// `γ = 2` is GGX, `γ → ∞` is Beckmann, and `γ = n/2 + 2` with `α² = 2/(n + 2)` is Blinn–Phong's
 /// `cosⁿ θ`. Smaller `γ` has longer tails than GGX.
 ///
-/// - **Domain:** `αx, αy` in [`MIN_ALPHA`](crate::MIN_ALPHA)`..=`[`MAX_ALPHA`](crate::MAX_ALPHA),
+/// - **Domain:** `αx, αy` in [`MIN_ALPHA`](Self::MIN_ALPHA)`..=`[`MAX_ALPHA`](Self::MAX_ALPHA),
 ///   `γ` in [`MIN_GAMMA`](Self::MIN_GAMMA)`..=` [`MAX_GAMMA`](Self::MAX_GAMMA); unit `m`, only its
 ///   slope matters; `D = 0` for `m.z ≤ 0` and NaN. For `γ < 2` the density is unbounded at the
 ///   horizon, where it is clamped to `f32::MAX`. Normals have `m.z ≥ 2⁻¹²⁶`.

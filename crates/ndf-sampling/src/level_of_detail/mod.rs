@@ -6,11 +6,3 @@ pub(crate) mod conditional;
 pub(crate) mod conditional_ndf;
 pub(crate) mod offset_beckmann;
 pub(crate) mod table;
-
-pub use crate::coordinates::GaussianSplit;
-#[cfg(feature = "alloc")]
-pub use build::ConditionalAccuracy;
-pub use conditional::residual_ndf;
-pub use conditional_ndf::ConditionalNdf;
-pub use offset_beckmann::OffsetBeckmann;
-pub use table::ConditionalTable;

@@ -33,7 +33,7 @@ use asperity_core::math;
 ///   1.2e-7 |s| |s − μ|/σ².
 ///
 /// ```
-/// use asperity_ndf_sampling::{Beckmann, Ndf, residual_ndf, glam::Vec2, level_of_detail::OffsetBeckmann};
+/// use asperity_ndf_sampling::{Beckmann, Ndf, OffsetBeckmann, residual_ndf, glam::Vec2};
 ///
 /// let beckmann = Beckmann::new(0.2, 0.4)?;
 /// let (z_b, s) = (Vec2::new(0.5, 1.5), 0.75);

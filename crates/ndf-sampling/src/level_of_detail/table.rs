@@ -35,7 +35,7 @@ use asperity_core::math;
 ///   variation of 0.18, 0.14 and 0.10 at s = 0.25, 0.75 and 0.9 in projected normals. In slopes,
 ///   whose variance is infinite at s = 0, it differs by 0.48, 0.21 and 0.13. For
 ///   [`Beckmann`](crate::Beckmann) it is exact:
-///   [`OffsetBeckmann`](crate::level_of_detail::OffsetBeckmann).
+///   [`OffsetBeckmann`](crate::OffsetBeckmann).
 ///
 /// Total variation between the `p_s` of the table and the exact one, mean of 12 positions, 256²
 /// (measured):

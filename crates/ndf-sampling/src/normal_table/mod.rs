@@ -13,4 +13,3 @@ pub use accuracy::{Deviation, TableAccuracy};
 pub use chart::Chart;
 pub use layout::{TableEntry, TableLayout};
 pub use spacing::Spacing;
-pub use table::NormalLut;

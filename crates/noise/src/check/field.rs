@@ -79,11 +79,11 @@ pub fn field<V: Point, F: Field<V> + ?Sized>(field: &F, settings: Settings) -> R
 /// ```
 /// use asperity_noise::{Simplex, check, glam::Vec3};
 ///
-/// let report = check::curved::<Vec3, _>(&Simplex::new(1), check::Settings::default());
+/// let report = check::hessian::<Vec3, _>(&Simplex::new(1), check::Settings::default());
 /// assert!(report.passed(), "{report}");
 /// ```
 #[must_use]
-pub fn curved<V: Point, F: HasHessian<V> + ?Sized>(of: &F, settings: Settings) -> Report
+pub fn hessian<V: Point, F: HasHessian<V> + ?Sized>(of: &F, settings: Settings) -> Report
 where
     V::Matrix: AsRef<[V::Coordinates]>,
 {

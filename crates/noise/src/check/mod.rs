@@ -28,6 +28,6 @@ mod settings;
 mod tiled;
 
 pub use asperity_core::check::{Check, Limit, Report, Settings};
-pub use field::{curved, field};
+pub use field::{field, hessian};
 pub use noise::noise;
 pub use tiled::tiled;

@@ -11,7 +11,7 @@ use crate::{
     kinds::cell::corners::CellPosition,
     kinds::cell::kernel::{of_lane, parts},
     lanes::level::run_at_point,
-    lanes::{LaneSample, Lanes, Scalar},
+    lanes::{Arithmetic, LaneSample, Lanes, Scalar},
     lattice::integer_hash::IntegerHash,
     lattice::lattice::{IS_FULL, Lattice, OnLattice, REACH, is_within, wrapped},
     lattice::variates::{gaussian_variates, gaussian_variates_of_both},
@@ -61,6 +61,17 @@ measured!(GaussianNoise, |self| &tables::GAUSSIAN);
 noise!(GaussianNoise, curved);
 tiles!(GaussianNoise);
 
+impl GaussianNoise {
+    /// Returns the Gaussian value and gradient that the noise draws from a lattice point's
+    /// [`word`](crate::Lattice::word), for both channels.
+    #[must_use]
+    pub fn variates<const N: usize>(word: u32) -> [(f32, [f32; N]); 2] {
+        let word = Scalar.word(word);
+        [gaussian_variates::<_, N, 0>(Scalar, word), gaussian_variates::<_, N, 1>(Scalar, word)]
+            .map(|(value, twice)| (value, twice.map(|g| 0.5 * g)))
+    }
+}
+
 impl<L: Lattice> GaussianNoise<L> {
     /// Evaluates two independent channels in one pass over the lattice.
     ///
@@ -79,7 +90,7 @@ impl<L: Lattice> GaussianNoise<L> {
     /// Returns n, the noise before normalization, with its gradient; both 0 if p is not finite.
     #[must_use]
     #[inline]
-    pub fn unnormalised<V: Point<Coordinates = [f32; N]>, const N: usize>(&self, p: V) -> Sample<V> {
+    pub fn unnormalized<V: Point<Coordinates = [f32; N]>, const N: usize>(&self, p: V) -> Sample<V> {
         self.parts_at(p)[0]
     }
 

@@ -5,7 +5,7 @@ use crate::{
     kinds::cell::column::Column,
     kinds::cell::corner::{CellNoise, Corner},
     kinds::cell::edge_columns::edge_column,
-    lanes::Lanes,
+    lanes::{Arithmetic, Lanes, Scalar},
     lattice::edges::{EDGE_MAXIMUM, Lengths, edge_direction},
     lattice::fade::{Along, Fade},
     lattice::integer_hash::IntegerHash,
@@ -74,10 +74,32 @@ measured!(PerlinClassic, |self| &tables::PERLIN_1985);
 noise!(PerlinClassic, curved);
 tiles!(PerlinClassic);
 
+impl PerlinClassic {
+    /// Returns the unit gradient that the noise draws from a lattice point's
+    /// [`word`](crate::Lattice::word), before scaling.
+    ///
+    /// It is uniform on the circle or sphere, and ±1 in 1-D. Its length is 1 within 2e-7.
+    #[must_use]
+    pub fn gradient<const N: usize>(word: u32) -> [f32; N] {
+        unit_direction(Scalar, Scalar.word(word), 1.0)
+    }
+}
+
 kind!(Perlin);
 measured!(Perlin, |self| &tables::PERLIN_2002);
 noise!(Perlin, curved);
 tiles!(Perlin);
+
+impl Perlin {
+    /// Returns the gradient that the noise draws from a lattice point's
+    /// [`upper_word`](crate::Lattice::upper_word), before scaling.
+    ///
+    /// [`Simplex`](crate::Simplex) draws the same gradients.
+    #[must_use]
+    pub fn gradient<const N: usize>(word: u32) -> [f32; N] {
+        edge_direction(Scalar, Scalar.word(word), &const { Lengths::new(1.0) })
+    }
+}
 
 /// The inverse of the searched maximum.
 const SCALE_2002: [f32; 4] =

@@ -1,6 +1,6 @@
 //! Directions to the edges of a cube, selected by the upper bits of a lattice word.
 
-use crate::lanes::{Arithmetic, LANES, Lanes, Scalar};
+use crate::lanes::{LANES, Lanes};
 
 /// The searched max Σ W_c max_g g·(p − c) of edge directions g and quintic weights W.
 pub(crate) const EDGE_MAXIMUM: [f32; 4] = [0.5, 0.934_535_6, 1.036_353_8, 1.536_582_3];
@@ -193,18 +193,10 @@ fn edge_entry<S: Lanes, const N: usize>(s: S, word: S::U, length: f32) -> [S::F;
     g
 }
 
-/// The gradient that [`Perlin`](crate::Perlin) and [`Simplex`](crate::Simplex) draw from an
-/// [upper word](crate::Lattice::upper_word), before scaling.
-///
-/// It is one of the 16, 8, 12 or 32 directions listed at [`Perlin`](crate::Perlin).
-#[must_use]
-pub fn edge_gradient<const N: usize>(word: u32) -> [f32; N] {
-    edge_direction(Scalar, Scalar.word(word), &const { Lengths::new(1.0) })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lanes::{Arithmetic, Scalar};
     use asperity_core::{SplitMix64, lanes::Task};
 
     use crate::lanes::level::Level;
@@ -257,6 +249,10 @@ mod tests {
         ends.chain((0..10_000).map(|counter| SplitMix64::nth(counter) as u32)).chain([0, u32::MAX])
     }
 
+    fn gradient<const N: usize>(word: u32) -> [f32; N] {
+        edge_direction(Scalar, Scalar.word(word), &const { Lengths::new(1.0) })
+    }
+
     fn scalar_product<const N: usize>(a: [f32; N], b: [f32; N]) -> f64 {
         a.iter().zip(b).map(|(&a, b)| f64::from(a) * f64::from(b)).sum()
     }
@@ -265,9 +261,9 @@ mod tests {
     fn directions_have_their_lengths() {
         for word in words() {
             let [plane, space, hyperspace] = [
-                scalar_product(edge_gradient::<2>(word), edge_gradient::<2>(word)),
-                scalar_product(edge_gradient::<3>(word), edge_gradient::<3>(word)),
-                scalar_product(edge_gradient::<4>(word), edge_gradient::<4>(word)),
+                scalar_product(gradient::<2>(word), gradient::<2>(word)),
+                scalar_product(gradient::<3>(word), gradient::<3>(word)),
+                scalar_product(gradient::<4>(word), gradient::<4>(word)),
             ];
             assert_abs_diff_eq!(plane, 2.0, epsilon = 3e-7);
             assert_eq!([space, hyperspace], [2.0, 3.0]);
@@ -278,7 +274,7 @@ mod tests {
     fn edge_components_match_table() {
         fn compared<const N: usize>(word: u32) {
             let edge = Edge::<Scalar, N>::new(Scalar, Scalar.word(word));
-            for (axis, expected) in edge_gradient::<N>(word).into_iter().enumerate() {
+            for (axis, expected) in gradient::<N>(word).into_iter().enumerate() {
                 assert_eq!(edge.times(Scalar, axis, 1.5), 1.5 * expected, "{word:x}, axis {axis}");
             }
         }
@@ -321,8 +317,8 @@ mod tests {
         fn moments<const N: usize>(square: f64) {
             let words = || (0..10_000).map(|counter| SplitMix64::nth(counter) as u32);
             for i in 0..N {
-                let mean = words().map(|w| f64::from(edge_gradient::<N>(w)[i])).sum::<f64>() / 1e4;
-                let second = words().map(|w| f64::from(edge_gradient::<N>(w)[i]).powi(2)).sum::<f64>() / 1e4;
+                let mean = words().map(|w| f64::from(gradient::<N>(w)[i])).sum::<f64>() / 1e4;
+                let second = words().map(|w| f64::from(gradient::<N>(w)[i]).powi(2)).sum::<f64>() / 1e4;
                 // 5 standard errors: of a mean at most √square/100, of a square at most √3
                 // square/100.
                 assert_abs_diff_eq!(mean, 0.0, epsilon = 0.05 * square.sqrt());

@@ -13,8 +13,6 @@ pub(crate) mod tiled;
 pub(crate) mod variates;
 
 pub use chained_table::ChainedTable;
-pub use edges::edge_gradient;
 pub use perlin_table::PerlinTable;
 pub use permutation_table::PermutationTable;
 pub use tiled::Tiled;
-pub use variates::{gaussian_corner, gaussian_levels, gaussian_tail_lines, unit_gradient};

@@ -53,7 +53,7 @@ impl Lattice for PerlinTable {
     }
 }
 
-/// The words from which [`edge_gradient`](crate::lattice::edge_gradient) makes the gradients of the
+/// The words from which [`Perlin::gradient`](crate::Perlin::gradient) makes the gradients of the
 /// reference.
 const WORDS: [u32; 16] = {
     // The axis along which the gradient is 0, and the axes with a minus sign as bits from the
@@ -106,7 +106,9 @@ const PERMUTATION: [u8; 256] = [
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lattice::{edges::edge_gradient, permutation_table::PermutationTable};
+    use crate::lanes::{Arithmetic, Scalar};
+    use crate::lattice::edges::{Lengths, edge_direction};
+    use crate::lattice::permutation_table::PermutationTable;
 
     #[test]
     fn perlin_table_gradients_match_reference() {
@@ -123,7 +125,8 @@ mod tests {
                 z
             };
             let listed = if h & 1 == 0 { u } else { -u } + if h & 2 == 0 { v } else { -v };
-            let drawn: f32 = edge_gradient::<3>(word).iter().zip(p).map(|(g, x)| g * x).sum();
+            let gradient = edge_direction::<_, 3>(Scalar, Scalar.word(word), &Lengths::new(1.0));
+            let drawn: f32 = gradient.iter().zip(p).map(|(g, x)| g * x).sum();
             assert_eq!(drawn, listed, "{h}");
         }
     }

@@ -86,7 +86,7 @@ pub(crate) fn uniform<S: Lanes>(s: S, word: S::U) -> S::F {
 
 /// 4096 equally likely levels with the moments of N(0, 1) up to the fifth, ascending; the last is
 /// repeated.
-static LEVELS: [f32; 4097] = signed(&POSITIVE_LEVELS);
+pub(crate) static LEVELS: [f32; 4097] = signed(&POSITIVE_LEVELS);
 
 const fn signed(positive: &[f32; 2048]) -> [f32; 4097] {
     let mut levels = [positive[2047]; 4097];
@@ -207,58 +207,6 @@ pub(crate) fn gaussian_quaternion(word: u32) -> [f32; 4] {
     ]
 }
 
-/// Returns the unit gradient that [`PerlinClassic`](crate::PerlinClassic) draws from a lattice point's
-/// word, before scaling.
-///
-/// Uniform on the circle or sphere; ±1 in 1-D. The length is 1 within 2e-7.
-#[must_use]
-pub fn unit_gradient<const N: usize>(word: u32) -> [f32; N] {
-    unit_direction(Scalar, Scalar.word(word), 1.0)
-}
-
-/// Returns the Gaussian value and gradient that [`GaussianNoise`](crate::GaussianNoise) draws from a word,
-/// for both channels.
-#[must_use]
-pub fn gaussian_corner<const N: usize>(word: u32) -> [(f32, [f32; N]); 2] {
-    let word = Scalar.word(word);
-    [gaussian_variates::<_, N, 0>(Scalar, word), gaussian_variates::<_, N, 1>(Scalar, word)]
-        .map(|(value, twice)| (value, twice.map(|g| 0.5 * g)))
-}
-
-/// Returns the levels of [`gaussian_corner`]: 4096 in ascending order, and the last repeated.
-///
-/// Twelve bits select a level for a gradient. Values are on the chords between levels, and in the
-/// tails on [`gaussian_tail_lines`]. For evaluation elsewhere, for instance on a GPU.
-///
-/// ```
-/// use asperity_noise::lattice::gaussian_levels;
-///
-/// let levels = gaussian_levels();
-/// assert!(levels[0] == -levels[4095] && levels[2047] == -levels[2048] && levels[4096] == levels[4095]);
-/// ```
-#[must_use]
-pub fn gaussian_levels() -> &'static [f32; 4097] {
-    &LEVELS
-}
-
-/// Returns the lines of the values in the tails, each of two numbers a, b with |z| = a + b m.
-///
-/// m in [1, 2) is the mantissa of x = word + 2¹⁹ as a signed number, made odd. There are 32 lines
-/// for each exponent from 0 to 22.
-///
-/// ```
-/// use asperity_noise::lattice::{gaussian_corner, gaussian_tail_lines};
-///
-/// // x = 1, with its mirror image, is the most extreme word: m = 1 on the first line.
-/// let [a, b] = gaussian_tail_lines()[0];
-/// let [(value, _), _] = gaussian_corner::<1>(0_u32.wrapping_sub(1 << 19));
-/// assert_eq!(value, -(a + b));
-/// ```
-#[must_use]
-pub fn gaussian_tail_lines() -> &'static [[f32; 2]; 736] {
-    &TAIL_LINES
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -285,7 +233,7 @@ mod tests {
         for k in 0..2048 {
             assert_eq!([levels[2047 - k], levels[2048 + k]], [-POSITIVE_LEVELS[k], POSITIVE_LEVELS[k]]);
         }
-        assert_eq!(&levels, gaussian_levels());
+        assert_eq!(levels, LEVELS);
     }
 
     #[test]
@@ -293,14 +241,14 @@ mod tests {
         // The tails end within the last exponent.
         for exponent in 0..22_u32 {
             for part in [0, 13, 31] {
-                let [a, b] = gaussian_tail_lines()[(exponent << 5 | part) as usize];
+                let [a, b] = TAIL_LINES[(exponent << 5 | part) as usize];
                 // The first odd number of the part.
                 let x = ((1_u64 << exponent) + (u64::from(part) << exponent >> 5)) as u32 | 1;
                 let m = x as f32 / (1_u32 << exponent) as f32;
                 if f32::to_bits(m) >> 18 & 31 != part {
                     continue;
                 }
-                let [(value, _), _] = gaussian_corner::<1>(x.wrapping_sub(1 << 19));
+                let value = quantile(Scalar, Scalar.word(x.wrapping_sub(1 << 19)));
                 assert_eq!(value, -(a + b * m), "exponent {exponent}, part {part}");
             }
         }

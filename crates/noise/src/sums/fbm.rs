@@ -840,11 +840,8 @@ impl<F: Field<V>, V: Point, T: Shape> Fbm<F, V, T> {
 
 impl<F, V: Point<Coordinates = [f32; N]>, T, const N: usize> Fbm<F, V, T> {
     /// Returns octave i of the spectrum, whether it is active or not.
-    ///
-    /// Numbers from [`FbmSpectrum::MAX_OCTAVES`] on wrap.
-    #[must_use]
-    pub fn octave(&self, i: u32) -> Octave<N> {
-        self.layers.octave(i as usize)
+    pub(crate) fn octave(&self, i: usize) -> Octave<N> {
+        self.layers.octave(i)
     }
 }
 

@@ -182,34 +182,18 @@ impl<S: Lanes, const N: usize> Map<S, N> {
 /// nᵢ(p) = n(M p + o),   its words those of the lattice at cell + ⌊M p + o⌋ mod 2³²
 /// ```
 ///
-/// For evaluation elsewhere, for instance on a GPU. The octaves of a tileable noise also have their
-/// own periods, which are not part of this struct.
-///
-/// ```
-/// use asperity_noise::{Fbm, FbmSpectrum, Perlin, glam::Vec2};
-///
-/// let sum = Fbm::<_, Vec2>::new(Perlin::new(5), FbmSpectrum::default()).with_octaves(1.0);
-/// let octave = sum.octave(0);
-/// // The first octave is rotated and not scaled, so it keeps lengths.
-/// let [x, y] = octave.matrix.map(|[x, y]| 3.0 * x - 4.0 * y);
-/// assert!((x.hypot(y) - 5.0).abs() < 1e-5 && octave.cell == [0, 0]);
-///
-/// // Relative to an anchor it has the cell of the anchor.
-/// let far = sum.anchored([1e9, 0.0]).octave(0);
-/// assert!(far.key == octave.key && far.cell != [0, 0] && far.matrix == octave.matrix);
-/// ```
+/// Octaves of a tileable noise also have their own periods, which are not part of this struct.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Octave<const N: usize> {
+pub(crate) struct Octave<const N: usize> {
     /// M, rotation times frequency, by rows, in cells of the octave per unit of the sum's
     /// coordinates.
-    pub matrix: [[f32; N]; N],
+    pub(crate) matrix: [[f32; N]; N],
     /// o in cells; NaN if an anchor is too far away, and the octave is 0.
-    pub offset: [f32; N],
+    pub(crate) offset: [f32; N],
     /// The origin of the cells: 0, or the cell of the anchor modulo 2³².
-    pub cell: [i32; N],
+    pub(crate) cell: [i32; N],
     /// Key that the lattice derives from the octave's seed.
-    pub key: u32,
+    pub(crate) key: u32,
 }
 
 /// The layers of all octaves of a sum, stored as one array per component.

@@ -7,7 +7,7 @@ use asperity_noise::{
     Metric, Normalization, Perlin, PerlinClassic, Point, Rotation, Sample, Simplex, SparseConvolution,
     ValueCatmullRom, ValueGradient, ValueNoise, WhiteNoise,
     glam::{Vec2, Vec3, Vec4},
-    lattice::{PermutationTable, edge_gradient, gaussian_corner, unit_gradient},
+    lattice::PermutationTable,
     simd::{Batch, Level},
 };
 
@@ -147,7 +147,7 @@ fn gaussian_sum<V: Point<Coordinates = [f32; N]>, const N: usize>(
     emit("Gaussian octaves", golden(&|p: V| noise.sample_with_octaves(p, 6.5)));
     emit("Gaussian octaves, second channel", golden(&|p: V| noise.pair_with_octaves(p, 6.5)[1]));
     emit("Gaussian, second channel", golden(&|p: V| GaussianNoise::new(17).pair(p)[1]));
-    emit("Gaussian, not normalised", golden(&|p: V| GaussianNoise::new(17).unnormalised(p)));
+    emit("Gaussian, not normalised", golden(&|p: V| GaussianNoise::new(17).unnormalized(p)));
     emit("variance of Gaussian", golden(&|p: V| GaussianNoise::new(17).variance(p)));
 }
 
@@ -158,8 +158,8 @@ pub(crate) fn fields(emit: &mut impl FnMut(&'static str, Golden)) {
     kind("Perlin 2002", &Perlin::new(17), emit);
     kind("Perlin 2002 by permutation", &Perlin::new(17).with_lattice(table), emit);
     kind("simplex", &Simplex::new(17), emit);
-    kind("wide simplex", &Simplex::wide(17), emit);
-    kind("wide simplex by permutation", &Simplex::wide(17).with_lattice(table), emit);
+    kind("wide simplex", &Simplex::new(17).with_classic_radius(), emit);
+    kind("wide simplex by permutation", &Simplex::new(17).with_classic_radius().with_lattice(table), emit);
     kind("Gaussian", &GaussianNoise::new(17), emit);
     kind("white", &WhiteNoise::new(17), emit);
     kind("value", &ValueNoise::new(17), emit);
@@ -213,16 +213,16 @@ pub(crate) fn numbers(emit: &mut impl FnMut(&'static str, u32)) {
     emit("permutation", hash(&mut |i| u32::from(table.entries()[i as usize])));
     emit("permutation, words", hash(&mut |i| table.word(cell(i), 17)));
     let word = |i: i32| IntegerHash.word([i], 1);
-    emit("unit gradients", hash(&mut |i| drawn(unit_gradient::<2>(word(i)))));
-    emit("unit gradients, 3-D", hash(&mut |i| drawn(unit_gradient::<3>(word(i)))));
-    emit("unit gradients, 4-D", hash(&mut |i| drawn(unit_gradient::<4>(word(i)))));
-    emit("edge gradients", hash(&mut |i| drawn(edge_gradient::<2>(word(i)))));
-    emit("edge gradients, 3-D", hash(&mut |i| drawn(edge_gradient::<3>(word(i)))));
-    emit("edge gradients, 4-D", hash(&mut |i| drawn(edge_gradient::<4>(word(i)))));
+    emit("unit gradients", hash(&mut |i| drawn(PerlinClassic::gradient::<2>(word(i)))));
+    emit("unit gradients, 3-D", hash(&mut |i| drawn(PerlinClassic::gradient::<3>(word(i)))));
+    emit("unit gradients, 4-D", hash(&mut |i| drawn(PerlinClassic::gradient::<4>(word(i)))));
+    emit("edge gradients", hash(&mut |i| drawn(Perlin::gradient::<2>(word(i)))));
+    emit("edge gradients, 3-D", hash(&mut |i| drawn(Perlin::gradient::<3>(word(i)))));
+    emit("edge gradients, 4-D", hash(&mut |i| drawn(Perlin::gradient::<4>(word(i)))));
     emit(
         "Gaussian corners",
         hash(&mut |i| {
-            let [(a, [ax, ay, az, aw]), (b, [bx, by, bz, bw])] = gaussian_corner::<4>(word(i));
+            let [(a, [ax, ay, az, aw]), (b, [bx, by, bz, bw])] = GaussianNoise::variates::<4>(word(i));
             drawn([a, ax, ay, az, aw, b, bx, by, bz, bw])
         }),
     );

@@ -1,11 +1,7 @@
 //! Perlin noise of 2002 compared with the printed formula.
 
 use approx::assert_abs_diff_eq;
-use asperity_noise::{
-    Field, IntegerHash, Lattice, Perlin,
-    glam::Vec3,
-    lattice::{PerlinTable, edge_gradient},
-};
+use asperity_noise::{Field, IntegerHash, Lattice, Perlin, glam::Vec3, lattice::PerlinTable};
 
 /// The formula as printed, over the eight corners of the cell; w(1 − t) = 1 − w(t).
 fn improved_noise(p: Vec3, seed: u32) -> f32 {
@@ -13,7 +9,7 @@ fn improved_noise(p: Vec3, seed: u32) -> f32 {
     let sum = (0..8_u8).map(|c| {
         let corner = p.floor() + Vec3::from([c & 1, c >> 1 & 1, c >> 2].map(f32::from));
         let word = IntegerHash.upper_word(corner.to_array().map(|x| x as i32), seed);
-        let (g, d) = (Vec3::from(edge_gradient::<3>(word)), p - corner);
+        let (g, d) = (Vec3::from(Perlin::gradient::<3>(word)), p - corner);
         w(1.0 - d.x.abs()) * w(1.0 - d.y.abs()) * w(1.0 - d.z.abs()) * g.dot(d)
     });
     sum.sum::<f32>() / PerlinTable::SCALE

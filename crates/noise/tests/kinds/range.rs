@@ -119,7 +119,7 @@ fn range_of_every_kind_holds_near_and_far() {
         search!(random, found, format!("value-gradient {weight}"), |w| noise.with_lattice(Chosen(w)));
     }
     search!(random, found, "simplex", |w| Simplex::new(0).with_lattice(Chosen(w)));
-    search!(random, found, "wide simplex", |w| Simplex::wide(0).with_lattice(Chosen(w)));
+    search!(random, found, "wide simplex", |w| Simplex::new(0).with_classic_radius().with_lattice(Chosen(w)));
     search!(random, found, "Gaussian", |w| GaussianNoise::new(0).with_lattice(Chosen(w)));
     for impulses in [1, SparseConvolution::MAX_IMPULSES] {
         let noise = SparseConvolution::new(0).with_impulses(impulses).unwrap();

@@ -59,5 +59,5 @@ fn tiled_repeats_every_kind_on_the_integer_lattice() {
 #[test]
 fn tiled_repeats_simplex_in_1d() {
     tiles::<f32, 1>(&Simplex::new(4).tiled([7]).unwrap(), [7]);
-    tiles::<f32, 1>(&Simplex::wide(4).tiled([7]).unwrap(), [7]);
+    tiles::<f32, 1>(&Simplex::new(4).with_classic_radius().tiled([7]).unwrap(), [7]);
 }

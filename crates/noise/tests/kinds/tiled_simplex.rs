@@ -4,16 +4,16 @@ use asperity_noise::{Field, NoiseError, Simplex, glam::Vec3};
 
 #[test]
 fn tiled_simplex_rejects_invalid_periods() {
-    assert_eq!(Simplex::wide(0).tiled([3, 6, 300]).unwrap().periods(), &[3, 6, 300]);
+    assert_eq!(Simplex::new(0).with_classic_radius().tiled([3, 6, 300]).unwrap().periods(), &[3, 6, 300]);
     let error = NoiseError::PeriodMultiple { axis: 1, period: 4, factor: 3 };
-    assert_eq!(Simplex::wide(0).tiled([3, 4, 6]), Err(error));
-    assert!(Simplex::wide(0).tiled([0, 3, 6]).is_err());
+    assert_eq!(Simplex::new(0).with_classic_radius().tiled([3, 4, 6]), Err(error));
+    assert!(Simplex::new(0).with_classic_radius().tiled([0, 3, 6]).is_err());
 }
 
 #[test]
 fn tiled_simplex_repeats_along_every_axis() {
     let periods = Vec3::new(3.0, 6.0, 9.0);
-    for kernel in [Simplex::new(0), Simplex::wide(0)] {
+    for kernel in [Simplex::new(0), Simplex::new(0).with_classic_radius()] {
         let noise = kernel.tiled([3, 6, 9]).unwrap();
         let mut others = 0;
         for i in 0..400_i16 {

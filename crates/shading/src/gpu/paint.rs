@@ -2,7 +2,7 @@
 
 use asperity_core::gpu_struct;
 use asperity_ndf_sampling::Ndf;
-use asperity_noise::gpu::{FbmUniform3d, key};
+use asperity_noise::{IntegerHash, gpu::FbmUniform3d};
 
 use super::surface::SizedFbmUniform;
 use crate::material::{Elimination, GlintField, MetallicPaint};
@@ -90,7 +90,7 @@ impl MetallicPaint {
     #[must_use]
     pub fn gpu(&self, first: u32) -> MetallicPaintUniform {
         let (p, (peel, sparkles, passive)) = (self.parameters(), self.parts());
-        let key_of = |k: u32| key(sparkles.seed() ^ k.wrapping_mul(0x9e37_79b9));
+        let key_of = |k: u32| IntegerHash::gpu_key(sparkles.seed() ^ k.wrapping_mul(0x9e37_79b9));
         MetallicPaintUniform {
             orange_peel: peel.noise().gpu(first),
             passive: passive.noise().gpu(first.wrapping_add(1)),
@@ -145,7 +145,7 @@ impl<N: Ndf> GlintField<N> {
     #[must_use]
     pub fn gpu(&self) -> GlintFieldUniform {
         let ([spacing, bin], seed) = self.parts();
-        let tilt_keys = Self::TILTS.map(|tilt| key(seed ^ tilt));
-        GlintFieldUniform { spacing, bin, tilt_keys, key: key(seed), padding: [0; 3] }
+        let tilt_keys = Self::TILTS.map(|tilt| IntegerHash::gpu_key(seed ^ tilt));
+        GlintFieldUniform { spacing, bin, tilt_keys, key: IntegerHash::gpu_key(seed), padding: [0; 3] }
     }
 }

@@ -2,7 +2,7 @@
 
 use asperity_core::gpu_struct;
 use asperity_noise::Field;
-use asperity_noise::gpu::{FbmUniform3d, key};
+use asperity_noise::{IntegerHash, gpu::FbmUniform3d};
 use glam::Vec3;
 
 use crate::material::{Segments, SizedFbm};
@@ -63,7 +63,7 @@ impl Segments {
             length,
             cover,
             spread,
-            key: key(seed),
+            key: IntegerHash::gpu_key(seed),
             padding: 0,
         }
     }

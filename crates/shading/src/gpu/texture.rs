@@ -1,7 +1,7 @@
 //! Procedural textures.
 
 use asperity_core::gpu_struct;
-use asperity_noise::gpu::{FbmUniform3d, key};
+use asperity_noise::{IntegerHash, gpu::FbmUniform3d};
 use asperity_noise::{Noise, Perlin};
 
 use crate::texture::{Bevel, Brick, Gas, Marble, PerturbedTexture, StarWallpaper};
@@ -87,7 +87,7 @@ impl StarWallpaper {
     #[must_use]
     pub fn gpu(&self) -> StarWallpaperUniform {
         let ([points, r_min, r_max, cells, chance, mean, x, y, angle], seeds) = self.parts();
-        let [presence, across, along] = seeds.map(key);
+        let [presence, across, along] = seeds.map(IntegerHash::gpu_key);
         let half_angle = [x, y];
         StarWallpaperUniform {
             points,
@@ -133,7 +133,7 @@ impl Marble {
         let ((scale, seed), statistics) = (self.parts(), Perlin::default().statistics(3));
         let at = |k: usize| statistics.cdf.get(k * statistics.cdf.len() / 16).filter(|_| k < 16).copied();
         MarbleUniform {
-            keys: [0, 1, 2, 3].map(|i| key(seed.wrapping_add(i))),
+            keys: [0, 1, 2, 3].map(|i| IntegerHash::gpu_key(seed.wrapping_add(i))),
             cdf: core::array::from_fn(|i| core::array::from_fn(|k| at(4 * i + k + 1).unwrap_or(1.0))),
             scale,
             deviation: statistics.standard_deviation,
@@ -216,7 +216,7 @@ impl PerturbedTexture {
             strength: self.strength.into(),
             scale: self.scale,
             deviation: self.noise.statistics(3).standard_deviation,
-            keys: [self.seed, self.seed.wrapping_add(1)].map(key),
+            keys: [self.seed, self.seed.wrapping_add(1)].map(IntegerHash::gpu_key),
             padding: [0; 2],
         }
     }

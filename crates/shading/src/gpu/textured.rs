@@ -1,7 +1,7 @@
 //! Walls and floors.
 
 use asperity_core::gpu_struct;
-use asperity_noise::gpu::key;
+use asperity_noise::IntegerHash;
 
 use super::texture::{BevelUniform, BrickUniform, MarbleUniform, StarWallpaperUniform};
 use crate::material::{BeveledTiles, BrickWall, PolishedMarble, Wallpaper};
@@ -43,7 +43,7 @@ impl BrickWall {
             mortar: self.mortar.into(),
             depth: self.depth,
             roughness: self.roughness,
-            key: key(1),
+            key: IntegerHash::gpu_key(1),
             padding: [0; 2],
         }
     }

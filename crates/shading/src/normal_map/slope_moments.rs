@@ -1,6 +1,6 @@
 //! Slope moments of a normal map within a pixel: mean and covariance (LEAN mapping).
 
-use asperity_ndf_sampling::{Beckmann, level_of_detail::OffsetBeckmann};
+use asperity_ndf_sampling::{Beckmann, OffsetBeckmann};
 use glam::{Vec2, Vec3};
 
 use crate::level_of_detail::ResolvedBumps;

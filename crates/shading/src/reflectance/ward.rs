@@ -1,6 +1,6 @@
 //! Ward's anisotropic BRDF and its two later denominators.
 
-use asperity_ndf_sampling::{Beckmann, MAX_ALPHA, MIN_ALPHA, Ndf};
+use asperity_ndf_sampling::{Beckmann, Ndf};
 use core::f32::consts::FRAC_1_PI;
 use glam::{Vec2, Vec3};
 
@@ -75,7 +75,7 @@ impl WardBrdf {
         form: WardNormalization,
     ) -> Result<Self, ShadingError> {
         let specular = color("specular", specular)?;
-        let alpha = |parameter, value| within(parameter, value, [MIN_ALPHA, MAX_ALPHA]);
+        let alpha = |parameter, value| within(parameter, value, [Beckmann::MIN_ALPHA, Beckmann::MAX_ALPHA]);
         let slopes = Beckmann::new_clamped(alpha("alpha_x", alpha_x)?, alpha("alpha_y", alpha_y)?);
         Ok(Self { specular, slopes, form })
     }

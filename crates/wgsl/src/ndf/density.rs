@@ -28,7 +28,7 @@ pub static FRAME: Part = part!("ndf/frame", ELEMENTARY);
 pub static GAUSSIAN_SPLIT: Part = part!("ndf/level_of_detail/gaussian_split", ELEMENTARY);
 
 /// Gaussian slopes of any mean and covariance,
-/// [`OffsetBeckmann`](asperity_ndf_sampling::level_of_detail::OffsetBeckmann), in 32 bits.
+/// [`OffsetBeckmann`](asperity_ndf_sampling::OffsetBeckmann), in 32 bits.
 pub static OFFSET_BECKMANN: Part = part!("ndf/level_of_detail/offset_beckmann", ELEMENTARY, GAUSSIAN_SPLIT);
 
 /// GGX: density, bijection and inverse, samples, visible normals, masking, conditional density,

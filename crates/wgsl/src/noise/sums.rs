@@ -1,8 +1,8 @@
 //! Sums of octaves: spectra, shapes, octaves of every kind of noise.
 //!
-//! A module has up to [`SUMS`](asperity_noise::gpu::SUMS) sums of a dimension, which functions
-//! index from 0, for instance a field and the fields that warp it. Every kind has its own function.
-//! A custom kind adds its octaves to a [`TOTAL`](fbm_3d::TOTAL) in the same way.
+//! A module has up to eight sums of a dimension, for instance a field and the fields that warp it.
+//! Functions index them from 0. Every kind has its own function. A custom kind adds its octaves to
+//! a [`TOTAL`](fbm_3d::TOTAL) in the same way.
 //!
 //! ```
 //! # #[cfg(feature = "alloc")] {
@@ -66,8 +66,7 @@ pub static FREQUENCY_CLAMP: Part = part!("noise/sums/frequency_clamp");
 /// divisor of a sum.
 pub static SPECTRUM: Part = part!("noise/sums/spectrum", [FbmSpectrumUniform], FREQUENCY_CLAMP);
 
-/// One octave, [`Octave`](asperity_noise::Octave): its affine map in two, three and four
-/// dimensions.
+/// One octave, such as [`FbmLayer3d`]: its affine map in two, three and four dimensions.
 pub static OCTAVE: Part = part!("noise/sums/octave", [FbmLayer2d, FbmLayer3d, FbmLayer4d]);
 
 /// Uniform of sums of octaves in 3-D.

@@ -8,7 +8,7 @@ use std::fs::File;
 use std::path::Path;
 
 use asperity_render::geometry::teapot::teapot;
-use asperity_shading::noise::gpu::{FbmUniform3d, gaussian_levels};
+use asperity_shading::noise::gpu::FbmUniform3d;
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_wgsl::noise::sums;
 use asperity_wgsl::{Binding, Bindings, Part, compose, ndf, shading};
@@ -178,7 +178,7 @@ impl Painter {
         });
 
         // The table of Gaussian levels, 64 texels per row.
-        let levels: Vec<f32> = gaussian_levels().collect();
+        let levels: Vec<f32> = GaussianNoise::gpu_levels().collect();
         let levels = device.create_texture_with_data(
             &queue,
             &wgpu::TextureDescriptor {

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use asperity_shading::noise::{FbmSpectrum, gpu::gaussian_levels};
+use asperity_shading::noise::{FbmSpectrum, GaussianNoise};
 use asperity_wgsl::{Binding, Bindings, Part, compose, ndf, noise, shading};
 use glam::DVec3;
 use wgpu::{BufferUsages, TextureFormat, TextureUsages};
@@ -126,7 +126,7 @@ impl Renderer {
         made: &[(&'static str, Resource)],
     ) -> Result<(Vec<[u8; 3]>, Duration), String> {
         let scope = gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
-        let levels = gaussian_levels().map(f32::to_bits).collect();
+        let levels = GaussianNoise::gpu_levels().map(f32::to_bits).collect();
         let words = [
             ("gaussian_level", levels),
             octaves.clone(),

@@ -1,6 +1,6 @@
 //! The tables of noise: the lattice of a seed, and the measured distributions G of each noise type.
 
-use asperity_noise::lattice::{PermutationTable, gaussian_corner};
+use asperity_noise::lattice::PermutationTable;
 use asperity_noise::{
     GaussianNoise, IntegerHash, Lattice, Noise, Perlin, PerlinClassic, Simplex, Statistics,
 };
@@ -19,7 +19,7 @@ pub(super) fn lattice(seed: u32) -> Result<Made, Failure> {
     let points = (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y)));
     let variates: Vec<[f32; 4]> = points
         .map(|(x, y)| {
-            let [(value, [gx, gy, gz]), _] = gaussian_corner(IntegerHash.word([x, y, 0], seed));
+            let [(value, [gx, gy, gz]), _] = GaussianNoise::variates(IntegerHash.word([x, y, 0], seed));
             [value, gx, gy, gz]
         })
         .collect();
@@ -47,7 +47,7 @@ pub(super) fn distributions() -> Result<Made, Failure> {
         ("perlin_1985", statistics(&PerlinClassic::default())),
         ("perlin_2002", statistics(&Perlin::default())),
         ("simplex_continuous", statistics(&Simplex::new(0))),
-        ("simplex_wide", statistics(&Simplex::wide(0))),
+        ("simplex_wide", statistics(&Simplex::new(0).with_classic_radius())),
         ("gaussian", statistics(&GaussianNoise::default())),
     ];
     let kinds: Vec<(String, &Statistics)> = kinds

@@ -122,7 +122,7 @@ mod tests {
     fn inverted_words_have_opposite_gradients() {
         for i in 0..1000_u32 {
             let word = i.wrapping_mul(0x9e37_79b9);
-            let [a, b] = [word, word ^ SIGNS].map(asperity_noise::lattice::edge_gradient::<3>);
+            let [a, b] = [word, word ^ SIGNS].map(asperity_noise::Perlin::gradient::<3>);
             assert_eq!(a, b.map(|x| -x), "{word}");
         }
     }

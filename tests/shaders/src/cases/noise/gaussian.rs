@@ -3,7 +3,6 @@
 use asperity_noise::{
     GaussianNoise,
     glam::{Vec2, Vec3},
-    gpu,
 };
 use asperity_wgsl::noise;
 
@@ -22,7 +21,7 @@ pub(super) fn cases() -> Vec<Case> {
 
 /// The table of levels.
 fn table() -> Vec<(&'static str, Vec<u32>)> {
-    vec![("gaussian_level", gpu::gaussian_levels().map(f32::to_bits).collect())]
+    vec![("gaussian_level", GaussianNoise::gpu_levels().map(f32::to_bits).collect())]
 }
 
 fn pair() -> Case {

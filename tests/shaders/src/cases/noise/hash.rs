@@ -1,6 +1,6 @@
 //! The hash of lattice points.
 
-use asperity_noise::{IntegerHash, Lattice, gpu};
+use asperity_noise::{IntegerHash, Lattice};
 use asperity_wgsl::noise;
 
 use crate::case::{Bound, Case, INPUTS, OUTPUTS, Output, any};
@@ -28,7 +28,7 @@ fn hash() -> Case {
         resources: vec![],
         input: Box::new(|i| {
             let mut words: [u32; INPUTS] = std::array::from_fn(|k| any(i, k as u32));
-            words[12] = gpu::key(words[13]);
+            words[12] = IntegerHash::gpu_key(words[13]);
             words
         }),
         reference: Box::new(|words| {

@@ -1,9 +1,8 @@
 //! Noise: hash and noise types.
 
 use asperity_noise::{
-    Field, Point, Sample,
+    Field, IntegerHash, Point, Sample,
     glam::{Vec2, Vec3, Vec4},
-    gpu,
 };
 use asperity_wgsl::Part;
 
@@ -54,7 +53,7 @@ fn input_within(far: f32, i: u32) -> [u32; INPUTS] {
         words[4 + k as usize] = between(i, 8 + k, 0.0, 1.0).to_bits();
     }
     words[13] = any(i, 12);
-    words[12] = gpu::key(words[13]);
+    words[12] = IntegerHash::gpu_key(words[13]);
     words
 }
 

@@ -30,7 +30,7 @@ fn narrow(bounds: [Bound; 2]) -> Case {
 
 fn wide() -> Case {
     case(&noise::SIMPLEX, body("simplex_wide", "", true), NEAR, |words| {
-        let simplex = Simplex::wide(seed(words));
+        let simplex = Simplex::new(seed(words)).with_classic_radius();
         outputs(sample(&simplex, words), sample(&simplex, words), sample(&simplex, words))
     })
 }

@@ -1,6 +1,5 @@
 //! Bump maps of a density, and hand-made normal maps.
 
-use asperity_noise::gpu::gaussian_levels;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::gpu::{BumpMappedUniform, SlopePyramidUniform};
 use asperity_shading::level_of_detail::{LevelOfDetail, ResolvedBumps};
@@ -49,7 +48,7 @@ fn bump_mapped(
     of: BumpMapped<impl Ndf + Send + Sync + 'static, GaussianFbm<Vec3>>,
 ) -> Case {
     let resources = vec![
-        ("gaussian_level", gaussian_levels().map(f32::to_bits).collect()),
+        ("gaussian_level", GaussianNoise::gpu_levels().map(f32::to_bits).collect()),
         ("bump_mapped_uniform", packed(&uniform)),
         sums(&[of.bumps.field().gpu()]),
     ];

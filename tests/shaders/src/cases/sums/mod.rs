@@ -9,9 +9,8 @@ mod transforms;
 use std::{array, ops::Range};
 
 use asperity_noise::{
-    FbmSpectrum, Sample,
+    FbmSpectrum, GaussianNoise, Sample,
     glam::{Vec2, Vec3},
-    gpu,
 };
 
 use crate::case::{BAD, Bound, Case, INPUTS, Output, any, between};
@@ -80,7 +79,7 @@ fn in_plane(sample: Sample<Vec2>) -> [f32; 3] {
 
 /// Returns the table of Gaussian levels.
 fn levels() -> Vec<u32> {
-    gpu::gaussian_levels().map(f32::to_bits).collect()
+    GaussianNoise::gpu_levels().map(f32::to_bits).collect()
 }
 
 /// Equal bits as written, and this tolerance on an adapter.

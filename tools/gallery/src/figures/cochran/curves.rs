@@ -22,7 +22,7 @@ pub(super) const HALF: [f64; 2] = [520.0, 330.0];
 pub(crate) fn draw_functions(_: &Context<'_>) -> Result<Drawn> {
     let panel = |name, fif: &FixedFif<2, 2>, range, label, alt| {
         let curve = outline(fif);
-        let knots = cochran_2000::KNOTS.map(|x| [x, fif.evaluate(x, TOLERANCE).value]);
+        let knots = [0.0, 1.0, 2.0].map(|x| [x, fif.evaluate(x, TOLERANCE).value]);
         plot(HALF, Axis::linear("", range, 0.5), Names::AtEnds)
             .area(curve.clone(), 1, 0.07)
             .line(knots, Stroke::dashed(Ink::Muted).wide(0.9))
@@ -165,7 +165,7 @@ pub(crate) fn draw_dimension(context: &Context<'_>) -> Result<Drawn> {
 
 /// Both maps with the same factor, the middle knot at `middle`.
 fn symmetric(middle: f64, alpha: f64) -> Result<FixedFif<2, 2>, FifError> {
-    FixedFif::affine(&[cochran_2000::KNOTS[0], middle, cochran_2000::KNOTS[2]], &[0.0, 1.0, 0.0], &[alpha; 2])
+    FixedFif::affine(&[0.0, middle, 2.0], &[0.0, 1.0, 0.0], &[alpha; 2])
 }
 
 /// Returns the slope of the logarithm of the number of boxes between the two levels.

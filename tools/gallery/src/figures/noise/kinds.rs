@@ -23,7 +23,7 @@ pub(crate) const KINDS: &[Figure] = &[
     figure("noise-kind-perlin-2002", |context| draw(context, Perlin::default())),
     figure("noise-kind-value-gradient", |context| draw(context, ValueGradient::default())),
     figure("noise-kind-simplex", |context| draw(context, Simplex::new(0))),
-    figure("noise-kind-simplex-wide", |context| draw(context, Simplex::wide(0))),
+    figure("noise-kind-simplex-wide", |context| draw(context, Simplex::new(0).with_classic_radius())),
     figure("noise-kind-sparse", |context| draw(context, SparseConvolution::default())),
     figure("noise-kind-gaussian", |context| draw(context, GaussianNoise::default())),
 ];

@@ -34,7 +34,7 @@ const RIDGED: [&str; 3] = [
 ];
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
-    let noise = Simplex::wide(context.seed);
+    let noise = Simplex::new(context.seed).with_classic_radius();
     let sum = |spectrum| Fbm::<_, Vec3>::new(noise, spectrum).with_normalization(Normalization::UnitRange);
     let (clouds, threads) = (sum(FbmSpectrum::CLOUD).with_octaves(OCTAVES), sum(FbmSpectrum::THREADS));
     let (turbulence, plasma) = (clouds.with_shape(Turbulence), clouds.with_shape(Plasma));

@@ -1,5 +1,5 @@
 // Directions to the edges of a square, a cube and a hypercube, selected by the upper bits of words:
-// `asperity_noise::lattice::edge_gradient`, four at once.
+// `asperity_noise::Perlin::gradient`, four at once.
 
 const EDGES_LONG: f32 = 1.306563;
 const EDGES_SHORT: f32 = 0.5411961;

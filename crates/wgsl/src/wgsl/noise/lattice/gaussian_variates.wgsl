@@ -1,4 +1,4 @@
-// Gaussian variates of lattice points, `asperity_noise::lattice::gaussian_corner`, four points at
+// Gaussian variates of lattice points, `asperity_noise::GaussianNoise::variates`, four points at
 // once.
 //
 // The table `gaussian_level` has 4096 levels, the last level again, and the lines of the tails, two

@@ -1,4 +1,4 @@
-// Numbers and directions from the bits of words: `asperity_noise::lattice::unit_gradient`.
+// Numbers and directions from the bits of words: `asperity_noise::PerlinClassic::gradient`.
 
 // A number uniform in (-1, 1), a multiple of 2^-23 plus half a step.
 fn variate_uniform(word: u32) -> f32 {

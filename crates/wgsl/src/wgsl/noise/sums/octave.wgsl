@@ -1,5 +1,5 @@
 // One octave: the affine map into the cells of its lattice, and the key for its random words.
-// asperity_noise::Octave.
+// asperity_noise::gpu::FbmLayer3d.
 
 // M p + o: the octave's own coordinates of a point.
 fn fbm_point_3d(layer: FbmLayer3d, p: vec3<f32>) -> vec3<f32> {

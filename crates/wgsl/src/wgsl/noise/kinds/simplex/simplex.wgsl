@@ -3,7 +3,7 @@
 //
 // `simplex_*` have kernels of r^2 = 1/2, which are continuous. `simplex_wide_*` have the customary
 // r^2 = 0.6, which is discontinuous at the faces of simplices, like
-// `asperity_noise::Simplex::wide`. Corners are lanes. From |x| + |y| + ... = 2^22 on the noise is
+// `asperity_noise::Simplex::with_classic_radius`. Corners are lanes. From |x| + |y| + ... = 2^22 on the noise is
 // 0.
 
 // In two, three and four dimensions.
