@@ -139,8 +139,8 @@
 //! # Compile time
 //!
 //! All kinds in one to three dimensions are compiled once, in this crate, for SSE2, AVX2 and
-//! AVX-512. The first optimized build takes 45 seconds of CPU time, spread over all cores. A
-//! program that boxes seven kinds then compiles in 1.6 seconds.
+//! AVX-512. The first optimized build takes 50 seconds of CPU time with all dependencies. A program
+//! that boxes seven kinds then compiles in 2 seconds.
 //!
 //! Noise in 4-D, and on lattices other than [`IntegerHash`], is compiled with the program that uses
 //! it. Each kind adds 4 seconds, and its fBm another 4. With debug assertions, every kind is

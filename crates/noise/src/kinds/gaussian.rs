@@ -39,7 +39,7 @@ use crate::{
 ///   P(|s| > x) within 0.6 % of the normal distribution. Gradients have 4096 equally likely levels with
 ///   second and fourth moment 1 and 3.
 /// - **Tails:** at lattice points they are the tails of the values. Elsewhere the bounded levels
-///   reduce P(|z| > 4) by up to 0.4 % and P(|z| > 5) by up to 3 %. The loss is largest in the
+///   reduce P(|z| > 4) by up to 0.4 % and P(|z| > 5) by up to 3.1 %. The loss is largest in the
 ///   middle of edges and negligible in the middle of cells in 3-D.
 /// - **Gradient:** ∇z = (∇n − n ∇v/(2v))/√v.
 /// - **Range:** all of ℝ up to the variates' bits: |s| ≤ 6.24, |g| ≤ 3.78.
