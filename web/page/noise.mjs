@@ -386,7 +386,7 @@ function rustOf(settings, { sum, dimension, warp, flow, octaves }, centre, footp
   const [, , type] = KINDS[settings.kind], shape = SUMS[settings.sum][3], names = new Set([type]);
   const use = name => { names.add(name); return name; };
   const made = {
-    'simplex-wide': `Simplex::wide(${settings.seed})`,
+    'simplex-wide': `Simplex::new(${settings.seed}).with_classic_radius()`,
     cellular: `Cellular::new(${settings.seed}).with_output(CellularOutput::${settings.basis}).with_metric(Metric::${settings.metric}).with_jitter(${number(settings.jitter)})?`,
   }[settings.kind] ?? `${type}::new(${settings.seed})`;
   if (settings.kind === 'cellular') ['CellularOutput', 'Metric'].forEach(use);

@@ -56,7 +56,7 @@ impl Frame {
     #[inline]
     #[must_use]
     pub fn from_normal(n: Vec3) -> Self {
-        let Some(n) = normalised(n) else {
+        let Some(n) = normalized(n) else {
             return Self::IDENTITY;
         };
         let a = if n.z >= 0.0 {
@@ -84,12 +84,12 @@ impl Frame {
     #[must_use]
     pub fn from_normal_tangent(n: Vec3, t: Vec3) -> Self {
         let given = n;
-        let n = normalised(n).unwrap_or(Vec3::Z);
+        let n = normalized(n).unwrap_or(Vec3::Z);
         let across = |t: Vec3| t - n * n.dot(t);
-        let steep = normalised(t).map(across).filter(|across| across.length_squared() >= 1e-6);
+        let steep = normalized(t).map(across).filter(|across| across.length_squared() >= 1e-6);
         // Project again: the first projection leaves a component along n that 1e-3 rad magnifies to
         // 1e-4.
-        let tangent = steep.and_then(normalised).map(across).and_then(normalised);
+        let tangent = steep.and_then(normalized).map(across).and_then(normalized);
         match tangent {
             Some(tangent) => Self { tangent, bitangent: n.cross(tangent), normal: n },
             None => Self::from_normal(given),
@@ -113,7 +113,7 @@ impl Frame {
 
 /// `v/|v|`, or `None` if that is not a unit vector.
 #[inline]
-fn normalised(v: Vec3) -> Option<Vec3> {
+fn normalized(v: Vec3) -> Option<Vec3> {
     let length2 = v.length_squared();
     // A vector that is unit to rounding is returned bit for bit.
     if (length2 - 1.0).abs() < 2.0 * f32::EPSILON {

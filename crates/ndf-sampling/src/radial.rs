@@ -14,8 +14,8 @@ use crate::ndf::{Ndf, forward};
 /// ```
 /// use asperity_ndf_sampling::{Ggx, Radial};
 ///
-/// let share = (-Ggx::isotropic(0.2)?.exponent(0.2).unwrap()).exp();
-/// assert!((share - 0.5).abs() < 1e-6);
+/// let fraction = (-Ggx::isotropic(0.2)?.exponent(0.2).unwrap()).exp();
+/// assert!((fraction - 0.5).abs() < 1e-6);
 /// assert_eq!(Ggx::new(0.2, 0.4)?.exponent(0.2), None);
 /// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```

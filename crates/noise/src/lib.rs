@@ -42,7 +42,7 @@
 //! | [`PerlinClassic`], [`Perlin`] | unit gradients and cubic weights; edge directions and quintic weights | 1–4 | yes | yes |
 //! | [`ValueGradient`] | a weighted sum of both on one lattice | 1–4 | yes | yes |
 //! | [`Simplex`] | gradient noise on simplices, r² = 0.5 (continuous) or 0.6 (classic) | 1–4 | yes | in 1-D and 3-D; in 2-D and 4-D the lattice is irrational along the axes |
-//! | [`SparseConvolution`] | impulses at random places, convolved with a radial kernel | 1–4 | – | yes |
+//! | [`SparseConvolution`] | impulses at random positions, convolved with a radial kernel | 1–4 | – | yes |
 //! | [`Cellular`] | distances to the nearest of random feature points, or the number of the nearest, in three metrics | 1–4 | – | yes |
 //! | [`GaussianNoise`] | value-gradient noise over its standard deviation at the point: N(0, 1) everywhere | 1–4 | yes | yes |
 //! | [`ebert_1994`] | the algorithms of Ebert (ed.) 1994 with tables as they are filled there | 3 | – | period 256 |

@@ -29,7 +29,7 @@ const PARTS: [f64; 2] = [1.0 / 16.0, 0.99];
 const DEPTH: usize = 200;
 
 /// Maximum number of cells that each of the two searches for the outermost points visits.
-const PLACES: usize = 1 << 12;
+const POSITIONS: usize = 1 << 12;
 
 /// Cells this narrow, in units of the domain, are not split to locate a point.
 const NARROW: f64 = 1.0 / 1_073_741_824.0;
@@ -49,9 +49,9 @@ impl Goal {
         Self { over, domain, margin: 8.0 * f64::EPSILON * domain.magnitude(), width }
     }
 
-    fn meets<const C: usize>(&self, place: &CellPosition<C>) -> bool {
-        let margin = self.margin + place.slip;
-        place.left - margin <= self.over.hi && place.left + place.width + margin >= self.over.lo
+    fn meets<const C: usize>(&self, position: &CellPosition<C>) -> bool {
+        let margin = self.margin + position.slip;
+        position.left - margin <= self.over.hi && position.left + position.width + margin >= self.over.lo
     }
 
     /// Whether a point within `slip` of `x` is certainly inside, or at an end of the domain in the
@@ -64,16 +64,16 @@ impl Goal {
     }
 
     /// Part of the interval within the margins of a cell.
-    fn part<const C: usize>(&self, place: &CellPosition<C>) -> Interval {
-        let margin = self.margin + place.slip;
-        Interval::new(place.left - margin, place.left + place.width + margin).intersection(self.over)
+    fn part<const C: usize>(&self, position: &CellPosition<C>) -> Interval {
+        let margin = self.margin + position.slip;
+        Interval::new(position.left - margin, position.left + position.width + margin).intersection(self.over)
     }
 
     /// A border of the interval within a cell that is narrower than the rounding of its position.
-    fn lost<const C: usize>(&self, place: &CellPosition<C>) -> bool {
-        let ends = [place.left, place.left + place.width];
-        place.width < 0.25 * (self.margin + place.slip)
-            && !ends.into_iter().all(|x| self.surely(x, place.slip))
+    fn lost<const C: usize>(&self, position: &CellPosition<C>) -> bool {
+        let ends = [position.left, position.left + position.width];
+        position.width < 0.25 * (self.margin + position.slip)
+            && !ends.into_iter().all(|x| self.surely(x, position.slip))
     }
 }
 
@@ -105,7 +105,7 @@ impl<const C: usize> CellPosition<C> {
 /// A cell whose children are being visited.
 #[derive(Clone, Copy)]
 struct Frame<const C: usize> {
-    place: CellPosition<C>,
+    position: CellPosition<C>,
     upper: f64,
     next: usize,
 }
@@ -192,7 +192,7 @@ impl<'a, const C: usize> Search<'a, C> {
 
     /// The hull of the cells that may have a value of `best` or more: from the left, then from the
     /// right.
-    pub(crate) fn places(&self) -> Interval {
+    pub(crate) fn positions(&self) -> Interval {
         if !self.best.is_finite() {
             return self.goal.over;
         }
@@ -210,12 +210,12 @@ impl<'a, const C: usize> Search<'a, C> {
         known: impl Fn(Interval, Interval) -> bool,
     ) -> Interval {
         let mut within = self.at;
-        let mut left = PLACES.max(self.pieces.len().saturating_mul(2));
+        let mut left = POSITIONS.max(self.pieces.len().saturating_mul(2));
         let root = CellPosition::root(self.goal.domain);
-        let mut stack = [Frame { place: root, upper: f64::INFINITY, next: 0 }; DEPTH];
+        let mut stack = [Frame { position: root, upper: f64::INFINITY, next: 0 }; DEPTH];
         let mut height = 1_usize;
         while let Some(frame) = height.checked_sub(1).and_then(|last| stack.get_mut(last)) {
-            let parent = frame.place;
+            let parent = frame.position;
             let Some(piece) = self.pieces.get(order(frame.next)).filter(|_| left > 0) else {
                 if left == 0 {
                     within = within.hull(self.goal.part(&parent));
@@ -232,7 +232,7 @@ impl<'a, const C: usize> Search<'a, C> {
             }
             match stack.get_mut(height) {
                 Some(free) if child.width > NARROW * self.goal.domain.width() && !self.goal.lost(&child) => {
-                    *free = Frame { place: child, upper: f64::INFINITY, next: 0 };
+                    *free = Frame { position: child, upper: f64::INFINITY, next: 0 };
                     height += 1;
                 }
                 _ => within = within.hull(part),
@@ -243,12 +243,12 @@ impl<'a, const C: usize> Search<'a, C> {
 
     /// Follows the most promising child, to have a good value before the passes begin.
     fn roll_out(&mut self, root: CellPosition<C>) {
-        let mut place = root;
+        let mut position = root;
         for _ in 0..DEPTH.min(BUDGET / self.pieces.len().max(1) + 1) {
             let mut next = None;
             let mut most = f64::NEG_INFINITY;
             for piece in self.pieces {
-                let child = place.child(piece);
+                let child = position.child(piece);
                 if !self.goal.meets(&child) {
                     continue;
                 }
@@ -260,7 +260,7 @@ impl<'a, const C: usize> Search<'a, C> {
                 }
             }
             match next {
-                Some(child) if self.upper(&child) > self.best + 0.125 * self.goal.width => place = child,
+                Some(child) if self.upper(&child) > self.best + 0.125 * self.goal.width => position = child,
                 _ => break,
             }
         }
@@ -270,11 +270,11 @@ impl<'a, const C: usize> Search<'a, C> {
     fn pass(&mut self) {
         let root = CellPosition::root(self.goal.domain);
         self.top = self.best;
-        let start = Frame { place: root, upper: self.upper(&root), next: 0 };
+        let start = Frame { position: root, upper: self.upper(&root), next: 0 };
         let mut stack = [start; DEPTH];
         let mut height = 1_usize;
         while let Some(frame) = height.checked_sub(1).and_then(|last| stack.get_mut(last)) {
-            let (parent, upper) = (frame.place, frame.upper);
+            let (parent, upper) = (frame.position, frame.upper);
             if self.left == 0 {
                 // The bound of this cell also holds for its unvisited children.
                 self.close(upper);
@@ -296,7 +296,7 @@ impl<'a, const C: usize> Search<'a, C> {
             if upper <= self.best + self.width || self.goal.lost(&child) {
                 self.close(upper);
             } else if let Some(free) = stack.get_mut(height) {
-                *free = Frame { place: child, upper, next: 0 };
+                *free = Frame { position: child, upper, next: 0 };
                 height += 1;
             } else {
                 self.close(upper);
@@ -309,18 +309,18 @@ impl<'a, const C: usize> Search<'a, C> {
         self.top = if upper > self.top { upper } else { self.top };
     }
 
-    fn upper(&self, place: &CellPosition<C>) -> f64 {
-        let range = place.cell.range(self.range);
+    fn upper(&self, position: &CellPosition<C>) -> f64 {
+        let range = position.cell.range(self.range);
         if self.sign > 0.0 { range.hi } else { -range.lo }
     }
 
-    fn note(&mut self, place: &CellPosition<C>) {
-        let ends = place.cell.ends(self.end_values);
-        for (value, x) in ends.into_iter().zip([place.left, place.left + place.width]) {
+    fn note(&mut self, position: &CellPosition<C>) {
+        let ends = position.cell.ends(self.end_values);
+        for (value, x) in ends.into_iter().zip([position.left, position.left + position.width]) {
             let attained = if self.sign > 0.0 { value.lo } else { -value.hi };
-            if attained > self.best && self.goal.surely(x, place.slip) {
+            if attained > self.best && self.goal.surely(x, position.slip) {
                 self.best = attained;
-                let margin = place.slip + 2.0 * UNIT * self.goal.domain.magnitude();
+                let margin = position.slip + 2.0 * UNIT * self.goal.domain.magnitude();
                 self.at = Interval::new(x - margin, x + margin).intersection(self.goal.over);
             }
         }

@@ -147,8 +147,8 @@ impl<'a, const C: usize> FifRef<'a, C> {
             maximum: Interval::new(attained(top.best, bottom.bound), top.bound),
             at_minimum: bottom.at,
             at_maximum: top.at,
-            minimum_within: bottom.places(),
-            maximum_within: top.places(),
+            minimum_within: bottom.positions(),
+            maximum_within: top.positions(),
         }
     }
 }

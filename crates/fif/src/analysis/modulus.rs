@@ -192,16 +192,16 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         let last = self.pieces().len().saturating_sub(1);
         let [y0, y_end] = self.end_values();
         let (mut steep, mut narrowest, mut rise) = (0.0_f64, 1.0_f64, 0.0_f64);
-        let mut widest = Share { part: 0.0, rest: 1.0 };
+        let mut widest = Widths { part: 0.0, rest: 1.0 };
         // max |f − y_0| / t^h over the cells right of the first one, and the same from the right.
         let mut away = [0.0_f64; 2];
         let mut first = [(widest, 0.0); 2];
         for (j, piece) in self.pieces().iter().enumerate() {
             let (a, _, slope) = measures(piece);
-            let share = Share { part: a, rest: piece.s[0] + (1.0 - piece.s[1]) };
+            let widths = Widths { part: a, rest: piece.s[0] + (1.0 - piece.s[1]) };
             steep = steep.max(slope / pow_f64(a, h));
-            if share.rest < widest.rest {
-                widest = share;
+            if widths.rest < widest.rest {
+                widest = widths;
             }
             narrowest = narrowest.min(a);
             rise = rise.max((piece.y()[1] - piece.y()[0]).abs() / a);
@@ -210,21 +210,21 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
                 away[0] =
                     away[0].max(range.sum(Interval::new(-y0, -y0)).magnitude() / pow_f64(piece.s[0], h));
             } else {
-                first[0] = (share, slope);
+                first[0] = (widths, slope);
             }
             if j < last {
                 away[1] = away[1]
                     .max(range.sum(Interval::new(-y_end, -y_end)).magnitude() / pow_f64(1.0 - piece.s[1], h));
             } else {
-                first[1] = (share, slope);
+                first[1] = (widths, slope);
             }
         }
         let ends: f64 = (0..2)
             .map(|side| {
-                let (share, slope) = first[side];
+                let (widths, slope) = first[side];
                 // A zero slope on zero width is 0.
-                let over = if slope == 0.0 { 0.0 } else { slope / pow_f64(share.part, h) };
-                away[side] + share.levels(h, over) + steep
+                let over = if slope == 0.0 { 0.0 } else { slope / pow_f64(widths.part, h) };
+                away[side] + widths.levels(h, over) + steep
             })
             .sum();
         let between = (ends + rise).min(if h < 1.0 {
@@ -241,12 +241,12 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
 /// The rest is separate, because it cannot be computed accurately if the piece is nearly
 /// everything.
 #[derive(Clone, Copy)]
-struct Share {
+struct Widths {
     part: f64,
     rest: f64,
 }
 
-impl Share {
+impl Widths {
     /// A term for every common level of two points: `term Σ (a^{1−h})^i`, or for `h = 1` the number
     /// of levels.
     ///

@@ -28,12 +28,12 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     pub fn chaos_game(&self, seed: u64) -> impl Iterator<Item = (f64, f64)> + Clone + '_ {
         let (pieces, start) = (self.pieces(), (self.domain().lo, self.end_values()[0]));
         let start = (SplitMix64 { state: seed }, start);
-        let places = core::iter::repeat(()).scan(start, |(random, place), ()| {
+        let points = core::iter::repeat(()).scan(start, |(random, point), ()| {
             let index = (u128::from(random.word()) * pieces.len() as u128) >> 64;
-            *place = pieces.get(index as usize)?.map().apply(place.0, place.1);
-            Some(*place)
+            *point = pieces.get(index as usize)?.map().apply(point.0, point.1);
+            Some(*point)
         });
-        places.fuse()
+        points.fuse()
     }
 }
 

@@ -80,7 +80,7 @@ impl SideState {
 
 /// State of a descent.
 struct Descent<'a, 'b, F: Function, G: Function> {
-    way: &'b mut Traversal<'a, HeightField<F, G>>,
+    traversal: &'b mut Traversal<'a, HeightField<F, G>>,
     x: &'b Axis<'a, F>,
     y: &'b Axis<'a, G>,
     /// Whether slopes are unknown.
@@ -140,7 +140,7 @@ impl<F: Function, G: Function> Traversal<'_, HeightField<F, G>> {
         let deeper = if aim == Aim::Any { DEEPER_FOR_ANY } else { DEEPER[usize::from(slanted)] };
         let seen = Double::from(f64::NAN);
         let mut descent = Descent {
-            way: self,
+            traversal: self,
             x: &across,
             y: &along,
             rough,
@@ -178,7 +178,7 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
             // The ray may be in a neighboring cell all along.
             height = height.inflated(self.blur);
         }
-        let (ray, pad) = (self.way.ray, self.way.pad.z);
+        let (ray, pad) = (self.traversal.ray, self.traversal.pad.z);
         let [z, end] = [span.lo, span.hi].map(|t| ray.origin.z + t * ray.direction.z);
         let (above, below) = (height.hi + pad, height.lo - pad);
         if (z > above && end > above) || (z < below && end < below) {
@@ -187,7 +187,7 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
         if below <= z && z <= above && below <= end && end <= above {
             return self.enter(x, y, [lo, hi], height);
         }
-        let cut = self.way.within(span, height);
+        let cut = self.traversal.within(span, height);
         let middle = height.middle();
         let side = |t: f64| if ray.origin.z + t * ray.direction.z < middle { -1.0 } else { 1.0 };
         if cut.lo > cut.hi {
@@ -211,22 +211,22 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
         let (mut slopes, mut rate) = ([Interval::ENTIRE; 2], Interval::ENTIRE);
         if !self.rough {
             slopes = [x.slope.product(y.value), x.value.product(y.slope)];
-            rate = self.way.rate(slopes);
+            rate = self.traversal.rate(slopes);
         }
         if rate.lo > 0.0 || rate.hi < 0.0 {
             return self.crossing(span, rate, slopes);
         }
-        self.way.budget = self.way.budget.saturating_sub(1);
+        self.traversal.budget = self.traversal.budget.saturating_sub(1);
         let (x_ends, y_ends) = (self.x.ends(x), self.y.ends(y));
         if rate.magnitude() < f64::INFINITY {
-            if (x_ends && y_ends) || span.width() <= self.way.close {
+            if (x_ends && y_ends) || span.width() <= self.traversal.close {
                 return self.crossing(span, rate, slopes);
             }
         } else {
             if height.width() <= self.flat {
                 return self.touch(span.lo);
             }
-            let (ends, short) = (x_ends && y_ends, span.width() <= self.way.close);
+            let (ends, short) = (x_ends && y_ends, span.width() <= self.traversal.close);
             if short {
                 self.deeper = self.deeper.saturating_sub(1);
                 let now = (x.depth + y.depth).is_multiple_of(EVERY) || ends || span.lo >= self.probed;
@@ -243,7 +243,7 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
                 self.state.narrow = Some(lo.hi);
             }
         }
-        if self.way.budget == 0 {
+        if self.traversal.budget == 0 {
             return self.give_up(span);
         }
         let (across, along) = (self.x, self.y);
@@ -273,7 +273,7 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
     ///
     /// Returns whether the search ends.
     fn dive(&mut self, x: &Level<F>, y: &Level<G>, mut span: [Double; 2]) -> bool {
-        let (side, ray) = (self.state.side, self.way.ray);
+        let (side, ray) = (self.state.side, self.traversal.ray);
         if side == 0.0 {
             return false;
         }
@@ -312,7 +312,7 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
         if t == self.seen || t > self.end {
             return false;
         }
-        let (ray, surface, blur) = (self.way.ray, self.way.context.surface, self.blur);
+        let (ray, surface, blur) = (self.traversal.ray, self.traversal.context.surface, self.blur);
         let at = |o: f64, d: f64| Double::from(o).plus(t.times(Double::from(d)));
         let f = surface.x.at(at(ray.origin.x, ray.direction.x), x);
         let height = f.product(surface.y.at(at(ray.origin.y, ray.direction.y), y));
@@ -348,14 +348,14 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
     /// From `t` on rounding hides the side; returns false, as the search continues.
     fn touch(&mut self, t: f64) -> bool {
         if self.state.touched.is_none() {
-            (self.state.touched, self.way.budget) = (Some(t), self.way.budget.min(FURTHER));
+            (self.state.touched, self.traversal.budget) = (Some(t), self.traversal.budget.min(FURTHER));
         }
         false
     }
 
     /// Returns a change of sign as the best guess at the end of the budget; always true.
     fn give_up(&mut self, span: Interval) -> bool {
-        let [a, b] = [span.lo, span.hi].map(|t| self.way.height(t).value);
+        let [a, b] = [span.lo, span.hi].map(|t| self.traversal.height(t).value);
         let t = match self.state.touched {
             Some(t) => t,
             None if (a < 0.0) != (b < 0.0) => self.root(span, [a, b]),
@@ -367,10 +367,10 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
 
     /// Decides by the heights at both ends of an interval with bounded rates.
     fn crossing(&mut self, span: Interval, rate: Interval, slopes: [Interval; 2]) -> bool {
-        let (pad, d) = (self.way.pad, self.way.ray.direction);
+        let (pad, d) = (self.traversal.pad, self.traversal.ray.direction);
         let moved = |slope: Interval, pad: f64, d: f64| if d == 0.0 { 0.0 } else { slope.magnitude() * pad };
         let blur = moved(slopes[0], pad.x, d.x) + moved(slopes[1], pad.y, d.y);
-        let [first, last] = [span.lo, span.hi].map(|t| self.way.height(t));
+        let [first, last] = [span.lo, span.hi].map(|t| self.traversal.height(t));
         // The remainder of a height after subtracting its error.
         let clear = |above: Bounded| {
             let rest = above.value.abs() - above.bound - blur;
@@ -408,7 +408,7 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
             if t <= t0 || t >= t1 {
                 break;
             }
-            let above = self.way.height(t);
+            let above = self.traversal.height(t);
             if above.value.abs() <= above.bound {
                 return t;
             }
@@ -462,7 +462,7 @@ struct Axis<'a, F: Function> {
     /// positions.
     timed: bool,
     /// Relative width of a child in its cell, if all are equal.
-    share: Option<Double>,
+    ratio: Option<Double>,
     /// Width of the smallest cells, which are not split; none for a ray along the axis, whose cells
     /// need no position.
     finest: f64,
@@ -488,7 +488,7 @@ impl<'a, F: Function> Axis<'a, F> {
         let domain = curve.domain();
         let farthest = (domain.magnitude() + origin.abs()) / direction.abs();
         let finest = if other == 0.0 { 0.0 } else { FINEST * domain.width() };
-        Self { curve, origin, direction, timed: farthest < 0.125 * f64::MAX, share: even, finest }
+        Self { curve, origin, direction, timed: farthest < 0.125 * f64::MAX, ratio: even, finest }
     }
 
     /// The domain, or the single position of a ray along the other axis.
@@ -530,7 +530,7 @@ impl<'a, F: Function> Axis<'a, F> {
     /// Knot `j` of a cell, whose children have the width `part` if all are equal.
     #[inline]
     fn knot(&self, level: &Level<F>, part: Double, j: usize) -> Double {
-        match (self.share, j) {
+        match (self.ratio, j) {
             (_, 0) => level.left,
             (Some(_), 1) => level.left.plus(part),
             (Some(_), _) => level.left.plus(part.times(Double::from(j as f64))),
@@ -549,10 +549,10 @@ impl<'a, F: Function> Axis<'a, F> {
         [mut lo, hi]: [Double; 2],
     ) -> impl Iterator<Item = (impl Fn() -> Level<F> + 'b, [Double; 2])> + 'b {
         let (count, mut done) = (self.curve.count(), false);
-        let part = match self.share {
+        let part = match self.ratio {
             // Powers of two are exact.
-            Some(Double { hi: share, lo: 0.0 }) => level.width.scaled(share),
-            Some(share) => level.width.times(share),
+            Some(Double { hi: ratio, lo: 0.0 }) => level.width.scaled(ratio),
+            Some(ratio) => level.width.times(ratio),
             None => level.width,
         };
         (0..count).filter_map(move |k| {
@@ -569,7 +569,7 @@ impl<'a, F: Function> Axis<'a, F> {
                 let left = self.knot(level, part, j);
                 let [from, to] = self.curve.part(j);
                 let width =
-                    if self.share.is_some() { part } else { self.knot(level, part, j + 1).minus(left) };
+                    if self.ratio.is_some() { part } else { self.knot(level, part, j + 1).minus(left) };
                 let cell = self.curve.child(&level.cell, j);
                 self.level(cell, [left, width], level.size * (to - from), level.depth + 1)
             };

@@ -67,7 +67,7 @@ impl Packet {
         last: bool,
     ) {
         let (lane, d) = (self.count, path.ray.direction);
-        let ([x, y], [across, along]) = (path.from, path.way);
+        let ([x, y], [across, along]) = (path.from, path.direction);
         let column = [
             x,
             y,

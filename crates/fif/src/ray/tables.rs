@@ -30,7 +30,7 @@ pub(crate) struct Path<'a, F: Function, G: Function> {
     pub(crate) span: Interval,
     /// Origin and direction of the ray along both axes, in units of the domain.
     pub(crate) from: [f64; 2],
-    pub(crate) way: [f64; 2],
+    pub(crate) direction: [f64; 2],
     /// More than the rounding of these.
     late: [f64; 2],
     /// `1/d_z`
@@ -89,7 +89,7 @@ impl<'a, F: Function, G: Function> Tracer<'a, F, G> {
             ray: *ray,
             span,
             from: [(o.x - x.domain.lo) * x.per_width, (o.y - y.domain.lo) * y.per_width],
-            way: [d.x * x.per_width, d.y * y.per_width],
+            direction: [d.x * x.per_width, d.y * y.per_width],
             late: [pads[0] * x.per_width, pads[1] * y.per_width],
             inverse: inverse.z,
             pad: pads[2],
@@ -136,9 +136,9 @@ impl<F: Function, G: Function> Path<'_, F, G> {
     /// The fractions of the domains from the beginning of an interval to its end, in order.
     #[inline(always)]
     fn parts(&self, axis: usize, span: Interval) -> [f64; 2] {
-        let (from, way, late) = (self.from[axis], self.way[axis], self.late[axis]);
-        let (a, b) = (from + span.lo * way, from + span.hi * way);
-        if way > 0.0 { [a - late, b + late] } else { [b - late, a + late] }
+        let (from, direction, late) = (self.from[axis], self.direction[axis], self.late[axis]);
+        let (a, b) = (from + span.lo * direction, from + span.hi * direction);
+        if direction > 0.0 { [a - late, b + late] } else { [b - late, a + late] }
     }
 
     /// Ranges of values and slopes along both axes over an interval, from the tables.
@@ -175,7 +175,7 @@ impl<F: Function, G: Function> Path<'_, F, G> {
     #[inline(always)]
     pub(crate) fn above(&self, t: f64, steps: usize) -> ([[f64; 2]; 2], f64, f64) {
         let (o, d) = (self.ray.origin, self.ray.direction);
-        let (x, y) = (self.from[0] + t * self.way[0], self.from[1] + t * self.way[1]);
+        let (x, y) = (self.from[0] + t * self.direction[0], self.from[1] + t * self.direction[1]);
         let (f, g) = (&self.tracer.x.jets, &self.tracer.y.jets);
         // The numbers of steps as constants, which saves half the time of a loop.
         let (f, g) = match steps {
@@ -465,7 +465,7 @@ impl Search {
     #[cold]
     #[inline(never)]
     fn prove<F: Function, G: Function>(&self, path: &Path<'_, F, G>, t: f64) -> Option<Root> {
-        for (known, end, way) in
+        for (known, end, sign) in
             [(self.starts, self.span.lo, self.sign), (self.ends, self.span.hi, -self.sign)]
         {
             if !known {
@@ -475,7 +475,7 @@ impl Search {
                     let traversal = context.ray(&path.ray, self.span, 0.0);
                     return Some(traversal.map_or(Root { t: end, certain: false }, |(t, _)| t.proven(end)));
                 }
-                if way * value > 0.0 {
+                if sign * value > 0.0 {
                     return None;
                 }
             }

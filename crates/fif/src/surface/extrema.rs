@@ -41,9 +41,9 @@ fn greatest<S: Surface>(surface: &S, rectangle: [Interval; 2], width: f64, sign:
     let (mut best, mut highest) = (Interval::new(f64::NEG_INFINITY, f64::NEG_INFINITY), DVec2::ZERO);
     let top = search(rectangle, DEPTH, upper, |[x, y]| {
         let middle = DVec2::new(x.middle(), y.middle());
-        let centre = surface.evaluate(middle.x, middle.y, 0.0).interval().scaled(sign);
-        if centre.lo > best.lo {
-            (best, highest) = (centre, middle);
+        let center = surface.evaluate(middle.x, middle.y, 0.0).interval().scaled(sign);
+        if center.lo > best.lo {
+            (best, highest) = (center, middle);
         }
         best.lo + width
     });

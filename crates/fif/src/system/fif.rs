@@ -109,7 +109,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
             Spacing::Uniform => j as f64 / maps as f64,
             Spacing::Nonuniform => (x(j) - domain[0]) / width,
         };
-        let share = |j: usize| match spacing {
+        let fraction = |j: usize| match spacing {
             Spacing::Uniform => 1.0 / maps as f64,
             Spacing::Nonuniform => (x(j + 1) - x(j)) / width,
         };
@@ -121,7 +121,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
             let q = q(j).unwrap_or([0.0; C]);
             let ends = [x(j), x(j + 1)];
             let part = [position(j), position(j + 1)];
-            let built = Piece::new(alpha, q, domain, ends, [y(j), y(j + 1)], part, share(j)).joined(
+            let built = Piece::new(alpha, q, domain, ends, [y(j), y(j + 1)], part, fraction(j)).joined(
                 j + 1,
                 domain,
                 [y0, y_end],

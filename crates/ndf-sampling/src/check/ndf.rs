@@ -95,9 +95,9 @@ impl Density {
     /// The p-value of the hypothesis that the samples follow the masses of the cells.
     pub(super) fn p_value(&self, masses: &[f64], stream: u8, sample: impl Fn(Vec2) -> Vec3) -> f64 {
         let (total, count) = (masses.iter().sum::<f64>(), (self.settings.samples as usize).max(PLACES));
-        let shares: Vec<f64> = masses.iter().map(|mass| mass / total).collect();
+        let fractions: Vec<f64> = masses.iter().map(|mass| mass / total).collect();
         let counts = self.cells.count(self.settings.points(stream).take(count).map(sample));
-        p_value(&counts, &shares, count as u64)
+        p_value(&counts, &fractions, count as u64)
     }
 }
 

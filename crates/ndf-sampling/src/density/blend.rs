@@ -58,19 +58,19 @@ impl<A, B> Blend<A, B> {
         }
     }
 
-    /// A sample of `a` with the probability `share`, otherwise of `b`, from the remainder of `u`.
+    /// A sample of `a` with this probability, otherwise of `b`, from the remainder of `u`.
     fn choose(
         &self,
-        share: f32,
+        probability: f32,
         u: Vec2,
         a: impl Fn(&A, Vec2) -> Vec3,
         b: impl Fn(&B, Vec2) -> Vec3,
     ) -> Vec3 {
         let u = unit_square(u);
-        if u.x < share {
-            a(&self.a, Vec2::new(u.x / share, u.y))
+        if u.x < probability {
+            a(&self.a, Vec2::new(u.x / probability, u.y))
         } else {
-            b(&self.b, Vec2::new((u.x - share) / (1.0 - share), u.y))
+            b(&self.b, Vec2::new((u.x - probability) / (1.0 - probability), u.y))
         }
     }
 }
@@ -105,8 +105,8 @@ impl<A: Microfacet, B: Microfacet> Blend<A, B> {
     /// A visible normal, see [`Microfacet::sample_visible`].
     #[must_use]
     pub fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3 {
-        let share = self.weight * self.a.projected_area(v) / self.projected_area(v);
-        self.choose(share, u, |a, u| a.sample_visible(v, u), |b, u| b.sample_visible(v, u))
+        let probability = self.weight * self.a.projected_area(v) / self.projected_area(v);
+        self.choose(probability, u, |a, u| a.sample_visible(v, u), |b, u| b.sample_visible(v, u))
     }
 
     /// The density of visible normals, see [`Microfacet::visible_pdf`].

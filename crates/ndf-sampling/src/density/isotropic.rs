@@ -132,12 +132,12 @@ impl<'a> Isotropic<&'a [Node]> {
         let mut last = 0.0;
         for (index, &[density, high, low]) in packed.as_chunks::<PER_NODE>().0.iter().enumerate() {
             check_value("packed", PER_NODE * index, density)?;
-            let share = f64::from(high) + f64::from(low);
-            let rises = share >= last && share <= 1.000_001 && (index > 0 || share == 0.0);
-            if !rises || (index + 1 == nodes && share < 0.999_999) {
+            let cumulative = f64::from(high) + f64::from(low);
+            let rises = cumulative >= last && cumulative <= 1.000_001 && (index > 0 || cumulative == 0.0);
+            if !rises || (index + 1 == nodes && cumulative < 0.999_999) {
                 return Err(NdfError::Cdf { index });
             }
-            last = share;
+            last = cumulative;
         }
         Ok(Self { nodes: packed.as_chunks().0 })
     }
@@ -225,10 +225,11 @@ impl<S: Deref<Target = [Node]>> Ndf for Isotropic<S> {
         let (x, y) = (f64::from(z.x), f64::from(z.y));
         let exponent = 0.5 * (x * x + y * y);
         let total = self.node(self.cells()).1;
-        let (share, rest) = (total * math::exp_f64(-exponent), -total * math::exp_m1_f64(-exponent));
+        let (cumulative, rest) = (total * math::exp_f64(-exponent), -total * math::exp_m1_f64(-exponent));
         // The first cell at whose end the fraction is reached.
         let last = self.cells().saturating_sub(1);
-        let reached = self.nodes.partition_point(|&[_, high, low]| f64::from(high) + f64::from(low) < share);
+        let reached =
+            self.nodes.partition_point(|&[_, high, low]| f64::from(high) + f64::from(low) < cumulative);
         let index = reached.saturating_sub(1).min(last);
         let (cell, from, to) = self.cell(index);
         let cells = self.cells() as f64;
@@ -239,7 +240,7 @@ impl<S: Deref<Target = [Node]>> Ndf for Isotropic<S> {
                 invert(((rest - (total - to)) / scale).max(0.0), |y| (cell.above(y), cell.weight(1.0 - y)));
             (last - index) as f64 + y
         } else {
-            let x = invert(((share - from) / scale).max(0.0), |x| (cell.below(x), cell.weight(x)));
+            let x = invert(((cumulative - from) / scale).max(0.0), |x| (cell.below(x), cell.weight(x)));
             (last - index) as f64 + (1.0 - x)
         } / cells;
         let (cos, sin2) = ((1.0 - d).max(f64::from(f32::MIN_POSITIVE)), d * (2.0 - d));
@@ -285,12 +286,12 @@ fn fill(values: &[f32], nodes: &mut [Node]) -> Result<(), NdfError> {
     if total <= 0.0 {
         return Err(NdfError::NoWeight { parameter: "values" });
     }
-    let mut share = 0.0;
+    let mut cumulative = 0.0;
     let mut rest = masses().map(mass);
     for (node, &value) in nodes.iter_mut().zip(values) {
-        let high = share as f32;
-        *node = [(f64::from(value) / total) as f32, high, (share - f64::from(high)) as f32];
-        share = (share + rest.next().unwrap_or(0.0) / total).min(1.0);
+        let high = cumulative as f32;
+        *node = [(f64::from(value) / total) as f32, high, (cumulative - f64::from(high)) as f32];
+        cumulative = (cumulative + rest.next().unwrap_or(0.0) / total).min(1.0);
     }
     Ok(())
 }

@@ -37,7 +37,7 @@ impl StudentDistribution {
     pub(crate) fn tail(self, z: f64) -> f64 {
         let (nu, y) = (self.freedom, z.abs());
         let upper = if y < self.seam() {
-            0.5 - self.centre(y)
+            0.5 - self.center(y)
         } else if y < FARTHEST {
             self.density(y) * (nu + y * y) / (nu * y) / (1.0 + self.fraction(y))
         } else {
@@ -50,7 +50,7 @@ impl StudentDistribution {
     pub(crate) fn excess(self, z: f64) -> f64 {
         let nu = self.freedom;
         if z < self.seam() {
-            self.beyond(z) - z * (0.5 - self.centre(z))
+            self.beyond(z) - z * (0.5 - self.center(z))
         } else if z < FARTHEST {
             // The same without the difference: the fraction is 1/(1 + k), and 1 − 1/(1 + k) is k/(1 +
             // k).
@@ -81,7 +81,7 @@ impl StudentDistribution {
         };
         self.solve(start, -b, u, |x| Side {
             // Below the median the left part is small, above it the right part.
-            share: if u < 0.5 {
+            probability: if u < 0.5 {
                 (b * self.tail(-x) - self.beyond(x) - edge) / total
             } else {
                 (b * self.tail(x) + self.beyond(x)) / total
@@ -92,7 +92,8 @@ impl StudentDistribution {
 
     /// The `u`-quantile of the distribution itself, within 1e-12 in `u`.
     pub(crate) fn quantile(self, u: f64) -> f64 {
-        let side = |x: f64| Side { share: self.tail(if u < 0.5 { -x } else { x }), density: self.density(x) };
+        let side =
+            |x: f64| Side { probability: self.tail(if u < 0.5 { -x } else { x }), density: self.density(x) };
         self.solve(self.guess(u.max(LEAST_U)), -FARTHEST, u, side)
     }
 
@@ -101,16 +102,19 @@ impl StudentDistribution {
         let u = u.max(LEAST_U);
         let (mut low, mut high, mut x) = (least, FARTHEST, start.min(FARTHEST));
         for _ in 0..MOST_STEPS {
-            let Side { share, density } = side(x);
+            let Side { probability, density } = side(x);
             let stretch = math::sqrt_f64(self.freedom + x * x);
             // Newton steps in arsinh(x/√ν), for √u at the left, where the edge is a square, and for
             // the logarithm at the right.
             let (step, too_low) = if u < 0.5 {
-                let share = share.max(f64::MIN_POSITIVE);
-                (2.0 * (math::sqrt_f64(u * share) - share) / (density * stretch), share < u)
+                let probability = probability.max(f64::MIN_POSITIVE);
+                (2.0 * (math::sqrt_f64(u * probability) - probability) / (density * stretch), probability < u)
             } else {
-                let share = share.max(f64::MIN_POSITIVE);
-                (math::ln_f64(share / (1.0 - u)) * share / (density * stretch), share > 1.0 - u)
+                let probability = probability.max(f64::MIN_POSITIVE);
+                (
+                    math::ln_f64(probability / (1.0 - u)) * probability / (density * stretch),
+                    probability > 1.0 - u,
+                )
             };
             if too_low {
                 low = x;
@@ -152,7 +156,7 @@ impl StudentDistribution {
     }
 
     /// `P(0 < T < z) = z f(z) ₂F₁(1, (ν+1)/2; 3/2; z²/(ν+z²))`, a series of positive terms.
-    fn centre(self, z: f64) -> f64 {
+    fn center(self, z: f64) -> f64 {
         let y = z * z / (self.freedom + z * z);
         let (mut term, mut sum) = (1.0, 1.0);
         for k in 0..MOST_TERMS {
@@ -198,7 +202,7 @@ impl StudentDistribution {
 /// Values for solving a quantile: the fraction on the smaller side of a point, and the density
 /// there.
 struct Side {
-    share: f64,
+    probability: f64,
     density: f64,
 }
 

@@ -73,7 +73,7 @@ pub struct Masked<N> {
 /// A wedge with its bounds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Cell {
-    centre: Vec3,
+    center: Vec3,
     /// Largest distance of a direction in it from its center.
     reach: f32,
     /// An upper bound of the density times the solid angle.
@@ -86,13 +86,13 @@ struct Cell {
 
 impl Cell {
     /// An upper bound of its visible fraction.
-    fn share(&self, v: Vec3) -> f32 {
+    fn bound(&self, v: Vec3) -> f32 {
         self.weight * self.flip_to_visible(v)
     }
 
     /// An upper bound of `v·m` over its directions.
     fn flip_to_visible(&self, v: Vec3) -> f32 {
-        (v.dot(self.centre) + self.reach).max(0.0)
+        (v.dot(self.center) + self.reach).max(0.0)
     }
 }
 
@@ -119,7 +119,7 @@ impl<N> Masked<N> {
 /// Halves the wedge in which rejection would be worst until there are enough wedges.
 fn cells<N: Bounded>(ndf: &N) -> Vec<Cell> {
     let bounded = |wedge: Wedge| {
-        let (most, (_, reach)) = (f64::from(ndf.most(wedge)), wedge.centre());
+        let (most, (_, reach)) = (f64::from(ndf.most(wedge)), wedge.center());
         (most * wedge.solid_angle() * reach, wedge, most)
     };
     let mut wedges = Vec::with_capacity(WEDGES);
@@ -135,10 +135,10 @@ fn cells<N: Bounded>(ndf: &N) -> Vec<Cell> {
     }
     let kept = wedges.into_iter().filter(|&(_, _, most)| most > 0.0);
     kept.map(|(_, wedge, most)| {
-        let (centre, reach) = wedge.centre();
+        let (center, reach) = wedge.center();
         let begin_and_length = |[from, to]: [f64; 2]| [from as f32, (to - from) as f32];
         Cell {
-            centre,
+            center,
             // Including the rounding of the center and of directions.
             reach: reach as f32 + 4.0 * f32::EPSILON,
             weight: ((most * wedge.solid_angle()) as f32).min(1e30),
@@ -171,7 +171,7 @@ impl<N: Ndf> Microfacet for Masked<N> {
         // The sum before each block of wedges; further ones are searched in the last.
         let (mut sums, mut total, mut blocks) = ([0.0_f32; 1 + FINEST / BLOCK], 0.0, 0);
         for (block, sum) in self.cells.chunks(BLOCK).zip(&mut sums[1..]) {
-            total = block.iter().fold(total, |total, cell| total + cell.share(v));
+            total = block.iter().fold(total, |total, cell| total + cell.bound(v));
             *sum = total;
             blocks += 1;
         }
@@ -181,11 +181,11 @@ impl<N: Ndf> Microfacet for Masked<N> {
             let block = sums[1..blocks].partition_point(|&sum| sum <= target);
             let (mut before, mut found) = (sums[block], None);
             for cell in &self.cells[block * BLOCK..] {
-                let share = cell.share(v);
-                if share > 0.0 {
-                    found = Some((cell, ((target - before) / share).clamp(0.0, 1.0)));
+                let bound = cell.bound(v);
+                if bound > 0.0 {
+                    found = Some((cell, ((target - before) / bound).clamp(0.0, 1.0)));
                 }
-                before += share;
+                before += bound;
                 if before > target {
                     break;
                 }
@@ -193,15 +193,15 @@ impl<N: Ndf> Microfacet for Masked<N> {
             // No facet in a wedge faces the view.
             let Some((cell, s)) = found else { return self.ndf.sample(u) };
             let m = direction(cell.tilt[0] + cell.tilt[1] * s, cell.turn[0] + cell.turn[1] * u.y);
-            let share = self.ndf.d(m) * v.dot(m).max(0.0) / (cell.most * cell.flip_to_visible(v));
+            let acceptance = self.ndf.d(m) * v.dot(m).max(0.0) / (cell.most * cell.flip_to_visible(v));
             let chance = random.uniform();
-            if chance < share {
+            if chance < acceptance {
                 return m;
             }
-            // The smallest `chance/share` selects each try with a probability proportional to its
-            // fraction.
-            if chance < least * share || least == f32::INFINITY {
-                (nearest, least) = (m, chance.max(f32::MIN_POSITIVE) / share);
+            // The smallest `chance/acceptance` selects each try with a probability proportional to
+            // its acceptance.
+            if chance < least * acceptance || least == f32::INFINITY {
+                (nearest, least) = (m, chance.max(f32::MIN_POSITIVE) / acceptance);
             }
             u = Vec2::new(random.uniform(), random.uniform());
         }
@@ -223,7 +223,7 @@ mod tests {
             let cells = cells(&NdfMap::from_ndf(256, 256, Reconstruction::Bilinear, &ggx).unwrap());
             for up in [0.0, 0.02, 0.1, 0.5, 1.0] {
                 let v = Vec3::new((1.0_f32 - up * up).sqrt(), 0.0, up);
-                let bound: f32 = cells.iter().map(|cell| cell.share(v)).sum();
+                let bound: f32 = cells.iter().map(|cell| cell.bound(v)).sum();
                 let tries = bound / ggx.projected_area(v);
                 assert!((0.999..3.0).contains(&tries), "roughness {alpha} from {up}: {tries}");
             }

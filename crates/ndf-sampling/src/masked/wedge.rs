@@ -41,7 +41,7 @@ impl Wedge {
     }
 
     /// The direction at its center, and the largest angle between it and a direction of the wedge.
-    pub(crate) fn centre(self) -> (Vec3, f64) {
+    pub(crate) fn center(self) -> (Vec3, f64) {
         let ([low, high], turns) = (self.tilts.map(tilt), self.turns);
         let (middle, half) = (0.5 * (low + high), core::f64::consts::PI * (turns[1] - turns[0]));
         let (sin, cos) = (math::sin_f64(middle), math::cos_f64(middle));
@@ -116,12 +116,12 @@ mod tests {
             wedges.extend([low, high]);
         }
         for wedge in wedges {
-            let ((centre, reach), [xs, ys]) = (wedge.centre(), wedge.sides());
+            let ((center, reach), [xs, ys]) = (wedge.center(), wedge.sides());
             for (s, t) in (0..=8).flat_map(|s| (0..=8).map(move |t| (f64::from(s) / 8.0, f64::from(t) / 8.0)))
             {
                 let at = |[from, to]: [f64; 2], t: f64| (from + (to - from) * t) as f32;
                 let m = direction(at(wedge.tilts, s), at(wedge.turns, t));
-                assert!(f64::from((m - centre).length()) <= reach + 1e-6, "{wedge:?} {m} {centre} {reach}");
+                assert!(f64::from((m - center).length()) <= reach + 1e-6, "{wedge:?} {m} {center} {reach}");
                 for (n, [least, most]) in [(m.x, xs), (m.y, ys)] {
                     assert!((least - 1e-6..=most + 1e-6).contains(&f64::from(n)), "{wedge:?} {m}");
                 }

@@ -16,31 +16,31 @@ pub(crate) fn cubic([b0, b1, b2, b3]: Cubic, s: f64) -> f64 {
 /// The fraction of the integral over [0, 1] before `s`; 0 if the integral is 0.
 #[cfg(feature = "alloc")]
 #[inline]
-pub(crate) fn share(marginal: Cubic, s: f64) -> f64 {
+pub(crate) fn fraction(marginal: Cubic, s: f64) -> f64 {
     let sums = partial_sums(marginal);
     if sums[3] > 0.0 { (quartic(sums, s) / sums[3]).min(1.0) } else { 0.0 }
 }
 
 /// The fraction, at least `least` away from an end at which the polynomial vanishes.
 #[inline]
-pub(crate) fn kept_away(marginal: Cubic, share: f64, least: f64) -> f64 {
+pub(crate) fn kept_away(marginal: Cubic, fraction: f64, least: f64) -> f64 {
     let [begin, .., end] = marginal;
     let faint = 2.5e-7 * marginal.iter().sum::<f64>();
     let least = least.min(0.5);
-    share.max(if begin < faint { least } else { 0.0 }).min(if end < faint { 1.0 - least } else { 1.0 })
+    fraction.max(if begin < faint { least } else { 0.0 }).min(if end < faint { 1.0 - least } else { 1.0 })
 }
 
-/// The position at which a fraction is reached, the inverse of [`share`].
+/// The position at which a fraction is reached, the inverse of [`fraction`].
 ///
 /// In closed form for a linear polynomial, otherwise by bracketed Newton steps from there.
-pub(crate) fn inverse_share(marginal: Cubic, share: f64) -> f64 {
+pub(crate) fn inverse_fraction(marginal: Cubic, fraction: f64) -> f64 {
     let [begin, .., end] = marginal;
     let sums = partial_sums(marginal);
-    let target = share * sums[3];
-    let root = math::sqrt_f64(begin * begin + share * (end * end - begin * begin));
-    let mut s = share * (begin + end) / (begin + root);
+    let target = fraction * sums[3];
+    let root = math::sqrt_f64(begin * begin + fraction * (end * end - begin * begin));
+    let mut s = fraction * (begin + end) / (begin + root);
     if !(s > 0.0 && s <= 1.0) {
-        s = share;
+        s = fraction;
     }
     let (mut low, mut high) = (0.0, 1.0);
     // Bisection where a step leaves the bracket, since the polynomial may vanish at an end.
@@ -84,7 +84,7 @@ mod tests {
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
-    fn inverse_share_round_trips() {
+    fn inverse_fraction_round_trips() {
         for marginal in [
             [1.0; 4],
             [0.0, 1.0, 2.0, 3.0],
@@ -95,7 +95,7 @@ mod tests {
         ] {
             for k in 0..=1000 {
                 let u = f64::from(k) / 1000.0;
-                let error = share(marginal, inverse_share(marginal, u)) - u;
+                let error = fraction(marginal, inverse_fraction(marginal, u)) - u;
                 assert_abs_diff_eq!(error, 0.0, epsilon = 4e-15, "{marginal:?} {u}: {error:e}");
             }
         }

@@ -38,8 +38,8 @@ fn refined(
 /// The integral by 15 nodes and by 7 of them.
 fn rule(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> [f64; 2] {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-    let centre = f(middle);
-    let (mut long, mut short) = (CENTRE[0] * centre, CENTRE[1] * centre);
+    let center = f(middle);
+    let (mut long, mut short) = (CENTRE[0] * center, CENTRE[1] * center);
     for (node, kronrod, gauss) in NODES {
         let both = f(middle - half * node) + f(middle + half * node);
         long += kronrod * both;

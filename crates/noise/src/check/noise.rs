@@ -31,8 +31,8 @@ const TABLE: f64 = 3e-3;
 /// |mean − μ| < z σ₁/√n,      |mean of (n − μ)² − σ₁²| < z s/√n,      sup |F(r) − G(r)| < z/(2√n),      z = √(2 ln(2·3/significance))
 /// ```
 ///
-/// - **Samples:** each has its own seed and place, so that samples are independent. s is the sample
-///   deviation of squares.
+/// - **Samples:** each has its own seed and position, so that samples are independent. s is the
+///   sample deviation of squares.
 /// - **Distribution:** F is the distribution of sums of eight octaves with gain ½, divided by their
 ///   deviation, at the knots of [`Statistics::cdf`](crate::Statistics), tested by
 ///   Kolmogorov–Smirnov.
@@ -53,13 +53,13 @@ const TABLE: f64 = 3e-3;
 pub fn noise<V: Point, N: Noise + Field<V> + Clone>(noise: &N, settings: Settings) -> Report {
     let mut report = field(noise, settings);
     let n = settings.samples.max(4096) as usize;
-    let (mut word, mut place) = (stream(settings, 4), stream(settings, 5));
+    let (mut word, mut position) = (stream(settings, 4), stream(settings, 5));
     let statistics = noise.statistics(axes::<V>());
     let moments = noise.moments().map(|moments| [moments.mean, moments.standard_deviation]);
     let [mu, sigma] = moments.unwrap_or([0.0, statistics.standard_deviation]).map(f64::from);
     let mut draw = || {
         let seeded = noise.clone().with_seed((word.word() >> 32) as u32);
-        let p = V::from_axes(|_| ((place.word() >> 40) as f32 / 8_388_608.0 - 1.0) * BOX);
+        let p = V::from_axes(|_| ((position.word() >> 40) as f32 / 8_388_608.0 - 1.0) * BOX);
         (f64::from(seeded.value(p)) - mu) / sigma
     };
     let singles: Vec<f64> = (0..n).map(|_| draw()).collect();

@@ -293,7 +293,7 @@ impl<F: Field<V>, V: Point<Coordinates = [f32; N]>, const N: usize> Kernel<N> fo
     }
 
     #[inline(always)]
-    fn shares(&self, _: &Row<N>, _: usize, _: bool) -> bool {
+    fn reuses(&self, _: &Row<N>, _: usize, _: bool) -> bool {
         false
     }
 }

@@ -167,11 +167,11 @@ pub trait Kernel<const N: usize>: Measured<N> {
     /// `wide` is set if lists have sixteen lanes. Rows have at most eight. Where few points are in
     /// a cell, sixteen lanes make `Perlin` faster by a fifth and `PerlinClassic` by two fifths.
     #[inline(always)]
-    fn shares(&self, row: &Row<N>, count: usize, _wide: bool) -> bool {
+    fn reuses(&self, row: &Row<N>, count: usize, _wide: bool) -> bool {
         has_columns(row, count, Self::LONG_STEP)
     }
 
-    /// The values along a row that [reuses](Self::shares) work, and the gradients if `GRADIENTS`.
+    /// The values along a row that [reuses](Self::reuses) work, and the gradients if `GRADIENTS`.
     ///
     /// Returns the number of leading points that were evaluated. The others are evaluated as a
     /// list.
@@ -384,8 +384,8 @@ impl<K: Kernel<N>, const N: usize> FillRow<'_, K, N> {
     /// Evaluates the row at a SIMD level, the only code that is compiled for rows of a kind.
     pub(crate) fn at(mut self, instructions: Instructions) {
         let count = self.values.len();
-        let shares = self.kernel.shares(&self.row, count, instructions.are_wide());
-        let done = if shares && self.row.is_within(K::REACH, count) {
+        let reuses = self.kernel.reuses(&self.row, count, instructions.are_wide());
+        let done = if reuses && self.row.is_within(K::REACH, count) {
             instructions.run_in_eight(Shared(&mut self))
         } else {
             0
@@ -638,7 +638,7 @@ pub(crate) const FEW_POINTS: usize = 256;
 pub(crate) const LIST: usize = 256;
 
 /// Whether the rows of a grid reuse work, in the coordinates that `seen` maps them to.
-pub(crate) fn shares<K: Kernel<N>, V: Point<Coordinates = [f32; N]>, const N: usize>(
+pub(crate) fn reuses<K: Kernel<N>, V: Point<Coordinates = [f32; N]>, const N: usize>(
     kernel: &K,
     points: &Points<'_, V>,
     instructions: Instructions,
@@ -646,8 +646,8 @@ pub(crate) fn shares<K: Kernel<N>, V: Point<Coordinates = [f32; N]>, const N: us
 ) -> bool {
     let Source::Window(window) = &points.0 else { return false };
     let count = points.width().min(POINTS);
-    let shares = |(_, row)| kernel.shares(&seen(row), count, instructions.are_wide());
-    points.len() >= FEW_POINTS && window.rows(0..1).next().is_some_and(shares)
+    let reuses = |(_, row)| kernel.reuses(&seen(row), count, instructions.are_wide());
+    points.len() >= FEW_POINTS && window.rows(0..1).next().is_some_and(reuses)
 }
 
 /// Evaluates a kind at the points of a batch.
@@ -663,7 +663,7 @@ pub(crate) fn fill<K: Kernel<N>, V: Point<Coordinates = [f32; N]>, const N: usiz
         let points = array::from_fn(|axis| lists.as_ref()[axis]);
         let gradients = gradients.map(by_axes::<V, N>);
         K::fill_list(FillList { kernel, seed, points, values, gradients }, instructions);
-    } else if shares(kernel, points, instructions, |row| row) {
+    } else if reuses(kernel, points, instructions, |row| row) {
         let mut scratch = K::RowScratch::default();
         for block in points.blocks(usize::MAX) {
             let part = points.part(&block);

@@ -7,7 +7,7 @@ use crate::{
     contract::kernel::{self, Measured, OctaveSamples, OctavesAt},
     contract::noise::{kind, measured, noise, tiles},
     kinds::cell::at_ends::by_corners,
-    kinds::cell::corner::{CellNoise, Corner, normalised},
+    kinds::cell::corner::{CellNoise, Corner, normalized},
     kinds::cell::corners::CellPosition,
     kinds::cell::kernel::{of_lane, parts},
     lanes::level::run_at_point,
@@ -137,16 +137,18 @@ impl<L: Lattice> GaussianNoise<L> {
     /// Both channels at a point whose coordinates all have a cell.
     #[inline(always)]
     fn near_channels<const N: usize>(&self, p: [f32; N], seed: u32) -> [LaneSample<Scalar, N>; 2] {
-        let place = CellPosition::new(Scalar, self, &p, 0);
+        let position = CellPosition::new(Scalar, self, &p, 0);
         // Each channel draws separately. Returning pairs costs more than the words that the
         // compiler reuses.
         let nothing = Corner::nothing(Scalar);
-        let corners = place.corners(Scalar, self, seed, nothing, |word| corner::<Scalar, N, 0>(Scalar, word));
-        let (first, variance) = place.parts_of::<Self>(Scalar, &corners);
-        let corners = place.corners(Scalar, self, seed, nothing, |word| corner::<Scalar, N, 1>(Scalar, word));
-        let (second, _) = place.parts_of::<Self>(Scalar, &corners);
-        let normalised = |sample| normalised::<_, N, true>(Scalar, sample, variance);
-        [normalised(first), normalised(second)]
+        let corners =
+            position.corners(Scalar, self, seed, nothing, |word| corner::<Scalar, N, 0>(Scalar, word));
+        let (first, variance) = position.parts_of::<Self>(Scalar, &corners);
+        let corners =
+            position.corners(Scalar, self, seed, nothing, |word| corner::<Scalar, N, 1>(Scalar, word));
+        let (second, _) = position.parts_of::<Self>(Scalar, &corners);
+        let normalized = |sample| normalized::<_, N, true>(Scalar, sample, variance);
+        [normalized(first), normalized(second)]
     }
 
     #[cold]
@@ -213,7 +215,7 @@ impl<L: Lattice, const N: usize> CellNoise<N> for GaussianNoise<L> {
         Self::standard(self)
     }
 
-    const NORMALISED: bool = true;
+    const NORMALIZED: bool = true;
 
     #[inline(always)]
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N> {
@@ -323,7 +325,7 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Channels<'_, L> {
         self.0.standard()
     }
 
-    const NORMALISED: bool = true;
+    const NORMALIZED: bool = true;
 
     #[inline(always)]
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N> {

@@ -15,7 +15,7 @@ use crate::{
     statistics::tables,
 };
 
-/// A sum of radial kernels around impulses of random weight, K per cell at random places; C².
+/// A sum of radial kernels around impulses of random weight, K per cell at random positions; C².
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/pictures/sparse.md"))]
 ///
@@ -24,15 +24,15 @@ use crate::{
 /// ∫h² = 0.682, π/7, 0.2857, π²/56 in 1 to 4 dimensions
 /// ```
 ///
-/// In 1 to 4 dimensions. Places are uniform in the cell and weights uniform in (−1, 1). Only the
-/// number of impulses is aligned to the lattice. The noise has no preferred direction, and no place
+/// In 1 to 4 dimensions. Positions are uniform in the cell and weights uniform in (−1, 1). Only the
+/// number of impulses is aligned to the lattice. The noise has no preferred direction, and no point
 /// is always flat or 0. An evaluation visits the 3ⁿ cells around the point.
 ///
 /// - **Moments:** mean 0 and variance 1 at every point, as weights are independent of each other
-///   and of places.
+///   and of positions.
 /// - **Range:** |n| ≤ 2ⁿ K A. The bound is the supremum, reached if all impulses around a lattice
 ///   point coincide there. Values beyond 5 are rare.
-/// - **Resolution of places:** 2⁻¹⁶.
+/// - **Resolution of positions:** 2⁻¹⁶.
 ///
 /// Lewis 1989, "Algorithms for Solid Noise Synthesis". Unlike there the number of impulses per cell
 /// is fixed instead of Poisson-distributed, which avoids empty regions.
@@ -99,7 +99,7 @@ const POWERS: [usize; 4] = [1, 1, 3, 9];
 struct Section<S: Lanes, const N: usize> {
     /// The terms of the previous cell, the cell and the next cell along each axis.
     terms: [[S::U; 3]; N],
-    place: [S::F; N],
+    position: [S::F; N],
 }
 
 /// The terms of a cell and its neighbors along an axis.
@@ -114,8 +114,8 @@ fn terms<S: Lanes, L: Lattice>(s: S, lattice: &L, axis: usize, cell: S::U) -> [S
 
 /// An impulse relative to points.
 ///
-/// Its place along the first axis in its own cell, the offsets to it along the other axes, the sum
-/// of their squares, and its weight times A.
+/// Its position along the first axis in its own cell, the offsets to it along the other axes, the
+/// sum of their squares, and its weight times A.
 struct Impulse<S: Lanes, const N: usize> {
     x: S::F,
     d: [S::F; N],
@@ -126,11 +126,11 @@ struct Impulse<S: Lanes, const N: usize> {
 impl<S: Lanes, const N: usize> Section<S, N> {
     #[inline(always)]
     fn new<L: Lattice>(s: S, lattice: &L, p: &[S::F; N]) -> Self {
-        let mut section = Self { terms: [[s.word(0); 3]; N], place: [s.float(0.0); N] };
+        let mut section = Self { terms: [[s.word(0); 3]; N], position: [s.float(0.0); N] };
         for axis in 1..N {
             let (cell, t) = cell(s, p[axis]);
             section.terms[axis] = terms(s, lattice, axis, cell);
-            section.place[axis] = t;
+            section.position[axis] = t;
         }
         section
     }
@@ -151,22 +151,22 @@ impl<S: Lanes, const N: usize> Section<S, N> {
         let low = s.word(0xffff);
         let second = further::<S, 1>(s, word);
         let fields = [s.shr::<16>(word), word & low, s.shr::<16>(second), second & low];
-        let mut place = [s.float(0.0); N];
+        let mut position = [s.float(0.0); N];
         for axis in 0..N {
-            place[axis] = (s.real(fields[axis]) + s.float(0.5)) * s.float(1.0 / 65_536.0);
+            position[axis] = (s.real(fields[axis]) + s.float(0.5)) * s.float(1.0 / 65_536.0);
         }
         let weight = match N {
             1 | 2 => uniform(s, second),
             _ => uniform(s, further::<S, 2>(s, word)),
         };
-        let (mut d, mut rest) = (place, s.float(0.0));
+        let (mut d, mut rest) = (position, s.float(0.0));
         for axis in 1..N {
             let offset = (j / POWERS[axis] % 3) as f32 - 1.0;
-            d[axis] = self.place[axis] - (s.float(offset) + place[axis]);
+            d[axis] = self.position[axis] - (s.float(offset) + position[axis]);
             let square = d[axis] * d[axis];
             rest = if axis == 1 { square } else { rest + square };
         }
-        Impulse { x: place[0], d, rest, weight: weight * s.float(amplitude) }
+        Impulse { x: position[0], d, rest, weight: weight * s.float(amplitude) }
     }
 }
 
@@ -309,7 +309,7 @@ impl<L: Lattice, const N: usize> Kernel<N> for SparseConvolution<L> {
 
     /// In eight lanes rows are 1.6 times as fast as lists; in sixteen lanes they are slower.
     #[inline(always)]
-    fn shares(&self, row: &Row<N>, count: usize, wide: bool) -> bool {
+    fn reuses(&self, row: &Row<N>, count: usize, wide: bool) -> bool {
         !wide && SECTION[N] * usize::from(self.impulses) <= KEPT && has_columns(row, count, LONG_STEP)
     }
 

@@ -46,7 +46,7 @@ impl Fade {
 /// A position along an axis of the cell: t, w(t) and w′(t).
 #[derive(Clone, Copy)]
 pub(crate) struct Along<S: Lanes> {
-    pub(crate) place: S::F,
+    pub(crate) position: S::F,
     pub(crate) weight: S::F,
     pub(crate) slope: S::F,
 }
@@ -54,14 +54,14 @@ pub(crate) struct Along<S: Lanes> {
 impl<S: Lanes> Along<S> {
     #[inline(always)]
     pub(crate) fn new(s: S, fade: Fade, t: S::F) -> Self {
-        Self { place: t, weight: fade.weight(s, t), slope: fade.slope(s, t) }
+        Self { position: t, weight: fade.weight(s, t), slope: fade.slope(s, t) }
     }
 
     /// The position in one lane.
     #[inline(always)]
     pub(crate) fn lane(&self, s: S, lane: usize) -> Along<Scalar> {
         Along {
-            place: s.lane(self.place, lane),
+            position: s.lane(self.position, lane),
             weight: s.lane(self.weight, lane),
             slope: s.lane(self.slope, lane),
         }
@@ -72,7 +72,7 @@ impl Along<Scalar> {
     /// This position along an axis in every lane.
     #[inline(always)]
     pub(crate) fn splat<S: Lanes>(&self, s: S) -> Along<S> {
-        Along { place: s.float(self.place), weight: s.float(self.weight), slope: s.float(self.slope) }
+        Along { position: s.float(self.position), weight: s.float(self.weight), slope: s.float(self.slope) }
     }
 }
 

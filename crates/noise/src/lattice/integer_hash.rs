@@ -185,10 +185,10 @@ mod tests {
                 }
             }
             for (bit, flips) in flips.into_iter().enumerate() {
-                let share = f64::from(flips) / f64::from(COUNT);
+                let fraction = f64::from(flips) / f64::from(COUNT);
                 assert!(
-                    abs_diff_eq!(share, 0.5, epsilon = TOLERANCE),
-                    "input bit {input}, output bit {bit}: {share}"
+                    abs_diff_eq!(fraction, 0.5, epsilon = TOLERANCE),
+                    "input bit {input}, output bit {bit}: {fraction}"
                 );
             }
         }
@@ -244,10 +244,10 @@ mod tests {
             }
             for (bit, flips) in flips.into_iter().enumerate() {
                 // 6 standard errors of ½ over 1024 trials.
-                let share = f64::from(flips) / 1024.0;
+                let fraction = f64::from(flips) / 1024.0;
                 assert!(
-                    abs_diff_eq!(share, 0.5, epsilon = 6.0 * 0.5 / 32.0),
-                    "input bit {input}, bit {bit}: {share}"
+                    abs_diff_eq!(fraction, 0.5, epsilon = 6.0 * 0.5 / 32.0),
+                    "input bit {input}, bit {bit}: {fraction}"
                 );
             }
         }
@@ -299,17 +299,17 @@ mod tests {
         // Every pair of axes, mirrored about every half cell near the origin. Without the shifts a
         // third would match.
         for (first, second) in [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)] {
-            for centre in -8..8 {
+            for center in -8..8 {
                 let mut met = 0;
                 for i in 0..400 {
                     let here = [i % 20 - 10, i / 20 - 9, i % 7 - 3, i % 11 - 6];
                     let mut there = here;
-                    there[first] = centre - there[first];
-                    there[second] = centre - there[second];
+                    there[first] = center - there[first];
+                    there[second] = center - there[second];
                     let same = here != there && IntegerHash.word(here, 7) == IntegerHash.word(there, 7);
                     met += u32::from(same);
                 }
-                assert_eq!(met, 0, "axes {first} and {second} about {centre}/2");
+                assert_eq!(met, 0, "axes {first} and {second} about {center}/2");
             }
         }
     }

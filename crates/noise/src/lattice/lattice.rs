@@ -258,8 +258,8 @@ mod tests {
     #[test]
     fn cells_are_floors() {
         fn cell(x: f32) -> (i32, f32) {
-            let (cell, place) = super::cell(Scalar, x);
-            (cell.0 as i32, place)
+            let (cell, position) = super::cell(Scalar, x);
+            (cell.0 as i32, position)
         }
         assert_eq!(cell(2.25), (2, 0.25));
         assert_eq!(cell(-0.25), (-1, 0.75));

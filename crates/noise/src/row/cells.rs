@@ -43,7 +43,7 @@ pub(crate) struct Plan {
     cells: usize,
     ends: [u16; POINTS],
     floor: Numbers,
-    place: Numbers,
+    position: Numbers,
     weight: Numbers,
     slope: Numbers,
 }
@@ -69,7 +69,7 @@ impl Plan {
             cells: 0,
             ends: [0; POINTS],
             floor: ZEROS,
-            place: ZEROS,
+            position: ZEROS,
             weight: ZEROS,
             slope: ZEROS,
         }
@@ -122,7 +122,7 @@ impl Plan {
     /// Writes positions from point `i` on, and their weights.
     #[inline(always)]
     fn store<S: Lanes>(&mut self, s: S, fade: Fade, t: S::F, i: usize) {
-        s.store(t, &mut self.place.as_flattened_mut()[i..]);
+        s.store(t, &mut self.position.as_flattened_mut()[i..]);
         s.store(fade.weight(s, t), &mut self.weight.as_flattened_mut()[i..]);
         s.store(fade.slope(s, t), &mut self.slope.as_flattened_mut()[i..]);
     }
@@ -175,7 +175,7 @@ impl Plan {
     #[inline(always)]
     pub(crate) fn along<S: Lanes>(&self, s: S, b: usize, k: usize) -> Along<S> {
         Along {
-            place: s.load(&self.place[b][k..]),
+            position: s.load(&self.position[b][k..]),
             weight: s.load(&self.weight[b][k..]),
             slope: s.load(&self.slope[b][k..]),
         }
@@ -185,7 +185,7 @@ impl Plan {
     #[inline(always)]
     pub(crate) fn along_from<S: Lanes>(&self, s: S, i: usize) -> Along<S> {
         Along {
-            place: s.load(&self.place.as_flattened()[i..]),
+            position: s.load(&self.position.as_flattened()[i..]),
             weight: s.load(&self.weight.as_flattened()[i..]),
             slope: s.load(&self.slope.as_flattened()[i..]),
         }

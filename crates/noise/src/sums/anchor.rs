@@ -1,11 +1,11 @@
 //! Octaves relative to an anchor far from the origin, each evaluated near it in its own cell.
 
-/// Position of an anchor in the coordinates of an octave along an axis: cell + place, without
+/// Position of an anchor in the coordinates of an octave along an axis: cell + fraction, without
 /// rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Position {
     cell: i64,
-    place: f64,
+    fraction: f64,
 }
 
 /// Positions from here on are rejected.
@@ -18,19 +18,19 @@ impl Position {
             return None;
         }
         let whole = exact as i64;
-        Some(Self { cell: self.cell.wrapping_add(whole), place: self.place + (exact - whole as f64) })
+        Some(Self { cell: self.cell.wrapping_add(whole), fraction: self.fraction + (exact - whole as f64) })
     }
 
-    /// The same position with a place in [0, 1].
+    /// The same position with a fraction in [0, 1].
     fn floored(self) -> Self {
-        let truncated = self.place as i64;
-        let floor = if self.place < truncated as f64 { truncated - 1 } else { truncated };
-        Self { cell: self.cell.wrapping_add(floor), place: self.place - floor as f64 }
+        let truncated = self.fraction as i64;
+        let floor = if self.fraction < truncated as f64 { truncated - 1 } else { truncated };
+        Self { cell: self.cell.wrapping_add(floor), fraction: self.fraction - floor as f64 }
     }
 
     /// row · at + offset: products of 24 bits with halves of 26 and 27.
     fn new(row: &[f32], at: &[f64], offset: f32) -> Option<Self> {
-        let mut sum = Self { cell: 0, place: f64::from(offset) };
+        let mut sum = Self { cell: 0, fraction: f64::from(offset) };
         for (entry, x) in row.iter().zip(at) {
             let high = f64::from_bits(x.to_bits() & !0x7ff_ffff);
             for part in [high, x - high] {
@@ -72,7 +72,7 @@ pub(crate) fn anchored<const N: usize>(
     offset: &[f32; N],
     simplicial: bool,
 ) -> Option<([i32; N], [f32; N])> {
-    let mut positions = [Position { cell: 0, place: 0.0 }; N];
+    let mut positions = [Position { cell: 0, fraction: 0.0 }; N];
     for axis in 0..N {
         positions[axis] = Position::new(&matrix[axis], at, offset[axis])?;
     }
@@ -83,7 +83,7 @@ pub(crate) fn anchored<const N: usize>(
         let sum = positions.iter().fold(0_i64, |sum, position| sum.wrapping_add(position.cell));
         shift = (SKEW[N - 1] * sum as f64) as i64;
         let corners = sum.wrapping_add(shift.wrapping_mul(N as i64));
-        let mut unskewed = Position { cell: shift.wrapping_neg(), place: 0.0 };
+        let mut unskewed = Position { cell: shift.wrapping_neg(), fraction: 0.0 };
         for part in UNSKEW[N - 1] {
             for (bits, scale) in [(0, 1.0), (28, 268_435_456.0), (56, 72_057_594_037_927_936.0)] {
                 // The last part keeps the sign.
@@ -91,11 +91,11 @@ pub(crate) fn anchored<const N: usize>(
                 unskewed = unskewed.add(part * (digits as f64 * scale))?;
             }
         }
-        back = unskewed.cell as f64 + unskewed.place;
+        back = unskewed.cell as f64 + unskewed.fraction;
     }
     Some((
         positions.map(|position| position.cell.wrapping_add(shift) as i32),
-        positions.map(|position| (position.place + back) as f32),
+        positions.map(|position| (position.fraction + back) as f32),
     ))
 }
 
@@ -111,10 +111,10 @@ mod tests {
         let denominator = 8192 * 4_194_304_i128;
         let position = Position::new(&[entry], &[x], 0.0).unwrap();
         assert_eq!(i128::from(position.cell), scaled.div_euclid(denominator));
-        assert_eq!(position.place, scaled.rem_euclid(denominator) as f64 / denominator as f64);
+        assert_eq!(position.fraction, scaled.rem_euclid(denominator) as f64 / denominator as f64);
         let negative = Position::new(&[entry], &[-x], 0.0).unwrap();
         assert_eq!(negative.cell, -position.cell - 1);
-        assert_eq!(negative.place, 1.0 - position.place);
+        assert_eq!(negative.fraction, 1.0 - position.fraction);
         for x in [f64::NAN, f64::INFINITY, 1e18, f64::MIN] {
             assert_eq!(Position::new(&[entry], &[x], 0.5), None, "{x}");
         }

@@ -67,15 +67,15 @@ mod tests {
     use glam::Vec3;
 
     #[test]
-    fn removed_share_rises_from_0_to_1() {
-        let shares = core::array::from_fn::<f32, 101, _>(|i| filtered_fraction(i as f32 / 100.0, 1.0));
-        assert!(shares.windows(2).all(|pair| pair[0] <= pair[1] && pair[1] - pair[0] < 0.04));
-        assert_eq!((shares[20], shares[60], shares[100]), (0.0, 1.0, 1.0));
+    fn filtered_fraction_rises_from_0_to_1() {
+        let fractions = core::array::from_fn::<f32, 101, _>(|i| filtered_fraction(i as f32 / 100.0, 1.0));
+        assert!(fractions.windows(2).all(|pair| pair[0] <= pair[1] && pair[1] - pair[0] < 0.04));
+        assert_eq!((fractions[20], fractions[60], fractions[100]), (0.0, 1.0, 1.0));
         assert_eq!(filtered_fraction(0.05, 8.0), filtered_fraction(0.4, 1.0));
     }
 
     #[test]
-    fn removed_share_is_0_for_invalid_footprints() {
+    fn filtered_fraction_is_0_for_invalid_footprints() {
         for footprint in [0.0, -0.0, -3.0, f32::NEG_INFINITY, f32::NAN] {
             assert_eq!(filtered_fraction(footprint, 2.0), 0.0, "{footprint}");
         }

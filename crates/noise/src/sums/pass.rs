@@ -3,7 +3,7 @@
 use asperity_core::lanes::Task;
 
 use crate::{
-    contract::kernel::{FillList, FillRow, Kernel, LIST, shares},
+    contract::kernel::{FillList, FillRow, Kernel, LIST, reuses},
     lanes::Lanes,
     lanes::level::Instructions,
     lattice::tiled::in_first_tile,
@@ -51,7 +51,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Passes<'_, K, N, T> {
             }
         } else if !K::TILED
             && self.layers.rotation == Rotation::Aligned
-            && shares(self.noise, points, target.instructions, |row| self.first_octave(row))
+            && reuses(self.noise, points, target.instructions, |row| self.first_octave(row))
         {
             let mut scratch = K::RowScratch::default();
             for block in points.blocks(BLOCK) {

@@ -291,23 +291,26 @@ mod tests {
     }
 
     #[test]
-    fn shares_rise_from_zero_and_stay_below_one() {
-        let shares = [0.0, 0.5, 1.0, 2.0].map(|octaves| FbmSpectrum::default().resolved_variance(octaves));
-        assert_eq!(shares, [0.0, 0.1875, 0.75, 0.9375]);
+    fn resolved_variance_rises_from_zero_and_stays_below_one() {
+        let fractions = [0.0, 0.5, 1.0, 2.0].map(|octaves| FbmSpectrum::default().resolved_variance(octaves));
+        assert_eq!(fractions, [0.0, 0.1875, 0.75, 0.9375]);
         for percent in 1..100_u8 {
             let gain = f32::from(percent) / 100.0;
             let spectrum = FbmSpectrum::new(2.0, gain, MAX_OCTAVES).unwrap();
             let mut last = 0.0;
             for step in 1..=160_u8 {
-                let share = spectrum.resolved_variance(f32::from(step) / 10.0);
-                assert!(share >= last && share < 1.0, "gain {gain}, step {step}: {share} after {last}");
-                last = share;
+                let fraction = spectrum.resolved_variance(f32::from(step) / 10.0);
+                assert!(
+                    fraction >= last && fraction < 1.0,
+                    "gain {gain}, step {step}: {fraction} after {last}"
+                );
+                last = fraction;
             }
         }
     }
 
     #[test]
-    fn shares_of_gains_from_one_on_are_those_of_the_octaves_there_are() {
+    fn resolved_variance_of_a_gain_of_at_least_1_is_relative_to_all_octaves() {
         let equal = FbmSpectrum::new(2.0, 1.0, 4).unwrap();
         assert_eq!(
             [0.0, 1.0, 2.5, 3.0].map(|octaves| equal.resolved_variance(octaves)),

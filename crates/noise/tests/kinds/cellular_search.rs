@@ -18,7 +18,7 @@ const METRICS: [Metric; 3] = [Metric::Euclidean, Metric::Manhattan, Metric::Cheb
 #[derive(Clone, Copy)]
 struct Found<const N: usize> {
     distance: f64,
-    way: [f64; N],
+    offset: [f64; N],
     word: u32,
 }
 
@@ -29,7 +29,7 @@ fn wide_search<L: Lattice, const N: usize>(
     p: [f32; N],
     window: i32,
 ) -> [Found<N>; 3] {
-    let mut nearest = [Found { distance: f64::INFINITY, way: [0.0; N], word: 0 }; 3];
+    let mut nearest = [Found { distance: f64::INFINITY, offset: [0.0; N], word: 0 }; 3];
     let side = 2 * window + 1;
     for index in 0..side.pow(N as u32) {
         let cell: [i32; N] =
@@ -37,19 +37,19 @@ fn wide_search<L: Lattice, const N: usize>(
         let word = lattice.word(cell, seed);
         let second = further(word, 1);
         let fields = [word >> 16, word & 0xffff, second >> 16, second & 0xffff];
-        let way: [f64; N] = from_fn(|axis| {
+        let offset: [f64; N] = from_fn(|axis| {
             let u = (f64::from(fields[axis]) + 0.5) / 65_536.0;
             f64::from(p[axis]) - (f64::from(cell[axis]) + 0.5 + f64::from(noise.jitter()) * (u - 0.5))
         });
         let distance = match noise.metric() {
-            Metric::Euclidean => way.iter().map(|d| d * d).sum::<f64>().sqrt(),
-            Metric::Manhattan => way.iter().map(|d| d.abs()).sum(),
-            Metric::Chebyshev => way.iter().fold(0.0, |greatest, d| d.abs().max(greatest)),
+            Metric::Euclidean => offset.iter().map(|d| d * d).sum::<f64>().sqrt(),
+            Metric::Manhattan => offset.iter().map(|d| d.abs()).sum(),
+            Metric::Chebyshev => offset.iter().fold(0.0, |greatest, d| d.abs().max(greatest)),
         };
-        let place = nearest.iter().position(|other| distance < other.distance);
-        if let Some(place) = place {
-            nearest[place..].rotate_right(1);
-            nearest[place] = Found { distance, way, word };
+        let rank = nearest.iter().position(|other| distance < other.distance);
+        if let Some(rank) = rank {
+            nearest[rank..].rotate_right(1);
+            nearest[rank] = Found { distance, offset, word };
         }
     }
     nearest
@@ -80,16 +80,16 @@ where
         let [low, high] = Field::<V>::range(&noise);
         assert!((low..=high).contains(&sample.value), "{basis:?} {}: {sample:?}", what());
         let slope = |found: &Found<N>, axis: usize| match noise.metric() {
-            Metric::Euclidean => found.way[axis] / found.distance,
-            Metric::Manhattan => found.way[axis].signum(),
-            Metric::Chebyshev if found.way[axis].abs() == found.distance => found.way[axis].signum(),
+            Metric::Euclidean => found.offset[axis] / found.distance,
+            Metric::Manhattan => found.offset[axis].signum(),
+            Metric::Chebyshev if found.offset[axis].abs() == found.distance => found.offset[axis].signum(),
             Metric::Chebyshev => 0.0,
         };
         // Near creases and near feature points the last bits decide.
         let apart = |found: &Found<N>| {
-            let ways = found.way.map(f64::abs);
-            let ties = (0..N).any(|i| (0..i).any(|j| (ways[i] - ways[j]).abs() < 1e-5));
-            ways.iter().all(|&way| way > 1e-3) && !(noise.metric() == Metric::Chebyshev && ties)
+            let offsets = found.offset.map(f64::abs);
+            let ties = (0..N).any(|i| (0..i).any(|j| (offsets[i] - offsets[j]).abs() < 1e-5));
+            offsets.iter().all(|&offset| offset > 1e-3) && !(noise.metric() == Metric::Chebyshev && ties)
         };
         let clear = second - first > 1e-5 && (basis == CellularOutput::F1 || third - second > 1e-5);
         if clear && nearest[..2].iter().all(apart) {
@@ -110,7 +110,7 @@ where
     }
 }
 
-/// Random places, a third of them next to borders, in cells near the origin and far from it.
+/// Random positions, a third of them next to borders, in cells near the origin and far from it.
 fn random_point<const N: usize>(counter: &mut u64) -> [f32; N] {
     from_fn(|_| {
         *counter += 1;

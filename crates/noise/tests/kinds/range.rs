@@ -29,8 +29,9 @@ impl Random {
     fn coordinate(&mut self) -> f32 {
         let cell = f64::from(self.word() % (1 << self.below(22))) * [1.0, -1.0][self.below(2)];
         let near = (-f64::from(self.word() % 26)).exp2();
-        let place = [f64::from(self.word()) / 4_294_967_296.0, near, 1.0 - near, 0.5 + near][self.below(4)];
-        (cell + place) as f32
+        let position =
+            [f64::from(self.word()) / 4_294_967_296.0, near, 1.0 - near, 0.5 + near][self.below(4)];
+        (cell + position) as f32
     }
 }
 
@@ -49,7 +50,7 @@ impl Lattice for Chosen {
 }
 
 /// Climbs to values far from the middle of the range, and returns the largest excess over it, with
-/// its place.
+/// its position.
 fn excess<V, F, const N: usize>(random: &mut Random, field: impl Fn(Words) -> F) -> (f32, String)
 where
     V: Point<Coordinates = [f32; N]>,
@@ -62,7 +63,7 @@ where
         // NaN counts as the worst value.
         if value.is_nan() { f32::INFINITY } else { (value - high).max(low - value) }
     };
-    let (mut worst, mut place) = (f32::NEG_INFINITY, String::new());
+    let (mut worst, mut position) = (f32::NEG_INFINITY, String::new());
     for _ in 0..200 {
         let mut words = [(); 256].map(|()| random.lattice_word());
         let mut p = [(); N].map(|()| random.coordinate());
@@ -85,10 +86,10 @@ where
             }
         }
         if best > worst {
-            (worst, place) = (best, format!("{p:?} on {:x?}", &words[..corners as usize]));
+            (worst, position) = (best, format!("{p:?} on {:x?}", &words[..corners as usize]));
         }
     }
-    (worst, place)
+    (worst, position)
 }
 
 /// The search in 1 to 4 dimensions.
@@ -98,9 +99,9 @@ macro_rules! search {
     };
     (@ $random:ident, $found:ident, $name:expr, $field:expr, $($point:ident $n:literal),*) => {
         $({
-            let (excess, place) = excess::<$point, _, $n>(&mut $random, $field);
+            let (excess, position) = excess::<$point, _, $n>(&mut $random, $field);
             if excess > 0.0 {
-                $found.push(format!("{} {}-D: {excess:e} beyond the range at {place}", $name, $n));
+                $found.push(format!("{} {}-D: {excess:e} beyond the range at {position}", $name, $n));
             }
         })*
     };
@@ -185,11 +186,11 @@ fn range_of_octaves_holds_with_all_octaves_at_a_bound() {
         RidgedMultifractal::new(cells, spectrum, 0.1).unwrap()
     });
     search!(random, found, "unit", |w| Unit(Simplex::new(0).with_lattice(Chosen(w))));
-    let (excess, place) = excess::<Vec2, _, 2>(&mut random, |w| {
+    let (excess, position) = excess::<Vec2, _, 2>(&mut random, |w| {
         let simplex = Simplex::new(0).with_lattice(Chosen(w));
         Warp::new(simplex, [simplex; 2], 1e3).unwrap()
     });
-    assert!(found.is_empty() && excess <= 0.0, "{} warp {excess:e} at {place}", found.join("\n"));
+    assert!(found.is_empty() && excess <= 0.0, "{} warp {excess:e} at {position}", found.join("\n"));
 }
 
 /// A field with the same value everywhere.

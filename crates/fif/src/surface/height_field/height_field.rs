@@ -110,8 +110,10 @@ impl<F: Function, G: Function> HeightField<F, G> {
     /// |h − f g| ≤ |f| δ_g + |g| δ_f + δ_f δ_g
     /// ```
     pub fn evaluate(&self, x: f64, y: f64, tolerance: f64) -> Bounded {
-        let share = |other: Interval| 0.5 * tolerance / other.magnitude().max(f64::MIN_POSITIVE);
-        self.x.evaluate(x, share(self.y.range())).product(self.y.evaluate(y, share(self.x.range())))
+        let tolerance_for = |other: Interval| 0.5 * tolerance / other.magnitude().max(f64::MIN_POSITIVE);
+        self.x
+            .evaluate(x, tolerance_for(self.y.range()))
+            .product(self.y.evaluate(y, tolerance_for(self.x.range())))
     }
 
     /// `h` to the rounding error of the point.

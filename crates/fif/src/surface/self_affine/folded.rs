@@ -61,7 +61,7 @@ impl SelfAffine<ZigZag> {
 }
 
 impl FoldParts for ZigZag {
-    type Place = [f64; 2];
+    type Position = [f64; 2];
 
     #[inline]
     fn domain(&self) -> [Interval; 2] {
@@ -151,9 +151,9 @@ impl FoldParts for ZigZag {
                 for (a, b, [z, z_x, z_y]) in
                     [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(a, b)| (a, b, corners[a][b]))
                 {
-                    let way = |end: usize| if end == 0 { 1.0 / 24.0 } else { -1.0 / 24.0 };
+                    let moment = |end: usize| if end == 0 { 1.0 / 24.0 } else { -1.0 / 24.0 };
                     let area = x.width * y.width * weight;
-                    sum += area * (0.25 * z + way(a) * z_x + way(b) * z_y);
+                    sum += area * (0.25 * z + moment(a) * z_x + moment(b) * z_y);
                     size += area.abs() * (0.25 * z.abs() + (z_x.abs() + z_y.abs()) / 24.0);
                 }
             }

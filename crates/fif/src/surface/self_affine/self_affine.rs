@@ -65,17 +65,17 @@ impl<F: FoldParts> Fold for F {}
 /// The operations of a [`Fold`].
 pub trait FoldParts: Sized + Clone + Debug {
     /// A point, as exactly as its orbit needs.
-    type Place: Copy;
+    type Position: Copy;
 
     fn domain(&self) -> [Interval; 2];
 
     /// The point and the truncation of a coordinate; `None` for an invalid point.
-    fn locate(&self, x: f64, y: f64) -> Option<(Self::Place, f64)>;
+    fn locate(&self, x: f64, y: f64) -> Option<(Self::Position, f64)>;
 
-    fn cell(&self, at: Self::Place, part: Part) -> Cell;
+    fn cell(&self, at: Self::Position, part: Part) -> Cell;
 
     /// The image of the point.
-    fn next(&self, at: Self::Place, cell: &Cell) -> Self::Place;
+    fn next(&self, at: Self::Position, cell: &Cell) -> Self::Position;
 
     /// The Jacobian of one more repetition.
     fn turned(&self, jacobian: &[[f64; 2]; 2], cell: &Cell, factor: f64) -> [[f64; 2]; 2];
@@ -302,7 +302,7 @@ impl<F: Fold> SelfAffine<F> {
     }
 
     #[inline]
-    pub(crate) fn value_from(&self, mut at: F::Place, tolerance: f64) -> Bounded {
+    pub(crate) fn value_from(&self, mut at: F::Position, tolerance: f64) -> Bounded {
         let limits = &self.limits;
         let own = self.limits.own;
         let radius = 0.5 * own.width();
@@ -328,7 +328,7 @@ impl<F: Fold> SelfAffine<F> {
     }
 
     #[inline]
-    pub(crate) fn gradient_from(&self, mut at: F::Place, cut: f64, tolerance: f64) -> [Bounded; 2] {
+    pub(crate) fn gradient_from(&self, mut at: F::Position, cut: f64, tolerance: f64) -> [Bounded; 2] {
         let limits = &self.limits;
         let own = self.limits.own_slopes;
         let distance = 2.0 * (self.limits.shift + cut);

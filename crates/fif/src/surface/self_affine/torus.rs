@@ -118,7 +118,7 @@ impl SelfAffine<TorusFold> {
 }
 
 impl FoldParts for TorusFold {
-    type Place = Address;
+    type Position = Address;
 
     fn domain(&self) -> [Interval; 2] {
         [Interval::new(0.0, 1.0); 2]
@@ -131,9 +131,9 @@ impl FoldParts for TorusFold {
 
     #[inline]
     fn cell(&self, at: Address, _: Part) -> Cell {
-        let (index, place) = at.cell(self.bits);
+        let (index, position) = at.cell(self.bits);
         let node = at.is_corner(self.bits).then(|| self.node(index).data);
-        Cell { index, patch: self.patch(index), at: place, widths: [1.0 / self.side() as f64; 2], node }
+        Cell { index, patch: self.patch(index), at: position, widths: [1.0 / self.side() as f64; 2], node }
     }
 
     #[inline]

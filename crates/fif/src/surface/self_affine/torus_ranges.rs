@@ -37,7 +37,7 @@ impl SelfAffine<TorusFold> {
         if !(half[0] >= 0.0 && half[1] >= 0.0 && half[0] + half[1] < 4.0) {
             return whole;
         }
-        let centre = at;
+        let center = at;
         let cells = self.side() as f64;
         let by = self.fold.scaled;
         let mut extent = half.map(|half| (half + cut) * cells);
@@ -74,9 +74,9 @@ impl SelfAffine<TorusFold> {
             let error = error
                 + turn * 1e-14
                 + slope_rounding(limits, steps, 2.0 * limits.steepest) * (reach[0] + reach[1]);
-            let centre = Interval::new(value, value).sum(rest);
-            height = height.intersection(centre.inflated(turn + error));
-            mean = mean.intersection(centre.inflated(bent + error));
+            let center = Interval::new(value, value).sum(rest);
+            height = height.intersection(center.inflated(turn + error));
+            mean = mean.intersection(center.inflated(bent + error));
         }
         if steps == 0 {
             return whole;
@@ -89,9 +89,9 @@ impl SelfAffine<TorusFold> {
             slopes[k].intersection(round[k]).inflated(margin)
         });
         slopes = [0, 1].map(|k| slopes[k].intersection(limits.slopes[k]));
-        let way = |k: usize| slopes[k].product(Interval::new(-reach[k], reach[k]));
-        let around = self.value_from(centre, 0.0).interval();
-        height = height.intersection(around.sum(way(0)).sum(way(1)));
+        let term = |k: usize| slopes[k].product(Interval::new(-reach[k], reach[k]));
+        let around = self.value_from(center, 0.0).interval();
+        height = height.intersection(around.sum(term(0)).sum(term(1)));
         BoundsAndMean { bounds: SurfaceBounds { height, slopes }, mean: mean.intersection(height) }
     }
 

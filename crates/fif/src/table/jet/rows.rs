@@ -71,8 +71,8 @@ impl<const C: usize> Jets<C> {
         let (width, radix) = (domain.width(), made.radix as f64);
         let largest = largest(&made.table);
         let (mut orders, mut scale, mut unit, mut least) = (Vec::new(), 1.0, 1.0, 1);
-        let centre = |row: &Composite<C>| Composite { a: row.a, c: substitute(&row.c, 1.0, 0.5) };
-        let table: Vec<_> = made.table.iter().map(centre).collect();
+        let center = |row: &Composite<C>| Composite { a: row.a, c: substitute(&row.c, 1.0, 0.5) };
+        let table: Vec<_> = made.table.iter().map(center).collect();
         let primitive = Primitive::new(made, &table, &chord);
         let integral = primitive.series.depth(tolerance / width).ok()?;
         least = least.max(integral.steps);

@@ -1,10 +1,10 @@
 //! The record of a piece of the marginal in a packed map: one cache line.
 
-use crate::numeric::bernstein::{inverse_share, kept_away};
+use crate::numeric::bernstein::{inverse_fraction, kept_away};
 #[cfg(feature = "alloc")]
 use crate::{
     map::{marginal::Marginal, piece::Piece},
-    numeric::bernstein::{Cubic, cubic, share},
+    numeric::bernstein::{Cubic, cubic, fraction},
 };
 
 /// Two halves of eight numbers.
@@ -48,8 +48,8 @@ const INVERSE: f64 = 3e-8;
 pub(crate) fn many_steps([[from, per, ..], [m0, m1, m2, m3, ..]]: Leaf, u: f32) -> f32 {
     let third = 1.0 / 3.0;
     let marginal = [f64::from(m0), f64::from(m1) * third, f64::from(m2) * third, f64::from(m3)];
-    let share = ((f64::from(u) - f64::from(from)) * f64::from(per)).clamp(0.0, 1.0);
-    inverse_share(marginal, kept_away(marginal, share, LEAST_MASS * f64::from(per))) as f32
+    let fraction = ((f64::from(u) - f64::from(from)) * f64::from(per)).clamp(0.0, 1.0);
+    inverse_fraction(marginal, kept_away(marginal, fraction, LEAST_MASS * f64::from(per))) as f32
 }
 
 /// Head of a leaf.
@@ -103,7 +103,7 @@ fn inverse(marginal: Cubic, mass: f64) -> ([f32; 4], bool) {
         return ([0.0; 4], false);
     }
     // Where the marginal vanishes, samples are kept away from the end, whatever its weight.
-    if [0.0, 1.0] != [0.0, 1.0].map(|share| kept_away(marginal, share, 0.5)) {
+    if [0.0, 1.0] != [0.0, 1.0].map(|fraction| kept_away(marginal, fraction, 0.5)) {
         return ([MANY_STEPS, 0.0, 0.0, 0.0], true);
     }
     let [b0, b1, b2, b3] = marginal;
@@ -115,14 +115,14 @@ fn inverse(marginal: Cubic, mass: f64) -> ([f32; 4], bool) {
     let c = [begin, rise, 3.0 * (end - begin) - 2.0 * rise - fall, 2.0 * (begin - end) + rise + fall];
     let place = |r: f64| (r + r * (1.0 - r) * (c[0] + r * (c[1] + r * (c[2] + r * c[3])))).clamp(0.0, 1.0);
     let allowed = INVERSE / mass;
-    if [0.25, 0.5, 0.75].iter().all(|&r| (share(marginal, place(r)) - r).abs() <= allowed) {
+    if [0.25, 0.5, 0.75].iter().all(|&r| (fraction(marginal, place(r)) - r).abs() <= allowed) {
         return (c.map(|c| c as f32), false);
     }
     let near_by_a_step = |k: u8| {
         let r = f64::from(k) / 16.0;
         let s = place(r);
-        let s = s - (share(marginal, s) - r) * 0.25 * sum / cubic(marginal, s);
-        (share(marginal, s.clamp(0.0, 1.0)) - r).abs() <= allowed
+        let s = s - (fraction(marginal, s) - r) * 0.25 * sum / cubic(marginal, s);
+        (fraction(marginal, s.clamp(0.0, 1.0)) - r).abs() <= allowed
     };
     if (1..16).all(near_by_a_step) {
         (c.map(|c| c as f32), true)
@@ -144,7 +144,7 @@ mod tests {
             let r = f64::from(k) / 20.0;
             let [c0, c1, c2, c3] = c.map(f64::from);
             let s = r + r * (1.0 - r) * (c0 + r * (c1 + r * (c2 + r * c3)));
-            assert_abs_diff_eq!(share([1.0, 1.03, 1.05, 1.06], s), r, epsilon = 3e-6);
+            assert_abs_diff_eq!(fraction([1.0, 1.03, 1.05, 1.06], s), r, epsilon = 3e-6);
         }
         let (c, needs_steps) = inverse([1.0, 1.1, 1.3, 1.2], 0.1);
         assert!(needs_steps && c[0] != MANY_STEPS);

@@ -116,7 +116,7 @@ impl NdfMap {
             } else if reconstruction == Reconstruction::Constant {
                 average(texel_edges(i, width), texel_edges(j, height), &mut f)
             } else {
-                at_centre(texel_edges(i, width), texel_edges(j, height), &mut f)
+                at_center(texel_edges(i, width), texel_edges(j, height), &mut f)
             });
         }
         Self::from_texels(width, height, &texels, measure, reconstruction)
@@ -169,7 +169,7 @@ fn upward(nx: f64, ny: f64) -> Vec3 {
 }
 
 /// `f` at the center of the texel, or at the rim in its direction.
-fn at_centre([x0, x1]: [f64; 2], [y0, y1]: [f64; 2], f: &mut impl FnMut(Vec3) -> f32) -> f32 {
+fn at_center([x0, x1]: [f64; 2], [y0, y1]: [f64; 2], f: &mut impl FnMut(Vec3) -> f32) -> f32 {
     let (x, y) = (0.5 * (x0 + x1), 0.5 * (y0 + y1));
     let inward = 1.0 / asperity_core::math::sqrt_f64((x * x + y * y).max(1.0));
     f(upward(x * inward, y * inward))

@@ -3,7 +3,7 @@
 use crate::{
     kinds::cell::blend::lerp,
     kinds::cell::column::Plane,
-    kinds::cell::corner::{CellNoise, normalised},
+    kinds::cell::corner::{CellNoise, normalized},
     kinds::cell::corners::{CORNERS, CellPosition},
     kinds::cell::variance::axis_variance,
     lanes::{Arithmetic, LANES, LaneSample, Lanes, Scalar},
@@ -19,11 +19,11 @@ struct Line<S: Lanes> {
 
 /// Height of a plane at a distance along the first axis.
 #[inline(always)]
-fn height<K: CellNoise<N>, S: Lanes, const N: usize>(plane: &Plane<S>, way: S::F) -> S::F {
+fn height<K: CellNoise<N>, S: Lanes, const N: usize>(plane: &Plane<S>, delta: S::F) -> S::F {
     if !K::HAS_GRADIENT {
         return plane.value;
     }
-    let rise = plane.slopes[0] * way;
+    let rise = plane.slopes[0] * delta;
     if K::HAS_VALUE || N > 2 { plane.value + rise } else { rise }
 }
 
@@ -38,10 +38,10 @@ fn along_first<S: Lanes>(s: S, x: S::F, along: &Along<S>) -> S::F {
 fn along_second<K: CellNoise<N>, S: Lanes, const N: usize>(
     s: S,
     line: &Line<S>,
-    way: S::F,
+    delta: S::F,
     along: &Along<S>,
 ) -> [S::F; 2] {
-    let offset = if K::HAS_GRADIENT { line.value + way * line.slope } else { line.value };
+    let offset = if K::HAS_GRADIENT { line.value + delta * line.slope } else { line.value };
     [offset, lerp::<S>(offset, s.turned::<1>(offset), along.weight)]
 }
 
@@ -51,7 +51,7 @@ fn along_second<K: CellNoise<N>, S: Lanes, const N: usize>(
 /// holds n, and v if the noise is normalized.
 pub(crate) struct Ends<S: Lanes, const N: usize> {
     #[cfg(feature = "simd")]
-    pub(crate) place: CellPosition<S, N>,
+    pub(crate) position: CellPosition<S, N>,
     #[cfg(feature = "simd")]
     pub(crate) words: [S::U; 4],
     pub(crate) parts: (LaneSample<S, N>, LaneSample<S, N>),
@@ -69,7 +69,7 @@ pub(crate) fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIE
     seed: u32,
 ) -> LaneSample<S, N> {
     let (sample, variance) = at_ends_of::<K, S, N, GRADIENTS>(s, noise, p, seed).parts;
-    if K::NORMALISED { normalised::<S, N, GRADIENTS>(s, sample, variance) } else { sample }
+    if K::NORMALIZED { normalized::<S, N, GRADIENTS>(s, sample, variance) } else { sample }
 }
 
 /// The ends of the first and of the second axis by lane.
@@ -89,11 +89,11 @@ pub(crate) fn at_ends_of<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIE
 ) -> Ends<S, N> {
     let mut axes = [0.0; LANES];
     axes[..N].copy_from_slice(&p);
-    let (cells, places) = cell(s, s.load(&axes));
-    let all = Along::new(s, K::FADE, places);
-    let mut place = CellPosition { terms: [[s.word(0); 2]; N], along: [all; N] };
+    let (cells, positions) = cell(s, s.load(&axes));
+    let all = Along::new(s, K::FADE, positions);
+    let mut position = CellPosition { terms: [[s.word(0); 2]; N], along: [all; N] };
     for axis in 0..N {
-        place.along[axis] = all.lane(s, axis).splat(s);
+        position.along[axis] = all.lane(s, axis).splat(s);
     }
     let (mut ends, mut words) = ([[0; 2]; N], [s.word(0); 4]);
     for axis in 0..N {
@@ -109,24 +109,24 @@ pub(crate) fn at_ends_of<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIE
             noise.lattice().words(s, terms, seed)
         };
     }
-    let column = place.column(s, noise, &words);
+    let column = position.column(s, noise, &words);
 
-    let [first, second] = [&place.along[0], &place.along[1 % N]];
-    let ways = [first.place - s.load(&FIRST_ENDS), second.place - s.load(&SECOND_ENDS)];
+    let [first, second] = [&position.along[0], &position.along[1 % N]];
+    let deltas = [first.position - s.load(&FIRST_ENDS), second.position - s.load(&SECOND_ENDS)];
     let unit = |x| if K::HAS_GRADIENT { x } else { x * s.float(K::UNIT) };
     let slope = |plane: &Plane<S>| {
         if K::HAS_GRADIENT { along_first(s, plane.slopes[1], first) } else { s.float(0.0) }
     };
     let line = |plane: &Plane<S>| Line {
-        value: unit(along_first(s, height::<K, S, N>(plane, ways[0]), first)),
+        value: unit(along_first(s, height::<K, S, N>(plane, deltas[0]), first)),
         slope: slope(plane),
     };
     let edge = line(&column.plane);
-    let [offset, value] = along_second::<K, S, N>(s, &edge, ways[1], second);
+    let [offset, value] = along_second::<K, S, N>(s, &edge, deltas[1], second);
     let mut gradient = [value; N];
     if GRADIENTS {
         let risen = |along: &Along<S>, low: S::F, high: S::F| along.slope * (high - low);
-        let low = height::<K, S, N>(&column.plane, ways[0]);
+        let low = height::<K, S, N>(&column.plane, deltas[0]);
         let rise = risen(first, low, s.turned::<2>(low));
         let [a, c] = column.plane.slopes;
         let derivative = if K::HAS_GRADIENT {
@@ -134,7 +134,7 @@ pub(crate) fn at_ends_of<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIE
         } else {
             Line { value: unit(rise), slope: s.float(0.0) }
         };
-        let [ends, derived] = along_second::<K, S, N>(s, &derivative, ways[1], second);
+        let [ends, derived] = along_second::<K, S, N>(s, &derivative, deltas[1], second);
         let rise = risen(second, offset, s.turned::<1>(offset));
         (gradient[0], gradient[1 % N]) = (derived, rise);
         if K::HAS_GRADIENT {
@@ -147,15 +147,15 @@ pub(crate) fn at_ends_of<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIE
         }
         for axis in 2..N {
             let derivative = line(&column.derivatives[axis]);
-            [_, gradient[axis]] = along_second::<K, S, N>(s, &derivative, ways[1], second);
+            [_, gradient[axis]] = along_second::<K, S, N>(s, &derivative, deltas[1], second);
         }
     }
     let sample = (if K::CLAMPED { s.within_one(value) } else { value }, gradient);
     let variance =
-        if K::NORMALISED { place.variance(s).at::<GRADIENTS>(axis_variance(s, first)) } else { sample };
+        if K::NORMALIZED { position.variance(s).at::<GRADIENTS>(axis_variance(s, first)) } else { sample };
     Ends {
         #[cfg(feature = "simd")]
-        place,
+        position,
         #[cfg(feature = "simd")]
         words,
         parts: (sample, variance),

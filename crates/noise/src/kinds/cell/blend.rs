@@ -63,7 +63,7 @@ fn line<K: CellNoise<N>, S: Lanes, const N: usize>(
     high: &Plane<S>,
     along: Along<S>,
 ) -> Line<S> {
-    let [a, b] = heights::<K, S, N>(s, low, high, along.place);
+    let [a, b] = heights::<K, S, N>(s, low, high, along.position);
     let mut line = Line { value: lerp::<S>(a, b, along.weight), slope: s.float(0.0) };
     if K::HAS_GRADIENT && N > 1 {
         line.slope = lerp::<S>(low.slopes[1], high.slopes[1], along.weight);
@@ -84,7 +84,7 @@ pub(crate) fn edge<K: CellNoise<N>, S: Lanes, const N: usize>(
     for axis in 2..N {
         edge.derivatives[axis] = line::<K, S, N>(s, &low.derivatives[axis], &high.derivatives[axis], along);
     }
-    let [a, b] = heights::<K, S, N>(s, &low.plane, &high.plane, along.place);
+    let [a, b] = heights::<K, S, N>(s, &low.plane, &high.plane, along.position);
     let rise = along.slope * (b - a);
     edge.derivatives[0].value = rise;
     if !K::HAS_GRADIENT {
@@ -114,7 +114,7 @@ fn across<K: CellNoise<N>, S: Lanes, const N: usize>(
     if N == 1 {
         return low.value;
     }
-    let [a, b] = offsets::<K, S, N>(s, [low, high], along.place);
+    let [a, b] = offsets::<K, S, N>(s, [low, high], along.position);
     lerp::<S>(a, b, along.weight)
 }
 
@@ -140,7 +140,7 @@ pub(crate) fn blend<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: 
     let mut gradient = [value; N];
     for axis in 0..if GRADIENTS { N } else { 0 } {
         if axis == 1 {
-            let [a, b] = offsets::<K, S, N>(s, lines, along.place);
+            let [a, b] = offsets::<K, S, N>(s, lines, along.position);
             let rise = along.slope * (b - a);
             gradient[axis] = if K::HAS_GRADIENT {
                 lerp::<S>(low.line.slope, high.line.slope, along.weight) + rise

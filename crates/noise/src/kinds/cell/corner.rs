@@ -56,7 +56,7 @@ pub(crate) trait CellNoise<const N: usize>: OnLattice + Measured<N> {
     const FADE: Fade = Fade::Quintic;
     /// Whether the sum is divided by its standard deviation at the point, see
     /// [`GaussianNoise`](crate::GaussianNoise).
-    const NORMALISED: bool = false;
+    const NORMALIZED: bool = false;
 
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N>;
 
@@ -71,7 +71,7 @@ pub(crate) trait CellNoise<const N: usize>: OnLattice + Measured<N> {
 
 /// n/√v, and its gradient if `GRADIENTS`.
 #[inline(always)]
-pub(crate) fn normalised<S: Lanes, const N: usize, const GRADIENTS: bool>(
+pub(crate) fn normalized<S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
     (value, gradient): LaneSample<S, N>,
     (v, dv): LaneSample<S, N>,

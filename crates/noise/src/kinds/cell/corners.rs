@@ -25,18 +25,18 @@ pub(crate) struct CellPosition<S: Lanes, const N: usize> {
 
 impl<const N: usize> CellPosition<Scalar, N> {
     pub(crate) const NOWHERE: Self =
-        Self { terms: [[Wrapping(0); 2]; N], along: [Along { place: 0.0, weight: 0.0, slope: 0.0 }; N] };
+        Self { terms: [[Wrapping(0); 2]; N], along: [Along { position: 0.0, weight: 0.0, slope: 0.0 }; N] };
 
     /// This position in every lane.
     #[inline(always)]
     pub(crate) fn splat<S: Lanes>(&self, s: S) -> CellPosition<S, N> {
-        let mut place = CellPosition { terms: [[s.word(0); 2]; N], along: [self.along[0].splat(s); N] };
+        let mut position = CellPosition { terms: [[s.word(0); 2]; N], along: [self.along[0].splat(s); N] };
         for axis in 0..N {
             let [low, high] = self.terms[axis];
-            place.terms[axis] = [s.word(low.0), s.word(high.0)];
-            place.along[axis] = self.along[axis].splat(s);
+            position.terms[axis] = [s.word(low.0), s.word(high.0)];
+            position.along[axis] = self.along[axis].splat(s);
         }
-        place
+        position
     }
 }
 
@@ -49,14 +49,14 @@ impl<S: Lanes, const N: usize> CellPosition<S, N> {
     #[inline(always)]
     pub(crate) fn new<K: CellNoise<N>>(s: S, noise: &K, p: &[S::F; N], first: usize) -> Self {
         let zero = s.float(0.0);
-        let nowhere = Along { place: zero, weight: zero, slope: zero };
-        let mut place = Self { terms: [[s.word(0); 2]; N], along: [nowhere; N] };
+        let nowhere = Along { position: zero, weight: zero, slope: zero };
+        let mut position = Self { terms: [[s.word(0); 2]; N], along: [nowhere; N] };
         for axis in first..N {
             let (cell, t) = cell(s, p[axis]);
-            place.terms[axis] = noise.lattice().terms(s, axis, cell);
-            place.along[axis] = Along::new(s, K::FADE, t);
+            position.terms[axis] = noise.lattice().terms(s, axis, cell);
+            position.along[axis] = Along::new(s, K::FADE, t);
         }
-        place
+        position
     }
 
     /// The word of corner `k` of the column whose terms of the first axes are `first` and `second`.
@@ -161,8 +161,8 @@ impl<S: Lanes, const N: usize> CellPosition<S, N> {
                     continue;
                 }
                 let d = match k >> (axis - 2) & 1 {
-                    0 => self.along[axis].place,
-                    _ => self.along[axis].place - s.float(1.0),
+                    0 => self.along[axis].position,
+                    _ => self.along[axis].position - s.float(1.0),
                 };
                 let value = column.plane.value;
                 column.plane.value = if axis == 2 && !K::HAS_VALUE { slope * d } else { value + slope * d };
@@ -247,7 +247,7 @@ impl<S: Lanes, const N: usize> CellPosition<S, N> {
         edges: &[Edge<S, N>; 2],
     ) -> (LaneSample<S, N>, LaneSample<S, N>) {
         let sample = blend::<K, S, N, GRADIENTS>(s, edges, self.along[1 % N]);
-        if !K::NORMALISED {
+        if !K::NORMALIZED {
             return (sample, sample);
         }
         let axis = axis_variance(s, &self.along[0]);

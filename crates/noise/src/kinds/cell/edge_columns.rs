@@ -60,7 +60,7 @@ fn added<F: core::ops::Add<Output = F>>(sum: F, part: F, number: usize) -> F {
 /// The offset from corner k along an axis.
 #[inline(always)]
 fn offset<S: Lanes, const N: usize>(s: S, along: &[Along<S>; N], k: usize, axis: usize) -> S::F {
-    let t = along[axis].place;
+    let t = along[axis].position;
     if k >> (axis - 2) & 1 == 0 { t } else { t - s.float(1.0) }
 }
 

@@ -3,7 +3,7 @@
 use crate::{
     contract::hessian::{HessianKernel, Jet, mirror},
     kinds::cell::blend::ends,
-    kinds::cell::corner::{CellNoise, Corner, normalised},
+    kinds::cell::corner::{CellNoise, Corner, normalized},
     kinds::cell::corners::CellPosition,
     kinds::cell::variance::axis_variance,
     lanes::{LaneSample, Lanes, Scalar},
@@ -36,35 +36,35 @@ impl<K: CellNoise<N>, const N: usize> HessianKernel<N> for K {
 /// The jet of a point, corner by corner.
 #[inline(always)]
 fn one_by_one<K: CellNoise<N>, const N: usize>(noise: &K, p: [f32; N], seed: u32) -> Jet<N> {
-    let place = CellPosition::<Scalar, N>::new(Scalar, noise, &p, 0);
+    let position = CellPosition::<Scalar, N>::new(Scalar, noise, &p, 0);
     let corners =
-        place.corners(Scalar, noise, seed, Corner::nothing(Scalar), |word| noise.corner(Scalar, word));
-    let (sample, variance) = place.parts::<K, true>(Scalar, &place.drawn_edges(Scalar, noise, seed));
+        position.corners(Scalar, noise, seed, Corner::nothing(Scalar), |word| noise.corner(Scalar, word));
+    let (sample, variance) = position.parts::<K, true>(Scalar, &position.drawn_edges(Scalar, noise, seed));
 
     let mut hessian = [[0.0; N]; N];
     for c in 0..1 << N {
         let corner = &corners[c & 1][c >> 1 & (ends::<N>() - 1)][c >> 2];
         let mut ends = [End::NOWHERE; N];
         for axis in 0..N {
-            ends[axis] = End::new(Scalar, K::FADE, &place.along[axis], |_| c >> axis & 1 == 1);
+            ends[axis] = End::new(Scalar, K::FADE, &position.along[axis], |_| c >> axis & 1 == 1);
         }
         add_bends::<K, Scalar, N>(Scalar, &ends, corner, |i, j, bend| hessian[i][j] += bend);
     }
-    jet::<K, N>(&place, sample, variance, hessian)
+    jet::<K, N>(&position, sample, variance, hessian)
 }
 
 /// The jet of a point in lanes, one corner each.
 #[cfg(feature = "simd")]
 #[inline(always)]
 fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize>(s: S, noise: &K, p: [f32; N], seed: u32) -> Jet<N> {
-    let Ends { place, words, parts: (sample, variance) } = at_ends_of::<K, S, N, true>(s, noise, p, seed);
-    let mut ends = [End::new(s, K::FADE, &place.along[0], |lane| lane >> 1 & 1 == 1); N];
-    ends[1 % N] = End::new(s, K::FADE, &place.along[1 % N], |lane| lane & 1 == 1);
+    let Ends { position, words, parts: (sample, variance) } = at_ends_of::<K, S, N, true>(s, noise, p, seed);
+    let mut ends = [End::new(s, K::FADE, &position.along[0], |lane| lane >> 1 & 1 == 1); N];
+    ends[1 % N] = End::new(s, K::FADE, &position.along[1 % N], |lane| lane & 1 == 1);
     // Four consecutive entries of the upper half, row by row.
     let mut sums = [s.float(0.0); 3];
     for k in 0..CORNERS[N] {
         for axis in 2..N {
-            ends[axis] = End::new(s, K::FADE, &place.along[axis], |_| k >> (axis - 2) & 1 == 1);
+            ends[axis] = End::new(s, K::FADE, &position.along[axis], |_| k >> (axis - 2) & 1 == 1);
         }
         let (mut entries, mut e) = ([[s.float(0.0); 4]; 3], 0);
         add_bends::<K, S, N>(s, &ends, &noise.corner(s, words[k]), |_, _, bend| {
@@ -87,7 +87,7 @@ fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize>(s: S, noise: &K, p: [f3
     }
     let mut first = CellPosition::<Scalar, N>::NOWHERE;
     for axis in 0..N {
-        first.along[axis] = place.along[axis].lane(s, 0);
+        first.along[axis] = position.along[axis].lane(s, 0);
     }
     let (sample, variance) = (of_lane::<S, N, true>(s, sample, 0), of_lane::<S, N, true>(s, variance, 0));
     jet::<K, N>(&first, sample, variance, hessian)
@@ -96,7 +96,7 @@ fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize>(s: S, noise: &K, p: [f3
 /// The jet of n, or of n/√v if the noise is normalized.
 #[inline(always)]
 fn jet<K: CellNoise<N>, const N: usize>(
-    place: &CellPosition<Scalar, N>,
+    position: &CellPosition<Scalar, N>,
     sample: LaneSample<Scalar, N>,
     variance: LaneSample<Scalar, N>,
     mut hessian: [[f32; N]; N],
@@ -106,12 +106,12 @@ fn jet<K: CellNoise<N>, const N: usize>(
             *entry *= K::UNIT;
         }
     }
-    if K::NORMALISED {
-        hessian = normalised_hessian(sample, hessian, variance, variance_hessian(K::FADE, place));
+    if K::NORMALIZED {
+        hessian = normalized_hessian(sample, hessian, variance, variance_hessian(K::FADE, position));
     }
     mirror(&mut hessian);
     let (value, gradient) =
-        if K::NORMALISED { normalised::<_, N, true>(Scalar, sample, variance) } else { sample };
+        if K::NORMALIZED { normalized::<_, N, true>(Scalar, sample, variance) } else { sample };
     Jet { value, gradient, hessian }
 }
 
@@ -133,9 +133,9 @@ impl<S: Lanes> End<S> {
     fn new(s: S, fade: Fade, along: &Along<S>, high: impl Fn(usize) -> bool) -> Self {
         let one = s.floats(|lane| f32::from(u8::from(!high(lane))));
         let sign = s.words(|lane| u32::from(!high(lane)) << 31);
-        let bend = fade.curvature(s, along.place);
+        let bend = fade.curvature(s, along.position);
         Self {
-            offset: along.place - s.floats(|lane| f32::from(u8::from(high(lane)))),
+            offset: along.position - s.floats(|lane| f32::from(u8::from(high(lane)))),
             weights: [one + s.flip(along.weight, sign), s.flip(along.slope, sign), s.flip(bend, sign)],
         }
     }
@@ -181,12 +181,12 @@ fn add_bends<K: CellNoise<N>, S: Lanes, const N: usize>(
 ///
 /// P + εQ = Π (pᵢ + ε qᵢ) with ε² = 0, so that derivatives are products of the derivatives of the
 /// axes. v = P + 4Q.
-fn variance_hessian<const N: usize>(fade: Fade, place: &CellPosition<Scalar, N>) -> [[f32; N]; N] {
+fn variance_hessian<const N: usize>(fade: Fade, position: &CellPosition<Scalar, N>) -> [[f32; N]; N] {
     // p and q of every axis and their first and second derivatives.
     let mut factors = [[[0.0; 2]; 3]; N];
     for axis in 0..N {
-        let along = &place.along[axis];
-        let (t, w, slope) = (along.place, along.weight, along.slope);
+        let along = &position.along[axis];
+        let (t, w, slope) = (along.position, along.weight, along.slope);
         let bend = fade.curvature(Scalar, t);
         let [p, q, dp, dq] = axis_variance(Scalar, along);
         let (low, rest) = (1.0 - w, 1.0 - t);
@@ -216,7 +216,7 @@ fn variance_hessian<const N: usize>(fade: Fade, place: &CellPosition<Scalar, N>)
 /// ```text
 /// zᵢⱼ = nᵢⱼ v^(−1/2) − (nᵢ vⱼ + nⱼ vᵢ + n vᵢⱼ) v^(−3/2)/2 + 3 n vᵢ vⱼ v^(−5/2)/4
 /// ```
-fn normalised_hessian<const N: usize>(
+fn normalized_hessian<const N: usize>(
     (n, dn): (f32, [f32; N]),
     ddn: [[f32; N]; N],
     (v, dv): (f32, [f32; N]),

@@ -3,7 +3,7 @@
 use crate::{
     contract::compiled::on_lattice,
     contract::kernel::Kernel,
-    kinds::cell::corner::{CellNoise, normalised},
+    kinds::cell::corner::{CellNoise, normalized},
     kinds::cell::corners::CellPosition,
     kinds::cell::rows::EdgeCache,
     lanes::{LaneSample, Lanes, Scalar, lane_of},
@@ -22,8 +22,8 @@ pub(crate) fn parts<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: 
     p: [S::F; N],
     seed: u32,
 ) -> (LaneSample<S, N>, LaneSample<S, N>) {
-    let place = CellPosition::new(s, noise, &p, 0);
-    place.parts::<K, GRADIENTS>(s, &place.drawn_edges(s, noise, seed))
+    let position = CellPosition::new(s, noise, &p, 0);
+    position.parts::<K, GRADIENTS>(s, &position.drawn_edges(s, noise, seed))
 }
 
 /// A lane's value, and its gradient if `GRADIENTS`.
@@ -42,7 +42,7 @@ pub(crate) fn of_lane<S: Lanes, const N: usize, const GRADIENTS: bool>(
 const LONG_STEP_OF_WIDE_LANES: f32 = 0.6;
 
 impl<K: CellNoise<N>, const N: usize> Kernel<N> for K {
-    const OCTAVES_IN_LANES: usize = match (<K::Lattice as Lattice>::SHARED, K::NORMALISED) {
+    const OCTAVES_IN_LANES: usize = match (<K::Lattice as Lattice>::SHARED, K::NORMALIZED) {
         (false, _) => usize::MAX,
         (true, false) => 3,
         // Its variates are looked up lane by lane, and unused lanes cost as much.
@@ -50,7 +50,7 @@ impl<K: CellNoise<N>, const N: usize> Kernel<N> for K {
     };
 
     // Variates are looked up lane by lane.
-    const WIDE: bool = !K::NORMALISED;
+    const WIDE: bool = !K::NORMALIZED;
 
     type RowScratch = EdgeCache<N>;
 
@@ -59,7 +59,7 @@ impl<K: CellNoise<N>, const N: usize> Kernel<N> for K {
     #[inline(always)]
     fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
         let (sample, variance) = parts::<K, S, N, GRADIENTS>(s, self, p, seed);
-        if K::NORMALISED { normalised::<S, N, GRADIENTS>(s, sample, variance) } else { sample }
+        if K::NORMALIZED { normalized::<S, N, GRADIENTS>(s, sample, variance) } else { sample }
     }
 
     #[inline(always)]
@@ -75,7 +75,7 @@ impl<K: CellNoise<N>, const N: usize> Kernel<N> for K {
 
     /// Rows of cells that are crossed by more than one row of points reuse edges.
     #[inline(always)]
-    fn shares(&self, row: &Row<N>, _: usize, wide: bool) -> bool {
+    fn reuses(&self, row: &Row<N>, _: usize, wide: bool) -> bool {
         let longest = if wide && K::UPPER_BITS { LONG_STEP_OF_WIDE_LANES } else { 1.0 };
         row.stride().abs() < longest
     }

@@ -7,7 +7,7 @@
 
 use crate::{
     kinds::cell::blend::{blend, edge, ends},
-    kinds::cell::corner::{CellNoise, normalised},
+    kinds::cell::corner::{CellNoise, normalized},
     kinds::cell::corners::CellPosition,
     kinds::cell::row_edges::{Columns, Edges},
     kinds::cell::variance::axis_variance,
@@ -41,7 +41,7 @@ pub struct EdgeCache<const N: usize> {
     plan: Plan,
     key: Option<Key<N>>,
     /// The position of the row along all axes but the first, and its cell along the second.
-    place: CellPosition<Scalar, N>,
+    position: CellPosition<Scalar, N>,
     second: i32,
     columns: Columns<N>,
     edges: [Edges<N>; 2],
@@ -54,7 +54,7 @@ impl<const N: usize> Default for EdgeCache<N> {
         Self {
             plan: Plan::empty(),
             key: None,
-            place: CellPosition::NOWHERE,
+            position: CellPosition::NOWHERE,
             second: 0,
             columns: Columns::empty(),
             edges: [Edges::empty(), Edges::empty()],
@@ -104,8 +104,8 @@ impl<const N: usize> EdgeCache<N> {
         if N > 1 {
             let (cell, t) = cell(Scalar, origin[1 % N]);
             self.second = cell.0 as i32;
-            self.place.terms[1 % N] = noise.lattice().terms(Scalar, 1, cell);
-            self.place.along[1 % N] = Along::new(Scalar, K::FADE, t);
+            self.position.terms[1 % N] = noise.lattice().terms(Scalar, 1, cell);
+            self.position.along[1 % N] = Along::new(Scalar, K::FADE, t);
         }
     }
 
@@ -117,7 +117,7 @@ impl<const N: usize> EdgeCache<N> {
         self.key = key;
         self.edges[0].second = None;
         self.edges[1].second = None;
-        self.place = CellPosition::new(Scalar, noise, origin, 2);
+        self.position = CellPosition::new(Scalar, noise, origin, 2);
     }
 
     /// Computes the edges below and above the row unless they are present.
@@ -144,16 +144,16 @@ impl<const N: usize> EdgeCache<N> {
         second: i32,
         seed: u32,
     ) {
-        let Self { plan, place, columns, edges, .. } = self;
+        let Self { plan, position, columns, edges, .. } = self;
         let edges = &mut edges[slot(second)];
         edges.second = Some(second);
-        let term = s.word(place.terms[1 % N][j].0);
-        let place = place.splat(s);
+        let term = s.word(position.terms[1 % N][j].0);
+        let position = position.splat(s);
         if plan.sparse {
             for i in (0..plan.points()).step_by(S::LEN) {
                 let [first, next] = noise.lattice().terms(s, 0, plan.cells(s, i));
-                let low = place.drawn_column(s, noise, [first, term], seed);
-                let high = place.drawn_column(s, noise, [next, term], seed);
+                let low = position.drawn_column(s, noise, [first, term], seed);
+                let high = position.drawn_column(s, noise, [next, term], seed);
                 let edge = edge::<K, S, N>(s, &low, &high, plan.along_from(s, i));
                 edges.store::<K, S, GRADIENTS>(s, &edge, i);
             }
@@ -161,7 +161,7 @@ impl<const N: usize> EdgeCache<N> {
         }
         let (mut run, mut i) = (plan.run(0), 0);
         loop {
-            draw::<K, S, N, GRADIENTS>(s, noise, &place, term, &run, seed, columns);
+            draw::<K, S, N, GRADIENTS>(s, noise, &position, term, &run, seed, columns);
             for j in 0..run.cells {
                 let (below, end) = plan.cell(&run, j);
                 let low = columns.splat::<K, S, GRADIENTS>(s, below);
@@ -193,8 +193,8 @@ impl<const N: usize> EdgeCache<N> {
     fn blend<K: CellNoise<N>, S: Lanes, const GRADIENTS: bool>(&self, s: S, strip: Strip<'_, N, GRADIENTS>) {
         let Strip { values, mut gradients, .. } = strip;
         let [below, above] = self.edges();
-        let along = self.place.along[1 % N].splat(s);
-        let rest = self.place.variance(Scalar).splat(s);
+        let along = self.position.along[1 % N].splat(s);
+        let rest = self.position.variance(Scalar).splat(s);
         let whole = values.len() / LANES;
         // The points after the last whole block are written through another block.
         let (mut tail, mut slopes) = ([[0.0; LANES]; 1], [[[0.0; LANES]; 1]; N]);
@@ -217,9 +217,9 @@ impl<const N: usize> EdgeCache<N> {
                     let edges =
                         [below.load::<K, S, GRADIENTS>(s, b, k), above.load::<K, S, GRADIENTS>(s, b, k)];
                     let mut sample = blend::<K, S, N, GRADIENTS>(s, &edges, along);
-                    if K::NORMALISED {
+                    if K::NORMALIZED {
                         let variance = rest.at::<GRADIENTS>(axis_variance(s, &self.plan.along(s, b, k)));
-                        sample = normalised::<S, N, GRADIENTS>(s, sample, variance);
+                        sample = normalized::<S, N, GRADIENTS>(s, sample, variance);
                     }
                     s.store(sample.0, &mut block[k..]);
                     for axis in 0..if GRADIENTS { N } else { 0 } {
@@ -252,7 +252,7 @@ fn copy(from: &[f32; LANES], to: &mut [f32], start: usize) {
 fn draw<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
     noise: &K,
-    place: &CellPosition<S, N>,
+    position: &CellPosition<S, N>,
     term: S::U,
     run: &Run,
     seed: u32,
@@ -262,7 +262,7 @@ fn draw<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     while i <= run.cells {
         let cells = s.word(run.leftmost.wrapping_add(i as i32) as u32) + s.iota();
         let first = noise.lattice().term(s, 0, cells);
-        columns.store::<K, S, GRADIENTS>(s, &place.drawn_column(s, noise, [first, term], seed), i);
+        columns.store::<K, S, GRADIENTS>(s, &position.drawn_column(s, noise, [first, term], seed), i);
         i += S::LEN;
     }
 }

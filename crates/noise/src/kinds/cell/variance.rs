@@ -25,7 +25,7 @@ pub(crate) struct Variance<S: Lanes, const N: usize> {
 /// pᵢ, qᵢ, pᵢ′ and qᵢ′ of an axis.
 #[inline(always)]
 pub(crate) fn axis_variance<S: Lanes>(s: S, along: &Along<S>) -> [S::F; 4] {
-    let Along { place: t, weight: high, slope } = *along;
+    let Along { position: t, weight: high, slope } = *along;
     let (one, two) = (s.float(1.0), s.float(2.0));
     let (low, rest) = (one - high, one - t);
     let (low_t, high_rest) = (low * t, high * rest);

@@ -1,4 +1,4 @@
-//! Cellular noise: distances to the nearest feature points, one at a random place in each cell.
+//! Cellular noise: distances to the nearest feature points, one at a random position in each cell.
 
 use asperity_core::math;
 
@@ -42,8 +42,8 @@ pub enum CellularOutput {
     Cell,
 }
 
-/// Cellular noise: the exact distance to the nearest feature points, one at a random place in each
-/// cell.
+/// Cellular noise: the exact distance to the nearest feature points, one at a random position in
+/// each cell.
 ///
 #[cfg_attr(doc, doc = include_str!("../../../docs/pictures/cellular.md"))]
 ///
@@ -68,7 +68,7 @@ pub enum CellularOutput {
 ///   coordinates, the first axis before the last, before the axes between. In the Manhattan and the
 ///   Chebyshev metric the gradient is also discontinuous on axes and diagonals through the feature
 ///   point.
-/// - **Resolution of places:** j 2⁻¹⁶.
+/// - **Resolution of positions:** j 2⁻¹⁶.
 ///
 /// Worley 1996, "A Cellular Texture Basis Function". Unlike there each cell has one feature point
 /// instead of a Poisson-distributed number, which avoids empty regions.
@@ -165,19 +165,19 @@ impl<L: Lattice, const N: usize> Kernel<N> for Cellular<L> {
 
     #[inline(always)]
     fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
-        let (features, place) = (self.features(seed), CellPosition::<S, N>::new(s, p));
+        let (features, position) = (self.features(seed), CellPosition::<S, N>::new(s, p));
         if !GRADIENTS && self.basis != CellularOutput::Cell {
-            let nearest = features.nearest::<S, N, false>(s, &place, self.takes_second());
+            let nearest = features.nearest::<S, N, false>(s, &position, self.takes_second());
             return self.of_measures::<S, N>(s, nearest.measures);
         }
-        let nearest = features.nearest::<S, N, true>(s, &place, self.takes_second());
-        let (word, offsets) = features.of_rank::<S, N>(s, &place, nearest.ranks[0]);
+        let nearest = features.nearest::<S, N, true>(s, &position, self.takes_second());
+        let (word, offsets) = features.of_rank::<S, N>(s, &position, nearest.ranks[0]);
         if self.basis == CellularOutput::Cell {
             return (number(s, word), [s.float(0.0); N]);
         }
         let mut both = [offsets; 2];
         if self.takes_second() {
-            both[1] = features.of_rank::<S, N>(s, &place, nearest.ranks[1]).1;
+            both[1] = features.of_rank::<S, N>(s, &position, nearest.ranks[1]).1;
         }
         self.of_offsets(s, nearest.measures, both)
     }
@@ -195,7 +195,7 @@ impl<L: Lattice, const N: usize> Kernel<N> for Cellular<L> {
             let mut part = strip.part(start..count.min(start + POINTS));
             let (points, mut i) = (part.values.len(), 0);
             if columns.plan(s, self.metric, &part.row, points) {
-                let places = splat(s, columns.fill(s, &features, &part.row, self.takes_second()));
+                let positions = splat(s, columns.fill(s, &features, &part.row, self.takes_second()));
                 let run = columns.plan.run(0);
                 for j in 0..columns.cells {
                     let (_, end) = columns.plan.cell(&run, j);
@@ -203,7 +203,7 @@ impl<L: Lattice, const N: usize> Kernel<N> for Cellular<L> {
                         s,
                         columns.seen(j),
                         &columns.plan,
-                        places,
+                        positions,
                         &mut part,
                         i..end,
                     );
@@ -270,7 +270,7 @@ impl<L> Cellular<L> {
 fn supremum(metric: Metric, jitter: f32, second: bool, dimension: usize) -> f32 {
     let (n, half) = (dimension as f32, 0.5 * jitter);
     let (corner, across) = (0.5 + half, 1.0 + half);
-    let [at_corner, at_centre] = match metric {
+    let [at_corner, at_center] = match metric {
         Metric::Euclidean => {
             [n * (corner * corner), (n - 1.0) * (half * half) + across * across].map(math::sqrt)
         }
@@ -278,7 +278,7 @@ fn supremum(metric: Metric, jitter: f32, second: bool, dimension: usize) -> f32 
         Metric::Chebyshev => [corner, across],
     };
     // Accounts for the rounding of offsets and of the sum.
-    let greatest = if second { at_corner.max(at_centre) } else { at_corner };
+    let greatest = if second { at_corner.max(at_center) } else { at_corner };
     greatest * (1.0 + 2e-6)
 }
 

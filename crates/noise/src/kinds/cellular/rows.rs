@@ -48,7 +48,7 @@ pub struct Columns<const N: usize> {
     steps: [[f32; SECTIONS]; N],
     /// Positions of feature points: along the first axis in their cells, along the others relative
     /// to the cell of the row.
-    places: [Numbers; N],
+    positions: [Numbers; N],
     /// The random numbers of the cells.
     numbers: Numbers,
     /// Minimum and maximum measure of the offsets from the slab to the feature points, along all
@@ -97,7 +97,7 @@ impl<const N: usize> Default for Columns<N> {
             reach: 0,
             sections: 0,
             steps: [[0.0; SECTIONS]; N],
-            places: [numbers; N],
+            positions: [numbers; N],
             numbers,
             gaps: [numbers; 2],
             bounds: [0.0; COLUMNS],
@@ -138,10 +138,10 @@ impl<const N: usize> Columns<N> {
         second: bool,
     ) -> [f32; N] {
         let (reach, run) = (features.metric.reach(N), self.plan.run(0));
-        let (mut cells, mut places, mut slab) = ([0; N], [0.0; N], [[0.0; N]; 2]);
+        let (mut cells, mut positions, mut slab) = ([0; N], [0.0; N], [[0.0; N]; 2]);
         for axis in 1..N {
             let (cell, t) = cell(Scalar, row.origin()[axis]);
-            (cells[axis], places[axis]) = (cell.0, t);
+            (cells[axis], positions[axis]) = (cell.0, t);
             let low = Scalar.floor(t * SLABS).min(SLABS - 1.0);
             (slab[0][axis], slab[1][axis]) = (low / SLABS, (low + 1.0) / SLABS);
         }
@@ -165,7 +165,7 @@ impl<const N: usize> Columns<N> {
             self.list(s, features.metric, run.cells);
             self.copy(run.cells, key.descending);
         }
-        places
+        positions
     }
 
     /// Draws the feature points of all cells.
@@ -185,10 +185,13 @@ impl<const N: usize> Columns<N> {
                 let cells = s.word(key.first.wrapping_add(i as i32) as u32) + s.iota();
                 terms[0] = features.lattice.term(s, 0, cells);
                 let word = features.lattice.words(s, terms, features.seed);
-                let places = features.places::<S, N>(s, word);
-                s.store(places[0], &mut self.places[0][j][i..]);
+                let positions = features.positions::<S, N>(s, word);
+                s.store(positions[0], &mut self.positions[0][j][i..]);
                 for axis in 1..N {
-                    s.store(s.float(self.steps[axis][j]) + places[axis], &mut self.places[axis][j][i..]);
+                    s.store(
+                        s.float(self.steps[axis][j]) + positions[axis],
+                        &mut self.positions[axis][j][i..],
+                    );
                 }
                 s.store(number(s, word), &mut self.numbers[j][i..]);
             }
@@ -204,8 +207,8 @@ impl<const N: usize> Columns<N> {
             for i in (0..cells + 2 * self.reach).step_by(S::LEN) {
                 let mut gaps = [s.float(0.0); 2];
                 for axis in 1..N {
-                    let place = s.load(&self.places[axis][j][i..]);
-                    let (below, above) = (place - s.float(low[axis]), place - s.float(high[axis]));
+                    let position = s.load(&self.positions[axis][j][i..]);
+                    let (below, above) = (position - s.float(low[axis]), position - s.float(high[axis]));
                     let gap = s.max(s.max(above, -below), s.float(0.0));
                     let offsets = [gap, s.max(s.abs(below), s.abs(above))];
                     for k in 0..2 {
@@ -225,7 +228,7 @@ impl<const N: usize> Columns<N> {
                 }
                 for near in [-1.0, 0.0, 1.0] {
                     let column = (i as f32 + self.reach as f32 + near) as usize;
-                    let x = s.float(near) + s.load(&self.places[0][j][column..]);
+                    let x = s.float(near) + s.load(&self.positions[0][j][column..]);
                     let farthest = s.max(s.abs(x), s.abs(s.float(1.0) - x));
                     let measure = metric.joined(s, s.load(&self.gaps[1][j][column..]), farthest);
                     bounds = [s.min(bounds[0], measure), s.min(bounds[1], s.max(bounds[0], measure))];
@@ -258,7 +261,7 @@ impl<const N: usize> Columns<N> {
                     continue;
                 }
                 for i in (0..cells).step_by(S::LEN) {
-                    let x = s.float(step) + s.load(&self.places[0][j][i + c..]);
+                    let x = s.float(step) + s.load(&self.positions[0][j][i + c..]);
                     let offset = s.max(s.max(x - s.float(1.0), -x), s.float(0.0));
                     let measure = metric.joined(s, s.load(&self.gaps[0][j][i + c..]), offset);
                     let beyond = s.bitmask(s.less(s.load(&self.bounds[i..]), measure));
@@ -289,9 +292,9 @@ impl<const N: usize> Columns<N> {
                 let (c, j) = (usize::from(packed >> 5), usize::from(packed & 31) % SECTIONS);
                 let column = (k + c) % COLUMNS;
                 for axis in 0..N {
-                    point[axis] = self.places[axis][j][column];
+                    point[axis] = self.positions[axis][j][column];
                 }
-                point[0] = (c as f32 - self.reach as f32) + self.places[0][j][column];
+                point[0] = (c as f32 - self.reach as f32) + self.positions[0][j][column];
                 *number = self.numbers[j][column];
             }
             end += count;

@@ -36,13 +36,13 @@ pub(super) struct CellPosition<S: Lanes, const N: usize> {
 impl<S: Lanes, const N: usize> CellPosition<S, N> {
     #[inline(always)]
     pub(super) fn new(s: S, p: [S::F; N]) -> Self {
-        let mut place = Self { cell: [s.word(0); N], t: p };
+        let mut position = Self { cell: [s.word(0); N], t: p };
         for axis in 0..N {
             let (cell, t) = cell(s, p[axis]);
-            place.cell[axis] = cell;
-            place.t[axis] = t;
+            position.cell[axis] = cell;
+            position.t[axis] = t;
         }
-        place
+        position
     }
 }
 
@@ -83,12 +83,12 @@ impl<S: Lanes> Nearest<S> {
         };
         let [first_rank, second_rank] = self.ranks;
         let (nearest, nearer) = (before(first, first_rank), before(second, second_rank));
-        let place = |first, second, new| {
+        let position = |first, second, new| {
             let displaced = s.select(nearest, first, s.select(nearer, new, second));
             [s.select(nearest, new, first), displaced]
         };
-        self.measures = place(first, second, measure);
-        self.ranks = place(first_rank, second_rank, rank);
+        self.measures = position(first, second, measure);
+        self.ranks = position(first_rank, second_rank, rank);
     }
 }
 
@@ -109,16 +109,16 @@ impl<S: Lanes> Copy for Axis<S> {}
 impl<L: Lattice> Features<'_, L> {
     /// The positions of the feature points of words in their cells.
     #[inline(always)]
-    pub(super) fn places<S: Lanes, const N: usize>(&self, s: S, word: S::U) -> [S::F; N] {
+    pub(super) fn positions<S: Lanes, const N: usize>(&self, s: S, word: S::U) -> [S::F; N] {
         let low = s.word(0xffff);
         let second = if N > 2 { further::<S, 1>(s, word) } else { word };
         let fields = [s.shr::<16>(word), word & low, s.shr::<16>(second), second & low];
         let (side, corner) = (s.float(self.jitter / 65_536.0), s.float(0.5 - 0.5 * self.jitter));
-        let mut places = [corner; N];
+        let mut positions = [corner; N];
         for axis in 0..N {
-            places[axis] = corner + (s.real(fields[axis]) + s.float(0.5)) * side;
+            positions[axis] = corner + (s.real(fields[axis]) + s.float(0.5)) * side;
         }
-        places
+        positions
     }
 
     /// The offsets from feature points to points.
@@ -126,14 +126,14 @@ impl<L: Lattice> Features<'_, L> {
     fn offsets<S: Lanes, const N: usize>(
         &self,
         s: S,
-        place: &CellPosition<S, N>,
+        position: &CellPosition<S, N>,
         axes: &[Axis<S>; N],
         word: S::U,
     ) -> [S::F; N] {
-        let places = self.places::<S, N>(s, word);
-        let mut offsets = places;
+        let positions = self.positions::<S, N>(s, word);
+        let mut offsets = positions;
         for axis in 0..N {
-            offsets[axis] = place.t[axis] - (axes[axis].step + places[axis]);
+            offsets[axis] = position.t[axis] - (axes[axis].step + positions[axis]);
         }
         offsets
     }
@@ -151,11 +151,11 @@ impl<L: Lattice> Features<'_, L> {
     fn visit<S: Lanes, const N: usize, const RANKED: bool>(
         &self,
         s: S,
-        place: &CellPosition<S, N>,
+        position: &CellPosition<S, N>,
         axes: &[Axis<S>; N],
         nearest: &mut Nearest<S>,
     ) {
-        let offsets = self.offsets(s, place, axes, self.word(s, axes));
+        let offsets = self.offsets(s, position, axes, self.word(s, axes));
         let mut rank = s.float(0.0);
         if RANKED {
             for axis in 0..N {
@@ -175,36 +175,36 @@ impl<L: Lattice> Features<'_, L> {
     pub(super) fn nearest<S: Lanes, const N: usize, const RANKED: bool>(
         &self,
         s: S,
-        place: &CellPosition<S, N>,
+        position: &CellPosition<S, N>,
         second: bool,
     ) -> Nearest<S> {
         let mut nearest = Nearest::none(s);
         let zero = s.float(0.0);
         // The direction to the nearer border, and the distance of the point from the middle of its
         // cell.
-        let (mut towards, mut off_centre) = ([zero; N], [zero; N]);
-        let mut near = [[Axis { term: place.cell[0], step: zero }; 2]; N];
+        let (mut towards, mut off_center) = ([zero; N], [zero; N]);
+        let mut near = [[Axis { term: position.cell[0], step: zero }; 2]; N];
         for axis in 0..N {
-            let t = place.t[axis] - s.float(0.5);
+            let t = position.t[axis] - s.float(0.5);
             towards[axis] = s.select(s.less(t, zero), s.float(-1.0), s.float(1.0));
-            off_centre[axis] = s.abs(t);
-            near[axis] = [self.axis(s, place, axis, zero), self.axis(s, place, axis, towards[axis])];
+            off_center[axis] = s.abs(t);
+            near[axis] = [self.axis(s, position, axis, zero), self.axis(s, position, axis, towards[axis])];
         }
         for corner in 0..1 << N {
             let mut axes = [near[0][corner & 1]; N];
             for axis in 1..N {
                 axes[axis] = near[axis][corner >> axis & 1];
             }
-            self.visit::<S, N, RANKED>(s, place, &axes, &mut nearest);
+            self.visit::<S, N, RANKED>(s, position, &axes, &mut nearest);
         }
 
         let last = 2 * self.metric.reach(N);
         let half = 0.5 * self.jitter + MARGIN;
         // The gap along an axis to a cell, given the distance of the point from the middle of its
         // cell.
-        let gap = |off_centre: S::F, turn: usize| {
+        let gap = |off_center: S::F, turn: usize| {
             let cells = turn.div_ceil(2) as f32;
-            let off = if turn % 2 == 1 { -off_centre } else { off_centre };
+            let off = if turn % 2 == 1 { -off_center } else { off_center };
             s.max(s.float(cells - half) + off, zero)
         };
         let mut turns = [0; N];
@@ -213,26 +213,26 @@ impl<L: Lattice> Features<'_, L> {
         let mut gaps = [zero; 5];
         for axis in (0..N).rev() {
             axes[axis] = near[axis][0];
-            gaps[axis] = self.metric.joined(s, gaps[axis + 1], gap(off_centre[axis], 0));
+            gaps[axis] = self.metric.joined(s, gaps[axis + 1], gap(off_center[axis], 0));
         }
         let mut axis = 0;
         while axis < N {
             turns[axis] += 1;
             let turn = turns[axis];
             if turn <= last {
-                let gaps_here = self.metric.joined(s, gaps[axis + 1], gap(off_centre[axis], turn));
+                let gaps_here = self.metric.joined(s, gaps[axis + 1], gap(off_center[axis], turn));
                 let sought = nearest.measures[usize::from(second)];
                 if !s.all(s.less(sought, gaps_here)) {
                     gaps[axis] = gaps_here;
                     let cells = turn.div_ceil(2) as f32;
                     let step = towards[axis] * s.float(if turn % 2 == 1 { cells } else { -cells });
-                    axes[axis] = self.axis(s, place, axis, step);
+                    axes[axis] = self.axis(s, position, axis, step);
                     for before in (0..axis).rev() {
-                        gaps[before] = self.metric.joined(s, gaps[before + 1], gap(off_centre[before], 0));
+                        gaps[before] = self.metric.joined(s, gaps[before + 1], gap(off_center[before], 0));
                     }
                     axis = 0;
                     if turns.iter().any(|&turn| turn > 1) {
-                        self.visit::<S, N, RANKED>(s, place, &axes, &mut nearest);
+                        self.visit::<S, N, RANKED>(s, position, &axes, &mut nearest);
                     }
                     continue;
                 }
@@ -248,11 +248,11 @@ impl<L: Lattice> Features<'_, L> {
     fn axis<S: Lanes, const N: usize>(
         &self,
         s: S,
-        place: &CellPosition<S, N>,
+        position: &CellPosition<S, N>,
         axis: usize,
         step: S::F,
     ) -> Axis<S> {
-        Axis { term: self.lattice.term(s, axis, place.cell[axis] + s.integer(step)), step }
+        Axis { term: self.lattice.term(s, axis, position.cell[axis] + s.integer(step)), step }
     }
 
     /// The word and the offsets of the feature point of a rank.
@@ -260,11 +260,11 @@ impl<L: Lattice> Features<'_, L> {
     pub(super) fn of_rank<S: Lanes, const N: usize>(
         &self,
         s: S,
-        place: &CellPosition<S, N>,
+        position: &CellPosition<S, N>,
         rank: S::F,
     ) -> (S::U, [S::F; N]) {
         let weights = RANKS[N - 1];
-        let mut axes = [Axis { term: place.cell[0], step: s.float(0.0) }; N];
+        let mut axes = [Axis { term: position.cell[0], step: s.float(0.0) }; N];
         // Decodes the largest weight first: the first axis, then from the last axis down.
         let mut rest = rank;
         for turn in 0..N {
@@ -272,9 +272,9 @@ impl<L: Lattice> Features<'_, L> {
             // The remaining smaller weights sum to less than half a weight.
             let step = s.floor(rest * s.float(1.0 / weights[axis]) + s.float(0.5));
             rest = rest - step * s.float(weights[axis]);
-            axes[axis] = self.axis(s, place, axis, step);
+            axes[axis] = self.axis(s, position, axis, step);
         }
         let word = self.word(s, &axes);
-        (word, self.offsets(s, place, &axes, word))
+        (word, self.offsets(s, position, &axes, word))
     }
 }

@@ -21,31 +21,33 @@ impl<L> Cellular<L> {
         s: S,
         seen: Seen<'_, N>,
         plan: &Plan,
-        places: [S::F; N],
+        positions: [S::F; N],
         strip: &mut Strip<'_, N, GRADIENTS>,
         range: Range<usize>,
     ) {
         let (mut i, end) = (range.start, range.end);
         if GRADIENTS || self.basis == CellularOutput::Cell {
             while i < end {
-                let mut place = places;
-                place[0] = plan.along_from(s, i).place;
-                strip.put(s, self.at::<S, N>(s, place, seen), i);
+                let mut position = positions;
+                position[0] = plan.along_from(s, i).position;
+                strip.put(s, self.at::<S, N>(s, position, seen), i);
                 i += S::LEN;
             }
             return;
         }
         while i < end {
             i = match end - i {
-                left if left <= S::LEN => self.values::<S, N, GRADIENTS, 1>(s, seen, plan, places, strip, i),
+                left if left <= S::LEN => {
+                    self.values::<S, N, GRADIENTS, 1>(s, seen, plan, positions, strip, i)
+                }
                 // The compiler vectorizes single lanes.
                 left if S::LEN == 1 && left >= 8 => {
-                    self.values::<S, N, GRADIENTS, 8>(s, seen, plan, places, strip, i)
+                    self.values::<S, N, GRADIENTS, 8>(s, seen, plan, positions, strip, i)
                 }
                 left if left <= 2 * S::LEN => {
-                    self.values::<S, N, GRADIENTS, 2>(s, seen, plan, places, strip, i)
+                    self.values::<S, N, GRADIENTS, 2>(s, seen, plan, positions, strip, i)
                 }
-                _ => self.values::<S, N, GRADIENTS, 3>(s, seen, plan, places, strip, i),
+                _ => self.values::<S, N, GRADIENTS, 3>(s, seen, plan, positions, strip, i),
             };
         }
     }
@@ -57,18 +59,18 @@ impl<L> Cellular<L> {
         s: S,
         seen: Seen<'_, N>,
         plan: &Plan,
-        places: [S::F; N],
+        positions: [S::F; N],
         strip: &mut Strip<'_, N, GRADIENTS>,
         i: usize,
     ) -> usize {
-        let mut t = [places[0]; V];
+        let mut t = [positions[0]; V];
         for v in 0..V {
-            t[v] = plan.along_from(s, i + v * S::LEN).place;
+            t[v] = plan.along_from(s, i + v * S::LEN).position;
         }
         let measures = match (self.metric, self.takes_second()) {
-            (Metric::Euclidean, false) => nearest::<S, N, V, false>(s, Metric::Euclidean, seen, places, t),
-            (metric, false) => nearest::<S, N, V, false>(s, metric, seen, places, t),
-            (metric, true) => nearest::<S, N, V, true>(s, metric, seen, places, t),
+            (Metric::Euclidean, false) => nearest::<S, N, V, false>(s, Metric::Euclidean, seen, positions, t),
+            (metric, false) => nearest::<S, N, V, false>(s, metric, seen, positions, t),
+            (metric, true) => nearest::<S, N, V, true>(s, metric, seen, positions, t),
         };
         for v in 0..V {
             strip.put(s, self.of_measures::<S, N>(s, measures[v]), i + v * S::LEN);
@@ -79,15 +81,20 @@ impl<L> Cellular<L> {
     /// Value and gradient at positions in a cell, or the number of the nearest feature point's
     /// cell.
     #[inline(always)]
-    fn at<S: Lanes, const N: usize>(&self, s: S, places: [S::F; N], seen: Seen<'_, N>) -> (S::F, [S::F; N]) {
+    fn at<S: Lanes, const N: usize>(
+        &self,
+        s: S,
+        positions: [S::F; N],
+        seen: Seen<'_, N>,
+    ) -> (S::F, [S::F; N]) {
         let mut measures = [s.float(f32::INFINITY); 2];
         let mut offsets = [[s.float(0.0); N]; 2];
         let mut numbers = s.float(0.0);
         let second = self.takes_second();
         for (point, &number) in seen.points.iter().zip(seen.numbers) {
-            let mut offset = places;
+            let mut offset = positions;
             for axis in 0..N {
-                offset[axis] = places[axis] - s.float(point[axis]);
+                offset[axis] = positions[axis] - s.float(point[axis]);
             }
             let measure = self.metric.measure(s, offset);
             // At equal distance the first feature point, which has the lower rank, is nearer.
@@ -121,14 +128,14 @@ fn nearest<S: Lanes, const N: usize, const V: usize, const SECOND: bool>(
     s: S,
     metric: Metric,
     seen: Seen<'_, N>,
-    places: [S::F; N],
+    positions: [S::F; N],
     t: [S::F; V],
 ) -> [[S::F; 2]; V] {
     let mut measures = [[s.float(f32::INFINITY); 2]; V];
     for point in seen.points {
-        let mut offsets = places;
+        let mut offsets = positions;
         for axis in 1..N {
-            offsets[axis] = places[axis] - s.float(point[axis]);
+            offsets[axis] = positions[axis] - s.float(point[axis]);
         }
         let rest = metric.rest(s, offsets);
         let x = s.float(point[0]);

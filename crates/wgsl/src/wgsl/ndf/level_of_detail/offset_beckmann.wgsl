@@ -1,5 +1,5 @@
 // Gaussian slopes of any mean and covariance:
-// `asperity_ndf_sampling::level_of_detail::OffsetBeckmann`.
+// `asperity_ndf_sampling::OffsetBeckmann`.
 
 struct OffsetBeckmann {
     // The mean of the slopes.
