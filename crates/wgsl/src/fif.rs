@@ -13,30 +13,30 @@ use crate::part::{Binding, Element, Part, part};
 /// Whether a coordinate is not NaN: `fif_is_number`.
 pub(crate) static NUMBER: Part = part!("fif/number");
 
-/// Values of a function from its table: `fif_table_value`, with the bits of
-/// [`Table32::value`](asperity_fif::Table32::value).
+/// Rows of a table, and `fif_table_value`.
+static TABLE_VALUE: Part = part!("fif/table/uniform", [TableUniform], NUMBER)
+    .with_bindings(&[Binding::Table { name: "fif_rows", element: Element::Float, width: 1024 }]);
+
+/// A function from its table: `fif_table_value`, with the bits of
+/// [`Table32::value`](asperity_fif::Table32::value), and `fif_table_jet`, the value and slope of a
+/// smooth function, as [`Table::jet`](asperity_fif::Table::jet).
 ///
 /// Bound to the table `fif_rows` of [`gpu_rows`](asperity_fif::Table32::gpu_rows). The
 /// uniform selects the function.
-pub static TABLE: Part = part!("fif/table/uniform", [TableUniform], NUMBER)
-    .with_bindings(&[Binding::Table { name: "fif_rows", element: Element::Float, width: 1024 }]);
+pub static TABLE: Part = part!("fif/table/jet", TABLE_VALUE);
 
-/// Values and slopes of a smooth function from its table: `fif_table_jet`, as
-/// [`Table::jet`](asperity_fif::Table::jet).
-pub static JET: Part = part!("fif/table/jet", TABLE);
-
-/// The normal of a gradient: `upward_normal`.
-pub static NORMAL: Part = part!("fif/surface/normal");
+/// The normal of a gradient, `upward_normal`.
+static NORMAL: Part = part!("fif/surface/normal");
 
 /// Height and gradient of `f(x) g(y)`: [`HeightField`](asperity_fif::HeightField).
-pub static HEIGHT_FIELD: Part = part!("fif/surface/height_field", [HeightFieldUniform], JET);
+pub static HEIGHT_FIELD: Part = part!("fif/surface/height_field", [HeightFieldUniform], TABLE, NORMAL);
 
-/// Height and gradient of a surface that is not a product: `folded_height` and `folded_jet`, as
+/// Height and gradient of a surface that is not a product: `folded_surface_height` and `folded_surface_jet`, as
 /// [`asperity_fif::FoldedSurface`].
 ///
 /// Bound to the table `fif_nodes` of [`gpu_nodes`](asperity_fif::FoldedSurface::gpu_nodes). The
 /// uniform selects the surface.
-pub static FOLDED: Part = part!("fif/surface/folded", [FoldedSurfaceUniform], NUMBER)
+pub static FOLDED_SURFACE: Part = part!("fif/surface/folded", [FoldedSurfaceUniform], NUMBER, NORMAL)
     .with_bindings(&[Binding::Table { name: "fif_nodes", element: Element::Float, width: 1024 }]);
 
 /// Ray intersection with a height field: `height_field_intersect`, as

@@ -24,8 +24,8 @@ pub enum Imports {
 /// ```
 /// use asperity_wgsl::{Bindings, Imports, module, noise};
 ///
-/// let hash = module(&noise::INTEGER_HASH, Imports::NagaOil, Bindings::Textures { group: 2 });
-/// assert!(hash.starts_with("#define_import_path asperity::noise::lattice::integer_hash\n"));
+/// let perlin = module(&noise::PERLIN, Imports::NagaOil, Bindings::Textures { group: 2 });
+/// assert!(perlin.starts_with("#define_import_path asperity::noise::kinds::perlin\n"));
 /// ```
 #[must_use]
 pub fn module(part: &Part, imports: Imports, bindings: Bindings) -> String {

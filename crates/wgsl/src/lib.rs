@@ -12,8 +12,8 @@
 //! # #[cfg(feature = "alloc")] {
 //! use asperity_wgsl::{Bindings, compose, noise};
 //!
-//! let wgsl = compose(&[&noise::INTEGER_HASH], Bindings::Textures { group: 0 });
-//! assert!(wgsl.contains("fn integer_hash_word(terms: u32, key: u32) -> u32"));
+//! let wgsl = compose(&[&noise::PERLIN], Bindings::Textures { group: 0 });
+//! assert!(wgsl.contains("fn perlin_noise_3d(p: vec3<f32>, key: u32) -> Sample3d"));
 //! # }
 //! ```
 //!

@@ -9,10 +9,10 @@
 ///
 /// static HEIGHT: Part = Part::new(
 ///     "height",
-///     "fn height(cell: i32) -> f32 { return f32(integer_hash_term(0u, cell) >> 8u); }\n",
-///     &[&noise::INTEGER_HASH],
+///     "fn height(p: vec2<f32>) -> f32 { return 8.0 * perlin_noise_2d(p, 0u).value; }\n",
+///     &[&noise::PERLIN],
 /// );
-/// assert_eq!(HEIGHT.needs()[0].name(), "noise/lattice/integer_hash");
+/// assert_eq!(HEIGHT.needs()[0].name(), "noise/kinds/perlin");
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Part {
@@ -144,7 +144,7 @@ impl Element {
 /// Defines a part of this crate from its file under `wgsl/`, the structs that its crate declares,
 /// and its dependencies.
 macro_rules! part {
-    ($name:expr $(, [$($struct:ty),+])? $(, $needs:path)* $(,)?) => {{
+    ($name:expr $(, [$($struct:ty),+])? $(, $need:ident $(. $field:ident)?)* $(,)?) => {{
         const PIECES: &[&str] = &[
             include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/src/wgsl/", $name, ".wgsl")),
             $($("\n", <$struct>::WGSL),+)?
@@ -154,7 +154,7 @@ macro_rules! part {
             Ok(source) => source,
             Err(_) => unreachable!(),
         };
-        $crate::part::Part::new($name, SOURCE, &[$(&$needs),*])
+        $crate::part::Part::new($name, SOURCE, &[$(&$need $(. $field)?),*])
     }};
 }
 

@@ -9,25 +9,25 @@ use asperity_shading::gpu::FrequencyClampUniform;
 use crate::ndf::{BECKMANN, ELEMENTARY, FRAME, GAUSSIAN_SPLIT, GGX};
 use crate::part::{Part, part};
 
-pub mod bump;
+mod bump;
 pub mod material;
 pub mod normal_map;
-pub mod pixel;
+mod pixel;
 pub mod reflectance;
 pub mod texture;
 
 /// Clamps that replace NaN, and angles of vectors.
-pub static MATH: Part = part!("shading/math");
+pub(crate) static MATH: Part = part!("shading/math");
 
 /// Unit vectors, [half vectors](fn@asperity_shading::half_vector),
 /// [mirrored directions](fn@asperity_shading::reflect).
-pub static DIRECTION: Part = part!("shading/direction", MATH);
+pub(crate) static DIRECTION: Part = part!("shading/direction", MATH);
 
 /// Exact and fractal rule of level of detail: [`LevelOfDetail`](asperity_shading::LevelOfDetail).
 ///
 /// Complete for GGX and Beckmann, as building blocks for any other normal distribution.
 pub static LEVEL_OF_DETAIL: Part =
-    part!("shading/level_of_detail/rule", ELEMENTARY, FRAME, GAUSSIAN_SPLIT, GGX, BECKMANN);
+    part!("shading/level_of_detail/rule", ELEMENTARY, FRAME, GAUSSIAN_SPLIT, GGX, BECKMANN, FREQUENCY_CLAMP);
 
 /// Octaves that a pixel resolves, [`FrequencyClamp`](asperity_shading::pixel::FrequencyClamp).
-pub static FREQUENCY_CLAMP: Part = part!("shading/pixel/frequency_clamp", [FrequencyClampUniform]);
+pub(crate) static FREQUENCY_CLAMP: Part = part!("shading/pixel/frequency_clamp", [FrequencyClampUniform]);

@@ -8,7 +8,8 @@ use asperity_shading::environment::{
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::level_of_detail::ResolvedBumps;
 use asperity_shading::{
-    Beckmann, Brdf, Bsdf, Environment, EnvironmentMap, Footprint, Frame, Irradiance, Lambert, PixelEllipse, SlopePyramid,
+    Beckmann, Brdf, Bsdf, Environment, EnvironmentMap, Footprint, Frame, Irradiance, Lambert, PixelEllipse,
+    SlopePyramid,
 };
 
 use crate::numbers::Numbers;

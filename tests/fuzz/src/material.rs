@@ -9,10 +9,9 @@ use asperity_shading::material::{
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise, Perlin};
 use asperity_shading::texture::{Bevel, Edge, Gas, PerturbedTexture, StarWallpaper, Steam, march};
 use asperity_shading::{
-    Beckmann, Brick, BumpField, BumpMapped, Carpet, CarpetParameters, Footprint, Frame, Ggx,
-    LevelOfDetail, Marble, Material, MetallicPaint, MetallicPaintParameters, ShadingError, PixelEllipse,
-    Scratches, ScratchesParameters, SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations,
-    VariationsParameters,
+    Beckmann, Brick, BumpField, BumpMapped, Carpet, CarpetParameters, Footprint, Frame, Ggx, LevelOfDetail,
+    Marble, Material, MetallicPaint, MetallicPaintParameters, PixelEllipse, Scratches, ScratchesParameters,
+    ShadingError, SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters,
 };
 
 use crate::numbers::Numbers;

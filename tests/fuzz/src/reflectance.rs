@@ -9,10 +9,10 @@ use asperity_shading::glam::Vec3;
 use asperity_shading::pixel::FrequencyClamp;
 use asperity_shading::reflectance::{
     Absorption, BlinnPhongBrdf, BlinnPhongNormalization, Brdf, Conductor, CookTorrance, Dielectric,
-    EnergyPreservingOrenNayar, Fresnel, Lambert, Masking, OrenNayar, OrenNayarVariant, Phong, RoughDielectric,
-    Schlick, SchlickF82, TorranceSparrow, WardBrdf, WardNormalization,
+    EnergyPreservingOrenNayar, Fresnel, Lambert, Masking, OrenNayar, OrenNayarVariant, Phong,
+    RoughDielectric, Schlick, SchlickF82, TorranceSparrow, WardBrdf, WardNormalization,
 };
-use asperity_shading::{Beckmann, Footprint, Frame, Ggx, ShadingError, PixelEllipse, half_vector, reflect};
+use asperity_shading::{Beckmann, Footprint, Frame, Ggx, PixelEllipse, ShadingError, half_vector, reflect};
 
 use crate::numbers::Numbers;
 
@@ -62,7 +62,11 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
     match numbers.byte() % 12 {
         0 => brdf(Lambert::new(color(numbers)), numbers),
         1 => {
-            let form = numbers.pick(&[OrenNayarVariant::Full, OrenNayarVariant::Qualitative, OrenNayarVariant::Fujii]);
+            let form = numbers.pick(&[
+                OrenNayarVariant::Full,
+                OrenNayarVariant::Qualitative,
+                OrenNayarVariant::Fujii,
+            ]);
             brdf(OrenNayar::new(color(numbers), number(numbers, 1e-6, 2.0), form), numbers);
         }
         2 => brdf(EnergyPreservingOrenNayar::new(color(numbers), number(numbers, 1e-6, 1.0)), numbers),
@@ -76,7 +80,8 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
             brdf(BlinnPhongBrdf::new(color(numbers), number(numbers, 1e-6, 1e7), factor), numbers);
         }
         5 => {
-            let form = numbers.pick(&[WardNormalization::Ward, WardNormalization::Dur, WardNormalization::Bounded]);
+            let form =
+                numbers.pick(&[WardNormalization::Ward, WardNormalization::Dur, WardNormalization::Bounded]);
             brdf(WardBrdf::new(color(numbers), x, y, form), numbers);
         }
         6 => {

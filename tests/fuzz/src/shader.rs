@@ -10,7 +10,7 @@ use asperity_wgsl::{
 use crate::numbers::Numbers;
 
 /// Custom parts with circular dependencies.
-static FIRST: Part = Part::new("first", "fn first() {}\n", &[&SECOND, &noise::INTEGER_HASH]);
+static FIRST: Part = Part::new("first", "fn first() {}\n", &[&SECOND, &noise::WHITE]);
 static SECOND: Part = Part::new("second", "fn second() {}\n", &[&THIRD, &SECOND]);
 static THIRD: Part = Part::new("first", "const THIRD = 1;\n", &[&FIRST]);
 
@@ -29,7 +29,7 @@ fn parts() -> &'static [&'static Part] {
             &SECOND,
             &THIRD,
             &TABLES,
-            &noise::INTEGER_HASH,
+            &noise::WHITE,
             &noise::GAUSSIAN,
             &noise::PERLIN,
             &noise::SIMPLEX,

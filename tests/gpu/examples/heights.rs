@@ -9,7 +9,7 @@ use std::path::Path;
 
 use asperity_shading::noise::gpu::FbmUniform3d;
 use asperity_shading::noise::{Fbm, FbmSpectrum, Perlin};
-use asperity_wgsl::noise::sums::fbm_3d;
+use asperity_wgsl::noise::FBM_3D;
 use asperity_wgsl::{Bindings, Part, compose};
 use glam::{DVec3, Vec3};
 use wgpu::util::DeviceExt;
@@ -30,7 +30,7 @@ fn fill(@builtin(global_invocation_id) id: vec3<u32>) {
     heights[id.y * 512u + id.x] = vec4<f32>(height.value, height.gradient);
 }
 ",
-    &[&fbm_3d::PERLIN],
+    &[&FBM_3D.perlin],
 );
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -118,7 +118,7 @@ pub(crate) fn run(cases: &[Case], dialects: &[Dialect], out: &Path, check: bool)
         .iter()
         .flat_map(|case| ordered(&case.parts))
         // The interpreter does not support their samplers.
-        .chain([&noise::sums::MIP_MAPPED, &ndf::NORMAL_TABLE_FILTERED])
+        .chain([&noise::MIP_MAPPED, &ndf::NORMAL_TABLE_FILTERED])
         .map(|part| (part.name(), part))
         // Parts used only by a case are not exported.
         .filter(|(name, part)| !part.source().is_empty() && !name.starts_with("case/"))

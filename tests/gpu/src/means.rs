@@ -10,12 +10,9 @@ use glam::Vec3;
 use crate::compute::Kernel;
 use crate::device::{self, Gpu};
 
-static MEANS: Part = Part::new(
-    "means",
-    include_str!("means.wgsl"),
-    &[&noise::sums::GAUSSIAN_FBM_3D, &shading::LEVEL_OF_DETAIL],
-)
-.with_bindings(&[Binding::Uniform { name: "means_job", of: "MeansJob" }]);
+static MEANS: Part =
+    Part::new("means", include_str!("means.wgsl"), &[&noise::FBM_3D.gaussian, &shading::LEVEL_OF_DETAIL])
+        .with_bindings(&[Binding::Uniform { name: "means_job", of: "MeansJob" }]);
 
 const POINTS: u32 = 1 << 21;
 const OCTAVES: [f32; 5] = [0.5, 1.0, 1.5, 2.0, 3.0];

@@ -66,6 +66,6 @@ fn shading() -> bool {
 
 /// Sources are constants: a part lists its dependencies and defines its functions.
 fn shaders() -> bool {
-    let part = asperity_wgsl::noise::INTEGER_HASH;
-    part.needs().is_empty() && part.names().any(|name| name == "integer_hash_word")
+    let part = asperity_wgsl::noise::PERLIN;
+    !part.needs().is_empty() && part.names().any(|name| name == "perlin_noise_3d")
 }

@@ -35,9 +35,9 @@ mod bumps {
 
     const VIEW: &[Binding] = &[Binding::Uniform { name: "bumps_view", of: "BumpsView" }];
 
-    static DENSITY_GGX: Part = page_part!("density_ggx", ndf::GGX, ndf::GAUSSIAN_SPLIT);
-    static DENSITY_BECKMANN: Part = page_part!("density_beckmann", ndf::BECKMANN, ndf::GAUSSIAN_SPLIT);
-    static DENSITY_STUDENT_T: Part = page_part!("density_student_t", ndf::STUDENT_T, ndf::GAUSSIAN_SPLIT);
+    static DENSITY_GGX: Part = page_part!("density_ggx", ndf::GGX);
+    static DENSITY_BECKMANN: Part = page_part!("density_beckmann", ndf::BECKMANN);
+    static DENSITY_STUDENT_T: Part = page_part!("density_student_t", ndf::STUDENT_T);
     static DENSITY_PAINTED: Part = page_part!("density_painted", ndf::PACKED_MAP);
 
     macro_rules! bumps {
@@ -45,10 +45,7 @@ mod bumps {
             page_part!(
                 "bumps",
                 $density,
-                ndf::FRAME,
-                noise_parts::INTEGER_HASH,
-                noise_parts::sums::GAUSSIAN_FBM_3D,
-                shading::FREQUENCY_CLAMP,
+                noise_parts::FBM_3D.gaussian,
                 shading::LEVEL_OF_DETAIL,
                 SCREEN,
                 DISPLAY,
@@ -90,12 +87,12 @@ static OF_BUMPS: &[Program] = &[
 /// Code snippets for copying, equal to the module's computation: name, part, functions to call.
 pub(crate) static COPIED: &[(&str, &Part, &[&str])] = &[
     ("fractals", &INTERSECT, &["height_field_intersect", "height_field_height", "upward_normal"]),
-    ("fractals-folded", &FOLDED, &["folded_height", "folded_jet", "upward_normal"]),
+    ("fractals-folded", &FOLDED, &["folded_surface_height", "folded_surface_jet", "upward_normal"]),
 ];
 
 /// Surfaces with their normals.
-static INTERSECT: Part = Part::new("page/intersect", "", &[&fif::INTERSECT, &fif::NORMAL]);
-static FOLDED: Part = Part::new("page/folded", "", &[&fif::FOLDED, &fif::NORMAL]);
+static INTERSECT: Part = Part::new("page/intersect", "", &[&fif::INTERSECT]);
+static FOLDED: Part = Part::new("page/folded", "", &[&fif::FOLDED_SURFACE]);
 
 /// Returns every program of the page.
 pub(crate) fn all() -> impl Iterator<Item = &'static Program> {

@@ -10,15 +10,15 @@ fn material_coat_alpha(coat: Coat) -> f32 {
 // varnish reflects the light's map instead.
 fn material_varnished(coat: Coat, below: vec3<f32>, lobe: vec2<f32>, factor: f32, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     let mirrored = lobe.x * dielectric_reflectance(coat.index, lobe.y) * factor;
-    return brdf_finite_channels(below * coat_through(coat, wi) * coat_through(coat, wo) + mirrored);
+    return brdf_finite_channels(below * coat_transmittance(coat, wi) * coat_transmittance(coat, wo) + mirrored);
 }
 
 // Layers of a diffuse and a glossy color under a varnish, and the varnish's reflection, which
 // includes lamps only if the coat is smooth.
 fn material_under_coat(coat: Coat, hit: MaterialsHit, diffuse: vec3<f32>, specular: vec3<f32>, alpha: f32) -> vec3<f32> {
     let up = vec3<f32>(0.0, 0.0, 1.0);
-    let mirrors = 1.0 - coat_through(coat, hit.wo);
-    let below = materials_ambient(hit, up, min(diffuse, 1.0 - specular), specular, alpha) * ((1.0 - mirrors) * coat_through(coat, up));
+    let mirrors = 1.0 - coat_transmittance(coat, hit.wo);
+    let below = materials_ambient(hit, up, min(diffuse, 1.0 - specular), specular, alpha) * ((1.0 - mirrors) * coat_transmittance(coat, up));
     let m = surface_gradient_facing(up, coat.normal, hit.wo);
     let mirrored = frame_to_world(hit.frame, direction_reflect(hit.wo, m));
     if coat.roughness > 0.0 {

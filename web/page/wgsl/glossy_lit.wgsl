@@ -8,7 +8,7 @@ fn material_glossy(s: Glossy, frame: Frame, roughness: f32, alpha: f32, wo: vec3
     let light = facet_light(1.0, frame_to_local(frame, s.normal), wi, wo);
     let lost = s.slope_variance + 0.5 * dot(s.ridges, s.ridges);
     let gloss = cook_torrance_beckmann(vec2<f32>(sqrt(alpha * alpha + 2.0 * lost)), light.wi, light.wo).x;
-    let diffuse = energy_preserving_value(min(s.diffuse, 1.0 - s.specular), roughness, light.wi, light.wo);
+    let diffuse = energy_preserving_oren_nayar_eval(min(s.diffuse, 1.0 - s.specular), roughness, light.wi, light.wo);
     return brdf_finite_channels((diffuse + gloss * s.specular) * light.factor);
 }
 

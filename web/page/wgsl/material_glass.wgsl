@@ -30,7 +30,7 @@ fn material_ambience(seen: MaterialSeen, hit: MaterialsHit) -> vec3<f32> {
     var smooth_coat = seen.coat;
     smooth_coat.roughness = 0.0;
     // At the mean of the slopes that the pixel does not resolve.
-    let deltas = coat_deltas(smooth_coat, hit.wo, vec2<f32>(0.0, 0.25));
+    let deltas = coat_specular_samples(smooth_coat, hit.wo, vec2<f32>(0.0, 0.25));
     let mirrored = frame_to_world(hit.frame, deltas.mirrored.wi);
     let through = frame_to_world(hit.frame, deltas.transmitted.wi);
     if seen.coat.roughness > 0.0 {

@@ -49,7 +49,7 @@ fn material_lamp(seen: MaterialSeen, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> 
         lobe = cook_torrance_beckmann(vec2<f32>(alpha), select(light.wi, i, of_flakes), select(light.wo, o, of_flakes));
         flakes = select(flakes, lobe.x, of_flakes);
     }
-    let pigment = energy_preserving_value(min(metallic_paint_uniform.pigment, 1.0 - seen.specular), 0.2, wi, wo);
+    let pigment = energy_preserving_oren_nayar_eval(min(metallic_paint_uniform.pigment, 1.0 - seen.specular), 0.2, wi, wo);
     let below = (flakes * factor * math_shares(color) + pigment) * wi.z;
     return material_varnished(seen.coat, below, select(vec2<f32>(0.0), lobe, is_rough), light.factor, wo, wi);
 }

@@ -12,8 +12,9 @@ use asperity_shading::material::{
 };
 use asperity_shading::texture::{Gas, Steam};
 use asperity_shading::{
-    Brick, Carpet, CarpetParameters, Marble, MetallicPaint, MetallicPaintParameters, ShadingError,
-    Scratches, ScratchesParameters, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters,
+    Brick, Carpet, CarpetParameters, Marble, MetallicPaint, MetallicPaintParameters, Scratches,
+    ScratchesParameters, ShadingError, TemperedGlass, TemperedGlassParameters, Variations,
+    VariationsParameters,
 };
 
 use crate::words;

@@ -6,30 +6,31 @@ use crate::part::{Part, part};
 /// [`Beckmann`](asperity_ndf_sampling::Beckmann).
 ///
 /// Compilers cannot transform their operations.
-pub static ELEMENTARY: Part = part!("ndf/numeric/elementary");
+pub(crate) static ELEMENTARY: Part = part!("ndf/numeric/elementary");
 
 /// Gaussian distribution function, its tail and its quantile in 32 bits:
-/// [`phi`](fn@asperity_ndf_sampling::gaussian_cdf),
+/// [`gaussian_cdf`](asperity_ndf_sampling::gaussian_cdf),
 /// [`inverse_gaussian_cdf`](asperity_ndf_sampling::inverse_gaussian_cdf).
-pub static NORMAL_DISTRIBUTION: Part = part!("ndf/numeric/normal_distribution", ELEMENTARY);
+pub(crate) static NORMAL_DISTRIBUTION: Part = part!("ndf/numeric/normal_distribution", ELEMENTARY);
 
 /// Clamped roughness, and vectors stretched by it.
-pub static ROUGHNESS: Part = part!("ndf/density/roughness", ELEMENTARY);
+pub(crate) static ROUGHNESS: Part = part!("ndf/density/roughness", ELEMENTARY);
 
 /// Smith masking and shadowing for any Λ, and views from below:
 /// [`Microfacet`](asperity_ndf_sampling::Microfacet).
 pub(crate) static MICROFACET: Part = part!("ndf/microfacet", ELEMENTARY);
 
 /// Tangent frames by the minimal rotation: [`Frame`](asperity_ndf_sampling::Frame).
-pub static FRAME: Part = part!("ndf/frame", ELEMENTARY);
+pub(crate) static FRAME: Part = part!("ndf/frame", ELEMENTARY);
 
 /// Gaussian coordinates, split into a resolved part and the rest:
 /// [`GaussianSplit`](asperity_ndf_sampling::GaussianSplit).
-pub static GAUSSIAN_SPLIT: Part = part!("ndf/level_of_detail/gaussian_split", ELEMENTARY);
+pub(crate) static GAUSSIAN_SPLIT: Part = part!("ndf/level_of_detail/gaussian_split", ELEMENTARY);
 
 /// Gaussian slopes of any mean and covariance,
 /// [`OffsetBeckmann`](asperity_ndf_sampling::OffsetBeckmann), in 32 bits.
-pub static OFFSET_BECKMANN: Part = part!("ndf/level_of_detail/offset_beckmann", ELEMENTARY, GAUSSIAN_SPLIT);
+pub(crate) static OFFSET_BECKMANN: Part =
+    part!("ndf/level_of_detail/offset_beckmann", ELEMENTARY, GAUSSIAN_SPLIT);
 
 /// GGX: density, bijection and inverse, samples, visible normals, masking, conditional density,
 /// with the bits of [`Ggx`](asperity_ndf_sampling::Ggx).

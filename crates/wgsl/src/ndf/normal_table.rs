@@ -11,7 +11,7 @@ use crate::part::{Binding, Element, Part, part};
 /// For tables of normals in textures with hardware interpolation. Spacings and charts are numbered
 /// in the order of [`Spacing`](asperity_ndf_sampling::normal_table::Spacing) and
 /// [`Chart`](asperity_ndf_sampling::normal_table::Chart).
-pub static NORMAL_TABLE_LAYOUT: Part = part!("ndf/normal_table/layout", ELEMENTARY, NORMAL_DISTRIBUTION);
+static NORMAL_TABLE_LAYOUT: Part = part!("ndf/normal_table/layout", ELEMENTARY, NORMAL_DISTRIBUTION);
 
 /// Table L: nearest and interpolated normal, with the bits of
 /// [`NormalLut`](asperity_ndf_sampling::NormalLut).

@@ -1,6 +1,6 @@
 //! Transforms of fields: domain warping and curl, from samples taken by the shader.
 
-use super::SAMPLE;
+use super::kinds::SAMPLE;
 use crate::part::{Part, part};
 
 /// Domain warping, [`Warp`](asperity_noise::Warp): the displacement with its Jacobian, and the

@@ -4,7 +4,7 @@ use crate::part::{Part, part};
 use crate::shading::DIRECTION;
 
 /// Surface gradients and bumped normals, [`bump`](asperity_shading::bump).
-pub static SURFACE_GRADIENT: Part = part!("shading/bump/surface_gradient", DIRECTION);
+pub(crate) static SURFACE_GRADIENT: Part = part!("shading/bump/surface_gradient", DIRECTION);
 
 /// Unresolved slopes as weighted facets: [`slope_facets`](fn@asperity_shading::bump::slope_facets).
-pub static SLOPE_FACETS: Part = part!("shading/bump/slope_facets", SURFACE_GRADIENT);
+pub(crate) static SLOPE_FACETS: Part = part!("shading/bump/slope_facets", SURFACE_GRADIENT);

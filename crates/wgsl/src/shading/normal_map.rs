@@ -9,7 +9,7 @@ use crate::shading::pixel::PIXEL_ELLIPSE;
 
 /// Mean and covariance of slopes within a pixel,
 /// [`SlopeMoments`](asperity_shading::normal_map::SlopeMoments).
-pub static SLOPE_MOMENTS: Part =
+pub(crate) static SLOPE_MOMENTS: Part =
     part!("shading/normal_map/slope_moments", GAUSSIAN_SPLIT, OFFSET_BECKMANN, MATH);
 
 /// Normal maps at every zoom as grouped slopes,

@@ -6,7 +6,7 @@ use crate::shading::DIRECTION;
 
 /// Width of a pixel on a surface, [`Footprint`](asperity_shading::Footprint); the largest float
 /// instead of ∞.
-pub static FOOTPRINT: Part = part!("shading/pixel/footprint", DIRECTION, FREQUENCY_CLAMP);
+pub(crate) static FOOTPRINT: Part = part!("shading/pixel/footprint", DIRECTION, FREQUENCY_CLAMP);
 
 /// Elliptical pixel footprints, [`PixelEllipse`](asperity_shading::PixelEllipse).
-pub static PIXEL_ELLIPSE: Part = part!("shading/pixel/ellipse", FOOTPRINT);
+pub(crate) static PIXEL_ELLIPSE: Part = part!("shading/pixel/ellipse", FOOTPRINT);

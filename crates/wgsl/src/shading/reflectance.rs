@@ -8,7 +8,7 @@ use crate::shading::bump::{SLOPE_FACETS, SURFACE_GRADIENT};
 use crate::shading::{DIRECTION, MATH};
 
 /// Clamps reflectances to finite, non-negative values.
-pub static BRDF: Part = part!("shading/reflectance/brdf", MATH);
+pub(crate) static BRDF: Part = part!("shading/reflectance/brdf", MATH);
 
 /// Schlick's approximation, plain and with a tint at 82°: [`Schlick`](asperity_shading::Schlick),
 /// [`SchlickF82`](asperity_shading::reflectance::SchlickF82).
@@ -54,7 +54,7 @@ pub static PHONG: Part = part!("shading/reflectance/phong", BRDF, DIRECTION, ELE
 pub static WARD: Part = part!("shading/reflectance/ward", BRDF, DIRECTION, ELEMENTARY);
 
 /// Light from a facet of a surface, as summed by [`Bsdf`](asperity_shading::Bsdf).
-pub static FACET: Part = part!("shading/reflectance/facet", SURFACE_GRADIENT, FRAME, BRDF);
+pub(crate) static FACET: Part = part!("shading/reflectance/facet", SURFACE_GRADIENT, FRAME, BRDF);
 
 /// Frosted glass, walls and bodies,
 /// [`RoughDielectric`](asperity_shading::reflectance::RoughDielectric).
@@ -66,7 +66,7 @@ pub static ROUGH_DIELECTRIC: Part =
 /// transmission.
 ///
 /// Apply a coat to any material by `coat_over(coat, material(point, wo, wi), wo, wi)` and
-/// `coat_deltas`.
+/// `coat_specular_samples`.
 pub static COAT: Part = part!(
     "shading/reflectance/coat",
     [CoatUniform],

@@ -5,18 +5,18 @@ use asperity_shading::gpu::{
 };
 
 use crate::ndf::ELEMENTARY;
-use crate::noise::sums::{FREQUENCY_CLAMP, fbm_3d};
+use crate::noise::{FBM_3D, sums::FREQUENCY_CLAMP};
 use crate::noise::{PERLIN, WHITE};
 use crate::part::{Part, part};
 use crate::shading::pixel::FOOTPRINT;
 use crate::shading::{DIRECTION, MATH};
 
-/// Bricks with grooves of mortar, at points and over boxes, [`Brick`](asperity_shading::Brick).
-pub static BRICK: Part = part!("shading/texture/brick", [BrickUniform], DIRECTION);
+/// Bricks with grooves of mortar, at points and over boxes.
+static BRICK_POINTS: Part = part!("shading/texture/brick", [BrickUniform], DIRECTION);
 
-/// Slopes within a pixel of a wall of bricks as facets,
-/// [`Brick::facets`](asperity_shading::Brick::facets).
-pub static BRICK_FACETS: Part = part!("shading/texture/brick_facets", BRICK, DIRECTION);
+/// Bricks with grooves of mortar, at points, over boxes and as facets of a pixel:
+/// [`Brick`](asperity_shading::Brick).
+pub static BRICK: Part = part!("shading/texture/brick_facets", BRICK_POINTS, DIRECTION);
 
 /// Ridges along the edges of a tile, at points and as facets,
 /// [`Bevel`](asperity_shading::texture::Bevel).
@@ -37,15 +37,15 @@ pub static STAR_WALLPAPER: Part = part!(
 /// Blue marble by position, filtered over a pixel: [`Marble`](asperity_shading::Marble).
 pub static MARBLE: Part = part!("shading/texture/marble", [MarbleUniform], MATH, FREQUENCY_CLAMP, PERLIN);
 
-/// Density of gas in 3-D, filtered over a pixel, and its fraction in a column of steam:
-/// [`Gas`](asperity_shading::texture::Gas), [`Steam`](asperity_shading::texture::Steam).
-pub static GAS: Part = part!("shading/texture/gas", [GasUniform], ELEMENTARY, FOOTPRINT, fbm_3d::PERLIN);
+/// Density of gas in 3-D, filtered over a pixel, and its fraction in a column of steam.
+static GAS_DENSITY: Part = part!("shading/texture/gas", [GasUniform], ELEMENTARY, FOOTPRINT, FBM_3D.perlin);
 
-/// Light and transmittance along a ray through gas, and its interval in steam:
-/// [`march`](fn@asperity_shading::texture::march),
-/// [`Steam::interval`](asperity_shading::texture::Steam::interval).
-pub static GAS_MARCH: Part = part!("shading/texture/gas_march", GAS, DIRECTION, MATH, ELEMENTARY);
+/// Density of gas in 3-D, filtered over a pixel, with light and transmittance along a ray:
+/// [`Gas`](asperity_shading::texture::Gas), [`Steam`](asperity_shading::texture::Steam),
+/// [`march`](fn@asperity_shading::texture::march).
+pub static GAS: Part = part!("shading/texture/gas_march", GAS_DENSITY, DIRECTION, MATH, ELEMENTARY);
 
 /// Texture coordinates displaced by noise,
 /// [`PerturbedTexture`](asperity_shading::texture::PerturbedTexture).
-pub static PERTURBED: Part = part!("shading/texture/perturbed", [PerturbedTextureUniform], FOOTPRINT, PERLIN);
+pub(crate) static PERTURBED: Part =
+    part!("shading/texture/perturbed", [PerturbedTextureUniform], FOOTPRINT, PERLIN);

@@ -10,8 +10,8 @@ use std::path::Path;
 use asperity_render::geometry::teapot::teapot;
 use asperity_shading::noise::gpu::FbmUniform3d;
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
-use asperity_wgsl::noise::sums;
-use asperity_wgsl::{Binding, Bindings, Part, compose, ndf, shading};
+use asperity_wgsl::noise::FBM_3D;
+use asperity_wgsl::{Binding, Bindings, Part, compose, shading};
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
 use wgpu::util::{DeviceExt, TextureDataOrder};
@@ -25,12 +25,9 @@ const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
 /// The shader and the parts that it calls. Bindings 0 and 1 belong to the octaves, 2 is its own.
-static SURFACE: Part = Part::new(
-    "surface",
-    include_str!("surface.wgsl"),
-    &[&sums::GAUSSIAN_FBM_3D, &ndf::FRAME, &ndf::GGX, &shading::FREQUENCY_CLAMP, &shading::LEVEL_OF_DETAIL],
-)
-.with_bindings(&[Binding::Uniform { name: "view", of: "View" }]);
+static SURFACE: Part =
+    Part::new("surface", include_str!("surface.wgsl"), &[&FBM_3D.gaussian, &shading::LEVEL_OF_DETAIL])
+        .with_bindings(&[Binding::Uniform { name: "view", of: "View" }]);
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = std::env::args().nth(1).unwrap_or_else(|| "target".into());

@@ -24,7 +24,7 @@ const FLOORS: [(&str, f32); 16] = [
     ("tempered_glass, body", 2.0),
     ("textured/brick_wall", 1.0),
     ("textured/beveled_tiles", 3.0),
-    ("textured/starry_wallpaper", 3.0),
+    ("textured/wallpaper", 3.0),
     ("textured/polished_marble", 3.0),
     ("bump_mapped, exact rule of GGX", 8.0),
     ("bump_mapped, fractal rule of Beckmann", 8.0),

@@ -16,7 +16,7 @@ use asperity_shading::noise::gpu::{FbmUniform2d, FbmUniform3d};
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::{BumpField, pixel::FrequencyClamp};
 use asperity_wgsl::Part;
-use asperity_wgsl::noise::sums::MipMapped;
+use asperity_wgsl::noise::MipMapped;
 use clap::ValueEnum;
 use glam::{Vec2, Vec3};
 

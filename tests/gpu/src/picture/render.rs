@@ -19,21 +19,17 @@ use crate::{
 
 /// Bumps from noise. The renderer receives the words of its sum.
 pub(crate) static PROCEDURAL: Part =
-    Part::new("procedural", include_str!("procedural.wgsl"), &[&noise::sums::GAUSSIAN_FBM_3D, &SURFACE]);
+    Part::new("procedural", include_str!("procedural.wgsl"), &[&noise::FBM_3D.gaussian, &SURFACE]);
 
 /// Bumps from a noise texture and a normal texture.
 pub(crate) static TEXTURED: Part = Part::new(
     "textured",
     include_str!("textured.wgsl"),
-    &[&noise::sums::MIP_MAPPED, &ndf::NORMAL_TABLE_FILTERED, &SURFACE],
+    &[&noise::MIP_MAPPED, &ndf::NORMAL_TABLE_FILTERED, &SURFACE],
 );
 
-static SURFACE: Part = Part::new(
-    "surface",
-    include_str!("surface.wgsl"),
-    &[&ndf::FRAME, &ndf::GGX, &shading::FREQUENCY_CLAMP, &shading::LEVEL_OF_DETAIL],
-)
-.with_bindings(&[Binding::Uniform { name: "surface_view", of: "SurfaceView" }]);
+static SURFACE: Part = Part::new("surface", include_str!("surface.wgsl"), &[&shading::LEVEL_OF_DETAIL])
+    .with_bindings(&[Binding::Uniform { name: "surface_view", of: "SurfaceView" }]);
 
 const COLOUR: TextureFormat = TextureFormat::Rgba8Unorm;
 const DEPTH: TextureFormat = TextureFormat::Depth32Float;

@@ -13,17 +13,17 @@ pub(super) fn cases() -> Vec<Case> {
 }
 
 /// Functions for the cases of values and of jets.
-static FUNCTIONS: Part = Part::new("case/fif/functions", "", &[&fif::JET])
+static FUNCTIONS: Part = Part::new("case/fif/functions", "", &[&fif::TABLE])
     .with_bindings(&[Binding::Uniform { name: "fif_functions", of: "array<FifTable, 4>" }]);
 
 /// A field and its ranges.
-static FIELD: Part = Part::new("case/fif/field", "", &[&fif::INTERSECT, &fif::NORMAL]).with_bindings(&[
+static FIELD: Part = Part::new("case/fif/field", "", &[&fif::INTERSECT]).with_bindings(&[
     Binding::Uniform { name: "field", of: "HeightField" },
     Binding::Uniform { name: "field_ranges", of: "HeightFieldRanges" },
 ]);
 
 /// Surfaces that are not products.
-static SURFACES: Part = Part::new("case/fif/surfaces", "", &[&fif::FOLDED])
+static SURFACES: Part = Part::new("case/fif/surfaces", "", &[&fif::FOLDED_SURFACE])
     .with_bindings(&[Binding::Uniform { name: "fif_surfaces", of: "array<FoldedSurface, 2>" }]);
 
 type Smooth = Fif<3>;
@@ -255,8 +255,8 @@ fn folded() -> Case {
         name: "fif/surface/folded".into(),
         parts: vec![&SURFACES],
         body: "\
-    let jet = folded_jet(fif_surfaces[c.x], a.xy);
-    outcome.a = bits(vec4<f32>(jet, folded_height(fif_surfaces[c.x], a.xy) - jet.x));"
+    let jet = folded_surface_jet(fif_surfaces[c.x], a.xy);
+    outcome.a = bits(vec4<f32>(jet, folded_surface_height(fif_surfaces[c.x], a.xy) - jet.x));"
             .into(),
         resources: vec![("fif_nodes", nodes), ("fif_surfaces", uniforms)],
         input: Box::new(|i| place(i, 2)),

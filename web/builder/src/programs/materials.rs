@@ -1,7 +1,7 @@
 //! Programs of the materials scene.
 
-use asperity_wgsl::shading::{DIRECTION, MATH, bump, material, pixel, reflectance, texture};
-use asperity_wgsl::{Binding, Element, Part, ndf};
+use asperity_wgsl::shading::{material, reflectance, texture};
+use asperity_wgsl::{Binding, Element, Part};
 
 use super::{DISPLAY, Program, SCREEN, program};
 
@@ -18,10 +18,9 @@ static LIGHT: Part = page_part!("light",).with_bindings(&[
 
 const VIEW: &[Binding] = &[Binding::Uniform { name: "materials_view", of: "MaterialsView" }];
 
-static COATED: Part =
-    page_part!("coated", reflectance::COOK_TORRANCE_BECKMANN, reflectance::COAT, reflectance::FACET);
+static COATED: Part = page_part!("coated", reflectance::COOK_TORRANCE_BECKMANN, reflectance::COAT);
 
-static GLOSSY: Part = page_part!("glossy_lit", reflectance::COOK_TORRANCE_BECKMANN, material::GLOSSY);
+static GLOSSY: Part = page_part!("glossy_lit", reflectance::COOK_TORRANCE_BECKMANN);
 
 static PAINT: Part = page_part!("material_paint", material::METALLIC_PAINT, COATED);
 static CARPET: Part = page_part!("material_carpet", material::CARPET, GLOSSY);
@@ -39,11 +38,6 @@ macro_rules! surfaces {
             reflectance::COOK_TORRANCE_BECKMANN,
             $of,
             LIGHT,
-            ndf::FRAME,
-            DIRECTION,
-            MATH,
-            pixel::PIXEL_ELLIPSE,
-            bump::SURFACE_GRADIENT,
             material::SURFACE_POINT,
             DISPLAY,
         )
@@ -63,7 +57,7 @@ surfaces! {
 }
 
 static BEHIND: Part = page_part!("behind", OF_PLAIN, SCREEN);
-static STEAM: Part = page_part!("steam", OF_PLAIN, texture::GAS_MARCH).with_bindings(&[
+static STEAM: Part = page_part!("steam", OF_PLAIN, texture::GAS).with_bindings(&[
     Binding::Uniform { name: "steam_gas", of: "Gas" },
     Binding::Uniform { name: "steam_view", of: "SteamView" },
 ]);

@@ -1,13 +1,15 @@
 //! Noise slices: a program per noise and dimension. The programs differ only in the octave
 //! function.
 
-use asperity_wgsl::noise::sums::{self, fbm_2d, fbm_3d, fbm_4d};
-use asperity_wgsl::noise::{self, transforms};
+use asperity_wgsl::noise::{self, CURL, FBM_2D, FBM_3D, FBM_4D, WARP};
 use asperity_wgsl::{Binding, Part};
 
 use super::{Program, SCREEN, program};
 
 const VIEW: &[Binding] = &[Binding::Uniform { name: "noise_view", of: "NoiseView" }];
+
+/// Domain warping and velocities.
+static FLOW: Part = Part::new("page/flow", "", &[&WARP, &CURL]);
 
 static SEEN: Part = page_part!("noise_view",).with_bindings(VIEW);
 
@@ -33,8 +35,8 @@ macro_rules! octave {
 
 /// Programs of a dimension: name, part of the crate, and octave function.
 macro_rules! slices {
-    ($module:ident, $dimension:literal, $n:literal, $cell:literal, $key:literal, $sums:ident, $uniform:path,
-     $warp:path, $curl:path, $($name:literal $kind:path { $($octave:tt)* })*) => {
+    ($module:ident, $dimension:literal, $n:literal, $cell:literal, $key:literal, $sums:ident, $flow:ident,
+     $($name:literal $kind:path { $($octave:tt)* })*) => {
         mod $module {
             use super::*;
 
@@ -42,11 +44,11 @@ macro_rules! slices {
                 static OCTAVE: Part = Part::new(
                     concat!("page/noise_octave_", $name, "_", $dimension),
                     octave!($dimension, $n, $cell, $key, $($octave)*),
-                    &[&noise::SAMPLE, &noise::CELL, &$kind, &sums::OCTAVE],
+                    &[&$kind, &$sums.custom],
                 );
                 static PART: Part = page_part!(
                     "noise_", $dimension;
-                    OCTAVE, sums::SHAPE, sums::SPECTRUM, $uniform, $sums::TOTAL, $sums::RIDGED_MULTIFRACTAL, $warp, $curl, SCREEN, SEEN,
+                    OCTAVE, $sums.custom, $flow, SCREEN, SEEN,
                 );
                 program(
                     concat!("noise-", $name, "-", $dimension),
@@ -58,7 +60,7 @@ macro_rules! slices {
     };
 }
 
-slices!(plane, "2d", "2", "layer.cell", "layer.key", fbm_2d, sums::UNIFORM_2D, transforms::WARP, transforms::CURL,
+slices!(plane, "2d", "2", "layer.cell", "layer.key", FBM_2D, FLOW,
     "white" noise::WHITE { white }
     "value" noise::VALUE { cell "value" "" }
     "catmull-rom" noise::VALUE_CATMULL_ROM { cell "value_catmull_rom" "" }
@@ -66,14 +68,13 @@ slices!(plane, "2d", "2", "layer.cell", "layer.key", fbm_2d, sums::UNIFORM_2D, t
     "perlin-2002" noise::PERLIN { cell "perlin" "" }
     "value-gradient" noise::VALUE_GRADIENT { cell "value_gradient" "0.5, " }
     "simplex" noise::SIMPLEX { simplex "simplex" }
-    "simplex-wide" noise::SIMPLEX { simplex "simplex_wide" }
-    "sparse" noise::SPARSE { cell "sparse" "1u, " }
+    "simplex-wide" noise::SIMPLEX { simplex "simplex_classic" }
+    "sparse" noise::SPARSE_CONVOLUTION { cell "sparse_convolution" "1u, " }
     "gaussian" noise::GAUSSIAN { cell "gaussian" "" }
     "cellular" noise::CELLULAR { cell "cellular" "noise_view.basis, noise_view.metric, noise_view.jitter, " }
 );
 
-slices!(space, "3d", "3", "layer.cell_and_key.xyz", "bitcast<u32>(layer.cell_and_key.w)", fbm_3d, sums::UNIFORM_3D,
-    transforms::WARP, transforms::CURL,
+slices!(space, "3d", "3", "layer.cell_and_key.xyz", "bitcast<u32>(layer.cell_and_key.w)", FBM_3D, FLOW,
     "white" noise::WHITE { white }
     "value" noise::VALUE { cell "value" "" }
     "catmull-rom" noise::VALUE_CATMULL_ROM { cell "value_catmull_rom" "" }
@@ -81,17 +82,17 @@ slices!(space, "3d", "3", "layer.cell_and_key.xyz", "bitcast<u32>(layer.cell_and
     "perlin-2002" noise::PERLIN { cell "perlin" "" }
     "value-gradient" noise::VALUE_GRADIENT { cell "value_gradient" "0.5, " }
     "simplex" noise::SIMPLEX { simplex "simplex" }
-    "simplex-wide" noise::SIMPLEX { simplex "simplex_wide" }
-    "sparse" noise::SPARSE { cell "sparse" "1u, " }
+    "simplex-wide" noise::SIMPLEX { simplex "simplex_classic" }
+    "sparse" noise::SPARSE_CONVOLUTION { cell "sparse_convolution" "1u, " }
     "gaussian" noise::GAUSSIAN { cell "gaussian" "" }
     "cellular" noise::CELLULAR { cell "cellular" "noise_view.basis, noise_view.metric, noise_view.jitter, " }
 );
 
-slices!(time, "4d", "4", "layer.cell", "layer.key", fbm_4d, sums::UNIFORM_4D, SCREEN, SCREEN,
+slices!(time, "4d", "4", "layer.cell", "layer.key", FBM_4D, SCREEN,
     "value" noise::VALUE { cell "value" "" }
     "perlin-2002" noise::PERLIN { cell "perlin" "" }
     "simplex" noise::SIMPLEX { simplex "simplex" }
-    "simplex-wide" noise::SIMPLEX { simplex "simplex_wide" }
+    "simplex-wide" noise::SIMPLEX { simplex "simplex_classic" }
 );
 
 /// Returns the scene's programs.

@@ -41,7 +41,7 @@ const fn word<'a>(text: &'a [u8], i: usize, words: &[(u8, &'a str)]) -> &'a [u8]
 /// key of a layer.
 macro_rules! octave_part {
     ([$digit:literal, $place:literal, $cell:literal, $key:literal], $file:expr, [$($template:literal),*],
-     [$($mark:literal => $word:expr),*], [$($need:path),*]) => {{
+     [$($mark:literal => $word:expr),*], [$($need:expr),*]) => {{
         const TEMPLATE: &str = concat!($(include_str!(
             concat!(env!("CARGO_MANIFEST_DIR"), "/src/wgsl/noise/sums/fbm/", $template, ".template")
         )),*);
@@ -56,74 +56,62 @@ macro_rules! octave_part {
     }};
 }
 
-/// Defines the parts of sums in a dimension: a running sum, a ridged multifractal, and octaves of
-/// each kind of noise.
+/// The parts of a dimension: a running sum for custom kinds, and the sums of each kind of noise.
 macro_rules! fbm {
-    ($dimension:tt, $uniform:path, [$($kind:ident),*]) => {
-        use $crate::noise::sums::fbm::{filled, size};
-        use $crate::noise::sums::{OCTAVE, SHAPE, SPECTRUM};
-        use $crate::noise::{self, CELL, SAMPLE};
-        use $crate::part::Part;
-
-        /// Running sum of octaves of any kind, [`Fbm`](asperity_noise::Fbm).
-        pub static TOTAL: Part =
-            octave_part!($dimension, "total", ["total"], [], [SAMPLE, SHAPE, SPECTRUM, OCTAVE, $uniform]);
-
-        /// Running ridged multifractal, [`RidgedMultifractal`](asperity_noise::RidgedMultifractal).
-        ///
-        /// It uses the octaves of a sum in a uniform and ignores the sum's shape and normalization.
-        pub static RIDGED_MULTIFRACTAL: Part = octave_part!(
-            $dimension, "ridged_multifractal", ["ridged_multifractal"], [],
-            [SAMPLE, SHAPE, SPECTRUM, OCTAVE, $uniform]
-        );
-
-        $(fbm!(@$kind $dimension $uniform);)*
+    ($sums:ident: $parts:ident, $d:tt, $uniform:ident, [$($kind:ident),*] $(, $field:ident = $part:expr)*) => {
+        $parts {
+            $($kind: fbm!(@$kind $sums $d $uniform),)*
+            $($field: $part,)*
+            custom: octave_part!(
+                $d, "custom", ["total", "ridged_multifractal"], [],
+                [SAMPLE, SHAPE, SPECTRUM, OCTAVE, $uniform]
+            ),
+        }
     };
-    (@VALUE $d:tt $u:path) => {
-        fbm!(@cells $d $u, VALUE "value", "value", "", "value noise, asperity_noise::ValueNoise");
+    (@value $s:ident $d:tt $u:ident) => {
+        fbm!(@cells $s $d $u, VALUE "value", "", "value noise, asperity_noise::ValueNoise")
     };
-    (@VALUE_CATMULL_ROM $d:tt $u:path) => {
-        fbm!(@cells $d $u, VALUE_CATMULL_ROM "value_catmull_rom", "value_catmull_rom", "",
-            "value noise by splines, asperity_noise::ValueCatmullRom");
+    (@value_catmull_rom $s:ident $d:tt $u:ident) => {
+        fbm!(@cells $s $d $u, VALUE_CATMULL_ROM "value_catmull_rom", "",
+            "value noise by splines, asperity_noise::ValueCatmullRom")
     };
-    (@PERLIN_CLASSIC $d:tt $u:path) => {
-        fbm!(@cells $d $u, PERLIN_CLASSIC "perlin_classic", "perlin_classic", "",
-            "Perlin noise of 1985, asperity_noise::PerlinClassic");
+    (@perlin_classic $s:ident $d:tt $u:ident) => {
+        fbm!(@cells $s $d $u, PERLIN_CLASSIC "perlin_classic", "",
+            "Perlin noise of 1985, asperity_noise::PerlinClassic")
     };
-    (@PERLIN $d:tt $u:path) => {
-        fbm!(@cells $d $u, PERLIN "perlin", "perlin", "",
-            "Perlin noise of 2002, asperity_noise::Perlin");
+    (@perlin $s:ident $d:tt $u:ident) => {
+        fbm!(@cells $s $d $u, PERLIN "perlin", "", "Perlin noise of 2002, asperity_noise::Perlin")
     };
-    (@VALUE_GRADIENT $d:tt $u:path) => {
-        fbm!(@cells $d $u, VALUE_GRADIENT "value_gradient", "value_gradient", " 0.5,",
-            "value-gradient noise with equal weights, asperity_noise::ValueGradient");
+    (@value_gradient $s:ident $d:tt $u:ident) => {
+        fbm!(@cells $s $d $u, VALUE_GRADIENT "value_gradient", " 0.5,",
+            "value-gradient noise with equal weights, asperity_noise::ValueGradient")
     };
-    (@SPARSE $d:tt $u:path) => {
-        fbm!(@cells $d $u, SPARSE "sparse_convolution", "sparse", " 1u,",
-            "sparse convolution noise of one impulse per cell, asperity_noise::SparseConvolution");
+    (@sparse_convolution $s:ident $d:tt $u:ident) => {
+        fbm!(@cells $s $d $u, SPARSE_CONVOLUTION "sparse_convolution", " 1u,",
+            "sparse convolution noise of one impulse per cell, asperity_noise::SparseConvolution")
     };
-    (@GAUSSIAN $d:tt $u:path) => {
-        fbm!(@of $d $u, GAUSSIAN "gaussian", "cells", "gaussian_channel", "gaussian", "",
-            "Gaussian noise, one channel, asperity_noise::GaussianNoise", [CELL, noise::GAUSSIAN]);
+    (@gaussian_channel $s:ident $d:tt $u:ident) => {
+        fbm!(@of $s $d $u, "cells", "gaussian_channel", "gaussian", "",
+            "Gaussian noise, one channel, asperity_noise::GaussianNoise", [CELL, kinds::GAUSSIAN])
     };
-    (@SIMPLEX $d:tt $u:path) => {
-        fbm!(@of $d $u, SIMPLEX "simplex", "points", "simplex", "simplex", "",
-            "simplex noise with the continuous kernel, asperity_noise::Simplex", [noise::SIMPLEX]);
+    (@simplex $s:ident $d:tt $u:ident) => {
+        fbm!(@of $s $d $u, "points", "simplex", "simplex", "",
+            "simplex noise with the continuous kernel, asperity_noise::Simplex", [kinds::SIMPLEX])
     };
-    (@SIMPLEX_WIDE $d:tt $u:path) => {
-        fbm!(@of $d $u, SIMPLEX_WIDE "simplex_wide", "points", "simplex_wide", "simplex_wide", "",
-            "simplex noise with the customary wider kernel, asperity_noise::Simplex", [noise::SIMPLEX]);
+    (@simplex_classic $s:ident $d:tt $u:ident) => {
+        fbm!(@of $s $d $u, "points", "simplex_classic", "simplex_classic", "",
+            "simplex noise with the classic radius, asperity_noise::Simplex", [kinds::SIMPLEX])
     };
-    (@cells $d:tt $u:path, $name:ident $file:literal, $function:literal, $more:literal, $what:literal) => {
-        fbm!(@of $d $u, $name $file, "cells", $function, $function, $more, $what, [CELL, noise::$name]);
+    (@cells $s:ident $d:tt $u:ident, $kind:ident $function:literal, $more:literal, $what:literal) => {
+        fbm!(@of $s $d $u, "cells", $function, $function, $more, $what, [CELL, kinds::$kind])
     };
-    (@of $d:tt $u:path, $name:ident $file:literal, $template:literal, $function:literal, $kind:literal,
-     $more:literal, $what:literal, [$($need:path),*]) => {
-        #[doc = concat!("Sums and ridged multifractals of octaves of ", $what, ": `", $function, "_octaves_*`.")]
-        pub static $name: Part = octave_part!(
-            $d, $file, [$template, "sums"], [b'$' => $function, b'!' => $kind, b'?' => $more, b'&' => $what],
-            [SAMPLE, $($need,)* SPECTRUM, OCTAVE, $u, TOTAL, RIDGED_MULTIFRACTAL]
-        );
+    (@of $s:ident $d:tt $u:ident, $template:literal, $function:literal, $kind:literal, $more:literal,
+     $what:literal, [$($need:path),*]) => {
+        octave_part!(
+            $d, $function, [$template, "sums"],
+            [b'$' => $function, b'!' => $kind, b'?' => $more, b'&' => $what],
+            [SAMPLE, $($need,)* SPECTRUM, OCTAVE, $u, $s.custom]
+        )
     };
 }
 

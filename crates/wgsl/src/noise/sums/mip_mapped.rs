@@ -19,7 +19,7 @@ use asperity_noise::{Fbm, FbmSpectrum, GaussianNoise, IntegerHash, NoiseError, g
 /// the distribution of the numbers, here only between texels.
 ///
 /// ```
-/// use asperity_wgsl::noise::sums::MipMapped;
+/// use asperity_wgsl::noise::MipMapped;
 ///
 /// let texture = MipMapped::new(7, 8, 5, 0.5)?;
 /// assert_eq!([texture.size(0), texture.size(5)], [8 * 16 * 4, 16]);

@@ -9,10 +9,11 @@ use crate::shading::DIRECTION;
 use crate::shading::pixel::FOOTPRINT;
 
 /// Seams, lines or a grid, filtered over a pixel: [`Seams`](asperity_shading::material::Seams).
-pub static SEAMS: Part = part!("shading/material/carpet/seams", DIRECTION, ELEMENTARY);
+pub(crate) static SEAMS: Part = part!("shading/material/carpet/seams", DIRECTION, ELEMENTARY);
 
 /// Short bent fibers that cover each other, [`Fibers`](asperity_shading::material::Fibers).
-pub static FIBERS: Part = part!("shading/material/carpet/fibers", [FibersUniform], SEGMENTS, FOOTPRINT);
+pub(crate) static FIBERS: Part =
+    part!("shading/material/carpet/fibers", [FibersUniform], SEGMENTS, FOOTPRINT);
 
 /// Carpet of threads, fibers, seams and dark areas, with rim light:
 /// [`Carpet`](asperity_shading::Carpet).

@@ -10,7 +10,7 @@ use crate::shading::DIRECTION;
 use crate::shading::reflectance::{COAT, ENERGY_PRESERVING};
 
 /// Patches of space, one per flake, [`flake_patch`](fn@asperity_shading::material::flake_patch).
-pub static FLAKE_PATCH: Part =
+pub(crate) static FLAKE_PATCH: Part =
     part!("shading/material/paint/flake_patch", INTEGER_HASH, DIRECTION, ELEMENTARY);
 
 /// Flakes over pigment under a clearcoat with orange peel, the common part of both kinds of

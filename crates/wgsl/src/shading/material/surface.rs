@@ -3,8 +3,8 @@
 use asperity_shading::gpu::{SegmentsUniform, SizedFbmUniform};
 
 use crate::ndf::FRAME;
+use crate::noise::FBM_3D;
 use crate::noise::INTEGER_HASH;
-use crate::noise::sums::fbm_3d;
 use crate::part::{Part, part};
 use crate::shading::DIRECTION;
 use crate::shading::bump::{SLOPE_FACETS, SURFACE_GRADIENT};
@@ -25,9 +25,9 @@ pub(crate) static LATTICE_KEY: Part = part!("shading/material/lattice_key");
 /// Octaves of simplex noise by position, filtered over a pixel.
 ///
 /// Their sums are in the uniform of 3-D sums of octaves.
-pub static SIZED_FBM: Part =
-    part!("shading/material/sized_fbm", [SizedFbmUniform], fbm_3d::SIMPLEX, FOOTPRINT);
+pub(crate) static SIZED_FBM: Part =
+    part!("shading/material/sized_fbm", [SizedFbmUniform], FBM_3D.simplex, FOOTPRINT);
 
 /// Rough diffuse surface with gloss, filtered over a pixel.
-pub static GLOSSY: Part =
+pub(crate) static GLOSSY: Part =
     part!("shading/material/glossy", SLOPE_FACETS, FACET, ENERGY_PRESERVING, COOK_TORRANCE_BECKMANN);

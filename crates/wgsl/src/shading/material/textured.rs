@@ -8,7 +8,7 @@ use crate::part::{Binding, Part, part};
 use crate::shading::DIRECTION;
 use crate::shading::pixel::FOOTPRINT;
 use crate::shading::reflectance::{BRDF, COAT, ENERGY_PRESERVING, FACET};
-use crate::shading::texture::{BEVEL, BRICK_FACETS, MARBLE, PERTURBED, STAR_WALLPAPER};
+use crate::shading::texture::{BEVEL, BRICK, MARBLE, PERTURBED, STAR_WALLPAPER};
 
 /// Rough diffuse surfaces with slopes in texture coordinates, facet by facet.
 pub(crate) static TEXTURED_SLOPES: Part =
@@ -18,7 +18,7 @@ pub(crate) static TEXTURED_SLOPES: Part =
 pub static BRICK_WALL: Part = part!(
     "shading/material/textured/brick_wall",
     [BrickWallUniform],
-    BRICK_FACETS,
+    BRICK,
     TEXTURED_SLOPES,
     INTEGER_HASH,
     FOOTPRINT,
@@ -42,13 +42,13 @@ pub static BEVELED_TILES: Part = part!(
 
 /// Paper with stars, [`Wallpaper`](asperity_shading::material::Wallpaper).
 pub static WALLPAPER: Part = part!(
-    "shading/material/textured/starry_wallpaper",
+    "shading/material/textured/wallpaper",
     [WallpaperUniform],
     STAR_WALLPAPER,
     SURFACE_POINT,
     ENERGY_PRESERVING
 )
-.with_bindings(&[Binding::Uniform { name: "starry_wallpaper_uniform", of: "Wallpaper" }]);
+.with_bindings(&[Binding::Uniform { name: "wallpaper_uniform", of: "Wallpaper" }]);
 
 /// Blue marble under a polish, [`PolishedMarble`](asperity_shading::material::PolishedMarble).
 pub static POLISHED_MARBLE: Part = part!(

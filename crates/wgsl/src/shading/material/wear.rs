@@ -4,7 +4,7 @@ use asperity_shading::gpu::{ScratchesUniform, VariationsUniform};
 
 use super::surface::{GLOSSY, LATTICE_KEY, SEGMENTS, SIZED_FBM, SURFACE_POINT};
 use crate::noise::SIMPLEX;
-use crate::noise::sums::{FREQUENCY_CLAMP, fbm_3d};
+use crate::noise::{FBM_3D, sums::FREQUENCY_CLAMP};
 use crate::part::{Binding, Part, part};
 use crate::shading::bump::SLOPE_FACETS;
 use crate::shading::reflectance::{COOK_TORRANCE_BECKMANN, FACET};
@@ -23,10 +23,11 @@ pub static SCRATCHES: Part = part!(
 .with_bindings(&[Binding::Uniform { name: "scratches_uniform", of: "Scratches" }]);
 
 /// Small variations of color, [`Blemishes`](asperity_shading::material::Blemishes).
-pub static BLEMISHES: Part = part!("shading/material/wear/blemishes", SIZED_FBM);
+pub(crate) static BLEMISHES: Part = part!("shading/material/wear/blemishes", SIZED_FBM);
 
 /// Noise with some of its gradients dropped, [`Dents`](asperity_shading::material::Dents).
-pub static DENTS: Part = part!("shading/material/wear/dents", SIZED_FBM, LATTICE_KEY, SIMPLEX, fbm_3d::TOTAL);
+pub(crate) static DENTS: Part =
+    part!("shading/material/wear/dents", SIZED_FBM, LATTICE_KEY, SIMPLEX, FBM_3D.custom);
 
 /// Any material with blemishes and dents, [`Variations`](asperity_shading::Variations).
 pub static VARIATIONS: Part =

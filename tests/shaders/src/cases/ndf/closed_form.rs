@@ -56,7 +56,7 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
     let fade = bitcast<f32>(c.z);
     outcome.a = bits(vec4<f32>(x_warp_gaussian(alpha, a.zw), max(x_d(alpha, b.xyz), 1e-34)));
     let center = x_warp_gaussian(alpha, level_of_detail_exact_coordinates(a.zw, b.w));
-    let sample = x_from_uniform(alpha, u);
+    let sample = x_sample(alpha, u);
     let split = gaussian_split(a.zw, b.w);
     outcome.b = bits(vec4<f32>(x_invert(alpha, b.xyz), center.xy));
     outcome.c = bits(vec4<f32>(

@@ -1,7 +1,7 @@
 //! Elementary functions and the Gaussian distribution, compared with `f64`.
 
 use asperity_ndf_sampling::{gaussian_cdf, inverse_gaussian_cdf};
-use asperity_wgsl::ndf::{ELEMENTARY, NORMAL_DISTRIBUTION};
+use asperity_wgsl::ndf::BECKMANN;
 
 use super::{floats, words};
 use crate::case::{Bound, Case, INPUTS, Output, between};
@@ -24,16 +24,16 @@ fn functions() -> Case {
     };
     Case {
         name: "ndf/numeric/elementary, normal_distribution".into(),
-        parts: vec![&ELEMENTARY, &NORMAL_DISTRIBUTION],
+        parts: vec![&BECKMANN],
         body: "\
     let root = elementary_exp(-0.5 * a.z);
     let turn = elementary_cos_sin_turns(b.x);
     outcome.a = bits(vec4<f32>(
         elementary_exp(a.x), elementary_ln(a.y), elementary_ln_1p(a.w), elementary_one_minus_exp_ratio(a.z, root),
     ));
-    outcome.b = bits(vec4<f32>(turn, normal_distribution_phi(b.y), normal_distribution_inverse_phi(b.z)));
+    outcome.b = bits(vec4<f32>(turn, gaussian_cdf(b.y), inverse_gaussian_cdf(b.z)));
     outcome.c = bits(vec4<f32>(
-        normal_distribution_excess(abs(b.y)), normal_distribution_mills_ratio(abs(b.y)),
+        gaussian_excess(abs(b.y)), gaussian_mills_ratio(abs(b.y)),
         elementary_bounded(bitcast<f32>(c.x), 13.0), elementary_number(bitcast<f32>(c.x)),
     ));"
         .into(),

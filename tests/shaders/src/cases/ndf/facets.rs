@@ -5,7 +5,7 @@ use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::{AshikhminShirley, BlinnPhong, Microfacet, Ndf, StudentT, Ward};
 use asperity_wgsl::{
     Part,
-    ndf::{ASHIKHMIN_SHIRLEY, BLINN_PHONG, ROUGHNESS, STUDENT_T, WARD},
+    ndf::{ASHIKHMIN_SHIRLEY, BLINN_PHONG, GGX, STUDENT_T, WARD},
 };
 
 use super::{floats, gaussian, number, words};
@@ -60,10 +60,10 @@ impl Facets {
     fn case(self) -> Case {
         let Self { name, first, of, .. } = self;
         let x = |function: &str| format!("{name}_{function}({first}, ");
-        let (density, from, to, sample) = (x("d"), x("warp_gaussian"), x("invert"), x("from_uniform"));
+        let (density, from, to, sample) = (x("d"), x("warp_gaussian"), x("invert"), x("sample"));
         Case {
             name: format!("ndf/density/{name}"),
-            parts: vec![self.part, &ROUGHNESS],
+            parts: vec![self.part, &GGX],
             body: format!(
                 "    {}\n    let u = bitcast<vec2<f32>>(c.xy);\n    \
                  outcome.a = bits(vec4<f32>({from}vec2<f32>(a.w, b.x)), max({density}b.yzw), 1e-30)));\n    \
@@ -194,7 +194,7 @@ fn masking() -> Case {
 fn ward() -> Case {
     Case {
         name: "ndf/density/ward".into(),
-        parts: vec![&WARD, &ROUGHNESS],
+        parts: vec![&WARD, &GGX],
         body: "    outcome.a.x = bitcast<u32>(max(ward_lobe(roughness_clamped(a.xy), vec3<f32>(a.zw, b.x)), 1e-30));"
             .into(),
         resources: vec![],

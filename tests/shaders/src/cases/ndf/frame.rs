@@ -1,7 +1,7 @@
 //! Tangent frames.
 
 use asperity_ndf_sampling::{Frame, glam::Vec3};
-use asperity_wgsl::ndf::FRAME;
+use asperity_wgsl::shading::LEVEL_OF_DETAIL;
 
 use super::{floats, number, words};
 use crate::case::{Bound, Case, INPUTS, Output, between};
@@ -15,7 +15,7 @@ fn frames() -> Case {
         |name, words, bound| Output { name, words, written: Bound::Equal, adapter: Bound::Absolute(bound) };
     Case {
         name: "ndf/frame".into(),
-        parts: vec![&FRAME],
+        parts: vec![&LEVEL_OF_DETAIL],
         body: "\
     let v = vec3<f32>(b.zw, bitcast<f32>(c.x));
     let frame = frame_from_normal(a.xyz);

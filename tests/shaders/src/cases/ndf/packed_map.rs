@@ -57,7 +57,7 @@ fn packed(
         body: "\
     let split = gaussian_split(vec2<f32>(a.w, b.x), b.y);
     outcome.a = bits(vec4<f32>(packed_map_d(a.xyz), packed_map_forward(a.xy), packed_map_invert(a.xyz).x));
-    outcome.b = bits(vec4<f32>(packed_map_invert(a.xyz).y, packed_map_from_uniform(b.zw)));
+    outcome.b = bits(vec4<f32>(packed_map_invert(a.xyz).y, packed_map_sample(b.zw)));
     outcome.c = bits(vec4<f32>(packed_map_warp_gaussian(vec2<f32>(a.w, b.x)), max(packed_map_residual_ndf(a.xyz, split), 1e-34)));
     let within = clamp(packed_map_invert(a.xyz), vec2<f32>(-3.0), vec2<f32>(3.0));
     outcome.d = bits(vec4<f32>(within, 0.0, 0.0));"

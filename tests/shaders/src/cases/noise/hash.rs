@@ -12,7 +12,7 @@ pub(super) fn cases() -> Vec<Case> {
 fn hash() -> Case {
     Case {
         name: "noise/lattice/integer_hash".into(),
-        parts: vec![&noise::INTEGER_HASH],
+        parts: vec![&noise::WHITE],
         body: "\
     let x = integer_hash_term(0u, i32(c.x));
     let y = integer_hash_term(1u, i32(c.y));

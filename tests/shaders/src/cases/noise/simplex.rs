@@ -29,7 +29,7 @@ fn narrow(bounds: [Bound; 2]) -> Case {
 }
 
 fn wide() -> Case {
-    case(&noise::SIMPLEX, body("simplex_wide", "", true), NEAR, |words| {
+    case(&noise::SIMPLEX, body("simplex_classic", "", true), NEAR, |words| {
         let simplex = Simplex::new(seed(words)).with_classic_radius();
         outputs(sample(&simplex, words), sample(&simplex, words), sample(&simplex, words))
     })

@@ -6,10 +6,7 @@ use asperity_shading::bump::{
 };
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::{Frame, half_vector, reflect};
-use asperity_wgsl::shading::{
-    DIRECTION,
-    bump::{SLOPE_FACETS, SURFACE_GRADIENT},
-};
+use asperity_wgsl::shading::{material::SURFACE_POINT, reflectance::COAT};
 
 use super::{direction, equal, floats, inputs, number, vec3, vector, words};
 use crate::case::{Bound, Case};
@@ -21,7 +18,7 @@ pub(super) fn cases() -> Vec<Case> {
 fn directions() -> Case {
     Case {
         name: "shading/direction".into(),
-        parts: vec![&DIRECTION],
+        parts: vec![&SURFACE_POINT],
         body: "\
     let wi = a.xyz;
     let wo = b.xyz;
@@ -66,7 +63,7 @@ fn directions() -> Case {
 fn gradients() -> Case {
     Case {
         name: "shading/bump/surface_gradient".into(),
-        parts: vec![&SURFACE_GRADIENT],
+        parts: vec![&SURFACE_POINT],
         body: "\
     let n = a.xyz;
     let slope = vec2<f32>(a.w, b.x);
@@ -108,7 +105,7 @@ fn gradients() -> Case {
 fn normals() -> Case {
     Case {
         name: "shading/bump/surface_gradient, normals".into(),
-        parts: vec![&SURFACE_GRADIENT],
+        parts: vec![&SURFACE_POINT],
         body: "\
     outcome.a = bits(vec4<f32>(surface_gradient_normal(a.xyz, b.xyz), 0.0));
     outcome.b = bits(vec4<f32>(surface_gradient_facing(a.xyz, surface_gradient_normal(a.xyz, b.xyz), bitcast<vec3<f32>>(c.xyz)), 0.0));"
@@ -137,7 +134,7 @@ fn normals() -> Case {
 fn facets() -> Case {
     Case {
         name: "shading/bump/slope_facets".into(),
-        parts: vec![&SLOPE_FACETS],
+        parts: vec![&COAT],
         body: "\
     let facets = slope_facets(a.xyz, b.xyz, vec3<f32>(a.w, 0.0, 0.0), vec3<f32>(0.0, a.w, 0.0));
     let facet = slope_facets_gaussian(facets, c.x);

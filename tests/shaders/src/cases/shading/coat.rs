@@ -109,7 +109,7 @@ pub(super) fn specular(sample: Option<BsdfSample>, channel: usize) -> [f32; 4] {
 
 fn deltas() -> Case {
     let body = "\
-    let deltas = coat_deltas(coat, b.xyz, bitcast<vec2<f32>>(d.xy));
+    let deltas = coat_specular_samples(coat, b.xyz, bitcast<vec2<f32>>(d.xy));
     let mirrored = vec4<f32>(deltas.mirrored.wi, deltas.mirrored.weight.x);
     let transmitted = vec4<f32>(deltas.transmitted.wi, deltas.transmitted.weight.y);
     outcome.a = bits(select(vec4<f32>(0.0), mirrored, mirrored.w > 0.0));

@@ -3,10 +3,7 @@
 use asperity_shading::glam::Vec3;
 use asperity_shading::reflectance::{OrenNayar, OrenNayarVariant};
 use asperity_shading::{Brdf, EnergyPreservingOrenNayar, Lambert};
-use asperity_wgsl::shading::{
-    MATH,
-    reflectance::{ENERGY_PRESERVING, LAMBERT, OREN_NAYAR},
-};
+use asperity_wgsl::shading::reflectance::{ENERGY_PRESERVING, LAMBERT, OREN_NAYAR};
 
 use super::{direction, equal, floats, inputs, number, share, vec3, words};
 use crate::case::{Bound, Case, Output};
@@ -20,7 +17,7 @@ fn angle() -> Case {
     let bound = Bound::Absolute(8e-7);
     Case {
         name: "shading/math".into(),
-        parts: vec![&MATH],
+        parts: vec![&LAMBERT],
         body: "\
     outcome.a = bits(vec4<f32>(math_angle(a.x, a.y), math_shares(b.xyz)));
     outcome.b = vec4<u32>(u32(math_is_finite(b.x)), 0u, 0u, 0u);"
@@ -58,9 +55,9 @@ fn diffuse() -> Case {
         body: "\
     let wi = bitcast<vec3<f32>>(c.xyz);
     let wo = bitcast<vec3<f32>>(vec3<u32>(c.w, d.xy));
-    outcome.a = bits(vec4<f32>(lambert_value(a.xyz, wi, wo), oren_nayar_qualitative(a.xyz, b.x, wi, wo).x));
+    outcome.a = bits(vec4<f32>(lambert_eval(a.xyz, wi, wo), oren_nayar_qualitative(a.xyz, b.x, wi, wo).x));
     outcome.b = bits(vec4<f32>(oren_nayar_full(a.xyz, b.x, wi, wo), oren_nayar_fujii(a.xyz, b.y, wi, wo).x));
-    outcome.c = bits(vec4<f32>(energy_preserving_value(a.xyz, b.y, wi, wo), 0.0));"
+    outcome.c = bits(vec4<f32>(energy_preserving_oren_nayar_eval(a.xyz, b.y, wi, wo), 0.0));"
             .into(),
         resources: vec![],
         input: Box::new(|i| {

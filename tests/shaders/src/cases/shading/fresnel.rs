@@ -19,7 +19,7 @@ fn fresnel() -> Case {
         body: "\
     let cosine = bitcast<f32>(d.x);
     outcome.a = bits(vec4<f32>(schlick_reflectance(a.xyz, cosine), dielectric_reflectance(b.x, cosine)));
-    outcome.b = bits(vec4<f32>(schlick_tinted_reflectance(a.xyz, bitcast<vec3<f32>>(c.xyz), cosine), conductor_reflectance(b.y, b.z, cosine)));
+    outcome.b = bits(vec4<f32>(schlick_f82_reflectance(a.xyz, bitcast<vec3<f32>>(c.xyz), cosine), conductor_reflectance(b.y, b.z, cosine)));
     outcome.c = bits(vec4<f32>(dielectric_reversed(b.x), 0.0, 0.0, 0.0));"
             .into(),
         resources: vec![],

@@ -3,11 +3,8 @@
 use asperity_shading::glam::Vec3;
 use asperity_shading::reflectance::{BlinnPhongBrdf, BlinnPhongNormalization, WardBrdf, WardNormalization};
 use asperity_shading::{Beckmann, Brdf, CookTorrance, Ggx, Phong, Schlick, TorranceSparrow};
-use asperity_wgsl::{
-    ndf::ROUGHNESS,
-    shading::reflectance::{
-        COOK_TORRANCE_BECKMANN, COOK_TORRANCE_GGX, PHONG, SCHLICK, TORRANCE_SPARROW, WARD,
-    },
+use asperity_wgsl::shading::reflectance::{
+    COOK_TORRANCE_BECKMANN, COOK_TORRANCE_GGX, PHONG, SCHLICK, TORRANCE_SPARROW, WARD,
 };
 
 use super::{direction, equal, floats, inputs, number, share, vec3, words};
@@ -36,7 +33,7 @@ fn directions(i: u32, good: [f32; 8]) -> [u32; INPUTS] {
 fn microfacets() -> Case {
     Case {
         name: "shading/reflectance, microfacets".into(),
-        parts: vec![&ROUGHNESS, &COOK_TORRANCE_GGX, &COOK_TORRANCE_BECKMANN, &TORRANCE_SPARROW, &SCHLICK],
+        parts: vec![&COOK_TORRANCE_GGX, &COOK_TORRANCE_BECKMANN, &TORRANCE_SPARROW, &SCHLICK],
         body:
             "\
     let alpha = roughness_clamped(a.xy);
@@ -48,7 +45,7 @@ fn microfacets() -> Case {
     let f0 = vec3<f32>(b.xyz);
     outcome.a = bits(max(vec4<f32>(ggx.x * schlick_reflectance(f0, ggx.y), 0.0), vec4<f32>(1e-30)));
     outcome.b = bits(max(vec4<f32>(beckmann.x * schlick_reflectance(f0, beckmann.y), 0.0), vec4<f32>(1e-30)));
-    let walls = torrance_sparrow_value(grooves, ggx_d(alpha, grooves.h));
+    let walls = torrance_sparrow_eval(grooves, ggx_d(alpha, grooves.h));
     outcome.c = bits(max(vec4<f32>(walls * schlick_reflectance(f0, grooves.cosine), 0.0), vec4<f32>(1e-30)));"
                 .into(),
         resources: vec![],
@@ -90,10 +87,10 @@ fn lobes() -> Case {
         body: "\
     let wi = bitcast<vec3<f32>>(c.xyz);
     let wo = bitcast<vec3<f32>>(vec3<u32>(c.w, d.xy));
-    let blinn = phong_blinn_value(a.z, phong_blinn_factor(a.z), wi, wo);
-    outcome.a = bits(max(vec4<f32>(phong_value(a.z, wi, wo), blinn, 0.0, 0.0), vec4<f32>(1e-30)));
+    let blinn = blinn_phong_brdf_eval(a.z, blinn_phong_brdf_factor(a.z), wi, wo);
+    outcome.a = bits(max(vec4<f32>(phong_eval(a.z, wi, wo), blinn, 0.0, 0.0), vec4<f32>(1e-30)));
     outcome.b = bits(max(vec4<f32>(
-        ward_value(a.xy, WARD_AS_PUBLISHED, wi, wo), ward_value(a.xy, WARD_DUR, wi, wo), ward_value(a.xy, WARD_BOUNDED, wi, wo), 0.0,
+        ward_brdf_eval(a.xy, WARD_AS_PUBLISHED, wi, wo), ward_brdf_eval(a.xy, WARD_DUR, wi, wo), ward_brdf_eval(a.xy, WARD_BOUNDED, wi, wo), 0.0,
     ), vec4<f32>(1e-30)));"
             .into(),
         resources: vec![],

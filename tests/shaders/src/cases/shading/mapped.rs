@@ -9,7 +9,7 @@ use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::normal_map::{SlopeLobe, SlopeMoments, SlopePyramidRef};
 use asperity_shading::{Beckmann, BumpField, BumpMapped, Ggx, PixelEllipse, SlopePyramid};
 use asperity_wgsl::shading::material::{BUMP_MAPPED, NORMAL_MAPPED};
-use asperity_wgsl::shading::normal_map::{SLOPE_MOMENTS, SLOPE_PYRAMID};
+use asperity_wgsl::shading::normal_map::SLOPE_PYRAMID;
 
 use super::material::{material, sums};
 use super::{equal, floats, inputs, number, vec2, words};
@@ -159,7 +159,7 @@ fn pyramid() -> Case {
 fn moments() -> Case {
     Case {
         name: "shading/normal_map/slope_moments".into(),
-        parts: vec![&SLOPE_MOMENTS],
+        parts: vec![&SLOPE_PYRAMID],
         body: "\
     let moments = SlopeMoments(a.xy, vec3<f32>(a.zw, b.x));
     let split = gaussian_split(bitcast<vec2<f32>>(c.xy), bitcast<f32>(c.z));
@@ -170,7 +170,7 @@ fn moments() -> Case {
     outcome.c = bits(vec4<f32>(slope_moments_normal(moments), 0.0));
     outcome.d = bits(vec4<f32>(slope_moments_mean_normal(moments), 0.0));"
             .into(),
-        resources: vec![],
+        resources: vec![numbers(&map())],
         input: Box::new(|i| {
             let n = |k, range| number(i, k, range);
             let deviations = [2, 3].map(|k| n(k, [-5.0, 1.0]).exp());

@@ -227,7 +227,7 @@ fn delta(name: &str, parameters: TemperedGlassParameters) -> Case {
     let y = vec3<f32>(0.0, 1.0, 0.0);
     let point = SurfacePoint(a.xyz, vec3<f32>(0.0, 0.0, 1.0), vec2<f32>(0.0), x, y, pixel);
     let u = bitcast<vec2<f32>>(c.xy);
-    let deltas = tempered_glass_deltas(tempered_glass_uniform, point, b.xyz, u);
+    let deltas = tempered_glass_specular_samples(tempered_glass_uniform, point, b.xyz, u);
     let coat = metallic_paint_mirrored(metallic_paint_uniform, point, b.xyz, u);
     let mirrored = vec4<f32>(deltas.mirrored.wi, deltas.mirrored.weight.x);
     let transmitted = vec4<f32>(deltas.transmitted.wi, deltas.transmitted.weight.y);

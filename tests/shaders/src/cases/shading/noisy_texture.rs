@@ -3,7 +3,8 @@
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::texture::{Gas, PerturbedTexture, StarWallpaper, Steam, march};
 use asperity_shading::{Footprint, Marble};
-use asperity_wgsl::shading::texture::{GAS, GAS_MARCH, MARBLE, PERTURBED, STAR_WALLPAPER};
+use asperity_wgsl::shading::material::PERTURBED_POINT;
+use asperity_wgsl::shading::texture::{GAS, MARBLE, STAR_WALLPAPER};
 use asperity_wgsl::{Binding, Part};
 
 use super::material::sums;
@@ -127,7 +128,7 @@ fn gas_march() -> Case {
     let fog = |p: Vec3| 0.5 + 0.2 * p.x;
     Case {
         name: "shading/texture/gas_march".into(),
-        parts: vec![given!(GAS_MARCH, "Gas")],
+        parts: vec![given!(GAS, "Gas")],
         body: "\
     let steam = GasSteam(vec3<f32>(0.5, -0.5, 0.0), 1.5, 2.0);
     let interval = gas_march_interval(steam, a.xyz, b.xyz);
@@ -197,7 +198,7 @@ fn perturbed() -> Case {
     let running = PerturbedTexture::default();
     texture(
         "shading/texture/perturbed".into(),
-        given!(PERTURBED, "PerturbedTexture"),
+        given!(PERTURBED_POINT, "PerturbedTexture"),
         vec![("given", packed(&running.gpu()))],
         "\
     let seen = perturbed_look_up(given, a.xyz, b.xy, a.w);

@@ -2,7 +2,7 @@
 
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::{Footprint, PixelEllipse};
-use asperity_wgsl::shading::pixel::PIXEL_ELLIPSE;
+use asperity_wgsl::shading::material::SURFACE_POINT;
 
 use super::{equal, floats, inputs, number, vec3, vector, words};
 use crate::case::{Bound, Case};
@@ -19,7 +19,7 @@ fn width(footprint: Footprint) -> f32 {
 fn footprint() -> Case {
     Case {
         name: "shading/pixel/footprint".into(),
-        parts: vec![&PIXEL_ELLIPSE],
+        parts: vec![&SURFACE_POINT],
         body: "\
     let u = bitcast<f32>(c.x);
     outcome.a = bits(vec4<f32>(
@@ -68,7 +68,7 @@ fn derivatives(i: u32) -> (Vec3, Vec3) {
 fn ellipse() -> Case {
     Case {
         name: "shading/pixel/ellipse".into(),
-        parts: vec![&PIXEL_ELLIPSE],
+        parts: vec![&SURFACE_POINT],
         body: "\
     let pixel = pixel_ellipse_from_derivatives(a.xyz, b.xyz);
     outcome.a = bits(vec4<f32>(pixel.widths, pixel_ellipse_sides(pixel)));
@@ -107,7 +107,7 @@ fn ellipse() -> Case {
 fn taps() -> Case {
     Case {
         name: "shading/pixel/ellipse, taps".into(),
-        parts: vec![&PIXEL_ELLIPSE],
+        parts: vec![&SURFACE_POINT],
         body: "\
     let pixel = pixel_ellipse_aligned(a.xy);
     let round = pixel_ellipse_round(a.x);

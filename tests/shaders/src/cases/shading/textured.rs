@@ -7,7 +7,7 @@ use asperity_shading::{Marble, PixelEllipse};
 use asperity_wgsl::shading::material::{
     BEVELED_TILES, BRICK_WALL, PERTURBED_POINT, POLISHED_MARBLE, WALLPAPER,
 };
-use asperity_wgsl::shading::texture::BRICK_FACETS;
+use asperity_wgsl::shading::texture::BRICK;
 use asperity_wgsl::{Binding, Part};
 
 use super::material::material;
@@ -23,7 +23,7 @@ pub(super) fn cases() -> Vec<Case> {
 fn brick_facets() -> Case {
     Case {
         name: "shading/texture/brick_facets".into(),
-        parts: vec![&BRICK_FACETS],
+        parts: vec![&BRICK],
         body: "\
     let facets = brick_facets(Brick(a.xy, a.zw), b.xy, b.zw);
     var sums = vec4<f32>(0.0);
@@ -107,9 +107,9 @@ fn paper() -> Wallpaper {
 fn wallpaper() -> Case {
     let paper = paper();
     material(
-        "textured/starry_wallpaper",
+        "textured/wallpaper",
         &WALLPAPER,
-        vec![("starry_wallpaper_uniform", packed(&paper.gpu()))],
+        vec![("wallpaper_uniform", packed(&paper.gpu()))],
         [1.0, 1e-4, 0.1],
         // Angles come from the library in the crate.
         [Bound::Absolute(1e-6), Bound::Absolute(1e-2)],
@@ -121,7 +121,7 @@ static PERTURBED_WALLPAPER: Part = Part::new(
     "case/perturbed_wallpaper",
     "\
 fn perturbed_wallpaper(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
-    return starry_wallpaper(perturbed_point(perturbed_uniform, point), wo, wi);
+    return wallpaper(perturbed_point(perturbed_uniform, point), wo, wi);
 }
 ",
     &[&WALLPAPER, &PERTURBED_POINT],
@@ -134,10 +134,7 @@ fn perturbed_wallpaper() -> Case {
     material(
         "textured/perturbed_wallpaper",
         &PERTURBED_WALLPAPER,
-        vec![
-            ("starry_wallpaper_uniform", packed(&material_there.gpu())),
-            ("perturbed_uniform", packed(&by.gpu())),
-        ],
+        vec![("wallpaper_uniform", packed(&material_there.gpu())), ("perturbed_uniform", packed(&by.gpu()))],
         [2.0, 1e-3, 0.3],
         [Bound::Absolute(1e-6), Bound::Absolute(1e-2)],
         Perturbed { by, material: material_there },

@@ -6,7 +6,7 @@ use asperity_noise::{
     FbmSpectrum, GaussianFbm, GaussianNoise, Sample,
     glam::{DVec3, Vec3},
 };
-use asperity_wgsl::noise::sums;
+use asperity_wgsl::noise::FBM_3D;
 
 use super::{float, levels, output, put, space};
 use crate::case::{Case, INPUTS, OUTPUTS, between, packed};
@@ -67,7 +67,7 @@ fn view(
 ) -> Case {
     Case {
         name: name.into(),
-        parts: vec![&sums::GAUSSIAN_FBM_3D],
+        parts: vec![&FBM_3D.gaussian],
         body: "\
     let pair = gaussian_fbm_3d(a.xyz, a.w, 0u).pair;
     outcome.a = bits(vec4<f32>(pair.value, pair.dx));

@@ -2,7 +2,7 @@
 
 use asperity_noise::filtered_fraction;
 use asperity_shading::{Footprint, pixel::FrequencyClamp};
-use asperity_wgsl::{noise::sums, shading};
+use asperity_wgsl::shading::{LEVEL_OF_DETAIL, material::SURFACE_POINT};
 
 use super::{float, put};
 use crate::case::{BAD, Bound, Case, INPUTS, OUTPUTS, Output, between, packed};
@@ -15,7 +15,7 @@ fn octaves() -> Case {
     let clamp = FrequencyClamp::new(20.0, 2.17, 14.0).expect("a clamp");
     Case {
         name: "shading/pixel/frequency_clamp".into(),
-        parts: vec![&sums::FREQUENCY_CLAMP, &shading::FREQUENCY_CLAMP],
+        parts: vec![&SURFACE_POINT, &LEVEL_OF_DETAIL],
         body: "\
     let limits = FrequencyClamp(a.z, a.w, b.x);
     outcome.a = bits(vec4<f32>(frequency_clamp_octaves(a.x, limits), frequency_clamp_filtered_fraction(a.x, a.y), 0.0, 0.0));"

@@ -5,7 +5,7 @@ use asperity_noise::{
     Fbm, FbmSpectrum, GaussianFbm, GaussianNoise, Lattice, Normalization, Point, Rotation, Sample,
     glam::{DVec3, Vec2, Vec3},
 };
-use asperity_wgsl::noise::sums;
+use asperity_wgsl::noise::{FBM_2D, FBM_3D};
 
 use super::{EXACT, exact_spectrum, float, input, levels, output, plane, put, space};
 use crate::case::{Case, OUTPUTS, packed};
@@ -59,7 +59,7 @@ pub(super) fn cases() -> Vec<Case> {
         3,
         Vec3,
         FbmUniform3d,
-        sums::GAUSSIAN_FBM_3D,
+        FBM_3D.gaussian,
         "\
     let sum = gaussian_fbm_3d(a.xyz, a.w, c.x);
     let pair = sum.pair;
@@ -73,7 +73,7 @@ pub(super) fn cases() -> Vec<Case> {
         2,
         Vec2,
         FbmUniform2d,
-        sums::GAUSSIAN_FBM_2D,
+        FBM_2D.gaussian,
         "\
     let sum = gaussian_fbm_2d(a.xy, a.w, c.x);
     let pair = sum.pair;

@@ -9,10 +9,7 @@ use asperity_noise::{
 };
 use asperity_wgsl::{
     Part,
-    noise::{
-        self,
-        sums::{fbm_2d, fbm_3d, fbm_4d},
-    },
+    noise::{self, FBM_2D, FBM_3D, FBM_4D},
 };
 
 use super::{EXACT, exact_spectrum, float, in_plane, in_space, input, levels, output, plane, put, space};
@@ -20,27 +17,31 @@ use crate::case::{Case, INPUTS, OUTPUTS, between, packed};
 
 pub(super) fn cases() -> Vec<Case> {
     vec![
-        of("value", ValueNoise::new(4), [&fbm_3d::VALUE, &fbm_2d::VALUE]),
+        of("value", ValueNoise::new(4), [&FBM_3D.value, &FBM_2D.value]),
         of(
             "value_catmull_rom",
             ValueCatmullRom::new(4),
-            [&fbm_3d::VALUE_CATMULL_ROM, &fbm_2d::VALUE_CATMULL_ROM],
+            [&FBM_3D.value_catmull_rom, &FBM_2D.value_catmull_rom],
         ),
-        of("perlin_classic", PerlinClassic::new(5), [&fbm_3d::PERLIN_CLASSIC, &fbm_2d::PERLIN_CLASSIC]),
-        of("perlin", Perlin::new(3), [&fbm_3d::PERLIN, &fbm_2d::PERLIN]),
-        of("value_gradient", ValueGradient::new(6), [&fbm_3d::VALUE_GRADIENT, &fbm_2d::VALUE_GRADIENT]),
-        of("simplex", Simplex::new(8), [&fbm_3d::SIMPLEX, &fbm_2d::SIMPLEX]),
+        of("perlin_classic", PerlinClassic::new(5), [&FBM_3D.perlin_classic, &FBM_2D.perlin_classic]),
+        of("perlin", Perlin::new(3), [&FBM_3D.perlin, &FBM_2D.perlin]),
+        of("value_gradient", ValueGradient::new(6), [&FBM_3D.value_gradient, &FBM_2D.value_gradient]),
+        of("simplex", Simplex::new(8), [&FBM_3D.simplex, &FBM_2D.simplex]),
         of(
-            "simplex_wide",
+            "simplex_classic",
             Simplex::new(8).with_classic_radius(),
-            [&fbm_3d::SIMPLEX_WIDE, &fbm_2d::SIMPLEX_WIDE],
+            [&FBM_3D.simplex_classic, &FBM_2D.simplex_classic],
         ),
-        of("sparse", SparseConvolution::new(9), [&fbm_3d::SPARSE, &fbm_2d::SPARSE]),
-        of("gaussian_channel", GaussianNoise::new(7), [&fbm_3d::GAUSSIAN, &fbm_2d::GAUSSIAN]),
-        in_4d("value", ValueNoise::new(4), &fbm_4d::VALUE),
-        in_4d("perlin", Perlin::new(3), &fbm_4d::PERLIN),
-        in_4d("simplex", Simplex::new(8), &fbm_4d::SIMPLEX),
-        in_4d("simplex_wide", Simplex::new(8).with_classic_radius(), &fbm_4d::SIMPLEX_WIDE),
+        of(
+            "sparse_convolution",
+            SparseConvolution::new(9),
+            [&FBM_3D.sparse_convolution, &FBM_2D.sparse_convolution],
+        ),
+        of("gaussian_channel", GaussianNoise::new(7), [&FBM_3D.gaussian_channel, &FBM_2D.gaussian_channel]),
+        in_4d("value", ValueNoise::new(4), &FBM_4D.value),
+        in_4d("perlin", Perlin::new(3), &FBM_4D.perlin),
+        in_4d("simplex", Simplex::new(8), &FBM_4D.simplex),
+        in_4d("simplex_classic", Simplex::new(8).with_classic_radius(), &FBM_4D.simplex_classic),
         own(),
         shapes(),
     ]
@@ -127,7 +128,7 @@ static STEEP: Part = Part::new(
     return fbm_divided_3d(total);
 }
 ",
-    &[&fbm_3d::TOTAL, &noise::VALUE_GRADIENT],
+    &[&FBM_3D.custom, &noise::VALUE_GRADIENT],
 );
 
 fn own() -> Case {
@@ -172,7 +173,7 @@ where
     let p = vec4<f32>(a.xyz, b.z);
     let s = {name}_fbm_4d(p, a.w, b.x, c.x);
     outcome.a = bits(s.gradient);
-    let t = {name}_multifractal_4d(p, a.w, b.y, c.x);
+    let t = {name}_ridged_multifractal_4d(p, a.w, b.y, c.x);
     outcome.b = bits(t.gradient);
     outcome.c = bits(vec4<f32>(s.value, t.value, 0.0, 0.0));"
         ),
@@ -261,14 +262,14 @@ fn shapes() -> Case {
     ]));
     Case {
         name: "noise/sums/shapes and ridged_multifractal, 3-D and 2-D".into(),
-        parts: vec![&fbm_3d::PERLIN, &fbm_2d::PERLIN],
+        parts: vec![&FBM_3D.perlin, &FBM_2D.perlin],
         body: "\
     let u = perlin_fbm_3d(a.xyz, a.w, b.x, c.x);
     outcome.a = bits(vec4<f32>(u.value, u.gradient));
-    let v = perlin_multifractal_3d(a.xyz, a.w, b.y, c.x);
+    let v = perlin_ridged_multifractal_3d(a.xyz, a.w, b.y, c.x);
     outcome.b = bits(vec4<f32>(v.value, v.gradient));
     let s = perlin_fbm_2d(a.xy, a.w, b.x, c.x);
-    let t = perlin_multifractal_2d(a.xy, a.w, b.y, c.x);
+    let t = perlin_ridged_multifractal_2d(a.xy, a.w, b.y, c.x);
     outcome.c = bits(vec4<f32>(s.value, s.gradient, t.value));
     outcome.d = bits(vec4<f32>(t.gradient, 0.0, 0.0));"
             .into(),

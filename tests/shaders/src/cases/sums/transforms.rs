@@ -6,10 +6,7 @@ use asperity_noise::{
     curl::{Curl2, Curl3, CurlPotential},
     glam::{Vec2, Vec3},
 };
-use asperity_wgsl::noise::{
-    sums::{fbm_2d, fbm_3d},
-    transforms,
-};
+use asperity_wgsl::noise::{CURL, FBM_2D, FBM_3D, WARP};
 
 use super::{float, in_plane, in_space, input, output, plane, put, space};
 use crate::case::{Case, INPUTS, OUTPUTS, between, packed};
@@ -37,7 +34,7 @@ fn in_3d() -> Case {
     let words = packed(&FbmUniform3d::array(&fields.map(|sum| sum.gpu())));
     Case {
         name: "noise/transforms/warp and curl, 3-D".into(),
-        parts: vec![&fbm_3d::PERLIN, &transforms::WARP, &transforms::CURL],
+        parts: vec![&FBM_3D.perlin, &WARP, &CURL],
         body: "\
     let s = perlin_fbm_3d(a.xyz, 1.5, 0.0, 0u);
     let x = perlin_fbm_3d(a.xyz, 1.5, 0.0, 1u);
@@ -77,7 +74,7 @@ fn in_2d() -> Case {
     let words = packed(&FbmUniform2d::array(&fields.map(|sum| sum.gpu())));
     Case {
         name: "noise/transforms/warp and curl, 2-D".into(),
-        parts: vec![&fbm_2d::PERLIN, &transforms::WARP, &transforms::CURL],
+        parts: vec![&FBM_2D.perlin, &WARP, &CURL],
         body: "\
     let x = perlin_fbm_2d(a.xy, 1.5, 0.0, 1u);
     let y = perlin_fbm_2d(a.xy, 1.5, 0.0, 2u);

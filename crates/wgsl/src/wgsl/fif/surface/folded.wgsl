@@ -105,7 +105,7 @@ fn folded_sum(piece: FoldedPatch, x: vec4<f32>, y: vec4<f32>) -> f32 {
 }
 
 // Height at a point clamped to the domain; a NaN coordinate is returned unchanged.
-fn folded_height(surface: FoldedSurface, p: vec2<f32>) -> f32 {
+fn folded_surface_height(surface: FoldedSurface, p: vec2<f32>) -> f32 {
     if !fif_is_number(p.x) {
         return p.x;
     }
@@ -125,7 +125,7 @@ fn folded_height(surface: FoldedSurface, p: vec2<f32>) -> f32 {
 }
 
 // Height and gradient at the nearest point of the domain.
-fn folded_jet(surface: FoldedSurface, p: vec2<f32>) -> vec3<f32> {
+fn folded_surface_jet(surface: FoldedSurface, p: vec2<f32>) -> vec3<f32> {
     if !fif_is_number(p.x) {
         return vec3<f32>(p.x);
     }

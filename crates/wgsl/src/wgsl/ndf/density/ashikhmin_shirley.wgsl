@@ -67,7 +67,7 @@ fn ashikhmin_shirley_invert(n: vec2<f32>, m: vec3<f32>) -> vec2<f32> {
 }
 
 // A normal with the density D over the macro surface, from uniform u in the unit square.
-fn ashikhmin_shirley_from_uniform(n: vec2<f32>, u: vec2<f32>) -> vec3<f32> {
+fn ashikhmin_shirley_sample(n: vec2<f32>, u: vec2<f32>) -> vec3<f32> {
     let bounded = elementary_probabilities(u);
     let rho = sqrt(-2.0 * elementary_ln_1p(-bounded.x));
     return ashikhmin_shirley_tilted(n, elementary_cos_sin_turns(bounded.y) * rho);

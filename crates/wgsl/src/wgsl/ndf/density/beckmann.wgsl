@@ -49,7 +49,7 @@ fn beckmann_invert(alpha: vec2<f32>, m: vec3<f32>) -> vec2<f32> {
 
 // A normal with the density D over the macro surface, from uniform u in the unit square:
 // `Beckmann::sample`.
-fn beckmann_from_uniform(alpha: vec2<f32>, u: vec2<f32>) -> vec3<f32> {
+fn beckmann_sample(alpha: vec2<f32>, u: vec2<f32>) -> vec3<f32> {
     let bounded = elementary_probabilities(u);
     let slope = sqrt(-elementary_ln_1p(-bounded.x));
     let turn = elementary_cos_sin_turns(bounded.y);
@@ -72,7 +72,7 @@ fn beckmann_lambda(alpha: vec2<f32>, v: vec3<f32>) -> f32 {
         return 0.0;
     }
     let z = v.z / spread;
-    return min(normal_distribution_excess(z) / max(z, 1e-37), ELEMENTARY_LARGEST);
+    return min(gaussian_excess(z) / max(z, 1e-37), ELEMENTARY_LARGEST);
 }
 
 // Masking G1(v): the visible fraction of the facets that face v.
@@ -92,7 +92,7 @@ fn beckmann_projected_area(alpha: vec2<f32>, v: vec3<f32>) -> f32 {
     if !(spread > 0.0) {
         return above.z;
     }
-    return above.z + spread * normal_distribution_excess(above.z / spread);
+    return above.z + spread * gaussian_excess(above.z / spread);
 }
 
 // The density of visible normals D_v(m), in 1/sr.
@@ -118,7 +118,7 @@ fn beckmann_sample_visible(alpha: vec2<f32>, v: vec3<f32>, u: vec2<f32>) -> vec3
         view = min(w.z * per_lateral * 1.4142135, 1e6);
     }
     let along = visible_slopes_quantile(view, bounded.x);
-    let across = normal_distribution_inverse_phi(max(bounded.y, 2.3283064e-10));
+    let across = inverse_gaussian_cdf(max(bounded.y, 2.3283064e-10));
     let x = (along * cosine - across * sine) * (alpha.x * 0.70710677);
     let y = (along * sine + across * cosine) * (alpha.y * 0.70710677);
     return roughness_unit(vec3<f32>(x, y, 1.0));

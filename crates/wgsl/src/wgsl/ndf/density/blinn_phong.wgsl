@@ -28,6 +28,6 @@ fn blinn_phong_invert(exponent: f32, m: vec3<f32>) -> vec2<f32> {
 }
 
 // A normal with the density D over the macro surface, from uniform u in the unit square.
-fn blinn_phong_from_uniform(exponent: f32, u: vec2<f32>) -> vec3<f32> {
-    return student_t_from_uniform(blinn_phong_roughness(exponent), 0.5 * exponent + 2.0, u);
+fn blinn_phong_sample(exponent: f32, u: vec2<f32>) -> vec3<f32> {
+    return student_t_sample(blinn_phong_roughness(exponent), 0.5 * exponent + 2.0, u);
 }

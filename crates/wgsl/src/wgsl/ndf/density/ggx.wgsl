@@ -42,7 +42,7 @@ fn ggx_invert(alpha: vec2<f32>, m: vec3<f32>) -> vec2<f32> {
 
 // A normal with the density D over the macro surface, from uniform u in the unit square:
 // `Ggx::sample`.
-fn ggx_from_uniform(alpha: vec2<f32>, u: vec2<f32>) -> vec3<f32> {
+fn ggx_sample(alpha: vec2<f32>, u: vec2<f32>) -> vec3<f32> {
     let bounded = elementary_probabilities(u);
     let slope = sqrt(bounded.x);
     let turn = elementary_cos_sin_turns(bounded.y);

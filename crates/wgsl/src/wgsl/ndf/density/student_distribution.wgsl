@@ -125,7 +125,7 @@ fn student_distribution_exp_less_one(x: f32) -> f32 {
 // An approximate quantile, by Wallace's transform of the Gaussian quantile.
 fn student_distribution_guess(t: StudentDistribution, u: f32) -> f32 {
     let nu = t.freedom;
-    let z = normal_distribution_inverse_phi(u) * (8.0 * nu + 3.0) / (8.0 * nu + 1.0);
+    let z = inverse_gaussian_cdf(u) * (8.0 * nu + 3.0) / (8.0 * nu + 1.0);
     let x = min(sqrt(nu * student_distribution_exp_less_one(z * z / nu)), 1e15);
     return select(x, -x, z < 0.0);
 }

@@ -71,7 +71,7 @@ fn student_t_invert(alpha: vec2<f32>, gamma: f32, m: vec3<f32>) -> vec2<f32> {
 }
 
 // A normal with the density D over the macro surface, from uniform u in the unit square.
-fn student_t_from_uniform(alpha: vec2<f32>, gamma: f32, u: vec2<f32>) -> vec3<f32> {
+fn student_t_sample(alpha: vec2<f32>, gamma: f32, u: vec2<f32>) -> vec3<f32> {
     let bounded = elementary_probabilities(u);
     let rho = sqrt(-2.0 * elementary_ln_1p(-bounded.x));
     return student_t_tilted(alpha, gamma, elementary_cos_sin_turns(bounded.y) * rho);

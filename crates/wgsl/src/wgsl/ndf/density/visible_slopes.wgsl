@@ -11,7 +11,7 @@ fn visible_slopes_rough_mills_ratio(x: f32) -> f32 {
 }
 
 // The quantile of a standard Gaussian to 2e-3 relative, as a starting point.
-fn visible_slopes_rough_inverse_phi(u: f32) -> f32 {
+fn visible_slopes_rough_inverse_cdf(u: f32) -> f32 {
     let t = sqrt(2.0 - elementary_ln(u * (1.0 - u) * 4.0));
     let low = 1.74507 - t * 2.14786;
     let high = (1.691288 - t * 0.3292875) + t * t * 0.02313582;
@@ -41,15 +41,15 @@ fn visible_slopes_closer(b: f32, u: f32, per_total: f32, x: f32, density: f32, t
 // The fraction of slopes below the result is u within 8e-7, and within 2e-6 below u = 1e-5.
 fn visible_slopes_quantile(b: f32, u: f32) -> f32 {
     let bounded = max(u, 2.3283064e-10);
-    let at_edge = normal_distribution_pdf(b);
-    let per_total = 1.0 / (b * (1.0 - at_edge * normal_distribution_mills_ratio(b)) + at_edge);
-    let gaussian = visible_slopes_rough_inverse_phi(bounded);
+    let at_edge = gaussian_pdf(b);
+    let per_total = 1.0 / (b * (1.0 - at_edge * gaussian_mills_ratio(b)) + at_edge);
+    let gaussian = visible_slopes_rough_inverse_cdf(bounded);
     let y = b + gaussian;
     let root = sqrt(y * y + 4.0);
     let ahead = select((root - y) * 0.5, 2.0 / (root + y), y > 0.0);
     var x = gaussian + ahead;
-    var here = normal_distribution_pdf(x);
+    var here = gaussian_pdf(x);
     x = visible_slopes_closer(b, bounded, per_total, x, here, here * visible_slopes_rough_mills_ratio(abs(x)));
-    here = normal_distribution_pdf(x);
-    return visible_slopes_closer(b, bounded, per_total, x, here, here * normal_distribution_mills_ratio(abs(x)));
+    here = gaussian_pdf(x);
+    return visible_slopes_closer(b, bounded, per_total, x, here, here * gaussian_mills_ratio(abs(x)));
 }

@@ -334,7 +334,7 @@ fn packed_map_inverse(u: vec2<f32>) -> vec2<f32> {
 
 // A normal with the density D over the macro surface, from uniform u in the unit square:
 // `PackedMapRef::sample`.
-fn packed_map_from_uniform(u: vec2<f32>) -> vec3<f32> {
+fn packed_map_sample(u: vec2<f32>) -> vec3<f32> {
     let n = packed_map_inverse(u);
     return vec3<f32>(n.x, n.y, sqrt(max(1.0 - n.x * n.x - n.y * n.y, 1e-15)));
 }
@@ -342,14 +342,14 @@ fn packed_map_from_uniform(u: vec2<f32>) -> vec3<f32> {
 // T(z): the normal of Gaussian coordinates, with the distribution function in 32 bits; the Rust
 // crate uses 64.
 fn packed_map_warp_gaussian(z: vec2<f32>) -> vec3<f32> {
-    let x = normal_distribution_phi(elementary_number(z.x));
-    let y = normal_distribution_phi(elementary_number(z.y));
-    return packed_map_from_uniform(vec2<f32>(x, y));
+    let x = gaussian_cdf(elementary_number(z.x));
+    let y = gaussian_cdf(elementary_number(z.y));
+    return packed_map_sample(vec2<f32>(x, y));
 }
 
 // The quantile of u from 2^-25 to 1 - 2^-25, by the smaller side.
 fn packed_map_quantile(u: f32) -> f32 {
-    let z = normal_distribution_inverse_phi(max(min(u, 1.0 - u), 2.9802322e-8));
+    let z = inverse_gaussian_cdf(max(min(u, 1.0 - u), 2.9802322e-8));
     return select(z, -z, u > 0.5);
 }
 

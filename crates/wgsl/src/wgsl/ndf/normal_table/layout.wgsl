@@ -15,7 +15,7 @@ const NORMAL_TABLE_STEREOGRAPHIC: u32 = 2u;
 fn normal_table_place(spacing: u32, coordinate: f32) -> f32 {
     let z = elementary_bounded(coordinate, 4.5);
     if spacing == NORMAL_TABLE_QUANTILES {
-        return normal_distribution_phi(z);
+        return gaussian_cdf(z);
     }
     if spacing == NORMAL_TABLE_WARPED {
         return clamp(0.6009252 * z / sqrt(z * z + 9.0) + 0.5, 0.0, 1.0);

@@ -3,13 +3,13 @@
 // and `inverse_gaussian_cdf` use 64 bits.
 
 // The density of a standard Gaussian.
-fn normal_distribution_pdf(x: f32) -> f32 {
+fn gaussian_pdf(x: f32) -> f32 {
     return elementary_exp(x * x * -0.5) * 0.3989423;
 }
 
 // Mills' ratio, the ratio of the tail to the density, for x >= 0. Fitted to 7e-8 relative; 5e-7
 // including rounding.
-fn normal_distribution_mills_ratio(x: f32) -> f32 {
+fn gaussian_mills_ratio(x: f32) -> f32 {
     let t = 1.0 / (1.0 + x * 0.33);
     let square = t * t;
     let fourth = square * square;
@@ -21,15 +21,15 @@ fn normal_distribution_mills_ratio(x: f32) -> f32 {
 
 // The probability that a standard Gaussian is at most x. 2.5e-7 absolute, for x < 0 also 5e-7 +
 // 6e-8 x^2 relative.
-fn normal_distribution_phi(x: f32) -> f32 {
-    let tail = normal_distribution_pdf(x) * normal_distribution_mills_ratio(min(abs(x), 40.0));
+fn gaussian_cdf(x: f32) -> f32 {
+    let tail = gaussian_pdf(x) * gaussian_mills_ratio(min(abs(x), 40.0));
     // Exactly one half at 0.
     return select(select(tail, 1.0 - tail, x > 0.0), 0.5, abs(x) < 1e-7);
 }
 
 // The quantile of a standard Gaussian, for u in [2^-32, 1 - 2^-24]. 1e-6 relative to 1 +
 // |quantile|.
-fn normal_distribution_inverse_phi(u: f32) -> f32 {
+fn inverse_gaussian_cdf(u: f32) -> f32 {
     let x = (u + u) - 1.0;
     let w = -elementary_ln(u * (1.0 - u) * 4.0);
     let central = w < 5.4;
@@ -51,7 +51,7 @@ fn normal_distribution_inverse_phi(u: f32) -> f32 {
 //
 // The density times 1 - z M(z), with Mills' ratio M, by a polynomial in t = 1/(1 + 0.33 z), as the
 // difference itself would cancel.
-fn normal_distribution_excess(z: f32) -> f32 {
+fn gaussian_excess(z: f32) -> f32 {
     let t = 1.0 / (1.0 + min(z, 15.0) * 0.33);
     let square = t * t;
     let fourth = square * square;
@@ -59,5 +59,5 @@ fn normal_distribution_excess(z: f32) -> f32 {
     let middle = (0.31625116 + t * -0.38768554) + square * (1.1048845 + t * -2.200834);
     let high = (1.9736118 + t * -0.846749) + square * 0.1447163;
     let share = square * (low + fourth * (middle + fourth * high));
-    return select(0.0, normal_distribution_pdf(z) * share, z <= 15.0);
+    return select(0.0, gaussian_pdf(z) * share, z <= 15.0);
 }

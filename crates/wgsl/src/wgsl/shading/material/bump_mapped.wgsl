@@ -26,7 +26,7 @@ fn bump_mapped_radiance(bumps: BumpMapped, h: vec3<f32>, seen: vec4<f32>) -> f32
 // Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`. For another distribution it is
 // `color * facet_shown(radiance, h, wi, wo) * wi.z`, with the radiance of its rule.
-fn bump_mapped_scattered(bumps: BumpMapped, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+fn bump_mapped_eval_cos(bumps: BumpMapped, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {
         return vec3<f32>(0.0);
     }
@@ -41,5 +41,5 @@ fn bump_mapped_scattered(bumps: BumpMapped, point: SurfacePoint, wo: vec3<f32>, 
 
 // The material in the uniform.
 fn bump_mapped(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
-    return bump_mapped_scattered(bump_mapped_uniform, point, wo, wi);
+    return bump_mapped_eval_cos(bump_mapped_uniform, point, wo, wi);
 }

@@ -16,7 +16,7 @@ struct Glossy {
 
 // Reflectance times cosine, for directions in the frame of the surface: facets of a roughness under
 // a gloss of Beckmann's alpha.
-fn glossy_scattered(
+fn glossy_eval_cos(
     surface: Glossy,
     frame: Frame,
     roughness: f32,
@@ -48,7 +48,7 @@ fn glossy_scattered(
         let facet = slope_facets_along(facets, 0.5, k);
         let light = facet_light(facet.weight, facet.normal, wi, wo);
         if light.factor > 0.0 {
-            let base = energy_preserving_value(diffuse, roughness, light.wi, light.wo);
+            let base = energy_preserving_oren_nayar_eval(diffuse, roughness, light.wi, light.wo);
             let gloss = cook_torrance_beckmann(valid, light.wi, light.wo).x * specular;
             sum += (base + gloss) * light.factor;
         }

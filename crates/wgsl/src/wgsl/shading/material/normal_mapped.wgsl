@@ -2,7 +2,7 @@
 
 // Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`.
-fn normal_mapped_scattered(stone: NormalMapped, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+fn normal_mapped_eval_cos(stone: NormalMapped, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {
         return vec3<f32>(0.0);
     }
@@ -23,5 +23,5 @@ fn normal_mapped_scattered(stone: NormalMapped, point: SurfacePoint, wo: vec3<f3
 
 // The material in the uniform.
 fn normal_mapped(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
-    return normal_mapped_scattered(normal_mapped_uniform, point, wo, wi);
+    return normal_mapped_eval_cos(normal_mapped_uniform, point, wo, wi);
 }

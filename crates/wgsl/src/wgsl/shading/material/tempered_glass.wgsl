@@ -37,7 +37,7 @@ fn tempered_glass_surface(glass: TemperedGlass, point: SurfacePoint, frame: Fram
 // The coat filtered over a pixel.
 fn tempered_glass_coat(glass: TemperedGlass, point: SurfacePoint) -> Coat {
     let surface = tempered_glass_surface(glass, point, surface_point_frame(point));
-    let kind = select(COAT_PANE, COAT_BODY, glass.is_solid != 0u);
+    let kind = select(COAT_THIN_DIELECTRIC, COAT_DIELECTRIC, glass.is_solid != 0u);
     return Coat(
         surface.normal,
         surface.slope_variance,
@@ -50,19 +50,19 @@ fn tempered_glass_coat(glass: TemperedGlass, point: SurfacePoint) -> Coat {
 }
 
 // Reflectance times cosine, `Bsdf::eval_cos` of a point; 0 for smooth glass, whose light is all in
-// `tempered_glass_deltas`. wo and wi are in its frame, `surface_point_frame`, and may be below the
+// `tempered_glass_specular_samples`. wo and wi are in its frame, `surface_point_frame`, and may be below the
 // surface.
-fn tempered_glass_scattered(glass: TemperedGlass, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
-    return brdf_finite_channels(coat_scattered(tempered_glass_coat(glass, point), wo, wi));
+fn tempered_glass_eval_cos(glass: TemperedGlass, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+    return brdf_finite_channels(coat_eval_cos(tempered_glass_coat(glass, point), wo, wi));
 }
 
 // Reflection and transmission of smooth glass at a facet chosen by uniform numbers; 0 for rough
 // glass.
-fn tempered_glass_deltas(glass: TemperedGlass, point: SurfacePoint, wo: vec3<f32>, u: vec2<f32>) -> CoatDeltas {
-    return coat_deltas(tempered_glass_coat(glass, point), wo, u);
+fn tempered_glass_specular_samples(glass: TemperedGlass, point: SurfacePoint, wo: vec3<f32>, u: vec2<f32>) -> CoatSpecularSamples {
+    return coat_specular_samples(tempered_glass_coat(glass, point), wo, u);
 }
 
 // The material in the uniform.
 fn tempered_glass(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
-    return tempered_glass_scattered(tempered_glass_uniform, point, wo, wi);
+    return tempered_glass_eval_cos(tempered_glass_uniform, point, wo, wi);
 }

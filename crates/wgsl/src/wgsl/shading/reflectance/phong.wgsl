@@ -2,7 +2,7 @@
 // `asperity_shading::reflectance::BlinnPhongLobe`.
 
 // c^n of Phong, computed from 1 - c, half the square of the chord; n in [0, 1e6].
-fn phong_value(exponent: f32, wi: vec3<f32>, wo: vec3<f32>) -> f32 {
+fn phong_eval(exponent: f32, wi: vec3<f32>, wo: vec3<f32>) -> f32 {
     if !direction_are_above(wi, wo) {
         return 0.0;
     }
@@ -15,9 +15,9 @@ fn phong_value(exponent: f32, wi: vec3<f32>, wo: vec3<f32>) -> f32 {
     return (exponent + 2.0) / 6.2831855 * elementary_exp(exponent * elementary_ln_1p(-0.5 * chord));
 }
 
-// `factor` (n.h)^n of Blinn, with `phong_blinn_factor` or the factor of `BlinnPhongLobe`; n in
+// `factor` (n.h)^n of Blinn, with `blinn_phong_brdf_factor` or the factor of `BlinnPhongLobe`; n in
 // [0, 1e6].
-fn phong_blinn_value(exponent: f32, factor: f32, wi: vec3<f32>, wo: vec3<f32>) -> f32 {
+fn blinn_phong_brdf_eval(exponent: f32, factor: f32, wi: vec3<f32>, wo: vec3<f32>) -> f32 {
     if !direction_are_above(wi, wo) {
         return 0.0;
     }
@@ -30,7 +30,7 @@ fn phong_blinn_value(exponent: f32, factor: f32, wi: vec3<f32>, wo: vec3<f32>) -
 
 // The factor for an albedo of at most 1: (n + 2)(n + 4)/(8 pi (2^(-n/2) + n)),
 // `BlinnPhongNormalization::Albedo`.
-fn phong_blinn_factor(exponent: f32) -> f32 {
+fn blinn_phong_brdf_factor(exponent: f32) -> f32 {
     let n = exponent;
     return (n + 2.0) * (n + 4.0) / (elementary_exp(n * -0.3465736) + n) * 0.039788734;
 }

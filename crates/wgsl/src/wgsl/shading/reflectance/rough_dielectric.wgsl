@@ -46,7 +46,7 @@ fn rough_dielectric_reflectance(glass: RoughDielectric, w: vec3<f32>, cosine: f3
 }
 
 // f_r in 1/sr; for directions on two sides the transmission.
-fn rough_dielectric_value(glass: RoughDielectric, wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
+fn rough_dielectric_eval(glass: RoughDielectric, wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
     if !direction_have_sides(wi, wo) {
         return vec3<f32>(0.0);
     }

@@ -9,7 +9,7 @@ struct TorranceSparrow {
     cosine: f32,
 }
 
-// For any distribution f_r is `torrance_sparrow_value` of D(h), times the Fresnel reflectance at
+// For any distribution f_r is `torrance_sparrow_eval` of D(h), times the Fresnel reflectance at
 // `cosine`.
 fn torrance_sparrow(wi: vec3<f32>, wo: vec3<f32>) -> TorranceSparrow {
     if !direction_are_above(wi, wo) {
@@ -25,6 +25,6 @@ fn torrance_sparrow(wi: vec3<f32>, wo: vec3<f32>) -> TorranceSparrow {
 }
 
 // D(h) times the factor, 1/sr.
-fn torrance_sparrow_value(grooves: TorranceSparrow, density: f32) -> f32 {
+fn torrance_sparrow_eval(grooves: TorranceSparrow, density: f32) -> f32 {
     return brdf_finite(density * grooves.factor * 0.25);
 }

@@ -7,7 +7,7 @@ const WARD_BOUNDED: u32 = 2u;
 
 // A Gaussian of the half vector's slopes, for valid roughnesses along x and y and one of the forms
 // above.
-fn ward_value(alpha: vec2<f32>, form: u32, wi: vec3<f32>, wo: vec3<f32>) -> f32 {
+fn ward_brdf_eval(alpha: vec2<f32>, form: u32, wi: vec3<f32>, wo: vec3<f32>) -> f32 {
     if !direction_are_above(wi, wo) {
         return 0.0;
     }

@@ -1,7 +1,7 @@
 // Simplex noise, `asperity_noise::Simplex`: gradient noise on the simplicial lattice. Values are
 // clamped to [-1, 1].
 //
-// `simplex_*` have kernels of r^2 = 1/2, which are continuous. `simplex_wide_*` have the customary
+// `simplex_*` have kernels of r^2 = 1/2, which are continuous. `simplex_classic_*` have the customary
 // r^2 = 0.6, which is discontinuous at the faces of simplices, like
 // `asperity_noise::Simplex::with_classic_radius`. Corners are lanes. From |x| + |y| + ... = 2^22 on the noise is
 // 0.
@@ -270,27 +270,27 @@ fn simplex_noise_4d(p: vec4<f32>, key: u32) -> Sample4d {
 }
 
 // The wider kernel, relative to `cell`.
-fn simplex_wide_in_cell_2d(cell: vec2<i32>, p: vec2<f32>, key: u32) -> Sample2d {
+fn simplex_classic_in_cell_2d(cell: vec2<i32>, p: vec2<f32>, key: u32) -> Sample2d {
     return simplex_sum_2d(cell, p, 0.6, SIMPLEX_WIDE_SCALE.x, key);
 }
 
-fn simplex_wide_in_cell_3d(cell: vec3<i32>, p: vec3<f32>, key: u32) -> Sample3d {
+fn simplex_classic_in_cell_3d(cell: vec3<i32>, p: vec3<f32>, key: u32) -> Sample3d {
     return simplex_sum_3d(cell, p, 0.6, SIMPLEX_WIDE_SCALE.y, key);
 }
 
-fn simplex_wide_in_cell_4d(cell: vec4<i32>, p: vec4<f32>, key: u32) -> Sample4d {
+fn simplex_classic_in_cell_4d(cell: vec4<i32>, p: vec4<f32>, key: u32) -> Sample4d {
     return simplex_sum_4d(cell, p, 0.6, SIMPLEX_WIDE_SCALE.z, key);
 }
 
 // The wider kernel, at any point.
-fn simplex_wide_noise_2d(p: vec2<f32>, key: u32) -> Sample2d {
-    return simplex_wide_in_cell_2d(vec2<i32>(0), p, key);
+fn simplex_classic_noise_2d(p: vec2<f32>, key: u32) -> Sample2d {
+    return simplex_classic_in_cell_2d(vec2<i32>(0), p, key);
 }
 
-fn simplex_wide_noise_3d(p: vec3<f32>, key: u32) -> Sample3d {
-    return simplex_wide_in_cell_3d(vec3<i32>(0), p, key);
+fn simplex_classic_noise_3d(p: vec3<f32>, key: u32) -> Sample3d {
+    return simplex_classic_in_cell_3d(vec3<i32>(0), p, key);
 }
 
-fn simplex_wide_noise_4d(p: vec4<f32>, key: u32) -> Sample4d {
-    return simplex_wide_in_cell_4d(vec4<i32>(0), p, key);
+fn simplex_classic_noise_4d(p: vec4<f32>, key: u32) -> Sample4d {
+    return simplex_classic_in_cell_4d(vec4<i32>(0), p, key);
 }

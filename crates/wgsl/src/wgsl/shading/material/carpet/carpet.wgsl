@@ -112,9 +112,9 @@ fn carpet_surface(carpet: Carpet, point: SurfacePoint) -> Glossy {
 
 // Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`.
-fn carpet_scattered(carpet: Carpet, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+fn carpet_eval_cos(carpet: Carpet, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     let surface = carpet_surface(carpet, point);
-    return glossy_scattered(surface, surface_point_frame(point), carpet.roughness, carpet.specular_roughness, wo, wi);
+    return glossy_eval_cos(surface, surface_point_frame(point), carpet.roughness, carpet.specular_roughness, wo, wi);
 }
 
 // The rim light, which is independent of the light sources: `Bsdf::emitted`.
@@ -135,5 +135,5 @@ fn carpet_emitted(carpet: Carpet, point: SurfacePoint, wo: vec3<f32>) -> vec3<f3
 
 // The material in the uniform.
 fn carpet(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
-    return carpet_scattered(carpet_uniform, point, wo, wi);
+    return carpet_eval_cos(carpet_uniform, point, wo, wi);
 }

@@ -14,7 +14,7 @@ fn metallic_paint_coat(paint: MetallicPaint, point: SurfacePoint) -> Coat {
     let removed = sized_fbm_removed_slope(paint.orange_peel, footprint, SIZED_FBM_SLOPE_VARIANCE);
     let normal = frame_to_local(surface_point_frame(point), surface_gradient_normal(point.normal, gradient));
     let variance = paint.peel_strength * paint.peel_strength * removed;
-    return coat_varnish(paint.coat_index, paint.coat_roughness, normal, variance);
+    return coat_clearcoat(paint.coat_index, paint.coat_roughness, normal, variance);
 }
 
 // The specular color of the flakes at a point, including passive flakes; in [0, 1].
@@ -33,12 +33,12 @@ fn metallic_paint_coated(
     wo: vec3<f32>,
     wi: vec3<f32>,
 ) -> vec3<f32> {
-    let pigment = energy_preserving_value(min(paint.pigment, 1.0 - specular), 0.2, wi, wo);
+    let pigment = energy_preserving_oren_nayar_eval(min(paint.pigment, 1.0 - specular), 0.2, wi, wo);
     return coat_over(metallic_paint_coat(paint, point), (flakes + pigment) * wi.z, wo, wi);
 }
 
 // Reflection of a smooth coat at a facet chosen by uniform numbers, the first of `Bsdf::specular_samples`; 0
 // for a rough coat.
-fn metallic_paint_mirrored(paint: MetallicPaint, point: SurfacePoint, wo: vec3<f32>, u: vec2<f32>) -> CoatDelta {
-    return coat_deltas(metallic_paint_coat(paint, point), wo, u).mirrored;
+fn metallic_paint_mirrored(paint: MetallicPaint, point: SurfacePoint, wo: vec3<f32>, u: vec2<f32>) -> CoatSpecularSample {
+    return coat_specular_samples(metallic_paint_coat(paint, point), wo, u).mirrored;
 }

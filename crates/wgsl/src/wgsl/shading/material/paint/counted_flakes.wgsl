@@ -2,7 +2,7 @@
 
 // Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`. The reflection of a smooth coat is `metallic_paint_mirrored`.
-fn counted_flakes_scattered(
+fn counted_flakes_eval_cos(
     counted: CountedFlakes,
     point: SurfacePoint,
     wo: vec3<f32>,
@@ -21,5 +21,5 @@ fn counted_flakes_scattered(
 
 // The material in the uniform.
 fn counted_flakes(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
-    return counted_flakes_scattered(counted_flakes_uniform, point, wo, wi);
+    return counted_flakes_eval_cos(counted_flakes_uniform, point, wo, wi);
 }

@@ -67,7 +67,7 @@ fn glint_field_nearest(field: GlintField, place: vec3<f32>) -> GlintFieldFlake {
 fn glint_field_gaussian(word: u32) -> f32 {
     let is_high = word > 0x7fffffffu;
     let tail = (f32(select(word, ~word, is_high)) + 0.5) / 4294967296.0;
-    let quantile = normal_distribution_inverse_phi(max(tail, 2.3283064e-10));
+    let quantile = inverse_gaussian_cdf(max(tail, 2.3283064e-10));
     return select(quantile, -quantile, is_high);
 }
 
@@ -97,7 +97,7 @@ fn glint_field_binomial(n: f32, q: f32, chance: f32) -> f32 {
     let mean = n * q;
     if mean > 16.0 {
         let deviation = sqrt(mean * (1.0 - q));
-        let z = normal_distribution_inverse_phi(clamp(chance, 2.3283064e-10, 0.99999994));
+        let z = inverse_gaussian_cdf(clamp(chance, 2.3283064e-10, 0.99999994));
         let most = min(mean / deviation, 4.0);
         return mean + deviation * clamp(z, -most, most);
     }
@@ -143,7 +143,7 @@ fn glint_field_mass(k: f32, width: f32) -> f32 {
         return width * 0.3989423 * elementary_exp(-0.5 * m) * series;
     }
     let side = select(-1.0, 1.0, k < 0.0);
-    return abs(normal_distribution_phi(side * (k + 1.0) * width) - normal_distribution_phi(side * k * width));
+    return abs(gaussian_cdf(side * (k + 1.0) * width) - gaussian_cdf(side * k * width));
 }
 
 // The exponent of a number above 0.

@@ -54,7 +54,7 @@ fn metallic_paint_sparkle(
 // Reflectance times cosine, `Bsdf::eval_cos` of a point of paint with sparkling flakes; wo and wi
 // are in its frame, `surface_point_frame`. The reflection of a smooth coat is
 // `metallic_paint_mirrored`.
-fn metallic_paint_scattered(paint: MetallicPaint, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+fn metallic_paint_eval_cos(paint: MetallicPaint, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {
         return vec3<f32>(0.0);
     }
@@ -83,5 +83,5 @@ fn metallic_paint_scattered(paint: MetallicPaint, point: SurfacePoint, wo: vec3<
 
 // The material in the uniform.
 fn metallic_paint(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
-    return metallic_paint_scattered(metallic_paint_uniform, point, wo, wi);
+    return metallic_paint_eval_cos(metallic_paint_uniform, point, wo, wi);
 }

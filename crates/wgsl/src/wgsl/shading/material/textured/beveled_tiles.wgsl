@@ -42,7 +42,7 @@ fn beveled_tiles_far(bevel: Bevel, surface: TexturedSlopes, wo: vec3<f32>, wi: v
 
 // Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`. All facets are lit, while the Rust crate merges facets beyond the 32nd.
-fn beveled_tiles_scattered(tiles: BeveledTiles, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+fn beveled_tiles_eval_cos(tiles: BeveledTiles, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {
         return vec3<f32>(0.0);
     }
@@ -75,5 +75,5 @@ fn beveled_tiles_scattered(tiles: BeveledTiles, point: SurfacePoint, wo: vec3<f3
 
 // The material in the uniform.
 fn beveled_tiles(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
-    return beveled_tiles_scattered(beveled_tiles_uniform, point, wo, wi);
+    return beveled_tiles_eval_cos(beveled_tiles_uniform, point, wo, wi);
 }

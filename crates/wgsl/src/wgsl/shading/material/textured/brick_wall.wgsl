@@ -13,7 +13,7 @@ fn brick_wall_color(wall: BrickWall, uv: vec2<f32>, pixel: PixelEllipse) -> vec3
 
 // Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`. All facets are lit, while the Rust crate merges facets beyond the 32nd.
-fn brick_wall_scattered(wall: BrickWall, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+fn brick_wall_eval_cos(wall: BrickWall, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {
         return vec3<f32>(0.0);
     }
@@ -35,5 +35,5 @@ fn brick_wall_scattered(wall: BrickWall, point: SurfacePoint, wo: vec3<f32>, wi:
 
 // The material in the uniform.
 fn brick_wall(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
-    return brick_wall_scattered(brick_wall_uniform, point, wo, wi);
+    return brick_wall_eval_cos(brick_wall_uniform, point, wo, wi);
 }

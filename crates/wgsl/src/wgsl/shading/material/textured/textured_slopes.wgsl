@@ -37,5 +37,5 @@ fn textured_slopes_light(
     if !(light.factor > 0.0) {
         return vec3<f32>(0.0);
     }
-    return energy_preserving_value(surface.color, surface.roughness, light.wi, light.wo) * light.factor;
+    return energy_preserving_oren_nayar_eval(surface.color, surface.roughness, light.wi, light.wo) * light.factor;
 }

@@ -130,11 +130,11 @@ fn scratches_lit(scratches: Scratches, surface: ScratchesSurface, wo: vec3<f32>,
 
 // Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`.
-fn scratches_scattered(scratches: Scratches, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+fn scratches_eval_cos(scratches: Scratches, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     return scratches_lit(scratches, scratches_surface(scratches, point), wo, wi);
 }
 
 // The material in the uniform.
 fn scratches(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
-    return scratches_scattered(scratches_uniform, point, wo, wi);
+    return scratches_eval_cos(scratches_uniform, point, wo, wi);
 }

@@ -27,14 +27,14 @@ fn variations_surface(variations: Variations, point: SurfacePoint) -> Glossy {
 
 // Reflectance times cosine, `Bsdf::eval_cos` of a point; wo and wi are in its frame,
 // `surface_point_frame`.
-fn variations_scattered(variations: Variations, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+fn variations_eval_cos(variations: Variations, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
     let surface = variations_surface(variations, point);
-    return glossy_scattered(
+    return glossy_eval_cos(
         surface, surface_point_frame(point), variations.roughness, variations.gloss_roughness, wo, wi,
     );
 }
 
 // The material in the uniform.
 fn variations(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
-    return variations_scattered(variations_uniform, point, wo, wi);
+    return variations_eval_cos(variations_uniform, point, wo, wi);
 }

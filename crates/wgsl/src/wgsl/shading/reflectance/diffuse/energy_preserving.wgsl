@@ -10,7 +10,7 @@ fn energy_preserving_lacking(w: vec3<f32>) -> f32 {
 }
 
 // f_r from the albedo of the facets and the roughness, both clamped to [0, 1] as by `new_clamped`.
-fn energy_preserving_value(albedo: vec3<f32>, roughness: f32, wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
+fn energy_preserving_oren_nayar_eval(albedo: vec3<f32>, roughness: f32, wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
     if !direction_are_above(wi, wo) {
         return vec3<f32>(0.0);
     }

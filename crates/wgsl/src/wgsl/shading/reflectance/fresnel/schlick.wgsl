@@ -11,7 +11,7 @@ fn schlick_reflectance(normal_incidence: vec3<f32>, cos_theta: f32) -> vec3<f32>
 }
 
 // The same minus `dip` cos (1 - cos)^6, where `dip` is the dip of `SchlickF82`.
-fn schlick_tinted_reflectance(normal_incidence: vec3<f32>, dip: vec3<f32>, cos_theta: f32) -> vec3<f32> {
+fn schlick_f82_reflectance(normal_incidence: vec3<f32>, dip: vec3<f32>, cos_theta: f32) -> vec3<f32> {
     let c = math_clamped(cos_theta, 1.0);
     let x = 1.0 - c;
     let square = x * x;
