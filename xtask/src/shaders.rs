@@ -1,4 +1,5 @@
-//! `cargo xtask shaders`: every function of the shaders in every language, its errors on the adapters that there are, and its cost.
+//! `cargo xtask shaders`: every function of the shaders in every language, its errors on the
+//! adapters that there are, and its cost.
 
 use std::path::{Path, PathBuf};
 use std::process::Stdio;

@@ -1,10 +1,11 @@
 //! Microfacet normal distribution functions (NDFs): evaluation, sampling and exact level of detail.
 //!
 //! A normal distribution function `D` describes the directions of the facets of a rough surface.
-//! Every [`Ndf`] also has a bijection `T` from pairs of standard normal values ("Gaussian numbers") to normals. `T` maps two
-//! channels of Gaussian noise to a bump map with exactly this distribution (Kautz, Heidrich, Seidel
-//! 2001, "Real-Time Bump Map Synthesis"). A pixel resolves only a part of the bump map. With `T⁻¹`,
-//! [`residual_ndf`] computes the distribution of the unresolved part in closed form.
+//! Every [`Ndf`] also has a bijection `T` from pairs of standard normal values ("Gaussian numbers")
+//! to normals. `T` maps two channels of Gaussian noise to a bump map with exactly this distribution
+//! (Kautz, Heidrich, Seidel 2001, "Real-Time Bump Map Synthesis"). A pixel resolves only a part of
+//! the bump map. With `T⁻¹`, [`residual_ndf`] computes the distribution of the unresolved part in
+//! closed form.
 //!
 //! ```
 //! use asperity_ndf_sampling::{Ggx, Ndf, residual_ndf, glam::{Vec2, Vec3}};

@@ -31,8 +31,8 @@ static NORMAL: Part = part!("fif/surface/normal");
 /// Height and gradient of `f(x) g(y)`: [`HeightField`](asperity_fif::HeightField).
 pub static HEIGHT_FIELD: Part = part!("fif/surface/height_field", [HeightFieldUniform], TABLE, NORMAL);
 
-/// Height and gradient of a surface that is not a product: `folded_surface_height` and `folded_surface_jet`, as
-/// [`asperity_fif::FoldedSurface`].
+/// Height and gradient of a surface that is not a product: `folded_surface_height` and
+/// `folded_surface_jet`, as [`asperity_fif::FoldedSurface`].
 ///
 /// Bound to the table `fif_nodes` of [`gpu_nodes`](asperity_fif::FoldedSurface::gpu_nodes). The
 /// uniform selects the surface.

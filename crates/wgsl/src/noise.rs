@@ -3,7 +3,8 @@
 //! Every kind has a function of a point, such as `value_noise_3d(p, key) -> Sample3d`, and a
 //! function of a cell and the position in it, such as `value_in_cell_3d(cell, t, key)`, for
 //! anchored points. Both return the bits of the Rust crate if every operation is rounded as
-//! written. Seeds are passed as keys, [`gpu_key`](asperity_noise::IntegerHash::gpu_key) of the seed.
+//! written. Seeds are passed as keys, [`gpu_key`](asperity_noise::IntegerHash::gpu_key) of the
+//! seed.
 //!
 //! | part | functions at points p | dimensions |
 //! |---|---|---|

@@ -43,8 +43,8 @@ impl Captions {
         self.figures.get(figure).ok_or_else(|| format!("captions.md has no text for `{figure}`").into())
     }
 
-    /// Parses `# file: title (name)`, `## section` and `### figure: title`, each with the lines that
-    /// follow.
+    /// Parses `# file: title (name)`, `## section` and `### figure: title`, each with the lines
+    /// that follow.
     fn read(text: &'static str) -> Self {
         let (mut pages, mut figures) = (Vec::<Page>::new(), BTreeMap::new());
         let mut section = "";

@@ -50,8 +50,8 @@ pub struct Beckmann {
     pub(crate) alpha: Roughness,
 }
 
-/// Up to this exponent `exp(−a)` times the smallest peak, of [`MAX_ALPHA`](Beckmann::MAX_ALPHA), is a
-/// normal `f32`.
+/// Up to this exponent `exp(−a)` times the smallest peak, of [`MAX_ALPHA`](Beckmann::MAX_ALPHA), is
+/// a normal `f32`.
 const NEAR: f32 = 40.0;
 
 roughness_parameters!(Beckmann);

@@ -78,8 +78,8 @@ macro_rules! roughness_parameters {
             ///
             /// # Errors
             /// A roughness outside
-            /// [`MIN_ALPHA`](Self::MIN_ALPHA)`..=`[`MAX_ALPHA`](Self::MAX_ALPHA). The error contains
-            /// its name and value.
+            /// [`MIN_ALPHA`](Self::MIN_ALPHA)`..=`[`MAX_ALPHA`](Self::MAX_ALPHA). The error
+            /// contains its name and value.
             #[inline]
             pub fn new(alpha_x: f32, alpha_y: f32) -> Result<Self, $crate::error::NdfError> {
                 $crate::density::roughness::Roughness::new(alpha_x, alpha_y).map(|alpha| Self { alpha })

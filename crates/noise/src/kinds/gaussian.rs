@@ -36,8 +36,8 @@ use crate::{
 /// 1.09 in 3-D, with the minimum in cell centers.
 ///
 /// - **Variates:** values have 32 bits, and their tails are normal up to 5.5 deviations, with
-///   P(|s| > x) within 0.6 % of the normal distribution. Gradients have 4096 equally likely levels with
-///   second and fourth moment 1 and 3.
+///   P(|s| > x) within 0.6 % of the normal distribution. Gradients have 4096 equally likely levels
+///   with second and fourth moment 1 and 3.
 /// - **Tails:** at lattice points they are the tails of the values. Elsewhere the bounded levels
 ///   reduce P(|z| > 4) by up to 0.4 % and P(|z| > 5) by up to 3.1 %. The loss is largest in the
 ///   middle of edges and negligible in the middle of cells in 3-D.

@@ -1,4 +1,5 @@
-//! `cargo xtask firmware`: a picture from tables in flash, drawn on an emulated Cortex-M4 and here, and what functions cost there.
+//! `cargo xtask firmware`: a picture from tables in flash, drawn on an emulated Cortex-M4 and here,
+//! and what functions cost there.
 
 mod page;
 mod program;

@@ -1,4 +1,5 @@
-//! `cargo xtask tidy`: dependencies between packages, the order of modules, first lines of files, idioms of the pages.
+//! `cargo xtask tidy`: dependencies between packages, the order of modules, first lines of files,
+//! idioms of the pages.
 
 mod allowed;
 mod comparisons;
