@@ -1,7 +1,8 @@
 //! Fractal interpolation functions (FIFs): curves, integrals, height fields and ray intersection.
 //!
-//! A FIF is a curve through given points that consists of smaller copies of itself. The
-//! vertical scaling of each piece controls its roughness. This crate evaluates FIFs to a given
+//! A FIF is a curve through given points that consists of smaller copies of itself. A map
+//! takes the whole curve to one piece, and its vertical scaling controls the roughness. The address
+//! of x is the sequence of pieces, level by level, that contain x. This crate evaluates FIFs to a given
 //! tolerance with an error bound. It computes exact integrals and guaranteed ranges. The product of
 //! two FIFs is a height field, with exact normals if both are differentiable. A ray that
 //! crosses the surface always returns a hit, and [`Hit::certain`] is true if it is proved to be the
@@ -11,6 +12,7 @@
 //! use asperity_fif::{FixedFif, HeightField, Intersect, Ray, glam::DVec3};
 //!
 //! // A rough function through three points. Its integral is smooth, and so is the product of two integrals.
+//! // Two pieces, two coefficients per polynomial (degree + 1).
 //! let f = FixedFif::<2, 2>::affine(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0], &[0.5, 0.5])?;
 //! let f_hat: FixedFif<2, 3> = f.integral(0.0)?;
 //! let surface = HeightField::new(f_hat, f_hat);
@@ -43,7 +45,7 @@
 //! | `alloc` (default) | [`Fif`], [`Table`], [`PeriodicSurface`], [`FoldedSurface`], [`RoughFoldedSurface`], [`Tabulated`], [`RecurrentFif`], [`fit`], and the tables of `tabulated()` |
 //! | `bytemuck` | `Pod` for the structs of [`gpu`] |
 //! | `mint` | conversion between the vectors of [`glam`] and `mint`, for engines with other vectors |
-//! | `serde` | serialization of systems, validated by [`Fif::with_ordinates`]; needs `alloc` |
+//! | `serde` | serialization of FIFs, validated by [`Fif::with_ordinates`]; needs `alloc` |
 //! | `approx` | comparisons of intervals, values with bounds, jets, rays and hits to a tolerance |
 //! | `simd` (default) | batches of [`Table32`] and of jets with SIMD, with the same bits |
 //!

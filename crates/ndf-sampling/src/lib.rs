@@ -16,9 +16,10 @@
 //! let facet = ggx.warp_gaussian(z);
 //! assert!(ggx.invert(facet).abs_diff_eq(z, 1e-5));
 //!
-//! // The density of the half vector for a pixel that resolves 3/4 of the variance of the noise.
-//! let h = Vec3::new(0.1, -0.2, 0.97).normalize();
-//! assert!(residual_ndf(&ggx, h, z, 0.75) > ggx.d(h));
+//! // The NDF of a pixel that resolves 3/4 of the variance of the noise. `resolved` is the noise of
+//! // the resolved octaves, scaled to variance 1.
+//! let (h, resolved) = (Vec3::new(0.1, -0.2, 0.97).normalize(), Vec2::new(0.7, -1.2));
+//! assert!(residual_ndf(&ggx, h, resolved, 0.75) > ggx.d(h));
 //! # Ok::<(), asperity_ndf_sampling::NdfError>(())
 //! ```
 //!
@@ -51,10 +52,11 @@
 //! - Roughness parameters are α, not the perceptual roughness √α.
 //! - Constructors return an error for invalid parameters. Evaluation accepts every input and never
 //!   panics. Each item documents its result for NaN and infinities.
-//! - The API uses `f32`. CDFs are summed, subtracted and inverted in `f64`.
-//! - Reproducibility: with the feature `libm`, results are bit-identical on every machine. Results
-//!   with `libm` and with `std` differ by rounding, except `D`, `T` and `T⁻¹` of [`Ggx`] and
-//!   [`Beckmann`].
+//! - The API uses `f32`, except [`gaussian_cdf`] and [`inverse_gaussian_cdf`], which use `f64`. CDFs
+//!   are summed, subtracted and inverted in `f64`.
+//! - Reproducibility: with the feature `libm`, results are bit-identical on every machine. `D`, `T`
+//!   and `T⁻¹` of [`Ggx`] and [`Beckmann`] have the same bits with `libm` and `std`; other results
+//!   differ by rounding.
 //!
 //! # Limitations
 //!

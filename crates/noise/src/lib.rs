@@ -3,7 +3,8 @@
 //! Every noise, fBm and transform is a [`Field`]. [`value`](Field::value) returns the value at a
 //! point, and [`sample`](Field::sample) returns the value and the gradient. Points, values and
 //! gradients are `f32`. Batch methods evaluate lists and grids of points with SIMD and return the
-//! same bits. Fields own their parts. They can be added, blended, warped, returned from functions
+//! same bits. Most kinds of noise have values in [−1, 1]. [`Fbm`] has mean 0 and variance 1 by
+//! default; [`Normalization::UnitRange`] keeps the range of one octave. Fields own their parts. They can be added, blended, warped, returned from functions
 //! and boxed as `Box<dyn Field<Vec3>>`.
 //!
 //! Use [`GaussianFbm`] when the statistics matter. Its values have the distribution N(0, 1) at
@@ -40,12 +41,12 @@
 //! | [`WhiteNoise`] | one value per cell | 1–4 | – | yes |
 //! | [`ValueNoise`], [`ValueCatmullRom`] | lattice values, blended by quintic weights or by a spline over 4ⁿ points | 1–4 | `ValueNoise` | yes |
 //! | [`PerlinClassic`], [`Perlin`] | unit gradients and cubic weights; edge directions and quintic weights | 1–4 | yes | yes |
-//! | [`ValueGradient`] | a weighted sum of both on one lattice | 1–4 | yes | yes |
+//! | [`ValueGradient`] | a weighted sum of value noise and gradient noise on one lattice | 1–4 | yes | yes |
 //! | [`Simplex`] | gradient noise on simplices, r² = 0.5 (continuous) or 0.6 (classic) | 1–4 | yes | in 1-D and 3-D; in 2-D and 4-D the lattice is irrational along the axes |
 //! | [`SparseConvolution`] | impulses at random positions, convolved with a radial kernel | 1–4 | – | yes |
 //! | [`Cellular`] | distances to the nearest of random feature points, or the number of the nearest, in three metrics | 1–4 | – | yes |
 //! | [`GaussianNoise`] | value-gradient noise over its standard deviation at the point: N(0, 1) everywhere | 1–4 | yes | yes |
-//! | [`ebert_1994`] | the algorithms of Ebert (ed.) 1994 with tables as they are filled there | 3 | – | period 256 |
+//! | [`ebert_1994`] | the algorithms of Ebert (ed.) 1994, with the random tables of the book | 3 | – | period 256 |
 //!
 //! | other items | are |
 //! |---|---|
@@ -55,7 +56,7 @@
 //! | [`FbmSpectrum`], [`Fbm`], [`Rotation`], [`Normalization`] | lacunarity, gain and a real number of octaves; sums of any field, also of your own |
 //! | [`Turbulence`], [`Plasma`], [`Billow`], [`Ridged`], [`RidgedMultifractal`] | fBm with creases |
 //! | [`Perlin::tiled`], [`Fbm::tiled`] | tileable noises, and sums in which each octave has its own periods |
-//! | [`Fbm::anchored`] | fBm far from the origin, accurate to 1/1000 cell at 10¹² |
+//! | [`Fbm::anchored`] | fBm at offsets from an `f64` anchor, accurate to 1/1000 cell at 10¹² cells |
 //! | [`Fbm::band_limited`], [`filtered_fraction`], [`pixel_footprint`] | frequency clamping to a pixel |
 //! | [`GaussianFbm`] | sums that are N(0, 1) at every point |
 //! | [`ops`] | fields composed of fields: sums, products, blends, powers, curves, values in [0, 1] |
@@ -69,9 +70,9 @@
 //!
 //! σ₁ is the standard deviation and κ₁ the excess kurtosis of one octave. They are measured over
 //! 8.4 million points, with standard errors of 0.0003 σ₁ and 0.002. Sparse noise is normalized to
-//! σ₁ = 1. It is measured over a million points, with standard errors of 0.003 and 0.02. Classic
-//! noises are neither Gaussian nor stationary. For example, gradient noise is 0 at every lattice
-//! point.
+//! σ₁ = 1. It is measured over a million points, with standard errors of 0.003 and 0.02. All
+//! kinds except [`GaussianNoise`] are neither Gaussian nor of equal variance at every point. For
+//! example, gradient noise is 0 at every lattice point.
 //!
 //! | kind | σ₁ 2-D | κ₁ 2-D | σ₁ 3-D | κ₁ 3-D |
 //! |---|---|---|---|---|
@@ -95,10 +96,10 @@
 //!
 //! # Accuracy
 //!
-//! The table lists the maximum errors compared with an `f64` evaluation at the same points. They
-//! are measured at 10⁵ random points within ±64, in 1-D to 4-D. Slow kinds are measured at fewer
+//! The table lists the largest errors seen, compared with an `f64` evaluation at the same points.
+//! They are measured at 10⁵ random points within ±64, in 1-D to 4-D. Slow kinds are measured at fewer
 //! points in 3-D and 4-D. Simplex noise is measured within ±4, where the rounding of its corners
-//! is smallest. Rare points have up to twice these errors.
+//! is smallest. Errors at other points can be twice as large.
 //!
 //! | kind | value | gradient |
 //! |---|---|---|
@@ -144,7 +145,7 @@
 //!
 //! Noise in 4-D, and on lattices other than [`IntegerHash`], is compiled with the program that uses
 //! it. Each kind adds 4 seconds, and its fBm another 4. With debug assertions, every kind is
-//! compiled with the program, at its optimization level. Without `simd`
+//! compiled with the program, at the optimization level of the program. Without `simd`
 //! (`default-features = false, features = ["std"]`), batches evaluate one point at a time.
 #![no_std]
 #![expect(
