@@ -449,8 +449,9 @@ use asperity_shading::texture::{Gas, Steam, march};
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let octaves = Fbm::new(Perlin::new(${rust('seed')}), FbmSpectrum::new(${rust('lacunarity')}, ${rust('gain')}, 8)?)
         .with_normalization(Normalization::UnitRange)
-        .with_shape(Turbulence);
-    let gas = Gas::new(octaves, ${rust('octaves')}, ${rust('max_density')}, ${rust('exponent')})?${rust('veins') === 'true' ? '.with_veins()' : ''};
+        .with_shape(Turbulence)
+        .with_octaves(${rust('octaves')});
+    let gas = Gas::new(octaves, ${rust('max_density')}, ${rust('exponent')})?${rust('veins') === 'true' ? '.with_veins()' : ''};
     // Lengths are in cells of the noise.
     let cells: f32 = ${rust('cells')};
     let steam = Steam::new(Vec3::ZERO, ${rust('radius')} * cells, ${rust('height')} * cells)?;

@@ -5,7 +5,7 @@ use glam::Vec3;
 use crate::bump::{Displaced, Facet};
 use crate::environment::LightSample;
 use crate::level_of_detail::ResolvedBumps;
-use crate::material::{Fiber, FlakePatch, GlintFlake, Seam, Sparkle, SurfacePoint};
+use crate::material::{Fiber, GlintFlake, Seam, SurfacePoint};
 use crate::normal_map::{SlopeLobe, SlopeMoments};
 use crate::pixel::{Footprint, PixelEllipse, Tap};
 use crate::texture::{BrickSample, Edge, PerturbedLookUp, Seen};
@@ -28,8 +28,6 @@ asperity_core::impl_approx! { f32;
     Seen: v => v.light, v.transmittance;
     Seam: v => v.amount, v.slope;
     Fiber: v => v.factor, v.direction, v.slope;
-    FlakePatch: v => v.value, v.center, v.tilt;
-    Sparkle: v => v.tilt, v.fade;
     GlintFlake: v => v.normal, v.center;
 }
 

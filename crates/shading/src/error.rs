@@ -9,9 +9,9 @@ error_enum! {
     /// Error of every constructor of this crate: an invalid parameter, its value and the rule.
     ///
     /// ```
-    /// use asperity_shading::{ShadingError, material::{Seams, SeamPattern}, glam::Vec2};
+    /// use asperity_shading::{Carpet, CarpetParameters, ShadingError};
     ///
-    /// let error = Seams::new(Vec2::X, SeamPattern::Lines, 0.1, 1.5).unwrap_err();
+    /// let error = Carpet::new(CarpetParameters { seams_amplitude: 1.5, ..Default::default() }).unwrap_err();
     /// assert_eq!(error.to_string(), "`seams_amplitude` must be between 0 and 1, got 1.5");
     /// assert!(matches!(error, ShadingError::OutOfRange { parameter: "seams_amplitude", value: 1.5, .. }));
     /// ```

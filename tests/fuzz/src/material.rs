@@ -4,10 +4,10 @@ use asperity_shading::glam::Vec3;
 use asperity_shading::level_of_detail::{RemappedOctaves, facet_coordinates, shade_facet};
 use asperity_shading::material::{
     Elimination, Fibers, FibersParameters, GlassBody, GlassWaves, GlintField, PaintFlakes, SeamPattern,
-    Seams, flake_patch, sparkle_width,
+    Seams, SeamsParameters,
 };
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise, Perlin};
-use asperity_shading::texture::{Bevel, Edge, Gas, PerturbedTexture, StarWallpaper, Steam, march};
+use asperity_shading::texture::{Bevel, BevelParameters, Edge, Gas, PerturbedTexture, StarWallpaper, StarWallpaperParameters, Steam, march};
 use asperity_shading::{
     Beckmann, Brick, BumpField, BumpMapped, Carpet, CarpetParameters, Footprint, Frame, Ggx, LevelOfDetail,
     Marble, Material, MetallicPaint, MetallicPaintParameters, PixelEllipse, Scratches, ScratchesParameters,
@@ -94,8 +94,13 @@ fn carpet(numbers: &mut Numbers<'_>) {
         ..CarpetParameters::default()
     };
     material(Carpet::new(parameters), numbers);
-    let pattern = numbers.pick(&[SeamPattern::Lines, SeamPattern::Grid]);
-    if let Ok(seams) = Seams::new(numbers.pair(), pattern, size(numbers), share(numbers)) {
+    let seams = SeamsParameters {
+        seams_pattern: numbers.pick(&[SeamPattern::Lines, SeamPattern::Grid]),
+        seams_propagation: numbers.pair(),
+        seam_distance: size(numbers),
+        seams_amplitude: share(numbers),
+    };
+    if let Ok(seams) = Seams::new(seams) {
         let _ = seams.filtered(numbers.pair(), PixelEllipse::aligned(numbers.pair()));
         let _ = seams.rounded(numbers.pair(), numbers.float());
     }
@@ -138,8 +143,6 @@ fn paint(numbers: &mut Numbers<'_>) {
             assert!((flake.normal.length() - 1.0).abs() < 1e-5 && flake.center.is_finite(), "{flake:?}");
         }
     }
-    let width = sparkle_width(numbers.float(), numbers.vector(), numbers.vector());
-    let _ = flake_patch(numbers.vector(), numbers.float(), width, numbers.float(), 3);
 }
 
 fn glass(numbers: &mut Numbers<'_>) {
@@ -200,8 +203,16 @@ fn textures(numbers: &mut Numbers<'_>) {
         wall.facets(uv, pixel, |share, _, slope| shares += if slope.is_finite() { share } else { f32::NAN });
         assert!((shares - 1.0).abs() < 1e-4, "{shares}");
     }
-    let radii = [numbers.share(), numbers.share()];
-    if let Ok(stars) = StarWallpaper::new(numbers.word() % 1100, radii, size(numbers), share(numbers), 1) {
+    let [r_min, r_max] = [numbers.share(), numbers.share()];
+    let stars = StarWallpaperParameters {
+        points: numbers.word() % 1100,
+        r_min,
+        r_max,
+        cells: size(numbers),
+        chance: share(numbers),
+        seed: 1,
+    };
+    if let Ok(stars) = StarWallpaper::new(stars) {
         let covered = stars.coverage(uv, footprint);
         assert!((0.0..=1.0).contains(&covered) && (0.0..=1.0).contains(&stars.mean()), "{covered}");
         let _ = stars.as_listed(uv);
@@ -218,7 +229,8 @@ fn textures(numbers: &mut Numbers<'_>) {
         assert!((0.0..=1.0).contains(&steam.share(p)));
         let _ = steam.interval(numbers.vector(), numbers.direction());
     }
-    if let Ok(bevel) = Bevel::new(numbers.float(), numbers.float(), numbers.float(), numbers.float()) {
+    let [plateau, ridge, top, bottom] = [(); 4].map(|()| numbers.float());
+    if let Ok(bevel) = Bevel::new(BevelParameters { plateau, ridge, top, bottom }) {
         let [height, slope] = bevel.profile(numbers.float());
         assert!(height.is_finite() && slope.is_finite(), "{height} {slope}");
         bevel.facets(numbers.float(), numbers.float(), |_, _| {});

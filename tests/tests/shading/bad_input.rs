@@ -8,7 +8,8 @@ use asperity_shading::noise::{Fbm, FbmSpectrum, GaussianFbm, GaussianNoise, Perl
 use asperity_shading::pixel::{FrequencyClamp, PixelEllipse};
 use asperity_shading::reflectance::*;
 use asperity_shading::texture::{
-    Bevel, Brick, Edge, Gas, Marble, PerturbedTexture, StarWallpaper, Steam, march,
+    Bevel, BevelParameters, Brick, Edge, Gas, Marble, PerturbedTexture, StarWallpaper,
+    StarWallpaperParameters, Steam, march,
 };
 use asperity_shading::{Beckmann, BumpField, Footprint, Frame, Ggx, ShadingError};
 use proptest::prelude::*;
@@ -253,8 +254,9 @@ proptest! {
         });
         prop_assert!((shares - 1.0).abs() < 1e-4, "{shares}");
         let largest = 0.4 / width;
-        let stars = StarWallpaper::new(points, [inner * largest * 0.999, largest * 0.999], width, chance, 1);
-        if let Ok(stars) = stars {
+        let [r_min, r_max] = [inner * largest * 0.999, largest * 0.999];
+        let stars = StarWallpaperParameters { points, r_min, r_max, cells: width, chance, seed: 1 };
+        if let Ok(stars) = StarWallpaper::new(stars) {
             let share = stars.coverage(uv, Footprint::from_width(footprint));
             prop_assert!((0.0..=1.0).contains(&share), "{share}");
         }
@@ -279,7 +281,7 @@ proptest! {
         corners in proptest::collection::vec(pair(), 0..6),
         p in pair(),
     ) {
-        let [height, slope] = Bevel::new(plateau, 2.0 * plateau, top, bottom).unwrap().profile(distance);
+        let [height, slope] = bevel(plateau, 2.0 * plateau, top, bottom).unwrap().profile(distance);
         prop_assert!(height.is_finite() && slope.is_finite(), "{height} {slope}");
         if let Some(edge) = Edge::nearest(&corners, p) {
             prop_assert!(edge.distance >= 0.0 && (edge.away.length() - 1.0).abs() < 1e-5, "{edge:?}");
@@ -297,8 +299,6 @@ proptest! {
         prop_assert!(is_normal(n, bumped) && bumped.dot(n) > 5e-5, "{bumped}");
         let normal = displace(g, n, p, [m, wo], slope.x, slope).normal;
         prop_assert!((normal.length() - 1.0).abs() < 1e-5);
-        let rim = rim_light(n, wo, slope.x);
-        prop_assert!((0.0..=1.0).contains(&rim), "{rim}");
         let seen = flip_to_visible(n, bumped_normal(n, g), wo);
         prop_assert!((seen.length() - 1.0).abs() < 1e-5, "{seen} {wo}");
     }
@@ -405,6 +405,10 @@ fn refused<T>(constructed: Result<T, ShadingError>) -> Option<&'static str> {
     constructed.err().map(|error| error.parameter())
 }
 
+fn bevel(plateau: f32, ridge: f32, top: f32, bottom: f32) -> Result<Bevel, ShadingError> {
+    Bevel::new(BevelParameters { plateau, ridge, top, bottom })
+}
+
 /// The name of a parameter, and the error for a value.
 type Constructor<'a> = (&'static str, &'a dyn Fn(f32) -> Option<&'static str>);
 
@@ -413,8 +417,13 @@ fn nan_and_negative_parameters_are_named() {
     let field = || GaussianFbm::<Vec3>::new(GaussianNoise::new(0), FbmSpectrum::default());
     let turbulence = || Fbm::new(Perlin::new(0), FbmSpectrum::default()).with_shape(Turbulence);
     let beckmann = Beckmann::isotropic(0.3).unwrap();
-    let adaptive = |unit| Sparkles::new(2.0, 1.0, 0.3, 0.7, Elimination::Adaptive { unit }, 1);
-    let stars = |radii, cells, chance| refused(StarWallpaper::new(5, radii, cells, chance, 1));
+    let stars = |[r_min, r_max]: [f32; 2], cells, chance| {
+        let parameters = StarWallpaperParameters { r_min, r_max, cells, chance, ..Default::default() };
+        refused(StarWallpaper::new(parameters))
+    };
+    let seams = |parameters: SeamsParameters| refused(Seams::new(parameters));
+    let carpet = |parameters: CarpetParameters| refused(Carpet::new(parameters));
+    let paint = |parameters: MetallicPaintParameters| refused(MetallicPaint::new(parameters));
     let constructors: [Constructor<'_>; 48] = [
         ("eta", &|x| refused(Conductor::new(x, 1.0))),
         ("k", &|x| refused(Conductor::new(1.0, x))),
@@ -438,31 +447,46 @@ fn nan_and_negative_parameters_are_named() {
         ("width", &|x| refused(Brick::new(x, 1.0, 0.1))),
         ("height", &|x| refused(Brick::new(1.0, x, 0.1))),
         ("mortar", &|x| refused(Brick::new(1.0, 1.0, x))),
-        ("plateau", &|x| refused(Bevel::new(x, 1.0, 0.0, 1.0))),
-        ("ridge", &|x| refused(Bevel::new(0.1, x, 0.0, 1.0))),
+        ("plateau", &|x| refused(bevel(x, 1.0, 0.0, 1.0))),
+        ("ridge", &|x| refused(bevel(0.1, x, 0.0, 1.0))),
         ("r_min", &|x| stars([x, 0.03], 10.0, 0.5)),
         ("r_max", &|x| stars([0.01, x], 10.0, 0.5)),
         ("cells", &|x| stars([0.01, 0.03], x, 0.5)),
         ("chance", &|x| stars([0.01, 0.03], 10.0, x)),
         ("scale", &|x| refused(Marble::new(Perlin::default(), x, 0))),
-        ("max_density", &|x| refused(Gas::new(turbulence(), 5.0, x, 1.0))),
-        ("exponent", &|x| refused(Gas::new(turbulence(), 5.0, 1.0, x))),
+        ("max_density", &|x| refused(Gas::new(turbulence(), x, 1.0))),
+        ("exponent", &|x| refused(Gas::new(turbulence(), 1.0, x))),
         ("radius", &|x| refused(Steam::new(Vec3::ZERO, x, 1.0))),
         ("height", &|x| refused(Steam::new(Vec3::ZERO, 1.0, x))),
-        ("seam_distance", &|x| refused(Seams::new(Vec2::X, SeamPattern::Grid, x, 0.2))),
-        ("seams_amplitude", &|x| refused(Seams::new(Vec2::X, SeamPattern::Grid, 1.0, x))),
-        ("diffuse_thread_size", &|x| refused(DiffuseThreads::new(x, 1))),
-        ("specular_thread_size", &|x| refused(SpecularThreads::new(x, 1))),
-        ("dark_area_size", &|x| refused(DarkAreas::new(x, 0.1, 0))),
-        ("dark_area_strength", &|x| refused(DarkAreas::new(0.1, x, 0))),
+        ("seam_distance", &|x| seams(SeamsParameters { seam_distance: x, ..Default::default() })),
+        ("seams_amplitude", &|x| seams(SeamsParameters { seams_amplitude: x, ..Default::default() })),
+        ("diffuse_thread_size", &|diffuse_thread_size| {
+            carpet(CarpetParameters { diffuse_thread_size, ..Default::default() })
+        }),
+        ("specular_thread_size", &|specular_thread_size| {
+            carpet(CarpetParameters { specular_thread_size, ..Default::default() })
+        }),
+        ("dark_area_size", &|dark_area_size| {
+            carpet(CarpetParameters { dark_area_size, ..Default::default() })
+        }),
+        ("dark_area_strength", &|dark_area_strength| {
+            carpet(CarpetParameters { dark_area_strength, ..Default::default() })
+        }),
         ("orange_peel_size", &|x| refused(OrangePeel::new(x, 0.5, 4))),
         ("orange_peel_strength", &|x| refused(OrangePeel::new(0.5, x, 4))),
-        ("passive_flake_size", &|x| refused(PassiveFlakes::new(x, 1.0, 4, 0))),
-        ("passive_flake_strength", &|x| refused(PassiveFlakes::new(0.01, x, 4, 0))),
-        ("smart_flake_sparkle", &|x| refused(adaptive(x))),
+        ("passive_flake_size", &|passive_flake_size| {
+            paint(MetallicPaintParameters { passive_flake_size, ..Default::default() })
+        }),
+        ("passive_flake_strength", &|x| {
+            paint(MetallicPaintParameters { passive_flake_strength: x, ..Default::default() })
+        }),
+        ("smart_flake_sparkle", &|unit| {
+            let smart_flake_sparkle = Elimination::Adaptive { unit };
+            paint(MetallicPaintParameters { smart_flake_sparkle, ..Default::default() })
+        }),
         ("flake_spacing", &|x| refused(GlintField::new(beckmann, x, 0.05, 3))),
         ("flake_bin", &|x| refused(GlintField::new(beckmann, 1.0, x, 3))),
-        ("dent_cover", &|x| refused(Dents::new(0.1, x, 2, 1))),
+        ("dent_cover", &|x| refused(Dents::new(DentsParameters { dent_cover: x, ..Default::default() }))),
         ("small_blemish_size", &|x| refused(Blemishes::new(x, 1))),
     ];
     for (name, constructor) in constructors {
@@ -487,6 +511,7 @@ fn parameters_just_out_of_range_are_named() {
     let (carpet, paint) = (|p| refused_of(Carpet::new, p), |p| refused_of(MetallicPaint::new, p));
     let (glass, panel) = (|p| refused_of(TemperedGlass::new, p), |p| refused_of(Variations::new, p));
     let (scratches, fibers) = (|p| refused_of(Scratches::new, p), |p| refused_of(Fibers::new, p));
+    let (seams, stars) = (|p| refused_of(Seams::new, p), |p| refused_of(StarWallpaper::new, p));
     let cases = [
         ("eta", refused(Conductor::new(0.0, 1.0))),
         ("relative_index", refused(Dielectric::new(-0.0))),
@@ -498,15 +523,15 @@ fn parameters_just_out_of_range_are_named() {
         ("alpha_x", refused(WardBrdf::new(Vec3::ONE, 0.0, 0.3, WardNormalization::Ward))),
         ("lacunarity", refused(FrequencyClamp::new(1.0, 1.0, 8.0))),
         ("width", refused(Brick::new(0.0, 1.0, 0.1))),
-        ("plateau", refused(Bevel::new(1.0, 1.0, 0.0, 1.0))),
-        ("top", refused(Bevel::new(0.0, 1.0, f32::NAN, 1.0))),
-        ("points", refused(StarWallpaper::new(1, [0.01, 0.03], 10.0, 0.5, 1))),
-        ("r_max", refused(StarWallpaper::new(5, [0.04, 0.03], 10.0, 0.5, 1))),
-        ("r_max", refused(StarWallpaper::new(5, [0.01, 0.05], 10.0, 0.5, 1))),
-        ("seams_propagation", refused(Seams::new(Vec2::ZERO, SeamPattern::Grid, 1.0, 0.2))),
-        ("diffuse_thread_size", refused(DiffuseThreads::new(0.0, 1))),
-        ("passive_flake_detail", refused(PassiveFlakes::new(0.01, 1.0, 9, 0))),
-        ("dent_detail", refused(Dents::new(0.1, 0.5, 20, 1))),
+        ("plateau", refused(bevel(1.0, 1.0, 0.0, 1.0))),
+        ("top", refused(bevel(0.0, 1.0, f32::NAN, 1.0))),
+        ("points", stars(|p| p.points = 1)),
+        ("r_max", stars(|p| p.r_min = 0.04)),
+        ("r_max", stars(|p| p.r_max = 0.05)),
+        ("seams_propagation", seams(|p| p.seams_propagation = Vec2::ZERO)),
+        ("diffuse_thread_size", carpet(|p| p.diffuse_thread_size = 0.0)),
+        ("passive_flake_detail", paint(|p| p.passive_flake_detail = 9)),
+        ("dent_detail", refused(Dents::new(DentsParameters { dent_detail: 20, ..Default::default() }))),
         ("flake_bin", refused(GlintField::new(Beckmann::isotropic(0.3).unwrap(), 1.0, 2.0, 3))),
         ("roughness", carpet(|p| p.roughness = 1.5)),
         ("seam_crossover_size", carpet(|p| p.seam_crossover_size = 0.0)),
@@ -526,5 +551,10 @@ fn parameters_just_out_of_range_are_named() {
     for (name, got) in cases {
         assert_eq!(got, Some(name));
     }
-    assert_eq!(refused(Seams::new(Vec2::ZERO, SeamPattern::None, 1.0, 0.2)), None);
+    let none = SeamsParameters {
+        seams_propagation: Vec2::ZERO,
+        seams_pattern: SeamPattern::None,
+        ..Default::default()
+    };
+    assert_eq!(refused(Seams::new(none)), None);
 }

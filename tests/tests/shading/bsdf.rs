@@ -17,7 +17,7 @@ use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::normal_map::SlopePyramid;
 use asperity_shading::pixel::Footprint;
 use asperity_shading::reflectance::{Brdf, Bsdf, Coat, Dielectric, Lambert};
-use asperity_shading::texture::{Bevel, Marble, StarWallpaper};
+use asperity_shading::texture::{Bevel, BevelParameters, Marble, StarWallpaper};
 use asperity_tests::assert_abs_diff_eq;
 
 use crate::checked::quick;
@@ -60,7 +60,8 @@ fn materials() -> Vec<(&'static str, Boxed, f32)> {
         ..Default::default()
     };
     let wall = BrickWall { clay: white, mortar: white, variation: 0.0, depth: 0.02, ..Default::default() };
-    let bevel = Bevel::new(0.03, 0.2, 0.2, 0.9).expect(VALID);
+    let bevel =
+        Bevel::new(BevelParameters { plateau: 0.03, ridge: 0.2, top: 0.2, bottom: 0.9 }).expect(VALID);
     let tiles = BeveledTiles { bevel, side: 0.2, color: white, roughness: 0.5 };
     let stars = Wallpaper { stars: StarWallpaper::default(), paper: white, star: white, roughness: 0.0 };
     let marble = PolishedMarble { marble: Marble::default(), tint: Vec3::splat(100.0), polish: 0.3 };

@@ -7,7 +7,7 @@ use asperity_shading::material::{
     Wallpaper,
 };
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
-use asperity_shading::texture::{Bevel, StarWallpaper};
+use asperity_shading::texture::{Bevel, BevelParameters, StarWallpaper};
 use asperity_shading::{
     Beckmann, BumpField, Carpet, CarpetParameters, Footprint, Ggx, LevelOfDetail, Marble, Material,
     MetallicPaint, MetallicPaintParameters, Scratches, ScratchesParameters, SlopePyramid, SurfacePoint,
@@ -30,7 +30,8 @@ fn materials() -> Vec<(&'static str, Box<dyn Material>)> {
         let parameters = TemperedGlassParameters { waves, roughness: 0.3, ..Default::default() };
         Box::new(TemperedGlass::new(parameters).expect("glass"))
     };
-    let bevel = Bevel::new(0.02, 0.1, 0.1, 0.8).expect("a ridge");
+    let bevel =
+        Bevel::new(BevelParameters { plateau: 0.02, ridge: 0.1, top: 0.1, bottom: 0.8 }).expect("a ridge");
     let stars = StarWallpaper::default();
     let (paper, star) = (Vec3::splat(0.7), Vec3::new(0.1, 0.1, 0.4));
     let octaves =

@@ -19,7 +19,9 @@ use asperity_shading::reflectance::{
     BlinnPhongBrdf, BlinnPhongNormalization, Masking, OrenNayar, OrenNayarVariant, SchlickF82, WardBrdf,
     WardNormalization,
 };
-use asperity_shading::texture::{Bevel, Edge, Gas, PerturbedTexture, StarWallpaper, Steam, march};
+use asperity_shading::texture::{
+    Bevel, BevelParameters, Edge, Gas, PerturbedTexture, StarWallpaper, Steam, march,
+};
 use asperity_shading::{
     Beckmann, Brdf, Brick, BumpField, Conductor, CookTorrance, Dielectric, EnergyPreservingOrenNayar,
     Footprint, Frame, Fresnel, Ggx, Lambert, LevelOfDetail, Marble, Phong, PixelEllipse, Schlick,
@@ -237,7 +239,7 @@ fn textures() {
         10.0 * SINGLE,
     );
     single("Brick::mean", wall.mean(), [0.854700863]);
-    let bevel = Bevel::new(0.1, 0.6, 0.3, 0.9).unwrap();
+    let bevel = Bevel::new(BevelParameters { plateau: 0.1, ridge: 0.6, top: 0.3, bottom: 0.9 }).unwrap();
     single("Bevel::profile", bevel.profile(0.4), [0.155999988, -0.659999967]);
     let edge = Edge::nearest(&[Vec2::ZERO, Vec2::X, Vec2::ONE], UV).unwrap();
     single("Edge::nearest", [edge.distance, edge.away.x, edge.away.y], [0.246999994, 0.0, 1.0]);

@@ -4,7 +4,7 @@
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::material::{BeveledTiles, BrickWall, MetallicRoughness, PolishedMarble, SeamPattern};
 use asperity_shading::reflectance::Coat;
-use asperity_shading::texture::Bevel;
+use asperity_shading::texture::{Bevel, BevelParameters};
 use asperity_shading::{
     Carpet, CarpetParameters, Footprint, Marble, Material, MetallicPaint, MetallicPaintParameters, Scratches,
     ScratchesParameters, SurfacePoint, Variations, VariationsParameters,
@@ -20,7 +20,8 @@ fn reliefs() -> Vec<(&'static str, f32, f32, Box<dyn Material>)> {
             CarpetParameters { seams_pattern, seam_crossover_strength, ..CarpetParameters::default() };
         Box::new(Carpet::new(parameters).expect("a carpet"))
     };
-    let bevel = Bevel::new(0.02, 0.1, 0.1, 0.8).expect("a ridge");
+    let bevel =
+        Bevel::new(BevelParameters { plateau: 0.02, ridge: 0.1, top: 0.1, bottom: 0.8 }).expect("a ridge");
     let tiles = BeveledTiles { bevel, side: 0.05, color: Vec3::ONE, roughness: 0.5 };
     let dents = VariationsParameters { dent_strength: 0.2, dent_size: 0.02, ..Default::default() };
     let scratches = ScratchesParameters { scratch_cover: 2.5, ..Default::default() };

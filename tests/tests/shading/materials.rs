@@ -1,13 +1,14 @@
 //! Materials: corrected values of the thesis, and means that do not depend on distance.
 
-use asperity_shading::bump::bumped_normal;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::material::{
-    Dents, GlintField, PassiveFlakes, SeamPattern, Seams, SpecularThreads, flake_patch, rim_light, varied,
-    wave_gradient,
+    Blemishes, Dents, DentsParameters, GlintField, SeamPattern, Seams, SeamsParameters,
 };
 use asperity_shading::noise::filtered_fraction;
-use asperity_shading::{Beckmann, Carpet, CarpetParameters, Footprint, Ggx, Material, Ndf, SurfacePoint};
+use asperity_shading::{
+    Beckmann, Carpet, CarpetParameters, Footprint, Ggx, Material, Ndf, SurfacePoint, TemperedGlass,
+    TemperedGlassParameters,
+};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
 use asperity_tests::reference::{read, rows};
@@ -31,7 +32,11 @@ fn fading_and_rim_match_the_references() {
     for row in rows(&file()["rim_light"]["rows"]) {
         let cosine = row[0] as f32;
         let view = Vec3::new((1.0 - cosine * cosine).sqrt(), 0.0, cosine);
-        close(rim_light(Vec3::Z, view, row[1] as f32), row[2], 1e-5, &row);
+        let fake_rim_light_width = row[1] as f32;
+        let parameters = CarpetParameters { fake_rim_light: 1.0, fake_rim_light_width, ..Default::default() };
+        let carpet = Carpet::new(parameters).unwrap();
+        let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(0.0));
+        close(carpet.bsdf(&point, view).emitted().x, row[2], 1e-5, &row);
     }
 }
 
@@ -40,9 +45,13 @@ fn seams_match_the_references() {
     let seams = &file()["seams"];
     for (input, out) in rows(&seams["inputs"]).iter().zip(rows(&seams["corrected_amount_dx_dy"])) {
         let pattern = [SeamPattern::None, SeamPattern::Lines, SeamPattern::Grid][input[2] as usize];
-        let align = Vec2::new(input[0] as f32, input[1] as f32);
-        let distance = std::f64::consts::PI / input[6];
-        let seams = Seams::new(align, pattern, distance as f32, input[5] as f32).unwrap();
+        let seams = Seams::new(SeamsParameters {
+            seams_propagation: Vec2::new(input[0] as f32, input[1] as f32),
+            seams_pattern: pattern,
+            seam_distance: (std::f64::consts::PI / input[6]) as f32,
+            seams_amplitude: input[5] as f32,
+        })
+        .unwrap();
         let got = seams.sample(Vec2::new(input[3] as f32, input[4] as f32));
         // Phases reach 30. Position, distance and product are each rounded by a relative 2⁻²⁴, 6e-6
         // in total, and the slope is f times as steep.
@@ -84,24 +93,6 @@ fn mean(values: impl Iterator<Item = f64>) -> [f64; 2] {
     }
     let mean = sum / n;
     [mean, ((squares / n - mean * mean).max(0.0) / n).sqrt()]
-}
-
-#[test]
-fn single_threads_keep_their_mean_at_every_distance() {
-    let threads = SpecularThreads::new(0.02, 7).unwrap();
-    for width in [0.0, 0.0016, 0.002, 0.003, 0.005, 0.008, 0.011] {
-        let values =
-            points(3, 60_000).map(|p| f64::from(threads.value(p.position, Footprint::from_width(width))));
-        let [mean, error] = mean(values);
-        // Five standard errors of a mean over independent points, plus the error of the measured
-        // moments, 0.2 %.
-        let tolerance = 5.0 * error + 0.002 * mean;
-        println!("width {width}: {mean} ± {error}, from afar {}", threads.mean());
-        assert_abs_diff_eq!(mean, f64::from(threads.mean()), epsilon = tolerance, "width {width}");
-    }
-    // The result of fading inside the power would be (1 − E|N|)⁷.
-    let inside = (1.0 - 0.313_86_f64).powi(7);
-    assert!(inside < 0.8 * f64::from(threads.mean()), "{inside}");
 }
 
 #[test]
@@ -161,7 +152,7 @@ fn seam_ridges_keep_their_mean_radiance_at_grazing_light() {
 fn colors_and_waves_match_the_references() {
     for row in rows(&file()["colour_variation"]["rows"]) {
         let [color, variation, noise, _, _, fixed] = row[..] else { panic!("six columns") };
-        close(varied(color as f32, noise as f32, variation as f32), fixed, 1e-6, &row);
+        close(Blemishes::vary(color as f32, noise as f32, variation as f32), fixed, 1e-6, &row);
     }
     for item in file()["tempered_glass"].as_array().expect("an array") {
         let vector = |name: &str| {
@@ -172,22 +163,31 @@ fn colors_and_waves_match_the_references() {
         let [frequency, amplitude] =
             ["frequency", "amplitude"].map(|name| item[name].as_f64().unwrap() as f32);
         let [n, d, p] = ["normal", "direction", "position"].map(vector);
-        let corrected = wave_gradient(p, n, d, frequency, amplitude);
+        let glass = TemperedGlass::new(TemperedGlassParameters {
+            wave_frequency: frequency,
+            wave_amplitude: amplitude,
+            wave_propagation_vector: d,
+            ..Default::default()
+        })
+        .unwrap();
+        // A view along the normal of the waves is mirrored into itself.
+        let wo = vector("corrected_normal");
+        let point = SurfacePoint::new(p, n, Footprint::from_width(0.0));
+        let [mirrored, _] = glass.bsdf(&point, wo).specular_samples(wo, Vec2::ZERO);
+        let normal = (wo + mirrored.expect("a reflection").wi).normalize();
         // Phases of up to 40 are rounded by 4e-6, times a slope of up to 1.1.
-        assert_abs_diff_eq!(corrected, vector("corrected_tangent_gradient"), epsilon = 1e-5, "{item}");
-        assert_abs_diff_eq!(
-            bumped_normal(n, corrected),
-            vector("corrected_normal"),
-            epsilon = 1e-5,
-            "{item}"
-        );
+        assert_abs_diff_eq!(normal, wo, epsilon = 1e-5, "{item}");
+        let gradient = n - normal / normal.dot(n);
+        assert_abs_diff_eq!(gradient, vector("corrected_tangent_gradient"), epsilon = 1e-5, "{item}");
     }
 }
 
 #[test]
 fn dents_have_the_variance_and_tails_of_dropped_gradients() {
     let moments = |cover: f32| {
-        let dents = Dents::new(0.02, cover, 1, 11).unwrap();
+        let dents =
+            Dents::new(DentsParameters { dent_size: 0.02, dent_cover: cover, dent_detail: 1, seed: 11 })
+                .unwrap();
         let (mut n, mut second, mut fourth) = (0.0, 0.0, 0.0);
         for p in points(9, 100_000) {
             let x = f64::from(dents.sample(p.position, Footprint::from_width(0.0)).value);
@@ -208,36 +208,6 @@ fn dents_have_the_variance_and_tails_of_dropped_gradients() {
         assert!(kurtosis > last, "{dropped}: {kurtosis} after {last}");
         last = kurtosis;
     }
-}
-
-#[test]
-fn passive_flakes_keep_their_mean() {
-    let flakes = PassiveFlakes::new(0.02, 1.0, 4, 0).unwrap();
-    for width in [0.0, 0.0005, 0.002, 0.005] {
-        let [mean, error] = mean(
-            points(4, 40_000).map(|p| f64::from(flakes.factor(p.position, Footprint::from_width(width)))),
-        );
-        assert_abs_diff_eq!(mean, 1.0, epsilon = 5.0 * error + 1e-3, "{width}");
-    }
-}
-
-#[test]
-fn flakes_tilt_isotropically() {
-    // Tilts steeper than 0.8, in directions of 45° and of 0° about z: equally many per solid angle.
-    let (mut axes, mut diagonals) = (0.0, 0.0);
-    let mut random = Random(8);
-    for _ in 0..400_000 {
-        let p = Vec3::new(random.uniform() as f32, random.uniform() as f32, random.uniform() as f32) * 4000.0;
-        let tilt = flake_patch(p, 1.0, Vec3::ONE, 0.0, 2).unwrap().tilt;
-        let r = tilt.length();
-        if r > 0.8 && tilt.z.abs() < 0.2 * r {
-            let octant = (tilt.y.atan2(tilt.x) / std::f32::consts::FRAC_PI_4).round() as i32;
-            *(if octant % 2 == 0 { &mut axes } else { &mut diagonals }) += 1.0;
-        }
-    }
-    // About 20000 each: four standard errors of their ratio.
-    let ratio: f64 = axes / diagonals;
-    assert_abs_diff_eq!(ratio, 1.0, epsilon = 4.0 * (2.0_f64 / diagonals).sqrt(), "{axes} and {diagonals}");
 }
 
 /// Returns the mean of D̂/D over positions, and its standard deviation.

@@ -215,8 +215,9 @@ pub(crate) fn steam(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
     let spectrum = FbmSpectrum::new(next.float(), next.float(), 8).map_err(|error| error.to_string())?;
     let octaves = Fbm::new(Perlin::new(next.whole()), spectrum)
         .with_normalization(Normalization::UnitRange)
-        .with_shape(Turbulence);
-    let gas = Gas::new(octaves, next.float(), next.float(), next.float()).map_err(said)?;
+        .with_shape(Turbulence)
+        .with_octaves(next.float());
+    let gas = Gas::new(octaves, next.float(), next.float()).map_err(said)?;
     let gas = if next.is() { gas.with_veins() } else { gas };
     Steam::new(Vec3::ZERO, next.float(), next.float()).map_err(said)?;
     Ok(answer(&gas.gpu(0), &[gas.gpu_sum()]))

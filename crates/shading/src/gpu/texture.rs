@@ -4,7 +4,7 @@ use asperity_core::gpu_struct;
 use asperity_noise::{IntegerHash, gpu::FbmUniform3d};
 use asperity_noise::{Noise, Perlin};
 
-use crate::texture::{Bevel, Brick, Gas, Marble, PerturbedTexture, StarWallpaper};
+use crate::texture::{Bevel, BevelParameters, Brick, Gas, Marble, PerturbedTexture, StarWallpaper};
 
 gpu_struct! {
     /// A wall of bricks.
@@ -50,7 +50,8 @@ impl Bevel {
     /// Returns the ridge as a uniform of a shader.
     #[must_use]
     pub fn gpu(&self) -> BevelUniform {
-        BevelUniform { plateau: self.plateau(), flank: self.flank(), top: self.top(), bottom: self.bottom() }
+        let BevelParameters { plateau, top, bottom, .. } = *self.parameters();
+        BevelUniform { plateau, flank: self.flank(), top, bottom }
     }
 }
 

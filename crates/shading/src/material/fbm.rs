@@ -148,3 +148,21 @@ pub(crate) fn smoothstep(low: f32, high: f32, x: f32) -> f32 {
         0.0
     }
 }
+
+/// The mean of a function of positions over random points of a plane through space, and its
+/// standard error.
+#[cfg(test)]
+pub(super) fn mean_on_plane(seed: u64, count: usize, f: impl Fn(Vec3) -> f32) -> [f64; 2] {
+    let mut random = asperity_core::SplitMix64 { state: seed };
+    let mut side = || ((random.word() >> 11) as f64 * (-53_f64).exp2()) as f32 * 4.0;
+    let frame = asperity_ndf_sampling::Frame::from_normal(Vec3::new(0.36, 0.48, 0.8));
+    let (mut sum, mut squares) = (0.0, 0.0);
+    for _ in 0..count {
+        let x = f64::from(f(frame.tangent * side() + frame.bitangent * side()));
+        sum += x;
+        squares += x * x;
+    }
+    let n = count as f64;
+    let mean = sum / n;
+    [mean, ((squares / n - mean * mean).max(0.0) / n).sqrt()]
+}

@@ -18,20 +18,19 @@ mod wear;
 
 pub use bump_mapped::BumpMapped;
 pub use carpet::{
-    Carpet, CarpetParameters, DarkAreas, DiffuseThreads, Fiber, Fibers, FibersParameters, Seam, SeamPattern,
-    Seams, SpecularThreads, linear_seam, rim_light,
+    Carpet, CarpetParameters, Fiber, Fibers, FibersParameters, Seam, SeamPattern, Seams, SeamsParameters,
 };
 pub(crate) use fbm::{SizedFbm, half_mean};
-pub use glass::{GlassBody, GlassWaves, TemperedGlass, TemperedGlassParameters, wave_gradient, wave_height};
+pub use glass::{GlassBody, GlassWaves, TemperedGlass, TemperedGlassParameters};
 pub use interface::Material;
 pub use metallic_roughness::MetallicRoughness;
 pub use normal_mapped::NormalMapped;
 pub use paint::{
-    Elimination, FlakePatch, GlintField, GlintFlake, MetallicPaint, MetallicPaintParameters, OrangePeel,
-    PaintFlakes, PassiveFlakes, Sparkle, Sparkles, brighter_normal, brighter_reflection, flake_patch,
-    sparkle_width,
+    Elimination, GlintField, GlintFlake, MetallicPaint, MetallicPaintParameters, OrangePeel, PaintFlakes,
 };
 pub(crate) use segment::Segments;
 pub use surface_point::SurfacePoint;
 pub use textured::{BeveledTiles, BrickWall, Perturbed, PolishedMarble, Wallpaper};
-pub use wear::{Blemishes, Dents, Scratches, ScratchesParameters, Variations, VariationsParameters, varied};
+pub use wear::{
+    Blemishes, Dents, DentsParameters, Scratches, ScratchesParameters, Variations, VariationsParameters,
+};

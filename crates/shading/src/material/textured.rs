@@ -262,6 +262,7 @@ impl<M: Material> Material for Perturbed<M> {
 mod tests {
     use super::*;
     use crate::pixel::Footprint;
+    use crate::texture::BevelParameters;
     use asperity_ndf_sampling::Frame;
 
     #[test]
@@ -269,7 +270,8 @@ mod tests {
         let (wo, wi) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, -0.6, 0.8));
         let lobe = EnergyPreservingOrenNayar::new_clamped(Vec3::ONE, 0.5);
         let flat = Bsdf::new(Frame::IDENTITY, wo).with([Facet::FLAT], [lobe.into()]).eval_cos(wo, wi);
-        let bevel = Bevel::new(0.03, 0.2, 0.2, 0.9).expect("a ridge");
+        let bevel = Bevel::new(BevelParameters { plateau: 0.03, ridge: 0.2, top: 0.2, bottom: 0.9 })
+            .expect("a ridge");
         for (side, width) in [(0.0, 0.1), (-0.2, 0.0), (-0.2, 0.1), (-0.2, 10.0), (f32::NAN, 0.1)] {
             let tiles = BeveledTiles { bevel, side, color: Vec3::ONE, roughness: 0.5 };
             let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(width))

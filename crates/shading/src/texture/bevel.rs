@@ -5,7 +5,22 @@ use glam::{Vec2, Vec3};
 use crate::direction;
 use crate::error::ShadingError;
 use crate::math::sqrt;
-use crate::parameter::{positive, within};
+use crate::parameter::{parameters, positive, within};
+
+parameters! {
+    /// The parameters of a [`Bevel`]: `plateau` is less than `ridge`, and no slope is beyond
+    /// `f32::MAX/(4 max(1, ridge))`, so heights are finite.
+    pub struct BevelParameters of Bevel {
+        /// The width of the plateau, at least 0. Default 0.02.
+        plateau: f32 = 0.02;
+        /// The width of the whole ridge: plateau and flank. Default 0.1.
+        ridge: f32 = 0.1, positive;
+        /// The slope where the flank begins, positive downward. Default 0.
+        top: f32 = 0.0;
+        /// The slope where the flank ends, positive downward. Default 1.
+        bottom: f32 = 1.0;
+    }
+}
 
 /// The profile of a ridge along an edge: a plateau next to the edge, then a flank down to the face.
 ///
@@ -27,10 +42,10 @@ use crate::parameter::{positive, within};
 /// parameters.
 ///
 /// ```
-/// use asperity_shading::texture::{Bevel, Edge};
+/// use asperity_shading::texture::{Bevel, BevelParameters, Edge};
 /// use asperity_shading::glam::Vec2;
 ///
-/// let bevel = Bevel::new(0.02, 0.1, 0.0, 1.0)?;
+/// let bevel = Bevel::new(BevelParameters { plateau: 0.02, ridge: 0.1, top: 0.0, bottom: 1.0 })?;
 /// let tile = [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
 /// let edge = Edge::nearest(&tile, Vec2::new(0.5, 0.06)).unwrap();
 /// let [height, slope] = bevel.profile(edge.distance);
@@ -40,64 +55,43 @@ use crate::parameter::{positive, within};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bevel {
-    plateau: f32,
+    parameters: BevelParameters,
     flank: f32,
-    top: f32,
-    bottom: f32,
 }
 
 impl Bevel {
-    /// Creates a ridge of width `ridge` with this plateau, and these slopes at the ends of its
-    /// flank.
+    /// Creates the ridge of these parameters.
     ///
     /// # Errors
-    /// [`ShadingError`] unless `0 ≤ plateau < ridge`, all four are finite, and no slope is beyond
-    /// `f32::MAX/(4 max(1, ridge))`: heights are finite.
-    pub fn new(plateau: f32, ridge: f32, top: f32, bottom: f32) -> Result<Self, ShadingError> {
+    /// [`ShadingError`] with the first parameter that is out of its range.
+    pub fn new(parameters: BevelParameters) -> Result<Self, ShadingError> {
+        parameters.check()?;
+        let BevelParameters { plateau, ridge, top, bottom } = parameters;
         // A plateau as wide as the ridge leaves no flank.
-        within("plateau", plateau, [0.0, positive("ridge", ridge)?.next_down()])?;
+        within("plateau", plateau, [0.0, ridge.next_down()])?;
         // Sums of two slopes, and their products with a width, stay in range.
         let steepest = 0.25 * f32::MAX / ridge.max(1.0);
         for (parameter, slope) in [("top", top), ("bottom", bottom)] {
             within(parameter, slope, [-steepest, steepest])?;
         }
-        Ok(Self { plateau, flank: ridge - plateau, top, bottom })
-    }
-
-    /// Width of the plateau.
-    #[must_use]
-    pub const fn plateau(&self) -> f32 {
-        self.plateau
+        Ok(Self { parameters, flank: ridge - plateau })
     }
 
     /// Width of the flank.
-    #[must_use]
-    pub const fn flank(&self) -> f32 {
+    pub(crate) const fn flank(&self) -> f32 {
         self.flank
-    }
-
-    /// Slope where the flank begins, positive downward.
-    #[must_use]
-    pub const fn top(&self) -> f32 {
-        self.top
-    }
-
-    /// Slope where the flank ends, positive downward.
-    #[must_use]
-    pub const fn bottom(&self) -> f32 {
-        self.bottom
     }
 
     /// Height and its derivative by the distance, at a distance from the edge; flat for NaN.
     #[must_use]
     pub fn profile(&self, distance: f32) -> [f32; 2] {
-        let x = (distance - self.plateau) / self.flank;
+        let x = (distance - self.parameters.plateau) / self.flank;
         if x <= 0.0 {
-            return [0.5 * (self.top + self.bottom) * self.flank, 0.0];
+            return [0.5 * (self.parameters.top + self.parameters.bottom) * self.flank, 0.0];
         }
         if x < 1.0 {
-            let slope = self.top + (self.bottom - self.top) * x;
-            [0.5 * (1.0 - x) * (slope + self.bottom) * self.flank, -slope]
+            let slope = self.parameters.top + (self.parameters.bottom - self.parameters.top) * x;
+            [0.5 * (1.0 - x) * (slope + self.parameters.bottom) * self.flank, -slope]
         } else {
             // NaN too.
             [0.0, 0.0]
@@ -112,9 +106,9 @@ impl Bevel {
     /// slope. An empty or NaN interval is replaced by its middle.
     ///
     /// ```
-    /// use asperity_shading::texture::Bevel;
+    /// use asperity_shading::texture::{Bevel, BevelParameters};
     ///
-    /// let bevel = Bevel::new(0.02, 0.1, 0.0, 1.0)?;
+    /// let bevel = Bevel::new(BevelParameters::default())?;
     /// let (mut shares, mut slope) = (0.0, 0.0);
     /// bevel.facets(0.0, 0.2, |share, s| {
     ///     shares += share;
@@ -135,7 +129,7 @@ impl Bevel {
             let [from, to] = [begin.max(low), end.min(high)];
             [from, (to - from).max(0.0)]
         };
-        let [from, flank] = within(self.plateau, self.plateau + self.flank);
+        let [from, flank] = within(self.parameters.plateau, self.parameters.plateau + self.flank);
         if flank > 0.0 {
             for at in GAUSS {
                 let [_, slope] = self.profile(from + at * flank);
@@ -154,8 +148,8 @@ impl Bevel {
             return self.profile(0.5 * (low + high))[0];
         }
         let cut = |begin: f32, end: f32| [begin.max(low), (end.min(high) - begin.max(low)).max(0.0)];
-        let [_, plateau] = cut(0.0, self.plateau);
-        let [from, flank] = cut(self.plateau, self.plateau + self.flank);
+        let [_, plateau] = cut(0.0, self.parameters.plateau);
+        let [from, flank] = cut(self.parameters.plateau, self.parameters.plateau + self.flank);
         let heights = GAUSS.map(|at| self.profile(from + at * flank)[0]);
         (plateau * self.profile(0.0)[0] + 0.5 * flank * (heights[0] + heights[1])) / width
     }
@@ -168,9 +162,9 @@ impl Bevel {
     /// The minimum and the maximum of the ridge; the ground is 0.
     pub(crate) fn range(&self) -> [f32; 2] {
         // The height has an extremum where the slope changes its sign.
-        let turn = self.top / (self.top - self.bottom);
+        let turn = self.parameters.top / (self.parameters.top - self.parameters.bottom);
         let turn = if turn > 0.0 && turn < 1.0 { turn } else { 0.0 };
-        let heights = [self.profile(0.0)[0], self.profile(self.plateau + turn * self.flank)[0]];
+        let heights = [self.profile(0.0)[0], self.profile(self.parameters.plateau + turn * self.flank)[0]];
         heights.into_iter().fold([0.0, 0.0], |[low, high], height| [low.min(height), high.max(height)])
     }
 
@@ -245,10 +239,14 @@ mod tests {
     use super::*;
     use asperity_core::assert_abs_diff_eq;
 
+    fn bevel_of(plateau: f32, ridge: f32, top: f32, bottom: f32) -> Result<Bevel, ShadingError> {
+        Bevel::new(BevelParameters { plateau, ridge, top, bottom })
+    }
+
     #[test]
     fn profile_is_continuous_and_the_slopes_integral() {
         for (top, bottom) in [(0.0, 1.0), (1.0, 0.0), (0.4, 0.4), (-0.7, 0.2)] {
-            let bevel = Bevel::new(0.1, 0.6, top, bottom).unwrap();
+            let bevel = bevel_of(0.1, 0.6, top, bottom).unwrap();
             let mut integral = 0.0;
             let n = 1000;
             for i in (0..n).rev() {
@@ -275,15 +273,9 @@ mod tests {
     }
 
     #[test]
-    fn accessors_return_the_constructor_arguments() {
-        let bevel = Bevel::new(0.25, 0.75, -0.5, 0.125).unwrap();
-        assert_eq!([bevel.plateau(), bevel.flank(), bevel.top(), bevel.bottom()], [0.25, 0.5, -0.5, 0.125]);
-    }
-
-    #[test]
     fn mean_height_matches_sampling() {
         for (top, bottom) in [(0.0, 1.0), (1.0, 0.0), (-0.7, 0.2), (0.7, -0.9)] {
-            let bevel = Bevel::new(0.05, 0.3, top, bottom).unwrap();
+            let bevel = bevel_of(0.05, 0.3, top, bottom).unwrap();
             let [least, most] = bevel.range();
             for [low, high] in [[0.0, 0.02], [0.01, 0.2], [0.1, 0.9], [0.4, 0.5]] {
                 let places = (0..4000_u16).map(|k| low + (high - low) * (f32::from(k) + 0.5) / 4000.0);
@@ -317,7 +309,7 @@ mod tests {
 
     #[test]
     fn profile_of_nan_is_flat() {
-        let bevel = Bevel::new(0.1, 0.6, 0.3, 0.9).unwrap();
+        let bevel = bevel_of(0.1, 0.6, 0.3, 0.9).unwrap();
         assert_eq!(bevel.profile(f32::NAN), [0.0, 0.0]);
         assert_eq!(bevel.profile(f32::INFINITY), [0.0, 0.0]);
         assert_eq!(bevel.profile(-1.0), bevel.profile(0.0));
@@ -328,14 +320,14 @@ mod tests {
         for ridge in [f32::MIN_POSITIVE, 1e-3, 1.0, 7.3, 1e19, f32::MAX] {
             let steepest = 0.25 * f32::MAX / ridge.max(1.0);
             for (top, bottom) in [(steepest, steepest), (-steepest, steepest), (steepest, -steepest)] {
-                let bevel = Bevel::new(0.0, ridge, top, bottom).unwrap();
+                let bevel = bevel_of(0.0, ridge, top, bottom).unwrap();
                 for x in [-1.0, 0.0, 0.1, 0.5, 0.9, 1.0] {
                     let [height, slope] = bevel.profile(x * ridge);
                     assert!(height.is_finite() && slope.is_finite(), "{bevel:?} at {x}: {height}, {slope}");
                 }
             }
-            assert!(Bevel::new(0.0, ridge, 1.01 * steepest, 0.0).is_err(), "{ridge}");
-            assert!(Bevel::new(0.0, ridge, 0.0, -1.01 * steepest).is_err(), "{ridge}");
+            assert!(bevel_of(0.0, ridge, 1.01 * steepest, 0.0).is_err(), "{ridge}");
+            assert!(bevel_of(0.0, ridge, 0.0, -1.01 * steepest).is_err(), "{ridge}");
         }
     }
 

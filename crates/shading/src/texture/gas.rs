@@ -28,7 +28,6 @@ use crate::pixel::Footprint;
 #[derive(Clone, Copy, Debug)]
 pub struct Gas<K = Perlin> {
     turbulence: Fbm<K, Vec3, Turbulence>,
-    octaves: f32,
     max_density: f32,
     exponent: f32,
     veins: bool,
@@ -41,7 +40,6 @@ impl Default for Gas {
             Fbm::new(Perlin::new(0), FbmSpectrum::default()).with_normalization(Normalization::UnitRange);
         Self {
             turbulence: octaves.with_shape(Turbulence).with_octaves(5.0),
-            octaves: 5.0,
             max_density: 2.0,
             exponent: 3.0,
             veins: false,
@@ -50,20 +48,18 @@ impl Default for Gas {
 }
 
 impl<K: Field<Vec3>> Gas<K> {
-    /// Creates gas from the first `octaves` octaves of a turbulence.
+    /// Creates gas from the octaves of a turbulence.
     ///
     /// # Errors
     /// [`ShadingError`] unless `max_density` and `exponent` are finite and positive.
     pub fn new(
         turbulence: Fbm<K, Vec3, Turbulence>,
-        octaves: f32,
         max_density: f32,
         exponent: f32,
     ) -> Result<Self, ShadingError> {
         positive("max_density", max_density)?;
         positive("exponent", exponent)?;
-        let turbulence = turbulence.with_octaves(octaves);
-        Ok(Self { turbulence, octaves, max_density, exponent, veins: false })
+        Ok(Self { turbulence, max_density, exponent, veins: false })
     }
 
     /// Adds veins: the sine of the turbulence.
@@ -74,7 +70,7 @@ impl<K: Field<Vec3>> Gas<K> {
 
     /// The turbulence; octaves, maximum density, exponent; whether there are veins.
     pub(crate) const fn parts(&self) -> (&Fbm<K, Vec3, Turbulence>, [f32; 3], bool) {
-        (&self.turbulence, [self.octaves, self.max_density, self.exponent], self.veins)
+        (&self.turbulence, [self.turbulence.octaves(), self.max_density, self.exponent], self.veins)
     }
 
     /// The density at a point, at least 0; the density without turbulence if the point is not
@@ -110,10 +106,10 @@ impl<K: Field<Vec3>> Gas<K> {
         let mut sum = 0.0;
         for i in 0..spectrum.max_octaves() {
             let kept = footprint.kept(spectrum.frequency(i));
-            let amplitude = spectrum.weight(self.octaves, i) * spectrum.amplitude(i);
+            let amplitude = spectrum.weight(self.turbulence.octaves(), i) * spectrum.amplitude(i);
             sum += amplitude * amplitude * (1.0 - kept * kept);
         }
-        let total = spectrum.sum_of_amplitudes(self.octaves);
+        let total = spectrum.sum_of_amplitudes(self.turbulence.octaves());
         if total > 0.0 { sum * (second - first * first) / (total * total) } else { 0.0 }
     }
 
@@ -320,7 +316,7 @@ mod tests {
         let point = |k: u16| 7.3 * f32::from(k) * Vec3::new(0.819_172_5, 0.671_043_6, 0.549_700_5);
         let mean = (0..20_000).map(|k| gas.density(point(k))).sum::<f32>() / 20_000.0;
         let far = gas.clamped_density(Vec3::ZERO, Footprint::from_width(100.0));
-        let of_mean = gas.of(gas.turbulence.with_octaves(gas.octaves).band_limited(100.0).value(Vec3::ZERO));
+        let of_mean = gas.of(gas.turbulence.band_limited(100.0).value(Vec3::ZERO));
         // Standard deviations of densities are about their mean: 0.7 % of it. The third moment of
         // the turbulence is omitted; measured: 1.4 %.
         assert_abs_diff_eq!(far / mean, 1.0, epsilon = 0.04);
@@ -344,7 +340,7 @@ mod tests {
     fn density_is_a_power_of_the_turbulence_for_every_exponent() {
         let turbulence = Gas::default().turbulence;
         for exponent in [0.5, 1.0, 2.0, 3.0, 4.0, 5.5, 8.0] {
-            let gas = Gas::new(turbulence, 3.5, 1.5, exponent).unwrap();
+            let gas = Gas::new(turbulence.with_octaves(3.5), 1.5, exponent).unwrap();
             let (of, numbers, veins) = gas.parts();
             assert_eq!((numbers, veins), ([3.5, 1.5, exponent], false));
             for i in 0..20_u8 {
@@ -359,10 +355,7 @@ mod tests {
         }
         for bad in [0.0, -1.0, f32::NAN, f32::INFINITY] {
             for [max_density, exponent] in [[bad, 3.0], [2.0, bad]] {
-                assert!(
-                    Gas::new(turbulence, 5.0, max_density, exponent).is_err(),
-                    "{max_density}, {exponent}"
-                );
+                assert!(Gas::new(turbulence, max_density, exponent).is_err(), "{max_density}, {exponent}");
             }
         }
     }

@@ -8,9 +8,9 @@ mod marble;
 mod perturbed;
 mod star_wallpaper;
 
-pub use bevel::{Bevel, Edge};
+pub use bevel::{Bevel, BevelParameters, Edge};
 pub use brick::{Brick, BrickSample};
 pub use gas::{Gas, Seen, Steam, march};
 pub use marble::Marble;
 pub use perturbed::{PerturbedLookUp, PerturbedTexture};
-pub use star_wallpaper::StarWallpaper;
+pub use star_wallpaper::{StarWallpaper, StarWallpaperParameters};

@@ -6,8 +6,27 @@ use glam::Vec2;
 
 use crate::error::ShadingError;
 use crate::math::{atan2, cos, sin, sqrt};
-use crate::parameter::{as_share, positive, within};
+use crate::parameter::{as_share, parameters, positive, within};
 use crate::pixel::Footprint;
+
+parameters! {
+    /// The parameters of a [`StarWallpaper`]. The defaults are the stars of the lecture.
+    pub struct StarWallpaperParameters of StarWallpaper {
+        /// The number of points of a star, from 2 to 1000. Default 5.
+        points: u32 = 5;
+        /// The radius of the notches, positive. Default 0.01.
+        r_min: f32 = 0.01, positive;
+        /// The radius of the points, at least `r_min` and at most 0.4 of a cell: a larger star could
+        /// reach past the neighboring cells. Default 0.03.
+        r_max: f32 = 0.03;
+        /// The number of cells per unit, positive. Default 10.
+        cells: f32 = 10.0, positive;
+        /// The probability that a cell has a star, within `[0, 1]`. Default 0.55.
+        chance: f32 = 0.55, as_share;
+        /// Random seed.
+        seed: u32 = 0;
+    }
+}
 
 /// Stars scattered over a grid of cells.
 ///
@@ -39,48 +58,31 @@ use crate::pixel::Footprint;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StarWallpaper {
-    points: u32,
-    r_min: f32,
-    r_max: f32,
-    cells: f32,
-    chance: f32,
-    seed: u32,
+    parameters: StarWallpaperParameters,
 }
 
 /// Maximum offset of the center of a star from the center of its cell, in cells.
 const SCATTER: f32 = 0.6;
 
-/// The stars of the lecture: ten cells per unit, five points, radii 0.01 and 0.03, a chance of 0.55
-/// per cell.
+/// The stars of the lecture.
 impl Default for StarWallpaper {
     fn default() -> Self {
-        Self { points: 5, r_min: 0.01, r_max: 0.03, cells: 10.0, chance: 0.55, seed: 0 }
+        Self { parameters: StarWallpaperParameters::default() }
     }
 }
 
 impl StarWallpaper {
-    /// Creates stars with notches at `r_min` and `points` points at `r_max`, in a fraction `chance`
-    /// of cells.
-    ///
-    /// There are `cells` cells per unit.
+    /// Creates the wallpaper of these parameters.
     ///
     /// # Errors
-    /// [`ShadingError`] unless there are at least 2 points and at most 1000, `0 < r_min ≤ r_max`,
-    /// `cells` is finite and positive, `r_max` is at most 0.4 of a cell (otherwise a star could
-    /// reach past the neighboring cells), and `chance` is within `[0, 1]`.
-    pub fn new(
-        points: u32,
-        [r_min, r_max]: [f32; 2],
-        cells: f32,
-        chance: f32,
-        seed: u32,
-    ) -> Result<Self, ShadingError> {
+    /// [`ShadingError`] with a parameter that is out of its range.
+    pub fn new(parameters: StarWallpaperParameters) -> Result<Self, ShadingError> {
+        let StarWallpaperParameters { points, r_min, r_max, cells, .. } = parameters;
         // Points are few, so the cast is exact; invalid counts are rejected anyway.
         within("points", points as f32, [2.0, 1000.0])?;
-        positive("r_min", r_min)?;
-        within("r_max", r_max, [r_min, 0.4 / positive("cells", cells)?])?;
-        as_share("chance", chance)?;
-        Ok(Self { points, r_min, r_max, cells, chance, seed })
+        parameters.check()?;
+        within("r_max", r_max, [r_min, 0.4 / cells])?;
+        Ok(Self { parameters })
     }
 
     /// The fraction of the wall covered by stars, if they do not overlap.
@@ -93,8 +95,15 @@ impl StarWallpaper {
     /// measured.
     #[must_use]
     pub fn mean(&self) -> f32 {
-        let n = self.points as f32;
-        (self.chance * self.cells * self.cells * n * self.r_min * self.r_max * sin(PI / n)).min(1.0)
+        let n = self.parameters.points as f32;
+        (self.parameters.chance
+            * self.parameters.cells
+            * self.parameters.cells
+            * n
+            * self.parameters.r_min
+            * self.parameters.r_max
+            * sin(PI / n))
+        .min(1.0)
     }
 
     /// Points, radii, cells, chance, mean, half the angle between two points as a direction, that
@@ -102,11 +111,11 @@ impl StarWallpaper {
     ///
     /// The seeds are those of the lattices.
     pub(crate) fn parts(&self) -> ([f32; 9], [u32; 3]) {
-        let angle = TAU / self.points as f32;
+        let angle = TAU / self.parameters.points as f32;
         let [x, y] = [cos(0.5 * angle), sin(0.5 * angle)];
-        let Self { r_min, r_max, cells, chance, .. } = *self;
-        let seeds = [0, 1, 2].map(|k| self.seed.wrapping_mul(3).wrapping_add(k));
-        ([self.points as f32, r_min, r_max, cells, chance, self.mean(), x, y, angle], seeds)
+        let StarWallpaperParameters { r_min, r_max, cells, chance, .. } = self.parameters;
+        let seeds = [0, 1, 2].map(|k| self.parameters.seed.wrapping_mul(3).wrapping_add(k));
+        ([self.parameters.points as f32, r_min, r_max, cells, chance, self.mean(), x, y, angle], seeds)
     }
 
     /// The fraction of a pixel covered by stars, at a point of the texture seen through this
@@ -121,19 +130,20 @@ impl StarWallpaper {
             return 0.0;
         }
         let footprint = footprint.width();
-        let far = filtered_fraction(footprint, 0.75 / self.r_max);
+        let far = filtered_fraction(footprint, 0.75 / self.parameters.r_max);
         if far >= 1.0 {
             return self.mean();
         }
-        let white =
-            |cell: Vec2, k: u32| WhiteNoise::new(self.seed.wrapping_mul(3).wrapping_add(k)).value(cell);
+        let white = |cell: Vec2, k: u32| {
+            WhiteNoise::new(self.parameters.seed.wrapping_mul(3).wrapping_add(k)).value(cell)
+        };
         let mut bare = 1.0;
         self.for_neighbors(uv, |cell| {
-            if 0.5 + 0.5 * white(cell, 0) < self.chance {
+            if 0.5 + 0.5 * white(cell, 0) < self.parameters.chance {
                 let offset = SCATTER * Vec2::new(white(cell, 1), white(cell, 2));
-                let p = uv - (cell + offset) / self.cells;
+                let p = uv - (cell + offset) / self.parameters.cells;
                 // Out of reach of every ramp.
-                if p.dot(p) < (self.r_max + footprint) * (self.r_max + footprint) {
+                if p.dot(p) < (self.parameters.r_max + footprint) * (self.parameters.r_max + footprint) {
                     bare *= 1.0 - self.ramped(p, footprint);
                 }
             }
@@ -151,14 +161,14 @@ impl StarWallpaper {
     pub fn as_listed(&self, uv: Vec2) -> bool {
         let mut covered = false;
         if uv.is_finite() {
-            let noise = |x: f32, y: f32| Perlin::new(self.seed).value(Vec2::new(x, y));
+            let noise = |x: f32, y: f32| Perlin::new(self.parameters.seed).value(Vec2::new(x, y));
             self.for_neighbors(uv, |middle| {
                 let cell = middle - 0.5;
-                if 0.5 + 0.5 * noise(3.0 * cell.x - 9.5, 7.0 * cell.y + 7.5) < self.chance {
+                if 0.5 + 0.5 * noise(3.0 * cell.x - 9.5, 7.0 * cell.y + 7.5) < self.parameters.chance {
                     let offset =
                         Vec2::new(noise(cell.x + 0.5, cell.y + 0.5), noise(cell.x + 3.5, cell.y + 8.5));
-                    let center = (middle + SCATTER * offset) / self.cells;
-                    covered |= self.inside(uv - center, self.points as f32 / TAU) >= 0.0;
+                    let center = (middle + SCATTER * offset) / self.parameters.cells;
+                    covered |= self.inside(uv - center, self.parameters.points as f32 / TAU) >= 0.0;
                 }
             });
         }
@@ -182,7 +192,7 @@ impl StarWallpaper {
 
     /// The centers of the cell and its neighbors, in cells.
     fn for_neighbors(&self, uv: Vec2, mut visit: impl FnMut(Vec2)) {
-        let cell = (uv * self.cells).floor();
+        let cell = (uv * self.parameters.cells).floor();
         for i in [-0.5, 0.5, 1.5] {
             for j in [-0.5, 0.5, 1.5] {
                 visit(cell + Vec2::new(i, j));
@@ -194,12 +204,12 @@ impl StarWallpaper {
     ///
     /// The angle from its point is multiplied by `listed`, which is 1 for a star.
     fn inside(&self, p: Vec2, listed: f32) -> f32 {
-        let angle = TAU / self.points as f32;
+        let angle = TAU / self.parameters.points as f32;
         let turn = (atan2(p.x, p.y) + PI) / angle;
         let fraction = turn - (turn as u32) as f32;
         let a = fraction.min(1.0 - fraction) * angle * listed;
-        let tip = Vec2::new(self.r_max, 0.0);
-        let edge = self.r_min * Vec2::new(cos(0.5 * angle), sin(0.5 * angle)) - tip;
+        let tip = Vec2::new(self.parameters.r_max, 0.0);
+        let edge = self.parameters.r_min * Vec2::new(cos(0.5 * angle), sin(0.5 * angle)) - tip;
         let r = sqrt(p.dot(p));
         edge.perp_dot(r * Vec2::new(cos(a), sin(a)) - tip) / sqrt(edge.dot(edge))
     }

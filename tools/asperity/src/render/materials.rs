@@ -5,7 +5,7 @@ use asperity_render::materials::{InMetres, Projected};
 use asperity_render::scene::Surface;
 use asperity_shading::material::{BrickWall, GlassBody, GlassWaves, PaintFlakes, PolishedMarble, Wallpaper};
 use asperity_shading::reflectance::{Absorption, Coat};
-use asperity_shading::texture::{Brick, StarWallpaper};
+use asperity_shading::texture::{Brick, StarWallpaper, StarWallpaperParameters};
 use asperity_shading::{
     Carpet, CarpetParameters, Marble, MetallicPaint, MetallicPaintParameters, Scratches, ScratchesParameters,
     TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters, noise::Perlin,
@@ -221,9 +221,14 @@ impl Parameters {
                 )
             }
             Material::Wallpaper => {
-                let points = read::<u32>(&values["points"])?;
-                let radii = [number("r_min")?, number("r_max")?];
-                let stars = StarWallpaper::new(points, radii, 1.0, number("chance")?, seed()?)?;
+                let stars = StarWallpaper::new(StarWallpaperParameters {
+                    points: read(&values["points"])?,
+                    r_min: number("r_min")?,
+                    r_max: number("r_max")?,
+                    cells: 1.0,
+                    chance: number("chance")?,
+                    seed: seed()?,
+                })?;
                 let (paper, star) = (color("paper")?, color("star")?);
                 laid(
                     Wallpaper { stars, paper, star, roughness: number("roughness")? },

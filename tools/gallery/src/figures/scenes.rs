@@ -11,7 +11,7 @@ use asperity_shading::material::{
     BrickWall, BumpMapped, GlassBody, PaintFlakes, PolishedMarble, SeamPattern, Wallpaper,
 };
 use asperity_shading::reflectance::Absorption;
-use asperity_shading::texture::StarWallpaper;
+use asperity_shading::texture::{StarWallpaper, StarWallpaperParameters};
 use asperity_shading::{
     Carpet, CarpetParameters, Ggx, LevelOfDetail, Marble, MetallicPaint, MetallicPaintParameters, Scratches,
     ScratchesParameters, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters,
@@ -132,7 +132,13 @@ pub(crate) fn draw_room(context: &Context<'_>) -> Result<Drawn> {
 }
 
 pub(crate) fn draw_walls(context: &Context<'_>) -> Result<Drawn> {
-    let stars = StarWallpaper::new(5, [0.1, 0.3], 1.0, 0.55, context.seed)?;
+    let stars = StarWallpaper::new(StarWallpaperParameters {
+        r_min: 0.1,
+        r_max: 0.3,
+        cells: 1.0,
+        seed: context.seed,
+        ..Default::default()
+    })?;
     let stars =
         InMetres(Wallpaper { stars, paper: hex(0x2c_3a5e), star: hex(0xe8_d9a8), roughness: 0.0 }, 10.0);
     let (away, pale) = ("A brick wall that recedes to the right", "Dark blue wallpaper with pale stars");

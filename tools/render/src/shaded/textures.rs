@@ -5,7 +5,10 @@ use asperity_shading::material::{
     BeveledTiles, BrickWall, Material, Perturbed, PolishedMarble, SurfacePoint, Wallpaper,
 };
 use asperity_shading::reflectance::{Bsdf, Coat};
-use asperity_shading::texture::{Bevel, Brick, Gas, Marble, PerturbedTexture, StarWallpaper, march};
+use asperity_shading::texture::{
+    Bevel, BevelParameters, Brick, Gas, Marble, PerturbedTexture, StarWallpaper, StarWallpaperParameters,
+    march,
+};
 use glam::{Vec2, Vec3};
 
 use crate::shaded::{
@@ -27,8 +30,16 @@ pub fn textures() -> Vec<Subject> {
     let color = Vec3::splat(0.6);
     let bumped = BrickWall { clay: color, mortar: color, depth: 0.02, ..flat };
     // Square tiles with a ridge along their edges.
-    let bevel = Bevel::new(0.03, 0.2, 0.2, 0.9).expect(VALID);
-    let stars = StarWallpaper::new(5, [0.1, 0.3], 1.0, 0.55, 1).expect(VALID);
+    let bevel =
+        Bevel::new(BevelParameters { plateau: 0.03, ridge: 0.2, top: 0.2, bottom: 0.9 }).expect(VALID);
+    let stars = StarWallpaper::new(StarWallpaperParameters {
+        r_min: 0.1,
+        r_max: 0.3,
+        cells: 1.0,
+        seed: 1,
+        ..Default::default()
+    })
+    .expect(VALID);
     // A wall in running bond.
     let by = PerturbedTexture { scale: 0.5, strength: Vec2::new(0.15, 0.08), ..Default::default() };
     let marble = PolishedMarble { marble: Marble::default(), tint: Vec3::ONE, polish: 0.0 };

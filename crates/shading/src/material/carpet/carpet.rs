@@ -7,7 +7,7 @@ use crate::error::ShadingError;
 use crate::material::carpet::dark_area::DarkAreas;
 use crate::material::carpet::fiber::{Fibers, FibersParameters};
 use crate::material::carpet::rim_light::rim_light;
-use crate::material::carpet::seam::{Crease, SeamPattern, Seams};
+use crate::material::carpet::seam::{Crease, SeamPattern, Seams, SeamsParameters};
 use crate::material::carpet::thread::{DiffuseThreads, SpecularThreads};
 use crate::material::fbm::SizedFbm;
 use crate::material::glossy::GlossySurface;
@@ -145,7 +145,12 @@ impl Carpet {
             diffuse_threads: DiffuseThreads::new(p.diffuse_thread_size, seed(0))?,
             specular_threads: SpecularThreads::new(p.specular_thread_size, seed(1))?,
             dark_areas: DarkAreas::new(p.dark_area_size, p.dark_area_strength, seed(2))?,
-            seams: Seams::new(p.seams_propagation, p.seams_pattern, p.seam_distance, p.seams_amplitude)?,
+            seams: Seams::new(SeamsParameters {
+                seams_propagation: p.seams_propagation,
+                seams_pattern: p.seams_pattern,
+                seam_distance: p.seam_distance,
+                seams_amplitude: p.seams_amplitude,
+            })?,
             crossover: SizedFbm::single(p.seam_crossover_size, seed(3)),
             fibers: Fibers::new(p.fibers)?,
             parameters,

@@ -20,18 +20,8 @@ use crate::pixel::Footprint;
 ///
 /// Nilsson 2008, §4.2.4, which prints the color times `max(N, 0)`: half of the surface would be
 /// black.
-///
-/// ```
-/// use asperity_shading::material::DarkAreas;
-/// use asperity_shading::{Footprint, glam::Vec3};
-///
-/// let areas = DarkAreas::new(0.3, 0.5, 1)?;
-/// let factor = areas.factor(Vec3::new(0.1, 0.7, 0.2), Footprint::from_width(1e-3));
-/// assert!((0.5..=1.0).contains(&factor));
-/// # Ok::<(), asperity_shading::ShadingError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DarkAreas {
+pub(crate) struct DarkAreas {
     noise: SizedFbm,
     strength: f32,
 }
@@ -42,7 +32,7 @@ impl DarkAreas {
     /// # Errors
     /// [`ShadingError::OutOfRange`] unless `dark_area_size` is within `[10⁻⁶, 10⁶]` and
     /// `dark_area_strength` within `[0, 1]`.
-    pub fn new(size: f32, strength: f32, seed: u32) -> Result<Self, ShadingError> {
+    pub(crate) fn new(size: f32, strength: f32, seed: u32) -> Result<Self, ShadingError> {
         let noise = SizedFbm::single(as_size("dark_area_size", size)?, seed);
         Ok(Self { noise, strength: as_share("dark_area_strength", strength)? })
     }
@@ -53,8 +43,7 @@ impl DarkAreas {
     }
 
     /// Factor of the colors at a point; the factor for N = 0 if a coordinate is not finite.
-    #[must_use]
-    pub fn factor(&self, position: Vec3, footprint: Footprint) -> f32 {
+    pub(crate) fn factor(&self, position: Vec3, footprint: Footprint) -> f32 {
         let removed = self.noise.removed(footprint);
         let near = if removed < 1.0 { self.noise.value(position).max(0.0) } else { 0.0 };
         1.0 - self.strength * (near + removed * (half_mean() - near))
@@ -83,5 +72,12 @@ mod tests {
         assert!(same.abs_diff(2000) < 127, "{same}");
         let far = areas.factor(Vec3::ZERO, Footprint::from_width(9.0));
         assert_abs_diff_eq!(sum / 4000.0, far, epsilon = 0.015);
+    }
+
+    #[test]
+    fn factor_has_its_pinned_value() {
+        let areas = DarkAreas::new(0.15, 0.5, 1).unwrap();
+        let factor = areas.factor(Vec3::new(0.37, -1.21, 2.83), Footprint::from_width(1e-3));
+        assert_abs_diff_eq!(factor, 0.695_326, epsilon = 1e-4 * 0.695);
     }
 }

@@ -44,7 +44,7 @@ parameters! {
 ///
 /// The mean of the factor over the surface is 1: `mean` is measured at construction, to 1 %. Where
 /// pixels become as wide as fibers the factor fades to 1 and the slope to 0. A carpet of
-/// [`DiffuseThreads`](crate::material::DiffuseThreads) times this factor therefore keeps its far
+/// threads times this factor therefore keeps its far
 /// color and shows threads up close.
 ///
 /// Nilsson 2008, §6.1, describes the problem and leaves it open.

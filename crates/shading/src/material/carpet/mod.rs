@@ -8,8 +8,5 @@ mod seam;
 mod thread;
 
 pub use carpet::{Carpet, CarpetParameters};
-pub use dark_area::DarkAreas;
 pub use fiber::{Fiber, Fibers, FibersParameters};
-pub use rim_light::rim_light;
-pub use seam::{Seam, SeamPattern, Seams, linear_seam};
-pub use thread::{DiffuseThreads, SpecularThreads};
+pub use seam::{Seam, SeamPattern, Seams, SeamsParameters};

@@ -15,17 +15,8 @@ use crate::material::fbm::smoothstep;
 ///   where the formula is 0/0. NaN lights nothing.
 /// - **Range:** [0, 1]; 1 on the silhouette.
 ///
-/// Nilsson 2008, §4.2.6, after Kesson 2005. It is not a BRDF: a renderer adds it times a color.
-///
-/// ```
-/// use asperity_shading::material::rim_light;
-/// use asperity_shading::glam::Vec3;
-///
-/// assert_eq!(rim_light(Vec3::Z, Vec3::Z, 0.5), 0.0);
-/// assert_eq!(rim_light(Vec3::Z, Vec3::X, 0.5), 1.0);
-/// ```
-#[must_use]
-pub fn rim_light(normal: Vec3, view: Vec3, width: f32) -> f32 {
+/// Nilsson 2008, §4.2.6, after Kesson 2005.
+pub(super) fn rim_light(normal: Vec3, view: Vec3, width: f32) -> f32 {
     smoothstep(1.0 - width, 1.0, 1.0 - normal.dot(view).abs())
 }
 
@@ -37,5 +28,19 @@ mod tests {
     fn rim_light_of_zero_width_lights_only_the_silhouette() {
         let nearly = Vec3::new(1.0, 0.0, 1e-3);
         assert_eq!([Vec3::X, nearly, Vec3::Z].map(|v| rim_light(Vec3::Z, v, 0.0)), [1.0, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn rim_light_of_invalid_input_is_in_range() {
+        let odd =
+            [f32::NAN, f32::NEG_INFINITY, -1e30, -1.0, -1e-30, 0.0, 1e-30, 0.3, 1.0, 1e30, f32::INFINITY];
+        for x in odd {
+            for y in odd {
+                for width in odd {
+                    let rim = rim_light(Vec3::new(0.6, 0.0, 0.8), Vec3::new(x, 0.1, y), width);
+                    assert!((0.0..=1.0).contains(&rim), "{x}, {y}, {width}: {rim}");
+                }
+            }
+        }
     }
 }

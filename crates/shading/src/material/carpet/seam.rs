@@ -6,7 +6,7 @@ use glam::Vec2;
 
 use crate::error::ShadingError;
 use crate::math::{cos, floor, sin, sqrt};
-use crate::parameter::{as_share, as_size, direction_in_plane};
+use crate::parameter::{as_share, as_size, direction_in_plane, parameters};
 use crate::pixel::PixelEllipse;
 
 /// Pattern of seams.
@@ -20,6 +20,21 @@ pub enum SeamPattern {
     Lines,
     /// Along two sets of lines at right angles: 2.
     Grid,
+}
+
+parameters! {
+    /// The parameters of [`Seams`], as in [`CarpetParameters`](crate::CarpetParameters).
+    pub struct SeamsParameters of Seams {
+        /// The direction across the seams in texture coordinates; it is normalized, and ignored for
+        /// [`SeamPattern::None`]. Default (1, 0).
+        seams_propagation: Vec2 = Vec2::X;
+        /// Lines, a grid, or none. Default lines.
+        seams_pattern: SeamPattern = SeamPattern::Lines;
+        /// The distance of seams in texture coordinates, within `[10⁻⁶, 10⁶]`. Default 0.02.
+        seam_distance: f32 = 0.02, as_size;
+        /// The fraction of threads that is missing in a seam, within `[0, 1]`. Default 0.3.
+        seams_amplitude: f32 = 0.3, as_share;
+    }
 }
 
 /// The seams of a carpet: the amount of threads, and the corresponding height.
@@ -36,20 +51,19 @@ pub enum SeamPattern {
 /// Nilsson 2008, §4.2.3.
 ///
 /// ```
-/// use asperity_shading::material::{SeamPattern, Seams};
+/// use asperity_shading::material::{Seams, SeamsParameters};
 /// use asperity_shading::glam::Vec2;
 ///
-/// let seams = Seams::new(Vec2::X, SeamPattern::Lines, 0.5, 0.2)?;
+/// let seams = Seams::new(SeamsParameters { seam_distance: 0.5, seams_amplitude: 0.2, ..Default::default() })?;
 /// assert_eq!(seams.sample(Vec2::ZERO).amount, 0.8);
 /// assert!((seams.sample(Vec2::new(0.25, 3.0)).amount - 1.0).abs() < 1e-6);
 /// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seams {
+    parameters: SeamsParameters,
     direction: Vec2,
-    pattern: SeamPattern,
     frequency: f32,
-    amplitude: f32,
 }
 
 /// Amount of threads at a point, and its slope.
@@ -73,27 +87,22 @@ pub(crate) struct Crease {
 const LEAST: f32 = PI / 20.0;
 
 impl Seams {
-    /// Creates seams perpendicular to `propagation`, `distance` apart in texture coordinates.
+    /// Creates the seams of these parameters.
     ///
     /// # Errors
-    /// [`ShadingError`] unless the direction `seams_propagation` is finite and not zero (ignored
-    /// for `SeamPattern::None`), `seam_distance` is within `[10⁻⁶, 10⁶]`, and `seams_amplitude`
-    /// within `[0, 1]`.
-    pub fn new(
-        propagation: Vec2,
-        pattern: SeamPattern,
-        distance: f32,
-        amplitude: f32,
-    ) -> Result<Self, ShadingError> {
-        let direction = match (direction_in_plane("seams_propagation", propagation), pattern) {
+    /// [`ShadingError`] with the first parameter that is out of its range, or for a
+    /// `seams_propagation` that is zero or not finite.
+    pub fn new(parameters: SeamsParameters) -> Result<Self, ShadingError> {
+        let p = &parameters;
+        let direction = match (direction_in_plane("seams_propagation", p.seams_propagation), p.seams_pattern)
+        {
             // The thesis normalizes (0, 0) here, which is NaN at every point of a carpet without
             // seams.
             (Err(_), SeamPattern::None) => Vec2::X,
             (direction, _) => direction?,
         };
-        let frequency = PI / as_size("seam_distance", distance)?;
-        let amplitude = as_share("seams_amplitude", amplitude)?;
-        Ok(Self { direction, pattern, frequency, amplitude })
+        parameters.check()?;
+        Ok(Self { parameters, direction, frequency: PI / p.seam_distance })
     }
 
     /// The unit direction across the seams.
@@ -117,18 +126,20 @@ impl Seams {
     pub fn sample(&self, uv: Vec2) -> Seam {
         let phases = self.phases(uv);
         let waves = phases.to_array().map(sin);
-        let along = usize::from(self.pattern == SeamPattern::Grid && waves[0].abs() > waves[1].abs());
+        let along = usize::from(
+            self.parameters.seams_pattern == SeamPattern::Grid && waves[0].abs() > waves[1].abs(),
+        );
         let (wave, phase) = if along == 1 { (waves[1], phases.y) } else { (waves[0], phases.x) };
-        let amount = match self.pattern {
+        let amount = match self.parameters.seams_pattern {
             SeamPattern::None => 1.0,
-            _ => 1.0 - self.amplitude * (1.0 - wave.abs()),
+            _ => 1.0 - self.parameters.seams_amplitude * (1.0 - wave.abs()),
         };
-        let slope = match (self.pattern, along) {
+        let slope = match (self.parameters.seams_pattern, along) {
             (SeamPattern::None, _) => Vec2::ZERO,
             (_, 0) => self.direction * (self.frequency * folded_cosine(phase)),
             _ => self.direction.perp() * (self.frequency * folded_cosine(phase)),
         };
-        Seam { amount, slope: slope * self.amplitude }
+        Seam { amount, slope: slope * self.parameters.seams_amplitude }
     }
 
     /// The amount with rounded creases.
@@ -144,15 +155,15 @@ impl Seams {
         let e2 = if edge > 0.0 { edge.min(1e6) * edge.min(1e6) } else { 0.0 };
         let phases = self.phases(uv).to_array();
         let [x, y] = phases.map(|p| sqrt((sin(p) * sin(p) + e2) / (1.0 + e2)));
-        let second = self.pattern == SeamPattern::Grid && x > y;
+        let second = self.parameters.seams_pattern == SeamPattern::Grid && x > y;
         let (height, phase, across) =
             if second { (y, phases[1], self.direction.perp()) } else { (x, phases[0], self.direction) };
         let slope = if height > 0.0 { sin(phase) * cos(phase) / (height * (1.0 + e2)) } else { 0.0 };
-        match self.pattern {
+        match self.parameters.seams_pattern {
             SeamPattern::None => Seam { amount: 1.0, slope: Vec2::ZERO },
             _ => Seam {
-                amount: 1.0 - self.amplitude * (1.0 - height),
-                slope: across * (self.amplitude * self.frequency * slope),
+                amount: 1.0 - self.parameters.seams_amplitude * (1.0 - height),
+                slope: across * (self.parameters.seams_amplitude * self.frequency * slope),
             },
         }
     }
@@ -175,10 +186,10 @@ impl Seams {
     ///
     /// ```
     /// use asperity_shading::Footprint;
-    /// use asperity_shading::material::{SeamPattern, Seams};
+    /// use asperity_shading::material::{Seams, SeamsParameters};
     /// use asperity_shading::glam::Vec2;
     ///
-    /// let seams = Seams::new(Vec2::X, SeamPattern::Lines, 0.5, 1.0)?;
+    /// let seams = Seams::new(SeamsParameters { seam_distance: 0.5, seams_amplitude: 1.0, ..Default::default() })?;
     /// let far = seams.filtered(Vec2::new(0.1, 0.0), Footprint::from_width(5.0).into()).amount;
     /// assert!((far - 2.0 / core::f32::consts::PI).abs() < 1e-3);
     /// # Ok::<(), asperity_shading::ShadingError>(())
@@ -189,18 +200,21 @@ impl Seams {
         let widths = Vec2::from(widths);
         let crease = self.crease(uv, widths.abs() * self.frequency);
         let slope = self.direction * crease.slope.x + self.direction.perp() * crease.slope.y;
-        Seam { amount: self.amount(crease.height), slope: slope * (self.amplitude * self.frequency) }
+        Seam {
+            amount: self.amount(crease.height),
+            slope: slope * (self.parameters.seams_amplitude * self.frequency),
+        }
     }
 
     /// 1 − A (1 − height).
     pub(crate) fn amount(&self, height: f32) -> f32 {
-        1.0 - self.amplitude * (1.0 - height)
+        1.0 - self.parameters.seams_amplitude * (1.0 - height)
     }
 
     /// |sin p| over a pixel of these widths in phase; 1 without seams.
     pub(crate) fn crease(&self, uv: Vec2, widths: Vec2) -> Crease {
         let phases = self.phases(uv);
-        match self.pattern {
+        match self.parameters.seams_pattern {
             SeamPattern::None => Crease { height: 1.0, slope: Vec2::ZERO },
             SeamPattern::Lines => {
                 let [height, slope] = mean_crease(phases.x, sqrt(widths.x * widths.x + LEAST * LEAST));
@@ -233,7 +247,7 @@ impl Seams {
         let line = |x: f32| x * x * (1.05 + (0.6 - 0.65 * x) * x);
         let along = |x: f32| x * x * (0.9 + (0.5 * x - 0.4) * x);
         let other = |x: f32| 0.76 + 0.24 * x * x;
-        match self.pattern {
+        match self.parameters.seams_pattern {
             SeamPattern::None => [0.0; 2],
             SeamPattern::Lines => [(0.5 * (line(near) - line(x))).max(0.0), 0.0],
             SeamPattern::Grid => {
@@ -252,29 +266,6 @@ impl Seams {
         };
         Vec2::new(phase(self.direction), phase(self.direction.perp()))
     }
-}
-
-/// The first seams of the thesis, with straight sides.
-///
-/// Sufficient for dense seams without bump mapping.
-///
-/// ```text
-/// 1 − |2 frac(2p) − 1|, from 0 at every half to 1 between: four times the distance to the nearest
-/// ```
-///
-/// Non-finite coordinates return 1.
-///
-/// Nilsson 2008, §4.2.3, which prints |frac(2p)|, a sawtooth that jumps from 1 to 0 at every half.
-///
-/// ```
-/// use asperity_shading::material::linear_seam;
-///
-/// assert_eq!([0.0, 0.125, 0.25, 0.375].map(linear_seam), [0.0, 0.5, 1.0, 0.5]);
-/// ```
-#[must_use]
-pub fn linear_seam(p: f32) -> f32 {
-    let fraction = 2.0 * p - floor(2.0 * p);
-    if fraction.is_finite() { 1.0 - (2.0 * fraction - 1.0).abs() } else { 1.0 }
 }
 
 /// d|sin p|/dp from the right: the cosine of the phase reduced to [0, π).
@@ -387,7 +378,17 @@ mod tests {
     const PATTERNS: [SeamPattern; 3] = [SeamPattern::None, SeamPattern::Lines, SeamPattern::Grid];
 
     fn seams(pattern: SeamPattern) -> Seams {
-        Seams::new(Vec2::new(0.6, 0.8), pattern, 0.7, 0.8).unwrap()
+        of(Vec2::new(0.6, 0.8), pattern, 0.7, 0.8)
+    }
+
+    fn of(
+        seams_propagation: Vec2,
+        seams_pattern: SeamPattern,
+        seam_distance: f32,
+        seams_amplitude: f32,
+    ) -> Seams {
+        let parameters = SeamsParameters { seams_propagation, seams_pattern, seam_distance, seams_amplitude };
+        Seams::new(parameters).unwrap()
     }
 
     #[test]
@@ -423,7 +424,7 @@ mod tests {
         for (pattern, mean) in
             [(SeamPattern::Lines, 2.0 / PI), (SeamPattern::Grid, 8.0 / (PI * PI) * (FRAC_PI_2 - 1.0))]
         {
-            let seams = Seams::new(Vec2::X, pattern, PI, 1.0).unwrap();
+            let seams = of(Vec2::X, pattern, PI, 1.0);
             for width in [0.0, 0.01, 0.3, 1.0, 2.0, 4.0, 20.0, f32::INFINITY] {
                 let mut sum = 0.0;
                 for i in 0..64_u8 {
@@ -440,7 +441,7 @@ mod tests {
 
     #[test]
     fn filtered_grid_is_the_mean_over_the_pixel() {
-        let seams = Seams::new(Vec2::X, SeamPattern::Grid, PI, 1.0).unwrap();
+        let seams = of(Vec2::X, SeamPattern::Grid, PI, 1.0);
         for k in 0..60_u16 {
             let uv = Vec2::new(0.31 * f32::from(k), 0.17 * f32::from(k % 23));
             let widths = Vec2::new(0.05 + 0.09 * f32::from(k % 40), 0.07 * f32::from(k % 31));
@@ -458,7 +459,7 @@ mod tests {
 
     #[test]
     fn rounded_raises_the_crease_and_keeps_the_top() {
-        let seams = Seams::new(Vec2::X, SeamPattern::Lines, PI, 1.0).unwrap();
+        let seams = of(Vec2::X, SeamPattern::Lines, PI, 1.0);
         let at = |p: f32| seams.rounded(Vec2::new(p, 0.0), 0.1);
         assert!((at(0.0).amount - 0.1 / 1.01_f32.sqrt()).abs() < 1e-6 && at(0.0).slope == Vec2::ZERO);
         assert_abs_diff_eq!(at(FRAC_PI_2).amount, 1.0, epsilon = 1e-6);
@@ -490,7 +491,7 @@ mod tests {
     fn removed_slopes_match_filtered_seams() {
         const SIDE: u16 = 96;
         for pattern in PATTERNS {
-            let seams = Seams::new(Vec2::X, pattern, PI, 1.0).unwrap();
+            let seams = of(Vec2::X, pattern, PI, 1.0);
             let square = |widths: Vec2| {
                 let mut sum = Vec2::ZERO;
                 for k in 0..SIDE * SIDE {
@@ -522,14 +523,6 @@ mod tests {
             }
             assert_eq!(seams.removed_slopes(Vec2::ZERO), [0.0; 2]);
             assert!(seams.removed_slopes(Vec2::NAN).iter().all(|v| v.is_finite()));
-        }
-    }
-
-    #[test]
-    fn linear_seam_is_continuous_and_accepts_every_input() {
-        assert!((linear_seam(0.499_999) - linear_seam(0.500_001)).abs() < 1e-5);
-        for p in [f32::NAN, f32::INFINITY, f32::MAX] {
-            assert_eq!(linear_seam(p), 1.0, "{p}");
         }
     }
 }

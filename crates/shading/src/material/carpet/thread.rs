@@ -23,26 +23,15 @@ use crate::pixel::Footprint;
 /// - **Range:** [−1, 1].
 ///
 /// Nilsson 2008, §4.2.2, *Diffuse map*.
-///
-/// ```
-/// use asperity_shading::material::DiffuseThreads;
-/// use asperity_shading::{Footprint, glam::Vec3};
-///
-/// let threads = DiffuseThreads::new(0.01, 1)?;
-/// let p = Vec3::new(0.3, 0.1, 0.2);
-/// assert_ne!(threads.sample(p, Footprint::from_width(1e-4)).value, 0.0);
-/// assert_eq!(threads.sample(p, Footprint::from_width(1.0)).value, 0.0);
-/// # Ok::<(), asperity_shading::ShadingError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DiffuseThreads(SizedFbm);
+pub(crate) struct DiffuseThreads(SizedFbm);
 
 impl DiffuseThreads {
     /// Creates threads of this size, in units of the positions.
     ///
     /// # Errors
     /// [`ShadingError::OutOfRange`] unless `diffuse_thread_size` is within `[10⁻⁶, 10⁶]`.
-    pub fn new(size: f32, seed: u32) -> Result<Self, ShadingError> {
+    pub(crate) fn new(size: f32, seed: u32) -> Result<Self, ShadingError> {
         Ok(Self(SizedFbm::new(FbmSpectrum::THREADS, as_size("diffuse_thread_size", size)?, seed)))
     }
 
@@ -52,14 +41,12 @@ impl DiffuseThreads {
     }
 
     /// The value at a point, and its gradient by p/size; both 0 where a coordinate is not finite.
-    #[must_use]
-    pub fn sample(&self, position: Vec3, footprint: Footprint) -> Sample<Vec3> {
+    pub(crate) fn sample(&self, position: Vec3, footprint: Footprint) -> Sample<Vec3> {
         self.0.sample(position, footprint)
     }
 
     /// The variance of each component of the gradient by p/size that the pixel does not resolve.
-    #[must_use]
-    pub fn removed_slope(&self, footprint: Footprint) -> f32 {
+    pub(crate) fn removed_slope(&self, footprint: Footprint) -> f32 {
         self.0.removed_slope(footprint, SLOPE_VARIANCE)
     }
 }
@@ -70,7 +57,7 @@ impl DiffuseThreads {
 /// t = (1 − Σ |N(2ⁱ p/size)|/3)⁷,   i = 0, 1, 2
 /// ```
 ///
-/// - **Range:** [0, 1], mean 0.132: [`mean`](Self::mean).
+/// - **Range:** [0, 1], mean 0.132.
 ///
 /// # Level of detail
 ///
@@ -87,18 +74,8 @@ impl DiffuseThreads {
 /// the mean of the near one.
 ///
 /// Nilsson 2008, §4.2.2, *Specular map*.
-///
-/// ```
-/// use asperity_shading::material::SpecularThreads;
-/// use asperity_shading::{Footprint, glam::Vec3};
-///
-/// let threads = SpecularThreads::new(0.01, 1)?;
-/// let far = threads.value(Vec3::new(0.3, 0.1, 0.2), Footprint::from_width(1.0));
-/// assert_eq!(far, threads.mean());
-/// # Ok::<(), asperity_shading::ShadingError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SpecularThreads {
+pub(crate) struct SpecularThreads {
     veins: Fbm<Simplex, Vec3, Turbulence>,
     frequency: f32,
     /// C(7, k) (−1)ᵏ times the k-th moment of U, where the first 0, 1, 2, 3 octaves are known.
@@ -114,7 +91,7 @@ impl SpecularThreads {
     ///
     /// # Errors
     /// [`ShadingError::OutOfRange`] unless `specular_thread_size` is within `[10⁻⁶, 10⁶]`.
-    pub fn new(size: f32, seed: u32) -> Result<Self, ShadingError> {
+    pub(crate) fn new(size: f32, seed: u32) -> Result<Self, ShadingError> {
         let size = as_size("specular_thread_size", size)?;
         let veins = Fbm::new(Simplex::new(seed), FbmSpectrum::THREADS)
             .with_normalization(Normalization::UnitRange)
@@ -131,16 +108,15 @@ impl SpecularThreads {
     }
 
     /// The mean over the surface, at every distance.
-    #[must_use]
-    pub fn mean(&self) -> f32 {
+    #[cfg(test)]
+    fn mean(&self) -> f32 {
         self.expectation(0, Vec3::ZERO)
     }
 
     /// The brightness at a point, in [0, 1] within 10⁻⁵.
     ///
     /// If a coordinate is not finite, the value where all noises are 0.
-    #[must_use]
-    pub fn value(&self, position: Vec3, footprint: Footprint) -> f32 {
+    pub(crate) fn value(&self, position: Vec3, footprint: Footprint) -> f32 {
         let p = position * self.frequency;
         let mut value = 0.0;
         let mut weight_before = 1.0;
@@ -195,7 +171,10 @@ fn coefficients() -> [[f32; 8]; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::material::fbm::mean_on_plane;
     use asperity_core::assert_abs_diff_eq;
+
+    const P: Vec3 = Vec3::new(0.37, -1.21, 2.83);
 
     #[test]
     fn specular_threads_up_close_are_the_seventh_power() {
@@ -206,5 +185,35 @@ mod tests {
             let got = threads.value(p, Footprint::from_width(0.01));
             assert_abs_diff_eq!(got, plasma.powi(7), epsilon = 1e-6, "{p}");
         }
+    }
+
+    #[test]
+    fn threads_have_their_pinned_values() {
+        let (near, far) = (Footprint::from_width(1e-3), Footprint::from_width(1.0));
+        let threads = DiffuseThreads::new(0.01, 1).unwrap();
+        let sample = threads.sample(P, near);
+        assert_abs_diff_eq!(sample.value, 0.014_884_244, epsilon = 1e-4 * 0.0148);
+        let gradient = Vec3::new(-0.369_505, -0.281_605_57, -0.694_131_8);
+        assert!((sample.gradient - gradient).abs().cmple(1e-4 * gradient.abs()).all(), "{sample:?}");
+        assert_eq!(threads.sample(P, far).value, 0.0);
+        let single = SpecularThreads::new(0.01, 1).unwrap();
+        assert_abs_diff_eq!(single.value(P, near), 0.099_296_6, epsilon = 1e-4 * 0.0992);
+        assert_abs_diff_eq!(single.mean(), 0.131_998_52, epsilon = 1e-4 * 0.1319);
+        assert_eq!(single.value(P, far), single.mean());
+    }
+
+    #[test]
+    fn single_threads_keep_their_mean_at_every_distance() {
+        let threads = SpecularThreads::new(0.02, 7).unwrap();
+        for width in [0.0, 0.0016, 0.002, 0.003, 0.005, 0.008, 0.011] {
+            let [mean, error] = mean_on_plane(3, 60_000, |p| threads.value(p, Footprint::from_width(width)));
+            // Five standard errors of a mean over independent points, plus the error of the measured
+            // moments, 0.2 %.
+            let tolerance = 5.0 * error + 0.002 * mean;
+            assert_abs_diff_eq!(mean, f64::from(threads.mean()), epsilon = tolerance, "width {width}");
+        }
+        // The result of fading inside the power would be (1 − E|N|)⁷.
+        let inside = (1.0 - 0.313_86_f64).powi(7);
+        assert!(inside < 0.8 * f64::from(threads.mean()), "{inside}");
     }
 }

@@ -8,50 +8,13 @@ use crate::math::{clamp_to, cos, floor, pow, sin, sqrt};
 
 /// The flake that contains a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FlakePatch {
+pub(super) struct FlakePatch {
     /// A random number in [0, 1), the same for all points of the flake.
-    pub value: f32,
+    pub(super) value: f32,
     /// The center of the cell of the flake, which identifies it.
-    pub center: Vec3,
+    center: Vec3,
     /// Tilt, to be added to a unit normal: a vector uniform in the unit ball.
-    pub tilt: Vec3,
-}
-
-/// The flake at a point: a box of sides `width` in a cell of side `cell`.
-///
-/// ```text
-/// d = (frac(p/cell) − ½) cell − scatter r (cell − width),   inside where |dᵢ| ≤ widthᵢ/2,   center = p − d
-/// ```
-///
-/// with three random numbers r of the cell in [−½, ½). Without scatter, flakes are in the middle of
-/// their cells, as in the thesis, which shows as a grid. With a scatter of 1 they may be anywhere
-/// in them. A flake keeps all of its points as it becomes wider.
-///
-/// Cells do not move while the width of flakes changes with the distance. A width of a whole cell
-/// or more fills space with flakes.
-///
-/// - **Domain:** `cell` > 0. `None` outside flakes, for a point with |pᵢ| ≥ 2²³ cells, where cells
-///   cannot be distinguished, and where anything is NaN.
-/// - **Random numbers** are hashes of the cell and the seed. The thesis has 256 different flakes,
-///   tilted towards the corners of a cube: at a strength of 0.2 the steepest tenth is 38 times
-///   denser along the diagonals than along the axes.
-///
-/// Nilsson 2008, §4.3.4, *Width of a PRNG-patch*. The printed `PRNG_square` finds a flake in only
-/// 2⁻²⁴ of space, because its fraction wraps around the texture instead of the texel.
-///
-/// ```
-/// use asperity_shading::material::flake_patch;
-/// use asperity_shading::glam::Vec3;
-///
-/// let p = Vec3::new(0.26, 0.74, 0.25);
-/// let flake = flake_patch(p, 0.5, Vec3::splat(0.1), 0.0, 1).unwrap();
-/// assert_eq!(flake.center, Vec3::new(0.25, 0.75, 0.25));
-/// assert_eq!(flake_patch(p + Vec3::X * 0.1, 0.5, Vec3::splat(0.1), 0.0, 1), None);
-/// ```
-#[must_use]
-pub fn flake_patch(position: Vec3, cell: f32, width: Vec3, scatter: f32, seed: u32) -> Option<FlakePatch> {
-    let (flake, off) = nearest_flake(position, cell, width, scatter, seed)?;
-    off.cmple(0.5 * width).all().then_some(flake)
+    pub(super) tilt: Vec3,
 }
 
 /// The flake of the cell of a point, and the fraction of a pixel that it covers.
@@ -60,8 +23,8 @@ pub fn flake_patch(position: Vec3, cell: f32, width: Vec3, scatter: f32, seed: u
 /// cover = Π_i clamp((widthᵢ/2 − |dᵢ|)/edgeᵢ + ½, 0, 1)
 /// ```
 ///
-/// with `d` of [`flake_patch`]: the box of the flake, filtered by a box of sides `edge`. The edges
-/// are at most the width, and at most the rest of the cell, so that the flake stays in the cell.
+/// with `d` of [`nearest_flake`] at a scatter of 1: the box of the flake, filtered by a box of sides
+/// `edge`. The edges are at most the width, and at most the rest of the cell, so that the flake stays in the cell.
 /// The mean cover over a plane across axis i is then `Π_j widthⱼ/cell` of the other two axes, if
 /// the width along axis i is the cell.
 ///
@@ -84,7 +47,28 @@ pub(super) fn covered_flake(
     Some((flake, along(0) * along(1) * along(2)))
 }
 
-/// The flake of the cell of a point, and the distance of the point from its center along each axis.
+/// The flake of the cell of a point, and the distance |dᵢ| of the point from its center along each
+/// axis.
+///
+/// ```text
+/// d = (frac(p/cell) − ½) cell − scatter r (cell − width),   inside where |dᵢ| ≤ widthᵢ/2,   center = p − d
+/// ```
+///
+/// with three random numbers r of the cell in [−½, ½). Without scatter, flakes are in the middle of
+/// their cells, as in the thesis, which shows as a grid. With a scatter of 1 they may be anywhere
+/// in them. A flake keeps all of its points as it becomes wider.
+///
+/// Cells do not move while the width of flakes changes with the distance. A width of a whole cell
+/// or more fills space with flakes.
+///
+/// - **Domain:** `cell` > 0. `None` for a point with |pᵢ| ≥ 2²³ cells, where cells cannot be
+///   distinguished, and where the position or the cell is not finite.
+/// - **Random numbers** are hashes of the cell and the seed. The thesis has 256 different flakes,
+///   tilted towards the corners of a cube: at a strength of 0.2 the steepest tenth is 38 times
+///   denser along the diagonals than along the axes.
+///
+/// Nilsson 2008, §4.3.4, *Width of a PRNG-patch*. The printed `PRNG_square` finds a flake in only
+/// 2⁻²⁴ of space, because its fraction wraps around the texture instead of the texel.
 fn nearest_flake(
     position: Vec3,
     cell: f32,
@@ -122,7 +106,13 @@ fn ball([u, v, w]: [f32; 3]) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity_core::assert_abs_diff_eq;
+    use asperity_core::{SplitMix64, assert_abs_diff_eq};
+
+    /// The flake that contains a point.
+    fn flake_patch(position: Vec3, cell: f32, width: Vec3, scatter: f32, seed: u32) -> Option<FlakePatch> {
+        let (flake, off) = nearest_flake(position, cell, width, scatter, seed)?;
+        off.cmple(0.5 * width).all().then_some(flake)
+    }
 
     #[test]
     fn points_of_a_flake_return_the_same_patch() {
@@ -180,5 +170,39 @@ mod tests {
             assert_eq!(flake_patch(Vec3::ZERO, x, Vec3::ONE, 0.0, 0), None, "{x}");
         }
         assert_eq!(flake_patch(Vec3::ZERO, 1.0, Vec3::NAN, 0.0, 0), None);
+    }
+
+    #[test]
+    fn patch_has_its_pinned_values() {
+        let patch = flake_patch(Vec3::new(0.37, -1.21, 2.83), 0.01, Vec3::splat(0.01), 0.5, 1).unwrap();
+        let [tilt, center] =
+            [[0.160_218_91, -0.556_663_7, 0.689_331_9], [0.375, -1.214_999_9, 2.835]].map(Vec3::from_array);
+        assert!((patch.tilt - tilt).abs().cmple(1e-6 * tilt.abs()).all(), "{patch:?}");
+        assert!((patch.center - center).abs().cmple(1e-6 * center.abs()).all(), "{patch:?}");
+    }
+
+    #[test]
+    fn flakes_tilt_isotropically() {
+        // Tilts steeper than 0.8, in directions of 45° and of 0° about z: equally many per solid angle.
+        let (mut axes, mut diagonals) = (0.0, 0.0);
+        let mut random = SplitMix64 { state: 8 };
+        let mut uniform = || (random.word() >> 11) as f64 * (-53_f64).exp2();
+        for _ in 0..400_000 {
+            let p = Vec3::new(uniform() as f32, uniform() as f32, uniform() as f32) * 4000.0;
+            let tilt = flake_patch(p, 1.0, Vec3::ONE, 0.0, 2).unwrap().tilt;
+            let r = tilt.length();
+            if r > 0.8 && tilt.z.abs() < 0.2 * r {
+                let octant = (tilt.y.atan2(tilt.x) / core::f32::consts::FRAC_PI_4).round() as i32;
+                *(if octant % 2 == 0 { &mut axes } else { &mut diagonals }) += 1.0;
+            }
+        }
+        // About 20000 each: four standard errors of their ratio.
+        let ratio: f64 = axes / diagonals;
+        assert_abs_diff_eq!(
+            ratio,
+            1.0,
+            epsilon = 4.0 * (2.0_f64 / diagonals).sqrt(),
+            "{axes} and {diagonals}"
+        );
     }
 }

@@ -3,7 +3,6 @@
 use asperity_noise::filtered_fraction;
 use glam::Vec3;
 
-use crate::direction::reflect;
 use crate::error::ShadingError;
 use crate::material::paint::flake_patch::covered_flake;
 use crate::math::clamp_to;
@@ -42,8 +41,7 @@ pub enum Elimination {
 ///
 /// Up close, flakes are few pixels wide and far apart. From farther away they become dense, and
 /// fade where they would overlap. A flake is omitted if the random number of its *center* is below
-/// the elimination; by its normal, whole directions would have no flakes. The light of a flake uses
-/// the brighter of both normals, see [`brighter_normal`] and [`brighter_reflection`].
+/// the elimination; by its normal, whole directions would have no flakes.
 ///
 /// # Level of detail
 ///
@@ -51,29 +49,16 @@ pub enum Elimination {
 /// flake is `fade · (width/physical size)²`, so a material can remove from the cell the light that
 /// the flake adds: see [`MetallicPaint`](crate::MetallicPaint).
 ///
-/// - **Deviations:** flakes are scattered in their cells, see
-///   [`flake_patch`](fn@crate::material::flake_patch), and have soft edges, one footprint wide; in
-///   the thesis they pop where their edge meets a point. Flakes that [`Elimination::Adaptive`]
+/// - **Deviations:** flakes are scattered in their cells, see [`covered_flake`], and have soft
+///   edges, one footprint wide; in the thesis they pop where their edge meets a point. Flakes that [`Elimination::Adaptive`]
 ///   restores fade in together; in the thesis they appear one by one. The footprint has one width;
 ///   the thesis uses one along each axis of space. Along the axis next to the normal a flake is as
 ///   wide as its cell, so flakes cover `(width/physical size)²` of the area of any surface. In the
 ///   thesis most surfaces pass between the cubes, increasingly so as the cubes become smaller.
 ///
 /// Nilsson 2008, §4.3.4. For counted flakes see [`GlintField`](crate::material::GlintField).
-///
-/// ```
-/// use asperity_shading::material::{Elimination, Sparkles};
-/// use asperity_shading::{Footprint, glam::Vec3};
-///
-/// let sparkles = Sparkles::new(2.0, 0.01, 0.3, 0.0, Elimination::Fixed, 1)?;
-/// let center = Vec3::splat(0.005);
-/// let near = sparkles.flake(center, Vec3::Z, Footprint::from_width(2.5e-3)).unwrap();
-/// assert!(near.fade < 1.0 && near.weight > near.mean_weight);
-/// assert_eq!(sparkles.flake(center, Vec3::Z, Footprint::from_width(1.0)), None);
-/// # Ok::<(), asperity_shading::ShadingError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sparkles {
+pub(crate) struct Sparkles {
     pixel_size: f32,
     physical_size: f32,
     variation: f32,
@@ -84,21 +69,20 @@ pub struct Sparkles {
 
 /// A sparkling flake at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sparkle {
+pub(crate) struct Sparkle {
     /// The vector that is added to the unit normal.
-    pub tilt: Vec3,
+    tilt: Vec3,
     /// The fraction of the tilt that remains at this distance, in (0, 1]; included in `tilt`.
-    pub fade: f32,
+    pub(crate) fade: f32,
     /// The weight of the flake at the point, in [0, 1]: its cover of the pixel, times `fade`.
-    pub weight: f32,
+    pub(crate) weight: f32,
     /// The mean of the weight over the cell of the flake.
-    pub mean_weight: f32,
+    pub(crate) mean_weight: f32,
 }
 
 impl Sparkle {
     /// The normal of the flake on a surface of unit normal `n`.
-    #[must_use]
-    pub fn normal(&self, n: Vec3) -> Vec3 {
+    pub(crate) fn normal(&self, n: Vec3) -> Vec3 {
         let normal = (n + self.tilt).normalize_or_zero();
         if normal == Vec3::ZERO { n } else { normal }
     }
@@ -113,7 +97,7 @@ impl Sparkles {
     /// `flake_sparkle_physical_size` and the unit of [`Elimination::Adaptive`],
     /// `smart_flake_sparkle`, within `[10⁻⁶, 10⁶]`, and `flake_sparkle_variation` and
     /// `flake_sparkle_elimination` within `[0, 1]`.
-    pub fn new(
+    pub(crate) fn new(
         pixel_size: f32,
         physical_size: f32,
         variation: f32,
@@ -139,18 +123,11 @@ impl Sparkles {
         self.seed
     }
 
-    /// The fraction of omitted flakes at this footprint.
-    #[must_use]
-    pub fn elimination(&self, footprint: Footprint) -> f32 {
-        self.elimination * (1.0 - self.returned(footprint))
-    }
-
     /// The flake of the cell of a point on a surface of normal `n`, with its weight there.
     ///
     /// `None` where the footprint has no flakes, where the flake of the cell is omitted, and where
     /// a coordinate is not finite. The weight is 0 between flakes.
-    #[must_use]
-    pub fn flake(&self, position: Vec3, n: Vec3, footprint: Footprint) -> Option<Sparkle> {
+    pub(crate) fn flake(&self, position: Vec3, n: Vec3, footprint: Footprint) -> Option<Sparkle> {
         let pixel = footprint.width();
         let width = pixel * self.pixel_size;
         let fade = 1.0 - filtered_fraction(width, 1.0 / self.physical_size);
@@ -189,74 +166,6 @@ impl Sparkles {
             }
         }
     }
-}
-
-/// The width of a sparkle of `pixel_size` pixels along each axis of space, as in the thesis.
-///
-/// ```text
-/// widthᵢ = pixel size · max(|∂pᵢ/∂x|, |∂pᵢ/∂y|)
-/// ```
-///
-/// `ddx` and `ddy` are the changes of the position from one pixel to the next; NaN components are
-/// ignored. It is a width for [`flake_patch`](fn@crate::material::flake_patch). [`Sparkles`] uses
-/// the footprint for all axes.
-///
-/// Nilsson 2008, §4.3.4, `new_sparkle_size`.
-///
-/// ```
-/// use asperity_shading::material::sparkle_width;
-/// use asperity_shading::glam::Vec3;
-///
-/// let width = sparkle_width(2.0, Vec3::new(0.1, 0.0, -0.2), Vec3::new(0.0, -0.3, 0.1));
-/// assert_eq!(width, Vec3::new(0.2, 0.6, 0.4));
-/// ```
-#[must_use]
-pub fn sparkle_width(pixel_size: f32, ddx: Vec3, ddy: Vec3) -> Vec3 {
-    let (dx, dy) = (ddx.abs().to_array(), ddy.abs().to_array());
-    // `f32::max` drops NaN on every platform.
-    Vec3::from_array([0, 1, 2].map(|i| pixel_size * dx[i].max(dy[i]).max(0.0)))
-}
-
-/// The normal nearer to the half vector, with the stronger Phong or Blinn highlight.
-///
-/// ```text
-/// flake·h > n·h ? flake : n
-/// ```
-///
-/// `n` where a product is NaN. Nilsson 2008, §4.3.4, `strongestNormalPointLight`.
-///
-/// ```
-/// use asperity_shading::material::brighter_normal;
-/// use asperity_shading::glam::Vec3;
-///
-/// let (h, flake) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.28, 0.0, 0.96));
-/// assert_eq!(brighter_normal(Vec3::Z, flake, h), flake);
-/// assert_eq!(brighter_normal(Vec3::Z, flake, Vec3::Z), Vec3::Z);
-/// ```
-#[must_use]
-pub fn brighter_normal(n: Vec3, flake: Vec3, h: Vec3) -> Vec3 {
-    if flake.dot(h) > n.dot(h) { flake } else { n }
-}
-
-/// The normal that mirrors the view into more light, by the largest channel of the lookup.
-///
-/// The largest channel and not the sum, which would prefer gray to a bright color. `n` where a
-/// channel is NaN.
-///
-/// Nilsson 2008, §4.3.4, *Filter glitter flakes*.
-///
-/// ```
-/// use asperity_shading::material::brighter_reflection;
-/// use asperity_shading::glam::Vec3;
-///
-/// let sky = |direction: Vec3| Vec3::new(0.0, 0.0, direction.x.max(0.0));
-/// let flake = Vec3::new(0.28, 0.0, 0.96);
-/// assert_eq!(brighter_reflection(Vec3::Z, flake, Vec3::Z, sky), flake);
-/// ```
-#[must_use]
-pub fn brighter_reflection(n: Vec3, flake: Vec3, view: Vec3, light: impl Fn(Vec3) -> Vec3) -> Vec3 {
-    let strongest = |normal: Vec3| light(reflect(view, normal)).max_element();
-    if strongest(flake) > strongest(n) { flake } else { n }
 }
 
 /// The boosted specular color of a flake, the *boost* of the artist.
@@ -333,24 +242,14 @@ mod tests {
         let smart = Sparkles::new(2.0, 1.0, 0.3, 0.7, Elimination::Adaptive { unit: 0.5 }, 1).unwrap();
         assert_eq!(cover(&smart, 0.05), cover(&fixed, 0.05));
         assert_eq!(cover(&smart, 0.2), cover(&all, 0.2));
-        assert!(smart.elimination(Footprint::from_width(0.1)) < 0.7);
+        assert!(smart.returned(Footprint::from_width(0.1)) > 0.0);
     }
 
     #[test]
-    fn brighter_normal_never_darkens() {
-        for i in 0..60_u8 {
-            let turn = f32::from(i) * 0.1;
-            let h = Vec3::new(0.6 * turn.cos(), 0.6 * turn.sin(), 0.8);
-            let flake = Vec3::new(0.28, 0.0, 0.96);
-            let chosen = brighter_normal(Vec3::Z, flake, h);
-            assert!(chosen.dot(h) >= flake.dot(h) && chosen.dot(h) >= h.z);
-        }
-        assert_eq!(brighter_normal(Vec3::Z, Vec3::NAN, Vec3::Z), Vec3::Z);
-        assert_eq!(brighter_reflection(Vec3::Z, Vec3::X, Vec3::Z, |_| Vec3::NAN), Vec3::Z);
+    fn boost_is_a_clamped_blend() {
         assert_eq!(boosted(Vec3::ZERO, Vec3::ONE, f32::NAN), Vec3::ZERO);
         assert_eq!(boosted(Vec3::ZERO, Vec3::ONE, 2.0), Vec3::ONE);
         let golden = Vec3::new(0.552, 0.636, 0.86);
         assert_abs_diff_eq!(boosted(Vec3::new(0.36, 0.48, 0.8), Vec3::ONE, 0.3), golden, epsilon = 1e-7);
-        assert_eq!(sparkle_width(1.0, Vec3::NAN, Vec3::new(-1.0, 0.0, f32::NAN)), Vec3::X);
     }
 }

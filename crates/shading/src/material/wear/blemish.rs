@@ -8,29 +8,10 @@ use crate::material::fbm::{SLOPE_VARIANCE, SizedFbm, half_mean};
 use crate::parameter::as_size;
 use crate::pixel::Footprint;
 
-/// Varies a color by noise within [0, 1].
-///
-/// ```text
-/// c + N v (c where N < 0, else 1 − c)
-/// ```
-///
-/// - **Domain:** `color` and `variation` in [0, 1], noise in [−1, 1].
-///
-/// Nilsson 2008, §4.5.2, which prints N/v for N v; this leaves [0, 1] for every v below 1.
-///
-/// ```
-/// assert!((asperity_shading::material::varied(0.6, 1.0, 0.2) - 0.68).abs() < 1e-6);
-/// ```
-#[must_use]
-pub fn varied(color: f32, noise: f32, variation: f32) -> f32 {
-    let room = if noise < 0.0 { color } else { 1.0 - color };
-    color + noise * variation * room
-}
-
 /// Blemishes: small raised spots that are brighter or darker, all from one octave of noise.
 ///
 /// ```text
-/// specular = varied(specular, −N(p/size), color strength),   n′ = normalize(n − k ∇N)
+/// specular = vary(specular, −N(p/size), color strength),   n′ = normalize(n − k ∇N)
 /// ```
 ///
 /// Valleys are brighter than bumps, as in the thesis: a mistake that was kept because it looks like
@@ -59,6 +40,27 @@ impl Blemishes {
         &self.noise
     }
 
+    /// Varies a channel of a color by noise within [0, 1].
+    ///
+    /// ```text
+    /// c + N v (c where N < 0, else 1 − c)
+    /// ```
+    ///
+    /// - **Domain:** `color` and `variation` in [0, 1], noise in [−1, 1].
+    ///
+    /// Nilsson 2008, §4.5.2, which prints N/v for N v; this leaves [0, 1] for every v below 1.
+    ///
+    /// ```
+    /// use asperity_shading::material::Blemishes;
+    ///
+    /// assert!((Blemishes::vary(0.6, 1.0, 0.2) - 0.68).abs() < 1e-6);
+    /// ```
+    #[must_use]
+    pub fn vary(color: f32, noise: f32, variation: f32) -> f32 {
+        let room = if noise < 0.0 { color } else { 1.0 - color };
+        color + noise * variation * room
+    }
+
     /// A color with blemishes of this strength; the color itself where a coordinate is not finite.
     #[must_use]
     pub fn color(&self, color: Vec3, strength: f32, position: Vec3, footprint: Footprint) -> Vec3 {
@@ -66,7 +68,7 @@ impl Blemishes {
         let noise = if removed < 1.0 { -self.noise.value(position) } else { 0.0 };
         let mean = half_mean() * strength;
         let each = |c: f32| {
-            let near = varied(c, noise, strength);
+            let near = Self::vary(c, noise, strength);
             near + removed * (c + mean * (1.0 - 2.0 * c) - near)
         };
         Vec3::from(color.to_array().map(each))
@@ -102,7 +104,7 @@ mod tests {
             for j in 0..=10_u8 {
                 let (noise, color) = (f32::from(i) / 10.0 - 1.0, f32::from(j) / 10.0);
                 for variation in [0.0, 0.3, 1.0] {
-                    let c = varied(color, noise, variation);
+                    let c = Blemishes::vary(color, noise, variation);
                     assert!((-1e-6..=1.000_001).contains(&c), "{color}, {noise}, {variation}: {c}");
                 }
             }

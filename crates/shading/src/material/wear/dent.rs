@@ -6,7 +6,7 @@ use glam::Vec3;
 use crate::bump::project_to_tangent_plane;
 use crate::error::ShadingError;
 use crate::material::fbm::{SLOPE_VARIANCE, SizedFbm, spectrum};
-use crate::parameter::{as_share, as_size};
+use crate::parameter::{as_share, as_size, parameters};
 use crate::pixel::Footprint;
 
 /// A lattice with some inverted gradients.
@@ -28,6 +28,20 @@ impl Lattice for Turned {
     }
 }
 
+parameters! {
+    /// The parameters of [`Dents`], as in [`VariationsParameters`](crate::VariationsParameters).
+    pub struct DentsParameters of Dents {
+        /// The size of dents in units of the positions, within `[10⁻⁶, 10⁶]`. Default 0.1.
+        dent_size: f32 = 0.1, as_size;
+        /// The fraction of lattice gradients that is kept, within `[0, 1]`. Default 0.3.
+        dent_cover: f32 = 0.3, as_share;
+        /// The number of octaves, of lacunarity 2 and gain ½, from 1 to 8. Default 2.
+        dent_detail: u32 = 2;
+        /// Random seed.
+        seed: u32 = 1;
+    }
+}
+
 /// Dents: octaves of noise with a fraction of the lattice gradients dropped.
 ///
 /// ```text
@@ -46,10 +60,10 @@ impl Lattice for Turned {
 /// Nilsson 2008, §4.5.3.
 ///
 /// ```
-/// use asperity_shading::material::Dents;
+/// use asperity_shading::material::{Dents, DentsParameters};
 /// use asperity_shading::{Footprint, glam::Vec3};
 ///
-/// let dents = Dents::new(0.1, 0.3, 2, 1)?;
+/// let dents = Dents::new(DentsParameters { dent_cover: 0.3, ..Default::default() })?;
 /// assert!(dents.sample(Vec3::new(0.3, 0.1, 0.2), Footprint::from_width(1e-4)).value.abs() <= 1.0);
 /// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
@@ -57,25 +71,24 @@ impl Lattice for Turned {
 pub struct Dents {
     kept: SizedFbm<Simplex<Turned>>,
     turned: SizedFbm<Simplex<Turned>>,
-    cover: f32,
+    parameters: DentsParameters,
     dropped: u32,
 }
 
 impl Dents {
-    /// Creates dents of this size and cover, with `detail` octaves of lacunarity 2 and gain ½.
+    /// Creates the dents of these parameters.
     ///
     /// # Errors
-    /// [`ShadingError::OutOfRange`] unless `dent_size` is within `[10⁻⁶, 10⁶]`, `dent_cover` within
-    /// `[0, 1]`, and `dent_detail` from 1 to 8.
-    pub fn new(size: f32, cover: f32, detail: u32, seed: u32) -> Result<Self, ShadingError> {
-        let spectrum = spectrum("dent_detail", [2.0, 0.5], detail)?;
-        let size = as_size("dent_size", size)?;
-        let cover = as_share("dent_cover", cover)?;
+    /// [`ShadingError::OutOfRange`] with the first parameter that is out of its range.
+    pub fn new(parameters: DentsParameters) -> Result<Self, ShadingError> {
+        parameters.check()?;
+        let DentsParameters { dent_size: size, dent_cover: cover, dent_detail, seed } = parameters;
+        let spectrum = spectrum("dent_detail", [2.0, 0.5], dent_detail)?;
         // A cast of values beyond the largest word saturates.
         let dropped = ((1.0 - cover) * 4_294_967_296.0) as u32;
         let noise =
             |turn| SizedFbm::of(Simplex::new(0).with_lattice(Turned { dropped, turn }), spectrum, size, seed);
-        Ok(Self { kept: noise(0), turned: noise(SIGNS), cover, dropped })
+        Ok(Self { kept: noise(0), turned: noise(SIGNS), parameters, dropped })
     }
 
     /// The noise without inverted gradients.
@@ -110,7 +123,7 @@ impl Dents {
     /// The slope variance along each axis that a pixel does not resolve.
     #[must_use]
     pub fn removed_slope(&self, strength: f32, footprint: Footprint) -> f32 {
-        strength * strength * self.kept.removed_slope(footprint, SLOPE_VARIANCE * self.cover)
+        strength * strength * self.kept.removed_slope(footprint, SLOPE_VARIANCE * self.parameters.dent_cover)
     }
 }
 
@@ -130,9 +143,10 @@ mod tests {
     #[test]
     fn dropped_gradients_leave_flat_areas() {
         let near = Footprint::from_width(0.0);
-        let none = Dents::new(1.0, 0.0, 2, 1).unwrap();
-        let full = Dents::new(1.0, 1.0, 1, 1).unwrap();
-        let sparse = Dents::new(1.0, 0.1, 1, 1).unwrap();
+        let dents = |dent_cover, dent_detail| {
+            Dents::new(DentsParameters { dent_size: 1.0, dent_cover, dent_detail, seed: 1 }).unwrap()
+        };
+        let (none, full, sparse) = (dents(0.0, 2), dents(1.0, 1), dents(0.1, 1));
         let mut flat = 0;
         for i in 0..1000_u16 {
             let p =

@@ -5,7 +5,7 @@ mod dent;
 mod scratch;
 mod variations;
 
-pub use blemish::{Blemishes, varied};
-pub use dent::Dents;
+pub use blemish::Blemishes;
+pub use dent::{Dents, DentsParameters};
 pub use scratch::{Scratches, ScratchesParameters};
 pub use variations::{Variations, VariationsParameters};

@@ -8,7 +8,7 @@ use crate::material::glossy::GlossySurface;
 use crate::material::interface::Material;
 use crate::material::surface_point::SurfacePoint;
 use crate::material::wear::blemish::Blemishes;
-use crate::material::wear::dent::Dents;
+use crate::material::wear::dent::{Dents, DentsParameters};
 use crate::parameter::{as_roughness, as_share, color, parameters};
 use crate::reflectance::Bsdf;
 
@@ -81,7 +81,12 @@ impl Variations {
         let seed = |i| p.seed.wrapping_mul(2).wrapping_add(i);
         Ok(Self {
             blemishes: Blemishes::new(p.small_blemish_size, seed(0))?,
-            dents: Dents::new(p.dent_size, p.dent_cover, p.dent_detail, seed(1))?,
+            dents: Dents::new(DentsParameters {
+                dent_size: p.dent_size,
+                dent_cover: p.dent_cover,
+                dent_detail: p.dent_detail,
+                seed: seed(1),
+            })?,
             parameters,
         })
     }

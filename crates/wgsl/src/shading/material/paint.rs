@@ -9,7 +9,7 @@ use crate::part::{Binding, Part, part};
 use crate::shading::DIRECTION;
 use crate::shading::reflectance::{COAT, ENERGY_PRESERVING};
 
-/// Patches of space, one per flake, [`flake_patch`](fn@asperity_shading::material::flake_patch).
+/// Patches of space, one per flake of [`MetallicPaint`](asperity_shading::MetallicPaint).
 pub(crate) static FLAKE_PATCH: Part =
     part!("shading/material/paint/flake_patch", INTEGER_HASH, DIRECTION, ELEMENTARY);
 

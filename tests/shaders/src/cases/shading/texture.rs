@@ -1,7 +1,7 @@
 //! Textures.
 
 use asperity_shading::glam::Vec2;
-use asperity_shading::texture::{Bevel, BrickSample, Edge};
+use asperity_shading::texture::{Bevel, BevelParameters, BrickSample, Edge};
 use asperity_shading::{Brick, PixelEllipse};
 use asperity_wgsl::shading::texture::{BEVEL, BRICK};
 
@@ -132,5 +132,6 @@ fn bevel() -> Case {
 fn ridge(i: u32) -> Bevel {
     let plateau = if i.is_multiple_of(4) { 0.0 } else { number(i, 4, [0.0, 0.1]) };
     let slopes = [6, 7].map(|k| number(i, k, [-2.0, 2.0]));
-    Bevel::new(plateau, plateau + number(i, 5, [0.02, 0.3]), slopes[0], slopes[1]).expect("a ridge")
+    let ridge = plateau + number(i, 5, [0.02, 0.3]);
+    Bevel::new(BevelParameters { plateau, ridge, top: slopes[0], bottom: slopes[1] }).expect("a ridge")
 }

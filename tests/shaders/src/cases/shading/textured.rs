@@ -2,7 +2,7 @@
 
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::material::{BeveledTiles, BrickWall, Perturbed, PolishedMarble, Wallpaper};
-use asperity_shading::texture::{Bevel, PerturbedTexture, StarWallpaper};
+use asperity_shading::texture::{Bevel, BevelParameters, PerturbedTexture, StarWallpaper};
 use asperity_shading::{Marble, PixelEllipse};
 use asperity_wgsl::shading::material::{
     BEVELED_TILES, BRICK_WALL, PERTURBED_POINT, POLISHED_MARBLE, WALLPAPER,
@@ -86,7 +86,8 @@ fn brick_wall() -> Case {
 }
 
 fn beveled_tiles() -> Case {
-    let bevel = Bevel::new(0.03, 0.2, 0.2, 0.9).expect("a ridge");
+    let bevel =
+        Bevel::new(BevelParameters { plateau: 0.03, ridge: 0.2, top: 0.2, bottom: 0.9 }).expect("a ridge");
     let tiles = BeveledTiles { bevel, side: 0.3, color: Vec3::new(0.7, 0.5, 0.3), roughness: 0.4 };
     material(
         "textured/beveled_tiles",

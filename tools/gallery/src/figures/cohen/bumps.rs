@@ -15,7 +15,7 @@ use asperity_shading::bump::{
 use asperity_shading::material::Material;
 use asperity_shading::noise::{Fbm, FbmSpectrum, Normalization, Perlin, Sample};
 use asperity_shading::reflectance::{Bsdf, Lobe, SchlickF82};
-use asperity_shading::texture::{Bevel, Edge};
+use asperity_shading::texture::{Bevel, BevelParameters, Edge};
 use asperity_shading::{Brdf, Brick, CookTorrance, Ggx, PixelEllipse, SurfacePoint, reflect};
 use glam::{Vec2, Vec3};
 
@@ -162,7 +162,7 @@ pub(crate) fn draw_bevel(context: &Context<'_>) -> Result<Drawn> {
     let pictures =
         bevels.map(|(stem, label, heights)| ([stem.to_owned(), label.to_owned(), words(label)], heights));
     let drawn = Drawn::pictures(4, pictures, |[top, bottom]| {
-        let bevel = Bevel::new(WIDTHS[0], WIDTHS[1], top, bottom)?;
+        let bevel = Bevel::new(BevelParameters { plateau: WIDTHS[0], ridge: WIDTHS[1], top, bottom })?;
         let plate = Object::new(Shape::Plane, Plate { corners: corners.clone(), bevel, steel });
         let light = Light::lamps(vec![Lamps::open(studio(Vec3::splat(2.4 / PI)))]);
         let scene = Scene::new(vec![plate], light, Backdrop::Studio);

@@ -78,7 +78,7 @@ pub(crate) fn draw_cup(context: &Context<'_>) -> Result<Drawn> {
     let alt = "A white tea cup on its saucer, with steam over it";
     let pictures = [(2.0, 5.2), (4.0, 4.2), (8.0, 3.7)].map(|(exponent, densest)| {
         let words = [format!("exponent-{exponent}"), format!("Exponent {exponent}"), alt.to_owned()];
-        (words, Gas::new(octaves.with_shape(Turbulence), 5.0, densest, exponent))
+        (words, Gas::new(octaves.with_shape(Turbulence).with_octaves(5.0), densest, exponent))
     });
     let mut grains = Vec::new();
     let drawn = Drawn::pictures(3, pictures, |gas| {

@@ -26,7 +26,7 @@ fn carpet_expected_shine(carpet: Carpet, known: u32, p: vec3<f32>) -> f32 {
     return carpet_polynomial(carpet.coefficients[6], carpet.coefficients[7], c);
 }
 
-// The shine of threads filtered over a pixel: `SpecularThreads::value`.
+// The shine of threads filtered over a pixel.
 fn carpet_shine(carpet: Carpet, position: vec3<f32>, footprint: f32) -> f32 {
     let p = position * carpet.shine.frequency;
     let width = footprint * carpet.shine.frequency;
@@ -47,7 +47,7 @@ fn carpet_shine(carpet: Carpet, position: vec3<f32>, footprint: f32) -> f32 {
     return value;
 }
 
-// The factor of dark areas: `DarkAreas::factor`.
+// The factor of dark areas.
 fn carpet_dark(carpet: Carpet, position: vec3<f32>, footprint: f32) -> f32 {
     let removed = frequency_clamp_filtered_fraction(footprint, carpet.dark.frequency);
     var near = 0.0;

@@ -1,4 +1,4 @@
-// Patches of space, one per flake: `asperity_shading::material::flake_patch`.
+// Patches of space, one per flake of `asperity_shading::MetallicPaint`.
 
 struct FlakePatch {
     // Whether there is a flake at the point.

@@ -9,7 +9,7 @@ struct MetallicPaintSparkle {
     mean_weight: f32,
 }
 
-// The sparkling flake around a point whose pixel has this width: `Sparkles::flake`.
+// The sparkling flake around a point whose pixel has this width.
 fn metallic_paint_sparkle(
     paint: MetallicPaint,
     position: vec3<f32>,
