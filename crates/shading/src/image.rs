@@ -4,6 +4,14 @@ use glam::Vec3;
 
 use crate::error::ShadingError;
 
+/// The default storage of a table: owned. Without `alloc`, in static memory.
+#[cfg(feature = "alloc")]
+pub(crate) type Entries<T> = alloc::vec::Vec<T>;
+
+/// The default storage of a table: owned. Without `alloc`, in static memory.
+#[cfg(not(feature = "alloc"))]
+pub(crate) type Entries<T> = &'static [T];
+
 /// The number of texels of an image of this size, if it is between 1 and `max`.
 pub(crate) const fn texel_count(width: usize, height: usize, max: usize) -> Result<usize, ShadingError> {
     match width.saturating_mul(height) {

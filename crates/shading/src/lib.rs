@@ -50,7 +50,7 @@
 //! | [`mod@bump`] | surface gradients, bumped normals, displacement, facets from slopes | |
 //! | [`level_of_detail`] | bump maps from Gaussian noise: the resolved part, and two rules to shade the rest | [`BumpField`], [`LevelOfDetail`], [`far_field`] |
 //! | [`reflectance`] | BRDFs with sampling, Fresnel terms, [`Bsdf`]: layers of lobes on facets under a coat | [`Brdf`], [`Bsdf`], [`Lambert`], [`EnergyPreservingOrenNayar`], [`CookTorrance`], [`TorranceSparrow`], [`Phong`], [`Fresnel`], [`Dielectric`], [`Conductor`], [`Schlick`] |
-//! | [`environment`] | environment maps (HDRI) with importance sampling; irradiance, prefiltered maps, split sum | [`Environment`], [`EnvironmentMap`], [`EnvironmentRef`], [`Irradiance`], [`reflected_radiance`] |
+//! | [`environment`] | environment maps (HDRI) with importance sampling; irradiance, prefiltered maps, split sum | [`Environment`], [`EnvironmentMap`], [`Irradiance`], [`reflected_radiance`] |
 //! | [`normal_map`] | normal maps at every zoom, filtered by the moments of their slopes (LEAN mapping with several lobes) | [`SlopePyramid`] |
 //! | [`texture`] | bricks, bevels, stars, marble, perturbed images, gas | [`Brick`], [`Marble`] |
 //! | [`material`] | [`Material`] and all materials: carpet, metallic paint, glass, wear, bump maps, walls | [`Material`], [`SurfacePoint`], [`Carpet`], [`MetallicPaint`], [`TemperedGlass`], [`Variations`], [`Scratches`], [`BumpMapped`] |
@@ -125,9 +125,7 @@ pub use asperity_ndf_sampling as ndf_sampling;
 pub use asperity_ndf_sampling::{Beckmann, Frame, Ggx, Ndf};
 pub use asperity_noise as noise;
 pub use direction::{half_vector, reflect};
-#[cfg(feature = "alloc")]
-pub use environment::EnvironmentMap;
-pub use environment::{Environment, EnvironmentRef, Irradiance, reflected_radiance};
+pub use environment::{Environment, EnvironmentMap, Irradiance, reflected_radiance};
 pub use error::ShadingError;
 pub use glam;
 pub use level_of_detail::{BumpField, LevelOfDetail, far_field};
@@ -136,7 +134,6 @@ pub use material::{
     ScratchesParameters, SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations,
     VariationsParameters,
 };
-#[cfg(feature = "alloc")]
 pub use normal_map::SlopePyramid;
 pub use pixel::{Footprint, PixelEllipse};
 pub use reflectance::{

@@ -41,7 +41,7 @@ fn texel(numbers: &mut Numbers<'_>) -> Vec3 {
 fn images(numbers: &mut Numbers<'_>) {
     let [width, height] = [numbers.count(6), numbers.count(5)];
     let texels: Vec<Vec3> = (0..width * height).map(|_| texel(numbers)).collect();
-    let made = LatitudeLongitude::new(width, height, &texels);
+    let made = LatitudeLongitude::new(width, height, &texels[..]);
     if let Ok(image) = &made {
         environment(image, numbers);
     }

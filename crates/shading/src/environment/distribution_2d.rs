@@ -30,7 +30,7 @@ fn brightness(color: Vec3) -> f32 {
 }
 
 /// Fills the table of an image and returns the integral of its brightness over the sphere.
-pub(super) fn fill(image: LatitudeLongitude<'_>, table: &mut [f32]) -> f32 {
+pub(super) fn fill(image: LatitudeLongitude<&[Vec3]>, table: &mut [f32]) -> f32 {
     let (width, height) = (image.width(), image.height());
     let (rows, strips) = table.split_at_mut((width * height).min(table.len()));
     for (row, sums) in rows.chunks_exact_mut(width).enumerate() {
@@ -60,7 +60,7 @@ pub(super) fn fill(image: LatitudeLongitude<'_>, table: &mut [f32]) -> f32 {
 
 /// An image with its filled table.
 pub(super) struct Tables<'a> {
-    pub(super) image: LatitudeLongitude<'a>,
+    pub(super) image: LatitudeLongitude<&'a [Vec3]>,
     /// Sums of brightness along each row.
     pub(super) rows: &'a [f32],
     /// The CDF over the strips.

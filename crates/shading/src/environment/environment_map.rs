@@ -8,17 +8,18 @@ use glam::{Vec2, Vec3};
 
 use crate::environment::distribution_2d::{Tables, fill, table_len};
 use crate::environment::interface::{Environment, uniform_sphere};
+use crate::environment::latitude_longitude::LatitudeLongitude;
 #[cfg(feature = "alloc")]
 use crate::environment::latitude_longitude::MAX_TEXELS;
-use crate::environment::latitude_longitude::{LatitudeLongitude, LatitudeLongitudeIn};
 use crate::error::ShadingError;
-use crate::image::check_len;
 #[cfg(feature = "alloc")]
 use crate::image::texel_count;
+use crate::image::{Entries, check_len};
 
 /// A latitude–longitude image with a table for importance sampling.
 ///
-/// [`EnvironmentMap`] owns both, [`EnvironmentRef`] borrows them.
+/// [`new`](Self::new) and [`from_fn`](Self::from_fn) own both, [`from_borrowed`](Self::from_borrowed)
+/// borrows them.
 ///
 /// ```text
 /// p(ω) = l(φ, z)/∫ l dω,   l bilinear in longitude and in height z between the centers of the texels
@@ -35,18 +36,9 @@ use crate::image::texel_count;
 ///
 /// The marginal and conditional CDFs are those of Pharr, Jakob, Humphreys 2023, *Physically Based
 /// Rendering*, 4th edition, §12.5, with bilinear instead of constant texels.
-#[doc(alias = "hdri")]
-#[doc(alias = "ibl")]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EnvironmentIn<S, T> {
-    image: LatitudeLongitudeIn<S>,
-    table: T,
-    total: f32,
-}
-
-/// An [environment](EnvironmentIn) that owns its texels and its table.
 ///
-/// ```
+#[cfg_attr(feature = "alloc", doc = "```")]
+#[cfg_attr(not(feature = "alloc"), doc = "```ignore")]
 /// use asperity_shading::{Environment, EnvironmentMap, glam::{Vec2, Vec3}};
 ///
 /// let sky = EnvironmentMap::from_fn(64, 32, |w| Vec3::new(0.3, 0.5, 1.0) * w.z.max(0.1))?;
@@ -58,29 +50,14 @@ pub struct EnvironmentIn<S, T> {
 #[doc(alias = "ibl")]
 #[doc(alias = "skybox")]
 #[doc(alias = "equirectangular")]
-#[cfg(feature = "alloc")]
-pub type EnvironmentMap = EnvironmentIn<Vec<Vec3>, Vec<f32>>;
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EnvironmentMap<S = Entries<Vec3>, T = Entries<f32>> {
+    image: LatitudeLongitude<S>,
+    table: T,
+    total: f32,
+}
 
-/// An [environment](EnvironmentIn) in borrowed storage.
-///
-/// ```
-/// use asperity_shading::{Environment, EnvironmentRef, glam::{Vec2, Vec3}};
-///
-/// // A sky with a sun.
-/// let mut texels = [Vec3::new(0.2, 0.4, 0.9); 16 * 8];
-/// texels[2 * 16 + 8] = Vec3::splat(5000.0);
-/// let mut table = [0.0; EnvironmentRef::table_len(16, 8)];
-/// let sky = EnvironmentRef::new(16, 8, &texels, &mut table)?;
-///
-/// let towards_sun = sky.sample(Vec2::new(0.5, 0.5));
-/// assert!(sky.radiance(towards_sun).x > 100.0);
-/// // The uniform density is 0.08 sr⁻¹.
-/// assert!(sky.pdf(towards_sun) > 1.0 && sky.pdf(Vec3::NEG_Z) < 0.001);
-/// # Ok::<(), asperity_shading::ShadingError>(())
-/// ```
-pub type EnvironmentRef<'a> = EnvironmentIn<&'a [Vec3], &'a [f32]>;
-
-impl<'a> EnvironmentRef<'a> {
+impl<'a> EnvironmentMap<&'a [Vec3], &'a [f32]> {
     /// The length of the table of an image of this size; 0 for an invalid size.
     #[must_use]
     pub const fn table_len(width: usize, height: usize) -> usize {
@@ -90,12 +67,28 @@ impl<'a> EnvironmentRef<'a> {
         }
     }
 
-    /// Creates the environment of these texels and fills `table`.
+    /// Creates the environment of borrowed texels and fills `table`.
     ///
     /// # Errors
     /// See [`LatitudeLongitude::new`]; also a table whose length is not
-    /// [`EnvironmentRef::table_len`].
-    pub fn new(
+    /// [`table_len`](Self::table_len).
+    ///
+    /// ```
+    /// use asperity_shading::{Environment, EnvironmentMap, glam::{Vec2, Vec3}};
+    ///
+    /// // A sky with a sun.
+    /// let mut texels = [Vec3::new(0.2, 0.4, 0.9); 16 * 8];
+    /// texels[2 * 16 + 8] = Vec3::splat(5000.0);
+    /// let mut table = [0.0; EnvironmentMap::table_len(16, 8)];
+    /// let sky = EnvironmentMap::from_borrowed(16, 8, &texels, &mut table)?;
+    ///
+    /// let towards_sun = sky.sample(Vec2::new(0.5, 0.5));
+    /// assert!(sky.radiance(towards_sun).x > 100.0);
+    /// // The uniform density is 0.08 sr⁻¹.
+    /// assert!(sky.pdf(towards_sun) > 1.0 && sky.pdf(Vec3::NEG_Z) < 0.001);
+    /// # Ok::<(), asperity_shading::ShadingError>(())
+    /// ```
+    pub fn from_borrowed(
         width: usize,
         height: usize,
         texels: &'a [Vec3],
@@ -109,13 +102,13 @@ impl<'a> EnvironmentRef<'a> {
 }
 
 #[cfg(feature = "alloc")]
-impl EnvironmentMap {
+impl EnvironmentMap<Vec<Vec3>, Vec<f32>> {
     /// Creates the environment of these texels, in the layout of [`LatitudeLongitude`].
     ///
     /// # Errors
     /// See [`LatitudeLongitude::new`].
     pub fn new(width: usize, height: usize, texels: Vec<Vec3>) -> Result<Self, ShadingError> {
-        let image = LatitudeLongitudeIn::new(width, height, texels)?;
+        let image = LatitudeLongitude::new(width, height, texels)?;
         let mut table = vec![0.0; table_len(width, height)?];
         let total = fill(image.view(), &mut table);
         Ok(Self { image, table, total })
@@ -139,11 +132,11 @@ impl EnvironmentMap {
     }
 }
 
-impl<S: Deref<Target = [Vec3]>, T: Deref<Target = [f32]>> EnvironmentIn<S, T> {
+impl<S: Deref<Target = [Vec3]>, T: Deref<Target = [f32]>> EnvironmentMap<S, T> {
     /// Borrowed view of the environment.
     #[must_use]
-    pub fn view(&self) -> EnvironmentRef<'_> {
-        EnvironmentIn { image: self.image.view(), table: &self.table, total: self.total }
+    pub fn view(&self) -> EnvironmentMap<&[Vec3], &[f32]> {
+        EnvironmentMap { image: self.image.view(), table: &self.table, total: self.total }
     }
 
     /// The integral of the mean of the channels over the sphere.
@@ -164,7 +157,7 @@ impl<S: Deref<Target = [Vec3]>, T: Deref<Target = [f32]>> EnvironmentIn<S, T> {
     }
 }
 
-impl<S: Deref<Target = [Vec3]>, T: Deref<Target = [f32]>> Environment for EnvironmentIn<S, T> {
+impl<S: Deref<Target = [Vec3]>, T: Deref<Target = [f32]>> Environment for EnvironmentMap<S, T> {
     #[inline]
     fn radiance(&self, direction: Vec3) -> Vec3 {
         self.image.radiance(direction)
@@ -192,8 +185,8 @@ mod tests {
 
     #[test]
     fn black_image_is_sampled_uniformly() {
-        let (texels, mut table) = ([Vec3::ZERO; 8], [0.0; EnvironmentRef::table_len(4, 2)]);
-        let night = EnvironmentRef::new(4, 2, &texels, &mut table).unwrap();
+        let (texels, mut table) = ([Vec3::ZERO; 8], [0.0; EnvironmentMap::table_len(4, 2)]);
+        let night = EnvironmentMap::from_borrowed(4, 2, &texels, &mut table).unwrap();
         assert_eq!(night.pdf(night.sample(Vec2::new(0.3, 0.6))), 0.25 * FRAC_1_PI);
         assert_eq!(night.pdf(Vec3::NAN), 0.0);
     }
@@ -206,8 +199,8 @@ mod tests {
         let odd = [f32::NAN, f32::NEG_INFINITY, -1.0, 0.0, 1e-30, 0.2, 0.5, 0.999_999_9, 1.0, f32::INFINITY];
         for (width, height) in [(8, 4), (4, 8), (1, 32), (32, 1)] {
             let mut table = [0.0; 96];
-            let table = &mut table[..EnvironmentRef::table_len(width, height)];
-            let map = EnvironmentRef::new(width, height, &texels, table).unwrap();
+            let table = &mut table[..EnvironmentMap::table_len(width, height)];
+            let map = EnvironmentMap::from_borrowed(width, height, &texels, table).unwrap();
             for (x, y) in odd.into_iter().flat_map(|x| odd.map(|y| (x, y))) {
                 let w = map.sample(Vec2::new(x, y));
                 assert_abs_diff_eq!(w.length(), 1.0, epsilon = 1e-6, "{width} × {height}, {x}, {y}");
@@ -223,8 +216,8 @@ mod tests {
 
     #[test]
     fn uniform_light_has_uniform_density() {
-        let (texels, mut table) = ([Vec3::splat(3.0); 72], [0.0; EnvironmentRef::table_len(12, 6)]);
-        let map = EnvironmentRef::new(12, 6, &texels, &mut table).unwrap();
+        let (texels, mut table) = ([Vec3::splat(3.0); 72], [0.0; EnvironmentMap::table_len(12, 6)]);
+        let map = EnvironmentMap::from_borrowed(12, 6, &texels, &mut table).unwrap();
         assert_abs_diff_eq!(map.total(), 3.0 * 4.0 / FRAC_1_PI, epsilon = 1e-4);
         for k in 0..100 {
             let w = uniform_sphere(Vec2::new(0.37 * k as f32 % 1.0, k as f32 / 99.0));
@@ -235,8 +228,8 @@ mod tests {
     #[test]
     fn new_rejects_a_table_of_wrong_length() {
         let texels = [Vec3::ONE; 8];
-        let refused = EnvironmentRef::new(4, 2, &texels, &mut [0.0; 12]).unwrap_err();
+        let refused = EnvironmentMap::from_borrowed(4, 2, &texels, &mut [0.0; 12]).unwrap_err();
         assert_eq!(refused.to_string(), "`table` must have 11 elements, got 12");
-        assert_eq!(EnvironmentRef::table_len(0, 7), 0);
+        assert_eq!(EnvironmentMap::table_len(0, 7), 0);
     }
 }

@@ -9,7 +9,7 @@ use glam::Vec3;
 
 use crate::environment::interface::{Environment, is_direction};
 use crate::error::ShadingError;
-use crate::image::{check_len, check_texels, texel_count};
+use crate::image::{Entries, check_len, check_texels, texel_count};
 use crate::math::{atan2, cos, floor, sin, sqrt};
 
 /// The maximum number of texels of an image.
@@ -18,7 +18,7 @@ pub(super) const MAX_TEXELS: usize = 1 << 28;
 /// The largest channel value, so that sums over the largest image stay within `f32`.
 const BRIGHTEST: f32 = 1e30;
 
-/// A latitude–longitude image of linear radiance, in any storage.
+/// A latitude–longitude image of linear radiance, with owned or borrowed texels.
 ///
 /// ```text
 /// x = ½ − atan2(ω_y, ω_x)/2π,   y = θ/π = atan2(√(ω_x² + ω_y²), ω_z)/π          from the upper left, in sides of the image
@@ -31,17 +31,7 @@ const BRIGHTEST: f32 = 1e30;
 ///   last row it blends to the mean of that row at the pole, so the radiance is continuous on the
 ///   whole sphere.
 /// - **Samples:** the default of [`Environment`], uniform on the sphere. For samples by brightness
-///   use an [`EnvironmentRef`](super::EnvironmentRef).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LatitudeLongitudeIn<S> {
-    width: usize,
-    height: usize,
-    texels: S,
-    /// The radiance at the zenith and at the nadir.
-    poles: [Vec3; 2],
-}
-
-/// A borrowed [latitude–longitude image](LatitudeLongitudeIn).
+///   use an [`EnvironmentMap`](super::EnvironmentMap).
 ///
 /// ```
 /// use asperity_shading::environment::LatitudeLongitude;
@@ -49,12 +39,19 @@ pub struct LatitudeLongitudeIn<S> {
 ///
 /// // A bright zenith over a dark ground.
 /// let texels = [Vec3::splat(3.0), Vec3::ONE];
-/// let image = LatitudeLongitude::new(1, 2, &texels)?;
+/// let image = LatitudeLongitude::new(1, 2, &texels[..])?;
 /// assert_eq!(image.radiance(Vec3::Z), Vec3::splat(3.0));
 /// assert!((image.radiance(Vec3::Y) - Vec3::splat(2.0)).length() < 1e-5);
 /// # Ok::<(), asperity_shading::ShadingError>(())
 /// ```
-pub type LatitudeLongitude<'a> = LatitudeLongitudeIn<&'a [Vec3]>;
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LatitudeLongitude<S = Entries<Vec3>> {
+    width: usize,
+    height: usize,
+    texels: S,
+    /// The radiance at the zenith and at the nadir.
+    poles: [Vec3; 2],
+}
 
 /// A point of the image between rows and columns of centers.
 ///
@@ -73,7 +70,7 @@ pub(super) struct ImagePosition {
     pub(super) theta: f32,
 }
 
-impl LatitudeLongitude<'_> {
+impl LatitudeLongitude<&[Vec3]> {
     /// The unit direction of the center of a texel in an image of this size.
     ///
     /// Columns and rows beyond the image continue around the sphere; a size of 0 returns (1, 0, 0).
@@ -88,7 +85,7 @@ impl LatitudeLongitude<'_> {
     }
 }
 
-impl<S: Deref<Target = [Vec3]>> LatitudeLongitudeIn<S> {
+impl<S: Deref<Target = [Vec3]>> LatitudeLongitude<S> {
     /// Creates the image from these texels.
     ///
     /// # Errors
@@ -126,13 +123,8 @@ impl<S: Deref<Target = [Vec3]>> LatitudeLongitudeIn<S> {
 
     /// The image, borrowed.
     #[inline]
-    pub(super) fn view(&self) -> LatitudeLongitude<'_> {
-        LatitudeLongitudeIn {
-            width: self.width,
-            height: self.height,
-            texels: &self.texels,
-            poles: self.poles,
-        }
+    pub(super) fn view(&self) -> LatitudeLongitude<&[Vec3]> {
+        LatitudeLongitude { width: self.width, height: self.height, texels: &self.texels, poles: self.poles }
     }
 
     /// The value at a center, or at a pole.
@@ -191,7 +183,7 @@ impl<S: Deref<Target = [Vec3]>> LatitudeLongitudeIn<S> {
 }
 
 #[cfg(feature = "alloc")]
-impl LatitudeLongitudeIn<Vec<Vec3>> {
+impl LatitudeLongitude<Vec<Vec3>> {
     /// Creates an image of `width · height` checked texels with these radiances at zenith and
     /// nadir.
     pub(super) const fn with_poles(width: usize, height: usize, texels: Vec<Vec3>, poles: [Vec3; 2]) -> Self {
@@ -199,7 +191,7 @@ impl LatitudeLongitudeIn<Vec<Vec3>> {
     }
 }
 
-impl<S: Deref<Target = [Vec3]>> Environment for LatitudeLongitudeIn<S> {
+impl<S: Deref<Target = [Vec3]>> Environment for LatitudeLongitude<S> {
     #[inline]
     fn radiance(&self, direction: Vec3) -> Vec3 {
         let Some(place) = self.place(direction) else { return Vec3::ZERO };
@@ -225,7 +217,7 @@ mod tests {
     #[test]
     fn radiance_at_centers_is_the_texel() {
         let (texels, [width, height]) = (texels(), SIZE);
-        let image = LatitudeLongitude::new(width, height, &texels).unwrap();
+        let image = LatitudeLongitude::new(width, height, &texels[..]).unwrap();
         for (k, texel) in texels.into_iter().enumerate() {
             let direction = LatitudeLongitude::direction(width, height, k % width, k / width);
             assert_abs_diff_eq!(image.radiance(direction), texel, epsilon = 2e-4, "{k}");
@@ -242,7 +234,7 @@ mod tests {
     #[test]
     fn radiance_is_continuous_at_the_seam_and_at_the_poles() {
         let texels = texels();
-        let image = LatitudeLongitude::new(SIZE[0], SIZE[1], &texels).unwrap();
+        let image = LatitudeLongitude::new(SIZE[0], SIZE[1], &texels[..]).unwrap();
         for k in 0..200 {
             let theta = 0.0157 * k as f32;
             let seam = |y: f32| image.radiance(Vec3::new(-theta.sin(), y, theta.cos()));
@@ -293,6 +285,6 @@ mod tests {
             refused(1, 1, &[Vec3::new(0.0, -0.5, 1.0)]),
             "`texels[0]` must be between 0 and 1e30 in each component, got [0, -0.5, 1]"
         );
-        assert!(LatitudeLongitude::new(1, 1, &[Vec3::splat(-0.0)]).is_ok());
+        assert!(LatitudeLongitude::new(1, 1, &[Vec3::splat(-0.0)][..]).is_ok());
     }
 }

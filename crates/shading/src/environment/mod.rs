@@ -10,17 +10,11 @@ mod multiple_importance;
 mod prefiltered;
 mod split_sum;
 
-#[cfg(feature = "alloc")]
 pub use environment_map::EnvironmentMap;
-pub use environment_map::{EnvironmentIn, EnvironmentRef};
 pub use interface::Environment;
 pub use irradiance::Irradiance;
-pub use latitude_longitude::{LatitudeLongitude, LatitudeLongitudeIn};
+pub use latitude_longitude::LatitudeLongitude;
 pub use low_discrepancy::low_discrepancy_points;
 pub use multiple_importance::{LightSample, light_samples, reflected_radiance};
-#[cfg(feature = "alloc")]
-pub use prefiltered::PrefilteredMap;
-pub use prefiltered::{
-    PrefilteredIn, PrefilteredLevel, PrefilteredLevelIn, PrefilteredRef, prefiltered_radiance,
-};
+pub use prefiltered::{PrefilteredLevel, PrefilteredMap, prefiltered_radiance};
 pub use split_sum::{SplitSum, split_sum};

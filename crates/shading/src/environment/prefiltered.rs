@@ -9,13 +9,12 @@ use glam::{Vec2, Vec3};
 
 use crate::direction::{half_vector, reflect};
 use crate::environment::interface::{Environment, is_direction};
-#[cfg(any(feature = "alloc", test))]
 use crate::environment::latitude_longitude::LatitudeLongitude;
-use crate::environment::latitude_longitude::LatitudeLongitudeIn;
 use crate::environment::low_discrepancy::low_discrepancy_points;
 use crate::environment::multiple_importance::weighted;
 use crate::environment::split_sum::SplitSum;
 use crate::error::ShadingError;
+use crate::image::Entries;
 use crate::math::clamp_to;
 use crate::parameter::within;
 use crate::reflectance::brdf::mirrored_pdf;
@@ -106,17 +105,14 @@ impl<E: Environment> Environment for Drawn<E> {
     }
 }
 
-/// An image of the environment filtered by a mirror of this roughness, in storage `S`.
+/// An image of the environment filtered by a mirror of this roughness.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PrefilteredLevelIn<S> {
+pub struct PrefilteredLevel<S = Entries<Vec3>> {
     /// The roughness.
     pub alpha: f32,
     /// The filtered image by direction, see [`prefiltered_radiance`].
-    pub image: LatitudeLongitudeIn<S>,
+    pub image: LatitudeLongitude<S>,
 }
-
-/// A level in borrowed storage.
-pub type PrefilteredLevel<'a> = PrefilteredLevelIn<&'a [Vec3]>;
 
 /// A stack of filtered images, from smooth to rough, for any roughness by one lookup.
 ///
@@ -136,33 +132,9 @@ pub type PrefilteredLevel<'a> = PrefilteredLevelIn<&'a [Vec3]>;
 ///
 /// Under a sun that brings most of the light the error is 0.04 to 0.3 from above, and 0.6 to 2.6 at
 /// an angle, where highlights should be elongated.
-#[doc(alias = "split sum")]
-#[doc(alias = "ibl")]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PrefilteredIn<L> {
-    levels: L,
-}
-
-/// A [stack](PrefilteredIn) of borrowed images.
 ///
-/// ```
-/// use asperity_shading::environment::{LatitudeLongitude, PrefilteredLevel, PrefilteredRef};
-/// use asperity_shading::glam::Vec3;
-///
-/// let (sharp, blurred) = ([Vec3::splat(2.0), Vec3::ZERO], [Vec3::ONE]);
-/// let levels = [
-///     PrefilteredLevel { alpha: 0.0, image: LatitudeLongitude::new(1, 2, &sharp)? },
-///     PrefilteredLevel { alpha: 0.8, image: LatitudeLongitude::new(1, 1, &blurred)? },
-/// ];
-/// let stack = PrefilteredRef::new(&levels)?;
-/// assert!((stack.radiance(Vec3::Z, 0.4) - Vec3::splat(1.5)).length() < 1e-6);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
-pub type PrefilteredRef<'a> = PrefilteredIn<&'a [PrefilteredLevel<'a>]>;
-
-/// A [stack](PrefilteredIn) computed from an environment, which owns its images.
-///
-/// ```
+#[cfg_attr(feature = "alloc", doc = "```")]
+#[cfg_attr(not(feature = "alloc"), doc = "```ignore")]
 /// use asperity_shading::environment::{PrefilteredMap, SplitSum};
 /// use asperity_shading::{EnvironmentMap, glam::Vec3};
 ///
@@ -174,23 +146,41 @@ pub type PrefilteredRef<'a> = PrefilteredIn<&'a [PrefilteredLevel<'a>]>;
 /// assert!(gold.x > gold.z);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[cfg(feature = "alloc")]
-pub type PrefilteredMap = PrefilteredIn<Vec<PrefilteredLevelIn<Vec<Vec3>>>>;
+#[doc(alias = "split sum")]
+#[doc(alias = "ibl")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PrefilteredMap<L = Entries<PrefilteredLevel>> {
+    levels: L,
+}
 
-impl<'a> PrefilteredRef<'a> {
-    /// Creates the stack of these levels.
+impl<'a> PrefilteredMap<&'a [PrefilteredLevel<&'a [Vec3]>]> {
+    /// Creates the stack of these borrowed levels.
     ///
     /// # Errors
     /// [`ShadingError`] unless there is at least one level and the roughness `alpha` is within
     /// [0, 1] and increases. An empty slice is reported as NaN.
-    pub fn new(levels: &'a [PrefilteredLevel<'a>]) -> Result<Self, ShadingError> {
+    ///
+    /// ```
+    /// use asperity_shading::environment::{LatitudeLongitude, PrefilteredLevel, PrefilteredMap};
+    /// use asperity_shading::glam::Vec3;
+    ///
+    /// let (sharp, blurred) = ([Vec3::splat(2.0), Vec3::ZERO], [Vec3::ONE]);
+    /// let levels = [
+    ///     PrefilteredLevel { alpha: 0.0, image: LatitudeLongitude::new(1, 2, &sharp[..])? },
+    ///     PrefilteredLevel { alpha: 0.8, image: LatitudeLongitude::new(1, 1, &blurred[..])? },
+    /// ];
+    /// let stack = PrefilteredMap::from_levels(&levels)?;
+    /// assert!((stack.radiance(Vec3::Z, 0.4) - Vec3::splat(1.5)).length() < 1e-6);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    pub fn from_levels(levels: &'a [PrefilteredLevel<&'a [Vec3]>]) -> Result<Self, ShadingError> {
         check_alphas(levels.iter().map(|level| level.alpha))?;
         Ok(Self { levels })
     }
 }
 
 #[cfg(feature = "alloc")]
-impl PrefilteredMap {
+impl PrefilteredMap<Vec<PrefilteredLevel<Vec<Vec3>>>> {
     /// Computes the stack of an environment from the roughness and the rows of each level.
     ///
     /// A level has half as many rows as columns.
@@ -218,28 +208,25 @@ impl PrefilteredMap {
             let texels = (0..2 * rows * rows).map(texel).collect();
             let poles =
                 [Vec3::Z, Vec3::NEG_Z].map(|pole| prefiltered_radiance(environment, alpha, pole, points));
-            PrefilteredLevelIn {
-                alpha,
-                image: LatitudeLongitudeIn::with_poles(2 * rows, rows, texels, poles),
-            }
+            PrefilteredLevel { alpha, image: LatitudeLongitude::with_poles(2 * rows, rows, texels, poles) }
         };
         Ok(Self { levels: levels.iter().map(level).collect() })
     }
 
     /// The levels, borrowed, from smooth to rough.
-    pub fn levels(&self) -> impl Iterator<Item = PrefilteredLevel<'_>> {
-        self.levels.iter().map(|level| PrefilteredLevelIn { alpha: level.alpha, image: level.image.view() })
+    pub fn levels(&self) -> impl Iterator<Item = PrefilteredLevel<&[Vec3]>> {
+        self.levels.iter().map(|level| PrefilteredLevel { alpha: level.alpha, image: level.image.view() })
     }
 }
 
-impl<S: Deref<Target = [Vec3]>, L: Deref<Target = [PrefilteredLevelIn<S>]>> PrefilteredIn<L> {
+impl<S: Deref<Target = [Vec3]>, L: Deref<Target = [PrefilteredLevel<S>]>> PrefilteredMap<L> {
     /// The radiance filtered by a mirror of the roughness `alpha` at normal incidence.
     ///
     /// 0 for an invalid direction; NaN roughness is read as 0.
     #[must_use]
     pub fn radiance(&self, direction: Vec3, alpha: f32) -> Vec3 {
         let alpha = clamp_to(alpha, 1.0);
-        let mut smoother: Option<&PrefilteredLevelIn<S>> = None;
+        let mut smoother: Option<&PrefilteredLevel<S>> = None;
         for level in &*self.levels {
             if level.alpha >= alpha {
                 let rough = level.image.radiance(direction);
@@ -305,12 +292,12 @@ mod tests {
         let texels = [1.0, 3.0, 7.0].map(|value| [Vec3::splat(value)]);
         let mut levels = [0.1, 0.2, 0.6].map(|alpha| PrefilteredLevel {
             alpha,
-            image: LatitudeLongitude::new(1, 1, &texels[0]).unwrap(),
+            image: LatitudeLongitude::new(1, 1, &texels[0][..]).unwrap(),
         });
         for (level, texels) in levels.iter_mut().zip(&texels) {
-            level.image = LatitudeLongitude::new(1, 1, texels).unwrap();
+            level.image = LatitudeLongitude::new(1, 1, &texels[..]).unwrap();
         }
-        let stack = PrefilteredRef::new(&levels).unwrap();
+        let stack = PrefilteredMap::from_levels(&levels).unwrap();
         let cases =
             [(f32::NAN, 1.0), (0.1, 1.0), (0.15, 2.0), (0.2, 3.0), (0.5, 6.0), (0.6, 7.0), (9.0, 7.0)];
         for (alpha, expected) in cases {

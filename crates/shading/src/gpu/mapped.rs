@@ -1,12 +1,14 @@
 //! Bump maps and normal maps.
 
+use core::ops::Deref;
+
 use asperity_core::gpu_struct;
 use asperity_ndf_sampling::{Beckmann, Ggx};
 use glam::{Vec2, Vec3};
 
 use crate::level_of_detail::{GaussianField, LevelOfDetail};
 use crate::material::{BumpMapped, NormalMapped};
-use crate::normal_map::{SlopeLobes, SlopePyramidRef};
+use crate::normal_map::{SlopeLobes, SlopePyramid};
 use crate::pixel::FrequencyClamp;
 
 gpu_struct! {
@@ -123,7 +125,7 @@ gpu_struct! {
     }
 }
 
-impl<const K: usize> SlopePyramidRef<'_, K> {
+impl<const K: usize, S: Deref<Target = [Vec2]>, L: Deref<Target = [SlopeLobes<K>]>> SlopePyramid<K, S, L> {
     /// Returns the map as a uniform of a shader.
     ///
     /// The example needs the feature `alloc`.
@@ -133,10 +135,10 @@ impl<const K: usize> SlopePyramidRef<'_, K> {
     /// use asperity_shading::{SlopePyramid, glam::Vec2};
     ///
     /// let map = SlopePyramid::<2>::new(4, 2, vec![Vec2::X; 8])?;
-    /// let uniform = map.view().gpu();
+    /// let uniform = map.gpu();
     /// assert_eq!((uniform.width, uniform.height, uniform.last_level, uniform.groups), (4, 2, 2, 2));
     /// // Two centers, eight slopes, eleven texels of two lobes.
-    /// assert_eq!(map.view().gpu_numbers().count(), 2 * 2 + 2 * 8 + 6 * 2 * 11);
+    /// assert_eq!(map.gpu_numbers().count(), 2 * 2 + 2 * 8 + 6 * 2 * 11);
     /// # Ok::<(), asperity_shading::ShadingError>(())
     /// ```
     #[must_use]

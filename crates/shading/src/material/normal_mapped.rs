@@ -1,13 +1,13 @@
 //! Authored normal maps as a material.
 
 use asperity_ndf_sampling::Beckmann;
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 use crate::bump::Facet;
 use crate::level_of_detail::ResolvedBumps;
 use crate::material::interface::Material;
 use crate::material::surface_point::SurfacePoint;
-use crate::normal_map::SlopePyramidRef;
+use crate::normal_map::{SlopeLobes, SlopePyramid};
 use crate::reflectance::{Bsdf, Lobe};
 
 /// A glossy surface with an authored normal map, with the slopes within a pixel in up to 16 groups.
@@ -44,7 +44,7 @@ use crate::reflectance::{Bsdf, Lobe};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NormalMapped<'a, const K: usize> {
     /// The slopes of the map at every zoom.
-    pub map: SlopePyramidRef<'a, K>,
+    pub map: SlopePyramid<K, &'a [Vec2], &'a [SlopeLobes<K>]>,
     /// The NDF of the surface between the slopes of the map.
     pub roughness: Beckmann,
     /// The reflectance of the facets; non-positive components are read as 0.

@@ -90,7 +90,7 @@ fn over_texel<const K: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::normal_map::{SlopePyramidRef, slope_moments::SlopeMoments};
+    use crate::normal_map::{SlopePyramid, slope_moments::SlopeMoments};
     use asperity_core::assert_abs_diff_eq;
 
     #[test]
@@ -98,7 +98,7 @@ mod tests {
         const SIZE: [usize; 2] = [5, 4];
         let values: [Vec2; 20] =
             core::array::from_fn(|k| Vec2::new((k * 7 % 20) as f32, (k * 13 % 9) as f32) * 0.1);
-        let map = SlopePyramidRef { size: SIZE, slopes: &values, centers: [Vec2::ZERO], lobes: &[] };
+        let map = SlopePyramid { size: SIZE, slopes: &values[..], centers: [Vec2::ZERO], lobes: &[][..] };
         for k in 0..20 {
             let got = over_texel(SIZE, &values, &[Vec2::ZERO], [k % 5, k / 5]).moments();
             let points = (0..4096).map(|i| {

@@ -9,6 +9,4 @@ mod slope_pyramid;
 
 pub use slope_lobes::{SlopeLobe, SlopeLobes};
 pub use slope_moments::SlopeMoments;
-#[cfg(feature = "alloc")]
 pub use slope_pyramid::SlopePyramid;
-pub use slope_pyramid::{SlopePyramidIn, SlopePyramidRef};

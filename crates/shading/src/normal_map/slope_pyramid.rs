@@ -7,7 +7,7 @@ use core::ops::Deref;
 use glam::{Vec2, Vec3};
 
 use crate::error::ShadingError;
-use crate::image::{check_len, check_texels, texel_count};
+use crate::image::{Entries, check_len, check_texels, texel_count};
 #[cfg(feature = "alloc")]
 use crate::math::sqrt;
 use crate::math::{floor, log2};
@@ -34,7 +34,26 @@ const STEEPEST: f32 = 32.0;
 /// - **Groups:** found in the bilinear field of slopes. Each group is shaded as a Gaussian; `K = 1`
 ///   is LEAN mapping.
 ///
-/// [`SlopePyramid`] owns slopes and levels, [`SlopePyramidRef`] borrows them.
+/// [`new`](Self::new) and [`from_normals`](Self::from_normals) own slopes and levels,
+/// [`from_borrowed`](Self::from_borrowed) borrows them.
+///
+#[cfg_attr(feature = "alloc", doc = "```")]
+#[cfg_attr(not(feature = "alloc"), doc = "```ignore")]
+/// use asperity_shading::glam::{Vec2, Vec3};
+/// use asperity_shading::level_of_detail::ResolvedBumps;
+/// use asperity_shading::{Beckmann, Footprint, SlopePyramid};
+///
+/// // Grooves, and the roughness of the stone.
+/// let normals: Vec<Vec3> =
+///     (0..64 * 64).map(|k| Vec3::new(if k % 16 < 2 { 0.8 } else { 0.0 }, 0.0, 1.0).normalize()).collect();
+/// let map = SlopePyramid::<4>::from_normals(64, 64, &normals)?;
+/// let stone = Beckmann::isotropic(0.2)?;
+/// let (h, uv) = (Vec3::new(0.6, 0.0, 0.8), Vec2::new(0.6, 0.3));
+/// let seen = |width| map.sample(uv, Footprint::from_width(width)).density(stone, ResolvedBumps::FAR, h);
+/// // Sides of grooves are invisible on the flat part, and all visible from afar.
+/// assert!(seen(0.0) < 0.01 && seen(1.0) > 0.5);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 ///
 /// # Accuracy
 ///
@@ -64,56 +83,14 @@ const STEEPEST: f32 = 32.0;
 #[doc(alias = "mipmap")]
 #[doc(alias = "leadr")]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SlopePyramidIn<S, L, const K: usize> {
+pub struct SlopePyramid<const K: usize, S = Entries<Vec2>, L = Entries<SlopeLobes<K>>> {
     pub(super) size: [usize; 2],
     pub(super) slopes: S,
     pub(super) centers: [Vec2; K],
     pub(super) lobes: L,
 }
 
-/// A [`SlopePyramidIn`] that owns its slopes and its levels.
-///
-/// ```
-/// use asperity_shading::glam::{Vec2, Vec3};
-/// use asperity_shading::level_of_detail::ResolvedBumps;
-/// use asperity_shading::{Beckmann, Footprint, SlopePyramid};
-///
-/// // Grooves, and the roughness of the stone.
-/// let normals: Vec<Vec3> =
-///     (0..64 * 64).map(|k| Vec3::new(if k % 16 < 2 { 0.8 } else { 0.0 }, 0.0, 1.0).normalize()).collect();
-/// let map = SlopePyramid::<4>::from_normals(64, 64, &normals)?;
-/// let stone = Beckmann::isotropic(0.2)?;
-/// let (h, uv) = (Vec3::new(0.6, 0.0, 0.8), Vec2::new(0.6, 0.3));
-/// let seen = |width| map.sample(uv, Footprint::from_width(width)).density(stone, ResolvedBumps::FAR, h);
-/// // Sides of grooves are invisible on the flat part, and all visible from afar.
-/// assert!(seen(0.0) < 0.01 && seen(1.0) > 0.5);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
-#[cfg(feature = "alloc")]
-pub type SlopePyramid<const K: usize> = SlopePyramidIn<Vec<Vec2>, Vec<SlopeLobes<K>>, K>;
-
-/// A [`SlopePyramidIn`] in borrowed storage.
-///
-/// ```
-/// use asperity_shading::normal_map::{SlopeLobes, SlopePyramidRef};
-/// use asperity_shading::{Footprint, glam::Vec2};
-///
-/// // Ridges along v.
-/// let slopes = [0.4, 0.4, -0.4, -0.4].map(|x| Vec2::new(x, 0.0));
-/// let mut lobes = [SlopeLobes::<2>::default(); SlopePyramidRef::<2>::lobes_len(4, 1)];
-/// let ridges = SlopePyramidRef::new(4, 1, &slopes, &mut lobes)?;
-///
-/// let near = ridges.sample(Vec2::new(0.25, 0.5), Footprint::from_width(0.0)).moments();
-/// assert!((near.mean.x - 0.4).abs() < 1e-6 && near.covariance[0] < 1e-6);
-/// let far = ridges.sample(Vec2::new(0.25, 0.5), Footprint::from_width(1.0));
-/// assert!(far.moments().mean.x.abs() < 1e-6 && far.moments().covariance[0] > 0.1);
-/// // Both sides are preserved as separate lobes.
-/// assert!(far.lobes().iter().all(|side| side.weight == 0.5 && side.moments.mean.x.abs() > 0.25));
-/// # Ok::<(), asperity_shading::ShadingError>(())
-/// ```
-pub type SlopePyramidRef<'a, const K: usize> = SlopePyramidIn<&'a [Vec2], &'a [SlopeLobes<K>], K>;
-
-impl<'a, const K: usize> SlopePyramidRef<'a, K> {
+impl<'a, const K: usize> SlopePyramid<K, &'a [Vec2], &'a [SlopeLobes<K>]> {
     /// The number of lobes in all levels of a map of this size; 0 for an invalid size.
     #[must_use]
     pub const fn lobes_len(width: usize, height: usize) -> usize {
@@ -123,12 +100,30 @@ impl<'a, const K: usize> SlopePyramidRef<'a, K> {
         }
     }
 
-    /// Creates the map of these slopes and fills `lobes`.
+    /// Creates the map of borrowed slopes and fills `lobes`.
     ///
     /// # Errors
     /// [`ShadingError`] for a map without texels or with more than 2²⁶, slices of another length,
     /// and the first slope with a coordinate that is not finite or beyond 10⁶.
-    pub fn new(
+    ///
+    /// ```
+    /// use asperity_shading::normal_map::{SlopeLobes, SlopePyramid};
+    /// use asperity_shading::{Footprint, glam::Vec2};
+    ///
+    /// // Ridges along v.
+    /// let slopes = [0.4, 0.4, -0.4, -0.4].map(|x| Vec2::new(x, 0.0));
+    /// let mut lobes = [SlopeLobes::<2>::default(); SlopePyramid::<2>::lobes_len(4, 1)];
+    /// let ridges = SlopePyramid::from_borrowed(4, 1, &slopes, &mut lobes)?;
+    ///
+    /// let near = ridges.sample(Vec2::new(0.25, 0.5), Footprint::from_width(0.0)).moments();
+    /// assert!((near.mean.x - 0.4).abs() < 1e-6 && near.covariance[0] < 1e-6);
+    /// let far = ridges.sample(Vec2::new(0.25, 0.5), Footprint::from_width(1.0));
+    /// assert!(far.moments().mean.x.abs() < 1e-6 && far.moments().covariance[0] > 0.1);
+    /// // Both sides are preserved as separate lobes.
+    /// assert!(far.lobes().iter().all(|side| side.weight == 0.5 && side.moments.mean.x.abs() > 0.25));
+    /// # Ok::<(), asperity_shading::ShadingError>(())
+    /// ```
+    pub fn from_borrowed(
         width: usize,
         height: usize,
         slopes: &'a [Vec2],
@@ -143,14 +138,17 @@ impl<'a, const K: usize> SlopePyramidRef<'a, K> {
 }
 
 #[cfg(feature = "alloc")]
-impl<const K: usize> SlopePyramid<K> {
+impl<const K: usize> SlopePyramid<K, Vec<Vec2>, Vec<SlopeLobes<K>>> {
     /// Creates the map of these slopes.
     ///
     /// # Errors
-    /// See [`SlopePyramidRef::new`].
+    /// See [`from_borrowed`](Self::from_borrowed).
     pub fn new(width: usize, height: usize, slopes: Vec<Vec2>) -> Result<Self, ShadingError> {
         check_slopes(width, height, &slopes)?;
-        let mut lobes = vec![SlopeLobes::default(); SlopePyramidRef::<K>::lobes_len(width, height)];
+        let mut lobes = vec![
+            SlopeLobes::default();
+            SlopePyramid::<K, &[Vec2], &[SlopeLobes<K>]>::lobes_len(width, height)
+        ];
         let (size, centers) = ([width, height], centers([width, height], &slopes));
         fill(size, &slopes, &centers, &mut lobes);
         Ok(Self { size, slopes, centers, lobes })
@@ -159,7 +157,7 @@ impl<const K: usize> SlopePyramid<K> {
     /// Creates the map of normals whose first row is at v = 0; slopes are clamped to 32.
     ///
     /// # Errors
-    /// See [`SlopePyramidRef::new`]; also the first normal with `n.z < 0`, zero, or NaN.
+    /// See [`from_borrowed`](Self::from_borrowed); also the first normal with `n.z < 0`, zero, or NaN.
     pub fn from_normals(width: usize, height: usize, normals: &[Vec3]) -> Result<Self, ShadingError> {
         check_len("normals", texel_count(width, height, MAX_TEXELS)?, normals.len())?;
         check_texels("normals", normals.iter().copied(), "a normal above the horizon", |n| {
@@ -177,11 +175,11 @@ impl<const K: usize> SlopePyramid<K> {
     }
 }
 
-impl<S: Deref<Target = [Vec2]>, L: Deref<Target = [SlopeLobes<K>]>, const K: usize> SlopePyramidIn<S, L, K> {
+impl<const K: usize, S: Deref<Target = [Vec2]>, L: Deref<Target = [SlopeLobes<K>]>> SlopePyramid<K, S, L> {
     /// Borrowed view of the map.
     #[must_use]
-    pub fn view(&self) -> SlopePyramidRef<'_, K> {
-        SlopePyramidIn { size: self.size, slopes: &self.slopes, centers: self.centers, lobes: &self.lobes }
+    pub fn view(&self) -> SlopePyramid<K, &[Vec2], &[SlopeLobes<K>]> {
+        SlopePyramid { size: self.size, slopes: &self.slopes, centers: self.centers, lobes: &self.lobes }
     }
 
     /// Width and height, slopes, centers of the groups, and the lobes of all levels, for shaders.
@@ -298,7 +296,7 @@ mod tests {
     #[test]
     fn mean_moments_are_equal_at_every_footprint() {
         let (values, mut lobes) = (values(), [SlopeLobes::<3>::default(); 341]);
-        let map = SlopePyramidRef::new(SIZE, SIZE, &values, &mut lobes).unwrap();
+        let map = SlopePyramid::from_borrowed(SIZE, SIZE, &values, &mut lobes).unwrap();
         let whole = map.whole().moments();
         for width in [0.0, 0.01, 0.05, 0.0625, 0.1, 0.3, 0.7, 1.0, 3.0, f32::INFINITY] {
             let pixel = Footprint::from_width(width);
@@ -318,7 +316,7 @@ mod tests {
     #[test]
     fn sample_along_is_anisotropic() {
         let (values, mut lobes) = (values(), [SlopeLobes::<3>::default(); 341]);
-        let map = SlopePyramidRef::new(SIZE, SIZE, &values, &mut lobes).unwrap();
+        let map = SlopePyramid::from_borrowed(SIZE, SIZE, &values, &mut lobes).unwrap();
         let uv = Vec2::new(0.3, 0.6);
         let pixel = PixelEllipse::from_derivatives(Vec3::X * 1e-3, Vec3::Y * 0.25);
         let seen = map.sample_along(uv, &pixel, 16).moments();
@@ -335,7 +333,7 @@ mod tests {
     #[test]
     fn sample_accepts_every_input() {
         let (values, mut lobes) = (values(), [SlopeLobes::<3>::default(); 341]);
-        let map = SlopePyramidRef::new(SIZE, SIZE, &values, &mut lobes).unwrap();
+        let map = SlopePyramid::from_borrowed(SIZE, SIZE, &values, &mut lobes).unwrap();
         for x in [f32::NAN, f32::INFINITY, -1e30, -1e-9, 0.0, 1.0, 1e30] {
             for width in [0.0, 1e-30, 0.0625, 1.0, 1e30, f32::NAN, f32::INFINITY] {
                 let got = map.sample(Vec2::new(x, 0.4), Footprint::from_width(width)).moments();
@@ -348,14 +346,14 @@ mod tests {
             (map.sample_along(Vec2::ONE, &pixel, 8).moments().mean - map.whole().moments().mean).length()
                 < 1e-6
         );
-        let refused = SlopePyramidRef::<1>::new(1, 1, &[Vec2::ONE], &mut []).unwrap_err();
+        let refused = SlopePyramid::<1, _, _>::from_borrowed(1, 1, &[Vec2::ONE], &mut []).unwrap_err();
         assert_eq!(refused.to_string(), "`lobes` must have 1 elements, got 0");
     }
 
     #[test]
     fn new_rejects_invalid_maps() {
         let refused = |width, height, slopes| {
-            SlopePyramidRef::<1>::new(width, height, slopes, &mut []).unwrap_err().to_string()
+            SlopePyramid::<1, _, _>::from_borrowed(width, height, slopes, &mut []).unwrap_err().to_string()
         };
         assert_eq!(refused(0, 4, &[]), "`width · height` must be between 1 and 67108864, got 0");
         assert_eq!(

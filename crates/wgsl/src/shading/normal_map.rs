@@ -13,9 +13,9 @@ pub(crate) static SLOPE_MOMENTS: Part =
     part!("shading/normal_map/slope_moments", GAUSSIAN_SPLIT, OFFSET_BECKMANN, MATH);
 
 /// Normal maps at every zoom as grouped slopes,
-/// [`SlopePyramidRef`](asperity_shading::normal_map::SlopePyramidRef).
+/// [`SlopePyramid`](asperity_shading::normal_map::SlopePyramid).
 ///
-/// Bound to [`gpu_numbers`](asperity_shading::normal_map::SlopePyramidRef::gpu_numbers) as the
+/// Bound to [`gpu_numbers`](asperity_shading::normal_map::SlopePyramid::gpu_numbers) as the
 /// table `slope_pyramid_number`.
 pub static SLOPE_PYRAMID: Part =
     part!("shading/normal_map/slope_pyramid", [SlopePyramidUniform], SLOPE_MOMENTS, PIXEL_ELLIPSE, MATH)

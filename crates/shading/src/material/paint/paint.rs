@@ -67,7 +67,7 @@ parameters! {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum PaintFlakes {
-    /// Flakes of a fixed width in pixels, as in the thesis: [`Sparkles`].
+    /// Flakes of a fixed width in pixels, as in the thesis.
     #[default]
     Sparkling,
     /// Counted glints, as many as a pixel sees, with the same mean at every distance:
@@ -95,7 +95,7 @@ pub enum PaintFlakes {
 /// light = base + (w − w̄) g,   g = min(max(flake − base, 0), base/(2 w̄)) in each channel
 /// ```
 ///
-/// with the weight w of [`Sparkles`] and its mean w̄ over the cell. The mean over every cell is
+/// with the weight w of a sparkle and its mean w̄ over the cell. The mean over every cell is
 /// `base` for any light, and the light of a point is continuous in the footprint. At least half of
 /// the base remains between sparkles, so dense sparkles are dimmer than in the thesis.
 ///

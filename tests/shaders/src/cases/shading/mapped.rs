@@ -6,8 +6,8 @@ use asperity_shading::level_of_detail::{LevelOfDetail, ResolvedBumps};
 use asperity_shading::material::NormalMapped;
 use asperity_shading::ndf_sampling::Ndf;
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
-use asperity_shading::normal_map::{SlopeLobe, SlopeMoments, SlopePyramidRef};
-use asperity_shading::{Beckmann, BumpField, BumpMapped, Ggx, PixelEllipse, SlopePyramid};
+use asperity_shading::normal_map::{SlopeLobe, SlopeLobes, SlopeMoments, SlopePyramid};
+use asperity_shading::{Beckmann, BumpField, BumpMapped, Ggx, PixelEllipse};
 use asperity_wgsl::shading::material::{BUMP_MAPPED, NORMAL_MAPPED};
 use asperity_wgsl::shading::normal_map::SLOPE_PYRAMID;
 
@@ -64,7 +64,7 @@ fn bump_mapped(
 }
 
 /// Stone bumps, 12 × 20 texels in four groups: flat with ridges and occasional slopes.
-fn map() -> SlopePyramidRef<'static, 4> {
+fn map() -> SlopePyramid<4, &'static [Vec2], &'static [SlopeLobes<4>]> {
     let slope = |k: usize| {
         let (column, row) = (k % 12, k / 12);
         let ridge = match column % 6 {
@@ -79,7 +79,7 @@ fn map() -> SlopePyramidRef<'static, 4> {
     Box::leak(Box::new(map)).view()
 }
 
-fn numbers(map: &SlopePyramidRef<'_, 4>) -> (&'static str, Vec<u32>) {
+fn numbers(map: &SlopePyramid<4, &[Vec2], &[SlopeLobes<4>]>) -> (&'static str, Vec<u32>) {
     ("slope_pyramid_number", map.gpu_numbers().map(f32::to_bits).collect())
 }
 
