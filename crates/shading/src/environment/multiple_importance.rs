@@ -34,11 +34,11 @@ pub struct LightSample {
 /// ```
 /// use asperity_shading::environment::light_samples;
 /// use asperity_shading::glam::{Vec2, Vec3};
-/// use asperity_shading::{EnvironmentRef, Footprint, Lambert, Material, SurfacePoint};
+/// use asperity_shading::{EnvironmentMap, Footprint, Lambert, Material, SurfacePoint};
 ///
 /// let texels = [Vec3::ONE; 8];
-/// let mut table = [0.0; EnvironmentRef::table_len(4, 2)];
-/// let sky = EnvironmentRef::new(4, 2, &texels, &mut table)?;
+/// let mut table = [0.0; EnvironmentMap::table_len(4, 2)];
+/// let sky = EnvironmentMap::from_borrowed(4, 2, &texels, &mut table)?;
 /// let chalk = Lambert::new(Vec3::splat(0.8))?;
 /// let bsdf = chalk.bsdf(&SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(0.0)), Vec3::Z);
 /// let point = (0.5, Vec2::new(0.2, 0.6), Vec2::new(0.7, 0.1));

@@ -90,7 +90,7 @@ pub struct SlopePyramid<const K: usize, S = Entries<Vec2>, L = Entries<SlopeLobe
     pub(super) lobes: L,
 }
 
-impl<'a, const K: usize> SlopePyramid<K, &'a [Vec2], &'a [SlopeLobes<K>]> {
+impl<const K: usize, S, L> SlopePyramid<K, S, L> {
     /// The number of lobes in all levels of a map of this size; 0 for an invalid size.
     #[must_use]
     pub const fn lobes_len(width: usize, height: usize) -> usize {
@@ -99,7 +99,9 @@ impl<'a, const K: usize> SlopePyramid<K, &'a [Vec2], &'a [SlopeLobes<K>]> {
             Err(_) => 0,
         }
     }
+}
 
+impl<'a, const K: usize> SlopePyramid<K, &'a [Vec2], &'a [SlopeLobes<K>]> {
     /// Creates the map of borrowed slopes and fills `lobes`.
     ///
     /// # Errors
