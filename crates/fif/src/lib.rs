@@ -2,9 +2,9 @@
 //!
 //! A FIF is a curve through given points that consists of smaller copies of itself. A map
 //! takes the whole curve to one piece, and its vertical scaling controls the roughness. The address
-//! of x is the sequence of pieces, level by level, that contain x. This crate evaluates FIFs to a given
-//! tolerance with an error bound. It computes exact integrals and guaranteed ranges. The product of
-//! two FIFs is a height field, with exact normals if both are differentiable. A ray that
+//! of x is the sequence of pieces, level by level, that contain x. This crate evaluates FIFs to a
+//! given tolerance with an error bound. It computes exact integrals and guaranteed ranges. The
+//! product of two FIFs is a height field, with exact normals if both are differentiable. A ray that
 //! crosses the surface always returns a hit, and [`Hit::certain`] is true if it is proved to be the
 //! first.
 //!

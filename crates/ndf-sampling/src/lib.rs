@@ -52,8 +52,8 @@
 //! - Roughness parameters are α, not the perceptual roughness √α.
 //! - Constructors return an error for invalid parameters. Evaluation accepts every input and never
 //!   panics. Each item documents its result for NaN and infinities.
-//! - The API uses `f32`, except [`gaussian_cdf`] and [`inverse_gaussian_cdf`], which use `f64`. CDFs
-//!   are summed, subtracted and inverted in `f64`.
+//! - The API uses `f32`, except [`gaussian_cdf`] and [`inverse_gaussian_cdf`], which use `f64`.
+//!   CDFs are summed, subtracted and inverted in `f64`.
 //! - Reproducibility: with the feature `libm`, results are bit-identical on every machine. `D`, `T`
 //!   and `T⁻¹` of [`Ggx`] and [`Beckmann`] have the same bits with `libm` and `std`; other results
 //!   differ by rounding.

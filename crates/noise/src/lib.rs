@@ -4,8 +4,8 @@
 //! point, and [`sample`](Field::sample) returns the value and the gradient. Points, values and
 //! gradients are `f32`. Batch methods evaluate lists and grids of points with SIMD and return the
 //! same bits. Most kinds of noise have values in [−1, 1]. [`Fbm`] has mean 0 and variance 1 by
-//! default; [`Normalization::UnitRange`] keeps the range of one octave. Fields own their parts. They can be added, blended, warped, returned from functions
-//! and boxed as `Box<dyn Field<Vec3>>`.
+//! default; [`Normalization::UnitRange`] keeps the range of one octave. Fields own their parts.
+//! They can be added, blended, warped, returned from functions and boxed as `Box<dyn Field<Vec3>>`.
 //!
 //! Use [`GaussianFbm`] when the statistics matter. Its values have the distribution N(0, 1) at
 //! every point, for every real number of octaves.
@@ -97,9 +97,9 @@
 //! # Accuracy
 //!
 //! The table lists the largest errors seen, compared with an `f64` evaluation at the same points.
-//! They are measured at 10⁵ random points within ±64, in 1-D to 4-D. Slow kinds are measured at fewer
-//! points in 3-D and 4-D. Simplex noise is measured within ±4, where the rounding of its corners
-//! is smallest. Errors at other points can be twice as large.
+//! They are measured at 10⁵ random points within ±64, in 1-D to 4-D. Slow kinds are measured at
+//! fewer points in 3-D and 4-D. Simplex noise is measured within ±4, where the rounding of its
+//! corners is smallest. Errors at other points can be twice as large.
 //!
 //! | kind | value | gradient |
 //! |---|---|---|

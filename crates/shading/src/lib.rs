@@ -1,11 +1,11 @@
-//! Materials, BRDFs and bump mapping with the same mean radiance at every zoom.
+//! Materials, BRDFs and bump mapping with a level of detail that keeps the mean radiance.
 //!
 //! A pixel resolves only the octaves of a bump map that are coarser than its [`Footprint`]. This
 //! crate evaluates the resolved octaves as noise, and shades the remaining octaves by one of two
-//! rules of [`LevelOfDetail`]. With `Exact`, the mean radiance over the surface is the same at every
-//! zoom: [`far_field`], the radiance when no bump is resolved. `Fractal` is the rule of Kautz, Heidrich,
-//! Seidel 2001, "Real-Time Bump Map Synthesis". The crate also contains diffuse and glossy BRDFs
-//! with importance sampling, complete materials, and environment lighting.
+//! rules of [`LevelOfDetail`]. With `Exact`, the mean radiance over the surface is the same at
+//! every zoom: [`far_field`], the radiance when no bump is resolved. `Fractal` is the rule of
+//! Kautz, Heidrich, Seidel 2001, "Real-Time Bump Map Synthesis". The crate also contains diffuse
+//! and glossy BRDFs with importance sampling, complete materials, and environment lighting.
 //!
 //! ```
 //! use asperity_shading::glam::Vec3;
@@ -49,7 +49,7 @@
 //! | [`pixel`] | round and elliptic pixel footprints; the number of resolved octaves | [`Footprint`], [`PixelEllipse`] |
 //! | [`mod@bump`] | surface gradients, bumped normals, displacement, facets from slopes | |
 //! | [`level_of_detail`] | bump maps from Gaussian noise: the resolved part, and two rules to shade the rest | [`BumpField`], [`LevelOfDetail`], [`far_field`] |
-//! | [`reflectance`] | BRDFs with sampling, Fresnel terms, [`Bsdf`]: layers of lobes on facets under a coat | [`Brdf`], [`Bsdf`], [`Lambert`], [`EnergyPreservingOrenNayar`], [`CookTorrance`], [`TorranceSparrow`], [`Phong`], [`Fresnel`], [`Dielectric`], [`Conductor`], [`Schlick`] |
+//! | [`reflectance`] | BRDFs with sampling, Fresnel terms, [`Bsdf`]: layers of lobes around the normals of unresolved bumps, under an optional coat | [`Brdf`], [`Bsdf`], [`Lambert`], [`EnergyPreservingOrenNayar`], [`CookTorrance`], [`TorranceSparrow`], [`Phong`], [`Fresnel`], [`Dielectric`], [`Conductor`], [`Schlick`] |
 //! | [`environment`] | environment maps (HDRI) with importance sampling; irradiance, prefiltered maps, split sum | [`Environment`], [`EnvironmentMap`], [`Irradiance`], [`reflected_radiance`] |
 //! | [`normal_map`] | normal maps at every zoom, filtered by the moments of their slopes (LEAN mapping with several lobes) | [`SlopePyramid`] |
 //! | [`texture`] | bricks, bevels, stars, marble, perturbed images, gas | [`Brick`], [`Marble`] |
@@ -73,10 +73,10 @@
 //!
 //! # Limitations
 //!
-//! Both rules of [`LevelOfDetail`] return the NDF at the half vector, without Fresnel term, masking and shadowing. The caller
-//! multiplies the result by a Fresnel term at the angle between `h` and either direction.
-//! [`CookTorrance`] is the full microfacet model. A [`Bsdf`] describes a single point. Light
-//! transport between surfaces is the task of the renderer.
+//! Both rules of [`LevelOfDetail`] return the NDF at the half vector, the D of a microfacet BRDF.
+//! The caller multiplies it by F G/(4 cos θ_i cos θ_o), or by a Fresnel term alone as in the
+//! source. [`CookTorrance`] is the microfacet BRDF without level of detail. A [`Bsdf`] describes a
+//! single point. Light transport between surfaces is the task of the renderer.
 //!
 //! # Features
 //!
@@ -90,7 +90,7 @@
 //! | `mint` | conversion between the vectors of [`glam`] and `mint`, for engines with other vectors |
 //! | `serde` | serialization of the parameters of materials and BRDFs; files contain the parameters that differ from the defaults |
 //! | `bytemuck` | `Pod` for the structs of [`gpu`] |
-//! | `approx` | the traits of `approx` for points, pixels, facets, light samples and textures; the same feature of glam, `asperity-noise` and `asperity-ndf-sampling` |
+//! | `approx` | the traits of `approx` for points, pixels, facets, light samples and textures; also enables `approx` of `asperity-noise` and `asperity-ndf-sampling`, and `approx-05` of glam |
 #![no_std]
 
 #[cfg(feature = "std")]

@@ -17,6 +17,10 @@
 //! # }
 //! ```
 //!
+//! `key` replaces the seed of a Rust noise:
+//! [`IntegerHash::gpu_key`](asperity_noise::IntegerHash::gpu_key) of the seed. Directions of a
+//! material are in the frame of its point, `surface_point_frame(point)`.
+//!
 //! | module | contents |
 //! |---|---|
 //! | [`noise`] | hash, noise with analytic gradients, fBm |

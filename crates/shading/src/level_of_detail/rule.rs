@@ -105,12 +105,14 @@ pub enum LevelOfDetail {
 }
 
 impl LevelOfDetail {
-    /// The radiance of a pixel per unit of light, without Fresnel term and shadowing.
+    /// The NDF of a pixel at `h`: its radiance per unit of light, without Fresnel term and
+    /// shadowing.
     ///
     /// - **Domain:** unit half vector `h` in the frame of the macro surface; `h.z ≤ 0`, a zero
     ///   vector and NaN return 0. The fraction is clamped to
     ///   [`GaussianSplit::MAX_RESOLVED_VARIANCE`](asperity_ndf_sampling::GaussianSplit::MAX_RESOLVED_VARIANCE),
-    ///   NaN is read as 0. A NaN in `z` is read as 0. `fade` is clamped to `[0, 1]`, NaN is read as
+    ///   NaN is read as 0. A NaN in `z` is read as 0. `blend` is clamped to `[0, 1]`, NaN is read
+    ///   as
     ///   0.
     /// - **Range:** at least 0, finite, in sr⁻¹. Where nothing is resolved it is [`far_field`], bit
     ///   for bit.

@@ -16,8 +16,8 @@ parameters! {
         points: u32 = 5;
         /// The radius of the notches, positive. Default 0.01.
         r_min: f32 = 0.01, positive;
-        /// The radius of the points, at least `r_min` and at most 0.4 of a cell: a larger star could
-        /// reach past the neighboring cells. Default 0.03.
+        /// The radius of the points, at least `r_min` and at most 0.4 of a cell: a larger star
+        /// could reach past the neighboring cells. Default 0.03.
         r_max: f32 = 0.03;
         /// The number of cells per unit, positive. Default 10.
         cells: f32 = 10.0, positive;

@@ -207,8 +207,8 @@ mod tests {
         let threads = SpecularThreads::new(0.02, 7).unwrap();
         for width in [0.0, 0.0016, 0.002, 0.003, 0.005, 0.008, 0.011] {
             let [mean, error] = mean_on_plane(3, 60_000, |p| threads.value(p, Footprint::from_width(width)));
-            // Five standard errors of a mean over independent points, plus the error of the measured
-            // moments, 0.2 %.
+            // Five standard errors of a mean over independent points, plus the error of the
+            // measured moments, 0.2 %.
             let tolerance = 5.0 * error + 0.002 * mean;
             assert_abs_diff_eq!(mean, f64::from(threads.mean()), epsilon = tolerance, "width {width}");
         }

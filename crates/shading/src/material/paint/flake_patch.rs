@@ -23,10 +23,10 @@ pub(super) struct FlakePatch {
 /// cover = Π_i clamp((widthᵢ/2 − |dᵢ|)/edgeᵢ + ½, 0, 1)
 /// ```
 ///
-/// with `d` of [`nearest_flake`] at a scatter of 1: the box of the flake, filtered by a box of sides
-/// `edge`. The edges are at most the width, and at most the rest of the cell, so that the flake stays in the cell.
-/// The mean cover over a plane across axis i is then `Π_j widthⱼ/cell` of the other two axes, if
-/// the width along axis i is the cell.
+/// with `d` of [`nearest_flake`] at a scatter of 1: the box of the flake, filtered by a box of
+/// sides `edge`. The edges are at most the width, and at most the rest of the cell, so that the
+/// flake stays in the cell. The mean cover over a plane across axis i is then `Π_j widthⱼ/cell` of
+/// the other two axes, if the width along axis i is the cell.
 ///
 /// - **Domain:** `cell` > 0, each width at most `cell`. `None` for a point with |pᵢ| ≥ 2²³ cells
 ///   and where the position or the cell is not finite.
@@ -183,7 +183,8 @@ mod tests {
 
     #[test]
     fn flakes_tilt_isotropically() {
-        // Tilts steeper than 0.8, in directions of 45° and of 0° about z: equally many per solid angle.
+        // Tilts steeper than 0.8, in directions of 45° and of 0° about z: equally many per solid
+        // angle.
         let (mut axes, mut diagonals) = (0.0, 0.0);
         let mut random = SplitMix64 { state: 8 };
         let mut uniform = || (random.word() >> 11) as f64 * (-53_f64).exp2();

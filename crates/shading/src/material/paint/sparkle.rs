@@ -50,11 +50,12 @@ pub enum Elimination {
 /// the flake adds: see [`MetallicPaint`](crate::MetallicPaint).
 ///
 /// - **Deviations:** flakes are scattered in their cells, see [`covered_flake`], and have soft
-///   edges, one footprint wide; in the thesis they pop where their edge meets a point. Flakes that [`Elimination::Adaptive`]
-///   restores fade in together; in the thesis they appear one by one. The footprint has one width;
-///   the thesis uses one along each axis of space. Along the axis next to the normal a flake is as
-///   wide as its cell, so flakes cover `(width/physical size)²` of the area of any surface. In the
-///   thesis most surfaces pass between the cubes, increasingly so as the cubes become smaller.
+///   edges, one footprint wide; in the thesis they pop where their edge meets a point. Flakes that
+///   [`Elimination::Adaptive`] restores fade in together; in the thesis they appear one by one. The
+///   footprint has one width; the thesis uses one along each axis of space. Along the axis next to
+///   the normal a flake is as wide as its cell, so flakes cover `(width/physical size)²` of the
+///   area of any surface. In the thesis most surfaces pass between the cubes, increasingly so as
+///   the cubes become smaller.
 ///
 /// Nilsson 2008, §4.3.4. For counted flakes see [`GlintField`](crate::material::GlintField).
 #[derive(Clone, Copy, Debug, PartialEq)]
