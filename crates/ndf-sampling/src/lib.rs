@@ -29,7 +29,7 @@
 //! | [`Ggx`], [`Beckmann`], [`StudentT`] | isotropic and anisotropic NDFs in closed form for every roughness |
 //! | [`Ward`], [`BlinnPhong`], [`AshikhminShirley`] | NDFs of older reflection models, also in closed form |
 //! | [`Isotropic`] | isotropic NDF from a table over cos θ |
-//! | [`Mixture`], [`Blend`], [`Rotated`], [`Radial`] | weighted sums of NDFs, with a bijection and without; rotated NDFs; NDFs that depend on θ only |
+//! | [`Mixture`], [`Blend`], [`Rotated`], [`Radial`] | weighted sums of NDFs, `Mixture` with a bijection, `Blend` without (not an [`Ndf`]); rotated NDFs; NDFs that depend on θ only |
 //! | [`NdfMap`], [`PackedMapRef`] | NDF from an image or a function on the (n_x, n_y) disk; the same as one array for flash memory or a GPU |
 //! | [`Masked`], [`Bounded`] | masking and visible normals of maps and tables, for BRDFs |
 //! | [`Measure`], [`Reconstruction`] | interpretation of texel values; interpolation between them |

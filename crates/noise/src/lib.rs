@@ -70,9 +70,9 @@
 //!
 //! σ₁ is the standard deviation and κ₁ the excess kurtosis of one octave. They are measured over
 //! 8.4 million points, with standard errors of 0.0003 σ₁ and 0.002. Sparse noise is normalized to
-//! σ₁ = 1. It is measured over a million points, with standard errors of 0.003 and 0.02. All
-//! kinds except [`GaussianNoise`] are neither Gaussian nor of equal variance at every point. For
-//! example, gradient noise is 0 at every lattice point.
+//! σ₁ = 1. It is measured over a million points, with standard errors of 0.003 and 0.02. Only
+//! [`GaussianNoise`] is Gaussian. Only it and [`WhiteNoise`] have equal variance at every point.
+//! For example, gradient noise is 0 at every lattice point.
 //!
 //! | kind | σ₁ 2-D | κ₁ 2-D | σ₁ 3-D | κ₁ 3-D |
 //! |---|---|---|---|---|

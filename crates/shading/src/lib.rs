@@ -5,7 +5,9 @@
 //! rules of [`LevelOfDetail`]. With `Exact`, the mean radiance over the surface is the same at
 //! every zoom: [`far_field`], the radiance when no bump is resolved. `Fractal` is the rule of
 //! Kautz, Heidrich, Seidel 2001, "Real-Time Bump Map Synthesis". The crate also contains diffuse
-//! and glossy BRDFs with importance sampling, complete materials, and environment lighting.
+//! and glossy BRDFs with importance sampling, complete materials, and environment lighting. Both
+//! rules return an NDF value in sr⁻¹, the D of a microfacet BRDF, which is the radiance without
+//! F G/(4 cos θ_i cos θ_o).
 //!
 //! ```
 //! use asperity_shading::glam::Vec3;
@@ -73,9 +75,8 @@
 //!
 //! # Limitations
 //!
-//! Both rules of [`LevelOfDetail`] return the NDF at the half vector, the D of a microfacet BRDF.
-//! The caller multiplies it by F G/(4 cos θ_i cos θ_o), or by a Fresnel term alone as in the
-//! source. [`CookTorrance`] is the microfacet BRDF without level of detail. A [`Bsdf`] describes a
+//! The caller multiplies the value of a rule by F G/(4 cos θ_i cos θ_o), or by a Fresnel term alone
+//! as in the source. [`CookTorrance`] is the microfacet BRDF without level of detail. A [`Bsdf`] describes a
 //! single point. Light transport between surfaces is the task of the renderer.
 //!
 //! # Features

@@ -101,7 +101,7 @@ fn ggx_normal() -> Option<[f32; 3]> {
 }
 
 fn ggx_density() -> Option<[f32; 3]> {
-    Some([Ggx::new(0.2, 0.4).ok()?.density(facet()); 3])
+    Some([Ggx::new(0.2, 0.4).ok()?.d(facet()); 3])
 }
 
 fn packed_normal() -> Option<[f32; 3]> {
@@ -114,7 +114,7 @@ fn exact_radiance() -> Option<[f32; 3]> {
 }
 
 fn oren_nayar() -> Option<[f32; 3]> {
-    Some(clay()?.value(facet(), Vec3::Z).to_array())
+    Some(clay()?.eval(Vec3::Z, facet()).to_array())
 }
 
 fn fif_value() -> Option<[f32; 3]> {
