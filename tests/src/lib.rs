@@ -6,6 +6,7 @@ pub mod assertions;
 pub mod disk_bins;
 pub mod facets;
 pub mod fif_systems;
+pub mod histogram;
 pub mod low_discrepancy;
 pub mod noise_any;
 pub mod noise_errors;

@@ -79,6 +79,11 @@ fn lines(criterion: &mut Criterion) {
     calls(criterion, "detail/3-d/gaussian-octaves-8", |i| sum.sample_with_octaves(line(i), 8.0));
     calls(criterion, "pair/3-d/gaussian-octaves-8", |i| sum.pair(line(i)));
     calls(criterion, "pair/3-d/gaussian-octaves-4", |i| sum.pair_with_octaves(line(i), 4.0));
+    let frame = [Vec3::new(0.6, 0.8, 0.0), Vec3::new(-0.48, 0.36, 0.8)];
+    calls(criterion, "whitened/3-d/gaussian-octaves-8", |i| sum.whitened_gradient(line(i), frame));
+    calls(criterion, "whitened/3-d/gaussian-octaves-4", |i| {
+        sum.whitened_gradient_with_octaves(line(i), frame, 4.0)
+    });
     let table = PermutationTable::new(1);
     let noise = Perlin::new(1);
     calls(criterion, "value/3-d/perlin-2002-integer-hash", |i| noise.value(line(i)));

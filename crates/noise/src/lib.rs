@@ -58,7 +58,7 @@
 //! | [`Perlin::tiled`], [`Fbm::tiled`] | tileable noises, and sums in which each octave has its own periods |
 //! | [`Fbm::anchored`] | fBm at offsets from an `f64` anchor, accurate to 1/1000 cell at 10¹² cells |
 //! | [`Fbm::band_limited`], [`filtered_fraction`], [`pixel_footprint`] | frequency clamping to a pixel |
-//! | [`GaussianFbm`] | sums that are N(0, 1) at every point |
+//! | [`GaussianFbm`], [`Fbm::whitened_gradient`] | sums that are N(0, 1) at every point; their slopes, two independent N(0, 1) |
 //! | [`ops`] | fields composed of fields: sums, products, blends, powers, curves, values in [0, 1] |
 //! | [`Warp`], [`curl`] | domain warping with its Jacobian; divergence-free velocities |
 //! | [`CellularOutput`], [`Metric`] | output and metric of cellular noise |

@@ -6,9 +6,9 @@ use asperity_noise::{
     glam::{Vec2, Vec3, Vec4},
 };
 use asperity_tests::assert_abs_diff_eq;
+use asperity_tests::histogram::Histogram;
 use asperity_tests::random::Random;
 use rayon::prelude::*;
-use statrs::function::erf::erf;
 
 /// Returns a multiple of 1/8 within ±2¹⁶, nearly always in a different cell.
 fn coordinate(random: &mut Random) -> f32 {
@@ -17,49 +17,6 @@ fn coordinate(random: &mut Random) -> f32 {
 
 fn point3(random: &mut Random) -> Vec3 {
     Vec3::new(coordinate(random), coordinate(random), coordinate(random)) / 512.0
-}
-
-fn phi(x: f64) -> f64 {
-    0.5 + 0.5 * erf(x * std::f64::consts::FRAC_1_SQRT_2)
-}
-
-/// Bins of the distribution; KS is evaluated at their edges.
-const BINS: usize = 8192;
-const REACH: f64 = 6.0;
-
-/// Measures the KS distance of values to N(0, 1).
-#[derive(Clone)]
-struct Histogram(Vec<u64>);
-
-impl Histogram {
-    fn new() -> Self {
-        Self(vec![0; BINS])
-    }
-
-    fn add(&mut self, value: f32) {
-        let bin = (f64::from(value) / REACH + 1.0) * 0.5 * BINS as f64;
-        self.0[(bin as usize).min(BINS - 1)] += 1;
-    }
-
-    fn join(mut self, other: &Self) -> Self {
-        self.0.iter_mut().zip(&other.0).for_each(|(a, b)| *a += b);
-        self
-    }
-
-    fn count(&self) -> u64 {
-        self.0.iter().sum()
-    }
-
-    fn distance(&self) -> f64 {
-        let (total, mut below) = (self.count() as f64, 0);
-        (0..BINS)
-            .map(|bin| {
-                below += self.0[bin];
-                let edge = REACH * (2.0 * (bin + 1) as f64 / BINS as f64 - 1.0);
-                (below as f64 / total - phi(edge)).abs()
-            })
-            .fold(0.0, f64::max)
-    }
 }
 
 /// Points per seed.

@@ -22,3 +22,4 @@ mod statistics;
 mod sums;
 mod tiled_sums;
 mod warp_curl;
+mod whitened;

@@ -8,9 +8,9 @@ use core::fmt;
     target_feature = "sse2"
 )))]
 use asperity_core::lanes::Scalar;
-use asperity_core::lanes::{Lanes, Task};
 #[cfg(feature = "simd")]
-use asperity_core::lanes::{Registers, best_level};
+use asperity_core::lanes::best_level;
+use asperity_core::lanes::{Lanes, Task};
 
 /// A set of SIMD instructions.
 ///
@@ -159,7 +159,7 @@ pub(crate) fn run_at_point(task: impl Task<Output = ()>) -> Option<()> {
 fn at<T: Task>(simd: impl fearless_simd::Simd, task: T) -> T::Output {
     simd.vectorize(
         #[inline(always)]
-        || task.run(Registers::new(simd)),
+        || task.run(asperity_core::lanes::Registers::new(simd)),
     )
 }
 
@@ -215,12 +215,20 @@ impl Instructions {
 }
 
 /// Four lanes of the level that the program is compiled for, which a single call may use.
-#[cfg(feature = "simd")]
+#[cfg(all(
+    feature = "simd",
+    any(
+        target_arch = "x86",
+        target_arch = "x86_64",
+        target_arch = "aarch64",
+        all(target_arch = "wasm32", target_feature = "simd128")
+    )
+))]
 macro_rules! four {
     ($level:ty, $token:ident) => {
         #[inline(always)]
-        pub(crate) fn four() -> Option<Registers<$level>> {
-            fearless_simd::Level::baseline().$token().map(Registers::new)
+        pub(crate) fn four() -> Option<asperity_core::lanes::Registers<$level>> {
+            fearless_simd::Level::baseline().$token().map(asperity_core::lanes::Registers::new)
         }
     };
 }

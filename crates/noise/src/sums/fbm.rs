@@ -890,6 +890,55 @@ impl<L: Lattice, V: Point<Coordinates = [f32; N]>, const N: usize> Fbm<GaussianN
         self.pair_of(&self.active(octaves), p)
     }
 
+    /// Returns the whitened gradient in the plane of two tangents: two independent N(0, 1) at every
+    /// point, which look like the slopes of a relief.
+    ///
+    /// ```text
+    /// z = Σ wᵢ aᵢ (Bᵀ Cᵢ B)^(−1/2) Bᵀ ∇nᵢ / √Σ wᵢ² aᵢ²,   Cᵢ = Cov(∇nᵢ),   B = (tangents as columns)
+    /// ```
+    ///
+    /// The gradient of one octave at a point is a linear combination of Gaussian variates, with a
+    /// covariance in closed form. Its symmetric inverse root makes the gradient standard Gaussian.
+    ///
+    /// - **Tangents:** an orthonormal basis of the tangent plane at `p`; in 2-D usually the axes.
+    ///   The result rotates with the basis. A common factor of both has no effect.
+    /// - **Octaves:** aᵢ is the amplitude of the slopes of an octave, not of its height: z has the
+    ///   spectrum of [`sample`](Field::sample), and [`resolved_variance`](Self::resolved_variance)
+    ///   holds. The two channels of [`pair`](Self::pair) have the same distribution and no relief.
+    /// - **Range:** ℝ². Octaves at points that are not finite, or with parallel or non-finite
+    ///   tangents, are 0.
+    /// - **Continuity:** C¹ in `p` and in the tangents.
+    ///
+    /// ```
+    /// use asperity_noise::{GaussianFbm, GaussianNoise, FbmSpectrum, glam::Vec3};
+    ///
+    /// let noise = GaussianFbm::new(GaussianNoise::new(1), FbmSpectrum::default());
+    /// let square = (0..10_000).map(|i| {
+    ///     let [x, y] = noise.whitened_gradient(Vec3::new(i as f32, 0.3, 0.7), [Vec3::X, Vec3::Y]);
+    ///     0.5 * (x * x + y * y)
+    /// });
+    /// assert!((square.sum::<f32>() / 10_000.0 - 1.0).abs() < 0.05);
+    /// ```
+    #[must_use]
+    #[inline]
+    pub fn whitened_gradient(&self, p: V, tangents: [V; 2]) -> [f32; 2] {
+        self.whitened_of(&self.active, p, tangents)
+    }
+
+    /// Returns the [whitened gradient](Self::whitened_gradient) of the first `octaves` octaves.
+    #[must_use]
+    #[inline]
+    pub fn whitened_gradient_with_octaves(&self, p: V, tangents: [V; 2], octaves: f32) -> [f32; 2] {
+        self.whitened_of(&self.active(octaves), p, tangents)
+    }
+
+    #[inline]
+    fn whitened_of(&self, active: &Active, p: V, tangents: [V; 2]) -> [f32; 2] {
+        let p = in_first_tile(Scalar, p.coordinates(), &periods::<_, N>(&self.field));
+        let sums = at_point(&self.layers, active, p).whitened(&self.field, tangents.map(Point::coordinates));
+        sums.map(|z| z * active.factor)
+    }
+
     #[inline]
     fn pair_of(&self, active: &Active, p: V) -> [Sample<V>; 2] {
         let mut sums = [(0.0, [0.0; N]); 2];

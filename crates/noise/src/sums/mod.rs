@@ -10,3 +10,4 @@ pub(crate) mod ridged_multifractal;
 pub(crate) mod shape;
 pub(crate) mod spectrum;
 pub(crate) mod turbulence;
+pub(crate) mod whitened;

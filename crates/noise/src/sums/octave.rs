@@ -148,6 +148,12 @@ impl<S: Lanes, const N: usize> Map<S, N> {
         q
     }
 
+    /// M v: a direction in the octave's own coordinates.
+    #[inline(always)]
+    pub(crate) fn directions(&self, v: [S::F; N]) -> [S::F; N] {
+        self.product::<false>(v)
+    }
+
     /// Mᵀ g: rotates a gradient back to the coordinates of the sum.
     #[inline(always)]
     pub(crate) fn pull_back(&self, g: [S::F; N]) -> [S::F; N] {
@@ -298,6 +304,26 @@ impl<const N: usize> Layers<[f32; N]> {
             }
         }
         points
+    }
+
+    /// The maps of a register of octaves from `first` on.
+    #[inline(always)]
+    pub(crate) fn lanes<S: Lanes>(&self, s: S, first: usize) -> Map<S, N> {
+        let mut map =
+            Map { rotation: self.rotation, matrix: [[s.float(0.0); N]; N], offset: [s.float(0.0); N] };
+        for row in 0..N {
+            map.offset[row] = s.load(self.offset[row].get(first..).unwrap_or_default());
+            for k in 0..N {
+                map.matrix[row][k] = s.load(self.matrix[row][k].get(first..).unwrap_or_default());
+            }
+        }
+        map
+    }
+
+    /// The keys of a register of octaves from `first` on.
+    #[inline(always)]
+    pub(crate) fn keys<S: Lanes>(&self, s: S, first: usize) -> S::U {
+        s.load_words(self.keys.get(first..).unwrap_or_default())
     }
 
     /// Mᵀ g of every octave.

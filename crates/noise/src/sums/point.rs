@@ -11,6 +11,7 @@ use crate::{
     sums::octave::Layers,
     sums::shape::Shape,
     sums::spectrum::MAX_OCTAVES,
+    sums::whitened::Whitening,
 };
 
 const OCTAVES: usize = MAX_OCTAVES as usize;
@@ -65,6 +66,17 @@ impl<const N: usize> AtPoint<'_, N> {
             self.add_up(samples, sum);
         }
         Some(())
+    }
+
+    /// Returns the sum of the whitened gradients of the octaves.
+    #[inline(always)]
+    pub(crate) fn whitened<L: Lattice>(&self, noise: &GaussianNoise<L>, tangents: [[f32; N]; 2]) -> [f32; 2] {
+        let &Self { layers, p, count, .. } = self;
+        let mut z = [[0.0; OCTAVES]; 2];
+        Whitening { layers, p, tangents, count, z: &mut z }.run(noise);
+        z.map(|z| {
+            z.iter().zip(self.amplitudes).take(count).fold(0.0, |sum, (z, amplitude)| sum + amplitude * z)
+        })
     }
 
     /// Adds amplitude times value of the octaves, and the gradients rotated back.

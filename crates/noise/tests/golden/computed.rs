@@ -146,6 +146,16 @@ fn gaussian_sum<V: Point<Coordinates = [f32; N]>, const N: usize>(
     let noise = GaussianFbm::<V>::new(GaussianNoise::new(17), FbmSpectrum::default());
     emit("Gaussian octaves", golden(&|p: V| noise.sample_with_octaves(p, 6.5)));
     emit("Gaussian octaves, second channel", golden(&|p: V| noise.pair_with_octaves(p, 6.5)[1]));
+    if N > 1 {
+        let tangents = [0, 1].map(|first| V::from_axes(|axis| if axis == first { 1.0 } else { 0.0 }));
+        emit(
+            "Gaussian octaves, whitened gradient",
+            golden(&|p: V| {
+                let [value, other] = noise.whitened_gradient_with_octaves(p, tangents, 6.5);
+                Sample { value, gradient: V::from_axes(|_| other) }
+            }),
+        );
+    }
     emit("Gaussian, second channel", golden(&|p: V| GaussianNoise::new(17).pair(p)[1]));
     emit("Gaussian, not normalised", golden(&|p: V| GaussianNoise::new(17).unnormalized(p)));
     emit("variance of Gaussian", golden(&|p: V| GaussianNoise::new(17).variance(p)));

@@ -9,8 +9,8 @@ use glam::Vec3;
 /// The input is the position, the texture coordinates with the derivatives of the position, the
 /// normal without bumps, and the width of the pixel on the surface. Unresolved detail is part of
 /// the BSDF as facets and roughness. Bumps under `LevelOfDetail::Exact` keep the mean radiance of a
-/// surface at every zoom, other materials approximately. For an elongated pixel average several points, see
-/// [`PixelEllipse::taps`](crate::pixel::PixelEllipse::taps).
+/// surface at every zoom, other materials approximately. For an elongated pixel average several
+/// points, see [`PixelEllipse::taps`](crate::pixel::PixelEllipse::taps).
 ///
 /// Positions, normals and the directions of a BSDF are in one space, the world of the renderer.
 /// Materials whose patterns follow an object get positions in the space of the object, with normal

@@ -109,7 +109,50 @@ pub(crate) fn at_ends_of<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIE
             noise.lattice().words(s, terms, seed)
         };
     }
-    let column = position.column(s, noise, &words);
+    let parts = parts_at_ends::<K, S, N, GRADIENTS>(s, noise, &position, &words);
+    Ends {
+        #[cfg(feature = "simd")]
+        position,
+        #[cfg(feature = "simd")]
+        words,
+        parts,
+    }
+}
+
+/// n and v of the points of groups of four lanes, with their gradients; the first lane of each
+/// group has the bits of [`Kernel::evaluate`](crate::contract::kernel::Kernel).
+///
+/// All lanes of a group have the same point and key.
+#[inline(always)]
+pub(crate) fn parts_of_groups<K: CellNoise<N>, S: Lanes, const N: usize>(
+    s: S,
+    noise: &K,
+    p: [S::F; N],
+    seed: u32,
+) -> (LaneSample<S, N>, LaneSample<S, N>) {
+    let mut position = CellPosition::new(s, noise, &p, 0);
+    for (axis, ends) in [&FIRST_ENDS, &SECOND_ENDS].into_iter().enumerate().take(N) {
+        let is_low = s.less(s.load(ends), s.float(0.5));
+        let [low, high] = position.terms[axis];
+        position.terms[axis] = [s.select_word(is_low, low, high); 2];
+    }
+    let mut words = [s.word(0); 4];
+    for k in 0..CORNERS[N] {
+        words[k] = position.word(s, noise, [position.terms[0][0], position.terms[1 % N][0]], k, seed);
+    }
+    parts_at_ends::<K, S, N, true>(s, noise, &position, &words)
+}
+
+/// n, and v if the noise is normalized, from the words at the ends of the first two axes, with
+/// gradients if `GRADIENTS`.
+#[inline(always)]
+fn parts_at_ends<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
+    s: S,
+    noise: &K,
+    position: &CellPosition<S, N>,
+    words: &[S::U; 4],
+) -> (LaneSample<S, N>, LaneSample<S, N>) {
+    let column = position.column(s, noise, words);
 
     let [first, second] = [&position.along[0], &position.along[1 % N]];
     let deltas = [first.position - s.load(&FIRST_ENDS), second.position - s.load(&SECOND_ENDS)];
@@ -153,11 +196,5 @@ pub(crate) fn at_ends_of<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIE
     let sample = (if K::CLAMPED { s.within_one(value) } else { value }, gradient);
     let variance =
         if K::NORMALIZED { position.variance(s).at::<GRADIENTS>(axis_variance(s, first)) } else { sample };
-    Ends {
-        #[cfg(feature = "simd")]
-        position,
-        #[cfg(feature = "simd")]
-        words,
-        parts: (sample, variance),
-    }
+    (sample, variance)
 }

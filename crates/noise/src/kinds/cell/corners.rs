@@ -63,7 +63,7 @@ impl<S: Lanes, const N: usize> CellPosition<S, N> {
     ///
     /// Bit i of k selects the end along axis i + 2.
     #[inline(always)]
-    fn word<K: CellNoise<N>>(
+    pub(crate) fn word<K: CellNoise<N>>(
         &self,
         s: S,
         noise: &K,

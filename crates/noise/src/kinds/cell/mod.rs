@@ -6,6 +6,7 @@ pub(crate) mod column;
 pub(crate) mod corner;
 pub(crate) mod corners;
 pub(crate) mod edge_columns;
+pub(crate) mod gradient_covariance;
 pub(crate) mod hessian;
 pub(crate) mod kernel;
 pub(crate) mod row_edges;

@@ -1,0 +1,126 @@
+//! The covariance of the gradient of Gaussian noise, and the whitened gradient.
+
+use crate::{
+    lanes::Lanes,
+    lattice::fade::{Along, Fade},
+};
+
+/// Sums over both ends of an axis, with weight w, its derivative w′ and the distance d of an end.
+#[derive(Clone, Copy)]
+struct AxisSums<S: Lanes> {
+    /// Σ w².
+    w2: S::F,
+    /// Σ w² d.
+    w2_d: S::F,
+    /// Σ w² d².
+    w2_d2: S::F,
+    /// Σ w w′.
+    ws: S::F,
+    /// Σ w w′ d.
+    ws_d: S::F,
+    /// Σ w w′ d².
+    ws_d2: S::F,
+    /// Σ w′².
+    s2: S::F,
+    /// Σ w′² d².
+    s2_d2: S::F,
+}
+
+impl<S: Lanes> AxisSums<S> {
+    #[inline(always)]
+    fn new(s: S, Along { position: t, weight: high, slope }: Along<S>) -> Self {
+        let one = s.float(1.0);
+        // The distance from the upper end is −rest.
+        let (low, rest) = (one - high, one - t);
+        let (low_t, high_rest) = (low * t, high * rest);
+        let slopes = slope * slope;
+        Self {
+            w2: low * low + high * high,
+            w2_d: low * low_t - high * high_rest,
+            w2_d2: low_t * low_t + high_rest * high_rest,
+            ws: slope * (high - low),
+            ws_d: s.float(0.0) - slope * (high_rest + low_t),
+            ws_d2: slope * (high_rest * rest - low_t * t),
+            s2: slopes + slopes,
+            s2_d2: slopes * (t * t + rest * rest),
+        }
+    }
+}
+
+/// Π w2 and Σ w2_d2 Π w2 over the axes other than i and j.
+#[inline(always)]
+fn others<S: Lanes, const N: usize>(s: S, axes: &[AxisSums<S>; N], i: usize, j: usize) -> (S::F, S::F) {
+    let (mut p, mut q) = (s.float(1.0), s.float(0.0));
+    for k in 0..N {
+        if k != i && k != j {
+            q = q * axes[k].w2 + p * axes[k].w2_d2;
+            p = p * axes[k].w2;
+        }
+    }
+    (p, q)
+}
+
+/// The covariance of ∇n over all seeds, at a position in the cell.
+///
+/// ```text
+/// C = Σ_c (1 + 4|d|²) ∇W ∇Wᵀ + 4W² I + 4W (∇W dᵀ + d ∇Wᵀ)
+/// ```
+///
+/// The weights are products, so every sum over corners is a sum of products of sums over axes. The
+/// eigenvalues are within 1.99 and 8.74 in 2-D, and 0.99 and 8.88 in 3-D.
+#[inline(always)]
+fn covariance<S: Lanes, const N: usize>(s: S, t: [S::F; N]) -> [[S::F; N]; N] {
+    let (zero, four) = (s.float(0.0), s.float(4.0));
+    let mut axes = [AxisSums::new(s, Along { position: zero, weight: zero, slope: zero }); N];
+    for k in 0..N {
+        axes[k] = AxisSums::new(s, Along::new(s, Fade::Quintic, t[k]));
+    }
+    let mut covariance = [[zero; N]; N];
+    for i in 0..N {
+        let (a, (p, q)) = (&axes[i], others(s, &axes, i, i));
+        let linear = a.s2_d2 + (a.ws_d + a.ws_d) + a.w2;
+        covariance[i][i] = a.s2 * (p + four * q) + four * (p * linear);
+        for j in 0..i {
+            let (b, (p, q)) = (&axes[j], others(s, &axes, i, j));
+            let linear = b.ws * (a.ws_d2 + a.w2_d) + a.ws * (b.ws_d2 + b.w2_d);
+            covariance[i][j] = a.ws * b.ws * (p + four * q) + four * (p * linear);
+            covariance[j][i] = covariance[i][j];
+        }
+    }
+    covariance
+}
+
+#[inline(always)]
+fn dot<S: Lanes, const N: usize>(a: &[S::F; N], b: &[S::F; N]) -> S::F {
+    let mut sum = a[0] * b[0];
+    for k in 1..N {
+        sum = sum + a[k] * b[k];
+    }
+    sum
+}
+
+/// (Bᵀ C B)^(−1/2) Bᵀ ∇n, where C is the covariance of ∇n and B has the tangents as columns.
+///
+/// It is N(0, I). The length of the tangents has no effect if both are equally long. Not finite if
+/// the tangents are parallel.
+#[inline(always)]
+pub(crate) fn whitened<S: Lanes, const N: usize>(
+    s: S,
+    t: [S::F; N],
+    gradient: [S::F; N],
+    tangents: [[S::F; N]; 2],
+) -> [S::F; 2] {
+    let c = covariance(s, t);
+    let [u, v] = tangents;
+    let (mut cu, mut cv) = (u, v);
+    for k in 0..N {
+        cu[k] = dot::<S, N>(&c[k], &u);
+        cv[k] = dot::<S, N>(&c[k], &v);
+    }
+    let (uu, uv, vv) = (dot::<S, N>(&cu, &u), dot::<S, N>(&cu, &v), dot::<S, N>(&cv, &v));
+    // The root of a matrix S is (S + d)/τ with d = √det S and τ² = tr S + 2d.
+    let d = s.sqrt(uu * vv - uv * uv);
+    let factor = s.float(1.0) / (d * s.sqrt(uu + vv + (d + d)));
+    let (x, y) = (dot::<S, N>(&gradient, &u), dot::<S, N>(&gradient, &v));
+    [((vv + d) * x - uv * y) * factor, ((uu + d) * y - uv * x) * factor]
+}
