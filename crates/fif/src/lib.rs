@@ -1,7 +1,8 @@
 //! Fractal interpolation functions (FIFs): curves, integrals, height fields and ray intersection.
 //!
 //! A FIF is a curve through given points that consists of smaller copies of itself. A map
-//! takes the whole curve to one piece, and its vertical scaling controls the roughness. The address
+//! takes the whole curve to one piece: it scales heights by α and adds a polynomial q of x. The
+//! vertical scalings α control the roughness. The address
 //! of x is the sequence of pieces, level by level, that contain x. This crate evaluates FIFs to a
 //! given tolerance with an error bound. It computes exact integrals and guaranteed ranges. The
 //! product of two FIFs is a height field, with exact normals if both are differentiable. A ray that
@@ -12,7 +13,7 @@
 //! use asperity_fif::{FixedFif, HeightField, Intersect, Ray, glam::DVec3};
 //!
 //! // A rough function through three points. Its integral is smooth, and so is the product of two integrals.
-//! // Two pieces, two coefficients per polynomial (degree + 1).
+//! // Two pieces; the polynomial of each map has two coefficients (degree + 1).
 //! let f = FixedFif::<2, 2>::affine(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0], &[0.5, 0.5])?;
 //! let f_hat: FixedFif<2, 3> = f.integral(0.0)?;
 //! let surface = HeightField::new(f_hat, f_hat);

@@ -6,8 +6,8 @@
 //! every zoom: [`far_field`], the radiance when no bump is resolved. `Fractal` is the rule of
 //! Kautz, Heidrich, Seidel 2001, "Real-Time Bump Map Synthesis". The crate also contains diffuse
 //! and glossy BRDFs with importance sampling, complete materials, and environment lighting. Both
-//! rules return an NDF value in sr⁻¹, the D of a microfacet BRDF, which is the radiance without
-//! F G/(4 cos θ_i cos θ_o).
+//! rules return an NDF value D in sr⁻¹. D F G/(4 cos θ_i cos θ_o) is a BRDF; the radiance is its
+//! product with cos θ_i and the light.
 //!
 //! ```
 //! use asperity_shading::glam::Vec3;
