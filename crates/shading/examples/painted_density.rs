@@ -2,7 +2,8 @@
 //! painted_density [gray.png]`.
 #![expect(clippy::print_stdout, reason = "an example prints its result")]
 
-use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::environment::low_discrepancy_points;
+use asperity_shading::glam::Vec3;
 use asperity_shading::ndf_sampling::{Masked, Measure, NdfMap, Reconstruction};
 use asperity_shading::{Brdf, CookTorrance};
 
@@ -33,14 +34,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     // The mean of the weights is the albedo.
     let wo = Vec3::new(0.6, 0.0, 0.8);
-    let mut albedo = Vec3::ZERO;
-    for k in 0..4096_u32 {
-        let u = Vec2::new(0.754_877_7, 0.569_840_3) * k as f32;
-        if let Some(sample) = brdf.sample(wo, 0.0, u.fract()) {
-            assert!((sample.pdf - brdf.pdf(wo, sample.wi)).abs() <= 1e-4 * sample.pdf);
-            albedo += sample.weight() / 4096.0;
-        }
-    }
+    let weight = |(uc, u, _)| brdf.sample(wo, uc, u).map_or(Vec3::ZERO, |sample| sample.weight());
+    let albedo = low_discrepancy_points(4096).map(weight).sum::<Vec3>() / 4096.0;
     println!("albedo: {albedo}");
     assert!(albedo.max_element() <= 1.0 && albedo.min_element() > 0.3);
     Ok(())
