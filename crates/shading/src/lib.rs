@@ -1,13 +1,12 @@
 //! Materials, BRDFs and bump mapping with a level of detail that keeps the mean radiance.
 //!
 //! A pixel resolves only the octaves of a bump map that are coarser than its [`Footprint`]. This
-//! crate evaluates the resolved octaves as noise, and shades the remaining octaves by one of two
-//! rules of [`LevelOfDetail`]. With `Exact`, the mean radiance over the surface is the same at
-//! every zoom: [`far_field`], the radiance when no bump is resolved. `Fractal` is the rule of
-//! Kautz, Heidrich, Seidel 2001, "Real-Time Bump Map Synthesis". The crate also contains diffuse
-//! and glossy BRDFs with importance sampling, complete materials, and environment lighting. Both
-//! rules return an NDF value D in sr⁻¹. D F G/(4 cos θ_i cos θ_o) is a BRDF; the radiance is its
-//! product with cos θ_i and the light.
+//! crate evaluates the resolved octaves as noise, and represents the remaining octaves by an NDF.
+//! The two rules of [`LevelOfDetail`] return the value D of this NDF at the half vector, in sr⁻¹.
+//! With `Exact`, the mean of D over the surface is the same at every zoom: [`far_field`], the NDF
+//! when no bump is resolved. `Fractal` is the rule of Kautz, Heidrich, Seidel 2001, "Real-Time Bump
+//! Map Synthesis". The crate also contains diffuse and glossy BRDFs with importance sampling,
+//! complete materials, and environment lighting.
 //!
 //! ```
 //! use asperity_shading::glam::Vec3;
