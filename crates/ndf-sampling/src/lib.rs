@@ -37,6 +37,7 @@
 //! | [`NormalLut`], [`normal_table`] | lookup table of `T` (table L of the paper): a normal or its tangent frame by one lookup, also in half floats |
 //! | [`estimate_ndf`], [`NdfEstimator`], [`add_detail`], [`add_detail_normal`], [`normal_map`] | NDF estimation, texel decoding and added noise for existing normal maps |
 //! | [`ConditionalNdf`], [`residual_ndf`], [`GaussianSplit`], [`OffsetBeckmann`] | exact level of detail |
+//! | [`VisibleWarp`], [`VisibleFacets`] | visible normals as a map of Gaussian numbers; the same level of detail for visible normals |
 //! | [`ConditionalTable`] | exact level of detail by one lookup, for any NDF |
 //! | [`check`] (feature `check`) | property tests for any [`Ndf`] or [`Microfacet`], with a printable report |
 //! | [`Frame`], [`gaussian_cdf`], [`inverse_gaussian_cdf`] | tangent frames; the Gaussian CDF and its inverse |
@@ -133,13 +134,14 @@ pub use level_of_detail::conditional::residual_ndf;
 pub use level_of_detail::conditional_ndf::ConditionalNdf;
 pub use level_of_detail::offset_beckmann::OffsetBeckmann;
 pub use level_of_detail::table::ConditionalTable;
+pub use level_of_detail::visible_facets::VisibleFacets;
 pub use map::packed::packed_map::PackedMapRef;
 pub use map::reconstruction::Reconstruction;
 #[cfg(feature = "alloc")]
 pub use map::{packed::ndf_map::NdfMap, texels::Measure};
 #[cfg(feature = "alloc")]
 pub use masked::{bounded::Bounded, masked::Masked, wedge::Wedge};
-pub use microfacet::Microfacet;
+pub use microfacet::{Microfacet, VisibleWarp};
 pub use ndf::Ndf;
 pub use noise_distribution::distribution::{GaussianDistribution, NoiseDistribution};
 pub use noise_distribution::kurtotic_noise::KurtoticDistribution;

@@ -99,6 +99,38 @@ impl<N: Microfacet + ?Sized> Microfacet for &N {
     }
 }
 
+/// An NDF whose visible normals are a map of two Gaussian numbers.
+///
+/// For a view `v` the map `T_v` takes standard Gaussian pairs to normals with the density
+/// [`visible_pdf`](Microfacet::visible_pdf). It is continuous in the view, and at the zenith it is
+/// [`Ndf::warp_gaussian`]. A bump map with the coordinates `z` therefore has the visible normals
+/// `T_v(z)`. [`VisibleFacets`](crate::VisibleFacets) resolves a part of them.
+///
+/// - **Domain:** views as for [`Microfacet`]. Every `z` is valid, as for [`Ndf::warp_gaussian`].
+/// - **Invisible normals**, with `v·m ≤ 0`, have the density 0. Their coordinates are finite and
+///   without meaning.
+///
+/// ```
+/// use asperity_ndf_sampling::{Ggx, Microfacet, Ndf, VisibleWarp, glam::{Vec2, Vec3}};
+///
+/// let ggx = Ggx::new(0.2, 0.4)?;
+/// let (v, z) = (Vec3::new(0.6, 0.0, 0.8), Vec2::new(0.7, -1.2));
+/// let m = ggx.warp_visible(v, z);
+/// assert!(v.dot(m) > 0.0 && ggx.invert_visible(v, m).abs_diff_eq(z, 1e-5));
+/// assert!(ggx.warp_visible(Vec3::Z, z).abs_diff_eq(ggx.warp_gaussian(z), 1e-6));
+/// # Ok::<(), asperity_ndf_sampling::NdfError>(())
+/// ```
+#[doc(alias = "vndf")]
+pub trait VisibleWarp: Microfacet {
+    /// `T_v(z)`: the visible normal of two Gaussian numbers.
+    #[must_use]
+    fn warp_visible(&self, v: Vec3, z: Vec2) -> Vec3;
+
+    /// `T_v⁻¹(m)`: the Gaussian numbers of a visible normal.
+    #[must_use]
+    fn invert_visible(&self, v: Vec3, m: Vec3) -> Vec2;
+}
+
 /// Returns `v` above the horizon, normalized if its length was far from 1.
 ///
 /// Below the horizon it returns the direction of the horizon with the same azimuth. Without a

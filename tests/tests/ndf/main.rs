@@ -23,3 +23,4 @@ mod normal_table;
 mod packed_map;
 mod table_variation;
 mod visible;
+mod visible_facets;

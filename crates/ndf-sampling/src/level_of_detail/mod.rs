@@ -6,3 +6,4 @@ pub(crate) mod conditional;
 pub(crate) mod conditional_ndf;
 pub(crate) mod offset_beckmann;
 pub(crate) mod table;
+pub(crate) mod visible_facets;
