@@ -51,8 +51,8 @@ pub trait Intersect: Surface {
     ///
     /// Rigorous boxes are visited in the order of the ray. Within a box, bounds of the slopes give
     /// a minimum distance of the nearest root from both ends. If they exclude 0, two evaluations
-    /// decide, and an interval Newton search finds the root. The rest is split and bounded again. If
-    /// an interval is at most as long as the tolerance, a change of sign is a hit. An interval
+    /// decide, and an interval Newton search finds the root. The rest is split and bounded again.
+    /// If an interval is at most as long as the tolerance, a change of sign is a hit. An interval
     /// without a change of sign is split further, down to 10⁻¹² of the domain, until its
     /// bounds exclude that the ray dips in and out again. Over a surface without slopes every half
     /// is bounded again, down to 1.6·10⁻¹⁴ of the domain. If the bounds do not exclude a dip, a hit

@@ -52,8 +52,8 @@ impl StudentDistribution {
         if z < self.seam() {
             self.beyond(z) - z * (0.5 - self.center(z))
         } else if z < FARTHEST {
-            // The same without the difference: the fraction is 1/(1 + k), and 1 − 1/(1 + k) is k/(1 +
-            // k).
+            // The same without the difference: the fraction is 1/(1 + k), and 1 − 1/(1 + k) is
+            // k/(1 + k).
             let k = self.fraction(z);
             self.beyond(z) * (1.0 + (nu - 1.0) * k / (1.0 + k)) / nu
         } else {

@@ -46,8 +46,8 @@ pub struct VisibleFacets<N> {
 }
 
 impl<N: VisibleWarp> VisibleFacets<N> {
-    /// Creates the visible normals of `ndf` from `v` where `z_b` is resolved with the fraction `s` of
-    /// the variance.
+    /// Creates the visible normals of `ndf` from `v` where `z_b` is resolved with the fraction `s`
+    /// of the variance.
     ///
     /// Accepts every input.
     #[inline]

@@ -18,8 +18,8 @@ use crate::image::{Entries, check_len};
 
 /// A latitude–longitude image with a table for importance sampling.
 ///
-/// [`new`](Self::new) and [`from_fn`](Self::from_fn) own both, [`from_borrowed`](Self::from_borrowed)
-/// borrows them.
+/// [`new`](Self::new) and [`from_fn`](Self::from_fn) own both,
+/// [`from_borrowed`](Self::from_borrowed) borrows them.
 ///
 /// ```text
 /// p(ω) = l(φ, z)/∫ l dω,   l bilinear in longitude and in height z between the centers of the texels

@@ -24,9 +24,9 @@ const BRIGHTEST: f32 = 1e30;
 /// x = ½ − atan2(ω_y, ω_x)/2π,   y = θ/π = atan2(√(ω_x² + ω_y²), ω_z)/π          from the upper left, in sides of the image
 /// ```
 ///
-/// - **Layout:** texel `row · width + column` has its center at `x = (column + ½)/width`, `y = (row +
-///   ½)/height`. The first row is at the zenith. The middle of the image faces +x and its right
-///   half −y, as seen from inside.
+/// - **Layout:** texel `row · width + column` has its center at `x = (column + ½)/width`, `y =
+///   (row + ½)/height`. The first row is at the zenith. The middle of the image faces +x and its
+///   right half −y, as seen from inside.
 /// - **Lookup:** bilinear in x and y between the centers. It wraps in x. Beyond the first and the
 ///   last row it blends to the mean of that row at the pole, so the radiance is continuous on the
 ///   whole sphere.

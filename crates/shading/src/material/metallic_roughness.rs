@@ -143,9 +143,9 @@ fn brightness(color: Vec3) -> f32 {
 /// b(t) = (t c + (1 − t) (s − 0.04 t))/(t² + (1 − t)²),   t = 1 − metallic
 /// ```
 ///
-/// in each channel, within [0, 1]. The difference of one channel is 0 at the roots of `0.04 t² − (c +
-/// s) t + c`. The search for the minimum of the sum over all channels starts at the best of these
-/// roots and a few steps.
+/// in each channel, within [0, 1]. The difference of one channel is 0 at the roots of `0.04 t² −
+/// (c + s) t + c`. The search for the minimum of the sum over all channels starts at the best of
+/// these roots and a few steps.
 fn base_color(diffuse: Vec3, specular: Vec3) -> (Vec3, f32) {
     let lobes: [[f64; 2]; 3] = core::array::from_fn(|i| {
         let specular = f64::from(clamp_to(specular[i], 1.0));

@@ -24,8 +24,8 @@ const STEEPEST: f32 = 32.0;
 
 /// A periodic map of slopes with levels, whose texels have the moments of slopes in `K` groups.
 ///
-/// - **Layout:** texel `row · width + column` has its center at `u = (column + ½)/width`, `v = (row +
-///   ½)/height`; the map repeats. Slopes `(n_x, n_y)/n_z` are along u and v.
+/// - **Layout:** texel `row · width + column` has its center at `u = (column + ½)/width`, `v =
+///   (row + ½)/height`; the map repeats. Slopes `(n_x, n_y)/n_z` are along u and v.
 /// - **Close up** the map is bilinear between the centers, and a point is one slope.
 /// - **Levels:** the texels of the first level have the exact moments of the bilinear field over
 ///   their squares. The texels of every other level have the moments of the area that they cover.
@@ -159,7 +159,8 @@ impl<const K: usize> SlopePyramid<K, Vec<Vec2>, Vec<SlopeLobes<K>>> {
     /// Creates the map of normals whose first row is at v = 0; slopes are clamped to 32.
     ///
     /// # Errors
-    /// See [`from_borrowed`](Self::from_borrowed); also the first normal with `n.z < 0`, zero, or NaN.
+    /// See [`from_borrowed`](Self::from_borrowed); also the first normal with `n.z < 0`, zero,
+    /// or NaN.
     pub fn from_normals(width: usize, height: usize, normals: &[Vec3]) -> Result<Self, ShadingError> {
         check_len("normals", texel_count(width, height, MAX_TEXELS)?, normals.len())?;
         check_texels("normals", normals.iter().copied(), "a normal above the horizon", |n| {
