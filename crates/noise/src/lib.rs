@@ -44,7 +44,7 @@
 //! | [`ValueGradient`] | a weighted sum of value noise and gradient noise on one lattice | 1–4 | yes | yes |
 //! | [`Simplex`] | gradient noise on simplices, r² = 0.5 (continuous) or 0.6 (classic) | 1–4 | yes | in 1-D and 3-D; in 2-D and 4-D the lattice is irrational along the axes |
 //! | [`SparseConvolution`] | impulses at random positions, convolved with a radial kernel | 1–4 | – | yes |
-//! | [`Cellular`] | distances to the nearest of random feature points, or the number of the nearest, in three metrics | 1–4 | – | yes |
+//! | [`Cellular`] | distances to the nearest of random feature points, or a random value of the nearest, in three metrics | 1–4 | – | yes |
 //! | [`GaussianNoise`] | value-gradient noise over its standard deviation at the point: N(0, 1) everywhere | 1–4 | yes | yes |
 //! | [`ebert_1994`] | the algorithms of Ebert (ed.) 1994, with the random tables of the book | 3 | – | period 256 |
 //!
@@ -71,8 +71,9 @@
 //! σ₁ is the standard deviation and κ₁ the excess kurtosis of one octave. They are measured over
 //! 8.4 million points, with standard errors of 0.0003 σ₁ and 0.002. Sparse noise is normalized to
 //! σ₁ = 1. It is measured over a million points, with standard errors of 0.003 and 0.02. Only
-//! [`GaussianNoise`] is Gaussian. Only it and [`WhiteNoise`] have equal variance at every point.
-//! For example, gradient noise is 0 at every lattice point.
+//! [`GaussianNoise`] is Gaussian. Only it, [`WhiteNoise`] and
+//! [`SparseConvolution`] have equal variance at every point. For example, gradient noise is 0 at
+//! every lattice point.
 //!
 //! | kind | σ₁ 2-D | κ₁ 2-D | σ₁ 3-D | κ₁ 3-D |
 //! |---|---|---|---|---|
