@@ -302,6 +302,30 @@ fn octaves_fade_in_and_sums_agree_on_every_lattice() {
 }
 
 #[test]
+fn octaves_of_huge_frequencies_have_variance_one() {
+    // The frequency of the sixteenth octave is 8¹⁵ = 3.5·10¹³.
+    let spectrum = FbmSpectrum::new(8.0, 0.95, 16).unwrap();
+    let (noise, mut random) = (GaussianFbm::<Vec3>::new(GaussianNoise::new(3), spectrum), Random(12));
+    // The last octave by the difference of the sums of sixteen and of fifteen.
+    let amplitude = |i: i32| 0.95_f64.powi(i);
+    let norm = |count| (0..count).map(|i| amplitude(i).powi(2)).sum::<f64>().sqrt();
+    let mut square = 0.0;
+    for _ in 0..20_000 {
+        let p = Vec3::new(random.coordinate(), random.coordinate(), random.coordinate()) * 1e-9;
+        let tangents: [Vec3; 2] = frame::<3>(&mut random).map(vector);
+        let [all, most] = [16.0, 15.0].map(|count| noise.whitened_gradient_with_octaves(p, tangents, count));
+        for k in 0..2 {
+            let last = (f64::from(all[k]) * norm(16) - f64::from(most[k]) * norm(15)) / amplitude(15);
+            square += last * last / 40_000.0;
+        }
+    }
+    // Six standard errors.
+    assert_abs_diff_eq!(square, 1.0, epsilon = 6.0 * f64::sqrt(2.0 / 40_000.0));
+    let [z, scaled] = [1.0, 1e12].map(|k| noise.whitened_gradient(Vec3::ONE, [Vec3::X * k, Vec3::Y * k]));
+    assert_abs_diff_eq!(Vec2::from(z), Vec2::from(scaled), epsilon = 1e-5);
+}
+
+#[test]
 fn invalid_points_and_tangents_return_zero() {
     let noise = sum::<Vec3, 3>(2);
     let [x, y] = [Vec3::X, Vec3::Y];

@@ -101,8 +101,8 @@ fn dot<S: Lanes, const N: usize>(a: &[S::F; N], b: &[S::F; N]) -> S::F {
 
 /// (Bᵀ C B)^(−1/2) Bᵀ ∇n, where C is the covariance of ∇n and B has the tangents as columns.
 ///
-/// It is N(0, I). The length of the tangents has no effect if both are equally long. Not finite if
-/// the tangents are parallel.
+/// It is N(0, I). A common factor of the tangents has no effect. Not finite if the tangents are
+/// parallel.
 #[inline(always)]
 pub(crate) fn whitened<S: Lanes, const N: usize>(
     s: S,
@@ -111,7 +111,18 @@ pub(crate) fn whitened<S: Lanes, const N: usize>(
     tangents: [[S::F; N]; 2],
 ) -> [S::F; 2] {
     let c = covariance(s, t);
-    let [u, v] = tangents;
+    let [mut u, mut v] = tangents;
+    // Tangents are as long as the frequency of their octave, whose fourth power would overflow. A
+    // power of two changes no bit of the result.
+    let mut longest = s.float(0.0);
+    for k in 0..N {
+        longest = s.max(longest, s.max(s.abs(u[k]), s.abs(v[k])));
+    }
+    let exponent = s.bits(longest) & s.word(0x7f80_0000);
+    let scale = s.float_of_bits(s.word(0x7f00_0000) - exponent);
+    for k in 0..N {
+        (u[k], v[k]) = (u[k] * scale, v[k] * scale);
+    }
     let (mut cu, mut cv) = (u, v);
     for k in 0..N {
         cu[k] = dot::<S, N>(&c[k], &u);
