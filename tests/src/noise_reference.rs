@@ -188,7 +188,7 @@ impl Kind {
     /// Returns the factors in 1 to 4 dimensions that scale the noise to its range.
     #[must_use]
     pub fn scales(self) -> [f64; 4] {
-        let greatest = match self {
+        let largest = match self {
             Self::White | Self::Sparse(_) | Self::Gaussian(_) => return [1.0; 4],
             Self::Value | Self::ValueGradient(_) => [1.0; 4],
             Self::CatmullRom => [1, 2, 3, 4].map(|n| 1.25_f64.powi(n)),
@@ -197,7 +197,7 @@ impl Kind {
             Self::Simplex(0.5) => [0.009_196_735, 0.014_136_467, 0.013_007_157, 0.015_929_222],
             Self::Simplex(_) => [0.020_895_276, 0.040_496_275, 0.030_584_887, 0.036_730_024],
         };
-        greatest.map(|greatest| (1.0 - 2e-6) / greatest)
+        largest.map(|largest| (1.0 - 2e-6) / largest)
     }
 
     /// Returns points that identify the cell or simplex of `p`, in an order that changes only
@@ -212,7 +212,7 @@ impl Kind {
 
     /// Returns the maximum value at `p` over all words.
     #[must_use]
-    pub fn greatest<const D: usize>(self, p: [f64; D]) -> f64 {
+    pub fn largest<const D: usize>(self, p: [f64; D]) -> f64 {
         let best = |(_, w, d): Part<D>| match self {
             Self::White | Self::Value | Self::CatmullRom => w.abs(),
             Self::PerlinClassic => w * dot(&d, &d).sqrt(),

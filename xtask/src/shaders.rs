@@ -35,7 +35,7 @@ pub(crate) fn run(wanted: &Shaders, root: &Path) -> Result<(), Failure> {
         return cargo::run(&mut parity);
     }
     let mut export = program(root, "export");
-    // The program runs in a folder of its own.
+    // The program runs in its own folder.
     export.args(&only).arg("--out").arg(folder(&wanted.out)?);
     export.args(wanted.dialect.iter().flat_map(|name| ["--dialect", name]));
     cargo::run(&mut export)
@@ -76,8 +76,8 @@ pub(crate) fn on_drivers(root: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Whether a line of the table of parity is its head, which names the adapters, or says that there
-/// is none.
+/// Whether a line names the adapters, as the head of the table of parity, or reports that none
+/// exists.
 fn is_machine(line: &str) -> bool {
     line.starts_with("| function |") || !line.starts_with('|') && !line.is_empty()
 }

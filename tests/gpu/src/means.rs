@@ -33,18 +33,18 @@ pub(crate) fn run(adapter: Option<&str>) -> Result<(), String> {
         for octaves in OCTAVES {
             let radiances = radiances(&gpu, &halves, octaves)?;
             let mut row = String::new();
-            let mut greatest = 0.0_f64;
+            let mut largest = 0.0_f64;
             for (k, &h) in halves.iter().enumerate() {
                 let of = || radiances.iter().skip(k).step_by(halves.len()).map(|&x| f64::from(x));
                 let (count, density) = (f64::from(POINTS), f64::from(ggx.d(h)));
                 let mean = of().sum::<f64>() / count;
                 let variance = of().map(|x| (x - mean) * (x - mean)).sum::<f64>() / count;
                 let (ratio, error) = (mean / density, (variance / count).sqrt() / density);
-                greatest = greatest.max(error);
+                largest = largest.max(error);
                 off += usize::from((ratio - 1.0).abs() > 0.01_f64.max(4.0 * error));
                 row += &format!(" {ratio:.4}");
             }
-            println!("| {octaves} |{row} | {greatest:.4} |");
+            println!("| {octaves} |{row} | {largest:.4} |");
         }
     }
     if off == 0 { Ok(()) } else { Err(format!("{off} means deviate by more than 1 %")) }

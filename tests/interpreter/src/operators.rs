@@ -236,7 +236,7 @@ impl Rounding {
         }
     }
 
-    fn greatest(self, kind: Kind, a: &[Lanes], b: &[Lanes]) -> Words {
+    fn largest(self, kind: Kind, a: &[Lanes], b: &[Lanes]) -> Words {
         match kind {
             Kind::Float => self.float([a, b], |[a, b]| a.max(b)),
             Kind::Signed => signed([a, b], i32::max),
@@ -260,8 +260,8 @@ impl Rounding {
         let [a, b, c] = [0, 1, 2].map(operand);
         match (function, kind) {
             (Fn::Min, _) => return Ok(self.least(kind, a, b)),
-            (Fn::Max, _) => return Ok(self.greatest(kind, a, b)),
-            (Fn::Clamp, _) => return Ok(self.least(kind, &self.greatest(kind, a, b), c)),
+            (Fn::Max, _) => return Ok(self.largest(kind, a, b)),
+            (Fn::Clamp, _) => return Ok(self.least(kind, &self.largest(kind, a, b), c)),
             (Fn::Dot, _) => return Ok(self.dot(kind, a, b)),
             (Fn::Abs, Kind::Signed) => return Ok(signed([a, a], |x, _| x.wrapping_abs())),
             (Fn::Abs, Kind::Unsigned) => return Ok(a.into()),
@@ -304,7 +304,7 @@ impl Rounding {
             // t² (3 − 2 t) with t = clamp((x − low) / (high − low), 0, 1).
             Fn::SmoothStep => {
                 let place = divide(&subtract(c, a), &subtract(b, a));
-                let t = self.least(kind, &self.greatest(kind, &place, &[ZERO]), &[ONE]);
+                let t = self.least(kind, &self.largest(kind, &place, &[ZERO]), &[ONE]);
                 let rest = self.sum(Term::Value(&[THREE]), true, Term::Product(&[TWO], &t));
                 multiply(&multiply(&t, &t), &rest)
             }

@@ -153,17 +153,17 @@ fn white_noise_is_constant_in_cells_and_jumps_at_borders() {
 
 /// Returns the largest jump of wide simplex noise beyond its gradient, over paths of many seeds.
 fn greatest_leap(field: impl Fn(f32, u32) -> (f32, f32)) -> f32 {
-    let mut greatest = 0.0_f32;
+    let mut largest = 0.0_f32;
     for seed in 0..400 {
         let at = |i: i16| f32::from(i) * STEP;
         let (mut a, mut slope_a) = field(at(-3000), seed);
         for i in -3000..3000_i16 {
             let (b, slope_b) = field(at(i + 1), seed);
-            greatest = greatest.max((b - a - 0.5 * STEP * (slope_a + slope_b)).abs());
+            largest = largest.max((b - a - 0.5 * STEP * (slope_a + slope_b)).abs());
             (a, slope_a) = (b, slope_b);
         }
     }
-    greatest
+    largest
 }
 
 #[test]

@@ -27,8 +27,8 @@ fn variates_have_the_normal_tail_to_5_5_deviations() {
         let tolerance = if x < 5.5 { 2e-3 } else { 8e-3 };
         assert_abs_diff_eq!(ratio, 1.0, epsilon = tolerance, "beyond {x}");
     }
-    let greatest = values.iter().fold(0.0_f32, |greatest, &value| greatest.max(value));
-    assert!(greatest > 6.22 && greatest < 6.24, "{greatest}");
+    let largest = values.iter().fold(0.0_f32, |largest, &value| largest.max(value));
+    assert!(largest > 6.22 && largest < 6.24, "{largest}");
 }
 
 #[test]

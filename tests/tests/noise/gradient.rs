@@ -39,7 +39,7 @@ fn close<K: AnyKind>(name: &str, noise: K, kind: Kind, divisor: f32, tolerances:
 /// A noise that equals the reference with the scale derived here has the tight bound |n| ≤ 1.
 /// Scales have seven digits; maximum seen 2.1e-7.
 fn tight<K: AnyKind>(name: &str, noise: K, kind: Kind, divisor: f32, tolerances: [[f64; 2]; 4]) {
-    let bounds = [greatest::<1>(kind), greatest::<2>(kind), greatest::<3>(kind), greatest::<4>(kind)];
+    let bounds = [largest::<1>(kind), largest::<2>(kind), largest::<3>(kind), largest::<4>(kind)];
     for (bound, scale) in bounds.into_iter().zip(kind.scales()) {
         assert_abs_diff_eq!(scale * bound, 1.0 - 2e-6, epsilon = 4e-7, "{name}");
     }
@@ -47,13 +47,13 @@ fn tight<K: AnyKind>(name: &str, noise: K, kind: Kind, divisor: f32, tolerances:
 }
 
 /// Returns the maximum value of a noise, by local search from the best grid points.
-fn greatest<const D: usize>(kind: Kind) -> f64 {
+fn largest<const D: usize>(kind: Kind) -> f64 {
     let steps: usize = [2000, 160, 36, 14][D - 1];
     // The grid covers every shape of simplex, which extend beyond the unit cube by a third.
     let coordinate = |index: usize, k: u32| (index / steps.pow(k) % steps) as f64 * 1.5 / steps as f64 - 0.4;
     let mut grid: Vec<(f64, [f64; D])> = (0..steps.pow(D as u32))
         .map(|index| std::array::from_fn(|k| coordinate(index, k as u32)))
-        .map(|p| (kind.greatest(p), p))
+        .map(|p| (kind.largest(p), p))
         .collect();
     grid.sort_by(|a, b| b.0.total_cmp(&a.0));
     let climb = |(mut value, mut p): (f64, [f64; D])| {
@@ -64,7 +64,7 @@ fn greatest<const D: usize>(kind: Kind) -> f64 {
                 let q: [f64; D] = std::array::from_fn(|k| {
                     p[k] + step * ((direction / 3_usize.pow(k as u32) % 3) as f64 - 1.0)
                 });
-                let there = kind.greatest(q);
+                let there = kind.largest(q);
                 if there > value + 1e-12 {
                     (value, p, moved) = (there, q, true);
                 }

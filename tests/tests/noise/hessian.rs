@@ -38,7 +38,7 @@ where
 fn relative_error<const N: usize>(kind: Kind, jet: &dyn Fn([f32; N], u32) -> Jet<N>) -> f64 {
     const H: f64 = 1e-4;
     let mut random = Random(7);
-    let (mut worst, mut greatest, mut compared) = (0.0_f64, 0.0_f64, 0);
+    let (mut worst, mut largest, mut compared) = (0.0_f64, 0.0_f64, 0);
     for seed in 0..400 {
         let p = point(&mut random);
         let ([with, without], hessian) = jet(p, seed);
@@ -64,14 +64,14 @@ fn relative_error<const N: usize>(kind: Kind, jet: &dyn Fn([f32; N], u32) -> Jet
                     })
                 };
                 let expected = kind.scales()[N - 1] * difference(H, |step| slope(moved(i, step)));
-                greatest = greatest.max(expected.abs());
+                largest = largest.max(expected.abs());
                 worst = worst.max((f64::from(entry) - expected).abs());
                 compared += 1;
             }
         }
     }
     assert!(compared > 300 * N * N, "{compared} entries");
-    worst / greatest
+    worst / largest
 }
 
 /// Asserts the errors in 1 to 4 dimensions.
@@ -117,7 +117,7 @@ fn hessians_are_second_derivatives() {
 fn sum_error<F: HasHessian<Vec3>>(field: &F) -> f64 {
     const H: f32 = 1.0 / 2048.0;
     let mut random = Random(8);
-    let (mut worst, mut greatest) = (0.0_f64, 0.0_f64);
+    let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
     for _ in 0..200 {
         let p = Vec3::from(point(&mut random));
         let jet = field.sample_with_hessian(p);
@@ -128,12 +128,12 @@ fn sum_error<F: HasHessian<Vec3>>(field: &F) -> f64 {
                 field.sample(q).gradient
             });
             for (got, expected) in row.iter().zip(((ahead - behind) / (2.0 * H)).to_array()) {
-                greatest = greatest.max(f64::from(expected.abs()));
+                largest = largest.max(f64::from(expected.abs()));
                 worst = worst.max(f64::from((got - expected).abs()));
             }
         }
     }
-    worst / greatest
+    worst / largest
 }
 
 #[test]

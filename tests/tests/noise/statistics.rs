@@ -67,8 +67,8 @@ fn assert_stated<const N: usize>(name: &str, noise: &dyn AnyNoise<N>, seeds: u32
         let what = format!("{name}: absolute moment {power}");
         assert_mean(&what, &values, &|x| x.abs().powi(power), expected.into());
     }
-    let greatest = values.iter().flatten().fold(0.0, |greatest: f64, x| greatest.max(x.abs()));
-    assert!(greatest <= f64::from(noise.statistics().range), "{name}: {greatest}");
+    let largest = values.iter().flatten().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+    assert!(largest <= f64::from(noise.statistics().range), "{name}: {largest}");
     values
 }
 
@@ -187,7 +187,7 @@ fn greatest_place<const D: usize>(kind: Kind) -> [f64; D] {
     let mut best = (0.0, [0.5; D]);
     for _ in 0..8000 {
         let p: [f64; D] = std::array::from_fn(|_| random.uniform() * 1.5 - 0.4);
-        let value = kind.greatest(p);
+        let value = kind.largest(p);
         if value > best.0 {
             best = (value, p);
         }
@@ -195,7 +195,7 @@ fn greatest_place<const D: usize>(kind: Kind) -> [f64; D] {
     let mut reach = 0.2;
     for _ in 0..4000 {
         let p = best.1.map(|x| x + reach * (random.uniform() - 0.5));
-        let value = kind.greatest(p);
+        let value = kind.largest(p);
         if value > best.0 {
             best = (value, p);
         } else {
@@ -253,8 +253,8 @@ fn gaussian_range_is_from_the_outermost_variates() {
         // In the cell's center every weight is 2⁻ⁿ and every distance ½ per axis. Values nearby are
         // not greater.
         let corners = f64::from(1_u32 << N);
-        let (greatest, outermost) = (6.230_2, 3.776_028);
-        let sum = greatest + outermost * N as f64;
+        let (largest, outermost) = (6.230_2, 3.776_028);
+        let sum = largest + outermost * N as f64;
         let variance = (1.0 + N as f64) / corners;
         (sum / variance.sqrt(), f64::from(GaussianNoise::default().statistics(N).range))
     }

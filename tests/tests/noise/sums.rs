@@ -120,7 +120,7 @@ fn errors<const N: usize>(
         terms.sum::<f64>() / norm
     };
     let mut random = Random(N as u64);
-    let (mut worst, mut greatest) = ([0.0_f64; 2], 0.0_f64);
+    let (mut worst, mut largest) = ([0.0_f64; 2], 0.0_f64);
     for _ in 0..400 {
         let p: [f32; N] = std::array::from_fn(|_| ((random.uniform() - 0.5) * 4.0) as f32);
         let (wide, sample) = (p.map(f64::from), sample(p));
@@ -131,11 +131,11 @@ fn errors<const N: usize>(
                 q[axis] += step;
                 value(q)
             });
-            greatest = greatest.max(expected.abs());
+            largest = largest.max(expected.abs());
             worst[1] = worst[1].max((f64::from(got) - expected).abs());
         }
     }
-    [worst[0], worst[1] / greatest]
+    [worst[0], worst[1] / largest]
 }
 
 /// Coordinates of the fifth octave have errors of 1e-6, i.e. 2⁻²⁴ of 22·2. The slope of a term

@@ -25,7 +25,7 @@ fn jacobian_error<V: Point<Coordinates = [f32; N]>, const N: usize, const M: usi
     jacobian: impl Fn(V) -> [[f32; N]; M],
 ) -> f64 {
     let mut random = Random(21);
-    let (mut worst, mut greatest) = (0.0_f64, 0.0_f64);
+    let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
     for _ in 0..200 {
         let p: V = point(&mut random);
         let rows = jacobian(p);
@@ -37,12 +37,12 @@ fn jacobian_error<V: Point<Coordinates = [f32; N]>, const N: usize, const M: usi
             });
             for row in 0..M {
                 let expected = f64::from(ahead[row] - behind[row]) / f64::from(2.0 * H);
-                greatest = greatest.max(expected.abs());
+                largest = largest.max(expected.abs());
                 worst = worst.max((f64::from(rows[row][axis]) - expected).abs());
             }
         }
     }
-    worst / greatest
+    worst / largest
 }
 
 /// H²/6 times a third derivative, which is a few hundred times the first for octaves up to
@@ -103,15 +103,15 @@ fn curl_2d_has_zero_divergence() {
 /// meaningful. They reach a third of it.
 fn traces(name: &str, jacobian: impl Fn(Vec3) -> [[f32; 3]; 3], bound: impl Fn(Vec3) -> f64) {
     let mut random = Random(3);
-    let (mut greatest, mut rounded) = (0.0_f64, 0);
+    let (mut largest, mut rounded) = (0.0_f64, 0);
     for _ in 0..1000 {
         let p: Vec3 = point(&mut random);
         let [[x, _, _], [_, y, _], [_, _, z]] = jacobian(p);
         let trace = f64::from(x + y + z).abs();
-        greatest = greatest.max(trace / bound(p));
+        largest = largest.max(trace / bound(p));
         rounded += usize::from(trace > 0.0);
     }
-    assert!(greatest <= 1.0 && rounded > 0, "{name}: {greatest}");
+    assert!(largest <= 1.0 && rounded > 0, "{name}: {largest}");
 }
 
 fn cross_product_has_no_divergence<A: HasHessian<Vec3>, B: HasHessian<Vec3>>(name: &str, a: A, b: B) {

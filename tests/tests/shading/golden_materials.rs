@@ -70,7 +70,7 @@ fn carpets() {
     }
     let rim = CarpetParameters { fake_rim_light: 1.0, fake_rim_light_width: 0.7, ..Default::default() };
     let rim = Carpet::new(rim).unwrap().bsdf(&point(1e-3), Vec3::X).emitted();
-    single("Carpet, rim of its own width", rim.x, [0.478577256]);
+    single("Carpet, rim with a custom width", rim.x, [0.478577256]);
     let fibers = Fibers::new(FibersParameters::default()).unwrap();
     let fiber = fibers.sample(UV, Footprint::from_width(1e-4));
     let expected = [1.11548305, 0.785506785, -0.0595688075];

@@ -218,7 +218,7 @@ fn zooming_does_not_pop() {
             worst[1] = worst[1].max((three[2] - 2.0 * three[1] + three[0]).abs() / most);
         }
     }
-    println!("greatest step and bend {worst:?}");
+    println!("largest step and bend {worst:?}");
     // Relative to the trend, which is the step, the maximum bend is a kink between levels; measured
     // 0.028 and 0.019.
     assert!(worst[0] < 0.05 && worst[1] < 0.03, "{worst:?}");

@@ -184,7 +184,7 @@ fn gaussian_range(dimension: usize) -> f64 {
         let w = t * t * t * (t * (6.0 * t - 15.0) + 10.0);
         [(1.0 - w, t), (w, 1.0 - t)]
     };
-    let mut greatest = 0.0_f64;
+    let mut largest = 0.0_f64;
     for index in 0..(STEPS + 1).pow(dimension as u32) {
         let place = |k: u32| (index / (STEPS + 1).pow(k) % (STEPS + 1)) as f64 / (2 * STEPS) as f64;
         let axes: Vec<_> = (0..dimension as u32).map(|k| axis(place(k))).collect();
@@ -196,11 +196,11 @@ fn gaussian_range(dimension: usize) -> f64 {
             sum += weight * (GREATEST + 2.0 * OUTERMOST * taxicab);
             variance += weight * weight * (1.0 + 4.0 * square);
         }
-        greatest = greatest.max(sum / variance.sqrt());
+        largest = largest.max(sum / variance.sqrt());
     }
     // The maximum over the grid is at the center or next to it. A tenth of a percent covers the
     // gaps between grid points.
-    greatest * 1.001
+    largest * 1.001
 }
 
 /// Returns the position of knot `k` of G, in standard deviations.

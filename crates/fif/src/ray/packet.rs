@@ -189,10 +189,10 @@ impl<F: Function, G: Function> Tracer<'_, F, G> {
         let (rate_lo, rate_hi) = (row(10), row(11));
         let nearer = rate_lo.simd_gt(zero);
         let sign = nearer.select(one, -one);
-        let (least, greatest) = (nearer.select(rate_lo, -rate_hi), nearer.select(rate_hi, -rate_lo));
+        let (least, largest) = (nearer.select(rate_lo, -rate_hi), nearer.select(rate_hi, -rate_lo));
         let slack = (first.abs() + last.abs()) * (4.0 * UNIT);
         let reach = row(13) + slack;
-        let (slow, fast) = (one / least, one / greatest);
+        let (slow, fast) = (one / least, one / largest);
         let spread = (slow - fast) * 1.0001;
         let (second, finest) = (splat(self.better(1) as f64), splat(self.finest() as f64));
         let errors = [splat(self.error(1)), splat(self.error(2)), splat(self.error(self.finest()))];
@@ -222,7 +222,7 @@ impl<F: Function, G: Function> Tracer<'_, F, G> {
             };
             let (value, slope) = (sign * value, sign * slope);
             let slope = slope.simd_lt(least).select(least, slope);
-            let slope = slope.simd_gt(greatest).select(greatest, slope);
+            let slope = slope.simd_gt(largest).select(largest, slope);
             let next = s.t - value / slope;
             let size = value.abs();
             let (near, within) =

@@ -27,13 +27,13 @@ const DEPTH: usize = 64;
 
 /// Brackets at most `width` wide, if the budget permits.
 pub(crate) fn extrema<S: Surface>(surface: &S, rectangle: [Interval; 2], width: f64) -> SurfaceExtrema {
-    let (maximum, highest) = greatest(surface, rectangle, width, 1.0);
-    let (minimum, lowest) = greatest(surface, rectangle, width, -1.0);
+    let (maximum, highest) = largest(surface, rectangle, width, 1.0);
+    let (minimum, lowest) = largest(surface, rectangle, width, -1.0);
     SurfaceExtrema { minimum: Interval::new(-minimum.hi, -minimum.lo), maximum, lowest, highest }
 }
 
 /// A bracket of the maximum of `sign · f`, and the position of its lower end.
-fn greatest<S: Surface>(surface: &S, rectangle: [Interval; 2], width: f64, sign: f64) -> (Interval, DVec2) {
+fn largest<S: Surface>(surface: &S, rectangle: [Interval; 2], width: f64, sign: f64) -> (Interval, DVec2) {
     let upper = |[x, y]: [Interval; 2]| {
         let range = surface.bounds(x, y).height;
         if sign < 0.0 { -range.lo } else { range.hi }

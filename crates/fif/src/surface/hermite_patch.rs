@@ -77,7 +77,7 @@ impl Patch {
     /// An enclosure of the value over the part `u × v` of the patch.
     pub(crate) fn range(&self, u: [f64; 2], v: [f64; 2]) -> Interval {
         let net = self.control_net();
-        restriction(&net, u, v, greatest(&net))
+        restriction(&net, u, v, largest(&net))
     }
 
     /// Enclosures of the value and both slopes over the part `u × v` of the patch.
@@ -90,7 +90,7 @@ impl Patch {
             }
         }
         let along_v = net.map(|[a, b, c, d]| [b - a, c - b, d - c].map(|difference| 3.0 * difference));
-        let scale = greatest(&net);
+        let scale = largest(&net);
         [
             restriction(&net, u, v, scale),
             restriction(&along_u, u, v, 6.0 * scale),
@@ -113,7 +113,7 @@ impl Patch {
     }
 }
 
-fn greatest(net: &[[f64; 4]; 4]) -> f64 {
+fn largest(net: &[[f64; 4]; 4]) -> f64 {
     net.iter().flatten().fold(0.0, |scale, point| scale.max(point.abs()))
 }
 

@@ -165,6 +165,7 @@ impl Ggx {
     #[inline]
     fn stretched_view(&self, v: Vec3) -> Vec3 {
         let w = self.alpha.stretch(above(v));
+        // By a division: the rounding of the reciprocal shows in `T_v⁻¹` at grazing views.
         w / math::sqrt(w.x * w.x + w.y * w.y + w.z * w.z)
     }
 }
@@ -194,7 +195,7 @@ impl VisibleWarp for Ggx {
         let sin = math::sqrt(0.5 * ratio * (1.0 + w.z) * (up + (w.x * w.x + w.y * w.y) / (1.0 + w.z)));
         let m = Vec3::new((z.x * sin + w.x) * self.alpha.x, (z.y * sin + w.y) * self.alpha.y, up);
         // The squares of the largest component neither vanish nor overflow.
-        (m / m.abs().max_element()).normalize()
+        unit(Scalar, (m / m.abs().max_element()).to_array()).into()
     }
 
     fn invert_visible(&self, v: Vec3, m: Vec3) -> Vec2 {

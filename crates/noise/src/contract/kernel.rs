@@ -308,26 +308,34 @@ pub(crate) fn evaluate<K: Kernel<N>, S: Lanes, const N: usize, const GRADIENTS: 
     mut p: [S::F; N],
     seed: u32,
 ) -> LaneSample<S, N> {
-    let mut beyond = None;
+    let mut known = None;
     if !is_within(s, &p, K::REACH) {
-        let mut lanes = [None; LANES];
-        for lane in 0..S::LEN {
-            lanes[lane % LANES] = evaluated_far(lane_of(s, &p, lane), K::REACH);
-        }
-        for axis in 0..N {
-            p[axis] = s.floats(|lane| lanes[lane % LANES].map_or(0.0, |p| p[axis]));
-        }
-        beyond = Some(lanes);
+        let (near, lanes) = within_reach(s, p, K::REACH);
+        (p, known) = (near, Some(lanes));
     }
     let (mut value, mut gradient) = kernel.evaluate::<S, GRADIENTS>(s, p, seed);
-    if let Some(lanes) = beyond {
-        let kept = |x| s.floats(|lane| lanes[lane % LANES].map_or(0.0, |_| s.lane(x, lane)));
+    if let Some(known) = known {
         for axis in 0..if GRADIENTS { N } else { 0 } {
-            gradient[axis] = kept(gradient[axis]);
+            gradient[axis] = s.keep(known, gradient[axis]);
         }
-        value = kept(value);
+        value = s.keep(known, value);
     }
     (value, gradient)
+}
+
+/// Points with the same cells within reach, and the lanes that have one; 0 in the others.
+#[inline(always)]
+pub(crate) fn within_reach<S: Lanes, const N: usize>(s: S, p: [S::F; N], reach: f32) -> ([S::F; N], S::M) {
+    let mut lanes = [None; LANES];
+    for lane in 0..S::LEN {
+        lanes[lane % LANES] = evaluated_far(lane_of(s, &p, lane), reach);
+    }
+    let mut near = p;
+    for axis in 0..N {
+        near[axis] = s.floats(|lane| lanes[lane % LANES].map_or(0.0, |p| p[axis]));
+    }
+    let known = s.floats(|lane| if lanes[lane % LANES].is_some() { 1.0 } else { 0.0 });
+    (near, s.less(s.float(0.5), known))
 }
 
 /// The point itself if it is within reach, otherwise a point with the same cells.

@@ -58,7 +58,7 @@ pub fn filtered_fraction(footprint: f32, frequency: f32) -> f32 {
 #[must_use]
 pub fn pixel_footprint<V: Point>(ddx: V, ddy: V) -> f32 {
     let (dx, dy) = (ddx.coordinates(), ddy.coordinates());
-    dx.as_ref().iter().chain(dy.as_ref()).fold(0.0, |greatest: f32, x| greatest.max(x.abs()))
+    dx.as_ref().iter().chain(dy.as_ref()).fold(0.0, |largest: f32, x| largest.max(x.abs()))
 }
 
 #[cfg(test)]

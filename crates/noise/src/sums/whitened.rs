@@ -4,7 +4,7 @@ use asperity_core::lanes::Task;
 
 use crate::{
     contract::compiled::{in_dimension, is_compiled},
-    contract::kernel::evaluated,
+    contract::kernel::within_reach,
     kinds::cell::at_ends::parts_of_groups,
     kinds::cell::corner::CellNoise,
     kinds::cell::gradient_covariance::whitened,
@@ -72,10 +72,10 @@ impl<L: Lattice, const N: usize> Task for InLanes<'_, '_, L, N> {
         for first in (0..count.min(OCTAVES)).step_by(S::LEN) {
             let octaves = layers.lanes(s, first);
             let mut p = octaves.points(splat(s, at));
-            let mut is_valid = None;
+            let mut known = None;
             if !is_within(s, &p, REACH) {
-                let (moved, lanes) = near(s, p);
-                (p, is_valid) = (moved, Some(lanes));
+                let (near, lanes) = within_reach(s, p, REACH);
+                (p, known) = (near, Some(lanes));
             }
             let gradient = gradients(s, noise, layers, p, first, count - first);
             let tangents = [octaves.directions(splat(s, u)), octaves.directions(splat(s, v))];
@@ -83,8 +83,8 @@ impl<L: Lattice, const N: usize> Task for InLanes<'_, '_, L, N> {
                 p[axis] = cell(s, p[axis]).1;
             }
             for (z, mut lanes) in z.iter_mut().zip(whitened(s, p, gradient, tangents)) {
-                if let Some(is_valid) = is_valid {
-                    lanes = lanes * is_valid;
+                if let Some(known) = known {
+                    lanes = s.keep(known, lanes);
                 }
                 let is_finite = s.at_or_below(s.abs(lanes), s.float(f32::MAX));
                 s.store(s.keep(is_finite, lanes), z.get_mut(first..).unwrap_or_default());
@@ -147,24 +147,4 @@ fn gradients<S: Lanes, L: Lattice, const N: usize>(
         lanes[axis] = s.load(&gradients[axis]);
     }
     lanes
-}
-
-/// Points with the same cells within reach, and 1, or the point 0 and 0 if a point is not finite.
-#[cold]
-#[inline(always)]
-fn near<S: Lanes, const N: usize>(s: S, p: [S::F; N]) -> ([S::F; N], S::F) {
-    let (mut points, mut is_valid) = ([[0.0; LANES]; N], [0.0; LANES]);
-    for lane in 0..S::LEN {
-        if let Some(near) = evaluated(lane_of(s, &p, lane), REACH) {
-            is_valid[lane % LANES] = 1.0;
-            for axis in 0..N {
-                points[axis][lane % LANES] = near[axis];
-            }
-        }
-    }
-    let mut lanes = p;
-    for axis in 0..N {
-        lanes[axis] = s.load(&points[axis]);
-    }
-    (lanes, s.load(&is_valid))
 }

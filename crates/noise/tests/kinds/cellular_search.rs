@@ -44,7 +44,7 @@ fn wide_search<L: Lattice, const N: usize>(
         let distance = match noise.metric() {
             Metric::Euclidean => offset.iter().map(|d| d * d).sum::<f64>().sqrt(),
             Metric::Manhattan => offset.iter().map(|d| d.abs()).sum(),
-            Metric::Chebyshev => offset.iter().fold(0.0, |greatest, d| d.abs().max(greatest)),
+            Metric::Chebyshev => offset.iter().fold(0.0, |largest, d| d.abs().max(largest)),
         };
         let rank = nearest.iter().position(|other| distance < other.distance);
         if let Some(rank) = rank {

@@ -239,8 +239,8 @@ impl<'a> Bsdf<'a> {
     /// Samples a direction of the light that leaves along `wo`.
     ///
     /// `uc` selects specular reflection, specular transmission or a lobe, in this order. `u`
-    /// selects the direction. All are uniform in `[0, 1)`; others are clamped, and NaN is read as
-    /// 0. `None` if there is no light for these numbers.
+    /// selects the direction. All are uniform in `[0, 1)`; others are clamped, and NaN counts
+    /// as 0. Returns `None` if these numbers have no sample.
     ///
     /// ```
     /// use asperity_shading::reflectance::{Bsdf, Coat};

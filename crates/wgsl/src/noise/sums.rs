@@ -124,26 +124,18 @@ pub struct FbmParts4d {
 
 /// [`Fbm`](asperity_noise::Fbm) in 2-D: `value_fbm_2d`, `perlin_fbm_2d`, …
 pub static FBM_2D: FbmParts = fbm!(
-    FBM_2D: FbmParts,
+    all FBM_2D,
     ["2", "in 2-D", "layer.cell", "layer.key"],
     UNIFORM_2D,
-    [
-        value, value_catmull_rom, perlin_classic, perlin, value_gradient, simplex, simplex_classic, sparse_convolution,
-        gaussian_channel
-    ],
-    gaussian = part!("noise/sums/gaussian_fbm_2d", SPECTRUM, OCTAVE, UNIFORM_2D, CELL, GAUSSIAN)
+    part!("noise/sums/gaussian_fbm_2d", SPECTRUM, OCTAVE, UNIFORM_2D, CELL, GAUSSIAN)
 );
 
 /// [`Fbm`](asperity_noise::Fbm) in 3-D: `value_fbm_3d`, `perlin_fbm_3d`, …
 pub static FBM_3D: FbmParts = fbm!(
-    FBM_3D: FbmParts,
+    all FBM_3D,
     ["3", "in 3-D", "layer.cell_and_key.xyz", "bitcast<u32>(layer.cell_and_key.w)"],
     UNIFORM_3D,
-    [
-        value, value_catmull_rom, perlin_classic, perlin, value_gradient, simplex, simplex_classic, sparse_convolution,
-        gaussian_channel
-    ],
-    gaussian = part!("noise/sums/gaussian_fbm_3d", SPECTRUM, OCTAVE, UNIFORM_3D, CELL, GAUSSIAN)
+    part!("noise/sums/gaussian_fbm_3d", SPECTRUM, OCTAVE, UNIFORM_3D, CELL, GAUSSIAN)
 );
 
 /// [`Fbm`](asperity_noise::Fbm) in 4-D: `value_fbm_4d`, `perlin_fbm_4d`, `simplex_fbm_4d`, …

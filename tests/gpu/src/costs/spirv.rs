@@ -136,7 +136,7 @@ fn operations(
         }
         // GLSL.std.450
         12 => match extended {
-            // Roundings, absolute value, sign, fraction, least, greatest, step.
+            // Roundings, absolute value, sign, fraction, least, largest, step.
             1..=4 | 6 | 8..=10 | 37 | 40 | 48 | 79 | 80 => floats(count),
             // Clamp, a product with a sum; mix; smooth step.
             43 | 50 | 53 | 81 => floats(2 * count),

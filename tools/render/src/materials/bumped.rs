@@ -134,14 +134,14 @@ mod tests {
             most: share_beyond(ndf.d(Vec3::Z), radius),
             diffuse: Vec3::ZERO,
         };
-        let (mut sum, mut greatest) = (0.0, 0.0_f32);
+        let (mut sum, mut largest) = (0.0, 0.0_f32);
         for k in 0..SIDE * SIDE {
             let place = Vec3::new(f32::from(k % SIDE), f32::from(k / SIDE), 0.3) * 0.37;
             let point = SurfacePoint::new(place, Vec3::Z, Footprint::from_width(1e-4));
             let radiance = material.bsdf(&point, Vec3::Z).emitted().x;
-            (sum, greatest) = (sum + radiance, greatest.max(radiance));
+            (sum, largest) = (sum + radiance, largest.max(radiance));
         }
-        (sum / f32::from(SIDE).powi(2), greatest)
+        (sum / f32::from(SIDE).powi(2), largest)
     }
 
     #[test]

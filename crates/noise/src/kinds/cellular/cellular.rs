@@ -278,8 +278,8 @@ fn supremum(metric: Metric, jitter: f32, second: bool, dimension: usize) -> f32 
         Metric::Chebyshev => [corner, across],
     };
     // Accounts for the rounding of offsets and of the sum.
-    let greatest = if second { at_corner.max(at_center) } else { at_corner };
-    greatest * (1.0 + 2e-6)
+    let largest = if second { at_corner.max(at_center) } else { at_corner };
+    largest * (1.0 + 2e-6)
 }
 
 /// The polynomial through numbers at the jitters 0, ¼, ½, ¾ and 1.

@@ -245,7 +245,7 @@ impl<const N: usize> Columns<N> {
     #[inline(always)]
     fn list<S: Lanes>(&mut self, s: S, metric: Metric, cells: usize) {
         self.counts = [0; COLUMNS];
-        let greatest = self.bounds.iter().take(cells).fold(0.0, |greatest, &bound| bound.max(greatest));
+        let largest = self.bounds.iter().take(cells).fold(0.0, |largest, &bound| bound.max(largest));
         for c in 0..=2 * self.reach {
             let step = c as f32 - self.reach as f32;
             for j in 0..self.sections {
@@ -257,7 +257,7 @@ impl<const N: usize> Columns<N> {
                     );
                     gap = metric.joined(Scalar, gap, below.max(above).max(0.0));
                 }
-                if metric.joined(Scalar, gap, (step.abs() - 1.0).max(0.0)) > greatest {
+                if metric.joined(Scalar, gap, (step.abs() - 1.0).max(0.0)) > largest {
                     continue;
                 }
                 for i in (0..cells).step_by(S::LEN) {

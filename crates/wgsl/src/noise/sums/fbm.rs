@@ -56,8 +56,19 @@ macro_rules! octave_part {
     }};
 }
 
-/// The parts of a dimension: a running sum for custom kinds, and the sums of each kind of noise.
+/// The parts of a dimension: a running sum for custom kinds, and the sums of each kind of noise, or
+/// of all kinds.
 macro_rules! fbm {
+    (all $sums:ident, $d:tt, $uniform:ident, $gaussian:expr) => {
+        fbm!(
+            $sums: FbmParts, $d, $uniform,
+            [
+                value, value_catmull_rom, perlin_classic, perlin, value_gradient, simplex, simplex_classic,
+                sparse_convolution, gaussian_channel
+            ],
+            gaussian = $gaussian
+        )
+    };
     ($sums:ident: $parts:ident, $d:tt, $uniform:ident, [$($kind:ident),*] $(, $field:ident = $part:expr)*) => {
         $parts {
             $($kind: fbm!(@$kind $sums $d $uniform),)*

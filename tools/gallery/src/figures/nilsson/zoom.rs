@@ -155,7 +155,7 @@ impl Surface {
     }
 
     /// Returns the position near the anchor where the closest image has the most detail: among all
-    /// candidates, the position with the greatest variation of radiance.
+    /// candidates, the position with the largest variation of radiance.
     fn liveliest(&self) -> Vec2 {
         /// Candidates, and points per side of each.
         const TRIED: (u32, u16) = (512, 8);
