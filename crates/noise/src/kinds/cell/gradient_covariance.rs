@@ -1,6 +1,7 @@
 //! The covariance of the gradient of Gaussian noise, and the whitened gradient.
 
 use crate::{
+    kinds::cell::variance::axis_variance,
     lanes::Lanes,
     lattice::fade::{Along, Fade},
 };
@@ -28,17 +29,19 @@ struct AxisSums<S: Lanes> {
 
 impl<S: Lanes> AxisSums<S> {
     #[inline(always)]
-    fn new(s: S, Along { position: t, weight: high, slope }: Along<S>) -> Self {
+    fn new(s: S, along: Along<S>) -> Self {
+        let [w2, w2_d2, derivative, _] = axis_variance(s, &along);
+        let Along { position: t, weight: high, slope } = along;
         let one = s.float(1.0);
         // The distance from the upper end is −rest.
         let (low, rest) = (one - high, one - t);
         let (low_t, high_rest) = (low * t, high * rest);
         let slopes = slope * slope;
         Self {
-            w2: low * low + high * high,
+            w2,
             w2_d: low * low_t - high * high_rest,
-            w2_d2: low_t * low_t + high_rest * high_rest,
-            ws: slope * (high - low),
+            w2_d2,
+            ws: s.float(0.5) * derivative,
             ws_d: s.float(0.0) - slope * (high_rest + low_t),
             ws_d2: slope * (high_rest * rest - low_t * t),
             s2: slopes + slopes,
