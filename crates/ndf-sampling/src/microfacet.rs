@@ -131,6 +131,13 @@ pub trait VisibleWarp: Microfacet {
     fn invert_visible(&self, v: Vec3, m: Vec3) -> Vec2;
 }
 
+impl<N: VisibleWarp + ?Sized> VisibleWarp for &N {
+    forward! { |ndf| **ndf;
+        warp_visible(v: Vec3, z: Vec2) -> Vec3;
+        invert_visible(v: Vec3, m: Vec3) -> Vec2;
+    }
+}
+
 /// Returns `v` above the horizon, normalized if its length was far from 1.
 ///
 /// Below the horizon it returns the direction of the horizon with the same azimuth. Without a

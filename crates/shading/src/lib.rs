@@ -74,9 +74,8 @@
 //!
 //! # Limitations
 //!
-//! The caller multiplies the value of a rule by F G/(4 cos θ_i cos θ_o), or by a Fresnel term alone
-//! as in the source. [`CookTorrance`] is the microfacet BRDF without level of detail. A [`Bsdf`]
-//! describes a single point. Light transport between surfaces is the task of the renderer.
+//! The caller multiplies the value of a rule by a Fresnel term as in the source. For the full
+//! microfacet model with bumps see [`reflectance::FacetBrdf`]. A [`Bsdf`] describes a single point. Light transport between surfaces is the task of the renderer.
 //!
 //! # Features
 //!

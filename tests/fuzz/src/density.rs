@@ -1,7 +1,6 @@
 //! Every density: parameters are accepted or rejected, and all results are finite, for any numbers
 //! and directions.
 
-use asperity_ndf_sampling::{ConditionalNdf, OffsetBeckmann};
 use asperity_ndf_sampling::normal_map::NormalMapFormat;
 use asperity_ndf_sampling::normal_table::{Chart, Spacing};
 use asperity_ndf_sampling::{
@@ -9,6 +8,7 @@ use asperity_ndf_sampling::{
     KurtoticDistribution, Microfacet, Mixture, Ndf, NdfError, NoiseDistribution, Rotated, StudentT, Ward,
     add_detail, add_detail_normal, gaussian_cdf, inverse_gaussian_cdf,
 };
+use asperity_ndf_sampling::{ConditionalNdf, OffsetBeckmann};
 
 use crate::numbers::Numbers;
 

@@ -7,7 +7,9 @@ use asperity_shading::material::{
     Seams, SeamsParameters,
 };
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise, Perlin};
-use asperity_shading::texture::{Bevel, BevelParameters, Edge, Gas, PerturbedTexture, StarWallpaper, StarWallpaperParameters, Steam, march};
+use asperity_shading::texture::{
+    Bevel, BevelParameters, Edge, Gas, PerturbedTexture, StarWallpaper, StarWallpaperParameters, Steam, march,
+};
 use asperity_shading::{
     Beckmann, Brick, BumpField, BumpMapped, Carpet, CarpetParameters, Footprint, Frame, Ggx, LevelOfDetail,
     Marble, Material, MetallicPaint, MetallicPaintParameters, PixelEllipse, Scratches, ScratchesParameters,

@@ -6,11 +6,13 @@ use asperity_shading::bump::{
     surface_gradient,
 };
 use asperity_shading::glam::Vec3;
+use asperity_shading::level_of_detail::ResolvedBumps;
 use asperity_shading::pixel::FrequencyClamp;
 use asperity_shading::reflectance::{
-    Absorption, BlinnPhongBrdf, BlinnPhongNormalization, Brdf, Conductor, CookTorrance, Dielectric,
-    EnergyPreservingOrenNayar, Fresnel, Lambert, Masking, OrenNayar, OrenNayarVariant, Phong,
-    RoughDielectric, Schlick, SchlickF82, TorranceSparrow, WardBrdf, WardNormalization,
+    Absorption, BlinnPhongBrdf, BlinnPhongNormalization, Brdf, BumpFacets, Conductor, CookTorrance,
+    Dielectric, EnergyPreservingOrenNayar, FacetBrdf, Fresnel, Lambert, Lobe, Masking, OrenNayar,
+    OrenNayarVariant, Phong, RoughDielectric, Schlick, SchlickF82, TorranceSparrow, WardBrdf,
+    WardNormalization,
 };
 use asperity_shading::{Beckmann, Footprint, Frame, Ggx, PixelEllipse, ShadingError, half_vector, reflect};
 
@@ -39,6 +41,14 @@ fn evaluated(brdf: &dyn Brdf, wi: Vec3, wo: Vec3, numbers: &mut Numbers<'_>) -> 
         assert!(density >= 0.0 && density.is_finite(), "{density} for {wi} {wo}");
     }
     sampled
+}
+
+/// Evaluates facets of which a part is resolved.
+fn resolved(facets: &dyn FacetBrdf, numbers: &mut Numbers<'_>) {
+    let bumps =
+        ResolvedBumps { z: numbers.pair(), variance: number(numbers, 1e-6, 1.0), blend: numbers.float() };
+    let (wi, wo) = (numbers.direction(), numbers.direction());
+    evaluated(&Lobe::bumps(facets, bumps), wi, wo, numbers);
 }
 
 /// Returns a number, mostly in a range.
@@ -89,7 +99,10 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
                 return;
             };
             let masking = numbers.pick(&[Masking::Separable, Masking::Correlated]);
-            brdf(Ok(CookTorrance::new(ggx, glass).with_masking(masking)), numbers);
+            let facets = numbers.pick(&[BumpFacets::Visible, BumpFacets::All]);
+            let gloss = CookTorrance::new(ggx, glass).with_masking(masking).with_bump_facets(facets);
+            brdf(Ok(gloss), numbers);
+            resolved(&gloss, numbers);
             brdf(Ok(TorranceSparrow::new(ggx, glass)), numbers);
         }
         7 => {
@@ -111,6 +124,7 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
             {
                 let (wi, wo) = (numbers.direction(), numbers.direction());
                 evaluated(&glass, wi, wo, numbers);
+                resolved(&glass, numbers);
             }
         }
         10 => {

@@ -1,8 +1,8 @@
 //! Externally stored tables: arrays of any numbers are rejected, or answer every query.
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
-use asperity_ndf_sampling::{ConditionalTable, NormalLut};
 use asperity_ndf_sampling::normal_table::{Chart, Spacing, TableLayout};
+use asperity_ndf_sampling::{ConditionalTable, NormalLut};
 use asperity_ndf_sampling::{GaussianSplit, Isotropic, Ndf, NoiseCdfRef, PackedMapRef};
 
 use crate::density::{distribution, ndf};

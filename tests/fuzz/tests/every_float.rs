@@ -74,7 +74,8 @@ fn footprints_and_textures_accept_every_float() {
         .map(|(octaves, slack)| slack * clamp.footprint(octaves).width());
     everywhere("`FrequencyClamp::footprint`", |x| (finest..=widest).contains(&clamp.footprint(x).width()));
     everywhere("`Marble::spline`", |x| finite(<Marble>::spline(x)));
-    let bevel = Bevel::new(BevelParameters { plateau: 0.02, ridge: 0.1, top: 0.0, bottom: 1.0 }).expect("a bevel");
+    let bevel =
+        Bevel::new(BevelParameters { plateau: 0.02, ridge: 0.1, top: 0.0, bottom: 1.0 }).expect("a bevel");
     everywhere("`Bevel::profile`", |x| {
         let [height, slope] = bevel.profile(x);
         (0.0..=0.1).contains(&height) && (-1.0..=0.0).contains(&slope)

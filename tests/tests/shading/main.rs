@@ -19,4 +19,5 @@ mod remapped;
 mod rough_glass;
 mod tangents;
 mod textures;
+mod visible_zoom;
 mod zoom;

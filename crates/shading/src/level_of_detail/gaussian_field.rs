@@ -17,6 +17,12 @@ pub struct ResolvedBumps {
 impl ResolvedBumps {
     /// ResolvedBumps of a pixel that resolves nothing.
     pub const FAR: Self = Self { z: Vec2::ZERO, variance: 0.0, blend: 0.0 };
+
+    /// Whether the pixel resolves any part of the bumps.
+    #[inline]
+    pub(crate) fn are_resolved(self) -> bool {
+        self.variance > 0.0
+    }
 }
 
 /// A pair of independent Gaussian noises over space, with a real number of octaves.

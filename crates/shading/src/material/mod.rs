@@ -2,6 +2,7 @@
 //! surface.
 
 mod bump_mapped;
+mod bump_mapped_brdf;
 mod carpet;
 mod fbm;
 mod glass;
@@ -17,6 +18,7 @@ mod textured;
 mod wear;
 
 pub use bump_mapped::BumpMapped;
+pub use bump_mapped_brdf::BumpMappedBrdf;
 pub use carpet::{
     Carpet, CarpetParameters, Fiber, Fibers, FibersParameters, Seam, SeamPattern, Seams, SeamsParameters,
 };

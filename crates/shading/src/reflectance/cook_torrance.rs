@@ -1,10 +1,12 @@
 //! The Cook–Torrance microfacet model with Smith masking and shadowing.
 
-use asperity_ndf_sampling::Microfacet;
+use asperity_ndf_sampling::{ConditionalNdf, GaussianSplit, Microfacet, Ndf, VisibleFacets, VisibleWarp};
 use glam::{Vec2, Vec3};
 
 use crate::direction::{half_vector, reflect};
-use crate::reflectance::brdf::{Brdf, BsdfSample, are_above, finite, mirrored_pdf};
+use crate::level_of_detail::ResolvedBumps;
+use crate::reflectance::brdf::{Brdf, BsdfSample, SampleKind, are_above, finite, mirrored_pdf};
+use crate::reflectance::facet_brdf::{FacetBrdf, gaussians};
 use crate::reflectance::fresnel::Fresnel;
 
 /// The Cook–Torrance microfacet model with Smith masking and shadowing.
@@ -20,6 +22,8 @@ use crate::reflectance::fresnel::Fresnel;
 ///   roughness 0.7, and 0.75 for Beckmann.
 /// - **Sampling:** visible normals (Heitz 2014), reflected; the weight of a sample is `F
 ///   G₂/G₁(ωo)`, at most 1.
+/// - **Bumps:** as a [`FacetBrdf`] it resolves a part of its facets. Its mean over the surface is
+///   the BRDF from afar.
 ///
 /// Torrance, Sparrow 1967; Cook, Torrance 1982, *A Reflectance Model for Computer Graphics*; with
 /// the denominator of Walter, Marschner, Li, Torrance 2007, *Microfacet Models for Refraction
@@ -43,6 +47,21 @@ pub struct CookTorrance<D, F> {
     density: D,
     fresnel: F,
     masking: Masking,
+    bumps: BumpFacets,
+}
+
+/// The facets to which a [`FacetBrdf`] applies the exact rule of level of detail.
+///
+/// Both have the mean of the BRDF from afar.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum BumpFacets {
+    /// The visible normals of the view. No point scatters more light than it receives.
+    #[default]
+    Visible,
+    /// All normals, by area. Reciprocal at every point, but a point can scatter more light than it
+    /// receives: for GGX of roughness 0.5 at 60° one in a thousand scatters ten times as much.
+    All,
 }
 
 /// Masking-shadowing function G₂: height-correlated or separable.
@@ -60,13 +79,19 @@ impl<D: Microfacet, F: Fresnel> CookTorrance<D, F> {
     /// Creates the surface with this NDF and facet reflectance, with height-correlated masking.
     #[must_use]
     pub const fn new(density: D, fresnel: F) -> Self {
-        Self { density, fresnel, masking: Masking::Correlated }
+        Self { density, fresnel, masking: Masking::Correlated, bumps: BumpFacets::Visible }
     }
 
     /// Sets the masking.
     #[must_use]
     pub fn with_masking(self, masking: Masking) -> Self {
         Self { masking, ..self }
+    }
+
+    /// Sets the facets of which a pixel resolves a part.
+    #[must_use]
+    pub fn with_bump_facets(self, bumps: BumpFacets) -> Self {
+        Self { bumps, ..self }
     }
 
     /// The NDF.
@@ -85,6 +110,15 @@ impl<D: Microfacet, F: Fresnel> CookTorrance<D, F> {
     pub(super) fn direction(&self, wo: Vec3, u: Vec2) -> Vec3 {
         reflect(wo, self.density.sample_visible(wo, u))
     }
+
+    /// `D G₂/(4 cos θ_i cos θ_o)` at the half vector.
+    fn shown(&self, wo: Vec3, wi: Vec3, h: Vec3) -> f32 {
+        let masking = match self.masking {
+            Masking::Correlated => self.density.g2(wi, wo),
+            Masking::Separable => self.density.g2_separable(wi, wo),
+        };
+        self.density.d(h) * masking / (4.0 * wi.z * wo.z)
+    }
 }
 
 impl<D: Microfacet, F: Fresnel> Brdf for CookTorrance<D, F> {
@@ -93,11 +127,7 @@ impl<D: Microfacet, F: Fresnel> Brdf for CookTorrance<D, F> {
             return Vec3::ZERO;
         }
         let h = half_vector(wi, wo);
-        let masking = match self.masking {
-            Masking::Correlated => self.density.g2(wi, wo),
-            Masking::Separable => self.density.g2_separable(wi, wo),
-        };
-        finite(self.density.d(h) * masking / (4.0 * wi.z * wo.z)) * self.fresnel.reflectance_rgb(wo.dot(h))
+        finite(self.shown(wo, wi, h)) * self.fresnel.reflectance_rgb(wo.dot(h))
     }
 
     fn sample(&self, wo: Vec3, _: f32, u: Vec2) -> Option<BsdfSample> {
@@ -106,6 +136,55 @@ impl<D: Microfacet, F: Fresnel> Brdf for CookTorrance<D, F> {
 
     fn pdf(&self, wo: Vec3, wi: Vec3) -> f32 {
         mirrored_pdf(wo, wi, |h| self.density.visible_pdf(wo, h))
+    }
+}
+
+impl<D: VisibleWarp, F: Fresnel> FacetBrdf for CookTorrance<D, F> {
+    fn eval_resolved(&self, wo: Vec3, wi: Vec3, bumps: ResolvedBumps) -> Vec3 {
+        if !bumps.are_resolved() || !are_above(wi, wo) {
+            return self.eval(wo, wi);
+        }
+        let h = half_vector(wi, wo);
+        let z = match self.bumps {
+            BumpFacets::Visible => self.density.invert_visible(wo, h),
+            BumpFacets::All => self.density.invert(h),
+        };
+        let split = GaussianSplit::new(bumps.z, bumps.variance);
+        finite(split.weigh(self.shown(wo, wi, h), z)) * self.fresnel.reflectance_rgb(wo.dot(h))
+    }
+
+    fn sample_resolved(&self, wo: Vec3, uc: f32, u: Vec2, bumps: ResolvedBumps) -> Option<BsdfSample> {
+        if !bumps.are_resolved() {
+            return self.sample(wo, uc, u);
+        }
+        let m = match self.bumps {
+            BumpFacets::Visible => self.visible(wo, bumps).warp_gaussian(gaussians(u)),
+            BumpFacets::All => self.all(bumps).sample(u),
+        };
+        let wi = reflect(wo, m);
+        let pdf = self.pdf_resolved(wo, wi, bumps);
+        let eval_cos = self.eval_resolved(wo, wi, bumps) * wi.z;
+        (pdf > 0.0).then_some(BsdfSample { wi, eval_cos, pdf, kind: SampleKind::Reflection })
+    }
+
+    fn pdf_resolved(&self, wo: Vec3, wi: Vec3, bumps: ResolvedBumps) -> f32 {
+        if !bumps.are_resolved() {
+            return self.pdf(wo, wi);
+        }
+        mirrored_pdf(wo, wi, |h| match self.bumps {
+            BumpFacets::Visible => self.visible(wo, bumps).pdf(h),
+            BumpFacets::All => self.all(bumps).pdf(h),
+        })
+    }
+}
+
+impl<D: VisibleWarp, F> CookTorrance<D, F> {
+    fn visible(&self, wo: Vec3, bumps: ResolvedBumps) -> VisibleFacets<&D> {
+        VisibleFacets::new(&self.density, wo, bumps.z, bumps.variance)
+    }
+
+    fn all(&self, bumps: ResolvedBumps) -> ConditionalNdf<&D> {
+        ConditionalNdf::new(&self.density, bumps.z, bumps.variance)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Lobes of a BSDF: the BRDFs in its layers.
 
-use asperity_ndf_sampling::{Beckmann, Frame, Ndf, OffsetBeckmann, inverse_gaussian_cdf};
+use asperity_ndf_sampling::{Beckmann, Frame, Ndf, OffsetBeckmann};
 use glam::{Vec2, Vec3};
 
 use crate::direction::{half_vector, reflect};
@@ -10,6 +10,7 @@ use crate::pixel::Footprint;
 use crate::reflectance::brdf::{Brdf, BsdfSample, are_above, cosine_hemisphere, finite, mirrored_pdf};
 use crate::reflectance::cook_torrance::CookTorrance;
 use crate::reflectance::diffuse::EnergyPreservingOrenNayar;
+use crate::reflectance::facet_brdf::{FacetBrdf, gaussians};
 use crate::reflectance::fresnel::{Dielectric, Fresnel};
 use crate::reflectance::rough_dielectric::RoughDielectric;
 
@@ -65,6 +66,7 @@ enum Kind<'a> {
     },
     Slopes(OffsetBeckmann),
     Frosted(RoughDielectric<Beckmann>),
+    Bumps(&'a dyn FacetBrdf, ResolvedBumps),
     Other(&'a dyn Brdf),
 }
 
@@ -124,6 +126,12 @@ impl<'a> Lobe<'a> {
         Self { kind: Kind::Resolved { ndf, rule, coordinates }, weight: Vec3::ONE }
     }
 
+    /// The facets of a BRDF that remain where a part of them is resolved.
+    #[must_use]
+    pub fn bumps(facets: &'a dyn FacetBrdf, bumps: ResolvedBumps) -> Self {
+        Self { kind: Kind::Bumps(facets, bumps), weight: Vec3::ONE }
+    }
+
     /// Glossy flakes that are counted within the pixel.
     pub(crate) fn counted(
         all: CookTorrance<Beckmann, Vec3>,
@@ -164,7 +172,9 @@ impl<'a> Lobe<'a> {
                 Some(LobePart::Glossy(self.weight * *lobe.fresnel(), alpha2(lobe.facets())))
             }
             Kind::Varnish(lobe) => Some(LobePart::Varnish(alpha2(lobe.facets()))),
-            Kind::Resolved { .. } | Kind::Slopes(_) | Kind::Frosted(_) | Kind::Other(_) => None,
+            Kind::Resolved { .. } | Kind::Slopes(_) | Kind::Frosted(_) | Kind::Bumps(..) | Kind::Other(_) => {
+                None
+            }
         }
     }
 
@@ -176,7 +186,9 @@ impl<'a> Lobe<'a> {
                 *lobe.fresnel()
             }
             Kind::Varnish(lobe) => lobe.fresnel().reflectance_rgb(wo.z).max(Vec3::splat(0.1)),
-            Kind::Resolved { .. } | Kind::Slopes(_) | Kind::Frosted(_) | Kind::Other(_) => Vec3::ONE,
+            Kind::Resolved { .. } | Kind::Slopes(_) | Kind::Frosted(_) | Kind::Bumps(..) | Kind::Other(_) => {
+                Vec3::ONE
+            }
         };
         finite((own * self.weight).max_element())
     }
@@ -196,6 +208,7 @@ impl<'a> Lobe<'a> {
             }
             Kind::Slopes(slopes) => reflect(wo, slopes.sample(u)),
             Kind::Frosted(glass) => glass.direction(wo, uc, u)?,
+            Kind::Bumps(facets, bumps) => facets.sample_resolved(wo, uc, u, *bumps)?.wi,
             Kind::Other(brdf) => {
                 let sample = brdf.sample(wo, uc, u)?;
                 let weighted = BsdfSample { eval_cos: sample.eval_cos * self.weight, ..sample };
@@ -211,6 +224,9 @@ impl Brdf for Lobe<'_> {
         if !are_above(wi, wo) {
             return match &self.kind {
                 Kind::Frosted(glass) => self.weight * glass.eval(wo, wi),
+                Kind::Bumps(facets, bumps) if facets.transmits() => {
+                    self.weight * facets.eval_resolved(wo, wi, *bumps)
+                }
                 Kind::Other(brdf) if brdf.transmits() => self.weight * brdf.eval(wo, wi),
                 _ => Vec3::ZERO,
             };
@@ -240,6 +256,7 @@ impl Brdf for Lobe<'_> {
             Kind::Resolved { ndf, rule, coordinates } => facets(rule.radiance(*ndf, h, *coordinates)),
             Kind::Slopes(slopes) => facets(slopes.d(h)),
             Kind::Frosted(glass) => glass.eval(wo, wi),
+            Kind::Bumps(facets, bumps) => facets.eval_resolved(wo, wi, *bumps),
             Kind::Other(brdf) => brdf.eval(wo, wi),
         };
         self.weight * value
@@ -266,6 +283,7 @@ impl Brdf for Lobe<'_> {
             }),
             Kind::Slopes(slopes) => mirrored_pdf(wo, wi, |h| slopes.pdf(h)),
             Kind::Frosted(glass) => glass.pdf(wo, wi),
+            Kind::Bumps(facets, bumps) => facets.pdf_resolved(wo, wi, *bumps),
             Kind::Other(brdf) => brdf.pdf(wo, wi),
         }
     }
@@ -273,6 +291,7 @@ impl Brdf for Lobe<'_> {
     fn transmits(&self) -> bool {
         match &self.kind {
             Kind::Frosted(_) => true,
+            Kind::Bumps(facets, _) => facets.transmits(),
             Kind::Other(brdf) => brdf.transmits(),
             _ => false,
         }
@@ -283,10 +302,8 @@ impl Brdf for Lobe<'_> {
 fn resolved_normal(ndf: &dyn Ndf, rule: LevelOfDetail, coordinates: ResolvedBumps, u: Vec2) -> Vec3 {
     match rule {
         LevelOfDetail::Exact => {
-            let gauss =
-                |u: f32| inverse_gaussian_cdf(f64::from(clamp_to(u, 1.0)).clamp(1e-9, 1.0 - 1e-9)) as f32;
             let share = clamp_to(coordinates.variance, 1.0);
-            let rest = sqrt(1.0 - share) * Vec2::new(gauss(u.x), gauss(u.y));
+            let rest = sqrt(1.0 - share) * gaussians(u);
             ndf.warp_gaussian(sqrt(share) * coordinates.z + rest)
         }
         LevelOfDetail::Fractal => Frame::from_normal(rule.normal(ndf, coordinates)).to_world(ndf.sample(u)),

@@ -1,12 +1,14 @@
 //! Rough glass: microfacets that reflect and refract.
 
-use asperity_ndf_sampling::Microfacet;
+use asperity_ndf_sampling::{GaussianSplit, Microfacet, VisibleFacets, VisibleWarp};
 use glam::{Vec2, Vec3};
 
 use crate::direction::{half_vector, reflect};
+use crate::level_of_detail::ResolvedBumps;
 use crate::math::{clamp_to, sqrt};
 use crate::reflectance::absorption::through_wall;
-use crate::reflectance::brdf::{Brdf, BsdfSample, finite, have_sides};
+use crate::reflectance::brdf::{Brdf, BsdfSample, SampleKind, finite, have_sides};
+use crate::reflectance::facet_brdf::{FacetBrdf, gaussians};
 use crate::reflectance::fresnel::Dielectric;
 
 /// Rough glass: the microfacet BSDF of Walter et al. (2007) for any NDF with Smith masking.
@@ -38,8 +40,9 @@ use crate::reflectance::fresnel::Dielectric;
 /// - **Energy:** the albedo over both hemispheres is 1 except for the loss by shadowing,
 ///   `E[G₁(ωi)]` over visible normals. It decreases with roughness and towards the horizon, because
 ///   multiple scattering is omitted. A thin wall also loses the light absorbed by its tint.
-/// - **Sampling:** visible normals (Heitz 2018), reflected or refracted by their mean reflectance.
-///   The weight of a sample is `F G₁(ωi)/q` or `(1 − F) G₁(ωi)/(1 − q)`, with q of the view.
+/// - **Sampling:** visible normals (Heitz 2018), each reflected with the probability `F` of its
+///   facet, otherwise refracted. The weight of a sample is `G₁(ωi)`, times the tint of a wall.
+/// - **Bumps:** as a [`FacetBrdf`] it resolves a part of its facets, seen from either side.
 /// - **Thin wall:** a sheet with the same facets on both sides, treated as one surface.
 ///   Transmission is the mirror image of reflection, so it is scattered as widely. The scattering
 ///   of a real sheet is narrower, about `(η − 1)/√2` of it.
@@ -73,10 +76,6 @@ pub struct RoughDielectric<D> {
 
 /// The minimum distance of the index from 1.
 const LEAST_STEP: f32 = 0.01;
-
-/// Random numbers whose visible normals determine the mean reflectance of a view.
-const PROBES: [Vec2; 4] =
-    [Vec2::new(0.15, 0.1), Vec2::new(0.4, 0.6), Vec2::new(0.65, 0.35), Vec2::new(0.9, 0.85)];
 
 /// A facet between two directions.
 struct Meeting {
@@ -159,48 +158,63 @@ impl<D: Microfacet> RoughDielectric<D> {
         (meeting.h.z > 0.0).then_some(meeting)
     }
 
-    /// Fraction of light that the facet of a meeting scatters, by color.
-    fn share(&self, wo: Vec3, meeting: &Meeting) -> Vec3 {
+    /// Reflectance of the facet of a meeting.
+    fn reflectance_at(&self, wo: Vec3, meeting: &Meeting) -> f32 {
         let [incident, cosine] = meeting.cosines;
-        match (meeting.crosses, self.wall) {
-            (false, _) => Vec3::splat(self.reflectance(wo, cosine)),
+        if meeting.crosses && self.wall.is_none() {
             // Both ways from the cosine above the surface, because the one below is ill conditioned
             // near the critical angle.
-            (true, None) => {
-                let above = if wo.z > 0.0 { cosine } else { incident };
-                Vec3::splat(1.0 - self.fresnel.reflectance(above))
-            }
-            (true, Some(tint)) => {
-                let index = self.fresnel.relative_index();
-                (1.0 - self.reflectance(wo, cosine)) * through_wall(tint, cosine, index)
-            }
+            self.fresnel.reflectance(if wo.z > 0.0 { cosine } else { incident })
+        } else {
+            self.reflectance(wo, cosine)
         }
     }
 
-    /// Probability of reflection, from the mean over visible normals, so that both cases are
-    /// sampled.
-    fn chance(&self, wo: Vec3) -> f32 {
-        let v = seen_from_above(wo);
-        let sum: f32 =
-            PROBES.iter().map(|u| self.reflectance(wo, v.dot(self.density.sample_visible(v, *u)))).sum();
-        (0.25 * sum).clamp(0.03, 0.97)
+    /// Fraction of light that the facet of a meeting scatters.
+    fn share(&self, wo: Vec3, meeting: &Meeting) -> f32 {
+        let reflectance = self.reflectance_at(wo, meeting);
+        if meeting.crosses { 1.0 - reflectance } else { reflectance }
     }
 
-    /// Reflects or refracts `wo` at a visible facet.
+    /// Transmittance of the material along a meeting, by color.
+    fn tint(&self, meeting: &Meeting) -> Vec3 {
+        match self.wall {
+            Some(tint) if meeting.crosses => {
+                through_wall(tint, meeting.cosines[1], self.fresnel.relative_index())
+            }
+            _ => Vec3::ONE,
+        }
+    }
+
+    /// `D G₁ G₁ |ωo·h| dω_h/dω_i /(|cos θ_i cos θ_o|)` of a meeting.
+    fn shown(&self, wo: Vec3, wi: Vec3, meeting: &Meeting) -> f32 {
+        // The far side of a thin wall is seen through it, as if light came from above.
+        let back = if meeting.crosses && self.wall.is_some() { Vec3::new(wi.x, wi.y, -wi.z) } else { wi };
+        let masking = self.density.g2_separable(seen_from_above(back), seen_from_above(wo));
+        let facets = self.density.d(meeting.h) * masking * meeting.cosines[1] * meeting.jacobian;
+        facets / (wi.z * wo.z).abs()
+    }
+
+    /// Reflects or refracts `wo` at a visible facet, in proportion to its reflectance.
     pub(super) fn direction(&self, wo: Vec3, uc: f32, u: Vec2) -> Option<Vec3> {
         if !have_sides(wo, wo) {
             return None;
         }
+        self.scattered(wo, uc, self.density.sample_visible(seen_from_above(wo), u))
+    }
+
+    /// Reflects or refracts `wo` at the facet `h`.
+    fn scattered(&self, wo: Vec3, uc: f32, h: Vec3) -> Option<Vec3> {
         let (v, side) = (seen_from_above(wo), wo.z.signum());
-        let h = self.density.sample_visible(v, u);
         let mirrored = reflect(v, h);
-        let reflects = clamp_to(uc, 1.0) < self.chance(wo);
+        let cosine = v.dot(h);
+        let reflects = clamp_to(uc, 1.0) < self.reflectance(wo, cosine);
         if reflects || self.wall.is_some() {
             let flip = if reflects { 1.0 } else { -1.0 };
             return (mirrored.z > 0.0).then_some(mirrored * Vec3::new(1.0, 1.0, flip) * side);
         }
         // Snell: sin θ_t = sin θ/η.
-        let (eta, cosine) = (1.0 / self.interface(wo).relative_index(), v.dot(h));
+        let eta = 1.0 / self.interface(wo).relative_index();
         let below = 1.0 - eta * eta * (1.0 - cosine * cosine).max(0.0);
         let refracted = (eta * cosine - sqrt(below.max(0.0))) * h - eta * v;
         (below > 0.0 && refracted.z < 0.0).then_some(refracted * side)
@@ -224,11 +238,7 @@ impl<D: Microfacet> Brdf for RoughDielectric<D> {
         let Some(meeting) = self.meeting(wi, wo) else {
             return Vec3::ZERO;
         };
-        // The far side of a thin wall is seen through it, as if light came from above.
-        let back = if meeting.crosses && self.wall.is_some() { Vec3::new(wi.x, wi.y, -wi.z) } else { wi };
-        let masking = self.density.g2_separable(seen_from_above(back), seen_from_above(wo));
-        let facets = self.density.d(meeting.h) * masking * meeting.cosines[1] * meeting.jacobian;
-        finite(facets / (wi.z * wo.z).abs()) * self.share(wo, &meeting)
+        finite(self.shown(wo, wi, &meeting)) * self.share(wo, &meeting) * self.tint(&meeting)
     }
 
     fn sample(&self, wo: Vec3, uc: f32, u: Vec2) -> Option<BsdfSample> {
@@ -239,12 +249,46 @@ impl<D: Microfacet> Brdf for RoughDielectric<D> {
         let Some(meeting) = self.meeting(wi, wo) else {
             return 0.0;
         };
-        let chance = self.chance(wo);
-        let chance = if meeting.crosses { 1.0 - chance } else { chance };
-        chance * finite(self.density.visible_pdf(seen_from_above(wo), meeting.h) * meeting.jacobian)
+        let facets = self.density.visible_pdf(seen_from_above(wo), meeting.h);
+        self.share(wo, &meeting) * finite(facets * meeting.jacobian)
     }
 
     fn transmits(&self) -> bool {
         true
+    }
+}
+
+impl<D: VisibleWarp> FacetBrdf for RoughDielectric<D> {
+    fn eval_resolved(&self, wo: Vec3, wi: Vec3, bumps: ResolvedBumps) -> Vec3 {
+        let Some(meeting) = self.meeting(wi, wo).filter(|_| bumps.are_resolved()) else {
+            return self.eval(wo, wi);
+        };
+        let split = GaussianSplit::new(bumps.z, bumps.variance);
+        let z = self.density.invert_visible(seen_from_above(wo), meeting.h);
+        finite(split.weigh(self.shown(wo, wi, &meeting), z)) * self.share(wo, &meeting) * self.tint(&meeting)
+    }
+
+    fn sample_resolved(&self, wo: Vec3, uc: f32, u: Vec2, bumps: ResolvedBumps) -> Option<BsdfSample> {
+        if !bumps.are_resolved() || !have_sides(wo, wo) {
+            return self.sample(wo, uc, u);
+        }
+        let wi = self.scattered(wo, uc, self.visible(wo, bumps).warp_gaussian(gaussians(u)))?;
+        let pdf = self.pdf_resolved(wo, wi, bumps);
+        let eval_cos = self.eval_resolved(wo, wi, bumps) * wi.z.abs();
+        let kind = if wi.z * wo.z < 0.0 { SampleKind::Transmission } else { SampleKind::Reflection };
+        (pdf > 0.0).then_some(BsdfSample { wi, eval_cos, pdf, kind })
+    }
+
+    fn pdf_resolved(&self, wo: Vec3, wi: Vec3, bumps: ResolvedBumps) -> f32 {
+        let Some(meeting) = self.meeting(wi, wo).filter(|_| bumps.are_resolved()) else {
+            return self.pdf(wo, wi);
+        };
+        self.share(wo, &meeting) * finite(self.visible(wo, bumps).pdf(meeting.h) * meeting.jacobian)
+    }
+}
+
+impl<D: VisibleWarp> RoughDielectric<D> {
+    fn visible(&self, wo: Vec3, bumps: ResolvedBumps) -> VisibleFacets<&D> {
+        VisibleFacets::new(&self.density, seen_from_above(wo), bumps.z, bumps.variance)
     }
 }

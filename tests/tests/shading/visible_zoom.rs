@@ -1,0 +1,145 @@
+//! Microfacet models of which a pixel resolves a part: mean, energy and samples.
+
+use asperity_shading::check;
+use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::level_of_detail::ResolvedBumps;
+use asperity_shading::reflectance::{BumpFacets, FacetBrdf, Lobe, RoughDielectric, SchlickF82};
+use asperity_shading::{Brdf, Conductor, CookTorrance, Dielectric, Ggx};
+use asperity_tests::assert_abs_diff_eq;
+use asperity_tests::random::Random;
+use rayon::prelude::*;
+
+use crate::checked::quick;
+use crate::reflectance::direction;
+
+const VALID: &str = "in range";
+
+type Facets = Box<dyn FacetBrdf + Sync>;
+
+fn gold() -> [Conductor; 3] {
+    [(0.18, 3.42), (0.42, 2.35), (1.37, 1.77)].map(|(eta, k)| Conductor::new(eta, k).expect(VALID))
+}
+
+/// Conductors, dielectrics, and a pane.
+fn models() -> Vec<(&'static str, Facets)> {
+    let ggx = |alpha_x, alpha_y| Ggx::new(alpha_x, alpha_y).expect(VALID);
+    let tint = [0.9, 0.5, 0.3].map(|f0| SchlickF82::new(f0, 0.4).expect(VALID));
+    let glass = Dielectric::new(1.5).expect(VALID);
+    vec![
+        ("gold", Box::new(CookTorrance::new(ggx(0.5, 0.2), gold()))),
+        ("F82", Box::new(CookTorrance::new(ggx(0.3, 0.3), tint))),
+        ("varnish", Box::new(CookTorrance::new(ggx(0.2, 0.4), glass))),
+        ("glass", Box::new(RoughDielectric::new(ggx(0.4, 0.2), glass))),
+        ("bubble", Box::new(RoughDielectric::new(ggx(0.3, 0.3), glass.reversed()))),
+        ("pane", Box::new(RoughDielectric::thin(ggx(0.3, 0.5), glass, Vec3::new(0.9, 0.8, 0.7)))),
+    ]
+}
+
+fn resolved(z: [f64; 2], variance: f32) -> ResolvedBumps {
+    ResolvedBumps { z: Vec2::from(z.map(|z| z as f32)), variance, blend: 1.0 }
+}
+
+/// The mean over Gaussian bumps at one pair of directions, by the trapezoid rule on ±6.
+fn mean(brdf: &dyn FacetBrdf, wo: Vec3, wi: Vec3, variance: f32) -> f64 {
+    const SIDE: i16 = 72;
+    let step = 6.0 / f64::from(SIDE);
+    let mut sum = 0.0;
+    for (i, j) in (-SIDE..=SIDE).flat_map(|i| (-SIDE..=SIDE).map(move |j| (i, j))) {
+        let z = [f64::from(i) * step, f64::from(j) * step];
+        let weight = (-0.5 * (z[0] * z[0] + z[1] * z[1])).exp() / core::f64::consts::TAU;
+        sum += weight * f64::from(brdf.eval_resolved(wo, wi, resolved(z, variance)).x);
+    }
+    sum * step * step
+}
+
+#[test]
+fn mean_over_bumps_is_the_far_field() {
+    let mut random = Random(11);
+    for (name, brdf) in models() {
+        let views = if brdf.transmits() { &[0.0, 1.047, 1.396, 2.2][..] } else { &[0.0, 1.047, 1.396] };
+        for (k, &theta) in views.iter().enumerate() {
+            let wo = direction(theta, 0.4 + k as f64);
+            for variance in [0.3, 0.75, 0.9] {
+                let mut u = || random.uniform() as f32;
+                // Directions where the BRDF is bright.
+                let Some(sample) = brdf.sample(wo, u(), Vec2::new(u(), u())) else { continue };
+                let far = f64::from(brdf.eval(wo, sample.wi).x);
+                let ratio = mean(&*brdf, wo, sample.wi, variance) / far;
+                assert_abs_diff_eq!(ratio, 1.0, epsilon = 2e-4, "{name}, {wo}, {}, {variance}", sample.wi);
+            }
+        }
+    }
+}
+
+#[test]
+fn facets_by_area_have_the_same_mean_and_are_reciprocal() {
+    let brdf = CookTorrance::new(Ggx::new(0.5, 0.2).expect(VALID), gold()).with_bump_facets(BumpFacets::All);
+    for (theta, variance) in [(0.0, 0.3), (1.047, 0.75), (1.396, 0.9)] {
+        let (wo, wi) = (direction(theta, 0.4), direction(0.5, -2.3));
+        let far = f64::from(brdf.eval(wo, wi).x);
+        assert_abs_diff_eq!(mean(&brdf, wo, wi, variance) / far, 1.0, epsilon = 2e-4, "{theta}");
+        let bumps = resolved([0.7, -0.4], variance);
+        let report = check::brdf(&Lobe::bumps(&brdf, bumps), quick(3));
+        // Single points may reflect more than they receive.
+        assert!(report.failures().all(|failure| failure == "energy"), "{report}");
+    }
+}
+
+#[test]
+fn resolved_facets_pass_the_public_checks() {
+    let bumps = [([0.7, -0.4], 0.3), ([-1.2, 0.9], 0.75), ([0.2, 0.1], 0.94)];
+    let cases: Vec<_> = models().into_iter().flat_map(|m| bumps.map(|b| (m.0, b))).collect();
+    cases.into_par_iter().for_each(|(name, (z, variance))| {
+        let all = models();
+        let brdf = &*all.iter().find(|model| model.0 == name).expect("one of them").1;
+        let report = check::brdf(&Lobe::bumps(brdf, resolved(z, variance)), quick(5));
+        assert!(report.failures().eq(["reciprocity"]), "{name}, {z:?}, {variance}\n{report}");
+    });
+}
+
+#[test]
+fn no_sample_is_brighter_than_the_light() {
+    let mut random = Random(4);
+    for (name, brdf) in models() {
+        for _ in 0..20_000 {
+            let mut u = || random.uniform() as f32;
+            let up = 2.0 * u() - if brdf.transmits() { 1.0 } else { 0.0 };
+            let wo = direction(f64::from(up.min(1.0)).acos(), f64::from(7.0 * u()));
+            let (uc, point, variance) = (u(), Vec2::new(u(), u()), u());
+            let bumps = resolved(random.gaussians(), variance);
+            let Some(sample) = brdf.sample_resolved(wo, uc, point, bumps) else { continue };
+            // The rounding of half vectors is magnified in narrow lobes.
+            assert!(sample.weight().max_element() < 1.001, "{name}, {wo}, {bumps:?}: {sample:?}");
+        }
+    }
+}
+
+#[test]
+fn unresolved_facets_are_the_far_field() {
+    let (wo, u) = (direction(1.0, 0.3), Vec2::new(0.3, 0.6));
+    for (_, brdf) in models() {
+        let sample = brdf.sample(wo, 0.02, u).expect("above the horizon");
+        assert_eq!(brdf.sample_resolved(wo, 0.02, u, ResolvedBumps::FAR), Some(sample));
+        assert_eq!(brdf.pdf_resolved(wo, sample.wi, ResolvedBumps::FAR), sample.pdf);
+        assert_eq!(brdf.eval_resolved(wo, sample.wi, ResolvedBumps::FAR), brdf.eval(wo, sample.wi));
+    }
+}
+
+#[test]
+fn any_bumps_and_directions_are_accepted() {
+    let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -1.0, 1e30];
+    for (name, brdf) in models() {
+        for (a, b) in bad.into_iter().flat_map(|a| bad.map(|b| (a, b))) {
+            let bumps = ResolvedBumps { z: Vec2::new(a, b), variance: b, blend: a };
+            for w in [Vec3::new(a, b, 1.0), Vec3::new(0.6, a, b), direction(0.4, 0.2)] {
+                let wi = direction(0.7, 2.0);
+                let value = brdf.eval_resolved(w, wi, bumps);
+                assert!(value.is_finite() && value.min_element() >= 0.0, "{name} {w} {bumps:?}");
+                assert!(brdf.pdf_resolved(w, wi, bumps).is_finite(), "{name} {w} {bumps:?}");
+                if let Some(sample) = brdf.sample_resolved(w, 0.5, Vec2::new(a, b), bumps) {
+                    assert!(sample.wi.is_finite() && sample.weight().is_finite(), "{name} {w} {bumps:?}");
+                }
+            }
+        }
+    }
+}
