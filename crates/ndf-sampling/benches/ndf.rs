@@ -7,8 +7,8 @@ use std::hint::black_box;
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::{
     AshikhminShirley, BatchError, Beckmann, BlinnPhong, ConditionalTable, Frame, GaussianSplit, Ggx,
-    Isotropic, Microfacet, Mixture, Ndf, NdfMap, NormalLut, Radial, Reconstruction, StudentT, gaussian_cdf,
-    inverse_gaussian_cdf,
+    Isotropic, Microfacet, Mixture, Ndf, NdfMap, NormalLut, Radial, Reconstruction, StudentT, VisibleFacets,
+    VisibleWarp, gaussian_cdf, inverse_gaussian_cdf,
     normal_table::{Spacing, TableLayout},
     residual_ndf,
 };
@@ -50,6 +50,23 @@ fn masking(c: &mut Criterion, name: &str, ndf: impl Microfacet) {
     each(c, &format!("lambda/{name}"), &views, |v| ndf.lambda(v));
     each(c, &format!("sample_visible/{name}"), &pairs, |(v, u)| ndf.sample_visible(v, u));
     maps(c, name, ndf);
+}
+
+/// Maps of visible normals, and their density where a part of the bumps is resolved.
+fn seen(c: &mut Criterion, name: &str, ndf: impl VisibleWarp) {
+    let pairs: Vec<(Vec3, Vec2)> = views().into_iter().zip(coordinates()).collect();
+    let normals: Vec<(Vec3, Vec3)> = pairs.iter().map(|&(v, z)| (v, ndf.warp_visible(v, z))).collect();
+    each(c, &format!("warp_visible/{name}"), &pairs, |(v, z)| ndf.warp_visible(v, z));
+    each(c, &format!("invert_visible/{name}"), &normals, |(v, m)| ndf.invert_visible(v, m));
+    each(c, &format!("visible_facets/{name}"), &normals, |(v, m)| {
+        VisibleFacets::new(&ndf, v, Vec2::new(0.3, -0.8), 0.75).d(m)
+    });
+}
+
+fn visible(c: &mut Criterion) {
+    seen(c, "ggx", Ggx::new(0.2, 0.4).expect("a roughness"));
+    seen(c, "beckmann", Beckmann::new(0.2, 0.4).expect("a roughness"));
+    seen(c, "student_t", StudentT::new(0.2, 0.4, 3.0).expect("an exponent"));
 }
 
 fn parametric(c: &mut Criterion) {
@@ -137,5 +154,5 @@ fn construction(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, parametric, composed, tabulated, look_ups, look_ups_of_many, construction);
+criterion_group!(benches, parametric, visible, composed, tabulated, look_ups, look_ups_of_many, construction);
 criterion_main!(benches);

@@ -106,6 +106,9 @@ impl<N: Microfacet + ?Sized> Microfacet for &N {
 /// [`Ndf::warp_gaussian`]. A bump map with the coordinates `z` therefore has the visible normals
 /// `T_v(z)`. [`VisibleFacets`](crate::VisibleFacets) resolves a part of them.
 ///
+/// The map is exact for closed forms. For tables it is approximate, and its density is
+/// [`warp_visible_pdf`](Self::warp_visible_pdf).
+///
 /// - **Domain:** views as for [`Microfacet`]. Every `z` is valid, as for [`Ndf::warp_gaussian`].
 /// - **Invisible normals**, with `v·m ≤ 0`, have the density 0. Their coordinates are finite and
 ///   without meaning.
@@ -129,12 +132,23 @@ pub trait VisibleWarp: Microfacet {
     /// `T_v⁻¹(m)`: the Gaussian numbers of a visible normal.
     #[must_use]
     fn invert_visible(&self, v: Vec3, m: Vec3) -> Vec2;
+
+    /// The density over solid angle of `T_v(z)` for standard Gaussian `z`, in sr⁻¹.
+    ///
+    /// The default is [`visible_pdf`](Microfacet::visible_pdf). Maps whose `T_v` is approximate
+    /// return the density of their samples.
+    #[inline]
+    #[must_use]
+    fn warp_visible_pdf(&self, v: Vec3, m: Vec3) -> f32 {
+        self.visible_pdf(v, m)
+    }
 }
 
 impl<N: VisibleWarp + ?Sized> VisibleWarp for &N {
     forward! { |ndf| **ndf;
         warp_visible(v: Vec3, z: Vec2) -> Vec3;
         invert_visible(v: Vec3, m: Vec3) -> Vec2;
+        warp_visible_pdf(v: Vec3, m: Vec3) -> f32;
     }
 }
 

@@ -5,18 +5,20 @@ use core::f32::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
 use glam::{Vec2, Vec3};
 
 use crate::closed_form::Formulas;
-use crate::coordinates::{FARTHEST, GaussianSplit};
+use crate::coordinates::{FARTHEST, GaussianSplit, bounded};
 use crate::density::closed_form::{closed_form, probabilities, stretched, unit};
 use crate::density::gaussian_lanes;
 use crate::density::roughness::{Roughness, roughness_parameters};
-use crate::density::visible_slopes::{LEAST_U, excess, visible_slope};
-use crate::microfacet::{Microfacet, above};
+use crate::density::view_axis::ViewAxis;
+use crate::density::visible_slopes::{
+    LEAST_U, excess, gaussian_of_visible, visible_of_gaussian, visible_slope,
+};
+use crate::microfacet::{Microfacet, VisibleWarp};
 use crate::ndf::unit_square;
 use crate::numeric::normal_distribution::inverse_gaussian_cdf;
 use crate::radial::Radial;
 use asperity_core::lanes::Arithmetic;
 use asperity_core::lanes::elementary::{cos_sin_turns, exp, ln_1p};
-use asperity_core::math;
 
 /// The Beckmann NDF with the roughnesses `alpha_x`, `alpha_y`.
 ///
@@ -53,6 +55,9 @@ pub struct Beckmann {
 /// Up to this exponent `exp(−a)` times the smallest peak, of [`MAX_ALPHA`](Beckmann::MAX_ALPHA), is
 /// a normal `f32`.
 const NEAR: f32 = 40.0;
+
+/// Beyond every slope of bounded coordinates.
+const STEEPEST: f64 = 20.0;
 
 roughness_parameters!(Beckmann);
 
@@ -116,6 +121,12 @@ impl Formulas for Beckmann {
 }
 
 impl Beckmann {
+    /// The normal with these slopes along and across a view, in standard deviations.
+    fn sloped(self, axis: ViewAxis, along: f64, across: f64) -> Vec3 {
+        let [x, y] = axis.to_surface(along, across);
+        self.alpha.normal(x as f32 * FRAC_1_SQRT_2, y as f32 * FRAC_1_SQRT_2, 1.0)
+    }
+
     /// The density around the slope `mean`, in units of the roughnesses, with `rest` times the
     /// variance.
     #[inline(always)]
@@ -147,14 +158,38 @@ impl Microfacet for Beckmann {
     }
 
     fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3 {
-        let (u, w) = (unit_square(u), self.alpha.stretch(above(v)));
-        let lateral = math::sqrt(w.x * w.x + w.y * w.y);
-        // Along x if the view has no azimuth.
-        let (cos, sin) = if lateral > 0.0 { (w.x / lateral, w.y / lateral) } else { (1.0, 0.0) };
-        let z = core::f64::consts::SQRT_2 * f64::from(w.z) / f64::from(lateral);
-        let along = visible_slope(z, f64::from(u.x)) as f32 * FRAC_1_SQRT_2;
-        let across = inverse_gaussian_cdf(f64::from(u.y).max(LEAST_U)) as f32 * FRAC_1_SQRT_2;
-        self.alpha.normal(along * cos - across * sin, along * sin + across * cos, 1.0)
+        let (u, axis) = (unit_square(u), ViewAxis::new(self.alpha, v));
+        let along = visible_slope(axis.cotangent, f64::from(u.x));
+        self.sloped(axis, along, inverse_gaussian_cdf(f64::from(u.y).max(LEAST_U)))
+    }
+}
+
+/// The slope along the view by the quantile of its seen distribution; the slope across is unchanged.
+///
+/// ```text
+/// t = √2 s/α = z, along and across the view
+/// T_v(z): t₁ = Q(Φ(z₁)),  t₂ = z₂;   Q: the quantile of the seen slopes, of density ∝ (b + t) φ(t) for t ≥ −b
+/// T_v⁻¹:  z₁ = Φ⁻¹((b Φ(t₁) − φ(t₁) − b Φ(−b) + φ(b))/(b Φ(b) + φ(b))),  z₂ = t₂
+/// ```
+///
+/// Here `b` is the cotangent of the view's angle in standard deviations.
+///
+/// Accuracy: `T_v⁻¹(T_v(z)) = z` within 2e-6 for `|z| ≤ 4` and views up to 89.95° from the normal.
+impl VisibleWarp for Beckmann {
+    fn warp_visible(&self, v: Vec3, z: Vec2) -> Vec3 {
+        let (axis, z) = (ViewAxis::new(self.alpha, v), bounded(z));
+        let [along, across] = axis.to_view(f64::from(z.x), f64::from(z.y));
+        self.sloped(axis, visible_of_gaussian(axis.cotangent, along), across)
+    }
+
+    fn invert_visible(&self, v: Vec3, m: Vec3) -> Vec2 {
+        let axis = ViewAxis::new(self.alpha, v);
+        let up = core::f64::consts::SQRT_2 / f64::from(m.z.max(f32::MIN_POSITIVE));
+        let (x, y) = (f64::from(m.x / self.alpha.x) * up, f64::from(m.y / self.alpha.y) * up);
+        let [along, across] = axis.to_view(x, y);
+        let along = gaussian_of_visible(axis.cotangent, along).clamp(-STEEPEST, STEEPEST);
+        let [x, y] = axis.to_surface(along, across);
+        bounded(Vec2::new(x as f32, y as f32))
     }
 }
 

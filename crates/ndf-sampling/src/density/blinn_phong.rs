@@ -44,7 +44,7 @@ pub struct BlinnPhong {
     facets: StudentT,
 }
 
-delegate_ndf!(BlinnPhong, facets, Microfacet, Radial);
+delegate_ndf!(BlinnPhong, facets, Microfacet, VisibleWarp, Radial);
 #[cfg(feature = "approx")]
 asperity_core::impl_approx! { f32; BlinnPhong: density => density.exponent; }
 written!(BlinnPhong, |density| { exponent: density.exponent });

@@ -19,6 +19,14 @@ macro_rules! delegate_ndf {
             }
         }
     };
+    (@VisibleWarp $density:ty, $to:ident) => {
+        impl $crate::microfacet::VisibleWarp for $density {
+            $crate::ndf::forward! { |density| density.$to();
+                warp_visible(v: glam::Vec3, z: glam::Vec2) -> glam::Vec3;
+                invert_visible(v: glam::Vec3, m: glam::Vec3) -> glam::Vec2;
+            }
+        }
+    };
     (@Radial $density:ty, $to:ident) => {
         impl $crate::radial::Radial for $density {
             $crate::ndf::forward! { |density| density.$to(); exponent(slope: f64) -> Option<f64>; }

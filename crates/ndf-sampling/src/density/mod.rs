@@ -15,6 +15,7 @@ pub(crate) mod rotated;
 pub(crate) mod roughness;
 pub(crate) mod student_distribution;
 pub(crate) mod student_t;
+pub(crate) mod view_axis;
 pub(crate) mod visible_slopes;
 pub(crate) mod ward;
 

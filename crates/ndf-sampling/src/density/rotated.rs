@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 
 use crate::error::{NdfError, in_range};
-use crate::microfacet::Microfacet;
+use crate::microfacet::{Microfacet, VisibleWarp};
 use crate::ndf::Ndf;
 use crate::radial::Radial;
 use asperity_core::math;
@@ -99,6 +99,25 @@ impl<N: Microfacet> Microfacet for Rotated<N> {
     #[inline]
     fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3 {
         self.turn3(self.ndf.sample_visible(self.back3(v), u))
+    }
+}
+
+impl<N: VisibleWarp> VisibleWarp for Rotated<N> {
+    #[inline]
+    fn warp_visible(&self, v: Vec3, z: Vec2) -> Vec3 {
+        let z = crate::coordinates::bounded(z);
+        self.turn3(self.ndf.warp_visible(self.back3(v), self.back(z.x, z.y)))
+    }
+
+    #[inline]
+    fn invert_visible(&self, v: Vec3, m: Vec3) -> Vec2 {
+        let z = self.ndf.invert_visible(self.back3(v), self.back3(m));
+        self.turn(z.x, z.y)
+    }
+
+    #[inline]
+    fn warp_visible_pdf(&self, v: Vec3, m: Vec3) -> f32 {
+        self.ndf.warp_visible_pdf(self.back3(v), self.back3(m))
     }
 }
 

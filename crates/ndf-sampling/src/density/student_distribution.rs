@@ -67,39 +67,45 @@ impl StudentDistribution {
     /// Works like [`visible_slope`](crate::density::visible_slopes::visible_slope), with `x`
     /// transformed by arsinh, in which power laws are straight. `ν > 1`; within 1e-12 in `u`.
     pub(crate) fn visible_slope(self, b: f64, u: f64) -> f64 {
-        let b = if b < ZENITH { b } else { ZENITH };
-        let total = b * self.tail(-b) + self.beyond(b);
-        let edge = b * self.tail(b) - self.beyond(b);
-        let start = self.guess(u.max(LEAST_U));
-        let y = b + start;
-        let start = if y > 0.0 {
-            // Correct for b → ∞ to the second order in 1/b.
-            start + 2.0 / (math::sqrt_f64(y * y + 4.0) + y)
+        let u = u.max(LEAST_U);
+        SeenSlopes::new(self, b).quantile(self.guess(u), [u, 1.0 - u])
+    }
+
+    /// The slope with the same fractions below and above it among the slopes seen by a view as `t`
+    /// has among all slopes.
+    ///
+    /// The identity for views at the zenith. It increases, and never leaves `x ≥ −b`.
+    pub(crate) fn visible_of_slope(self, b: f64, t: f64) -> f64 {
+        SeenSlopes::new(self, b).quantile(t, [self.tail(-t), self.tail(t)])
+    }
+
+    /// The inverse of [`visible_of_slope`](Self::visible_of_slope).
+    pub(crate) fn slope_of_visible(self, b: f64, x: f64) -> f64 {
+        if x > -b {
+            let seen = SeenSlopes::new(self, b);
+            self.quantile_of([true, false].map(|is_left| seen.fraction(x, is_left).max(f64::MIN_POSITIVE)))
         } else {
-            // At the edge the distribution starts like a square.
-            math::sqrt_f64(2.0 * u.max(LEAST_U) * total / self.density(b)).min(b + 1.0) - b
-        };
-        self.solve(start, -b, u, |x| Side {
-            // Below the median the left part is small, above it the right part.
-            probability: if u < 0.5 {
-                (b * self.tail(-x) - self.beyond(x) - edge) / total
-            } else {
-                (b * self.tail(x) + self.beyond(x)) / total
-            },
-            density: (b + x) * self.density(x) / total,
-        })
+            -FARTHEST
+        }
     }
 
     /// The `u`-quantile of the distribution itself, within 1e-12 in `u`.
     pub(crate) fn quantile(self, u: f64) -> f64 {
-        let side =
-            |x: f64| Side { probability: self.tail(if u < 0.5 { -x } else { x }), density: self.density(x) };
-        self.solve(self.guess(u.max(LEAST_U)), -FARTHEST, u, side)
+        let u = u.max(LEAST_U);
+        self.quantile_of([u, 1.0 - u])
     }
 
-    /// The quantile of `u`, found from `start` and not below `least`.
-    fn solve(self, start: f64, least: f64, u: f64, side: impl Fn(f64) -> Side) -> f64 {
-        let u = u.max(LEAST_U);
+    /// The slope with the fractions `u` below and `rest` above it.
+    fn quantile_of(self, [u, rest]: [f64; 2]) -> f64 {
+        let side =
+            |x: f64| Side { probability: self.tail(if u < 0.5 { -x } else { x }), density: self.density(x) };
+        let start = if u < 0.5 { self.guess(u) } else { -self.guess(rest) };
+        self.solve(start, -FARTHEST, [u, rest], side)
+    }
+
+    /// The slope with the fractions `u` below and `rest` above it, found from `start` and not below
+    /// `least`.
+    fn solve(self, start: f64, least: f64, [u, rest]: [f64; 2], side: impl Fn(f64) -> Side) -> f64 {
         let (mut low, mut high, mut x) = (least, FARTHEST, start.min(FARTHEST));
         for _ in 0..MOST_STEPS {
             let Side { probability, density } = side(x);
@@ -111,10 +117,7 @@ impl StudentDistribution {
                 (2.0 * (math::sqrt_f64(u * probability) - probability) / (density * stretch), probability < u)
             } else {
                 let probability = probability.max(f64::MIN_POSITIVE);
-                (
-                    math::ln_f64(probability / (1.0 - u)) * probability / (density * stretch),
-                    probability > 1.0 - u,
-                )
+                (math::ln_f64(probability / rest) * probability / (density * stretch), probability > rest)
             };
             if too_low {
                 low = x;
@@ -196,6 +199,52 @@ impl StudentDistribution {
             }
         }
         k
+    }
+}
+
+/// The distribution of the slopes along a view, with the density `∝ (b + x) f(x)` for `x ≥ −b`.
+struct SeenSlopes {
+    of: StudentDistribution,
+    b: f64,
+    total: f64,
+    /// The part of the left side that the edge cuts off.
+    edge: f64,
+}
+
+impl SeenSlopes {
+    fn new(of: StudentDistribution, b: f64) -> Self {
+        let b = if b < ZENITH { b } else { ZENITH };
+        let beyond = of.beyond(b);
+        Self { of, b, total: b * of.tail(-b) + beyond, edge: b * of.tail(b) - beyond }
+    }
+
+    /// The fraction on one side of `x ≥ −b`.
+    fn fraction(&self, x: f64, is_left: bool) -> f64 {
+        let &Self { of, b, total, edge } = self;
+        if is_left {
+            (b * of.tail(-x) - of.beyond(x) - edge) / total
+        } else {
+            (b * of.tail(x) + of.beyond(x)) / total
+        }
+    }
+
+    /// The slope with the fractions `u` below and `rest` above it, of which `slope` is about the
+    /// quantile among all slopes.
+    fn quantile(&self, slope: f64, [u, rest]: [f64; 2]) -> f64 {
+        let &Self { of, b, total, .. } = self;
+        let y = b + slope;
+        let start = if y > 0.0 {
+            // Correct for b → ∞ to the second order in 1/b.
+            slope + 2.0 / (math::sqrt_f64(y * y + 4.0) + y)
+        } else {
+            // At the edge the distribution starts like a square.
+            math::sqrt_f64(2.0 * u * total / of.density(b)).min(b + 1.0) - b
+        };
+        of.solve(start, -b, [u, rest], |x| Side {
+            // Below the median the left part is small, above it the right part.
+            probability: self.fraction(x, u < 0.5),
+            density: (b + x) * of.density(x) / total,
+        })
     }
 }
 

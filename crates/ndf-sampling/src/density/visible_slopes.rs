@@ -71,39 +71,90 @@ pub(crate) fn exact_excess(z: f64) -> f64 {
 /// erf x. Here Halley steps are taken in √u below the median, where the distribution starts like a
 /// square, and in u above it.
 pub(crate) fn visible_slope(b: f64, u: f64) -> f64 {
-    let b = if b < ZENITH { b } else { ZENITH };
     let u = u.max(LEAST_U);
-    let (seen, at_edge) = phi_and_density(b);
-    let total = b * seen + at_edge;
-    // b Φ(−b) − φ(b), minus the part that the edge cuts off.
-    let edge = b * (1.0 - seen) - at_edge;
-    // Correct for b → ∞ to the second order in 1/b, and never left of the edge at −b.
-    let gaussian = inverse_gaussian_cdf(u);
-    let y = b + gaussian;
-    let root = math::sqrt_f64(y * y + 4.0);
-    let mut x = gaussian + if y > 0.0 { 2.0 / (root + y) } else { 0.5 * (root - y) };
-    for _ in 0..MOST_STEPS {
-        let height = b + x;
-        let (below_x, gaussian) = phi_and_density(x);
-        let p = height * gaussian / total;
-        // p'/p
-        let growth = 1.0 / height - x;
-        let step = if u < 0.5 {
-            let below = (b * below_x - edge - gaussian) / total;
-            let below = below.max(f64::MIN_POSITIVE);
-            let newton = 2.0 * (math::sqrt_f64(u * below) - below) / p;
-            newton / (1.0 + 0.5 * newton * (growth - 0.5 * p / below)).max(0.5)
+    SeenSlopes::new(b).quantile(inverse_gaussian_cdf(u), [u, 1.0 - u])
+}
+
+/// The slope along the view with the same fractions below and above it among the seen slopes as
+/// `gaussian` has among all slopes.
+///
+/// The identity for views at the zenith. It increases, and never leaves `x ≥ −b`.
+pub(crate) fn visible_of_gaussian(b: f64, gaussian: f64) -> f64 {
+    let tail = phi_and_density(-gaussian.abs()).0;
+    SeenSlopes::new(b)
+        .quantile(gaussian, if gaussian < 0.0 { [tail, 1.0 - tail] } else { [1.0 - tail, tail] })
+}
+
+/// The inverse of [`visible_of_gaussian`]; infinite where `x` has nothing below or above it.
+pub(crate) fn gaussian_of_visible(b: f64, x: f64) -> f64 {
+    let [below, above] = SeenSlopes::new(b).fractions(x);
+    if below < above { inverse_gaussian_cdf(below) } else { -inverse_gaussian_cdf(above) }
+}
+
+/// The distribution of the slopes along a view.
+struct SeenSlopes {
+    b: f64,
+    total: f64,
+    /// `b Φ(−b) − φ(b)`, minus the part that the edge cuts off.
+    edge: f64,
+}
+
+impl SeenSlopes {
+    fn new(b: f64) -> Self {
+        let b = if b < ZENITH { b } else { ZENITH };
+        let (seen, at_edge) = phi_and_density(b);
+        Self { b, total: b * seen + at_edge, edge: b * (1.0 - seen) - at_edge }
+    }
+
+    /// The fraction below `x`, from `Φ(x)` and `φ(x)`.
+    fn below(&self, below_x: f64, gaussian: f64) -> f64 {
+        (self.b * below_x - self.edge - gaussian) / self.total
+    }
+
+    /// The fraction above `x`, from `Φ(−x)` and `φ(x)`.
+    fn above(&self, above_x: f64, gaussian: f64) -> f64 {
+        (self.b * above_x + gaussian) / self.total
+    }
+
+    /// The fractions below and above `x`.
+    fn fractions(&self, x: f64) -> [f64; 2] {
+        if x > -self.b {
+            let ((below, gaussian), (above, _)) = (phi_and_density(x), phi_and_density(-x));
+            [self.below(below, gaussian).max(0.0), self.above(above, gaussian)]
         } else {
-            let newton = ((b * (1.0 - below_x) + gaussian) / total - (1.0 - u)) / p;
-            newton / (1.0 + 0.5 * newton * growth).max(0.5)
-        };
-        x += step.max(-0.9 * height);
-        // The next step is below its cube.
-        if step.abs() < 5e-4 {
-            break;
+            [0.0, 1.0]
         }
     }
-    x
+
+    /// The slope with these fractions below and above it, of which `gaussian` is the quantile.
+    fn quantile(&self, gaussian: f64, [u, rest]: [f64; 2]) -> f64 {
+        let &Self { b, total, .. } = self;
+        // Correct for b → ∞ to the second order in 1/b, and never left of the edge at −b.
+        let y = b + gaussian;
+        let root = math::sqrt_f64(y * y + 4.0);
+        let mut x = gaussian + if y > 0.0 { 2.0 / (root + y) } else { 0.5 * (root - y) };
+        for _ in 0..MOST_STEPS {
+            let height = b + x;
+            let (side, gaussian) = phi_and_density(if u < 0.5 { x } else { -x });
+            let p = height * gaussian / total;
+            // p'/p
+            let growth = 1.0 / height - x;
+            let step = if u < 0.5 {
+                let below = self.below(side, gaussian).max(f64::MIN_POSITIVE);
+                let newton = 2.0 * (math::sqrt_f64(u * below) - below) / p;
+                newton / (1.0 + 0.5 * newton * (growth - 0.5 * p / below)).max(0.5)
+            } else {
+                let newton = (self.above(side, gaussian) - rest) / p;
+                newton / (1.0 + 0.5 * newton * growth).max(0.5)
+            };
+            x += step.max(-0.9 * height);
+            // The next step is below its cube.
+            if step.abs() < 5e-4 {
+                break;
+            }
+        }
+        x
+    }
 }
 
 /// More steps than any `b` and `u` need (measured: 3).

@@ -36,7 +36,7 @@ pub struct Ward {
 }
 
 roughness_parameters!(Ward);
-delegate_ndf!(Ward, facets, Microfacet, Radial);
+delegate_ndf!(Ward, facets, Microfacet, VisibleWarp, Radial);
 
 impl Ward {
     /// Ward's specular BRDF over `ρ_s/√(cos θ_i cos θ_o)`: the normalized exponential, in sr⁻¹.
