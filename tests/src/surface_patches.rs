@@ -1,5 +1,6 @@
 //! Means over patches of a surface in a random field, with standard errors.
 
+use asperity_ndf_sampling::Frame;
 use glam::Vec3;
 use rayon::prelude::*;
 
@@ -7,6 +8,13 @@ use crate::low_discrepancy::r2;
 
 /// Points on each side of a patch.
 const SIDE: u32 = 128;
+
+/// The frame of every patch.
+pub const FRAME: Frame = Frame {
+    tangent: Vec3::new(0.8, 0.36, -0.48),
+    bitangent: Vec3::new(0.0, 0.8, 0.6),
+    normal: Vec3::new(0.6, -0.48, 0.64),
+};
 
 /// Returns the points of one patch, `128²/stride` of them: one in each stratum of a tilted plane.
 ///
@@ -17,7 +25,7 @@ fn points(stride: usize) -> impl Iterator<Item = Vec3> {
     strata.map(|(i, j)| {
         let [u, v] = r2(i * SIDE + j);
         let (x, y) = (3.0 * (f64::from(i) + 0.5 * u) as f32, 3.0 * (f64::from(j) + 0.5 * v) as f32);
-        x * Vec3::new(0.8, 0.36, -0.48) + y * Vec3::new(0.0, 0.8, 0.6)
+        x * FRAME.tangent + y * FRAME.bitangent
     })
 }
 

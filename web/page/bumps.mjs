@@ -180,7 +180,7 @@ class Bumps extends Looking {
     return `// asperity-shading with its default features
 use asperity_shading::ndf_sampling::${kind};
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise, glam::{DVec3, Vec3}};
-use asperity_shading::{BumpField, Footprint, LevelOfDetail};
+use asperity_shading::{BumpField, Footprint, Frame, LevelOfDetail};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
 ${painted}    let density = ${density};
@@ -190,7 +190,7 @@ ${painted}    let density = ${density};
     let focus = DVec3::new(${this.focus(settings).map(x => number(x)).join(', ')});
     let bumps = BumpField::new(octaves.anchored(focus * ${number(settings.frequency)}), ${number(settings.frequency)})?;
     // A surface point relative to the focus, and the width of a pixel there.
-    let coordinates = bumps.coordinates(Vec3::new(1e-3, 2e-3, 0.0), Footprint::from_width(1e-3));
+    let coordinates = bumps.coordinates(Vec3::new(1e-3, 2e-3, 0.0), &Frame::IDENTITY, Footprint::from_width(1e-3));
     let half_vector = Vec3::new(0.1, 0.05, 1.0).normalize();
     println!("{}", LevelOfDetail::${rule}.radiance(&density, half_vector, coordinates));
     Ok(())

@@ -3,10 +3,10 @@
 use std::hint::black_box;
 
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::level_of_detail::{GaussianField, RemappedOctaves, ResolvedBumps};
+use asperity_shading::level_of_detail::{GaussianField, IndependentChannels, RemappedOctaves, ResolvedBumps};
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise, Perlin};
 use asperity_shading::{
-    Beckmann, Conductor, Dielectric, Ggx, LevelOfDetail, Ndf, Schlick, far_field, half_vector,
+    Beckmann, Conductor, Dielectric, Frame, Ggx, LevelOfDetail, Ndf, Schlick, far_field, half_vector,
 };
 use criterion::{Criterion, criterion_group, criterion_main};
 
@@ -31,6 +31,7 @@ fn rules(c: &mut Criterion) {
 fn pixels(c: &mut Criterion) {
     let field = GaussianFbm::<Vec3>::new(GaussianNoise::new(1), FbmSpectrum::default());
     let ndf: &dyn Ndf = &Ggx::new(0.2, 0.4).expect("roughness in range");
+    let frame = Frame::from_normal(Vec3::ONE);
     let wo = Vec3::new(-0.1, 0.2, 1.0).normalize();
     for lights in [1_u8, 8, 32] {
         let halves: Vec<Vec3> = (0..lights)
@@ -41,7 +42,8 @@ fn pixels(c: &mut Criterion) {
             c.bench_function(&format!("pixel/{lights}_lights/{rule:?}").to_lowercase(), |b| {
                 b.iter(|| {
                     k = (k + 1.0) % 1024.0;
-                    let coordinates = field.coordinates(black_box(Vec3::new(0.37, 1.21, -0.83) * k), 4.0);
+                    let coordinates =
+                        field.coordinates(black_box(Vec3::new(0.37, 1.21, -0.83) * k), &frame, 4.0);
                     rule.radiances(ndf, &halves, coordinates, &mut radiances);
                     radiances.iter().sum::<f32>()
                 });
@@ -53,15 +55,20 @@ fn pixels(c: &mut Criterion) {
 fn fields(c: &mut Criterion) {
     let gaussian = GaussianFbm::<Vec3>::new(GaussianNoise::new(1), FbmSpectrum::default());
     let perlin = RemappedOctaves::new(Perlin::default(), FbmSpectrum::default(), 1).expect("a distribution");
-    let fields: [(&str, &dyn GaussianField); 2] = [("gaussian", &gaussian), ("perlin_2002", &perlin)];
+    let fields: [(&str, &dyn GaussianField); 3] =
+        [("gaussian", &gaussian), ("channels", &IndependentChannels(gaussian)), ("perlin_2002", &perlin)];
+    let frame = Frame::from_normal(Vec3::ONE);
     for (name, field) in fields {
-        let mut k = 0.0_f32;
-        c.bench_function(&format!("coordinates/{name}/4_octaves"), |b| {
-            b.iter(|| {
-                k = (k + 1.0) % 1024.0;
-                field.coordinates(black_box(Vec3::new(0.37, 1.21, -0.83) * k), 4.0)
+        for octaves in [1_u8, 2, 3, 4, 6, 8] {
+            let mut k = 0.0_f32;
+            c.bench_function(&format!("coordinates/{name}/{octaves}_octaves"), |b| {
+                b.iter(|| {
+                    k = (k + 1.0) % 1024.0;
+                    let p = black_box(Vec3::new(0.37, 1.21, -0.83) * k);
+                    field.coordinates(p, black_box(&frame), f32::from(octaves))
+                });
             });
-        });
+        }
     }
 }
 

@@ -23,7 +23,7 @@
 //! let h = frame.to_local(half_vector(wi, wo));
 //! let shade = |distance: f32| {
 //!     let pixel = Footprint::from_distance(distance, 1e-3, wo.dot(frame.normal));
-//!     LevelOfDetail::Exact.radiance(&ndf, h, bumps.coordinates(p, pixel))
+//!     LevelOfDetail::Exact.radiance(&ndf, h, bumps.coordinates(p, &frame, pixel))
 //! };
 //! assert_eq!(shade(100.0), far_field(&ndf, h));
 //! assert_ne!(shade(1.0), far_field(&ndf, h));

@@ -9,7 +9,7 @@ use asperity_shading::reflectance::{BsdfSample, OrenNayar, OrenNayarVariant, War
 use asperity_shading::texture::{Gas, StarWallpaper};
 use asperity_shading::{
     Brdf, Brick, BumpField, Carpet, Conductor, CookTorrance, Dielectric, EnergyPreservingOrenNayar,
-    Environment, EnvironmentMap, Footprint, Irradiance, Lambert, LevelOfDetail, Marble, Material,
+    Environment, EnvironmentMap, Footprint, Frame, Irradiance, Lambert, LevelOfDetail, Marble, Material,
     MetallicPaint, Phong, Scratches, SlopePyramid, SurfacePoint, TemperedGlass, TorranceSparrow, Variations,
     far_field,
 };
@@ -76,7 +76,11 @@ fn materials(report: &mut Report) -> Option<()> {
         BumpField::new(GaussianFbm::<Vec3>::new(GaussianNoise::new(1), FbmSpectrum::default()), 7.0).ok()?;
     report.row("BumpField", |bits| {
         for i in 0..POINTS {
-            let seen = bumps.coordinates(space(i), Footprint::from_width(unit(i, 4)));
+            let seen = bumps.coordinates(
+                space(i),
+                &Frame::from_normal(direction(i + POINTS)),
+                Footprint::from_width(unit(i, 4)),
+            );
             bits.push(LevelOfDetail::Exact.radiance(&ggx, direction(i), seen));
             bits.push(LevelOfDetail::Fractal.radiance(&ggx, direction(i), seen));
             bits.push(far_field(&ggx, direction(i)));

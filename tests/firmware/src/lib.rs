@@ -71,7 +71,8 @@ fn patch(tell: &mut dyn FnMut(&[u8; WIDTH])) -> Option<()> {
     for y in 0..PATCH {
         for (x, gray) in row.iter_mut().enumerate() {
             let p = Vec2::new(x as f32, y as f32) / PATCH as f32;
-            let seen = bumps.coordinates(p.extend(0.0), Footprint::from_width(1.0 / PATCH as f32));
+            let pixel = Footprint::from_width(1.0 / PATCH as f32);
+            let seen = bumps.coordinates(p.extend(0.0), &Frame::IDENTITY, pixel);
             let m = LevelOfDetail::Exact.normal(&normals, seen);
             let bump = Frame::from_normal(m);
             let radiance = clay.eval(bump.to_local(Vec3::Z), bump.to_local(light)).x * m.dot(light).max(0.0);

@@ -265,7 +265,8 @@ fn bumps(numbers: &mut Numbers<'_>) {
     else {
         return;
     };
-    let seen = field.coordinates(numbers.vector(), Footprint::from_width(numbers.float()));
+    let frame = Frame { tangent: numbers.vector(), bitangent: numbers.vector(), normal: numbers.direction() };
+    let seen = field.coordinates(numbers.vector(), &frame, Footprint::from_width(numbers.float()));
     assert!(
         seen.z.is_finite() && (0.0..=1.0).contains(&seen.variance) && (0.0..=1.0).contains(&seen.blend),
         "{seen:?}"

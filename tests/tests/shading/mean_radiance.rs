@@ -7,7 +7,7 @@ use asperity_shading::ndf_sampling::{Measure, NdfMap, Reconstruction};
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::{Beckmann, Ggx, LevelOfDetail, Ndf, far_field};
 use asperity_tests::assert_abs_diff_eq;
-use asperity_tests::surface_patches::{mean_and_error, patch_means};
+use asperity_tests::surface_patches::{FRAME, mean_and_error, patch_means};
 
 /// Patches, each with its own seed. The standard errors come from their variation.
 const SEEDS: u32 = 128;
@@ -78,7 +78,7 @@ fn ratios(rule: LevelOfDetail, octaves: f32, stride: usize) -> Vec<(f64, f64)> {
         .collect();
     let field = |seed| GaussianFbm::<Vec3>::new(GaussianNoise::new(seed), FbmSpectrum::default());
     let patches = patch_means(SEEDS, stride, field, |field, p, sums: &mut [f64; 15]| {
-        let coordinates = field.coordinates(p, octaves);
+        let coordinates = field.coordinates(p, &FRAME, octaves);
         let radiances = cases
             .iter()
             .flat_map(|case| case.half_vectors.map(|h| rule.radiance(&*case.ndf, h, coordinates)));

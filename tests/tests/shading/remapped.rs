@@ -5,7 +5,7 @@ use asperity_shading::glam::Vec3;
 use asperity_shading::level_of_detail::{GaussianField, RemappedOctaves};
 use asperity_shading::noise::{FbmSpectrum, Field, Noise, Perlin, Simplex};
 use asperity_shading::{Beckmann, LevelOfDetail, far_field};
-use asperity_tests::surface_patches::{mean_and_error, patch_means};
+use asperity_tests::surface_patches::{FRAME, mean_and_error, patch_means};
 
 /// Returns mean, variance and correlation of the coordinates, then the ratios of the mean radiance
 /// to p(h) at two half vectors.
@@ -14,7 +14,7 @@ fn measured<K: Noise + Field<Vec3> + Copy + Sync>(noise: K, octaves: f32) -> [(f
     let half_vectors = [Vec3::Z, Vec3::new(0.24, 0.0, 1.0).normalize()];
     let field = |seed| RemappedOctaves::new(noise, FbmSpectrum::default(), seed).expect("a distribution");
     let patches = patch_means(64, 4, field, |field, p, sums: &mut [f64; 6]| {
-        let coordinates = field.coordinates(p, octaves);
+        let coordinates = field.coordinates(p, &FRAME, octaves);
         let (x, y) = (f64::from(coordinates.z.x), f64::from(coordinates.z.y));
         let ratio = |h| f64::from(LevelOfDetail::Exact.radiance(&ndf, h, coordinates) / far_field(&ndf, h));
         let values =

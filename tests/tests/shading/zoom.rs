@@ -5,8 +5,8 @@ use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::level_of_detail::{GaussianField, ResolvedBumps, facet_coordinates, shade_facet};
 use asperity_shading::ndf_sampling::NormalLut;
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
-use asperity_shading::{Beckmann, BumpField, Footprint, Ggx, LevelOfDetail, Ndf, far_field};
-use asperity_tests::surface_patches::{mean_and_error, patch_means};
+use asperity_shading::{Beckmann, BumpField, Footprint, Frame, Ggx, LevelOfDetail, Ndf, far_field};
+use asperity_tests::surface_patches::{FRAME, mean_and_error, patch_means};
 
 const RULES: [LevelOfDetail; 2] = [LevelOfDetail::Exact, LevelOfDetail::Fractal];
 
@@ -42,7 +42,7 @@ fn changes() -> [[(f64, f64); 8]; 4] {
     let far = f64::from(far_field(&ndf, h));
     let field = |seed| GaussianFbm::<Vec3>::new(GaussianNoise::new(seed), FbmSpectrum::default());
     let patches = patch_means(128, 4, field, |field, p, sums: &mut [f64; 32]| {
-        let seen = RESOLVED.map(|octaves| field.coordinates(p, octaves));
+        let seen = RESOLVED.map(|octaves| field.coordinates(p, &FRAME, octaves));
         let exact = seen.map(|seen| LevelOfDetail::Exact.radiance(&ndf, h, seen));
         for (zoom, (rule, before, after)) in ZOOMS.into_iter().enumerate() {
             let radiance = |k: usize| match rule {
@@ -95,11 +95,11 @@ fn largest_jump(rule: LevelOfDetail, steps: u32) -> f32 {
         .expect("frequency in range");
     let mut largest = 0.0_f32;
     for k in 0..8 {
-        let p = Vec3::new(0.37, -1.21, 0.83) * k as f32;
+        let (p, frame) = (Vec3::new(0.37, -1.21, 0.83) * k as f32, Frame::from_normal(Vec3::ONE));
         let radiance = |step: u32| {
             // From a pixel that resolves nothing to a pixel that resolves five octaves.
             let width = 0.25 * 0.01_f32.powf(step as f32 / steps as f32);
-            rule.radiance(&ndf, half_vector(), bumps.coordinates(p, Footprint::from_width(width)))
+            rule.radiance(&ndf, half_vector(), bumps.coordinates(p, &frame, Footprint::from_width(width)))
         };
         let jumps = (0..steps).map(|step| (radiance(step + 1) - radiance(step)).abs());
         largest = jumps.fold(largest, f32::max);
@@ -124,7 +124,8 @@ fn pixel_above_the_first_octave_is_the_far_field_bit_for_bit() {
     let bumps =
         BumpField::new(GaussianFbm::new(GaussianNoise::new(5), FbmSpectrum::default()), 10.0).unwrap();
     for width in [0.05, 0.0501, 1.0, f32::INFINITY, f32::NAN] {
-        let coordinates = bumps.coordinates(Vec3::new(0.3, 0.9, -2.0), Footprint::from_width(width));
+        let coordinates =
+            bumps.coordinates(Vec3::new(0.3, 0.9, -2.0), &Frame::IDENTITY, Footprint::from_width(width));
         assert_eq!(coordinates, ResolvedBumps::FAR, "width = {width}");
         for rule in RULES {
             let radiance = rule.radiance(&ndf, half_vector(), coordinates);
@@ -135,7 +136,7 @@ fn pixel_above_the_first_octave_is_the_far_field_bit_for_bit() {
             );
         }
     }
-    let seen = bumps.coordinates(Vec3::new(0.3, 0.9, -2.0), Footprint::from_width(0.0499));
+    let seen = bumps.coordinates(Vec3::new(0.3, 0.9, -2.0), &Frame::IDENTITY, Footprint::from_width(0.0499));
     assert!(seen.blend > 0.0 && seen.variance > 0.0, "{seen:?}");
 }
 
@@ -146,7 +147,8 @@ fn normal_table_supports_the_fractal_rule() {
     let field = GaussianFbm::<Vec3>::new(GaussianNoise::new(2), FbmSpectrum::default());
     let mut worst = 0.0_f32;
     for k in 0..2000 {
-        let coordinates = field.coordinates(Vec3::new(1.9, -0.7, 1.3) * k as f32, 0.02 * (k % 200) as f32);
+        let (p, octaves) = (Vec3::new(1.9, -0.7, 1.3) * k as f32, 0.02 * (k % 200) as f32);
+        let coordinates = field.coordinates(p, &Frame::IDENTITY, octaves);
         let facet = table.bilinear(facet_coordinates(&ndf, coordinates));
         let looked_up = shade_facet(&ndf, &facet, half_vector());
         let direct = LevelOfDetail::Fractal.radiance(&ndf, half_vector(), coordinates);

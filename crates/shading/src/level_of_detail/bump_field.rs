@@ -1,5 +1,6 @@
 //! A bump map in space: a Gaussian field, its scale, and the part that a pixel resolves.
 
+use asperity_ndf_sampling::Frame;
 use glam::Vec3;
 
 use crate::error::ShadingError;
@@ -41,7 +42,10 @@ impl<F: GaussianField> BumpField<F> {
     /// The coordinates of the bump map at the surface point `p`, as far as the footprint resolves
     /// them.
     ///
-    /// Continuous in `p` and in the footprint. [`ResolvedBumps::FAR`] as soon as the pixel is wider
+    /// `frame` is the frame of the surface in which the NDF is given, for instance
+    /// [`SurfacePoint::frame`](crate::SurfacePoint::frame).
+    ///
+    /// Continuous in `p`, in the frame and in the footprint. [`ResolvedBumps::FAR`] as soon as the pixel is wider
     /// than half a cell of the first octave.
     ///
     /// For an [anchored](asperity_noise::Fbm::anchored) field `p` is the difference from the
@@ -51,8 +55,8 @@ impl<F: GaussianField> BumpField<F> {
     /// These are as many octaves as do not alias. The mean over a pixel still contains a bit of the
     /// next octave. Half of the pixel width as footprint minimizes the error.
     #[must_use]
-    pub fn coordinates(&self, p: Vec3, footprint: Footprint) -> ResolvedBumps {
-        self.field.coordinates(p * self.clamp.frequency(), self.clamp.octaves(footprint))
+    pub fn coordinates(&self, p: Vec3, frame: &Frame, footprint: Footprint) -> ResolvedBumps {
+        self.field.coordinates(p * self.clamp.frequency(), frame, self.clamp.octaves(footprint))
     }
 }
 
@@ -70,7 +74,8 @@ mod tests {
         // Two octaves above 8 cells per unit: 8 · 3² = 72 at the Nyquist frequency.
         let pixel = Footprint::from_width(0.5 / 72.0);
         assert_abs_diff_eq!(bumps.clamp().octaves(pixel), 2.0, epsilon = 1e-6);
-        assert_eq!(bumps.coordinates(p, pixel), field.coordinates(8.0 * p, bumps.clamp().octaves(pixel)));
+        let (frame, octaves) = (Frame::from_normal(p), bumps.clamp().octaves(pixel));
+        assert_eq!(bumps.coordinates(p, &frame, pixel), field.coordinates(8.0 * p, &frame, octaves));
         assert_eq!(bumps.clamp().octaves(Footprint::from_width(0.0)), 5.0);
     }
 
@@ -82,7 +87,9 @@ mod tests {
         let near =
             BumpField::new(field.anchored(anchor.to_array().map(|x| 4.0 * f64::from(x))), 4.0).unwrap();
         let (p, pixel) = (Vec3::new(0.0625, 0.03125, -0.015625), Footprint::from_width(1e-3));
-        let [whole, part] = [bumps.coordinates(p + anchor, pixel), near.coordinates(p, pixel)];
+        let frame = Frame::from_normal(anchor);
+        let [whole, part] =
+            [bumps.coordinates(p + anchor, &frame, pixel), near.coordinates(p, &frame, pixel)];
         assert_abs_diff_eq!(whole.z, part.z, epsilon = 1e-4);
         assert_eq!((whole.variance, whole.blend), (part.variance, part.blend));
     }

@@ -6,6 +6,6 @@ mod remapped_octaves;
 mod rule;
 
 pub use bump_field::BumpField;
-pub use gaussian_field::{GaussianField, ResolvedBumps};
+pub use gaussian_field::{GaussianField, IndependentChannels, ResolvedBumps};
 pub use remapped_octaves::RemappedOctaves;
 pub use rule::{LevelOfDetail, facet_coordinates, far_field, shade_facet};

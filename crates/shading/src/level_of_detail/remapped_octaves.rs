@@ -1,6 +1,6 @@
 //! Classic lattice noise as Gaussian coordinates, by its measured distribution.
 
-use asperity_ndf_sampling::{NdfError, NoiseCdfRef, NoiseDistribution};
+use asperity_ndf_sampling::{Frame, NdfError, NoiseCdfRef, NoiseDistribution};
 use asperity_noise::{Anchor, Fbm, FbmSpectrum, Field, Noise};
 use glam::{Vec2, Vec3};
 
@@ -23,18 +23,19 @@ const SECOND: u32 = 0x9E37_79B9;
 /// over a surface and for several octaves, and approximate for one or two. The mean of the `Exact`
 /// rule over a surface is off by up to 4 % with one octave of Perlin noise, and by about 1 % with
 /// two (measured, Beckmann 0.3, at the peak). [`GaussianFbm`](asperity_noise::GaussianFbm)
-/// has no such error and evaluates both channels in one lattice traversal instead of two.
+/// has no such error, and its coordinates are the slopes of a relief.
 ///
 /// The channels have separate seeds, offsets and rotations in every octave, so their lattices are
 /// unrelated.
 ///
 /// ```
+/// use asperity_shading::Frame;
 /// use asperity_shading::level_of_detail::{GaussianField, RemappedOctaves};
 /// use asperity_shading::glam::Vec3;
 /// use asperity_shading::noise::{Perlin, FbmSpectrum};
 ///
 /// let field = RemappedOctaves::new(Perlin::default(), FbmSpectrum::default(), 3)?;
-/// let coordinates = field.coordinates(Vec3::new(0.3, 1.7, -2.2), 4.0);
+/// let coordinates = field.coordinates(Vec3::new(0.3, 1.7, -2.2), &Frame::IDENTITY, 4.0);
 /// assert!(coordinates.z.is_finite() && coordinates.z.x != coordinates.z.y);
 /// # Ok::<(), asperity_shading::ndf_sampling::NdfError>(())
 /// ```
@@ -73,14 +74,14 @@ impl<K: Anchor<3>> RemappedOctaves<K> {
     /// Each octave is in its own cell there, see [`Fbm::anchored`].
     ///
     /// ```
-    /// use asperity_shading::glam::Vec3;
+    /// use asperity_shading::{Frame, glam::Vec3};
     /// use asperity_shading::level_of_detail::{GaussianField, RemappedOctaves};
     /// use asperity_shading::noise::{Simplex, FbmSpectrum};
     ///
     /// let field = RemappedOctaves::new(Simplex::new(0), FbmSpectrum::default(), 3)?;
     /// let [here, there] = [0.0, 1.0].map(|x| field.anchored([1e9 + x, -2e8, 0.5]));
     /// let p = Vec3::new(0.3, 0.7, -0.2);
-    /// let [a, b] = [here.coordinates(p + Vec3::X, 4.0).z, there.coordinates(p, 4.0).z];
+    /// let [a, b] = [here.coordinates(p + Vec3::X, &Frame::IDENTITY, 4.0).z, there.coordinates(p, &Frame::IDENTITY, 4.0).z];
     /// assert!((a - b).length() < 1e-3);
     /// # Ok::<(), asperity_shading::ndf_sampling::NdfError>(())
     /// ```
@@ -92,7 +93,7 @@ impl<K: Anchor<3>> RemappedOctaves<K> {
 }
 
 impl<K: Field<Vec3>> GaussianField for RemappedOctaves<K> {
-    fn coordinates(&self, p: Vec3, octaves: f32) -> ResolvedBumps {
+    fn coordinates(&self, p: Vec3, _: &Frame, octaves: f32) -> ResolvedBumps {
         let spectrum = self.spectrum();
         let fade = spectrum.weight(octaves, 0);
         if fade == 0.0 {
@@ -126,7 +127,7 @@ mod tests {
             for octaves in [f32::NAN, f32::NEG_INFINITY, -1.0, 0.0, 1e-30, 0.5, 3.7, 1e9, f32::INFINITY] {
                 for x in [0.0, 0.3, f32::NAN, f32::INFINITY, -1e30] {
                     let ResolvedBumps { z, variance: share, blend: fade } =
-                        field.coordinates(Vec3::new(0.5, x, 2.0), octaves);
+                        field.coordinates(Vec3::new(0.5, x, 2.0), &Frame::IDENTITY, octaves);
                     assert!(z.is_finite() && (0.0..1.0).contains(&share), "{x}, {octaves}: {z}, {share}");
                     assert!((0.0..=1.0).contains(&fade), "{x}, {octaves}: {fade}");
                     assert!(octaves > 0.0 || (z, share, fade) == (Vec2::ZERO, 0.0, 0.0), "{x}, {octaves}");
@@ -138,7 +139,7 @@ mod tests {
     #[test]
     fn octaves_add_up_and_a_single_octave_is_unchanged() {
         let field = RemappedOctaves::new(Perlin::default(), FbmSpectrum::default(), 1).unwrap();
-        let at = |octaves| field.coordinates(Vec3::new(0.3, 1.7, -2.2), octaves);
+        let at = |octaves| field.coordinates(Vec3::new(0.3, 1.7, -2.2), &Frame::IDENTITY, octaves);
         assert_eq!(at(0.25).z, at(1.0).z);
         assert_eq!((at(0.25).blend, at(1.0).blend), (0.25, 1.0));
         assert_ne!(at(1.5).z, at(1.0).z);
@@ -149,8 +150,8 @@ mod tests {
     fn anchored_pair_equals_the_pair_at_the_anchor() {
         let field = RemappedOctaves::new(Simplex::new(0), FbmSpectrum::default(), 3).unwrap();
         let (at, p) = (Vec3::new(17.0, -4.5, 0.25), Vec3::new(0.3, 0.7, -0.2));
-        let there = field.anchored(at.to_array().map(f64::from)).coordinates(p, 4.0);
-        let expected = field.coordinates(at + p, 4.0);
+        let there = field.anchored(at.to_array().map(f64::from)).coordinates(p, &Frame::IDENTITY, 4.0);
+        let expected = field.coordinates(at + p, &Frame::IDENTITY, 4.0);
         // Positions of the fourth octave are rounded at 2.17³ · 17.
         assert_abs_diff_eq!(there.z, expected.z, epsilon = 1e-3);
         assert_eq!((there.variance, there.blend), (expected.variance, expected.blend));
@@ -160,7 +161,8 @@ mod tests {
     fn channels_and_seeds_differ() {
         let p = Vec3::new(0.3, 1.7, -2.2);
         let at = |seed| {
-            RemappedOctaves::new(Simplex::new(0), FbmSpectrum::default(), seed).unwrap().coordinates(p, 3.0).z
+            let field = RemappedOctaves::new(Simplex::new(0), FbmSpectrum::default(), seed).unwrap();
+            field.coordinates(p, &Frame::IDENTITY, 3.0).z
         };
         let values = [at(0).x, at(0).y, at(1).x, at(1).y];
         for (i, a) in values.iter().enumerate() {

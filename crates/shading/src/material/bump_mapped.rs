@@ -48,7 +48,7 @@ pub struct BumpMapped<N, F> {
 
 impl<N: Ndf, F: GaussianField> Material for BumpMapped<N, F> {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
-        let coordinates = self.bumps.coordinates(point.position, point.footprint());
+        let coordinates = self.bumps.coordinates(point.position, &point.frame(), point.footprint());
         let lobe = Lobe::resolved(&self.ndf, self.rule, coordinates).weighted(self.color);
         Bsdf::new(point.frame(), wo).with([Facet::FLAT], [lobe])
     }

@@ -10,7 +10,7 @@ use asperity_firmware::{bumps, clay, curve, hexadecimal, normals, stack};
 use asperity_ndf_sampling::{Ggx, Ndf};
 use asperity_noise::{Cellular, FbmSpectrum, Field, GaussianFbm, GaussianNoise, Perlin, Simplex};
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::{Brdf, Footprint, LevelOfDetail};
+use asperity_shading::{Brdf, Footprint, Frame, LevelOfDetail};
 use cortex_m_rt::entry;
 use cortex_m_semihosting::{
     debug::{self, EXIT_FAILURE, EXIT_SUCCESS},
@@ -109,7 +109,7 @@ fn packed_normal() -> Option<[f32; 3]> {
 }
 
 fn exact_radiance() -> Option<[f32; 3]> {
-    let seen = bumps()?.coordinates(place(), Footprint::from_width(0.02));
+    let seen = bumps()?.coordinates(place(), &Frame::IDENTITY, Footprint::from_width(0.02));
     Some([LevelOfDetail::Exact.radiance(&Ggx::new(0.2, 0.4).ok()?, facet(), seen); 3])
 }
 

@@ -10,11 +10,11 @@ pub(crate) mod scene;
 use std::{path::Path, time::Duration};
 
 use asperity_shader_tests::case::packed;
-use asperity_shading::level_of_detail::{GaussianField, ResolvedBumps};
+use asperity_shading::level_of_detail::{GaussianField, IndependentChannels, ResolvedBumps};
 use asperity_shading::ndf_sampling::{Ggx, NormalLut};
 use asperity_shading::noise::gpu::{FbmUniform2d, FbmUniform3d};
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
-use asperity_shading::{BumpField, pixel::FrequencyClamp};
+use asperity_shading::{BumpField, Frame, pixel::FrequencyClamp};
 use asperity_wgsl::Part;
 use asperity_wgsl::noise::MipMapped;
 use clap::ValueEnum;
@@ -169,7 +169,9 @@ fn procedural(gpu: &Gpu, look: &Look, wanted: [bool; 2], size: u32, out: &Path) 
             let (anchored, words) = at_focus(&octaves, &scene, look);
             let (ours, time) = renderer.draw(gpu, &scene, look, &spectrum, &words, &[])?;
             let bumps = BumpField::new(anchored, look.frequency).map_err(|error| error.to_string())?;
-            let seen = |corner: &Corner, pixel| bumps.coordinates(corner.position.as_vec3(), pixel);
+            let seen = |corner: &Corner, pixel| {
+                bumps.coordinates(corner.position.as_vec3(), &Frame::IDENTITY, pixel)
+            };
             let theirs = reference::picture(&scene, look, seen, size)?;
             shares.push(report(&format!("{name}-{zoom}"), &ours, &theirs, time, size, out)?);
             strip.0 = name;
@@ -207,7 +209,7 @@ fn at_focus(
     let at: [f64; 3] = (scene.focus * f64::from(look.frequency)).into();
     let anchored = octaves.anchored(at);
     let words = packed(&FbmUniform3d::array(&[anchored.gpu()]));
-    (anchored, ("fbm_uniform_3d", words))
+    (IndependentChannels(anchored), ("fbm_uniform_3d", words))
 }
 
 /// Period of the noise texture in cells.

@@ -74,9 +74,10 @@ pub fn share_beyond(peak: f32, radius: f32) -> f32 {
 
 impl Material for Printed<'_> {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
-        let coordinates = self.bumps.coordinates(point.position, point.footprint());
+        let frame = point.frame();
+        let coordinates = self.bumps.coordinates(point.position, &frame, point.footprint());
         let coordinates = ResolvedBumps { variance: coordinates.variance.min(self.most), ..coordinates };
-        let (frame, facet) = (point.frame(), self.facets.facet(self.ndf, coordinates));
+        let facet = self.facets.facet(self.ndf, coordinates);
         let local = frame.to_local(wo);
         let mut lit = Vec3::ZERO;
         for lamps in self.lamps.chunks(TOGETHER) {

@@ -1,8 +1,8 @@
 //! Noises for bumps, by name.
 
 use asperity_noise::{FbmSpectrum, GaussianFbm, GaussianNoise, Perlin, Simplex};
-use asperity_shading::BumpField;
 use asperity_shading::level_of_detail::{GaussianField, RemappedOctaves, ResolvedBumps};
+use asperity_shading::{BumpField, Frame};
 use glam::{DVec3, Vec3};
 
 use crate::failure::Failure;
@@ -58,13 +58,13 @@ impl Bumps {
 
 type Noise = dyn GaussianField + Send + Sync;
 
-/// Two independent channels of octave noise in space. Without octaves the surface looks distant at
+/// The bumps of octave noise in space. Without octaves the surface looks distant at
 /// every distance.
 pub struct Field(Option<Box<Noise>>);
 
 impl GaussianField for Field {
-    fn coordinates(&self, p: Vec3, octaves: f32) -> ResolvedBumps {
-        self.0.as_ref().map_or(ResolvedBumps::FAR, |field| field.coordinates(p, octaves))
+    fn coordinates(&self, p: Vec3, frame: &Frame, octaves: f32) -> ResolvedBumps {
+        self.0.as_ref().map_or(ResolvedBumps::FAR, |field| field.coordinates(p, frame, octaves))
     }
 
     fn lacunarity(&self) -> f32 {
@@ -87,7 +87,7 @@ mod tests {
         let p = Vec3::new(0.3, 0.7, -1.9);
         let at = |kind, octaves| {
             let bumps = Bumps { kind, frequency: 1.0, octaves, gain: 0.8 }.field(3, DVec3::ZERO).unwrap();
-            bumps.coordinates(p, Footprint::from_width(0.1)).z
+            bumps.coordinates(p, &Frame::IDENTITY, Footprint::from_width(0.1)).z
         };
         let kinds = [NoiseKind::Gaussian, NoiseKind::Perlin, NoiseKind::Simplex];
         for (i, &kind) in kinds.iter().enumerate() {

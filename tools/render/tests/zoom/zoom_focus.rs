@@ -12,7 +12,7 @@ use asperity_render::{
     scene::{Backdrop, Light, Object, Scene},
     scenes::{PLAIN, Set},
 };
-use asperity_shading::{Footprint, Lambert, SurfacePoint, reflectance::Bsdf};
+use asperity_shading::{Footprint, Frame, Lambert, SurfacePoint, reflectance::Bsdf};
 use glam::{DVec3, Vec3};
 
 /// Image side in pixels, and the pixel count that determines the visible octaves.
@@ -78,7 +78,7 @@ fn error(case: &Case, zoom: f64, focus: DVec3) -> f32 {
     let pixel = Footprint::from_width((case.away.length() / zoom) as f32 * FIELD / WIDTH);
     let field = bumps.field(7, focus).expect("sixteen octaves");
     let shown = move |point: &SurfacePoint, wo: Vec3| {
-        let z = field.coordinates(point.position, pixel).z;
+        let z = field.coordinates(point.position, &Frame::IDENTITY, pixel).z;
         Bsdf::new(point.frame(), wo).with_emitted((z + BIAS).extend(0.0))
     };
     let objects = vec![Object::shaded((case.shape)(), shown).anchored(focus)];
@@ -95,7 +95,8 @@ fn error(case: &Case, zoom: f64, focus: DVec3) -> f32 {
         }
         let seen = sight.radiance.truncate() - BIAS;
         let met = (case.met)(focus + ray.origin.as_dvec3(), ray.direction.as_dvec3());
-        let exact = bumps.field(7, met).expect("sixteen octaves").coordinates(Vec3::ZERO, pixel).z;
+        let exact =
+            bumps.field(7, met).expect("sixteen octaves").coordinates(Vec3::ZERO, &Frame::IDENTITY, pixel).z;
         worst = worst.max((seen - exact).abs().max_element());
         hits += 1;
     }

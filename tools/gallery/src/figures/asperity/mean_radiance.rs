@@ -3,7 +3,7 @@
 use asperity_ndf_sampling::{Beckmann, Ggx};
 use asperity_render::materials::field::{Bumps, Field, NoiseKind};
 use asperity_render::{integrator::pixels::jitter, materials::SharedNdf};
-use asperity_shading::{BumpField, Footprint, LevelOfDetail};
+use asperity_shading::{BumpField, Footprint, Frame, LevelOfDetail};
 use glam::{DVec3, Vec3};
 
 use crate::figure::{Context, Drawn, Panel};
@@ -75,14 +75,15 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
 fn measure(context: &Context<'_>, cases: &mut [Case<'_>], bumps: &BumpField<Field>, zoom: f32) -> Result<()> {
     let footprint = Footprint::from_width(0.5 / zoom);
     // Tilted, so that a single plane of the lattice is not sampled.
-    let (across, along) = (Vec3::new(0.8, 0.36, -0.48), Vec3::new(0.0, 0.8, 0.6));
+    let (tangent, bitangent) = (Vec3::new(0.8, 0.36, -0.48), Vec3::new(0.0, 0.8, 0.6));
+    let frame = Frame { tangent, bitangent, normal: tangent.cross(bitangent) };
     let rows = context.rows(PIXELS as usize, |y| {
         let (y, mut sums) = (y as u32, vec![0.0; cases.len()]);
         for x in 0..PIXELS {
             let place = jitter(x, y, context.seed);
             let step = CELLS / PIXELS as f32;
-            let p = (across * (x as f32 + place.x) + along * (y as f32 + place.y)) * step;
-            let coordinates = bumps.coordinates(p, footprint);
+            let p = (tangent * (x as f32 + place.x) + bitangent * (y as f32 + place.y)) * step;
+            let coordinates = bumps.coordinates(p, &frame, footprint);
             for (Case { ndf, h, rule, .. }, sum) in cases.iter().zip(&mut sums) {
                 *sum += f64::from(rule.radiance(*ndf, *h, coordinates) * h.z);
             }

@@ -126,7 +126,7 @@ fn step(
 ) -> Result<Image> {
     let bumps = request.bumps.field(context.seed, DVec3::ZERO)?;
     let colors = |point: &SurfacePoint, wo: Vec3| {
-        let coordinates = bumps.coordinates(point.position, point.footprint());
+        let coordinates = bumps.coordinates(point.position, &point.frame(), point.footprint());
         // Some sky light keeps the shape readable.
         let light = 0.35 + 0.65 * sky(point.normal);
         Bsdf::new(point.frame(), wo).with_emitted(color(coordinates.z * coordinates.blend) * light)

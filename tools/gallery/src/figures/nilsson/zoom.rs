@@ -124,7 +124,7 @@ struct UnderLamp<F> {
 impl<F: GaussianField> Material for UnderLamp<F> {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let BumpMapped { ndf, bumps, rule, color } = &self.bumps;
-        let coordinates = bumps.coordinates(point.position, point.footprint());
+        let coordinates = bumps.coordinates(point.position, &point.frame(), point.footprint());
         let coordinates = ResolvedBumps { variance: coordinates.variance.min(self.most), ..coordinates };
         let lobe = Lobe::resolved(ndf, *rule, coordinates).weighted(*color);
         let sky = sky(point.frame().to_world(rule.normal(ndf, coordinates)));
