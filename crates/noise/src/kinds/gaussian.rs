@@ -109,6 +109,11 @@ impl<L: Lattice> GaussianNoise<L> {
         })
     }
 
+    /// n with its gradient; both 0 if p is not finite.
+    pub(crate) fn unnormalized_at<const N: usize>(&self, p: [f32; N], seed: u32) -> LaneSample<Scalar, N> {
+        wrapped(p).map_or((0.0, [0.0; N]), |p| parts::<_, _, N, true>(Scalar, self, p, seed).0)
+    }
+
     /// Both channels at an arbitrary point.
     #[inline(always)]
     pub(crate) fn channels<const N: usize>(&self, p: [f32; N], seed: u32) -> [LaneSample<Scalar, N>; 2] {

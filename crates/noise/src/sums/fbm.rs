@@ -10,6 +10,7 @@ use crate::{
     contract::kernel::{Anchor, Kernel},
     contract::noise::Noise,
     error::NoiseError,
+    kinds::cell::gradient_covariance::SLOPE_UNIT,
     kinds::gaussian::GaussianNoise,
     lanes::{LaneSample, Scalar},
     lattice::lattice::Lattice,
@@ -930,6 +931,53 @@ impl<L: Lattice, V: Point<Coordinates = [f32; N]>, const N: usize> Fbm<GaussianN
     #[inline]
     pub fn whitened_gradient_with_octaves(&self, p: V, tangents: [V; 2], octaves: f32) -> [f32; 2] {
         self.whitened_of(&self.active(octaves), p, tangents)
+    }
+
+    /// Returns the height whose slopes the [whitened gradient](Self::whitened_gradient) has, up to
+    /// its whitening, with its gradient.
+    ///
+    /// ```text
+    /// h = Σ wᵢ aᵢ nᵢ/fᵢ / √(κ Σ wᵢ² aᵢ²),   κ = mean of Var(∂n/∂x) over the cell
+    /// ```
+    ///
+    /// The slopes of h along every direction have variance 1 over the lattice, and 0.2 to 1.9 at a
+    /// point in 3-D. The whitened gradient has variance 1 at every point. The correlation of both is
+    /// 0.98 (measured in 3-D).
+    ///
+    /// - **Range:** ℝ, in cells of the first octave. 0 at points that are not finite.
+    /// - **Continuity:** C² in `p`.
+    ///
+    /// ```
+    /// use asperity_noise::{GaussianFbm, GaussianNoise, FbmSpectrum, Sample, glam::Vec3};
+    ///
+    /// let noise = GaussianFbm::new(GaussianNoise::new(1), FbmSpectrum::default());
+    /// let p = Vec3::new(0.3, 0.4, 0.5);
+    /// let Sample { value, gradient } = noise.height(p);
+    /// let step = noise.height(p + Vec3::X * 1e-3).value - value;
+    /// assert!((step / 1e-3 - gradient.x).abs() < 0.2);
+    /// ```
+    #[must_use]
+    pub fn height(&self, p: V) -> Sample<V> {
+        self.height_of(&self.active, p)
+    }
+
+    /// Returns the [height](Self::height) of the first `octaves` octaves.
+    #[must_use]
+    pub fn height_with_octaves(&self, p: V, octaves: f32) -> Sample<V> {
+        self.height_of(&self.active(octaves), p)
+    }
+
+    fn height_of(&self, active: &Active, p: V) -> Sample<V> {
+        let p = in_first_tile(Scalar, p.coordinates(), &periods::<_, N>(&self.field));
+        let (mut own, mut sum, mut frequency) = (None, (0.0, [0.0; N]), 1.0);
+        for (amplitude, layer) in octaves(&self.layers, active) {
+            let noise = layer.noise(&self.field, &mut own);
+            let octave = noise.unnormalized_at(layer.points(Scalar, p), layer.seed);
+            layer.accumulate(Scalar, &mut sum, amplitude / frequency, octave);
+            frequency *= self.spectrum.lacunarity();
+        }
+        let factor = active.factor * SLOPE_UNIT[N.min(4)];
+        Sample { value: sum.0 * factor, gradient: V::from_coordinates(scaled(sum.1, factor)) }
     }
 
     #[inline]

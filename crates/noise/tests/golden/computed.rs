@@ -156,6 +156,7 @@ fn gaussian_sum<V: Point<Coordinates = [f32; N]>, const N: usize>(
             }),
         );
     }
+    emit("Gaussian octaves, height", golden(&|p: V| noise.height_with_octaves(p, 6.5)));
     emit("Gaussian, second channel", golden(&|p: V| GaussianNoise::new(17).pair(p)[1]));
     emit("Gaussian, not normalised", golden(&|p: V| GaussianNoise::new(17).unnormalized(p)));
     emit("variance of Gaussian", golden(&|p: V| GaussianNoise::new(17).variance(p)));
