@@ -15,6 +15,7 @@ mod mean_radiance;
 mod normal_maps;
 mod painted;
 mod reflectance;
+mod relief;
 mod remapped;
 mod rough_glass;
 mod tangents;

@@ -1,10 +1,12 @@
 //! A bump map in space: a Gaussian field, its scale, and the part that a pixel resolves.
 
 use asperity_ndf_sampling::Frame;
+use asperity_noise::{Fbm, GaussianNoise, Lattice, Sample};
 use glam::Vec3;
 
 use crate::error::ShadingError;
 use crate::level_of_detail::gaussian_field::{GaussianField, ResolvedBumps};
+use crate::math::sqrt;
 use crate::pixel::{Footprint, FrequencyClamp};
 
 /// A Gaussian field in space with a given size of bumps.
@@ -57,6 +59,50 @@ impl<F: GaussianField> BumpField<F> {
     #[must_use]
     pub fn coordinates(&self, p: Vec3, frame: &Frame, footprint: Footprint) -> ResolvedBumps {
         self.field.coordinates(p * self.clamp.frequency(), frame, self.clamp.octaves(footprint))
+    }
+}
+
+impl<L: Lattice> BumpField<Fbm<GaussianNoise<L>, Vec3>> {
+    /// The height of the bumps at `p`, for displacement and occlusion, with its gradient.
+    ///
+    /// ```text
+    /// h = √s Σ wᵢ aᵢ nᵢ/fᵢ / √(κ Σ wᵢ² aᵢ²),   −Bᵀ∇h ≈ √s z
+    /// ```
+    ///
+    /// It has the octaves and the fraction `s` of [`coordinates`](Self::coordinates), and is 0 where
+    /// nothing is resolved. For an NDF with slopes of deviation σ the height is σ h, where σ is α/√2
+    /// for Beckmann. The normals of the displaced surface are then those of [`LevelOfDetail::Exact`]
+    /// up to the whitening of the slopes. Other NDFs bend the slopes: their surface has the same
+    /// hills with other profiles.
+    ///
+    /// - **Unit:** length per unit of slope. The gradient has no unit.
+    /// - **Accuracy:** the correlation of `−Bᵀ∇h` and `√s z` is 0.98 (measured, 1 to 5 octaves).
+    /// - **Continuity:** C² in `p` and continuous in the footprint.
+    ///
+    /// [`LevelOfDetail::Exact`]: crate::LevelOfDetail::Exact
+    ///
+    /// ```
+    /// use asperity_shading::bump::displace;
+    /// use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
+    /// use asperity_shading::{Beckmann, BumpField, Footprint, glam::{Vec2, Vec3}};
+    ///
+    /// let bumps = BumpField::new(GaussianFbm::new(GaussianNoise::new(1), FbmSpectrum::default()), 20.0)?;
+    /// let (p, pixel) = (Vec3::new(0.3, 0.1, 0.0), Footprint::from_width(1e-3));
+    /// let sigma = Beckmann::isotropic(0.3)?.alpha_x() / 2.0_f32.sqrt();
+    /// let height = bumps.height(p, pixel);
+    /// let slope = sigma * Vec2::new(height.gradient.x, height.gradient.y);
+    /// let raised = displace(p, Vec3::Z, [Vec3::X, Vec3::Y], [Vec3::ZERO; 2], sigma * height.value, slope);
+    /// assert!((raised.position.z - sigma * height.value).abs() < 1e-6);
+    /// assert!(raised.normal.x * height.gradient.x <= 0.0);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[must_use]
+    #[doc(alias = "displacement")]
+    pub fn height(&self, p: Vec3, footprint: Footprint) -> Sample<Vec3> {
+        let (frequency, octaves) = (self.clamp.frequency(), self.clamp.octaves(footprint));
+        let Sample { value, gradient } = self.field.height_with_octaves(p * frequency, octaves);
+        let share = sqrt(self.field.spectrum().resolved_variance(octaves));
+        Sample { value: share * value / frequency, gradient: share * gradient }
     }
 }
 
