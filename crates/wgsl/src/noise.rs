@@ -37,5 +37,5 @@ pub use kinds::{
     CELLULAR, GAUSSIAN, PERLIN, PERLIN_CLASSIC, SIMPLEX, SPARSE_CONVOLUTION, VALUE, VALUE_CATMULL_ROM,
     VALUE_GRADIENT, WHITE,
 };
-pub use sums::{FBM_2D, FBM_3D, FBM_4D, FbmParts, FbmParts4d, MIP_MAPPED, MipMapped};
+pub use sums::{FBM_2D, FBM_3D, FBM_4D, FbmParts, FbmParts4d, GAUSSIAN_SLOPES_3D, MIP_MAPPED, MipMapped};
 pub use transforms::{CURL, WARP};

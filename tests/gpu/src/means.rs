@@ -11,7 +11,7 @@ use crate::compute::Kernel;
 use crate::device::{self, Gpu};
 
 static MEANS: Part =
-    Part::new("means", include_str!("means.wgsl"), &[&noise::FBM_3D.gaussian, &shading::LEVEL_OF_DETAIL])
+    Part::new("means", include_str!("means.wgsl"), &[&noise::GAUSSIAN_SLOPES_3D, &shading::LEVEL_OF_DETAIL])
         .with_bindings(&[Binding::Uniform { name: "means_job", of: "MeansJob" }]);
 
 const POINTS: u32 = 1 << 21;

@@ -24,9 +24,9 @@ fn means_point(@builtin(global_invocation_id) id: vec3<u32>) {
     let word = integer_hash_word(integer_hash_term(0u, i32(i)), 1u);
     let further = integer_hash_further(word, 1u);
     let p = vec3<f32>(means_uniform(word), means_uniform(further), 0.3) * vec3<f32>(means_job.side, means_job.side, 1.0);
-    let seen = gaussian_fbm_3d(p, means_job.octaves, 0u);
+    let seen = gaussian_slopes_3d(p, vec3<f32>(1.0, 0.0, 0.0), vec3<f32>(0.0, 1.0, 0.0), means_job.octaves, 0u);
     for (var k = 0u; k < 5u; k++) {
         let h = means_job.halves[k].xyz;
-        means_radiances[i * 5u + k] = level_of_detail_exact_ggx(means_job.alpha, h, seen.pair.value, seen.resolved_variance);
+        means_radiances[i * 5u + k] = level_of_detail_exact_ggx(means_job.alpha, h, -seen.z, seen.resolved_variance);
     }
 }

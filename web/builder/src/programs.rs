@@ -45,7 +45,7 @@ mod bumps {
             page_part!(
                 "bumps",
                 $density,
-                noise_parts::FBM_3D.gaussian,
+                noise_parts::GAUSSIAN_SLOPES_3D,
                 shading::LEVEL_OF_DETAIL,
                 SCREEN,
                 DISPLAY,

@@ -59,21 +59,30 @@ fn bumps_sky(direction: vec3<f32>) -> f32 {
     return 0.05 + 0.1 * max(direction.z, 0.0) + 0.5 * square * square * square;
 }
 
+// The bumps at a point in cells, which lean downhill, as resolved by a footprint.
+fn bumps_seen(p: vec3<f32>, frame: Frame, footprint: f32, anchor: u32) -> GaussianSlopes {
+    let limits = FrequencyClamp(bumps_view.frequency, bumps_view.log_lacunarity, bumps_view.max_octaves);
+    let octaves = frequency_clamp_octaves(footprint, limits);
+    var seen = gaussian_slopes_3d(p, frame.tangent, frame.bitangent, octaves, anchor);
+    seen.z = -seen.z;
+    return seen;
+}
+
 // Radiance with the exact rule: of the lamp, and of the sky reflected by the mean facet of the
 // unresolved part.
-fn bumps_exact(seen: GaussianFbm3d, frame: Frame, wo: vec3<f32>, h: vec3<f32>, cos_light: f32) -> f32 {
+fn bumps_exact(seen: GaussianSlopes, frame: Frame, wo: vec3<f32>, h: vec3<f32>, cos_light: f32) -> f32 {
     let resolved = min(seen.resolved_variance, bumps_view.share);
-    let z = seen.pair.value;
+    let z = seen.z;
     let lamp = bumps_residual_ndf(h, gaussian_split(z, resolved)) * cos_light;
     let m = frame_to_world(frame, bumps_warp_gaussian(level_of_detail_exact_coordinates(z, resolved)));
     return lamp + bumps_sky(m * (2.0 * frame_product(m, wo)) - wo);
 }
 
 // Radiance with the fractal rule of 2001: the whole density about every facet.
-fn bumps_fractal(seen: GaussianFbm3d, frame: Frame, wo: vec3<f32>, h: vec3<f32>, cos_light: f32) -> f32 {
+fn bumps_fractal(seen: GaussianSlopes, frame: Frame, wo: vec3<f32>, h: vec3<f32>, cos_light: f32) -> f32 {
     var facet = vec3<f32>(0.0, 0.0, 1.0);
     if seen.fade > 0.0 {
-        facet = bumps_warp_gaussian(level_of_detail_fractal_coordinates(seen.pair.value, seen.fade, bumps_flat()));
+        facet = bumps_warp_gaussian(level_of_detail_fractal_coordinates(seen.z, seen.fade, bumps_flat()));
     }
     let lamp = bumps_d(level_of_detail_fractal_half_vector(facet, h)) * cos_light;
     let m = frame_to_world(frame, facet);
@@ -82,8 +91,7 @@ fn bumps_fractal(seen: GaussianFbm3d, frame: Frame, wo: vec3<f32>, h: vec3<f32>,
 
 // Radiance of a point for a footprint, in units.
 fn bumps_light(p: vec3<f32>, frame: Frame, wo: vec3<f32>, footprint: f32, rule: f32) -> f32 {
-    let limits = FrequencyClamp(bumps_view.frequency, bumps_view.log_lacunarity, bumps_view.max_octaves);
-    let seen = gaussian_fbm_3d(p * bumps_view.frequency, frequency_clamp_octaves(footprint, limits), 0u);
+    let seen = bumps_seen(p * bumps_view.frequency, frame, footprint, 0u);
     let h = frame_to_local(frame, frame_direction(bumps_view.light + wo));
     let cos_light = max(frame_product(bumps_view.light, frame.normal), 0.0);
     if rule < 0.5 {
@@ -111,11 +119,15 @@ fn bumps_pixel(corner: BumpsCorner) -> @location(0) vec4<f32> {
     return display_color(light * bumps_view.exposure * vec3<f32>(1.0, 0.62, 0.36) + vec3<f32>(0.012, 0.009, 0.008));
 }
 
+fn bumps_flat_frame() -> Frame {
+    return Frame(vec3<f32>(1.0, 0.0, 0.0), vec3<f32>(0.0, 1.0, 0.0), vec3<f32>(0.0, 0.0, 1.0));
+}
+
 // A flat patch of the surface, with constant view and light directions, and the left rule.
 @fragment
 fn bumps_patch(screen: Screen) -> @location(0) vec4<f32> {
     let p = bumps_view.eye + screen.at.x * bumps_view.right + screen.at.y * bumps_view.up;
-    let frame = Frame(vec3<f32>(1.0, 0.0, 0.0), vec3<f32>(0.0, 1.0, 0.0), vec3<f32>(0.0, 0.0, 1.0));
+    let frame = bumps_flat_frame();
     let light = bumps_light(p, frame, bumps_view.forward, bumps_view.pixel_angle, bumps_view.rule.x);
     return display_color(light * bumps_view.exposure * vec3<f32>(1.0, 0.62, 0.36) + vec3<f32>(0.012, 0.009, 0.008));
 }
@@ -128,18 +140,17 @@ fn bumps_scattered(screen: Screen) -> @location(0) vec4<f32> {
     let word = integer_hash_word(integer_hash_term(0u, i32(pixel.y * 4096u + pixel.x)), 1u);
     let further = integer_hash_further(word, 1u);
     let place = vec2<f32>(f32(word >> 8u), f32(further >> 8u)) / 16777216.0;
-    let limits = FrequencyClamp(bumps_view.frequency, bumps_view.log_lacunarity, bumps_view.max_octaves);
     let p = vec3<f32>((place - 0.5) * 6.0, 0.0);
     let anchor = min(pixel.x * 8u / u32(bumps_view.size), 7u);
-    let seen = gaussian_fbm_3d(p, frequency_clamp_octaves(bumps_view.pixel_angle, limits), anchor);
+    let seen = bumps_seen(p, bumps_flat_frame(), bumps_view.pixel_angle, anchor);
     let h = frame_direction(bumps_view.light + bumps_view.forward);
     if bumps_view.rule.x < 0.5 {
         let resolved = min(seen.resolved_variance, bumps_view.share);
-        return display_encoded(bumps_residual_ndf(h, gaussian_split(seen.pair.value, resolved)));
+        return display_encoded(bumps_residual_ndf(h, gaussian_split(seen.z, resolved)));
     }
     var facet = vec3<f32>(0.0, 0.0, 1.0);
     if seen.fade > 0.0 {
-        facet = bumps_warp_gaussian(level_of_detail_fractal_coordinates(seen.pair.value, seen.fade, bumps_flat()));
+        facet = bumps_warp_gaussian(level_of_detail_fractal_coordinates(seen.z, seen.fade, bumps_flat()));
     }
     return display_encoded(bumps_d(level_of_detail_fractal_half_vector(facet, h)));
 }

@@ -10,7 +10,7 @@ use asperity_noise::gpu::{
 };
 
 use self::fbm::{fbm, filled, octave_part, size};
-use super::kinds::{self, CELL, GAUSSIAN, SAMPLE};
+use super::kinds::{self, CELL, FADE, GAUSSIAN, SAMPLE};
 use crate::part::{Binding, Part, part};
 
 /// Shapes of octaves: [`Turbulence`](asperity_noise::Turbulence), plasma, billow and ridged.
@@ -145,6 +145,12 @@ pub static FBM_4D: FbmParts4d = fbm!(
     UNIFORM_4D,
     [value, perlin, simplex, simplex_classic]
 );
+
+/// Slopes of Gaussian noise in a tangent plane in 3-D,
+/// [`Fbm::whitened_gradient`](asperity_noise::Fbm::whitened_gradient), and its
+/// [`height`](asperity_noise::Fbm::height).
+pub static GAUSSIAN_SLOPES_3D: Part =
+    part!("noise/sums/gaussian_slopes_3d", SPECTRUM, OCTAVE, UNIFORM_3D, CELL, FADE, GAUSSIAN);
 
 /// Octaves of Gaussian noise in 2-D from a mip-mapped texture, [`MipMapped`].
 ///

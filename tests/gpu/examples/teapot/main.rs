@@ -10,7 +10,7 @@ use std::path::Path;
 use asperity_render::geometry::teapot::teapot;
 use asperity_shading::noise::gpu::FbmUniform3d;
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
-use asperity_wgsl::noise::FBM_3D;
+use asperity_wgsl::noise::GAUSSIAN_SLOPES_3D;
 use asperity_wgsl::{Binding, Bindings, Part, compose, shading};
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
@@ -26,7 +26,7 @@ const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
 /// The shader and the parts that it calls. Bindings 0 and 1 belong to the octaves, 2 is its own.
 static SURFACE: Part =
-    Part::new("surface", include_str!("surface.wgsl"), &[&FBM_3D.gaussian, &shading::LEVEL_OF_DETAIL])
+    Part::new("surface", include_str!("surface.wgsl"), &[&GAUSSIAN_SLOPES_3D, &shading::LEVEL_OF_DETAIL])
         .with_bindings(&[Binding::Uniform { name: "view", of: "View" }]);
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -55,10 +55,12 @@ fn pixel(at: Corner) -> @location(0) vec4<f32> {
     // flickers or gets duller.
     let footprint = t * length(direction) * view.pixel_angle / max(cos_eye, 1e-3);
     let limits = FrequencyClamp(view.frequency, view.log_lacunarity, view.max_octaves);
-    let seen = gaussian_fbm_3d(p * view.frequency, frequency_clamp_octaves(footprint, limits), 0u);
+    let octaves = frequency_clamp_octaves(footprint, limits);
+    let seen = gaussian_slopes_3d(p * view.frequency, frame.tangent, frame.bitangent, octaves, 0u);
     let resolved = min(seen.resolved_variance, 0.97);
     let alpha = vec2<f32>(0.2, 0.4);
-    let z = seen.pair.value;
+    // The normal leans downhill.
+    let z = -seen.z;
     let h = frame_to_local(frame, normalize(view.light + wo));
     let lamp = level_of_detail_exact_ggx(alpha, h, z, resolved) * cos_light;
 

@@ -10,7 +10,7 @@ pub(crate) mod scene;
 use std::{path::Path, time::Duration};
 
 use asperity_shader_tests::case::packed;
-use asperity_shading::level_of_detail::{GaussianField, IndependentChannels, ResolvedBumps};
+use asperity_shading::level_of_detail::{GaussianField, ResolvedBumps};
 use asperity_shading::ndf_sampling::{Ggx, NormalLut};
 use asperity_shading::noise::gpu::{FbmUniform2d, FbmUniform3d};
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
@@ -169,8 +169,8 @@ fn procedural(gpu: &Gpu, look: &Look, wanted: [bool; 2], size: u32, out: &Path) 
             let (anchored, words) = at_focus(&octaves, &scene, look);
             let (ours, time) = renderer.draw(gpu, &scene, look, &spectrum, &words, &[])?;
             let bumps = BumpField::new(anchored, look.frequency).map_err(|error| error.to_string())?;
-            let seen = |corner: &Corner, pixel| {
-                bumps.coordinates(corner.position.as_vec3(), &Frame::IDENTITY, pixel)
+            let seen = |corner: &Corner, frame: &Frame, pixel| {
+                bumps.coordinates(corner.position.as_vec3(), frame, pixel)
             };
             let theirs = reference::picture(&scene, look, seen, size)?;
             shares.push(report(&format!("{name}-{zoom}"), &ours, &theirs, time, size, out)?);
@@ -209,7 +209,7 @@ fn at_focus(
     let at: [f64; 3] = (scene.focus * f64::from(look.frequency)).into();
     let anchored = octaves.anchored(at);
     let words = packed(&FbmUniform3d::array(&[anchored.gpu()]));
-    (IndependentChannels(anchored), ("fbm_uniform_3d", words))
+    (anchored, ("fbm_uniform_3d", words))
 }
 
 /// Period of the noise texture in cells.
@@ -258,7 +258,7 @@ fn textured(gpu: &Gpu, look: &Look, size: u32, out: &Path) -> Result<(), String>
     for zoom in &ZOOMS[..2] {
         for (name, scene) in scenes(*zoom, size)? {
             let (ours, time) = made.draw(gpu, &scene, look)?;
-            let seen = |corner: &Corner, pixel| {
+            let seen = |corner: &Corner, _: &Frame, pixel| {
                 let octaves = clamp.octaves(pixel);
                 let [x, y] = sum.pair_with_octaves(corner.uv.as_vec2() * f32::from(PERIOD), octaves);
                 let (variance, blend) = (spectrum.resolved_variance(octaves), spectrum.weight(octaves, 0));

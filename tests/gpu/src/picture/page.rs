@@ -5,7 +5,6 @@ use std::fs;
 use std::path::Path;
 
 use asperity_render::geometry::teapot::teapot;
-use asperity_shading::level_of_detail::IndependentChannels;
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::{BumpField, Footprint, Frame};
 use glam::{DVec3, Vec2, Vec3};
@@ -102,11 +101,10 @@ fn compared(file: &Path) -> Result<f64, String> {
         FbmSpectrum::new(settings.lacunarity, settings.gain, 16).map_err(|error| error.to_string())?;
     let at: [f64; 3] = (described.focus * f64::from(look.frequency)).into();
     let octaves = GaussianFbm::<Vec3>::new(GaussianNoise::new(settings.seed), spectrum).anchored(at);
-    let bumps =
-        BumpField::new(IndependentChannels(octaves), look.frequency).map_err(|error| error.to_string())?;
+    let bumps = BumpField::new(octaves, look.frequency).map_err(|error| error.to_string())?;
     let scene = scene(&described, size);
-    let seen = |corner: &Corner, pixel: Footprint| {
-        bumps.coordinates(corner.position.as_vec3(), &Frame::IDENTITY, pixel)
+    let seen = |corner: &Corner, frame: &Frame, pixel: Footprint| {
+        bumps.coordinates(corner.position.as_vec3(), frame, pixel)
     };
     let ours = reference::picture(&scene, &look, seen, size)?;
     png(&file.with_extension("png"), size, &[vec![&theirs, &ours]])?;

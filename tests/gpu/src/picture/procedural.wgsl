@@ -1,7 +1,7 @@
-// Bumps from noise in space: both channels and their resolved fraction.
-fn surface_bumps(p: vec3<f32>, uv: vec2<f32>, octaves: f32) -> vec3<f32> {
-    let seen = gaussian_fbm_3d(p, octaves, 0u);
-    return vec3<f32>(seen.pair.value, seen.resolved_variance);
+// Bumps from noise in space: downward slopes and their resolved fraction.
+fn surface_bumps(p: vec3<f32>, uv: vec2<f32>, frame: Frame, octaves: f32) -> vec3<f32> {
+    let seen = gaussian_slopes_3d(p, frame.tangent, frame.bitangent, octaves, 0u);
+    return vec3<f32>(-seen.z, seen.resolved_variance);
 }
 
 // The facet of two Gaussian numbers.

@@ -11,11 +11,11 @@ use crate::picture::{
 
 /// Returns the 8-bit sRGB color of every pixel.
 ///
-/// `bumps` returns the resolved bumps at a surface point.
+/// `bumps` returns the resolved bumps at a surface point with a frame.
 pub(crate) fn picture(
     scene: &Scene,
     look: &Look,
-    bumps: impl Fn(&Corner, Footprint) -> ResolvedBumps,
+    bumps: impl Fn(&Corner, &Frame, Footprint) -> ResolvedBumps,
     size: u32,
 ) -> Result<Vec<[u8; 3]>, String> {
     let ggx = Ggx::new(look.alpha.x, look.alpha.y).map_err(|error| error.to_string())?;
@@ -34,7 +34,7 @@ pub(crate) fn picture(
             }
             let pixel =
                 Footprint::from_distance(from_eye.length() as f32, scene.view.pixel_angle as f32, cos_eye);
-            let mut coordinates = bumps(&corner, pixel);
+            let mut coordinates = bumps(&corner, &frame, pixel);
             coordinates.variance = coordinates.variance.min(look.share);
             let h = frame.to_local(half_vector(light, wo));
             let lamp = LevelOfDetail::Exact.radiance(&ggx, h, coordinates) * cos_light.max(0.0);

@@ -19,7 +19,7 @@ use crate::{
 
 /// Bumps from noise. The renderer receives the words of its sum.
 pub(crate) static PROCEDURAL: Part =
-    Part::new("procedural", include_str!("procedural.wgsl"), &[&noise::FBM_3D.gaussian, &SURFACE]);
+    Part::new("procedural", include_str!("procedural.wgsl"), &[&noise::GAUSSIAN_SLOPES_3D, &SURFACE]);
 
 /// Bumps from a noise texture and a normal texture.
 pub(crate) static TEXTURED: Part = Part::new(

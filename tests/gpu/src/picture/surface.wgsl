@@ -61,7 +61,7 @@ fn surface_light(p: vec3<f32>, uv: vec2<f32>, frame: Frame, wo: vec3<f32>, dista
     }
     let footprint = distance * surface_view.pixel_angle / cos_eye;
     let limits = FrequencyClamp(surface_view.frequency, surface_view.log_lacunarity, surface_view.max_octaves);
-    let seen = surface_bumps(p * surface_view.frequency, uv, frequency_clamp_octaves(footprint, limits));
+    let seen = surface_bumps(p * surface_view.frequency, uv, frame, frequency_clamp_octaves(footprint, limits));
     let h = frame_to_local(frame, frame_direction(surface_view.light + wo));
     let z = seen.xy;
     let resolved = min(seen.z, surface_view.share);

@@ -4,7 +4,7 @@ use asperity_shading::gpu::{BumpMappedUniform, NormalMappedUniform};
 
 use super::surface::SURFACE_POINT;
 use crate::ndf::GAUSSIAN_SPLIT;
-use crate::noise::FBM_3D;
+use crate::noise::GAUSSIAN_SLOPES_3D;
 use crate::part::{Binding, Part, part};
 use crate::shading::normal_map::SLOPE_PYRAMID;
 use crate::shading::reflectance::{BRDF, FACET};
@@ -15,7 +15,7 @@ pub static BUMP_MAPPED: Part = part!(
     "shading/material/bump_mapped",
     [BumpMappedUniform],
     SURFACE_POINT,
-    FBM_3D.gaussian,
+    GAUSSIAN_SLOPES_3D,
     FREQUENCY_CLAMP,
     LEVEL_OF_DETAIL,
     FACET,

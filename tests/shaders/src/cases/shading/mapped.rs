@@ -2,7 +2,7 @@
 
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::gpu::{BumpMappedUniform, SlopePyramidUniform};
-use asperity_shading::level_of_detail::{IndependentChannels, LevelOfDetail, ResolvedBumps};
+use asperity_shading::level_of_detail::{LevelOfDetail, ResolvedBumps};
 use asperity_shading::material::NormalMapped;
 use asperity_shading::ndf_sampling::Ndf;
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
@@ -37,23 +37,20 @@ pub(super) fn cases() -> Vec<Case> {
 
 const COPPER: Vec3 = Vec3::new(0.9, 0.6, 0.5);
 
-type Channels = IndependentChannels<GaussianFbm<Vec3>>;
-
-fn bumps() -> BumpField<Channels> {
+fn bumps() -> BumpField<GaussianFbm<Vec3>> {
     let spectrum = FbmSpectrum::new(2.0, 0.6, 6).expect("a spectrum");
-    BumpField::new(IndependentChannels(GaussianFbm::new(GaussianNoise::new(3), spectrum)), 5.0)
-        .expect("a frequency")
+    BumpField::new(GaussianFbm::new(GaussianNoise::new(3), spectrum), 5.0).expect("a frequency")
 }
 
 fn bump_mapped(
     name: &str,
     uniform: BumpMappedUniform,
-    of: BumpMapped<impl Ndf + Send + Sync + 'static, Channels>,
+    of: BumpMapped<impl Ndf + Send + Sync + 'static, GaussianFbm<Vec3>>,
 ) -> Case {
     let resources = vec![
         ("gaussian_level", GaussianNoise::gpu_levels().map(f32::to_bits).collect()),
         ("bump_mapped_uniform", packed(&uniform)),
-        sums(&[of.bumps.field().0.gpu()]),
+        sums(&[of.bumps.field().gpu()]),
     ];
     material(
         &format!("bump_mapped, {name}"),

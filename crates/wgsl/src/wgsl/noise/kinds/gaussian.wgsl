@@ -85,15 +85,21 @@ fn gaussian_in_cell_2d(cell: vec2<i32>, t: vec2<f32>, key: u32) -> Sample2d {
     return gaussian_normalized_2d(sum, gaussian_variance_2d(t, w, slope));
 }
 
-// The noise at a position in [0, 1]^3 of a cell.
-fn gaussian_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, key: u32) -> Sample3d {
+// The noise before normalization at a position in [0, 1]^3 of a cell, with weights and slopes of the
+// axes: `GaussianNoise::unnormalized`.
+fn gaussian_sum_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, w: vec3<f32>, slope: vec3<f32>, key: u32) -> Sample3d {
     let ends = integer_hash_ends_3d(cell);
-    let w = fade_quintic(vec4<f32>(t, 0.0)).xyz;
-    let slope = fade_quintic_slope(vec4<f32>(t, 0.0)).xyz;
     let joined = integer_hash_joined(ends);
     let low = gaussian_first_corners_3d(integer_hash_words(joined ^ vec4<u32>(ends.low.z), key));
     let high = gaussian_first_corners_3d(integer_hash_words(joined ^ vec4<u32>(ends.high.z), key));
-    return gaussian_normalized_3d(corners_blend_3d(low, high, t, w, slope), gaussian_variance_3d(t, w, slope));
+    return corners_blend_3d(low, high, t, w, slope);
+}
+
+// The noise at a position in [0, 1]^3 of a cell.
+fn gaussian_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, key: u32) -> Sample3d {
+    let w = fade_quintic(vec4<f32>(t, 0.0)).xyz;
+    let slope = fade_quintic_slope(vec4<f32>(t, 0.0)).xyz;
+    return gaussian_normalized_3d(gaussian_sum_in_cell_3d(cell, t, w, slope, key), gaussian_variance_3d(t, w, slope));
 }
 
 // Both channels at a position in [0, 1]^2 of a cell, from one pass over the lattice and one
