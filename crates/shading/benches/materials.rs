@@ -5,7 +5,8 @@ use std::hint::black_box;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::material::{BrickWall, GlintField, Material};
 use asperity_shading::reflectance::{
-    BlinnPhongBrdf, BlinnPhongNormalization, OrenNayar, OrenNayarVariant, WardBrdf, WardNormalization,
+    BlinnPhongBrdf, BlinnPhongNormalization, EnergyCompensated, OrenNayar, OrenNayarVariant, WardBrdf,
+    WardNormalization,
 };
 use asperity_shading::texture::{Gas, StarWallpaper};
 use asperity_shading::{
@@ -77,11 +78,16 @@ fn reflectances(c: &mut Criterion) {
     let lobe = BlinnPhongBrdf::new(gray, 30.0, BlinnPhongNormalization::Albedo).expect("parameters in range");
     let ward = WardBrdf::new(gray, 0.2, 0.4, WardNormalization::Bounded).expect("parameters in range");
     let full = OrenNayar::new(gray, 0.6, OrenNayarVariant::Full).expect("parameters in range");
-    let all: [(&str, &dyn Brdf); 8] = [
+    let metal = EnergyCompensated::metal(ggx, glass);
+    let frosted = EnergyCompensated::glass(ggx, glass);
+    let all: [(&str, &dyn Brdf); 11] = [
         ("lambert", &Lambert::new(gray).expect("albedo in range")),
         ("oren_nayar_full", &full),
         ("energy_preserving", &EnergyPreservingOrenNayar::new(gray, 0.6).expect("parameters in range")),
         ("cook_torrance", &CookTorrance::new(ggx, glass)),
+        ("cook_torrance_compensated", &metal),
+        ("rough_dielectric", frosted.single()),
+        ("rough_dielectric_compensated", &frosted),
         ("torrance_sparrow", &TorranceSparrow::new(ggx, glass)),
         ("phong", &Phong::new(gray, 30.0).expect("parameters in range")),
         ("blinn_phong", &lobe),

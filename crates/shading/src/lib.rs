@@ -112,6 +112,7 @@ mod error;
 pub mod gpu;
 mod image;
 pub mod level_of_detail;
+mod low_discrepancy;
 pub mod material;
 mod math;
 pub mod normal_map;

@@ -3,6 +3,7 @@
 mod bad_input;
 mod bsdf;
 mod checked;
+mod energy;
 mod environment;
 mod footprints;
 mod fresnel;

@@ -1,6 +1,7 @@
 //! The program behind `cargo xtask tables`: writes the tables and images committed in the crates,
 //! or compares them.
 
+mod albedos;
 #[cfg(test)]
 mod documented;
 mod noise_cdf;

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use std::{fs, path::Path};
 
 use crate::{
-    noise_cdf::noise_statistics_source, noise_cellular::cellular_statistics_source,
+    albedos::albedos_source, noise_cdf::noise_statistics_source, noise_cellular::cellular_statistics_source,
     noise_levels::noise_levels_source, noise_means::absolute_moments_source, noise_pictures::noise_pictures,
 };
 use asperity_output::Output;
@@ -14,11 +14,12 @@ use asperity_render::failure::Failure;
 /// A generated file: folder and name in the source tree, and the function that returns its text.
 type Shipped = (&'static str, &'static str, fn() -> String);
 
-const SHIPPED: [Shipped; 4] = [
+const SHIPPED: [Shipped; 5] = [
     ("crates/noise/src/statistics", "absolute_moments.rs", absolute_moments_source),
     ("crates/noise/src/statistics", "cellular.rs", cellular_statistics_source),
     ("crates/noise/src/lattice", "gaussian_levels.rs", noise_levels_source),
     ("crates/noise/src/statistics", "tables.rs", noise_statistics_source),
+    ("crates/shading/src/reflectance/energy", "tables.rs", albedos_source),
 ];
 
 /// Folder of the images of the noise crate's pages.

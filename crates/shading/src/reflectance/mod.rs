@@ -6,6 +6,7 @@ mod bsdf;
 pub(crate) mod coat;
 mod cook_torrance;
 mod diffuse;
+mod energy;
 mod facet_brdf;
 mod fresnel;
 pub(crate) mod lobe;
@@ -20,6 +21,9 @@ pub use bsdf::Bsdf;
 pub use coat::Coat;
 pub use cook_torrance::{BumpFacets, CookTorrance, Masking};
 pub use diffuse::{EnergyPreservingOrenNayar, Lambert, OrenNayar, OrenNayarVariant};
+#[cfg(feature = "alloc")]
+pub use energy::AlbedoTable;
+pub use energy::{DirectionalAlbedo, EnergyCompensated, GgxAlbedo, GlassAlbedo, directional_albedo};
 pub use facet_brdf::FacetBrdf;
 pub use fresnel::{Conductor, Dielectric, Fresnel, Schlick, SchlickF82};
 pub use lobe::Lobe;

@@ -3,7 +3,7 @@
 use asperity_shading::gpu::CoatUniform;
 
 use crate::ndf::{BECKMANN, ELEMENTARY, FRAME, GGX};
-use crate::part::{Part, part};
+use crate::part::{Binding, Element, Part, part};
 use crate::shading::bump::{SLOPE_FACETS, SURFACE_GRADIENT};
 use crate::shading::{DIRECTION, MATH};
 
@@ -60,6 +60,24 @@ pub(crate) static FACET: Part = part!("shading/reflectance/facet", SURFACE_GRADI
 /// [`RoughDielectric`](asperity_shading::reflectance::RoughDielectric).
 pub static ROUGH_DIELECTRIC: Part =
     part!("shading/reflectance/rough_dielectric", BRDF, DIRECTION, DIELECTRIC, BECKMANN, ELEMENTARY);
+
+/// Splines of the tables of albedos, and the factor of
+/// [`EnergyCompensated`](asperity_shading::reflectance::EnergyCompensated).
+pub static ENERGY: Part = part!("shading/reflectance/energy/spline", MATH);
+
+/// Directional albedo of GGX mirrors, [`GgxAlbedo`](asperity_shading::reflectance::GgxAlbedo).
+///
+/// Bound to [`GgxAlbedo::table`](asperity_shading::reflectance::GgxAlbedo::table) as the table
+/// `ggx_albedo_number`.
+pub static GGX_ALBEDO: Part = part!("shading/reflectance/energy/ggx_albedo", ENERGY)
+    .with_bindings(&[Binding::Table { name: "ggx_albedo_number", element: Element::Float, width: 64 }]);
+
+/// Directional albedo of rough glass, [`GlassAlbedo`](asperity_shading::reflectance::GlassAlbedo).
+///
+/// Bound to [`GlassAlbedo::table`](asperity_shading::reflectance::GlassAlbedo::table) as the table
+/// `glass_albedo_number`.
+pub static GLASS_ALBEDO: Part = part!("shading/reflectance/energy/glass_albedo", ENERGY)
+    .with_bindings(&[Binding::Table { name: "glass_albedo_number", element: Element::Float, width: 128 }]);
 
 /// Smooth and rough coats over the layers of a surface,
 /// [`Coat`](asperity_shading::reflectance::Coat): transmission to the layers, reflection and

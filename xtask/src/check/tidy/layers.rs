@@ -45,7 +45,7 @@ pub(super) const CRATES: &[Crate] = &[
     Crate {
         name: "shading",
         sources: "crates/shading/src",
-        layers: "math direction error → image parameter → pixel → bump → level_of_detail → reflectance → \
+        layers: "math direction error low_discrepancy → image parameter → pixel → bump → level_of_detail → reflectance → \
                 environment → normal_map → texture → material → gpu → approx → check",
         max_exports: Some(60),
     },
@@ -83,7 +83,7 @@ pub(super) const CRATES: &[Crate] = &[
     Crate {
         name: "tables",
         sources: "tools/tables/src",
-        layers: "noise_means → noise_cdf → noise_cellular noise_levels noise_pictures → shipped documented",
+        layers: "albedos noise_means → noise_cdf → noise_cellular noise_levels noise_pictures → shipped documented",
         max_exports: None,
     },
     Crate {

@@ -9,5 +9,6 @@ mod schlick_f82;
 pub use conductor::Conductor;
 pub use dielectric::Dielectric;
 pub use interface::Fresnel;
+pub(super) use interface::MEAN_NODES;
 pub use schlick::Schlick;
 pub use schlick_f82::SchlickF82;

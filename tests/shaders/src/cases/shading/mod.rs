@@ -7,6 +7,7 @@ use crate::case::{BAD, Bound, Case, INPUTS, OUTPUTS, Output, between};
 mod bump;
 mod coat;
 mod diffuse;
+mod energy;
 mod fresnel;
 mod glint;
 mod glossy;
@@ -21,6 +22,7 @@ pub(super) fn cases() -> Vec<Case> {
     [
         bump::cases(),
         diffuse::cases(),
+        energy::cases(),
         fresnel::cases(),
         glint::cases(),
         coat::cases(),

@@ -1,0 +1,17 @@
+//! Multiple scattering: directional albedos, and BRDFs scaled to return the light they lose.
+
+mod albedo;
+#[cfg(feature = "alloc")]
+mod albedo_table;
+mod compensated;
+mod ggx;
+mod glass;
+mod spline;
+mod tables;
+
+pub use albedo::{DirectionalAlbedo, directional_albedo};
+#[cfg(feature = "alloc")]
+pub use albedo_table::AlbedoTable;
+pub use compensated::EnergyCompensated;
+pub use ggx::GgxAlbedo;
+pub use glass::GlassAlbedo;
