@@ -20,7 +20,7 @@ pub const FRAME: Frame = Frame {
 ///
 /// They are at least 1.5 apart, more than a cell of the first octave, so that they are nearly
 /// independent.
-fn points(stride: usize) -> impl Iterator<Item = Vec3> {
+pub fn points(stride: usize) -> impl Iterator<Item = Vec3> {
     let strata = (0..SIDE).flat_map(move |i| (0..SIDE).step_by(stride).map(move |j| (i, j)));
     strata.map(|(i, j)| {
         let [u, v] = r2(i * SIDE + j);

@@ -2,11 +2,13 @@
 
 use asperity_shading::check;
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::level_of_detail::ResolvedBumps;
+use asperity_shading::level_of_detail::{GaussianField, ResolvedBumps};
+use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::reflectance::{BumpFacets, FacetBrdf, Lobe, RoughDielectric, SchlickF82};
 use asperity_shading::{Brdf, Conductor, CookTorrance, Dielectric, Ggx};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
+use asperity_tests::surface_patches::points;
 use rayon::prelude::*;
 
 use crate::checked::quick;
@@ -142,4 +144,107 @@ fn any_bumps_and_directions_are_accepted() {
             }
         }
     }
+}
+
+/// Points per patch, all of which are independent of each other and of other patches.
+const POINTS: usize = 128 * 128;
+
+/// Where light goes: within 20° of the mirrored direction, farther, and through the surface.
+fn bin(wo: Vec3, wi: Vec3) -> usize {
+    let mirrored = Vec3::new(-wo.x, -wo.y, wo.z);
+    match (wi.z * wo.z < 0.0, wi.dot(mirrored) > 0.94) {
+        (true, _) => 2,
+        (false, near) => usize::from(!near),
+    }
+}
+
+/// The light of one sample of each model and view, by the bin of its direction.
+fn scattered(
+    cases: &[(String, Facets, Vec3)],
+    bumps: ResolvedBumps,
+    random: &mut Random,
+    sums: &mut [[f64; 3]],
+) {
+    let [uc, x, y] = [(); 3].map(|()| random.uniform() as f32);
+    for ((_, brdf, wo), sums) in cases.iter().zip(sums) {
+        if let Some(sample) = brdf.sample_resolved(*wo, uc, Vec2::new(x, y), bumps) {
+            sums[bin(*wo, sample.wi)] += f64::from(sample.weight().x);
+        }
+    }
+}
+
+/// The mean over a surface in the real noise, from 0.5 to 12 resolved octaves.
+///
+/// Where all octaves are resolved, each point is a mirror, and the noise alone distributes the
+/// light.
+#[test]
+#[ignore = "slow: weekly"]
+fn mean_over_the_surface_is_the_far_field_over_twelve_octaves() {
+    const SEEDS: u32 = 256;
+    let views = [("0°", 0.0), ("60°", 1.047), ("80°", 1.396)];
+    let cases: Vec<_> = views
+        .into_iter()
+        .flat_map(|(degrees, theta)| {
+            let wo = direction(theta, 0.4);
+            models().into_iter().map(move |(name, brdf)| (format!("{name}, {degrees}"), brdf, wo))
+        })
+        .collect();
+    // Independent of bumps: as many samples as in all patches.
+    let far: Vec<Vec<[f64; 3]>> = (0..SEEDS)
+        .into_par_iter()
+        .map(|seed| {
+            let mut sums = vec![[0.0; 3]; cases.len()];
+            let mut random = Random(u64::from(seed) << 32);
+            (0..4 * POINTS).for_each(|_| scattered(&cases, ResolvedBumps::FAR, &mut random, &mut sums));
+            sums
+        })
+        .collect();
+    let (far, far_error) = means(&far, 4 * POINTS);
+    let (mut worst, mut widest) = (0.0_f64, 0.0_f64);
+    for octaves in [0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0] {
+        let patches: Vec<Vec<[f64; 3]>> = (0..SEEDS)
+            .into_par_iter()
+            .map(|seed| {
+                let spectrum = FbmSpectrum::new(2.17, 0.5, 12).expect(VALID);
+                let field = GaussianFbm::<Vec3>::new(GaussianNoise::new(seed), spectrum);
+                let mut random = Random(u64::from(seed));
+                let mut sums = vec![[0.0; 3]; cases.len()];
+                for p in points(1) {
+                    let bumps = field.coordinates(p, octaves);
+                    scattered(&cases, bumps, &mut random, &mut sums);
+                }
+                sums
+            })
+            .collect();
+        let (near, near_error) = means(&patches, POINTS);
+        for (case, (name, ..)) in cases.iter().enumerate() {
+            // Bins with little light have no precise mean.
+            for k in (0..3).filter(|&k| far[case][k] > 0.03) {
+                let ratio = near[case][k] / far[case][k];
+                let error = near_error[case][k].hypot(far_error[case][k]) / far[case][k];
+                let place = format!("{name}, {octaves} octaves, bin {k}: {ratio:.5} ± {error:.5}");
+                println!("{place}");
+                assert!(error < 4e-3, "{place} shows nothing");
+                assert!((ratio - 1.0).abs() < 4.5 * error, "{place}");
+                worst = worst.max((ratio - 1.0).abs());
+                widest = widest.max(error);
+            }
+        }
+    }
+    println!("largest deviation {worst:.5}, largest standard error {widest:.5}");
+}
+
+/// Means of each case and bin over patches, and their standard errors.
+fn means(patches: &[Vec<[f64; 3]>], count: usize) -> (Vec<[f64; 3]>, Vec<[f64; 3]>) {
+    let n = patches.len() as f64;
+    let at = |case: usize, k: usize| {
+        let values = || patches.iter().map(|patch| patch[case][k] / count as f64);
+        let mean = values().sum::<f64>() / n;
+        let variance = values().map(|value| (value - mean).powi(2)).sum::<f64>() / (n - 1.0);
+        (mean, (variance / n).sqrt())
+    };
+    let all = |pick: fn((f64, f64)) -> f64| {
+        (0..patches[0].len()).map(|case| [0, 1, 2].map(|k| pick(at(case, k)))).collect()
+    };
+    (all(|pair| pair.0), all(|pair| pair.1))
 }
