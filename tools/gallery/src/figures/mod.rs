@@ -35,6 +35,7 @@ const FIGURES: &[&[Figure]] = &[
         figure("cochran-area", cochran::area::draw),
         figure("asperity-mean-radiance", asperity::mean_radiance::draw),
         figure("asperity-zoom-means", asperity::measured::draw_means),
+        figure("asperity-microfacet-zoom", asperity::visible_zoom::draw),
         figure("asperity-horizon", asperity::measured::draw_horizon),
         figure("asperity-normal-map-antialiasing", asperity::normal_maps::draw),
         figure("gpu-teapot", asperity::graphics_card::draw_teapot),

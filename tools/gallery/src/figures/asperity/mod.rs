@@ -5,3 +5,4 @@ pub(super) mod mean_radiance;
 pub(super) mod measured;
 pub(super) mod normal_maps;
 pub(super) mod reflectance;
+pub(super) mod visible_zoom;
