@@ -8,7 +8,7 @@ use asperity_shading::reflectance::{BumpFacets, FacetBrdf, Lobe, RoughDielectric
 use asperity_shading::{Brdf, Conductor, CookTorrance, Dielectric, Ggx};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
-use asperity_tests::surface_patches::points;
+use asperity_tests::surface_patches::{FRAME, points};
 use rayon::prelude::*;
 
 use crate::checked::quick;
@@ -85,6 +85,31 @@ fn facets_by_area_have_the_same_mean_and_are_reciprocal() {
         // Single points may reflect more than they receive.
         assert!(report.failures().all(|failure| failure == "energy"), "{report}");
     }
+}
+
+#[test]
+fn single_points_are_bright_by_area_only() {
+    const POINTS: usize = 8000;
+    let mut random = Random(6);
+    let wo = direction(1.396, 0.4);
+    let mut brightest = |facets| {
+        let white = CookTorrance::new(Ggx::isotropic(0.5).expect(VALID), Vec3::ONE).with_bump_facets(facets);
+        let mut albedos: Vec<f32> = (0..POINTS)
+            .map(|_| {
+                let bumps = resolved(random.gaussians(), 0.8);
+                let samples = (0..200).filter_map(|_| {
+                    let u = Vec2::new(random.uniform() as f32, random.uniform() as f32);
+                    white.sample_resolved(wo, 0.5, u, bumps)
+                });
+                samples.map(|sample| sample.weight().x).sum::<f32>() / 200.0
+            })
+            .collect();
+        albedos.sort_by(f32::total_cmp);
+        [albedos[POINTS - 1], albedos[POINTS - POINTS / 1000]]
+    };
+    let ([seen, _], [most, of_a_thousand]) = (brightest(BumpFacets::Visible), brightest(BumpFacets::All));
+    println!("brightest point: {seen} by visible facets, {most} by area, {of_a_thousand} of a thousand");
+    assert!(seen <= 1.0001 && of_a_thousand > 6.0, "{seen} {most} {of_a_thousand}");
 }
 
 #[test]
@@ -210,7 +235,7 @@ fn mean_over_the_surface_is_the_far_field_over_twelve_octaves() {
                 let mut random = Random(u64::from(seed));
                 let mut sums = vec![[0.0; 3]; cases.len()];
                 for p in points(1) {
-                    let bumps = field.coordinates(p, octaves);
+                    let bumps = field.coordinates(p, &FRAME, octaves);
                     scattered(&cases, bumps, &mut random, &mut sums);
                 }
                 sums

@@ -60,7 +60,7 @@ pub enum BumpFacets {
     #[default]
     Visible,
     /// All normals, by area. Reciprocal at every point, but a point can scatter more light than it
-    /// receives: for GGX of roughness 0.5 at 60° one in a thousand scatters ten times as much.
+    /// receives: for GGX of roughness 0.5 at 80° one in a thousand scatters seven times as much.
     All,
 }
 

@@ -1,5 +1,5 @@
-//! Microfacet models whose facets become bumps: gold and glass at four zooms, and the light of
-//! single points.
+//! A microfacet model whose facets become bumps: gold at four zooms, and the light of single
+//! points.
 
 use asperity_render::geometry::{camera::Camera, shape::Shape};
 use asperity_render::light::environments::Studio;
@@ -9,8 +9,8 @@ use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_shading::level_of_detail::ResolvedBumps;
 use asperity_shading::material::BumpMappedBrdf;
 use asperity_shading::ndf_sampling::inverse_gaussian_cdf;
-use asperity_shading::reflectance::{Absorption, BumpFacets, FacetBrdf, RoughDielectric};
-use asperity_shading::{Conductor, CookTorrance, Dielectric, Ggx};
+use asperity_shading::reflectance::{BumpFacets, FacetBrdf};
+use asperity_shading::{Conductor, CookTorrance, Ggx};
 use glam::{DVec3, Vec2, Vec3};
 
 use crate::figure::{Context, Drawn, Panel};
@@ -22,35 +22,24 @@ const ZOOMS: [f32; 4] = [1.0, 4.0, 16.0, 64.0];
 const ALPHA: [f32; 2] = [0.2, 0.4];
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
-    let bumps = Bumps { kind: NoiseKind::Gaussian, frequency: 3.0, octaves: 16, gain: 0.6 };
+    let bumps = Bumps { kind: NoiseKind::Gaussian, frequency: 150.0, octaves: 16, gain: 0.5 };
     let gold = [Conductor::new(0.18, 3.42)?, Conductor::new(0.42, 2.35)?, Conductor::new(1.37, 1.77)?];
     let ggx = Ggx::new(ALPHA[0], ALPHA[1])?;
-    let (gold, glass) = (CookTorrance::new(ggx, gold), RoughDielectric::new(ggx, Dielectric::new(1.5)?));
+    let gold = CookTorrance::new(ggx, gold);
     let (sampling, studio) = (context.sampling([10, 10], 1), Studio::new(1.0));
-    let mut panels = Vec::new();
-    let mut grains = Vec::new();
-    for stem in ["gold", "glass"] {
-        for zoom in ZOOMS {
-            let bumps = bumps.field(context.seed, DVec3::ZERO)?;
-            let ball = match stem {
-                "gold" => Object::new(Shape::Sphere, BumpMappedBrdf { brdf: gold, bumps }),
-                _ => Object {
-                    body: Some(Absorption::of_color(Vec3::new(0.86, 0.95, 0.92), 1.0)?),
-                    passes: 1.0,
-                    ..Object::new(Shape::Sphere, BumpMappedBrdf { brdf: glass, bumps })
-                },
-            };
-            let scene = Scene::new(vec![ball], Light::Around(&studio), Backdrop::Studio);
-            // Towards the reflection of the main lamp.
-            let target = Vec3::new(-0.35, -0.75, 0.56) * (1.0 - 1.0 / zoom);
-            let camera =
-                Camera::new(Vec3::new(0.0, -6.0, 1.6), target, 0.4 / zoom, sampling.width, sampling.height);
-            let (image, grain) = context.still(&scene, sampling, &camera)?;
-            grains.push(grain);
-            let label = format!("{stem}, ×{zoom}");
-            let alt = format!("A rough sphere of {stem} at zoom {zoom}.");
-            panels.push(Panel::new(format!("{stem}-{zoom}"), label, alt, image.filmic(EXPOSURE)));
-        }
+    let (mut panels, mut grains) = (Vec::new(), Vec::new());
+    for zoom in ZOOMS {
+        let bumps = bumps.field(context.seed, DVec3::ZERO)?;
+        let ball = Object::new(Shape::Sphere, BumpMappedBrdf { brdf: gold, bumps });
+        let scene = Scene::new(vec![ball], Light::Around(&studio), Backdrop::Studio);
+        // Past the reflection of the main lamp.
+        let target = Vec3::new(0.3, -0.85, 0.35) * (1.0 - 1.0 / zoom);
+        let camera =
+            Camera::new(Vec3::new(0.0, -6.0, 1.6), target, 0.4 / zoom, sampling.width, sampling.height);
+        let (image, grain) = context.still(&scene, sampling, &camera)?;
+        grains.push(grain);
+        let alt = format!("A sphere of rough gold at zoom {zoom}.");
+        panels.push(Panel::new(format!("gold-{zoom}"), format!("×{zoom}"), alt, image.filmic(EXPOSURE)));
     }
     for (stem, degrees) in [("0", 0.0_f32), ("60", 60.0), ("80", 80.0)] {
         panels.push(energies(stem, degrees)?);
