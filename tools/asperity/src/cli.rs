@@ -345,7 +345,8 @@ const RULES: &Words<LevelOfDetail> = &[
 ];
 
 const NOISES: &Words<NoiseKind> = &[
-    ("gaussian", "Exactly Gaussian value-gradient noise", NoiseKind::Gaussian),
+    ("gaussian", "Slopes of exactly Gaussian value-gradient noise", NoiseKind::Gaussian),
+    ("channels", "Two channels of this noise, which do not look like a relief", NoiseKind::Channels),
     ("perlin", "Perlin noise (2002) through its measured CDF", NoiseKind::Perlin),
     ("simplex", "Simplex noise through its measured CDF", NoiseKind::Simplex),
 ];

@@ -33,6 +33,7 @@ const FIGURES: &[&[Figure]] = &[
         figure("cochran-zoom", cochran::zoom::draw),
         figure("cochran-landscape", cochran::landscape::draw),
         figure("cochran-area", cochran::area::draw),
+        figure("asperity-height-bumps", asperity::height_bumps::draw),
         figure("asperity-mean-radiance", asperity::mean_radiance::draw),
         figure("asperity-zoom-means", asperity::measured::draw_means),
         figure("asperity-microfacet-zoom", asperity::visible_zoom::draw),

@@ -1,7 +1,7 @@
 //! Noises for bumps, by name.
 
 use asperity_noise::{FbmSpectrum, GaussianFbm, GaussianNoise, Perlin, Simplex};
-use asperity_shading::level_of_detail::{GaussianField, RemappedOctaves, ResolvedBumps};
+use asperity_shading::level_of_detail::{GaussianField, IndependentChannels, RemappedOctaves, ResolvedBumps};
 use asperity_shading::{BumpField, Frame};
 use glam::{DVec3, Vec3};
 
@@ -10,8 +10,10 @@ use crate::failure::Failure;
 /// The type of a noise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoiseKind {
-    /// Exactly Gaussian at every point, for every number of octaves.
+    /// The slopes of one noise, exactly Gaussian at every point, for every number of octaves.
     Gaussian,
+    /// Two channels with the same distribution, without a relief.
+    Channels,
     /// Gradient noise of 2002, made Gaussian through its measured distribution.
     Perlin,
     /// Simplex noise, made Gaussian through its measured distribution.
@@ -41,10 +43,10 @@ impl Bumps {
         }
         let spectrum = FbmSpectrum::new(LACUNARITY, self.gain, self.octaves)?;
         let at = anchor * f64::from(self.frequency);
+        let sum = GaussianFbm::<Vec3>::new(GaussianNoise::new(seed), spectrum);
         let noise: Box<Noise> = match self.kind {
-            NoiseKind::Gaussian => {
-                Box::new(GaussianFbm::<Vec3>::new(GaussianNoise::new(seed), spectrum).anchored(at))
-            }
+            NoiseKind::Gaussian => Box::new(sum.anchored(at)),
+            NoiseKind::Channels => Box::new(IndependentChannels(sum.anchored(at))),
             NoiseKind::Perlin => {
                 Box::new(RemappedOctaves::new(Perlin::default(), spectrum, seed)?.anchored(at))
             }
@@ -89,7 +91,7 @@ mod tests {
             let bumps = Bumps { kind, frequency: 1.0, octaves, gain: 0.8 }.field(3, DVec3::ZERO).unwrap();
             bumps.coordinates(p, &Frame::IDENTITY, Footprint::from_width(0.1)).z
         };
-        let kinds = [NoiseKind::Gaussian, NoiseKind::Perlin, NoiseKind::Simplex];
+        let kinds = [NoiseKind::Gaussian, NoiseKind::Channels, NoiseKind::Perlin, NoiseKind::Simplex];
         for (i, &kind) in kinds.iter().enumerate() {
             assert_eq!(at(kind, 0), glam::Vec2::ZERO);
             assert!(kinds[..i].iter().all(|&other| at(other, 16) != at(kind, 16)), "{kind:?}");

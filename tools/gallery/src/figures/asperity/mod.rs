@@ -1,6 +1,7 @@
 //! Figures of the level of detail, of reflectance and of the shaders.
 
 pub(super) mod graphics_card;
+pub(super) mod height_bumps;
 pub(super) mod mean_radiance;
 pub(super) mod measured;
 pub(super) mod normal_maps;

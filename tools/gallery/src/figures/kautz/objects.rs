@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use asperity_ndf_sampling::{Beckmann, BlinnPhong, Ggx, Ndf, NormalLut, gaussian_cdf, residual_ndf};
 use asperity_render::image::tone::{hex, linear};
+use asperity_render::materials::field::NoiseKind;
 use asperity_render::materials::{Facets, SharedNdf, sky};
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::scenes::{RenderRequest, Set, peak};
@@ -17,7 +18,7 @@ use crate::panels::{density_panel, disk};
 use asperity::failure::Result;
 
 /// Renders an object.
-fn object(
+pub(in crate::figures) fn object(
     context: &Context<'_>,
     request: &RenderRequest<'_>,
     shape: &Arc<Shape>,
@@ -28,7 +29,7 @@ fn object(
 }
 
 /// Formats a density.
-pub(super) fn ggx([alpha_x, alpha_y]: [f32; 2]) -> String {
+pub(in crate::figures) fn ggx([alpha_x, alpha_y]: [f32; 2]) -> String {
     format!("GGX, α = {alpha_x}, {alpha_y}")
 }
 
@@ -95,6 +96,7 @@ pub(crate) fn draw_pipeline(context: &Context<'_>) -> Result<Drawn> {
     let shape = RenderRequest::shape(Set::Teapot);
     let mut request = RenderRequest::new(Set::Teapot, &ndf, context.sampling([12, 12], 2));
     request.facets = Facets::Table(&table);
+    request.bumps.kind = NoiseKind::Channels;
     request.bumps.frequency = 4.0;
     request.exposure *= 1.5;
     let noise = step(context, &request, &shape, pair_color)?;
