@@ -6,8 +6,9 @@ use glam::{Vec2, Vec3};
 
 use crate::masked::bounded::Bounded;
 use crate::masked::projected_area::ProjectedArea;
+use crate::masked::visible_grid::VisibleGrid;
 use crate::masked::wedge::{Wedge, direction};
-use crate::microfacet::{Microfacet, above};
+use crate::microfacet::{Microfacet, VisibleWarp, above};
 use crate::ndf::{Ndf, forward_ndf, unit_square};
 use asperity_core::SplitMix64;
 
@@ -45,6 +46,7 @@ const MOST_TRIES: u32 = 1024;
 ///   number of tries is 1.2 to 3 for smooth maps. After 1024 tries, e.g. where a view sees 2·10⁻⁴
 ///   of the area of a single texel, the try that was closest to acceptance is used. It has the same
 ///   distribution.
+/// - **Level of detail:** a [`VisibleWarp`] by a grid of slopes, 32 KB.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Masked, Measure, Microfacet, NdfMap, Reconstruction, glam::{Vec2, Vec3}};
@@ -68,6 +70,7 @@ pub struct Masked<N> {
     ndf: N,
     area: ProjectedArea,
     cells: Vec<Cell>,
+    grid: VisibleGrid,
 }
 
 /// A wedge with its bounds.
@@ -103,8 +106,8 @@ impl<N: Bounded> Masked<N> {
     /// for 1024², 2.2 s for 4096².
     #[must_use]
     pub fn new(ndf: N) -> Self {
-        let (area, cells) = (ProjectedArea::new(&ndf), cells(&ndf));
-        Self { ndf, area, cells }
+        let (area, cells, grid) = (ProjectedArea::new(&ndf), cells(&ndf), VisibleGrid::new(&ndf));
+        Self { ndf, area, cells, grid }
     }
 }
 
@@ -206,6 +209,42 @@ impl<N: Ndf> Microfacet for Masked<N> {
             u = Vec2::new(random.uniform(), random.uniform());
         }
         nearest
+    }
+}
+
+/// The map `T` after a map of the plane of coordinates, `T_v = T ∘ Φ⁻¹ ∘ R_v ∘ Φ`.
+///
+/// ```text
+/// w_v(u) = max(0, v_z + v_x S_x(u) + v_y S_y(u)),   S: the slope of T(Φ⁻¹(u))
+/// R_v: from the marginal and the conditional distribution of w_v, bilinear between 64 × 64 nodes
+/// warp_visible_pdf = D(m) m_z ŵ_v(u)/∫ ŵ_v du,   ŵ_v: that interpolation, plus 2⁻¹⁴ of its mean
+/// ```
+///
+/// The density of the visible normals `T(Φ⁻¹(u))` is `w_v/σ` for uniform `u`. The interpolation
+/// makes `T_v` approximate. It is continuous in the view, and `T` at the zenith. Coordinates are
+/// clamped to ±7.
+///
+/// Accuracy, for two maps of closed forms, two paintings and a table, at 60° and 80°, with 0.3 to
+/// 0.97 of the variance resolved: the integral of [`VisibleFacets::d`](crate::VisibleFacets::d) is
+/// 0.996 to 1.002 in the mean over the surface, with a standard deviation of 4e-4 to 0.054. Samples
+/// weigh `D_v/warp_visible_pdf`, at most 3.8. The largest deviations are at the edge of the visible
+/// normals, where `D_v` vanishes.
+impl<N: Ndf> VisibleWarp for Masked<N> {
+    fn warp_visible(&self, v: Vec3, z: Vec2) -> Vec3 {
+        self.ndf.warp_gaussian(self.grid.warp(above(v), z))
+    }
+
+    fn invert_visible(&self, v: Vec3, m: Vec3) -> Vec2 {
+        self.grid.invert(above(v), self.ndf.invert(m))
+    }
+
+    fn warp_visible_pdf(&self, v: Vec3, m: Vec3) -> f32 {
+        let density = self.ndf.pdf(m);
+        if density > 0.0 {
+            (density * self.grid.ratio(above(v), self.ndf.invert(m))).min(f32::MAX)
+        } else {
+            0.0
+        }
     }
 }
 

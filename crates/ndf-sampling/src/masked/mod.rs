@@ -3,4 +3,5 @@
 pub(crate) mod bounded;
 pub(crate) mod masked;
 pub(crate) mod projected_area;
+pub(crate) mod visible_grid;
 pub(crate) mod wedge;

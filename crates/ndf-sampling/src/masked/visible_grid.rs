@@ -8,10 +8,10 @@ use crate::ndf::Ndf;
 use crate::numeric::normal_distribution::{gaussian_cdf, inverse_gaussian_cdf};
 
 /// Nodes along a side.
-const NODES: usize = 32;
+const NODES: usize = 64;
 
-/// Their distance in standard deviations. The outermost are at 4.03.
-const SPACING: f64 = 0.26;
+/// Their distance in standard deviations. The outermost are at 4.1.
+const SPACING: f64 = 0.13;
 
 /// Coordinates beyond it, of probability 10⁻¹², are read as it. There `1 − Φ(z)` still has digits.
 const FARTHEST: f64 = 7.0;
