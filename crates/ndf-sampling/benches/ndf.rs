@@ -7,8 +7,8 @@ use std::hint::black_box;
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::{
     AshikhminShirley, BatchError, Beckmann, BlinnPhong, ConditionalTable, Frame, GaussianSplit, Ggx,
-    Isotropic, Microfacet, Mixture, Ndf, NdfMap, NormalLut, Radial, Reconstruction, StudentT, VisibleFacets,
-    VisibleWarp, gaussian_cdf, inverse_gaussian_cdf,
+    Isotropic, Masked, Microfacet, Mixture, Ndf, NdfMap, NormalLut, Radial, Reconstruction, StudentT,
+    VisibleFacets, VisibleWarp, gaussian_cdf, inverse_gaussian_cdf,
     normal_table::{Spacing, TableLayout},
     residual_ndf,
 };
@@ -49,6 +49,7 @@ fn masking(c: &mut Criterion, name: &str, ndf: impl Microfacet) {
     let pairs: Vec<(Vec3, Vec2)> = views.iter().copied().zip(uniforms.iter().rev().copied()).collect();
     each(c, &format!("lambda/{name}"), &views, |v| ndf.lambda(v));
     each(c, &format!("sample_visible/{name}"), &pairs, |(v, u)| ndf.sample_visible(v, u));
+    each(c, &format!("sample_reflecting/{name}"), &pairs, |(v, u)| ndf.sample_reflecting(v, u));
     maps(c, name, ndf);
 }
 
@@ -66,6 +67,8 @@ fn seen(c: &mut Criterion, name: &str, ndf: impl VisibleWarp) {
 fn visible(c: &mut Criterion) {
     seen(c, "ggx", Ggx::new(0.2, 0.4).expect("a roughness"));
     seen(c, "beckmann", Beckmann::new(0.2, 0.4).expect("a roughness"));
+    let map = NdfMap::from_ndf(128, 128, Reconstruction::Bilinear, &Ggx::new(0.2, 0.4).expect("a roughness"));
+    seen(c, "map_128", Masked::new(map.expect("a density")));
     seen(c, "student_t", StudentT::new(0.2, 0.4, 3.0).expect("an exponent"));
 }
 

@@ -68,6 +68,29 @@ pub trait Microfacet: Ndf {
         if density >= 0.0 { density.min(f32::MAX) } else { 0.0 }
     }
 
+    /// Samples a visible normal for reflections of `v`, for a uniform `u` in `[0, 1)²`.
+    ///
+    /// The density over solid angle is [`reflecting_pdf`](Self::reflecting_pdf). NDFs leave out
+    /// visible normals that reflect `v` below the horizon where they can, so that fewer samples are
+    /// wasted. The default is [`sample_visible`](Self::sample_visible).
+    #[inline]
+    #[must_use]
+    #[doc(alias = "bounded vndf")]
+    fn sample_reflecting(&self, v: Vec3, u: Vec2) -> Vec3 {
+        self.sample_visible(v, u)
+    }
+
+    /// The density of [`sample_reflecting`](Self::sample_reflecting), in sr⁻¹.
+    ///
+    /// It is at least `D_v(m)` where `m` reflects `v` above the horizon. The default is
+    /// [`visible_pdf`](Self::visible_pdf).
+    #[inline]
+    #[must_use]
+    #[doc(alias = "bounded vndf")]
+    fn reflecting_pdf(&self, v: Vec3, m: Vec3) -> f32 {
+        self.visible_pdf(v, m)
+    }
+
     /// `G₁(v)`: the visible fraction of the facets that face `v`, in `[0, 1]`.
     #[inline]
     #[must_use]
@@ -96,6 +119,8 @@ impl<N: Microfacet + ?Sized> Microfacet for &N {
         projected_area(v: Vec3) -> f32;
         sample_visible(v: Vec3, u: Vec2) -> Vec3;
         visible_pdf(v: Vec3, m: Vec3) -> f32;
+        sample_reflecting(v: Vec3, u: Vec2) -> Vec3;
+        reflecting_pdf(v: Vec3, m: Vec3) -> f32;
     }
 }
 
@@ -206,8 +231,9 @@ pub(crate) mod totality {
         for (x, y) in BAD.into_iter().flat_map(|x| BAD.map(|y| (x, y))) {
             let (u, v) = (Vec2::new(x, y), Vec3::new(x, 0.3, y));
             facet(ndf.sample_visible(v, u), v);
+            facet(ndf.sample_reflecting(v, u), v);
             assert!(ndf.lambda(v) >= 0.0 && ndf.projected_area(v) >= 0.0, "{v}");
-            assert!(ndf.visible_pdf(v, v).is_finite(), "{v}");
+            assert!(ndf.visible_pdf(v, v).is_finite() && ndf.reflecting_pdf(v, v) >= 0.0, "{v}");
         }
     }
 }

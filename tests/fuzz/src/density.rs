@@ -56,8 +56,12 @@ pub(crate) fn microfacet(facets: &impl Microfacet, numbers: &mut Numbers<'_>) {
     let m = facets.sample_visible(v, u);
     let name = std::any::type_name_of_val(facets);
     assert!((m.length() - 1.0).abs() < 1e-4 && m.z >= 0.0, "{name}: {m} from {v} {u}");
-    density(facets.visible_pdf(v, m));
-    density(facets.visible_pdf(v, w));
+    let reflecting = facets.sample_reflecting(v, u);
+    assert!((reflecting.length() - 1.0).abs() < 1e-4, "{name}: {reflecting} from {v} {u}");
+    for normal in [m, w, reflecting] {
+        density(facets.visible_pdf(v, normal));
+        density(facets.reflecting_pdf(v, normal));
+    }
 }
 
 fn refused(error: &NdfError) {

@@ -21,6 +21,7 @@ mod marginals;
 mod noise_cdf;
 mod normal_table;
 mod packed_map;
+mod reflecting;
 mod table_variation;
 mod visible;
 mod visible_facets;

@@ -31,10 +31,18 @@ fn ggx_sample_reflecting_has_its_density() {
     let least = 1e-4 / cases().len() as f64;
     cases().into_par_iter().for_each(|(ggx, v)| {
         let mut random = Random(17);
-        let mut sample = || ggx.sample_reflecting(v, uniform(&mut random));
-        let cells = Cells::of_hemisphere((0..SAMPLES / 4).map(|_| sample()));
-        let masses = cells.integrate(|m| f64::from(ggx.reflecting_pdf(v, m)));
-        // The density jumps at the edge of the cap, across which quadrature stops. Measured: 3.2e-3.
+        // Directions instead of normals, because the cap often ends at the horizon, where the
+        // density jumps and cells end.
+        let mut sample = || {
+            let m = ggx.sample_reflecting(v, uniform(&mut random));
+            2.0 * v.dot(m) * m - v
+        };
+        let cells = Cells::of_sphere((0..SAMPLES / 4).map(|_| sample()));
+        let masses = cells.integrate(|w| {
+            let m = (v + w).normalize_or(v);
+            f64::from(ggx.reflecting_pdf(v, m) / (4.0 * v.dot(m)).max(1e-9))
+        });
+        // Measured: 1.4e-3, at the edges of caps that end below the horizon.
         assert_abs_diff_eq!(masses.iter().sum::<f64>(), 1.0, epsilon = 5e-3, "{ggx:?} {v}");
         let p = p_value(&cells.count((0..SAMPLES).map(|_| sample())), &masses, SAMPLES as u64);
         assert!(p > least, "{ggx:?} {v}: p = {p:e}");

@@ -9,6 +9,7 @@ use crate::coordinates::{FARTHEST, GaussianSplit, bounded};
 use crate::density::closed_form::{closed_form, probabilities, stretched, unit};
 use crate::density::roughness::{Roughness, roughness_parameters};
 use crate::microfacet::{Microfacet, VisibleWarp, above};
+use crate::ndf::Ndf;
 use crate::radial::Radial;
 use asperity_core::lanes::elementary::{cos_sin_turns, exp, ln, ln_1p, one_minus_exp_ratio};
 use asperity_core::lanes::{Arithmetic, Scalar};
@@ -39,6 +40,10 @@ use asperity_core::math;
 /// assert!(Ggx::new(f32::NAN, 0.4).is_err());
 /// # Ok::<(), asperity_ndf_sampling::NdfError>(())
 /// ```
+///
+/// Samples for reflections come from a smaller cap of directions, Eto and Tokuyoshi 2023, "Bounded
+/// VNDF Sampling for Smith–GGX Reflections", with the smaller roughness for anisotropic NDFs as in
+/// Tokuyoshi and Eto 2024.
 ///
 /// Walter et al. 2007, eq. 33; anisotropic form Burley 2012, eq. 13. The map is the radial Gaussian
 /// map of this slope density: `P(|s/α| ≤ t) = t²/(1 + t²) = 1 − exp(−ρ²/2)`.
@@ -116,7 +121,15 @@ impl Formulas for Ggx {
     }
 
     #[inline(always)]
-    fn visible<S: Arithmetic>(&self, s: S, [x, y, z, u1, u2]: [S::F; 5]) -> [S::F; 3] {
+    fn visible<S: Arithmetic>(&self, s: S, view: [S::F; 5]) -> [S::F; 3] {
+        self.cap(s, view, None)
+    }
+}
+
+impl Ggx {
+    /// The normal of a uniform direction `c` of the cap `c.z ≥ −z`, or `c.z ≥ −(1 − cut) z`.
+    #[inline(always)]
+    fn cap<S: Arithmetic>(&self, s: S, [x, y, z, u1, u2]: [S::F; 5], cut: Option<f32>) -> [S::F; 3] {
         let [u1, u2] = probabilities(s, [u1, u2]);
         let [x, y, z] = stretched(s, self.alpha, [x, y, z]);
         let length2 = (x * x + y * y) + z * z;
@@ -124,17 +137,34 @@ impl Formulas for Ggx {
         let directed = s.less(s.float(1e-37), length2);
         let scale = s.select(directed, s.float(1.0) / s.sqrt(length2), s.float(0.0));
         let (x, y, z) = (x * scale, y * scale, s.select(directed, z * scale, s.float(1.0)));
-        // The cap of directions c with c.z ≥ −z, uniform: c.z = (1 − u₂)(1 + z) − z, in forms that
-        // keep sin θ.
+        // c.z = (1 − u₂)(1 + z) − z, in forms that keep sin θ.
         let one = s.float(1.0);
-        let (below, above) = (u2 * (one + z), (one - u2) * (one + z));
+        // 1 − z, and with a cut cap 1 − (1 − cut) z.
+        let (rest, whole, removed) = ((x * x + y * y) / (one + z), one + z, s.float(0.0));
+        let (rest, whole, removed) = if let Some(cut) = cut {
+            let removed = z * s.float(cut);
+            (rest + removed, whole - removed, removed)
+        } else {
+            (rest, whole, removed)
+        };
+        let (below, above) = (u2 * whole, (one - u2) * whole);
         // 2 − below, as the remainders of 1 + z and 1 − z, does not cancel as u₂ → 1 near the
         // zenith.
-        let sin = s.sqrt(below * (above + (x * x + y * y) / (one + z)));
+        let sin = s.sqrt(below * (above + rest));
         let [cos_phi, sin_phi] = cos_sin_turns(s, u1);
         let x = (sin * cos_phi + x) * s.float(self.alpha.x);
         let y = (sin * sin_phi + y) * s.float(self.alpha.y);
-        unit(s, [x, y, above])
+        unit(s, [x, y, if cut.is_some() { above + removed } else { above }])
+    }
+
+    /// The part of the cap that reflects `v` below the horizon, at least, over its height `w_z`.
+    ///
+    /// `1 − k` of Eto and Tokuyoshi 2023, eq. 5 and 6, without the difference.
+    fn cut(&self, v: Vec3) -> f32 {
+        let alpha = self.alpha.x.min(self.alpha.y).min(1.0);
+        let reach = 1.0 + math::sqrt(v.x * v.x + v.y * v.y);
+        let (a2, s2, z2) = (alpha * alpha, reach * reach, v.z * v.z);
+        a2 * (s2 + z2) / (s2 + a2 * z2)
     }
 }
 
@@ -157,6 +187,25 @@ impl Microfacet for Ggx {
     #[inline]
     fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3 {
         self.visible(Scalar, [v.x, v.y, v.z, u.x, u.y]).into()
+    }
+
+    fn sample_reflecting(&self, v: Vec3, u: Vec2) -> Vec3 {
+        let v = above(v);
+        self.cap(Scalar, [v.x, v.y, v.z, u.x, u.y], Some(self.cut(v))).into()
+    }
+
+    fn reflecting_pdf(&self, v: Vec3, m: Vec3) -> f32 {
+        let v = above(v);
+        let (w, cut, cosine) = (self.alpha.stretch(v), self.cut(v), v.dot(m));
+        let length = math::sqrt(w.x * w.x + w.y * w.y + w.z * w.z);
+        let is_up = 2.0 * cosine * m.z >= v.z;
+        // The direction c of the normal is 2 (w·k) k/(|w| |k|²) − w/|w|, c_z ≥ (cut − 1) w_z/|w|.
+        let k = Vec3::new(m.x / self.alpha.x, m.y / self.alpha.y, m.z);
+        if !is_up && 2.0 * w.dot(k) * k.z < cut * w.z * k.length_squared() {
+            return 0.0;
+        }
+        let density = self.d(m) * cosine.max(0.0) / (0.5 * ((1.0 - cut) * w.z + length));
+        if density >= 0.0 { density.min(f32::MAX) } else { 0.0 }
     }
 }
 
@@ -236,7 +285,6 @@ impl Radial for Ggx {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ndf::Ndf;
     use asperity_core::assert_abs_diff_eq;
 
     #[test]

@@ -100,6 +100,16 @@ impl<N: Microfacet> Microfacet for Rotated<N> {
     fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3 {
         self.turn3(self.ndf.sample_visible(self.back3(v), u))
     }
+
+    #[inline]
+    fn sample_reflecting(&self, v: Vec3, u: Vec2) -> Vec3 {
+        self.turn3(self.ndf.sample_reflecting(self.back3(v), u))
+    }
+
+    #[inline]
+    fn reflecting_pdf(&self, v: Vec3, m: Vec3) -> f32 {
+        self.ndf.reflecting_pdf(self.back3(v), self.back3(m))
+    }
 }
 
 impl<N: VisibleWarp> VisibleWarp for Rotated<N> {

@@ -20,8 +20,8 @@ use crate::reflectance::fresnel::Fresnel;
 /// - **Energy:** the albedo is at most that of the facets. The missing part is multiple scattering
 ///   between facets, which the model omits. Straight down 0.50 of the albedo remains for GGX of
 ///   roughness 0.7, and 0.75 for Beckmann.
-/// - **Sampling:** visible normals (Heitz 2014), reflected; the weight of a sample is `F
-///   G₂/G₁(ωo)`, at most 1.
+/// - **Sampling:** [visible normals for reflections](Microfacet::sample_reflecting), reflected; the
+///   weight of a sample is at most `F G₂/G₁(ωo)`.
 /// - **Bumps:** as a [`FacetBrdf`] it resolves a part of its facets. Its mean over the surface is
 ///   the BRDF from afar.
 ///
@@ -108,7 +108,7 @@ impl<D: Microfacet, F: Fresnel> CookTorrance<D, F> {
 
     /// Reflects `wo` at a visible facet.
     pub(super) fn direction(&self, wo: Vec3, u: Vec2) -> Vec3 {
-        reflect(wo, self.density.sample_visible(wo, u))
+        reflect(wo, self.density.sample_reflecting(wo, u))
     }
 
     /// `D G₂/(4 cos θ_i cos θ_o)` at the half vector.
@@ -135,7 +135,7 @@ impl<D: Microfacet, F: Fresnel> Brdf for CookTorrance<D, F> {
     }
 
     fn pdf(&self, wo: Vec3, wi: Vec3) -> f32 {
-        mirrored_pdf(wo, wi, |h| self.density.visible_pdf(wo, h))
+        mirrored_pdf(wo, wi, |h| self.density.reflecting_pdf(wo, h))
     }
 }
 
