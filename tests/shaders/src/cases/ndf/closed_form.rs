@@ -1,7 +1,7 @@
 //! GGX and Beckmann with both level-of-detail rules.
 
 use asperity_ndf_sampling::{
-    Beckmann, ClosedForm, GaussianSplit, Ggx, Microfacet,
+    Beckmann, ClosedForm, GaussianSplit, Ggx, Microfacet, Ndf, VisibleFacets, VisibleWarp,
     glam::{Vec2, Vec3},
 };
 use asperity_shading::level_of_detail::ResolvedBumps;
@@ -27,7 +27,14 @@ pub(super) fn cases() -> Vec<Case> {
         density: 2e-5,
         masking: [Bound::Relative(2e-5), Bound::Absolute(4e-7), Bound::Relative(1e-6), Bound::Relative(1e-6)],
     };
-    vec![ggx.normals(), ggx.visible_normals(), beckmann.normals(), beckmann.visible_normals()]
+    vec![
+        ggx.normals(),
+        ggx.visible_normals(),
+        resolved_visible_normals(),
+        reflecting_normals(),
+        beckmann.normals(),
+        beckmann.visible_normals(),
+    ]
 }
 
 /// A density with its parts. Bounds: of its density on adapters, and as written of Λ, of G₁ and G₂,
@@ -218,6 +225,106 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
                 equal("view from above", 8..11, Bound::Absolute(4e-7)),
             ],
         }
+    }
+}
+
+/// Roughnesses, and a view above the horizon.
+fn seen(i: u32) -> [f32; 5] {
+    let alpha = [0, 1].map(|k| number(i, k, 10.0_f32.powf(between(i, k, -3.0, 0.0))));
+    let (up, turn) = (between(i, 2, 0.0, 1.0), between(i, 3, 0.0, std::f32::consts::TAU));
+    let across = (1.0 - up * up).sqrt();
+    let [x, y, z] = [across * turn.cos(), across * turn.sin(), up];
+    [alpha[0], alpha[1], number(i, 2, x), number(i, 3, y), number(i, 4, z)]
+}
+
+fn resolved_visible_normals() -> Case {
+    Case {
+        name: "ndf/density/ggx, resolved visible normals".to_owned(),
+        parts: vec![&GGX],
+        body: "\
+    let alpha = roughness_clamped(a.xy);
+    let v = vec3<f32>(a.zw, b.x);
+    let m = bitcast<vec3<f32>>(c.xyz);
+    let split = gaussian_split(bitcast<vec2<f32>>(d.xy), bitcast<f32>(d.z));
+    outcome.a = bits(vec4<f32>(ggx_warp_visible(alpha, v, b.yz), max(ggx_visible_facets_d(alpha, v, m, split) * f32(d.w), 1e-34)));
+    outcome.b = bits(vec4<f32>(ggx_visible_facets_warp_gaussian(alpha, v, b.yz, split), 0.0));
+    outcome.c = bits(vec4<f32>(ggx_invert_visible(alpha, v, m) * f32(d.w), 0.0, 0.0));"
+            .to_owned(),
+        resources: vec![],
+        input: Box::new(move |i| {
+            let [alpha_x, alpha_y, x, y, z] = seen(i);
+            let (ggx, v) = (Ggx::new_clamped(alpha_x, alpha_y), Vec3::new(x, y, z));
+            let m = ggx.warp_visible(v, Vec2::new(gaussian(i, 5), gaussian(i, 6)));
+            let z_b = [gaussian(i, 7), gaussian(i, 8), between(i, 9, 0.0, 0.9)];
+            let xi = [gaussian(i, 10), gaussian(i, 11)];
+            let mut inputs = [0; INPUTS];
+            let good = [alpha_x, alpha_y, x, y, z, xi[0], xi[1], 0.0, m.x, m.y, m.z, 0.0, z_b[0], z_b[1], z_b[2]];
+            for ((input, good), k) in inputs.iter_mut().zip(good).zip(0..) {
+                *input = number(i, k, good).to_bits();
+            }
+            // Not where v is nearly perpendicular to m, because the terms of the inverse cancel.
+            inputs[15] = u32::from(v.dot(m) > 0.1);
+            inputs
+        }),
+        reference: Box::new(move |inputs| {
+            let [alpha_x, alpha_y, x, y, z, xi1, xi2, _, mx, my, mz, _, z1, z2, s] = floats(inputs, 0);
+            let (ggx, v, xi) = (Ggx::new_clamped(alpha_x, alpha_y), Vec3::new(x, y, z), Vec2::new(xi1, xi2));
+            let (m, is_seen) = (Vec3::new(mx, my, mz), inputs[15] as f32);
+            let facets = VisibleFacets::new(ggx, v, Vec2::new(z1, z2), s);
+            let (warped, sample, back) = (ggx.warp_visible(v, xi), facets.warp_gaussian(xi), ggx.invert_visible(v, m));
+            let density = (facets.d(m) * is_seen).max(FAINT);
+            words(&[
+                warped.x, warped.y, warped.z, density, sample.x, sample.y, sample.z, 0.0,
+                back.x * is_seen, back.y * is_seen,
+            ])
+        }),
+        outputs: vec![
+            equal("T_v", 0..3, Bound::Absolute(1e-4)),
+            // The crate's exponential of the weight is that of the float library.
+            Output::new("p_v", 3..4, Bound::Relative(2e-6), Bound::Relative(5e-3)),
+            equal("sample", 4..7, Bound::Absolute(1e-4)),
+            equal("T_v⁻¹", 8..10, Bound::Absolute(2e-4)),
+        ],
+    }
+}
+
+fn reflecting_normals() -> Case {
+    Case {
+        name: "ndf/density/ggx, normals for reflections".to_owned(),
+        parts: vec![&GGX],
+        body: "\
+    let alpha = roughness_clamped(a.xy);
+    let v = vec3<f32>(a.zw, b.x);
+    let m = bitcast<vec3<f32>>(c.xyz);
+    outcome.a = bits(vec4<f32>(ggx_sample_reflecting(alpha, v, b.yz), max(ggx_reflecting_pdf(alpha, v, m) * f32(d.x), 1e-34)));"
+            .to_owned(),
+        resources: vec![],
+        input: Box::new(move |i| {
+            let [alpha_x, alpha_y, x, y, z] = seen(i);
+            let (ggx, v) = (Ggx::new_clamped(alpha_x, alpha_y), Vec3::new(x, y, z));
+            let m = ggx.warp_gaussian(Vec2::new(gaussian(i, 5), gaussian(i, 6)));
+            let u = [between(i, 7, 0.0, 1.0), between(i, 8, 0.0, 1.0)];
+            let mut inputs = [0; INPUTS];
+            for ((input, good), k) in
+                inputs.iter_mut().zip([alpha_x, alpha_y, x, y, z, u[0], u[1], 0.0, m.x, m.y, m.z]).zip(0..)
+            {
+                *input = number(i, k, good).to_bits();
+            }
+            // Away from the edges of the visible normals and of the cap.
+            let w = 2.0 * v.dot(m) * m - v;
+            inputs[12] = u32::from(v.dot(m) > 0.05 && w.z > 1e-3);
+            inputs
+        }),
+        reference: Box::new(move |inputs| {
+            let [alpha_x, alpha_y, x, y, z, u1, u2, _, mx, my, mz] = floats(inputs, 0);
+            let (ggx, v, m) = (Ggx::new_clamped(alpha_x, alpha_y), Vec3::new(x, y, z), Vec3::new(mx, my, mz));
+            let sample = ggx.sample_reflecting(v, Vec2::new(u1, u2));
+            words(&[sample.x, sample.y, sample.z, (ggx.reflecting_pdf(v, m) * inputs[12] as f32).max(FAINT)])
+        }),
+        outputs: vec![
+            equal("sample", 0..3, Bound::Absolute(1e-4)),
+            equal("density", 3..4, Bound::Relative(4e-6)),
+        ],
     }
 }
 
