@@ -31,3 +31,7 @@ pub static LEVEL_OF_DETAIL: Part =
 
 /// Octaves that a pixel resolves, [`FrequencyClamp`](asperity_shading::pixel::FrequencyClamp).
 pub(crate) static FREQUENCY_CLAMP: Part = part!("shading/pixel/frequency_clamp", [FrequencyClampUniform]);
+
+/// Roughness for the normals that a pixel averages,
+/// [`SpecularAntialiasing`](asperity_shading::pixel::SpecularAntialiasing).
+pub static SPECULAR_ANTIALIASING: Part = part!("shading/pixel/specular_antialiasing", MATH);

@@ -19,6 +19,7 @@ mod reflectance;
 mod relief;
 mod remapped;
 mod rough_glass;
+mod specular_antialiasing;
 mod tangents;
 mod textures;
 mod visible_zoom;

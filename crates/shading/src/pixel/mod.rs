@@ -3,7 +3,9 @@
 mod ellipse;
 mod footprint;
 mod frequency_clamp;
+mod specular_antialiasing;
 
 pub use ellipse::{PixelEllipse, Tap};
 pub use footprint::Footprint;
 pub use frequency_clamp::FrequencyClamp;
+pub use specular_antialiasing::SpecularAntialiasing;

@@ -1,14 +1,16 @@
 //! Pixels on a surface.
 
 use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::pixel::SpecularAntialiasing;
 use asperity_shading::{Footprint, PixelEllipse};
+use asperity_wgsl::shading::SPECULAR_ANTIALIASING;
 use asperity_wgsl::shading::material::SURFACE_POINT;
 
-use super::{equal, floats, inputs, number, vec3, vector, words};
-use crate::case::{Bound, Case};
+use super::{equal, floats, inputs, number, share, vec2, vec3, vector, words};
+use crate::case::{Bound, Case, Output};
 
 pub(super) fn cases() -> Vec<Case> {
-    vec![footprint(), ellipse(), taps()]
+    vec![footprint(), ellipse(), taps(), specular_antialiasing()]
 }
 
 /// Returns the width in a shader, where infinity is the largest number.
@@ -148,6 +150,32 @@ fn taps() -> Case {
             equal("width of taps", 3..4, Bound::Relative(1e-6)),
             equal("number of taps", 4..6, Bound::Equal),
             equal("change", 8..10, Bound::Relative(2e-6)),
+        ],
+    }
+}
+
+/// Specular anti-aliasing.
+fn specular_antialiasing() -> Case {
+    Case {
+        name: "shading/pixel/specular_antialiasing".into(),
+        parts: vec![&SPECULAR_ANTIALIASING],
+        body: "\
+    outcome.a = bits(vec4<f32>(specular_antialiasing_slope_covariance(a.xy, a.zw), specular_antialiasing_roughness(b.x, a.xy, a.zw)));"
+            .into(),
+        resources: vec![],
+        input: Box::new(|i| {
+            let d = [0, 1, 2, 3].map(|k| number(i, k, [-1.5, 1.5]));
+            inputs(i, &[d[0], d[1], d[2], d[3], share(i, 4)])
+        }),
+        reference: Box::new(|inputs| {
+            let d = [vec2(inputs, 0), vec2(inputs, 2)];
+            let filter = SpecularAntialiasing::default();
+            let [xx, xy, yy] = filter.slope_covariance(d);
+            words(&[xx, xy, yy, filter.roughness(floats::<1>(inputs, 4)[0], d)])
+        }),
+        outputs: vec![
+            Output::new("covariance", 0..3, Bound::Absolute(1e-6), Bound::Absolute(1e-5)),
+            Output::new("roughness", 3..4, Bound::Absolute(1e-6), Bound::Absolute(1e-5)),
         ],
     }
 }
