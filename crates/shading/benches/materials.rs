@@ -5,8 +5,8 @@ use std::hint::black_box;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::material::{BrickWall, GlintField, Material};
 use asperity_shading::reflectance::{
-    BlinnPhongBrdf, BlinnPhongNormalization, EnergyCompensated, OrenNayar, OrenNayarVariant, WardBrdf,
-    WardNormalization,
+    BlinnPhongBrdf, BlinnPhongNormalization, CharlieSheen, EnergyCompensated, OrenNayar, OrenNayarVariant,
+    WardBrdf, WardNormalization, ZeltnerFuzz,
 };
 use asperity_shading::texture::{Gas, StarWallpaper};
 use asperity_shading::{
@@ -80,7 +80,7 @@ fn reflectances(c: &mut Criterion) {
     let full = OrenNayar::new(gray, 0.6, OrenNayarVariant::Full).expect("parameters in range");
     let metal = EnergyCompensated::metal(ggx, glass);
     let frosted = EnergyCompensated::glass(ggx, glass);
-    let all: [(&str, &dyn Brdf); 11] = [
+    let all: [(&str, &dyn Brdf); 13] = [
         ("lambert", &Lambert::new(gray).expect("albedo in range")),
         ("oren_nayar_full", &full),
         ("energy_preserving", &EnergyPreservingOrenNayar::new(gray, 0.6).expect("parameters in range")),
@@ -88,6 +88,8 @@ fn reflectances(c: &mut Criterion) {
         ("cook_torrance_compensated", &metal),
         ("rough_dielectric", frosted.single()),
         ("rough_dielectric_compensated", &frosted),
+        ("zeltner_fuzz", &ZeltnerFuzz::new(gray, 0.3).expect("parameters in range")),
+        ("charlie_sheen", &CharlieSheen::new(gray, 0.3).expect("parameters in range")),
         ("torrance_sparrow", &TorranceSparrow::new(ggx, glass)),
         ("phong", &Phong::new(gray, 30.0).expect("parameters in range")),
         ("blinn_phong", &lobe),

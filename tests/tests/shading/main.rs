@@ -7,6 +7,7 @@ mod energy;
 mod environment;
 mod footprints;
 mod fresnel;
+mod fuzz;
 mod golden;
 mod golden_materials;
 mod heights;

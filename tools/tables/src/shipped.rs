@@ -5,8 +5,12 @@ use std::io::{self, Write};
 use std::{fs, path::Path};
 
 use crate::{
-    albedos::albedos_source, noise_cdf::noise_statistics_source, noise_cellular::cellular_statistics_source,
-    noise_levels::noise_levels_source, noise_means::absolute_moments_source, noise_pictures::noise_pictures,
+    albedos::{albedos_source, charlie_source},
+    noise_cdf::noise_statistics_source,
+    noise_cellular::cellular_statistics_source,
+    noise_levels::noise_levels_source,
+    noise_means::absolute_moments_source,
+    noise_pictures::noise_pictures,
 };
 use asperity_output::Output;
 use asperity_render::failure::Failure;
@@ -14,12 +18,13 @@ use asperity_render::failure::Failure;
 /// A generated file: folder and name in the source tree, and the function that returns its text.
 type Shipped = (&'static str, &'static str, fn() -> String);
 
-const SHIPPED: [Shipped; 5] = [
+const SHIPPED: [Shipped; 6] = [
     ("crates/noise/src/statistics", "absolute_moments.rs", absolute_moments_source),
     ("crates/noise/src/statistics", "cellular.rs", cellular_statistics_source),
     ("crates/noise/src/lattice", "gaussian_levels.rs", noise_levels_source),
     ("crates/noise/src/statistics", "tables.rs", noise_statistics_source),
     ("crates/shading/src/reflectance/energy", "tables.rs", albedos_source),
+    ("crates/shading/src/reflectance/fuzz", "charlie_albedo.rs", charlie_source),
 ];
 
 /// Folder of the images of the noise crate's pages.

@@ -79,6 +79,19 @@ pub static GGX_ALBEDO: Part = part!("shading/reflectance/energy/ggx_albedo", ENE
 pub static GLASS_ALBEDO: Part = part!("shading/reflectance/energy/glass_albedo", ENERGY)
     .with_bindings(&[Binding::Table { name: "glass_albedo_number", element: Element::Float, width: 128 }]);
 
+/// Fuzz by linearly transformed cosines,
+/// [`ZeltnerFuzz`](asperity_shading::reflectance::ZeltnerFuzz).
+pub static ZELTNER_FUZZ: Part = part!("shading/reflectance/fuzz/zeltner", BRDF, DIRECTION, ELEMENTARY);
+
+/// Charlie sheen, [`CharlieSheen`](asperity_shading::reflectance::CharlieSheen).
+///
+/// Bound to [`CharlieSheen::table`](asperity_shading::reflectance::CharlieSheen::table) as the
+/// table `charlie_albedo_number`.
+pub static CHARLIE_SHEEN: Part =
+    part!("shading/reflectance/fuzz/charlie", BRDF, DIRECTION, ELEMENTARY, ENERGY).with_bindings(&[
+        Binding::Table { name: "charlie_albedo_number", element: Element::Float, width: 64 },
+    ]);
+
 /// Smooth and rough coats over the layers of a surface,
 /// [`Coat`](asperity_shading::reflectance::Coat): transmission to the layers, reflection and
 /// transmission.

@@ -6,7 +6,7 @@ mod albedo_table;
 mod compensated;
 mod ggx;
 mod glass;
-mod spline;
+pub(super) mod spline;
 mod tables;
 
 pub use albedo::{DirectionalAlbedo, directional_albedo};

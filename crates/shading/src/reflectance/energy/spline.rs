@@ -6,7 +6,7 @@ use crate::math::{clamp_to, sqrt};
 ///
 /// `count` coefficients, at least 3, divide `[0, 1]` into `count − 2` intervals. NaN is read as 0.
 #[inline]
-pub(super) fn weights(x: f32, count: usize) -> (usize, [f32; 3]) {
+pub(in crate::reflectance) fn weights(x: f32, count: usize) -> (usize, [f32; 3]) {
     let x = clamp_to(x, 1.0) * (count - 2) as f32;
     let first = (x as usize).min(count - 3);
     let t = x - first as f32;
@@ -15,7 +15,7 @@ pub(super) fn weights(x: f32, count: usize) -> (usize, [f32; 3]) {
 
 /// The value at these weights of coefficients that are `stride` apart.
 #[inline]
-pub(super) fn blend(weights: [f32; 3], coefficient: impl Fn(usize) -> f32) -> f32 {
+pub(in crate::reflectance) fn blend(weights: [f32; 3], coefficient: impl Fn(usize) -> f32) -> f32 {
     weights[0] * coefficient(0) + weights[1] * coefficient(1) + weights[2] * coefficient(2)
 }
 

@@ -9,6 +9,7 @@ mod coat;
 mod diffuse;
 mod energy;
 mod fresnel;
+mod fuzz;
 mod glint;
 mod glossy;
 mod mapped;
@@ -24,6 +25,7 @@ pub(super) fn cases() -> Vec<Case> {
         diffuse::cases(),
         energy::cases(),
         fresnel::cases(),
+        fuzz::cases(),
         glint::cases(),
         coat::cases(),
         glossy::cases(),
