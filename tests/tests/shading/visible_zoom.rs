@@ -3,9 +3,12 @@
 use asperity_shading::check;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::level_of_detail::{GaussianField, ResolvedBumps};
+use asperity_shading::ndf_sampling::StudentT;
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
-use asperity_shading::reflectance::{BumpFacets, FacetBrdf, Lobe, RoughDielectric, SchlickF82};
-use asperity_shading::{Brdf, Conductor, CookTorrance, Dielectric, Ggx};
+use asperity_shading::reflectance::{
+    BumpFacets, EnergyCompensated, FacetBrdf, Lobe, RoughDielectric, SchlickF82,
+};
+use asperity_shading::{Beckmann, Brdf, Conductor, CookTorrance, Dielectric, Ggx};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
 use asperity_tests::surface_patches::{FRAME, points};
@@ -22,7 +25,7 @@ fn gold() -> [Conductor; 3] {
     [(0.18, 3.42), (0.42, 2.35), (1.37, 1.77)].map(|(eta, k)| Conductor::new(eta, k).expect(VALID))
 }
 
-/// Conductors, dielectrics, and a pane.
+/// Single scattering: conductors, dielectrics, and a pane.
 fn models() -> Vec<(&'static str, Facets)> {
     let ggx = |alpha_x, alpha_y| Ggx::new(alpha_x, alpha_y).expect(VALID);
     let tint = [0.9, 0.5, 0.3].map(|f0| SchlickF82::new(f0, 0.4).expect(VALID));
@@ -30,11 +33,28 @@ fn models() -> Vec<(&'static str, Facets)> {
     vec![
         ("gold", Box::new(CookTorrance::new(ggx(0.5, 0.2), gold()))),
         ("F82", Box::new(CookTorrance::new(ggx(0.3, 0.3), tint))),
-        ("varnish", Box::new(CookTorrance::new(ggx(0.2, 0.4), glass))),
+        ("Beckmann", Box::new(CookTorrance::new(Beckmann::new(0.2, 0.5).expect(VALID), gold()))),
+        ("Student", Box::new(CookTorrance::new(StudentT::new(0.3, 0.3, 3.0).expect(VALID), glass))),
         ("glass", Box::new(RoughDielectric::new(ggx(0.4, 0.2), glass))),
         ("bubble", Box::new(RoughDielectric::new(ggx(0.3, 0.3), glass.reversed()))),
         ("pane", Box::new(RoughDielectric::thin(ggx(0.3, 0.5), glass, Vec3::new(0.9, 0.8, 0.7)))),
     ]
+}
+
+/// The same with further bounces.
+fn compensated() -> Vec<(&'static str, Facets)> {
+    let ggx = |alpha| Ggx::isotropic(alpha).expect(VALID);
+    let glass = Dielectric::new(1.5).expect(VALID);
+    vec![
+        ("gold, bounces", Box::new(EnergyCompensated::metal(ggx(0.7), gold()))),
+        ("glass, bounces", Box::new(EnergyCompensated::glass(ggx(0.6), glass))),
+    ]
+}
+
+fn all_models() -> Vec<(&'static str, Facets)> {
+    let mut all = models();
+    all.extend(compensated());
+    all
 }
 
 fn resolved(z: [f64; 2], variance: f32) -> ResolvedBumps {
@@ -57,7 +77,7 @@ fn mean(brdf: &dyn FacetBrdf, wo: Vec3, wi: Vec3, variance: f32) -> f64 {
 #[test]
 fn mean_over_bumps_is_the_far_field() {
     let mut random = Random(11);
-    for (name, brdf) in models() {
+    for (name, brdf) in all_models() {
         let views = if brdf.transmits() { &[0.0, 1.047, 1.396, 2.2][..] } else { &[0.0, 1.047, 1.396] };
         for (k, &theta) in views.iter().enumerate() {
             let wo = direction(theta, 0.4 + k as f64);
@@ -115,12 +135,16 @@ fn single_points_are_bright_by_area_only() {
 #[test]
 fn resolved_facets_pass_the_public_checks() {
     let bumps = [([0.7, -0.4], 0.3), ([-1.2, 0.9], 0.75), ([0.2, 0.1], 0.94)];
-    let cases: Vec<_> = models().into_iter().flat_map(|m| bumps.map(|b| (m.0, b))).collect();
+    let cases: Vec<_> = all_models().into_iter().flat_map(|m| bumps.map(|b| (m.0, b))).collect();
     cases.into_par_iter().for_each(|(name, (z, variance))| {
-        let all = models();
+        let all = all_models();
         let brdf = &*all.iter().find(|model| model.0 == name).expect("one of them").1;
         let report = check::brdf(&Lobe::bumps(brdf, resolved(z, variance)), quick(5));
-        assert!(report.failures().eq(["reciprocity"]), "{name}, {z:?}, {variance}\n{report}");
+        // The factor for further bounces is that of the mean over the surface.
+        let bounces = name.contains("bounces");
+        let right =
+            report.failures().all(|failure| failure == "reciprocity" || bounces && failure == "energy");
+        assert!(right, "{name}, {z:?}, {variance}\n{report}");
     });
 }
 
@@ -211,7 +235,7 @@ fn mean_over_the_surface_is_the_far_field_over_twelve_octaves() {
         .into_iter()
         .flat_map(|(degrees, theta)| {
             let wo = direction(theta, 0.4);
-            models().into_iter().map(move |(name, brdf)| (format!("{name}, {degrees}"), brdf, wo))
+            all_models().into_iter().map(move |(name, brdf)| (format!("{name}, {degrees}"), brdf, wo))
         })
         .collect();
     // Independent of bumps: as many samples as in all patches.
@@ -226,7 +250,7 @@ fn mean_over_the_surface_is_the_far_field_over_twelve_octaves() {
         .collect();
     let (far, far_error) = means(&far, 4 * POINTS);
     let (mut worst, mut widest) = (0.0_f64, 0.0_f64);
-    for octaves in [0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0] {
+    for octaves in [0.5, 1.0, 2.5, 4.0, 6.0, 8.0, 10.0, 12.0] {
         let patches: Vec<Vec<[f64; 3]>> = (0..SEEDS)
             .into_par_iter()
             .map(|seed| {

@@ -3,11 +3,13 @@
 use asperity_ndf_sampling::Ggx;
 use glam::{Vec2, Vec3};
 
+use crate::level_of_detail::ResolvedBumps;
 use crate::reflectance::brdf::{Brdf, BsdfSample, finite};
 use crate::reflectance::cook_torrance::CookTorrance;
 use crate::reflectance::energy::albedo::DirectionalAlbedo;
 use crate::reflectance::energy::ggx::GgxAlbedo;
 use crate::reflectance::energy::glass::GlassAlbedo;
+use crate::reflectance::facet_brdf::FacetBrdf;
 use crate::reflectance::fresnel::{Dielectric, Fresnel};
 use crate::reflectance::rough_dielectric::RoughDielectric;
 
@@ -28,8 +30,10 @@ use crate::reflectance::rough_dielectric::RoughDielectric;
 /// - **Sampling:** that of the inner BRDF. Weights are scaled by [`factor`](Self::factor).
 /// - **Reciprocity** is given up: the factor depends on ωo alone. The reciprocal form of Kulla and
 ///   Conty adds a lobe, which needs its own samples and a second table at ωi. The factor keeps the
-///   lobe, its samples and its bounded weights. It does not depend on the resolved bumps, so the
-///   mean over a bump map is that of the far field.
+///   lobe, its samples and its bounded weights.
+/// - **Bumps:** the factor does not depend on them, so the mean over a bump map is that of the far
+///   field. A single point can scatter up to 1/E of the light, because it gets the factor of the
+///   mean.
 /// - **Any input** is valid, as for the inner BRDF.
 ///
 /// Turquin 2019, *Practical multiple scattering compensation for microfacet models*, eq. 16, with
@@ -104,14 +108,19 @@ pub(crate) fn multiple_bounces(f_avg: Vec3, e_avg: f32) -> Vec3 {
     f_avg * e_avg / (Vec3::ONE - f_avg * (1.0 - e_avg))
 }
 
+impl<B: Brdf, E: DirectionalAlbedo> EnergyCompensated<B, E> {
+    fn scaled(&self, wo: Vec3, sample: BsdfSample) -> BsdfSample {
+        BsdfSample { eval_cos: (sample.eval_cos * self.factor(wo)).map(finite), ..sample }
+    }
+}
+
 impl<B: Brdf, E: DirectionalAlbedo> Brdf for EnergyCompensated<B, E> {
     fn eval(&self, wo: Vec3, wi: Vec3) -> Vec3 {
         (self.brdf.eval(wo, wi) * self.factor(wo)).map(finite)
     }
 
     fn sample(&self, wo: Vec3, uc: f32, u: Vec2) -> Option<BsdfSample> {
-        let sample = self.brdf.sample(wo, uc, u)?;
-        Some(BsdfSample { eval_cos: (sample.eval_cos * self.factor(wo)).map(finite), ..sample })
+        self.brdf.sample(wo, uc, u).map(|sample| self.scaled(wo, sample))
     }
 
     fn pdf(&self, wo: Vec3, wi: Vec3) -> f32 {
@@ -120,5 +129,19 @@ impl<B: Brdf, E: DirectionalAlbedo> Brdf for EnergyCompensated<B, E> {
 
     fn transmits(&self) -> bool {
         self.brdf.transmits()
+    }
+}
+
+impl<B: FacetBrdf, E: DirectionalAlbedo> FacetBrdf for EnergyCompensated<B, E> {
+    fn eval_resolved(&self, wo: Vec3, wi: Vec3, bumps: ResolvedBumps) -> Vec3 {
+        (self.brdf.eval_resolved(wo, wi, bumps) * self.factor(wo)).map(finite)
+    }
+
+    fn sample_resolved(&self, wo: Vec3, uc: f32, u: Vec2, bumps: ResolvedBumps) -> Option<BsdfSample> {
+        self.brdf.sample_resolved(wo, uc, u, bumps).map(|sample| self.scaled(wo, sample))
+    }
+
+    fn pdf_resolved(&self, wo: Vec3, wi: Vec3, bumps: ResolvedBumps) -> f32 {
+        self.brdf.pdf_resolved(wo, wi, bumps)
     }
 }
