@@ -3,7 +3,7 @@
 use asperity_shading::check;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::level_of_detail::{GaussianField, ResolvedBumps};
-use asperity_shading::ndf_sampling::StudentT;
+use asperity_shading::ndf_sampling::{Blend, Isotropic, Masked, Measure, NdfMap, Reconstruction, StudentT};
 use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::reflectance::{
     BumpFacets, EnergyCompensated, FacetBrdf, Lobe, RoughDielectric, SchlickF82,
@@ -57,6 +57,28 @@ fn all_models() -> Vec<(&'static str, Facets)> {
     all
 }
 
+/// A painting, a mixture and a measured profile, as metal and as glass.
+fn tabulated() -> Vec<(&'static str, Facets)> {
+    let lobe = |n: Vec3, x: f32| (-20.0 * ((n.x - x).powi(2) + (n.y - 0.1).powi(2))).exp();
+    let (narrow, wide) = (Ggx::new(0.5, 0.2).expect(VALID), Beckmann::new(0.1, 0.6).expect(VALID));
+    let blend = Blend::new(narrow, wide, 0.4).expect(VALID);
+    let map = |density: &dyn Fn(Vec3) -> f32| {
+        let (measure, between) = (Measure::ProjectedSolidAngle, Reconstruction::Bilinear);
+        Masked::new(NdfMap::from_fn(64, 64, measure, between, density).expect(VALID))
+    };
+    let painting = map(&|n| lobe(n, -0.4) + 0.6 * lobe(n, 0.3));
+    let profile = |cos: f32| (12.0 * (cos - 1.0)).exp() + 0.3 * (-200.0 * (cos - 0.8).powi(2)).exp();
+    let measured = Masked::new(Isotropic::from_fn(256, profile).expect(VALID));
+    let glass = Dielectric::new(1.5).expect(VALID);
+    vec![
+        ("painting, glass", Box::new(RoughDielectric::new(painting.clone(), glass))),
+        ("painting", Box::new(CookTorrance::new(painting, gold()))),
+        ("mixture", Box::new(CookTorrance::new(map(&|m| blend.d(m)), gold()))),
+        ("measured, glass", Box::new(RoughDielectric::new(measured.clone(), glass))),
+        ("measured", Box::new(CookTorrance::new(measured, gold()))),
+    ]
+}
+
 fn resolved(z: [f64; 2], variance: f32) -> ResolvedBumps {
     ResolvedBumps { z: Vec2::from(z.map(|z| z as f32)), variance, blend: 1.0 }
 }
@@ -77,7 +99,7 @@ fn mean(brdf: &dyn FacetBrdf, wo: Vec3, wi: Vec3, variance: f32) -> f64 {
 #[test]
 fn mean_over_bumps_is_the_far_field() {
     let mut random = Random(11);
-    for (name, brdf) in all_models() {
+    for (name, brdf) in all_models().into_iter().chain(tabulated()) {
         let views = if brdf.transmits() { &[0.0, 1.047, 1.396, 2.2][..] } else { &[0.0, 1.047, 1.396] };
         for (k, &theta) in views.iter().enumerate() {
             let wo = direction(theta, 0.4 + k as f64);
@@ -229,17 +251,22 @@ fn scattered(
 #[test]
 #[ignore = "slow: weekly"]
 fn mean_over_the_surface_is_the_far_field_over_twelve_octaves() {
-    const SEEDS: u32 = 256;
+    compare_surfaces(all_models, 256);
+    // Slower models on fewer patches.
+    compare_surfaces(tabulated, 40);
+}
+
+fn compare_surfaces(models: fn() -> Vec<(&'static str, Facets)>, seeds: u32) {
     let views = [("0°", 0.0), ("60°", 1.047), ("80°", 1.396)];
     let cases: Vec<_> = views
         .into_iter()
         .flat_map(|(degrees, theta)| {
             let wo = direction(theta, 0.4);
-            all_models().into_iter().map(move |(name, brdf)| (format!("{name}, {degrees}"), brdf, wo))
+            models().into_iter().map(move |(name, brdf)| (format!("{name}, {degrees}"), brdf, wo))
         })
         .collect();
     // Independent of bumps: as many samples as in all patches.
-    let far: Vec<Vec<[f64; 3]>> = (0..SEEDS)
+    let far: Vec<Vec<[f64; 3]>> = (0..seeds)
         .into_par_iter()
         .map(|seed| {
             let mut sums = vec![[0.0; 3]; cases.len()];
@@ -251,7 +278,7 @@ fn mean_over_the_surface_is_the_far_field_over_twelve_octaves() {
     let (far, far_error) = means(&far, 4 * POINTS);
     let (mut worst, mut widest) = (0.0_f64, 0.0_f64);
     for octaves in [0.5, 1.0, 2.5, 4.0, 6.0, 8.0, 10.0, 12.0] {
-        let patches: Vec<Vec<[f64; 3]>> = (0..SEEDS)
+        let patches: Vec<Vec<[f64; 3]>> = (0..seeds)
             .into_par_iter()
             .map(|seed| {
                 let spectrum = FbmSpectrum::new(2.17, 0.5, 12).expect(VALID);
