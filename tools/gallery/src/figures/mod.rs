@@ -38,6 +38,7 @@ const FIGURES: &[&[Figure]] = &[
         figure("asperity-zoom-means", asperity::measured::draw_means),
         figure("asperity-microfacet-zoom", asperity::visible_zoom::draw),
         figure("asperity-furnace", asperity::furnace::draw),
+        figure("asperity-fuzz", asperity::fuzz::draw),
         figure("asperity-horizon", asperity::measured::draw_horizon),
         figure("asperity-normal-map-antialiasing", asperity::normal_maps::draw),
         figure("gpu-teapot", asperity::graphics_card::draw_teapot),

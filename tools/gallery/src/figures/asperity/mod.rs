@@ -1,6 +1,7 @@
 //! Figures of the level of detail, of reflectance and of the shaders.
 
 pub(super) mod furnace;
+pub(super) mod fuzz;
 pub(super) mod graphics_card;
 pub(super) mod height_bumps;
 pub(super) mod mean_radiance;
