@@ -83,7 +83,7 @@ impl GaussianSplit {
 
     /// `p_s(h | z_b)` from the density `D(h)` and the coordinates `z = T⁻¹(h)`.
     ///
-    /// The result has the unit of `density`.
+    /// The result has the unit of `density`, and is 0 where `density` is not positive.
     ///
     /// ```text
     /// density · exp(|z_b|²/2 − |√s z − z_b|² / (2(1 − s))) / (1 − s)
@@ -98,7 +98,7 @@ impl GaussianSplit {
         // Half of the exponent twice: the whole could overflow where the density is small and the
         // product is not.
         let half = math::exp(0.25 * (b - near));
-        (density * half * half / self.rest).min(f32::MAX)
+        if density > 0.0 { (density * half * half / self.rest).min(f32::MAX) } else { 0.0 }
     }
 }
 

@@ -66,6 +66,10 @@ fn specular_antialiasing_is_the_identity_without_derivatives_and_total() {
         assert!((sides - Vec2::new(alpha, 0.5 * alpha)).length() < 1e-6);
         assert_eq!(axis, if alpha > 0.0 { Vec2::Y } else { Vec2::X });
     }
+    for narrow in [1e-3, 1e-4] {
+        let (sides, _) = filter.anisotropic_roughness(Vec2::new(1.0, narrow), [Vec2::ZERO; 2]);
+        assert!((sides.y / narrow - 1.0).abs() < 1e-5, "{sides}");
+    }
     let most = filter.max_alpha_squared;
     for x in [f32::NAN, f32::INFINITY, -1e38, 1e-40, 0.0, 3.0] {
         for y in [f32::NAN, f32::NEG_INFINITY, 1e38, -1e-40, 0.2] {

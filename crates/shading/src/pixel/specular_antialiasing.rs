@@ -103,7 +103,11 @@ impl SpecularAntialiasing {
         } else {
             Vec2::new(xy, 0.5 * (yy - xx + root)).normalize_or(Vec2::Y)
         };
-        let sides = Vec2::new(xx + yy + root, xx + yy - root) * 0.5;
-        (sides.map(|square| sqrt(square.max(0.0)).min(1.0)), axis)
+        let larger = 0.5 * (xx + yy + root);
+        // Without the difference of nearly equal numbers; the facets are never narrower than before.
+        let smaller = if xy == 0.0 { xx.min(yy) } else { (xx * yy - xy * xy) / larger };
+        let narrowest = alpha.min_element();
+        let sides = Vec2::new(larger, smaller.max(narrowest * narrowest));
+        (sides.map(|square| if square < 1.0 { sqrt(square) } else { 1.0 }), axis)
     }
 }

@@ -19,10 +19,12 @@ use crate::reflectance::brdf::{Brdf, BsdfSample};
 /// - **Mean:** over a surface with Gaussian bumps the mean of `f_s` is `f`, for every pair of
 ///   directions and every resolved fraction `s`, with masking, Fresnel term and any factor of the
 ///   directions.
-/// - **Energy:** at every point it scatters at most the light that it receives if `f` is a
-///   single-scattering model, because the visible normals integrate to 1.
+/// - **Energy:** with an NDF in closed form every point scatters at most the light that it receives
+///   if `f` is a single-scattering model, because the visible normals integrate to 1. With a
+///   `Masked` table they integrate to 1 within 6 % rms.
 /// - **Sampling:** [`sample_resolved`](Self::sample_resolved) draws from the visible normals that
-///   are left. The weight of a sample is that of [`sample`](Brdf::sample), at every zoom.
+///   are left. In closed form the weight of a sample is `F G₂/G₁`, or `G₁(ωi)` through glass: at
+///   most 1, at every zoom.
 /// - **Limits:** with [`ResolvedBumps::FAR`] all methods are those of [`Brdf`], bit for bit.
 /// - **Reciprocity:** in the mean over the surface, but not at a point, because visible normals
 ///   depend on the view.

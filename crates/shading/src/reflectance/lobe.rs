@@ -208,9 +208,12 @@ impl<'a> Lobe<'a> {
             }
             Kind::Slopes(slopes) => reflect(wo, slopes.sample(u)),
             Kind::Frosted(glass) => glass.direction(wo, uc, u)?,
-            Kind::Bumps(facets, bumps) => facets.sample_resolved(wo, uc, u, *bumps)?.wi,
-            Kind::Other(brdf) => {
-                let sample = brdf.sample(wo, uc, u)?;
+            Kind::Bumps(..) | Kind::Other(_) => {
+                let sample = match &self.kind {
+                    Kind::Bumps(facets, bumps) => facets.sample_resolved(wo, uc, u, *bumps)?,
+                    Kind::Other(brdf) => brdf.sample(wo, uc, u)?,
+                    _ => return None,
+                };
                 let weighted = BsdfSample { eval_cos: sample.eval_cos * self.weight, ..sample };
                 return Some((sample.wi, sample.is_specular().then_some(weighted)));
             }

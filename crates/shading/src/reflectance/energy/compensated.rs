@@ -78,7 +78,7 @@ impl<B: Brdf, E: DirectionalAlbedo> EnergyCompensated<B, E> {
     /// `1 + F_ms (1 − E)/E`: the factor of the single-scattering BRDF seen from `wo`, at least 1.
     #[must_use]
     pub fn factor(&self, wo: Vec3) -> Vec3 {
-        let e = self.albedo.albedo(wo);
+        let e = in_range(self.albedo.albedo(wo));
         Vec3::ONE + self.bounces * ((1.0 - e) / e)
     }
 }
@@ -89,13 +89,16 @@ impl<F: Fresnel> EnergyCompensated<CookTorrance<Ggx, F>, GgxAlbedo> {
     /// The table is isotropic: see [`GgxAlbedo`] for the accuracy with anisotropic facets.
     #[must_use]
     pub fn metal(ggx: Ggx, fresnel: F) -> Self {
-        let bounces = multiple_bounces(fresnel.mean_reflectance_rgb(), GgxAlbedo::new(&ggx).mean_albedo());
-        Self { brdf: CookTorrance::new(ggx, fresnel), albedo: GgxAlbedo::new(&ggx), bounces }
+        let albedo = GgxAlbedo::new(&ggx);
+        let bounces = multiple_bounces(fresnel.mean_reflectance_rgb(), albedo.mean_albedo());
+        Self { brdf: CookTorrance::new(ggx, fresnel), albedo, bounces }
     }
 }
 
 impl EnergyCompensated<RoughDielectric<Ggx>, GlassAlbedo> {
     /// The surface of rough glass with every bounce: reflection plus transmission is 1.
+    ///
+    /// The table is isotropic: see [`GlassAlbedo`] for the accuracy with anisotropic facets.
     #[must_use]
     pub fn glass(ggx: Ggx, fresnel: Dielectric) -> Self {
         let albedo = GlassAlbedo::new(&ggx, &fresnel);
@@ -103,8 +106,14 @@ impl EnergyCompensated<RoughDielectric<Ggx>, GlassAlbedo> {
     }
 }
 
-/// `F_ms` of a mean reflectance of facets and a mean albedo in `(0, 1]`.
-pub(crate) fn multiple_bounces(f_avg: Vec3, e_avg: f32) -> Vec3 {
+/// An albedo of any implementation; NaN is read as 1.
+fn in_range(albedo: f32) -> f32 {
+    if albedo.is_nan() { 1.0 } else { albedo.clamp(1e-3, 1.0) }
+}
+
+/// `F_ms` of a mean reflectance of facets and a mean albedo.
+fn multiple_bounces(f_avg: Vec3, e_avg: f32) -> Vec3 {
+    let (f_avg, e_avg) = (f_avg.clamp(Vec3::ZERO, Vec3::ONE), in_range(e_avg));
     f_avg * e_avg / (Vec3::ONE - f_avg * (1.0 - e_avg))
 }
 

@@ -20,7 +20,8 @@ use crate::reflectance::energy::tables::{GGX, GGX_MEAN};
 /// - **Range:** `(0, 1]`.
 /// - **Accuracy:** for isotropic roughness from 0.04 to 1 within 3·10⁻⁴ relative at every angle.
 ///   Anisotropic roughness is approximated. The largest relative error is 3 % for the ratio 2, 10 %
-///   for (0.1, 0.4), and 50 % for (0.1, 1). `AlbedoTable` is exact for them.
+///   for (0.1, 0.4), and 50 % for (0.1, 1). `AlbedoTable` is within 0.2 % for
+///   them.
 /// - **Size:** 800 bytes. `cargo xtask tables` computes them.
 ///
 /// Kulla, Conty 2017, *Revisiting Physically Based Shading at Imageworks*, who tabulate E the same

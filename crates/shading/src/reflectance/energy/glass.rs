@@ -20,7 +20,8 @@ use crate::reflectance::fresnel::Dielectric;
 ///
 /// - **Domain:** any view, on either side by the sign of `wo.z`; NaN is the horizon. Relative
 ///   indices from 1.05 to 2.5, or from 1/2.5 to 1/1.05; others are clamped to the nearest of these.
-///   Roughnesses above 1 are read as 1. Anisotropic facets are read as `α = √(α_x α_y)`.
+///   Roughnesses above 1 are read as 1. Anisotropic facets are read as `α = √(α_x α_y)`,
+///   which is off by up to 13 % for (0.2, 0.4), 21 % for (0.1, 0.4) and 55 % for (0.1, 1).
 /// - **Range:** `(0, 1]`.
 /// - **Accuracy:** for roughness from 0.05 to 1 at every angle and indices from 1.3 to 2.5: within 0.1 %
 ///   relative seen from the rarer side, within 0.25 % from the denser. Within 0.4 % for 1.05.

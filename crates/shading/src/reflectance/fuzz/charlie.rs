@@ -23,7 +23,8 @@ use crate::reflectance::fuzz::charlie_albedo::CHARLIE;
 ///   `KHR_materials_sheen` α is the square of the sheen roughness.
 /// - **Range:** at least 0, finite. Reciprocal. The softened terminator of the source is omitted
 ///   because it is not.
-/// - **Energy:** the albedo is at most 0.97, one bounce only. Below α = 0.07 it would exceed 1 near
+/// - **Energy:** the albedo is at most 0.97 for cosines of at least 0.002, one bounce only. Nearer to
+///   the horizon it exceeds 1. Below α = 0.07 it would exceed 1 near
 ///   the horizon, because Λ is a fit.
 /// - **Sampling:** uniform over the hemisphere.
 ///
@@ -74,8 +75,8 @@ impl CharlieSheen {
 
     /// The fraction of light that the sheen reflects seen at this angle, in each channel.
     ///
-    /// From a table that `cargo xtask tables` computes, within 0.002. The cosine is clamped to
-    /// `[0, 1]`; NaN is the horizon.
+    /// From a table that `cargo xtask tables` computes, within 0.002 for cosines of at
+    /// least 0.002. The cosine is clamped to `[0, 1]`; NaN is the horizon.
     #[must_use]
     pub fn albedo(&self, cos_theta: f32) -> Vec3 {
         let (column, across) = weights(sqrt(sqrt(clamp_to(cos_theta, 1.0))), CHARLIE[0].len());
