@@ -2,9 +2,9 @@
 //!
 //! A normal distribution function `D` describes the directions of the facets of a rough surface.
 //! Every [`Ndf`] also has a bijection `T` from pairs of standard normal values ("Gaussian numbers")
-//! to normals. `T` maps two channels of Gaussian noise to a bump map with exactly this distribution
-//! (Kautz, Heidrich, Seidel 2001, "Real-Time Bump Map Synthesis"). A pixel resolves only a part of
-//! the bump map. With `T⁻¹`, [`residual_ndf`] computes the distribution of the unresolved part in
+//! to normals. `T` maps Gaussian noise, such as its whitened slopes, to a bump map with exactly
+//! this distribution (Kautz, Heidrich, Seidel 2001, "Real-Time Bump Map Synthesis"). A pixel
+//! resolves only a part of the bump map. With `T⁻¹`, [`residual_ndf`] computes the distribution of the unresolved part in
 //! closed form.
 //!
 //! ```

@@ -273,12 +273,13 @@ fn scattered(
 #[test]
 #[ignore = "slow: weekly"]
 fn mean_over_the_surface_is_the_far_field_over_twelve_octaves() {
-    let mut ratios = surface_ratios(all_models, 256);
+    // Bins with less light have no precise mean.
+    let mut ratios = surface_ratios(all_models, 256, 0.03);
     // Slower models on fewer patches.
-    ratios.extend(surface_ratios(tabulated, 40));
+    ratios.extend(surface_ratios(tabulated, 40, 0.15));
     for (place, ratio, error) in &ratios {
         println!("{place}: {ratio:.5} ± {error:.5}");
-        assert!(*error < 6e-3, "{place} shows nothing");
+        assert!(*error < 4e-3, "{place} shows nothing");
         assert!((ratio - 1.0).abs() < 4.5 * error, "{place}");
     }
     let most = |of: fn(&(String, f64, f64)) -> f64| ratios.iter().map(of).fold(0.0, f64::max);
@@ -287,7 +288,11 @@ fn mean_over_the_surface_is_the_far_field_over_twelve_octaves() {
 
 /// The light in each bin over that of the far field, for each model, view and zoom, with its
 /// standard error.
-fn surface_ratios(models: fn() -> Vec<(&'static str, Facets)>, seeds: u32) -> Vec<(String, f64, f64)> {
+fn surface_ratios(
+    models: fn() -> Vec<(&'static str, Facets)>,
+    seeds: u32,
+    least: f64,
+) -> Vec<(String, f64, f64)> {
     let views = [("0°", 0.0), ("60°", 1.047), ("80°", 1.396)];
     let cases: Vec<_> = views
         .into_iter()
@@ -325,8 +330,7 @@ fn surface_ratios(models: fn() -> Vec<(&'static str, Facets)>, seeds: u32) -> Ve
             .collect();
         let (near, near_error) = means(&patches, POINTS);
         for (case, (name, ..)) in cases.iter().enumerate() {
-            // Bins with little light have no precise mean.
-            for k in (0..3).filter(|&k| far[case][k] > 0.03) {
+            for k in (0..3).filter(|&k| far[case][k] > least) {
                 let ratio = near[case][k] / far[case][k];
                 let error = near_error[case][k].hypot(far_error[case][k]) / far[case][k];
                 ratios.push((format!("{name}, {octaves} octaves, bin {k}"), ratio, error));

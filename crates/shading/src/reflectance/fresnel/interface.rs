@@ -32,7 +32,7 @@ pub trait Fresnel {
     /// ```
     ///
     /// - **Accuracy:** eight nodes of Gauss and Legendre, exact for Schlick's approximation. Within
-    ///   5·10⁻⁴ for metals and for dielectrics seen from the rarer side. Within 0.06 from the denser
+    ///   10⁻³ for metals and for dielectrics seen from the rarer side. Within 0.06 from the denser
     ///   side, where F has a kink at the critical angle.
     #[must_use]
     fn mean_reflectance_rgb(&self) -> Vec3 {
