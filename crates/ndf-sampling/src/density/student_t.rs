@@ -125,9 +125,7 @@ impl StudentT {
         let m = self.alpha.normal(z.x * per_rho, z.y * per_rho, up);
         Vec3::new(m.x, m.y, m.z.max(f32::MIN_POSITIVE))
     }
-}
 
-impl StudentT {
     /// The degrees of freedom of the slopes along a direction.
     fn freedom(self) -> f64 {
         2.0 * f64::from(self.gamma) - 2.0

@@ -47,8 +47,8 @@ impl<F: GaussianField> BumpField<F> {
     /// `frame` is the frame of the surface in which the NDF is given, for instance
     /// [`SurfacePoint::frame`](crate::SurfacePoint::frame).
     ///
-    /// Continuous in `p`, in the frame and in the footprint. [`ResolvedBumps::FAR`] as soon as the pixel is wider
-    /// than half a cell of the first octave.
+    /// Continuous in `p`, in the frame and in the footprint. [`ResolvedBumps::FAR`] as soon as the
+    /// pixel is wider than half a cell of the first octave.
     ///
     /// For an [anchored](asperity_noise::Fbm::anchored) field `p` is the difference from the
     /// anchor, near which the field is exact at any zoom. The anchor is in cells of the first

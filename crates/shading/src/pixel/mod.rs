@@ -3,6 +3,7 @@
 mod ellipse;
 mod footprint;
 mod frequency_clamp;
+pub(crate) mod principal_axis;
 mod specular_antialiasing;
 
 pub use ellipse::{PixelEllipse, Tap};

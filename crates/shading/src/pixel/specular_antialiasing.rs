@@ -3,6 +3,7 @@
 use glam::Vec2;
 
 use crate::math::{clamp_to, sqrt};
+use crate::pixel::principal_axis::principal_axis;
 
 /// Specular anti-aliasing: the roughness that replaces the curvature within a pixel.
 ///
@@ -64,7 +65,8 @@ impl SpecularAntialiasing {
         let [variance, most] = [self.variance, 0.5 * self.max_alpha_squared].map(|x| clamp_to(x, f32::MAX));
         let [xx, xy, yy] = [dx.x * dx.x + dy.x * dy.x, dx.x * dx.y + dy.x * dy.y, dx.y * dx.y + dy.y * dy.y]
             .map(|sum| variance * sum);
-        let larger = 0.5 * (xx + yy + sqrt((xx - yy) * (xx - yy) + 4.0 * xy * xy));
+        let (_, apart) = principal_axis([xx, xy, yy]);
+        let larger = 0.5 * (xx + yy) + apart;
         if larger <= most {
             [xx, xy, yy]
         } else if larger < f32::MAX {
@@ -95,15 +97,8 @@ impl SpecularAntialiasing {
         let alpha = alpha.map(|a| clamp_to(a, 1.0));
         let [xx, xy, yy] = self.slope_covariance(normal_derivatives).map(|c| 2.0 * c);
         let (xx, yy) = (xx + alpha.x * alpha.x, yy + alpha.y * alpha.y);
-        let root = sqrt((xx - yy) * (xx - yy) + 4.0 * xy * xy);
-        let axis = if xy == 0.0 {
-            if xx >= yy { Vec2::X } else { Vec2::Y }
-        } else if xx > yy {
-            Vec2::new(0.5 * (xx - yy + root), xy).normalize_or(Vec2::X)
-        } else {
-            Vec2::new(xy, 0.5 * (yy - xx + root)).normalize_or(Vec2::Y)
-        };
-        let larger = 0.5 * (xx + yy + root);
+        let (axis, apart) = principal_axis([xx, xy, yy]);
+        let larger = 0.5 * (xx + yy) + apart;
         // Without the difference of nearly equal numbers; the facets are never narrower than before.
         let smaller = if xy == 0.0 { xx.min(yy) } else { (xx * yy - xy * xy) / larger };
         let narrowest = alpha.min_element();

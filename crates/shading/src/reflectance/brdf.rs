@@ -135,9 +135,13 @@ impl BsdfSample {
     /// Both directions are in the frame of the surface. `None` where the pdf is 0.
     #[must_use]
     pub fn from_direction<B: Brdf + ?Sized>(brdf: &B, wo: Vec3, wi: Vec3) -> Option<Self> {
-        let pdf = brdf.pdf(wo, wi);
+        Self::with_pdf(wo, wi, brdf.pdf(wo, wi), || brdf.eval(wo, wi) * wi.z.abs())
+    }
+
+    /// The sample of a direction with this pdf that is not specular; `None` where the pdf is 0.
+    pub(crate) fn with_pdf(wo: Vec3, wi: Vec3, pdf: f32, eval_cos: impl FnOnce() -> Vec3) -> Option<Self> {
         let kind = if wi.z * wo.z < 0.0 { SampleKind::Transmission } else { SampleKind::Reflection };
-        (pdf > 0.0).then(|| Self { wi, eval_cos: brdf.eval(wo, wi) * wi.z.abs(), pdf, kind })
+        (pdf > 0.0).then(|| Self { wi, eval_cos: eval_cos(), pdf, kind })
     }
 
     /// The factor of the throughput of a path: `f |cos θ_i| / pdf`, finite and at least 0.

@@ -5,7 +5,7 @@ use glam::{Vec2, Vec3};
 
 use crate::bump::{Facet, flip_to_visible};
 use crate::math::clamp_to;
-use crate::reflectance::brdf::{Brdf, BsdfSample, SampleKind, are_above, finite, have_sides};
+use crate::reflectance::brdf::{Brdf, BsdfSample, are_above, finite, have_sides};
 use crate::reflectance::coat::Coat;
 use crate::reflectance::lobe::{Lobe, LobePart};
 
@@ -404,9 +404,7 @@ impl<'a> Bsdf<'a> {
                 ..sample
             });
         }
-        let pdf = self.local_pdf(wo, wi);
-        let kind = if wi.z * wo.z < 0.0 { SampleKind::Transmission } else { SampleKind::Reflection };
-        (pdf > 0.0).then(|| BsdfSample { wi, eval_cos: self.local_eval_cos(wo, wi), pdf, kind })
+        BsdfSample::with_pdf(wo, wi, self.local_pdf(wo, wi), || self.local_eval_cos(wo, wi))
     }
 
     fn local_pdf(&self, wo: Vec3, wi: Vec3) -> f32 {

@@ -5,7 +5,7 @@ use glam::{Vec2, Vec3};
 
 use crate::direction::{half_vector, reflect};
 use crate::level_of_detail::ResolvedBumps;
-use crate::reflectance::brdf::{Brdf, BsdfSample, SampleKind, are_above, finite, mirrored_pdf};
+use crate::reflectance::brdf::{Brdf, BsdfSample, are_above, finite, mirrored_pdf};
 use crate::reflectance::facet_brdf::{FacetBrdf, gaussians};
 use crate::reflectance::fresnel::Fresnel;
 
@@ -163,8 +163,7 @@ impl<D: VisibleWarp, F: Fresnel> FacetBrdf for CookTorrance<D, F> {
         };
         let wi = reflect(wo, m);
         let pdf = self.pdf_resolved(wo, wi, bumps);
-        let eval_cos = self.eval_resolved(wo, wi, bumps) * wi.z;
-        (pdf > 0.0).then_some(BsdfSample { wi, eval_cos, pdf, kind: SampleKind::Reflection })
+        BsdfSample::with_pdf(wo, wi, pdf, || self.eval_resolved(wo, wi, bumps) * wi.z)
     }
 
     fn pdf_resolved(&self, wo: Vec3, wi: Vec3, bumps: ResolvedBumps) -> f32 {

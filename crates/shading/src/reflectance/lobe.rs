@@ -208,17 +208,18 @@ impl<'a> Lobe<'a> {
             }
             Kind::Slopes(slopes) => reflect(wo, slopes.sample(u)),
             Kind::Frosted(glass) => glass.direction(wo, uc, u)?,
-            Kind::Bumps(..) | Kind::Other(_) => {
-                let sample = match &self.kind {
-                    Kind::Bumps(facets, bumps) => facets.sample_resolved(wo, uc, u, *bumps)?,
-                    Kind::Other(brdf) => brdf.sample(wo, uc, u)?,
-                    _ => return None,
-                };
-                let weighted = BsdfSample { eval_cos: sample.eval_cos * self.weight, ..sample };
-                return Some((sample.wi, sample.is_specular().then_some(weighted)));
+            Kind::Bumps(facets, bumps) => {
+                return facets.sample_resolved(wo, uc, u, *bumps).map(|sample| self.drawn(sample));
             }
+            Kind::Other(brdf) => return brdf.sample(wo, uc, u).map(|sample| self.drawn(sample)),
         };
         Some((wi, None))
+    }
+
+    /// The direction of a sample of a stored BRDF, and the weighted sample if it is specular.
+    fn drawn(&self, sample: BsdfSample) -> (Vec3, Option<BsdfSample>) {
+        let weighted = BsdfSample { eval_cos: sample.eval_cos * self.weight, ..sample };
+        (sample.wi, sample.is_specular().then_some(weighted))
     }
 }
 

@@ -7,7 +7,7 @@ use crate::direction::{half_vector, reflect};
 use crate::level_of_detail::ResolvedBumps;
 use crate::math::{clamp_to, sqrt};
 use crate::reflectance::absorption::through_wall;
-use crate::reflectance::brdf::{Brdf, BsdfSample, SampleKind, finite, have_sides};
+use crate::reflectance::brdf::{Brdf, BsdfSample, finite, have_sides};
 use crate::reflectance::facet_brdf::{FacetBrdf, gaussians};
 use crate::reflectance::fresnel::Dielectric;
 
@@ -274,9 +274,7 @@ impl<D: VisibleWarp> FacetBrdf for RoughDielectric<D> {
         }
         let wi = self.scattered(wo, uc, self.visible(wo, bumps).warp_gaussian(gaussians(u)))?;
         let pdf = self.pdf_resolved(wo, wi, bumps);
-        let eval_cos = self.eval_resolved(wo, wi, bumps) * wi.z.abs();
-        let kind = if wi.z * wo.z < 0.0 { SampleKind::Transmission } else { SampleKind::Reflection };
-        (pdf > 0.0).then_some(BsdfSample { wi, eval_cos, pdf, kind })
+        BsdfSample::with_pdf(wo, wi, pdf, || self.eval_resolved(wo, wi, bumps) * wi.z.abs())
     }
 
     fn pdf_resolved(&self, wo: Vec3, wi: Vec3, bumps: ResolvedBumps) -> f32 {

@@ -12,6 +12,7 @@ use crate::material::segment::Segments;
 use crate::material::surface_point::SurfacePoint;
 use crate::math::{clamp_to, exp_m1, floor, sqrt};
 use crate::parameter::{as_roughness, as_share, as_size, color, direction_in_plane, parameters, range};
+use crate::pixel::principal_axis::principal_axis;
 use crate::reflectance::{Bsdf, CookTorrance};
 
 parameters! {
@@ -288,12 +289,8 @@ fn overlap(d: f32, half: f32, width: f32) -> f32 {
 
 /// The principal axes of second moments (xx, xy, yy), with the standard deviations as lengths.
 fn principal(moments: Vec3) -> [Vec2; 2] {
-    let (middle, half) = (0.5 * (moments.x + moments.z), 0.5 * (moments.x - moments.z));
-    let apart = sqrt(half * half + moments.y * moments.y);
-    // The eigenvector by its larger component.
-    let first =
-        if half > 0.0 { Vec2::new(half + apart, moments.y) } else { Vec2::new(moments.y, apart - half) };
-    let first = first.normalize_or(Vec2::X);
+    let middle = 0.5 * (moments.x + moments.z);
+    let (first, apart) = principal_axis(moments.to_array());
     [first * sqrt(middle + apart), first.perp() * sqrt((middle - apart).max(0.0))]
 }
 

@@ -9,7 +9,7 @@ use crate::error::ShadingError;
 use crate::math::{atan2, clamp_to, cos, sin, sqrt};
 use crate::reflectance::brdf::Brdf;
 use crate::reflectance::energy::albedo::{DirectionalAlbedo, directional_albedo, hemispherical_mean};
-use crate::reflectance::energy::spline::{blend, weights};
+use crate::reflectance::energy::spline::{between, blend, weights};
 
 /// Coefficients over the cosine, on each side.
 const COSINES: usize = 48;
@@ -121,8 +121,7 @@ impl DirectionalAlbedo for AlbedoTable {
         let rows = &self.coefficients[side * self.azimuths..][..self.azimuths];
         let place = clamp_to(atan2(wo.y, wo.x) / TAU + 1.0, 2.0) * self.azimuths as f32 + 0.5;
         let first = place as usize;
-        let t = place - first as f32;
-        let around = [0.5 * (1.0 - t) * (1.0 - t), 0.5 + t * (1.0 - t), 0.5 * t * t];
+        let around = between(place - first as f32);
         let row = |k: usize| &rows[(first + k + self.azimuths - 1) % self.azimuths];
         let sum = blend(around, |k| blend(across, |j| row(k)[column + j]));
         sum.clamp(1e-3, 1.0)

@@ -5,7 +5,7 @@ use glam::Vec3;
 
 use crate::math::{clamp_to, sqrt};
 use crate::reflectance::energy::albedo::DirectionalAlbedo;
-use crate::reflectance::energy::spline::{blend, place, weights};
+use crate::reflectance::energy::spline::{as_number, blend, place, weights};
 use crate::reflectance::energy::tables::{GGX, GGX_MEAN};
 
 /// The directional albedo of white GGX facets with height-correlated masking, from a table.
@@ -46,12 +46,6 @@ pub struct GgxAlbedo {
 #[inline]
 pub(super) fn as_albedo(sum: f32) -> f32 {
     sum.clamp(1e-3, 1.0)
-}
-
-/// The number of an entry.
-#[inline]
-pub(super) fn as_number(entry: u16) -> f32 {
-    f32::from(entry) * (1.0 / 60_000.0)
 }
 
 /// A roughness of the tables.

@@ -5,8 +5,8 @@ use glam::Vec3;
 
 use crate::math::{clamp_to, sqrt};
 use crate::reflectance::energy::albedo::DirectionalAlbedo;
-use crate::reflectance::energy::ggx::{as_albedo, as_number, tabulated};
-use crate::reflectance::energy::spline::{blend, place, weights};
+use crate::reflectance::energy::ggx::{as_albedo, tabulated};
+use crate::reflectance::energy::spline::{as_number, blend, place, weights};
 use crate::reflectance::energy::tables::{GLASS_DENSE, GLASS_DENSE_TOTAL, GLASS_RARE};
 use crate::reflectance::fresnel::Dielectric;
 

@@ -9,8 +9,19 @@ use crate::math::{clamp_to, sqrt};
 pub(in crate::reflectance) fn weights(x: f32, count: usize) -> (usize, [f32; 3]) {
     let x = clamp_to(x, 1.0) * (count - 2) as f32;
     let first = (x as usize).min(count - 3);
-    let t = x - first as f32;
-    (first, [0.5 * (1.0 - t) * (1.0 - t), 0.5 + t * (1.0 - t), 0.5 * t * t])
+    (first, between(x - first as f32))
+}
+
+/// The weights of three coefficients at a fraction of the way through an interval.
+#[inline]
+pub(super) fn between(t: f32) -> [f32; 3] {
+    [0.5 * (1.0 - t) * (1.0 - t), 0.5 + t * (1.0 - t), 0.5 * t * t]
+}
+
+/// The number of a table entry.
+#[inline]
+pub(in crate::reflectance) fn as_number(entry: u16) -> f32 {
+    f32::from(entry) * (1.0 / 60_000.0)
 }
 
 /// The value at these weights of coefficients that are `stride` apart.

@@ -9,7 +9,7 @@ use crate::error::ShadingError;
 use crate::math::{clamp_to, cos, exp, pow, sin, sqrt};
 use crate::parameter::{color, within};
 use crate::reflectance::brdf::{Brdf, BsdfSample, are_above, finite};
-use crate::reflectance::energy::spline::{blend, weights};
+use crate::reflectance::energy::spline::{as_number, blend, weights};
 use crate::reflectance::fuzz::charlie_albedo::CHARLIE;
 
 /// Sheen of cloth: microfibers with an inverted Gaussian-like distribution of normals.
@@ -82,13 +82,13 @@ impl CharlieSheen {
         let (column, across) = weights(sqrt(sqrt(clamp_to(cos_theta, 1.0))), CHARLIE[0].len());
         let least = sqrt(LEAST);
         let (row, down) = weights((sqrt(self.alpha) - least) / (1.0 - least), CHARLIE.len());
-        let sum = blend(down, |i| blend(across, |j| f32::from(CHARLIE[row + i][column + j])));
-        self.color * clamp_to(sum * (1.0 / 60_000.0), 1.0)
+        let sum = blend(down, |i| blend(across, |j| as_number(CHARLIE[row + i][column + j])));
+        self.color * clamp_to(sum, 1.0)
     }
 
     /// The entries of the table of [`albedo`](Self::albedo) for WGSL: 12 rows of 20.
     pub fn table() -> impl Iterator<Item = f32> {
-        CHARLIE.as_flattened().iter().map(|&entry| f32::from(entry) * (1.0 / 60_000.0))
+        CHARLIE.as_flattened().iter().map(|&entry| as_number(entry))
     }
 
     /// The fraction of light that reaches and leaves the layer beneath: `1 − max albedo`.

@@ -14,6 +14,7 @@ use asperity_shading::{Conductor, CookTorrance, Ggx};
 use glam::{DVec3, Vec2, Vec3};
 
 use crate::figure::{Context, Drawn, Panel};
+use crate::figures::kautz::objects::ggx;
 use crate::plot::{Axis, Names, Plot, Stroke};
 use asperity::failure::Result;
 use asperity::quality::EXPOSURE;
@@ -24,8 +25,7 @@ const ALPHA: [f32; 2] = [0.2, 0.4];
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let bumps = Bumps { kind: NoiseKind::Gaussian, frequency: 150.0, octaves: 16, gain: 0.5 };
     let gold = [Conductor::new(0.18, 3.42)?, Conductor::new(0.42, 2.35)?, Conductor::new(1.37, 1.77)?];
-    let ggx = Ggx::new(ALPHA[0], ALPHA[1])?;
-    let gold = CookTorrance::new(ggx, gold);
+    let gold = CookTorrance::new(Ggx::new(ALPHA[0], ALPHA[1])?, gold);
     let (sampling, studio) = (context.sampling([10, 10], 1), Studio::new(1.0));
     let (mut panels, mut grains) = (Vec::new(), Vec::new());
     for zoom in ZOOMS {
@@ -44,7 +44,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     for (stem, degrees) in [("0", 0.0_f32), ("60", 60.0), ("80", 80.0)] {
         panels.push(energies(stem, degrees)?);
     }
-    Ok(Drawn::new(4, panels).fact("density", format!("GGX, α = {}, {}", ALPHA[0], ALPHA[1])).grain(&grains))
+    Ok(Drawn::new(4, panels).fact("density", ggx(ALPHA)).grain(&grains))
 }
 
 /// Plots the albedo of single points of a white surface in descending order.

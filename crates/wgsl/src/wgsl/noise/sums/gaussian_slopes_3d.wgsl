@@ -84,6 +84,29 @@ fn fbm_direction_3d(layer: FbmLayer3d, v: vec3<f32>) -> vec3<f32> {
     );
 }
 
+// One octave at a point: the noise before normalization, the position in its cell, and weights and
+// slopes of the axes; not known if a coordinate is not finite.
+struct GaussianOctave3d {
+    sum: Sample3d,
+    place: vec3<f32>,
+    weights: vec3<f32>,
+    slopes: vec3<f32>,
+    known: bool,
+}
+
+fn gaussian_octave_3d(layer: FbmLayer3d, p: vec3<f32>) -> GaussianOctave3d {
+    let at = cell_place_3d(fbm_point_3d(layer, p));
+    if !at.known {
+        let zero = vec3<f32>(0.0);
+        return GaussianOctave3d(Sample3d(0.0, zero), zero, zero, zero, false);
+    }
+    let w = fade_quintic(vec4<f32>(at.place, 0.0)).xyz;
+    let slope = fade_quintic_slope(vec4<f32>(at.place, 0.0)).xyz;
+    let key = bitcast<u32>(layer.cell_and_key.w);
+    let sum = gaussian_sum_in_cell_3d(layer.cell_and_key.xyz + at.cell, at.place, w, slope, key);
+    return GaussianOctave3d(sum, at.place, w, slope, true);
+}
+
 // The whitened gradient of the first octaves of a sum in the plane of two tangents:
 // `GaussianFbm::whitened_gradient_with_octaves`. For an anchored sum `p` is the difference to the
 // anchor.
@@ -99,16 +122,12 @@ fn gaussian_slopes_3d(p: vec3<f32>, tangent: vec3<f32>, bitangent: vec3<f32>, oc
             break;
         }
         let layer = fbm_layer_3d(sum, i);
-        let at = cell_place_3d(fbm_point_3d(layer, p));
-        if at.known {
-            let w = fade_quintic(vec4<f32>(at.place, 0.0)).xyz;
-            let slope = fade_quintic_slope(vec4<f32>(at.place, 0.0)).xyz;
-            let key = bitcast<u32>(layer.cell_and_key.w);
-            let octave = gaussian_sum_in_cell_3d(layer.cell_and_key.xyz + at.cell, at.place, w, slope, key);
-            let covariance = gaussian_covariance_3d(at.place, w, slope);
+        let octave = gaussian_octave_3d(layer, p);
+        if octave.known {
+            let covariance = gaussian_covariance_3d(octave.place, octave.weights, octave.slopes);
             let u = fbm_direction_3d(layer, tangent);
             let v = fbm_direction_3d(layer, bitangent);
-            z += (weight * amplitude) * gaussian_whitened(covariance, octave.gradient, u, v);
+            z += (weight * amplitude) * gaussian_whitened(covariance, octave.sum.gradient, u, v);
         }
         amplitude *= spectrum.gain;
     }
@@ -133,15 +152,11 @@ fn gaussian_height_3d(p: vec3<f32>, octaves: f32, sum: u32) -> Sample3d {
             break;
         }
         let layer = fbm_layer_3d(sum, i);
-        let at = cell_place_3d(fbm_point_3d(layer, p));
-        if at.known {
-            let w = fade_quintic(vec4<f32>(at.place, 0.0)).xyz;
-            let slope = fade_quintic_slope(vec4<f32>(at.place, 0.0)).xyz;
-            let key = bitcast<u32>(layer.cell_and_key.w);
-            let octave = gaussian_sum_in_cell_3d(layer.cell_and_key.xyz + at.cell, at.place, w, slope, key);
+        let octave = gaussian_octave_3d(layer, p);
+        if octave.known {
             let factor = weight * amplitude / frequency;
-            value += factor * octave.value;
-            gradient += factor * fbm_pull_back_3d(layer, octave.gradient);
+            value += factor * octave.sum.value;
+            gradient += factor * fbm_pull_back_3d(layer, octave.sum.gradient);
         }
         amplitude *= spectrum.gain;
         frequency *= spectrum.lacunarity;
