@@ -22,16 +22,24 @@ pub(crate) fn albedos_source() -> String {
     let rough = |y: f64| Ggx::new_clamped(alpha(y) as f32, alpha(y) as f32);
     let mirrors = spline([1, 16, 24], |[_, y, x]| mirror(rough(y), inverse(x, |t| place(t, 2.0 * alpha(y)))));
     table(&mut text, "GGX", "Mirrors, by the place of √α and of the cosine.", [1, 16, 24], &mirrors);
-    let means = spline([1, 1, 16], |[_, _, y]| {
-        // Simpson's rule of 2 E μ dμ over √μ.
-        let sum = |k: u16| {
-            let root = f64::from(k) / 64.0;
-            let weight = if k == 64 { 1.0 } else { f64::from(2 + 2 * (k % 2)) };
-            weight * 4.0 * root.powi(3) * mirror(rough(y), root * root)
-        };
-        (1..=64).map(sum).sum::<f64>() / (3.0 * 64.0)
-    });
-    table(&mut text, "GGX_MEAN", "Their means, by the place of √α.", [1, 1, 16], &means);
+    table(
+        &mut text,
+        "GGX_MEAN",
+        "Their means, by the place of √α.",
+        [1, 1, 16],
+        &means(|y, z| mirror(rough(y), z)),
+    );
+    let cosines = spline([1, 16, 24], |[_, y, x]| schlick_cosine(rough(y), x * x));
+    let about = "The cosine of facets that have the Schlick moment of mirrors, by the places of √α and √μ.";
+    table(&mut text, "GGX_SCHLICK", about, [1, 16, 24], &cosines);
+    let schlick = means(|y, z| mirror(rough(y), z) * (1.0 - schlick_cosine(rough(y), z)).powi(5));
+    table(
+        &mut text,
+        "GGX_SCHLICK_MEAN",
+        "The means of the Schlick moment, by the place of √α.",
+        [1, 1, 16],
+        &schlick,
+    );
     let index = |h: f64| {
         let [low, high] = [0.05_f64, 1.5].map(f64::sqrt);
         1.0 + (low + h * (high - low)).powi(2)
@@ -113,12 +121,34 @@ fn visible_mean(ggx: Ggx, cosine: f64, of: impl Fn(Vec3, Vec3) -> f32) -> f64 {
     sum / all
 }
 
+/// The means over the hemisphere of a function of `√α` and the cosine, by Simpson's rule of
+/// `2 f μ dμ` over `√μ`.
+fn means(of: impl Fn(f64, f64) -> f64 + Sync) -> Vec<f64> {
+    spline([1, 1, 16], |[_, _, y]| {
+        let sum = |k: u16| {
+            let root = f64::from(k) / 64.0;
+            let weight = if k == 64 { 1.0 } else { f64::from(2 + 2 * (k % 2)) };
+            weight * 4.0 * root.powi(3) * of(y, root * root)
+        };
+        (1..=64).map(sum).sum::<f64>() / (3.0 * 64.0)
+    })
+}
+
 /// `E = E[G₂/G₁]` of a mirror.
 fn mirror(ggx: Ggx, cosine: f64) -> f64 {
-    visible_mean(ggx, cosine, |wo, h| {
-        let wi = reflect(wo, h);
-        if wi.z > 0.0 { ggx.g2(wi, wo) / ggx.g1(wo) } else { 0.0 }
-    })
+    visible_mean(ggx, cosine, |wo, h| mirrored(ggx, wo, h))
+}
+
+/// The cosine `c` where the mean of `(1 − ωo·h)⁵` over the light that mirrors reflect is `(1 − c)⁵`.
+fn schlick_cosine(ggx: Ggx, cosine: f64) -> f64 {
+    let moment = visible_mean(ggx, cosine, |wo, h| (1.0 - wo.dot(h)).max(0.0).powi(5) * mirrored(ggx, wo, h));
+    1.0 - (moment / mirror(ggx, cosine)).powf(0.2)
+}
+
+/// `G₂/G₁` of a facet.
+fn mirrored(ggx: Ggx, wo: Vec3, h: Vec3) -> f32 {
+    let wi = reflect(wo, h);
+    if wi.z > 0.0 { ggx.g2(wi, wo) / ggx.g1(wo) } else { 0.0 }
 }
 
 /// `E = E[F G₁(reflected) + (1 − F) G₁(refracted)]` of glass.

@@ -24,8 +24,8 @@ fn albedos() -> Case {
     let f = b.xyz;
     let albedo = ggx_albedo(a.xy, wo);
     let bounces = energy_bounces(f, ggx_mean_albedo(a.xy));
-    outcome.a = bits(vec4<f32>(albedo, ggx_mean_albedo(a.xy), glass_albedo(a.xy, a.z, wo), 0.0));
-    outcome.b = bits(vec4<f32>(energy_factor(bounces, albedo), 0.0));"
+    outcome.a = bits(vec4<f32>(albedo, ggx_mean_albedo(a.xy), glass_albedo(a.xy, a.z, wo), ggx_schlick_moment(a.xy, wo)));
+    outcome.b = bits(vec4<f32>(energy_factor(bounces, albedo), ggx_mean_schlick_moment(a.xy)));"
             .into(),
         resources: [
             ("ggx_albedo_number", GgxAlbedo::table().collect::<Vec<_>>()),
@@ -50,12 +50,16 @@ fn albedos() -> Case {
             let (albedo, index) = (GgxAlbedo::new(&ggx), Dielectric::new(eta).expect("an index"));
             let factor: Vec3 = EnergyCompensated::metal(ggx, f).factor(wo);
             let glass = GlassAlbedo::new(&ggx, &index).albedo(wo);
-            words(&[albedo.albedo(wo), albedo.mean_albedo(), glass, 0.0, factor.x, factor.y, factor.z])
+            let [schlick, mean] = [albedo.schlick_moment(wo), albedo.mean_schlick_moment()];
+            let mirror = [albedo.albedo(wo), albedo.mean_albedo()];
+            words(&[mirror[0], mirror[1], glass, schlick, factor.x, factor.y, factor.z, mean])
         }),
         outputs: vec![
             Output::new("mirror", 0..1, WRITTEN, Bound::Absolute(2e-5)),
             Output::new("mean", 1..2, WRITTEN, Bound::Absolute(2e-5)),
             Output::new("glass", 2..3, WRITTEN, Bound::Absolute(1e-4)),
+            Output::new("schlick", 3..4, WRITTEN, Bound::Absolute(2e-5)),
+            Output::new("mean schlick", 7..8, WRITTEN, Bound::Absolute(2e-5)),
             Output::new("factor", 4..7, Bound::Relative(2e-5), Bound::Relative(1e-4)),
         ],
     }
