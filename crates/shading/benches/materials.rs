@@ -3,17 +3,18 @@
 use std::hint::black_box;
 
 use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::level_of_detail::ResolvedBumps;
 use asperity_shading::material::{BrickWall, GlintField, Material};
 use asperity_shading::reflectance::{
-    BlinnPhongBrdf, BlinnPhongNormalization, CharlieSheen, EnergyCompensated, OrenNayar, OrenNayarVariant,
-    WardBrdf, WardNormalization, ZeltnerFuzz,
+    BlinnPhongBrdf, BlinnPhongNormalization, CharlieSheen, EnergyCompensated, FacetBrdf, OrenNayar,
+    OrenNayarVariant, WardBrdf, WardNormalization, ZeltnerFuzz,
 };
 use asperity_shading::texture::{Gas, StarWallpaper};
 use asperity_shading::{
     Beckmann, Brdf, Brick, Carpet, CarpetParameters, CookTorrance, Dielectric, EnergyPreservingOrenNayar,
-    Footprint, Ggx, Lambert, Marble, MetallicPaint, MetallicPaintParameters, Phong, PixelEllipse, Scratches,
-    ScratchesParameters, SurfacePoint, TemperedGlass, TemperedGlassParameters, TorranceSparrow, Variations,
-    VariationsParameters,
+    Footprint, Ggx, Lambert, Marble, MetallicPaint, MetallicPaintParameters, OpenPbr, OpenPbrParameters,
+    Phong, PixelEllipse, Scratches, ScratchesParameters, StandardMaterial, StandardMaterialParameters,
+    SurfacePoint, TemperedGlass, TemperedGlassParameters, TorranceSparrow, Variations, VariationsParameters,
 };
 use criterion::{Criterion, criterion_group, criterion_main};
 
@@ -101,5 +102,52 @@ fn reflectances(c: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, materials, textures, reflectances);
+/// The standard materials from afar, on resolved bumps, and with bumps of a field.
+fn standard_materials(c: &mut Criterion) {
+    let plastic = StandardMaterialParameters {
+        base_color: Vec3::new(0.6, 0.2, 0.1),
+        metallic: 0.0,
+        roughness: 0.5,
+        ..Default::default()
+    };
+    let varnished = StandardMaterialParameters { clearcoat: 1.0, clearcoat_roughness: 0.2, ..plastic };
+    let all = StandardMaterialParameters {
+        metallic: 0.3,
+        sheen_color: Vec3::splat(0.3),
+        sheen_roughness: 0.5,
+        transmission: 0.5,
+        thickness: 1.0,
+        anisotropy: 0.5,
+        ..varnished
+    };
+    let open_pbr = OpenPbrParameters { coat_weight: 0.5, fuzz_weight: 0.5, ..Default::default() };
+    let gltf = |p| StandardMaterial::new(p).expect("parameters in range");
+    let metal = gltf(StandardMaterialParameters { metallic: 1.0, ..plastic });
+    let all: [(&str, &dyn FacetBrdf); 5] = [
+        ("metal", &metal),
+        ("plastic", &gltf(plastic)),
+        ("varnished", &gltf(varnished)),
+        ("all", &gltf(all)),
+        ("open_pbr", &OpenPbr::new(open_pbr).expect("parameters in range")),
+    ];
+    let (wi, wo) = (Vec3::new(2.0, -3.0, 6.0) / 7.0, Vec3::new(-0.6, 0.0, 0.8));
+    let near = ResolvedBumps { z: Vec2::new(0.8, -0.3), variance: 0.75, blend: 1.0 };
+    for (name, material) in all {
+        for (place, bumps) in [("far", ResolvedBumps::FAR), ("near", near)] {
+            c.bench_function(&format!("standard/{name}/{place}/value"), |b| {
+                b.iter(|| black_box(material).eval_resolved(black_box(wo), black_box(wi), black_box(bumps)));
+            });
+            c.bench_function(&format!("standard/{name}/{place}/sample"), |b| {
+                let mut k = 0.0;
+                b.iter(|| {
+                    k = (k + 0.618_034) % 1.0;
+                    black_box(material).sample_resolved(black_box(wo), k, Vec2::new(k, 0.3), black_box(bumps))
+                });
+            });
+        }
+    }
+    c.bench_function("standard/new", |b| b.iter(|| StandardMaterial::new_clamped(black_box(plastic))));
+}
+
+criterion_group!(benches, materials, textures, reflectances, standard_materials);
 criterion_main!(benches);

@@ -50,7 +50,7 @@
 //! | [`pixel`] | round and elliptic pixel footprints; the number of resolved octaves | [`Footprint`], [`PixelEllipse`] |
 //! | [`mod@bump`] | surface gradients, bumped normals, displacement, facets from slopes | |
 //! | [`level_of_detail`] | bump maps from Gaussian noise: the resolved part, and two rules to shade the rest | [`BumpField`], [`LevelOfDetail`], [`far_field`] |
-//! | [`reflectance`] | BRDFs with sampling, Fresnel terms, [`Bsdf`]: layers of lobes around the normals of unresolved bumps, under an optional coat | [`Brdf`], [`Bsdf`], [`Lambert`], [`EnergyPreservingOrenNayar`], [`CookTorrance`], [`TorranceSparrow`], [`Phong`], [`Fresnel`], [`Dielectric`], [`Conductor`], [`Schlick`] |
+//! | [`reflectance`] | BRDFs with sampling, Fresnel terms, [`Bsdf`]: layers of lobes around the normals of unresolved bumps, under an optional coat | [`Brdf`], [`Bsdf`], [`Lambert`], [`EnergyPreservingOrenNayar`], [`CookTorrance`], [`TorranceSparrow`], [`Phong`], [`Fresnel`], [`Dielectric`], [`Conductor`], [`Schlick`], [`StandardMaterial`], [`OpenPbr`] |
 //! | [`environment`] | environment maps (HDRI) with importance sampling; irradiance, prefiltered maps, split sum | [`Environment`], [`EnvironmentMap`], [`Irradiance`], [`reflected_radiance`] |
 //! | [`normal_map`] | normal maps at every zoom, filtered by the moments of their slopes (LEAN mapping with several lobes) | [`SlopePyramid`] |
 //! | [`texture`] | bricks, bevels, stars, marble, perturbed images, gas | [`Brick`], [`Marble`] |
@@ -137,7 +137,7 @@ pub use material::{
 pub use normal_map::SlopePyramid;
 pub use pixel::{Footprint, PixelEllipse};
 pub use reflectance::{
-    Brdf, Bsdf, Conductor, CookTorrance, Dielectric, EnergyPreservingOrenNayar, Fresnel, Lambert, Phong,
-    Schlick, TorranceSparrow,
+    Brdf, Bsdf, Conductor, CookTorrance, Dielectric, EnergyPreservingOrenNayar, Fresnel, Lambert, OpenPbr,
+    OpenPbrParameters, Phong, Schlick, StandardMaterial, StandardMaterialParameters, TorranceSparrow,
 };
 pub use texture::{Brick, Marble};

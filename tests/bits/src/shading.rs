@@ -10,8 +10,8 @@ use asperity_shading::texture::{Gas, StarWallpaper};
 use asperity_shading::{
     Brdf, Brick, BumpField, Carpet, Conductor, CookTorrance, Dielectric, EnergyPreservingOrenNayar,
     Environment, EnvironmentMap, Footprint, Frame, Irradiance, Lambert, LevelOfDetail, Marble, Material,
-    MetallicPaint, Phong, Scratches, SlopePyramid, SurfacePoint, TemperedGlass, TorranceSparrow, Variations,
-    far_field,
+    MetallicPaint, OpenPbr, OpenPbrParameters, Phong, Scratches, SlopePyramid, StandardMaterial,
+    StandardMaterialParameters, SurfacePoint, TemperedGlass, TorranceSparrow, Variations, far_field,
 };
 
 use crate::digest::{Report, direction, plane, space, square, unit};
@@ -23,7 +23,28 @@ fn reflectances(report: &mut Report) -> Option<()> {
     let albedo = Vec3::new(0.8, 0.5, 0.1);
     let (ggx, beckmann) = (Ggx::new(0.2, 0.4).ok()?, Beckmann::new(0.2, 0.4).ok()?);
     let (glass, gold) = (Dielectric::new(1.5).ok()?, Conductor::new(0.2, 3.0).ok()?);
-    let all: [(&str, Box<dyn Brdf>); 8] = [
+    let varnished = StandardMaterialParameters {
+        base_color: albedo,
+        metallic: 0.4,
+        roughness: 0.5,
+        clearcoat: 0.7,
+        clearcoat_roughness: 0.3,
+        sheen_color: Vec3::splat(0.2),
+        sheen_roughness: 0.5,
+        transmission: 0.3,
+        anisotropy: 0.5,
+        anisotropy_rotation: 0.7,
+        ..Default::default()
+    };
+    let wet = OpenPbrParameters {
+        base_metalness: 0.3,
+        coat_weight: 0.8,
+        coat_color: albedo,
+        coat_roughness: 0.2,
+        fuzz_weight: 0.4,
+        ..Default::default()
+    };
+    let all: [(&str, Box<dyn Brdf>); 10] = [
         ("Lambert", Box::new(Lambert::new(albedo).ok()?)),
         ("EnergyPreservingOrenNayar", Box::new(EnergyPreservingOrenNayar::new(albedo, 0.6).ok()?)),
         ("OrenNayar", Box::new(OrenNayar::new(albedo, 0.6, OrenNayarVariant::Full).ok()?)),
@@ -31,6 +52,8 @@ fn reflectances(report: &mut Report) -> Option<()> {
         ("CookTorrance, Beckmann", Box::new(CookTorrance::new(beckmann, gold))),
         ("TorranceSparrow", Box::new(TorranceSparrow::new(beckmann, glass))),
         ("Phong", Box::new(Phong::new(albedo, 30.0).ok()?)),
+        ("StandardMaterial", Box::new(StandardMaterial::new(varnished).ok()?)),
+        ("OpenPbr", Box::new(OpenPbr::new(wet).ok()?)),
         ("WardReflection", Box::new(WardBrdf::new(albedo, 0.2, 0.4, WardNormalization::Bounded).ok()?)),
     ];
     for (name, brdf) in all {

@@ -84,7 +84,7 @@ fn resolved(z: [f64; 2], variance: f32) -> ResolvedBumps {
 }
 
 /// The mean over Gaussian bumps at one pair of directions, by the trapezoid rule on ±6.
-fn mean(brdf: &dyn FacetBrdf, wo: Vec3, wi: Vec3, variance: f32) -> f64 {
+pub(crate) fn mean(brdf: &dyn FacetBrdf, wo: Vec3, wi: Vec3, variance: f32) -> f64 {
     const SIDE: i16 = 72;
     let step = 6.0 / f64::from(SIDE);
     let mut sum = 0.0;

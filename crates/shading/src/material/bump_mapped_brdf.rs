@@ -40,6 +40,9 @@ pub struct BumpMappedBrdf<B, F> {
 impl<B: FacetBrdf, F: GaussianField> Material for BumpMappedBrdf<B, F> {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let bumps = self.bumps.coordinates(point.position, &point.frame(), point.footprint());
-        Bsdf::new(point.frame(), wo).with([Facet::FLAT], [Lobe::bumps(&self.brdf, bumps)])
+        let frame = point.frame();
+        Bsdf::new(frame, wo)
+            .with([Facet::FLAT], [Lobe::bumps(&self.brdf, bumps)])
+            .with_emitted(self.brdf.emitted(frame.to_local(wo)))
     }
 }

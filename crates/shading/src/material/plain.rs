@@ -4,11 +4,12 @@ use asperity_ndf_sampling::{Microfacet, Ndf};
 use glam::Vec3;
 
 use crate::bump::Facet;
+use crate::level_of_detail::ResolvedBumps;
 use crate::material::interface::Material;
 use crate::material::surface_point::SurfacePoint;
 use crate::reflectance::{
-    BlinnPhongBrdf, Brdf, Bsdf, Coat, CookTorrance, EnergyPreservingOrenNayar, Fresnel, Lambert, OrenNayar,
-    Phong, TorranceSparrow, WardBrdf,
+    BlinnPhongBrdf, Brdf, Bsdf, Coat, CookTorrance, EnergyPreservingOrenNayar, Fresnel, Lambert, OpenPbr,
+    OrenNayar, Phong, StandardMaterial, TorranceSparrow, WardBrdf,
 };
 
 macro_rules! alike_everywhere {
@@ -34,3 +35,17 @@ impl Material for Coat {
         Bsdf::new(point.frame(), wo).with_coat(*self)
     }
 }
+
+macro_rules! layered {
+    ($($material:ident)*) => {
+        $(
+            impl Material for $material {
+                fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+                    self.bsdf_at(point.frame(), wo, ResolvedBumps::FAR)
+                }
+            }
+        )*
+    };
+}
+
+layered! { StandardMaterial OpenPbr }

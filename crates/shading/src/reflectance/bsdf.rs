@@ -4,10 +4,13 @@ use asperity_ndf_sampling::Frame;
 use glam::{Vec2, Vec3};
 
 use crate::bump::{Facet, flip_to_visible};
+use crate::level_of_detail::ResolvedBumps;
 use crate::math::clamp_to;
 use crate::reflectance::brdf::{Brdf, BsdfSample, are_above, finite, have_sides};
 use crate::reflectance::coat::Coat;
+use crate::reflectance::facet_brdf::FacetBrdf;
 use crate::reflectance::lobe::{Lobe, LobePart};
+use crate::reflectance::standard::layers::Layers;
 
 /// The maximum number of facets; further ones are merged with the nearest.
 const FACETS: usize = 32;
@@ -73,6 +76,8 @@ pub struct Bsdf<'a> {
     lobes: [Option<Lobe<'a>>; LOBES],
     layers: [Layer; LAYERS],
     layer_count: usize,
+    /// A standard material in place of layers, stored once because it is large.
+    standard: Option<(Layers, ResolvedBumps)>,
     coat: Option<Coat>,
     emitted: Vec3,
     /// Whether any lobe transmits.
@@ -103,10 +108,18 @@ impl<'a> Bsdf<'a> {
             lobes: [const { None }; LOBES],
             layers: [Layer::default(); LAYERS],
             layer_count: 0,
+            standard: None,
             coat: None,
             emitted: Vec3::ZERO,
             transmits: false,
         }
+    }
+
+    /// The BSDF of a standard material.
+    pub(super) fn of_layers(frame: Frame, wo: Vec3, layers: Layers, bumps: ResolvedBumps) -> Self {
+        let bsdf = Self::new(frame, wo);
+        let (emitted, transmits) = (layers.emitted(bsdf.wo), layers.transmits());
+        Self { standard: Some((layers, bumps)), transmits, ..bsdf }.with_emitted(emitted)
     }
 
     /// Adds a layer: each lobe is evaluated in each facet's frame.
@@ -307,6 +320,9 @@ impl<'a> Bsdf<'a> {
             }
             sum += if layer.in_coat { light } else { light * through };
         }
+        if let Some((layers, bumps)) = &self.standard {
+            sum += layers.eval_resolved(wo, wi, *bumps) * (wi.z.abs() * through);
+        }
         sum.map(finite)
     }
 
@@ -326,7 +342,9 @@ impl<'a> Bsdf<'a> {
             })
         });
         let smooth = self.coat.filter(|coat| !coat.is_rough());
-        layers.chain(smooth.into_iter().flat_map(|coat| {
+        // A standard material has more parameters than a part.
+        let standard = self.standard.map(|_| (1.0, Vec3::Z, None));
+        layers.chain(standard).chain(smooth.into_iter().flat_map(|coat| {
             coat.facets().map(move |facet| (facet.weight, facet.normal, coat.smooth_part()))
         }))
     }
@@ -365,7 +383,13 @@ impl<'a> Bsdf<'a> {
 
     /// The sum of the relative probabilities of specular samples and of lobes.
     fn total_chance(&self, wo: Vec3) -> f32 {
-        self.specular_chance(wo) + self.chances(wo).map(|(chance, ..)| chance).sum::<f32>()
+        let lobes = self.chances(wo).map(|(chance, ..)| chance).sum::<f32>();
+        self.specular_chance(wo) + self.standard_chance() + lobes
+    }
+
+    /// The relative probability of the standard material.
+    fn standard_chance(&self) -> f32 {
+        if self.standard.is_some() { 1.0 } else { 0.0 }
     }
 
     fn local_sample(&self, wo: Vec3, uc: f32, u: Vec2) -> Option<BsdfSample> {
@@ -376,6 +400,18 @@ impl<'a> Bsdf<'a> {
             return mirrored.filter(|sample| place < sample.pdf * total).or(transmitted).or(mirrored);
         }
         place -= specular;
+        if let Some((layers, bumps)) = self.standard.as_ref().filter(|_| place < 1.0) {
+            let sample = layers.sample_resolved(wo, place, u, *bumps)?;
+            // Alone, with its own value and pdf.
+            let alone = self.layer_count == 0 && self.coat.is_none();
+            return if alone {
+                Some(sample)
+            } else {
+                let wi = sample.wi;
+                BsdfSample::with_pdf(wo, wi, self.local_pdf(wo, wi), || self.local_eval_cos(wo, wi))
+            };
+        }
+        place -= self.standard_chance();
         let mut last = None;
         for (chance, frame, lobe) in self.chances(wo).filter(|(chance, ..)| *chance > 0.0) {
             last = Some((chance / total, frame, lobe, (place / chance).min(0.999_999_94)));
@@ -411,7 +447,10 @@ impl<'a> Bsdf<'a> {
         if !(are_above(wi, wo) || self.transmits && have_sides(wi, wo)) {
             return 0.0;
         }
-        let (mut sum, mut total) = (0.0, self.specular_chance(wo));
+        let (mut sum, mut total) = (0.0, self.specular_chance(wo) + self.standard_chance());
+        if let Some((layers, bumps)) = &self.standard {
+            sum += layers.pdf_resolved(wo, wi, *bumps);
+        }
         for (chance, frame, lobe) in self.chances(wo) {
             total += chance;
             let local = [frame.to_local(wi), frame.to_local(wo)];

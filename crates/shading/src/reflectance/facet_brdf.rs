@@ -57,6 +57,13 @@ pub trait FacetBrdf: Brdf {
     /// The density of [`sample_resolved`](Self::sample_resolved) over solid angle, in sr⁻¹.
     #[must_use]
     fn pdf_resolved(&self, wo: Vec3, wi: Vec3, bumps: ResolvedBumps) -> f32;
+
+    /// The radiance emitted towards `wo` regardless of the light. Default: none.
+    #[must_use]
+    fn emitted(&self, wo: Vec3) -> Vec3 {
+        let _ = wo;
+        Vec3::ZERO
+    }
 }
 
 impl<B: FacetBrdf + ?Sized> FacetBrdf for &B {
@@ -70,6 +77,10 @@ impl<B: FacetBrdf + ?Sized> FacetBrdf for &B {
 
     fn pdf_resolved(&self, wo: Vec3, wi: Vec3, bumps: ResolvedBumps) -> f32 {
         (**self).pdf_resolved(wo, wi, bumps)
+    }
+
+    fn emitted(&self, wo: Vec3) -> Vec3 {
+        (**self).emitted(wo)
     }
 }
 

@@ -1,4 +1,4 @@
-//! BRDFs and BSDFs: the trait and models, smooth and rough, diffuse and glossy, with sampling.
+//! BRDFs and BSDFs: the trait and models, smooth and rough, diffuse and glossy, complete materials, with sampling.
 
 mod absorption;
 pub(crate) mod brdf;
@@ -13,6 +13,7 @@ mod fuzz;
 pub(crate) mod lobe;
 mod phong;
 mod rough_dielectric;
+mod standard;
 mod torrance_sparrow;
 mod ward;
 
@@ -32,5 +33,6 @@ pub use lobe::Lobe;
 pub(crate) use lobe::LobePart;
 pub use phong::{BlinnPhongBrdf, BlinnPhongNormalization, Phong};
 pub use rough_dielectric::RoughDielectric;
+pub use standard::{OpenPbr, OpenPbrParameters, StandardMaterial, StandardMaterialParameters};
 pub use torrance_sparrow::TorranceSparrow;
 pub use ward::{WardBrdf, WardNormalization};

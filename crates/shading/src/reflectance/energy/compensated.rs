@@ -112,7 +112,7 @@ fn in_range(albedo: f32) -> f32 {
 }
 
 /// `F_ms` of a mean reflectance of facets and a mean albedo.
-fn multiple_bounces(f_avg: Vec3, e_avg: f32) -> Vec3 {
+pub(in crate::reflectance) fn multiple_bounces(f_avg: Vec3, e_avg: f32) -> Vec3 {
     let (f_avg, e_avg) = (f_avg.clamp(Vec3::ZERO, Vec3::ONE), in_range(e_avg));
     f_avg * e_avg / (Vec3::ONE - f_avg * (1.0 - e_avg))
 }
@@ -152,5 +152,9 @@ impl<B: FacetBrdf, E: DirectionalAlbedo> FacetBrdf for EnergyCompensated<B, E> {
 
     fn pdf_resolved(&self, wo: Vec3, wi: Vec3, bumps: ResolvedBumps) -> f32 {
         self.brdf.pdf_resolved(wo, wi, bumps)
+    }
+
+    fn emitted(&self, wo: Vec3) -> Vec3 {
+        self.brdf.emitted(wo)
     }
 }

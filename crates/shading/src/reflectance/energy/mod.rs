@@ -13,5 +13,6 @@ pub use albedo::{DirectionalAlbedo, directional_albedo};
 #[cfg(feature = "alloc")]
 pub use albedo_table::AlbedoTable;
 pub use compensated::EnergyCompensated;
+pub(super) use compensated::multiple_bounces;
 pub use ggx::GgxAlbedo;
 pub use glass::GlassAlbedo;

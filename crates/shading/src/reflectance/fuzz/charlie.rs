@@ -52,16 +52,17 @@ pub struct CharlieSheen {
     fit: [f32; 5],
 }
 
-/// The minimum roughness.
-const LEAST: f32 = 0.07;
-
 impl CharlieSheen {
+    /// The minimum roughness.
+    pub const MIN_ALPHA: f32 = 0.07;
+
     /// Creates the sheen of this color and roughness.
     ///
     /// # Errors
     /// [`ShadingError`] unless the color is within `[0, 1]³` and the roughness within `[0.07, 1]`.
     pub fn new(color_of_fibers: Vec3, alpha: f32) -> Result<Self, ShadingError> {
-        let (color, alpha) = (color("color", color_of_fibers)?, within("alpha", alpha, [LEAST, 1.0])?);
+        let (color, alpha) =
+            (color("color", color_of_fibers)?, within("alpha", alpha, [Self::MIN_ALPHA, 1.0])?);
         let smooth = (1.0 - alpha) * (1.0 - alpha);
         let fit = [
             [21.547_3, 25.324_5],
@@ -80,7 +81,7 @@ impl CharlieSheen {
     #[must_use]
     pub fn albedo(&self, cos_theta: f32) -> Vec3 {
         let (column, across) = weights(sqrt(sqrt(clamp_to(cos_theta, 1.0))), CHARLIE[0].len());
-        let least = sqrt(LEAST);
+        let least = sqrt(Self::MIN_ALPHA);
         let (row, down) = weights((sqrt(self.alpha) - least) / (1.0 - least), CHARLIE.len());
         let sum = blend(down, |i| blend(across, |j| as_number(CHARLIE[row + i][column + j])));
         self.color * clamp_to(sum, 1.0)
