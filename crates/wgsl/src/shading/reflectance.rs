@@ -1,8 +1,8 @@
 //! Reflectances: Fresnel terms, diffuse and glossy models.
 
-use asperity_shading::gpu::CoatUniform;
+use asperity_shading::gpu::{CoatUniform, StandardMaterialUniform};
 
-use crate::ndf::{BECKMANN, ELEMENTARY, FRAME, GGX};
+use crate::ndf::{BECKMANN, ELEMENTARY, FRAME, GAUSSIAN_SPLIT, GGX, NORMAL_DISTRIBUTION};
 use crate::part::{Binding, Element, Part, part};
 use crate::shading::bump::{SLOPE_FACETS, SURFACE_GRADIENT};
 use crate::shading::{DIRECTION, MATH};
@@ -108,3 +108,24 @@ pub static COAT: Part = part!(
     ROUGH_DIELECTRIC,
     ELEMENTARY,
 );
+
+/// Fuzz over a coat over gloss, diffuse light and glass, with bumps that are exact at every zoom.
+static STANDARD_LAYERS: Part = part!(
+    "shading/reflectance/standard/layers",
+    CHARLIE_SHEEN,
+    ZELTNER_FUZZ,
+    COOK_TORRANCE_GGX,
+    ENERGY_PRESERVING,
+    GAUSSIAN_SPLIT,
+    NORMAL_DISTRIBUTION,
+    GGX_ALBEDO,
+    GLASS_ALBEDO,
+    ROUGH_DIELECTRIC,
+);
+
+/// The material of glTF 2.0, [`StandardMaterial`](asperity_shading::StandardMaterial): reflection
+/// and emission, with bumps that are exact at every zoom.
+///
+/// The light that crosses a transmitting surface is not part of it.
+pub static STANDARD_MATERIAL: Part =
+    part!("shading/reflectance/standard/standard_material", [StandardMaterialUniform], STANDARD_LAYERS);

@@ -16,6 +16,7 @@ mod mapped;
 mod material;
 mod noisy_texture;
 mod pixel;
+mod standard_material;
 mod texture;
 mod textured;
 
@@ -32,6 +33,7 @@ pub(super) fn cases() -> Vec<Case> {
         mapped::cases(),
         material::cases(),
         pixel::cases(),
+        standard_material::cases(),
         noisy_texture::cases(),
         texture::cases(),
         textured::cases(),
