@@ -8,4 +8,5 @@ pub(super) mod mean_radiance;
 pub(super) mod measured;
 pub(super) mod normal_maps;
 pub(super) mod reflectance;
+pub(super) mod standard_material;
 pub(super) mod visible_zoom;
