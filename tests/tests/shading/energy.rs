@@ -1,5 +1,7 @@
 //! Energy of BRDFs with every bounce: white and tinted furnaces, and the property tests.
 
+use core::f32::consts::FRAC_PI_8;
+
 use asperity_shading::check;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::ndf_sampling::Microfacet;
@@ -145,6 +147,50 @@ fn schlick_moment_is_that_of_the_integral() {
     println!("{worst:?}");
     // Measured: 4.0e-4, 7.3e-4 and 1.4e-4, all for α below 0.1.
     assert!(worst[0] < 5e-4 && worst[1] < 9e-4 && worst[2] < 2e-4, "{worst:?}");
+}
+
+/// Anisotropic mirrors: the albedo, the Schlick moment and the means, up to the ratios 4 and 10.
+#[test]
+fn anisotropic_mirrors_are_tabulated() {
+    let roughnesses =
+        [[0.1, 0.4], [0.4, 0.1], [0.3, 0.2], [0.08, 0.05], [1.0, 0.25], [0.6, 0.45], [0.1, 1.0]];
+    let cases = roughnesses.into_par_iter().map(|[x, y]| {
+        let ggx = Ggx::new(x, y).expect(VALID);
+        let table = GgxAlbedo::new(&ggx);
+        let white = CookTorrance::new(ggx, Vec3::ONE);
+        let glass = CookTorrance::new(ggx, Schlick::new(0.04).expect(VALID));
+        let mut worst = [0.0_f32; 4];
+        let mut means = [0.0_f32; 2];
+        for (z, turn) in
+            COSINES.into_iter().flat_map(|z| [0.0, 0.3, 0.8, 1.2, 1.57, 4.0].map(|turn| (z, turn)))
+        {
+            let wo = view(z, turn);
+            let (e, e5) = (table.albedo(wo), table.schlick_moment(wo));
+            worst[0] = worst[0].max((e / directional_albedo(&white, wo, 1 << 15).x - 1.0).abs());
+            let exact = directional_albedo(&glass, wo, 1 << 15).x;
+            worst[1] = worst[1].max(((0.04 * (e - e5) + e5) / exact - 1.0).abs());
+        }
+        for (i, k) in (0..32).flat_map(|i| (0..16).map(move |k| (i, k))) {
+            let wo = view(((i as f32 + 0.5) / 32.0).sqrt(), (k as f32 + 0.5) * FRAC_PI_8);
+            means[0] += table.albedo(wo) / 512.0;
+            means[1] += table.schlick_moment(wo) / 512.0;
+        }
+        worst[2] = (table.mean_albedo() / means[0] - 1.0).abs();
+        worst[3] = (table.mean_schlick_moment() - means[1]).abs();
+        println!("{x}, {y}: {worst:?}");
+        (worst, x.max(y) > 4.1 * x.min(y))
+    });
+    let all: Vec<_> = cases.collect();
+    let worst = |wide: bool, k: usize| {
+        all.iter().filter(|case| case.1 == wide).map(|case| case.0[k]).fold(0.0, f32::max)
+    };
+    let [up_to_4, up_to_10] = [false, true].map(|wide| [0, 1, 2, 3].map(|k| worst(wide, k)));
+    println!("{up_to_4:?} {up_to_10:?}");
+    // Measured: [4.9e-3, 4.1e-2, 1.3e-3, 4.6e-4] and [2.7e-2, 0.152, 2.2e-3, 7.4e-4].
+    let within =
+        |worst: [f32; 4], limits: [f32; 4]| worst.into_iter().zip(limits).all(|(error, limit)| error < limit);
+    assert!(within(up_to_4, [5.5e-3, 5e-2, 2e-3, 8e-4]), "{up_to_4:?}");
+    assert!(within(up_to_10, [3e-2, 0.16, 3e-3, 8e-4]), "{up_to_10:?}");
 }
 
 /// All checks but reciprocity, which the factor gives up.

@@ -248,3 +248,36 @@ proptest! {
         }
     }
 }
+
+/// Metals of Mitsuba 3.9.1, whose masking is separable.
+#[test]
+fn conductors_match_mitsuba() {
+    let file = read("ndf/conductors.json");
+    let mut worst = [0.0; 2];
+    for item in file["items"].as_array().expect("an array") {
+        let three = |name: &str| <[f64; 3]>::try_from(numbers(&item[name])).expect("three").map(|x| x as f32);
+        let principled = item["plugin"] == "principled";
+        let metal: Box<dyn Brdf> = if principled {
+            let [roughness, anisotropic] =
+                ["roughness", "anisotropic"].map(|name| item[name].as_f64().expect("a number"));
+            let (alpha, aspect) = (roughness * roughness, (1.0 - 0.9 * anisotropic).sqrt());
+            let ggx = Ggx::new((alpha / aspect) as f32, (alpha * aspect) as f32).expect("roughnesses");
+            let base = three("base").map(|f0| Schlick::new(f0).expect("a reflectance"));
+            Box::new(CookTorrance::new(ggx, base).with_masking(Masking::Separable))
+        } else {
+            let alpha = numbers(&item["alpha"]);
+            let ggx = Ggx::new(alpha[0] as f32, alpha[1] as f32).expect("roughnesses");
+            let (eta, k) = (three("eta"), three("k"));
+            let gold = [0, 1, 2].map(|c| Conductor::new(eta[c], k[c]).expect("a metal"));
+            Box::new(CookTorrance::new(ggx, gold).with_masking(Masking::Separable))
+        };
+        for row in rows(&item["rows"]) {
+            let vector = |k: usize| Vec3::new(row[k] as f32, row[k + 1] as f32, row[k + 2] as f32);
+            let got = metal.eval(vector(0), vector(3)).to_array();
+            for (got, &expected) in got.into_iter().zip(&row[6..]) {
+                close(&mut worst[usize::from(principled)], got, expected, || format!("{item:.80} {row:?}"));
+            }
+        }
+    }
+    println!("roughconductor, principled: {worst:?}");
+}

@@ -86,7 +86,7 @@ impl<B: Brdf, E: DirectionalAlbedo> EnergyCompensated<B, E> {
 impl<F: Fresnel> EnergyCompensated<CookTorrance<Ggx, F>, GgxAlbedo> {
     /// GGX mirrors with every bounce.
     ///
-    /// The table is isotropic: see [`GgxAlbedo`] for the accuracy with anisotropic facets.
+    /// See [`GgxAlbedo`] for the accuracy with anisotropic facets.
     #[must_use]
     pub fn metal(ggx: Ggx, fresnel: F) -> Self {
         let albedo = GgxAlbedo::new(&ggx);
