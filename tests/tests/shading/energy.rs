@@ -193,6 +193,27 @@ fn anisotropic_mirrors_are_tabulated() {
     assert!(within(up_to_10, [3e-2, 0.16, 3e-3, 8e-4]), "{up_to_10:?}");
 }
 
+/// Anisotropic glass is read as isotropic.
+#[test]
+fn anisotropic_glass_is_approximated() {
+    let worst = |x, y, side: f32| {
+        let (ggx, index) = (Ggx::new(x, y).expect(VALID), Dielectric::new(1.5).expect(VALID));
+        let (glass, table) = (RoughDielectric::new(ggx, index), GlassAlbedo::new(&ggx, &index));
+        let views =
+            COSINES.into_par_iter().flat_map_iter(|z| [0.0, 0.4, 0.8, 1.2, 1.57].map(|turn| (z, turn)));
+        let error = views.map(|(z, turn)| {
+            let wo = side * view(z, turn);
+            (table.albedo(wo) / directional_albedo(&glass, wo, 1 << 14).x - 1.0).abs()
+        });
+        error.reduce(|| 0.0, f32::max)
+    };
+    for (x, y, limits) in [(0.2, 0.4, [0.03, 0.07]), (0.1, 0.4, [0.04, 0.12]), (1.0, 0.1, [0.09, 0.32])] {
+        let errors = [1.0, -1.0].map(|side| worst(x, y, side));
+        println!("{x}, {y}: {errors:?}");
+        assert!(errors[0] < limits[0] && errors[1] < limits[1], "{errors:?}");
+    }
+}
+
 /// All checks but reciprocity, which the factor gives up.
 #[test]
 fn compensated_brdfs_pass_the_checks() {

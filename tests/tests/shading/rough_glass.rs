@@ -10,10 +10,11 @@ use asperity_shading::glam::{DVec3, Vec2, Vec3};
 use asperity_shading::ndf_sampling::{
     Beckmann, Masked, Measure, Microfacet, NdfMap, Reconstruction, StudentT,
 };
-use asperity_shading::reflectance::{Bsdf, Coat, Lobe, RoughDielectric};
-use asperity_shading::{Brdf, Dielectric, Ggx, Lambert};
+use asperity_shading::reflectance::{Bsdf, Coat, EnergyCompensated, Lobe, RoughDielectric};
+use asperity_shading::{Brdf, CookTorrance, Dielectric, Ggx, Lambert};
 use asperity_shading::{Footprint, Material, Ndf, SurfacePoint};
 use asperity_tests::assert_abs_diff_eq;
+use asperity_tests::low_discrepancy::r2;
 use asperity_tests::random::Random;
 use asperity_tests::reference::{numbers, read, rows};
 use asperity_tests::sphere_bins::SphereBins;
@@ -398,5 +399,137 @@ fn directions_without_a_side_are_dark() {
             let sample = glass.sample(wo, 0.5, Vec2::splat(0.5));
             assert!(sample.is_none_or(|sample| sample.wi.is_finite()), "{index}");
         }
+    }
+}
+
+/// Visible normals of GGX as Heitz 2018 samples them, *Sampling the GGX Distribution of Visible
+/// Normals*, listing 1: projected onto a disk.
+#[derive(Clone, Copy)]
+struct Disk(Ggx);
+
+impl Ndf for Disk {
+    fn d(&self, m: Vec3) -> f32 {
+        self.0.d(m)
+    }
+
+    fn warp_gaussian(&self, z: Vec2) -> Vec3 {
+        self.0.warp_gaussian(z)
+    }
+
+    fn invert(&self, m: Vec3) -> Vec2 {
+        self.0.invert(m)
+    }
+}
+
+impl Microfacet for Disk {
+    fn lambda(&self, v: Vec3) -> f32 {
+        self.0.lambda(v)
+    }
+
+    fn projected_area(&self, v: Vec3) -> f32 {
+        self.0.projected_area(v)
+    }
+
+    fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3 {
+        let stretch = Vec3::new(self.0.alpha_x(), self.0.alpha_y(), 1.0);
+        let w = (v * stretch).normalize();
+        let across = Vec2::new(-w.y, w.x);
+        let x = if across == Vec2::ZERO { Vec3::X } else { across.normalize().extend(0.0) };
+        let y = w.cross(x);
+        let (radius, (sin, cos)) = (u.x.sqrt(), (TAU as f32 * u.y).sin_cos());
+        let (p, s) = (radius * cos, 0.5 * (1.0 + w.z));
+        let q = (1.0 - s) * (1.0 - p * p).sqrt() + s * radius * sin;
+        let m = x * p + y * q + w * (1.0 - p * p - q * q).max(0.0).sqrt();
+        Vec3::new(m.x * stretch.x, m.y * stretch.y, m.z.max(1e-6)).normalize()
+    }
+}
+
+/// The transmittance of a path through a slab of glass with two rough surfaces.
+fn through_slab(top: &dyn Brdf, bottom: &dyn Brdf, wo: Vec3, mut uniform: impl FnMut() -> f32) -> f64 {
+    let mut weight = 1.0;
+    let (mut w, mut at_top) = (wo, true);
+    for _ in 0..64 {
+        // The normal of the bottom points down.
+        let flip = Vec3::new(1.0, 1.0, if at_top { 1.0 } else { -1.0 });
+        let surface = if at_top { top } else { bottom };
+        let (uc, u) = (uniform(), Vec2::new(uniform(), uniform()));
+        let Some(sample) = surface.sample(w * flip, uc, u) else { return 0.0 };
+        weight *= f64::from(sample.weight().x);
+        let leaving = sample.wi * flip;
+        if (leaving.z > 0.0) == at_top {
+            return if at_top { 0.0 } else { weight };
+        }
+        (w, at_top) = (-leaving, !at_top);
+    }
+    0.0
+}
+
+/// The variance of estimates beside the sampling of visible normals of 2018: a rough slab, a white
+/// furnace, and a slab with every bounce between facets.
+///
+/// Each estimate is the mean of 64 points of a shifted lattice for the first facet. Printed are the
+/// mean, the variance of a path, and 64 times that of an estimate.
+#[test]
+#[ignore = "slow: weekly"]
+fn variance_beside_disks() {
+    const ESTIMATES: u32 = 4000;
+    const POINTS: u32 = 64;
+    let figures = |estimate: &(dyn Fn(u32) -> [f64; 2] + Sync)| {
+        let all: Vec<_> = (0..ESTIMATES).into_par_iter().map(estimate).collect();
+        let count = f64::from(ESTIMATES);
+        let mean = all.iter().map(|e| e[0]).sum::<f64>() / count;
+        let variance = all.iter().map(|e| (e[0] - mean).powi(2)).sum::<f64>() / count;
+        let single = all.iter().map(|e| e[1]).sum::<f64>() / count - mean * mean;
+        [mean, single, variance * f64::from(POINTS)]
+    };
+    let lattice = |k: u32, of: &dyn Fn(Vec2, &mut Random) -> f64| {
+        let mut random = Random(u64::from(k) + 1);
+        let shift = Vec2::new(random.uniform() as f32, random.uniform() as f32);
+        let [mut sum, mut squares] = [0.0; 2];
+        for i in 0..POINTS {
+            let u = (Vec2::from(r2(i).map(|u| u as f32)) + shift).fract();
+            let value = of(u, &mut random);
+            sum += value;
+            squares += value * value;
+        }
+        [sum / f64::from(POINTS), squares / f64::from(POINTS)]
+    };
+    let glass = Dielectric::new(1.5).expect(VALID);
+    for (alpha, theta) in [(0.1, 0.3), (0.3, 0.3), (0.3, 1.2), (0.6, 0.3), (0.6, 1.2)] {
+        let (ggx, wo) = (Ggx::isotropic(alpha).expect(VALID), direction(theta, 0.4));
+        let slab = |surface: &(dyn Brdf + Sync)| {
+            figures(&|k| {
+                lattice(k, &|u, random| {
+                    let mut first = [u.x, u.y].into_iter();
+                    // The choice of a lobe is random; then come both numbers of the first facet.
+                    let mut count = 0;
+                    through_slab(surface, surface, wo, || {
+                        count += 1;
+                        if count == 1 { None } else { first.next() }
+                            .unwrap_or_else(|| random.uniform() as f32)
+                    })
+                })
+            })
+        };
+        let mirror = |metal: &(dyn Brdf + Sync)| {
+            figures(&|k| {
+                lattice(k, &|u, _| metal.sample(wo, 0.5, u).map_or(0.0, |s| f64::from(s.weight().x)))
+            })
+        };
+        let ours = [
+            slab(&RoughDielectric::new(ggx, glass)),
+            mirror(&CookTorrance::new(ggx, Vec3::ONE)),
+            slab(&EnergyCompensated::glass(ggx, glass)),
+        ];
+        let theirs =
+            [slab(&RoughDielectric::new(Disk(ggx), glass)), mirror(&CookTorrance::new(Disk(ggx), Vec3::ONE))];
+        println!("α {alpha}, {theta} rad: caps {ours:.5?}, disk {theirs:.5?}");
+        for (ours, theirs) in ours.into_iter().zip(theirs) {
+            // Measured for the slab: equal, because both draw visible normals and most of the variance
+            // is the choice of reflection. For the furnace 0.29 to 0.65 of the variance of a path.
+            assert!((ours[0] - theirs[0]).abs() < 4e-3, "{ours:?} {theirs:?}");
+            assert!(ours[1] < 1.05 * theirs[1] + 1e-6, "{ours:?} {theirs:?}");
+        }
+        assert!(ours[2][0] > ours[0][0]);
     }
 }

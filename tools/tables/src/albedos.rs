@@ -201,9 +201,9 @@ fn spline<const N: usize>(counts: [usize; N], f: impl Fn([f64; N]) -> f64 + Sync
     let index = |entry: usize, axis: usize| entry / stride(axis) % counts[axis];
     let at = |entry: usize| f(std::array::from_fn(|axis| site(counts[axis], index(entry, axis))));
     let mut entries: Vec<f64> = (0..counts.iter().product()).into_par_iter().map(at).collect();
-    for axis in 0..N {
+    for (axis, &count) in counts.iter().enumerate() {
         for first in (0..entries.len()).filter(|&entry| index(entry, axis) == 0) {
-            interpolate(&mut entries[first..], stride(axis), counts[axis]);
+            interpolate(&mut entries[first..], stride(axis), count);
         }
     }
     entries

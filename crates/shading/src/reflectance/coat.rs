@@ -231,7 +231,7 @@ impl Coat {
     /// The fraction of light from one direction that reaches the layers.
     pub(super) fn through(&self, w: Vec3) -> f32 {
         match self.behind {
-            Behind::Clearcoat(fresnel) => 1.0 - fresnel.reflectance(w.dot(self.normal)),
+            Behind::Clearcoat(fresnel) => fresnel.transmittance(w.dot(self.normal)),
             _ => 1.0,
         }
     }

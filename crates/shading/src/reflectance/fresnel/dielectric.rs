@@ -96,6 +96,41 @@ impl Dielectric {
         let r_p = r_s * (c * sum - 1.0) / (c * difference + 1.0);
         reflectance_or_mirror(0.5 * (r_s * r_s + r_p * r_p))
     }
+
+    /// The transmittance for unpolarized light, `1 − F` without its cancellation.
+    ///
+    /// ```text
+    /// 1 − F = 2 c g (1/(c + g)² + (η/(η² c + g))²),   g = √(η² − 1 + c²) = η cos θ_t,   c = cos θ_i
+    /// ```
+    ///
+    /// - **Domain:** as for [`reflectance`](Self::reflectance).
+    /// - **Range:** `[0, 1]`, dimensionless; 0 at the horizon and under total internal reflection,
+    ///   1 for equal indices.
+    /// - **Accuracy:** 10⁻⁶ relative for indices of at least 1, at every angle.
+    ///
+    /// The sum of `4 η cos θ_i cos θ_t/(…)²` of both polarizations, Fresnel's equations.
+    ///
+    /// ```
+    /// use asperity_shading::Dielectric;
+    ///
+    /// let glass = Dielectric::new(1.5)?;
+    /// assert!((glass.transmittance(1.0) - 0.96).abs() < 1e-6);
+    /// // 1 − F has lost half of its digits here.
+    /// assert!((glass.transmittance(1e-4) / 5.811_837e-4 - 1.0).abs() < 1e-5);
+    /// # Ok::<(), asperity_shading::ShadingError>(())
+    /// ```
+    #[must_use]
+    pub fn transmittance(&self, cos_theta: f32) -> f32 {
+        let eta = self.relative_index;
+        if eta == 1.0 {
+            return 1.0;
+        }
+        let c = clamp_to(cos_theta, 1.0);
+        let g = sqrt(((eta - 1.0) * (eta + 1.0) + c * c).max(0.0));
+        let (s, p) = (1.0 / (c + g), eta / (eta * eta * c + g));
+        // An overflow is the limit of a perfect mirror.
+        clamp_to(2.0 * c * g * (s * s + p * p), 1.0)
+    }
 }
 
 channels!(Dielectric);
@@ -114,6 +149,28 @@ mod tests {
             // Measured: 6.0e-6, at c = 0.02, where c_t is near the critical angle and ill
             // conditioned.
             assert!(difference.abs() < 1e-4, "cos = {c}: {difference}");
+        }
+    }
+
+    #[test]
+    fn transmittance_is_the_rest_of_the_reflectance() {
+        for (eta, i) in
+            [1.001_f32, 1.05, 1.5, 2.4, 50.0].into_iter().flat_map(|eta| (1..=400).map(move |i| (eta, i)))
+        {
+            let c = (i as f32 / 400.0).powi(4);
+            let (n, z) = (f64::from(eta), f64::from(c));
+            let g = (n * n - 1.0 + z * z).sqrt();
+            let [s, p] = [(g - z) / (g + z), (n * n * z - g) / (n * n * z + g)];
+            let (s, p) = (1.0 - s * s, 1.0 - p * p);
+            let got = f64::from(Dielectric::new(eta).unwrap().transmittance(c));
+            // Measured: 4.2e-7. The reference has an error of 1e-16/z.
+            assert!((got / (0.5 * (s + p)) - 1.0).abs() < 1e-6, "{eta}, {c}: {got}");
+        }
+        let water = Dielectric::new(1.33).unwrap();
+        assert_eq!([water.transmittance(0.0), water.transmittance(f32::NAN)], [0.0; 2]);
+        assert_eq!(water.reversed().transmittance(0.5), 0.0);
+        for eta in [f32::MIN_POSITIVE, 1.0, f32::MAX] {
+            assert!((0.0..=1.0).contains(&Dielectric::new(eta).unwrap().transmittance(0.3)));
         }
     }
 

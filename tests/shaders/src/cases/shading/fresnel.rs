@@ -20,7 +20,7 @@ fn fresnel() -> Case {
     let cosine = bitcast<f32>(d.x);
     outcome.a = bits(vec4<f32>(schlick_reflectance(a.xyz, cosine), dielectric_reflectance(b.x, cosine)));
     outcome.b = bits(vec4<f32>(schlick_f82_reflectance(a.xyz, bitcast<vec3<f32>>(c.xyz), cosine), conductor_reflectance(b.y, b.z, cosine)));
-    outcome.c = bits(vec4<f32>(dielectric_reversed(b.x), 0.0, 0.0, 0.0));"
+    outcome.c = bits(vec4<f32>(dielectric_reversed(b.x), dielectric_transmittance(b.x, cosine), 0.0, 0.0));"
             .into(),
         resources: vec![],
         // Parameters are valid, as accepted by constructors.
@@ -60,13 +60,14 @@ fn fresnel() -> Case {
             let last = |rgb: Vec3, last: f32| rgb.extend(last).to_array();
             let first = last(schlick.reflectance_rgb(cosine), dielectric.reflectance(cosine));
             let second = last(tinted.reflectance_rgb(cosine), conductor.reflectance(cosine));
-            words(&[first, second, [dielectric.reversed().relative_index(), 0.0, 0.0, 0.0]].concat())
+            words(&[first, second, [dielectric.reversed().relative_index(), dielectric.transmittance(cosine), 0.0, 0.0]].concat())
         }),
         outputs: vec![
             equal("Schlick", 0..3, Bound::Absolute(5e-7)),
             equal("dielectric", 3..4, Bound::Absolute(2e-5)),
             equal("Schlick, tinted", 4..7, Bound::Absolute(5e-6)),
             equal("conductor", 7..8, Bound::Absolute(2e-5)),
+            equal("transmittance", 9..10, Bound::Relative(2e-5)),
             equal("reversed", 8..9, Bound::Relative(5e-7)),
         ],
     }

@@ -56,7 +56,7 @@ fn coat_facet(normal: vec3<f32>, slope_variance: f32, wo: vec3<f32>, u: vec2<f32
 // The fraction of light from one direction that a coat transmits to the layers below.
 fn coat_transmittance(coat: Coat, w: vec3<f32>) -> f32 {
     if coat.kind == COAT_CLEARCOAT {
-        return 1.0 - dielectric_reflectance(coat.index, dot(w, coat.normal));
+        return dielectric_transmittance(coat.index, dot(w, coat.normal));
     }
     return 1.0;
 }

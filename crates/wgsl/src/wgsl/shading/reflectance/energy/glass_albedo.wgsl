@@ -18,7 +18,12 @@ fn glass_albedo_look_up(base: u32, slices: u32, rows: u32, columns: u32, index: 
 
 // E(wo) on the side of wo: `GlassAlbedo::albedo`, for the relative index eta > 0.
 fn glass_albedo(alpha: vec2<f32>, eta: f32, wo: vec3<f32>) -> f32 {
-    let a = energy_alpha(sqrt(alpha.x * alpha.y));
+    let x = energy_alpha(alpha.x) * energy_alpha(alpha.x);
+    let y = energy_alpha(alpha.y) * energy_alpha(alpha.y);
+    let along = wo.x * wo.x;
+    let share = math_clamped(along / (along + wo.y * wo.y), 1.0);
+    // The roughness of isotropic facets with about the same albedo.
+    let a = sqrt(0.5 * (y + share * (x - y)) + 0.25 * (x + y));
     let index = clamp(max(eta, 1.0 / eta), 1.05, 2.5);
     let at = (sqrt(index - 1.0) - sqrt(1.05 - 1.0)) / (sqrt(2.5 - 1.0) - sqrt(1.05 - 1.0));
     let mu = math_clamped(abs(wo.z), 1.0);
