@@ -40,6 +40,7 @@ pub enum Command {
   asperity render --scene room --material carpet --tone plain --out carpet.exr
   asperity render --scene sphere --material glass --light studio.exr
   asperity render --scene sphere --ndf beckmann:0.3 --rule fractal --zoom 16 --size 1024
+  asperity render --mesh helmet.glb --light studio.hdr
   asperity render --mesh bunny.ply --ndf ward:0.1,0.3 --size 768
   asperity render --mesh house.obj --up z --material brick --light sky.hdr --noise 0.02
   asperity render --mesh part.stl --material paint --tint b02a1e --set orange_peel_strength=0.03
@@ -127,7 +128,7 @@ pub struct Render {
     /// Crease angle in degrees for meshes without normals [default: 40].
     #[arg(long, value_name = "DEGREES", requires = "mesh", value_parser = degrees)]
     pub crease: Option<f32>,
-    /// Material of the subject [default: depends on the scene].
+    /// Material of the subject [default: that of a .glb or .gltf file, else depends on the scene].
     #[arg(long, value_enum)]
     pub material: Option<Material>,
     /// Color of the material, sRGB in hexadecimal.

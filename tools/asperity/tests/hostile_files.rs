@@ -259,7 +259,14 @@ fn gltf_with_cycles_or_external_buffers_is_an_error() {
             {"componentType": 5121, "count": 3, "type": "SCALAR"},
         ]);
     });
-    let elsewhere = "glTF buffers must be embedded or in the glTF's folder";
+    let image = |file: &mut Value, uri: String| {
+        file["materials"] = json!([{"emissiveTexture": {"index": 0}}]);
+        file["textures"] = json!([{"source": 0}]);
+        file["images"] = json!([{"uri": uri}]);
+    };
+    let escaped = |bytes: Vec<u8>| bytes.iter().map(|byte| format!("%{byte:02x}")).collect::<String>();
+    let huge = format!("data:image/png,{}", escaped(png(16_384, 8192, &chunk(b"IDAT", &[]))));
+    let elsewhere = "glTF buffers and images must be embedded or in the glTF's folder";
     mesh(&[
         (
             "circle.gltf",
@@ -296,6 +303,8 @@ fn gltf_with_cycles_or_external_buffers_is_an_error() {
             "within its buffer",
         ),
         ("zeros.gltf", zeros, "the mesh is too large"),
+        ("image.gltf", gltf(&one, |file| image(file, "%2e%2e/secret.png".into())), elsewhere),
+        ("huge-image.gltf", gltf(&one, |file| image(file, huge)), "cannot read image 0 of the glTF: "),
     ]);
 }
 

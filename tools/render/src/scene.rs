@@ -12,6 +12,7 @@ use glam::{DVec3, Vec3};
 use crate::{
     geometry::{
         mesh::Probe,
+        mesh_file::materials::MeshMaterials,
         ray::{Hit, Ray},
         shape::{Met, Shape},
     },
@@ -22,10 +23,18 @@ use crate::{
 /// A material that threads can share.
 pub type Surface<'a> = dyn Material + Sync + 'a;
 
+/// What an object is made of.
+pub enum Finish<'a> {
+    /// One material.
+    Material(Box<Surface<'a>>),
+    /// The materials of a mesh file, some of which may be transparent.
+    Mesh(Arc<MeshMaterials>),
+}
+
 /// A shape with its material.
 pub struct Object<'a> {
     pub shape: Arc<Shape>,
-    pub material: Box<Surface<'a>>,
+    pub finish: Finish<'a>,
     /// The origin of the positions passed to its material.
     pub anchor: DVec3,
     /// The fraction of light that passes through the object into its shadow: for glass all of it,
@@ -38,8 +47,38 @@ pub struct Object<'a> {
 impl<'a> Object<'a> {
     /// Creates an object that casts a shadow, whose material receives world positions.
     pub fn new(shape: impl Into<Arc<Shape>>, material: impl Material + Sync + 'a) -> Self {
-        let (shape, material) = (shape.into(), Box::new(material));
-        Self { shape, material, anchor: DVec3::ZERO, passes: 0.0, body: None }
+        let (shape, finish) = (shape.into(), Finish::Material(Box::new(material)));
+        Self { shape, finish, anchor: DVec3::ZERO, passes: 0.0, body: None }
+    }
+
+    /// Creates a mesh with the materials of its file.
+    pub fn painted(shape: impl Into<Arc<Shape>>, materials: Arc<MeshMaterials>) -> Self {
+        let (shape, finish) = (shape.into(), Finish::Mesh(materials));
+        Self { shape, finish, anchor: DVec3::ZERO, passes: 0.0, body: None }
+    }
+
+    /// Returns the inside of the body whose surface a ray hits.
+    pub fn inside(&self, hit: &Hit) -> Option<Absorption> {
+        match &self.finish {
+            Finish::Material(_) => self.body,
+            Finish::Mesh(materials) => materials.body(hit),
+        }
+    }
+
+    /// Returns the BSDF of a hit at its point.
+    pub fn bsdf(&self, hit: &Hit, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        match &self.finish {
+            Finish::Material(material) => material.bsdf(point, wo),
+            Finish::Mesh(materials) => materials.bsdf(hit, point, wo),
+        }
+    }
+
+    /// Whether a ray in this direction meets the object at a hit, instead of passing through.
+    fn meets(&self, hit: &Hit, direction: Vec3) -> bool {
+        match &self.finish {
+            Finish::Material(_) => true,
+            Finish::Mesh(materials) => materials.meets(hit, direction),
+        }
     }
 
     /// Returns the object with material positions relative to an anchor, as for sums of octaves
@@ -55,6 +94,14 @@ impl<'a> Object<'a> {
     ) -> Self {
         Self::new(shape, Shaded(bsdf))
     }
+}
+
+/// Maximum number of transparent sheets along a ray.
+const SHEETS: u32 = 64;
+
+/// Returns the distance from which a ray continues behind a sheet at distance `t`.
+fn past(t: f32) -> f32 {
+    t + 1e-5 * t.max(1e-2)
 }
 
 /// A hit on an object.
@@ -112,25 +159,56 @@ impl<'m, 'l> Scene<'m, 'l> {
         Self { focus, ..self }
     }
 
-    /// Returns the nearest intersection of a ray with an object.
+    /// Returns the nearest intersection of a ray with an object that does not let it pass.
     pub fn intersect(&self, origin: Vec3, direction: Vec3) -> Option<Meeting<'_, 'm>> {
-        let probe = Probe::about(self.focus, origin, direction);
-        let mut nearest: Option<(&Object<'m>, Met)> = None;
-        for object in &self.objects {
-            let farthest = nearest.as_ref().map_or(f32::INFINITY, |(_, met)| met.distance());
-            if let Some(met) = object.shape.meets(&probe, farthest) {
-                nearest = Some((object, met));
+        let mut passed = 0.0;
+        for _ in 0..SHEETS {
+            let probe = Probe::about(self.focus, origin + passed * direction, direction);
+            let mut nearest: Option<(&Object<'m>, Met)> = None;
+            for object in &self.objects {
+                let farthest = nearest.as_ref().map_or(f32::INFINITY, |(_, met)| met.distance());
+                if let Some(met) = object.shape.meets(&probe, farthest) {
+                    nearest = Some((object, met));
+                }
             }
+            let (object, met) = nearest?;
+            let hit = object.shape.hit(&probe, met)?;
+            let hit = Hit { t: hit.t + passed, ..hit };
+            if object.meets(&hit, direction) {
+                return Some(Meeting { object, hit });
+            }
+            passed = past(hit.t);
         }
-        let (object, met) = nearest?;
-        object.shape.hit(&probe, met).map(|hit| Meeting { object, hit })
+        None
     }
 
     /// Returns the fraction of the light from a direction that reaches a point.
     pub fn open(&self, origin: Vec3, direction: Vec3) -> f32 {
         let probe = Probe::about(self.focus, origin, direction);
         let hides = |object: &&Object<'_>| object.passes < 1.0 && object.shape.hides(&probe);
-        self.objects.iter().filter(hides).map(|object| object.passes).product()
+        let passes = |object: &Object<'_>| match &object.finish {
+            Finish::Mesh(materials) if materials.let_light_through() => {
+                self.through(&object.shape, materials, origin, direction)
+            }
+            _ => object.passes,
+        };
+        self.objects.iter().filter(hides).map(passes).product()
+    }
+
+    /// Returns the fraction of light that passes through all sheets of a mesh.
+    fn through(&self, shape: &Shape, materials: &MeshMaterials, origin: Vec3, direction: Vec3) -> f32 {
+        let (mut open, mut passed) = (1.0, 0.0);
+        for _ in 0..SHEETS {
+            let probe = Probe::about(self.focus, origin + passed * direction, direction);
+            let met = shape.meets(&probe, f32::INFINITY);
+            let Some(hit) = met.and_then(|met| shape.hit(&probe, met)) else { return open };
+            open *= materials.passes(&hit, direction);
+            if open == 0.0 {
+                break;
+            }
+            passed = past(hit.t + passed);
+        }
+        0.0
     }
 
     /// Returns the radiance behind the objects: for a camera ray through a position of the image,

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use asperity_render::geometry::mesh_file::materials::MeshMaterials;
 use asperity_render::geometry::{mesh::TracedMesh, mesh_file};
 use asperity_render::image::content::Content;
 use asperity_render::image::read::ImageFile;
@@ -9,21 +10,31 @@ use asperity_render::image::tone::linear;
 use asperity_shading::EnvironmentMap;
 use glam::Vec3;
 
-use asperity::cli::Render;
+use asperity::cli::{Material, Render};
 use asperity::failure::{Failure, Result};
 use asperity::progress;
 
 /// Minimum angle in degrees between triangles at which an edge stays sharp.
 const CREASE: f32 = 40.0;
 
-/// Loads a mesh, and returns whether it has texture coordinates.
-pub(super) fn opened(file: &Path, wanted: &Render, patterned: bool) -> Result<(TracedMesh, bool)> {
+/// A mesh of a file.
+pub(super) struct Opened {
+    pub(super) mesh: TracedMesh,
+    /// Whether it has texture coordinates.
+    pub(super) uv: bool,
+    /// The materials of the file, if no other is chosen and the file has some.
+    pub(super) materials: Option<MeshMaterials>,
+}
+
+/// Loads a mesh.
+pub(super) fn opened(file: &Path, wanted: &Render) -> Result<Opened> {
     let failed = |error: &dyn std::fmt::Display| Failure::from(format!("mesh `{}`: {error}", file.display()));
     let stl = file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("stl"));
     let up = wanted.up.unwrap_or(if stl { mesh_file::Up::Z } else { mesh_file::Up::Y });
     let crease = wanted.crease.unwrap_or(CREASE);
-    let mesh_file::MeshFile { mesh, normals, uv, thin, left_out } =
-        mesh_file::open(file, mesh_file::MeshReading { up, crease }).map_err(|error| failed(&error))?;
+    let reading = mesh_file::MeshReading { up, crease, materials: wanted.material.is_none() };
+    let mesh_file::MeshFile { mesh, normals, uv, thin, left_out, materials } =
+        mesh_file::open(file, reading).map_err(|error| failed(&error))?;
     if normals && wanted.crease.is_some() {
         return Err(failed(&"`--crease` has no effect because the mesh has normals"));
     }
@@ -41,12 +52,18 @@ pub(super) fn opened(file: &Path, wanted: &Render, patterned: bool) -> Result<(T
             "mesh `{name}` has no normals: smoothed up to a crease angle of {crease}° (set with --crease)"
         ));
     }
+    let patterned = wanted.material.is_some_and(patterned);
     if patterned && uv {
         progress::note(&format!("mesh `{name}`: the pattern uses texture coordinates, scaled to lengths"));
     } else if patterned {
         progress::note(&format!("mesh `{name}` has no texture coordinates: using triplanar mapping"));
     }
-    Ok((TracedMesh::new(mesh), uv))
+    Ok(Opened { mesh: TracedMesh::new(mesh), uv, materials })
+}
+
+/// Whether a material has a pattern in texture coordinates.
+pub(super) fn patterned(material: Material) -> bool {
+    matches!(material, Material::Carpet | Material::Scratched | Material::Brick | Material::Wallpaper)
 }
 
 /// Reads an environment map from an image file.

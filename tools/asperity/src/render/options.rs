@@ -8,8 +8,16 @@ use asperity::failure::Result;
 use asperity::input::images::Images;
 
 /// Returns an error for options without effect.
-pub(super) fn refuse_idle(wanted: &Render, material: Material, lamps: bool, format: Format) -> Result<()> {
-    let bumps = material == Material::Bumps;
+///
+/// Without a material, those of the mesh file are used.
+pub(super) fn refuse_idle(
+    wanted: &Render,
+    material: Option<Material>,
+    lamps: bool,
+    format: Format,
+) -> Result<()> {
+    let bumps = material == Some(Material::Bumps);
+    let file = material.is_none();
     if lamps && !matches!(wanted.scene, Set::Teapot | Set::Sphere | Set::Plane) {
         return Err(
             "`--light lamps` supports only the scenes teapot, sphere and plane; use `--light studio`".into(),
@@ -43,8 +51,12 @@ pub(super) fn refuse_idle(wanted: &Render, material: Material, lamps: bool, form
             "it applies to --normal-map",
         ),
         ("--blue", blue.is_some(), wanted.normal_map.is_some(), "it applies to --normal-map"),
+        ("--tint", wanted.tint.is_some(), !file, "the file defines its colors"),
+        ("--roughness", wanted.roughness.is_some(), !file, "the file defines its roughness"),
+        ("--set", !wanted.set.is_empty() && file, false, "the file defines its parameters"),
         ("--set", !wanted.set.is_empty(), !bumps, "bumps have separate options"),
-        ("--scale", wanted.scale.is_some(), material != Material::Chrome, "chrome has no pattern"),
+        ("--scale", wanted.scale.is_some(), !file, "the file defines its textures"),
+        ("--scale", wanted.scale.is_some(), material != Some(Material::Chrome), "chrome has no pattern"),
         ("--tone", wanted.tone.is_some(), !exr, "OpenEXR files store linear radiance"),
         ("--exposure", wanted.exposure.is_some(), !exr || lamps, "OpenEXR files store linear radiance"),
         (
@@ -56,6 +68,10 @@ pub(super) fn refuse_idle(wanted: &Render, material: Material, lamps: bool, form
     ];
     let idle = given.iter().find(|(_, given, used, _)| *given && !*used);
     idle.map_or(Ok(()), |(option, .., why)| {
+        let Some(material) = material else {
+            let why = format!("{option} has no effect with the materials of the mesh: {why}");
+            return Err(format!("{why}; choose another with --material").into());
+        };
         let name = format!("{material:?}").to_lowercase();
         Err(format!("{option} has no effect with --material {name}: {why}; see `--help-material {name}`")
             .into())
@@ -82,6 +98,48 @@ mod tests {
             Ok(())
         })?;
         Ok(bytes)
+    }
+
+    /// A glTF of one triangle with this base color.
+    fn triangle(color: [f32; 4]) -> String {
+        let json = serde_json::json!({
+            "asset": { "version": "2.0" }, "scenes": [{ "nodes": [0] }], "nodes": [{ "mesh": 0 }],
+            "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0 }, "material": 0 }] }],
+            "materials": [{ "pbrMetallicRoughness": { "baseColorFactor": color }, "doubleSided": true }],
+            "accessors": [{ "bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3" }],
+            "bufferViews": [{ "buffer": 0, "byteLength": 36 }],
+            "buffers": [{ "byteLength": 36, "uri": "data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA" }],
+        });
+        json.to_string()
+    }
+
+    #[test]
+    fn materials_of_a_mesh_are_used_unless_another_is_chosen() {
+        let folder = tempfile::tempdir().unwrap();
+        let [red, blue] = [[1.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0]].map(|color| {
+            let file = folder.path().join(format!("{}.gltf", color[0]));
+            std::fs::write(&file, triangle(color)).unwrap();
+            file.display().to_string()
+        });
+        let line = |mesh: &str, options: &str| format!("--mesh {mesh} --size 16 --spp 4 {options}");
+        assert!(bytes(&line(&red, "")).unwrap() != bytes(&line(&blue, "")).unwrap());
+        for options in ["--material plastic", "--material bumps --ndf ggx:0.5"] {
+            assert!(
+                bytes(&line(&red, options)).unwrap() == bytes(&line(&blue, options)).unwrap(),
+                "{options}"
+            );
+        }
+        for option in [
+            "--tint 3060c0",
+            "--roughness 0.6",
+            "--scale 30",
+            "--set coat=1",
+            "--ndf ggx:0.5",
+            "--light lamps",
+        ] {
+            let said = bytes(&line(&red, option)).err().expect(option).to_string();
+            assert!(said.contains("--material") && said.lines().count() == 1, "{said}");
+        }
     }
 
     #[test]

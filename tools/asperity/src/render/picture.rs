@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use asperity_render::geometry::mesh_file::materials::MeshMaterials;
 use asperity_render::geometry::{camera::Camera, shape::Shape};
 use asperity_render::image::tone::{filmic, hex, srgb};
 use asperity_render::image::{Format, Image};
@@ -15,7 +16,7 @@ use asperity_render::scenes::{RenderRequest, Set, View, backdrop, ground};
 use asperity_shading::{LevelOfDetail, material::BumpMapped};
 use glam::{DVec3, Vec3};
 
-use crate::render::files::{opened, surroundings};
+use crate::render::files::{Opened, opened, patterned, surroundings};
 use crate::render::materials::{Made, Parameters};
 use crate::render::options::refuse_idle;
 use asperity::cli::{Background, Material, Render, Tone};
@@ -36,13 +37,20 @@ enum Lit {
     Around(Box<dyn Surroundings>),
 }
 
+/// What covers the subject.
+enum Cover {
+    Chosen(Material),
+    /// The materials of the mesh file.
+    File(Arc<MeshMaterials>),
+}
+
 /// A validated request with its files loaded.
 pub(super) struct Picture<'a> {
     wanted: &'a Render,
     pub(super) folder: PathBuf,
     pub(super) name: String,
     pub(super) format: Format,
-    material: Material,
+    cover: Cover,
     density: Density,
     mesh: Option<Arc<Shape>>,
     /// Whether a pattern is mapped by position.
@@ -52,6 +60,15 @@ pub(super) struct Picture<'a> {
     /// Rotation about the vertical in degrees.
     turn: f32,
     zoom: f32,
+}
+
+impl Cover {
+    const fn chosen(&self) -> Option<Material> {
+        match self {
+            Self::Chosen(material) => Some(*material),
+            Self::File(_) => None,
+        }
+    }
 }
 
 impl<'a> Picture<'a> {
@@ -67,33 +84,31 @@ impl<'a> Picture<'a> {
                 wanted.out.display()
             )
         })?;
-        let material = wanted.material.unwrap_or(match wanted.scene {
-            Set::Teapot | Set::Sphere | Set::Plane => Material::Bumps,
-            Set::Car => Material::Paint,
-            Set::Room => Material::Carpet,
-            Set::Wall => Material::Brick,
-            Set::Vase => Material::Marble,
-        });
-        let lamps = wanted.light.as_ref().map_or(material == Material::Bumps, |light| light == "lamps");
+        let mut opened = wanted.mesh.as_ref().map(|file| opened(file, wanted)).transpose()?;
+        let materials = opened.as_mut().and_then(|opened| opened.materials.take());
+        let cover = match (materials, wanted.material) {
+            (Some(materials), _) => Cover::File(Arc::new(materials)),
+            (None, chosen) => Cover::Chosen(chosen.unwrap_or(match wanted.scene {
+                Set::Teapot | Set::Sphere | Set::Plane => Material::Bumps,
+                Set::Car => Material::Paint,
+                Set::Room => Material::Carpet,
+                Set::Wall => Material::Brick,
+                Set::Vase => Material::Marble,
+            })),
+        };
+        let material = cover.chosen();
+        let bumps = material == Some(Material::Bumps);
+        let lamps = wanted.light.as_ref().map_or(bumps, |light| light == "lamps");
         refuse_idle(wanted, material, lamps, format)?;
         let spec = match (&wanted.normal_map, &wanted.ndf, wanted.roughness) {
             (Some(file), ..) => format!("{NORMAL_MAP}{}", file.display()),
             (_, Some(spec), _) => spec.clone(),
-            (.., Some(alpha)) if material == Material::Bumps => format!("ggx:{alpha}"),
+            (.., Some(alpha)) if bumps => format!("ggx:{alpha}"),
             _ => "ggx:0.2,0.4".into(),
         };
         let density = Density::parse(&spec, wanted.images)?;
-        let patterned = matches!(
-            material,
-            Material::Carpet | Material::Scratched | Material::Brick | Material::Wallpaper
-        );
-        let (mesh, projected) = match &wanted.mesh {
-            Some(file) => {
-                let (mesh, uv) = opened(file, wanted, patterned)?;
-                (Some(Arc::new(Shape::Mesh(mesh))), patterned && !uv)
-            }
-            None => (None, false),
-        };
+        let projected = opened.as_ref().is_some_and(|opened| !opened.uv) && material.is_some_and(patterned);
+        let mesh = opened.map(|Opened { mesh, .. }| Arc::new(Shape::Mesh(mesh)));
         let (light, exposure) = match wanted.light.as_deref() {
             _ if lamps => (Lit::Lamps, EXPOSURE),
             None | Some("studio") => (Lit::Around(Box::new(Studio::new(1.0))), EXPOSURE),
@@ -116,7 +131,7 @@ impl<'a> Picture<'a> {
             folder,
             name,
             format,
-            material,
+            cover,
             density,
             mesh,
             projected,
@@ -195,10 +210,10 @@ impl<'a> Picture<'a> {
         let color = color.map(|color| color * EXPOSURE / self.exposure);
         let behind = |direction: Vec3| color.unwrap_or_else(|| light.radiance(direction));
         // Size a mesh so that patterns are clearly visible.
-        let metres = match (&self.mesh, self.material) {
+        let metres = match (&self.mesh, self.cover.chosen()) {
             (None, _) => set.metres(),
-            (_, Material::Brick) => 1.2,
-            (_, Material::Wallpaper) => 0.4,
+            (_, Some(Material::Brick)) => 1.2,
+            (_, Some(Material::Wallpaper)) => 0.4,
             _ => Set::Sphere.metres(),
         };
         let view = match self.mesh.as_deref() {
@@ -208,19 +223,28 @@ impl<'a> Picture<'a> {
         let view = view.turned(self.turn);
         let focus = view.focus.as_dvec3();
         // The windows of the car are given in world coordinates.
-        let world = self.material != Material::Bumps || self.mesh.is_none() && set == Set::Car;
+        let world = self.cover.chosen() != Some(Material::Bumps) || self.mesh.is_none() && set == Set::Car;
         let anchor = if world { DVec3::ZERO } else { focus };
-        let Made { surface, body } = self.subject(metres, anchor)?;
-        let mut objects = match &self.mesh {
-            Some(shape) => {
-                let Shape::Mesh(mesh) = shape.as_ref() else { return Err("the scene has no mesh".into()) };
-                vec![Object::new(Arc::clone(shape), surface), ground(mesh.bottom(), &behind)?]
+        let mut objects = match (&self.mesh, &self.cover) {
+            (Some(shape), Cover::File(materials)) => {
+                vec![Object::painted(Arc::clone(shape), Arc::clone(materials))]
             }
-            None => set.objects(surface, &behind)?,
+            (None, Cover::File(_)) => return Err("the scene has no mesh".into()),
+            (mesh, &Cover::Chosen(material)) => {
+                let Made { surface, body } = self.subject(material, metres, anchor)?;
+                let mut objects = match mesh {
+                    Some(shape) => vec![Object::new(Arc::clone(shape), surface)],
+                    None => set.objects(surface, &behind)?,
+                };
+                if matches!(material, Material::Glass | Material::Frosted) {
+                    (objects[0].passes, objects[0].body) = (1.0, body);
+                }
+                objects
+            }
         };
         objects[0].anchor = anchor;
-        if matches!(self.material, Material::Glass | Material::Frosted) {
-            (objects[0].passes, objects[0].body) = (1.0, body);
+        if let Some(Shape::Mesh(mesh)) = self.mesh.as_deref() {
+            objects.push(ground(mesh.bottom(), &behind)?);
         }
         let backdrop = color.map_or(Backdrop::Light, Backdrop::Color);
         let scene = Scene::new(objects, Light::Around(light), backdrop).about(focus);
@@ -239,11 +263,11 @@ impl<'a> Picture<'a> {
 
     /// Builds the subject's material, with the size of a scene unit in meters. Bumps receive
     /// positions relative to an anchor.
-    fn subject(&self, metres: f32, anchor: DVec3) -> Result<Made<'_>> {
+    fn subject(&self, material: Material, metres: f32, anchor: DVec3) -> Result<Made<'_>> {
         let wanted = self.wanted;
-        if self.material != Material::Bumps {
-            let parameters = Parameters::of(wanted, self.material)?;
-            return parameters.make(self.material, metres / wanted.scale.unwrap_or(1.0), self.projected);
+        if material != Material::Bumps {
+            let parameters = Parameters::of(wanted, material)?;
+            return parameters.make(material, metres / wanted.scale.unwrap_or(1.0), self.projected);
         }
         let usual = Bumps { frequency: 24.0, gain: 0.8, kind: NoiseKind::Gaussian, octaves: 16 };
         let (bumps, ndf) = (self.bumps(usual).field(wanted.seed, anchor)?, self.density.ndf.as_ref());

@@ -77,6 +77,7 @@ impl Fractal {
             lift: [Vec3::ZERO; 2],
             tangent,
             uv,
+            triangle: None,
             tangents,
             bend: Mat3::ZERO,
         })

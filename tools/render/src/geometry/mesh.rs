@@ -108,7 +108,8 @@ impl TracedMesh {
     /// Returns the hit of a probe on a triangle that [`meets`](Self::meets) returned: position on
     /// the triangle and interpolated frame.
     pub fn hit(&self, probe: &Probe, triangle: u32) -> Option<Hit> {
-        let corners = self.corners(self.boxes.order()[triangle as usize] as usize);
+        let triangle = self.boxes.order()[triangle as usize];
+        let corners = self.corners(triangle as usize);
         let (t, exact) = probe.shear.intersect(&by_axis(corners.map(|v| v.position)))?;
         let weights = exact.map(|w| w as f32);
         let blend = |f: fn(&Vertex) -> Vec3| -> Vec3 {
@@ -147,6 +148,7 @@ impl TracedMesh {
             lift,
             tangent,
             uv: corners.iter().zip(weights).fold(Vec2::ZERO, |sum, (v, w)| sum + v.uv * w),
+            triangle: Some((triangle, weights)),
             tangents: [by_u, by_v],
             bend: Mat3::from_cols_array_2d(
                 &[0, 1, 2].map(|axis| gradient(corners.map(|v| v.normal[axis])).to_array()),

@@ -110,6 +110,8 @@ pub struct Hit {
     pub tangent: Vec3,
     /// Texture coordinates.
     pub uv: Vec2,
+    /// The index of a triangle of a mesh, and the weights of its corners.
+    pub triangle: Option<(u32, [f32; 3])>,
     /// ∂P/∂u and ∂P/∂v.
     pub tangents: [Vec3; 2],
     /// Curvature as the derivative of the normal along the surface: dn = bend · dP, before

@@ -113,6 +113,7 @@ fn sphere(probe: &Probe) -> Option<Hit> {
         lift: [Vec3::ZERO; 2],
         tangent,
         uv: Vec2::new(p.y.atan2(p.x), p.z.clamp(-1.0, 1.0).asin()),
+        triangle: None,
         tangents: [east, north],
         bend: Mat3::IDENTITY,
     })
@@ -129,6 +130,7 @@ fn plane(probe: &Probe) -> Option<Hit> {
         lift: [Vec3::ZERO; 2],
         tangent: Vec3::X,
         uv: probe.world(position).truncate(),
+        triangle: None,
         tangents: [Vec3::X, Vec3::Y],
         bend: Mat3::ZERO,
     })

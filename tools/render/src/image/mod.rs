@@ -5,6 +5,7 @@ pub mod formats;
 mod layers;
 mod radiance;
 pub mod read;
+pub mod texture_map;
 pub mod tone;
 
 use std::io::{Cursor, Seek, Write};

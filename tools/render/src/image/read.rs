@@ -1,5 +1,5 @@
 //! Reads images as data: PNG of 8 and 16 bits, JPEG, WebP, Radiance HDR and OpenEXR, without a
-//! transfer curve or alpha.
+//! transfer curve.
 
 use std::{io::Cursor, path::Path};
 
@@ -25,6 +25,8 @@ pub struct ImageFile {
     /// One plane of gray, two of x and y, or three. Integers are scaled to [0, 1], floats are
     /// unchanged.
     pub planes: Vec<Vec<f32>>,
+    /// Opacity in [0, 1], of integer formats only.
+    pub alpha: Option<Vec<f32>>,
     /// Whether samples are floats: linear light, or signed components of normals.
     pub floats: bool,
 }
@@ -43,7 +45,7 @@ impl ImageFile {
             [0x89, b'P', b'N', b'G', ..] => decode_png(bytes),
             [0x76, 0x2f, 0x31, 0x01, ..] => {
                 let ([width, height], planes) = layers::decode(bytes, content)?;
-                Ok(Self { width, height, planes, floats: true })
+                Ok(Self { width, height, planes, alpha: None, floats: true })
             }
             [0xff, 0xd8, 0xff, ..] => decode_jpeg(bytes),
             [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => decode_webp(bytes),
@@ -59,7 +61,8 @@ impl ImageFile {
             |sample: &[u8]| sample.iter().fold(0, |sum, &byte| sum << 8 | u32::from(byte)) as f32 / top;
         let plane = |channel| bytes.chunks_exact(step).skip(channel).step_by(channels).map(value).collect();
         let planes = (0..if channels > 2 { 3 } else { 1 }).map(plane).collect();
-        Self { width, height, planes, floats: false }
+        let alpha = (channels % 2 == 0).then(|| plane(channels - 1));
+        Self { width, height, planes, alpha, floats: false }
     }
 
     /// Returns red, green and blue, which are equal for a gray image.
@@ -131,7 +134,7 @@ fn decode_radiance(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
     let ([width, height], pixels) = read.map_err(broken)?;
     size?;
     let planes = [0, 1, 2].map(|k| pixels.iter().map(|pixel| pixel[k]).collect()).into();
-    Ok(ImageFile { width, height, planes, floats: true })
+    Ok(ImageFile { width, height, planes, alpha: None, floats: true })
 }
 
 #[cfg(test)]

@@ -110,11 +110,13 @@ impl Scene<'_, '_> {
     fn shade(
         &self,
         ray: &Ray,
-        Meeting { object, hit }: Meeting<'_, '_>,
+        meeting: Meeting<'_, '_>,
         sampler: &mut Sampler,
         mirrors: u32,
         bounces: u32,
     ) -> Vec3 {
+        let Meeting { object, hit } = meeting;
+        let inside = object.inside(&hit);
         let flip_to_visible = hit.flip_to_visible(ray.direction);
         let step = self.start * hit.t.max(1e-3) * flip_to_visible.flat;
         let (above, below) =
@@ -122,7 +124,7 @@ impl Scene<'_, '_> {
         let outside = flip_to_visible.flat == hit.flat;
         // A body is visible from inside. For anything else, the inside of a spout is shaded like
         // the outside.
-        let hit = if object.body.is_some() { hit.consistent(ray.direction) } else { flip_to_visible };
+        let hit = if inside.is_some() { hit.consistent(ray.direction) } else { flip_to_visible };
         let point = match self.light {
             Light::Around(_) => tap(&hit, ray.spread(&hit), sampler.point().x),
             Light::Lamps { .. } => hit.point(ray.footprint(&hit)),
@@ -130,7 +132,7 @@ impl Scene<'_, '_> {
         let position = point.position + (self.focus - object.anchor).as_vec3();
         let point = SurfacePoint { position, ..point };
         let wo = -ray.direction;
-        let bsdf = object.material.bsdf(&point, wo);
+        let bsdf = object.bsdf(&meeting.hit, &point, wo);
         let u = sampler.point();
         let specular = bsdf.specular_samples(wo, u);
         let spot = Spot {
@@ -141,7 +143,7 @@ impl Scene<'_, '_> {
             bsdf: &bsdf,
             rest: 1.0 - specular.iter().flatten().map(|sample| sample.pdf).sum::<f32>(),
             starts: [above, below],
-            body: object.body.is_some(),
+            body: inside.is_some(),
         };
         let mut sum = bsdf.emitted()
             + match &self.light {
@@ -158,7 +160,7 @@ impl Scene<'_, '_> {
             let specular = bsdf.specular_samples(wo, u);
             sum += self.smooth(&spot, specular, [above, below], sampler, [mirrors, bounces]) / count as f32;
         }
-        match object.body {
+        match inside {
             Some(inside) if !outside => inside.transmittance(hit.t) * sum,
             _ => sum,
         }

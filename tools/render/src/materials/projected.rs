@@ -3,7 +3,7 @@
 use asperity_shading::{SurfacePoint, material::Material, reflectance::Bsdf};
 use glam::{Vec2, Vec3};
 
-use crate::sampling::sampler::hash;
+use crate::sampling::sampler::of_position;
 
 /// A material with texture coordinates, taken from the plane that the surface faces.
 ///
@@ -21,8 +21,7 @@ impl<M> Projected<M> {
     /// Returns the point with the texture coordinates of its plane.
     fn placed(point: &SurfacePoint) -> SurfacePoint {
         let shares = point.normal.abs().powf(8.0);
-        let [x, y, z] = point.position.to_array().map(f32::to_bits);
-        let u = (hash(x ^ hash(y ^ hash(z))) >> 8) as f32 / 16_777_216.0 * shares.element_sum();
+        let u = of_position(point.position) * shares.element_sum();
         let axis = if u < shares.x { 0 } else { 1 + usize::from(u >= shares.x + shares.y) };
         let [across, up] = [[Vec3::Y, Vec3::Z], [Vec3::X, Vec3::Z], [Vec3::X, Vec3::Y]][axis];
         // Along the surface, over a unit step of the plane.

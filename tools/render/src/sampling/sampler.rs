@@ -1,6 +1,6 @@
 //! Points of the unit square for every random decision of a pixel's sample: scrambled Sobol' pairs.
 
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
 /// The points of one sample of a pixel, one per decision along its path.
 ///
@@ -35,6 +35,12 @@ pub fn hash(mut x: u32) -> u32 {
     x = (x ^ (x >> 16)).wrapping_mul(0x7feb_352d);
     x = (x ^ (x >> 15)).wrapping_mul(0x846c_a68b);
     x ^ (x >> 16)
+}
+
+/// Returns a number in [0, 1) that follows from the bits of a position.
+pub fn of_position(position: Vec3) -> f32 {
+    let [x, y, z] = position.to_array().map(f32::to_bits);
+    (hash(x ^ hash(y ^ hash(z))) >> 8) as f32 / 16_777_216.0
 }
 
 /// Fractional digits of Sobol's second dimension, the first in the lowest bit. Digit j is the sum

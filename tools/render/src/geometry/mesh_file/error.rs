@@ -2,11 +2,13 @@
 
 use std::io;
 
-use crate::failure::Failure;
+use crate::{failure::Failure, image::content::ImageFileError};
 
 /// A mesh of this size takes about 2 GB, and its hierarchy takes the same again.
 pub(super) const MOST_TRIANGLES: usize = 1 << 24;
 pub(super) const MOST_BYTES: u64 = 1 << 31;
+/// The textures of a glTF take 4 bytes per texel.
+pub(super) const MOST_TEXELS: usize = 1 << 28;
 /// Maximum number of corners of a concave polygon. Ear clipping takes quadratic time or worse.
 pub(super) const MOST_CORNERS: usize = 512;
 
@@ -58,14 +60,25 @@ pub enum MeshFileError {
     #[error("accessor {accessor} of the glTF must be {wanted}")]
     Accessor { accessor: usize, wanted: &'static str },
     /// The glTF refers to a missing file.
-    #[error("cannot read the glTF's buffer `{uri}`: {error}")]
-    Buffer {
+    #[error("cannot read the glTF's {what} `{uri}`: {error}")]
+    Beside {
+        what: &'static str,
         uri: String,
         #[source]
         error: io::Error,
     },
-    #[error("glTF buffers must be embedded or in the glTF's folder, got `{uri}`")]
+    #[error("glTF buffers and images must be embedded or in the glTF's folder, got `{uri}`")]
     Elsewhere { uri: String },
+    #[error("cannot read image {image} of the glTF: {error}")]
+    Image {
+        image: usize,
+        #[source]
+        error: ImageFileError,
+    },
+    #[error("the glTF's images exceed {MOST_TEXELS} texels")]
+    ImagesTooLarge,
+    #[error("material {material} of the glTF has an invalid `{field}`")]
+    Material { material: usize, field: String },
     #[error("unsupported compression {extension} (export the glTF uncompressed or with Draco)")]
     Compressed { extension: String },
     #[error("{corners} corners are not a multiple of 3")]

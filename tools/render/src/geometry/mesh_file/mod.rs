@@ -4,7 +4,10 @@
 mod draco;
 mod error;
 mod gltf;
+pub mod materials;
 mod obj;
+#[cfg(test)]
+mod painted_files;
 mod ply;
 mod polygon;
 #[cfg(test)]
@@ -64,7 +67,7 @@ pub fn decode(
     folder: &Path,
     reading: MeshReading,
 ) -> Result<MeshFile, MeshFileError> {
-    let gltf = |bytes: &[u8]| gltf::parse(bytes, folder);
+    let gltf = |bytes: &[u8]| gltf::parse(bytes, folder, reading.materials);
     let parse: &Parser<'_> = match format {
         Format::Obj => &obj::parse,
         Format::Ply => &ply::parse,

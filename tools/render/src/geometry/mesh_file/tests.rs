@@ -20,7 +20,7 @@ use crate::{
 const CUBE_OBJ: &str = include_str!("../../../tests/data/cube.obj");
 const CUBE_PLY: &str = include_str!("../../../tests/data/cube.ply");
 /// Six faces of four corners each, v down; two primitives of three faces, under two nodes.
-const CUBE_GLB: &[u8] = include_bytes!("../../../tests/data/cube.glb");
+pub(super) const CUBE_GLB: &[u8] = include_bytes!("../../../tests/data/cube.glb");
 
 /// Returns the cube in a binary encoding.
 fn cube_ply(big_endian: bool) -> Vec<u8> {
@@ -117,15 +117,15 @@ fn good() -> [(&'static str, &'static Parser<'static>, Vec<u8>); 8] {
 }
 
 pub(super) fn gltf_alone(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
-    gltf::parse(bytes, Path::new("/nowhere"))
+    gltf::parse(bytes, Path::new("/nowhere"), false)
 }
 
-fn soup_of(parse: &Parser<'_>, bytes: &[u8]) -> TriangleSoup {
+pub(super) fn soup_of(parse: &Parser<'_>, bytes: &[u8]) -> TriangleSoup {
     parse(bytes).unwrap()
 }
 
 pub(super) fn reading(up: Up) -> MeshReading {
-    MeshReading { up, crease: 40.0 }
+    MeshReading { up, crease: 40.0, materials: false }
 }
 
 /// Checks the properties of every mesh from a file, independent of the file's normals.
@@ -557,7 +557,7 @@ fn crease_angle_splits_normals() {
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 -0.8660254 0.5\nv 1 -0.8660254 0.5\nf 1 2 3 4\nf 5 6 2 1\n";
     let normals = |crease| {
         let MeshFile { mesh, normals, uv, .. } =
-            mesh(&obj::parse, fold.as_bytes(), MeshReading { up: Up::Z, crease }).unwrap();
+            mesh(&obj::parse, fold.as_bytes(), MeshReading { up: Up::Z, crease, materials: false }).unwrap();
         assert!(!normals && !uv);
         check("fold", &mesh);
         let mut kinds: Vec<f32> =

@@ -9,6 +9,7 @@ use crate::{
     geometry::mesh::{Mesh, Vertex},
     geometry::mesh_file::{
         error::{MOST_TRIANGLES, MeshFileError},
+        materials::{MeshMaterials, Painted, TexturedMaterial},
         polygon::triangulate,
     },
 };
@@ -29,6 +30,8 @@ pub struct MeshReading {
     /// The minimum angle in degrees between triangles at which an edge stays sharp, for files
     /// without normals.
     pub crease: f32,
+    /// Whether to read the materials of a glTF.
+    pub materials: bool,
 }
 
 /// A mesh from a file.
@@ -43,6 +46,8 @@ pub struct MeshFile {
     /// Whether some triangles are not rendered, because the file is incomplete or their corners do
     /// not exist.
     pub left_out: bool,
+    /// The materials of the file, if they are wanted and it has some.
+    pub materials: Option<MeshMaterials>,
 }
 
 /// A vertex as read; missing values are zero.
@@ -54,7 +59,7 @@ pub(super) struct Corner {
 }
 
 /// Triangles as read.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(super) struct TriangleSoup {
     pub(super) corners: Vec<Corner>,
     pub(super) triangles: Vec<[u32; 3]>,
@@ -62,6 +67,10 @@ pub(super) struct TriangleSoup {
     pub(super) thin: bool,
     /// Whether the file has invalid triangles.
     pub(super) left_out: bool,
+    /// The materials, if they are wanted and the file has some.
+    pub(super) materials: Option<Vec<TexturedMaterial>>,
+    /// What materials read, for each corner; empty without materials.
+    pub(super) painted: Vec<Painted>,
 }
 
 impl TriangleSoup {
@@ -112,10 +121,14 @@ impl TriangleSoup {
         let place = |i: u32| turned((self.corners[i as usize].position - center) / radius).as_vec3();
         let mut mesh = Mesh::default();
         let mut own = vec![u32::MAX; self.corners.len()];
+        let mut kept = Vec::new();
         for &triangle in &self.triangles {
             let [a, b, c] = triangle.map(|i| place(i).as_dvec3());
             if (b - a).cross(c - a) == DVec3::ZERO {
                 continue;
+            }
+            if self.materials.is_some() {
+                kept.push(triangle);
             }
             mesh.triangles.push(triangle.map(|i| {
                 let own = &mut own[i as usize];
@@ -137,7 +150,11 @@ impl TriangleSoup {
         }
         let uv = scale_uv(&mut mesh);
         lay_tangents(&mut mesh);
-        Ok(MeshFile { mesh, normals, uv, thin: self.thin, left_out: self.left_out })
+        let materials = self.materials.map(|materials| {
+            let materials = materials.into_iter().map(|m| m.in_units_of(radius as f32)).collect();
+            MeshMaterials { materials, triangles: kept, corners: self.painted }
+        });
+        Ok(MeshFile { mesh, normals, uv, thin: self.thin, left_out: self.left_out, materials })
     }
 
     /// Returns an error for non-finite positions of triangle corners. Unused vertices may have any

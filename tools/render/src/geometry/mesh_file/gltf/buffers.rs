@@ -65,7 +65,7 @@ impl Gltf {
         for buffer in &document.buffers {
             let buffer = match &buffer.uri {
                 None => bin.take().map(<[u8]>::to_vec).unwrap_or_default(),
-                Some(uri) => fetched(uri, folder)?,
+                Some(uri) => fetched("buffer", uri, folder)?,
             };
             all += buffer.len();
             if all as u64 > MOST_BYTES {
@@ -229,7 +229,7 @@ fn number(bytes: &[u8]) -> u32 {
 }
 
 /// Returns the bytes of a URI: a data URI (RFC 2397), or a file in or below the folder.
-fn fetched(uri: &str, folder: &Path) -> Result<Vec<u8>, MeshFileError> {
+pub(super) fn fetched(what: &'static str, uri: &str, folder: &Path) -> Result<Vec<u8>, MeshFileError> {
     let data = uri.get(..5).filter(|scheme| scheme.eq_ignore_ascii_case("data:"));
     if let Some((kind, data)) = data.and_then(|_| uri[5..].split_once(',')) {
         let bytes = unescaped(data);
@@ -248,7 +248,11 @@ fn fetched(uri: &str, folder: &Path) -> Result<Vec<u8>, MeshFileError> {
         .filter(|name| !name.contains(':') && Path::new(name).components().all(is_below));
     let file =
         name.map(|name| folder.join(name)).ok_or_else(|| MeshFileError::Elsewhere { uri: shown(uri) })?;
-    input_file::read(&file, MOST_BYTES).map_err(|error| MeshFileError::Buffer { uri: shown(uri), error })
+    input_file::read(&file, MOST_BYTES).map_err(|error| MeshFileError::Beside {
+        what,
+        uri: shown(uri),
+        error,
+    })
 }
 
 /// Decodes Base64 in either alphabet, with or without padding and spaces.

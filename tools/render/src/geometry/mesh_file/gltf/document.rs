@@ -1,4 +1,4 @@
-//! The part of a glTF document that locates triangles.
+//! The part of a glTF document that locates triangles and their materials.
 //!
 //! Field names follow the glTF 2.0 specification, section 5.
 
@@ -16,11 +16,16 @@ pub(super) struct Document {
     pub(super) accessors: Vec<Accessor>,
     pub(super) buffer_views: Vec<BufferView>,
     pub(super) buffers: Vec<Buffer>,
+    /// Lists about appearance are any JSON, because the triangles do not need them.
+    pub(super) images: Value,
+    pub(super) materials: Value,
     pub(super) meshes: Vec<Mesh>,
     pub(super) nodes: Vec<Node>,
+    pub(super) samplers: Value,
     pub(super) scene: Option<usize>,
     pub(super) scenes: Vec<Scene>,
     pub(super) skins: Vec<Skin>,
+    pub(super) textures: Value,
 }
 
 /// Version and required extensions, read first because other versions have other fields.
@@ -92,6 +97,7 @@ pub(super) struct Mesh {
 pub(super) struct Primitive {
     pub(super) attributes: BTreeMap<String, usize>,
     pub(super) indices: Option<usize>,
+    pub(super) material: Value,
     pub(super) mode: Option<u8>,
     pub(super) targets: Vec<BTreeMap<String, usize>>,
     pub(super) extensions: PrimitiveExtensions,

@@ -2,14 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use glam::{Vec2, Vec3};
+use glam::{Vec2, Vec3, Vec4};
 
+use crate::geometry::mesh_file::materials::Painted;
 use crate::geometry::mesh_file::{
     draco::DracoArrays,
     error::MeshFileError,
     gltf::{
         buffers::Gltf,
         document::{DracoMesh, Primitive, item},
+        materials::Materials,
     },
     polygon::{fan, strip},
 };
@@ -19,11 +21,32 @@ pub(super) struct Geometry {
     pub(super) positions: Vec<Vec3>,
     pub(super) normals: Option<Vec<Vec3>>,
     pub(super) uv: Option<Vec<Vec2>>,
+    /// What materials read, if they are wanted.
+    pub(super) paint: Option<Paint>,
     /// Joints and weights of the skin, four per set.
     pub(super) influences: Vec<Influences>,
     pub(super) triangles: Vec<[u32; 3]>,
     /// Whether corners were left over, or referred to missing vertices.
     pub(super) left_out: bool,
+}
+
+/// The attributes of a primitive that its material reads.
+pub(super) struct Paint {
+    material: u32,
+    uv: [Option<Vec<[f32; 2]>>; 2],
+    colors: Option<Vec<Vec4>>,
+}
+
+impl Paint {
+    /// Returns the values of a vertex; missing texture coordinates are 0 and colors white.
+    pub(super) fn at(&self, vertex: usize) -> Painted {
+        let uv = |set: &Option<Vec<[f32; 2]>>| set.as_ref().and_then(|all| all.get(vertex)).copied();
+        Painted {
+            uv: [0, 1].map(|set: usize| uv(&self.uv[set]).unwrap_or_default().into()),
+            color: self.colors.as_ref().and_then(|all| all.get(vertex)).copied().unwrap_or(Vec4::ONE),
+            material: self.material,
+        }
+    }
 }
 
 /// An attribute set `JOINTS_n`, `WEIGHTS_n`.
@@ -41,6 +64,7 @@ pub(super) fn is_thin(primitive: &Primitive) -> bool {
 pub(super) fn geometry(
     gltf: &Gltf,
     primitive: &Primitive,
+    materials: Option<&Materials>,
     weights: &[f64],
     skinned: bool,
 ) -> Result<Option<Geometry>, MeshFileError> {
@@ -52,10 +76,16 @@ pub(super) fn geometry(
     let Some(positions) = source.attribute::<3>("POSITION")? else { return Ok(None) };
     let normals = source.attribute::<3>("NORMAL")?;
     let uv = source.attribute::<2>("TEXCOORD_0")?;
+    let paint = materials.map(|materials| source.paint(materials, primitive, uv.clone())).transpose()?;
+    // Tangents follow the coordinates of the normal map.
+    let second =
+        paint.as_ref().filter(|paint| materials.is_some_and(|all| all.normal_set(paint.material) == 1));
+    let uv = second.map_or(uv, |paint| paint.uv[1].clone());
     let mut geometry = Geometry {
         positions: positions.into_iter().map(Vec3::from).collect(),
         normals: normals.map(|all| all.into_iter().map(Vec3::from).collect()),
         uv: uv.map(|all| all.into_iter().map(Vec2::from).collect()),
+        paint,
         influences: Vec::new(),
         triangles: Vec::new(),
         left_out: false,
@@ -134,6 +164,29 @@ fn draco<'a>(gltf: &Gltf, mesh: &'a DracoMesh) -> Result<(DracoArrays, &'a Draco
 }
 
 impl Source<'_> {
+    /// Returns what the material reads, given the first set of texture coordinates.
+    fn paint(
+        &self,
+        materials: &Materials,
+        primitive: &Primitive,
+        uv: Option<Vec<[f32; 2]>>,
+    ) -> Result<Paint, MeshFileError> {
+        const COLOR: &str = "COLOR_0";
+        let opaque = |[r, g, b]: [f32; 3]| Vec4::new(r, g, b, 1.0);
+        let colors = self
+            .attributes
+            .get(COLOR)
+            .map(|&accessor| item(&self.gltf.document.accessors, "accessor", accessor));
+        let colors = match colors.transpose()? {
+            Some(accessor) if accessor.dimensions == "VEC3" => {
+                self.attribute(COLOR)?.map(|all| all.into_iter().map(opaque).collect())
+            }
+            _ => self.attribute::<4>(COLOR)?.map(|all| all.into_iter().map(Vec4::from).collect()),
+        };
+        let uv = [uv, self.attribute("TEXCOORD_1")?];
+        Ok(Paint { material: materials.index(&primitive.material)?, uv, colors })
+    }
+
     /// Returns the vectors of an attribute, if the primitive has it.
     fn attribute<const N: usize>(&self, name: &str) -> Result<Option<Vec<[f32; N]>>, MeshFileError> {
         let accessor = self.attributes.get(name).copied();

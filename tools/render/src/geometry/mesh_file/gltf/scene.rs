@@ -7,12 +7,13 @@ use crate::geometry::mesh_file::{
     gltf::{
         buffers::Gltf,
         document::{Document, Node, item, trs},
+        materials::Materials,
         primitive::{Geometry, geometry, is_thin},
     },
     triangle_soup::{Corner, TriangleSoup},
 };
 
-pub(super) fn soup(gltf: &Gltf) -> Result<TriangleSoup, MeshFileError> {
+pub(super) fn soup(gltf: &Gltf, materials: Option<Materials>) -> Result<TriangleSoup, MeshFileError> {
     let document = &gltf.document;
     let placed = Placed::of(document)?;
     let mut soup = TriangleSoup::default();
@@ -33,7 +34,10 @@ pub(super) fn soup(gltf: &Gltf) -> Result<TriangleSoup, MeshFileError> {
                 soup.thin = true;
                 continue;
             }
-            let Some(geometry) = geometry(gltf, primitive, &weights, joints.is_some())? else { continue };
+            let Some(geometry) = geometry(gltf, primitive, materials.as_ref(), &weights, joints.is_some())?
+            else {
+                continue;
+            };
             soup.left_out |= geometry.left_out;
             if let Some(joints) = &joints {
                 check_joints(joints.len(), &geometry)?;
@@ -48,6 +52,7 @@ pub(super) fn soup(gltf: &Gltf) -> Result<TriangleSoup, MeshFileError> {
             }
         }
     }
+    soup.materials = materials.map(Materials::into_list);
     Ok(soup)
 }
 
@@ -185,7 +190,7 @@ fn append(
     geometry: &Geometry,
     place: impl Fn(usize) -> DMat4,
 ) -> Result<(), MeshFileError> {
-    let Geometry { positions, normals, uv, triangles, .. } = geometry;
+    let Geometry { positions, normals, uv, paint, triangles, .. } = geometry;
     let first = soup.corners.len();
     let count = if normals.is_some() { positions.len() } else { 3 * triangles.len() };
     if first + count > 3 * MOST_TRIANGLES {
@@ -209,8 +214,10 @@ fn append(
         let mirrored = DMat3::from_mat4(place(a as usize)).determinant() < 0.0;
         if mirrored { [a, c, b] } else { [a, b, c] }
     };
+    let painted = paint.as_ref().map(|paint| move |i: usize| paint.at(i));
     if normals.is_some() {
         soup.corners.extend((0..count).map(corner));
+        soup.painted.extend(painted.iter().flat_map(|at| (0..count).map(at)));
         return triangles.iter().map(upright).try_for_each(|t| soup.push(t.map(|i| first as u32 + i)));
     }
     // Triangles without normals are flat by the specification, so each has separate corners.
@@ -220,6 +227,7 @@ fn append(
         let normal = (b - a).cross(c - a).normalize_or_zero().as_vec3();
         let first = soup.corners.len() as u32;
         soup.corners.extend(corners.map(|corner| Corner { normal, ..corner }));
+        soup.painted.extend(painted.iter().flat_map(|at| triangle.map(|i| at(i as usize))));
         soup.push([first, first + 1, first + 2])?;
     }
     Ok(())
