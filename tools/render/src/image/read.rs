@@ -61,7 +61,7 @@ impl ImageFile {
             |sample: &[u8]| sample.iter().fold(0, |sum, &byte| sum << 8 | u32::from(byte)) as f32 / top;
         let plane = |channel| bytes.chunks_exact(step).skip(channel).step_by(channels).map(value).collect();
         let planes = (0..if channels > 2 { 3 } else { 1 }).map(plane).collect();
-        let alpha = (channels % 2 == 0).then(|| plane(channels - 1));
+        let alpha = channels.is_multiple_of(2).then(|| plane(channels - 1));
         Self { width, height, planes, alpha, floats: false }
     }
 

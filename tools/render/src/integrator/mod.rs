@@ -244,7 +244,13 @@ struct Spot<'a> {
 impl Spot<'_> {
     /// Returns `f |cos θ|` for light from a direction.
     fn scattered(&self, wi: Vec3) -> Vec3 {
-        self.bsdf.eval_cos(self.wo, wi)
+        if self.lights(wi) { self.bsdf.eval_cos(self.wo, wi) } else { Vec3::ZERO }
+    }
+
+    /// Whether light from a direction may be scattered to the viewer: from the same side of the
+    /// surface, which a BSDF about a bump normal does not know, or through it.
+    fn lights(&self, wi: Vec3) -> bool {
+        self.bsdf.transmits() || wi.dot(self.normal) * self.wo.dot(self.normal) > 0.0
     }
 
     /// Samples a direction that is not specular, with the pdf among such directions.
@@ -254,7 +260,8 @@ impl Spot<'_> {
         }
         let (uc, u) = (sampler.point().x, sampler.point());
         let sample = self.bsdf.sample(self.wo, 1.0 - self.rest * (1.0 - uc), u)?;
-        Some(BsdfSample { pdf: sample.pdf / self.rest, ..sample }).filter(|sample| !sample.is_specular())
+        Some(BsdfSample { pdf: sample.pdf / self.rest, ..sample })
+            .filter(|sample| !sample.is_specular() && self.lights(sample.wi))
     }
 
     /// Returns the pdf of [`sample`](Self::sample).

@@ -1,10 +1,10 @@
 //! The materials of a mesh file: textured glTF materials, by triangle.
 
 use asperity_shading::{
-    StandardMaterial, StandardMaterialParameters, SurfacePoint,
-    bump::Facet,
+    Frame, StandardMaterial, StandardMaterialParameters, SurfacePoint,
+    bump::flip_to_visible,
     level_of_detail::ResolvedBumps,
-    reflectance::{Absorption, Bsdf, FacetBrdf},
+    reflectance::{Absorption, Bsdf},
 };
 use glam::{Vec2, Vec3, Vec4};
 
@@ -187,23 +187,22 @@ impl MeshMaterials {
     /// Returns the BSDF of a hit at its point, whose normal may be reversed.
     pub fn bsdf(&self, hit: &Hit, point: &SurfacePoint, wo: Vec3) -> Bsdf<'static> {
         let frame = point.frame();
-        let bsdf = Bsdf::new(frame, wo);
-        let Some((material, at)) = self.of(hit) else { return bsdf };
+        let Some((material, at)) = self.of(hit) else { return Bsdf::new(frame, wo) };
         if material.unlit {
-            return bsdf.with_emitted(material.base(&at).truncate());
+            return Bsdf::new(frame, wo).with_emitted(material.base(&at).truncate());
         }
         // The texture's upwards direction, which mirrored textures reverse.
         let turn = if frame.bitangent.dot(point.tangents[1]) < 0.0 { -1.0 } else { 1.0 };
-        let normal = material.textures.normal.as_ref().map_or(Vec3::Z, |map| {
+        let bumped = material.textures.normal.as_ref().map_or(frame, |map| {
             let n = 2.0 * map.data(at.uv).truncate() - 1.0;
             let (x, y) = (n.x * material.normal_scale, n.y * material.normal_scale);
             // Seen from behind, the whole relief is reversed.
             let side = if hit.normal.dot(point.normal) < 0.0 { -1.0 } else { 1.0 };
-            Vec3::new(side * x, side * turn * y, n.z).try_normalize().unwrap_or(Vec3::Z)
+            let tilted = Vec3::new(side * x, side * turn * y, n.z).try_normalize().unwrap_or(Vec3::Z);
+            let normal = flip_to_visible(frame.normal, frame.to_world(tilted), wo);
+            Frame::from_normal_tangent(normal, frame.tangent)
         });
-        let brdf = StandardMaterial::new_clamped(material.at(&at, turn));
-        bsdf.with([Facet::new(1.0, normal)], [brdf.lobe(ResolvedBumps::FAR)])
-            .with_emitted(brdf.emitted(frame.to_local(wo)))
+        StandardMaterial::new_clamped(material.at(&at, turn)).bsdf_at(bumped, wo, ResolvedBumps::FAR)
     }
 }
 
