@@ -137,7 +137,7 @@ mod tests {
             "--ndf ggx:0.5",
             "--light lamps",
         ] {
-            let said = bytes(&line(&red, option)).err().expect(option).to_string();
+            let said = bytes(&line(&red, option)).expect_err(option).to_string();
             assert!(said.contains("--material") && said.lines().count() == 1, "{said}");
         }
     }
