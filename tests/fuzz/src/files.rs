@@ -61,7 +61,7 @@ fn mesh_of(format: Format, bytes: &[u8], up: Up) {
     // A triangle of a strip takes a byte in the file, and more than half a kilobyte until its
     // corners have normals.
     let most = 64 * MIB + 4096 * bytes.len();
-    let reading = MeshReading { up, crease: 40.0 };
+    let reading = MeshReading { up, crease: 40.0, materials: false };
     match within(most, || mesh_file::decode(format, bytes, Path::new("/nowhere"), reading)) {
         Ok(file) => {
             let mesh = &file.mesh;
