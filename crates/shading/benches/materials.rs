@@ -42,6 +42,12 @@ fn materials(c: &mut Criterion) {
             });
         };
         time("glints", &|p| glints.density(h, p.position, p.footprint()));
+        for ratio in [1.0, 4.0, 16.0] {
+            let pixel = PixelEllipse::aligned(Vec2::new(width * ratio, width));
+            time(&format!("glints_{ratio}_to_1"), &|p| glints.density_over(h, 0.0, p.position, &pixel));
+        }
+        let round = PixelEllipse::from(Footprint::from_width(width));
+        time("glints_area_light", &|p| glints.density_over(h, 0.1, p.position, &round));
         let materials: [(&str, &dyn Material); 6] = [
             ("carpet", &carpet),
             ("paint", &paint),

@@ -8,6 +8,7 @@ mod environment;
 mod footprints;
 mod fresnel;
 mod fuzz;
+mod glints;
 mod golden;
 mod golden_materials;
 mod heights;

@@ -40,6 +40,7 @@ const FIGURES: &[&[Figure]] = &[
         figure("asperity-furnace", asperity::furnace::draw),
         figure("asperity-fuzz", asperity::fuzz::draw),
         figure("asperity-standard-material", asperity::standard_material::draw),
+        figure("asperity-glints", asperity::glints::draw),
         figure("asperity-horizon", asperity::measured::draw_horizon),
         figure("asperity-normal-map-antialiasing", asperity::normal_maps::draw),
         figure("gpu-teapot", asperity::graphics_card::draw_teapot),

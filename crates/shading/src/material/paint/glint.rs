@@ -1,13 +1,15 @@
 //! Glints counted by hashes, with the NDF as their mean.
 
-use asperity_ndf_sampling::{Ndf, gaussian_cdf, inverse_gaussian_cdf};
+use core::f32::consts::FRAC_PI_3;
+
+use asperity_ndf_sampling::{Frame, Ndf, gaussian_cdf, inverse_gaussian_cdf};
 use asperity_noise::{IntegerHash, Lattice};
 use glam::{Vec2, Vec3};
 
 use crate::error::ShadingError;
-use crate::math::{exp, exp_m1, floor, ln_1p, log2, sqrt};
+use crate::math::{clamp_to, cos, exp, exp_m1, floor, ln_1p, log2, sin, sqrt};
 use crate::parameter::{as_size, within};
-use crate::pixel::Footprint;
+use crate::pixel::{Footprint, PixelEllipse};
 use crate::reflectance::lobe::CountedFacets;
 
 /// Mirror-like flakes with any NDF, single up close and counted from afar.
@@ -36,6 +38,8 @@ use crate::reflectance::lobe::CountedFacets;
 /// - **Near view:** more flakes become visible as single ones as a pixel sees fewer of them, up to
 ///   the last. The gaps between sparkles close, which flakes of a fixed width on the screen cannot
 ///   do.
+/// - **Pixels and lights:** [`density`](Self::density) for round pixels and point lights,
+///   [`density_over`](Self::density_over) for elongated pixels and lights with a solid angle.
 /// - **Domain:** half vectors in the frame of the surface. The result is D where the position is
 ///   2²³ cells away or not finite, and for widths beyond 2¹⁴ spacings; 0 where D is 0.
 ///
@@ -79,6 +83,8 @@ pub struct GlintFlake {
 const LEVELS: f32 = 14.0;
 /// The expected count from which cells are drawn independently, with a deviation of 6 %.
 const CERTAIN: f32 = 256.0;
+/// The largest ratio of the axes of a pixel.
+const LONGEST: f32 = 16.0;
 /// Largest coordinate at which cells can be distinguished.
 const FARTHEST: f32 = 8_388_608.0;
 
@@ -132,52 +138,140 @@ impl<N: Ndf> GlintField<N> {
         if density.is_nan() || density <= 0.0 {
             return 0.0;
         }
+        // Both factors are large only where h is not a unit vector.
+        (density * self.relative_at(&self.bins(self.ndf.invert(h), 0), position, footprint)).min(f32::MAX)
+    }
+
+    /// The density D̂ of the flakes within an elongated pixel that mirror a light of some size, in
+    /// sr⁻¹.
+    ///
+    /// ```text
+    /// D̂ = D̄ Σ_k w_k count_k/(N q) / Σ_k w_k,     D̄: the mean of D over the half vectors of the light
+    /// w_k = clamp((r + 1)/2 − |k|, 0, 1),         r: ratio of the axes of the pixel
+    /// ```
+    ///
+    /// The pixel is the sum of round ones along its long axis, so it sees the flakes of all of them.
+    /// Further ones fade in as the pixel becomes longer. A light wider than a bin uses bins of its own
+    /// size, two levels of which are blended.
+    ///
+    /// - **`spread`:** the angular radius of the half vectors in radians, 0 for a point light. A light
+    ///   of the radius ρ has `spread ≈ ρ/(2 √(ωo·h))`, because `dω_h = dω_i/(4 ωo·h)`. It is clamped
+    ///   to `[0, 1]`; NaN is read as 0.
+    /// - **Energy:** the mean over the surface is D̄, for every pixel and light. D̄ is evaluated at
+    ///   seven half vectors, exact for cubic functions of the plane around `h`.
+    /// - **Limits:** for a round pixel and a point light it is [`density`](Self::density), bit for bit.
+    ///   Pixels longer than 16 times their width are as wide as a 16th of their length.
+    ///
+    /// Light with a solid angle after Kneiphof, Klein 2024, *Real-Time Rendering of Glints in the
+    /// Presence of Area Lights*, who count the flakes whose mirrored direction hits the light.
+    ///
+    /// ```
+    /// use asperity_shading::material::GlintField;
+    /// use asperity_shading::{Beckmann, Ndf, PixelEllipse, glam::Vec3};
+    ///
+    /// let ndf = Beckmann::new(0.3, 0.3)?;
+    /// let flakes = GlintField::new(ndf, 1e-4, 0.1, 7)?;
+    /// let h = Vec3::new(0.1, 0.2, 1.0).normalize();
+    /// let pixel = PixelEllipse::from_derivatives(0.1 * Vec3::X, 1.6 * Vec3::Y);
+    /// let afar = flakes.density_over(h, 0.05, Vec3::new(0.3, 0.1, 0.2), &pixel);
+    /// assert!((afar / ndf.d(h) - 1.0).abs() < 0.05);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn density_over(&self, h: Vec3, spread: f32, position: Vec3, pixel: &PixelEllipse) -> f32 {
+        let spread = clamp_to(spread, 1.0);
+        let density = self.mean_density(h, spread);
+        if density.is_nan() || density <= 0.0 {
+            return 0.0;
+        }
+        let z = self.ndf.invert(h);
+        // How many times the light is wider than a bin, by the logarithm.
+        let level = log2((self.width(h, z, spread) / self.bin).clamp(1.0, 2.0 / self.bin));
+        let (lower, upper_share) = (floor(level), level - floor(level));
+        let mut relative = self.relative_over(&self.bins(z, lower as u32), position, pixel);
+        if upper_share > 0.0 {
+            let wider = self.relative_over(&self.bins(z, lower as u32 + 1), position, pixel);
+            relative += upper_share * (wider - relative);
+        }
+        (density * relative).min(f32::MAX)
+    }
+
+    /// D̄ of half vectors within an angular radius.
+    fn mean_density(&self, h: Vec3, spread: f32) -> f32 {
+        let center = self.ndf.d(h);
+        if spread <= 0.0 {
+            return center;
+        }
+        let (frame, radius) = (Frame::from_normal(h), 0.816_496_6 * spread);
+        let at = |k: u8| {
+            let turn = FRAC_PI_3 * f32::from(k);
+            let aside = radius * (cos(turn) * frame.tangent + sin(turn) * frame.bitangent);
+            self.ndf.d((h + aside).normalize_or_zero())
+        };
+        0.25 * center + 0.125 * (0..6).map(at).sum::<f32>()
+    }
+
+    /// The width of a light in Gaussian coordinates: twice the geometric mean of its radii.
+    fn width(&self, h: Vec3, z: Vec2, spread: f32) -> f32 {
+        if spread <= 0.0 {
+            return 0.0;
+        }
+        let frame = Frame::from_normal(h);
+        // Towards the normal, where there are half vectors above the horizon.
+        let inward = |axis: Vec3| if axis.z > 0.0 { axis } else { -axis };
+        let [u, v] = [frame.tangent, frame.bitangent]
+            .map(|axis| self.ndf.invert((h + spread * inward(axis)).normalize_or_zero()) - z);
+        let area = u.perp_dot(v).abs();
+        if area.is_finite() { 2.0 * sqrt(area) } else { 0.0 }
+    }
+
+    /// The bins around a coordinate, 2ˡ times as wide as those of point lights.
+    fn bins(&self, z: Vec2, level: u32) -> Bins {
+        let level = level.min(16);
+        let seed = if level == 0 { self.seed } else { IntegerHash.word([level as i32], self.seed) };
+        Bins::new(z, self.bin * (1_u32 << level) as f32, seed)
+    }
+
+    /// The mean of D̂/D over round pixels along the long axis of a pixel.
+    fn relative_over(&self, bins: &Bins, position: Vec3, pixel: &PixelEllipse) -> f32 {
+        let ([major, _], long, short) = (pixel.axes(), pixel.long().width(), pixel.short().width());
+        let width = short.max(long / LONGEST);
+        let ratio = long / width;
+        // A pixel without axes or bounds is one round pixel.
+        if ratio.is_nan() || ratio <= 1.0 || major == Vec3::ZERO || !major.is_finite() {
+            return self.relative_at(bins, position, pixel.long());
+        }
+        let (step, footprint) = (major / ratio, Footprint::from_width(width));
+        let (mut sum, mut total) = (0.0, 0.0);
+        for k in -8_i8..=8 {
+            let weight = (0.5 * (ratio + 1.0) - f32::from(k.abs())).min(1.0);
+            if weight > 0.0 {
+                sum += weight * self.relative_at(bins, position + f32::from(k) * step, footprint);
+                total += weight;
+            }
+        }
+        sum / total
+    }
+
+    /// D̂/D of a round pixel.
+    fn relative_at(&self, bins: &Bins, position: Vec3, footprint: Footprint) -> f32 {
         let level = log2((footprint.width() / self.spacing).max(1.0));
         let Some(place) = self.place(position).filter(|_| level < LEVELS) else {
-            return density;
+            return 1.0;
         };
-        let bins = Bins::new(self.ndf.invert(h), self.bin);
         let lower = floor(level);
         let upper_share = level - lower;
         let single = (lower == 0.0).then(|| bins.bin(self.tilt(nearest(place, self.seed).0)));
         let base = cell_of(place);
-        let relative = bins.sum(|bin, q| {
+        bins.sum(|bin, q| {
             let own = single.map(|own| if own == bin { 1.0 / q } else { 0.0 });
             if let Some(own) = own.filter(|_| upper_share == 0.0) {
                 return own;
             }
-            let [fine, coarse] = self.relative_counts(base, bin, q, lower as i32);
+            let [fine, coarse] = relative_counts(bins.seed, base, bin, q, lower as i32);
             let fine = own.unwrap_or(fine);
             fine + upper_share * (coarse - fine)
-        });
-        // Both factors are large only where h is not a unit vector.
-        (density * relative).min(f32::MAX)
-    }
-
-    /// count/(N q) of a bin in the cells of this level and of the next, around the cell of a single
-    /// flake.
-    ///
-    /// Starts at a level where the number is nearly certain, and descends from cell to cell.
-    fn relative_counts(&self, base: [i32; 3], bin: [i32; 2], q: f32, level: i32) -> [f32; 2] {
-        let size = |level: i32| (1_u32 << level) as f32;
-        let flakes = |level: i32| size(level) * size(level);
-        let seed = IntegerHash.word(bin, self.seed);
-        // The floor of a half is half of the floor.
-        let word = |level: i32| IntegerHash.word(base.map(|x| x >> level), seed.wrapping_add(level as u32));
-        let drawn = |level: i32| binomial(flakes(level), q, uniform(word(level)));
-        // The logarithm of a positive number; its cast is in range.
-        let certain = (0.5 * log2(CERTAIN / q) + 1.0) as i32;
-        let start = certain.clamp(level, (LEVELS as i32).max(level));
-        let mut count = drawn(start);
-        let mut coarse = if start == level { drawn(level + 1) / (flakes(level + 1) * q) } else { 0.0 };
-        for finer in (level..start).rev() {
-            coarse = count / (flakes(finer + 1) * q);
-            if count <= 0.0 {
-                break;
-            }
-            count = quarter(count, flakes(finer + 1), word(finer));
-        }
-        [count / (flakes(level) * q), coarse]
+        })
     }
 
     /// The Gaussian coordinates of the normal of the flake of a cell.
@@ -195,6 +289,32 @@ impl<N: Ndf> GlintField<N> {
         // Written so that NaN returns `None`.
         (place.abs().max_element() < FARTHEST && !place.is_nan()).then_some(place)
     }
+}
+
+/// count/(N q) of a bin in the cells of this level and of the next, around the cell of a single
+/// flake.
+///
+/// Starts at a level where the number is nearly certain, and descends from cell to cell.
+fn relative_counts(seed: u32, base: [i32; 3], bin: [i32; 2], q: f32, level: i32) -> [f32; 2] {
+    let size = |level: i32| (1_u32 << level) as f32;
+    let flakes = |level: i32| size(level) * size(level);
+    let seed = IntegerHash.word(bin, seed);
+    // The floor of a half is half of the floor.
+    let word = |level: i32| IntegerHash.word(base.map(|x| x >> level), seed.wrapping_add(level as u32));
+    let drawn = |level: i32| binomial(flakes(level), q, uniform(word(level)));
+    // The logarithm of a positive number; its cast is in range.
+    let certain = (0.5 * log2(CERTAIN / q) + 1.0) as i32;
+    let start = certain.clamp(level, (LEVELS as i32).max(level));
+    let mut count = drawn(start);
+    let mut coarse = if start == level { drawn(level + 1) / (flakes(level + 1) * q) } else { 0.0 };
+    for finer in (level..start).rev() {
+        coarse = count / (flakes(finer + 1) * q);
+        if count <= 0.0 {
+            break;
+        }
+        count = quarter(count, flakes(finer + 1), word(finer));
+    }
+    [count / (flakes(level) * q), coarse]
 }
 
 /// The cell of a position that is less than 2²³ cells away.
@@ -259,15 +379,17 @@ struct Bins {
     /// The probabilities of both along each axis.
     mass: [[f32; 2]; 2],
     width: f32,
+    /// The seed of their counts.
+    seed: u32,
 }
 
 impl Bins {
-    fn new(z: Vec2, width: f32) -> Self {
+    fn new(z: Vec2, width: f32, seed: u32) -> Self {
         let place = (z / width - 0.5).to_array();
         let low = place.map(floor);
         let mass = low.map(|k| [k, k + 1.0].map(|k| mass(k, width)));
         let upper = [place[0] - low[0], place[1] - low[1]];
-        Self { low, upper, mass, width }
+        Self { low, upper, mass, width, seed }
     }
 
     /// Σ w f(bin, q); a bin that no flake will ever be in has the value 1, its mean.
@@ -427,8 +549,8 @@ mod tests {
             let p = Vec3::new(f32::from(i) * 7.3, f32::from(i % 61) * 11.9, 0.4);
             let cell = cell_of(p);
             for level in 0..13 {
-                let [fine, coarse] = field.relative_counts(cell, [2, -1], 0.002, level);
-                let again = field.relative_counts(cell, [2, -1], 0.002, level + 1);
+                let [fine, coarse] = relative_counts(field.seed, cell, [2, -1], 0.002, level);
+                let again = relative_counts(field.seed, cell, [2, -1], 0.002, level + 1);
                 // Nothing is discontinuous where a level ends.
                 assert_eq!(coarse, again[0], "{p}, {level}");
                 lit[0] += u32::from(fine > 0.0);

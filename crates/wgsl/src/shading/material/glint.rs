@@ -7,6 +7,7 @@ use super::surface::LATTICE_KEY;
 use crate::ndf::{ELEMENTARY, NORMAL_DISTRIBUTION};
 use crate::noise::INTEGER_HASH;
 use crate::part::{Binding, Part, part};
+use crate::shading::pixel::PIXEL_ELLIPSE;
 use crate::shading::{DIRECTION, MATH};
 
 /// Flakes counted within pixels, with any normal distribution as their mean,
@@ -20,6 +21,7 @@ pub static GLINT_FIELD: Part = part!(
     ELEMENTARY,
     DIRECTION,
     MATH,
+    PIXEL_ELLIPSE,
 );
 
 /// Metallic paint with counted flakes,

@@ -1,16 +1,17 @@
 //! Counted flakes.
 
+use asperity_shading::glam::Vec2;
 use asperity_shading::gpu::GlintFieldUniform;
 use asperity_shading::material::{GlintField, PaintFlakes};
-use asperity_shading::{Beckmann, Footprint, MetallicPaint, MetallicPaintParameters, Ndf};
+use asperity_shading::{Beckmann, Footprint, MetallicPaint, MetallicPaintParameters, Ndf, PixelEllipse};
 use asperity_wgsl::shading::material::{COUNTED_FLAKES, GLINT_FIELD};
 
 use super::material::{material, paint_parameters, sums};
 use super::{floats, inputs, number, vec2, vec3, words};
-use crate::case::{Bound, Case, Output, packed};
+use crate::case::{Bound, Case, INPUTS, Output, packed};
 
 pub(super) fn cases() -> Vec<Case> {
-    vec![glint_field(), counted_flakes()]
+    vec![glint_field(), elongated_pixels(), counted_flakes()]
 }
 
 fn glint_field() -> Case {
@@ -63,6 +64,45 @@ fn glint_field() -> Case {
             // another bin.
             Output::new("relative count", 3..4, Bound::Absolute(4e-4), Bound::Absolute(1e-2)),
             Output::new("tilt", 4..6, Bound::Absolute(2e-6), Bound::Absolute(1e-3)),
+        ],
+    }
+}
+
+fn elongated_pixels() -> Case {
+    const SPACING: f32 = 1e-3;
+    let ndf = Beckmann::new(1.0, 1.0).expect("a roughness");
+    let field = GlintField::new(ndf, SPACING, 0.3, 7).expect("a field");
+    let GlintFieldUniform { key, tilt_keys: [x, y], .. } = field.gpu();
+    Case {
+        name: "shading/material/paint/glint_field, elongated pixels".into(),
+        parts: vec![&GLINT_FIELD],
+        body: format!(
+            "\
+    let field = GlintField(0.001, 0.3, vec2<u32>({x}u, {y}u), {key}u);
+    let pixel = pixel_ellipse_aligned(vec2<f32>(a.w, b.z));
+    outcome.a = bits(vec4<f32>(glint_field_relative_over(field, b.xy, 0.0, a.xyz, pixel), 0.0, 0.0, 0.0));"
+        ),
+        resources: vec![],
+        input: Box::new(|i| {
+            let p = [0, 1, 2].map(|k| number(i, k, [-1.0, 1.0]));
+            let width = SPACING * number(i, 3, [-0.5, 5.0]).exp();
+            let long = width * number(i, 6, [0.0, 3.0]).exp();
+            let z = [4, 5].map(|k| number(i, k, [-2.5, 2.5]));
+            let numbers = [p[0], p[1], p[2], width, z[0], z[1], long];
+            let mut words = [0; INPUTS];
+            words.iter_mut().zip(numbers).for_each(|(word, number)| *word = number.to_bits());
+            words
+        }),
+        reference: Box::new(move |inputs| {
+            let ([width], z) = (floats(inputs, 3), vec2(inputs, 4));
+            let h = ndf.warp_gaussian(z);
+            // Along an axis, so that both place their taps in the same cells.
+            let pixel = PixelEllipse::aligned(Vec2::new(width, f32::from_bits(inputs[6])));
+            words(&[field.density_over(h, 0.0, vec3(inputs, 0), &pixel) / ndf.d(h)])
+        }),
+        outputs: vec![
+            // Counts up to 100 in 32 bits; a fused driver may place a tap into the next cell.
+            Output::new("relative count", 0..1, Bound::Absolute(1e-3), Bound::Absolute(1.0)),
         ],
     }
 }

@@ -2,6 +2,7 @@
 
 pub(super) mod furnace;
 pub(super) mod fuzz;
+pub(super) mod glints;
 pub(super) mod graphics_card;
 pub(super) mod height_bumps;
 pub(super) mod mean_radiance;

@@ -153,8 +153,8 @@ fn glint_field_exponent(x: f32) -> i32 {
 
 // The count of a bin divided by its mean, in the cells of this level and of the next, around the
 // cell of a single flake: `relative_counts`.
-fn glint_field_counts(field: GlintField, base: vec3<i32>, bin: vec2<i32>, q: f32, level: i32) -> vec2<f32> {
-    let seed = integer_hash_word(integer_hash_term(0u, bin.x) ^ integer_hash_term(1u, bin.y), field.key);
+fn glint_field_counts(key: u32, base: vec3<i32>, bin: vec2<i32>, q: f32, level: i32) -> vec2<f32> {
+    let seed = integer_hash_word(integer_hash_term(0u, bin.x) ^ integer_hash_term(1u, bin.y), key);
     // Starts at a level where the count is nearly certain.
     let start = clamp((glint_field_exponent(256.0 / q) >> 1u) + 1, level, 14);
     let first = glint_field_word(base >> vec3<u32>(u32(start)), lattice_key(seed + u32(start)));
@@ -177,10 +177,26 @@ fn glint_field_counts(field: GlintField, base: vec3<i32>, bin: vec2<i32>, q: f32
     return vec2<f32>(count / (glint_field_flakes(level) * q), coarse);
 }
 
-// The number of flakes within a pixel with these Gaussian coordinates, divided by its mean. Times
-// the density of the half vector it is `GlintField::density`, for the coordinates `invert` of
-// the half vector. It is 1 where single cells cannot be resolved, and in the far field.
-fn glint_field_relative(field: GlintField, z: vec2<f32>, position: vec3<f32>, footprint: f32) -> f32 {
+// Flakes around the Gaussian coordinates of a half vector: `Bins`.
+struct GlintFieldBins {
+    z: vec2<f32>,
+    width: f32,
+    // The key of their counts.
+    key: u32,
+}
+
+// Bins that are 2^level times as wide as those of point lights.
+fn glint_field_bins(field: GlintField, z: vec2<f32>, level: u32) -> GlintFieldBins {
+    if level == 0u {
+        return GlintFieldBins(z, field.bin, field.key);
+    }
+    let bounded = min(level, 16u);
+    let seed = integer_hash_word(integer_hash_term(0u, i32(bounded)), field.key);
+    return GlintFieldBins(z, field.bin * f32(1u << bounded), lattice_key(seed));
+}
+
+// The number of flakes within a round pixel in these bins, divided by its mean.
+fn glint_field_relative_at(field: GlintField, bins: GlintFieldBins, position: vec3<f32>, footprint: f32) -> f32 {
     let place = position / field.spacing;
     let ratio = max(footprint / field.spacing, 1.0);
     if !(ratio < 16384.0 && glint_field_is_near(place)) {
@@ -194,15 +210,15 @@ fn glint_field_relative(field: GlintField, z: vec2<f32>, position: vec3<f32>, fo
     var own = vec2<i32>(0);
     if level == 0 {
         let tilt = glint_field_tilt(field, glint_field_nearest(field, place).cell);
-        own = vec2<i32>(floor(tilt / field.bin));
+        own = vec2<i32>(floor(tilt / bins.width));
     }
-    let at = z / field.bin - 0.5;
+    let at = bins.z / bins.width - 0.5;
     let low = floor(at);
     let upper = at - low;
     var sum = 0.0;
     for (var k = 0u; k < 4u; k++) {
         let by = vec2<f32>(f32(k >> 1u), f32(k & 1u));
-        let q = glint_field_mass(low.x + by.x, field.bin) * glint_field_mass(low.y + by.y, field.bin);
+        let q = glint_field_mass(low.x + by.x, bins.width) * glint_field_mass(low.y + by.y, bins.width);
         let weight = select(1.0 - upper.x, upper.x, k > 1u) * select(1.0 - upper.y, upper.y, (k & 1u) == 1u);
         let bin = vec2<i32>(low) + vec2<i32>(by);
         // A bin that never contains a flake is replaced by its mean.
@@ -210,7 +226,7 @@ fn glint_field_relative(field: GlintField, z: vec2<f32>, position: vec3<f32>, fo
         if q > 1e-25 {
             var counts = vec2<f32>(0.0);
             if level > 0 || upper_share > 0.0 {
-                counts = glint_field_counts(field, base, bin, q, level);
+                counts = glint_field_counts(bins.key, base, bin, q, level);
             }
             if level == 0 {
                 counts.x = select(0.0, 1.0 / q, own.x == bin.x && own.y == bin.y);
@@ -220,4 +236,59 @@ fn glint_field_relative(field: GlintField, z: vec2<f32>, position: vec3<f32>, fo
         sum += weight * relative;
     }
     return sum;
+}
+
+// The number of flakes within a pixel with these Gaussian coordinates, divided by its mean. Times
+// the density of the half vector it is `GlintField::density`, for the coordinates `invert` of
+// the half vector. It is 1 where single cells cannot be resolved, and in the far field.
+fn glint_field_relative(field: GlintField, z: vec2<f32>, position: vec3<f32>, footprint: f32) -> f32 {
+    return glint_field_relative_at(field, glint_field_bins(field, z, 0u), position, footprint);
+}
+
+// The mean over round pixels along the long axis of a pixel.
+fn glint_field_relative_along(
+    field: GlintField,
+    bins: GlintFieldBins,
+    position: vec3<f32>,
+    pixel: PixelEllipse,
+) -> f32 {
+    let long = pixel.widths.x;
+    let width = max(pixel.widths.y, long / 16.0);
+    let ratio = long / width;
+    let round = pixel.major.x == 0.0 && pixel.major.y == 0.0 && pixel.major.z == 0.0;
+    if round || !(ratio > 1.0) || !direction_is_finite(pixel.major) {
+        return glint_field_relative_at(field, bins, position, long);
+    }
+    let step = pixel.major / ratio;
+    var sum = 0.0;
+    var total = 0.0;
+    for (var k = -8; k <= 8; k++) {
+        let weight = min(0.5 * (ratio + 1.0) - f32(abs(k)), 1.0);
+        if weight > 0.0 {
+            sum += weight * glint_field_relative_at(field, bins, position + f32(k) * step, width);
+            total += weight;
+        }
+    }
+    return sum / total;
+}
+
+// The number of flakes within an elongated pixel that mirror a light of this width in Gaussian
+// coordinates, 0 for a point, divided by its mean: `GlintField::density_over` without the density.
+fn glint_field_relative_over(
+    field: GlintField,
+    z: vec2<f32>,
+    light: f32,
+    position: vec3<f32>,
+    pixel: PixelEllipse,
+) -> f32 {
+    let ratio = clamp(light / field.bin, 1.0, 2.0 / field.bin);
+    let level = glint_field_exponent(ratio);
+    let mantissa = bitcast<f32>((bitcast<u32>(ratio) & 0x7fffffu) | 0x3f800000u);
+    let upper_share = elementary_ln(mantissa) * 1.442695;
+    let fine = glint_field_relative_along(field, glint_field_bins(field, z, u32(level)), position, pixel);
+    if upper_share <= 0.0 {
+        return fine;
+    }
+    let wide = glint_field_relative_along(field, glint_field_bins(field, z, u32(level + 1)), position, pixel);
+    return fine + upper_share * (wide - fine);
 }
