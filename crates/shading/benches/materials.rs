@@ -4,17 +4,19 @@ use std::hint::black_box;
 
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::level_of_detail::ResolvedBumps;
-use asperity_shading::material::{BrickWall, GlintField, Material};
+use asperity_shading::material::{BrickWall, BumpMappedBrdf, GlintField, Material};
+use asperity_shading::noise::{FbmSpectrum, GaussianFbm, GaussianNoise};
 use asperity_shading::reflectance::{
     BlinnPhongBrdf, BlinnPhongNormalization, CharlieSheen, EnergyCompensated, FacetBrdf, OrenNayar,
     OrenNayarVariant, WardBrdf, WardNormalization, ZeltnerFuzz,
 };
 use asperity_shading::texture::{Gas, StarWallpaper};
 use asperity_shading::{
-    Beckmann, Brdf, Brick, Carpet, CarpetParameters, CookTorrance, Dielectric, EnergyPreservingOrenNayar,
-    Footprint, Ggx, Lambert, Marble, MetallicPaint, MetallicPaintParameters, OpenPbr, OpenPbrParameters,
-    Phong, PixelEllipse, Scratches, ScratchesParameters, StandardMaterial, StandardMaterialParameters,
-    SurfacePoint, TemperedGlass, TemperedGlassParameters, TorranceSparrow, Variations, VariationsParameters,
+    Beckmann, Brdf, Brick, BumpField, Carpet, CarpetParameters, CookTorrance, Dielectric,
+    EnergyPreservingOrenNayar, Footprint, Frame, Ggx, Lambert, Marble, MetallicPaint,
+    MetallicPaintParameters, OpenPbr, OpenPbrParameters, Phong, PixelEllipse, Scratches, ScratchesParameters,
+    StandardMaterial, StandardMaterialParameters, SurfacePoint, TemperedGlass, TemperedGlassParameters,
+    TorranceSparrow, Variations, VariationsParameters,
 };
 use criterion::{Criterion, criterion_group, criterion_main};
 
@@ -151,6 +153,28 @@ fn standard_materials(c: &mut Criterion) {
                 });
             });
         }
+    }
+    // With bumps at every octave that the pixel resolves: exact, and by a tilted normal.
+    let noise = GaussianFbm::new(GaussianNoise::new(1), FbmSpectrum::default());
+    let bumps = BumpField::new(noise, 40.0).expect("a frequency");
+    for (name, p) in [("metal", *metal.parameters()), ("plastic", plastic), ("varnished", varnished)] {
+        let material = gltf(p);
+        let exact = BumpMappedBrdf { brdf: material, bumps };
+        let alpha = p.roughness * p.roughness * core::f32::consts::FRAC_1_SQRT_2;
+        let mut k = 0.0;
+        c.bench_function(&format!("standard/{name}/bumps_exact"), |b| {
+            b.iter(|| exact.bsdf(black_box(&point(&mut k, 1e-3)), wo).eval_cos(wo, wi));
+        });
+        c.bench_function(&format!("standard/{name}/bumps_tilted"), |b| {
+            b.iter(|| {
+                let point = black_box(point(&mut k, 1e-3));
+                let frame = point.frame();
+                let z = bumps.coordinates(point.position, &frame, point.footprint()).z;
+                let normal = frame.to_world(Vec3::new(alpha * z.x, alpha * z.y, 1.0).normalize());
+                let tilted = Frame::from_normal_tangent(normal, frame.tangent);
+                material.bsdf_at(tilted, wo, ResolvedBumps::FAR).eval_cos(wo, wi)
+            });
+        });
     }
     c.bench_function("standard/new", |b| b.iter(|| StandardMaterial::new_clamped(black_box(plastic))));
 }
