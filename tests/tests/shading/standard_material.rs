@@ -238,6 +238,28 @@ impl Material for Veiled {
     }
 }
 
+/// Light through a tinted coat into a body and out of it has the same color.
+#[test]
+fn coats_tint_transmitted_light_alike_in_both_directions() {
+    let tinted = OpenPbrParameters {
+        transmission_weight: 1.0,
+        specular_roughness: 0.5,
+        coat_weight: 0.8,
+        coat_roughness: 0.3,
+        coat_color: Vec3::new(0.9, 0.5, 0.2),
+        ..Default::default()
+    };
+    let clear = OpenPbrParameters { coat_color: Vec3::ONE, ..tinted };
+    let (above, below) = (direction(0.5, 0.3), direction(2.6, 3.0));
+    let tint = |wo, wi| {
+        let [tinted, clear] = [tinted, clear].map(|p| OpenPbr::new(p).expect(VALID).eval(wo, wi));
+        tinted / clear
+    };
+    let (out, inward) = (tint(above, below), tint(below, above));
+    assert!(out.z < 0.6 * out.x, "{out}");
+    assert_abs_diff_eq!(out, inward, epsilon = 1e-5);
+}
+
 #[test]
 fn emission_passes_the_coat() {
     let lamp = StandardMaterialParameters { emissive: Vec3::new(3.0, 2.0, 1.0), ..Default::default() };

@@ -194,10 +194,10 @@ impl Layers {
         if wo.z < 0.0 && self.glass.is_some_and(|glass| glass.body.is_none()) { -1.0 } else { 1.0 }
     }
 
-    /// The fraction of light from `w` that passes fuzz and coat.
-    fn through(&self, w: Vec3) -> Vec3 {
+    /// The fraction of light from `w` that fuzz and coat do not reflect.
+    fn passed(&self, w: Vec3) -> f32 {
         let (_, below) = self.fuzz.split(w.z);
-        below * (1.0 - self.coat.weight * self.coat.albedo(w)) * self.coat.tint_of(w, Vec3::NEG_Z)
+        below * (1.0 - self.coat.weight * self.coat.albedo(w))
     }
 
     /// The lobes seen from `wo` in the frame of the surface; `None` where it shows nothing.
@@ -271,7 +271,7 @@ impl Layers {
             let crosses = wi.z * wo.z < 0.0;
             let tint = if crosses { glass.tint } else { Vec3::ONE };
             // Light that enters here passes the layers above on its own way in.
-            let entered = if wo.z < 0.0 && crosses { self.below_coat * self.through(wi) } else { Vec3::ONE };
+            let entered = if wo.z < 0.0 && crosses { self.below_coat * self.passed(wi) } else { Vec3::ONE };
             under += weights[GLASS] * tint * entered * glass.facets.eval_resolved(wo, wi, bumps);
         }
         let mut sum = under * self.coat.tint_of(wo, wi);
@@ -406,6 +406,10 @@ impl FacetBrdf for Layers {
     }
 
     fn emitted(&self, wo: Vec3) -> Vec3 {
-        if wo.z > 0.0 && self.emitted != Vec3::ZERO { self.emitted * self.through(wo) } else { Vec3::ZERO }
+        if wo.z > 0.0 && self.emitted != Vec3::ZERO {
+            self.emitted * self.passed(wo) * self.coat.tint_of(wo, Vec3::NEG_Z)
+        } else {
+            Vec3::ZERO
+        }
     }
 }
