@@ -31,7 +31,7 @@ pub use carpet::{CarpetUniform, FibersUniform};
 pub use glass::TemperedGlassUniform;
 pub use mapped::{BumpMappedUniform, FrequencyClampUniform, NormalMappedUniform, SlopePyramidUniform};
 pub use paint::{CountedFlakesUniform, GlintFieldUniform, MetallicPaintUniform};
-pub use reflectance::{CoatUniform, StandardMaterialUniform};
+pub use reflectance::{CoatUniform, OpenPbrUniform, StandardMaterialUniform};
 pub use surface::{SegmentsUniform, SizedFbmUniform};
 pub use texture::{
     BevelUniform, BrickUniform, GasUniform, MarbleUniform, PerturbedTextureUniform, StarWallpaperUniform,

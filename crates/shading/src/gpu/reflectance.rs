@@ -1,8 +1,8 @@
-//! Coats and the standard material.
+//! Coats and the standard materials.
 
 use asperity_core::gpu_struct;
 
-use crate::reflectance::{Coat, StandardMaterial};
+use crate::reflectance::{Coat, OpenPbr, StandardMaterial};
 
 gpu_struct! {
     /// A coat of any kind, in the frame of the surface.
@@ -118,6 +118,96 @@ impl StandardMaterial {
             anisotropy: p.anisotropy,
             anisotropy_rotation: p.anisotropy_rotation,
             padding: [0; 1],
+        }
+    }
+}
+
+gpu_struct! {
+    /// The parameters of OpenPBR Surface 1.1.
+    pub struct OpenPbrUniform as "OpenPbr" {
+        /// Color of diffuse light and of metals.
+        base_color: [f32; 3],
+        /// Factor of that color.
+        base_weight: f32,
+        /// Color of the reflection of dielectrics, and of metals near 82 degrees.
+        specular_color: [f32; 3],
+        /// Factor of the reflectance at normal incidence.
+        specular_weight: f32,
+        /// Transmittance of the coat on both ways.
+        coat_color: [f32; 3],
+        /// Fraction under a coat.
+        coat_weight: f32,
+        /// Color of the fuzz.
+        fuzz_color: [f32; 3],
+        /// Fraction under fuzz.
+        fuzz_weight: f32,
+        /// Color of the emission.
+        emission_color: [f32; 3],
+        /// Luminance of the emission.
+        emission_luminance: f32,
+        /// Roughness of the diffuse light.
+        base_diffuse_roughness: f32,
+        /// From 0, a dielectric, to 1, a metal.
+        base_metalness: f32,
+        /// Square root of alpha.
+        specular_roughness: f32,
+        /// Anisotropy of alpha.
+        specular_roughness_anisotropy: f32,
+        /// Index of refraction.
+        specular_ior: f32,
+        /// Fraction of light that is transmitted.
+        transmission_weight: f32,
+        /// Roughness of the coat.
+        coat_roughness: f32,
+        /// Anisotropy of the coat.
+        coat_roughness_anisotropy: f32,
+        /// Index of refraction of the coat.
+        coat_ior: f32,
+        /// Strength of the darkening by the coat.
+        coat_darkening: f32,
+        /// Roughness of the fuzz.
+        fuzz_roughness: f32,
+        /// 1 for a thin wall, 0 for the surface of a body.
+        geometry_thin_walled: u32,
+    }
+}
+
+impl OpenPbr {
+    /// Returns the parameters as a uniform of a shader, which does not transmit light.
+    ///
+    /// ```
+    /// use asperity_shading::{OpenPbr, OpenPbrParameters};
+    ///
+    /// let material = OpenPbr::new(OpenPbrParameters { coat_weight: 0.5, ..Default::default() })?;
+    /// assert_eq!((material.gpu().coat_weight, material.gpu().coat_ior), (0.5, 1.6));
+    /// # Ok::<(), asperity_shading::ShadingError>(())
+    /// ```
+    #[must_use]
+    pub fn gpu(&self) -> OpenPbrUniform {
+        let p = self.parameters();
+        OpenPbrUniform {
+            base_color: p.base_color.into(),
+            base_weight: p.base_weight,
+            specular_color: p.specular_color.into(),
+            specular_weight: p.specular_weight,
+            coat_color: p.coat_color.into(),
+            coat_weight: p.coat_weight,
+            fuzz_color: p.fuzz_color.into(),
+            fuzz_weight: p.fuzz_weight,
+            emission_color: p.emission_color.into(),
+            emission_luminance: p.emission_luminance,
+            base_diffuse_roughness: p.base_diffuse_roughness,
+            base_metalness: p.base_metalness,
+            specular_roughness: p.specular_roughness,
+            specular_roughness_anisotropy: p.specular_roughness_anisotropy,
+            specular_ior: p.specular_ior,
+            transmission_weight: p.transmission_weight,
+            coat_roughness: p.coat_roughness,
+            coat_roughness_anisotropy: p.coat_roughness_anisotropy,
+            coat_ior: p.coat_ior,
+            coat_darkening: p.coat_darkening,
+            fuzz_roughness: p.fuzz_roughness,
+            geometry_thin_walled: u32::from(p.geometry_thin_walled),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Reflectances: Fresnel terms, diffuse and glossy models.
 
-use asperity_shading::gpu::{CoatUniform, StandardMaterialUniform};
+use asperity_shading::gpu::{CoatUniform, OpenPbrUniform, StandardMaterialUniform};
 
 use crate::ndf::{BECKMANN, ELEMENTARY, FRAME, GAUSSIAN_SPLIT, GGX, NORMAL_DISTRIBUTION};
 use crate::part::{Binding, Element, Part, part};
@@ -129,3 +129,8 @@ static STANDARD_LAYERS: Part = part!(
 /// The light that crosses a transmitting surface is not part of it.
 pub static STANDARD_MATERIAL: Part =
     part!("shading/reflectance/standard/standard_material", [StandardMaterialUniform], STANDARD_LAYERS);
+
+/// The material of OpenPBR Surface 1.1, [`OpenPbr`](asperity_shading::OpenPbr), like
+/// [`STANDARD_MATERIAL`].
+pub static OPEN_PBR: Part =
+    part!("shading/reflectance/standard/open_pbr", [OpenPbrUniform], STANDARD_LAYERS, DIELECTRIC);

@@ -1,16 +1,17 @@
-//! The standard material with all of its lobes.
+//! The standard materials with all of their lobes.
 
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::level_of_detail::ResolvedBumps;
 use asperity_shading::reflectance::{CharlieSheen, FacetBrdf, GgxAlbedo, GlassAlbedo};
-use asperity_shading::{StandardMaterial, StandardMaterialParameters};
-use asperity_wgsl::shading::reflectance::STANDARD_MATERIAL;
+use asperity_shading::{OpenPbr, OpenPbrParameters, StandardMaterial, StandardMaterialParameters};
+use asperity_wgsl::Part;
+use asperity_wgsl::shading::reflectance::{OPEN_PBR, STANDARD_MATERIAL};
 
 use super::{direction, floats, number, share, vec2, vec3, words};
 use crate::case::{Bound, Case, INPUTS, Output};
 
 pub(super) fn cases() -> Vec<Case> {
-    vec![standard_material()]
+    vec![standard_material(), open_pbr()]
 }
 
 /// The material of an input: every lobe of some.
@@ -36,22 +37,59 @@ fn material(inputs: [u32; INPUTS]) -> StandardMaterial {
     })
 }
 
-fn standard_material() -> Case {
-    let body = "\
+/// The material of OpenPBR of an input.
+fn coated(inputs: [u32; INPUTS]) -> OpenPbr {
+    let [specular_roughness, base_metalness, coat_weight, specular_roughness_anisotropy] = floats(inputs, 0);
+    let [fuzz_weight, transmission_weight] = [f32::from_bits(inputs[7]), f32::from_bits(inputs[11])];
+    OpenPbr::new(OpenPbrParameters {
+        base_weight: 0.75,
+        base_color: Vec3::new(0.75, 0.5, 0.25),
+        base_diffuse_roughness: 0.5,
+        base_metalness,
+        specular_weight: 0.5,
+        specular_color: Vec3::new(1.0, 0.75, 0.5),
+        specular_roughness,
+        specular_roughness_anisotropy,
+        specular_ior: 1.75,
+        transmission_weight,
+        transmission_color: Vec3::ONE,
+        transmission_depth: 0.0,
+        coat_weight,
+        coat_color: Vec3::new(1.0, 0.75, 0.5),
+        coat_roughness: 0.5,
+        coat_roughness_anisotropy: 0.25,
+        coat_ior: 1.5,
+        coat_darkening: 0.75,
+        fuzz_weight,
+        fuzz_color: Vec3::new(0.5, 0.75, 1.0),
+        fuzz_roughness: 0.5,
+        emission_luminance: 2.0,
+        emission_color: Vec3::new(1.0, 0.5, 0.25),
+        geometry_thin_walled: inputs[15].is_multiple_of(2),
+    })
+    .expect("parameters in range")
+}
+
+/// A case of a material whose layers the text `layers` makes.
+fn case<M: FacetBrdf + 'static>(
+    [name, layers]: [&str; 2],
+    part: &'static Part,
+    material: fn([u32; INPUTS]) -> M,
+) -> Case {
+    let body = format!(
+        "\
     let wi = bitcast<vec3<f32>>(c.xyz);
     let bumps = bitcast<vec3<f32>>(d.xyz);
     let transmission = bitcast<f32>(c.w);
-    let thickness = f32(d.w % 2u);
-    let material = StandardMaterial(
-        vec3<f32>(0.8, 0.5, 0.25), a.y, vec3<f32>(3.0, 2.0, 1.0), a.x, vec3<f32>(1.5, 1.0, 0.5), 0.75,
-        b.w * vec3<f32>(0.25, 0.5, 1.0), 0.5, 1.75, a.z, 0.5, transmission, thickness, a.w, 0.5);
-    let layers = standard_material_layers(material);
+    let odd = d.w % 2u;
+{layers}
     outcome.a = bits(vec4<f32>(standard_layers_eval(layers, b.xyz, wi, bumps.xy, bumps.z), 0.0));
-    outcome.b = bits(vec4<f32>(standard_layers_emitted(layers, b.xyz), 0.0));";
+    outcome.b = bits(vec4<f32>(standard_layers_emitted(layers, b.xyz), 0.0));"
+    );
     Case {
-        name: "shading/reflectance/standard material".into(),
-        parts: vec![&STANDARD_MATERIAL],
-        body: body.into(),
+        name: format!("shading/reflectance/{name}"),
+        parts: vec![part],
+        body,
         resources: [
             ("ggx_albedo_number", GgxAlbedo::table().collect::<Vec<_>>()),
             ("glass_albedo_number", GlassAlbedo::table().collect()),
@@ -72,7 +110,7 @@ fn standard_material() -> Case {
             }
             all
         }),
-        reference: Box::new(|inputs| {
+        reference: Box::new(move |inputs| {
             let (material, wo, wi) = (material(inputs), vec3(inputs, 4), vec3(inputs, 8));
             let z: Vec2 = vec2(inputs, 12);
             let bumps = ResolvedBumps { z, variance: f32::from_bits(inputs[14]), blend: 1.0 };
@@ -86,4 +124,23 @@ fn standard_material() -> Case {
             Output::new("emitted", 4..7, Bound::Relative(1e-5), Bound::Relative(1e-4)),
         ],
     }
+}
+
+fn standard_material() -> Case {
+    let layers = "\
+    let material = StandardMaterial(
+        vec3<f32>(0.8, 0.5, 0.25), a.y, vec3<f32>(3.0, 2.0, 1.0), a.x, vec3<f32>(1.5, 1.0, 0.5), 0.75,
+        b.w * vec3<f32>(0.25, 0.5, 1.0), 0.5, 1.75, a.z, 0.5, transmission, f32(odd), a.w, 0.5);
+    let layers = standard_material_layers(material);";
+    case(["standard material", layers], &STANDARD_MATERIAL, material)
+}
+
+fn open_pbr() -> Case {
+    let layers = "\
+    let material = OpenPbr(
+        vec3<f32>(0.75, 0.5, 0.25), 0.75, vec3<f32>(1.0, 0.75, 0.5), 0.5, vec3<f32>(1.0, 0.75, 0.5), a.z,
+        vec3<f32>(0.5, 0.75, 1.0), b.w, vec3<f32>(1.0, 0.5, 0.25), 2.0, 0.5, a.y, a.x, a.w, 1.75, transmission,
+        0.5, 0.25, 1.5, 0.75, 0.5, 1u - odd);
+    let layers = open_pbr_layers(material);";
+    case(["open pbr", layers], &OPEN_PBR, coated)
 }
