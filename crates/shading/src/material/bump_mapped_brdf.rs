@@ -11,7 +11,10 @@ use crate::reflectance::{Bsdf, FacetBrdf, Lobe};
 /// A microfacet BRDF or BSDF whose facets become bumps when the viewer comes closer.
 ///
 /// The mean over the surface is the BRDF at every zoom, with masking, Fresnel term and
-/// transmission, see [`FacetBrdf`].
+/// transmission, see [`FacetBrdf`]. For the material of an engine use
+/// [`StandardMaterial`](crate::StandardMaterial) as the BRDF.
+///
+/// Very near, a point is almost a mirror, so a mean over points needs many of them.
 ///
 /// ```
 /// use asperity_shading::material::{BumpMappedBrdf, Material};
