@@ -22,6 +22,9 @@ error_enum! {
         /// A number is not finite and positive.
         NotPositive { parameter: &'static str, value: f32 } =>
             "`{parameter}` must be finite and positive, got {}", Short(value);
+        /// An index of refraction is neither 0 nor at least 1.
+        Ior { parameter: &'static str, value: f32 } =>
+            "`{parameter}` must be 0, or finite and at least 1, got {}", Short(value);
         /// A direction is zero or not finite; the third component of a direction in the plane is 0.
         Direction { parameter: &'static str, value: Vec3 } =>
             "`{parameter}` must be a finite, non-zero vector, got {value}";
@@ -44,6 +47,7 @@ impl ShadingError {
         match self {
             Self::OutOfRange { parameter, .. }
             | Self::NotPositive { parameter, .. }
+            | Self::Ior { parameter, .. }
             | Self::Direction { parameter, .. }
             | Self::Size { parameter, .. }
             | Self::Length { parameter, .. }

@@ -169,10 +169,15 @@ fn expected(name: &str, density: &Facets, index: f64, wo: Vec3) -> [f64; 2] {
         let share = if name == "wall" { 2.0 * once / (1.0 + once) } else { once };
         let g1 = |w: DVec3| if w.z > 0.0 { f64::from(density.g1(w.as_vec3())) } else { 0.0 };
         let mirrored = 2.0 * cosine * h - v;
+        let g2_over_g1 = |w: DVec3| {
+            let (v, w) = (v.as_vec3(), w.as_vec3());
+            if w.z > 0.0 { f64::from(density.g2(v, w) / density.g1(v)) } else { 0.0 }
+        };
         // The path of refracted light, reversed: facets are visible from below as from above.
         let on = if name == "wall" { mirrored } else { v / eta - (cosine / eta - refracted) * h };
-        sums[0] += share * g1(mirrored);
-        sums[1] += (1.0 - share) * g1(on);
+        let shown: &dyn Fn(DVec3) -> f64 = if name == "wall" { &g2_over_g1 } else { &g1 };
+        sums[0] += share * shown(mirrored);
+        sums[1] += (1.0 - share) * shown(on);
     }
     let [mirrored, through] = sums.map(|sum| sum / f64::from(SIDE * SIDE));
     if outside { [mirrored, through] } else { [through, mirrored] }

@@ -17,7 +17,7 @@ use crate::reflectance::fresnel::Dielectric;
 /// reflection     f = D(h) F G₁(ωi) G₁(ωo) / (4 |cos θ_i cos θ_o|),                           h ∝ ωi + ωo
 /// transmission   f = D(h) (1 − F) G₁(ωi) G₁(ωo) |ωi·h ωo·h| η_i² / (|cos θ_i cos θ_o| (η_i ωi·h + η_o ωo·h)²)
 ///                                                                                            h ∝ η_i ωi + η_o ωo
-/// thin wall      f = D(h) (1 − R) G₁(ωi′) G₁(ωo) tint^(1/cos θ_t) / (4 |cos θ_i cos θ_o|),   R = 2F/(1 + F), ωi′ = ωi mirrored
+/// thin wall      f = D(h) (1 − R) G₂(ωi′, ωo) tint^(1/cos θ_t) / (4 |cos θ_i cos θ_o|),      R = 2F/(1 + F), ωi′ = ωi mirrored
 /// ```
 ///
 /// with the indices η_i and η_o of the sides of ωi and ωo: 1 above the surface, the relative index
@@ -41,11 +41,13 @@ use crate::reflectance::fresnel::Dielectric;
 ///   `E[G₁(ωi)]` over visible normals. It decreases with roughness and towards the horizon, because
 ///   multiple scattering is omitted. A thin wall also loses the light absorbed by its tint.
 /// - **Sampling:** visible normals (Heitz 2018), each reflected with the probability `F` of its
-///   facet, otherwise refracted. The weight of a sample is `G₁(ωi)`, times the tint of a wall.
+///   facet, otherwise refracted. The weight of a sample is `G₁(ωi)`, and `G₂/G₁(ωo)` times the tint
+///   for a wall.
 /// - **Bumps:** as a [`FacetBrdf`] it resolves a part of its facets, seen from either side.
 /// - **Thin wall:** a sheet with the same facets on both sides, treated as one surface.
-///   Transmission is the mirror image of reflection, so it is scattered as widely. The scattering
-///   of a real sheet is narrower, about `(η − 1)/√2` of it.
+///   Transmission is the mirror image of reflection with `1 − R` in place of `R`, so it is scattered
+///   as widely. The scattering of a real sheet is narrower, about `(η − 1)/√2` of it. Masking is
+///   height-correlated in both, so without a tint its albedo is that of white mirrors.
 ///
 /// Walter, Marschner, Li, Torrance 2007, *Microfacet Models for Refraction through Rough Surfaces*,
 /// eq. 20, 21 and 23; Heitz 2018, *Sampling the GGX Distribution of Visible Normals*.
@@ -186,11 +188,17 @@ impl<D: Microfacet> RoughDielectric<D> {
         }
     }
 
-    /// `D G₁ G₁ |ωo·h| dω_h/dω_i /(|cos θ_i cos θ_o|)` of a meeting.
+    /// `D G |ωo·h| dω_h/dω_i /(|cos θ_i cos θ_o|)` of a meeting.
     fn shown(&self, wo: Vec3, wi: Vec3, meeting: &Meeting) -> f32 {
         // The far side of a thin wall is seen through it, as if light came from above.
-        let back = if meeting.crosses && self.wall.is_some() { Vec3::new(wi.x, wi.y, -wi.z) } else { wi };
-        let masking = self.density.g2_separable(seen_from_above(back), seen_from_above(wo));
+        let (is_wall, wo_above) = (self.wall.is_some(), seen_from_above(wo));
+        let back = if meeting.crosses && is_wall { Vec3::new(wi.x, wi.y, -wi.z) } else { wi };
+        let wi_above = seen_from_above(back);
+        let masking = if is_wall {
+            self.density.g2(wi_above, wo_above)
+        } else {
+            self.density.g2_separable(wi_above, wo_above)
+        };
         let facets = self.density.d(meeting.h) * masking * meeting.cosines[1] * meeting.jacobian;
         facets / (wi.z * wo.z).abs()
     }

@@ -67,16 +67,16 @@ impl GgxAlbedo {
         Self { rough, ratio: x.min(y) / rough, x_is_rough: x >= y }
     }
 
-    /// The roughness towards a view, and the share of the rough axis in its azimuth.
+    /// The roughness towards a view, and the fraction of the rough axis in its azimuth.
     fn towards(&self, wo: Vec3) -> (f32, f32) {
         let (rough, fine) = if self.x_is_rough { (wo.x, wo.y) } else { (wo.y, wo.x) };
-        let share = clamp_to(rough * rough / (rough * rough + fine * fine), 1.0);
-        (self.rough * sqrt(share + (1.0 - share) * self.ratio * self.ratio), share)
+        let fraction = clamp_to(rough * rough / (rough * rough + fine * fine), 1.0);
+        (self.rough * sqrt(fraction + (1.0 - fraction) * self.ratio * self.ratio), fraction)
     }
 
     /// A table of anisotropic facets seen at this place of the cosine.
-    fn beside(&self, table: &[[[u16; 12]; 6]; 40], share: f32, place: f32) -> f32 {
-        let (slice, around) = weights(share, 5);
+    fn anisotropic(&self, table: &[[[u16; 12]; 6]; 40], fraction: f32, place: f32) -> f32 {
+        let (slice, around) = weights(fraction, 5);
         let (first, down) = weights(sqrt(self.rough), 8);
         let (row, through) = weights(self.ratio, 6);
         let (column, across) = weights(place, 12);
@@ -122,13 +122,27 @@ impl GgxAlbedo {
     /// ```
     #[must_use]
     pub fn schlick_moment(&self, wo: Vec3) -> f32 {
-        let (mu, (alpha, share)) = (clamp_to(wo.z, 1.0), self.towards(wo));
+        self.moments(wo)[1]
+    }
+
+    /// `E(ωo)` and `E₅(ωo)`.
+    pub(in crate::reflectance) fn moments(&self, wo: Vec3) -> [f32; 2] {
+        let (mu, (alpha, fraction)) = (clamp_to(wo.z, 1.0), self.towards(wo));
+        let at = place(mu, 2.0 * alpha);
         let mut cosine = entry(&GGX_SCHLICK, alpha, sqrt(mu));
         if self.ratio < 1.0 {
-            cosine += self.beside(&GGX_ANISOTROPIC_SCHLICK, share, place(mu, 2.0 * alpha)) - 0.5;
+            cosine += self.anisotropic(&GGX_ANISOTROPIC_SCHLICK, fraction, at) - 0.5;
         }
-        let angle = 1.0 - cosine.clamp(0.0, 1.0);
-        self.albedo(wo) * (angle * angle) * (angle * angle) * angle
+        let (e, angle) = (self.albedo_at(alpha, fraction, at), 1.0 - cosine.clamp(0.0, 1.0));
+        [e, e * (angle * angle) * (angle * angle) * angle]
+    }
+
+    /// The albedo at the place of a cosine.
+    fn albedo_at(&self, alpha: f32, fraction: f32, at: f32) -> f32 {
+        let round = entry(&GGX, alpha, at);
+        let factor =
+            if self.ratio < 1.0 { 2.0 * self.anisotropic(&GGX_ANISOTROPIC, fraction, at) } else { 1.0 };
+        as_albedo(round * factor)
     }
 
     /// The mean of [`schlick_moment`](Self::schlick_moment) over views, weighted by the cosine.
@@ -168,11 +182,8 @@ fn entry(table: &[[u16; 24]; 16], alpha: f32, place: f32) -> f32 {
 
 impl DirectionalAlbedo for GgxAlbedo {
     fn albedo(&self, wo: Vec3) -> f32 {
-        let (mu, (alpha, share)) = (clamp_to(wo.z, 1.0), self.towards(wo));
-        let at = place(mu, 2.0 * alpha);
-        let round = entry(&GGX, alpha, at);
-        let factor = if self.ratio < 1.0 { 2.0 * self.beside(&GGX_ANISOTROPIC, share, at) } else { 1.0 };
-        as_albedo(round * factor)
+        let (alpha, fraction) = self.towards(wo);
+        self.albedo_at(alpha, fraction, place(clamp_to(wo.z, 1.0), 2.0 * alpha))
     }
 
     fn mean_albedo(&self) -> f32 {

@@ -3,6 +3,7 @@
 use glam::Vec3;
 
 use crate::math::clamp_to;
+use crate::reflectance::fresnel::dielectric::Dielectric;
 use crate::reflectance::fresnel::interface::Fresnel;
 
 /// Schlick's approximation between two colors, with the dip of metals near 82°.
@@ -20,6 +21,21 @@ pub(crate) struct SchlickRgb {
 }
 
 impl SchlickRgb {
+    /// A dielectric of this color, with its reflectance at normal incidence and, where Schlick's
+    /// approximation can, its mean reflectance.
+    ///
+    /// ```text
+    /// f90 = clamp(21 F_avg − 20 f0, 0, 1)
+    /// ```
+    ///
+    /// It is 1 for indices from 1.35 to 2.4, and 0 for an index of 1, where an f90 of 1 would still
+    /// reflect 4.8 % of diffuse light.
+    pub(crate) fn of_dielectric(fresnel: Dielectric, color: Vec3) -> Self {
+        let f0 = fresnel.reflectance(1.0);
+        let f90 = clamp_to(21.0 * fresnel.mean_reflectance_rgb().x - 20.0 * f0, 1.0);
+        Self { f0: f0 * color, f90: f90 * color, dip: Vec3::ZERO }
+    }
+
     /// The interface `t` of the way to another.
     pub(crate) fn lerp(self, other: Self, t: f32) -> Self {
         Self {
@@ -52,6 +68,22 @@ mod tests {
     use crate::reflectance::fresnel::interface::MEAN_NODES;
     use crate::reflectance::fresnel::{Schlick, SchlickF82};
     use asperity_core::assert_abs_diff_eq;
+
+    #[test]
+    fn dielectrics_keep_their_mean_reflectance() {
+        for index in [1.0, 1.001, 1.05, 1.2, 1.3] {
+            let exact = Dielectric::new(index).unwrap();
+            let schlick = SchlickRgb::of_dielectric(exact, Vec3::ONE);
+            assert_abs_diff_eq!(
+                schlick.mean_reflectance_rgb(),
+                exact.mean_reflectance_rgb(),
+                epsilon = 1e-6,
+                "{index}"
+            );
+        }
+        assert_eq!(SchlickRgb::of_dielectric(Dielectric::new(1.0).unwrap(), Vec3::ONE).f90, Vec3::ZERO);
+        assert_eq!(SchlickRgb::of_dielectric(Dielectric::new(1.4).unwrap(), Vec3::ONE).f90, Vec3::ONE);
+    }
 
     #[test]
     fn schlick_rgb_has_the_values_of_the_gray_forms_and_their_mean() {

@@ -189,7 +189,8 @@ impl Layers {
         Vec3::new(cos * w.x - sin * w.y, sin * w.x + cos * w.y, w.z)
     }
 
-    /// −1 for a view of the back of a thin wall, which is like its front.
+    /// −1 for a view of the back of a thin wall: each facet shows its other side there, so all
+    /// directions change their sign and the bumps keep their coordinates.
     fn side(&self, wo: Vec3) -> f32 {
         if wo.z < 0.0 && self.glass.is_some_and(|glass| glass.body.is_none()) { -1.0 } else { 1.0 }
     }
@@ -206,7 +207,7 @@ impl Layers {
             return None;
         }
         let z = self.turned(bumps.z.extend(0.0)).truncate();
-        let (wo, bumps) = (self.lit(self.side(wo), wo), ResolvedBumps { z, ..bumps });
+        let (wo, bumps) = (self.side(wo) * self.turned(wo), ResolvedBumps { z, ..bumps });
         let (mut weights, mut chances) = ([Vec3::ZERO; 5], [0.0; 5]);
         if wo.z < 0.0 {
             // From inside only the glass is seen.
@@ -223,12 +224,12 @@ impl Layers {
         let (fuzz, mut passed) = self.fuzz.split(wo.z);
         set(FUZZ, Vec3::ONE, fuzz);
         if self.coat.weight > 0.0 {
-            let (seen, gloss) = (self.coat.gloss.moments(wo), &self.coat.gloss.reflectance);
+            let (seen, gloss) = (self.coat.gloss.albedo.moments(wo), &self.coat.gloss.reflectance);
             let (scale, albedo) = (passed * self.coat.weight, gloss.albedo(seen));
             set(COAT, scale * gloss.factor(seen), scale * albedo);
             passed *= 1.0 - self.coat.weight * albedo.max_element();
         }
-        let (below, seen) = (passed * self.below_coat, self.gloss.moments(wo));
+        let (below, seen) = (passed * self.below_coat, self.gloss.albedo.moments(wo));
         if self.opaque > 0.0 {
             let (scale, gloss) = (self.opaque * below, &self.gloss.reflectance);
             set(GLOSS, scale * gloss.factor(seen), scale * gloss.albedo(seen));
@@ -243,11 +244,6 @@ impl Layers {
         }
         let sum: f32 = chances.iter().sum();
         (sum > 0.0).then(|| View { wo, bumps, weights, chances: chances.map(|chance| chance / sum) })
-    }
-
-    /// The direction of the light in the frame of a view.
-    fn lit(&self, side: f32, wi: Vec3) -> Vec3 {
-        self.turned(wi) * Vec3::new(1.0, 1.0, side)
     }
 
     /// The sum of all lobes, with directions in the frame of the facets.
@@ -328,18 +324,12 @@ impl Gloss {
         let ggx = self.facets.facets();
         Vec2::new(ggx.alpha_x(), ggx.alpha_y())
     }
-
-    /// The albedo of white mirrors and its Schlick moment.
-    fn moments(&self, wo: Vec3) -> [f32; 2] {
-        [self.albedo.albedo(wo), self.albedo.schlick_moment(wo)]
-    }
 }
 
 impl Coating {
     /// A coat without color.
     pub(super) fn new(weight: f32, ggx: Ggx, fresnel: Dielectric) -> Self {
-        let f0 = Vec3::splat(fresnel.reflectance(1.0));
-        let gloss = Gloss::new(ggx, SchlickRgb { f0, f90: Vec3::ONE, dip: Vec3::ZERO });
+        let gloss = Gloss::new(ggx, SchlickRgb::of_dielectric(fresnel, Vec3::ONE));
         Self { weight, gloss, tint: Vec3::ONE, relative_index: fresnel.relative_index() }
     }
 
@@ -350,7 +340,7 @@ impl Coating {
 
     fn albedo(&self, w: Vec3) -> f32 {
         if self.weight > 0.0 {
-            self.gloss.reflectance.albedo(self.gloss.moments(w)).max_element()
+            self.gloss.reflectance.albedo(self.gloss.albedo.moments(w)).max_element()
         } else {
             0.0
         }
@@ -389,7 +379,7 @@ impl Brdf for Layers {
 impl FacetBrdf for Layers {
     fn eval_resolved(&self, wo: Vec3, wi: Vec3, bumps: ResolvedBumps) -> Vec3 {
         let view = self.view(wo, bumps);
-        view.map_or(Vec3::ZERO, |view| self.value(&view, self.lit(self.side(wo), wi)))
+        view.map_or(Vec3::ZERO, |view| self.value(&view, self.side(wo) * self.turned(wi)))
     }
 
     fn sample_resolved(&self, wo: Vec3, uc: f32, u: Vec2, bumps: ResolvedBumps) -> Option<BsdfSample> {
@@ -397,15 +387,16 @@ impl FacetBrdf for Layers {
         let wi = self.direction(&view, uc, u)?;
         let pdf = self.density(&view, wi);
         let sample = BsdfSample::with_pdf(view.wo, wi, pdf, || self.value(&view, wi) * wi.z.abs())?;
-        Some(BsdfSample { wi: self.turned_back(wi * Vec3::new(1.0, 1.0, self.side(wo))), ..sample })
+        Some(BsdfSample { wi: self.side(wo) * self.turned_back(wi), ..sample })
     }
 
     fn pdf_resolved(&self, wo: Vec3, wi: Vec3, bumps: ResolvedBumps) -> f32 {
         let view = self.view(wo, bumps);
-        view.map_or(0.0, |view| self.density(&view, self.lit(self.side(wo), wi)))
+        view.map_or(0.0, |view| self.density(&view, self.side(wo) * self.turned(wi)))
     }
 
     fn emitted(&self, wo: Vec3) -> Vec3 {
+        let wo = self.side(wo) * self.turned(wo);
         if wo.z > 0.0 && self.emitted != Vec3::ZERO {
             self.emitted * self.passed(wo) * self.coat.tint_of(wo, Vec3::NEG_Z)
         } else {

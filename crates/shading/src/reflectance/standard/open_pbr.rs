@@ -39,7 +39,7 @@ parameters! {
         /// The color of transmitted light, within `[0, 1]³`. Default white.
         transmission_color: Vec3 = Vec3::ONE, color;
         /// The depth at which light in a body has that color, at least 0; 0 colors the surface.
-        /// Absorption in the body is a task of the renderer, see
+        /// The renderer applies absorption in the body, see
         /// [`Absorption::of_color`](crate::reflectance::Absorption::of_color). Default 0.
         transmission_depth: f32 = 0.0, not_negative;
         /// The fraction under a coat, within `[0, 1]`. Default 0.
@@ -84,10 +84,11 @@ parameters! {
 /// Δ        = (1 − K)/(1 − E_b K),   K = lerp(K_s, K_r, roughness of the base)     darkening
 /// ```
 ///
-/// - **Differs from the specification:** dielectrics reflect by Schlick's approximation between
-///   the exact values at both ends, so that its albedo is known; glass by the exact term. Glass has
-///   the index relative to air, also under a coat, and no `specular_color`. There is no subsurface
-///   scattering, thin film, dispersion or scattering in the body.
+/// - **Differs from the specification:** dielectrics reflect by Schlick's approximation, whose
+///   albedo is known. It has the exact reflectance at normal incidence and, for indices below 1.4,
+///   the exact mean. Glass reflects by the exact term. Its index is relative to air, also under a
+///   coat, and `specular_color` does not tint it. There is no subsurface scattering, thin film,
+///   dispersion or scattering in the body.
 /// - **Domain, energy, bumps, sampling** as for `StandardMaterial`.
 ///
 /// Academy Software Foundation 2024, *OpenPBR Surface specification* 1.1: §*Metal*, *Glossy-diffuse*,
@@ -144,11 +145,7 @@ fn layers(p: &OpenPbrParameters) -> Layers {
     // Inverted below a denser coat, because the coat does not bend light towards total reflection.
     let relative = (p.specular_ior / above).max(above / p.specular_ior);
     let under_coat = Dielectric::new_clamped(weighted(relative, p.specular_weight));
-    let dielectric = SchlickRgb {
-        f0: under_coat.reflectance(1.0) * p.specular_color,
-        f90: if p.specular_weight > 0.0 { p.specular_color } else { Vec3::ZERO },
-        dip: Vec3::ZERO,
-    };
+    let dielectric = SchlickRgb::of_dielectric(under_coat, p.specular_color);
     let base_color = p.base_weight * p.base_color;
     let metal = metal(base_color, p.specular_color, p.specular_weight);
     let transmitted = (1.0 - p.base_metalness) * p.transmission_weight;

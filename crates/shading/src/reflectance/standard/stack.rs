@@ -12,7 +12,8 @@ macro_rules! layered_material {
             /// The BSDF of a point of which a part of the bumps is resolved, with its emission.
             ///
             /// The material is copied into it, so every point may have another material, for example
-            /// of textures. With [`ResolvedBumps::FAR`] without bumps. Directions are in world space.
+            /// of textures. [`ResolvedBumps::FAR`] gives a BSDF without bumps. Directions are in world
+            /// space.
             ///
             /// [`ResolvedBumps::FAR`]: crate::level_of_detail::ResolvedBumps::FAR
             #[must_use]

@@ -85,7 +85,12 @@ fn rough_dielectric_eval(glass: RoughDielectric, wi: vec3<f32>, wo: vec3<f32>) -
         return vec3<f32>(0.0);
     }
     let alpha = vec2<f32>(glass.alpha);
-    let masking = beckmann_masking(alpha, rough_dielectric_up(back)) * beckmann_masking(alpha, rough_dielectric_up(wo));
+    let wi_above = rough_dielectric_up(back);
+    let wo_above = rough_dielectric_up(wo);
+    var masking = beckmann_masking(alpha, wi_above) * beckmann_masking(alpha, wo_above);
+    if glass.wall {
+        masking = beckmann_masking_shadowing(alpha, wi_above, wo_above);
+    }
     let facets = beckmann_d(alpha, h) * masking * cosine * jacobian;
     let value = brdf_finite(facets / abs(wi.z * wo.z));
     if !crosses {

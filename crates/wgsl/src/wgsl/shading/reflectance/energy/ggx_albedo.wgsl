@@ -70,10 +70,8 @@ fn ggx_albedo_means(round: u32, base: u32, alpha: vec2<f32>) -> f32 {
     return sum;
 }
 
-// E(wo): `GgxAlbedo::albedo`.
-fn ggx_albedo(alpha: vec2<f32>, wo: vec3<f32>) -> f32 {
-    let facets = ggx_albedo_facets(alpha, wo);
-    let place = energy_place(math_clamped(wo.z, 1.0), 2.0 * facets.towards);
+// E at the place of a cosine.
+fn ggx_albedo_at(facets: GgxAlbedoFacets, place: f32) -> f32 {
     var e = ggx_albedo_isotropic(0u, facets.towards, place);
     if facets.ratio < 1.0 {
         e *= 2.0 * ggx_albedo_anisotropic(800u, facets, place);
@@ -81,22 +79,35 @@ fn ggx_albedo(alpha: vec2<f32>, wo: vec3<f32>) -> f32 {
     return clamp(e, 0.001, 1.0);
 }
 
+// E(wo): `GgxAlbedo::albedo`.
+fn ggx_albedo(alpha: vec2<f32>, wo: vec3<f32>) -> f32 {
+    let facets = ggx_albedo_facets(alpha, wo);
+    return ggx_albedo_at(facets, energy_place(math_clamped(wo.z, 1.0), 2.0 * facets.towards));
+}
+
 // E_avg: `GgxAlbedo::mean_albedo`.
 fn ggx_mean_albedo(alpha: vec2<f32>) -> f32 {
     return clamp(ggx_albedo_means(384u, 3680u, alpha), 0.001, 1.0);
 }
 
-// The albedo with the facet reflectance (1 − wo·h)⁵: `GgxAlbedo::schlick_moment`.
-fn ggx_schlick_moment(alpha: vec2<f32>, wo: vec3<f32>) -> f32 {
+// E(wo) and the albedo with the facet reflectance (1 − wo·h)⁵.
+fn ggx_albedo_moments(alpha: vec2<f32>, wo: vec3<f32>) -> vec2<f32> {
     let facets = ggx_albedo_facets(alpha, wo);
     let mu = math_clamped(wo.z, 1.0);
+    let place = energy_place(mu, 2.0 * facets.towards);
     var cosine = ggx_albedo_isotropic(400u, facets.towards, sqrt(mu));
     if facets.ratio < 1.0 {
-        cosine += ggx_albedo_anisotropic(3728u, facets, energy_place(mu, 2.0 * facets.towards)) - 0.5;
+        cosine += ggx_albedo_anisotropic(3728u, facets, place) - 0.5;
     }
     let angle = 1.0 - clamp(cosine, 0.0, 1.0);
     let squared = angle * angle;
-    return ggx_albedo(alpha, wo) * squared * squared * angle;
+    let e = ggx_albedo_at(facets, place);
+    return vec2<f32>(e, e * squared * squared * angle);
+}
+
+// The second of these: `GgxAlbedo::schlick_moment`.
+fn ggx_schlick_moment(alpha: vec2<f32>, wo: vec3<f32>) -> f32 {
+    return ggx_albedo_moments(alpha, wo).y;
 }
 
 // Its mean over views: `GgxAlbedo::mean_schlick_moment`.

@@ -63,12 +63,7 @@ fn standard_fresnel(reflectance: StandardReflectance, cos_theta: f32) -> vec3<f3
     return math_shares(reflectance.normal + (reflectance.grazing - reflectance.normal) * fifth - reflectance.dip * (c * fifth * x));
 }
 
-// The albedo of white mirrors and its Schlick moment.
-fn standard_moments(alpha: vec2<f32>, wo: vec3<f32>) -> vec2<f32> {
-    return vec2<f32>(ggx_albedo(alpha, wo), ggx_schlick_moment(alpha, wo));
-}
-
-// The directional albedo without the dip, from `standard_moments`.
+// The directional albedo without the dip, from `ggx_albedo_moments`.
 fn standard_albedo(reflectance: StandardReflectance, seen: vec2<f32>) -> vec3<f32> {
     return math_shares((reflectance.normal * (seen.x - seen.y) + reflectance.grazing * seen.y) * energy_factor(reflectance.bounces, seen.x));
 }
@@ -158,13 +153,13 @@ fn standard_layers_eval(
     }
     var passed = 1.0 - standard_largest(fuzz);
     if layers.coat_weight > 0.0 {
-        let seen = standard_moments(layers.coat_alpha, wo);
+        let seen = ggx_albedo_moments(layers.coat_alpha, wo);
         let facets = standard_facets(layers.coat_alpha, wi, wo, split);
         let factor = passed * layers.coat_weight * energy_factor(layers.coat.bounces, seen.x);
         sum += factor * facets.x * standard_fresnel(layers.coat, facets.y);
         passed *= 1.0 - layers.coat_weight * standard_largest(standard_albedo(layers.coat, seen));
     }
-    let seen = standard_moments(layers.alpha, wo);
+    let seen = ggx_albedo_moments(layers.alpha, wo);
     var base = vec3<f32>(0.0);
     if layers.opaque > 0.0 {
         let facets = standard_facets(layers.alpha, wi, wo, split);
@@ -186,7 +181,10 @@ fn standard_layers_eval(
 // The reflection of the glass.
 fn standard_glass(layers: StandardLayers, wi: vec3<f32>, wo: vec3<f32>, mirror: f32, split: GaussianSplit) -> f32 {
     let h = direction_half(wi, wo);
-    let masking = ggx_masking(layers.alpha, wi) * ggx_masking(layers.alpha, wo);
+    var masking = ggx_masking(layers.alpha, wi) * ggx_masking(layers.alpha, wo);
+    if layers.is_thin {
+        masking = ggx_masking_shadowing(layers.alpha, wi, wo);
+    }
     var facets = ggx_d(layers.alpha, h) * masking / (4.0 * wi.z * wo.z);
     if split.root > 0.0 {
         facets = gaussian_split_weigh(split, facets, ggx_invert_visible(layers.alpha, wo, h));
@@ -207,7 +205,7 @@ fn standard_layers_emitted(layers: StandardLayers, wo_surface: vec3<f32>) -> vec
     }
     var passed = 1.0 - standard_largest(standard_fuzz_albedo(layers, wo.z));
     if layers.coat_weight > 0.0 {
-        let seen = standard_moments(layers.coat_alpha, wo);
+        let seen = ggx_albedo_moments(layers.coat_alpha, wo);
         passed *= 1.0 - layers.coat_weight * standard_largest(standard_albedo(layers.coat, seen));
     }
     let once = rough_dielectric_through_wall(layers.coat_tint, wo.z, layers.coat_index);

@@ -24,6 +24,12 @@ fn open_pbr_mean_reflectance(index: f32) -> f32 {
         + 0.0992186 * dielectric_reflectance(index, 0.9801449);
 }
 
+// Both ends of Schlick's approximation of a dielectric with this mean reflectance.
+fn open_pbr_schlick(index: f32, mean: f32) -> vec2<f32> {
+    let normal = dielectric_reflectance(index, 1.0);
+    return vec2<f32>(normal, math_clamped(21.0 * mean - 20.0 * normal, 1.0));
+}
+
 // The layers of the parameters, which are in their ranges:
 //
 //     let layers = open_pbr_layers(material);
@@ -40,8 +46,10 @@ fn open_pbr_layers(p: OpenPbr) -> StandardLayers {
     let relative = max(p.specular_ior / above, above / p.specular_ior);
     let index = open_pbr_weighted(relative, p.specular_weight);
     let none = vec3<f32>(0.0);
-    let normal = dielectric_reflectance(index, 1.0) * p.specular_color;
-    let grazing = select(none, p.specular_color, p.specular_weight > 0.0);
+    let mirrored = open_pbr_mean_reflectance(index);
+    let surface = open_pbr_schlick(index, mirrored);
+    let normal = surface.x * p.specular_color;
+    let grazing = surface.y * p.specular_color;
     let base = p.base_weight * p.base_color;
     // Fractions of 6/7, by which Schlick's approximation is reduced to the tint at a cosine of 1/7.
     let tinted = (base + (1.0 - base) * 0.46266436) * (1.0 - p.specular_color);
@@ -52,19 +60,18 @@ fn open_pbr_layers(p: OpenPbr) -> StandardLayers {
     let opaque = 1.0 - transmitted;
     let scattered = 1.0 - metal - transmitted;
     let t = select(0.0, metal / opaque, opaque > 0.0);
+    let outer = open_pbr_mean_reflectance(p.coat_ior);
     var below_coat = vec3<f32>(1.0);
     if coat * p.coat_darkening > 0.0 {
-        let mirrored = open_pbr_mean_reflectance(index);
         let color = metal * metal_mean + scattered * standard_mix(base, vec3<f32>(1.0), mirrored) + transmitted;
         let rough = 1.0 + (metal + (1.0 - metal) * mirrored) * (roughness - 1.0);
-        let outer = open_pbr_mean_reflectance(p.coat_ior);
         let inner = 1.0 - (1.0 - outer) / (p.coat_ior * p.coat_ior);
         let k = outer + rough * (inner - outer);
         let darker = (1.0 - k) / (1.0 - min(color, vec3<f32>(1.0)) * k);
         below_coat = standard_mix(vec3<f32>(1.0), darker, coat * p.coat_darkening);
     }
     let coat_alpha = open_pbr_alpha(p.coat_roughness, p.coat_roughness_anisotropy);
-    let coat_normal = vec3<f32>(dielectric_reflectance(p.coat_ior, 1.0));
+    let coat_surface = open_pbr_schlick(p.coat_ior, outer);
     let weight = p.specular_weight;
     return StandardLayers(
         vec2<f32>(1.0, 0.0),
@@ -75,7 +82,7 @@ fn open_pbr_layers(p: OpenPbr) -> StandardLayers {
         coat,
         p.coat_ior,
         coat_alpha,
-        standard_reflectance(coat_normal, vec3<f32>(1.0), none, coat_alpha),
+        standard_reflectance(vec3<f32>(coat_surface.x), vec3<f32>(coat_surface.y), none, coat_alpha),
         sqrt(p.coat_color),
         below_coat,
         alpha,
