@@ -50,6 +50,7 @@ fn materials(c: &mut Criterion) {
         }
         let round = PixelEllipse::from(Footprint::from_width(width));
         time("glints_area_light", &|p| glints.density_over(h, 0.1, p.position, &round));
+        time("glints_sample", &|p| glints.sample(p.uv.fract(), p.position, &round).x);
         let materials: [(&str, &dyn Material); 6] = [
             ("carpet", &carpet),
             ("paint", &paint),

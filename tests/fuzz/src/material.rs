@@ -134,13 +134,15 @@ fn paint(numbers: &mut Numbers<'_>) {
     if let Ok(field) =
         GlintField::new(Beckmann::new_clamped(0.3, 0.3), size(numbers), share(numbers), numbers.word())
     {
-        let (h, p, footprint) =
-            (numbers.direction(), numbers.vector(), Footprint::from_width(numbers.float()));
-        let density = field.density(h, p, footprint);
+        let (h, p, spread) = (numbers.direction(), numbers.vector(), numbers.float());
+        let pixel = PixelEllipse::from_derivatives(numbers.vector(), numbers.vector());
+        let density = field.density_over(h, spread, p, &pixel);
         assert!(
             density >= 0.0 && density.is_finite(),
-            "{density} of {field:?} for {h:?} at {p:?}, {footprint:?}"
+            "{density} of {field:?} for {h:?}, {spread} at {p:?}, {pixel:?}"
         );
+        let m = field.sample(numbers.pair(), p, &pixel);
+        assert!((m.length() - 1.0).abs() < 1e-5 && m.z >= 0.0, "{m} of {field:?} at {p:?}, {pixel:?}");
         if let Some(flake) = field.flake(numbers.vector()) {
             assert!((flake.normal.length() - 1.0).abs() < 1e-5 && flake.center.is_finite(), "{flake:?}");
         }

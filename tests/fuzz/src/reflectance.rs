@@ -14,7 +14,10 @@ use asperity_shading::reflectance::{
     OrenNayarVariant, Phong, RoughDielectric, Schlick, SchlickF82, TorranceSparrow, WardBrdf,
     WardNormalization,
 };
-use asperity_shading::{Beckmann, Footprint, Frame, Ggx, PixelEllipse, ShadingError, half_vector, reflect};
+use asperity_shading::{
+    Beckmann, Footprint, Frame, Ggx, OpenPbr, OpenPbrParameters, PixelEllipse, ShadingError, StandardMaterial,
+    StandardMaterialParameters, half_vector, reflect,
+};
 
 use crate::numbers::Numbers;
 
@@ -69,7 +72,7 @@ fn fresnel(made: Result<impl Fresnel, ShadingError>, numbers: &mut Numbers<'_>) 
 
 pub(crate) fn attack(numbers: &mut Numbers<'_>) {
     let (x, y) = (number(numbers, 1e-6, 1e6), number(numbers, 1e-6, 1e6));
-    match numbers.byte() % 12 {
+    match numbers.byte() % 14 {
         0 => brdf(Lambert::new(color(numbers)), numbers),
         1 => {
             let form = numbers.pick(&[
@@ -145,8 +148,72 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
                 assert!(clamp.footprint(numbers.float()).width() >= 0.0);
             }
         }
+        11 => standard(numbers),
+        12 => open_pbr(numbers),
         _ => bumps(numbers),
     }
+}
+
+/// A material that any number makes.
+fn standard(numbers: &mut Numbers<'_>) {
+    let material = StandardMaterial::new_clamped(StandardMaterialParameters {
+        base_color: color(numbers),
+        metallic: number(numbers, 1e-6, 1.0),
+        roughness: number(numbers, 1e-6, 1.0),
+        emissive: color(numbers),
+        ior: number(numbers, 1.0, 1e3),
+        specular: number(numbers, 1e-6, 1.0),
+        specular_color: color(numbers),
+        clearcoat: number(numbers, 1e-6, 1.0),
+        clearcoat_roughness: number(numbers, 1e-6, 1.0),
+        sheen_color: color(numbers),
+        sheen_roughness: number(numbers, 1e-6, 1.0),
+        transmission: number(numbers, 1e-6, 1.0),
+        thickness: numbers.float(),
+        anisotropy: number(numbers, 1e-6, 1.0),
+        anisotropy_rotation: number(numbers, 1e-6, 6.0),
+    });
+    assert!(StandardMaterial::new(*material.parameters()).is_ok(), "{:?}", material.parameters());
+    layered(&material, numbers);
+}
+
+fn open_pbr(numbers: &mut Numbers<'_>) {
+    let made = OpenPbr::new(OpenPbrParameters {
+        base_weight: number(numbers, 1e-6, 1.0),
+        base_color: color(numbers),
+        base_diffuse_roughness: number(numbers, 1e-6, 1.0),
+        base_metalness: number(numbers, 1e-6, 1.0),
+        specular_weight: number(numbers, 1e-6, 1.0),
+        specular_color: color(numbers),
+        specular_roughness: number(numbers, 1e-6, 1.0),
+        specular_roughness_anisotropy: number(numbers, 1e-6, 1.0),
+        specular_ior: number(numbers, 1.0, 3.0),
+        transmission_weight: number(numbers, 1e-6, 1.0),
+        transmission_color: color(numbers),
+        transmission_depth: numbers.float(),
+        coat_weight: number(numbers, 1e-6, 1.0),
+        coat_color: color(numbers),
+        coat_roughness: number(numbers, 1e-6, 1.0),
+        coat_ior: number(numbers, 1.0, 3.0),
+        fuzz_weight: number(numbers, 1e-6, 1.0),
+        fuzz_color: color(numbers),
+        fuzz_roughness: number(numbers, 1e-6, 1.0),
+        emission_luminance: numbers.float(),
+        geometry_thin_walled: numbers.byte() % 2 == 0,
+        ..OpenPbrParameters::default()
+    });
+    match made {
+        Ok(material) => layered(&material, numbers),
+        Err(error) => assert_eq!(error.to_string().lines().count(), 1),
+    }
+}
+
+fn layered(material: &dyn FacetBrdf, numbers: &mut Numbers<'_>) {
+    let (wi, wo) = (numbers.direction(), numbers.direction());
+    evaluated(material, wi, wo, numbers);
+    resolved(material, numbers);
+    let emitted = material.emitted(wo);
+    assert!(emitted.is_finite() && emitted.min_element() >= 0.0, "{emitted} towards {wo}");
 }
 
 fn bumps(numbers: &mut Numbers<'_>) {

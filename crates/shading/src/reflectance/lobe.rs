@@ -6,7 +6,7 @@ use glam::{Vec2, Vec3};
 use crate::direction::{half_vector, reflect};
 use crate::level_of_detail::{LevelOfDetail, ResolvedBumps};
 use crate::math::{clamp_to, sqrt};
-use crate::pixel::Footprint;
+use crate::pixel::PixelEllipse;
 use crate::reflectance::brdf::{Brdf, BsdfSample, are_above, cosine_hemisphere, finite, mirrored_pdf};
 use crate::reflectance::cook_torrance::CookTorrance;
 use crate::reflectance::diffuse::EnergyPreservingOrenNayar;
@@ -50,7 +50,7 @@ enum Kind<'a> {
         all: CookTorrance<Beckmann, Vec3>,
         flakes: &'a dyn CountedFacets,
         position: Vec3,
-        footprint: Footprint,
+        pixel: PixelEllipse,
     },
     Sparkling {
         base: CookTorrance<Beckmann, Vec3>,
@@ -81,10 +81,16 @@ pub(crate) enum LobePart {
     Varnish(f32),
 }
 
-/// Counted facets of a pixel: the number with a normal over its mean.
+/// Counted facets of a pixel.
 pub(crate) trait CountedFacets {
+    /// `D̂(h)`.
+    fn density(&self, h: Vec3, position: Vec3, pixel: &PixelEllipse) -> f32;
+
     /// `D̂(h)/D(h)`.
-    fn relative(&self, h: Vec3, position: Vec3, footprint: Footprint) -> f32;
+    fn relative(&self, h: Vec3, position: Vec3, pixel: &PixelEllipse) -> f32;
+
+    /// A normal with the density `D̂(m) cos θ`.
+    fn sample(&self, u: Vec2, position: Vec3, pixel: &PixelEllipse) -> Vec3;
 }
 
 impl Default for Lobe<'_> {
@@ -133,13 +139,15 @@ impl<'a> Lobe<'a> {
     }
 
     /// Glossy flakes that are counted within the pixel.
+    ///
+    /// Half of the samples are of the counted flakes, half of all visible ones.
     pub(crate) fn counted(
         all: CookTorrance<Beckmann, Vec3>,
         flakes: &'a dyn CountedFacets,
         position: Vec3,
-        footprint: Footprint,
+        pixel: PixelEllipse,
     ) -> Self {
-        Self { kind: Kind::Counted { all, flakes, position, footprint }, weight: Vec3::ONE }
+        Self { kind: Kind::Counted { all, flakes, position, pixel }, weight: Vec3::ONE }
     }
 
     /// A glossy lobe plus a flake of this normal and color.
@@ -197,6 +205,9 @@ impl<'a> Lobe<'a> {
     pub(super) fn draw(&self, wo: Vec3, uc: f32, u: Vec2) -> Option<(Vec3, Option<BsdfSample>)> {
         let wi = match &self.kind {
             Kind::Diffuse(_) => cosine_hemisphere(u),
+            Kind::Counted { flakes, position, pixel, .. } if uc < 0.5 => {
+                reflect(wo, flakes.sample(u, *position, pixel))
+            }
             Kind::Glossy(lobe) | Kind::Counted { all: lobe, .. } | Kind::Sparkling { base: lobe, .. } => {
                 lobe.direction(wo, u)
             }
@@ -243,8 +254,8 @@ impl Brdf for Lobe<'_> {
             Kind::Diffuse(diffuse) => diffuse.eval(wo, wi),
             Kind::Glossy(glossy) => glossy.eval(wo, wi),
             Kind::Varnish(varnish) => varnish.eval(wo, wi),
-            Kind::Counted { all, flakes, position, footprint } => {
-                all.eval(wo, wi) * flakes.relative(h, *position, *footprint)
+            Kind::Counted { all, flakes, position, pixel } => {
+                all.eval(wo, wi) * flakes.relative(h, *position, pixel)
             }
             Kind::Sparkling { base, flake, color, weights: [weight, mean] } => {
                 let even = base.eval(wo, wi);
@@ -274,8 +285,10 @@ impl Brdf for Lobe<'_> {
     fn pdf(&self, wo: Vec3, wi: Vec3) -> f32 {
         match &self.kind {
             Kind::Diffuse(diffuse) => diffuse.pdf(wo, wi),
-            Kind::Glossy(lobe) | Kind::Counted { all: lobe, .. } | Kind::Sparkling { base: lobe, .. } => {
-                lobe.pdf(wo, wi)
+            Kind::Glossy(lobe) | Kind::Sparkling { base: lobe, .. } => lobe.pdf(wo, wi),
+            Kind::Counted { all, flakes, position, pixel } => {
+                let counted = mirrored_pdf(wo, wi, |h| flakes.density(h, *position, pixel) * h.z.max(0.0));
+                0.5 * (counted + all.pdf(wo, wi))
             }
             Kind::Varnish(varnish) => varnish.pdf(wo, wi),
             Kind::Resolved { ndf, rule, coordinates } => mirrored_pdf(wo, wi, |h| {

@@ -188,7 +188,7 @@ impl Material for MetallicPaint {
         let specular = self.specular(point);
         let all = CookTorrance::new(Beckmann::new_clamped(p.flake_roughness, p.flake_roughness), specular);
         let flakes = match (&self.glints, self.sparkles.flake(at, n, footprint)) {
-            (Some(field), _) => Lobe::counted(all, field, at, footprint),
+            (Some(field), _) => Lobe::counted(all, field, at, point.pixel),
             (None, Some(flake)) => {
                 let boosted = boosted(specular, p.flake_sparkle_boost_target, p.flake_sparkle_boost);
                 let weights = [flake.weight, flake.mean_weight];

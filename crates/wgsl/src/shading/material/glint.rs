@@ -3,7 +3,6 @@
 use asperity_shading::gpu::{CountedFlakesUniform, GlintFieldUniform};
 
 use super::paint::COATED_FLAKES;
-use super::surface::LATTICE_KEY;
 use crate::ndf::{ELEMENTARY, NORMAL_DISTRIBUTION};
 use crate::noise::INTEGER_HASH;
 use crate::part::{Binding, Part, part};
@@ -16,7 +15,6 @@ pub static GLINT_FIELD: Part = part!(
     "shading/material/paint/glint_field",
     [GlintFieldUniform],
     INTEGER_HASH,
-    LATTICE_KEY,
     NORMAL_DISTRIBUTION,
     ELEMENTARY,
     DIRECTION,

@@ -1,6 +1,6 @@
 //! Counted flakes.
 
-use asperity_shading::glam::Vec2;
+use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::gpu::GlintFieldUniform;
 use asperity_shading::material::{GlintField, PaintFlakes};
 use asperity_shading::{Beckmann, Footprint, MetallicPaint, MetallicPaintParameters, Ndf, PixelEllipse};
@@ -11,7 +11,7 @@ use super::{floats, inputs, number, vec2, vec3, words};
 use crate::case::{Bound, Case, INPUTS, Output, packed};
 
 pub(super) fn cases() -> Vec<Case> {
-    vec![glint_field(), elongated_pixels(), counted_flakes()]
+    vec![glint_field(), elongated_pixels(), samples(), counted_flakes()]
 }
 
 fn glint_field() -> Case {
@@ -68,6 +68,11 @@ fn glint_field() -> Case {
     }
 }
 
+/// The angular radius of the half vectors of a light.
+fn spread(i: u32) -> f32 {
+    [0.0, 0.05, 0.2][i as usize % 3]
+}
+
 fn elongated_pixels() -> Case {
     const SPACING: f32 = 1e-3;
     let ndf = Beckmann::new(1.0, 1.0).expect("a roughness");
@@ -80,15 +85,16 @@ fn elongated_pixels() -> Case {
             "\
     let field = GlintField(0.001, 0.3, vec2<u32>({x}u, {y}u), {key}u);
     let pixel = pixel_ellipse_aligned(vec2<f32>(a.w, b.z));
-    outcome.a = bits(vec4<f32>(glint_field_relative_over(field, b.xy, 0.0, a.xyz, pixel), 0.0, 0.0, 0.0));"
+    outcome.a = bits(vec4<f32>(glint_field_relative_over(field, b.xy, b.w, a.xyz, pixel), 0.0, 0.0, 0.0));"
         ),
         resources: vec![],
-        input: Box::new(|i| {
+        input: Box::new(move |i| {
             let p = [0, 1, 2].map(|k| number(i, k, [-1.0, 1.0]));
             let width = SPACING * number(i, 3, [-0.5, 5.0]).exp();
-            let long = width * number(i, 6, [0.0, 3.0]).exp();
+            let long = width * number(i, 6, [0.0, 1.2]).exp();
             let z = [4, 5].map(|k| number(i, k, [-2.5, 2.5]));
-            let numbers = [p[0], p[1], p[2], width, z[0], z[1], long];
+            let light = field.light_width(ndf.warp_gaussian(Vec2::from(z)), spread(i));
+            let numbers = [p[0], p[1], p[2], width, z[0], z[1], long, light];
             let mut words = [0; INPUTS];
             words.iter_mut().zip(numbers).for_each(|(word, number)| *word = number.to_bits());
             words
@@ -98,11 +104,56 @@ fn elongated_pixels() -> Case {
             let h = ndf.warp_gaussian(z);
             // Along an axis, so that both place their taps in the same cells.
             let pixel = PixelEllipse::aligned(Vec2::new(width, f32::from_bits(inputs[6])));
-            words(&[field.density_over(h, 0.0, vec3(inputs, 0), &pixel) / ndf.d(h)])
+            // The spread that has this width; the point lights are every other one.
+            let of = |spread: f32| field.light_width(h, spread) == f32::from_bits(inputs[7]);
+            let spread = [0.0, 0.05, 0.2].into_iter().find(|&spread| of(spread)).expect("a spread");
+            // No cells can be told apart far away, where the density is the mean of the light.
+            let [density, mean] =
+                [vec3(inputs, 0), Vec3::splat(1e30)].map(|p| field.density_over(h, spread, p, &pixel));
+            words(&[density / mean])
         }),
         outputs: vec![
-            // Counts up to 100 in 32 bits; a fused driver may place a tap into the next cell.
-            Output::new("relative count", 0..1, Bound::Absolute(1e-3), Bound::Absolute(1.0)),
+            // Counts up to 100 in 32 bits.
+            Output::new("relative count", 0..1, Bound::Absolute(1e-3), Bound::Absolute(5e-2)),
+        ],
+    }
+}
+
+fn samples() -> Case {
+    const SPACING: f32 = 1e-3;
+    let ndf = Beckmann::new(1.0, 1.0).expect("a roughness");
+    let field = GlintField::new(ndf, SPACING, 0.3, 7).expect("a field");
+    let GlintFieldUniform { key, tilt_keys: [x, y], .. } = field.gpu();
+    Case {
+        name: "shading/material/paint/glint_field, samples".into(),
+        parts: vec![&GLINT_FIELD],
+        body: format!(
+            "\
+    let field = GlintField(0.001, 0.3, vec2<u32>({x}u, {y}u), {key}u);
+    let pixel = pixel_ellipse_aligned(vec2<f32>(a.w, b.z));
+    outcome.a = bits(vec4<f32>(glint_field_sample(field, b.xy, a.xyz, pixel), 0.0, 0.0));"
+        ),
+        resources: vec![],
+        input: Box::new(|i| {
+            let p = [0, 1, 2].map(|k| number(i, k, [-1.0, 1.0]));
+            let width = SPACING * number(i, 3, [-0.5, 12.0]).exp();
+            let long = width * number(i, 6, [0.0, 3.0]).exp();
+            let u = [4, 5].map(|k| number(i, k, [0.01, 0.99]));
+            let mut words = [0; INPUTS];
+            let numbers = [p[0], p[1], p[2], width, u[0], u[1], long];
+            words.iter_mut().zip(numbers).for_each(|(word, number)| *word = number.to_bits());
+            words
+        }),
+        reference: Box::new(move |inputs| {
+            let [width, u, v, long] = [3, 4, 5, 6].map(|k| f32::from_bits(inputs[k]));
+            let pixel = PixelEllipse::aligned(Vec2::new(width, long));
+            let m = field.sample(Vec2::new(u, v), vec3(inputs, 0), &pixel);
+            words(&ndf.invert(m).to_array())
+        }),
+        outputs: vec![
+            // Each split takes digits of a uniform number. The last ones place the sample in its bin,
+            // which is 0.3 wide.
+            Output::new("coordinates", 0..2, Bound::Absolute(0.1), Bound::Absolute(0.3)),
         ],
     }
 }
@@ -117,7 +168,7 @@ fn counted_flakes() -> Case {
         &COUNTED_FLAKES,
         vec![("counted_flakes_uniform", counted), sums(&paint.gpu_sums())],
         [0.1, 1e-5, 0.02],
-        [Bound::Rounding(1e-6), Bound::Absolute(1e-2)],
+        [Bound::Rounding(1e-5), Bound::Absolute(1e-2)],
         paint,
     )
 }

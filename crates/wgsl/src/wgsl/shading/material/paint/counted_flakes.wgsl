@@ -14,7 +14,7 @@ fn counted_flakes_eval_cos(
     let paint = counted.paint;
     let specular = metallic_paint_specular(paint, point);
     let z = beckmann_invert(vec2<f32>(paint.flake_roughness), direction_half(wi, wo));
-    let number = glint_field_relative(counted.flakes, z, point.position, point.pixel.widths.x);
+    let number = glint_field_relative_over(counted.flakes, z, 0.0, point.position, point.pixel);
     let flakes = metallic_paint_flakes(paint, specular, wi, wo) * number;
     return metallic_paint_coated(paint, point, specular, flakes, wo, wi);
 }
