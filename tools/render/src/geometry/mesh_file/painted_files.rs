@@ -48,6 +48,16 @@ fn refusal(json: &Value, bin: &[u8]) -> String {
     error
 }
 
+/// Returns the data URI of a PNG with pixels that cannot be decoded.
+fn large_header(image: &Value) -> Value {
+    let (_, base64) = image["uri"].as_str().unwrap().split_once(',').unwrap();
+    let mut bytes = STANDARD.decode(base64).unwrap();
+    let begin = bytes.windows(4).position(|name| name == b"IDAT").unwrap() + 4;
+    let end = bytes.len() - 16;
+    bytes[begin..end].fill(0xff);
+    data_uri(&bytes)
+}
+
 /// Returns a PNG of one color.
 fn png(color: Vec3) -> Vec<u8> {
     Image::from_fn(2, 2, |_, _| color).encode(ImageFormat::Png).unwrap()
@@ -241,7 +251,13 @@ fn gltf_material_errors() {
             json!([{ "normalTexture": { "index": 0, "texCoord": 9 } }]),
             json!([{ "source": 0 }]),
             json!([data_uri(&png(Vec3::Z))]),
-            "has an invalid `normalTexture`",
+            "material 0 of the glTF has `texCoord` 9 in `normalTexture` (at most 1: two sets are read)",
+        ),
+        (
+            json!([{ "normalTexture": { "index": 0, "texCoord": -1 } }]),
+            json!([{ "source": 0 }]),
+            json!([{}]),
+            "material 0 of the glTF has an invalid `texCoord`",
         ),
         (
             texture("normalTexture"),
@@ -295,7 +311,7 @@ fn gltf_material_errors() {
             texture("emissiveTexture"),
             json!([{ "source": 0 }]),
             json!([data_uri(b"GIF89a")]),
-            "cannot read image 0 of the glTF: unsupported image format",
+            "cannot read image 0 of the glTF: unsupported texture format",
         ),
         (
             texture("emissiveTexture"),
@@ -323,6 +339,34 @@ fn gltf_material_errors() {
 }
 
 #[test]
+fn gltf_image_errors_name_the_files() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("broken one.png"), &png(Vec3::X)[..40]).unwrap();
+    fs::write(folder.path().join("good.png"), png(Vec3::X)).unwrap();
+    let error = |uris: &[&str]| {
+        let material = |k: usize| json!({ "normalTexture": { "index": k } });
+        let (mut json, bin) = cube(&(0..uris.len()).map(material).collect());
+        json["textures"] = (0..uris.len()).map(|k| json!({ "source": k })).collect();
+        json["images"] = uris.iter().map(|uri| json!({ "uri": uri })).collect();
+        let error = painted(&json, &bin, folder.path()).err().expect("must be refused").to_string();
+        assert_eq!(error.lines().count(), 1);
+        error
+    };
+    let got = error(&["good.png", "broken%20one.png"]);
+    assert!(
+        got.starts_with("cannot read image `broken%20one.png` of the glTF: cannot decode the PNG"),
+        "{got}"
+    );
+    assert_eq!(
+        error(&["b.png", "good.png", "a.png", "c.png"]),
+        "images of the glTF are missing: `b.png`, `a.png`, `c.png`"
+    );
+    let many: Vec<_> = (0..30).map(|k| format!("{k}.png")).collect();
+    let got = error(&many.iter().map(String::as_str).collect::<Vec<_>>());
+    assert!(got.contains("`0.png`") && got.ends_with("`19.png` and 10 more"), "{got}");
+}
+
+#[test]
 fn gltf_images_of_one_file_share_a_limit() {
     // A PNG of 64 million equal texels is a hundred kilobytes.
     let large = Image { width: 8192, height: 8192, pixels: vec![Vec3::ZERO; 8192 * 8192] };
@@ -332,7 +376,12 @@ fn gltf_images_of_one_file_share_a_limit() {
     let material = |k: usize| json!({ names[k % 2]: { "index": k } });
     let (mut json, bin) = cube(&(0..5).map(material).collect());
     json["textures"] = (0..5).map(|k| json!({ "source": k })).collect();
-    json["images"] = vec![uri; 5].into();
+    json["images"] = vec![uri.clone(); 5].into();
+    assert_eq!(refusal(&json, &bin), "the glTF's images exceed 268435456 texels");
+    // The size is in the header. The pixels of this file would be an error.
+    let broken = large_header(&uri);
+    json["images"] = vec![broken; 5].into();
+    json["images"].as_array_mut().unwrap()[..4].fill(uri);
     assert_eq!(refusal(&json, &bin), "the glTF's images exceed 268435456 texels");
 }
 

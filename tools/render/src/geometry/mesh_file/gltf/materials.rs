@@ -1,6 +1,6 @@
 //! The materials of a glTF, with their textures.
 
-use std::{borrow::Cow, path::Path, sync::Arc};
+use std::{borrow::Cow, io, path::Path, sync::Arc};
 
 use asperity_shading::{StandardMaterialParameters, reflectance::Absorption};
 use glam::{Affine2, Mat2, Vec2, Vec3};
@@ -15,11 +15,7 @@ use crate::{
         },
         materials::{Coverage, TexturedMaterial, Textures},
     },
-    image::{
-        content::Content,
-        read::ImageFile,
-        texture_map::{Texels, TextureMap, Wrap},
-    },
+    image::texture_map::{Texels, TextureMap, Wrap},
 };
 
 /// The materials of a document, and last the material of primitives without one.
@@ -34,11 +30,15 @@ impl Materials {
             return Ok(None);
         }
         let decoded = vec![None; list(&gltf.document.images).len()];
-        let mut images = Images { gltf, folder, decoded, left: MOST_TEXELS };
+        let mut images = Images { gltf, folder, decoded, left: MOST_TEXELS, missing: Vec::new() };
         let usual = Value::Null;
         let all = materials.iter().chain([&usual]).enumerate();
         let all = all.map(|(index, value)| Source { value, index }.material(&mut images));
-        all.collect::<Result<_, _>>().map(|all| Some(Self(all)))
+        let all = all.collect::<Result<_, _>>()?;
+        if let Some(error) = images.missing() {
+            return Err(error);
+        }
+        Ok(Some(Self(all)))
     }
 
     /// Returns the index of a primitive's material.
@@ -166,11 +166,13 @@ impl Source<'_> {
     /// Reads a texture with its place. A texture without an image is white.
     fn texture(&self, pointer: &str, images: &mut Images<'_>) -> Result<Option<TextureMap>, MeshFileError> {
         let Some(info) = self.found(pointer) else { return Ok(None) };
-        let index = |value: Option<&Value>| -> Result<Option<usize>, MeshFileError> {
+        let named = |field: &str, value: Option<&Value>| -> Result<Option<usize>, MeshFileError> {
             let Some(value) = value else { return Ok(None) };
             let index = value.as_u64().and_then(|index| usize::try_from(index).ok());
-            index.map(Some).ok_or_else(|| self.wrong(pointer))
+            index.map(Some).ok_or_else(|| self.wrong(field))
         };
+        let index = |value: Option<&Value>| named(pointer, value);
+        let set = |value: Option<&Value>| named("texCoord", value);
         let document = &images.gltf.document;
         let texture = index(info.get("index"))?.ok_or_else(|| self.wrong(pointer))?;
         let texture = item(list(&document.textures), "texture", texture)?;
@@ -192,10 +194,11 @@ impl Source<'_> {
             _ => Wrap::Repeat,
         };
         let (wrap, nearest) = ([wrap("wrapS"), wrap("wrapT")], number("magFilter") == Some(9728));
-        let (mut set, mut transform) = (index(info.get("texCoord"))?, Affine2::IDENTITY);
+        let (mut coordinates, mut transform) = (set(info.get("texCoord"))?, Affine2::IDENTITY);
         if info.pointer("/extensions/KHR_texture_transform").is_some() {
             let at = |name: &str| format!("{pointer}/extensions/KHR_texture_transform/{name}");
-            set = index(info.pointer("/extensions/KHR_texture_transform/texCoord"))?.or(set);
+            let own = set(info.pointer("/extensions/KHR_texture_transform/texCoord"))?;
+            coordinates = own.or(coordinates);
             let offset = Vec2::from(self.numbers(&at("offset"), [0.0; 2])?);
             let scale = Vec2::from(self.numbers(&at("scale"), [1.0; 2])?);
             // Counterclockwise where v points down.
@@ -203,9 +206,10 @@ impl Source<'_> {
             let matrix = Mat2::from_angle(rotation) * Mat2::from_diagonal(scale);
             transform = Affine2::from_mat2_translation(matrix, offset);
         }
-        let set = set.unwrap_or(0);
+        let set = coordinates.unwrap_or(0);
         if set > 1 {
-            return Err(self.wrong(pointer));
+            let field = pointer.rsplit('/').next().unwrap_or_default().to_owned();
+            return Err(MeshFileError::TexCoord { material: self.index, field, set });
         }
         Ok(Some(TextureMap { texels: images.texels(image)?, set, transform, wrap, nearest }))
     }
@@ -218,17 +222,33 @@ struct Images<'a> {
     decoded: Vec<Option<Arc<Texels>>>,
     /// Texels that may still be decoded. Any number of images may refer to the same bytes.
     left: usize,
+    /// The files that do not exist.
+    missing: Vec<(String, io::Error)>,
 }
 
 impl Images<'_> {
     fn texels(&mut self, index: usize) -> Result<Arc<Texels>, MeshFileError> {
-        let image = item(list(&self.gltf.document.images), "image", index)?;
         if let Some(Some(texels)) = self.decoded.get(index) {
             return Ok(Arc::clone(texels));
         }
+        let texels = Arc::new(self.read(index)?);
+        self.decoded[index] = Some(Arc::clone(&texels));
+        Ok(texels)
+    }
+
+    /// Decodes an image. An image whose file does not exist is recorded, and white.
+    fn read(&mut self, index: usize) -> Result<Texels, MeshFileError> {
+        let image = item(list(&self.gltf.document.images), "image", index)?;
+        let uri = image.get("uri").and_then(Value::as_str);
         let view = image.get("bufferView").and_then(Value::as_u64);
-        let file: Option<Cow<'_, [u8]>> = match (image.get("uri").and_then(Value::as_str), view) {
-            (Some(uri), _) => Some(fetched("image", uri, self.folder)?.into()),
+        let file: Option<Cow<'_, [u8]>> = match (uri, view) {
+            (Some(uri), _) => match fetched("image", uri, self.folder) {
+                Err(MeshFileError::Beside { uri, error, .. }) if error.kind() == io::ErrorKind::NotFound => {
+                    self.missing.push((uri, error));
+                    return Ok(Texels::white());
+                }
+                file => Some(file?.into()),
+            },
             (None, Some(view)) => {
                 let view = item(&self.gltf.document.buffer_views, "buffer view", view as usize)?;
                 self.gltf.within(view).map(Cow::from)
@@ -236,11 +256,24 @@ impl Images<'_> {
             (None, None) => None,
         };
         let file = file.ok_or(MeshFileError::Lacks { what: "buffer of its image" })?;
-        let image = ImageFile::decode(&file, Content::Colors)
-            .map_err(|error| MeshFileError::Image { image: index, error })?;
-        self.left = self.left.checked_sub(image.width * image.height).ok_or(MeshFileError::ImagesTooLarge)?;
-        let texels = Arc::new(Texels::new(&image));
-        self.decoded[index] = Some(Arc::clone(&texels));
-        Ok(texels)
+        let failed = |error| {
+            let uri = uri.filter(|uri| !uri.get(..5).is_some_and(|uri| uri.eq_ignore_ascii_case("data:")));
+            let image = uri.map_or_else(|| format!("image {index}"), |uri| format!("image `{}`", shown(uri)));
+            MeshFileError::Image { image, error }
+        };
+        let opened = Texels::open(&file).map_err(failed)?;
+        self.left = self.left.checked_sub(opened.count()).ok_or(MeshFileError::ImagesTooLarge)?;
+        opened.decode().map_err(failed)
+    }
+
+    /// Returns the error for files that do not exist.
+    fn missing(&mut self) -> Option<MeshFileError> {
+        let (uri, error) = self.missing.pop()?;
+        if self.missing.is_empty() {
+            return Some(MeshFileError::Beside { what: "image", uri, error });
+        }
+        let mut uris: Vec<_> = self.missing.drain(..).map(|(uri, _)| uri).collect();
+        uris.push(uri);
+        Some(MeshFileError::MissingImages { uris })
     }
 }
