@@ -339,6 +339,27 @@ fn gltf_material_errors() {
 }
 
 #[test]
+fn gltf_features_that_are_not_rendered_are_listed_once() {
+    let (json, bin) = cube(&json!([
+        { "occlusionTexture": { "index": 7 }, "extensions": { "KHR_materials_iridescence": {} } },
+        {
+            "occlusionTexture": { "index": 7 },
+            "extensions": {
+                "KHR_materials_volume": { "thicknessTexture": { "index": 7 } },
+                "KHR_materials_clearcoat": { "clearcoatNormalTexture": { "index": 7 } },
+                "KHR_materials_unlit": {}
+            }
+        }
+    ]));
+    let ignored = painted(&json, &bin, Path::new("")).unwrap().ignored;
+    let expected =
+        ["KHR_materials_iridescence", "clearcoatNormalTexture", "occlusionTexture", "thicknessTexture"];
+    assert_eq!(ignored, expected);
+    let (json, bin) = cube(&json!([{ "extensions": { "KHR_materials_ior": { "ior": 1.4 } } }]));
+    assert!(painted(&json, &bin, Path::new("")).unwrap().ignored.is_empty());
+}
+
+#[test]
 fn gltf_image_errors_name_the_files() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("broken one.png"), &png(Vec3::X)[..40]).unwrap();

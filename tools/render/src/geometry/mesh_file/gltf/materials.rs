@@ -1,6 +1,6 @@
 //! The materials of a glTF, with their textures.
 
-use std::{borrow::Cow, io, path::Path, sync::Arc};
+use std::{borrow::Cow, collections::BTreeSet, io, path::Path, sync::Arc};
 
 use asperity_shading::{StandardMaterialParameters, reflectance::Absorption};
 use glam::{Affine2, Mat2, Vec2, Vec3};
@@ -18,8 +18,13 @@ use crate::{
     image::texture_map::{Texels, TextureMap, Wrap},
 };
 
-/// The materials of a document, and last the material of primitives without one.
-pub(super) struct Materials(Vec<TexturedMaterial>);
+/// The materials of a document.
+pub(super) struct Materials {
+    /// All materials, and last the material of primitives without one.
+    pub(super) list: Vec<TexturedMaterial>,
+    /// Features that are not rendered.
+    pub(super) ignored: Vec<String>,
+}
 
 impl Materials {
     /// Reads all materials, or returns `None` if there are none. An image is decoded once, and only
@@ -34,32 +39,63 @@ impl Materials {
         let usual = Value::Null;
         let all = materials.iter().chain([&usual]).enumerate();
         let all = all.map(|(index, value)| Source { value, index }.material(&mut images));
-        let all = all.collect::<Result<_, _>>()?;
+        let list = all.collect::<Result<_, _>>()?;
         if let Some(error) = images.missing() {
             return Err(error);
         }
-        Ok(Some(Self(all)))
+        Ok(Some(Self { list, ignored: ignored(materials) }))
     }
 
     /// Returns the index of a primitive's material.
     pub(super) fn index(&self, material: &Value) -> Result<u32, MeshFileError> {
-        let usual = self.0.len() - 1;
+        let usual = self.list.len() - 1;
         if material.is_null() {
             return Ok(usual as u32);
         }
         let index = material.as_u64().map_or(usize::MAX, |index| index as usize);
-        item(&self.0[..usual], "material", index).map(|_| index as u32)
+        item(&self.list[..usual], "material", index).map(|_| index as u32)
     }
 
     /// Returns the set of texture coordinates of a material's normal map.
     pub(super) fn normal_set(&self, material: u32) -> usize {
-        let normal = self.0.get(material as usize).and_then(|m| m.textures.normal.as_ref());
+        let normal = self.list.get(material as usize).and_then(|m| m.textures.normal.as_ref());
         normal.map_or(0, |map| map.set)
     }
+}
 
-    pub(super) fn into_list(self) -> Vec<TexturedMaterial> {
-        self.0
+/// Rendered extensions of materials, with their features that are not.
+const RENDERED: [(&str, &[&str]); 10] = [
+    ("KHR_materials_anisotropy", &[]),
+    ("KHR_materials_clearcoat", &["clearcoatNormalTexture"]),
+    ("KHR_materials_emissive_strength", &[]),
+    ("KHR_materials_ior", &[]),
+    ("KHR_materials_sheen", &[]),
+    ("KHR_materials_specular", &[]),
+    ("KHR_materials_transmission", &[]),
+    ("KHR_materials_unlit", &[]),
+    ("KHR_materials_volume", &["thicknessTexture"]),
+    ("KHR_texture_transform", &[]),
+];
+
+/// Returns the features of materials that are not rendered, sorted.
+fn ignored(materials: &[Value]) -> Vec<String> {
+    let mut names = BTreeSet::new();
+    for material in materials {
+        if material.get("occlusionTexture").is_some_and(|texture| !texture.is_null()) {
+            names.insert("occlusionTexture".to_owned());
+        }
+        let extensions = material.get("extensions").and_then(Value::as_object);
+        for (name, value) in extensions.into_iter().flatten() {
+            match RENDERED.iter().find(|(rendered, _)| name == rendered) {
+                Some((_, features)) => {
+                    let used = features.iter().filter(|feature| value.get(**feature).is_some());
+                    names.extend(used.map(|&feature| feature.to_owned()));
+                }
+                None => drop(names.insert(shown(name))),
+            }
+        }
     }
+    names.into_iter().collect()
 }
 
 /// Returns the items of a list that may be missing.
