@@ -76,8 +76,8 @@ pub enum MeshFileError {
         #[source]
         error: ImageFileError,
     },
-    #[error("the glTF's images exceed {MOST_TEXELS} texels")]
-    ImagesTooLarge,
+    #[error("the glTF's images exceed {most} texels, the limit for a file of this length")]
+    ImagesTooLarge { most: usize },
     #[error("images of the glTF are missing: {}", quoted(uris))]
     MissingImages { uris: Vec<String> },
     #[error("material {material} of the glTF has an invalid `{field}`")]

@@ -48,6 +48,28 @@ fn refusal(json: &Value, bin: &[u8]) -> String {
     error
 }
 
+#[test]
+fn gltf_images_of_the_same_bytes_share_a_limit() {
+    // Many images of 2048 × 2048 in the bytes of one.
+    let image = Image { width: 2048, height: 2048, pixels: vec![Vec3::ZERO; 2048 * 2048] };
+    let image = image.encode(ImageFormat::Png).unwrap();
+    let material = |k: usize| json!({ "normalTexture": { "index": k } });
+    let read = |count: usize| {
+        let (mut json, mut bin) = cube(&(0..count).map(material).collect());
+        json["bufferViews"].as_array_mut().unwrap().push(json!({
+            "buffer": 0, "byteOffset": bin.len(), "byteLength": image.len()
+        }));
+        let view = json["bufferViews"].as_array().unwrap().len() - 1;
+        bin.extend(&image);
+        json["textures"] = (0..count).map(|k| json!({ "source": k })).collect();
+        json["images"] = (0..count).map(|_| json!({ "bufferView": view })).collect();
+        painted(&json, &bin, Path::new("")).err().map(|error| error.to_string())
+    };
+    assert_eq!(read(16), None);
+    let error = read(60).expect("must be refused");
+    assert!(error.starts_with("the glTF's images exceed "), "{error}");
+}
+
 /// Returns the data URI of a PNG with pixels that cannot be decoded.
 fn large_header(image: &Value) -> Value {
     let (_, base64) = image["uri"].as_str().unwrap().split_once(',').unwrap();
@@ -398,12 +420,18 @@ fn gltf_images_of_one_file_share_a_limit() {
     let (mut json, bin) = cube(&(0..5).map(material).collect());
     json["textures"] = (0..5).map(|k| json!({ "source": k })).collect();
     json["images"] = vec![uri.clone(); 5].into();
-    assert_eq!(refusal(&json, &bin), "the glTF's images exceed 268435456 texels");
+    assert_eq!(
+        refusal(&json, &bin),
+        "the glTF's images exceed 268435456 texels, the limit for a file of this length"
+    );
     // The size is in the header. The pixels of this file would be an error.
     let broken = large_header(&uri);
     json["images"] = vec![broken; 5].into();
     json["images"].as_array_mut().unwrap()[..4].fill(uri);
-    assert_eq!(refusal(&json, &bin), "the glTF's images exceed 268435456 texels");
+    assert_eq!(
+        refusal(&json, &bin),
+        "the glTF's images exceed 268435456 texels, the limit for a file of this length"
+    );
 }
 
 #[test]

@@ -35,7 +35,8 @@ impl Materials {
             return Ok(None);
         }
         let decoded = vec![None; list(&gltf.document.images).len()];
-        let mut images = Images { gltf, folder, decoded, left: MOST_TEXELS, missing: Vec::new() };
+        let most = TEXELS + TEXELS_PER_BYTE * gltf.bytes();
+        let mut images = Images { gltf, folder, decoded, texels: 0, most, missing: Vec::new() };
         let usual = Value::Null;
         let all = materials.iter().chain([&usual]).enumerate();
         let all = all.map(|(index, value)| Source { value, index }.material(&mut images));
@@ -251,13 +252,20 @@ impl Source<'_> {
     }
 }
 
+/// Texels of any file: 16 images of 2048 × 2048.
+const TEXELS: usize = 1 << 26;
+/// Maximum expansion ratio of deflate. More texels than this share their bytes.
+const TEXELS_PER_BYTE: usize = 1032;
+
 /// The images of a document.
 struct Images<'a> {
     gltf: &'a Gltf,
     folder: &'a Path,
     decoded: Vec<Option<Arc<Texels>>>,
-    /// Texels that may still be decoded. Any number of images may refer to the same bytes.
-    left: usize,
+    /// Decoded texels.
+    texels: usize,
+    /// The maximum number of texels. Any number of images may refer to the same bytes.
+    most: usize,
     /// The files that do not exist.
     missing: Vec<(String, io::Error)>,
 }
@@ -283,7 +291,11 @@ impl Images<'_> {
                     self.missing.push((uri, error));
                     return Ok(Texels::white());
                 }
-                file => Some(file?.into()),
+                file => {
+                    let file = file?;
+                    self.most = self.most.saturating_add(TEXELS_PER_BYTE * file.len());
+                    Some(file.into())
+                }
             },
             (None, Some(view)) => {
                 let view = item(&self.gltf.document.buffer_views, "buffer view", view as usize)?;
@@ -298,7 +310,11 @@ impl Images<'_> {
             MeshFileError::Image { image, error }
         };
         let opened = Texels::open(&file).map_err(failed)?;
-        self.left = self.left.checked_sub(opened.count()).ok_or(MeshFileError::ImagesTooLarge)?;
+        self.texels += opened.count();
+        let most = self.most.min(MOST_TEXELS);
+        if self.texels > most {
+            return Err(MeshFileError::ImagesTooLarge { most });
+        }
         opened.decode().map_err(failed)
     }
 
