@@ -59,9 +59,12 @@ pub(crate) fn picture(data: &[u8]) {
 
 fn mesh_of(format: Format, bytes: &[u8], up: Up) {
     // A triangle of a strip takes a byte in the file, and more than half a kilobyte until its
-    // corners have normals.
-    let most = 64 * MIB + 4096 * bytes.len();
-    let reading = MeshReading { up, crease: 40.0, materials: false };
+    // corners have normals. The textures of a glTF have at most 64 Mi texels and 1032 for each
+    // byte, of up to 4 bytes. The last image is also in the decoder's form, of up to 8 bytes per
+    // texel.
+    let texels = 64 * MIB + 1032 * bytes.len();
+    let most = 64 * MIB + 4096 * bytes.len() + if format == Format::Gltf { 12 * texels } else { 0 };
+    let reading = MeshReading { up, crease: 40.0, materials: true };
     match within(most, || mesh_file::decode(format, bytes, Path::new("/nowhere"), reading)) {
         Ok(file) => {
             let mesh = &file.mesh;

@@ -83,6 +83,8 @@ fn all() -> Vec<Seed> {
     }
     add("gltf", CUBE_GLB.to_vec());
     add("gltf", TRIANGLE.into());
+    let painted = TRIANGLE.replacen('{', PAINTED, 1).replace("\"mode\":4", "\"material\":0");
+    add("gltf", painted.into());
     JSON.into_iter().for_each(|text| add("json", text.into()));
     LINES.into_iter().for_each(|line| add("words", line.replace(' ', "\n").into()));
     // Targets that take numbers accept any bytes: short, long, and of every class.
@@ -154,6 +156,12 @@ const TRIANGLE: &str = r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes
 {"bufferView":1,"componentType":5121,"count":3,"type":"SCALAR","sparse":{"count":1,"indices":{"bufferView":1,"componentType":5121},"values":{"bufferView":1}}}],
 "bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":3}],
 "buffers":[{"byteLength":39,"uri":"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAEC"}]}"#;
+
+/// The beginning of a glTF with a textured material.
+const PAINTED: &str = r#"{"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"roughnessFactor":0.5},
+"normalTexture":{"index":0,"scale":2},"alphaMode":"BLEND","extensions":{"KHR_materials_transmission":{"transmissionFactor":1}}}],
+"textures":[{"source":0,"sampler":0}],"samplers":[{"wrapS":33071}],
+"images":[{"uri":"data:;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAFElEQVR4nGM8kWLUwMDAwMDEAAUAHawB4t1+dKgAAAAASUVORK5CYII="}],"#;
 
 const JSON: [&str; 16] = [
     r#"{"knots": ["0", 1, 2], "alpha": ["17/20", "-17/20"], "q": [["0", "1/2"], [1, -0.5]], "name": "g"}"#,

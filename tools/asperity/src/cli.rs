@@ -42,6 +42,7 @@ pub enum Command {
   asperity render --scene sphere --ndf beckmann:0.3 --rule fractal --zoom 16 --size 1024
   asperity render --mesh helmet.glb --light studio.hdr
   asperity render --mesh bunny.ply --ndf ward:0.1,0.3 --size 768
+  asperity render --mesh helmet.glb --light studio.hdr --camera 0,0.5,3 --fov 40 --no-ground
   asperity render --mesh house.obj --up z --material brick --light sky.hdr --noise 0.02
   asperity render --mesh part.stl --material paint --tint b02a1e --set orange_peel_strength=0.03
   asperity render --frames 24 --out frames/####.png
@@ -128,6 +129,20 @@ pub struct Render {
     /// Crease angle in degrees for meshes without normals [default: 40].
     #[arg(long, value_name = "DEGREES", requires = "mesh", value_parser = degrees)]
     pub crease: Option<f32>,
+    /// Position of the camera, in coordinates of the mesh file [default: in front, slightly from the
+    /// right and above].
+    #[arg(long, value_name = "X,Y,Z", requires = "mesh", allow_hyphen_values = true, value_parser = point)]
+    pub camera: Option<[f64; 3]>,
+    /// Point at the center of the image, in coordinates of the mesh file [default: the center of the
+    /// mesh].
+    #[arg(long, value_name = "X,Y,Z", requires = "mesh", allow_hyphen_values = true, value_parser = point)]
+    pub target: Option<[f64; 3]>,
+    /// Field of view of the camera in degrees [default: 27].
+    #[arg(long, value_name = "DEGREES", requires = "mesh", value_parser = field_of_view)]
+    pub fov: Option<f32>,
+    /// Omit the ground below the mesh.
+    #[arg(long, requires = "mesh")]
+    pub no_ground: bool,
     /// Material of the subject [default: that of a .glb or .gltf file, else depends on the scene].
     #[arg(long, value_enum)]
     pub material: Option<Material>,
@@ -467,6 +482,17 @@ fn degrees(text: &str) -> Result<f32, &'static str> {
     number.ok_or("must be an angle from 0 to 180 degrees")
 }
 
+fn field_of_view(text: &str) -> Result<f32, &'static str> {
+    let number = text.parse().ok().filter(|x: &f32| (0.1..=170.0).contains(x));
+    number.ok_or("must be an angle from 0.1 to 170 degrees")
+}
+
+fn point(text: &str) -> Result<[f64; 3], &'static str> {
+    let coordinate = |text: &str| text.trim().parse().ok().filter(|x: &f64| x.abs() <= 1e30);
+    let all: Option<Vec<_>> = text.split(',').map(coordinate).collect();
+    all.and_then(|all| all.try_into().ok()).ok_or("must be three numbers, such as 0,1.5,-4")
+}
+
 fn turned(text: &str) -> Result<f32, &'static str> {
     let number = text.parse().ok().filter(|x: &f32| x.abs() <= 36_000.0);
     number.ok_or("must be an angle of at most 36000 degrees")
@@ -524,6 +550,11 @@ mod tests {
             "asperity render --scene barn",
             "asperity render --mesh a.obj --scene plane",
             "asperity render --up z",
+            "asperity render --fov 30",
+            "asperity render --no-ground",
+            "asperity render --mesh a.obj --fov 0",
+            "asperity render --mesh a.obj --camera 1,2",
+            "asperity render --mesh a.obj --target 1,2,nan",
             "asperity render --mesh a.obj --up x",
             "asperity check-ndf",
             "asperity render --jobs 0",

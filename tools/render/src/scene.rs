@@ -159,10 +159,11 @@ impl<'m, 'l> Scene<'m, 'l> {
         Self { focus, ..self }
     }
 
-    /// Returns the nearest intersection of a ray with an object that does not let it pass.
+    /// Returns the nearest intersection of a ray with an object that does not let it pass. The last
+    /// of [`SHEETS`] is opaque.
     pub fn intersect(&self, origin: Vec3, direction: Vec3) -> Option<Meeting<'_, 'm>> {
         let mut passed = 0.0;
-        for _ in 0..SHEETS {
+        for sheet in 1..=SHEETS {
             let probe = Probe::about(self.focus, origin + passed * direction, direction);
             let mut nearest: Option<(&Object<'m>, Met)> = None;
             for object in &self.objects {
@@ -174,7 +175,7 @@ impl<'m, 'l> Scene<'m, 'l> {
             let (object, met) = nearest?;
             let hit = object.shape.hit(&probe, met)?;
             let hit = Hit { t: hit.t + passed, ..hit };
-            if object.meets(&hit, direction) {
+            if sheet == SHEETS || object.meets(&hit, direction) {
                 return Some(Meeting { object, hit });
             }
             passed = past(hit.t);
@@ -183,32 +184,32 @@ impl<'m, 'l> Scene<'m, 'l> {
     }
 
     /// Returns the fraction of the light from a direction that reaches a point.
-    pub fn open(&self, origin: Vec3, direction: Vec3) -> f32 {
+    pub fn open(&self, origin: Vec3, direction: Vec3) -> Vec3 {
         let probe = Probe::about(self.focus, origin, direction);
         let hides = |object: &&Object<'_>| object.passes < 1.0 && object.shape.hides(&probe);
         let passes = |object: &Object<'_>| match &object.finish {
             Finish::Mesh(materials) if materials.let_light_through() => {
                 self.through(&object.shape, materials, origin, direction)
             }
-            _ => object.passes,
+            _ => Vec3::splat(object.passes),
         };
         self.objects.iter().filter(hides).map(passes).product()
     }
 
     /// Returns the fraction of light that passes through all sheets of a mesh.
-    fn through(&self, shape: &Shape, materials: &MeshMaterials, origin: Vec3, direction: Vec3) -> f32 {
-        let (mut open, mut passed) = (1.0, 0.0);
+    fn through(&self, shape: &Shape, materials: &MeshMaterials, origin: Vec3, direction: Vec3) -> Vec3 {
+        let (mut open, mut passed) = (Vec3::ONE, 0.0);
         for _ in 0..SHEETS {
             let probe = Probe::about(self.focus, origin + passed * direction, direction);
             let met = shape.meets(&probe, f32::INFINITY);
             let Some(hit) = met.and_then(|met| shape.hit(&probe, met)) else { return open };
             open *= materials.passes(&hit, direction);
-            if open == 0.0 {
+            if open == Vec3::ZERO {
                 break;
             }
             passed = past(hit.t + passed);
         }
-        0.0
+        Vec3::ZERO
     }
 
     /// Returns the radiance behind the objects: for a camera ray through a position of the image,
@@ -222,5 +223,55 @@ impl<'m, 'l> Scene<'m, 'l> {
                 room(&Ray { origin: (self.focus + ray.origin.as_dvec3()).as_vec3(), ..*ray })
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity_shading::StandardMaterialParameters;
+    use glam::{Vec2, Vec4};
+
+    use super::*;
+    use crate::geometry::{
+        mesh::{Mesh, TracedMesh},
+        mesh_file::materials::{Coverage, Painted, TexturedMaterial, Textures},
+    };
+
+    /// Returns a scene of parallel invisible sheets at heights 0, −0.01, …
+    fn invisible_sheets(count: u16) -> Scene<'static, 'static> {
+        let mut mesh = Mesh::default();
+        for k in 0..count {
+            let corner = Vec3::new(-1.0, -1.0, -0.01 * f32::from(k));
+            let sheet = Mesh::parallelogram(corner, [2.0 * Vec3::X, 2.0 * Vec3::Y]);
+            let first = mesh.vertices.len() as u32;
+            mesh.vertices.extend(sheet.vertices);
+            mesh.triangles.extend(sheet.triangles.iter().map(|t| t.map(|i| first + i)));
+        }
+        let invisible = TexturedMaterial {
+            parameters: StandardMaterialParameters::default(),
+            alpha: 0.0,
+            coverage: Coverage::Blend,
+            double_sided: true,
+            unlit: false,
+            normal_scale: 1.0,
+            absorption: Absorption::NONE,
+            textures: Textures::default(),
+        };
+        let painted = Painted { uv: [Vec2::ZERO; 2], color: Vec4::ONE, material: 0 };
+        let materials = MeshMaterials {
+            materials: vec![invisible],
+            triangles: mesh.triangles.clone(),
+            corners: vec![painted; mesh.vertices.len()],
+        };
+        let object = Object::painted(Shape::Mesh(TracedMesh::new(mesh)), Arc::new(materials));
+        Scene::new(vec![object], Light::Around(&Vec3::ONE), Backdrop::Light)
+    }
+
+    #[test]
+    fn intersect_stops_at_the_last_of_64_sheets() {
+        let from = Vec3::new(0.1, 0.2, 1.0);
+        let met = |count| invisible_sheets(count).intersect(from, Vec3::NEG_Z).map(|met| met.hit.t);
+        assert_eq!(met(63), None);
+        assert!(met(80).is_some_and(|t| (t - 1.63).abs() < 1e-4), "{:?}", met(80));
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity_render::geometry::mesh_file::materials::MeshMaterials;
+use asperity_render::geometry::mesh_file::{Placement, materials::MeshMaterials};
 use asperity_render::geometry::{mesh::TracedMesh, mesh_file};
 use asperity_render::image::content::Content;
 use asperity_render::image::read::ImageFile;
@@ -24,6 +24,7 @@ pub(super) struct Opened {
     pub(super) uv: bool,
     /// The materials of the file, if no other is chosen and the file has some.
     pub(super) materials: Option<MeshMaterials>,
+    pub(super) place: Placement,
 }
 
 /// Loads a mesh.
@@ -33,7 +34,7 @@ pub(super) fn opened(file: &Path, wanted: &Render) -> Result<Opened> {
     let up = wanted.up.unwrap_or(if stl { mesh_file::Up::Z } else { mesh_file::Up::Y });
     let crease = wanted.crease.unwrap_or(CREASE);
     let reading = mesh_file::MeshReading { up, crease, materials: wanted.material.is_none() };
-    let mesh_file::MeshFile { mesh, normals, uv, thin, left_out, materials } =
+    let mesh_file::MeshFile { mesh, normals, uv, thin, left_out, materials, ignored, place } =
         mesh_file::open(file, reading).map_err(|error| failed(&error))?;
     if normals && wanted.crease.is_some() {
         return Err(failed(&"`--crease` has no effect because the mesh has normals"));
@@ -52,13 +53,17 @@ pub(super) fn opened(file: &Path, wanted: &Render) -> Result<Opened> {
             "mesh `{name}` has no normals: smoothed up to a crease angle of {crease}° (set with --crease)"
         ));
     }
+    if !ignored.is_empty() {
+        let features = ignored.join(", ");
+        progress::note(&format!("mesh `{name}`: ignored features of its materials: {features}"));
+    }
     let patterned = wanted.material.is_some_and(patterned);
     if patterned && uv {
         progress::note(&format!("mesh `{name}`: the pattern uses texture coordinates, scaled to lengths"));
     } else if patterned {
         progress::note(&format!("mesh `{name}` has no texture coordinates: using triplanar mapping"));
     }
-    Ok(Opened { mesh: TracedMesh::new(mesh), uv, materials })
+    Ok(Opened { mesh: TracedMesh::new(mesh), uv, materials, place })
 }
 
 /// Whether a material has a pattern in texture coordinates.

@@ -44,6 +44,14 @@ pub(super) fn refuse_idle(
             bumps && image,
             "it applies to an image given by --ndf",
         ),
+        ("--tint", wanted.tint.is_some(), !file, "the file defines its colors"),
+        ("--roughness", wanted.roughness.is_some(), !file, "the file defines its roughness"),
+        ("--set", !wanted.set.is_empty() && file, false, "the file defines its parameters"),
+        ("--set", !wanted.set.is_empty(), !bumps, "bumps have separate options"),
+        ("--scale", wanted.scale.is_some(), !file, "the file defines its textures"),
+        ("--scale", wanted.scale.is_some(), material != Some(Material::Chrome), "chrome has no pattern"),
+    ];
+    let of_any_material = [
         (
             "--tangent-space",
             tangent_space.is_some(),
@@ -51,12 +59,6 @@ pub(super) fn refuse_idle(
             "it applies to --normal-map",
         ),
         ("--blue", blue.is_some(), wanted.normal_map.is_some(), "it applies to --normal-map"),
-        ("--tint", wanted.tint.is_some(), !file, "the file defines its colors"),
-        ("--roughness", wanted.roughness.is_some(), !file, "the file defines its roughness"),
-        ("--set", !wanted.set.is_empty() && file, false, "the file defines its parameters"),
-        ("--set", !wanted.set.is_empty(), !bumps, "bumps have separate options"),
-        ("--scale", wanted.scale.is_some(), !file, "the file defines its textures"),
-        ("--scale", wanted.scale.is_some(), material != Some(Material::Chrome), "chrome has no pattern"),
         ("--tone", wanted.tone.is_some(), !exr, "OpenEXR files store linear radiance"),
         ("--exposure", wanted.exposure.is_some(), !exr || lamps, "OpenEXR files store linear radiance"),
         (
@@ -65,22 +67,32 @@ pub(super) fn refuse_idle(
             !lamps,
             "lamps are invisible; use a color, or `--light studio`",
         ),
+        ("--no-ground", wanted.no_ground, !lamps, "under lamps there is no ground"),
     ];
-    let idle = given.iter().find(|(_, given, used, _)| *given && !*used);
-    idle.map_or(Ok(()), |(option, .., why)| {
-        let Some(material) = material else {
-            let why = format!("{option} has no effect with the materials of the mesh: {why}");
-            return Err(format!("{why}; choose another with --material").into());
-        };
-        let name = format!("{material:?}").to_lowercase();
-        Err(format!("{option} has no effect with --material {name}: {why}; see `--help-material {name}`")
-            .into())
-    })
+    let idle = |options: &[(&'static str, bool, bool, &'static str)]| {
+        options.iter().find(|(_, given, used, _)| *given && !*used).map(|&(option, .., why)| (option, why))
+    };
+    if let Some((option, why)) = idle(&given) {
+        return Err(match material {
+            None => format!(
+                "{option} has no effect with the materials of the mesh: {why}; choose another with --material"
+            ),
+            Some(material) => {
+                let name = format!("{material:?}").to_lowercase();
+                format!("{option} has no effect with --material {name}: {why}; see `--help-material {name}`")
+            }
+        }
+        .into());
+    }
+    idle(&of_any_material)
+        .map_or(Ok(()), |(option, why)| Err(format!("{option} has no effect: {why}").into()))
 }
 
 #[cfg(test)]
 mod tests {
 
+    use asperity_render::image::content::Content;
+    use asperity_render::image::read::ImageFile;
     use asperity_render::integrator::pixels::Watch;
     use clap::Parser;
 
@@ -140,6 +152,63 @@ mod tests {
             let said = bytes(&line(&red, option)).expect_err(option).to_string();
             assert!(said.contains("--material") && said.lines().count() == 1, "{said}");
         }
+    }
+
+    #[test]
+    fn options_of_no_material_do_not_suggest_another() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("a.gltf");
+        std::fs::write(&file, triangle([1.0; 4])).unwrap();
+        for (options, expected) in [
+            ("--blue z", "--blue has no effect: it applies to --normal-map"),
+            ("--tangent-space directx", "--tangent-space has no effect: it applies to --normal-map"),
+            ("--out a.exr --tone plain", "--tone has no effect: OpenEXR files store linear radiance"),
+        ] {
+            let line = format!("--mesh {} --size 16 --spp 1 {options}", file.display());
+            assert_eq!(bytes(&line).expect_err(options).to_string(), expected);
+        }
+    }
+
+    #[test]
+    fn camera_is_in_coordinates_of_the_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("a.gltf");
+        std::fs::write(&file, triangle([1.0; 4])).unwrap();
+        let line = |options: &str| {
+            format!("--mesh {} --size 16 --spp 16 --no-ground --background 000000 {options}", file.display())
+        };
+        let lit = |options: &str| {
+            let png = bytes(&line(options)).unwrap_or_else(|error| panic!("{options}: {error}"));
+            let image = ImageFile::decode(&png, Content::Colors).unwrap();
+            let gray = image.gray();
+            let half = |right: bool| -> f32 {
+                gray.iter().enumerate().filter(|(i, _)| (i % 16 >= 8) == right).map(|(_, x)| x).sum()
+            };
+            [half(false), half(true)]
+        };
+        // The triangle (0, 0, 0), (1, 0, 0), (0, 1, 0), y up, fills the lower left half of its box.
+        let front = "--camera 0.5,0.5,9 --target 0.5,0.5,0 --fov 6.35";
+        let [left, right] = lit(front);
+        assert!(left > 2.0 * right && right > 0.0, "{left} {right}");
+        // From behind it is mirrored, and a quarter of the field of view shows its inside only.
+        let [left, right] = lit("--camera 0.5,0.5,-9 --target 0.5,0.5,0 --fov 6.35");
+        assert!(right > 2.0 * left && left > 0.0, "{left} {right}");
+        let [left, right] = lit("--camera 0.2,0.2,9 --target 0.2,0.2,0 --fov 1");
+        assert!((left / right - 1.0).abs() < 0.1 && left > 10.0, "{left} {right}");
+        // The default target is the center of the bounding box.
+        assert!(
+            bytes(&line("--camera 0.5,0.5,9")).unwrap()
+                == bytes(&line("--camera 0.5,0.5,9 --target 0.5,0.5,0")).unwrap()
+        );
+        let ground = line("").replace("--no-ground", "");
+        assert!(bytes(&ground).unwrap() != bytes(&line("")).unwrap());
+        let same = bytes(&line("--camera 1,2,3 --target 1,2,3")).unwrap_err().to_string();
+        assert_eq!(same, "`--camera` and `--target` must differ, got 1,2,3");
+        let lamps = format!("{} --material bumps", line("").replace("--background 000000", ""));
+        assert_eq!(
+            bytes(&lamps).unwrap_err().to_string(),
+            "--no-ground has no effect: under lamps there is no ground"
+        );
     }
 
     #[test]

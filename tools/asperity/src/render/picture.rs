@@ -53,6 +53,8 @@ pub(super) struct Picture<'a> {
     cover: Cover,
     density: Density,
     mesh: Option<Arc<Shape>>,
+    /// The view, if the scene is a mesh.
+    view: Option<View>,
     /// Whether a pattern is mapped by position.
     projected: bool,
     light: Lit,
@@ -60,6 +62,18 @@ pub(super) struct Picture<'a> {
     /// Rotation about the vertical in degrees.
     turn: f32,
     zoom: f32,
+}
+
+/// Returns the view of a mesh. The options are in the coordinates of its file.
+fn view(opened: &Opened, wanted: &Render) -> Result<View> {
+    let usual = View::of_mesh(&opened.mesh);
+    let place = |point: [f64; 3]| opened.place.apply(point.into()).as_vec3();
+    let (eye, target) = (wanted.camera.map_or(usual.eye, place), wanted.target.map_or(usual.target, place));
+    if eye == target {
+        let [x, y, z] = wanted.camera.or(wanted.target).unwrap_or_default();
+        return Err(format!("`--camera` and `--target` must differ, got {x},{y},{z}").into());
+    }
+    Ok(View::of_mesh_from(&opened.mesh, eye, target, wanted.fov.unwrap_or(usual.field)))
 }
 
 impl Cover {
@@ -108,6 +122,7 @@ impl<'a> Picture<'a> {
         };
         let density = Density::parse(&spec, wanted.images)?;
         let projected = opened.as_ref().is_some_and(|opened| !opened.uv) && material.is_some_and(patterned);
+        let view = opened.as_ref().map(|opened| view(opened, wanted)).transpose()?;
         let mesh = opened.map(|Opened { mesh, .. }| Arc::new(Shape::Mesh(mesh)));
         let (light, exposure) = match wanted.light.as_deref() {
             _ if lamps => (Lit::Lamps, EXPOSURE),
@@ -134,6 +149,7 @@ impl<'a> Picture<'a> {
             cover,
             density,
             mesh,
+            view,
             projected,
             light,
             exposure,
@@ -176,8 +192,8 @@ impl<'a> Picture<'a> {
     ) -> Result<()> {
         let wanted = self.wanted;
         let mut request = RenderRequest::new(wanted.scene, self.density.ndf.as_ref(), sampling);
-        if let Some(Shape::Mesh(mesh)) = self.mesh.as_deref() {
-            (request.view, request.bumps.frequency) = (View::of_mesh(mesh), 24.0);
+        if let Some(view) = self.view {
+            (request.view, request.bumps.frequency) = (view, 24.0);
         }
         request.facets = Facets::Consistent(wanted.rule.unwrap_or(LevelOfDetail::Exact));
         (request.zoom, request.view) = (self.zoom, request.view.turned(self.turn));
@@ -216,11 +232,7 @@ impl<'a> Picture<'a> {
             (_, Some(Material::Wallpaper)) => 0.4,
             _ => Set::Sphere.metres(),
         };
-        let view = match self.mesh.as_deref() {
-            Some(Shape::Mesh(mesh)) => View::of_mesh(mesh),
-            _ => set.view(),
-        };
-        let view = view.turned(self.turn);
+        let view = self.view.unwrap_or_else(|| set.view()).turned(self.turn);
         let focus = view.focus.as_dvec3();
         // The windows of the car are given in world coordinates.
         let world = self.cover.chosen() != Some(Material::Bumps) || self.mesh.is_none() && set == Set::Car;
@@ -243,7 +255,9 @@ impl<'a> Picture<'a> {
             }
         };
         objects[0].anchor = anchor;
-        if let Some(Shape::Mesh(mesh)) = self.mesh.as_deref() {
+        if let Some(Shape::Mesh(mesh)) = self.mesh.as_deref()
+            && !wanted.no_ground
+        {
             objects.push(ground(mesh.bottom(), &behind)?);
         }
         let backdrop = color.map_or(Backdrop::Light, Backdrop::Color);

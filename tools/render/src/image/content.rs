@@ -48,6 +48,8 @@ pub enum ImageFileError {
     Empty,
     #[error("unsupported image format (expected PNG, JPEG, WebP, Radiance HDR or OpenEXR)")]
     UnknownFormat,
+    #[error("unsupported texture format (expected PNG, JPEG or WebP)")]
+    UnknownTexture,
     #[error("an image must have 1 to {MOST_PIXELS} pixels, got {width} × {height}")]
     Size { width: usize, height: usize },
     #[error("{bytes} bytes cannot hold the {width} × {height} pixels that the header claims")]

@@ -5,6 +5,7 @@ pub mod formats;
 mod layers;
 mod radiance;
 pub mod read;
+mod samples;
 pub mod texture_map;
 pub mod tone;
 

@@ -1,17 +1,11 @@
 //! Reads images as data: PNG of 8 and 16 bits, JPEG, WebP, Radiance HDR and OpenEXR, without a
 //! transfer curve.
 
-use std::{io::Cursor, path::Path};
-
-use image_webp::WebPDecoder;
-use zune_jpeg::{
-    JpegDecoder,
-    zune_core::{bytestream::ZCursor, colorspace::ColorSpace, options::DecoderOptions},
-};
+use std::path::Path;
 
 use crate::{
     image::content::{Content, ImageFileError, check_size},
-    image::{layers, radiance},
+    image::{layers, radiance, samples::Samples},
     input_file,
 };
 
@@ -25,8 +19,6 @@ pub struct ImageFile {
     /// One plane of gray, two of x and y, or three. Integers are scaled to [0, 1], floats are
     /// unchanged.
     pub planes: Vec<Vec<f32>>,
-    /// Opacity in [0, 1], of integer formats only.
-    pub alpha: Option<Vec<f32>>,
     /// Whether samples are floats: linear light, or signed components of normals.
     pub floats: bool,
 }
@@ -42,27 +34,25 @@ impl ImageFile {
     pub fn decode(bytes: &[u8], content: Content) -> Result<Self, ImageFileError> {
         match *bytes {
             [] => Err(ImageFileError::Empty),
-            [0x89, b'P', b'N', b'G', ..] => decode_png(bytes),
             [0x76, 0x2f, 0x31, 0x01, ..] => {
                 let ([width, height], planes) = layers::decode(bytes, content)?;
-                Ok(Self { width, height, planes, alpha: None, floats: true })
+                Ok(Self { width, height, planes, floats: true })
             }
-            [0xff, 0xd8, 0xff, ..] => decode_jpeg(bytes),
-            [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => decode_webp(bytes),
             [b'#', b'?', ..] => decode_radiance(bytes),
-            _ => Err(ImageFileError::UnknownFormat),
+            _ => Samples::open(bytes)?.map_or(Err(ImageFileError::UnknownFormat), |opened| {
+                Ok(Self::of_integers(&opened.decode()?))
+            }),
         }
     }
 
-    /// Converts interleaved integers of `step` bytes each, most significant byte first.
-    fn of_integers(width: usize, height: usize, channels: usize, step: usize, bytes: &[u8]) -> Self {
+    fn of_integers(samples: &Samples) -> Self {
+        let &Samples { width, height, channels, step, ref bytes } = samples;
         let top = if step == 2 { 65_535.0 } else { 255.0 };
         let value =
             |sample: &[u8]| sample.iter().fold(0, |sum, &byte| sum << 8 | u32::from(byte)) as f32 / top;
         let plane = |channel| bytes.chunks_exact(step).skip(channel).step_by(channels).map(value).collect();
         let planes = (0..if channels > 2 { 3 } else { 1 }).map(plane).collect();
-        let alpha = channels.is_multiple_of(2).then(|| plane(channels - 1));
-        Self { width, height, planes, alpha, floats: false }
+        Self { width, height, planes, floats: false }
     }
 
     /// Returns red, green and blue, which are equal for a gray image.
@@ -80,49 +70,6 @@ impl ImageFile {
     }
 }
 
-fn decode_png(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
-    let broken = |error: png::DecodingError| ImageFileError::Broken { format: "PNG", error: error.into() };
-    let mut decoder = png::Decoder::new(Cursor::new(bytes));
-    decoder.set_transformations(png::Transformations::EXPAND);
-    decoder.set_ignore_text_chunk(true);
-    decoder.set_ignore_iccp_chunk(true);
-    let mut reader = decoder.read_info().map_err(broken)?;
-    let (width, height) = (reader.info().width as usize, reader.info().height as usize);
-    let (color, depth) = reader.output_color_type();
-    let pixel = color.samples() * if depth == png::BitDepth::Sixteen { 2 } else { 1 };
-    check_size(width, height, pixel, bytes.len())?;
-    let mut samples = vec![0; reader.output_buffer_size().ok_or(ImageFileError::Size { width, height })?];
-    let info = reader.next_frame(&mut samples).map_err(broken)?;
-    let step = if info.bit_depth == png::BitDepth::Sixteen { 2 } else { 1 };
-    Ok(ImageFile::of_integers(width, height, info.color_type.samples(), step, &samples))
-}
-
-fn decode_jpeg(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
-    let broken = |error: zune_jpeg::errors::DecodeErrors| ImageFileError::Broken {
-        format: "JPEG",
-        error: error.to_string().into(),
-    };
-    let options = DecoderOptions::default().jpeg_set_out_colorspace(ColorSpace::RGB);
-    let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);
-    decoder.decode_headers().map_err(broken)?;
-    let (width, height) = decoder.info().map_or((0, 0), |info| (info.width.into(), info.height.into()));
-    check_size(width, height, 3, bytes.len())?;
-    let samples = decoder.decode().map_err(broken)?;
-    Ok(ImageFile::of_integers(width, height, 3, 1, &samples))
-}
-
-fn decode_webp(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
-    let broken =
-        |error: image_webp::DecodingError| ImageFileError::Broken { format: "WebP", error: error.into() };
-    let mut decoder = WebPDecoder::new(Cursor::new(bytes)).map_err(broken)?;
-    let (width, height) = decoder.dimensions();
-    let (width, height) = (width as usize, height as usize);
-    check_size(width, height, 4, bytes.len())?;
-    let mut samples = vec![0; decoder.output_buffer_size().ok_or(ImageFileError::Size { width, height })?];
-    decoder.read_image(&mut samples).map_err(broken)?;
-    Ok(ImageFile::of_integers(width, height, if decoder.has_alpha() { 4 } else { 3 }, 1, &samples))
-}
-
 fn decode_radiance(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
     let mut size = Ok(());
     let check = |width, height| {
@@ -134,7 +81,7 @@ fn decode_radiance(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
     let ([width, height], pixels) = read.map_err(broken)?;
     size?;
     let planes = [0, 1, 2].map(|k| pixels.iter().map(|pixel| pixel[k]).collect()).into();
-    Ok(ImageFile { width, height, planes, alpha: None, floats: true })
+    Ok(ImageFile { width, height, planes, floats: true })
 }
 
 #[cfg(test)]

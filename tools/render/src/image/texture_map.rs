@@ -4,14 +4,23 @@ use std::sync::{Arc, LazyLock};
 
 use glam::{Affine2, Vec2, Vec4};
 
-use crate::image::{read::ImageFile, tone::linear};
+use crate::image::{
+    content::ImageFileError,
+    samples::{OpenedSamples, Samples},
+    tone::linear,
+};
 
-/// Red, green, blue and alpha of an image, row by row from the top left.
+/// The texels of an image, row by row from the top left.
 pub struct Texels {
     width: usize,
     height: usize,
-    texels: Vec<[u8; 4]>,
+    /// Gray or red, green, blue; then alpha, if the number is even.
+    channels: usize,
+    bytes: Vec<u8>,
 }
+
+/// An image file whose header is decoded.
+pub struct OpenedTexels<'a>(OpenedSamples<'a>);
 
 /// What a texture shows beyond a side of its image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,14 +49,44 @@ static LINEAR: LazyLock<[f32; 256]> =
     LazyLock::new(|| std::array::from_fn(|byte| linear(byte as f32 / 255.0)));
 
 impl Texels {
-    /// Returns the texels of an image, in 8 bits.
-    pub fn new(image: &ImageFile) -> Self {
-        let byte = |x: f32| (x.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
-        let ([r, g, b], alpha) = (image.colors(), image.alpha.as_deref());
-        let texel =
-            |i: usize| [byte(r[i]), byte(g[i]), byte(b[i]), alpha.map_or(255, |alpha| byte(alpha[i]))];
-        let (width, height) = (image.width, image.height);
-        Self { width, height, texels: (0..width * height).map(texel).collect() }
+    /// Decodes the header of a PNG, JPEG or WebP file. Nothing is allocated for texels.
+    pub fn open(file: &[u8]) -> Result<OpenedTexels<'_>, ImageFileError> {
+        Samples::open(file)?.map(OpenedTexels).ok_or(ImageFileError::UnknownTexture)
+    }
+
+    /// Returns a white texel.
+    pub fn white() -> Self {
+        Self { width: 1, height: 1, channels: 1, bytes: vec![255] }
+    }
+
+    /// Returns red, green, blue and alpha of a texel.
+    fn texel(&self, index: usize) -> [u8; 4] {
+        match self.bytes[index * self.channels..][..self.channels] {
+            [gray] => [gray, gray, gray, 255],
+            [gray, alpha] => [gray, gray, gray, alpha],
+            [r, g, b] => [r, g, b, 255],
+            [r, g, b, alpha, ..] => [r, g, b, alpha],
+            [] => [0; 4],
+        }
+    }
+}
+
+impl OpenedTexels<'_> {
+    /// Returns the number of texels that the header claims.
+    pub const fn count(&self) -> usize {
+        self.0.width * self.0.height
+    }
+
+    /// Decodes the texels, in 8 bits. The memory is that of the channels in the file, and three
+    /// times as much for 16 bits.
+    pub fn decode(self) -> Result<Texels, ImageFileError> {
+        let Samples { width, height, channels, step, mut bytes } = self.0.decode()?;
+        if step == 2 {
+            // ⌊255 x / 65535 + ½⌋.
+            let byte = |&sample: &[u8; 2]| (u32::from(u16::from_be_bytes(sample)) * 255 + 32_767) / 65_535;
+            bytes = bytes.as_chunks::<2>().0.iter().map(|sample| byte(sample) as u8).collect();
+        }
+        Ok(Texels { width, height, channels, bytes })
     }
 }
 
@@ -55,7 +94,7 @@ impl Texels {
 impl Texels {
     /// Returns an image of one texel.
     pub fn constant(texel: [u8; 4]) -> Self {
-        Self { width: 1, height: 1, texels: vec![texel] }
+        Self { width: 1, height: 1, channels: 4, bytes: texel.into() }
     }
 }
 
@@ -91,13 +130,14 @@ impl TextureMap {
 
     /// Returns the value at a point, given its sets of texture coordinates.
     fn blended(&self, uv: [Vec2; 2], value: impl Fn([u8; 4]) -> Vec4) -> Vec4 {
-        let Texels { width, height, texels } = self.texels.as_ref();
+        let texels = self.texels.as_ref();
+        let Texels { width, height, .. } = texels;
         let uv = self.transform.transform_point2(uv[self.set]);
         let size = Vec2::new(*width as f32, *height as f32);
         // `as` saturates, and turns NaN into 0.
         let at = |x: i64, y: i64| {
             let (x, y) = (self.wrap[0].index(x, *width), self.wrap[1].index(y, *height));
-            value(texels[y * width + x])
+            value(texels.texel(y * width + x))
         };
         if self.nearest {
             let corner = (uv * size).floor();
@@ -122,7 +162,7 @@ mod tests {
     /// A texture of two columns, black and white, and two rows of blue, 0 and 255.
     fn map(wrap: Wrap) -> TextureMap {
         let texels = [[0, 0, 0, 255], [255, 255, 0, 255], [0, 0, 255, 0], [255, 255, 255, 0]].to_vec();
-        let texels = Arc::new(Texels { width: 2, height: 2, texels });
+        let texels = Arc::new(Texels { width: 2, height: 2, channels: 4, bytes: texels.concat() });
         TextureMap { texels, set: 0, transform: Affine2::IDENTITY, wrap: [wrap; 2], nearest: false }
     }
 
@@ -161,10 +201,37 @@ mod tests {
         }
     }
 
+    /// Returns the first texel of a PNG with these samples per pixel.
+    fn decoded(color: png::ColorType, depth: png::BitDepth, samples: &[u8]) -> [u8; 4] {
+        let mut file = Vec::new();
+        let mut encoder = png::Encoder::new(&mut file, 1, 1);
+        encoder.set_color(color);
+        encoder.set_depth(depth);
+        encoder.write_header().unwrap().write_image_data(samples).unwrap();
+        let opened = Texels::open(&file).unwrap();
+        assert_eq!(opened.count(), 1);
+        opened.decode().unwrap().texel(0)
+    }
+
+    #[test]
+    fn texels_of_every_number_of_channels_and_bits() {
+        use png::{BitDepth::*, ColorType::*};
+        assert_eq!(decoded(Grayscale, Eight, &[7]), [7, 7, 7, 255]);
+        assert_eq!(decoded(GrayscaleAlpha, Eight, &[7, 8]), [7, 7, 7, 8]);
+        assert_eq!(decoded(Rgb, Eight, &[7, 8, 9]), [7, 8, 9, 255]);
+        assert_eq!(decoded(Rgba, Eight, &[7, 8, 9, 10]), [7, 8, 9, 10]);
+        // The nearest byte of 0, 65535, 128.4 and 128.6 times 257.
+        let deep = [[0, 0], [255, 255], [128, 231], [129, 26]].concat();
+        assert_eq!(decoded(Rgba, Sixteen, &deep), [0, 255, 128, 129]);
+        let error = |file: &[u8]| Texels::open(file).err().unwrap().to_string();
+        assert_eq!(error(b"#?RGBE\n"), "unsupported texture format (expected PNG, JPEG or WebP)");
+        assert_eq!(error(b""), "the file is empty");
+    }
+
     #[test]
     fn color_is_linear_and_the_transform_and_set_apply() {
         let mut map = map(Wrap::Repeat);
-        map.texels = Arc::new(Texels { width: 1, height: 1, texels: vec![[188, 0, 255, 128]] });
+        map.texels = Arc::new(Texels::constant([188, 0, 255, 128]));
         let got = map.color([Vec2::ZERO; 2]);
         assert_abs_diff_eq!(got, Vec4::new(0.503, 0.0, 1.0, 128.0 / 255.0), epsilon = 1e-3);
         let mut map = self::map(Wrap::Repeat);

@@ -11,8 +11,8 @@ impl Scene<'_, '_> {
     pub(super) fn lit_by_lamps(&self, lamps: &[Lamps], spot: &Spot<'_>) -> Vec3 {
         let lit = lamps.iter().map(|lamps| match lamps {
             Lamps::Far { lights, shadow } => {
-                let open = shadow.map_or(1.0, |direction| self.open(spot.starts[0], direction));
-                if open == 0.0 {
+                let open = shadow.map_or(Vec3::ONE, |direction| self.open(spot.starts[0], direction));
+                if open == Vec3::ZERO {
                     return Vec3::ZERO;
                 }
                 open * lights

@@ -72,11 +72,16 @@ impl View {
     /// image. Zooming leads to the point at the image center, or to the corner nearest to the
     /// viewer.
     pub fn of_mesh(mesh: &TracedMesh) -> Self {
-        let (eye, field) = (Vec3::new(1.3, -4.0, 1.7), 27.0_f32);
-        let eye = eye.normalize() / (0.48 * field.to_radians()).sin();
-        let hit = mesh.intersect(eye, -eye.normalize());
+        let eye = Vec3::new(1.3, -4.0, 1.7).normalize() / (0.48 * MESH_FIELD.to_radians()).sin();
+        Self::of_mesh_from(mesh, eye, Vec3::ZERO, MESH_FIELD)
+    }
+
+    /// Views the unit ball from a point toward another, with a full angle in degrees. Zooming is
+    /// that of [`of_mesh`](Self::of_mesh).
+    pub fn of_mesh_from(mesh: &TracedMesh, eye: Vec3, target: Vec3, field: f32) -> Self {
+        let hit = mesh.intersect(eye, (target - eye).normalize_or_zero());
         let focus = hit.map_or_else(|| mesh.nearest_corner(eye), |hit| hit.position);
-        Self { eye, target: Vec3::ZERO, focus, field }
+        Self { eye, target, focus, field }
     }
 
     /// Returns the view rotated by an angle in degrees about the vertical through its target,
@@ -103,6 +108,9 @@ impl View {
         Camera::new(eye, aim, self.field.to_radians(), sampling.width, sampling.height)
     }
 }
+
+/// Full angle in degrees of the default view of a mesh.
+const MESH_FIELD: f32 = 27.0;
 
 /// Points of the vase's profile, radius and height.
 const VASE_PROFILE: [[f32; 2]; 12] = [

@@ -69,16 +69,23 @@ pub enum MeshFileError {
     },
     #[error("glTF buffers and images must be embedded or in the glTF's folder, got `{uri}`")]
     Elsewhere { uri: String },
-    #[error("cannot read image {image} of the glTF: {error}")]
+    #[error("cannot read {image} of the glTF: {error}")]
     Image {
-        image: usize,
+        /// The index of an embedded image, or the URI.
+        image: String,
         #[source]
         error: ImageFileError,
     },
-    #[error("the glTF's images exceed {MOST_TEXELS} texels")]
-    ImagesTooLarge,
+    #[error("the glTF's images exceed {most} texels, the limit for a file of this length")]
+    ImagesTooLarge { most: usize },
+    #[error("images of the glTF are missing: {}", quoted(uris))]
+    MissingImages { uris: Vec<String> },
     #[error("material {material} of the glTF has an invalid `{field}`")]
     Material { material: usize, field: String },
+    #[error(
+        "material {material} of the glTF has `texCoord` {set} in `{field}` (at most 1: two sets are read)"
+    )]
+    TexCoord { material: usize, field: String, set: usize },
     #[error("unsupported compression {extension} (export the glTF uncompressed or with Draco)")]
     Compressed { extension: String },
     #[error("{corners} corners are not a multiple of 3")]
@@ -105,6 +112,14 @@ impl MeshFileError {
     pub(super) fn broken(format: &'static str, error: impl Into<Failure>) -> Self {
         Self::Broken { format, error: error.into() }
     }
+}
+
+/// Joins names in backticks; at most 20, as lists may be long.
+fn quoted(names: &[String]) -> String {
+    const MOST: usize = 20;
+    let shown: Vec<_> = names.iter().take(MOST).map(|name| format!("`{name}`")).collect();
+    let more = names.len().saturating_sub(MOST);
+    shown.join(", ") + &if more > 0 { format!(" and {more} more") } else { String::new() }
 }
 
 /// Shortens a library's message to one line. Messages may quote long or binary parts of the file.

@@ -1,5 +1,7 @@
 //! The materials of a mesh file: textured glTF materials, by triangle.
 
+use std::f32::consts::TAU;
+
 use asperity_shading::{
     Frame, StandardMaterial, StandardMaterialParameters, SurfacePoint,
     bump::flip_to_visible,
@@ -88,14 +90,43 @@ impl TexturedMaterial {
 
     /// Whether light may enter.
     fn transmits(&self) -> bool {
-        self.parameters.transmission > 0.0
+        !self.unlit && self.parameters.transmission > 0.0
+    }
+
+    /// Returns the fraction of light that passes through the visible surface at a point, which
+    /// has the base color.
+    fn transmitted(&self, at: &Painted) -> Vec3 {
+        if !self.transmits() {
+            return Vec3::ZERO;
+        }
+        // NaN is 0, as in the material.
+        let share = |x: f32| if x > 0.0 { x.min(1.0) } else { 0.0 };
+        let (p, t) = (&self.parameters, &self.textures);
+        let metallic = p.metallic * data(t.metallic_roughness.as_ref(), at).z;
+        let transmission = p.transmission * data(t.transmission.as_ref(), at).x;
+        self.base(at).truncate().map(share) * ((1.0 - share(metallic)) * share(transmission))
+    }
+
+    /// Returns the fraction of the surface at a point that is visible for a ray in this direction.
+    /// A single-sided surface has no back, unless light leaves a body there.
+    fn covered(&self, at: &Painted, hit: &Hit, direction: Vec3) -> f32 {
+        if !self.double_sided && !self.transmits() && hit.flat.dot(direction) > 0.0 {
+            return 0.0;
+        }
+        match self.coverage {
+            Coverage::Opaque => 1.0,
+            Coverage::Mask(least) => f32::from(self.base(at).w >= least),
+            // NaN is invisible.
+            Coverage::Blend if self.base(at).w > 0.0 => self.base(at).w.min(1.0),
+            Coverage::Blend => 0.0,
+        }
     }
 
     /// Returns the parameters at a point, with the base color there. `turn` is −1 where the
     /// bitangent of the texture is opposite to that of the frame.
     fn at(&self, at: &Painted, turn: f32) -> StandardMaterialParameters {
         let (p, t) = (&self.parameters, &self.textures);
-        let data = |map: &Option<TextureMap>| map.as_ref().map_or(Vec4::ONE, |map| map.data(at.uv));
+        let data = |map: &Option<TextureMap>| data(map.as_ref(), at);
         let metallic_roughness = data(&t.metallic_roughness);
         let (mut strength, mut rotation) = (p.anisotropy, p.anisotropy_rotation);
         if let Some(map) = &t.anisotropy {
@@ -116,7 +147,7 @@ impl TexturedMaterial {
             specular: p.specular * data(&t.specular).w,
             specular_color: p.specular_color * color(t.specular_color.as_ref(), at).truncate(),
             anisotropy: strength,
-            anisotropy_rotation: turn * rotation,
+            anisotropy_rotation: (turn * rotation) % TAU,
             ..*p
         }
     }
@@ -124,6 +155,10 @@ impl TexturedMaterial {
 
 fn color(map: Option<&TextureMap>, at: &Painted) -> Vec4 {
     map.map_or(Vec4::ONE, |map| map.color(at.uv))
+}
+
+fn data(map: Option<&TextureMap>, at: &Painted) -> Vec4 {
+    map.map_or(Vec4::ONE, |map| map.data(at.uv))
 }
 
 impl MeshMaterials {
@@ -149,20 +184,9 @@ impl MeshMaterials {
         self.materials.iter().any(passes)
     }
 
-    /// Returns the fraction of a hit that is visible for a ray in this direction. A single-sided
-    /// surface has no back, unless light leaves a body there.
+    /// Returns the fraction of a hit that is visible for a ray in this direction.
     fn covered(&self, hit: &Hit, direction: Vec3) -> f32 {
-        let Some((material, at)) = self.of(hit) else { return 1.0 };
-        if !material.double_sided && !material.transmits() && hit.flat.dot(direction) > 0.0 {
-            return 0.0;
-        }
-        match material.coverage {
-            Coverage::Opaque => 1.0,
-            Coverage::Mask(least) => f32::from(material.base(&at).w >= least),
-            // NaN is invisible.
-            Coverage::Blend if material.base(&at).w > 0.0 => material.base(&at).w.min(1.0),
-            Coverage::Blend => 0.0,
-        }
+        self.of(hit).map_or(1.0, |(material, at)| material.covered(&at, hit, direction))
     }
 
     /// Whether a ray meets the surface at a hit: in proportion to its visible fraction, by a hash
@@ -173,9 +197,10 @@ impl MeshMaterials {
     }
 
     /// Returns the fraction of light that passes straight through the surface at a hit.
-    pub fn passes(&self, hit: &Hit, direction: Vec3) -> f32 {
-        let transmission = self.of(hit).map_or(0.0, |(material, _)| material.parameters.transmission);
-        1.0 - self.covered(hit, direction) * (1.0 - transmission.clamp(0.0, 1.0))
+    pub fn passes(&self, hit: &Hit, direction: Vec3) -> Vec3 {
+        let Some((material, at)) = self.of(hit) else { return Vec3::ZERO };
+        let covered = material.covered(&at, hit, direction);
+        1.0 - covered * (1.0 - material.transmitted(&at))
     }
 
     /// Returns the inside of the body at a hit, if it is the surface of one.
@@ -199,7 +224,10 @@ impl MeshMaterials {
             // Seen from behind, the whole relief is reversed.
             let side = if hit.normal.dot(point.normal) < 0.0 { -1.0 } else { 1.0 };
             let tilted = Vec3::new(side * x, side * turn * y, n.z).try_normalize().unwrap_or(Vec3::Z);
-            let normal = flip_to_visible(frame.normal, frame.to_world(tilted), wo);
+            // From inside a body, the surface below its normal is visible.
+            let visible = if wo.dot(frame.normal) < 0.0 { -1.0 } else { 1.0 };
+            let normal =
+                visible * flip_to_visible(visible * frame.normal, visible * frame.to_world(tilted), wo);
             Frame::from_normal_tangent(normal, frame.tangent)
         });
         StandardMaterial::new_clamped(material.at(&at, turn)).bsdf_at(bumped, wo, ResolvedBumps::FAR)
@@ -269,7 +297,7 @@ mod tests {
             let material = TexturedMaterial { coverage, double_sided, ..plain() };
             let (materials, hit) = square(material, Vec4::new(1.0, 1.0, 1.0, alpha), from);
             assert_eq!(materials.covered(&hit, -from), expected, "{coverage:?} {double_sided} {alpha}");
-            assert_eq!(materials.passes(&hit, -from), 1.0 - expected);
+            assert_eq!(materials.passes(&hit, -from), Vec3::splat(1.0 - expected));
             assert_eq!(materials.let_light_through(), coverage != Coverage::Opaque || !double_sided);
         }
         // The fraction of positions that are met is the alpha.
@@ -287,7 +315,7 @@ mod tests {
         (glass.parameters.transmission, glass.parameters.metallic) = (0.75, 0.0);
         let from = Vec3::Z;
         let (materials, hit) = square(glass.clone(), Vec4::ONE, from);
-        assert_eq!(materials.passes(&hit, -from), 0.75);
+        assert_eq!(materials.passes(&hit, -from), Vec3::splat(0.75));
         assert!(materials.body(&hit).is_none());
         glass.parameters.thickness = 2.0;
         glass.absorption = Absorption::new(Vec3::new(0.5, 0.0, 1.0)).unwrap();
@@ -295,6 +323,57 @@ mod tests {
         assert_eq!(materials.body(&hit).unwrap().coefficient(), Vec3::new(2.0, 0.0, 4.0));
         // Light leaves the body through its back.
         assert_eq!(materials.covered(&hit, from), 1.0);
+    }
+
+    #[test]
+    fn passes_multiplies_textures_of_transmission_metallic_and_color() {
+        let mut glass = plain();
+        (glass.parameters.transmission, glass.parameters.metallic) = (0.75, 0.5);
+        glass.parameters.base_color = Vec3::new(1.0, 0.5, 7.0);
+        glass.textures.transmission = constant([51, 0, 0, 255]);
+        glass.textures.metallic_roughness = constant([0, 0, 102, 255]);
+        let color = Vec4::new(0.5, 1.0, 1.0, 1.0);
+        let (materials, hit) = square(glass.clone(), color, Vec3::Z);
+        let passed = 0.75 * 0.2 * (1.0 - 0.5 * 0.4);
+        let expected = passed * Vec3::new(0.5, 0.5, 1.0);
+        assert_abs_diff_eq!(materials.passes(&hit, -Vec3::Z), expected, epsilon = 1e-6);
+        glass.unlit = true;
+        let (materials, hit) = square(glass, color, Vec3::Z);
+        assert_eq!(materials.passes(&hit, -Vec3::Z), Vec3::ZERO);
+    }
+
+    #[test]
+    fn anisotropy_rotation_wraps_around() {
+        let mut material = plain();
+        material.parameters.anisotropy_rotation = 5.0;
+        // The direction at 2 radians.
+        material.textures.anisotropy = constant([74, 243, 255, 255]);
+        let at = Painted { uv: [Vec2::ZERO; 2], color: Vec4::ONE, material: 0 };
+        for turn in [1.0, -1.0] {
+            let rotation = material.at(&at, turn).anisotropy_rotation;
+            // Half a level of 8 bits is 0.004 rad.
+            assert_abs_diff_eq!(rotation, turn * (7.0 - TAU), epsilon = 0.006);
+        }
+    }
+
+    #[test]
+    fn normal_map_inside_a_body_keeps_its_side() {
+        let mut glass = plain();
+        (glass.parameters.transmission, glass.parameters.metallic) = (1.0, 0.0);
+        (glass.parameters.thickness, glass.parameters.roughness) = (1.0, 0.3);
+        // Tilted by 45 degrees towards +x, against a view from below at 6 degrees.
+        glass.textures.normal = constant([218, 128, 218, 255]);
+        let wo = Vec3::new(0.995, 0.0, -0.1).normalize();
+        let (materials, hit) = square(glass, Vec4::ONE, wo);
+        let hit = hit.consistent(-wo);
+        let bsdf = materials.bsdf(&hit, &hit.point(Footprint::from_width(0.0)), wo);
+        // Below the critical angle no light enters from above.
+        let light = |degrees: u8| {
+            let (sin, cos) = f32::from(degrees).to_radians().sin_cos();
+            Vec3::new(cos, 0.0, sin)
+        };
+        assert!((0..18).all(|k| bsdf.eval_cos(wo, light(10 * k)) == Vec3::ZERO));
+        assert!(bsdf.eval_cos(wo, -light(10)).x > 0.1);
     }
 
     #[test]

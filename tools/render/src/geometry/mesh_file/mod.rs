@@ -20,7 +20,7 @@ mod triangle_soup;
 use std::path::Path;
 
 pub use self::error::MeshFileError;
-pub use self::triangle_soup::{MeshFile, MeshReading, Up};
+pub use self::triangle_soup::{MeshFile, MeshReading, Placement, Up};
 use self::{error::MOST_BYTES, triangle_soup::TriangleSoup};
 use crate::input_file;
 

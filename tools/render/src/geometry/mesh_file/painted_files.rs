@@ -48,6 +48,38 @@ fn refusal(json: &Value, bin: &[u8]) -> String {
     error
 }
 
+#[test]
+fn gltf_images_of_the_same_bytes_share_a_limit() {
+    // Many images of 2048 × 2048 in the bytes of one.
+    let image = Image { width: 2048, height: 2048, pixels: vec![Vec3::ZERO; 2048 * 2048] };
+    let image = image.encode(ImageFormat::Png).unwrap();
+    let material = |k: usize| json!({ "normalTexture": { "index": k } });
+    let read = |count: usize| {
+        let (mut json, mut bin) = cube(&(0..count).map(material).collect());
+        json["bufferViews"].as_array_mut().unwrap().push(json!({
+            "buffer": 0, "byteOffset": bin.len(), "byteLength": image.len()
+        }));
+        let view = json["bufferViews"].as_array().unwrap().len() - 1;
+        bin.extend(&image);
+        json["textures"] = (0..count).map(|k| json!({ "source": k })).collect();
+        json["images"] = (0..count).map(|_| json!({ "bufferView": view })).collect();
+        painted(&json, &bin, Path::new("")).err().map(|error| error.to_string())
+    };
+    assert_eq!(read(16), None);
+    let error = read(60).expect("must be refused");
+    assert!(error.starts_with("the glTF's images exceed "), "{error}");
+}
+
+/// Returns the data URI of a PNG with pixels that cannot be decoded.
+fn large_header(image: &Value) -> Value {
+    let (_, base64) = image["uri"].as_str().unwrap().split_once(',').unwrap();
+    let mut bytes = STANDARD.decode(base64).unwrap();
+    let begin = bytes.windows(4).position(|name| name == b"IDAT").unwrap() + 4;
+    let end = bytes.len() - 16;
+    bytes[begin..end].fill(0xff);
+    data_uri(&bytes)
+}
+
 /// Returns a PNG of one color.
 fn png(color: Vec3) -> Vec<u8> {
     Image::from_fn(2, 2, |_, _| color).encode(ImageFormat::Png).unwrap()
@@ -241,7 +273,13 @@ fn gltf_material_errors() {
             json!([{ "normalTexture": { "index": 0, "texCoord": 9 } }]),
             json!([{ "source": 0 }]),
             json!([data_uri(&png(Vec3::Z))]),
-            "has an invalid `normalTexture`",
+            "material 0 of the glTF has `texCoord` 9 in `normalTexture` (at most 1: two sets are read)",
+        ),
+        (
+            json!([{ "normalTexture": { "index": 0, "texCoord": -1 } }]),
+            json!([{ "source": 0 }]),
+            json!([{}]),
+            "material 0 of the glTF has an invalid `texCoord`",
         ),
         (
             texture("normalTexture"),
@@ -295,7 +333,7 @@ fn gltf_material_errors() {
             texture("emissiveTexture"),
             json!([{ "source": 0 }]),
             json!([data_uri(b"GIF89a")]),
-            "cannot read image 0 of the glTF: unsupported image format",
+            "cannot read image 0 of the glTF: unsupported texture format",
         ),
         (
             texture("emissiveTexture"),
@@ -323,6 +361,55 @@ fn gltf_material_errors() {
 }
 
 #[test]
+fn gltf_features_that_are_not_rendered_are_listed_once() {
+    let (json, bin) = cube(&json!([
+        { "occlusionTexture": { "index": 7 }, "extensions": { "KHR_materials_iridescence": {} } },
+        {
+            "occlusionTexture": { "index": 7 },
+            "extensions": {
+                "KHR_materials_volume": { "thicknessTexture": { "index": 7 } },
+                "KHR_materials_clearcoat": { "clearcoatNormalTexture": { "index": 7 } },
+                "KHR_materials_unlit": {}
+            }
+        }
+    ]));
+    let ignored = painted(&json, &bin, Path::new("")).unwrap().ignored;
+    let expected =
+        ["KHR_materials_iridescence", "clearcoatNormalTexture", "occlusionTexture", "thicknessTexture"];
+    assert_eq!(ignored, expected);
+    let (json, bin) = cube(&json!([{ "extensions": { "KHR_materials_ior": { "ior": 1.4 } } }]));
+    assert!(painted(&json, &bin, Path::new("")).unwrap().ignored.is_empty());
+}
+
+#[test]
+fn gltf_image_errors_name_the_files() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("broken one.png"), &png(Vec3::X)[..40]).unwrap();
+    fs::write(folder.path().join("good.png"), png(Vec3::X)).unwrap();
+    let error = |uris: &[&str]| {
+        let material = |k: usize| json!({ "normalTexture": { "index": k } });
+        let (mut json, bin) = cube(&(0..uris.len()).map(material).collect());
+        json["textures"] = (0..uris.len()).map(|k| json!({ "source": k })).collect();
+        json["images"] = uris.iter().map(|uri| json!({ "uri": uri })).collect();
+        let error = painted(&json, &bin, folder.path()).err().expect("must be refused").to_string();
+        assert_eq!(error.lines().count(), 1);
+        error
+    };
+    let got = error(&["good.png", "broken%20one.png"]);
+    assert!(
+        got.starts_with("cannot read image `broken%20one.png` of the glTF: cannot decode the PNG"),
+        "{got}"
+    );
+    assert_eq!(
+        error(&["b.png", "good.png", "a.png", "c.png"]),
+        "images of the glTF are missing: `b.png`, `a.png`, `c.png`"
+    );
+    let many: Vec<_> = (0..30).map(|k| format!("{k}.png")).collect();
+    let got = error(&many.iter().map(String::as_str).collect::<Vec<_>>());
+    assert!(got.contains("`0.png`") && got.ends_with("`19.png` and 10 more"), "{got}");
+}
+
+#[test]
 fn gltf_images_of_one_file_share_a_limit() {
     // A PNG of 64 million equal texels is a hundred kilobytes.
     let large = Image { width: 8192, height: 8192, pixels: vec![Vec3::ZERO; 8192 * 8192] };
@@ -332,8 +419,19 @@ fn gltf_images_of_one_file_share_a_limit() {
     let material = |k: usize| json!({ names[k % 2]: { "index": k } });
     let (mut json, bin) = cube(&(0..5).map(material).collect());
     json["textures"] = (0..5).map(|k| json!({ "source": k })).collect();
-    json["images"] = vec![uri; 5].into();
-    assert_eq!(refusal(&json, &bin), "the glTF's images exceed 268435456 texels");
+    json["images"] = vec![uri.clone(); 5].into();
+    assert_eq!(
+        refusal(&json, &bin),
+        "the glTF's images exceed 268435456 texels, the limit for a file of this length"
+    );
+    // The size is in the header. The pixels of this file would be an error.
+    let broken = large_header(&uri);
+    json["images"] = vec![broken; 5].into();
+    json["images"].as_array_mut().unwrap()[..4].fill(uri);
+    assert_eq!(
+        refusal(&json, &bin),
+        "the glTF's images exceed 268435456 texels, the limit for a file of this length"
+    );
 }
 
 #[test]

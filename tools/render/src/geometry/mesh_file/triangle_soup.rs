@@ -48,6 +48,29 @@ pub struct MeshFile {
     pub left_out: bool,
     /// The materials of the file, if they are wanted and it has some.
     pub materials: Option<MeshMaterials>,
+    /// Features of these materials that are not rendered.
+    pub ignored: Vec<String>,
+    /// The place of the mesh in its file.
+    pub place: Placement,
+}
+
+/// The place of a mesh in its file.
+#[derive(Clone, Copy, Debug)]
+pub struct Placement {
+    center: DVec3,
+    radius: f64,
+    up: Up,
+}
+
+impl Placement {
+    /// Returns a point of the file in the coordinates of the mesh: in the unit ball, z up.
+    pub fn apply(&self, point: DVec3) -> DVec3 {
+        let v = (point - self.center) / self.radius;
+        match self.up {
+            Up::Y => DVec3::new(v.x, -v.z, v.y),
+            Up::Z => v,
+        }
+    }
 }
 
 /// A vertex as read; missing values are zero.
@@ -69,6 +92,8 @@ pub(super) struct TriangleSoup {
     pub(super) left_out: bool,
     /// The materials, if they are wanted and the file has some.
     pub(super) materials: Option<Vec<TexturedMaterial>>,
+    /// Features of the materials that are not rendered.
+    pub(super) ignored: Vec<String>,
     /// What materials read, for each corner; empty without materials.
     pub(super) painted: Vec<Painted>,
 }
@@ -118,7 +143,8 @@ impl TriangleSoup {
             Up::Y => DVec3::new(v.x, -v.z, v.y),
             Up::Z => v,
         };
-        let place = |i: u32| turned((self.corners[i as usize].position - center) / radius).as_vec3();
+        let placement = Placement { center, radius, up: reading.up };
+        let place = |i: u32| placement.apply(self.corners[i as usize].position).as_vec3();
         let mut mesh = Mesh::default();
         let mut own = vec![u32::MAX; self.corners.len()];
         let mut kept = Vec::new();
@@ -154,7 +180,8 @@ impl TriangleSoup {
             let materials = materials.into_iter().map(|m| m.in_units_of(radius as f32)).collect();
             MeshMaterials { materials, triangles: kept, corners: self.painted }
         });
-        Ok(MeshFile { mesh, normals, uv, thin: self.thin, left_out: self.left_out, materials })
+        let Self { thin, left_out, ignored, .. } = self;
+        Ok(MeshFile { mesh, normals, uv, thin, left_out, materials, ignored, place: placement })
     }
 
     /// Returns an error for non-finite positions of triangle corners. Unused vertices may have any

@@ -76,6 +76,11 @@ impl Gltf {
         Ok(Self { document, buffers, bytes: all, left: Cell::new(MOST_BYTES as usize) })
     }
 
+    /// Returns the number of bytes of the document and its buffers.
+    pub(super) const fn bytes(&self) -> usize {
+        self.bytes
+    }
+
     /// Returns vectors of `N` numbers. Normalized integers are converted to fractions.
     pub(super) fn floats<const N: usize>(&self, index: usize) -> Result<Vec<[f32; N]>, MeshFileError> {
         let (dimensions, wanted) = match N {

@@ -1,6 +1,6 @@
 //! The materials of a glTF, with their textures.
 
-use std::{borrow::Cow, path::Path, sync::Arc};
+use std::{borrow::Cow, collections::BTreeSet, io, path::Path, sync::Arc};
 
 use asperity_shading::{StandardMaterialParameters, reflectance::Absorption};
 use glam::{Affine2, Mat2, Vec2, Vec3};
@@ -15,15 +15,16 @@ use crate::{
         },
         materials::{Coverage, TexturedMaterial, Textures},
     },
-    image::{
-        content::Content,
-        read::ImageFile,
-        texture_map::{Texels, TextureMap, Wrap},
-    },
+    image::texture_map::{Texels, TextureMap, Wrap},
 };
 
-/// The materials of a document, and last the material of primitives without one.
-pub(super) struct Materials(Vec<TexturedMaterial>);
+/// The materials of a document.
+pub(super) struct Materials {
+    /// All materials, and last the material of primitives without one.
+    pub(super) list: Vec<TexturedMaterial>,
+    /// Features that are not rendered.
+    pub(super) ignored: Vec<String>,
+}
 
 impl Materials {
     /// Reads all materials, or returns `None` if there are none. An image is decoded once, and only
@@ -34,32 +35,68 @@ impl Materials {
             return Ok(None);
         }
         let decoded = vec![None; list(&gltf.document.images).len()];
-        let mut images = Images { gltf, folder, decoded, left: MOST_TEXELS };
+        let most = TEXELS + TEXELS_PER_BYTE * gltf.bytes();
+        let mut images = Images { gltf, folder, decoded, texels: 0, most, missing: Vec::new() };
         let usual = Value::Null;
         let all = materials.iter().chain([&usual]).enumerate();
         let all = all.map(|(index, value)| Source { value, index }.material(&mut images));
-        all.collect::<Result<_, _>>().map(|all| Some(Self(all)))
+        let list = all.collect::<Result<_, _>>()?;
+        if let Some(error) = images.missing() {
+            return Err(error);
+        }
+        Ok(Some(Self { list, ignored: ignored(materials) }))
     }
 
     /// Returns the index of a primitive's material.
     pub(super) fn index(&self, material: &Value) -> Result<u32, MeshFileError> {
-        let usual = self.0.len() - 1;
+        let usual = self.list.len() - 1;
         if material.is_null() {
             return Ok(usual as u32);
         }
         let index = material.as_u64().map_or(usize::MAX, |index| index as usize);
-        item(&self.0[..usual], "material", index).map(|_| index as u32)
+        item(&self.list[..usual], "material", index).map(|_| index as u32)
     }
 
     /// Returns the set of texture coordinates of a material's normal map.
     pub(super) fn normal_set(&self, material: u32) -> usize {
-        let normal = self.0.get(material as usize).and_then(|m| m.textures.normal.as_ref());
+        let normal = self.list.get(material as usize).and_then(|m| m.textures.normal.as_ref());
         normal.map_or(0, |map| map.set)
     }
+}
 
-    pub(super) fn into_list(self) -> Vec<TexturedMaterial> {
-        self.0
+/// Rendered extensions of materials, with their features that are not.
+const RENDERED: [(&str, &[&str]); 10] = [
+    ("KHR_materials_anisotropy", &[]),
+    ("KHR_materials_clearcoat", &["clearcoatNormalTexture"]),
+    ("KHR_materials_emissive_strength", &[]),
+    ("KHR_materials_ior", &[]),
+    ("KHR_materials_sheen", &[]),
+    ("KHR_materials_specular", &[]),
+    ("KHR_materials_transmission", &[]),
+    ("KHR_materials_unlit", &[]),
+    ("KHR_materials_volume", &["thicknessTexture"]),
+    ("KHR_texture_transform", &[]),
+];
+
+/// Returns the features of materials that are not rendered, sorted.
+fn ignored(materials: &[Value]) -> Vec<String> {
+    let mut names = BTreeSet::new();
+    for material in materials {
+        if material.get("occlusionTexture").is_some_and(|texture| !texture.is_null()) {
+            names.insert("occlusionTexture".to_owned());
+        }
+        let extensions = material.get("extensions").and_then(Value::as_object);
+        for (name, value) in extensions.into_iter().flatten() {
+            match RENDERED.iter().find(|(rendered, _)| name == rendered) {
+                Some((_, features)) => {
+                    let used = features.iter().filter(|feature| value.get(**feature).is_some());
+                    names.extend(used.map(|&feature| feature.to_owned()));
+                }
+                None => drop(names.insert(shown(name))),
+            }
+        }
     }
+    names.into_iter().collect()
 }
 
 /// Returns the items of a list that may be missing.
@@ -166,11 +203,13 @@ impl Source<'_> {
     /// Reads a texture with its place. A texture without an image is white.
     fn texture(&self, pointer: &str, images: &mut Images<'_>) -> Result<Option<TextureMap>, MeshFileError> {
         let Some(info) = self.found(pointer) else { return Ok(None) };
-        let index = |value: Option<&Value>| -> Result<Option<usize>, MeshFileError> {
+        let named = |field: &str, value: Option<&Value>| -> Result<Option<usize>, MeshFileError> {
             let Some(value) = value else { return Ok(None) };
             let index = value.as_u64().and_then(|index| usize::try_from(index).ok());
-            index.map(Some).ok_or_else(|| self.wrong(pointer))
+            index.map(Some).ok_or_else(|| self.wrong(field))
         };
+        let index = |value: Option<&Value>| named(pointer, value);
+        let set = |value: Option<&Value>| named("texCoord", value);
         let document = &images.gltf.document;
         let texture = index(info.get("index"))?.ok_or_else(|| self.wrong(pointer))?;
         let texture = item(list(&document.textures), "texture", texture)?;
@@ -192,10 +231,11 @@ impl Source<'_> {
             _ => Wrap::Repeat,
         };
         let (wrap, nearest) = ([wrap("wrapS"), wrap("wrapT")], number("magFilter") == Some(9728));
-        let (mut set, mut transform) = (index(info.get("texCoord"))?, Affine2::IDENTITY);
+        let (mut coordinates, mut transform) = (set(info.get("texCoord"))?, Affine2::IDENTITY);
         if info.pointer("/extensions/KHR_texture_transform").is_some() {
             let at = |name: &str| format!("{pointer}/extensions/KHR_texture_transform/{name}");
-            set = index(info.pointer("/extensions/KHR_texture_transform/texCoord"))?.or(set);
+            let own = set(info.pointer("/extensions/KHR_texture_transform/texCoord"))?;
+            coordinates = own.or(coordinates);
             let offset = Vec2::from(self.numbers(&at("offset"), [0.0; 2])?);
             let scale = Vec2::from(self.numbers(&at("scale"), [1.0; 2])?);
             // Counterclockwise where v points down.
@@ -203,32 +243,60 @@ impl Source<'_> {
             let matrix = Mat2::from_angle(rotation) * Mat2::from_diagonal(scale);
             transform = Affine2::from_mat2_translation(matrix, offset);
         }
-        let set = set.unwrap_or(0);
+        let set = coordinates.unwrap_or(0);
         if set > 1 {
-            return Err(self.wrong(pointer));
+            let field = pointer.rsplit('/').next().unwrap_or_default().to_owned();
+            return Err(MeshFileError::TexCoord { material: self.index, field, set });
         }
         Ok(Some(TextureMap { texels: images.texels(image)?, set, transform, wrap, nearest }))
     }
 }
+
+/// Texels of any file: 16 images of 2048 × 2048.
+const TEXELS: usize = 1 << 26;
+/// Maximum expansion ratio of deflate. More texels than this share their bytes.
+const TEXELS_PER_BYTE: usize = 1032;
 
 /// The images of a document.
 struct Images<'a> {
     gltf: &'a Gltf,
     folder: &'a Path,
     decoded: Vec<Option<Arc<Texels>>>,
-    /// Texels that may still be decoded. Any number of images may refer to the same bytes.
-    left: usize,
+    /// Decoded texels.
+    texels: usize,
+    /// The maximum number of texels. Any number of images may refer to the same bytes.
+    most: usize,
+    /// The files that do not exist.
+    missing: Vec<(String, io::Error)>,
 }
 
 impl Images<'_> {
     fn texels(&mut self, index: usize) -> Result<Arc<Texels>, MeshFileError> {
-        let image = item(list(&self.gltf.document.images), "image", index)?;
         if let Some(Some(texels)) = self.decoded.get(index) {
             return Ok(Arc::clone(texels));
         }
+        let texels = Arc::new(self.read(index)?);
+        self.decoded[index] = Some(Arc::clone(&texels));
+        Ok(texels)
+    }
+
+    /// Decodes an image. An image whose file does not exist is recorded, and white.
+    fn read(&mut self, index: usize) -> Result<Texels, MeshFileError> {
+        let image = item(list(&self.gltf.document.images), "image", index)?;
+        let uri = image.get("uri").and_then(Value::as_str);
         let view = image.get("bufferView").and_then(Value::as_u64);
-        let file: Option<Cow<'_, [u8]>> = match (image.get("uri").and_then(Value::as_str), view) {
-            (Some(uri), _) => Some(fetched("image", uri, self.folder)?.into()),
+        let file: Option<Cow<'_, [u8]>> = match (uri, view) {
+            (Some(uri), _) => match fetched("image", uri, self.folder) {
+                Err(MeshFileError::Beside { uri, error, .. }) if error.kind() == io::ErrorKind::NotFound => {
+                    self.missing.push((uri, error));
+                    return Ok(Texels::white());
+                }
+                file => {
+                    let file = file?;
+                    self.most = self.most.saturating_add(TEXELS_PER_BYTE * file.len());
+                    Some(file.into())
+                }
+            },
             (None, Some(view)) => {
                 let view = item(&self.gltf.document.buffer_views, "buffer view", view as usize)?;
                 self.gltf.within(view).map(Cow::from)
@@ -236,11 +304,28 @@ impl Images<'_> {
             (None, None) => None,
         };
         let file = file.ok_or(MeshFileError::Lacks { what: "buffer of its image" })?;
-        let image = ImageFile::decode(&file, Content::Colors)
-            .map_err(|error| MeshFileError::Image { image: index, error })?;
-        self.left = self.left.checked_sub(image.width * image.height).ok_or(MeshFileError::ImagesTooLarge)?;
-        let texels = Arc::new(Texels::new(&image));
-        self.decoded[index] = Some(Arc::clone(&texels));
-        Ok(texels)
+        let failed = |error| {
+            let uri = uri.filter(|uri| !uri.get(..5).is_some_and(|uri| uri.eq_ignore_ascii_case("data:")));
+            let image = uri.map_or_else(|| format!("image {index}"), |uri| format!("image `{}`", shown(uri)));
+            MeshFileError::Image { image, error }
+        };
+        let opened = Texels::open(&file).map_err(failed)?;
+        self.texels += opened.count();
+        let most = self.most.min(MOST_TEXELS);
+        if self.texels > most {
+            return Err(MeshFileError::ImagesTooLarge { most });
+        }
+        opened.decode().map_err(failed)
+    }
+
+    /// Returns the error for files that do not exist.
+    fn missing(&mut self) -> Option<MeshFileError> {
+        let (uri, error) = self.missing.pop()?;
+        if self.missing.is_empty() {
+            return Some(MeshFileError::Beside { what: "image", uri, error });
+        }
+        let mut uris: Vec<_> = self.missing.drain(..).map(|(uri, _)| uri).collect();
+        uris.push(uri);
+        Some(MeshFileError::MissingImages { uris })
     }
 }

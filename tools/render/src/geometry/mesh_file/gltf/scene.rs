@@ -52,7 +52,9 @@ pub(super) fn soup(gltf: &Gltf, materials: Option<Materials>) -> Result<Triangle
             }
         }
     }
-    soup.materials = materials.map(Materials::into_list);
+    if let Some(materials) = materials {
+        (soup.materials, soup.ignored) = (Some(materials.list), materials.ignored);
+    }
     Ok(soup)
 }
 
