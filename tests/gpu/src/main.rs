@@ -62,8 +62,8 @@ enum Command {
         #[arg(long)]
         check: bool,
     },
-    /// Measure the mean radiance over a surface with the exact rule, at five zooms and half
-    /// vectors, relative to the density.
+    /// Measure the mean radiance over a surface at five zooms, relative to the far field: with the
+    /// exact rule, with visible normals, and with every bounce of metal and glass.
     Means {
         /// Adapters whose names contain this text [default: all].
         #[arg(long)]

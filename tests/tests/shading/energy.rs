@@ -60,7 +60,7 @@ fn worst(deviation: impl Fn(f32, f32) -> f64 + Sync) -> (f64, f32, f32) {
     all.max_by(|a, b| a.0.total_cmp(&b.0)).expect("cases")
 }
 
-/// White metal, and glass of three indices from both sides, as bodies and as bubbles.
+/// White metal, and glass of nine indices from both sides, as bodies and as bubbles.
 #[test]
 fn white_furnace() {
     let metal = worst(|alpha, z| {
@@ -70,7 +70,7 @@ fn white_furnace() {
     println!("metal: {metal:?}");
     // Measured: 1.4e-4.
     assert!(metal.0 < 5e-4, "{metal:?}");
-    for eta in [1.05, 1.33, 1.5, 2.4, 1.0 / 1.33, 1.0 / 1.5, 1.0 / 2.4] {
+    for eta in [1.05, 1.08, 1.13, 1.33, 1.5, 1.85, 2.4, 1.0 / 1.05, 1.0 / 1.5] {
         for side in [1.0, -1.0] {
             let glass = worst(|alpha, z| {
                 let ggx = Ggx::isotropic(alpha).expect(VALID);
@@ -78,9 +78,8 @@ fn white_furnace() {
                 furnace(&glass, &ggx, Some(eta), side * view(z, 0.7))
             });
             println!("glass {eta} from {side}: {glass:?}");
-            // Measured: 1e-3 from the rarer side and 2.5e-3 from the denser, 2.6e-3 and 3.9e-3 for 1.05.
-            let limit = if eta < 1.3 && eta > 1.0 / 1.3 { 4.5e-3 } else { 2.8e-3 };
-            assert!(glass.0 < limit, "{eta} from {side}: {glass:?}");
+            // Measured: 1.3e-3 for 1.05, 4e-4 for 1.33 and above, the error of the reference included.
+            assert!(glass.0 < 2e-3, "{eta} from {side}: {glass:?}");
         }
     }
 }
@@ -193,24 +192,26 @@ fn anisotropic_mirrors_are_tabulated() {
     assert!(within(up_to_10, [3e-2, 0.16, 3e-3, 8e-4]), "{up_to_10:?}");
 }
 
-/// Anisotropic glass is read as isotropic.
+/// The white furnace of anisotropic glass from both sides, up to the ratios 4 and 10.
 #[test]
-fn anisotropic_glass_is_approximated() {
-    let worst = |x, y, side: f32| {
-        let (ggx, index) = (Ggx::new(x, y).expect(VALID), Dielectric::new(1.5).expect(VALID));
-        let (glass, table) = (RoughDielectric::new(ggx, index), GlassAlbedo::new(&ggx, &index));
-        let views =
-            COSINES.into_par_iter().flat_map_iter(|z| [0.0, 0.4, 0.8, 1.2, 1.57].map(|turn| (z, turn)));
-        let error = views.map(|(z, turn)| {
-            let wo = side * view(z, turn);
-            (table.albedo(wo) / directional_albedo(&glass, wo, 1 << 14).x - 1.0).abs()
-        });
-        error.reduce(|| 0.0, f32::max)
+fn white_furnace_of_anisotropic_glass() {
+    let worst = |x, y, eta: f32, side: f32| {
+        let ggx = Ggx::new(x, y).expect(VALID);
+        let glass = EnergyCompensated::glass(ggx, Dielectric::new(eta).expect(VALID));
+        let views = [0.003, 0.07, 0.4, 0.6, 0.75, 0.9]
+            .into_par_iter()
+            .flat_map_iter(|z| [0.0, 0.4, 1.2, 1.57].map(|turn| (z, turn)));
+        let error = views
+            .map(|(z, turn)| ((furnace(&glass, &ggx, Some(eta), side * view(z, turn)) - 1.0).abs(), z, turn));
+        error.reduce(Default::default, |a, b| if a.0 > b.0 { a } else { b })
     };
-    for (x, y, limits) in [(0.2, 0.4, [0.03, 0.07]), (0.1, 0.4, [0.04, 0.12]), (1.0, 0.1, [0.09, 0.32])] {
-        let errors = [1.0, -1.0].map(|side| worst(x, y, side));
-        println!("{x}, {y}: {errors:?}");
-        assert!(errors[0] < limits[0] && errors[1] < limits[1], "{errors:?}");
+    // Measured: 4.5e-3 from the rarer side and 7.6e-3 from the denser up to the ratio 4, 0.11 and 0.13 for 10.
+    let up_to_4 = [(0.4, 0.1), (0.25, 1.0)].into_iter();
+    let cases = up_to_4.flat_map(|(x, y)| [1.05, 1.13, 1.5].map(|eta| (x, y, eta, [7e-3, 1e-2])));
+    for (x, y, eta, limits) in cases.chain([(0.1, 1.0, 1.5, [0.14, 0.18])]) {
+        let errors = [1.0, -1.0].map(|side| worst(x, y, eta, side));
+        println!("{x}, {y}, {eta}: {errors:?}");
+        assert!(errors[0].0 < limits[0] && errors[1].0 < limits[1], "{x}, {y}, {eta}: {errors:?}");
     }
 }
 

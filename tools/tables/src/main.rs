@@ -4,12 +4,15 @@
 mod albedos;
 #[cfg(test)]
 mod documented;
+mod glass_albedos;
 mod noise_cdf;
 mod noise_cellular;
 mod noise_levels;
 mod noise_means;
 mod noise_pictures;
 mod shipped;
+mod spline;
+mod visible_normals;
 
 use std::io::{self, Write};
 use std::path::Path;

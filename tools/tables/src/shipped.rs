@@ -6,6 +6,7 @@ use std::{fs, path::Path};
 
 use crate::{
     albedos::{albedos_source, charlie_source},
+    glass_albedos::glass_source,
     noise_cdf::noise_statistics_source,
     noise_cellular::cellular_statistics_source,
     noise_levels::noise_levels_source,
@@ -18,12 +19,13 @@ use asperity_render::failure::Failure;
 /// A generated file: folder and name in the source tree, and the function that returns its text.
 type Shipped = (&'static str, &'static str, fn() -> String);
 
-const SHIPPED: [Shipped; 6] = [
+const SHIPPED: [Shipped; 7] = [
     ("crates/noise/src/statistics", "absolute_moments.rs", absolute_moments_source),
     ("crates/noise/src/statistics", "cellular.rs", cellular_statistics_source),
     ("crates/noise/src/lattice", "gaussian_levels.rs", noise_levels_source),
     ("crates/noise/src/statistics", "tables.rs", noise_statistics_source),
     ("crates/shading/src/reflectance/energy", "tables.rs", albedos_source),
+    ("crates/shading/src/reflectance/energy", "glass_tables.rs", glass_source),
     ("crates/shading/src/reflectance/fuzz", "charlie_albedo.rs", charlie_source),
 ];
 

@@ -83,7 +83,7 @@ pub(super) const CRATES: &[Crate] = &[
     Crate {
         name: "tables",
         sources: "tools/tables/src",
-        layers: "albedos noise_means → noise_cdf → noise_cellular noise_levels noise_pictures → shipped documented",
+        layers: "spline visible_normals → albedos glass_albedos noise_means → noise_cdf → noise_cellular noise_levels noise_pictures → shipped documented",
         max_exports: None,
     },
     Crate {

@@ -98,7 +98,7 @@ impl<F: Fresnel> EnergyCompensated<CookTorrance<Ggx, F>, GgxAlbedo> {
 impl EnergyCompensated<RoughDielectric<Ggx>, GlassAlbedo> {
     /// The surface of rough glass with every bounce: reflection plus transmission is 1.
     ///
-    /// The table is isotropic: see [`GlassAlbedo`] for the accuracy with anisotropic facets.
+    /// See [`GlassAlbedo`] for the accuracy with anisotropic facets.
     #[must_use]
     pub fn glass(ggx: Ggx, fresnel: Dielectric) -> Self {
         let albedo = GlassAlbedo::new(&ggx, &fresnel);

@@ -6,6 +6,7 @@ mod albedo_table;
 mod compensated;
 mod ggx;
 mod glass;
+mod glass_tables;
 pub(super) mod spline;
 mod tables;
 
