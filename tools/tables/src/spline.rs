@@ -89,15 +89,13 @@ pub(crate) fn arrays<E: Display>(
     }
     text.push_str("[\n");
     for slice in entries.chunks(rows * columns) {
-        if slices > 1 {
-            text.push_str("    [\n");
-        }
-        for row in slice.chunks(columns) {
-            let _ = writeln!(text, "{}[{}],", if slices > 1 { "        " } else { "    " }, list(row));
-        }
-        if slices > 1 {
-            text.push_str("    ],\n");
-        }
+        let rows: Vec<String> = slice.chunks(columns).map(|row| format!("[{}]", list(row))).collect();
+        // Short slices take one line.
+        let _ = match (slices > 1, slice.len() <= 40) {
+            (true, true) => writeln!(text, "    [{}],", rows.join(", ")),
+            (true, false) => writeln!(text, "    [\n        {},\n    ],", rows.join(",\n        ")),
+            (false, _) => writeln!(text, "    {},", rows.join(",\n    ")),
+        };
     }
     text.push_str("];\n");
 }
