@@ -166,6 +166,9 @@ impl Brdf for AtPoint<'_> {
 }
 
 /// The largest deviation from 1 of the albedo of a white material over these angles.
+///
+/// The samples have an error of 0.1 % above the surface and of 0.3 % from inside. With eight times as
+/// many all isotropic materials are within 0.06 %.
 fn furnace(material: &dyn FacetBrdf, angles: &[f64]) -> f32 {
     let views = angles.iter().flat_map(|&theta| [0.1, 1.3].map(|phi| direction(theta, phi)));
     let albedos = views.map(|wo| directional_albedo(material, wo, 1 << 14).x);
@@ -189,21 +192,21 @@ fn white_standard_materials_keep_all_light() {
         let coat = OpenPbrParameters { coat_weight: 1.0, coat_roughness: roughness, ..o };
         let brushed = |p, anisotropy| gltf(StandardMaterialParameters { anisotropy, ..p });
         for (name, material, angles, bound) in [
-            ("metal", gltf(p), above, 1e-3),
-            ("plastic", gltf(plastic), above, 1e-3),
-            ("varnished", gltf(varnished), above, 1e-3),
-            ("body", gltf(body), above, 1e-3),
-            ("body from inside", gltf(body), inside, 3e-3),
-            ("OpenPBR", open_pbr(o), above, 1e-3),
-            ("OpenPBR coat", open_pbr(coat), above, 1e-3),
-            ("OpenPBR fuzz", open_pbr(OpenPbrParameters { fuzz_weight: 1.0, ..o }), above, 1e-3),
-            ("pane", gltf(StandardMaterialParameters { thickness: 0.0, ..body }), above, 1e-3),
+            ("metal", gltf(p), above, 2e-3),
+            ("plastic", gltf(plastic), above, 2e-3),
+            ("varnished", gltf(varnished), above, 2e-3),
+            ("body", gltf(body), above, 2e-3),
+            ("body from inside", gltf(body), inside, 4e-3),
+            ("OpenPBR", open_pbr(o), above, 2e-3),
+            ("OpenPBR coat", open_pbr(coat), above, 2e-3),
+            ("OpenPBR fuzz", open_pbr(OpenPbrParameters { fuzz_weight: 1.0, ..o }), above, 2e-3),
+            ("pane", gltf(StandardMaterialParameters { thickness: 0.0, ..body }), above, 2e-3),
             ("brushed metal", brushed(p, 0.5), above, 8e-3),
             ("brushed plastic", brushed(plastic, 0.5), above, 8e-3),
             ("combed metal", brushed(p, 1.0), above, 6e-2),
             ("combed plastic", brushed(plastic, 1.0), above, 6e-2),
-            ("brushed body", brushed(body, 0.5), above, 0.05),
-            ("brushed body from inside", brushed(body, 0.5), inside, 0.05),
+            ("brushed body", brushed(body, 0.5), above, 8e-3),
+            ("brushed body from inside", brushed(body, 0.5), inside, 8e-3),
         ] {
             let worst = furnace(&*material, &angles);
             println!("{name} of roughness {roughness}: {worst:.5}");

@@ -160,7 +160,7 @@ impl<'m, 'l> Scene<'m, 'l> {
     }
 
     /// Returns the nearest intersection of a ray with an object that does not let it pass. The last
-    /// of [`SHEETS`] is opaque.
+    /// of 64 sheets is opaque.
     pub fn intersect(&self, origin: Vec3, direction: Vec3) -> Option<Meeting<'_, 'm>> {
         let mut passed = 0.0;
         for sheet in 1..=SHEETS {

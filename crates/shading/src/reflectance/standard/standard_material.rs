@@ -77,9 +77,8 @@ parameters! {
 ///   same bumps: clearcoat and sheen are on the side of the viewer. α is at least 10⁻³.
 /// - **Energy:** each layer passes the light that it does not reflect, by its albedo towards ωo
 ///   with all bounces between facets. A white dielectric, metal or body of glass has the albedo 1;
-///   measured within 0.1 % for roughness from 0.25 to 1. The same holds for a white thin wall. From
-///   inside a body within 0.3 %. Metals and dielectrics with an anisotropy up to 0.5 are within
-///   0.6 %, and within 5 % with 1; see [`GlassAlbedo`](crate::reflectance::GlassAlbedo) for glass.
+///   measured within 0.2 % for roughness from 0.25 to 1, also for a white thin wall and from inside a
+///   body. With an anisotropy of 0.5 all are within 0.6 %, metals and dielectrics with 1 within 6 %.
 /// - **Reciprocity** is given up for energy, as the albedos depend on ωo alone. Light from grazing
 ///   directions is not attenuated a second time.
 /// - **Bumps:** as a [`FacetBrdf`](crate::reflectance::FacetBrdf) its facets become bumps. Gloss,
