@@ -79,7 +79,8 @@ fn white_furnace() {
             });
             println!("glass {eta} from {side}: {glass:?}");
             // Measured: 1.3e-3 for 1.05, 4e-4 for 1.33 and above, the error of the reference included.
-            assert!(glass.0 < 2e-3, "{eta} from {side}: {glass:?}");
+            let limit = if (1.0 / 1.3..1.3).contains(&eta) { 1.5e-3 } else { 6e-4 };
+            assert!(glass.0 < limit, "{eta} from {side}: {glass:?}");
         }
     }
 }
@@ -206,8 +207,8 @@ fn white_furnace_of_anisotropic_glass() {
         error.reduce(Default::default, |a, b| if a.0 > b.0 { a } else { b })
     };
     // Measured: 4.5e-3 from the rarer side and 7.6e-3 from the denser up to the ratio 4, 0.11 and 0.13 for 10.
-    let up_to_4 = [(0.4, 0.1), (0.25, 1.0)].into_iter();
-    let cases = up_to_4.flat_map(|(x, y)| [1.05, 1.13, 1.5].map(|eta| (x, y, eta, [7e-3, 1e-2])));
+    let up_to_4 = [(0.4, 0.1), (0.25, 1.0), (0.05, 0.2), (0.5, 0.9)].into_iter();
+    let cases = up_to_4.flat_map(|(x, y)| [1.05, 1.13, 1.5, 2.4].map(|eta| (x, y, eta, [7e-3, 1e-2])));
     for (x, y, eta, limits) in cases.chain([(0.1, 1.0, 1.5, [0.14, 0.18])]) {
         let errors = [1.0, -1.0].map(|side| worst(x, y, eta, side));
         println!("{x}, {y}, {eta}: {errors:?}");

@@ -1,12 +1,17 @@
 //! Glints in elongated pixels and under lights of some size.
 
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::material::GlintField;
+use asperity_shading::material::{GlintField, PaintFlakes};
 use asperity_shading::ndf_sampling::{Ndf, gaussian_cdf};
-use asperity_shading::{Beckmann, Footprint, Ggx, PixelEllipse, reflect};
+use asperity_shading::{
+    Beckmann, Footprint, Ggx, MetallicPaint, MetallicPaintParameters, PixelEllipse, SurfacePoint, check,
+    reflect,
+};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
 use rayon::prelude::*;
+
+use crate::checked::quick;
 
 const VALID: &str = "in range";
 
@@ -152,6 +157,39 @@ fn glints_do_not_pop() {
     assert!(worst.iter().all(|&change| change < 1e-2), "{worst:?}");
 }
 
+/// Across borders of bins and of tetrahedra, and where counts end.
+#[test]
+fn glints_do_not_jump_at_borders() {
+    let field = GlintField::new(Ggx::new(0.3, 0.3).expect(VALID), 1.0, 0.25, 5).expect(VALID);
+    let ndf = field.ndf();
+    let (mut random, mut worst) = (Random(3), [0.0_f32; 3]);
+    let compare = |worst: &mut f32, [before, after]: [(Vec2, Vec3, f32); 2]| {
+        let [before, after] = [before, after].map(|(z, p, width)| {
+            let h = ndf.warp_gaussian(z);
+            field.density_over(h, 0.0, p, &pixel(width, 2.0, 0.4)) / ndf.d(h)
+        });
+        *worst = worst.max((after - before).abs() / before.max(after).max(1.0));
+    };
+    for _ in 0..2000 {
+        let mut u = || random.uniform() as f32;
+        let p = Vec3::new(u(), u(), u()) * 40.0;
+        let width = 3.2 * (3.0 * u()).exp();
+        // The border between two bins.
+        let z = Vec2::new(0.25 * (8.0 * u() - 4.0).round(), 2.0 * u() - 1.0);
+        compare(&mut worst[0], [-1e-5, 1e-5].map(|step| (z + Vec2::new(step, 0.0), p, width)));
+        // A face of the cubes of each lattice with up to four spacings between points.
+        let face = Vec3::new(4.0 * (10.0 * u()).floor(), p.y, p.z);
+        compare(&mut worst[1], [-1e-4, 1e-4].map(|step| (z, face + Vec3::new(step, 0.0, 0.0), width)));
+        // The width at which a level ends, and the last of them.
+        let level = if u() < 0.5 { 14.0 } else { (2.0 + 10.0 * u()).floor() };
+        let end = level.exp2() / 0.632_455_5;
+        compare(&mut worst[2], [-1e-5, 1e-5].map(|step| (z, p, 0.5 * end * (1.0 + step))));
+        compare(&mut worst[2], [-1e-5, 1e-5].map(|step| (z, p, end * (1.0 + step))));
+    }
+    println!("bins, lattice, levels: {worst:?}");
+    assert!(worst.iter().all(|&jump| jump < 1e-2), "{worst:?}");
+}
+
 /// Counts in cells of equal probability of both Gaussian coordinates.
 fn cell(ndf: &impl Ndf, m: Vec3) -> usize {
     let [x, y] = ndf.invert(m).to_array().map(|z| (8.0 * gaussian_cdf(f64::from(z))).min(7.0) as usize);
@@ -206,6 +244,21 @@ fn samples_of_glints_have_their_density_whose_integral_is_one() {
             .sum();
         // 64 degrees of freedom: 110 has a probability of 3·10⁻⁴.
         assert!(chi_squared < 110.0, "width {width}, ratio {ratio}: {chi_squared}");
+    }
+}
+
+#[test]
+fn samples_of_counted_paint_have_their_pdf() {
+    for (k, (bin, width)) in [(1.0, 6e-3), (0.5, 3e-2)].into_iter().enumerate() {
+        let paint = MetallicPaint::new(MetallicPaintParameters {
+            flakes: PaintFlakes::Counted { spacing: 1e-3, bin },
+            coat_index: 1.0,
+            ..Default::default()
+        });
+        let point = SurfacePoint::new(Vec3::new(0.3, 0.1, 0.2), Vec3::Z, pixel(width, 3.0, 0.4));
+        let report = check::material(&paint.expect(VALID), &point, quick(k as u32));
+        // Single pixels may be brighter than the surface.
+        assert!(report.failures().all(|failed| failed == "energy"), "{bin}: {report}");
     }
 }
 

@@ -239,8 +239,8 @@ fn some_glints_stay_in_place_when_zooming_in() {
         let correlation =
             product(&near, m, &far, n) / (product(&near, m, &near, m) * product(&far, n, &far, n)).sqrt();
         println!("{width}: {correlation}");
-        // If all flakes stayed it would be ½, if none did 0 ± 0.007. One in eight corners stays in
-        // 3-D.
+        // If all flakes stayed it would be ½, if none did 0 ± 0.007. Measured: 0.16 for the first
+        // width, whose finer level has single flakes, and 0.34 to 0.35.
         assert!((0.1..0.5).contains(&correlation), "{width}: {correlation}");
     }
 }

@@ -1,5 +1,5 @@
-//! Car materials after Nilsson 2008: carpet, metallic paint, tempered glass, and wear for any
-//! surface.
+//! Materials: BRDFs on bumps, glints, walls, and the car materials of Nilsson 2008, which are carpet,
+//! metallic paint, tempered glass, and wear for any surface.
 
 mod bump_mapped;
 mod bump_mapped_brdf;

@@ -26,7 +26,7 @@ pub(super) fn refuse_idle(
     if lamps && !bumps {
         return Err("`--light lamps` supports only `--material bumps`; use `--light studio`".into());
     }
-    let exr = format == Format::Exr;
+    let (exr, mesh) = (format == Format::Exr, wanted.mesh.is_some());
     let image = wanted.ndf.as_ref().is_some_and(|ndf| ndf != "painted" && !ndf.contains(':'));
     let Images { measure, reconstruction, tangent_space, blue } = wanted.images;
     let given = [
@@ -67,7 +67,14 @@ pub(super) fn refuse_idle(
             !lamps,
             "lamps are invisible; use a color, or `--light studio`",
         ),
-        ("--no-ground", wanted.no_ground, !lamps, "under lamps there is no ground"),
+        ("--no-ground", wanted.no_ground, !lamps, "lamps have no ground"),
+        // Requirements of the parser do not hold beside --scene, which conflicts with --mesh.
+        ("--up", wanted.up.is_some(), mesh, "it applies to --mesh"),
+        ("--crease", wanted.crease.is_some(), mesh, "it applies to --mesh"),
+        ("--camera", wanted.camera.is_some(), mesh, "it applies to --mesh"),
+        ("--target", wanted.target.is_some(), mesh, "it applies to --mesh"),
+        ("--fov", wanted.fov.is_some(), mesh, "it applies to --mesh"),
+        ("--no-ground", wanted.no_ground, mesh, "it applies to --mesh"),
     ];
     let idle = |options: &[(&'static str, bool, bool, &'static str)]| {
         options.iter().find(|(_, given, used, _)| *given && !*used).map(|&(option, .., why)| (option, why))
@@ -292,6 +299,12 @@ mod tests {
             "--out a.exr --tone plain --material paint",
             "--out a.exr --exposure 2 --material paint",
             "--background light",
+            "--scene sphere --up z",
+            "--scene sphere --crease 5",
+            "--scene sphere --camera 0,0,3",
+            "--scene sphere --target 0,0,1",
+            "--scene sphere --fov 60",
+            "--scene sphere --no-ground",
             "--set coat=1 --material paint",
             "--set coat_index=9 --material paint",
             "--set seams_pattern=dots --material carpet",

@@ -28,7 +28,7 @@ impl SchlickRgb {
     /// f90 = clamp(21 F_avg − 20 f0, 0, 1)
     /// ```
     ///
-    /// It is 1 for indices from 1.35 to 2.4, and 0 for an index of 1, where an f90 of 1 would still
+    /// It is 1 for indices from 1.35 to 2.46, below 1 for others, and 0 for an index of 1, where an f90 of 1 would still
     /// reflect 4.8 % of diffuse light.
     pub(crate) fn of_dielectric(fresnel: Dielectric, color: Vec3) -> Self {
         let f0 = fresnel.reflectance(1.0);
@@ -71,7 +71,7 @@ mod tests {
 
     #[test]
     fn dielectrics_keep_their_mean_reflectance() {
-        for index in [1.0, 1.001, 1.05, 1.2, 1.3] {
+        for index in [1.0, 1.001, 1.05, 1.2, 1.34, 2.5, 3.0] {
             let exact = Dielectric::new(index).unwrap();
             let schlick = SchlickRgb::of_dielectric(exact, Vec3::ONE);
             assert_abs_diff_eq!(
@@ -82,7 +82,13 @@ mod tests {
             );
         }
         assert_eq!(SchlickRgb::of_dielectric(Dielectric::new(1.0).unwrap(), Vec3::ONE).f90, Vec3::ZERO);
-        assert_eq!(SchlickRgb::of_dielectric(Dielectric::new(1.4).unwrap(), Vec3::ONE).f90, Vec3::ONE);
+        for index in [1.35, 1.5, 2.0, 2.4] {
+            let exact = Dielectric::new(index).unwrap();
+            let schlick = SchlickRgb::of_dielectric(exact, Vec3::ONE);
+            assert_eq!(schlick.f90, Vec3::ONE);
+            let low = schlick.mean_reflectance_rgb().x / exact.mean_reflectance_rgb().x;
+            assert!((0.92..1.0).contains(&low), "{index}: {low}");
+        }
     }
 
     #[test]

@@ -70,7 +70,7 @@ parameters! {
 /// α_x     = lerp(α, 1, anisotropy²),   α_y = α,   t = (1 − metallic) transmission,   g = 1 − t
 /// ```
 ///
-/// All E are directional albedos seen from ωo.
+/// All E are directional albedos seen from ωo. metallic/g is 0 where g is 0.
 ///
 /// - **Domain:** `wo` and `wi` above the surface; on both sides with transmission. A body seen from
 ///   inside shows its glass only. A thin wall shows the same on its back, with `−wo`, `−wi` and the

@@ -11,21 +11,21 @@ use super::{floats, inputs, number, vec2, vec3, words};
 use crate::case::{Bound, Case, INPUTS, Output, packed};
 
 pub(super) fn cases() -> Vec<Case> {
-    vec![glint_field(), elongated_pixels(), samples(), counted_flakes()]
+    vec![glint_field(0.3), glint_field(0.002), elongated_pixels(), samples(), counted_flakes()]
 }
 
-fn glint_field() -> Case {
+fn glint_field(bin: f32) -> Case {
     const SPACING: f32 = 1e-3;
     // The density cancels.
     let ndf = Beckmann::new(1.0, 1.0).expect("a roughness");
-    let field = GlintField::new(ndf, SPACING, 0.3, 7).expect("a field");
+    let field = GlintField::new(ndf, SPACING, bin, 7).expect("a field");
     let GlintFieldUniform { key, tilt_keys: [x, y], .. } = field.gpu();
     Case {
-        name: "shading/material/paint/glint_field".into(),
+        name: format!("shading/material/paint/glint_field, bins of {bin}"),
         parts: vec![&GLINT_FIELD],
         body: format!(
             "\
-    let field = GlintField(0.001, 0.3, vec2<u32>({x}u, {y}u), {key}u);
+    let field = GlintField(0.001, {bin}, vec2<u32>({x}u, {y}u), {key}u);
     let place = a.xyz / field.spacing;
     var flake = GlintFieldFlake(vec3<i32>(0), vec3<f32>(0.0));
     var tilt = vec2<f32>(0.0);
@@ -40,7 +40,7 @@ fn glint_field() -> Case {
         input: Box::new(|i| {
             let p = [0, 1, 2].map(|k| number(i, k, [-1.0, 1.0]));
             let width = SPACING * number(i, 3, [-0.5, 8.0]).exp();
-            let z = [4, 5].map(|k| number(i, k, [-2.5, 2.5]));
+            let z = [4, 5].map(|k| number(i, k, [-5.5, 5.5]));
             let mut words = inputs(i, &[p[0], p[1], p[2], width, z[0], z[1]]);
             words[3] = Footprint::from_width(f32::from_bits(words[3])).width().min(f32::MAX).to_bits();
             words[4..6].copy_from_slice(&z.map(f32::to_bits));
@@ -62,7 +62,13 @@ fn glint_field() -> Case {
             Output::new("center", 0..3, Bound::Equal, Bound::Absolute(1e-2)),
             // Quantiles are in 64 bits in the crate. A tilt at the border of a bin may round into
             // another bin.
-            Output::new("relative count", 3..4, Bound::Absolute(4e-4), Bound::Absolute(1e-2)),
+            // Ramps between narrow bins are 10⁻³ wide, 2000 roundings of a coordinate.
+            Output::new(
+                "relative count",
+                3..4,
+                Bound::Rounding(if bin < 0.1 { 1e-2 } else { 4e-4 }),
+                Bound::Rounding(if bin < 0.1 { 0.1 } else { 1e-2 }),
+            ),
             Output::new("tilt", 4..6, Bound::Absolute(2e-6), Bound::Absolute(1e-3)),
         ],
     }
@@ -91,7 +97,8 @@ fn elongated_pixels() -> Case {
         input: Box::new(move |i| {
             let p = [0, 1, 2].map(|k| number(i, k, [-1.0, 1.0]));
             let width = SPACING * number(i, 3, [-0.5, 5.0]).exp();
-            let long = width * number(i, 6, [0.0, 1.2]).exp();
+            // The interpreter takes long for long pixels.
+            let long = width * number(i, 6, [0.0, if i % 8 == 0 { 3.0 } else { 0.8 }]).exp();
             let z = [4, 5].map(|k| number(i, k, [-2.5, 2.5]));
             let light = field.light_width(ndf.warp_gaussian(Vec2::from(z)), spread(i));
             let numbers = [p[0], p[1], p[2], width, z[0], z[1], long, light];
@@ -114,7 +121,7 @@ fn elongated_pixels() -> Case {
         }),
         outputs: vec![
             // Counts up to 100 in 32 bits.
-            Output::new("relative count", 0..1, Bound::Absolute(1e-3), Bound::Absolute(5e-2)),
+            Output::new("relative count", 0..1, Bound::Rounding(1e-3), Bound::Rounding(5e-2)),
         ],
     }
 }
@@ -122,14 +129,14 @@ fn elongated_pixels() -> Case {
 fn samples() -> Case {
     const SPACING: f32 = 1e-3;
     let ndf = Beckmann::new(1.0, 1.0).expect("a roughness");
-    let field = GlintField::new(ndf, SPACING, 0.3, 7).expect("a field");
+    let field = GlintField::new(ndf, SPACING, 1.0, 7).expect("a field");
     let GlintFieldUniform { key, tilt_keys: [x, y], .. } = field.gpu();
     Case {
         name: "shading/material/paint/glint_field, samples".into(),
         parts: vec![&GLINT_FIELD],
         body: format!(
             "\
-    let field = GlintField(0.001, 0.3, vec2<u32>({x}u, {y}u), {key}u);
+    let field = GlintField(0.001, 1.0, vec2<u32>({x}u, {y}u), {key}u);
     let pixel = pixel_ellipse_aligned(vec2<f32>(a.w, b.z));
     outcome.a = bits(vec4<f32>(glint_field_sample(field, b.xy, a.xyz, pixel), 0.0, 0.0));"
         ),
@@ -152,8 +159,9 @@ fn samples() -> Case {
         }),
         outputs: vec![
             // Each split takes digits of a uniform number. The last ones place the sample in its bin,
-            // which is 0.3 wide.
-            Output::new("coordinates", 0..2, Bound::Absolute(0.1), Bound::Absolute(0.3)),
+            // which is 1 wide. Its borders
+            // are displaced by up to 0.25.
+            Output::new("coordinates", 0..2, Bound::Absolute(0.05), Bound::Absolute(1.0)),
         ],
     }
 }
@@ -168,6 +176,7 @@ fn counted_flakes() -> Case {
         &COUNTED_FLAKES,
         vec![("counted_flakes_uniform", counted), sums(&paint.gpu_sums())],
         [0.1, 1e-5, 0.02],
+        // The counts are divided by masses of bins, with 32 bits in the shader.
         [Bound::Rounding(1e-5), Bound::Absolute(1e-2)],
         paint,
     )

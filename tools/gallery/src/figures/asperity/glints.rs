@@ -32,7 +32,7 @@ fn sky(w: Vec3) -> Vec3 {
     let sun = Vec3::new(0.0, 0.94, 0.34).normalize();
     let haze = (1.0 - w.z.clamp(0.0, 1.0)).powi(3);
     let blue = Vec3::new(0.05, 0.1, 0.25).lerp(Vec3::new(0.35, 0.3, 0.3), haze);
-    blue + if w.dot(sun) > 0.995 { Vec3::new(90.0, 70.0, 45.0) } else { Vec3::ZERO }
+    blue + if w.dot(sun) > 0.995 { Vec3::new(24.0, 18.0, 12.0) } else { Vec3::ZERO }
 }
 
 /// The light of the sky in the flakes of a pixel: F = 0.8, without masking.
@@ -95,10 +95,10 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         panels.push(Panel::new(format!("{stem}-motion"), format!("{name}, over time"), alt, image));
     }
     let skies = [
-        ("sky-smooth", "a sky, no flakes", Drawing::Smooth, 512),
+        ("sky-smooth", "a sky, no flakes", Drawing::Smooth, 128),
         ("sky-flakes", "a sky, 8 samples of the flakes", Drawing::Flakes, 8),
         ("sky-ndf", "a sky, 8 samples of the NDF", Drawing::Ndf, 8),
-        ("sky-many", "a sky, 512 samples of the flakes", Drawing::Flakes, 512),
+        ("sky-many", "a sky, 128 samples of the flakes", Drawing::Flakes, 128),
     ];
     for (stem, name, drawing, count) in skies {
         let image =

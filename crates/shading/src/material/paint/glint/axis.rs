@@ -4,10 +4,10 @@ use asperity_ndf_sampling::{gaussian_cdf, inverse_gaussian_cdf};
 
 use crate::math::{exp, floor, sqrt};
 
-/// The largest sample, beyond which there are 10⁻¹⁶ of all.
+/// The largest sample; 10⁻¹⁶ of all Gaussian numbers are farther from 0.
 const FARTHEST: f32 = 8.2;
 /// The largest number of splits of an axis.
-pub(super) const MOST_SPLITS: usize = 14;
+pub(super) const MAX_SPLITS: usize = 14;
 
 /// Bins of one Gaussian coordinate.
 ///
@@ -29,7 +29,7 @@ pub(super) struct Bin {
     index: i32,
     splits: usize,
     /// The probability of the half farther from 0 at each split on the way to the bin.
-    outer: [f32; MOST_SPLITS],
+    outer: [f32; MAX_SPLITS],
 }
 
 /// An interval above 0: its ends and the middle between them, and the width of its lower half.
@@ -43,7 +43,7 @@ impl Axis {
     /// Bins of this width, within `[0.001, 1]`.
     pub(super) fn new(width: f32) -> Self {
         let (mut splits, mut end) = (1, width);
-        while end < 5.0 && splits < MOST_SPLITS {
+        while end < 5.0 && splits < MAX_SPLITS {
             (splits, end) = (splits + 1, 2.0 * end);
         }
         Self { width, splits }
@@ -88,7 +88,7 @@ impl Axis {
 
     /// The probability of the half of an interval after `split` splits that is farther from 0.
     ///
-    /// Both halves of the whole axis are as far.
+    /// Of the whole axis it is the upper half.
     pub(super) fn outer(&self, split: usize, index: i32) -> f32 {
         if split == 0 {
             return 0.5;
@@ -129,7 +129,7 @@ impl Axis {
 
     /// The bin, with its probabilities if its flakes are `counted`.
     fn bin(&self, index: i32, counted: bool) -> Bin {
-        let mut outer = [0.5; MOST_SPLITS];
+        let mut outer = [0.5; MAX_SPLITS];
         // The tails beyond both ends of the interval.
         let mut tails = [0.5, 0.0];
         let splits = if counted { self.splits } else { 0 };
@@ -146,8 +146,8 @@ impl Axis {
         Bin { weight: 1.0, mass, index, splits: self.splits, outer }
     }
 
-    /// The bin beside another one, which has most of its intervals.
-    fn beside(&self, own: &Bin, index: i32, mass: f32, weight: f32) -> Bin {
+    /// The neighbor of a bin, with which it shares most intervals.
+    fn neighbor(&self, own: &Bin, index: i32, mass: f32, weight: f32) -> Bin {
         let mut bin = Bin { weight, mass, index, ..*own };
         for split in 1..self.splits {
             let interval = index >> (self.splits - split);
@@ -158,7 +158,7 @@ impl Axis {
         bin
     }
 
-    /// The bins at a coordinate; the second one has a weight beside a border only.
+    /// The bins at a coordinate. The second one has a weight near a border only.
     ///
     /// A bin is 1 inside and falls across each border, linearly in probability, over a quarter of
     /// the smaller neighbor to either side. Its integral is therefore its mass.
@@ -171,7 +171,7 @@ impl Axis {
         // The nearer border; the outermost bins have one.
         let (index, border, distance) =
             if z - low < high - z { (own.index - 1, low, z - low) } else { (own.index + 1, high, high - z) };
-        if index < self.lowest() || index >= -self.lowest() || z.is_nan() {
+        if index < self.lowest() || index >= -self.lowest() || !z.is_finite() {
             return alone;
         }
         let mass = self.mass(index, 0);
@@ -180,7 +180,7 @@ impl Axis {
             return alone;
         }
         let weight = 0.5 - 0.5 * within / ramp;
-        [Bin { weight: 1.0 - weight, ..own }, self.beside(&own, index, mass, weight)]
+        [Bin { weight: 1.0 - weight, ..own }, self.neighbor(&own, index, mass, weight)]
     }
 
     /// A coordinate of a bin, distributed by its weight.
@@ -190,7 +190,7 @@ impl Axis {
             if k < self.lowest() || k >= -self.lowest() { 0.0 } else { self.mass(k, 0) }
         });
         let own = if self.splits == 0 { 1.0 } else { masses[1] };
-        let [before, after] = [masses[0], masses[2]].map(|beside| 0.25 * own.min(beside));
+        let [before, after] = [masses[0], masses[2]].map(|neighbor| 0.25 * own.min(neighbor));
         let along = u * own;
         let along = if along < before {
             before * (2.0 * sqrt(along / before) - 1.0)

@@ -82,7 +82,7 @@ fn binomial(n: f32, p: f32, word: u32) -> f32 {
         const DEVIATION: f32 = 147.801;
         let sum: i32 = word.to_le_bytes().into_iter().map(i32::from).sum();
         // At most 3.45 standard deviations, which are less than the mean.
-        return floor(mean + sqrt(mean * (1.0 - p)) / DEVIATION * (sum - 510) as f32 + 0.5);
+        return floor(mean + sqrt(mean * (1.0 - p)) / DEVIATION * (sum - 510) as f32 + 0.5).min(n);
     }
     let uniform = (word as f32 + 0.5) / 4_294_967_296.0;
     if n <= 1.0 {
@@ -110,8 +110,15 @@ mod tests {
 
     #[test]
     fn binomial_has_mean_and_variance() {
-        for (n, p) in [(1.0, 0.3), (4.0, 0.3), (16.0, 1e-3), (1024.0, 4e-4), (4096.0, 0.01), (65_536.0, 0.1)]
-        {
+        for (n, p) in [
+            (1.0, 0.3),
+            (4.0, 0.3),
+            (16.0, 1e-3),
+            (1024.0, 4e-4),
+            (4096.0, 0.01),
+            (65_536.0, 0.1),
+            (78.0, 0.9),
+        ] {
             let count = 20_000_i32;
             let (mut sum, mut squares) = (0.0, 0.0);
             for i in 0..count {

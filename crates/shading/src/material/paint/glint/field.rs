@@ -18,7 +18,7 @@ use crate::reflectance::lobe::CountedFacets;
 /// Mirror-like flakes with any NDF, single up close and counted from afar.
 ///
 /// A pixel of width w sees about (w/spacing)² flakes. A flake mirrors the light into the pixel if
-/// its Gaussian coordinates T⁻¹(m) are in the same bin as those of the half vector:
+/// its Gaussian coordinates T⁻¹(m) are in the bin of the half vector:
 ///
 /// ```text
 /// D̂(h) = D(h) Σ_bins w(h, bin) c(bin)/q(bin),     q(bin) = ∫ N(z; 0, I) w(z, bin) dz,   Σ w = 1
@@ -26,20 +26,18 @@ use crate::reflectance::lobe::CountedFacets;
 /// ```
 ///
 /// The position is in a tetrahedron of a lattice with 2ˡ spacings between its corners, each with 4ˡ
-/// flakes. Their tilts are divided into halves again and again, and a hash draws how many flakes are
-/// in either half, until a bin is reached: binomial numbers, whose mean is 4ˡ q. Two levels are
-/// blended by the logarithm of the width. A pixel up to 1.6 spacings wide sees the flake at its
-/// center, with the normal that [`flake`](Self::flake) returns.
+/// flakes. The range of their tilts is bisected until a bin is reached, and a hash draws how many
+/// flakes are in either half: binomial numbers, whose mean is 4ˡ q. Two levels are blended by the
+/// logarithm of the width. A pixel up to 1.6 spacings wide sees the flake at its center, with the
+/// normal that [`flake`](Self::flake) returns.
 ///
 /// - **Energy:** the mean of D̂(h) over the surface is D(h), at every width and for every NDF. Within
 ///   each pixel D̂ is an NDF: `∫ D̂(h) cos θ dω = 1`.
 /// - **Sampling:** [`sample`](Self::sample) draws normals with the density D̂, for example to find the
 ///   light that the flakes of a pixel mirror from an environment.
-/// - **Far view:** the variance decreases as 1/N, and D̂ tends to D. The smooth lobe of the paint
-///   remains, and nothing has to fade.
-/// - **Near view:** more flakes become visible as single ones as a pixel sees fewer of them, up to
-///   the last. The gaps between sparkles close, which flakes of a fixed width on the screen cannot
-///   do.
+/// - **Far view:** the variance decreases as 1/N. From 13,000 to 26,000 spacings D̂ is blended into D.
+/// - **Near view:** more flakes become visible as single ones as a pixel sees fewer of them, until
+///   they cover the surface.
 /// - **Motion:** D̂ is continuous in the position, the pixel, the light and h, except at the borders of
 ///   single flakes. A corner of a coarse lattice is a corner of all finer ones, where it has some of
 ///   the same flakes.
@@ -77,7 +75,7 @@ pub struct GlintField<N> {
     seed: u32,
 }
 
-/// The coarsest level: lattice points with 2²⁸ flakes.
+/// The level that is smooth: its lattice points would have 2²⁸ flakes.
 const LEVELS: f32 = 14.0;
 /// The distance of lattice points over the width of a pixel: √E[Σ w²] of the weights of four
 /// corners, with which a pixel sees as many flakes as one that counts a single point.
@@ -90,7 +88,7 @@ const FARTHEST: f32 = 8_388_608.0;
 /// A part of the flakes that a pixel sees.
 #[derive(Clone, Copy)]
 enum Part {
-    /// More than can be distinguished.
+    /// More than are counted.
     Smooth,
     /// A single flake with these Gaussian coordinates.
     Single(Vec2),
@@ -322,7 +320,9 @@ impl<N: Ndf> GlintField<N> {
             if share <= 0.0 {
                 continue;
             }
-            if level == 0.0 {
+            if level >= LEVELS {
+                visit(weight * share, Part::Smooth);
+            } else if level == 0.0 {
                 visit(weight * share, Part::Single(self.tilt(nearest(place, self.seed).0)));
             } else {
                 for (corner, flakes) in corners(place, level as u32, self.seed) {

@@ -99,7 +99,7 @@ fn glint_field_binomial(n: f32, p: f32, word: u32) -> f32 {
     }
     if mean > 16.0 {
         let bytes = (word & 255u) + ((word >> 8u) & 255u) + ((word >> 16u) & 255u) + (word >> 24u);
-        return floor(mean + sqrt(mean * (1.0 - p)) / 147.801 * (f32(bytes) - 510.0) + 0.5);
+        return min(floor(mean + sqrt(mean * (1.0 - p)) / 147.801 * (f32(bytes) - 510.0) + 0.5), n);
     }
     let uniform_number = (f32(word) + 0.5) / 4294967296.0;
     if n <= 1.0 {
@@ -219,7 +219,7 @@ fn glint_field_bins(axis: GlintFieldAxis, z: f32) -> GlintFieldBins {
     let low = f32(own) * axis.width;
     let below = own < -highest || (own < highest && z - low >= low + axis.width - z);
     let beside = select(own - 1, own + 1, below);
-    if axis.splits == 0 || beside < -1 - highest || beside > highest || z != z {
+    if axis.splits == 0 || beside < -1 - highest || beside > highest || !(abs(z) < MATH_LARGEST) {
         return bins;
     }
     let border = select(low, low + axis.width, below);
@@ -305,7 +305,8 @@ fn glint_field_level(field: GlintField, width: f32) -> vec2<f32> {
     return glint_field_logarithm(max(0.6324555 * width / field.spacing, 1.0));
 }
 
-// The fraction of the flakes of a round pixel in a bin; `tilt` is that of the flake at its center.
+// The fraction of the flakes of a round pixel in a bin of this mass. The flake at the center of the
+// pixel has this `tilt`.
 fn glint_field_fraction_at(
     field: GlintField,
     axis: GlintFieldAxis,
@@ -313,6 +314,7 @@ fn glint_field_fraction_at(
     level: vec2<f32>,
     tilt: vec2<f32>,
     bin: vec2<i32>,
+    mass: f32,
 ) -> f32 {
     var sum = 0.0;
     for (var k = 0; k < 2; k++) {
@@ -322,7 +324,10 @@ fn glint_field_fraction_at(
             let same = glint_field_index(axis, tilt.x) == bin.x && glint_field_index(axis, tilt.y) == bin.y;
             sum += select(0.0, share, same);
         }
-        if share > 0.0 && at > 0 {
+        if share > 0.0 && at >= 14 {
+            sum += share * mass;
+        }
+        if share > 0.0 && at > 0 && at < 14 {
             let corners = glint_field_corners(field, place, at);
             let size = f32(1u << u32(at));
             sum += share * glint_field_fraction(axis, corners.weights, corners.words, size * size, bin);
@@ -391,7 +396,7 @@ fn glint_field_relative_in(
             if weight > 0.0 {
                 let bin = vec2<i32>(select(x.index.x, x.index.y, right), select(y.index.x, y.index.y, upper));
                 let mass = select(x.mass.x, x.mass.y, right) * select(y.mass.x, y.mass.y, upper);
-                let share = glint_field_fraction_at(field, axis, place, level, tilt, bin);
+                let share = glint_field_fraction_at(field, axis, place, level, tilt, bin, mass);
                 sum += weight * share / max(mass, 1.1754944e-38);
             }
         }
@@ -495,7 +500,14 @@ fn glint_field_sample(field: GlintField, u: vec2<f32>, position: vec3<f32>, pixe
                 }
                 left -= share;
             }
-            if share > 0.0 && at > 0 {
+            if share > 0.0 && at >= 14 {
+                if left >= 0.0 {
+                    is_smooth = true;
+                    rest = left / share;
+                }
+                left -= share;
+            }
+            if share > 0.0 && at > 0 && at < 14 {
                 let corners = glint_field_corners(field, place, at);
                 let size = f32(1u << u32(at));
                 for (var corner = 0u; corner < 4u; corner++) {
