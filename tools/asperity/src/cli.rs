@@ -138,7 +138,7 @@ pub struct Render {
     #[arg(long, value_name = "X,Y,Z", requires = "mesh", allow_hyphen_values = true, value_parser = point)]
     pub target: Option<[f64; 3]>,
     /// Field of view of the camera over the height of the image, in degrees [default: 27].
-    #[arg(long, value_name = "DEGREES", requires = "mesh", value_parser = field_of_view)]
+    #[arg(long, value_name = "DEGREES", requires = "mesh", allow_negative_numbers = true, value_parser = field_of_view)]
     pub fov: Option<f32>,
     /// Omit the ground below the mesh.
     #[arg(long, requires = "mesh")]

@@ -14,17 +14,45 @@ use asperity::failure::Failure;
 use asperity::output::Output;
 use asperity::{progress, tables};
 use clap::Parser;
+use clap::error::ErrorKind;
 
 use asperity::cli::{Cli, Command};
 
 fn main() -> ExitCode {
-    match run(Cli::parse()) {
+    let fail = |said: &str, code| {
+        let _ = writeln!(std::io::stderr(), "error: {}", progress::one_line(said));
+        code
+    };
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => match line_of(&error) {
+            Some(line) => return fail(&line, ExitCode::from(2)),
+            None => error.exit(),
+        },
+    };
+    match run(cli) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            let _ = writeln!(std::io::stderr(), "error: {}", progress::one_line(&error.to_string()));
-            ExitCode::FAILURE
-        }
+        Err(error) => fail(&error.to_string(), ExitCode::FAILURE),
     }
+}
+
+/// The line of an error in the arguments; `None` for help and the version.
+fn line_of(error: &clap::Error) -> Option<String> {
+    if !error.use_stderr() || error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        return None;
+    }
+    let said = error.render().to_string();
+    let mut line = String::new();
+    for part in said.lines().map(str::trim).take_while(|part| !part.starts_with("Usage:")) {
+        if part.is_empty() || part.starts_with("For more information") {
+            continue;
+        }
+        if !line.is_empty() {
+            line += if part.starts_with('[') || line.ends_with(':') { " " } else { "; " };
+        }
+        line += part;
+    }
+    Some(line.trim_start_matches("error: ").into())
 }
 
 fn run(cli: Cli) -> Result<(), Failure> {
@@ -72,6 +100,25 @@ mod tests {
             assert!(said.contains(&format!("\n  {command} ")), "{command} is missing in:\n{said}");
         }
         Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn wrong_arguments_are_reported_in_one_line() {
+        for (line, expected) in [
+            ("render --zom 2", "unexpected argument '--zom' found; tip: a similar argument exists: '--zoom'"),
+            ("rendr", "unrecognized subcommand 'rendr'; tip: a similar subcommand exists: 'render'"),
+            ("render --zoom", "a value is required for '--zoom <ZOOM>' but none was supplied"),
+            ("render --fov 30", "the following required arguments were not provided: --mesh <FILE>"),
+            (
+                "render --mesh a.obj --fov -5",
+                "invalid value '-5' for '--fov <DEGREES>': must be an angle from 0.1 to 170 degrees",
+            ),
+        ] {
+            let error = Cli::try_parse_from(["asperity"].into_iter().chain(line.split(' '))).err().unwrap();
+            assert_eq!(line_of(&error).unwrap(), expected);
+        }
+        let help = Cli::try_parse_from(["asperity", "--help"]).err().unwrap();
+        assert_eq!(line_of(&help), None);
     }
 
     #[test]

@@ -140,7 +140,10 @@ impl Parameters {
         if let Some(roughness) = wanted.roughness.filter(|_| !own.roughness.is_empty()) {
             own.values[own.roughness] = json!(roughness);
         }
-        for (name, text) in wanted.set {
+        for (k, (name, text)) in wanted.set.iter().enumerate() {
+            if wanted.set[..k].iter().any(|(other, _)| other == name) {
+                return Err(format!("--set gives `{name}` twice").into());
+            }
             let place = own.values.pointer_mut(&format!("/{}", name.replace('.', "/")));
             let Some(place) = place else {
                 let names: Vec<_> = own.fields.iter().map(|field| field.0).collect();
@@ -149,7 +152,11 @@ impl Parameters {
                     .to_lowercase()
                     .into());
             };
-            *place = value(text);
+            let new = value(text);
+            if let Some(kind) = kind(place).filter(|_| kind(place) != kind(&new)) {
+                return Err(format!("`{name}` must be {kind}, got `{text}`").into());
+            }
+            *place = new;
         }
         Ok(own)
     }
@@ -283,6 +290,16 @@ fn shown(value: &Value) -> String {
         }
         Value::String(word) => word.clone(),
         other => other.to_string(),
+    }
+}
+
+/// The kind of a parameter that a number, a list or a word sets.
+fn kind(value: &Value) -> Option<&'static str> {
+    match value {
+        Value::Number(_) => Some("a number"),
+        Value::Array(_) => Some("a list of numbers"),
+        Value::String(_) => Some("a word"),
+        _ => None,
     }
 }
 

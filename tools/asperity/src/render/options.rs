@@ -212,10 +212,7 @@ mod tests {
         let same = bytes(&line("--camera 1,2,3 --target 1,2,3")).unwrap_err().to_string();
         assert_eq!(same, "`--camera` and `--target` must differ, got 1,2,3");
         let lamps = format!("{} --material bumps", line("").replace("--background 000000", ""));
-        assert_eq!(
-            bytes(&lamps).unwrap_err().to_string(),
-            "--no-ground has no effect: under lamps there is no ground"
-        );
+        assert_eq!(bytes(&lamps).unwrap_err().to_string(), "--no-ground has no effect: lamps have no ground");
     }
 
     #[test]
@@ -307,10 +304,15 @@ mod tests {
             "--scene sphere --no-ground",
             "--set coat=1 --material paint",
             "--set coat_index=9 --material paint",
+            "--set coat_index=1.2 --set coat_index=1.3 --material paint",
             "--set seams_pattern=dots --material carpet",
             "--mesh render/tests/data/cube.glb --crease 20",
         ] {
             assert!(bytes(line).is_err(), "{line}");
         }
+        assert_eq!(
+            bytes("--set coat_roughness=abc --material paint").unwrap_err().to_string(),
+            "`coat_roughness` must be a number, got `abc`"
+        );
     }
 }
