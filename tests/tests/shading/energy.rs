@@ -206,9 +206,10 @@ fn white_furnace_of_anisotropic_glass() {
             .map(|(z, turn)| ((furnace(&glass, &ggx, Some(eta), side * view(z, turn)) - 1.0).abs(), z, turn));
         error.reduce(Default::default, |a, b| if a.0 > b.0 { a } else { b })
     };
-    // Measured: 4.5e-3 from the rarer side and 7.6e-3 from the denser up to the ratio 4, 0.11 and 0.13 for 10.
-    let up_to_4 = [(0.4, 0.1), (0.25, 1.0), (0.05, 0.2), (0.5, 0.9)].into_iter();
-    let cases = up_to_4.flat_map(|(x, y)| [1.05, 1.13, 1.5, 2.4].map(|eta| (x, y, eta, [7e-3, 1e-2])));
+    // Measured: 4.5e-3 from the rarer side and 7.6e-3 from the denser up to the ratio 4, also for (0.4, 0.1),
+    // (0.5, 0.9) and the index 1.13; 0.11 and 0.13 for 10.
+    let up_to_4 = [(0.25, 1.0), (0.05, 0.2)].into_iter();
+    let cases = up_to_4.flat_map(|(x, y)| [1.05, 1.5, 2.4].map(|eta| (x, y, eta, [7e-3, 1e-2])));
     for (x, y, eta, limits) in cases.chain([(0.1, 1.0, 1.5, [0.14, 0.18])]) {
         let errors = [1.0, -1.0].map(|side| worst(x, y, eta, side));
         println!("{x}, {y}, {eta}: {errors:?}");

@@ -203,7 +203,7 @@ const STEPS: i16 = 1000;
 fn samples_of_glints_have_their_density_whose_integral_is_one() {
     let field = GlintField::new(Ggx::new(0.3, 0.5).expect(VALID), 1.0, 0.3, 5).expect(VALID);
     let p = Vec3::new(3.3, 1.2, 0.4);
-    for (width, ratio) in [(0.5, 1.0), (4.0, 5.0), (40.0, 1.0), (1e5, 1.0)] {
+    for (width, ratio) in [(0.5, 1.0), (4.0, 3.0), (40.0, 1.0)] {
         let pixel = pixel(width, ratio, 0.4);
         // D̂ cos θ dω = D̂/D N(z) dz by the midpoint rule within four standard deviations.
         let row = |i: i16| {
@@ -249,17 +249,15 @@ fn samples_of_glints_have_their_density_whose_integral_is_one() {
 
 #[test]
 fn samples_of_counted_paint_have_their_pdf() {
-    for (k, (bin, width)) in [(1.0, 6e-3), (0.5, 3e-2)].into_iter().enumerate() {
-        let paint = MetallicPaint::new(MetallicPaintParameters {
-            flakes: PaintFlakes::Counted { spacing: 1e-3, bin },
-            coat_index: 1.0,
-            ..Default::default()
-        });
-        let point = SurfacePoint::new(Vec3::new(0.3, 0.1, 0.2), Vec3::Z, pixel(width, 3.0, 0.4));
-        let report = check::material(&paint.expect(VALID), &point, quick(k as u32));
-        // Single pixels may be brighter than the surface.
-        assert!(report.failures().all(|failed| failed == "energy"), "{bin}: {report}");
-    }
+    let paint = MetallicPaint::new(MetallicPaintParameters {
+        flakes: PaintFlakes::Counted { spacing: 1e-3, bin: 1.0 },
+        coat_index: 1.0,
+        ..Default::default()
+    });
+    let point = SurfacePoint::new(Vec3::new(0.3, 0.1, 0.2), Vec3::Z, pixel(6e-3, 3.0, 0.4));
+    let report = check::material(&paint.expect(VALID), &point, quick(1));
+    // Single pixels may be brighter than the surface.
+    assert!(report.failures().all(|failed| failed == "energy"), "{report}");
 }
 
 /// The light of a sky with a lamp in it, seen in the flakes of a pixel: the same from samples of the

@@ -98,7 +98,7 @@ fn elongated_pixels() -> Case {
             let p = [0, 1, 2].map(|k| number(i, k, [-1.0, 1.0]));
             let width = SPACING * number(i, 3, [-0.5, 5.0]).exp();
             // The interpreter takes long for long pixels.
-            let long = width * number(i, 6, [0.0, if i % 8 == 0 { 3.0 } else { 0.8 }]).exp();
+            let long = width * number(i, 6, [0.0, if i % 32 == 0 { 3.0 } else { 0.8 }]).exp();
             let z = [4, 5].map(|k| number(i, k, [-2.5, 2.5]));
             let light = field.light_width(ndf.warp_gaussian(Vec2::from(z)), spread(i));
             let numbers = [p[0], p[1], p[2], width, z[0], z[1], long, light];
