@@ -124,7 +124,7 @@ fn densities_of_normals() {
     hold(ROOMS[4]);
 }
 
-/// Materials take half of the time, so they are a test of their own.
+/// Materials take half of the time; a test of their own runs in parallel.
 const MATERIALS: &str = "shading/material";
 
 #[test]

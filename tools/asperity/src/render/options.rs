@@ -68,7 +68,7 @@ pub(super) fn refuse_idle(
             "lamps are invisible; use a color, or `--light studio`",
         ),
         ("--no-ground", wanted.no_ground, !lamps, "lamps have no ground"),
-        // Requirements of the parser do not hold beside --scene, which conflicts with --mesh.
+        // clap ignores `requires = "mesh"` with --scene, which conflicts with --mesh.
         ("--up", wanted.up.is_some(), mesh, "it applies to --mesh"),
         ("--crease", wanted.crease.is_some(), mesh, "it applies to --mesh"),
         ("--camera", wanted.camera.is_some(), mesh, "it applies to --mesh"),

@@ -87,7 +87,7 @@ parameters! {
 /// - **Differs from the specification:** dielectrics reflect by Schlick's approximation, whose
 ///   albedo is known. It has the exact reflectance at normal incidence, and the exact mean for
 ///   indices up to 1.34 and from 2.47. In between the mean is up to 8 % too low. Glass reflects by the exact term. Its index is relative to air, also under a
-///   coat, and `specular_color` does not tint it. There is no subsurface scattering, thin film,
+///   coat. `specular_color` does not tint it. There is no subsurface scattering, thin film,
 ///   dispersion or scattering in the body.
 /// - **Domain, energy, bumps, sampling** as for `StandardMaterial`.
 ///

@@ -49,15 +49,10 @@ impl Axis {
         Self { width, splits }
     }
 
-    /// How many times pairs of bins can be joined, until one is left.
-    pub(super) const fn levels(&self) -> u32 {
-        self.splits as u32
-    }
-
-    /// The bins joined `level` times in pairs.
-    pub(super) fn joined(&self, level: u32) -> Self {
-        let level = level.min(self.levels());
-        Self { width: self.width * (1_u32 << level) as f32, splits: self.splits - level as usize }
+    /// The bins joined `level` times in pairs, at most until one is left.
+    pub(super) fn joined(&self, level: usize) -> Self {
+        let level = level.min(self.splits);
+        Self { width: self.width * (1_u32 << level) as f32, splits: self.splits - level }
     }
 
     pub(super) const fn splits(&self) -> usize {
@@ -75,13 +70,13 @@ impl Axis {
         (floor(z / self.width) as i32).clamp(lowest, (-1 - lowest).max(0))
     }
 
-    /// The ends of an interval of the tree, `2^joined` bins wide.
-    fn ends(&self, index: i32, joined: usize) -> [f32; 2] {
-        let (lowest, width) = (self.lowest() >> joined, self.width * (1_u32 << joined) as f32);
+    /// The ends of a bin.
+    fn ends(&self, index: i32) -> [f32; 2] {
+        let lowest = self.lowest();
         let end = |index: i32| match index {
             i if i <= lowest => f32::NEG_INFINITY,
             i if i >= -lowest => f32::INFINITY,
-            i => i as f32 * width,
+            i => i as f32 * self.width,
         };
         [end(index), end(index + 1)]
     }
@@ -115,15 +110,13 @@ impl Axis {
         if split == 0 { outer as i32 - 1 } else { 2 * index + (outer == (index >= 0)) as i32 }
     }
 
-    /// The probability of an interval of the tree, `2^joined` bins wide.
-    fn mass(&self, index: i32, joined: usize) -> f32 {
-        match self.ends(index, joined) {
-            [low, f32::INFINITY] => gaussian_cdf(f64::from(-low)) as f32,
-            [f32::NEG_INFINITY, high] => gaussian_cdf(f64::from(high)) as f32,
-            _ => {
-                let width = self.width * (1_u32 << joined) as f32;
-                interval((index as f32 + 0.5) * width, width)
-            }
+    /// The probability of a bin.
+    fn mass(&self, index: i32) -> f32 {
+        match self.ends(index) {
+            [f32::NEG_INFINITY, f32::INFINITY] => 1.0,
+            [low, f32::INFINITY] => tail(low) as f32,
+            [f32::NEG_INFINITY, high] => tail(-high) as f32,
+            _ => interval((index as f32 + 0.5) * self.width, self.width),
         }
     }
 
@@ -142,14 +135,13 @@ impl Axis {
                 share as f32
             });
         }
-        let mass = if self.splits == 0 { 1.0 } else { self.mass(index, 0) };
-        Bin { weight: 1.0, mass, index, splits: self.splits, outer }
+        Bin { weight: 1.0, mass: self.mass(index), index, splits: self.splits, outer }
     }
 
     /// The neighbor of a bin, with which it shares most intervals.
-    fn neighbor(&self, own: &Bin, index: i32, mass: f32, weight: f32) -> Bin {
-        let mut bin = Bin { weight, mass, index, ..*own };
-        for split in 1..self.splits {
+    fn neighbor(&self, own: &Bin, index: i32, mass: f32, counted: bool) -> Bin {
+        let mut bin = Bin { mass, index, ..*own };
+        for split in 1..if counted { self.splits } else { 0 } {
             let interval = index >> (self.splits - split);
             if interval != own.index >> (self.splits - split) {
                 bin.outer[split] = self.outer(split, interval);
@@ -167,30 +159,31 @@ impl Axis {
     pub(super) fn bins(&self, z: f32, counted: bool) -> [Bin; 2] {
         let own = self.bin(self.index(z), counted);
         let alone = [own, Bin { weight: 0.0, ..own }];
-        let [low, high] = self.ends(own.index, 0);
+        let [low, high] = self.ends(own.index);
         // The nearer border; the outermost bins have one.
         let (index, border, distance) =
             if z - low < high - z { (own.index - 1, low, z - low) } else { (own.index + 1, high, high - z) };
         if index < self.lowest() || index >= -self.lowest() || !z.is_finite() {
             return alone;
         }
-        let mass = self.mass(index, 0);
+        let mass = self.mass(index);
         let (ramp, within) = (0.25 * own.mass.min(mass), interval(0.5 * (z + border), distance.max(0.0)));
         if within >= ramp {
             return alone;
         }
         let weight = 0.5 - 0.5 * within / ramp;
-        [Bin { weight: 1.0 - weight, ..own }, self.neighbor(&own, index, mass, weight)]
+        let neighbor = self.neighbor(&own, index, mass, counted);
+        [Bin { weight: 1.0 - weight, ..own }, Bin { weight, ..neighbor }]
     }
 
     /// A coordinate of a bin, distributed by its weight.
     pub(super) fn sample(&self, index: i32, u: f32) -> f32 {
         let masses = [-1, 0, 1].map(|k| {
             let k = index + k;
-            if k < self.lowest() || k >= -self.lowest() { 0.0 } else { self.mass(k, 0) }
+            if k < self.lowest() || k >= -self.lowest() { 0.0 } else { self.mass(k) }
         });
-        let own = if self.splits == 0 { 1.0 } else { masses[1] };
-        let [before, after] = [masses[0], masses[2]].map(|neighbor| 0.25 * own.min(neighbor));
+        let [before, own, after] = masses;
+        let [before, after] = [before, after].map(|neighbor| 0.25 * own.min(neighbor));
         let along = u * own;
         let along = if along < before {
             before * (2.0 * sqrt(along / before) - 1.0)
@@ -200,11 +193,11 @@ impl Axis {
             along
         };
         // From the nearer tail, whose digits are not lost.
-        let [low, high] = self.ends(index, 0).map(f64::from);
+        let [low, high] = self.ends(index);
         let z = if index < 0 {
-            inverse_gaussian_cdf(gaussian_cdf(low) + f64::from(along))
+            inverse_gaussian_cdf(tail(-low) + f64::from(along))
         } else {
-            -inverse_gaussian_cdf(gaussian_cdf(-high) + f64::from(own - along))
+            -inverse_gaussian_cdf(tail(high) + f64::from(own - along))
         };
         (z as f32).clamp(-FARTHEST, FARTHEST)
     }
@@ -213,8 +206,7 @@ impl Axis {
 impl Bin {
     /// Whether the bin is in the half farther from 0 after `split` splits, and its probability.
     pub(super) const fn at(&self, split: usize) -> (bool, f32) {
-        let is_upper = split == 0 || (self.index >> (self.splits - split - 1)) & 1 != 0;
-        (is_upper == (self.index >= 0), self.outer[split])
+        (is_outer(self.index, self.splits, split), self.outer[split])
     }
 
     pub(super) const fn index(&self) -> i32 {
@@ -312,7 +304,7 @@ mod tests {
             assert_abs_diff_eq!(sum, 1.0, epsilon = 1e-6, "{axis:?}");
         }
         let one = Axis::new(0.3);
-        let one = one.joined(one.levels());
+        let one = one.joined(one.splits());
         assert_eq!((one.bins(7.0, true)[0].mass, one.bins(7.0, true)[0].weight), (1.0, 1.0));
     }
 

@@ -187,11 +187,11 @@ impl<N: Ndf> GlintField<N> {
         }
         let (z, bins) = (self.ndf.invert(h), Axis::new(self.bin));
         // How often bins are joined for the light, by the logarithm.
-        let joined = log2((self.light_width(h, spread) / self.bin).max(1.0)).min(bins.levels() as f32);
+        let joined = log2((self.light_width(h, spread) / self.bin).max(1.0)).min(bins.splits() as f32);
         let (lower, upper_share) = (floor(joined), joined - floor(joined));
-        let mut relative = self.relative(&bins.joined(lower as u32), z, position, pixel);
+        let mut relative = self.relative(&bins.joined(lower as usize), z, position, pixel);
         if upper_share > 0.0 {
-            let wider = self.relative(&bins.joined(lower as u32 + 1), z, position, pixel);
+            let wider = self.relative(&bins.joined(lower as usize + 1), z, position, pixel);
             relative += upper_share * (wider - relative);
         }
         // Both factors are large only where h is not a unit vector.

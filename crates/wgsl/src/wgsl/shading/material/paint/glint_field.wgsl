@@ -225,7 +225,7 @@ fn glint_field_bins(axis: GlintFieldAxis, z: f32) -> GlintFieldBins {
     let border = select(low, low + axis.width, below);
     let other = glint_field_mass(axis, beside);
     let ramp = 0.25 * min(mass, other);
-    let within = glint_field_interval(0.5 * (z + border), max(abs(z - border), 0.0));
+    let within = glint_field_interval(0.5 * (z + border), abs(z - border));
     if within < ramp {
         bins.index.y = beside;
         bins.mass.y = other;
