@@ -2,10 +2,10 @@
 
 use asperity_ndf_sampling::check::{Settings, ndf};
 
-use asperity::cli;
-use asperity::failure::Failure;
-use asperity::input::density::Density;
-use asperity::progress;
+use crate::cli;
+use crate::failure::Failure;
+use crate::input::density::Density;
+use crate::progress;
 
 /// Checks each given distribution.
 pub(crate) fn check(wanted: &cli::CheckNdf) -> Result<(), Failure> {

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use asperity::failure::{Failure, Result};
-use asperity::output::Output;
+use crate::failure::{Failure, Result};
+use crate::output::Output;
 
 /// Version of the format.
 const VERSION: &str = "jobtemplate-2023-09";

@@ -1,5 +1,5 @@
-//! The modules shared by the programs of this repository: input, exported tables, progress, pages,
-//! command line.
+//! The program `asperity`, and the modules that it shares with other programs of this repository:
+//! input, exported tables, progress, pages, command line.
 #![expect(
     missing_docs,
     clippy::missing_errors_doc,
@@ -7,11 +7,21 @@
     reason = "only programs of this repository use it"
 )]
 
+#[cfg(feature = "program")]
+mod bake;
+#[cfg(feature = "program")]
+mod check;
 pub mod cli;
 pub mod failure;
 pub mod html;
 pub mod input;
+#[cfg(feature = "program")]
+mod job;
 pub mod output;
+#[cfg(feature = "program")]
+pub mod program;
 pub mod progress;
 pub mod quality;
+#[cfg(feature = "program")]
+mod render;
 pub mod tables;

@@ -5,9 +5,9 @@ use rayon::prelude::*;
 use crate::bake::formats::{exr, ktx2, png};
 use crate::bake::set::Set;
 use crate::bake::{gltf, materialx, provenance};
-use asperity::cli::BakedFormat as Format;
-use asperity::failure::Result;
-use asperity::output::Output;
+use crate::cli::BakedFormat as Format;
+use crate::failure::Result;
+use crate::output::Output;
 
 /// Writes all files, each atomically.
 pub(super) fn write(set: &Set<'_>, output: &Output) -> Result<()> {

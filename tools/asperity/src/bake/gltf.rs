@@ -7,9 +7,9 @@ use serde_json::{Value, json};
 
 use crate::bake::maps::Map;
 use crate::bake::set::Set;
-use asperity::cli::BakedFormat as Format;
-use asperity::failure::Result;
-use asperity::output::Output;
+use crate::cli::BakedFormat as Format;
+use crate::failure::Result;
+use crate::output::Output;
 
 /// Writes `material.gltf`.
 pub(super) fn write(set: &Set<'_>, output: &Output) -> Result<()> {

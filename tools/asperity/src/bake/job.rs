@@ -3,10 +3,10 @@
 
 use crate::bake::options;
 use crate::bake::plan::Plan;
+use crate::cli::Bake;
+use crate::failure::Result;
 use crate::job::{self, Step};
-use asperity::cli::Bake;
-use asperity::failure::Result;
-use asperity::progress;
+use crate::progress;
 
 /// Writes the job: a task per part, or a task per tile and a step that assembles them. All machines
 /// share the output folder.

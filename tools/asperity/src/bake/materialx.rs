@@ -4,9 +4,9 @@ use asperity_render::image::tone::linear;
 
 use crate::bake::maps::Map;
 use crate::bake::set::{MapLevels, Set};
-use asperity::cli::BakedFormat as Format;
-use asperity::failure::Result;
-use asperity::output::Output;
+use crate::cli::BakedFormat as Format;
+use crate::failure::Result;
+use crate::output::Output;
 
 /// Writes `material.mtlx`, which references the PNG files if there are any, and the OpenEXR files
 /// otherwise.

@@ -23,10 +23,10 @@ use std::time::Instant;
 use crate::bake::plan::Plan;
 use crate::bake::scratch::{Levels, Scratch};
 use crate::bake::set::Set;
-use asperity::cli::{Bake, BakedFormat};
-use asperity::failure::{Interrupted, Result};
-use asperity::output::Output;
-use asperity::progress;
+use crate::cli::{Bake, BakedFormat};
+use crate::failure::{Interrupted, Result};
+use crate::output::Output;
+use crate::progress;
 
 /// Bakes the request and prints the output path.
 pub(crate) fn bake(wanted: &Bake, interrupted: &AtomicBool) -> Result<()> {

@@ -5,10 +5,10 @@ use asperity_render::image::tone::hex;
 use crate::bake::plan::{LEAST_TILE, MOST_TEXELS, Part, Plan};
 use crate::bake::source::Source;
 use crate::bake::sources::{density, finish::Finish, fractal, material::Flat, noise};
+use crate::cli::{Bake, BakedFractal, BakedNoise, Material};
+use crate::failure::Result;
+use crate::input::density::Density;
 use crate::render::materials::{Chosen, Parameters};
-use asperity::cli::{Bake, BakedFractal, BakedNoise, Material};
-use asperity::failure::Result;
-use asperity::input::density::Density;
 
 /// Returns the first and the last requested part, counted from 1. A whole texture has one part.
 pub(super) fn parts(wanted: &Bake) -> Result<[u32; 2]> {

@@ -4,8 +4,8 @@ use serde_json::{Value, json};
 
 use crate::bake::maps::Plane;
 use crate::bake::source::{Row, Source};
-use asperity::failure::Result;
-use asperity::output::sha256;
+use crate::failure::Result;
+use crate::output::sha256;
 
 /// Minimum side of a tile in texels.
 pub(crate) const LEAST_TILE: u32 = 64;

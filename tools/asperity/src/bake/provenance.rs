@@ -4,8 +4,8 @@ use serde_json::{Value, json};
 
 use crate::bake::maps::Map;
 use crate::bake::set::Set;
-use asperity::failure::Result;
-use asperity::output::Output;
+use crate::failure::Result;
+use crate::output::Output;
 
 type Fields = serde_json::Map<String, Value>;
 

@@ -9,8 +9,8 @@ use crate::bake::maps::Plane;
 use crate::bake::plan::Plan;
 use crate::bake::texel::{self, Texel, halved};
 use crate::bake::tile::{self, Tile};
-use asperity::failure::Result;
-use asperity::output::{Output, Shared};
+use crate::failure::Result;
+use crate::output::{Output, Shared};
 
 /// Rows of texels per call; a multiple of the 4 rows of a compressed block.
 pub(super) const BAND: usize = 64;

@@ -8,8 +8,8 @@ use crate::bake::formats::{ending, has_levels};
 use crate::bake::maps::Map;
 use crate::bake::plan::Plan;
 use crate::bake::scratch::Levels;
-use asperity::cli::BakedFormat as Format;
-use asperity::failure::{Interrupted, Result};
+use crate::cli::BakedFormat as Format;
+use crate::failure::{Interrupted, Result};
 
 /// Side of a uniform map: the side of a compressed block.
 const UNIFORM: usize = 4;

@@ -13,7 +13,7 @@ use super::*;
 use crate::bake::maps::Plane;
 use crate::bake::source::Source;
 use crate::bake::texel::Texel;
-use asperity::cli::{Cli, Command};
+use crate::cli::{Cli, Command};
 
 static GO: AtomicBool = AtomicBool::new(false);
 

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use crate::bake::occlusion::{Places, Surroundings};
 use crate::bake::plan::Plan;
 use crate::bake::texel::{Texel, halved};
-use asperity::failure::{Interrupted, Result};
+use crate::failure::{Interrupted, Result};
 
 /// A finished tile in file layout: planes of all levels, range of heights, top texel.
 pub(super) struct Tile {

@@ -10,9 +10,9 @@ use asperity_render::image::tone::linear;
 use asperity_shading::EnvironmentMap;
 use glam::Vec3;
 
-use asperity::cli::{Material, Render};
-use asperity::failure::{Failure, Result};
-use asperity::progress;
+use crate::cli::{Material, Render};
+use crate::failure::{Failure, Result};
+use crate::progress;
 
 /// Minimum angle in degrees between triangles at which an edge stays sharp.
 const CREASE: f32 = 40.0;

@@ -2,12 +2,12 @@
 
 use std::sync::atomic::AtomicBool;
 
+use crate::cli::Render;
+use crate::failure::{Interrupted, Result};
 use crate::job::{self, Step};
+use crate::output::Output;
+use crate::progress;
 use crate::render::picture::Picture;
-use asperity::cli::Render;
-use asperity::failure::{Interrupted, Result};
-use asperity::output::Output;
-use asperity::progress;
 use asperity_render::integrator::pixels::Watch;
 
 /// The camera path of a sequence.

@@ -14,8 +14,8 @@ use glam::Vec3;
 use serde::{Serialize, de::DeserializeOwned};
 use serde_json::{Value, json};
 
-use asperity::cli::{Material, Render};
-use asperity::failure::Result;
+use crate::cli::{Material, Render};
+use crate::failure::Result;
 
 /// Parameter names with descriptions.
 type Fields = &'static [(&'static str, &'static str)];

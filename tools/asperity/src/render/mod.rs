@@ -8,13 +8,13 @@ mod picture;
 
 use std::sync::atomic::AtomicBool;
 
+use crate::cli::{Material, Render};
+use crate::failure::{Interrupted, Result};
+use crate::output::Output;
+use crate::progress;
 use crate::render::frames::Frames;
 use crate::render::materials::Parameters;
 use crate::render::picture::Picture;
-use asperity::cli::{Material, Render};
-use asperity::failure::{Interrupted, Result};
-use asperity::output::Output;
-use asperity::progress;
 use asperity_render::integrator::pixels::Watch;
 
 /// Renders the image progressively, writes each pass, and prints the path.

@@ -3,9 +3,9 @@
 use asperity_render::image::Format;
 use asperity_render::scenes::Set;
 
-use asperity::cli::{Background, Material, Render};
-use asperity::failure::Result;
-use asperity::input::images::Images;
+use crate::cli::{Background, Material, Render};
+use crate::failure::Result;
+use crate::input::images::Images;
 
 /// Returns an error for options without effect.
 ///
@@ -104,8 +104,8 @@ mod tests {
     use clap::Parser;
 
     use super::*;
+    use crate::cli::{Cli, Command};
     use crate::render::picture::Picture;
-    use asperity::cli::{Cli, Command};
 
     /// Returns the file written by a command line.
     fn bytes(line: &str) -> Result<Vec<u8>> {

@@ -16,14 +16,14 @@ use asperity_render::scenes::{RenderRequest, Set, View, backdrop, ground};
 use asperity_shading::{LevelOfDetail, material::BumpMapped};
 use glam::{DVec3, Vec3};
 
+use crate::cli::{Background, Material, Render, Tone};
+use crate::failure::Result;
+use crate::input::density::{Density, NORMAL_MAP};
+use crate::progress;
+use crate::quality::Fineness;
 use crate::render::files::{Opened, opened, patterned, surroundings};
 use crate::render::materials::{Made, Parameters};
 use crate::render::options::refuse_idle;
-use asperity::cli::{Background, Material, Render, Tone};
-use asperity::failure::Result;
-use asperity::input::density::{Density, NORMAL_MAP};
-use asperity::progress;
-use asperity::quality::Fineness;
 
 /// Exposure that suits the studio, and the mean radiance that the studio has.
 const EXPOSURE: f32 = 1.45;

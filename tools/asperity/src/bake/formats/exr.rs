@@ -13,7 +13,7 @@ use exr::prelude::{Compression, SmallVec, Vec2, f16};
 use crate::bake::maps::{Map, heights};
 use crate::bake::scratch::BAND;
 use crate::bake::set::MapLevels;
-use asperity::failure::{Failure, Result};
+use crate::failure::{Failure, Result};
 
 /// Writes all levels of a map: linear half floats, and `f32` for heights in units of the side.
 pub(crate) fn write(file: &mut (impl Write + Seek), map: &MapLevels<'_>) -> Result<()> {

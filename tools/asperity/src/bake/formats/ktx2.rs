@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use crate::bake::maps::Map;
 use crate::bake::scratch::BAND;
 use crate::bake::set::MapLevels;
-use asperity::failure::Result;
+use crate::failure::Result;
 
 /// The texel format on the GPU.
 #[derive(Clone, Copy)]

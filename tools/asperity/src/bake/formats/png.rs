@@ -7,7 +7,7 @@ use png::{BitDepth, ColorType, Compression, Encoder, SrgbRenderingIntent};
 use crate::bake::maps::Map;
 use crate::bake::scratch::BAND;
 use crate::bake::set::MapLevels;
-use asperity::failure::Result;
+use crate::failure::Result;
 
 /// Writes the finest level of a map.
 pub(crate) fn write(file: impl Write, map: &MapLevels<'_>) -> Result<()> {

@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 use crate::bake::source::{Row, Source, Varies};
 use crate::bake::sources::finish::Finish;
 use crate::bake::texel::Texel;
-use asperity::failure::Result;
+use crate::failure::Result;
 
 /// Parameters of the bumps.
 pub(crate) struct Parameters {

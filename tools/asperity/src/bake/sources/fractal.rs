@@ -8,8 +8,8 @@ use serde_json::{Value, json};
 use crate::bake::source::{Row, Source, Varies};
 use crate::bake::sources::finish::Finish;
 use crate::bake::texel::Texel;
-use asperity::failure::Result;
-use asperity::output::sha256;
+use crate::failure::Result;
+use crate::output::sha256;
 
 /// Parameters of the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use crate::bake::source::{Row, Source, Varies};
 use crate::bake::texel::Texel;
-use asperity::failure::Result;
+use crate::failure::Result;
 
 /// A material of `render` on a square with its side in meters.
 pub(crate) struct Flat {

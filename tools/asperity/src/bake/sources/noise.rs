@@ -10,8 +10,8 @@ use serde_json::{Value, json};
 use crate::bake::source::{Row, Source, Varies};
 use crate::bake::sources::finish::Finish;
 use crate::bake::texel::Texel;
-use asperity::cli::BakedNoise;
-use asperity::failure::Result;
+use crate::cli::BakedNoise;
+use crate::failure::Result;
 
 /// Parameters of the height field.
 #[derive(Clone, Copy, Debug, PartialEq)]

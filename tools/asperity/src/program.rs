@@ -1,0 +1,175 @@
+//! Runs a command line of `asperity`.
+
+use std::ffi::OsString;
+use std::io::Write;
+use std::process::ExitCode;
+use std::sync::atomic::AtomicBool;
+
+use clap::Parser;
+use clap::error::ErrorKind;
+
+use crate::cli::{Cli, Command};
+use crate::failure::Failure;
+use crate::output::Output;
+use crate::{bake, check, progress, render, tables};
+
+/// Runs the command line, the name of the program first, and reports an error in one line.
+///
+/// Work stops soon after `interrupted` is set.
+pub fn run(words: impl IntoIterator<Item = OsString>, interrupted: &AtomicBool) -> ExitCode {
+    let fail = |said: &str, code| {
+        let _ = writeln!(std::io::stderr(), "error: {}", progress::one_line(said));
+        code
+    };
+    let cli = match Cli::try_parse_from(words) {
+        Ok(cli) => cli,
+        Err(error) => match line_of(&error) {
+            Some(line) => return fail(&line, ExitCode::from(2)),
+            None => {
+                let _ = error.print();
+                return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
+            }
+        },
+    };
+    if let Some(jobs) = cli.jobs
+        && let Err(error) = rayon::ThreadPoolBuilder::new().num_threads(jobs.into()).build_global()
+    {
+        return fail(&error.to_string(), ExitCode::FAILURE);
+    }
+    match perform(cli.command, interrupted) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => fail(&error.to_string(), ExitCode::FAILURE),
+    }
+}
+
+/// The line of an error in the arguments; `None` for help and the version.
+fn line_of(error: &clap::Error) -> Option<String> {
+    if !error.use_stderr() || error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        return None;
+    }
+    let said = error.render().to_string();
+    let mut line = String::new();
+    for part in said.lines().map(str::trim).take_while(|part| !part.starts_with("Usage:")) {
+        if part.is_empty() || part.starts_with("For more information") {
+            continue;
+        }
+        if !line.is_empty() {
+            line += if part.starts_with('[') || line.ends_with(':') { " " } else { "; " };
+        }
+        line += part;
+    }
+    Some(line.trim_start_matches("error: ").into())
+}
+
+fn perform(command: Command, interrupted: &AtomicBool) -> Result<(), Failure> {
+    match command {
+        Command::Render(wanted) => render::render(&wanted, interrupted),
+        Command::Bake(wanted) => bake::bake(&wanted, interrupted),
+        Command::CheckNdf(wanted) => check::check(&wanted),
+        Command::Tables(wanted) => {
+            let sets = tables::chosen_sets(&wanted.ndf, &wanted.normal_map, wanted.images, &wanted.fif)?;
+            if wanted.check {
+                tables::compare(&sets, &wanted.out, interrupted)?;
+                progress::say(&format!("the tables in {} are up to date", wanted.out.display()));
+                return Ok(());
+            }
+            let output = Output::new(&wanted.out)?;
+            tables::build(&sets, &output, interrupted)?;
+            progress::say(&format!("tables written to {}", output.place("index.html")));
+            Ok(())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::{fs, path::Path};
+
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn help_lists_every_command() {
+        let said = Cli::command().render_help().to_string();
+        for command in ["render", "bake", "tables", "check-ndf"] {
+            assert!(said.contains(&format!("\n  {command} ")), "{command} is missing in:\n{said}");
+        }
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn wrong_arguments_are_reported_in_one_line() {
+        for (line, expected) in [
+            ("render --zom 2", "unexpected argument '--zom' found; tip: a similar argument exists: '--zoom'"),
+            ("rendr", "unrecognized subcommand 'rendr'; tip: a similar subcommand exists: 'render'"),
+            ("render --zoom", "a value is required for '--zoom <ZOOM>' but none was supplied"),
+            ("render --fov 30", "the following required arguments were not provided: --mesh <FILE>"),
+            (
+                "render --mesh a.obj --fov -5",
+                "invalid value '-5' for '--fov <DEGREES>': must be an angle from 0.1 to 170 degrees",
+            ),
+        ] {
+            let error = Cli::try_parse_from(["asperity"].into_iter().chain(line.split(' '))).err().unwrap();
+            assert_eq!(line_of(&error).unwrap(), expected);
+        }
+        let help = Cli::try_parse_from(["asperity", "--help"]).err().unwrap();
+        assert_eq!(line_of(&help), None);
+    }
+
+    #[test]
+    fn commands_of_readme_and_guide_parse() {
+        let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
+        let guides = fs::read_dir(root.join("docs/guide")).unwrap().map(|entry| entry.unwrap().path());
+        let mut commands = 0;
+        for path in guides.chain([root.join("README.md")]) {
+            let page = fs::read_to_string(&path).unwrap();
+            for line in page.lines().filter_map(|line| line.strip_prefix("asperity ")) {
+                let words = line.split('#').next().unwrap().split_whitespace();
+                let parsed = Cli::try_parse_from(["asperity"].into_iter().chain(words));
+                assert!(parsed.is_ok(), "{}: {line}: {}", path.display(), parsed.unwrap_err());
+                commands += 1;
+            }
+        }
+        assert!(commands > 4);
+    }
+
+    #[test]
+    fn errors_are_one_line() {
+        let refused = [
+            ("tables --ndf velvet", "density `velvet`: expected `ggx:AX[,AY]`, "),
+            ("check-ndf --ndf velvet", "density `velvet`: expected `ggx:AX[,AY]`, "),
+            ("tables --ndf ggx:0", "density `ggx:0`: `alpha_x` must be "),
+            ("tables --normal-map nowhere.png", "density `normal-map:nowhere.png`: cannot read the file: "),
+            ("tables --fif nowhere.json", "system `nowhere.json`: "),
+            ("tables --fif Cargo.toml", "system `Cargo.toml`: "),
+            ("tables --out Cargo.toml/x", "cannot write Cargo.toml/x: "),
+            ("render --mesh nowhere.3ds", "mesh `nowhere.3ds`: unsupported file extension "),
+            ("render --light nowhere.exr", "light `nowhere.exr`: cannot read the file: "),
+            ("render --light lamps --scene car", "`--light lamps` supports "),
+            ("render --out src", "`src` is a directory ("),
+            (
+                "render --out a.gif",
+                "image `a.gif`: unsupported file extension (expected .png, .jpg, .webp or .exr)",
+            ),
+            ("render --out Cargo.toml/a.png", "cannot write "),
+            ("bake --out Cargo.toml/x", "cannot write Cargo.toml/x: "),
+            ("bake --tiles 2", "tile 2 is out of range (expected 1 to 1)"),
+            ("bake --job rock.txt", "job `rock.txt`: unsupported file extension (expected .yaml or .json)"),
+            ("bake --size 1000", "`--size` must be a power of two and at least 64, got 1000"),
+            ("bake --samples 3", "`--samples` must be 1 or even, got 3"),
+            (
+                "bake --tileable --lacunarity 2.17",
+                "`--tileable`: `periods[0]` · `lacunarity`^1 must be an integer ",
+            ),
+            ("bake --tileable --noise simplex", "`--tileable`: `periods[0]` must be a multiple of 3, got 8"),
+            ("bake --ndf velvet", "density `velvet`: expected `ggx:AX[,AY]`, "),
+            ("bake --fractal periodic --scaling 0.5", "`scaling` must be under 0.447"),
+        ];
+        for (line, said) in refused {
+            let cli = Cli::try_parse_from(["asperity"].into_iter().chain(line.split(' '))).unwrap();
+            let error = perform(cli.command, &AtomicBool::new(false)).unwrap_err().to_string();
+            assert!(error.starts_with(said) && error.lines().count() == 1, "{line}: {error}");
+        }
+    }
+}
