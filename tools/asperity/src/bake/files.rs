@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use crate::bake::formats::{exr, ktx2, png};
 use crate::bake::set::Set;
 use crate::bake::{gltf, materialx, provenance};
-use crate::cli::BakedFormat as Format;
+use crate::cli::bake::BakedFormat as Format;
 use crate::failure::Result;
 use crate::output::Output;
 

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::bake::maps::Map;
 use crate::bake::set::Set;
-use crate::cli::BakedFormat as Format;
+use crate::cli::bake::BakedFormat as Format;
 use crate::failure::Result;
 use crate::output::Output;
 

@@ -3,7 +3,7 @@
 
 use crate::bake::options;
 use crate::bake::plan::Plan;
-use crate::cli::Bake;
+use crate::cli::bake::Bake;
 use crate::failure::Result;
 use crate::job::{self, Step};
 use crate::progress;

@@ -4,7 +4,7 @@ use asperity_render::image::tone::linear;
 
 use crate::bake::maps::Map;
 use crate::bake::set::{MapLevels, Set};
-use crate::cli::BakedFormat as Format;
+use crate::cli::bake::BakedFormat as Format;
 use crate::failure::Result;
 use crate::output::Output;
 

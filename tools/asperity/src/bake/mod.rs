@@ -23,7 +23,7 @@ use std::time::Instant;
 use crate::bake::plan::Plan;
 use crate::bake::scratch::{Levels, Scratch};
 use crate::bake::set::Set;
-use crate::cli::{Bake, BakedFormat};
+use crate::cli::bake::{Bake, BakedFormat};
 use crate::failure::{Interrupted, Result};
 use crate::output::Output;
 use crate::progress;

@@ -8,7 +8,7 @@ use crate::bake::formats::{ending, has_levels};
 use crate::bake::maps::Map;
 use crate::bake::plan::Plan;
 use crate::bake::scratch::Levels;
-use crate::cli::BakedFormat as Format;
+use crate::cli::bake::BakedFormat as Format;
 use crate::failure::{Interrupted, Result};
 
 /// Side of a uniform map: the side of a compressed block.

@@ -10,7 +10,7 @@ use asperity_render::image::tone::linear;
 use asperity_shading::EnvironmentMap;
 use glam::Vec3;
 
-use crate::cli::{Material, Render};
+use crate::cli::render::{Material, Render};
 use crate::failure::{Failure, Result};
 use crate::progress;
 

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use crate::cli::Render;
+use crate::cli::render::Render;
 use crate::failure::{Interrupted, Result};
 use crate::job::{self, Step};
 use crate::output::Output;

@@ -14,7 +14,7 @@ use glam::Vec3;
 use serde::{Serialize, de::DeserializeOwned};
 use serde_json::{Value, json};
 
-use crate::cli::{Material, Render};
+use crate::cli::render::{Material, Render};
 use crate::failure::Result;
 
 /// Parameter names with descriptions.

@@ -8,7 +8,7 @@ mod picture;
 
 use std::sync::atomic::AtomicBool;
 
-use crate::cli::{Material, Render};
+use crate::cli::render::{Material, Render};
 use crate::failure::{Interrupted, Result};
 use crate::output::Output;
 use crate::progress;

@@ -3,7 +3,7 @@
 use asperity_render::image::Format;
 use asperity_render::scenes::Set;
 
-use crate::cli::{Background, Material, Render};
+use crate::cli::render::{Background, Material, Render};
 use crate::failure::Result;
 use crate::input::images::Images;
 

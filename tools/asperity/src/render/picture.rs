@@ -16,7 +16,7 @@ use asperity_render::scenes::{RenderRequest, Set, View, backdrop, ground};
 use asperity_shading::{LevelOfDetail, material::BumpMapped};
 use glam::{DVec3, Vec3};
 
-use crate::cli::{Background, Material, Render, Tone};
+use crate::cli::render::{Background, Material, Render, Tone};
 use crate::failure::Result;
 use crate::input::density::{Density, NORMAL_MAP};
 use crate::progress;

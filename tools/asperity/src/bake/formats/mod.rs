@@ -4,7 +4,7 @@ pub(super) mod exr;
 pub(super) mod ktx2;
 pub(super) mod png;
 
-use crate::cli::BakedFormat as Format;
+use crate::cli::bake::BakedFormat as Format;
 
 /// Returns the file extension of a format.
 pub(super) const fn ending(format: Format) -> &'static str {

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use crate::bake::source::{Row, Source, Varies};
 use crate::bake::sources::finish::Finish;
 use crate::bake::texel::Texel;
-use crate::cli::BakedNoise;
+use crate::cli::bake::BakedNoise;
 use crate::failure::Result;
 
 /// Parameters of the height field.
