@@ -42,6 +42,7 @@ mod imports;
 pub mod ndf;
 pub mod noise;
 mod part;
+mod parts;
 pub mod shading;
 
 #[cfg(feature = "alloc")]
@@ -49,3 +50,4 @@ pub use compose::{Bindings, compose, ordered};
 #[cfg(feature = "alloc")]
 pub use imports::{Imports, module};
 pub use part::{Binding, Element, Part};
+pub use parts::parts;

@@ -6,12 +6,13 @@ use std::path::Path;
 use std::process::Command;
 use std::sync::{Mutex, PoisonError};
 
+use asperity::cli::shader::Language;
+use asperity::shader::language::Checked;
 use asperity_shader_tests::case::Case;
 use asperity_wgsl::{Bindings, Part, compose, ndf, noise, ordered};
-use clap::ValueEnum;
 use rayon::prelude::*;
 
-use crate::dialect::{Checked, Dialect};
+use crate::dialect::{DIALECTS, file};
 use crate::entry;
 
 /// A validator and the files it reads.
@@ -19,23 +20,23 @@ struct Tool {
     program: &'static str,
     /// Debian package.
     package: &'static str,
-    reads: &'static [(Dialect, &'static [&'static str])],
+    reads: &'static [(Language, &'static [&'static str])],
 }
 
 const TOOLS: [Tool; 2] = [
     Tool {
         program: "spirv-val",
         package: "spirv-tools",
-        reads: &[(Dialect::Spirv, &["--target-env", "vulkan1.1"])],
+        reads: &[(Language::Spirv, &["--target-env", "vulkan1.1"])],
     },
     Tool {
         program: "glslangValidator",
         package: "glslang-tools",
         reads: &[
-            (Dialect::Glsl450, &[]),
-            (Dialect::GlslEs300, &[]),
-            (Dialect::GlslEs310, &[]),
-            (Dialect::Hlsl, &["-D", "-V", "-S", "frag", "--auto-map-bindings", "-o", "/dev/null", "-e"]),
+            (Language::Glsl450, &[]),
+            (Language::GlslEs300, &[]),
+            (Language::GlslEs310, &[]),
+            (Language::Hlsl, &["-D", "-V", "-S", "frag", "--auto-map-bindings", "-o", "/dev/null", "-e"]),
         ],
     },
 ];
@@ -71,8 +72,8 @@ impl Folder<'_> {
 
     /// Writes a shader in the given languages, and validates the output with the installed
     /// validators.
-    fn shader(&self, (folder, wgsl, entry): &Shader, dialects: &[Dialect]) -> Result<(), String> {
-        let checked = match Checked::new(wgsl, entry) {
+    fn shader(&self, (folder, wgsl, entry): &Shader, dialects: &[Language]) -> Result<(), String> {
+        let checked = match Checked::shader(wgsl, entry) {
             Ok(checked) => checked,
             Err(error) => {
                 self.refuse(format!("{folder}: {error}"));
@@ -80,8 +81,8 @@ impl Folder<'_> {
             }
         };
         for &dialect in dialects {
-            match dialect.write(&checked) {
-                Ok(data) => self.put(&format!("{folder}/{}", dialect.file()), &data)?,
+            match checked.write(dialect) {
+                Ok(data) => self.put(&format!("{folder}/{}", file(dialect)), &data)?,
                 Err(error) => self.refuse(format!("{folder}: {dialect:?}: {error}")),
             }
         }
@@ -97,8 +98,8 @@ impl Folder<'_> {
 
 /// Writes the cases in the languages with the words of their bindings, and the parts as modules for
 /// Bevy, and runs the installed validators. With `check`, compares with the files on disk.
-pub(crate) fn run(cases: &[Case], dialects: &[Dialect], out: &Path, check: bool) -> Result<(), String> {
-    let dialects = if dialects.is_empty() { Dialect::value_variants() } else { dialects };
+pub(crate) fn run(cases: &[Case], dialects: &[Language], out: &Path, check: bool) -> Result<(), String> {
+    let dialects = if dialects.is_empty() { &DIALECTS } else { dialects };
     let folder = Folder { out, check, refusals: Mutex::default() };
     cases.par_iter().try_for_each(|case| {
         let (place, wgsl) = (folder_of(&case.name), case.wgsl());
@@ -107,7 +108,7 @@ pub(crate) fn run(cases: &[Case], dialects: &[Dialect], out: &Path, check: bool)
         }
         // Engines that load compute SPIR-V expect this name.
         let compute = wgsl.clone() + &entry::COMPUTE.replace("run_case", "main");
-        let compute = Checked::new(&compute, "main").and_then(|checked| Dialect::Spirv.write(&checked));
+        let compute = Checked::shader(&compute, "main").and_then(|checked| checked.write(Language::Spirv));
         match compute {
             Ok(compute) => folder.put(&format!("{place}/compute.spv"), &compute)?,
             Err(error) => folder.refuse(format!("{place}: {error}")),
@@ -160,13 +161,13 @@ fn bevy(part: &'static Part) -> String {
 }
 
 /// Prints a line for each validator, and for each language without one.
-fn say_who_read(dialects: &[Dialect]) {
+fn say_who_read(dialects: &[Language]) {
     for tool in &TOOLS {
         let read: Vec<&str> = tool
             .reads
             .iter()
             .filter(|(dialect, _)| dialects.contains(dialect))
-            .map(|(dialect, _)| dialect.file())
+            .map(|(dialect, _)| file(*dialect))
             .collect();
         if !read.is_empty() {
             let Tool { program, package, .. } = tool;
@@ -178,8 +179,8 @@ fn say_who_read(dialects: &[Dialect]) {
             }
         }
     }
-    if dialects.contains(&Dialect::Msl) {
-        println!("untested: {} requires Apple's compiler", Dialect::Msl.file());
+    if dialects.contains(&Language::Msl) {
+        println!("untested: {} requires Apple's compiler", file(Language::Msl));
     }
 }
 
@@ -195,18 +196,18 @@ impl Tool {
     }
 
     /// Returns errors for files that the validator rejects, or nothing if it is not installed.
-    fn refusals(&self, folder: &Path, entry: &str, dialects: &[Dialect]) -> Vec<String> {
+    fn refusals(&self, folder: &Path, entry: &str, dialects: &[Language]) -> Vec<String> {
         let mut refusals = vec![];
         for (dialect, options) in self.reads.iter().filter(|(dialect, _)| dialects.contains(dialect)) {
-            let file = folder.join(dialect.file());
+            let path = folder.join(file(*dialect));
             // The last HLSL option takes the entry point's name.
-            let entry = (*dialect == Dialect::Hlsl).then_some(entry);
+            let entry = (*dialect == Language::Hlsl).then_some(entry);
             let mut read = Command::new(self.program);
-            let Ok(output) = read.args(*options).args(entry).arg(&file).output() else { continue };
-            if file.is_file() && !output.status.success() {
+            let Ok(output) = read.args(*options).args(entry).arg(&path).output() else { continue };
+            if path.is_file() && !output.status.success() {
                 let said = [output.stdout, output.stderr].concat();
                 let said = String::from_utf8_lossy(&said);
-                refusals.push(format!("{} rejects {}: {said}", self.program, file.display()));
+                refusals.push(format!("{} rejects {}: {said}", self.program, path.display()));
             }
         }
         refusals

@@ -20,7 +20,7 @@ mod parity;
 mod picture;
 mod resources;
 
-use dialect::Dialect;
+use asperity::cli::shader::Language;
 use picture::Subject;
 
 /// Test and export the shaders of Asperity on GPU drivers.
@@ -54,7 +54,7 @@ enum Command {
         only: Option<String>,
         /// Languages [default: all].
         #[arg(long, value_enum)]
-        dialect: Vec<Dialect>,
+        dialect: Vec<Language>,
         /// Output folder.
         #[arg(long, default_value = "target/shaders")]
         out: PathBuf,

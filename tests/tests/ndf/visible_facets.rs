@@ -181,8 +181,9 @@ const RESOLVED: [([f32; 2], f32, f32); 6] = [
 fn visible_facets_samples_have_the_density_whose_integral_is_one() {
     let densities: Vec<_> = closed_forms().into_iter().chain(tables()).collect();
     let least = 1e-4 / (densities.len() * RESOLVED.len()) as f64;
-    densities.par_iter().for_each(|(name, ndf)| {
-        for (seed, (z_b, s, tilt)) in (0..).zip(RESOLVED) {
+    densities.par_iter().enumerate().for_each(|(index, (name, ndf))| {
+        // Every density at half of the points, every point with half of the densities.
+        for (seed, (z_b, s, tilt)) in (0..).zip(RESOLVED).skip(index % 2).step_by(2) {
             let seen = VisibleFacets::new(&**ndf, view(tilt, 0.4), Vec2::from(z_b), s);
             let (integral, p) = integrate(&seen, |seen, m| f64::from(seen.pdf(m)), seed);
             assert_abs_diff_eq!(integral, 1.0, epsilon = 1e-3, "{name} {z_b:?} {s} {tilt}");
@@ -226,8 +227,9 @@ fn visible_facets_of_tables_are_nearly_normalized() {
 
 #[test]
 fn visible_facets_mean_is_the_far_field() {
-    // Means over z_b of the density at one normal, by the trapezoid rule on ±6.
-    const SIDE: i16 = 120;
+    // Means over z_b of the density at one normal, by the trapezoid rule on ±6. The narrowest lobe has
+    // a standard deviation of 0.5, five steps.
+    const SIDE: i16 = 60;
     closed_forms().into_iter().chain(tables()).par_bridge().for_each(|(name, ndf)| {
         for (v, s) in views().zip([0.1, 0.3, 0.5, 0.7, 0.8, 0.4, 0.6, 0.2]) {
             for z in [Vec2::new(0.3, -0.4), Vec2::new(-1.5, 0.7), Vec2::new(0.1, 2.0)] {

@@ -70,7 +70,7 @@ fn white_furnace() {
     println!("metal: {metal:?}");
     // Measured: 1.4e-4.
     assert!(metal.0 < 5e-4, "{metal:?}");
-    for eta in [1.05, 1.08, 1.13, 1.33, 1.5, 1.85, 2.4, 1.0 / 1.05, 1.0 / 1.5] {
+    for eta in [1.05, 1.13, 1.33, 1.5, 2.4, 1.0 / 1.05] {
         for side in [1.0, -1.0] {
             let glass = worst(|alpha, z| {
                 let ggx = Ggx::isotropic(alpha).expect(VALID);
@@ -199,9 +199,9 @@ fn white_furnace_of_anisotropic_glass() {
     let worst = |x, y, eta: f32, side: f32| {
         let ggx = Ggx::new(x, y).expect(VALID);
         let glass = EnergyCompensated::glass(ggx, Dielectric::new(eta).expect(VALID));
-        let views = [0.003, 0.07, 0.4, 0.6, 0.75, 0.9]
+        let views = [0.003, 0.07, 0.4, 0.75]
             .into_par_iter()
-            .flat_map_iter(|z| [0.0, 0.4, 1.2, 1.57].map(|turn| (z, turn)));
+            .flat_map_iter(|z| [0.0, 0.4, 1.57].map(|turn| (z, turn)));
         let error = views
             .map(|(z, turn)| ((furnace(&glass, &ggx, Some(eta), side * view(z, turn)) - 1.0).abs(), z, turn));
         error.reduce(Default::default, |a, b| if a.0 > b.0 { a } else { b })

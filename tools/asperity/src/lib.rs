@@ -13,10 +13,18 @@ mod bake;
 mod check;
 pub mod cli;
 pub mod failure;
+#[cfg(feature = "program")]
+mod fields;
+#[cfg(feature = "program")]
+mod fractal;
 pub mod html;
 pub mod input;
 #[cfg(feature = "program")]
 mod job;
+#[cfg(feature = "program")]
+mod manual;
+#[cfg(feature = "program")]
+mod noise;
 pub mod output;
 #[cfg(feature = "program")]
 pub mod program;
@@ -24,4 +32,6 @@ pub mod progress;
 pub mod quality;
 #[cfg(feature = "program")]
 mod render;
+#[cfg(feature = "shader")]
+pub mod shader;
 pub mod tables;

@@ -1,8 +1,22 @@
 //! Output files and their digests.
 
+use std::path::{Path, PathBuf};
+
 use sha2::{Digest, Sha256};
 
 pub use asperity_output::{Output, Shared};
+
+use crate::failure::Result;
+
+/// Splits the path of an output file into its folder and its name.
+pub fn split(file: &Path) -> Result<(PathBuf, String)> {
+    let path = std::path::absolute(file)?;
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
+    match (path.parent(), name, path.is_dir()) {
+        (Some(folder), Some(name), false) => Ok((folder.into(), name)),
+        _ => Err(format!("`{}` is a directory (expected a file name)", file.display()).into()),
+    }
+}
 
 /// SHA-256 in lower-case hexadecimal.
 pub fn sha256(bytes: &[u8]) -> String {

@@ -11,7 +11,7 @@ use clap::error::ErrorKind;
 use crate::cli::{Cli, Command};
 use crate::failure::Failure;
 use crate::output::Output;
-use crate::{bake, check, progress, render, tables};
+use crate::{bake, check, fractal, manual, noise, progress, render, shader, tables};
 
 /// Runs the command line, the name of the program first, and reports an error in one line.
 ///
@@ -65,6 +65,11 @@ fn perform(command: Command, interrupted: &AtomicBool) -> Result<(), Failure> {
     match command {
         Command::Render(wanted) => render::render(&wanted, interrupted),
         Command::Bake(wanted) => bake::bake(&wanted, interrupted),
+        Command::Fractal(wanted) => fractal::fractal(&wanted, interrupted),
+        Command::Completions { shell } => manual::completions(shell),
+        Command::Man => manual::man(),
+        Command::Shader(wanted) => shader::shader(&wanted),
+        Command::Noise(wanted) => noise::noise(&wanted, interrupted),
         Command::CheckNdf(wanted) => check::check(&wanted),
         Command::Tables(wanted) => {
             let sets = tables::chosen_sets(&wanted.ndf, &wanted.normal_map, wanted.images, &wanted.fif)?;
@@ -92,9 +97,13 @@ mod tests {
     #[test]
     fn help_lists_every_command() {
         let said = Cli::command().render_help().to_string();
-        for command in ["render", "bake", "tables", "check-ndf"] {
+        for command in
+            ["render", "bake", "noise", "fractal", "shader", "tables", "check-ndf", "completions", "man"]
+        {
             assert!(said.contains(&format!("\n  {command} ")), "{command} is missing in:\n{said}");
         }
+        // One screen of a terminal.
+        assert!(said.lines().count() <= 24 && said.lines().all(|line| line.chars().count() <= 100), "{said}");
         Cli::command().debug_assert();
     }
 
@@ -165,6 +174,27 @@ mod tests {
             ("bake --tileable --noise simplex", "`--tileable`: `periods[0]` must be a multiple of 3, got 8"),
             ("bake --ndf velvet", "density `velvet`: expected `ggx:AX[,AY]`, "),
             ("bake --fractal periodic --scaling 0.5", "`scaling` must be under 0.447"),
+            ("noise --out a.gif", "noise `a.gif`: unsupported file extension (expected .png, .exr or .npy)"),
+            ("noise --gradient", "noise `noise.png`: --gradient needs .exr or .npy"),
+            ("noise --size 8x8x8", "noise `noise.png`: a depth needs .npy"),
+            ("noise --metric manhattan", "noise `noise.png`: --output and --metric need `--kind cellular`"),
+            ("noise --size 65536x65536", "`--size`: 4294967296 samples are too many ("),
+            ("noise --tileable --size 100x33", "`--tileable`: 8 cells along 100 samples are 2.64 along 33 ("),
+            (
+                "noise --tileable --lacunarity 2.17",
+                "`--tileable`: `periods[0]` · `lacunarity`^1 must be an integer ",
+            ),
+            ("fractal --out a.png", "function `a.png`: unsupported file extension ("),
+            ("fractal --knots 0,0", "function: `x` must have at least "),
+            ("fractal --scaling 2", "function: `alpha` of map 1 must be in (-1, 1), got 2"),
+            ("fractal --over 0,4", "`--over` must be within [0, 1], got [0, 4]"),
+            ("fractal --system Cargo.toml", "system `Cargo.toml`: "),
+            (
+                "fractal --out a.obj --samples 5000",
+                "`--samples` must be at most 2049 for a surface, got 5000",
+            ),
+            ("shader velvet", "part `velvet` does not exist ("),
+            ("shader kinds/perlin --language spirv", "SPIR-V is not text: give a file by --out"),
         ];
         for (line, said) in refused {
             let cli = Cli::try_parse_from(["asperity"].into_iter().chain(line.split(' '))).unwrap();

@@ -5,7 +5,8 @@ use asperity_render::image::tone::hex;
 use crate::bake::plan::{LEAST_TILE, MOST_TEXELS, Part, Plan};
 use crate::bake::source::Source;
 use crate::bake::sources::{density, finish::Finish, fractal, material::Flat, noise};
-use crate::cli::bake::{Bake, BakedFractal, BakedNoise};
+use crate::cli::bake::{Bake, BakedFractal};
+use crate::cli::noise::NoiseKind;
 use crate::cli::render::Material;
 use crate::failure::Result;
 use crate::input::density::Density;
@@ -84,7 +85,7 @@ fn source(wanted: &Bake) -> Result<Box<dyn Source>> {
         return Ok(Box::new(fractal::Fractal::new(parameters, finish(0.6))?));
     }
     used(wanted, "noise", &[&relief[..], &["--octaves", "--lacunarity", "--gain"]].concat())?;
-    let kind = wanted.noise.unwrap_or(BakedNoise::Gaussian);
+    let kind = wanted.noise.unwrap_or(NoiseKind::Gaussian);
     let parameters = noise::Parameters { kind, cells, octaves, lacunarity, gain, height, seed, tileable };
     Ok(Box::new(noise::Noise::new(parameters, finish(0.6))?))
 }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use crate::cli::noise::{HEIGHTS, NoiseKind};
 use crate::cli::render::Material;
 use crate::cli::value::{assignment, color, fraction, numbers, positive, share, whole};
 use crate::input::images::Images;
@@ -13,8 +14,8 @@ use crate::input::words::{Words, one_of};
 #[derive(Debug, Args)]
 pub struct Bake {
     /// fBm of this noise as a height field [default: gaussian].
-    #[arg(long, group = "surface", value_parser = one_of(BAKED_NOISES))]
-    pub noise: Option<BakedNoise>,
+    #[arg(long, group = "surface", value_parser = one_of(HEIGHTS))]
+    pub noise: Option<NoiseKind>,
     /// Bumps whose normals have this NDF, as in `tables`; there is no height map.
     #[arg(long, group = "surface")]
     pub ndf: Option<String>,
@@ -105,31 +106,11 @@ pub struct Bake {
     pub out: PathBuf,
 }
 
-const BAKED_NOISES: &Words<BakedNoise> = &[
-    ("gaussian", "Exactly Gaussian value-gradient noise", BakedNoise::Gaussian),
-    ("perlin", "Perlin noise (2002)", BakedNoise::Perlin),
-    ("simplex", "Simplex noise; tileable with a multiple of 3 cells, as a slice of 3-D", BakedNoise::Simplex),
-    ("value", "Value noise", BakedNoise::Value),
-    ("sparse", "Sparse convolution noise", BakedNoise::Sparse),
-    ("cellular", "Cellular (Worley) noise", BakedNoise::Cellular),
-];
-
 const BAKED_FORMATS: &Words<BakedFormat> = &[
     ("png", "16 bits per channel, with a glTF material", BakedFormat::Png),
     ("exr", "Tiled OpenEXR, half floats, all mip levels", BakedFormat::Exr),
     ("ktx2", "Block-compressed (BC7, BC5, BC4), all mip levels", BakedFormat::Ktx2),
 ];
-
-/// The noises of `bake`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BakedNoise {
-    Gaussian,
-    Perlin,
-    Simplex,
-    Value,
-    Sparse,
-    Cellular,
-}
 
 /// The formats of `bake`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

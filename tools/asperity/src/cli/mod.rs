@@ -1,7 +1,10 @@
 //! The command line of `asperity`.
 
 pub mod bake;
+pub mod fractal;
+pub mod noise;
 pub mod render;
+pub mod shader;
 mod value;
 
 use std::path::PathBuf;
@@ -9,7 +12,10 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 
 use crate::cli::bake::Bake;
+use crate::cli::fractal::Fractal;
+use crate::cli::noise::Noise;
 use crate::cli::render::Render;
+use crate::cli::shader::Shader;
 use crate::input::images::Images;
 
 /// Render meshes, bake textures, and export tables of noise, normal distributions and fractal
@@ -28,14 +34,6 @@ pub struct Cli {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Export tables: lattices, noise CDFs, NDFs, normal tables, fractal interpolation functions.
-    #[command(after_help = "Examples:
-  asperity tables
-  asperity tables --ndf ggx:0.1,0.5 --ndf painted.png --measure solid-angle
-  asperity tables --normal-map bricks.png --tangent-space directx
-  asperity tables --fif system.json --out my-tables
-  asperity tables --check")]
-    Tables(Tables),
     /// Render a scene or mesh to a PNG, JPEG, WebP or OpenEXR file.
     #[command(after_help = "Examples:
   asperity render --scene teapot --ndf ggx:0.1,0.4 --zoom 4
@@ -69,11 +67,63 @@ The image is written immediately and refined progressively; Ctrl-C keeps the las
 Writes base color, normals for OpenGL and DirectX, height, roughness, metallic and ambient occlusion, a glTF and a MaterialX material, and
 a record of all parameters. Interrupted runs resume. Peak memory is one tile. A constant map has 4 × 4 texels.")]
     Bake(Bake),
+    /// Write a noise to a PNG, OpenEXR or NumPy file.
+    #[command(after_help = "Examples:
+  asperity noise
+  asperity noise --kind gaussian --octaves 1 --cells 16 --size 1024 --out bumps.exr --gradient
+  asperity noise --kind cellular --output f2-f1 --octaves 1 --tileable --out cracks.png
+  asperity noise --sum ridged --warp 0.5 --size 2048x1024 --out mountains.png
+  asperity noise --kind simplex --size 64x64x64 --out volume.npy
+
+Several octaves have variance 1, one octave has the values of its kind. Samples are at the centers of the texels. The first row of a file is that of the least y. An .npy file has the shape (height, width), with
+depth (depth, height, width); with --gradient a last axis holds value, ∂/∂x, ∂/∂y and ∂/∂z per lattice cell.")]
+    Noise(Noise),
+    /// Plot a fractal interpolation function; write its values, or its surface as a mesh.
+    #[command(after_help = "Examples:
+  asperity fractal
+  asperity fractal --knots \"0,0 1,1 2,-0.5 3,0\" --scaling 0.6,-0.4,0.5 --out ridge.svg
+  asperity fractal --system takagi.json --integral 1 --over 0,0.5 --out integral.csv
+  asperity fractal --knots \"0,0 1,2 2,0\" --scaling 0.4 --integral 1 --out hill.obj
+
+Prints the domain, bounds of minimum, maximum and box dimension, and integral and mean with bounds of their errors. The y axis of a mesh
+points up. An integral is smooth, so its surface has normals.")]
+    Fractal(Fractal),
+    /// Write functions for shaders in WGSL, WESL, GLSL, HLSL, Metal's language or SPIR-V.
+    #[command(after_help = "Examples:
+  asperity shader
+  asperity shader kinds/perlin
+  asperity shader fbm_2d/simplex --language glsl-es-300 --out noise.glsl
+  asperity shader carpet --language hlsl --out carpet.hlsl
+  asperity shader glint --language naga-oil
+
+Without parts, lists them with their functions. A part brings all it needs. GLSL has no main: include it in your shader.")]
+    Shader(Shader),
+    /// Export tables of noise CDFs, NDFs, normals and fractal interpolation functions.
+    #[command(after_help = "Examples:
+  asperity tables
+  asperity tables --ndf ggx:0.1,0.5 --ndf painted.png --measure solid-angle
+  asperity tables --normal-map bricks.png --tangent-space directx
+  asperity tables --fif system.json --out my-tables
+  asperity tables --check")]
+    Tables(Tables),
     /// Check normalization, sampling and inverse of an NDF, and print a report.
     #[command(after_help = "Examples:
   asperity check-ndf --ndf ggx:0.1,0.5
   asperity check-ndf --ndf painted.png --measure solid-angle --seed 7")]
     CheckNdf(CheckNdf),
+    /// Print the completions of a shell.
+    #[cfg(feature = "program")]
+    #[command(after_help = "Example:
+  asperity completions bash > ~/.local/share/bash-completion/completions/asperity")]
+    Completions {
+        /// The shell.
+        shell: clap_complete::Shell,
+    },
+    /// Print the manual page.
+    #[cfg(feature = "program")]
+    #[command(after_help = "Example:
+  asperity man > ~/.local/share/man/man1/asperity.1")]
+    Man,
 }
 
 /// Options of `check-ndf`.

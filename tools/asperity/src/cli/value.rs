@@ -64,3 +64,8 @@ pub(super) fn color(text: &str) -> Result<u32, &'static str> {
         _ => Err("must be six hexadecimal digits, such as d9a066"),
     }
 }
+
+pub(super) fn finite(text: &str) -> Result<f32, &'static str> {
+    let number = text.trim().parse().ok().filter(|x: &f32| x.is_finite());
+    number.ok_or("must be a finite number")
+}

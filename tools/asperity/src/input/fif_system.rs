@@ -102,6 +102,11 @@ impl System {
         [("f", "0.5, 0.5"), ("g", "0.85, -0.85")].into_iter().map(read).collect()
     }
 
+    /// Returns a system of a function.
+    pub fn of(name: &str, fif: Fif<COEFFICIENTS>) -> Self {
+        Self { name: name.into(), fif }
+    }
+
     /// Returns the display name.
     pub fn name(&self) -> String {
         format!("Fractal interpolation function {}", self.name)

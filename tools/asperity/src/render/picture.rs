@@ -19,6 +19,7 @@ use glam::{DVec3, Vec3};
 use crate::cli::render::{Background, Material, Render, Tone};
 use crate::failure::Result;
 use crate::input::density::{Density, NORMAL_MAP};
+use crate::output;
 use crate::progress;
 use crate::quality::Fineness;
 use crate::render::files::{Opened, opened, patterned, surroundings};
@@ -87,12 +88,8 @@ impl Cover {
 
 impl<'a> Picture<'a> {
     pub(super) fn new(wanted: &'a Render) -> Result<Self> {
-        let path = std::path::absolute(&wanted.out)?;
-        let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
-        let (Some(folder), Some(name), false) = (path.parent(), name, path.is_dir()) else {
-            return Err(format!("`{}` is a directory (expected a file name)", wanted.out.display()).into());
-        };
-        let format = Format::of(&path).ok_or_else(|| {
+        let (folder, name) = output::split(&wanted.out)?;
+        let format = Format::of(&wanted.out).ok_or_else(|| {
             format!(
                 "image `{}`: unsupported file extension (expected .png, .jpg, .webp or .exr)",
                 wanted.out.display()

@@ -52,7 +52,7 @@ pub(super) const CRATES: &[Crate] = &[
     Crate {
         name: "wgsl",
         sources: "crates/wgsl/src",
-        layers: "part → compose → imports → noise → ndf → shading → fif",
+        layers: "part → compose → imports → noise → ndf → shading → fif → parts",
         max_exports: Some(60),
     },
     Crate {
@@ -71,7 +71,7 @@ pub(super) const CRATES: &[Crate] = &[
     Crate {
         name: "asperity",
         sources: "tools/asperity/src",
-        layers: "failure output progress html quality → input → cli → tables job → render → bake check → program",
+        layers: "failure output progress html quality → input → cli → fields tables job → render → bake check fractal manual noise shader → program",
         max_exports: None,
     },
     Crate {

@@ -1,22 +1,21 @@
 //! A height field of octave noise.
 
-use asperity_noise::{
-    Cellular, Fbm, FbmSpectrum, Field, GaussianNoise, Perlin, Sample, Simplex, SparseConvolution, ValueNoise,
-};
+use asperity_noise::{CellularOutput, FbmSpectrum, Metric, Sample};
 use asperity_shading::normal_map::SlopeMoments;
-use glam::{Vec2, Vec3};
+use glam::Vec2;
 use serde_json::{Value, json};
 
 use crate::bake::source::{Row, Source, Varies};
 use crate::bake::sources::finish::Finish;
 use crate::bake::texel::Texel;
-use crate::cli::bake::BakedNoise;
+use crate::cli::noise::{NoiseKind, Sum};
 use crate::failure::Result;
+use crate::fields::{Chosen, Octaves};
 
 /// Parameters of the height field.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Parameters {
-    pub(crate) kind: BakedNoise,
+    pub(crate) kind: NoiseKind,
     /// Lattice cells of the first octave along a side.
     pub(crate) cells: u32,
     pub(crate) octaves: u32,
@@ -32,60 +31,31 @@ pub(crate) struct Parameters {
 pub(crate) struct Noise {
     parameters: Parameters,
     finish: Finish,
-    field: Box<dyn Field<Vec2> + Send + Sync>,
+    field: Chosen<Vec2>,
 }
 
 impl Noise {
     /// Builds the height field from its parameters.
     pub(crate) fn new(parameters: Parameters, finish: Finish) -> Result<Self> {
-        let field = field(&parameters).map_err(|error| match parameters.tileable {
-            true => format!("`--tileable`: {error}"),
-            false => error.to_string(),
-        })?;
+        let Parameters { kind, cells, octaves, lacunarity, gain, seed, tileable, .. } = parameters;
+        let field = Octaves {
+            kind,
+            output: CellularOutput::F1,
+            metric: Metric::Euclidean,
+            sum: Sum::Fbm,
+            spectrum: Some(FbmSpectrum::new(lacunarity, gain, octaves)?),
+            seed,
+        };
+        let field = match tileable {
+            true => field.plane(Some([cells; 2])).map_err(|error| format!("`--tileable`: {error}"))?,
+            false => field.plane(None)?,
+        };
         Ok(Self { parameters, finish, field })
     }
 
     /// Returns values and gradients at a lattice position.
     fn sample(&self, at: [f64; 2]) -> Vec2 {
         Vec2::from(at.map(|x| (x * f64::from(self.parameters.cells)) as f32))
-    }
-}
-
-/// Returns octave noise in the plane, periodic if requested.
-fn field(wanted: &Parameters) -> Result<Box<dyn Field<Vec2> + Send + Sync>> {
-    let Parameters { kind, cells, seed, tileable, .. } = *wanted;
-    let spectrum = FbmSpectrum::new(wanted.lacunarity, wanted.gain, wanted.octaves)?;
-    macro_rules! in_the_plane {
-        ($noise:expr) => {{
-            let sum = Fbm::<_, Vec2>::new($noise, spectrum);
-            if tileable { Box::new(sum.tiled([cells; 2])?) } else { Box::new(sum) }
-        }};
-    }
-    Ok(match kind {
-        BakedNoise::Gaussian => in_the_plane!(GaussianNoise::new(seed)),
-        BakedNoise::Perlin => in_the_plane!(Perlin::new(seed)),
-        BakedNoise::Value => in_the_plane!(ValueNoise::new(seed)),
-        BakedNoise::Sparse => in_the_plane!(SparseConvolution::new(seed)),
-        BakedNoise::Cellular => in_the_plane!(Cellular::new(seed)),
-        BakedNoise::Simplex if tileable => {
-            // In the plane, the simplicial lattice is not periodic along the axes.
-            Box::new(Slice(Fbm::<_, Vec3>::new(Simplex::new(seed), spectrum).tiled([cells; 3])?))
-        }
-        BakedNoise::Simplex => Box::new(Fbm::<_, Vec2>::new(Simplex::new(seed), spectrum)),
-    })
-}
-
-/// A field in space, sliced at z = 0.
-struct Slice<F>(F);
-
-impl<F: Field<Vec3>> Field<Vec2> for Slice<F> {
-    fn sample(&self, p: Vec2) -> Sample<Vec2> {
-        let Sample { value, gradient } = self.0.sample(p.extend(0.0));
-        Sample { value, gradient: gradient.truncate() }
-    }
-
-    fn range(&self) -> [f32; 2] {
-        self.0.range()
     }
 }
 

@@ -1,0 +1,144 @@
+//! Noise chosen by options: octaves of a kind, in the plane and in space.
+
+use asperity_noise::{
+    Billow, Cellular, CellularOutput, Fbm, FbmSpectrum, Field, GaussianNoise, Metric, Perlin, Point, Ridged,
+    Sample, Shape, Signed, Simplex, SparseConvolution, Turbulence, ValueNoise, WhiteNoise,
+};
+use glam::{Vec2, Vec3};
+
+use crate::cli::noise::{NoiseKind, Sum};
+use crate::failure::Result;
+
+/// A field chosen at run time.
+pub(crate) type Chosen<V> = Box<dyn Field<V> + Send + Sync>;
+
+/// A sum of octaves of a noise.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Octaves {
+    pub(crate) kind: NoiseKind,
+    pub(crate) output: CellularOutput,
+    pub(crate) metric: Metric,
+    pub(crate) sum: Sum,
+    /// The octaves; without, the field is that of the kind.
+    pub(crate) spectrum: Option<FbmSpectrum>,
+    pub(crate) seed: u32,
+}
+
+impl Octaves {
+    /// Returns the field in the plane, with these periods if any.
+    pub(crate) fn plane(&self, periods: Option<[u32; 2]>) -> Result<Chosen<Vec2>> {
+        match (self.kind, periods) {
+            // In the plane, the simplicial lattice is not periodic along the axes.
+            (NoiseKind::Simplex, Some([x, y])) => Ok(Box::new(Slice(self.space(Some([x, y, x]))?))),
+            _ => self.field(periods, |octaves: Fbm<Simplex, _, _>, _| Ok(Box::new(octaves))),
+        }
+    }
+
+    /// Returns the field in space, with these periods if any.
+    pub(crate) fn space(&self, periods: Option<[u32; 3]>) -> Result<Chosen<Vec3>> {
+        self.field(periods, |octaves: Fbm<Simplex, _, _>, periods| {
+            Ok(match periods {
+                Some(periods) => Box::new(octaves.tiled(periods)?),
+                None => Box::new(octaves),
+            })
+        })
+    }
+
+    /// Returns the sum of the octaves of a noise.
+    fn octaves<F: Field<V>, V: Point>(&self, noise: F) -> Fbm<F, V, Sum> {
+        match self.spectrum {
+            Some(spectrum) => Fbm::new(noise, spectrum),
+            None => Fbm::single(noise),
+        }
+        .with_shape(self.sum)
+    }
+
+    /// Returns the field in any dimension; `simplex` is the kind that is not periodic in all of them.
+    fn field<V, const N: usize>(
+        &self,
+        periods: Option<[u32; N]>,
+        simplex: impl Fn(Fbm<Simplex, V, Sum>, Option<[u32; N]>) -> Result<Chosen<V>>,
+    ) -> Result<Chosen<V>>
+    where
+        V: Point<Coordinates = [f32; N]> + Send + Sync + 'static,
+        Simplex: Field<V>,
+    {
+        let &Self { kind, output, metric, seed, .. } = self;
+        macro_rules! octaves {
+            ($noise:expr) => {{
+                let octaves = self.octaves($noise);
+                match periods {
+                    Some(periods) => Box::new(octaves.tiled(periods)?),
+                    None => Box::new(octaves),
+                }
+            }};
+        }
+        Ok(match kind {
+            NoiseKind::Gaussian => octaves!(GaussianNoise::new(seed)),
+            NoiseKind::Perlin => octaves!(Perlin::new(seed)),
+            NoiseKind::Value => octaves!(ValueNoise::new(seed)),
+            NoiseKind::Sparse => octaves!(SparseConvolution::new(seed)),
+            NoiseKind::Cellular => {
+                octaves!(Cellular::new(seed).with_output(output).with_metric(metric))
+            }
+            NoiseKind::White => octaves!(WhiteNoise::new(seed)),
+            NoiseKind::Simplex => simplex(self.octaves(Simplex::new(seed)), periods)?,
+        })
+    }
+}
+
+/// A field in space, sliced at z = 0.
+struct Slice(Chosen<Vec3>);
+
+impl Field<Vec2> for Slice {
+    fn sample(&self, p: Vec2) -> Sample<Vec2> {
+        let Sample { value, gradient } = self.0.sample(p.extend(0.0));
+        Sample { value, gradient: gradient.truncate() }
+    }
+
+    fn range(&self) -> [f32; 2] {
+        self.0.range()
+    }
+}
+
+/// One of the shapes of the crate. A type for each would multiply the code of all kinds.
+macro_rules! delegate {
+    ($sum:expr, $shape:ident => $call:expr) => {
+        match $sum {
+            Sum::Fbm => {
+                let $shape = Signed;
+                $call
+            }
+            Sum::Turbulence => {
+                let $shape = Turbulence;
+                $call
+            }
+            Sum::Billow => {
+                let $shape = Billow;
+                $call
+            }
+            Sum::Ridged => {
+                let $shape = Ridged;
+                $call
+            }
+        }
+    };
+}
+
+impl Shape for Sum {
+    fn value(self, n: f32) -> f32 {
+        delegate!(self, shape => shape.value(n))
+    }
+
+    fn slope(self, n: f32) -> f32 {
+        delegate!(self, shape => shape.slope(n))
+    }
+
+    fn range(self, bound: f32) -> [f32; 2] {
+        delegate!(self, shape => shape.range(bound))
+    }
+
+    fn mean_and_deviation(self, standard_deviation: f32, moments: [f32; 4]) -> [f32; 2] {
+        delegate!(self, shape => shape.mean_and_deviation(standard_deviation, moments))
+    }
+}

@@ -1,0 +1,321 @@
+//! `asperity noise`: writes a noise on a grid of the plane or of space.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use asperity_noise::{CellularOutput, FbmSpectrum, Field, Grid, Metric, Point, Warp};
+use asperity_render::image::formats::{F32, exr, npy};
+use glam::{Vec2, Vec3};
+use png::{BitDepth, ColorType, Encoder};
+use rayon::prelude::*;
+
+use crate::cli::noise::{Noise, NoiseKind, Sides, Sum};
+use crate::failure::{Interrupted, Result};
+use crate::fields::{Chosen, Octaves};
+use crate::output::Output;
+use crate::progress;
+
+/// Rows computed at once; points depend on it, not on the number of threads.
+const SLAB: usize = 16;
+
+/// The largest number of samples: 8 GiB of values.
+const MOST_SAMPLES: u64 = 1 << 31;
+
+/// Values and gradients, `channels` numbers for each sample, row by row.
+struct Samples {
+    channels: usize,
+    numbers: Vec<f32>,
+}
+
+/// Formats of the output.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Format {
+    Png,
+    Exr,
+    Npy,
+}
+
+/// Writes the file and prints its path.
+pub(crate) fn noise(wanted: &Noise, interrupted: &AtomicBool) -> Result<()> {
+    let format = format(wanted)?;
+    let Sides { plane: [width, height], depth } = wanted.size;
+    let count = [width, height, depth.unwrap_or(1)].into_iter().map(u64::from).product::<u64>();
+    if count > MOST_SAMPLES {
+        return Err(format!("`--size`: {count} samples are too many (at most {MOST_SAMPLES})").into());
+    }
+    let (folder, name) = crate::output::split(&wanted.out)?;
+    let output = Output::new(folder)?;
+    let samples = samples(wanted, interrupted)?;
+    let (low, high) = extent(&samples);
+    match format {
+        Format::Png => {
+            let range = wanted.range.unwrap_or([low, high]);
+            output.stream(&name, |file| picture(file, [width, height], &samples.numbers, range))?;
+        }
+        Format::Exr => output.write(&name, &layers(&samples, [width, height])?)?,
+        Format::Npy => {
+            let mut shape: Vec<usize> =
+                depth.into_iter().chain([height, width]).map(|n| n as usize).collect();
+            if wanted.gradient {
+                shape.push(samples.channels);
+            }
+            output.write(&name, &npy(F32, &shape, &samples.numbers))?;
+        }
+    }
+    let depth = depth.map_or_else(String::new, |depth| format!(" × {depth}"));
+    progress::say(&format!(
+        "noise written to {} ({width} × {height}{depth}, values {low:.4} to {high:.4})",
+        output.place(&name)
+    ));
+    Ok(())
+}
+
+/// Returns the format of the output file if it holds what is wanted.
+fn format(wanted: &Noise) -> Result<Format> {
+    let name = wanted.out.display();
+    let extension =
+        wanted.out.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
+    let format = match extension.as_deref() {
+        Some("png") => Format::Png,
+        Some("exr") => Format::Exr,
+        Some("npy") => Format::Npy,
+        _ => {
+            return Err(
+                format!("noise `{name}`: unsupported file extension (expected .png, .exr or .npy)").into()
+            );
+        }
+    };
+    let refused = [
+        (wanted.gradient && format == Format::Png, "--gradient needs .exr or .npy"),
+        (wanted.size.depth.is_some() && format != Format::Npy, "a depth needs .npy"),
+        (wanted.range.is_some() && format != Format::Png, "--range has no effect on floats"),
+        (
+            (wanted.output.is_some() || wanted.metric.is_some()) && wanted.kind != NoiseKind::Cellular,
+            "--output and --metric need `--kind cellular`",
+        ),
+        (wanted.warp.is_some() && wanted.kind == NoiseKind::White, "--warp needs a continuous kind"),
+    ];
+    match refused.into_iter().find(|(is, _)| *is) {
+        Some((_, reason)) => Err(format!("noise `{name}`: {reason}").into()),
+        None => Ok(format),
+    }
+}
+
+fn samples(wanted: &Noise, interrupted: &AtomicBool) -> Result<Samples> {
+    let Sides { plane: [width, height], depth } = wanted.size;
+    let spectrum = FbmSpectrum::new(wanted.lacunarity, wanted.gain, wanted.octaves)?;
+    let octaves = |seed, sum| Octaves {
+        kind: wanted.kind,
+        output: wanted.output.unwrap_or(CellularOutput::F1),
+        metric: wanted.metric.unwrap_or(Metric::Euclidean),
+        sum,
+        spectrum: (wanted.octaves > 1).then_some(spectrum),
+        seed,
+    };
+    let tileable = |error| match wanted.tileable {
+        true => format!("`--tileable`: {error}").into(),
+        false => error,
+    };
+    let step = f64::from(wanted.cells) / f64::from(width);
+    // Fields of other seeds displace the points.
+    let seeds = [0, 1, 2, 3].map(|i| wanted.seed.wrapping_add(i));
+    if let Some(depth) = depth {
+        let sides = [width, height, depth];
+        let periods = if wanted.tileable { Some(periods(sides, wanted.cells)?) } else { None };
+        let field = |seed, sum| octaves(seed, sum).space(periods).map_err(tileable);
+        let chosen = field(seeds[0], wanted.sum)?;
+        let field: Chosen<Vec3> = match wanted.warp {
+            Some(by) => Box::new(Warp::new(
+                chosen,
+                [field(seeds[1], Sum::Fbm)?, field(seeds[2], Sum::Fbm)?, field(seeds[3], Sum::Fbm)?],
+                by,
+            )?),
+            None => chosen,
+        };
+        return filled(&*field, sides, step, wanted.gradient, interrupted);
+    }
+    let sides = [width, height];
+    let periods = if wanted.tileable { Some(periods(sides, wanted.cells)?) } else { None };
+    let field = |seed, sum| octaves(seed, sum).plane(periods).map_err(tileable);
+    let chosen = field(seeds[0], wanted.sum)?;
+    let field: Chosen<Vec2> = match wanted.warp {
+        Some(by) => {
+            Box::new(Warp::new(chosen, [field(seeds[1], Sum::Fbm)?, field(seeds[2], Sum::Fbm)?], by)?)
+        }
+        None => chosen,
+    };
+    filled(&*field, sides, step, wanted.gradient, interrupted)
+}
+
+/// Returns the lattice cells along each side, which must be whole.
+fn periods<const N: usize>(sides: [u32; N], cells: u32) -> Result<[u32; N]> {
+    let width = u64::from(sides[0]);
+    let mut periods = [cells; N];
+    for (period, side) in periods.iter_mut().zip(sides) {
+        let product = u64::from(cells) * u64::from(side);
+        *period = u32::try_from(product / width).unwrap_or(u32::MAX);
+        if !product.is_multiple_of(width) || *period == 0 {
+            return Err(format!(
+                "`--tileable`: {cells} cells along {width} samples are {} along {side} (must be an integer)",
+                product as f64 / width as f64
+            )
+            .into());
+        }
+    }
+    Ok(periods)
+}
+
+/// Evaluates the field at the centers of the texels, slab by slab.
+fn filled<V, const N: usize>(
+    field: &(dyn Field<V> + Send + Sync),
+    sides: [u32; N],
+    step: f64,
+    gradient: bool,
+    interrupted: &AtomicBool,
+) -> Result<Samples>
+where
+    V: Point<Coordinates = [f32; N]> + Send + Sync,
+{
+    let channels = if gradient { 1 + N } else { 1 };
+    let [width, height] = [sides[0] as usize, sides[1] as usize];
+    let rows = sides[1..].iter().map(|&side| side as usize).product::<usize>();
+    let mut numbers = vec![0.0; width * rows * channels];
+    let bar = progress::bar("noise");
+    bar.set_length(rows as u64);
+    let center = |index: usize| ((index as f64 + 0.5) * step) as f32;
+    // A slab is a part of one layer.
+    let slabs = numbers.chunks_mut(width * height * channels).enumerate().flat_map(|(layer, numbers)| {
+        numbers
+            .chunks_mut(SLAB * width * channels)
+            .enumerate()
+            .map(move |(slab, numbers)| (layer, slab, numbers))
+    });
+    let slabs: Vec<_> = slabs.collect();
+    slabs.into_par_iter().try_for_each(|(layer, slab, numbers)| -> Result<()> {
+        if interrupted.load(Ordering::Relaxed) {
+            return Err(Interrupted.into());
+        }
+        let rows = numbers.len() / (width * channels);
+        let mut origin = [center(0); N];
+        origin[1] = center(slab * SLAB);
+        if N > 2 {
+            origin[N - 1] = center(layer);
+        }
+        let size = V::array(|axis| [width, rows, 1, 1][axis]);
+        let grid =
+            Grid { origin: V::from_coordinates(origin), step: V::from_coordinates([step as f32; N]), size };
+        if gradient {
+            let mut values = vec![0.0; width * rows];
+            let mut slopes: Vec<Vec<f32>> = vec![values.clone(); N];
+            let mut each = slopes.iter_mut();
+            let lists = V::array(|_| each.next().map_or(&mut [][..], |list| &mut list[..]));
+            field.grid_samples(&grid, &mut values, lists)?;
+            for (index, numbers) in numbers.chunks_exact_mut(channels).enumerate() {
+                numbers[0] = values[index];
+                for (number, slope) in numbers[1..].iter_mut().zip(&slopes) {
+                    *number = slope[index];
+                }
+            }
+        } else {
+            field.grid_values(&grid, numbers)?;
+        }
+        bar.inc(rows as u64);
+        Ok(())
+    })?;
+    bar.finish_and_clear();
+    Ok(Samples { channels, numbers })
+}
+
+/// Returns the least and the greatest value.
+fn extent(samples: &Samples) -> (f32, f32) {
+    let values = samples.numbers.iter().step_by(samples.channels);
+    values.fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), &value| (low.min(value), high.max(value)))
+}
+
+/// Writes 16-bit gray, black at the low end of the range and white at the high end.
+fn picture(
+    file: &mut impl std::io::Write,
+    [width, height]: [u32; 2],
+    values: &[f32],
+    [low, high]: [f32; 2],
+) -> Result<()> {
+    let scale = 65_535.0 / f64::from(high - low).max(f64::MIN_POSITIVE);
+    let gray = |&value: &f32| ((f64::from(value) - f64::from(low)) * scale).round() as u16;
+    let mut encoder = Encoder::new(file, width, height);
+    encoder.set_color(ColorType::Grayscale);
+    encoder.set_depth(BitDepth::Sixteen);
+    let bytes: Vec<u8> = values.iter().flat_map(|value| gray(value).to_be_bytes()).collect();
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(&bytes)?;
+    writer.finish()?;
+    Ok(())
+}
+
+/// Returns an OpenEXR file with the channels Y, dx and dy.
+fn layers(samples: &Samples, [width, height]: [u32; 2]) -> Result<Vec<u8>> {
+    let channel = |at: usize| samples.numbers.iter().skip(at).step_by(samples.channels).copied().collect();
+    let channels = ["Y", "dx", "dy"].into_iter().take(samples.channels).enumerate();
+    exr(width as usize, height as usize, channels.map(|(at, name)| (name, channel(at))))
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::*;
+    use crate::cli::{Cli, Command};
+
+    fn of(line: &str) -> Noise {
+        let cli = Cli::try_parse_from(["asperity", "noise"].into_iter().chain(line.split(' '))).unwrap();
+        let Command::Noise(noise) = cli.command else { unreachable!() };
+        noise
+    }
+
+    #[test]
+    fn samples_are_values_and_gradients_at_the_centers() {
+        let noise = of("--kind simplex --octaves 1 --cells 3 --size 24x40 --seed 7 --gradient --out a.npy");
+        let samples = samples(&noise, &AtomicBool::new(false)).unwrap();
+        let field = asperity_noise::Simplex::new(7);
+        for (row, column) in [(0_usize, 0_usize), (3, 5), (15, 23), (16, 0), (39, 23)] {
+            let center = [column, row].map(|index| (index as f32 + 0.5) / 8.0);
+            let expected = field.sample(Vec2::from(center));
+            let at = 3 * (row * 24 + column);
+            let [value, x, y] = [0, 1, 2].map(|channel| samples.numbers[at + channel]);
+            let error =
+                (value - expected.value).abs().max((Vec2::new(x, y) - expected.gradient).abs().max_element());
+            assert!(error < 1e-5, "{row}, {column}: {error}");
+        }
+    }
+
+    #[test]
+    fn tileable_noise_continues_on_the_other_side() {
+        const SIDE: usize = 96;
+        // The largest step between neighbors in a row, and the largest from the end to the start of a row.
+        let steps = |line: &str| {
+            let numbers = samples(&of(line), &AtomicBool::new(false)).unwrap().numbers;
+            let rows = || numbers.chunks_exact(SIDE);
+            let inside = rows().flat_map(|row| row.windows(2).map(|pair| (pair[1] - pair[0]).abs()));
+            let across = rows().map(|row| (row[0] - row[SIDE - 1]).abs());
+            [inside.fold(0.0, f32::max), across.fold(0.0, f32::max)]
+        };
+        for kind in ["gaussian", "perlin", "simplex", "value", "sparse", "cellular"] {
+            for size in ["96", "96x96x96"] {
+                let line = format!("--kind {kind} --cells 3 --octaves 1 --size {size} --out a.npy");
+                let ([inside, across], [_, open]) = (steps(&format!("{line} --tileable")), steps(&line));
+                assert!(
+                    across < 1.1 * inside && open > 2.0 * inside,
+                    "{kind}: {across} and {open}, inside {inside}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn pictures_span_the_range() {
+        let mut file = Vec::new();
+        picture(&mut file, [3, 1], &[-1.0, 0.0, 2.0], [-1.0, 1.0]).unwrap();
+        let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().unwrap();
+        let mut gray = [0; 6];
+        reader.next_frame(&mut gray).unwrap();
+        assert_eq!(gray, [0, 0, 0x80, 0, 0xff, 0xff]);
+    }
+}
