@@ -1,5 +1,6 @@
 //! `asperity fractal`: a fractal interpolation function as plot, values or surface.
 
+mod curve;
 mod plot;
 mod surface;
 
@@ -12,21 +13,13 @@ use rayon::prelude::*;
 
 use crate::cli::fractal::Fractal;
 use crate::failure::{Interrupted, Result};
+use crate::fractal::curve::Curve;
 use crate::input::fif_system::{COEFFICIENTS, System};
 use crate::output::{Output, split};
 use crate::progress;
 
 /// Error tolerance of a value, as a part of the range.
 const TOLERANCE: f64 = 1e-13;
-
-/// A function sampled on a regular grid, with its slopes if it is an integral.
-struct Curve {
-    knots: Vec<[f64; 2]>,
-    points: Vec<[f64; 2]>,
-    slopes: Option<Vec<f64>>,
-    /// Bound of the absolute errors of the points.
-    error: f64,
-}
 
 /// Formats of the output.
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::fractal::Curve;
+use crate::fractal::curve::Curve;
 
 const WIDTH: f64 = 960.0;
 const HEIGHT: f64 = 540.0;

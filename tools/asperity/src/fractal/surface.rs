@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use crate::failure::Result;
-use crate::fractal::Curve;
+use crate::fractal::curve::Curve;
 
 /// The largest number of samples along an axis: 4 million vertices.
 pub(super) const MOST: usize = 2049;
