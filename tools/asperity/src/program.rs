@@ -126,6 +126,16 @@ mod tests {
         assert_eq!(line_of(&help), None);
     }
 
+    /// Splits a line as a shell does, but for escapes.
+    fn words(line: &str) -> Vec<String> {
+        let quoted = line.split('"').enumerate();
+        let words = quoted.flat_map(|(index, text)| match index % 2 {
+            0 => text.split_whitespace().map(Into::into).collect(),
+            _ => vec![text.into()],
+        });
+        words.collect()
+    }
+
     #[test]
     fn commands_of_readme_and_guide_parse() {
         let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
@@ -134,8 +144,8 @@ mod tests {
         for path in guides.chain([root.join("README.md")]) {
             let page = fs::read_to_string(&path).unwrap();
             for line in page.lines().filter_map(|line| line.strip_prefix("asperity ")) {
-                let words = line.split('#').next().unwrap().split_whitespace();
-                let parsed = Cli::try_parse_from(["asperity"].into_iter().chain(words));
+                let words = words(line.split('#').next().unwrap());
+                let parsed = Cli::try_parse_from(["asperity".to_owned()].into_iter().chain(words));
                 assert!(parsed.is_ok(), "{}: {line}: {}", path.display(), parsed.unwrap_err());
                 commands += 1;
             }

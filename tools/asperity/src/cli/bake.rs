@@ -102,7 +102,7 @@ pub struct Bake {
     #[arg(long, value_name = "FILE")]
     pub job: Option<PathBuf>,
     /// Output directory.
-    #[arg(long, value_name = "DIR", default_value = "target/asperity/bake")]
+    #[arg(long, value_name = "DIR", default_value = "baked")]
     pub out: PathBuf,
 }
 

@@ -162,7 +162,7 @@ pub struct Tables {
     #[arg(long)]
     pub check: bool,
     /// Output directory.
-    #[arg(long, value_name = "DIR", default_value = "target/asperity/tables")]
+    #[arg(long, value_name = "DIR", default_value = "tables")]
     pub out: PathBuf,
 }
 

@@ -122,7 +122,7 @@ pub struct Render {
     pub seed: u32,
     /// Output file; its extension selects the format: .png, .jpg, .webp or .exr. With --frames, `#`
     /// characters in the name are replaced by the frame number.
-    #[arg(long, value_name = "FILE", default_value = "target/asperity/render.png")]
+    #[arg(long, value_name = "FILE", default_value = "render.png")]
     pub out: PathBuf,
     /// Number of frames: an orbit around the subject, or a zoom with --zoom-to.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
