@@ -16,6 +16,8 @@ pub mod failure;
 pub mod html;
 pub mod input;
 #[cfg(feature = "program")]
+pub mod invocation;
+#[cfg(feature = "program")]
 mod job;
 pub mod output;
 #[cfg(feature = "program")]
