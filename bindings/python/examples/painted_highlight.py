@@ -25,22 +25,22 @@ def ball(distribution: ndf.Ndf, f0: tuple[float, float, float], pixels: int = 42
     frame = np.stack([tangent, bitangent, normal], -2)
     metal, color = shading.metal(distribution, f0), np.zeros((pixels, pixels, 3))
     wo = frame @ np.array([0.0, 0.0, 1.0])
-    for lamp, power in (((-0.5, 0.6, 0.62), 3.2), ((0.75, 0.1, 0.65), 1.3), ((0.1, -0.8, 0.6), 0.7)):
+    for lamp, power in (((-0.5, 0.6, 0.62), 2.2), ((0.75, 0.1, 0.65), 0.9), ((0.1, -0.8, 0.6), 0.45)):
         wi = frame @ (np.array(lamp) / np.linalg.norm(lamp))
         color += power * metal.eval(wo, wi) * np.clip(wi[..., 2:], 0, None)
-    # Light from everywhere, as far as the fresnel term reflects it.
-    color += 0.10 * np.array(f0) * (0.35 + 0.65 * normal[..., 1:2].clip(0))
-    return np.where(inside[..., None], np.clip(1 - np.exp(-color), 0, 1) ** (1 / 2.2), 0.955)
+    # A dim sky.
+    color += np.array(f0) * (0.02 + 0.10 * (0.5 + 0.5 * normal[..., 1:2]) ** 2)
+    return np.where(inside[..., None], np.clip(color / (1 + 0.25 * color), 0, 1) ** (1 / 2.2), 1.0)
 
 
-figure, axes = plt.subplots(1, 3, figsize=(9.6, 3.3), facecolor="#f4f4f4")
+figure, axes = plt.subplots(1, 3, figsize=(9.6, 3.4), facecolor="white")
 axes[0].imshow(painted.image(size), cmap="magma", extent=(-1, 1, -1, 1))
 axes[0].set_title("painted distribution of normals", fontsize=9)
-axes[1].imshow(ball(painted, (1.0, 0.78, 0.34)))
+axes[1].imshow(ball(painted, (1.0, 0.66, 0.24)))
 axes[1].set_title("its highlights", fontsize=9)
-axes[2].imshow(ball(ndf.ggx(0.25), (1.0, 0.78, 0.34)))
+axes[2].imshow(ball(ndf.ggx(0.25), (1.0, 0.66, 0.24)))
 axes[2].set_title("GGX, α = 0.25", fontsize=9)
 for axis in axes:
     axis.set_axis_off()
-figure.tight_layout(pad=0.4)
+figure.tight_layout(pad=0.8)
 figure.savefig("painted_highlight.png", dpi=100)

@@ -26,8 +26,11 @@ def main() -> None:
         runpy.run_path(str(here / f"{name}.py"), run_name="__main__")
         file = Path(f"{name}.png")
         image = Image.open(file).convert("RGB")
-        for colors in (256, 192, 128, 96, 64):
-            image.quantize(colors, dither=Image.Dither.FLOYDSTEINBERG).save(file, optimize=True)
+        for colors, dither in ((256, True), (256, False), (192, False), (128, False), (96, False), (64, False)):
+            few = image.quantize(colors, method=Image.Quantize.MAXCOVERAGE)
+            if dither:
+                few = image.quantize(palette=few, dither=Image.Dither.FLOYDSTEINBERG)
+            few.save(file, optimize=True)
             if file.stat().st_size <= 100_000:
                 break
         print(f"{file} {file.stat().st_size / 1000:.0f} KB")

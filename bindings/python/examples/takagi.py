@@ -21,9 +21,9 @@ for scaling, shade in zip(scalings, shades):
 takagi = fif.affine([0, 0.5, 1], [0, 0.5, 0], scaling=0.5)
 low, high = takagi.extrema(width=1e-12).maximum
 axes.axhline(high, color="#d1345b", lw=0.6, ls=":")
-axes.text(0.005, high + 0.015, "2/3", color="#d1345b", fontsize=9)
+axes.text(1.005, high, "2/3", color="#d1345b", fontsize=9, va="center")
 axes.set(xlim=(0, 1), ylim=(0, None), xlabel="x", ylabel="f(x)")
 axes.spines[["top", "right"]].set_visible(False)
-axes.legend(title="scaling α", fontsize=7, title_fontsize=8, frameon=False, loc="center left", bbox_to_anchor=(1, 0.5))
+axes.legend(title="scaling α", fontsize=7, title_fontsize=8, frameon=False, loc="center left", bbox_to_anchor=(1.04, 0.5))
 figure.tight_layout()
 figure.savefig("takagi.png", dpi=100)

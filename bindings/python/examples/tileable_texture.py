@@ -5,12 +5,12 @@ import numpy as np
 
 from asperity.noise import Cellular, Fbm, Gaussian
 
-size, cells = 320, 6
+size, cells = 256, 5
 # Every part has the same period, so the whole has it, too.
 edges = Cellular(4, output="f2_minus_f1", period=cells)
-bend = Fbm(Gaussian(1), octaves=4, period=cells)
-plates = (6.0 * edges.warp(bend, 0.09)).clamp(0, 1)
-grain = Fbm(Gaussian(2), octaves=6, gain=0.6, period=cells)
+bend = Fbm(Gaussian(1), octaves=3, gain=0.4, period=cells)
+plates = (6.0 * edges.warp(bend, 0.06)).clamp(0, 1)
+grain = Fbm(Gaussian(2), octaves=5, gain=0.5, period=cells)
 clay = plates * (1 + 0.05 * grain) + 0.02 * grain
 
 height, slope = clay.grid((size, size), step=cells / size, with_gradient=True)

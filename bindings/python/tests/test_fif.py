@@ -43,7 +43,9 @@ def test_functional_equation(y, scaling, x):
     # f(L(x)) = scaling f(x) + q(x), with L the map to the first piece.
     inside = np.clip(x, 0, 1)
     c = f.polynomials[0]
-    np.testing.assert_allclose(f(inside * knots[1]), scaling * f(inside) + c[0] + c[1] * inside, atol=1e-10)
+    difference = f(inside * knots[1]) - (scaling * f(inside) + c[0] + c[1] * inside)
+    # The image of x is rounded, which changes a rough function by its modulus.
+    assert np.all(np.abs(difference) <= 1e-10 + f.modulus(2.0**-52))
 
 
 def test_calculus():

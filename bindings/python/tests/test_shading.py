@@ -21,8 +21,8 @@ ALL = [
     shading.dielectric(ndf.ggx(0.3), 1.5, thin=(0.9, 1, 1)),
     shading.ggx_metal(0.6, f0=1),
     shading.ggx_glass(0.3, ior=1.5),
-    shading.standard_material(base_color=(0.6, 0.1, 0.1), metallic=0.2, roughness=0.4, clearcoat=1),
-    shading.open_pbr(base_color=(0.4, 0.4, 0.4), coat_weight=1),
+    shading.standard_material(base_color=(0.6, 0.1, 0.1), metallic=0.2, roughness=0.4, clearcoat=1, clearcoat_roughness=0.5),
+    shading.open_pbr(base_color=(0.4, 0.4, 0.4), coat_weight=1, coat_roughness=0.5),
 ]
 
 
@@ -78,7 +78,7 @@ def test_shapes():
     [
         (lambda: shading.lambert(2), "`albedo`"),
         (lambda: shading.lambert((1, 2)), r"`albedo` must be a number or three, got the shape \(2,\)"),
-        (lambda: shading.metal(ndf.ggx(0.3), np.nan), r"`f0` must be within \[0, 1\], got nan"),
+        (lambda: shading.metal(ndf.ggx(0.3), np.nan), r"`f0` must be within \[0, 1\], got NaN"),
         (lambda: shading.metal(ndf.ggx(0.3).conditional((0, 0), 0.5), 1), "no masking"),
         (lambda: shading.dielectric(ndf.ggx(0.3), 0), "."),
         (lambda: shading.standard_material(roughness=2), "`roughness`"),

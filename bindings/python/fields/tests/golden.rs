@@ -204,7 +204,7 @@ fn functions(lines: &mut Lines) {
     let alpha: Vec<f64> = smooth.pieces().iter().map(|p| p.map().alpha).collect();
     let values: Vec<f64> = [0.0, 1.0, 2.0].map(|x| smooth.evaluate(x, 0.0).value).to_vec();
     let cubic = || Fif::<4>::with_ordinates(&[0.0, 1.0, 2.0], &values, &alpha, &q).unwrap();
-    let surface = HeightField::new(cubic(), cubic());
+    let surface = HeightField::new(cubic(), cubic()).tabulated();
     let ray = Ray { origin: DVec3::new(0.1, 0.2, 3.0), direction: DVec3::new(0.5, 0.5, -1.0) };
     let hit = surface.intersect(&ray).unwrap();
     lines.doubles(

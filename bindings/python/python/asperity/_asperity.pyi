@@ -3,6 +3,16 @@ from typing import final
 
 from ._arrays import Float32Array, Float64Array
 
+__all__ = [
+    "Bsdf",
+    "Field",
+    "Fif",
+    "Ndf",
+    "Surface",
+    "bake",
+    "run",
+]
+
 _Arrays = tuple[Float32Array, Float32Array | None, Float32Array | None]
 _Color = tuple[float, float, float]
 

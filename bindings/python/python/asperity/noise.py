@@ -514,7 +514,7 @@ class SparseConvolution(_Kind):
         anchor: Anchor = None,
     ) -> None:
         if not 0 <= impulses < 2**32:
-            raise ValueError(f"`impulses` must be between 1 and 64, got {impulses}")
+            raise ValueError(f"`impulses` must be between 1 and 4, got {impulses}")
         self._make("sparse_convolution", seed, frequency, period, anchor, impulses=impulses)
 
 
