@@ -115,7 +115,6 @@ macro_rules! curve {
     };
 }
 
-#[expect(clippy::needless_pass_by_value, reason = "an argument of `map_err`")]
 fn said(error: FifError) -> String {
     error.to_string()
 }

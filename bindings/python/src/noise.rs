@@ -38,6 +38,27 @@ impl Field {
     fn new(node: Node) -> Self {
         Self(Arc::new(node))
     }
+
+    /// The sum of octaves of the field.
+    fn summed(&self, sum: Sum, period: Option<Vec<u32>>, anchor: Option<Vec<f64>>) -> PyResult<Self> {
+        if self.0.is_tiled() {
+            return Err(value_error("the field of a sum must not be tiled: pass `period` to the sum"));
+        }
+        match &*self.0 {
+            // The octaves of a kind have their own seeds, also at another frequency.
+            Node::Frequency(field, frequency) => {
+                let field = Self(Arc::clone(field)).summed(sum, period, anchor)?;
+                Ok(Self::new(Node::Frequency(field.node(), *frequency)))
+            }
+            Node::Noise { kind, sum: None, anchor: None, .. } => {
+                Ok(Self::new(Node::Noise { kind: *kind, sum: Some(sum), periods: period, anchor }))
+            }
+            _ if period.is_some() || anchor.is_some() => {
+                Err(value_error("only a sum of a kind of noise has a `period` or an `anchor`"))
+            }
+            _ => Ok(Self::new(Node::Sum(self.node(), sum))),
+        }
+    }
 }
 
 #[pymethods]
@@ -106,18 +127,7 @@ impl Field {
             feedback,
             footprint,
         };
-        if self.0.is_tiled() {
-            return Err(value_error("the field of a sum must not be tiled: pass `period` to the sum"));
-        }
-        match &*self.0 {
-            Node::Noise { kind, sum: None, anchor: None, .. } => {
-                Ok(Self::new(Node::Noise { kind: *kind, sum: Some(sum), periods: period, anchor }))
-            }
-            _ if period.is_some() || anchor.is_some() => {
-                Err(value_error("only a sum of a kind of noise has a `period` or an `anchor`"))
-            }
-            _ => Ok(Self::new(Node::Sum(self.node(), sum))),
-        }
+        self.summed(sum, period, anchor)
     }
 
     fn add(&self, other: &Self) -> Self {

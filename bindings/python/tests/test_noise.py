@@ -100,6 +100,11 @@ def test_operators():
     same(a.blend(b, half)(p), x + np.float32(0.5) * (y - x))
 
 
+def test_octaves_of_a_noise_at_another_frequency_have_their_seeds():
+    p = scattered(100, 2)
+    same(Fbm(Perlin(1, frequency=2))(p), Fbm(Perlin(1), frequency=2)(p))
+
+
 def test_single_warp_displaces_axes_independently():
     p = scattered(500, 2)
     constant = Perlin(1).warp(Value(5), 0.0)

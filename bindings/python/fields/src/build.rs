@@ -88,7 +88,6 @@ fn with_parameters<F: Field<At<N>>, const N: usize>(
     })
 }
 
-#[expect(clippy::needless_pass_by_value, reason = "an argument of `map_err`")]
 fn said(error: NoiseError) -> String {
     error.to_string()
 }

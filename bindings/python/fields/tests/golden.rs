@@ -3,6 +3,8 @@
 //! A line is an expression of Python and the bits of its numbers. The values here come from the types
 //! of the crates, not from the types that are chosen at run time.
 
+#![expect(clippy::unwrap_used, reason = "all parameters are valid")]
+
 use std::fmt::Write as _;
 use std::path::Path;
 
