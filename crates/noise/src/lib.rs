@@ -59,7 +59,7 @@
 //! | [`Fbm::anchored`] | fBm at offsets from an `f64` anchor, accurate to 1/1000 cell at 10¹² cells |
 //! | [`Fbm::band_limited`], [`filtered_fraction`], [`pixel_footprint`] | frequency clamping to a pixel |
 //! | [`GaussianFbm`], [`Fbm::whitened_gradient`] | sums that are N(0, 1) at every point; their slopes, two independent N(0, 1) |
-//! | [`ops`] | fields composed of fields: sums, products, blends, powers, curves, values in [0, 1] |
+//! | [`ops`] | fields composed of fields: sums, products, blends, powers, curves, frequencies, values in [0, 1] |
 //! | [`Warp`], [`curl`] | domain warping with its Jacobian; divergence-free velocities |
 //! | [`CellularOutput`], [`Metric`] | output and metric of cellular noise |
 //! | [`Lattice`], [`IntegerHash`], [`lattice`] | hash functions of lattice points, and the random values derived from the hashes |
@@ -210,6 +210,7 @@ pub use transforms::warp::{Displacement, Warp};
 /// Fields composed of fields, by value.
 pub mod ops {
     pub use crate::transforms::arithmetic::{Add, Blend, Clamp, Map, Multiply, ScaleBias};
+    pub use crate::transforms::frequency::Frequency;
     pub use crate::transforms::power::Power;
     pub use crate::transforms::unit::Unit;
 }

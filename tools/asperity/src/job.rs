@@ -28,14 +28,14 @@ pub(crate) fn number(parameter: &str) -> String {
 }
 
 /// Writes the job template as YAML or JSON, chosen by the file extension. The only parameter is the
-/// path of this program.
-pub(crate) fn write(file: &Path, name: &str, steps: &[Step]) -> Result<String> {
+/// path of the program.
+pub(crate) fn write(file: &Path, name: &str, program: &Path, steps: &[Step]) -> Result<String> {
     let place = std::path::absolute(file)?;
     let (Some(folder), Some(of)) = (place.parent(), place.file_name()) else {
         return Err(format!("job `{}`: is a directory (expected a file)", file.display()).into());
     };
     refuse_braces(steps)?;
-    let template = template(name, &std::env::current_exe()?, steps);
+    let template = template(name, program, steps);
     let text = match place.extension().and_then(|ending| ending.to_str()) {
         Some("yaml" | "yml") => yaml(&template),
         Some("json") => serde_json::to_string_pretty(&template)? + "\n",
@@ -192,11 +192,11 @@ mod tests {
         for name in ["a{{b", "a}}b", "{{Param.Program}}", "--out={{"] {
             let mut steps = steps();
             steps[1].arguments.push(name.into());
-            let said = write(&file, "asperity", &steps).unwrap_err().to_string();
+            let said = write(&file, "asperity", Path::new("a"), &steps).unwrap_err().to_string();
             assert!(said.contains(&format!("`{name}`")) && !said.contains('\n'), "{said}");
             assert!(!file.exists());
         }
-        assert!(write(&file, "asperity", &steps()).is_ok());
+        assert!(write(&file, "asperity", Path::new("a"), &steps()).is_ok());
     }
 
     #[test]

@@ -20,6 +20,8 @@ mod fractal;
 pub mod html;
 pub mod input;
 #[cfg(feature = "program")]
+pub mod invocation;
+#[cfg(feature = "program")]
 mod job;
 #[cfg(feature = "program")]
 mod manual;

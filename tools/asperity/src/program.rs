@@ -1,44 +1,56 @@
 //! Runs a command line of `asperity`.
 
-use std::ffi::OsString;
 use std::io::Write;
-use std::process::ExitCode;
 use std::sync::atomic::AtomicBool;
 
 use clap::Parser;
 use clap::error::ErrorKind;
 
+pub use crate::bake::arrays::Array;
 use crate::cli::{Cli, Command};
 use crate::failure::Failure;
+use crate::invocation::Invocation;
 use crate::output::Output;
 use crate::{bake, check, fractal, manual, noise, progress, render, shader, tables};
 
-/// Runs the command line, the name of the program first, and reports an error in one line.
+/// Runs the command line, reports an error in one line, and returns the exit code.
 ///
 /// Work stops soon after `interrupted` is set.
-pub fn run(words: impl IntoIterator<Item = OsString>, interrupted: &AtomicBool) -> ExitCode {
+pub fn run(invocation: &Invocation, interrupted: &AtomicBool) -> u8 {
     let fail = |said: &str, code| {
         let _ = writeln!(std::io::stderr(), "error: {}", progress::one_line(said));
         code
     };
-    let cli = match Cli::try_parse_from(words) {
+    let cli = match Cli::try_parse_from(&invocation.words) {
         Ok(cli) => cli,
         Err(error) => match line_of(&error) {
-            Some(line) => return fail(&line, ExitCode::from(2)),
+            Some(line) => return fail(&line, 2),
             None => {
                 let _ = error.print();
-                return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
+                return u8::try_from(error.exit_code()).unwrap_or(2);
             }
         },
     };
     if let Some(jobs) = cli.jobs
         && let Err(error) = rayon::ThreadPoolBuilder::new().num_threads(jobs.into()).build_global()
     {
-        return fail(&error.to_string(), ExitCode::FAILURE);
+        return fail(&error.to_string(), 1);
     }
-    match perform(cli.command, interrupted) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => fail(&error.to_string(), ExitCode::FAILURE),
+    match perform(cli.command, invocation, interrupted) {
+        Ok(()) => 0,
+        Err(error) => fail(&error.to_string(), 1),
+    }
+}
+
+/// Bakes to arrays, given the options of `bake` as words.
+///
+/// Work stops soon after `interrupted` is set.
+pub fn bake_arrays(options: &[String], interrupted: &AtomicBool) -> Result<Vec<Array>, Failure> {
+    let words = ["asperity", "bake"].into_iter().chain(options.iter().map(String::as_str));
+    match Cli::try_parse_from(words) {
+        Ok(Cli { command: Command::Bake(wanted), .. }) => bake::arrays::arrays(&wanted, interrupted),
+        Ok(_) => Err("expected the options of `bake`".into()),
+        Err(error) => Err(line_of(&error).unwrap_or_default().into()),
     }
 }
 
@@ -61,10 +73,10 @@ fn line_of(error: &clap::Error) -> Option<String> {
     Some(line.trim_start_matches("error: ").into())
 }
 
-fn perform(command: Command, interrupted: &AtomicBool) -> Result<(), Failure> {
+fn perform(command: Command, invocation: &Invocation, interrupted: &AtomicBool) -> Result<(), Failure> {
     match command {
-        Command::Render(wanted) => render::render(&wanted, interrupted),
-        Command::Bake(wanted) => bake::bake(&wanted, interrupted),
+        Command::Render(wanted) => render::render(&wanted, invocation, interrupted),
+        Command::Bake(wanted) => bake::bake(&wanted, invocation, interrupted),
         Command::Fractal(wanted) => fractal::fractal(&wanted, interrupted),
         Command::Completions { shell } => manual::completions(shell),
         Command::Man => manual::man(),
@@ -154,6 +166,23 @@ mod tests {
     }
 
     #[test]
+    fn jobs_call_the_command_of_the_invocation() {
+        let folder = tempfile::tempdir().unwrap();
+        let [job, out] = ["job.json", "out"].map(|name| folder.path().join(name).display().to_string());
+        let words = ["asperity", "bake", "--noise", "value", "--size", "64", "--out", &out, "--job", &job];
+        let invocation = Invocation {
+            words: words.map(Into::into).to_vec(),
+            command: "/venv/bin/asperity".into(),
+            binary: "/venv/lib/module.so".into(),
+        };
+        assert_eq!(run(&invocation, &AtomicBool::new(false)), 0);
+        let template: serde_json::Value = serde_json::from_slice(&fs::read(&job).unwrap()).unwrap();
+        assert_eq!(template["parameterDefinitions"][0]["default"], "/venv/bin/asperity");
+        let arguments = template["steps"][1]["script"]["actions"]["onRun"]["args"].to_string();
+        assert!(arguments.starts_with(r#"["bake","--noise","value""#), "{arguments}");
+    }
+
+    #[test]
     fn errors_are_one_line() {
         let refused = [
             ("tables --ndf velvet", "density `velvet`: expected `ggx:AX[,AY]`, "),
@@ -206,9 +235,10 @@ mod tests {
             ("shader velvet", "part `velvet` does not exist ("),
             ("shader kinds/perlin --language spirv", "SPIR-V is not text: give a file by --out"),
         ];
+        let invocation = Invocation::of_process();
         for (line, said) in refused {
             let cli = Cli::try_parse_from(["asperity"].into_iter().chain(line.split(' '))).unwrap();
-            let error = perform(cli.command, &AtomicBool::new(false)).unwrap_err().to_string();
+            let error = perform(cli.command, &invocation, &AtomicBool::new(false)).unwrap_err().to_string();
             assert!(error.starts_with(said) && error.lines().count() == 1, "{line}: {error}");
         }
     }

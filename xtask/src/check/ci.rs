@@ -56,7 +56,7 @@ const CHECKS: [Check; 12] = [
 
 /// Checks that take minutes. They run weekly, before a release, and by name when a change affects
 /// them.
-const WEEKLY: [Check; 10] = [
+const WEEKLY: [Check; 11] = [
     ("slow tests", |root| run(&mut cargo(root, "test --quiet --workspace -- --ignored"))),
     ("tests under each feature set", tests),
     ("shaders on drivers", shaders::on_drivers),
@@ -69,6 +69,9 @@ const WEEKLY: [Check; 10] = [
     ("fuzz targets", |root| {
         run(cargo(&root.join("tests/fuzz"), "test --quiet --locked --test withstood")
             .env_remove("CARGO_TARGET_DIR"))
+    }),
+    ("Python package", |root| {
+        run(Command::new("sh").arg(root.join("bindings/python/check.sh")).env_remove("CARGO_TARGET_DIR"))
     }),
 ];
 

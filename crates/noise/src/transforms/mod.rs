@@ -2,6 +2,7 @@
 
 pub(crate) mod arithmetic;
 pub(crate) mod curl;
+pub(crate) mod frequency;
 pub(crate) mod pointwise;
 pub(crate) mod power;
 pub(crate) mod unit;

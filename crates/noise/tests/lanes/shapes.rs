@@ -4,7 +4,7 @@ use super::compare::{far_cases, grids, lengths, near_cases, points};
 use asperity_noise::{
     Fbm, FbmSpectrum, Field, RidgedMultifractal, Rotation, Sample, Simplex, Turbulence, Warp,
     glam::Vec2,
-    ops::{Add, Blend, Clamp, Map, Multiply, Power, ScaleBias, Unit},
+    ops::{Add, Blend, Clamp, Frequency, Map, Multiply, Power, ScaleBias, Unit},
 };
 
 /// Grids, rows of many lengths and lists, at every level.
@@ -54,7 +54,7 @@ fn composed(which: usize) -> Box<dyn Field<Vec2>> {
         2 => Box::new(Blend(noise(), Wave, Unit(Simplex::new(5)))),
         3 => Box::new(Clamp(noise(), -0.2, 0.1)),
         4 => Box::new(Map(noise(), |n: f32| n * n * n, |n: f32| 3.0 * (n * n))),
-        5 => Box::new(ScaleBias(noise(), -2.0, 3.0)),
+        5 => Box::new(ScaleBias(Frequency(noise(), -1.5), -2.0, 3.0)),
         6 => Box::new(Warp::new(noise(), by, 0.3).expect("a finite amplitude")),
         7 => Box::new(Warp::new(composed(6), [composed(0), composed(3)], 0.2).expect("a finite amplitude")),
         _ => Box::new(Add(composed(6), Multiply(composed(2), composed(4)))),

@@ -1,5 +1,6 @@
 //! `asperity bake`: bakes a surface to engine textures, tile by tile.
 
+pub(crate) mod arrays;
 mod files;
 mod formats;
 mod gltf;
@@ -25,19 +26,20 @@ use crate::bake::scratch::{Levels, Scratch};
 use crate::bake::set::Set;
 use crate::cli::bake::{Bake, BakedFormat};
 use crate::failure::{Interrupted, Result};
+use crate::invocation::Invocation;
 use crate::output::Output;
 use crate::progress;
 
 /// Bakes the request and prints the output path.
-pub(crate) fn bake(wanted: &Bake, interrupted: &AtomicBool) -> Result<()> {
+pub(crate) fn bake(wanted: &Bake, invocation: &Invocation, interrupted: &AtomicBool) -> Result<()> {
     let [first, last] = options::parts(wanted)?;
     let plan = options::plan(wanted, first)?;
     if let Some(file) = &wanted.job {
-        return job::write(wanted, &plan, file);
+        return job::write(wanted, &plan, file, invocation);
     }
-    part(wanted, &plan, interrupted)?;
+    part(wanted, &plan, invocation, interrupted)?;
     for number in first + 1..=last {
-        part(wanted, &options::plan(wanted, number)?, interrupted).inspect_err(|_| {
+        part(wanted, &options::plan(wanted, number)?, invocation, interrupted).inspect_err(|_| {
             progress::say(&format!(
                 "{} parts are done; resume with `--part {number}-{last}`",
                 number - first
@@ -48,11 +50,11 @@ pub(crate) fn bake(wanted: &Bake, interrupted: &AtomicBool) -> Result<()> {
 }
 
 /// Bakes one part, or the whole texture.
-fn part(wanted: &Bake, plan: &Plan, interrupted: &AtomicBool) -> Result<()> {
+fn part(wanted: &Bake, plan: &Plan, invocation: &Invocation, interrupted: &AtomicBool) -> Result<()> {
     let some = plan.some(wanted.tiles)?;
     let output = Output::new(&wanted.out)?;
     let output = plan.part.folder().map_or(Ok(output.clone()), |folder| output.inside(&folder))?;
-    let program = std::env::current_exe().and_then(std::fs::read)?;
+    let program = std::fs::read(&invocation.binary)?;
     let started = Instant::now();
     let scratch = Scratch::new(plan, &output, &program)?;
     if wanted.tiles.is_none() {

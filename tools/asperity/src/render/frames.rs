@@ -4,6 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use crate::cli::render::Render;
 use crate::failure::{Interrupted, Result};
+use crate::invocation::Invocation;
 use crate::job::{self, Step};
 use crate::output::Output;
 use crate::progress;
@@ -51,7 +52,12 @@ fn name(pattern: &str, frame: u32) -> Option<String> {
 }
 
 /// Renders the requested frames, each written atomically, or writes them as a job.
-pub(super) fn draw(wanted: &Render, frames: &Frames, interrupted: &AtomicBool) -> Result<()> {
+pub(super) fn draw(
+    wanted: &Render,
+    frames: &Frames,
+    invocation: &Invocation,
+    interrupted: &AtomicBool,
+) -> Result<()> {
     let mut picture = Picture::new(wanted)?;
     let pattern = picture.name.clone();
     let [first, last] = wanted.frame.unwrap_or([1, frames.count]);
@@ -68,12 +74,16 @@ pub(super) fn draw(wanted: &Render, frames: &Frames, interrupted: &AtomicBool) -
     };
     name(first)?;
     if let Some(file) = &wanted.job {
-        let mut arguments = job::arguments(std::env::args().skip(1), &["--job", "--frame", "--out"])?;
+        let mut arguments = job::arguments(invocation.arguments(), &["--job", "--frame", "--out"])?;
         let out = std::path::absolute(&wanted.out)?.display().to_string();
         arguments.extend(["--out".into(), out, "--frame".into(), job::number("Frame")]);
         let tasks = Some(("Frame", format!("{first}-{last}")));
-        let place =
-            job::write(file, "asperity-frames", &[Step { name: "Frames", tasks, arguments, after: None }])?;
+        let place = job::write(
+            file,
+            "asperity-frames",
+            &invocation.command,
+            &[Step { name: "Frames", tasks, arguments, after: None }],
+        )?;
         progress::say(&format!(
             "job written to {place} ({} tasks; run it with `openjd run` or on a farm)",
             last - first + 1

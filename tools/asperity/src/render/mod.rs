@@ -10,6 +10,7 @@ use std::sync::atomic::AtomicBool;
 
 use crate::cli::render::{Material, Render};
 use crate::failure::{Interrupted, Result};
+use crate::invocation::Invocation;
 use crate::output::Output;
 use crate::progress;
 use crate::render::frames::Frames;
@@ -18,12 +19,12 @@ use crate::render::picture::Picture;
 use asperity_render::integrator::pixels::Watch;
 
 /// Renders the image progressively, writes each pass, and prints the path.
-pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<()> {
+pub(crate) fn render(wanted: &Render, invocation: &Invocation, interrupted: &AtomicBool) -> Result<()> {
     if let Some(material) = wanted.help_material {
         return help(material);
     }
     if let Some(frames) = Frames::of(wanted)? {
-        return frames::draw(wanted, &frames, interrupted);
+        return frames::draw(wanted, &frames, invocation, interrupted);
     }
     let picture = Picture::new(wanted)?;
     let output = Output::new(picture.folder.clone())?;
