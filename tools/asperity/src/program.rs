@@ -11,7 +11,7 @@ use clap::error::ErrorKind;
 use crate::cli::{Cli, Command};
 use crate::failure::Failure;
 use crate::output::Output;
-use crate::{bake, check, progress, render, tables};
+use crate::{bake, check, filter, progress, render, tables};
 
 /// Runs the command line, the name of the program first, and reports an error in one line.
 ///
@@ -65,6 +65,7 @@ fn perform(command: Command, interrupted: &AtomicBool) -> Result<(), Failure> {
     match command {
         Command::Render(wanted) => render::render(&wanted, interrupted),
         Command::Bake(wanted) => bake::bake(&wanted, interrupted),
+        Command::Filter(wanted) => filter::run(&wanted, interrupted),
         Command::CheckNdf(wanted) => check::check(&wanted),
         Command::Tables(wanted) => {
             let sets = tables::chosen_sets(&wanted.ndf, &wanted.normal_map, wanted.images, &wanted.fif)?;
@@ -92,7 +93,7 @@ mod tests {
     #[test]
     fn help_lists_every_command() {
         let said = Cli::command().render_help().to_string();
-        for command in ["render", "bake", "tables", "check-ndf"] {
+        for command in ["render", "bake", "filter", "tables", "check-ndf"] {
             assert!(said.contains(&format!("\n  {command} ")), "{command} is missing in:\n{said}");
         }
         Cli::command().debug_assert();
