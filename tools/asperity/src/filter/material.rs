@@ -22,12 +22,17 @@ use crate::filter::texture_file::{self, Level};
 /// A change of roughness that no texture of 8 bits can store.
 const SMALLEST: f32 = 0.5 / 255.0;
 
+/// New texels of a file. Any number of materials may refer to one image.
+const MOST_TEXELS: usize = 1 << 28;
+
 /// The materials, with the maps that are already filtered.
 pub(super) struct Materials<'a> {
     gltf: &'a Container,
     wanted: &'a Filter,
     images: Images<'a>,
     done: Vec<(String, Result<Filtered, String>)>,
+    /// Texels of all new textures.
+    texels: usize,
 }
 
 /// Textures in place of a material's.
@@ -50,9 +55,19 @@ struct Source {
     places: Places,
 }
 
+impl Source {
+    /// Returns the sampler of the map whose place the new texture takes.
+    fn sampler(&self) -> Option<usize> {
+        match &self.roughness {
+            Some(map) if !self.places.of_normal => map.sampler,
+            _ => self.normal.sampler,
+        }
+    }
+}
+
 impl<'a> Materials<'a> {
     pub(super) fn new(gltf: &'a Container, wanted: &'a Filter) -> Self {
-        Self { gltf, wanted, images: Images::new(gltf), done: Vec::new() }
+        Self { gltf, wanted, images: Images::new(gltf), done: Vec::new(), texels: 0 }
     }
 
     /// Filters a material; `None` if it has no normal map.
@@ -74,9 +89,10 @@ impl<'a> Materials<'a> {
             Err(why) => return left(why.into()),
         };
         let Source { normal, roughness, places, .. } = &source;
-        let of_roughness = roughness.as_ref().map(|map| (map.image, map.wrap, map.sampler));
-        let of_normal = (normal.image, normal.wrap, normal.sampler, source.scale.to_bits());
-        let key = format!("{of_normal:?} {of_roughness:?} {places:?} {}", source.factor.to_bits());
+        let of_roughness = roughness.as_ref().map(|map| (map.image, map.wrap));
+        let of_normal = (normal.image, normal.wrap, source.scale.to_bits());
+        let factor = source.factor.to_bits();
+        let key = format!("{of_normal:?} {of_roughness:?} {places:?} {factor} {:?}", source.sampler());
         let filtered = match self.done.iter().find(|(done, _)| *done == key) {
             Some((_, filtered)) => filtered.clone(),
             None => {
@@ -142,6 +158,10 @@ impl<'a> Materials<'a> {
         let Some(texels) = maps.texels() else {
             return Ok(Err("its roughness would need more than 8192 texels on a side".into()));
         };
+        self.texels += texels.size[0] * texels.size[1];
+        if self.texels > MOST_TEXELS {
+            return Err(format!("the materials need more than {MOST_TEXELS} texels").into());
+        }
         let levels = Levels::new(texels, interrupted)?;
         let gained = |texel: Texel| texel.roughness() - texel.alpha2.sqrt().sqrt();
         if (1..levels.count()).all(|level| levels.map(level, gained).into_iter().all(|gain| gain < SMALLEST))
@@ -164,11 +184,7 @@ impl<'a> Materials<'a> {
         if self.wanted.png.is_some() {
             files.add_levels(index, "roughness", factor, pngs(&stored)?);
         }
-        let sampler = match &source.roughness {
-            Some(map) if !source.places.of_normal => map.sampler,
-            _ => source.normal.sampler,
-        };
-        let sampler = edits.mipmapped(sampler)?;
+        let sampler = edits.mipmapped(source.sampler())?;
         let old = match &source.roughness {
             Some(map) if kept && !source.places.of_normal => {
                 self.gltf.item("textures", map.index)?.get("source")

@@ -13,8 +13,11 @@ use crate::filter::texture::Places;
 /// Largest side of a new texture.
 const MOST_SIDE: usize = 8192;
 
-/// The steepest slope: 88°. Otherwise one texel at the horizon would dominate the variance.
-const STEEPEST: f32 = 32.0;
+/// The steepest slope: 45°.
+///
+/// A few steep texels on the edges of flat parts would otherwise dominate the variance, and dull the
+/// highlight of the flat parts. Steeper facets reflect other light, far from that highlight.
+const STEEPEST: f32 = 1.0;
 
 /// An image with its wrap modes.
 pub(super) struct Map {
