@@ -16,6 +16,8 @@ pub mod failure;
 #[cfg(feature = "program")]
 mod fields;
 #[cfg(feature = "program")]
+pub mod filter;
+#[cfg(feature = "program")]
 mod fractal;
 pub mod html;
 pub mod input;

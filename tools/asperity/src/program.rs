@@ -11,7 +11,7 @@ use crate::cli::{Cli, Command};
 use crate::failure::Failure;
 use crate::invocation::Invocation;
 use crate::output::Output;
-use crate::{bake, check, fractal, manual, noise, progress, render, shader, tables};
+use crate::{bake, check, filter, fractal, manual, noise, progress, render, shader, tables};
 
 /// Runs the command line, reports an error in one line, and returns the exit code.
 ///
@@ -77,6 +77,7 @@ fn perform(command: Command, invocation: &Invocation, interrupted: &AtomicBool) 
     match command {
         Command::Render(wanted) => render::render(&wanted, invocation, interrupted),
         Command::Bake(wanted) => bake::bake(&wanted, invocation, interrupted),
+        Command::Filter(wanted) => filter::run(&wanted, interrupted),
         Command::Fractal(wanted) => fractal::fractal(&wanted, interrupted),
         Command::Completions { shell } => manual::completions(shell),
         Command::Man => manual::man(),
@@ -109,9 +110,18 @@ mod tests {
     #[test]
     fn help_lists_every_command() {
         let said = Cli::command().render_help().to_string();
-        for command in
-            ["render", "bake", "noise", "fractal", "shader", "tables", "check-ndf", "completions", "man"]
-        {
+        for command in [
+            "render",
+            "bake",
+            "filter",
+            "noise",
+            "fractal",
+            "shader",
+            "tables",
+            "check-ndf",
+            "completions",
+            "man",
+        ] {
             assert!(said.contains(&format!("\n  {command} ")), "{command} is missing in:\n{said}");
         }
         // One screen of a terminal.
