@@ -1,5 +1,7 @@
 //! The command line of `asperity`.
 
+pub mod filter;
+
 use std::path::PathBuf;
 
 use crate::input::images::Images;
@@ -66,6 +68,9 @@ The image is written immediately and refined progressively; Ctrl-C keeps the las
 Writes base color, normals for OpenGL and DirectX, height, roughness, metallic and ambient occlusion, a glTF and a MaterialX material, and
 a record of all parameters. Interrupted runs resume. Peak memory is one tile. A constant map has 4 × 4 texels.")]
     Bake(Bake),
+    /// Filter the roughness of a glTF model, so that its normal maps do not sparkle.
+    #[command(after_help = filter::EXAMPLES)]
+    Filter(filter::Filter),
     /// Check normalization, sampling and inverse of an NDF, and print a report.
     #[command(after_help = "Examples:
   asperity check-ndf --ndf ggx:0.1,0.5

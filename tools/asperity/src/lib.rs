@@ -13,6 +13,8 @@ mod bake;
 mod check;
 pub mod cli;
 pub mod failure;
+#[cfg(feature = "program")]
+pub mod filter;
 pub mod html;
 pub mod input;
 #[cfg(feature = "program")]

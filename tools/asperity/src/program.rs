@@ -11,7 +11,7 @@ use crate::cli::{Cli, Command};
 use crate::failure::Failure;
 use crate::invocation::Invocation;
 use crate::output::Output;
-use crate::{bake, check, progress, render, tables};
+use crate::{bake, check, filter, progress, render, tables};
 
 /// Runs the command line, reports an error in one line, and returns the exit code.
 ///
@@ -77,6 +77,7 @@ fn perform(command: Command, invocation: &Invocation, interrupted: &AtomicBool) 
     match command {
         Command::Render(wanted) => render::render(&wanted, invocation, interrupted),
         Command::Bake(wanted) => bake::bake(&wanted, invocation, interrupted),
+        Command::Filter(wanted) => filter::run(&wanted, interrupted),
         Command::CheckNdf(wanted) => check::check(&wanted),
         Command::Tables(wanted) => {
             let sets = tables::chosen_sets(&wanted.ndf, &wanted.normal_map, wanted.images, &wanted.fif)?;
@@ -104,7 +105,7 @@ mod tests {
     #[test]
     fn help_lists_every_command() {
         let said = Cli::command().render_help().to_string();
-        for command in ["render", "bake", "tables", "check-ndf"] {
+        for command in ["render", "bake", "filter", "tables", "check-ndf"] {
             assert!(said.contains(&format!("\n  {command} ")), "{command} is missing in:\n{said}");
         }
         Cli::command().debug_assert();

@@ -355,3 +355,20 @@ fn systems_and_devices_are_an_error() {
         refused(folder.path(), words, "not a regular file");
     }
 }
+
+#[test]
+fn filter_with_excessive_images_is_an_error() {
+    let folder = tempfile::tempdir().unwrap();
+    let image = png(16_384, 8192, &chunk(b"IDAT", &[]));
+    std::fs::write(folder.path().join("n.png"), image).unwrap();
+    let model = json!({
+        "asset": { "version": "2.0" },
+        "images": [{ "uri": "n.png" }],
+        "textures": [{ "source": 0 }],
+        "materials": [{ "normalTexture": { "index": 0 } }],
+    });
+    std::fs::write(folder.path().join("a.gltf"), model.to_string()).unwrap();
+    let said = "cannot read image 0 of the glTF: ";
+    refused(folder.path(), &["filter", "a.gltf", "--out", "b.gltf"], said);
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 2, "a file was written");
+}

@@ -100,7 +100,7 @@ impl Texels {
 
 impl Wrap {
     /// Returns the texel of an index that may be outside the image.
-    fn index(self, i: i64, count: usize) -> usize {
+    pub fn index(self, i: i64, count: usize) -> usize {
         let n = count as i64;
         let inside = match self {
             Self::Repeat => i.rem_euclid(n),

@@ -71,7 +71,7 @@ pub(super) const CRATES: &[Crate] = &[
     Crate {
         name: "asperity",
         sources: "tools/asperity/src",
-        layers: "failure invocation output progress html quality → input → cli → tables job → render → bake check → program",
+        layers: "failure invocation output progress html quality → input → cli → tables job → render → bake filter check → program",
         max_exports: None,
     },
     Crate {

@@ -3,7 +3,7 @@
 
 mod draco;
 mod error;
-mod gltf;
+pub mod gltf;
 pub mod materials;
 mod obj;
 #[cfg(test)]

@@ -234,7 +234,7 @@ fn number(bytes: &[u8]) -> u32 {
 }
 
 /// Returns the bytes of a URI: a data URI (RFC 2397), or a file in or below the folder.
-pub(super) fn fetched(what: &'static str, uri: &str, folder: &Path) -> Result<Vec<u8>, MeshFileError> {
+pub fn fetched(what: &'static str, uri: &str, folder: &Path) -> Result<Vec<u8>, MeshFileError> {
     let data = uri.get(..5).filter(|scheme| scheme.eq_ignore_ascii_case("data:"));
     if let Some((kind, data)) = data.and_then(|_| uri[5..].split_once(',')) {
         let bytes = unescaped(data);
@@ -245,19 +245,23 @@ pub(super) fn fetched(what: &'static str, uri: &str, folder: &Path) -> Result<Ve
             MeshFileError::broken("glTF", format!("invalid Base64 in a data URI: {error}"))
         });
     }
-    let is_below = |step: Component<'_>| matches!(step, Component::Normal(_) | Component::CurDir);
-    let name = String::from_utf8(unescaped(uri))
-        .ok()
-        // Windows programs write backslashes, which browsers convert.
-        .map(|name| name.replace('\\', "/"))
-        .filter(|name| !name.contains(':') && Path::new(name).components().all(is_below));
-    let file =
-        name.map(|name| folder.join(name)).ok_or_else(|| MeshFileError::Elsewhere { uri: shown(uri) })?;
+    let file = folder.join(relative(uri)?);
     input_file::read(&file, MOST_BYTES).map_err(|error| MeshFileError::Beside {
         what,
         uri: shown(uri),
         error,
     })
+}
+
+/// Returns the name of the file of a URI, which must be in or below the folder of the glTF.
+pub fn relative(uri: &str) -> Result<String, MeshFileError> {
+    let is_below = |step: Component<'_>| matches!(step, Component::Normal(_) | Component::CurDir);
+    String::from_utf8(unescaped(uri))
+        .ok()
+        // Windows programs write backslashes, which browsers convert.
+        .map(|name| name.replace('\\', "/"))
+        .filter(|name| !name.contains(':') && Path::new(name).components().all(is_below))
+        .ok_or_else(|| MeshFileError::Elsewhere { uri: shown(uri) })
 }
 
 /// Decodes Base64 in either alphabet, with or without padding and spaces.

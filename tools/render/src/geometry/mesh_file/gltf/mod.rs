@@ -1,6 +1,6 @@
 //! glTF 2.0, in one file or with its buffers next to it.
 
-mod buffers;
+pub mod buffers;
 mod document;
 mod materials;
 mod primitive;

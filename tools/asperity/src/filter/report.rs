@@ -1,0 +1,98 @@
+//! The error of a filtered highlight, compared with 1,024 samples of the maps in a pixel.
+
+use std::f32::consts::{PI, TAU};
+
+use glam::{DVec2, Vec2, Vec3};
+use rayon::prelude::*;
+
+use crate::filter::levels::Levels;
+
+/// Samples along a side of a pixel, and the level whose texels have as many of the finest along a
+/// side.
+const SIDE: usize = 32;
+const LEVEL: usize = 5;
+/// Pixels along a side of the map, at most.
+const PIXELS: usize = 8;
+/// Half vectors for each of both distributions.
+const HALVES: u32 = 128;
+/// Smallest α: of a roughness of 0.045, at which renderers stop.
+const SHARPEST: f32 = 0.002;
+
+/// A GGX distribution around a slope.
+#[derive(Clone, Copy)]
+struct Lobe {
+    normal: Vec3,
+    alpha: f32,
+}
+
+impl Lobe {
+    fn new(slope: Vec2, alpha: f32) -> Self {
+        Self { normal: slope.extend(1.0).normalize(), alpha: alpha.max(SHARPEST) }
+    }
+
+    /// Returns D(h), Walter et al. 2007, equation 33.
+    fn density(self, h: Vec3) -> f32 {
+        let (cos, alpha2) = (self.normal.dot(h), self.alpha * self.alpha);
+        // 1 − cos², without cancellation near the normal.
+        let sin2 = self.normal.cross(h).length_squared();
+        let t = alpha2 * cos * cos + sin2;
+        if cos > 0.0 { alpha2 / (PI * t * t) } else { 0.0 }
+    }
+
+    /// Returns a half vector with the density D(h) cos θ, from two uniform numbers.
+    fn sample(self, u: [f32; 2]) -> Vec3 {
+        let tan = self.alpha * (u[0] / (1.0 - u[0]).max(1e-6)).sqrt();
+        let (x, y) = self.normal.any_orthonormal_pair();
+        let (sin, cos) = (TAU * u[1]).sin_cos();
+        (self.normal + tan * (cos * x + sin * y)).normalize()
+    }
+}
+
+/// Returns the root mean square of the error of D over the root mean square of D, with plain mip
+/// levels and with filtered ones.
+///
+/// Half vectors follow the mean of both distributions, and both sums have their inverse density as
+/// weight.
+pub(super) fn errors(levels: &Levels) -> [f64; 2] {
+    let level = LEVEL.min(levels.count() - 1);
+    let [width, height] = levels.size(level);
+    let count = [width, height].map(|side| side.min(PIXELS));
+    let sums = (0..count[0] * count[1]).into_par_iter().map(|k| {
+        let column = (k % count[0]) * width / count[0];
+        let row = (k / count[0]) * height / count[1];
+        pixel(levels, level, [column, row], k as u32)
+    });
+    let sums = sums.reduce(|| [[0.0; 2]; 2], |a, b| [0, 1].map(|i| [0, 1].map(|j| a[i][j] + b[i][j])));
+    sums.map(|[error, all]| if all > 0.0 { (error / all).sqrt() } else { 0.0 })
+}
+
+/// Returns the sums of squares of error and reference, for both ways.
+fn pixel(levels: &Levels, level: usize, [column, row]: [usize; 2], seed: u32) -> [[f64; 2]; 2] {
+    let [width, height] = levels.size(level);
+    let lobe = |k: usize| {
+        let within = DVec2::new((k % SIDE) as f64 + 0.5, (k / SIDE) as f64 + 0.5) / SIDE as f64;
+        let place = DVec2::new(column as f64, row as f64) + within;
+        let uv = place / DVec2::new(width as f64, height as f64);
+        let [_, roughness, _] = levels.texels.surface(uv);
+        Lobe::new(levels.texels.slope(uv), roughness * roughness)
+    };
+    let lobes: Vec<Lobe> = (0..SIDE * SIDE).map(lobe).collect();
+    let reference = |h: Vec3| lobes.iter().map(|lobe| lobe.density(h)).sum::<f32>() / lobes.len() as f32;
+    let texel = levels.texel(level, row * width + column);
+    [texel.plain[1], texel.roughness()].map(|roughness| {
+        let one = Lobe::new(texel.slopes.mean, roughness * roughness);
+        let mut sums = [0.0; 2];
+        for k in 0..2 * HALVES {
+            // The R₂ sequence.
+            let index = (seed * 2 * HALVES + k) as f32;
+            let u = [0.754_877_7, 0.569_840_3].map(|step: f32| (0.5 + index * step).fract());
+            let of = if k % 2 == 0 { one } else { lobes[(k as usize / 2 * 8 + 3) % lobes.len()] };
+            let h = of.sample(u);
+            let (exact, got) = (reference(h), one.density(h));
+            let weight = 1.0 / f64::from(0.5 * (exact + got)).max(1e-30);
+            sums[0] += weight * f64::from(got - exact).powi(2);
+            sums[1] += weight * f64::from(exact).powi(2);
+        }
+        sums
+    })
+}

@@ -1,0 +1,400 @@
+//! Filters small models: levels, references, errors.
+
+use std::fs;
+use std::io::Read;
+use std::path::Path;
+
+use ktx2::Reader;
+use serde_json::json;
+
+use super::*;
+use crate::cli::filter::FilteredFormat;
+
+/// Encodes an RGB image.
+fn png(size: [u32; 2], texel: impl Fn(u32, u32) -> [u8; 3]) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, size[0], size[1]);
+    encoder.set_color(png::ColorType::Rgb);
+    let texels: Vec<u8> =
+        (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| (x, y))).flat_map(|(x, y)| texel(x, y)).collect();
+    encoder.write_header().unwrap().write_image_data(&texels).unwrap();
+    bytes
+}
+
+/// Encodes the normal of a slope along u.
+fn normal(slope: f64) -> [u8; 3] {
+    let length = slope.hypot(1.0);
+    [slope / length, 0.0, 1.0 / length].map(|n| (127.5 + 127.5 * n).round() as u8)
+}
+
+/// Columns with slopes of ±0.4.
+fn stripes() -> Vec<u8> {
+    png([16, 16], |x, _| normal(if x % 2 == 0 { 0.4 } else { -0.4 }))
+}
+
+/// Encodes a container with these images, a line of JSON each for the other lists.
+fn glb(images: &[Vec<u8>], rest: &str) -> Vec<u8> {
+    let (mut bin, mut views) = (b"mesh".to_vec(), Vec::new());
+    for image in images {
+        views.push(json!({ "buffer": 0, "byteOffset": bin.len(), "byteLength": image.len() }));
+        bin.extend(image);
+    }
+    let list: Vec<_> =
+        (0..images.len()).map(|k| json!({ "mimeType": "image/png", "bufferView": k })).collect();
+    let textures: Vec<_> = (0..images.len()).map(|k| json!({ "source": k })).collect();
+    let mut json = format!(
+        "{{\"asset\": {{\"version\":\"2.0\", \"x\":1.50e0}},\"buffers\":[{{\"byteLength\":{}}}],\"bufferViews\":{},\"images\":{},{}{rest}}}",
+        bin.len(),
+        json!(views),
+        json!(list),
+        if rest.contains("\"textures\"") {
+            String::new()
+        } else {
+            format!("\"textures\":{},", json!(textures))
+        },
+    );
+    json += &" ".repeat(json.len().next_multiple_of(4) - json.len());
+    bin.resize(bin.len().next_multiple_of(4), 0);
+    let word = |n: usize| (n as u32).to_le_bytes();
+    let all = 28 + json.len() + bin.len();
+    [
+        b"glTF",
+        &word(2)[..],
+        &word(all),
+        &word(json.len()),
+        b"JSON",
+        json.as_bytes(),
+        &word(bin.len()),
+        b"BIN\0",
+        &bin,
+    ]
+    .concat()
+}
+
+fn options(model: &Path, out: &Path) -> Filter {
+    Filter {
+        model: model.into(),
+        out: out.into(),
+        format: FilteredFormat::Zstd,
+        anisotropy: false,
+        png: None,
+        report: false,
+    }
+}
+
+/// Filters a container, and returns the summary and the result.
+fn filtered(bytes: &[u8], change: impl Fn(&mut Filter)) -> (Summary, Container) {
+    let folder = tempfile::tempdir().unwrap();
+    let [model, out] = ["in.glb", "out.glb"].map(|name| folder.path().join(name));
+    fs::write(&model, bytes).unwrap();
+    let mut wanted = options(&model, &out);
+    change(&mut wanted);
+    let summary = filter(&wanted, &AtomicBool::new(false)).unwrap();
+    (summary, Container::open(&out).unwrap())
+}
+
+/// Returns the levels of an image: size and RGBA.
+fn levels(gltf: &Container, image: usize) -> Vec<(usize, Vec<u8>)> {
+    let file = gltf.image(image).unwrap();
+    let reader = Reader::new(&file[..]).unwrap();
+    let width = reader.header().pixel_width as usize;
+    let level = |(k, level): (usize, ktx2::Level<'_>)| {
+        let mut texels = Vec::new();
+        let mut decoder = ruzstd::decoding::StreamingDecoder::new(level.data).unwrap();
+        decoder.read_to_end(&mut texels).unwrap();
+        assert_eq!(texels.len() as u64, level.uncompressed_byte_length);
+        ((width >> k).max(1), texels)
+    };
+    reader.levels().enumerate().map(level).collect()
+}
+
+/// Returns the KTX2 image of a material's roughness, and its factor.
+fn roughness(gltf: &Container, material: usize) -> (usize, f64) {
+    let pbr = &gltf.list("materials")[material]["pbrMetallicRoughness"];
+    let texture = pbr["metallicRoughnessTexture"]["index"].as_u64().unwrap() as usize;
+    let image = gltf.list("textures")[texture].pointer("/extensions/KHR_texture_basisu/source");
+    (image.unwrap().as_u64().unwrap() as usize, pbr["roughnessFactor"].as_f64().unwrap_or(1.0))
+}
+
+const SLOPED: &str =
+    r#""materials":[{"normalTexture":{"index":0},"pbrMetallicRoughness":{"roughnessFactor":2e-1}}]"#;
+
+#[test]
+fn levels_have_the_variance_of_the_slopes() {
+    let (summary, gltf) = filtered(&glb(&[stripes()], SLOPED), |_| {});
+    let (image, factor) = roughness(&gltf, 0);
+    let levels = levels(&gltf, image);
+    assert_eq!(levels.len(), 5);
+    for (k, (side, texels)) in levels.iter().enumerate() {
+        assert_eq!(texels.len(), 4 * side * side);
+        // Between ±0.4 the slopes are linear: their variance is 0.4²/3.
+        let alpha2 = 0.2_f64.powi(4) + if k == 0 { 0.0 } else { 0.16 / 3.0 };
+        for texel in texels.as_chunks::<4>().0 {
+            let got = factor * f64::from(texel[1]) / 255.0;
+            assert!((got - alpha2.powf(0.25)).abs() < 3e-3, "level {k}: {got}");
+            assert_eq!([texel[0], texel[2], texel[3]], [255; 3]);
+        }
+    }
+    let done = summary.materials[0].outcome.as_ref().unwrap();
+    assert!((done[4].after - 0.4841).abs() < 2e-3 && (done[4].before - 0.2).abs() < 1e-6, "{done:?}");
+    // The fallback shows the first level.
+    let texture = &gltf.list("textures")[1];
+    let fallback = gltf.image(texture["source"].as_u64().unwrap() as usize).unwrap();
+    assert!(fallback.starts_with(b"\x89PNG"));
+    assert_eq!(gltf.list("extensionsUsed"), ["KHR_texture_basisu"]);
+    assert!(gltf.list("extensionsRequired").is_empty());
+}
+
+#[test]
+fn other_bytes_are_unchanged() {
+    let rest = r#""extras":{"b":[1.0e3 , 2],"a":"é"}, "materials":[ {"extras":{"z":1,"a":0.10},"normalTexture" : {"index":0}, "doubleSided":true, "pbrMetallicRoughness":{"roughnessFactor":2e-1, "metallicFactor":0}} ]"#;
+    let bytes = glb(&[stripes()], rest);
+    let before = Container::parse(bytes.clone(), "".into()).unwrap();
+    let (_, after) = filtered(&bytes, |_| {});
+    for kept in [
+        r#"{"version":"2.0", "x":1.50e0}"#,
+        r#""extras":{"b":[1.0e3 , 2],"a":"é"}, "materials":[ {"extras":{"z":1,"a":0.10},"normalTexture" : {"index":0}, "doubleSided":true, "#,
+        r#", "metallicFactor":0,"metallicRoughnessTexture":{"index":1}}} ]"#,
+    ] {
+        assert!(after.json().contains(kept), "{kept} in {}", after.json());
+    }
+    for name in ["buffers", "asset", "images"] {
+        assert!(before.json().find(name) <= after.json().find(name));
+    }
+    assert_eq!(before.image(0).unwrap(), after.image(0).unwrap());
+    let length = before.bin_len().unwrap();
+    assert!(after.bin_len().unwrap() > length);
+}
+
+#[test]
+fn shared_images_become_one_texture_for_each_normal_map() {
+    let orm = png([16, 16], |x, y| [(16 * x) as u8, 60, (16 * y) as u8]);
+    let flat = png([4, 4], |_, _| [128, 128, 255]);
+    let steep = png([16, 16], |_, y| normal(if y % 4 < 2 { 0.2 } else { -0.2 }));
+    let material = |normal: usize| {
+        json!({
+            "normalTexture": { "index": normal },
+            "occlusionTexture": { "index": 0, "strength": 0.5 },
+            "pbrMetallicRoughness": { "metallicRoughnessTexture": { "index": 0 } }
+        })
+    };
+    let rest = format!("\"materials\":{}", json!([material(1), material(2), material(1), material(3), {}]));
+    let (summary, gltf) = filtered(&glb(&[orm, stripes(), steep, flat], &rest), |_| {});
+    let texture = |k: usize, pointer| gltf.list("materials")[k].pointer(pointer).unwrap().as_u64().unwrap();
+    let rough = |k| texture(k, "/pbrMetallicRoughness/metallicRoughnessTexture/index");
+    assert_eq!([rough(0), rough(1), rough(2), rough(3)], [4, 5, 4, 0]);
+    assert_eq!([0, 1, 2, 3].map(|k| texture(k, "/occlusionTexture/index")), [4, 5, 4, 0]);
+    assert_eq!(summary.materials.len(), 4);
+    assert!(summary.materials[3].outcome.as_ref().unwrap_err().contains("flat"));
+    // Occlusion and metallic are plain means.
+    let (image, factor) = roughness(&gltf, 0);
+    assert_eq!(factor, 1.0);
+    let all = levels(&gltf, image);
+    let mean = |channel: usize| {
+        let sum: u32 = (0..256).map(|k| u32::from(all[0].1[4 * k + channel])).sum();
+        (f64::from(sum) / 256.0).round() as u8
+    };
+    assert_eq!([all[4].1[0], all[4].1[2]], [mean(0), mean(2)]);
+    assert!(all[0].1.as_chunks::<4>().0.iter().all(|texel| texel[1] == 60));
+    // The original image is the fallback.
+    assert_eq!(gltf.list("textures")[4]["source"], 0);
+}
+
+#[test]
+fn transforms_and_wrap_modes() {
+    let orm = png([8, 8], |x, _| [255, 30 + (x * 4) as u8, 255]);
+    let material = |normal: &str, rough: &str| {
+        let place = |scale: &str| format!(r#""extensions":{{"KHR_texture_transform":{{"scale":{scale}}}}}"#);
+        format!(
+            r#""materials":[{{"normalTexture":{{"index":0,{}}},"pbrMetallicRoughness":{{"metallicRoughnessTexture":{{"index":1,{}}}}}}}]"#,
+            place(normal),
+            place(rough)
+        )
+    };
+    let size = |normal, rough| {
+        let (summary, gltf) = filtered(&glb(&[stripes(), orm.clone()], &material(normal, rough)), |_| {});
+        let texture = gltf.list("materials")[0]
+            .pointer("/pbrMetallicRoughness/metallicRoughnessTexture")
+            .unwrap()
+            .clone();
+        summary.materials[0].outcome.clone().map(|levels| {
+            let alpha2 = levels.last().unwrap().after.powi(4);
+            // The mean of (30 + 4 x)⁴ and the variance of the slopes, at every scale.
+            let exact =
+                (0..8).map(|x| (f64::from(30 + 4 * x) / 255.0).powi(4)).sum::<f64>() / 8.0 + 0.16 / 3.0;
+            assert!((alpha2 / exact - 1.0).abs() < 0.02, "{alpha2} {exact}");
+            (
+                [levels[0].width, levels[0].height],
+                texture.pointer("/extensions/KHR_texture_transform/scale").cloned(),
+            )
+        })
+    };
+    assert_eq!(size("[1,1]", "[1,1]").unwrap(), ([16, 16], Some(json!([1, 1]))));
+    assert_eq!(size("[4,2]", "[2,1]").unwrap(), ([32, 32], Some(json!([2, 1]))));
+    // The roughness repeats within the normal map, whose place the new texture has.
+    assert_eq!(size("[1,1]", "[4,1]").unwrap(), ([32, 16], Some(json!([1, 1]))));
+    assert!(size("[1,1]", "[1.5,1]").unwrap_err().contains("common period"));
+    // Slopes that change at the border of the map.
+    let ramp = png([8, 8], |x, _| normal(0.1 * f64::from(x)));
+    let edge = |wrap: u32| {
+        let rest = format!(
+            r#""samplers":[{{"wrapS":{wrap},"wrapT":{wrap},"minFilter":9729}}],"textures":[{{"source":0,"sampler":0}}],{SLOPED}"#
+        );
+        let (_, gltf) = filtered(&glb(std::slice::from_ref(&ramp), &rest), |_| {});
+        // The copy has mip levels, the original none.
+        let [plain, copy] = [0, 1].map(|k| gltf.list("samplers")[k].clone());
+        assert_eq!(
+            (&plain["minFilter"], &copy["minFilter"], &copy["wrapS"]),
+            (&json!(9729), &json!(9987), &json!(wrap))
+        );
+        assert_eq!(gltf.list("textures")[1]["sampler"], 1);
+        let (image, factor) = roughness(&gltf, 0);
+        let row = levels(&gltf, image)[1]
+            .1
+            .as_chunks::<4>()
+            .0
+            .iter()
+            .take(4)
+            .map(|t| (factor * f64::from(t[1])) as u32)
+            .collect::<Vec<_>>();
+        (row[0], row[1])
+    };
+    for wrap in [33_071, 33_648] {
+        let (outer, inner) = edge(wrap);
+        assert!(outer <= inner, "{wrap}: {outer} {inner}");
+    }
+    let (outer, inner) = edge(10_497);
+    assert!(outer > inner + 4, "{outer} {inner}");
+}
+
+#[test]
+fn anisotropy_is_along_the_slopes() {
+    let (_, gltf) = filtered(&glb(&[stripes()], SLOPED), |wanted| wanted.anisotropy = true);
+    let value = gltf.list("materials")[0].pointer("/extensions/KHR_materials_anisotropy").unwrap();
+    let texture = value["anisotropyTexture"]["index"].as_u64().unwrap() as usize;
+    let image = gltf.list("textures")[texture].pointer("/extensions/KHR_texture_basisu/source");
+    let all = levels(&gltf, image.unwrap().as_u64().unwrap() as usize);
+    let [x, y, strength, _] = <[u8; 4]>::try_from(&all[2].1[..4]).unwrap();
+    assert_eq!((x, y.abs_diff(128) <= 1, all[0].1[2]), (255, true, 0));
+    // α_t = α + (1 − α) strength², along u, where the variance is 0.4²/3 and not half of it.
+    let alpha = 0.04 + 0.96 * (f64::from(strength) / 255.0).powi(2);
+    assert!((alpha * alpha - 0.0016 - 0.32 / 3.0).abs() < 3e-3, "{alpha}");
+    let (image, factor) = roughness(&gltf, 0);
+    let across = factor * f64::from(levels(&gltf, image)[2].1[1]) / 255.0;
+    assert!((across - 0.2).abs() < 3e-3, "{across}");
+}
+
+#[test]
+fn files_without_normal_maps_are_copied() {
+    let bytes = glb(&[stripes()], r#""materials":[{"name":"plain"}]"#);
+    let (summary, gltf) = filtered(&bytes, |_| {});
+    assert_eq!(gltf.bytes(), bytes);
+    assert!(summary.lines(true)[0].contains("no material has a normal map"));
+}
+
+#[test]
+fn references_of_a_moved_gltf_are_copied() {
+    let folder = tempfile::tempdir().unwrap();
+    let [model, out] = ["a.gltf", "b/c d.gltf"].map(|name| folder.path().join(name));
+    fs::create_dir(folder.path().join("maps")).unwrap();
+    fs::write(folder.path().join("maps/n 1.png"), stripes()).unwrap();
+    let json = format!(
+        "\u{feff}{{\"asset\":{{\"version\":\"2.0\"}},\"images\":[{{\"uri\":\"maps/n%201.png\"}}],\"textures\":[{{\"source\":0}}],{SLOPED}}}\n"
+    );
+    fs::write(&model, json).unwrap();
+    let summary = filter(&options(&model, &out), &AtomicBool::new(false)).unwrap();
+    assert_eq!(summary.files.len(), 4);
+    assert_eq!(fs::read(folder.path().join("b/maps/n 1.png")).unwrap(), stripes());
+    let gltf = Container::open(&out).unwrap();
+    let (image, _) = roughness(&gltf, 0);
+    assert_eq!(levels(&gltf, image).len(), 5);
+    assert!(gltf.bytes().starts_with("\u{feff}".as_bytes()) && gltf.bytes().ends_with(b"\n"));
+}
+
+#[test]
+fn png_lists_every_level() {
+    let folder = tempfile::tempdir().unwrap();
+    let png = folder.path().join("levels");
+    filtered(&glb(&[stripes()], SLOPED), |wanted| wanted.png = Some(png.clone()));
+    let list: serde_json::Value =
+        serde_json::from_slice(&fs::read(png.join("levels.json")).unwrap()).unwrap();
+    let names = list[0]["levels"].as_array().unwrap();
+    assert_eq!(names.len(), 5);
+    for name in names {
+        assert!(fs::read(png.join(name.as_str().unwrap())).unwrap().starts_with(b"\x89PNG"));
+    }
+}
+
+#[test]
+fn report_has_the_error_of_the_highlight() {
+    // Slopes of one Gaussian, which one lobe fits.
+    let gaussian = png([32, 32], |x, y| {
+        let hash = |k: u32| {
+            let mixed = (x * 7919 + y * 104_729 + k * 31).wrapping_mul(2_654_435_761);
+            f64::from(mixed >> 8) / f64::from(1 << 24)
+        };
+        let [a, b] = [hash(1).max(1e-3), hash(2)];
+        normal(0.1 * (-2.0 * a.ln()).sqrt() * (std::f64::consts::TAU * b).cos())
+    });
+    let (summary, _) = filtered(&glb(&[gaussian], SLOPED), |wanted| wanted.report = true);
+    let [before, after] = summary.materials[0].error.unwrap();
+    assert!(after < 0.5 * before, "{before} {after}");
+    assert!(summary.lines(true).iter().any(|line| line.contains("error of the highlight")));
+}
+
+/// Asserts that a file is refused in one line, and that nothing is written.
+fn refused(name: &str, bytes: &[u8], said: &str) {
+    let folder = tempfile::tempdir().unwrap();
+    let model = folder.path().join(name);
+    fs::write(&model, bytes).unwrap();
+    let mut wanted = options(&model, &folder.path().join(format!("out-{name}")));
+    wanted.png = Some(folder.path().join("levels"));
+    let error = filter(&wanted, &AtomicBool::new(false)).unwrap_err().to_string();
+    assert!(error.contains(said) && error.lines().count() == 1, "{name}: {error}");
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "{name}: a file was written");
+}
+
+#[test]
+fn cut_files_leave_no_file() {
+    let bytes = glb(&[stripes()], SLOPED);
+    for length in (0..bytes.len()).step_by(13) {
+        refused("cut.glb", &bytes[..length], "");
+    }
+    // An image that is cut within an intact file.
+    let cut = stripes();
+    refused("image.glb", &glb(&[cut[..cut.len() / 2].to_vec()], SLOPED), "cannot read image 0 of the glTF");
+}
+
+#[test]
+fn wrong_references_leave_no_file() {
+    let sloped = |from: &str, to: &str| glb(&[stripes()], &SLOPED.replace(from, to));
+    refused("texture.glb", &sloped("\"index\":0", "\"index\":7"), "the glTF has no item 7 in `textures`");
+    refused("index.glb", &sloped("\"index\":0", "\"index\":-1"), "`index` must be a non-negative integer");
+    refused("factor.glb", &sloped("2e-1", "\"rough\""), "invalid `roughnessFactor`");
+    let text = |rest: &str| format!("{{\"asset\":{{\"version\":\"2.0\"}},{rest}}}").into_bytes();
+    let image = |image: &str| text(&format!("\"images\":[{image}],\"textures\":[{{\"source\":0}}],{SLOPED}"));
+    refused("up.gltf", &image(r#"{"uri":"../n.png"}"#), "must be embedded or in the glTF's folder");
+    refused("missing.gltf", &image(r#"{"uri":"n.png"}"#), "cannot read the glTF's image `n.png`");
+    refused("none.gltf", &image("{}"), "image 0 has no data");
+    refused("data.gltf", &image(r#"{"uri":"data:image/png;base64,AAAA"}"#), "cannot read image 0");
+    let beyond = r#"{"bufferView":0}],"buffers":[{"byteLength":9,"uri":"data:,ab"}],"bufferViews":[{"buffer":0,"byteLength":9}"#;
+    refused("view.gltf", &image(beyond), "buffer view 0 extends beyond its buffer");
+    refused("circle.gltf", &text(r#""nodes":[{"children":[1]},{"children":[0]}]"#), "node 0 contains itself");
+    refused(
+        "twice.gltf",
+        &text(r#""nodes":[{"children":[2]},{"children":[2]},{}]"#),
+        "node 2 has several parents",
+    );
+    refused("child.gltf", &text(r#""nodes":[{"children":[5]}]"#), "a child that does not exist");
+    refused("deep.gltf", &[b"{\"a\":".to_vec(), vec![b'['; 100_000]].concat(), "invalid glTF");
+    refused("old.gltf", b"{\"asset\":{\"version\":\"1.0\"}}", "glTF 2.0");
+}
+
+#[test]
+fn interrupted_run_leaves_no_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let [model, out] = ["in.glb", "out.glb"].map(|name| folder.path().join(name));
+    fs::write(&model, glb(&[stripes()], SLOPED)).unwrap();
+    let error = filter(&options(&model, &out), &AtomicBool::new(true)).unwrap_err();
+    assert!(error.is::<Interrupted>() && !out.exists());
+}
