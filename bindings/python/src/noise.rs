@@ -312,7 +312,7 @@ impl Buffers {
         let zeros = |wanted: bool, each: usize| -> PyResult<Vec<f32>> {
             let mut numbers = Vec::new();
             if wanted {
-                let length = count.checked_mul(each).unwrap_or(usize::MAX);
+                let length = count.saturating_mul(each);
                 numbers.try_reserve_exact(length).map_err(|_| {
                     pyo3::exceptions::PyMemoryError::new_err(format!("cannot allocate {length} numbers"))
                 })?;

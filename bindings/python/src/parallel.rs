@@ -16,9 +16,11 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 /// How often signals are checked.
 const PERIOD: Duration = Duration::from_millis(20);
 
-/// Pools by process and number of threads. The threads of a pool do not survive a fork, so a child
-/// process has its own.
-static POOLS: Mutex<Option<HashMap<(u32, usize), Arc<ThreadPool>>>> = Mutex::new(None);
+/// Pools by process and number of threads.
+type Pools = HashMap<(u32, usize), Arc<ThreadPool>>;
+
+/// The pools in use. The threads of a pool do not survive a fork, so a child process has its own.
+static POOLS: Mutex<Option<Pools>> = Mutex::new(None);
 
 /// Returns the number of threads to use, all cores by default.
 pub(crate) fn count(threads: Option<usize>) -> PyResult<usize> {
@@ -31,7 +33,7 @@ pub(crate) fn count(threads: Option<usize>) -> PyResult<usize> {
 
 fn pool(threads: usize) -> PyResult<Arc<ThreadPool>> {
     let mut pools = POOLS.lock().unwrap_or_else(PoisonError::into_inner);
-    let pools = pools.get_or_insert_with(HashMap::new);
+    let pools = pools.get_or_insert_with(Pools::new);
     if let Some(pool) = pools.get(&(process::id(), threads)) {
         return Ok(Arc::clone(pool));
     }
@@ -86,6 +88,7 @@ pub(crate) fn until_signal<R: Send>(
 /// Runs work on another thread with the GIL released, and sets its flag at a signal.
 ///
 /// The result is `None` if the thread panicked.
+#[expect(clippy::redundant_closure_for_method_calls, reason = "the method is not general enough")]
 pub(crate) fn with_signals<R: Send>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> R + Send,
