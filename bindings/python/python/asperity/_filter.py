@@ -22,7 +22,8 @@ class FilteredLevel(NamedTuple):
 class FilteredMaterial(NamedTuple):
     """A material with a normal map."""
 
-    index: int
+    number: int
+    """The index of the material in the file."""
     name: str
     levels: list[FilteredLevel] | None
     """The levels of its new roughness, or ``None`` if the material is left as it is."""
@@ -59,13 +60,13 @@ def filter(  # noqa: A001
     return FilteredModel(
         [
             FilteredMaterial(
-                index,
+                number,
                 name,
                 None if levels is None else [FilteredLevel(*level) for level in levels],
                 reason,
                 None if error is None else (error[0], error[1]),
             )
-            for index, name, levels, reason, error in materials
+            for number, name, levels, reason, error in materials
         ],
         files,
     )
