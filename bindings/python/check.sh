@@ -11,7 +11,7 @@ fi
 venv=target/venv
 "$python" -m venv "$venv"
 "$venv/bin/pip" install --quiet --disable-pip-version-check '.[test]'
-cargo test --quiet --locked --release --package asperity-fields
+cargo test --quiet --locked --release --workspace
 "$venv/bin/python" -m pytest --quiet tests
 "$venv/bin/python" -m mypy --strict python examples
 "$venv/bin/python" -m mypy.stubtest asperity --mypy-config-file pyproject.toml

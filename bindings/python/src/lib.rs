@@ -6,6 +6,7 @@ mod command;
 mod curve;
 mod distribution;
 mod fif;
+mod filter;
 mod ndf;
 mod noise;
 mod parallel;
@@ -23,6 +24,8 @@ mod _asperity {
     use crate::command::run;
     #[pymodule_export]
     use crate::fif::Fif;
+    #[pymodule_export]
+    use crate::filter::filter;
     #[pymodule_export]
     use crate::ndf::Ndf;
     #[pymodule_export]

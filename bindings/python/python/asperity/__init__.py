@@ -7,7 +7,8 @@ Arrays go in and come out as NumPy arrays. Last axes are coordinates: points hav
 
 from . import fif, ndf, noise, shading
 from ._bake import bake
+from ._filter import filter
 
-__all__ = ["__version__", "bake", "fif", "ndf", "noise", "shading"]
+__all__ = ["__version__", "bake", "fif", "filter", "ndf", "noise", "shading"]
 
 __version__ = "0.1.0"

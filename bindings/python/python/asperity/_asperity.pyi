@@ -10,6 +10,7 @@ __all__ = [
     "Ndf",
     "Surface",
     "bake",
+    "filter",
     "run",
 ]
 
@@ -64,6 +65,17 @@ class Field:
     ) -> _Arrays: ...
 
 def run(words: list[str], command: str | os.PathLike[str], binary: str | os.PathLike[str]) -> int: ...
+def filter(
+    model: str | os.PathLike[str],
+    out: str | os.PathLike[str],
+    format: str,
+    anisotropy: bool,
+    png: str | os.PathLike[str] | None,
+    report: bool,
+) -> tuple[
+    list[tuple[int, str, list[tuple[int, int, float, float]] | None, str | None, list[float] | None]],
+    list[str],
+]: ...
 def bake(options: list[str]) -> list[tuple[str, int, int, Float32Array]]: ...
 
 @final
