@@ -3,28 +3,6 @@
 
 #![expect(clippy::missing_panics_doc, clippy::unwrap_used, reason = "a panic is the failure")]
 
-#[path = "../../../tools/asperity/src/cli.rs"]
-#[allow(dead_code, reason = "part of the tool; only the parsers are called")]
-mod cli;
-#[path = "../../../tools/asperity/src/failure.rs"]
-#[allow(unused, reason = "part of the tool; only the parsers are called")]
-mod failure;
-mod input;
-/// A function of the output module that the input module needs.
-mod output {
-    pub fn sha256(bytes: &[u8]) -> String {
-        use sha2::{Digest, Sha256};
-        Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
-    }
-}
-/// Discards notes.
-mod progress {
-    pub const fn note(_: &str) {}
-}
-#[path = "../../../tools/asperity/src/quality.rs"]
-#[allow(dead_code, reason = "part of the tool; only the parsers are called")]
-mod quality;
-
 mod density;
 mod environment;
 mod fif;

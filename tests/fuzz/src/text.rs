@@ -16,8 +16,8 @@ use glam::{Vec2, Vec3};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use crate::cli::Cli;
-use crate::input::{density::Density, fif_system::System, images::Images};
+use asperity::cli::Cli;
+use asperity::input::{density::Density, fif_system::System, images::Images};
 
 /// Returns the parsed value, which must round-trip, or `None` with an error message.
 fn read<T: DeserializeOwned + Serialize>(text: &[u8]) -> Option<T> {

@@ -34,13 +34,10 @@ const LEAST: [&str; 2] = ["std", "libm,approx,serde"];
 
 type Check = (&'static str, fn(&Path) -> Result<(), Failure>);
 
-const CHECKS: [Check; 12] = [
+const CHECKS: [Check; 11] = [
     ("format", |root| run(&mut cargo(root, "fmt --all --check"))),
     ("tidy", |_| tidy::report()?.verdict()),
     ("dependencies", dependencies::dependencies),
-    ("generated tables", |root| {
-        run(&mut cargo(root, "test --quiet --workspace --test up_to_date -- --ignored"))
-    }),
     ("clippy", clippy),
     ("no float backend is one clear error", neither_backend),
     ("docs", |root| {
@@ -56,8 +53,11 @@ const CHECKS: [Check; 12] = [
 
 /// Checks that take minutes. They run weekly, before a release, and by name when a change affects
 /// them.
-const WEEKLY: [Check; 11] = [
+const WEEKLY: [Check; 13] = [
     ("slow tests", |root| run(&mut cargo(root, "test --quiet --workspace -- --ignored"))),
+    ("generated tables", |root| {
+        run(&mut cargo(root, "test --quiet --workspace --test up_to_date -- --ignored"))
+    }),
     ("tests under each feature set", tests),
     ("shaders on drivers", shaders::on_drivers),
     ("live page", |root| platforms(root, "live")),
@@ -69,6 +69,10 @@ const WEEKLY: [Check; 11] = [
     ("fuzz targets", |root| {
         run(cargo(&root.join("tests/fuzz"), "test --quiet --locked --test withstood")
             .env_remove("CARGO_TARGET_DIR"))
+    }),
+    ("UASTC textures", |root| {
+        run(&mut cargo(root, "test --quiet --package asperity --features basis filter::"))?;
+        run(cargo(&root.join("tools/uastc"), "test --quiet --locked").env_remove("CARGO_TARGET_DIR"))
     }),
     ("Python package", |root| {
         run(Command::new("sh").arg(root.join("bindings/python/check.sh")).env_remove("CARGO_TARGET_DIR"))

@@ -27,8 +27,8 @@ pub struct Filter {
     /// The filtered model, with the extension of the input.
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
-    /// Encoding of the new textures.
-    #[arg(long, value_parser = one_of(FORMATS), default_value = "uastc")]
+    /// Encoding of the new textures; `uastc` is the default of a program with the feature `basis`.
+    #[arg(long, value_parser = one_of(FORMATS), default_value = if cfg!(feature = "basis") { "uastc" } else { "zstd" })]
     pub format: FilteredFormat,
     /// Store the direction of the variance too, as an anisotropy (KHR_materials_anisotropy).
     #[arg(long)]
