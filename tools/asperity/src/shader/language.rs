@@ -77,7 +77,9 @@ fn glsl(checked: &Checked, version: glsl::Version) -> Result<Vec<u8>> {
         let whole = Checked::shader(&(checked.wgsl.clone() + EMPTY), "main")?;
         let text = glsl_of(&whole, "main", version, glsl::WriterFlags::INCLUDE_UNUSED_ITEMS)?;
         let functions = text.rsplit_once("void main() {").map_or(&*text, |(functions, _)| functions);
-        return Ok(functions.trim_end().to_owned().into_bytes());
+        // The version has to be the first line of the shader that includes the functions.
+        let functions = functions.split_once('\n').map_or(functions, |(_, functions)| functions);
+        return Ok(functions.trim().to_owned().into_bytes());
     };
     Ok(glsl_of(checked, entry, version, glsl::WriterFlags::empty())?.into_bytes())
 }

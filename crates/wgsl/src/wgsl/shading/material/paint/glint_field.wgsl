@@ -288,13 +288,12 @@ fn glint_field_corners(field: GlintField, place: vec3<f32>, level: i32) -> Glint
     let base = vec3<i32>(low);
     let shift = vec3<u32>(u32(level));
     let one = vec3<i32>(1);
-    let none = vec3<i32>(0);
     return GlintFieldCorners(
         vec4<f32>(1.0 - first, first - second, second - third, third),
         vec4<u32>(
             glint_field_word(base << shift, field.key),
-            glint_field_word((base + select(none, one, rank < vec3<i32>(1))) << shift, field.key),
-            glint_field_word((base + select(none, one, rank < vec3<i32>(2))) << shift, field.key),
+            glint_field_word((base + vec3<i32>(rank < vec3<i32>(1))) << shift, field.key),
+            glint_field_word((base + vec3<i32>(rank < vec3<i32>(2))) << shift, field.key),
             glint_field_word((base + one) << shift, field.key),
         ),
     );
