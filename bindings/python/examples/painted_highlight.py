@@ -43,4 +43,4 @@ axes[2].set_title("GGX, α = 0.25", fontsize=9)
 for axis in axes:
     axis.set_axis_off()
 figure.tight_layout(pad=0.8)
-figure.savefig("painted_highlight.png", dpi=100)
+figure.savefig("painted_highlight.png", dpi=100, bbox_inches="tight", pad_inches=0.12)

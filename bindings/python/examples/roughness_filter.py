@@ -53,4 +53,4 @@ for axis, picture, title in (
     axis.set_title(f"{title}\nerror {100 * error:.0f} %" if picture is not reference else title + "\n", fontsize=9)
     axis.set_axis_off()
 figure.tight_layout(pad=0.8)
-figure.savefig("roughness_filter.png", dpi=100)
+figure.savefig("roughness_filter.png", dpi=100, bbox_inches="tight", pad_inches=0.12)

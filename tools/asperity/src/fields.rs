@@ -1,4 +1,4 @@
-//! Noise chosen by options: octaves of a kind, in the plane and in space.
+//! Noise chosen by options: octaves of a kind in the plane.
 
 use asperity_noise::{
     Billow, Cellular, CellularOutput, Fbm, FbmSpectrum, Field, GaussianNoise, Metric, Perlin, Point, Ridged,
@@ -10,7 +10,7 @@ use crate::cli::noise::{NoiseKind, Sum};
 use crate::failure::Result;
 
 /// A field chosen at run time.
-pub(crate) type Chosen<V> = Box<dyn Field<V> + Send + Sync>;
+pub(crate) type Chosen = Box<dyn Field<Vec2> + Send + Sync>;
 
 /// A sum of octaves of a noise.
 #[derive(Clone, Copy, Debug)]
@@ -25,22 +25,31 @@ pub(crate) struct Octaves {
 }
 
 impl Octaves {
-    /// Returns the field in the plane, with these periods if any.
-    pub(crate) fn plane(&self, periods: Option<[u32; 2]>) -> Result<Chosen<Vec2>> {
-        match (self.kind, periods) {
-            // In the plane, the simplicial lattice is not periodic along the axes.
-            (NoiseKind::Simplex, Some([x, y])) => Ok(Box::new(Slice(self.space(Some([x, y, x]))?))),
-            _ => self.field(periods, |octaves: Fbm<Simplex, _, _>, _| Ok(Box::new(octaves))),
+    /// Returns the field, with these periods if any.
+    pub(crate) fn field(&self, periods: Option<[u32; 2]>) -> Result<Chosen> {
+        let &Self { kind, output, metric, seed, .. } = self;
+        macro_rules! octaves {
+            ($noise:expr) => {{
+                let octaves = self.octaves($noise);
+                match periods {
+                    Some(periods) => Box::new(octaves.tiled(periods)?),
+                    None => Box::new(octaves),
+                }
+            }};
         }
-    }
-
-    /// Returns the field in space, with these periods if any.
-    pub(crate) fn space(&self, periods: Option<[u32; 3]>) -> Result<Chosen<Vec3>> {
-        self.field(periods, |octaves: Fbm<Simplex, _, _>, periods| {
-            Ok(match periods {
-                Some(periods) => Box::new(octaves.tiled(periods)?),
-                None => Box::new(octaves),
-            })
+        Ok(match (kind, periods) {
+            (NoiseKind::Gaussian, _) => octaves!(GaussianNoise::new(seed)),
+            (NoiseKind::Perlin, _) => octaves!(Perlin::new(seed)),
+            (NoiseKind::Value, _) => octaves!(ValueNoise::new(seed)),
+            (NoiseKind::Sparse, _) => octaves!(SparseConvolution::new(seed)),
+            (NoiseKind::Cellular, _) => octaves!(Cellular::new(seed).with_output(output).with_metric(metric)),
+            (NoiseKind::White, _) => octaves!(WhiteNoise::new(seed)),
+            (NoiseKind::Simplex, None) => Box::new(self.octaves(Simplex::new(seed))),
+            // In the plane, the simplicial lattice is not periodic along the axes.
+            (NoiseKind::Simplex, Some([x, y])) => {
+                let octaves: Fbm<_, Vec3, _> = self.octaves(Simplex::new(seed));
+                Box::new(Slice(octaves.tiled([x, y, x])?))
+            }
         })
     }
 
@@ -52,45 +61,12 @@ impl Octaves {
         }
         .with_shape(self.sum)
     }
-
-    /// Returns the field in any dimension; `simplex` is the kind that is not periodic in all of them.
-    fn field<V, const N: usize>(
-        &self,
-        periods: Option<[u32; N]>,
-        simplex: impl Fn(Fbm<Simplex, V, Sum>, Option<[u32; N]>) -> Result<Chosen<V>>,
-    ) -> Result<Chosen<V>>
-    where
-        V: Point<Coordinates = [f32; N]> + Send + Sync + 'static,
-        Simplex: Field<V>,
-    {
-        let &Self { kind, output, metric, seed, .. } = self;
-        macro_rules! octaves {
-            ($noise:expr) => {{
-                let octaves = self.octaves($noise);
-                match periods {
-                    Some(periods) => Box::new(octaves.tiled(periods)?),
-                    None => Box::new(octaves),
-                }
-            }};
-        }
-        Ok(match kind {
-            NoiseKind::Gaussian => octaves!(GaussianNoise::new(seed)),
-            NoiseKind::Perlin => octaves!(Perlin::new(seed)),
-            NoiseKind::Value => octaves!(ValueNoise::new(seed)),
-            NoiseKind::Sparse => octaves!(SparseConvolution::new(seed)),
-            NoiseKind::Cellular => {
-                octaves!(Cellular::new(seed).with_output(output).with_metric(metric))
-            }
-            NoiseKind::White => octaves!(WhiteNoise::new(seed)),
-            NoiseKind::Simplex => simplex(self.octaves(Simplex::new(seed)), periods)?,
-        })
-    }
 }
 
 /// A field in space, sliced at z = 0.
-struct Slice(Chosen<Vec3>);
+struct Slice<F>(F);
 
-impl Field<Vec2> for Slice {
+impl<F: Field<Vec3>> Field<Vec2> for Slice<F> {
     fn sample(&self, p: Vec2) -> Sample<Vec2> {
         let Sample { value, gradient } = self.0.sample(p.extend(0.0));
         Sample { value, gradient: gradient.truncate() }

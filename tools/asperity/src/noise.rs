@@ -1,14 +1,14 @@
-//! `asperity noise`: writes a noise on a grid of the plane or of space.
+//! `asperity noise`: writes a noise on a grid of the plane.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
-use asperity_noise::{CellularOutput, FbmSpectrum, Field, Grid, Metric, Point, Warp};
+use asperity_noise::{CellularOutput, FbmSpectrum, Field, Grid, Metric, Warp};
 use asperity_render::image::formats::{F32, exr, npy};
-use glam::{Vec2, Vec3};
+use glam::Vec2;
 use png::{BitDepth, ColorType, Encoder};
 use rayon::prelude::*;
 
-use crate::cli::noise::{Noise, NoiseKind, Sides, Sum};
+use crate::cli::noise::{Noise, NoiseKind, Sum};
 use crate::failure::{Interrupted, Result};
 use crate::fields::{Chosen, Octaves};
 use crate::output::Output;
@@ -37,8 +37,8 @@ enum Format {
 /// Writes the file and prints its path.
 pub(crate) fn noise(wanted: &Noise, interrupted: &AtomicBool) -> Result<()> {
     let format = format(wanted)?;
-    let Sides { plane: [width, height], depth } = wanted.size;
-    let count = [width, height, depth.unwrap_or(1)].into_iter().map(u64::from).product::<u64>();
+    let [width, height] = wanted.size;
+    let count = u64::from(width) * u64::from(height);
     if count > MOST_SAMPLES {
         return Err(format!("`--size`: {count} samples are too many (at most {MOST_SAMPLES})").into());
     }
@@ -53,17 +53,15 @@ pub(crate) fn noise(wanted: &Noise, interrupted: &AtomicBool) -> Result<()> {
         }
         Format::Exr => output.write(&name, &layers(&samples, [width, height])?)?,
         Format::Npy => {
-            let mut shape: Vec<usize> =
-                depth.into_iter().chain([height, width]).map(|n| n as usize).collect();
+            let mut shape = vec![height as usize, width as usize];
             if wanted.gradient {
                 shape.push(samples.channels);
             }
             output.write(&name, &npy(F32, &shape, &samples.numbers))?;
         }
     }
-    let depth = depth.map_or_else(String::new, |depth| format!(" × {depth}"));
     progress::say(&format!(
-        "noise written to {} ({width} × {height}{depth}, values {low:.4} to {high:.4})",
+        "noise written to {} ({width} × {height}, values {low:.4} to {high:.4})",
         output.place(&name)
     ));
     Ok(())
@@ -86,7 +84,6 @@ fn format(wanted: &Noise) -> Result<Format> {
     };
     let refused = [
         (wanted.gradient && format == Format::Png, "--gradient needs .exr or .npy"),
-        (wanted.size.depth.is_some() && format != Format::Npy, "a depth needs .npy"),
         (wanted.range.is_some() && format != Format::Png, "--range has no effect on floats"),
         (
             (wanted.output.is_some() || wanted.metric.is_some()) && wanted.kind != NoiseKind::Cellular,
@@ -101,119 +98,73 @@ fn format(wanted: &Noise) -> Result<Format> {
 }
 
 fn samples(wanted: &Noise, interrupted: &AtomicBool) -> Result<Samples> {
-    let Sides { plane: [width, height], depth } = wanted.size;
     let spectrum = FbmSpectrum::new(wanted.lacunarity, wanted.gain, wanted.octaves)?;
-    let octaves = |seed, sum| Octaves {
-        kind: wanted.kind,
-        output: wanted.output.unwrap_or(CellularOutput::F1),
-        metric: wanted.metric.unwrap_or(Metric::Euclidean),
-        sum,
-        spectrum: (wanted.octaves > 1).then_some(spectrum),
-        seed,
-    };
-    let tileable = |error| match wanted.tileable {
-        true => format!("`--tileable`: {error}").into(),
-        false => error,
-    };
-    let step = f64::from(wanted.cells) / f64::from(width);
-    // Fields of other seeds displace the points.
-    let seeds = [0, 1, 2, 3].map(|i| wanted.seed.wrapping_add(i));
-    if let Some(depth) = depth {
-        let sides = [width, height, depth];
-        let periods = if wanted.tileable { Some(periods(sides, wanted.cells)?) } else { None };
-        let field = |seed, sum| octaves(seed, sum).space(periods).map_err(tileable);
-        let chosen = field(seeds[0], wanted.sum)?;
-        let field: Chosen<Vec3> = match wanted.warp {
-            Some(by) => Box::new(Warp::new(
-                chosen,
-                [field(seeds[1], Sum::Fbm)?, field(seeds[2], Sum::Fbm)?, field(seeds[3], Sum::Fbm)?],
-                by,
-            )?),
-            None => chosen,
+    let periods = if wanted.tileable { Some(periods(wanted.size, wanted.cells)?) } else { None };
+    let field = |seed, sum| {
+        let octaves = Octaves {
+            kind: wanted.kind,
+            output: wanted.output.unwrap_or(CellularOutput::F1),
+            metric: wanted.metric.unwrap_or(Metric::Euclidean),
+            sum,
+            spectrum: (wanted.octaves > 1).then_some(spectrum),
+            seed,
         };
-        return filled(&*field, sides, step, wanted.gradient, interrupted);
-    }
-    let sides = [width, height];
-    let periods = if wanted.tileable { Some(periods(sides, wanted.cells)?) } else { None };
-    let field = |seed, sum| octaves(seed, sum).plane(periods).map_err(tileable);
-    let chosen = field(seeds[0], wanted.sum)?;
-    let field: Chosen<Vec2> = match wanted.warp {
+        octaves.field(periods).map_err(|error| match wanted.tileable {
+            true => format!("`--tileable`: {error}").into(),
+            false => error,
+        })
+    };
+    let chosen = field(wanted.seed, wanted.sum)?;
+    let field: Chosen = match wanted.warp {
         Some(by) => {
-            Box::new(Warp::new(chosen, [field(seeds[1], Sum::Fbm)?, field(seeds[2], Sum::Fbm)?], by)?)
+            // Fields of other seeds displace the points.
+            let [x, y] = [1, 2].map(|i| field(wanted.seed.wrapping_add(i), Sum::Fbm));
+            Box::new(Warp::new(chosen, [x?, y?], by)?)
         }
         None => chosen,
     };
-    filled(&*field, sides, step, wanted.gradient, interrupted)
+    let step = f64::from(wanted.cells) / f64::from(wanted.size[0]);
+    filled(&*field, wanted.size, step, wanted.gradient, interrupted)
 }
 
-/// Returns the lattice cells along each side, which must be whole.
-fn periods<const N: usize>(sides: [u32; N], cells: u32) -> Result<[u32; N]> {
-    let width = u64::from(sides[0]);
-    let mut periods = [cells; N];
-    for (period, side) in periods.iter_mut().zip(sides) {
-        let product = u64::from(cells) * u64::from(side);
-        *period = u32::try_from(product / width).unwrap_or(u32::MAX);
-        if !product.is_multiple_of(width) || *period == 0 {
-            return Err(format!(
-                "`--tileable`: {cells} cells along {width} samples are {} along {side} (must be an integer)",
-                product as f64 / width as f64
-            )
-            .into());
-        }
+/// Returns the lattice cells along both sides, which must be whole.
+fn periods([width, height]: [u32; 2], cells: u32) -> Result<[u32; 2]> {
+    let product = u64::from(cells) * u64::from(height);
+    match u32::try_from(product / u64::from(width)) {
+        Ok(down @ 1..) if product.is_multiple_of(width.into()) => Ok([cells, down]),
+        _ => Err(format!(
+            "`--tileable`: {cells} cells along {width} samples are {} along {height} (must be an integer)",
+            product as f64 / f64::from(width)
+        )
+        .into()),
     }
-    Ok(periods)
 }
 
 /// Evaluates the field at the centers of the texels, slab by slab.
-fn filled<V, const N: usize>(
-    field: &(dyn Field<V> + Send + Sync),
-    sides: [u32; N],
+fn filled(
+    field: &(dyn Field<Vec2> + Send + Sync),
+    [width, height]: [u32; 2],
     step: f64,
     gradient: bool,
     interrupted: &AtomicBool,
-) -> Result<Samples>
-where
-    V: Point<Coordinates = [f32; N]> + Send + Sync,
-{
-    let channels = if gradient { 1 + N } else { 1 };
-    let [width, height] = [sides[0] as usize, sides[1] as usize];
-    let rows = sides[1..].iter().map(|&side| side as usize).product::<usize>();
-    let mut numbers = vec![0.0; width * rows * channels];
+) -> Result<Samples> {
+    let [width, height] = [width as usize, height as usize];
+    let channels = if gradient { 3 } else { 1 };
+    let mut numbers = vec![0.0; width * height * channels];
     let bar = progress::bar("noise");
-    bar.set_length(rows as u64);
+    bar.set_length(height as u64);
     let center = |index: usize| ((index as f64 + 0.5) * step) as f32;
-    // A slab is a part of one layer.
-    let slabs = numbers.chunks_mut(width * height * channels).enumerate().flat_map(|(layer, numbers)| {
-        numbers
-            .chunks_mut(SLAB * width * channels)
-            .enumerate()
-            .map(move |(slab, numbers)| (layer, slab, numbers))
-    });
-    let slabs: Vec<_> = slabs.collect();
-    slabs.into_par_iter().try_for_each(|(layer, slab, numbers)| -> Result<()> {
-        if interrupted.load(Ordering::Relaxed) {
-            return Err(Interrupted.into());
-        }
+    let slabs: Vec<_> = numbers.chunks_mut(SLAB * width * channels).enumerate().collect();
+    slabs.into_par_iter().try_for_each(|(slab, numbers)| -> Result<()> {
+        Interrupted::check(interrupted)?;
         let rows = numbers.len() / (width * channels);
-        let mut origin = [center(0); N];
-        origin[1] = center(slab * SLAB);
-        if N > 2 {
-            origin[N - 1] = center(layer);
-        }
-        let size = V::array(|axis| [width, rows, 1, 1][axis]);
-        let grid =
-            Grid { origin: V::from_coordinates(origin), step: V::from_coordinates([step as f32; N]), size };
+        let origin = Vec2::new(center(0), center(slab * SLAB));
+        let grid = Grid { origin, step: Vec2::splat(step as f32), size: [width, rows] };
         if gradient {
-            let mut values = vec![0.0; width * rows];
-            let mut slopes: Vec<Vec<f32>> = vec![values.clone(); N];
-            let mut each = slopes.iter_mut();
-            let lists = V::array(|_| each.next().map_or(&mut [][..], |list| &mut list[..]));
-            field.grid_samples(&grid, &mut values, lists)?;
+            let [mut values, mut x, mut y] = [(); 3].map(|()| vec![0.0; width * rows]);
+            field.grid_samples(&grid, &mut values, [&mut x, &mut y])?;
             for (index, numbers) in numbers.chunks_exact_mut(channels).enumerate() {
-                numbers[0] = values[index];
-                for (number, slope) in numbers[1..].iter_mut().zip(&slopes) {
-                    *number = slope[index];
-                }
+                numbers.copy_from_slice(&[values[index], x[index], y[index]]);
             }
         } else {
             field.grid_values(&grid, numbers)?;
@@ -298,8 +249,8 @@ mod tests {
             [inside.fold(0.0, f32::max), across.fold(0.0, f32::max)]
         };
         for kind in ["gaussian", "perlin", "simplex", "value", "sparse", "cellular"] {
-            for size in ["96", "96x96x96"] {
-                let line = format!("--kind {kind} --cells 3 --octaves 1 --size {size} --out a.npy");
+            {
+                let line = format!("--kind {kind} --cells 3 --octaves 1 --size 96 --out a.npy");
                 let ([inside, across], [_, open]) = (steps(&format!("{line} --tileable")), steps(&line));
                 assert!(
                     across < 1.1 * inside && open > 2.0 * inside,

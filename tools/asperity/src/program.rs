@@ -225,7 +225,6 @@ mod tests {
             ("bake --fractal periodic --scaling 0.5", "`scaling` must be under 0.447"),
             ("noise --out a.gif", "noise `a.gif`: unsupported file extension (expected .png, .exr or .npy)"),
             ("noise --gradient", "noise `noise.png`: --gradient needs .exr or .npy"),
-            ("noise --size 8x8x8", "noise `noise.png`: a depth needs .npy"),
             ("noise --metric manhattan", "noise `noise.png`: --output and --metric need `--kind cellular`"),
             ("noise --size 65536x65536", "`--size`: 4294967296 samples are too many ("),
             ("noise --tileable --size 100x33", "`--tileable`: 8 cells along 100 samples are 2.64 along 33 ("),

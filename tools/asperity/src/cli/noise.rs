@@ -38,9 +38,9 @@ pub struct Noise {
     /// Lattice cells of the first octave along the width.
     #[arg(long, default_value_t = 8, value_parser = whole(1, 65_536))]
     pub cells: u32,
-    /// Width, height and depth in samples, as `512`, `512x256` or `64x64x64`; only .npy has depth.
+    /// Width and height in samples, as `512` or `512x256`.
     #[arg(long, value_name = "SIZE", default_value = "512", value_parser = sides)]
-    pub size: Sides,
+    pub size: [u32; 2],
     /// Make the field periodic.
     #[arg(long)]
     pub tileable: bool,
@@ -56,15 +56,6 @@ pub struct Noise {
     /// Output file: .png (16-bit gray), .exr or .npy (32-bit floats).
     #[arg(long, value_name = "FILE", default_value = "noise.png")]
     pub out: PathBuf,
-}
-
-/// Width, height and, for a volume, depth.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Sides {
-    /// Width and height.
-    pub plane: [u32; 2],
-    /// The depth of a volume.
-    pub depth: Option<u32>,
 }
 
 /// Kinds of noise.
@@ -129,14 +120,12 @@ fn interval(text: &str) -> Result<[f32; 2], &'static str> {
     }
 }
 
-/// Width, height and depth; one number is width and height.
-fn sides(text: &str) -> Result<Sides, &'static str> {
+/// Width and height; one number is both.
+fn sides(text: &str) -> Result<[u32; 2], &'static str> {
     let side = |text: &str| text.parse().ok().filter(|n| (1..=65_536).contains(n));
-    let sides: Option<Vec<u32>> = text.split(['x', '×']).map(side).collect();
-    match sides.as_deref() {
-        Some(&[side]) => Ok(Sides { plane: [side; 2], depth: None }),
-        Some(&[width, height]) => Ok(Sides { plane: [width, height], depth: None }),
-        Some(&[width, height, depth]) => Ok(Sides { plane: [width, height], depth: Some(depth) }),
-        _ => Err("must be one to three integers from 1 to 65536, such as 512x256"),
-    }
+    let (width, height) = text.split_once(['x', '×']).unwrap_or((text, text));
+    side(width)
+        .zip(side(height))
+        .map(Into::into)
+        .ok_or("must be one or two integers from 1 to 65536, such as 512x256")
 }

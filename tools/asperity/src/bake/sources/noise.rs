@@ -31,14 +31,14 @@ pub(crate) struct Parameters {
 pub(crate) struct Noise {
     parameters: Parameters,
     finish: Finish,
-    field: Chosen<Vec2>,
+    field: Chosen,
 }
 
 impl Noise {
     /// Builds the height field from its parameters.
     pub(crate) fn new(parameters: Parameters, finish: Finish) -> Result<Self> {
         let Parameters { kind, cells, octaves, lacunarity, gain, seed, tileable, .. } = parameters;
-        let field = Octaves {
+        let octaves = Octaves {
             kind,
             output: CellularOutput::F1,
             metric: Metric::Euclidean,
@@ -47,8 +47,8 @@ impl Noise {
             seed,
         };
         let field = match tileable {
-            true => field.plane(Some([cells; 2])).map_err(|error| format!("`--tileable`: {error}"))?,
-            false => field.plane(None)?,
+            true => octaves.field(Some([cells; 2])).map_err(|error| format!("`--tileable`: {error}"))?,
+            false => octaves.field(None)?,
         };
         Ok(Self { parameters, finish, field })
     }
