@@ -20,8 +20,12 @@ pub(crate) fn man() -> Result<()> {
     let mut command = Cli::command();
     command.build();
     let mut page = Vec::new();
-    Man::new(command.clone()).render(&mut page)?;
-    for command in command.get_subcommands() {
+    let man = Man::new(command.clone());
+    man.render_title(&mut page)?;
+    man.render_name_section(&mut page)?;
+    man.render_synopsis_section(&mut page)?;
+    man.render_options_section(&mut page)?;
+    for command in command.get_subcommands().filter(|command| command.get_name() != "help") {
         let mut section = Vec::new();
         let man = Man::new(command.clone());
         man.render_synopsis_section(&mut section)?;
@@ -29,7 +33,9 @@ pub(crate) fn man() -> Result<()> {
         man.render_options_section(&mut section)?;
         man.render_extra_section(&mut section)?;
         // Sections of the page become subsections of the command.
-        let section = String::from_utf8_lossy(&section).replace("\n.SH ", "\n.SS ");
+        let section = String::from_utf8_lossy(&section)
+            .replace("\n.SH EXTRA", "\n.SS EXAMPLES")
+            .replace("\n.SH ", "\n.SS ");
         let section = section.strip_prefix(".SH ").map_or(section.clone(), |rest| format!(".SS {rest}"));
         page.extend(format!(".SH {}\n{section}", command.get_name().to_uppercase()).into_bytes());
     }
@@ -37,6 +43,5 @@ pub(crate) fn man() -> Result<()> {
 }
 
 fn print(text: Vec<u8>) -> Result<()> {
-    progress::say(String::from_utf8(text)?.trim_end());
-    Ok(())
+    Ok(progress::print(&String::from_utf8(text)?)?)
 }

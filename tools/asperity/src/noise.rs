@@ -46,6 +46,11 @@ pub(crate) fn noise(wanted: &Noise, interrupted: &AtomicBool) -> Result<()> {
     let output = Output::new(folder)?;
     let samples = samples(wanted, interrupted)?;
     let (low, high) = extent(&samples);
+    if low == high && count > 1 {
+        progress::note(
+            "all samples are equal; noise is 0 at the points of its lattice and far from the origin",
+        );
+    }
     match format {
         Format::Png => {
             let range = wanted.range.unwrap_or([low, high]);
@@ -189,7 +194,7 @@ fn picture(
     values: &[f32],
     [low, high]: [f32; 2],
 ) -> Result<()> {
-    let scale = 65_535.0 / f64::from(high - low).max(f64::MIN_POSITIVE);
+    let scale = 65_535.0 / (f64::from(high) - f64::from(low)).max(f64::MIN_POSITIVE);
     let gray = |&value: &f32| ((f64::from(value) - f64::from(low)) * scale).round() as u16;
     let mut encoder = Encoder::new(file, width, height);
     encoder.set_color(ColorType::Grayscale);

@@ -11,9 +11,11 @@ use crate::failure::Result;
 /// Splits the path of an output file into its folder and its name.
 pub fn split(file: &Path) -> Result<(PathBuf, String)> {
     let path = std::path::absolute(file)?;
-    let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
-    match (path.parent(), name, path.is_dir()) {
-        (Some(folder), Some(name), false) => Ok((folder.into(), name)),
+    match (path.parent(), path.file_name(), path.is_dir()) {
+        (Some(folder), Some(name), false) => match name.to_str() {
+            Some(name) => Ok((folder.into(), name.into())),
+            None => Err(format!("the file name `{}` is not Unicode", file.display()).into()),
+        },
         _ => Err(format!("`{}` is a directory (expected a file name)", file.display()).into()),
     }
 }

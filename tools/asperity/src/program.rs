@@ -8,7 +8,7 @@ use clap::error::ErrorKind;
 
 pub use crate::bake::arrays::Array;
 use crate::cli::{Cli, Command};
-use crate::failure::Failure;
+use crate::failure::{Failure, Interrupted};
 use crate::invocation::Invocation;
 use crate::output::Output;
 use crate::{bake, check, filter, fractal, manual, noise, progress, render, shader, tables};
@@ -73,16 +73,23 @@ fn line_of(error: &clap::Error) -> Option<String> {
     Some(line.trim_start_matches("error: ").into())
 }
 
+/// Replaces the error of an interrupted command that cannot resume.
+fn whole(result: Result<(), Failure>) -> Result<(), Failure> {
+    result.map_err(
+        |error| if error.is::<Interrupted>() { "interrupted: nothing was written".into() } else { error },
+    )
+}
+
 fn perform(command: Command, invocation: &Invocation, interrupted: &AtomicBool) -> Result<(), Failure> {
     match command {
         Command::Render(wanted) => render::render(&wanted, invocation, interrupted),
         Command::Bake(wanted) => bake::bake(&wanted, invocation, interrupted),
-        Command::Filter(wanted) => filter::run(&wanted, interrupted),
-        Command::Fractal(wanted) => fractal::fractal(&wanted, interrupted),
+        Command::Filter(wanted) => whole(filter::run(&wanted, interrupted)),
+        Command::Fractal(wanted) => whole(fractal::fractal(&wanted, interrupted)),
         Command::Completions { shell } => manual::completions(shell),
         Command::Man => manual::man(),
         Command::Shader(wanted) => shader::shader(&wanted),
-        Command::Noise(wanted) => noise::noise(&wanted, interrupted),
+        Command::Noise(wanted) => whole(noise::noise(&wanted, interrupted)),
         Command::CheckNdf(wanted) => check::check(&wanted),
         Command::Tables(wanted) => {
             let sets = tables::chosen_sets(&wanted.ndf, &wanted.normal_map, wanted.images, &wanted.fif)?;

@@ -30,6 +30,15 @@ pub fn one_line(text: &str) -> String {
     text.chars().map(shown).collect()
 }
 
+/// Prints text whose loss is an error, unless the reader stopped reading.
+pub fn print(text: &str) -> io::Result<()> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error),
+        _ => Ok(()),
+    }
+}
+
 /// Prints one line to standard output and ignores a closed pipe.
 pub fn say(line: &str) {
     let _ = writeln!(io::stdout().lock(), "{line}");

@@ -22,7 +22,7 @@ use crate::input::images::Images;
 /// Render meshes, bake textures, and export tables of noise, normal distributions and fractal
 /// functions.
 #[derive(Debug, Parser)]
-#[command(name = "asperity", version, disable_help_subcommand = true)]
+#[command(name = "asperity", version)]
 #[command(after_help = "`asperity COMMAND --help` lists options and examples.")]
 pub struct Cli {
     /// The command.

@@ -21,7 +21,7 @@ pub struct Shader {
     #[arg(long, default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=3))]
     pub group: u32,
     /// Output file [default: standard output; SPIR-V needs a file].
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", requires = "parts")]
     pub out: Option<PathBuf>,
 }
 

@@ -120,18 +120,15 @@ impl<'a> Edits<'a> {
             files.add(model, self.gltf.bytes().to_vec());
             return Ok(());
         }
-        let stem = model.rsplit_once('.').map_or(&*model, |(stem, _)| stem).to_owned();
-        let names = self.files.iter().enumerate();
-        let names: Vec<_> =
-            names.map(|(k, (extension, _))| format!("{stem}_roughness_{k}.{extension}")).collect();
+        let uris = std::mem::take(&mut self.files).into_iter().map(|(extension, bytes)| {
+            let uri = escaped(&files.add_texture(extension, bytes));
+            json!({ "mimeType": format!("image/{extension}"), "uri": uri }).to_string()
+        });
+        let uris: Vec<String> = uris.collect();
         for image in &mut self.images {
             if let Ok(file) = image.parse::<usize>() {
-                let kind = format!("image/{}", self.files[file].0);
-                *image = json!({ "mimeType": kind, "uri": escaped(&names[file]) }).to_string();
+                image.clone_from(&uris[file]);
             }
-        }
-        for (name, (_, bytes)) in names.into_iter().zip(std::mem::take(&mut self.files)) {
-            files.add(name, bytes);
         }
         let json = self.json()?;
         let bytes = self.gltf.rebuilt(&json, &self.data)?;
@@ -183,7 +180,7 @@ impl<'a> Edits<'a> {
                 }
                 let file = relative(uri)?;
                 if !copied.contains(&file) {
-                    files.add(file.clone(), fetched("file", uri, &self.gltf.folder)?);
+                    files.add_copy(file.clone(), fetched("file", uri, &self.gltf.folder)?)?;
                     copied.push(file);
                 }
             }

@@ -80,9 +80,14 @@ impl<'a> Materials<'a> {
     ) -> Result<Option<FilteredMaterial>> {
         let material = self.gltf.item("materials", index)?;
         let name = material.get("name").and_then(Value::as_str).unwrap_or_default().to_owned();
-        let Some(normal) = Texture::read(self.gltf, material, "/normalTexture")? else { return Ok(None) };
+        if !has(material, "/normalTexture") {
+            return Ok(None);
+        }
         let left = |why: String| {
             Ok(Some(FilteredMaterial { index, name: name.clone(), outcome: Err(why), error: None }))
+        };
+        let Some(normal) = Texture::read(self.gltf, material, "/normalTexture")? else {
+            return left("its normal map has no image in a known format".into());
         };
         let source = match self.source(material, normal)? {
             Ok(source) => source,
@@ -123,7 +128,11 @@ impl<'a> Materials<'a> {
         if self.wanted.anisotropy && extended("KHR_materials_anisotropy") {
             return Ok(Err("it has an anisotropy"));
         }
-        let roughness = Texture::read(self.gltf, material, "/pbrMetallicRoughness/metallicRoughnessTexture")?;
+        let place = "/pbrMetallicRoughness/metallicRoughnessTexture";
+        let roughness = Texture::read(self.gltf, material, place)?;
+        if roughness.is_none() && has(material, place) {
+            return Ok(Err("its roughness map has no image in a known format"));
+        }
         let factor = material.get("pbrMetallicRoughness");
         let [factor] = factor.map_or(Ok([1.0]), |pbr| numbers(pbr, "roughnessFactor", [1.0]))?;
         let [scale] = numbers(&material["normalTexture"], "scale", [1.0])?;
@@ -277,6 +286,10 @@ impl<'a> Materials<'a> {
         edits.replace_material(index, set(text, &changed)?);
         Ok(())
     }
+}
+
+fn has(material: &Value, pointer: &str) -> bool {
+    material.pointer(pointer).is_some_and(|value| !value.is_null())
 }
 
 /// Returns direction and strength of an anisotropy: `α_t = α + (1 − α) strength²` along the

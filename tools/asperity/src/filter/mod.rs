@@ -18,7 +18,7 @@ use std::sync::atomic::AtomicBool;
 
 use asperity_render::failure::Interrupted;
 
-use crate::cli::filter::Filter;
+use crate::cli::filter::{Filter, FilteredFormat};
 use crate::failure::Result;
 use crate::filter::container::Container;
 use crate::filter::edits::Edits;
@@ -29,10 +29,15 @@ use crate::progress;
 
 /// Filters a file and prints what was done.
 pub(crate) fn run(wanted: &Filter, interrupted: &AtomicBool) -> Result<()> {
-    filter(wanted, interrupted)?
-        .lines(wanted.report)
-        .iter()
-        .for_each(|line| progress::say(&progress::one_line(line)));
+    let summary = filter(wanted, interrupted)?;
+    summary.lines(wanted.report).iter().for_each(|line| progress::say(&progress::one_line(line)));
+    let changed = summary.materials.iter().any(|material| material.outcome.is_ok());
+    if changed && wanted.format == FilteredFormat::Zstd && cfg!(not(feature = "basis")) {
+        progress::note(
+            "the new textures are uncompressed, which KHR_texture_basisu does not allow; a program with the feature \
+             `basis` compresses them",
+        );
+    }
     Ok(())
 }
 

@@ -62,6 +62,36 @@ impl Files {
         self.files.push((name, bytes));
     }
 
+    /// Adds a copy of a file of the model, which must not replace another file.
+    pub(super) fn add_copy(&mut self, name: String, bytes: Vec<u8>) -> Result<()> {
+        if !self.is_free(&name, &bytes) {
+            let path = self.folder.join(name);
+            return Err(format!("`{}` exists with other contents", path.display()).into());
+        }
+        self.add(name, bytes);
+        Ok(())
+    }
+
+    /// Adds a new texture under the first name that is not taken, and returns its name.
+    pub(super) fn add_texture(&mut self, extension: &str, bytes: Vec<u8>) -> String {
+        let stem = self.model.rsplit_once('.').map_or(&*self.model, |(stem, _)| stem).to_owned();
+        let names = (0_u32..).map(|k| format!("{stem}_roughness_{k}.{extension}"));
+        let taken = |name: &String| self.files.iter().any(|(other, _)| other == name);
+        let free = |name: &String| !taken(name) && self.is_free(name, &bytes);
+        let name = names.into_iter().find(free).unwrap_or_default();
+        self.add(name.clone(), bytes);
+        name
+    }
+
+    /// Whether no file has the name, or one with the same bytes.
+    fn is_free(&self, name: &str, bytes: &[u8]) -> bool {
+        let path = self.folder.join(name);
+        match path.try_exists() {
+            Ok(true) => std::fs::read(path).is_ok_and(|there| there == bytes),
+            _ => true,
+        }
+    }
+
     /// Adds the levels of a material's texture, as PNG files of `--png`.
     pub(super) fn add_levels(&mut self, material: usize, kind: &str, factor: f32, levels: Vec<Vec<u8>>) {
         let name = |level| format!("material{material}_{kind}_{level}.png");
@@ -71,25 +101,45 @@ impl Files {
         self.levels.extend(names.into_iter().zip(levels));
     }
 
-    /// Writes all files, and the model last.
-    pub(super) fn write(self) -> Result<Vec<String>> {
-        let mut written = Vec::new();
-        if let Some(png) = self.png {
-            let output = Output::new(png)?;
-            output.write("levels.json", serde_json::to_string_pretty(&self.list)?.as_bytes())?;
-            for (name, bytes) in &self.levels {
-                output.write(name, bytes)?;
-                written.push(output.place(name));
+    /// Writes all files, and the model last. After an error, no new file is left.
+    pub(super) fn write(mut self) -> Result<Vec<String>> {
+        let mut all = Vec::new();
+        if let Some(png) = self.png.take() {
+            let list = serde_json::to_string_pretty(&self.list)?.into_bytes();
+            // A folder with a list has the levels of an earlier run.
+            if !png.join("levels.json").exists()
+                && let Some((name, _)) = self.levels.iter().find(|(name, _)| png.join(name).exists())
+            {
+                return Err(format!("`{}` exists", png.join(name).display()).into());
             }
+            let levels = std::mem::take(&mut self.levels).into_iter();
+            all.extend(levels.chain([("levels.json".into(), list)]).map(|file| (png.clone(), file)));
         }
-        let output = Output::new(self.folder)?;
-        for (name, bytes) in &self.files {
-            if let Some((folder, name)) = name.rsplit_once('/') {
-                output.inside(folder)?.write(name, bytes)?;
-            } else {
-                output.write(name, bytes)?;
+        let folder = self.folder;
+        all.extend(self.files.into_iter().map(|file| (folder.clone(), file)));
+        let mut written: Vec<String> = Vec::new();
+        let mut new = Vec::new();
+        for (folder, (name, bytes)) in all {
+            let path = folder.join(&name);
+            let is_new = !path.exists();
+            let (folder, name) = match name.rsplit_once('/') {
+                Some((inner, name)) => (folder.join(inner), name),
+                None => (folder, &*name),
+            };
+            let place = Output::new(folder).and_then(|output| {
+                output.write(name, &bytes)?;
+                Ok(output.place(name))
+            });
+            match place {
+                Ok(place) => written.push(place),
+                Err(error) => {
+                    new.iter().for_each(|path| drop(std::fs::remove_file(path)));
+                    return Err(error.into());
+                }
             }
-            written.push(output.place(name));
+            if is_new {
+                new.push(path);
+            }
         }
         written.reverse();
         Ok(written)

@@ -312,6 +312,53 @@ fn references_of_a_moved_gltf_are_copied() {
 }
 
 #[test]
+fn files_of_others_are_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    fs::create_dir(path("out")).unwrap();
+    fs::write(path("m_roughness_0.png"), stripes()).unwrap();
+    let json = format!(
+        "{{\"asset\":{{\"version\":\"2.0\"}},\"images\":[{{\"uri\":\"m_roughness_0.png\"}}],\"textures\":[{{\"source\":0}}],{SLOPED}}}"
+    );
+    fs::write(path("m.gltf"), &json).unwrap();
+    let run = |out: &str, change: &dyn Fn(&mut Filter)| {
+        let mut wanted = options(&path("m.gltf"), &path(out));
+        change(&mut wanted);
+        filter(&wanted, &AtomicBool::new(false)).map_err(|error| error.to_string())
+    };
+    let files = |name: &str| {
+        let entries = fs::read_dir(path(name)).unwrap().map(|entry| entry.unwrap().file_name());
+        entries.collect::<std::collections::BTreeSet<_>>()
+    };
+    // A copy that would replace another file, a level that would, and a model that cannot be written.
+    fs::write(path("out/m_roughness_0.png"), b"other").unwrap();
+    fs::write(path("material0_roughness_0.png"), b"other").unwrap();
+    fs::create_dir(path("full")).unwrap();
+    fs::create_dir(path("full/m_roughness_1.ktx2")).unwrap();
+    let before = [files(""), files("out"), files("full")];
+    let refused = run("out/m.gltf", &|_| {}).unwrap_err();
+    assert!(refused.contains("m_roughness_0.png` exists with other contents"), "{refused}");
+    let refused = run("n.gltf", &|wanted| wanted.png = Some(path(""))).unwrap_err();
+    assert!(refused.contains("material0_roughness_0.png` exists"), "{refused}");
+    assert_eq!([files(""), files("out"), files("full")], before);
+    // New textures take other names.
+    run("m.gltf", &|_| {}).unwrap();
+    assert_eq!(fs::read(path("m_roughness_0.png")).unwrap(), stripes());
+    assert_eq!(levels(&Container::open(&path("m.gltf")).unwrap(), 2).len(), 5);
+}
+
+#[test]
+fn maps_in_unknown_formats_are_left() {
+    let materials = r#""materials":[{"normalTexture":{"index":0},"pbrMetallicRoughness":{"roughnessFactor":0.3}},
+        {"normalTexture":{"index":1}}],
+        "textures":[{"source":0},{"extensions":{"MSFT_texture_dds":{"source":0}}}],"extra":0"#;
+    let (summary, _) = filtered(&glb(&[stripes()], materials), |_| {});
+    assert!(summary.materials[0].outcome.is_ok());
+    let left = summary.materials[1].outcome.as_ref().unwrap_err();
+    assert_eq!(left, "its normal map has no image in a known format");
+}
+
+#[test]
 fn png_lists_every_level() {
     let folder = tempfile::tempdir().unwrap();
     let png = folder.path().join("levels");

@@ -24,7 +24,7 @@ pub(super) struct Texture {
 }
 
 impl Texture {
-    /// Reads the texture at a pointer of a material.
+    /// Reads the texture at a pointer of a material; `None` without an image in a known format.
     pub(super) fn read(gltf: &Container, material: &Value, pointer: &str) -> Result<Option<Self>> {
         let Some(info) = material.pointer(pointer).filter(|info| !info.is_null()) else { return Ok(None) };
         let index = number(info, "index")?.ok_or("a texture has no `index`")?;
@@ -58,10 +58,7 @@ fn image(texture: &Value) -> Result<Option<usize>> {
             return number(value, "source");
         }
     }
-    match texture.pointer("/extensions").and_then(Value::as_object).and_then(|all| all.keys().next()) {
-        Some(name) => Err(format!("unsupported texture extension {name}").into()),
-        None => Ok(None),
-    }
+    Ok(None)
 }
 
 /// Reads a `KHR_texture_transform`.

@@ -112,9 +112,16 @@ fn padded(map: &Map<2>) -> [f64; COEFFICIENTS] {
     q
 }
 
-/// Rounds to nine decimals, without −0.
-fn rounded(value: f64) -> f64 {
-    (value * 1e9).round() / 1e9 + 0.0
+/// Returns a number with ten digits, without −0.
+fn short(value: f64) -> String {
+    let size = value.abs();
+    if size < f64::MIN_POSITIVE {
+        "0".into()
+    } else if (1e-3..1e6).contains(&size) {
+        format!("{value:.9}")
+    } else {
+        format!("{value:.9e}")
+    }
 }
 
 /// Prints range, dimension and integral of a function, and samples it.
@@ -133,16 +140,14 @@ fn drawn<const C: usize, const D: usize>(
     let (range, dimension) = (f.range(), f.dimension());
     let extrema = f.extrema(1e-9 * (range.hi - range.lo));
     let mut said = format!("domain     [{}, {}], {} maps\n", domain.lo, domain.hi, f.pieces().len());
-    let _ =
-        writeln!(said, "minimum    {:.9} to {:.9}", rounded(extrema.minimum.lo), rounded(extrema.minimum.hi));
-    let _ =
-        writeln!(said, "maximum    {:.9} to {:.9}", rounded(extrema.maximum.lo), rounded(extrema.maximum.hi));
+    let _ = writeln!(said, "minimum    {} to {}", short(extrema.minimum.lo), short(extrema.minimum.hi));
+    let _ = writeln!(said, "maximum    {} to {}", short(extrema.maximum.lo), short(extrema.maximum.hi));
     let _ = writeln!(said, "dimension  {:.9} to {:.9}", dimension.lo, dimension.hi);
     let integral = f.integral_over(l, r);
-    let _ = writeln!(said, "integral   {:.12} ± {:.0e} over [{l}, {r}]", integral.value, integral.bound);
+    let _ = writeln!(said, "integral   {} ± {:.0e} over [{l}, {r}]", short(integral.value), integral.bound);
     if l < r {
         let mean = f.mean(l, r);
-        let _ = writeln!(said, "mean       {:.12} ± {:.0e}", mean.value, mean.bound);
+        let _ = writeln!(said, "mean       {} ± {:.0e}", short(mean.value), mean.bound);
     }
     said.lines().for_each(progress::say);
     let at = |i: usize| domain.lo + (domain.hi - domain.lo) * (i as f64 / (samples - 1) as f64);

@@ -58,8 +58,9 @@ pub(super) fn svg(curve: &Curve) -> String {
 fn extent(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let [low, high] =
         values.fold([f64::MAX, f64::MIN], |[low, high], value| [low.min(value), high.max(value)]);
-    let least = 1e-9 * low.abs().max(high.abs()).max(1e-9);
-    if high - low > least { [low, high] } else { [low - 1.0, high + 1.0] }
+    let size = low.abs().max(high.abs());
+    let around = if size > 0.0 { 0.5 * size } else { 1.0 };
+    if high - low > 1e-9 * size { [low, high] } else { [low - around, high + around] }
 }
 
 /// Returns about six round numbers of an interval with their text.

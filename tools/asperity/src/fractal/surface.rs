@@ -14,7 +14,7 @@ pub(super) fn write(curve: &Curve, file: &mut impl Write) -> Result<()> {
     let side = points.len();
     for &[y, fy] in points {
         for &[x, fx] in points {
-            writeln!(file, "v {:.9} {:.9} {:.9}", x, fx * fy, -y)?;
+            writeln!(file, "v {} {} {}", x, fx * fy, -y)?;
         }
     }
     if let Some(slopes) = &curve.slopes {
