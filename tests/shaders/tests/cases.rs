@@ -72,9 +72,9 @@ fn given(case: &Case, count: u32) -> Vec<([u32; INPUTS], [u32; OUTPUTS])> {
 /// Tests a case as written and fused.
 fn failures(case: &Case) -> Vec<String> {
     // Cases that call the same functions with other tables or parameters split the number of
-    // inputs. Materials, which are long, have half of it: `tests/gpu` compares all.
+    // inputs. Materials, which are long, have a quarter of it: `tests/gpu` compares all.
     let alike = CASES.iter().filter(|other| other.body == case.body).count();
-    let alike = if case.name.starts_with(MATERIALS) { 2 * alike } else { alike };
+    let alike = if case.name.starts_with(MATERIALS) { 4 * alike } else { alike };
     let given = given(case, Case::COUNT.div_ceil(alike as u32));
     let shader = match case.interpreter() {
         Ok(shader) => shader,

@@ -195,6 +195,7 @@ fn anisotropic_mirrors_are_tabulated() {
 
 /// The white furnace of anisotropic glass from both sides, up to the ratios 4 and 10.
 #[test]
+#[ignore = "slow: weekly"]
 fn white_furnace_of_anisotropic_glass() {
     let worst = |x, y, eta: f32, side: f32| {
         let ggx = Ggx::new(x, y).expect(VALID);
@@ -237,6 +238,7 @@ fn compensated_brdfs_pass_the_checks() {
 }
 
 #[test]
+#[ignore = "slow: weekly"]
 fn computed_tables_are_within_two_tenths_of_a_percent() {
     let mut worst = [0.0_f32; 3];
     let mut note = |k: usize, table: &AlbedoTable, white: &dyn Brdf, samples: u32| {
