@@ -12,8 +12,6 @@ use crate::filter::texels::Texels;
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Texel {
     pub(super) slopes: SlopeMoments,
-    /// The mean of α², without the slopes.
-    pub(super) alpha2: f32,
     /// The mean of occlusion, roughness and metallic: what a loader's mip levels have.
     pub(super) plain: [f32; 3],
 }
@@ -26,14 +24,22 @@ impl Texel {
         let (mean, apart) = (0.5 * (xx + yy), f32::hypot(0.5 * (xx - yy), xy));
         let angle = 0.5 * f32::atan2(xy, 0.5 * (xx - yy));
         let alpha2 =
-            [mean + apart, mean - apart].map(|variance| (self.alpha2 + 2.0 * variance).clamp(0.0, 1.0));
+            [mean + apart, mean - apart].map(|variance| (self.alpha2() + 2.0 * variance).clamp(0.0, 1.0));
         (alpha2, [angle.cos(), angle.sin()])
     }
 
     /// Returns the roughness with the mean of both variances: `α² = α₀² + tr Σ`.
     pub(super) fn roughness(self) -> f32 {
         let [xx, _, yy] = self.slopes.covariance;
-        (self.alpha2 + xx + yy).clamp(0.0, 1.0).sqrt().sqrt()
+        (self.alpha2() + xx + yy).clamp(0.0, 1.0).sqrt().sqrt()
+    }
+
+    /// Returns α₀² of the plain level.
+    ///
+    /// The mean of α² would widen the lobes of maps with smooth and rough texels, although no
+    /// normal is lost.
+    fn alpha2(self) -> f32 {
+        self.plain[1].powi(4)
     }
 }
 
@@ -92,7 +98,7 @@ impl Levels {
 /// Returns a texel of the maps as they are.
 fn first(texels: &Texels, k: usize) -> Texel {
     let plain = texels.texel(k);
-    Texel { slopes: SlopeMoments::default(), alpha2: plain[1].powi(4), plain }
+    Texel { slopes: SlopeMoments::default(), plain }
 }
 
 /// Returns the texels of a level from the finer level that they cover.
@@ -109,11 +115,9 @@ fn covered(size: [usize; 2], finer: [usize; 2], texel: impl Fn(usize) -> Texel +
             let texel = texel(k);
             *part = (weight, texel.slopes);
             all += weight;
-            mean.alpha2 += weight * texel.alpha2;
             mean.plain = [0, 1, 2].map(|k| mean.plain[k] + weight * texel.plain[k]);
         }
         mean.slopes = SlopeMoments::mixed(parts);
-        mean.alpha2 /= all;
         mean.plain = mean.plain.map(|sum| sum / all);
         mean
     };

@@ -172,7 +172,7 @@ impl<'a> Materials<'a> {
             return Err(format!("the materials need more than {MOST_TEXELS} texels").into());
         }
         let levels = Levels::new(texels, interrupted)?;
-        let gained = |texel: Texel| texel.roughness() - texel.alpha2.sqrt().sqrt();
+        let gained = |texel: Texel| texel.roughness() - texel.plain[1];
         if (1..levels.count()).all(|level| levels.map(level, gained).into_iter().all(|gain| gain < SMALLEST))
         {
             return Ok(Err("no mip level would change: its normal map is flat or its roughness is 1".into()));
