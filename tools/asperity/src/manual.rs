@@ -15,7 +15,7 @@ pub(crate) fn completions(shell: Shell) -> Result<()> {
     print(script)
 }
 
-/// Prints the manual page, the commands in sections of their own.
+/// Prints the manual page, with a section for each command.
 pub(crate) fn man() -> Result<()> {
     let mut command = Cli::command();
     command.build();

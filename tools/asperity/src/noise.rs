@@ -181,7 +181,7 @@ fn filled(
     Ok(Samples { channels, numbers })
 }
 
-/// Returns the least and the greatest value.
+/// Returns the minimum and the maximum of the values.
 fn extent(samples: &Samples) -> (f32, f32) {
     let values = samples.numbers.iter().step_by(samples.channels);
     values.fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), &value| (low.min(value), high.max(value)))

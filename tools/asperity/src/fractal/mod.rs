@@ -154,12 +154,10 @@ fn drawn<const C: usize, const D: usize>(
     let tolerance = |range: asperity_fif::Interval| TOLERANCE * range.lo.abs().max(range.hi.abs());
     let least = tolerance(range);
     let values = (0..samples).into_par_iter().map(|i| {
-        if interrupted.load(std::sync::atomic::Ordering::Relaxed) {
-            return Err(Interrupted);
-        }
+        Interrupted::check(interrupted)?;
         Ok((at(i), f.evaluate(at(i), least)))
     });
-    let values: Vec<_> = values.collect::<Result<_, _>>()?;
+    let values: Vec<_> = values.collect::<Result<_, Interrupted>>()?;
     let slopes = slope.map(|f| {
         let least = tolerance(f.range());
         (0..samples).into_par_iter().map(|i| f.evaluate(at(i), least).value).collect()
