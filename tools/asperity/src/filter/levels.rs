@@ -6,21 +6,23 @@ use asperity_render::failure::Interrupted;
 use asperity_shading::normal_map::SlopeMoments;
 use rayon::prelude::*;
 
+use crate::filter::tails::{Spread, Tails};
 use crate::filter::texels::Texels;
 
 /// What a texel of a level covers.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Texel {
     pub(super) slopes: SlopeMoments,
+    tails: Tails,
     /// The mean of occlusion, roughness and metallic: what a loader's mip levels have.
     pub(super) plain: [f32; 3],
 }
 
 impl Texel {
     /// Returns `α² = α₀² + 2 Σ` along both axes of the slopes, in `[0, 1]`, and the direction of
-    /// the first, along which it is larger.
+    /// the first, along which it is larger. Less of Σ is added where few texels are steep.
     pub(super) fn alpha2_along(self) -> ([f32; 2], [f32; 2]) {
-        let [xx, xy, yy] = self.slopes.covariance;
+        let [xx, xy, yy] = self.added();
         let (mean, apart) = (0.5 * (xx + yy), f32::hypot(0.5 * (xx - yy), xy));
         let angle = 0.5 * f32::atan2(xy, 0.5 * (xx - yy));
         let alpha2 =
@@ -28,10 +30,18 @@ impl Texel {
         (alpha2, [angle.cos(), angle.sin()])
     }
 
-    /// Returns the roughness with the mean of both variances: `α² = α₀² + tr Σ`.
+    /// Returns the roughness with the mean of both variances: `α² = α₀² + tr Σ`, or less where few
+    /// texels are steep.
     pub(super) fn roughness(self) -> f32 {
-        let [xx, _, yy] = self.slopes.covariance;
+        let [xx, _, yy] = self.added();
         (self.alpha2() + xx + yy).clamp(0.0, 1.0).sqrt().sqrt()
+    }
+
+    /// Returns the covariance that is added.
+    fn added(self) -> [f32; 3] {
+        let spread = Spread { moments: self.slopes, tails: self.tails };
+        let kept = spread.kept(self.alpha2());
+        self.slopes.covariance.map(|variance| kept * variance)
     }
 
     /// Returns α₀² of the plain level.
@@ -66,7 +76,10 @@ impl Levels {
             Interrupted::check(interrupted)?;
             let size = finer.map(|side| (side / 2).max(1));
             let all = match further.last() {
-                None => covered(size, finer, |k| Texel { slopes: texels.moments(k), ..first(&texels, k) }),
+                None => covered(size, finer, |k| {
+                    let Spread { moments: slopes, tails } = texels.spread(k);
+                    Texel { slopes, tails, ..first(&texels, k) }
+                }),
                 Some(level) => covered(size, finer, |k| level.texels[k]),
             };
             further.push(Level { size, texels: all });
@@ -98,13 +111,13 @@ impl Levels {
 /// Returns a texel of the maps as they are.
 fn first(texels: &Texels, k: usize) -> Texel {
     let plain = texels.texel(k);
-    Texel { slopes: SlopeMoments::default(), plain }
+    Texel { plain, ..Texel::default() }
 }
 
 /// Returns the texels of a level from the finer level that they cover.
 fn covered(size: [usize; 2], finer: [usize; 2], texel: impl Fn(usize) -> Texel + Sync) -> Vec<Texel> {
     let mean = |k: usize| {
-        let (mut parts, mut all) = ([(0.0, SlopeMoments::default()); 9], 0.0);
+        let (mut parts, mut all) = ([(0.0, Spread::default()); 9], 0.0);
         let mut mean = Texel::default();
         let rows = overlaps(k / size[0], size[1], finer[1]);
         let covered = rows.flat_map(|(row, high)| {
@@ -113,11 +126,11 @@ fn covered(size: [usize; 2], finer: [usize; 2], texel: impl Fn(usize) -> Texel +
         });
         for (part, (weight, k)) in parts.iter_mut().zip(covered) {
             let texel = texel(k);
-            *part = (weight, texel.slopes);
+            *part = (weight, Spread { moments: texel.slopes, tails: texel.tails });
             all += weight;
             mean.plain = [0, 1, 2].map(|k| mean.plain[k] + weight * texel.plain[k]);
         }
-        mean.slopes = SlopeMoments::mixed(parts);
+        Spread { moments: mean.slopes, tails: mean.tails } = Spread::mixed(&parts);
         mean.plain = mean.plain.map(|sum| sum / all);
         mean
     };

@@ -10,6 +10,7 @@ mod output;
 mod report;
 mod splice;
 pub mod summary;
+mod tails;
 mod texels;
 mod texture;
 mod texture_file;

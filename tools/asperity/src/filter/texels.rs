@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use asperity_render::image::read::ImageFile;
 use asperity_render::image::texture_map::Wrap;
-use asperity_shading::normal_map::SlopeMoments;
 use glam::{DAffine2, DVec2, Vec2};
 use rayon::prelude::*;
 
+use crate::filter::tails::Spread;
 use crate::filter::texture::Places;
 
 /// Largest side of a new texture.
@@ -154,24 +154,24 @@ impl Texels {
         self.surface(self.within(k, Vec2::ZERO))
     }
 
-    /// Returns the moments of the slopes over the square of a texel.
+    /// Returns the slopes in the square of a texel.
     ///
     /// By the 2 × 2 Gauss rule in each quarter, which is exact between four texels of the normal
-    /// map, as the moments are quadratic there along each axis.
-    pub(super) fn moments(&self, k: usize) -> SlopeMoments {
-        let places = PLACES.into_iter().flat_map(|y| PLACES.map(|x| Vec2::new(x, y)));
-        let mixed = |slopes: &mut dyn Iterator<Item = Vec2>| {
-            SlopeMoments::mixed(slopes.map(|slope| (1.0, SlopeMoments::point(slope))))
+    /// map, as the mean and the covariance are quadratic there along each axis.
+    pub(super) fn spread(&self, k: usize) -> Spread {
+        let places: [Vec2; 16] = std::array::from_fn(|at| Vec2::new(PLACES[at % 4], PLACES[at / 4]));
+        let mixed = |slope: &dyn Fn(Vec2) -> Vec2| {
+            Spread::mixed(&places.map(|place| (1.0, Spread::point(slope(place)))))
         };
         if self.size != self.slopes.size || !is_identity(self.slopes.place) {
-            return mixed(&mut places.map(|place| self.slope(self.within(k, place))));
+            return mixed(&|place| self.slope(self.within(k, place)));
         }
         let near = self.slopes.near(k);
-        mixed(&mut places.map(|place| {
+        mixed(&|place| {
             let [i, j] = place.to_array().map(|t| if t < 0.0 { 0 } else { 2 });
             let Vec2 { x, y } = place.abs();
             near[1][1].lerp(near[1][i], x).lerp(near[j][1].lerp(near[j][i], x), y)
-        }))
+        })
     }
 
     /// Returns a point of a texel, given from its center.
