@@ -26,6 +26,8 @@ pub mod invocation;
 #[cfg(feature = "program")]
 mod job;
 #[cfg(feature = "program")]
+mod ktx2_layout;
+#[cfg(feature = "program")]
 mod manual;
 #[cfg(feature = "program")]
 mod noise;

@@ -4,13 +4,14 @@ use std::io::Read;
 
 use asperity_render::image::read::ImageFile;
 use basisu::{DecodeFlags, TargetFormat, Transcoder};
-use ktx2::dfd::{Basic, Block, ChannelTypeQualifiers, DataFormatFlags, SampleInformation};
-use ktx2::{ColorModel, Format, Header, Index, LevelIndex, Reader, SupercompressionScheme, TransferFunction};
+use ktx2::dfd::{Basic, ChannelTypeQualifiers, DataFormatFlags, SampleInformation};
+use ktx2::{ColorModel, Format, Reader, SupercompressionScheme, TransferFunction};
 use ruzstd::decoding::StreamingDecoder;
 use ruzstd::encoding::{CompressionLevel, compress_to_vec};
 
 use crate::cli::filter::FilteredFormat;
 use crate::failure::Result;
+use crate::ktx2_layout::{Layout, Texture};
 
 /// A mip level in RGBA.
 pub(super) struct Level {
@@ -86,55 +87,15 @@ fn container(
     scheme: Option<SupercompressionScheme>,
     levels: &[(Vec<u8>, usize)],
 ) -> Vec<u8> {
-    let block = Block::Basic(description).to_vec();
-    let description = [&(block.len() as u32 + 4).to_le_bytes()[..], &block].concat();
-    let fields = [("KTXorientation", "rd"), ("KTXwriter", concat!("asperity ", env!("CARGO_PKG_VERSION")))];
-    let notes: Vec<u8> = fields.iter().flat_map(|(key, value)| note(key, value)).collect();
-    let first = Header::LENGTH + LevelIndex::LENGTH * levels.len();
-    let header = Header {
-        format,
-        type_size: 1,
-        pixel_width: size[0] as u32,
-        pixel_height: size[1] as u32,
-        pixel_depth: 0,
-        layer_count: 0,
-        face_count: 1,
-        level_count: levels.len() as u32,
-        supercompression_scheme: scheme,
-        index: Index {
-            dfd_byte_offset: first as u32,
-            dfd_byte_length: description.len() as u32,
-            kvd_byte_offset: (first + description.len()) as u32,
-            kvd_byte_length: notes.len() as u32,
-            sgd_byte_offset: 0,
-            sgd_byte_length: 0,
-        },
-    };
     let alignment = if scheme.is_some() { 1 } else { 16 };
-    // The smallest level comes first in the file and last in the index.
-    let (mut index, mut data) = (Vec::new(), Vec::new());
-    let start = first + description.len() + notes.len();
-    for (bytes, length) in levels.iter().rev() {
-        data.resize((start + data.len()).next_multiple_of(alignment) - start, 0);
-        index.push(LevelIndex {
-            byte_offset: (start + data.len()) as u64,
-            byte_length: bytes.len() as u64,
-            uncompressed_byte_length: *length as u64,
-        });
-        data.extend_from_slice(bytes);
+    let lengths = levels.iter().map(|(bytes, length)| [bytes.len(), *length].map(|length| length as u64));
+    let texture = Texture { format, type_size: 1, description, size, scheme, alignment };
+    let Layout { head: mut file, places } = texture.layout(&lengths.collect::<Vec<_>>());
+    for ((bytes, _), place) in levels.iter().rev().zip(places) {
+        file.resize(place.byte_offset as usize, 0);
+        file.extend_from_slice(bytes);
     }
-    let mut file = header.as_bytes().to_vec();
-    file.extend(index.iter().rev().flat_map(LevelIndex::as_bytes));
-    [file, description, notes, data].concat()
-}
-
-/// Encodes a key and its value, padded to four bytes.
-fn note(key: &str, value: &str) -> Vec<u8> {
-    let text = format!("{key}\0{value}\0");
-    let mut bytes = (text.len() as u32).to_le_bytes().to_vec();
-    bytes.extend_from_slice(text.as_bytes());
-    bytes.resize(bytes.len().next_multiple_of(4), 0);
-    bytes
+    file
 }
 
 /// Texels that any file may claim.

@@ -71,7 +71,7 @@ pub(super) const CRATES: &[Crate] = &[
     Crate {
         name: "asperity",
         sources: "tools/asperity/src",
-        layers: "failure invocation output progress html quality → input → cli → fields tables job → render → bake check filter fractal manual noise shader → program",
+        layers: "failure invocation ktx2_layout output progress html quality → input → cli → fields tables job → render → bake check filter fractal manual noise shader → program",
         max_exports: None,
     },
     Crate {

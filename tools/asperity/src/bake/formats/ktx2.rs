@@ -5,14 +5,15 @@ use std::io::Write;
 use block_compression::encode::compress_rgba8;
 use block_compression::{BC7Settings, CompressionVariant};
 use exr::prelude::f16;
-use ktx2::dfd::{Basic, Block};
-use ktx2::{Format, Header, Index, LevelIndex};
+use ktx2::Format;
+use ktx2::dfd::Basic;
 use rayon::prelude::*;
 
 use crate::bake::maps::Map;
 use crate::bake::scratch::BAND;
 use crate::bake::set::MapLevels;
 use crate::failure::Result;
+use crate::ktx2_layout::{Layout, Texture};
 
 /// The texel format on the GPU.
 #[derive(Clone, Copy)]
@@ -66,48 +67,19 @@ impl Texels {
 pub(crate) fn write(file: &mut impl Write, map: &MapLevels<'_>) -> Result<()> {
     let (format, texels) = form(map.map);
     let (description, type_size) = Basic::from_format(format).map_err(|error| format!("{error:?}"))?;
-    let block = Block::Basic(description).to_vec();
-    let description = [&(block.len() as u32 + 4).to_le_bytes()[..], &block].concat();
-    let fields = [("KTXorientation", "rd"), ("KTXwriter", concat!("asperity ", env!("CARGO_PKG_VERSION")))];
-    let notes: Vec<u8> = fields.iter().flat_map(|(key, value)| note(key, value)).collect();
     let count = map.last() + 1;
-    let first = Header::LENGTH + LevelIndex::LENGTH * count as usize;
-    let end = (first + description.len() + notes.len()) as u64;
-    let header = Header {
+    let lengths: Vec<_> = (0..count).map(|level| [texels.bytes(map.side(level)); 2]).collect();
+    let texture = Texture {
         format: Some(format),
         type_size,
-        pixel_width: map.side(0) as u32,
-        pixel_height: map.side(0) as u32,
-        pixel_depth: 0,
-        layer_count: 0,
-        face_count: 1,
-        level_count: count,
-        supercompression_scheme: None,
-        index: Index {
-            dfd_byte_offset: first as u32,
-            dfd_byte_length: description.len() as u32,
-            kvd_byte_offset: (first + description.len()) as u32,
-            kvd_byte_length: notes.len() as u32,
-            sgd_byte_offset: 0,
-            sgd_byte_length: 0,
-        },
+        description,
+        size: [map.side(0); 2],
+        scheme: None,
+        alignment: texels.alignment(),
     };
-    // The smallest level comes first in the file and last in the index.
-    let (mut places, mut at) = (Vec::new(), end);
-    for level in (0..count).rev() {
-        at = at.next_multiple_of(texels.alignment());
-        places.push(LevelIndex {
-            byte_offset: at,
-            byte_length: texels.bytes(map.side(level)),
-            uncompressed_byte_length: texels.bytes(map.side(level)),
-        });
-        at += texels.bytes(map.side(level));
-    }
-    file.write_all(&header.as_bytes())?;
-    places.iter().rev().try_for_each(|place| file.write_all(&place.as_bytes()))?;
-    file.write_all(&description)?;
-    file.write_all(&notes)?;
-    let mut at = end;
+    let Layout { head, places } = texture.layout(&lengths);
+    file.write_all(&head)?;
+    let mut at = head.len() as u64;
     for (level, place) in (0..count).rev().zip(&places) {
         file.write_all(&vec![0; (place.byte_offset - at) as usize])?;
         at = place.byte_offset + place.byte_length;
@@ -127,15 +99,6 @@ pub(crate) fn write(file: &mut impl Write, map: &MapLevels<'_>) -> Result<()> {
         }
     }
     Ok(())
-}
-
-/// Encodes a key and its value, padded to four bytes.
-fn note(key: &str, value: &str) -> Vec<u8> {
-    let text = format!("{key}\0{value}\0");
-    let mut bytes = (text.len() as u32).to_le_bytes().to_vec();
-    bytes.extend_from_slice(text.as_bytes());
-    bytes.resize(bytes.len().next_multiple_of(4), 0);
-    bytes
 }
 
 /// Compresses rows of texels. Levels smaller than a block are padded with their last texel.
