@@ -1,8 +1,7 @@
 //! The error of a filtered highlight, compared with 1,024 samples of the maps in a pixel.
 
-use std::f32::consts::{PI, TAU};
-
-use glam::{DVec2, Vec2, Vec3};
+use asperity_ndf_sampling::{Ggx, Ndf};
+use glam::{DVec2, Mat3, Vec2, Vec3};
 use rayon::prelude::*;
 
 use crate::filter::levels::Levels;
@@ -21,30 +20,25 @@ const SHARPEST: f32 = 0.002;
 /// A GGX distribution around a slope.
 #[derive(Clone, Copy)]
 struct Lobe {
-    normal: Vec3,
-    alpha: f32,
+    /// From the frame of the normal.
+    frame: Mat3,
+    ggx: Ggx,
 }
 
 impl Lobe {
     fn new(slope: Vec2, alpha: f32) -> Self {
-        Self { normal: slope.extend(1.0).normalize(), alpha: alpha.max(SHARPEST) }
+        let normal = slope.extend(1.0).normalize();
+        let (x, y) = normal.any_orthonormal_pair();
+        let alpha = alpha.max(SHARPEST);
+        Self { frame: Mat3::from_cols(x, y, normal), ggx: Ggx::new_clamped(alpha, alpha) }
     }
 
-    /// Returns D(h), Walter et al. 2007, equation 33.
     fn density(self, h: Vec3) -> f32 {
-        let (cos, alpha2) = (self.normal.dot(h), self.alpha * self.alpha);
-        // 1 − cos², without cancellation near the normal.
-        let sin2 = self.normal.cross(h).length_squared();
-        let t = alpha2 * cos * cos + sin2;
-        if cos > 0.0 { alpha2 / (PI * t * t) } else { 0.0 }
+        self.ggx.d(self.frame.transpose() * h)
     }
 
-    /// Returns a half vector with the density D(h) cos θ, from two uniform numbers.
     fn sample(self, u: [f32; 2]) -> Vec3 {
-        let tan = self.alpha * (u[0] / (1.0 - u[0]).max(1e-6)).sqrt();
-        let (x, y) = self.normal.any_orthonormal_pair();
-        let (sin, cos) = (TAU * u[1]).sin_cos();
-        (self.normal + tan * (cos * x + sin * y)).normalize()
+        self.frame * self.ggx.sample(u.into())
     }
 }
 
