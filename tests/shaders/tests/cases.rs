@@ -72,10 +72,10 @@ fn given(case: &Case, count: u32) -> Vec<([u32; INPUTS], [u32; OUTPUTS])> {
 /// Tests a case as written and fused.
 fn failures(case: &Case) -> Vec<String> {
     // Cases that call the same functions with other tables or parameters split the number of
-    // inputs. Materials, which are long, have a quarter of it: `tests/gpu` compares all.
+    // inputs. `tests/gpu` compares all inputs.
     let alike = CASES.iter().filter(|other| other.body == case.body).count();
-    let alike = if case.name.starts_with(MATERIALS) { 4 * alike } else { alike };
-    let given = given(case, Case::COUNT.div_ceil(alike as u32));
+    let share = if case.name.starts_with(MATERIALS) { 8 } else { 4 };
+    let given = given(case, Case::COUNT.div_ceil(share * alike as u32));
     let shader = match case.interpreter() {
         Ok(shader) => shader,
         Err(error) => return vec![format!("{}: {error}", case.name)],

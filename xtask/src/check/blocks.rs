@@ -4,7 +4,12 @@
 //! Inside this workspace cargo unifies features, so an example that needs glam's `f64` compiles
 //! next to a crate that enables it.
 
-use std::{collections::BTreeMap, fmt::Write, fs, path::Path};
+use std::{
+    collections::BTreeMap,
+    fmt::Write,
+    fs,
+    path::{Path, PathBuf},
+};
 
 use crate::cargo::{cargo, run};
 use crate::failure::Failure;
@@ -17,21 +22,20 @@ const FOLDER: &str = "target/blocks";
 /// Marks the feature that a block needs, at the end of a line that starts with `use asperity_`.
 const NEEDS: &str = "// feature `";
 
-/// Runs the examples of every crate with its default features, and every Rust block of the README,
-/// the guide and the crate pages, with the crates used in the block.
-pub(crate) fn examples(root: &Path) -> Result<(), Failure> {
+/// Runs the examples of every crate with its default features.
+pub(crate) fn crate_examples(root: &Path) -> Result<(), Failure> {
     let crates = metadata::published(root)?;
-    let folder = root.join(FOLDER);
-    // Unchanged crates are not recompiled.
-    let pages_folder = folder.join("pages");
-    if pages_folder.is_dir() {
-        fs::remove_dir_all(&pages_folder)?;
-    }
-    let mut packages = Vec::new();
-    for member in &crates {
-        write_crate(&folder, member)?;
-        packages.push(member.name.to_string());
-    }
+    write_workspace(root, &crates)?;
+    run_examples(root, crates.iter().map(|member| member.name.to_string()))?;
+    say(&format!("  ran the examples of {} crates", crates.len()));
+    Ok(())
+}
+
+/// Runs every Rust block of the README, the guide and the crate pages, with the crates used in the
+/// block.
+pub(crate) fn page_examples(root: &Path) -> Result<(), Failure> {
+    let crates = metadata::published(root)?;
+    let pages_folder = write_workspace(root, &crates)?;
     let mut groups = BTreeMap::<Vec<String>, String>::new();
     let mut count = 0;
     for page in pages(root, &crates)? {
@@ -41,14 +45,37 @@ pub(crate) fn examples(root: &Path) -> Result<(), Failure> {
             count += 1;
         }
     }
+    let mut packages = Vec::new();
     for (k, (needed, modules)) in groups.iter().enumerate() {
         let name = format!("pages-{k}");
         write(&pages_folder.join(&name), &page_manifest(&name, needed), modules)?;
         packages.push(name);
     }
+    run_examples(root, packages)?;
+    say(&format!("  ran {count} code blocks of pages"));
+    Ok(())
+}
+
+/// Writes the workspace with the crates, and returns the folder of its pages.
+fn write_workspace(root: &Path, crates: &[Package]) -> Result<PathBuf, Failure> {
+    let folder = root.join(FOLDER);
+    // Unchanged crates are not recompiled.
+    let pages_folder = folder.join("pages");
+    if pages_folder.is_dir() {
+        fs::remove_dir_all(&pages_folder)?;
+    }
+    for member in crates {
+        write_crate(&folder, member)?;
+    }
     let manifest = fs::read_to_string(root.join("Cargo.toml"))?;
     fs::write(folder.join("Cargo.toml"), workspace_manifest(&manifest))?;
     fs::copy(root.join("Cargo.lock"), folder.join("Cargo.lock"))?;
+    Ok(pages_folder)
+}
+
+/// Runs the documentation examples of packages of the workspace.
+fn run_examples(root: &Path, packages: impl IntoIterator<Item = String>) -> Result<(), Failure> {
+    let folder = root.join(FOLDER);
     // One package at a time, because cargo unifies the features of packages built together.
     let failed = packages.into_iter().filter(|package| {
         let mut test = cargo(&folder, &format!("test --quiet --doc --package {package}"));
@@ -58,7 +85,6 @@ pub(crate) fn examples(root: &Path) -> Result<(), Failure> {
     if !failed.is_empty() {
         return Err(format!("examples of {} fail (in {FOLDER})", failed.join(", ")).into());
     }
-    say(&format!("  ran the examples of {} crates and {count} code blocks of pages", crates.len()));
     Ok(())
 }
 

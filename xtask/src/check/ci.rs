@@ -44,19 +44,21 @@ const CHECKS: [Check; 10] = [
         let mut docs = cargo(root, "doc --workspace --no-deps --document-private-items --quiet");
         run(docs.env("RUSTDOCFLAGS", "-D warnings"))
     }),
-    ("documentation examples", blocks::examples),
-    ("examples and benches", examples_and_benches),
+    ("documentation examples", blocks::page_examples),
+    ("examples", examples),
     ("no_std probe", |root| platforms(root, "no-std")),
     ("packages", packages::packages),
 ];
 
 /// Checks that take minutes. They run weekly, before a release, and by name when a change affects
 /// them.
-const WEEKLY: [Check; 14] = [
+const WEEKLY: [Check; 16] = [
     ("slow tests", |root| run(&mut cargo(root, "test --quiet --workspace -- --ignored"))),
     ("generated tables", |root| {
         run(&mut cargo(root, "test --quiet --workspace --test up_to_date -- --ignored"))
     }),
+    ("benches", benches),
+    ("examples with default features", blocks::crate_examples),
     ("tests under each feature set", tests),
     ("shaders on drivers", shaders::on_drivers),
     ("live page", |root| platforms(root, "live")),
@@ -179,13 +181,17 @@ fn tests(root: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Runs every example, and one measurement of every bench, as built by `cargo test --workspace`.
-fn examples_and_benches(root: &Path) -> Result<(), Failure> {
+/// Runs one measurement of every bench.
+fn benches(root: &Path) -> Result<(), Failure> {
     let packages = metadata::published(root)?;
     let benches =
         packages.iter().flat_map(|package| &package.targets).filter(|target| target.kind == "bench");
     let mut test = cargo(root, "test --quiet --workspace");
-    run(test.args(benches.flat_map(|bench| ["--bench", &bench.name])))?;
+    run(test.args(benches.flat_map(|bench| ["--bench", &bench.name])))
+}
+
+/// Runs every example, as built by `cargo test --workspace`.
+fn examples(root: &Path) -> Result<(), Failure> {
     let mut build = cargo(root, "test --workspace --no-run --message-format json-render-diagnostics");
     let output = build.stderr(Stdio::inherit()).output()?;
     if !output.status.success() {
